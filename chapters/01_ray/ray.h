@@ -1,0 +1,71 @@
+/* ray.h: a ray (光线) and its interval (光线间隔).
+ *
+ *        tmin                 tmax          P(t) = O + t D                          (1.2)
+ *    O ---[=====================]--->       only hits with tmin <= t <= tmax count  (1.4)
+ *    t = 0                      D
+ *
+ * D need not have unit length. t counts in lengths of D: with D = B - A, t = 0 is A and t = 1 is B;
+ * with a unit D, t is a distance. Rescaling D by s divides every t by s, and changes no point.
+ *
+ *   ray r = ray_between(a, b);           from a to b, D = b - a, interval [0, 1]
+ *   ray r = ray_from(o, d);              everything in front of o, interval [0, infinity]
+ *   vec3 p = ray_at(r, t);
+ *   if (ray_covers(r, t)) ...            the closed interval; a NaN is never in it
+ *
+ * A search for the closest hit keeps the nearest t found so far in r.tmax: see hit.h.
+ *
+ * The fields stand in the order of DXR's RayDesc (Origin, TMin, Direction, TMax); in float they are the
+ * same 32 bytes.
+ *
+ * Sources: P. Shirley, I. Wald, T. Akenine-Möller, E. Haines, "What is a Ray?", Ray Tracing Gems,
+ * 2019, ch. 2 (2-1), (2-2), (2-3); Microsoft, DirectX Raytracing functional specification, "RayDesc".
+ */
+#ifndef RAY_H
+#define RAY_H
+
+#include "../../common/vec3.h"
+
+typedef struct {
+    vec3 o;     /* origin O */
+    real tmin;  /* first t that counts */
+    vec3 d;     /* direction D: not zero, any length */
+    real tmax;  /* last t that counts */
+} ray;
+
+/* ------------------------------------------------------------------------------------------------ */
+
+/* P(t) = O + t D. Error at most some 1.5 epsilon (|O| + |t D|) a component. */
+static inline vec3 ray_at(ray r, real t) { return vmadd(r.o, r.d, t); }
+
+/* P(t) = (1 - t) A + t B (1.1): exact at t = 0 and at t = 1, where ray_at reaches B only within
+ * rounding; two multiplications a component instead of one. */
+static inline vec3 ray_at_between(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
+
+static inline ray ray_from(vec3 o, vec3 d) { return (ray){o, 0, d, real_infinity}; }
+static inline ray ray_between(vec3 a, vec3 b) { return (ray){a, 0, vsub(b, a), 1}; }
+
+/* Written with >= and <=, so that a NaN t is outside. */
+static inline bool ray_covers(ray r, real t) { return t >= r.tmin && t <= r.tmax; }
+
+/* The same points and the same interval with a unit D: t becomes t |D|, a distance (1.3). */
+static inline ray ray_unit(ray r)
+{
+    real length = vlength(r.d);
+    return (ray){r.o, r.tmin * length, vunit(r.d), r.tmax * length};
+}
+
+/* From p to a light, without its ends: [eps, 1 - eps] (1.5). eps is a fraction of the way [0, 1/2). */
+static inline ray ray_shadow(vec3 p, vec3 light, real eps)
+{
+    return (ray){p, eps, vsub(light, p), 1 - eps};
+}
+
+/* The same with a unit D: [eps, |L - p| - eps] (1.6). Now eps is a distance in scene units: the same
+ * number leaves out something else. Costs a square root and a division more. */
+static inline ray ray_shadow_unit(vec3 p, vec3 light, real eps)
+{
+    vec3 d = vsub(light, p);
+    return (ray){p, eps, vunit(d), vlength(d) - eps};
+}
+
+#endif

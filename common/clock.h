@@ -1,0 +1,66 @@
+/* clock.h: how long something takes, on a machine that has other things to do.
+ *
+ * One measurement proves nothing: other programs interrupt, and the processor changes its pace. So the
+ * variants of an experiment run in turn, A B C A B C ..., and each gets the median of its times: what
+ * disturbs a round disturbs all of them. Compare ratios within one run, never seconds of two runs.
+ *
+ *   clock_variant v[] = {{"naive", run_naive, &data}, {"robust", run_robust, &data}};
+ *   clock_compare(v, 2, 7);                  7 rounds; v[k].seconds is then the median
+ */
+#ifndef CLOCK_H
+#define CLOCK_H
+
+#include "posix.h"
+#include <stdlib.h>
+#include <time.h>
+
+typedef struct {
+    const char *name;
+    double (*run)(void *context);  /* does the work; what it returns is kept, so that no work can be dropped */
+    void *context;
+    double seconds;                /* out: median over the rounds */
+} clock_variant;
+
+/* Seconds since some fixed moment, never set back. */
+static inline double clock_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Runs n variants [1..16] in turn, `rounds` times [1..99], after one round that only warms up. */
+static inline void clock_compare(clock_variant *v, int n, int rounds);
+
+/* ------------------------------------------------------------------------------------------------ */
+
+static volatile double clock_kept;  /* a result written here counts as used */
+
+static inline int clock_order(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The middle value of n numbers [n >= 1]; sorts them. */
+static inline double clock_median(double *x, int n)
+{
+    qsort(x, (size_t)n, sizeof *x, clock_order);
+    return n % 2 ? x[n / 2] : (x[n / 2 - 1] + x[n / 2]) / 2;
+}
+
+static inline void clock_compare(clock_variant *v, int n, int rounds)
+{
+    enum { most = 16 };
+    double seconds[most][99];
+    if (n > most || rounds > 99) abort();
+    for (int i = -1; i < rounds; i++)
+        for (int k = 0; k < n; k++) {
+            double start = clock_seconds();
+            clock_kept = v[k].run(v[k].context);
+            if (i >= 0) seconds[k][i] = clock_seconds() - start;
+        }
+    for (int k = 0; k < n; k++) v[k].seconds = clock_median(seconds[k], rounds);
+}
+
+#endif

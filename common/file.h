@@ -1,0 +1,159 @@
+/* file.h: files that are written whole or not at all, and errors that say what went wrong.
+ *
+ * Whoever calls decides what an error means, so functions that read and write return false and fill in
+ * a failure; only main() and options.h end the program.
+ *
+ *   failure f;
+ *   file_writer w;
+ *   if (!file_begin(&w, "out.ppm", &f)) fail(f);
+ *   fprintf(w.stream, ...);
+ *   if (!file_commit(&w, &f)) fail(f);                disk full, device gone: nothing was replaced
+ *
+ * Exit codes of all programs: 0 done, 1 could not (unreadable file, full disk), 2 misuse or broken
+ * input, 130 stopped by Ctrl-C.
+ */
+#ifndef FILE_H
+#define FILE_H
+
+#include "posix.h"
+#include <errno.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef struct { int exit_code; char text[480]; } failure;
+typedef struct { FILE *stream; char *path, *temporary; } file_writer;
+
+/* Fills in *f [may be NULL] and returns false, so that a reader ends with `return failed(f, 2, ...)`. */
+static inline bool failed(failure *f, int exit_code, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Prints "program: text" on stderr and ends the program with f.exit_code. */
+static inline _Noreturn void fail(failure f);
+
+/* Opens a temporary file beside `path`. A path that is there and is no regular file (/dev/stdout, a
+ * pipe) is written to directly. False: w holds nothing that needs closing. */
+static inline bool file_begin(file_writer *w, const char *path, failure *f);
+
+/* Flushes, closes and renames the temporary file to `path`. False: the old file is still there. */
+static inline bool file_commit(file_writer *w, failure *f);
+
+/* Closes and removes what file_begin began. */
+static inline void file_abandon(file_writer *w);
+
+/* The whole file in memory, with a 0 behind its last byte, and its size; NULL and *f if it can't be
+ * read. The caller frees. */
+static inline char *file_read(const char *path, size_t *size, failure *f);
+
+/* ------------------------------------------------------------------------------------------------ */
+
+static const char *program_name = "program";  /* set by options.h */
+
+static inline bool failed(failure *f, int exit_code, const char *format, ...)
+{
+    if (!f) return false;
+    va_list arguments;
+    va_start(arguments, format);
+    f->exit_code = exit_code;
+    vsnprintf(f->text, sizeof f->text, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static inline _Noreturn void fail(failure f)
+{
+    fflush(stdout);
+    fprintf(stderr, "%s: %s\n", program_name, f.text);
+    exit(f.exit_code);
+}
+
+/* malloc(count * size), or the end of the program. */
+static inline void *allocate(size_t count, size_t size)
+{
+    void *p = size && count > SIZE_MAX / size ? NULL : calloc(count ? count : 1, size ? size : 1);
+    failure f;
+    if (!p) failed(&f, 1, "no memory for %zu times %zu bytes", count, size), fail(f);
+    return p;
+}
+
+static inline void file_abandon(file_writer *w)
+{
+    if (w->stream) fclose(w->stream);
+    if (w->temporary) unlink(w->temporary);
+    free(w->path);
+    free(w->temporary);
+    *w = (file_writer){NULL, NULL, NULL};
+}
+
+static inline bool file_begin(file_writer *w, const char *path, failure *f)
+{
+    struct stat there;
+    bool exists = stat(path, &there) == 0;
+    *w = (file_writer){NULL, NULL, NULL};
+    if (exists && !S_ISREG(there.st_mode)) {
+        if (!(w->stream = fopen(path, "wb"))) return failed(f, 1, "%s: cannot write: %s", path, strerror(errno));
+        return true;
+    }
+    w->path = exists ? realpath(path, NULL) : strdup(path);  /* a link stays a link: its target is replaced */
+    size_t room = w->path ? strlen(w->path) + 32 : 1;
+    w->temporary = malloc(room);
+    if (w->path && w->temporary) {
+        snprintf(w->temporary, room, "%s.%ld.part", w->path, (long)getpid());
+        w->stream = fopen(w->temporary, "wbx");
+    }
+    if (w->stream) return true;
+    failed(f, 1, "%s: cannot write: %s", path, strerror(errno));
+    free(w->temporary);
+    w->temporary = NULL;  /* not ours: nothing to remove */
+    file_abandon(w);
+    return false;
+}
+
+static inline bool file_commit(file_writer *w, failure *f)
+{
+    bool written = !ferror(w->stream) && fflush(w->stream) == 0;
+    written = fclose(w->stream) == 0 && written;
+    w->stream = NULL;
+    if (written && w->temporary) written = rename(w->temporary, w->path) == 0;
+    if (written && w->temporary) {
+        free(w->temporary);
+        w->temporary = NULL;
+    }
+    if (!written) failed(f, 1, "%s: cannot write: %s", w->path ? w->path : "output", strerror(errno));
+    file_abandon(w);
+    return written;
+}
+
+static inline char *file_read(const char *path, size_t *size, failure *f)
+{
+    FILE *in = fopen(path, "rb");
+    char *text = NULL;
+    size_t room = 0, n = 0;
+    bool ok = in != NULL;
+    struct stat s;
+    if (ok && fstat(fileno(in), &s) == 0 && S_ISREG(s.st_mode)) room = (size_t)s.st_size + 1;
+    while (ok) {  /* one round for a regular file; a pipe grows by doubling */
+        if (!text || n + 1 >= room) {
+            room = text ? 2 * room : room < 4096 ? 4096 : room + 1;
+            char *more = realloc(text, room);
+            if (!more) { ok = false; break; }
+            text = more;
+        }
+        size_t got = fread(text + n, 1, room - 1 - n, in);
+        n += got;
+        if (got == 0) break;
+    }
+    ok = ok && !ferror(in);
+    if (!ok) failed(f, 1, "%s: cannot read: %s", path, strerror(errno ? errno : EIO));
+    if (in) fclose(in);
+    if (!ok) { free(text); return NULL; }
+    text[n] = 0;
+    *size = n;
+    return text;
+}
+
+#endif

@@ -1,0 +1,15 @@
+/* posix.h: asks the C library for POSIX (clocks, threads, files), which -std=c11 hides.
+ *
+ * It has to come before the first header of the C library; therefore every file includes the headers
+ * of this project first and those of the C library after them. */
+#ifndef POSIX_H
+#define POSIX_H
+
+#ifndef _XOPEN_SOURCE
+#define _XOPEN_SOURCE 700  /* POSIX.1-2008, realpath */
+#endif
+#ifndef _DARWIN_C_SOURCE
+#define _DARWIN_C_SOURCE  /* macOS: the number of processors */
+#endif
+
+#endif

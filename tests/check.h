@@ -1,0 +1,78 @@
+/* check.h: checks that count themselves. A failure prints what was measured, what was expected, and why.
+ *
+ *   int main(void)
+ *   {
+ *       check(vfinite(p), "a point on a finite ray is finite");
+ *       check_at_most(error, 4 * eps, "hit point off the sphere");
+ *       return check_report("03_sphere");          prints "03_sphere: 12 passed, 0 failed"
+ *   }
+ *
+ * check_count(n) is n, divided by CHECK_DIVISOR from the environment: slow builds (sanitizers, valgrind)
+ * run fewer cases, and say so in the report.
+ */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include "../common/posix.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int check_passed, check_failed;
+
+static inline bool check_result(bool ok, const char *file, int line)
+{
+    if (ok) check_passed++;
+    else {
+        check_failed++;
+        printf("%s:%d: FAILED: ", file, line);
+    }
+    return ok;
+}
+
+#define check(ok, ...) \
+    ((void)(check_result((ok), __FILE__, __LINE__) || (printf(__VA_ARGS__), printf("\n"))))
+
+/* A NaN fails all of these. */
+#define check_relation(ok, measured, word, bound, ...) \
+    ((void)(check_result((ok), __FILE__, __LINE__) \
+            || (printf("measured %.17g, expected " word " %.17g: ", (double)(measured), (double)(bound)), \
+                printf(__VA_ARGS__), printf("\n"))))
+
+#define check_at_most(measured, bound, ...) \
+    check_relation((measured) <= (bound), measured, "at most", bound, __VA_ARGS__)
+#define check_at_least(measured, bound, ...) \
+    check_relation((measured) >= (bound), measured, "at least", bound, __VA_ARGS__)
+#define check_equal(measured, expected, ...) \
+    check_relation((measured) == (expected), measured, "exactly", expected, __VA_ARGS__)
+
+/* |measured - expected| <= bound */
+#define check_close(measured, expected, bound, ...) \
+    ((void)(check_result(fabs((double)(measured) - (double)(expected)) <= (double)(bound), __FILE__, __LINE__) \
+            || (printf("measured %.17g, expected %.17g within %.3g: ", (double)(measured), \
+                       (double)(expected), (double)(bound)), printf(__VA_ARGS__), printf("\n"))))
+
+#define check_text(measured, expected, ...) \
+    ((void)(check_result(strcmp((measured), (expected)) == 0, __FILE__, __LINE__) \
+            || (printf("measured \"%s\", expected \"%s\": ", (measured), (expected)), \
+                printf(__VA_ARGS__), printf("\n"))))
+
+static inline size_t check_count(size_t n)
+{
+    const char *divisor = getenv("CHECK_DIVISOR");
+    size_t d = divisor ? (size_t)strtoul(divisor, NULL, 10) : 1;
+    return d > 1 ? (n + d - 1) / d : n;
+}
+
+/* Prints "name: N passed, N failed"; returns the exit status. */
+static inline int check_report(const char *name)
+{
+    if (check_count(100) != 100) printf("%s: with %zu %% of the counts\n", name, check_count(100));
+    printf("%s: %d passed, %d failed\n", name, check_passed, check_failed);
+    return check_failed != 0;
+}
+
+#endif
