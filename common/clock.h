@@ -1,8 +1,9 @@
 /* clock.h: how long something takes, on a machine that has other things to do.
  *
- * One measurement proves nothing: other programs interrupt, and the processor changes its pace. So the
- * variants of an experiment run in turn, A B C A B C ..., and each gets the median of its times: what
- * disturbs a round disturbs all of them. Compare ratios within one run, never seconds of two runs.
+ * One measurement proves nothing: other programs interrupt, and the processor changes its pace. So
+ * the variants of an experiment run in turn, A B C A B C ..., and each gets the median of its
+ * times: what disturbs a round disturbs all of them. Compare ratios within one run, never seconds
+ * of two runs.
  *
  *   clock_variant v[] = {{"naive", run_naive, &data}, {"robust", run_robust, &data}};
  *   clock_compare(v, 2, 7);                  7 rounds; v[k].seconds is then the median
@@ -32,7 +33,7 @@ static inline double clock_seconds(void)
 /* Runs n variants [1..16] in turn, `rounds` times [1..99], after one round that only warms up. */
 static inline void clock_compare(clock_variant *v, int n, int rounds);
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static volatile double clock_kept;  /* a result written here counts as used */
 

@@ -1,7 +1,7 @@
 /* file.h: files that are written whole or not at all, and errors that say what went wrong.
  *
- * Whoever calls decides what an error means, so functions that read and write return false and fill in
- * a failure; only main() and options.h end the program.
+ * Whoever calls decides what an error means, so functions that read and write return false and fill
+ * in a failure; only main() and options.h end the program.
  *
  *   failure f;
  *   file_writer w;
@@ -19,6 +19,7 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <stdbool.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,7 +50,7 @@ static inline void file_abandon(file_writer *w);
  * read. The caller frees. */
 static inline char *file_read(const char *path, size_t *size, failure *f);
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static const char *program_name = "program";  /* set by options.h */
 
@@ -80,6 +81,16 @@ static inline void *allocate(size_t count, size_t size)
     return p;
 }
 
+/* An array of n items with room for one more, the rest zero: p itself, or a copy of twice the size. */
+static inline void *grown(void *p, size_t n, size_t *room, size_t size)
+{
+    if (n < *room) return p;
+    void *more = allocate(*room = 2 * *room + 64, size);
+    if (n) memcpy(more, p, n * size);
+    free(p);
+    return more;
+}
+
 static inline void file_abandon(file_writer *w)
 {
     if (w->stream) fclose(w->stream);
@@ -93,22 +104,19 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
 {
     struct stat there;
     bool exists = stat(path, &there) == 0;
-    *w = (file_writer){NULL, NULL, NULL};
-    if (exists && !S_ISREG(there.st_mode)) {
-        if (!(w->stream = fopen(path, "wb"))) return failed(f, 1, "%s: cannot write: %s", path, strerror(errno));
-        return true;
+    *w = (file_writer){NULL, exists ? realpath(path, NULL) : strdup(path), NULL};  /* a link stays a link */
+    if (exists && (!S_ISREG(there.st_mode) || strncmp(path, "/dev/", 5) == 0)) {
+        fflush(stdout);  /* /dev/stdout may be where both go */
+        w->stream = fopen(path, "ab");
+    } else if (w->path) {
+        size_t room = strlen(w->path) + 32;
+        char *temporary = allocate(room, 1);
+        snprintf(temporary, room, "%s.%ld.part", w->path, (long)getpid());
+        if ((w->stream = fopen(temporary, "wbx")) != NULL) w->temporary = temporary;
+        else free(temporary);
     }
-    w->path = exists ? realpath(path, NULL) : strdup(path);  /* a link stays a link: its target is replaced */
-    size_t room = w->path ? strlen(w->path) + 32 : 1;
-    w->temporary = malloc(room);
-    if (w->path && w->temporary) {
-        snprintf(w->temporary, room, "%s.%ld.part", w->path, (long)getpid());
-        w->stream = fopen(w->temporary, "wbx");
-    }
-    if (w->stream) return true;
+    if (w->stream && w->path) return true;
     failed(f, 1, "%s: cannot write: %s", path, strerror(errno));
-    free(w->temporary);
-    w->temporary = NULL;  /* not ours: nothing to remove */
     file_abandon(w);
     return false;
 }
@@ -117,13 +125,10 @@ static inline bool file_commit(file_writer *w, failure *f)
 {
     bool written = !ferror(w->stream) && fflush(w->stream) == 0;
     written = fclose(w->stream) == 0 && written;
-    w->stream = NULL;
     if (written && w->temporary) written = rename(w->temporary, w->path) == 0;
-    if (written && w->temporary) {
-        free(w->temporary);
-        w->temporary = NULL;
-    }
-    if (!written) failed(f, 1, "%s: cannot write: %s", w->path ? w->path : "output", strerror(errno));
+    if (!written) failed(f, 1, "%s: cannot write: %s", w->path, strerror(errno));
+    else free(w->temporary), w->temporary = NULL;
+    w->stream = NULL;
     file_abandon(w);
     return written;
 }
@@ -131,26 +136,20 @@ static inline bool file_commit(file_writer *w, failure *f)
 static inline char *file_read(const char *path, size_t *size, failure *f)
 {
     FILE *in = fopen(path, "rb");
-    char *text = NULL;
-    size_t room = 0, n = 0;
-    bool ok = in != NULL;
-    struct stat s;
-    if (ok && fstat(fileno(in), &s) == 0 && S_ISREG(s.st_mode)) room = (size_t)s.st_size + 1;
-    while (ok) {  /* one round for a regular file; a pipe grows by doubling */
-        if (!text || n + 1 >= room) {
-            room = text ? 2 * room : room < 4096 ? 4096 : room + 1;
-            char *more = realloc(text, room);
-            if (!more) { ok = false; break; }
-            text = more;
+    size_t room = 1 << 16, n = 0, got = 1;
+    char *text = in ? malloc(room) : NULL;
+    while (text && got > 0) {  /* a pipe does not tell its size, so the array grows by doubling */
+        if (n + 1 == room) {
+            char *more = realloc(text, room *= 2);
+            if (!more) free(text);
+            if ((text = more) == NULL) break;
         }
-        size_t got = fread(text + n, 1, room - 1 - n, in);
-        n += got;
-        if (got == 0) break;
+        n += got = fread(text + n, 1, room - 1 - n, in);
     }
-    ok = ok && !ferror(in);
-    if (!ok) failed(f, 1, "%s: cannot read: %s", path, strerror(errno ? errno : EIO));
+    bool ok = text && !ferror(in);
+    if (!ok) failed(f, 1, "%s: cannot read: %s", path, strerror(errno)), free(text);
     if (in) fclose(in);
-    if (!ok) { free(text); return NULL; }
+    if (!ok) return NULL;
     text[n] = 0;
     *size = n;
     return text;

@@ -1,8 +1,8 @@
 /* random.h: random numbers that depend on (seed, pixel, sample, dimension) and on nothing else.
  *
- * A generator with a hidden state hands its numbers out in the order in which threads ask. Here each
- * number is looked up: the same four keys give the same number, on any machine, in any order, with any
- * number of threads, so a picture is the same byte for byte.
+ * A generator with a hidden state hands its numbers out in the order in which threads ask. Here
+ * each number is looked up: the same four keys give the same number, on any machine, in any order,
+ * with any number of threads, so a picture is the same byte for byte.
  *
  *   uint64_t random_bits(seed, pixel, sample, dimension)     64 random bits
  *   real     random_real(seed, pixel, sample, dimension)     uniform in [0,1), never 1
@@ -12,8 +12,8 @@
  * Bits to real: (bits >> 40) * 2^-24 in float, (bits >> 11) * 2^-53 in double. The short cut
  * (float)u * 2^-32 rounds the 128 largest words up to 1.
  *
- * Source of the mixing function: Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
- * OOPSLA 2014 (SplitMix64), with the constants of D. Stafford's variant 13.
+ * Source of the mixing function: Steele, Lea, Flood, "Fast splittable pseudorandom number
+ * generators", OOPSLA 2014 (SplitMix64), with the constants of D. Stafford's variant 13.
  */
 #ifndef RANDOM_H
 #define RANDOM_H
@@ -23,7 +23,7 @@
 
 typedef struct { uint64_t key, dimension; } random_stream;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* A bijection of 64-bit words in which every input bit changes each output bit half of the time. */
 static inline uint64_t random_mix(uint64_t x)

@@ -42,7 +42,7 @@ _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three re
 #define real_smallest (real_is_float ? (real)FLT_MIN : (real)DBL_MIN)
 #define real_infinity ((real)INFINITY)
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* Plain comparisons, not fmin: one instruction each, and the second argument wins against a NaN. */
 static inline real real_min(real a, real b) { return a < b ? a : b; }

@@ -7,8 +7,8 @@
  *       return check_report("03_sphere");          prints "03_sphere: 12 passed, 0 failed"
  *   }
  *
- * check_count(n) is n, divided by CHECK_DIVISOR from the environment: slow builds (sanitizers, valgrind)
- * run fewer cases, and say so in the report.
+ * check_count(n) is n, divided by CHECK_DIVISOR from the environment: slow builds (sanitizers,
+ * valgrind) run fewer cases, and say so in the report.
  */
 #ifndef CHECK_H
 #define CHECK_H

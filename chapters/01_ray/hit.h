@@ -1,7 +1,8 @@
 /* hit.h: what a ray hits first.
  *
  * Every shape has a function `bool X_hit(X, ray, hit *out)`: true if the ray meets it at a t of its
- * interval; `out` is untouched on a miss. The search for the closest hit (最近交点) narrows the interval:
+ * interval; `out` is untouched on a miss. The search for the closest hit (最近交点) narrows the
+ * interval:
  *
  *   hit best = hit_none, h;
  *   for (i = 0; i < n; i++)
@@ -11,8 +12,8 @@
  *       }
  *
  * The interval is closed, so a later shape at the very same t is reported too; then the lower index
- * wins. That rule makes the answer independent of the order of the search: every acceleration structure
- * gives the same hit as this loop.
+ * wins. That rule makes the answer independent of the order of the search: every acceleration
+ * structure gives the same hit as this loop.
  */
 #ifndef HIT_H
 #define HIT_H
@@ -29,7 +30,7 @@ typedef struct {
 #define no_shape UINT32_MAX
 #define hit_none ((hit){real_infinity, 0, 0, no_shape})
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* True if a comes before b: smaller t, or the same t and the lower index. */
 static inline bool hit_before(hit a, hit b)

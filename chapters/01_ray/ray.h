@@ -14,11 +14,12 @@
  *
  * A search for the closest hit keeps the nearest t found so far in r.tmax: see hit.h.
  *
- * The fields stand in the order of DXR's RayDesc (Origin, TMin, Direction, TMax); in float they are the
- * same 32 bytes.
+ * The fields stand in the order of DXR's RayDesc (Origin, TMin, Direction, TMax); in float they are
+ * the same 32 bytes.
  *
  * Sources: P. Shirley, I. Wald, T. Akenine-Möller, E. Haines, "What is a Ray?", Ray Tracing Gems,
- * 2019, ch. 2 (2-1), (2-2), (2-3); Microsoft, DirectX Raytracing functional specification, "RayDesc".
+ * 2019, ch. 2 (2-1), (2-2), (2-3); Microsoft, DirectX Raytracing functional specification,
+ * "RayDesc".
  */
 #ifndef RAY_H
 #define RAY_H
@@ -32,7 +33,7 @@ typedef struct {
     real tmax;  /* last t that counts */
 } ray;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* P(t) = O + t D. Error at most some 1.5 epsilon (|O| + |t D|) a component. */
 static inline vec3 ray_at(ray r, real t) { return vmadd(r.o, r.d, t); }

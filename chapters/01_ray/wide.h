@@ -1,27 +1,28 @@
 /* wide.h: numbers of twice the precision of double, the oracle that errors are measured against.
  *
- * A wide is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2: some 32 decimal digits with
- * the range of double. Every real is a wide without error, so an input is known exactly, whatever real
- * is. Each operation is off by less than 1e-31 relatively; ten to twenty times the cost of double.
+ * A wide is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2: some 32 decimal digits
+ * with the range of double. Every real is a wide without error, so an input is known exactly,
+ * whatever real is. Each operation is off by less than 1e-31 relatively; ten to twenty times the
+ * cost of double.
  *
  *   wide x = wide_of(0.1);               x exactly the double nearest to 0.1
  *   x = wide_mul(x, wide_sub(y, z));     wide_add, wide_sub, wide_mul, wide_div, wide_sqrt
  *   double d = wide_value(x);            the nearest double
  *
- * Needs -ffp-contract=off: a contracted product would change the error terms.
- * Sources: Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18,
- * 1971; Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of
- * double-word arithmetic", ACM TOMS 44(2), 2017, algorithms 6, 12, 17.
+ * Needs -ffp-contract=off: a contracted product would change the error terms. Sources: Dekker, "A
+ * floating-point technique for extending the available precision", Numer. Math. 18, 1971; Joldes,
+ * Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
+ * arithmetic", ACM TOMS 44(2), 2017, algorithms 6, 12, 17.
  */
 #ifndef WIDE_H
 #define WIDE_H
 
-#include "vec3.h"
+#include "../../common/vec3.h"
 
 typedef struct { double hi, lo; } wide;
 typedef struct { wide x, y, z; } wide3;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline wide wide_of(double x) { return (wide){x, 0}; }
 static inline double wide_value(wide a) { return a.hi + a.lo; }
