@@ -17,7 +17,7 @@
 
 typedef struct {
     const char *name;
-    double (*run)(void *context);  /* does the work; what it returns is kept, so that no work can be dropped */
+    double (*run)(void *context);  /* does the work; returns something that depends on all of it */
     void *context;
     double seconds;                /* out: median over the rounds */
 } clock_variant;
@@ -29,9 +29,6 @@ static inline double clock_seconds(void)
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
-
-/* Runs n variants [1..16] in turn, `rounds` times [1..99], after one round that only warms up. */
-static inline void clock_compare(clock_variant *v, int n, int rounds);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -50,6 +47,7 @@ static inline double clock_median(double *x, int n)
     return n % 2 ? x[n / 2] : (x[n / 2 - 1] + x[n / 2]) / 2;
 }
 
+/* Runs n variants [1..16] in turn, `rounds` times [1..99], after one round that only warms up. */
 static inline void clock_compare(clock_variant *v, int n, int rounds)
 {
     enum { most = 16 };

@@ -29,31 +29,12 @@
 typedef struct { int exit_code; char text[480]; } failure;
 typedef struct { FILE *stream; char *path, *temporary; } file_writer;
 
-/* Fills in *f [may be NULL] and returns false, so that a reader ends with `return failed(f, 2, ...)`. */
-static inline bool failed(failure *f, int exit_code, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-/* Prints "program: text" on stderr and ends the program with f.exit_code. */
-static inline _Noreturn void fail(failure f);
-
-/* Opens a temporary file beside `path`. A path that is there and is no regular file (/dev/stdout, a
- * pipe) is written to directly. False: w holds nothing that needs closing. */
-static inline bool file_begin(file_writer *w, const char *path, failure *f);
-
-/* Flushes, closes and renames the temporary file to `path`. False: the old file is still there. */
-static inline bool file_commit(file_writer *w, failure *f);
-
-/* Closes and removes what file_begin began. */
-static inline void file_abandon(file_writer *w);
-
-/* The whole file in memory, with a 0 behind its last byte, and its size; NULL and *f if it can't be
- * read. The caller frees. */
-static inline char *file_read(const char *path, size_t *size, failure *f);
-
 /* ---------------------------------------------------------------------------------------------- */
 
 static const char *program_name = "program";  /* set by options.h */
 
+/* Fills in *f [may be NULL] and returns false: a reader ends with `return failed(f, 2, ...)`. */
+__attribute__((format(printf, 3, 4)))
 static inline bool failed(failure *f, int exit_code, const char *format, ...)
 {
     if (!f) return false;
@@ -65,6 +46,7 @@ static inline bool failed(failure *f, int exit_code, const char *format, ...)
     return false;
 }
 
+/* Prints "program: text" on stderr and ends the program with f.exit_code. */
 static inline _Noreturn void fail(failure f)
 {
     fflush(stdout);
@@ -81,7 +63,7 @@ static inline void *allocate(size_t count, size_t size)
     return p;
 }
 
-/* An array of n items with room for one more, the rest zero: p itself, or a copy of twice the size. */
+/* An array of n items with room for one more, the rest zero: p, or a copy of twice the size. */
 static inline void *grown(void *p, size_t n, size_t *room, size_t size)
 {
     if (n < *room) return p;
@@ -91,6 +73,7 @@ static inline void *grown(void *p, size_t n, size_t *room, size_t size)
     return more;
 }
 
+/* Closes and removes what file_begin began. */
 static inline void file_abandon(file_writer *w)
 {
     if (w->stream) fclose(w->stream);
@@ -100,14 +83,16 @@ static inline void file_abandon(file_writer *w)
     *w = (file_writer){NULL, NULL, NULL};
 }
 
+/* Opens a temporary file beside `path`. What is there and is no regular file (/dev/stdout, a pipe)
+ * is written to directly. False: w holds nothing that needs closing. */
 static inline bool file_begin(file_writer *w, const char *path, failure *f)
 {
     struct stat there;
-    bool exists = stat(path, &there) == 0;
-    *w = (file_writer){NULL, exists ? realpath(path, NULL) : strdup(path), NULL};  /* a link stays a link */
-    if (exists && (!S_ISREG(there.st_mode) || strncmp(path, "/dev/", 5) == 0)) {
+    bool exists = stat(path, &there) == 0, regular = exists && S_ISREG(there.st_mode);
+    *w = (file_writer){NULL, regular ? realpath(path, NULL) : strdup(path), NULL};  /* links stay */
+    if (exists && (!regular || strncmp(path, "/dev/", 5) == 0)) {
         fflush(stdout);  /* /dev/stdout may be where both go */
-        w->stream = fopen(path, "ab");
+        w->stream = fopen(path, regular ? "ab" : "wb");
     } else if (w->path) {
         size_t room = strlen(w->path) + 32;
         char *temporary = allocate(room, 1);
@@ -121,6 +106,7 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
     return false;
 }
 
+/* Closes and renames the temporary file to `path`. False: the old file is still there. */
 static inline bool file_commit(file_writer *w, failure *f)
 {
     bool written = !ferror(w->stream) && fflush(w->stream) == 0;
@@ -133,6 +119,7 @@ static inline bool file_commit(file_writer *w, failure *f)
     return written;
 }
 
+/* The whole file, with a 0 behind its last byte; NULL if it can't be read. The caller frees. */
 static inline char *file_read(const char *path, size_t *size, failure *f)
 {
     FILE *in = fopen(path, "rb");

@@ -22,7 +22,7 @@ typedef struct {
     double rmse;          /* root of the mean square difference, over all channels */
     double relative_mse;  /* mean of (a - b)^2 / (b^2 + 0.01), b the reference */
     double maximum;       /* largest |a - b| */
-    size_t not_finite;    /* channels where either is NaN or infinite: counted here, and in nothing above */
+    size_t not_finite;    /* channels where either is NaN or infinite: counted only here */
 } image_difference;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -83,7 +83,7 @@ static inline uint8_t srgb_byte(double c)
     return !(s > 0) ? 0 : s >= 1 ? 255 : (uint8_t)(s * 255 + 0.5);
 }
 
-/* Three bytes a pixel into row[3 width]. A pixel with a NaN becomes pure magenta, so that it is seen.
+/* Three bytes a pixel into row[3 width]. A pixel with a NaN becomes pure magenta, to be seen.
  * Returns the number of pixels that are not finite. */
 static inline size_t image_row_bytes(const image *im, int y, uint8_t *row)
 {

@@ -17,12 +17,6 @@
 #include "png.h"
 #include <ctype.h>
 
-/* Whole or not at all; see file.h. Unknown ending: exit code 2; cannot write: 1. */
-static inline bool image_write(const char *path, const image *im, failure *f);
-
-/* A new image in *out, for image_free. Unreadable: exit code 1; broken or not a known format: 2. */
-static inline bool image_read(const char *path, image *out, failure *f);
-
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline bool ends_with(const char *text, const char *ending)
@@ -46,6 +40,7 @@ static inline void write_pfm(FILE *out, const image *im)
         fwrite(image_pixel(im, 0, y), sizeof(float), 3 * (size_t)im->width, out);
 }
 
+/* Whole or not at all; see file.h. Unknown ending: exit code 2; cannot write: 1. */
 static inline bool image_write(const char *path, const image *im, failure *f)
 {
     file_writer w;
@@ -57,13 +52,14 @@ static inline bool image_write(const char *path, const image *im, failure *f)
     }
     uint8_t *rgb = allocate(n, 1);
     for (int y = 0; y < im->height; y++) bad += image_row_bytes(im, y, rgb + stride * (size_t)y);
-    if (bad) fprintf(stderr, "%s: %s: %zu pixels are not finite (NaN is shown magenta)\n", program_name, path, bad);
+    if (bad) fprintf(stderr, "%s: %s: %zu pixels not finite\n", program_name, path, bad);
     if (ends_with(path, ".png")) png_write(w.stream, rgb, im->width, im->height);
     else {
         bool text = ends_with(path, ".p3.ppm");
         fprintf(w.stream, "P%d\n%d %d\n255\n", text ? 3 : 6, im->width, im->height);
         if (!text) fwrite(rgb, 1, n, w.stream);
-        else for (size_t i = 0; i < n; i++) fprintf(w.stream, "%d%c", rgb[i], i % 12 == 11 ? '\n' : ' ');
+        for (size_t i = 0; text && i < n; i++)
+            fprintf(w.stream, "%d%c", rgb[i], i % 12 == 11 ? '\n' : ' ');
     }
     free(rgb);
     return file_commit(&w, f);
@@ -103,12 +99,13 @@ static inline bool read_pfm(scanner s, bool little, image *im)
     for (int y = im->height - 1; y >= 0; y--)
         for (size_t i = 0; i < stride; i++, s.at += 4) {
             uint32_t word = 0;
-            for (int k = 0; k < 4; k++) word |= (uint32_t)(uint8_t)s.at[k] << 8 * (little ? k : 3 - k);
+            for (int k = 0; k < 4; k++) word = word << 8 | (uint8_t)s.at[little ? 3 - k : k];
             memcpy(im->rgb + stride * (size_t)y + i, &word, 4);
         }
     return true;
 }
 
+/* A new image in *out, for image_free. Unreadable: exit code 1; broken or not a known format: 2. */
 static inline bool image_read(const char *path, image *out, failure *f)
 {
     enum { side = 65535 };

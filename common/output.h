@@ -24,38 +24,42 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* False if `name` is not wanted, because --out asks for the main picture alone. Makes the directory. */
+/* False if `name` is not wanted: --out asks for the main picture alone. Makes the directory. */
 static inline bool output_path(const options *o, const char *name, bool is_main, char path[512])
 {
-    const char *directory = o->quick ? "build/quick" : ends_with(name, "_time.svg") ? "build" : "images";
-    if (o->out && !is_main) return false;
-    if (!o->out && directory[0] == 'b') mkdir("build", 0777);
-    if (!o->out) mkdir(directory, 0777);
-    snprintf(path, 512, "%s%s%s", o->out ? "" : directory, o->out ? "" : "/", o->out ? o->out : name);
+    bool timed = ends_with(name, "_time.svg");
+    const char *directory = o->quick ? "build/quick" : timed ? "build" : "images";
+    if (o->out) snprintf(path, 512, "%s", o->out);
+    if (o->out) return is_main;
+    if (o->quick) mkdir("build", 0777);
+    mkdir(directory, 0777);
+    snprintf(path, 512, "%s/%s", directory, name);
     return true;
 }
 
 /* The upper half of a cell is a character's colour, the lower half its background. */
 static inline void output_preview(const image *im)
 {
-    int columns = im->width < 100 ? im->width : 100, rows = columns * im->height / im->width / 2;
-    for (int r = 0; r < rows; r++, printf("\033[0m\n"))
-        for (int c = 0; c < columns; c++)
-            for (int half = 0; half < 2; half++) {
-                int x0 = c * im->width / columns, x1 = (c + 1) * im->width / columns;
-                int y0 = (2 * r + half) * im->height / (2 * rows), y1 = (2 * r + half + 1) * im->height / (2 * rows);
-                double sum[3] = {0, 0, 0}, n = (x1 - x0) * (y1 - y0);
-                for (int y = y0; y < y1; y++)
-                    for (int x = x0; x < x1; x++)
-                        for (int k = 0; k < 3; k++) sum[k] += (double)image_pixel(im, x, y)[k] / n;
-                printf("\033[%d;2;%d;%d;%dm%s", half ? 48 : 38, srgb_byte(sum[0]), srgb_byte(sum[1]), srgb_byte(sum[2]),
-                       half ? "\u2580" : "");
-            }
+    int w = im->width, h = im->height, columns = w < 100 ? w : 100;
+    int rows = (columns * h / w + 1) / 2;
+    for (int i = 0; i < 2 * rows * columns; i++) {
+        int half = i % 2, c = i / 2 % columns, r = 2 * (i / 2 / columns) + half;
+        int x0 = c * w / columns, x1 = (c + 1) * w / columns, y0 = r * h / (2 * rows);
+        int y1 = (r + 1) * h / (2 * rows) > y0 ? (r + 1) * h / (2 * rows) : y0 + 1;
+        double sum[3] = {0, 0, 0}, n = (x1 - x0) * (y1 - y0);
+        for (int y = y0; y < y1; y++)
+            for (int x = x0; x < x1; x++)
+                for (int k = 0; k < 3; k++) sum[k] += (double)image_pixel(im, x, y)[k] / n;
+        printf("\033[%d;2;%d;%d;%dm", half ? 48 : 38, srgb_byte(sum[0]), srgb_byte(sum[1]),
+               srgb_byte(sum[2]));
+        if (half) printf(c + 1 == columns ? "\u2580\033[0m\n" : "\u2580");
+    }
 }
 
 /* Saves (and, with --preview, shows) a picture. `whole` is what parallel_pixels returned: if Ctrl-C
  * stopped it, what there is gets saved, and the program ends with exit 130. */
-static inline void output_picture(const options *o, const image *im, const char *name, bool is_main, bool whole)
+static inline void output_picture(const options *o, const image *im, const char *name, bool is_main,
+                                  bool whole)
 {
     char path[512];
     failure f;

@@ -19,13 +19,6 @@
 typedef void parallel_job(size_t i, void *context);
 typedef void pixel_job(int x, int y, void *context);
 
-/* job(0) ... job(n - 1) on so many threads (0: one a core). True if all were done, false after Ctrl-C.
- * `what` names the work in the progress line. */
-static inline bool parallel_for(size_t n, int threads, const char *what, parallel_job *job, void *context);
-
-/* job(x, y) for each pixel, by tiles of 16 x 16, from the top. Otherwise as above. */
-static inline bool parallel_pixels(int width, int height, int threads, const char *what, pixel_job *job, void *context);
-
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
@@ -52,7 +45,8 @@ static inline void parallel_show(parallel_work *w)
     if (now - w->shown < 0.2 || spent < 0.5 || done == 0) return;
     w->shown = now;
     double part = (double)done / (double)w->n;
-    fprintf(stderr, "\r%s: %s %.0f %%, %.0f s left \033[K", program_name, w->what, 100 * part, spent * (1 / part - 1));
+    fprintf(stderr, "\r%s: %s %.0f %%, %.0f s left \033[K", program_name, w->what, 100 * part,
+            spent * (1 / part - 1));
 }
 
 static inline void parallel_run(parallel_work *w, bool show)
@@ -76,13 +70,18 @@ static inline int parallel_cores(void)
     return n < 1 ? 1 : n > 256 ? 256 : (int)n;
 }
 
-static inline bool parallel_for(size_t n, int threads, const char *what, parallel_job *job, void *context)
+/* job(0) ... job(n - 1) on so many threads (0: one a core). True if all were done, false after
+ * Ctrl-C. `what` names the work in the progress line. */
+static inline bool parallel_for(size_t n, int threads, const char *what, parallel_job *job,
+                                void *context)
 {
     pthread_t others[256];
     int started = 0, wanted = threads > 0 ? threads : parallel_cores();
     bool show = isatty(STDERR_FILENO);
-    parallel_work w = {.job = job, .context = context, .what = what, .n = n, .start = clock_seconds()};
-    struct sigaction before, during = {.sa_handler = parallel_on_interrupt, .sa_flags = (int)SA_RESETHAND};
+    parallel_work w = {.job = job, .context = context, .what = what, .n = n};
+    struct sigaction before, during = {.sa_handler = parallel_on_interrupt};
+    during.sa_flags = (int)SA_RESETHAND;
+    w.start = clock_seconds();
     atomic_store(&parallel_stop, 0);
     sigaction(SIGINT, NULL, &before);
     if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &during, NULL);
@@ -107,10 +106,13 @@ static inline void parallel_tile(size_t i, void *tiles)
         for (int x = x0; x < x0 + side && x < t->width; x++) t->job(x, y, t->context);
 }
 
-static inline bool parallel_pixels(int width, int height, int threads, const char *what, pixel_job *job, void *context)
+/* job(x, y) for each pixel, by tiles of 16 x 16, from the top. Otherwise as above. */
+static inline bool parallel_pixels(int width, int height, int threads, const char *what,
+                                   pixel_job *job, void *context)
 {
     parallel_tiles t = {width, height, (width + 15) / 16, job, context};
-    return parallel_for((size_t)t.across * (size_t)((height + 15) / 16), threads, what, parallel_tile, &t);
+    size_t n = (size_t)t.across * (size_t)((height + 15) / 16);
+    return parallel_for(n, threads, what, parallel_tile, &t);
 }
 
 #endif

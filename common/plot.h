@@ -59,7 +59,7 @@ static inline void plot_add(plot *p, int series, double x, double y)
     p->points[p->n++] = (plot_point){series, x, y};
 }
 
-/* A reference line y ~ x^slope (on linear axes: of that slope) through the first point [at most 2]. */
+/* A reference line y ~ x^slope (linear axes: of that slope) through the first point [at most 2]. */
 static inline void plot_slope(plot *p, double slope, const char *name)
 {
     if (p->slopes == 2) abort();
@@ -67,7 +67,7 @@ static inline void plot_slope(plot *p, double slope, const char *name)
     p->slope[p->slopes++] = slope;
 }
 
-/* Values (their logarithms, on a logarithmic axis) from lowest to highest lie at places from to to. */
+/* Values (on a logarithmic axis their logarithms) lowest .. highest lie at places from .. to. */
 typedef struct { double lowest, highest, from, to; bool log; } plot_axis;
 
 static inline double plot_value(plot_axis a, double v) { return a.log ? log10(v) : v; }
@@ -107,22 +107,24 @@ static const char *const plot_colour[plot_most_series] = {
 static inline void plot_mark(FILE *out, int series, double x, double y, bool hollow)
 {
     static const char *const shape[plot_most_series] = {
-        "M-4,0A4,4 0 1 0 4,0A4,4 0 1 0 -4,0Z", "M-4,-4H4V4H-4Z", "M0,-5L5,4H-5Z", "M0,-5L5,0L0,5L-5,0Z",
-        "M0,5L5,-4H-5Z", "M-5,-2H-2V-5H2V-2H5V2H2V5H-2V2H-5Z", "M-5,-4L0,-1L5,-4V4L0,1L-5,4Z",
+        "M-4,0A4,4 0 1 0 4,0A4,4 0 1 0 -4,0Z", "M-4,-4H4V4H-4Z", "M0,-5L5,4H-5Z", "M0,5L5,-4H-5Z",
+        "M0,-5L5,0L0,5L-5,0Z", "M-5,-2H-2V-5H2V-2H5V2H2V5H-2V2H-5Z", "M-5,-4L0,-1L5,-4V4L0,1L-5,4Z",
         "M-5,-2H5V2H-5Z"};
     fprintf(out, "<path d=\"%s\" transform=\"translate(%.1f,%.1f)\" fill=\"%s\" stroke=\"%s\"/>\n",
             shape[series], x, y, hollow ? "white" : plot_colour[series], plot_colour[series]);
 }
 
-static inline void plot_line(FILE *out, double x0, double y0, double x1, double y1, const char *style)
+static inline void plot_line(FILE *out, double x0, double y0, double x1, double y1,
+                             const char *style)
 {
-    fprintf(out, "<path clip-path=\"url(#area)\" d=\"M%.1f,%.1fL%.1f,%.1f\" %s/>\n", x0, y0, x1, y1, style);
+    fprintf(out, "<path clip-path=\"url(#area)\" d=\"M%.1f,%.1fL%.1f,%.1f\" %s/>\n", x0, y0, x1, y1,
+            style);
 }
 
 static inline void plot_text(FILE *out, double x, double y, const char *style, const char *text)
 {
     fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, style);
-    for (; *text; text++) fprintf(out, *text == '<' ? "&lt;" : *text == '&' ? "&amp;" : "%c", *text);
+    for (; *text; text++) fprintf(out, *text == '<' || *text == '&' ? "&#%d;" : "%c", *text);
     fprintf(out, "</text>\n");
 }
 
@@ -132,7 +134,8 @@ static inline void plot_ticks(FILE *out, plot_axis a, plot_axis other, bool y)
     char text[32];
     for (double k = ceil(a.lowest / step - 1e-9); k * step <= a.highest + 1e-9 * step; k++) {
         double v = k * step, at = plot_place(a, v), from = other.from;
-        snprintf(text, sizeof text, a.log && fabs(v) > 3 ? "1e%.0f" : "%.6g", a.log && fabs(v) <= 3 ? pow(10, v) : v);
+        bool power = a.log && fabs(v) > 3;
+        snprintf(text, sizeof text, power ? "1e%.0f" : "%.6g", a.log && !power ? pow(10, v) : v);
         if (y) plot_line(out, from, at, other.to, at, "stroke=\"#ddd\"");
         else plot_line(out, at, from, at, other.to, "stroke=\"#ddd\"");
         if (y) plot_text(out, from - 8, at + 4, "text-anchor=\"end\"", text);
@@ -160,7 +163,8 @@ static inline void plot_curve(const plot *p, FILE *out, int s, plot_axis ax, plo
 
 static inline void plot_write(const plot *p, FILE *out)
 {
-    static const char *const dashes[] = {"stroke=\"#555\" stroke-dasharray=\"2 4\"", "stroke=\"#555\" stroke-dasharray=\"8 4\""};
+    static const char *const dashes[] = {"stroke=\"#555\" stroke-dasharray=\"2 4\"",
+                                         "stroke=\"#555\" stroke-dasharray=\"8 4\""};
     plot_axis ax = plot_range(p, false, 80, 560), ay = plot_range(p, true, 370, 50);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 820 430\" width=\"820\" "
             "height=\"430\" font-family=\"sans-serif\" font-size=\"13\">\n"
@@ -168,7 +172,7 @@ static inline void plot_write(const plot *p, FILE *out)
             "<clipPath id=\"area\"><path d=\"M79,49H820V371H79Z\"/></clipPath>\n");
     plot_text(out, 320, 28, "text-anchor=\"middle\" font-size=\"16\"", p->title);
     plot_text(out, 320, 412, "text-anchor=\"middle\"", p->x_label);
-    plot_text(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(22,210) rotate(-90)\"", p->y_label);
+    plot_text(out, -210, 22, "text-anchor=\"middle\" transform=\"rotate(-90)\"", p->y_label);
     plot_ticks(out, ax, ay, false), plot_ticks(out, ay, ax, true);
     fprintf(out, "<path d=\"M80,50H560V370H80Z\" fill=\"none\" stroke=\"black\"/>\n");
     for (int s = 0; s < p->series; s++) {
@@ -181,10 +185,12 @@ static inline void plot_write(const plot *p, FILE *out)
     while (first + 1 < p->n && ay.log && p->points[first].y <= 0) first++;
     for (int k = 0; k < p->slopes && first < p->n; k++) {
         double x0 = plot_value(ax, p->points[first].x), y0 = plot_value(ay, p->points[first].y);
-        double left = y0 + p->slope[k] * (ax.lowest - x0), right = y0 + p->slope[k] * (ax.highest - x0);
-        plot_line(out, ax.from, plot_place(ay, left), ax.to, plot_place(ay, right), dashes[k]);
-        plot_line(out, 572, 62 + 20 * (p->series + k), 598, 62 + 20 * (p->series + k), dashes[k]);
-        plot_text(out, 604, 66 + 20 * (p->series + k), "", p->slope_name[k]);
+        double left = plot_place(ay, y0 + p->slope[k] * (ax.lowest - x0));
+        double right = plot_place(ay, y0 + p->slope[k] * (ax.highest - x0));
+        int y = 62 + 20 * (p->series + k);
+        plot_line(out, ax.from, left, ax.to, right, dashes[k]);
+        plot_line(out, 572, y, 598, y, dashes[k]);
+        plot_text(out, 604, y + 4, "", p->slope_name[k]);
     }
     fprintf(out, "</svg>\n");
 }

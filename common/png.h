@@ -1,20 +1,15 @@
-/* png.h: writes 8-bit RGB as PNG (ISO/IEC 15948): each row filtered, the whole deflated.
+/* png.h: writes 8-bit RGB as PNG (ISO/IEC 15948).
  *
- * Deflate (RFC 1951) replaces what occurred before within 32768 bytes by (length, distance), LZ77,
- * and writes the rest in the fixed Huffman code: no table to compute, some 10 % larger than the
- * best code. A filter replaces a byte by its difference from a neighbour, so that smooth rows
- * become small numbers; each row takes the filter with the smallest sum of magnitudes (PNG section
- * 12.8).
+ * Deflate (RFC 1951) replaces what occurred before, within 32768 bytes, by (length, distance): LZ77.
+ * The rest goes out in the fixed Huffman code: no table to compute, some 10 % larger than the best.
+ * Before that, the Paeth filter replaces each byte by its difference from the best of three
+ * neighbours (PNG section 9.4), so that smooth rows become small numbers and repeat.
  */
 #ifndef PNG_H
 #define PNG_H
 
 #include "file.h"
 #include <stdint.h>
-
-/* Writes to an open stream; rgb holds width * height * 3 bytes, rows from the top. Write errors stay in
- * the stream, for file_commit. Memory: about twice the size of rgb. */
-static inline void png_write(FILE *out, const uint8_t *rgb, int width, int height);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -30,7 +25,8 @@ static inline void put_byte(bit_writer *w, uint8_t byte)
 static inline void put_bits(bit_writer *w, uint32_t value, int count)
 {
     w->bits |= (uint64_t)value << w->count;
-    for (w->count += count; w->count >= 8; w->count -= 8, w->bits >>= 8) put_byte(w, (uint8_t)w->bits);
+    w->count += count;
+    for (; w->count >= 8; w->count -= 8, w->bits >>= 8) put_byte(w, (uint8_t)w->bits);
 }
 
 /* Huffman codes alone go highest bit first. */
@@ -48,8 +44,8 @@ static inline void put_symbol(bit_writer *w, uint32_t s)
     else put_code(w, 0xc0 + s - 280, 8);
 }
 
-/* A match: length [3, 258], distance [1, 32768]. Codes grow by groups of 4 (lengths) or 2 (distances)
- * that share a number of extra bits. */
+/* A match: length [3, 258], distance [1, 32768]. Codes come in groups of 4 (lengths) or 2
+ * (distances) that share a number of extra bits. */
 static inline void put_match(bit_writer *w, uint32_t length, uint32_t distance)
 {
     uint32_t l = length - 3, d = distance - 1;
@@ -88,7 +84,7 @@ static inline uint32_t find_match(const uint8_t *in, size_t n, size_t i, const s
 /* One final block of fixed codes. A match waits one byte: a longer one may begin there. */
 static inline void deflate(bit_writer *w, const uint8_t *in, size_t n)
 {
-    size_t *head = allocate(hash_size, sizeof *head), *previous = allocate(window, sizeof *previous);
+    size_t *head = allocate(hash_size, sizeof *head), *previous = allocate(window, sizeof *head);
     uint32_t held = 0, held_distance = 0, distance = 0;
     size_t skip = 0;  /* bytes of a match already written */
     put_bits(w, 3, 3);
@@ -110,14 +106,15 @@ static inline void deflate(bit_writer *w, const uint8_t *in, size_t n)
     free(head), free(previous);
 }
 
-static inline void filter_row(uint8_t *out, const uint8_t *row, const uint8_t *above, size_t n, int type)
+/* The differences of one row from Paeth's guess: of the bytes to the left a, above b, and above left
+ * c, the one closest to a + b - c. Outside the picture all are 0. */
+static inline void filter_row(uint8_t *out, const uint8_t *row, const uint8_t *above, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
-        int a = i < 3 ? 0 : row[i - 3], b = above ? above[i] : 0, c = i < 3 || !above ? 0 : above[i - 3];
+        int a = i < 3 ? 0 : row[i - 3], b = above ? above[i] : 0;
+        int c = i < 3 || !above ? 0 : above[i - 3];
         int pa = abs(b - c), pb = abs(a - c), pc = abs(a + b - 2 * c);
-        int paeth = pa <= pb && pa <= pc ? a : pb <= pc ? b : c;
-        int guess[5] = {0, a, b, (a + b) / 2, paeth};
-        out[i] = (uint8_t)(row[i] - guess[type]);
+        out[i] = (uint8_t)(row[i] - (pa <= pb && pa <= pc ? a : pb <= pc ? b : c));
     }
 }
 
@@ -126,7 +123,7 @@ static inline void put_word(bit_writer *w, uint32_t x)
     for (int k = 24; k >= 0; k -= 8) put_byte(w, (uint8_t)(x >> k));
 }
 
-/* Writes length, type and data, and the CRC-32 of the last two; w holds type and data, and is freed. */
+/* Writes length, type and data, and the CRC-32 of the last two; w holds type and data; frees it. */
 static inline void end_chunk(FILE *out, bit_writer *w)
 {
     bit_writer length = {0};
@@ -149,28 +146,22 @@ static inline bit_writer begin_chunk(const char *type_and_data, size_t n)
     return w;
 }
 
-/* Filters one row into to[0] (the type) and to[1 ...]. */
-static inline void choose_filter(uint8_t *to, uint8_t *trial, const uint8_t *row, const uint8_t *above, size_t n)
-{
-    uint64_t least = UINT64_MAX;
-    for (int type = 0; type < 5; type++) {
-        uint64_t sum = 0;
-        filter_row(trial, row, above, n, type);
-        for (size_t i = 0; i < n; i++) sum += trial[i] < 128 ? trial[i] : 256u - trial[i];
-        if (sum < least) least = sum, to[0] = (uint8_t)type, memcpy(to + 1, trial, n);
-    }
-}
-
+/* Writes to an open stream; rgb holds width * height * 3 bytes, rows from the top. Write errors stay
+ * in the stream, for file_commit. Memory: about twice the size of rgb. */
 static inline void png_write(FILE *out, const uint8_t *rgb, int width, int height)
 {
     size_t stride = 3 * (size_t)width, n = (stride + 1) * (size_t)height;
-    uint8_t *raw = allocate(n, 1), *trial = allocate(stride, 1);
+    uint8_t *raw = allocate(n, 1);
     uint32_t a = 1, b = 0;  /* Adler-32 */
-    for (size_t y = 0; y < (size_t)height; y++)
-        choose_filter(raw + (stride + 1) * y, trial, rgb + stride * y, y ? rgb + stride * (y - 1) : NULL, stride);
+    for (size_t y = 0; y < (size_t)height; y++) {
+        uint8_t *to = raw + (stride + 1) * y;
+        *to = 4;  /* Paeth */
+        filter_row(to + 1, rgb + stride * y, y ? rgb + stride * (y - 1) : NULL, stride);
+    }
     for (size_t i = 0; i < n; i++) a = (a + raw[i]) % 65521, b = (b + a) % 65521;
-    bit_writer head = begin_chunk("IHDR", 4), colour = begin_chunk("sRGB\0", 5), end = begin_chunk("IEND", 4);
+    bit_writer head = begin_chunk("IHDR", 4), colour = begin_chunk("sRGB\0", 5);
     bit_writer data = begin_chunk("IDAT\x78\x01", 6);  /* zlib: deflate, window 32768 */
+    bit_writer end = begin_chunk("IEND", 4);
     put_word(&head, (uint32_t)width), put_word(&head, (uint32_t)height);
     put_byte(&head, 8), put_byte(&head, 2);            /* 8 bits, RGB */
     for (int k = 0; k < 3; k++) put_byte(&head, 0);    /* deflate, five filters, not interlaced */
@@ -178,7 +169,7 @@ static inline void png_write(FILE *out, const uint8_t *rgb, int width, int heigh
     put_word(&data, b << 16 | a);
     fwrite("\x89PNG\r\n\x1a\n", 1, 8, out);
     end_chunk(out, &head), end_chunk(out, &colour), end_chunk(out, &data), end_chunk(out, &end);
-    free(raw), free(trial);
+    free(raw);
 }
 
 #endif

@@ -1,8 +1,5 @@
-/* posix.h: asks the C library for POSIX (clocks, threads, files), which -std=c11 hides.
- *
- * It has to come before the first header of the C library; therefore every file includes the
- * headers
- * of this project first and those of the C library after them. */
+/* posix.h: asks the C library for POSIX (clocks, threads, files), which -std=c11 hides. It must come
+ * before the first header of the C library: so include this project's headers first. */
 #ifndef POSIX_H
 #define POSIX_H
 

@@ -6,7 +6,7 @@
  *
  *   uint64_t random_bits(seed, pixel, sample, dimension)     64 random bits
  *   real     random_real(seed, pixel, sample, dimension)     uniform in [0,1), never 1
- *   random_stream s = random_start(seed, pixel, sample);     the same numbers, dimension 0, 1, 2, ...
+ *   random_stream s = random_start(seed, pixel, sample);     the same, dimension 0, 1, 2, ...
  *   real     random_next(&s);
  *
  * Bits to real: (bits >> 40) * 2^-24 in float, (bits >> 11) * 2^-53 in double. The short cut
@@ -56,7 +56,8 @@ static inline real random_real_of(uint64_t bits)
 
 static inline real random_next(random_stream *s) { return random_real_of(random_next_bits(s)); }
 
-static inline uint64_t random_bits(uint64_t seed, uint64_t pixel, uint64_t sample, uint64_t dimension)
+static inline uint64_t random_bits(uint64_t seed, uint64_t pixel, uint64_t sample,
+                                   uint64_t dimension)
 {
     random_stream s = random_start(seed, pixel, sample);
     s.dimension = dimension;

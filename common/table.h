@@ -1,7 +1,7 @@
 /* table.h: a table for people and for programs.
  *
  *   table t = table_new("Error and time of a hit", "method|distance [R]|error [R]|time [ns]");
- *   table_text(&t, "naive"); table_count(&t, 100); table_number(&t, 2.5e-10); table_number(&t, 7.1);
+ *   table_text(&t, "naive"), table_count(&t, 100), table_number(&t, 1e-9), table_number(&t, 7.1);
  *   output_table(&o, &t);                     output.h: prints it, and writes it as CSV
  *
  * Cells come row by row. A column whose name begins with "error" or "time" holds what was measured;
@@ -45,7 +45,7 @@ static inline void table_free(table *t)
     t->cell = NULL, t->n = t->room = 0;
 }
 
-static inline void table_text(table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+__attribute__((format(printf, 2, 3)))
 static inline void table_text(table *t, const char *format, ...)
 {
     va_list arguments;
@@ -82,11 +82,9 @@ static inline void table_print(const table *t, FILE *out)
 {
     size_t columns = (size_t)t->columns, rows = t->n / columns;
     int width[table_most_columns];
-    for (size_t c = 0; c < columns; c++) {
-        width[c] = text_width(t->name[c]);
-        for (size_t r = 0; r < rows; r++)
-            if (text_width(t->cell[r * columns + c]) > width[c]) width[c] = text_width(t->cell[r * columns + c]);
-    }
+    for (size_t c = 0; c < columns; c++) width[c] = text_width(t->name[c]);
+    for (size_t i = 0; i < t->n; i++)
+        if (width[i % columns] < text_width(t->cell[i])) width[i % columns] = text_width(t->cell[i]);
     for (size_t r = 0; r < rows + 1; r++, fprintf(out, "\n"))
         for (size_t c = 0; c < columns; c++) {
             const char *s = r ? t->cell[(r - 1) * columns + c] : t->name[c];

@@ -5,10 +5,10 @@
  *
  * One rule names every function: v + what it returns; vectors come first, then numbers.
  *
- *   vadd(a,b)  a + b      vscale(a,s)  s a          vdot(a,b)    a . b     vmin(a,b)  the smaller of each
- *   vsub(a,b)  a - b      vmul(a,b)    (ax bx, ..)  vcross(a,b)  a x b     vmax(a,b)  the larger of each
- *   vneg(a)    -a         vmadd(a,b,s) a + s b      vlength(a)   |a|       vaxis(a,k) ax, ay, az for k = 0, 1, 2
- *   vunit(a)   a / |a|    vfinite(a)   no infinity, no NaN                 vlongest(a)  k of the largest |a_k|
+ *   vadd(a,b)  a + b     vscale(a,s)   s a          vdot(a,b)    a . b   vmin(a,b)   smaller
+ *   vsub(a,b)  a - b     vmul(a,b)     (ax bx, ..)  vcross(a,b)  a x b   vmax(a,b)   larger
+ *   vneg(a)    -a        vmadd(a,b,s)  a + s b      vlength(a)   |a|     vaxis(a,k)  ax, ay, az
+ *   vunit(a)   a / |a|   vfinite(a)    all finite   vzero(a)     all 0   vlongest(a) k of max |ak|
  *   vbasis(n, &s, &t)     completes a unit n to a right-handed orthonormal basis s, t, n
  *
  *   call                      cannot do                       so it returns
@@ -36,7 +36,7 @@ _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three re
 
 #define pi ((real)3.14159265358979323846)
 #define real_is_float (sizeof(real) == sizeof(float))
-/* Distance from 1 to the next real: 2.2e-16 or 1.2e-7. A rounded operation is off by half of it, relatively. */
+/* From 1 to the next real: 2.2e-16 or 1.2e-7. A rounded operation is off by half of it at most. */
 #define real_epsilon (real_is_float ? (real)FLT_EPSILON : (real)DBL_EPSILON)
 #define real_largest (real_is_float ? (real)FLT_MAX : (real)DBL_MAX)
 #define real_smallest (real_is_float ? (real)FLT_MIN : (real)DBL_MIN)
@@ -132,7 +132,7 @@ static inline void vbasis(vec3 n, vec3 *s, vec3 *t)
 
 /* a b - c d within 1.5 units in the last place: the rounding error of c d, which fma finds exactly,
  * is given back. The plain form loses everything when the products nearly cancel.
- * Source: Jeannerod, Louvet, Muller, "Further analysis of Kahan's algorithm", Math. Comp. 82, 2013. */
+ * Source: Jeannerod, Louvet, Muller, "Further analysis of Kahan's algorithm", Math. Comp. 2013 */
 static inline real difference_of_products(real a, real b, real c, real d)
 {
     real cd = c * d;

@@ -1,4 +1,4 @@
-/* check.h: checks that count themselves. A failure prints what was measured, what was expected, and why.
+/* check.h: checks that count themselves. A failure prints measured, expected, bound and why.
  *
  *   int main(void)
  *   {
@@ -39,8 +39,8 @@ static inline bool check_result(bool ok, const char *file, int line)
 /* A NaN fails all of these. */
 #define check_relation(ok, measured, word, bound, ...) \
     ((void)(check_result((ok), __FILE__, __LINE__) \
-            || (printf("measured %.17g, expected " word " %.17g: ", (double)(measured), (double)(bound)), \
-                printf(__VA_ARGS__), printf("\n"))))
+            || (printf("measured %.17g, expected " word " %.17g: ", (double)(measured), \
+                       (double)(bound)), printf(__VA_ARGS__), printf("\n"))))
 
 #define check_at_most(measured, bound, ...) \
     check_relation((measured) <= (bound), measured, "at most", bound, __VA_ARGS__)
@@ -51,7 +51,8 @@ static inline bool check_result(bool ok, const char *file, int line)
 
 /* |measured - expected| <= bound */
 #define check_close(measured, expected, bound, ...) \
-    ((void)(check_result(fabs((double)(measured) - (double)(expected)) <= (double)(bound), __FILE__, __LINE__) \
+    ((void)(check_result(fabs((double)(measured) - (double)(expected)) <= (double)(bound), \
+                         __FILE__, __LINE__) \
             || (printf("measured %.17g, expected %.17g within %.3g: ", (double)(measured), \
                        (double)(expected), (double)(bound)), printf(__VA_ARGS__), printf("\n"))))
 

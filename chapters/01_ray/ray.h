@@ -55,14 +55,14 @@ static inline ray ray_unit(ray r)
     return (ray){r.o, r.tmin * length, vunit(r.d), r.tmax * length};
 }
 
-/* From p to a light, without its ends: [eps, 1 - eps] (1.5). eps is a fraction of the way [0, 1/2). */
+/* From p to a light without its ends: [eps, 1 - eps] (1.5). eps is a fraction of the way < 1/2. */
 static inline ray ray_shadow(vec3 p, vec3 light, real eps)
 {
     return (ray){p, eps, vsub(light, p), 1 - eps};
 }
 
-/* The same with a unit D: [eps, |L - p| - eps] (1.6). Now eps is a distance in scene units: the same
- * number leaves out something else. Costs a square root and a division more. */
+/* The same with a unit D: [eps, |L - p| - eps] (1.6). Now eps is a distance in scene units: the
+ * same number leaves out something else. Costs two square roots and a division more. */
 static inline ray ray_shadow_unit(vec3 p, vec3 light, real eps)
 {
     vec3 d = vsub(light, p);

@@ -84,7 +84,8 @@ static inline wide wide_sqrt(wide a)
     return wide_add(wide_of(s), wide_of(rest.hi / (2 * s)));
 }
 
-static inline int wide_sign(wide a) { return a.hi > 0 || (a.hi == 0 && a.lo > 0) ? 1 : a.hi < 0 || a.lo < 0 ? -1 : 0; }
+/* -1, 0 or 1; the sign of hi is that of the sum, for |lo| <= ulp(hi)/2. */
+static inline int wide_sign(wide a) { return (a.hi > 0) - (a.hi < 0); }
 
 static inline wide3 wide3_of(vec3 a)
 {
