@@ -87,7 +87,7 @@ static inline plot_axis plot_range(const plot *p, bool y, double from, double to
         if (isfinite(v) && v > a.highest) a.highest = v;
     }
     if (a.lowest > a.highest) a.lowest = 0, a.highest = 1;
-    if (y && !a.log && a.lowest > 0) a.lowest = 0;
+    if (!a.log && a.lowest > 0) a.lowest = 0;
     if (a.log) a.lowest = floor(a.lowest + 1e-9), a.highest = ceil(a.highest - 1e-9);
     if (a.highest - a.lowest < 1e-9 * (1 + fabs(a.highest))) a.highest += 1;
     return a;

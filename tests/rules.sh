@@ -74,7 +74,10 @@ lines=$(cat common/*.h | wc -l)
 if [ "$lines" -le 1500 ]; then ok; else no "common/ has $lines lines, at most 1500 are wanted"; fi
 lines=$(wc -l < common/vec3.h)
 if [ "$lines" -lt 150 ]; then ok; else no "vec3.h has $lines lines, fewer than 150 are wanted"; fi
-long=$(awk 'length > 100 { print FILENAME ":" FNR }' common/*.h chapters/*/*.[hc] tests/*.[hc])
+# Characters, not bytes; line 2 of a main.c is a command and may be longer.
+long=$(LC_ALL=C awk '{ gsub(/[\200-\277]/, "") }
+    length > 100 && !(FNR == 2 && FILENAME ~ /main\.c$/) { print FILENAME ":" FNR }' \
+    common/*.h chapters/*/*.[hc] tests/*.[hc])
 if [ -z "$long" ]; then ok; else no "lines longer than 100 columns: $long"; fi
 
 echo "rules.sh: $passed passed, $failed failed"
