@@ -1,4 +1,5 @@
-/* 01_ray: both forms against exact arithmetic, intervals, units of t, transforms, order of fields. */
+/* 01_ray: both forms against exact arithmetic, intervals, units of t, transforms, order of fields.
+ * */
 #include "../chapters/01_ray/affine.h"
 #include "../chapters/01_ray/hit.h"
 #include "../chapters/01_ray/ray_f32.h"
@@ -23,8 +24,8 @@ static double off(real computed, wide a, wide d, real t)
     return fabs(wide_value(wide_sub(wide_of((double)computed), exact)));
 }
 
-/* The bounds that ray.h states, over |O| and t from 1 to 1e8. The worst ratio of error to bound shows
- * that the bound is close, too: a bound that nothing comes near to would be idle. */
+/* The bounds that ray.h states, over |O| and t from 1 to 1e8. The worst ratio of error to bound
+ * shows that the bound is close, too: a bound that nothing comes near to would be idle. */
 static void test_error_bounds(void)
 {
     double plain = 0, fused = 0, between = 0;
@@ -47,7 +48,7 @@ static void test_error_bounds(void)
     check_at_least(plain, 0.5, "the bound of O + t D is not idle");
     check_at_most(fused, 0.5 + 4 * epsilon, "a fused step is within half an epsilon of |P|");
     check_at_least(fused, 0.25, "the bound of the fused step is not idle");
-    check_at_most(between, 1 + 4 * epsilon, "(1-t) A + t B is within 3/2 epsilon (|(1-t) A| + |t B|)");
+    check_at_most(between, 1 + 4 * epsilon, "(1-t) A + t B is within its bound");
     check_at_least(between, 0.4, "the bound of (1-t) A + t B is not idle");
 }
 
@@ -57,7 +58,8 @@ static void test_ends(void)
     for (size_t i = 0; i < 1000; i++) {
         random_stream s = random_start(2, i, 0);
         vec3 a = random_vec3(&s, random_power(&s, 1000)), b = random_vec3(&s, 1);
-        vec3 p = ray_at_between(a, b, 0), q = ray_at_between(a, b, 1), r = ray_at(ray_between(a, b), 1);
+        vec3 p = ray_at_between(a, b, 0), q = ray_at_between(a, b, 1);
+        vec3 r = ray_at(ray_between(a, b), 1);
         wrong_a += p.x != a.x || p.y != a.y || p.z != a.z;
         wrong_b += q.x != b.x || q.y != b.y || q.z != b.z;
         missed += r.x != b.x || r.y != b.y || r.z != b.z;
@@ -67,8 +69,8 @@ static void test_ends(void)
     check_at_least(missed, 100, "O + t D, D = B - A rounded, misses B in the last bits");
 }
 
-/* Far behind B the two products of (1.1) are t |A| and cancel: the error grows with t and |A|, that of
- * (1.2) with the larger of them. */
+/* Far behind B the two products of (1.1) are t |A| and cancel: the error grows with t and |A|, that
+ * of (1.2) with the larger of them. */
 static void test_form_far_out(void)
 {
     vec3 a = {(real)10000.3, 0, 0}, b = vadd(a, (vec3){1, 0, 0});
@@ -90,11 +92,12 @@ static void test_float_staircase(void)
         distinct += at_f32(1e8f, 1, (float)i) != at_f32(1e8f, 1, (float)(i + 1));
     check_equal(distinct, 8, "from 1e8 to 1e8 + 64 float knows 8 steps of 8");
     check_equal(at_f32(16777216, 1, 1), 16777216.0f, "2^24 + 1 is no float: the ray stands still");
-    float u = 1 + FLT_EPSILON;  /* u u = 1 + 2 eps + eps^2: float drops the last term before the sum */
+    float u = 1 + FLT_EPSILON;  /* u u = 1 + 2 eps + eps^2: float drops the last term */
     check_equal(at_f32(-1 - 2 * FLT_EPSILON, u, u), 0.0f, "product and sum are rounded one by one");
     size_t missed = 0;
     for (uint64_t i = 0; i < 1000; i++) {
-        float a = random_float_of(random_bits(5, i, 0, 0)), b = random_float_of(random_bits(5, i, 0, 1));
+        float a = 1000 * random_float_of(random_bits(5, i, 0, 0));
+        float b = random_float_of(random_bits(5, i, 0, 1));
         missed += between_f32(a, b, 1) != b;
     }
     check_equal(missed, 0, "(1.1) reaches B in float");
@@ -116,7 +119,8 @@ static void test_interval(void)
           "[0, infinity] begins at the origin and has no end");
 }
 
-/* (2-3) of the notes: with a unit D, differences of t are distances; else they are |D| times less. */
+/* (2-3) of the notes: with a unit D, differences of t are distances; else they are |D| times less.
+ * */
 static void test_unit(void)
 {
     double worst = 0;
@@ -145,7 +149,7 @@ static void test_shadow(void)
     ray r = ray_shadow(p, light, eps), u = ray_shadow_unit(p, light, eps);
     check_equal(ray_at(r, r.tmin).y, 100 * eps, "not normalised: eps of the way");
     check_equal(ray_at(u, u.tmin).y, eps, "normalised: the distance eps");
-    check_close(ray_at(r, r.tmax).y, 100 - 100 * (double)eps, 200 * epsilon, "the same at the light");
+    check_close(ray_at(r, r.tmax).y, 100 - 100 * (double)eps, 200 * epsilon, "at the light");
     check_close(ray_at(u, u.tmax).y, 100 - (double)eps, 200 * epsilon, "the same at the light");
     real blocker = (real)0.5;  /* half a unit above p: 0.005 of the way */
     check(!ray_covers(r, blocker / 100) && ray_covers(u, blocker),
@@ -202,22 +206,22 @@ static void test_affine(void)
         if (!affine_inverse(m, &back)) { undo = HUGE_VAL; continue; }
         undo = fmax(undo, (double)vlength(vsub(affine_point(back, q), ray_at(r, t))));
     }
-    /* numbers up to 3 * 20 + 10, some ten roundings each; undoing multiplies by the condition <= 3 */
-    check_at_most(worst, 10 * 70 * epsilon, "the transformed ray at t is the transformed point at t");
+    /* numbers up to 3 * 20 + 10, some ten roundings each; undoing multiplies by the condition, 3 */
+    check_at_most(worst, 10 * 70 * epsilon, "the transformed ray at t: the transformed point at t");
     check_at_most(undo, 4 * 10 * 70 * epsilon, "the inverse takes the point back");
     affine out = affine_scaling((vec3){7, 7, 7});
-    check(!affine_inverse(affine_scaling((vec3){1, 0, 1}), &out), "a flat transform has no inverse");
+    check(!affine_inverse(affine_scaling((vec3){1, 0, 1}), &out), "a flat one has no inverse");
     check(!affine_inverse(affine_scaling((vec3){1, (real)NAN, 1}), &out), "nor has a NaN");
     check(!affine_inverse(affine_translation((vec3){real_infinity, 0, 0}), &out), "nor infinity");
     check_equal(out.x.x, 7, "a failed inverse leaves *out alone");
 }
 
-/* The same plane hit in world space and, by the transformed ray, in object space: the same t. With D
- * normalised in between t is another. */
+/* The same plane hit in world space and, by the transformed ray, in object space: the same t. With
+ * D normalised in between t is another. */
 static void test_instance_keeps_t(void)
 {
-    affine to_world = affine_of(affine_scaling((vec3){4, 1, 1}), affine_translation((vec3){3, 0, 0}));
-    affine to_object;
+    affine scaled = affine_scaling((vec3){4, 1, 1}), to_object;
+    affine to_world = affine_of(scaled, affine_translation((vec3){3, 0, 0}));
     check(affine_inverse(to_world, &to_object), "the instance can be inverted");
     ray r = ray_from((vec3){-5, 1, 2}, (vec3){2, 1, 0});
     hit world = hit_none, object = hit_none, unit = hit_none;

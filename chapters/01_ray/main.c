@@ -141,13 +141,14 @@ static void draw(const options *o)
 int main(int argc, char **argv)
 {
     options defaults = {.width = panels * (panel + gap) - gap, .height = panel, .seed = 1};
-    options o = options_read(argc, argv, "01_ray", "A point on a ray: error and time.", defaults, NULL);
+    options o = options_read(argc, argv, "01_ray", "A point on a ray: error and time.",
+                             defaults, NULL);
     draw(&o);
     const real distance[3] = {1, 10000, 100000000}, at[3] = {1, 10000, 100000000};
     table t = table_new("P(t): error (root mean square over 256 rays, |D| about 1) and time",
                         "form|distance of O|error t=1|error t=1e4|error t=1e8|time [ns]");
     plot p = plot_new("Error of P(t), O at 1e4", "t", "error", PLOT_LOG_X | PLOT_LOG_Y);
-    plot q = plot_new("Error against time, O at 1e4, t about 1e4", "time [ns]", "error", PLOT_LOG_Y);
+    plot q = plot_new("O at 1e4, t about 1e4", "time [ns]", "error", PLOT_LOG_Y);
     line *l = allocate(lines, sizeof *l);
     task job = {l, allocate(lines, sizeof(vec3)), allocate(lines, sizeof(vec3_f32)), false};
     clock_variant v[forms];
