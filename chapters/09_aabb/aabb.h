@@ -9,8 +9,9 @@
  *
  *   bool aabb_hit(aabb b, ray r, real *t_enter)        hit: the closed box and the closed interval
  *                                                      [tmin, tmax] have a point in common (9.3)
- *   ray_inverse i = inverse_of(r);                     once a ray, for many boxes: same answers
- *   bool aabb_hit_inverse(aabb b, const ray_inverse *i, ray r, real *t_enter)
+ *   ray_inverse i = inverse_of(r);                     once a ray, for many boxes: same answers;
+ *   bool aabb_hit_inverse(const aabb *b, const ray_inverse *i, ray r, real *t_enter)   r's interval
+ *                                                      may shrink meanwhile
  *
  *   aabb_empty()           lo = inf, hi = -inf            aabb_is_empty(b)    lo > hi on an axis
  *   aabb_grow_point(b, p)  smallest that holds b and p    aabb_area(b)        surface; empty: 0
@@ -19,11 +20,11 @@
  *   A NaN coordinate of p does not grow the box.
  *
  * Never a false negative, whatever the rounding: a ray that meets the box in exact arithmetic is
- * reported, with *t_enter <= the exact t_enter (and >= tmin). So a search that skips boxes with
- * *t_enter > tmax loses nothing. A ray that passes the box by some 1e-15 of its distance (1e-6 in
- * float) may be reported too; at worst it costs time. *t_enter is untouched on a miss.
+ * reported, with *t_enter <= the exact one (tmin, if the ray starts inside). So a search that skips
+ * boxes with *t_enter > tmax loses nothing. A ray that passes the box by some 1e-15 of its distance
+ * (1e-6 in float) may be reported too: that costs time, and no hit. *t_enter is untouched on a miss.
  * Coordinates and t may be anything up to half the largest real; lo, hi and tmax also infinite.
- * Flat boxes are boxes. An empty box is never hit. A NaN in a box, in o or in d: that axis says
+ * Flat boxes are boxes. aabb_empty() is never hit. A NaN in a box, in o or in d: that axis says
  * nothing (so: rather a hit); a NaN in tmin or tmax: no t is in the interval, no hit.
  *
  * Sources: T. Kay, J. Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986, section 2; T. Ize,
@@ -38,9 +39,12 @@
 typedef struct { vec3 lo, hi; } aabb;
 
 typedef struct {
-    vec3 inverse;               /* 1 / d; +-infinity for d = +-0 */
-    bool down_x, down_y, down_z;  /* the ray goes down this axis: hi is the near plane */
+    vec3 inverse;             /* 1 / d_k; +-infinity for d_k = +-0; NaN: this axis says nothing */
+    int near_x, near_y, near_z;  /* number of the plane that is entered first, of the six reals of
+                                    an aabb: 0, 1, 2, or 3, 4, 5 where the inverse is negative */
 } ray_inverse;
+
+_Static_assert(sizeof(aabb) == 6 * sizeof(real), "aabb_hit_inverse reads six reals in a row");
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -78,40 +82,39 @@ static inline bool aabb_contains(aabb b, vec3 p)
            && p.z <= b.hi.z;
 }
 
-/* 1/d; a NaN, which stands for "this axis says nothing", where 1/d overflows although d is not 0,
- * or d is not finite. */
+/* 1/d; NaN where 1/d overflows although d is not 0, and where d is infinite. */
 static inline real inverse_component(real d)
 {
     real i = 1 / d;
     return d == 0 || (isfinite(i) && i != 0) ? i : (real)NAN;
 }
 
+/* The sign of the inverse tells near from far, not d's: -0.0 < 0 is false, 1/-0.0 < 0 is true. */
 static inline ray_inverse inverse_of(ray r)
 {
     vec3 i = {inverse_component(r.d.x), inverse_component(r.d.y), inverse_component(r.d.z)};
-    return (ray_inverse){i, i.x < 0, i.y < 0, i.z < 0};
+    return (ray_inverse){i, i.x < 0 ? 3 : 0, i.y < 0 ? 4 : 1, i.z < 0 ? 5 : 2};
 }
 
-/* An axis where the ray is parallel to its slab and lies in one of the planes gives 0 * inf = NaN;
- * real_max(a, t0) and real_min(b, t1) then return t0 and t1: in the slab for all t, which is right.
- * Inverse and not d tells near from far: -0.0 < 0 is false, 1/-0.0 < 0 is true.
- * u = epsilon/2. A computed plane t is off by 3 u (difference, inverse, product), or 6 u where the
- * inverse is below the smallest normal real; entry against exit twice that, and the product that
- * pads adds one: 13 u < pad = 16 u. The min takes the right one of the two products, since below 0
- * smaller means larger by amount. What remains is a product that underflows: off by less than
+/* A ray in a plane of the box and parallel to it gives 0 * inf = NaN; real_max(NaN, t0) is t0 and
+ * real_min(NaN, t1) is t1: this axis allows every t, which is right.
+ *
+ * u = epsilon/2. The t of a plane is off by 3 u, relatively: difference, inverse, product; by 6 u
+ * if the inverse is below the smallest normal real and so has lost two bits. Entry against exit: twice
+ * that, and one more for the product that pads: 13 u < pad = 16 u. Of the two products the smaller
+ * one is the padded one on either side of 0. Where a product underflows it is off by less than
  * real_smallest. */
-static inline bool aabb_hit_inverse(aabb b, const ray_inverse *i, ray r, real *t_enter)
+static inline bool aabb_hit_inverse(const aabb *b, const ray_inverse *i, ray r, real *t_enter)
 {
-    const real pad = 8 * real_epsilon;
-    real t0 = -real_infinity, t1 = r.tmax;
-    t0 = real_max(((i->down_x ? b.hi.x : b.lo.x) - r.o.x) * i->inverse.x, t0);
-    t0 = real_max(((i->down_y ? b.hi.y : b.lo.y) - r.o.y) * i->inverse.y, t0);
-    t0 = real_max(((i->down_z ? b.hi.z : b.lo.z) - r.o.z) * i->inverse.z, t0);
-    t1 = real_min(((i->down_x ? b.lo.x : b.hi.x) - r.o.x) * i->inverse.x, t1);
-    t1 = real_min(((i->down_y ? b.lo.y : b.hi.y) - r.o.y) * i->inverse.y, t1);
-    t1 = real_min(((i->down_z ? b.lo.z : b.hi.z) - r.o.z) * i->inverse.z, t1);
+    const real *plane = &b->lo.x, pad = 8 * real_epsilon;
+    real t0 = r.tmin, t1 = r.tmax;
+    t0 = real_max((plane[i->near_x] - r.o.x) * i->inverse.x, t0);
+    t0 = real_max((plane[i->near_y] - r.o.y) * i->inverse.y, t0);
+    t0 = real_max((plane[i->near_z] - r.o.z) * i->inverse.z, t0);
+    t1 = real_min((plane[3 - i->near_x] - r.o.x) * i->inverse.x, t1);
+    t1 = real_min((plane[5 - i->near_y] - r.o.y) * i->inverse.y, t1);
+    t1 = real_min((plane[7 - i->near_z] - r.o.z) * i->inverse.z, t1);
     t0 = real_min(t0 * (1 - pad), t0 * (1 + pad)) - real_smallest;
-    t0 = real_max(t0, r.tmin);
     if (!(t0 <= t1)) return false;
     *t_enter = t0;
     return true;
@@ -120,7 +123,7 @@ static inline bool aabb_hit_inverse(aabb b, const ray_inverse *i, ray r, real *t
 static inline bool aabb_hit(aabb b, ray r, real *t_enter)
 {
     ray_inverse i = inverse_of(r);
-    return aabb_hit_inverse(b, &i, r, t_enter);
+    return aabb_hit_inverse(&b, &i, r, t_enter);
 }
 
 #endif
