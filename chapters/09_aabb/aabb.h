@@ -22,7 +22,7 @@
  * Never a false negative, whatever the rounding: a ray that meets the box in exact arithmetic is
  * reported, with *t_enter <= the exact one (tmin, if the ray starts inside). So a search that skips
  * boxes with *t_enter > tmax loses nothing. A ray that passes the box by some 1e-15 of its distance
- * (1e-6 in float) may be reported too: that costs time, and no hit. *t_enter is untouched on a miss.
+ * (1e-6 in float) may be reported too: that costs time, no more. A miss leaves *t_enter untouched.
  * Coordinates and t may be anything up to half the largest real; lo, hi and tmax also infinite.
  * Flat boxes are boxes. aabb_empty() is never hit. A NaN in a box, in o or in d: that axis says
  * nothing (so: rather a hit); a NaN in tmin or tmax: no t is in the interval, no hit.
@@ -89,7 +89,7 @@ static inline real inverse_component(real d)
     return d == 0 || (isfinite(i) && i != 0) ? i : (real)NAN;
 }
 
-/* The sign of the inverse tells near from far, not d's: -0.0 < 0 is false, 1/-0.0 < 0 is true. */
+/* The sign of the inverse tells near from far: -0.0 < 0 is false, 1/-0.0 < 0 is true. */
 static inline ray_inverse inverse_of(ray r)
 {
     vec3 i = {inverse_component(r.d.x), inverse_component(r.d.y), inverse_component(r.d.z)};
@@ -100,10 +100,10 @@ static inline ray_inverse inverse_of(ray r)
  * real_min(NaN, t1) is t1: this axis allows every t, which is right.
  *
  * u = epsilon/2. The t of a plane is off by 3 u, relatively: difference, inverse, product; by 6 u
- * if the inverse is below the smallest normal real and so has lost two bits. Entry against exit: twice
- * that, and one more for the product that pads: 13 u < pad = 16 u. Of the two products the smaller
- * one is the padded one on either side of 0. Where a product underflows it is off by less than
- * real_smallest. */
+ * if the inverse is below the smallest normal real and so has lost two bits. Entry against exit:
+ * twice that, and one more for the product that pads: 13 u < pad = 16 u (9.4). Of the two products
+ * the smaller one is the earlier t, on either side of 0. Where a product underflows it is off by
+ * less than real_smallest. */
 static inline bool aabb_hit_inverse(const aabb *b, const ray_inverse *i, ray r, real *t_enter)
 {
     const real *plane = &b->lo.x, pad = 8 * real_epsilon;
