@@ -10,8 +10,8 @@
  * at the top edge to ny at the bottom edge, fractions allowed. Pixel (i, j) of an image covers
  * [i, i+1] x [j, j+1]; its centre is (i + 0.5, j + 0.5).
  *
- * The window {l, r, b, t} is measured from e along u and v, l < r, b < t; d > 0 is the distance from
- * e to its plane. All rays have tmin = 0 and tmax = infinity.
+ * The window {l, r, b, t} is measured from e along u and v, l < r, b < t; d > 0 is the distance
+ * from e to its plane. All rays have tmin = 0 and tmax = infinity.
  *
  *   builder (false and *why if it cannot)   rays                              t counts
  *   camera_orthographic(f, win, ..)         parallel, along -w (正交)         units from the plane
@@ -50,7 +50,8 @@ typedef struct {
 static inline bool camera_window_is_usable(camera_window n, failure *why)
 {
     if (n.l < n.r && n.b < n.t && isfinite(n.r - n.l) && isfinite(n.t - n.b)) return true;
-    return failed(why, 2, "window l = %g, r = %g, b = %g, t = %g: it takes l < r and b < t, finite",
+    return camera_refused(why,
+                          "window l = %g, r = %g, b = %g, t = %g: it takes l < r and b < t, finite",
                   (double)n.l, (double)n.r, (double)n.b, (double)n.t);
 }
 
@@ -60,7 +61,8 @@ static inline bool camera_oblique(camera_frame f, camera_window n, vec3 directio
     vec3 unit = vunit(direction);
     if (!camera_window_is_usable(n, why)) return false;
     if (!(vdot(unit, f.w) < -4 * real_epsilon))  /* a NaN or zero direction comes here too */
-        return failed(why, 2, "direction (%g, %g, %g): it must lead forward, direction . w < 0",
+        return camera_refused(why,
+                              "direction (%g, %g, %g): it must lead forward, direction . w < 0",
                       (double)direction.x, (double)direction.y, (double)direction.z);
     *out = (camera){CAMERA_PARALLEL, f.e, f.u, f.v, f.w, n.l, n.r, n.b, n.t, 0, unit};
     return true;
@@ -78,7 +80,8 @@ static inline bool camera_off_axis(camera_frame f, camera_window n, real d, came
 {
     if (!camera_window_is_usable(n, why)) return false;
     if (!(d > 0 && isfinite(d)))
-        return failed(why, 2, "image plane at distance d = %g: it takes d > 0, finite", (double)d);
+        return camera_refused(why, "image plane at distance d = %g: it takes d > 0, finite",
+                              (double)d);
     *out = (camera){CAMERA_PERSPECTIVE, f.e, f.u, f.v, f.w, n.l, n.r, n.b, n.t, d, {0, 0, 0}};
     return true;
 }
@@ -97,9 +100,10 @@ static inline real half_tangent(real phi)
 static inline bool camera_perspective(camera_frame f, real phi, real a, camera *out, failure *why)
 {
     if (!(phi > 0 && phi < 180))
-        return failed(why, 2, "field of view %g: it takes degrees between 0 and 180", (double)phi);
+        return camera_refused(why, "field of view %g: it takes degrees between 0 and 180",
+                              (double)phi);
     if (!(a > 0 && isfinite(a)))
-        return failed(why, 2, "width / height %g: it takes a positive number", (double)a);
+        return camera_refused(why, "width / height %g: it takes a positive number", (double)a);
     real t = half_tangent(phi);
     return camera_off_axis(f, (camera_window){-a * t, a * t, -t, t}, 1, out, why);
 }

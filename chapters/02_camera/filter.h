@@ -13,9 +13,9 @@
  * filter_box, filter_tent, filter_gaussian: the three above. w is not normalised; it is 0 outside
  * [-radius, radius]. Rays may be spread over that square in any way that is even (see samples.h).
  *
- *   call                        cannot do                                  so
- *   filter_mean(s)              no weight at all                           black
- *   filter_mean_naive(s, f, n)  its divisor is right only on average       a white wall is not white
+ *   call                        cannot do                             so
+ *   filter_mean(s)              no weight at all                      black
+ *   filter_mean_naive(s, f, n)  its divisor is right only on average  a white wall is not white
  *
  * Source: T. Akenine-Möller, E. Haines, N. Hoffman, "Real-Time Rendering", 4th ed., 2018, 26.1
  * (weighted mean of several rays); M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering",
@@ -79,7 +79,7 @@ static inline vec3 filter_mean_naive(filter_sum s, filter f, int n)
     return vscale(s.colour, 4 * f.radius * f.radius / (filter_volume(f) * (real)n));
 }
 
-/* The sum of these very weights: a wall of one colour keeps it within rounding, whatever the rays. */
+/* Divides by the sum of these very weights: a wall of one colour keeps it within rounding. */
 static inline vec3 filter_mean(filter_sum s)
 {
     return s.weight > 0 ? vscale(s.colour, 1 / s.weight) : (vec3){0, 0, 0};

@@ -29,6 +29,9 @@
 
 typedef struct { vec3 e, u, v, w; } camera_frame;
 
+/* Misuse: exit code 2. False, written so that the compiler sees it. */
+#define camera_refused(why, ...) (failed(why, 2, __VA_ARGS__), false)
+
 static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out, failure *why);
 static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_frame *out,
                                        failure *why);
@@ -51,20 +54,24 @@ static inline bool frame_input_is_usable(vec3 e, vec3 target, vec3 up, vec3 back
     vec3 given[] = {e, target, up};
     for (int i = 0; i < 3; i++)
         if (!vfinite(given[i]))
-            return failed(why, 2, "%s (%g, %g, %g): only finite numbers make a view", name[i],
+            return camera_refused(why, "%s (%g, %g, %g): only finite numbers make a view", name[i],
                           (double)given[i].x, (double)given[i].y, (double)given[i].z);
     if (!vfinite(back))
-        return failed(why, 2, "viewpoint and target are too far apart: their distance overflows");
+        return camera_refused(why,
+                              "viewpoint and target are too far apart: their distance overflows");
     if (vzero(back))
-        return failed(why, 2, "target (%g, %g, %g) equals the viewpoint: no direction to look in",
+        return camera_refused(why,
+                              "target (%g, %g, %g) equals the viewpoint: no direction to look in",
                       (double)target.x, (double)target.y, (double)target.z);
-    if (vzero(up)) return failed(why, 2, "up (0, 0, 0): any vector but zero says which way is up");
+    if (vzero(up)) return camera_refused(why,
+                                         "up (0, 0, 0): any vector but zero says which way is up");
     return true;
 }
 
 static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
 {
-    return failed(why, 2, "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
+    return camera_refused(why,
+                          "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
                   (double)up.x, (double)up.y, (double)up.z,
                   -(double)back.x, -(double)back.y, -(double)back.z);
 }

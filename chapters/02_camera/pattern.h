@@ -11,8 +11,8 @@
  *   double zone_plate_filtered(double x, double y, double a, double sigma);    Gaussian
  *
  * (x, y) in pixels. A separable filter turns s(x) s(y) into the product of two integrals:
- * differences of the first antiderivative of s under the box, of the second under the tent, a sum of
- * error functions under the Gaussian with its cut-off. The zone plate is the real part of
+ * differences of the first antiderivative of s under the box, of the second under the tent, a sum
+ * of error functions under the Gaussian with its cut-off. The zone plate is the real part of
  * exp(i a x^2) exp(i a y^2), and under a Gaussian without cut-off, with g = 1 - 2 i a sigma^2,
  *   E exp(i a X^2) = g^(-1/2) exp(i a x^2 / g)                                 (2.12)
  * These are oracles: always in double, right to about 1e-13 for |x|, |y| up to 1000.
