@@ -11,6 +11,9 @@ enum { nx = 640, ny = 480 };
 static const vec3 axis_z = {0, 0, 1};
 static random_stream s;
 
+/* The larger of two, a NaN being the largest. */
+static double worse(double a, double b) { return isnan(a) || b <= a ? a : b; }
+
 static real uniform(real a, real b) { return a + (b - a) * random_next(&s); }
 static vec3 any_direction(void)
 {
@@ -98,9 +101,9 @@ static void test_frames_near_parallel(void)
             if (!frame_look_at(e, view, up, &f, &why)
                 || !frame_look_at_naive(e, view, up, &g, &why)) fail(why);
             check_frame(f, "near parallel");
-            robust = fmax(robust, frame_error(f, view, up));
-            naive = fmax(naive, frame_error(g, view, up));
-            leans = fmax(leans, fabs((double)vdot(g.u, g.w)));
+            robust = worse(robust, frame_error(f, view, up));
+            naive = worse(naive, frame_error(g, view, up));
+            leans = worse(leans, fabs((double)vdot(g.u, g.w)));
         }
         check_at_most(robust, 6 * eps, "frame_look_at at angle %g", (double)small);
         check_at_least(naive, 0.1 * eps / (double)small,
@@ -256,9 +259,9 @@ static void test_there_and_back(void)
             double bx = eps * nx / wide_x * (4 * sides + reach);
             double by = eps * ny / wide_y * (4 * edges + reach);
             double alone = eps * nx * (4 + 8 * scale * (double)vlength(q) / (double)(c.r - c.l));
-            double off = fmax(fabs((double)(x2 - x)) / bx, fabs((double)(y2 - y)) / by);
-            worst = off > worst ? off : worst;
-            if (vzero(c.e)) near = fmax(near, fabs((double)(x2 - x)) / alone);
+            double off = worse(fabs((double)(x2 - x)) / bx, fabs((double)(y2 - y)) / by);
+            worst = worse(worst, off);
+            if (vzero(c.e)) near = worse(near, fabs((double)(x2 - x)) / alone);
         }
         check_at_most(worst, 1, "kind %d: a ray passes through its pixel (1 = the bound above)",
                       kind);
@@ -281,8 +284,8 @@ static void test_far_away(void)
             camera c;
             if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, d, &c, NULL)) abort();
             real x = uniform(0, 512), y = uniform(0, 512);
-            direct = fmax(direct, ray_error(c, camera_ray(c, x, y, 512, 512).d, x, y, 512, 512));
-            naive = fmax(naive,
+            direct = worse(direct, ray_error(c, camera_ray(c, x, y, 512, 512).d, x, y, 512, 512));
+            naive = worse(naive,
                          ray_error(c, camera_ray_naive(c, x, y, 512, 512).d, x, y, 512, 512));
         }
         check_at_most(direct, 8 * eps * 512, "camera_ray at |e| = %g: off by pixels", far);

@@ -127,6 +127,14 @@ static inline ray camera_ray_naive(camera c, real x, real y, int nx, int ny)
     return ray_from(c.e, vsub(s, c.e));
 }
 
+/* The same in float, whatever real is, to show it: D is the direction, s = e + D. */
+static inline vec3 camera_direction_naive_f32(vec3 e, vec3 D)
+{
+    float ex = (float)e.x, ey = (float)e.y, ez = (float)e.z;
+    float sx = ex + (float)D.x, sy = ey + (float)D.y, sz = ez + (float)D.z;
+    return (vec3){(real)(sx - ex), (real)(sy - ey), (real)(sz - ez)};
+}
+
 /* D never meets e: its error is a few epsilon of |D|, wherever the camera stands. */
 static inline ray camera_ray(camera c, real x, real y, int nx, int ny)
 {

@@ -97,9 +97,12 @@ static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_fram
 static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out, failure *why)
 {
     vec3 back = vsub(e, target);
-    int scale;
     if (!frame_input_is_usable(e, target, up, back, why)) return false;
-    vec3 a = vscaled(up, &scale), b = vscaled(back, &scale);  /* exact; now no square overflows */
+    vec3 a = up, b = back;
+    if (!square_is_safe(vdot(a, a)) || !square_is_safe(vdot(b, b))) {
+        int power;
+        a = vscaled(up, &power), b = vscaled(back, &power);  /* exact: the directions stay */
+    }
     vec3 u = frame_cross(a, b), w = vunit(b);
     if (vlength(u) <= 4 * real_epsilon * vlength(a) * vlength(b))
         return frame_is_parallel(up, back, why);

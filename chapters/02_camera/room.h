@@ -67,7 +67,7 @@ static inline void room_block(room *s, vec3 low, vec3 high, vec3 colour, real ce
 {
     static const real paint[] = {(real)0.55, (real)0.8, 1};
     for (int k = 0; k < 3; k++) {
-        vec3 a = vscale(colour, paint[k]), b = vscale(a, (real)0.72);
+        vec3 a = vscale(colour, paint[k]), b = vscale(a, (real)0.8);
         room_add(s, k, vaxis(low, k), low, high, a, b, cell);
         room_add(s, k, vaxis(high, k), low, high, a, b, cell);
     }
@@ -77,7 +77,7 @@ static inline room room_corner(void)
 {
     room s = {.n = 0};
     vec3 o = {0, 0, 0}, end = {4, 4, 4}, size = {(real)0.8, (real)0.8, (real)0.8};
-    vec3 orange = {(real)0.95, (real)0.45, (real)0.1};
+    vec3 orange = {1, (real)0.5, (real)0.08};
     room_add(&s, 2, 0, o, end, (vec3){(real)0.85, (real)0.8, (real)0.7},
              (vec3){(real)0.42, (real)0.36, (real)0.3}, (real)0.5);
     room_add(&s, 0, 0, o, end, (vec3){(real)0.3, (real)0.48, (real)0.75},

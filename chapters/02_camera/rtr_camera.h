@@ -47,23 +47,23 @@ static inline bool rtr_look_at(vec3 c, vec3 target, vec3 up, real phi, rtr_camer
     return true;
 }
 
-/* s(x, y) with the sign of its second term given. */
-static inline vec3 rtr_s(rtr_camera k, int x, int y, int w, int h, real sign)
+/* s at any point (x, y) of the picture, without the 0.5; the sign of the second term is given. */
+static inline vec3 rtr_s(rtr_camera k, real x, real y, int w, int h, int sign)
 {
-    real a = (real)w / (real)h, half = (real)0.5;
-    real right = a * k.f * (2 * ((real)x + half) / (real)w - 1);
-    real up = sign * k.f * (2 * ((real)y + half) / (real)h - 1);
+    real a = (real)w / (real)h;
+    real right = a * k.f * (2 * x / (real)w - 1);
+    real up = (real)sign * k.f * (2 * y / (real)h - 1);
     return vadd(vmadd(vscale(k.r, right), k.u, up), k.v);
 }
 
 static inline ray rtr_camera_ray_printed(rtr_camera k, int x, int y, int w, int h)
 {
-    return ray_from(k.c, vunit(rtr_s(k, x, y, w, h, 1)));
+    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h, 1)));
 }
 
 static inline ray rtr_camera_ray(rtr_camera k, int x, int y, int w, int h)
 {
-    return ray_from(k.c, vunit(rtr_s(k, x, y, w, h, -1)));
+    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h, -1)));
 }
 
 #endif
