@@ -73,9 +73,10 @@ static void test_frames(void)
     failure why;
     check(frame_look_at((vec3){0, -5, 0}, (vec3){0, 0, 0}, axis_z, &f, &why), "looking along +y");
     check(f.u.x == 1 && f.v.z == 1 && f.w.y == -1, "looking along +y with z up: right is +x");
-    for (int k = 0; k < 1000; k++) {  /* sizes whose squares over- and underflow in float */
-        real size = pow((real)10, uniform(-30, 30));
-        vec3 target = vscale(any_direction(), size), up = vscale(any_direction(), 1 / size);
+    for (int k = 0; k < 1000; k++) {  /* their squares over- and underflow */
+        real power = real_is_float ? 30 : 250, size = pow((real)10, uniform(-power, power));
+        vec3 target = vscale(any_direction(), size);
+        vec3 up = vscale(any_direction(), k % 2 ? size : 1 / size);
         vec3 e = vscale(any_direction(), 2 * size);
         check(frame_look_at(e, target, up, &f, &why), "any size of view is a view");
         check_frame(f, "any size");
@@ -132,7 +133,7 @@ static void test_refusals(void)
 #define look(e, t, up, needle) \
     refused(frame_look_at(e, t, up, &f, &why), why, needle, "look-at: " needle)
     look(p, p, axis_z, "equals the viewpoint");
-    look(o, p, o, "up (0, 0, 0)");
+    look(o, p, o, "up (0, 0, 0):");
     look(o, p, p, "parallel");
     look(o, p, vscale(p, -(real)1e10), "parallel");
     look(p, o, ((vec3){nan_, 0, 1}), "up (nan");
@@ -175,6 +176,8 @@ static void test_refusals(void)
             "r - l overflows");
     refused(camera_oblique(f, w, f.u, &c, &why), why, "forward", "oblique along the image plane");
     refused(camera_oblique(f, w, f.w, &c, &why), why, "forward", "oblique backward");
+    vec3 along = vmadd(f.u, f.w, -2 * real_epsilon);
+    refused(camera_oblique(f, w, along, &c, &why), why, "forward", "oblique, 2 epsilon forward");
     refused(camera_oblique(f, w, o, &c, &why), why, "forward", "oblique, no direction");
     refused(camera_oblique(f, w, (vec3){nan_, 0, 0}, &c, &why), why, "forward", "oblique NaN");
     refused(rtr_look_at(o, p, axis_z, 180, &rtr, &why), why, "field of view", "RTR, 180 degrees");
@@ -272,8 +275,8 @@ static void test_there_and_back(void)
 }
 
 /* D against exact arithmetic, with the camera of the Cornell box (d = 0.035, window 0.025 wide).
- * The direct form: four roundings in u (of at most 1 in units of the window) and three in D, wherever e
- * is. s - e: s is rounded to epsilon/2 |e| a component. */
+ * The direct form: four roundings in u (of at most 1 in units of the window) and three in D,
+ * wherever e is. s - e: s is rounded to epsilon/2 |e| a component. */
 static void test_far_away(void)
 {
     real h = (real)0.0125, d = (real)0.035;
@@ -352,8 +355,8 @@ static void test_rtr(void)
 }
 
 /* With q = p - e, the picture of p + t D differs from the vanishing point by
- * d ((q.u) D_w - q_w (D.u)) / (D_w (q_w + t D_w)), x_w being depth, -x.w: (2.7) minus (2.8). This goes
- * as 1 / t, and must be met to 1 % and the rounding. */
+ * d ((q.u) D_w - q_w (D.u)) / (D_w (q_w + t D_w)), x_w being depth, -x.w: (2.7) minus (2.8). This
+ * goes as 1 / t, and must be met to 1 % and the rounding. */
 static void test_vanishing_points(void)
 {
     for (int k = 0; k < 2000; k++) {

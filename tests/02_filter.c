@@ -13,8 +13,8 @@ static double worse(double a, double b) { return isnan(a) || b <= a ? a : b; }
 
 static double uniform(double a, double b) { return a + (b - a) * (double)random_next(&s); }
 
-/* The midpoint rule with 20001 points on [-R, R] in double: another way to the same integral. A jump
- * of height 2 costs at most half a step; where nothing jumps it is far better. */
+/* The midpoint rule with 20001 points on [-R, R] in double: another way to the same integral. A
+ * jump of height 2 costs at most half a step; where nothing jumps it is far better. */
 static double by_midpoints(double (*f)(double x, double a), double x, double a, filter g, double R)
 {
     enum { n = 20001 };
@@ -135,7 +135,7 @@ static void test_positions(void)
 }
 
 /* A wall of one colour must keep it. filter_mean: n products and sums, 1.5 epsilon each at most in
- * either sum, all terms positive: the relative error stays below 2 n epsilon, n the number of rays. */
+ * either sum, all terms positive: the relative error stays below 2 n epsilon, n being the rays. */
 static void test_white_wall(void)
 {
     for (int i = 0; i < 3; i++)
@@ -196,8 +196,8 @@ static double checkerboard_rmse(filter f, sample_placement how, int n, size_t pi
 
 /* Random: the spread of one ray is at most 1/2, times sqrt(sum w^2) / sum w, which tends to
  * sqrt(area * integral of w^2) / (integral of w) / sqrt N: 1, 4/3, and for the Gaussian
- * 4 / (2 sqrt(pi) sigma) = 2.26. Jittered: only the cells that an edge crosses count, some n of n^2,
- * so the error falls as N^-3/4: four times the rays bring 2.8 times less, where random brings 2. */
+ * 4 / (2 sqrt(pi) sigma) = 2.26. Jittered: only the cells that an edge crosses count, some n of
+ * n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less, random only 2. */
 static void test_convergence(void)
 {
     double spread[] = {1, 4 / 3.0, 2.26};

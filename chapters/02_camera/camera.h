@@ -169,10 +169,10 @@ static inline bool camera_project(camera c, vec3 p, int nx, int ny, real *x, rea
 static inline bool camera_vanishing_point(camera c, vec3 D, int nx, int ny, real *x, real *y)
 {
     real forward = -vdot(D, c.w);
-    if (c.kind == CAMERA_PARALLEL || !(fabs(forward) > 0)) return false;
+    if (c.kind == CAMERA_PARALLEL) return false;
     *x = (c.d * vdot(D, c.u) / forward - c.l) / (c.r - c.l) * (real)nx;
     *y = (c.d * vdot(D, c.v) / forward - c.t) / (c.b - c.t) * (real)ny;
-    return isfinite(*x) && isfinite(*y);
+    return isfinite(*x) && isfinite(*y);  /* forward = 0, or too small */
 }
 
 #endif

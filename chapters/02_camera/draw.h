@@ -66,7 +66,7 @@ static inline bool draw(view *v, image *out, int threads)
     return parallel_pixels(out->width, out->height, threads, "drawing", draw_pixel, v);
 }
 
-/* Draws n views, `columns` in a row, with a thin white gap, into one picture of w x h, and saves it. */
+/* n views, `columns` in a row, with a thin white gap, as one picture of w x h pixels. */
 static inline void draw_panels(const options *o, view *v, int n, int columns, int w, int h,
                                const char *name, bool is_main)
 {

@@ -39,7 +39,7 @@ static void draw_vanishing_points(const options *o, view v, int w, int h)
     camera_frame f;
     real s = r_(0.7), vx[3] = {0, 0, 0}, vy[3] = {0, 0, 0};
     vec3 ink[] = {{r_(0.7), r_(0.05), 0}, {0, r_(0.3), r_(0.15)}, {0, r_(0.12), r_(0.65)}};
-    room_block(&block, (vec3){-s, -s, -s}, (vec3){s, s, s}, (vec3){1, r_(0.9), r_(0.65)}, s);
+    room_block(&block, (vec3){-s, -s, -s}, (vec3){s, s, s}, (vec3){1, r_(0.85), r_(0.5)}, s);
     ask(frame_look_at((vec3){r_(2.15), r_(1.35), r_(1.6)}, (vec3){0, 0, 0}, up, &f, &why));
     ask(camera_off_axis(f, (camera_window){r_(-2.05), r_(1.05), r_(-1.75), r_(0.85)}, 1, &v.c,
                         &why));

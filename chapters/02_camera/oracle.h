@@ -31,7 +31,7 @@ static inline double ray_error(camera c, vec3 D, real x, real y, int nx, int ny)
     wide3 U = wide3_of(c.u), V = wide3_of(c.v), W = wide3_of(c.w), zero = wide3_of((vec3){0, 0, 0});
     wide3 plane = wide3_madd(wide3_madd(zero, U, u), V, v), given = wide3_of(D);
     wide3 exact = wide3_madd(plane, W, wide_of(-(double)c.d));
-    if (!(wide_sign(wide3_dot(given, W)) < 0)) return INFINITY;  /* nothing is left of D */
+    if (!(wide_sign(wide3_dot(given, W)) < 0)) return (double)INFINITY;  /* nothing is left of D */
     wide scale = wide_div(wide3_dot(exact, W), wide3_dot(given, W));
     wide3 off = wide3_sub(wide3_madd(zero, given, scale), exact);
     double dx = wide_value(wide_div(wide3_dot(off, U), width)) * nx;
