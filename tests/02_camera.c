@@ -136,6 +136,7 @@ static void test_refusals(void)
     look(o, p, o, "up (0, 0, 0):");
     look(o, p, p, "parallel");
     look(o, p, vscale(p, -(real)1e10), "parallel");
+    look(((vec3){0, 0, 2}), o, axis_z, "up (0, 0, 1) is parallel to the view (0, 0, -2)");
     look(p, o, ((vec3){nan_, 0, 1}), "up (nan");
     look(((vec3){0, inf, 0}), o, axis_z, "viewpoint (0, inf");
     look(p, ((vec3){0, 0, nan_}), axis_z, "target");

@@ -73,7 +73,7 @@ static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
     return camera_refused(why,
                           "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
                   (double)up.x, (double)up.y, (double)up.z,
-                  -(double)back.x, -(double)back.y, -(double)back.z);
+                  0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
 }
 
 /* up = (1e-9, 0, 1) seen from (0, 0, 0) towards (1, 2, -1e9): the angle between up and view is some

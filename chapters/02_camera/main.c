@@ -125,7 +125,7 @@ static void measure(const options *o)
     measure_frames(&t, rounds);
     measure_tangents(&t, rounds);
     measure_wall(&t, rounds);
-    measure_filters(&t, &board, &zone, &time, o->quick ? 16 : 32, o->quick ? 1 : 3);
+    measure_filters(&t, &board, &zone, &time, o->quick ? 4 : 32, o->quick ? 1 : 3);
     plot_slope(&board, -0.5, "slope -1/2");
     plot_slope(&board, -0.75, "slope -3/4");
     plot_slope(&zone, -0.5, "slope -1/2");

@@ -118,7 +118,7 @@ static inline void measure_rays(table *t, plot *p, int rounds)
         }
         for (int j = 0; j < (real_is_float ? 2 : 4); j++) plot_add(p, series[j], far, error[j]);
         if (k % 4 == 0)
-            measure_pair(t, &m, rounds, "ray [pixel]", "|e| = %g", far,
+            measure_pair(t, &m, rounds, "ray [pixel]", "e at %g m", far,
                          (clock_variant){"s - e", run_ray_naive, NULL, 0}, error[0],
                          (clock_variant){"-d w + u u + v v", run_ray, NULL, 0}, error[1]);
     }
