@@ -76,9 +76,9 @@ static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
                   0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
 }
 
-/* up = (1e-9, 0, 1) seen from (0, 0, 0) towards (1, 2, -1e9): the angle between up and view is some
- * 2e-9. w is rounded to length 1 first, which turns it by epsilon; seen against an angle of 2e-9
- * that turns u by 1e-7, and u leans by as much towards w. */
+/* up = (3, 5, 6), from (0, 0, 0) towards (3, 5, 6.000001): an angle of 8e-8. w is rounded to length 1
+ * first, which turns it by some epsilon; seen against the angle, that turns u by 1e-9 (in float: by
+ * 0.3), and u leans towards w. */
 static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_frame *out,
                                        failure *why)
 {
