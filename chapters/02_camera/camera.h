@@ -1,0 +1,178 @@
+/* camera.h: the ray through a point of the picture, for four kinds of camera.
+ *
+ *   (0,0)---------- x ->  nx        u = l + (r - l) x / nx                    (2.2)
+ *     |  v = t                      v = t + (b - t) y / ny                    (2.3)
+ *     y   . u = v = 0
+ *     |          u = r              parallel:     O = e + u u + v v, D fixed  (2.4)
+ *     ny --------------             perspective:  O = e, D = -d w + u u + v v (2.5)
+ *
+ * (x, y) are pixel coordinates (像素坐标): x from 0 at the left edge to nx at the right edge, y from 0
+ * at the top edge to ny at the bottom edge, fractions allowed. Pixel (i, j) of an image covers
+ * [i, i+1] x [j, j+1]; its centre is (i + 0.5, j + 0.5).
+ *
+ * The window {l, r, b, t} is measured from e along u and v, l < r, b < t; d > 0 is the distance
+ * from e to its plane. All rays have tmin = 0 and tmax = infinity.
+ *
+ *   builder (false and *why if it cannot)   rays                              t counts
+ *   camera_orthographic(f, win, ..)         parallel, along -w (正交)         units from the plane
+ *   camera_oblique(f, win, direction, ..)   parallel, along direction (倾斜)  units from the plane
+ *   camera_perspective(f, phi, a, ..)       from e, window centred (透视)     t = 1 on the plane
+ *   camera_off_axis(f, win, d, ..)          from e, window anywhere (离轴)    t = 1 on the plane
+ *       phi: vertical field of view in degrees (0, 180); a: width / height
+ *
+ *   ray r = camera_ray(c, x, y, nx, ny);    D has length 1 in parallel views only: see ray_unit
+ *   camera_project(c, p, nx, ny, &x, &y)    the inverse: where p shows; false if p is not in front
+ *   camera_vanishing_point(c, D, nx, ny, &x, &y)  where lines along D meet (消失点); false if nowhere
+ *
+ * Parallel rays begin in the plane of e. What lies behind that plane is not seen, though such a
+ * view has no eye to be behind of: r.tmin = -real_infinity sees it.
+ *
+ * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 2021, sections 4.1 to 4.3.
+ */
+#ifndef CAMERA_H
+#define CAMERA_H
+
+#include "../01_ray/ray.h"
+#include "frame.h"
+
+typedef enum { CAMERA_PARALLEL, CAMERA_PERSPECTIVE } camera_kind;
+typedef struct { real l, r, b, t; } camera_window;  /* left, right, bottom, top */
+typedef struct {
+    camera_kind kind;
+    vec3 e, u, v, w;
+    real l, r, b, t;
+    real d;          /* perspective: distance from e to the image plane */
+    vec3 direction;  /* parallel: of all rays, unit length */
+} camera;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool camera_window_is_usable(camera_window n, failure *why)
+{
+    if (n.l < n.r && n.b < n.t && isfinite(n.r - n.l) && isfinite(n.t - n.b)) return true;
+    return camera_refused(why,
+                          "window l = %g, r = %g, b = %g, t = %g: it takes l < r and b < t, finite",
+                  (double)n.l, (double)n.r, (double)n.b, (double)n.t);
+}
+
+static inline bool camera_oblique(camera_frame f, camera_window n, vec3 direction, camera *out,
+                                  failure *why)
+{
+    vec3 unit = vunit(direction);
+    if (!camera_window_is_usable(n, why)) return false;
+    if (!(vdot(unit, f.w) < -4 * real_epsilon))  /* a NaN or zero direction comes here too */
+        return camera_refused(why,
+                              "direction (%g, %g, %g): it must lead forward, direction . w < 0",
+                      (double)direction.x, (double)direction.y, (double)direction.z);
+    *out = (camera){CAMERA_PARALLEL, f.e, f.u, f.v, f.w, n.l, n.r, n.b, n.t, 0, unit};
+    return true;
+}
+
+static inline bool camera_orthographic(camera_frame f, camera_window n, camera *out, failure *why)
+{
+    if (!camera_oblique(f, n, vneg(f.w), out, why)) return false;
+    out->direction = vneg(f.w);  /* as it is: no second rounding */
+    return true;
+}
+
+static inline bool camera_off_axis(camera_frame f, camera_window n, real d, camera *out,
+                                   failure *why)
+{
+    if (!camera_window_is_usable(n, why)) return false;
+    if (!(d > 0 && isfinite(d)))
+        return camera_refused(why, "image plane at distance d = %g: it takes d > 0, finite",
+                              (double)d);
+    *out = (camera){CAMERA_PERSPECTIVE, f.e, f.u, f.v, f.w, n.l, n.r, n.b, n.t, d, {0, 0, 0}};
+    return true;
+}
+
+/* tan(phi / 2), phi in degrees (0, 180). At phi = 179.99 in float, the naive form is off by 1e-3:
+ * it rounds an angle close to a right angle, whose tangent depends on what is missing to it. There
+ * 180 - phi is exact. */
+static inline real half_tangent_naive(real phi) { return tan(phi * pi / 360); }
+
+static inline real half_tangent(real phi)
+{
+    return phi <= 90 ? tan(phi * pi / 360) : 1 / tan((180 - phi) * pi / 360);
+}
+
+/* Half height tan(phi / 2) at distance 1 (2.6). */
+static inline bool camera_perspective(camera_frame f, real phi, real a, camera *out, failure *why)
+{
+    if (!(phi > 0 && phi < 180))
+        return camera_refused(why, "field of view %g: it takes degrees between 0 and 180",
+                              (double)phi);
+    if (!(a > 0 && isfinite(a)))
+        return camera_refused(why, "width / height %g: it takes a positive number", (double)a);
+    real t = half_tangent(phi);
+    return camera_off_axis(f, (camera_window){-a * t, a * t, -t, t}, 1, out, why);
+}
+
+static inline real camera_u(camera c, real x, int nx) { return c.l + (c.r - c.l) * x / (real)nx; }
+static inline real camera_v(camera c, real y, int ny) { return c.t + (c.b - c.t) * y / (real)ny; }
+
+static inline vec3 camera_in_plane(camera c, real u, real v)
+{
+    return vmadd(vscale(c.u, u), c.v, v);
+}
+
+/* |e| = 1e6, d = 0.035, in float: the floats near e are 1/16 apart, so s = e + D lands on a lattice
+ * coarser than the whole image plane, and s - e has the errors of s: epsilon |e| / d in direction.
+ * FCG introduces the ray in this way, as e + t (s - e), and then computes it as camera_ray does. */
+static inline ray camera_ray_naive(camera c, real x, real y, int nx, int ny)
+{
+    vec3 in_plane = camera_in_plane(c, camera_u(c, x, nx), camera_v(c, y, ny));
+    if (c.kind == CAMERA_PARALLEL) return ray_from(vadd(c.e, in_plane), c.direction);
+    vec3 s = vadd(c.e, vmadd(in_plane, c.w, -c.d));
+    return ray_from(c.e, vsub(s, c.e));
+}
+
+/* The same in float, whatever real is, to show it: D is the direction, s = e + D. */
+static inline vec3 camera_direction_naive_f32(vec3 e, vec3 D)
+{
+    float ex = (float)e.x, ey = (float)e.y, ez = (float)e.z;
+    float sx = ex + (float)D.x, sy = ey + (float)D.y, sz = ez + (float)D.z;
+    return (vec3){(real)(sx - ex), (real)(sy - ey), (real)(sz - ez)};
+}
+
+/* D never meets e: its error is a few epsilon of |D|, wherever the camera stands. */
+static inline ray camera_ray(camera c, real x, real y, int nx, int ny)
+{
+    vec3 in_plane = camera_in_plane(c, camera_u(c, x, nx), camera_v(c, y, ny));
+    if (c.kind == CAMERA_PARALLEL) return ray_from(vadd(c.e, in_plane), c.direction);
+    return ray_from(c.e, vmadd(in_plane, c.w, -c.d));
+}
+
+/* With q = p - e: perspective u = d (q.u) / -(q.w), the same for v; parallel: p goes back to the
+ * plane along the direction, u = (q - t direction).u with t = (q.w) / (direction.w)       (2.7)
+ * In front means -(q.w) > 0 in perspective, t >= 0 in parallel views; a NaN is not in front. */
+static inline bool camera_project(camera c, vec3 p, int nx, int ny, real *x, real *y)
+{
+    vec3 q = vsub(p, c.e);
+    real depth = -vdot(q, c.w), s = 1;
+    if (c.kind == CAMERA_PARALLEL) {
+        real t = depth / -vdot(c.direction, c.w);
+        if (!(t >= 0)) return false;
+        q = vmadd(q, c.direction, -t);
+    } else {
+        if (!(depth > 0)) return false;
+        s = c.d / depth;
+    }
+    *x = (s * vdot(q, c.u) - c.l) / (c.r - c.l) * (real)nx;
+    *y = (s * vdot(q, c.v) - c.t) / (c.b - c.t) * (real)ny;
+    return true;
+}
+
+/* p + t D shows at u = d (q.u + t D.u) / -(q.w + t D.w), which tends to -d (D.u) / (D.w): p drops
+ * out, so all lines along D meet there (2.8). Not in parallel views, nor if D lies along the image
+ * plane. */
+static inline bool camera_vanishing_point(camera c, vec3 D, int nx, int ny, real *x, real *y)
+{
+    real forward = -vdot(D, c.w);
+    if (c.kind == CAMERA_PARALLEL) return false;
+    *x = (c.d * vdot(D, c.u) / forward - c.l) / (c.r - c.l) * (real)nx;
+    *y = (c.d * vdot(D, c.v) / forward - c.t) / (c.b - c.t) * (real)ny;
+    return isfinite(*x) && isfinite(*y);  /* forward = 0, or too small */
+}
+
+#endif

@@ -1,0 +1,114 @@
+/* frame.h: where the camera stands and which way it looks: e, u, v, w (相机坐标系).
+ *
+ *              v up
+ *              |              w = (e - target) / |e - target|
+ *              |              u = up x w / |up x w|                  (2.1)
+ *              e----- u right v = w x u
+ *             /
+ *            w backward       the camera looks along -w
+ *
+ * u, v, w have length 1, stand at right angles to each other, and are right-handed: u x v = w.
+ * `up` need not be at right angles to the view, nor have length 1: it only says which way v leans.
+ *
+ *   camera_frame f;
+ *   if (!frame_look_at(e, target, up, &f, &why)) fail(why);
+ *
+ *   call                 cannot do                                   so
+ *   frame_look_at        target = e; up = 0; up along the view;      false, and *why says it;
+ *                        NaN or infinity; |e - target| too big       *out is untouched
+ *   frame_look_at_naive  the same; and up at a small angle to the    u leans towards w
+ *                        view
+ *
+ * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 2021, sections 2.4.7, 4.3.
+ */
+#ifndef FRAME_H
+#define FRAME_H
+
+#include "../../common/file.h"
+#include "../../common/vec3.h"
+
+typedef struct { vec3 e, u, v, w; } camera_frame;
+
+/* Misuse: exit code 2. False, written so that the compiler sees it. */
+#define camera_refused(why, ...) (failed(why, 2, __VA_ARGS__), false)
+
+static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out, failure *why);
+static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_frame *out,
+                                       failure *why);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* a x b, each component right to 2 epsilon of itself: where a and b are nearly parallel, the two
+ * products of a component nearly cancel, and vcross would keep only their rounding errors. */
+static inline vec3 frame_cross(vec3 a, vec3 b)
+{
+    return (vec3){difference_of_products(a.y, b.z, a.z, b.y),
+                  difference_of_products(a.z, b.x, a.x, b.z),
+                  difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+/* What any look-at must refuse. `back` is e - target. */
+static inline bool frame_input_is_usable(vec3 e, vec3 target, vec3 up, vec3 back, failure *why)
+{
+    const char *name[] = {"viewpoint", "target", "up"};
+    vec3 given[] = {e, target, up};
+    for (int i = 0; i < 3; i++)
+        if (!vfinite(given[i]))
+            return camera_refused(why, "%s (%g, %g, %g): only finite numbers make a view", name[i],
+                          (double)given[i].x, (double)given[i].y, (double)given[i].z);
+    if (!vfinite(back))
+        return camera_refused(why,
+                              "viewpoint and target are too far apart: their distance overflows");
+    if (vzero(back))
+        return camera_refused(why,
+                              "target (%g, %g, %g) equals the viewpoint: no direction to look in",
+                      (double)target.x, (double)target.y, (double)target.z);
+    if (vzero(up)) return camera_refused(why,
+                                         "up (0, 0, 0): any vector but zero says which way is up");
+    return true;
+}
+
+static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
+{
+    return camera_refused(why,
+                          "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
+                  (double)up.x, (double)up.y, (double)up.z,
+                  0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
+}
+
+/* up = (3, 5, 6), from (0, 0, 0) towards (3, 5, 6.000001): an angle of 8e-8. w is rounded to length 1
+ * first, which turns it by some epsilon; seen against the angle, that turns u by 1e-9 (in float: by
+ * 0.3), and u leans towards w. */
+static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_frame *out,
+                                       failure *why)
+{
+    vec3 back = vsub(e, target);
+    if (!frame_input_is_usable(e, target, up, back, why)) return false;
+    vec3 w = vunit(back), u = vcross(up, w);
+    if (vzero(u)) return frame_is_parallel(up, back, why);
+    u = vunit(u);
+    *out = (camera_frame){e, u, vcross(w, u), w};
+    return true;
+}
+
+/* u comes from `up` and `back` as they are given, through products that lose nothing: at any angle
+ * it stands at right angles to both within a few epsilon. An angle of less than 4 epsilon is
+ * refused: it is of the size that rounding the input makes of zero. */
+static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out, failure *why)
+{
+    vec3 back = vsub(e, target);
+    if (!frame_input_is_usable(e, target, up, back, why)) return false;
+    vec3 a = up, b = back;
+    if (!square_is_safe(vdot(a, a)) || !square_is_safe(vdot(b, b))) {
+        int power;
+        a = vscaled(up, &power), b = vscaled(back, &power);  /* exact: the directions stay */
+    }
+    vec3 u = frame_cross(a, b), w = vunit(b);
+    if (vlength(u) <= 4 * real_epsilon * vlength(a) * vlength(b))
+        return frame_is_parallel(up, back, why);
+    u = vunit(u);
+    *out = (camera_frame){e, u, vcross(w, u), w};
+    return true;
+}
+
+#endif

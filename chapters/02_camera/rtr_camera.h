@@ -1,0 +1,69 @@
+/* rtr_camera.h: the same perspective camera in the left-handed frame of Real-Time Rendering, 26.1.
+ *
+ *        u up   v view          s(x, y) = a f (2 (x + 0.5) / w - 1) r
+ *         |   /                         -   f (2 (y + 0.5) / h - 1) u + v     (2.9)
+ *         | /                   f = tan(phi / 2), a = w / h
+ *         c------ r right       O = c, D = s / |s|
+ *
+ * r, u, v are left-handed: r x u = -v. (x, y) are whole pixel numbers, y counts downward from the
+ * top row; the 0.5 leads to the pixel's centre. D has length 1, so t is a distance.
+ *
+ * As printed (equation 26.2), the second term has a plus: y grows downward and u points up, so the
+ * first row of the picture looks down and the picture stands on its head. rtr_camera_ray_printed
+ * keeps the plus; rtr_camera_ray has the minus. (The plus is right where y counts upward.)
+ *
+ *   rtr_camera k;
+ *   if (!rtr_look_at(c, target, up, phi_degrees, &k, &why)) fail(why);
+ *   ray q = rtr_camera_ray(k, x, y, w, h);
+ *
+ * Letters: this w is the picture's width, and this v points forward; in camera.h w points backward
+ * and v up.
+ *
+ * Source: T. Akenine-Möller, E. Haines, N. Hoffman, "Real-Time Rendering", 4th ed., 2018, ch. 26.1
+ * (in the separate online chapter on ray tracing), equation 26.2.
+ */
+#ifndef RTR_CAMERA_H
+#define RTR_CAMERA_H
+
+#include "camera.h"
+
+typedef struct {
+    vec3 c;        /* position */
+    vec3 r, u, v;  /* right, up, view: unit length, left-handed */
+    real f;        /* tan(phi / 2), phi the vertical field of view */
+} rtr_camera;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The left-handed frame is the right-handed one with its third axis turned round. */
+static inline bool rtr_look_at(vec3 c, vec3 target, vec3 up, real phi, rtr_camera *out,
+                               failure *why)
+{
+    camera_frame n;
+    camera check;
+    if (!frame_look_at(c, target, up, &n, why)) return false;
+    if (!camera_perspective(n, phi, 1, &check, why)) return false;
+    *out = (rtr_camera){c, n.u, n.v, vneg(n.w), half_tangent(phi)};
+    return true;
+}
+
+/* s at any point (x, y) of the picture, without the 0.5; the sign of the second term is given. */
+static inline vec3 rtr_s(rtr_camera k, real x, real y, int w, int h, int sign)
+{
+    real a = (real)w / (real)h;
+    real right = a * k.f * (2 * x / (real)w - 1);
+    real up = (real)sign * k.f * (2 * y / (real)h - 1);
+    return vadd(vmadd(vscale(k.r, right), k.u, up), k.v);
+}
+
+static inline ray rtr_camera_ray_printed(rtr_camera k, int x, int y, int w, int h)
+{
+    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h, 1)));
+}
+
+static inline ray rtr_camera_ray(rtr_camera k, int x, int y, int w, int h)
+{
+    return ray_from(k.c, vunit(rtr_s(k, (real)x + (real)0.5, (real)y + (real)0.5, w, h, -1)));
+}
+
+#endif

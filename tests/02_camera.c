@@ -1,0 +1,563 @@
+/* Tests of 02_camera: frames, rays through pixels and back, vanishing points, RTR's frame. */
+#include "check.h"
+#include "../chapters/02_camera/headlight.h"
+#include "../chapters/02_camera/oracle.h"
+#include "../chapters/02_camera/rtr_camera.h"
+#include "../common/random.h"
+
+enum { nx = 640, ny = 480 };
+
+#define eps ((double)real_epsilon)
+static const vec3 axis_z = {0, 0, 1};
+static random_stream s;
+
+/* The larger of two, a NaN being the largest. */
+static double worse(double a, double b) { return isnan(a) || b <= a ? a : b; }
+
+static real uniform(real a, real b) { return a + (b - a) * random_next(&s); }
+static vec3 any_direction(void)
+{
+    vec3 d;
+    real dd;
+    do {
+        d = (vec3){uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+        dd = vdot(d, d);
+    } while (dd > 1 || dd < (real)0.01);
+    return vunit(d);
+}
+static double distance(vec3 a, vec3 b) { return (double)vlength(vsub(a, b)); }
+static double angle(vec3 a, vec3 b) { return distance(vunit(a), vunit(b)); }
+static camera_frame any_frame(real far)
+{
+    camera_frame f;
+    vec3 e = vscale(any_direction(), far);
+    while (!frame_look_at(e, vadd(e, vscale(any_direction(), real_max(far, 1))), any_direction(),
+                          &f, NULL)) {}
+    return f;
+}
+static camera_window any_window(void)
+{
+    real l = uniform(-2, 1), b = uniform(-2, 1);
+    return (camera_window){l, l + uniform((real)0.5, 3), b, b + uniform((real)0.5, 3)};
+}
+static camera any_camera(int kind, real far)
+{
+    camera c;
+    camera_frame f = any_frame(far);
+    failure why = {0, ""};
+    vec3 D = vadd(vneg(f.w), vadd(vscale(f.u, uniform(-1, 1)), vscale(f.v, uniform(-1, 1))));
+    bool ok = kind == 0 ? camera_orthographic(f, any_window(), &c, &why)
+            : kind == 1 ? camera_oblique(f, any_window(), D, &c, &why)
+            : kind == 2 ? camera_perspective(f, uniform(10, 120), uniform((real)0.5, 2), &c, &why)
+            : camera_off_axis(f, any_window(), uniform((real)0.3, 3), &c, &why);
+    if (!ok) fail(why);
+    return c;
+}
+
+/* A length-1, right-angled, right-handed frame. Each of w, u rounds its components and its length
+ * (2 epsilon by vunit); a dot product adds 1.5 epsilon: 8 epsilon holds them all. */
+static void check_frame(camera_frame f, const char *what)
+{
+    check_close(vlength(f.u), 1, 8 * eps, "%s: |u|", what);
+    check_close(vlength(f.v), 1, 8 * eps, "%s: |v|", what);
+    check_close(vlength(f.w), 1, 8 * eps, "%s: |w|", what);
+    check_close(vdot(f.u, f.v), 0, 8 * eps, "%s: u.v", what);
+    check_close(vdot(f.v, f.w), 0, 8 * eps, "%s: v.w", what);
+    check_close(vdot(f.w, f.u), 0, 8 * eps, "%s: w.u", what);
+    check_close(vdot(vcross(f.u, f.v), f.w), 1, 16 * eps, "%s: u x v = w, right-handed", what);
+}
+
+static void test_frames(void)
+{
+    camera_frame f;
+    failure why;
+    check(frame_look_at((vec3){0, -5, 0}, (vec3){0, 0, 0}, axis_z, &f, &why), "looking along +y");
+    check(f.u.x == 1 && f.v.z == 1 && f.w.y == -1, "looking along +y with z up: right is +x");
+    for (int k = 0; k < 1000; k++) {  /* their squares over- and underflow */
+        real power = real_is_float ? 30 : 250, size = pow((real)10, uniform(-power, power));
+        vec3 target = vscale(any_direction(), size);
+        vec3 up = vscale(any_direction(), k % 2 ? size : 1 / size);
+        vec3 e = vscale(any_direction(), 2 * size);
+        check(frame_look_at(e, target, up, &f, &why), "any size of view is a view");
+        check_frame(f, "any size");
+        check_at_least(vdot(f.v, vunit(up)), 0, "v leans to the side of up");
+        check_close(vdot(vunit(up), f.u), 0, 8 * eps, "u is at right angles to up");
+    }
+}
+
+/* up at a small angle to the view: the input is rounded first, so it is exact for the oracle. The
+ * robust u is off by the roundings of its cross product (2 epsilon), of `back` (1/2, seen under the
+ * angle: none here, since e = 0) and of its length (2); the naive one by epsilon / angle. */
+static void test_frames_near_parallel(void)
+{
+    real smallest = real_is_float ? (real)1e-5 : (real)1e-13;
+    for (real small = (real)0.1; small > smallest; small /= 10) {
+        double naive = 0, robust = 0, leans = 0;
+        for (int k = 0; k < 500; k++) {
+            vec3 view = vscale(any_direction(), uniform(1, 100)), s1, s2, e = {0, 0, 0};
+            vbasis(vunit(view), &s1, &s2);
+            vec3 up = vscale(vadd(vunit(view), vscale(s1, small)), uniform((real)0.1, 10));
+            camera_frame f, g;
+            failure why;
+            if (!frame_look_at(e, view, up, &f, &why)
+                || !frame_look_at_naive(e, view, up, &g, &why)) fail(why);
+            check_frame(f, "near parallel");
+            robust = worse(robust, frame_error(f, view, up));
+            naive = worse(naive, frame_error(g, view, up));
+            leans = worse(leans, fabs((double)vdot(g.u, g.w)));
+        }
+        check_at_most(robust, 6 * eps, "frame_look_at at angle %g", (double)small);
+        check_at_least(naive, 0.1 * eps / (double)small,
+                       "frame_look_at_naive must be seen to fail at %g", (double)small);
+        check_at_least(leans, 0.1 * eps / (double)small, "the naive u leans towards w at angle %g",
+                       (double)small);
+    }
+}
+
+/* The example in frame.h. */
+static void test_frame_example(void)
+{
+    vec3 e = {0, 0, 0}, up = {3, 5, 6}, target = {3, 5, (real)6.000001};
+    camera_frame f, g;
+    failure why;
+    if (!frame_look_at(e, target, up, &f, &why)) fail(why);
+    if (!frame_look_at_naive(e, target, up, &g, &why)) fail(why);
+    check_at_most(frame_error(f, target, up), 6 * eps, "frame_look_at on the example of frame.h");
+    check_at_least(frame_error(g, target, up), 1e6 * eps, "frame_look_at_naive must fail on it");
+}
+
+static void refused(bool ok, failure why, const char *needle, const char *what)
+{
+    check(!ok, "%s must be refused", what);
+    check(!ok && why.exit_code == 2 && strstr(why.text, needle), "%s: message \"%s\" names \"%s\"",
+          what,
+          ok ? "" : why.text, needle);
+}
+
+static void test_refusals(void)
+{
+    camera_frame f = {{7, 7, 7}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+    camera c;
+    rtr_camera rtr;
+    failure why = {0, ""};
+    real nan_ = (real)NAN, big = real_largest, inf = real_infinity;
+    vec3 o = {0, 0, 0}, p = {1, 2, 3};
+#define look(e, t, up, needle) \
+    refused(frame_look_at(e, t, up, &f, &why), why, needle, "look-at: " needle)
+    look(p, p, axis_z, "equals the viewpoint");
+    look(o, p, o, "up (0, 0, 0):");
+    look(o, p, p, "parallel");
+    look(o, p, vscale(p, -(real)1e10), "parallel");
+    look(((vec3){0, 0, 2}), o, axis_z, "up (0, 0, 1) is parallel to the view (0, 0, -2)");
+    look(p, o, ((vec3){nan_, 0, 1}), "up (nan");
+    look(((vec3){0, inf, 0}), o, axis_z, "viewpoint (0, inf");
+    look(p, ((vec3){0, 0, nan_}), axis_z, "target");
+    look(((vec3){big, 0, 0}), ((vec3){-big, 0, 0}), axis_z, "overflows");
+    look(o, ((vec3){0, 0, -1}), ((vec3){2 * real_epsilon, 0, 1}), "parallel");
+    check(frame_look_at(o, (vec3){0, 0, -1}, (vec3){5 * real_epsilon, 0, 1}, &f, &why),
+          "5 epsilon is an angle");
+    check_frame(f, "5 epsilon");
+    check_equal(f.v.x, 1, "5 epsilon: up leans to +x, looking down, so +x is up in the picture");
+    f.e.x = 7;
+    (void)frame_look_at(p, p, axis_z, &f, &why);
+    check_equal(f.e.x, 7, "a refused look-at leaves *out untouched");
+    refused(frame_look_at_naive(o, p, p, &f, &why), why, "parallel",
+            "the naive look-at, exactly parallel");
+
+    check(frame_look_at(p, o, axis_z, &f, &why), "a frame");
+    camera_window w = {-1, 1, -1, 1};
+#define angle_(phi) \
+    refused(camera_perspective(f, phi, 1, &c, &why), why, "field of view", "phi " #phi)
+    angle_(0);
+    angle_(180);
+    angle_(-30);
+    angle_(360);
+    angle_(nan_);
+    angle_(inf);
+    refused(camera_perspective(f, 60, 0, &c, &why), why, "width / height 0", "aspect 0");
+    refused(camera_perspective(f, 60, nan_, &c, &why), why, "width / height", "aspect NaN");
+    refused(camera_off_axis(f, w, 0, &c, &why), why, "d = 0", "zero distance");
+    refused(camera_off_axis(f, w, -1, &c, &why), why, "d = -1", "negative distance");
+    refused(camera_off_axis(f, w, nan_, &c, &why), why, "d = ", "NaN distance");
+    refused(camera_off_axis(f, (camera_window){1, 1, -1, 1}, 1, &c, &why), why, "l < r",
+            "empty window");
+    refused(camera_orthographic(f, (camera_window){-1, 1, 1, -1}, &c, &why), why, "b < t",
+            "window upside down");
+    refused(camera_orthographic(f, (camera_window){-1, nan_, -1, 1}, &c, &why), why, "window",
+            "NaN window");
+    refused(camera_orthographic(f, (camera_window){-big, big, -1, 1}, &c, &why), why, "window",
+            "r - l overflows");
+    refused(camera_oblique(f, w, f.u, &c, &why), why, "forward", "oblique along the image plane");
+    refused(camera_oblique(f, w, f.w, &c, &why), why, "forward", "oblique backward");
+    vec3 along = vmadd(f.u, f.w, -2 * real_epsilon);
+    refused(camera_oblique(f, w, along, &c, &why), why, "forward", "oblique, 2 epsilon forward");
+    refused(camera_oblique(f, w, o, &c, &why), why, "forward", "oblique, no direction");
+    refused(camera_oblique(f, w, (vec3){nan_, 0, 0}, &c, &why), why, "forward", "oblique NaN");
+    refused(rtr_look_at(o, p, axis_z, 180, &rtr, &why), why, "field of view", "RTR, 180 degrees");
+    refused(rtr_look_at(o, o, axis_z, 60, &rtr, &why), why, "equals", "RTR, zero distance");
+    check(camera_perspective(f, (real)179.99, 1, &c, &why), "179.99 degrees is a field of view");
+    check(camera_perspective(f, (real)1e-3, 1, &c, &why), "0.001 degrees is a field of view");
+}
+
+/* The window's corners and centre, on dyadic numbers, where nothing rounds. */
+static void test_pixels_exactly(void)
+{
+    camera_frame f;
+    camera c;
+    failure why;
+    if (!frame_look_at((vec3){0, 0, 8}, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &f, &why)) fail(why);
+    if (!camera_off_axis(f, (camera_window){-1, 3, -2, 2}, 2, &c, &why)) fail(why);
+    ray top_left = camera_ray(c, 0, 0, 64, 64), bottom_right = camera_ray(c, 64, 64, 64, 64);
+    check(top_left.d.x == -1 && top_left.d.y == 2 && top_left.d.z == -2,
+          "(0, 0) is the corner (l, t)");
+    check(bottom_right.d.x == 3 && bottom_right.d.y == -2, "(nx, ny) is the corner (r, b)");
+    check(top_left.o.z == 8 && top_left.tmin == 0 && top_left.tmax == real_infinity,
+          "from e, forward");
+    /* FCG: pixel (i, j), j counting upward: u = l + (r-l)(i + .5)/nx, v = b + (t-b)(j + .5)/ny */
+    ray r = camera_ray(c, 5 + (real)0.5, 64 - (7 + (real)0.5), 64, 64);
+    check(r.d.x == -1 + 4 * (real)5.5 / 64 && r.d.y == -2 + 4 * (real)7.5 / 64,
+          "FCG's pixel (5, 7)");
+    if (!camera_orthographic(f, (camera_window){-1, 3, -2, 2}, &c, &why)) fail(why);
+    r = camera_ray(c, 16, 16, 64, 64);
+    check(r.o.x == 0 && r.o.y == 1 && r.o.z == 8 && r.d.z == -1 && r.d.x == 0,
+          "orthographic: from the plane of e along -w");
+    real x, y;
+    check(!camera_project(c, (vec3){0, 0, 9}, 64, 64, &x, &y),
+          "behind the plane of e: not in front");
+    check(camera_project(c, (vec3){0, 1, 8}, 64, 64, &x, &y) && x == 16 && y == 16,
+          "in the plane of e: t = 0 counts");
+    if (!camera_perspective(f, 90, 2, &c, &why)) fail(why);
+    check_close(c.t, 1, eps, "phi = 90: half height 1");
+    check_close(c.r, 2, 2 * eps, "a = 2: half width 2");
+    check(!camera_project(c, f.e, 64, 64, &x, &y), "e itself shows nowhere");
+    check(!camera_project(c, (vec3){0, 0, (real)8.5}, 64, 64, &x, &y), "behind e: not in front");
+    check(!camera_project(c, (vec3){0, 0, (real)NAN}, 64, 64, &x, &y), "NaN: not in front");
+    /* a cabinet view: a unit of depth is drawn as half a unit at 45 degrees, (2.4) */
+    real k = (real)0.5 * sqrt((real)0.5);
+    if (!camera_oblique(f, (camera_window){-4, 4, -4, 4}, (vec3){-k, -k, -1}, &c, &why)) fail(why);
+    real x0, y0;
+    camera_project(c, (vec3){0, 0, 8}, 64, 64, &x0, &y0);
+    camera_project(c, (vec3){0, 0, 7}, 64, 64, &x, &y);
+    check_close((x - x0) / 8, k, 8 * eps, "cabinet: one unit of depth leads right by cos(45)/2");
+    check_close((y - y0) / 8, -k, 8 * eps, "cabinet: and up by sin(45)/2");
+}
+
+/* The point at t on the ray through (x, y) must show at (x, y) again. Errors, in units of epsilon:
+ *   the window: u is a sum of two numbers up to |l| + |r|, there and back     4 (|l| + |r|)
+ *   the point: its rounding and that of p - e                                 2 (|e| + |p|)
+ *   D, dot products and the division                                          8 |q|, q = p - e
+ * The last two are seen from e under the factor d / depth (perspective), and all count in pixels
+ * nx / (r - l). The factor 2: in oblique views the depth's error shows along the slope of the rays,
+ * below sqrt 3. */
+static void test_there_and_back(void)
+{
+    size_t n = check_count(200000);
+    for (int kind = 0; kind < 4; kind++) {
+        double worst = 0, near = 0;
+        for (size_t k = 0; k < n; k++) {
+            camera c = any_camera(kind, k % 2 ? 0 : pow((real)10, uniform(-2, 6)));
+            real x = uniform(0, nx), y = uniform(0, ny), x2 = -1, y2 = -1;
+            ray r = camera_ray(c, x, y, nx, ny);
+            real t = pow((real)10, uniform(-1, 3));
+            vec3 p = ray_at(r, t);
+            if (!camera_project(c, p, nx, ny, &x2, &y2)) {
+                /* p may round to e or behind it only if the step is lost in the size of e */
+                check_at_most(t * vlength(r.d), 8 * real_epsilon * vlength(c.e),
+                              "a point in front was lost");
+                continue;
+            }
+            vec3 q = vsub(p, c.e);
+            double depth = -(double)vdot(q, c.w), size = (double)(vlength(c.e) + vlength(p));
+            double scale = c.kind == CAMERA_PERSPECTIVE ? (double)c.d / depth : 1;
+            double reach = scale * (2 * size + 8 * (double)vlength(q)) * 2;
+            double wide_x = (double)(c.r - c.l), sides = (double)(fabs(c.l) + fabs(c.r));
+            double wide_y = (double)(c.t - c.b), edges = (double)(fabs(c.b) + fabs(c.t));
+            double bx = eps * nx / wide_x * (4 * sides + reach);
+            double by = eps * ny / wide_y * (4 * edges + reach);
+            double alone = eps * nx * (4 + 8 * scale * (double)vlength(q) / (double)(c.r - c.l));
+            double off = worse(fabs((double)(x2 - x)) / bx, fabs((double)(y2 - y)) / by);
+            worst = worse(worst, off);
+            if (vzero(c.e)) near = worse(near, fabs((double)(x2 - x)) / alone);
+        }
+        check_at_most(worst, 1, "kind %d: a ray passes through its pixel (1 = the bound above)",
+                      kind);
+        check_at_least(worst, 0.01, "kind %d: the bound is not a hundred times too wide", kind);
+        if (kind == 2) check_at_most(near, 1,
+                                     "e = 0: 4 + 8 |D| / (r - l) ulps of the picture's width");
+    }
+}
+
+/* D against exact arithmetic, with the camera of the Cornell box (d = 0.035, window 0.025 wide).
+ * The direct form: four roundings in u (of at most 1 in units of the window) and three in D,
+ * wherever e is. s - e: s is rounded to epsilon/2 |e| a component. */
+static void test_far_away(void)
+{
+    real h = (real)0.0125, d = (real)0.035;
+    for (int k = 0; k <= 8; k += 2) {
+        double naive = 0, direct = 0, far = pow(10.0, k);
+        for (int i = 0; i < 2000; i++) {
+            camera_frame f = any_frame((real)far);
+            camera c;
+            if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, d, &c, NULL)) abort();
+            real x = uniform(0, 512), y = uniform(0, 512);
+            direct = worse(direct, ray_error(c, camera_ray(c, x, y, 512, 512).d, x, y, 512, 512));
+            naive = worse(naive,
+                         ray_error(c, camera_ray_naive(c, x, y, 512, 512).d, x, y, 512, 512));
+        }
+        check_at_most(direct, 8 * eps * 512, "camera_ray at |e| = %g: off by pixels", far);
+        double expected = eps * far / (double)(2 * h) * 512;  /* one ulp of e, in pixels */
+        if (eps * far < 0.01) {
+            check_at_least(naive, expected / 8, "camera_ray_naive must be seen to fail at |e| = %g",
+                           far);
+            check_at_most(naive, 2 * expected + 8 * eps * 512, "and by its own reason at |e| = %g",
+                          far);
+        } else check(!(naive <= 8 * eps * 512), "camera_ray_naive fails outright at |e| = %g", far);
+    }
+}
+
+static void test_half_tangent(void)
+{
+    real angles[] = {179, (real)179.9, (real)179.99, (real)179.999};
+    for (int i = 0; i < 4; i++) {
+        double exact = half_tangent_exact(angles[i]),
+            delta = (180 - (double)angles[i]) * (double)pi / 360;
+        double robust = fabs((double)half_tangent(angles[i]) / exact - 1);
+        double naive = fabs((double)half_tangent_naive(angles[i]) / exact - 1);
+        check_at_most(robust, 4 * eps, "half_tangent(%.9g): roundings of angle, tangent, quotient",
+                      (double)angles[i]);
+        check_at_least(naive, 0.02 * eps / delta, "half_tangent_naive(%.9g) must be seen to fail",
+                       (double)angles[i]);
+    }
+    check_close(half_tangent(60), sqrt(1 / 3.0), 2 * eps, "tan 30");
+    check_close(half_tangent(90), 1, 2 * eps, "tan 45");
+    check_close(half_tangent(120), sqrt(3.0), 4 * eps, "tan 60");
+    check_equal(half_tangent(30), half_tangent_naive(30), "the two agree where nothing is lost");
+}
+
+/* FCG and RTR, written down apart from each other, give the same ray for the same pixel. */
+static void test_rtr(void)
+{
+    for (int k = 0; k < 2000; k++) {
+        vec3 e = vscale(any_direction(), 10), target = any_direction(), up = any_direction();
+        real phi = uniform(10, 150);
+        rtr_camera q;
+        camera_frame f;
+        camera c;
+        failure why;
+        if (!rtr_look_at(e, target, up, phi, &q, &why)) fail(why);
+        if (!frame_look_at(e, target, up, &f, &why)) fail(why);
+        if (!camera_perspective(f, phi, (real)nx / (real)ny, &c, &why)) fail(why);
+        int x = (int)uniform(0, nx), y = (int)uniform(0, ny);
+        ray a = rtr_camera_ray(q, x, y, nx, ny),
+            b = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, nx, ny);
+        /* some 6 roundings each, of numbers up to |r| + |t| + 1, in a D that is at least 1 long */
+        double bound = 8 * eps * (double)(c.r + c.t + 1);
+        check_at_most(angle(a.d, b.d), bound, "FCG and RTR at pixel (%d, %d)", x, y);
+        check_equal(distance(a.o, b.o), 0, "both begin at the viewpoint");
+        check_close(vlength(a.d), 1, 4 * eps, "RTR's direction has length 1");
+        check_close(vdot(vcross(q.r, q.u), q.v), -1, 16 * eps, "r, u, v are left-handed");
+        /* the slip: what is printed is the mended picture upside down */
+        ray slip = rtr_camera_ray_printed(q, x, y, nx, ny),
+            mirror = rtr_camera_ray(q, x, ny - 1 - y, nx, ny);
+        check_at_most(angle(slip.d, mirror.d), bound, "printed row y is the mended row h - 1 - y");
+        check(vdot(rtr_camera_ray_printed(q, x, 0, nx, ny).d, q.u) < 0,
+              "printed: the first row looks down");
+        check(vdot(rtr_camera_ray(q, x, 0, nx, ny).d, q.u) > 0, "mended: the first row looks up");
+        check(vdot(rtr_camera_ray(q, nx - 1, y, nx, ny).d, q.r) > 0, "the last column looks right");
+    }
+}
+
+/* With q = p - e, the picture of p + t D differs from the vanishing point by
+ * d ((q.u) D_w - q_w (D.u)) / (D_w (q_w + t D_w)), x_w being depth, -x.w: (2.7) minus (2.8). This
+ * goes as 1 / t, and must be met to 1 % and the rounding. */
+static void test_vanishing_points(void)
+{
+    for (int k = 0; k < 2000; k++) {
+        camera c = any_camera(2 + k % 2, 3);
+        vec3 D = any_direction();
+        double D_w = -(double)vdot(D, c.w), D_u = (double)vdot(D, c.u);
+        if (fabs(D_w) < 0.1) continue;
+        if (D_w < 0) D = vneg(D), D_w = -D_w, D_u = -D_u;
+        real vx = 0, vy = 0, x, y, bx = 0, by = 0;
+        check(camera_vanishing_point(c, D, nx, ny, &vx, &vy), "a vanishing point");
+        check(camera_vanishing_point(c, vneg(D), nx, ny, &bx, &by),
+              "and of the line the other way");
+        check(bx == vx && by == vy, "is the same point");
+        ray r = camera_ray(c, vx, vy, nx, ny);
+        double reach = (double)c.d / D_w / (double)(c.r - c.l),
+            reach_y = (double)c.d / D_w / (double)(c.t - c.b);
+        double big = 8 + 8 * (double)(fabs(c.l) + fabs(c.r)) / (double)(c.r - c.l)
+                   + 8 * (double)(fabs(c.b) + fabs(c.t)) / (double)(c.t - c.b);
+        check_at_most(angle(r.d, D), eps * (8 * big + 16 * (reach + reach_y)) * 4,
+                      "the ray through it runs along D");
+        for (int j = 0; j < 2; j++) {  /* two lines */
+            vec3 q = vscale(any_direction(), 2);
+            double q_u = (double)vdot(q, c.u), q_w = -(double)vdot(q, c.w),
+                t = real_is_float ? 300 : 1e6;
+            if (!camera_project(c, vmadd(vadd(c.e, q), D, (real)t), nx, ny, &x, &y)) continue;
+            double gap = nx * (double)c.d * (q_u * D_w - q_w * D_u)
+                       / (D_w * (q_w + t * D_w) * (double)(c.r - c.l));
+            double rounding = 64 * eps * nx * (big + reach);
+            check_close((double)x - (double)vx, gap, 0.01 * fabs(gap) + rounding,
+                        "a line tends to its vanishing point");
+            check_at_most(fabs(gap), nx * 8 * reach / (0.1 * t), "and the gap goes as 1 / t");
+        }
+    }
+    real x, y;
+    camera c = any_camera(0, 1);
+    check(!camera_vanishing_point(c, c.w, nx, ny, &x, &y),
+          "parallel views have no vanishing points");
+    c = any_camera(2, 1);
+    check(!camera_vanishing_point(c, (vec3){0, 0, 0}, nx, ny, &x, &y), "nor has no direction");
+    camera_frame f = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    check(camera_off_axis(f, (camera_window){-1, 1, -1, 1}, 1, &c, NULL), "a camera");
+    check(!camera_vanishing_point(c, (vec3){1, 1, 0}, nx, ny, &x, &y),
+          "nor have lines along the image plane");
+}
+
+/* Three directions at right angles: their vanishing points form a triangle whose altitudes meet
+ * where the view direction pierces the picture (a theorem of perspective, not in the code). */
+static void test_three_point_perspective(void)
+{
+    for (int k = 0; k < 500; k++) {
+        camera c = any_camera(3, 3);
+        vec3 a[3];
+        real x[4], y[4];
+        bool ok = true;
+        a[2] = any_direction();
+        vbasis(a[2], &a[0], &a[1]);
+        for (int i = 0; i < 3; i++) ok = ok && fabs(vdot(a[i], c.w)) > (real)0.2
+            && camera_vanishing_point(c, a[i], nx, ny, &x[i], &y[i]);
+        if (!ok || !camera_vanishing_point(c, c.w, nx, ny, &x[3], &y[3])) continue;
+        double sx = (double)(c.r - c.l) / nx,
+            sy = (double)(c.t - c.b) / ny;  /* pixels need not be square */
+        for (int i = 0; i < 3; i++) {
+            int j = (i + 1) % 3, m = (i + 2) % 3;
+            double hx = sx * (double)(x[3] - x[i]), hy = sy * (double)(y[3] - y[i]);
+            double ex = sx * (double)(x[m] - x[j]), ey = sy * (double)(y[m] - y[j]);
+            /* lengths up to d / 0.2 of either; positions rounded to eps of themselves */
+            double window = (double)(fabs(c.l) + fabs(c.r) + fabs(c.b) + fabs(c.t));
+            double reach = 10 * (double)c.d + window;
+            check_close(hx * ex + hy * ey, 0, 64 * eps * reach * reach,
+                        "an altitude passes through the principal point");
+        }
+    }
+}
+
+/* Points on a line show on a line: in every kind of view. */
+static void test_lines_stay_lines(void)
+{
+    for (int k = 0; k < 4000; k++) {
+        camera c = any_camera(k % 4, 1);
+        vec3 p = vmadd(vmadd(c.e, c.w, -6), any_direction(), 2), D = any_direction();
+        double x[3], y[3];
+        for (int i = 0; i < 3; i++) {
+            real px = 0, py = 0;
+            check(camera_project(c, vmadd(p, D, (real)i), nx, ny, &px, &py), "in front");
+            x[i] = (double)px, y[i] = (double)py;
+        }
+        double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+        /* projecting is off by some 8 epsilon of such a size; the area multiplies two of them */
+        double size = 2 * nx + fabs(x[0]) + fabs(y[0]) + fabs(x[2]) + fabs(y[2]);
+        check_close(area, 0, 64 * eps * size * size * 8, "three points of a line, kind %d", k % 4);
+    }
+}
+
+/* FCG notes that e and l, r are redundant. In a parallel view moving e by a u and l, r by -a gives
+ * the same rays; doing only one of the two does not, and in perspective not even both. */
+static void test_what_moving_changes(void)
+{
+    camera_frame f = {{2, 3, 5}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, moved = f;
+    moved.e.x += 4;
+    camera_window n = {-1, 1, -1, 1}, shifted = {-5, -3, -1, 1};
+    camera c, both, only_e, only_window;
+    if (!camera_orthographic(f, n, &c, NULL) || !camera_orthographic(moved, shifted, &both, NULL)
+        || !camera_orthographic(moved, n, &only_e, NULL)
+            || !camera_orthographic(f, shifted, &only_window, NULL)) abort();
+    for (int i = 0; i <= 64; i += 8) {  /* dyadic: nothing rounds, the same rays bit for bit */
+        vec3 o = camera_ray(c, (real)i, 16, 64, 64).o;
+        check_equal(distance(o, camera_ray(both, (real)i, 16, 64, 64).o), 0,
+                    "orthographic: both moved, same rays");
+        check_equal(distance(o, camera_ray(only_e, (real)i, 16, 64, 64).o), 4,
+                    "only e moved: other rays");
+        check_equal(distance(o, camera_ray(only_window, (real)i, 16, 64, 64).o), 4,
+                    "only l, r moved: other rays");
+    }
+    if (!camera_oblique(f, n, (vec3){(real)0.5, 0, -1}, &c, NULL)
+        || !camera_oblique(moved, shifted, (vec3){(real)0.5, 0, -1}, &both, NULL)) abort();
+    check_equal(distance(camera_ray(c, 8, 16, 64, 64).o, camera_ray(both, 8, 16, 64, 64).o), 0,
+                "oblique: the same");
+    if (!camera_off_axis(f, n, 1, &c, NULL)
+        || !camera_off_axis(moved, shifted, 1, &both, NULL)) abort();
+    real x1, y1, x2, y2;
+    vec3 in_plane = {2, 3, 4}, beyond = {2, 3, 1};  /* at depth 1 = d, and at depth 4 */
+    camera_project(c, in_plane, 64, 64, &x1, &y1);
+    camera_project(both, in_plane, 64, 64, &x2, &y2);
+    check_equal(x1, x2, "perspective, both moved: the image plane stays");
+    camera_project(c, beyond, 64, 64, &x1, &y1);
+    camera_project(both, beyond, 64, 64, &x2, &y2);
+    /* closed form: u = d X / depth + a (1 - d / depth): 4 (1 - 1/4) = 3 units of 32 pixels */
+    check_equal(x2 - x1, 96, "but what lies beyond moves: parallax");
+    camera twice;
+    if (!camera_off_axis(f, (camera_window){-2, 2, -2, 2}, 2, &twice, NULL)) abort();
+    vec3 d1 = camera_ray(c, 8, 24, 64, 64).d, d2 = camera_ray(twice, 8, 24, 64, 64).d;
+    check_equal(distance(vscale(d1, 2), d2), 0,
+                "l, r, b, t, d all doubled: the same rays, twice as long");
+}
+
+/* What lies behind the plane of e is missed with tmin = 0 and found with tmin = -infinity. */
+static void test_behind(void)
+{
+    camera_frame f = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    camera c;
+    if (!camera_orthographic(f, (camera_window){-1, 1, -1, 1}, &c, NULL)) abort();
+    ray r = camera_ray(c, 1, 1, 2, 2);
+    real t = (2 - r.o.z) / r.d.z;  /* the plane z = 2, behind e */
+    check_equal(t, -2, "the plane z = 2 lies at t = -2");
+    check(!ray_covers(r, t), "a parallel ray begins in the plane of e");
+    r.tmin = -real_infinity;
+    check(ray_covers(r, t), "tmin = -infinity: the whole line");
+}
+
+static void test_headlight(void)
+{
+    vec3 n = {0, 0, 1}, o = {0, 0, 0};
+    check_equal(headlight(n, (vec3){0, 0, -7}).x, 1, "facing the eye: 1, whatever the length of d");
+    check_equal(headlight(vneg(n), (vec3){0, 0, -7}).y, 1, "the back is as bright");
+    check_equal(headlight(n, (vec3){3, 0, 0}).z, 0, "edge-on: 0");
+    check_close(headlight(n, (vec3){3, 0, -4}).x, 0.8, 2 * eps, "3-4-5: 0.8");
+    check_equal(headlight(n, o).x, 0, "no direction: black");
+    check_equal(headlight(o, n).x, 0, "no normal: black");
+    check(isnan(headlight((vec3){0, 0, (real)NAN}, n).x), "a NaN stays a NaN");
+    real tiny = sqrt(real_smallest) / 8, huge_ = real_largest / 4;
+    check_close(headlight(n, (vec3){0, tiny, tiny}).x, sqrt(0.5), 4 * eps, "d too short to square");
+    check_close(headlight(n, (vec3){0, huge_, huge_}).x, sqrt(0.5), 4 * eps,
+                "d too long to square");
+    for (int k = 0; k < 10000; k++) {
+        vec3 d = any_direction();
+        vec3 c = headlight(d, vscale(d, uniform((real)0.1, 9)));
+        check(c.x <= 1 && c.x >= 1 - 4 * real_epsilon && c.x == c.y && c.y == c.z,
+              "grey, at most 1");
+    }
+}
+
+int main(void)
+{
+    s = random_start(2, 0, 0);
+    test_frames();
+    test_frames_near_parallel();
+    test_frame_example();
+    test_refusals();
+    test_pixels_exactly();
+    test_there_and_back();
+    test_far_away();
+    test_half_tangent();
+    test_rtr();
+    test_vanishing_points();
+    test_three_point_perspective();
+    test_lines_stay_lines();
+    test_what_moving_changes();
+    test_behind();
+    test_headlight();
+    return check_report("02_camera");
+}

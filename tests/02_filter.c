@@ -1,0 +1,230 @@
+/* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
+#include "check.h"
+#include "../chapters/02_camera/pattern.h"
+#include "../chapters/02_camera/samples.h"
+
+#define eps ((double)real_epsilon)
+static filter filters[3];
+static const char *const names[] = {"box", "tent", "Gaussian"};
+static random_stream s;
+
+/* The larger of two, a NaN being the largest. */
+static double worse(double a, double b) { return isnan(a) || b <= a ? a : b; }
+
+static double uniform(double a, double b) { return a + (b - a) * (double)random_next(&s); }
+
+/* The midpoint rule with 20001 points on [-R, R] in double: another way to the same integral. A
+ * jump of height 2 costs at most half a step; where nothing jumps it is far better. */
+static double by_midpoints(double (*f)(double x, double a), double x, double a, filter g, double R)
+{
+    enum { n = 20001 };
+    double sum = 0, weight = 0;
+    for (int i = 0; i < n; i++) {
+        double d = R * ((2 * i + 1) / (double)n - 1);
+        double w = g.kind == FILTER_BOX ? 1
+                 : g.kind == FILTER_TENT ? 1 - fabs(d) / R
+                 : exp(-2 * d * d);
+        sum += w * f(x + d, a);
+        weight += w;
+    }
+    return sum / weight;
+}
+
+static double cosine_wave(double x, double a) { return cos(a * x * x); }
+static double sine_wave(double x, double a) { return sin(a * x * x); }
+
+static void test_patterns(void)
+{
+    check_equal(square_wave(0.5, 1), 1, "first stretch");
+    check_equal(square_wave(1.5, 1), -1, "second stretch");
+    check_equal(square_wave(-0.5, 1), -1, "to the left of 0");
+    check_equal(checkerboard(0.5, 0.5, 1), 1, "white square");
+    check_equal(checkerboard(0.5, -0.5, 1), 0, "black square");
+    /* areas found on paper */
+    check_close(square_wave_filtered(0.3, 0.5, filter_box), 0, 1e-15, "box over one whole period");
+    check_close(square_wave_filtered(2, 1, filter_box), 0, 1e-15, "box on an edge");
+    check_close(square_wave_filtered(2.5, 1, filter_box), 1, 1e-15, "box on one stretch");
+    check_close(square_wave_filtered(2.25, 1, filter_box), 0.5, 1e-15,
+                "box, a quarter beyond the edge");
+    check_close(square_wave_filtered(0.5, 1, filter_tent), 0.5, 1e-15,
+                "tent: 3/4 of its area inside");
+    check_close(square_wave_filtered(0, 1, filter_gaussian), 0, 1e-15, "Gaussian on an edge");
+    double far = erf(2 * sqrt(2.0));
+    check_close(square_wave_filtered(50, 100, filter_gaussian), 1, 1e-15,
+                "Gaussian on a wide stretch");
+    check_close(square_wave_filtered(0.5, 100, filter_gaussian), erf(0.5 * sqrt(2.0)) / far, 1e-15,
+                "Gaussian beside a lone edge");
+    for (size_t k = 0; k < check_count(300); k++)
+        for (int i = 0; i < 3; i++) {
+            double x = uniform(-20, 20), cell = uniform(0.3, 3), R = (double)filters[i].radius;
+            double jumps = 2 + 2 * R / cell;  /* each costs at most half a step of 2 R / 20001,
+                height 2 */
+            double seen = by_midpoints(square_wave, x, cell, filters[i], R);
+            check_close(square_wave_filtered(x, cell, filters[i]), seen, jumps * 4 / 20001,
+                        "%s over a square wave",
+                        names[i]);
+        }
+    for (size_t k = 0; k < check_count(300); k++) {
+        double x = uniform(-30, 30), y = uniform(-30, 30), a = uniform(0.01, 0.1);
+        /* cos(p + q) = cos p cos q - sin p sin q; 9 sigma leave 2e-19 of a Gaussian outside */
+        double cx = by_midpoints(cosine_wave, x, a, filter_gaussian, 4.5);
+        double cy = by_midpoints(cosine_wave, y, a, filter_gaussian, 4.5);
+        double sx = by_midpoints(sine_wave, x, a, filter_gaussian, 4.5);
+        double sy = by_midpoints(sine_wave, y, a, filter_gaussian, 4.5);
+        check_close(zone_plate_filtered(x, y, a, 0.5), 0.5 + 0.5 * (cx * cy - sx * sy), 1e-12,
+                    "zone plate");
+    }
+    check_close(zone_plate_filtered(3, 4, 0.1, 0), zone_plate(3, 4, 0.1), 1e-15,
+                "no filter: the plate itself");
+    check_equal(zone_plate(0, 0, 0.1), 1, "white in the middle");
+}
+
+static void test_weights(void)
+{
+    for (int i = 0; i < 3; i++) {
+        filter f = filters[i];
+        double R = (double)f.radius, sum = 0;
+        enum { n = 2000 };
+        check_equal(filter_weight(f, 0, 0), 1, "%s: 1 in the centre", names[i]);
+        check_equal(filter_weight(f, f.radius * (real)1.001, 0), 0, "%s: 0 outside", names[i]);
+        check_equal(filter_weight(f, 0, -f.radius * (real)1.001), 0, "%s: 0 above", names[i]);
+        check_equal(filter_weight(f, (real)NAN, 0), 0, "%s: a NaN has no weight", names[i]);
+        for (int k = 0; k < 100; k++) {
+            real x = (real)uniform(-R, R), y = (real)uniform(-R, R);
+            check(filter_weight(f, x, y) == filter_weight(f, -y, x),
+                  "%s: the same in all four directions", names[i]);
+        }
+        for (int k = 0; k < n; k++) {
+            double x = R * ((2 * k + 1) / (double)n - 1);
+            sum += (double)filter_weight_1d(f, (real)x);
+        }
+        sum *= 2 * R / n;
+        /* midpoint rule: a bend of slope 1/R costs step^2; each weight is off by 2 epsilon */
+        check_close(filter_volume(f), sum * sum, 1e-5 + 8 * eps,
+                    "%s: filter_volume is the integral", names[i]);
+    }
+    check_close(filter_weight(filter_tent, (real)0.25, (real)0.5), 0.375, 2 * eps,
+                "tent: 3/4 times 1/2");
+    check_close(filter_weight(filter_gaussian, (real)0.5, (real)0.5), exp(-1.0), 4 * eps,
+                "Gaussian: one sigma each way");
+}
+
+/* Every position lies in the square; jittered: one in each cell; regular: no stream is needed. */
+static void test_positions(void)
+{
+    for (int n = 1; n <= 8; n++)
+        for (int k = 0; k < n * n; k++) {
+            real x, y, R = 2;
+            samples_place(SAMPLES_JITTERED, k, n, R, &s, &x, &y);
+            double i = ((double)x / (double)R + 1) * n / 2, j = ((double)y / (double)R + 1) * n / 2;
+            check(i >= k % n - 4 * n * eps && i <= k % n + 1 + 4 * n * eps,
+                  "jittered: in its own column");
+            check(j >= k / n - 4 * n * eps && j <= k / n + 1 + 4 * n * eps,
+                  "jittered: in its own row");
+            samples_place(SAMPLES_RANDOM, k, n, R, &s, &x, &y);
+            check(x >= -R && x <= R && y >= -R && y <= R, "random: in the square");
+            samples_place(SAMPLES_REGULAR, k, n, R, NULL, &x, &y);
+            check_close(x, R * (real)(2 * (k % n) + 1 - n) / (real)n, 4 * eps,
+                        "regular: the middle of its column");
+            check_close(y, R * (real)(2 * (k / n) + 1 - n) / (real)n, 4 * eps,
+                        "regular: the middle of its row");
+        }
+    real x, y;
+    samples_place(SAMPLES_REGULAR, 0, 1, 1, NULL, &x, &y);
+    check(x == 0 && y == 0, "one regular sample: the pixel's centre");
+}
+
+/* A wall of one colour must keep it. filter_mean: n products and sums, 1.5 epsilon each at most in
+ * either sum, all terms positive: the relative error stays below 2 n epsilon, n being the rays. */
+static void test_white_wall(void)
+{
+    for (int i = 0; i < 3; i++)
+        for (int how = 0; how < 3; how++)
+            for (int n = 2; n <= 8; n *= 2) {
+                double worst = 0, naive = 0, mean = 0;
+                size_t pixels = check_count(2000);
+                for (size_t p = 0; p < pixels; p++) {
+                    filter_sum sum = {{0, 0, 0}, 0};
+                    for (int k = 0; k < n * n; k++) {
+                        real x, y;
+                        samples_place((sample_placement)how, k, n, filters[i].radius, &s, &x, &y);
+                        sum = filter_add(sum, filter_weight(filters[i], x, y),
+                                         (vec3){1, (real)0.5, 0});
+                    }
+                    vec3 c = filter_mean(sum);
+                    worst = worse(worst, worse(fabs((double)c.x - 1), fabs((double)c.y - 0.5)));
+                    check_equal(c.z, 0, "black stays black");
+                    double v = (double)filter_mean_naive(sum, filters[i], n * n).x;
+                    naive = worse(naive, fabs(v - 1));
+                    mean += v / (double)pixels;
+                }
+                check_at_most(worst, 2 * n * n * eps,
+                              "%s, placement %d, %d rays: a wall keeps its colour", names[i], how,
+                                  n * n);
+                if (filters[i].kind != FILTER_BOX && how != SAMPLES_REGULAR) {
+                    check_at_least(naive, 0.1 / n, "%s: filter_mean_naive must be seen to fail",
+                                   names[i]);
+                    /* five standard errors of the mean; one weight's spread is below 3 */
+                    check_close(mean, 1, 5 * 3 / (n * sqrt((double)pixels)),
+                                "%s: but right on average", names[i]);
+                }
+            }
+    filter_sum none = {{0, 0, 0}, 0};
+    check(vzero(filter_mean(none)), "no weight at all: black");
+    filter_sum nan_ = {{1, 1, 1}, (real)NAN};
+    check(vzero(filter_mean(nan_)), "a NaN weight: black");
+}
+
+/* The error of one pixel over a checkerboard, root mean square over pixels. */
+static double checkerboard_rmse(filter f, sample_placement how, int n, size_t pixels)
+{
+    double square = 0;
+    for (size_t p = 0; p < pixels; p++) {
+        double px = uniform(-50, 50), py = uniform(-50, 50), cell = 1.37;
+        filter_sum sum = {{0, 0, 0}, 0};
+        for (int k = 0; k < n * n; k++) {
+            real x, y;
+            samples_place(how, k, n, f.radius, &s, &x, &y);
+            real c = (real)checkerboard(px + (double)x, py + (double)y, cell);
+            sum = filter_add(sum, filter_weight(f, x, y), (vec3){c, c, c});
+        }
+        double off = (double)filter_mean(sum).x - checkerboard_filtered(px, py, cell, f);
+        square += off * off;
+    }
+    return sqrt(square / (double)pixels);
+}
+
+/* Random: the spread of one ray is at most 1/2, times sqrt(sum w^2) / sum w, which tends to
+ * sqrt(area * integral of w^2) / (integral of w) / sqrt N: 1, 4/3, and for the Gaussian
+ * 4 / (2 sqrt(pi) sigma) = 2.26. Jittered: only the cells that an edge crosses count, some n of
+ * n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less, random only 2. */
+static void test_convergence(void)
+{
+    double spread[] = {1, 4 / 3.0, 2.26};
+    size_t pixels = check_count(1500);
+    for (int i = 0; i < 3; i++) {
+        double random = checkerboard_rmse(filters[i], SAMPLES_RANDOM, 16, pixels);
+        double coarse = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 8, pixels);
+        double fine = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 16, pixels);
+        check_at_most(random, 0.5 * spread[i] / 16 * 1.1, "%s: 256 random rays", names[i]);
+        check_at_least(random, 0.5 * spread[i] / 16 * 0.3, "%s: and they do have an error",
+                       names[i]);
+        check_close(log(coarse / fine) / log(4.0), 0.75, 0.1, "%s: jittered falls as N^-3/4",
+                    names[i]);
+        check_at_most(fine, random / 1.5, "%s: jittered beats random", names[i]);
+        check_at_most(checkerboard_rmse(filters[i], SAMPLES_REGULAR, 64, pixels / 10 + 1), 0.03,
+                      "%s: regular samples tend to the filtered value too", names[i]);
+    }
+}
+
+int main(void)
+{
+    s = random_start(2, 1, 0);
+    filters[0] = filter_box, filters[1] = filter_tent, filters[2] = filter_gaussian;
+    test_patterns();
+    test_weights();
+    test_positions();
+    test_white_wall();
+    test_convergence();
+    return check_report("02_filter");
+}
