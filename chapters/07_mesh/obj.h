@@ -146,7 +146,7 @@ static inline bool obj_corner_read(obj_reader *r, obj_corner *c)
     if (!obj_index(r, &r->v, &c->v)) return false;
     if (*t->p == '/' && *++t->p != '/' && !obj_index(r, &r->t, &unused)) return false;
     if (*t->p == '/' && (t->p++, !obj_index(r, &r->n, &c->n))) return false;
-    if (text_cut(t, t->p)) return text_bad(t, start, "corner too long:", "4095 characters");
+    if (t->p - start >= text_token) return text_bad(t, start, "corner too long:", text_longest);
     return text_ends_token(*t->p) || text_bad(t, start, "not a corner:", obj_corner_form);
 }
 

@@ -38,6 +38,7 @@
 #include "../../common/vec3.h"
 #include <stdint.h>
 
+#define text_longest "up to 4095 characters"
 enum {
     text_chunk = 1 << 16,  /* bytes in the buffer: fits the nearest caches */
     text_token = 4096      /* more than any token has: a double written out in full takes 1079 */
@@ -80,9 +81,6 @@ static inline void text_ready(text_reader *r)
     if (r->end - r->p < text_token && !r->last) text_refill(r);
 }
 
-/* True if a token that was read up to p may go on beyond the buffer: it is too long. */
-static inline bool text_cut(const text_reader *r, const char *p) { return p == r->end && !r->last; }
-
 static inline bool text_finished(const text_reader *r) { return r->p == r->end && r->last; }
 
 /* ---- messages ---- */
@@ -104,7 +102,8 @@ static inline bool text_bad(text_reader *r, const char *token, const char *what,
     strcpy(shown + n + 1, n < 24 ? "'" : "...'");
     if (n == 0)
         snprintf(shown, sizeof shown, token == r->end ? "the end of the file"
-                 : text_ends_line(*token) ? "the end of the line" : "byte %d", *token);
+                 : text_ends_line(*token) ? "the end of the line"
+                 : *token == ' ' || *token == '\t' ? "a blank" : "byte %d", *token);
     r->bad = true;
     return failed(r->f, 2, "%s:%zu: %s: %s %s, allowed: %s", text_name(r), r->line, r->keyword,
                   what, shown, allowed);
@@ -162,7 +161,7 @@ static inline void text_skip(text_reader *r)
         char *p = r->p;
         while (*p && !text_ends_line(*p)) last = *p++;
         r->p = p;
-        if (text_cut(r, p)) continue;
+        if (p == r->end && !r->last) continue;
         if (comment || last != '\\' || !text_ends_line(*p)) return;
         text_next_line(r);
         last = 0;
@@ -182,7 +181,7 @@ static inline bool text_rest(text_reader *r, const char **name, size_t *size)
     char *p = r->p, *stop = p;
     for (; *p && !text_ends_line(*p); p++)
         if (*p != ' ' && *p != '\t') stop = p + 1;
-    if (text_cut(r, p)) return text_bad(r, r->p, "name too long:", "4095 characters");
+    if (p - r->p >= text_token) return text_bad(r, r->p, "name too long:", text_longest);
     *name = r->p;
     *size = (size_t)(stop - r->p);
     r->p = p;
@@ -271,7 +270,7 @@ static inline bool text_number(text_reader *r, real *out)
         for (; text_is_digit(*p); p++) x = x < 100000 ? 10 * x + (*p - '0') : x;
         e += sign * x;
     }
-    if (text_cut(r, p)) return text_bad(r, start, "number too long:", "4095 characters");
+    if (p - start >= text_token) return text_bad(r, start, "number too long:", text_longest);
     if (!complete || !text_ends_token(*p))
         return text_bad(r, start, "not a number:", "finite decimals");
 
