@@ -176,7 +176,7 @@ static string random_file(size_t lines)
 
 static void test_random_files(void)
 {
-    size_t wrong = 0, files = check_count(400), large = 0;
+    size_t wrong = 0, files = check_count(2000), large = 0;
     for (size_t i = 0; i < files; i++) {
         string s = random_file(i % 50 ? 6 + below(300) : 6000);  /* 6000 lines: several buffers */
         mesh m, o = oracle_read(s.p, s.n);
@@ -251,7 +251,7 @@ static void test_numbers(void)
 /* Bit for bit as strtod: in double both are the nearest; in float both round that double. */
 static void test_random_numbers(void)
 {
-    size_t n = check_count(300000), wrong = 0, slow = 0;
+    size_t n = check_count(1000000), wrong = 0, slow = 0;
     for (size_t i = 0; i < n; i++) {
         char text[64];
         uint64_t bits = random_next_bits(&rng);
@@ -469,7 +469,7 @@ static bool sound(const mesh *m)
 
 static void test_damage(void)
 {
-    size_t n = check_count(20000), wrong = 0, read = 0, refused = 0;
+    size_t n = check_count(100000), wrong = 0, read = 0, refused = 0;
     string s = random_file(60);
     for (size_t i = 0; i < n; i++) {
         if (i % 200 == 0) free(s.p), s = random_file(6 + below(60));
