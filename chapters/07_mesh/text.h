@@ -225,25 +225,24 @@ static inline bool text_end(text_reader *r)
 
 /* ---- numbers ---- */
 
-/* True: *out is the double nearest to w 10^e; false: that takes a longer look. An integer up to
- * 2^53 and a power of ten up to 10^22 are doubles without error, so one operation rounds once. With
- * more digits, w = a + b exactly; q = a / 10^-e is corrected by its remainder, which fma finds
- * exactly; if the sum rounds alike a little above and below, it is right. */
+/* True: *out is the double nearest to w 10^e, w < 10^19; false: that takes a longer look.
+ * An integer up to 2^53 and a power of ten up to 10^22 are doubles without error, so one operation
+ * rounds once (Clinger). A longer w is a + b exactly. With q = a / 10^k, k = -e, what is missing is
+ * N / 10^k, N = w - q 10^k = (a - q 10^k) + b. Both terms are exact: N has at most 53 bits. The
+ * quotient is rounded by up to 2^-53 of itself; but unless q + N / 10^k lies right in the middle of
+ * two doubles, the quotient keeps 5^-22 > 2^-52 of itself away from there: the sum rounds right. */
 static inline bool text_decimal(uint64_t w, long e, double *out)
 {
     static const double ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    if (e < -22 || e > 22) return false;
     double a = (double)w;
-    if (w <= (uint64_t)1 << 53) {
-        *out = e < 0 ? a / ten[-e] : a * ten[e];
-        return true;
+    if (e < -22 || e > 22 || (e > 0 && w > (uint64_t)1 << 53)) return false;
+    *out = e < 0 ? a / ten[-e] : a * ten[e];
+    if (w > (uint64_t)1 << 53 && e < 0) {
+        double q = *out, b = (double)(int64_t)(w - (uint64_t)a);
+        *out = q + (fma(-q, ten[-e], a) + b) / ten[-e];
     }
-    if (e >= 0) return false;
-    double b = (double)(int64_t)(w - (uint64_t)a), q = a / ten[-e];
-    double correction = (fma(-q, ten[-e], a) + b) / ten[-e], slack = fabs(correction) * 0x1p-50;
-    *out = q + correction;
-    return q + (correction - slack) == q + (correction + slack);
+    return true;
 }
 
 /* [sign] digits [. digits] [e [sign] digits], with a digit before the e. */
