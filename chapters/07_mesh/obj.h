@@ -17,11 +17,12 @@
  *   if (!obj_read("teapot.obj", &m, &f)) fail(f);      then m is zeroed, and need not be freed
  *   mesh_free(&m);
  *
- *   what                                                          exit code
- *   file cannot be opened or read, no memory                      1
- *   "FILE:LINE: what, allowed": no text, NaN, infinity, overflow, 2
- *     index 0 or out of range, fewer than 3 corners, missing
- *     coordinate, no face at all ... (text.h says what a line is)
+ *   what went wrong                                                                  exit code
+ *   the file cannot be opened or read; no memory                                     1
+ *   "FILE:LINE: what, allowed: ...": no text, NaN, infinity, overflow, index 0 or    2
+ *     out of range, fewer than 3 corners, a missing coordinate, no face at all ...
+ *
+ * What a line, a blank, a number is, text.h says.
  *
  * Memory: 64 KB and the arrays, which grow by half and are cut to size in the end: at most 2.5
  * times what is returned even where realloc copies. A broken file cannot ask for more than a fixed
@@ -38,12 +39,11 @@
 /* Reads the mesh of the file at `path`. */
 static inline bool obj_read(const char *path, mesh *out, failure *f);
 
-/* The same from an open stream; `name` is for messages; at most `most` items of a kind [<= 2^32 -
- * 1]. */
+/* The same from an open stream. `name` is for messages; a file may hold at most `most` items of a
+ * kind [<= 2^32 - 1]. */
 static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh *out, failure *f);
 
-/* ------------------------------------------------------------------------------------------------
- * */
+/* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
     const char *name;

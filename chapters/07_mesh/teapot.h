@@ -56,14 +56,12 @@ typedef struct {
     int base[4];                /* for each ring, its row of teapot_base */
 } teapot_part;
 
-/* Patch `ring` of a part [0, rings), its copy [0, copies) counted along u; normals point outwards.
- * */
+/* Patch `ring` [0, rings) of a part, its copy [0, copies) counted along u; normals point out. */
 static inline bezier_patch teapot_patch(const teapot_part *part, int ring, int copy);
 
 static inline mesh teapot_mesh(int n);
 
-/* ------------------------------------------------------------------------------------------------
- * */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* Newell's control points, reduced by symmetry. Rim, body, lid and bottom: each patch stands for
  * four, mirrored in x and in y; handle, spout: each for two, mirrored in y. */
@@ -184,8 +182,7 @@ static inline void teapot_triangle(mesh *m, size_t a, size_t b, size_t c)
     m->triangles++;
 }
 
-/* Appends the points of a part, row by row along v, and its triangles; w[i] are the weights at i/n.
- * */
+/* Appends a part: its points row by row along v, its triangles. w[i] are the weights at i/n. */
 static inline void teapot_add(mesh *m, const teapot_part *part, size_t n, const bezier_weights *w)
 {
     size_t rows = (size_t)part->rings * n, columns = (size_t)part->copies * n, start = m->vertices;

@@ -12,8 +12,8 @@
  *   if (!text_begin(&r, stream, "a.obj", &f)) return false;
  *   while (text_statement(&r)) {                     p is at the keyword of the next line
  *       ...                                          r.p += length of the keyword
- *       while (text_more(&r))                        p is at the next token of the line
- *           if (!text_number(&r, &x)) break;
+ *       while (text_more(&r))                        p is at the next token; the line is to be read
+ *           if (!text_number(&r, &x)) break;         to its end, or left by text_skip
  *   }
  *   return text_end(&r);                             false and *f if anything went wrong
  *
@@ -28,8 +28,7 @@
  * errors; what is too small becomes 0. strtod does the rare long ones; it obeys the locale, so a
  * program that sets a locale with a decimal comma gets an error for them, never a wrong number.
  *
- * Source: Clinger, "How to read floating point numbers accurately", PLDI 1990 (the exact fast
- * path).
+ * Source: Clinger, "How to read floating point numbers accurately", PLDI 1990 (one operation).
  */
 #ifndef TEXT_H
 #define TEXT_H
@@ -54,8 +53,7 @@ typedef struct {
     bool last;                   /* nothing comes after `end` */
 } text_reader;
 
-/* ------------------------------------------------------------------------------------------------
- * */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline bool text_ends_line(char c) { return c == '\n' || c == '\r'; }
 static inline bool text_ends_token(char c) { return (unsigned char)c <= ' ' || c == '\\'; }
