@@ -5,7 +5,7 @@
  * with |n| < 2^11, 0 < d < 2^10, and n d' < n' d compares two such fractions without rounding.
  *
  *   trial c = trial_of(kind, seed, i)      the i-th box and ray of a kind
- *   exact_answer e = exact_hit(c.b, c.r)   is it hit, and at which t
+ *   exact_answer e = exact_aabb(c.b, c.r)   is it hit, and at which t
  *   not_after(t, e.enter)                  t <= e.enter, exactly
  *
  *   TRIAL_PARALLEL   the ray runs in a plane of the box: d_k = +-0.0 on one axis or more
@@ -50,7 +50,7 @@ static inline fraction fraction_quotient(int64_t n, int64_t d)
     return d < 0 ? (fraction){-n, -d} : (fraction){n, d};
 }
 
-static inline exact_answer exact_hit(aabb b, ray r)
+static inline exact_answer exact_aabb(aabb b, ray r)
 {
     fraction enter = fraction_of(r.tmin), leave = fraction_of(r.tmax);
     bool inside = true;  /* the slabs that the ray is parallel to */

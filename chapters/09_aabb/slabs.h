@@ -7,7 +7,7 @@
  *   aabb_hit_closed           axis-parallel ray in a plane of the box: 0/0; d = -0.0
  *   aabb_hit_fmin             the same ray: fmin forgets the NaN and keeps the +-infinity beside it
  *   aabb_hit_pbrt             the same ray, if d = -0.0
- *   aabb_hit_inclusive        none of these; aimed at a corner or a flat box, entry and exit are the
+ *   aabb_hit_inclusive        none of these; at corners and flat boxes entry and exit are the
  *                             same t and round apart
  *   aabb_hit                  none
  *
