@@ -23,7 +23,8 @@
  * reported, with *t_enter <= the exact one (tmin, if the ray starts inside). So a search that skips
  * boxes with *t_enter > tmax loses nothing. A ray that passes the box by some 1e-15 of its distance
  * (1e-6 in float) may be reported too: that costs time, no more. A miss leaves *t_enter untouched.
- * Coordinates and t may be anything up to half the largest real; lo, hi and tmax also infinite.
+ * Coordinates and t may be anything up to half the largest real; lo, hi and tmax also infinite (a box
+ * without end that the ray runs beside counts as met at t = infinity, if tmax is).
  * Flat boxes are boxes. aabb_empty() is never hit. A NaN in a box, in o or in d: that axis says
  * nothing (so: rather a hit); a NaN in tmin or tmax: no t is in the interval, no hit.
  *
@@ -106,14 +107,14 @@ static inline ray_inverse inverse_of(ray r)
  * less than real_smallest. */
 static inline bool aabb_hit_inverse(const aabb *b, const ray_inverse *i, ray r, real *t_enter)
 {
-    const real *plane = &b->lo.x, pad = 8 * real_epsilon;
+    const real *face = &b->lo.x, pad = 8 * real_epsilon;
     real t0 = r.tmin, t1 = r.tmax;
-    t0 = real_max((plane[i->near_x] - r.o.x) * i->inverse.x, t0);
-    t0 = real_max((plane[i->near_y] - r.o.y) * i->inverse.y, t0);
-    t0 = real_max((plane[i->near_z] - r.o.z) * i->inverse.z, t0);
-    t1 = real_min((plane[3 - i->near_x] - r.o.x) * i->inverse.x, t1);
-    t1 = real_min((plane[5 - i->near_y] - r.o.y) * i->inverse.y, t1);
-    t1 = real_min((plane[7 - i->near_z] - r.o.z) * i->inverse.z, t1);
+    t0 = real_max((face[i->near_x] - r.o.x) * i->inverse.x, t0);
+    t0 = real_max((face[i->near_y] - r.o.y) * i->inverse.y, t0);
+    t0 = real_max((face[i->near_z] - r.o.z) * i->inverse.z, t0);
+    t1 = real_min((face[3 - i->near_x] - r.o.x) * i->inverse.x, t1);
+    t1 = real_min((face[5 - i->near_y] - r.o.y) * i->inverse.y, t1);
+    t1 = real_min((face[7 - i->near_z] - r.o.z) * i->inverse.z, t1);
     t0 = real_min(t0 * (1 - pad), t0 * (1 + pad)) - real_smallest;
     if (!(t0 <= t1)) return false;
     *t_enter = t0;

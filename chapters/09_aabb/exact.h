@@ -70,7 +70,7 @@ static inline exact_answer exact_aabb(aabb b, ray r)
  * a real has, so it is formed as a sum of two. */
 static inline bool not_after(real t, fraction f)
 {
-    if (f.d == 0) return f.n > 0 || t == -real_infinity;
+    if (isinf(t) || f.d == 0) return t == -real_infinity || (f.d == 0 && f.n > 0);
     double high = (double)t * (double)f.d, low = fma((double)t, (double)f.d, -high);
     return (high - (double)f.n) + low <= 0;
 }

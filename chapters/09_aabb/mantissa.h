@@ -23,9 +23,9 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline wide wide_plane(real plane, real o, real d)
+static inline wide wide_time(real at, real o, real d)
 {
-    return wide_div(wide_sub(wide_of((double)plane), wide_of((double)o)), wide_of((double)d));
+    return wide_div(wide_sub(wide_of((double)at), wide_of((double)o)), wide_of((double)d));
 }
 
 /* Finite boxes; tmin finite, tmax maybe infinite. */
@@ -36,7 +36,7 @@ static inline wide_answer wide_aabb(aabb b, ray r)
     for (int k = 0; k < 3; k++) {
         real lo = vaxis(b.lo, k), hi = vaxis(b.hi, k), o = vaxis(r.o, k), d = vaxis(r.d, k);
         if (d == 0) { inside = inside && lo <= o && o <= hi; continue; }
-        wide near = wide_plane(d < 0 ? hi : lo, o, d), far = wide_plane(d < 0 ? lo : hi, o, d);
+        wide near = wide_time(d < 0 ? hi : lo, o, d), far = wide_time(d < 0 ? lo : hi, o, d);
         if (wide_sign(wide_sub(near, enter)) > 0) enter = near;
         if (isinf(leave.hi) || wide_sign(wide_sub(leave, far)) > 0) leave = far;
     }

@@ -56,8 +56,8 @@ static inline bool aabb_hit_textbook(aabb b, ray r, real *t_enter)
     return true;
 }
 
-/* The same with <=, and with the ray's interval. o = (0, .5, -5), d = (0, 0, 1) against [0,1]^3:
- * x gives 0/0 = NaN and 1/0 = infinity; with d.x = -0.0 near and far change places. */
+/* The same with <=, and with the ray's interval. o = (-5, .5, 0), d = (1, 0, 0) against [0,1]^3:
+ * z gives 0/0 = NaN and 1/0 = infinity; with d.y = -0.0 near and far of y change places. */
 static inline bool aabb_hit_closed(aabb b, ray r, real *t_enter)
 {
     real t0, t1;

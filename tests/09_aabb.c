@@ -1,0 +1,346 @@
+/* 09_aabb: boxes; the slab test against whole numbers, at every scale, with infinities and NaN. */
+#include "../chapters/09_aabb/exact.h"
+#include "../chapters/09_aabb/slabs.h"
+#include "check.h"
+
+typedef bool box_test(aabb b, ray r, real *t_enter);
+
+static const real inf = real_infinity, nan_real = (real)NAN;
+static const aabb cube = {{0, 0, 0}, {1, 1, 1}};
+
+/* *t_enter of a miss must stay -7. */
+static bool hits(box_test *test, aabb b, ray r)
+{
+    real t = -7;
+    return test(b, r, &t);
+}
+
+static ray through(real ox, real oy, real oz, real dx, real dy, real dz)
+{
+    return ray_from((vec3){ox, oy, oz}, (vec3){dx, dy, dz});
+}
+
+static bool same_box(aabb a, aabb b)
+{
+    return memcmp(&a, &b, sizeof a) == 0;  /* six reals, no gaps; and -0.0 differs from 0.0 */
+}
+
+static void test_boxes(void)
+{
+    aabb none = aabb_empty(), b = {{-1, 2, 0}, {3, 5, 7}}, c = {{2, 4, -1}, {9, 9, 1}};
+    check(aabb_is_empty(none) && !aabb_is_empty(b), "an empty box knows that it is empty");
+    check_equal(aabb_area(none), 0, "surface of nothing");
+    check_equal(aabb_area(b), 2 * (4 * 3 + 3 * 7 + 7 * 4), "surface of a 4 x 3 x 7 box");
+    check_equal(aabb_area((aabb){{0, 0, 0}, {2, 3, 0}}), 12, "a flat box has two sides");
+    check_equal(aabb_area((aabb){{0, 0, 0}, {0, 0, 4}}), 0, "a rod has no surface");
+    check(same_box(aabb_union(none, b), b) && same_box(aabb_union(b, none), b),
+          "nothing added changes nothing");
+    check(same_box(aabb_union(b, c), (aabb){{-1, 2, -1}, {9, 9, 7}}), "union");
+    check(same_box(aabb_overlap(b, c), (aabb){{2, 4, 0}, {3, 5, 1}}), "overlap");
+    c.lo.x = 4;
+    check(aabb_is_empty(aabb_overlap(b, c)) && aabb_area(aabb_overlap(b, c)) == 0,
+          "boxes apart on one axis share nothing");
+    c.lo.x = 3;
+    check(same_box(aabb_overlap(b, c), (aabb){{3, 4, 0}, {3, 5, 1}}), "contact is a flat overlap");
+    vec3 p = {7, 1, 3};
+    check(same_box(aabb_grow_point(b, p), (aabb){{-1, 1, 0}, {7, 5, 7}}), "grows as far as p");
+    check(same_box(aabb_grow_point(none, p), (aabb){p, p}), "the box of one point");
+    p.y = nan_real;
+    check(same_box(aabb_grow_point(b, p), (aabb){{-1, 2, 0}, {7, 5, 7}}),
+          "a NaN coordinate does not grow the box");
+    check(aabb_contains(b, b.lo) && aabb_contains(b, b.hi) && !aabb_contains(none, b.lo),
+          "corners belong to the box");
+    check(!aabb_contains(b, (vec3){0, 3, 8}) && !aabb_contains(b, (vec3){0, nan_real, 1}),
+          "outside, and nowhere");
+    vec3 m = aabb_center(b);
+    check(m.x == 1 && m.y == (real)3.5 && m.z == (real)3.5, "center");
+    check(vfinite(aabb_center((aabb){{-real_largest, 0, 0}, {real_largest, 1, 1}})),
+          "the center of a huge box does not overflow");
+}
+
+/* The oracle against the definition: at t = n/d the point o + t dir, times d, is a whole number,
+ * and must lie in the box. For a miss: neither a t of a fine grid nor a plane's t gives a point
+ * inside. */
+static bool point_inside(trial c, fraction t)
+{
+    if (t.d == 0) return false;
+    for (int k = 0; k < 3; k++) {
+        int64_t p = (int64_t)vaxis(c.r.o, k) * t.d + t.n * (int64_t)vaxis(c.r.d, k);
+        if (p < (int64_t)vaxis(c.b.lo, k) * t.d || p > (int64_t)vaxis(c.b.hi, k) * t.d)
+            return false;
+    }
+    return !fraction_less(t, fraction_of(c.r.tmin)) && !fraction_less(fraction_of(c.r.tmax), t);
+}
+
+static bool any_point_inside(trial c)
+{
+    for (int64_t n = -64 * 20; n < 64 * 20; n++)
+        if (point_inside(c, (fraction){n, 64})) return true;
+    for (int k = 0; k < 3; k++)
+        for (int side = 0; side < 2; side++) {
+            int64_t d = (int64_t)vaxis(c.r.d, k), o = (int64_t)vaxis(c.r.o, k);
+            int64_t n = (int64_t)vaxis(side ? c.b.hi : c.b.lo, k) - o;
+            if (d && point_inside(c, fraction_quotient(n, d))) return true;
+        }
+    return false;
+}
+
+static void test_oracle(void)
+{
+    size_t wrong = 0, hit_count = 0;
+    for (size_t i = 0; i < check_count(6000); i++) {
+        trial c = trial_of((trial_kind)(i % trial_kinds), 5, i);
+        exact_answer e = exact_aabb(c.b, c.r);
+        hit_count += e.hit;
+        if (e.hit && e.enter.d) wrong += !point_inside(c, e.enter);
+        else wrong += e.hit != any_point_inside(c);
+    }
+    check_equal(wrong, 0, "the oracle says what the definition says");
+    check(hit_count > check_count(6000) / 2, "most trials are hits: %zu", hit_count);
+    fraction third = {1, 3};
+    check(not_after((real)1 / 3, third) == (sizeof(real) == sizeof(double)),
+          "the double next to 1/3 is below it, the float above");
+    check(not_after(-inf, third) && !not_after(inf, third) && not_after(5, (fraction){1, 0}),
+          "infinities have their place");
+}
+
+/* How a test answers n trials of each kind. */
+typedef struct { size_t hit, missed, late, miss, wrong_alarm; } score;
+
+static score score_of(box_test *test, trial_kind kind, size_t n)
+{
+    score s = {0};
+    for (size_t i = 0; i < n; i++) {
+        trial c = trial_of(kind, 1, i);
+        exact_answer e = exact_aabb(c.b, c.r);
+        real t = -7;
+        bool h = test(c.b, c.r, &t);
+        s.hit += e.hit, s.miss += !e.hit;
+        s.missed += e.hit && !h;
+        s.late += e.hit && h && !not_after(t, e.enter);
+        s.wrong_alarm += h && !e.hit;
+    }
+    return s;
+}
+
+/* Ten million hard rays: none lost, none late, and the prepared form gives the same bits. Two
+ * fractions of this size that differ do so by 1e-6 at least, relatively; the padding is 1e-6 in
+ * float and 2e-15 in double, so in double there is no false alarm, and in float next to none. */
+static void test_ten_million(void)
+{
+    size_t n = check_count(10000000 / trial_kinds + 1), missed = 0, late = 0, alarms = 0;
+    for (int kind = 0; kind < trial_kinds; kind++) {
+        score s = score_of(aabb_hit, (trial_kind)kind, n);
+        check_equal(s.missed, 0, "%s: false negatives of %zu", trial_name[kind], s.hit);
+        check_equal(s.late, 0, "%s: t_enter behind the exact one", trial_name[kind]);
+        missed += s.missed, late += s.late, alarms += s.wrong_alarm;
+    }
+    check(missed == 0 && late == 0, "none lost in all");
+    check_at_most(alarms, real_is_float ? n / 1000 : 0, "false alarms among %zu rays", 6 * n);
+}
+
+static void test_prepared(void)
+{
+    size_t differ = 0;
+    for (size_t i = 0; i < check_count(300000); i++) {
+        trial c = trial_of((trial_kind)(i % trial_kinds), 2, i);
+        ray_inverse inverse = inverse_of(c.r);
+        real t = -7, u = -7;
+        differ += aabb_hit(c.b, c.r, &t) != aabb_hit_inverse(&c.b, &inverse, c.r, &u);
+        differ += t != u;
+        if (!aabb_hit(c.b, c.r, &t)) continue;
+        c.r.tmax = t;  /* a search found something just there: the box must not be skipped */
+        differ += !aabb_hit_inverse(&c.b, &inverse, c.r, &u);
+    }
+    check_equal(differ, 0, "prepared: same answer, and the interval may shrink meanwhile");
+}
+
+/* Each of the other variants fails where slabs.h says so. */
+static void test_variants_fail(void)
+{
+    size_t n = check_count(200000);
+    double per = 1 / (double)n;
+    check_at_least((double)score_of(aabb_hit_textbook, TRIAL_FLAT, n).missed * per, 0.95,
+                   "textbook: flat boxes have t_enter = t_exit");
+    check_at_least((double)score_of(aabb_hit_textbook, TRIAL_EDGE, n).missed * per, 0.95,
+                   "textbook: so has a touch of an edge");
+    check_at_least((double)score_of(aabb_hit_closed, TRIAL_PARALLEL, n).missed * per, 0.5,
+                   "closed: 0/0, and -0.0, in a plane of the box");
+    check_at_least((double)score_of(aabb_hit_closed_f32, TRIAL_PARALLEL, n).missed * per, 0.5,
+                   "closed in float: as in double");
+    check_equal(score_of(aabb_hit_fmin, TRIAL_PARALLEL, n).missed, n,
+                "fmin: every ray in a plane of the box");
+    check_at_least((double)score_of(aabb_hit_pbrt, TRIAL_PARALLEL, n).missed * per, 0.5,
+                   "pbrt: d = -0.0, one half of the rays and more");
+    box_test *inverses[] = {aabb_hit_fmin, aabb_hit_pbrt, aabb_hit_inclusive};
+    for (int k = 0; k < 3; k++) {
+        check_at_least((double)score_of(inverses[k], TRIAL_CORNER, n).missed * per, 0.05,
+                       "n (1/d) at a corner: equal t that round apart");
+        check_at_least((double)score_of(inverses[k], TRIAL_EDGE, n).late * per, 0.1,
+                       "t_enter rounded to nearest is late for many");
+    }
+    check(hits(aabb_hit_inclusive, aabb_empty(), through(0, 0, 0, 1, 2, 3)),
+          "inclusive: an empty box looks full");
+    size_t ignored = score_of(aabb_hit_textbook, TRIAL_ANY, n).wrong_alarm;
+    check_at_least((double)ignored * per, 0.1, "textbook: knows no interval");
+}
+
+/* The inputs that the headers name. */
+static void test_named_inputs(void)
+{
+    real zero = 0;
+    ray in_plane = through(-5, (real)0.5, 0, 1, zero, zero);
+    ray minus = through(-5, (real)0.5, 0, 1, zero, -zero);
+    aabb flat = {{0, 0, 2}, {1, 1, 2}};
+    check(!hits(aabb_hit_fmin, cube, in_plane) && hits(aabb_hit, cube, in_plane), "fmin, 0 * inf");
+    check(!hits(aabb_hit_closed, cube, in_plane), "closed, 0/0");
+    minus.o.z = (real)0.5;
+    check(!hits(aabb_hit_closed, cube, minus) && hits(aabb_hit, cube, minus), "closed, -0.0");
+    minus.o.z = 0;
+    check(!hits(aabb_hit_pbrt, cube, minus) && hits(aabb_hit, cube, minus), "pbrt, -0.0");
+    ray ahead = through((real)0.5, (real)0.5, 0, 0, 0, 1);
+    check(!hits(aabb_hit_textbook, flat, ahead) && hits(aabb_hit, flat, ahead), "a flat box");
+    ray away = through((real)0.5, (real)0.5, 1, 0, 0, 1);
+    check(!hits(aabb_hit_textbook, cube, away) && hits(aabb_hit, cube, away), "contact at t = 0");
+    ray beside = through(-1, 2, 2, 1, -zero, zero);
+    check(!hits(aabb_hit, cube, beside) && !hits(aabb_hit, cube, through(-1, -1, 0, 1, 0, 0)),
+          "parallel and outside the slab");
+}
+
+/* Each axis scaled by its own power of two, t by another: no answer changes, as long as coordinates
+ * and t stay below half the largest real. Directions may be subnormal, so that 1/d overflows, or so
+ * large that 1/d is subnormal; coordinates and t may underflow. */
+static trial scaled_trial(size_t i, int *t_exponent)
+{
+    const int low = real_is_float ? -149 : -1074, high = real_is_float ? 117 : 1013;
+    random_stream s = random_start(3, i, 0);
+    trial_kind kind = (trial_kind)(i % trial_kinds);
+    trial c = trial_of(kind, 3, i);
+    bool has_interval = kind == TRIAL_CONTACT || kind == TRIAL_ANY;
+    int least = has_interval ? low + 6 : 3 * low / 2, most = high - 3;
+    int e = random_integer(&s, least, most);
+    for (int k = 0; k < 3; k++) {
+        int a = random_integer(&s, e < 0 ? low : low + e, e < 0 ? high + e : high);
+        if (chance(&s, 3)) a = e < 0 ? low : low + e;  /* the smallest directions or coordinates */
+        set_axis(&c.b.lo, k, ldexp(vaxis(c.b.lo, k), a));
+        set_axis(&c.b.hi, k, ldexp(vaxis(c.b.hi, k), a));
+        set_axis(&c.r.o, k, ldexp(vaxis(c.r.o, k), a));
+        set_axis(&c.r.d, k, ldexp(vaxis(c.r.d, k), a - e));
+    }
+    c.r.tmin = ldexp(c.r.tmin, e), c.r.tmax = ldexp(c.r.tmax, e);
+    *t_exponent = e;
+    return c;
+}
+
+static void test_scales(void)
+{
+    size_t missed = 0, late = 0, overflowed = 0, closed_missed = 0;
+    for (size_t i = 0; i < check_count(1000000); i++) {
+        int e;
+        trial c = scaled_trial(i, &e), plain = trial_of((trial_kind)(i % trial_kinds), 3, i);
+        exact_answer exact = exact_aabb(plain.b, plain.r);
+        real t = -7;
+        if (!exact.hit) continue;
+        bool h = aabb_hit(c.b, c.r, &t);
+        missed += !h;
+        late += h && !not_after(ldexp(t, -e), exact.enter);
+        closed_missed += !hits(aabb_hit_inclusive, c.b, c.r);
+        overflowed += isnan(inverse_of(c.r).inverse.x) != 0;
+    }
+    check_equal(missed, 0, "false negatives from the smallest to half the largest number");
+    check_equal(late, 0, "t_enter behind the exact one");
+    check_at_least(overflowed, check_count(1000), "directions whose 1/d overflows are among them");
+    check_at_least(closed_missed, check_count(100000), "and the inclusive form loses many");
+}
+
+static void test_infinities(void)
+{
+    aabb all = {{-inf, -inf, -inf}, {inf, inf, inf}}, half = {{-inf, -inf, 0}, {inf, inf, inf}};
+    size_t wrong_all = 0, wrong_half = 0, wrong_empty = 0;
+    for (size_t i = 0; i < check_count(300000); i++) {
+        trial c = trial_of((trial_kind)(i % trial_kinds), 4, i);
+        c.r.tmin = 0, c.r.tmax = i % 2 ? inf : 1000000;
+        wrong_all += !hits(aabb_hit, all, c.r);
+        if (c.r.d.z == 0) c.r.tmax = 1000000;  /* or it is met at t = infinity, as aabb.h says */
+        bool expected = c.r.o.z >= 0 || c.r.d.z > 0;
+        wrong_half += hits(aabb_hit, half, c.r) != expected;
+        wrong_empty += hits(aabb_hit, aabb_empty(), c.r);
+        c.r.tmin = -inf, c.r.tmax = inf;
+        wrong_all += !hits(aabb_hit, all, c.r);
+        wrong_empty += hits(aabb_hit, aabb_empty(), c.r);
+    }
+    check_equal(wrong_all, 0, "the whole space is always hit");
+    check_equal(wrong_half, 0, "a half space: by a start inside or a way towards it");
+    check_equal(wrong_empty, 0, "an empty box is never hit");
+    ray still = through((real)0.5, (real)0.5, (real)0.5, 0, 0, 0);
+    check(hits(aabb_hit, cube, still), "a ray that stands still inside");
+    still.o.x = 2;
+    check(!hits(aabb_hit, cube, still), "a ray that stands still outside");
+}
+
+static void test_interval(void)
+{
+    ray r = through((real)0.5, (real)0.5, -4, 0, 0, 2);  /* in the cube for t in [2, 2.5] */
+    real eps = real_epsilon, t = 0;
+    r.tmax = 2;
+    check(hits(aabb_hit, cube, r), "tmax = entry: contact");
+    r.tmax = 2 * (1 - 32 * eps);
+    check(!hits(aabb_hit, cube, r), "tmax before the entry, by more than the padding");
+    check(hits(aabb_hit_textbook, cube, r), "the textbook looks beyond tmax");
+    r.tmin = (real)2.5, r.tmax = inf;
+    check(hits(aabb_hit, cube, r), "tmin = exit: contact");
+    r.tmin = (real)2.5 * (1 + 32 * eps);
+    check(!hits(aabb_hit, cube, r), "tmin behind the exit, by more than the padding");
+    r = through((real)0.5, (real)0.5, 4, 0, 0, 2);  /* the cube is behind, t in [-2, -1.5] */
+    check(!hits(aabb_hit, cube, r), "behind");
+    r.tmin = -inf;
+    check(aabb_hit(cube, r, &t) && t <= -2 && t >= -2 * (1 + 32 * eps), "behind, and wanted");
+    r.tmax = -2;
+    check(hits(aabb_hit, cube, r), "behind: contact at tmax");
+    r.tmin = 1, r.tmax = 0;
+    check(!hits(aabb_hit, (aabb){{-9, -9, -9}, {9, 9, 9}}, r), "an empty interval");
+    t = -7;
+    check(!aabb_hit(cube, through(3, 3, 3, 1, 0, 0), &t) && t == -7, "a miss leaves t_enter alone");
+    ray inside = through((real)0.5, (real)0.5, (real)0.5, 1, 1, 1);
+    check(aabb_hit(cube, inside, &t) && t <= 0 && t >= -2 * real_smallest, "inside: t_enter = tmin");
+}
+
+/* An axis with a NaN says nothing: the answer is that of the two others. */
+static void test_nan(void)
+{
+    size_t wrong = 0, in_interval = 0;
+    for (size_t i = 0; i < check_count(300000); i++) {
+        trial c = trial_of(i % 2 ? TRIAL_ANY : TRIAL_CORNER, 6, i), open = c, bad = c;
+        int k = (int)(i % 3);
+        set_axis(&open.b.lo, k, -inf), set_axis(&open.b.hi, k, inf);
+        switch (i % 4) {
+        case 0: set_axis(&bad.r.d, k, nan_real); break;
+        case 1: set_axis(&bad.r.o, k, nan_real); break;
+        case 2: set_axis(&bad.b.lo, k, nan_real), set_axis(&bad.b.hi, k, nan_real); break;
+        default: set_axis(&bad.r.d, k, inf);
+        }
+        wrong += hits(aabb_hit, bad.b, bad.r) != hits(aabb_hit, open.b, open.r);
+        c.r.tmin = i % 2 ? nan_real : 0, c.r.tmax = i % 2 ? inf : nan_real;
+        in_interval += hits(aabb_hit, c.b, c.r);
+    }
+    check_equal(wrong, 0, "a NaN, or an infinite d: this axis says nothing");
+    check_equal(in_interval, 0, "a NaN in tmin or tmax: no t is in the interval");
+    aabb one_side = {{nan_real, 0, 0}, {1, 1, 1}};
+    check(hits(aabb_hit, one_side, through(-9, 0, 0, 1, 0, 0)), "NaN for lo: hi still counts");
+    check(!hits(aabb_hit, one_side, through(9, 0, 0, 1, 0, 0)), "NaN for lo: behind hi");
+}
+
+int main(void)
+{
+    test_boxes();
+    test_oracle();
+    test_named_inputs();
+    test_ten_million();
+    test_prepared();
+    test_variants_fail();
+    test_scales();
+    test_infinities();
+    test_interval();
+    test_nan();
+    return check_report("09_aabb");
+}
