@@ -7,14 +7,16 @@
 #include "../chapters/09_aabb/slabs.h"
 #include "check.h"
 
-/* (9.4): what is reported in error passes the box by less than 16 u at entry, and 6 u for either of
- * the two planes: 28 u = 14 epsilon of t. */
+/* What is reported in error passes the box by little: the padding 16 u, 3 u for the entry and 3 u
+ * for the exit, 1 u for the product that pads: 23 u < 12 epsilon of t. Half of the rays are turned
+ * by some epsilon, so that they pass at all such distances. */
 static void test_full_mantissa(void)
 {
     size_t missed = 0, late = 0, alarms = 0, others = 0, misses = 0;
     double worst = 0;
     for (size_t i = 0; i < check_count(1000000); i++) {
         trial c = full_trial_of((trial_kind)(i % 4), 1, i);
+        if (i & 4) c.r.d.x *= 1 + real_epsilon * (real)((int)(i / 8 % 80) - 40);
         wide_answer w = wide_aabb(c.b, c.r);
         real t, u;
         bool h = aabb_hit(c.b, c.r, &t);
@@ -27,8 +29,9 @@ static void test_full_mantissa(void)
     check_equal(missed, 0, "false negatives, all digits random");
     check_equal(late, 0, "t_enter behind the exact one");
     check_at_least(others, check_count(1000000) / 100, "the inclusive form loses some of them");
-    check_at_most(worst, 14 * (double)real_epsilon, "how far a ray may pass and still be reported");
-    check_at_least(alarms, misses / 2, "rays that pass by less than that are reported");
+    check_at_most(worst, 12 * (double)real_epsilon, "how far a ray may pass and still be reported");
+    check_at_least(worst, 8 * (double)real_epsilon, "that bound is not idle");
+    check(alarms > 0 && alarms < misses, "some of the misses are reported, others are not");
 }
 
 /* What a triangle test calls a hit, its box must call one, too, rounding against rounding: rays at

@@ -23,10 +23,10 @@
  * reported, with *t_enter <= the exact one (tmin, if the ray starts inside). So a search that skips
  * boxes with *t_enter > tmax loses nothing. A ray that passes the box by some 1e-15 of its distance
  * (1e-6 in float) may be reported too: that costs time, no more. A miss leaves *t_enter untouched.
- * Coordinates and t may be anything up to half the largest real; lo, hi and tmax also infinite (a box
- * without end that the ray runs beside counts as met at t = infinity, if tmax is).
- * Flat boxes are boxes. aabb_empty() is never hit. A NaN in a box, in o or in d: that axis says
- * nothing (so: rather a hit); a NaN in tmin or tmax: no t is in the interval, no hit.
+ * Coordinates and t may be anything up to half the largest real; lo, hi and tmax also infinite (a
+ * box without end that the ray runs beside counts as met at t = infinity, if tmax is). Flat boxes
+ * are boxes. aabb_empty() is never hit. A NaN in a box, in o or in d: that axis says nothing (so:
+ * rather a hit); a NaN in tmin or tmax: no t is in the interval, no hit.
  *
  * Sources: T. Kay, J. Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986, section 2; T. Ize,
  * "Robust BVH ray traversal", JCGT 2(2), 2013; T. Barnes, "Fast, branchless ray/bounding box
