@@ -131,5 +131,6 @@ int main(int argc, char **argv)
     measure_methods(&o);
     count_alarms(&o);
     measure_teapot(&o);
+    count_own_boxes(&o);
     return 0;
 }

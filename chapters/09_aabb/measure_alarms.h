@@ -2,6 +2,7 @@
  *
  *   count_alarms(o)     shapes in 1 to 64 boxes: which part of the rays that hit a box hits nothing
  *   measure_teapot(o)   the teapot in 1, 2, 4, ... boxes: tests and time a ray
+ *   count_own_boxes(o)  triangles that are hit, against their own boxes
  */
 #ifndef MEASURE_ALARMS_H
 #define MEASURE_ALARMS_H
@@ -11,7 +12,7 @@
 #include "../04_triangle/icosphere.h"
 #include "../07_mesh/specimens.h"
 #include "../07_mesh/teapot.h"
-#include "alarms.h"
+#include "own_box.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -138,6 +139,21 @@ static inline void measure_teapot(const options *o)
     output_plot(o, &q, "09_aabb_tighter_time.svg");
     boxed_free(&b);
     free(r);
+}
+
+static inline void count_own_boxes(const options *o)
+{
+    const real width[] = {1, (real)0.001, (real)0.000001};
+    table t = table_new("Triangles that are hit, and their own boxes",
+                        "width|box|hits|lost, inclusive [%]|lost, aabb_hit [%]|before t_enter [%]");
+    for (int k = 0; k < 6; k++) {
+        own_box_count n = own_box_counted(o->seed, o->quick ? 5000 : 200000, width[k / 2], k % 2);
+        table_text(&t, "%g", (double)width[k / 2]), table_text(&t, k % 2 ? "flat" : "any");
+        table_count(&t, n.hits);
+        table_number(&t, per_cent(n.lost_inclusive, n.hits));
+        table_number(&t, per_cent(n.lost, n.hits)), table_number(&t, per_cent(n.early, n.hits));
+    }
+    output_extra_table(o, &t);
 }
 
 #endif
