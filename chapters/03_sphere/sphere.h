@@ -31,6 +31,7 @@
 #define SPHERE_H
 
 #include "../01_ray/hit.h"
+#include "../01_ray/wide.h"
 
 typedef struct { vec3 c; real r; } sphere;  /* centre and radius */
 
@@ -71,86 +72,58 @@ static inline bool sphere_hit_naive(sphere s, ray r, hit *out)
     return sphere_roots_naive(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
 }
 
-/* What rounding took from the sum s = a + b (Knuth): exactly a + b - s. */
-static inline real sum_error(real a, real b, real s)
+/* k = |o - c|^2 - R^2, right to the last bit: its sign tells on which side of the surface o lies. */
+static inline real sphere_power(sphere s, vec3 o)
 {
-    real bb = s - a;
-    return (a - (s - bb)) + (b - bb);
+    wide3 f = wide3_sub(wide3_of(o), wide3_of(s.c));
+    return (real)wide_value(wide_sub(wide3_dot(f, f), wide_product((double)s.r, (double)s.r)));
 }
 
-/* d x f, each component to 1.5 units in its last place. */
-static inline vec3 cross_kahan(vec3 d, vec3 f)
+/* The roots in numbers of twice the precision of double, for the few rays that sphere_roots cannot
+ * tell. Scaling d, and all lengths, by powers of two is exact, and keeps every square in range. */
+__attribute__((cold))
+static inline bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
 {
-    return (vec3){difference_of_products(d.y, f.z, d.z, f.y),
-                  difference_of_products(d.z, f.x, d.x, f.z),
-                  difference_of_products(d.x, f.y, d.y, f.x)};
-}
+    if (!vfinite(r.o) || !vfinite(r.d) || !vfinite(s.c) || !isfinite(s.r) || vzero(r.d)) return false;
+    vec3 most = vmax(vmax(r.o, vneg(r.o)), vmax(s.c, vneg(s.c)));
+    int ed, el;
+    r.d = vscaled(r.d, &ed);
+    (void)frexp(real_max(fabs(s.r), vaxis(most, vlongest(most))), &el);
+    r.o = (vec3){ldexp(r.o.x, -el), ldexp(r.o.y, -el), ldexp(r.o.z, -el)};
+    s.c = (vec3){ldexp(s.c.x, -el), ldexp(s.c.y, -el), ldexp(s.c.z, -el)};
+    s.r = ldexp(s.r, -el);
 
-/* |f + e|^2 - R^2 to the last bits, even where the two are nearly equal: its sign tells whether o is
- * outside. Every rounding error on the way is kept and given back. */
-static inline real power_of_origin(vec3 f, vec3 e, real R)
-{
-    real v[4] = {R, f.x, f.y, f.z}, sum = 0, lost = 0;
-    for (int i = 0; i < 4; i++) {
-        real p = i ? v[i] * v[i] : -(R * R), next = sum + p;
-        lost += (i ? fma(v[i], v[i], -p) : -fma(R, R, p)) + sum_error(sum, p, next);
-        sum = next;
-    }
-    return sum + (lost + 2 * vdot(f, e));
-}
-
-/* The same problem with d and all lengths scaled by powers of two, which is exact, so that no square
- * overflows or vanishes. Rare, so it may be slow. */
-static inline bool sphere_roots_scaled(sphere s, ray r, real *t0, real *t1);
-
-static inline bool sphere_roots_of(sphere s, ray r, bool scaled, real *t0, real *t1)
-{
-    vec3 f = vsub(r.o, s.c);
-    vec3 e = {sum_error(r.o.x, -s.c.x, f.x), sum_error(r.o.y, -s.c.y, f.y),
-              sum_error(r.o.z, -s.c.z, f.z)};             /* o - c = f + e exactly */
-    vec3 x = vadd(cross_kahan(r.d, f), vcross(r.d, e));
-    real a = vdot(r.d, r.d), b = -(vdot(r.d, f) + vdot(r.d, e));
-    real rr = s.r * s.r, arr = a * rr, xx = vdot(x, x);
-    real least = real_min(real_min(a, rr), arr), sum = a + rr + arr + xx + fabs(b);
-    if (!scaled && !(least > real_smallest / (real_epsilon * real_epsilon) && sum < real_largest))
-        return sphere_roots_scaled(s, r, t0, t1);
-
-    real D = arr - xx;                                    /* (3.5) */
-    if (!(D >= 0)) return false;
-    real h = sqrt(D);
-    if (fabs(b) > 2 * h) {                                /* o is far: b -+ h cancels little */
-        *t0 = (b - h) / a;
-        *t1 = (b + h) / a;
-        return true;
-    }
-    real q = b + copysign(h, b), k = power_of_origin(f, e, s.r);
-    real far = q / a, near = q == 0 ? 0 : k / q;          /* (3.4); q = 0: o is the tangent point */
+    wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(s.c)), x = wide3_cross(d, f);
+    wide a = wide3_dot(d, d), b = wide_neg(wide3_dot(d, f)), k = wide_of((double)sphere_power(s, r.o));
+    wide D = wide_sub(wide_mul(a, wide_product((double)s.r, (double)s.r)), wide3_dot(x, x)); /* (3.5) */
+    if (wide_sign(D) < 0) return false;
+    wide h = wide_sqrt(D), q = wide_sign(b) < 0 ? wide_sub(b, h) : wide_add(b, h);           /* (3.4) */
+    if (wide_sign(q) == 0) q = wide_of(1);     /* o is the tangent point: k = 0, and both roots are 0 */
+    real far = ldexp((real)wide_value(wide_div(q, a)), el - ed);
+    real near = ldexp((real)wide_value(wide_div(k, q)), el - ed);
     *t0 = real_min(near, far);
     *t1 = real_max(near, far);
     return true;
 }
 
-static inline bool sphere_roots_scaled(sphere s, ray r, real *t0, real *t1)
-{
-    if (!(vfinite(r.o) && vfinite(r.d) && vfinite(s.c) && isfinite(s.r)) || vzero(r.d)) return false;
-    int ed, el;
-    r.d = vscaled(r.d, &ed);
-    vec3 far = vmax(vmax(r.o, vneg(r.o)), vmax(s.c, vneg(s.c)));
-    (void)frexp(real_max(fabs(s.r), vaxis(far, vlongest(far))), &el);
-    for (int k = 0; k < 1; k++) {
-        r.o = (vec3){ldexp(r.o.x, -el), ldexp(r.o.y, -el), ldexp(r.o.z, -el)};
-        s.c = (vec3){ldexp(s.c.x, -el), ldexp(s.c.y, -el), ldexp(s.c.z, -el)};
-        s.r = ldexp(s.r, -el);
-    }
-    if (!sphere_roots_of(s, r, true, t0, t1)) return false;
-    *t0 = ldexp(*t0, el - ed);
-    *t1 = ldexp(*t1, el - ed);
-    return true;
-}
-
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
-    return sphere_roots_of(s, r, false, t0, t1);
+    const real noise = 10 * real_epsilon, tiny = real_smallest / (real_epsilon * real_epsilon);
+    vec3 f = vsub(r.o, s.c), x = vcross(r.d, f);
+    real a = vdot(r.d, r.d), b = -vdot(r.d, f), ff = vdot(f, f), rr = s.r * s.r;
+    real arr = a * rr, xx = vdot(x, x), D = arr - xx, size = ff + rr;                        /* (3.5) */
+    if (!(real_min(a, size) > tiny && D * D > noise * noise * (arr + xx) * (a * size)))
+        return sphere_roots_in_doubt(s, r, t0, t1);
+    if (D < 0) return false;
+    real h = sqrt(D), k = ff - rr;
+    *t0 = (b - h) / a;
+    *t1 = (b + h) / a;
+    if (fabs(k) < noise * size) {
+        k = sphere_power(s, r.o);
+        if (b < 0) *t1 = k / (b - h);
+        else *t0 = k / (b + h);
+    }
+    return true;
 }
 
 static inline bool sphere_hit(sphere s, ray r, hit *out)
