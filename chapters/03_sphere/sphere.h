@@ -98,7 +98,7 @@ static inline bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
     wide D = wide_sub(wide_mul(a, wide_product((double)s.r, (double)s.r)), wide3_dot(x, x)); /* (3.5) */
     if (wide_sign(D) < 0) return false;
     wide h = wide_sqrt(D), q = wide_sign(b) < 0 ? wide_sub(b, h) : wide_add(b, h);           /* (3.4) */
-    if (wide_sign(q) == 0) q = wide_of(1);     /* o is the tangent point: k = 0, and both roots are 0 */
+    if (wide_sign(q) == 0) return *t0 = *t1 = 0, true;            /* o is the tangent point: not 0/0 */
     real far = ldexp((real)wide_value(wide_div(q, a)), el - ed);
     real near = ldexp((real)wide_value(wide_div(k, q)), el - ed);
     *t0 = real_min(near, far);
