@@ -1,8 +1,7 @@
 /* 03_sphere: hit or miss against integers and against exact tangents; residuals; intervals; extremes.
- * The oracles: closed forms, 64-bit integers, and wide.h with the textbook's discriminant, which
- * sphere.h does not use. */
+ * The oracles: closed forms, 64-bit integers, and sphere_oracle.h. */
+#include "../chapters/03_sphere/sphere_oracle.h"
 #include "../chapters/03_sphere/sphere_variants.h"
-#include "../common/random.h"
 #include "check.h"
 #include <stdint.h>
 
@@ -150,36 +149,6 @@ static void test_exact_tangents(void)
     check_at_least(lagrange, n / 1000, "so does Lagrange's identity with the rounding errors dropped");
 }
 
-/* A ray from about `far` R away that passes the centre at about `pass` R. Centre: random, up to |o - c|. */
-static ray aimed(random_stream *s, real R, real far, real pass, bool moved, sphere *ball)
-{
-    vec3 u = vunit(random_vec3(s)), v, w, c = moved ? vscale(random_vec3(s), far * R) : (vec3){0, 0, 0};
-    vbasis(u, &v, &w);
-    real turn = pi * random_signed(s);
-    vec3 side = vadd(vscale(v, cos(turn)), vscale(w, sin(turn)));
-    vec3 o = vmadd(c, u, far * R), to = vmadd(c, side, pass * R);
-    *ball = (sphere){c, R};
-    return ray_from(o, vscale(vsub(to, o), 1 + random_signed(s) / 2));
-}
-
-/* How far the ray passes from the centre, over R, minus 1. From b^2 - a k in wide numbers, whose own
- * error is 1e-31 (l/R)^2: at l = 1e6 R still 1e-19. */
-static double clearance(sphere ball, ray r)
-{
-    wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
-    wide a = wide3_dot(d, d), b = wide3_dot(d, f), rr = wide_product((double)ball.r, (double)ball.r);
-    wide D = wide_sub(wide_mul(b, b), wide_mul(a, wide_sub(wide3_dot(f, f), rr)));
-    double ratio = -wide_value(wide_div(D, wide_mul(a, rr)));  /* (pass/R)^2 - 1 */
-    return ratio / (1 + sqrt(1 + ratio));
-}
-
-/* | |o + t d - c| - R | / R */
-static double residual(sphere ball, ray r, real t)
-{
-    wide3 p = wide3_madd(wide3_sub(wide3_of(r.o), wide3_of(ball.c)), wide3_of(r.d), wide_of((double)t));
-    return fabs(wide_value(wide_sub(wide3_length(p), wide_of((double)ball.r)))) / (double)ball.r;
-}
-
 typedef struct { sphere_roots_function *roots; size_t missed, untrue; double worst; } tally;
 
 static void tally_add(tally *y, sphere ball, ray r, bool due, real far)
@@ -188,8 +157,8 @@ static void tally_add(tally *y, sphere ball, ray r, bool due, real far)
     bool is = y->roots(ball, r, &t0, &t1);
     y->missed += due && !is, y->untrue += is && !due;
     if (!is || !due) return;
-    y->worst = fmax(y->worst, residual(ball, r, t0) / (double)far);
-    y->worst = fmax(y->worst, residual(ball, r, t1) / (double)far);
+    y->worst = fmax(y->worst, sphere_residual(ball, r, t0) / (double)far);
+    y->worst = fmax(y->worst, sphere_residual(ball, r, t1) / (double)far);
 }
 
 static void test_distance(void)
@@ -210,8 +179,8 @@ static void test_distance(void)
                     real R = pow((real)10, 8 * random_next(&s) - 3);  /* 1e-3 to 1e5 */
                     real pass = grazing ? 1 + random_signed(&s) / 1000 : (real)1.2 * sqrt(random_next(&s));
                     sphere ball;
-                    ray r = aimed(&s, R, far, pass, moved, &ball);
-                    double clear = clearance(ball, r);
+                    ray r = sphere_aim(&s, R, far, pass, moved, &ball);
+                    double clear = sphere_clearance(ball, r);
                     if (fabs(clear) <= 1e-12) continue;  /* of what nothing here comes near: see judged */
                     judged++, due_hits += clear < 0;
                     for (int k = 0; k < methods; k++) tally_add(&y[k], ball, r, clear < 0, far);
@@ -248,8 +217,8 @@ static void test_naive_fails(void)
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(5, i, 0);
         sphere ball;
-        ray r = aimed(&s, 1, 1000000, 1 + random_signed(&s) / 10000, true, &ball);
-        bool due = clearance(ball, r) < 0;
+        ray r = sphere_aim(&s, 1, 1000000, 1 + random_signed(&s) / 10000, true, &ball);
+        bool due = sphere_clearance(ball, r) < 0;
         hit h;
         naive += sphere_hit_naive(ball, r, &h) != due;
         ours += sphere_hit(ball, r, &h) != due;
@@ -268,8 +237,8 @@ static void test_tiny_and_far(void)
         random_stream s = random_start(6, i, 0);
         sphere ball;
         real pass = random_next(&s) * (real)0.9, t0, t1;
-        ray r = ray_unit(aimed(&s, R, 1000000 / R, pass, true, &ball));
-        double clear = clearance(ball, r), cos2 = -clear * (2 + clear);
+        ray r = ray_unit(sphere_aim(&s, R, 1000000 / R, pass, true, &ball));
+        double clear = sphere_clearance(ball, r), cos2 = -clear * (2 + clear);
         if (cos2 < 0.1) continue;
         hits++;
         if (!sphere_roots(ball, r, &t0, &t1) || !(t0 < t1)) { merged++; continue; }
@@ -328,8 +297,8 @@ static void test_extreme_sizes(void)
     for (size_t i = 0; i < check_count(200000); i++) {
         random_stream s = random_start(8, i, 0);
         sphere ball;
-        ray r = aimed(&s, 1, pow((real)10, 3 * random_next(&s)), (real)1.2 * random_next(&s), i % 2, &ball);
-        if (fabs(clearance(ball, r)) < 0.1) continue;
+        ray r = sphere_aim(&s, 1, pow((real)10, 3 * random_next(&s)), (real)1.2 * random_next(&s), i % 2, &ball);
+        if (fabs(sphere_clearance(ball, r)) < 0.1) continue;
         int m = (int)random_int(&s, far), n = (int)random_int(&s, far), room = real_is_float ? 110 : 1000;
         if (m - n > room || n - m > room) continue;
         sphere big = {{ldexp(ball.c.x, m), ldexp(ball.c.y, m), ldexp(ball.c.z, m)}, ldexp(ball.r, m)};
@@ -399,7 +368,7 @@ static void test_invariants(void)
         random_stream s = random_start(9, i, 0);
         sphere ball;
         real far = pow((real)10, 8 * random_next(&s) - 2), pass = i % 3 ? random_next(&s) : 1 + random_signed(&s) * real_epsilon;
-        ray r = aimed(&s, 1, far, pass, i % 2, &ball), q = r, back = r;
+        ray r = sphere_aim(&s, 1, far, pass, i % 2, &ball), q = r, back = r;
         q.d = vscale(r.d, 4), back.d = vneg(r.d);
         real t0, t1, u0 = 0, u1 = 0;
         if (!sphere_roots(ball, r, &t0, &t1)) continue;

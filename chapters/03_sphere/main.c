@@ -1,0 +1,149 @@
+/* 03_sphere: a ray meets a sphere, in eight ways: which rays each one gets wrong, and what it costs.
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/03_sphere/main.c -lm -lpthread
+ * The oracle is sphere_oracle.h. The picture shows a sphere from far away through a long lens. */
+#include "../../common/output.h"
+#include "../../common/parallel.h"
+#include "sphere_draw.h"
+#include "sphere_oracle.h"
+#include "sphere_variants.h"
+
+enum { methods = 8, distances = 13, timed = 1024, repeats = 20 };
+static const char *const method_name[methods] = {"textbook, float", "textbook", "textbook, in double",
+    "stable root", "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit"};
+static sphere_hit_function *const method_hit[methods] = {sphere_hit_naive_f32, sphere_hit_naive,
+    sphere_hit_in_double, sphere_hit_stable_root, sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit};
+
+typedef struct { sphere ball; ray r; } shot;
+typedef struct { double missed, untrue, grazing_missed, grazing_untrue, edge, residual; } errors;
+typedef struct { real far; errors of[methods]; } survey;
+typedef struct { survey at[distances]; size_t n; uint64_t seed; } surveys;
+
+static vec3 narrow(vec3 a) { return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z}; }
+
+/* What the float exhibit is given: its errors then are its own, not those of its input. */
+static shot narrowed(shot s)
+{
+    return (shot){{narrow(s.ball.c), (real)(float)s.ball.r}, {narrow(s.r.o), s.r.tmin, narrow(s.r.d), s.r.tmax}};
+}
+
+/* R from 1e-3 to 1e5, every other centre not 0. Anywhere: uniform over a disc of 1.2 R. Grazing: within
+ * 0.1 % of R. Edge: R is cut to the ray, from far too large or small down to the last bit. */
+typedef enum { anywhere, grazing, edge } aim;
+static shot shot_at(uint64_t seed, aim how, real far, size_t i)
+{
+    random_stream s = random_start(seed, i, (uint64_t)how);
+    real R = pow((real)10, 8 * random_next(&s) - 3), u = random_next(&s), v = 2 * random_next(&s) - 1;
+    real pass = how == anywhere ? (real)1.2 * sqrt(u) : how == grazing ? 1 + v / 1000 : 1;
+    shot t;
+    t.r = sphere_aim(&s, R, far, pass, i % 2, &t.ball);
+    if (how == edge) t.ball.r = (real)(sphere_pass(t.ball, t.r) / (1 + (double)copysign(pow((real)10, -17 * u), v)));
+    return t;
+}
+
+static void survey_at(size_t k, void *context)
+{
+    surveys *all = context;
+    survey *y = &all->at[k];
+    for (int how = anywhere; how <= edge; how++) {
+        double due[2] = {0, 0}, wrong[methods][2] = {{0}};
+        for (size_t i = 0; i < all->n; i++) {
+            shot wide_shot = shot_at(all->seed, (aim)how, y->far, i), float_shot = narrowed(wide_shot);
+            double clear = sphere_clearance(wide_shot.ball, wide_shot.r);
+            double clear_f32 = sphere_clearance(float_shot.ball, float_shot.r);
+            due[clear <= 0]++;
+            for (int m = 0; m < methods; m++) {
+                shot s = m ? wide_shot : float_shot;
+                double c = m ? clear : clear_f32;
+                hit h;
+                s.r.tmin = -real_infinity;
+                bool is = method_hit[m](s.ball, s.r, &h), right = is == (c <= 0);
+                if (!right) wrong[m][c <= 0]++;
+                if (!right && how == edge) y->of[m].edge = fmax(y->of[m].edge, fabs(c));
+                if (is && right && how == anywhere && i % 8 == 0)
+                    y->of[m].residual = fmax(y->of[m].residual, sphere_residual(s.ball, s.r, h.t));
+            }
+        }
+        for (int m = 0; m < methods; m++) {
+            double missed = 100 * wrong[m][1] / due[1], untrue = 100 * wrong[m][0] / due[0];
+            if (how == anywhere) y->of[m].missed = missed, y->of[m].untrue = untrue;
+            if (how == grazing) y->of[m].grazing_missed = missed, y->of[m].grazing_untrue = untrue;
+        }
+    }
+}
+
+/* Each method in a loop of its own, so that it can be inlined. */
+#define TIMED(name, X_hit)                                                                              \
+    static double name(void *context)                                                                   \
+    {                                                                                                   \
+        const shot *s = context;                                                                        \
+        size_t hits = 0;                                                                                \
+        hit h;                                                                                          \
+        for (int k = 0; k < repeats * timed; k++) hits += X_hit(s[k % timed].ball, s[k % timed].r, &h); \
+        return (double)hits;                                                                            \
+    }
+TIMED(run_naive_f32, sphere_hit_naive_f32)
+TIMED(run_naive, sphere_hit_naive)
+TIMED(run_in_double, sphere_hit_in_double)
+TIMED(run_stable_root, sphere_hit_stable_root)
+TIMED(run_haines, sphere_hit_haines)
+TIMED(run_lagrange, sphere_hit_lagrange)
+TIMED(run_kahan, sphere_hit_kahan)
+TIMED(run_hit, sphere_hit)
+static double (*const run_method[methods])(void *) = {run_naive_f32, run_naive, run_in_double, run_stable_root,
+                                                      run_haines, run_lagrange, run_kahan, run_hit};
+
+static void time_methods(const options *o, aim how, real far, double ns[methods])
+{
+    static shot s[timed];
+    clock_variant v[methods];
+    for (size_t i = 0; i < timed; i++) s[i] = shot_at(o->seed, how, far, i);
+    for (int m = 0; m < methods; m++) v[m] = (clock_variant){method_name[m], run_method[m], s, 0};
+    clock_compare(v, methods, o->quick ? 3 : 25);
+    for (int m = 0; m < methods; m++) ns[m] = v[m].seconds / (repeats * timed) * 1e9;
+}
+
+int main(int argc, char **argv)
+{
+    options defaults = {.width = 960, .height = 480, .seed = 1};
+    options o = options_read(argc, argv, "03_sphere", "A ray meets a sphere: error and time.", defaults, NULL);
+    sphere_draw(&o);
+    sphere_draw_map(&o);
+
+    surveys *all = allocate(1, sizeof *all);
+    all->n = o.quick ? 2000 : 100000, all->seed = o.seed;
+    for (int k = 0; k < distances; k++) all->at[k].far = pow((real)10, (real)k / 2);
+    if (!parallel_for(distances, o.threads, "rays", survey_at, all)) exit(130);
+
+    table t = table_new("Ray and sphere, from 1e2 to 1e6 radii: wrong answers, worst errors, time",
+        "method|distance [R]|error missed [%]|error grazing missed [%]|error grazing false [%]|error edge [R]"
+        "|error residual [R]|time [ns]|time grazing [ns]");
+    plot p = plot_new("How close to the limb a ray is told wrong", "distance [R]", "edge [R]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot q = plot_new("How far a hit is off the surface", "distance [R]", "residual [R]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot w = plot_new("Error against time, from 1e4 R", "time [ns]", "edge [R]", PLOT_LOG_Y);
+    for (int m = 0; m < methods; m++) {
+        int series = plot_series(&p, method_name[m]), same = plot_series(&q, method_name[m]);
+        for (int k = 0; k < distances; k++) {
+            plot_add(&p, series, (double)all->at[k].far, all->at[k].of[m].edge);
+            plot_add(&q, same, (double)all->at[k].far, all->at[k].of[m].residual);
+        }
+    }
+    for (int k = 4; k < distances; k += k == 8 ? 4 : 2) {
+        double ns[methods], grazing_ns[methods];
+        time_methods(&o, anywhere, all->at[k].far, ns);
+        time_methods(&o, grazing, all->at[k].far, grazing_ns);
+        for (int m = 0; m < methods; m++) {
+            const errors *e = &all->at[k].of[m];
+            const double x[] = {e->missed, e->grazing_missed, e->grazing_untrue, e->edge, e->residual, ns[m], grazing_ns[m]};
+            table_text(&t, "%s", method_name[m]), table_text(&t, "%.0e", (double)all->at[k].far);
+            for (size_t i = 0; i < sizeof x / sizeof *x; i++) table_number(&t, x[i]);
+            if (k == 8) plot_add(&w, plot_series(&w, method_name[m]), ns[m], e->edge);
+        }
+    }
+    output_table(&o, &t);
+    plot_slope(&p, 2, "slope 2"), plot_slope(&q, 2, "slope 2");
+    output_plot(&o, &p, "03_sphere_edge.svg");
+    output_plot(&o, &q, "03_sphere_residual.svg");
+    output_plot(&o, &w, "03_sphere_time.svg");
+    free(all);
+    return 0;
+}
