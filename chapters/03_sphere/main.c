@@ -124,7 +124,7 @@ int main(int argc, char **argv)
         int series = plot_series(&p, method_name[m]), same = plot_series(&q, method_name[m]);
         for (int k = 0; k < distances; k++) {
             plot_add(&p, series, (double)all->at[k].far, all->at[k].of[m].edge);
-            plot_add(&q, same, (double)all->at[k].far, all->at[k].of[m].residual);
+            if (k) plot_add(&q, same, (double)all->at[k].far, all->at[k].of[m].residual);  /* 0: on the surface */
         }
     }
     for (int k = 4; k < distances; k += k == 8 ? 4 : 2) {

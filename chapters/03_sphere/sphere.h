@@ -72,11 +72,16 @@ static inline bool sphere_hit_naive(sphere s, ray r, hit *out)
     return sphere_roots_naive(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
 }
 
-/* k = |o - c|^2 - R^2, right to the last bit: its sign tells on which side of the surface o lies. */
-static inline real sphere_power(sphere s, vec3 o)
+/* k = |f|^2 - R^2: its sign tells on which side of the surface o = c + f lies. */
+static inline wide sphere_power(wide3 f, double R)
 {
-    wide3 f = wide3_sub(wide3_of(o), wide3_of(s.c));
-    return (real)wide_value(wide_sub(wide3_dot(f, f), wide_product((double)s.r, (double)s.r)));
+    return wide_sub(wide3_dot(f, f), wide_product(R, R));
+}
+
+static inline wide3 wide3_ldexp(vec3 a, int e)
+{
+    double x = ldexp((double)a.x, e), y = ldexp((double)a.y, e), z = ldexp((double)a.z, e);
+    return (wide3){wide_of(x), wide_of(y), wide_of(z)};
 }
 
 /* The roots in numbers of twice the precision of double, for the few rays that sphere_roots cannot
@@ -87,41 +92,47 @@ static inline bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
     if (!vfinite(r.o) || !vfinite(r.d) || !vfinite(s.c) || !isfinite(s.r) || vzero(r.d)) return false;
     vec3 most = vmax(vmax(r.o, vneg(r.o)), vmax(s.c, vneg(s.c)));
     int ed, el;
-    r.d = vscaled(r.d, &ed);
+    (void)frexp(vaxis(r.d, vlongest(r.d)), &ed);
     (void)frexp(real_max(fabs(s.r), vaxis(most, vlongest(most))), &el);
-    r.o = (vec3){ldexp(r.o.x, -el), ldexp(r.o.y, -el), ldexp(r.o.z, -el)};
-    s.c = (vec3){ldexp(s.c.x, -el), ldexp(s.c.y, -el), ldexp(s.c.z, -el)};
-    s.r = ldexp(s.r, -el);
+    wide3 d = wide3_ldexp(r.d, -ed), f = wide3_sub(wide3_ldexp(r.o, -el), wide3_ldexp(s.c, -el));
+    double R = ldexp((double)s.r, -el);
 
-    wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(s.c)), x = wide3_cross(d, f);
-    wide a = wide3_dot(d, d), b = wide_neg(wide3_dot(d, f)), k = wide_of((double)sphere_power(s, r.o));
-    wide D = wide_sub(wide_mul(a, wide_product((double)s.r, (double)s.r)), wide3_dot(x, x)); /* (3.5) */
+    wide3 x = wide3_cross(d, f);
+    wide a = wide3_dot(d, d), b = wide_neg(wide3_dot(d, f)), k = sphere_power(f, R);
+    wide D = wide_sub(wide_mul(a, wide_product(R, R)), wide3_dot(x, x));                     /* (3.5) */
     if (wide_sign(D) < 0) return false;
     wide h = wide_sqrt(D), q = wide_sign(b) < 0 ? wide_sub(b, h) : wide_add(b, h);           /* (3.4) */
     if (wide_sign(q) == 0) return *t0 = *t1 = 0, true;            /* o is the tangent point: not 0/0 */
-    real far = ldexp((real)wide_value(wide_div(q, a)), el - ed);
-    real near = ldexp((real)wide_value(wide_div(k, q)), el - ed);
+    real far = (real)ldexp(wide_value(wide_div(q, a)), el - ed);
+    real near = (real)ldexp(wide_value(wide_div(k, q)), el - ed);
     *t0 = real_min(near, far);
     *t1 = real_max(near, far);
     return true;
 }
 
+/* In double, whatever real is: in float nearly every ray near the limb would be in doubt. The rounding
+ * errors of D stay below 16 half epsilons of sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)): README. */
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
-    const real noise = 10 * real_epsilon, tiny = real_smallest / (real_epsilon * real_epsilon);
-    vec3 f = vsub(r.o, s.c), x = vcross(r.d, f);
-    real a = vdot(r.d, r.d), b = -vdot(r.d, f), ff = vdot(f, f), rr = s.r * s.r;
-    real arr = a * rr, xx = vdot(x, x), D = arr - xx, size = ff + rr;                        /* (3.5) */
-    if (!(real_min(a, size) > tiny && D * D > noise * noise * (arr + xx) * (a * size)))
-        return sphere_roots_in_doubt(s, r, t0, t1);
+    const double noise = 10 * DBL_EPSILON, tiny = DBL_MIN / (DBL_EPSILON * DBL_EPSILON);
+    double dx = (double)r.d.x, fx = (double)r.o.x - (double)s.c.x, R = (double)s.r;
+    double dy = (double)r.d.y, fy = (double)r.o.y - (double)s.c.y;
+    double dz = (double)r.d.z, fz = (double)r.o.z - (double)s.c.z;
+    double x = dy * fz - dz * fy, y = dz * fx - dx * fz, z = dx * fy - dy * fx;
+    double a = dx * dx + dy * dy + dz * dz, b = -(dx * fx + dy * fy + dz * fz);
+    double ff = fx * fx + fy * fy + fz * fz, rr = R * R, size = ff + rr;
+    double arr = a * rr, xx = x * x + y * y + z * z, D = arr - xx;                           /* (3.5) */
+    if (!(a > tiny && size > tiny && D * D > noise * noise * (arr + xx) * (a * size)))
+        return sphere_roots_in_doubt(s, r, t0, t1);                           /* a NaN comes here too */
     if (D < 0) return false;
-    real h = sqrt(D), k = ff - rr;
-    *t0 = (b - h) / a;
-    *t1 = (b + h) / a;
-    if (fabs(k) < noise * size) {
-        k = sphere_power(s, r.o);
-        if (b < 0) *t1 = k / (b - h);
-        else *t0 = k / (b + h);
+    double h = sqrt(D), near = b - h, far = b + h;
+    *t0 = (real)(near / a);                                                                  /* (3.3) */
+    *t1 = (real)(far / a);
+    if (fabs(ff - rr) < noise * size) {  /* o is on the surface, and one of b - h, b + h mere rounding */
+        wide3 f = wide3_sub(wide3_of(r.o), wide3_of(s.c));
+        double k = wide_value(sphere_power(f, R));
+        if (b < 0) *t1 = (real)(k / near);                                                   /* (3.4) */
+        else *t0 = (real)(k / far);
     }
     return true;
 }

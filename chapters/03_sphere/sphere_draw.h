@@ -1,11 +1,12 @@
 /* sphere_draw.h: the two pictures of this chapter.
  *
- *   sphere_draw(&o)        a sphere through a long lens from 300, 1e3, 3e3 and 1e4 radii: above by the
+ *   sphere_draw(&o)        a sphere through a long lens from 500, 1000, 2000 and 5000 radii: above by the
  *                          textbook in float, below by sphere_hit; |n.d|, red where a ray of the disc is
  *                          missed, blue where a ray beside it hits
  *   sphere_draw_map(&o)    across: the distance, 1 to 1e6 radii; up: how far the ray passes from the
  *                          centre, 0 to 1.2 radii; red and blue as above, grey where the answer is right:
- *                          the darker, the farther the hit is off the surface (white 1e-9 R, black R)
+ *                          the darker, the farther the hit is off the surface (light 1e-9 R, black R);
+ *                          left the textbook in float, then the textbook, then sphere_hit
  */
 #ifndef SPHERE_DRAW_H
 #define SPHERE_DRAW_H
@@ -36,7 +37,7 @@ static inline ray sphere_view(real far, real x, real y)
 static inline void sphere_draw_pixel(int x, int y, void *context)
 {
     const sphere_panels *p = context;
-    static const real distance[4] = {300, 1000, 3000, 10000};
+    static const real distance[4] = {500, 1000, 2000, 5000};
     int wide_one = p->im->width / p->columns, high = p->im->height / p->rows, row = y / high < p->rows ? y / high : p->rows - 1;
     int column = x / wide_one < p->columns ? x / wide_one : p->columns - 1;
     real half = (real)0.5, scale = (real)2.3 / (real)(wide_one < high ? wide_one : high);
@@ -90,10 +91,10 @@ static inline void sphere_map_pixel(int x, int y, void *context)
 
 static inline void sphere_draw_map(const options *o)
 {
-    static sphere_hit_function *const X_hit[4] = {sphere_hit_naive_f32, sphere_hit_naive, sphere_hit_haines, sphere_hit};
+    static sphere_hit_function *const X_hit[3] = {sphere_hit_naive_f32, sphere_hit_naive, sphere_hit};
     if (o->out) return;
     image im = image_new(960, 200);
-    sphere_panels p = {&im, 4, 1, X_hit};
+    sphere_panels p = {&im, 3, 1, X_hit};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "map", sphere_map_pixel, &p);
     output_picture(o, &im, "03_sphere_map.png", false, whole);
     image_free(&im);
