@@ -1,4 +1,4 @@
-/* 03_sphere: a ray meets a sphere, in eight ways: which rays each one gets wrong, and what it costs.
+/* 03_sphere: a ray meets a sphere, in eight ways: which rays each gets wrong, and what it costs.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/03_sphere/main.c -lm -lpthread
  * The oracle is sphere_oracle.h. The picture shows a sphere from far away through a long lens. */
 #include "../../common/output.h"
@@ -10,11 +10,12 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/
 enum { methods = 8, distances = 13, timed = 1024, repeats = 20 };
 static const char *const method_name[methods] = {"textbook, float", "textbook", "textbook, in double",
     "stable root", "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit"};
-static sphere_hit_function *const method_hit[methods] = {sphere_hit_naive_f32, sphere_hit_naive,
-    sphere_hit_in_double, sphere_hit_stable_root, sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit};
+static sphere_hit_function *const method_hit[methods] = {
+    sphere_hit_naive_f32, sphere_hit_naive, sphere_hit_in_double, sphere_hit_stable_root,
+    sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit};
 
 typedef struct { sphere ball; ray r; } shot;
-typedef struct { double missed, untrue, grazing_missed, grazing_untrue, edge, residual; } errors;
+typedef struct { double missed, grazing_missed, grazing_untrue, edge, residual; } errors;
 typedef struct { real far; errors of[methods]; } survey;
 typedef struct { survey at[distances]; size_t n; uint64_t seed; } surveys;
 
@@ -23,7 +24,7 @@ static vec3 narrow(vec3 a) { return (vec3){(real)(float)a.x, (real)(float)a.y, (
 /* What the float exhibit is given: its errors then are its own, not those of its input. */
 static shot narrowed(shot s)
 {
-    return (shot){{narrow(s.ball.c), (real)(float)s.ball.r}, {narrow(s.r.o), s.r.tmin, narrow(s.r.d), s.r.tmax}};
+    return (shot){{narrow(s.ball.c), (real)(float)s.ball.r}, ray_from(narrow(s.r.o), narrow(s.r.d))};
 }
 
 /* R from 1e-3 to 1e5, every other centre not 0. Anywhere: uniform over a disc of 1.2 R. Grazing: within
@@ -36,7 +37,8 @@ static shot shot_at(uint64_t seed, aim how, real far, size_t i)
     real pass = how == anywhere ? (real)1.2 * sqrt(u) : how == grazing ? 1 + v / 1000 : 1;
     shot t;
     t.r = sphere_aim(&s, R, far, pass, i % 2, &t.ball);
-    if (how == edge) t.ball.r = (real)(sphere_pass(t.ball, t.r) / (1 + (double)copysign(pow((real)10, -17 * u), v)));
+    double apart = (double)copysign(pow((real)10, -17 * u), v);
+    if (how == edge) t.ball.r = (real)(sphere_pass(t.ball, t.r) / (1 + apart));
     return t;
 }
 
@@ -47,12 +49,12 @@ static void survey_at(size_t k, void *context)
     for (int how = anywhere; how <= edge; how++) {
         double due[2] = {0, 0}, wrong[methods][2] = {{0}};
         for (size_t i = 0; i < all->n; i++) {
-            shot wide_shot = shot_at(all->seed, (aim)how, y->far, i), float_shot = narrowed(wide_shot);
-            double clear = sphere_clearance(wide_shot.ball, wide_shot.r);
-            double clear_f32 = sphere_clearance(float_shot.ball, float_shot.r);
+            shot own = shot_at(all->seed, (aim)how, y->far, i), own_f32 = narrowed(own);
+            double clear = sphere_clearance(own.ball, own.r);
+            double clear_f32 = sphere_clearance(own_f32.ball, own_f32.r);
             due[clear <= 0]++;
             for (int m = 0; m < methods; m++) {
-                shot s = m ? wide_shot : float_shot;
+                shot s = m ? own : own_f32;
                 double c = m ? clear : clear_f32;
                 hit h;
                 s.r.tmin = -real_infinity;
@@ -65,21 +67,21 @@ static void survey_at(size_t k, void *context)
         }
         for (int m = 0; m < methods; m++) {
             double missed = 100 * wrong[m][1] / due[1], untrue = 100 * wrong[m][0] / due[0];
-            if (how == anywhere) y->of[m].missed = missed, y->of[m].untrue = untrue;
+            if (how == anywhere) y->of[m].missed = missed;
             if (how == grazing) y->of[m].grazing_missed = missed, y->of[m].grazing_untrue = untrue;
         }
     }
 }
 
 /* Each method in a loop of its own, so that it can be inlined. */
-#define TIMED(name, X_hit)                                                                              \
-    static double name(void *context)                                                                   \
-    {                                                                                                   \
-        const shot *s = context;                                                                        \
-        size_t hits = 0;                                                                                \
-        hit h;                                                                                          \
+#define TIMED(name, X_hit) \
+    static double name(void *context) \
+    { \
+        const shot *s = context; \
+        size_t hits = 0; \
+        hit h; \
         for (int k = 0; k < repeats * timed; k++) hits += X_hit(s[k % timed].ball, s[k % timed].r, &h); \
-        return (double)hits;                                                                            \
+        return (double)hits; \
     }
 TIMED(run_naive_f32, sphere_hit_naive_f32)
 TIMED(run_naive, sphere_hit_naive)
@@ -89,8 +91,8 @@ TIMED(run_haines, sphere_hit_haines)
 TIMED(run_lagrange, sphere_hit_lagrange)
 TIMED(run_kahan, sphere_hit_kahan)
 TIMED(run_hit, sphere_hit)
-static double (*const run_method[methods])(void *) = {run_naive_f32, run_naive, run_in_double, run_stable_root,
-                                                      run_haines, run_lagrange, run_kahan, run_hit};
+static double (*const run_method[methods])(void *) = {
+    run_naive_f32, run_naive, run_in_double, run_stable_root, run_haines, run_lagrange, run_kahan, run_hit};
 
 static void time_methods(const options *o, aim how, real far, double ns[methods])
 {
@@ -105,7 +107,8 @@ static void time_methods(const options *o, aim how, real far, double ns[methods]
 int main(int argc, char **argv)
 {
     options defaults = {.width = 960, .height = 480, .seed = 1};
-    options o = options_read(argc, argv, "03_sphere", "A ray meets a sphere: error and time.", defaults, NULL);
+    const char *about = "A ray meets a sphere: error and time.";
+    options o = options_read(argc, argv, "03_sphere", about, defaults, NULL);
     sphere_draw(&o);
     sphere_draw_map(&o);
 
@@ -115,16 +118,18 @@ int main(int argc, char **argv)
     if (!parallel_for(distances, o.threads, "rays", survey_at, all)) exit(130);
 
     table t = table_new("Ray and sphere, from 1e2 to 1e6 radii: wrong answers, worst errors, time",
-        "method|distance [R]|error missed [%]|error grazing missed [%]|error grazing false [%]|error edge [R]"
-        "|error residual [R]|time [ns]|time grazing [ns]");
-    plot p = plot_new("How close to the limb a ray is told wrong", "distance [R]", "edge [R]", PLOT_LOG_X | PLOT_LOG_Y);
-    plot q = plot_new("How far a hit is off the surface", "distance [R]", "residual [R]", PLOT_LOG_X | PLOT_LOG_Y);
+        "method|distance [R]|error missed [%]|error grazing missed [%]|error grazing false [%]"
+        "|error edge [R]|error residual [R]|time [ns]|time grazing [ns]");
+    const int logs = PLOT_LOG_X | PLOT_LOG_Y;
+    plot p = plot_new("How close to the limb a ray is told wrong", "distance [R]", "edge [R]", logs);
+    plot q = plot_new("How far a hit is off the surface", "distance [R]", "residual [R]", logs);
     plot w = plot_new("Error against time, from 1e4 R", "time [ns]", "edge [R]", PLOT_LOG_Y);
     for (int m = 0; m < methods; m++) {
         int series = plot_series(&p, method_name[m]), same = plot_series(&q, method_name[m]);
         for (int k = 0; k < distances; k++) {
             plot_add(&p, series, (double)all->at[k].far, all->at[k].of[m].edge);
-            if (k) plot_add(&q, same, (double)all->at[k].far, all->at[k].of[m].residual);  /* 0: on the surface */
+            if (k == 0) continue;  /* o is on the surface: the residual is that of o */
+            plot_add(&q, same, (double)all->at[k].far, all->at[k].of[m].residual);
         }
     }
     for (int k = 4; k < distances; k += k == 8 ? 4 : 2) {
@@ -133,7 +138,8 @@ int main(int argc, char **argv)
         time_methods(&o, grazing, all->at[k].far, grazing_ns);
         for (int m = 0; m < methods; m++) {
             const errors *e = &all->at[k].of[m];
-            const double x[] = {e->missed, e->grazing_missed, e->grazing_untrue, e->edge, e->residual, ns[m], grazing_ns[m]};
+            const double x[] = {e->missed, e->grazing_missed, e->grazing_untrue, e->edge, e->residual,
+                                ns[m], grazing_ns[m]};
             table_text(&t, "%s", method_name[m]), table_text(&t, "%.0e", (double)all->at[k].far);
             for (size_t i = 0; i < sizeof x / sizeof *x; i++) table_number(&t, x[i]);
             if (k == 8) plot_add(&w, plot_series(&w, method_name[m]), ns[m], e->edge);

@@ -1,12 +1,12 @@
 /* sphere_draw.h: the two pictures of this chapter.
  *
- *   sphere_draw(&o)        a sphere through a long lens from 500, 1000, 2000 and 5000 radii: above by the
- *                          textbook in float, below by sphere_hit; |n.d|, red where a ray of the disc is
- *                          missed, blue where a ray beside it hits
- *   sphere_draw_map(&o)    across: the distance, 1 to 1e6 radii; up: how far the ray passes from the
- *                          centre, 0 to 1.2 radii; red and blue as above, grey where the answer is right:
- *                          the darker, the farther the hit is off the surface (light 1e-9 R, black R);
- *                          left the textbook in float, then the textbook, then sphere_hit
+ *   sphere_draw(&o)      a sphere through a long lens from 500, 1000, 2000 and 5000 radii: above by
+ *                        the textbook in float, below by sphere_hit; |n.d|, red where a ray through the
+ *                        disc misses, blue where a ray beside it hits
+ *   sphere_draw_map(&o)  across: the distance, 1 to 1e6 radii; up: how far the ray passes from the
+ *                        centre, 0 to 1.2 radii; red and blue as above, grey where the answer is right:
+ *                        the darker, the farther the hit is off the surface (light 1e-9 R, black R);
+ *                        left the textbook in float, then the textbook, then sphere_hit
  */
 #ifndef SPHERE_DRAW_H
 #define SPHERE_DRAW_H
@@ -19,11 +19,12 @@
 static inline void sphere_draw(const options *o);
 static inline void sphere_draw_map(const options *o);
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 typedef struct { image *im; int columns, rows; sphere_hit_function *const *X_hit; } sphere_panels;
 
-static const vec3 sphere_red = {(real)0.8, (real)0.1, (real)0.05}, sphere_blue = {(real)0.05, (real)0.25, (real)0.8};
+static const vec3 sphere_red = {(real)0.8, (real)0.1, (real)0.05};
+static const vec3 sphere_blue = {(real)0.05, (real)0.25, (real)0.8};
 
 /* From o = far u to the point x, y of the plane through the centre. */
 static inline ray sphere_view(real far, real x, real y)
@@ -38,19 +39,19 @@ static inline void sphere_draw_pixel(int x, int y, void *context)
 {
     const sphere_panels *p = context;
     static const real distance[4] = {500, 1000, 2000, 5000};
-    int wide_one = p->im->width / p->columns, high = p->im->height / p->rows, row = y / high < p->rows ? y / high : p->rows - 1;
-    int column = x / wide_one < p->columns ? x / wide_one : p->columns - 1;
-    real half = (real)0.5, scale = (real)2.3 / (real)(wide_one < high ? wide_one : high);
-    ray r = sphere_view(distance[column], ((real)(x - column * wide_one) + half - (real)wide_one / 2) * scale,
-                        ((real)high / 2 - (real)(y - row * high) - half) * scale);
+    int w = p->im->width / p->columns, h = p->im->height / p->rows;
+    int column = x / w < p->columns ? x / w : p->columns - 1, row = y / h < p->rows ? y / h : p->rows - 1;
+    real half = (real)0.5, scale = (real)2.3 / (real)(w < h ? w : h);
+    real across = (real)(x - column * w) + half - (real)w / 2, up = (real)h / 2 - (real)(y - row * h) - half;
+    ray r = sphere_view(distance[column], across * scale, up * scale);
     sphere ball = {{0, 0, 0}, 1};
-    hit h;
-    bool is = p->X_hit[row](ball, r, &h), due = sphere_clearance(ball, r) <= 0;
+    hit found;
+    bool is = p->X_hit[row](ball, r, &found), due = sphere_clearance(ball, r) <= 0;
     vec3 c = {(real)0.02, (real)0.02, (real)0.03};
     if (is != due) c = due ? sphere_red : sphere_blue;
     else if (is) {
         /* The textbook divides by R and trusts that the point is on the surface. */
-        vec3 at = ray_at(r, h.t), n = row ? sphere_normal(ball, sphere_point(ball, at)) : at;
+        vec3 at = ray_at(r, found.t), n = row ? sphere_normal(ball, sphere_point(ball, at)) : at;
         real grey = fabs(vdot(n, vunit(r.d)));
         c = (vec3){grey, grey, grey};
     }
@@ -70,7 +71,8 @@ static inline void sphere_draw(const options *o)
 static inline void sphere_map_pixel(int x, int y, void *context)
 {
     const sphere_panels *p = context;
-    int width = p->im->width / p->columns, column = x / width < p->columns ? x / width : p->columns - 1;
+    int width = p->im->width / p->columns;
+    int column = x / width < p->columns ? x / width : p->columns - 1;
     if (column && x % width < 4) { image_set(p->im, x, y, (vec3){1, 1, 1}); return; }
     real half = (real)0.5, far = pow((real)10, 6 * ((real)(x - column * width) + half) / (real)width);
     real pass = (real)1.2 * ((real)(p->im->height - y) - half) / (real)p->im->height;

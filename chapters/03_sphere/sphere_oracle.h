@@ -1,9 +1,9 @@
-/* sphere_oracle.h: rays aimed at a sphere, near its limb (边缘) if wanted, and the truth about them.
+/* sphere_oracle.h: rays aimed at a sphere, near its limb (边缘) if wanted, and the truth.
  *
- *   sphere_aim(&s, R, far, pass, moved, &ball)   a ray from about far R away that passes the centre at
- *                                                about pass R; the centre random if moved, else 0
- *   sphere_clearance(ball, r)                    how far the line passes from the centre, over R, minus 1:
- *                                                a hit is due where it is <= 0
+ *   sphere_aim(&s, R, far, pass, moved, &ball)   a ray from about far R away, past the centre at about
+ *                                                pass R; the centre random if moved, else 0
+ *   sphere_clearance(ball, r)                    how far the line passes from the centre, over R,
+ *                                                minus 1: a hit is due where it is <= 0
  *   sphere_pass(ball, r)                         how far the line passes from the centre
  *   sphere_residual(ball, r, t)                  how far o + t d is off the surface, over R
  *
@@ -16,7 +16,7 @@
 #include "../../common/random.h"
 #include "sphere.h"
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline ray sphere_aim(random_stream *s, real R, real far, real pass, bool moved, sphere *ball)
 {

@@ -1,14 +1,14 @@
 /* sphere_variants.h: other ways to meet a sphere, to be measured beside sphere.h. All have the
  * signature of sphere_hit and of sphere_roots; only their rounding differs.
  *
- *   suffix          what it does                                  the ray must miss R by, to be told right
- *   _naive          the textbook (3.3); see sphere.h              eps (l/R)^2 R      l: distance
+ *   suffix          what it does                                  told wrong within
+ *   _naive          the textbook (3.3); see sphere.h              eps (l/R)^2 R  of the limb; l: distance
  *   _naive_f32      the same in float, whatever real is
  *   _in_double      the same in double, whatever real is
- *   _stable_root    (3.3), the roots by (3.4): without b - h      eps (l/R)^2 R      mends nothing here
+ *   _stable_root    (3.3), the roots by (3.4): without b - h      eps (l/R)^2 R  mends nothing
  *   _haines         D from the ray's point closest to c           eps (l/R) R
- *   _lagrange       D by (3.5), plain cross product               eps (l/R) R        and cheaper
- *   _kahan          D by (3.5), every rounding error given back   eps R              whatever l
+ *   _lagrange       D by (3.5), plain cross product               eps (l/R) R    and cheaper
+ *   _kahan          D by (3.5), every rounding error given back   eps R          whatever l
  *   sphere_hit      D by (3.5); if too small to be sure, again in twice the precision
  *
  * Source of _haines: E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere
@@ -29,13 +29,14 @@ static inline sphere_roots_function sphere_roots_naive_f32, sphere_roots_in_doub
 static inline sphere_hit_function sphere_hit_naive_f32, sphere_hit_in_double, sphere_hit_stable_root,
     sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
-/* Fails for: R = 1 seen from 1e4: one ray in five that should hit does not, and the disc is torn. */
+/* Fails for: R = 1 seen from 1e4: of the rays that should hit, every third misses. */
 static inline bool sphere_roots_naive_f32(sphere s, ray r, real *t0, real *t1)
 {
-    float fx = (float)r.o.x - (float)s.c.x, fy = (float)r.o.y - (float)s.c.y, fz = (float)r.o.z - (float)s.c.z;
-    float dx = (float)r.d.x, dy = (float)r.d.y, dz = (float)r.d.z, R = (float)s.r;
+    float fx = (float)r.o.x - (float)s.c.x, dx = (float)r.d.x, R = (float)s.r;
+    float fy = (float)r.o.y - (float)s.c.y, dy = (float)r.d.y;
+    float fz = (float)r.o.z - (float)s.c.z, dz = (float)r.d.z;
     float a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
     float D = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
     if (!(D >= 0)) return false;
@@ -46,8 +47,9 @@ static inline bool sphere_roots_naive_f32(sphere s, ray r, real *t0, real *t1)
 
 static inline bool sphere_roots_in_double(sphere s, ray r, real *t0, real *t1)
 {
-    double fx = (double)r.o.x - (double)s.c.x, fy = (double)r.o.y - (double)s.c.y, fz = (double)r.o.z - (double)s.c.z;
-    double dx = (double)r.d.x, dy = (double)r.d.y, dz = (double)r.d.z, R = (double)s.r;
+    double fx = (double)r.o.x - (double)s.c.x, dx = (double)r.d.x, R = (double)s.r;
+    double fy = (double)r.o.y - (double)s.c.y, dy = (double)r.d.y;
+    double fz = (double)r.o.z - (double)s.c.z, dz = (double)r.d.z;
     double a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
     double D = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
     if (!(D >= 0)) return false;
@@ -101,7 +103,7 @@ static inline bool sphere_roots_kahan(sphere s, ray r, real *t0, real *t1)
 {
     vec3 d = r.d, f = vsub(r.o, s.c);
     vec3 e = {sum_error(r.o.x, -s.c.x, f.x), sum_error(r.o.y, -s.c.y, f.y),
-              sum_error(r.o.z, -s.c.z, f.z)};                               /* o - c = f + e exactly */
+              sum_error(r.o.z, -s.c.z, f.z)};  /* o - c = f + e exactly */
     vec3 x = {difference_of_products(d.y, f.z, d.z, f.y), difference_of_products(d.z, f.x, d.x, f.z),
               difference_of_products(d.x, f.y, d.y, f.x)};
     x = vadd(x, vcross(d, e));
