@@ -8,8 +8,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/
 #include "sphere_variants.h"
 
 enum { methods = 8, distances = 13, timed = 1024, repeats = 20 };
-static const char *const method_name[methods] = {"textbook, float", "textbook", "textbook, in double",
-    "stable root", "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit"};
+static const char *const method_name[methods] = {
+    "textbook, float", "textbook", "textbook, in double", "stable root",
+    "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit"};
 static sphere_hit_function *const method_hit[methods] = {
     sphere_hit_naive_f32, sphere_hit_naive, sphere_hit_in_double, sphere_hit_stable_root,
     sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit};
@@ -18,22 +19,23 @@ typedef struct { sphere ball; ray r; } shot;
 typedef struct { double missed, grazing_missed, grazing_untrue, edge, residual; } errors;
 typedef struct { real far; errors of[methods]; } survey;
 typedef struct { survey at[distances]; size_t n; uint64_t seed; } surveys;
-
 static vec3 narrow(vec3 a) { return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z}; }
 
 /* What the float exhibit is given: its errors then are its own, not those of its input. */
 static shot narrowed(shot s)
 {
-    return (shot){{narrow(s.ball.c), (real)(float)s.ball.r}, ray_from(narrow(s.r.o), narrow(s.r.d))};
+    return (shot){{narrow(s.ball.c), (real)(float)s.ball.r},
+                  ray_from(narrow(s.r.o), narrow(s.r.d))};
 }
 
-/* R from 1e-3 to 1e5, every other centre not 0. Anywhere: uniform over a disc of 1.2 R. Grazing: within
- * 0.1 % of R. Edge: R is cut to the ray, from far too large or small down to the last bit. */
+/* R from 1e-3 to 1e5, every other centre not 0. Anywhere: uniform over a disc of 1.2 R. Grazing:
+ * within 0.1 % of R. Edge: R is cut to the ray, from far too large or small to the last bit. */
 typedef enum { anywhere, grazing, edge } aim;
 static shot shot_at(uint64_t seed, aim how, real far, size_t i)
 {
     random_stream s = random_start(seed, i, (uint64_t)how);
-    real R = pow((real)10, 8 * random_next(&s) - 3), u = random_next(&s), v = 2 * random_next(&s) - 1;
+    real R = pow((real)10, 8 * random_next(&s) - 3);
+    real u = random_next(&s), v = 2 * random_next(&s) - 1;
     real pass = how == anywhere ? (real)1.2 * sqrt(u) : how == grazing ? 1 + v / 1000 : 1;
     shot t;
     t.r = sphere_aim(&s, R, far, pass, i % 2, &t.ball);
@@ -74,14 +76,15 @@ static void survey_at(size_t k, void *context)
 }
 
 /* Each method in a loop of its own, so that it can be inlined. */
-#define TIMED(name, X_hit) \
-    static double name(void *context) \
-    { \
-        const shot *s = context; \
-        size_t hits = 0; \
-        hit h; \
-        for (int k = 0; k < repeats * timed; k++) hits += X_hit(s[k % timed].ball, s[k % timed].r, &h); \
-        return (double)hits; \
+#define TIMED(name, X_hit)                                                                         \
+    static double name(void *context)                                                              \
+    {                                                                                              \
+        const shot *s = context;                                                                   \
+        size_t hits = 0;                                                                           \
+        hit h;                                                                                     \
+        for (int k = 0; k < repeats * timed; k++)                                                  \
+            hits += X_hit(s[k % timed].ball, s[k % timed].r, &h);                                  \
+        return (double)hits;                                                                       \
     }
 TIMED(run_naive_f32, sphere_hit_naive_f32)
 TIMED(run_naive, sphere_hit_naive)
@@ -92,7 +95,8 @@ TIMED(run_lagrange, sphere_hit_lagrange)
 TIMED(run_kahan, sphere_hit_kahan)
 TIMED(run_hit, sphere_hit)
 static double (*const run_method[methods])(void *) = {
-    run_naive_f32, run_naive, run_in_double, run_stable_root, run_haines, run_lagrange, run_kahan, run_hit};
+    run_naive_f32, run_naive, run_in_double, run_stable_root,
+    run_haines, run_lagrange, run_kahan, run_hit};
 
 static void time_methods(const options *o, aim how, real far, double ns[methods])
 {
@@ -121,7 +125,7 @@ int main(int argc, char **argv)
         "method|distance [R]|error missed [%]|error grazing missed [%]|error grazing false [%]"
         "|error edge [R]|error residual [R]|time [ns]|time grazing [ns]");
     const int logs = PLOT_LOG_X | PLOT_LOG_Y;
-    plot p = plot_new("How close to the limb a ray is told wrong", "distance [R]", "edge [R]", logs);
+    plot p = plot_new("How near the limb a ray is told wrong", "distance [R]", "edge [R]", logs);
     plot q = plot_new("How far a hit is off the surface", "distance [R]", "residual [R]", logs);
     plot w = plot_new("Error against time, from 1e4 R", "time [ns]", "edge [R]", PLOT_LOG_Y);
     for (int m = 0; m < methods; m++) {
@@ -138,8 +142,8 @@ int main(int argc, char **argv)
         time_methods(&o, grazing, all->at[k].far, grazing_ns);
         for (int m = 0; m < methods; m++) {
             const errors *e = &all->at[k].of[m];
-            const double x[] = {e->missed, e->grazing_missed, e->grazing_untrue, e->edge, e->residual,
-                                ns[m], grazing_ns[m]};
+            const double x[] = {e->missed, e->grazing_missed, e->grazing_untrue, e->edge,
+                                e->residual, ns[m], grazing_ns[m]};
             table_text(&t, "%s", method_name[m]), table_text(&t, "%.0e", (double)all->at[k].far);
             for (size_t i = 0; i < sizeof x / sizeof *x; i++) table_number(&t, x[i]);
             if (k == 8) plot_add(&w, plot_series(&w, method_name[m]), ns[m], e->edge);
