@@ -115,7 +115,7 @@ static inline bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
 }
 
 /* In double, whatever real is: in float far too many rays would be in doubt. The rounding errors of
- * D stay below 8 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see README; noise leaves room. */
+ * D stay below 6 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see README; noise leaves room. */
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
     const double noise = 10 * DBL_EPSILON, tiny = DBL_MIN / (DBL_EPSILON * DBL_EPSILON);
