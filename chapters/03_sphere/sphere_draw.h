@@ -13,6 +13,7 @@
 
 #include "../../common/output.h"
 #include "../../common/parallel.h"
+#include "../02_camera/headlight.h"
 #include "sphere_oracle.h"
 #include "sphere_variants.h"
 
@@ -54,8 +55,7 @@ static inline void sphere_draw_pixel(int x, int y, void *context)
     else if (is) {
         /* The textbook divides by R and trusts that the point is on the surface. */
         vec3 at = ray_at(r, found.t), n = row ? sphere_normal(ball, sphere_point(ball, at)) : at;
-        real grey = fabs(vdot(n, vunit(r.d)));
-        c = (vec3){grey, grey, grey};
+        c = headlight(n, r.d);
     }
     image_set(p->im, x, y, c);
 }
