@@ -1,0 +1,182 @@
+/* triangle.h: ray against triangle, three ways with one signature.
+ *
+ *             c                  u, v of a hit: the barycentric coordinates (重心坐标) of b and c,
+ *            / \                 P = (1 - u - v) a + u b + v c                          (4.6)
+ *           / P \
+ *          a --- b               true if t is in the ray's interval; both sides count
+ *
+ *   triangle_hit_plane(tri, r, &h)             meets the plane, then three inside tests      (4.7)
+ *   triangle_hit_moller_trumbore(tri, r, &h)   three unknowns by Cramer's rule               (4.8)
+ *   triangle_hit(tri, r, &h)                   watertight (无缝): what the other chapters use (4.9)
+ *
+ * The first two slip through a closed mesh when a ray is aimed at an edge or a vertex: the neighbours
+ * of an edge round differently, and each says that the other one is hit. triangle_hit never slips:
+ * of the triangles round the point where a ray passes through a closed mesh at least one is hit.
+ *
+ * Rays against many triangles: prepare the ray once (some 5 ns), then test.
+ *   ray_shear s = shear_of(r);                     tmin and tmax of r may change afterwards
+ *   triangle_hit_sheared(tri, &s, r, &h)           same answer, bit for bit, as triangle_hit
+ *   triangle_hit_corners(&a, &b, &c, &s, r, &h)    the same without copying the corners: the fastest
+ *   triangle_normal(tri)                           unit (b - a) x (c - a)
+ *
+ *   input                                          answer
+ *   no area, or seen exactly edge-on               no hit; its neighbours are hit instead
+ *   zero area                                      normal (0,0,0)
+ *   NaN, infinity, direction 0                     no hit, never a NaN in a hit
+ *   tiny or huge (1e-150, 1e+150 in double)        as any other: nothing is compared with an epsilon
+ *
+ * u, v are in [0,1]; u + v <= 1 + 2 epsilon. t is a weighted mean of the depths of the corners.
+ * Needs -ffp-contract=off: a contracted product breaks (4.10), and with it the seams.
+ *
+ * Sources: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997;
+ * S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+ */
+#ifndef TRIANGLE_H
+#define TRIANGLE_H
+
+#include "plane.h"
+
+typedef struct { vec3 a, b, c; } triangle;
+
+/* A ray, ready for (4.9): axis kz is the longest of D; o the origin in the order kx, ky, kz. */
+typedef struct { int kx, ky, kz; vec3 o; real sx, sy, sz; } ray_shear;
+
+/* ------------------------------------------------------------------------------------------------ */
+
+static inline vec3 triangle_normal(triangle tri)
+{
+    vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), n = vcross(e1, e2);
+    if (!square_is_safe(vdot(n, n))) {  /* tiny or huge: bring both edges near 1, which is exact */
+        int e;
+        if (!vfinite(e1) || !vfinite(e2) || vzero(e1) || vzero(e2)) return (vec3){0, 0, 0};
+        n = vcross(vscaled(e1, &e), vscaled(e2, &e));
+    }
+    return vunit(n);
+}
+
+/* Plane, then inside: p is left of each edge as seen from the tip of n, so the three signed areas
+ * n . (edge x (p - corner)) are not negative (4.7). Divided by n . n they are the barycentrics.
+ * Slips: p is rounded, so it lies off the plane, and each triangle computes its own p. */
+static inline bool triangle_hit_plane(triangle tri, ray r, hit *out)
+{
+    plane s = plane_through(tri.a, tri.b, tri.c);
+    hit h;
+    if (!plane_hit(s, r, &h)) return false;
+    vec3 p = ray_at(r, h.t);
+    real wa = vdot(s.n, vcross(vsub(tri.c, tri.b), vsub(p, tri.b)));
+    real wb = vdot(s.n, vcross(vsub(tri.a, tri.c), vsub(p, tri.c)));
+    real wc = vdot(s.n, vcross(vsub(tri.b, tri.a), vsub(p, tri.a)));
+    if (!(wa >= 0 && wb >= 0 && wc >= 0)) return false;
+    *out = (hit){h.t, wb / vdot(s.n, s.n), wc / vdot(s.n, s.n), 0};
+    return true;
+}
+
+/* o + t d = a + u e1 + v e2 is  [-d e1 e2] (t u v)^T = o - a: three equations, solved by Cramer's rule
+ * (克拉默法则) with determinants written as triple products (4.8).
+ * Slips: u, v and 1 - u - v come from differences with a corner that the neighbour does not use. */
+static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
+{
+    vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a);
+    vec3 p = vcross(r.d, e2);
+    real det = vdot(e1, p);
+    if (det == 0) return false;
+    real inverse = 1 / det;
+    vec3 s = vsub(r.o, tri.a);
+    real u = vdot(s, p) * inverse;
+    if (!(u >= 0 && u <= 1)) return false;
+    vec3 q = vcross(s, e1);
+    real v = vdot(r.d, q) * inverse;
+    if (!(v >= 0 && u + v <= 1)) return false;
+    real t = vdot(e2, q) * inverse;
+    if (!ray_covers(r, t) || !isfinite(t)) return false;
+    *out = (hit){t, u, v, 0};
+    return true;
+}
+
+/* ------------------------------------------------------------------------------------------------ */
+
+/* Seen along the ray: the shear x - (Dx/Dz) z, y - (Dy/Dz) z takes the ray to the z axis (4.9). kz is
+ * the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN: no hit. */
+static inline ray_shear shear_of(ray r)
+{
+    int kz = vlongest(r.d), kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
+    real dz = vfinite(r.d) ? vaxis(r.d, kz) : (real)NAN;
+    return (ray_shear){kx, ky, kz, {vaxis(r.o, kx), vaxis(r.o, ky), vaxis(r.o, kz)},
+                       vaxis(r.d, kx) / dz, vaxis(r.d, ky) / dz, 1 / dz};
+}
+
+/* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles that
+ * share the corner see it at the same place, to the last bit. */
+static inline vec3 shear_point(const vec3 *corner, const ray_shear *s)
+{
+    const real *p = (const real *)corner;
+    real z = p[s->kz] - s->o.z;
+    return (vec3){p[s->kx] - s->o.x - s->sx * z, p[s->ky] - s->o.y - s->sy * z, z};
+}
+
+/* No branch for each sign: whether a ray passes left or right of an edge is a coin toss, and a
+ * branch on it costs more than the whole test (see the table of the README). */
+static inline bool signs_differ(real x, real y, real z)
+{
+    return real_min(real_min(x, y), z) < 0 && real_max(real_max(x, y), z) > 0;
+}
+
+/* The edge functions of a, b, c with their exact signs: scaled by a power of two, so that nothing over-
+ * or underflows, and with the rounding of the products given back. Zero only if the corner points and
+ * the ray are exactly in line. False if a coordinate is infinite or NaN, or if all three are zero. */
+static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, real *ea, real *eb, real *ec)
+{
+    vec3 x = {a.x, b.x, c.x}, y = {a.y, b.y, c.y};
+    int e, f;
+    if (!vfinite(x) || !vfinite(y)) return false;
+    (void)vscaled(vmax(vmax(x, vneg(x)), vmax(y, vneg(y))), &e);  /* largest |coordinate| < 2^e */
+    f = -e;
+    a.x = ldexp(a.x, f), b.x = ldexp(b.x, f), c.x = ldexp(c.x, f);
+    a.y = ldexp(a.y, f), b.y = ldexp(b.y, f), c.y = ldexp(c.y, f);
+    *ea = difference_of_products(c.x, b.y, c.y, b.x);
+    *eb = difference_of_products(a.x, c.y, a.y, c.x);
+    *ec = difference_of_products(b.x, a.y, b.y, a.x);
+    return *ea + *eb + *ec != 0 && !signs_differ(*ea, *eb, *ec);
+}
+
+/* The ray is now the z axis and passes inside if the origin (0,0) lies on the same side of all three
+ * edges. Edge P Q has the function Px Qy - Py Qx (4.10): twice the area of (0,0) P Q.
+ *
+ * Why no ray slips between triangles:
+ * 1. The neighbour computes Qx Py - Qy Px: the same two rounded products, so exactly the negative.
+ * 2. If Px Qy >= Py Qx, the rounded products are in the same order. So a computed sign may be 0 but is
+ *    never wrong, and 0 counts as inside: every triangle whose image contains (0,0) passes this test.
+ * 3. The images form a mesh with exactly shared corners, and one that covers (0,0) has a triangle with
+ *    area that contains it, edges included. That triangle is refused only for a determinant of 0, that
+ *    is, three zeros; then exact signs decide, and those of a triangle with area are not all 0.
+ */
+static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const vec3 *pc,
+                                        const ray_shear *s, ray r, hit *out)
+{
+    vec3 a = shear_point(pa, s), b = shear_point(pb, s), c = shear_point(pc, s);
+    real ea = c.x * b.y - c.y * b.x, eb = a.x * c.y - a.y * c.x, ec = b.x * a.y - b.y * a.x;
+    if (signs_differ(ea, eb, ec)) return false;
+    real det = ea + eb + ec, size = fabs(det);
+    if (!(size > real_smallest / real_epsilon && size <= real_largest)) {  /* 0, underflow, NaN: rare */
+        if (!edges_exactly(a, b, c, &ea, &eb, &ec)) return false;
+        det = ea + eb + ec;
+    }
+    real u = eb / det, v = ec / det;
+    real t = (ea / det * a.z + u * b.z + v * c.z) * s->sz;  /* weights in [0,1]: cannot overflow */
+    if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
+    *out = (hit){t, u, v, 0};
+    return true;
+}
+
+static inline bool triangle_hit_sheared(triangle tri, const ray_shear *s, ray r, hit *out)
+{
+    return triangle_hit_corners(&tri.a, &tri.b, &tri.c, s, r, out);
+}
+
+static inline bool triangle_hit(triangle tri, ray r, hit *out)
+{
+    ray_shear s = shear_of(r);
+    return triangle_hit_corners(&tri.a, &tri.b, &tri.c, &s, r, out);
+}
+
+#endif
