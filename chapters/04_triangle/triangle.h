@@ -20,8 +20,9 @@
  *   triangle_normal(tri)                           unit (b - a) x (c - a)
  *
  *   input                                          answer
- *   no area, or seen exactly edge-on               no hit; its neighbours are hit instead
- *   zero area                                      normal (0,0,0)
+ *   no area: two or three corners the same, or     no hit, normal (0,0,0): what is hit has a normal
+ *     all on a line (b - a parallel to c - a)
+ *   seen edge-on                                   no hit if exactly so; its neighbours are hit instead
  *   NaN, infinity, direction 0                     no hit, never a NaN in a hit
  *   tiny or huge (1e-150, 1e+150 in double)        as any other: nothing is compared with an epsilon
  *
@@ -43,16 +44,21 @@ typedef struct { int kx, ky, kz; vec3 o; real sx, sy, sz; } ray_shear;
 
 /* ------------------------------------------------------------------------------------------------ */
 
-static inline vec3 triangle_normal(triangle tri)
+/* (b - a) x (c - a), scaled by some power of two; 0 only if the edges are parallel. The rare case: an
+ * underflow, or edges so nearly parallel that the plain products cancel to nothing. */
+static inline vec3 triangle_cross(vec3 a, vec3 b, vec3 c)
 {
-    vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), n = vcross(e1, e2);
-    if (!square_is_safe(vdot(n, n))) {  /* tiny or huge: bring both edges near 1, which is exact */
-        int e;
-        if (!vfinite(e1) || !vfinite(e2) || vzero(e1) || vzero(e2)) return (vec3){0, 0, 0};
-        n = vcross(vscaled(e1, &e), vscaled(e2, &e));
-    }
-    return vunit(n);
+    vec3 e1 = vsub(b, a), e2 = vsub(c, a), n = vcross(e1, e2);
+    int e;
+    if (square_is_safe(vdot(n, n))) return n;
+    if (!vfinite(e1) || !vfinite(e2) || vzero(e1) || vzero(e2)) return (vec3){0, 0, 0};
+    e1 = vscaled(e1, &e), e2 = vscaled(e2, &e);
+    return (vec3){difference_of_products(e1.y, e2.z, e1.z, e2.y),
+                  difference_of_products(e1.z, e2.x, e1.x, e2.z),
+                  difference_of_products(e1.x, e2.y, e1.y, e2.x)};
 }
+
+static inline vec3 triangle_normal(triangle tri) { return vunit(triangle_cross(tri.a, tri.b, tri.c)); }
 
 /* Plane, then inside: p is left of each edge as seen from the tip of n, so the three signed areas
  * n . (edge x (p - corner)) are not negative (4.7). Divided by n . n they are the barycentrics.
@@ -164,6 +170,7 @@ static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const ve
     real u = eb / det, v = ec / det;
     real t = (ea / det * a.z + u * b.z + v * c.z) * s->sz;  /* weights in [0,1]: cannot overflow */
     if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
+    if (vzero(triangle_cross(*pa, *pb, *pc))) return false;
     *out = (hit){t, u, v, 0};
     return true;
 }

@@ -1,0 +1,196 @@
+/* Tests of 04_triangle: rays aimed at edges and vertices of closed meshes. The naive forms must slip,
+ * triangle_hit must not, not once. */
+#include "check.h"
+#include "../common/parallel.h"
+#include "../chapters/04_triangle/slips.h"
+#include "../chapters/04_triangle/triangle_naive.h"
+
+/* The translations are as large as the real can take: the mesh must keep its shape on the lattice of
+ * the reals around it. */
+enum { places = 4 };
+static const vec3 place[places] = {{0, 0, 0}, {1000, 0, 0}, {100000, -30000, 7000},
+                                   {(real)(sizeof(real) == 4 ? 16384 : 1e9), (real)(sizeof(real) == 4 ? 9000 : -1e9), 3}};
+
+static void count_at_place(size_t i, void *context)
+{
+    icosphere m = icosphere_new(4, place[i / 2], 1);
+    ((slip_count *)context)[i] = slips(&m, triangle_hit, i % 2, check_count(5000000), 40 + i / 2);
+    icosphere_free(&m);
+}
+
+/* 5e6 rays at edges and 5e6 at vertices, at each place. */
+static void test_no_slip_at_any_translation(void)
+{
+    slip_count n[2 * places];
+    check(parallel_for(2 * places, 0, "rays", count_at_place, n), "all rays were shot");
+    for (int i = 0; i < 2 * places; i++) {
+        double x = (double)place[i / 2].x;
+        check_equal(n[i].slips, 0, "T = (%g, ..): %zu rays aimed at %s", x, n[i].rays, i % 2 ? "vertices" : "edges");
+        /* the aimed point is off the edge by half an ulp of its coordinates, some eps |T|; slopes
+         * of the facets against the ray, at most some 3, turn that into an error of t */
+        check_at_most(n[i].error, 8 * (double)real_epsilon * (1 + fabs(x)), "t of the aimed point is 1");
+    }
+}
+
+/* The same by the size of the mesh: nothing is compared with a fixed number, and the products of the
+ * coordinates, which under- or overflow here, are rescued. */
+static void test_no_slip_at_any_size(void)
+{
+    const double sizes[2][6] = {{1e-300, 1e-200, 1e-160, 1e5, 1e160, 1e300}, {1e-35, 1e-25, 1e-18, 1e5, 1e18, 1e35}};
+    for (int k = 0; k < 6; k++) {
+        real size = (real)sizes[real_is_float][k];
+        icosphere m = icosphere_new(3, (vec3){0, 0, 0}, size);
+        for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
+            slip_count n = slips(&m, triangle_hit, at_vertex, check_count(100000), 50);
+            check_equal(n.slips, 0, "size %g: %zu rays aimed at %s", (double)size, n.rays,
+                        at_vertex ? "vertices" : "edges");
+            check_at_most(n.error, 8 * (double)real_epsilon, "t of the aimed point is 1 at size %g", (double)size);
+        }
+        icosphere_free(&m);
+    }
+}
+
+/* Closed meshes of slivers: corners snapped to a lattice, so that many fall together and many triangles
+ * become lines, then moved by up to `ulps` half ulps, so that the lines are slivers 1e-13 wide. The map
+ * of the sphere stays in one piece and goes round the origin once: a hit is due. */
+static icosphere sliver_sphere(int ulps, uint64_t seed)
+{
+    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
+    random_stream g = random_start(seed, 0, 0);
+    for (uint32_t i = 0; i < m.vertices; i++) {
+        real p[3] = {m.v[i].x, m.v[i].y, m.v[i].z};
+        for (int k = 0; k < 3; k++)
+            p[k] = floor(4 * p[k] + (real)0.5) / 4 + floor(slip_between(&g, (real)-ulps, (real)ulps)) * real_epsilon / 2;
+        m.v[i] = (vec3){p[0], p[1], p[2]};
+    }
+    return m;
+}
+
+static void test_no_slip_between_slivers(void)
+{
+    for (uint64_t seed = 0; seed < 4; seed++) {
+        icosphere m = sliver_sphere(1000, seed);
+        for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
+            slip_count n = slips(&m, triangle_hit, at_vertex, check_count(100000), 60 + seed);
+            check_equal(n.slips, 0, "slivers, %zu rays aimed at %s", n.rays, at_vertex ? "vertices" : "edges");
+        }
+        icosphere_free(&m);
+    }
+}
+
+/* A cube of few, exactly representable coordinates and rays from exactly representable points: many
+ * computed signs are exactly zero. Every ray that starts inside must hit. */
+static void test_no_slip_on_a_lattice(void)
+{
+    vec3 v[8];
+    static const int face[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    for (int i = 0; i < 8; i++)
+        v[i] = (vec3){i & 1 ? 4 : -4, i & 2 ? 4 : -4, i & 4 ? 4 : -4};
+    size_t slipped = 0, rays = 0;
+    for (int o = 0; o < 343; o++)
+        for (int d = 0; d < 729; d++) {
+            ray r = ray_from((vec3){(real)(o % 7 - 3), (real)(o / 7 % 7 - 3), (real)(o / 49 - 3)},
+                             (vec3){(real)(d % 9 - 4), (real)(d / 9 % 9 - 4), (real)(d / 81 - 4)});
+            if (vzero(r.d)) continue;
+            bool any = false;
+            hit h;
+            for (int i = 0; i < 12 && !any; i++)
+                any = triangle_hit((triangle){v[face[i][0]], v[face[i][1]], v[face[i][2]]}, r, &h);
+            rays++, slipped += !any;
+        }
+    check_equal(slipped, 0, "cube of integers, %zu rays along integer directions, zeros and diagonals included", rays);
+}
+
+/* A box is thin for a ray from its outside: whoever aims at a vertex of a closed mesh from outside and
+ * passes inside the silhouette must hit something, too. Here: the vertex nearest to the origin of the ray. */
+static void test_no_slip_from_outside(void)
+{
+    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
+    random_stream g = random_start(70, 0, 0);
+    size_t slipped = 0, n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        uint32_t k = (uint32_t)(random_next_bits(&g) >> 32) % m.vertices;
+        vec3 o = vadd(vscale(m.v[k], 3), slip_origin(&g, (vec3){0, 0, 0}, 1));
+        slipped += slip_misses_all(&m, triangle_hit, ray_from(o, vsub(m.v[k], o)));
+    }
+    check_equal(slipped, 0, "%zu rays from outside at the vertex that faces them", n);
+    icosphere_free(&m);
+}
+
+/* Bounds are a third of the rates in the README: they do not come from the seed. */
+static void test_naive_forms_slip(void)
+{
+    const struct { const char *name; triangle_method *hit; double vertex, edge; } naive[] = {
+        {"plane + inside, float", triangle_hit_plane_f32, 0.02, 0.03},
+        {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, 0.03, 0.03},
+        {"plane + inside", triangle_hit_plane, 0.03, 0.03},
+        {"Möller-Trumbore", triangle_hit_moller_trumbore, 0.03, 0.03}};
+    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1), f = icosphere_new(4, (vec3){0, 0, 0}, 1);
+    icosphere_f32(&f);
+    size_t n = check_count(10000);
+    for (int k = 0; k < 4; k++)
+        for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
+            slip_count c = slips(k < 2 ? &f : &m, naive[k].hit, at_vertex, n, 80);
+            check_at_least((double)c.slips / (double)n, at_vertex ? naive[k].vertex : naive[k].edge,
+                           "%s slips %s", naive[k].name, at_vertex ? "at vertices" : "at edges");
+        }
+    slip_count c = slips(&m, triangle_hit_tolerant, false, n, 80);
+    check_equal(c.slips, 0, "a tolerance of 1e-5 stops the slips");
+    check_at_least(slip_hits(&m, triangle_hit_tolerant, false, n, 80), 1.99, "and a ray at an edge hits both neighbours");
+    check_at_most(slip_hits(&m, triangle_hit, false, n, 80), 1.1, "where the watertight test hits one, but for exact zeros");
+    icosphere_free(&m);
+    icosphere_free(&f);
+}
+
+/* Corners that are not floats would show that the compiler left a rounding out (gcc's SLP vectoriser). */
+static void test_float_mesh_is_float(void)
+{
+    icosphere f = icosphere_new(3, (vec3){1, 2, 3}, 1);
+    icosphere_f32(&f);
+    size_t wrong = 0;
+    for (uint32_t i = 0; i < f.vertices; i++) {
+        volatile float x = (float)f.v[i].x, y = (float)f.v[i].y, z = (float)f.v[i].z;
+        wrong += (double)x != (double)f.v[i].x || (double)y != (double)f.v[i].y || (double)z != (double)f.v[i].z;
+    }
+    check_equal(wrong, 0, "corners rounded to float are floats");
+    icosphere_free(&f);
+}
+
+static void test_icosphere(void)
+{
+    icosphere m = icosphere_new(4, (vec3){1, 2, 3}, 2);
+    check(m.triangles == 5120 && m.vertices == 2562 && m.edges == 7680, "20 * 4^4 triangles; V - E + F = 2");
+    size_t wrong = 0, five = 0;
+    double off = 0;
+    for (uint32_t i = 0; i < m.vertices; i++) {
+        five += m.fan[i].count == 5;
+        wrong += m.fan[i].count != 5 && m.fan[i].count != 6;
+        off = fmax(off, fabs((double)vlength(vsub(m.v[i], (vec3){1, 2, 3})) - 2));
+    }
+    check(wrong == 0 && five == 12, "12 vertices with five triangles, the others with six");
+    check_at_most(off, 8 * (double)real_epsilon, "vertices on the sphere: 2 eps of the unit vector, rounding at 5");
+    wrong = 0;
+    for (uint32_t e = 0; e < m.edges; e++)
+        wrong += m.edge[e].triangle[0] == no_shape || m.edge[e].triangle[1] == no_shape;
+    check_equal(wrong, 0, "every edge has two triangles: closed");
+    for (uint32_t i = 0; i < m.triangles; i++) {
+        triangle t = icosphere_triangle(&m, i);
+        wrong += !(vdot(triangle_normal(t), vsub(t.a, (vec3){1, 2, 3})) > 0);
+    }
+    check_equal(wrong, 0, "counter-clockwise seen from outside");
+    icosphere_free(&m);
+}
+
+int main(void)
+{
+    test_icosphere();
+    test_float_mesh_is_float();
+    test_no_slip_at_any_translation();
+    test_no_slip_at_any_size();
+    test_no_slip_between_slivers();
+    test_no_slip_on_a_lattice();
+    test_no_slip_from_outside();
+    test_naive_forms_slip();
+    return check_report("04_watertight");
+}
