@@ -131,7 +131,7 @@ static inline icosphere icosphere_new(int levels, vec3 centre, real radius)
     return m;
 }
 
-static inline vec3 rounded_f32(vec3 a) { return (vec3){(float)a.x, (float)a.y, (float)a.z}; }
+static inline vec3 rounded_f32(vec3 a) { return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z}; }
 
 static inline void icosphere_f32(icosphere *m)
 {
