@@ -1,9 +1,7 @@
-/* Tests of 04_triangle: plane, three hit tests, barycentrics; closed forms, an exact oracle, needles and
- * degenerate input. What happens at edges and vertices is in 04_watertight.c. */
+/* Tests of 04_triangle: plane, three hit tests, barycentrics; closed forms, an exact oracle,
+ * needles and degenerate input. What happens at edges and vertices is in 04_watertight.c. */
 #include "check.h"
-#include "../chapters/01_ray/wide.h"
-#include "../chapters/04_triangle/barycentrics.h"
-#include "../chapters/04_triangle/slips.h"
+#include "../chapters/04_triangle/needles.h"
 #include "../chapters/04_triangle/triangle_naive.h"
 
 #define eps ((double)real_epsilon)
@@ -14,17 +12,17 @@ static const struct { const char *name; triangle_method *hit; } methods[] = {
     {"watertight", triangle_hit}};
 enum { method_count = 3 };
 
-static vec3 random_vec3(random_stream *g, real s)
+static real random_integer(random_stream *g, int n)
 {
-    real x = slip_between(g, -s, s), y = slip_between(g, -s, s), z = slip_between(g, -s, s);
-    return (vec3){x, y, z};
+    return floor(random_next(g) * (real)(2 * n + 1)) - (real)n;
 }
-
-static real random_integer(random_stream *g, int n) { return floor(random_next(g) * (real)(2 * n + 1)) - (real)n; }
 
 /* A hit that no test produces: shows whether `out` was touched. */
 static const hit untouched = {-77, -77, -77, 77};
-static bool same_hit(hit a, hit b) { return a.t == b.t && a.u == b.u && a.v == b.v && a.shape == b.shape; }
+static bool same_hit(hit a, hit b)
+{
+    return a.t == b.t && a.u == b.u && a.v == b.v && a.shape == b.shape;
+}
 
 /* ---- plane ---- */
 
@@ -34,7 +32,8 @@ static void test_plane(void)
     plane_equation e = plane_equation_of(p);
     check(e.a == 0 && e.b == 0 && e.c == 2 && e.d == -6, "(x - p) . n = 0 is 2 z - 6 = 0");
     plane back = plane_of(e);
-    check(back.n.z == 2 && back.p.x == 0 && back.p.y == 0 && back.p.z == 3, "the point nearest to the origin");
+    check(back.n.z == 2 && back.p.x == 0 && back.p.y == 0 && back.p.z == 3,
+          "the point nearest to the origin");
     hit h = untouched;
     ray r = ray_from((vec3){5, 7, -1}, (vec3){1, 0, (real)0.5});
     check(plane_hit(p, r, &h) && h.t == 8, "z: -1 + t/2 = 3");
@@ -57,15 +56,16 @@ static void test_plane(void)
         ray_from((vec3){0, 0, -real_infinity}, (vec3){0, 0, 1})};
     for (size_t i = 0; i < sizeof never / sizeof *never; i++) {
         h = untouched;
-        check(!plane_hit(p, never[i], &h) && !plane_equation_hit(e, never[i], &h) && same_hit(h, untouched),
+        check(!plane_hit(p, never[i], &h) && !plane_equation_hit(e, never[i], &h)
+                  && same_hit(h, untouched),
               "ray %zu meets no plane z = 3", i);
     }
     r = ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1});
     check(!plane_hit((plane){{1, 2, 3}, {0, 0, 0}}, r, &h), "no normal, no plane");
 }
 
-/* Far from the origin the equation loses what the point keeps. Planes with a short normal through points
- * near p, |p| = 1e4, seen from a distance of some 1. */
+/* Far from the origin the equation loses what the point keeps. Planes with a short normal through
+ * points near p, |p| = 1e4, seen from a distance of some 1. */
 static void test_plane_far_away(void)
 {
     random_stream g = random_start(1, 0, 0);
@@ -76,7 +76,8 @@ static void test_plane_far_away(void)
         ray r = {vadd(far, random_vec3(&g, 1)), -real_infinity, random_vec3(&g, 1), real_infinity};
         if (fabs(vdot(vunit(p.n), vunit(r.d))) < (real)0.1) continue;
         wide3 normal = wide3_of(p.n);
-        wide t = wide_div(wide3_dot(wide3_sub(wide3_of(p.p), wide3_of(r.o)), normal), wide3_dot(wide3_of(r.d), normal));
+        wide t = wide_div(wide3_dot(wide3_sub(wide3_of(p.p), wide3_of(r.o)), normal),
+                          wide3_dot(wide3_of(r.d), normal));
         double size = (double)(vlength(vsub(p.p, r.o)) / vlength(r.d));
         hit h = hit_none;
         plane_hit(p, r, &h);
@@ -84,15 +85,22 @@ static void test_plane_far_away(void)
         plane_equation_hit(plane_equation_of(p), r, &h);
         worst_equation = fmax(worst_equation, fabs((double)h.t - wide_value(t)) / size);
     }
-    /* the difference of points is exact; dot products off by 2 eps |n||v| each, quotient over a cosine 0.1 */
+    /* the difference of points is exact; dot products off by 2 eps |n||v| each, quotient over a
+     * cosine 0.1 */
     check_at_most(worst, 50 * eps, "point and normal: t keeps its digits far from the origin");
-    check_at_least(worst_equation, 1e3 * eps, "a x + b y + c z + d = 0 loses three digits or more at 1e4");
+    check_at_least(worst_equation, 1e3 * eps,
+                   "a x + b y + c z + d = 0 loses three digits or more at 1e4");
 }
 
 /* ---- triangle: closed forms ---- */
 
-/* A dyadic triangle and rays for which t, u, v are dyadic: every method must be exact. All rotations of
- * the axes, both directions, both orders of the corners. */
+/* A dyadic triangle and rays for which t, u, v are dyadic: every method must be exact. All
+ * rotations of the axes, both directions, both orders of the corners. */
+static vec3 turned_by(int axis, vec3 p)
+{
+    return axis == 0 ? p : axis == 1 ? (vec3){p.y, p.z, p.x} : (vec3){p.z, p.x, p.y};
+}
+
 static void test_exact_hits(void)
 {
     const struct { vec3 o, d; real t, u, v; } c[] = {
@@ -104,20 +112,25 @@ static void test_exact_hits(void)
     for (int k = 0; k < method_count; k++)
         for (int axis = 0; axis < 3; axis++)
             for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-#define turned(p) (axis == 0 ? (p) : axis == 1 ? (vec3){(p).y, (p).z, (p).x} : (vec3){(p).z, (p).x, (p).y})
-                triangle t = {turned(flat.a), turned(flat.b), turned(flat.c)};
-                ray r = ray_from(turned(c[i].o), turned(c[i].d));
+                triangle t = {turned_by(axis, flat.a), turned_by(axis, flat.b),
+                              turned_by(axis, flat.c)};
+                ray r = ray_from(turned_by(axis, c[i].o), turned_by(axis, c[i].d));
                 hit h = untouched;
-                check(methods[k].hit(t, r, &h) && h.t == c[i].t && h.u == c[i].u && h.v == c[i].v && h.shape == 0,
-                      "%s, axis %d, case %zu: t u v %g %g %g", methods[k].name, axis, i, (double)h.t, (double)h.u, (double)h.v);
-                check(methods[k].hit((triangle){t.a, t.c, t.b}, r, &h) && h.t == c[i].t && h.u == c[i].v && h.v == c[i].u,
+                check(methods[k].hit(t, r, &h) && h.t == c[i].t && h.u == c[i].u && h.v == c[i].v
+                          && h.shape == 0,
+                      "%s, axis %d, case %zu: t u v %g %g %g", methods[k].name, axis, i,
+                      (double)h.t, (double)h.u, (double)h.v);
+                check(methods[k].hit((triangle){t.a, t.c, t.b}, r, &h) && h.t == c[i].t
+                          && h.u == c[i].v && h.v == c[i].u,
                       "%s: the same from behind, u and v change places", methods[k].name);
                 r.tmin = r.tmax = c[i].t;
                 check(methods[k].hit(t, r, &h), "%s: the interval is closed", methods[k].name);
                 r.tmin = c[i].t * (1 + real_epsilon), r.tmax = real_infinity, h = untouched;
-                check(!methods[k].hit(t, r, &h) && same_hit(h, untouched), "%s: before tmin, out untouched", methods[k].name);
+                check(!methods[k].hit(t, r, &h) && same_hit(h, untouched),
+                      "%s: before tmin, out untouched", methods[k].name);
                 r.tmin = 0, r.tmax = c[i].t * (1 - real_epsilon);
-                check(!methods[k].hit(t, r, &h) && same_hit(h, untouched), "%s: behind tmax, out untouched", methods[k].name);
+                check(!methods[k].hit(t, r, &h) && same_hit(h, untouched),
+                      "%s: behind tmax, out untouched", methods[k].name);
             }
 }
 
@@ -125,34 +138,26 @@ static void test_exact_hits(void)
 static void test_border_is_inside(void)
 {
     triangle t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-    const struct { real x, y; bool inside; } c[] = {{0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {2, 0, 1}, {0, 2, 1}, {2, 2, 1},
-        {2, (real)-0.25, 0}, {(real)-0.25, 2, 0}, {2, (real)2.25, 0}, {5, 0, 0}, {0, 5, 0}, {-1, -1, 0}};
+    const struct {
+        real x, y;
+        bool inside;
+    } c[] = {{0, 0, 1},          {4, 0, 1}, {0, 4, 1},           {2, 0, 1},
+             {0, 2, 1},          {2, 2, 1}, {2, (real)-0.25, 0}, {(real)-0.25, 2, 0},
+             {2, (real)2.25, 0}, {5, 0, 0}, {0, 5, 0},           {-1, -1, 0}};
     for (int k = 0; k < method_count; k++)
         for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
             hit h = untouched;
             bool got = methods[k].hit(t, ray_from((vec3){c[i].x, c[i].y, 8}, (vec3){0, 0, -1}), &h);
-            check(got == c[i].inside && (got || same_hit(h, untouched)), "%s at (%g, %g)", methods[k].name, (double)c[i].x, (double)c[i].y);
+            check(got == c[i].inside && (got || same_hit(h, untouched)), "%s at (%g, %g)",
+                  methods[k].name, (double)c[i].x, (double)c[i].y);
         }
 }
 
 /* ---- triangle: exact oracle ---- */
 
-typedef struct { double t, u, v, w, cosine; } exact_hit;
-
-/* (4.8) in double-double: 30 digits, from the very numbers that the methods get. */
-static exact_hit exactly(triangle tri, ray r)
-{
-    wide3 a = wide3_of(tri.a), d = wide3_of(r.d);
-    wide3 e1 = wide3_sub(wide3_of(tri.b), a), e2 = wide3_sub(wide3_of(tri.c), a), s = wide3_sub(wide3_of(r.o), a);
-    wide3 p = wide3_cross(d, e2), q = wide3_cross(s, e1);
-    wide det = wide3_dot(e1, p), u = wide_div(wide3_dot(s, p), det), v = wide_div(wide3_dot(d, q), det);
-    double area = wide_value(wide3_length(wide3_cross(e1, e2))), length = wide_value(wide3_length(d));
-    return (exact_hit){wide_value(wide_div(wide3_dot(e2, q), det)), wide_value(u), wide_value(v),
-                       wide_value(wide_sub(wide_sub(wide_of(1), u), v)), fabs(wide_value(det)) / (area * length)};
-}
-
-/* Random triangles and rays: no method may be wrong where the answer is clear. u and v are off by the
- * rounding of coordinates of size 10 over the height of the triangle, 0.1 at least, over a cosine of 0.1. */
+/* Random triangles and rays: no method may be wrong where the answer is clear. u and v are off by
+ * the rounding of coordinates of size 10 over the height of the triangle, 0.1 at least, over a
+ * cosine of 0.1. */
 static void test_random_against_oracle(void)
 {
     random_stream g = random_start(2, 0, 0);
@@ -161,12 +166,16 @@ static void test_random_against_oracle(void)
     double error[method_count] = {0}, error_uv[method_count] = {0}, beyond = 0;
     for (size_t i = 0, n = check_count(200000); i < n; i++) {
         triangle tri = {random_vec3(&g, 2), random_vec3(&g, 2), random_vec3(&g, 2)};
-        real u = slip_between(&g, (real)-0.2, (real)1.2), v = slip_between(&g, (real)-0.2, (real)1.2);
+        real u = slip_between(&g, (real)-0.2, (real)1.2),
+             v = slip_between(&g, (real)-0.2, (real)1.2);
         vec3 o = random_vec3(&g, 5);
-        ray r = ray_from(o, vscale(vsub(triangle_at(tri, u, v), o), ldexp((real)1, (int)random_integer(&g, 8))));
-        exact_hit x = exactly(tri, r);
+        ray r = ray_from(o, vscale(vsub(triangle_at(tri, u, v), o),
+                                   ldexp((real)1, (int)random_integer(&g, 8))));
+        exact_hit x = triangle_exactly(tri, r);
         vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a);
-        double height = (double)(vlength(vcross(e1, e2)) / real_max(vlength(e1), real_max(vlength(e2), vlength(vsub(e2, e1)))));
+        double height =
+            (double)(vlength(vcross(e1, e2))
+                     / real_max(vlength(e1), real_max(vlength(e2), vlength(vsub(e2, e1)))));
         if (!(x.cosine > 0.1 && height > 0.1)) continue;
         if (fmin(fmin(fabs(x.u), fabs(x.v)), fabs(x.w)) < margin) continue;
         bool due = x.t >= 0 && x.u > 0 && x.v > 0 && x.w > 0;
@@ -182,7 +191,8 @@ static void test_random_against_oracle(void)
             ray_shear s = shear_of(r);
             hit a = untouched, b = untouched;
             different += !triangle_hit_sheared(tri, &s, r, &a) || !same_hit(a, h)
-                       || !triangle_hit_corners(&tri.a, &tri.b, &tri.c, &s, r, &b) || !same_hit(b, h);
+                         || !triangle_hit_corners(&tri.a, &tri.b, &tri.c, &s, r, &b)
+                         || !same_hit(b, h);
         }
     }
     check_at_least((double)clear, 0.4 * (double)check_count(200000), "most cases are clear");
@@ -195,55 +205,25 @@ static void test_random_against_oracle(void)
     check_equal(different, 0, "triangle_hit, _sheared and _corners agree to the last bit");
 }
 
-/* A needle of length 1 from anywhere to anywhere, and a ray at its inside from some distance. */
-static triangle needle(random_stream *g, real width, ray *r)
-{
-    vec3 a = random_vec3(g, 1), along = vunit(random_vec3(g, 1)), across, unused;
-    vbasis(along, &across, &unused);
-    triangle tri = {a, vadd(a, along), vadd(vmadd(a, along, random_next(g)), vscale(across, width))};
-    vec3 o = random_vec3(g, 3);
-    real u = slip_between(g, (real)0.2, (real)0.4), v = slip_between(g, (real)0.2, (real)0.4);
-    *r = ray_from(o, vsub(triangle_at(tri, u, v), o));
-    return tri;
-}
-
-/* Needles of length 1: the floor for t is 1e-9 at a width of 1e-6 in double, that is 4.5e6 eps; the
- * condition of the problem is 1/width, so other widths scale. Where the width is below the
- * rounding of the coordinates, nothing is left to be right: then only NaN and slips are ruled out. */
+/* The floor for t is 1e-9 at a width of 1e-6 in double, that is 4.5 eps / width; the condition of
+ * the problem is 1/width, so other widths scale. Widths near the rounding of the coordinates are
+ * left out. */
 static void test_needles(void)
 {
     for (double width = 1e-1; width > 1e3 * eps; width /= 10) {
-        random_stream g = random_start(3, 0, 0);
-        double worst = 0;
-        size_t missed = 0, due = 0;
-        for (size_t i = 0, n = check_count(5000); i < n; i++) {
-            ray r;
-            triangle tri = needle(&g, (real)width, &r);
-            exact_hit x = exactly(tri, r);
-            if (!(x.cosine > 0.1 && fmin(fmin(x.u, x.v), x.w) > 0.1)) continue;
-            hit h = hit_none;
-            due++, missed += !triangle_hit(tri, r, &h);
-            worst = fmax(worst, fabs((double)h.t - x.t) / x.t);
-        }
-        check_at_most(worst, 4.5 * eps / width, "t of a needle of width %.0e", width);
-        check_equal(missed, 0, "no needle of width %.0e missed, of %zu", width, due);
+        needle_count n = needles(triangle_hit, width, check_count(5000), 3);
+        check_at_most(n.error, 4.5 * eps / width, "t of a needle of width %.0e", width);
+        check_equal(n.missed, 0, "no needle of width %.0e missed, of %zu", width, n.due);
     }
 }
 
 /* Float at a needle of width 1e-6: the exhibit of the README. */
 static void test_naive_needles(void)
 {
-    random_stream g = random_start(4, 0, 0);
-    size_t bad = 0, n = check_count(5000), due = 0;
-    for (size_t i = 0; i < n; i++) {
-        ray r;
-        triangle tri = needle(&g, (real)1e-6, &r);
-        exact_hit x = exactly(tri, r);
-        if (!(x.cosine > 0.1 && fmin(fmin(x.u, x.v), x.w) > 0.1)) continue;
-        hit h;
-        due++, bad += !triangle_hit_moller_trumbore_f32(tri, r, &h) || fabs((double)h.t - x.t) > 1e-3 * x.t;
-    }
-    check_at_least((double)bad, 0.3 * (double)due, "Möller-Trumbore in float: missed, or t off by over 1e-3");
+    needle_count n = needles(triangle_hit_moller_trumbore_f32, 1e-6, check_count(5000), 3);
+    check_at_least((double)n.missed, 0.01 * (double)n.due,
+                   "Möller-Trumbore in float misses needles");
+    check_at_least(n.error, 0.1, "and t is off by a tenth or more");
 }
 
 /* Two triangles of an icosphere and a ray aimed at their common edge: if both report it, they must
@@ -270,8 +250,8 @@ static void test_both_sides_of_an_edge_agree(void)
 
 /* ---- degenerate ---- */
 
-/* Corners that coincide or lie on a line, with integer coordinates, so that they do so exactly; rays
- * aimed at them from anywhere, and from integer points along integer directions. */
+/* Corners that coincide or lie on a line, with integer coordinates, so that they do so exactly;
+ * rays aimed at them from anywhere, and from integer points along integer directions. */
 static void test_no_area_no_hit(void)
 {
     random_stream g = random_start(6, 0, 0);
@@ -294,40 +274,60 @@ static void test_no_area_no_hit(void)
     }
     check_equal(hits, 0, "a triangle without area is never hit, of %zu rays aimed at it", n);
     check_equal(length, 0, "and has no normal");
-    check_at_least((double)naive, 0.005 * (double)n, "Möller-Trumbore hits some: its det is a rounding error");
+    check_at_least((double)naive, 0.005 * (double)n,
+                   "Möller-Trumbore hits some: its det is a rounding error");
 }
 
-/* A ray in the plane of the triangle: an answer either way, but t within the corners' reach, no NaN. */
+/* A ray in the plane of the triangle: an answer either way, but t within the corners' reach, no
+ * NaN. */
 static void test_edge_on(void)
 {
     triangle t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     hit h;
-    check(!triangle_hit(t, ray_from((vec3){-1, 1, 0}, (vec3){1, 0, 0}), &h), "exactly edge-on, along an axis");
-    check(!triangle_hit(t, ray_from((vec3){-1, -1, 0}, (vec3){1, 1, 0}), &h), "exactly edge-on, along a diagonal");
+    check(!triangle_hit(t, ray_from((vec3){-1, 1, 0}, (vec3){1, 0, 0}), &h),
+          "exactly edge-on, along an axis");
+    check(!triangle_hit(t, ray_from((vec3){-1, -1, 0}, (vec3){1, 1, 0}), &h),
+          "exactly edge-on, along a diagonal");
     check(!triangle_hit(t, ray_from((vec3){-1, 0, 0}, (vec3){1, 0, 0}), &h), "along its edge");
     random_stream g = random_start(7, 0, 0);
     size_t wrong = 0, some = 0;
     for (size_t i = 0, n = check_count(200000); i < n; i++) {
         triangle q = {random_vec3(&g, 1), random_vec3(&g, 1), random_vec3(&g, 1)};
-        vec3 o = triangle_at(q, -2, -3), p = triangle_at(q, random_next(&g) / 2, random_next(&g) / 2);
+        vec3 o = triangle_at(q, -2, -3),
+             p = triangle_at(q, random_next(&g) / 2, random_next(&g) / 2);
         ray r = ray_from(o, vsub(p, o));
         if (!triangle_hit(q, r, &h)) continue;
         int k = vlongest(r.d);  /* on this axis P(t) lies between the corners */
-        real ta = (vaxis(q.a, k) - vaxis(o, k)) / vaxis(r.d, k), tb = (vaxis(q.b, k) - vaxis(o, k)) / vaxis(r.d, k);
-        real tc = (vaxis(q.c, k) - vaxis(o, k)) / vaxis(r.d, k), slack = 8 * real_epsilon * real_max(ta, real_max(tb, tc));
-        wrong += !(h.t >= real_min(ta, real_min(tb, tc)) - slack && h.t <= real_max(ta, real_max(tb, tc)) + slack)
-              || !(h.u >= 0 && h.v >= 0 && h.u + h.v <= 1 + 2 * real_epsilon);
+        real ta = (vaxis(q.a, k) - vaxis(o, k)) / vaxis(r.d, k),
+             tb = (vaxis(q.b, k) - vaxis(o, k)) / vaxis(r.d, k);
+        real tc = (vaxis(q.c, k) - vaxis(o, k)) / vaxis(r.d, k),
+             slack = 8 * real_epsilon * real_max(ta, real_max(tb, tc));
+        wrong += !(h.t >= real_min(ta, real_min(tb, tc)) - slack
+                   && h.t <= real_max(ta, real_max(tb, tc)) + slack)
+                 || !(h.u >= 0 && h.v >= 0 && h.u + h.v <= 1 + 2 * real_epsilon);
         some++;
     }
-    check_equal(wrong, 0, "edge-on to within rounding: t between those of the corners, weights of a point inside");
+    check_equal(
+        wrong, 0,
+        "edge-on to within rounding: t between those of the corners, weights of a point inside");
     check_at_least((double)some, 100, "and some of them do hit, by rounding");
 }
 
 /* NaN, infinities, zeros and extremes in every place of the input: no hit with a NaN in it. */
 static void test_no_nan(void)
 {
-    const real odd[] = {0, (real)-0.0, 1, -1, (real)NAN, real_infinity, -real_infinity, real_smallest, real_largest, -real_largest,
-                        real_smallest * real_epsilon, (real)0.5};
+    const real odd[] = {0,
+                        (real)-0.0,
+                        1,
+                        -1,
+                        (real)NAN,
+                        real_infinity,
+                        -real_infinity,
+                        real_smallest,
+                        real_largest,
+                        -real_largest,
+                        real_smallest * real_epsilon,
+                        (real)0.5};
     const size_t kinds = sizeof odd / sizeof *odd;
     random_stream g = random_start(8, 0, 0);
     size_t bad = 0, touched = 0, bad_plane = 0;
@@ -339,7 +339,8 @@ static void test_no_nan(void)
         }
         triangle t = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
         ray r = {{x[9], x[10], x[11]}, -real_infinity, {x[12], x[13], x[14]}, real_infinity};
-        if (i % 3 == 0) t = (triangle){{-1, -1, 2}, {1, -1, 2}, {0, 2, 2}};  /* so that the ray alone is odd */
+        if (i % 3 == 0)
+            t = (triangle){{-1, -1, 2}, {1, -1, 2}, {0, 2, 2}}; /* so that the ray alone is odd */
         hit h = untouched;
         if (triangle_hit(t, r, &h)) bad += !(isfinite(h.t) && isfinite(h.u) && isfinite(h.v));
         else touched += !same_hit(h, untouched);
@@ -363,10 +364,10 @@ static void test_no_nan(void)
     check(triangle_hit(t, r, &h) && h.t == 4, "-0.0 in a direction is 0");
 }
 
-/* Triangles seen along +z from the origin, with corners a few ulps off the diagonal: x and y are their
- * coordinates in the frame of the ray, unrounded. The exact signs come from double-double products. Plain
- * products cancel to three zeros for many of them; the answer must still be right: never a miss of
- * one that contains the ray, edges included, and has area. */
+/* Triangles seen along +z from the origin, with corners a few ulps off the diagonal: x and y are
+ * their coordinates in the frame of the ray, unrounded. The exact signs come from double-double
+ * products. Plain products cancel to three zeros for many of them; the answer must still be right:
+ * never a miss of one that contains the ray, edges included, and has area. */
 static void test_exact_signs(void)
 {
     random_stream g = random_start(9, 0, 0);
@@ -376,29 +377,34 @@ static void test_exact_signs(void)
         for (int k = 0; k < 3; k++) {
             real s = slip_between(&g, -1, 1);
             s = floor(s * 1024) / 1024;
-            x[k] = s * (1 + random_integer(&g, 3) * real_epsilon), y[k] = s * (1 + random_integer(&g, 3) * real_epsilon);
+            x[k] = s * (1 + random_integer(&g, 3) * real_epsilon),
+            y[k] = s * (1 + random_integer(&g, 3) * real_epsilon);
         }
         int sign[3], zeros = 0;
         for (int k = 0; k < 3; k++) {
             int p = (k + 2) % 3, q = (k + 1) % 3;
-            sign[k] = wide_sign(wide_sub(wide_product((double)x[p], (double)y[q]), wide_product((double)y[p], (double)x[q])));
+            sign[k] = wide_sign(wide_sub(wide_product((double)x[p], (double)y[q]),
+                                         wide_product((double)y[p], (double)x[q])));
             zeros += x[p] * y[q] - y[p] * x[q] == 0;
         }
-        bool inside = (sign[0] >= 0 && sign[1] >= 0 && sign[2] >= 0) || (sign[0] <= 0 && sign[1] <= 0 && sign[2] <= 0);
+        bool inside = (sign[0] >= 0 && sign[1] >= 0 && sign[2] >= 0)
+                      || (sign[0] <= 0 && sign[1] <= 0 && sign[2] <= 0);
         bool area = sign[0] || sign[1] || sign[2];
         hit h;
         ray r = ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1});
-        bool got = triangle_hit((triangle){{x[0], y[0], 1}, {x[1], y[1], 1}, {x[2], y[2], 2}}, r, &h);
+        bool got =
+            triangle_hit((triangle){{x[0], y[0], 1}, {x[1], y[1], 1}, {x[2], y[2], 2}}, r, &h);
         missed += inside && area && !got;
         if (zeros == 3) all_zero += inside && area, wrong += got != (inside && area);
     }
     check_equal(missed, 0, "slivers that contain the ray are hit");
-    check_at_least((double)all_zero, 0.0003 * (double)check_count(500000), "some of them by their exact signs alone");
+    check_at_least((double)all_zero, 0.0003 * (double)check_count(500000),
+                   "some of them by their exact signs alone");
     check_equal(wrong, 0, "where plain products are all zero, the answer is the exact one");
 }
 
-/* The other half of the argument for watertightness, in plain sight: swapping the corners of an edge
- * negates its function exactly. A contracted multiply-add breaks this. */
+/* The other half of the argument for watertightness, in plain sight: swapping the corners of an
+ * edge negates its function exactly. A contracted multiply-add breaks this. */
 static void test_edge_functions_are_antisymmetric(void)
 {
     random_stream g = random_start(10, 0, 0);
@@ -407,7 +413,8 @@ static void test_edge_functions_are_antisymmetric(void)
         vec3 a = random_vec3(&g, 1), b = vmadd(a, random_vec3(&g, 1), 16 * real_epsilon);
         real forth = b.x * a.y - b.y * a.x, back = a.x * b.y - a.y * b.x;
         wrong += forth != -back;
-        wrong += (difference_of_products(b.x, a.y, b.y, a.x) > 0) != (difference_of_products(a.x, b.y, a.y, b.x) < 0);
+        wrong += (difference_of_products(b.x, a.y, b.y, a.x) > 0)
+                 != (difference_of_products(a.x, b.y, a.y, b.x) < 0);
     }
     check_equal(wrong, 0, "edge function of P Q is minus that of Q P (needs -ffp-contract=off)");
 }
@@ -432,11 +439,14 @@ static void test_barycentrics(void)
     barycentrics k = barycentrics_of(t, (vec3){1, 2, 1});
     check(k.w == (real)0.25 && k.u == (real)0.25 && k.v == (real)0.5, "weights of a point");
     k = barycentrics_of(t, (vec3){1, 2, 9});
-    check(k.w == (real)0.25 && k.u == (real)0.25 && k.v == (real)0.5, "a point off the plane: of its foot");
+    check(k.w == (real)0.25 && k.u == (real)0.25 && k.v == (real)0.5,
+          "a point off the plane: of its foot");
     k = barycentrics_of(t, (vec3){6, 6, 1});
-    check(barycentrics_sum(k) == 1 && !barycentrics_inside(k) && k.w == -2, "outside: they sum to one all the same");
+    check(barycentrics_sum(k) == 1 && !barycentrics_inside(k) && k.w == -2,
+          "outside: they sum to one all the same");
     vec3 a = triangle_at(t, 0, 0), b = triangle_at(t, 1, 0), c = triangle_at(t, 0, 1);
-    check(vzero(vsub(a, t.a)) && vzero(vsub(b, t.b)) && vzero(vsub(c, t.c)), "corners are met exactly");
+    check(vzero(vsub(a, t.a)) && vzero(vsub(b, t.b)) && vzero(vsub(c, t.c)),
+          "corners are met exactly");
     k = barycentrics_of((triangle){{1, 1, 1}, {1, 1, 1}, {2, 2, 2}}, (vec3){1, 1, 1});
     check(!barycentrics_inside(k), "no area, no inside");
 
@@ -451,9 +461,11 @@ static void test_barycentrics(void)
         k = barycentrics_of(q, triangle_at(q, u, v));
         used++, outside += !barycentrics_inside(k);
         worst_sum = fmax(worst_sum, fabs((double)barycentrics_sum(k) - 1));
-        worst_back = fmax(worst_back, fmax(fabs((double)k.u - (double)u), fabs((double)k.v - (double)v)));
+        worst_back =
+            fmax(worst_back, fmax(fabs((double)k.u - (double)u), fabs((double)k.v - (double)v)));
     }
-    /* coordinates up to 30, products with edges up to 3.5 and |n| up to 6, over |n|^2 >= 1/4: some 300 eps each */
+    /* coordinates up to 30, products with edges up to 3.5 and |n| up to 6, over |n|^2 >= 1/4: some
+     * 300 eps each */
     check_at_most(worst_sum, 1000 * eps, "weights sum to one for every point of the plane");
     check_at_least((double)outside, 0.9 * (double)used, "though most of these points are outside");
     check_at_most(worst_back, 1000 * eps, "u, v of the point of u, v");
@@ -476,7 +488,8 @@ static void test_absolute_determinant(void)
         }
         check_at_least((double)lost, (k == 3 ? 0.002 : k == 4 ? 0.5 : 0.95) * (double)n,
                        "|det| < 1e-8 loses triangles of size 1e-%d", k);
-        check_at_most((double)missed, 0.001 * (double)n, "compared with zero, none is lost but at rounding");
+        check_at_most((double)missed, 0.001 * (double)n,
+                      "compared with zero, none is lost but at rounding");
     }
 }
 

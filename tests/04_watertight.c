@@ -1,15 +1,18 @@
-/* Tests of 04_triangle: rays aimed at edges and vertices of closed meshes. The naive forms must slip,
- * triangle_hit must not, not once. */
+/* Tests of 04_triangle: rays aimed at edges and vertices of closed meshes. The naive forms must
+ * slip, triangle_hit must not, not once. */
 #include "check.h"
 #include "../common/parallel.h"
 #include "../chapters/04_triangle/slips.h"
 #include "../chapters/04_triangle/triangle_naive.h"
 
-/* The translations are as large as the real can take: the mesh must keep its shape on the lattice of
- * the reals around it. */
+/* The translations are as large as the real can take: the mesh must keep its shape on the lattice
+ * of the reals around it. */
 enum { places = 4 };
-static const vec3 place[places] = {{0, 0, 0}, {1000, 0, 0}, {100000, -30000, 7000},
-                                   {(real)(sizeof(real) == 4 ? 16384 : 1e9), (real)(sizeof(real) == 4 ? 9000 : -1e9), 3}};
+static const vec3 place[places] = {{0, 0, 0},
+                                   {1000, 0, 0},
+                                   {100000, -30000, 7000},
+                                   {(real)(sizeof(real) == 4 ? 16384 : 1e9),
+                                    (real)(sizeof(real) == 4 ? 9000 : -1e9), 3}};
 
 static void count_at_place(size_t i, void *context)
 {
@@ -25,18 +28,21 @@ static void test_no_slip_at_any_translation(void)
     check(parallel_for(2 * places, 0, "rays", count_at_place, n), "all rays were shot");
     for (int i = 0; i < 2 * places; i++) {
         double x = (double)place[i / 2].x;
-        check_equal(n[i].slips, 0, "T = (%g, ..): %zu rays aimed at %s", x, n[i].rays, i % 2 ? "vertices" : "edges");
+        check_equal(n[i].slips, 0, "T = (%g, ..): %zu rays aimed at %s", x, n[i].rays,
+                    i % 2 ? "vertices" : "edges");
         /* the aimed point is off the edge by half an ulp of its coordinates, some eps |T|; slopes
          * of the facets against the ray, at most some 3, turn that into an error of t */
-        check_at_most(n[i].error, 8 * (double)real_epsilon * (1 + fabs(x)), "t of the aimed point is 1");
+        check_at_most(n[i].error, 8 * (double)real_epsilon * (1 + fabs(x)),
+                      "t of the aimed point is 1");
     }
 }
 
-/* The same by the size of the mesh: nothing is compared with a fixed number, and the products of the
- * coordinates, which under- or overflow here, are rescued. */
+/* The same by the size of the mesh: nothing is compared with a fixed number, and the products of
+ * the coordinates, which under- or overflow here, are rescued. */
 static void test_no_slip_at_any_size(void)
 {
-    const double sizes[2][6] = {{1e-300, 1e-200, 1e-160, 1e5, 1e160, 1e300}, {1e-35, 1e-25, 1e-18, 1e5, 1e18, 1e35}};
+    const double sizes[2][6] = {{1e-300, 1e-200, 1e-160, 1e5, 1e160, 1e300},
+                                {1e-35, 1e-25, 1e-18, 1e5, 1e18, 1e35}};
     for (int k = 0; k < 6; k++) {
         real size = (real)sizes[real_is_float][k];
         icosphere m = icosphere_new(3, (vec3){0, 0, 0}, size);
@@ -44,15 +50,17 @@ static void test_no_slip_at_any_size(void)
             slip_count n = slips(&m, triangle_hit, at_vertex, check_count(100000), 50);
             check_equal(n.slips, 0, "size %g: %zu rays aimed at %s", (double)size, n.rays,
                         at_vertex ? "vertices" : "edges");
-            check_at_most(n.error, 8 * (double)real_epsilon, "t of the aimed point is 1 at size %g", (double)size);
+            check_at_most(n.error, 8 * (double)real_epsilon, "t of the aimed point is 1 at size %g",
+                          (double)size);
         }
         icosphere_free(&m);
     }
 }
 
-/* Closed meshes of slivers: corners snapped to a lattice, so that many fall together and many triangles
- * become lines, then moved by up to `ulps` half ulps, so that the lines are slivers 1e-13 wide. The map
- * of the sphere stays in one piece and goes round the origin once: a hit is due. */
+/* Closed meshes of slivers: corners snapped to a lattice, so that many fall together and many
+ * triangles become lines, then moved by up to `ulps` half ulps, so that the lines are slivers
+ * 1e-13 wide. The map of the sphere stays in one piece and goes round the origin once: a hit is
+ * due. */
 static icosphere sliver_sphere(int ulps, uint64_t seed)
 {
     icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
@@ -60,7 +68,8 @@ static icosphere sliver_sphere(int ulps, uint64_t seed)
     for (uint32_t i = 0; i < m.vertices; i++) {
         real p[3] = {m.v[i].x, m.v[i].y, m.v[i].z};
         for (int k = 0; k < 3; k++)
-            p[k] = floor(4 * p[k] + (real)0.5) / 4 + floor(slip_between(&g, (real)-ulps, (real)ulps)) * real_epsilon / 2;
+            p[k] = floor(4 * p[k] + (real)0.5) / 4
+                   + floor(slip_between(&g, (real)-ulps, (real)ulps)) * real_epsilon / 2;
         m.v[i] = (vec3){p[0], p[1], p[2]};
     }
     return m;
@@ -72,7 +81,8 @@ static void test_no_slip_between_slivers(void)
         icosphere m = sliver_sphere(1000, seed);
         for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
             slip_count n = slips(&m, triangle_hit, at_vertex, check_count(100000), 60 + seed);
-            check_equal(n.slips, 0, "slivers, %zu rays aimed at %s", n.rays, at_vertex ? "vertices" : "edges");
+            check_equal(n.slips, 0, "slivers, %zu rays aimed at %s", n.rays,
+                        at_vertex ? "vertices" : "edges");
         }
         icosphere_free(&m);
     }
@@ -83,8 +93,9 @@ static void test_no_slip_between_slivers(void)
 static void test_no_slip_on_a_lattice(void)
 {
     vec3 v[8];
-    static const int face[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    static const int face[12][3] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                                    {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                    {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     for (int i = 0; i < 8; i++)
         v[i] = (vec3){i & 1 ? 4 : -4, i & 2 ? 4 : -4, i & 4 ? 4 : -4};
     size_t slipped = 0, rays = 0;
@@ -99,11 +110,14 @@ static void test_no_slip_on_a_lattice(void)
                 any = triangle_hit((triangle){v[face[i][0]], v[face[i][1]], v[face[i][2]]}, r, &h);
             rays++, slipped += !any;
         }
-    check_equal(slipped, 0, "cube of integers, %zu rays along integer directions, zeros and diagonals included", rays);
+    check_equal(slipped, 0,
+                "cube of integers, %zu rays along integer directions, zeros and diagonals included",
+                rays);
 }
 
-/* A box is thin for a ray from its outside: whoever aims at a vertex of a closed mesh from outside and
- * passes inside the silhouette must hit something, too. Here: the vertex nearest to the origin of the ray. */
+/* A box is thin for a ray from its outside: whoever aims at a vertex of a closed mesh from outside
+ * and passes inside the silhouette must hit something, too. Here: the vertex nearest to the origin
+ * of the ray. */
 static void test_no_slip_from_outside(void)
 {
     icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
@@ -137,13 +151,16 @@ static void test_naive_forms_slip(void)
         }
     slip_count c = slips(&m, triangle_hit_tolerant, false, n, 80);
     check_equal(c.slips, 0, "a tolerance of 1e-5 stops the slips");
-    check_at_least(slip_hits(&m, triangle_hit_tolerant, false, n, 80), 1.99, "and a ray at an edge hits both neighbours");
-    check_at_most(slip_hits(&m, triangle_hit, false, n, 80), 1.1, "where the watertight test hits one, but for exact zeros");
+    check_at_least(slip_hits(&m, triangle_hit_tolerant, false, n, 80), 1.99,
+                   "and a ray at an edge hits both neighbours");
+    check_at_most(slip_hits(&m, triangle_hit, false, n, 80), 1.1,
+                  "where the watertight test hits one, but for exact zeros");
     icosphere_free(&m);
     icosphere_free(&f);
 }
 
-/* Corners that are not floats would show that the compiler left a rounding out (gcc's SLP vectoriser). */
+/* Corners that are not floats would show that the compiler left a rounding out (gcc's SLP
+ * vectoriser). */
 static void test_float_mesh_is_float(void)
 {
     icosphere f = icosphere_new(3, (vec3){1, 2, 3}, 1);
@@ -151,7 +168,8 @@ static void test_float_mesh_is_float(void)
     size_t wrong = 0;
     for (uint32_t i = 0; i < f.vertices; i++) {
         volatile float x = (float)f.v[i].x, y = (float)f.v[i].y, z = (float)f.v[i].z;
-        wrong += (double)x != (double)f.v[i].x || (double)y != (double)f.v[i].y || (double)z != (double)f.v[i].z;
+        wrong += (double)x != (double)f.v[i].x || (double)y != (double)f.v[i].y
+                 || (double)z != (double)f.v[i].z;
     }
     check_equal(wrong, 0, "corners rounded to float are floats");
     icosphere_free(&f);
@@ -160,7 +178,8 @@ static void test_float_mesh_is_float(void)
 static void test_icosphere(void)
 {
     icosphere m = icosphere_new(4, (vec3){1, 2, 3}, 2);
-    check(m.triangles == 5120 && m.vertices == 2562 && m.edges == 7680, "20 * 4^4 triangles; V - E + F = 2");
+    check(m.triangles == 5120 && m.vertices == 2562 && m.edges == 7680,
+          "20 * 4^4 triangles; V - E + F = 2");
     size_t wrong = 0, five = 0;
     double off = 0;
     for (uint32_t i = 0; i < m.vertices; i++) {
@@ -169,7 +188,8 @@ static void test_icosphere(void)
         off = fmax(off, fabs((double)vlength(vsub(m.v[i], (vec3){1, 2, 3})) - 2));
     }
     check(wrong == 0 && five == 12, "12 vertices with five triangles, the others with six");
-    check_at_most(off, 8 * (double)real_epsilon, "vertices on the sphere: 2 eps of the unit vector, rounding at 5");
+    check_at_most(off, 8 * (double)real_epsilon,
+                  "vertices on the sphere: 2 eps of the unit vector, rounding at 5");
     wrong = 0;
     for (uint32_t e = 0; e < m.edges; e++)
         wrong += m.edge[e].triangle[0] == no_shape || m.edge[e].triangle[1] == no_shape;

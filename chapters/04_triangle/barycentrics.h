@@ -7,9 +7,9 @@
  *         / _-P-_ \        measured along the normal n of the triangle, so that the sign tells on
  *        a---------b       which side of the edge P lies (v belongs to a b, w to b c, u to c a).
  *
- *   barycentrics k = barycentrics_of(tri, p);   three areas; p off the plane: of its foot on the plane
+ *   barycentrics k = barycentrics_of(tri, p);   three areas; p off the plane: of its foot
  *   if (barycentrics_inside(k)) ...             no weight is negative
- *   vec3 p = triangle_at(tri, u, v);            the point; lies on the triangle within some epsilon,
+ *   vec3 p = triangle_at(tri, u, v);            the point: on the triangle within some epsilon,
  *                                               however far away the origin of the ray was
  *   vec3 n = barycentric_mix(na, nb, nc, u, v); any value given at the corners: a colour, a normal
  *
@@ -27,7 +27,7 @@
 
 typedef struct { real w, u, v; } barycentrics;  /* of a, b, c */
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline barycentrics barycentrics_of(triangle tri, vec3 p)
 {
@@ -46,7 +46,8 @@ static inline bool barycentrics_inside(barycentrics k)  /* a NaN is not inside *
 /* The sum of the three weights: 1 for every point. Here to be looked at, not to be tested. */
 static inline real barycentrics_sum(barycentrics k) { return k.w + k.u + k.v; }
 
-/* a + u (b - a) + v (c - a) would miss b at u = 1 by a rounding; this form meets all three corners. */
+/* a + u (b - a) + v (c - a) would miss b at u = 1 by a rounding; this form meets all three
+ * corners. */
 static inline vec3 barycentric_mix(vec3 a, vec3 b, vec3 c, real u, real v)
 {
     return vmadd(vmadd(vscale(a, 1 - u - v), b, u), c, v);

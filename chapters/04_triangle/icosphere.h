@@ -5,7 +5,7 @@
  *
  *   icosphere m = icosphere_new(4, centre, 1);   levels [0..7], centre, radius; the caller frees
  *   icosphere_triangle(&m, i)                    the i-th triangle
- *   icosphere_f32(&m);                           rounds the corners to float, for the float exhibits
+ *   icosphere_f32(&m);                           rounds the corners to float, for exhibits
  *   icosphere_free(&m);
  *
  * For aiming at it: an edge belongs to exactly two triangles, a vertex to 5 or 6.
@@ -36,7 +36,7 @@ typedef struct {
 static inline icosphere icosphere_new(int levels, vec3 centre, real radius);
 static inline void icosphere_free(icosphere *m);
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline triangle icosphere_triangle(const icosphere *m, uint32_t i)
 {
@@ -44,7 +44,8 @@ static inline triangle icosphere_triangle(const icosphere *m, uint32_t i)
 }
 
 /* The edge p q: found in the fan of its lower corner, or new. */
-static inline uint32_t icosphere_edge_of(icosphere *m, uint32_t p, uint32_t q, uint32_t (*of_vertex)[6])
+static inline uint32_t icosphere_edge_of(icosphere *m, uint32_t p, uint32_t q,
+                                         uint32_t (*of_vertex)[6])
 {
     uint32_t low = p < q ? p : q, high = p < q ? q : p, k = 0;
     while (of_vertex[low][k] != no_shape) {
@@ -110,7 +111,8 @@ static inline icosphere icosphere_split(icosphere *m)
         n.v[m->vertices + e] = vunit(vadd(m->v[m->edge[e].p], m->v[m->edge[e].q]));
     for (uint32_t i = 0; i < m->triangles; i++) {
         const uint32_t *a = m->index[i];
-        uint32_t x = m->vertices + sides[i][0], y = m->vertices + sides[i][1], z = m->vertices + sides[i][2];
+        uint32_t x = m->vertices + sides[i][0], y = m->vertices + sides[i][1],
+                 z = m->vertices + sides[i][2];
         uint32_t four[4][3] = {{a[0], x, z}, {a[1], y, x}, {a[2], z, y}, {x, y, z}};
         memcpy(n.index[4 * i], four, sizeof four);
     }
@@ -131,7 +133,10 @@ static inline icosphere icosphere_new(int levels, vec3 centre, real radius)
     return m;
 }
 
-static inline vec3 rounded_f32(vec3 a) { return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z}; }
+static inline vec3 rounded_f32(vec3 a)
+{
+    return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z};
+}
 
 static inline void icosphere_f32(icosphere *m)
 {

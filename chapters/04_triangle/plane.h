@@ -8,15 +8,15 @@
  *
  *   plane p = {point, normal};                  n: any length but 0
  *   plane p = plane_through(a, b, c);           n = (b - a) x (c - a); 0 if a, b, c lie on a line
- *   plane_equation e = plane_equation_of(p);    and back: plane_of(e), p the point nearest to the origin
+ *   plane_equation e = plane_equation_of(p);    and back: plane_of(e), p nearest to the origin
  *   if (plane_hit(p, r, &h)) ...                (4.4), the robust one
  *   if (plane_equation_hit(e, r, &h)) ...       (4.5), the same in exact arithmetic
  *
  * Never hit: a ray parallel to the plane, in it or not (no single t); n = 0; NaN or infinite input.
  *
- * (4.5) adds n . o and d, two large numbers with a small sum when the scene lies far from the origin;
- * (4.4) subtracts the points first, which is exact when they are close. At a distance of 1e5 a float
- * (4.5) has lost two digits of t, (4.4) none.
+ * (4.5) adds n . o and d: two large numbers with a small sum when the scene lies far from the
+ * origin. (4.4) subtracts the points first, which is exact when they are close. At a distance of
+ * 1e4 from the origin (4.5) has lost more than three digits of t, (4.4) none.
  *
  * Sources: S. Marschner, P. Shirley, Fundamentals of Computer Graphics, 4th ed., 2015, 2.5.3;
  * Ray-surface intersection in GAMES101, lecture 13.
@@ -29,7 +29,7 @@
 typedef struct { vec3 p, n; } plane;
 typedef struct { real a, b, c, d; } plane_equation;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline plane plane_through(vec3 a, vec3 b, vec3 c)
 {
@@ -47,8 +47,8 @@ static inline plane plane_of(plane_equation e)
     return (plane){vscale(n, -e.d / vdot(n, n)), n};
 }
 
-/* t = above / across, if there is one t and the ray covers it. Both 0: the ray lies in the plane, and
- * 0/0 would be a NaN; across alone 0: the infinite quotient would lie in [0, infinity]. */
+/* t = above / across, if there is one t and the ray covers it. Both 0: the ray lies in the plane,
+ * and 0/0 would be a NaN; across alone 0: the infinite quotient would lie in [0, infinity]. */
 static inline bool plane_quotient_hit(real above, real across, ray r, hit *out)
 {
     real t = above / across;

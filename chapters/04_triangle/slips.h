@@ -1,18 +1,19 @@
-/* slips.h: the experiment of this chapter. Stand inside a closed mesh, aim at an edge or a vertex: the
- * ray must hit something. If it hits nothing, it slipped through (漏缝).
+/* slips.h: the experiment of this chapter. Stand inside a closed mesh, aim at an edge or a vertex:
+ * the ray must hit something. If it hits nothing, it slipped through (漏缝).
  *
- *         ____q____          aimed: D = (point - O), rounded to real, the point a corner of the mesh
- *        / \     / \         or a rounded point of the edge p q. What comes out is not exactly on the
- *       /   \   / o-----> q  edge, and that is the point: it lies where the rounding errors of the two
- *      /_____\ /_____\       neighbours decide.
+ *      q_________           Aimed: D = point - O, rounded to real; the point is a corner of the
+ *     / \       /           mesh or, rounded too, a point of the edge p q. Such a ray does not
+ *    /   x<----/----- O     meet the edge exactly, and that is what matters: it passes where
+ *   /_____\   /             the rounding errors of the neighbours decide which of them it hits.
+ *          p\/
  *
  *   slip_count n = slips(&mesh, triangle_hit, true, 100000, seed);
  *   n.slips   rays that hit none of all the triangles of the mesh
  *   n.error   largest |t - 1| of the hits, where t = 1 is the aimed point
- *   slip_hits(&mesh, triangle_hit, true, 100000, seed)   hits a ray: 2 at an edge means both neighbours
+ *   slip_hits(&mesh, triangle_hit, true, 100000, seed)   hits a ray: 2 at an edge means both
  *
- * If the corners of the mesh are floats (mesh.f32), origins, points and directions are rounded to float
- * as well, so that a method that computes in float is aimed as well as one in double.
+ * If the corners of the mesh are floats (mesh.f32), origins, points and directions are rounded to
+ * float as well, so that a method that computes in float is aimed as well as one in double.
  *
  * Random rays show nothing: of 1e7 not one comes near enough to an edge.
  */
@@ -25,7 +26,7 @@
 typedef bool triangle_method(triangle tri, ray r, hit *out);
 typedef struct { size_t rays, slips; double error; } slip_count;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline real slip_between(random_stream *g, real lo, real hi)
 {
@@ -40,7 +41,8 @@ static inline vec3 slip_origin(random_stream *g, vec3 centre, real radius)
     return vadd(centre, (vec3){x, y, z});
 }
 
-/* One aimed ray, and the triangles that it should hit: those round the vertex, or beside the edge. */
+/* One aimed ray, and the triangles that it should hit: those round the vertex, or beside the edge.
+ * */
 typedef struct { ray r; const uint32_t *near; uint32_t count; } slip_ray;
 
 static inline slip_ray slip_aim(const icosphere *m, bool at_vertex, random_stream *g)
@@ -69,10 +71,10 @@ static inline bool slip_misses_all(const icosphere *m, triangle_method *method, 
     return true;
 }
 
-/* n rays from random points near the centre. The triangles that should be hit are tried first, because
- * that is quick, and only then all others. */
-static inline slip_count slips(const icosphere *m, triangle_method *method, bool at_vertex, size_t n,
-                               uint64_t seed)
+/* n rays from random points near the centre. The triangles that should be hit are tried first,
+ * because that is quick, and only then all others. */
+static inline slip_count slips(const icosphere *m, triangle_method *method, bool at_vertex,
+                               size_t n, uint64_t seed)
 {
     slip_count count = {n, 0, 0};
     random_stream g = random_start(seed, at_vertex, 0);
@@ -89,15 +91,16 @@ static inline slip_count slips(const icosphere *m, triangle_method *method, bool
 }
 
 /* Hits per ray among the triangles round the aimed vertex or edge. */
-static inline double slip_hits(const icosphere *m, triangle_method *method, bool at_vertex, size_t n,
-                               uint64_t seed)
+static inline double slip_hits(const icosphere *m, triangle_method *method, bool at_vertex,
+                               size_t n, uint64_t seed)
 {
     random_stream g = random_start(seed, at_vertex, 0);
     size_t hits = 0;
     for (size_t i = 0; i < n; i++) {
         slip_ray s = slip_aim(m, at_vertex, &g);
         hit h;
-        for (uint32_t j = 0; j < s.count; j++) hits += method(icosphere_triangle(m, s.near[j]), s.r, &h);
+        for (uint32_t j = 0; j < s.count; j++)
+            hits += method(icosphere_triangle(m, s.near[j]), s.r, &h);
     }
     return (double)hits / (double)n;
 }

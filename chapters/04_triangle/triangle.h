@@ -9,28 +9,29 @@
  *   triangle_hit_moller_trumbore(tri, r, &h)   three unknowns by Cramer's rule               (4.8)
  *   triangle_hit(tri, r, &h)                   watertight (无缝): what the other chapters use (4.9)
  *
- * The first two slip through a closed mesh when a ray is aimed at an edge or a vertex: the neighbours
- * of an edge round differently, and each says that the other one is hit. triangle_hit never slips:
- * of the triangles round the point where a ray passes through a closed mesh at least one is hit.
+ * The first two slip through a closed mesh when a ray is aimed at an edge or a vertex: the
+ * neighbours of an edge round differently, and each says that the other one is hit. triangle_hit
+ * never slips: of the triangles round the point where a ray passes through a closed mesh at least
+ * one is hit.
  *
- * Rays against many triangles: prepare the ray once (some 5 ns), then test.
+ * One ray against many triangles: prepare the ray once, then test; the answers are the same bits.
  *   ray_shear s = shear_of(r);                     tmin and tmax of r may change afterwards
- *   triangle_hit_sheared(tri, &s, r, &h)           same answer, bit for bit, as triangle_hit
- *   triangle_hit_corners(&a, &b, &c, &s, r, &h)    the same without copying the corners: the fastest
+ *   triangle_hit_sheared(tri, &s, r, &h)
+ *   triangle_hit_corners(&a, &b, &c, &s, r, &h)    corners read where they lie: the fastest
  *   triangle_normal(tri)                           unit (b - a) x (c - a)
  *
  *   input                                          answer
  *   no area: two or three corners the same, or     no hit, normal (0,0,0): what is hit has a normal
  *     all on a line (b - a parallel to c - a)
- *   seen edge-on                                   no hit if exactly so; its neighbours are hit instead
+ *   seen edge-on                                   no hit if exactly so, but one of its neighbours
  *   NaN, infinity, direction 0                     no hit, never a NaN in a hit
- *   tiny or huge (1e-150, 1e+150 in double)        as any other: nothing is compared with an epsilon
+ *   tiny or huge (1e-300, 1e300 in double)         as any other: no epsilon anywhere
  *
  * u, v are in [0,1]; u + v <= 1 + 2 epsilon. t is a weighted mean of the depths of the corners.
  * Needs -ffp-contract=off: a contracted product breaks (4.10), and with it the seams.
  *
- * Sources: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1), 1997;
- * S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+ * Sources: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1),
+ * 1997; S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
  */
 #ifndef TRIANGLE_H
 #define TRIANGLE_H
@@ -42,10 +43,10 @@ typedef struct { vec3 a, b, c; } triangle;
 /* A ray, ready for (4.9): axis kz is the longest of D; o the origin in the order kx, ky, kz. */
 typedef struct { int kx, ky, kz; vec3 o; real sx, sy, sz; } ray_shear;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
-/* (b - a) x (c - a), scaled by some power of two; 0 only if the edges are parallel. The rare case: an
- * underflow, or edges so nearly parallel that the plain products cancel to nothing. */
+/* (b - a) x (c - a), scaled by some power of two; 0 only if the edges are parallel. The rare case:
+ * an underflow, or edges so nearly parallel that the plain products cancel to nothing. */
 static inline vec3 triangle_cross(vec3 a, vec3 b, vec3 c)
 {
     vec3 e1 = vsub(b, a), e2 = vsub(c, a), n = vcross(e1, e2);
@@ -58,7 +59,10 @@ static inline vec3 triangle_cross(vec3 a, vec3 b, vec3 c)
                   difference_of_products(e1.x, e2.y, e1.y, e2.x)};
 }
 
-static inline vec3 triangle_normal(triangle tri) { return vunit(triangle_cross(tri.a, tri.b, tri.c)); }
+static inline vec3 triangle_normal(triangle tri)
+{
+    return vunit(triangle_cross(tri.a, tri.b, tri.c));
+}
 
 /* Plane, then inside: p is left of each edge as seen from the tip of n, so the three signed areas
  * n . (edge x (p - corner)) are not negative (4.7). Divided by n . n they are the barycentrics.
@@ -72,37 +76,31 @@ static inline bool triangle_hit_plane(triangle tri, ray r, hit *out)
     real wa = vdot(s.n, vcross(vsub(tri.c, tri.b), vsub(p, tri.b)));
     real wb = vdot(s.n, vcross(vsub(tri.a, tri.c), vsub(p, tri.c)));
     real wc = vdot(s.n, vcross(vsub(tri.b, tri.a), vsub(p, tri.a)));
-    if (!(wa >= 0 && wb >= 0 && wc >= 0)) return false;
+    if (!(real_min(real_min(wa, wb), wc) >= 0)) return false;  /* one branch: see signs_differ */
     *out = (hit){h.t, wb / vdot(s.n, s.n), wc / vdot(s.n, s.n), 0};
     return true;
 }
 
-/* o + t d = a + u e1 + v e2 is  [-d e1 e2] (t u v)^T = o - a: three equations, solved by Cramer's rule
- * (克拉默法则) with determinants written as triple products (4.8).
- * Slips: u, v and 1 - u - v come from differences with a corner that the neighbour does not use. */
+/* o + t d = a + u e1 + v e2 is  [-d e1 e2] (t u v)^T = o - a: three equations, solved by Cramer's
+ * rule (克拉默法则) with determinants written as triple products (4.8).
+ * Slips: u, v and 1 - u - v come from differences with corner a; the neighbour has another a. */
 static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
 {
     vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a);
     vec3 p = vcross(r.d, e2);
-    real det = vdot(e1, p);
-    if (det == 0) return false;
-    real inverse = 1 / det;
-    vec3 s = vsub(r.o, tri.a);
-    real u = vdot(s, p) * inverse;
-    if (!(u >= 0 && u <= 1)) return false;
-    vec3 q = vcross(s, e1);
-    real v = vdot(r.d, q) * inverse;
-    if (!(v >= 0 && u + v <= 1)) return false;
-    real t = vdot(e2, q) * inverse;
+    vec3 s = vsub(r.o, tri.a), q = vcross(s, e1);
+    real det = vdot(e1, p), inverse = 1 / det;
+    real u = vdot(s, p) * inverse, v = vdot(r.d, q) * inverse, t = vdot(e2, q) * inverse;
+    if (!(real_min(u, v) >= 0 && u + v <= 1) || det == 0) return false;
     if (!ray_covers(r, t) || !isfinite(t)) return false;
     *out = (hit){t, u, v, 0};
     return true;
 }
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
-/* Seen along the ray: the shear x - (Dx/Dz) z, y - (Dy/Dz) z takes the ray to the z axis (4.9). kz is
- * the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN: no hit. */
+/* Seen along the ray: the shear x - (Dx/Dz) z, y - (Dy/Dz) z takes the ray to the z axis (4.9). kz
+ * is the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN. */
 static inline ray_shear shear_of(ray r)
 {
     int kz = vlongest(r.d), kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
@@ -111,8 +109,8 @@ static inline ray_shear shear_of(ray r)
                        vaxis(r.d, kx) / dz, vaxis(r.d, ky) / dz, 1 / dz};
 }
 
-/* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles that
- * share the corner see it at the same place, to the last bit. */
+/* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles
+ * that share the corner see it at the same place, to the last bit. */
 static inline vec3 shear_point(const vec3 *corner, const ray_shear *s)
 {
     const real *p = (const real *)corner;
@@ -127,9 +125,10 @@ static inline bool signs_differ(real x, real y, real z)
     return real_min(real_min(x, y), z) < 0 && real_max(real_max(x, y), z) > 0;
 }
 
-/* The edge functions of a, b, c with their exact signs: scaled by a power of two, so that nothing over-
- * or underflows, and with the rounding of the products given back. Zero only if the corner points and
- * the ray are exactly in line. False if a coordinate is infinite or NaN, or if all three are zero. */
+/* The edge functions of a, b, c with their exact signs: scaled by a power of two, so that nothing
+ * over- or underflows, and with the rounding of the products given back. Zero only if the corner
+ * points and the ray are exactly in line. False if a coordinate is infinite or NaN, or if all
+ * three are zero. */
 static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, real *ea, real *eb, real *ec)
 {
     vec3 x = {a.x, b.x, c.x}, y = {a.y, b.y, c.y};
@@ -145,16 +144,19 @@ static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, real *ea, real *eb, rea
     return *ea + *eb + *ec != 0 && !signs_differ(*ea, *eb, *ec);
 }
 
-/* The ray is now the z axis and passes inside if the origin (0,0) lies on the same side of all three
- * edges. Edge P Q has the function Px Qy - Py Qx (4.10): twice the area of (0,0) P Q.
+/* The ray is now the z axis and passes inside if the origin (0,0) lies on the same side of all
+ * three edges. Edge P Q has the function Px Qy - Py Qx (4.10): twice the area of (0,0) P Q.
  *
  * Why no ray slips between triangles:
  * 1. The neighbour computes Qx Py - Qy Px: the same two rounded products, so exactly the negative.
- * 2. If Px Qy >= Py Qx, the rounded products are in the same order. So a computed sign may be 0 but is
- *    never wrong, and 0 counts as inside: every triangle whose image contains (0,0) passes this test.
- * 3. The images form a mesh with exactly shared corners, and one that covers (0,0) has a triangle with
- *    area that contains it, edges included. That triangle is refused only for a determinant of 0, that
- *    is, three zeros; then exact signs decide, and those of a triangle with area are not all 0.
+ * 2. If Px Qy >= Py Qx, the rounded products are in the same order. So a computed sign may be 0 but
+ *    is never wrong, and 0 counts as inside: every triangle whose image contains (0,0) passes.
+ * 3. The images are a mesh with exactly shared corners. If it covers (0,0), one of them
+ *    has area and contains (0,0), edges included. Only a determinant of 0, three zeros, refuses
+ *    that one; then exact signs decide, and those of a triangle with area are not all 0.
+ *
+ * What has no area in space is refused last. Its image may have some, by rounding: a mesh that is
+ * sealed with triangles of three different corners on a line can leak at these, and only there.
  */
 static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const vec3 *pc,
                                         const ray_shear *s, ray r, hit *out)
@@ -163,7 +165,7 @@ static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const ve
     real ea = c.x * b.y - c.y * b.x, eb = a.x * c.y - a.y * c.x, ec = b.x * a.y - b.y * a.x;
     if (signs_differ(ea, eb, ec)) return false;
     real det = ea + eb + ec, size = fabs(det);
-    if (!(size > real_smallest / real_epsilon && size <= real_largest)) {  /* 0, underflow, NaN: rare */
+    if (!(size > real_smallest / real_epsilon && size <= real_largest)) {  /* rare: 0, NaN */
         if (!edges_exactly(a, b, c, &ea, &eb, &ec)) return false;
         det = ea + eb + ec;
     }
