@@ -180,6 +180,9 @@ static void test_random_against_oracle(void)
         if (fmin(fmin(fabs(x.u), fabs(x.v)), fabs(x.w)) < margin) continue;
         bool due = x.t >= 0 && x.u > 0 && x.v > 0 && x.w > 0;
         clear++;
+        hit one = untouched, early = untouched;
+        different += triangle_hit_moller_trumbore(tri, r, &one) != triangle_hit_early(tri, r, &early);
+        different += !same_hit(one, early);
         for (int k = 0; k < method_count; k++) {
             hit h = untouched;
             wrong[k] += methods[k].hit(tri, r, &h) != due || (!due && !same_hit(h, untouched));
@@ -202,7 +205,8 @@ static void test_random_against_oracle(void)
         check_at_most(error[k], margin, "%s: t, relatively", methods[k].name);
     }
     check_at_most(beyond, 2 * eps, "watertight: u, v >= 0 and u + v <= 1");
-    check_equal(different, 0, "triangle_hit, _sheared and _corners agree to the last bit");
+    check_equal(different, 0, "triangle_hit, _sheared and _corners agree to the last bit, and so do Möller-Trumbore "
+                "with one branch and with early returns");
 }
 
 /* The floor for t is 1e-9 at a width of 1e-6 in double, that is 4.5 eps / width; the condition of
