@@ -187,7 +187,8 @@ static void test_random_against_oracle(void)
         bool due = x.t >= 0 && x.u > 0 && x.v > 0 && x.w > 0;
         clear++;
         hit one = untouched, early = untouched;
-        different += triangle_hit_moller_trumbore(tri, r, &one) != triangle_hit_early(tri, r, &early);
+        different +=
+            triangle_hit_moller_trumbore(tri, r, &one) != triangle_hit_early(tri, r, &early);
         different += !same_hit(one, early);
         for (int k = 0; k < method_count; k++) {
             hit h = untouched;
@@ -211,8 +212,10 @@ static void test_random_against_oracle(void)
         check_at_most(error[k], margin, "%s: t, relatively", methods[k].name);
     }
     check_at_most(beyond, 2 * eps, "watertight: u, v >= 0 and u + v <= 1");
-    check_equal(different, 0, "triangle_hit, _sheared and _corners agree to the last bit, and so do Möller-Trumbore "
-                "with one branch and with early returns");
+    check_equal(
+        different, 0,
+        "triangle_hit, _sheared and _corners agree to the last bit, and so do Möller-Trumbore "
+        "with one branch and with early returns");
 }
 
 /* The floor for t is 1e-9 at a width of 1e-6 in double, that is 4.5 eps / width; the condition of
@@ -320,7 +323,8 @@ static void test_edge_on(void)
     check_equal(
         wrong, 0,
         "edge-on to within rounding: t between those of the corners, weights of a point inside");
-    check_at_least((double)some, 0.01 * (double)check_count(200000), "and some of them do hit, by rounding");
+    check_at_least((double)some, 0.01 * (double)check_count(200000),
+                   "and some of them do hit, by rounding");
 }
 
 /* NaN, infinities, zeros and extremes in every place of the input: no hit with a NaN in it. */
