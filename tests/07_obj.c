@@ -1,0 +1,707 @@
+/* Tests of chapters/07_mesh: text.h, obj.h, mesh.h.
+ *
+ * The oracle is a second reader, written to be simple: the whole file in memory, lines joined,
+ * strtod and strtol. Numbers are held against the C library's strtod.
+ */
+#include "check.h"
+#include "../common/clock.h"
+#include "../common/random.h"
+#include "../chapters/07_mesh/obj.h"
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+static random_stream rng;
+static size_t below(size_t n) { return (size_t)(random_next_bits(&rng) % n); }
+
+/* ---- helpers: a text as a file ---- */
+
+static bool read_bytes(const char *text, size_t size, size_t most, mesh *m, failure *f)
+{
+    FILE *in = fmemopen((void *)(size ? text : "\n"), size ? size : 1, "rb");
+    if (!in) abort();
+    if (f) *f = (failure){0, ""};
+    bool ok = obj_read_stream(in, "t.obj", most, m, f);
+    fclose(in);
+    return ok;
+}
+
+static bool read_text(const char *text, mesh *m, failure *f)
+{
+    return read_bytes(text, strlen(text), UINT32_MAX, m, f);
+}
+
+typedef struct { char *p; size_t n, room; } string;
+
+static void append(string *s, const char *format, ...)
+{
+    va_list a;
+    if (s->room < s->n + 8192) s->p = realloc(s->p, s->room = 2 * s->room + 16384);
+    if (!s->p) abort();
+    va_start(a, format);
+    s->n += (size_t)vsnprintf(s->p + s->n, 8192, format, a);
+    va_end(a);
+}
+
+/* ---- the oracle ---- */
+
+/* Reads valid files only, as literally as the format is described. */
+static mesh oracle_read(const char *text, size_t size)
+{
+    char *s = allocate(size + 2, 1), *to = s;
+    bool comment = false;
+    for (size_t i = 0; i < size; i++) {  /* all ends of lines become \n, joined ones a blank */
+        char c = text[i];
+        if (c == '\r' && i + 1 < size && text[i + 1] == '\n') continue;
+        bool was = comment;
+        comment = c == '#' || (comment && c != '\n' && c != '\r');
+        *to++ = c == '\r' ? '\n' : c;
+        if (to[-1] == '\n' && to > s + 1 && to[-2] == '\\' && !was) to[-2] = to[-1] = ' ';
+    }
+    mesh m = {.v = allocate(size, sizeof(vec3)), .n = allocate(size, sizeof(vec3)),
+              .index = allocate(3 * size, 4), .normal_index = allocate(3 * size, 4)};
+    size_t textures = 0;
+    char *save = NULL;
+    for (char *line = strtok_r(s, "\n", &save); line; line = strtok_r(NULL, "\n", &save)) {
+        char *word, *rest = NULL;
+        uint32_t corner[2][3] = {{0}};
+        int corners = 0;
+        line += strncmp(line, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+        if (strchr(line, '#')) *strchr(line, '#') = 0;
+        if (!(word = strtok_r(line, " \t\v\f", &rest))) continue;
+        if (!strcmp(word, "vt")) textures++;
+        else if (!strcmp(word, "v") || !strcmp(word, "vn")) {
+            double x = strtod(rest, &rest), y = strtod(rest, &rest), z = strtod(rest, &rest);
+            vec3 p = {(real)x, (real)y, (real)z};
+            if (word[1]) m.n[m.normals++] = p;
+            else m.v[m.vertices++] = p;
+        } else if (!strcmp(word, "f"))
+            while ((word = strtok_r(NULL, " \t\v\f", &rest)) != NULL) {
+                char *slash = strrchr(word, '/');
+                long i = strtol(word, NULL, 10);
+                long k = slash && slash != strchr(word, '/') ? strtol(slash + 1, NULL, 10) : 0;
+                uint32_t v = (uint32_t)(i < 0 ? (long)m.vertices + i : i - 1);
+                uint32_t n = (uint32_t)(k < 0 ? (long)m.normals + k : k - 1);  /* none: 2^32 - 1 */
+                if (corners++ == 0) corner[0][0] = v, corner[1][0] = n;
+                corner[0][2] = v, corner[1][2] = n;
+                if (corners > 2) {
+                    memcpy(m.index + 3 * m.triangles, corner[0], 12);
+                    memcpy(m.normal_index + 3 * m.triangles++, corner[1], 12);
+                }
+                corner[0][1] = v, corner[1][1] = n;
+            }
+    }
+    free(s);
+    return m;
+}
+
+static bool same_mesh(const mesh *m, const mesh *o)
+{
+    bool any = false;
+    for (size_t i = 0; i < 3 * o->triangles; i++) any = any || o->normal_index[i] != mesh_none;
+    return m->vertices == o->vertices && m->triangles == o->triangles
+        && memcmp(m->v, o->v, m->vertices * sizeof *m->v) == 0
+        && memcmp(m->index, o->index, 12 * m->triangles) == 0
+        && any == (m->normal_index != NULL) && m->normals == (any ? o->normals : 0)
+        && (!any || (memcmp(m->n, o->n, m->normals * sizeof *m->n) == 0
+                     && memcmp(m->normal_index, o->normal_index, 12 * m->triangles) == 0));
+}
+
+/* ---- random valid files that use every feature ---- */
+
+static void random_number(string *s)
+{
+    double x = random_double_of(random_next_bits(&rng)) * 2 - 1, big = x * 1e12;
+    switch (below(9)) {
+    case 0: append(s, "%d", (int)below(2000) - 1000); break;
+    case 1: append(s, "%.17g", x); break;
+    case 2: append(s, "%+.6f", x * 100); break;
+    case 3: append(s, "%.3e", big); break;
+    case 4: append(s, "%.25f", x); break;      /* more digits than the fast path takes */
+    case 5: append(s, ".%zu", below(1000)); break;
+    case 6: append(s, "%zu.", below(1000)); break;
+    case 7: append(s, "%.16E", x * 1e-30); break;
+    default: append(s, "%.6f", x);
+    }
+}
+
+static void random_blank(string *s, const char *end_of_line)
+{
+    switch (below(16)) {
+    case 0: append(s, "\t"); break;
+    case 1: append(s, "   \t "); break;
+    case 2: append(s, " \\%s ", end_of_line); break;
+    default: append(s, " ");
+    }
+}
+
+static string random_file(size_t lines)
+{
+    static const char *const ends[] = {"\n", "\r\n", "\r"};
+    static const char *const skipped[] = {
+        "g a b", "o Ünïcödé 名", "s off", "s 1", "l 1 2 3", "p 1", "usemtl red metal",
+        "mtllib a.mtl b.mtl", "vp 0.5 0.5", "curv 0 1 \\\n 1 2 3", "", "   ", "# f 0 0 0 \\"};
+    string s = {NULL, 0, 0};
+    const char *end = ends[below(3)];
+    size_t v = 0, t = 0, n = 0;
+    if (below(3) == 0) append(&s, "\xef\xbb\xbf");
+    for (size_t i = 0; i < lines; i++) {
+        size_t what = i < 6 ? i % 3 : below(8), count = 3;
+        if (below(10) == 0) append(&s, "%s", end = below(4) ? end : ends[below(3)]);
+        if (below(10) == 0) append(&s, "  ");
+        if (what < 3) {
+            append(&s, what == 0 ? "v" : what == 1 ? "vn" : "vt");
+            if (what == 0) v++, count += below(5);
+            if (what == 1) n++;
+            if (what == 2) t++, count -= below(3);
+            for (; count; count--) random_blank(&s, end), random_number(&s);
+        } else if (what < 7) {
+            append(&s, "f");
+            for (count = below(20) ? 3 + below(3) : 3 + below(60); count; count--) {
+                size_t form = below(4);
+                random_blank(&s, end);
+                if (below(2)) append(&s, "%zu", 1 + below(v));
+                else append(&s, "-%zu", 1 + below(v));
+                if (form == 1 || form == 3) append(&s, "/%zu", 1 + below(t));
+                if (form == 2) append(&s, "/");
+                if (form >= 2) append(&s, below(2) ? "/%zu" : "/-%zu", 1 + below(n));
+            }
+        } else append(&s, "%s", skipped[below(sizeof skipped / sizeof *skipped)]);
+        if (below(12) == 0) append(&s, " # remark");
+        if (below(12) == 0) append(&s, "  \t");
+        if (i + 1 < lines) append(&s, "%s", end);
+    }
+    append(&s, "%sf 1 2 -1", end);  /* at least one face, and no end of the last line */
+    return s;
+}
+
+static void test_random_files(void)
+{
+    size_t wrong = 0, files = check_count(2000), large = 0;
+    for (size_t i = 0; i < files; i++) {
+        string s = random_file(i % 50 ? 6 + below(300) : 6000);  /* 6000 lines: several buffers */
+        mesh m, o = oracle_read(s.p, s.n);
+        failure f;
+        bool ok = read_bytes(s.p, s.n, UINT32_MAX, &m, &f);
+        large += s.n > text_chunk;
+        if (!ok && wrong++ == 0) printf("%s\n", f.text);
+        if (ok && !same_mesh(&m, &o)) wrong++;
+        mesh_free(&m);
+        mesh_free(&o);
+        free(s.p);
+    }
+    check_equal(wrong, 0, "of %zu random files, read otherwise than by the simple reader", files);
+    check_at_least(large, 1, "files that are longer than the buffer");
+}
+
+/* ---- numbers ---- */
+
+static bool number_of(const char *text, real *x)
+{
+    char line[6000];
+    mesh m;
+    failure f;
+    snprintf(line, sizeof line, "v %s 0 0\nf 1 1 1\n", text);
+    bool ok = read_text(line, &m, &f);
+    if (ok) *x = m.v[0].x;
+    mesh_free(&m);
+    return ok;
+}
+
+static void test_numbers(void)
+{
+    static const struct { const char *text; double x; } exact[] = {
+        {"0", 0}, {"-0", -0.0}, {"+1", 1}, {".5", .5}, {"5.", 5}, {"1e3", 1000}, {"1E+3", 1000},
+        {"25e-2", .25}, {"0.1", .1}, {"9007199254740993", 9007199254740992.}, /* tie: to even */
+        {"9007199254740993.0000000001", 9007199254740994.}, {"1e22", 1e22}, {"1e23", 1e23},
+        {"123456789012345678e-18", .123456789012345678}, {"0e99999999999", 0}, {"1e-99999", 0},
+        {"0.000000000000000000000000000001", 1e-30}, {"00000000000000000000000000001", 1}};
+    static const struct { const char *text; double x; } wide_only[] = {
+        {"1.7976931348623157e308", DBL_MAX}, {"2.2250738585072014e-308", DBL_MIN},
+        {"4.9406564584124654e-324", 4.9406564584124654e-324}, {"8.5e300", 8.5e300}};
+    static const char *const wrong[] = {
+        "nan", "NaN", "-nan(ind)", "inf", "-inf", "Infinity", "1.#INF", "1.#QNAN",
+        "1e400", "-1e309", "1.7976931348623159e308", "0x10", "1,5", "1e", "1e+", ".", "-", "+-1",
+        "1.2.3", "1d5", "1f", "--1", "e5", "1e5.0", "\x01", "1\xff", "\"1\""};
+    real x = 7;
+    for (size_t i = 0; i < sizeof exact / sizeof *exact; i++) {
+        bool ok = number_of(exact[i].text, &x);
+        check(ok && x == (real)exact[i].x && !signbit(x) == !signbit(exact[i].x),
+              "%s is read exactly, measured %.17g", exact[i].text, (double)x);
+    }
+    for (size_t i = 0; i < sizeof wide_only / sizeof *wide_only; i++) {
+        bool ok = number_of(wide_only[i].text, &x);
+        bool fits = isfinite((real)wide_only[i].x);
+        check(ok == fits && (!fits || x == (real)wide_only[i].x), "%s", wide_only[i].text);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        check(!number_of(wrong[i], &x), "'%s' is refused as a number", wrong[i]);
+    check(number_of("3.4028234e38", &x) && x > (real)3.4e38, "the largest float");
+    check(number_of("3.5e38", &x) == !real_is_float, "3.5e38 overflows in float only");
+
+    static char many[4200];
+    memset(many, '7', sizeof many);
+    many[1] = '.';
+    many[4000] = 0;
+    check(number_of(many, &x) && x == (real)strtod(many, NULL), "a number of 4000 digits");
+    many[4000] = '7';
+    many[4199] = 0;
+    check(!number_of(many, &x), "a number of 4199 characters is refused");
+}
+
+/* Bit for bit as strtod: in double both are the nearest; in float both round that double. */
+static void test_random_numbers(void)
+{
+    size_t n = check_count(1000000), wrong = 0, slow = 0;
+    for (size_t i = 0; i < n; i++) {
+        char text[64];
+        uint64_t bits = random_next_bits(&rng);
+        double x, d;
+        memcpy(&x, &bits, 8);
+        if (i % 2 || !isfinite(x)) x = ((double)below(2000001) - 1e6) * pow(10, -(double)below(9));
+        if (i % 4 == 1) x = random_double_of(bits) * 100;
+        if (i % 4 == 3) snprintf(text, sizeof text, "%zu.%09zue-%zu", below(2000000000),
+                                 below(1000000000), below(16));
+        else snprintf(text, sizeof text, "%.*g", 6 + (int)below(20), x);
+        d = strtod(text, NULL);
+        if (!isfinite((real)d)) continue;
+        real got = 0;
+        text_reader r = {.buffer = text, .p = text, .end = text + strlen(text), .last = true,
+                         .name = "", .keyword = ""};
+        wrong += !text_number(&r, &got) || got != (real)d;
+        slow += strlen(text) > 19;
+    }
+    check_equal(wrong, 0, "of %zu random numbers, not the nearest one", n);
+    check_at_least(slow, n / 8, "long numbers were among them");
+
+    for (size_t i = 0; i < n; i++) {
+        char digits[48];
+        uint64_t w = random_next_bits(&rng) % 10000000000000000000u;
+        long e = -(long)below(23);
+        double x = 0;
+        snprintf(digits, sizeof digits, "%llue%ld", (unsigned long long)w, e);
+        wrong += !decimal_nearest(w, e, &x) || x != strtod(digits, NULL);
+    }
+    check_equal(wrong, 0, "of %zu numbers of 19 digits, not the nearest one", n);
+    /* w 10^-k within some 5^-k of half an ulp from the middle of two doubles: found by solving
+     * w 2^j = +-1, +-3 modulo 5^k. */
+    static const struct { uint64_t w; long e; } near_middle[] = {
+        {9765927180800528613u, -22}, {9767707004990487012u, -22}, {9766531542401585839u, -22},
+        {9767102643389429786u, -22}, {7812755048885708202u, -21}, {7812721788272494923u, -21},
+        {7812788309498921481u, -21}, {7812688527659281644u, -21}, {6250066521226426558u, -20},
+        {6250028846205214067u, -20}, {6250008828815998424u, -20}, {6250086538615642201u, -20}};
+    for (size_t i = 0; i < sizeof near_middle / sizeof *near_middle; i++) {
+        char digits[48];
+        uint64_t w = near_middle[i].w;
+        double x = 0;
+        snprintf(digits, sizeof digits, "%llue%ld", (unsigned long long)w, near_middle[i].e);
+        check(decimal_nearest(w, near_middle[i].e, &x) && x == strtod(digits, NULL), "%s", digits);
+    }
+}
+
+/* ---- what is read, by hand ---- */
+
+static void test_features(void)
+{
+    mesh m;
+    failure f;
+    const char *text = "\xef\xbb\xbf# a square and its fan\r\n"
+        "mtllib my first.mtl\r\n"
+        "v 0 0 0 1 .5 .5 .5\rv 1 0 0 1.0\n\n  v\t1 1 0 0.1 0.2 0.3  \n"
+        "v 0 1 \\\n 0 # the corner\n"
+        "vn 0 0 2\nvt 0\nvt 0 0\nvt 0 0 0\nf 1 2 3\n"
+        "usemtl unused\nusemtl red hot \t\n"
+        "f 1/1/1 2/3/-1 3//1 -1\n"
+        "usemtl blue\ng x\nl 1 2\nf 3 2 1\n"
+        "#\\\nf -4 6 5\nv 5 5 5\nv 6 6 6";
+    check(read_text(text, &m, &f), "all features: %s", f.text);
+    static const uint32_t index[] = {0, 1, 2, 0, 1, 2, 0, 2, 3, 2, 1, 0, 0, 5, 4};
+    static const uint32_t none = mesh_none;
+    const uint32_t normal[] = {none, none, none, 0, 0, 0, 0, 0, none, none, none, none, none, none,
+                               none};
+    check(m.vertices == 6 && m.triangles == 5 && m.normals == 1, "counts of all features");
+    check(m.index && memcmp(m.index, index, sizeof index) == 0, "fan in the order of the file");
+    check(m.normal_index && memcmp(m.normal_index, normal, sizeof normal) == 0, "normal indices");
+    check(m.v && m.v[2].y == 1 && m.v[3].y == 1 && m.v[5].z == 6, "points, a joined line too");
+    check_text(m.libraries ? m.libraries : "", "my first.mtl\n", "mtllib");
+    check(m.runs == 2, "a run without triangles gives way");
+    static const char *const material[] = {"", "red hot", "red hot", "blue", "blue"};
+    for (size_t i = 0; i < 5; i++) check_text(mesh_material(&m, i), material[i], "triangle %zu", i);
+    mesh_free(&m);
+    mesh_free(&m);
+    check(m.v == NULL && m.vertices == 0, "freed twice");
+
+    check(read_text("v 0 0 0\nvn 0 0 1\nf 1 1 1", &m, &f) && m.n == NULL && m.normals == 0,
+          "normals that no face asks for are dropped");
+    mesh_free(&m);
+    check(read_bytes("v 0 0 0\nv 0 0 0\nf 1 1 2 1", 25, 2, &m, &f) && m.triangles == 2,
+          "2 of each fit");
+    mesh_free(&m);
+}
+
+/* ---- errors ---- */
+
+static void test_errors(void)
+{
+#define V3 "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+    static const struct { const char *text, *message; } bad[] = {
+        {"v 0 0 nan\nf 1 1 1", "t.obj:1: v: not a number: 'nan', allowed: finite decimals"},
+        {V3 "v 1 inf 0\nf 1 2 3", "t.obj:4: v: not a number: 'inf'"},
+        {V3 "vn 1 1e999 0\n", "t.obj:4: vn: too large: '1e999'"},
+        {V3 "vt nan\n", "t.obj:4: vt: not a number"},
+        {V3 "\n# x\nv 1 2\nf 1 2 3\n", "t.obj:6: v: too few numbers before the end of the line"},
+        {V3 "v 1 2", "t.obj:4: v: too few numbers before the end of the file, allowed: 3 to 7"},
+        {V3 "v", "t.obj:4: v: too few numbers"},
+        {V3 "v 1 2 3 4 5 6 7 8\n", "t.obj:4: v: too many numbers: '8'"},
+        {V3 "vn 1 2 3 4\n", "t.obj:4: vn: too many numbers"},
+        {V3 "f 0 1 2\n", "t.obj:4: f: vertex index out of range: '0', allowed: 1 to 3 or -3 to -1"},
+        {V3 "f 1 2 -0\n", "t.obj:4: f: vertex index out of range: '-0'"},
+        {V3 "f 1 2 -4\n", "t.obj:4: f: vertex index out of range: '-4'"},
+        {"f -1 -2 -3\n" V3, "t.obj:1: f: vertex index out of range: '-1', allowed: none"},
+        {V3 "f 1 2 3\nf 1 2 4\nf 1 2 3\n",
+         "t.obj:5: f: vertex index out of range: 4, allowed: up to 3"},
+        {V3 "f 1 2 3\nf 1 2 4\nf 1 4 3\n", "t.obj:5: f: vertex"},
+        {V3 "f 1 2 99999999999999999999\n",
+         "t.obj:4: f: vertex index out of range: '99999999999999999999'"},
+        {V3 "f 1 2 4294967296\n", "t.obj:4: f: vertex index out of range"},
+        {V3 "f 1 2 -4294967295\n", "t.obj:4: f: vertex index out of range"},
+        {V3 "vt 0 0\nf 1/1 2/2 3/1\n",
+         "t.obj:5: f: texture index out of range: 2, allowed: up to 1"},
+        {V3 "f 1//1 2//1 3//1\n", "t.obj:4: f: normal index out of range: 1, allowed: up to 0"},
+        {V3 "f 1/0 2 3\n", "t.obj:4: f: texture index"},
+        {V3 "f 1//0 2 3\n", "t.obj:4: f: normal index"},
+        {V3 "f 1 2\n",
+         "t.obj:4: f: too few corners before the end of the line, allowed: 3 or more"},
+        {V3 "f", "t.obj:4: f: too few corners before the end of the file"},
+        {V3 "f 1 2 x\n", "t.obj:4: f: not an index: 'x'"},
+        {V3 "f 1 2 3.0\n", "t.obj:4: f: not a corner"},
+        {V3 "f 1/ 2/ 3/\n", "t.obj:4: f: not an index: a blank"},
+        {V3 "f 1/1/1/1 2 3\n", "t.obj:4: f: "},
+        {V3 "f 1// 2 3\n", "t.obj:4: f: not an index"},
+        {V3 "f / 2 3\n", "t.obj:4: f: not an index"},
+        {V3 "f 1 2 --3\n", "t.obj:4: f: not an index"},
+        {V3 "f 1 2 \\ \n 3\n", "t.obj:4: f: not an index"},
+        {V3 "f 1 2 \\\n x\n", "t.obj:5: f: not an index: 'x'"},
+        {V3 "usemtl\nf 1 2 3", "t.obj:4: usemtl: no name"},
+        {"mtllib \n", "t.obj:1: mtllib: no name"},
+        {"", "t.obj:"}, {V3, "t.obj:4: line: no face before the end of the file"},
+        {V3 "1 2 3\n", "t.obj:4: line: begins with '1'"},
+        {"\x7f" "ELF\n", "t.obj:1: line: begins with '?ELF'"},
+        {"\xff\xfe" "v", "t.obj:1: line: begins with '??v'"},
+        {"<html>\n", "t.obj:1: line: begins with '<html>'"},
+        {V3 "f 1 2 3\r\rf 1 2 3\r\nf 1 2 x", "t.obj:7: f: not an index"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        mesh m;
+        failure f;
+        bool ok = read_text(bad[i].text, &m, &f);
+        check(!ok, "refused: %s", bad[i].message);
+        check(ok || f.exit_code == 2, "broken content ends with 2: %s", bad[i].message);
+        check(ok || strncmp(f.text, bad[i].message, strlen(bad[i].message)) == 0,
+              "'%s' begins with '%s'", f.text, bad[i].message);
+        check(m.v == NULL && m.index == NULL && m.triangles == 0, "a failure leaves nothing");
+        mesh_free(&m);
+    }
+    mesh m;
+    failure f;
+    static const char zero[] = V3 "f 1 2\0 3\n", comment[] = V3 "# a\0b\nf 1 2 3",
+                      end[] = V3 "f 1 2 3\n\0";
+    check(!read_bytes(zero, sizeof zero - 1, 9, &m, &f), "byte 0 in a face");
+    check(!read_bytes(comment, sizeof comment - 1, 9, &m, &f), "byte 0 in a comment");
+    check(!read_bytes(end, sizeof end - 1, 9, &m, &f), "byte 0 behind the text");
+    check_text(f.text, "t.obj:5: line: no text: byte 0, allowed: text", "message");
+    check(!read_bytes(V3 "f 1 2 3\n", 32, 2, &m, &f) && strstr(f.text, ":3: v: too many items"),
+          "2 points at most: %s", f.text);
+    check(!read_bytes("v 0 0 0\nf 1 1 1 1", 17, 1, &m, &f) && strstr(f.text, ":2: f: too many"),
+          "1 triangle at most: %s", f.text);
+    check(!obj_read("/nonexistent/x.obj", &m, &f) && f.exit_code == 1, "no such file: 1");
+    check(!obj_read("/", &m, &f) && f.exit_code == 1, "a directory: 1");
+    check(!obj_read("/nonexistent/x.obj", &m, NULL), "without a failure to fill in");
+    check(!read_text("nonsense", &m, NULL), "broken without a failure to fill in");
+}
+
+/* ---- lines longer than the buffer ---- */
+
+static void test_long_lines(void)
+{
+    mesh m;
+    failure f;
+    string s = {NULL, 0, 0};
+    size_t corners = 100000;
+    append(&s, "#");
+    for (size_t i = 0; i < 20000; i++) append(&s, "a comment of 20 char");
+    append(&s, "\n" V3 "f");
+    for (size_t i = 0; i < corners; i++) append(&s, " %zu/%s", 1 + i % 3, "/1");
+    append(&s, "\nvn 0 0 1\nv ");
+    for (size_t i = 0; i < 40000; i++) append(&s, "     ");
+    append(&s, "1.25");
+    for (size_t i = 0; i < 20000; i++) append(&s, " \\\r\n ");
+    append(&s, "2 3\n");
+    bool ok = read_bytes(s.p, s.n, UINT32_MAX, &m, &f);
+    check(ok && m.triangles == corners - 2 && m.vertices == 4, "counts: %s", f.text);
+    check(ok && m.v[3].x == (real)1.25 && m.v[3].z == 3,
+          "a polygon of 100000 corners, 200000 blanks, 20000 joined lines: %s", f.text);
+    bool fan = ok;
+    for (size_t i = 0; fan && i < m.triangles; i++)
+        fan = m.index[3 * i] == 0 && m.index[3 * i + 1] == (i + 1) % 3
+            && m.index[3 * i + 2] == (i + 2) % 3;
+    check(fan, "its fan");
+    mesh_free(&m);
+    append(&s, "f 1 2 x");
+    check(!read_bytes(s.p, s.n, UINT32_MAX, &m, &f) && strstr(f.text, "t.obj:20008: "),
+          "lines counted: %s", f.text);
+    free(s.p);
+
+    char name[5000];
+    memset(name, 'n', sizeof name);
+    memcpy(name, "usemtl ", 7);
+    name[4999] = 0;
+    string t = {NULL, 0, 0};
+    append(&t, V3);
+    for (size_t i = 0; i < 10000; i++) append(&t, "f 1 2 3\n");
+    append(&t, "%s\nf 1 2 3", name);
+    for (size_t i = 0; i < 10000; i++) append(&t, "\nf 1 2 3");
+    check(!read_bytes(t.p, t.n, UINT32_MAX, &m, &f) && strstr(f.text, "too long"),
+          "a name of 4992 bytes");
+    free(t.p);
+}
+
+/* ---- damage: whatever comes, an answer or a message ---- */
+
+static bool sound(const mesh *m)
+{
+    for (size_t i = 0; i < 3 * m->triangles; i++) {
+        if (m->index[i] >= m->vertices) return false;
+        uint32_t n = m->normal_index ? m->normal_index[i] : mesh_none;
+        if (n != mesh_none && n >= m->normals) return false;
+    }
+    for (size_t i = 0; i < m->vertices; i++) if (!vfinite(m->v[i])) return false;
+    return m->triangles > 0;
+}
+
+static void test_damage(void)
+{
+    size_t n = check_count(100000), wrong = 0, read = 0, refused = 0;
+    string s = random_file(60);
+    for (size_t i = 0; i < n; i++) {
+        if (i % 200 == 0) free(s.p), s = random_file(6 + below(60));
+        size_t size = s.n, times = 1 + below(3);
+        char *d = allocate(2 * size + 1, 1);
+        memcpy(d, s.p, size);
+        for (; times; times--) {
+            size_t at = below(size), length = 1 + below(size - at < 40 ? size - at : 40);
+            static const char odd[] = "\\/#-+.e\n\r \t0vfn\x00\x1a\xff";
+            switch (below(5)) {
+            case 0: size = at + 1; break;  /* cut off */
+            case 1: d[at] = (char)(d[at] ^ (1 << below(8))); break;  /* a bit */
+            case 2: d[at] = odd[below(sizeof odd - 1)]; break;
+            case 3: memmove(d + at, d + at + length, size - at - length); size -= length; break;
+            default: if (size + length <= 2 * s.n) {  /* twice */
+                         memmove(d + at + length, d + at, size - at);
+                         size += length;
+                     }
+            }
+            size = size ? size : 1;
+        }
+        mesh m;
+        failure f;
+        size_t lines = 1;
+        for (size_t k = 0; k < size; k++) lines += d[k] == '\n' || d[k] == '\r';
+        if (read_bytes(d, size, UINT32_MAX, &m, &f)) read++, wrong += !sound(&m);
+        else {
+            unsigned long line = strncmp(f.text, "t.obj:", 6) ? 0 : strtoul(f.text + 6, NULL, 10);
+            refused++;
+            wrong += f.exit_code != 2 || line < 1 || line > lines || !strstr(f.text, "allowed: ");
+        }
+        mesh_free(&m);
+        free(d);
+    }
+    free(s.p);
+    check_equal(wrong, 0, "of %zu damaged files: bad arrays, or a message without its line", n);
+    check_at_least(read, n / 20, "some damage does not show");
+    check_at_least(refused, n / 5, "most does");
+}
+
+/* Every beginning of a file. */
+static void test_cut(void)
+{
+    const char *text = V3 "vn 0 0 1\nvt 0 0\nf 1//1 2//1 3//1\nv 9 9 9\nf 4/1/1 -1 2 \\\n 3\n";
+    size_t size = strlen(text), read = 0, whole = (size_t)(strstr(text, " 3//1") - text) + 2;
+    for (size_t n = 0; n < size; n++) {
+        mesh m;
+        failure f;
+        bool ok = read_bytes(text, n, 100, &m, &f);
+        if (n < whole) check(!ok, "the first %zu bytes hold no whole face", n);
+        read += ok;
+        mesh_free(&m);
+    }
+    check_at_least(read, 3, "later beginnings are files of their own");
+}
+
+/* ---- size and speed ---- */
+
+/* A wavy square of 2 k^2 triangles with normals, as exporters write it. */
+static void write_grid(const char *path, int k)
+{
+    FILE *out = fopen(path, "wb");
+    if (!out) abort();
+    for (int j = 0; j <= k; j++)
+        for (int i = 0; i <= k; i++) {
+            double x = (double)i / k, y = (double)j / k;
+            fprintf(out, "v %f %f %f\n", x, y, .1 * sin(20 * x) * sin(20 * y));
+        }
+    for (int j = 0; j < k; j++)
+        for (int i = 0; i < k; i++) {
+            int a = j * (k + 1) + i + 1, b = a + k + 1;
+            fprintf(out, "f %d %d %d\nf %d %d %d\n", a, a + 1, b + 1, a, b + 1, b);
+        }
+    fclose(out);
+}
+
+static long resident(void)  /* the most memory that was ever resident, in KB */
+{
+    struct rusage u;
+    getrusage(RUSAGE_SELF, &u);
+#ifdef __APPLE__
+    return u.ru_maxrss / 1024;
+#else
+    return u.ru_maxrss;
+#endif
+}
+
+static void test_size(void)
+{
+    char path[] = "/tmp/07_obj_XXXXXX";
+    int k = check_count(100) == 100 ? 500 : 40, file = mkstemp(path);
+    struct stat st;
+    mesh m;
+    failure f;
+    if (file < 0) abort();
+    write_grid(path, k);
+    fstat(file, &st);
+    close(file);
+    double best = 1e9;
+    bool ok = true;
+    for (int i = 0; ok && i < 3; i++) {
+        double start = clock_seconds();
+        ok = obj_read(path, &m, &f);
+        best = clock_seconds() - start < best ? clock_seconds() - start : best;
+        check(ok && m.triangles == 2 * (size_t)k * (size_t)k, "a grid of %d triangles", 2 * k * k);
+        mesh_free(&m);
+    }
+    if (k == 500) {
+        check_at_least((double)st.st_size / best / 1e6, 50, "MB/s, on one thread");
+        pid_t child = fork();
+        if (child == 0) {  /* a process of its own, so that its peak is this file's */
+            long before = resident();
+            if (!obj_read(path, &m, &f)) _exit(9);
+            double arrays = (double)(m.vertices * sizeof *m.v + 12 * m.triangles) / 1024;
+            _exit((int)(10 * (double)(resident() - before - 512) / arrays) < 30 ? 0 : 1);
+        }
+        int status = -1;
+        waitpid(child, &status, 0);
+        check(WIFEXITED(status) && WEXITSTATUS(status) == 0, "peak memory: 3 times the arrays");
+    }
+    unlink(path);
+}
+
+/* A pipe hands the file over in pieces. */
+static void test_pipe(void)
+{
+    int end[2];
+    mesh m;
+    failure f;
+    if (pipe(end)) abort();
+    pid_t child = fork();
+    if (child == 0) {
+        close(end[0]);
+        bool ok = true;
+        for (const char *p = V3 "f 1 2 3\nf 3 2 1"; *p; p++) ok = write(end[1], p, 1) == 1 && ok;
+        _exit(!ok);
+    }
+    close(end[1]);
+    FILE *in = fdopen(end[0], "rb");
+    check(in && obj_read_stream(in, "pipe", 99, &m, &f) && m.triangles == 2, "from a pipe");
+    mesh_free(&m);
+    if (in) fclose(in);
+    waitpid(child, NULL, 0);
+}
+
+/* ---- mesh.h ---- */
+
+/* A cube of quads, the fan of each beginning at the corner that its line begins with. */
+static const char cube[] =
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+static void test_normals(void)
+{
+    mesh m;
+    failure f;
+    vec3 lo, hi;
+    if (!read_text(cube, &m, &f)) abort();
+    check(mesh_bounds(&m, &lo, &hi) && lo.x == -1 && lo.z == -1 && hi.y == 1 && hi.z == 1, "a box");
+    real worst_angle = 0, worst_area = 0;
+    for (int by_area = 0; by_area < 2; by_area++) {
+        if (by_area) mesh_smooth_normals_area(&m);
+        else mesh_smooth_normals(&m);
+        for (size_t i = 0; i < 8; i++) {
+            real off = vlength(vsub(m.n[i], vunit(m.v[i])));  /* a cube's corner looks outwards */
+            if (by_area) worst_area = real_max(worst_area, off);
+            else worst_angle = real_max(worst_angle, off);
+        }
+    }
+    check_at_most(worst_angle, 8 * real_epsilon, "by angle: along the diagonal, however it is "
+                  "sliced; up to 6 terms, each off by an epsilon or so");
+    check_at_least(worst_area, (real)0.2, "by area: leans to the square that counts twice");
+    vec3 n = mesh_normal(&m, 0, (real)0.25, (real)0.25);
+    check_close(vlength(n), 1, 4 * real_epsilon, "interpolated normals are unit");
+    mesh_free(&m);
+    check(!mesh_bounds(&m, &lo, &hi) && lo.x > hi.x, "no triangle: no box");
+
+    /* Degenerate: a point, a line, a sliver's neighbour; a stray vertex far away. */
+    const char *text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 99 99 99\nv 2 0 0\nv 3 0 0\n"
+        "f 1 2 3\nf 1 1 1\nf 2 5 6\nf 1 2 1\nf 6 6 5\n";
+    if (!read_text(text, &m, &f)) abort();
+    mesh_smooth_normals(&m);
+    check(mesh_bounds(&m, &lo, &hi) && hi.x == 3 && hi.y == 1, "stray points are outside");
+    for (size_t i = 0; i < 3; i++) check_equal(m.n[i].z, 1, "triangles of no area add nothing");
+    for (size_t i = 3; i < 6; i++) check(vzero(m.n[i]), "a vertex without a normal gets zero");
+    check_equal(mesh_normal(&m, 0, 0, 0).z, 1, "its triangle's own normal");
+    check(vzero(mesh_normal(&m, 2, (real)0.5, 0)), "no area, no normal: zero, not NaN");
+    mesh_free(&m);
+
+    /* A right angle and two of 45 degrees, square to each other: (1, 1, 2)/sqrt 6 by angle. */
+    const char *corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nv 1 0 1\n"
+        "f 1 2 3\nf 1 3 5\nf 1 6 2\n";
+    if (!read_text(corner, &m, &f)) abort();
+    mesh_smooth_normals(&m);
+    vec3 expected = vunit((vec3){1, 1, 2});
+    check_at_most(vlength(vsub(m.n[0], expected)), 8 * real_epsilon, "45, 45 and 90 degrees");
+    mesh_free(&m);
+
+    const char *own = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 -5\nvn 3 0 0\nvn 0 0 0\nvn 0 0 5\n"
+        "f 1//1 2//1 3//2\nf 1//1 2//3 3//1\nf 1//1 2 3//1\nf 1//1 2//4 3//1\n";
+    if (!read_text(own, &m, &f)) abort();
+    check_equal(mesh_normal(&m, 0, 0, 0).z, -1, "the file's normal, made unit");
+    check_close(mesh_normal(&m, 0, 0, (real)0.5).x, sqrt(0.5), 4 * real_epsilon, "half way");
+    check_equal(mesh_normal(&m, 1, 0, 0).z, 1, "a zero normal: the triangle's own");
+    check_equal(mesh_normal(&m, 2, 0, 0).z, 1, "a missing one likewise");
+    check_equal(mesh_normal(&m, 3, (real)0.5, 0).z, 1, "two that cancel likewise");
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    rng = random_start(7, 0, 0);
+    test_numbers();
+    test_random_numbers();
+    test_features();
+    test_errors();
+    test_long_lines();
+    test_random_files();
+    test_damage();
+    test_cut();
+    test_size();
+    test_pipe();
+    test_normals();
+    return check_report("07_obj");
+}
