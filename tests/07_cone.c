@@ -1,91 +1,6 @@
 /* 07_cone: open cones and cylinders against closed forms and an exact oracle. */
 #include "check.h"
-#include "../chapters/07_mesh/oracle.h"
-#include "../common/random.h"
-
-static random_stream numbers;
-
-static real between(real a, real b) { return a + (b - a) * random_next(&numbers); }
-
-static vec3 direction(void)
-{
-    real z = between(-1, 1), a = between(-pi, pi), s = sqrt(1 - z * z);
-    return (vec3){s * cos(a), s * sin(a), z};
-}
-
-/* On a lattice of 2^-8, so that b - a is exact and the tested cone is the oracle's cone. */
-static vec3 on_lattice(vec3 p)
-{
-    real k = 256;
-    return (vec3){round(k * p.x) / k, round(k * p.y) / k, round(k * p.z) / k};
-}
-
-static const struct { const char *name; real ra, rb; } kinds[] = {
-    {"cylinder", (real)0.5, (real)0.5}, {"cone", (real)0.5, 0}, {"cone, tip first", 0, (real)0.75},
-    {"truncated", (real)0.5, (real)0.2}, {"tip to tip", (real)0.5, (real)-0.3},
-    {"needle", (real)1e-3, (real)1e-3}, {"thin needle", (real)1e-6, (real)1e-6}};
-enum { kind_count = sizeof kinds / sizeof *kinds };
-
-static cone some_cone(int kind)
-{
-    vec3 a = on_lattice((vec3){between(-1, 1), between(-1, 1), between(-1, 1)});
-    vec3 b = on_lattice(vmadd(a, direction(), between((real)0.5, (real)1.5)));
-    return (cone){a, kinds[kind].ra, b, kinds[kind].rb};
-}
-
-/* A point of the side, the direction of its generator (母线), and its normal, by definition (7.5). */
-static vec3 point_of_side(cone c, real u, real angle, vec3 *generator, vec3 *normal)
-{
-    vec3 w = vsub(c.b, c.a), s, t;
-    vbasis(vunit(w), &s, &t);
-    vec3 out = vadd(vscale(s, cos(angle)), vscale(t, sin(angle)));
-    real radius = c.ra + (c.rb - c.ra) * u;
-    *generator = vunit(vmadd(w, out, c.rb - c.ra));
-    *normal = vunit(vcross(vcross(*generator, out), *generator));
-    if (radius < 0) *normal = vneg(*normal);
-    return vmadd(vmadd(c.a, w, u), out, radius);
-}
-
-enum { random_rays, grazing_rays, along_axis, along_side, aim_count };
-
-/* A ray of length 1 to 8 that begins at this distance and is aimed near a point of the side. */
-static ray some_ray(cone c, int aim, real distance)
-{
-    vec3 g, n, s, t, d = direction();
-    vec3 p = point_of_side(c, between(0, 1), between(-pi, pi), &g, &n);
-    real radius = real_max(fabs(c.ra), fabs(c.rb)), a = between(-pi, pi), tiny = pow((real)10, between(-9, -3));
-    vbasis(n, &s, &t);
-    if (aim == grazing_rays) d = vadd(vscale(s, cos(a)), vscale(t, sin(a)));
-    if (aim == along_axis) d = vunit(vmadd(vunit(vsub(c.b, c.a)), d, tiny));
-    if (aim == along_side) d = vunit(vmadd(g, d, tiny));
-    if (aim == grazing_rays) p = vmadd(p, n, radius * between(-1, 1) / 1000);
-    if (aim >= along_axis) p = vmadd(p, n, radius * between(-1, 1) / 2);
-    return ray_from(vmadd(p, d, -distance * between(1, 2)), vscale(d, between(1, 8)));
-}
-
-typedef struct { size_t decided, hits, wrong, wrong_naive; double residual, residual_naive, t_beyond; } score;
-
-/* Rays whose margin is below `close` times epsilon may be answered either way. */
-static score play(int kind, int aim, real distance, size_t n, double close)
-{
-    score s = {0, 0, 0, 0, 0, 0, 0};
-    for (size_t i = 0; i < n; i++) {
-        cone c = some_cone(kind);
-        ray r = some_ray(c, aim, distance);
-        cone_truth truth = cone_exact(c, r);
-        hit h = hit_none, naive = hit_none;
-        bool is = cone_hit(c, r, &h), is_naive = cone_hit_naive(c, r, &naive);
-        if (truth.margin < close * (double)real_epsilon) continue;
-        s.decided++;
-        s.hits += truth.hit;
-        s.wrong += is != truth.hit;
-        s.wrong_naive += is_naive != truth.hit;
-        double scale = 1 / ((double)real_epsilon * (1 + (double)(h.t * vlength(r.d))));
-        if (is && truth.hit) s.residual = fmax(s.residual, cone_residual(c, r, h.t) * scale);
-        if (is_naive && truth.hit) s.residual_naive = fmax(s.residual_naive, cone_residual(c, r, naive.t) * scale);
-    }
-    return s;
-}
+#include "../chapters/07_mesh/trials.h"
 
 /* Exact: every number here has few bits. */
 static void closed_forms(void)
@@ -155,16 +70,16 @@ static void degenerate(void)
 static void against_the_oracle(void)
 {
     const real distances[] = {1, 100, 10000, 1000000};
-    for (int kind = 0; kind < kind_count; kind++)
-        for (int aim = 0; aim < aim_count; aim++)
+    for (int kind = 0; kind < cone_kind_count; kind++)
+        for (cone_aim aim = AIM_RANDOM; aim < aim_count; aim++)
             for (int j = 0; j < 4; j++) {
-                double thin = 1 / (double)real_max(fabs(kinds[kind].ra), fabs(kinds[kind].rb));
-                numbers = random_start(7, (uint64_t)(10 * kind + aim), (uint64_t)j);
-                score s = play(kind, aim, distances[j], check_count(4000), 64 * thin);
-                check_equal(s.wrong, 0, "%s, aim %d, distance %g: wrong answers of %zu, %zu hits",
-                            kinds[kind].name, aim, (double)distances[j], s.decided, s.hits);
-                check_at_most(s.residual, 2, "%s, aim %d, distance %g: off the side, in epsilon (1 + distance)",
-                              kinds[kind].name, aim, (double)distances[j]);
+                double thin = 1 / (double)real_max(fabs(cone_kinds[kind].ra), fabs(cone_kinds[kind].rb));
+                random_stream numbers = random_start(7, (uint64_t)kind, (uint64_t)(10 * j) + aim);
+                cone_score s = cone_play(&numbers, kind, aim, distances[j], check_count(4000), 64 * thin);
+                check_equal(s.wrong[1], 0, "%s, aim %d, distance %g: wrong answers of %zu, %zu hits",
+                            cone_kinds[kind].name, aim, (double)distances[j], s.decided, s.hits);
+                check_at_most(s.residual[1], 2, "%s, aim %d, distance %g: off the side, in epsilon (1 + distance)",
+                              cone_kinds[kind].name, aim, (double)distances[j]);
             }
 }
 
@@ -172,11 +87,11 @@ static void against_the_oracle(void)
 static void naive_fails(void)
 {
     for (int kind = 0; kind < 5; kind++) {
-        numbers = random_start(8, (uint64_t)kind, 0);
-        score s = play(kind, grazing_rays, 1000000, check_count(4000), 64);
-        check_at_least((double)s.wrong_naive / (double)s.decided, 0.05, "%s: grazing from 1e6", kinds[kind].name);
-        s = play(kind, random_rays, 10000, check_count(4000), 64);
-        check_at_least(s.residual_naive, 100 * s.residual, "%s: residual from 1e4", kinds[kind].name);
+        random_stream numbers = random_start(8, (uint64_t)kind, 0);
+        cone_score s = cone_play(&numbers, kind, AIM_GRAZING, 1000000, check_count(4000), 64);
+        check_at_least((double)s.wrong[0] / (double)s.decided, 0.05, "%s: grazing from 1e6", cone_kinds[kind].name);
+        s = cone_play(&numbers, kind, AIM_RANDOM, 10000, check_count(4000), 64);
+        check_at_least(s.residual[0], 100 * s.residual[1], "%s: residual from 1e4", cone_kinds[kind].name);
     }
 }
 
@@ -186,11 +101,11 @@ static void scales(void)
 {
     int most = real_is_float ? 50 : 300;
     size_t wrong = 0, hits = 0;
-    numbers = random_start(9, 0, 0);
+    random_stream numbers = random_start(9, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
-        int e = (int)round(between(-(real)most, (real)most)), f = (int)round(between(-(real)most, (real)most));
-        cone c = some_cone((int)(i % 5)), d = c;
-        ray r = some_ray(c, (int)(i % aim_count), 10), q = r;
+        int e = (int)round(between(&numbers, -(real)most, (real)most)), f = (int)round(between(&numbers, -(real)most, (real)most));
+        cone c = some_cone(&numbers, (int)(i % 5)), d = c;
+        ray r = ray_at_cone(&numbers, c, (cone_aim)(i % aim_count), 10), q = r;
         real s = ldexp((real)1, e), k = ldexp((real)1, f);
         d.a = vscale(c.a, s), d.b = vscale(c.b, s), d.ra *= s, d.rb *= s;
         q.o = vscale(r.o, s), q.d = vscale(r.d, k);
@@ -205,10 +120,10 @@ static void scales(void)
 static void normals_and_points(void)
 {
     double worst = 0, worst_unit = 0, worst_point = 0;
-    numbers = random_start(10, 0, 0);
+    random_stream numbers = random_start(10, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
-        cone c = some_cone((int)(i % 5));
-        vec3 g, n, p = point_of_side(c, between(0, 1), between(-pi, pi), &g, &n);
+        cone c = some_cone(&numbers, (int)(i % 5));
+        vec3 g, n, p = point_of_side(c, between(&numbers, 0, 1), between(&numbers, -pi, pi), &g, &n);
         real radius = fabs(c.ra + (c.rb - c.ra) * vdot(vsub(p, c.a), vsub(c.b, c.a))
                            / vdot(vsub(c.b, c.a), vsub(c.b, c.a)));
         vec3 m = cone_normal(c, p);

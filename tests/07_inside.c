@@ -1,12 +1,6 @@
 /* 07_inside: point in mesh by parity, vote and winding number, aimed at vertices and edges. */
 #include "check.h"
-#include "../chapters/07_mesh/inside.h"
-#include "../chapters/07_mesh/specimens.h"
-#include "../common/random.h"
-
-static random_stream numbers;
-
-static real between(real a, real b) { return a + (b - a) * random_next(&numbers); }
+#include "../chapters/07_mesh/trials.h"
 
 /* Closed: each edge runs once in each direction. V - E + F = 2 - 2 holes (Euler, 欧拉公式). */
 static void specimens_are_closed(void)
@@ -50,24 +44,13 @@ static void solid_angles(void)
     mesh_free(&m);
 }
 
-typedef struct { size_t parity_naive, parity, vote, winding, asked; } wrong;
-
-static void ask(const mesh *m, vec3 p, vec3 d, bool inside, wrong *w)
-{
-    w->asked++;
-    w->parity_naive += inside_parity_naive(m, p, d) != inside;
-    w->parity += inside_parity(m, p, d) != inside;
-    w->vote += inside_vote(m, p, 5) != inside;
-    w->winding += inside_winding(m, p) != inside;
-}
-
 /* All points of the lattice, exactly, along the axes, where 4, 6 or 8 triangles meet in each vertex. Inside
  * is |x| + |y| + |z| < 1, in whole numbers. */
 static void lattice(void)
 {
     enum { n = 4 };
     mesh m = octahedron_mesh(n);
-    wrong w = {0, 0, 0, 0, 0};
+    inside_score w = {0, {0, 0, 0, 0, 0}};
     for (int z = -n; z <= n; z++)
         for (int y = -n; y <= n; y++)
             for (int x = -n - 1; x <= n + 1; x++)
@@ -76,39 +59,27 @@ static void lattice(void)
                     if (far == n) continue;  /* on the surface */
                     vec3 p = {(real)x / n, (real)y / n, (real)z / n}, d = {0, 0, 0};
                     ((real *)&d)[axis / 2] = axis % 2 ? -1 : 1;
-                    ask(&m, p, d, far < n, &w);
+                    w.asked++;
+                    for (int k = 0; k < inside_methods; k++) w.wrong[k] += inside_ask(k, &m, p, d) != (far < n);
                 }
-    check_equal(w.parity, 0, "crossings counted once: wrong of %zu lattice points", w.asked);
-    check_equal(w.vote, 0, "vote of 5: wrong");
-    check_equal(w.winding, 0, "winding number: wrong");
-    check_at_least(w.parity_naive, w.asked / 20, "hits counted: wrong at 1 of 20 lattice points and more");
+    for (int k = 1; k < inside_methods; k++)
+        check_equal(w.wrong[k], 0, "%s: wrong of %zu lattice points", inside_names[k], w.asked);
+    check_at_least(w.wrong[0], w.asked / 20, "parity of hits: wrong at 1 of 20 lattice points and more");
     mesh_free(&m);
 }
 
-/* Rays aimed at vertices and at points of edges of a torus, whose coordinates are not exact. Truth: the
- * distance from the ring, with room for the flat triangles between it and the circle. */
+/* Rays aimed at vertices and at points of edges of a torus, whose coordinates are not exact. */
 static void aimed(void)
 {
     mesh m = torus_mesh(24);
-    for (int at = 0; at < 3; at++) {
-        wrong w = {0, 0, 0, 0, 0};
-        numbers = random_start(21, (uint64_t)at, 0);
-        while (w.asked < check_count(4000)) {
-            vec3 p = {between(-1, 1), between(-1, 1), between((real)-0.3, (real)0.3)};
-            real ring = hypot(hypot(p.x, p.y) - (real)0.75, p.z);
-            if (ring > (real)0.235 && ring < (real)0.255) continue;  /* sagitta: 0.011 out, 0.005 in */
-            size_t i = (size_t)between(0, (real)m.triangles - 1);
-            triangle t = mesh_triangle(&m, i);
-            vec3 aim = at == 0 ? t.a : at == 1 ? vmadd(t.a, vsub(t.b, t.a), between(0, 1))
-                     : (vec3){between(-1, 1), between(-1, 1), between(-1, 1)};
-            ask(&m, p, vsub(aim, p), ring < (real)0.25, &w);
-        }
-        const char *name[] = {"vertex", "edge", "random"};
-        check_equal(w.parity, 0, "%s: parity of crossings, wrong of %zu", name[at], w.asked);
-        check_equal(w.vote, 0, "%s: vote", name[at]);
-        check_equal(w.winding, 0, "%s: winding number", name[at]);
-        if (at == 0) check_at_least(w.parity_naive, w.asked / 10, "vertex: parity of hits is wrong at 10 %% and more");
-        if (at == 1) check_at_least(w.parity_naive, w.asked / 100, "edge: parity of hits is wrong at 1 %% and more");
+    const char *name[] = {"random", "edge", "vertex"};
+    for (inside_aim at = AT_RANDOM; at <= AT_VERTEX; at++) {
+        random_stream numbers = random_start(21, (uint64_t)at, 0);
+        inside_score w = inside_play(&m, &numbers, at, check_count(4000));
+        for (int k = at == AT_RANDOM ? 0 : 1; k < inside_methods; k++)
+            check_equal(w.wrong[k], 0, "%s: %s, wrong of %zu", name[at], inside_names[k], w.asked);
+        if (at == AT_VERTEX) check_at_least(w.wrong[0], w.asked / 10, "vertex: parity of hits is wrong at 10 %% and more");
+        if (at == AT_EDGE) check_at_least(w.wrong[0], w.asked / 100, "edge: parity of hits is wrong at 1 %% and more");
     }
     mesh_free(&m);
 }

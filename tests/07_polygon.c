@@ -1,19 +1,6 @@
 /* 07_polygon: planar polygons against exact cases and an exact oracle, and the seams between them. */
 #include "check.h"
-#include "../chapters/07_mesh/oracle.h"
-#include "../chapters/07_mesh/shape.h"
-#include "../chapters/07_mesh/specimens.h"
-#include "../common/random.h"
-
-static random_stream numbers;
-
-static real between(real a, real b) { return a + (b - a) * random_next(&numbers); }
-
-static vec3 direction(void)
-{
-    real z = between(-1, 1), a = between(-pi, pi), s = sqrt(1 - z * z);
-    return (vec3){s * cos(a), s * sin(a), z};
-}
+#include "../chapters/07_mesh/trials.h"
 
 static void turn(vec3 *v, size_t n, vec3 axis, vec3 offset)
 {
@@ -102,17 +89,17 @@ static void against_the_oracle(void)
     for (int j = 0; j < 3; j++) {
         size_t wrong = 0, hits = 0;
         double worst = 0;
-        numbers = random_start(11, 0, (uint64_t)j);
+        random_stream numbers = random_start(11, 0, (uint64_t)j);
         for (size_t i = 0; i < check_count(6000); i++) {
-            int teeth = (int)between(3, 37);
-            size_t n = gear(v, teeth, between((real)0.5, 2), between((real)0.1, (real)0.9));
-            vec3 axis = direction(), d = direction(), offset = {between(-1, 1), between(-1, 1), between(-1, 1)};
+            int teeth = (int)between(&numbers, 3, 37);
+            size_t n = gear(v, teeth, between(&numbers, (real)0.5, 2), between(&numbers, (real)0.1, (real)0.9));
+            vec3 axis = direction(&numbers), d = direction(&numbers), offset = {between(&numbers, -1, 1), between(&numbers, -1, 1), between(&numbers, -1, 1)};
             turn(v, n, axis, offset);
             polygon p = polygon_of(v, n);
-            size_t k = (size_t)between(0, (real)n - 1);
-            vec3 aim = i % 2 ? vmadd(v[k], vsub(v[(k + 1) % n], v[k]), between(0, 1)) : offset;
-            aim = vadd(aim, vscale(direction(), i % 2 ? (real)1e-3 : between(0, 2)));
-            ray r = ray_from(vmadd(aim, d, -distances[j]), vscale(d, between((real)0.5, 2)));
+            size_t k = (size_t)between(&numbers, 0, (real)n - 1);
+            vec3 aim = i % 2 ? vmadd(v[k], vsub(v[(k + 1) % n], v[k]), between(&numbers, 0, 1)) : offset;
+            aim = vadd(aim, vscale(direction(&numbers), i % 2 ? (real)1e-3 : between(&numbers, 0, 2)));
+            ray r = ray_from(vmadd(aim, d, -distances[j]), vscale(d, between(&numbers, (real)0.5, 2)));
             polygon_truth truth = polygon_exact(p, r);
             hit h = hit_none;
             bool is = polygon_hit(p, r, &h);
@@ -131,61 +118,22 @@ static void against_the_oracle(void)
     }
 }
 
-/* A gear of SPD's proportions with its sides: two 144-gons and 144 quads, or 288 triangles instead of
- * the quads. From inside, at least one must be hit; rays aim at the seams. */
-enum { seam_corners = 144 };
-static vec3 top[seam_corners], bottom[seam_corners], quad[seam_corners][4];
-
-static size_t slips(real translation, bool triangles, bool naive, size_t rays)
-{
-    static shape s[2 + 2 * seam_corners];
-    vec3 offset = vscale((vec3){1, (real)0.7, (real)-0.3}, translation), axis = direction();
-    size_t n = 0, slipped = 0;
-    gear(top, 36, 1, (real)0.9);
-    gear(bottom, 36, 1, (real)0.9);
-    for (int i = 0; i < seam_corners; i++) top[i].z = (real)0.25, bottom[i].z = (real)-0.25;
-    turn(top, seam_corners, axis, offset);
-    turn(bottom, seam_corners, axis, offset);
-    s[n++] = shape_of_polygon(polygon_of(top, seam_corners));
-    s[n++] = shape_of_polygon(polygon_of(bottom, seam_corners));
-    for (int i = 0; i < seam_corners; i++) {
-        int j = (i + 1) % seam_corners;
-        memcpy(quad[i], (vec3[4]){bottom[i], bottom[j], top[j], top[i]}, sizeof quad[i]);
-        if (triangles) {
-            s[n++] = shape_of_triangle((triangle){quad[i][0], quad[i][1], quad[i][2]});
-            s[n++] = shape_of_triangle((triangle){quad[i][0], quad[i][2], quad[i][3]});
-        } else s[n++] = shape_of_polygon(polygon_of(quad[i], 4));
-    }
-    for (size_t i = 0; i < rays; i++) {
-        vec3 inner = vscale(vadd(top[0], bottom[seam_corners / 2]), (real)0.5);
-        size_t k = (size_t)between(0, seam_corners - 1);
-        vec3 a = quad[k][2], b = i % 2 ? quad[k][1] : quad[k][3];  /* an upright seam, or one of the top */
-        vec3 aim = i % 4 < 2 ? a : vmadd(a, vsub(b, a), between(0, 1));
-        ray r = ray_from(vadd(inner, vscale(direction(), (real)0.1)), (vec3){0, 0, 0});
-        r.d = vsub(aim, r.o);
-        ray_shear q = shear_of(r);
-        hit h;
-        bool is = false;
-        for (size_t j = 0; j < n && !is; j++)
-            is = naive && s[j].kind == SHAPE_POLYGON ? polygon_hit_naive(s[j].polygon, r, &h)
-                                                     : shape_hit_sheared(&s[j], &q, r, &h);
-        slipped += !is;
-    }
-    return slipped;
-}
-
+/* From inside at least one must be hit; the rays aim at corners and edges. */
 static void seams(void)
 {
+    static gear_box box;
     const real translations[] = {0, 1, 1000, 100000};
-    numbers = random_start(12, 0, 0);
+    random_stream numbers = random_start(12, 0, 0);
     for (int j = 0; j < 4; j++)
         for (int k = 0; k < 2; k++) {
             size_t rays = check_count(j == 0 ? 300000 : 65000);
-            check_equal(slips(translations[j], k == 1, false, rays), 0, "slips of %zu rays at seams, translation %g, %s",
+            gear_box_fill(&box, &numbers, translations[j], k == 1);
+            check_equal(gear_box_slips(&box, &numbers, rays, false), 0, "slips of %zu rays at seams, translation %g, %s",
                         rays, (double)translations[j], k ? "with triangles" : "with quads");
         }
     size_t rays = check_count(20000);
-    check_at_least(slips(0, false, true, rays), rays / 100, "the textbook polygon slips at 1 %% of the seams and more");
+    gear_box_fill(&box, &numbers, 0, false);
+    check_at_least(gear_box_slips(&box, &numbers, rays, true), rays / 100, "the textbook polygon slips at 1 %% of the seams and more");
 }
 
 /* Corners in the other order, other starts, other scale: the same hits, bit for bit. Three corners: the
@@ -194,16 +142,16 @@ static void same_answers(void)
 {
     size_t turned = 0, scaled = 0, as_triangle = 0, hits = 0;
     double worst = 0;
-    numbers = random_start(13, 0, 0);
+    random_stream numbers = random_start(13, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
         vec3 v[12], w[12], x[12];
-        size_t n = gear(v, 3, 1, (real)0.4), first = (size_t)between(0, 11);
+        size_t n = gear(v, 3, 1, (real)0.4), first = (size_t)between(&numbers, 0, 11);
         if (i % 2) n = 3;
-        vec3 d = direction(), zero = {0, 0, 0};
-        turn(v, n, direction(), zero);
-        real s = ldexp((real)1, (int)between(real_is_float ? -40 : -300, real_is_float ? 40 : 300));
+        vec3 d = direction(&numbers), zero = {0, 0, 0};
+        turn(v, n, direction(&numbers), zero);
+        real s = ldexp((real)1, (int)between(&numbers, real_is_float ? -40 : -300, real_is_float ? 40 : 300));
         for (size_t k = 0; k < n; k++) w[n - 1 - (k + first) % n] = v[k], x[k] = vscale(v[k], s);
-        vec3 aim = vscale(direction(), between(0, 1));
+        vec3 aim = vscale(direction(&numbers), between(&numbers, 0, 1));
         ray r = ray_from(vmadd(aim, d, -3), d), q = r;
         q.o = vscale(r.o, s), q.d = vscale(d, 4);
         hit h = hit_none, g = hit_none, e = hit_none, f = hit_none;

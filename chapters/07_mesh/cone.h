@@ -27,7 +27,7 @@
 #ifndef CONE_H
 #define CONE_H
 
-#include "../03_sphere/sphere.h"
+#include "../01_ray/hit.h"
 
 typedef struct {
     vec3 a;   /* middle of the base, u = 0 */
@@ -38,11 +38,28 @@ typedef struct {
 
 /* ------------------------------------------------------------------------------------------------ */
 
-/* (o - a) + t d, rounded as if computed with twice the digits: a point of the ray near a, however far o. */
+/* What rounding took from s = a + b: exactly a + b - s (Knuth). */
+static inline real cone_lost(real a, real b, real s)
+{
+    real bb = s - a;
+    return (a - (s - bb)) + (b - bb);
+}
+
+/* (o - a) + t d, rounded as if computed with twice the digits: a point of the ray near a, however
+ * far o is. */
 static inline real cone_near(real o, real a, real t, real d)
 {
     real f = o - a, p = t * d, q = f + p;
-    return q + (sum_error(o, -a, f) + fma(t, d, -p) + sum_error(f, p, q));
+    return q + (cone_lost(o, -a, f) + fma(t, d, -p) + cone_lost(f, p, q));
+}
+
+/* a x b, each component within 1.5 units in its last place: parallel vectors give 0, near-parallel
+ * ones keep all digits. */
+static inline vec3 cone_cross(vec3 a, vec3 b)
+{
+    return (vec3){difference_of_products(a.y, b.z, a.z, b.y),
+                  difference_of_products(a.z, b.x, a.x, b.z),
+                  difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /* The first of two roots t[0..1] whose u[0..1] lies on the side and whose t in the interval. */
@@ -94,12 +111,12 @@ static inline real cone_nearest(vec3 q, vec3 d, vec3 w, vec3 C)
  * Step 4: the two roots, neither by subtracting. */
 static inline bool cone_hit_moderate(cone c, ray r, hit *out)
 {
-    vec3 w = vsub(c.b, c.a), d = r.d, C = cross_kahan(d, w);
+    vec3 w = vsub(c.b, c.a), d = r.d, C = cone_cross(d, w);
     real near = cone_nearest(vsub(r.o, c.a), d, w, C);
     vec3 q = {cone_near(r.o.x, c.a.x, near, d.x), cone_near(r.o.y, c.a.y, near, d.y),
               cone_near(r.o.z, c.a.z, near, d.z)};
 
-    vec3 E = cross_kahan(q, w);
+    vec3 E = cone_cross(q, w);
     real h = vlength(w), hh = vdot(w, w), m = (c.rb - c.ra) / h, z = vdot(q, w), g = vdot(d, w);
     real R = h * c.ra + m * z, G = m * g;
     real S = vlength(vsub(vscale(C, R), vscale(E, G))), T = fabs(vdot(vscale(w, 1 / h), vcross(C, E)));
@@ -139,7 +156,7 @@ static inline bool cone_hit(cone c, ray r, hit *out)
 }
 
 /* At right angles to the axis, from it to p: h^2 times the vector. */
-static inline vec3 cone_outward(vec3 q, vec3 w) { return cross_kahan(w, cross_kahan(q, w)); }
+static inline vec3 cone_outward(vec3 q, vec3 w) { return cone_cross(w, cone_cross(q, w)); }
 
 static inline vec3 cone_normal(cone c, vec3 p)
 {

@@ -50,7 +50,8 @@ static inline mesh torus_mesh(int n)
     for (size_t i = 0; i < k; i++)
         for (size_t j = 0; j < k; j++) {
             real a = 2 * pi * (real)i / (real)n, b = 2 * pi * (real)j / (real)n, r = (3 + cos(b)) / 4;
-            m.v[i * k + j] = (vec3){r * cos(a), r * sin(a), sin(b) / 4};
+            real z = 2 * j % k == 0 ? 0 : sin(b) / 4;  /* sin of the rounded pi is not 0 */
+            m.v[i * k + j] = (vec3){r * cos(a), r * sin(a), z};
             size_t i1 = (i + 1) % k, j1 = (j + 1) % k;
             specimen_add(&m, i * k + j, i1 * k + j, i1 * k + j1);
             specimen_add(&m, i * k + j, i1 * k + j1, i * k + j1);
