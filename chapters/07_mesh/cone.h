@@ -62,12 +62,12 @@ static inline vec3 cone_cross(vec3 a, vec3 b)
                   difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
-/* The first of two roots t[0..1] whose u[0..1] lies on the side and whose t in the interval. */
-static inline bool cone_first(ray r, const real t[2], const real u[2], hit *out)
+/* The first of two roots t[0..1] in the interval whose height z[0..1] along the axis is within 0..top. */
+static inline bool cone_first(ray r, const real t[2], const real z[2], real top, hit *out)
 {
     for (int k = 0; k < 2; k++)
-        if (u[k] >= 0 && u[k] <= 1 && ray_covers(r, t[k])) {
-            *out = (hit){t[k], u[k], 0, 0};
+        if (z[k] >= 0 && z[k] <= top && ray_covers(r, t[k])) {
+            *out = (hit){t[k], z[k] / top, 0, 0};
             return true;
         }
     return false;
@@ -86,8 +86,7 @@ static inline bool cone_hit_naive(cone c, ray r, hit *out)
     real s = sqrt(beta * beta - alpha * gamma);  /* NaN: no root, and NaN is never in an interval */
     real t0 = (-beta - s) / alpha, t1 = (-beta + s) / alpha;
     real t[2] = {real_min(t0, t1), real_max(t0, t1)};
-    real u[2] = {(z + t[0] * g) / h, (z + t[1] * g) / h};
-    return cone_first(r, t, u, out);
+    return cone_first(r, t, (real[2]){z + t[0] * g, z + t[1] * g}, h, out);
 }
 
 /* The t of the ray's point that is nearest to the axis between the planes of the two ends. Any t near
@@ -126,8 +125,7 @@ static inline bool cone_hit_moderate(cone c, ray r, hit *out)
     real far = -(beta + copysign(sqrt((S - T) * (S + T)), beta));
     real t0 = far / alpha, t1 = far != 0 ? gamma / far : t0;  /* alpha = 0: t0 is infinite, and no hit */
     if (t0 > t1) { real swap = t0; t0 = t1; t1 = swap; }
-    return cone_first(r, (real[2]){near + t0, near + t1},
-                      (real[2]){(z + t0 * g) / hh, (z + t1 * g) / hh}, out);
+    return cone_first(r, (real[2]){near + t0, near + t1}, (real[2]){z + t0 * g, z + t1 * g}, hh, out);
 }
 
 /* Sizes whose products could over- or underflow: the same problem in units of the cone and of d, powers of
