@@ -19,7 +19,8 @@ static void specimens_are_closed(void)
             open += back != 1 || again != 1;
         }
         check_equal(open, 0, "specimen %d: edges without a partner", i);
-        check_equal((int)m[i].vertices - (int)m[i].triangles / 2, i ? 0 : 2, "specimen %d: Euler number", i);
+        check_equal((int)m[i].vertices - (int)m[i].triangles / 2, i ? 0 : 2,
+                    "specimen %d: Euler number", i);
         mesh_free(&m[i]);
     }
 }
@@ -28,24 +29,29 @@ static void solid_angles(void)
 {
     vec3 x = {1, 0, 0}, y = {0, 2, 0}, z = {0, 0, 3};
     double eps = (double)real_epsilon, octant = 3.14159265358979323846 / 2;
-    check_close(solid_angle(x, y, z), octant, 4 * eps, "an octant is an eighth of 4 pi, whatever the lengths");
+    check_close(solid_angle(x, y, z), octant, 4 * eps,
+                "an octant is an eighth of 4 pi, whatever the lengths");
     check_close(solid_angle(y, x, z), -octant, 4 * eps, "the other way round: negative");
     check_equal(solid_angle(x, y, vadd(x, y)), 0, "edge-on: nothing");
-    check_close(solid_angle((vec3){1, 0, (real)1e-3}, (vec3){(real)-0.5, (real)0.75, (real)1e-3}, (vec3){(real)-0.5, (real)-0.75, (real)1e-3}),
-                4 * octant, 0.02, "just below a triangle it is nearly half of the sphere, not nearly 0");
+    check_close(solid_angle((vec3){1, 0, (real)1e-3}, (vec3){(real)-0.5, (real)0.75, (real)1e-3},
+                            (vec3){(real)-0.5, (real)-0.75, (real)1e-3}),
+                4 * octant, 0.02,
+                "just below a triangle it is nearly half of the sphere, not nearly 0");
     check_equal(solid_angle((vec3){0, 0, 0}, y, z), 0, "a corner at p");
     /* A square of side 2 at distance 1 is one face of a cube: 4 pi / 6. */
     vec3 a = {-1, -1, 1}, b = {1, -1, 1}, c = {1, 1, 1}, d = {-1, 1, 1};
-    check_close(solid_angle(a, b, c) + solid_angle(a, c, d), 4 * octant / 3, 8 * eps, "a face of a cube");
+    check_close(solid_angle(a, b, c) + solid_angle(a, c, d), 4 * octant / 3, 8 * eps,
+                "a face of a cube");
     mesh m = torus_mesh(40);
-    check_close(winding_number(&m, (vec3){(real)0.75, 0, 0}), 1, 3200 * eps, "in the ring: 1, n epsilon");
+    check_close(winding_number(&m, (vec3){(real)0.75, 0, 0}), 1, 3200 * eps,
+                "in the ring: 1, n epsilon");
     check_close(winding_number(&m, (vec3){0, 0, 0}), 0, 3200 * eps, "in its hole: 0");
     check_close(winding_number(&m, (vec3){100, 0, 0}), 0, 3200 * eps, "far away: 0");
     mesh_free(&m);
 }
 
-/* All points of the lattice, exactly, along the axes, where 4, 6 or 8 triangles meet in each vertex. Inside
- * is |x| + |y| + |z| < 1, in whole numbers. */
+/* All points of the lattice, exactly, along the axes, where 4, 6 or 8 triangles meet in each
+ * vertex. Inside is |x| + |y| + |z| < 1, in whole numbers. */
 static void lattice(void)
 {
     enum { n = 4 };
@@ -60,11 +66,13 @@ static void lattice(void)
                     vec3 p = {(real)x / n, (real)y / n, (real)z / n}, d = {0, 0, 0};
                     ((real *)&d)[axis / 2] = axis % 2 ? -1 : 1;
                     w.asked++;
-                    for (int k = 0; k < inside_methods; k++) w.wrong[k] += inside_ask(k, &m, p, d) != (far < n);
+                    for (int k = 0; k < inside_methods; k++)
+                        w.wrong[k] += inside_ask(k, &m, p, d) != (far < n);
                 }
     for (int k = 1; k < inside_methods; k++)
         check_equal(w.wrong[k], 0, "%s: wrong of %zu lattice points", inside_names[k], w.asked);
-    check_at_least(w.wrong[0], w.asked / 20, "parity of hits: wrong at 1 of 20 lattice points and more");
+    check_at_least(w.wrong[0], w.asked / 20,
+                   "parity of hits: wrong at 1 of 20 lattice points and more");
     mesh_free(&m);
 }
 
@@ -78,8 +86,12 @@ static void aimed(void)
         inside_score w = inside_play(&m, &numbers, at, check_count(4000));
         for (int k = at == AT_RANDOM ? 0 : 1; k < inside_methods; k++)
             check_equal(w.wrong[k], 0, "%s: %s, wrong of %zu", name[at], inside_names[k], w.asked);
-        if (at == AT_VERTEX) check_at_least(w.wrong[0], w.asked / 10, "vertex: parity of hits is wrong at 10 %% and more");
-        if (at == AT_EDGE) check_at_least(w.wrong[0], w.asked / 100, "edge: parity of hits is wrong at 1 %% and more");
+        if (at == AT_VERTEX)
+            check_at_least(w.wrong[0], w.asked / 10,
+                           "vertex: parity of hits is wrong at 10 %% and more");
+        if (at == AT_EDGE)
+            check_at_least(w.wrong[0], w.asked / 100,
+                           "edge: parity of hits is wrong at 1 %% and more");
     }
     mesh_free(&m);
 }
@@ -93,17 +105,20 @@ static void open_mesh(void)
     vec3 through = vsub(vscale(vadd(vadd(hole.a, hole.b), hole.c), 1 / (real)3), p);
     check(inside_parity(&m, p, through) && inside_parity_naive(&m, p, through), "closed: inside");
     m.triangles--;
-    check(!inside_parity(&m, p, through) && !inside_parity_naive(&m, p, through), "parity through the hole: outside");
+    check(!inside_parity(&m, p, through) && !inside_parity_naive(&m, p, through),
+          "parity through the hole: outside");
     check(inside_parity(&m, p, vneg(through)), "and inside by the other way");
     check(inside_winding(&m, p) && inside_vote(&m, p, 5), "winding number and vote: inside");
-    check_close(winding_number(&m, p), 1 - 1.0 / 128, 0.01, "1 of 128 triangles: some 1/128 is missing");
+    check_close(winding_number(&m, p), 1 - 1.0 / 128, 0.01,
+                "1 of 128 triangles: some 1/128 is missing");
     for (size_t i = 0; i < m.triangles; i++) {
         uint32_t *k = m.index + 3 * i, swap = k[0];
         k[0] = k[1], k[1] = swap;
     }
     check(inside_winding(&m, p), "all triangles turned over: still inside");
     m.triangles = 0;
-    check(!inside_parity(&m, p, through) && !inside_winding(&m, p), "no triangles: nothing is inside");
+    check(!inside_parity(&m, p, through) && !inside_winding(&m, p),
+          "no triangles: nothing is inside");
     mesh_free(&m);
 }
 

@@ -1,12 +1,13 @@
 /* inside.h: does a point lie inside a mesh? Four answers, and what each of them needs.
  *
- *        ______            parity (奇偶性): a way out of a closed mesh crosses it an odd number of times,
- *       /  p---\-----> 1   a way from outside an even number. True of the crossings of the surface; the
- *      /_______/           triangles that say "hit" are more, where the ray meets an edge or a vertex.
+ *        ______           parity (奇偶性): a way out of a closed mesh crosses it an odd number of
+ *       /  p---\-----> 1  times, a way from outside an even number. True of the crossings of the
+ *      /_______/          surface; the triangles that say "hit" are more, where the ray meets an
+ *                         edge or a vertex.
  *
  *   bool inside_parity_naive(&m, p, d)  counts hits of the ray p + t d: wrong on edges and vertices
  *   bool inside_parity(&m, p, d)        counts crossings, one for each, edges and vertices included
- *   bool inside_vote(&m, p, k)          majority of k naive parities [odd, 1..15], each its own direction
+ *   bool inside_vote(&m, p, k)          majority of k naive parities [odd, 1..15], k directions
  *   bool inside_winding(&m, p)          |winding number| > 1/2: no ray at all
  *   double winding_number(&m, p)        环绕数: how often the mesh surrounds p: 1 inside, 0 outside
  *
@@ -15,22 +16,24 @@
  *   vote            nearly         any                         k n tests
  *   winding number  no             the same everywhere         n square roots (3) and arc tangents
  *
- * On the surface itself, and closer to it than rounding can tell, any answer may come. Each is O(n).
- * Parts of a mesh that overlap: parity calls the overlap outside, the winding number there is 2.
+ * On the surface itself, and closer to it than rounding can tell, any answer may come. Each is
+ * O(n). Parts of a mesh that overlap: parity calls the overlap outside, the winding number there
+ * is 2.
  *
- * Sources: A. Van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans. Biomed. Eng.
- * 30(2), 1983, eq. 8; A. Jacobson, L. Kavan, O. Sorkine-Hornung, "Robust Inside-Outside Segmentation
- * using Generalized Winding Numbers", ACM Trans. Graphics 32(4), 2013.
+ * Sources: A. Van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans.
+ * Biomed. Eng. 30(2), 1983, eq. 8; A. Jacobson, L. Kavan, O. Sorkine-Hornung, "Robust
+ * Inside-Outside Segmentation using Generalized Winding Numbers", ACM Trans. Graphics 32(4),
+ * 2013.
  */
 #ifndef INSIDE_H
 #define INSIDE_H
 
 #include "closest.h"
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
-/* Wrong: an octahedron and a ray from its middle to a vertex. Four triangles meet there, the watertight
- * test rightly reports all four, and four is even. */
+/* Wrong: an octahedron and a ray from its middle to a vertex. Four triangles meet there, the
+ * watertight test rightly reports all four, and four is even. */
 static inline bool inside_parity_naive(const mesh *m, vec3 p, vec3 d)
 {
     ray r = ray_from(p, d);
@@ -41,8 +44,8 @@ static inline bool inside_parity_naive(const mesh *m, vec3 p, vec3 d)
     return hits % 2 == 1;
 }
 
-/* Half open, so that each crossing belongs to one triangle: (7.9), and an edge through the ray itself
- * counts as passing on the side of negative x, for both its triangles. */
+/* Half open, so that each crossing belongs to one triangle: (7.9), and an edge through the ray
+ * itself counts as passing on the side of negative x, for both its triangles. */
 static inline bool edge_crosses(vec3 a, vec3 b)
 {
     bool up = b.y > 0;
@@ -50,10 +53,11 @@ static inline bool edge_crosses(vec3 a, vec3 b)
     return (a.y > 0) != up && (up ? e > 0 : e < 0);
 }
 
-/* The picture along the ray again: each corner has one place in it, and triangle a b c contains the
- * origin if an odd number of its edges cross the half axis y = 0, x > 0. Two triangles give their shared
- * edge the same answer, so over a closed mesh all of them cancel: the whole line has an even number of
- * crossings whatever the rounding did, and those in front of p, odd or even, tell where p is.      (7.11) */
+/* The picture along the ray again: each corner has one place in it, and triangle a b c contains
+ * the origin if an odd number of its edges cross the half axis y = 0, x > 0. Two triangles give
+ * their shared edge the same answer, so over a closed mesh all of them cancel: the whole line has
+ * an even number of
+ * crossings whatever the rounding did, and those in front of p tell where p is.           (7.11) */
 static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
 {
     ray_shear s = shear_of(ray_from(p, d));
@@ -69,8 +73,8 @@ static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
     return odd;
 }
 
-/* Direction i of k, spread over the sphere along a spiral, turned so that none lies along an axis, where
- * the edges of made-up meshes like to lie. */
+/* Direction i of k, spread over the sphere along a spiral, turned so that none lies along an
+ * axis, where the edges of made-up meshes like to lie. */
 static inline vec3 inside_direction(int i, int k)
 {
     real z = 1 - (2 * (real)i + (real)0.8124) / (real)k, a = (real)i * (real)2.39996 + (real)0.6180;
@@ -86,8 +90,9 @@ static inline bool inside_vote(const mesh *m, vec3 p, int k)
 }
 
 /* Signed solid angle Omega of a triangle seen from the origin:
- *     tan(Omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|)                   (7.12)
- * atan2 keeps the quadrant where the denominator is negative, and gives 0 for 0 / 0, a corner at p. */
+ *     tan(Omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|)            (7.12)
+ * atan2 keeps the quadrant where the denominator is negative, and gives 0 for 0 / 0, a corner at
+ * p. */
 static inline double solid_angle(vec3 a, vec3 b, vec3 c)
 {
     real la = vlength(a), lb = vlength(b), lc = vlength(c);
@@ -95,7 +100,7 @@ static inline double solid_angle(vec3 a, vec3 b, vec3 c)
                      (double)(la * lb * lc + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb));
 }
 
-/* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.             (7.13) */
+/* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.     (7.13) */
 static inline double winding_number(const mesh *m, vec3 p)
 {
     double sum = 0;
@@ -106,6 +111,9 @@ static inline double winding_number(const mesh *m, vec3 p)
     return sum / (4 * 3.14159265358979323846);
 }
 
-static inline bool inside_winding(const mesh *m, vec3 p) { return fabs(winding_number(m, p)) > 0.5; }
+static inline bool inside_winding(const mesh *m, vec3 p)
+{
+    return fabs(winding_number(m, p)) > 0.5;
+}
 
 #endif

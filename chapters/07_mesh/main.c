@@ -1,4 +1,4 @@
-/* 07_mesh: shapes of a scene, meshes from files, the closest hit by brute force, and what is inside.
+/* 07_mesh: shapes, meshes from files, the closest hit by brute force, and what is inside.
 cc -std=c11 -O2 -ffp-contract=off -o 07_mesh chapters/07_mesh/main.c -lm -lpthread
  *
  * Without options: the teapot, one shape of each kind, slices through meshes, three tables.
@@ -8,9 +8,9 @@ cc -std=c11 -O2 -ffp-contract=off -o 07_mesh chapters/07_mesh/main.c -lm -lpthre
 #include "obj.h"
 #include "pictures.h"
 
-/* A picture takes rays x triangles tests. Where no size is asked for, it gets the size that so many tests
- * can fill within ten seconds on two cores. That depends on the mesh alone, not on the machine: the same
- * command draws the same picture everywhere. */
+/* A picture takes rays x triangles tests. Where no size is asked for, it gets the size that so
+ * many tests can fill within ten seconds on two cores. That depends on the mesh alone, not on the
+ * machine: the same command draws the same picture everywhere. */
 static void choose_size(options *o, int *samples, const mesh *m, double tests)
 {
     if (o->width == 0) {
@@ -22,16 +22,18 @@ static void choose_size(options *o, int *samples, const mesh *m, double tests)
     }
     if (*samples == 0) *samples = 1;
     tests = (double)o->width * o->height * *samples * (double)m->triangles;
-    printf("# picture %d x %d, %d rays a pixel, each against %zu triangles: %.3g tests\n", o->width, o->height,
-           *samples, m->triangles, tests);
+    printf("# picture %d x %d, %d rays a pixel, each against %zu triangles: %.3g tests\n",
+           o->width, o->height, *samples, m->triangles, tests);
 }
 
 /* "dir/bunny.obj" -> build/07_mesh_bunny.png: images/ is for the pictures of the text. */
 static const char *picture_of(const char *path, char name[512])
 {
-    const char *base = strrchr(path, '/') ? strrchr(path, '/') + 1 : path, *dot = strrchr(base, '.');
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
+    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
     mkdir("build", 0777);
-    snprintf(name, 512, "build/07_mesh_%.*s.png", (int)(dot && dot > base ? dot - base : (long)strlen(base)), base);
+    snprintf(name, 512, "build/07_mesh_%.*s.png", length, base);
     return name;
 }
 
@@ -51,9 +53,12 @@ static void chapter_pictures(const options *o)
 static void chapter_tables(const options *o)
 {
     size_t rays = o->quick ? 500 : 20000;
-    plot wrong = plot_new("Grazing rays told wrong", "distance", "wrong [%]", PLOT_LOG_X | PLOT_LOG_Y);
-    plot residual = plot_new("Hit point off the cone", "distance", "distance from the side", PLOT_LOG_X | PLOT_LOG_Y);
-    plot inside = plot_new("Point in mesh, rays through vertices", "time [ns a triangle]", "wrong [%]", PLOT_LOG_X);
+    plot wrong =
+        plot_new("Grazing rays told wrong", "distance", "wrong [%]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot residual = plot_new("Hit point off the cone", "distance", "distance from the side",
+                             PLOT_LOG_X | PLOT_LOG_Y);
+    plot inside = plot_new("Point in mesh, rays through vertices", "time [ns a triangle]",
+                           "wrong [%]", PLOT_LOG_X);
     table shapes = measure_shapes(rays, &wrong, &residual), t = measure_inside(rays / 10, &inside);
     output_table(o, &shapes);
     output_extra_table(o, &t);
@@ -67,14 +72,19 @@ int main(int argc, char **argv)
     const char *path = NULL, *up = NULL;
     bool smooth = false, flat = false;
     int fineness = 5, samples = 0;
-    option own[] = {{"mesh", OPTION_TEXT, &path, 0, 0, "an OBJ file: draw it, and measure on it"},
-                    {"up", OPTION_TEXT, &up, 0, 0, "axis that points upwards: x, y or z; default y, of the teapot z"},
-                    {"smooth", OPTION_FLAG, &smooth, 0, 0, "normals from the triangles around each vertex"},
-                    {"flat", OPTION_FLAG, &flat, 0, 0, "one normal a triangle, even where the file gives others"},
-                    {"teapot", OPTION_INT, &fineness, 1, 500, "cells along each side of its patches"},
-                    {"samples", OPTION_INT, &samples, 1, 4096, "rays a pixel, rounded down to a square"}, {0}};
-    options o = options_read(argc, argv, "07_mesh", "Shapes, meshes, brute force, and what is inside.",
-                             (options){.seed = 1}, own);
+    option own[] = {
+        {"mesh", OPTION_TEXT, &path, 0, 0, "an OBJ file: draw it, and measure on it"},
+        {"up", OPTION_TEXT, &up, 0, 0,
+         "axis that points upwards: x, y or z; default y, of the teapot z"},
+        {"smooth", OPTION_FLAG, &smooth, 0, 0, "normals from the triangles around each vertex"},
+        {"flat", OPTION_FLAG, &flat, 0, 0,
+         "one normal a triangle, even where the file gives others"},
+        {"teapot", OPTION_INT, &fineness, 1, 500, "cells along each side of its patches"},
+        {"samples", OPTION_INT, &samples, 1, 4096, "rays a pixel, rounded down to a square"},
+        {0}};
+    options o =
+        options_read(argc, argv, "07_mesh", "Shapes, meshes, brute force, and what is inside.",
+                     (options){.seed = 1}, own);
     failure f;
     char name[512];
     if (up && (strlen(up) != 1 || !strchr("xyz", *up))) {
@@ -102,7 +112,8 @@ int main(int argc, char **argv)
     if (!o.out) chapter_pictures(&o);
     if (!path) chapter_tables(&o);
     double exponent;
-    plot time = plot_new("Closest hit by brute force", "triangles", "time a ray [us]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot time = plot_new("Closest hit by brute force", "triangles", "time a ray [us]",
+                         PLOT_LOG_X | PLOT_LOG_Y);
     mesh fine = path ? m : teapot_mesh(o.quick ? 8 : 32);
     table cost = measure_cost(&fine, o.quick ? 200000 : 5000000, &time, &exponent);
     (path ? output_table : output_extra_table)(&o, &cost);

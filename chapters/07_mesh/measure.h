@@ -29,13 +29,17 @@ static inline double run_cones(void *context)
     return sum;
 }
 
-/* One row for each method: wrong answers where rays graze, distance from the side where they do not. */
+/* One row for each method: wrong answers where rays graze, distance from the side where they do
+ * not. */
 static inline void measure_cones(size_t rays, table *t, plot *wrong, plot *residual)
 {
     static cone_batch b[2];
     const char *name[2] = {"cone_hit_naive", "cone_hit"};
     int in_wrong[2], in_residual[2];
-    for (int k = 0; k < 2; k++) in_wrong[k] = plot_series(wrong, name[k]), in_residual[k] = plot_series(residual, name[k]);
+    for (int k = 0; k < 2; k++) {
+        in_wrong[k] = plot_series(wrong, name[k]);
+        in_residual[k] = plot_series(residual, name[k]);
+    }
     for (real distance = 1; distance <= (real)1e6; distance *= 10) {
         cone_score sum = {0, 0, {0, 0}, {0, 0}, {0, 0}};
         clock_variant v[2] = {{name[0], run_cones, &b[0], 0}, {name[1], run_cones, &b[1], 0}};
@@ -61,7 +65,8 @@ static inline void measure_cones(size_t rays, table *t, plot *wrong, plot *resid
             plot_add(residual, in_residual[k], (double)distance, sum.off_side[k]);
             int power = (int)round(log10((double)distance));
             if (power % 2) continue;
-            table_text(t, "%s", name[k]), table_text(t, "distance 1e%d", power), table_number(t, percent);
+            table_text(t, "%s", name[k]), table_text(t, "distance 1e%d", power);
+            table_number(t, percent);
             table_number(t, sum.off_side[k]), table_number(t, 1e9 * v[k].seconds / batch);
         }
     }
@@ -110,11 +115,12 @@ static inline void measure_polygons(size_t rays, table *t)
     }
 }
 
-/* `wrong` of cones: grazing rays with another answer than the oracle's; of polygons: rays from inside a
- * gear wheel, aimed at its corners and edges, that leave it unseen. */
+/* `wrong` of cones: grazing rays with another answer than the oracle's; of polygons: rays from
+ * inside a gear wheel, aimed at its corners and edges, that leave it unseen. */
 static inline table measure_shapes(size_t rays, plot *wrong, plot *residual)
 {
-    table t = table_new("Cones and polygons: error against time", "method|rays|error: wrong [%]|error: off the side|time [ns]");
+    table t = table_new("Cones and polygons: error against time",
+                        "method|rays|error: wrong [%]|error: off the side|time [ns]");
     measure_cones(rays, &t, wrong, residual);
     measure_polygons(rays, &t);
     return t;
@@ -138,8 +144,9 @@ static inline table measure_inside(size_t points, plot *against_time)
     static inside_batch b[inside_methods];
     clock_variant v[inside_methods];
     mesh m = torus_mesh(24);
-    table t = table_new("Point in a closed mesh of 1152 triangles, rays aimed at",
-                        "method|error: random [% wrong]|error: an edge|error: a vertex|time [ns a triangle]");
+    table t = table_new(
+        "Point in a closed mesh of 1152 triangles, rays aimed at",
+        "method|error: random [% wrong]|error: an edge|error: a vertex|time [ns a triangle]");
     inside_score score[3];
     for (inside_aim at = AT_RANDOM; at <= AT_VERTEX; at++) {
         random_stream s = random_start(73, (uint64_t)at, 0);
@@ -148,15 +155,18 @@ static inline table measure_inside(size_t points, plot *against_time)
     random_stream s = random_start(74, 0, 0);
     for (int k = 0; k < inside_methods; k++) {
         b[k].m = &m, b[k].method = k, v[k] = (clock_variant){inside_names[k], run_inside, &b[k], 0};
-        for (int i = 0; i < questions; i++) (void)inside_question(&m, &s, AT_VERTEX, &b[k].p[i], &b[k].d[i]);
+        for (int i = 0; i < questions; i++)
+            (void)inside_question(&m, &s, AT_VERTEX, &b[k].p[i], &b[k].d[i]);
     }
     clock_compare(v, inside_methods, most_rounds);
     for (int k = 0; k < inside_methods; k++) {
         double ns = 1e9 * v[k].seconds / questions / (double)m.triangles;
         table_text(&t, "%s", inside_names[k]);
-        for (int at = 0; at < 3; at++) table_number(&t, 100 * (double)score[at].wrong[k] / (double)points);
+        for (int at = 0; at < 3; at++)
+            table_number(&t, 100 * (double)score[at].wrong[k] / (double)points);
         table_number(&t, ns);
-        plot_add(against_time, plot_series(against_time, inside_names[k]), ns, 100 * (double)score[2].wrong[k] / (double)points);
+        plot_add(against_time, plot_series(against_time, inside_names[k]), ns,
+                 100 * (double)score[2].wrong[k] / (double)points);
     }
     mesh_free(&m);
     return t;
@@ -172,7 +182,8 @@ static inline double run_cost(void *context)
     double sum = 0;
     random_stream s = random_start(75, 0, 0);
     for (size_t i = 0; i < b->rays; i++) {
-        vec3 aim = vmadd(b->centre, in_cube(&s, 1), b->radius / 2), o = vmadd(b->centre, direction(&s), 3 * b->radius);
+        vec3 aim = vmadd(b->centre, in_cube(&s, 1), b->radius / 2);
+        vec3 o = vmadd(b->centre, direction(&s), 3 * b->radius);
         ray r = ray_from(o, vsub(aim, o));
         hit h = hit_none;
         sum += b->any ? mesh_occluded(b->m, r) : mesh_hit(b->m, r, &h) ? (double)h.t : 0;
@@ -180,11 +191,12 @@ static inline double run_cost(void *context)
     return sum;
 }
 
-/* The first n/4^k triangles of m as meshes of their own, k = 0..5, some `tests` triangle tests each time.
- * *exponent: slope of log time against log n, by least squares; 1 for O(n). */
+/* The first n/4^k triangles of m as meshes of their own, k = 0..5, some `tests` triangle tests
+ * each time. *exponent: slope of log time against log n, by least squares; 1 for O(n). */
 static inline table measure_cost(const mesh *m, size_t tests, plot *time, double *exponent)
 {
-    table t = table_new("Closest hit by brute force", "triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");
+    table t = table_new("Closest hit by brute force",
+                        "triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");
     int closest = plot_series(time, "closest hit"), any = plot_series(time, "any hit");
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     vec3 lo, hi;
@@ -193,9 +205,11 @@ static inline table measure_cost(const mesh *m, size_t tests, plot *time, double
         mesh part = *m;
         part.triangles = m->triangles >> (2 * k);
         if (part.triangles < 50 && k > 0) continue;  /* there the call costs more than the tests */
-        size_t rays = tests / part.triangles < 8 ? 8 : tests / part.triangles > 20000 ? 20000 : tests / part.triangles;
-        cost_batch b[2] = {{&part, rays, false, vmadd(lo, vsub(hi, lo), (real)0.5), vlength(vsub(hi, lo)) / 2}, {0}};
-        b[1] = b[0], b[1].any = true;
+        size_t rays = tests / part.triangles;
+        rays = rays < 8 ? 8 : rays > 20000 ? 20000 : rays;
+        vec3 size = vsub(hi, lo), centre = vmadd(lo, size, (real)0.5);
+        cost_batch b[2] = {{&part, rays, false, centre, vlength(size) / 2},
+                           {&part, rays, true, centre, vlength(size) / 2}};
         clock_variant v[2] = {{"closest", run_cost, &b[0], 0}, {"any", run_cost, &b[1], 0}};
         clock_compare(v, 2, 3);
         double us = 1e6 * v[0].seconds / (double)rays, any_us = 1e6 * v[1].seconds / (double)rays;

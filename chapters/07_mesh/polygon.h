@@ -1,24 +1,25 @@
 /* polygon.h: a planar polygon (多边形) with any number of corners, concave ones too.
  *
- *       2______1            corners counter-clockwise seen from the tip of n; each edge joins a corner
- *        \    /   5         to the next, the last one to the first. Edges do not cross.
+ *       2______1         corners counter-clockwise seen from the tip of n; each edge joins a corner
+ *        \    /   5      to the next, the last one to the first. Edges do not cross.
  *         \  /  .' |
- *          3 --4   |        polygon p = polygon_of(corners, count);     O(count), corners are not copied
- *         /        |        bool polygon_hit(p, r, &h)                  O(count); h.u = h.v = 0
- *        6---------0        bool polygon_hit_sheared(p, &s, r, &h)      the same, the ray prepared once
- *                           bool polygon_hit_naive(p, r, &h)            the textbook: slips at edges
- *                           vec3 polygon_normal(p)                      unit n, or 0 for no area
+ *          3 --4   |     polygon p = polygon_of(corners, count);  O(count), corners are not copied
+ *         /        |     bool polygon_hit(p, r, &h)               O(count); h.u = h.v = 0
+ *        6---------0     bool polygon_hit_sheared(p, &s, r, &h)   the same, the ray prepared once
+ *                        bool polygon_hit_naive(p, r, &h)         the textbook: slips at edges
+ *                        vec3 polygon_normal(p)                   unit n, or 0 for no area
  *
- * Seen along the ray the polygon is flat and the ray is the origin (0,0) of that picture (4.9). Walk to
- * the right along the x axis: a way out of the polygon crosses its edges an odd number of times (奇偶规则).
+ * Seen along the ray the polygon is flat and the ray is the origin (0,0) of that picture (4.9).
+ * Walk to the right along the x axis: a way out of the polygon crosses its edges an odd number of
+ * times (奇偶规则).
  *
- * Closed: a ray through an edge or a corner hits. Watertight: of polygons and triangles of 04 that share
- * edges, corner for corner, at least one is hit by a ray through the seam. A corner of one that lies
- * within an edge of another (T-junction) is no shared edge: rays may slip there.
- * Corners that are not quite in a plane: the plane through their mean with Newell's normal gives t, and
- * t stays between those of the nearest and the farthest corner.
+ * Closed: a ray through an edge or a corner hits. Watertight: of polygons and triangles of 04 that
+ * share edges, corner for corner, at least one is hit by a ray through the seam. A corner of one
+ * that lies within an edge of another (T-junction) is no shared edge: rays may slip there.
+ * Corners that are not quite in a plane: the plane through their mean with Newell's normal gives
+ * t, and t stays between those of the nearest and the farthest corner.
  *
- *   fewer than three corners, no area, NaN or infinity anywhere, D = 0, seen exactly edge-on    no hit
+ *   fewer than three corners, no area, NaN or infinity anywhere, D = 0, exactly edge-on    no hit
  *
  * Sources: I. Sutherland, R. Sproull, R. Schumacker, "A Characterization of Ten Hidden-Surface
  * Algorithms", ACM Computing Surveys 6(1), 1974 (Newell's normal); E. Haines, "Point in Polygon
@@ -36,11 +37,12 @@ typedef struct {
     vec3 centre;    /* mean of the corners */
 } polygon;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
-/* Newell's normal: sum of q_i x q_(i+1), twice the area long. It takes q from the first corner, so that
- * far from the origin no digits cancel, and scales q by a power of two, so that nothing overflows. A
- * cross product at one corner would point backwards where that corner is concave.                  (7.8) */
+/* Newell's normal: sum of q_i x q_(i+1), twice the area long. It takes q from the first corner,
+ * so that far from the origin no digits cancel, and scales q by a power of two, so that nothing
+ * overflows. A
+ * cross product at one corner would point backwards where that corner is concave.        (7.8) */
 static inline polygon polygon_of(const vec3 *v, size_t n)
 {
     vec3 sum = {0, 0, 0}, offset = {0, 0, 0}, widest = {0, 0, 0};
@@ -53,15 +55,17 @@ static inline polygon polygon_of(const vec3 *v, size_t n)
     (void)vscaled(widest, &e);
     real scale = ldexp((real)1, -e);
     for (size_t i = 2; i < n; i++)
-        sum = vadd(sum, vcross(vscale(vsub(v[i - 1], v[0]), scale), vscale(vsub(v[i], v[0]), scale)));
+        sum = vadd(sum,
+                   vcross(vscale(vsub(v[i - 1], v[0]), scale), vscale(vsub(v[i], v[0]), scale)));
     return (polygon){v, (uint32_t)n, vunit(sum), n ? vadd(v[0], offset) : offset};
 }
 
 static inline vec3 polygon_normal(polygon p) { return p.normal; }
 
-/* Point on the plane first, then the two coordinates that n is longest in left out, then the same walk.
- * Slips: the neighbour across an edge computes its own point, and may leave out another coordinate.
- * In the crossing test one divides by y_j - y_i, which is not 0 as one end is above and one is not. */
+/* Point on the plane first, then the two coordinates that n is longest in left out, then the same
+ * walk. Slips: the neighbour across an edge computes its own point, and may leave out another
+ * coordinate. In the crossing test one divides by y_j - y_i, which is not 0 as one end is above
+ * and one is not. */
 static inline bool polygon_hit_naive(polygon p, ray r, hit *out)
 {
     real t = vdot(p.normal, vsub(p.centre, r.o)) / vdot(p.normal, r.d);
@@ -71,7 +75,8 @@ static inline bool polygon_hit_naive(polygon p, ray r, hit *out)
     real x = vaxis(at, a), y = vaxis(at, b);
     bool inside = false;
     for (uint32_t i = 0, j = p.n - 1; i < p.n; j = i++) {
-        real xi = vaxis(p.v[i], a), yi = vaxis(p.v[i], b), xj = vaxis(p.v[j], a), yj = vaxis(p.v[j], b);
+        real xi = vaxis(p.v[i], a), yi = vaxis(p.v[i], b), xj = vaxis(p.v[j], a),
+             yj = vaxis(p.v[j], b);
         if ((yi > y) != (yj > y) && x < (xj - xi) * (y - yi) / (yj - yi) + xi) inside = !inside;
     }
     if (inside) *out = (hit){t, 0, 0, 0};
@@ -81,26 +86,30 @@ static inline bool polygon_hit_naive(polygon p, ray r, hit *out)
 /* How edge a b lies to the origin, in the picture along the ray. */
 typedef enum { EDGE_AWAY, EDGE_CROSSES, EDGE_TOUCHES } edge_side;
 
-/* Crosses: meets the half axis y = 0, x > 0. One end must have y > 0 and the other y <= 0, so a corner on
- * the axis counts for one of its two edges if the polygon crosses there, for none or both if not. Which
- * side of the origin: the sign of e = ax by - ay bx (4.10), exactly the negative for b a, so the
- * neighbour that shares the edge finds the same. Touches: the origin lies on the edge.             (7.9) */
+/* Crosses: meets the half axis y = 0, x > 0. One end must have y > 0 and the other y <= 0, so a
+ * corner on the axis counts for one of its two edges if the polygon crosses there, for none or
+ * both if not. Which side of the origin: the sign of e = ax by - ay bx (4.10), exactly the
+ * negative for b a, so the
+ * neighbour that shares the edge finds the same. Touches: the origin lies on the edge.  (7.9) */
 static inline edge_side edge_of(vec3 a, vec3 b)
 {
     bool up = b.y > 0;
     if ((a.y > 0) != up) {
         real e = a.x * b.y - a.y * b.x;
-        return e == 0 ? EDGE_TOUCHES : (up ? e > 0 : e < 0) ? EDGE_CROSSES : EDGE_AWAY;  /* NaN: away */
+        return e == 0                 ? EDGE_TOUCHES
+               : (up ? e > 0 : e < 0) ? EDGE_CROSSES
+                                      : EDGE_AWAY; /* NaN: away */
     }
     if (a.y != 0) return EDGE_AWAY;
     bool along = b.y == 0 && real_min(a.x, b.x) <= 0 && real_max(a.x, b.x) >= 0;
     return along || a.x == 0 ? EDGE_TOUCHES : EDGE_AWAY;
 }
 
-/* Why nothing slips: each corner has one place in the picture, and each shared edge counts the same for
- * both its polygons. Summed over all polygons of a surface, the shared edges cancel, modulo 2, and what
- * is left is the crossings of the outer border: odd, if the ray passes within. So an odd number of
- * polygons, at least one, finds itself crossed an odd number of times, whatever the rounding did. */
+/* Why nothing slips: each corner has one place in the picture, and each shared edge counts the
+ * same for both its polygons. Summed over all polygons of a surface, the shared edges cancel,
+ * modulo 2, and what is left is the crossings of the outer border: odd, if the ray passes within.
+ * So an odd number of polygons, at least one, finds itself crossed an odd number of times,
+ * whatever the rounding did. */
 static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit *out)
 {
     if (p.n < 3 || vzero(p.normal)) return false;
@@ -118,12 +127,13 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
     }
     if (!odd && !touched) return false;
 
-    /* Depth of the plane at (0,0): the shear takes the normal to (nx, ny, n.d / dz).              (7.10) */
+    /* Depth of the plane at (0,0): the shear takes the normal to (nx, ny, n.d / dz).      (7.10) */
     vec3 c = shear_point(&p.centre, s);
     real nd = vdot(p.normal, r.d), steep = nd * s->sz;
     if (nd == 0 && !odd) return false;  /* edge-on: the ray may touch, but the neighbours are hit */
     real z = c.z + (vaxis(p.normal, s->kx) * c.x + vaxis(p.normal, s->ky) * c.y) / steep;
-    real t = real_clamp(z, near, far) * s->sz;  /* edge-on to rounding, z is noise: it stays in reach */
+    real t =
+        real_clamp(z, near, far) * s->sz; /* edge-on to rounding, z is noise: it stays in reach */
     if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
     *out = (hit){t, 0, 0, 0};
     return true;

@@ -2,13 +2,13 @@
  *
  *   shape s[] = {shape_of_sphere((sphere){c, 1}), shape_of_cone((cone){a, 1, b, 0}), ..};
  *   bool shape_hit(s[i], r, &h)               the X_hit of its kind; h.shape stays 0
- *   bool shape_hit_sheared(&s[i], &k, r, &h)  the same, k = shear_of(r) prepared once for many shapes
+ *   bool shape_hit_sheared(&s[i], &k, r, &h)  the same, k = shear_of(r) prepared once for all
  *   vec3 shape_normal(s[i], p)                unit, at a point p of the surface; may face away
  *   void shape_bounds(s[i], &lo, &hi)         a box that holds it, rounded outwards
  *
- * Every switch names all the kinds and has no default: a new kind makes the compiler list what to add.
- * The ends of a cone are open and a triangle has two sides, so a normal may face either way: compare it
- * with the direction of the ray.
+ * Every switch names all the kinds and has no default: a new kind makes the compiler list what to
+ * add. The ends of a cone are open and a triangle has two sides, so a normal may face either way:
+ * compare it with the direction of the ray.
  */
 #ifndef SHAPE_H
 #define SHAPE_H
@@ -30,10 +30,13 @@ typedef struct {
     };
 } shape;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline shape shape_of_sphere(sphere s) { return (shape){SHAPE_SPHERE, {.sphere = s}}; }
-static inline shape shape_of_triangle(triangle t) { return (shape){SHAPE_TRIANGLE, {.triangle = t}}; }
+static inline shape shape_of_triangle(triangle t)
+{
+    return (shape){SHAPE_TRIANGLE, {.triangle = t}};
+}
 static inline shape shape_of_cone(cone c) { return (shape){SHAPE_CONE, {.cone = c}}; }
 static inline shape shape_of_polygon(polygon p) { return (shape){SHAPE_POLYGON, {.polygon = p}}; }
 
@@ -65,8 +68,8 @@ static inline vec3 shape_normal(shape s, vec3 p)
     return (vec3){0, 0, 0};
 }
 
-/* A disk of radius r at right angles to w reaches r sqrt(1 - wx^2 / w.w) = r sqrt(wy^2 + wz^2) / |w|
- * along x: the second form does not cancel. */
+/* A disk of radius r at right angles to w reaches r sqrt(1 - wx^2 / w.w) = r sqrt(wy^2 + wz^2) /
+ * |w| along x: the second form does not cancel. */
 static inline vec3 disk_reach(vec3 w, real r)
 {
     real h = vlength(w), k = h > 0 ? fabs(r) / h : 0;

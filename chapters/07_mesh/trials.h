@@ -3,8 +3,8 @@
  *   random_stream s = random_start(seed, ..);
  *   cone_score x = cone_play(&s, kind, aim, distance, rays, close);      against oracle.h
  *   gear_box b;  gear_box_fill(&b, &s, translation, triangles);          a closed gear wheel
- *   size_t slips = gear_box_slips(&b, &s, rays, naive);                  rays from inside that hit nothing
- *   inside_score y = inside_play(&torus, &s, aim, points);               against the ring's own distance
+ *   size_t slips = gear_box_slips(&b, &s, rays, naive);           rays from inside that hit nothing
+ *   inside_score y = inside_play(&torus, &s, aim, points);          against the ring's own distance
  *
  * The tests demand 0 wrong answers of the default methods; main.c prints what all of them reach.
  */
@@ -16,7 +16,10 @@
 #include "oracle.h"
 #include "specimens.h"
 
-static inline real between(random_stream *s, real a, real b) { return a + (b - a) * random_next(s); }
+static inline real between(random_stream *s, real a, real b)
+{
+    return a + (b - a) * random_next(s);
+}
 
 static inline vec3 direction(random_stream *s)
 {
@@ -27,7 +30,8 @@ static inline vec3 direction(random_stream *s)
 static inline vec3 in_cube(random_stream *s, real half)
 {
     real x = between(s, -half, half), y = between(s, -half, half), z = between(s, -half, half);
-    return (vec3){x, y, z};  /* not all in one list: C leaves open in which order a list is evaluated */
+    return (vec3){x, y,
+                  z}; /* not all in one list: C leaves open in which order a list is evaluated */
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -67,8 +71,10 @@ static inline vec3 point_of_side(cone c, real u, real angle, vec3 *generator, ve
 /* |D| from 1 to 8, from once to twice the distance, aimed at or near a point of the side. */
 static inline ray ray_at_cone(random_stream *x, cone c, cone_aim aim, real distance)
 {
-    real radius = real_max(fabs(c.ra), fabs(c.rb)), off = between(x, -1, 1) * radius, a = between(x, -pi, pi);
-    real u = between(x, 0, 1), round_axis = between(x, -pi, pi), tiny = pow((real)10, between(x, -9, -3));
+    real radius = real_max(fabs(c.ra), fabs(c.rb)), off = between(x, -1, 1) * radius,
+         a = between(x, -pi, pi);
+    real u = between(x, 0, 1), round_axis = between(x, -pi, pi),
+         tiny = pow((real)10, between(x, -9, -3));
     real far = distance * between(x, 1, 2), length = between(x, 1, 8);
     vec3 g, n, s, t, d = direction(x), p = point_of_side(c, u, round_axis, &g, &n);
     vbasis(n, &s, &t);
@@ -80,13 +86,13 @@ static inline ray ray_at_cone(random_stream *x, cone c, cone_aim aim, real dista
     return ray_from(vmadd(p, d, -far), vscale(d, length));
 }
 
-/* wrong: hit instead of miss or the reverse. residual: distance of the point at t from the side, in units
- * of epsilon (1 + distance); worst of all. [0] naive, [1] default. */
+/* wrong: hit instead of miss or the reverse. residual: distance of the point at t from the side,
+ * in units of epsilon (1 + distance); worst of all. [0] naive, [1] default. */
 typedef struct { size_t decided, hits, wrong[2]; double residual[2], off_side[2]; } cone_score;
 
 /* Rays whose margin is below `close` epsilon are left out: the call may go either way. */
-static inline cone_score cone_play(random_stream *s, int kind, cone_aim aim, real distance, size_t rays,
-                                   double close)
+static inline cone_score cone_play(random_stream *s, int kind, cone_aim aim, real distance,
+                                   size_t rays, double close)
 {
     bool (*const method[2])(cone, ray, hit *) = {cone_hit_naive, cone_hit};
     cone_score score = {0, 0, {0, 0}, {0, 0}, {0, 0}};
@@ -102,7 +108,8 @@ static inline cone_score cone_play(random_stream *s, int kind, cone_aim aim, rea
             bool is = method[k](c, r, &h);
             score.wrong[k] += is != truth.hit;
             if (!is || !truth.hit) continue;
-            double off = cone_residual(c, r, h.t), unit = (double)(real_epsilon * (1 + h.t * vlength(r.d)));
+            double off = cone_residual(c, r, h.t),
+                   unit = (double)(real_epsilon * (1 + h.t * vlength(r.d)));
             score.off_side[k] = off > score.off_side[k] ? off : score.off_side[k];
             score.residual[k] = off / unit > score.residual[k] ? off / unit : score.residual[k];
         }
@@ -127,7 +134,8 @@ static inline void gear_box_turn(vec3 *v, real z, vec3 axis, vec3 offset)
         v[i] = vadd(vmadd(vadd(vscale(s, v[i].x), vscale(t, v[i].y)), axis, z), offset);
 }
 
-/* A gear wheel of SPD's proportions, radius 1: two 144-gons and 144 quads, or 288 triangles instead. */
+/* A gear wheel of SPD's proportions, radius 1: two 144-gons and 144 quads, or 288 triangles
+ * instead. */
 static inline void gear_box_fill(gear_box *b, random_stream *s, real translation, bool triangles)
 {
     vec3 offset = vscale((vec3){1, (real)0.7, (real)-0.3}, translation), axis = direction(s);
@@ -167,8 +175,9 @@ static inline size_t gear_box_slips(const gear_box *b, random_stream *s, size_t 
         bool is = false;
         hit h;
         for (size_t j = 0; j < b->n && !is; j++)
-            is = naive && b->shapes[j].kind == SHAPE_POLYGON ? polygon_hit_naive(b->shapes[j].polygon, r, &h)
-                                                             : shape_hit_sheared(&b->shapes[j], &k, r, &h);
+            is = naive && b->shapes[j].kind == SHAPE_POLYGON
+                     ? polygon_hit_naive(b->shapes[j].polygon, r, &h)
+                     : shape_hit_sheared(&b->shapes[j], &k, r, &h);
         slips += !is;
     }
     return slips;
@@ -193,9 +202,10 @@ static inline bool inside_ask(int method, const mesh *m, vec3 p, vec3 d)
 
 typedef enum { AT_RANDOM, AT_EDGE, AT_VERTEX } inside_aim;
 
-/* A point of torus_mesh(24) that is surely inside or surely outside, and a direction: the flat triangles
- * lie up to 0.011 within and 0.005 without the round ring. */
-static inline bool inside_question(const mesh *torus, random_stream *s, inside_aim at, vec3 *p, vec3 *d)
+/* A point of torus_mesh(24) that is surely inside or surely outside, and a direction: the flat
+ * triangles lie up to 0.011 within and 0.005 without the round ring. */
+static inline bool inside_question(const mesh *torus, random_stream *s, inside_aim at, vec3 *p,
+                                   vec3 *d)
 {
     real ring;
     do {
@@ -203,20 +213,23 @@ static inline bool inside_question(const mesh *torus, random_stream *s, inside_a
         ring = hypot(hypot(p->x, p->y) - (real)0.75, p->z);
     } while (ring > (real)0.235 && ring < (real)0.255);
     triangle t = mesh_triangle(torus, (size_t)between(s, 0, (real)torus->triangles - 1));
-    *d = at == AT_VERTEX ? vsub(t.a, *p) : at == AT_EDGE ? vsub(vmadd(t.a, vsub(t.b, t.a), between(s, 0, 1)), *p)
-                                                         : direction(s);
+    *d = direction(s);
+    if (at == AT_VERTEX) *d = vsub(t.a, *p);
+    if (at == AT_EDGE) *d = vsub(vmadd(t.a, vsub(t.b, t.a), between(s, 0, 1)), *p);
     return ring < (real)0.25;
 }
 
 typedef struct { size_t asked, wrong[inside_methods]; } inside_score;
 
-static inline inside_score inside_play(const mesh *torus, random_stream *s, inside_aim at, size_t points)
+static inline inside_score inside_play(const mesh *torus, random_stream *s, inside_aim at,
+                                       size_t points)
 {
     inside_score score = {points, {0, 0, 0, 0, 0}};
     for (size_t i = 0; i < points; i++) {
         vec3 p, d;
         bool inside = inside_question(torus, s, at, &p, &d);
-        for (int k = 0; k < inside_methods; k++) score.wrong[k] += inside_ask(k, torus, p, d) != inside;
+        for (int k = 0; k < inside_methods; k++)
+            score.wrong[k] += inside_ask(k, torus, p, d) != inside;
     }
     return score;
 }
