@@ -86,8 +86,9 @@ static inline ray ray_at_cone(random_stream *x, cone c, cone_aim aim, real dista
     return ray_from(vmadd(p, d, -far), vscale(d, length));
 }
 
-/* wrong: hit instead of miss or the reverse. residual: distance of the point at t from the side,
- * in units of epsilon (1 + distance); worst of all. [0] naive, [1] default. */
+/* wrong: hit instead of miss or the reverse, or the other one of the two hits. residual: distance
+ * of the point at t from the side, in units of epsilon (1 + distance); worst of all. [0] naive,
+ * [1] default. */
 typedef struct { size_t decided, hits, wrong[2]; double residual[2], off_side[2]; } cone_score;
 
 /* Rays whose margin is below `close` epsilon are left out: the call may go either way. */
@@ -108,6 +109,8 @@ static inline cone_score cone_play(random_stream *s, int kind, cone_aim aim, rea
             bool is = method[k](c, r, &h);
             score.wrong[k] += is != truth.hit;
             if (!is || !truth.hit) continue;
+            score.wrong[k] +=
+                fabs((double)h.t - truth.t) > truth.apart / 2 + (double)(8 * real_epsilon * h.t);
             double off = cone_residual(c, r, h.t),
                    unit = (double)(real_epsilon * (1 + h.t * vlength(r.d)));
             score.off_side[k] = off > score.off_side[k] ? off : score.off_side[k];
