@@ -220,7 +220,7 @@ static void nearly_edge_on(void)
         ray_shear k = shear_of(r);
         real near = real_infinity, far = -real_infinity;
         for (size_t j = 0; j < n; j++) {
-            real depth = shear_point(&v[j], &k).z * k.sz;
+            real depth = shear_corner(&v[j], &k).z * k.sz;
             near = real_min(near, depth), far = real_max(far, depth);
         }
         hit h;

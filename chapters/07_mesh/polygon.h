@@ -123,10 +123,10 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
 {
     if (vzero(p.normal)) return false;  /* fewer than three corners, too */
     bool odd = false, touched = false;
-    vec3 a = shear_point(&p.v[p.n - 1], s);
+    vec3 a = shear_corner(&p.v[p.n - 1], s);
     real near = a.z, far = a.z;
     for (uint32_t i = 0; i < p.n; i++) {
-        vec3 b = shear_point(&p.v[i], s);
+        vec3 b = shear_corner(&p.v[i], s);
         edge_side side = edge_of(a, b);
         odd ^= side == EDGE_CROSSES;
         touched |= side == EDGE_TOUCHES;
@@ -137,7 +137,7 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
     if (!odd && !touched) return false;
 
     /* Depth of the plane at (0,0): the shear takes the normal to (nx, ny, n.d / dz).      (7.10) */
-    vec3 c = shear_point(&p.centre, s);
+    vec3 c = shear_corner(&p.centre, s);
     real nd = vdot(p.normal, r.d), steep = nd * s->sz;
     if (nd == 0 && !odd) return false;  /* edge-on: the ray may touch, but the neighbours are hit */
     real z = c.z + (vaxis(p.normal, s->kx) * c.x + vaxis(p.normal, s->ky) * c.y) / steep;
