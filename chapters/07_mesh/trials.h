@@ -49,7 +49,7 @@ static const cone_kind cone_kinds[cone_kind_count] = {
 static inline cone some_cone(random_stream *s, int kind)
 {
     const real k = 256;
-    vec3 a = in_cube(s, 1), b = vmadd(a, direction(s), between(s, (real)0.5, (real)1.5));
+    vec3 a = in_cube(s, 1), d = direction(s), b = vmadd(a, d, between(s, (real)0.5, (real)1.5));
     a = (vec3){round(k * a.x) / k, round(k * a.y) / k, round(k * a.z) / k};
     b = (vec3){round(k * b.x) / k, round(k * b.y) / k, round(k * b.z) / k};
     return (cone){a, cone_kinds[kind].ra, b, cone_kinds[kind].rb};
