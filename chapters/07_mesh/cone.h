@@ -19,7 +19,7 @@
  * to the axis of a cylinder misses it. Radii of unlike sign: two cones tip to tip; else the signs
  * make no difference. Always a miss: a = b, both radii 0, D = 0, NaN or infinity anywhere.
  * Any size, distance and length of D will do, if o and t can be written as reals in units of the
- * cone's own size.
+ * cone's own size. Needs -ffp-contract=off: a contracted product would be given back wrongly.
  *
  * Sources: E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere
  * Intersection", Ray Tracing Gems, 2019, ch. 7 (the discriminant from near the shape, here by
