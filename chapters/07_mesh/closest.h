@@ -1,0 +1,78 @@
+/* closest.h: the closest hit (最近交点) by brute force: ask everybody. O(n) a ray, nothing to
+ * build.
+ *
+ *   scene s = {shapes, n};                    the shapes belong to the caller
+ *   bool scene_hit(&s, r, &h)                 closest hit; h.shape is the index of the shape
+ *   bool scene_occluded(&s, r)                is there any hit at all? ends at the first one found
+ *   bool mesh_hit(&m, r, &h)                  the same for the triangles of a mesh: h.shape is the
+ *   bool mesh_occluded(&m, r)                 triangle, h.u and h.v its barycentrics
+ *
+ *   t = min { t_i : shape i is hit at t_i, tmin <= t_i <= tmax }, the lowest i at equal t     (7.4)
+ *
+ * The interval shrinks to the best hit so far, and is closed: see hit.h. The answer does not
+ * depend on the order of the search. An empty scene is never hit. `out` is untouched on a miss.
+ */
+#ifndef CLOSEST_H
+#define CLOSEST_H
+
+#include "mesh.h"
+#include "shape.h"
+
+typedef struct { const shape *shapes; size_t n; } scene;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool scene_hit(const scene *s, ray r, hit *out)
+{
+    ray_shear k = shear_of(r);
+    hit best = hit_none, h;
+    for (size_t i = 0; i < s->n; i++)
+        if (shape_hit_sheared(&s->shapes[i], &k, r, &h)
+            && (h.shape = (uint32_t)i, hit_before(h, best))) {
+            best = h;
+            r.tmax = h.t;
+        }
+    if (best.shape == no_shape) return false;
+    *out = best;
+    return true;
+}
+
+static inline bool scene_occluded(const scene *s, ray r)
+{
+    ray_shear k = shear_of(r);
+    hit h;
+    for (size_t i = 0; i < s->n; i++)
+        if (shape_hit_sheared(&s->shapes[i], &k, r, &h)) return true;
+    return false;
+}
+
+static inline bool mesh_triangle_hit(const mesh *m, size_t i, const ray_shear *k, ray r, hit *out)
+{
+    const uint32_t *c = m->index + 3 * i;
+    return triangle_hit_corners(&m->v[c[0]], &m->v[c[1]], &m->v[c[2]], k, r, out);
+}
+
+static inline bool mesh_hit(const mesh *m, ray r, hit *out)
+{
+    ray_shear k = shear_of(r);
+    hit best = hit_none, h;
+    for (size_t i = 0; i < m->triangles; i++)
+        if (mesh_triangle_hit(m, i, &k, r, &h) && (h.shape = (uint32_t)i, hit_before(h, best))) {
+            best = h;
+            r.tmax = h.t;
+        }
+    if (best.shape == no_shape) return false;
+    *out = best;
+    return true;
+}
+
+static inline bool mesh_occluded(const mesh *m, ray r)
+{
+    ray_shear k = shear_of(r);
+    hit h;
+    for (size_t i = 0; i < m->triangles; i++)
+        if (mesh_triangle_hit(m, i, &k, r, &h)) return true;
+    return false;
+}
+
+#endif

@@ -1,0 +1,119 @@
+/* inside.h: does a point lie inside a mesh? Four answers, and what each of them needs.
+ *
+ *        ______           parity (奇偶性): a way out of a closed mesh crosses it an odd number of
+ *       /  p---\-----> 1  times, a way from outside an even number. True of the crossings of the
+ *      /_______/          surface; the triangles that say "hit" are more, where the ray meets an
+ *                         edge or a vertex.
+ *
+ *   bool inside_parity_naive(&m, p, d)  counts hits of the ray p + t d: wrong on edges and vertices
+ *   bool inside_parity(&m, p, d)        counts crossings, one for each, edges and vertices included
+ *   bool inside_vote(&m, p, k)          majority of k naive parities [odd, 1..15], k directions
+ *   bool inside_winding(&m, p)          |winding number| > 1/2: no ray at all
+ *   double winding_number(&m, p)        环绕数: how often the mesh surrounds p: 1 inside, 0 outside
+ *
+ *   needs           closed mesh    orientation of triangles    time for n triangles
+ *   parity          yes            any                         n tests
+ *   vote            nearly         any                         k n tests
+ *   winding number  no             the same everywhere         n square roots (3) and arc tangents
+ *
+ * On the surface itself, and closer to it than rounding can tell, any answer may come. Each is
+ * O(n). Parts of a mesh that overlap: parity calls the overlap outside, the winding number there
+ * is 2.
+ *
+ * Sources: A. Van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans.
+ * Biomed. Eng. 30(2), 1983, eq. 8; A. Jacobson, L. Kavan, O. Sorkine-Hornung, "Robust
+ * Inside-Outside Segmentation using Generalized Winding Numbers", ACM Trans. Graphics 32(4),
+ * 2013.
+ */
+#ifndef INSIDE_H
+#define INSIDE_H
+
+#include "closest.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Wrong: an octahedron and a ray from its middle to a vertex. Four triangles meet there, the
+ * watertight test rightly reports all four, and four is even. */
+static inline bool inside_parity_naive(const mesh *m, vec3 p, vec3 d)
+{
+    ray r = ray_from(p, d);
+    ray_shear k = shear_of(r);
+    hit h;
+    size_t hits = 0;
+    for (size_t i = 0; i < m->triangles; i++) hits += mesh_triangle_hit(m, i, &k, r, &h);
+    return hits % 2 == 1;
+}
+
+/* Half open, so that each crossing belongs to one triangle: (7.9), and an edge through the ray
+ * itself counts as passing on the side of negative x, for both its triangles. */
+static inline bool edge_crosses(vec3 a, vec3 b)
+{
+    bool up = b.y > 0;
+    real e = a.x * b.y - a.y * b.x;
+    return (a.y > 0) != up && (up ? e > 0 : e < 0);
+}
+
+/* The picture along the ray again: each corner has one place in it, and triangle a b c contains
+ * the origin if an odd number of its edges cross the half axis y = 0, x > 0. Two triangles give
+ * their shared edge the same answer, so over a closed mesh all of them cancel: the whole line has
+ * an even number of
+ * crossings whatever the rounding did, and those in front of p tell where p is.           (7.11) */
+static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
+{
+    ray_shear s = shear_of(ray_from(p, d));
+    bool odd = false;
+    for (size_t i = 0; i < m->triangles; i++) {
+        const uint32_t *k = m->index + 3 * i;
+        vec3 a = shear_corner(&m->v[k[0]], &s), b = shear_corner(&m->v[k[1]], &s),
+             c = shear_corner(&m->v[k[2]], &s);
+        if (!(edge_crosses(a, b) ^ edge_crosses(b, c) ^ edge_crosses(c, a))) continue;
+        real ea = b.x * c.y - b.y * c.x, eb = c.x * a.y - c.y * a.x, ec = a.x * b.y - a.y * b.x;
+        odd ^= (ea * a.z + eb * b.z + ec * c.z) / (ea + eb + ec) * s.sz > 0;  /* t > 0 */
+    }
+    return odd;
+}
+
+/* Direction i of k, spread over the sphere along a spiral, turned so that none lies along an
+ * axis, where the edges of made-up meshes like to lie. */
+static inline vec3 inside_direction(int i, int k)
+{
+    real z = 1 - (2 * (real)i + (real)0.8124) / (real)k, a = (real)i * (real)2.39996 + (real)0.6180;
+    real r = sqrt(real_max(1 - z * z, 0));
+    return (vec3){r * cos(a), r * sin(a), z};
+}
+
+static inline bool inside_vote(const mesh *m, vec3 p, int k)
+{
+    int inside = 0;
+    for (int i = 0; i < k; i++) inside += inside_parity_naive(m, p, inside_direction(i, k));
+    return 2 * inside > k;
+}
+
+/* Signed solid angle Omega of a triangle seen from the origin:
+ *     tan(Omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|)            (7.12)
+ * atan2 keeps the quadrant where the denominator is negative, and gives 0 for 0 / 0, a corner at
+ * p. */
+static inline double solid_angle(vec3 a, vec3 b, vec3 c)
+{
+    real la = vlength(a), lb = vlength(b), lc = vlength(c);
+    return 2 * atan2((double)vdot(a, vcross(b, c)),
+                     (double)(la * lb * lc + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb));
+}
+
+/* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.     (7.13) */
+static inline double winding_number(const mesh *m, vec3 p)
+{
+    double sum = 0;
+    for (size_t i = 0; i < m->triangles; i++) {
+        triangle t = mesh_triangle(m, i);
+        sum += solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p));
+    }
+    return sum / (4 * 3.14159265358979323846);
+}
+
+static inline bool inside_winding(const mesh *m, vec3 p)
+{
+    return fabs(winding_number(m, p)) > 0.5;
+}
+
+#endif

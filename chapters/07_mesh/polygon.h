@@ -1,0 +1,157 @@
+/* polygon.h: a planar polygon (多边形) with any number of corners, concave ones too.
+ *
+ *       2______1         corners counter-clockwise seen from the tip of n; each edge joins a corner
+ *        \    /   5      to the next, the last one to the first. Edges do not cross.
+ *         \  /  .' |
+ *          3 --4   |     polygon p = polygon_of(corners, count);  O(count), corners are not copied
+ *         /        |     bool polygon_hit(p, r, &h)               O(count); h.u = h.v = 0
+ *        6---------0     bool polygon_hit_sheared(p, &s, r, &h)   the same, the ray prepared once
+ *                        bool polygon_hit_naive(p, r, &h)         the textbook: slips at edges
+ *                        vec3 polygon_normal(p)                   unit n, or 0 for no area
+ *
+ * Seen along the ray the polygon is flat and the ray is the origin (0,0) of that picture (4.9).
+ * Walk to the right along the x axis: a way out of the polygon crosses its edges an odd number of
+ * times (奇偶规则).
+ *
+ * Closed: a ray through an edge or a corner hits. Watertight: of polygons and triangles of 04 that
+ * share edges, corner for corner, at least one is hit by a ray through the seam. A corner of one
+ * that lies within an edge of another (T-junction) is no shared edge: rays may slip there.
+ * Corners that are not quite in a plane: the plane through their mean with Newell's normal gives
+ * t, and t stays between those of the nearest and the farthest corner.
+ *
+ *   fewer than three corners, no area, NaN or infinity anywhere, D = 0, exactly edge-on    no hit
+ *
+ * Sources: I. Sutherland, R. Sproull, R. Schumacker, "A Characterization of Ten Hidden-Surface
+ * Algorithms", ACM Computing Surveys 6(1), 1974 (Newell's normal); E. Haines, "Point in Polygon
+ * Strategies", Graphics Gems IV, 1994; S. Woop, C. Benthin, I. Wald, JCGT 2(1), 2013 (the shear).
+ */
+#ifndef POLYGON_H
+#define POLYGON_H
+
+#include "../04_triangle/triangle.h"
+
+typedef struct {
+    const vec3 *v;  /* [n] corners; they belong to the caller */
+    uint32_t n;
+    vec3 normal;    /* unit, or 0 */
+    vec3 centre;    /* mean of the corners */
+} polygon;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Newell's normal: sum of q_i x q_(i+1), twice the area long. It takes q from the first corner,
+ * so that far from the origin no digits cancel, and scales q by a power of two, so that nothing
+ * overflows. A
+ * cross product at one corner would point backwards where that corner is concave.        (7.8) */
+static inline polygon polygon_of(const vec3 *v, size_t n)
+{
+    vec3 sum = {0, 0, 0}, offset = {0, 0, 0}, widest = {0, 0, 0};
+    for (size_t i = 0; i < n; i++) {
+        vec3 q = vsub(v[i], v[0]);
+        offset = vmadd(offset, q, 1 / (real)n);
+        widest = vmax(widest, vmax(q, vneg(q)));
+    }
+    int e;
+    (void)vscaled(widest, &e);
+    real scale = ldexp((real)1, -e);
+    for (size_t i = 2; i < n; i++)
+        sum = vadd(sum,
+                   vcross(vscale(vsub(v[i - 1], v[0]), scale), vscale(vsub(v[i], v[0]), scale)));
+    return (polygon){v, (uint32_t)n, vunit(sum), n ? vadd(v[0], offset) : offset};
+}
+
+static inline vec3 polygon_normal(polygon p) { return p.normal; }
+
+/* Point on the plane first, then the two coordinates that n is longest in left out, then the same
+ * walk. Slips: the neighbour across an edge computes its own point, and may leave out another
+ * coordinate. In the crossing test one divides by y_j - y_i, which is not 0 as one end is above
+ * and one is not. */
+static inline bool polygon_hit_naive(polygon p, ray r, hit *out)
+{
+    real t = vdot(p.normal, vsub(p.centre, r.o)) / vdot(p.normal, r.d);
+    if (!ray_covers(r, t)) return false;
+    vec3 at = ray_at(r, t);
+    int k = vlongest(p.normal), a = k == 2 ? 0 : k + 1, b = a == 2 ? 0 : a + 1;
+    real x = vaxis(at, a), y = vaxis(at, b);
+    bool inside = false;
+    for (uint32_t i = 0, j = p.n - 1; i < p.n; j = i++) {
+        real xi = vaxis(p.v[i], a), yi = vaxis(p.v[i], b), xj = vaxis(p.v[j], a),
+             yj = vaxis(p.v[j], b);
+        if ((yi > y) != (yj > y) && x < (xj - xi) * (y - yi) / (yj - yi) + xi) inside = !inside;
+    }
+    if (inside) *out = (hit){t, 0, 0, 0};
+    return inside;
+}
+
+/* How edge a b lies to the origin, in the picture along the ray. */
+typedef enum { EDGE_AWAY, EDGE_CROSSES, EDGE_TOUCHES } edge_side;
+
+/* The sign of ax by - ay bx where the plain products are equal, too small or too large; NaN stays
+ * one. Zero only if the origin is in line with a and b. */
+static inline real edge_exactly(vec3 a, vec3 b)
+{
+    int e;
+    vec3 p = vscaled((vec3){a.x, a.y, 0}, &e), q = vscaled((vec3){b.x, b.y, 0}, &e);
+    return difference_of_products(p.x, q.y, p.y, q.x);
+}
+
+/* Crosses: meets the half axis y = 0, x > 0. One end must have y > 0 and the other y <= 0, so a
+ * corner on the axis counts for one of its two edges if the polygon crosses there, for none or
+ * both if not. Which side of the origin: the sign of e = ax by - ay bx (4.10), exactly the
+ * negative for b a, so the
+ * neighbour that shares the edge finds the same. Touches: the origin lies on the edge.  (7.9) */
+static inline edge_side edge_of(vec3 a, vec3 b)
+{
+    bool up = b.y > 0;
+    if ((a.y > 0) != up) {
+        real e = a.x * b.y - a.y * b.x;
+        if (!(fabs(e) > real_smallest / real_epsilon && fabs(e) <= real_largest))
+            e = edge_exactly(a, b);
+        return e == 0 ? EDGE_TOUCHES : (up ? e > 0 : e < 0) ? EDGE_CROSSES : EDGE_AWAY;
+    }
+    if (a.y != 0) return EDGE_AWAY;
+    bool along = b.y == 0 && real_min(a.x, b.x) <= 0 && real_max(a.x, b.x) >= 0;
+    return along || a.x == 0 ? EDGE_TOUCHES : EDGE_AWAY;
+}
+
+/* Why nothing slips: each corner has one place in the picture, and each shared edge counts the
+ * same for both its polygons. Summed over all polygons of a surface, the shared edges cancel,
+ * modulo 2, and what is left is the crossings of the outer border: odd, if the ray passes within.
+ * So an odd number of polygons, at least one, finds itself crossed an odd number of times,
+ * whatever the rounding did. */
+static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit *out)
+{
+    if (vzero(p.normal)) return false;  /* fewer than three corners, too */
+    bool odd = false, touched = false;
+    vec3 a = shear_corner(&p.v[p.n - 1], s);
+    real near = a.z, far = a.z;
+    for (uint32_t i = 0; i < p.n; i++) {
+        vec3 b = shear_corner(&p.v[i], s);
+        edge_side side = edge_of(a, b);
+        odd ^= side == EDGE_CROSSES;
+        touched |= side == EDGE_TOUCHES;
+        near = real_min(b.z, near);
+        far = real_max(b.z, far);
+        a = b;
+    }
+    if (!odd && !touched) return false;
+
+    /* Depth of the plane at (0,0): the shear takes the normal to (nx, ny, n.d / dz).      (7.10) */
+    vec3 c = shear_corner(&p.centre, s);
+    real nd = vdot(p.normal, r.d), steep = nd * s->sz;
+    if (nd == 0 && !odd) return false;  /* edge-on: the ray may touch, but the neighbours are hit */
+    real z = c.z + (vaxis(p.normal, s->kx) * c.x + vaxis(p.normal, s->ky) * c.y) / steep;
+    real t =
+        real_clamp(z, near, far) * s->sz; /* edge-on to rounding, z is noise: it stays in reach */
+    if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
+    *out = (hit){t, 0, 0, 0};
+    return true;
+}
+
+static inline bool polygon_hit(polygon p, ray r, hit *out)
+{
+    ray_shear s = shear_of(r);
+    return polygon_hit_sheared(p, &s, r, out);
+}
+
+#endif

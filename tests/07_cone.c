@@ -1,0 +1,192 @@
+/* 07_cone: open cones and cylinders against closed forms and an exact oracle. */
+#include "check.h"
+#include "../chapters/07_mesh/trials.h"
+
+/* Exact: every number here has few bits. */
+static void closed_forms(void)
+{
+    cone tube = {{0, 0, 0}, 1, {0, 0, 2}, 1}, tip = {{0, 0, 0}, 1, {0, 0, 2}, 0},
+         glass = {{0, 0, -1}, 1, {0, 0, 1}, -1};
+    hit h;
+    ray r = ray_from((vec3){-4, 0, 1}, (vec3){1, 0, 0});
+    check(cone_hit(tube, r, &h), "straight at a tube");
+    check_equal(h.t, 3, "entry of x^2 + y^2 = 1");
+    check_equal(h.u, (real)0.5, "half way up");
+    check(cone_hit(tip, r, &h), "straight at a cone");
+    check_equal(h.t, (real)3.5, "radius 1/2 at half height");
+    r.tmin = (real)3.75;
+    check(cone_hit(tip, r, &h), "tmin between the two hits");
+    check_equal(h.t, (real)4.5, "the way out");
+    r.tmin = (real)4.5, r.tmax = (real)4.5;
+    check(cone_hit(tip, r, &h), "the interval is closed");
+    r.tmin = r.tmax = (real)4.25;
+    check(!cone_hit(tip, r, &h), "no hit in the middle");
+
+    check(cone_hit(tube, ray_from((vec3){-4, 0, 0}, (vec3){1, 0, 0}), &h) && h.u == 0,
+          "the base belongs to it");
+    check(cone_hit(tube, ray_from((vec3){-4, 0, 2}, (vec3){1, 0, 0}), &h) && h.u == 1,
+          "the top belongs to it");
+    check(!cone_hit(tube, ray_from((vec3){-4, 0, 2 * (1 + real_epsilon)}, (vec3){1, 0, 0}), &h),
+          "just above the top");
+    check(!cone_hit(tube, ray_from((vec3){-4, 0, -real_epsilon}, (vec3){1, 0, 0}), &h),
+          "just below the base");
+    check(cone_hit(tube, ray_from((vec3){-4, 1, 1}, (vec3){2, 0, 0}), &h) && h.t == 2,
+          "tangent: a hit");
+    check(!cone_hit(tube, ray_from((vec3){-4, 1 + 2 * real_epsilon, 1}, (vec3){2, 0, 0}), &h),
+          "just past the tangent");
+    check(cone_hit(tube, ray_from((vec3){0, 0, 1}, (vec3){0, 0.25, 0}), &h) && h.t == 4,
+          "from inside: the way out");
+    check(cone_hit(tube, ray_from((vec3){-4, 0, 4}, (vec3){2, 0, -1}), &h) && h.t == (real)2.5,
+          "in above the top: the far wall");
+
+    check(cone_hit(tip, ray_from((vec3){-4, 0, 2}, (vec3){1, 0, 0}), &h) && h.t == 4 && h.u == 1,
+          "through the tip");
+    check(!cone_hit(tip, ray_from((vec3){-4, 0, 3}, (vec3){1, 0, 0}), &h),
+          "the mirrored cone is not there");
+    check(cone_hit(tip, ray_from((vec3){0, 0, 4}, (vec3){0, 0, -1}), &h) && h.t == 2,
+          "down the axis: the tip");
+    check(cone_hit(tip, ray_from((vec3){0.5, 0, 5}, (vec3){0, 0, -2}), &h) && h.t == 2,
+          "parallel to the axis: radius 1/2");
+    check(cone_hit(tip, ray_from((vec3){0, 0, 1}, (vec3){-1, 0, 2}), &h) && h.t == (real)0.25,
+          "parallel to one side: the other one");
+    check(!cone_hit(tip, ray_from((vec3){0, 0, 1}, (vec3){1, 0, -2}), &h),
+          "and none the other way");
+    check(!cone_hit(tube, ray_from((vec3){0.5, 0, 5}, (vec3){0, 0, -1}), &h),
+          "through an open tube");
+    check(!cone_hit(tube, ray_from((vec3){1, 0, 5}, (vec3){0, 0, -1}), &h),
+          "along its wall: a miss, by rule");
+    check(cone_hit(glass, ray_from((vec3){-4, 0, (real)0.5}, (vec3){1, 0, 0}), &h)
+              && h.t == (real)3.5,
+          "upper half of two cones");
+    check(cone_hit(glass, ray_from((vec3){-4, 0, (real)-0.5}, (vec3){1, 0, 0}), &h)
+              && h.t == (real)3.5,
+          "lower half of two cones");
+    cone inverse = {{0, 0, 0}, -1, {0, 0, 2}, 0};
+    check(cone_hit(inverse, ray_from((vec3){-4, 0, 1}, (vec3){1, 0, 0}), &h) && h.t == (real)3.5,
+          "both radii negative: the same side");
+}
+
+static void degenerate(void)
+{
+    const hit kept = {7, 8, 9, 10};
+    hit h = kept;
+    real bad[] = {(real)NAN, real_infinity, -real_infinity};
+    ray r = ray_from((vec3){-4, 0, 1}, (vec3){1, 0, 0});
+    cone good = {{0, 0, 0}, 1, {0, 0, 2}, 1}, flat = {{0, 0, 1}, 2, {0, 0, 1}, 1},
+         line = {{0, 0, 0}, 0, {0, 0, 2}, 0};
+    check(!cone_hit(flat, r, &h), "no height: no side");
+    check(!cone_hit(line, r, &h), "no radius: a line is never hit");
+    check(!cone_hit(good, ray_from(r.o, (vec3){0, 0, 0}), &h), "direction 0");
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 14; k++) {
+            real in[14] = {0, 0, 0, 1, 0, 0, 2, 1, -4, 0, 1, 1, 0, 0};
+            in[k] = bad[i];
+            cone c = {{in[0], in[1], in[2]}, in[3], {in[4], in[5], in[6]}, in[7]};
+            check(!cone_hit(
+                      c, ray_from((vec3){in[8], in[9], in[10]}, (vec3){in[11], in[12], in[13]}),
+                      &h),
+                  "input %d is %g: a miss", k, (double)bad[i]);
+        }
+    check(h.t == kept.t && h.u == kept.u && h.v == kept.v && h.shape == kept.shape,
+          "a miss leaves the hit alone");
+}
+
+/* 64 epsilon for radii of the size of the height. A needle gets h / r times that: q, the origin
+ * near the axis, is rounded at the scale of h. */
+static void against_the_oracle(void)
+{
+    const real distances[] = {1, 100, 10000, 1000000};
+    for (int kind = 0; kind < cone_kind_count; kind++)
+        for (cone_aim aim = AIM_RANDOM; aim < aim_count; aim++)
+            for (int j = 0; j < 4; j++) {
+                double thin =
+                    1 / (double)real_max(fabs(cone_kinds[kind].ra), fabs(cone_kinds[kind].rb));
+                random_stream numbers = random_start(7, (uint64_t)kind, (uint64_t)(10 * j) + aim);
+                cone_score s =
+                    cone_play(&numbers, kind, aim, distances[j], check_count(4000), 64 * thin);
+                check_equal(s.wrong[1], 0,
+                            "%s, aim %d, distance %g: wrong answers of %zu, %zu hits",
+                            cone_kinds[kind].name, aim, (double)distances[j], s.decided, s.hits);
+                check_at_most(s.residual[1], 2,
+                              "%s, aim %d, distance %g: off the side, in epsilon (1 + distance)",
+                              cone_kinds[kind].name, aim, (double)distances[j]);
+            }
+}
+
+/* The textbook is 100 times worse, at least: that is the point of the other one. */
+static void naive_fails(void)
+{
+    for (int kind = 0; kind < 5; kind++) {
+        random_stream numbers = random_start(8, (uint64_t)kind, 0);
+        cone_score s = cone_play(&numbers, kind, AIM_GRAZING, 1000000, check_count(4000), 64);
+        check_at_least((double)s.wrong[0] / (double)s.decided, 0.05, "%s: grazing from 1e6",
+                       cone_kinds[kind].name);
+        s = cone_play(&numbers, kind, AIM_RANDOM, 10000, check_count(4000), 64);
+        check_at_least(s.residual[0], 100 * s.residual[1], "%s: residual from 1e4",
+                       cone_kinds[kind].name);
+    }
+}
+
+/* A cone of 1e-15 or 1e15 (double: 1e-90, 1e90) gives the hits of one of 1: scaling by a power of
+ * 2 is exact. The normal and cone_point scale, too. */
+static void scales(void)
+{
+    int most = real_is_float ? 50 : 300;
+    size_t wrong = 0, hits = 0;
+    random_stream numbers = random_start(9, 0, 0);
+    for (size_t i = 0; i < check_count(20000); i++) {
+        int e = (int)round(between(&numbers, -(real)most, (real)most)),
+            f = (int)round(between(&numbers, -(real)most, (real)most));
+        cone c = some_cone(&numbers, (int)(i % 5)), d = c;
+        ray r = ray_at_cone(&numbers, c, (cone_aim)(i % aim_count), 10), q = r;
+        real s = ldexp((real)1, e), k = ldexp((real)1, f);
+        d.a = vscale(c.a, s), d.b = vscale(c.b, s), d.ra *= s, d.rb *= s;
+        q.o = vscale(r.o, s), q.d = vscale(r.d, k);
+        hit h = hit_none, g = hit_none;
+        bool is = cone_hit(c, r, &h), is_scaled = cone_hit(d, q, &g);
+        wrong += is != is_scaled || (is && !(h.u == g.u && ldexp(h.t, e - f) == g.t));
+        hits += is;
+    }
+    check_equal(wrong, 0, "scaled hits that differ, of %zu", hits);
+}
+
+static void normals_and_points(void)
+{
+    double worst = 0, worst_unit = 0, worst_point = 0;
+    random_stream numbers = random_start(10, 0, 0);
+    for (size_t i = 0; i < check_count(20000); i++) {
+        cone c = some_cone(&numbers, (int)(i % 5));
+        vec3 g, n,
+            p = point_of_side(c, between(&numbers, 0, 1), between(&numbers, -pi, pi), &g, &n);
+        real radius = fabs(c.ra + (c.rb - c.ra) * vdot(vsub(p, c.a), vsub(c.b, c.a))
+                           / vdot(vsub(c.b, c.a), vsub(c.b, c.a)));
+        vec3 m = cone_normal(c, p);
+        worst = fmax(worst, (double)(vlength(vsub(m, n)) * real_min(1, radius)));
+        worst_unit = fmax(worst_unit, fabs((double)vlength(m) - 1));
+        vec3 off = cone_point(c, vmadd(p, n, radius / 100));
+        worst_point = fmax(worst_point, cone_residual(c, ray_from(off, (vec3){1, 0, 0}), 0));
+    }
+    /* p is rounded by epsilon of its size 4, which turns the normal by that over the radius. */
+    check_at_most(worst, 16 * (double)real_epsilon,
+                  "normal against generator and circle, times the radius");
+    check_at_most(worst_unit, 4 * (double)real_epsilon, "length of a normal");
+    check_at_most(worst_point, 8 * (double)real_epsilon, "cone_point off the side");
+    cone tip = {{0, 0, 0}, 1, {0, 0, 2}, 0}, tube = {{0, 0, 0}, 2, {0, 0, 2}, 2};
+    check_close(cone_normal(tip, (vec3){0, 0, 2}).z, 1, 2 * real_epsilon,
+                "normal at the tip: along the axis");
+    check_equal(cone_normal(tube, (vec3){0, -2, 1}).y, -1,
+                "normal of a tube points away from the axis");
+    check_close(cone_normal(tip, (vec3){(real)0.5, 0, 1}).z, 1 / sqrt((real)5), 2 * real_epsilon,
+                "slope 2: n = (2,0,1)/sqrt 5");
+}
+
+int main(void)
+{
+    closed_forms();
+    degenerate();
+    against_the_oracle();
+    naive_fails();
+    scales();
+    normals_and_points();
+    return check_report("07_cone");
+}

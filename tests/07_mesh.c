@@ -1,0 +1,200 @@
+/* 07_mesh: shapes behind one tag, and the closest hit by brute force. */
+#include "check.h"
+#include "../chapters/07_mesh/trials.h"
+
+static random_stream numbers;
+
+/* corners: [4] for a polygon, which keeps pointing there */
+static shape some_shape(int kind, vec3 *corners)
+{
+    vec3 a = in_cube(&numbers, 2), b = in_cube(&numbers, 1), c = in_cube(&numbers, 1);
+    switch ((shape_kind)kind) {
+    case SHAPE_SPHERE: return shape_of_sphere((sphere){a, between(&numbers, (real)0.1, (real)0.5)});
+    case SHAPE_TRIANGLE: return shape_of_triangle((triangle){a, vadd(a, b), vadd(a, c)});
+    case SHAPE_CONE:
+        return shape_of_cone((cone){a, between(&numbers, 0, (real)0.5), vadd(a, b),
+                                    between(&numbers, 0, (real)0.5)});
+    case SHAPE_POLYGON: break;
+    }
+    corners[0] = a, corners[1] = vadd(a, b), corners[2] = vadd(vadd(a, b), c),
+    corners[3] = vadd(a, c);
+    return shape_of_polygon(polygon_of(corners, 4));
+}
+
+enum { shape_count = 60 };
+static vec3 corners[shape_count][4];
+static shape shapes[shape_count];
+
+/* Asks each shape on its own, from the last to the first, with the interval as it was: a search
+ * that shares neither the order nor the narrowing with scene_hit. */
+static hit reference(const shape *s, size_t n, ray r)
+{
+    hit best = hit_none, h;
+    for (size_t i = n; i-- > 0;)
+        if (shape_hit(s[i], r, &h) && h.t <= best.t) {
+            best = h;
+            best.shape = (uint32_t)i;
+        }
+    return best;
+}
+
+/* True if two rays close by hit the same shape in a small triangle at right angles to n, or miss
+ * it. */
+static bool is_normal(shape x, ray r, real t, vec3 n)
+{
+    vec3 s, q, p = ray_at(r, t);
+    hit a, b;
+    vbasis(vunit(r.d), &s, &q);
+    real step = vlength(r.d) / 1024;
+    ray ra = ray_from(r.o, vmadd(r.d, s, step)), rb = ray_from(r.o, vmadd(r.d, q, step));
+    ra.tmin = rb.tmin = r.tmin;
+    if (!shape_hit(x, ra, &a) || !shape_hit(x, rb, &b)) return true;
+    vec3 m = vunit(vcross(vsub(ray_at(ra, a.t), p), vsub(ray_at(rb, b.t), p)));
+    return fabs(vdot(m, n)) > (real)0.95;
+}
+
+static void closest_of_many(void)
+{
+    size_t differ = 0, occlusion = 0, out_of_bounds = 0, normals = 0, bent = 0, all = 0,
+           hits[4] = {0, 0, 0, 0};
+    numbers = random_start(31, 0, 0);
+    for (int i = 0; i < shape_count; i++) shapes[i] = some_shape(i % 4, corners[i]);
+    scene s = {shapes, shape_count};
+    for (size_t i = 0; i < check_count(20000); i++) {
+        ray r = ray_from(in_cube(&numbers, 4), in_cube(&numbers, 1));
+        r.tmin = between(&numbers, 0, 2), r.tmax = i % 3 ? real_infinity : between(&numbers, 0, 8);
+        hit h = hit_none, best = reference(shapes, shape_count, r);
+        bool is = scene_hit(&s, r, &h);
+        differ +=
+            is != (best.shape != no_shape) || (is && !(h.t == best.t && h.shape == best.shape));
+        occlusion += scene_occluded(&s, r) != is;
+        if (!is) continue;
+        all++;
+        const shape *x = &shapes[h.shape];
+        vec3 lo, hi, p = ray_at(r, h.t), n = shape_normal(*x, p);
+        shape_bounds(*x, &lo, &hi);
+        real room =
+            64 * real_epsilon; /* p itself is rounded: coordinates up to 8, t |D| up to 14 */
+        for (int k = 0; k < 3; k++)
+            out_of_bounds +=
+                !(vaxis(p, k) >= vaxis(lo, k) - room && vaxis(p, k) <= vaxis(hi, k) + room);
+        normals += !(fabs(vlength(n) - 1) <= 4 * real_epsilon);
+        hits[x->kind]++;
+        bent += !is_normal(*x, r, h.t, n);
+    }
+    check_equal(differ, 0, "closest hits that differ from a search in another order");
+    check_equal(occlusion, 0, "occluded means: there is a closest hit");
+    check_equal(out_of_bounds, 0, "hits outside the bounds of their shape");
+    check_equal(normals, 0, "normals that are not unit");
+    check_at_most(bent, all / 50,
+                  "normals that no small triangle of hits confirms: rims, tips only");
+    for (int k = 0; k < 4; k++) check_at_least(hits[k], check_count(200), "kind %d is hit", k);
+}
+
+/* Nothing sticks out of the bounds, and they are tight: the widest of many points comes close. */
+static void bounds(void)
+{
+    numbers = random_start(32, 0, 0);
+    size_t outside = 0, loose = 0;
+    for (size_t i = 0; i < check_count(200); i++) {
+        vec3 lo, hi, s, t, w = in_cube(&numbers, 1), a = in_cube(&numbers, 1), most = {0, 0, 0};
+        cone c = {a, between(&numbers, 0, 1), vadd(a, w), between(&numbers, 0, 1)};
+        shape_bounds(shape_of_cone(c), &lo, &hi);
+        vbasis(vunit(w), &s, &t);
+        vec3 middle = vscale(vadd(lo, hi), (real)0.5), half = vscale(vsub(hi, lo), (real)0.5);
+        for (int k = 0; k < 2000; k++) {
+            real angle = pi * (real)(k / 2) / 500, r = k % 2 ? c.rb : c.ra;
+            vec3 p = vadd(k % 2 ? c.b : c.a,
+                          vadd(vscale(s, r * cos(angle)), vscale(t, r * sin(angle))));
+            vec3 d = vsub(p, middle);
+            most = vmax(most, vmax(d, vneg(d)));
+        }
+        for (int k = 0; k < 3; k++) {
+            outside += vaxis(most, k) > vaxis(half, k) + 8 * real_epsilon;
+            loose +=
+                vaxis(most, k) < vaxis(half, k) - (real)2e-4; /* 1 - cos of half a step is 5e-6 */
+        }
+    }
+    check_equal(outside, 0, "ends of a cone outside its bounds");
+    check_equal(loose, 0, "bounds of a cone that are too wide");
+    vec3 lo, hi, axis = {0, 0, 2}, o = {1, 2, 3};
+    shape_bounds(shape_of_cone((cone){o, 1, vadd(o, axis), 0}), &lo, &hi);
+    check_close(hi.z, 5, 64 * real_epsilon, "a disk at right angles to z is flat in z");
+    shape_bounds(shape_of_sphere((sphere){o, -2}), &lo, &hi);
+    check_close(lo.x, -1, 64 * real_epsilon,
+                "a negative radius has the bounds of the positive one");
+}
+
+/* A plane of exact coordinates, once as each kind that can: all hits have the very same t, so the
+ * lowest index wins, in any order. */
+static void ties(void)
+{
+    static vec3 square[4] = {{-4, -4, 1}, {4, -4, 1}, {4, 4, 1}, {-4, 4, 1}};
+    shape s[4] = {shape_of_polygon(polygon_of(square, 4)),
+                  shape_of_triangle((triangle){square[0], square[1], square[2]}),
+                  shape_of_sphere((sphere){{1, 0, 2}, 1}),
+                  shape_of_cone((cone){{1, -2, 2}, 1, {1, 2, 2}, 1})};
+    ray r = ray_from((vec3){1, 0, -1}, (vec3){0, 0, (real)0.5});
+    for (int shift = 0; shift < 4; shift++) {
+        shape order[4];
+        hit h = hit_none;
+        for (int i = 0; i < 4; i++) order[i] = s[(i + shift) % 4];
+        scene all = {order, 4};
+        check(scene_hit(&all, r, &h) && h.t == 4 && h.shape == 0, "order %d: t %g, shape %u",
+              shift, (double)h.t, h.shape);
+    }
+    scene one = {s, 1}, empty = {NULL, 0};
+    hit h = {7, 8, 9, 10};
+    r.tmax = (real)3.5;
+    check(!scene_hit(&one, r, &h) && !scene_occluded(&one, r) && h.t == 7 && h.shape == 10,
+          "a miss leaves the hit alone");
+    check(!scene_hit(&empty, r, &h) && !scene_occluded(&empty, r) && h.shape == 10,
+          "an empty scene is never hit");
+}
+
+static void meshes(void)
+{
+    mesh m = octahedron_mesh(8);
+    size_t differ = 0, missed = 0, off = 0;
+    numbers = random_start(33, 0, 0);
+    for (size_t i = 0; i < check_count(3000); i++) {
+        vec3 o = in_cube(&numbers, i % 4 < 2 ? 2 : 1 / (real)3),
+             d = i % 2 ? in_cube(&numbers, 1)
+                       : vsub(m.v[(size_t)between(&numbers, 0, (real)m.vertices - 1)], o);
+        ray r = ray_from(o, d);
+        hit h = hit_none, best = hit_none, g;
+        bool is = mesh_hit(&m, r, &h);
+        for (size_t k = m.triangles; k-- > 0;)
+            if (triangle_hit(mesh_triangle(&m, k), r, &g) && g.t <= best.t)
+                g.shape = (uint32_t)k, best = g;
+        differ +=
+            is != (best.shape != no_shape) || mesh_occluded(&m, r) != is
+            || (is
+                && !(h.t == best.t && h.shape == best.shape && h.u == best.u && h.v == best.v));
+        real far = fabs(o.x) + fabs(o.y) + fabs(o.z);
+        missed += !is && far < 1;
+        if (!is) continue;
+        vec3 p = ray_at(r, h.t);
+        off += !(fabs(fabs(p.x) + fabs(p.y) + fabs(p.z) - 1)
+                 <= 64 * real_epsilon * (1 + h.t * vlength(r.d)));
+    }
+    check_equal(differ, 0, "mesh_hit against single triangles in another order");
+    check_equal(missed, 0, "rays from inside, to vertices and anywhere, always hit");
+    check_equal(off, 0, "hits off |x| + |y| + |z| = 1");
+    hit h;
+    check(mesh_hit(&m, ray_from((vec3){0, 0, 2}, (vec3){0, 0, -1}), &h) && h.t == 1,
+          "on to the top");
+    check_equal(h.shape, 0, "where four triangles meet the lowest index wins");
+    mesh_free(&m);
+    check(!mesh_hit(&m, ray_from((vec3){0, 0, 2}, (vec3){0, 0, -1}), &h),
+          "an empty mesh is never hit");
+}
+
+int main(void)
+{
+    closest_of_many();
+    bounds();
+    ties();
+    meshes();
+    return check_report("07_mesh");
+}

@@ -1,0 +1,245 @@
+/* 07_polygon: planar polygons against exact cases and an exact oracle, and the seams between
+ * them. */
+#include "check.h"
+#include "../chapters/07_mesh/trials.h"
+
+static void turn(vec3 *v, size_t n, vec3 axis, vec3 offset)
+{
+    vec3 s, t;
+    vbasis(axis, &s, &t);
+    for (size_t i = 0; i < n; i++)
+        v[i] = vadd(vadd(vadd(vscale(s, v[i].x), vscale(t, v[i].y)), vscale(axis, v[i].z)), offset);
+}
+
+/* A comb, seen from above and from below, upright and upside down, so that each edge is once an
+ * upper and once a lower one: all coordinates are multiples of 1/8. */
+static void exact_cases(bool over)
+{
+    const vec3 comb[] = {{0, 0, 1}, {8, 0, 1}, {8, 4, 1}, {6, 1, 1},
+                         {4, 4, 1}, {2, 1, 1}, {0, 4, 1}};
+    enum { n = sizeof comb / sizeof *comb };
+    static const struct { real x, y; bool hit;
+    } at[] = {{1, 1, true},      {2, 0.5, true},     {2, 2, false},      {6, 3, false},
+              {4, 3.5, true},    {4, 4, true},       {0, 4, true},       {8, 4, true},
+              {2, 1, true},      {6, 1, true},       {0, 0, true},       {8, 0, true},
+              {4, 0, true},      {0, 2, true},       {8, 3, true},       {7, 2.5, true},
+              {5, 2.5, true},    {3, 2.5, true},     {1, 2.5, true},     {1, 2.625, false},
+              {4, 4.125, false}, {-0.125, 0, false}, {8.125, 0, false},  {-1, 4, false},
+              {9, 1, false},     {2, 4, false},      {4, -0.125, false}, {2, 1.125, false},
+              {-3, 1, false},    {1, 4, false},      {6, 4, false},      {7.5, 3.75, false}};
+    static vec3 corner[3][n];
+    for (int axis = 0; axis < 3; axis++)       /* in the planes z = 1, x = 1, y = 1 */
+        for (int first = 0; first < n; first++)    /* from each corner, concave ones too */
+            for (int side = -1; side <= 1; side += 2) {
+                vec3 *v = corner[axis];
+                for (int i = 0; i < n; i++) {
+                    vec3 c = comb[(first + side * i + n) % n];
+                    if (over) c.x = 8 - c.x, c.y = 4 - c.y;
+                    v[i] = axis == 0   ? c
+                           : axis == 1 ? (vec3){c.z, c.x, c.y}
+                                       : (vec3){c.y, c.z, c.x};
+                }
+                polygon p = polygon_of(v, n);
+                vec3 up = {axis == 1, axis == 2, axis == 0};
+                check(vdot(p.normal, up) == (real)side,
+                      "axis %d from corner %d: Newell's normal is exact", axis, first);
+                for (size_t k = 0; k < sizeof at / sizeof *at; k++)
+                    for (int tilt = 0; tilt < 2; tilt++) {
+                        vec3 q = {at[k].x, at[k].y, 1},
+                             d = tilt ? (vec3){1, -2, 4} : (vec3){0, 0, 2};
+                        if (over) q.x = 8 - q.x, q.y = 4 - q.y;
+                        vec3 o = vmadd(q, d, -3);
+                        if (axis == 1) o = (vec3){o.z, o.x, o.y}, d = (vec3){d.z, d.x, d.y};
+                        if (axis == 2) o = (vec3){o.y, o.z, o.x}, d = (vec3){d.y, d.z, d.x};
+                        hit h;
+                        bool is = polygon_hit(p, ray_from(o, d), &h);
+                        check(is == at[k].hit && (!is || h.t == 3),
+                              "(%g, %g), axis %d, from corner %d, side %d, tilt %d",
+                              (double)at[k].x, (double)at[k].y, axis, first, side, tilt);
+                    }
+            }
+}
+
+static void degenerate(void)
+{
+    vec3 v[4] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    const hit kept = {7, 8, 9, 10};
+    hit h = kept;
+    ray r = ray_from((vec3){1, (real)0.5, -1}, (vec3){0, 0, 1});
+    check(polygon_hit(polygon_of(v, 4), r, &h) && h.t == 1, "a square");
+    r.tmin = r.tmax = 1;
+    check(polygon_hit(polygon_of(v, 4), r, &h), "the interval is closed");
+    h = kept;
+    r.tmin = (real)1.5, r.tmax = 2;
+    check(!polygon_hit(polygon_of(v, 4), r, &h), "beyond the interval");
+    r = ray_from((vec3){1, 0, -1}, (vec3){0, 0, 1});
+    for (size_t n = 0; n < 3; n++) check(!polygon_hit(polygon_of(v, n), r, &h), "%zu corners", n);
+    vec3 line[4] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}},
+         point[3] = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
+    check(!polygon_hit(polygon_of(line, 4), r, &h), "corners in a line: no area");
+    check(!polygon_hit(polygon_of(point, 3), r, &h), "all corners one point");
+    check(!polygon_hit(polygon_of(v, 4), ray_from((vec3){-1, 1, 0}, (vec3){1, 0, 0}), &h),
+          "exactly edge-on");
+    check(!polygon_hit(polygon_of(v, 4), ray_from((vec3){-1, 0, 0}, (vec3){1, 0, 0}), &h),
+          "along an edge");
+    check(!polygon_hit(polygon_of(v, 4), ray_from((vec3){1, 1, -1}, (vec3){0, 0, 0}), &h),
+          "direction 0");
+    real bad[] = {(real)NAN, real_infinity, -real_infinity};
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 18; k++) {
+            real in[18] = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 1, 1, -1, 0, 0, 1};
+            in[k] = bad[i];
+            vec3 w[4] = {{in[0], in[1], in[2]},
+                         {in[3], in[4], in[5]},
+                         {in[6], in[7], in[8]},
+                         {in[9], in[10], in[11]}};
+            check(!polygon_hit(polygon_of(w, 4), ray_from((vec3){in[12], in[13], in[14]},
+                                                          (vec3){in[15], in[16], in[17]}), &h),
+                  "input %d is %g: a miss", k, (double)bad[i]);
+        }
+    check(h.t == kept.t && h.shape == kept.shape, "a miss leaves the hit alone");
+}
+
+/* Nearer to an edge than 8 epsilon (size + distance) the corners' own rounding decides. */
+static void against_the_oracle(void)
+{
+    enum { corners = 144 };
+    static vec3 v[corners];
+    const real distances[] = {1, 100, 10000};
+    for (int j = 0; j < 3; j++) {
+        size_t wrong = 0, hits = 0;
+        double worst = 0;
+        random_stream numbers = random_start(11, 0, (uint64_t)j);
+        for (size_t i = 0; i < check_count(6000); i++) {
+            int teeth = (int)between(&numbers, 3, 37);
+            size_t n = gear(v, teeth, between(&numbers, (real)0.5, 2),
+                            between(&numbers, (real)0.1, (real)0.9));
+            vec3 axis = direction(&numbers), d = direction(&numbers),
+                 offset = {between(&numbers, -1, 1), between(&numbers, -1, 1),
+                           between(&numbers, -1, 1)};
+            turn(v, n, axis, offset);
+            polygon p = polygon_of(v, n);
+            size_t k = (size_t)between(&numbers, 0, (real)n - 1);
+            vec3 aim =
+                i % 2 ? vmadd(v[k], vsub(v[(k + 1) % n], v[k]), between(&numbers, 0, 1)) : offset;
+            aim = vadd(aim,
+                       vscale(direction(&numbers), i % 2 ? (real)1e-3 : between(&numbers, 0, 2)));
+            ray r = ray_from(vmadd(aim, d, -distances[j]),
+                             vscale(d, between(&numbers, (real)0.5, 2)));
+            polygon_truth truth = polygon_exact(p, r);
+            hit h = hit_none;
+            bool is = polygon_hit(p, r, &h);
+            if (truth.margin < 8 * (double)(real_epsilon * (4 + distances[j]))) continue;
+            wrong += is != truth.hit;
+            hits += is;
+            if (is && truth.hit) {
+                double steep = fabs((double)(vdot(p.normal, r.d) / vlength(r.d)));
+                worst = fmax(worst, fabs((double)h.t - truth.t) * (double)vlength(r.d) * steep
+                                        / (double)(real_epsilon * (4 + distances[j])));
+            }
+        }
+        check_equal(wrong, 0, "gears from %g: wrong answers, %zu hits", (double)distances[j], hits);
+        check_at_most(
+            worst, 4,
+            "gears from %g: error of t |D| across the plane, in epsilon (size + distance)",
+            (double)distances[j]);
+    }
+}
+
+/* From inside at least one must be hit; the rays aim at corners and edges. */
+static void seams(void)
+{
+    static gear_box box;
+    const real translations[] = {0, 1, 1000, 100000};
+    random_stream numbers = random_start(12, 0, 0);
+    for (int j = 0; j < 4; j++)
+        for (int k = 0; k < 2; k++) {
+            size_t rays = check_count(j == 0 ? 300000 : 65000);
+            gear_box_fill(&box, &numbers, translations[j], k == 1);
+            check_equal(gear_box_slips(&box, &numbers, rays, false), 0,
+                        "slips of %zu rays at seams, translation %g, %s", rays,
+                        (double)translations[j], k ? "with triangles" : "with quads");
+        }
+    size_t rays = check_count(20000);
+    gear_box_fill(&box, &numbers, 0, false);
+    check_at_least(gear_box_slips(&box, &numbers, rays, true), rays / 100,
+                   "the textbook polygon slips at 1 %% of the seams and more");
+}
+
+/* Corners in the other order, other starts, other scale: the same hits, bit for bit. Three
+ * corners: the hits of the triangle of 04. */
+static void same_answers(void)
+{
+    size_t turned = 0, scaled = 0, as_triangle = 0, hits = 0;
+    double worst = 0;
+    random_stream numbers = random_start(13, 0, 0);
+    for (size_t i = 0; i < check_count(20000); i++) {
+        vec3 v[12], w[12], x[12];
+        size_t n = gear(v, 3, 1, (real)0.4), first = (size_t)between(&numbers, 0, 11);
+        if (i % 2) n = 3;
+        vec3 d = direction(&numbers), zero = {0, 0, 0};
+        turn(v, n, direction(&numbers), zero);
+        real s = ldexp((real)1, (int)between(&numbers, real_is_float ? -100 : -900,
+                                             real_is_float ? 100 : 900));
+        for (size_t k = 0; k < n; k++) w[n - 1 - (k + first) % n] = v[k], x[k] = vscale(v[k], s);
+        vec3 aim = vscale(direction(&numbers), between(&numbers, 0, 1));
+        ray r = ray_from(vmadd(aim, d, -3), d), q = r;
+        q.o = vscale(r.o, s), q.d = vscale(d, 4);
+        hit h = hit_none, g = hit_none, e = hit_none, f = hit_none;
+        bool is = polygon_hit(polygon_of(v, n), r, &h),
+             is_turned = polygon_hit(polygon_of(w, n), r, &g);
+        bool is_scaled = polygon_hit(polygon_of(x, n), q, &e);
+        hits += is;
+        turned += is != is_turned;
+        scaled += is != is_scaled || (is && h.t * s / 4 != e.t);
+        if (n > 3) continue;
+        as_triangle += is != triangle_hit((triangle){v[0], v[1], v[2]}, r, &f);
+        vec3 normal = triangle_normal((triangle){v[0], v[1], v[2]});
+        if (is) worst = fmax(worst, fabs((double)((h.t - f.t) * vdot(normal, d))));
+    }
+    check_equal(turned, 0, "other orders of the corners that change the answer, of %zu hits", hits);
+    check_equal(scaled, 0, "sizes that change the answer");
+    check_equal(as_triangle, 0, "polygons of three corners that differ from the triangle of 04");
+    check_at_most(worst, 32 * (double)real_epsilon, "and their t, across the plane; distance 3");
+}
+
+/* Edge-on but for rounding, the plane's depth is noise; t stays between the corners' own depths. */
+static void nearly_edge_on(void)
+{
+    size_t outside = 0, hits = 0;
+    random_stream numbers = random_start(14, 0, 0);
+    for (size_t i = 0; i < check_count(50000); i++) {
+        vec3 v[12], normal = direction(&numbers), s, t;
+        size_t n = gear(v, 3, 1, (real)0.4);
+        turn(v, n, normal, vscale(direction(&numbers), 3));
+        vbasis(normal, &s, &t);
+        real a = between(&numbers, -pi, pi);
+        vec3 d = vmadd(vadd(vscale(s, cos(a)), vscale(t, sin(a))), normal,
+                       real_epsilon * between(&numbers, -2, 2));
+        ray r = ray_from(vmadd(vscale(vadd(v[0], v[6]), (real)0.5), d, -4), d);
+        ray_shear k = shear_of(r);
+        real near = real_infinity, far = -real_infinity;
+        for (size_t j = 0; j < n; j++) {
+            real depth = shear_corner(&v[j], &k).z * k.sz;
+            near = real_min(near, depth), far = real_max(far, depth);
+        }
+        hit h;
+        if (!polygon_hit(polygon_of(v, n), r, &h)) continue;
+        hits++;
+        outside += !(h.t >= near * (1 - real_epsilon) && h.t <= far * (1 + real_epsilon));
+    }
+    check_equal(outside, 0, "hits nearer or farther than all corners, of %zu", hits);
+    check_at_least(hits, check_count(50000) / 20, "some are hit");
+}
+
+int main(void)
+{
+    exact_cases(false);
+    exact_cases(true);
+    degenerate();
+    against_the_oracle();
+    seams();
+    same_answers();
+    nearly_edge_on();
+    return check_report("07_polygon");
+}
