@@ -117,6 +117,7 @@ static inline ray_shear shear_of(ray r)
 
 /* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles
  * that share the corner see it at the same place, to the last bit. */
+__attribute__((always_inline))
 static inline vec3 shear_corner(const vec3 *corner, const ray_shear *s)
 {
     const real *p = (const real *)corner;
@@ -179,6 +180,7 @@ static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *co
  * What has no area in space is refused last. Its image may have some, by rounding: a mesh that is
  * sealed with triangles of three different corners on a line can leak at these, and only there.
  */
+__attribute__((always_inline))  /* a call would copy the ray, and take twice as long */
 static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const vec3 *pc,
                                         const ray_shear *s, ray r, hit *out)
 {
