@@ -142,7 +142,7 @@ static void test_naive_forms_slip(void)
         {"Möller-Trumbore", triangle_hit_moller_trumbore, 0.03, 0.03}};
     icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1), f = icosphere_new(4, (vec3){0, 0, 0}, 1);
     icosphere_f32(&f);
-    size_t n = check_count(10000);
+    size_t n = check_count(10000) > 2000 ? check_count(10000) : 2000;
     for (int k = 0; k < 4; k++)
         for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
             slip_count c = slips(k < 2 ? &f : &m, naive[k].hit, at_vertex, n, 80);

@@ -91,9 +91,8 @@ static void degenerate(void)
           "a miss leaves the hit alone");
 }
 
-/* The measured worst margin of a wrong answer is below 16 epsilon for radii of the size of the
- * height. That of a needle is larger by the ratio h / r, because w.w and q.w are rounded at the
- * scale of h. */
+/* 64 epsilon for radii of the size of the height. A needle gets h / r times that: q, the origin
+ * near the axis, is rounded at the scale of h. */
 static void against_the_oracle(void)
 {
     const real distances[] = {1, 100, 10000, 1000000};

@@ -104,7 +104,12 @@ static void open_mesh(void)
     vec3 p = {(real)0.03125, (real)0.015625, (real)0.0078125};
     vec3 through = vsub(vscale(vadd(vadd(hole.a, hole.b), hole.c), 1 / (real)3), p);
     check(inside_parity(&m, p, through) && inside_parity_naive(&m, p, through), "closed: inside");
+    vec3 outside = vmadd(vscale(vadd(vadd(hole.a, hole.b), hole.c), 1 / (real)3),
+                         inside_direction(4, 5), -2);
+    check(!inside_vote(&m, outside, 5), "outside the closed mesh");
     m.triangles--;
+    check(inside_parity_naive(&m, outside, inside_direction(4, 5)), "in by the hole: one hit");
+    check(!inside_vote(&m, outside, 5), "one of five is outvoted");
     check(!inside_parity(&m, p, through) && !inside_parity_naive(&m, p, through),
           "parity through the hole: outside");
     check(inside_parity(&m, p, vneg(through)), "and inside by the other way");

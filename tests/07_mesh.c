@@ -38,9 +38,25 @@ static hit reference(const shape *s, size_t n, ray r)
     return best;
 }
 
+/* True if two rays close by hit the same shape in a small triangle at right angles to n, or miss
+ * it. */
+static bool is_normal(shape x, ray r, real t, vec3 n)
+{
+    vec3 s, q, p = ray_at(r, t);
+    hit a, b;
+    vbasis(vunit(r.d), &s, &q);
+    real step = vlength(r.d) / 1024;
+    ray ra = ray_from(r.o, vmadd(r.d, s, step)), rb = ray_from(r.o, vmadd(r.d, q, step));
+    ra.tmin = rb.tmin = r.tmin;
+    if (!shape_hit(x, ra, &a) || !shape_hit(x, rb, &b)) return true;
+    vec3 m = vunit(vcross(vsub(ray_at(ra, a.t), p), vsub(ray_at(rb, b.t), p)));
+    return fabs(vdot(m, n)) > (real)0.95;
+}
+
 static void closest_of_many(void)
 {
-    size_t differ = 0, occlusion = 0, out_of_bounds = 0, normals = 0, hits[4] = {0, 0, 0, 0};
+    size_t differ = 0, occlusion = 0, out_of_bounds = 0, normals = 0, bent = 0, all = 0,
+           hits[4] = {0, 0, 0, 0};
     numbers = random_start(31, 0, 0);
     for (int i = 0; i < shape_count; i++) shapes[i] = some_shape(i % 4, corners[i]);
     scene s = {shapes, shape_count};
@@ -53,6 +69,7 @@ static void closest_of_many(void)
             is != (best.shape != no_shape) || (is && !(h.t == best.t && h.shape == best.shape));
         occlusion += scene_occluded(&s, r) != is;
         if (!is) continue;
+        all++;
         const shape *x = &shapes[h.shape];
         vec3 lo, hi, p = ray_at(r, h.t), n = shape_normal(*x, p);
         shape_bounds(*x, &lo, &hi);
@@ -63,11 +80,14 @@ static void closest_of_many(void)
                 !(vaxis(p, k) >= vaxis(lo, k) - room && vaxis(p, k) <= vaxis(hi, k) + room);
         normals += !(fabs(vlength(n) - 1) <= 4 * real_epsilon);
         hits[x->kind]++;
+        bent += !is_normal(*x, r, h.t, n);
     }
     check_equal(differ, 0, "closest hits that differ from a search in another order");
     check_equal(occlusion, 0, "occluded means: there is a closest hit");
     check_equal(out_of_bounds, 0, "hits outside the bounds of their shape");
     check_equal(normals, 0, "normals that are not unit");
+    check_at_most(bent, all / 50,
+                  "normals that no small triangle of hits confirms: rims, tips only");
     for (int k = 0; k < 4; k++) check_at_least(hits[k], check_count(200), "kind %d is hit", k);
 }
 

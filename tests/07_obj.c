@@ -279,7 +279,7 @@ static void test_random_numbers(void)
         long e = -(long)below(23);
         double x = 0;
         snprintf(digits, sizeof digits, "%llue%ld", (unsigned long long)w, e);
-        wrong += !text_decimal(w, e, &x) || x != strtod(digits, NULL);
+        wrong += !decimal_nearest(w, e, &x) || x != strtod(digits, NULL);
     }
     check_equal(wrong, 0, "of %zu numbers of 19 digits, not the nearest one", n);
     /* w 10^-k within some 5^-k of half an ulp from the middle of two doubles: found by solving
@@ -294,7 +294,7 @@ static void test_random_numbers(void)
         uint64_t w = near_middle[i].w;
         double x = 0;
         snprintf(digits, sizeof digits, "%llue%ld", (unsigned long long)w, near_middle[i].e);
-        check(text_decimal(w, near_middle[i].e, &x) && x == strtod(digits, NULL), "%s", digits);
+        check(decimal_nearest(w, near_middle[i].e, &x) && x == strtod(digits, NULL), "%s", digits);
     }
 }
 

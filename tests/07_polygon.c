@@ -11,8 +11,9 @@ static void turn(vec3 *v, size_t n, vec3 axis, vec3 offset)
         v[i] = vadd(vadd(vadd(vscale(s, v[i].x), vscale(t, v[i].y)), vscale(axis, v[i].z)), offset);
 }
 
-/* An L and a comb, seen from above and from below: all coordinates are multiples of 1/8. */
-static void exact_cases(void)
+/* A comb, seen from above and from below, upright and upside down, so that each edge is once an
+ * upper and once a lower one: all coordinates are multiples of 1/8. */
+static void exact_cases(bool over)
 {
     const vec3 comb[] = {{0, 0, 1}, {8, 0, 1}, {8, 4, 1}, {6, 1, 1},
                          {4, 4, 1}, {2, 1, 1}, {0, 4, 1}};
@@ -33,6 +34,7 @@ static void exact_cases(void)
                 vec3 *v = corner[axis];
                 for (int i = 0; i < n; i++) {
                     vec3 c = comb[(first + side * i + n) % n];
+                    if (over) c.x = 8 - c.x, c.y = 4 - c.y;
                     v[i] = axis == 0   ? c
                            : axis == 1 ? (vec3){c.z, c.x, c.y}
                                        : (vec3){c.y, c.z, c.x};
@@ -45,6 +47,7 @@ static void exact_cases(void)
                     for (int tilt = 0; tilt < 2; tilt++) {
                         vec3 q = {at[k].x, at[k].y, 1},
                              d = tilt ? (vec3){1, -2, 4} : (vec3){0, 0, 2};
+                        if (over) q.x = 8 - q.x, q.y = 4 - q.y;
                         vec3 o = vmadd(q, d, -3);
                         if (axis == 1) o = (vec3){o.z, o.x, o.y}, d = (vec3){d.z, d.x, d.y};
                         if (axis == 2) o = (vec3){o.y, o.z, o.x}, d = (vec3){d.y, d.z, d.x};
@@ -176,8 +179,8 @@ static void same_answers(void)
         if (i % 2) n = 3;
         vec3 d = direction(&numbers), zero = {0, 0, 0};
         turn(v, n, direction(&numbers), zero);
-        real s = ldexp((real)1, (int)between(&numbers, real_is_float ? -40 : -300,
-                                             real_is_float ? 40 : 300));
+        real s = ldexp((real)1, (int)between(&numbers, real_is_float ? -100 : -900,
+                                             real_is_float ? 100 : 900));
         for (size_t k = 0; k < n; k++) w[n - 1 - (k + first) % n] = v[k], x[k] = vscale(v[k], s);
         vec3 aim = vscale(direction(&numbers), between(&numbers, 0, 1));
         ray r = ray_from(vmadd(aim, d, -3), d), q = r;
@@ -200,12 +203,43 @@ static void same_answers(void)
     check_at_most(worst, 32 * (double)real_epsilon, "and their t, across the plane; distance 3");
 }
 
+/* Edge-on but for rounding, the plane's depth is noise; t stays between the corners' own depths. */
+static void nearly_edge_on(void)
+{
+    size_t outside = 0, hits = 0;
+    random_stream numbers = random_start(14, 0, 0);
+    for (size_t i = 0; i < check_count(50000); i++) {
+        vec3 v[12], normal = direction(&numbers), s, t;
+        size_t n = gear(v, 3, 1, (real)0.4);
+        turn(v, n, normal, vscale(direction(&numbers), 3));
+        vbasis(normal, &s, &t);
+        real a = between(&numbers, -pi, pi);
+        vec3 d = vmadd(vadd(vscale(s, cos(a)), vscale(t, sin(a))), normal,
+                       real_epsilon * between(&numbers, -2, 2));
+        ray r = ray_from(vmadd(vscale(vadd(v[0], v[6]), (real)0.5), d, -4), d);
+        ray_shear k = shear_of(r);
+        real near = real_infinity, far = -real_infinity;
+        for (size_t j = 0; j < n; j++) {
+            real depth = shear_corner(&v[j], &k).z * k.sz;
+            near = real_min(near, depth), far = real_max(far, depth);
+        }
+        hit h;
+        if (!polygon_hit(polygon_of(v, n), r, &h)) continue;
+        hits++;
+        outside += !(h.t >= near * (1 - real_epsilon) && h.t <= far * (1 + real_epsilon));
+    }
+    check_equal(outside, 0, "hits nearer or farther than all corners, of %zu", hits);
+    check_at_least(hits, check_count(50000) / 20, "some are hit");
+}
+
 int main(void)
 {
-    exact_cases();
+    exact_cases(false);
+    exact_cases(true);
     degenerate();
     against_the_oracle();
     seams();
     same_answers();
+    nearly_edge_on();
     return check_report("07_polygon");
 }

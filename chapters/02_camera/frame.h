@@ -76,9 +76,9 @@ static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
                   0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
 }
 
-/* up = (3, 5, 6), from (0, 0, 0) towards (3, 5, 6.000001): an angle of 8e-8. w is rounded to length 1
- * first, which turns it by some epsilon; seen against the angle, that turns u by 1e-9 (in float: by
- * 0.3), and u leans towards w. */
+/* up = (3, 5, 6), from (0, 0, 0) towards (3, 5, 6.000001), in double: an angle of 8e-8. w is
+ * rounded to length 1 first, which turns it by some epsilon; seen against the angle, that turns u
+ * by 1e-9, and u leans towards w. In float 6.0001 does as much harm. */
 static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_frame *out,
                                        failure *why)
 {

@@ -6,10 +6,11 @@
  *                t0 ' . _ . ' t1          t = (b -+ sqrt(D)) / a,  D = b^2 - a k              (3.3)
  *                                           D = a R^2 - |d x f|^2                             (3.5)
  *
- * (3.3) as it stands is the textbook: far from the sphere b^2 and a k are huge and nearly equal, and
- * their difference is noise. (3.5) is the same number by Lagrange's identity, with terms of the size
- * of what is asked for: R, and how far the ray passes from c. Where D still is smaller than its own
- * rounding error could be, it is computed again in twice the precision: few rays in 1e9 from 1e6 R.
+ * (3.3) as it stands is the textbook: far from the sphere b^2 and a k are huge and nearly equal,
+ * and their difference is noise. (3.5) is the same number by Lagrange's identity, with terms of the
+ * size of what is asked for: R, and how far the ray passes from c. Where D still is smaller than
+ * its own rounding error could be, it is computed again in twice the precision: few rays in 1e9
+ * from 1e6 R.
  *
  *   sphere_hit(s, r, &h)         the first root in [tmin, tmax]; from inside that is the exit
  *   sphere_roots(s, r, &t0, &t1) both roots, entry t0 <= exit t1, behind o, too
@@ -106,16 +107,15 @@ static inline bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
     wide D = wide_sub(wide_mul(a, wide_product(R, R)), wide3_dot(x, x));                 /* (3.5) */
     if (wide_sign(D) < 0) return false;
     wide h = wide_sqrt(D), q = wide_sign(b) < 0 ? wide_sub(b, h) : wide_add(b, h);       /* (3.4) */
-    if (wide_sign(q) == 0) return *t0 = *t1 = 0, true;         /* o is the tangent point: not 0/0 */
     real far = (real)ldexp(wide_value(wide_div(q, a)), el - ed);
     real near = (real)ldexp(wide_value(wide_div(k, q)), el - ed);
-    *t0 = real_min(near, far);
+    *t0 = real_min(near, far);  /* if o is the tangent point, near is 0 / 0, and far, 0, wins */
     *t1 = real_max(near, far);
     return true;
 }
 
 /* In double, whatever real is: in float far too many rays would be in doubt. The rounding errors of
- * D stay below 8 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see the README; noise leaves room. */
+ * D stay below 6 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see README; noise leaves room. */
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
     const double noise = 10 * DBL_EPSILON, tiny = DBL_MIN / (DBL_EPSILON * DBL_EPSILON);

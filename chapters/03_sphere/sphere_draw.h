@@ -1,18 +1,19 @@
 /* sphere_draw.h: the two pictures of this chapter.
  *
  *   sphere_draw(&o)      a sphere through a long lens from 500, 1000, 2000 and 5000 radii: above by
- *                        the textbook in float, below by sphere_hit; |n.d|, red where a ray through the
- *                        disc misses, blue where a ray beside it hits
+ *                        the textbook in float, below by sphere_hit; |n.d|, red where a ray through
+ *                        the disc misses, blue where a ray beside it hits
  *   sphere_draw_map(&o)  across: the distance, 1 to 1e6 radii; up: how far the ray passes from the
- *                        centre, 0 to 1.2 radii; red and blue as above, grey where the answer is right:
- *                        the darker, the farther the hit is off the surface (light 1e-9 R, black R);
- *                        left the textbook in float, then the textbook, then sphere_hit
+ *                        centre, 0 to 1.2 radii; red and blue as above, grey where the answer is
+ *                        right: the darker, the farther the hit is off the surface (light 1e-9 R,
+ *                        black R); left the textbook in float, then the textbook, then sphere_hit
  */
 #ifndef SPHERE_DRAW_H
 #define SPHERE_DRAW_H
 
 #include "../../common/output.h"
 #include "../../common/parallel.h"
+#include "../02_camera/headlight.h"
 #include "sphere_oracle.h"
 #include "sphere_variants.h"
 
@@ -40,9 +41,11 @@ static inline void sphere_draw_pixel(int x, int y, void *context)
     const sphere_panels *p = context;
     static const real distance[4] = {500, 1000, 2000, 5000};
     int w = p->im->width / p->columns, h = p->im->height / p->rows;
-    int column = x / w < p->columns ? x / w : p->columns - 1, row = y / h < p->rows ? y / h : p->rows - 1;
+    int column = x / w < p->columns ? x / w : p->columns - 1;
+    int row = y / h < p->rows ? y / h : p->rows - 1;
     real half = (real)0.5, scale = (real)2.3 / (real)(w < h ? w : h);
-    real across = (real)(x - column * w) + half - (real)w / 2, up = (real)h / 2 - (real)(y - row * h) - half;
+    real across = (real)(x - column * w) + half - (real)w / 2;
+    real up = (real)h / 2 - (real)(y - row * h) - half;
     ray r = sphere_view(distance[column], across * scale, up * scale);
     sphere ball = {{0, 0, 0}, 1};
     hit found;
@@ -52,8 +55,7 @@ static inline void sphere_draw_pixel(int x, int y, void *context)
     else if (is) {
         /* The textbook divides by R and trusts that the point is on the surface. */
         vec3 at = ray_at(r, found.t), n = row ? sphere_normal(ball, sphere_point(ball, at)) : at;
-        real grey = fabs(vdot(n, vunit(r.d)));
-        c = (vec3){grey, grey, grey};
+        c = headlight(n, r.d);
     }
     image_set(p->im, x, y, c);
 }
@@ -74,7 +76,8 @@ static inline void sphere_map_pixel(int x, int y, void *context)
     int width = p->im->width / p->columns;
     int column = x / width < p->columns ? x / width : p->columns - 1;
     if (column && x % width < 4) { image_set(p->im, x, y, (vec3){1, 1, 1}); return; }
-    real half = (real)0.5, far = pow((real)10, 6 * ((real)(x - column * width) + half) / (real)width);
+    real half = (real)0.5;
+    real far = pow((real)10, 6 * ((real)(x - column * width) + half) / (real)width);
     real pass = (real)1.2 * ((real)(p->im->height - y) - half) / (real)p->im->height;
     ray r = sphere_view(far, pass, pass / 3);
     sphere ball = {{0, 0, 0}, vlength((vec3){1, (real)1 / 3, 0})};
@@ -93,7 +96,8 @@ static inline void sphere_map_pixel(int x, int y, void *context)
 
 static inline void sphere_draw_map(const options *o)
 {
-    static sphere_hit_function *const X_hit[3] = {sphere_hit_naive_f32, sphere_hit_naive, sphere_hit};
+    static sphere_hit_function *const X_hit[3] = {sphere_hit_naive_f32, sphere_hit_naive,
+                                                  sphere_hit};
     if (o->out) return;
     image im = image_new(960, 200);
     sphere_panels p = {&im, 3, 1, X_hit};

@@ -1,7 +1,7 @@
 /* sphere_oracle.h: rays aimed at a sphere, near its limb (边缘) if wanted, and the truth.
  *
- *   sphere_aim(&s, R, far, pass, moved, &ball)   a ray from about far R away, past the centre at about
- *                                                pass R; the centre random if moved, else 0
+ *   sphere_aim(&s, R, far, pass, moved, &ball)   a ray from about far R away, past the centre at
+ *                                                about pass R; the centre random if moved, else 0
  *   sphere_clearance(ball, r)                    how far the line passes from the centre, over R,
  *                                                minus 1: a hit is due where it is <= 0
  *   sphere_pass(ball, r)                         how far the line passes from the centre
@@ -18,7 +18,8 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline ray sphere_aim(random_stream *s, real R, real far, real pass, bool moved, sphere *ball)
+static inline ray sphere_aim(random_stream *s, real R, real far, real pass, bool moved,
+                             sphere *ball)
 {
     real v[7];
     for (int k = 0; k < 7; k++) v[k] = 2 * random_next(s) - 1;
@@ -35,7 +36,8 @@ static inline ray sphere_aim(random_stream *s, real R, real far, real pass, bool
 static inline double sphere_clearance(sphere ball, ray r)
 {
     wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
-    wide a = wide3_dot(d, d), b = wide3_dot(d, f), rr = wide_product((double)ball.r, (double)ball.r);
+    wide a = wide3_dot(d, d), b = wide3_dot(d, f);
+    wide rr = wide_product((double)ball.r, (double)ball.r);
     wide D = wide_sub(wide_mul(b, b), wide_mul(a, wide_sub(wide3_dot(f, f), rr)));
     double square = -wide_value(wide_div(D, wide_mul(a, rr)));
     return square / (1 + sqrt(1 + square));
@@ -45,7 +47,8 @@ static inline double sphere_pass(sphere ball, ray r)
 {
     wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
     wide a = wide3_dot(d, d), b = wide3_dot(d, f);
-    return wide_value(wide_sqrt(wide_div(wide_sub(wide_mul(a, wide3_dot(f, f)), wide_mul(b, b)), a)));
+    wide square = wide_div(wide_sub(wide_mul(a, wide3_dot(f, f)), wide_mul(b, b)), a);
+    return wide_value(wide_sqrt(square));
 }
 
 static inline double sphere_residual(sphere ball, ray r, real t)

@@ -1,8 +1,8 @@
 /* sphere_variants.h: other ways to meet a sphere, to be measured beside sphere.h. All have the
- * signature of sphere_hit and of sphere_roots; only their rounding differs.
+ * signature of sphere_hit and of sphere_roots; only their rounding differs. l: distance.
  *
  *   suffix          what it does                                  told wrong within
- *   _naive          the textbook (3.3); see sphere.h              eps (l/R)^2 R  of the limb; l: distance
+ *   _naive          the textbook (3.3); see sphere.h              eps (l/R)^2 R  of the limb
  *   _naive_f32      the same in float, whatever real is
  *   _in_double      the same in double, whatever real is
  *   _stable_root    (3.3), the roots by (3.4): without b - h      eps (l/R)^2 R  mends nothing
@@ -11,10 +11,10 @@
  *   _kahan          D by (3.5), every rounding error given back   eps R          whatever l
  *   sphere_hit      D by (3.5); if too small to be sure, again in twice the precision
  *
- * Source of _haines: E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere
- * Intersection", Ray Tracing Gems, 2019, ch. 7. Of (3.4): W. Press et al., "Numerical Recipes", 2nd
- * ed. 1992, section 5.6. Of _kahan: difference_of_products in vec3.h, and D. Knuth, "The Art of
- * Computer Programming", vol. 2, section 4.2.2 theorem B.
+ * Source of _haines: E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for
+ * Ray/Sphere Intersection", Ray Tracing Gems, 2019, ch. 7. Of (3.4): W. Press et al., "Numerical
+ * Recipes", 2nd ed. 1992, section 5.6. Of _kahan: difference_of_products in vec3.h, and D. Knuth,
+ * "The Art of Computer Programming", vol. 2, section 4.2.2 theorem B.
  */
 #ifndef SPHERE_VARIANTS_H
 #define SPHERE_VARIANTS_H
@@ -26,8 +26,8 @@ typedef bool sphere_roots_function(sphere s, ray r, real *t0, real *t1);
 
 static inline sphere_roots_function sphere_roots_naive_f32, sphere_roots_in_double,
     sphere_roots_stable_root, sphere_roots_haines, sphere_roots_lagrange, sphere_roots_kahan;
-static inline sphere_hit_function sphere_hit_naive_f32, sphere_hit_in_double, sphere_hit_stable_root,
-    sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan;
+static inline sphere_hit_function sphere_hit_naive_f32, sphere_hit_in_double,
+    sphere_hit_stable_root, sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -104,7 +104,8 @@ static inline bool sphere_roots_kahan(sphere s, ray r, real *t0, real *t1)
     vec3 d = r.d, f = vsub(r.o, s.c);
     vec3 e = {sum_error(r.o.x, -s.c.x, f.x), sum_error(r.o.y, -s.c.y, f.y),
               sum_error(r.o.z, -s.c.z, f.z)};  /* o - c = f + e exactly */
-    vec3 x = {difference_of_products(d.y, f.z, d.z, f.y), difference_of_products(d.z, f.x, d.x, f.z),
+    vec3 x = {difference_of_products(d.y, f.z, d.z, f.y),
+              difference_of_products(d.z, f.x, d.x, f.z),
               difference_of_products(d.x, f.y, d.y, f.x)};
     x = vadd(x, vcross(d, e));
     real a = vdot(d, d), b = -(vdot(d, f) + vdot(d, e)), k = vdot(f, f) - s.r * s.r;

@@ -1,11 +1,11 @@
 /* slips.h: the experiment of this chapter. Stand inside a closed mesh, aim at an edge or a vertex:
  * the ray must hit something. If it hits nothing, it slipped through (漏缝).
  *
- *      q_________           Aimed: D = point - O, rounded to real; the point is a corner of the
- *     / \       /           mesh or, rounded too, a point of the edge p q. Such a ray does not
- *    /   x<----/----- O     meet the edge exactly, and that is what matters: it passes where
- *   /_____\   /             the rounding errors of the neighbours decide which of them it hits.
- *          p\/
+ *       q------            Aimed: D = point - O, rounded to real; the point is a corner of the mesh
+ *      / \    /            or, rounded too, a point of the edge p q. Such a ray does not meet the
+ *     /   x<-/------- O    edge exactly, and that is what matters: it passes where the rounding
+ *    /     \/              errors of the neighbours decide which of them it hits, if any.
+ *    ------p
  *
  *   slip_count n = slips(&mesh, triangle_hit, true, 100000, seed);
  *   n.slips   rays that hit none of all the triangles of the mesh
@@ -15,7 +15,7 @@
  * If the corners of the mesh are floats (mesh.f32), origins, points and directions are rounded to
  * float as well, so that a method that computes in float is aimed as well as one in double.
  *
- * Random rays show nothing: of 1e7 not one comes near enough to an edge.
+ * Random rays show nothing: of 300000 not one slipped through Möller-Trumbore or plane + inside.
  */
 #ifndef SLIPS_H
 #define SLIPS_H

@@ -91,7 +91,7 @@ static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
     vec3 s = vsub(r.o, tri.a), q = vcross(s, e1);
     real det = vdot(e1, p), inverse = 1 / det;
     real u = vdot(s, p) * inverse, v = vdot(r.d, q) * inverse, t = vdot(e2, q) * inverse;
-    if (!(real_min(u, v) >= 0 && u + v <= 1) || det == 0) return false;
+    if (!(real_min(u, v) >= 0 && u + v <= 1)) return false;  /* det = 0: u + v infinite or NaN */
     if (!ray_covers(r, t) || !isfinite(t)) return false;
     *out = (hit){t, u, v, 0};
     return true;
@@ -99,19 +99,26 @@ static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* x, y, z in the order kx, ky, kz: the next two axes, cyclically, then kz. */
+static inline vec3 shear_turn(vec3 p, int kz)
+{
+    return kz == 0 ? (vec3){p.y, p.z, p.x} : kz == 1 ? (vec3){p.z, p.x, p.y} : p;
+}
+
 /* Seen along the ray: the shear x - (Dx/Dz) z, y - (Dy/Dz) z takes the ray to the z axis (4.9). kz
  * is the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN. */
 static inline ray_shear shear_of(ray r)
 {
     int kz = vlongest(r.d), kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
-    real dz = vfinite(r.d) ? vaxis(r.d, kz) : (real)NAN;
-    return (ray_shear){kx, ky, kz, {vaxis(r.o, kx), vaxis(r.o, ky), vaxis(r.o, kz)},
-                       vaxis(r.d, kx) / dz, vaxis(r.d, ky) / dz, 1 / dz};
+    vec3 d = shear_turn(r.d, kz);
+    if (!vfinite(d)) d.z = (real)NAN;
+    return (ray_shear){kx, ky, kz, shear_turn(r.o, kz), d.x / d.z, d.y / d.z, 1 / d.z};
 }
 
 /* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles
  * that share the corner see it at the same place, to the last bit. */
-static inline vec3 shear_point(const vec3 *corner, const ray_shear *s)
+__attribute__((always_inline))
+static inline vec3 shear_corner(const vec3 *corner, const ray_shear *s)
 {
     const real *p = (const real *)corner;
     real z = p[s->kz] - s->o.z;
@@ -126,22 +133,37 @@ static inline bool signs_differ(real x, real y, real z)
 }
 
 /* The edge functions of a, b, c with their exact signs: scaled by a power of two, so that nothing
- * over- or underflows, and with the rounding of the products given back. Zero only if the corner
- * points and the ray are exactly in line. False if a coordinate is infinite or NaN, or if all
- * three are zero. */
-static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, real *ea, real *eb, real *ec)
+ * over- or underflows, and with the rounding of the products given back. Zero only if two corners
+ * and the ray are exactly in line. False if a coordinate is infinite or NaN, or if all are zero. */
+static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
 {
     vec3 x = {a.x, b.x, c.x}, y = {a.y, b.y, c.y};
-    int e, f;
+    int up;
     if (!vfinite(x) || !vfinite(y)) return false;
-    (void)vscaled(vmax(vmax(x, vneg(x)), vmax(y, vneg(y))), &e);  /* largest |coordinate| < 2^e */
-    f = -e;
-    a.x = ldexp(a.x, f), b.x = ldexp(b.x, f), c.x = ldexp(c.x, f);
-    a.y = ldexp(a.y, f), b.y = ldexp(b.y, f), c.y = ldexp(c.y, f);
-    *ea = difference_of_products(c.x, b.y, c.y, b.x);
-    *eb = difference_of_products(a.x, c.y, a.y, c.x);
-    *ec = difference_of_products(b.x, a.y, b.y, a.x);
-    return *ea + *eb + *ec != 0 && !signs_differ(*ea, *eb, *ec);
+    (void)vscaled(vmax(vmax(x, vneg(x)), vmax(y, vneg(y))), &up);  /* largest |coordinate| < 2^up */
+    x = (vec3){ldexp(x.x, -up), ldexp(x.y, -up), ldexp(x.z, -up)};
+    y = (vec3){ldexp(y.x, -up), ldexp(y.y, -up), ldexp(y.z, -up)};
+    e->x = difference_of_products(x.z, y.y, y.z, x.y);
+    e->y = difference_of_products(x.x, y.z, y.x, x.z);
+    e->z = difference_of_products(x.y, y.x, y.y, x.x);
+    return e->x + e->y + e->z != 0 && !signs_differ(e->x, e->y, e->z);
+}
+
+/* The second half of the test, for the few triangles that pass the first: distance and interval. */
+static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *corner[3],
+                                  const ray_shear *s, ray r, hit *out)
+{
+    real det = e.x + e.y + e.z, size = fabs(det);
+    if (!(size > real_smallest / real_epsilon && size <= real_largest)) {  /* rare: 0, NaN */
+        if (!edges_exactly(a, b, c, &e)) return false;
+        det = e.x + e.y + e.z;
+    }
+    real w = e.x / det, u = e.y / det, v = e.z / det;
+    real t = (w * a.z + u * b.z + v * c.z) * s->sz;  /* weights in [0,1]: cannot overflow */
+    if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
+    if (vzero(triangle_cross(*corner[0], *corner[1], *corner[2]))) return false;
+    *out = (hit){t, u, v, 0};
+    return true;
 }
 
 /* The ray is now the z axis and passes inside if the origin (0,0) lies on the same side of all
@@ -158,23 +180,15 @@ static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, real *ea, real *eb, rea
  * What has no area in space is refused last. Its image may have some, by rounding: a mesh that is
  * sealed with triangles of three different corners on a line can leak at these, and only there.
  */
+__attribute__((always_inline))  /* a call would copy the ray, and take twice as long */
 static inline bool triangle_hit_corners(const vec3 *pa, const vec3 *pb, const vec3 *pc,
                                         const ray_shear *s, ray r, hit *out)
 {
-    vec3 a = shear_point(pa, s), b = shear_point(pb, s), c = shear_point(pc, s);
-    real ea = c.x * b.y - c.y * b.x, eb = a.x * c.y - a.y * c.x, ec = b.x * a.y - b.y * a.x;
-    if (signs_differ(ea, eb, ec)) return false;
-    real det = ea + eb + ec, size = fabs(det);
-    if (!(size > real_smallest / real_epsilon && size <= real_largest)) {  /* rare: 0, NaN */
-        if (!edges_exactly(a, b, c, &ea, &eb, &ec)) return false;
-        det = ea + eb + ec;
-    }
-    real u = eb / det, v = ec / det;
-    real t = (ea / det * a.z + u * b.z + v * c.z) * s->sz;  /* weights in [0,1]: cannot overflow */
-    if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
-    if (vzero(triangle_cross(*pa, *pb, *pc))) return false;
-    *out = (hit){t, u, v, 0};
-    return true;
+    vec3 a = shear_corner(pa, s), b = shear_corner(pb, s), c = shear_corner(pc, s);
+    vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
+    if (signs_differ(e.x, e.y, e.z)) return false;
+    const vec3 *corner[3] = {pa, pb, pc};
+    return shear_distance(a, b, c, e, corner, s, r, out);
 }
 
 static inline bool triangle_hit_sheared(triangle tri, const ray_shear *s, ray r, hit *out)

@@ -61,7 +61,7 @@ static inline bool triangle_hit_moller_trumbore_f32(triangle tri, ray r, hit *ou
     float det = f32_dot(e1, p), inverse = 1 / det;
     float u = f32_dot(s, p) * inverse, v = f32_dot(d, q) * inverse, t = f32_dot(e2, q) * inverse;
     float least = u < v ? u : v;
-    if (!(least >= 0 && u + v <= 1) || det == 0) return false;
+    if (!(least >= 0 && u + v <= 1)) return false;
     if (!isfinite(t) || !ray_covers(r, (real)t)) return false;
     *out = (hit){(real)t, (real)u, (real)v, 0};
     return true;
@@ -92,7 +92,7 @@ static inline bool triangle_hit_patched(triangle tri, ray r, real margin, real l
     vec3 p = vcross(r.d, e2), q = vcross(s, e1);
     real det = vdot(e1, p), u = vdot(s, p) / det, v = vdot(r.d, q) / det, t = vdot(e2, q) / det;
     if (!(real_min(u, v) >= -margin && u + v <= 1 + margin)) return false;
-    if (det == 0 || fabs(det) < least) return false;
+    if (fabs(det) < least) return false;
     if (!ray_covers(r, t) || !isfinite(t)) return false;
     *out = (hit){t, u, v, 0};
     return true;

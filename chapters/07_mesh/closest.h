@@ -46,6 +46,7 @@ static inline bool scene_occluded(const scene *s, ray r)
     return false;
 }
 
+__attribute__((always_inline))  /* as triangle_hit_corners */
 static inline bool mesh_triangle_hit(const mesh *m, size_t i, const ray_shear *k, ray r, hit *out)
 {
     const uint32_t *c = m->index + 3 * i;

@@ -19,7 +19,7 @@
  * to the axis of a cylinder misses it. Radii of unlike sign: two cones tip to tip; else the signs
  * make no difference. Always a miss: a = b, both radii 0, D = 0, NaN or infinity anywhere.
  * Any size, distance and length of D will do, if o and t can be written as reals in units of the
- * cone's own size.
+ * cone's own size. Needs -ffp-contract=off: a contracted product would be given back wrongly.
  *
  * Sources: E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere
  * Intersection", Ray Tracing Gems, 2019, ch. 7 (the discriminant from near the shape, here by
@@ -52,15 +52,6 @@ static inline real cone_near(real o, real a, real t, real d)
 {
     real f = o - a, p = t * d, q = f + p;
     return q + (cone_lost(o, -a, f) + fma(t, d, -p) + cone_lost(f, p, q));
-}
-
-/* a x b, each component within 1.5 units in its last place: parallel vectors give 0, near-parallel
- * ones keep all digits. */
-static inline vec3 cone_cross(vec3 a, vec3 b)
-{
-    return (vec3){difference_of_products(a.y, b.z, a.z, b.y),
-                  difference_of_products(a.z, b.x, a.x, b.z),
-                  difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
 /* The first of two roots t[0..1] in the interval whose height z[0..1] along the axis is within
@@ -115,12 +106,12 @@ static inline real cone_nearest(vec3 q, vec3 d, vec3 w, vec3 C)
  * Step 4: the two roots, neither by subtracting. */
 static inline bool cone_hit_moderate(cone c, ray r, hit *out)
 {
-    vec3 w = vsub(c.b, c.a), d = r.d, C = cone_cross(d, w);
+    vec3 w = vsub(c.b, c.a), d = r.d, C = vcross(d, w);
     real near = cone_nearest(vsub(r.o, c.a), d, w, C);
     vec3 q = {cone_near(r.o.x, c.a.x, near, d.x), cone_near(r.o.y, c.a.y, near, d.y),
               cone_near(r.o.z, c.a.z, near, d.z)};
 
-    vec3 E = cone_cross(q, w);
+    vec3 E = vcross(q, w);
     real h = vlength(w), hh = vdot(w, w), m = (c.rb - c.ra) / h, z = vdot(q, w), g = vdot(d, w);
     real R = h * c.ra + m * z, G = m * g;
     real S = vlength(vsub(vscale(C, R), vscale(E, G))),
@@ -129,8 +120,7 @@ static inline bool cone_hit_moderate(cone c, ray r, hit *out)
 
     real alpha = vdot(C, C) - G * G, beta = vdot(C, E) - G * R, gamma = vdot(E, E) - R * R;
     real far = -(beta + copysign(sqrt((S - T) * (S + T)), beta));
-    real t0 = far / alpha,
-         t1 = far != 0 ? gamma / far : t0; /* alpha = 0: t0 is infinite, and no hit */
+    real t0 = far / alpha, t1 = gamma / far;  /* 1/0 and 0/0 are in no interval: no hit there */
     if (t0 > t1) { real swap = t0; t0 = t1; t1 = swap; }
     return cone_first(r, (real[2]){near + t0, near + t1}, (real[2]){z + t0 * g, z + t1 * g}, hh,
                       out);
@@ -162,7 +152,7 @@ static inline bool cone_hit(cone c, ray r, hit *out)
 }
 
 /* At right angles to the axis, from it to p: h^2 times the vector. */
-static inline vec3 cone_outward(vec3 q, vec3 w) { return cone_cross(w, cone_cross(q, w)); }
+static inline vec3 cone_outward(vec3 q, vec3 w) { return vcross(w, vcross(q, w)); }
 
 static inline vec3 cone_normal(cone c, vec3 p)
 {

@@ -64,8 +64,8 @@ static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
     bool odd = false;
     for (size_t i = 0; i < m->triangles; i++) {
         const uint32_t *k = m->index + 3 * i;
-        vec3 a = shear_point(&m->v[k[0]], &s), b = shear_point(&m->v[k[1]], &s),
-             c = shear_point(&m->v[k[2]], &s);
+        vec3 a = shear_corner(&m->v[k[0]], &s), b = shear_corner(&m->v[k[1]], &s),
+             c = shear_corner(&m->v[k[2]], &s);
         if (!(edge_crosses(a, b) ^ edge_crosses(b, c) ^ edge_crosses(c, a))) continue;
         real ea = b.x * c.y - b.y * c.x, eb = c.x * a.y - c.y * a.x, ec = a.x * b.y - a.y * b.x;
         odd ^= (ea * a.z + eb * b.z + ec * c.z) / (ea + eb + ec) * s.sz > 0;  /* t > 0 */

@@ -17,7 +17,7 @@ static void choose_size(options *o, int *samples, const mesh *m, double tests)
         double rays = tests / (double)m->triangles;
         if (*samples == 0) *samples = rays > 4 * 320 * 240 ? 4 : 1;
         double width = sqrt(rays / *samples * 4 / 3);
-        o->width = width > 480 ? 480 : width < 16 ? 16 : (int)width / 4 * 4;
+        o->width = width > 640 ? 640 : width < 16 ? 16 : (int)width / 4 * 4;
         o->height = o->width * 3 / 4;
     }
     if (*samples == 0) *samples = 1;
@@ -71,7 +71,7 @@ int main(int argc, char **argv)
 {
     const char *path = NULL, *up = NULL;
     bool smooth = false, flat = false;
-    int fineness = 5, samples = 0;
+    int fineness = 6, samples = 0;
     option own[] = {
         {"mesh", OPTION_TEXT, &path, 0, 0, "an OBJ file: draw it, and measure on it"},
         {"up", OPTION_TEXT, &up, 0, 0,
@@ -99,7 +99,7 @@ int main(int argc, char **argv)
     if (flat) free(m.n), m.n = NULL;
     if (path && !o.out) o.out = picture_of(path, name);
 
-    choose_size(&o, &samples, &m, o.quick ? 2e7 : path ? 1.2e9 : 7.5e8);
+    choose_size(&o, &samples, &m, o.quick ? 2e7 : 2e9);
     image im = image_new(o.width, o.height);
     camera c = camera_fit(&m, up ? *up - 'x' : path ? 1 : 2, o.width, o.height);
     double start = clock_seconds();

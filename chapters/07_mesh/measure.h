@@ -65,7 +65,7 @@ static inline void measure_cones(size_t rays, table *t, plot *wrong, plot *resid
             plot_add(residual, in_residual[k], (double)distance, sum.off_side[k]);
             int power = (int)round(log10((double)distance));
             if (power % 2) continue;
-            table_text(t, "%s", name[k]), table_text(t, "distance 1e%d", power);
+            table_text(t, "%s", name[k]), table_text(t, "from 1e%d", power);
             table_number(t, percent);
             table_number(t, sum.off_side[k]), table_number(t, 1e9 * v[k].seconds / batch);
         }
@@ -107,7 +107,7 @@ static inline void measure_polygons(size_t rays, table *t)
         for (int c = 0; c < 2; c++)
             for (int k = 0; k < 2; k++) {
                 table_text(t, k ? "polygon_hit" : "polygon_hit_naive");
-                table_text(t, "%s, %s from 0", c ? "144-gon" : "quad", j ? "1e5" : "0");
+                table_text(t, "%s, %s", c ? "144-gon" : "quad", j ? "1e5 away" : "at the origin");
                 if (c) table_text(t, "-");
                 else table_number(t, 100 * (double)slips[k] / (double)rays);
                 table_text(t, "-"), table_number(t, 1e9 * v[c][k].seconds / batch);

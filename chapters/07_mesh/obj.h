@@ -125,8 +125,8 @@ static inline bool obj_index(obj_reader *r, obj_kind *kind, uint32_t *out)
     bool backwards = *p == '-';
     p += backwards;
     uint64_t i = 0;
-    if (!text_is_digit(*p)) return text_bad(&r->text, start, "not an index:", obj_corner_form);
-    for (; text_is_digit(*p); p++) i = i <= UINT32_MAX ? 10 * i + (uint64_t)(*p - '0') : i;
+    if (!decimal_digit(*p)) return text_bad(&r->text, start, "not an index:", obj_corner_form);
+    for (; decimal_digit(*p); p++) i = i <= UINT32_MAX ? 10 * i + (uint64_t)(*p - '0') : i;
     if (i == 0 || i > r->most || (backwards && i > kind->count))
         return obj_out_of_range(r, start, kind);
     if (!backwards && i > kind->count && i > kind->greatest) {

@@ -17,6 +17,7 @@
 typedef struct {
     bool hit;
     double t;       /* of the first hit in the ray's interval */
+    double apart;   /* |t1 - t0|: how far the other root is */
     double
         margin; /* (S^2 - T^2) / S^2 of (7.7), or how near u came to an end: whichever is smaller */
 } cone_truth;
@@ -55,11 +56,12 @@ static inline cone_truth cone_exact(cone c, ray r)
     wide3 CE = wide3_cross(C, E);
     double TT = wide_value(wide_mul(wide_square(hh), wide3_dot(CE, CE)));
     double graze = wide_value(root) / (wide_value(root) + TT);
-    cone_truth truth = {false, 0, fabs(graze)};
+    cone_truth truth = {false, 0, 0, fabs(graze)};
     if (wide_sign(root) < 0 || !(graze == graze)) return truth;
     root = wide_sqrt(root);
     wide far = wide_neg(wide_sign(beta) < 0 ? wide_sub(beta, root) : wide_add(beta, root));
     wide t[2] = {wide_div(gamma, far), wide_div(far, alpha)};
+    truth.apart = fabs(wide_value(wide_sub(t[1], t[0])));
     for (int i = 0; i < 2; i++) {
         double u = wide_value(wide_div(wide_add(z, wide_mul(t[i], g)), hh)), at = wide_value(t[i]);
         double end = fabs(u) < fabs(u - 1) ? fabs(u) : fabs(u - 1);

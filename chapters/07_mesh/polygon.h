@@ -86,6 +86,15 @@ static inline bool polygon_hit_naive(polygon p, ray r, hit *out)
 /* How edge a b lies to the origin, in the picture along the ray. */
 typedef enum { EDGE_AWAY, EDGE_CROSSES, EDGE_TOUCHES } edge_side;
 
+/* The sign of ax by - ay bx where the plain products are equal, too small or too large; NaN stays
+ * one. Zero only if the origin is in line with a and b. */
+static inline real edge_exactly(vec3 a, vec3 b)
+{
+    int e;
+    vec3 p = vscaled((vec3){a.x, a.y, 0}, &e), q = vscaled((vec3){b.x, b.y, 0}, &e);
+    return difference_of_products(p.x, q.y, p.y, q.x);
+}
+
 /* Crosses: meets the half axis y = 0, x > 0. One end must have y > 0 and the other y <= 0, so a
  * corner on the axis counts for one of its two edges if the polygon crosses there, for none or
  * both if not. Which side of the origin: the sign of e = ax by - ay bx (4.10), exactly the
@@ -96,9 +105,9 @@ static inline edge_side edge_of(vec3 a, vec3 b)
     bool up = b.y > 0;
     if ((a.y > 0) != up) {
         real e = a.x * b.y - a.y * b.x;
-        return e == 0                 ? EDGE_TOUCHES
-               : (up ? e > 0 : e < 0) ? EDGE_CROSSES
-                                      : EDGE_AWAY; /* NaN: away */
+        if (!(fabs(e) > real_smallest / real_epsilon && fabs(e) <= real_largest))
+            e = edge_exactly(a, b);
+        return e == 0 ? EDGE_TOUCHES : (up ? e > 0 : e < 0) ? EDGE_CROSSES : EDGE_AWAY;
     }
     if (a.y != 0) return EDGE_AWAY;
     bool along = b.y == 0 && real_min(a.x, b.x) <= 0 && real_max(a.x, b.x) >= 0;
@@ -112,12 +121,12 @@ static inline edge_side edge_of(vec3 a, vec3 b)
  * whatever the rounding did. */
 static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit *out)
 {
-    if (p.n < 3 || vzero(p.normal)) return false;
+    if (vzero(p.normal)) return false;  /* fewer than three corners, too */
     bool odd = false, touched = false;
-    vec3 a = shear_point(&p.v[p.n - 1], s);
+    vec3 a = shear_corner(&p.v[p.n - 1], s);
     real near = a.z, far = a.z;
     for (uint32_t i = 0; i < p.n; i++) {
-        vec3 b = shear_point(&p.v[i], s);
+        vec3 b = shear_corner(&p.v[i], s);
         edge_side side = edge_of(a, b);
         odd ^= side == EDGE_CROSSES;
         touched |= side == EDGE_TOUCHES;
@@ -128,7 +137,7 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
     if (!odd && !touched) return false;
 
     /* Depth of the plane at (0,0): the shear takes the normal to (nx, ny, n.d / dz).      (7.10) */
-    vec3 c = shear_point(&p.centre, s);
+    vec3 c = shear_corner(&p.centre, s);
     real nd = vdot(p.normal, r.d), steep = nd * s->sz;
     if (nd == 0 && !odd) return false;  /* edge-on: the ray may touch, but the neighbours are hit */
     real z = c.z + (vaxis(p.normal, s->kx) * c.x + vaxis(p.normal, s->ky) * c.y) / steep;

@@ -23,18 +23,14 @@
  *   text_bad(&r, token, what, allowed)   "FILE:LINE: KEYWORD: what 'TOKEN', allowed: ..."
  *   text_grow(...)             makes an array longer
  *
- * A number is rounded to the nearest double; in float builds that double is rounded once more,
- * which leaves it within 1/2 + 2^-29 ulp of the text. "nan", "inf", hexadecimal and overflow are
- * errors; what is too small becomes 0. strtod does the rare long ones; it obeys the locale, so a
- * program that sets a locale with a decimal comma gets an error for them, never a wrong number.
- *
- * Source: Clinger, "How to read floating point numbers accurately", PLDI 1990 (one operation).
+ * A number is rounded to the nearest double (decimal.h); in float builds that double is rounded
+ * once more, which leaves it within 1/2 + 2^-29 ulp of the text.
  */
 #ifndef TEXT_H
 #define TEXT_H
 
+#include "decimal.h"
 #include "../../common/file.h"
-#include "../../common/vec3.h"
 #include <stdint.h>
 
 #define text_longest "up to 4095 characters"
@@ -57,7 +53,6 @@ typedef struct {
 
 static inline bool text_ends_line(char c) { return c == '\n' || c == '\r'; }
 static inline bool text_ends_token(char c) { return (unsigned char)c <= ' ' || c == '\\'; }
-static inline bool text_is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /* ---- the buffer ---- */
 
@@ -223,64 +218,17 @@ static inline bool text_end(text_reader *r)
 
 /* ---- numbers ---- */
 
-/* True: *out is the double nearest to w 10^e, w < 10^19; false: that takes a longer look.
- * An integer up to 2^53 and a power of ten up to 10^22 are doubles without error, so one operation
- * rounds once (Clinger). A longer w is a + b exactly. With q = a / 10^k, k = -e, what is missing is
- * N / 10^k, N = w - q 10^k = (a - q 10^k) + b. Both terms are exact: N has at most 53 bits. The
- * quotient is rounded by up to 2^-53 of itself; but unless q + N / 10^k lies right in the middle of
- * two doubles, the quotient keeps 5^-22 > 2^-52 of itself away from there: the sum rounds right. */
-static inline bool text_decimal(uint64_t w, long e, double *out)
-{
-    static const double ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
-                                 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    double a = (double)w;
-    if (e < -22 || e > 22 || (e > 0 && w > (uint64_t)1 << 53)) return false;
-    *out = e < 0 ? a / ten[-e] : a * ten[e];
-    if (w > (uint64_t)1 << 53 && e < 0) {
-        double q = *out, b = (double)(int64_t)(w - (uint64_t)a);
-        *out = q + (fma(-q, ten[-e], a) + b) / ten[-e];
-    }
-    return true;
-}
-
-/* [sign] digits [. digits] [e [sign] digits], with a digit before the e. */
 static inline bool text_number(text_reader *r, real *out)
 {
-    const char *start = r->p, *p = start;
-    bool negative = *p == '-';
-    if (*p == '-' || *p == '+') p++;
-    const char *first = p;
-    uint64_t w = 0;  /* wraps around beyond 19 digits, and then is not used */
-    while (text_is_digit(*p)) w = 10 * w + (uint64_t)(*p++ - '0');
-    long digits = p - first, e = 0;
-    if (*p == '.') {
-        const char *point = ++p;
-        while (text_is_digit(*p)) w = 10 * w + (uint64_t)(*p++ - '0');
-        e = point - p;
-        digits -= e;
-    }
-    bool complete = digits > 0;
-    if (*p == 'e' || *p == 'E') {
-        long sign = *++p == '-' ? -1 : 1, x = 0;
-        if (*p == '-' || *p == '+') p++;
-        complete = complete && text_is_digit(*p);
-        for (; text_is_digit(*p); p++) x = x < 100000 ? 10 * x + (*p - '0') : x;
-        e += sign * x;
-    }
-    if (p - start >= text_token) return text_bad(r, start, "number too long:", text_longest);
-    if (!complete || !text_ends_token(*p))
-        return text_bad(r, start, "not a number:", "finite decimals");
-
     double x;
-    if (digits > 19 || !text_decimal(w, e, &x)) {
-        char *stop;
-        x = fabs(strtod(start, &stop));
-        if (stop != p) return text_bad(r, start, "not read by strtod:", "the C locale");
-    }
-    *out = (real)(negative ? -x : x);
+    const char *stop = decimal_read(r->p, &x);
+    if (!stop || !text_ends_token(*stop))
+        return text_bad(r, r->p, "not a number:", "finite decimals");
+    if (stop - r->p >= text_token) return text_bad(r, r->p, "number too long:", text_longest);
+    *out = (real)x;
     if (!isfinite(*out))
-        return text_bad(r, start, "too large:", real_is_float ? "up to 3.4e38" : "up to 1.79e308");
-    r->p += p - start;
+        return text_bad(r, r->p, "too large:", real_is_float ? "up to 3.4e38" : "up to 1.79e308");
+    r->p += stop - r->p;
     return true;
 }
 

@@ -49,7 +49,7 @@ static const cone_kind cone_kinds[cone_kind_count] = {
 static inline cone some_cone(random_stream *s, int kind)
 {
     const real k = 256;
-    vec3 a = in_cube(s, 1), b = vmadd(a, direction(s), between(s, (real)0.5, (real)1.5));
+    vec3 a = in_cube(s, 1), d = direction(s), b = vmadd(a, d, between(s, (real)0.5, (real)1.5));
     a = (vec3){round(k * a.x) / k, round(k * a.y) / k, round(k * a.z) / k};
     b = (vec3){round(k * b.x) / k, round(k * b.y) / k, round(k * b.z) / k};
     return (cone){a, cone_kinds[kind].ra, b, cone_kinds[kind].rb};
@@ -86,8 +86,9 @@ static inline ray ray_at_cone(random_stream *x, cone c, cone_aim aim, real dista
     return ray_from(vmadd(p, d, -far), vscale(d, length));
 }
 
-/* wrong: hit instead of miss or the reverse. residual: distance of the point at t from the side,
- * in units of epsilon (1 + distance); worst of all. [0] naive, [1] default. */
+/* wrong: hit instead of miss or the reverse, or the other one of the two hits. residual: distance
+ * of the point at t from the side, in units of epsilon (1 + distance); worst of all. [0] naive,
+ * [1] default. */
 typedef struct { size_t decided, hits, wrong[2]; double residual[2], off_side[2]; } cone_score;
 
 /* Rays whose margin is below `close` epsilon are left out: the call may go either way. */
@@ -108,6 +109,8 @@ static inline cone_score cone_play(random_stream *s, int kind, cone_aim aim, rea
             bool is = method[k](c, r, &h);
             score.wrong[k] += is != truth.hit;
             if (!is || !truth.hit) continue;
+            score.wrong[k] +=
+                fabs((double)h.t - truth.t) > truth.apart / 2 + (double)(8 * real_epsilon * h.t);
             double off = cone_residual(c, r, h.t),
                    unit = (double)(real_epsilon * (1 + h.t * vlength(r.d)));
             score.off_side[k] = off > score.off_side[k] ? off : score.off_side[k];
