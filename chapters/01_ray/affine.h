@@ -9,7 +9,9 @@
  * would rescale t, by another factor for each instance, and their hits could not be compared.
  *
  *   affine t = affine_of(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){1, 0, 0}));
- *   ray inside = affine_ray(to_object, r);          to_object from affine_inverse
+ *   affine_rotation(axis, angle)                    about a unit axis, radians, right-handed
+ *   if (affine_inverse(t, &to_object)) ...          false if t flattens space
+ *   ray inside = affine_ray(to_object, r);          affine_point, affine_vector: M p + o, M d
  */
 #ifndef AFFINE_H
 #define AFFINE_H

@@ -9,8 +9,12 @@
  *
  *   ray r = ray_between(a, b);           from a to b, D = b - a, interval [0, 1]
  *   ray r = ray_from(o, d);              everything in front of o, interval [0, infinity]
- *   vec3 p = ray_at(r, t);
+ *   vec3 p = ray_at(r, t);               the point; ray_at_fused: the same, rounded once
+ *   vec3 p = ray_at_between(a, b, t);    (1 - t) a + t b: exact at both ends, poor far beyond
  *   if (ray_covers(r, t)) ...            the closed interval; a NaN is never in it
+ *   ray u = ray_unit(r);                 the same points, D of length 1, t and interval times |D|
+ *   ray s = ray_shadow(p, light, eps);   from p to a light without its ends; eps in [0, 1/2)
+ *   ray s = ray_shadow_unit(p, light, eps);        the same with a unit D; eps is a distance
  *
  * A search for the closest hit keeps the nearest t found so far in r.tmax: see hit.h.
  *

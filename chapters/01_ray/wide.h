@@ -7,7 +7,11 @@
  *
  *   wide x = wide_of(0.1);               x exactly the double nearest to 0.1
  *   x = wide_mul(x, wide_sub(y, z));     wide_add, wide_sub, wide_mul, wide_div, wide_sqrt
+ *   int s = wide_sign(x);                -1, 0 or 1
  *   double d = wide_value(x);            the nearest double
+ *   wide p = wide_product(a, b);         a b of two doubles, exactly; wide_sum(a, b) likewise
+ *
+ * wide3 is a vector of three: wide3_of(vec3), _sub, _madd (a + s b), _dot, _cross, _length.
  *
  * Needs -ffp-contract=off: a contracted product would change the error terms. Sources: Dekker, "A
  * floating-point technique for extending the available precision", Numer. Math. 18, 1971; Joldes,
