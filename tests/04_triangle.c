@@ -144,12 +144,10 @@ static void test_exact_hits(void)
 static void test_border_is_inside(void)
 {
     triangle t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
-    const struct {
-        real x, y;
-        bool inside;
-    } c[] = {{0, 0, 1},          {4, 0, 1}, {0, 4, 1},           {2, 0, 1},
-             {0, 2, 1},          {2, 2, 1}, {2, (real)-0.25, 0}, {(real)-0.25, 2, 0},
-             {2, (real)2.25, 0}, {5, 0, 0}, {0, 5, 0},           {-1, -1, 0}};
+    const struct { real x, y; bool inside; } c[] = {
+        {0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {2, 0, 1}, {0, 2, 1}, {2, 2, 1},
+        {2, (real)-0.25, 0}, {(real)-0.25, 2, 0}, {2, (real)2.25, 0},
+        {5, 0, 0}, {0, 5, 0}, {-1, -1, 0}};
     for (int k = 0; k < method_count; k++)
         for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
             hit h = untouched;
@@ -212,10 +210,9 @@ static void test_random_against_oracle(void)
         check_at_most(error[k], margin, "%s: t, relatively", methods[k].name);
     }
     check_at_most(beyond, 2 * eps, "watertight: u, v >= 0 and u + v <= 1");
-    check_equal(
-        different, 0,
-        "triangle_hit, _sheared and _corners agree to the last bit, and so do Möller-Trumbore "
-        "with one branch and with early returns");
+    check_equal(different, 0,
+                "triangle_hit, _sheared and _corners agree to the last bit, and so do "
+                "Möller-Trumbore with one branch and with early returns");
 }
 
 /* The floor for t is 1e-9 at a width of 1e-6 in double, that is 4.5 eps / width; the condition of
@@ -291,8 +288,7 @@ static void test_no_area_no_hit(void)
                    "Möller-Trumbore hits some: its det is a rounding error");
 }
 
-/* A ray in the plane of the triangle: an answer either way, but t within the corners' reach, no
- * NaN. */
+/* A ray in the plane of the triangle: an answer either way, but t within the corners' reach. */
 static void test_edge_on(void)
 {
     triangle t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
@@ -320,9 +316,9 @@ static void test_edge_on(void)
                  || !(h.u >= 0 && h.v >= 0 && h.u + h.v <= 1 + 2 * real_epsilon);
         some++;
     }
-    check_equal(
-        wrong, 0,
-        "edge-on to within rounding: t between those of the corners, weights of a point inside");
+    check_equal(wrong, 0,
+                "edge-on within rounding: t between those of the corners, weights of a point "
+                "inside");
     check_at_least((double)some, 0.01 * (double)check_count(200000),
                    "and some of them do hit, by rounding");
 }
@@ -330,18 +326,9 @@ static void test_edge_on(void)
 /* NaN, infinities, zeros and extremes in every place of the input: no hit with a NaN in it. */
 static void test_no_nan(void)
 {
-    const real odd[] = {0,
-                        (real)-0.0,
-                        1,
-                        -1,
-                        (real)NAN,
-                        real_infinity,
-                        -real_infinity,
-                        real_smallest,
-                        real_largest,
-                        -real_largest,
-                        real_smallest * real_epsilon,
-                        (real)0.5};
+    const real odd[] = {0, (real)-0.0, 1, -1, (real)0.5, (real)NAN, real_infinity,
+                        -real_infinity, real_largest, -real_largest, real_smallest,
+                        real_smallest * real_epsilon};
     const size_t kinds = sizeof odd / sizeof *odd;
     random_stream g = random_start(8, 0, 0);
     size_t bad = 0, touched = 0, bad_plane = 0;
@@ -353,8 +340,8 @@ static void test_no_nan(void)
         }
         triangle t = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
         ray r = {{x[9], x[10], x[11]}, -real_infinity, {x[12], x[13], x[14]}, real_infinity};
-        if (i % 3 == 0)
-            t = (triangle){{-1, -1, 2}, {1, -1, 2}, {0, 2, 2}}; /* so that the ray alone is odd */
+        if (i % 3 == 0)  /* so that the ray alone is odd */
+            t = (triangle){{-1, -1, 2}, {1, -1, 2}, {0, 2, 2}};
         hit h = untouched;
         if (triangle_hit(t, r, &h)) bad += !(isfinite(h.t) && isfinite(h.u) && isfinite(h.v));
         else touched += !same_hit(h, untouched);

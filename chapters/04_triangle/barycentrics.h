@@ -18,7 +18,7 @@
  *
  * A triangle without area has no such weights: NaN, and barycentrics_inside says no.
  *
- * Source: S. Marschner, P. Shirley, Fundamentals of Computer Graphics, 4th ed., 2015, 2.7.
+ * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, 2.7.
  */
 #ifndef BARYCENTRICS_H
 #define BARYCENTRICS_H
@@ -46,8 +46,7 @@ static inline bool barycentrics_inside(barycentrics k)  /* a NaN is not inside *
 /* The sum of the three weights: 1 for every point. Here to be looked at, not to be tested. */
 static inline real barycentrics_sum(barycentrics k) { return k.w + k.u + k.v; }
 
-/* a + u (b - a) + v (c - a) would miss b at u = 1 by a rounding; this form meets all three
- * corners. */
+/* a + u (b - a) + v (c - a) would miss b at u = 1 by a rounding; this form meets all corners. */
 static inline vec3 barycentric_mix(vec3 a, vec3 b, vec3 c, real u, real v)
 {
     return vmadd(vmadd(vscale(a, 1 - u - v), b, u), c, v);

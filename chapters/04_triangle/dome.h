@@ -11,8 +11,8 @@
  *   parallel_pixels(im.width, im.height, 0, "dome", dome_pixel, &s);
  *   dome_free(&s);
  *
- * Grey: hit once. Orange: not at all, the light behind the wall glares through. Blue: twice or
- * more.
+ * Grey: hit once. Blue: twice or more. Orange: not at all, the light behind the wall glares
+ * through.
  */
 #ifndef DOME_H
 #define DOME_H
@@ -33,8 +33,8 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const vec3 dome_eye = {(real)0.1, (real)0.2,
-                              (real)0.3}; /* no round numbers: nothing is exact by chance */
+/* No round numbers: nothing is exact by chance. */
+static const vec3 dome_eye = {(real)0.1, (real)0.2, (real)0.3};
 
 static inline vec3 dome_direction(const dome *s, int x, int y)  /* x, y: pixels of one panel */
 {
@@ -45,8 +45,8 @@ static inline vec3 dome_direction(const dome *s, int x, int y)  /* x, y: pixels 
 
 static inline vec3 dome_corner(const dome *s, int i, int j)
 {
-    vec3 d = dome_direction(s, dome_cell * (i - 1),
-                            dome_cell * (j - 1)); /* one dome_cell beyond the picture */
+    /* from one cell beyond the picture */
+    vec3 d = dome_direction(s, dome_cell * (i - 1), dome_cell * (j - 1));
     real rest = (real)0.25 - (vdot(d, d) - 1);  /* > 0 where the wall bulges towards the eye */
     return vmadd(dome_eye, d, 4 - 2 * sqrt(real_max(rest, 0)));
 }
@@ -83,9 +83,9 @@ static inline void dome_pixel(int x, int y, void *context)
     ray r = ray_from(dome_eye, dome_direction(s, px, py));
     hit h, best = hit_none;
     int hits = 0;
-    for (int j = py / dome_cell; j < py / dome_cell + 3;
-         j++) /* the dome_cells round the pixel: the others are far off */
-        for (int i = px / dome_cell; i < px / dome_cell + 3; i++)
+    int i0 = px / dome_cell, j0 = py / dome_cell;
+    for (int j = j0; j < j0 + 3; j++)  /* the cells round the pixel: the others are far off */
+        for (int i = i0; i < i0 + 3; i++)
             for (int k = 0; k < 2; k++) {
                 int index = 2 * (j * s->columns + i) + k;
                 if (!s->method[panel](s->tri[index], r, &h)) continue;

@@ -11,7 +11,7 @@
  *   n.error    largest relative error of t of the hits
  *
  * The weights of a needle are quotients of areas of about its width, known to some epsilon: an
- * error of t of some epsilon / width is the nature of the thing, unless one computes in more
+ * error of t of some epsilon / width is in the nature of the thing, unless one computes in more
  * digits.
  */
 #ifndef NEEDLES_H
@@ -21,9 +21,7 @@
 #include "barycentrics.h"
 #include "slips.h"
 
-typedef struct {
-    double t, u, v, w, cosine;
-} exact_hit; /* cosine: of the ray and the normal, >= 0 */
+typedef struct { double t, u, v, w, cosine; } exact_hit;  /* of ray and normal: |cosine| */
 typedef struct { size_t due, missed; double error; } needle_count;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -53,8 +51,8 @@ static inline exact_hit triangle_exactly(triangle tri, ray r)
     wide3 p = wide3_cross(d, e2), q = wide3_cross(s, e1);
     wide det = wide3_dot(e1, p), t = wide_div(wide3_dot(e2, q), det);
     wide u = wide_div(wide3_dot(s, p), det), v = wide_div(wide3_dot(d, q), det);
-    double area = wide_value(wide3_length(wide3_cross(e1, e2))),
-           length = wide_value(wide3_length(d));
+    double area = wide_value(wide3_length(wide3_cross(e1, e2)));
+    double length = wide_value(wide3_length(d));
     return (exact_hit){wide_value(t), wide_value(u), wide_value(v),
                        wide_value(wide_sub(wide_sub(wide_of(1), u), v)),
                        fabs(wide_value(det)) / (area * length)};

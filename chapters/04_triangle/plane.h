@@ -18,8 +18,8 @@
  * origin. (4.4) subtracts the points first, which is exact when they are close. At a distance of
  * 1e4 from the origin (4.5) has lost more than three digits of t, (4.4) none.
  *
- * Sources: S. Marschner, P. Shirley, Fundamentals of Computer Graphics, 4th ed., 2015, 2.5.3;
- * Ray-surface intersection in GAMES101, lecture 13.
+ * Sources: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, 2.5.3;
+ * GAMES101, lecture 13, "Ray-Surface Intersection".
  */
 #ifndef PLANE_H
 #define PLANE_H

@@ -41,8 +41,7 @@ static inline vec3 slip_origin(random_stream *g, vec3 centre, real radius)
     return vadd(centre, (vec3){x, y, z});
 }
 
-/* One aimed ray, and the triangles that it should hit: those round the vertex, or beside the edge.
- * */
+/* One aimed ray, and the triangles that it should hit: round the vertex, or beside the edge. */
 typedef struct { ray r; const uint32_t *near; uint32_t count; } slip_ray;
 
 static inline slip_ray slip_aim(const icosphere *m, bool at_vertex, random_stream *g)

@@ -7,7 +7,7 @@
  *
  *   triangle_hit_plane(tri, r, &h)             meets the plane, then three inside tests      (4.7)
  *   triangle_hit_moller_trumbore(tri, r, &h)   three unknowns by Cramer's rule               (4.8)
- *   triangle_hit(tri, r, &h)                   watertight (无缝): what the other chapters use (4.9)
+ *   triangle_hit(tri, r, &h)                   watertight (水密): for all later chapters   (4.10)
  *
  * The first two slip through a closed mesh when a ray is aimed at an edge or a vertex: the
  * neighbours of an edge round differently, and each says that the other one is hit. triangle_hit
