@@ -131,9 +131,8 @@ static void test_frame_example(void)
 static void refused(bool ok, failure why, const char *needle, const char *what)
 {
     check(!ok, "%s must be refused", what);
-    check(!ok && why.exit_code == 2 && strstr(why.text, needle), "%s: message \"%s\" names \"%s\"",
-          what,
-          ok ? "" : why.text, needle);
+    check(!ok && why.exit_code == 2 && strstr(why.text, needle),
+          "%s: message \"%s\" names \"%s\"", what, ok ? "" : why.text, needle);
 }
 
 static void test_refusals(void)
@@ -321,8 +320,8 @@ static void test_half_tangent(void)
 {
     real angles[] = {179, (real)179.9, (real)179.99, (real)179.999};
     for (int i = 0; i < 4; i++) {
-        double exact = half_tangent_exact(angles[i]),
-            delta = (180 - (double)angles[i]) * (double)pi / 360;
+        double exact = half_tangent_exact(angles[i]);
+        double delta = (180 - (double)angles[i]) * (double)pi / 360;
         double robust = fabs((double)half_tangent(angles[i]) / exact - 1);
         double naive = fabs((double)half_tangent_naive(angles[i]) / exact - 1);
         check_at_most(robust, 4 * eps, "half_tangent(%.9g): roundings of angle, tangent, quotient",
@@ -350,8 +349,8 @@ static void test_rtr(void)
         if (!frame_look_at(e, target, up, &f, &why)) fail(why);
         if (!camera_perspective(f, phi, (real)nx / (real)ny, &c, &why)) fail(why);
         int x = (int)uniform(0, nx), y = (int)uniform(0, ny);
-        ray a = rtr_camera_ray(q, x, y, nx, ny),
-            b = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, nx, ny);
+        ray a = rtr_camera_ray(q, x, y, nx, ny);
+        ray b = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, nx, ny);
         /* some 6 roundings each, of numbers up to |r| + |t| + 1, in a D that is at least 1 long */
         double bound = 8 * eps * (double)(c.r + c.t + 1);
         check_at_most(angle(a.d, b.d), bound, "FCG and RTR at pixel (%d, %d)", x, y);
@@ -359,8 +358,8 @@ static void test_rtr(void)
         check_close(vlength(a.d), 1, 4 * eps, "RTR's direction has length 1");
         check_close(vdot(vcross(q.r, q.u), q.v), -1, 16 * eps, "r, u, v are left-handed");
         /* the slip: what is printed is the mended picture upside down */
-        ray slip = rtr_camera_ray_printed(q, x, y, nx, ny),
-            mirror = rtr_camera_ray(q, x, ny - 1 - y, nx, ny);
+        ray slip = rtr_camera_ray_printed(q, x, y, nx, ny);
+        ray mirror = rtr_camera_ray(q, x, ny - 1 - y, nx, ny);
         check_at_most(angle(slip.d, mirror.d), bound, "printed row y is the mended row h - 1 - y");
         check(vdot(rtr_camera_ray_printed(q, x, 0, nx, ny).d, q.u) < 0,
               "printed: the first row looks down");
@@ -386,16 +385,16 @@ static void test_vanishing_points(void)
               "and of the line the other way");
         check(bx == vx && by == vy, "is the same point");
         ray r = camera_ray(c, vx, vy, nx, ny);
-        double reach = (double)c.d / D_w / (double)(c.r - c.l),
-            reach_y = (double)c.d / D_w / (double)(c.t - c.b);
+        double reach = (double)c.d / D_w / (double)(c.r - c.l);
+        double reach_y = (double)c.d / D_w / (double)(c.t - c.b);
         double big = 8 + 8 * (double)(fabs(c.l) + fabs(c.r)) / (double)(c.r - c.l)
                    + 8 * (double)(fabs(c.b) + fabs(c.t)) / (double)(c.t - c.b);
         check_at_most(angle(r.d, D), eps * (8 * big + 16 * (reach + reach_y)) * 4,
                       "the ray through it runs along D");
         for (int j = 0; j < 2; j++) {  /* two lines */
             vec3 q = vscale(any_direction(), 2);
-            double q_u = (double)vdot(q, c.u), q_w = -(double)vdot(q, c.w),
-                t = real_is_float ? 300 : 1e6;
+            double q_u = (double)vdot(q, c.u), q_w = -(double)vdot(q, c.w);
+            double t = real_is_float ? 300 : 1e6;
             if (!camera_project(c, vmadd(vadd(c.e, q), D, (real)t), nx, ny, &x, &y)) continue;
             double gap = nx * (double)c.d * (q_u * D_w - q_w * D_u)
                        / (D_w * (q_w + t * D_w) * (double)(c.r - c.l));
@@ -428,11 +427,12 @@ static void test_three_point_perspective(void)
         bool ok = true;
         a[2] = any_direction();
         vbasis(a[2], &a[0], &a[1]);
-        for (int i = 0; i < 3; i++) ok = ok && fabs(vdot(a[i], c.w)) > (real)0.2
-            && camera_vanishing_point(c, a[i], nx, ny, &x[i], &y[i]);
+        for (int i = 0; i < 3; i++)
+            ok = ok && fabs(vdot(a[i], c.w)) > (real)0.2
+                 && camera_vanishing_point(c, a[i], nx, ny, &x[i], &y[i]);
         if (!ok || !camera_vanishing_point(c, c.w, nx, ny, &x[3], &y[3])) continue;
-        double sx = (double)(c.r - c.l) / nx,
-            sy = (double)(c.t - c.b) / ny;  /* pixels need not be square */
+        /* pixels need not be square */
+        double sx = (double)(c.r - c.l) / nx, sy = (double)(c.t - c.b) / ny;
         for (int i = 0; i < 3; i++) {
             int j = (i + 1) % 3, m = (i + 2) % 3;
             double hx = sx * (double)(x[3] - x[i]), hy = sy * (double)(y[3] - y[i]);
@@ -475,7 +475,7 @@ static void test_what_moving_changes(void)
     camera c, both, only_e, only_window;
     if (!camera_orthographic(f, n, &c, NULL) || !camera_orthographic(moved, shifted, &both, NULL)
         || !camera_orthographic(moved, n, &only_e, NULL)
-            || !camera_orthographic(f, shifted, &only_window, NULL)) abort();
+        || !camera_orthographic(f, shifted, &only_window, NULL)) abort();
     for (int i = 0; i <= 64; i += 8) {  /* dyadic: nothing rounds, the same rays bit for bit */
         vec3 o = camera_ray(c, (real)i, 16, 64, 64).o;
         check_equal(distance(o, camera_ray(both, (real)i, 16, 64, 64).o), 0,

@@ -57,12 +57,11 @@ static void test_patterns(void)
     for (size_t k = 0; k < check_count(300); k++)
         for (int i = 0; i < 3; i++) {
             double x = uniform(-20, 20), cell = uniform(0.3, 3), R = (double)filters[i].radius;
-            double jumps = 2 + 2 * R / cell;  /* each costs at most half a step of 2 R / 20001,
-                height 2 */
+            /* each jump, of height 2, costs at most half a step of 2 R / 20001 */
+            double jumps = 2 + 2 * R / cell;
             double seen = by_midpoints(square_wave, x, cell, filters[i], R);
             check_close(square_wave_filtered(x, cell, filters[i]), seen, jumps * 4 / 20001,
-                        "%s over a square wave",
-                        names[i]);
+                        "%s over a square wave", names[i]);
         }
     for (size_t k = 0; k < check_count(300); k++) {
         double x = uniform(-30, 30), y = uniform(-30, 30), a = uniform(0.01, 0.1);
@@ -160,7 +159,7 @@ static void test_white_wall(void)
                 }
                 check_at_most(worst, 2 * n * n * eps,
                               "%s, placement %d, %d rays: a wall keeps its colour", names[i], how,
-                                  n * n);
+                              n * n);
                 if (filters[i].kind != FILTER_BOX && how != SAMPLES_REGULAR) {
                     check_at_least(naive, 0.1 / n, "%s: filter_mean_naive must be seen to fail",
                                    names[i]);

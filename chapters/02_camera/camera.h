@@ -27,7 +27,8 @@
  * Parallel rays begin in the plane of e. What lies behind that plane is not seen, though such a
  * view has no eye to be behind of: r.tmin = -real_infinity sees it.
  *
- * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 2021, sections 4.1 to 4.3.
+ * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, sections
+ * 4.1 to 4.3.
  */
 #ifndef CAMERA_H
 #define CAMERA_H
@@ -50,9 +51,9 @@ typedef struct {
 static inline bool camera_window_is_usable(camera_window n, failure *why)
 {
     if (n.l < n.r && n.b < n.t && isfinite(n.r - n.l) && isfinite(n.t - n.b)) return true;
-    return camera_refused(why,
-                          "window l = %g, r = %g, b = %g, t = %g: it takes l < r and b < t, finite",
-                  (double)n.l, (double)n.r, (double)n.b, (double)n.t);
+    return camera_refused(
+        why, "window l = %g, r = %g, b = %g, t = %g: it takes l < r and b < t, finite",
+        (double)n.l, (double)n.r, (double)n.b, (double)n.t);
 }
 
 static inline bool camera_oblique(camera_frame f, camera_window n, vec3 direction, camera *out,
@@ -61,9 +62,9 @@ static inline bool camera_oblique(camera_frame f, camera_window n, vec3 directio
     vec3 unit = vunit(direction);
     if (!camera_window_is_usable(n, why)) return false;
     if (!(vdot(unit, f.w) < -4 * real_epsilon))  /* a NaN or zero direction comes here too */
-        return camera_refused(why,
-                              "direction (%g, %g, %g): it must lead forward, direction . w < 0",
-                      (double)direction.x, (double)direction.y, (double)direction.z);
+        return camera_refused(
+            why, "direction (%g, %g, %g): it must lead forward, direction . w < 0",
+            (double)direction.x, (double)direction.y, (double)direction.z);
     *out = (camera){CAMERA_PARALLEL, f.e, f.u, f.v, f.w, n.l, n.r, n.b, n.t, 0, unit};
     return true;
 }

@@ -75,9 +75,9 @@ static inline void draw_panels(const options *o, view *v, int n, int columns, in
     image all = image_new(w, h);
     for (size_t i = 0; i < 3 * (size_t)w * (size_t)h; i++) all.rgb[i] = 1;
     for (int i = 0; i < n && whole; i++) {
-        int x = i % columns * (w + gap) / columns,
-            x1 = (i % columns + 1) * (w + gap) / columns - gap;
-        int y = i / columns * (h + gap) / rows, y1 = (i / columns + 1) * (h + gap) / rows - gap;
+        int column = i % columns, row = i / columns;
+        int x = column * (w + gap) / columns, x1 = (column + 1) * (w + gap) / columns - gap;
+        int y = row * (h + gap) / rows, y1 = (row + 1) * (h + gap) / rows - gap;
         if (x1 <= x || y1 <= y) continue;  /* a picture of one pixel has no room for four */
         image one = image_new(x1 - x, y1 - y);
         whole = draw(&v[i], &one, o->threads);

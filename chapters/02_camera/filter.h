@@ -17,9 +17,9 @@
  *   filter_mean(s)              no weight at all                      black
  *   filter_mean_naive(s, f, n)  its divisor is right only on average  a white wall is not white
  *
- * Source: T. Akenine-Möller, E. Haines, N. Hoffman, "Real-Time Rendering", 4th ed., 2018, 26.1
- * (weighted mean of several rays); M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering",
- * 3rd ed., 2016, section 7.8.
+ * Sources: T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, online chapter 26,
+ * section 26.1 (weighted mean of several rays); M. Pharr, W. Jakob, G. Humphreys, "Physically Based
+ * Rendering", 3rd ed., 2016, section 7.8.
  */
 #ifndef FILTER_H
 #define FILTER_H

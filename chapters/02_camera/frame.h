@@ -19,7 +19,8 @@
  *   frame_look_at_naive  the same; and up at a small angle to the    u leans towards w
  *                        view
  *
- * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 2021, sections 2.4.7, 4.3.
+ * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, sections
+ * 2.4.7 and 4.3.
  */
 #ifndef FRAME_H
 #define FRAME_H
@@ -55,25 +56,25 @@ static inline bool frame_input_is_usable(vec3 e, vec3 target, vec3 up, vec3 back
     for (int i = 0; i < 3; i++)
         if (!vfinite(given[i]))
             return camera_refused(why, "%s (%g, %g, %g): only finite numbers make a view", name[i],
-                          (double)given[i].x, (double)given[i].y, (double)given[i].z);
+                                  (double)given[i].x, (double)given[i].y, (double)given[i].z);
     if (!vfinite(back))
-        return camera_refused(why,
-                              "viewpoint and target are too far apart: their distance overflows");
+        return camera_refused(
+            why, "viewpoint and target are too far apart: their distance overflows");
     if (vzero(back))
-        return camera_refused(why,
-                              "target (%g, %g, %g) equals the viewpoint: no direction to look in",
-                      (double)target.x, (double)target.y, (double)target.z);
-    if (vzero(up)) return camera_refused(why,
-                                         "up (0, 0, 0): any vector but zero says which way is up");
+        return camera_refused(
+            why, "target (%g, %g, %g) equals the viewpoint: no direction to look in",
+            (double)target.x, (double)target.y, (double)target.z);
+    if (vzero(up))
+        return camera_refused(why, "up (0, 0, 0): any vector but zero says which way is up");
     return true;
 }
 
 static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
 {
-    return camera_refused(why,
-                          "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
-                  (double)up.x, (double)up.y, (double)up.z,
-                  0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
+    return camera_refused(
+        why, "up (%g, %g, %g) is parallel to the view (%g, %g, %g): choose another up",
+        (double)up.x, (double)up.y, (double)up.z,
+        0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
 }
 
 /* up = (3, 5, 6), from (0, 0, 0) towards (3, 5, 6.000001), in double: an angle of 8e-8. w is

@@ -68,6 +68,7 @@ static inline vec3 see_checkerboard(const view *v, ray r)
 {
     return see_pattern(r, checkerboard, *(const double *)v->own);
 }
+
 /* Orthographic, looking down on z = 0; the picture of side x side pixels is as many units wide. */
 static inline camera pixel_grid(int side)
 {

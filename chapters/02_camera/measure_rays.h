@@ -52,8 +52,8 @@ measure_loop(run_ray_naive, vec3 d = camera_ray_naive(m->c, measure_at).d;
 measure_loop(run_frame, camera_frame f; int k = i % 256;
              if (frame_look_at(m->c.e, m->target[k], m->up[k], &f, NULL)) sum += (double)f.v.x)
 measure_loop(run_frame_naive, camera_frame f; int k = i % 256;
-             if (frame_look_at_naive(m->c.e, m->target[k], m->up[k], &f,
-                                     NULL)) sum += (double)f.v.x)
+             if (frame_look_at_naive(m->c.e, m->target[k], m->up[k], &f, NULL))
+                 sum += (double)f.v.x)
 measure_loop(run_tangent, sum += (double)half_tangent(m->phi[i % 256]))
 measure_loop(run_tangent_naive, sum += (double)half_tangent_naive(m->phi[i % 256]))
 
@@ -109,9 +109,8 @@ static inline void measure_rays(table *t, plot *p, int rounds)
             if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, (real)0.035, &c, NULL)) continue;
             real x = 512 * random_next(&s), y = 512 * random_next(&s);
             vec3 d = camera_ray(c, x, y, 512, 512).d;
-            vec3 way[] = {camera_ray_naive(c, x, y, 512, 512).d, d, camera_direction_naive_f32(e,
-                                                                                               d),
-                          measure_float(d)};
+            vec3 way[] = {camera_ray_naive(c, x, y, 512, 512).d, d,
+                          camera_direction_naive_f32(e, d), measure_float(d)};
             for (int j = 0; j < 4; j++)
                 error[j] = measure_worst(error[j], ray_error(c, way[j], x, y, 512, 512));
             m.c = c;

@@ -19,8 +19,8 @@
  * Letters: this w is the picture's width, and this v points forward; in camera.h w points backward
  * and v up.
  *
- * Source: T. Akenine-Möller, E. Haines, N. Hoffman, "Real-Time Rendering", 4th ed., 2018, ch. 26.1
- * (in the separate online chapter on ray tracing), equation 26.2.
+ * Source: T. Akenine-Möller, E. Haines, N. Hoffman, A. Pesce, M. Iwanicki, S. Hillaire, "Real-Time
+ * Rendering", 4th ed., 2018, online chapter 26, section 26.1, equation 26.2.
  */
 #ifndef RTR_CAMERA_H
 #define RTR_CAMERA_H
