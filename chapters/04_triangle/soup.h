@@ -7,7 +7,7 @@
  *   clock_variant v[] = {{"x", run_x, s, 0}, ...};
  *
  * Whether a ray passes left or right of an edge is a coin toss here, as it is in the leaf of a
- * tree: the processor can't predict a branch on it. The triangles fit into the cache.
+ * tree: the processor cannot predict a branch on it. The triangles fit into the cache.
  */
 #ifndef SOUP_H
 #define SOUP_H
