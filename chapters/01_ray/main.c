@@ -99,16 +99,17 @@ static double run_direction(void *context)
 
 /* ---- the picture: P(t) for t in [0, 64], every 1/64, in float, seen from close by ---- */
 
-enum { panel = 300, panels = 4, gap = 6, points = 64 * 64 };
-typedef struct { image *im; vec3_f32 o[panels]; vec3_f32 (*p)[points]; } staircase;
+enum { panels = 4, gap = 6, points = 64 * 64 };
+typedef struct { image *im; int panel; vec3_f32 o[panels]; vec3_f32 (*p)[points]; } staircase;
 
 static void staircase_pixel(int x, int y, void *context)
 {
     staircase *s = context;
-    int k = x / (panel + gap);
-    real scale = (real)panel / 64, half = (real)0.5;
-    real u = ((real)(x - k * (panel + gap)) + half) / scale, v = 64 - ((real)y + half) / scale;
-    if (u > 64) { image_set(s->im, x, y, (vec3){1, 1, 1}); return; }
+    int k = x / (s->panel + gap);
+    real scale = (real)s->panel / 64, half = (real)0.5;  /* pixels a unit */
+    real u = ((real)(x - k * (s->panel + gap)) + half) / scale;
+    real v = ((real)(s->im->height - y) - half) / scale;
+    if (u > 64 || k >= panels) { image_set(s->im, x, y, (vec3){1, 1, 1}); return; }
     real nearest = real_infinity;
     /* Floats here are 8 apart at most: a dot less than 1 away from u has a t within 5 of u. */
     int first = (int)real_max(64 * (u - 5), 0), end = (int)real_min(64 * (u + 5), points);
@@ -126,8 +127,9 @@ static void staircase_pixel(int x, int y, void *context)
 
 static void draw(const options *o)
 {
-    image im = image_new(panels * (panel + gap) - gap, panel);
-    staircase s = {.im = &im, .p = allocate(panels, sizeof *s.p)};
+    image im = image_new(o->width, o->height);
+    int panel = (o->width - (panels - 1) * gap) / panels;
+    staircase s = {&im, panel > 0 ? panel : 1, .p = allocate(panels, sizeof *s.p)};
     for (int k = 0; k < panels; k++) {
         float far = ldexp(1.0f, 20 + 2 * k);  /* floats are 1/8, 1/2, 2 and 8 apart from here on */
         s.o[k] = (vec3_f32){far, far, 0};
@@ -142,7 +144,7 @@ static void draw(const options *o)
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = panels * (panel + gap) - gap, .height = panel, .seed = 1};
+    options defaults = {.width = 1218, .height = 300, .seed = 1};
     options o = options_read(argc, argv, "01_ray", "A point on a ray: error and time.",
                              defaults, NULL);
     draw(&o);

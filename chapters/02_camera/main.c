@@ -99,7 +99,7 @@ static void draw_pairs(const options *o, view v, int side)
     draw_panels(o, p, 2, 2, 2 * side + 6, side, "02_camera_far.png", false);
 
     f.e = (vec3){r_(2.15), r_(2.2), r_(1.7)};  /* in the middle of the room */
-    real s = r_(3.5);
+    real s = r_(3.8);
     ask(camera_orthographic(f, (camera_window){-s, s, -s, s}, &p[0].c, &why));
     p[0].aim = NULL, p[1].aim = aim_whole_line, p[1].c = p[0].c;
     draw_panels(o, p, 2, 2, 2 * side + 6, side, "02_camera_behind.png", false);
