@@ -90,8 +90,8 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
     struct stat old;
     bool shell = strncmp(path, "/dev/std", 8) == 0 || strncmp(path, "/dev/fd/", 8) == 0;
     bool exists = stat(path, &old) == 0, direct = exists && (shell || !S_ISREG(old.st_mode));
-    bool may = !exists || access(path, W_OK) == 0;  /* rename would not ask */
     *w = (file_writer){NULL, exists && !direct ? realpath(path, NULL) : strdup(path), NULL};
+    bool may = !exists || access(path, W_OK) == 0;  /* rename would not ask */
     if (may && direct) {
         bool out = strcmp(path, "/dev/stdout") == 0;  /* shares its place in the file with stdout */
         fflush(stdout);

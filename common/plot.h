@@ -47,11 +47,11 @@ static inline int plot_series(plot *p, const char *name)
     return p->series++;
 }
 
-/* Points are joined in the order in which they come. What is not finite (or beyond 1e300, where a
- * range would overflow) is left out, and so is an x <= 0 on a logarithmic axis. */
+/* Points are joined in the order in which they come. What is not finite, or beyond 1e100 where
+ * places might overflow, is left out, and so is an x <= 0 on a logarithmic axis. */
 static inline void plot_add(plot *p, int series, double x, double y)
 {
-    bool drawable = fabs(x) <= 1e300 && fabs(y) <= 1e300;  /* false for a NaN */
+    bool drawable = fabs(x) <= 1e100 && fabs(y) <= 1e100;  /* false for a NaN */
     if (!drawable || (p->flags & PLOT_LOG_X && x <= 0)) return;
     p->points = grown(p->points, p->n, &p->room, sizeof *p->points);
     p->points[p->n++] = (plot_point){series, x, y};
@@ -94,7 +94,7 @@ static inline plot_axis plot_range(const plot *p, bool y, double from, double to
         if (isfinite(v) && v > a.highest) a.highest = v;
     }
     if (a.lowest > a.highest) a.lowest = a.highest = 0;            /* nothing to show */
-    if (a.highest - a.lowest < 1e-300) a.highest = a.lowest + 1;   /* one value only */
+    if (a.highest - a.lowest < 1e-100) a.highest = a.lowest + 1;   /* one value only */
     double step = log ? 1 : plot_step(a);
     a.lowest = step * floor(a.lowest / step + 1e-9);
     a.highest = step * ceil(a.highest / step - 1e-9);
