@@ -41,9 +41,9 @@ static inline const char *output_path(const options *o, const char *name, bool i
  * colour is a pixel of the upper half, its background one of the lower half. */
 static inline void output_preview(const image *im)
 {
-    int w = im->width, h = im->height, across = w * 50 < h * 80 ? w * 50 / h : 80;
-    across = across < 1 ? 1 : across > w ? w : across;
-    int down = h * across / w / 2 * 2 + 2 * (h * across / w < 2);  /* half characters */
+    int w = im->width, h = im->height, across = w < 80 ? w : 80, down = h * across / w;
+    if (down > 50) down = 50, across = 50 * w / h + (50 * w < h);
+    down = down < 2 ? 2 : down / 2 * 2;  /* half characters */
     for (int i = 0; i < across * down; i++) {
         int c = i / 2 % across, r = i / 2 / across * 2 + i % 2;
         const float *p = image_pixel(im, c * w / across, r * h / down);
