@@ -104,7 +104,7 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
         w->stream = fopen(w->temporary, "wbx");
         if (exists && w->stream) (void)fchmod(fileno(w->stream), old.st_mode & 0777);
     }
-    if (w->stream) return true;
+    if (w->stream) return errno = 0, true;  /* a write that fails will set it: see file_commit */
     failed(f, 1, "%.300s: cannot write: %s", path, strerror(errno));
     file_abandon(w);
     return false;
@@ -113,12 +113,11 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
 /* Closes and renames the temporary file to `path`. False: the old file is still there. */
 static inline bool file_commit(file_writer *w, failure *f)
 {
-    errno = EIO;  /* unless what fails knows better */
     bool written = fflush(w->stream) == 0 && !ferror(w->stream);
     if (fclose(w->stream) != 0) written = false;
     w->stream = NULL;
     if (written && w->temporary) written = rename(w->temporary, w->path) == 0;
-    if (!written) failed(f, 1, "%.300s: cannot write: %s", w->path, strerror(errno));
+    if (!written) failed(f, 1, "%.300s: cannot write: %s", w->path, strerror(errno ? errno : EIO));
     else free(w->temporary), w->temporary = NULL;
     file_abandon(w);
     return written;

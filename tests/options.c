@@ -25,7 +25,8 @@ static void program(void *context)
                              (options){.width = 640, .height = 480, .samples = 4, .seed = 7}, own);
     printf("%dx%d %d %d %llu%s%s|%d %g%s %s %s %s", o.width, o.height, o.samples, o.threads,
            (unsigned long long)o.seed, o.preview ? " preview" : "", o.quick ? " quick" : "",
-           edge, eps, naive ? " naive" : "", mesh ? mesh : "-", o.out ? o.out : "-", o.csv ? o.csv : "-");
+           edge, eps, naive ? " naive" : "", mesh ? mesh : "-", o.out ? o.out : "-",
+           o.csv ? o.csv : "-");
 }
 
 static child_result run(line l) { return child_run(program, &l); }
