@@ -9,7 +9,6 @@
  */
 #ifndef CLOCK_H
 #define CLOCK_H
-
 #include "posix.h"
 #include <stdlib.h>
 #include <time.h>
@@ -22,7 +21,6 @@ typedef struct {
 } clock_variant;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* Seconds since some fixed moment, never set back. */
 static inline double clock_seconds(void)
 {
@@ -59,5 +57,4 @@ static inline void clock_compare(clock_variant *v, int n, int rounds)
         }
     for (int k = 0; k < n; k++) v[k].seconds = clock_median(seconds[k], rounds);
 }
-
 #endif

@@ -9,12 +9,10 @@
  *   fprintf(w.stream, ...);                           errors stay in the stream
  *   if (!file_commit(&w, &f)) fail(f);                disk full, device gone: nothing was replaced
  *
- * Exit codes of all programs: 0 done, 1 could not (unreadable file, full disk), 2 misuse or broken
- * input, 130 stopped by Ctrl-C.
+ * Exit codes: 0 done, 1 could not (no such file, full disk), 2 misuse or broken input, 130 Ctrl-C.
  */
 #ifndef FILE_H
 #define FILE_H
-
 #include "posix.h"
 #include <errno.h>
 #include <stdarg.h>
@@ -30,7 +28,6 @@ typedef struct { int exit_code; char text[480]; } failure;
 typedef struct { FILE *stream; char *path, *temporary; } file_writer;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 static const char *program_name = "program";  /* set by options.h */
 
 /* Fills in *f [may be NULL] and returns false: a reader ends with `return failed(f, 2, ...)`. */
@@ -149,5 +146,4 @@ static inline char *file_read(const char *path, size_t *size, failure *f)
     *size = n;
     return ok ? text : NULL;
 }
-
 #endif

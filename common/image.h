@@ -14,7 +14,6 @@
  */
 #ifndef IMAGE_H
 #define IMAGE_H
-
 #include "file.h"
 #include "png.h"
 #include "vec3.h"
@@ -31,7 +30,6 @@ typedef struct {
 } image_difference;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* Black. Sides at least 1. The program ends if there is no memory; image_free gives it back. */
 static inline image image_new(int width, int height)
 {
@@ -146,8 +144,8 @@ static inline void write_ppm(FILE *out, const uint8_t *rgb, int width, int heigh
     size_t n = 3 * (size_t)width * (size_t)height;
     fprintf(out, "P%d\n%d %d\n255\n", text ? 3 : 6, width, height);
     if (!text) fwrite(rgb, 1, n, out);
-    else for (size_t i = 0; i < n; i++) fprintf(out, i % 12 == 11 ? "%d\n" : "%d ", rgb[i]);
-    if (text) fprintf(out, "\n");
+    for (size_t i = 0; text && i < n; i++)
+        fprintf(out, "%d%c", rgb[i], i % 12 == 11 || i + 1 == n ? '\n' : ' ');
 }
 
 /* Whole or not at all; see file.h. Unknown ending: exit code 2; cannot write: 1. */
@@ -224,5 +222,4 @@ static inline bool image_read(const char *path, image *out, failure *f)
     free(text);
     return ok || failed(f, 2, "%.300s: no whole P3, P6 or PF picture up to %d wide", path, side);
 }
-
 #endif

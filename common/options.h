@@ -12,7 +12,6 @@
  */
 #ifndef OPTIONS_H
 #define OPTIONS_H
-
 #include "image.h"
 #include <limits.h>
 
@@ -27,7 +26,6 @@ typedef struct {
 } options;
 
 typedef enum { OPTION_FLAG, OPTION_INT, OPTION_REAL, OPTION_TEXT, OPTION_SIZE } option_kind;
-
 typedef struct {
     const char *name;
     option_kind kind;
@@ -37,7 +35,6 @@ typedef struct {
 } option;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* What kind of value an option wants: in --help, and in words. */
 static const struct { const char *value, *allowed; } option_kinds[] = {
     {"", ""}, {" N", "whole numbers"}, {" X", "numbers"}, {" TEXT", "texts that are not empty"},
@@ -100,13 +97,12 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
 {
     const char *word = argv[i], *value = strchr(word, '=');
     const option *o = option_find(lists, word);
-    failure f;
     char range[64] = "";
+    failure f;
     if (!o) failed(&f, 2, "unknown option %.200s (see --help)", word), fail(f);
     if (o->kind == OPTION_FLAG) {
         if (value) failed(&f, 2, "--%s takes no value: %.200s", o->name, word), fail(f);
-        *(bool *)o->value = true;
-        return i;
+        return *(bool *)o->value = true, i;
     }
     if (value) value++;
     else if (i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0) value = argv[++i];
@@ -121,9 +117,8 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
 /* At the end of the program: what a full disk did not take was not said. */
 static inline void options_check_stdout(void)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout)) return;
-    fprintf(stderr, "%s: standard output: cannot write\n", program_name);
-    _exit(1);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        fprintf(stderr, "%s: standard output: cannot write\n", program_name), _exit(1);
 }
 
 /* Reads the command line. `own` ends with {0} and may be NULL; values not given stay as they are.
@@ -161,5 +156,4 @@ static inline options options_read(int argc, char **argv, const char *name, cons
     o.width = size[0], o.height = size[1], o.seed = (uint64_t)seed;
     return o;
 }
-
 #endif

@@ -11,7 +11,6 @@
  */
 #ifndef OUTPUT_H
 #define OUTPUT_H
-
 #include "image.h"
 #include "options.h"
 #include "parallel.h"
@@ -24,7 +23,6 @@
 #endif
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* Where `name` goes, its directory made; NULL if it is not wanted. */
 static inline const char *output_path(const options *o, const char *name, bool is_main,
                                       char path[512])
@@ -63,8 +61,7 @@ static inline void output_picture(const options *o, const image *im, const char 
     const char *path = output_path(o, name, is_main, room);
     if (path && !image_write(path, im, &f)) fail(f);
     if (o->preview && is_main) output_preview(im);
-    if (whole) return;
-    failed(&f, 130, "stopped; %.400s holds what there was", path ? path : "no file"), fail(f);
+    if (!whole) failed(&f, 130, "stopped; %s holds what there was", path ? path : "-"), fail(f);
 }
 
 /* Saves and frees a plot. */
@@ -108,5 +105,4 @@ static inline void output_table(const options *o, table *t)
     output_extra_table(o, t);
     if (f.exit_code) fail(f);  /* after the table was shown */
 }
-
 #endif

@@ -4,14 +4,11 @@
  * its index alone and writes only where no other one does, so the result is the same byte for byte
  * whoever does what when. Progress and the time left go to stderr, if that is a terminal.
  *
- *   bool whole = parallel_pixels(640, 480, o.threads, "drawing", draw, &scene);
- *
  * Ctrl-C ends the work after the pieces in hand, and the caller keeps what there is. A second one
  * kills. Where Ctrl-C is ignored (nohup), it stays ignored.
  */
 #ifndef PARALLEL_H
 #define PARALLEL_H
-
 #include "clock.h"
 #include "file.h"
 #include <pthread.h>
@@ -22,7 +19,6 @@ typedef void parallel_job(size_t i, void *context);
 typedef void pixel_job(int x, int y, void *context);
 
 /* ---------------------------------------------------------------------------------------------- */
-
 static atomic_int parallel_stop;            /* set by Ctrl-C */
 static _Thread_local bool parallel_inside;  /* this thread is at work on a piece */
 
@@ -31,8 +27,8 @@ typedef struct {
     void *context;
     const char *what;
     size_t n;
-    atomic_size_t next;
-    double start, shown;
+    atomic_size_t next;    /* the first piece that nobody has taken */
+    double start, shown;   /* moments */
 } parallel_work;
 
 static inline void parallel_on_interrupt(int signal) { atomic_store(&parallel_stop, signal); }
@@ -115,5 +111,4 @@ static inline bool parallel_pixels(int width, int height, int threads, const cha
     parallel_tiles t = {width, height, across, job, context};
     return parallel_for((size_t)across * (size_t)down, threads, what, parallel_tile, &t);
 }
-
 #endif

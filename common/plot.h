@@ -12,14 +12,11 @@
  */
 #ifndef PLOT_H
 #define PLOT_H
-
 #include "file.h"
 #include <math.h>
 
 enum { PLOT_LOG_X = 1, PLOT_LOG_Y = 2, plot_most_series = 8, plot_most_slopes = 2 };
-
 typedef struct { int series; double x, y; } plot_point;
-
 typedef struct {
     const char *title, *x_label, *y_label;
     int flags, series, slopes;
@@ -30,7 +27,6 @@ typedef struct {
 } plot;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* The three texts are not copied. */
 static inline plot plot_new(const char *title, const char *x_label, const char *y_label, int flags)
 {
@@ -43,7 +39,7 @@ static inline void plot_free(plot *p) { free(p->points), p->points = NULL, p->n 
 static inline int plot_series(plot *p, const char *name)
 {
     if (p->series == plot_most_series) abort();
-    snprintf(p->name[p->series], sizeof p->name[0], "%s", name);
+    snprintf(p->name[p->series], sizeof p->name[0], "%.63s", name);
     return p->series++;
 }
 
@@ -61,7 +57,7 @@ static inline void plot_add(plot *p, int series, double x, double y)
 static inline void plot_slope(plot *p, double slope, const char *name)
 {
     if (p->slopes == plot_most_slopes) abort();
-    snprintf(p->name[plot_most_series + p->slopes], sizeof p->name[0], "%s", name);
+    snprintf(p->name[plot_most_series + p->slopes], sizeof p->name[0], "%.63s", name);
     p->slope[p->slopes++] = slope;
 }
 
@@ -93,8 +89,8 @@ static inline plot_axis plot_range(const plot *p, bool y, double from, double to
         if (isfinite(v) && v < a.lowest) a.lowest = v;
         if (isfinite(v) && v > a.highest) a.highest = v;
     }
-    if (a.lowest > a.highest) a.lowest = a.highest = 0;            /* nothing to show */
-    if (a.highest - a.lowest < 1e-100) a.highest = a.lowest + 1;   /* one value only */
+    if (a.lowest > a.highest) a.lowest = a.highest = 0;           /* nothing to show */
+    if (a.highest - a.lowest < 1e-100) a.highest = a.lowest + 1;  /* one value only */
     double step = log ? 1 : plot_step(a);
     a.lowest = step * floor(a.lowest / step + 1e-9);
     a.highest = step * ceil(a.highest / step - 1e-9);
@@ -198,5 +194,4 @@ static inline void plot_write(const plot *p, FILE *out)
     for (int s = 0; s < p->series; s++) plot_curve(p, out, s, ax, ay);
     fprintf(out, "</svg>\n");
 }
-
 #endif

@@ -1,7 +1,7 @@
 /* random.h: random numbers that depend on (seed, pixel, sample, dimension) and on nothing else.
  *
- * So a picture is the same byte for byte with any number of threads. A generator with a hidden
- * state would hand its numbers out in the order in which threads ask.
+ * So a picture is the same with any number of threads; a generator with a hidden state would hand
+ * its numbers out in the order in which threads ask.
  *
  *   real x = random_real(seed, pixel, sample, dimension);    uniform in [0,1), never 1
  *   random_stream s = random_start(seed, pixel, sample);     the same: dimension 0, 1, 2, ...
@@ -16,7 +16,6 @@
  */
 #ifndef RANDOM_H
 #define RANDOM_H
-
 #include "vec3.h"
 #include <stdint.h>
 
@@ -24,7 +23,6 @@ typedef struct { uint64_t key, dimension; } random_stream;
 #define random_step 0x9e3779b97f4a7c15u  /* 2^64 / golden ratio: odd, and without a pattern */
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* A bijection of 64-bit words in which every input bit changes each output bit half of the time. */
 static inline uint64_t random_mix(uint64_t x)
 {
@@ -66,5 +64,4 @@ static inline real random_real(uint64_t seed, uint64_t pixel, uint64_t sample, u
 {
     return random_real_of(random_bits(seed, pixel, sample, dimension));
 }
-
 #endif

@@ -10,7 +10,6 @@
  */
 #ifndef TABLE_H
 #define TABLE_H
-
 #include "file.h"
 #include <math.h>
 
@@ -25,7 +24,6 @@ typedef struct {
 } table;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 __attribute__((format(printf, 2, 3)))
 static inline void table_text(table *t, const char *format, ...)
 {
@@ -102,5 +100,4 @@ static inline void table_csv(table *t, FILE *out)
         fprintf(out, "%s%c", quote, (i + 1) % t->columns ? ',' : '\n');
     }
 }
-
 #endif

@@ -14,7 +14,6 @@
  */
 #ifndef VEC3_H
 #define VEC3_H
-
 #include "posix.h"
 #include <float.h>
 #include <math.h>
@@ -27,7 +26,6 @@
 #endif
 typedef REAL real;
 typedef struct { real x, y, z; } vec3;
-
 _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three reals in a row");
 
 #define pi ((real)3.14159265358979323846)
@@ -39,7 +37,6 @@ _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three re
 #define real_infinity ((real)INFINITY)
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* Plain comparisons, not fmin: one instruction each, and the second argument wins against a NaN. */
 static inline real real_min(real a, real b) { return a < b ? a : b; }
 static inline real real_max(real a, real b) { return a > b ? a : b; }
@@ -106,8 +103,7 @@ static inline vec3 vunit(vec3 a)
     if (!square_is_safe(aa)) {  /* rare: written so that a NaN comes here too */
         int e;
         if (!vfinite(a) || vzero(a)) return (vec3){0, 0, 0};
-        a = vscaled(a, &e);
-        aa = vdot(a, a);
+        a = vscaled(a, &e), aa = vdot(a, a);
     }
     return vscale(a, 1 / sqrt(aa));
 }
@@ -130,5 +126,4 @@ static inline real difference_of_products(real a, real b, real c, real d)
     real cd = c * d;
     return fma(a, b, -cd) + fma(-c, d, cd);
 }
-
 #endif

@@ -42,12 +42,13 @@ static bool normal(wide a) { return a.hi + a.lo == a.hi; }
 static void test_exact_parts(void)
 {
     size_t wrong = 0;
+    const integer k = (integer)1 << 40;
     for (size_t i = 0; i < check_count(200000); i++) {
         integer a = random_integer(53), b = random_integer(53), c = random_integer(100);
         wide s = wide_sum((double)a, (double)b), p = wide_product((double)a, (double)b);
-        wide big = wide_sum((double)(a << 40), (double)b);
+        wide big = wide_sum((double)(a * k), (double)b);
         wrong += integer_of(s) != a + b || integer_of(p) != a * b;
-        wrong += integer_of(big) != (a << 40) + b;
+        wrong += integer_of(big) != a * k + b;
         wrong += integer_of(wide_of_integer(c)) != c;
         if (fabs((double)a) >= fabs((double)b))
             wrong += integer_of(wide_fast_sum((double)a, (double)b)) != a + b;

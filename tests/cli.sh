@@ -129,7 +129,7 @@ for main in "$root"/chapters/*/main.c; do
     else no "a file that may not grow: $status, $(cat err)"; fi
     if [ "$(cat old.ppm)" = old ]; then ok; else no "the old picture is gone"; fi
     no_part
-    if [ "$turn" -eq 1 ]; then
+    if [ "$turn" -eq 2 ]; then
         run 1 --quick --csv /dev/full
         if grep -q "/dev/full: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
         "$program" --quick >/dev/full 2>err

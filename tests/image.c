@@ -49,7 +49,7 @@ static void test_curve(void)
     for (int k = 0; k < 256; k++) {
         double c = srgb_decode(k / 255.0);
         survived += srgb_byte(c) == k && srgb_byte((double)(float)c) == k;
-        exact += fabsl(c - exact_decode(k / 255.0L)) <= 7e-16L;
+        exact += fabsl((long double)c - exact_decode(k / 255.0L)) <= 7e-16L;
     }
     check_equal(survived, 256, "codes that survive decoding and encoding, through float too");
     check_equal(exact, 256, "codes decoded within 7e-16: two roundings, times 2.4, and one of pow");

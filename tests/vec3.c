@@ -125,7 +125,7 @@ static double ulps(real computed, real a, real b, real c, real d)
 {
     wide exact = wide_sub(wide_mul(wide_of((double)a), wide_of((double)b)),
                           wide_mul(wide_of((double)c), wide_of((double)d)));
-    if (wide_sign(exact) == 0) return computed == 0 ? 0 : INFINITY;
+    if (wide_sign(exact) == 0) return computed == 0 ? 0 : HUGE_VAL;
     int e;
     (void)frexp((real)wide_value(exact), &e);
     double ulp = ldexp((double)real_epsilon, e - 1);
