@@ -129,7 +129,7 @@ static inline uint32_t png_crc(const uint8_t *p, size_t n)
 {
     uint32_t crc = ~0u;
     for (size_t i = 0; i < 8 * n; i++)
-        crc = (crc ^ (p[i / 8] >> i % 8 & 1u)) & 1 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+        crc = (crc ^ (uint32_t)p[i / 8] >> i % 8) & 1 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
     return ~crc;
 }
 
