@@ -5,6 +5,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <time.h>
 
 static char dir[] = "/tmp/file_test_XXXXXX";
 
@@ -161,6 +162,7 @@ static void test_pipe(void)
     alarm(20);  /* a writer that opened the pipe twice would wait for ever */
     check(file_try(in_dir("pipe"), &f), "a pipe is not opened for a try");
     int status = 0;
+    nanosleep(&(struct timespec){0, 100000000}, NULL);  /* time for the reader to be deceived */
     check(put(in_dir("pipe"), "hello", &f), "into a pipe");
     waitpid(reader, &status, 0);
     alarm(0);

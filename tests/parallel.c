@@ -126,6 +126,20 @@ static void afterwards(void *context)
     (void)context;
 }
 
+static void stop_then_nest(size_t i, void *context)
+{
+    if (i == 3) raise(SIGINT);
+    nest(i, context);
+}
+
+static void nested_interrupt(void *context)
+{
+    atomic_int calls = 0;
+    (void)context;
+    bool whole = parallel_for(20, 1, "outer", stop_then_nest, &calls);
+    printf("%d %d", whole, calls);
+}
+
 static void test_interrupt(void)
 {
     child_result r = child_run(interrupted, NULL);
@@ -134,6 +148,8 @@ static void test_interrupt(void)
     check_equal(child_run(two_signals, NULL).status, 128 + SIGINT, "a second one does");
     check_text(child_run(ignored, NULL).out, "1 1000 1 10", "where Ctrl-C is ignored it stays so");
     check_text(child_run(last_piece, NULL).out, "1", "Ctrl-C in the last piece: all is done");
+    check_text(child_run(nested_interrupt, NULL).out, "0 20",
+               "a loop within a job is done in full, and does not forget the Ctrl-C");
     check_equal(child_run(afterwards, NULL).status, 128 + SIGINT, "after the loop it kills again");
 }
 

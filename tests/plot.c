@@ -85,6 +85,9 @@ static void test_ticks(void)
     check(strstr(text, ">0<") && !strstr(text, ">-0<"), "zero has no sign");
     check(strstr(text, ">0.6<") && strstr(text, ">-0.2<"), "decimals without noise");
     check_sound(text, "negative values");
+    p = plot_new("", "", "", 0);
+    plot_add(&p, plot_series(&p, ""), 0, 0), plot_add(&p, 0, 1, 1);
+    check(!strstr(drawn(&p), ">-0<"), "zero at the beginning has no sign");
     for (int decades = 1; decades < 400; decades += 7) {
         p = plot_new("", "", "", PLOT_LOG_X);
         plot_add(&p, plot_series(&p, ""), 1e-300, 0);

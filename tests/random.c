@@ -151,6 +151,10 @@ static void test_range(void)
     check_equal(random_double_of(0), 0, "0 is in");
     check_equal(random_double_of((uint64_t)1 << 63), 0.5, "the highest bit is worth one half");
     check_equal(random_real(1, 2, 3, 4), random_real(1, 2, 3, 4), "the same keys, the same number");
+    check(random_bits(random_step, 4, 5, 6) != random_bits(0, 5, 5, 6)
+          && random_bits(0, random_step, 4, 5) != random_bits(0, 0, 5, 5)
+          && random_bits(0, 0, random_step, 4) != random_bits(0, 0, 0, 5),
+          "a step of one key is not a step of the next");
     random_stream s = random_start(1, 2, 3);
     for (uint64_t d = 0; d < 10; d++)
         check_equal(random_next(&s), random_real(1, 2, 3, d), "a stream counts dimensions");
