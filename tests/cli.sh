@@ -118,10 +118,12 @@ for main in "$root"/chapters/*/main.c; do
     run 0 --quick --out "picture$1" --seed 3
     whole "picture$1"
     if [ ! -d build ]; then ok; else no "--out draws other pictures, too"; fi
-    ln -s /dev/full full.ppm
-    run 1 --quick --out full.ppm
-    if grep -q "full.ppm: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
-    if [ -L full.ppm ]; then ok; else no "the link to the full disk is gone"; fi
+    if [ -c /dev/full ]; then  # Linux alone has it
+        ln -s /dev/full full.ppm
+        run 1 --quick --out full.ppm
+        if grep -q "full.ppm: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
+        if [ -L full.ppm ]; then ok; else no "the link to the full disk is gone"; fi
+    fi
     echo old >old.ppm
     (trap '' XFSZ; ulimit -f 4; "$program" --quick --out old.ppm >out 2>err)
     status=$?
@@ -129,7 +131,7 @@ for main in "$root"/chapters/*/main.c; do
     else no "a file that may not grow: $status, $(cat err)"; fi
     if [ "$(cat old.ppm)" = old ]; then ok; else no "the old picture is gone"; fi
     no_part
-    if [ "$turn" -eq 2 ]; then
+    if [ "$turn" -eq 2 ] && [ -c /dev/full ]; then
         run 1 --quick --csv /dev/full
         if grep -q "/dev/full: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
         "$program" --quick >/dev/full 2>err

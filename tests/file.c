@@ -116,12 +116,13 @@ static void test_links(void)
     check(put(in_dir("target"), "old", &f) && symlink("target", in_dir("link")) == 0, "made");
     check(put(in_dir("link"), "new", &f) && holds(in_dir("target"), "new"), "through the link");
     check(lstat(in_dir("link"), &s) == 0 && S_ISLNK(s.st_mode), "the link stays a link");
+    check(put("/dev/null", "x", &f) && stat("/dev/null", &s) == 0 && S_ISCHR(s.st_mode),
+          "a device stays a device");
+    if (access("/dev/full", W_OK) != 0) return;  /* Linux alone has it */
     check(symlink("/dev/full", in_dir("full.ppm")) == 0, "made");
     check(!put(in_dir("full.ppm"), "x", &f) && f.exit_code == 1
           && strstr(f.text, "No space left"), "a full disk is reported: %s", f.text);
     check(lstat(in_dir("full.ppm"), &s) == 0 && S_ISLNK(s.st_mode), "that link stays, too");
-    check(put("/dev/null", "x", &f) && stat("/dev/null", &s) == 0 && S_ISCHR(s.st_mode),
-          "a device stays a device");
 }
 
 static void write_much(void *context)

@@ -76,10 +76,13 @@ static void test_places(void)
 
 static void test_errors(void)
 {
-    child_result r = run((options){.csv = "/dev/full"}, true);
-    check(r.status == 1 && strstr(r.err, "/dev/full: cannot write: No space"), "CSV: %s", r.err);
-    check(strstr(r.out, "one    0.25"), "the table was shown all the same");
-    clear();
+    child_result r;
+    if (access("/dev/full", W_OK) == 0) {  /* Linux alone has it */
+        r = run((options){.csv = "/dev/full"}, true);
+        check(r.status == 1 && strstr(r.err, "/dev/full: cannot write: No space"), "%s", r.err);
+        check(strstr(r.out, "one    0.25"), "the table was shown all the same");
+        clear();
+    }
     r = run((options){.csv = "no/such"}, true);
     check(r.status == 1 && strstr(r.err, "no/such: cannot write") && strstr(r.out, "one    0.25"),
           "%s", r.err);
