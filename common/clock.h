@@ -1,16 +1,14 @@
 /* clock.h: how long something takes, on a machine that has other things to do.
  *
- * One measurement proves nothing: other programs interrupt, and the processor changes its pace. So
- * the variants of an experiment run in turn, A B C A B C ..., and each gets the median of its
- * times: what disturbs a round disturbs all of them. Compare ratios within one run, never seconds
- * of two runs.
+ * Other programs interrupt, and the processor changes its pace. So the variants of an experiment
+ * run in turn, A B C A B C ..., and each gets the median of its times: what disturbs a round
+ * disturbs all of them. Compare ratios within one run, never seconds of two runs.
  *
- *   clock_variant v[] = {{"naive", run_naive, &data}, {"robust", run_robust, &data}};
+ *   clock_variant v[] = {{"naive", run_naive, &data, 0}, {"robust", run_robust, &data, 0}};
  *   clock_compare(v, 2, 7);                  7 rounds; v[k].seconds is then the median
  */
 #ifndef CLOCK_H
 #define CLOCK_H
-
 #include "posix.h"
 #include <stdlib.h>
 #include <time.h>
@@ -22,6 +20,7 @@ typedef struct {
     double seconds;                /* out: median over the rounds */
 } clock_variant;
 
+/* ---------------------------------------------------------------------------------------------- */
 /* Seconds since some fixed moment, never set back. */
 static inline double clock_seconds(void)
 {
@@ -30,29 +29,26 @@ static inline double clock_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* ---------------------------------------------------------------------------------------------- */
-
-static volatile double clock_kept;  /* a result written here counts as used */
-
 static inline int clock_order(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
 
-/* The middle value of n numbers [n >= 1]; sorts them. */
+/* The middle value of n numbers [n >= 1], of an even n the mean of the middle two; sorts them. */
 static inline double clock_median(double *x, int n)
 {
     qsort(x, (size_t)n, sizeof *x, clock_order);
     return n % 2 ? x[n / 2] : (x[n / 2 - 1] + x[n / 2]) / 2;
 }
 
+static volatile double clock_kept;  /* a result written here counts as used */
+
 /* Runs n variants [1..16] in turn, `rounds` times [1..99], after one round that only warms up. */
 static inline void clock_compare(clock_variant *v, int n, int rounds)
 {
-    enum { most = 16 };
-    double seconds[most][99];
-    if (n > most || rounds > 99) abort();
+    double seconds[16][99];
+    if (n > 16 || rounds < 1 || rounds > 99) abort();
     for (int i = -1; i < rounds; i++)
         for (int k = 0; k < n; k++) {
             double start = clock_seconds();
@@ -61,5 +57,4 @@ static inline void clock_compare(clock_variant *v, int n, int rounds)
         }
     for (int k = 0; k < n; k++) v[k].seconds = clock_median(seconds[k], rounds);
 }
-
 #endif

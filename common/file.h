@@ -1,20 +1,18 @@
 /* file.h: files that are written whole or not at all, and errors that say what went wrong.
  *
- * Whoever calls decides what an error means, so functions that read and write return false and fill
- * in a failure; only main() and options.h end the program.
+ * Functions that read and write return false and fill in a failure, since whoever calls decides
+ * what an error means. Only main(), options.h and output.h end the program.
  *
  *   failure f;
  *   file_writer w;
  *   if (!file_begin(&w, "out.ppm", &f)) fail(f);
- *   fprintf(w.stream, ...);
+ *   fprintf(w.stream, ...);                           errors stay in the stream
  *   if (!file_commit(&w, &f)) fail(f);                disk full, device gone: nothing was replaced
  *
- * Exit codes of all programs: 0 done, 1 could not (unreadable file, full disk), 2 misuse or broken
- * input, 130 stopped by Ctrl-C.
+ * Exit codes: 0 done, 1 could not (no such file, full disk), 2 misuse or broken input, 130 Ctrl-C.
  */
 #ifndef FILE_H
 #define FILE_H
-
 #include "posix.h"
 #include <errno.h>
 #include <stdarg.h>
@@ -30,7 +28,6 @@ typedef struct { int exit_code; char text[480]; } failure;
 typedef struct { FILE *stream; char *path, *temporary; } file_writer;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 static const char *program_name = "program";  /* set by options.h */
 
 /* Fills in *f [may be NULL] and returns false: a reader ends with `return failed(f, 2, ...)`. */
@@ -54,10 +51,10 @@ static inline _Noreturn void fail(failure f)
     exit(f.exit_code);
 }
 
-/* malloc(count * size), or the end of the program. */
+/* count * size bytes, all zero, for free(); or the end of the program. Never NULL. */
 static inline void *allocate(size_t count, size_t size)
 {
-    void *p = size && count > SIZE_MAX / size ? NULL : calloc(count ? count : 1, size ? size : 1);
+    void *p = calloc(count ? count : 1, size ? size : 1);  /* calloc sees an overflow itself */
     failure f;
     if (!p) failed(&f, 1, "no memory for %zu times %zu bytes", count, size), fail(f);
     return p;
@@ -68,7 +65,7 @@ static inline void *grown(void *p, size_t n, size_t *room, size_t size)
 {
     if (n < *room) return p;
     void *more = allocate(*room = 2 * *room + 64, size);
-    if (n) memcpy(more, p, n * size);
+    if (p) memcpy(more, p, n * size);
     free(p);
     return more;
 }
@@ -78,30 +75,34 @@ static inline void file_abandon(file_writer *w)
 {
     if (w->stream) fclose(w->stream);
     if (w->temporary) unlink(w->temporary);
-    free(w->path);
-    free(w->temporary);
+    free(w->path), free(w->temporary);
     *w = (file_writer){NULL, NULL, NULL};
 }
 
-/* Opens a temporary file beside `path`. What is there and is no regular file (/dev/stdout, a pipe)
- * is written to directly. False: w holds nothing that needs closing. */
+/* Opens a temporary file beside `path`. A link stays, the file it leads to is replaced, and keeps
+ * its permissions. Devices, pipes and what the shell calls /dev/stdout are written to directly. One
+ * writer a path at a time in a process. False: w holds nothing that needs closing. */
 static inline bool file_begin(file_writer *w, const char *path, failure *f)
 {
-    struct stat there;
-    bool exists = stat(path, &there) == 0, regular = exists && S_ISREG(there.st_mode);
-    *w = (file_writer){NULL, regular ? realpath(path, NULL) : strdup(path), NULL};  /* links stay */
-    if (exists && (!regular || strncmp(path, "/dev/", 5) == 0)) {
-        fflush(stdout);  /* /dev/stdout may be where both go */
-        w->stream = fopen(path, regular ? "ab" : "wb");
-    } else if (w->path) {
+    struct stat old;
+    bool shell = strncmp(path, "/dev/std", 8) == 0 || strncmp(path, "/dev/fd/", 8) == 0;
+    bool exists = stat(path, &old) == 0, direct = exists && (shell || !S_ISREG(old.st_mode));
+    *w = (file_writer){NULL, exists && !direct ? realpath(path, NULL) : strdup(path), NULL};
+    bool may = !exists || access(path, W_OK) == 0;  /* rename would not ask */
+    if (may && direct) {
+        bool out = strcmp(path, "/dev/stdout") == 0;  /* shares its place in the file with stdout */
+        fflush(stdout);
+        w->stream = out ? fdopen(dup(STDOUT_FILENO), "ab") : fopen(path, "ab");
+    } else if (may && w->path) {
         size_t room = strlen(w->path) + 32;
-        char *temporary = allocate(room, 1);
-        snprintf(temporary, room, "%s.%ld.part", w->path, (long)getpid());
-        if ((w->stream = fopen(temporary, "wbx")) != NULL) w->temporary = temporary;
-        else free(temporary);
+        w->temporary = allocate(room, 1);
+        snprintf(w->temporary, room, "%s.%ld.part", w->path, (long)getpid());
+        unlink(w->temporary);  /* left by a dead process of our number */
+        w->stream = fopen(w->temporary, "wbx");
+        if (exists && w->stream) (void)fchmod(fileno(w->stream), old.st_mode & 0777);
     }
-    if (w->stream && w->path) return true;
-    failed(f, 1, "%s: cannot write: %s", path, strerror(errno));
+    if (w->stream) return errno = 0, true;  /* a write that fails will set it: see file_commit */
+    failed(f, 1, "%.300s: cannot write: %s", path, strerror(errno));
     file_abandon(w);
     return false;
 }
@@ -109,37 +110,40 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
 /* Closes and renames the temporary file to `path`. False: the old file is still there. */
 static inline bool file_commit(file_writer *w, failure *f)
 {
-    bool written = !ferror(w->stream) && fflush(w->stream) == 0;
-    written = fclose(w->stream) == 0 && written;
-    if (written && w->temporary) written = rename(w->temporary, w->path) == 0;
-    if (!written) failed(f, 1, "%s: cannot write: %s", w->path, strerror(errno));
-    else free(w->temporary), w->temporary = NULL;
+    bool written = fflush(w->stream) == 0 && !ferror(w->stream);
+    if (fclose(w->stream) != 0) written = false;
     w->stream = NULL;
+    if (written && w->temporary) written = rename(w->temporary, w->path) == 0;
+    if (!written) failed(f, 1, "%.300s: cannot write: %s", w->path, strerror(errno ? errno : EIO));
+    else free(w->temporary), w->temporary = NULL;
     file_abandon(w);
     return written;
+}
+
+/* Whether file_begin will succeed. A pipe is not tried: to its reader that would be the end. */
+static inline bool file_try(const char *path, failure *f)
+{
+    struct stat old;
+    file_writer w = {NULL, NULL, NULL};
+    bool ok = (stat(path, &old) == 0 && S_ISFIFO(old.st_mode)) || file_begin(&w, path, f);
+    if (ok) file_abandon(&w);
+    return ok;
 }
 
 /* The whole file, with a 0 behind its last byte; NULL if it can't be read. The caller frees. */
 static inline char *file_read(const char *path, size_t *size, failure *f)
 {
     FILE *in = fopen(path, "rb");
-    size_t room = 1 << 16, n = 0, got = 1;
-    char *text = in ? malloc(room) : NULL;
-    while (text && got > 0) {  /* a pipe does not tell its size, so the array grows by doubling */
-        if (n + 1 == room) {
-            char *more = realloc(text, room *= 2);
-            if (!more) free(text);
-            if ((text = more) == NULL) break;
-        }
+    size_t room = 0, n = 0, got = 1;
+    char *text = NULL;
+    while (in && got > 0) {  /* a pipe does not tell its size */
+        text = grown(text, n + 1, &room, 1);
         n += got = fread(text + n, 1, room - 1 - n, in);
     }
-    bool ok = text && !ferror(in);
-    if (!ok) failed(f, 1, "%s: cannot read: %s", path, strerror(errno)), free(text);
+    bool ok = in && !ferror(in);
+    if (!ok) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno)), free(text);
     if (in) fclose(in);
-    if (!ok) return NULL;
-    text[n] = 0;
     *size = n;
-    return text;
+    return ok ? text : NULL;
 }
-
 #endif

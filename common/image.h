@@ -1,21 +1,25 @@
-/* image.h: a picture of linear light, and how far two pictures are apart.
+/* image.h: a picture of linear light, how far two pictures are apart, and pictures in files.
  *
- * rgb holds width * height * 3 floats, rows from the top, pixels from the left; 1 is white of a
- * screen, more is allowed. Files and screens want the sRGB curve instead, which gives dark tones
- * more codes:
+ * 1 is the white of a screen, more is allowed. Files and screens want the sRGB curve instead, which
+ * gives dark tones more codes: IEC 61966-2-1:1999, section 5.
  *
- *   srgb = 12.92 c                       c <= 0.0031308
- *   srgb = 1.055 c^(1/2.4) - 0.055       else
+ *   ending     written                                          read
+ *   .ppm       P6, sRGB, 8 bits, rounded to nearest             P3 and P6, sRGB, maxval 1 to 65535
+ *   .p3.ppm    P3, the same as text                             (whatever the ending)
+ *   .png       sRGB, 8 bits                                     not read
+ *   .pfm       PF, linear float32, exact                        PF, either byte order
  *
- * Source: IEC 61966-2-1:1999, section 5. Files: see image_file.h.
+ * Reading tells the format by its first two bytes. Pixels that are not finite are counted on
+ * stderr; .pfm keeps them, elsewhere NaN becomes magenta and infinity the largest code.
  */
 #ifndef IMAGE_H
 #define IMAGE_H
-
 #include "file.h"
+#include "png.h"
 #include "vec3.h"
-#include <stdint.h>
+#include <ctype.h>
 
+/* width * height * 3 floats, rows from the top, pixels from the left, red first. */
 typedef struct { int width, height; float *rgb; } image;
 
 typedef struct {
@@ -26,18 +30,13 @@ typedef struct {
 } image_difference;
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* Black. Sides at least 1. The program ends if there is no memory; image_free gives it back. */
 static inline image image_new(int width, int height)
 {
     return (image){width, height, allocate((size_t)width * (size_t)height, 3 * sizeof(float))};
 }
 
-static inline void image_free(image *im)
-{
-    free(im->rgb);
-    *im = (image){0, 0, NULL};
-}
+static inline void image_free(image *im) { free(im->rgb), *im = (image){0, 0, NULL}; }
 
 static inline float *image_pixel(const image *im, int x, int y)
 {
@@ -56,7 +55,7 @@ static inline vec3 image_get(const image *im, int x, int y)
     return (vec3){(real)p[0], (real)p[1], (real)p[2]};
 }
 
-/* Copies a panel with its upper left corner to (x, y); what sticks out is left out. */
+/* Copies a panel with its upper left corner to (x, y) [+-2^30]; what sticks out is left out. */
 static inline void image_place(image *to, int x, int y, const image *panel)
 {
     for (int j = 0; j < panel->height; j++)
@@ -65,6 +64,7 @@ static inline void image_place(image *to, int x, int y, const image *panel)
                 memcpy(image_pixel(to, x + i, y + j), image_pixel(panel, i, j), 3 * sizeof(float));
 }
 
+/* Linear [0, 1] to sRGB [0, 1], and back. */
 static inline double srgb_encode(double c)
 {
     return c <= 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055;
@@ -75,43 +75,151 @@ static inline double srgb_decode(double s)
     return s <= 0.04045 ? s / 12.92 : pow((s + 0.055) / 1.055, 2.4);
 }
 
-/* The nearest of the 256 codes; below 0 and above 1 clamped, NaN 0. The comparisons come before the
- * conversion to an integer, which is undefined for what does not fit. */
+/* The nearest of the 256 codes; below 0 is 0, above 1 is 255, NaN is 0. The comparisons come
+ * before the conversion to an integer, which is undefined for what does not fit. */
 static inline uint8_t srgb_byte(double c)
 {
     double s = srgb_encode(c);
     return !(s > 0) ? 0 : s >= 1 ? 255 : (uint8_t)(s * 255 + 0.5);
 }
 
-/* Three bytes a pixel into row[3 width]. A pixel with a NaN becomes pure magenta, to be seen.
- * Returns the number of pixels that are not finite. */
-static inline size_t image_row_bytes(const image *im, int y, uint8_t *row)
-{
-    size_t bad = 0;
-    for (int x = 0; x < im->width; x++, row += 3) {
-        const float *p = image_pixel(im, x, y);
-        bool nan = isnan(p[0]) || isnan(p[1]) || isnan(p[2]);
-        for (int k = 0; k < 3; k++) row[k] = nan ? (k == 1 ? 0 : 255) : srgb_byte((double)p[k]);
-        bad += !(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]));
-    }
-    return bad;
-}
-
-/* How far a is from b; both of the same size. */
+/* The difference of a from the reference b; all infinite if their sizes differ. */
 static inline image_difference image_compare(const image *a, const image *b)
 {
-    image_difference d = {0, 0, 0, 0};
+    image_difference d = {HUGE_VAL, HUGE_VAL, HUGE_VAL, 0};
     size_t n = 3 * (size_t)a->width * (size_t)a->height, counted = 0;
+    if (a->width != b->width || a->height != b->height) return d;
+    d.rmse = d.relative_mse = d.maximum = 0;
     for (size_t i = 0; i < n; i++) {
-        double e = (double)a->rgb[i] - (double)b->rgb[i], r = (double)b->rgb[i];
-        if (!isfinite(e)) { d.not_finite++; continue; }
+        double r = (double)b->rgb[i], e = (double)a->rgb[i] - r;
+        if (!isfinite(e)) continue;
         d.rmse += e * e;
         d.relative_mse += e * e / (r * r + 0.01);
-        if (fabs(e) > d.maximum) d.maximum = fabs(e);
+        d.maximum = fabs(e) > d.maximum ? fabs(e) : d.maximum;
         counted++;
     }
     if (counted) d.rmse = sqrt(d.rmse / (double)counted), d.relative_mse /= (double)counted;
+    d.not_finite = n - counted;
     return d;
 }
 
+static inline bool ends_with(const char *text, const char *ending)
+{
+    size_t n = strlen(text), m = strlen(ending);
+    return n > m && strcmp(text + n - m, ending) == 0;
+}
+
+static inline bool image_can_write(const char *path, failure *f)
+{
+    if (ends_with(path, ".ppm") || ends_with(path, ".png") || ends_with(path, ".pfm")) return true;
+    return failed(f, 2, "%.300s: a picture's name ends in .png, .ppm, .p3.ppm or .pfm", path);
+}
+
+/* sRGB, three bytes a pixel, for free(); *bad counts the pixels that are not finite. */
+static inline uint8_t *image_bytes(const image *im, size_t *bad)
+{
+    size_t n = (size_t)im->width * (size_t)im->height;
+    uint8_t *rgb = allocate(n, 3);
+    *bad = 0;
+    for (size_t i = 0; i < 3 * n; i += 3) {
+        const float *p = im->rgb + i;
+        bool nan = isnan(p[0]) || isnan(p[1]) || isnan(p[2]);
+        for (size_t k = 0; k < 3; k++)
+            rgb[i + k] = nan ? (k == 1 ? 0 : 255) : srgb_byte((double)p[k]);
+        *bad += !(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]));
+    }
+    return rgb;
+}
+
+static inline void write_pfm(FILE *out, const image *im)
+{
+    const uint16_t one = 1;
+    fprintf(out, "PF\n%d %d\n%d.0\n", im->width, im->height, *(const uint8_t *)&one ? -1 : 1);
+    for (int y = im->height - 1; y >= 0; y--)
+        fwrite(image_pixel(im, 0, y), sizeof(float), 3 * (size_t)im->width, out);
+}
+
+static inline void write_ppm(FILE *out, const uint8_t *rgb, int width, int height, bool text)
+{
+    size_t n = 3 * (size_t)width * (size_t)height;
+    fprintf(out, "P%d\n%d %d\n255\n", text ? 3 : 6, width, height);
+    if (!text) fwrite(rgb, 1, n, out);
+    for (size_t i = 0; text && i < n; i++)
+        fprintf(out, "%d%c", rgb[i], i % 12 == 11 || i + 1 == n ? '\n' : ' ');
+}
+
+/* Whole or not at all; see file.h. Unknown ending: exit code 2; cannot write: 1. */
+static inline bool image_write(const char *path, const image *im, failure *f)
+{
+    file_writer w;
+    size_t bad;
+    if (!image_can_write(path, f) || !file_begin(&w, path, f)) return false;
+    uint8_t *rgb = image_bytes(im, &bad);
+    if (bad) fprintf(stderr, "%s: %s: %zu pixels not finite\n", program_name, path, bad);
+    if (ends_with(path, ".pfm")) write_pfm(w.stream, im);
+    else if (ends_with(path, ".png")) png_write(w.stream, rgb, im->width, im->height);
+    else write_ppm(w.stream, rgb, im->width, im->height, ends_with(path, ".p3.ppm"));
+    free(rgb);
+    return file_commit(&w, f);
+}
+
+typedef struct { const char *at, *end; } scanner;
+
+/* The next whole number in 0..most after white space and # comments; -1 if there is none. */
+static inline long scan_number(scanner *s, long most)
+{
+    while (s->at < s->end && (isspace((unsigned char)*s->at) || *s->at == '#'))
+        if (*s->at++ == '#') while (s->at < s->end && *s->at != '\n') s->at++;
+    long n = 0;
+    const char *first = s->at;
+    for (; s->at < s->end && isdigit((unsigned char)*s->at); s->at++)
+        if ((n = 10 * n + (*s->at - '0')) > most) return -1;
+    return s->at > first ? n : -1;
+}
+
+/* The numbers behind the header: text, or `bytes` bytes each, the lowest first if `little`. A PFM
+ * (4 bytes) holds floats, rows from the bottom. False: a number is missing or too large. */
+static inline bool read_pixels(scanner s, bool text, int bytes, bool little, long most, image *im)
+{
+    for (int y = 0; y < im->height; y++) {
+        float *row = image_pixel(im, 0, bytes == 4 ? im->height - 1 - y : y);
+        for (int i = 0; i < 3 * im->width; i++) {
+            uint32_t v = text ? (uint32_t)scan_number(&s, most) : 0;
+            for (int k = 0; !text && k < bytes; k++)
+                v = v << 8 | (uint8_t)s.at[little ? bytes - 1 - k : k];
+            if (!text) s.at += bytes;
+            if (bytes == 4) memcpy(&row[i], &v, 4);
+            else if (v > (uint32_t)most) return false;
+            else row[i] = (float)srgb_decode((double)v / (double)most);
+        }
+    }
+    return true;
+}
+
+/* A new image in *out, for image_free. Unreadable: exit code 1; broken or not a known format: 2. */
+static inline bool image_read(const char *path, image *out, failure *f)
+{
+    enum { side = 65535 };
+    size_t n;
+    char *text = file_read(path, &n, f), *end;
+    if (!text) return false;
+    scanner s = {text + (n < 2 ? n : 2), text + n};
+    char kind = n > 2 && text[0] == 'P' ? text[1] : 0;
+    long w = scan_number(&s, side), h = scan_number(&s, side), most = 65535;
+    double scale = 1;
+    if (kind == 'F') scale = strtod(s.at, &end), s.at = end > s.at ? end : s.end;
+    else most = scan_number(&s, 65535);
+    int bytes = kind == 'F' ? 4 : kind == '6' && most > 255 ? 2 : 1;  /* a number has at least */
+    bool ok = (kind == '3' || kind == '6' || kind == 'F') && w > 0 && h > 0 && most > 0;
+    ok = ok && scale != 0 && isfinite(scale) && s.at < s.end && isspace((unsigned char)*s.at++);
+    /* A file cannot promise more than it holds: no memory is taken on its word. */
+    if (ok && (size_t)(s.end - s.at) / 3 / (size_t)bytes >= (size_t)w * (size_t)h) {
+        image im = image_new((int)w, (int)h);
+        ok = read_pixels(s, kind == '3', bytes, scale < 0, most, &im);
+        if (ok) *out = im;
+        else image_free(&im);
+    } else ok = false;
+    free(text);
+    return ok || failed(f, 2, "%.300s: no whole P3, P6 or PF picture up to %d wide", path, side);
+}
 #endif

@@ -5,16 +5,15 @@
  *   options o = options_read(argc, argv, "02_camera", "Camera rays.",
  *                            (options){.width = 640, .height = 480}, own);
  *
- * Misuse (unknown option, missing or unreadable value, value out of range) ends the program with
- * exit 2 and a message that names the option, the value and what is allowed; --help with exit 0.
- * `--name value` and `--name=value` are the same; of a repeated option the last one counts.
+ * `--name value` and `--name=value` are the same, but a value that begins with -- needs the second
+ * form; of a repeated option the last one counts. Numbers are decimal: 1e3 and +5.0 are whole
+ * numbers, too; 0x10, nan, inf and 5k are none. Misuse ends the program with exit 2 and a message
+ * that names the option, the value and what is allowed.
  */
 #ifndef OPTIONS_H
 #define OPTIONS_H
-
-#include "image_file.h"
-#include <math.h>
-#include <stdint.h>
+#include "image.h"
+#include <limits.h>
 
 typedef struct {
     const char *out;           /* main picture to this file, and no other is drawn */
@@ -26,61 +25,59 @@ typedef struct {
     bool preview, quick;
 } options;
 
-typedef enum {
-    OPTION_FLAG, OPTION_INT, OPTION_REAL, OPTION_TEXT, OPTION_SIZE, OPTION_SEED
-} option_kind;
-
+typedef enum { OPTION_FLAG, OPTION_INT, OPTION_REAL, OPTION_TEXT, OPTION_SIZE } option_kind;
 typedef struct {
     const char *name;
     option_kind kind;
-    void *value;               /* bool, int, double, const char *, int[2], uint64_t */
+    void *value;               /* bool, int, double, const char *, int[2] */
     double lowest, highest;    /* allowed, both included; of a size: each side */
     const char *what;          /* for --help */
 } option;
 
 /* ---------------------------------------------------------------------------------------------- */
+/* What kind of value an option wants: in --help, and in words. */
+static const struct { const char *value, *allowed; } option_kinds[] = {
+    {"", ""}, {" N", "whole numbers"}, {" X", "numbers"}, {" TEXT", "texts that are not empty"},
+    {" WxH", "sizes WxH, each side"}};
 
-static inline const char *option_argument(option_kind kind)
+/* Prints "  --name N          what [1 to 64], default 8". */
+static inline void option_help(const option *o)
 {
-    static const char *const names[] = {"", " N", " X", " TEXT", " WxH", " N"};
-    return names[kind];
+    const void *v = o->value;
+    int n = printf("  --%s%s", o->name, option_kinds[o->kind].value);
+    printf("%*s%s", n < 20 ? 20 - n : 1, "", o->what);
+    if (o->lowest < o->highest) printf(" [%.16g to %.16g]", o->lowest, o->highest);
+    if (o->kind == OPTION_INT && *(const int *)v >= o->lowest)
+        printf(", default %d", *(const int *)v);
+    if (o->kind == OPTION_REAL) printf(", default %g", *(const double *)v);
+    if (o->kind == OPTION_SIZE) printf(", default %dx%d", *(const int *)v, ((const int *)v)[1]);
+    printf("\n");
 }
 
-static inline void options_help(const char *name, const char *about, const option *lists[2])
+/* A decimal number and where it ends; not a number: NaN. */
+static inline double option_number(const char *text, const char **end)
 {
-    printf("%s: %s\n\nusage: %s [options]\n", name, about, name);
-    for (int l = 0; l < 2; l++)
-        for (const option *o = lists[l]; o && o->name; o++) {
-            int n = printf("  --%s%s", o->name, option_argument(o->kind));
-            printf("%*s%s", n < 20 ? 20 - n : 1, "", o->what);
-            if (o->lowest < o->highest) printf(" [%.9g to %.9g]", o->lowest, o->highest);
-            printf("\n");
-        }
-    exit(0);
+    size_t n = strspn(text, "+-.0123456789eE");  /* strtod itself takes spaces, 0x10, inf, nan */
+    char *after;
+    double x = strtod(text, &after);
+    *end = after;
+    return after > text && after <= text + n ? x : (double)NAN;
 }
 
 /* Stores the value of one option; false if it can't be read or is out of range. */
 static inline bool option_store(const option *o, const char *text)
 {
-    char *end = NULL;
     if (o->kind == OPTION_TEXT) { *(const char **)o->value = text; return *text != 0; }
-    if (text[0] == 0 || isspace((unsigned char)text[0])) return false;
-    if (o->kind == OPTION_SEED) {
-        errno = 0;
-        *(uint64_t *)o->value = strtoull(text, &end, 10);
-        return errno == 0 && *end == 0 && text[0] != '-';
-    }
-    double x = strtod(text, &end), y = 0;
-    bool ok = x >= o->lowest && x <= o->highest && (o->kind == OPTION_REAL || x == floor(x));
-    if (o->kind == OPTION_SIZE) {
-        if (*end != 'x') return false;
-        y = strtod(end + 1, &end);
-        ok = ok && y >= o->lowest && y <= o->highest && y == floor(y);
-    }
-    if (!ok || *end != 0) return false;
-    if (o->kind == OPTION_REAL) *(double *)o->value = x;
-    else ((int *)o->value)[0] = (int)x;
-    if (o->kind == OPTION_SIZE) ((int *)o->value)[1] = (int)y;
+    const char *end;
+    double x[2] = {option_number(text, &end), 0};
+    int n = o->kind == OPTION_SIZE ? 2 : 1;
+    if (n == 2 && *end == 'x') x[1] = option_number(end + 1, &end);
+    for (int k = 0; k < n; k++)  /* the comparisons are false for a NaN */
+        if (!(x[k] >= o->lowest && x[k] <= o->highest)
+            || (o->kind != OPTION_REAL && x[k] != floor(x[k]))) return false;
+    if (*end != 0) return false;
+    if (o->kind == OPTION_REAL) *(double *)o->value = x[0];
+    else for (int k = 0; k < n; k++) ((int *)o->value)[k] = (int)x[k];
     return true;
 }
 
@@ -88,10 +85,10 @@ static inline bool option_store(const option *o, const char *text)
 static inline const option *option_find(const option *lists[2], const char *word)
 {
     size_t n = strcspn(word, "=");
+    if (strncmp(word, "--", 2) != 0) return NULL;
     for (int l = 0; l < 2; l++)
         for (const option *o = lists[l]; o && o->name; o++)
-            if (strncmp(word, "--", 2) == 0 && n == strlen(o->name) + 2
-                && strncmp(word + 2, o->name, n - 2) == 0) return o;
+            if (n == strlen(o->name) + 2 && strncmp(word + 2, o->name, n - 2) == 0) return o;
     return NULL;
 }
 
@@ -100,33 +97,28 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
 {
     const char *word = argv[i], *value = strchr(word, '=');
     const option *o = option_find(lists, word);
+    char range[64] = "";
     failure f;
-    if (!o) failed(&f, 2, "unknown option %s (see --help)", word), fail(f);
+    if (!o) failed(&f, 2, "unknown option %.200s (see --help)", word), fail(f);
     if (o->kind == OPTION_FLAG) {
-        if (value) failed(&f, 2, "--%s takes no value: %s", o->name, word), fail(f);
-        *(bool *)o->value = true;
-        return i;
+        if (value) failed(&f, 2, "--%s takes no value: %.200s", o->name, word), fail(f);
+        return *(bool *)o->value = true, i;
     }
     if (value) value++;
-    else if (i + 1 < argc) value = argv[++i];
-    else failed(&f, 2, "--%s needs a value (see --help)", o->name), fail(f);
-    if (option_store(o, value)) return i;
-    static const char *const kinds[] = {
-        "", "whole numbers", "numbers", "texts that are not empty", "sizes WxH, each side",
-        "whole numbers from 0 to 2^64 - 1"};
-    failed(&f, 2, "--%s %s: allowed are %s", o->name, *value ? value : "''", kinds[o->kind]);
-    size_t n = strlen(f.text);
+    else if (i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0) value = argv[++i];
+    if (value && option_store(o, value)) return i;
     if (o->lowest < o->highest)
-        snprintf(f.text + n, sizeof f.text - n, " from %.9g to %.9g", o->lowest, o->highest);
+        snprintf(range, sizeof range, " from %.16g to %.16g", o->lowest, o->highest);
+    failed(&f, 2, "--%s %.200s: allowed are %s%s", o->name, !value ? "needs a value" : *value
+           ? value : "''", option_kinds[o->kind].allowed, range);
     fail(f);
 }
 
-static inline void option_try_file(const char *path)
+/* At the end of the program: what a full disk did not take was not said. */
+static inline void options_check_stdout(void)
 {
-    failure f;
-    file_writer w;
-    if (path && !file_begin(&w, path, &f)) fail(f);
-    if (path) file_abandon(&w);
+    if (fflush(stdout) != 0 || ferror(stdout))
+        fprintf(stderr, "%s: standard output: cannot write\n", program_name), _exit(1);
 }
 
 /* Reads the command line. `own` ends with {0} and may be NULL; values not given stay as they are.
@@ -136,12 +128,12 @@ static inline options options_read(int argc, char **argv, const char *name, cons
 {
     options o = defaults;
     bool help = false;
-    int size[2] = {o.width, o.height};
+    int size[2] = {o.width, o.height}, seed = (int)o.seed;
     const option common[] = {
         {"out", OPTION_TEXT, &o.out, 0, 0, "main picture to this .png, .ppm, .p3.ppm or .pfm"},
         {"size", OPTION_SIZE, size, 1, 16384, "of the main picture, pixels"},
-        {"threads", OPTION_INT, &o.threads, 1, 256, "default: all cores"},
-        {"seed", OPTION_SEED, &o.seed, 0, 0, "of the random numbers"},
+        {"threads", OPTION_INT, &o.threads, 1, 256, "at work at once, default all cores"},
+        {"seed", OPTION_INT, &seed, 0, INT_MAX, "of the random numbers"},
         {"csv", OPTION_TEXT, &o.csv, 0, 0, "table to this file"},
         {"preview", OPTION_FLAG, &o.preview, 0, 0, "show the main picture in the terminal"},
         {"quick", OPTION_FLAG, &o.quick, 0, 0, "under a second; pictures to build/quick/"},
@@ -150,12 +142,18 @@ static inline options options_read(int argc, char **argv, const char *name, cons
     const option *lists[2] = {own, common};
     failure f;
     program_name = name;
+    atexit(options_check_stdout);
+    for (int i = 1; i < argc; i++) help = help || strcmp(argv[i], "--help") == 0;
+    if (help) {  /* first of all, while the values are the defaults */
+        printf("%s: %s\n\nusage: %s [options]\n", name, about, name);
+        for (int l = 0; l < 2; l++)
+            for (const option *k = lists[l]; k && k->name; k++) option_help(k);
+        exit(0);
+    }
     for (int i = 1; i < argc; i++) i = option_read(lists, argc, argv, i);
-    if (help) options_help(name, about, lists);
-    if (o.out && !image_can_write(o.out, &f)) fail(f);
-    option_try_file(o.out), option_try_file(o.csv);
-    o.width = size[0], o.height = size[1];
+    if (o.out && (!image_can_write(o.out, &f) || !file_try(o.out, &f))) fail(f);
+    if (o.csv && !file_try(o.csv, &f)) fail(f);
+    o.width = size[0], o.height = size[1], o.seed = (uint64_t)seed;
     return o;
 }
-
 #endif

@@ -11,9 +11,9 @@
  */
 #ifndef OUTPUT_H
 #define OUTPUT_H
-
-#include "image_file.h"
+#include "image.h"
 #include "options.h"
+#include "parallel.h"
 #include "plot.h"
 #include "table.h"
 #include <sys/utsname.h>
@@ -23,36 +23,31 @@
 #endif
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* False if `name` is not wanted: --out asks for the main picture alone. Makes the directory. */
-static inline bool output_path(const options *o, const char *name, bool is_main, char path[512])
+/* Where `name` goes, its directory made; NULL if it is not wanted. */
+static inline const char *output_path(const options *o, const char *name, bool is_main,
+                                      char path[512])
 {
-    bool timed = ends_with(name, "_time.svg");
-    const char *directory = o->quick ? "build/quick" : timed ? "build" : "images";
-    if (o->out) snprintf(path, 512, "%s", o->out);
-    if (o->out) return is_main;
-    if (o->quick) mkdir("build", 0777);
-    mkdir(directory, 0777);
-    snprintf(path, 512, "%s/%s", directory, name);
-    return true;
+    bool build = o->quick || ends_with(name, "_time.svg");
+    if (o->out) return is_main ? o->out : NULL;
+    mkdir(build ? "build" : "images", 0777);  /* if that fails, writing the file says why */
+    if (o->quick) mkdir("build/quick", 0777);
+    snprintf(path, 512, "%s/%s", o->quick ? "build/quick" : build ? "build" : "images", name);
+    return path;
 }
 
-/* The upper half of a cell is a character's colour, the lower half its background. */
+/* Shows a picture with at most 80 x 25 characters of a terminal, each an upper half block: its
+ * colour is a pixel of the upper half, its background one of the lower half. */
 static inline void output_preview(const image *im)
 {
-    int w = im->width, h = im->height, columns = w < 100 ? w : 100;
-    int rows = (columns * h / w + 1) / 2;
-    for (int i = 0; i < 2 * rows * columns; i++) {
-        int half = i % 2, c = i / 2 % columns, r = 2 * (i / 2 / columns) + half;
-        int x0 = c * w / columns, x1 = (c + 1) * w / columns, y0 = r * h / (2 * rows);
-        int y1 = (r + 1) * h / (2 * rows) > y0 ? (r + 1) * h / (2 * rows) : y0 + 1;
-        double sum[3] = {0, 0, 0}, n = (x1 - x0) * (y1 - y0);
-        for (int y = y0; y < y1; y++)
-            for (int x = x0; x < x1; x++)
-                for (int k = 0; k < 3; k++) sum[k] += (double)image_pixel(im, x, y)[k] / n;
-        printf("\033[%d;2;%d;%d;%dm", half ? 48 : 38, srgb_byte(sum[0]), srgb_byte(sum[1]),
-               srgb_byte(sum[2]));
-        if (half) printf(c + 1 == columns ? "\u2580\033[0m\n" : "\u2580");
+    int w = im->width, h = im->height, across = w < 80 ? w : 80, down = h * across / w;
+    if (down > 50) down = 50, across = 50 * w / h + (50 * w < h);
+    down = down < 2 ? 2 : down / 2 * 2;  /* half characters */
+    for (int i = 0; i < across * down; i++) {
+        int c = i / 2 % across, r = i / 2 / across * 2 + i % 2;
+        const float *p = image_pixel(im, c * w / across, r * h / down);
+        printf("\033[%d;2;%d;%d;%dm", i % 2 ? 48 : 38, srgb_byte((double)p[0]),
+               srgb_byte((double)p[1]), srgb_byte((double)p[2]));
+        if (i % 2) printf("\xe2\x96\x80%s", c + 1 == across ? "\033[0m\n" : "");
     }
 }
 
@@ -61,32 +56,34 @@ static inline void output_preview(const image *im)
 static inline void output_picture(const options *o, const image *im, const char *name, bool is_main,
                                   bool whole)
 {
-    char path[512];
+    char room[512];
     failure f;
-    if (output_path(o, name, is_main, path) && !image_write(path, im, &f)) fail(f);
+    const char *path = output_path(o, name, is_main, room);
+    if (path && !image_write(path, im, &f)) fail(f);
     if (o->preview && is_main) output_preview(im);
-    if (!whole) failed(&f, 130, "stopped; %s holds what there was", path), fail(f);
+    if (!whole) failed(&f, 130, "stopped; %s holds what there was", path ? path : "-"), fail(f);
 }
 
+/* Saves and frees a plot. */
 static inline void output_plot(const options *o, plot *p, const char *name)
 {
-    char path[512];
+    char room[512];
     failure f;
     file_writer w;
-    if (output_path(o, name, false, path)) {
-        if (!file_begin(&w, path, &f)) fail(f);
-        plot_write(p, w.stream);
-        if (!file_commit(&w, &f)) fail(f);
-    }
+    const char *path = output_path(o, name, false, room);
+    if (path && !file_begin(&w, path, &f)) fail(f);
+    if (path) plot_write(p, w.stream);
+    if (path && !file_commit(&w, &f)) fail(f);
     plot_free(p);
 }
 
+/* Prints a table, and frees it. */
 static inline void output_extra_table(const options *o, table *t)
 {
     struct utsname u;
     (void)o;
-    printf("# %s\n", t->title);
-    if (uname(&u) == 0) printf("# %s %s; ", u.sysname, u.machine);
+    printf("# %s\n# ", t->title);
+    if (uname(&u) >= 0) printf("%s %s, %d cores; ", u.sysname, u.machine, parallel_cores());
 #ifdef __clang__
     printf("clang %s; ", __clang_version__);
 #else
@@ -98,16 +95,14 @@ static inline void output_extra_table(const options *o, table *t)
     table_free(t);
 }
 
+/* The main table: it goes to the file of --csv, too. */
 static inline void output_table(const options *o, table *t)
 {
-    failure f;
+    failure f = {0, ""};
     file_writer w;
-    if (o->csv) {
-        if (!file_begin(&w, o->csv, &f)) fail(f);
-        table_csv(t, w.stream);
-        if (!file_commit(&w, &f)) fail(f);
-    }
+    bool csv = o->csv && file_begin(&w, o->csv, &f);
+    if (csv) table_csv(t, w.stream), file_commit(&w, &f);
     output_extra_table(o, t);
+    if (f.exit_code) fail(f);  /* after the table was shown */
 }
-
 #endif

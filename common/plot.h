@@ -6,55 +6,49 @@
  *   plot_slope(&p, 1, "slope 1");             y ~ x^1 through the first point, dashed
  *   output_plot(&o, &p, "03_sphere_error.svg");
  *
- * Each series has its own colour and its own mark: the colours are those of M. Okabe and K. Ito,
- * "Color Universal Design", 2008, which the colour-blind can tell apart. On a logarithmic axis a
- * value that is not positive has no place: it is drawn as a hollow mark on the bottom edge, and
- * lines pass it by.
+ * Each series has its own mark and its own colour of M. Okabe, K. Ito, "Color Universal Design",
+ * 2008, which the colour-blind can tell apart. A y <= 0 on a logarithmic axis is drawn as a hollow
+ * mark on the bottom edge, and lines pass it by. Texts are ASCII, names some 28 characters long.
  */
 #ifndef PLOT_H
 #define PLOT_H
-
 #include "file.h"
 #include <math.h>
 
-enum { PLOT_LOG_X = 1, PLOT_LOG_Y = 2, plot_most_series = 8 };
-
+enum { PLOT_LOG_X = 1, PLOT_LOG_Y = 2, plot_most_series = 8, plot_most_slopes = 2 };
 typedef struct { int series; double x, y; } plot_point;
-
 typedef struct {
     const char *title, *x_label, *y_label;
     int flags, series, slopes;
-    char name[plot_most_series][64], slope_name[2][64];
-    double slope[2];
+    char name[plot_most_series + plot_most_slopes][64];  /* slopes behind series */
+    double slope[plot_most_slopes];
     plot_point *points;
     size_t n, room;
 } plot;
 
 /* ---------------------------------------------------------------------------------------------- */
-
+/* The three texts are not copied. */
 static inline plot plot_new(const char *title, const char *x_label, const char *y_label, int flags)
 {
     return (plot){.title = title, .x_label = x_label, .y_label = y_label, .flags = flags};
 }
 
-static inline void plot_free(plot *p)
-{
-    free(p->points);
-    p->points = NULL, p->n = p->room = 0;
-}
+static inline void plot_free(plot *p) { free(p->points), p->points = NULL, p->n = p->room = 0; }
 
 /* A new series [at most 8]; its number. */
 static inline int plot_series(plot *p, const char *name)
 {
     if (p->series == plot_most_series) abort();
-    snprintf(p->name[p->series], sizeof p->name[0], "%s", name);
+    snprintf(p->name[p->series], sizeof p->name[0], "%.63s", name);
     return p->series++;
 }
 
-/* Points are joined in the order in which they come; what is not finite is left out. */
+/* Points are joined in the order in which they come. What is not finite, or beyond 1e100 where
+ * places might overflow, is left out, and so is an x <= 0 on a logarithmic axis. */
 static inline void plot_add(plot *p, int series, double x, double y)
 {
-    if (!isfinite(x) || !isfinite(y) || (p->flags & PLOT_LOG_X && x <= 0)) return;
+    bool drawable = fabs(x) <= 1e100 && fabs(y) <= 1e100;  /* false for a NaN */
+    if (!drawable || (p->flags & PLOT_LOG_X && x <= 0)) return;
     p->points = grown(p->points, p->n, &p->room, sizeof *p->points);
     p->points[p->n++] = (plot_point){series, x, y};
 }
@@ -62,8 +56,8 @@ static inline void plot_add(plot *p, int series, double x, double y)
 /* A reference line y ~ x^slope (linear axes: of that slope) through the first point [at most 2]. */
 static inline void plot_slope(plot *p, double slope, const char *name)
 {
-    if (p->slopes == 2) abort();
-    snprintf(p->slope_name[p->slopes], sizeof p->slope_name[0], "%s", name);
+    if (p->slopes == plot_most_slopes) abort();
+    snprintf(p->name[plot_most_series + p->slopes], sizeof p->name[0], "%.63s", name);
     p->slope[p->slopes++] = slope;
 }
 
@@ -77,28 +71,30 @@ static inline double plot_place(plot_axis a, double value)
     return a.from + (a.to - a.from) * (value - a.lowest) / (a.highest - a.lowest);
 }
 
-/* An axis that holds all values of one coordinate: whole decades, or from 0 up. */
+/* Distance of ticks: whole decades, or 1, 2 or 5 times a power of ten; 4 to 10 of them. */
+static inline double plot_step(plot_axis a)
+{
+    double span = a.highest - a.lowest, unit = pow(10, floor(log10(span / 4)));
+    if (a.log) return ceil(span / 10);
+    return unit * (span / unit > 20 ? 5 : span / unit > 8 ? 2 : 1);
+}
+
+/* An axis that holds all values of one coordinate, from tick to tick; a linear one includes 0. */
 static inline plot_axis plot_range(const plot *p, bool y, double from, double to)
 {
-    plot_axis a = {HUGE_VAL, -HUGE_VAL, from, to, (p->flags & (y ? PLOT_LOG_Y : PLOT_LOG_X)) != 0};
+    bool log = (p->flags & (y ? PLOT_LOG_Y : PLOT_LOG_X)) != 0;
+    plot_axis a = {log ? HUGE_VAL : 0, log ? -HUGE_VAL : 0, from, to, log};
     for (size_t i = 0; i < p->n; i++) {
         double v = plot_value(a, y ? p->points[i].y : p->points[i].x);
         if (isfinite(v) && v < a.lowest) a.lowest = v;
         if (isfinite(v) && v > a.highest) a.highest = v;
     }
-    if (a.lowest > a.highest) a.lowest = 0, a.highest = 1;
-    if (!a.log && a.lowest > 0) a.lowest = 0;
-    if (a.log) a.lowest = floor(a.lowest + 1e-9), a.highest = ceil(a.highest - 1e-9);
-    if (a.highest - a.lowest < 1e-9 * (1 + fabs(a.highest))) a.highest += 1;
+    if (a.lowest > a.highest) a.lowest = a.highest = 0;           /* nothing to show */
+    if (a.highest - a.lowest < 1e-100) a.highest = a.lowest + 1;  /* one value only */
+    double step = log ? 1 : plot_step(a);
+    a.lowest = step * floor(a.lowest / step + 1e-9);
+    a.highest = step * ceil(a.highest / step - 1e-9);
     return a;
-}
-
-/* Distance of ticks: whole decades, or 1, 2 or 5 times a power of ten. */
-static inline double plot_step(plot_axis a)
-{
-    double span = a.highest - a.lowest, step = pow(10, floor(log10(span / 4)));
-    if (a.log) return ceil(span / 10);
-    return step * (span / step > 20 ? 5 : span / step > 8 ? 2 : 1);
 }
 
 static const char *const plot_colour[plot_most_series] = {
@@ -114,39 +110,41 @@ static inline void plot_mark(FILE *out, int series, double x, double y, bool hol
             shape[series], x, y, hollow ? "white" : plot_colour[series], plot_colour[series]);
 }
 
-static inline void plot_line(FILE *out, double x0, double y0, double x1, double y1,
-                             const char *style)
+static inline void plot_line(FILE *out, double x, double y, double x1, double y1, const char *style)
 {
-    fprintf(out, "<path clip-path=\"url(#area)\" d=\"M%.1f,%.1fL%.1f,%.1f\" %s/>\n", x0, y0, x1, y1,
-            style);
+    fprintf(out, "<path clip-path=\"url(#area)\" d=\"M%.1f,%.1fL%.1f,%.1f\" ", x, y, x1, y1);
+    fprintf(out, "%s/>\n", style);
 }
 
+/* ASCII alone: other bytes become question marks, and the file is valid XML whatever the text. */
 static inline void plot_text(FILE *out, double x, double y, const char *style, const char *text)
 {
     fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, style);
-    for (; *text; text++) fprintf(out, *text == '<' || *text == '&' ? "&#%d;" : "%c", *text);
+    for (; *text; text++) {
+        bool markup = *text == '<' || *text == '>' || *text == '&';
+        fprintf(out, markup ? "&#%d;" : "%c", *text < ' ' || *text > '~' ? '?' : *text);
+    }
     fprintf(out, "</text>\n");
 }
 
 static inline void plot_ticks(FILE *out, plot_axis a, plot_axis other, bool y)
 {
-    double step = plot_step(a);
+    double step = plot_step(a), from = other.from, to = other.to;
     char text[32];
     for (double k = ceil(a.lowest / step - 1e-9); k * step <= a.highest + 1e-9 * step; k++) {
-        double v = k * step, at = plot_place(a, v), from = other.from;
+        double v = k * step + 0.0, at = plot_place(a, v);  /* + 0.0 turns -0 into 0 */
         bool power = a.log && fabs(v) > 3;
         snprintf(text, sizeof text, power ? "1e%.0f" : "%.6g", a.log && !power ? pow(10, v) : v);
-        if (y) plot_line(out, from, at, other.to, at, "stroke=\"#ddd\"");
-        else plot_line(out, at, from, at, other.to, "stroke=\"#ddd\"");
+        plot_line(out, y ? from : at, y ? at : from, y ? to : at, y ? at : to, "stroke=\"#ddd\"");
         if (y) plot_text(out, from - 8, at + 4, "text-anchor=\"end\"", text);
         else plot_text(out, at, from + 18, "text-anchor=\"middle\"", text);
     }
 }
 
-/* One series: its marks, and lines between them. */
+/* One series: lines between its points, its marks upon them, and its entry in the legend. */
 static inline void plot_curve(const plot *p, FILE *out, int s, plot_axis ax, plot_axis ay)
 {
-    double px = 0, py = 0;
+    double px = 0, py = 0, legend = 62 + 20 * s;
     bool pen = false;
     char style[64];
     snprintf(style, sizeof style, "stroke-width=\"1.5\" stroke=\"%s\"", plot_colour[s]);
@@ -159,12 +157,29 @@ static inline void plot_curve(const plot *p, FILE *out, int s, plot_axis ax, plo
         plot_mark(out, s, x, y, off);
         if (!off) pen = true, px = x, py = y;
     }
+    plot_line(out, 572, legend, 598, legend, style);
+    plot_mark(out, s, 585, legend, false);
+    plot_text(out, 604, legend + 4, "", p->name[s]);
+}
+
+/* Reference line k through the first point that has a place, and its entry in the legend. */
+static inline void plot_reference(const plot *p, FILE *out, int k, plot_axis ax, plot_axis ay)
+{
+    const char *style = k ? "stroke=\"#555\" stroke-dasharray=\"8 4\""
+                          : "stroke=\"#555\" stroke-dasharray=\"2 3\"";
+    double legend = 62 + 20 * (p->series + k);
+    size_t i = 0;
+    while (i < p->n && ay.log && p->points[i].y <= 0) i++;
+    if (i == p->n) return;
+    double x0 = plot_value(ax, p->points[i].x), y0 = plot_value(ay, p->points[i].y);
+    plot_line(out, ax.from, plot_place(ay, y0 + p->slope[k] * (ax.lowest - x0)),
+              ax.to, plot_place(ay, y0 + p->slope[k] * (ax.highest - x0)), style);
+    plot_line(out, 572, legend, 598, legend, style);
+    plot_text(out, 604, legend + 4, "", p->name[plot_most_series + k]);
 }
 
 static inline void plot_write(const plot *p, FILE *out)
 {
-    static const char *const dashes[] = {"stroke=\"#555\" stroke-dasharray=\"2 4\"",
-                                         "stroke=\"#555\" stroke-dasharray=\"8 4\""};
     plot_axis ax = plot_range(p, false, 80, 560), ay = plot_range(p, true, 370, 50);
     fprintf(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 820 430\" width=\"820\" "
             "height=\"430\" font-family=\"sans-serif\" font-size=\"13\">\n"
@@ -172,27 +187,11 @@ static inline void plot_write(const plot *p, FILE *out)
             "<clipPath id=\"area\"><path d=\"M79,49H820V371H79Z\"/></clipPath>\n");
     plot_text(out, 320, 28, "text-anchor=\"middle\" font-size=\"16\"", p->title);
     plot_text(out, 320, 412, "text-anchor=\"middle\"", p->x_label);
-    plot_text(out, -210, 22, "text-anchor=\"middle\" transform=\"rotate(-90)\"", p->y_label);
+    plot_text(out, -210, 16, "text-anchor=\"middle\" transform=\"rotate(-90)\"", p->y_label);
     plot_ticks(out, ax, ay, false), plot_ticks(out, ay, ax, true);
     fprintf(out, "<path d=\"M80,50H560V370H80Z\" fill=\"none\" stroke=\"black\"/>\n");
-    for (int s = 0; s < p->series; s++) {
-        plot_curve(p, out, s, ax, ay);
-        fprintf(out, "<path d=\"M572,%dH598\" stroke=\"%s\"/>\n", 62 + 20 * s, plot_colour[s]);
-        plot_mark(out, s, 585, 62 + 20 * s, false);
-        plot_text(out, 604, 66 + 20 * s, "", p->name[s]);
-    }
-    size_t first = 0;  /* reference lines go through the first point that has a place */
-    while (first + 1 < p->n && ay.log && p->points[first].y <= 0) first++;
-    for (int k = 0; k < p->slopes && first < p->n; k++) {
-        double x0 = plot_value(ax, p->points[first].x), y0 = plot_value(ay, p->points[first].y);
-        double left = plot_place(ay, y0 + p->slope[k] * (ax.lowest - x0));
-        double right = plot_place(ay, y0 + p->slope[k] * (ax.highest - x0));
-        int y = 62 + 20 * (p->series + k);
-        plot_line(out, ax.from, left, ax.to, right, dashes[k]);
-        plot_line(out, 572, y, 598, y, dashes[k]);
-        plot_text(out, 604, y + 4, "", p->slope_name[k]);
-    }
+    for (int k = 0; k < p->slopes; k++) plot_reference(p, out, k, ax, ay);
+    for (int s = 0; s < p->series; s++) plot_curve(p, out, s, ax, ay);
     fprintf(out, "</svg>\n");
 }
-
 #endif

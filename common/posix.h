@@ -1,13 +1,11 @@
-/* posix.h: asks the C library for POSIX (clocks, threads, files), which -std=c11 hides. It must come
- * before the first header of the C library: so include this project's headers first. */
+/* posix.h: asks the C library for POSIX (clocks, threads, files), which -std=c11 hides, so it must
+ * come before the C library's headers: include this project's headers first. */
 #ifndef POSIX_H
 #define POSIX_H
-
 #ifndef _XOPEN_SOURCE
-#define _XOPEN_SOURCE 700  /* POSIX.1-2008, realpath */
+#define _XOPEN_SOURCE 700  /* POSIX.1-2008, with realpath */
 #endif
 #ifndef _DARWIN_C_SOURCE
-#define _DARWIN_C_SOURCE  /* macOS: the number of processors */
+#define _DARWIN_C_SOURCE   /* macOS: the number of processors */
 #endif
-
 #endif

@@ -1,30 +1,28 @@
 /* random.h: random numbers that depend on (seed, pixel, sample, dimension) and on nothing else.
  *
- * A generator with a hidden state hands its numbers out in the order in which threads ask. Here
- * each number is looked up: the same four keys give the same number, on any machine, in any order,
- * with any number of threads, so a picture is the same byte for byte.
+ * So a picture is the same with any number of threads; a generator with a hidden state would hand
+ * its numbers out in the order in which threads ask.
  *
- *   uint64_t random_bits(seed, pixel, sample, dimension)     64 random bits
- *   real     random_real(seed, pixel, sample, dimension)     uniform in [0,1), never 1
- *   random_stream s = random_start(seed, pixel, sample);     the same, dimension 0, 1, 2, ...
- *   real     random_next(&s);
+ *   real x = random_real(seed, pixel, sample, dimension);    uniform in [0,1), never 1
+ *   random_stream s = random_start(seed, pixel, sample);     the same: dimension 0, 1, 2, ...
+ *   real y = random_next(&s);
  *
- * Bits to real: (bits >> 40) * 2^-24 in float, (bits >> 11) * 2^-53 in double. The short cut
- * (float)u * 2^-32 rounds the 128 largest words up to 1.
+ * The short cut (float)u * 2^-32 rounds the 128 largest words up to 1: 24 bits make a float, 53 a
+ * double. All streams are parts of one sequence of 2^64 numbers, at places that random_mix
+ * scatters: of 10^9 streams of 100 numbers some ten pairs overlap.
  *
- * Source of the mixing function: Steele, Lea, Flood, "Fast splittable pseudorandom number
- * generators", OOPSLA 2014 (SplitMix64), with the constants of D. Stafford's variant 13.
+ * Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014
+ * (SplitMix64), with the constants of D. Stafford's variant 13.
  */
 #ifndef RANDOM_H
 #define RANDOM_H
-
 #include "vec3.h"
 #include <stdint.h>
 
 typedef struct { uint64_t key, dimension; } random_stream;
+#define random_step 0x9e3779b97f4a7c15u  /* 2^64 / golden ratio: odd, and without a pattern */
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* A bijection of 64-bit words in which every input bit changes each output bit half of the time. */
 static inline uint64_t random_mix(uint64_t x)
 {
@@ -35,15 +33,14 @@ static inline uint64_t random_mix(uint64_t x)
 
 static inline random_stream random_start(uint64_t seed, uint64_t pixel, uint64_t sample)
 {
-    uint64_t golden = 0x9e3779b97f4a7c15u;
-    uint64_t key = random_mix(seed + golden);
-    key = random_mix(key + golden * (pixel + 1));
-    return (random_stream){random_mix(key ^ (golden * (sample + 1))), 0};
+    uint64_t key = random_mix(seed + random_step);
+    key = random_mix(key + random_step * (pixel + 1));
+    return (random_stream){random_mix(key ^ random_step * (sample + 1)), 0};
 }
 
 static inline uint64_t random_next_bits(random_stream *s)
 {
-    return random_mix(s->key + 0x9e3779b97f4a7c15u * ++s->dimension);
+    return random_mix(s->key + random_step * ++s->dimension);
 }
 
 static inline float random_float_of(uint64_t bits) { return (float)(bits >> 40) * 0x1p-24f; }
@@ -56,11 +53,10 @@ static inline real random_real_of(uint64_t bits)
 
 static inline real random_next(random_stream *s) { return random_real_of(random_next_bits(s)); }
 
-static inline uint64_t random_bits(uint64_t seed, uint64_t pixel, uint64_t sample,
-                                   uint64_t dimension)
+static inline uint64_t random_bits(uint64_t seed, uint64_t pixel, uint64_t sample, uint64_t number)
 {
     random_stream s = random_start(seed, pixel, sample);
-    s.dimension = dimension;
+    s.dimension = number;
     return random_next_bits(&s);
 }
 
@@ -68,5 +64,4 @@ static inline real random_real(uint64_t seed, uint64_t pixel, uint64_t sample, u
 {
     return random_real_of(random_bits(seed, pixel, sample, dimension));
 }
-
 #endif

@@ -4,47 +4,26 @@
  *   table_text(&t, "naive"), table_count(&t, 100), table_number(&t, 1e-9), table_number(&t, 7.1);
  *   output_table(&o, &t);                     output.h: prints it, and writes it as CSV
  *
- * Cells come row by row. A column whose name begins with "error" or "time" holds what was measured;
- * the others say of what. `make precision` sets the measured columns of float and double side by
- * side.
+ * Cells, of up to 79 bytes, come row by row; what is missing in the last row stays empty. A column
+ * whose name begins with "error" or "time" holds what was measured; the others say of what.
+ * `make precision` sets the measured columns of float and double side by side.
  */
 #ifndef TABLE_H
 #define TABLE_H
-
 #include "file.h"
 #include <math.h>
 
-enum { table_cell_size = 48, table_most_columns = 16 };
+enum { table_cell_size = 80, table_most_columns = 16 };
 
 typedef struct {
     const char *title;
-    int columns;
-    char name[table_most_columns][table_cell_size];
-    char (*cell)[table_cell_size];  /* n cells, row by row */
+    size_t columns;
+    char (*cell)[table_cell_size];    /* n cells, row by row; row 0 holds the names */
     size_t n, room;
-    bool number[table_most_columns];
+    bool number[table_most_columns];  /* columns that hold a number stand to the right */
 } table;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* `columns`: at most 16 names with their units, | between them. */
-static inline table table_new(const char *title, const char *columns)
-{
-    table t = {.title = title};
-    for (const char *at = columns; *at && t.columns < table_most_columns; at += *at == '|') {
-        int length = (int)strcspn(at, "|");
-        snprintf(t.name[t.columns++], table_cell_size, "%.*s", length, at);
-        at += length;
-    }
-    return t;
-}
-
-static inline void table_free(table *t)
-{
-    free(t->cell);
-    t->cell = NULL, t->n = t->room = 0;
-}
-
 __attribute__((format(printf, 2, 3)))
 static inline void table_text(table *t, const char *format, ...)
 {
@@ -55,52 +34,70 @@ static inline void table_text(table *t, const char *format, ...)
     va_end(arguments);
 }
 
-/* Three significant digits: 0.00123, 12.3, 1230, 1.23e-05. */
+/* `columns`: 1 to 16 names with their units, | between them. The title is not copied. */
+static inline table table_new(const char *title, const char *columns)
+{
+    table t = {.title = title};
+    for (const char *at = columns; t.columns == 0 || *at++ == '|'; t.columns++) {
+        int length = (int)strcspn(at, "|");
+        if (t.columns == table_most_columns) abort();
+        table_text(&t, "%.*s", length, at);
+        at += length;
+    }
+    return t;
+}
+
+static inline void table_free(table *t) { free(t->cell), *t = (table){.columns = 1}; }
+
+/* Three significant digits: 0.00123, 12.3, 1230, 1.23e-05; nan, inf. */
 static inline void table_number(table *t, double x)
 {
-    t->number[t->n % (size_t)t->columns] = true;
     double size = fabs(x);
+    t->number[t->n % t->columns] = true;
     if (size >= 100 && size < 1e6) table_text(t, "%.0f", x);
-    else table_text(t, "%.3g", x);
+    else table_text(t, "%.3g", isnan(x) ? size : x);
 }
 
 static inline void table_count(table *t, size_t n)
 {
-    t->number[t->n % (size_t)t->columns] = true;
+    t->number[t->n % t->columns] = true;
     table_text(t, "%zu", n);
 }
 
 /* Columns on the screen: bytes that begin a UTF-8 character. */
-static inline int text_width(const char *s)
+static inline int table_width(const char *s)
 {
     int n = 0;
     for (; *s; s++) n += (*s & 0xc0) != 0x80;
     return n;
 }
 
-static inline void table_print(const table *t, FILE *out)
+static inline void table_print(table *t, FILE *out)
 {
-    size_t columns = (size_t)t->columns, rows = t->n / columns;
-    int width[table_most_columns];
-    for (size_t c = 0; c < columns; c++) width[c] = text_width(t->name[c]);
-    for (size_t i = 0; i < t->n; i++)
-        if (width[i % columns] < text_width(t->cell[i])) width[i % columns] = text_width(t->cell[i]);
-    for (size_t r = 0; r < rows + 1; r++, fprintf(out, "\n"))
-        for (size_t c = 0; c < columns; c++) {
-            const char *s = r ? t->cell[(r - 1) * columns + c] : t->name[c];
-            int pad = width[c] - text_width(s);
-            fprintf(out, "%s%*s%s", c ? "  " : "", t->number[c] ? pad : 0, "", s);
-            if (!t->number[c] && c + 1 < columns) fprintf(out, "%*s", pad, "");
-        }
-}
-
-static inline void table_csv(const table *t, FILE *out)
-{
-    size_t columns = (size_t)t->columns;
-    for (size_t i = 0; i < columns + t->n; i++) {
-        const char *s = i < columns ? t->name[i] : t->cell[i - columns];
-        fprintf(out, strpbrk(s, ",\"") ? "\"%s\"%c" : "%s%c", s, (i + 1) % columns ? ',' : '\n');
+    while (t->n % t->columns) table_text(t, "%s", "");
+    int width[table_most_columns] = {0};
+    for (size_t i = 0; i < t->n; i++) {
+        int w = table_width(t->cell[i]), *most = &width[i % t->columns];
+        if (w > *most) *most = w;
+    }
+    for (size_t i = 0; i < t->n; i++) {
+        size_t c = i % t->columns;
+        int pad = width[c] - table_width(t->cell[i]), before = t->number[c] ? pad : 0;
+        fprintf(out, "%*s%s", before, "", t->cell[i]);
+        if (c + 1 == t->columns) fprintf(out, "\n");
+        else fprintf(out, "%*s", pad - before + 2, "");
     }
 }
 
+/* RFC 4180: a cell with comma, quote or line break stands in quotes, its own quotes doubled. */
+static inline void table_csv(table *t, FILE *out)
+{
+    while (t->n % t->columns) table_text(t, "%s", "");
+    for (size_t i = 0; i < t->n; i++) {
+        const char *s = t->cell[i], *quote = strpbrk(s, ",\"\r\n") ? "\"" : "";
+        fprintf(out, "%s", quote);
+        for (; *s; s++) fprintf(out, "%s%c", *s == '"' ? "\"" : "", *s);
+        fprintf(out, "%s%c", quote, (i + 1) % t->columns ? ',' : '\n');
+    }
+}
 #endif

@@ -1,9 +1,7 @@
 /* vec3.h: real numbers, and vectors of three of them.
  *
- *   real   double, or float when compiled with -DREAL=float
- *   vec3   a point, a direction or a colour, passed by value
- *
- * One rule names every function: v + what it returns; vectors come first, then numbers.
+ * real is double, or float with -DREAL=float; a vec3 is a point, a direction or a colour, passed by
+ * value. Functions are called v + what they return; vectors come first, then numbers.
  *
  *   vadd(a,b)  a + b     vscale(a,s)   s a          vdot(a,b)    a . b   vmin(a,b)   smaller
  *   vsub(a,b)  a - b     vmul(a,b)     (ax bx, ..)  vcross(a,b)  a x b   vmax(a,b)   larger
@@ -11,14 +9,11 @@
  *   vunit(a)   a / |a|   vfinite(a)    all finite   vzero(a)     all 0   vlongest(a) k of max |ak|
  *   vbasis(n, &s, &t)     completes a unit n to a right-handed orthonormal basis s, t, n
  *
- *   call                      cannot do                       so it returns
- *   vlength(a)                nothing: no overflow at 1e300, no underflow at 1e-300
- *   vunit(a)                  zero, infinite or NaN a         (0,0,0)
- *   vmin, vmax, real_min ..   a NaN                           their second argument
+ * vlength and vunit know no overflow at 1e300 and no underflow at 1e-300; vunit of a zero, infinite
+ * or NaN vector is (0,0,0). vmin, vmax, real_min, real_max return their second argument for a NaN.
  */
 #ifndef VEC3_H
 #define VEC3_H
-
 #include "posix.h"
 #include <float.h>
 #include <math.h>
@@ -31,7 +26,6 @@
 #endif
 typedef REAL real;
 typedef struct { real x, y, z; } vec3;
-
 _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three reals in a row");
 
 #define pi ((real)3.14159265358979323846)
@@ -43,7 +37,6 @@ _Static_assert(sizeof(vec3) == 3 * sizeof(real), "vaxis reads a vec3 as three re
 #define real_infinity ((real)INFINITY)
 
 /* ---------------------------------------------------------------------------------------------- */
-
 /* Plain comparisons, not fmin: one instruction each, and the second argument wins against a NaN. */
 static inline real real_min(real a, real b) { return a < b ? a : b; }
 static inline real real_max(real a, real b) { return a > b ? a : b; }
@@ -100,11 +93,7 @@ static inline bool square_is_safe(real aa)
 static inline real vlength(vec3 a)
 {
     real aa = vdot(a, a);
-    int e;
-    if (square_is_safe(aa)) return sqrt(aa);
-    if (!vfinite(a) || vzero(a)) return fabs(a.x) + fabs(a.y) + fabs(a.z);
-    a = vscaled(a, &e);
-    return ldexp(sqrt(vdot(a, a)), e);
+    return square_is_safe(aa) ? sqrt(aa) : hypot(a.x, hypot(a.y, a.z));
 }
 
 /* Length 1 within 2 epsilon. Cost: one square root and one division. */
@@ -114,8 +103,7 @@ static inline vec3 vunit(vec3 a)
     if (!square_is_safe(aa)) {  /* rare: written so that a NaN comes here too */
         int e;
         if (!vfinite(a) || vzero(a)) return (vec3){0, 0, 0};
-        a = vscaled(a, &e);
-        aa = vdot(a, a);
+        a = vscaled(a, &e), aa = vdot(a, a);
     }
     return vscale(a, 1 / sqrt(aa));
 }
@@ -138,5 +126,4 @@ static inline real difference_of_products(real a, real b, real c, real d)
     real cd = c * d;
     return fma(a, b, -cd) + fma(-c, d, cd);
 }
-
 #endif

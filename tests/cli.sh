@@ -1,0 +1,156 @@
+#!/bin/sh
+# Every built program of a chapter: misuse, files that can't be read or written, full disks, Ctrl-C,
+# and what the options promise. BUILD names the directory of the programs, CC the compiler.
+passed=0 failed=0
+ok() { passed=$((passed + 1)); }
+no() { failed=$((failed + 1)); echo "cli.sh: FAILED: $name: $*"; }
+root=$PWD
+case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
+scratch=$(mktemp -d) || exit 1
+trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
+
+# run STATUS ARGUMENTS...: runs the program, which must end with that status
+run() {
+    expected=$1; shift
+    "$program" "$@" >out 2>err </dev/null
+    status=$?
+    if [ $status -eq "$expected" ]; then ok
+    else no "$* ended with $status, not $expected: $(head -c 300 err)"; fi
+}
+# says TEXT: the one line on stderr names the program and has the text; stdout is empty
+says() {
+    if [ "$(wc -l <err)" -eq 1 ] && [ ! -s out ] && grep -q "^$name: " err && grep -qF -e "$1" err
+    then ok; else no "stderr lacks '$1': $(head -c 300 err)"; fi
+}
+misuse() {  # misuse TEXT ALLOWED ARGUMENTS...
+    text=$1 allowed=$2; shift 2
+    run 2 "$@"; says "$text"; says "$allowed"
+}
+no_part() { if [ -z "$(find . -name '*.part')" ]; then ok; else no "a .part file is left"; fi; }
+
+# whole FILE: the picture begins as its ending wants; a PPM has all its bytes
+whole() {
+    case $1 in
+    *.p3.ppm) magic=P3 ;; *.ppm) magic=P6 ;; *.pfm) magic=PF ;; *.png) magic=PNG ;;
+    esac
+    if [ ! -f "$1" ] || ! head -c 8 "$1" | LC_ALL=C grep -qa $magic; then no "$1 is no picture"; return
+    elif [ $magic = PNG ] && command -v pngcheck >/dev/null && ! pngcheck -q "$1" >/dev/null
+    then no "$1: $(pngcheck "$1")"; return
+    elif [ $magic = P6 ]; then
+        expected=$(head -n 3 "$1" | awk '{ n += length + 1 } NR == 2 { n += 3 * $1 * $2 } END { print n }')
+        if [ "$(wc -c <"$1")" -ne "$expected" ]; then no "$1 is cut off"; return; fi
+    fi
+    ok
+}
+
+# The shell makes its background jobs ignore Ctrl-C: this hands them the signal back.
+echo '#include <signal.h>
+#include <unistd.h>
+int main(int c, char **v) { signal(SIGINT, SIG_DFL); return c < 2 || execv(v[1], v + 1); }' \
+    >"$scratch/hear.c"
+name=hear
+${CC:-cc} -o "$scratch/hear" "$scratch/hear.c" || no "the helper does not compile"
+
+# interrupt SECONDS: Ctrl-C after so long; status in $status
+interrupt() {
+    rm -f big.ppm
+    "$scratch/hear" "$program" --size 3000x3000 --out big.ppm >out 2>err </dev/null &
+    pid=$!
+    sleep "$1"
+    kill -INT $pid 2>/dev/null
+    wait $pid
+    status=$?
+}
+
+turn=0
+for main in "$root"/chapters/*/main.c; do
+    name=$(basename "$(dirname "$main")")
+    program=$BUILD/$name
+    if [ ! -x "$program" ]; then no "not built"; continue; fi
+    mkdir "$scratch/$name" && cd "$scratch/$name" || exit 1
+
+    run 0 --help
+    if [ ! -s err ] && grep -q "^usage: $name" out; then ok; else no "--help is not on stdout"; fi
+    for option in out size threads seed csv preview quick help; do
+        if grep -q -e "^  --$option[ 	]" out; then ok; else no "--help lacks --$option"; fi
+    done
+    misuse "unknown option --bogus" "--help" --bogus
+    misuse "unknown option stray" "--help" stray
+    misuse "--size 4:" "from 1 to 16384" --size 4
+    misuse "--size 0x5" "WxH" --size=0x5
+    misuse "--threads 257" "from 1 to 256" --threads 257
+    misuse "--seed -1" "from 0" --seed -1
+    misuse "--csv needs a value" "texts" --quick --csv
+    misuse "--quick takes no value" "--quick=yes" --quick=yes
+    misuse "x.jpg" ".png, .ppm, .p3.ppm or .pfm" --out x.jpg
+    run 1 --out no/such/x.png; says "no/such/x.png: cannot write: No such file"
+    run 1 --csv no/such.csv; says "no/such.csv: cannot write: No such file"
+    run 1 --csv .; says "cannot write: Is a directory"
+    # Options of a program that name a file to read: missing, a directory, not of that kind.
+    for option in $("$program" --help | sed -n 's/^  --\([a-z]*\) TEXT .*FILE.*/\1/p'); do
+        [ "$option" = out ] || [ "$option" = csv ] && continue
+        run 1 --quick --$option no/such.file; says "no/such.file: cannot read: No such file"
+        run 1 --quick --$option .; says "cannot read: Is a directory"
+        head -c 1000 "$program" >garbage
+        run 2 --quick --$option garbage; says "garbage"
+    done
+    if [ -z "$(find . ! -name out ! -name err ! -name garbage ! -name .)" ]; then ok
+    else no "misuse left files behind: $(ls)"; fi
+
+    # One thread or three, the same bytes; the CSV has a header and rows of the same width.
+    run 0 --quick --threads 1 --csv table.csv
+    if awk -F'"' '{ gsub(",", ";", $2); n = gsub(",", ",", $0) } NR == 1 { m = n }
+                  n != m || m == 0 { bad = 1 } END { exit bad || NR < 2 }' table.csv
+    then ok; else no "the CSV is no table"; fi
+    mv build/quick one
+    run 0 --quick --threads 3
+    for picture in one/*.png; do
+        whole "$picture"
+        if cmp -s "$picture" "build/quick/${picture#one/}"; then ok
+        else no "$picture depends on the number of threads"; fi
+    done
+    if [ ! -d images ]; then ok; else no "--quick writes into images/"; fi
+
+    # By ending, in turn; a full disk; a file that may not grow.
+    set -- .png .ppm .p3.ppm .pfm
+    shift $turn; turn=$(((turn + 1) % 4))
+    rm -rf build
+    run 0 --quick --out "picture$1" --seed 3
+    whole "picture$1"
+    if [ ! -d build ]; then ok; else no "--out draws other pictures, too"; fi
+    if [ -c /dev/full ]; then  # Linux alone has it
+        ln -s /dev/full full.ppm
+        run 1 --quick --out full.ppm
+        if grep -q "full.ppm: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
+        if [ -L full.ppm ]; then ok; else no "the link to the full disk is gone"; fi
+    fi
+    echo old >old.ppm
+    (trap '' XFSZ; ulimit -f 4; "$program" --quick --out old.ppm >out 2>err)
+    status=$?
+    if [ $status -eq 1 ] && grep -q "old.ppm: cannot write: " err; then ok
+    else no "a file that may not grow: $status, $(cat err)"; fi
+    if [ "$(cat old.ppm)" = old ]; then ok; else no "the old picture is gone"; fi
+    no_part
+    if [ "$turn" -eq 2 ] && [ -c /dev/full ]; then
+        run 1 --quick --csv /dev/full
+        if grep -q "/dev/full: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
+        "$program" --quick >/dev/full 2>err
+        status=$?
+        if [ $status -eq 1 ] && grep -q "standard output: cannot write" err; then ok
+        else no "a table to a full disk: $status, $(cat err)"; fi
+    fi
+
+    # Ctrl-C: a whole picture and exit 130, unless it was too early or all was done.
+    for seconds in 0.5 1 2 4; do
+        interrupt $seconds
+        [ -f big.ppm ] && break
+    done
+    if [ $status -eq 130 ] || [ $status -eq 0 ]; then ok; else no "Ctrl-C ended with $status"; fi
+    whole big.ppm
+    no_part
+    cd "$root" || exit 1
+done
+name=cli.sh
+if [ "$failed" -gt 0 ] || [ "$passed" -gt 0 ]; then :; else no "no program was found"; fi
+echo "cli.sh: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]

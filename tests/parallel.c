@@ -1,0 +1,179 @@
+/* Tests of common/parallel.h. pthread_create goes through a function that can be told to fail. */
+#include "../common/posix.h"
+#include <pthread.h>
+static int create_limit = 1 << 30, created;
+static int counted_create(pthread_t *t, const pthread_attr_t *a, void *(*run)(void *),
+                          void *context)
+{
+    if (created == create_limit) return 11;  /* EAGAIN: no more threads */
+    created++;
+    return pthread_create(t, a, run, context);
+}
+#define pthread_create counted_create
+#include "check.h"
+#include "child.h"
+#include "../common/parallel.h"
+#include "../common/random.h"
+
+enum { width = 150, height = 70 };
+typedef struct { float pixel[height][width]; atomic_int calls[height][width]; } picture;
+
+static void draw(int x, int y, void *context)
+{
+    picture *p = context;
+    double sum = 0;
+    uint64_t i = (uint64_t)(y * width + x);
+    for (uint64_t s = 0; s < 20; s++) sum += (double)random_real(1, i, s, 0);
+    p->pixel[y][x] = (float)sum;
+    atomic_fetch_add(&p->calls[y][x], 1);
+}
+
+static void test_same(void)
+{
+    static picture one, many;
+    const int threads[] = {2, 3, 7, 100, 0};
+    check(parallel_pixels(width, height, 1, "test", draw, &one), "all done");
+    for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
+        memset(&many, 0, sizeof many);
+        check(parallel_pixels(width, height, threads[k], "test", draw, &many), "all done");
+        check(memcmp(one.pixel, many.pixel, sizeof one.pixel) == 0, "%d threads, byte for byte",
+              threads[k]);
+        size_t not_once = 0;
+        for (int i = 0; i < width * height; i++)
+            not_once += atomic_load(&many.calls[i / width][i % width]) != 1;
+        check_equal(not_once, 0, "pixels not drawn once by %d threads", threads[k]);
+    }
+}
+
+static void count(size_t i, void *context)
+{
+    (void)i;
+    atomic_fetch_add((atomic_int *)context, 1);
+}
+
+static void test_counts(void)
+{
+    atomic_int calls = 0;
+    check(parallel_for(0, 4, "none", count, &calls) && calls == 0, "nothing to do is done");
+    created = 0;
+    check(parallel_for(3, 100, "few", count, &calls) && calls == 3, "more threads than pieces");
+    check_at_most(created, 2, "threads started for 3 pieces, besides the caller's");
+    created = 0, calls = 0;
+    check(parallel_for(2000, 100000, "many", count, &calls) && calls == 2000, "too many threads");
+    check_at_most(created, 255, "threads started, at most");
+    for (int limit = 0; limit < 3; limit++) {
+        create_limit = limit, created = 0, calls = 0;
+        check(parallel_for(50, 8, "no threads left", count, &calls) && calls == 50,
+              "all is done with %d threads besides the caller's", limit);
+    }
+    create_limit = 1 << 30;
+}
+
+static void nest(size_t i, void *context)
+{
+    (void)i;
+    if (!parallel_for(5, 4, "inner", count, context)) abort();
+}
+
+static void test_nested(void)
+{
+    atomic_int calls = 0;
+    check(parallel_for(20, 4, "outer", nest, &calls), "all done");
+    check_equal(calls, 100, "pieces of loops within loops");
+}
+
+static void interrupt_at_10(size_t i, void *context)
+{
+    count(i, context);
+    if (i == 10) raise(SIGINT);
+}
+
+static void interrupted(void *context)
+{
+    atomic_int calls = 0;
+    bool whole = parallel_for(1000, 1, "work", interrupt_at_10, &calls);
+    printf("%d %d", whole, calls);
+    calls = 0;
+    whole = parallel_for(10, 1, "more work", count, &calls);
+    printf(" %d %d", whole, calls);
+    (void)context;
+}
+
+static void interrupted_twice(size_t i, void *context)
+{
+    (void)i, (void)context;
+    raise(SIGINT), raise(SIGINT);
+}
+static void two_signals(void *context) { parallel_for(3, 1, "work", interrupted_twice, context); }
+
+static void ignored(void *context)
+{
+    signal(SIGINT, SIG_IGN);
+    interrupted(context);
+}
+
+static void at_the_end(size_t i, void *context) { (void)context; if (i == 4) raise(SIGINT); }
+static void last_piece(void *context)
+{
+    printf("%d", parallel_for(5, 1, "work", at_the_end, context));
+}
+
+static void afterwards(void *context)
+{
+    atomic_int calls = 0;
+    parallel_for(5, 2, "work", count, &calls);
+    raise(SIGINT);
+    (void)context;
+}
+
+static void stop_then_nest(size_t i, void *context)
+{
+    if (i == 3) raise(SIGINT);
+    nest(i, context);
+}
+
+static void nested_interrupt(void *context)
+{
+    atomic_int calls = 0;
+    (void)context;
+    bool whole = parallel_for(20, 1, "outer", stop_then_nest, &calls);
+    printf("%d %d", whole, calls);
+}
+
+static void test_interrupt(void)
+{
+    child_result r = child_run(interrupted, NULL);
+    check_text(r.out, "0 11 1 10", "Ctrl-C ends after the piece in hand; the next loop is whole");
+    check_equal(r.status, 0, "Ctrl-C does not kill");
+    check_equal(child_run(two_signals, NULL).status, 128 + SIGINT, "a second one does");
+    check_text(child_run(ignored, NULL).out, "1 1000 1 10", "where Ctrl-C is ignored it stays so");
+    check_text(child_run(last_piece, NULL).out, "1", "Ctrl-C in the last piece: all is done");
+    check_text(child_run(nested_interrupt, NULL).out, "0 20",
+               "a loop within a job is done in full, and does not forget the Ctrl-C");
+    check_equal(child_run(afterwards, NULL).status, 128 + SIGINT, "after the loop it kills again");
+}
+
+static void slow(size_t i, void *context)
+{
+    (void)i, (void)context;
+    double start = clock_seconds();
+    while (clock_seconds() - start < 0.3) continue;
+}
+
+static void silent(void *context) { parallel_for(6, 2, "work", slow, context); }
+
+static void test_silent(void)
+{
+    check_text(child_run(silent, NULL).err, "", "no progress where stderr is no terminal");
+}
+
+int main(void)
+{
+    test_same();
+    test_counts();
+    test_nested();
+    test_interrupt();
+    test_silent();
+    check_at_least(parallel_cores(), 1, "processors");
+    return check_report("parallel");
+}
