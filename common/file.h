@@ -14,6 +14,7 @@
 #ifndef FILE_H
 #define FILE_H
 #include "posix.h"
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdbool.h>

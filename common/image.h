@@ -17,7 +17,6 @@
 #include "file.h"
 #include "png.h"
 #include "vec3.h"
-#include <ctype.h>
 
 /* width * height * 3 floats, rows from the top, pixels from the left, red first. */
 typedef struct { int width, height; float *rgb; } image;

@@ -116,13 +116,13 @@ static inline void plot_line(FILE *out, double x, double y, double x1, double y1
     fprintf(out, "%s/>\n", style);
 }
 
-/* ASCII alone: other bytes become question marks, and the file is valid XML whatever the text. */
+/* Texts are UTF-8. Markup is escaped, control characters become question marks: valid XML. */
 static inline void plot_text(FILE *out, double x, double y, const char *style, const char *text)
 {
     fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, style);
     for (; *text; text++) {
         bool markup = *text == '<' || *text == '>' || *text == '&';
-        fprintf(out, markup ? "&#%d;" : "%c", *text < ' ' || *text > '~' ? '?' : *text);
+        fprintf(out, markup ? "&#%d;" : "%c", iscntrl((unsigned char)*text) ? '?' : *text);
     }
     fprintf(out, "</text>\n");
 }
