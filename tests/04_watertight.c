@@ -132,7 +132,23 @@ static void test_no_slip_from_outside(void)
     icosphere_free(&m);
 }
 
-/* Bounds are a third of the rates in the README: they do not come from the seed. */
+/* Rays in random directions find no edge to slip through: whoever tests with them learns nothing. */
+static void test_random_rays_show_nothing(void)
+{
+    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1);
+    random_stream g = random_start(90, 0, 0);
+    size_t slipped = 0, n = check_count(10000);
+    for (size_t i = 0; i < n; i++) {
+        real x = slip_between(&g, -1, 1), y = slip_between(&g, -1, 1), z = slip_between(&g, -1, 1);
+        ray r = ray_from(slip_origin(&g, m.centre, m.radius), (vec3){x, y, z});
+        slipped += slip_misses_all(&m, triangle_hit_moller_trumbore, r);
+        slipped += slip_misses_all(&m, triangle_hit_plane, r);
+    }
+    check_equal(slipped, 0, "2 x %zu random rays slip through no form at all", n);
+    icosphere_free(&m);
+}
+
+/* Bounds are about a third of the rates in the README: they do not come from the seed. */
 static void test_naive_forms_slip(void)
 {
     const struct { const char *name; triangle_method *hit; double vertex, edge; } naive[] = {
@@ -211,6 +227,7 @@ int main(void)
     test_no_slip_between_slivers();
     test_no_slip_on_a_lattice();
     test_no_slip_from_outside();
+    test_random_rays_show_nothing();
     test_naive_forms_slip();
     return check_report("04_watertight");
 }

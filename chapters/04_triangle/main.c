@@ -87,7 +87,7 @@ static void measure(const options *o)
                   "method|error vertex 0 [%]|error edge 0 [%]|error vertex 1e5 [%]|"
                   "error edge 1e5 [%]|error hits at edge|error needles missed [%]|"
                   "error needles t|time [ns]");
-    plot p = plot_new("Needles 1 to 1e-7 wide: error against time", "time [ns]",
+    plot p = plot_new("Needles 1e-6 wide: error against time", "time [ns]",
                       "largest relative error of t", PLOT_LOG_Y);
     plot q = plot_new("Needles: error against width", "width", "largest relative error of t",
                       PLOT_LOG_X | PLOT_LOG_Y);
@@ -110,11 +110,11 @@ static void measure(const options *o)
         table_number(&t, 100 * (double)n.missed / (double)n.due);
         table_number(&t, n.error);
         table_number(&t, time);
-        int on_p = plot_series(&p, method[k].name), on_q = plot_series(&q, method[k].name);
+        plot_add(&p, plot_series(&p, method[k].name), time, n.error);
+        int on_q = plot_series(&q, method[k].name);
         for (double width = 1; width > 5e-8; width /= 10) {
             n = needles(method[k].hit, width, o->quick ? 50 : 2000, o->seed);
-            if (n.missed < n.due)
-                plot_add(&p, on_p, time, n.error), plot_add(&q, on_q, width, n.error);
+            if (n.missed < n.due) plot_add(&q, on_q, width, n.error);
         }
     }
     plot_slips(o);

@@ -15,7 +15,7 @@
  * If the corners of the mesh are floats (mesh.f32), origins, points and directions are rounded to
  * float as well, so that a method that computes in float is aimed as well as one in double.
  *
- * Random rays show nothing: of 300000 not one slipped through Möller-Trumbore or plane + inside.
+ * Random rays show nothing: test_random_rays_show_nothing in tests/04_watertight.c.
  */
 #ifndef SLIPS_H
 #define SLIPS_H
