@@ -132,7 +132,7 @@ static void test_no_slip_from_outside(void)
     icosphere_free(&m);
 }
 
-/* Rays in random directions find no edge to slip through: whoever tests with them learns nothing. */
+/* Random directions find no edge to slip through: whoever tests with them learns nothing. */
 static void test_random_rays_show_nothing(void)
 {
     icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1);
