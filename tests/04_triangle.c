@@ -288,6 +288,41 @@ static void test_no_area_no_hit(void)
                    "Möller-Trumbore hits some: its det is a rounding error");
 }
 
+/* Exactly on a line, though b - a and c - a are rounded and do not look parallel: a, b and c are
+ * multiples of one integer direction, a by a last bit of it. And the reverse: a has so large
+ * coordinates that b - a and c - a round to the same, yet the triangle has area. */
+static void test_rounded_edges(void)
+{
+    random_stream g = random_start(13, 0, 0);
+    size_t hits = 0, unequal = 0, n = check_count(200000);
+    for (size_t i = 0; i < n; i++) {
+        vec3 d = {random_integer(&g, 4), random_integer(&g, 4), random_integer(&g, 4)};
+        if (vzero(d)) continue;
+        real tiny = floor(1 + 999 * random_next(&g)) * real_epsilon / 2;
+        triangle t = {vscale(d, tiny), d, vscale(d, 3)};
+        vec3 o = random_vec3(&g, 10), p = vscale(d, slip_between(&g, 0, 3)), e1 = vsub(t.b, t.a);
+        hit h;
+        hits += triangle_hit(t, ray_from(o, vsub(p, o)), &h) || !vzero(triangle_normal(t));
+        unequal += !vzero(vcross(e1, vsub(t.c, t.a)));
+    }
+    check_equal(hits, 0, "corners exactly on a line, edges rounded: no hit, no normal");
+    check_at_least((double)unequal, 0.1 * (double)n, "the rounded edges often look unparallel");
+
+    real far = real_is_float ? (real)1e9 : (real)1e17;
+    const vec3 corner[3] = {{far, far, far}, {1, 0, 0}, {0, 1, 0}};
+    for (int k = 0; k < 3; k++) {
+        triangle t = {corner[k], corner[(k + 1) % 3], corner[(k + 2) % 3]};
+        hit h = untouched;
+        /* n = (1, 1, 1/far - 2): at x = y = 3/4 the plane has z = 1/4 within 1/far */
+        check(triangle_hit(t, ray_from((vec3){(real)0.75, (real)0.75, -1}, (vec3){0, 0, 1}), &h),
+              "a triangle from 1 to %g, corner %d first, is hit", (double)far, k);
+        check_close(h.t, 1.25, 8 * eps, "where it is");
+        vec3 normal = triangle_normal(t);
+        check_close(normal.x, 1 / sqrt(6.0), 2 * eps, "and has its normal");
+        check_close(normal.z, -2 / sqrt(6.0), 2 * eps, "and has its normal");
+    }
+}
+
 /* A ray in the plane of the triangle: an answer either way, but t within the corners' reach. */
 static void test_edge_on(void)
 {
@@ -505,6 +540,7 @@ int main(void)
     test_naive_needles();
     test_both_sides_of_an_edge_agree();
     test_no_area_no_hit();
+    test_rounded_edges();
     test_edge_on();
     test_no_nan();
     test_exact_signs();
