@@ -212,7 +212,21 @@ static void test_affine(void)
     check(!affine_inverse(affine_scaling((vec3){1, 0, 1}), &out), "a flat one has no inverse");
     check(!affine_inverse(affine_scaling((vec3){1, (real)NAN, 1}), &out), "nor has a NaN");
     check(!affine_inverse(affine_translation((vec3){real_infinity, 0, 0}), &out), "nor infinity");
+    check(!affine_inverse(affine_scaling((vec3){real_infinity, 1, 1}), &out), "nor infinite axes");
     check_equal(out.x.x, 7, "a failed inverse leaves *out alone");
+    check(!affine_inverse(affine_scaling((vec3){real_smallest / 8, 1, 1}), &out),
+          "nor what only an infinite number would undo");
+    for (int k = -1; k <= 1; k++) {  /* their cubes over- and underflow */
+        real s = ldexp((real)1, k * (real_is_float ? 100 : 900));
+        affine m = affine_of(affine_scaling((vec3){s, 2 * s, 1 / s}),
+                             affine_translation((vec3){s, s, 0}));
+        bool is = affine_inverse(m, &out);
+        check(is && out.x.x == 1 / s && out.y.y == 1 / (2 * s) && out.z.z == s,
+              "a scaling by %g is undone, exactly", (double)s);
+        check(is && out.o.x == -1 && out.o.y == (real)-0.5 && out.o.z == 0, "and its translation");
+        is = affine_inverse(affine_scaling((vec3){s, s, s}), &out);
+        check(is && out.x.x == 1 / s && out.y.y == 1 / s && out.z.z == 1 / s, "all axes alike");
+    }
 }
 
 /* The same plane hit in world space and, by the transformed ray, in object space: the same t. With
