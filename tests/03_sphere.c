@@ -364,6 +364,9 @@ static void test_extreme_sizes(void)
     check(!sphere_hit((sphere){{0, 0, 0}, big},
                       ray_from((vec3){0, 0, 2 * big}, (vec3){0, 0, -one / big}), &(hit){0}),
           "a t beyond the largest real is no hit");
+    check(!sphere_hit((sphere){{0, 0, -big}, big / 2},
+                      (ray){{0, 0, 0}, -real_infinity, {0, 0, one / big}, 0}, &(hit){0}),
+          "nor is one beyond its negative, in an interval without beginning");
 }
 
 static void test_degenerate(void)
