@@ -37,10 +37,11 @@ static void test_error_bounds(void)
         real p = ray_at(r, t).x, f = ray_at_fused(r, t).x, q = ray_at_between(o, b, t).x;
         wide wo = wide_of((double)o.x), wb = wide_of((double)b.x);
         double td = fabs((double)t * (double)d.x), far = fabs((double)o.x);
-        plain = fmax(plain, off(p, wo, wide_of((double)d.x), t) / (epsilon * (far + td)));
-        fused = fmax(fused, off(f, wo, wide_of((double)d.x), t) / (epsilon * fabs((double)f)));
+        plain = check_worse(plain, off(p, wo, wide_of((double)d.x), t) / (epsilon * (far + td)));
+        double fused_off = off(f, wo, wide_of((double)d.x), t);
+        fused = check_worse(fused, fused_off / (epsilon * fabs((double)f)));
         double size = fabs((1 - (double)t) * far) + fabs((double)t * (double)b.x);
-        between = fmax(between, off(q, wo, wide_sub(wb, wo), t) / (1.5 * epsilon * size));
+        between = check_worse(between, off(q, wo, wide_sub(wb, wo), t) / (1.5 * epsilon * size));
     }
     /* 1 + 4 eps: second order terms, which the stated bounds leave out */
     check_at_most(plain, 1 + 4 * epsilon, "O + t D is within epsilon (|O| + |t D|)");
@@ -77,8 +78,8 @@ static void test_form_far_out(void)
     real t = 12345;
     double naive = 0, robust = 0;
     for (int i = 0; i < 100; i++, t += (real)7.3) {
-        naive = fmax(naive, off(ray_at_between(a, b, t).x, wa, d, t));
-        robust = fmax(robust, off(ray_at(ray_between(a, b), t).x, wa, d, t));
+        naive = check_worse(naive, off(ray_at_between(a, b, t).x, wa, d, t));
+        robust = check_worse(robust, off(ray_at(ray_between(a, b), t).x, wa, d, t));
     }
     /* each product is off by up to epsilon/2 t |A|: of a hundred the worst by a fifth of that */
     check_at_least(naive, 0.1 * epsilon * 12345 * 10000, "(1-t) A + t B loses a factor of t or so");
@@ -129,9 +130,9 @@ static void test_unit(void)
         ray u = ray_unit(r);
         real t1 = random_next(&s), t2 = random_next(&s), length = vlength(r.d);
         real distance = vlength(vsub(ray_at(u, t1), ray_at(u, t2)));
-        worst = fmax(worst, fabs((double)(distance - fabs(t1 - t2))));
+        worst = check_worse(worst, fabs((double)(distance - fabs(t1 - t2))));
         vec3 same = vsub(ray_at(r, t1), ray_at(u, t1 * length));
-        worst = fmax(worst, (double)(vlength(same) / (1 + length)));
+        worst = check_worse(worst, (double)(vlength(same) / (1 + length)));
     }
     /* points of size 2: each is off by 2 epsilon in each of three coordinates, D by 2 epsilon */
     check_at_most(worst, 16 * epsilon, "|P(t1) - P(t2)| = |t1 - t2|, and t |D| is the same point");
@@ -200,10 +201,10 @@ static void test_affine(void)
         ray r = ray_from(random_vec3(&s, 10), random_vec3(&s, 1));
         real t = 10 * random_next(&s);
         vec3 p = ray_at(affine_ray(m, r), t), q = along(m, r, t);
-        worst = fmax(worst, (double)vlength(vsub(p, q)));
+        worst = check_worse(worst, (double)vlength(vsub(p, q)));
         affine back;
         if (!affine_inverse(m, &back)) { undo = HUGE_VAL; continue; }
-        undo = fmax(undo, (double)vlength(vsub(affine_point(back, q), ray_at(r, t))));
+        undo = check_worse(undo, (double)vlength(vsub(affine_point(back, q), ray_at(r, t))));
     }
     /* numbers up to 3 * 20 + 10, some ten roundings each; undoing multiplies by the condition, 3 */
     check_at_most(worst, 10 * 70 * epsilon, "the transformed ray at t: the transformed point at t");

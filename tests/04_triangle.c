@@ -87,9 +87,9 @@ static void test_plane_far_away(void)
         double size = (double)(vlength(vsub(p.p, r.o)) / vlength(r.d));
         hit h = hit_none;
         plane_hit(p, r, &h);
-        worst = fmax(worst, fabs((double)h.t - wide_value(t)) / size);
+        worst = check_worse(worst, fabs((double)h.t - wide_value(t)) / size);
         plane_equation_hit(plane_equation_of(p), r, &h);
-        worst_equation = fmax(worst_equation, fabs((double)h.t - wide_value(t)) / size);
+        worst_equation = check_worse(worst_equation, fabs((double)h.t - wide_value(t)) / size);
     }
     /* the difference of points is exact; dot products off by 2 eps |n||v| each, quotient over a
      * cosine 0.1 */
@@ -192,10 +192,12 @@ static void test_random_against_oracle(void)
             hit h = untouched;
             wrong[k] += methods[k].hit(tri, r, &h) != due || (!due && !same_hit(h, untouched));
             if (!due) continue;
-            error[k] = fmax(error[k], fabs((double)h.t - x.t) / x.t);
-            error_uv[k] = fmax(error_uv[k], fmax(fabs((double)h.u - x.u), fabs((double)h.v - x.v)));
+            error[k] = check_worse(error[k], fabs((double)h.t - x.t) / x.t);
+            error_uv[k] = check_worse(error_uv[k], fabs((double)h.u - x.u));
+            error_uv[k] = check_worse(error_uv[k], fabs((double)h.v - x.v));
             if (k < 2) continue;
-            beyond = fmax(beyond, fmax((double)(h.u + h.v) - 1, fmax((double)-h.u, (double)-h.v)));
+            beyond = check_worse(beyond, (double)(h.u + h.v) - 1);
+            beyond = check_worse(beyond, (double)-real_min(h.u, h.v));
             ray_shear s = shear_of(r);
             hit a = untouched, b = untouched;
             different += !triangle_hit_sheared(tri, &s, r, &a) || !same_hit(a, h)
@@ -250,7 +252,7 @@ static void test_both_sides_of_an_edge_agree(void)
         if (!triangle_hit(icosphere_triangle(&m, s.near[0]), s.r, &a)) continue;
         if (!triangle_hit(icosphere_triangle(&m, s.near[1]), s.r, &b)) continue;
         both++;
-        worst = fmax(worst, fabs((double)a.t - (double)b.t) / (double)a.t);
+        worst = check_worse(worst, fabs((double)a.t - (double)b.t) / (double)a.t);
     }
     check_at_least((double)both, 0.005 * (double)check_count(500000), "some rays hit both sides");
     /* each t: weights off by eps/2 each, three products and two sums of depths <= 1.4: 3 eps */
@@ -280,7 +282,7 @@ static void test_no_area_no_hit(void)
         ray r = ray_from(o, vsub(p, o));
         hits += triangle_hit(t, r, &h);
         naive += triangle_hit_moller_trumbore(t, r, &h);
-        length = fmax(length, (double)vlength(triangle_normal(t)));
+        length = check_worse(length, (double)vlength(triangle_normal(t)));
     }
     check_equal(hits, 0, "a triangle without area is never hit, of %zu rays aimed at it", n);
     check_equal(length, 0, "and has no normal");
@@ -496,9 +498,9 @@ static void test_barycentrics(void)
         real u = slip_between(&g, -3, 3), v = slip_between(&g, -3, 3);
         k = barycentrics_of(q, triangle_at(q, u, v));
         used++, outside += !barycentrics_inside(k);
-        worst_sum = fmax(worst_sum, fabs((double)barycentrics_sum(k) - 1));
-        worst_back =
-            fmax(worst_back, fmax(fabs((double)k.u - (double)u), fabs((double)k.v - (double)v)));
+        worst_sum = check_worse(worst_sum, fabs((double)barycentrics_sum(k) - 1));
+        worst_back = check_worse(worst_back, fabs((double)k.u - (double)u));
+        worst_back = check_worse(worst_back, fabs((double)k.v - (double)v));
     }
     /* coordinates up to 30, products with edges up to 3.5 and |n| up to 6, over |n|^2 >= 1/4: some
      * 300 eps each */

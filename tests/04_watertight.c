@@ -210,7 +210,7 @@ static void test_icosphere(void)
     for (uint32_t i = 0; i < m.vertices; i++) {
         five += m.fan[i].count == 5;
         wrong += m.fan[i].count != 5 && m.fan[i].count != 6;
-        off = fmax(off, fabs((double)vlength(vsub(m.v[i], (vec3){1, 2, 3})) - 2));
+        off = check_worse(off, fabs((double)vlength(vsub(m.v[i], (vec3){1, 2, 3})) - 2));
     }
     check(wrong == 0 && five == 12, "12 vertices with five triangles, the others with six");
     check_at_most(off, 8 * (double)real_epsilon,
