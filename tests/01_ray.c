@@ -37,10 +37,11 @@ static void test_error_bounds(void)
         real p = ray_at(r, t).x, f = ray_at_fused(r, t).x, q = ray_at_between(o, b, t).x;
         wide wo = wide_of((double)o.x), wb = wide_of((double)b.x);
         double td = fabs((double)t * (double)d.x), far = fabs((double)o.x);
-        plain = fmax(plain, off(p, wo, wide_of((double)d.x), t) / (epsilon * (far + td)));
-        fused = fmax(fused, off(f, wo, wide_of((double)d.x), t) / (epsilon * fabs((double)f)));
+        plain = check_worse(plain, off(p, wo, wide_of((double)d.x), t) / (epsilon * (far + td)));
+        double fused_off = off(f, wo, wide_of((double)d.x), t);
+        fused = check_worse(fused, fused_off / (epsilon * fabs((double)f)));
         double size = fabs((1 - (double)t) * far) + fabs((double)t * (double)b.x);
-        between = fmax(between, off(q, wo, wide_sub(wb, wo), t) / (1.5 * epsilon * size));
+        between = check_worse(between, off(q, wo, wide_sub(wb, wo), t) / (1.5 * epsilon * size));
     }
     /* 1 + 4 eps: second order terms, which the stated bounds leave out */
     check_at_most(plain, 1 + 4 * epsilon, "O + t D is within epsilon (|O| + |t D|)");
@@ -77,8 +78,8 @@ static void test_form_far_out(void)
     real t = 12345;
     double naive = 0, robust = 0;
     for (int i = 0; i < 100; i++, t += (real)7.3) {
-        naive = fmax(naive, off(ray_at_between(a, b, t).x, wa, d, t));
-        robust = fmax(robust, off(ray_at(ray_between(a, b), t).x, wa, d, t));
+        naive = check_worse(naive, off(ray_at_between(a, b, t).x, wa, d, t));
+        robust = check_worse(robust, off(ray_at(ray_between(a, b), t).x, wa, d, t));
     }
     /* each product is off by up to epsilon/2 t |A|: of a hundred the worst by a fifth of that */
     check_at_least(naive, 0.1 * epsilon * 12345 * 10000, "(1-t) A + t B loses a factor of t or so");
@@ -129,9 +130,9 @@ static void test_unit(void)
         ray u = ray_unit(r);
         real t1 = random_next(&s), t2 = random_next(&s), length = vlength(r.d);
         real distance = vlength(vsub(ray_at(u, t1), ray_at(u, t2)));
-        worst = fmax(worst, fabs((double)(distance - fabs(t1 - t2))));
+        worst = check_worse(worst, fabs((double)(distance - fabs(t1 - t2))));
         vec3 same = vsub(ray_at(r, t1), ray_at(u, t1 * length));
-        worst = fmax(worst, (double)(vlength(same) / (1 + length)));
+        worst = check_worse(worst, (double)(vlength(same) / (1 + length)));
     }
     /* points of size 2: each is off by 2 epsilon in each of three coordinates, D by 2 epsilon */
     check_at_most(worst, 16 * epsilon, "|P(t1) - P(t2)| = |t1 - t2|, and t |D| is the same point");
@@ -200,10 +201,10 @@ static void test_affine(void)
         ray r = ray_from(random_vec3(&s, 10), random_vec3(&s, 1));
         real t = 10 * random_next(&s);
         vec3 p = ray_at(affine_ray(m, r), t), q = along(m, r, t);
-        worst = fmax(worst, (double)vlength(vsub(p, q)));
+        worst = check_worse(worst, (double)vlength(vsub(p, q)));
         affine back;
         if (!affine_inverse(m, &back)) { undo = HUGE_VAL; continue; }
-        undo = fmax(undo, (double)vlength(vsub(affine_point(back, q), ray_at(r, t))));
+        undo = check_worse(undo, (double)vlength(vsub(affine_point(back, q), ray_at(r, t))));
     }
     /* numbers up to 3 * 20 + 10, some ten roundings each; undoing multiplies by the condition, 3 */
     check_at_most(worst, 10 * 70 * epsilon, "the transformed ray at t: the transformed point at t");
@@ -212,7 +213,21 @@ static void test_affine(void)
     check(!affine_inverse(affine_scaling((vec3){1, 0, 1}), &out), "a flat one has no inverse");
     check(!affine_inverse(affine_scaling((vec3){1, (real)NAN, 1}), &out), "nor has a NaN");
     check(!affine_inverse(affine_translation((vec3){real_infinity, 0, 0}), &out), "nor infinity");
+    check(!affine_inverse(affine_scaling((vec3){real_infinity, 1, 1}), &out), "nor infinite axes");
     check_equal(out.x.x, 7, "a failed inverse leaves *out alone");
+    check(!affine_inverse(affine_scaling((vec3){real_smallest / 8, 1, 1}), &out),
+          "nor what only an infinite number would undo");
+    for (int k = -1; k <= 1; k++) {  /* their cubes over- and underflow */
+        real s = ldexp((real)1, k * (real_is_float ? 100 : 900));
+        affine m = affine_of(affine_scaling((vec3){s, 2 * s, 1 / s}),
+                             affine_translation((vec3){s, s, 0}));
+        bool is = affine_inverse(m, &out);
+        check(is && out.x.x == 1 / s && out.y.y == 1 / (2 * s) && out.z.z == s,
+              "a scaling by %g is undone, exactly", (double)s);
+        check(is && out.o.x == -1 && out.o.y == (real)-0.5 && out.o.z == 0, "and its translation");
+        is = affine_inverse(affine_scaling((vec3){s, s, s}), &out);
+        check(is && out.x.x == 1 / s && out.y.y == 1 / s && out.z.z == 1 / s, "all axes alike");
+    }
 }
 
 /* The same plane hit in world space and, by the transformed ray, in object space: the same t. With

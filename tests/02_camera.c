@@ -248,8 +248,8 @@ static void test_pixels_exactly(void)
  *   the point: its rounding and that of p - e                                 2 (|e| + |p|)
  *   D, dot products and the division                                          8 |q|, q = p - e
  * The last two are seen from e under the factor d / depth (perspective), and all count in pixels
- * nx / (r - l). The factor 2: in oblique views the depth's error shows along the slope of the rays,
- * below sqrt 3. */
+ * nx / (r - l). The depth is off as well, and that shows along the slope of the ray: the factor
+ * 1 + |q| / depth in perspective views, 2 in parallel ones, whose slope is below sqrt 2 here. */
 static void test_there_and_back(void)
 {
     size_t n = check_count(200000);
@@ -270,12 +270,13 @@ static void test_there_and_back(void)
             vec3 q = vsub(p, c.e);
             double depth = -(double)vdot(q, c.w), size = (double)(vlength(c.e) + vlength(p));
             double scale = c.kind == CAMERA_PERSPECTIVE ? (double)c.d / depth : 1;
-            double reach = scale * (2 * size + 8 * (double)vlength(q)) * 2;
+            double slant = c.kind == CAMERA_PERSPECTIVE ? 1 + (double)vlength(q) / depth : 2;
+            double reach = scale * (2 * size + 8 * (double)vlength(q)) * slant;
             double wide_x = (double)(c.r - c.l), sides = (double)(fabs(c.l) + fabs(c.r));
             double wide_y = (double)(c.t - c.b), edges = (double)(fabs(c.b) + fabs(c.t));
             double bx = eps * nx / wide_x * (4 * sides + reach);
             double by = eps * ny / wide_y * (4 * edges + reach);
-            double alone = eps * nx * (4 + 8 * scale * (double)vlength(q) / (double)(c.r - c.l));
+            double alone = eps * nx * (4 + 4 * slant * scale * (double)vlength(q) / wide_x);
             double off = worse(fabs((double)(x2 - x)) / bx, fabs((double)(y2 - y)) / by);
             worst = worse(worst, off);
             if (vzero(c.e)) near = worse(near, fabs((double)(x2 - x)) / alone);
@@ -284,7 +285,7 @@ static void test_there_and_back(void)
                       kind);
         check_at_least(worst, 0.01, "kind %d: the bound is not a hundred times too wide", kind);
         if (kind == 2) check_at_most(near, 1,
-                                     "e = 0: 4 + 8 |D| / (r - l) ulps of the picture's width");
+                                     "e = 0: 4 + 4 (1 + |D| / d) |D| / (r - l) ulps of the width");
     }
 }
 

@@ -174,8 +174,8 @@ static void tally_add(tally *y, sphere ball, ray r, bool due, real far)
     bool is = y->roots(ball, r, &t0, &t1);
     y->missed += due && !is, y->untrue += is && !due;
     if (!is || !due) return;
-    y->worst = fmax(y->worst, sphere_residual(ball, r, t0) / (double)far);
-    y->worst = fmax(y->worst, sphere_residual(ball, r, t1) / (double)far);
+    y->worst = check_worse(y->worst, sphere_residual(ball, r, t0) / (double)far);
+    y->worst = check_worse(y->worst, sphere_residual(ball, r, t1) / (double)far);
 }
 
 static void test_distance(void)
@@ -208,7 +208,7 @@ static void test_distance(void)
                     if (moved || !sphere_hit(ball, r, &h)) continue;
                     vec3 p = sphere_point(ball, ray_at(r, h.t));
                     double off = wide_value(wide3_length(wide3_of(p))) / (double)R - 1;
-                    reprojected = fmax(reprojected, fabs(off));
+                    reprojected = check_worse(reprojected, fabs(off));
                 }
                 check_at_least((double)judged, 0.99 * (double)n, "nearly all rays are judged");
                 check_at_least((double)due_hits, 0.3 * (double)n, "the test sees hits");
@@ -271,7 +271,7 @@ static void test_tiny_and_far(void)
         hits++;
         if (!sphere_roots(ball, r, &t0, &t1) || !(t0 < t1)) { merged++; continue; }
         double chord = 2 * sqrt(cos2) * (double)R;
-        chord_error = fmax(chord_error, fabs((double)(t1 - t0) - chord));
+        chord_error = check_worse(chord_error, fabs((double)(t1 - t0) - chord));
     }
     check_at_least(hits, check_count(100000) / 2, "the test sees hits");
     check_equal(merged, 0, "entry and exit of a sphere of radius %g at 1e6 stay apart", (double)R);
@@ -302,7 +302,7 @@ static void test_on_the_surface(void)
             double exact = ((double)R - (double)ball.r) / fabs(cosine) / (double)vlength(d);
             bool is = sphere_roots(ball, r, &t0, &t1);
             wrong[k + 1] += !is || (k > 0 ? !(t0 < 0) : k < 0 ? !(t0 > 0) : t0 != 0) || !(t1 > 0);
-            if (k) worst = fmax(worst, fabs((double)t0 / exact - 1));
+            if (k) worst = check_worse(worst, fabs((double)t0 / exact - 1));
             is = sphere_roots_naive(ball, r, &t0, &t1);
             naive += !is || (k > 0 ? !(t0 < 0) : k < 0 ? !(t0 > 0) : t0 != 0);
             is = sphere_roots_haines(ball, r, &t0, &t1);
@@ -343,8 +343,8 @@ static void test_extreme_sizes(void)
         if (due != is) { wrong++; continue; }
         if (!due) continue;
         real scale = t1 > fabs(t0) ? t1 : fabs(t0);
-        worst = fmax(worst, (double)(fabs(ldexp(u0, n - m) - t0) / scale));
-        worst = fmax(worst, (double)(fabs(ldexp(u1, n - m) - t1) / scale));
+        worst = check_worse(worst, (double)(fabs(ldexp(u0, n - m) - t0) / scale));
+        worst = check_worse(worst, (double)(fabs(ldexp(u1, n - m) - t1) / scale));
         fallback += sphere_hit_naive(big, q, &(hit){0}) != sphere_hit_naive(ball, r, &(hit){0});
     }
     check_equal(wrong, 0, "hit or miss at any scale");
@@ -364,6 +364,9 @@ static void test_extreme_sizes(void)
     check(!sphere_hit((sphere){{0, 0, 0}, big},
                       ray_from((vec3){0, 0, 2 * big}, (vec3){0, 0, -one / big}), &(hit){0}),
           "a t beyond the largest real is no hit");
+    check(!sphere_hit((sphere){{0, 0, -big}, big / 2},
+                      (ray){{0, 0, 0}, -real_infinity, {0, 0, one / big}, 0}, &(hit){0}),
+          "nor is one beyond its negative, in an interval without beginning");
 }
 
 static void test_degenerate(void)

@@ -87,9 +87,9 @@ static void test_plane_far_away(void)
         double size = (double)(vlength(vsub(p.p, r.o)) / vlength(r.d));
         hit h = hit_none;
         plane_hit(p, r, &h);
-        worst = fmax(worst, fabs((double)h.t - wide_value(t)) / size);
+        worst = check_worse(worst, fabs((double)h.t - wide_value(t)) / size);
         plane_equation_hit(plane_equation_of(p), r, &h);
-        worst_equation = fmax(worst_equation, fabs((double)h.t - wide_value(t)) / size);
+        worst_equation = check_worse(worst_equation, fabs((double)h.t - wide_value(t)) / size);
     }
     /* the difference of points is exact; dot products off by 2 eps |n||v| each, quotient over a
      * cosine 0.1 */
@@ -192,10 +192,12 @@ static void test_random_against_oracle(void)
             hit h = untouched;
             wrong[k] += methods[k].hit(tri, r, &h) != due || (!due && !same_hit(h, untouched));
             if (!due) continue;
-            error[k] = fmax(error[k], fabs((double)h.t - x.t) / x.t);
-            error_uv[k] = fmax(error_uv[k], fmax(fabs((double)h.u - x.u), fabs((double)h.v - x.v)));
+            error[k] = check_worse(error[k], fabs((double)h.t - x.t) / x.t);
+            error_uv[k] = check_worse(error_uv[k], fabs((double)h.u - x.u));
+            error_uv[k] = check_worse(error_uv[k], fabs((double)h.v - x.v));
             if (k < 2) continue;
-            beyond = fmax(beyond, fmax((double)(h.u + h.v) - 1, fmax((double)-h.u, (double)-h.v)));
+            beyond = check_worse(beyond, (double)(h.u + h.v) - 1);
+            beyond = check_worse(beyond, (double)-real_min(h.u, h.v));
             ray_shear s = shear_of(r);
             hit a = untouched, b = untouched;
             different += !triangle_hit_sheared(tri, &s, r, &a) || !same_hit(a, h)
@@ -250,7 +252,7 @@ static void test_both_sides_of_an_edge_agree(void)
         if (!triangle_hit(icosphere_triangle(&m, s.near[0]), s.r, &a)) continue;
         if (!triangle_hit(icosphere_triangle(&m, s.near[1]), s.r, &b)) continue;
         both++;
-        worst = fmax(worst, fabs((double)a.t - (double)b.t) / (double)a.t);
+        worst = check_worse(worst, fabs((double)a.t - (double)b.t) / (double)a.t);
     }
     check_at_least((double)both, 0.005 * (double)check_count(500000), "some rays hit both sides");
     /* each t: weights off by eps/2 each, three products and two sums of depths <= 1.4: 3 eps */
@@ -280,12 +282,47 @@ static void test_no_area_no_hit(void)
         ray r = ray_from(o, vsub(p, o));
         hits += triangle_hit(t, r, &h);
         naive += triangle_hit_moller_trumbore(t, r, &h);
-        length = fmax(length, (double)vlength(triangle_normal(t)));
+        length = check_worse(length, (double)vlength(triangle_normal(t)));
     }
     check_equal(hits, 0, "a triangle without area is never hit, of %zu rays aimed at it", n);
     check_equal(length, 0, "and has no normal");
     check_at_least((double)naive, 0.005 * (double)n,
                    "Möller-Trumbore hits some: its det is a rounding error");
+}
+
+/* Exactly on a line, though b - a and c - a are rounded and do not look parallel: a, b and c are
+ * multiples of one integer direction, a by a last bit of it. And the reverse: a has so large
+ * coordinates that b - a and c - a round to the same, yet the triangle has area. */
+static void test_rounded_edges(void)
+{
+    random_stream g = random_start(13, 0, 0);
+    size_t hits = 0, unequal = 0, n = check_count(200000);
+    for (size_t i = 0; i < n; i++) {
+        vec3 d = {random_integer(&g, 4), random_integer(&g, 4), random_integer(&g, 4)};
+        if (vzero(d)) continue;
+        real tiny = floor(1 + 999 * random_next(&g)) * real_epsilon / 2;
+        triangle t = {vscale(d, tiny), d, vscale(d, 3)};
+        vec3 o = random_vec3(&g, 10), p = vscale(d, slip_between(&g, 0, 3)), e1 = vsub(t.b, t.a);
+        hit h;
+        hits += triangle_hit(t, ray_from(o, vsub(p, o)), &h) || !vzero(triangle_normal(t));
+        unequal += !vzero(vcross(e1, vsub(t.c, t.a)));
+    }
+    check_equal(hits, 0, "corners exactly on a line, edges rounded: no hit, no normal");
+    check_at_least((double)unequal, 0.1 * (double)n, "the rounded edges often look unparallel");
+
+    real far = real_is_float ? (real)1e9 : (real)1e17;
+    const vec3 corner[3] = {{far, far, far}, {1, 0, 0}, {0, 1, 0}};
+    for (int k = 0; k < 3; k++) {
+        triangle t = {corner[k], corner[(k + 1) % 3], corner[(k + 2) % 3]};
+        hit h = untouched;
+        /* n = (1, 1, 1/far - 2): at x = y = 3/4 the plane has z = 1/4 within 1/far */
+        check(triangle_hit(t, ray_from((vec3){(real)0.75, (real)0.75, -1}, (vec3){0, 0, 1}), &h),
+              "a triangle from 1 to %g, corner %d first, is hit", (double)far, k);
+        check_close(h.t, 1.25, 8 * eps, "where it is");
+        vec3 normal = triangle_normal(t);
+        check_close(normal.x, 1 / sqrt(6.0), 2 * eps, "and has its normal");
+        check_close(normal.z, -2 / sqrt(6.0), 2 * eps, "and has its normal");
+    }
 }
 
 /* A ray in the plane of the triangle: an answer either way, but t within the corners' reach. */
@@ -461,9 +498,9 @@ static void test_barycentrics(void)
         real u = slip_between(&g, -3, 3), v = slip_between(&g, -3, 3);
         k = barycentrics_of(q, triangle_at(q, u, v));
         used++, outside += !barycentrics_inside(k);
-        worst_sum = fmax(worst_sum, fabs((double)barycentrics_sum(k) - 1));
-        worst_back =
-            fmax(worst_back, fmax(fabs((double)k.u - (double)u), fabs((double)k.v - (double)v)));
+        worst_sum = check_worse(worst_sum, fabs((double)barycentrics_sum(k) - 1));
+        worst_back = check_worse(worst_back, fabs((double)k.u - (double)u));
+        worst_back = check_worse(worst_back, fabs((double)k.v - (double)v));
     }
     /* coordinates up to 30, products with edges up to 3.5 and |n| up to 6, over |n|^2 >= 1/4: some
      * 300 eps each */
@@ -505,6 +542,7 @@ int main(void)
     test_naive_needles();
     test_both_sides_of_an_edge_agree();
     test_no_area_no_hit();
+    test_rounded_edges();
     test_edge_on();
     test_no_nan();
     test_exact_signs();

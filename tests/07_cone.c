@@ -161,10 +161,10 @@ static void normals_and_points(void)
         real radius = fabs(c.ra + (c.rb - c.ra) * vdot(vsub(p, c.a), vsub(c.b, c.a))
                            / vdot(vsub(c.b, c.a), vsub(c.b, c.a)));
         vec3 m = cone_normal(c, p);
-        worst = fmax(worst, (double)(vlength(vsub(m, n)) * real_min(1, radius)));
-        worst_unit = fmax(worst_unit, fabs((double)vlength(m) - 1));
+        worst = check_worse(worst, (double)(vlength(vsub(m, n)) * real_min(1, radius)));
+        worst_unit = check_worse(worst_unit, fabs((double)vlength(m) - 1));
         vec3 off = cone_point(c, vmadd(p, n, radius / 100));
-        worst_point = fmax(worst_point, cone_residual(c, ray_from(off, (vec3){1, 0, 0}), 0));
+        worst_point = check_worse(worst_point, cone_residual(c, ray_from(off, (vec3){1, 0, 0}), 0));
     }
     /* p is rounded by epsilon of its size 4, which turns the normal by that over the radius. */
     check_at_most(worst, 16 * (double)real_epsilon,

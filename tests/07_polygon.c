@@ -134,8 +134,8 @@ static void against_the_oracle(void)
             hits += is;
             if (is && truth.hit) {
                 double steep = fabs((double)(vdot(p.normal, r.d) / vlength(r.d)));
-                worst = fmax(worst, fabs((double)h.t - truth.t) * (double)vlength(r.d) * steep
-                                        / (double)(real_epsilon * (4 + distances[j])));
+                double off = fabs((double)h.t - truth.t) * (double)vlength(r.d) * steep;
+                worst = check_worse(worst, off / (double)(real_epsilon * (4 + distances[j])));
             }
         }
         check_equal(wrong, 0, "gears from %g: wrong answers, %zu hits", (double)distances[j], hits);
@@ -195,7 +195,7 @@ static void same_answers(void)
         if (n > 3) continue;
         as_triangle += is != triangle_hit((triangle){v[0], v[1], v[2]}, r, &f);
         vec3 normal = triangle_normal((triangle){v[0], v[1], v[2]});
-        if (is) worst = fmax(worst, fabs((double)((h.t - f.t) * vdot(normal, d))));
+        if (is) worst = check_worse(worst, fabs((double)((h.t - f.t) * vdot(normal, d))));
     }
     check_equal(turned, 0, "other orders of the corners that change the answer, of %zu hits", hits);
     check_equal(scaled, 0, "sizes that change the answer");

@@ -186,7 +186,7 @@ static void test_patches(void)
         bezier_weights bu = bezier_at((real)(1 - u), (real)u);
         bezier_weights bv = bezier_at((real)(1 - v), (real)v);
         vec3 normal, p = bezier_point(&c, &bu, &bv, &normal);
-        worst = fmax(worst, distance(wide3_of(p), wide_point(&c, wide_of(u), wide_of(v))));
+        worst = check_worse(worst, distance(wide3_of(p), wide_point(&c, wide_of(u), wide_of(v))));
 
         /* Central differences: off by h^2/6 of the third derivative, some 1e-18. */
         wide x = wide_of(u), y = wide_of(v), up = wide_of(u + h), vp = wide_of(v + h);
@@ -199,12 +199,14 @@ static void test_patches(void)
         double sine = wide_value(wide3_length(cross)) / (4 * h * h) / (lu * lv);
         for (int k = 0; k < 16; k++) {  /* the differences whose means are P_u, P_v: may cancel */
             vec3 a = c.p[k / 4][k % 4];
-            if (k % 4) longest = fmax(longest, (double)vlength(vsub(a, c.p[k / 4][k % 4 - 1])));
-            if (k / 4) longest = fmax(longest, (double)vlength(vsub(a, c.p[k / 4 - 1][k % 4])));
+            vec3 left = c.p[k / 4][k % 4 ? k % 4 - 1 : 0];
+            vec3 above = c.p[k / 4 ? k / 4 - 1 : 0][k % 4];
+            longest = check_worse(longest, (double)vlength(vsub(a, left)));
+            longest = check_worse(longest, (double)vlength(vsub(a, above)));
         }
         double condition = 3 * (longest / lu + longest / lv) / sine;
         double off = distance(wide3_of(normal), wide_unit(cross)) / condition;
-        worst_normal = fmax(worst_normal, off);
+        worst_normal = check_worse(worst_normal, off);
     }
     check_at_most(worst, 12 * eps * 3.5, "against de Casteljau: 3 roundings in a weight, 3 in a "
                   "sum, twice, three components: 20 halves of epsilon, coordinates up to 3.5");

@@ -61,6 +61,9 @@ static inline bool check_result(bool ok, const char *file, int line)
             || (printf("measured \"%s\", expected \"%s\": ", (measured), (expected)), \
                 printf(__VA_ARGS__), printf("\n"))))
 
+/* The larger of two errors; a NaN stays, and fails the check at the end (fmax would drop it). */
+static inline double check_worse(double a, double b) { return isnan(a) || b <= a ? a : b; }
+
 static inline size_t check_count(size_t n)
 {
     const char *divisor = getenv("CHECK_DIVISOR");

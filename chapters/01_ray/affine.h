@@ -71,17 +71,29 @@ static inline affine affine_rotation(vec3 axis, real angle)
                     vturned((vec3){0, 0, 1}, axis, angle), {0, 0, 0}};
 }
 
+/* a times 2^e: exact, unless it under- or overflows. */
+static inline vec3 vscaled_by(vec3 a, int e)
+{
+    return (vec3){ldexp(a.x, e), ldexp(a.y, e), ldexp(a.z, e)};
+}
+
 /* The transform that undoes m, by Cramer's rule: row i of the inverse is the cross product of the
- * two other columns over the determinant. False, and *out untouched, if m flattens space
- * (determinant 0) or is not finite. */
+ * two other columns over the determinant. The columns are scaled by powers of two first, which is
+ * exact, so that a scaling by 1e200 or 1e-200 can be undone too. False, and *out untouched, if m
+ * flattens space (determinant 0), is not finite, or has an inverse too large to write. */
 static inline bool affine_inverse(affine m, affine *out)
 {
-    vec3 a = vcross(m.y, m.z), b = vcross(m.z, m.x), c = vcross(m.x, m.y);
-    real det = vdot(m.x, a);
-    if (!isfinite(1 / det) || !vfinite(m.o)) return false;
-    a = vscale(a, 1 / det), b = vscale(b, 1 / det), c = vscale(c, 1 / det);
+    int ex, ey, ez;
+    if (!vfinite(m.x) || !vfinite(m.y) || !vfinite(m.z)) return false;
+    vec3 x = vscaled(m.x, &ex), y = vscaled(m.y, &ey), z = vscaled(m.z, &ez);
+    vec3 a = vcross(y, z), b = vcross(z, x), c = vcross(x, y);
+    real det = vdot(x, a);
+    a = vscaled_by(vscale(a, 1 / det), -ex);
+    b = vscaled_by(vscale(b, 1 / det), -ey);
+    c = vscaled_by(vscale(c, 1 / det), -ez);
     affine i = {{a.x, b.x, c.x}, {a.y, b.y, c.y}, {a.z, b.z, c.z}, {0, 0, 0}};
     i.o = vneg(affine_vector(i, m.o));
+    if (!vfinite(a) || !vfinite(b) || !vfinite(c) || !vfinite(i.o)) return false;
     *out = i;
     return true;
 }

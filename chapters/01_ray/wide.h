@@ -2,8 +2,8 @@
  *
  * A wide is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2: some 32 decimal digits
  * with the range of double. Every real is a wide without error, so an input is known exactly,
- * whatever real is. Each operation is off by less than 1e-31 relatively; ten to twenty times the
- * cost of double.
+ * whatever real is. Each operation is off by less than 1e-31 relatively, as long as the numbers and
+ * their products stay between 1e-290 and 1e290; ten to twenty times the cost of double.
  *
  *   wide x = wide_of(0.1);               x exactly the double nearest to 0.1
  *   x = wide_mul(x, wide_sub(y, z));     wide_add, wide_sub, wide_mul, wide_div, wide_sqrt

@@ -15,7 +15,8 @@
  * of error functions under the Gaussian with its cut-off. The zone plate is the real part of
  * exp(i a x^2) exp(i a y^2), and under a Gaussian without cut-off, with g = 1 - 2 i a sigma^2,
  *   E exp(i a X^2) = g^(-1/2) exp(i a x^2 / g)                                 (2.12)
- * These are oracles: always in double, right to about 1e-13 for |x|, |y| up to 1000.
+ * These are oracles: always in double, right to 1e-12 for |x|, |y| up to 1000, and the
+ * zone plate itself, unfiltered, to an epsilon of its phase a (x^2 + y^2).
  */
 #ifndef PATTERN_H
 #define PATTERN_H

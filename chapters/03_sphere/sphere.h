@@ -51,7 +51,8 @@ static inline vec3 sphere_normal(sphere s, vec3 p);
 /* The first of the two roots that the interval covers. A root beyond the largest real is no hit. */
 static inline bool sphere_first(ray r, real t0, real t1, hit *out)
 {
-    r.tmax = real_min(real_largest, r.tmax);  /* in this order a NaN stays one: a miss */
+    r.tmax = real_min(real_largest, r.tmax);   /* in this order a NaN stays one: a miss */
+    r.tmin = real_max(-real_largest, r.tmin);
     if (!ray_covers(r, t0)) t0 = t1;
     if (!ray_covers(r, t0)) return false;
     *out = (hit){t0, 0, 0, 0};

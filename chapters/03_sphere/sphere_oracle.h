@@ -40,7 +40,8 @@ static inline double sphere_clearance(sphere ball, ray r)
     wide rr = wide_product((double)ball.r, (double)ball.r);
     wide D = wide_sub(wide_mul(b, b), wide_mul(a, wide_sub(wide3_dot(f, f), rr)));
     double square = -wide_value(wide_div(D, wide_mul(a, rr)));
-    return square / (1 + sqrt(1 + square));
+    double pass = square > -1 ? sqrt(1 + square) : 0;  /* -1 - 1e-13 through c, seen from 1e9 R */
+    return square / (1 + pass);
 }
 
 static inline double sphere_pass(sphere ball, ray r)

@@ -83,8 +83,9 @@ static inline void survey_at(size_t k, void *context)
                 bool is = method_hit[m](s.ball, s.r, &h), right = is == (c <= 0);
                 if (!right) wrong[m][c <= 0]++;
                 if (!right && how == edge) y->of[m].edge = fmax(y->of[m].edge, fabs(c));
-                if (is && right && how == anywhere && i % 8 == 0)
-                    y->of[m].residual = fmax(y->of[m].residual, sphere_residual(s.ball, s.r, h.t));
+                if (!(is && right && how == anywhere && i % 8 == 0)) continue;
+                double residual = sphere_residual(s.ball, s.r, h.t);
+                if (!(residual <= y->of[m].residual)) y->of[m].residual = residual;
             }
         }
         for (int m = 0; m < methods; m++) {

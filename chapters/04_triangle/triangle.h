@@ -31,12 +31,16 @@
  * Needs -ffp-contract=off: a contracted product breaks (4.10), and with it the seams.
  *
  * Sources: T. Möller, B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", JGT 2(1),
- * 1997; S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013.
+ * 1997; S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013;
+ * J. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+ * Discrete & Computational Geometry 18, 1997.
  */
 #ifndef TRIANGLE_H
 #define TRIANGLE_H
 
+#include "../01_ray/wide.h"
 #include "plane.h"
+#include <limits.h>
 
 typedef struct { vec3 a, b, c; } triangle;
 
@@ -45,18 +49,60 @@ typedef struct { int kx, ky, kz; vec3 o; real sx, sy, sz; } ray_shear;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* (b - a) x (c - a), scaled by some power of two; 0 only if the edges are parallel. The rare case:
- * an underflow, or edges so nearly parallel that the plain products cancel to nothing. */
+/* x1 y2 - y1 x2 + x2 y3 - y2 x3 + x3 y1 - y3 x1, twice the area of a triangle in the plane. The sum
+ * of its products is kept exactly, as numbers that do not overlap, the smallest first (Shewchuk's
+ * expansions): the last of them that is not 0 has the sign of the whole. */
+static inline double triangle_area_exactly(const double x[3], const double y[3])
+{
+    double sum[12], area = 0;
+    int n = 0;
+    for (int k = 0; k < 3; k++) {
+        int next = (k + 1) % 3;
+        wide p = wide_product(x[k], y[next]), m = wide_product(-y[k], x[next]);
+        const double part[4] = {p.lo, p.hi, m.lo, m.hi};
+        for (int j = 0; j < 4; j++) {
+            wide s = {part[j], 0};
+            for (int i = 0; i < n; i++) s = wide_sum(s.hi, sum[i]), sum[i] = s.lo;
+            sum[n++] = s.hi;
+        }
+    }
+    for (int i = 0; i < n; i++) area += sum[i];
+    return area;
+}
+
+/* (b - a) x (c - a) = a x b + b x c + c x a from the corners as they are: no difference is rounded.
+ * Scaled by some power of two, so that nothing overflows, and what underflows is 1e-290 of the
+ * largest coordinate squared. */
+__attribute__((cold))
+static inline vec3 triangle_cross_exactly(vec3 a, vec3 b, vec3 c)
+{
+    const vec3 corner[3] = {a, b, c};
+    double p[3][3], n[3];
+    if (!vfinite(a) || !vfinite(b) || !vfinite(c)) return (vec3){0, 0, 0};
+    int most = INT_MIN, e;
+    for (int i = 0; i < 9; i++) {
+        p[i / 3][i % 3] = (double)vaxis(corner[i % 3], i / 3);
+        (void)frexp(p[i / 3][i % 3], &e);
+        if (p[i / 3][i % 3] != 0 && e > most) most = e;
+    }
+    if (most == INT_MIN) return (vec3){0, 0, 0};
+    for (int i = 0; i < 9; i++) p[i / 3][i % 3] = ldexp(p[i / 3][i % 3], -most);
+    for (int i = 0; i < 3; i++) n[i] = triangle_area_exactly(p[(i + 1) % 3], p[(i + 2) % 3]);
+    (void)frexp(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), &e);  /* in float n could vanish */
+    return (vec3){(real)ldexp(n[0], -e), (real)ldexp(n[1], -e), (real)ldexp(n[2], -e)};
+}
+
+/* (b - a) x (c - a), scaled by some power of two; 0 only if the corners are on a line. Rounding the
+ * edges and the products turns it by up to 2 epsilon |e1| |e2| (3.5 roundings of at most half an
+ * epsilon each): if it is not longer than twice that, or not safe, the corners decide exactly.
+ * Needed for: b = (1,0,0), c = (0,1,0), a = (1e9,1e9,1e9) in float: both edges round to -a. */
 static inline vec3 triangle_cross(vec3 a, vec3 b, vec3 c)
 {
     vec3 e1 = vsub(b, a), e2 = vsub(c, a), n = vcross(e1, e2);
-    int e;
-    if (square_is_safe(vdot(n, n))) return n;
-    if (!vfinite(e1) || !vfinite(e2) || vzero(e1) || vzero(e2)) return (vec3){0, 0, 0};
-    e1 = vscaled(e1, &e), e2 = vscaled(e2, &e);
-    return (vec3){difference_of_products(e1.y, e2.z, e1.z, e2.y),
-                  difference_of_products(e1.z, e2.x, e1.x, e2.z),
-                  difference_of_products(e1.x, e2.y, e1.y, e2.x)};
+    real nn = vdot(n, n), e11 = vdot(e1, e1), e22 = vdot(e2, e2);
+    bool safe = square_is_safe(nn) && square_is_safe(e11) && square_is_safe(e22);
+    if (safe && nn > 16 * real_epsilon * real_epsilon * e11 * e22) return n;
+    return triangle_cross_exactly(a, b, c);
 }
 
 static inline vec3 triangle_normal(triangle tri)

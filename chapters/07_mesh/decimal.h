@@ -5,7 +5,8 @@
  *   [+-] digits [. digits] [e|E [+-] digits]               with a digit before the e
  *
  *   text                                answer
- *   "nan", "inf", "0x1p3", ".", "1e"    NULL: no such number, or only a part of one
+ *   "nan", "inf", ".", "1e"             NULL: no such number, or only a part of one
+ *   "0x1p3"                             0, stop is at the x: no hexadecimal numbers
  *   1e400                               infinity
  *   1e-400                              0
  *   up to 19 digits, 10^-22 to 10^22    one or two roundings, proved right below
