@@ -1,8 +1,7 @@
 /* clock.h: how long something takes, on a machine that has other things to do.
  *
- * Other programs interrupt, and the processor changes its pace. So the variants of an experiment
- * run in turn, A B C A B C ..., and each gets the median of its times: what disturbs a round
- * disturbs all of them. Compare ratios within one run, never seconds of two runs.
+ * So the variants of an experiment run in turn, A B C A B C ..., and each gets the median of its
+ * times. Compare ratios within one run, never seconds of two runs.
  *
  *   clock_variant v[] = {{"naive", run_naive, &data, 0}, {"robust", run_robust, &data, 0}};
  *   clock_compare(v, 2, 7);                  7 rounds; v[k].seconds is then the median

@@ -1,15 +1,13 @@
 /* random.h: random numbers that depend on (seed, pixel, sample, dimension) and on nothing else.
  *
- * So a picture is the same with any number of threads; a generator with a hidden state would hand
- * its numbers out in the order in which threads ask.
+ * So a picture is the same with any number of threads: no hidden state, no order of asking.
  *
  *   real x = random_real(seed, pixel, sample, dimension);    uniform in [0,1), never 1
  *   random_stream s = random_start(seed, pixel, sample);     the same: dimension 0, 1, 2, ...
  *   real y = random_next(&s);
  *
  * The short cut (float)u * 2^-32 rounds the 128 largest words up to 1: 24 bits make a float, 53 a
- * double. All streams are parts of one sequence of 2^64 numbers, at places that random_mix
- * scatters: of 10^9 streams of 100 numbers some ten pairs overlap.
+ * double. Streams are pieces of one sequence of 2^64 numbers: of 10^9 some ten pairs overlap.
  *
  * Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014
  * (SplitMix64), with the constants of D. Stafford's variant 13.

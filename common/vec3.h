@@ -93,10 +93,13 @@ static inline bool square_is_safe(real aa)
 static inline real vlength(vec3 a)
 {
     real aa = vdot(a, a);
-    return square_is_safe(aa) ? sqrt(aa) : hypot(a.x, hypot(a.y, a.z));
+    int e;
+    if (square_is_safe(aa) || !vfinite(a) || vzero(a)) return sqrt(aa);
+    a = vscaled(a, &e);  /* as exact as above: the length of 2^k a is 2^k |a| to the last bit */
+    return ldexp(sqrt(vdot(a, a)), e);
 }
 
-/* Length 1 within 2 epsilon. Cost: one square root and one division. */
+/* Length 1 within 2.25 epsilon. Cost: one square root and one division. */
 static inline vec3 vunit(vec3 a)
 {
     real aa = vdot(a, a);
