@@ -56,8 +56,8 @@ static inline bool edge_crosses(vec3 a, vec3 b)
 /* The picture along the ray again: each corner has one place in it, and triangle a b c contains
  * the origin if an odd number of its edges cross the half axis y = 0, x > 0. Two triangles give
  * their shared edge the same answer, so over a closed mesh all of them cancel: the whole line has
- * an even number of
- * crossings whatever the rounding did, and those in front of p tell where p is.           (7.11) */
+ * an even number of crossings whatever the rounding did, and those in front of p tell where p is.
+ *                                                                                         (7.11) */
 static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
 {
     ray_shear s = shear_of(ray_from(p, d));

@@ -41,8 +41,8 @@ typedef struct {
 
 /* Newell's normal: sum of q_i x q_(i+1), twice the area long. It takes q from the first corner,
  * so that far from the origin no digits cancel, and scales q by a power of two, so that nothing
- * overflows. A
- * cross product at one corner would point backwards where that corner is concave.        (7.8) */
+ * overflows. A cross product at one corner would point backwards where that corner is concave.
+ *                                                                                        (7.8) */
 static inline polygon polygon_of(const vec3 *v, size_t n)
 {
     vec3 sum = {0, 0, 0}, offset = {0, 0, 0}, widest = {0, 0, 0};
@@ -98,8 +98,8 @@ static inline real edge_exactly(vec3 a, vec3 b)
 /* Crosses: meets the half axis y = 0, x > 0. One end must have y > 0 and the other y <= 0, so a
  * corner on the axis counts for one of its two edges if the polygon crosses there, for none or
  * both if not. Which side of the origin: the sign of e = ax by - ay bx (4.10), exactly the
- * negative for b a, so the
- * neighbour that shares the edge finds the same. Touches: the origin lies on the edge.  (7.9) */
+ * negative for b a, so the neighbour that shares the edge finds the same. Touches: the origin
+ * lies on the edge.                                                                      (7.9) */
 static inline edge_side edge_of(vec3 a, vec3 b)
 {
     bool up = b.y > 0;
@@ -141,8 +141,7 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
     real nd = vdot(p.normal, r.d), steep = nd * s->sz;
     if (nd == 0 && !odd) return false;  /* edge-on: the ray may touch, but the neighbours are hit */
     real z = c.z + (vaxis(p.normal, s->kx) * c.x + vaxis(p.normal, s->ky) * c.y) / steep;
-    real t =
-        real_clamp(z, near, far) * s->sz; /* edge-on to rounding, z is noise: it stays in reach */
+    real t = real_clamp(z, near, far) * s->sz;  /* edge-on but for rounding, z is noise */
     if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
     *out = (hit){t, 0, 0, 0};
     return true;

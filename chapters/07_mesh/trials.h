@@ -30,8 +30,7 @@ static inline vec3 direction(random_stream *s)
 static inline vec3 in_cube(random_stream *s, real half)
 {
     real x = between(s, -half, half), y = between(s, -half, half), z = between(s, -half, half);
-    return (vec3){x, y,
-                  z}; /* not all in one list: C leaves open in which order a list is evaluated */
+    return (vec3){x, y, z};  /* not all in one list: C leaves open in which order it is evaluated */
 }
 
 /* ---------------------------------------------------------------------------------------------- */
