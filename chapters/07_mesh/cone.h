@@ -90,7 +90,7 @@ static inline real cone_nearest(vec3 q, vec3 d, vec3 w, vec3 C)
     real g = vdot(d, w), z = vdot(q, w), t = -vdot(C, vcross(q, w)) / vdot(C, C);
     if (g == 0) return t;  /* the ray stays in its plane across the axis */
     real t0 = -z / g, t1 = (vdot(w, w) - z) / g;
-    return real_clamp(t, real_min(t0, t1), real_max(t0, t1));  /* NaN, d along the axis: an end */
+    return real_clamp(t, real_min(t0, t1), real_max(t0, t1));  /* NaN (d along w): the first end */
 }
 
 /* Step 1: move the origin to a point q of the ray near the cone; nothing is lost on the way. Step
