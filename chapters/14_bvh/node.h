@@ -1,0 +1,179 @@
+/* node.h: the node of the tree, 32 bytes, and the test of a ray against its box (包围盒).
+ *
+ *   bvh_node { bvh_box box; first; count }   count = 0: children (子节点) are nodes first, first + 1
+ *                                            count > 0: a leaf (叶节点), its items first .. + count - 1
+ *
+ * The box is in float whatever `real` is, rounded outwards, so that it holds what it should hold. Two
+ * siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
+ *
+ *   box_ray q = box_ray_of(r, &root_box)         prepares the ray once: origin, 1 / D, all in float
+ *   box_ray_limit(&q, t)                         t as the float that `enter` is compared with
+ *   box_ray_naive(r, &root_box)                  the same without what follows: loses hits
+ *   enter = box_enter(&box, &q, limit, &exit)    the ray is in the box for t in [enter, exit]  (14.2)
+ *   the box counts unless enter > exit           NaN never throws a box away
+ *
+ * Why nothing is lost though all is rounded to float: all errors are paid for in advance, once a ray.
+ * The near planes are seen from an origin moved towards them by delta, the far planes from one moved
+ * away (14.3):
+ *
+ *        o      near                far        near: t = (b - (o + delta)) / d   too small
+ *        +--->---|-------------------|-->      far:  t = (b - (o - delta)) / d   too large
+ *      o-delta o+delta   (d > 0; if d < 0 the signs change)
+ *
+ *   1. b - o, 1 / d and their product are three roundings: off by 3 u |b - o|, u = 2^-24, as seen in
+ *      the place of the plane. D = the largest |b - o| of the whole tree bounds them all: 4 u D is
+ *      enough, 2^-21 D = 8 u D is taken.
+ *   2. What is in the box is tested in `real`, with errors of its own: the watertight test (04) moves
+ *      corners by up to 3 eps D and t by up to 7 eps D / |d|; for a triangle of size s that shows the
+ *      ray only its edge, w wide, t by up to eps s^2 / w more. 128 eps D covers w >= s / 128 * s / D
+ *      in float; in double the other half of 2^-21 D covers w >= s / 2^30 * s / D.
+ *   3. o + delta is rounded up to float, o - delta down.
+ *   4. Products that underflow are off by 2^-150. D is scaled so that 1 / d >= 2^-21, and delta >=
+ *      2^-100 gives 2^-121. Where 1 / d overflows, the axis is left out; d = 0 gives +-infinity as it
+ *      should, and 0 * infinity, a NaN, is dropped by the comparisons: the plane itself counts.
+ *
+ * Sources: A. Williams, S. Barrus, R. K. Morley, P. Shirley, "An Efficient and Robust Ray-Box
+ * Intersection Algorithm", JGT 10(1), 2005 (the sign chooses the plane); T. Ize, "Robust BVH Ray
+ * Traversal", JCGT 2(2), 2013 (rounding makes a search miss; ours pays per ray instead of per box).
+ */
+#ifndef BVH_NODE_H
+#define BVH_NODE_H
+
+#include "../04_triangle/triangle.h"
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct { float side[6]; } bvh_box;               /* low x, y, z, high x, y, z */
+typedef struct { bvh_box box; uint32_t first, count; } bvh_node;
+
+/* near[k], far[k]: which of the six sides a ray that moves along axis k meets first, and last. */
+typedef struct {
+    float o_near[3], o_far[3], inverse[3];
+    size_t near[3], far[3];
+    real scale;   /* t of box_ray = scale * t of the ray, a power of two */
+    float tmin;   /* rounded down */
+} box_ray;
+
+_Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
+
+/* ------------------------------------------------------------------------------------------------ */
+
+/* A float <= x: x itself if it is one, else at most two floats below. */
+static inline float float_below(real x)
+{
+    float f = (float)x;
+    if (f > FLT_MAX && x <= real_largest) return FLT_MAX;
+    return (real)f <= x ? f : f - (fabs(f) * FLT_EPSILON + 0x1p-149f);
+}
+
+/* A float >= x. */
+static inline float float_above(real x) { return -float_below(-x); }
+
+static inline float float_min(float a, float b) { return a < b ? a : b; }
+static inline float float_max(float a, float b) { return a > b ? a : b; }
+
+static inline bvh_box box_empty(void)
+{
+    return (bvh_box){{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}};
+}
+
+static inline void box_add(bvh_box *a, const bvh_box *b)
+{
+    for (int k = 0; k < 3; k++) {
+        a->side[k] = float_min(b->side[k], a->side[k]);
+        a->side[3 + k] = float_max(b->side[3 + k], a->side[3 + k]);
+    }
+}
+
+static inline bvh_box box_between(vec3 lo, vec3 hi)
+{
+    return (bvh_box){{float_below(lo.x), float_below(lo.y), float_below(lo.z),
+                      float_above(hi.x), float_above(hi.y), float_above(hi.z)}};
+}
+
+/* Half of its surface: in double, so that no float box overflows it. 0 if empty. */
+static inline double box_area(const bvh_box *b)
+{
+    double x = (double)b->side[3] - (double)b->side[0];
+    double y = (double)b->side[4] - (double)b->side[1];
+    double z = (double)b->side[5] - (double)b->side[2];
+    return x >= 0 ? x * y + y * z + z * x : 0;
+}
+
+/* Largest distance along an axis between o and a plane of the box. */
+static inline real box_reach(const bvh_box *b, vec3 o)
+{
+    real reach = 0;
+    for (int k = 0; k < 3; k++) {
+        reach = real_max(reach, fabs((real)b->side[k] - vaxis(o, k)));
+        reach = real_max(reach, fabs((real)b->side[3 + k] - vaxis(o, k)));
+    }
+    return reach;
+}
+
+/* The power of two by which a D outside of 2^+-20 must be divided to get there; else 1. */
+static inline real box_ray_scale(real longest)
+{
+    int e = 0;
+    if (longest >= (real)0x1p-20 && longest <= (real)0x1p20) return 1;
+    (void)frexp(longest, &e);
+    int most = real_is_float ? 100 : 1000;
+    return ldexp((real)1, e > most ? most : e < -most ? -most : e);
+}
+
+static inline box_ray box_ray_of(ray r, const bvh_box *all)
+{
+    box_ray q;
+    real longest = fabs(vaxis(r.d, vlongest(r.d)));
+    real reach = box_reach(all, r.o);
+    real delta = reach * ((real)0x1p-21 + 128 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
+    q.scale = box_ray_scale(longest);
+    q.tmin = float_below(r.tmin * q.scale);
+    for (int k = 0; k < 3; k++) {
+        real d = vaxis(r.d, k), o = vaxis(r.o, k);
+        float i = (float)(q.scale / d), up = float_above(o + delta), down = float_below(o - delta);
+        q.inverse[k] = d != 0 && isinf(i) ? NAN : i;
+        q.near[k] = (size_t)(i < 0 ? 3 + k : k);
+        q.far[k] = (size_t)(i < 0 ? k : 3 + k);
+        q.o_near[k] = i < 0 ? down : up;
+        q.o_far[k] = i < 0 ? up : down;
+    }
+    return q;
+}
+
+/* o = (0, 0, 2/3), a flat box in the plane z = 1/3 of which the float bounds are 1/3 rounded down and
+ * up, and a ray along the box's edge or corner: everything is rounded to the nearest float, so t of the
+ * near plane may come out larger than t of the far one, and the box is lost with all that is in it. */
+static inline box_ray box_ray_naive(ray r, const bvh_box *all)
+{
+    box_ray q = {.scale = 1, .tmin = (float)r.tmin};
+    (void)all;
+    for (int k = 0; k < 3; k++) {
+        q.inverse[k] = (float)(1 / vaxis(r.d, k));
+        q.o_near[k] = q.o_far[k] = (float)vaxis(r.o, k);
+        q.near[k] = (size_t)(q.inverse[k] < 0 ? 3 + k : k);
+        q.far[k] = (size_t)(q.inverse[k] < 0 ? k : 3 + k);
+    }
+    return q;
+}
+
+/* The float that t_enter is compared with: not less than t, in the units of q. */
+static inline float box_ray_limit(const box_ray *q, real t)
+{
+    return float_above(t * q->scale);
+}
+
+/* (14.2). Each comparison keeps its second argument against a NaN. */
+static inline float box_enter(const bvh_box *b, const box_ray *q, float limit, float *exit)
+{
+    float x0 = (b->side[q->near[0]] - q->o_near[0]) * q->inverse[0];
+    float y0 = (b->side[q->near[1]] - q->o_near[1]) * q->inverse[1];
+    float z0 = (b->side[q->near[2]] - q->o_near[2]) * q->inverse[2];
+    float x1 = (b->side[q->far[0]] - q->o_far[0]) * q->inverse[0];
+    float y1 = (b->side[q->far[1]] - q->o_far[1]) * q->inverse[1];
+    float z1 = (b->side[q->far[2]] - q->o_far[2]) * q->inverse[2];
+    *exit = float_min(x1, float_min(y1, float_min(z1, limit)));
+    return float_max(x0, float_max(y0, float_max(z0, q->tmin)));
+}
+
+#endif
