@@ -16,7 +16,8 @@ static bool same(bool ga, hit a, bool gb, hit b)
     return ga == gb && (!ga || (a.t == b.t && a.u == b.u && a.v == b.v && a.shape == b.shape));
 }
 
-static void compare(const mesh *m, const bvh *b, ray r, verdict *v)
+/* Returns the hit of brute force, t = infinity on a miss. */
+static hit compare(const mesh *m, const bvh *b, ray r, verdict *v)
 {
     hit brute = hit_none, tree = hit_none, naive = hit_none;
     bool expected = mesh_hit(m, r, &brute), got = bvh_hit(b, r, &tree);
@@ -25,6 +26,7 @@ static void compare(const mesh *m, const bvh *b, ray r, verdict *v)
     v->wrong += !same(expected, brute, got, tree);
     v->wrong_naive += !same(expected, brute, got_naive, naive);
     v->wrong_any += bvh_occluded(b, r) != expected;
+    return brute;
 }
 
 static vec3 random_vector(random_stream *g, real size)
@@ -68,9 +70,8 @@ static verdict compare_kinds(const mesh *m, const bvh *b, size_t n, uint64_t see
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 0);
         ray r = aimed(m, &g, (int)(i % 12), centre, size);
-        hit h;
-        compare(m, b, r, &v);
-        if (!mesh_hit(m, r, &h)) continue;
+        hit h = compare(m, b, r, &v);
+        if (h.shape == no_shape) continue;
         ray ends = r;
         ends.tmax = h.t;           /* the interval is closed: the hit stays */
         compare(m, b, ends, &v);
@@ -80,7 +81,7 @@ static verdict compare_kinds(const mesh *m, const bvh *b, size_t n, uint64_t see
     return v;
 }
 
-static void test_mesh(const char *name, mesh m, vec3 move, real scale, size_t rays)
+static void test_mesh(const char *name, mesh m, vec3 move, real scale, bool exhibit)
 {
     size_t naive = 0;
     for (size_t i = 0; i < m.vertices; i++) m.v[i] = vadd(vscale(m.v[i], scale), move);
@@ -88,7 +89,7 @@ static void test_mesh(const char *name, mesh m, vec3 move, real scale, size_t ra
         for (int leaf = 1; leaf <= 16; leaf *= 4) {
             bvh b;
             bvh_build(&m, (bvh_options){(bvh_strategy)s, leaf, 1}, &b);
-            verdict v = compare_kinds(&m, &b, check_count(rays), (uint64_t)(s * 100 + leaf), move, scale);
+            verdict v = compare_kinds(&m, &b, check_count(840), (uint64_t)(s * 100 + leaf), move, scale);
             check_equal(v.wrong, 0, "%s, %s, leaves of %d: %zu of %zu rays hit; wrong", name,
                         strategy_name[s], leaf, v.hits, v.rays);
             check_equal(v.wrong_any, 0, "%s, %s: occluded, yet no hit, or the reverse", name, strategy_name[s]);
@@ -96,7 +97,7 @@ static void test_mesh(const char *name, mesh m, vec3 move, real scale, size_t ra
             naive += v.wrong_naive;
             bvh_free(&b);
         }
-    check(naive > 0, "%s: boxes rounded to nearest lose no hit: the exhibit shows nothing", name);
+    check(naive > 0 || !exhibit, "%s: boxes rounded to nearest lose no hit: the exhibit shows nothing", name);
     mesh_free(&m);
 }
 
@@ -320,14 +321,14 @@ int main(void)
 {
     real tiny = real_is_float ? (real)0x1p-60 : (real)0x1p-400;
     test_no_and_one();
-    test_mesh("teapot", teapot_mesh(3), (vec3){0, 0, 0}, 1, 1200);
-    test_mesh("octahedron", octahedron_mesh(8), (vec3){0, 0, 0}, 1, 1200);  /* dyadic: ties, flat boxes */
-    test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1e6f, -1e6f, 1e6f}, 1, 1200);
-    test_mesh("torus, thirds", torus_mesh(16), (vec3){1 / (real)3, -1 / (real)7, (real)0.1}, 1 / (real)3, 1200);
-    test_mesh("tiny teapot", teapot_mesh(2), (vec3){0, 0, 0}, tiny, 1200);
-    test_mesh("huge teapot", teapot_mesh(2), (vec3){0, 0, 0}, 1 / tiny, 1200);
-    test_mesh("needles 1e-3", needles(500, (real)1e-3), (vec3){0, 0, 0}, 1, 1200);
-    test_mesh("needles 1e-6", needles(500, (real)1e-6), (vec3){0, 0, 0}, 1, 1200);
+    test_mesh("teapot", teapot_mesh(3), (vec3){0, 0, 0}, 1, true);
+    test_mesh("octahedron", octahedron_mesh(8), (vec3){0, 0, 0}, 1, true);  /* dyadic: ties, flat boxes */
+    test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1e6f, -1e6f, 1e6f}, 1, true);
+    test_mesh("torus, thirds", torus_mesh(16), (vec3){1 / (real)3, -1 / (real)7, (real)0.1}, 1 / (real)3, true);
+    test_mesh("tiny teapot", teapot_mesh(2), (vec3){0, 0, 0}, tiny, false);
+    test_mesh("huge teapot", teapot_mesh(2), (vec3){0, 0, 0}, 1 / tiny, false);
+    test_mesh("needles 1e-3", needles(500, (real)1e-3), (vec3){0, 0, 0}, 1, true);
+    test_mesh("needles 1e-6", needles(500, (real)1e-6), (vec3){0, 0, 0}, 1, true);
     test_coincident(check_count(1000000));
     test_coincident(7);
     test_sick();

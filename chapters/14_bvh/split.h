@@ -196,6 +196,7 @@ static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)
     size_t left = 0;
     int axis = 0;
     for (int k = 0; k < 3; k++) {
+        if (!(s->centres.side[k] < s->centres.side[3 + k])) continue;  /* nothing to cut between */
         sort_along(s, item, n, k);
         bvh_box box = box_empty();
         for (size_t i = n - 1; i > 0; i--) {
@@ -211,7 +212,7 @@ static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)
     }
     s->cost = split_cost(s, best);
     if (s->cost == HUGE_VAL) return split_by_number(item, n, box_longest(&s->centres));
-    if (axis != 2) sort_along(s, item, n, axis);
+    sort_along(s, item, n, axis);
     /* Marks, then a partition in place: there is no room for a second array of items. */
     for (size_t i = 0; i < n; i++) s->spare[s->pairs[i].place].key = i < left;
     size_t l = 0, r = n;
