@@ -27,7 +27,8 @@
  *      corners by up to 3 eps D and t by up to 7 eps D / |d|; for a triangle of size s that shows the
  *      ray only its edge, w wide, t by up to eps s^2 / w more. 128 eps D covers w >= s / 128 * s / D
  *      in float; in double the other half of 2^-21 D covers w >= s / 2^30 * s / D.
- *   3. o + delta is rounded up to float, o - delta down.
+ *   3. o + delta is rounded up, o - delta down, to the next float but one at most. Far out, where floats
+ *      are farther apart than delta, this is what keeps the two apart.
  *   4. Products that underflow are off by 2^-150. D is scaled so that 1 / d >= 2^-21, and delta >=
  *      2^-100 gives 2^-121. Where 1 / d overflows, the axis is left out; d = 0 gives +-infinity as it
  *      should, and 0 * infinity, a NaN, is dropped by the comparisons: the plane itself counts.
@@ -68,6 +69,13 @@ static inline float float_below(real x)
 
 /* A float >= x. */
 static inline float float_above(real x) { return -float_below(-x); }
+
+/* A float > x by at least the error of the last operation that made x: x + |x| 2^-24. */
+static inline float float_beyond(real x)
+{
+    float f = (float)x;
+    return f + (fabs(f) * FLT_EPSILON + 0x1p-149f);
+}
 
 static inline float float_min(float a, float b) { return a < b ? a : b; }
 static inline float float_max(float a, float b) { return a > b ? a : b; }
@@ -131,7 +139,7 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
     q.tmin = float_below(r.tmin * q.scale);
     for (int k = 0; k < 3; k++) {
         real d = vaxis(r.d, k), o = vaxis(r.o, k);
-        float i = (float)(q.scale / d), up = float_above(o + delta), down = float_below(o - delta);
+        float i = (float)(q.scale / d), up = float_beyond(o + delta), down = -float_beyond(delta - o);
         q.inverse[k] = d != 0 && isinf(i) ? NAN : i;
         q.near[k] = (size_t)(i < 0 ? 3 + k : k);
         q.far[k] = (size_t)(i < 0 ? k : 3 + k);
