@@ -24,9 +24,8 @@
  *      the place of the plane. D = the largest |b - o| of the whole tree bounds them all: 4 u D is
  *      enough, 2^-21 D = 8 u D is taken.
  *   2. What is in the box is tested in `real`, with errors of its own: the watertight test (04) moves
- *      corners by up to 3 eps D and t by up to 7 eps D / |d|; for a triangle of size s that shows the
- *      ray only its edge, w wide, t by up to eps s^2 / w more. 128 eps D covers w >= s / 128 * s / D
- *      in float; in double the other half of 2^-21 D covers w >= s / 2^30 * s / D.
+ *      corners by up to 3 eps D, and t by up to 140 eps D / |d|, since its weights are right to
+ *      65 eps. 256 eps D covers both.
  *   3. o + delta is rounded up, o - delta down, to the next float but one at most. Far out, where floats
  *      are farther apart than delta, this is what keeps the two apart.
  *   4. Products that underflow are off by 2^-150. D is scaled so that 1 / d >= 2^-21, and delta >=
@@ -134,7 +133,7 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
     box_ray q;
     real longest = fabs(vaxis(r.d, vlongest(r.d)));
     real reach = box_reach(all, r.o);
-    real delta = reach * ((real)0x1p-21 + 128 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
+    real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
     q.scale = box_ray_scale(longest);
     q.tmin = float_below(r.tmin * q.scale);
     for (int k = 0; k < 3; k++) {
