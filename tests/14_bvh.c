@@ -323,7 +323,7 @@ int main(void)
     test_no_and_one();
     test_mesh("teapot", teapot_mesh(3), (vec3){0, 0, 0}, 1, true);
     test_mesh("octahedron", octahedron_mesh(8), (vec3){0, 0, 0}, 1, true);  /* dyadic: ties, flat boxes */
-    test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1e6f, -1e6f, 1e6f}, 1, true);
+    test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1000000, -1000000, 1000000}, 1, true);
     test_mesh("torus, thirds", torus_mesh(16), (vec3){1 / (real)3, -1 / (real)7, (real)0.1}, 1 / (real)3, true);
     test_mesh("tiny teapot", teapot_mesh(2), (vec3){0, 0, 0}, tiny, false);
     test_mesh("huge teapot", teapot_mesh(2), (vec3){0, 0, 0}, 1 / tiny, false);

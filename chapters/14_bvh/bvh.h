@@ -52,14 +52,14 @@ static inline void bvh_free(bvh *b)
 }
 
 /* The program ends if there is no memory, and if there are 2^31 triangles. O(n log n). */
-static inline void bvh_build(const mesh *m, bvh_options options, bvh *out)
+static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
 {
     failure f;
     size_t n = 0;
     if (m->triangles >> 31) failed(&f, 2, "%zu triangles: fewer than 2^31 fit", m->triangles), fail(f);
     bvh_item *item = allocate(m->triangles, sizeof *item);
     for (size_t i = 0; i < m->triangles; i++) n += triangle_item(m, i, &item[n]);
-    tree_build(item, n, options, &out->tree);
+    tree_build(item, n, how, &out->tree);
     out->v = m->v;
     out->triangle = allocate(n, sizeof *out->triangle);
     tree_takes(&out->tree, n * sizeof *out->triangle);

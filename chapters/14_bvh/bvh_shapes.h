@@ -24,7 +24,7 @@ static inline void bvh_shapes_free(bvh_shapes *b)
 }
 
 /* A shape whose box is not a number is never hit. */
-static inline void bvh_shapes_build(const scene *s, bvh_options options, bvh_shapes *out)
+static inline void bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes *out)
 {
     failure f;
     size_t n = 0;
@@ -36,7 +36,7 @@ static inline void bvh_shapes_build(const scene *s, bvh_options options, bvh_sha
         item[n] = (bvh_item){box_between(lo, hi), (uint32_t)i};
         n += lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z;
     }
-    tree_build(item, n, options, &out->tree);
+    tree_build(item, n, how, &out->tree);
     out->shapes = s->shapes;
     out->index = allocate(n, sizeof *out->index);
     tree_takes(&out->tree, n * sizeof *out->index);

@@ -39,7 +39,7 @@ static const char *picture_name(const char *path, char name[512])
 
 static void draw(options *o, const mesh *m, bvh_options build, bool z_up, const char *mesh_path)
 {
-    vec3 lo, hi, up = {0, !z_up, z_up};
+    vec3 lo, hi;
     char name[512];
     bvh b;
     double start = clock_seconds();
@@ -47,7 +47,7 @@ static void draw(options *o, const mesh *m, bvh_options build, bool z_up, const 
     double built = clock_seconds();
     mesh_bounds(m, &lo, &hi);
     image im = image_new(o->width, o->height);
-    picture p = {&b, m, view_of(lo, hi, up, (real)o->width / (real)o->height), &im, o->quick ? 1 : 3, 120};
+    picture p = {&b, m, view_of(lo, hi, z_up, (real)o->width / (real)o->height), &im, o->quick ? 1 : 3, 120};
     if (mesh_path && !o->out) o->out = picture_name(mesh_path, name);
     bool whole = draw_mesh(p, o->threads);
     printf("# %zu triangles: built in %.3f s, %d x %d pixels of %d rays in %.3f s\n", m->triangles,
@@ -68,7 +68,7 @@ static void draw_all_visits(const options *o, const mesh *m)
         bvh b;
         image im = image_new(o->width / 2, o->height / 2);
         bvh_build(m, (bvh_options){(bvh_strategy)k, 4, 1}, &b);
-        picture p = {&b, m, view_of(lo, hi, (vec3){0, 0, 1}, (real)im.width / (real)im.height), &im, 1, 160};
+        picture p = {&b, m, view_of(lo, hi, true, (real)im.width / (real)im.height), &im, 1, 160};
         whole = draw_visits(p, o->threads) && whole;
         image_place(&all, k % 2 * im.width, k / 2 * im.height, &im);
         bvh_free(&b), image_free(&im);
@@ -140,7 +140,7 @@ int main(int argc, char **argv)
     else draw(&o, &m, build, !own.mesh, own.mesh);
     if (!own.rays && !own.mesh && !o.out) {
         draw_all_visits(&o, &m);
-        subject s = subject_of(m, (vec3){0, 0, 1}, o.quick ? 40 : 240, o.quick ? 25 : 150, o.quick ? 50 : 1000, o.seed);
+        subject s = subject_of(m, o.quick ? 40 : 240, o.quick ? 25 : 150, o.quick ? 50 : 1000, o.seed);
         table_of_strategies(&o, &s);
         table_of_overlap(&o, &s);
         if (!o.quick) plot_of_leaves(&o, &s);

@@ -27,7 +27,7 @@ typedef struct {
     double brute_seconds;      /* a ray */
 } subject;
 
-static inline subject subject_of(mesh m, vec3 up, int width, int height, size_t corners, uint64_t seed);
+static inline subject subject_of(mesh m, int width, int height, size_t corners, uint64_t seed);
 static inline void subject_free(subject *s);
 static inline void table_of_strategies(const options *o, const subject *s);
 static inline void table_of_overlap(const options *o, const subject *s);
@@ -36,13 +36,13 @@ static inline void growth(const options *o, bool full);
 
 /* ------------------------------------------------------------------------------------------------ */
 
-static inline subject subject_of(mesh m, vec3 up, int width, int height, size_t corners, uint64_t seed)
+static inline subject subject_of(mesh m, int width, int height, size_t corners, uint64_t seed)
 {
     subject s = {.m = m};
     vec3 lo, hi;
     bvh b;
     mesh_bounds(&m, &lo, &hi);
-    s.v = view_of(lo, hi, up, (real)width / (real)height);
+    s.v = view_of(lo, hi, true, (real)width / (real)height);
     s.primary = rays_primary(s.v, width, height);
     bvh_build(&m, bvh_defaults, &b);
     s.diffuse = rays_diffuse(&b, &m, &s.primary, seed);
@@ -197,7 +197,7 @@ static inline void growth(const options *o, bool full)
     static const int fine[] = {2, 4, 8, 16, 32, 64, 125, 177};
     static const candidate binned = {"SAH, bins", {BVH_SAH, 8, 0.3}, false};
     int n = o->quick ? 3 : full ? 8 : 7;
-    double x[8], build[8], ray[8], nodes[8], least = HUGE_VAL, greatest = 0;
+    double x[8], build[8], search[8], nodes[8], least = HUGE_VAL, greatest = 0;
     table out = table_new("Growth with n, SAH, bins, leaves of 8; one thread",
                           "triangles|build [ms]|build / (n log2 n) [ns]|nodes/ray|tests/ray|ray [ns]|"
                           "brute force [ns]|peak [B/tri]");
@@ -207,14 +207,14 @@ static inline void growth(const options *o, bool full)
     int by_brute = plot_series(&p, "brute force, a ray"), by_nodes = plot_series(&q, "pairs of boxes");
     int by_tests = plot_series(&q, "triangles");
     for (int i = 0; i < n; i++) {
-        subject s = subject_of(teapot_mesh(fine[i]), (vec3){0, 0, 1}, 200, 125,
+        subject s = subject_of(teapot_mesh(fine[i]), 200, 125,
                                fine[i] <= 64 ? 40 : 0, o->seed);
         trial t = {&s, &binned, &s.diffuse, {{0}, NULL, NULL}};
         double triangles = (double)s.m.triangles, seconds;
         time_trials(&t, 1, run_build, fine[i] < 64 ? 9 : fine[i] < 120 ? 3 : 1, &build[i]);
         time_trials(&t, 1, run_search, 3, &seconds);
         bvh_work w = rays_count(&t.b, &s.diffuse);
-        x[i] = log2(triangles), ray[i] = log2(seconds / (double)s.diffuse.n);
+        x[i] = log2(triangles), search[i] = log2(seconds / (double)s.diffuse.n);
         nodes[i] = per((double)w.nodes, s.diffuse.n);
         double unit = build[i] / (triangles * x[i]);
         if (triangles > 900 && unit < least) least = unit;
@@ -238,7 +238,7 @@ static inline void growth(const options *o, bool full)
     printf("# fitted: build ~ n^%.2f; build / (n log2 n) within a factor %.2f from 1e3 triangles on\n",
            slope_of(x, build, n), greatest / least);
     printf("# fitted: a diffuse ray tests %.2f more pairs of boxes for each doubling of n; time ~ n^%.2f\n",
-           slope_of(x, nodes, n), slope_of(x, ray, n));
+           slope_of(x, nodes, n), slope_of(x, search, n));
     plot_slope(&p, 1, "slope 1");
     output_plot(o, &p, "14_bvh_n_time.svg");
     output_plot(o, &q, "14_bvh_n.svg");

@@ -3,7 +3,7 @@
  *   BVH_CYCLE        axis x, y, z, x, ... by depth; in the middle of the centres      (14.4)
  *   BVH_LONGEST      the axis along which the centres extend longest; in the middle
  *   BVH_MEDIAN       that axis; as many items left as right, by selection in O(n)
- *   BVH_SAH          surface area heuristic (表面积启发式), at up to 32 planes an axis: bins (14.6)
+ *   BVH_SAH          surface area heuristic (表面积启发式), at 15 planes an axis: bins      (14.6)
  *   BVH_SAH_SWEEP    the same at every place between two items, along all three axes
  *
  *   size_t left = split_items(&s, item, n, axis_of_depth)    [1 .. n-1] items go left: the array is
@@ -76,15 +76,11 @@ static inline size_t split_middle(const splitter *s, bvh_item *item, size_t n, i
 
 /* ---- surface area heuristic, bins ---- */
 
-enum { most_bins = 32 };
+enum { most_bins = 16 };
 typedef struct { bvh_box box; uint32_t n; } split_bin;
 typedef struct { double cost; int axis, bin; } split_choice;
 
-/* Few items need few bins: with as many bins as items nearly every plane between two is tried. */
-static inline int bins_for(size_t n)
-{
-    return n < 4 ? 4 : n < 28 ? (int)n / 2 + 2 : n < 256 ? 16 : most_bins;
-}
+static inline int bins_for(size_t n) { return n < 16 ? 8 : most_bins; }
 
 /* Where a hundred thousand items lie, some ten thousand of them tell: every so many-th goes into the
  * bins, an odd number, since the triangles of a mesh often come in pairs. The boxes of the parts do

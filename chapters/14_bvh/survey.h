@@ -1,6 +1,6 @@
 /* survey.h: what this chapter measures: rays to search for, and the search of them, counted and timed.
  *
- *   view v = view_of(lo, hi, up);               a camera that looks at a box from in front and above
+ *   view v = view_of(lo, hi, z_up, aspect);     a camera that looks at a box from in front and above
  *   ray_set s = rays_primary(v, width, height); one ray a pixel (主光线)
  *   ray_set d = rays_diffuse(&b, &m, &s, seed); from each of their hits one on, by the cosine law
  *   ray_set c = rays_corners(&m, eye, n, seed); at corners of triangles
@@ -22,15 +22,15 @@ typedef struct { ray *r; size_t n; } ray_set;
 
 /* ------------------------------------------------------------------------------------------------ */
 
-static inline view view_of(vec3 lo, vec3 hi, vec3 up, real aspect)
+static inline view view_of(vec3 lo, vec3 hi, bool z_up, real aspect)
 {
     failure f;
     view v = {.size = vlength(vsub(hi, lo)) / 2};
-    vec3 centre = vscale(vadd(lo, hi), (real)0.5), side = {up.y, up.z, up.x};
-    vec3 toward = vunit(vadd(vmadd(vscale(side, (real)0.5), up, (real)0.45), vcross(side, up)));
+    vec3 centre = vscale(vadd(lo, hi), (real)0.5), up = {0, !z_up, z_up};
+    vec3 toward = vunit(z_up ? (vec3){(real)0.45, -1, (real)0.55} : (vec3){(real)0.45, (real)0.55, 1});
     camera_frame frame;
     if (!frame_look_at(vmadd(centre, toward, 3 * v.size), centre, up, &frame, &f)
-        || !camera_perspective(frame, 36, aspect, &v.camera, &f)) fail(f);
+        || !camera_perspective(frame, aspect > 1 ? 26 : 38, aspect, &v.camera, &f)) fail(f);
     return v;
 }
 
@@ -57,7 +57,8 @@ static inline vec3 diffuse_direction(vec3 n, random_stream *g)
 }
 
 /* They start a little off the surface, by 1e-4 of the distance that the eye keeps. */
-static inline ray_set rays_diffuse(const bvh *b, const mesh *m, const ray_set *eye, uint64_t seed)
+static inline ray_set rays_diffuse(const bvh *b, const mesh *m, const ray_set *eye,
+                                   uint64_t seed)
 {
     ray_set s = {allocate(eye->n, sizeof(ray)), 0};
     for (size_t i = 0; i < eye->n; i++) {

@@ -7,13 +7,13 @@
  *        4   5                     each leaf's lie side by side, leaves from left to right
  *   [0..1]   [2..3]
  *
- *   tree_build(item, n, options, &t)      reorders item[n]; O(n log n); n < 2^31
+ *   tree_build(item, n, how, &t)          reorders item[n]; O(n log n); n < 2^31
  *   tree_free(&t)                         a zeroed tree may be freed
  *
- *   options.strategy    BVH_CYCLE .. BVH_SAH_SWEEP: split.h
- *   options.leaf        most items in a leaf [1..255]; a set that the heuristic would rather not cut
+ *   how.strategy        BVH_CYCLE .. BVH_SAH_SWEEP: split.h
+ *   how.leaf            most items in a leaf [1..255]; a set that the heuristic would rather not cut
  *                       becomes a leaf earlier, never later
- *   options.item_cost   of testing an item, where testing a pair of boxes costs 1 (> 0)
+ *   how.item_cost       of testing an item, where testing a pair of boxes costs 1 (> 0)
  *
  * Depth. Cuts by planes may peel off one item each: n items 1, 2, 4, 8 ... apart make a tree n deep.
  * So a set of n items at depth d is halved by number as soon as d + log2(n) reaches 64. Halving keeps
@@ -134,15 +134,15 @@ static inline void tree_trim(bvh_tree *t, size_t room)
     t->bytes -= (room + room % 2) * sizeof *all;
 }
 
-static inline void tree_build(bvh_item *item, size_t n, bvh_options options, bvh_tree *out)
+static inline void tree_build(bvh_item *item, size_t n, bvh_options how, bvh_tree *out)
 {
-    bool sweep = options.strategy == BVH_SAH_SWEEP;
+    bool sweep = how.strategy == BVH_SAH_SWEEP;
     size_t room = 2 * n + 2, extra = sweep ? n * (2 * sizeof(sort_pair) + sizeof(float)) : 0;
     *out = (bvh_tree){.items = n, .nodes = 2};
     tree_takes(out, n * sizeof *item + extra);
     out->node = tree_nodes(out, room);
     out->node[0] = out->node[1] = (bvh_node){box_empty(), 0, 0};
-    tree_builder b = {out, item, options, {.strategy = options.strategy, .item_cost = options.item_cost}};
+    tree_builder b = {out, item, how, {.strategy = how.strategy, .item_cost = how.item_cost}};
     if (sweep) {
         b.split.pairs = allocate(n, sizeof *b.split.pairs);
         b.split.spare = allocate(n, sizeof *b.split.spare);
