@@ -58,7 +58,7 @@ _Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
 
 /* ------------------------------------------------------------------------------------------------ */
 
-/* A float <= x: x itself if it is one, else at most two floats below. */
+/* A float <= x: x itself if it is one, else at most three floats below. */
 static inline float float_below(real x)
 {
     float f = (float)x;
@@ -69,7 +69,8 @@ static inline float float_below(real x)
 /* A float >= x. */
 static inline float float_above(real x) { return -float_below(-x); }
 
-/* A float > x by at least the error of the last operation that made x: x + |x| 2^-24. */
+/* A float > x by at least the error of the last operation that made x: x + |x| 2^-24. Below all
+ * floats it is a NaN, and then the comparisons leave the plane out. */
 static inline float float_beyond(real x)
 {
     float f = (float)x;
