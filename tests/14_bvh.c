@@ -1,5 +1,6 @@
-/* Every hit of the tree equals brute force: t, u, v and triangle, bit for bit, and so does "occluded".
- * Rays are aimed where boxes and triangles end: corners, edges, planes of faces, axes. */
+/* Every hit of the tree equals brute force: t, u, v and triangle, bit for bit, and so does
+ * "occluded". Rays are aimed where boxes and triangles end: corners, edges, planes of faces, axes.
+ * */
 #include "../chapters/14_bvh/bvh.h"
 #include "../chapters/14_bvh/bvh_shapes.h"
 #include "../chapters/07_mesh/specimens.h"
@@ -151,8 +152,8 @@ static void test_no_and_one(void)
     mesh_free(&m);
 }
 
-/* Triangles on one place: the same t for all, so the lowest index must win, whatever the order of the
- * leaves. Every third one is a shifted copy in front; the lowest of those is number 2. */
+/* Triangles on one place: the same t for all, so the lowest index must win, whatever the order of
+ * the leaves. Every third one is a shifted copy in front; the lowest of those is number 2. */
 static void test_coincident(size_t n)
 {
     mesh m = mesh_room(n);
@@ -177,8 +178,8 @@ static void test_coincident(size_t n)
     mesh_free(&m);
 }
 
-/* One triangle of eight is sick: NaN, infinite, a point, a line. None of them is hit, and the others
- * are found as if the sick ones were not there. */
+/* One triangle of eight is sick: NaN, infinite, a point, a line. None of them is hit, and the
+ * others are found as if the sick ones were not there. */
 static void test_sick(void)
 {
     size_t n = 4000, sick = 0;

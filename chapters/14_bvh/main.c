@@ -1,8 +1,9 @@
 /* 14_bvh: a tree of boxes over the triangles of a mesh: built in five ways, searched, compared.
 cc -std=c11 -O2 -ffp-contract=off -o 14_bvh chapters/14_bvh/main.c -lm -lpthread
  *
- * Without options: the teapot of 102080 triangles, what each pixel took, three tables, three plots.
- * --mesh FILE.obj: that mesh instead, a picture only. --rays FILE: searches these rays and no others. */
+ * Without options: the teapot of 102080 triangles, what each pixel took, four tables, three plots.
+ * --mesh FILE.obj: that mesh instead, a picture only. --rays FILE: searches these rays and no
+ * others. */
 #include "../07_mesh/obj.h"
 #include "measure.h"
 #include "pictures.h"
@@ -77,7 +78,8 @@ static void draw_all_visits(const options *o, const mesh *m)
     image_free(&all);
 }
 
-/* One thread; the median of seven passes. The columns are those of all programs that read such files. */
+/* One thread; the median of seven passes. The columns are those of all programs that read such
+ * files. */
 static void search_file(const options *o, const own_options *own, const mesh *m, bvh_options build)
 {
     failure f;
@@ -134,6 +136,7 @@ int main(int argc, char **argv)
     failure f;
     mesh m = {0};
     if (!own.rays && (own.hits || own.any)) failed(&f, 2, "--hits and --any-hit need --rays FILE"), fail(f);
+    option_try_file(own.hits);
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 8 : 40);
     if (own.rays) search_file(&o, &own, &m, build);
@@ -143,6 +146,7 @@ int main(int argc, char **argv)
         subject s = subject_of(m, o.quick ? 40 : 240, o.quick ? 25 : 150, o.quick ? 50 : 1000, o.seed);
         table_of_strategies(&o, &s);
         table_of_overlap(&o, &s);
+        table_of_stadium(&o);
         if (!o.quick) plot_of_leaves(&o, &s);
         growth(&o, own.full);
         subject_free(&s);

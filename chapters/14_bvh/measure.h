@@ -31,10 +31,11 @@ static inline subject subject_of(mesh m, int width, int height, size_t corners, 
 static inline void subject_free(subject *s);
 static inline void table_of_strategies(const options *o, const subject *s);
 static inline void table_of_overlap(const options *o, const subject *s);
+static inline void table_of_stadium(const options *o);
 static inline void plot_of_leaves(const options *o, const subject *s);
 static inline void growth(const options *o, bool full);
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline subject subject_of(mesh m, int width, int height, size_t corners, uint64_t seed)
 {
@@ -162,6 +163,61 @@ static inline void table_of_overlap(const options *o, const subject *s)
     output_extra_table(o, &out);
 }
 
+/* The teapot in a stadium: a fine teapot in the middle of one of 4032 triangles, 100 times as
+ * large. Where triangles are alike, any cut will do; here the middle of a box is the wrong place.
+ * */
+static inline mesh stadium_mesh(int fine)
+{
+    mesh a = teapot_mesh(fine), b = teapot_mesh(8), m = {0};
+    m.vertices = a.vertices + b.vertices, m.triangles = a.triangles + b.triangles;
+    m.v = allocate(m.vertices, sizeof *m.v);
+    m.index = allocate(3 * m.triangles, sizeof *m.index);
+    memcpy(m.v, a.v, a.vertices * sizeof *m.v);
+    memcpy(m.index, a.index, 3 * a.triangles * sizeof *m.index);
+    for (size_t i = 0; i < b.vertices; i++)
+        m.v[a.vertices + i] = vadd(vscale(b.v[i], 100), (vec3){20, 30, -150});
+    for (size_t i = 0; i < 3 * b.triangles; i++)
+        m.index[3 * a.triangles + i] = b.index[i] + (uint32_t)a.vertices;
+    mesh_free(&a), mesh_free(&b);
+    return m;
+}
+
+static inline void table_of_stadium(const options *o)
+{
+    static const int shown[5] = {0, 1, 2, 5, 7};
+    mesh pot = teapot_mesh(1), m = stadium_mesh(o->quick ? 8 : 32);
+    vec3 lo, hi;
+    trial t[5];
+    double seconds[5];
+    bvh b;
+    table out = table_new("The teapot in a stadium: diffuse rays from the teapot",
+                          "structure|depth|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)|in both (14.8)");
+    mesh_bounds(&pot, &lo, &hi);
+    subject s = {.m = m, .v = view_of(lo, hi, true, (real)1.6)};
+    s.primary = rays_primary(s.v, o->quick ? 40 : 160, o->quick ? 25 : 100);
+    bvh_build(&m, bvh_defaults, &b);
+    s.diffuse = rays_diffuse(&b, &m, &s.primary, o->seed);
+    bvh_free(&b);
+    for (int i = 0; i < 5; i++) {
+        t[i] = (trial){&s, &candidate_list[shown[i]], &s.diffuse, {{0}, NULL, NULL}};
+        run_build(&t[i]);
+    }
+    time_trials(t, 5, run_search, o->quick ? 1 : 5, seconds);
+    for (int i = 0; i < 5; i++) {
+        bvh_stats st = bvh_stats_of(&t[i].b.tree);
+        bvh_work w = rays_count(&t[i].b, &s.diffuse);
+        table_text(&out, "%s", t[i].c->name), table_count(&out, (size_t)st.depth);
+        table_number(&out, per((double)w.nodes, s.diffuse.n));
+        table_number(&out, per((double)w.tests, s.diffuse.n));
+        table_number(&out, per(seconds[i] * 1e9, s.diffuse.n));
+        table_number(&out, st.nodes), table_number(&out, st.tests), table_number(&out, st.overlap);
+        bvh_free(&t[i].b);
+    }
+    output_extra_table(o, &out);
+    mesh_free(&pot);
+    subject_free(&s);
+}
+
 /* Quality against build time: each strategy a curve, leaf sizes 16, 8, 4, 2, 1 its points. */
 static inline void plot_of_leaves(const options *o, const subject *s)
 {
@@ -194,10 +250,10 @@ static inline double slope_of(const double *x, const double *y, int n)
 /* Time against n: teapots of 64 n^2 - 8 n triangles, ever finer. */
 static inline void growth(const options *o, bool full)
 {
-    static const int fine[] = {2, 4, 8, 16, 32, 64, 125, 177};
+    static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 125, 177};
     static const candidate binned = {"SAH, bins", {BVH_SAH, 8, 0.3}, false};
-    int n = o->quick ? 3 : full ? 8 : 7;
-    double x[8], build[8], search[8], nodes[8], least = HUGE_VAL, greatest = 0;
+    int n = o->quick ? 4 : full ? 9 : 8;
+    double x[9], build[9], search[9], nodes[9], least = HUGE_VAL, greatest = 0;
     table out = table_new("Growth with n, SAH, bins, leaves of 8; one thread",
                           "triangles|build [ms]|build / (n log2 n) [ns]|nodes/ray|tests/ray|ray [ns]|"
                           "brute force [ns]|peak [B/tri]");

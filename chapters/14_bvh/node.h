@@ -1,36 +1,41 @@
 /* node.h: the node of the tree, 32 bytes, and the test of a ray against its box (包围盒).
  *
  *   bvh_node { bvh_box box; first; count }   count = 0: children (子节点) are nodes first, first + 1
- *                                            count > 0: a leaf (叶节点), its items first .. + count - 1
+ *                                            count > 0: a leaf (叶节点), its items first .. + count -
+ *                                            1
  *
- * The box is in float whatever `real` is, rounded outwards, so that it holds what it should hold. Two
- * siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
+ * The box is in float whatever `real` is, rounded outwards, so that it holds what it should hold.
+ * Two siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
  *
  *   box_ray q = box_ray_of(r, &root_box)         prepares the ray once: origin, 1 / D, all in float
  *   box_ray_limit(&q, t)                         t as the float that `enter` is compared with
  *   box_ray_naive(r, &root_box)                  the same without what follows: loses hits
- *   enter = box_enter(&box, &q, limit, &exit)    the ray is in the box for t in [enter, exit]  (14.2)
+ *   enter = box_enter(&box, &q, limit, &exit)    the ray is in the box for t in [enter, exit] 
+ *                                                (14.2)
  *   the box counts unless enter > exit           NaN never throws a box away
  *
- * Why nothing is lost though all is rounded to float: all errors are paid for in advance, once a ray.
- * The near planes are seen from an origin moved towards them by delta, the far planes from one moved
- * away (14.3):
+ * Why nothing is lost though all is rounded to float: all errors are paid for in advance, once a
+ * ray. The near planes are seen from an origin moved towards them by delta, the far planes from
+ * one moved away (14.3):
  *
  *        o      near                far        near: t = (b - (o + delta)) / d   too small
  *        +--->---|-------------------|-->      far:  t = (b - (o - delta)) / d   too large
  *      o-delta o+delta   (d > 0; if d < 0 the signs change)
  *
- *   1. b - o, 1 / d and their product are three roundings: off by 3 u |b - o|, u = 2^-24, as seen in
+ *   1. b - o, 1 / d and their product are three roundings: off by 3 u |b - o|, u = 2^-24, as seen
+ *   in
  *      the place of the plane. D = the largest |b - o| of the whole tree bounds them all: 4 u D is
  *      enough, 2^-21 D = 8 u D is taken.
- *   2. What is in the box is tested in `real`, with errors of its own: the watertight test (04) moves
+ *   2. What is in the box is tested in `real`, with errors of its own: the watertight test (04)
+ *   moves
  *      corners by up to 3 eps D, and t by up to 140 eps D / |d|, since its weights are right to
  *      65 eps. 256 eps D covers both.
- *   3. o + delta is rounded up, o - delta down, to the next float but one at most. Far out, where floats
+ *   3. o + delta is rounded up, o - delta down, to the next float but one at most. Far out, where
+ *   floats
  *      are farther apart than delta, this is what keeps the two apart.
  *   4. Products that underflow are off by 2^-150. D is scaled so that 1 / d >= 2^-21, and delta >=
- *      2^-100 gives 2^-121. Where 1 / d overflows, the axis is left out; d = 0 gives +-infinity as it
- *      should, and 0 * infinity, a NaN, is dropped by the comparisons: the plane itself counts.
+ *      2^-100 gives 2^-121. Where 1 / d overflows, the axis is left out; d = 0 gives +-infinity as
+ *      it should, and 0 * infinity, a NaN, is dropped by the comparisons: the plane itself counts.
  *
  * Sources: A. Williams, S. Barrus, R. K. Morley, P. Shirley, "An Efficient and Robust Ray-Box
  * Intersection Algorithm", JGT 10(1), 2005 (the sign chooses the plane); T. Ize, "Robust BVH Ray
@@ -56,7 +61,7 @@ typedef struct {
 
 _Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* A float <= x: x itself if it is one, else at most three floats below. */
 static inline float float_below(real x)
@@ -149,9 +154,10 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
     return q;
 }
 
-/* o = (0, 0, 2/3), a flat box in the plane z = 1/3 of which the float bounds are 1/3 rounded down and
- * up, and a ray along the box's edge or corner: everything is rounded to the nearest float, so t of the
- * near plane may come out larger than t of the far one, and the box is lost with all that is in it. */
+/* o = (0, 0, 2/3), a flat box in the plane z = 1/3 of which the float bounds are 1/3 rounded down
+ * and up, and a ray along the box's edge or corner: everything is rounded to the nearest float, so
+ * t of the near plane may come out larger than t of the far one, and the box is lost with all that
+ * is in it. */
 static inline box_ray box_ray_naive(ray r, const bvh_box *all)
 {
     box_ray q = {.scale = 1, .tmin = (float)r.tmin};

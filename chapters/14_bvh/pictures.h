@@ -12,7 +12,7 @@ typedef struct { const bvh *b; const mesh *m; view v; image *im; int samples; re
 static inline bool draw_mesh(picture p, int threads);    /* samples x samples rays a pixel */
 static inline bool draw_visits(picture p, int threads);  /* 0 black .. `most` nodes and tests white */
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline ray picture_ray(const picture *p, real x, real y)
 {

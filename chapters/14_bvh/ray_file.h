@@ -1,8 +1,8 @@
 /* ray_file.h: rays and hits in files, so that the search can be compared from outside.
  *
  *   RAYS   no header; a record is eight little-endian float32: ox oy oz tmin dx dy dz tmax
- *   HITS   no header; a record is a float32 t (+infinity: none) and a uint32 triangle (0xffffffff: none);
- *          occlusion: t = 0 and triangle 0 where occluded
+ *   HITS   no header; a record is a float32 t (+infinity: none) and a uint32 triangle (0xffffffff:
+ *          none); occlusion: t = 0 and triangle 0 where occluded
  *
  *   ray *r = rays_read(path, &n, &f);          NULL: f says what is wrong; the caller frees
  *   bool hits_write(path, hit, n, any, &f);    hit[i].shape = no_shape where nothing was hit
@@ -18,7 +18,7 @@
 #include "../../common/file.h"
 #include "../01_ray/hit.h"
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline uint32_t little_endian(const unsigned char *b)
 {

@@ -5,13 +5,13 @@
  *       any       true: ends at the first hit (遮挡); h is not touched
  *       work      counts what was done; NULL: does not count
  *
- * Both children of a node are tested at once. If the ray meets both, the one that it enters first is
- * next, and the other waits on the stack with its t of entry: by the time it comes up a hit may have
- * been found before it, and it is dropped unseen.
+ * Both children of a node are tested at once. If the ray meets both, the one that it enters first
+ * is next, and the other waits on the stack with its t of entry: by the time it comes up a hit may
+ * have been found before it, and it is dropped unseen.
  *
  *   the rule of hit.h, and what it asks of a search:
- *   equal t, the lower index wins      a box that begins at t_enter = tmax is still looked into: it may
- *                                      hold the lower index; dropped only if t_enter > tmax
+ *   equal t, the lower index wins      a box that begins at t_enter = tmax is still looked into:
+ *                                      it may hold the lower index; dropped only if t_enter > tmax
  *   the same hit as brute force        boxes err to the large side only: node.h
  *
  * An empty tree, and a ray with a NaN, an infinite origin or no direction, hit nothing.
@@ -35,10 +35,11 @@ typedef struct { ray r; ray_shear shear; hit best; } tree_query;
 /* box_ray_of; or box_ray_naive, which loses hits. */
 typedef box_ray tree_prepare(ray r, const bvh_box *all);
 
-/* Tests items first .. first + count - 1; true if one was closer than q->best (any: was hit at all). */
+/* Tests items first .. first + count - 1; true if one was closer than q->best (any: was hit at
+ * all). */
 typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q, bool any);
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 typedef struct { uint32_t first, count; float enter; } tree_waiting;
 

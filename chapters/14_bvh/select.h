@@ -3,14 +3,14 @@
  *   select_item(item, n, k, axis)     afterwards item[0 .. k-1] <= item[k] <= item[k+1 .. n-1]
  *
  *
- * Quickselect halves the rest on average: n + n/2 + n/4 + ... = 2 n comparisons. A bad choice of pivot
- * again and again makes n^2 of it. So the pivot is the median of three at first; once the rest has not
- * halved within three passes, it is the median of medians of five (Blum et al.), whose rest is at most
- * 7/10 n + 4: the sum stays O(n) for every input.
+ * Quickselect halves the rest on average: n + n/2 + n/4 + ... = 2 n comparisons. A bad choice of
+ * pivot again and again makes n^2 of it. So the pivot is the median of three at first; once the
+ * rest has not halved within three passes, it is the median of medians of five (Blum et al.),
+ * whose rest is at most 7/10 n + 4: the sum stays O(n) for every input.
  *
- * The key of an item is the centre of its box along `axis`; equal centres are ordered by index. So no
- * two keys are equal, a million coincident items are no special case, and which items come first does
- * not depend on the order in which they were given.
+ * The key of an item is the centre of its box along `axis`; equal centres are ordered by index. So
+ * no two keys are equal, a million coincident items are no special case, and which items come
+ * first does not depend on the order in which they were given.
  *
  * Sources: C. A. R. Hoare, "Algorithm 65: Find", CACM 4(7), 1961; M. Blum, R. Floyd, V. Pratt,
  * R. Rivest, R. Tarjan, "Time bounds for selection", J. Comp. Syst. Sci. 7, 1973; D. Musser,
@@ -24,10 +24,10 @@
 
 typedef struct { bvh_box box; uint32_t index; } bvh_item;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
-/* Centre of the item's box, kept within +-1e37 so that differences of centres stay finite; an infinite
- * box (of a point beyond the floats) has one, too. */
+/* Centre of the item's box, kept within +-1e37 so that differences of centres stay finite; an
+ * infinite box (of a point beyond the floats) has one, too. */
 static inline float item_centre(const bvh_item *i, int axis)
 {
     float c = 0.5f * i->box.side[axis] + 0.5f * i->box.side[3 + axis];

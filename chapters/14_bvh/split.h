@@ -8,7 +8,8 @@
  *
  *   size_t left = split_items(&s, item, n, axis_of_depth)    [1 .. n-1] items go left: the array is
  *                                                            reordered so that they come first
- *   s.cost (SAH only) is the cost of that split, in tests of a box, against n * s.item_cost of a leaf
+ *   s.cost (SAH only) is the cost of that split, in tests of a box, against n * s.item_cost of a
+ *   leaf
  *
  * The heuristic. A line that meets a convex box meets a box inside it with probability
  * area(inside) / area(box), so a cut into L and R costs (14.5)
@@ -17,10 +18,10 @@
  *
  * What cannot be cut by planes (all centres the same; areas that overflow) is halved by number.
  *
- * Sources: J. Goldsmith, J. Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing", IEEE
- * CG&A 7(5), 1987; J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision",
- * The Visual Computer 6, 1990; I. Wald, "On fast Construction of SAH-based Bounding Volume
- * Hierarchies", IEEE Symp. Interactive Ray Tracing 2007 (bins).
+ * Sources: J. Goldsmith, J. Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing",
+ * IEEE CG&A 7(5), 1987; J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space
+ * subdivision", The Visual Computer 6, 1990; I. Wald, "On fast Construction of SAH-based Bounding
+ * Volume Hierarchies", IEEE Symp. Interactive Ray Tracing 2007 (bins).
  */
 #ifndef BVH_SPLIT_H
 #define BVH_SPLIT_H
@@ -41,7 +42,7 @@ typedef struct {
     float *areas;             /* [n] */
 } splitter;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline int box_longest(const bvh_box *b)
 {
@@ -74,7 +75,7 @@ static inline size_t split_middle(const splitter *s, bvh_item *item, size_t n, i
     return left == 0 || left == n ? split_by_number(item, n, box_longest(&s->centres)) : left;
 }
 
-/* ---- surface area heuristic, bins ---- */
+/* ---------------------------------------------------------------------------------------------- */
 
 enum { most_bins = 16 };
 typedef struct { bvh_box box; uint32_t n; } split_bin;
@@ -82,9 +83,9 @@ typedef struct { double cost; int axis, bin; } split_choice;
 
 static inline int bins_for(size_t n) { return n < 16 ? 8 : most_bins; }
 
-/* Where a hundred thousand items lie, some ten thousand of them tell: every so many-th goes into the
- * bins, an odd number, since the triangles of a mesh often come in pairs. The boxes of the parts do
- * not come from the bins but are measured. */
+/* Where a hundred thousand items lie, some ten thousand of them tell: every so many-th goes into
+ * the bins, an odd number, since the triangles of a mesh often come in pairs. The boxes of the
+ * parts do not come from the bins but are measured. */
 static inline size_t sample_step(size_t n) { return n < 32768 ? 1 : n / 16384 | 1; }
 
 static inline float bin_scale(const splitter *s, int axis, int bins)
@@ -99,7 +100,8 @@ static inline int bin_of(const splitter *s, const bvh_item *i, int axis, float s
     return (int)((item_centre(i, axis) - s->centres.side[axis]) * scale);
 }
 
-/* Areas times numbers from the right, then from the left; the best plane is after bin `choice->bin`. */
+/* Areas times numbers from the right, then from the left; the best plane is after bin
+ * `choice->bin`. */
 static inline void sweep_bins(const split_bin *bin, int bins, int axis, split_choice *choice)
 {
     double right[most_bins];
@@ -154,9 +156,10 @@ static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
     return left;
 }
 
-/* ---- surface area heuristic, full sweep ---- */
+/* ---------------------------------------------------------------------------------------------- */
 
-/* Floats as whole numbers in the same order: all bits of a negative one are turned, the sign of others. */
+/* Floats as whole numbers in the same order: all bits of a negative one are turned, the sign of
+ * others. */
 static inline uint32_t float_key(float x)
 {
     uint32_t bits;
@@ -165,7 +168,8 @@ static inline uint32_t float_key(float x)
     return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
 }
 
-/* Sorted by key; equal keys keep their order. O(n): four passes of 256 drawers; few by insertion. */
+/* Sorted by key; equal keys keep their order. O(n): four passes of 256 drawers; few by insertion.
+ * */
 static inline void sort_pairs(sort_pair *pair, sort_pair *spare, size_t n)
 {
     if (n <= 32) {

@@ -1,4 +1,5 @@
-/* stats.h: what a tree looks like, what the heuristic says that it costs, and how much boxes overlap.
+/* stats.h: what a tree looks like, what the heuristic says that it costs, and how much boxes
+ * overlap.
  *
  *   bvh_stats s = bvh_stats_of(&t);
  *   s.nodes     pairs of boxes that a random line through the root tests                      (14.7)
@@ -29,7 +30,7 @@ typedef struct {
     size_t bytes, peak;  /* memory now, and the most while it was built */
 } bvh_stats;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 /* Half the surface of what two boxes share; 0 if nothing. */
 static inline double box_shared_area(const bvh_box *a, const bvh_box *b)

@@ -1,4 +1,5 @@
-/* survey.h: what this chapter measures: rays to search for, and the search of them, counted and timed.
+/* survey.h: what this chapter measures: rays to search for, and the search of them, counted and
+ * timed.
  *
  *   view v = view_of(lo, hi, z_up, aspect);     a camera that looks at a box from in front and above
  *   ray_set s = rays_primary(v, width, height); one ray a pixel (主光线)
@@ -20,7 +21,7 @@
 typedef struct { camera camera; real size; } view;
 typedef struct { ray *r; size_t n; } ray_set;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 static inline view view_of(vec3 lo, vec3 hi, bool z_up, real aspect)
 {
@@ -82,8 +83,8 @@ static inline ray_set rays_corners(const mesh *m, vec3 eye, size_t n, uint64_t s
     return s;
 }
 
-/* Lines through a box, uniformly distributed: origin uniform on its surface, direction by the cosine
- * law; the inward half suffices, a line that enters also leaves. */
+/* Lines through a box, uniformly distributed: origin uniform on its surface, direction by the
+ * cosine law; the inward half suffices, a line that enters also leaves. */
 static inline ray_set rays_uniform(const bvh_box *box, size_t n, uint64_t seed)
 {
     ray_set s = {allocate(n, sizeof(ray)), n};

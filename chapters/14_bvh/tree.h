@@ -1,9 +1,11 @@
 /* tree.h: building the tree of boxes (层次包围盒, bounding volume hierarchy) over items of any kind.
  *
- *              0                   node 0 is the root; 1 is not used, so that every pair of siblings
+ *              0                   node 0 is the root; 1 is not used, so that every pair of
+ *                                  siblings
  *           /     \                begins at an even number: one line of the cache
  *          2       3
- *         / \     [item 4..7]      leaves name their items as a range; the items are reordered so that
+ *         / \     [item 4..7]      leaves name their items as a range; the items are reordered so
+ *                                  that
  *        4   5                     each leaf's lie side by side, leaves from left to right
  *   [0..1]   [2..3]
  *
@@ -11,17 +13,17 @@
  *   tree_free(&t)                         a zeroed tree may be freed
  *
  *   how.strategy        BVH_CYCLE .. BVH_SAH_SWEEP: split.h
- *   how.leaf            most items in a leaf [1..255]; a set that the heuristic would rather not cut
- *                       becomes a leaf earlier, never later
+ *   how.leaf            most items in a leaf [1..255]; a set that the heuristic would rather not
+ *                       cut becomes a leaf earlier, never later
  *   how.item_cost       of testing an item, where testing a pair of boxes costs 1 (> 0)
  *
- * Depth. Cuts by planes may peel off one item each: n items 1, 2, 4, 8 ... apart make a tree n deep.
- * So a set of n items at depth d is halved by number as soon as d + log2(n) reaches 64. Halving keeps
- * that sum, so no leaf is deeper than 64, and a search needs to remember 64 siblings at most: a stack
- * of fixed size that no input overflows.
+ * Depth. Cuts by planes may peel off one item each: n items 1, 2, 4, 8 ... apart make a tree n
+ * deep. So a set of n items at depth d is halved by number as soon as d + log2(n) reaches 64.
+ * Halving keeps that sum, so no leaf is deeper than 64, and a search needs to remember 64 siblings
+ * at most: a stack of fixed size that no input overflows.
  *
- * Memory. 28 bytes an item while it is built, 64 for nodes: 2 n + 2 of them are the most there can be.
- * The sweep takes 20 more. What is not used is given back. t.peak is the most held at any time.
+ * Memory. 28 bytes an item while it is built, 64 for nodes: 2 n + 2 of them are the most there can
+ * be. The sweep takes 20 more. What is not used is given back. t.peak is the most held at any time.
  */
 #ifndef BVH_TREE_H
 #define BVH_TREE_H
@@ -32,8 +34,8 @@ enum { bvh_most_depth = 64 };
 
 typedef struct { bvh_strategy strategy; int leaf; double item_cost; } bvh_options;
 
-/* By measurement: eight in a leaf, and a test that costs 0.3 of a pair of boxes. Most tests end at the
- * first comparison of signs. */
+/* By measurement: eight in a leaf, and a test that costs 0.3 of a pair of boxes. Most tests end at
+ * the first comparison of signs. */
 #define bvh_defaults ((bvh_options){BVH_SAH, 8, 0.3})
 
 typedef struct {
@@ -44,7 +46,7 @@ typedef struct {
     size_t bytes, peak;  /* held now, and the most ever held */
 } bvh_tree;
 
-/* ------------------------------------------------------------------------------------------------ */
+/* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
     bvh_tree *tree;
