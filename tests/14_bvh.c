@@ -8,7 +8,8 @@
 #include "../common/random.h"
 #include "check.h"
 
-static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH", "sweep"};
+static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
+                                                          "sweep"};
 
 typedef struct { size_t rays, hits, wrong, wrong_naive, wrong_any; } verdict;
 
@@ -56,16 +57,18 @@ static ray aimed(const mesh *m, random_stream *g, int kind, vec3 centre, real si
     case 4: r.o = vmadd(t.a, axis, -4 * size), r.d = axis; break;            /* in sides of boxes */
     case 5: r.o = t.a, r.d = vsub(s.b, t.a); break;                          /* corner to corner */
     case 6: r.o = vmadd(t.a, vsub(t.b, t.a), -3), r.d = vsub(t.b, t.a); break; /* along an edge */
-    case 7: r.o = vmadd(t.a, axis, -4 * size), r.d = vadd(axis, random_vector(g, real_smallest)); break;
+    case 7: r = ray_from(vmadd(t.a, axis, -4 * size), vadd(axis, random_vector(g, real_smallest)));
+        break;
     case 8: r.d = vsub(t.a, o), r.tmin = -real_infinity; break;              /* the whole line */
     case 9: r.d = vscale(vsub(t.a, o), (real)0x1p-30), r.tmin = -5, r.tmax = (real)0x1p30; break;
     case 10: r.d = vscale(vsub(s.a, t.b), (real)0x1p40), r.o = t.b; break;   /* no unit length */
-    default: r.d = vsub(t.a, o), r.tmax = 1; break;                          /* ends on the corner */
+    default: r.d = vsub(t.a, o), r.tmax = 1; break; /* ends on the corner */
     }
     return r;
 }
 
-static verdict compare_kinds(const mesh *m, const bvh *b, size_t n, uint64_t seed, vec3 centre, real size)
+static verdict compare_kinds(const mesh *m, const bvh *b, size_t n, uint64_t seed, vec3 centre,
+                             real size)
 {
     verdict v = {0, 0, 0, 0, 0};
     for (size_t i = 0; i < n; i++) {
@@ -90,15 +93,18 @@ static void test_mesh(const char *name, mesh m, vec3 move, real scale, bool exhi
         for (int leaf = 1; leaf <= 16; leaf *= 4) {
             bvh b;
             bvh_build(&m, (bvh_options){(bvh_strategy)s, leaf, 1}, &b);
-            verdict v = compare_kinds(&m, &b, check_count(840), (uint64_t)(s * 100 + leaf), move, scale);
+            verdict v = compare_kinds(&m, &b, check_count(840), (uint64_t)(s * 100 + leaf), move,
+                                      scale);
             check_equal(v.wrong, 0, "%s, %s, leaves of %d: %zu of %zu rays hit; wrong", name,
                         strategy_name[s], leaf, v.hits, v.rays);
-            check_equal(v.wrong_any, 0, "%s, %s: occluded, yet no hit, or the reverse", name, strategy_name[s]);
+            check_equal(v.wrong_any, 0, "%s, %s: occluded, yet no hit, or the reverse", name,
+                        strategy_name[s]);
             check_at_least(v.hits, v.rays / 4, "%s: rays aimed at it hit it", name);
             naive += v.wrong_naive;
             bvh_free(&b);
         }
-    check(naive > 0 || !exhibit, "%s: boxes rounded to nearest lose no hit: the exhibit shows nothing", name);
+    check(naive > 0 || !exhibit,
+          "%s: boxes rounded to nearest lose no hit: the exhibit shows nothing", name);
     mesh_free(&m);
 }
 
@@ -143,7 +149,8 @@ static void test_no_and_one(void)
     set_triangle(&m, 0, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, 1});
     for (int s = 0; s < bvh_strategies; s++) {
         bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
-        check(bvh_hit(&b, r, &h) && h.t == 2 && h.u == (real)0.25 && h.v == (real)0.25 && h.shape == 0,
+        check(bvh_hit(&b, r, &h) && h.t == 2 && h.u == (real)0.25 && h.v == (real)0.25
+                  && h.shape == 0,
               "one triangle, by %s: hit at t = 2", strategy_name[s]);
         check(b.tree.nodes == 2 && b.tree.depth == 0, "one triangle makes one leaf");
         bvh_free(&b);
@@ -168,7 +175,8 @@ static void test_coincident(size_t n)
             hit h = hit_none;
             bvh_build(&m, (bvh_options){(bvh_strategy)s, 2, 1}, &b);
             check(bvh_hit(&b, r, &h), "%zu coincident triangles are hit, %s", n, strategy_name[s]);
-            check_equal(h.shape, front ? 2 : 0, "lowest index of the nearest, %s", strategy_name[s]);
+            check_equal(h.shape, front ? 2 : 0, "lowest index of the nearest, %s",
+                        strategy_name[s]);
             check(bvh_occluded(&b, r), "and occlude");
             check_at_most(b.tree.depth, log2_above(n) + 1, "halves of halves: depth log2(n), %s",
                           strategy_name[s]);
@@ -203,8 +211,9 @@ static void test_sick(void)
         bvh_build(&well, (bvh_options){(bvh_strategy)s, 4, 1}, &w);
         check_equal(b.tree.items, n - (sick + 5) / 6 - (sick + 4) / 6 - (sick + 3) / 6 - sick / 6,
                     "triangles that are not finite stay out, %s", strategy_name[s]);
-        check(vfinite((vec3){(real)b.tree.node[0].box.side[0], (real)b.tree.node[0].box.side[3], 0}),
-              "the root box is finite");
+        check(
+            vfinite((vec3){(real)b.tree.node[0].box.side[0], (real)b.tree.node[0].box.side[3], 0}),
+            "the root box is finite");
         verdict v = {0, 0, 0, 0, 0};
         size_t other = 0, hit_sick = 0;
         for (size_t i = 0; i < check_count(3000); i++) {
@@ -216,7 +225,8 @@ static void test_sick(void)
             bool gx = bvh_hit(&b, r, &x), gy = bvh_hit(&w, r, &y);
             other += !same(gx, x, gy, y), hit_sick += gx && x.shape % 8 == 0;
         }
-        check_equal(v.wrong + v.wrong_any, 0, "sick triangles, %s: as brute force", strategy_name[s]);
+        check_equal(v.wrong + v.wrong_any, 0, "sick triangles, %s: as brute force",
+                    strategy_name[s]);
         check_equal(other, 0, "sick triangles, %s: as without them", strategy_name[s]);
         check_equal(hit_sick, 0, "sick triangles are not hit");
         check(v.hits > v.rays / 4, "enough rays hit something: %zu of %zu", v.hits, v.rays);
@@ -233,13 +243,18 @@ static void test_sick_rays(void)
     hit h;
     bvh_build(&m, bvh_defaults, &b);
     real nan = (real)NAN, inf = real_infinity;
-    ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}), ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, 0}), ray_from((vec3){0, 0, -inf}, (vec3){0, 0, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, inf}), {{0, 0, -9}, nan, {0, 0, 1}, 99},
-                  {{0, 0, -9}, 0, {0, 0, 1}, nan}, {{0, 0, -9}, 5, {0, 0, 1}, 4}};
+    ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, 0}),
+                  ray_from((vec3){0, 0, -inf}, (vec3){0, 0, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, inf}),
+                  {{0, 0, -9}, nan, {0, 0, 1}, 99},
+                  {{0, 0, -9}, 0, {0, 0, 1}, nan},
+                  {{0, 0, -9}, 5, {0, 0, 1}, 4}};
     for (size_t i = 0; i < sizeof sick / sizeof *sick; i++) {
         check(!mesh_hit(&m, sick[i], &h), "brute force has no hit for sick ray %zu", i);
-        check(!bvh_hit(&b, sick[i], &h) && !bvh_occluded(&b, sick[i]), "nor has the tree: sick ray %zu", i);
+        check(!bvh_hit(&b, sick[i], &h) && !bvh_occluded(&b, sick[i]),
+              "nor has the tree: sick ray %zu", i);
     }
     bvh_free(&b);
     mesh_free(&m);
@@ -259,7 +274,8 @@ static void test_exponential(void)
         bvh b;
         size_t wrong = 0, hits = 0;
         bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
-        check_at_most(b.tree.depth, bvh_most_depth, "depth of exponentially spaced triangles, %s", strategy_name[s]);
+        check_at_most(b.tree.depth, bvh_most_depth, "depth of exponentially spaced triangles, %s",
+                      strategy_name[s]);
         for (size_t i = 0; i < rays; i++) {
             random_stream g = random_start(6, i, 0);
             triangle t = mesh_triangle(&m, random_below(&g, n));
@@ -270,7 +286,8 @@ static void test_exponential(void)
             bool gx = mesh_hit(&m, r, &x), gy = bvh_hit(&b, r, &y);
             hits += gx, wrong += !same(gx, x, gy, y) || (bvh_occluded(&b, r) != gx);
         }
-        check_equal(wrong, 0, "exponentially spaced triangles, %s: %zu hits", strategy_name[s], hits);
+        check_equal(wrong, 0, "exponentially spaced triangles, %s: %zu hits", strategy_name[s],
+                    hits);
         check(hits > rays / 4, "they are hit: %zu", hits);
         bvh_free(&b);
     }
@@ -288,7 +305,9 @@ static void test_shapes(void)
         switch (i % 3) {
         case 0: s[i] = shape_of_sphere((sphere){a, r}); break;
         case 1: s[i] = shape_of_cone((cone){a, r, b, r / 2}); break;
-        default: s[i] = shape_of_triangle((triangle){a, b, vadd(a, random_vector(&g, (real)0.2))}); break;
+        default:
+            s[i] = shape_of_triangle((triangle){a, b, vadd(a, random_vector(&g, (real)0.2))});
+            break;
         }
         if (i % 100 == 99) s[i] = shape_of_sphere((sphere){{(real)NAN, 0, 0}, 1});
         if (i % 100 == 98) s[i] = s[i - 1];  /* a tie: the lower index wins */
@@ -313,7 +332,8 @@ static void test_shapes(void)
     bvh_shapes none;
     hit h;
     bvh_shapes_build(&(scene){s, 0}, bvh_defaults, &none);
-    check(!bvh_shapes_hit(&none, ray_from((vec3){0, 0, 0}, (vec3){1, 0, 0}), &h), "no shapes are never hit");
+    check(!bvh_shapes_hit(&none, ray_from((vec3){0, 0, 0}, (vec3){1, 0, 0}), &h),
+          "no shapes are never hit");
     bvh_shapes_free(&none);
     free(s);
 }
@@ -323,9 +343,12 @@ int main(void)
     real tiny = real_is_float ? (real)0x1p-60 : (real)0x1p-400;
     test_no_and_one();
     test_mesh("teapot", teapot_mesh(3), (vec3){0, 0, 0}, 1, true);
-    test_mesh("octahedron", octahedron_mesh(8), (vec3){0, 0, 0}, 1, true);  /* dyadic: ties, flat boxes */
-    test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1000000, -1000000, 1000000}, 1, true);
-    test_mesh("torus, thirds", torus_mesh(16), (vec3){1 / (real)3, -1 / (real)7, (real)0.1}, 1 / (real)3, true);
+    test_mesh("octahedron", octahedron_mesh(8), (vec3){0, 0, 0}, 1,
+              true); /* dyadic: ties, flat boxes */
+    test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1000000, -1000000, 1000000}, 1,
+              true);
+    test_mesh("torus, thirds", torus_mesh(16), (vec3){1 / (real)3, -1 / (real)7, (real)0.1},
+              1 / (real)3, true);
     test_mesh("tiny teapot", teapot_mesh(2), (vec3){0, 0, 0}, tiny, false);
     test_mesh("huge teapot", teapot_mesh(2), (vec3){0, 0, 0}, 1 / tiny, false);
     test_mesh("needles 1e-3", needles(500, (real)1e-3), (vec3){0, 0, 0}, 1, true);

@@ -41,7 +41,8 @@ static void test_rays(void)
               && r->d.y == 0 && r->d.z == 1 && r->tmax == real_infinity, "its eight numbers");
     free(r);
     write_bytes(path, one_ray, 31);
-    check(!rays_read(path, &n, &f) && f.exit_code == 2 && strstr(f.text, "31 bytes"), "31 bytes: misuse");
+    check(!rays_read(path, &n, &f) && f.exit_code == 2 && strstr(f.text, "31 bytes"),
+          "31 bytes: misuse");
     write_bytes(path, one_ray, 0);
     check(!rays_read(path, &n, &f) && f.exit_code == 2, "an empty file: misuse");
     check(!rays_read(in_directory("none"), &n, &f) && f.exit_code == 1, "no file: cannot be read");
@@ -64,7 +65,8 @@ static void test_hits(void)
               k ? "any" : "closest");
         free(bytes);
     }
-    check(!hits_write(in_directory("no/where"), h, 3, false, &f) && f.exit_code == 1, "no directory");
+    check(!hits_write(in_directory("no/where"), h, 3, false, &f) && f.exit_code == 1,
+          "no directory");
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -107,11 +109,13 @@ static void test_program(void)
     for (size_t i = 0; i < m.vertices; i++)
         fprintf(obj, "v %.9g %.9g %.9g\n", (double)m.v[i].x, (double)m.v[i].y, (double)m.v[i].z);
     for (size_t i = 0; i < m.triangles; i++)
-        fprintf(obj, "f %u %u %u\n", m.index[3 * i] + 1, m.index[3 * i + 1] + 1, m.index[3 * i + 2] + 1);
+        fprintf(obj, "f %u %u %u\n", m.index[3 * i] + 1, m.index[3 * i + 1] + 1,
+                m.index[3 * i + 2] + 1);
     fclose(obj);
     for (size_t i = 0; i < m.vertices; i++) {  /* as the file says it */
         char text[99];
-        snprintf(text, sizeof text, "%.9g %.9g %.9g", (double)m.v[i].x, (double)m.v[i].y, (double)m.v[i].z);
+        snprintf(text, sizeof text, "%.9g %.9g %.9g", (double)m.v[i].x, (double)m.v[i].y,
+                 (double)m.v[i].z);
         char *end = text;
         double x = strtod(end, &end), y = strtod(end, &end), z = strtod(end, &end);
         m.v[i] = (vec3){(real)x, (real)y, (real)z};
@@ -134,9 +138,11 @@ static void test_program(void)
         for (int s = 0; s < 5; s++) {
             static const char *const name[] = {"cycle", "longest", "median", "sah", "sweep"};
             char arguments[1000];
-            snprintf(arguments, sizeof arguments, "--mesh %s/t.obj --rays %s/t.rays --hits %s/t.hits "
-                     "--strategy %s --leaf %d --csv %s/t.csv %s", directory, directory, directory,
-                     name[s], s + 1, directory, any ? "--any-hit" : "");
+            snprintf(arguments, sizeof arguments,
+                     "--mesh %s/t.obj --rays %s/t.rays --hits %s/t.hits "
+                     "--strategy %s --leaf %d --csv %s/t.csv %s",
+                     directory, directory, directory, name[s], s + 1, directory,
+                     any ? "--any-hit" : "");
             check_equal(run(arguments), 0, "14_bvh %s", arguments);
             unsigned char *got = (unsigned char *)file_read(in_directory("t.hits"), &size, &f);
             size_t wrong = 0;
@@ -167,7 +173,8 @@ static void test_misuse(void)
     write_bytes(in_directory("bad.obj"), "v 0 0 0\nf 1 2 3\n", 16);
     write_bytes(in_directory("short.rays"), one_ray, 30);
     check_equal(run("--strategy fast"), 2, "no such strategy");
-    check(printed("err", "fast") && printed("err", "sweep"), "the message names it and what is allowed");
+    check(printed("err", "fast") && printed("err", "sweep"),
+          "the message names it and what is allowed");
     check_equal(run("--leaf 0"), 2, "no triangle in a leaf");
     check_equal(run("--leaf 256"), 2, "too many");
     check_equal(run("--hits x"), 2, "--hits without --rays");
@@ -180,7 +187,8 @@ static void test_misuse(void)
     check_equal(run(arguments), 2, "30 bytes are no ray");
     check(printed("err", "30 bytes"), "and says so");
     check_equal(run("--rays /nowhere/x.rays"), 1, "no such rays");
-    snprintf(arguments, sizeof arguments, "--rays %s/one.rays --hits %s/no/where", directory, directory);
+    snprintf(arguments, sizeof arguments, "--rays %s/one.rays --hits %s/no/where", directory,
+             directory);
     write_bytes(in_directory("one.rays"), one_ray, 32);
     check_equal(run(arguments), 1, "hits cannot be written there");
     snprintf(arguments, sizeof arguments, "--rays %s/one.rays --hits /dev/full", directory);

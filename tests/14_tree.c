@@ -254,7 +254,8 @@ static void test_heuristic(void)
             bvh_work w = {0, 0, 0, 0, 0};
             tree_pierced(&b.tree, lines.r[i], &w);
             double x[2] = {(double)w.nodes, (double)w.tests};
-            for (int k = 0; k < 2; k++) sum[k] += x[k] / (double)n, square[k] += x[k] * x[k] / (double)n;
+            for (int k = 0; k < 2; k++)
+                sum[k] += x[k] / (double)n, square[k] += x[k] * x[k] / (double)n;
         }
         for (int k = 0; k < 2; k++) {
             double sigma = sqrt((square[k] - sum[k] * sum[k]) / (double)n);
@@ -296,7 +297,8 @@ static void test_closed_form(void)
 
 int main(void)
 {
-    mesh meshes[] = {teapot_mesh(4), octahedron_mesh(6), soup(3000), spiral(3000), soup(1), soup(2)};
+    mesh meshes[] = {teapot_mesh(4), octahedron_mesh(6), soup(3000), spiral(3000), soup(1),
+                     soup(2)};
     const char *const names[] = {"teapot", "octahedron", "soup", "spiral", "one", "two"};
     test_rounding();
     test_select();

@@ -56,7 +56,8 @@ static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
 {
     failure f;
     size_t n = 0;
-    if (m->triangles >> 31) failed(&f, 2, "%zu triangles: fewer than 2^31 fit", m->triangles), fail(f);
+    if (m->triangles >> 31)
+        failed(&f, 2, "%zu triangles: fewer than 2^31 fit", m->triangles), fail(f);
     bvh_item *item = allocate(m->triangles, sizeof *item);
     for (size_t i = 0; i < m->triangles; i++) n += triangle_item(m, i, &item[n]);
     tree_build(item, n, how, &out->tree);
@@ -72,7 +73,8 @@ static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
 }
 
 __attribute__((always_inline))
-static inline bool bvh_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q, bool any)
+static inline bool bvh_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q,
+                            bool any)
 {
     const bvh *b = context;
     const bvh_triangle *t = b->triangle + first, *end = t + count;

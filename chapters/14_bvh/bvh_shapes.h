@@ -46,8 +46,8 @@ static inline void bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes 
 }
 
 __attribute__((always_inline))
-static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q,
-                                   bool any)
+static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t count,
+                                   tree_query *q, bool any)
 {
     const bvh_shapes *b = context;
     bool found = false;

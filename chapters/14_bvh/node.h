@@ -1,18 +1,17 @@
 /* node.h: the node of the tree, 32 bytes, and the test of a ray against its box (包围盒).
  *
- *   bvh_node { bvh_box box; first; count }   count = 0: children (子节点) are nodes first, first + 1
- *                                            count > 0: a leaf (叶节点), its items first .. + count -
- *                                            1
+ *   bvh_node { box, first, count }
+ *       count = 0    inner node (中间节点): its children (子节点) are nodes first and first + 1
+ *       count > 0    leaf (叶节点): its items are number first .. first + count - 1
  *
  * The box is in float whatever `real` is, rounded outwards, so that it holds what it should hold.
  * Two siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
  *
- *   box_ray q = box_ray_of(r, &root_box)         prepares the ray once: origin, 1 / D, all in float
- *   box_ray_limit(&q, t)                         t as the float that `enter` is compared with
- *   box_ray_naive(r, &root_box)                  the same without what follows: loses hits
- *   enter = box_enter(&box, &q, limit, &exit)    the ray is in the box for t in [enter, exit] 
- *                                                (14.2)
- *   the box counts unless enter > exit           NaN never throws a box away
+ *   box_ray q = box_ray_of(r, &root_box)      prepares the ray once: origin and 1 / D, in float
+ *   box_ray_naive(r, &root_box)               the same without what follows: loses hits
+ *   limit = box_ray_limit(&q, t)              t as a float, for comparing with t_enter
+ *   enter = box_enter(&box, &q, limit, &exit) the part [enter, exit] of [tmin, limit]       (14.2)
+ *   !(enter > exit)                           the ray meets the box; NaN throws no box away
  *
  * Why nothing is lost though all is rounded to float: all errors are paid for in advance, once a
  * ray. The near planes are seen from an origin moved towards them by delta, the far planes from
@@ -22,24 +21,22 @@
  *        +--->---|-------------------|-->      far:  t = (b - (o - delta)) / d   too large
  *      o-delta o+delta   (d > 0; if d < 0 the signs change)
  *
- *   1. b - o, 1 / d and their product are three roundings: off by 3 u |b - o|, u = 2^-24, as seen
- *   in
- *      the place of the plane. D = the largest |b - o| of the whole tree bounds them all: 4 u D is
- *      enough, 2^-21 D = 8 u D is taken.
- *   2. What is in the box is tested in `real`, with errors of its own: the watertight test (04)
- *   moves
- *      corners by up to 3 eps D, and t by up to 140 eps D / |d|, since its weights are right to
- *      65 eps. 256 eps D covers both.
- *   3. o + delta is rounded up, o - delta down, to the next float but one at most. Far out, where
- *   floats
- *      are farther apart than delta, this is what keeps the two apart.
- *   4. Products that underflow are off by 2^-150. D is scaled so that 1 / d >= 2^-21, and delta >=
- *      2^-100 gives 2^-121. Where 1 / d overflows, the axis is left out; d = 0 gives +-infinity as
- *      it should, and 0 * infinity, a NaN, is dropped by the comparisons: the plane itself counts.
+ *   1. b - o, 1 / d and their product are three roundings: t is off as if the plane were moved by
+ *      3 u |b - o|, u = 2^-24. D, the largest |b - o| of the whole tree, bounds it: 4 u D would
+ *      be enough, 2^-21 D = 8 u D is taken.
+ *   2. What is in the box is tested in `real`, with errors of its own: the watertight test of 04
+ *      moves corners by up to 3 eps D, and t by up to 140 eps D / |d|, since its weights are right
+ *      to 65 eps. 256 eps D covers both.
+ *   3. o + delta is rounded up, o - delta down, by one float more than the sum needs. Far out,
+ *      where floats are farther apart than delta, this is what keeps the two apart.
+ *   4. Products that underflow are off by 2^-150. D is scaled so that 1 / d >= 2^-21, and then
+ *      delta >= 2^-100 moves t by 2^-121 or more. Where 1 / d overflows, the axis is left out.
+ *      d = 0 gives +-infinity, as it should, and 0 * infinity is a NaN, which the comparisons
+ *      drop: the plane itself belongs to the box.
  *
  * Sources: A. Williams, S. Barrus, R. K. Morley, P. Shirley, "An Efficient and Robust Ray-Box
  * Intersection Algorithm", JGT 10(1), 2005 (the sign chooses the plane); T. Ize, "Robust BVH Ray
- * Traversal", JCGT 2(2), 2013 (rounding makes a search miss; ours pays per ray instead of per box).
+ * Traversal", JCGT 2(2), 2013 (rounding makes a search miss; ours pays per ray, not per box).
  */
 #ifndef BVH_NODE_H
 #define BVH_NODE_H
@@ -144,7 +141,8 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
     q.tmin = float_below(r.tmin * q.scale);
     for (int k = 0; k < 3; k++) {
         real d = vaxis(r.d, k), o = vaxis(r.o, k);
-        float i = (float)(q.scale / d), up = float_beyond(o + delta), down = -float_beyond(delta - o);
+        float i = (float)(q.scale / d);
+        float up = float_beyond(o + delta), down = -float_beyond(delta - o);
         q.inverse[k] = d != 0 && isinf(i) ? NAN : i;
         q.near[k] = (size_t)(i < 0 ? 3 + k : k);
         q.far[k] = (size_t)(i < 0 ? k : 3 + k);

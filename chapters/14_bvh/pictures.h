@@ -10,7 +10,8 @@
 typedef struct { const bvh *b; const mesh *m; view v; image *im; int samples; real most; } picture;
 
 static inline bool draw_mesh(picture p, int threads);    /* samples x samples rays a pixel */
-static inline bool draw_visits(picture p, int threads);  /* 0 black .. `most` nodes and tests white */
+static inline bool draw_visits(picture p, int threads);  /* black 0, white `most` nodes and tests */
+static inline bool draw_all_visits(const mesh *m, int threads, image *all);  /* z up */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -37,8 +38,11 @@ static inline void mesh_pixel(int x, int y, void *context)
 /* Black, blue, violet, orange, white: rising brightness, so that it also reads in grey. */
 static inline vec3 heat(real x)
 {
-    static const real scale[5][3] = {{0, 0, 0}, {(real)0.05, (real)0.06, (real)0.45},
-                                     {(real)0.5, (real)0.07, (real)0.4}, {(real)0.95, (real)0.45, (real)0.05}, {1, 1, 1}};
+    static const real scale[5][3] = {{0, 0, 0},
+                                     {(real)0.05, (real)0.06, (real)0.45},
+                                     {(real)0.5, (real)0.07, (real)0.4},
+                                     {(real)0.95, (real)0.45, (real)0.05},
+                                     {1, 1, 1}};
     x = real_clamp(x, 0, 1) * 4;
     int i = x < 3 ? (int)x : 3;
     real f = x - (real)i, c[3];
@@ -63,6 +67,24 @@ static inline bool draw_mesh(picture p, int threads)
 static inline bool draw_visits(picture p, int threads)
 {
     return parallel_pixels(p.im->width, p.im->height, threads, "visits", visits_pixel, &p);
+}
+
+/* Four panels: cycling axis, longest axis; median, SAH; leaves of four. */
+static inline bool draw_all_visits(const mesh *m, int threads, image *all)
+{
+    vec3 lo, hi;
+    bool whole = true;
+    mesh_bounds(m, &lo, &hi);
+    for (int k = 0; k < 4; k++) {
+        bvh b;
+        image im = image_new(all->width / 2, all->height / 2);
+        bvh_build(m, (bvh_options){(bvh_strategy)k, 4, 1}, &b);
+        view v = view_of(lo, hi, true, (real)im.width / (real)im.height);
+        whole = draw_visits((picture){&b, m, v, &im, 1, 160}, threads) && whole;
+        image_place(all, k % 2 * im.width, k / 2 * im.height, &im);
+        bvh_free(&b), image_free(&im);
+    }
+    return whole;
 }
 
 #endif

@@ -37,7 +37,8 @@ typedef box_ray tree_prepare(ray r, const bvh_box *all);
 
 /* Tests items first .. first + count - 1; true if one was closer than q->best (any: was hit at
  * all). */
-typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q, bool any);
+typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q,
+                       bool any);
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -1,15 +1,14 @@
 /* split.h: where to cut a set of items in two. Five ways, one signature.
  *
- *   BVH_CYCLE        axis x, y, z, x, ... by depth; in the middle of the centres      (14.4)
+ *   BVH_CYCLE        axis x, y, z, x, ... by depth; in the middle of the centres       (14.4)
  *   BVH_LONGEST      the axis along which the centres extend longest; in the middle
  *   BVH_MEDIAN       that axis; as many items left as right, by selection in O(n)
- *   BVH_SAH          surface area heuristic (表面积启发式), at 15 planes an axis: bins      (14.6)
- *   BVH_SAH_SWEEP    the same at every place between two items, along all three axes
+ *   BVH_SAH          surface area heuristic (表面积启发式): the best of 15 planes an axis  (14.6)
+ *   BVH_SAH_SWEEP    the same: the best of all places between two items, along all axes
  *
- *   size_t left = split_items(&s, item, n, axis_of_depth)    [1 .. n-1] items go left: the array is
- *                                                            reordered so that they come first
- *   s.cost (SAH only) is the cost of that split, in tests of a box, against n * s.item_cost of a
- *   leaf
+ *   size_t left = split_items(&s, item, n, depth)
+ *       reorders the items: the first `left` of them, 1 .. n-1, go left
+ *       s.cost: of that split by the heuristic; a leaf costs n * s.item_cost
  *
  * The heuristic. A line that meets a convex box meets a box inside it with probability
  * area(inside) / area(box), so a cut into L and R costs (14.5)
@@ -29,7 +28,9 @@
 #include "../../common/file.h"
 #include "select.h"
 
-typedef enum { BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, bvh_strategies } bvh_strategy;
+typedef enum {
+    BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, bvh_strategies
+} bvh_strategy;
 
 typedef struct { uint32_t key, place; } sort_pair;
 
@@ -81,7 +82,7 @@ enum { most_bins = 16 };
 typedef struct { bvh_box box; uint32_t n; } split_bin;
 typedef struct { double cost; int axis, bin; } split_choice;
 
-static inline int bins_for(size_t n) { return n < 16 ? 8 : most_bins; }
+static inline int bins_for(size_t n) { return n < 16 ? most_bins / 2 : most_bins; }
 
 /* Where a hundred thousand items lie, some ten thousand of them tell: every so many-th goes into
  * the bins, an odd number, since the triangles of a mesh often come in pairs. The boxes of the
@@ -181,7 +182,7 @@ static inline void sort_pairs(sort_pair *pair, sort_pair *spare, size_t n)
         }
         return;
     }
-    for (int shift = 0; shift < 32; shift += 8) {  /* an even number of passes: ends where it began */
+    for (int shift = 0; shift < 32; shift += 8) {  /* four passes: ends where it began */
         size_t start[257] = {0};
         for (size_t i = 0; i < n; i++) start[(pair[i].key >> shift & 255) + 1]++;
         for (int i = 0; i < 256; i++) start[i + 1] += start[i];

@@ -1,22 +1,21 @@
-/* stats.h: what a tree looks like, what the heuristic says that it costs, and how much boxes
- * overlap.
+/* stats.h: what a tree looks like, what the heuristic says it costs, how much boxes overlap.
  *
  *   bvh_stats s = bvh_stats_of(&t);
- *   s.nodes     pairs of boxes that a random line through the root tests                      (14.7)
- *   s.tests     items that it tests, if no hit ends the search
- *   s.overlap   of these nodes: how often it meets the part that both children cover          (14.8)
- *   tree_pierced(&t, r, &work)   counts both for one line: no item is tested, nothing ends the search
+ *   s.nodes, s.tests    pairs of boxes and items that a random line through the root tests, if
+ *                       no hit ends the search                                            (14.7)
+ *   s.overlap           of these pairs: how often the line meets what both boxes cover    (14.8)
+ *   tree_pierced(&t, r, &work)    counts both for one line: tests no item, stops at no hit
  *
  *      nodes   = sum over inner nodes of  area(node) / area(root)
  *      tests   = sum over leaves of       area(leaf) / area(root) * items in it
  *      overlap = sum over inner nodes of  area(left and right) / area(root)
  *
  * "A random line": uniformly distributed, that is, the origin uniform on the surface of the root's
- * box, the direction by the cosine law (Crofton). Rays from a camera are none, and hits end them early.
+ * box, the direction by the cosine law. Rays from a camera are none, and hits end them early.
  *
- * Source: L. Santaló, "Integral Geometry and Geometric Probability", 1976, ch. 14 (lines that meet
- * convex bodies); T. Aila, T. Karras, S. Laine, "On Quality Metrics of Bounding Volume Hierarchies",
- * HPG 2013 (what the heuristic misses: overlap).
+ * Sources: L. Santaló, "Integral Geometry and Geometric Probability", 1976, ch. 14 (lines that
+ * meet convex bodies); T. Aila, T. Karras, S. Laine, "On Quality Metrics of Bounding Volume
+ * Hierarchies", HPG 2013 (what the heuristic misses: overlap).
  */
 #ifndef BVH_STATS_H
 #define BVH_STATS_H
@@ -61,7 +60,8 @@ static inline bvh_stats bvh_stats_of(const bvh_tree *t)
     return s;
 }
 
-static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const box_ray *q, bvh_work *w)
+static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const box_ray *q,
+                                   bvh_work *w)
 {
     float exit;
     if (box_enter(&n->box, q, INFINITY, &exit) > exit) return;

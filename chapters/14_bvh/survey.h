@@ -1,14 +1,13 @@
-/* survey.h: what this chapter measures: rays to search for, and the search of them, counted and
- * timed.
+/* survey.h: the rays with which this chapter measures, and the counting of what they take.
  *
- *   view v = view_of(lo, hi, z_up, aspect);     a camera that looks at a box from in front and above
- *   ray_set s = rays_primary(v, width, height); one ray a pixel (主光线)
- *   ray_set d = rays_diffuse(&b, &m, &s, seed); from each of their hits one on, by the cosine law
- *   ray_set c = rays_corners(&m, eye, n, seed); at corners of triangles
- *   ray_set u = rays_uniform(&box, n, seed);    lines as the heuristic assumes them: stats.h
+ *   view v = view_of(lo, hi, z_up, aspect);      a camera in front of a box and above it
+ *   ray_set s = rays_primary(v, width, height);  one ray a pixel (主光线)
+ *   ray_set d = rays_diffuse(&b, &m, &s, seed);  one on from each of their hits, by the cosine law
+ *   ray_set c = rays_corners(&m, eye, n, seed);  at corners of triangles
+ *   ray_set u = rays_uniform(&box, n, seed);     lines as the heuristic assumes them: stats.h
  *   rays_free(&s);
- *   bvh_work w = rays_count(&b, &s);            what they take
- *   rays_wrong(&b, &s, brute, naive)            how many hits differ from those of brute force
+ *   bvh_work w = rays_count(&b, &s);             what they take
+ *   rays_wrong(&b, &s, brute, naive)             how many hits differ from those of brute force
  */
 #ifndef BVH_SURVEY_H
 #define BVH_SURVEY_H
@@ -28,7 +27,8 @@ static inline view view_of(vec3 lo, vec3 hi, bool z_up, real aspect)
     failure f;
     view v = {.size = vlength(vsub(hi, lo)) / 2};
     vec3 centre = vscale(vadd(lo, hi), (real)0.5), up = {0, !z_up, z_up};
-    vec3 toward = vunit(z_up ? (vec3){(real)0.45, -1, (real)0.55} : (vec3){(real)0.45, (real)0.55, 1});
+    vec3 toward = vunit(z_up ? (vec3){(real)0.45, -1, (real)0.55}
+                             : (vec3){(real)0.45, (real)0.55, 1});
     camera_frame frame;
     if (!frame_look_at(vmadd(centre, toward, 3 * v.size), centre, up, &frame, &f)
         || !camera_perspective(frame, aspect > 1 ? 26 : 38, aspect, &v.camera, &f)) fail(f);
@@ -46,7 +46,8 @@ static inline ray_set rays_primary(view v, int width, int height)
     ray_set s = {allocate((size_t)width * (size_t)height, sizeof(ray)), 0};
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++)
-            s.r[s.n++] = camera_ray(v.camera, (real)x + (real)0.5, (real)y + (real)0.5, width, height);
+            s.r[s.n++] = camera_ray(v.camera, (real)x + (real)0.5, (real)y + (real)0.5, width,
+                                    height);
     return s;
 }
 
@@ -94,9 +95,11 @@ static inline ray_set rays_uniform(const bvh_box *box, size_t n, uint64_t seed)
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 2);
         real pick = random_next(&g) * (area[0] + area[1] + area[2]);
-        int k = pick < area[0] ? 0 : pick < area[0] + area[1] ? 1 : 2, high = random_next_bits(&g) & 1;
+        int k = pick < area[0] ? 0 : pick < area[0] + area[1] ? 1 : 2;
+        int high = (int)(random_next_bits(&g) & 1);
         vec3 o, n_in = {0, 0, 0};
-        for (int j = 0; j < 3; j++) ((real *)&o)[j] = (real)box->side[j] + random_next(&g) * size[j];
+        for (int j = 0; j < 3; j++)
+            ((real *)&o)[j] = (real)box->side[j] + random_next(&g) * size[j];
         ((real *)&o)[k] = (real)box->side[k + 3 * high];
         ((real *)&n_in)[k] = high ? -1 : 1;
         s.r[i] = ray_from(o, diffuse_direction(n_in, &g));
@@ -120,7 +123,8 @@ static inline size_t rays_wrong(const bvh *b, const ray_set *s, const hit *brute
         hit h = hit_none;
         if (naive) bvh_hit_naive(b, s->r[i], &h);
         else bvh_hit(b, s->r[i], &h);
-        wrong += h.t != brute[i].t || h.shape != brute[i].shape || h.u != brute[i].u || h.v != brute[i].v;
+        wrong += h.t != brute[i].t || h.shape != brute[i].shape || h.u != brute[i].u
+                 || h.v != brute[i].v;
     }
     return wrong;
 }

@@ -1,12 +1,10 @@
 /* tree.h: building the tree of boxes (层次包围盒, bounding volume hierarchy) over items of any kind.
  *
- *              0                   node 0 is the root; 1 is not used, so that every pair of
- *                                  siblings
- *           /     \                begins at an even number: one line of the cache
+ *              0                 node 0 is the root; number 1 is not used, so that every pair of
+ *           /     \              siblings begins at an even number: one line of the cache
  *          2       3
- *         / \     [item 4..7]      leaves name their items as a range; the items are reordered so
- *                                  that
- *        4   5                     each leaf's lie side by side, leaves from left to right
+ *         / \     [items 4..7]   a leaf names its items as a range; the items are reordered so that
+ *        4   5                   they lie in the order of the leaves, from left to right
  *   [0..1]   [2..3]
  *
  *   tree_build(item, n, how, &t)          reorders item[n]; O(n log n); n < 2^31
@@ -103,7 +101,8 @@ static inline void tree_measure(splitter *s, const bvh_item *item, size_t n)
 static inline size_t tree_split(tree_builder *b, bvh_item *item, size_t n, int depth)
 {
     splitter *s = &b->split;
-    bool fits = n <= (size_t)b->options.leaf, by_cost = s->strategy == BVH_SAH || s->strategy == BVH_SAH_SWEEP;
+    bool fits = n <= (size_t)b->options.leaf,
+         by_cost = s->strategy == BVH_SAH || s->strategy == BVH_SAH_SWEEP;
     bool deep = depth + log2_above(n) >= bvh_most_depth;
     if (n == 1 || (fits && (deep || !by_cost))) return 0;
     if (deep) return split_by_number(item, n, box_longest(&s->centres));
