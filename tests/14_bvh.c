@@ -61,7 +61,7 @@ static ray aimed(const mesh *m, random_stream *g, int kind, vec3 centre, real si
         break;
     case 8: r.d = vsub(t.a, o), r.tmin = -real_infinity; break;              /* the whole line */
     case 9: r.d = vscale(vsub(t.a, o), (real)0x1p-30), r.tmin = -5, r.tmax = (real)0x1p30; break;
-    case 10: r.d = vscale(vsub(s.a, t.b), (real)0x1p40), r.o = t.b; break;   /* no unit length */
+    case 10: r.d = vscale(vscale(vsub(t.a, o), (real)0x1p70), (real)0x1p70); break; /* t = 2^-140 */
     default: r.d = vsub(t.a, o), r.tmax = 1; break; /* ends on the corner */
     }
     return r;
@@ -255,6 +255,9 @@ static void test_sick_rays(void)
         check(!mesh_hit(&m, sick[i], &h), "brute force has no hit for sick ray %zu", i);
         check(!bvh_hit(&b, sick[i], &h) && !bvh_occluded(&b, sick[i]),
               "nor has the tree: sick ray %zu", i);
+        bvh_work w = {0, 0, 0, 0, 0};
+        bvh_hit_counted(&b, sick[i], &h, &w);
+        check(w.nodes == 0 || i > 4, "what is no ray at all is not searched for: sick ray %zu", i);
     }
     bvh_free(&b);
     mesh_free(&m);

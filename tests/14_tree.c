@@ -243,6 +243,7 @@ static void test_memory(void)
 static void test_heuristic(void)
 {
     mesh m = soup(2000);
+    double cost[bvh_strategies];
     for (int s = 0; s < bvh_strategies; s++) {
         bvh b;
         bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
@@ -263,11 +264,25 @@ static void test_heuristic(void)
                         "%s: %s a random line, counted and by (14.7), 4.5 standard errors",
                         strategy_name[s], k ? "tests" : "nodes");
         }
+        cost[s] = st.nodes + st.tests;
         check(st.overlap > 0 && st.overlap < st.nodes, "boxes of a soup overlap, by part");
         rays_free(&lines);
         bvh_free(&b);
     }
     mesh_free(&m);
+    /* What minimises the cost at each cut need not have the least in the end, but not much more. */
+    check_at_most(cost[BVH_SAH_SWEEP], 1.02 * cost[BVH_SAH], "the sweep is as good as the bins");
+    check_at_most(cost[BVH_SAH], 0.99 * cost[BVH_MEDIAN], "the bins are better than the median");
+}
+
+static void test_shared_area(void)
+{
+    bvh_box a = {{0, 0, 0, 2, 2, 2}}, b = {{1, 1, 0, 3, 3, 2}}, c = {{0, 0, 3, 2, 2, 4}};
+    bvh_box d = {{0, 5, 0, 2, 6, 2}}, e = {{2, 0, 0, 3, 2, 2}};
+    check_equal(box_shared_area(&a, &b), 1 * 1 + 1 * 2 + 2 * 1, "a box of 1 x 1 x 2 is shared");
+    check_equal(box_shared_area(&a, &c), 0, "apart along z");
+    check_equal(box_shared_area(&a, &d), 0, "apart along y");
+    check_equal(box_shared_area(&a, &e), 4, "a side is shared: half the surface of a flat box");
 }
 
 /* Cubes side by side: the cut is known. Two groups of four, far apart: the heuristic must cut
@@ -310,6 +325,7 @@ int main(void)
     test_memory();
     test_heuristic();
     test_closed_form();
+    test_shared_area();
     bvh none = {{0}, NULL, NULL};
     bvh_free(&none);
     return check_report("14_tree");

@@ -29,10 +29,10 @@
  *      to 65 eps. 256 eps D covers both.
  *   3. o + delta is rounded up, o - delta down, by one float more than the sum needs. Far out,
  *      where floats are farther apart than delta, this is what keeps the two apart.
- *   4. Products that underflow are off by 2^-150. D is scaled so that 1 / d >= 2^-21, and then
- *      delta >= 2^-100 moves t by 2^-121 or more. Where 1 / d overflows, the axis is left out.
- *      d = 0 gives +-infinity, as it should, and 0 * infinity is a NaN, which the comparisons
- *      drop: the plane itself belongs to the box.
+ *   4. Products that underflow are off by 2^-150. d is scaled so that 1 / d >= 2^-21, and then
+ *      delta >= 2^-100 moves t by 2^-121 or more. Where 1 / d overflows, the ray moves less than
+ *      delta along that axis within the whole tree, so +-infinity is right, as it is for d = 0.
+ *      0 * infinity is a NaN, which the comparisons drop: the plane itself belongs to the box.
  *
  * Sources: A. Williams, S. Barrus, R. K. Morley, P. Shirley, "An Efficient and Robust Ray-Box
  * Intersection Algorithm", JGT 10(1), 2005 (the sign chooses the plane); T. Ize, "Robust BVH Ray
@@ -131,6 +131,9 @@ static inline real box_ray_scale(real longest)
     return ldexp((real)1, e > most ? most : e < -most ? -most : e);
 }
 
+/* t of hits below real_smallest has fewer digits than eps says: off by some of the least steps. */
+#define tiny_t (4 * real_smallest * real_epsilon)
+
 static inline box_ray box_ray_of(ray r, const bvh_box *all)
 {
     box_ray q;
@@ -138,12 +141,12 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
     real reach = box_reach(all, r.o);
     real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
     q.scale = box_ray_scale(longest);
-    q.tmin = float_below(r.tmin * q.scale);
+    q.tmin = float_below((r.tmin - tiny_t) * q.scale);
     for (int k = 0; k < 3; k++) {
         real d = vaxis(r.d, k), o = vaxis(r.o, k);
         float i = (float)(q.scale / d);
         float up = float_beyond(o + delta), down = -float_beyond(delta - o);
-        q.inverse[k] = d != 0 && isinf(i) ? NAN : i;
+        q.inverse[k] = i;
         q.near[k] = (size_t)(i < 0 ? 3 + k : k);
         q.far[k] = (size_t)(i < 0 ? k : 3 + k);
         q.o_near[k] = i < 0 ? down : up;
@@ -172,7 +175,7 @@ static inline box_ray box_ray_naive(ray r, const bvh_box *all)
 /* The float that t_enter is compared with: not less than t, in the units of q. */
 static inline float box_ray_limit(const box_ray *q, real t)
 {
-    return float_above(t * q->scale);
+    return float_above((t + tiny_t) * q->scale);
 }
 
 /* (14.2). Each comparison keeps its second argument against a NaN. */
