@@ -53,6 +53,7 @@ typedef struct {
     float o_near[3], o_far[3], inverse[3];
     size_t near[3], far[3];
     real scale;   /* t of box_ray = scale * t of the ray, a power of two */
+    real slack;   /* t is compared with so much to spare */
     float tmin;   /* rounded down */
 } box_ray;
 
@@ -131,9 +132,6 @@ static inline real box_ray_scale(real longest)
     return ldexp((real)1, e > most ? most : e < -most ? -most : e);
 }
 
-/* t of hits below real_smallest has fewer digits than eps says: off by some of the least steps. */
-#define tiny_t (4 * real_smallest * real_epsilon)
-
 static inline box_ray box_ray_of(ray r, const bvh_box *all)
 {
     box_ray q;
@@ -141,7 +139,10 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
     real reach = box_reach(all, r.o);
     real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
     q.scale = box_ray_scale(longest);
-    q.tmin = float_below((r.tmin - tiny_t) * q.scale);
+    /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
+     * from the numbers below FLT_MIN, with which processors are slow: 10 ns a ray. */
+    q.slack = real_smallest * q.scale + (real)0x1p-100;
+    q.tmin = float_below(r.tmin * q.scale - q.slack);
     for (int k = 0; k < 3; k++) {
         real d = vaxis(r.d, k), o = vaxis(r.o, k);
         float i = (float)(q.scale / d);
@@ -175,7 +176,7 @@ static inline box_ray box_ray_naive(ray r, const bvh_box *all)
 /* The float that t_enter is compared with: not less than t, in the units of q. */
 static inline float box_ray_limit(const box_ray *q, real t)
 {
-    return float_above((t + tiny_t) * q->scale);
+    return float_above(t * q->scale + q->slack);
 }
 
 /* (14.2). Each comparison keeps its second argument against a NaN. */
