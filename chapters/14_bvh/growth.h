@@ -117,7 +117,7 @@ static inline void growth(const options *o, bool full)
                                fine[i] <= 64 ? 40 : 0, o->seed);
         trial t = {&s, &binned, &s.diffuse, {{0}, NULL, NULL}};
         double triangles = (double)s.m.triangles, seconds;
-        time_trials(&t, 1, run_build, fine[i] < 64 ? 9 : fine[i] < 120 ? 3 : 1, &build[i]);
+        time_trials(&t, 1, run_build, fine[i] < 64 ? 9 : 3, &build[i]);
         time_trials(&t, 1, run_search, 3, &seconds);
         bvh_work w = rays_count(&t.b, &s.diffuse);
         x[i] = log2(triangles), search[i] = log2(seconds / (double)s.diffuse.n);
