@@ -126,7 +126,7 @@ int main(int argc, char **argv)
     mesh m = {0};
     if (!own.rays && (own.hits || own.any))
         failed(&f, 2, "--hits and --any-hit need --rays FILE"), fail(f);
-    option_try_file(own.hits);
+    if (own.hits && !file_try(own.hits, &f)) fail(f);
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 8 : 40);
     if (own.rays) search_file(&o, &own, &m, build);
