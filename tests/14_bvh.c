@@ -341,7 +341,7 @@ static void test_shapes(void)
     free(s);
 }
 
-/* Rays that are not aimed: boxes rounded to nearest lose none of them, so such rays prove nothing. */
+/* Rays that are not aimed: boxes rounded to nearest lose none, so such rays prove nothing. */
 static void test_random_rays_show_nothing(void)
 {
     mesh m = teapot_mesh(8);
