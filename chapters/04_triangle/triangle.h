@@ -200,7 +200,10 @@ static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *co
                                   const ray_shear *s, ray r, hit *out)
 {
     real det = e.x + e.y + e.z, size = fabs(det);
-    if (!(size > real_smallest / real_epsilon && size <= real_largest)) {  /* rare: 0, NaN */
+    real products = fabs(a.x * c.y) + fabs(b.x * a.y) + fabs(c.x * b.y);
+    bool doubtful = !(size > products / 64)  /* seen edge-on: signs and weights lose their digits */
+        || !(size > real_smallest / real_epsilon && size <= real_largest);
+    if (doubtful) {  /* rare */
         if (!edges_exactly(a, b, c, &e)) return false;
         det = e.x + e.y + e.z;
     }

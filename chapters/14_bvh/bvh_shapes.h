@@ -1,0 +1,74 @@
+/* bvh_shapes.h: the same tree over a scene of shapes of any kind (07): spheres, cones, polygons ...
+ *
+ *   bvh_shapes b;
+ *   bvh_shapes_build(&s, bvh_defaults, &b);   the shapes must outlive the tree
+ *   bool bvh_shapes_hit(&b, r, &h)            the very hit that scene_hit gives
+ *   bool bvh_shapes_occluded(&b, r)
+ *   bvh_shapes_free(&b);
+ */
+#ifndef BVH_SHAPES_H
+#define BVH_SHAPES_H
+
+#include "../07_mesh/closest.h"
+#include "search.h"
+
+typedef struct { bvh_tree tree; uint32_t *index; const shape *shapes; } bvh_shapes;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void bvh_shapes_free(bvh_shapes *b)
+{
+    tree_free(&b->tree);
+    free(b->index);
+    b->index = NULL, b->shapes = NULL;
+}
+
+/* A shape whose box is not a number is never hit. */
+static inline void bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes *out)
+{
+    failure f;
+    size_t n = 0;
+    if (s->n >> 31) failed(&f, 2, "%zu shapes: fewer than 2^31 fit", s->n), fail(f);
+    bvh_item *item = allocate(s->n, sizeof *item);
+    for (size_t i = 0; i < s->n; i++) {
+        vec3 lo, hi;
+        shape_bounds(s->shapes[i], &lo, &hi);
+        item[n] = (bvh_item){box_between(lo, hi), (uint32_t)i};
+        n += lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z;
+    }
+    tree_build(item, n, how, &out->tree);
+    out->shapes = s->shapes;
+    out->index = allocate(n, sizeof *out->index);
+    tree_takes(&out->tree, n * sizeof *out->index);
+    for (size_t i = 0; i < n; i++) out->index[i] = item[i].index;
+    free(item);
+    out->tree.bytes -= n * sizeof *item;
+}
+
+__attribute__((always_inline))
+static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t count,
+                                   tree_query *q, bool any)
+{
+    const bvh_shapes *b = context;
+    bool found = false;
+    hit h;
+    for (uint32_t i = first; i < first + count; i++) {
+        if (!shape_hit_sheared(&b->shapes[b->index[i]], &q->shear, q->r, &h)) continue;
+        if (any) return true;
+        h.shape = b->index[i];
+        found |= tree_improves(q, h);
+    }
+    return found;
+}
+
+static inline bool bvh_shapes_hit(const bvh_shapes *b, ray r, hit *out)
+{
+    return tree_search(&b->tree, r, box_ray_of, bvh_shapes_leaf, b, false, out, NULL);
+}
+
+static inline bool bvh_shapes_occluded(const bvh_shapes *b, ray r)
+{
+    return tree_search(&b->tree, r, box_ray_of, bvh_shapes_leaf, b, true, NULL, NULL);
+}
+
+#endif

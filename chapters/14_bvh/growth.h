@@ -1,0 +1,154 @@
+/* growth.h: time and work against the number of triangles, against the size of leaves, and where
+ * triangles are not alike. */
+#ifndef BVH_GROWTH_H
+#define BVH_GROWTH_H
+
+#include "measure.h"
+
+static inline void table_of_stadium(const options *o);
+static inline void plot_of_leaves(const options *o, const subject *s);
+static inline void growth(const options *o, bool full);  /* full: up to 2e6 triangles, else 1e6 */
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The teapot in a stadium: a fine teapot in the middle of one of 4032 triangles, 100 times as
+ * large. Where triangles are alike, any cut will do; here the middle of a box is a bad place. */
+static inline mesh stadium_mesh(int fine)
+{
+    mesh a = teapot_mesh(fine), b = teapot_mesh(8), m = {0};
+    m.vertices = a.vertices + b.vertices, m.triangles = a.triangles + b.triangles;
+    m.v = allocate(m.vertices, sizeof *m.v);
+    m.index = allocate(3 * m.triangles, sizeof *m.index);
+    memcpy(m.v, a.v, a.vertices * sizeof *m.v);
+    memcpy(m.index, a.index, 3 * a.triangles * sizeof *m.index);
+    for (size_t i = 0; i < b.vertices; i++)
+        m.v[a.vertices + i] = vadd(vscale(b.v[i], 100), (vec3){20, 30, -150});
+    for (size_t i = 0; i < 3 * b.triangles; i++)
+        m.index[3 * a.triangles + i] = b.index[i] + (uint32_t)a.vertices;
+    mesh_free(&a), mesh_free(&b);
+    return m;
+}
+
+static inline void table_of_stadium(const options *o)
+{
+    static const int shown[5] = {0, 1, 2, 5, 7};
+    mesh pot = teapot_mesh(1), m = stadium_mesh(o->quick ? 8 : 32);
+    vec3 lo, hi;
+    trial t[5];
+    double seconds[5];
+    bvh b;
+    table out = table_new(
+        "The teapot in a stadium: diffuse rays from the teapot",
+        "structure|depth|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)|in both (14.8)");
+    mesh_bounds(&pot, &lo, &hi);
+    subject s = {.m = m, .v = view_of(lo, hi, true, (real)1.6)};
+    s.primary = rays_primary(s.v, o->quick ? 40 : 160, o->quick ? 25 : 100);
+    bvh_build(&m, bvh_defaults, &b);
+    s.diffuse = rays_diffuse(&b, &m, &s.primary, o->seed);
+    bvh_free(&b);
+    for (int i = 0; i < 5; i++) {
+        t[i] = (trial){&s, &candidate_list[shown[i]], &s.diffuse, {{0}, NULL, NULL}};
+        run_build(&t[i]);
+    }
+    time_trials(t, 5, run_search, o->quick ? 1 : 5, seconds);
+    for (int i = 0; i < 5; i++) {
+        bvh_stats st = bvh_stats_of(&t[i].b.tree);
+        bvh_work w = rays_count(&t[i].b, &s.diffuse);
+        table_text(&out, "%s", t[i].c->name), table_count(&out, (size_t)st.depth);
+        table_number(&out, per((double)w.nodes, s.diffuse.n));
+        table_number(&out, per((double)w.tests, s.diffuse.n));
+        table_number(&out, per(seconds[i] * 1e9, s.diffuse.n));
+        table_number(&out, st.nodes), table_number(&out, st.tests), table_number(&out, st.overlap);
+        bvh_free(&t[i].b);
+    }
+    output_extra_table(o, &out);
+    mesh_free(&pot);
+    subject_free(&s);
+}
+
+/* Quality against build time: each strategy a curve, leaf sizes 16, 8, 4, 2, 1 its points. */
+static inline void plot_of_leaves(const options *o, const subject *s)
+{
+    static const char *const name[bvh_strategies] = {"cycling axis", "longest axis", "median",
+                                                     "SAH, bins", "SAH, sweep"};
+    plot p = plot_new("Leaves of 16, 8, 4, 2, 1", "build [ns a triangle]", "diffuse ray [ns]", 0);
+    for (int k = 0; k < bvh_strategies; k++) {
+        int series = plot_series(&p, name[k]);
+        for (int leaf = 16; leaf > 0; leaf /= 2) {
+            candidate c = {name[k], {(bvh_strategy)k, leaf, leaf > 1 ? 0.8 / leaf : 1}, false};
+            trial t = {s, &c, &s->diffuse, {{0}, NULL, NULL}};
+            double build, search;
+            time_trials(&t, 1, run_build, 1, &build);
+            time_trials(&t, 1, run_search, 3, &search);
+            plot_add(&p, series, per(build * 1e9, s->m.triangles), per(search * 1e9, s->diffuse.n));
+            bvh_free(&t.b);
+        }
+    }
+    output_plot(o, &p, "14_bvh_build_time.svg");
+}
+
+/* Slope of y over x by least squares. */
+static inline double slope_of(const double *x, const double *y, int n)
+{
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int i = 0; i < n; i++) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+/* Time against n: teapots of 64 n^2 - 8 n triangles, ever finer. */
+static inline void growth(const options *o, bool full)
+{
+    static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 125, 177};
+    static const candidate binned = {"SAH, bins", {BVH_SAH, 8, 0.3}, false};
+    int n = o->quick ? 4 : full ? 9 : 8;
+    double x[9], build[9], search[9], nodes[9], least = HUGE_VAL, greatest = 0;
+    table out = table_new(
+        "Growth with n, SAH, bins, leaves of 8; one thread",
+        "triangles|build [ms]|build / (n log2 n) [ns]|nodes/ray|tests/ray|ray [ns]|"
+        "brute force [ns]|peak [B/tri]");
+    plot p = plot_new("Time against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot q = plot_new("Diffuse rays: work against n", "triangles", "a ray", PLOT_LOG_X);
+    int by_build = plot_series(&p, "build, a triangle"), by_ray = plot_series(&p, "BVH, a ray");
+    int by_brute = plot_series(&p, "brute force, a ray");
+    int by_nodes = plot_series(&q, "pairs of boxes");
+    int by_tests = plot_series(&q, "triangles");
+    for (int i = 0; i < n; i++) {
+        subject s = subject_of(teapot_mesh(fine[i]), 200, 125,
+                               fine[i] <= 64 ? 40 : 0, o->seed);
+        trial t = {&s, &binned, &s.diffuse, {{0}, NULL, NULL}};
+        double triangles = (double)s.m.triangles, seconds;
+        time_trials(&t, 1, run_build, fine[i] < 64 ? 9 : 3, &build[i]);
+        time_trials(&t, 1, run_search, 3, &seconds);
+        bvh_work w = rays_count(&t.b, &s.diffuse);
+        x[i] = log2(triangles), search[i] = log2(seconds / (double)s.diffuse.n);
+        nodes[i] = per((double)w.nodes, s.diffuse.n);
+        double unit = build[i] / (triangles * x[i]);
+        if (triangles > 900 && unit < least) least = unit;
+        if (triangles > 900 && unit > greatest) greatest = unit;
+        table_count(&out, s.m.triangles);
+        table_number(&out, build[i] * 1e3), table_number(&out, unit * 1e9);
+        table_number(&out, nodes[i]), table_number(&out, per((double)w.tests, s.diffuse.n));
+        table_number(&out, per(seconds * 1e9, s.diffuse.n));
+        if (s.corners.n) table_number(&out, s.brute_seconds * 1e9);
+        else table_text(&out, "-");
+        table_number(&out, per((double)t.b.tree.peak, s.m.triangles));
+        plot_add(&p, by_build, triangles, build[i] * 1e9 / triangles);
+        plot_add(&p, by_ray, triangles, per(seconds * 1e9, s.diffuse.n));
+        if (s.corners.n) plot_add(&p, by_brute, triangles, s.brute_seconds * 1e9);
+        plot_add(&q, by_nodes, triangles, nodes[i]);
+        plot_add(&q, by_tests, triangles, per((double)w.tests, s.diffuse.n));
+        build[i] = log2(build[i]);
+        bvh_free(&t.b);
+        subject_free(&s);
+    }
+    output_extra_table(o, &out);
+    printf("# fitted: build ~ n^%.2f; build / (n log2 n) within a factor %.2f from 1e3 on\n",
+           slope_of(x, build, n), greatest / least);
+    printf("# fitted: a diffuse ray tests %.2f more pairs for each doubling of n; time ~ n^%.2f\n",
+           slope_of(x, nodes, n), slope_of(x, search, n));
+    plot_slope(&p, 1, "slope 1");
+    output_plot(o, &p, "14_bvh_n_time.svg");
+    output_plot(o, &q, "14_bvh_n.svg");
+}
+
+#endif

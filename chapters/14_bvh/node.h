@@ -1,0 +1,195 @@
+/* node.h: the node of the tree, 32 bytes, and the test of a ray against its box (包围盒).
+ *
+ *   bvh_node { box, first, count }
+ *       count = 0    inner node (中间节点): its children (子节点) are nodes first and first + 1
+ *       count > 0    leaf (叶节点): its items are number first .. first + count - 1
+ *
+ * The box is in float whatever `real` is, rounded outwards, so that it holds what it should hold.
+ * Two siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
+ *
+ *   box_ray q = box_ray_of(r, &root_box)      prepares the ray once: origin and 1 / D, in float
+ *   box_ray_naive(r, &root_box)               the same without what follows: loses hits
+ *   limit = box_ray_limit(&q, t)              t as a float, for comparing with t_enter
+ *   enter = box_enter(&box, &q, limit, &exit) the part [enter, exit] of [tmin, limit]       (14.2)
+ *   !(enter > exit)                           the ray meets the box; NaN throws no box away
+ *
+ * Why nothing is lost though all is rounded to float: all errors are paid for in advance, once a
+ * ray. The near planes are seen from an origin moved towards them by delta, the far planes from
+ * one moved away (14.3):
+ *
+ *        o      near                far        near: t = (b - (o + delta)) / d   too small
+ *        +--->---|-------------------|-->      far:  t = (b - (o - delta)) / d   too large
+ *      o-delta o+delta   (d > 0; if d < 0 the signs change)
+ *
+ *   1. b - o, 1 / d and their product are three roundings: t is off as if the plane were moved by
+ *      3 u |b - o|, u = 2^-24. D, the largest |b - o| of the whole tree, bounds it: 4 u D would
+ *      be enough, 2^-21 D = 8 u D is taken.
+ *   2. What is in the box is tested in `real`, with errors of its own: the watertight test of 04
+ *      moves corners by up to 3 eps D, and t by up to 140 eps D / |d|, since its weights are right
+ *      to 65 eps. 256 eps D covers both.
+ *   3. o + delta is rounded up, o - delta down, by one float more than the sum needs. Far out,
+ *      where floats are farther apart than delta, this is what keeps the two apart.
+ *   4. Products that underflow are off by 2^-150. d is scaled so that 1 / d >= 2^-21, and then
+ *      delta >= 2^-100 moves t by 2^-121 or more. Where 1 / d overflows, the ray moves less than
+ *      delta along that axis within the whole tree, so +-infinity is right, as it is for d = 0.
+ *      0 * infinity is a NaN, which the comparisons drop: the plane itself belongs to the box.
+ *
+ * Sources: A. Williams, S. Barrus, R. K. Morley, P. Shirley, "An Efficient and Robust Ray-Box
+ * Intersection Algorithm", JGT 10(1), 2005 (the sign chooses the plane); T. Ize, "Robust BVH Ray
+ * Traversal", JCGT 2(2), 2013 (rounding makes a search miss; ours pays per ray, not per box).
+ */
+#ifndef BVH_NODE_H
+#define BVH_NODE_H
+
+#include "../04_triangle/triangle.h"
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct { float side[6]; } bvh_box;               /* low x, y, z, high x, y, z */
+typedef struct { bvh_box box; uint32_t first, count; } bvh_node;
+
+/* near[k], far[k]: which of the six sides a ray that moves along axis k meets first, and last. */
+typedef struct {
+    float o_near[3], o_far[3], inverse[3];
+    size_t near[3], far[3];
+    real scale;   /* t of box_ray = scale * t of the ray, a power of two */
+    real slack;   /* t is compared with so much to spare */
+    float tmin;   /* rounded down */
+} box_ray;
+
+_Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* A float <= x: x itself if it is one, else at most three floats below. */
+static inline float float_below(real x)
+{
+    float f = (float)x;
+    if (f > FLT_MAX && x <= real_largest) return FLT_MAX;
+    return (real)f <= x ? f : f - (fabs(f) * FLT_EPSILON + 0x1p-149f);
+}
+
+/* A float >= x. */
+static inline float float_above(real x) { return -float_below(-x); }
+
+/* A float > x by at least the error of the last operation that made x: x + |x| 2^-24. Below all
+ * floats it is a NaN, and then the comparisons leave the plane out. */
+static inline float float_beyond(real x)
+{
+    float f = (float)x;
+    return f + (fabs(f) * FLT_EPSILON + 0x1p-149f);
+}
+
+static inline float float_min(float a, float b) { return a < b ? a : b; }
+static inline float float_max(float a, float b) { return a > b ? a : b; }
+
+static inline bvh_box box_empty(void)
+{
+    return (bvh_box){{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}};
+}
+
+static inline void box_add(bvh_box *a, const bvh_box *b)
+{
+    for (int k = 0; k < 3; k++) {
+        a->side[k] = float_min(b->side[k], a->side[k]);
+        a->side[3 + k] = float_max(b->side[3 + k], a->side[3 + k]);
+    }
+}
+
+static inline bvh_box box_between(vec3 lo, vec3 hi)
+{
+    return (bvh_box){{float_below(lo.x), float_below(lo.y), float_below(lo.z),
+                      float_above(hi.x), float_above(hi.y), float_above(hi.z)}};
+}
+
+/* Half of its surface: in double, so that no float box overflows it. 0 if empty. */
+static inline double box_area(const bvh_box *b)
+{
+    double x = (double)b->side[3] - (double)b->side[0];
+    double y = (double)b->side[4] - (double)b->side[1];
+    double z = (double)b->side[5] - (double)b->side[2];
+    return x >= 0 ? x * y + y * z + z * x : 0;
+}
+
+/* Largest distance along an axis between o and a plane of the box. */
+static inline real box_reach(const bvh_box *b, vec3 o)
+{
+    real reach = 0;
+    for (int k = 0; k < 3; k++) {
+        reach = real_max(reach, fabs((real)b->side[k] - vaxis(o, k)));
+        reach = real_max(reach, fabs((real)b->side[3 + k] - vaxis(o, k)));
+    }
+    return reach;
+}
+
+/* The power of two by which a D outside of 2^+-20 must be divided to get there; else 1. */
+static inline real box_ray_scale(real longest)
+{
+    int e = 0;
+    if (longest >= (real)0x1p-20 && longest <= (real)0x1p20) return 1;
+    (void)frexp(longest, &e);
+    int most = real_is_float ? 100 : 1000;
+    return ldexp((real)1, e > most ? most : e < -most ? -most : e);
+}
+
+static inline box_ray box_ray_of(ray r, const bvh_box *all)
+{
+    box_ray q;
+    real longest = fabs(vaxis(r.d, vlongest(r.d)));
+    real reach = box_reach(all, r.o);
+    real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
+    q.scale = box_ray_scale(longest);
+    /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
+     * from the numbers below FLT_MIN, with which processors are slow: 10 ns a ray. */
+    q.slack = real_smallest * q.scale + (real)0x1p-100;
+    q.tmin = float_below(r.tmin * q.scale - q.slack);
+    for (int k = 0; k < 3; k++) {
+        real d = vaxis(r.d, k), o = vaxis(r.o, k);
+        float i = (float)(q.scale / d);
+        float up = float_beyond(o + delta), down = -float_beyond(delta - o);
+        q.inverse[k] = i;
+        q.near[k] = (size_t)(i < 0 ? 3 + k : k);
+        q.far[k] = (size_t)(i < 0 ? k : 3 + k);
+        q.o_near[k] = i < 0 ? down : up;
+        q.o_far[k] = i < 0 ? up : down;
+    }
+    return q;
+}
+
+/* o = (0, 0, 2/3), a flat box in the plane z = 1/3 of which the float bounds are 1/3 rounded down
+ * and up, and a ray along the box's edge or corner: everything is rounded to the nearest float, so
+ * t of the near plane may come out larger than t of the far one, and the box is lost with all that
+ * is in it. */
+static inline box_ray box_ray_naive(ray r, const bvh_box *all)
+{
+    box_ray q = {.scale = 1, .tmin = (float)r.tmin};
+    (void)all;
+    for (int k = 0; k < 3; k++) {
+        q.inverse[k] = (float)(1 / vaxis(r.d, k));
+        q.o_near[k] = q.o_far[k] = (float)vaxis(r.o, k);
+        q.near[k] = (size_t)(q.inverse[k] < 0 ? 3 + k : k);
+        q.far[k] = (size_t)(q.inverse[k] < 0 ? k : 3 + k);
+    }
+    return q;
+}
+
+/* The float that t_enter is compared with: not less than t, in the units of q. */
+static inline float box_ray_limit(const box_ray *q, real t)
+{
+    return float_above(t * q->scale + q->slack);
+}
+
+/* (14.2). Each comparison keeps its second argument against a NaN. */
+static inline float box_enter(const bvh_box *b, const box_ray *q, float limit, float *exit)
+{
+    float x0 = (b->side[q->near[0]] - q->o_near[0]) * q->inverse[0];
+    float y0 = (b->side[q->near[1]] - q->o_near[1]) * q->inverse[1];
+    float z0 = (b->side[q->near[2]] - q->o_near[2]) * q->inverse[2];
+    float x1 = (b->side[q->far[0]] - q->o_far[0]) * q->inverse[0];
+    float y1 = (b->side[q->far[1]] - q->o_far[1]) * q->inverse[1];
+    float z1 = (b->side[q->far[2]] - q->o_far[2]) * q->inverse[2];
+    *exit = float_min(x1, float_min(y1, float_min(z1, limit)));
+    return float_max(x0, float_max(y0, float_max(z0, q->tmin)));
+}
+
+#endif

@@ -1,0 +1,111 @@
+/* search.h: searching the tree for the closest hit, or for any.
+ *
+ *   bool tree_search(&t, r, box_ray_of, leaf, context, any, &h, &work)
+ *       leaf      tests the items of a leaf: see below
+ *       any       true: ends at the first hit (遮挡); h is not touched
+ *       work      counts what was done; NULL: does not count
+ *
+ * Both children of a node are tested at once. If the ray meets both, the one that it enters first
+ * is next, and the other waits on the stack with its t of entry: by the time it comes up a hit may
+ * have been found before it, and it is dropped unseen.
+ *
+ *   the rule of hit.h, and what it asks of a search:
+ *   equal t, the lower index wins      a box that begins at t_enter = tmax is still looked into:
+ *                                      it may hold the lower index; dropped only if t_enter > tmax
+ *   the same hit as brute force        boxes err to the large side only: node.h
+ *
+ * An empty tree, and a ray with a NaN, an infinite origin or no direction, hit nothing.
+ */
+#ifndef BVH_SEARCH_H
+#define BVH_SEARCH_H
+
+#include "tree.h"
+
+typedef struct {
+    size_t nodes;   /* pairs of boxes tested */
+    size_t both;    /* of these: the ray met both, and must look into both unless it finds a hit */
+    size_t leaves;  /* leaves looked into */
+    size_t barren;  /* of these: nothing closer was found in them */
+    size_t tests;   /* items tested */
+} bvh_work;
+
+/* State of a search: r.tmax is the t of `best`, which the leaf improves. */
+typedef struct { ray r; ray_shear shear; hit best; } tree_query;
+
+/* box_ray_of; or box_ray_naive, which loses hits. */
+typedef box_ray tree_prepare(ray r, const bvh_box *all);
+
+/* Tests items first .. first + count - 1; true if one was closer than q->best (any: was hit at
+ * all). */
+typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q,
+                       bool any);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct { uint32_t first, count; float enter; } tree_waiting;
+
+static inline bool tree_ray_is_usable(ray r)
+{
+    return vfinite(r.o) && vfinite(r.d) && !vzero(r.d);
+}
+
+/* `leaf` and `any` are known where this is called: each call becomes a loop of its own.
+ * `first` and `count` of the next node are picked together with the box that won: one load less to
+ * wait for. Which child is nearer is a coin toss, so it is chosen without a branch. */
+__attribute__((always_inline))
+static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
+                               const void *context, bool any, hit *out, bvh_work *work)
+{
+    tree_waiting stack[bvh_most_depth];
+    int top = 0;
+    float exit0, exit1;
+    const bvh_node *node = t->node;
+    if (t->items == 0 || !tree_ray_is_usable(r)) return false;
+    tree_query q = {r, shear_of(r), hit_none};
+    box_ray b = prepare(r, &node[0].box);
+    float limit = box_ray_limit(&b, r.tmax);
+    if (box_enter(&node[0].box, &b, limit, &exit0) > exit0) return false;
+    uint32_t first = node[0].first, count = node[0].count;
+    for (;;) {
+        if (count == 0) {
+            const bvh_node *c = node + first;
+            float enter0 = box_enter(&c[0].box, &b, limit, &exit0);
+            float enter1 = box_enter(&c[1].box, &b, limit, &exit1);
+            bool in0 = !(enter0 > exit0), in1 = !(enter1 > exit1), both = in0 & in1;
+            bool second = both ? enter1 < enter0 : in1;
+            if (work) work->nodes++, work->both += both;
+            first = second ? c[1].first : c[0].first;
+            count = second ? c[1].count : c[0].count;
+            stack[top].first = second ? c[0].first : c[1].first;
+            stack[top].count = second ? c[0].count : c[1].count;
+            stack[top].enter = second ? enter0 : enter1;
+            top += both;
+            if (in0 | in1) continue;
+        } else {
+            bool found = leaf(context, first, count, &q, any);
+            if (work) work->leaves++, work->barren += !found, work->tests += count;
+            if (found && any) return true;
+            if (found) limit = box_ray_limit(&b, q.r.tmax);
+        }
+        do {
+            if (top == 0) {
+                if (q.best.shape == no_shape) return false;
+                *out = q.best;
+                return true;
+            }
+            top--;
+        } while (stack[top].enter > limit);
+        first = stack[top].first, count = stack[top].count;
+    }
+}
+
+/* Keeps h as the best hit if it comes before it. */
+static inline bool tree_improves(tree_query *q, hit h)
+{
+    if (!hit_before(h, q->best)) return false;
+    q->best = h;
+    q->r.tmax = h.t;
+    return true;
+}
+
+#endif

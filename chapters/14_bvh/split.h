@@ -1,0 +1,248 @@
+/* split.h: where to cut a set of items in two. Five ways, one signature.
+ *
+ *   BVH_CYCLE        axis x, y, z, x, ... by depth; in the middle of the centres       (14.4)
+ *   BVH_LONGEST      the axis along which the centres extend longest; in the middle
+ *   BVH_MEDIAN       that axis; as many items left as right, by selection in O(n)
+ *   BVH_SAH          surface area heuristic (表面积启发式): the best of 15 planes an axis  (14.6)
+ *   BVH_SAH_SWEEP    the same: the best of all places between two items, along all axes
+ *
+ *   size_t left = split_items(&s, item, n, depth)
+ *       reorders the items: the first `left` of them, 1 .. n-1, go left
+ *       s.cost: of that split by the heuristic; a leaf costs n * s.item_cost
+ *
+ * The heuristic. A line that meets a convex box meets a box inside it with probability
+ * area(inside) / area(box), so a cut into L and R costs (14.5)
+ *
+ *      cost = 1 + (area(L) n(L) + area(R) n(R)) / area * item_cost       [tests of a pair of boxes]
+ *
+ * What cannot be cut by planes (all centres the same; areas that overflow) is halved by number.
+ *
+ * Sources: J. Goldsmith, J. Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing",
+ * IEEE CG&A 7(5), 1987; J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space
+ * subdivision", The Visual Computer 6, 1990; I. Wald, "On fast Construction of SAH-based Bounding
+ * Volume Hierarchies", IEEE Symp. Interactive Ray Tracing 2007 (bins).
+ */
+#ifndef BVH_SPLIT_H
+#define BVH_SPLIT_H
+
+#include "../../common/file.h"
+#include "select.h"
+
+typedef enum {
+    BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, bvh_strategies
+} bvh_strategy;
+
+typedef struct { uint32_t key, place; } sort_pair;
+
+typedef struct {
+    bvh_strategy strategy;
+    double item_cost;         /* of testing an item, where testing a pair of boxes costs 1 */
+    bvh_box box, centres;     /* in: box of the items, box of their centres */
+    double cost;              /* out: of the best split, HUGE_VAL if there is none */
+    sort_pair *pairs, *spare; /* [n] each, for the sweep alone; NULL otherwise */
+    float *areas;             /* [n] */
+} splitter;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline int box_longest(const bvh_box *b)
+{
+    float x = b->side[3] - b->side[0], y = b->side[4] - b->side[1];
+    float z = b->side[5] - b->side[2];
+    return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+}
+
+static inline size_t split_by_number(bvh_item *item, size_t n, int axis)
+{
+    select_item(item, n, n / 2, axis);
+    return n / 2;
+}
+
+/* Items whose centre lies below `cut` go left. All to one side: halved by number instead. */
+static inline size_t split_at_plane(bvh_item *item, size_t n, int axis, float cut)
+{
+    size_t left = 0, right = n;
+    while (left < right) {
+        if (item_centre(&item[left], axis) < cut) left++;
+        else item_swap(&item[left], &item[--right]);
+    }
+    return left;
+}
+
+static inline size_t split_middle(const splitter *s, bvh_item *item, size_t n, int axis)
+{
+    float lo = s->centres.side[axis], hi = s->centres.side[3 + axis];
+    size_t left = split_at_plane(item, n, axis, 0.5f * lo + 0.5f * hi);
+    return left == 0 || left == n ? split_by_number(item, n, box_longest(&s->centres)) : left;
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { most_bins = 16 };
+typedef struct { bvh_box box; uint32_t n; } split_bin;
+typedef struct { double cost; int axis, bin; } split_choice;
+
+static inline int bins_for(size_t n) { return n < 16 ? most_bins / 2 : most_bins; }
+
+/* Where a hundred thousand items lie, some ten thousand of them tell: every so many-th goes into
+ * the bins, an odd number, since the triangles of a mesh often come in pairs. The boxes of the
+ * parts do not come from the bins but are measured. */
+static inline size_t sample_step(size_t n) { return n < 32768 ? 1 : n / 16384 | 1; }
+
+static inline float bin_scale(const splitter *s, int axis, int bins)
+{
+    float extent = s->centres.side[3 + axis] - s->centres.side[axis];
+    float scale = (float)bins * 0.9999f / extent;
+    return scale < FLT_MAX ? scale : 0;  /* no extent, or nearly none: everything in bin 0 */
+}
+
+static inline int bin_of(const splitter *s, const bvh_item *i, int axis, float scale)
+{
+    return (int)((item_centre(i, axis) - s->centres.side[axis]) * scale);
+}
+
+/* Areas times numbers from the right, then from the left; the best plane is after bin
+ * `choice->bin`. */
+static inline void sweep_bins(const split_bin *bin, int bins, int axis, split_choice *choice)
+{
+    double right[most_bins];
+    bvh_box box = box_empty();
+    size_t n = 0;
+    for (int i = bins - 1; i > 0; i--) {
+        box_add(&box, &bin[i].box);
+        n += bin[i].n;
+        right[i] = n ? box_area(&box) * (double)n : HUGE_VAL;
+    }
+    box = box_empty(), n = 0;
+    for (int i = 0; i + 1 < bins; i++) {
+        box_add(&box, &bin[i].box);
+        n += bin[i].n;
+        double cost = n ? box_area(&box) * (double)n + right[i + 1] : HUGE_VAL;
+        if (cost < choice->cost) *choice = (split_choice){cost, axis, i};
+    }
+}
+
+/* area = 0 (all in one point) or infinite leaves no number to compare: no split by cost. */
+static inline double split_cost(const splitter *s, double sum)
+{
+    double cost = 1 + sum / box_area(&s->box) * s->item_cost;
+    return cost < HUGE_VAL ? cost : HUGE_VAL;
+}
+
+static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
+{
+    split_bin bin[3][most_bins];
+    split_choice choice = {HUGE_VAL, 0, 0};
+    int bins = bins_for(n);
+    float scale[3];
+    for (int k = 0; k < 3; k++) {
+        scale[k] = bin_scale(s, k, bins);
+        for (int i = 0; i < bins; i++) bin[k][i] = (split_bin){box_empty(), 0};
+    }
+    for (size_t i = 0; i < n; i += sample_step(n))
+        for (int k = 0; k < 3; k++) {
+            split_bin *b = &bin[k][bin_of(s, &item[i], k, scale[k])];
+            box_add(&b->box, &item[i].box);
+            b->n++;
+        }
+    for (int k = 0; k < 3; k++)
+        if (scale[k] > 0) sweep_bins(bin[k], bins, k, &choice);
+    s->cost = split_cost(s, choice.cost);
+    if (s->cost == HUGE_VAL) return split_by_number(item, n, box_longest(&s->centres));
+    size_t left = 0, right = n;
+    while (left < right) {
+        if (bin_of(s, &item[left], choice.axis, scale[choice.axis]) <= choice.bin) left++;
+        else item_swap(&item[left], &item[--right]);
+    }
+    return left;
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Floats as whole numbers in the same order: all bits of a negative one are turned, the sign of
+ * others. */
+static inline uint32_t float_key(float x)
+{
+    uint32_t bits;
+    x += 0.0f;  /* -0 becomes 0 */
+    memcpy(&bits, &x, sizeof bits);
+    return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
+}
+
+/* Sorted by key; equal keys keep their order. O(n): four passes of 256 drawers; few by insertion.
+ * */
+static inline void sort_pairs(sort_pair *pair, sort_pair *spare, size_t n)
+{
+    if (n <= 32) {
+        for (size_t i = 1; i < n; i++) {
+            sort_pair p = pair[i];
+            size_t j = i;
+            for (; j > 0 && pair[j - 1].key > p.key; j--) pair[j] = pair[j - 1];
+            pair[j] = p;
+        }
+        return;
+    }
+    for (int shift = 0; shift < 32; shift += 8) {  /* four passes: ends where it began */
+        size_t start[257] = {0};
+        for (size_t i = 0; i < n; i++) start[(pair[i].key >> shift & 255) + 1]++;
+        for (int i = 0; i < 256; i++) start[i + 1] += start[i];
+        for (size_t i = 0; i < n; i++) spare[start[pair[i].key >> shift & 255]++] = pair[i];
+        sort_pair *p = pair;
+        pair = spare, spare = p;
+    }
+}
+
+static inline void sort_along(splitter *s, const bvh_item *item, size_t n, int axis)
+{
+    for (size_t i = 0; i < n; i++)
+        s->pairs[i] = (sort_pair){float_key(item_centre(&item[i], axis)), (uint32_t)i};
+    sort_pairs(s->pairs, s->spare, n);
+}
+
+static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)
+{
+    double best = HUGE_VAL;
+    size_t left = 0;
+    int axis = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!(s->centres.side[k] < s->centres.side[3 + k])) continue;  /* nothing to cut between */
+        sort_along(s, item, n, k);
+        bvh_box box = box_empty();
+        for (size_t i = n - 1; i > 0; i--) {
+            box_add(&box, &item[s->pairs[i].place].box);
+            s->areas[i] = (float)box_area(&box);
+        }
+        box = box_empty();
+        for (size_t i = 1; i < n; i++) {
+            box_add(&box, &item[s->pairs[i - 1].place].box);
+            double cost = box_area(&box) * (double)i + (double)s->areas[i] * (double)(n - i);
+            if (cost < best) best = cost, left = i, axis = k;
+        }
+    }
+    s->cost = split_cost(s, best);
+    if (s->cost == HUGE_VAL) return split_by_number(item, n, box_longest(&s->centres));
+    sort_along(s, item, n, axis);
+    /* Marks, then a partition in place: there is no room for a second array of items. */
+    for (size_t i = 0; i < n; i++) s->spare[s->pairs[i].place].key = i < left;
+    size_t l = 0, r = n;
+    while (l < r) {
+        if (s->spare[l].key) { l++; continue; }
+        item_swap(&item[l], &item[--r]);
+        s->spare[l].key = s->spare[r].key;
+    }
+    return left;
+}
+
+static inline size_t split_items(splitter *s, bvh_item *item, size_t n, int depth)
+{
+    s->cost = HUGE_VAL;
+    switch (s->strategy) {
+    case BVH_CYCLE: return split_middle(s, item, n, depth % 3);
+    case BVH_LONGEST: return split_middle(s, item, n, box_longest(&s->centres));
+    case BVH_SAH: return split_binned(s, item, n);
+    case BVH_SAH_SWEEP: return split_sweep(s, item, n);
+    default: return split_by_number(item, n, box_longest(&s->centres));
+    }
+}
+
+#endif

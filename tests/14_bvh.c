@@ -1,0 +1,388 @@
+/* Every hit of the tree equals brute force: t, u, v and triangle, bit for bit, and so does
+ * "occluded". Rays are aimed where boxes and triangles end: corners, edges, planes of faces, axes.
+ * */
+#include "../chapters/14_bvh/bvh.h"
+#include "../chapters/14_bvh/bvh_shapes.h"
+#include "../chapters/07_mesh/specimens.h"
+#include "../chapters/07_mesh/teapot.h"
+#include "../common/random.h"
+#include "check.h"
+
+static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
+                                                          "sweep"};
+
+typedef struct { size_t rays, hits, wrong, wrong_naive, wrong_any; } verdict;
+
+static bool same(bool ga, hit a, bool gb, hit b)
+{
+    return ga == gb && (!ga || (a.t == b.t && a.u == b.u && a.v == b.v && a.shape == b.shape));
+}
+
+/* Returns the hit of brute force, t = infinity on a miss. */
+static hit compare(const mesh *m, const bvh *b, ray r, verdict *v)
+{
+    hit brute = hit_none, tree = hit_none, naive = hit_none;
+    bool expected = mesh_hit(m, r, &brute), got = bvh_hit(b, r, &tree);
+    bool got_naive = bvh_hit_naive(b, r, &naive);
+    v->rays++, v->hits += expected;
+    v->wrong += !same(expected, brute, got, tree);
+    v->wrong_naive += !same(expected, brute, got_naive, naive);
+    v->wrong_any += bvh_occluded(b, r) != expected;
+    return brute;
+}
+
+static vec3 random_vector(random_stream *g, real size)
+{
+    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
+    return vscale((vec3){x, y, z}, size);
+}
+
+static size_t random_below(random_stream *g, size_t n) { return (size_t)(random_next_bits(g) % n); }
+
+/* A ray of one of twelve kinds at a mesh within `size` of `centre`. */
+static ray aimed(const mesh *m, random_stream *g, int kind, vec3 centre, real size)
+{
+    size_t i = random_below(g, m->triangles);
+    triangle t = mesh_triangle(m, i), s = mesh_triangle(m, random_below(g, m->triangles));
+    vec3 o = vadd(centre, random_vector(g, 3 * size)), axis = {0, 0, 0};
+    real u = random_next(g), v = random_next(g) * (1 - u);
+    real *along = (real *)&axis + random_below(g, 3);
+    *along = random_next_bits(g) & 1 ? 1 : -1;
+    ray r = ray_from(o, random_vector(g, 1));
+    switch (kind) {
+    case 0: r.d = vsub(vadd(centre, random_vector(g, size)), o); break;
+    case 1: r.d = vsub(t.a, o); break;                                       /* at a corner */
+    case 2: r.d = vsub(vmadd(t.a, vsub(t.b, t.a), u), o); break;             /* at an edge */
+    case 3: r.d = vsub(vmadd(vmadd(t.a, vsub(t.b, t.a), u), vsub(t.c, t.a), v), o); break;
+    case 4: r.o = vmadd(t.a, axis, -4 * size), r.d = axis; break;            /* in sides of boxes */
+    case 5: r.o = t.a, r.d = vsub(s.b, t.a); break;                          /* corner to corner */
+    case 6: r.o = vmadd(t.a, vsub(t.b, t.a), -3), r.d = vsub(t.b, t.a); break; /* along an edge */
+    case 7: r = ray_from(vmadd(t.a, axis, -4 * size), vadd(axis, random_vector(g, real_smallest)));
+        break;
+    case 8: r.d = vsub(t.a, o), r.tmin = -real_infinity; break;              /* the whole line */
+    case 9: r.d = vscale(vsub(t.a, o), (real)0x1p-30), r.tmin = -5, r.tmax = (real)0x1p30; break;
+    case 10: r.d = vscale(vscale(vsub(t.a, o), (real)0x1p70), (real)0x1p70); break; /* t = 2^-140 */
+    default: r.d = vsub(t.a, o), r.tmax = 1; break; /* ends on the corner */
+    }
+    return r;
+}
+
+static verdict compare_kinds(const mesh *m, const bvh *b, size_t n, uint64_t seed, vec3 centre,
+                             real size)
+{
+    verdict v = {0, 0, 0, 0, 0};
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(seed, i, 0);
+        ray r = aimed(m, &g, (int)(i % 12), centre, size);
+        hit h = compare(m, b, r, &v);
+        if (h.shape == no_shape) continue;
+        ray ends = r;
+        ends.tmax = h.t;           /* the interval is closed: the hit stays */
+        compare(m, b, ends, &v);
+        ends.tmin = h.t;           /* [t, t] */
+        compare(m, b, ends, &v);
+    }
+    return v;
+}
+
+static void test_mesh(const char *name, mesh m, vec3 move, real scale, bool exhibit)
+{
+    size_t naive = 0;
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vadd(vscale(m.v[i], scale), move);
+    for (int s = 0; s < bvh_strategies; s++)
+        for (int leaf = 1; leaf <= 16; leaf *= 4) {
+            bvh b;
+            bvh_build(&m, (bvh_options){(bvh_strategy)s, leaf, 1}, &b);
+            verdict v = compare_kinds(&m, &b, check_count(720), (uint64_t)(s * 100 + leaf), move,
+                                      scale);
+            check_equal(v.wrong, 0, "%s, %s, leaves of %d: %zu of %zu rays hit; wrong", name,
+                        strategy_name[s], leaf, v.hits, v.rays);
+            check_equal(v.wrong_any, 0, "%s, %s: occluded, yet no hit, or the reverse", name,
+                        strategy_name[s]);
+            check_at_least(v.hits, v.rays / 4, "%s: rays aimed at it hit it", name);
+            naive += v.wrong_naive;
+            bvh_free(&b);
+        }
+    check(naive > 0 || !exhibit,
+          "%s: boxes rounded to nearest lose no hit: the exhibit shows nothing", name);
+    mesh_free(&m);
+}
+
+static mesh mesh_room(size_t triangles)
+{
+    mesh m = {.vertices = 3 * triangles, .triangles = triangles};
+    m.v = allocate(m.vertices, sizeof *m.v);
+    m.index = allocate(m.vertices, sizeof *m.index);
+    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
+    return m;
+}
+
+static void set_triangle(mesh *m, size_t i, vec3 a, vec3 b, vec3 c)
+{
+    m->v[3 * i] = a, m->v[3 * i + 1] = b, m->v[3 * i + 2] = c;
+}
+
+/* A bundle of needles through the unit cube, 1 long and `width` wide: seen along their length or
+ * edge-on, their t is as far off as it can be. */
+static mesh needles(size_t n, real width)
+{
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(77, i, 0);
+        vec3 a = random_vector(&g, 1), b = random_vector(&g, 1);
+        set_triangle(&m, i, a, b, vadd(a, random_vector(&g, width)));
+    }
+    return m;
+}
+
+static void test_no_and_one(void)
+{
+    mesh m = mesh_room(1);
+    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    hit h = {7, 7, 7, 7};
+    bvh b;
+    m.triangles = 0;
+    bvh_build(&m, bvh_defaults, &b);
+    check(!bvh_hit(&b, r, &h) && h.t == 7 && !bvh_occluded(&b, r), "no triangles are never hit");
+    bvh_free(&b);
+    m.triangles = 1;
+    set_triangle(&m, 0, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, 1});
+    for (int s = 0; s < bvh_strategies; s++) {
+        bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
+        check(bvh_hit(&b, r, &h) && h.t == 2 && h.u == (real)0.25 && h.v == (real)0.25
+                  && h.shape == 0,
+              "one triangle, by %s: hit at t = 2", strategy_name[s]);
+        check(b.tree.nodes == 2 && b.tree.depth == 0, "one triangle makes one leaf");
+        bvh_free(&b);
+    }
+    bvh_free(&b);  /* again */
+    mesh_free(&m);
+}
+
+/* Triangles on one place: the same t for all, so the lowest index must win, whatever the order of
+ * the leaves. Every third one is a shifted copy in front; the lowest of those is number 2. */
+static void test_coincident(size_t n)
+{
+    mesh m = mesh_room(n);
+    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    for (int front = 0; front < 2; front++) {
+        for (size_t i = 0; i < n; i++) {
+            real z = front && i % 3 == 2 ? 1 : 2;
+            set_triangle(&m, i, (vec3){0, 0, z}, (vec3){1, 0, z}, (vec3){0, 1, z});
+        }
+        for (int s = 0; s < bvh_strategies; s++) {
+            bvh b;
+            hit h = hit_none;
+            bvh_build(&m, (bvh_options){(bvh_strategy)s, 2, 1}, &b);
+            check(bvh_hit(&b, r, &h), "%zu coincident triangles are hit, %s", n, strategy_name[s]);
+            check_equal(h.shape, front ? 2 : 0, "lowest index of the nearest, %s",
+                        strategy_name[s]);
+            check(bvh_occluded(&b, r), "and occlude");
+            check_at_most(b.tree.depth, log2_above(n) + 1, "halves of halves: depth log2(n), %s",
+                          strategy_name[s]);
+            bvh_free(&b);
+        }
+    }
+    mesh_free(&m);
+}
+
+/* One triangle of eight is sick: NaN, infinite, a point, a line. None of them is hit, and the
+ * others are found as if the sick ones were not there. */
+static void test_sick(void)
+{
+    size_t n = 4000, sick = 0;
+    mesh m = needles(n, (real)0.1), well = needles(n, (real)0.1);
+    for (size_t i = 0; i < n; i += 8) {
+        vec3 *v = m.v + 3 * i;
+        switch (i / 8 % 6) {
+        case 0: v[0].x = (real)NAN; break;
+        case 1: v[1].y = real_infinity; break;
+        case 2: v[2].z = -real_infinity; break;
+        case 3: v[1] = v[2] = v[0]; break;
+        case 4: v[2] = v[1]; break;
+        default: v[0] = v[1] = v[2] = (vec3){(real)NAN, (real)NAN, (real)NAN}; break;
+        }
+        well.v[3 * i] = well.v[3 * i + 1] = well.v[3 * i + 2] = (vec3){0, 0, 0};
+        sick++;
+    }
+    for (int s = 0; s < bvh_strategies; s++) {
+        bvh b, w;
+        bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
+        bvh_build(&well, (bvh_options){(bvh_strategy)s, 4, 1}, &w);
+        check_equal(b.tree.items, n - (sick + 5) / 6 - (sick + 4) / 6 - (sick + 3) / 6 - sick / 6,
+                    "triangles that are not finite stay out, %s", strategy_name[s]);
+        check(
+            vfinite((vec3){(real)b.tree.node[0].box.side[0], (real)b.tree.node[0].box.side[3], 0}),
+            "the root box is finite");
+        verdict v = {0, 0, 0, 0, 0};
+        size_t other = 0, hit_sick = 0;
+        for (size_t i = 0; i < check_count(3000); i++) {
+            random_stream g = random_start(5, i, 0);
+            hit x = hit_none, y = hit_none;
+            vec3 o = random_vector(&g, 3);
+            ray r = ray_from(o, vsub(random_vector(&g, 1), o));
+            compare(&m, &b, r, &v);
+            bool gx = bvh_hit(&b, r, &x), gy = bvh_hit(&w, r, &y);
+            other += !same(gx, x, gy, y), hit_sick += gx && x.shape % 8 == 0;
+        }
+        check_equal(v.wrong + v.wrong_any, 0, "sick triangles, %s: as brute force",
+                    strategy_name[s]);
+        check_equal(other, 0, "sick triangles, %s: as without them", strategy_name[s]);
+        check_equal(hit_sick, 0, "sick triangles are not hit");
+        check(v.hits > v.rays / 4, "enough rays hit something: %zu of %zu", v.hits, v.rays);
+        bvh_free(&b), bvh_free(&w);
+    }
+    mesh_free(&m), mesh_free(&well);
+}
+
+/* Rays that are not rays: no hit, and no endless search. */
+static void test_sick_rays(void)
+{
+    mesh m = teapot_mesh(3);
+    bvh b;
+    hit h;
+    bvh_build(&m, bvh_defaults, &b);
+    real nan = (real)NAN, inf = real_infinity;
+    ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, 0}),
+                  ray_from((vec3){0, 0, -inf}, (vec3){0, 0, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, inf}),
+                  {{0, 0, -9}, nan, {0, 0, 1}, 99},
+                  {{0, 0, -9}, 0, {0, 0, 1}, nan},
+                  {{0, 0, -9}, 5, {0, 0, 1}, 4}};
+    for (size_t i = 0; i < sizeof sick / sizeof *sick; i++) {
+        check(!mesh_hit(&m, sick[i], &h), "brute force has no hit for sick ray %zu", i);
+        check(!bvh_hit(&b, sick[i], &h) && !bvh_occluded(&b, sick[i]),
+              "nor has the tree: sick ray %zu", i);
+        bvh_work w = {0, 0, 0, 0, 0};
+        bvh_hit_counted(&b, sick[i], &h, &w);
+        check(w.nodes == 0 || i > 4, "what is no ray at all is not searched for: sick ray %zu", i);
+    }
+    bvh_free(&b);
+    mesh_free(&m);
+}
+
+/* Triangles 2^k apart and 2^k large: a cut in the middle peels off one at a time. */
+static void test_exponential(void)
+{
+    int most = real_is_float ? 100 : 900;
+    size_t n = (size_t)most, rays = check_count(4000);
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < n; i++) {
+        real x = ldexp((real)1, (int)i - most / 2);
+        set_triangle(&m, i, (vec3){x, 0, 0}, (vec3){x, x / 8, 0}, (vec3){x, 0, x / 8});
+    }
+    for (int s = 0; s < bvh_strategies; s++) {
+        bvh b;
+        size_t wrong = 0, hits = 0;
+        bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
+        check_at_most(b.tree.depth, bvh_most_depth, "depth of exponentially spaced triangles, %s",
+                      strategy_name[s]);
+        for (size_t i = 0; i < rays; i++) {
+            random_stream g = random_start(6, i, 0);
+            triangle t = mesh_triangle(&m, random_below(&g, n));
+            vec3 o = {-t.a.x * random_next(&g), t.b.y * random_next(&g), t.b.y * random_next(&g)};
+            vec3 at = vadd(t.a, vscale((vec3){0, random_next(&g), random_next(&g)}, t.b.y / 2));
+            ray r = ray_from(o, vsub(at, o));
+            hit x = hit_none, y = hit_none;
+            bool gx = mesh_hit(&m, r, &x), gy = bvh_hit(&b, r, &y);
+            hits += gx, wrong += !same(gx, x, gy, y) || (bvh_occluded(&b, r) != gx);
+        }
+        check_equal(wrong, 0, "exponentially spaced triangles, %s: %zu hits", strategy_name[s],
+                    hits);
+        check(hits > rays / 4, "they are hit: %zu", hits);
+        bvh_free(&b);
+    }
+    mesh_free(&m);
+}
+
+static void test_shapes(void)
+{
+    enum { n = 600 };
+    shape *s = allocate(n, sizeof *s);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(8, i, 0);
+        vec3 a = random_vector(&g, 1), b = vadd(a, random_vector(&g, (real)0.2));
+        real r = (real)0.1 * random_next(&g);
+        switch (i % 3) {
+        case 0: s[i] = shape_of_sphere((sphere){a, r}); break;
+        case 1: s[i] = shape_of_cone((cone){a, r, b, r / 2}); break;
+        default:
+            s[i] = shape_of_triangle((triangle){a, b, vadd(a, random_vector(&g, (real)0.2))});
+            break;
+        }
+        if (i % 100 == 99) s[i] = shape_of_sphere((sphere){{(real)NAN, 0, 0}, 1});
+        if (i % 100 == 98) s[i] = s[i - 1];  /* a tie: the lower index wins */
+    }
+    scene all = {s, n};
+    for (int k = 0; k < bvh_strategies; k++) {
+        bvh_shapes b;
+        size_t wrong = 0, hits = 0, rays = check_count(20000);
+        bvh_shapes_build(&all, (bvh_options){(bvh_strategy)k, 4, 1}, &b);
+        for (size_t i = 0; i < rays; i++) {
+            random_stream g = random_start(9, i, 0);
+            vec3 o = random_vector(&g, i % 2 ? 2 : 100);
+            ray r = ray_from(o, vsub(random_vector(&g, 1), o));
+            hit x = hit_none, y = hit_none;
+            bool gx = scene_hit(&all, r, &x), gy = bvh_shapes_hit(&b, r, &y);
+            hits += gx, wrong += !same(gx, x, gy, y) || (bvh_shapes_occluded(&b, r) != gx);
+        }
+        check_equal(wrong, 0, "spheres, cones, triangles, by %s: as brute force", strategy_name[k]);
+        check(hits > rays / 4, "they are hit: %zu of %zu", hits, rays);
+        bvh_shapes_free(&b);
+    }
+    bvh_shapes none;
+    hit h;
+    bvh_shapes_build(&(scene){s, 0}, bvh_defaults, &none);
+    check(!bvh_shapes_hit(&none, ray_from((vec3){0, 0, 0}, (vec3){1, 0, 0}), &h),
+          "no shapes are never hit");
+    bvh_shapes_free(&none);
+    free(s);
+}
+
+/* Rays that are not aimed: boxes rounded to nearest lose none, so such rays prove nothing. */
+static void test_random_rays_show_nothing(void)
+{
+    mesh m = teapot_mesh(8);
+    bvh b;
+    size_t rays = check_count(300000), hits = 0, differ = 0;
+    bvh_build(&m, bvh_defaults, &b);
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(10, i, 0);
+        hit x = hit_none, y = hit_none;
+        vec3 o = random_vector(&g, 8);
+        ray r = ray_from(o, vsub(random_vector(&g, 2), o));
+        bool gx = bvh_hit(&b, r, &x), gy = bvh_hit_naive(&b, r, &y);
+        hits += gx, differ += !same(gx, x, gy, y);
+    }
+    check(hits > rays / 4, "they hit: %zu of %zu", hits, rays);
+    check_at_most(differ, rays / 100000, "naive boxes are wrong for random rays, in double never");
+    bvh_free(&b);
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    real tiny = real_is_float ? (real)0x1p-60 : (real)0x1p-400;
+    test_no_and_one();
+    test_mesh("teapot", teapot_mesh(3), (vec3){0, 0, 0}, 1, true);
+    test_mesh("octahedron", octahedron_mesh(8), (vec3){0, 0, 0}, 1,
+              true); /* dyadic: ties, flat boxes */
+    test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1000000, -1000000, 1000000}, 1,
+              true);
+    test_mesh("torus, thirds", torus_mesh(16), (vec3){1 / (real)3, -1 / (real)7, (real)0.1},
+              1 / (real)3, true);
+    test_mesh("tiny teapot", teapot_mesh(2), (vec3){0, 0, 0}, tiny, false);
+    test_mesh("huge teapot", teapot_mesh(2), (vec3){0, 0, 0}, 1 / tiny, false);
+    test_mesh("needles 1e-3", needles(500, (real)1e-3), (vec3){0, 0, 0}, 1, true);
+    test_mesh("needles 1e-6", needles(500, (real)1e-6), (vec3){0, 0, 0}, 1, true);
+    test_coincident(check_count(1000000));
+    test_coincident(7);
+    test_sick();
+    test_sick_rays();
+    test_exponential();
+    test_shapes();
+    test_random_rays_show_nothing();
+    return check_report("14_bvh");
+}

@@ -1,0 +1,332 @@
+/* The tree itself: roundings, selection, invariants, depth, memory, the heuristic's prediction. */
+#include "../chapters/14_bvh/bvh.h"
+#include "../chapters/14_bvh/stats.h"
+#include "../chapters/14_bvh/survey.h"
+#include "../chapters/07_mesh/specimens.h"
+#include "../chapters/07_mesh/teapot.h"
+#include "../common/random.h"
+#include "check.h"
+
+static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
+                                                          "sweep"};
+
+static mesh mesh_room(size_t triangles)
+{
+    mesh m = {.vertices = 3 * triangles, .triangles = triangles};
+    m.v = allocate(m.vertices, sizeof *m.v);
+    m.index = allocate(m.vertices, sizeof *m.index);
+    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
+    return m;
+}
+
+static vec3 random_vector(random_stream *g, real size)
+{
+    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
+    return vscale((vec3){x, y, z}, size);
+}
+
+/* Triangles of size 1/10 in a cube of half side 1. */
+static mesh soup(size_t n)
+{
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(11, i, 0);
+        vec3 a = random_vector(&g, 1);
+        m.v[3 * i] = a;
+        m.v[3 * i + 1] = vadd(a, random_vector(&g, (real)0.1));
+        m.v[3 * i + 2] = vadd(a, random_vector(&g, (real)0.1));
+    }
+    return m;
+}
+
+/* A set that cuts by planes peel one by one: powers of two on a line, then all of them again. */
+static mesh spiral(size_t n)
+{
+    mesh m = mesh_room(n);
+    int most = real_is_float ? 120 : 1000;
+    for (size_t i = 0; i < n; i++) {
+        real x = ldexp((real)1, -(int)(i % (size_t)most));
+        vec3 a = {x, i % 2 ? x : 0, i % 3 ? x : 0};
+        m.v[3 * i] = a, m.v[3 * i + 1] = vscale(a, (real)1.25);
+        m.v[3 * i + 2] = (vec3){a.x, a.y + x / 4, a.z};
+    }
+    return m;
+}
+
+static void test_rounding(void)
+{
+    size_t wrong = 0, loose = 0, beyond = 0;
+    for (size_t i = 0; i < check_count(1000000); i++) {
+        uint64_t bits = random_bits(3, i, 0, 0);
+        real x;
+        if (real_is_float) { float f; uint32_t b = (uint32_t)bits; memcpy(&f, &b, 4); x = (real)f; }
+        else { double d; memcpy(&d, &bits, 8); x = (real)d; }
+        if (i % 2) x = ldexp(random_real(4, i, 0, 0) - (real)0.5, (int)(bits % 300) - 160);
+        if (!isfinite(x)) continue;
+        float lo = float_below(x), hi = float_above(x);
+        wrong += !((double)lo <= (double)x && (double)x <= (double)hi);
+        float next = nextafterf(nextafterf(nextafterf(lo, INFINITY), INFINITY), INFINITY);
+        loose += (double)next < (double)x || (lo != hi && (real)(float)x == x);
+        beyond += (double)float_beyond(x) <= (double)x;  /* NaN is allowed */
+    }
+    check_equal(wrong, 0, "float_below <= x <= float_above");
+    check_equal(loose, 0, "not more than three floats off, and exact where x is a float");
+    check_equal(beyond, 0, "float_beyond > x, or leaves the plane out");
+    check(float_below(real_largest) <= FLT_MAX && float_above(-real_largest) >= -FLT_MAX,
+          "the largest reals have a float below, and above");
+    check(float_above(real_infinity) > FLT_MAX && float_below(-real_infinity) < -FLT_MAX,
+          "infinities stay");
+}
+
+/* Boxes of points with few or awkward keys. */
+static void fill_keys(bvh_item *item, size_t n, int kind)
+{
+    for (size_t i = 0; i < n; i++) {
+        size_t half = n / 2, x = i;
+        switch (kind) {
+        case 1: x = n - i; break;                                  /* falling */
+        case 2: x = 0; break;                                      /* all the same */
+        case 3: x = i < half ? i : n - i; break;                   /* organ pipes */
+        case 4: x = (size_t)(random_bits(5, i, 0, 0) % 1000003); break;
+        case 5: x = i % 3; break;                                  /* three values */
+        case 6: x = i % 2 ? i : half + i; break;                   /* against the median of three */
+        case 7: x = i % 2 ? 0 : (size_t)(random_bits(6, i, 0, 0) % 7); break;
+        default: break;
+        }
+        float f = (float)x;
+        item[i] = (bvh_item){{{f, -f, 0, f, -f, 0}}, (uint32_t)i};
+    }
+}
+
+static void test_select(void)
+{
+    size_t most = check_count(200000);
+    bvh_item *item = allocate(most, sizeof *item);
+    unsigned char *seen = allocate(most, 1);
+    for (int kind = 0; kind < 8; kind++)
+        for (size_t n = 1; n <= most; n = n < 24 ? n + 1 : 3 * n)
+            for (size_t part = 0; part < 3; part++) {
+                size_t k = part == 0 ? n / 2 : part == 1 ? 0 : n - 1, wrong = 0;
+                int axis = (int)part % 2;
+                fill_keys(item, n, kind);
+                select_item(item, n, k, axis);
+                for (size_t i = 0; i < n; i++)
+                    wrong += i < k ? !item_before(&item[i], &item[k], axis)
+                                   : i > k && !item_before(&item[k], &item[i], axis);
+                memset(seen, 0, n);
+                for (size_t i = 0; i < n; i++) wrong += seen[item[i].index]++ != 0;
+                check_equal(wrong, 0, "kind %d: the %zuth of %zu items in its place", kind, k, n);
+            }
+    /* The median of medians alone: its place is never outside [0.3 n - 4, 0.7 n + 4]. */
+    for (int kind = 0; kind < 8; kind++) {
+        size_t n = most / 2;
+        fill_keys(item, n, kind);
+        size_t place = partition_at(item, n, median_of_medians(item, n, 0), 0);
+        check(10 * (place + 4) >= 3 * n && 10 * place <= 7 * n + 40,
+              "kind %d: median of medians of %zu at %zu", kind, n, place);
+    }
+    free(item), free(seen);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    const bvh *b;
+    const mesh *m;
+    unsigned char *seen, *node_seen;
+    size_t outside, overfull, odd, deepest;
+} inspection;
+
+static void inspect(inspection *x, size_t at, size_t depth, size_t leaf)
+{
+    const bvh_node *n = &x->b->tree.node[at];
+    if (depth > x->deepest) x->deepest = depth;
+    x->odd += x->node_seen[at]++ != 0;
+    if (n->count == 0) {
+        x->odd += n->first % 2 != 0 || n->first < 2 || n->first + 1 >= x->b->tree.nodes;
+        for (size_t c = n->first; c < n->first + 2; c++) {
+            for (int k = 0; k < 3; k++) {
+                const float *in = x->b->tree.node[c].box.side, *out = n->box.side;
+                x->outside += !(out[k] <= in[k] && in[3 + k] <= out[3 + k]);
+            }
+            inspect(x, c, depth + 1, leaf);
+        }
+        return;
+    }
+    x->overfull += n->count > leaf;
+    for (size_t i = n->first; i < n->first + n->count; i++) {
+        uint32_t index = x->b->triangle[i].index;
+        x->seen[index]++;
+        for (int c = 0; c < 3; c++) {
+            vec3 p = x->m->v[x->b->triangle[i].corner[c]];
+            x->odd += x->b->triangle[i].corner[c] != x->m->index[3 * index + (uint32_t)c];
+            for (int k = 0; k < 3; k++)
+                x->outside += !((real)n->box.side[k] <= vaxis(p, k)
+                                && vaxis(p, k) <= (real)n->box.side[3 + k]);
+        }
+    }
+}
+
+static void test_invariants(const char *name, const mesh *m)
+{
+    static const int leaves[] = {1, 2, 8, 255};
+    for (int s = 0; s < bvh_strategies; s++)
+        for (int l = 0; l < 4; l++) {
+            bvh b, again;
+            bvh_options how = {(bvh_strategy)s, leaves[l], 1};
+            bvh_build(m, how, &b);
+            bvh_build(m, how, &again);
+            size_t n = b.tree.nodes, missed = 0, unused = 0;
+            inspection x = {&b, m, allocate(m->triangles, 1), allocate(n, 1), 0, 0, 0, 0};
+            inspect(&x, 0, 0, (size_t)leaves[l]);
+            for (size_t i = 0; i < m->triangles; i++) missed += x.seen[i] != 1;
+            for (size_t i = 0; i < n; i++) unused += x.node_seen[i] != (i != 1);
+            check_equal(missed, 0, "%s, %s, %d: each triangle in exactly one leaf", name,
+                        strategy_name[s], leaves[l]);
+            check_equal(unused, 0, "%s, %s, %d: each node reached once", name, strategy_name[s],
+                        leaves[l]);
+            check_equal(x.outside, 0, "%s, %s, %d: boxes hold their children and triangles", name,
+                        strategy_name[s], leaves[l]);
+            check_equal(x.overfull + x.odd, 0, "%s, %s, %d: leaves not too full, pairs in place",
+                        name, strategy_name[s], leaves[l]);
+            check_equal(x.deepest, (size_t)b.tree.depth, "%s: depth as it is", name);
+            check_at_most(b.tree.depth, bvh_most_depth, "%s, %s: depth", name, strategy_name[s]);
+            check((uintptr_t)b.tree.node % 64 == 0, "a pair of nodes fills one line of the cache");
+            check(n == again.tree.nodes
+                  && memcmp(b.tree.node + 2, again.tree.node + 2, (n - 2) * sizeof(bvh_node)) == 0
+                  && memcmp(b.triangle, again.triangle, b.tree.items * sizeof *b.triangle) == 0,
+                  "%s, %s: built twice, the same bytes", name, strategy_name[s]);
+            check_at_most(b.tree.peak, 128 * m->triangles + 4096, "%s, %s, %d: peak memory", name,
+                          strategy_name[s], leaves[l]);
+            free(x.seen), free(x.node_seen);
+            bvh_free(&b), bvh_free(&again);
+        }
+}
+
+/* Who is left without halving: the depth that cuts in the middle would reach by themselves. */
+static void test_depth(void)
+{
+    mesh m = spiral(2000);
+    bvh b;
+    for (int s = 0; s < bvh_strategies; s++) {
+        bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
+        check_at_most(b.tree.depth, 64, "a million binary digits deep, %s", strategy_name[s]);
+        if (s == BVH_LONGEST)
+            check_at_least(b.tree.depth, 40, "the input is as bad as it is meant to be");
+        bvh_free(&b);
+    }
+    mesh_free(&m);
+}
+
+/* Memory as the system sees it: the resident set of this process may not grow by more than the
+ * count says. (Freed memory may be used again, so this bounds from one side; the counted peak is
+ * tested to be at most 128 bytes a triangle above.) */
+static void test_memory(void)
+{
+    size_t n = check_count(1000000);
+    mesh m = soup(n);
+    bvh b;
+    bvh_build(&m, bvh_defaults, &b);
+    bvh_stats s = bvh_stats_of(&b.tree);
+    check_at_most((double)s.peak / (double)n, 128, "peak bytes a triangle of %zu", n);
+    check_at_least((double)s.peak, (double)(n * (sizeof(bvh_item) + sizeof *b.triangle)),
+                   "items and triangles are held at the same time");
+    check_equal(s.bytes, n * sizeof *b.triangle + (b.tree.nodes + b.tree.nodes % 2) * 32,
+                "what is held now: 16 bytes a triangle, 32 a node");
+    check_equal(s.inner + s.leaves, b.tree.nodes - 1, "a binary tree: all nodes but number 1");
+    check_equal(s.leaves, s.inner + 1, "one leaf more than inner nodes");
+    bvh_free(&b);
+    mesh_free(&m);
+}
+
+/* (14.7) is a mean over all lines: estimated from N of them it is off by sigma / sqrt N. */
+static void test_heuristic(void)
+{
+    mesh m = soup(2000);
+    double cost[bvh_strategies];
+    for (int s = 0; s < bvh_strategies; s++) {
+        bvh b;
+        bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
+        bvh_stats st = bvh_stats_of(&b.tree);
+        size_t n = check_count(40000);
+        ray_set lines = rays_uniform(&b.tree.node[0].box, n, 21);
+        double sum[2] = {0, 0}, square[2] = {0, 0}, formula[2] = {st.nodes, st.tests};
+        for (size_t i = 0; i < n; i++) {
+            bvh_work w = {0, 0, 0, 0, 0};
+            tree_pierced(&b.tree, lines.r[i], &w);
+            double x[2] = {(double)w.nodes, (double)w.tests};
+            for (int k = 0; k < 2; k++)
+                sum[k] += x[k] / (double)n, square[k] += x[k] * x[k] / (double)n;
+        }
+        for (int k = 0; k < 2; k++) {
+            double sigma = sqrt((square[k] - sum[k] * sum[k]) / (double)n);
+            check_close(sum[k], formula[k], 4.5 * sigma + 1e-3 * formula[k],  /* 1e-3: delta */
+                        "%s: %s a random line, counted and by (14.7), 4.5 standard errors",
+                        strategy_name[s], k ? "tests" : "nodes");
+        }
+        cost[s] = st.nodes + st.tests;
+        check(st.overlap > 0 && st.overlap < st.nodes, "boxes of a soup overlap, by part");
+        rays_free(&lines);
+        bvh_free(&b);
+    }
+    mesh_free(&m);
+    /* What minimises the cost at each cut need not have the least in the end, but not much more. */
+    check_at_most(cost[BVH_SAH_SWEEP], 1.02 * cost[BVH_SAH], "the sweep is as good as the bins");
+    check_at_most(cost[BVH_SAH], 0.99 * cost[BVH_MEDIAN], "the bins are better than the median");
+}
+
+static void test_shared_area(void)
+{
+    bvh_box a = {{0, 0, 0, 2, 2, 2}}, b = {{1, 1, 0, 3, 3, 2}}, c = {{0, 0, 3, 2, 2, 4}};
+    bvh_box d = {{0, 5, 0, 2, 6, 2}}, e = {{2, 0, 0, 3, 2, 2}};
+    check_equal(box_shared_area(&a, &b), 1 * 1 + 1 * 2 + 2 * 1, "a box of 1 x 1 x 2 is shared");
+    check_equal(box_shared_area(&a, &c), 0, "apart along z");
+    check_equal(box_shared_area(&a, &d), 0, "apart along y");
+    check_equal(box_shared_area(&a, &e), 4, "a side is shared: half the surface of a flat box");
+}
+
+/* Cubes side by side: the cut is known. Two groups of four, far apart: the heuristic must cut
+ * between the groups, and cost and areas follow by hand. */
+static void test_closed_form(void)
+{
+    mesh m = mesh_room(8);
+    for (size_t i = 0; i < 8; i++) {  /* triangles that fill boxes of 1 x 1 x 0, stacked in z */
+        real x = i < 4 ? 0 : 15, z = (real)(i % 4) / 3;
+        m.v[3 * i] = (vec3){x, 0, z}, m.v[3 * i + 1] = (vec3){x + 1, 0, z};
+        m.v[3 * i + 2] = (vec3){x, 1, z};
+    }
+    for (int s = BVH_CYCLE; s < bvh_strategies; s++) {
+        bvh b;
+        bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 0.01}, &b);
+        check_equal(b.tree.nodes, 4, "two leaves of four, %s", strategy_name[s]);
+        check(b.tree.node[2].count == 4 && b.tree.node[3].count == 4, "four and four");
+        bvh_stats st = bvh_stats_of(&b.tree);
+        /* root 16 x 1 x 1: half surface 33; a leaf 1 x 1 x 1: 3; tests 2 * 4 * 3 / 33 */
+        check_close(st.tests, 24.0 / 33, 1e-6, "tests by (14.7), %s", strategy_name[s]);
+        check_equal(st.nodes, 1, "one inner node, the root");
+        check_equal(st.overlap, 0, "the two boxes do not meet");
+        bvh_free(&b);
+    }
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    mesh meshes[] = {teapot_mesh(4), octahedron_mesh(6), soup(3000), spiral(3000), soup(1),
+                     soup(2)};
+    const char *const names[] = {"teapot", "octahedron", "soup", "spiral", "one", "two"};
+    test_rounding();
+    test_select();
+    for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
+        test_invariants(names[i], &meshes[i]);
+        mesh_free(&meshes[i]);
+    }
+    test_depth();
+    test_memory();
+    test_heuristic();
+    test_closed_form();
+    test_shared_area();
+    bvh none = {{0}, NULL, NULL};
+    bvh_free(&none);
+    return check_report("14_tree");
+}
