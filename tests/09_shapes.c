@@ -34,8 +34,8 @@ static void test_full_mantissa(void)
 }
 
 /* What a triangle test calls a hit, its box must call one, too: corners, edges, inside, needles,
- * flat boxes, near and far. The inclusive form loses some 2 to 7 % of them: a tree with it would
- * lose those triangles. For needles in flat boxes the computed t comes before the box. */
+ * flat boxes, near and far. The inclusive form loses some 2 to 10 % of them: a tree with it would
+ * lose those triangles. In flat boxes a computed t may come a hair before the box, one in 10000. */
 static void test_triangle_in_its_box(void)
 {
     const real width[] = {1, (real)0.001, (real)0.000001, (real)1e-9};
@@ -44,8 +44,8 @@ static void test_triangle_in_its_box(void)
         check_at_least(n.hits, check_count(150000) / 4, "most rays hit what they are aimed at");
         check_equal(n.lost, 0, "triangles hit whose box is not, of %zu", n.hits);
         check_at_least(n.lost_inclusive, n.hits / 100, "the inclusive form loses some");
-        if (k == 0) check_equal(n.early, 0, "a good triangle is not hit before its box");
-        if (k == 5) check_at_least(n.early, n.hits / 20, "a needle in a flat box often is");
+        if (k % 2 == 0) check_equal(n.early, 0, "a triangle is not hit before its box");
+        else check_at_most(n.early, 1 + n.hits / 2000, "in a flat box hardly ever");
     }
 }
 

@@ -33,10 +33,10 @@ whole() {
     case $1 in
     *.p3.ppm) magic=P3 ;; *.ppm) magic=P6 ;; *.pfm) magic=PF ;; *.png) magic=PNG ;;
     esac
-    if [ ! -f "$1" ] || ! head -c 8 "$1" | LC_ALL=C grep -qa $magic; then no "$1 is no picture"; return
-    elif [ $magic = PNG ] && command -v pngcheck >/dev/null && ! pngcheck -q "$1" >/dev/null
+    if [ ! -f "$1" ] || ! head -c 8 "$1" | LC_ALL=C grep -qa "$magic"; then no "$1 is no picture"; return
+    elif [ "$magic" = PNG ] && command -v pngcheck >/dev/null && ! pngcheck -q "$1" >/dev/null
     then no "$1: $(pngcheck "$1")"; return
-    elif [ $magic = P6 ]; then
+    elif [ "$magic" = P6 ]; then
         expected=$(head -n 3 "$1" | awk '{ n += length + 1 } NR == 2 { n += 3 * $1 * $2 } END { print n }')
         if [ "$(wc -c <"$1")" -ne "$expected" ]; then no "$1 is cut off"; return; fi
     fi
@@ -72,7 +72,7 @@ for main in "$root"/chapters/*/main.c; do
     run 0 --help
     if [ ! -s err ] && grep -q "^usage: $name" out; then ok; else no "--help is not on stdout"; fi
     for option in out size threads seed csv preview quick help; do
-        if grep -q -e "^  --$option[ 	]" out; then ok; else no "--help lacks --$option"; fi
+        if grep -q -e "^  --${option}[ 	]" out; then ok; else no "--help lacks --$option"; fi
     done
     misuse "unknown option --bogus" "--help" --bogus
     misuse "unknown option stray" "--help" stray
@@ -89,10 +89,10 @@ for main in "$root"/chapters/*/main.c; do
     # Options of a program that name a file to read: missing, a directory, not of that kind.
     for option in $("$program" --help | sed -n 's/^  --\([a-z]*\) TEXT .*FILE.*/\1/p'); do
         [ "$option" = out ] || [ "$option" = csv ] && continue
-        run 1 --quick --$option no/such.file; says "no/such.file: cannot read: No such file"
-        run 1 --quick --$option .; says "cannot read: Is a directory"
+        run 1 --quick "--$option" no/such.file; says "no/such.file: cannot read: No such file"
+        run 1 --quick "--$option" .; says "cannot read: Is a directory"
         head -c 1000 "$program" >garbage
-        run 2 --quick --$option garbage; says "garbage"
+        run 2 --quick "--$option" garbage; says "garbage"
     done
     if [ -z "$(find . ! -name out ! -name err ! -name garbage ! -name .)" ]; then ok
     else no "misuse left files behind: $(ls)"; fi
