@@ -180,6 +180,7 @@ static inline float box_ray_limit(const box_ray *q, real t)
 }
 
 /* (14.2). Each comparison keeps its second argument against a NaN. */
+__attribute__((always_inline))  /* twice in the loop of each search; a call costs a fifth of it */
 static inline float box_enter(const bvh_box *b, const box_ray *q, float limit, float *exit)
 {
     float x0 = (b->side[q->near[0]] - q->o_near[0]) * q->inverse[0];
