@@ -1,6 +1,6 @@
 # make            builds every chapter into build/
 # make run        runs every chapter: draws into images/, prints every table     run-NN  only one
-# make test       all tests; the last line counts them                           test-NN only one
+# make test       all tests; the last line counts them      test-NN, test-vec3 ... only some
 # make precision  every chapter in float and in double: error and time side by side
 # make images     copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which

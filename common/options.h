@@ -6,9 +6,8 @@
  *                            (options){.width = 640, .height = 480}, own);
  *
  * `--name value` and `--name=value` are the same, but a value that begins with -- needs the second
- * form; of a repeated option the last one counts. Numbers are decimal: 1e3 and +5.0 are whole
- * numbers, too; 0x10, nan, inf and 5k are none. Misuse ends the program with exit 2 and a message
- * that names the option, the value and what is allowed.
+ * form; of a repeated option the last one counts. Numbers are decimal (1e3, +5.0). Misuse ends the
+ * program with exit 2 and a message that names the option, the value and what is allowed.
  */
 #ifndef OPTIONS_H
 #define OPTIONS_H
@@ -50,7 +49,8 @@ static inline void option_help(const option *o)
     if (o->kind == OPTION_INT && *(const int *)v >= o->lowest)
         printf(", default %d", *(const int *)v);
     if (o->kind == OPTION_REAL) printf(", default %g", *(const double *)v);
-    if (o->kind == OPTION_SIZE) printf(", default %dx%d", *(const int *)v, ((const int *)v)[1]);
+    if (o->kind == OPTION_SIZE && *(const int *)v)
+        printf(", default %dx%d", *(const int *)v, ((const int *)v)[1]);
     printf("\n");
 }
 

@@ -8,7 +8,7 @@
  *
  * Each series has its own mark and its own colour of M. Okabe, K. Ito, "Color Universal Design",
  * 2008, which the colour-blind can tell apart. A y <= 0 on a logarithmic axis is drawn as a hollow
- * mark on the bottom edge, and lines pass it by. Texts are ASCII, names some 28 characters long.
+ * mark on the bottom edge; lines break there. Texts are UTF-8, names some 28 characters long.
  */
 #ifndef PLOT_H
 #define PLOT_H
@@ -155,7 +155,7 @@ static inline void plot_curve(const plot *p, FILE *out, int s, plot_axis ax, plo
         double y = off ? ay.from : plot_place(ay, plot_value(ay, p->points[i].y));
         if (pen && !off) plot_line(out, px, py, x, y, style);
         plot_mark(out, s, x, y, off);
-        if (!off) pen = true, px = x, py = y;
+        pen = !off, px = x, py = y;
     }
     plot_line(out, 572, legend, 598, legend, style);
     plot_mark(out, s, 585, legend, false);

@@ -26,14 +26,15 @@ static void choose_size(options *o, int *samples, const mesh *m, double tests)
            o->width, o->height, *samples, m->triangles, tests);
 }
 
-/* "dir/bunny.obj" -> build/07_mesh_bunny.png: images/ is for the pictures of the text. */
-static const char *picture_of(const char *path, char name[512])
+/* "dir/bunny.obj" -> build/07_mesh_bunny.png (--quick: build/quick/): images/ is for the text. */
+static const char *picture_of(const char *path, bool quick, char name[512])
 {
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
     const char *dot = strrchr(base, '.');
     int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
     mkdir("build", 0777);
-    snprintf(name, 512, "build/07_mesh_%.*s.png", length, base);
+    if (quick) mkdir("build/quick", 0777);
+    snprintf(name, 512, "build/%s07_mesh_%.*s.png", quick ? "quick/" : "", length, base);
     return name;
 }
 
@@ -59,7 +60,8 @@ static void chapter_tables(const options *o)
                              PLOT_LOG_X | PLOT_LOG_Y);
     plot inside = plot_new("Point in mesh, rays through vertices", "time [ns a triangle]",
                            "wrong [%]", PLOT_LOG_X);
-    table shapes = measure_shapes(rays, &wrong, &residual), t = measure_inside(rays / 10, &inside);
+    table shapes = measure_shapes(o->seed, rays, &wrong, &residual);
+    table t = measure_inside(o->seed, rays / 10, &inside);
     output_table(o, &shapes);
     output_extra_table(o, &t);
     output_plot(o, &wrong, "07_mesh_wrong.svg");
@@ -97,7 +99,7 @@ int main(int argc, char **argv)
     if (path) printf("# %s: %zu points, %zu triangles\n", path, m.vertices, m.triangles);
     if (smooth) mesh_smooth_normals(&m);
     if (flat) free(m.n), m.n = NULL;
-    if (path && !o.out) o.out = picture_of(path, name);
+    if (path && !o.out) o.out = picture_of(path, o.quick, name);
 
     choose_size(&o, &samples, &m, o.quick ? 2e7 : 2e9);
     image im = image_new(o.width, o.height);
@@ -115,7 +117,8 @@ int main(int argc, char **argv)
     plot time = plot_new("Closest hit by brute force", "triangles", "time a ray [us]",
                          PLOT_LOG_X | PLOT_LOG_Y);
     mesh fine = path ? m : teapot_mesh(o.quick ? 8 : 32);
-    table cost = measure_cost(&fine, o.quick ? 200000 : 5000000, &time, &exponent);
+    size_t tests = o.quick ? 200000 : 5000000;
+    table cost = measure_cost(&fine, o.seed, tests, &time, &exponent);
     (path ? output_table : output_extra_table)(&o, &cost);
     printf("# time ~ n^%.3f\n", exponent);
     output_plot(&o, &time, "07_mesh_time.svg");

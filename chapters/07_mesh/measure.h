@@ -1,8 +1,8 @@
 /* measure.h: the tables and plots of this chapter: error against time, and O(n).
  *
- *   table t = measure_shapes(rays, &wrong, &residual);   cones and polygons, naive and default
- *   table t = measure_inside(points, &against_time);     five answers to "inside?"
- *   table t = measure_cost(&m, tests, &time, &exponent); closest hit of parts of a mesh
+ *   table t = measure_shapes(seed, rays, &wrong, &residual);   cones and polygons, both forms
+ *   table t = measure_inside(seed, points, &against_time);     five answers to "inside?"
+ *   table t = measure_cost(&m, seed, tests, &time, &exponent); closest hit of parts of a mesh
  *
  * Errors are those of trials.h, times medians of interleaved rounds.
  */
@@ -31,7 +31,7 @@ static inline double run_cones(void *context)
 
 /* One row for each method: wrong answers where rays graze, distance from the side where they do
  * not. */
-static inline void measure_cones(size_t rays, table *t, plot *wrong, plot *residual)
+static inline void measure_cones(uint64_t seed, size_t rays, table *t, plot *wrong, plot *residual)
 {
     static cone_batch b[2];
     const char *name[2] = {"cone_hit_naive", "cone_hit"};
@@ -43,7 +43,7 @@ static inline void measure_cones(size_t rays, table *t, plot *wrong, plot *resid
     for (real distance = 1; distance <= (real)1e6; distance *= 10) {
         cone_score sum = {0, 0, {0, 0}, {0, 0}, {0, 0}};
         clock_variant v[2] = {{name[0], run_cones, &b[0], 0}, {name[1], run_cones, &b[1], 0}};
-        random_stream s = random_start(71, (uint64_t)distance, 0);
+        random_stream s = random_start(seed, (uint64_t)distance, 71);
         for (int kind = 0; kind < 5; kind++) {
             cone_score grazing = cone_play(&s, kind, AIM_GRAZING, distance, rays / 5, 64);
             cone_score anywhere = cone_play(&s, kind, AIM_RANDOM, distance, rays / 5, 64);
@@ -84,14 +84,14 @@ static inline double run_polygons(void *context)
     return sum;
 }
 
-static inline void measure_polygons(size_t rays, table *t)
+static inline void measure_polygons(uint64_t seed, size_t rays, table *t)
 {
     static gear_box box;
     static polygon_batch b[2][2];
     for (int j = 0; j < 2; j++) {
         clock_variant v[2][2];
         size_t slips[2];
-        random_stream s = random_start(72, (uint64_t)j, 0), again;
+        random_stream s = random_start(seed, (uint64_t)j, 72), again;
         gear_box_fill(&box, &s, j ? 100000 : 0, false);
         again = s;
         for (int k = 0; k < 2; k++) {
@@ -117,12 +117,12 @@ static inline void measure_polygons(size_t rays, table *t)
 
 /* `wrong` of cones: grazing rays with another answer than the oracle's; of polygons: rays from
  * inside a gear wheel, aimed at its corners and edges, that leave it unseen. */
-static inline table measure_shapes(size_t rays, plot *wrong, plot *residual)
+static inline table measure_shapes(uint64_t seed, size_t rays, plot *wrong, plot *residual)
 {
     table t = table_new("Cones and polygons: error against time",
                         "method|rays|error: wrong [%]|error: off the side|time [ns]");
-    measure_cones(rays, &t, wrong, residual);
-    measure_polygons(rays, &t);
+    measure_cones(seed, rays, &t, wrong, residual);
+    measure_polygons(seed, rays, &t);
     return t;
 }
 
@@ -139,7 +139,7 @@ static inline double run_inside(void *context)
     return sum;
 }
 
-static inline table measure_inside(size_t points, plot *against_time)
+static inline table measure_inside(uint64_t seed, size_t points, plot *against_time)
 {
     static inside_batch b[inside_methods];
     clock_variant v[inside_methods];
@@ -149,10 +149,10 @@ static inline table measure_inside(size_t points, plot *against_time)
         "method|error: random [% wrong]|error: an edge|error: a vertex|time [ns a triangle]");
     inside_score score[3];
     for (inside_aim at = AT_RANDOM; at <= AT_VERTEX; at++) {
-        random_stream s = random_start(73, (uint64_t)at, 0);
+        random_stream s = random_start(seed, (uint64_t)at, 73);
         score[at] = inside_play(&m, &s, at, points);
     }
-    random_stream s = random_start(74, 0, 0);
+    random_stream s = random_start(seed, 0, 74);
     for (int k = 0; k < inside_methods; k++) {
         b[k].m = &m, b[k].method = k, v[k] = (clock_variant){inside_names[k], run_inside, &b[k], 0};
         for (int i = 0; i < questions; i++)
@@ -174,13 +174,20 @@ static inline table measure_inside(size_t points, plot *against_time)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const mesh *m; size_t rays; bool any; vec3 centre; real radius; } cost_batch;
+typedef struct {
+    const mesh *m;
+    uint64_t seed;
+    size_t rays;
+    bool any;
+    vec3 centre;
+    real radius;
+} cost_batch;
 
 static inline double run_cost(void *context)
 {
     const cost_batch *b = context;
     double sum = 0;
-    random_stream s = random_start(75, 0, 0);
+    random_stream s = random_start(b->seed, 0, 75);
     for (size_t i = 0; i < b->rays; i++) {
         vec3 aim = vmadd(b->centre, in_cube(&s, 1), b->radius / 2);
         vec3 o = vmadd(b->centre, direction(&s), 3 * b->radius);
@@ -193,7 +200,8 @@ static inline double run_cost(void *context)
 
 /* The first n/4^k triangles of m as meshes of their own, k = 0..5, some `tests` triangle tests
  * each time. *exponent: slope of log time against log n, by least squares; 1 for O(n). */
-static inline table measure_cost(const mesh *m, size_t tests, plot *time, double *exponent)
+static inline table measure_cost(const mesh *m, uint64_t seed, size_t tests, plot *time,
+                                 double *exponent)
 {
     table t = table_new("Closest hit by brute force",
                         "triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");
@@ -208,8 +216,8 @@ static inline table measure_cost(const mesh *m, size_t tests, plot *time, double
         size_t rays = tests / part.triangles;
         rays = rays < 8 ? 8 : rays > 20000 ? 20000 : rays;
         vec3 size = vsub(hi, lo), centre = vmadd(lo, size, (real)0.5);
-        cost_batch b[2] = {{&part, rays, false, centre, vlength(size) / 2},
-                           {&part, rays, true, centre, vlength(size) / 2}};
+        cost_batch b[2] = {{&part, seed, rays, false, centre, vlength(size) / 2},
+                           {&part, seed, rays, true, centre, vlength(size) / 2}};
         clock_variant v[2] = {{"closest", run_cost, &b[0], 0}, {"any", run_cost, &b[1], 0}};
         clock_compare(v, 2, 3);
         double us = 1e6 * v[0].seconds / (double)rays, any_us = 1e6 * v[1].seconds / (double)rays;
