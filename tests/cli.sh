@@ -111,6 +111,11 @@ for main in "$root"/chapters/*/main.c; do
     done
     if [ ! -d images ]; then ok; else no "--quick writes into images/"; fi
 
+    for size in 1x1 1x300 300x1; do  # fewer pixels than panels, tiles, threads
+        run 0 --quick --size $size --out tiny.ppm
+        whole tiny.ppm
+    done
+
     # By ending, in turn; a full disk; a file that may not grow.
     set -- .png .ppm .p3.ppm .pfm
     shift $turn; turn=$(((turn + 1) % 4))
