@@ -141,8 +141,8 @@ static inline options options_read(int argc, char **argv, const char *name, cons
         {o.samples ? "samples" : NULL, OPTION_INT, &o.samples, 1, 1 << 20, "rays a pixel"}, {0}};
     const option *lists[2] = {own, common};
     failure f;
-    program_name = name;
-    atexit(options_check_stdout);
+    program_name = name, atexit(options_check_stdout);
+    signal(SIGXFSZ, SIG_IGN);  /* a file over the limit of ulimit -f: an error to report */
     for (int i = 1; i < argc; i++) help = help || strcmp(argv[i], "--help") == 0;
     if (help) {  /* first of all, while the values are the defaults */
         printf("%s: %s\n\nusage: %s [options]\n", name, about, name);

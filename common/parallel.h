@@ -12,7 +12,6 @@
 #include "clock.h"
 #include "file.h"
 #include <pthread.h>
-#include <signal.h>
 #include <stdatomic.h>
 
 typedef void parallel_job(size_t i, void *context);

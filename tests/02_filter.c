@@ -200,7 +200,7 @@ static double checkerboard_rmse(filter f, sample_placement how, int n, size_t pi
 static void test_convergence(void)
 {
     double spread[] = {1, 4 / 3.0, 2.26};
-    size_t pixels = check_count(1500);
+    size_t pixels = check_count(1500) > 150 ? check_count(1500) : 150;  /* fewer scatter too far */
     for (int i = 0; i < 3; i++) {
         double random = checkerboard_rmse(filters[i], SAMPLES_RANDOM, 16, pixels);
         double coarse = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 8, pixels);

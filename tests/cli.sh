@@ -111,6 +111,11 @@ for main in "$root"/chapters/*/main.c; do
     done
     if [ ! -d images ]; then ok; else no "--quick writes into images/"; fi
 
+    for size in 1x1 1x300 300x1; do  # fewer pixels than panels, tiles, threads
+        run 0 --quick --size $size --out tiny.ppm
+        whole tiny.ppm
+    done
+
     # By ending, in turn; a full disk; a file that may not grow.
     set -- .png .ppm .p3.ppm .pfm
     shift $turn; turn=$(((turn + 1) % 4))
@@ -125,7 +130,7 @@ for main in "$root"/chapters/*/main.c; do
         if [ -L full.ppm ]; then ok; else no "the link to the full disk is gone"; fi
     fi
     echo old >old.ppm
-    (trap '' XFSZ; ulimit -f 4; "$program" --quick --out old.ppm >out 2>err)
+    (ulimit -f 4; "$program" --quick --out old.ppm >out 2>err)
     status=$?
     if [ $status -eq 1 ] && grep -q "old.ppm: cannot write: " err; then ok
     else no "a file that may not grow: $status, $(cat err)"; fi

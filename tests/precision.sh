@@ -26,5 +26,5 @@ for name in "$@"; do
             { for (i = 1; i <= NF; i++) { cell[NR, i] = $i; if (length($i) > width[i]) width[i] = length($i) }
               fields[NR] = NF }
             END { for (r = 1; r <= NR; r++) { for (i = 1; i <= fields[r]; i++)
-                      printf("%-*s%s", width[i], cell[r, i], i < fields[r] ? "  " : "\n") } }'
+                      printf("%-" width[i] "s%s", cell[r, i], i < fields[r] ? "  " : "\n") } }'
 done

@@ -41,6 +41,8 @@ static inline void sphere_draw_pixel(int x, int y, void *context)
     const sphere_panels *p = context;
     static const real distance[4] = {500, 1000, 2000, 5000};
     int w = p->im->width / p->columns, h = p->im->height / p->rows;
+    if (w == 0) w = 1;  /* a picture smaller than its panels shows only some */
+    if (h == 0) h = 1;
     int column = x / w < p->columns ? x / w : p->columns - 1;
     int row = y / h < p->rows ? y / h : p->rows - 1;
     real half = (real)0.5, scale = (real)2.3 / (real)(w < h ? w : h);
