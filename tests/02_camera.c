@@ -342,7 +342,7 @@ static void test_rtr(void)
     for (int k = 0; k < 2000; k++) {
         vec3 e = vscale(any_direction(), 10), target = any_direction(), up = any_direction();
         real phi = uniform(10, 150);
-        rtr_camera q;
+        rtr_camera q = {0};
         camera_frame f;
         camera c;
         failure why;
