@@ -58,8 +58,12 @@ static inline void output_picture(const options *o, const image *im, const char 
 {
     char room[512];
     failure f;
+    sigset_t interrupt, before;
     const char *path = output_path(o, name, is_main, room);
+    sigemptyset(&interrupt), sigaddset(&interrupt, SIGINT);
+    pthread_sigmask(SIG_BLOCK, &interrupt, &before);  /* Ctrl-C waits until the file is whole */
     if (path && !image_write(path, im, &f)) fail(f);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     if (o->preview && is_main) output_preview(im);
     if (!whole) failed(&f, 130, "stopped; %s holds what there was", path ? path : "-"), fail(f);
 }
@@ -84,11 +88,7 @@ static inline void output_extra_table(const options *o, table *t)
     (void)o;
     printf("# %s\n# ", t->title);
     if (uname(&u) >= 0) printf("%s %s, %d cores; ", u.sysname, u.machine, parallel_cores());
-#ifdef __clang__
-    printf("clang %s; ", __clang_version__);
-#else
-    printf("gcc %s; ", __VERSION__);
-#endif
+    printf("%s%s; ", strstr(__VERSION__, "lang") ? "" : "gcc ", __VERSION__);
     printf("flags %s; real = %s\n", BUILD_FLAGS, real_is_float ? "float" : "double");
     table_print(t, stdout);
     printf("\n");
