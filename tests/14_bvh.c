@@ -5,18 +5,13 @@
 #include "../chapters/14_bvh/bvh_shapes.h"
 #include "../chapters/07_mesh/specimens.h"
 #include "../chapters/07_mesh/teapot.h"
-#include "../common/random.h"
+#include "aimed.h"
 #include "check.h"
 
 static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
                                                           "sweep"};
 
 typedef struct { size_t rays, hits, wrong, wrong_naive, wrong_any; } verdict;
-
-static bool same(bool ga, hit a, bool gb, hit b)
-{
-    return ga == gb && (!ga || (a.t == b.t && a.u == b.u && a.v == b.v && a.shape == b.shape));
-}
 
 /* Returns the hit of brute force, t = infinity on a miss. */
 static hit compare(const mesh *m, const bvh *b, ray r, verdict *v)
@@ -31,49 +26,13 @@ static hit compare(const mesh *m, const bvh *b, ray r, verdict *v)
     return brute;
 }
 
-static vec3 random_vector(random_stream *g, real size)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
-static size_t random_below(random_stream *g, size_t n) { return (size_t)(random_next_bits(g) % n); }
-
-/* A ray of one of twelve kinds at a mesh within `size` of `centre`. */
-static ray aimed(const mesh *m, random_stream *g, int kind, vec3 centre, real size)
-{
-    size_t i = random_below(g, m->triangles);
-    triangle t = mesh_triangle(m, i), s = mesh_triangle(m, random_below(g, m->triangles));
-    vec3 o = vadd(centre, random_vector(g, 3 * size)), axis = {0, 0, 0};
-    real u = random_next(g), v = random_next(g) * (1 - u);
-    real *along = (real *)&axis + random_below(g, 3);
-    *along = random_next_bits(g) & 1 ? 1 : -1;
-    ray r = ray_from(o, random_vector(g, 1));
-    switch (kind) {
-    case 0: r.d = vsub(vadd(centre, random_vector(g, size)), o); break;
-    case 1: r.d = vsub(t.a, o); break;                                       /* at a corner */
-    case 2: r.d = vsub(vmadd(t.a, vsub(t.b, t.a), u), o); break;             /* at an edge */
-    case 3: r.d = vsub(vmadd(vmadd(t.a, vsub(t.b, t.a), u), vsub(t.c, t.a), v), o); break;
-    case 4: r.o = vmadd(t.a, axis, -4 * size), r.d = axis; break;            /* in sides of boxes */
-    case 5: r.o = t.a, r.d = vsub(s.b, t.a); break;                          /* corner to corner */
-    case 6: r.o = vmadd(t.a, vsub(t.b, t.a), -3), r.d = vsub(t.b, t.a); break; /* along an edge */
-    case 7: r = ray_from(vmadd(t.a, axis, -4 * size), vadd(axis, random_vector(g, real_smallest)));
-        break;
-    case 8: r.d = vsub(t.a, o), r.tmin = -real_infinity; break;              /* the whole line */
-    case 9: r.d = vscale(vsub(t.a, o), (real)0x1p-30), r.tmin = -5, r.tmax = (real)0x1p30; break;
-    case 10: r.d = vscale(vscale(vsub(t.a, o), (real)0x1p70), (real)0x1p70); break; /* t = 2^-140 */
-    default: r.d = vsub(t.a, o), r.tmax = 1; break; /* ends on the corner */
-    }
-    return r;
-}
-
 static verdict compare_kinds(const mesh *m, const bvh *b, size_t n, uint64_t seed, vec3 centre,
                              real size)
 {
     verdict v = {0, 0, 0, 0, 0};
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 0);
-        ray r = aimed(m, &g, (int)(i % 12), centre, size);
+        ray r = aimed(m, &g, (int)(i % aimed_kinds), centre, size);
         hit h = compare(m, b, r, &v);
         if (h.shape == no_shape) continue;
         ray ends = r;
@@ -106,33 +65,6 @@ static void test_mesh(const char *name, mesh m, vec3 move, real scale, bool exhi
     check(naive > 0 || !exhibit,
           "%s: boxes rounded to nearest lose no hit: the exhibit shows nothing", name);
     mesh_free(&m);
-}
-
-static mesh mesh_room(size_t triangles)
-{
-    mesh m = {.vertices = 3 * triangles, .triangles = triangles};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
-    return m;
-}
-
-static void set_triangle(mesh *m, size_t i, vec3 a, vec3 b, vec3 c)
-{
-    m->v[3 * i] = a, m->v[3 * i + 1] = b, m->v[3 * i + 2] = c;
-}
-
-/* A bundle of needles through the unit cube, 1 long and `width` wide: seen along their length or
- * edge-on, their t is as far off as it can be. */
-static mesh needles(size_t n, real width)
-{
-    mesh m = mesh_room(n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(77, i, 0);
-        vec3 a = random_vector(&g, 1), b = random_vector(&g, 1);
-        set_triangle(&m, i, a, b, vadd(a, random_vector(&g, width)));
-    }
-    return m;
 }
 
 static void test_no_and_one(void)

@@ -249,7 +249,7 @@ static void test_heuristic(void)
         bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
         bvh_stats st = bvh_stats_of(&b.tree);
         size_t n = check_count(40000);
-        ray_set lines = rays_uniform(&b.tree.node[0].box, n, 21);
+        ray_set lines = rays_lines(&b, n, 21);
         double sum[2] = {0, 0}, square[2] = {0, 0}, formula[2] = {st.nodes, st.tests};
         for (size_t i = 0; i < n; i++) {
             bvh_work w = {0, 0, 0, 0, 0};

@@ -73,7 +73,7 @@ static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
 }
 
 __attribute__((always_inline))
-static inline bool bvh_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q,
+static inline bool bvh_leaf(const void *context, uint32_t first, uint32_t count, query *q,
                             bool any)
 {
     const bvh *b = context;
@@ -85,7 +85,7 @@ static inline bool bvh_leaf(const void *context, uint32_t first, uint32_t count,
         if (!triangle_hit_corners(pa, pb, pc, &q->shear, q->r, &h)) continue;
         if (any) return true;
         h.shape = t->index;
-        found |= tree_improves(q, h);
+        found |= query_improves(q, h);
     }
     return found;
 }

@@ -47,7 +47,7 @@ static inline void bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes 
 
 __attribute__((always_inline))
 static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t count,
-                                   tree_query *q, bool any)
+                                   query *q, bool any)
 {
     const bvh_shapes *b = context;
     bool found = false;
@@ -56,7 +56,7 @@ static inline bool bvh_shapes_leaf(const void *context, uint32_t first, uint32_t
         if (!shape_hit_sheared(&b->shapes[b->index[i]], &q->shear, q->r, &h)) continue;
         if (any) return true;
         h.shape = b->index[i];
-        found |= tree_improves(q, h);
+        found |= query_improves(q, h);
     }
     return found;
 }

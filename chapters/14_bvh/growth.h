@@ -3,6 +3,7 @@
 #ifndef BVH_GROWTH_H
 #define BVH_GROWTH_H
 
+#include "../10_grid/stadium.h"
 #include "measure.h"
 
 static inline void table_of_stadium(const options *o);
@@ -10,24 +11,6 @@ static inline void plot_of_leaves(const options *o, const subject *s);
 static inline void growth(const options *o, bool full);  /* full: up to 2e6 triangles, else 1e6 */
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* The teapot in a stadium: a fine teapot in the middle of one of 4032 triangles, 100 times as
- * large. Where triangles are alike, any cut will do; here the middle of a box is a bad place. */
-static inline mesh stadium_mesh(int fine)
-{
-    mesh a = teapot_mesh(fine), b = teapot_mesh(8), m = {0};
-    m.vertices = a.vertices + b.vertices, m.triangles = a.triangles + b.triangles;
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(3 * m.triangles, sizeof *m.index);
-    memcpy(m.v, a.v, a.vertices * sizeof *m.v);
-    memcpy(m.index, a.index, 3 * a.triangles * sizeof *m.index);
-    for (size_t i = 0; i < b.vertices; i++)
-        m.v[a.vertices + i] = vadd(vscale(b.v[i], 100), (vec3){20, 30, -150});
-    for (size_t i = 0; i < 3 * b.triangles; i++)
-        m.index[3 * a.triangles + i] = b.index[i] + (uint32_t)a.vertices;
-    mesh_free(&a), mesh_free(&b);
-    return m;
-}
 
 static inline void table_of_stadium(const options *o)
 {
@@ -44,7 +27,7 @@ static inline void table_of_stadium(const options *o)
     subject s = {.m = m, .v = view_of(lo, hi, true, (real)1.6)};
     s.primary = rays_primary(s.v, o->quick ? 40 : 160, o->quick ? 25 : 100);
     bvh_build(&m, bvh_defaults, &b);
-    s.diffuse = rays_diffuse(&b, &m, &s.primary, o->seed);
+    s.diffuse = rays_on(&b, &m, &s.primary, o->seed);
     bvh_free(&b);
     for (int i = 0; i < 5; i++) {
         t[i] = (trial){&s, &candidate_list[shown[i]], &s.diffuse, {{0}, NULL, NULL}};
@@ -85,14 +68,6 @@ static inline void plot_of_leaves(const options *o, const subject *s)
         }
     }
     output_plot(o, &p, "14_bvh_build_time.svg");
-}
-
-/* Slope of y over x by least squares. */
-static inline double slope_of(const double *x, const double *y, int n)
-{
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int i = 0; i < n; i++) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 /* Time against n: teapots of 64 n^2 - 8 n triangles, ever finer. */

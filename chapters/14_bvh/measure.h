@@ -43,7 +43,7 @@ static inline subject subject_of(mesh m, int width, int height, size_t corners, 
     s.v = view_of(lo, hi, true, (real)width / (real)height);
     s.primary = rays_primary(s.v, width, height);
     bvh_build(&m, bvh_defaults, &b);
-    s.diffuse = rays_diffuse(&b, &m, &s.primary, seed);
+    s.diffuse = rays_on(&b, &m, &s.primary, seed);
     bvh_free(&b);
     s.corners = rays_corners(&m, s.v.camera.e, corners, seed);
     s.brute = allocate(corners, sizeof *s.brute);
@@ -150,7 +150,7 @@ static inline void table_of_overlap(const options *o, const subject *s)
         bvh b;
         bvh_build(&s->m, candidate_list[shown[i]].options, &b);
         bvh_stats st = bvh_stats_of(&b.tree);
-        ray_set lines = rays_uniform(&b.tree.node[0].box, o->quick ? 2000 : 50000, o->seed);
+        ray_set lines = rays_lines(&b, o->quick ? 2000 : 50000, o->seed);
         bvh_work w = {0, 0, 0, 0, 0}, d = rays_count(&b, &s->diffuse);
         for (size_t k = 0; k < lines.n; k++) tree_pierced(&b.tree, lines.r[k], &w);
         table_text(&out, "%s", candidate_list[shown[i]].name);

@@ -19,6 +19,7 @@
 #ifndef BVH_SEARCH_H
 #define BVH_SEARCH_H
 
+#include "../10_grid/items.h"
 #include "tree.h"
 
 typedef struct {
@@ -29,25 +30,17 @@ typedef struct {
     size_t tests;   /* items tested */
 } bvh_work;
 
-/* State of a search: r.tmax is the t of `best`, which the leaf improves. */
-typedef struct { ray r; ray_shear shear; hit best; } tree_query;
-
 /* box_ray_of; or box_ray_naive, which loses hits. */
 typedef box_ray tree_prepare(ray r, const bvh_box *all);
 
 /* Tests items first .. first + count - 1; true if one was closer than q->best (any: was hit at
  * all). */
-typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, tree_query *q,
+typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, query *q,
                        bool any);
 
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct { uint32_t first, count; float enter; } tree_waiting;
-
-static inline bool tree_ray_is_usable(ray r)
-{
-    return vfinite(r.o) && vfinite(r.d) && !vzero(r.d);
-}
 
 /* `leaf` and `any` are known where this is called: each call becomes a loop of its own.
  * `first` and `count` of the next node are picked together with the box that won: one load less to
@@ -60,8 +53,8 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
     int top = 0;
     float exit0, exit1;
     const bvh_node *node = t->node;
-    if (t->items == 0 || !tree_ray_is_usable(r)) return false;
-    tree_query q = {r, shear_of(r), hit_none};
+    if (t->items == 0 || !ray_is_usable(r)) return false;
+    query q = query_of(r);
     box_ray b = prepare(r, &node[0].box);
     float limit = box_ray_limit(&b, r.tmax);
     if (box_enter(&node[0].box, &b, limit, &exit0) > exit0) return false;
@@ -88,24 +81,11 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
             if (found) limit = box_ray_limit(&b, q.r.tmax);
         }
         do {
-            if (top == 0) {
-                if (q.best.shape == no_shape) return false;
-                *out = q.best;
-                return true;
-            }
+            if (top == 0) return query_answer(&q, out);
             top--;
         } while (stack[top].enter > limit);
         first = stack[top].first, count = stack[top].count;
     }
-}
-
-/* Keeps h as the best hit if it comes before it. */
-static inline bool tree_improves(tree_query *q, hit h)
-{
-    if (!hit_before(h, q->best)) return false;
-    q->best = h;
-    q->r.tmax = h.t;
-    return true;
 }
 
 #endif

@@ -1,0 +1,292 @@
+/* structure.h: the tests that every acceleration structure must pass: its answers are those of brute
+ * force, bit for bit, on rays and meshes that are made to break it.
+ *
+ *   structure s = {"octree", build, hit, occluded, destroy};
+ *   structure_tests(&s, rays);      some 40 checks; `rays` of them a mesh; 600 take about a second
+ *
+ * build returns what hit and occluded take, or NULL with the failure filled in.
+ */
+#ifndef STRUCTURE_H
+#define STRUCTURE_H
+
+#include "../chapters/07_mesh/specimens.h"
+#include "../chapters/10_grid/items.h"
+#include "../chapters/10_grid/stadium.h"
+#include "aimed.h"
+#include "check.h"
+
+typedef struct {
+    const char *name;
+    void *(*build)(const items *x, failure *f);
+    bool (*hit)(const void *s, ray r, hit *out);
+    bool (*occluded)(const void *s, ray r);
+    void (*destroy)(void *s);
+} structure;
+
+typedef struct { size_t rays, hits, wrong, wrong_any; } structure_verdict;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline hit structure_compare(const structure *s, const void *built, const items *x, ray r,
+                                    structure_verdict *v)
+{
+    hit a = hit_none, b = hit_none;
+    bool ga = items_hit(x, r, &a), gb = s->hit(built, r, &b);
+    v->rays++, v->hits += ga, v->wrong += !same(ga, a, gb, b);
+    v->wrong_any += s->occluded(built, r) != ga;
+    return a;
+}
+
+static inline void *structure_build(const structure *s, const items *x, const char *what)
+{
+    failure f;
+    void *built = s->build(x, &f);
+    check(built, "%s, %s: built; says: %s", s->name, what, built ? "" : f.text);
+    return built;
+}
+
+/* The ray, and then the same ending exactly at its hit, and [t, t]: the interval is closed. */
+static inline void structure_ray(const structure *s, const void *built, const items *x, ray r,
+                                 structure_verdict *v)
+{
+    hit h = structure_compare(s, built, x, r, v);
+    if (h.shape == no_shape) return;
+    r.tmax = h.t;
+    structure_compare(s, built, x, r, v);
+    r.tmin = h.t;
+    structure_compare(s, built, x, r, v);
+}
+
+/* `away` > 0: the rays begin that many times farther away. */
+static inline void structure_mesh(const structure *s, const char *what, mesh m, size_t rays,
+                                  vec3 move, real scale, real away)
+{
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vadd(vscale(m.v[i], scale), move);
+    items x = items_of_mesh(&m);
+    structure_verdict v = {0, 0, 0, 0};
+    void *built = structure_build(s, &x, what);
+    if (!built) return;
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(31, i, 0);
+        ray r = aimed(&m, &g, (int)(i % aimed_kinds), move, scale);
+        if (away > 0) {
+            vec3 at = m.v[m.index[random_below(&g, 3 * m.triangles)]];
+            r.o = vadd(move, random_vector(&g, away * scale)), r.d = vsub(at, r.o);
+        }
+        structure_ray(s, built, &x, r, &v);
+    }
+    check_equal(v.wrong, 0, "%s, %s: %zu of %zu rays hit; wrong", s->name, what, v.hits, v.rays);
+    check_equal(v.wrong_any, 0, "%s, %s: occluded, yet no hit, or the reverse", s->name, what);
+    check_at_least(v.hits, v.rays / 5, "%s, %s: rays aimed at it hit it", s->name, what);
+    s->destroy(built);
+    mesh_free(&m);
+}
+
+static inline void structure_meshes(const structure *s, size_t rays)
+{
+    const vec3 home = {0, 0, 0}, off = {1000, -2000, 3000};
+    structure_mesh(s, "octahedron", octahedron_mesh(8), rays, home, 1, 0);
+    structure_mesh(s, "octahedron, dyadic size", octahedron_mesh(4), rays, home, 0x1p-10, 0);
+    structure_mesh(s, "torus", torus_mesh(24), rays, home, 1, 0);
+    structure_mesh(s, "torus, moved", torus_mesh(24), rays, off, 1, 0);
+    structure_mesh(s, "torus, tiny", torus_mesh(24), rays, home, (real)1e-12, 0);
+    structure_mesh(s, "torus, huge", torus_mesh(24), rays, home, (real)1e6, 0);
+    structure_mesh(s, "torus, flat", torus_mesh(16), rays, home, 0x1p-70, 0);
+    structure_mesh(s, "torus, from 100 away", torus_mesh(24), rays, home, 1, 100);
+    structure_mesh(s, "torus, from 1e6 away", torus_mesh(24), rays, home, 1, (real)1e6);
+    structure_mesh(s, "torus, from afar", torus_mesh(24), rays, home, 1,
+                   real_is_float ? (real)1e7 : (real)1e13);
+    structure_mesh(s, "planes", floors_mesh(4), rays, home, 1, 0);
+    structure_mesh(s, "planes, thirds", floors_mesh(3), rays, home, 1, 0);
+    structure_mesh(s, "planes, moved", floors_mesh(4), rays, off, (real)0.1, 0);
+    structure_mesh(s, "needles", needles(300, (real)1e-3), rays, home, 1, 0);
+    structure_mesh(s, "thin needles", needles(300, (real)1e-7), rays, home, 1, 0);
+    structure_mesh(s, "teapot", teapot_mesh(4), rays, home, 3, 0);
+    structure_mesh(s, "stadium", stadium_mesh(4), rays, home, 3, 0);
+}
+
+/* All in one plane: a box of no thickness. */
+static inline void structure_flat(const structure *s, size_t rays)
+{
+    for (int k = 0; k < 3; k++) {
+        mesh m = torus_mesh(16);
+        for (size_t i = 0; i < m.vertices; i++) ((real *)&m.v[i])[k] = (real)0.3;
+        structure_mesh(s, "flat", m, rays, (vec3){0, 0, 0}, 1, 0);
+    }
+}
+
+static inline void structure_none(const structure *s)
+{
+    mesh m = mesh_room(1);
+    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    hit h = {7, 7, 7, 7};
+    set_triangle(&m, 0, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, 1});
+    for (size_t n = 0; n < 2; n++) {
+        m.triangles = n;
+        items x = items_of_mesh(&m);
+        void *built = structure_build(s, &x, n ? "one triangle" : "nothing");
+        if (!built) continue;
+        if (n == 0)
+            check(!s->hit(built, r, &h) && h.t == 7 && !s->occluded(built, r),
+                  "%s: no triangles are never hit, and `out` stays", s->name);
+        else
+            check(s->hit(built, r, &h) && h.t == 2 && h.u == (real)0.25 && h.v == (real)0.25
+                      && h.shape == 0 && s->occluded(built, r),
+                  "%s: one triangle: hit at t = 2", s->name);
+        s->destroy(built);
+    }
+    mesh_free(&m);
+}
+
+/* n triangles on one place: the lowest index wins; every third one a copy in front. */
+static inline void structure_ties(const structure *s, size_t n)
+{
+    mesh m = mesh_room(n);
+    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    for (int front = 0; front < 2; front++) {
+        for (size_t i = 0; i < n; i++) {
+            real z = front && i % 3 == 2 ? 1 : 2;
+            set_triangle(&m, i, (vec3){0, 0, z}, (vec3){1, 0, z}, (vec3){0, 1, z});
+        }
+        items x = items_of_mesh(&m);
+        hit h = hit_none;
+        void *built = structure_build(s, &x, "coincident triangles");
+        if (!built) continue;
+        check(s->hit(built, r, &h), "%s: %zu coincident triangles are hit", s->name, n);
+        check_equal(h.shape, front ? 2 : 0, "%s: the lowest index of the nearest", s->name);
+        s->destroy(built);
+    }
+    mesh_free(&m);
+}
+
+/* One triangle of eight is NaN, infinite, a point or a line. */
+static inline void structure_sick(const structure *s, size_t rays)
+{
+    size_t n = 600;
+    mesh m = needles(n, (real)0.1);
+    real nan = (real)NAN, inf = real_infinity;
+    for (size_t i = 0; i < n; i += 8) {
+        vec3 *v = m.v + 3 * i;
+        switch (i / 8 % 6) {
+        case 0: v[0].x = nan; break;
+        case 1: v[1].y = inf; break;
+        case 2: v[2].z = -inf; break;
+        case 3: v[1] = v[2] = v[0]; break;
+        case 4: v[2] = v[1]; break;
+        default: v[0] = v[1] = v[2] = (vec3){nan, nan, nan}; break;
+        }
+    }
+    items x = items_of_mesh(&m);
+    structure_verdict v = {0, 0, 0, 0};
+    void *built = structure_build(s, &x, "sick triangles");
+    if (!built) return;
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(5, i, 0);
+        vec3 o = random_vector(&g, 3);
+        structure_compare(s, built, &x, ray_from(o, vsub(random_vector(&g, 1), o)), &v);
+    }
+    ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, 0}),
+                  ray_from((vec3){0, 0, -inf}, (vec3){0, 0, 1}),
+                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, inf}),
+                  {{0, 0, -9}, nan, {0, 0, 1}, 99},
+                  {{0, 0, -9}, 0, {0, 0, 1}, nan},
+                  {{0, 0, -9}, 5, {0, 0, 1}, 4}};
+    for (size_t i = 0; i < sizeof sick / sizeof *sick; i++)
+        structure_compare(s, built, &x, sick[i], &v);
+    check_equal(v.wrong + v.wrong_any, 0, "%s: sick triangles and rays: as brute force", s->name);
+    check_at_least(v.hits, v.rays / 4, "%s: enough rays hit the others", s->name);
+    s->destroy(built);
+    mesh_free(&m);
+}
+
+/* Triangles 2^k apart and 2^k large: cells of one size hold one or all. */
+static inline void structure_exponential(const structure *s, size_t rays)
+{
+    int most = real_is_float ? 50 : 400;
+    mesh m = mesh_room((size_t)most);
+    for (int i = 0; i < most; i++) {
+        real x = ldexp((real)1, i - most / 2);
+        set_triangle(&m, (size_t)i, (vec3){x, 0, 0}, (vec3){x, x / 8, 0}, (vec3){x, 0, x / 8});
+    }
+    items x = items_of_mesh(&m);
+    structure_verdict v = {0, 0, 0, 0};
+    void *built = structure_build(s, &x, "exponentially spaced triangles");
+    if (!built) return;
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(6, i, 0);
+        triangle t = mesh_triangle(&m, random_below(&g, (size_t)most));
+        vec3 o = {-t.a.x * random_next(&g), t.b.y * random_next(&g), t.b.y * random_next(&g)};
+        vec3 at = vadd(t.a, vscale((vec3){0, random_next(&g), random_next(&g)}, t.b.y / 2));
+        structure_compare(s, built, &x, ray_from(o, vsub(at, o)), &v);
+    }
+    check_equal(v.wrong + v.wrong_any, 0, "%s: exponentially spaced triangles", s->name);
+    check_at_least(v.hits, v.rays / 4, "%s: they are hit", s->name);
+    s->destroy(built);
+    mesh_free(&m);
+}
+
+/* Spheres, cones, polygons and triangles together; ties; one in a hundred is no number. */
+static inline void structure_shapes(const structure *s, size_t rays)
+{
+    enum { n = 400 };
+    shape *all = allocate(n, sizeof *all);
+    vec3 *corner = allocate(4 * n, sizeof *corner);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(8, i, 0);
+        vec3 a = random_vector(&g, 1), e = random_vector(&g, (real)0.2), b = vadd(a, e);
+        vec3 f = random_vector(&g, (real)0.2), *q = corner + 4 * i;
+        real r = (real)0.1 * random_next(&g);
+        q[0] = a, q[1] = b, q[2] = vadd(b, f), q[3] = vadd(a, f);
+        switch (i % 4) {
+        case 0: all[i] = shape_of_sphere((sphere){a, r}); break;
+        case 1: all[i] = shape_of_cone((cone){a, r, b, r / 2}); break;
+        case 2: all[i] = shape_of_polygon(polygon_of(q, 4)); break;
+        default: all[i] = shape_of_triangle((triangle){a, b, vadd(a, f)}); break;
+        }
+        if (i % 100 == 99) all[i] = shape_of_sphere((sphere){{(real)NAN, 0, 0}, 1});
+        if (i % 100 == 98) all[i] = all[i - 1];  /* a tie: the lower index wins */
+        if (i == 50) all[i] = shape_of_sphere((sphere){{0, 0, -30}, 29});  /* much larger */
+    }
+    scene world = {all, n};
+    items x = items_of_scene(&world);
+    structure_verdict v = {0, 0, 0, 0};
+    void *built = structure_build(s, &x, "shapes of all kinds");
+    for (size_t i = 0; built && i < rays; i++) {
+        random_stream g = random_start(9, i, 0);
+        vec3 o = random_vector(&g, i % 2 ? 2 : 100);
+        structure_ray(s, built, &x, ray_from(o, vsub(random_vector(&g, 1), o)), &v);
+    }
+    check_equal(v.wrong + v.wrong_any, 0, "%s: shapes of all kinds", s->name);
+    check_at_least(v.hits, v.rays / 4, "%s: rays at shapes hit them", s->name);
+    if (built) s->destroy(built);
+    free(all), free(corner);
+}
+
+/* What is too large is refused with a message, not cut wrongly. */
+static inline void structure_too_large(const structure *s)
+{
+    mesh m = mesh_room(1);
+    failure f;
+    set_triangle(&m, 0, (vec3){0, 0, 0}, (vec3){3 * items_most, 0, 0}, (vec3){0, 1, 0});
+    items x = items_of_mesh(&m);
+    void *built = s->build(&x, &f);
+    check(!built && f.exit_code == 2 && strstr(f.text, "coordinates up to"),
+          "%s: a coordinate of %g is refused", s->name, 3 * (double)items_most);
+    mesh_free(&m);
+}
+
+static inline void structure_tests(const structure *s, size_t rays)
+{
+    structure_meshes(s, rays);
+    structure_flat(s, rays);
+    structure_none(s);
+    structure_ties(s, 1000);
+    structure_sick(s, 2 * rays);
+    structure_exponential(s, 2 * rays);
+    structure_shapes(s, 4 * rays);
+    structure_too_large(s);
+}
+
+#endif
