@@ -1,6 +1,6 @@
 # make            builds every chapter into build/
 # make run        runs every chapter: draws into images/, prints every table     run-NN  only one
-# make test       all tests; the last line counts them      test-NN, test-vec3 ... only some
+# make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
 # make precision  every chapter in float and in double: error and time side by side
 # make images     copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
@@ -8,7 +8,8 @@
 # make clean      removes build/                                                 help    this text
 #
 # Variables: CC (cc), CFLAGS (-O3, and -march=native where it works), REAL (double or float),
-# LDLIBS, V=1 shows the commands. Example: make clean test CC=clang REAL=float CFLAGS=-O2
+# LDLIBS, V=1 shows the commands, JOBS (tests at a time, all cores).
+# Example: make clean test CC=clang REAL=float CFLAGS=-O2
 
 NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null && echo -march=native)
 CFLAGS ?= -O3 $(NATIVE)
@@ -62,7 +63,7 @@ images: run
 	cp $(BUILD)/*_time.svg images/
 
 test: all $(TESTS:%=$(BUILD)/test_%)
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" sh tests/run.sh $(TESTS) rules.sh cli.sh
+	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" sh tests/run.sh cli.sh rules.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(patsubst %,$(BUILD)/test_%,$(filter $(1) $(1)_%,$(TESTS)))

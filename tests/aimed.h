@@ -1,13 +1,13 @@
 /* aimed.h: rays that hit where structures go wrong, and meshes that are hard to cut.
  *
- *   ray r = aimed(&m, &g, kind, centre, size)   one of the aimed_kinds: at corners, along edges, in
- *                                               planes of faces, along axes, with odd intervals; the
- *                                               mesh lies within `size` of `centre`
+ *   ray r = aimed(&m, &g, kind, centre, size)   one of the aimed_kinds: at corners, along edges,
+ *                                 in planes of faces, along axes, with odd intervals; the mesh lies
+ *                                 within `size` of `centre`
  *   bool same(got_a, a, got_b, b)               the same answer, bit for bit
  *   mesh m = mesh_room(n)                       n triangles to be set; mesh_free
- *   mesh m = needles(n, width)                  n, 1 long and `width` wide, within a cube of 2
- *   mesh m = floors_mesh(n)                     squares in the planes x, y, z = -1 + 2 i / n: faces,
- *                                               edges and corners on each other and on dyadic planes
+ *   mesh m = needles(n, width)                  n, 1 long, `width` wide, within a cube of side 2
+ *   mesh m = floors_mesh(n)                     squares in the planes x, y, z = -1 + 2 i / n:
+ *                                 faces, edges and corners on each other and on dyadic planes
  */
 #ifndef AIMED_H
 #define AIMED_H

@@ -1,5 +1,5 @@
-/* structure.h: the tests that every acceleration structure must pass: its answers are those of brute
- * force, bit for bit, on rays and meshes that are made to break it.
+/* structure.h: the tests that every acceleration structure must pass: its answers are those of
+ * brute force, bit for bit, on rays and meshes that are made to break it.
  *
  *   structure s = {"octree", build, hit, occluded, destroy};
  *   structure_tests(&s, rays);      some 40 checks; `rays` of them a mesh; 600 take about a second

@@ -1,13 +1,13 @@
 /* survey.h: the rays with which the structures are measured.
  *
- *   view v = view_of(lo, hi, z_up, aspect);      a camera in front of a box and above it
- *   ray_set s = rays_primary(v, width, height);  one ray a pixel (主光线)
- *   ray_set d = rays_diffuse(&m, &s, hits, seed);  one on from each of their hits, by the cosine law
- *   ray_set c = rays_corners(&m, eye, n, seed);  at corners of triangles, all from one point
- *   ray_set u = rays_uniform(box, n, seed);      lines through a box, uniformly distributed: origin
- *                                                uniform on its surface, direction by the cosine law
+ *   view v = view_of(lo, hi, z_up, aspect);        a camera in front of a box and above it
+ *   ray_set s = rays_primary(v, width, height);    one ray a pixel (主光线)
+ *   ray_set d = rays_diffuse(&m, &s, hits, seed);  one on from each of their hits: cosine law
+ *   ray_set c = rays_corners(&m, eye, n, seed);    at corners of triangles, all from one point
+ *   ray_set u = rays_uniform(box, n, seed);        lines through a box, uniformly distributed:
+ *                              origin uniform on its surface, direction by the cosine law
  *   rays_free(&s);
- *   slope_of(x, y, n)                            of y over x, by least squares
+ *   slope_of(x, y, n)                              of y over x, by least squares
  *
  * hits: one for each ray of s, hit_none where there is none; any structure may have found them.
  */
