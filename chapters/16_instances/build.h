@@ -1,0 +1,181 @@
+/* build.h: building the tree of two levels: trees of the meshes, boxes of the instances, a tree of
+ * these.
+ *
+ *   instances_build(&c, how, &x, &f)      false: what f says; *out may still be freed
+ *   instances_stats(&x), instances_free(&x)
+ *
+ *   how.boxes                INSTANCES_CORNERS, _POINTS, _NAIVE: below
+ *   how.upper, how.lower     of the trees, as in 14; an instance costs far more than a triangle: one
+ *                            in a leaf
+ */
+#ifndef INSTANCES_BUILD_H
+#define INSTANCES_BUILD_H
+
+#include "../14_bvh/bvh.h"
+#include "crowd.h"
+
+typedef enum {
+    INSTANCES_CORNERS,   /* boxes by the eight corners of the mesh's box: loose; O(1) an instance */
+    INSTANCES_POINTS,    /* by all points of the mesh: tight; O(points) an instance */
+    INSTANCES_NAIVE      /* by the corners, nothing paid for rounding: loses hits */
+} instances_boxes;
+
+typedef struct {
+    instances_boxes boxes;
+    bvh_options upper, lower;
+} instances_options;
+
+#define instances_defaults \
+    ((instances_options){INSTANCES_POINTS, {BVH_SAH, 1, 4}, bvh_defaults})
+
+typedef struct { affine to_object; uint32_t mesh, index; } placed;  /* in the order of the leaves */
+
+typedef struct {
+    bvh_tree tree;        /* over boxes of instances */
+    placed *place;        /* [tree.items] */
+    uint32_t *where;      /* [n] place of each instance; no_shape: it is never hit */
+    size_t n, meshes;
+    const mesh *mesh;     /* [meshes] the caller's */
+    bvh *lower;           /* [meshes] */
+    size_t bytes, peak;   /* of both levels, without the meshes themselves */
+} instances;
+
+typedef struct {
+    size_t instances, hidden, meshes;   /* hidden: never hit */
+    double triangles;                   /* of all instances: what flattening would have to store */
+    int upper_depth, lower_depth;
+    size_t upper_bytes, lower_bytes, mesh_bytes, peak;
+} instance_stats;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void instances_free(instances *x)
+{
+    for (size_t i = 0; i < x->meshes && x->lower; i++) bvh_free(&x->lower[i]);
+    tree_free(&x->tree);
+    free(x->lower), free(x->place), free(x->where);
+    *x = (instances){0};
+}
+
+/* The points that triangles of the tree use, each once; *n of them. */
+static inline vec3 *mesh_points(const mesh *m, const bvh *b, size_t *n)
+{
+    vec3 *p = allocate(m->vertices, sizeof *p);
+    bool *used = allocate(m->vertices, sizeof *used);
+    for (size_t i = 0; i < b->tree.items; i++)
+        for (int k = 0; k < 3; k++) used[b->triangle[i].corner[k]] = true;
+    *n = 0;
+    for (size_t i = 0; i < m->vertices; i++)
+        if (used[i]) p[(*n)++] = m->v[i];
+    free(used);
+    return p;
+}
+
+/* The largest coordinate of a box. */
+static inline real box_farthest(const bvh_box *b) { return box_reach(b, (vec3){0, 0, 0}); }
+
+/* What the upper tree needs of one instance; false if it is never hit. */
+static inline bool instance_item(const instances *x, instances_boxes boxes, const instance *s,
+                                 const vec3 *points, size_t n, bvh_box *box, placed *place,
+                                 real *by_origin)
+{
+    const bvh_tree *lower = &x->lower[s->mesh].tree;
+    if (lower->items == 0 || !instance_inverse(s->to_world, &place->to_object)) return false;
+    const bvh_box *root = &lower->node[0].box;
+    placing p = placing_of(s->to_world, place->to_object, box_farthest(root));
+    aabb w = boxes == INSTANCES_POINTS ? box_of_points(s->to_world, points, n)
+                                       : box_of_corners(s->to_world, root);
+    *box = boxes == INSTANCES_NAIVE ? box_padded_naive(&w, p.fixed) : box_padded(&w, p.fixed);
+    *by_origin = boxes == INSTANCES_NAIVE ? 0 : p.by_origin;
+    place->mesh = s->mesh;
+    return true;
+}
+
+/* Boxes of all instances that can be hit, mesh by mesh, so that the points of one are collected at
+ * a time. items[] gets them, all[] what goes with them; the largest by_origin is returned. */
+static inline real instances_items(instances *x, const crowd *c, instances_boxes boxes,
+                                   bvh_item *item, placed *all)
+{
+    real most = 0;
+    size_t n = 0, count = 0;
+    for (size_t k = 0; k < c->meshes; k++) {
+        bool tight = boxes == INSTANCES_POINTS;
+        vec3 *points = tight ? mesh_points(&c->mesh[k], &x->lower[k], &count) : NULL;
+        for (size_t i = 0; i < c->n; i++) {
+            real by_origin;
+            if (c->list[i].mesh != k) continue;
+            if (!instance_item(x, boxes, &c->list[i], points, count, &item[n].box, &all[i],
+                               &by_origin)) continue;
+            item[n].index = (uint32_t)i;
+            n++, most = real_max(most, by_origin);
+        }
+        free(points);
+    }
+    x->tree.items = n;
+    return most;
+}
+
+static inline bool crowd_is_usable(const crowd *c, failure *f)
+{
+    if (c->n >> 31) return failed(f, 2, "%zu instances: fewer than 2^31 fit", c->n);
+    for (size_t i = 0; i < c->n; i++)
+        if (c->list[i].mesh >= c->meshes)
+            return failed(f, 2, "instance %zu: mesh %u; there are %zu meshes, counted from 0", i,
+                          (unsigned)c->list[i].mesh, c->meshes);
+    return true;
+}
+
+/* O(T log T) for T triangles of the meshes, O(n log n) for n instances; tight boxes: and n times the
+ * points of a mesh. */
+static inline bool instances_build(const crowd *c, instances_options how, instances *out,
+                                   failure *f)
+{
+    *out = (instances){0};
+    if (!crowd_is_usable(c, f)) return false;
+    out->n = c->n, out->meshes = c->meshes, out->mesh = c->mesh;
+    out->lower = allocate(c->meshes, sizeof *out->lower);
+    for (size_t k = 0; k < c->meshes; k++) {
+        bvh_build(&c->mesh[k], how.lower, &out->lower[k]);
+        size_t peak = out->bytes + out->lower[k].tree.peak;
+        out->peak = peak > out->peak ? peak : out->peak;
+        out->bytes += out->lower[k].tree.bytes;
+    }
+    bvh_item *item = allocate(c->n, sizeof *item);
+    placed *all = allocate(c->n, sizeof *all);
+    real by_origin = instances_items(out, c, how.boxes, item, all);
+    size_t n = out->tree.items;
+    tree_build(item, n, how.upper, &out->tree);
+    /* Place 1 of the nodes is free: it carries what each ray has to pay. */
+    out->tree.node[1].box.side[0] = float_above(by_origin);
+    out->place = allocate(n, sizeof *out->place);
+    out->where = allocate(c->n, sizeof *out->where);
+    for (size_t i = 0; i < c->n; i++) out->where[i] = no_shape;
+    for (size_t i = 0; i < n; i++) {
+        out->place[i] = all[item[i].index];
+        out->place[i].index = item[i].index;
+        out->where[item[i].index] = (uint32_t)i;
+    }
+    size_t peak = out->bytes + out->tree.peak + (c->n + n) * sizeof *all + c->n * sizeof(uint32_t);
+    out->peak = peak > out->peak ? peak : out->peak;
+    out->tree.bytes += n * (sizeof *all - sizeof *item) + c->n * sizeof(uint32_t);
+    out->bytes += out->tree.bytes;
+    free(item), free(all);
+    return true;
+}
+
+static inline instance_stats instances_stats(const instances *x)
+{
+    instance_stats s = {.instances = x->n, .hidden = x->n - x->tree.items, .meshes = x->meshes,
+                        .upper_depth = x->tree.depth, .upper_bytes = x->tree.bytes,
+                        .peak = x->peak};
+    for (size_t i = 0; i < x->tree.items; i++)
+        s.triangles += (double)x->mesh[x->place[i].mesh].triangles;
+    for (size_t k = 0; k < x->meshes; k++) {
+        const bvh_tree *t = &x->lower[k].tree;
+        s.lower_bytes += t->bytes, s.mesh_bytes += mesh_bytes(&x->mesh[k]);
+        s.lower_depth = t->depth > s.lower_depth ? t->depth : s.lower_depth;
+    }
+    return s;
+}
+
+#endif

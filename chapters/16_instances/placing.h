@@ -1,0 +1,176 @@
+/* placing.h: the transform of one instance: its inverse, rays, boxes, and what rounding may move.
+ *
+ *        object space                          world
+ *          mesh, box'     --- M p + m -->       instance, box           (M, m): `to_world`
+ *          O' + t D'     <--- A p + a ---       O + t D                 (A, a): `to_object`
+ *
+ *   O' = A O + a,  D' = A D,  the same t                                                (16.1)
+ *
+ *   bool instance_inverse(to_world, &to_object)   false: never hit, see below
+ *   bool instance_ray(&to_object, r, &inside)     (16.1); false: D' is too short to have digits
+ *   placing p = placing_of(to_world, to_object, reach')     what rounding may move     (16.3)
+ *   real placing_pad(&p, o)                       how far, for a ray from o
+ *   box = box_of_corners(to_world, &box')         the box of the turned box: loose      (16.2)
+ *   box = box_of_points(to_world, v, n)           the box of the points themselves: tight
+ *   box = box_padded(&box, pad)                   grown, rounded outwards
+ *
+ * What a hit of an instance is, is said by (16.1) in the computer's own arithmetic: a hit of the mesh
+ * by the ray O', D' as rounded. Such a hit at t need not lie on the instance in the world: O + t D
+ * may miss it by a little. How little (u = eps/2, |.| the largest component or row sum, R = |O|,
+ * V = reach', the largest coordinate of box', K = |M| |A|, k = | |M| |A| | taken by components):
+ *
+ *   O' + t D' is off the mesh by             256 eps (|A| R + |a| + V)     node.h of 14, point 2
+ *   A (O + t D) + a is off O' + t D' by      2 eps (|A| (2 R + |P|) + |a|)  four roundings
+ *   P = M (A P + a) + m - E P - f            E = M A - 1, f = M a + m: what the inverse is off by
+ *   the box is off M box' + m by             2 eps (|M| V + |m|)           four roundings
+ *
+ *   pad = 4/3 (eps (256 K + 4 k) R + 260 eps (|M| (|a| + V) + |m|) + |f| + g (|M| V + |m|))   (16.3)
+ *
+ * with g = |E| + 2 eps k; the 4/3 takes in that |P| itself is known up to this pad, if g <= 1/4. E and
+ * f are not estimated but computed, in twice the precision. What grows with R, the ray's distance
+ * from the origin of the world, is paid by the ray; the rest by the box.
+ *
+ *   input                                       answer
+ *   M singular (det 0), or NaN, infinite        never hit, like what has no area
+ *   so flat that g > 1/4: the inverse has no    never hit
+ *     digit that is right
+ *   mirrored (det < 0)                          as any other; normals: normals.h
+ *   D' shorter than real_smallest / eps         not hit by this ray
+ *
+ * Sources: J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems, 1990 (16.2);
+ * N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3, 14 (residuals of inverses).
+ */
+#ifndef PLACING_H
+#define PLACING_H
+
+#include "../01_ray/affine.h"
+#include "../09_aabb/aabb.h"
+#include "../14_bvh/node.h"
+
+typedef struct { real by_origin, fixed; } placing;  /* pad = by_origin * |O| + fixed */
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline vec3 vabs(vec3 a) { return (vec3){fabs(a.x), fabs(a.y), fabs(a.z)}; }
+static inline real vlargest(vec3 a) { return fabs(vaxis(a, vlongest(a))); }
+
+static inline affine affine_abs(affine m)
+{
+    return (affine){vabs(m.x), vabs(m.y), vabs(m.z), vabs(m.o)};
+}
+
+/* Largest row sum of |M|: times the largest component of v, no component of M v exceeds it.
+ * Infinite if one is a NaN. */
+static inline real affine_norm(affine m)
+{
+    vec3 sum = vadd(vadd(vabs(m.x), vabs(m.y)), vabs(m.z));
+    return vfinite(sum) ? vlargest(sum) : real_infinity;
+}
+
+/* M v + m in twice the precision, less `minus`; for columns of M A - 1 put m = 0. */
+static inline vec3 affine_residual(affine m, vec3 v, vec3 minus)
+{
+    wide3 r = {wide_of((double)-minus.x), wide_of((double)-minus.y), wide_of((double)-minus.z)};
+    r = wide3_madd(r, wide3_of(m.x), wide_of((double)v.x));
+    r = wide3_madd(r, wide3_of(m.y), wide_of((double)v.y));
+    r = wide3_madd(r, wide3_of(m.z), wide_of((double)v.z));
+    return (vec3){(real)wide_value(r.x), (real)wide_value(r.y), (real)wide_value(r.z)};
+}
+
+/* M A - 1 and M a + m. */
+static inline affine inverse_residual(affine m, affine a)
+{
+    return (affine){affine_residual(m, a.x, (vec3){1, 0, 0}), affine_residual(m, a.y, (vec3){0, 1, 0}),
+                    affine_residual(m, a.z, (vec3){0, 0, 1}), affine_residual(m, a.o, vneg(m.o))};
+}
+
+/* k of (16.3): by how much rounding of 1 in the inverse can grow on the way back. */
+static inline real affine_growth(affine m, affine a)
+{
+    return affine_norm(affine_of(affine_abs(a), affine_abs(m)));
+}
+
+/* g of (16.3). */
+static inline real inverse_doubt(affine m, affine a)
+{
+    return affine_norm(inverse_residual(m, a)) + 2 * real_epsilon * affine_growth(m, a);
+}
+
+static inline bool instance_inverse(affine to_world, affine *to_object)
+{
+    affine a;
+    if (!vfinite(to_world.o) || !affine_inverse(to_world, &a)) return false;
+    if (!(inverse_doubt(to_world, a) <= (real)0.25)) return false;
+    *to_object = a;
+    return true;
+}
+
+/* Not normalised: t must stay the t of the world. */
+__attribute__((always_inline))
+static inline bool instance_ray(const affine *to_object, ray r, ray *inside)
+{
+    *inside = affine_ray(*to_object, r);
+    return vlargest(inside->d) >= real_smallest / real_epsilon;
+}
+
+static inline placing placing_of(affine m, affine a, real reach)
+{
+    affine off = inverse_residual(m, a);
+    real M = affine_norm(m), K = M * affine_norm(a), k = affine_growth(m, a);
+    real world = M * reach + vlargest(m.o), third = (real)4 / 3, eps = real_epsilon;
+    real fixed = 260 * eps * (M * vlargest(a.o) + world) + vlargest(off.o)
+        + (affine_norm(off) + 2 * eps * k) * world + 16 * real_smallest * M;  /* what underflows */
+    return (placing){third * eps * (256 * K + 4 * k), third * fixed};
+}
+
+static inline real placing_pad(const placing *p, vec3 o)
+{
+    return p->by_origin * vlargest(o) + p->fixed;
+}
+
+/* One axis of the turned box: of each of its three edges, the end that lies lower and higher. */
+static inline void corner_range(vec3 row, real at, const bvh_box *b, real *lo, real *hi)
+{
+    *lo = *hi = at;
+    for (int j = 0; j < 3; j++) {
+        real x = vaxis(row, j) * (real)b->side[j], y = vaxis(row, j) * (real)b->side[3 + j];
+        *lo += real_min(x, y), *hi += real_max(x, y);
+    }
+}
+
+/* (16.2): lo_i = m_i + sum_j min(M_ij lo'_j, M_ij hi'_j): the box of the eight corners, without
+ * going through them. */
+static inline aabb box_of_corners(affine m, const bvh_box *b)
+{
+    aabb w;
+    corner_range((vec3){m.x.x, m.y.x, m.z.x}, m.o.x, b, &w.lo.x, &w.hi.x);
+    corner_range((vec3){m.x.y, m.y.y, m.z.y}, m.o.y, b, &w.lo.y, &w.hi.y);
+    corner_range((vec3){m.x.z, m.y.z, m.z.z}, m.o.z, b, &w.lo.z, &w.hi.z);
+    return w;
+}
+
+static inline aabb box_of_points(affine m, const vec3 *v, size_t n)
+{
+    aabb w = aabb_empty();
+    for (size_t i = 0; i < n; i++) w = aabb_grow_point(w, affine_point(m, v[i]));
+    return w;
+}
+
+/* What overflowed is everywhere: each ray looks into it. */
+static inline bvh_box box_padded(const aabb *w, real pad)
+{
+    vec3 by = {pad, pad, pad}, lo = vsub(w->lo, by), hi = vadd(w->hi, by);
+    if (vfinite(lo) && vfinite(hi)) return box_between(lo, hi);
+    return (bvh_box){{-INFINITY, -INFINITY, -INFINITY, INFINITY, INFINITY, INFINITY}};
+}
+
+/* The same without all this care: the nearest floats, and nothing paid. An instance at 1e6, where
+ * floats are 1/16 apart, loses what sticks out of them. */
+static inline bvh_box box_padded_naive(const aabb *w, real pad)
+{
+    (void)pad;
+    return (bvh_box){{(float)w->lo.x, (float)w->lo.y, (float)w->lo.z, (float)w->hi.x,
+                      (float)w->hi.y, (float)w->hi.z}};
+}
+
+#endif

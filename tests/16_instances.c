@@ -1,0 +1,908 @@
+/* Two levels against what they stand for: every instance asked in turn (bit for bit), and one mesh
+ * of everything (bit for bit where the transforms are exact, else within (16.3)). */
+#include "../chapters/16_instances/instances.h"
+#include "../chapters/07_mesh/teapot.h"
+#include "aimed.h"
+#include "check.h"
+
+static const char *const boxes_name[] = {"corners", "points", "naive"};
+
+static instances_options by(instances_boxes boxes)
+{
+    instances_options how = instances_defaults;
+    how.boxes = boxes;
+    return how;
+}
+
+static instances built(const crowd *c, instances_boxes boxes)
+{
+    instances x;
+    failure f;
+    if (!instances_build(c, by(boxes), &x, &f)) fail(f);
+    return x;
+}
+
+static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) * random_next(g); }
+
+/* Turned, scaled along three axes by up to `unlike` apart, mirrored every third time, moved. */
+static affine any_place(random_stream *g, real unlike, vec3 move, real spread)
+{
+    real size = between(g, (real)0.2, 1), angle = between(g, 0, 2 * pi);
+    vec3 axis = vunit(random_vector(g, 1)), scale = {size, size * between(g, 1 / unlike, 1), size};
+    if (random_below(g, 3) == 0) scale.x = -scale.x;
+    affine a = affine_of(affine_scaling(scale), affine_rotation(axis, angle));
+    a = affine_of(affine_rotation(vunit(random_vector(g, 1)), angle / 3), a);
+    return affine_of(a, affine_translation(vadd(move, random_vector(g, spread))));
+}
+
+typedef struct { mesh mesh[3]; instance list[64]; crowd c; } scene_of_three;
+
+/* Needles, faces on dyadic planes, and a teapot of 56 triangles; n instances of them. */
+static void scene_make(scene_of_three *s, size_t n, real unlike, vec3 move, uint64_t seed)
+{
+    s->mesh[0] = needles(12, (real)0.05), s->mesh[1] = floors_mesh(1), s->mesh[2] = teapot_mesh(1);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(seed, i, 1);
+        s->list[i] = (instance){any_place(&g, unlike, move, 2), (uint32_t)(i % 3)};
+    }
+    s->c = (crowd){s->mesh, 3, s->list, n};
+}
+
+static void scene_free(scene_of_three *s)
+{
+    for (int k = 0; k < 3; k++) mesh_free(&s->mesh[k]);
+}
+
+static bool same_place(bool ga, instance_hit a, bool gb, hit b, uint32_t instance_b)
+{
+    return same(ga, a.h, gb, b) && (!ga || a.instance == instance_b);
+}
+
+typedef struct { size_t rays, hits, wrong, wrong_any; } verdict;
+
+static bool compare(const crowd *c, const affine *inverse, const instances *x, ray r, verdict *v,
+                    real *t)
+{
+    hit brute = hit_none;
+    instance_hit h = {{7, 7, 7, 7}, 7};
+    uint32_t i = 0;
+    bool expected = crowd_hit(c, inverse, r, &brute, &i), got = instances_hit(x, r, &h);
+    v->rays++, v->hits += expected;
+    v->wrong += !same_place(got, h, expected, brute, i) || (!got && h.instance != 7);
+    v->wrong_any += instances_occluded(x, r) != expected;
+    *t = brute.t;
+    return expected;
+}
+
+/* Aimed at corners and edges of the instances where they are in the world. */
+static verdict compare_aimed(const crowd *c, const instances *x, size_t n, vec3 centre, real size,
+                             uint64_t seed)
+{
+    verdict v = {0, 0, 0, 0};
+    affine *inverse = crowd_inverses(c);
+    mesh flat = crowd_flattened(c);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(seed, i, 0);
+        real t;
+        ray r = aimed(&flat, &g, (int)(i % aimed_kinds), centre, size);
+        if (!compare(c, inverse, x, r, &v, &t)) continue;
+        r.tmax = t;  /* the interval is closed: the hit stays */
+        compare(c, inverse, x, r, &v, &t);
+        r.tmin = t;
+        compare(c, inverse, x, r, &v, &t);
+    }
+    mesh_free(&flat);
+    free(inverse);
+    return v;
+}
+
+/* The right answer, wherever the scene lies, however unlike the scales. Boxes that are not padded
+ * lose hits far from the origin, where floats are far apart. */
+static void test_equals_every_instance_asked(void)
+{
+    const real far[3] = {0, 300, real_is_float ? (real)1e4 : (real)1e7};
+    const real unlike[2] = {4, real_is_float ? 100 : (real)1e5};
+    size_t naive = 0;
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 2; j++) {
+            scene_of_three s;
+            vec3 move = vscale((vec3){1, (real)-0.7, (real)0.4}, far[k]);
+            scene_make(&s, 40, unlike[j], move, (uint64_t)(10 + k));
+            for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_NAIVE; b++) {
+                instances x = built(&s.c, b);
+                verdict v = compare_aimed(&s.c, &x, check_count(2000), move, 2, (uint64_t)(3 * k + j));
+                check_at_least(v.hits, v.rays / 4, "enough rays hit something");
+                if (b == INSTANCES_NAIVE) naive += v.wrong;
+                else {
+                    check_equal(v.wrong, 0, "boxes by %s, scene at %g, scales %g unlike: hits that "
+                                "differ of %zu", boxes_name[b], (double)far[k], (double)unlike[j],
+                                v.hits);
+                    check_equal(v.wrong_any, 0, "boxes by %s: occluded, yet no hit, or the reverse",
+                                boxes_name[b]);
+                }
+                instances_free(&x);
+            }
+            scene_free(&s);
+        }
+    check_at_least(naive, 10, "boxes rounded to nearest lose hits");
+}
+
+/* Closed form: a square of side 2 at z = 0 below, moved, turned, mirrored, scaled exactly. */
+static void test_known_hit(void)
+{
+    mesh m = floors_mesh(1);  /* planes x, y, z = -1 and 1 */
+    instance list[2] = {
+        {affine_of(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){0, 0, 10})), 0},
+        {affine_of(affine_scaling((vec3){-1, 4, 8}), affine_translation((vec3){16, 0, 32})), 0}};
+    crowd c = {&m, 1, list, 2};
+    instances x = built(&c, INSTANCES_POINTS);
+    instance_hit h;
+    ray r = ray_from((vec3){(real)0.25, (real)-0.5, 0}, (vec3){0, 0, 4});
+    check(instances_hit(&x, r, &h) && h.instance == 0, "the nearer instance is hit");
+    check_equal(h.h.t, 2, "z = 10 - 2 with D four long: t = 8 / 4, of the world's ray");
+    r.o.x = 16, r.o.z = 100, r.d.z = -1;
+    check(instances_hit(&x, r, &h) && h.instance == 1, "the other one from behind");
+    check_equal(h.h.t, 60, "z = 32 + 8, from 100: t = 60, whatever its scale");
+    vec3 n = instances_normal(&x, h);
+    check(n.x == 0 && n.y == 0 && fabs(n.z) == 1, "its normal is along z");
+    instances_free(&x);
+    mesh_free(&m);
+}
+
+/* ---- flattened ---- */
+
+/* Axes in another order, mirrored, times 2^e (per axis if `unlike`), moved by whole numbers. */
+static affine exact_place(random_stream *g, bool odd, bool unlike)
+{
+    vec3 unit[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, column[3];
+    size_t first = random_below(g, 3), step = odd ? 2 : 1;
+    int e = (int)random_below(g, 4) - 1;
+    for (size_t k = 0; k < 3; k++) {
+        if (unlike) e = (int)random_below(g, 4) - 1;
+        real s = ldexp((real)1, e);
+        column[k] = vscale(unit[(first + step * k) % 3], random_below(g, 2) ? s : -s);
+    }
+    vec3 o = {(real)random_below(g, 41) - 20, (real)random_below(g, 41) - 20,
+              (real)random_below(g, 41) - 20};
+    return (affine){column[0], column[1], column[2], o};
+}
+
+static vec3 whole_vector(random_stream *g, int most)
+{
+    size_t n = (size_t)(2 * most + 1);
+    return (vec3){(real)random_below(g, n) - (real)most, (real)random_below(g, n) - (real)most,
+                  (real)random_below(g, n) - (real)most};
+}
+
+/* The longest component of D, and of D', must be one alone, and the same one of the mesh: else the
+ * test of 04 shears along another axis, and rounds otherwise. */
+static bool one_longest(vec3 d)
+{
+    vec3 a = vabs(d);
+    int k = vlongest(a);
+    return vaxis(a, (k + 1) % 3) < vaxis(a, k) && vaxis(a, (k + 2) % 3) < vaxis(a, k);
+}
+
+static bool exact_for(const crowd *c, const affine *inverse, vec3 d)
+{
+    if (!one_longest(d)) return false;
+    vec3 along = {0, 0, 0};
+    ((real *)&along)[vlongest(d)] = 1;
+    for (size_t i = 0; i < c->n; i++) {
+        vec3 inside = affine_vector(inverse[i], d);
+        if (!one_longest(inside)
+            || vlongest(inside) != vlongest(affine_vector(inverse[i], along))) return false;
+    }
+    return true;
+}
+
+static void test_exact_transforms(bool odd, bool unlike)
+{
+    enum { corners = 60, n = 20 };
+    mesh m = mesh_room(corners / 3);
+    instance list[n];
+    size_t wrong = 0, wrong_brute = 0, hits = 0, rays = 0, far_off = 0;
+    for (size_t i = 0; i < corners; i++) {
+        random_stream g = random_start(21, i, 0);
+        m.v[i] = whole_vector(&g, 16);
+    }
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(22, i, (uint64_t)(2 * odd + unlike));
+        list[i] = (instance){exact_place(&g, odd, unlike), 0};
+    }
+    crowd c = {&m, 1, list, n};
+    instances x = built(&c, INSTANCES_POINTS);
+    affine *inverse = crowd_inverses(&c);
+    mesh flat = crowd_flattened(&c);
+    bvh b;
+    bvh_build(&flat, bvh_defaults, &b);
+    for (size_t i = 0; i < n; i++) {
+        affine one = affine_of(list[i].to_world, inverse[i]);
+        check(one.x.x == 1 && one.y.y == 1 && one.z.z == 1 && one.x.y == 0 && one.y.z == 0
+                  && vzero(one.o), "the inverse of an exact transform is exact");
+    }
+    for (size_t i = 0; rays < check_count(20000); i++) {
+        random_stream g = random_start(23, i, 0);
+        triangle t = mesh_triangle(&flat, random_below(&g, flat.triangles));
+        vec3 o = whole_vector(&g, 120);  /* at corners, middles of edges, anywhere: all exact */
+        vec3 at = i % 3 == 0 ? t.a : i % 3 == 1 ? vscale(vadd(t.a, t.b), (real)0.5)
+                                                : whole_vector(&g, 30);
+        ray r = ray_from(o, vsub(at, o));
+        if (!exact_for(&c, inverse, r.d)) continue;
+        hit h = hit_none, brute = hit_none;
+        instance_hit s = {hit_none, 0};
+        uint32_t where = 0, k = 0;
+        bool got = bvh_hit(&b, r, &h), two = instances_hit(&x, r, &s);
+        if (got) flat_place(&c, inverse, h.shape, &where, &k), h.shape = k;
+        bool differs = !same_place(two, s, got, h, where);
+        rays++, hits += got, wrong += differs;
+        bool due = crowd_hit(&c, inverse, r, &brute, &where);
+        wrong_brute += !same_place(two, s, due, brute, where);
+        far_off += differs && !(fabs(s.h.t - h.t) <= 8 * real_epsilon * fabs(h.t));
+    }
+    check_at_least(hits, rays / 3, "enough rays hit");
+    check_equal(wrong_brute, 0, "as every instance asked in turn");
+    /* Exchanging two axes exchanges the products that triangle_hit weighs the area with, when it
+     * asks whether a triangle is seen edge-on: near that limit, 1/64, one may be computed with more
+     * care than the other. */
+    if (odd) check_at_most(wrong, rays / 500, "two axes exchanged: differences of the last bits");
+    else check_equal(wrong, 0, "exact transforms (%s): differences from the flattened mesh, of %zu "
+                     "hits", unlike ? "scales unlike" : "scales alike", hits);
+    check_equal(far_off, 0, "and those within 8 epsilon");
+    bvh_free(&b), mesh_free(&flat), mesh_free(&m), instances_free(&x);
+    free(inverse);
+}
+
+/* The corners of triangle k of an instance, exactly. */
+static void exact_corners(const crowd *c, uint32_t i, uint32_t k, wide3 corner[3])
+{
+    affine m = c->list[i].to_world;
+    const mesh *part = &c->mesh[c->list[i].mesh];
+    for (int j = 0; j < 3; j++) {
+        vec3 p = part->v[part->index[3 * k + (uint32_t)j]];
+        corner[j] = wide3_madd(wide3_of(m.o), wide3_of(m.x), wide_of((double)p.x));
+        corner[j] = wide3_madd(corner[j], wide3_of(m.y), wide_of((double)p.y));
+        corner[j] = wide3_madd(corner[j], wide3_of(m.z), wide_of((double)p.z));
+    }
+}
+
+/* By how much two points of the ray, at s and at t, differ across the plane: what two planes `bound`
+ * apart allow is |n|_1 bound (in units of |n|_1 bound: at most 1 is right). */
+static double across(const wide3 corner[3], ray r, real s, real t, double bound)
+{
+    wide3 n = wide3_cross(wide3_sub(corner[1], corner[0]), wide3_sub(corner[2], corner[0]));
+    double along = wide_value(wide3_dot(n, wide3_of(r.d)));
+    double one = fabs(wide_value(n.x)) + fabs(wide_value(n.y)) + fabs(wide_value(n.z));
+    return fabs(((double)s - (double)t) * along) / (one * bound);
+}
+
+/* Distance between the line of the ray and a side of a triangle. */
+static double side_distance(wide3 p, wide3 q, ray r)
+{
+    wide3 d = wide3_of(r.d), e = wide3_sub(q, p), w = wide3_sub(p, wide3_of(r.o));
+    wide3 dxe = wide3_cross(d, e), wxd = wide3_cross(w, d);
+    double area = wide_value(wide3_dot(dxe, dxe)), length = wide_value(wide3_length(d));
+    double s = area > 0 ? wide_value(wide3_dot(wxd, dxe)) / area : 0;  /* p + s e is nearest */
+    if (s > 0 && s < 1) return fabs(wide_value(wide3_dot(w, dxe))) / sqrt(area);
+    if (s >= 1) wxd = wide3_cross(wide3_sub(q, wide3_of(r.o)), d);
+    return wide_value(wide3_length(wxd)) / length;
+}
+
+static double border_distance(const wide3 corner[3], ray r)
+{
+    double a = side_distance(corner[0], corner[1], r), b = side_distance(corner[1], corner[2], r);
+    double c = side_distance(corner[2], corner[0], r);
+    return a < b ? (a < c ? a : c) : (b < c ? b : c);
+}
+
+/* Transforms that are not exact. By (16.3) the hit of an instance lies within `pad` of its triangle
+ * in the world, and that of the flattened mesh within 256 eps D and four roundings of a corner. So
+ * either both find the same triangle, at points that far apart across its plane; or the nearer of
+ * the two triangles was missed by the other, which can be only within that distance of its border;
+ * or the two meet there. */
+static void test_flattened_within_bound(vec3 move, real unlike)
+{
+    scene_of_three s;
+    scene_make(&s, 40, unlike, move, 31);
+    instances x = built(&s.c, INSTANCES_POINTS);
+    affine *inverse = crowd_inverses(&s.c);
+    mesh flat = crowd_flattened(&s.c);
+    bvh b;
+    bvh_build(&flat, bvh_defaults, &b);
+    double worst = 0, worst_border = 0;
+    size_t others = 0, hits = 0, n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(32, i, 0);
+        ray r = aimed(&flat, &g, (int)(i % 4), move, 2);
+        hit h = hit_none;
+        instance_hit two = {hit_none, 0};
+        uint32_t where = 0, k = 0;
+        if (bvh_hit(&b, r, &h)) flat_place(&s.c, inverse, h.shape, &where, &k), h.shape = k;
+        if (!instances_hit(&x, r, &two) && h.shape == no_shape) continue;
+        bool same_one = h.shape == two.h.shape && where == two.instance;
+        bool mine = same_one || two.h.t < h.t;
+        uint32_t near = mine ? two.instance : where, near_k = mine ? two.h.shape : h.shape;
+        const placed *p = &x.place[x.where[near]];
+        affine m = s.list[near].to_world;
+        real reach = box_farthest(&x.lower[p->mesh].tree.node[0].box);
+        placing pad = placing_of(m, p->to_object, reach);
+        double bound = (double)placing_pad(&pad, r.o)
+            + (double)real_epsilon * (256 * (double)box_reach(&b.tree.node[0].box, r.o)
+                                      + 2 * (double)(affine_norm(m) * reach + vlargest(m.o)));
+        wide3 corner[3];
+        exact_corners(&s.c, near, near_k, corner);
+        hits++, others += !same_one;
+        if (same_one) worst = check_worse(worst, across(corner, r, h.t, two.h.t, bound));
+        else if (h.shape != no_shape && two.h.shape != no_shape
+                 && across(corner, r, h.t, two.h.t, bound) <= 1) continue;
+        else worst_border = check_worse(worst_border,
+                                        border_distance(corner, r) / (sqrt(3.0) * bound));
+    }
+    check_at_least(hits, n / 2, "enough rays hit");
+    check_at_most(worst, 1, "same triangle: across its plane, in units of the bound");
+    check(worst > 1e-6, "the bound is not a million times too large: %g of it was seen", worst);
+    check_at_most(worst_border, 1, "another triangle: only near the border of the nearer one");
+    check_at_most(others, hits / 2, "others: %zu of %zu", others, hits);
+    bvh_free(&b), mesh_free(&flat), instances_free(&x), scene_free(&s);
+    free(inverse);
+}
+
+/* ---- the ray ---- */
+
+/* Two equal squares, one twice as large and twice as far: D' of the far one is half as long, so a
+ * unit D' takes half the t. */
+static void test_normalised_rays_are_wrong(void)
+{
+    mesh m = floors_mesh(1);
+    instance list[2] = {
+        {affine_of(affine_scaling((vec3){8, 8, 8}), affine_translation((vec3){0, 0, 40})), 0},
+        {affine_translation((vec3){0, 0, 10}), 0}};
+    crowd c = {&m, 1, list, 2};
+    instances x = built(&c, INSTANCES_CORNERS);
+    instance_hit h, naive;
+    ray r = ray_from((vec3){(real)0.5, (real)0.25, 0}, (vec3){0, 0, 1});
+    check(instances_hit(&x, r, &h) && h.instance == 1 && h.h.t == 9, "the near one, at t = 9");
+    check(instances_hit_naive(&x, r, &naive) && naive.instance == 0 && naive.h.t == 4,
+          "normalised: the far one, 32 away, is said to be at t = 4");
+    instances_free(&x);
+    mesh_free(&m);
+    scene_of_three s;
+    size_t wrong = 0, hits = 0, n = check_count(4000);
+    scene_make(&s, 40, 4, (vec3){0, 0, 0}, 41);
+    x = built(&s.c, INSTANCES_POINTS);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(42, i, 0);
+        vec3 o = random_vector(&g, 6);
+        r = ray_from(o, vsub(random_vector(&g, 2), o));
+        if (!instances_hit(&x, r, &h)) continue;
+        hits++;
+        wrong += !instances_hit_naive(&x, r, &naive) || naive.instance != h.instance
+            || naive.h.shape != h.h.shape;
+    }
+    check_at_least(wrong, hits / 10, "normalised: another triangle for one ray in ten or more");
+    instances_free(&x), scene_free(&s);
+}
+
+/* Rays that are not rays, and those that become none on the way to object space. */
+static void test_sick_rays(void)
+{
+    mesh m = floors_mesh(1);
+    real tiny = real_is_float ? (real)1e-36 : (real)1e-300;
+    instance list[2] = {{affine_scaling((vec3){1, 1, 1}), 0},
+                        {affine_scaling(vscale((vec3){1, 1, 1}, real_is_float ? (real)1e6
+                                                                              : (real)1e30)), 0}};
+    crowd c = {&m, 1, list, 2};
+    instances x = built(&c, INSTANCES_POINTS);
+    affine *inverse = crowd_inverses(&c);
+    real nan = (real)NAN, inf = real_infinity;
+    const ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
+                        ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
+                        ray_from((vec3){0, 0, -9}, (vec3){0, 0, 0}),
+                        ray_from((vec3){0, 0, -inf}, (vec3){0, 0, 1}),
+                        ray_from((vec3){0, 0, -9}, (vec3){0, 0, inf}),
+                        {{0, 0, -9}, nan, {0, 0, 1}, 99},
+                        {{0, 0, -9}, 0, {0, 0, 1}, nan},
+                        {{0, 0, -9}, 5, {0, 0, 1}, 4}};
+    instance_hit h = {{7, 7, 7, 7}, 7};
+    hit brute;
+    uint32_t i;
+    for (size_t k = 0; k < sizeof sick / sizeof *sick; k++)
+        check(!instances_hit(&x, sick[k], &h) && !instances_occluded(&x, sick[k]) && h.h.t == 7
+                  && h.instance == 7 && !crowd_hit(&c, inverse, sick[k], &brute, &i),
+              "sick ray %zu hits nothing and touches nothing", k);
+    ray r = ray_from((vec3){0, 0, 0}, (vec3){0, 0, tiny});
+    check(instances_hit(&x, r, &h) && h.instance == 0, "a short D is a ray");
+    r.o.z = 9;
+    check(instances_hit(&x, r, &h) == crowd_hit(&c, inverse, r, &brute, &i) && h.h.t >= 0,
+          "where D' is too short to have digits, the instance is not hit");
+    ray inside;
+    check(!instance_ray(&inverse[1], r, &inside), "as it is here");
+    instances_free(&x), mesh_free(&m);
+    free(inverse);
+}
+
+/* ---- ties, sick transforms, empty ones ---- */
+
+static void test_ties(void)
+{
+    enum { n = 30 };
+    mesh m = floors_mesh(1);
+    instance list[n];
+    ray r = ray_from((vec3){(real)0.25, (real)0.5, -9}, (vec3){0, 0, 1});
+    for (uint32_t first = 0; first < n; first += 7) {
+        for (uint32_t i = 0; i < n; i++)  /* from `first` on, all on one place */
+            list[i] = (instance){affine_translation((vec3){i < first ? 50 : 0, 0, 0}), 0};
+        crowd c = {&m, 1, list, n};
+        for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_POINTS; b++) {
+            instances_options how = by(b);
+            for (how.upper.leaf = 1; how.upper.leaf <= 8; how.upper.leaf *= 8) {
+                instances x;
+                failure f;
+                instance_hit h;
+                hit due = hit_none;
+                if (!instances_build(&c, how, &x, &f)) fail(f);
+                mesh_hit(&m, r, &due);
+                check(instances_hit(&x, r, &h), "coincident instances are hit");
+                check_equal(h.instance, first, "the lowest instance wins");
+                check_equal(h.h.shape, due.shape, "and of it the triangle that its mesh says");
+                r.tmin = r.tmax = h.h.t;
+                check(instances_hit(&x, r, &h) && h.instance == first, "in [t, t] too");
+                r.tmin = 0, r.tmax = real_infinity;
+                instances_free(&x);
+            }
+        }
+    }
+    mesh_free(&m);
+}
+
+/* Every second transform is sick; the others are found as if they were alone. */
+static void test_sick_transforms(void)
+{
+    scene_of_three s;
+    real nan = (real)NAN, inf = real_infinity;
+    scene_make(&s, 48, 4, (vec3){0, 0, 0}, 51);
+    size_t hidden = 0;
+    instance well[64];
+    for (size_t i = 0; i < s.c.n; i++) {
+        affine *a = &s.list[i].to_world;
+        if (i % 2 == 0) continue;
+        hidden++;
+        switch (i / 2 % 8) {
+        case 0: a->y = (vec3){0, 0, 0}; break;                     /* rank 2 */
+        case 1: a->y = a->x; break;
+        case 2: a->z = vscale(a->x, 3), a->y = vscale(a->x, -2); break;  /* rank 1 */
+        case 3: a->x = a->y = a->z = (vec3){0, 0, 0}; break;
+        case 4: a->x.y = nan; break;
+        case 5: a->o.z = inf; break;
+        case 6: a->z.z = -inf; break;
+        default: a->o.x = nan; break;
+        }
+    }
+    instances x = built(&s.c, INSTANCES_POINTS);
+    check_equal(instances_stats(&x).hidden, hidden, "singular and infinite transforms are left out");
+    memcpy(well, s.list, sizeof well);
+    for (size_t i = 1; i < s.c.n; i += 2) well[i].to_world = affine_translation((vec3){99, 99, 99});
+    crowd w = {s.mesh, 3, well, s.c.n};
+    instances y = built(&w, INSTANCES_POINTS);
+    size_t differ = 0, hits = 0, wrong = 0;
+    affine *inverse = crowd_inverses(&s.c);
+    for (size_t i = 0; i < check_count(4000); i++) {
+        random_stream g = random_start(52, i, 0);
+        vec3 o = random_vector(&g, 5);
+        ray r = ray_from(o, vsub(random_vector(&g, 2), o));
+        instance_hit a = {hit_none, 0}, b = {hit_none, 0};
+        hit due = hit_none;
+        uint32_t k = 0;
+        bool ga = instances_hit(&x, r, &a), gb = instances_hit(&y, r, &b);
+        bool gd = crowd_hit(&s.c, inverse, r, &due, &k);
+        hits += ga, differ += !same_place(ga, a, gb, b.h, b.instance);
+        wrong += !same_place(ga, a, gd, due, k);
+    }
+    check_at_least(hits, check_count(4000) / 8, "enough rays hit");
+    check_equal(differ, 0, "sick transforms change nothing for the others");
+    check_equal(wrong, 0, "as every instance asked in turn");
+    instances_free(&x), instances_free(&y), scene_free(&s);
+    free(inverse);
+}
+
+/* Turned plates ever thinner: at last the inverse has no right digit. Till then all is as it should
+ * be, after that it is never hit. */
+static void test_nearly_singular(void)
+{
+    mesh m = floors_mesh(1);
+    int last_seen = 0, first_hidden = 0;
+    for (int e = 0; e < (real_is_float ? 40 : 80); e++) {
+        affine a = affine_of(affine_scaling((vec3){1, 1, ldexp((real)1, -e)}),
+                             affine_rotation(vunit((vec3){1, 2, 3}), (real)0.7));
+        instance list[1] = {{a, 0}};
+        crowd c = {&m, 1, list, 1};
+        for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_POINTS; b++) {
+            instances x = built(&c, b);
+            if (instances_stats(&x).hidden) {
+                if (!first_hidden) first_hidden = e;
+                instances_free(&x);
+                continue;
+            }
+            last_seen = e;
+            verdict v = compare_aimed(&c, &x, check_count(240), (vec3){0, 0, 0}, 1, (uint64_t)e);
+            check_equal(v.wrong + v.wrong_any, 0, "a plate 2^-%d thick, boxes by %s", e,
+                        boxes_name[b]);
+            instances_free(&x);
+        }
+    }
+    check(last_seen < first_hidden, "thick ones are seen, thin ones hidden: %d, %d", last_seen,
+          first_hidden);
+    int digits = real_is_float ? 24 : 53;
+    check_at_least(last_seen, digits - 8, "seen as long as the inverse has some digits");
+    check_at_most(first_hidden, digits + 2, "hidden when it has none");
+    mesh_free(&m);
+}
+
+/* From 1e-150 to 1e150 in one scene (float: 1e-15 to 1e15), and alone. */
+static void test_scales(void)
+{
+    scene_of_three s;
+    for (int e = -500; e <= 500; e += 50) {
+        real size = ldexp((real)1, real_is_float ? e / 10 : e);
+        scene_make(&s, 30, 4, (vec3){0, 0, 0}, 61);
+        for (size_t i = 0; i < s.c.n; i++) {
+            affine *a = &s.list[i].to_world;
+            *a = affine_of(*a, affine_scaling((vec3){size, size, size}));
+        }
+        instances x = built(&s.c, INSTANCES_POINTS);
+        check_equal(instances_stats(&x).hidden, 0, "nothing is lost by its size");
+        verdict v = compare_aimed(&s.c, &x, check_count(240), (vec3){0, 0, 0}, 2 * size, 62);
+        check_equal(v.wrong + v.wrong_any, 0, "scene of size %g", (double)size);
+        check_at_least(v.hits, v.rays / 4, "scene of size %g: rays hit", (double)size);
+        instances_free(&x), scene_free(&s);
+    }
+}
+
+static void test_none(void)
+{
+    mesh m = floors_mesh(1), empty = {0}, both[2] = {empty, m};
+    instance list[2] = {{affine_translation((vec3){0, 0, 0}), 0},
+                        {affine_translation((vec3){0, 0, 0}), 1}};
+    ray r = ray_from((vec3){(real)0.25, (real)0.5, -9}, (vec3){0, 0, 1});
+    instance_hit h = {{7, 7, 7, 7}, 7};
+    instances x, zero = {0};
+    failure f;
+    const crowd none[3] = {{NULL, 0, NULL, 0}, {both, 2, NULL, 0}, {both, 1, list, 1}};
+    for (int k = 0; k < 3; k++) {
+        x = built(&none[k], INSTANCES_POINTS);
+        check(!instances_hit(&x, r, &h) && !instances_occluded(&x, r) && h.instance == 7,
+              "nothing to hit: case %d", k);
+        mesh flat = crowd_flattened(&none[k]);
+        check_equal(flat.triangles, 0, "and nothing to flatten");
+        mesh_free(&flat);
+        instances_free(&x);
+    }
+    crowd c = {both, 2, list, 2};
+    x = built(&c, INSTANCES_POINTS);
+    check(instances_hit(&x, r, &h) && h.instance == 1 && h.h.t == 8, "beside an empty mesh");
+    check_equal(instances_stats(&x).hidden, 1, "one is never hit");
+    instances_free(&x);
+    instances_free(&x);
+    instances_free(&zero);
+    c.meshes = 1;
+    check(!instances_build(&c, instances_defaults, &x, &f) && f.exit_code == 2,
+          "a mesh that is not there");
+    check_text(f.text, "instance 1: mesh 1; there are 1 meshes, counted from 0", "says which");
+    instances_free(&x);
+    c.n = (size_t)1 << 31;
+    check(!instances_build(&c, instances_defaults, &x, &f) && f.exit_code == 2, "2^31 instances");
+    check_text(f.text, "2147483648 instances: fewer than 2^31 fit", "says how many");
+    mesh_free(&m);
+}
+
+/* Triangles that are not finite spoil no box. */
+static void test_sick_mesh(void)
+{
+    mesh m = floors_mesh(2);
+    m.v[0].x = (real)NAN, m.v[5].y = real_infinity;
+    instance list[9];
+    for (size_t i = 0; i < 9; i++) {
+        random_stream g = random_start(71, i, 0);
+        list[i] = (instance){any_place(&g, 4, (vec3){0, 0, 0}, 2), 0};
+    }
+    crowd c = {&m, 1, list, 9};
+    for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_POINTS; b++) {
+        instances x = built(&c, b);
+        const bvh_box *root = &x.tree.node[0].box;
+        check(isfinite(root->side[0]) && isfinite(root->side[4]), "boxes stay finite");
+        verdict v = {0, 0, 0, 0};
+        affine *inverse = crowd_inverses(&c);
+        for (size_t i = 0; i < check_count(1000); i++) {
+            random_stream g = random_start(72, i, 0);
+            real t;
+            vec3 o = random_vector(&g, 5);
+            compare(&c, inverse, &x, ray_from(o, vsub(random_vector(&g, 2), o)), &v, &t);
+        }
+        check_equal(v.wrong + v.wrong_any, 0, "a mesh with NaN, boxes by %s", boxes_name[b]);
+        check_at_least(v.hits, v.rays / 8, "rays hit");
+        instances_free(&x);
+        free(inverse);
+    }
+    mesh_free(&m);
+}
+
+/* ---- boxes and padding ---- */
+
+/* Both boxes hold every corner of the exact instance; the loose one holds the tight one. */
+static void test_boxes(void)
+{
+    mesh m = teapot_mesh(2);
+    double outside = 0;
+    size_t larger = 0;
+    bvh b;
+    bvh_build(&m, bvh_defaults, &b);
+    const bvh_box *root = &b.tree.node[0].box;
+    for (size_t i = 0; i < check_count(300); i++) {
+        random_stream g = random_start(81, i, 0);
+        affine a, t = any_place(&g, i % 2 ? 4 : 100, vscale((vec3){1, 2, 3}, (real)(i % 3) * 50), 2);
+        check(instance_inverse(t, &a), "there is an inverse");
+        placing p = placing_of(t, a, box_farthest(root));
+        aabb loose = box_of_corners(t, root), tight = box_of_points(t, m.v, m.vertices);
+        bvh_box lb = box_padded(&loose, p.fixed), tb = box_padded(&tight, p.fixed);
+        instance one = {t, 0};
+        crowd c = {&m, 1, &one, 1};
+        for (uint32_t k = 0; k < m.triangles; k++) {
+            wide3 corner[3];
+            exact_corners(&c, 0, k, corner);
+            for (int j = 0; j < 3; j++) {
+                double q[3] = {wide_value(corner[j].x), wide_value(corner[j].y),
+                               wide_value(corner[j].z)};
+                for (int e = 0; e < 3; e++) {
+                    outside = check_worse(outside, (double)tb.side[e] - q[e]);
+                    outside = check_worse(outside, q[e] - (double)tb.side[3 + e]);
+                    outside = check_worse(outside, (double)lb.side[e] - q[e]);
+                    outside = check_worse(outside, q[e] - (double)lb.side[3 + e]);
+                }
+            }
+        }
+        larger += box_area(&lb) > 1.2 * box_area(&tb);
+        vec3 lo = {real_infinity, real_infinity, real_infinity}, hi = vneg(lo);
+        for (int k = 0; k < 8; k++) {  /* (16.2) against going through the corners */
+            vec3 corner = {(real)root->side[k & 1 ? 3 : 0], (real)root->side[k & 2 ? 4 : 1],
+                           (real)root->side[k & 4 ? 5 : 2]};
+            lo = vmin(affine_point(t, corner), lo), hi = vmax(affine_point(t, corner), hi);
+        }
+        real bound = 8 * real_epsilon * (affine_norm(t) * 4 + vlargest(t.o));
+        check_at_most(vlargest(vsub(lo, loose.lo)), bound, "(16.2): the box of the eight corners");
+        check_at_most(vlargest(vsub(hi, loose.hi)), bound, "(16.2): the box of the eight corners");
+    }
+    check_equal(outside, 0, "no exact corner is outside of a box");
+    check_at_least(larger, check_count(300) / 4, "the loose box is larger by a fifth, often");
+    bvh_free(&b), mesh_free(&m);
+}
+
+/* A box with nothing paid: z = 1 exactly is the face of a plate that a quarter turn about x and a
+ * move put there; the ray in that plane sees it or not as the last bits have it. The pad holds the point
+ * of every hit: its distance from the exact triangle is below it. */
+static void test_pad_holds_every_hit(void)
+{
+    scene_of_three s;
+    double worst = 0;
+    scene_make(&s, 40, real_is_float ? 10 : 1000, (vec3){100, -200, 50}, 91);
+    instances x = built(&s.c, INSTANCES_POINTS);
+    mesh flat = crowd_flattened(&s.c);
+    for (size_t i = 0; i < check_count(10000); i++) {
+        random_stream g = random_start(92, i, 0);
+        ray r = aimed(&flat, &g, (int)(i % 4), (vec3){100, -200, 50}, 2);
+        instance_hit h;
+        if (!instances_hit(&x, r, &h)) continue;
+        const placed *p = &x.place[x.where[h.instance]];
+        placing pad = placing_of(s.list[h.instance].to_world, p->to_object,
+                                 box_farthest(&x.lower[p->mesh].tree.node[0].box));
+        wide3 corner[3], at = wide3_madd(wide3_of(r.o), wide3_of(r.d), wide_of((double)h.h.t));
+        exact_corners(&s.c, h.instance, h.h.shape, corner);
+        wide3 n = wide3_cross(wide3_sub(corner[1], corner[0]), wide3_sub(corner[2], corner[0]));
+        double off = fabs(wide_value(wide3_dot(n, wide3_sub(at, corner[0]))));
+        double one = fabs(wide_value(n.x)) + fabs(wide_value(n.y)) + fabs(wide_value(n.z));
+        worst = check_worse(worst, off / one / (double)placing_pad(&pad, r.o));
+    }
+    check_at_most(worst, 1, "distance of a hit from the plane of its triangle, in pads");
+    check(worst > 1e-5, "the pad is not 1e5 times too large: %g of it was seen", worst);
+    mesh_free(&flat), instances_free(&x), scene_free(&s);
+}
+
+/* Rounded outwards but with nothing paid for the ray's own rounding: (16.3) is needed. A small
+ * instance, a ray from far away along a side of its box. */
+static void test_pad_is_needed(void)
+{
+    size_t lost = 0, hits = 0;
+    mesh m = floors_mesh(1);
+    for (size_t i = 0; i < check_count(3000); i++) {
+        random_stream g = random_start(93, i, 0);
+        real far = real_is_float ? 1000 : (real)1e12;
+        vec3 move = vscale((vec3){1, 1, 1}, real_is_float ? 1024 : (real)0x1p40);
+        affine t = affine_rotation(vunit(random_vector(&g, 1)), 1);
+        t.o = move;
+        instance one = {t, 0};
+        crowd c = {&m, 1, &one, 1};
+        affine *a = crowd_inverses(&c);
+        triangle tri = mesh_triangle(&m, random_below(&g, m.triangles));
+        vec3 at = affine_point(t, tri.a), o = vmadd(at, random_vector(&g, 1), far);
+        ray r = ray_from(o, vsub(at, o));
+        hit h;
+        uint32_t k;
+        if (crowd_hit(&c, a, r, &h, &k)) {
+            instances x = built(&c, INSTANCES_POINTS), bare = built(&c, INSTANCES_POINTS);
+            aabb w = box_of_points(t, m.v, m.vertices);
+            bare.tree.node[0].box = box_padded(&w, 0), bare.tree.node[1].box.side[0] = 0;
+            hits++, lost += !instances_occluded(&bare, r);
+            check(instances_occluded(&x, r), "padded: ray %zu", i);
+            instances_free(&x), instances_free(&bare);
+        }
+        free(a);
+    }
+    printf("lost %zu of %zu\n", lost, hits);
+    check_at_least(hits, check_count(3000) / 4, "rays hit");
+    check_at_least(lost, 1, "without the pad, hits are lost");
+    mesh_free(&m);
+}
+
+/* Each instance that can be hit is in one leaf; `where` and `place` are inverse to each other. */
+static void test_invariants(void)
+{
+    scene_of_three s;
+    scene_make(&s, 50, 4, (vec3){0, 0, 0}, 95);
+    s.list[7].to_world.x = (vec3){0, 0, 0};
+    instances x = built(&s.c, INSTANCES_CORNERS);
+    size_t seen = 0;
+    for (size_t i = 0; i < x.tree.nodes; i++)
+        if (i != 1) seen += x.tree.node[i].count;
+    check_equal(seen, 49, "every instance in one leaf, but for the flat one");
+    check_equal(x.where[7], no_shape, "which has no place");
+    for (uint32_t i = 0; i < 50; i++)
+        check(i == 7 || (x.place[x.where[i]].index == i && x.place[x.where[i]].mesh == i % 3),
+              "where and place");
+    instance_stats st = instances_stats(&x);
+    double triangles = 17 * 12 + 17 * 12 + 16 * 56;  /* 17 of needles (7 is of floors), 16, 16 */
+    triangles = 17 * (double)s.mesh[0].triangles + 16 * (double)s.mesh[1].triangles
+        + 16 * (double)s.mesh[2].triangles;
+    check_equal(st.triangles, triangles, "triangles of all instances");
+    check_equal(st.instances, 50, "instances"), check_equal(st.hidden, 1, "hidden");
+    check_at_most(st.upper_bytes, 50 * (sizeof(placed) + 4 + 64) + 64,
+                  "memory: a place, a number, and two nodes an instance");
+    check_equal(st.upper_bytes + st.lower_bytes, x.bytes, "bytes add up");
+    instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
+    instance_hit h, same_h;
+    ray r = ray_from((vec3){0, 0, -9}, (vec3){(real)0.01, (real)0.02, 1});
+    bool got = instances_hit(&x, r, &h);
+    check(got && instances_hit_counted(&x, r, &same_h, &w) && same_h.h.t == h.h.t, "counted: same");
+    check(w.upper.tests > 0 && w.upper.tests < 50 && w.lower.nodes > 0, "and counted");
+    instances_free(&x), scene_free(&s);
+}
+
+/* ---- normals ---- */
+
+/* The ellipsoid (x/a)^2 + (y/b)^2 + (z/c)^2 = 1 is a sphere scaled; its normal is the gradient. */
+static void test_normals(void)
+{
+    double worst = 0, worst_naive = 0, highest = 0;
+    vec3 s = {1, 1, 4};
+    affine t = affine_scaling(s), a;
+    check(instance_inverse(t, &a), "inverse");
+    for (size_t i = 0; i < check_count(20000); i++) {
+        random_stream g = random_start(96, i, 0);
+        vec3 n = vunit(random_vector(&g, 1)), p = affine_point(t, n);
+        if (vzero(n)) continue;
+        vec3 due = vunit((vec3){p.x / (s.x * s.x), p.y / (s.y * s.y), p.z / (s.z * s.z)});
+        vec3 naive = normal_naive(&t, n);
+        worst = check_worse(worst, (double)vlength(vsub(normal_to_world(&a, n), due)));
+        double angle = (double)mesh_angle(naive, due);
+        worst_naive = check_worse(worst_naive, angle);
+    }
+    highest = (double)normal_worst_angle(4);
+    check_at_most(worst, 8 * (double)real_epsilon, "inverse transpose: the gradient");
+    check_at_most(worst_naive, highest + 8 * (double)real_epsilon, "(16.5) is a bound");
+    check_at_least(worst_naive, highest - 0.01, "M n is off by up to 62 degrees at 1 : 4");
+    check_close(highest, atan(15.0 / 8), 2 * (double)real_epsilon, "atan((4 - 1/4) / 2)");
+    affine turn = affine_of(affine_rotation(vunit((vec3){1, 2, 3}), 1), affine_scaling((vec3){3, 3, 3}));
+    check(instance_inverse(turn, &a), "inverse");
+    vec3 n = vunit((vec3){3, -1, 2});
+    check_at_most(vlength(vsub(normal_naive(&turn, n), normal_to_world(&a, n))), 16 * real_epsilon,
+                  "turned and scaled alike, M n is right");
+    check(vzero(normal_to_world(&a, (vec3){0, 0, 0})), "no normal stays none");
+}
+
+/* At right angles to the exact edges; outside stays outside, mirrored or not. */
+static void test_normals_of_instances(void)
+{
+    scene_of_three s;
+    scene_make(&s, 60, 10, (vec3){0, 0, 0}, 97);
+    instances x = built(&s.c, INSTANCES_POINTS);
+    double worst = 0;
+    size_t mirrored = 0, inward = 0;
+    for (uint32_t i = 0; i < 60; i++) {
+        const mesh *part = &s.mesh[i % 3];
+        affine t = s.list[i].to_world, a = x.place[x.where[i]].to_object;
+        bool mirror = vdot(t.x, vcross(t.y, t.z)) < 0;
+        mirrored += mirror;
+        for (uint32_t k = 0; k < part->triangles; k++) {
+            triangle tri = mesh_triangle(part, k);
+            vec3 n = normal_to_world(&a, triangle_normal(tri));
+            wide3 c[3];
+            exact_corners(&s.c, i, k, c);
+            wide3 e = wide3_sub(c[1], c[0]), f = wide3_sub(c[2], c[0]), w = wide3_of(n);
+            double le = wide_value(wide3_length(e)), lf = wide_value(wide3_length(f));
+            wide3 cross = wide3_cross(e, f);
+            double area = wide_value(wide3_length(cross));
+            if (area < 1e-2 * le * lf) continue;  /* slivers: their own normal has fewer digits */
+            worst = check_worse(worst, fabs(wide_value(wide3_dot(w, e))) / le * area / (le * lf));
+            worst = check_worse(worst, fabs(wide_value(wide3_dot(w, f))) / lf * area / (le * lf));
+            inward += (wide_sign(wide3_dot(w, cross)) < 0) != mirror;
+        }
+    }
+    check_at_least(mirrored, 10, "some are mirrored");
+    check_at_most(worst, 1000 * (double)real_epsilon,
+                  "normals at right angles to edges: scales 10 unlike, twice turned");
+    check_equal(inward, 0, "(M e) x (M f) turns round in a mirror, the normal does not");
+    instances_free(&x), scene_free(&s);
+}
+
+/* A closed octahedron, corners counter-clockwise seen from outside: its normals point away from its
+ * centre, mirrored or not. Those of the flattened mesh, whose corners keep their order, do not. */
+static void test_outside_of_mirrored(void)
+{
+    static const signed char sign[8][3] = {{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1},
+                                           {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, -1}};
+    mesh m = mesh_room(8);
+    for (size_t i = 0; i < 8; i++) {
+        vec3 x = {sign[i][0], 0, 0}, y = {0, sign[i][1], 0}, z = {0, 0, sign[i][2]};
+        bool even = sign[i][0] * sign[i][1] * sign[i][2] > 0;
+        set_triangle(&m, i, x, even ? y : z, even ? z : y);
+    }
+    size_t inward = 0, turned = 0, mirrored = 0, hits = 0;
+    for (size_t i = 0; i < check_count(600); i++) {
+        random_stream g = random_start(98, i, 0);
+        affine t = any_place(&g, 10, (vec3){0, 0, 0}, 2);
+        instance one = {t, 0};
+        crowd c = {&m, 1, &one, 1};
+        instances x = built(&c, INSTANCES_POINTS);
+        mesh flat = crowd_flattened(&c);
+        vec3 o = random_vector(&g, 9);
+        instance_hit h;
+        ray r = ray_from(o, vsub(t.o, o));
+        bool mirror = vdot(t.x, vcross(t.y, t.z)) < 0;
+        if (instances_hit(&x, r, &h)) {
+            vec3 away = vsub(ray_at(r, h.h.t), t.o);
+            if (h.h.t > 1) away = vneg(away);  /* the eye is inside: no; t = 1 is the centre */
+            hits++, mirrored += mirror;
+            inward += !(vdot(instances_normal(&x, h), away) > 0);
+            turned += mirror && vdot(triangle_normal(mesh_triangle(&flat, h.h.shape)), away) < 0;
+        }
+        instances_free(&x), mesh_free(&flat);
+    }
+    check_at_least(hits, check_count(600) * 9 / 10, "rays at the centre hit");
+    check_at_least(mirrored, hits / 5, "some are mirrored");
+    check_equal(inward, 0, "normals point outward");
+    check_equal(turned, mirrored, "the flattened triangles of the mirrored ones are turned round");
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    test_known_hit();
+    test_equals_every_instance_asked();
+    for (int k = 0; k < 4; k++) test_exact_transforms(k & 1, k / 2);
+    test_flattened_within_bound((vec3){0, 0, 0}, 4);
+    test_flattened_within_bound((vec3){100, 50, -300}, real_is_float ? 10 : 1000);
+    test_normalised_rays_are_wrong();
+    test_sick_rays();
+    test_ties();
+    test_sick_transforms();
+    test_nearly_singular();
+    test_scales();
+    test_none();
+    test_sick_mesh();
+    test_boxes();
+    test_pad_holds_every_hit();
+    test_pad_is_needed();
+    test_invariants();
+    test_normals();
+    test_normals_of_instances();
+    test_outside_of_mirrored();
+    return check_report("16_instances");
+}
