@@ -17,7 +17,7 @@
 typedef enum {
     INSTANCES_CORNERS,   /* boxes by the eight corners of the mesh's box: loose; O(1) an instance */
     INSTANCES_POINTS,    /* by all points of the mesh: tight; O(points) an instance */
-    INSTANCES_NAIVE      /* by the corners, nothing paid for rounding: loses hits */
+    INSTANCES_NAIVE      /* by the corners, nothing paid for rounding, by the ray neither: loses hits */
 } instances_boxes;
 
 typedef struct {
@@ -86,7 +86,7 @@ static inline bool instance_item(const instances *x, instances_boxes boxes, cons
     aabb w = boxes == INSTANCES_POINTS ? box_of_points(s->to_world, points, n)
                                        : box_of_corners(s->to_world, root);
     *box = boxes == INSTANCES_NAIVE ? box_padded_naive(&w, p.fixed) : box_padded(&w, p.fixed);
-    *by_origin = boxes == INSTANCES_NAIVE ? 0 : p.by_origin;
+    *by_origin = boxes == INSTANCES_NAIVE ? -1 : p.by_origin;
     place->mesh = s->mesh;
     return true;
 }
@@ -96,7 +96,7 @@ static inline bool instance_item(const instances *x, instances_boxes boxes, cons
 static inline real instances_items(instances *x, const crowd *c, instances_boxes boxes,
                                    bvh_item *item, placed *all)
 {
-    real most = 0;
+    real most = boxes == INSTANCES_NAIVE ? -1 : 0;
     size_t n = 0, count = 0;
     for (size_t k = 0; k < c->meshes; k++) {
         bool tight = boxes == INSTANCES_POINTS;
@@ -145,7 +145,7 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
     real by_origin = instances_items(out, c, how.boxes, item, all);
     size_t n = out->tree.items;
     tree_build(item, n, how.upper, &out->tree);
-    /* Place 1 of the nodes is free: it carries what each ray has to pay. */
+    /* Place 1 of the nodes is free: it carries what each ray has to pay, -1: naive. */
     out->tree.node[1].box.side[0] = float_above(by_origin);
     out->place = allocate(n, sizeof *out->place);
     out->where = allocate(c->n, sizeof *out->where);

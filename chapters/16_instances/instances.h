@@ -46,10 +46,11 @@ typedef struct { bvh_work upper, lower; } instances_work;  /* upper.tests: insta
 /* box_ray_of, and both origins moved on by what (16.3) asks of a ray from here. */
 static inline box_ray instances_box_ray(ray r, const bvh_box *root)
 {
-    box_ray q = box_ray_of(r, root);
     const bvh_node *node = (const bvh_node *)(const void *)root;  /* the root's box comes first */
-    real pad = (real)node[1].box.side[0] * vlargest(r.o);
-    for (int k = 0; k < 3 && pad > 0; k++) {
+    real by_origin = (real)node[1].box.side[0], pad = by_origin * vlargest(r.o);
+    if (by_origin < 0) return box_ray_naive(r, root);
+    box_ray q = box_ray_of(r, root);
+    for (int k = 0; k < 3; k++) {
         bool down = q.inverse[k] < 0;
         float *low = down ? &q.o_near[k] : &q.o_far[k], *high = down ? &q.o_far[k] : &q.o_near[k];
         *high = float_beyond((real)*high + pad), *low = -float_beyond(pad - (real)*low);
@@ -116,9 +117,10 @@ static inline bool instances_occluded(const instances *x, ray r)
     return instances_search(x, r, true, false, NULL, NULL);
 }
 
-/* A mesh twice as large at twice the distance: normalised, D' is half as long as it should be told,
- * and t says how far it is in that instance's own lengths. Each instance counts in others: t of one is
- * not the t of another, the interval of the ray means nothing, and what is behind comes out in front. */
+/* A mesh an eighth as large, 10 away, before another of full size, 40 away: in the small one's space
+ * D' is eight times as long. Normalised, it takes eight times the t: 80. Each instance counts in
+ * lengths of its own; t of one is not the t of another, the interval of the ray means nothing, and what
+ * is behind comes out in front. */
 static inline bool instances_hit_naive(const instances *x, ray r, instance_hit *out)
 {
     return instances_search(x, r, false, true, out, NULL);
