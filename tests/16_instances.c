@@ -110,7 +110,8 @@ static void test_equals_every_instance_asked(void)
             scene_make(&s, 40, unlike[j], move, (uint64_t)(10 + k));
             for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_NAIVE; b++) {
                 instances x = built(&s.c, b);
-                verdict v = compare_aimed(&s.c, &x, check_count(2000), move, 2, (uint64_t)(3 * k + j));
+                verdict v = compare_aimed(&s.c, &x, check_count(2000), move, 2,
+                                          (uint64_t)(3 * k + j));
                 check_at_least(v.hits, v.rays / 4, "enough rays hit something");
                 if (b == INSTANCES_NAIVE) naive += v.wrong;
                 else {
@@ -266,8 +267,8 @@ static void exact_corners(const crowd *c, uint32_t i, uint32_t k, wide3 corner[3
     }
 }
 
-/* By how much two points of the ray, at s and at t, differ across the plane: what two planes `bound`
- * apart allow is |n|_1 bound (in units of |n|_1 bound: at most 1 is right). */
+/* How far apart two points of the ray, at s and at t, are across the plane of the triangle: two that
+ * are each off by parts of `bound` along every axis differ by |n|_1 bound at most. In units of that. */
 static double across(const wide3 corner[3], ray r, real s, real t, double bound)
 {
     wide3 n = wide3_cross(wide3_sub(corner[1], corner[0]), wide3_sub(corner[2], corner[0]));
@@ -479,7 +480,7 @@ static void test_sick_transforms(void)
         }
     }
     instances x = built(&s.c, INSTANCES_POINTS);
-    check_equal(instances_stats(&x).hidden, hidden, "singular and infinite transforms are left out");
+    check_equal(instances_stats(&x).hidden, hidden, "sick transforms are left out");
     memcpy(well, s.list, sizeof well);
     for (size_t i = 1; i < s.c.n; i += 2) well[i].to_world = affine_translation((vec3){99, 99, 99});
     crowd w = {s.mesh, 3, well, s.c.n};
@@ -645,7 +646,8 @@ static void test_boxes(void)
     const bvh_box *root = &b.tree.node[0].box;
     for (size_t i = 0; i < check_count(300); i++) {
         random_stream g = random_start(81, i, 0);
-        affine a, t = any_place(&g, i % 2 ? 4 : 100, vscale((vec3){1, 2, 3}, (real)(i % 3) * 50), 2);
+        vec3 move = vscale((vec3){1, 2, 3}, (real)(i % 3) * 50);
+        affine a, t = any_place(&g, i % 2 ? 4 : 100, move, 2);
         check(instance_inverse(t, &a), "there is an inverse");
         placing p = placing_of(t, a, box_farthest(root));
         aabb loose = box_of_corners(t, root), tight = box_of_points(t, m.v, m.vertices);
@@ -682,9 +684,8 @@ static void test_boxes(void)
     bvh_free(&b), mesh_free(&m);
 }
 
-/* A box with nothing paid: z = 1 exactly is the face of a plate that a quarter turn about x and a
- * move put there; the ray in that plane sees it or not as the last bits have it. The pad holds the point
- * of every hit: its distance from the exact triangle is below it. */
+/* The pad is more than what it is for: the distance of a hit's point, on the exact ray, from the plane
+ * of the exact triangle. */
 static void test_pad_holds_every_hit(void)
 {
     scene_of_three s;
@@ -735,7 +736,8 @@ static void test_pad_is_needed(void)
             hit h;
             uint32_t k;
             if (!crowd_hit(&c, a, r, &h, &k)) continue;
-            hits++, lost += !instances_occluded(&bare, r), lost_padded += !instances_occluded(&x, r);
+            hits++, lost += !instances_occluded(&bare, r);
+            lost_padded += !instances_occluded(&x, r);
         }
         instances_free(&x), instances_free(&bare), mesh_free(&flat);
         free(a);
@@ -803,7 +805,8 @@ static void test_normals(void)
     check_at_most(worst_naive, highest + 8 * (double)real_epsilon, "(16.5) is a bound");
     check_at_least(worst_naive, highest - 0.01, "M n is off by up to 62 degrees at 1 : 4");
     check_close(highest, atan(15.0 / 8), 2 * (double)real_epsilon, "atan((4 - 1/4) / 2)");
-    affine turn = affine_of(affine_rotation(vunit((vec3){1, 2, 3}), 1), affine_scaling((vec3){3, 3, 3}));
+    affine turn = affine_of(affine_rotation(vunit((vec3){1, 2, 3}), 1),
+                            affine_scaling((vec3){3, 3, 3}));
     check(instance_inverse(turn, &a), "inverse");
     vec3 n = vunit((vec3){3, -1, 2});
     check_at_most(vlength(vsub(normal_naive(&turn, n), normal_to_world(&a, n))), 16 * real_epsilon,

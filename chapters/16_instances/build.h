@@ -5,8 +5,8 @@
  *   instances_stats(&x), instances_free(&x)
  *
  *   how.boxes                INSTANCES_CORNERS, _POINTS, _NAIVE: below
- *   how.upper, how.lower     of the trees, as in 14; an instance costs far more than a triangle: one
- *                            in a leaf
+ *   how.upper, how.lower     of the trees, as in 14; an instance costs far more than a triangle:
+ *                            one in a leaf
  */
 #ifndef INSTANCES_BUILD_H
 #define INSTANCES_BUILD_H
@@ -17,7 +17,7 @@
 typedef enum {
     INSTANCES_CORNERS,   /* boxes by the eight corners of the mesh's box: loose; O(1) an instance */
     INSTANCES_POINTS,    /* by all points of the mesh: tight; O(points) an instance */
-    INSTANCES_NAIVE      /* by the corners, nothing paid for rounding, by the ray neither: loses hits */
+    INSTANCES_NAIVE      /* the same, but neither box nor ray pays for rounding: loses hits */
 } instances_boxes;
 
 typedef struct {
@@ -83,8 +83,8 @@ static inline bool instance_item(const instances *x, instances_boxes boxes, cons
     if (lower->items == 0 || !instance_inverse(s->to_world, &place->to_object)) return false;
     const bvh_box *root = &lower->node[0].box;
     placing p = placing_of(s->to_world, place->to_object, box_farthest(root));
-    aabb w = boxes == INSTANCES_POINTS ? box_of_points(s->to_world, points, n)
-                                       : box_of_corners(s->to_world, root);
+    aabb w = boxes == INSTANCES_CORNERS ? box_of_corners(s->to_world, root)
+                                        : box_of_points(s->to_world, points, n);
     *box = boxes == INSTANCES_NAIVE ? box_padded_naive(&w, p.fixed) : box_padded(&w, p.fixed);
     *by_origin = boxes == INSTANCES_NAIVE ? -1 : p.by_origin;
     place->mesh = s->mesh;
@@ -99,7 +99,7 @@ static inline real instances_items(instances *x, const crowd *c, instances_boxes
     real most = boxes == INSTANCES_NAIVE ? -1 : 0;
     size_t n = 0, count = 0;
     for (size_t k = 0; k < c->meshes; k++) {
-        bool tight = boxes == INSTANCES_POINTS;
+        bool tight = boxes != INSTANCES_CORNERS;
         vec3 *points = tight ? mesh_points(&c->mesh[k], &x->lower[k], &count) : NULL;
         for (size_t i = 0; i < c->n; i++) {
             real by_origin;
@@ -125,8 +125,8 @@ static inline bool crowd_is_usable(const crowd *c, failure *f)
     return true;
 }
 
-/* O(T log T) for T triangles of the meshes, O(n log n) for n instances; tight boxes: and n times the
- * points of a mesh. */
+/* O(T log T) for T triangles of the meshes, O(n log n) for n instances; tight boxes: and n times
+ * the points of a mesh. */
 static inline bool instances_build(const crowd *c, instances_options how, instances *out,
                                    failure *f)
 {

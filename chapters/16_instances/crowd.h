@@ -6,7 +6,8 @@
  *   bool crowd_hit(&c, a, r, &h, &i)                 every instance asked in turn: what is right
  *   bool crowd_occluded(&c, a, r)                    O(n T) a ray
  *   mesh m = crowd_flattened(&c)                     one mesh of everything (展平)
- *   flat_place(&c, a, flat, &i, &k)                  its triangle `flat` is triangle k of instance i
+ *   flat_place(&c, a, flat, &i, &k)                  its triangle `flat` is triangle k of
+ *                                                    instance i
  *   mesh_bytes(&m)                                   memory of a mesh
  *
  * Flattened, the corners of instance i are M p + m, rounded; its triangles follow those of instance

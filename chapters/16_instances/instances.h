@@ -21,8 +21,8 @@
  *
  * What is right: instance i is hit as mesh_hit of 07 says of its mesh and the ray (16.1); of all
  * instances the smallest t counts, at equal t the lowest instance, then the lowest triangle; the
- * interval is closed. `crowd_hit` of crowd.h says just that, and every hit here equals it bit for bit:
- * boxes are grown by what rounding can move (16.3), the trees prune only where t_enter > tmax.
+ * interval is closed. `crowd_hit` of crowd.h says just that, and every hit here equals it bit for
+ * bit: boxes are grown by what rounding can move (16.3), and pruned only where t_enter > tmax.
  *
  *   input                                             answer
  *   no instances, no meshes, an empty mesh            never hit
@@ -117,9 +117,9 @@ static inline bool instances_occluded(const instances *x, ray r)
     return instances_search(x, r, true, false, NULL, NULL);
 }
 
-/* A mesh an eighth as large, 10 away, before another of full size, 40 away: in the small one's space
- * D' is eight times as long. Normalised, it takes eight times the t: 80. Each instance counts in
- * lengths of its own; t of one is not the t of another, the interval of the ray means nothing, and what
+/* A mesh an eighth as large, 10 away, before another of full size, 40 away: in the small one's
+ * space D' is eight times as long. Normalised, it takes eight times the t: 80. Each instance counts
+ * in lengths of its own: t of one is not the t of another, the ray's interval means nothing, and what
  * is behind comes out in front. */
 static inline bool instances_hit_naive(const instances *x, ray r, instance_hit *out)
 {

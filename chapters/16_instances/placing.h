@@ -14,21 +14,22 @@
  *   box = box_of_points(to_world, v, n)           the box of the points themselves: tight
  *   box = box_padded(&box, pad)                   grown, rounded outwards
  *
- * What a hit of an instance is, is said by (16.1) in the computer's own arithmetic: a hit of the mesh
- * by the ray O', D' as rounded. Such a hit at t need not lie on the instance in the world: O + t D
- * may miss it by a little. How little (u = eps/2, |.| the largest component or row sum, R = |O|,
- * V = reach', the largest coordinate of box', K = |M| |A|, k = | |M| |A| | taken by components):
+ * What a hit of an instance is, (16.1) says in the computer's own arithmetic: a hit of the mesh by
+ * the ray O', D' as rounded. Such a hit at t need not lie on the instance in the world: O + t D may
+ * miss it by a little. How little (|.| is the largest component, or row sum; R = |O|; V = reach', the
+ * largest coordinate of box'; K = |M| |A|; k = the same product taken component by component):
  *
  *   O' + t D' is off the mesh by             256 eps (|A| R + |a| + V)     node.h of 14, point 2
  *   A (O + t D) + a is off O' + t D' by      2 eps (|A| (2 R + |P|) + |a|)  four roundings
  *   P = M (A P + a) + m - E P - f            E = M A - 1, f = M a + m: what the inverse is off by
  *   the box is off M box' + m by             2 eps (|M| V + |m|)           four roundings
  *
- *   pad = 4/3 (eps (256 K + 4 k) R + 260 eps (|M| (|a| + V) + |m|) + |f| + g (|M| V + |m|))   (16.3)
+ *   pad = 4/3 (eps (256 K + 4 k) R + 260 eps (|M| (|a| + V) + |m|) + |f| + g (|M| V + |m|))
+ *   g   = |E| + 2 eps k                                                                 (16.3)
  *
- * with g = |E| + 2 eps k; the 4/3 takes in that |P| itself is known up to this pad, if g <= 1/4. E and
- * f are not estimated but computed, in twice the precision. What grows with R, the ray's distance
- * from the origin of the world, is paid by the ray; the rest by the box.
+ * The 4/3 takes in that |P| itself is known up to this pad, if g <= 1/4. E and f are not estimated
+ * but computed, in twice the precision. What grows with R, the ray's distance from the origin of
+ * the world, is paid by the ray; the rest by the box.
  *
  *   input                                       answer
  *   M singular (det 0), or NaN, infinite        never hit, like what has no area
@@ -38,7 +39,7 @@
  *   D' shorter than real_smallest / eps         not hit by this ray
  *
  * Sources: J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems, 1990 (16.2);
- * N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3, 14 (residuals of inverses).
+ * N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3 and 14 (inverses).
  */
 #ifndef PLACING_H
 #define PLACING_H
@@ -80,8 +81,10 @@ static inline vec3 affine_residual(affine m, vec3 v, vec3 minus)
 /* M A - 1 and M a + m. */
 static inline affine inverse_residual(affine m, affine a)
 {
-    return (affine){affine_residual(m, a.x, (vec3){1, 0, 0}), affine_residual(m, a.y, (vec3){0, 1, 0}),
-                    affine_residual(m, a.z, (vec3){0, 0, 1}), affine_residual(m, a.o, vneg(m.o))};
+    return (affine){affine_residual(m, a.x, (vec3){1, 0, 0}),
+                    affine_residual(m, a.y, (vec3){0, 1, 0}),
+                    affine_residual(m, a.z, (vec3){0, 0, 1}),
+                    affine_residual(m, a.o, vneg(m.o))};
 }
 
 /* k of (16.3): by how much rounding of 1 in the inverse can grow on the way back. */

@@ -1,0 +1,40 @@
+/* 16_instances: a forest of two firs, an oak, two birches, many times; normals that stay right.
+cc -std=c11 -O2 -ffp-contract=off -o 16_instances chapters/16_instances/main.c -lm -lpthread
+ *
+ * Without options: the forest, what goes wrong with normals and with normalised rays, three tables,
+ * two plots. --instances N: so many plants, the picture only. --mesh FILE.obj: a crowd of that
+ * mesh, y up, the picture only. */
+#include "../07_mesh/obj.h"
+#include "growth.h"
+#include "pictures.h"
+
+int main(int argc, char **argv)
+{
+    int plants = 0;
+    const char *path = NULL;
+    const option list[] = {
+        {"instances", OPTION_INT, &plants, 1, 1000000, "plants in the picture; 9000 if not given"},
+        {"mesh", OPTION_TEXT, &path, 0, 0,
+         "FILE.obj: a crowd of this mesh, y up, instead of plants"},
+        {0}};
+    options o = options_read(argc, argv, "16_instances",
+                             "Instances: one mesh in many places, a tree of two levels.",
+                             (options){.width = 640, .height = 400, .seed = 1}, list);
+    failure f;
+    plant own = {.wood = 0};
+    mesh m = {0};
+    bool own_picture = plants || path, picture_only = own_picture || o.out;
+    if (path && !obj_read(path, &m, &f)) fail(f);
+    if (path) own = plant_of_mesh(m);
+    if (own_picture && !o.out)  /* images/ is for the pictures of the text */
+        o.out = "build/16_instances_own.png", mkdir("build", 0777);
+    if (!plants) plants = o.quick ? 300 : 9000;
+    draw_forest(&o, (size_t)plants, path ? &own : NULL);
+    if (picture_only) return 0;
+    draw_unit(&o);
+    draw_normals(&o);
+    table_of_methods(&o);
+    table_of_growth(&o);
+    table_of_normals(&o);
+    return 0;
+}
