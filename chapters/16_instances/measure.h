@@ -120,8 +120,8 @@ static inline void time_methods(method *m, int n, double (*run)(void *), int rou
 static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
- * many have another answer than every instance asked in turn. Flattened, t alone is compared, within
- * 64 epsilon of the largest coordinate: at a corner it may well be another triangle. */
+ * many have another answer than every instance asked in turn. Flattened, t alone is compared,
+ * within 64 epsilon of the largest coordinate: at a corner it may well be another triangle. */
 static inline void methods_wrong(method *m, int methods, vec3 to, size_t n, const options *o,
                                  size_t *wrong)
 {
@@ -206,8 +206,8 @@ static inline void table_of_methods(const options *o)
     time_methods(m, 5, run_method_shadow, o->quick ? 1 : 5, shadow);
     char title[200];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye, %zu to "
-             "the sun, one thread; other answers of %zu at corners", s.c.n, instances_stats(&s.x).triangles,
-             s.eyes, s.shadows, corners);
+             "the sun, one thread; other answers of %zu at corners", s.c.n,
+             instances_stats(&s.x).triangles, s.eyes, s.shadows, corners);
     table out = table_new(
         title, "method|time build [ms]|memory [MB]|upper nodes|instances|lower nodes|tests|"
                "error near|error far|time eye [ns]|time sun [ns]|time [flattened]");

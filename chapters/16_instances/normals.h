@@ -34,8 +34,8 @@ static inline vec3 normal_to_world(const affine *to_object, vec3 n)
     return vunit((vec3){vdot(to_object->x, n), vdot(to_object->y, n), vdot(to_object->z, n)});
 }
 
-/* M = diag(1, 1, 1/4), n = (1, 0, 1)/sqrt 2: the slope of 45 degrees becomes one of 14, so its normal
- * leans by 14 degrees; M n leans by 76. */
+/* M = diag(1, 1, 1/4), n = (1, 0, 1)/sqrt 2: the slope of 45 degrees becomes one of 14, so its
+ * normal leans by 14 degrees; M n leans by 76. */
 static inline vec3 normal_naive(const affine *to_world, vec3 n)
 {
     return vunit(affine_vector(*to_world, n));

@@ -16,8 +16,8 @@
  *
  * What a hit of an instance is, (16.1) says in the computer's own arithmetic: a hit of the mesh by
  * the ray O', D' as rounded. Such a hit at t need not lie on the instance in the world: O + t D may
- * miss it by a little. How little (|.| is the largest component, or row sum; R = |O|; V = reach', the
- * largest coordinate of box'; K = |M| |A|; k = the same product taken component by component):
+ * miss it by a little. How little (|.| is the largest component, or row sum; R = |O|; V = reach',
+ * the largest coordinate of box'; K = |M| |A|; k = the same product, component by component):
  *
  *   O' + t D' is off the mesh by             256 eps (|A| R + |a| + V)     node.h of 14, point 2
  *   A (O + t D) + a is off O' + t D' by      2 eps (|A| (2 R + |P|) + |a|)  four roundings
@@ -39,7 +39,8 @@
  *   D' shorter than real_smallest / eps         not hit by this ray
  *
  * Sources: J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems, 1990 (16.2);
- * N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3 and 14 (inverses).
+ * G. Schulz, "Iterative Berechnung der reziproken Matrix", ZAMM 13, 1933 (Newton's step); N. Higham, "Accuracy and Stability of Numerical Algorithms",
+ * 2002, ch. 3 and 14 (errors of products and inverses).
  */
 #ifndef PLACING_H
 #define PLACING_H
@@ -99,10 +100,22 @@ static inline real inverse_doubt(affine m, affine a)
     return affine_norm(inverse_residual(m, a)) + 2 * real_epsilon * affine_growth(m, a);
 }
 
+/* A - A (M A - 1), a - A (M a + m): Newton's step, which squares the error. Of a wire, 1 long and s
+ * thick, turned, Cramer's rule leaves eps / s^2, as its columns are all but parallel; this leaves
+ * some eps / s. An exact inverse stays as it is. */
+static inline affine inverse_refined(affine m, affine a)
+{
+    affine e = inverse_residual(m, a);
+    return (affine){vsub(a.x, affine_vector(a, e.x)), vsub(a.y, affine_vector(a, e.y)),
+                    vsub(a.z, affine_vector(a, e.z)), vsub(a.o, affine_vector(a, e.o))};
+}
+
+/* Refined twice: what two steps do not mend is not to be trusted. */
 static inline bool instance_inverse(affine to_world, affine *to_object)
 {
     affine a;
-    if (!vfinite(to_world.o) || !affine_inverse(to_world, &a)) return false;
+    if (!affine_inverse(to_world, &a)) return false;
+    a = inverse_refined(to_world, inverse_refined(to_world, a));
     if (!(inverse_doubt(to_world, a) <= (real)0.25)) return false;
     *to_object = a;
     return true;
