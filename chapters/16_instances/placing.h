@@ -39,8 +39,8 @@
  *   D' shorter than real_smallest / eps         not hit by this ray
  *
  * Sources: J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems, 1990 (16.2);
- * G. Schulz, "Iterative Berechnung der reziproken Matrix", ZAMM 13, 1933 (Newton's step); N. Higham, "Accuracy and Stability of Numerical Algorithms",
- * 2002, ch. 3 and 14 (errors of products and inverses).
+ * G. Schulz, "Iterative Berechnung der reziproken Matrix", ZAMM 13, 1933 (Newton's step);
+ * N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3, 14 (inverses).
  */
 #ifndef PLACING_H
 #define PLACING_H
