@@ -35,6 +35,7 @@ int main(int argc, char **argv)
     draw_normals(&o);
     table_of_methods(&o);
     table_of_growth(&o);
+    table_of_way(&o);
     table_of_normals(&o);
     return 0;
 }

@@ -1,7 +1,6 @@
-/* measure.h: two levels against one mesh of everything: time, memory, errors; and normals.
+/* measure.h: one forest, all ways to search it: time, memory, other answers.
  *
- *   table_of_methods(&o)       the main table: one forest, all ways to search it
- *   table_of_normals(&o)       angle by which M n is off, against the scales
+ *   table_of_methods(&o)       the main table
  */
 #ifndef INSTANCES_MEASURE_H
 #define INSTANCES_MEASURE_H
@@ -10,7 +9,6 @@
 #include "forest.h"
 
 static inline void table_of_methods(const options *o);
-static inline void table_of_normals(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -217,35 +215,13 @@ static inline void table_of_methods(const options *o)
         method_row(&out, &m[i], both, seconds, eye[0]);
     }
     output_table(o, &out);
+    plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
+                      "other answers [of 500]", PLOT_LOG_Y);
+    for (int i = 0; i < 5; i++)
+        plot_add(&p, plot_series(&p, m[i].name), per(eye[i] * 1e9, s.eyes), (double)wrong[1][i]);
+    output_plot(o, &p, "16_instances_wrong_time.svg");
     for (int i = 0; i < 5; i++) method_free(&m[i]);
     survey_free(&s);
-}
-
-static inline void table_of_normals(const options *o)
-{
-    static const double ratio[] = {1, 1.01, 1.1, 1.5, 2, 4, 10, 100};
-    enum { n = 8 };
-    size_t count = o->quick ? 500 : 20000;
-    table out = table_new("Normals of a ball scaled by 1, 1, s: off the gradient of the ellipsoid",
-                          "s|M n, mean [deg]|M n, most [deg]|most, (16.5) [deg]|A^T n, most [eps]");
-    for (int i = 0; i < n; i++) {
-        vec3 s = {1, 1, (real)ratio[i]};
-        affine t = affine_scaling(s), a;
-        double sum = 0, most = 0, right = 0, degrees = 180 / (double)pi;
-        if (!instance_inverse(t, &a)) continue;
-        for (size_t k = 0; k < count; k++) {
-            random_stream g = random_start(o->seed, k, 11);
-            vec3 p = plant_direction(&g);
-            vec3 due = vunit((vec3){p.x, p.y, p.z / s.z}), naive = normal_naive(&t, p);
-            double angle = (double)mesh_angle(naive, due) * degrees;
-            double off = (double)(vlength(vsub(normal_to_world(&a, p), due)) / real_epsilon);
-            sum += angle, most = angle > most ? angle : most, right = off > right ? off : right;
-        }
-        table_number(&out, ratio[i]), table_number(&out, sum / (double)count);
-        table_number(&out, most);
-        table_number(&out, (double)normal_worst_angle(s.z) * degrees), table_number(&out, right);
-    }
-    output_extra_table(o, &out);
 }
 
 #endif

@@ -51,7 +51,13 @@ static inline void draw_unit(const options *o)
 /* ---- normals ---- */
 
 enum { pots = 4 };
-typedef struct { const instances *x; const instance *list; camera c; image *im; int row; } pot_row;
+typedef struct {
+    const instances *x;
+    const instance *list;
+    camera c;
+    image *im;
+    int row, samples;
+} pot_row;
 
 static inline vec3 pot_light(const pot_row *p, ray r)
 {
@@ -71,12 +77,13 @@ static inline void pot_pixel(int x, int y, void *context)
 {
     const pot_row *p = context;
     vec3 sum = {0, 0, 0};
-    for (int k = 0; k < 9; k++) {
-        real px = (real)x + ((real)(k % 3) + (real)0.5) / 3;
-        real py = (real)y + ((real)(k / 3) + (real)0.5) / 3;
+    int n = p->samples;
+    for (int k = 0; k < n * n; k++) {
+        real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
+        real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
         sum = vadd(sum, pot_light(p, camera_ray(p->c, px, py, p->im->width, p->im->height)));
     }
-    image_set(p->im, x, y, vscale(sum, (real)1 / 9));
+    image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
 }
 
 static inline camera pot_camera(real aspect)
@@ -114,7 +121,8 @@ static inline void draw_normals(const options *o)
         int top = row * o->height / 3, bottom = (row + 1) * o->height / 3;
         if (bottom == top) continue;
         image im = image_new(o->width, bottom - top);
-        pot_row p = {&x, list, pot_camera((real)im.width / (real)im.height), &im, row};
+        camera eye = pot_camera((real)im.width / (real)im.height);
+        pot_row p = {&x, list, eye, &im, row, o->quick ? 1 : 3};
         whole &= parallel_pixels(im.width, im.height, o->threads, "normals", pot_pixel, &p);
         image_place(&all, 0, top, &im);
         image_free(&im);
