@@ -38,7 +38,7 @@ static inline void table_of_growth(const options *o)
         method m[2] = {{.name = "two", .x = s.x, .s = &s}, {.name = "flat", .flat = true, .s = &s}};
         int with = i < built ? 2 : 1;
         double flat_build = with == 2 ? method_build(&m[1], &s.c) : 0, eye[2] = {0, 0};
-        time_methods(m, with, run_method_eye, o->quick ? 1 : 3, eye);
+        time_methods(m, with, run_method_eye, o->quick ? 1 : 7, eye);
         instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
         instance_hit h;
         for (size_t k = 0; k < s.eyes; k++) instances_hit_counted(&s.x, s.eye[k], &h, &w);
