@@ -1,0 +1,94 @@
+/* estimate.h: from samples (样本) of a random variable (随机变量) to its expectation (期望), and how
+ * far to trust the result.
+ *
+ *   E[X] ~ mean = (x_1 + ... + x_n) / n                                    (20.1) an estimator (估计量)
+ *   V[X] ~ s^2  = sum (x_i - mean)^2 / (n - 1)                             (20.2) variance (方差)
+ *   error of the mean ~ s / sqrt n                                         (20.3) standard error
+ *
+ *   estimate e = {0};
+ *   for each sample: e = estimate_add(e, x);      mean and variance after every sample, in one pass
+ *   e.mean, estimate_variance(e), estimate_error(e)
+ *   e = estimate_merge(a, b);                     as if one had seen the samples of both
+ *
+ *   call                  cannot do                                        so
+ *   estimate_variance(e)  fewer than two samples: nothing is known         infinity
+ *   moments_variance(m)   subtracts nearly equal numbers                   may be negative
+ *
+ * An estimate counts in double whatever real is: 2^24 samples are nothing here, and a float that has
+ * reached 2^24 no longer grows by ones (sum.h). A sample that is NaN or infinite spoils the mean, as
+ * it should. The variance is that of one sample, the error that of the mean.
+ *
+ * Sources: B. Welford, "Note on a method for calculating corrected sums of squares and products",
+ * Technometrics 4(3), 1962; T. Chan, G. Golub, R. LeVeque, "Algorithms for computing the sample
+ * variance", The American Statistician 37(3), 1983 (merging, and how the naive form fails).
+ */
+#ifndef ESTIMATE_H
+#define ESTIMATE_H
+
+#include "../../common/vec3.h"
+#include <stddef.h>
+
+typedef struct { size_t n; double mean, squares; } estimate;  /* squares: sum of (x_i - mean)^2 */
+typedef struct { size_t n; real sum, squares; } moments;      /* sums of x_i and of x_i^2 */
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* mean' = mean + d/n, squares' = squares + d (x - mean'), d = x - mean                     (20.4)
+ * d and x - mean' never have opposite signs: mean + d/n rounds to something between mean and x,
+ * both of which are numbers that double has. So squares never falls. */
+static inline estimate estimate_add(estimate e, double x)
+{
+    double d = x - e.mean;
+    e.n++;
+    e.mean += d / (double)e.n;
+    e.squares += d * (x - e.mean);
+    return e;
+}
+
+static inline estimate estimate_merge(estimate a, estimate b)
+{
+    if (a.n == 0) return b;
+    if (b.n == 0) return a;
+    double d = b.mean - a.mean, part = (double)b.n / (double)(a.n + b.n);
+    return (estimate){a.n + b.n, a.mean + d * part,
+                      a.squares + b.squares + d * d * (double)a.n * part};
+}
+
+static inline double estimate_variance(estimate e)
+{
+    return e.n < 2 ? (double)INFINITY : e.squares / (double)(e.n - 1);
+}
+
+static inline double estimate_error(estimate e)
+{
+    return sqrt(estimate_variance(e) / (double)(e.n ? e.n : 1));
+}
+
+/* The textbook's shortcut V[X] = E[X^2] - E[X]^2. Both terms are about mean^2, their difference is
+ * about s^2, and both have been rounded: with mean/s beyond 1/sqrt(epsilon) (3000 in float, 1e8 in
+ * double) what is left is noise, and half of the time negative. */
+static inline moments moments_add(moments m, real x)
+{
+    return (moments){m.n + 1, m.sum + x, m.squares + x * x};
+}
+
+static inline real moments_variance(moments m)
+{
+    real n = (real)m.n, mean = m.sum / n;
+    return (m.squares / n - mean * mean) * n / (n - 1);
+}
+
+/* The same, always in float. */
+typedef struct { float sum, squares; } moments_f32;
+
+static inline moments_f32 moments_add_f32(moments_f32 m, float x)
+{
+    return (moments_f32){m.sum + x, m.squares + x * x};
+}
+
+static inline float moments_variance_f32(moments_f32 m, float n)
+{
+    return (m.squares / n - m.sum / n * (m.sum / n)) * n / (n - 1);
+}
+
+#endif

@@ -1,0 +1,86 @@
+/* importance.h: importance sampling (重要性采样), well done and fatal, on an integral known exactly.
+ *
+ *   the irradiance under a white sky:  integral over the hemisphere of cos theta d omega = pi   (20.14)
+ *   directions from the lobe cos^n:    p = (n + 1) / (2 pi) cos^n                          (sampling.h)
+ *   weight of a sample (权重):         f / p = 2 pi / (n + 1) cos^(1-n)                          (20.15)
+ *   its variance:                      pi^2 (n - 1)^2 / ((n + 1)(3 - n))  if n < 3               (20.16)
+ *                                      infinite                           if n >= 3
+ *
+ *      n = 0   uniform: weights from 0 to 2 pi          n = 1   p = f / pi: each weight is pi, no error
+ *      n = 2   weights without bound near the horizon, and yet the variance is that of n = 0
+ *      n = 8   p is far too small where f is not: nearly all samples say 2 pi / 9 and a few, which
+ *              seldom come, say thousands
+ *
+ * The expectation is pi for all of them. But with n >= 3 the error falls only as N^(-2/(n+1))  (20.17)
+ * (its median; its mean square is infinite), and the standard error that the samples report is too
+ * small most of the time. A weight without bound is the warning; a bounded one is proof of a finite
+ * variance. The mixture (混合) of p with a share `a` of a pdf that covers f has weights <= pi / a
+ * (defensive importance sampling).
+ *
+ *   importance_weight(n, z), importance_weight_mixed(n, a, z)      z = cos theta in (0, 1]
+ *   importance_run(n, a, seed, run, N)     N samples; a = 0: the lobe alone
+ *   importance_run_cone(angle, seed, run, N)  p = 0 where f > 0: converges fast, to the wrong number
+ *
+ * Sources: H. Kahn, A. Marshall, "Methods of reducing sample size in Monte Carlo computations",
+ * Operations Research 1, 1953; T. Hesterberg, "Weighted average importance sampling and defensive
+ * mixture distributions", Technometrics 37(2), 1995; W. Feller, An Introduction to Probability Theory
+ * 2, section XVII.5 (sums of infinite variance).
+ */
+#ifndef IMPORTANCE_H
+#define IMPORTANCE_H
+
+#include "../../common/random.h"
+#include "estimate.h"
+#include "sampling.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline double importance_variance(double n)
+{
+    double p = (double)pi;
+    return n < 3 ? p * p * (n - 1) * (n - 1) / ((n + 1) * (3 - n)) : (double)INFINITY;
+}
+
+/* Slope of the median error against N in a log-log plot. */
+static inline double importance_slope(double n) { return n > 3 ? -2 / (n + 1) : -0.5; }
+
+static inline double importance_weight(real n, real z)
+{
+    return 2 * (double)pi / ((double)n + 1) * pow((double)z, 1 - (double)n);
+}
+
+/* f / ((1-a) p_n + a p_1), with p_1 = cos/pi = f/pi. */
+static inline double importance_weight_mixed(real n, real a, real z)
+{
+    double share = (double)a;
+    return 1 / ((1 - share) / importance_weight(n, z) + share / (double)pi);
+}
+
+/* A share `a` of the samples comes from the cosine, chosen by a third number. */
+static inline estimate importance_run(real n, real a, uint64_t seed, uint64_t run, size_t samples)
+{
+    estimate e = {0};
+    for (size_t i = 0; i < samples; i++) {
+        random_stream s = random_start(seed, run, i);
+        real u = random_next(&s), v = random_next(&s);
+        bool cosine = a > 0 && random_next(&s) < a;
+        real z = sample_lobe(cosine ? 1 : n, u, v).z;
+        e = estimate_add(e, importance_weight_mixed(n, a, z));
+    }
+    return e;
+}
+
+static inline estimate importance_run_cone(real angle, uint64_t seed, uint64_t run, size_t samples)
+{
+    estimate e = {0};
+    cone c = cone_of_angle(angle);
+    for (size_t i = 0; i < samples; i++) {
+        random_stream s = random_start(seed, run, i);
+        real u = random_next(&s), v = random_next(&s);
+        vec3 w = sample_cone(c, u, v);
+        e = estimate_add(e, (double)w.z / (double)pdf_cone(c, w));
+    }
+    return e;
+}
+
+#endif

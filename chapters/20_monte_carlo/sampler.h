@@ -1,0 +1,114 @@
+/* sampler.h: the random numbers of one sample of one pixel, by any of six methods.
+ *
+ *   sampler s = sampler_start(SEQUENCE_SOBOL, seed, pixel, k, n);     sample k [< n] of n
+ *   point2 lens  = sampler_pair(&s);      dimensions 0 and 1: for what has two, take a pair
+ *   real   time  = sampler_number(&s);    the next pair's first
+ *   point2 light = sampler_pair(&s);      ...
+ *
+ *   SEQUENCE_RANDOM        independent numbers                  error N^-1/2
+ *   SEQUENCE_JITTERED      a cell each (jitter.h)               N^-1 smooth, N^-3/4 at an edge
+ *   SEQUENCE_HALTON        without scrambling (halton.h)        N^-1 but for logarithms; not random
+ *   SEQUENCE_HALTON_OWEN   scrambled
+ *   SEQUENCE_SOBOL_XOR     Sobol's, digital shift (sobol.h)     N^-1 smooth
+ *   SEQUENCE_SOBOL         Sobol's with Owen's scrambling       N^-3/2 smooth, N^-3/4 at an edge
+ *
+ * All that is returned lies in [0,1) and depends on (kind, seed, pixel, sample, n, dimension) alone.
+ * But for SEQUENCE_HALTON, which has no seed, each sample by itself is uniform, so a mean over the n
+ * samples is right on average. Powers of two are the best n for Sobol's, products a x b with a = b or
+ * b + 1 for jittered.
+ *
+ * Pair d of Sobol's is always its first pair of dimensions, with other seeds and another order of the
+ * points (padding): within a pair all is as good as it can be; between pairs as good as random. The
+ * higher dimensions of the sequence itself have bad pairs until 2^20 points and more. Halton's takes
+ * two new bases a pair, and random numbers when all 16 are used up.
+ *
+ * Sources: T. Kollig, A. Keller, "Efficient multidimensional sampling", Eurographics 2002 (padding);
+ * B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020, section 5 (order by scrambling).
+ */
+#ifndef SAMPLER_H
+#define SAMPLER_H
+
+#include "halton.h"
+#include "jitter.h"
+#include "sobol.h"
+
+typedef struct { real u, v; } point2;
+typedef enum { SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON, SEQUENCE_HALTON_OWEN,
+               SEQUENCE_SOBOL_XOR, SEQUENCE_SOBOL, sequence_kinds } sequence_kind;
+static const char *const sequence_name[sequence_kinds] = {
+    "random", "jittered", "Halton", "Halton, Owen", "Sobol', xor", "Sobol', Owen"};
+typedef struct {
+    sequence_kind kind;
+    uint32_t sample, samples, pair;  /* pair: the next one */
+    uint64_t key;                    /* what all samples of the pixel share */
+    random_stream own;               /* this sample's own numbers */
+} sampler;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline sampler sampler_start(sequence_kind kind, uint64_t seed, uint64_t pixel,
+                                    uint32_t sample, uint32_t samples)
+{
+    sampler s = {kind, sample, samples, 0, 0, {0, 0}};
+    if (kind <= SEQUENCE_HALTON_OWEN) s.own = random_start(seed, pixel, sample);
+    if (kind != SEQUENCE_RANDOM) s.key = random_start(seed, pixel, UINT64_MAX - 1).key;
+    return s;
+}
+
+/* Both coordinates of pair d: two seeds for the axes, one for the order of the points. The order of a
+ * scrambled index keeps aligned blocks of 2^m together, so that the first 2^m are a net in any pair.
+ * Pair 0 keeps its own order: only where two pairs meet does it matter. */
+static inline point2 sampler_sobol(const sampler *s, uint64_t key)
+{
+    uint64_t axes = random_mix(key + random_step);
+    uint32_t i = s->sample, a = (uint32_t)axes, b = (uint32_t)(axes >> 32);
+    if (s->pair > 0) i = owen_scramble(i, (uint32_t)key);
+    uint32_t x = sobol_x(i), y = sobol_y(i);
+    if (s->kind == SEQUENCE_SOBOL) x = owen_scramble(x, a), y = owen_scramble(y, b);
+    else x = scramble_xor(x, a), y = scramble_xor(y, b);
+    return (point2){real_of_fraction(x, a), real_of_fraction(y, b)};
+}
+
+static inline point2 sampler_random(sampler *s)
+{
+    real u = random_next(&s->own), v = random_next(&s->own);
+    return (point2){u, v};
+}
+
+static inline point2 sampler_halton(sampler *s, uint64_t key)
+{
+    uint32_t d = 2 * s->pair, i = s->sample;
+    if (d >= halton_bases) return sampler_random(s);
+    if (s->kind == SEQUENCE_HALTON)
+        return (point2){radical_inverse(halton_base[d], i), radical_inverse(halton_base[d + 1], i)};
+    return (point2){radical_inverse_owen(halton_base[d], i, (uint32_t)key),
+                    radical_inverse_owen(halton_base[d + 1], i, (uint32_t)(key >> 32))};
+}
+
+static inline point2 sampler_pair(sampler *s)
+{
+    uint64_t key = random_mix(s->key + random_step * (s->pair + (uint64_t)1));
+    point2 p = {0, 0};
+    s->own.dimension = 2 * (uint64_t)s->pair;
+    switch (s->kind) {
+    case SEQUENCE_RANDOM: p = sampler_random(s); break;
+    case SEQUENCE_JITTERED: jitter_square(s->sample, s->samples, key, &s->own, &p.u, &p.v); break;
+    case SEQUENCE_HALTON:
+    case SEQUENCE_HALTON_OWEN: p = sampler_halton(s, key); break;
+    case SEQUENCE_SOBOL_XOR:
+    case SEQUENCE_SOBOL: p = sampler_sobol(s, key); break;
+    case sequence_kinds: break;
+    }
+    s->pair++;
+    return p;
+}
+
+static inline real sampler_number(sampler *s)
+{
+    if (s->kind != SEQUENCE_JITTERED) return sampler_pair(s).u;
+    uint64_t key = random_mix(s->key + random_step * (s->pair + (uint64_t)1));
+    s->own.dimension = 2 * (uint64_t)s->pair++;
+    return jitter_line(s->sample, s->samples, key, &s->own);
+}
+
+#endif

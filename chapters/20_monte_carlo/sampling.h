@@ -1,0 +1,183 @@
+/* sampling.h: two numbers u, v in [0,1) become a point of a disk or a triangle, or a direction.
+ *
+ *   sample                          where                      pdf (概率密度函数), and per what
+ *   sample_disk(u, v)               unit disk, (x, y, 0)       pdf_disk      1 / pi         area
+ *   sample_disk_polar(u, v)         the same                   the same
+ *   sample_triangle(u, v)           barycentrics (b0,b1,b2)    pdf_triangle  1 / area of t  area
+ *   sample_triangle_root(u, v)      the same                   the same
+ *   sample_sphere(u, v)             all directions             pdf_sphere    1 / (4 pi)     1/sr
+ *   sample_hemisphere(u, v)         z > 0                      1 / (2 pi)                   1/sr
+ *   sample_cosine(u, v)             z > 0, more upwards        z / pi                       1/sr
+ *   sample_cosine_polar(u, v)       the same                   the same
+ *   sample_lobe(n, u, v)            z > 0, n >= 0              (n + 1) / (2 pi) z^n         1/sr
+ *   sample_cone(c, u, v)            within an angle of z       1 / (4 pi c.half_sine2)      1/sr
+ *   directed(n, w)                  turns +z to the unit n; triangle_at(t, b): b in a triangle t
+ *
+ * Directions have unit length within 4 epsilon. pdfs take the sample and are 0 outside the domain.
+ * Every sample has a pdf > 0, whatever u and v. No weight is included: an estimate divides f (with
+ * its cosine, if it has one) by the pdf. A pdf is a density, no probability: it may exceed 1, as
+ * that of a narrow cone does.
+ *
+ * Four ways: inversion (反演), where the cumulative distribution P(x) = u can be solved for x
+ * (sample_lobe, and z of all directions); transformation (变换) of a shape that is easy into one that
+ * is not, with a constant ratio of areas (disk, triangle); projection (sample_cosine: a uniform disk
+ * lifted to the hemisphere); rejection (拒绝), see sampling_naive.h for its price. Those without a
+ * suffix keep neighbours of the square neighbours, which well-spread (u, v) need (sampler.h).
+ *
+ * Sources: P. Shirley, K. Chiu, "A low distortion map between disk and square", J. Graphics Tools
+ * 2(3), 1997; E. Heitz, "A low-distortion map between triangle and square", 2019; G. Turk, "Generating
+ * random points in triangles", Graphics Gems, 1990; M. Pharr, W. Jakob, G. Humphreys, "Physically
+ * Based Rendering", 3rd ed., 2016, section 13.6; T. Malley (the lifted disk), 1988.
+ */
+#ifndef SAMPLING_H
+#define SAMPLING_H
+
+#include "../04_triangle/triangle.h"
+
+/* Its size: sin^2(angle / 2), the angle being the one between axis and side, in (0, pi]. */
+typedef struct { real half_sine2; } cone;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* z and r = sqrt(1 - z^2), turned by v of a full turn about +z. */
+static inline vec3 sample_turn(real r, real z, real v)
+{
+    real phi = 2 * pi * v;
+    return (vec3){r * cos(phi), r * sin(phi), z};
+}
+
+/* ---- disk: P(r) = r^2 = u (inversion); or squares of radius a become circles of radius a ---- */
+
+static inline vec3 sample_disk_polar(real u, real v) { return sample_turn(sqrt(u), 0, v); }
+
+/* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most. */
+static inline vec3 sample_disk(real u, real v)
+{
+    real a = 2 * u - 1, b = 2 * v - 1;
+    if (a == 0 && b == 0) return (vec3){0, 0, 0};
+    if (fabs(a) > fabs(b)) {
+        real phi = pi / 4 * (b / a);
+        return (vec3){a * cos(phi), a * sin(phi), 0};
+    }
+    real phi = pi / 4 * (a / b);
+    return (vec3){b * sin(phi), b * cos(phi), 0};
+}
+
+static inline real pdf_disk(vec3 p)
+{
+    return p.x * p.x + p.y * p.y <= 1 + 4 * real_epsilon ? 1 / pi : 0;
+}
+
+/* ---- triangle ---- */
+
+/* The part of the triangle beyond b0 has the area (1 - b0)^2 of it = u; then along the parallel. */
+static inline vec3 sample_triangle_root(real u, real v)
+{
+    real s = sqrt(u);
+    return (vec3){1 - s, s * (1 - v), s * v};
+}
+
+/* Presses the square onto the half below its diagonal, along the other diagonal: halves the area
+ * everywhere, and needs no root. b0 is what is left of 1: not negative, since the sum of the others
+ * is at most max(u, v) plus half an epsilon. */
+static inline vec3 sample_triangle(real u, real v)
+{
+    if (v > u) u /= 2, v -= u;
+    else v /= 2, u -= v;
+    return (vec3){real_max(1 - (u + v), 0), u, v};
+}
+
+static inline vec3 triangle_at(triangle t, vec3 b)
+{
+    return vmadd(vmadd(vscale(t.a, b.x), t.b, b.y), t.c, b.z);
+}
+
+/* Without area: infinity, so that f / pdf is 0. */
+static inline real pdf_triangle(triangle t)
+{
+    return 2 / vlength(vcross(vsub(t.b, t.a), vsub(t.c, t.a)));
+}
+
+/* ---- directions: z by inversion. On a sphere P(z) is linear in z (Archimedes) ---- */
+
+/* 1 - z^2 as a product: from z itself it would lose all digits near the poles. */
+static inline vec3 sample_sphere(real u, real v)
+{
+    return sample_turn(2 * sqrt(u * (1 - u)), 1 - 2 * u, v);
+}
+
+static inline real pdf_sphere(vec3 w) { return vzero(w) ? 0 : 1 / (4 * pi); }
+
+static inline vec3 sample_hemisphere(real u, real v)
+{
+    return sample_turn(sqrt(u * (2 - u)), 1 - u, v);
+}
+
+static inline real pdf_hemisphere(vec3 w) { return w.z > 0 ? 1 / (2 * pi) : 0; }
+
+/* A unit disk lifted to the hemisphere: d omega cos = dA. Its edge (u or v = 0) would have the pdf
+ * 0, and f / pdf would be 0/0: z stays above 0. */
+static inline vec3 sample_cosine(real u, real v)
+{
+    vec3 w = sample_disk(u, v);
+    real r = real_max(fabs(2 * u - 1), fabs(2 * v - 1));
+    w.z = sqrt(real_max((1 - r) * (1 + r), real_smallest));
+    return w;
+}
+
+static inline vec3 sample_cosine_polar(real u, real v)
+{
+    return sample_turn(sqrt(u), sqrt(1 - u), v);
+}
+
+static inline real pdf_cosine(vec3 w) { return w.z > 0 ? w.z / pi : 0; }
+
+/* P(z) = 1 - z^(n+1) = u, so log z = log(1 - u) / (n + 1); 1 - z^2 = -expm1(2 log z) keeps its digits
+ * when z is nearly 1, as it is for large n. */
+static inline vec3 sample_lobe(real n, real u, real v)
+{
+    real l = log1p(-u) / (n + 1);
+    return sample_turn(sqrt(-expm1(2 * l)), exp(l), v);
+}
+
+static inline real pdf_lobe(real n, vec3 w)
+{
+    return w.z > 0 ? (n + 1) / (2 * pi) * pow(w.z, n) : 0;
+}
+
+/* ---- cone: z = 1 - 2 q, q = sin^2(theta / 2) uniform below that of the side ---- */
+
+static inline cone cone_of_angle(real angle)
+{
+    real s = sin(angle / 2);
+    return (cone){s * s};
+}
+
+/* The cone under which a sphere is seen from outside: sin angle = radius / distance [at most 1], and
+ * sin^2(angle/2) = (1 - cos) / 2 = sin^2 / (2 (1 + cos)). */
+static inline cone cone_of_sphere(real radius, real distance)
+{
+    real s = radius / distance, c = sqrt(real_max((1 - s) * (1 + s), 0));
+    return (cone){s * s / (2 * (1 + c))};
+}
+
+static inline vec3 sample_cone(cone c, real u, real v)
+{
+    real q = u * c.half_sine2;
+    return sample_turn(2 * sqrt(q * (1 - q)), 1 - 2 * q, v);
+}
+
+static inline real pdf_cone(cone c, vec3 w)
+{
+    real q = w.z > 0 ? (w.x * w.x + w.y * w.y) / (2 * (1 + w.z)) : (1 - w.z) / 2;
+    return q <= c.half_sine2 * (1 + 16 * real_epsilon) ? 1 / (4 * pi * c.half_sine2) : 0;
+}
+
+static inline vec3 directed(vec3 n, vec3 w)
+{
+    vec3 s, t;
+    vbasis(n, &s, &t);
+    return vmadd(vmadd(vscale(s, w.x), t, w.y), n, w.z);
+}
+
+#endif

@@ -1,0 +1,115 @@
+/* sobol.h: Sobol's points (Sobol' 序列) in the unit square, and Owen's scrambling (Owen 扰乱).
+ *
+ *   .   |     |  .  |        Cut the square into 2^a x 2^b equal boxes, a + b = m, in any of the
+ *  -----+-----+-----+--      m + 1 ways: each box holds exactly one of the first 2^m points, and of
+ *       |  .  |     | .      every later block of 2^m. That is a (0,m,2)-net (网): all strips, squares
+ *                            and columns are stratified at once.
+ *
+ *   uint32_t x = sobol_x(i), y = sobol_y(i);      point i, as fractions of 2^32
+ *   x = owen_scramble(x, seed_x)                  random, and still a net
+ *   real u = real_of_fraction(x, seed_x);         [0,1), in double with random digits below 2^-32
+ *
+ * Coordinates: x reverses the bits of i (van der Corput). y reads i as a polynomial over {0,1}, bit k
+ * being that of X^k, and puts X + 1 for X; then as x.
+ *
+ * Unscrambled, the points are always the same: no error estimate, and the first one is (0,0). Owen's
+ * scrambling flips each bit or not, by a coin of its own for every value of the bits above: each
+ * point is then uniform in the square, so that estimates are right on average (unbiased 无偏), and
+ * errors in boxes of the same size are independent and average out: N^-3/2 for smooth functions,
+ * against N^-1 of scramble_xor, which throws one coin a level, the same for all points.
+ *
+ *   owen_scramble        by a hash, a few operations
+ *   owen_scramble_2020   the hash first published for it: a net, too, but its coins are not
+ *                        independent: the variance is off by a factor of .5 to 1.3 (integrands.h)
+ *   owen_scramble_exact  the definition, a hash a bit, 32 of them
+ *   scramble_xor         digital shift
+ * Seeds must be well mixed (random_mix): the hashes do little to a seed of few bits.
+ *
+ * Sources: I. Sobol', "On the distribution of points in a cube ...", 1967; A. Owen, "Randomly permuted
+ * (t,m,s)-nets", 1995, and "Scrambled net variance for integrals of smooth functions", Ann. Stat.
+ * 25(4), 1997; S. Laine, T. Karras, "Stratified sampling for stochastic transparency", EGSR 2011;
+ * B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020 (owen_scramble_2020);
+ * N. Vegdahl, "Building a better LK hash", 2021 (owen_scramble).
+ */
+#ifndef SOBOL_H
+#define SOBOL_H
+
+#include "../../common/random.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline uint32_t reversed_bits(uint32_t x)
+{
+    x = x >> 16 | x << 16;
+    x = (x >> 8 & 0x00ff00ff) | (x & 0x00ff00ff) << 8;
+    x = (x >> 4 & 0x0f0f0f0f) | (x & 0x0f0f0f0f) << 4;
+    x = (x >> 2 & 0x33333333) | (x & 0x33333333) << 2;
+    return (x >> 1 & 0x55555555) | (x & 0x55555555) << 1;
+}
+
+static inline uint32_t sobol_x(uint32_t i) { return reversed_bits(i); }
+
+/* f(X) = A(X) + X^16 B(X) gives f(X+1) = (A+B)(X+1) + X^16 B(X+1), since X^16 becomes (X+1)^16 =
+ * X^16 + 1 where 1 + 1 = 0. So: add the upper half to the lower, then the same in each half. The
+ * lower powers are the higher bits of the reversed word. */
+static inline uint32_t sobol_y(uint32_t i)
+{
+    uint32_t x = reversed_bits(i);
+    x ^= x << 16;
+    x ^= (x & 0x00ff00ff) << 8;
+    x ^= (x & 0x0f0f0f0f) << 4;
+    x ^= (x & 0x33333333) << 2;
+    return x ^ (x & 0x55555555) << 1;
+}
+
+static inline uint32_t scramble_xor(uint32_t x, uint32_t seed)
+{
+    return x ^ (uint32_t)random_mix(seed + random_step);
+}
+
+/* A coin for each prefix: the marker bit above it tells prefixes of different length apart. */
+static inline uint32_t owen_scramble_exact(uint32_t x, uint32_t seed)
+{
+    uint32_t flips = 0;
+    for (int k = 0; k < 32; k++) {
+        uint64_t prefix = ((uint64_t)1 << 32 | x) >> (32 - k);
+        uint64_t coin = random_mix(random_mix(seed + random_step) + random_step * prefix);
+        flips |= (uint32_t)(coin >> 63) << (31 - k);
+    }
+    return x ^ flips;
+}
+
+/* On the reversed word additions and products carry upwards only, so a bit depends on itself and on
+ * those below it: on those above it, once reversed back. x ^= x * even never changes the lowest bit
+ * by itself: x * even has a 0 there. */
+static inline uint32_t owen_scramble(uint32_t x, uint32_t seed)
+{
+    x = reversed_bits(x);
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= seed >> 16 | 1;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return reversed_bits(x);
+}
+
+static inline uint32_t owen_scramble_2020(uint32_t x, uint32_t seed)
+{
+    x = reversed_bits(x);
+    x += seed;
+    x ^= x * 0x6c50b47cu;
+    x ^= x * 0xb82f1e52u;
+    x ^= x * 0xc7afe638u;
+    x ^= x * 0x8d22f6e6u;
+    return reversed_bits(x);
+}
+
+/* Each fraction stands for an interval of length 2^-32: a random point of it, of the 2^53 that
+ * double has. A float takes the upper 24 bits. */
+static inline real real_of_fraction(uint32_t x, uint32_t seed)
+{
+    uint64_t below = random_mix(((uint64_t)seed << 32 | x) + random_step) >> 32;
+    return random_real_of((uint64_t)x << 32 | below);
+}
+
+#endif

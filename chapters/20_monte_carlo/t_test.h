@@ -1,0 +1,107 @@
+/* t_test.h: is the true value the one that an estimate says it is?                t-test (t 检验)
+ *
+ *   t = (mean - truth) / standard error                                                     (20.9)
+ *
+ * If the mean of n samples is normally distributed (after enough samples it nearly is, if their
+ * variance is finite) and its expectation is `truth`, then t has Student's distribution with n - 1
+ * degrees of freedom, and p, the probability of so large a |t| or a larger one, is uniform in [0,1].
+ *
+ *   double p = t_test(e, truth, rounding);   p < 1e-6: it is not; false-alarm rate 1e-6
+ *   double h = t_interval(e, 0.95);          the truth lies within e.mean -+ h, 95 times in 100
+ *   double p = variance_ratio_test(a, b, r); V[b's samples] = r V[a's]? (F-test; normal samples only)
+ *   line_fit f = fit_line(x, y, n);      least squares; a slope and how far to trust it
+ *   f.slope -+ line_interval(f, 0.95)
+ *
+ *   t_above(t, k)   P(|T| >= |t|)    f_above(f, k1, k2)   P(F >= f)      k: degrees of freedom
+ *
+ * `rounding`: an error of the mean that is not chance, such as some epsilons. It is forgiven; samples
+ * that are all alike have the standard error 0 and must be right to within it. In a family of m tests
+ * the chance of any false alarm is at most m times that of each.
+ *
+ * What it can't see: with an infinite variance the standard error is too small most of the time, and
+ * the estimate is "wrong" with confidence (importance.h).
+ *
+ * Sources: Student, "The probable error of a mean", Biometrika 6, 1908; R. Fisher, "On a distribution
+ * yielding the error functions of several well known statistics", 1924; K. Subr, J. Arvo, "Statistical
+ * hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics 2007.
+ */
+#ifndef T_TEST_H
+#define T_TEST_H
+
+#include "estimate.h"
+#include "incomplete.h"
+
+typedef struct { double slope, intercept, slope_error; size_t n; } line_fit;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline double t_above(double t, double k)
+{
+    if (isinf(t)) return 0;
+    return beta_below(k / 2, 0.5, k / (k + t * t), t * t / (k + t * t));
+}
+
+static inline double f_above(double f, double k1, double k2)
+{
+    double whole = k2 + k1 * f;
+    return f <= 0 ? 1 : beta_below(k2 / 2, k1 / 2, k2 / whole, k1 * f / whole);
+}
+
+/* The t with t_above(t, k) = p, for p in (0, 1): halving an interval until it can't get smaller. */
+static inline double t_quantile(double p, double k)
+{
+    double lo = 0, hi = 1;
+    while (t_above(hi, k) > p && hi < 1e300) lo = hi, hi *= 2;
+    for (double t = (lo + hi) / 2; t > lo && t < hi; t = (lo + hi) / 2) {
+        if (t_above(t, k) > p) lo = t;
+        else hi = t;
+    }
+    return hi;
+}
+
+/* Fewer than two samples prove nothing: p = 1. A NaN: p = 0. */
+static inline double t_test(estimate e, double truth, double rounding)
+{
+    double off = fabs(e.mean - truth);
+    if (isnan(off) || isnan(e.squares)) return 0;
+    if (off <= rounding || e.n < 2) return 1;
+    return t_above((off - rounding) / estimate_error(e), (double)(e.n - 1));
+}
+
+static inline double t_interval(estimate e, double confidence)
+{
+    if (e.n < 2) return (double)INFINITY;
+    return t_quantile(1 - confidence, (double)(e.n - 1)) * estimate_error(e);
+}
+
+/* Two-sided: twice the smaller tail. */
+static inline double variance_ratio_test(estimate a, estimate b, double ratio)
+{
+    double f = estimate_variance(b) / (ratio * estimate_variance(a));
+    double above = f_above(f, (double)b.n - 1, (double)a.n - 1);
+    double below = f_above(1 / f, (double)a.n - 1, (double)b.n - 1);
+    return 2 * (above < below ? above : below);
+}
+
+/* y = intercept + slope x, the sum of the squared residuals being least; n >= 2 different x. */
+static inline line_fit fit_line(const double *x, const double *y, size_t n)
+{
+    double mx = 0, my = 0, xx = 0, xy = 0, rest = 0;
+    for (size_t i = 0; i < n; i++) mx += x[i] / (double)n, my += y[i] / (double)n;
+    for (size_t i = 0; i < n; i++) xx += (x[i] - mx) * (x[i] - mx), xy += (x[i] - mx) * (y[i] - my);
+    line_fit f = {xy / xx, my - xy / xx * mx, 0, n};
+    for (size_t i = 0; i < n; i++) {
+        double r = y[i] - f.intercept - f.slope * x[i];
+        rest += r * r;
+    }
+    f.slope_error = n > 2 ? sqrt(rest / (double)(n - 2) / xx) : (double)INFINITY;
+    return f;
+}
+
+static inline double line_interval(line_fit f, double confidence)
+{
+    return f.n > 2 ? t_quantile(1 - confidence, (double)(f.n - 2)) * f.slope_error
+                   : (double)INFINITY;
+}
+
+#endif
