@@ -96,11 +96,12 @@ static inline vec3 chi_square_point(chi_square_chart c, double s, double t)
     return (vec3){(real)(r * cos(turn)), (real)(r * sin(turn)), (real)z};
 }
 
-/* d area / (ds dt): 1/2 for the triangle, pi for the disk, 4 pi focus s^(focus-1) for directions. */
-static inline double chi_square_area(chi_square_chart c, double s)
+/* Area between s0 and s1, all t: 1/2 of it for the triangle, pi for the disk, 4 pi for directions. */
+static inline double chi_square_area(chi_square_chart c, double s0, double s1)
 {
-    return c.shape == SHAPE_TRIANGLE ? 0.5 : c.shape == SHAPE_DISK ? (double)pi
-         : 4 * (double)pi * c.focus * pow(s, c.focus - 1);
+    if (c.shape == SHAPE_TRIANGLE) return (s1 - s0) / 2;
+    if (c.shape == SHAPE_DISK) return (double)pi * (s1 - s0);
+    return 4 * (double)pi * (pow(s1, c.focus) - pow(s0, c.focus));
 }
 
 /* The cell of a point; -1 for one outside the domain by more than rounding. */
@@ -134,13 +135,14 @@ static inline double chi_square_expected(chi_square_chart c, int cell, chi_squar
 {
     enum { down = 16, across = 8 };
     int i = cell / chi_square_across, j = cell % chi_square_across;
-    double sum = 0;
+    double sum = 0, h = 1.0 / (down * chi_square_down);
     for (int k = 0; k < down * across; k++) {
-        double s = (i + (k / across + 0.5) / down) / chi_square_down;
+        double s = (i * down + k / across) * h;
         double t = (j + (k % across + 0.5) / across) / chi_square_across;
-        sum += (double)pdf(chi_square_point(c, s, t), context) * chi_square_area(c, s);
+        vec3 w = chi_square_point(c, s + h / 2, t);
+        sum += (double)pdf(w, context) * chi_square_area(c, s, s + h);
     }
-    return sum / (down * across) / chi_square_cells;
+    return sum / (across * chi_square_across);
 }
 
 /* One bin more for rejections, and one for what lies outside the domain: nothing must. */

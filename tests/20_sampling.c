@@ -1,0 +1,321 @@
+/* Tests of 20_monte_carlo: each sampler against its pdf, and against known expectations; wrong ones are
+ * found out. Chi-square and t-tests have fixed seeds and the false-alarm rate 1e-8 each: there are
+ * fewer than 100. What is wrong must fail at 1e-8, too. */
+#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../chapters/20_monte_carlo/choose.h"
+#include "../chapters/20_monte_carlo/sampling_naive.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/01_ray/wide.h"
+#include "check.h"
+
+#define alarm 1e-8
+#define eps ((double)real_epsilon)
+
+/* ---- one signature for all; the context is the lobe's exponent, the cone, ... ---- */
+
+#define PLAIN(f) static vec3 s_##f(real u, real v, const void *c) { return (void)c, f(u, v); }
+#define DENSITY(f) static real d_##f(vec3 w, const void *c) { return (void)c, f(w); }
+PLAIN(sample_disk) PLAIN(sample_disk_polar) PLAIN(sample_disk_rejection) PLAIN(sample_disk_naive)
+PLAIN(sample_triangle) PLAIN(sample_triangle_root) PLAIN(sample_triangle_naive)
+PLAIN(sample_triangle_sums) PLAIN(sample_triangle_fold)
+PLAIN(sample_sphere) PLAIN(sample_sphere_naive) PLAIN(sample_hemisphere)
+PLAIN(sample_hemisphere_naive) PLAIN(sample_cosine) PLAIN(sample_cosine_polar)
+DENSITY(pdf_disk) DENSITY(pdf_sphere) DENSITY(pdf_hemisphere) DENSITY(pdf_cosine)
+static vec3 s_lobe(real u, real v, const void *c) { return sample_lobe(*(const real *)c, u, v); }
+static real d_lobe(vec3 w, const void *c) { return pdf_lobe(*(const real *)c, w); }
+static vec3 s_cone(real u, real v, const void *c) { return sample_cone(*(const cone *)c, u, v); }
+static real d_cone(vec3 w, const void *c) { return pdf_cone(*(const cone *)c, w); }
+static const triangle half = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};  /* barycentrics: area 1/2 */
+static real d_triangle(vec3 b, const void *c) { return (void)b, (void)c, pdf_triangle(half); }
+
+static const real n_zero = 0, n_one = 1, n_eight = 8, n_thousand = 1000, n_root = (real)0.5;
+static cone c_wide, c_half, c_all, c_sun;
+
+enum { none = -1 };
+typedef struct {
+    const char *name;
+    chi_square_sampler *sample;
+    chi_square_pdf *pdf;
+    const void *context;
+    int shape;        /* none: directions */
+    double focus;
+    double mean_z2;   /* known expectation of z^2 (directions), x^2 (disk), b0^2 (triangle) */
+} trial;
+
+static const trial right[] = {
+    {"disk", s_sample_disk, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
+    {"disk, polar", s_sample_disk_polar, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
+    {"disk, rejection", s_sample_disk_rejection, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
+    {"triangle", s_sample_triangle, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
+    {"triangle, root", s_sample_triangle_root, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
+    {"sphere", s_sample_sphere, d_pdf_sphere, NULL, none, 1, 1.0 / 3},
+    {"hemisphere", s_sample_hemisphere, d_pdf_hemisphere, NULL, none, 1, 1.0 / 3},
+    {"cosine", s_sample_cosine, d_pdf_cosine, NULL, none, 1, 0.5},
+    {"cosine, polar", s_sample_cosine_polar, d_pdf_cosine, NULL, none, 1, 0.5},
+    /* the mean of z^2 under (n+1) z^n is (n+1) / (n+3) */
+    {"lobe, n = 0", s_lobe, d_lobe, &n_zero, none, 1, 1.0 / 3},
+    {"lobe, n = 1/2", s_lobe, d_lobe, &n_root, none, 1, 1.5 / 3.5},
+    {"lobe, n = 1", s_lobe, d_lobe, &n_one, none, 1, 0.5},
+    {"lobe, n = 8", s_lobe, d_lobe, &n_eight, none, 2, 9.0 / 11},
+    {"lobe, n = 1000", s_lobe, d_lobe, &n_thousand, none, 4, 1001.0 / 1003},
+    /* z uniform in [a, 1]: (1 + a + a^2) / 3; sides on borders of cells */
+    {"cone, z > 1/2", s_cone, d_cone, &c_wide, none, 1, 1.75 / 3},
+    {"cone, z > 0", s_cone, d_cone, &c_half, none, 1, 1.0 / 3},
+    {"cone, all", s_cone, d_cone, &c_all, none, 1, 1.0 / 3},
+    {"cone, 2^-15", s_cone, d_cone, &c_sun, none, 15, 1},
+};
+
+static const trial wrong[] = {
+    {"disk, r = u", s_sample_disk_naive, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
+    {"triangle, v (1 - u)", s_sample_triangle_naive, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
+    {"triangle, sums", s_sample_triangle_sums, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
+    {"triangle, half a fold", s_sample_triangle_fold, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
+    {"sphere from a cube", s_sample_sphere_naive, d_pdf_sphere, NULL, none, 1, 1.0 / 3},
+    {"hemisphere, angle", s_sample_hemisphere_naive, d_pdf_hemisphere, NULL, none, 1, 1.0 / 3},
+    {"hemisphere for cosine", s_sample_hemisphere, d_pdf_cosine, NULL, none, 1, 0.5},
+    {"lobe n = 8 for cosine", s_lobe, d_pdf_cosine, &n_eight, none, 1, 0.5},
+};
+
+static chi_square_result chi_square_of(const trial *t, size_t n)
+{
+    return t->shape == none
+        ? chi_square_directions(t->sample, t->pdf, t->context, t->focus, 1, n)
+        : chi_square_points(t->sample, t->pdf, t->context, (chi_square_shape)t->shape, 1, n);
+}
+
+static double second_moment(const trial *t, vec3 w)
+{
+    double x = (double)(t->shape == none ? w.z : w.x);
+    return x * x;
+}
+
+static void test_chi_square(void)
+{
+    size_t n = check_count(200000);
+    for (size_t k = 0; k < sizeof right / sizeof *right; k++) {
+        chi_square_result r = chi_square_of(&right[k], n);
+        check_at_least(r.p, alarm, "%s: samples follow the pdf", right[k].name);
+        check_at_least(r.degrees, 50, "%s: enough bins", right[k].name);
+        /* midpoint rule, 512 steps of z from -1 to 1: exact for constant pdfs, whose jumps lie on
+         * borders of cells; the root z^1/2 is off by less than h^1.5 / 3 = 8e-5, the others by h^2 */
+        check_close(r.integral, 1, 8e-5 + 100 * eps, "%s: pdf integrates to 1", right[k].name);
+    }
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
+        check_at_most(chi_square_of(&wrong[k], n).p, alarm, "%s: found out", wrong[k].name);
+}
+
+/* Expectations, by t-tests: E[1/pdf] = area, the mean point, the second moment. */
+static void test_expectations(void)
+{
+    size_t n = check_count(50000);
+    for (size_t k = 0; k < sizeof right / sizeof *right; k++) {
+        const trial *t = &right[k];
+        estimate x = {0}, y = {0}, square = {0};
+        for (uint64_t i = 0; i < n; i++) {
+            random_stream s = random_start(2, k, i);
+            real u = random_next(&s), v = random_next(&s);
+            vec3 w = t->sample(u, v, t->context);
+            x = estimate_add(x, (double)w.x), y = estimate_add(y, (double)w.y);
+            square = estimate_add(square, second_moment(t, w));
+        }
+        double centre = t->shape == SHAPE_TRIANGLE ? 1.0 / 3 : 0, q = (double)c_sun.half_sine2;
+        /* of the narrow cone z = 1 - 2q, q uniform up to half_sine2: E[z^2] = 1 - 2 q + 4/3 q^2 */
+        double moment = t->context == &c_sun ? 1 - 2 * q + 4.0 / 3 * q * q : t->mean_z2;
+        check_at_least(t_test(x, centre, eps), alarm, "%s: mean x", t->name);
+        check_at_least(t_test(y, centre, eps), alarm, "%s: mean y", t->name);
+        check_at_least(t_test(square, moment, 4 * eps), alarm, "%s: second moment", t->name);
+    }
+    for (size_t k = 0; k < 6; k++) {
+        estimate square = {0}, x = {0};
+        for (uint64_t i = 0; i < n; i++) {
+            random_stream s = random_start(3, k, i);
+            real u = random_next(&s), v = random_next(&s);
+            vec3 w = wrong[k].sample(u, v, NULL);
+            x = estimate_add(x, (double)w.x), square = estimate_add(square, second_moment(&wrong[k], w));
+        }
+        /* the normalised cube has the right moments: by its symmetry E[z^2] = 1/3 */
+        if (k == 4) check_at_least(t_test(square, 1.0 / 3, eps), alarm, "a cube's second moment");
+        else if (k == 3) check_at_most(t_test(x, 1.0 / 3, eps), alarm, "half a fold: mean b0 is 1/6");
+        else check_at_most(t_test(square, wrong[k].mean_z2, eps), alarm,
+                           "%s: wrong second moment", wrong[k].name);
+    }
+}
+
+/* The corners of the square and their neighbours: every sample usable, in its domain. */
+static void test_corners(void)
+{
+    const real last = 1 - real_epsilon / 2, tiny = real_epsilon / 2;
+    const real at[] = {0, tiny, real_epsilon, (real)0.25, (real)0.5 - real_epsilon, (real)0.5,
+                       (real)0.5 + real_epsilon, (real)0.75, 1 - real_epsilon, last};
+    enum { points = sizeof at / sizeof *at };
+    for (size_t k = 0; k < sizeof right / sizeof *right; k++) {
+        const trial *t = &right[k];
+        double length = 0, smallest = 1;
+        size_t bad = 0;
+        for (int i = 0; i < points * points; i++) {
+            vec3 w = t->sample(at[i % points], at[i / points], t->context);
+            double pdf = (double)t->pdf(w, t->context), rr = (double)vdot(w, w);
+            if (!vfinite(w) || !isfinite(pdf)) bad++;
+            if (t->shape == none) length = check_worse(length, fabs(sqrt(rr) - 1));
+            else if (t->shape == SHAPE_DISK) length = check_worse(length, rr > 1 ? rr - 1 : 0);
+            else {
+                length = check_worse(length, fabs((double)(w.x + w.y + w.z) - 1));
+                bad += w.x < 0 || w.y < 0 || w.z < 0;
+            }
+            smallest = pdf < smallest ? pdf : smallest;
+        }
+        check_equal(bad, 0, "%s: not finite, or outside", t->name);
+        check_at_most(length, 4 * eps, "%s: length 1, in the disk, or sum 1", t->name);
+        check(smallest > 0, "%s: a sample of pdf %g", t->name, smallest);
+    }
+    /* the weight cos / pdf is pi even where both nearly vanish */
+    for (int i = 0; i < points * points; i++) {
+        vec3 w = sample_cosine(at[i % points], at[i / points]);
+        check_close(w.z / pdf_cosine(w), pi, 8 * eps, "weight of a grazing direction");
+    }
+    check_equal(pdf_cosine((vec3){1, 0, 0}), 0, "nothing at the horizon");
+    check_equal(pdf_lobe(3, (vec3){0, 0, -1}), 0, "nothing below it");
+    check_equal(pdf_hemisphere((vec3){0, 0, -1}), 0, "nothing below it");
+    check_equal(pdf_disk((vec3){1, (real)0.1, 0}), 0, "nothing outside the disk");
+    check_equal(pdf_cone(c_wide, (vec3){(real)0.8, 0, (real)0.6}) > 0, 1, "53 degrees in 60");
+    check_equal(pdf_cone(c_wide, (vec3){1, 0, 0}), 0, "90 degrees outside 60");
+    check(pdf_cone(c_sun, (vec3){0, 0, 1}) > 1000, "a density may exceed 1");
+}
+
+/* sin of the angle of sample u: of a cone 2 sqrt(q (1-q)), q = u sin^2(angle/2), in double from the
+ * angle itself; of a lobe by its first two terms, a = -log(1-u) / (n+1) being small. */
+static void test_narrow(void)
+{
+    double worst = 0, naive = 0, lobe = 0, lobe_naive = 0;
+    for (uint64_t i = 0; i < check_count(20000); i++) {
+        double angle = pow(10, -1 - 4 * random_double_of(random_bits(5, i, 0, 0)));
+        real u = random_real(5, i, 1, 0), a = (real)angle, n = (real)1e6;
+        double s = sin((double)a / 2), q = (double)u * s * s, sine = 2 * sqrt(q * (1 - q));
+        vec3 w = sample_cone(cone_of_angle(a), u, 0), b = sample_cone_naive(a, u, 0);
+        worst = check_worse(worst, fabs((double)w.x / sine - 1));
+        naive = check_worse(naive, fabs((double)b.x / sine - 1));
+        double l = -log1p(-(double)u) / ((double)n + 1);
+        sine = sqrt(2 * l * (1 - l + 2 * l * l / 3));  /* of 1 - e^-2l; the next term is l^3 < 1e-14 */
+        lobe = check_worse(lobe, fabs((double)sample_lobe(n, u, 0).x / sine - 1));
+        lobe_naive = check_worse(lobe_naive, fabs((double)sample_lobe_naive(n, u, 0).x / sine - 1));
+    }
+    check_at_most(worst, 8 * eps, "sine in a narrow cone");
+    check_at_least(naive, 1e4 * eps, "sine in a narrow cone, naive");
+    check_at_most(lobe, 8 * eps + 1e-14, "sine in a narrow lobe");
+    check_at_least(lobe_naive, 1e4 * eps, "sine in a narrow lobe, naive");
+    check(isinf(1 / (double)(1 - cosf(1e-4f))), "1 - cos of 1e-4 is 0 in float");
+    /* a sphere of radius 1 at the distance d is seen under sin = 1/d */
+    for (real d = 1; d < (real)1e6; d *= 3) {
+        double s = asin(1 / (double)d) / 2, q = sin(s) * sin(s);
+        check_close((double)cone_of_sphere(1, d).half_sine2 / q, 1, 8 * eps, "sphere at %g", (double)d);
+    }
+    check_equal(cone_of_sphere(2, 2).half_sine2, (real)0.5, "on the sphere: half of all directions");
+}
+
+/* Neighbours in the square stay neighbours: the maps stretch by at most a factor. Disk: radius 2, and
+ * the angle pi/2 each along and across, 2.97 together. Triangle: |d(u, v, 1-u-v)| <= 1.5 |(du, dv)|.
+ * The polar disk and the root have infinite slopes at u = 0, rejection jumps. */
+static void test_stretch(void)
+{
+    double most[5] = {0};
+    chi_square_sampler *map[5] = {s_sample_disk, s_sample_triangle, s_sample_disk_polar,
+                                  s_sample_triangle_root, s_sample_disk_rejection};
+    for (uint64_t i = 0; i < check_count(50000); i++) {
+        random_stream s = random_start(6, 0, i);
+        real h = (real)1e-3, u = random_next(&s), v = random_next(&s);
+        real du = h * (2 * random_next(&s) - 1), dv = h * (2 * random_next(&s) - 1);
+        real u1 = real_clamp(u + du, 0, 1 - real_epsilon), v1 = real_clamp(v + dv, 0, 1 - real_epsilon);
+        double step = (double)vlength((vec3){u1 - u, v1 - v, 0});
+        for (int k = 0; k < 5 && step > 1e-4; k++) {
+            vec3 d = vsub(map[k](u1, v1, NULL), map[k](u, v, NULL));
+            most[k] = check_worse(most[k], (double)vlength(d) / step);
+        }
+    }
+    double rounding = 8 * eps / 1e-4;
+    check_at_most(most[0], 2.98 + rounding, "stretch of sample_disk");
+    check_at_most(most[1], 1.5 + rounding, "stretch of sample_triangle");
+    check_at_least(most[2], 6, "stretch of sample_disk_polar");
+    check_at_least(most[3], 4, "stretch of sample_triangle_root");
+    check_at_least(most[4], 500, "stretch of sample_disk_rejection");
+}
+
+static void test_triangles_and_frames(void)
+{
+    triangle t = {{1, 0, 0}, {0, 2, 0}, {0, 0, 3}};  /* area: |(6, 3, 2)| / 2 = 3.5 */
+    check_close((double)pdf_triangle(t), 1 / 3.5, eps, "pdf of a triangle");
+    check(isinf(pdf_triangle((triangle){{1, 1, 1}, {2, 2, 2}, {3, 3, 3}})), "no area: 1 / pdf = 0");
+    vec3 p = triangle_at(t, (vec3){(real)0.5, (real)0.25, (real)0.25});
+    check(p.x == (real)0.5 && p.y == (real)0.5 && p.z == (real)0.75, "barycentrics in a triangle");
+    for (uint64_t i = 0; i < check_count(2000); i++) {
+        random_stream s = random_start(7, 0, i);
+        real u = random_next(&s), v = random_next(&s);
+        vec3 n = sample_sphere(u, v), w = sample_sphere(random_next(&s), random_next(&s));
+        vec3 d = directed(n, w);
+        check_close(vdot(d, n), w.z, 8 * eps, "a turned direction keeps its angle with the normal");
+        check_close(vlength(d), 1, 8 * eps, "and its length");
+    }
+}
+
+/* ---- choose.h ---- */
+
+static void test_choose(void)
+{
+    enum { n = 7 };
+    const real weight[n] = {0, 3, 0, 1, (real)0.5, 0, 0};
+    const double share[n] = {0, 3 / 4.5, 0, 1 / 4.5, 0.5 / 4.5, 0, 0};
+    double seen[n] = {0}, due[n], parts[3][20] = {{0}}, even[20];
+    choice c;
+    real p, rest;
+    size_t samples = check_count(100000);
+    check(choice_build(weight, n, &c), "weights can be chosen by");
+    for (uint64_t i = 0; i < samples; i++) {
+        size_t k = choice_sample(&c, random_real(8, i, 0, 0), &p, &rest);
+        seen[k]++;
+        check_close((double)p, share[k], eps, "probability returned");
+        check_equal(p, choice_probability(&c, k), "probability asked for");
+        if (k == 1) parts[0][(int)(20 * rest)]++;
+    }
+    for (int k = 0; k < n; k++) due[k] = share[k] * (double)samples;
+    for (int k = 0; k < 20; k++) even[k] = seen[1] / 20;
+    check_at_least(chi_square_test(seen, due, n).p, alarm, "things in proportion to their weights");
+    check_at_least(chi_square_test(parts[0], even, 20).p, alarm, "the rest is uniform");
+    check_equal(choice_sample(&c, 0, &p, &rest), 1, "u = 0 skips weight 0");
+    check_equal(choice_sample(&c, 1 - real_epsilon / 2, &p, &rest), 4, "the largest u, too");
+    check(rest < 1, "rest below 1");
+    choice_free(&c), choice_free(&c);
+
+    static const real bad[4][3] = {{0, 0, 0}, {1, -1, 2}, {1, (real)NAN, 2}, {1, (real)INFINITY, 2}};
+    for (int k = 0; k < 4; k++) {
+        check(!choice_build(bad[k], 3, &c), "weights %d can't be chosen by", k);
+        check(c.before == NULL, "and nothing is left to free");
+    }
+    check(!choice_build(bad[0], 0, &c), "nothing to choose from");
+
+    /* many equal weights: rounded sums end below the largest u, and the naive walk runs off the end */
+    size_t naive_ends = 0;
+    for (size_t m = 2; m <= 100; m++) {
+        real equal[100];
+        for (size_t k = 0; k < m; k++) equal[k] = 1 / (real)m;
+        check(choice_build(equal, m, &c), "equal weights");
+        check_equal(choice_sample(&c, 1 - real_epsilon / 2, &p, &rest), m - 1, "the last of %zu", m);
+        naive_ends += choice_sample_naive(equal, m, 1 - real_epsilon / 2) == m;
+        choice_free(&c);
+    }
+    check_at_least(naive_ends, 10, "naive walks beyond the end, of 99");
+}
+
+int main(void)
+{
+    c_wide = cone_of_angle(pi / 3), c_half = cone_of_angle(pi / 2), c_all = cone_of_angle(pi);
+    c_wide.half_sine2 = (real)0.25, c_half.half_sine2 = (real)0.5, c_all.half_sine2 = 1;
+    c_sun.half_sine2 = (real)0x1p-15;  /* 0.6 degrees; with focus 15 its side is at s = 1/2 */
+    check_close((double)cone_of_angle(pi / 3).half_sine2, 0.25, 2 * eps, "60 degrees");
+    test_chi_square();
+    test_expectations();
+    test_corners();
+    test_narrow();
+    test_stretch();
+    test_triangles_and_frames();
+    test_choose();
+    return check_report("20_sampling");
+}

@@ -1,0 +1,197 @@
+/* Tests of 20_monte_carlo: the functions behind tests of statistics against closed forms, and the
+ * tests themselves: they must pass what is right as often as they say, and reject what is wrong. */
+#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "check.h"
+
+#define turn 3.14159265358979323846
+
+/* Relative, with the loss that incomplete.h states. */
+static void same(double measured, double expected, double size, const char *what, double a, double x)
+{
+    check_close(measured / expected, 1, 1e-14 * (10 + size), "%s, a = %g, x = %g", what, a, x);
+}
+
+/* e^-x (1 + x + ... + x^(n-1)/(n-1)!): the probability of fewer than n events, x being expected. */
+static double fewer_than(int n, double x)
+{
+    double term = 1, sum = 0;
+    for (int k = 0; k < n; k++) sum += term, term *= x / (k + 1);
+    return exp(-x) * sum;
+}
+
+static void test_gamma(void)
+{
+    double factorial = 1;
+    for (int n = 1; n <= 100; n++) {
+        check_close(log_gamma(n), log(factorial), 4e-15 * (1 + log(factorial)), "(%d - 1)!", n);
+        factorial *= n;
+    }
+    same(log_gamma(0.5), log(turn) / 2, 0, "Gamma(1/2) = sqrt pi", 0.5, 0);
+    same(log_gamma(1.5), log(turn) / 2 - log(2), 100, "Gamma(3/2)", 1.5, 0);
+    for (int k = -30; k <= 30; k++) {
+        double x = pow(10, k / 10.0 - 1), root = sqrt(x);
+        same(gamma_above(0.5, x), erfc(root), x, "erfc", 0.5, x);
+        same(gamma_below(0.5, x), erf(root), x, "erf", 0.5, x);
+        same(gamma_below(1, x), -expm1(-x), x, "1 - e^-x", 1, x);
+        for (int n = 1; n <= 64; n *= 2)
+            if (x < 600) same(gamma_above(n, x), fewer_than(n, x), x + n, "fewer than n events", n, x);
+    }
+    same(gamma_above(0.5, 650), erfc(sqrt(650.0)), 650, "a tail of 1e-284", 0.5, 650);
+    /* the median lies between a - 1/3 and a (Chen, Rubin 1986): no closed form, but two bounds */
+    for (double a = 1; a < 1e7; a *= 10) {
+        check_at_most(gamma_above(a, a), 0.5, "above the mean %g", a);
+        check_at_least(gamma_above(a, a - 1.0 / 3), 0.5 - 1e-14 * (10 + a), "above the mean less 1/3, %g", a);
+        check_close(gamma_above(a, a) + gamma_below(a, a), 1, 1e-14 * (10 + a), "both parts");
+    }
+    check_equal(gamma_below(3, 0), 0, "nothing below 0");
+    check_equal(gamma_above(3, -1), 1, "all above -1");
+    check_equal(gamma_above(3, (double)INFINITY), 0, "nothing above infinity");
+    check(isnan(gamma_above(3, (double)NAN)) && isnan(beta_below(1, 1, (double)NAN, 0)), "NaN");
+}
+
+/* P(k or more of n tosses) = I_p(k, n - k + 1). */
+static double at_least(int k, int n, double p)
+{
+    double sum = 0;
+    for (int j = k; j <= n; j++) {
+        double term = 1;
+        for (int i = 0; i < j; i++) term *= p * (n - i) / (j - i);
+        sum += term * pow(1 - p, n - j);
+    }
+    return sum;
+}
+
+static void test_beta(void)
+{
+    for (int k = 1; k < 40; k++) {
+        double x = k / 40.0, y = 1 - x;
+        same(beta_below(0.5, 0.5, x, y), 2 / turn * asin(sqrt(x)), 1, "arcsine law", 0.5, x);
+        for (double a = 0.25; a < 300; a *= 2) {
+            if (a * log(x) > -700) same(beta_below(a, 1, x, y), pow(x, a), 10 * a, "x^a", a, x);
+            same(beta_below(1, a, x, y), -expm1(a * log1p(-x)), 10 * a, "1 - (1-x)^b", a, x);
+            check_close(beta_below(a, 2.5, x, y) + beta_below(2.5, a, y, x), 1, 1e-14 * (10 + a),
+                        "both ends, a = %g, x = %g", a, x);
+        }
+        for (int n = 1; n <= 20; n++)
+            for (int j = 1; j <= n; j++)
+                same(beta_below(j, n - j + 1, x, y), at_least(j, n, x), 2 * n, "tosses", j, x);
+    }
+    check_equal(beta_below(2, 3, 0, 1), 0, "nothing below 0");
+    check_equal(beta_below(2, 3, 1, 0), 1, "all below 1");
+    same(beta_below(3, 1, 1e-100, 1), 1e-300, 1000, "a tiny x", 3, 1e-100);
+}
+
+static void test_tails(void)
+{
+    for (double t = 0.125; t < 1e6; t *= 2) {
+        same(t_above(t, 1), 2 / turn * atan(1 / t), 1, "Cauchy", 1, t);
+        same(t_above(t, 2), 2 / (sqrt(t * t + 2) * (sqrt(t * t + 2) + t)), 1, "two degrees", 2, t);
+        same(f_above(t, 2, 2), 1 / (1 + t), 1, "F, two and two", 2, t);
+        same(f_above(t, 1, 7), t_above(sqrt(t), 7), 10, "F with one is t squared", 7, t);
+        if (t < 30) check_close(t_above(t, 1e8) / erfc(t / sqrt(2.0)), 1, pow(1 + t, 4) * 1e-7,
+                                "many degrees: normal, t = %g", t);
+    }
+    check_equal(t_above(0, 5), 1, "t = 0");
+    check_equal(t_above((double)INFINITY, 5), 0, "t infinite");
+    check_equal(f_above(0, 3, 4), 1, "F = 0");
+    same(t_quantile(0.05, 1), tan(0.475 * turn), 10, "Cauchy's 95 %", 1, 0.05);
+    for (double k = 1; k < 1e6; k *= 7)
+        for (double p = 1e-9; p < 1; p *= 9)
+            check_close(t_above(t_quantile(p, k), k) / p, 1, 1e-14 * (100 + 10 * k),
+                        "quantile and back, p = %g, k = %g", p, k);
+    same(chi_square_p(2 * 3.5, 2), exp(-3.5), 1, "two degrees: exponential", 2, 7);
+    check_equal(chi_square_p(5, 0), 1, "no degree of freedom proves nothing");
+}
+
+/* Normal numbers (Box, Muller), without any of the code above. */
+static double normal(uint64_t seed, uint64_t i, uint64_t k)
+{
+    double u = random_double_of(random_bits(seed, i, k, 0));
+    return sqrt(-2 * log1p(-u)) * cos(2 * turn * random_double_of(random_bits(seed, i, k, 1)));
+}
+
+/* p-values of true hypotheses are uniform: 20 bins of equal expectation. False alarm 1e-8. */
+static void uniform(const double *count, size_t n, const char *what)
+{
+    double expected[20];
+    for (int i = 0; i < 20; i++) expected[i] = (double)n / 20;
+    check_at_least(chi_square_test(count, expected, 20).p, 1e-8, "p-values of %s are uniform", what);
+}
+
+static void test_p_values(void)
+{
+    size_t n = check_count(4000);
+    double t_count[20] = {0}, chi_count[20] = {0}, f_count[20] = {0}, held = 0, slope_held = 0;
+    for (uint64_t i = 0; i < n; i++) {
+        estimate a = {0}, b = {0};
+        double x[8], y[8], die[6] = {0}, fair[6];
+        for (uint64_t k = 0; k < 8; k++) {
+            a = estimate_add(a, 5 + 2 * normal(1, i, k)), b = estimate_add(b, 6 * normal(2, i, k));
+            x[k] = (double)k, y[k] = 1 - 0.5 * x[k] + normal(3, i, k);
+        }
+        for (uint64_t k = 0; k < 1200; k++)
+            die[(int)(6 * random_double_of(random_bits(4, i, k, 0)))]++;
+        for (int k = 0; k < 6; k++) fair[k] = 200;
+        t_count[(int)(19.999999 * t_test(a, 5, 0))]++;
+        f_count[(int)(19.999999 * variance_ratio_test(a, b, 9))]++;
+        chi_count[(int)(19.999999 * chi_square_test(die, fair, 6).p)]++;
+        held += fabs(a.mean - 5) <= t_interval(a, 0.95);
+        line_fit f = fit_line(x, y, 8);
+        slope_held += fabs(f.slope + 0.5) <= line_interval(f, 0.95);
+    }
+    uniform(t_count, n, "t-tests of eight normal numbers");
+    uniform(f_count, n, "F-tests of two times eight");
+    uniform(chi_count, n, "chi-square tests of a fair die");
+    double sigma = sqrt(0.95 * 0.05 / (double)n);  /* 5.7 sigma: false alarm 1e-8 */
+    check_close(held / (double)n, 0.95, 5.7 * sigma, "95 %% intervals of a mean hold it");
+    check_close(slope_held / (double)n, 0.95, 5.7 * sigma, "95 %% intervals of a slope hold it");
+}
+
+static void test_rejects(void)
+{
+    estimate e = {0};
+    for (uint64_t k = 0; k < 1000; k++) e = estimate_add(e, normal(5, 0, k));
+    check_at_most(t_test(e, 0.3, 0), 1e-8, "a mean that is 0, not 0.3: 9 standard errors");
+    check_at_least(t_test(e, 0.3, 0.3), 1e-8, "unless 0.3 is said to be rounding");
+    check_equal(t_test((estimate){0}, 1, 0), 1, "no samples prove nothing");
+    check_equal(t_test((estimate){3, 2, 0}, 2, 0), 1, "samples all alike, and right");
+    check_equal(t_test((estimate){3, 2, 0}, 2.1, 0), 0, "samples all alike, and wrong");
+    check_equal(t_test((estimate){3, 2, 0}, 2.1, 0.2), 1, "samples all alike, within rounding");
+    check_equal(t_test((estimate){3, (double)NAN, 1}, 2, 0), 0, "a NaN is wrong");
+    check(isinf(t_interval((estimate){1, 2, 0}, 0.95)), "one sample: no interval");
+
+    double die[6] = {1000, 1000, 1000, 1000, 1000, 1000}, fair[6], loaded[6];
+    for (int k = 0; k < 6; k++) fair[k] = 1000, loaded[k] = k ? 960 : 1200;
+    check_equal(chi_square_test(die, fair, 6).p, 1, "exactly as expected");
+    check_equal(chi_square_test(die, fair, 6).degrees, 5, "degrees of freedom");
+    check_close(chi_square_test(loaded, fair, 6).statistic, 40 + 5 * 1.6, 1e-12, "by hand");
+    check_at_most(chi_square_test(loaded, fair, 6).p, 1e-8, "a loaded die");
+    double seen[3] = {100, 0, 1}, due[3] = {100, 1, 0};
+    check_equal(chi_square_test(seen, due, 3).p, 0, "a count where nothing can be");
+    due[2] = -1;
+    check_equal(chi_square_test(seen, due, 3).p, 0, "a negative expectation");
+    /* 1000 bins that expect 0.01 each, 10 counts in all, as there should be: no alarm; alone, each
+     * would contribute (1 - .01)^2 / .01 = 98 */
+    static double rare[1001], few[1001];
+    for (int k = 0; k < 1000; k++) rare[k] = k % 100 == 7, few[k] = 0.01;
+    rare[1000] = few[1000] = 500;
+    check_at_least(chi_square_test(rare, few, 1001).p, 0.1, "rare bins are put together");
+
+    double x[3] = {1, 2, 4}, y[3] = {5, 3, -1};
+    line_fit f = fit_line(x, y, 3);
+    check_close(f.slope, -2, 1e-14, "slope of 7 - 2x");
+    check_close(f.intercept, 7, 1e-14, "intercept of 7 - 2x");
+    check_at_most(line_interval(f, 0.95), 1e-13, "an exact line has no doubt");
+    check(isinf(line_interval(fit_line(x, y, 2), 0.95)), "two points always lie on a line");
+}
+
+int main(void)
+{
+    test_gamma();
+    test_beta();
+    test_tails();
+    test_p_values();
+    test_rejects();
+    return check_report("20_statistics");
+}
