@@ -1,0 +1,250 @@
+/* Tests of 20_monte_carlo: errors and their slopes against exact values, importance sampling done well
+ * and fatally, and what four times the rays do. Fixed seeds; each random test alarms falsely once in
+ * 1e8 seeds, there are fewer than 100. */
+#include "../chapters/20_monte_carlo/measure.h"
+#include "check.h"
+
+#define alarm 1e-8
+
+/* ---- the exact values, against slower ways to them ---- */
+
+static void test_exact_values(void)
+{
+    double levels = 0;
+    for (int k = 0; k < 30; k++) levels += exp_level(k);
+    check_close(levels / exp_variance(0, 1), 1, 1e-13, "levels add up to the variance of e^x");
+    check_close(exp_level(0), pow(exp_mean(0, 0.5) - exp_mean(0.5, 0.5), 2) / 4, 1e-15,
+                "level 0: two halves");
+    double right = (exp(2) - 1) / 2 - (exp(1) - 1) * (exp(1) - 1);
+    check_close(exp_variance(0, 1), right, 1e-15, "variance of e^x in [0,1]");
+    /* both branches of exp_variance where they meet, and a tiny interval: h^2 / 12 */
+    check_close(exp_variance(0, 0.2) / exp_variance(0, 0.2 + 1e-12), 1, 1e-10, "branches meet");
+    check_close(exp_variance(1, 1e-8) / (exp(2) * 1e-16 / 12), 1, 1e-7, "a tiny interval");
+    check_close(circle_area(1, 1), 0.785398163397448310, 1e-15, "quarter circle");
+    check_close(circle_area(0.6, 0.8), 0.48, 1e-15, "a corner on the circle");
+    /* a half of each: triangle + sector: x <= 1/2: (sqrt(3)/4 + pi/6) / 2 */
+    check_close(circle_area(0.5, 1), (sqrt(3.0) / 4 + 3.14159265358979324 / 6) / 2, 1e-15, "half");
+    check_equal(circle_area(0, 1), 0, "nothing");
+    /* deviation_jittered by counting 400 x 400 points a cell: for the edge, boundary cells are off by
+     * 1/400 of their variance or so */
+    double variance = 0;
+    enum { k = 5, fine = 400 };
+    for (int cell = 0; cell < k * k; cell++) {
+        int inside = 0;
+        for (int i = 0; i < fine * fine; i++) {
+            double x = (cell % k + (i % fine + 0.5) / fine) / k;
+            double y = (cell / k + (i / fine + 0.5) / fine) / k;
+            inside += x * x + y * y < 1;
+        }
+        double p = (double)inside / (fine * fine);
+        variance += p * (1 - p) / (k * k * k * k);
+    }
+    check_close(deviation_jittered(EDGE, k) / sqrt(variance), 1, 0.002, "jittered, edge, counted");
+    check_close(deviation_jittered(SMOOTH, 1) / deviation_random(SMOOTH, 1), 1, 1e-14, "one cell");
+    check_close(deviation_jittered(EDGE, 1) / deviation_random(EDGE, 1), 1, 1e-14, "one cell");
+    check_close(deviation_sobol(0) / deviation_random(SMOOTH, 1), 1, 1e-13, "one point is random");
+}
+
+/* ---- measured against exact, and slopes ---- */
+
+/* Squared errors have the expectation deviation^2. They are skew; of 480 the mean is near enough to
+ * normal for p = 1e-8: alarms come too often by a factor of some ten, not more. */
+static void test_variances(void)
+{
+    convergence *c = convergence_measure(5, 480, 7, 2);
+    for (int l = 0; l < c->levels; l++)
+        for (int k = 0; k < sequence_kinds; k++)
+            for (int f = 0; f < integrands; f++) {
+                double exact = convergence_exact((sequence_kind)k, (integrand)f, l);
+                if (isnan(exact)) continue;
+                double slack = 1e-7 * exact + (real_is_float ? 1e-7 : 0);  /* float's own steps */
+                check_at_least(t_test(c->square[k][l][f], exact * exact, slack * exact), alarm,
+                               "%s, N = %d, %s: mean square error", sequence_name[k],
+                               (int)convergence_n(l), f ? "edge" : "smooth");
+            }
+    /* from N = 16 to 4096; a root mean square of 480 is off by 3 % or so, 256-fold N: 6 sigma = .05 */
+    static const double due[sequence_kinds][integrands] = {
+        {-0.5, -0.5}, {-1, -0.75}, {-0.9, -0.7}, {-1, -0.75}, {-1, -0.8}, {-1.5, -0.75}};
+    for (int k = 0; k < sequence_kinds; k++)
+        for (int f = 0; f < integrands; f++) {
+            if (k == SEQUENCE_HALTON) continue;  /* one set of points: only a bound, below */
+            double slope = convergence_slope(c, (sequence_kind)k, (integrand)f).slope;
+            double exact = convergence_exact_slope((sequence_kind)k, (integrand)f, 5).slope;
+            if (isnan(exact)) exact = due[k][f];
+            check_close(slope, exact, 0.05, "slope of %s, %s", sequence_name[k], f ? "edge" : "smooth");
+            check_close(exact, due[k][f], 0.11, "its exact slope, near that for N -> infinity");
+        }
+    /* Koksma, Hlawka: error at most the variation times the discrepancy, which is at most
+     * (2 + 3 log2 N + ...) / N or so: here simply log2(N)^2 / N times the variation e^2 - 1 + 2 (e-1) */
+    for (int l = 0; l < c->levels; l++) {
+        double n = convergence_n(l), bound = log2(n) * log2(n) / n * (exp(2) + 2 * exp(1) - 3);
+        check_at_most(convergence_rms(c, SEQUENCE_HALTON, SMOOTH, l), bound, "Halton's, N = %g", n);
+    }
+    free(c);
+}
+
+/* The same numbers whatever the number of threads. */
+static void test_threads(void)
+{
+    convergence *a = convergence_measure(2, 20, 3, 1), *b = convergence_measure(2, 20, 3, 3);
+    check(memcmp(a->square, b->square, sizeof a->square) == 0, "one thread or three");
+    free(a), free(b);
+}
+
+/* The hash of 2020: its variance is not that of Owen's scrambling. */
+static void test_hashes(void)
+{
+    int runs = (int)check_count(2000);
+    if (runs < 500) runs = 500;
+    for (int m = 4; m <= 7; m++) {
+        double exact = deviation_sobol(m) * deviation_sobol(m);
+        check_at_least(t_test(scramble_squares(owen_scramble, 5, m, runs), exact, 1e-7 * exact), alarm,
+                       "owen_scramble, 2^%d", m);
+        check_at_least(t_test(scramble_squares(owen_scramble_exact, 5, m, runs), exact, 1e-7 * exact),
+                       alarm, "owen_scramble_exact, 2^%d", m);
+    }
+    double exact = deviation_sobol(5) * deviation_sobol(5);
+    check_at_most(t_test(scramble_squares(owen_scramble_2020, 5, 5, runs), exact, 0), alarm,
+                  "owen_scramble_2020, 32 points: found out");
+}
+
+/* "To halve the variance, four times the rays": four times the rays quarter it. */
+static void test_four_times_the_rays(void)
+{
+    int runs = (int)check_count(4000);
+    if (runs < 1000) runs = 1000;
+    estimate one = rays_variance(11, 64, runs), two = rays_variance(12, 128, runs);
+    estimate four = rays_variance(13, 256, runs);
+    check_at_least(variance_ratio_test(one, two, 0.5), alarm, "twice the rays halve the variance");
+    check_at_least(variance_ratio_test(one, four, 0.25), alarm, "four times the rays quarter it");
+    check_at_most(variance_ratio_test(one, four, 0.5), alarm, "and do not halve it");
+    check_close(sqrt(estimate_variance(four) / estimate_variance(one)), 0.5, 0.1, "error halves");
+    check_at_least(t_test(one, 0, 0), alarm, "right on average");
+}
+
+/* ---- importance sampling ---- */
+
+static void test_importance(void)
+{
+    size_t n = check_count(100000);
+    for (int k = 0; k <= 4; k++) {  /* n = 0, 1/2, 1, 3/2, 2 */
+        double lobe = k / 2.0, rounding = 20 * (double)real_epsilon;
+        estimate e = importance_run((real)lobe, 0, 1, (uint64_t)k, n);
+        check_at_least(t_test(e, (double)pi, rounding), alarm, "n = %g: the integral is pi", lobe);
+        /* the variance is an estimate, too, one of finite variance if the fourth power of a weight has
+         * an expectation: 4 (1 - n) + n > -1, n < 5/3 */
+        estimate square = {0};
+        for (uint64_t i = 0; i < n && lobe < 5.0 / 3; i++) {
+            real z = sample_lobe((real)lobe, random_real(2, i, 0, 0), 0).z;
+            double d = importance_weight((real)lobe, z) - (double)pi;
+            square = estimate_add(square, d * d);
+        }
+        check_at_least(t_test(square, importance_variance(lobe), 40 * (double)real_epsilon), alarm,
+                       "n = %g: its variance", lobe);
+    }
+    estimate e = importance_run(1, 0, 3, 0, 1000);
+    check_at_most(e.squares, 1e-20, "p = f / pi: no variance at all");
+    check(isinf(importance_variance(3)) && isfinite(importance_variance(2.9)), "finite below 3 only");
+}
+
+/* Weights: bounded where they should be, for every u; and without bound where p falls faster than f. */
+static void test_weights(void)
+{
+    double most[4] = {0};
+    for (uint64_t i = 0; i < check_count(100000); i++) {
+        real u = random_real(4, i, 0, 0);
+        if (i < 4) u = 1 - real_epsilon / 2 * (real)(i + 1);  /* the most grazing that there are */
+        vec3 flat = sample_lobe(0, u, 0), steep = sample_lobe(20, u, 0), cosine = sample_cosine(u, u);
+        most[0] = check_worse(most[0], importance_weight(0, flat.z));
+        most[1] = check_worse(most[1], (double)(cosine.z / pdf_cosine(cosine)));
+        most[2] = check_worse(most[2], importance_weight_mixed(20, (real)0.2, steep.z));
+        most[3] = check_worse(most[3], importance_weight(20, steep.z));
+    }
+    double p = (double)pi, slack = 1 + 16 * (double)real_epsilon;
+    check_at_most(most[0], 2 * p * slack, "uniform: at most 2 pi");
+    check_at_most(most[1], p * slack, "cosine: always pi");
+    check_at_most(most[2], p / 0.2 * slack, "mixed with a fifth of cosine: at most 5 pi");
+    check_at_least(most[3], 1000, "cos^20 alone: no bound");
+    check_close(importance_weight_mixed(20, 0, (real)0.5), importance_weight(20, (real)0.5), 1e-9,
+                "nothing mixed in");
+}
+
+/* The fatal one. Its expectation is pi; yet most estimates of 1000 samples are too low, most intervals
+ * miss pi, and the t-test, which would alarm once in 1e8 runs, alarms often. The mixture does not. */
+static void test_fatal(void)
+{
+    size_t runs = check_count(200), low = 0, missed = 0, alarms = 0, mixed_alarms = 0, mixed_missed = 0;
+    if (runs < 100) runs = 100;
+    for (uint64_t run = 0; run < runs; run++) {
+        estimate e = importance_run(20, 0, 5, run, 1000);
+        estimate m = importance_run(20, (real)0.2, 6, run, 1000);
+        low += e.mean < (double)pi;
+        missed += fabs(e.mean - (double)pi) > t_interval(e, 0.95);
+        alarms += t_test(e, (double)pi, 0) < alarm;
+        mixed_missed += fabs(m.mean - (double)pi) > t_interval(m, 0.95);
+        mixed_alarms += t_test(m, (double)pi, 0) < alarm;
+    }
+    /* expected 90 % low, 70 % missed; a fair interval misses 5 %: 30 % of 100 is beyond 1e-16 */
+    check_at_least(low, runs * 7 / 10, "cos^20: runs that are too low, of %zu", runs);
+    check_at_least(missed, runs * 4 / 10, "cos^20: 95 %% intervals that miss pi, of %zu", runs);
+    check_at_least(alarms, runs / 50, "cos^20: t-tests that alarm, of %zu", runs);
+    check_at_most(mixed_missed, runs * 2 / 10, "mixed: intervals that miss pi, of %zu", runs);
+    check_equal(mixed_alarms, 0, "mixed: t-tests that alarm");
+    /* p = 0 where f > 0: the interval is small and wrong; z > 1/2 holds 3/4 of the integral */
+    estimate cut = importance_run_cone(pi / 3, 7, 0, check_count(100000));
+    check_at_most(t_test(cut, (double)pi, 0), alarm, "a cone of 60 degrees misses a part");
+    check_at_least(t_test(cut, 0.75 * (double)pi, 1e-5), alarm, "and finds three quarters");
+}
+
+/* Medians of the error fall as N^(-2/(n+1)): between N = 64 and 4096, 200 runs; a median of 200 is off
+ * by some 9 %, two of them over a factor of 64: sigma .03. */
+static void test_slopes_of_importance(void)
+{
+    static const real lobe[4] = {0, 4, 8, 20};
+    int runs = (int)check_count(200);
+    if (runs < 100) runs = 100;
+    for (int k = 0; k < 4; k++) {
+        double median[2], error[200];
+        for (int l = 0; l < 2; l++) {
+            for (int run = 0; run < runs; run++)
+                error[run] = fabs(importance_run(lobe[k], 0, 8, (uint64_t)run, l ? 2048 : 64).mean
+                                  - (double)pi);
+            median[l] = clock_median(error, runs);
+        }
+        check_close(log(median[1] / median[0]) / log(32.0), importance_slope((double)lobe[k]), 0.15,
+                    "slope for n = %g", (double)lobe[k]);
+    }
+}
+
+/* Rejection throws away what the points were placed for. */
+static void test_maps(void)
+{
+    disk_map *map[3] = {sample_disk, sample_disk_polar, sample_disk_rejection};
+    double rms[3];
+    for (int k = 0; k < 3; k++) {
+        estimate e = {0}, square = {0};
+        for (uint64_t run = 0; run < 200; run++) {
+            double x = map_error(map[k], 9, run, 256);
+            e = estimate_add(e, x), square = estimate_add(square, x * x);
+        }
+        check_at_least(t_test(e, 0, 1e-7), alarm, "map %d: the mean of x^2 is 1/4", k);
+        rms[k] = sqrt(square.mean);
+    }
+    check_at_most(rms[0], rms[2] / 5, "sample_disk against rejection, 256 points");
+    check_at_most(rms[1], rms[2] / 5, "sample_disk_polar against rejection");
+}
+
+int main(void)
+{
+    test_exact_values();
+    test_variances();
+    test_threads();
+    test_hashes();
+    test_four_times_the_rays();
+    test_importance();
+    test_weights();
+    test_fatal();
+    test_slopes_of_importance();
+    test_maps();
+    return check_report("20_monte_carlo");
+}
