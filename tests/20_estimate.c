@@ -75,7 +75,7 @@ static void test_never_negative(void)
         double base = ldexp(1 + random_double_of(random_bits(2, set, 0, 0)), (int)(set % 120) - 60);
         for (uint64_t i = 0; i < 100; i++) {
             double u = random_double_of(random_bits(2, set, i, 1)), x = base;
-            if (set % 4 == 1) x = base * (1 + eps * floor(4 * u));     /* a few neighbouring numbers */
+            if (set % 4 == 1) x = base * (1 + eps * floor(4 * u));  /* neighbouring numbers */
             if (set % 4 == 2) x = i % 2 ? base : -base;
             if (set % 4 == 3) x = base + ldexp(u, (int)(i % 60) - 30);
             estimate next = estimate_add(e, x);

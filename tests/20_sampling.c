@@ -1,8 +1,8 @@
-/* Tests of 20_monte_carlo: each sampler against its pdf, and against known expectations; wrong ones are
- * found out. Chi-square and t-tests have fixed seeds and the false-alarm rate 1e-8 each: there are
- * fewer than 100. What is wrong must fail at 1e-8, too. */
+/* Tests of 20_monte_carlo: each sampler against its pdf, and against known expectations; wrong ones
+ * are found out. Chi-square and t-tests have fixed seeds and the false-alarm rate 1e-8 each: there
+ * are fewer than 100. What is wrong must fail at 1e-8, too. */
 #include "../chapters/20_monte_carlo/chi_square.h"
-#include "../chapters/20_monte_carlo/choose.h"
+#include "../chapters/20_monte_carlo/discrete.h"
 #include "../chapters/20_monte_carlo/sampling_naive.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/01_ray/wide.h"
@@ -23,13 +23,16 @@ PLAIN(sample_hemisphere_naive) PLAIN(sample_cosine) PLAIN(sample_cosine_polar)
 DENSITY(pdf_disk) DENSITY(pdf_sphere) DENSITY(pdf_hemisphere) DENSITY(pdf_cosine)
 static vec3 s_lobe(real u, real v, const void *c) { return sample_lobe(*(const real *)c, u, v); }
 static real d_lobe(vec3 w, const void *c) { return pdf_lobe(*(const real *)c, w); }
-static vec3 s_cone(real u, real v, const void *c) { return sample_cone(*(const cone *)c, u, v); }
-static real d_cone(vec3 w, const void *c) { return pdf_cone(*(const cone *)c, w); }
+static real d_cone(vec3 w, const void *c) { return pdf_cone(*(const direction_cone *)c, w); }
+static vec3 s_cone(real u, real v, const void *c)
+{
+    return sample_cone(*(const direction_cone *)c, u, v);
+}
 static const triangle half = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};  /* barycentrics: area 1/2 */
 static real d_triangle(vec3 b, const void *c) { return (void)b, (void)c, pdf_triangle(half); }
 
 static const real n_zero = 0, n_one = 1, n_eight = 8, n_thousand = 1000, n_root = (real)0.5;
-static cone c_wide, c_half, c_all, c_sun;
+static direction_cone c_wide, c_half, c_all, c_sun;
 
 enum { none = -1 };
 typedef struct {
@@ -43,11 +46,11 @@ typedef struct {
 } trial;
 
 static const trial right[] = {
-    {"disk", s_sample_disk, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
-    {"disk, polar", s_sample_disk_polar, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
-    {"disk, rejection", s_sample_disk_rejection, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
-    {"triangle", s_sample_triangle, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
-    {"triangle, root", s_sample_triangle_root, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
+    {"disk", s_sample_disk, d_pdf_disk, NULL, DOMAIN_DISK, 1, 0.25},
+    {"disk, polar", s_sample_disk_polar, d_pdf_disk, NULL, DOMAIN_DISK, 1, 0.25},
+    {"disk, rejection", s_sample_disk_rejection, d_pdf_disk, NULL, DOMAIN_DISK, 1, 0.25},
+    {"triangle", s_sample_triangle, d_triangle, NULL, DOMAIN_TRIANGLE, 1, 1.0 / 6},
+    {"triangle, root", s_sample_triangle_root, d_triangle, NULL, DOMAIN_TRIANGLE, 1, 1.0 / 6},
     {"sphere", s_sample_sphere, d_pdf_sphere, NULL, none, 1, 1.0 / 3},
     {"hemisphere", s_sample_hemisphere, d_pdf_hemisphere, NULL, none, 1, 1.0 / 3},
     {"cosine", s_sample_cosine, d_pdf_cosine, NULL, none, 1, 0.5},
@@ -66,10 +69,10 @@ static const trial right[] = {
 };
 
 static const trial wrong[] = {
-    {"disk, r = u", s_sample_disk_naive, d_pdf_disk, NULL, SHAPE_DISK, 1, 0.25},
-    {"triangle, v (1 - u)", s_sample_triangle_naive, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
-    {"triangle, sums", s_sample_triangle_sums, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
-    {"triangle, half a fold", s_sample_triangle_fold, d_triangle, NULL, SHAPE_TRIANGLE, 1, 1.0 / 6},
+    {"disk, r = u", s_sample_disk_naive, d_pdf_disk, NULL, DOMAIN_DISK, 1, 0.25},
+    {"triangle, v (1 - u)", s_sample_triangle_naive, d_triangle, NULL, DOMAIN_TRIANGLE, 1, 1.0 / 6},
+    {"triangle, sums", s_sample_triangle_sums, d_triangle, NULL, DOMAIN_TRIANGLE, 1, 1.0 / 6},
+    {"triangle, half fold", s_sample_triangle_fold, d_triangle, NULL, DOMAIN_TRIANGLE, 1, 1.0 / 6},
     {"sphere from a cube", s_sample_sphere_naive, d_pdf_sphere, NULL, none, 1, 1.0 / 3},
     {"hemisphere, angle", s_sample_hemisphere_naive, d_pdf_hemisphere, NULL, none, 1, 1.0 / 3},
     {"hemisphere for cosine", s_sample_hemisphere, d_pdf_cosine, NULL, none, 1, 0.5},
@@ -80,7 +83,7 @@ static chi_square_result chi_square_of(const trial *t, size_t n)
 {
     return t->shape == none
         ? chi_square_directions(t->sample, t->pdf, t->context, t->focus, 1, n)
-        : chi_square_points(t->sample, t->pdf, t->context, (chi_square_shape)t->shape, 1, n);
+        : chi_square_points(t->sample, t->pdf, t->context, (chi_square_domain)t->shape, 1, n);
 }
 
 static double second_moment(const trial *t, vec3 w)
@@ -97,7 +100,8 @@ static void test_chi_square(void)
         check_at_least(r.p, alarm, "%s: samples follow the pdf", right[k].name);
         check_at_least(r.degrees, 50, "%s: enough bins", right[k].name);
         /* midpoint rule, 512 steps of z from -1 to 1: exact for constant pdfs, whose jumps lie on
-         * borders of cells; the root z^1/2 is off by less than h^1.5 / 3 = 8e-5, the others by h^2 */
+         * borders of cells; the root z^1/2 is off by less than h^1.5 / 3 = 8e-5, the others by h^2
+         * */
         check_close(r.integral, 1, 8e-5 + 100 * eps, "%s: pdf integrates to 1", right[k].name);
     }
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++)
@@ -118,7 +122,7 @@ static void test_expectations(void)
             x = estimate_add(x, (double)w.x), y = estimate_add(y, (double)w.y);
             square = estimate_add(square, second_moment(t, w));
         }
-        double centre = t->shape == SHAPE_TRIANGLE ? 1.0 / 3 : 0, q = (double)c_sun.half_sine2;
+        double centre = t->shape == DOMAIN_TRIANGLE ? 1.0 / 3 : 0, q = (double)c_sun.half_sine2;
         /* of the narrow cone z = 1 - 2q, q uniform up to half_sine2: E[z^2] = 1 - 2 q + 4/3 q^2 */
         double moment = t->context == &c_sun ? 1 - 2 * q + 4.0 / 3 * q * q : t->mean_z2;
         check_at_least(t_test(x, centre, eps), alarm, "%s: mean x", t->name);
@@ -131,11 +135,12 @@ static void test_expectations(void)
             random_stream s = random_start(3, k, i);
             real u = random_next(&s), v = random_next(&s);
             vec3 w = wrong[k].sample(u, v, NULL);
-            x = estimate_add(x, (double)w.x), square = estimate_add(square, second_moment(&wrong[k], w));
+            x = estimate_add(x, (double)w.x);
+            square = estimate_add(square, second_moment(&wrong[k], w));
         }
         /* the normalised cube has the right moments: by its symmetry E[z^2] = 1/3 */
         if (k == 4) check_at_least(t_test(square, 1.0 / 3, eps), alarm, "a cube's second moment");
-        else if (k == 3) check_at_most(t_test(x, 1.0 / 3, eps), alarm, "half a fold: mean b0 is 1/6");
+        else if (k == 3) check_at_most(t_test(x, 1.0 / 3, eps), alarm, "half a fold: mean is 1/6");
         else check_at_most(t_test(square, wrong[k].mean_z2, eps), alarm,
                            "%s: wrong second moment", wrong[k].name);
     }
@@ -157,7 +162,7 @@ static void test_corners(void)
             double pdf = (double)t->pdf(w, t->context), rr = (double)vdot(w, w);
             if (!vfinite(w) || !isfinite(pdf)) bad++;
             if (t->shape == none) length = check_worse(length, fabs(sqrt(rr) - 1));
-            else if (t->shape == SHAPE_DISK) length = check_worse(length, rr > 1 ? rr - 1 : 0);
+            else if (t->shape == DOMAIN_DISK) length = check_worse(length, rr > 1 ? rr - 1 : 0);
             else {
                 length = check_worse(length, fabs((double)(w.x + w.y + w.z) - 1));
                 bad += w.x < 0 || w.y < 0 || w.z < 0;
@@ -195,7 +200,7 @@ static void test_narrow(void)
         worst = check_worse(worst, fabs((double)w.x / sine - 1));
         naive = check_worse(naive, fabs((double)b.x / sine - 1));
         double l = -log1p(-(double)u) / ((double)n + 1);
-        sine = sqrt(2 * l * (1 - l + 2 * l * l / 3));  /* of 1 - e^-2l; the next term is l^3 < 1e-14 */
+        sine = sqrt(2 * l * (1 - l + 2 * l * l / 3));  /* of 1 - e^-2l; the next term: l^3 */
         lobe = check_worse(lobe, fabs((double)sample_lobe(n, u, 0).x / sine - 1));
         lobe_naive = check_worse(lobe_naive, fabs((double)sample_lobe_naive(n, u, 0).x / sine - 1));
     }
@@ -207,14 +212,15 @@ static void test_narrow(void)
     /* a sphere of radius 1 at the distance d is seen under sin = 1/d */
     for (real d = 1; d < (real)1e6; d *= 3) {
         double s = asin(1 / (double)d) / 2, q = sin(s) * sin(s);
-        check_close((double)cone_of_sphere(1, d).half_sine2 / q, 1, 8 * eps, "sphere at %g", (double)d);
+        check_close((double)cone_of_sphere(1, d).half_sine2 / q, 1, 8 * eps, "sphere at %g",
+                    (double)d);
     }
-    check_equal(cone_of_sphere(2, 2).half_sine2, (real)0.5, "on the sphere: half of all directions");
+    check_equal(cone_of_sphere(2, 2).half_sine2, (real)0.5, "on the sphere: half of all");
 }
 
-/* Neighbours in the square stay neighbours: the maps stretch by at most a factor. Disk: radius 2, and
- * the angle pi/2 each along and across, 2.97 together. Triangle: |d(u, v, 1-u-v)| <= 1.5 |(du, dv)|.
- * The polar disk and the root have infinite slopes at u = 0, rejection jumps. */
+/* Neighbours in the square stay neighbours: the maps stretch by at most a factor. Disk: radius 2,
+ * and the angle pi/2 each along and across, 2.97 together. Triangle: |d(u, v, 1-u-v)| <= 1.5 |(du,
+ * dv)|. The polar disk and the root have infinite slopes at u = 0, rejection jumps. */
 static void test_stretch(void)
 {
     double most[5] = {0};
@@ -224,7 +230,8 @@ static void test_stretch(void)
         random_stream s = random_start(6, 0, i);
         real h = (real)1e-3, u = random_next(&s), v = random_next(&s);
         real du = h * (2 * random_next(&s) - 1), dv = h * (2 * random_next(&s) - 1);
-        real u1 = real_clamp(u + du, 0, 1 - real_epsilon), v1 = real_clamp(v + dv, 0, 1 - real_epsilon);
+        real u1 = real_clamp(u + du, 0, 1 - real_epsilon);
+        real v1 = real_clamp(v + dv, 0, 1 - real_epsilon);
         double step = (double)vlength((vec3){u1 - u, v1 - v, 0});
         for (int k = 0; k < 5 && step > 1e-4; k++) {
             vec3 d = vsub(map[k](u1, v1, NULL), map[k](u, v, NULL));
@@ -244,7 +251,7 @@ static void test_triangles_and_frames(void)
     triangle t = {{1, 0, 0}, {0, 2, 0}, {0, 0, 3}};  /* area: |(6, 3, 2)| / 2 = 3.5 */
     check_close((double)pdf_triangle(t), 1 / 3.5, eps, "pdf of a triangle");
     check(isinf(pdf_triangle((triangle){{1, 1, 1}, {2, 2, 2}, {3, 3, 3}})), "no area: 1 / pdf = 0");
-    vec3 p = triangle_at(t, (vec3){(real)0.5, (real)0.25, (real)0.25});
+    vec3 p = triangle_at(t, (real)0.25, (real)0.25);
     check(p.x == (real)0.5 && p.y == (real)0.5 && p.z == (real)0.75, "barycentrics in a triangle");
     for (uint64_t i = 0; i < check_count(2000); i++) {
         random_stream s = random_start(7, 0, i);
@@ -256,7 +263,7 @@ static void test_triangles_and_frames(void)
     }
 }
 
-/* ---- choose.h ---- */
+/* ---- discrete.h ---- */
 
 static void test_choose(void)
 {
@@ -284,20 +291,21 @@ static void test_choose(void)
     check(rest < 1, "rest below 1");
     choice_free(&c), choice_free(&c);
 
-    static const real bad[4][3] = {{0, 0, 0}, {1, -1, 2}, {1, (real)NAN, 2}, {1, (real)INFINITY, 2}};
+    static const real bad[4][3] = {{0, 0, 0}, {1, -1, 2}, {1, (real)NAN, 2}, {1, real_infinity, 2}};
     for (int k = 0; k < 4; k++) {
         check(!choice_build(bad[k], 3, &c), "weights %d can't be chosen by", k);
         check(c.before == NULL, "and nothing is left to free");
     }
     check(!choice_build(bad[0], 0, &c), "nothing to choose from");
 
-    /* many equal weights: rounded sums end below the largest u, and the naive walk runs off the end */
+    /* many equal weights: rounded sums end below the largest u, and the naive walk runs off the end
+     * */
     size_t naive_ends = 0;
     for (size_t m = 2; m <= 100; m++) {
         real equal[100];
         for (size_t k = 0; k < m; k++) equal[k] = 1 / (real)m;
         check(choice_build(equal, m, &c), "equal weights");
-        check_equal(choice_sample(&c, 1 - real_epsilon / 2, &p, &rest), m - 1, "the last of %zu", m);
+        check_equal(choice_sample(&c, 1 - real_epsilon / 2, &p, &rest), m - 1, "last of %zu", m);
         naive_ends += choice_sample_naive(equal, m, 1 - real_epsilon / 2) == m;
         choice_free(&c);
     }

@@ -14,7 +14,8 @@ static const real last = 1 - real_epsilon / 2;
 typedef uint32_t scramble(uint32_t x, uint32_t seed);
 static uint32_t as_it_is(uint32_t x, uint32_t seed) { return (void)seed, x; }
 
-/* Boxes of 2^-a x 2^-b, a + b = m, in all m + 1 shapes, that do not hold exactly one of the points. */
+/* Boxes of 2^-a x 2^-b, a + b = m, in all m + 1 shapes, that do not hold exactly one of the points.
+ * */
 static size_t net_faults(const uint32_t *x, const uint32_t *y, int m)
 {
     static unsigned char held[1 << 12];
@@ -62,7 +63,8 @@ static void test_sampler_nets(void)
                     sampler s = sampler_start((sequence_kind)kind, 9, pixel, i, 1000);
                     for (uint32_t d = 0; d < pair; d++) sampler_pair(&s);
                     point2 p = sampler_pair(&s);
-                    x[i] = (uint32_t)ldexp((double)p.u, 32), y[i] = (uint32_t)ldexp((double)p.v, 32);
+                    x[i] = (uint32_t)ldexp((double)p.u, 32);
+                    y[i] = (uint32_t)ldexp((double)p.v, 32);
                 }
                 check_equal(net_faults(x, y, 8), 0, "%s, pair %d", sequence_name[kind], (int)pair);
             }
@@ -84,8 +86,8 @@ static void test_sobol_definition(void)
     check_equal(wrong, 0, "points that differ from the definition");
 }
 
-/* Owen: two words that agree in exactly k upper bits do so afterwards. And each output bit is a fair
- * coin: 32 bits x some prefixes. */
+/* Owen: two words that agree in exactly k upper bits do so afterwards. And each output bit is a
+ * fair coin: 32 bits x some prefixes. */
 static void test_scrambles(void)
 {
     scramble *how[4] = {owen_scramble, owen_scramble_2020, owen_scramble_exact, scramble_xor};
@@ -93,7 +95,8 @@ static void test_scrambles(void)
         size_t broken = 0, n = check_count(40000);
         double ones[33] = {0}, due[33];
         for (uint64_t i = 0; i < n; i++) {
-            uint32_t seed = (uint32_t)random_bits(4, i, 0, 0), x = (uint32_t)random_bits(4, i, 1, 0);
+            uint32_t seed = (uint32_t)random_bits(4, i, 0, 0);
+            uint32_t x = (uint32_t)random_bits(4, i, 1, 0);
             int equal = (int)(i % 32);  /* bits in common, then one that differs */
             uint32_t other = x ^ ((uint32_t)random_bits(4, i, 2, 0) | (uint32_t)1 << 31) >> equal;
             uint32_t d = how[k](x, seed) ^ how[k](other, seed);
@@ -138,7 +141,7 @@ static void test_radical_inverse(void)
     check_equal(base_2, 0, "base 2 reverses the bits");
     check_equal(outside, 0, "outside [0,1)");
     check(radical_inverse(3, 3486784400u) < 1, "twenty digits 2 stay below 1");
-    check_equal(radical_inverse_naive(2, UINT32_MAX) == 1, real_is_float, "naive in float reaches 1");
+    check_equal(radical_inverse_naive(2, UINT32_MAX) == 1, real_is_float, "naive float reaches 1");
     for (uint32_t d = 0; d < halton_bases; d++) {
         /* scrambled: still one point in each interval of length 1/b^k, for aligned blocks of b^k */
         uint32_t b = halton_base[d], n = b < 8 ? b * b * b : b * b, faults = 0;
@@ -240,8 +243,8 @@ static void test_uniform(void)
     }
 }
 
-/* Right on average whatever N, also in four dimensions. e^(x+y): the exact integral; u0 u1 of two pairs:
- * 1/4. Taking the points of all pairs in the same order gives 1/3 instead. */
+/* Right on average whatever N, also in four dimensions. e^(x+y): the exact integral; u0 u1 of two
+ * pairs: 1/4. Taking the points of all pairs in the same order gives 1/3 instead. */
 static void test_unbiased(void)
 {
     for (int kind = 0; kind < sequence_kinds; kind++) {

@@ -7,7 +7,8 @@
 #define turn 3.14159265358979323846
 
 /* Relative, with the loss that incomplete.h states. */
-static void same(double measured, double expected, double size, const char *what, double a, double x)
+static void same(double measured, double expected, double size, const char *what, double a,
+                 double x)
 {
     check_close(measured / expected, 1, 1e-14 * (10 + size), "%s, a = %g, x = %g", what, a, x);
 }
@@ -35,13 +36,14 @@ static void test_gamma(void)
         same(gamma_below(0.5, x), erf(root), x, "erf", 0.5, x);
         same(gamma_below(1, x), -expm1(-x), x, "1 - e^-x", 1, x);
         for (int n = 1; n <= 64; n *= 2)
-            if (x < 600) same(gamma_above(n, x), fewer_than(n, x), x + n, "fewer than n events", n, x);
+            if (x < 600) same(gamma_above(n, x), fewer_than(n, x), x + n, "fewer than n", n, x);
     }
     same(gamma_above(0.5, 650), erfc(sqrt(650.0)), 650, "a tail of 1e-284", 0.5, 650);
     /* the median lies between a - 1/3 and a (Chen, Rubin 1986): no closed form, but two bounds */
     for (double a = 1; a < 1e7; a *= 10) {
         check_at_most(gamma_above(a, a), 0.5, "above the mean %g", a);
-        check_at_least(gamma_above(a, a - 1.0 / 3), 0.5 - 1e-14 * (10 + a), "above the mean less 1/3, %g", a);
+        check_at_least(gamma_above(a, a - 1.0 / 3), 0.5 - 1e-14 * (10 + a),
+                       "above the mean less 1/3, %g", a);
         check_close(gamma_above(a, a) + gamma_below(a, a), 1, 1e-14 * (10 + a), "both parts");
     }
     check_equal(gamma_below(3, 0), 0, "nothing below 0");
@@ -116,7 +118,7 @@ static void uniform(const double *count, size_t n, const char *what)
 {
     double expected[20];
     for (int i = 0; i < 20; i++) expected[i] = (double)n / 20;
-    check_at_least(chi_square_test(count, expected, 20).p, 1e-8, "p-values of %s are uniform", what);
+    check_at_least(chi_square_test(count, expected, 20).p, 1e-8, "p-values of %s: uniform", what);
 }
 
 static void test_p_values(void)
@@ -136,9 +138,9 @@ static void test_p_values(void)
         t_count[(int)(19.999999 * t_test(a, 5, 0))]++;
         f_count[(int)(19.999999 * variance_ratio_test(a, b, 9))]++;
         chi_count[(int)(19.999999 * chi_square_test(die, fair, 6).p)]++;
-        held += fabs(a.mean - 5) <= t_interval(a, 0.95);
+        held += fabs(a.mean - 5) <= mean_interval(a, 0.95);
         line_fit f = fit_line(x, y, 8);
-        slope_held += fabs(f.slope + 0.5) <= line_interval(f, 0.95);
+        slope_held += fabs(f.slope + 0.5) <= slope_interval(f, 0.95);
     }
     uniform(t_count, n, "t-tests of eight normal numbers");
     uniform(f_count, n, "F-tests of two times eight");
@@ -159,7 +161,7 @@ static void test_rejects(void)
     check_equal(t_test((estimate){3, 2, 0}, 2.1, 0), 0, "samples all alike, and wrong");
     check_equal(t_test((estimate){3, 2, 0}, 2.1, 0.2), 1, "samples all alike, within rounding");
     check_equal(t_test((estimate){3, (double)NAN, 1}, 2, 0), 0, "a NaN is wrong");
-    check(isinf(t_interval((estimate){1, 2, 0}, 0.95)), "one sample: no interval");
+    check(isinf(mean_interval((estimate){1, 2, 0}, 0.95)), "one sample: no interval");
 
     double die[6] = {1000, 1000, 1000, 1000, 1000, 1000}, fair[6], loaded[6];
     for (int k = 0; k < 6; k++) fair[k] = 1000, loaded[k] = k ? 960 : 1200;
@@ -182,8 +184,8 @@ static void test_rejects(void)
     line_fit f = fit_line(x, y, 3);
     check_close(f.slope, -2, 1e-14, "slope of 7 - 2x");
     check_close(f.intercept, 7, 1e-14, "intercept of 7 - 2x");
-    check_at_most(line_interval(f, 0.95), 1e-13, "an exact line has no doubt");
-    check(isinf(line_interval(fit_line(x, y, 2), 0.95)), "two points always lie on a line");
+    check_at_most(slope_interval(f, 0.95), 1e-13, "an exact line has no doubt");
+    check(isinf(slope_interval(fit_line(x, y, 2), 0.95)), "two points always lie on a line");
 }
 
 int main(void)

@@ -11,20 +11,21 @@
  *   r.p < 1e-6: they do not
  *
  *   chi_square_result r = chi_square_directions(sample, pdf, context, focus, seed, n);
- *   chi_square_result r = chi_square_points(sample, pdf, context, SHAPE_DISK, seed, n);
+ *   chi_square_result r = chi_square_points(sample, pdf, context, DOMAIN_DISK, seed, n);
  *
- * The last two ask a sampler and its pdf about each other: n samples from random (u, v), and the pdf
- * integrated numerically over cells of equal area. r.integral, the whole, must be 1 for a pdf whose
- * samples are never rejected. A direction (0,0,0) is a rejection; those have a bin of their own.
+ * The last two ask a sampler and its pdf about each other: n samples from random (u, v), and the
+ * pdf integrated numerically over cells of equal area. r.integral, the whole, must be 1 for a pdf
+ * whose samples are never rejected. A direction (0,0,0) is a rejection; those have a bin of their
+ * own.
  *
  *   sample    vec3 (real u, real v, const void *context), u, v in [0,1). Directions: unit length.
- *             SHAPE_DISK: (x, y, 0) in the unit disk; SHAPE_TRIANGLE: barycentrics (b0, b1, b2)
+ *             DOMAIN_DISK: (x, y, 0) in the unit disk; DOMAIN_TRIANGLE: barycentrics (b0, b1, b2)
  *   pdf       real (vec3 w, const void *context): per solid angle [1/sr], or per area; the triangle
  *             has the area 1/2
  *   focus     >= 1: cells of directions grow finer towards +z, for lobes; 1: all equal
  *
- * Bins with an expectation below 5 are put together, since there the distribution is not chi-square.
- * A count where nothing can be is p = 0 at once.
+ * Bins with an expectation below 5 are put together, since there the distribution is not
+ * chi-square. A count where nothing can be is p = 0 at once.
  *
  * Sources: K. Pearson, "On the criterion that a given system of deviations ...", Phil. Mag. 50,
  * 1900; W. Cochran, "The chi-square test of goodness of fit", Ann. Math. Stat. 23, 1952 (the 5);
@@ -40,7 +41,7 @@
 typedef struct { double statistic, p, integral; size_t degrees; } chi_square_result;
 typedef vec3 chi_square_sampler(real u, real v, const void *context);
 typedef real chi_square_pdf(vec3 w, const void *context);
-typedef enum { SHAPE_DISK, SHAPE_TRIANGLE } chi_square_shape;
+typedef enum { DOMAIN_DISK, DOMAIN_TRIANGLE } chi_square_domain;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -89,18 +90,18 @@ enum { chart_directions = -1 };
 static inline vec3 chi_square_point(chi_square_chart c, double s, double t)
 {
     double turn = 2 * (double)pi * t, z = 1 - 2 * pow(s, c.focus);
-    if (c.shape == SHAPE_TRIANGLE)
+    if (c.shape == DOMAIN_TRIANGLE)
         return (vec3){(real)(1 - sqrt(s)), (real)(sqrt(s) * (1 - t)), (real)(sqrt(s) * t)};
-    double r = c.shape == SHAPE_DISK ? sqrt(s) : sqrt(4 * pow(s, c.focus) * (1 + z) / 2);
-    if (c.shape == SHAPE_DISK) z = 0;
+    double r = c.shape == DOMAIN_DISK ? sqrt(s) : sqrt(4 * pow(s, c.focus) * (1 + z) / 2);
+    if (c.shape == DOMAIN_DISK) z = 0;
     return (vec3){(real)(r * cos(turn)), (real)(r * sin(turn)), (real)z};
 }
 
-/* Area between s0 and s1, all t: 1/2 of it for the triangle, pi for the disk, 4 pi for directions. */
+/* Area between s0 and s1, for all t: of 1/2 (triangle), pi (disk), 4 pi (directions). */
 static inline double chi_square_area(chi_square_chart c, double s0, double s1)
 {
-    if (c.shape == SHAPE_TRIANGLE) return (s1 - s0) / 2;
-    if (c.shape == SHAPE_DISK) return (double)pi * (s1 - s0);
+    if (c.shape == DOMAIN_TRIANGLE) return (s1 - s0) / 2;
+    if (c.shape == DOMAIN_DISK) return (double)pi * (s1 - s0);
     return 4 * (double)pi * (pow(s1, c.focus) - pow(s0, c.focus));
 }
 
@@ -108,14 +109,14 @@ static inline double chi_square_area(chi_square_chart c, double s0, double s1)
 static inline int chi_square_cell(chi_square_chart c, vec3 w)
 {
     double x = (double)w.x, y = (double)w.y, z = (double)w.z, s, t, off;
-    if (c.shape == SHAPE_TRIANGLE) {
+    if (c.shape == DOMAIN_TRIANGLE) {
         s = (1 - x) * (1 - x), t = z / (y + z > 0 ? y + z : 1);
         off = fabs(x + y + z - 1);
         if (x < 0 || y < 0 || z < 0) off = 1;
     } else {
         double rr = x * x + y * y;
         t = atan2(y, x) / (2 * (double)pi);
-        if (c.shape == SHAPE_DISK) s = rr, off = rr > 1 ? rr - 1 : fabs(z);
+        if (c.shape == DOMAIN_DISK) s = rr, off = rr > 1 ? rr - 1 : fabs(z);
         else {
             s = pow(z > 0 ? rr / (2 * (1 + z)) : (1 - z) / 2, 1 / c.focus);  /* (1 - z) / 2 */
             off = fabs(rr + z * z - 1);
@@ -146,9 +147,9 @@ static inline double chi_square_expected(chi_square_chart c, int cell, chi_squar
 }
 
 /* One bin more for rejections, and one for what lies outside the domain: nothing must. */
-static inline chi_square_result chi_square_chart_test(chi_square_chart c, chi_square_sampler *sample,
-                                                      chi_square_pdf *pdf, const void *context,
-                                                      uint64_t seed, size_t n)
+static inline chi_square_result chi_square_charted(chi_square_chart c, chi_square_sampler *sample,
+                                                   chi_square_pdf *pdf, const void *context,
+                                                   uint64_t seed, size_t n)
 {
     enum { rejected = chi_square_cells, outside, bins };
     double observed[bins] = {0}, expected[bins] = {0}, whole = 0;
@@ -174,14 +175,14 @@ static inline chi_square_result chi_square_directions(chi_square_sampler *sample
                                                       double focus, uint64_t seed, size_t n)
 {
     chi_square_chart c = {chart_directions, focus};
-    return chi_square_chart_test(c, sample, pdf, context, seed, n);
+    return chi_square_charted(c, sample, pdf, context, seed, n);
 }
 
 static inline chi_square_result chi_square_points(chi_square_sampler *sample, chi_square_pdf *pdf,
-                                                  const void *context, chi_square_shape shape,
+                                                  const void *context, chi_square_domain shape,
                                                   uint64_t seed, size_t n)
 {
-    return chi_square_chart_test((chi_square_chart){(int)shape, 1}, sample, pdf, context, seed, n);
+    return chi_square_charted((chi_square_chart){(int)shape, 1}, sample, pdf, context, seed, n);
 }
 
 #endif

@@ -1,11 +1,12 @@
 /* convergence.h: how fast errors fall, measured.
  *
- *   convergence c = convergence_measure(levels, runs, seed, threads);   all methods of sampler.h
- *   convergence_rms(&c, kind, f, level)      root of the mean square error over the runs, N = 16 4^level
- *   convergence_slope(&c, kind, f)           of its logarithm against log N, with its uncertainty
+ *   convergence *c = convergence_measure(levels, runs, seed, threads);  all methods; free(c)
+ *   convergence_rms(c, kind, f, level)   root of the mean square error of the runs, N = 16 4^level
+ *   convergence_slope(c, kind, f)        of its logarithm against log N, with its uncertainty
  *
- * Each run is an estimate with random numbers of its own (its number is the "pixel"). Halton's points
- * without scrambling have none: all runs are the same, and its error is that of one set of points.
+ * Each run is an estimate with random numbers of its own (its number is the "pixel"). Halton's
+ * points without scrambling have none: all runs are the same, and its error is that of one set of
+ * points.
  */
 #ifndef CONVERGENCE_H
 #define CONVERGENCE_H
@@ -30,7 +31,8 @@ static inline uint32_t convergence_n(int level) { return (uint32_t)16 << 2 * lev
 static inline void convergence_job(size_t i, void *context)
 {
     convergence *c = context;
-    int block = (int)(i % convergence_blocks), kind = (int)(i / convergence_blocks) % sequence_kinds;
+    int block = (int)(i % convergence_blocks);
+    int kind = (int)(i / convergence_blocks) % sequence_kinds;
     int level = c->levels - 1 - (int)(i / convergence_blocks) / sequence_kinds;
     for (int run = block; run < c->runs; run += convergence_blocks) {
         double error[integrands];
@@ -56,7 +58,8 @@ static inline convergence *convergence_measure(int levels, int runs, uint64_t se
     return c;
 }
 
-static inline double convergence_rms(const convergence *c, sequence_kind kind, integrand f, int level)
+static inline double convergence_rms(const convergence *c, sequence_kind kind, integrand f,
+                                     int level)
 {
     return sqrt(c->square[kind][level][f].mean);
 }

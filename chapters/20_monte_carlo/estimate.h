@@ -1,9 +1,9 @@
 /* estimate.h: from samples (样本) of a random variable (随机变量) to its expectation (期望), and how
  * far to trust the result.
  *
- *   E[X] ~ mean = (x_1 + ... + x_n) / n                                    (20.1) an estimator (估计量)
- *   V[X] ~ s^2  = sum (x_i - mean)^2 / (n - 1)                             (20.2) variance (方差)
- *   error of the mean ~ s / sqrt n                                         (20.3) standard error
+ *   E[X] ~ mean = (x_1 + ... + x_n) / n             (20.1)  an estimator (估计量)
+ *   V[X] ~ s^2  = sum (x_i - mean)^2 / (n - 1)      (20.2)  variance (方差)
+ *   error of the mean ~ s / sqrt n                  (20.3)  standard error (标准误差)
  *
  *   estimate e = {0};
  *   for each sample: e = estimate_add(e, x);      mean and variance after every sample, in one pass
@@ -14,9 +14,9 @@
  *   estimate_variance(e)  fewer than two samples: nothing is known         infinity
  *   moments_variance(m)   subtracts nearly equal numbers                   may be negative
  *
- * An estimate counts in double whatever real is: 2^24 samples are nothing here, and a float that has
- * reached 2^24 no longer grows by ones (sum.h). A sample that is NaN or infinite spoils the mean, as
- * it should. The variance is that of one sample, the error that of the mean.
+ * An estimate counts in double whatever real is: 2^24 samples are nothing here, and a float that
+ * has reached 2^24 no longer grows by ones (sum.h). A sample that is NaN or infinite spoils the
+ * mean, as it should. The variance is that of one sample, the error that of the mean.
  *
  * Sources: B. Welford, "Note on a method for calculating corrected sums of squares and products",
  * Technometrics 4(3), 1962; T. Chan, G. Golub, R. LeVeque, "Algorithms for computing the sample

@@ -1,22 +1,22 @@
 /* halton.h: Halton's points: the digits of i, mirrored at the point.
  *
- *   i = d0 + d1 b + d2 b^2 + ...    gives    0.d0 d1 d2 ... in base b                        (20.12)
+ *   i = d0 + d1 b + d2 b^2 + ...    gives    0.d0 d1 d2 ... in base b                      (20.12)
  *   base 2:  0, 1/2, 1/4, 3/4, 1/8, 5/8 ...    base 3:  0, 1/3, 2/3, 1/9, 4/9, 7/9 ...
  *
  *   real u = radical_inverse(3, i);            [0,1)
  *   real u = radical_inverse_owen(3, i, seed); scrambled: uniform in [0,1) for each i
  *
  * One prime base for each dimension. Pairs of small primes are spread well after 2^a 3^b points; in
- * pairs of large ones, such as 47 and 53, the first points climb a few diagonals together (47 of them
- * before the first digit turns over), which the scrambling breaks up.
+ * pairs of large ones, such as 47 and 53, the first points climb a few diagonals together (47 of
+ * them before the first digit turns over), which the scrambling breaks up.
  *
  *   call                         error
  *   radical_inverse              none but the last rounding: one division of whole numbers
  *   radical_inverse_naive        a rounding a digit; and in float it may return 1
  *
- * Sources: J. Halton, "On the efficiency of certain quasi-random sequences of points", Numer. Math. 2,
- * 1960; A. Owen, "A randomized Halton algorithm in R", 2017; J. Matousek, "On the L2-discrepancy for
- * anchored boxes", J. Complexity 14, 1998 (a d + c as cheaper permutations).
+ * Sources: J. Halton, "On the efficiency of certain quasi-random sequences of points", Numer. Math.
+ * 2, 1960; A. Owen, "A randomized Halton algorithm in R", 2017; J. Matousek, "On the L2-discrepancy
+ * for anchored boxes", J. Complexity 14, 1998 (a d + c as cheaper permutations).
  */
 #ifndef HALTON_H
 #define HALTON_H

@@ -1,30 +1,30 @@
 /* importance.h: importance sampling (重要性采样), well done and fatal, on an integral known exactly.
  *
- *   the irradiance under a white sky:  integral over the hemisphere of cos theta d omega = pi   (20.14)
- *   directions from the lobe cos^n:    p = (n + 1) / (2 pi) cos^n                          (sampling.h)
- *   weight of a sample (权重):         f / p = 2 pi / (n + 1) cos^(1-n)                          (20.15)
- *   its variance:                      pi^2 (n - 1)^2 / ((n + 1)(3 - n))  if n < 3               (20.16)
+ *   irradiance under a white sky:      integral over the hemisphere of cos theta = pi      (20.14)
+ *   directions from the lobe cos^n:    p = (n + 1) / (2 pi) cos^n                     (sampling.h)
+ *   weight of a sample (权重):         f / p = 2 pi / (n + 1) cos^(1-n)                      (20.15)
+ *   its variance:                      pi^2 (n - 1)^2 / ((n + 1)(3 - n))  if n < 3         (20.16)
  *                                      infinite                           if n >= 3
  *
- *      n = 0   uniform: weights from 0 to 2 pi          n = 1   p = f / pi: each weight is pi, no error
+ *      n = 0   uniform: weights from 0 to 2 pi        n = 1   p = f / pi: each weight is pi
  *      n = 2   weights without bound near the horizon, and yet the variance is that of n = 0
  *      n = 8   p is far too small where f is not: nearly all samples say 2 pi / 9 and a few, which
  *              seldom come, say thousands
  *
- * The expectation is pi for all of them. But with n >= 3 the error falls only as N^(-2/(n+1))  (20.17)
- * (its median; its mean square is infinite), and the standard error that the samples report is too
- * small most of the time. A weight without bound is the warning; a bounded one is proof of a finite
- * variance. The mixture (混合) of p with a share `a` of a pdf that covers f has weights <= pi / a
- * (defensive importance sampling).
+ * The expectation is pi for all of them. But with n >= 3 the error falls only as N^(-2/(n+1))
+ * (20.17) (its median; its mean square is infinite), and the standard error that the samples report
+ * is too small most of the time. A weight without bound is the warning; a bounded one is proof of a
+ * finite variance. The mixture (混合) of p with a share `a` of a pdf that covers f has weights <= pi
+ * / a (defensive importance sampling).
  *
  *   importance_weight(n, z), importance_weight_mixed(n, a, z)      z = cos theta in (0, 1]
  *   importance_run(n, a, seed, run, N)     N samples; a = 0: the lobe alone
- *   importance_run_cone(angle, seed, run, N)  p = 0 where f > 0: converges fast, to the wrong number
+ *   importance_run_cone(angle, seed, run, N)  p = 0 where f > 0: converges, to the wrong number
  *
  * Sources: H. Kahn, A. Marshall, "Methods of reducing sample size in Monte Carlo computations",
  * Operations Research 1, 1953; T. Hesterberg, "Weighted average importance sampling and defensive
- * mixture distributions", Technometrics 37(2), 1995; W. Feller, An Introduction to Probability Theory
- * 2, section XVII.5 (sums of infinite variance).
+ * mixture distributions", Technometrics 37(2), 1995; W. Feller, An Introduction to Probability
+ * Theory 2, section XVII.5 (sums of infinite variance).
  */
 #ifndef IMPORTANCE_H
 #define IMPORTANCE_H
@@ -73,7 +73,7 @@ static inline estimate importance_run(real n, real a, uint64_t seed, uint64_t ru
 static inline estimate importance_run_cone(real angle, uint64_t seed, uint64_t run, size_t samples)
 {
     estimate e = {0};
-    cone c = cone_of_angle(angle);
+    direction_cone c = cone_of_angle(angle);
     for (size_t i = 0; i < samples; i++) {
         random_stream s = random_start(seed, run, i);
         real u = random_next(&s), v = random_next(&s);

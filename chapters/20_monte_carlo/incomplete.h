@@ -1,9 +1,9 @@
 /* incomplete.h: the two functions behind all tests of statistics.
  *
- *   gamma_below(a, x)    1/Gamma(a) * integral of t^(a-1) e^-t       from 0 to x           (20.5)
- *   gamma_above(a, x)    the same                                    from x to infinity
- *   beta_below(a, b, x, 1-x)  integral of t^(a-1) (1-t)^(b-1) from 0 to x, divided by the whole  (20.6)
- *   log_gamma(a)         log Gamma(a)
+ *   gamma_below(a, x)         integral of t^(a-1) e^-t from 0 to x, over the whole         (20.5)
+ *   gamma_above(a, x)         the same from x to infinity
+ *   beta_below(a, b, x, 1-x)  integral of t^(a-1) (1-t)^(b-1) from 0 to x, over the whole  (20.6)
+ *   log_gamma(a)              log Gamma(a), Gamma(a) being the whole of (20.5)
  *
  * All for a, b > 0. They rise from 0 to 1 (gamma_above falls). x < 0 counts as 0, and a NaN gives
  * NaN. beta_below takes x and 1-x, since near 1 the second has the digits that the first has lost:
@@ -34,8 +34,9 @@ static inline double log_gamma(double a)
     return (a - 0.5) * log(a) - a + 0.918938533204672742 + series - log(shift);  /* log(2 pi)/2 */
 }
 
-/* One step of Lentz's way through a continued fraction f = b0 + a1/(b1 + a2/(b2 + ...)): c and d are
- * ratios of neighbouring numerators and denominators, kept away from 0. Returns the factor of f. */
+/* One step of Lentz's way through a continued fraction f = b0 + a1/(b1 + a2/(b2 + ...)): c and d
+ * are ratios of neighbouring numerators and denominators, kept away from 0. Returns the factor of
+ * f. */
 static inline double lentz_step(double a, double b, double *c, double *d)
 {
     const double tiny = 1e-300;
@@ -76,7 +77,7 @@ static inline double beta_below(double a, double b, double x, double one_minus_x
     if (isnan(a) || isnan(b) || isnan(x) || isnan(one_minus_x)) return (double)NAN;
     if (x <= 0) return 0;
     if (one_minus_x <= 0) return 1;
-    if (x > (a + 1) / (a + b + 2))  /* there the fraction converges slowly: ask from the other end */
+    if (x > (a + 1) / (a + b + 2))  /* the fraction would converge slowly: from the other end */
         return 1 - beta_below(b, a, one_minus_x, x);
     double front = exp(a * log(x) + b * log(one_minus_x) + log_gamma(a + b) - log_gamma(a)
                        - log_gamma(b)) / a;

@@ -4,25 +4,25 @@
  *   smooth   e^(x+y)                       integral (e - 1)^2
  *   edge     1 if x^2 + y^2 < 1, else 0    integral pi / 4: as a pixel that a silhouette crosses
  *
- *   double s = deviation_random(SMOOTH, N)       the exact standard deviation of the mean of N samples:
- *                                                sqrt(V[f] / N)                              (20.3)
- *   double s = deviation_jittered(f, k)          N = k x k cells, one sample each:
- *                                                sqrt(sum over cells of V[f in the cell]) / N  (20.10)
- *   double s = deviation_sobol(m)                smooth, N = 2^m, Owen's scrambling:
- *                                                sqrt(1/N sum of gains times level variances)  (20.11)
+ *   Exact standard deviations of the mean of N samples:
+ *   deviation_random(f, N)       sqrt(V[f] / N)                                             (20.3)
+ *   deviation_jittered(f, k)     N = k x k cells, one sample each:
+ *                                sqrt(sum over the cells of V[f in the cell]) / N          (20.10)
+ *   deviation_sobol(m)           smooth, N = 2^m, Owen's scrambling:
+ *                                sqrt(sum of gain times variance of a level / N)           (20.11)
  *
- * Where jittering wins: a smooth f varies by about 1/k in a cell, variance 1/k^2 = 1/N a sample, N^-2
- * in the mean: the error falls as 1/N. At an edge only some k of the k^2 cells are cut; they keep a
- * variance of up to 1/4: k / N^2 = N^-3/2 in the mean, an error of N^-3/4.
+ * Where jittering wins: a smooth f varies by about 1/k in a cell, variance 1/k^2 = 1/N a sample,
+ * N^-2 in the mean: the error falls as 1/N. At an edge only some k of the k^2 cells are cut; they
+ * keep a variance of up to 1/4: k / N^2 = N^-3/2 in the mean, an error of N^-3/4.
  *
- * Scrambled net: split f into parts, one for each size of box 2^-k x 2^-l (as Haar wavelets do). Parts
- * with k + l <= m - 2 are integrated exactly (gain 0), those with k + l = m - 1 have the gain 2, finer
- * ones 1: as good as random. What is left of a smooth f are parts of variance 4^-(k+l), so N^-2, in
- * all m + 1 shapes: the mean has the variance N^-3 log N.
+ * Scrambled net: split f into parts, one for each size of box 2^-k x 2^-l (as Haar wavelets do).
+ * Parts with k + l <= m - 2 are integrated exactly (gain 0), those with k + l = m - 1 have the gain
+ * 2, finer ones 1: as good as random. What is left of a smooth f are parts of variance 4^-(k+l), so
+ * N^-2, in all m + 1 shapes: the mean has the variance N^-3 log N.
  *
  * Sources: D. Mitchell, "Consequences of stratified sampling in graphics", SIGGRAPH 1996; A. Owen,
- * "Scrambled net variance for integrals of smooth functions", Ann. Stat. 25(4), 1997, and "Monte Carlo
- * variance of scrambled net quadrature", SIAM J. Numer. Anal. 34(5), 1997 (gains).
+ * "Scrambled net variance for integrals of smooth functions", Ann. Stat. 25(4), 1997, and "Monte
+ * Carlo variance of scrambled net quadrature", SIAM J. Numer. Anal. 34(5), 1997 (gains).
  */
 #ifndef INTEGRANDS_H
 #define INTEGRANDS_H
@@ -60,8 +60,8 @@ static inline void integrand_errors(sequence_kind kind, uint64_t seed, uint64_t 
         error[f] = sum[f] / n - integrand_integral((integrand)f);
 }
 
-/* The mean of e^x over [a, a+h], and its variance there, as a part of e^(2a): with t = h/2 the mean is
- * e^(a+t) sinh t / t, and so on; for small t by its series, since the difference cancels. */
+/* The mean of e^x over [a, a+h], and its variance there, as a part of e^(2a): with t = h/2 the mean
+ * is e^(a+t) sinh t / t, and so on; for small t by its series, since the difference cancels. */
 static inline double exp_mean(double a, double h) { return exp(a) * expm1(h) / h; }
 
 static inline double exp_variance(double a, double h)
@@ -107,8 +107,8 @@ static inline double deviation_jittered(integrand f, int k)
     return sqrt(sum > 0 ? sum : 0) / n;
 }
 
-/* Variance of e^x that lies between steps of width 2^-k and steps of half that width: a quarter of the
- * squared difference of the means of both halves. A geometric sum over the 2^k steps. */
+/* Variance of e^x that lies between steps of width 2^-k and steps of half that width: a quarter of
+ * the squared difference of the means of both halves. A geometric sum over the 2^k steps. */
 static inline double exp_level(int k)
 {
     double h = ldexp(1, -k), half = exp_mean(0, h / 2) * expm1(h / 2) / 2;

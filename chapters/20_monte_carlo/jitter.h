@@ -4,7 +4,7 @@
  *   |    |.   |    |      (a = the root of n, rounded up; if a x b > n, then random n of them).
  *   +----+----+----+
  *   |  . |    |.   |      jitter_line(i, n, key, &s), jitter_square(i, n, key, &s, &u, &v)
- *   |    |  . |    |      i [0..n-1] number of the point, key the same for all n, s their own numbers
+ *   |    |  . |    |      i [0..n-1]: which point; key: the same for all n; s: its own numbers
  *
  *   uint32_t j = permuted(i, n, key);          a permutation of 0 .. n-1, without memory
  *
@@ -22,10 +22,10 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Odd factors, additions and shifts to the right permute the words of k bits; a word of n or more is
- * sent round again until it is below n, on average less than two times. Eight rounds: with five, pairs
- * of places are not all alike likely for n = 4 and 16. The last addition makes it so for single places,
- * exactly. [n >= 1, i < n] */
+/* Odd factors, additions and shifts to the right permute the words of k bits; a word of n or more
+ * is sent round again until it is below n, on average less than two times. Eight rounds: with five,
+ * pairs of places are not all alike likely for n = 4 and 16. The last addition makes it so for
+ * single places, exactly. [n >= 1, i < n] */
 static inline uint32_t permuted(uint32_t i, uint32_t n, uint64_t key)
 {
     enum { rounds = 8 };

@@ -2,6 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo chapters/20_monte_carlo/main.c -lm -lpthread
  * Errors are measured against closed forms, and their size against its own exact value. */
 #include "measure.h"
+#include "measure_floats.h"
+#include "measure_importance.h"
 #include "pictures.h"
 
 /* ---- time of one estimate, points and both integrands ---- */
@@ -38,13 +40,14 @@ static void measure_time(const options *o, double ns[sequence_kinds])
 static void measure_methods(const options *o)
 {
     double ns[sequence_kinds];
-    convergence *c = convergence_measure(o->quick ? 4 : 6, o->quick ? 48 : 480, o->seed, o->threads);
+    int levels = o->quick ? 4 : 6, runs = o->quick ? 48 : 480;
+    convergence *c = convergence_measure(levels, runs, o->seed, o->threads);
     table t = table_new("Root mean square error of two integrals, its exact value, and time",
                         "method|N|exact smooth|error smooth|exact edge|error edge|time [us]");
     plot smooth = plot_new("Error of a smooth integral", "N", "error", PLOT_LOG_X | PLOT_LOG_Y);
     plot edge = plot_new("Error of a pixel with an edge", "N", "error", PLOT_LOG_X | PLOT_LOG_Y);
-    plot time = plot_new("Error of a smooth integral, and time", "time of an estimate [us]", "error",
-                         PLOT_LOG_X | PLOT_LOG_Y);
+    plot time = plot_new("Error of a smooth integral, and time", "time of an estimate [us]",
+                         "error", PLOT_LOG_X | PLOT_LOG_Y);
     measure_time(o, ns);
     for (int k = 0; k < sequence_kinds; k++) {
         plot_series(&smooth, sequence_name[k]), plot_series(&edge, sequence_name[k]);
@@ -76,8 +79,8 @@ static void measure_methods(const options *o)
 int main(int argc, char **argv)
 {
     options defaults = {.width = 1002, .height = 834, .seed = 1};
-    options o = options_read(argc, argv, "20_monte_carlo", "Integrals by chance: error against time.",
-                             defaults, NULL);
+    options o = options_read(argc, argv, "20_monte_carlo",
+                             "Integrals by chance: error against time.", defaults, NULL);
     draw_points(&o), draw_wrong(&o);
     measure_methods(&o);
     measure_rays(&o);

@@ -1,10 +1,10 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_points(o)   256 points by each method of sampler.h (a column each), from the top: pair 0 of
- *                    the square; pair 7; sample_disk, which is also sample_cosine seen from above;
- *                    sample_hemisphere, seen from above; sample_triangle
- *   draw_wrong(o)    where the samples of sampling_naive.h fall, and below those of sampling.h: cells
- *                    of equal area, white as many as there should be, orange too many, blue too few
+ *   draw_points(o)   256 points by each method of sampler.h (a column each), from the top: pair 0
+ *                    of the square; pair 7; sample_disk, which is also sample_cosine from above;
+ *                    sample_hemisphere from above; sample_triangle
+ *   draw_wrong(o)    where the samples of sampling_naive.h fall, and below those of sampling.h:
+ *                    white as many as there should be, orange too many, blue too few
  */
 #ifndef PICTURES_H
 #define PICTURES_H
@@ -20,7 +20,8 @@ enum { panel_gap = 6 };
 typedef struct { image *im; int across, down; uint64_t seed; size_t samples; } panels;
 typedef struct { int x, y, side; } panel_place;
 
-/* Panel i of across x down, square, centred in its share of the picture. Side 0 if there is no room. */
+/* Panel i of across x down, square, centred in its share of the picture. Side 0 if there is no
+ * room. */
 static inline panel_place panel_of(const panels *p, int i)
 {
     int w = (p->im->width + panel_gap) / p->across, h = (p->im->height + panel_gap) / p->down;
@@ -144,7 +145,8 @@ static inline double heat_area(int column, int i, int j)
     int inside = 0;
     if (column == 4) return 1;
     for (int k = 0; k < 256; k++) {
-        double x = (i + (k % 16 + 0.5) / 16) / heat_cells, y = (j + (k / 16 + 0.5) / 16) / heat_cells;
+        double x = (i + (k % 16 + 0.5) / 16) / heat_cells;
+        double y = (j + (k / 16 + 0.5) / 16) / heat_cells;
         if (column >= 1 && column <= 3) inside += y <= 2 * x && y <= 2 * (1 - x);
         else inside += (2 * x - 1) * (2 * x - 1) + (2 * y - 1) * (2 * y - 1) <= 1;
     }

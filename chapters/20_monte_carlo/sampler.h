@@ -12,18 +12,19 @@
  *   SEQUENCE_SOBOL_XOR     Sobol's, digital shift (sobol.h)     N^-1 smooth
  *   SEQUENCE_SOBOL         Sobol's with Owen's scrambling       N^-3/2 smooth, N^-3/4 at an edge
  *
- * All that is returned lies in [0,1) and depends on (kind, seed, pixel, sample, n, dimension) alone.
- * But for SEQUENCE_HALTON, which has no seed, each sample by itself is uniform, so a mean over the n
- * samples is right on average. Powers of two are the best n for Sobol's, products a x b with a = b or
- * b + 1 for jittered.
+ * All that is returned lies in [0,1) and depends on (kind, seed, pixel, sample, n, dimension)
+ * alone. But for SEQUENCE_HALTON, which has no seed, each sample by itself is uniform, so a mean
+ * over the n samples is right on average. Powers of two are the best n for Sobol's, products a x b
+ * with a = b or b + 1 for jittered.
  *
- * Pair d of Sobol's is always its first pair of dimensions, with other seeds and another order of the
- * points (padding): within a pair all is as good as it can be; between pairs as good as random. The
- * higher dimensions of the sequence itself have bad pairs until 2^20 points and more. Halton's takes
- * two new bases a pair, and random numbers when all 16 are used up.
+ * Pair d of Sobol's is always its first pair of dimensions, with other seeds and another order of
+ * the points (padding): within a pair all is as good as it can be; between pairs as good as random.
+ * The higher dimensions of the sequence itself have bad pairs until 2^20 points and more. Halton's
+ * takes two new bases a pair, and random numbers when all 16 are used up.
  *
- * Sources: T. Kollig, A. Keller, "Efficient multidimensional sampling", Eurographics 2002 (padding);
- * B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020, section 5 (order by scrambling).
+ * Sources: T. Kollig, A. Keller, "Efficient multidimensional sampling", Eurographics 2002
+ * (padding); B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020, section 5 (order
+ * by scrambling).
  */
 #ifndef SAMPLER_H
 #define SAMPLER_H
@@ -55,9 +56,9 @@ static inline sampler sampler_start(sequence_kind kind, uint64_t seed, uint64_t 
     return s;
 }
 
-/* Both coordinates of pair d: two seeds for the axes, one for the order of the points. The order of a
- * scrambled index keeps aligned blocks of 2^m together, so that the first 2^m are a net in any pair.
- * Pair 0 keeps its own order: only where two pairs meet does it matter. */
+/* Both coordinates of pair d: two seeds for the axes, one for the order of the points. The order of
+ * a scrambled index keeps aligned blocks of 2^m together, so that the first 2^m are a net in any
+ * pair. Pair 0 keeps its own order: only where two pairs meet does it matter. */
 static inline point2 sampler_sobol(const sampler *s, uint64_t key)
 {
     uint64_t axes = random_mix(key + random_step);

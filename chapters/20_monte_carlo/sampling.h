@@ -11,7 +11,8 @@
  *   sample_cosine_polar(u, v)       the same                   the same
  *   sample_lobe(n, u, v)            z > 0, n >= 0              (n + 1) / (2 pi) z^n         1/sr
  *   sample_cone(c, u, v)            within an angle of z       1 / (4 pi c.half_sine2)      1/sr
- *   directed(n, w)                  turns +z to the unit n; triangle_at(t, b): b in a triangle t
+ *   directed(n, w)                  turns +z to the unit n
+ *   triangle_at(t, b.y, b.z)        the point with barycentrics b (chapter 04)
  *
  * Directions have unit length within 4 epsilon. pdfs take the sample and are 0 outside the domain.
  * Every sample has a pdf > 0, whatever u and v. No weight is included: an estimate divides f (with
@@ -20,22 +21,22 @@
  *
  * Four ways: inversion (反演), where the cumulative distribution P(x) = u can be solved for x
  * (sample_lobe, and z of all directions); transformation (变换) of a shape that is easy into one that
- * is not, with a constant ratio of areas (disk, triangle); projection (sample_cosine: a uniform disk
- * lifted to the hemisphere); rejection (拒绝), see sampling_naive.h for its price. Those without a
- * suffix keep neighbours of the square neighbours, which well-spread (u, v) need (sampler.h).
+ * is not, with a constant ratio of areas (disk, triangle); projection (sample_cosine: a uniform
+ * disk lifted to the hemisphere); rejection (拒绝), see sampling_naive.h for its price. Those without
+ * a suffix keep neighbours of the square neighbours, which well-spread (u, v) need (sampler.h).
  *
  * Sources: P. Shirley, K. Chiu, "A low distortion map between disk and square", J. Graphics Tools
- * 2(3), 1997; E. Heitz, "A low-distortion map between triangle and square", 2019; G. Turk, "Generating
- * random points in triangles", Graphics Gems, 1990; M. Pharr, W. Jakob, G. Humphreys, "Physically
- * Based Rendering", 3rd ed., 2016, section 13.6; T. Malley (the lifted disk), 1988.
+ * 2(3), 1997; E. Heitz, "A low-distortion map between triangle and square", 2019; G. Turk,
+ * "Generating random points in triangles", Graphics Gems, 1990; M. Pharr, W. Jakob, G. Humphreys,
+ * "Physically Based Rendering", 3rd ed., 2016, section 13.6; T. Malley (the lifted disk), 1988.
  */
 #ifndef SAMPLING_H
 #define SAMPLING_H
 
-#include "../04_triangle/triangle.h"
+#include "../04_triangle/barycentrics.h"
 
 /* Its size: sin^2(angle / 2), the angle being the one between axis and side, in (0, pi]. */
-typedef struct { real half_sine2; } cone;
+typedef struct { real half_sine2; } direction_cone;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -50,7 +51,8 @@ static inline vec3 sample_turn(real r, real z, real v)
 
 static inline vec3 sample_disk_polar(real u, real v) { return sample_turn(sqrt(u), 0, v); }
 
-/* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most. */
+/* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most.
+ * */
 static inline vec3 sample_disk(real u, real v)
 {
     real a = 2 * u - 1, b = 2 * v - 1;
@@ -85,11 +87,6 @@ static inline vec3 sample_triangle(real u, real v)
     if (v > u) u /= 2, v -= u;
     else v /= 2, u -= v;
     return (vec3){real_max(1 - (u + v), 0), u, v};
-}
-
-static inline vec3 triangle_at(triangle t, vec3 b)
-{
-    return vmadd(vmadd(vscale(t.a, b.x), t.b, b.y), t.c, b.z);
 }
 
 /* Without area: infinity, so that f / pdf is 0. */
@@ -132,8 +129,8 @@ static inline vec3 sample_cosine_polar(real u, real v)
 
 static inline real pdf_cosine(vec3 w) { return w.z > 0 ? w.z / pi : 0; }
 
-/* P(z) = 1 - z^(n+1) = u, so log z = log(1 - u) / (n + 1); 1 - z^2 = -expm1(2 log z) keeps its digits
- * when z is nearly 1, as it is for large n. */
+/* P(z) = 1 - z^(n+1) = u, so log z = log(1 - u) / (n + 1); 1 - z^2 = -expm1(2 log z) keeps its
+ * digits when z is nearly 1, as it is for large n. */
 static inline vec3 sample_lobe(real n, real u, real v)
 {
     real l = log1p(-u) / (n + 1);
@@ -147,27 +144,27 @@ static inline real pdf_lobe(real n, vec3 w)
 
 /* ---- cone: z = 1 - 2 q, q = sin^2(theta / 2) uniform below that of the side ---- */
 
-static inline cone cone_of_angle(real angle)
+static inline direction_cone cone_of_angle(real angle)
 {
     real s = sin(angle / 2);
-    return (cone){s * s};
+    return (direction_cone){s * s};
 }
 
-/* The cone under which a sphere is seen from outside: sin angle = radius / distance [at most 1], and
- * sin^2(angle/2) = (1 - cos) / 2 = sin^2 / (2 (1 + cos)). */
-static inline cone cone_of_sphere(real radius, real distance)
+/* The cone under which a sphere is seen from outside: sin angle = radius / distance [at most 1],
+ * and sin^2(angle/2) = (1 - cos) / 2 = sin^2 / (2 (1 + cos)). */
+static inline direction_cone cone_of_sphere(real radius, real distance)
 {
     real s = radius / distance, c = sqrt(real_max((1 - s) * (1 + s), 0));
-    return (cone){s * s / (2 * (1 + c))};
+    return (direction_cone){s * s / (2 * (1 + c))};
 }
 
-static inline vec3 sample_cone(cone c, real u, real v)
+static inline vec3 sample_cone(direction_cone c, real u, real v)
 {
     real q = u * c.half_sine2;
     return sample_turn(2 * sqrt(q * (1 - q)), 1 - 2 * q, v);
 }
 
-static inline real pdf_cone(cone c, vec3 w)
+static inline real pdf_cone(direction_cone c, vec3 w)
 {
     real q = w.z > 0 ? (w.x * w.x + w.y * w.y) / (2 * (1 + w.z)) : (1 - w.z) / 2;
     return q <= c.half_sine2 * (1 + 16 * real_epsilon) ? 1 / (4 * pi * c.half_sine2) : 0;

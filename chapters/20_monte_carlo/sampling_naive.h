@@ -1,22 +1,22 @@
 /* sampling_naive.h: ways to a disk, a triangle, a sphere that are wrong, dear or inexact.
  *
- * Wrong: what comes out is not uniform, and every estimate that takes it for uniform has an error that
- * no number of samples mends. Pictures hide it, chi-square shows it (tests/20_sampling.c).
+ * Wrong: what comes out is not uniform, and every estimate that takes it for uniform has an error
+ * that no number of samples mends. Pictures hide it, chi-square shows it (tests/20_sampling.c).
  *
- *   sample_disk_naive          r = u: half of the points within half of the radius, a quarter of the
- *                              area. Twice too many there on average, without bound at the centre
+ *   sample_disk_naive          r = u: half of the points in the inner quarter of the area, and
+ *                              their density grows without bound towards the centre
  *   sample_triangle_naive      b1 = u, b2 = v (1 - u): crowds at the corner u = 1
  *   sample_triangle_sums       three numbers divided by their sum: crowds in the middle. It takes w
  *                              from u and v
- *   sample_triangle_fold       u + v > 1: u turned to 1 - u, v forgotten: a quarter of the points lies
- *                              outside. (With both it is right)
+ *   sample_triangle_fold       u + v > 1: u turned to 1 - u, v forgotten: a quarter of the points
+ *                              lies outside. (With both it is right)
  *   sample_sphere_naive        a point of the cube, normalised: crowds towards the corners; the
  *                              density there is 3^1.5 = 5.2 times that at the faces' middles
  *   sample_hemisphere_naive    theta = pi/2 u: crowds at the pole
  *
- * Right, but dear: sample_disk_rejection tries points of the square until one lies in the disk: 4/pi =
- * 1.27 tries on average, no roots, no sines. But the second try is an independent one, so well-spread
- * (u, v) are partly thrown away; and how many numbers it needs is not known beforehand.
+ * Right, but dear: sample_disk_rejection tries points of the square until one lies in the disk:
+ * 4/pi = 1.27 tries on average, no roots, no sines. But the second try is an independent one, so
+ * well-spread (u, v) are partly thrown away; and how many numbers it needs is not known beforehand.
  *
  * Right, but inexact: sample_cone_naive, sample_lobe_naive lose the digits of 1 - z.
  */
@@ -77,8 +77,8 @@ static inline vec3 sample_disk_rejection(real u, real v)
     }
 }
 
-/* In float 1 - cos of an angle of 0.005, that of the sun, has an error of 0.5 %, and below 0.0002 it
- * is 0: the pdf is infinite. */
+/* In float 1 - cos of an angle of 0.005, that of the sun, has an error of 0.5 %, and below 0.0002
+ * it is 0: the pdf is infinite. */
 static inline vec3 sample_cone_naive(real angle, real u, real v)
 {
     real z = 1 - u * (1 - cos(angle));

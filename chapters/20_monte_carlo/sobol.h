@@ -2,21 +2,21 @@
  *
  *   .   |     |  .  |        Cut the square into 2^a x 2^b equal boxes, a + b = m, in any of the
  *  -----+-----+-----+--      m + 1 ways: each box holds exactly one of the first 2^m points, and of
- *       |  .  |     | .      every later block of 2^m. That is a (0,m,2)-net (网): all strips, squares
- *                            and columns are stratified at once.
+ *       |  .  |     | .      every later block of 2^m. That is a (0,m,2)-net (网): rows, columns
+ *                            and all between them are stratified at once.
  *
  *   uint32_t x = sobol_x(i), y = sobol_y(i);      point i, as fractions of 2^32
  *   x = owen_scramble(x, seed_x)                  random, and still a net
  *   real u = real_of_fraction(x, seed_x);         [0,1), in double with random digits below 2^-32
  *
- * Coordinates: x reverses the bits of i (van der Corput). y reads i as a polynomial over {0,1}, bit k
- * being that of X^k, and puts X + 1 for X; then as x.
+ * Coordinates: x reverses the bits of i (van der Corput). y reads i as a polynomial over {0,1}, bit
+ * k being that of X^k, and puts X + 1 for X; then as x.
  *
- * Unscrambled, the points are always the same: no error estimate, and the first one is (0,0). Owen's
- * scrambling flips each bit or not, by a coin of its own for every value of the bits above: each
- * point is then uniform in the square, so that estimates are right on average (unbiased 无偏), and
- * errors in boxes of the same size are independent and average out: N^-3/2 for smooth functions,
- * against N^-1 of scramble_xor, which throws one coin a level, the same for all points.
+ * Unscrambled, the points are always the same: no error estimate, and the first one is (0,0).
+ * Owen's scrambling flips each bit or not, by a coin of its own for every value of the bits above:
+ * each point is then uniform in the square, so that estimates are right on average (unbiased 无偏),
+ * and errors in boxes of the same size are independent and average out: N^-3/2 for smooth
+ * functions, against N^-1 of scramble_xor, which throws one coin a level, the same for all points.
  *
  *   owen_scramble        by a hash, a few operations
  *   owen_scramble_2020   the hash first published for it: a net, too, but its coins are not
@@ -25,11 +25,11 @@
  *   scramble_xor         digital shift
  * Seeds must be well mixed (random_mix): the hashes do little to a seed of few bits.
  *
- * Sources: I. Sobol', "On the distribution of points in a cube ...", 1967; A. Owen, "Randomly permuted
- * (t,m,s)-nets", 1995, and "Scrambled net variance for integrals of smooth functions", Ann. Stat.
- * 25(4), 1997; S. Laine, T. Karras, "Stratified sampling for stochastic transparency", EGSR 2011;
- * B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020 (owen_scramble_2020);
- * N. Vegdahl, "Building a better LK hash", 2021 (owen_scramble).
+ * Sources: I. Sobol', "On the distribution of points in a cube ...", 1967; A. Owen, "Randomly
+ * permuted (t,m,s)-nets", 1995, and "Scrambled net variance for integrals of smooth functions",
+ * Ann. Stat. 25(4), 1997; S. Laine, T. Karras, "Stratified sampling for stochastic transparency",
+ * EGSR 2011; B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020
+ * (owen_scramble_2020); N. Vegdahl, "Building a better LK hash", 2021 (owen_scramble).
  */
 #ifndef SOBOL_H
 #define SOBOL_H

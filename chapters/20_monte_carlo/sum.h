@@ -4,10 +4,11 @@
  *   running_sum s = {0};  s = sum_add(s, x);  s.sum is the result
  *
  * A float holds 24 bits. When the sum has reached 2^24 the next 1 lies below the last bit: 2^24 + 1
- * rounds back to 2^24, and the sum stands still for ever. Long before that each addition drops up to
- * half a bit. sum_add keeps what was dropped and adds it to the next number: the error stays at about
- * one epsilon, however many numbers there are (as long as they have one sign). Three additions more;
- * a plain sum in double (53 bits) does as well up to some 1e9 numbers of a float's accuracy.
+ * rounds back to 2^24, and the sum stands still for ever. Long before that each addition drops up
+ * to half a bit. sum_add keeps what was dropped and adds it to the next number: the error stays at
+ * about one epsilon, however many numbers there are (as long as they have one sign). Three
+ * additions more; a plain sum in double (53 bits) does as well up to some 1e9 numbers of a float's
+ * accuracy.
  *
  * Sources: W. Kahan, "Further remarks on reducing truncation errors", Comm. ACM 8(1), 1965;
  * D. Knuth, The Art of Computer Programming 2, section 4.2.2, theorem B (the exact error of a sum).

@@ -4,26 +4,28 @@
  *
  * If the mean of n samples is normally distributed (after enough samples it nearly is, if their
  * variance is finite) and its expectation is `truth`, then t has Student's distribution with n - 1
- * degrees of freedom, and p, the probability of so large a |t| or a larger one, is uniform in [0,1].
+ * degrees of freedom, and p, the probability of so large a |t| or a larger one, is uniform in
+ * [0,1].
  *
  *   double p = t_test(e, truth, rounding);   p < 1e-6: it is not; false-alarm rate 1e-6
- *   double h = t_interval(e, 0.95);          the truth lies within e.mean -+ h, 95 times in 100
- *   double p = variance_ratio_test(a, b, r); V[b's samples] = r V[a's]? (F-test; normal samples only)
+ *   double h = mean_interval(e, 0.95);          the truth lies within e.mean -+ h, 95 times in 100
+ *   double p = variance_ratio_test(a, b, r); V[b's samples] = r V[a's]? F-test, normal samples only
  *   line_fit f = fit_line(x, y, n);      least squares; a slope and how far to trust it
- *   f.slope -+ line_interval(f, 0.95)
+ *   f.slope -+ slope_interval(f, 0.95)
  *
  *   t_above(t, k)   P(|T| >= |t|)    f_above(f, k1, k2)   P(F >= f)      k: degrees of freedom
  *
- * `rounding`: an error of the mean that is not chance, such as some epsilons. It is forgiven; samples
- * that are all alike have the standard error 0 and must be right to within it. In a family of m tests
- * the chance of any false alarm is at most m times that of each.
+ * `rounding`: an error of the mean that is not chance, such as some epsilons. It is forgiven;
+ * samples that are all alike have the standard error 0 and must be right to within it. In a family
+ * of m tests the chance of any false alarm is at most m times that of each.
  *
- * What it can't see: with an infinite variance the standard error is too small most of the time, and
- * the estimate is "wrong" with confidence (importance.h).
+ * What it can't see: with an infinite variance the standard error is too small most of the time,
+ * and the estimate is "wrong" with confidence (importance.h).
  *
- * Sources: Student, "The probable error of a mean", Biometrika 6, 1908; R. Fisher, "On a distribution
- * yielding the error functions of several well known statistics", 1924; K. Subr, J. Arvo, "Statistical
- * hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics 2007.
+ * Sources: Student, "The probable error of a mean", Biometrika 6, 1908; R. Fisher, "On a
+ * distribution yielding the error functions of several well known statistics", 1924; K. Subr, J.
+ * Arvo, "Statistical hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics
+ * 2007.
  */
 #ifndef T_TEST_H
 #define T_TEST_H
@@ -68,7 +70,7 @@ static inline double t_test(estimate e, double truth, double rounding)
     return t_above((off - rounding) / estimate_error(e), (double)(e.n - 1));
 }
 
-static inline double t_interval(estimate e, double confidence)
+static inline double mean_interval(estimate e, double confidence)
 {
     if (e.n < 2) return (double)INFINITY;
     return t_quantile(1 - confidence, (double)(e.n - 1)) * estimate_error(e);
@@ -98,7 +100,7 @@ static inline line_fit fit_line(const double *x, const double *y, size_t n)
     return f;
 }
 
-static inline double line_interval(line_fit f, double confidence)
+static inline double slope_interval(line_fit f, double confidence)
 {
     return f.n > 2 ? t_quantile(1 - confidence, (double)(f.n - 2)) * f.slope_error
                    : (double)INFINITY;

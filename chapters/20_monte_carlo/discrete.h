@@ -1,4 +1,4 @@
-/* choose.h: one of n things, each with a probability in proportion to its weight (离散分布).
+/* discrete.h: one of n things, each with a probability in proportion to its weight (离散分布).
  *
  *    1 |            ______     cumulative sums (累积分布): P_k = (w_0 + ... + w_k) / sum
  *      |      _____|           inversion: the first k with u < P_k                         (20.13)
@@ -7,18 +7,18 @@
  *
  *   choice c;
  *   if (!choice_build(weight, n, &c)) ...       no weight > 0, or one negative, infinite, NaN
- *   size_t k = choice_sample(&c, u, &p, &rest); p > 0: probability of k; rest: a new number in [0,1)
+ *   size_t k = choice_sample(&c, u, &p, &rest); p > 0: probability of k; rest: a new u in [0,1)
  *   real p = choice_probability(&c, k);         the same for a k found otherwise
  *   choice_free(&c);
  *
- * O(log n) a choice, O(n) to build. `rest` is how far u went into the step: as uniform as u was, and as
- * well spread, but with log2(1/p) digits fewer.
+ * O(log n) a choice, O(n) to build. `rest` is how far u went into the step: as uniform as u was,
+ * and as well spread, but with log2(1/p) digits fewer.
  *
- * call                 cannot do                                           so
- * choice_sample_naive  the sum may round to less than 1, and u may be above  ends at n: no such thing
+ *   call                 cannot do                                          so
+ *   choice_sample_naive  the sum may round to less than 1, and u be above   n: no such thing
  */
-#ifndef CHOOSE_H
-#define CHOOSE_H
+#ifndef DISCRETE_H
+#define DISCRETE_H
 
 #include "../../common/file.h"
 #include "../../common/vec3.h"
