@@ -73,9 +73,9 @@ static inline chi_square_result chi_square_test(const double *observed, const do
         o += observed[i], e += expected[i];
         if (e >= least) r.statistic += chi_square_term(o, e), used++, o = e = 0;
     }
-    if (e > 0) r.statistic += (o - e) * (o - e) / (e > least ? e : least);  /* rather too small */
+    if (e > 0) r.statistic += (o - e) * (o - e) / least, used++;  /* rather too small */
     r.degrees = used > 1 ? used - 1 : 0;
-    r.p = impossible ? 0 : chi_square_p(r.statistic, r.degrees + (e > 0));
+    r.p = impossible ? 0 : chi_square_p(r.statistic, r.degrees);
     return r;
 }
 
