@@ -157,6 +157,13 @@ static void test_rejects(void)
     check_at_most(t_test(e, 0.3, 0), 1e-8, "a mean that is 0, not 0.3: 9 standard errors");
     check_at_least(t_test(e, 0.3, 0.3), 1e-8, "unless 0.3 is said to be rounding");
     check_equal(t_test((estimate){0}, 1, 0), 1, "no samples prove nothing");
+    /* 0 and 2: mean 1, standard error 1, so t = 1 for a truth of 0: Cauchy's law says 1/2 */
+    check_close(t_test((estimate){2, 1, 2}, 0, 0), 0.5, 1e-14, "two samples: one degree");
+    /* variances 1 of 3 and 8 of 5: F = 8 with 4 and 2 degrees: 1 - (1 + 1 / (2 F))^-2 above it */
+    check_close(variance_ratio_test((estimate){3, 0, 2}, (estimate){5, 0, 32}, 1),
+                2 * (1 - pow(1 + 1 / 16.0, -2)), 1e-13, "F with four and two");
+    check_close(variance_ratio_test((estimate){5, 0, 32}, (estimate){3, 0, 2}, 1),
+                2 * (1 - pow(1 + 1 / 16.0, -2)), 1e-13, "F with two and four");
     check_equal(t_test((estimate){3, 2, 0}, 2, 0), 1, "samples all alike, and right");
     check_equal(t_test((estimate){3, 2, 0}, 2.1, 0), 0, "samples all alike, and wrong");
     check_equal(t_test((estimate){3, 2, 0}, 2.1, 0.2), 1, "samples all alike, within rounding");
@@ -173,12 +180,12 @@ static void test_rejects(void)
     check_equal(chi_square_test(seen, due, 3).p, 0, "a count where nothing can be");
     due[2] = -1;
     check_equal(chi_square_test(seen, due, 3).p, 0, "a negative expectation");
-    /* 1000 bins that expect 0.01 each, 10 counts in all, as there should be: no alarm; alone, each
-     * would contribute (1 - .01)^2 / .01 = 98 */
-    static double rare[1001], few[1001];
-    for (int k = 0; k < 1000; k++) rare[k] = k % 100 == 7, few[k] = 0.01;
-    rare[1000] = few[1000] = 500;
-    check_at_least(chi_square_test(rare, few, 1001).p, 0.1, "rare bins are put together");
+    /* Ten bins that expect 0.001 each, and one count in one of them, as happens once in 100 times.
+     * By itself it would contribute (1 - .001)^2 / .001 = 998: p below 1e-200. */
+    double rare[11] = {0}, few[11];
+    for (int k = 0; k < 10; k++) few[k] = 0.001;
+    rare[3] = 1, rare[10] = few[10] = 500;
+    check_at_least(chi_square_test(rare, few, 11).p, 0.01, "rare bins are put together");
 
     double x[3] = {1, 2, 4}, y[3] = {5, 3, -1};
     line_fit f = fit_line(x, y, 3);

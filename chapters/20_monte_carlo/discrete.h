@@ -55,12 +55,12 @@ static inline real choice_probability(const choice *c, size_t k)
     return (real)((c->before[k + 1] - c->before[k]) / c->before[c->n]);
 }
 
-/* x = u sum is below the whole sum but for rounding; then it is pulled back below it. The invariant
- * before[lo] <= x < before[hi] ends at lo = hi - 1, a step of height above 0. */
+/* u is at most 1 - 2^-53, and 2^-53 of the whole is half a step of double or more: x < whole after
+ * rounding, too. So before[lo] <= x < before[hi] all the time, and in the end hi = lo + 1, a step
+ * of height above 0. */
 static inline size_t choice_sample(const choice *c, real u, real *p, real *rest)
 {
     double whole = c->before[c->n], x = (double)u * whole;
-    if (!(x < whole)) x = nextafter(whole, 0);
     size_t lo = 0, hi = c->n;
     while (hi - lo > 1) {
         size_t middle = lo + (hi - lo) / 2;

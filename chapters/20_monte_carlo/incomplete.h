@@ -30,7 +30,7 @@ static inline double log_gamma(double a)
     for (; a < 12; a++) shift *= a;
     double i = 1 / a, ii = i * i;
     double series = i * (1.0 / 12 - ii * (1.0 / 360 - ii * (1.0 / 1260 - ii * (1.0 / 1680
-                    - ii * (1.0 / 1188 - ii * 691.0 / 360360)))));
+                    - ii / 1188))));
     return (a - 0.5) * log(a) - a + 0.918938533204672742 + series - log(shift);  /* log(2 pi)/2 */
 }
 

@@ -17,7 +17,7 @@
 static inline void measure_slopes(const options *o, const convergence *c)
 {
     static const char *const theory[sequence_kinds][integrands] = {
-        {"-1/2", "-1/2"}, {"-1", "-3/4"}, {"-1, log", "-"}, {"-1, log", "-3/4"},
+        {"-1/2", "-1/2"}, {"-1", "-3/4"}, {"-1, log", "-"}, {"-1, log", "-"},
         {"-1, log", "-"}, {"-3/2, log", "-3/4"}};
     table t = table_new("Slopes of the error against N, 95 % of the time within -+", "method|f|"
                         "theory|exact, these N|error slope|error -+");

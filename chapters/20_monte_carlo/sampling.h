@@ -81,12 +81,12 @@ static inline vec3 sample_triangle_root(real u, real v)
 
 /* Presses the square onto the half below its diagonal, along the other diagonal: halves the area
  * everywhere, and needs no root. b0 is what is left of 1: not negative, since the sum of the others
- * is at most max(u, v) plus half an epsilon. */
+ * is max(u, v) but for rounding, which can bring it up to 1 and no further. */
 static inline vec3 sample_triangle(real u, real v)
 {
     if (v > u) u /= 2, v -= u;
     else v /= 2, u -= v;
-    return (vec3){real_max(1 - (u + v), 0), u, v};
+    return (vec3){1 - (u + v), u, v};
 }
 
 /* Without area: infinity, so that f / pdf is 0. */
