@@ -245,31 +245,35 @@ static void test_uniform(void)
 }
 
 /* Right on average whatever N, also in four dimensions: e^(x+y), and u0 u1 of two pairs: 1/4. The
- * mean of (u0 - 1/2)(u1 - 1/2) has, with random numbers, the variance 1/144 of a sample. Sobol's has
- * 1.6 times that, since points i and i xor 1 stay together in the order of every pair; jittered 1.5
- * for two points, which are never alike. In one and the same order it would hardly fall with N. */
+ * mean of (u0 - 1/2)(u1 - 1/2) has, with random numbers, the variance 1/144 of a sample. Sobol's
+ * has 1.6 times that, since points i and i xor 1 stay together in the order of every pair; jittered
+ * 1.5 for two points, which are never alike. In one and the same order it would hardly fall. */
 static void test_unbiased(void)
 {
     for (int kind = 0; kind < sequence_kinds; kind++) {
         if (kind == SEQUENCE_HALTON) continue;
         for (uint32_t n = 1; n <= 64; n = 4 * n + 3) {  /* 1, 7, 31: no powers of two */
-            estimate e = {0}, pairs = {0}, product = {0};
+            estimate e = {0}, pairs = {0}, product = {0}, next = {0};
             for (uint64_t run = 0; run < check_count(3000); run++) {
-                double error[integrands], sum = 0, off = 0;
+                double error[integrands], sum = 0, off = 0, off_1 = 0;
                 integrand_errors((sequence_kind)kind, 1, run, n, error);
                 e = estimate_add(e, error[SMOOTH]);
                 for (uint32_t i = 0; i < n; i++) {
                     sampler s = sampler_start((sequence_kind)kind, 2, run, i, n);
                     double u = (double)sampler_pair(&s).u, v = (double)sampler_number(&s);
-                    sum += u * v, off += (u - 0.5) * (v - 0.5);
+                    double w = (double)sampler_number(&s);
+                    sum += u * v, off += (u - 0.5) * (v - 0.5), off_1 += (v - 0.5) * (w - 0.5);
                 }
                 pairs = estimate_add(pairs, sum / n);
                 product = estimate_add(product, off * off / n);
+                next = estimate_add(next, off_1 * off_1 / n);
             }
             check_at_least(t_test(e, 0, 4 * (double)real_epsilon), alarm, "%s, N = %d: mean of "
                            "e^(x+y)", sequence_name[kind], (int)n);
             check_at_least(t_test(pairs, 0.25, 4 * (double)real_epsilon), alarm,
                            "%s, N = %d: two pairs", sequence_name[kind], (int)n);
+            check_at_most(next.mean * 144, 2, "%s, N = %d: two numbers together",
+                          sequence_name[kind], (int)n);
             check_at_most(product.mean * 144, 2,
                           "%s, N = %d: two pairs together", sequence_name[kind], (int)n);
         }

@@ -19,10 +19,10 @@
  *
  * Pair d of Sobol's is always its first pair of dimensions, with other seeds and another order of
  * the points (padding): within a pair all is as good as it can be. Between pairs nothing is gained:
- * what depends on two of them together has 1.6 times the variance of random numbers, the price of an
- * order in which the first 2^m points are a net in every pair. The higher dimensions of the sequence
- * itself have bad pairs until 2^20 points and more. Halton's takes two new bases a pair, and random
- * numbers when all 16 are used up.
+ * what depends on two of them together has 1.6 times the variance of random numbers, the price of
+ * an order in which the first 2^m points are a net in every pair. The higher dimensions of the
+ * sequence itself have bad pairs until 2^20 points and more. Halton's takes two new bases a pair,
+ * and random numbers when all 16 are used up.
  *
  * Sources: T. Kollig, A. Keller, "Efficient multidimensional sampling", Eurographics 2002
  * (padding); B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020, section 5 (order
