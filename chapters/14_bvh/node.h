@@ -44,6 +44,7 @@
 #include "../04_triangle/triangle.h"
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 typedef struct { float side[6]; } bvh_box;               /* low x, y, z, high x, y, z */
 typedef struct { bvh_box box; uint32_t first, count; } bvh_node;
@@ -61,12 +62,17 @@ _Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* A float <= x: x itself if it is one, else at most three floats below. */
+/* The largest float <= x. The nearest one, or where that is above x the one before it: its bits, as
+ * a number, less one, or one more if it is negative. (FLT_MAX comes before infinity, and -2^-149
+ * before -0.) Which of the two is a coin toss: no branch, or building takes a third longer. */
 static inline float float_below(real x)
 {
     float f = (float)x;
-    if (f > FLT_MAX && x <= real_largest) return FLT_MAX;
-    return (real)f <= x ? f : f - (fabs(f) * FLT_EPSILON + 0x1p-149f);
+    uint32_t bits, above = (real)f > x;
+    memcpy(&bits, &f, sizeof bits);
+    bits += 2 * (bits >> 31 & above) - above;
+    memcpy(&f, &bits, sizeof f);
+    return f;
 }
 
 /* A float >= x. */

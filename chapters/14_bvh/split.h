@@ -29,7 +29,7 @@
 #include "select.h"
 
 typedef enum {
-    BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, bvh_strategies
+    BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, BVH_MORTON, bvh_strategies
 } bvh_strategy;
 
 typedef struct { uint32_t key, place; } sort_pair;

@@ -1,16 +1,9 @@
 /* tree.h: building the tree of boxes (层次包围盒, bounding volume hierarchy) over items of any kind.
  *
- *              0                 node 0 is the root; number 1 is not used, so that every pair of
- *           /     \              siblings begins at an even number: one line of the cache
- *          2       3
- *         / \     [items 4..7]   a leaf names its items as a range; the items are reordered so that
- *        4   5                   they lie in the order of the leaves, from left to right
- *   [0..1]   [2..3]
- *
  *   tree_build(item, n, how, &t)          reorders item[n]; O(n log n); n < 2^31
- *   tree_free(&t)                         a zeroed tree may be freed
+ *   tree_free(&t)                         a zeroed tree may be freed: store.h, with the layout
  *
- *   how.strategy        BVH_CYCLE .. BVH_SAH_SWEEP: split.h
+ *   how.strategy        BVH_CYCLE .. BVH_SAH_SWEEP: split.h; BVH_MORTON: morton.h
  *   how.leaf            most items in a leaf [1..255]; a set that the heuristic would rather not
  *                       cut becomes a leaf earlier, never later
  *   how.item_cost       of testing an item, where testing a pair of boxes costs 1 (> 0)
@@ -26,23 +19,11 @@
 #ifndef BVH_TREE_H
 #define BVH_TREE_H
 
-#include "split.h"
-
-enum { bvh_most_depth = 64 };
-
-typedef struct { bvh_strategy strategy; int leaf; double item_cost; } bvh_options;
+#include "morton.h"
 
 /* By measurement: eight in a leaf, and a test that costs 0.3 of a pair of boxes. Most tests end at
  * the first comparison of signs. */
 #define bvh_defaults ((bvh_options){BVH_SAH, 8, 0.3})
-
-typedef struct {
-    bvh_node *node;
-    size_t nodes;        /* places in use, 1 included */
-    size_t items;        /* in leaves */
-    int depth;           /* of the deepest leaf [0..64] */
-    size_t bytes, peak;  /* held now, and the most ever held */
-} bvh_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -52,37 +33,6 @@ typedef struct {
     bvh_options options;
     splitter split;
 } tree_builder;
-
-static inline void tree_takes(bvh_tree *t, size_t bytes)
-{
-    t->bytes += bytes;
-    if (t->bytes > t->peak) t->peak = t->bytes;
-}
-
-static inline void tree_free(bvh_tree *t)
-{
-    free(t->node);
-    *t = (bvh_tree){0};
-}
-
-/* Nodes from the beginning of a line of the cache. */
-static inline bvh_node *tree_nodes(bvh_tree *t, size_t n)
-{
-    failure f;
-    size_t bytes = (n + n % 2) * sizeof(bvh_node);
-    void *p = n > SIZE_MAX / 64 ? NULL : aligned_alloc(64, bytes);
-    if (!p) failed(&f, 1, "no memory for %zu nodes", n), fail(f);
-    tree_takes(t, bytes);
-    return p;
-}
-
-/* The smallest e with 2^e >= n. */
-static inline int log2_above(size_t n)
-{
-    int e = 0;
-    while (((size_t)1 << e) < n) e++;
-    return e;
-}
 
 static inline void tree_measure(splitter *s, const bvh_item *item, size_t n)
 {
@@ -124,25 +74,13 @@ static inline void tree_node(tree_builder *b, size_t at, size_t begin, size_t n,
     tree_node(b, first + 1, begin + left, n - left, depth + 1);
 }
 
-/* Nodes into an array of the right size, if that saves half. */
-static inline void tree_trim(bvh_tree *t, size_t room)
-{
-    if (2 * t->nodes > room) return;
-    bvh_node *all = t->node;
-    t->node = tree_nodes(t, t->nodes);
-    memcpy(t->node, all, t->nodes * sizeof *all);
-    free(all);
-    t->bytes -= (room + room % 2) * sizeof *all;
-}
-
-static inline void tree_build(bvh_item *item, size_t n, bvh_options how, bvh_tree *out)
+/* From the root down, by the cuts of split.h. */
+static inline void tree_by_cuts(bvh_item *item, size_t n, bvh_options how, bvh_tree *out)
 {
     bool sweep = how.strategy == BVH_SAH_SWEEP;
-    size_t room = 2 * n + 2, extra = sweep ? n * (2 * sizeof(sort_pair) + sizeof(float)) : 0;
-    *out = (bvh_tree){.items = n, .nodes = 2};
-    tree_takes(out, n * sizeof *item + extra);
-    out->node = tree_nodes(out, room);
-    out->node[0] = out->node[1] = (bvh_node){box_empty(), 0, 0};
+    size_t extra = sweep ? n * (2 * sizeof(sort_pair) + sizeof(float)) : 0;
+    tree_takes(out, extra);
+    tree_room(out, 2 * n + 2);
     tree_builder b = {out, item, how, {.strategy = how.strategy, .item_cost = how.item_cost}};
     if (sweep) {
         b.split.pairs = allocate(n, sizeof *b.split.pairs);
@@ -151,8 +89,18 @@ static inline void tree_build(bvh_item *item, size_t n, bvh_options how, bvh_tre
     }
     if (n) tree_node(&b, 0, 0, n, 0);
     free(b.split.pairs), free(b.split.spare), free(b.split.areas);
-    out->bytes -= extra;
-    tree_trim(out, room);
+    tree_gives(out, extra);
+}
+
+static inline void tree_build(bvh_item *item, size_t n, bvh_options how, bvh_tree *out)
+{
+    *out = (bvh_tree){.items = n};
+    tree_takes(out, n * sizeof *item);
+    switch (how.strategy) {
+    case BVH_MORTON: tree_morton(item, n, how, out); break;
+    default: tree_by_cuts(item, n, how, out); break;
+    }
+    tree_trim(out);
 }
 
 #endif
