@@ -9,7 +9,7 @@
 #include "check.h"
 
 static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
-                                                          "sweep", "Morton"};
+                                                          "sweep", "Morton", "spatial"};
 
 typedef struct { size_t rays, hits, wrong, wrong_naive, wrong_any; } verdict;
 

@@ -8,7 +8,7 @@
 #include "check.h"
 
 static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
-                                                          "sweep", "Morton"};
+                                                          "sweep", "Morton", "spatial"};
 
 static mesh mesh_room(size_t triangles)
 {

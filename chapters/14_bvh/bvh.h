@@ -44,6 +44,39 @@ static inline bool triangle_item(const mesh *m, size_t i, bvh_item *out)
     return true;
 }
 
+/* The triangle's part in a slab: its corners there, and where its edges cross the two planes. These
+ * are rounded: the box gets 4 eps of the largest coordinate more on all sides. */
+static inline bool triangle_clip(const void *context, const bvh_item *item, int axis, float lo,
+                                 float hi, bvh_box *out)
+{
+    triangle t = mesh_triangle(context, item->index);
+    vec3 p[3] = {t.a, t.b, t.c}, least, most;
+    least = (vec3){real_infinity, real_infinity, real_infinity}, most = vneg(least);
+    real far = 0;
+    for (int i = 0; i < 3; i++) {
+        vec3 a = p[i], b = p[i < 2 ? i + 1 : 0];
+        real ak = vaxis(a, axis), bk = vaxis(b, axis), plane[2] = {(real)lo, (real)hi};
+        far = real_max(far, fabs(vaxis(a, vlongest(a))));
+        if (ak >= plane[0] && ak <= plane[1]) least = vmin(a, least), most = vmax(a, most);
+        for (int j = 0; j < 2; j++) {
+            if (!((ak < plane[j]) != (bk < plane[j]))) continue;
+            vec3 c = vmadd(a, vsub(b, a), (plane[j] - ak) / (bk - ak));
+            least = vmin(c, least), most = vmax(c, most);
+        }
+    }
+    real pad = 4 * real_epsilon * far;
+    vec3 margin = {pad, pad, pad};
+    bvh_box b = box_between(vsub(least, margin), vadd(most, margin));
+    b.side[axis] = float_max(b.side[axis], lo), b.side[3 + axis] = float_min(b.side[3 + axis], hi);
+    for (int k = 0; k < 3; k++) {
+        b.side[k] = float_max(b.side[k], item->box.side[k]);
+        b.side[3 + k] = float_min(b.side[3 + k], item->box.side[3 + k]);
+        if (!(b.side[k] <= b.side[3 + k])) return false;
+    }
+    *out = b;
+    return true;
+}
+
 static inline void bvh_free(bvh *b)
 {
     tree_free(&b->tree);
@@ -55,13 +88,16 @@ static inline void bvh_free(bvh *b)
 static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
 {
     failure f;
-    size_t n = 0;
     if (m->triangles >> 31)
         failed(&f, 2, "%zu triangles: fewer than 2^31 fit", m->triangles), fail(f);
-    bvh_item *item = allocate(m->triangles, sizeof *item);
+    bool cuts = how.strategy == BVH_SPATIAL;
+    size_t n = 0, room = cuts ? spatial_most * m->triangles : m->triangles;
+    bvh_item *item = allocate(room, sizeof *item);
     for (size_t i = 0; i < m->triangles; i++) n += triangle_item(m, i, &item[n]);
-    tree_build(item, n, how, &out->tree);
+    if (cuts) tree_spatial(item, n, room, how, triangle_clip, m, &out->tree);
+    else tree_build(item, n, how, &out->tree);
     out->v = m->v;
+    n = out->tree.items;
     out->triangle = allocate(n, sizeof *out->triangle);
     tree_takes(&out->tree, n * sizeof *out->triangle);
     for (size_t i = 0; i < n; i++) {
@@ -69,7 +105,7 @@ static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
         out->triangle[i] = (bvh_triangle){{c[0], c[1], c[2]}, item[i].index};
     }
     free(item);
-    out->tree.bytes -= n * sizeof *item;
+    tree_gives(&out->tree, room * sizeof *item);
 }
 
 __attribute__((always_inline))

@@ -53,7 +53,7 @@ static inline void table_of_stadium(const options *o)
 static inline void plot_of_leaves(const options *o, const subject *s)
 {
     static const char *const name[bvh_strategies] = {"cycling axis", "longest axis", "median",
-                                                     "SAH, bins", "SAH, sweep", "Morton"};
+                                                     "SAH, bins", "SAH, sweep", "Morton", "spatial"};
     plot p = plot_new("Leaves of 16, 8, 4, 2, 1", "build [ns a triangle]", "diffuse ray [ns]", 0);
     for (int k = 0; k < bvh_strategies; k++) {
         int series = plot_series(&p, name[k]);

@@ -117,6 +117,18 @@ static inline double box_area(const bvh_box *b)
     return x >= 0 ? x * y + y * z + z * x : 0;
 }
 
+/* Half the surface of what two boxes share; 0 if nothing. */
+static inline double box_shared_area(const bvh_box *a, const bvh_box *b)
+{
+    bvh_box c;
+    for (int k = 0; k < 3; k++) {
+        c.side[k] = float_max(a->side[k], b->side[k]);
+        c.side[3 + k] = float_min(a->side[3 + k], b->side[3 + k]);
+        if (c.side[k] > c.side[3 + k]) return 0;
+    }
+    return box_area(&c);
+}
+
 /* Largest distance along an axis between o and a plane of the box. */
 static inline real box_reach(const bvh_box *b, vec3 o)
 {

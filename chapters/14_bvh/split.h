@@ -29,7 +29,8 @@
 #include "select.h"
 
 typedef enum {
-    BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, BVH_MORTON, bvh_strategies
+    BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, BVH_MORTON,
+    BVH_SPATIAL, bvh_strategies
 } bvh_strategy;
 
 typedef struct { uint32_t key, place; } sort_pair;
@@ -231,6 +232,19 @@ static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)
         s->spare[l].key = s->spare[r].key;
     }
     return left;
+}
+
+static inline void split_measure(splitter *s, const bvh_item *item, size_t n)
+{
+    s->box = s->centres = box_empty();
+    for (size_t i = 0; i < n; i++) {
+        box_add(&s->box, &item[i].box);
+        for (int k = 0; k < 3; k++) {
+            float c = item_centre(&item[i], k);
+            s->centres.side[k] = float_min(c, s->centres.side[k]);
+            s->centres.side[3 + k] = float_max(c, s->centres.side[3 + k]);
+        }
+    }
 }
 
 static inline size_t split_items(splitter *s, bvh_item *item, size_t n, int depth)

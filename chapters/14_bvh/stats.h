@@ -31,18 +31,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Half the surface of what two boxes share; 0 if nothing. */
-static inline double box_shared_area(const bvh_box *a, const bvh_box *b)
-{
-    bvh_box c;
-    for (int k = 0; k < 3; k++) {
-        c.side[k] = float_max(a->side[k], b->side[k]);
-        c.side[3 + k] = float_min(a->side[3 + k], b->side[3 + k]);
-        if (c.side[k] > c.side[3 + k]) return 0;
-    }
-    return box_area(&c);
-}
-
 static inline bvh_stats bvh_stats_of(const bvh_tree *t)
 {
     bvh_stats s = {.items = t->items, .depth = t->depth, .bytes = t->bytes, .peak = t->peak};

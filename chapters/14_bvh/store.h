@@ -9,6 +9,7 @@
  *
  *   tree_takes(&t, bytes), tree_gives(&t, bytes)   keep count of what is held
  *   tree_room(&t, n)                               an empty tree with places for n nodes
+ *   tree_pair(&t)                                  two more places in use, wherever they come from
  *   tree_trim(&t)                                  gives back the places that are not in use
  *   tree_free(&t)                                  a zeroed tree may be freed
  */
@@ -63,6 +64,20 @@ static inline void tree_room(bvh_tree *t, size_t n)
     t->node = tree_nodes(t, t->room);
     t->node[0] = t->node[1] = (bvh_node){box_empty(), 0, 0};
     t->nodes = 2;
+}
+
+/* Two more places in use; the array becomes twice as large if they are not there. */
+static inline void tree_pair(bvh_tree *t)
+{
+    t->nodes += 2;
+    if (t->nodes <= t->room) return;
+    bvh_node *all = t->node;
+    size_t room = t->room;
+    t->room *= 2;
+    t->node = tree_nodes(t, t->room);
+    memcpy(t->node, all, (t->nodes - 2) * sizeof *all);
+    free(all);
+    tree_gives(t, room * sizeof *all);
 }
 
 /* Nodes into an array of the right size, if that saves half. */

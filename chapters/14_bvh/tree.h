@@ -20,6 +20,7 @@
 #define BVH_TREE_H
 
 #include "morton.h"
+#include "spatial.h"
 
 /* By measurement: eight in a leaf, and a test that costs 0.3 of a pair of boxes. Most tests end at
  * the first comparison of signs. */
@@ -33,19 +34,6 @@ typedef struct {
     bvh_options options;
     splitter split;
 } tree_builder;
-
-static inline void tree_measure(splitter *s, const bvh_item *item, size_t n)
-{
-    s->box = s->centres = box_empty();
-    for (size_t i = 0; i < n; i++) {
-        box_add(&s->box, &item[i].box);
-        for (int k = 0; k < 3; k++) {
-            float c = item_centre(&item[i], k);
-            s->centres.side[k] = float_min(c, s->centres.side[k]);
-            s->centres.side[3 + k] = float_max(c, s->centres.side[3 + k]);
-        }
-    }
-}
 
 /* How many of the n items go left, or 0: they make a leaf. */
 static inline size_t tree_split(tree_builder *b, bvh_item *item, size_t n, int depth)
@@ -64,7 +52,7 @@ static inline void tree_node(tree_builder *b, size_t at, size_t begin, size_t n,
 {
     bvh_tree *t = b->tree;
     if (depth > t->depth) t->depth = depth;
-    tree_measure(&b->split, b->item + begin, n);
+    split_measure(&b->split, b->item + begin, n);
     t->node[at] = (bvh_node){b->split.box, (uint32_t)begin, (uint32_t)n};
     size_t left = tree_split(b, b->item + begin, n, depth), first = t->nodes;
     if (left == 0) return;
@@ -96,6 +84,7 @@ static inline void tree_build(bvh_item *item, size_t n, bvh_options how, bvh_tre
 {
     *out = (bvh_tree){.items = n};
     tree_takes(out, n * sizeof *item);
+    if (how.strategy == BVH_SPATIAL) how.strategy = BVH_SAH;  /* boxes alone cannot be cut */
     switch (how.strategy) {
     case BVH_MORTON: tree_morton(item, n, how, out); break;
     default: tree_by_cuts(item, n, how, out); break;
