@@ -141,8 +141,9 @@ static void test_sick(void)
         bvh b, w;
         bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
         bvh_build(&well, (bvh_options){(bvh_strategy)s, 4, 1}, &w);
-        check_equal(b.tree.items, n - (sick + 5) / 6 - (sick + 4) / 6 - (sick + 3) / 6 - sick / 6,
-                    "triangles that are not finite stay out, %s", strategy_name[s]);
+        size_t fit = n - (sick + 5) / 6 - (sick + 4) / 6 - (sick + 3) / 6 - sick / 6;
+        check(s == BVH_SPATIAL ? b.tree.items >= fit : b.tree.items == fit,
+              "%zu of %zu triangles are finite, the others stay out, %s", fit, n, strategy_name[s]);
         check(
             vfinite((vec3){(real)b.tree.node[0].box.side[0], (real)b.tree.node[0].box.side[3], 0}),
             "the root box is finite");

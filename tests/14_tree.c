@@ -135,6 +135,7 @@ typedef struct {
     const mesh *m;
     unsigned char *seen, *node_seen;
     size_t outside, overfull, odd, deepest;
+    bool cut;  /* by BVH_SPATIAL: boxes hold parts of triangles; see 14_build */
 } inspection;
 
 static void inspect(inspection *x, size_t at, size_t depth, size_t leaf)
@@ -158,9 +159,9 @@ static void inspect(inspection *x, size_t at, size_t depth, size_t leaf)
         uint32_t index = x->b->triangle[i].index;
         x->seen[index]++;
         for (int c = 0; c < 3; c++) {
-            vec3 p = x->m->v[x->b->triangle[i].corner[c]];
-            x->odd += x->b->triangle[i].corner[c] != x->m->index[3 * index + (uint32_t)c];
-            for (int k = 0; k < 3; k++)
+            vec3 p = x->b->triangle[i].corner[c], own = x->m->v[x->m->index[3 * index + (uint32_t)c]];
+            x->odd += p.x != own.x || p.y != own.y || p.z != own.z;
+            for (int k = 0; k < 3 && !x->cut; k++)
                 x->outside += !((real)n->box.side[k] <= vaxis(p, k)
                                 && vaxis(p, k) <= (real)n->box.side[3 + k]);
         }
@@ -177,11 +178,12 @@ static void test_invariants(const char *name, const mesh *m)
             bvh_build(m, how, &b);
             bvh_build(m, how, &again);
             size_t n = b.tree.nodes, missed = 0, unused = 0;
-            inspection x = {&b, m, allocate(m->triangles, 1), allocate(n, 1), 0, 0, 0, 0};
+            inspection x = {&b, m, allocate(m->triangles, 1), allocate(n, 1), 0, 0, 0, 0,
+                            s == BVH_SPATIAL};
             inspect(&x, 0, 0, (size_t)leaves[l]);
-            for (size_t i = 0; i < m->triangles; i++) missed += x.seen[i] != 1;
+            for (size_t i = 0; i < m->triangles; i++) missed += x.cut ? x.seen[i] < 1 : x.seen[i] != 1;
             for (size_t i = 0; i < n; i++) unused += x.node_seen[i] != (i != 1);
-            check_equal(missed, 0, "%s, %s, %d: each triangle in exactly one leaf", name,
+            check_equal(missed, 0, "%s, %s, %d: each triangle in a leaf, and if none is cut in one only", name,
                         strategy_name[s], leaves[l]);
             check_equal(unused, 0, "%s, %s, %d: each node reached once", name, strategy_name[s],
                         leaves[l]);
@@ -196,7 +198,9 @@ static void test_invariants(const char *name, const mesh *m)
                   && memcmp(b.tree.node + 2, again.tree.node + 2, (n - 2) * sizeof(bvh_node)) == 0
                   && memcmp(b.triangle, again.triangle, b.tree.items * sizeof *b.triangle) == 0,
                   "%s, %s: built twice, the same bytes", name, strategy_name[s]);
-            check_at_most(b.tree.peak, 128 * m->triangles + 4096, "%s, %s, %d: peak memory", name,
+            /* An item 28, a record 80, two nodes 64, and 64 for growing; references 8 times 28. */
+            size_t most = x.cut ? 224 * m->triangles + 272 * b.tree.items : 172 * m->triangles;
+            check_at_most(b.tree.peak, most + 4096, "%s, %s, %d: peak memory", name,
                           strategy_name[s], leaves[l]);
             free(x.seen), free(x.node_seen);
             bvh_free(&b), bvh_free(&again);
@@ -232,7 +236,7 @@ static void test_memory(void)
     check_at_least((double)s.peak, (double)(n * (sizeof(bvh_item) + sizeof *b.triangle)),
                    "items and triangles are held at the same time");
     check_equal(s.bytes, n * sizeof *b.triangle + (b.tree.nodes + b.tree.nodes % 2) * 32,
-                "what is held now: 16 bytes a triangle, 32 a node");
+                "what is held now: 80 bytes a triangle, 32 a node");
     check_equal(s.inner + s.leaves, b.tree.nodes - 1, "a binary tree: all nodes but number 1");
     check_equal(s.leaves, s.inner + 1, "one leaf more than inner nodes");
     bvh_free(&b);
@@ -326,7 +330,7 @@ int main(void)
     test_heuristic();
     test_closed_form();
     test_shared_area();
-    bvh none = {{0}, NULL, NULL};
+    bvh none = {{0}, NULL};
     bvh_free(&none);
     return check_report("14_tree");
 }

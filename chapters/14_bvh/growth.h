@@ -30,7 +30,7 @@ static inline void table_of_stadium(const options *o)
     s.diffuse = rays_on(&b, &m, &s.primary, o->seed);
     bvh_free(&b);
     for (int i = 0; i < 5; i++) {
-        t[i] = (trial){&s, &candidate_list[shown[i]], &s.diffuse, {{0}, NULL, NULL}};
+        t[i] = (trial){&s, &candidate_list[shown[i]], &s.diffuse, {{0}, NULL}};
         run_build(&t[i]);
     }
     time_trials(t, 5, run_search, o->quick ? 1 : 5, seconds);
@@ -59,7 +59,7 @@ static inline void plot_of_leaves(const options *o, const subject *s)
         int series = plot_series(&p, name[k]);
         for (int leaf = 16; leaf > 0; leaf /= 2) {
             candidate c = {name[k], {(bvh_strategy)k, leaf, leaf > 1 ? 0.8 / leaf : 1}, false};
-            trial t = {s, &c, &s->diffuse, {{0}, NULL, NULL}};
+            trial t = {s, &c, &s->diffuse, {{0}, NULL}};
             double build, search;
             time_trials(&t, 1, run_build, 1, &build);
             time_trials(&t, 1, run_search, 3, &search);
@@ -90,7 +90,7 @@ static inline void growth(const options *o, bool full)
     for (int i = 0; i < n; i++) {
         subject s = subject_of(teapot_mesh(fine[i]), 200, 125,
                                fine[i] <= 64 ? 40 : 0, o->seed);
-        trial t = {&s, &binned, &s.diffuse, {{0}, NULL, NULL}};
+        trial t = {&s, &binned, &s.diffuse, {{0}, NULL}};
         double triangles = (double)s.m.triangles, seconds;
         time_trials(&t, 1, run_build, fine[i] < 64 ? 9 : 3, &build[i]);
         time_trials(&t, 1, run_search, 3, &seconds);

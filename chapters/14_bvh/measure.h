@@ -107,7 +107,7 @@ static inline void table_of_strategies(const options *o, const subject *s)
         title, "structure|leaf|time build [ms]|memory [B/tri]|peak [B/tri]|depth|nodes/ray|"
                "tests/ray|error [wrong]|time primary [ns]|time diffuse [ns]|Mrays/s");
     for (int i = 0; i < candidates; i++)
-        t[i] = (trial){s, &candidate_list[i], &s->primary, {{0}, NULL, NULL}};
+        t[i] = (trial){s, &candidate_list[i], &s->primary, {{0}, NULL}};
     time_trials(t, candidates, run_build, o->quick ? 1 : 3, build);
     time_trials(t, candidates, run_search, o->quick ? 1 : 5, primary);
     for (int i = 0; i < candidates; i++) t[i].rays = &s->diffuse;

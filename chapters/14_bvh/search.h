@@ -42,9 +42,10 @@ typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, quer
 
 typedef struct { uint32_t first, count; float enter; } tree_waiting;
 
-/* `leaf` and `any` are known where this is called: each call becomes a loop of its own.
- * `first` and `count` of the next node are picked together with the box that won: one load less to
- * wait for. Which child is nearer is a coin toss, so it is chosen without a branch. */
+/* `leaf` and `any` are known where this is called: each call becomes a loop of its own. Which child
+ * is nearer is chosen by branches: half of the guesses are wrong, but with the others the processor
+ * is already in the next node. Without them (an index from the comparison) it has to wait each time,
+ * and a ray takes a third longer. */
 __attribute__((always_inline))
 static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
                                const void *context, bool any, hit *out, bvh_work *work)
@@ -64,16 +65,22 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
             const bvh_node *c = node + first;
             float enter0 = box_enter(&c[0].box, &b, limit, &exit0);
             float enter1 = box_enter(&c[1].box, &b, limit, &exit1);
-            bool in0 = !(enter0 > exit0), in1 = !(enter1 > exit1), both = in0 & in1;
-            bool second = both ? enter1 < enter0 : in1;
-            if (work) work->nodes++, work->both += both;
-            first = second ? c[1].first : c[0].first;
-            count = second ? c[1].count : c[0].count;
-            stack[top].first = second ? c[0].first : c[1].first;
-            stack[top].count = second ? c[0].count : c[1].count;
-            stack[top].enter = second ? enter0 : enter1;
-            top += both;
-            if (in0 | in1) continue;
+            bool in0 = !(enter0 > exit0), in1 = !(enter1 > exit1);
+            if (work) work->nodes++, work->both += in0 & in1;
+            if (in0) {
+                if (in1 && enter1 < enter0) {
+                    stack[top++] = (tree_waiting){c[0].first, c[0].count, enter0};
+                    first = c[1].first, count = c[1].count;
+                    continue;
+                }
+                if (in1) stack[top++] = (tree_waiting){c[1].first, c[1].count, enter1};
+                first = c[0].first, count = c[0].count;
+                continue;
+            }
+            if (in1) {
+                first = c[1].first, count = c[1].count;
+                continue;
+            }
         } else {
             bool found = leaf(context, first, count, &q, any);
             if (work) work->leaves++, work->barren += !found, work->tests += count;

@@ -183,7 +183,7 @@ static inline void spatial_node(spatial_builder *b, size_t at, size_t begin, siz
     t->node[at] = (bvh_node){s->box, (uint32_t)t->items, (uint32_t)n};
     if (depth > t->depth) t->depth = depth;
     bool fits = n <= (size_t)b->options.leaf, deep = depth + log2_above(n) >= bvh_most_depth;
-    double leaf = fits ? (double)n * s->item_cost : HUGE_VAL;
+    double all = (double)n * s->item_cost;  /* cost without any cut */
     spatial_cut cut = {.cost = HUGE_VAL};
     size_t left = 0;
     if (n > 1 && deep && !fits) left = split_by_number(item, n, box_longest(&s->centres));
@@ -191,8 +191,8 @@ static inline void spatial_node(spatial_builder *b, size_t at, size_t begin, siz
         left = split_items(s, item, n, depth);
         if (room > n && !fits && spatial_overlap(s, item, n, left) > 0.3)
             cut = spatial_find(b, item, n);
-        if (cut.cost < s->cost) left = spatial_apply(b, &cut, item, &n, room);
-        else if (s->cost >= leaf) left = 0;
+        if (cut.cost < s->cost && cut.cost < all) left = spatial_apply(b, &cut, item, &n, room);
+        else if (fits && s->cost >= all) left = 0;
     }
     if (left == 0) {
         memmove(b->item + t->items, item, n * sizeof *item);

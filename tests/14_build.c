@@ -1,0 +1,301 @@
+/* The two builders that are not cuts between items: Morton codes (morton.h) and cuts through items
+ * (spatial.h). Codes and topology by an independent definition; parts of triangles cover them. */
+#include "../chapters/14_bvh/bvh.h"
+#include "../chapters/14_bvh/stats.h"
+#include "../chapters/07_mesh/teapot.h"
+#include "../common/random.h"
+#include "check.h"
+
+static vec3 random_vector(random_stream *g, real size)
+{
+    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
+    return vscale((vec3){x, y, z}, size);
+}
+
+/* Long thin triangles round an axis at an odd angle: their boxes hold next to nothing. */
+static mesh slivers(size_t n, vec3 move)
+{
+    mesh m = {.vertices = 3 * n, .triangles = n};
+    vec3 w = vunit((vec3){1, (real)0.8, (real)0.6}), u, v;
+    vbasis(w, &u, &v);
+    m.v = allocate(m.vertices, sizeof *m.v), m.index = allocate(m.vertices, sizeof *m.index);
+    for (size_t i = 0; i < n; i++) {
+        real a = 2 * pi * (real)i / (real)n, b = 2 * pi * (real)(i + 1) / (real)n;
+        m.v[3 * i] = vadd(move, vadd(vscale(u, cos(a)), vscale(v, sin(a))));
+        m.v[3 * i + 1] = vadd(move, vadd(vscale(u, cos(b)), vscale(v, sin(b))));
+        m.v[3 * i + 2] = vmadd(m.v[3 * i], w, 4);
+    }
+    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
+    return m;
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Bit by bit, as (14.9) says. */
+static uint64_t code_by_definition(uint32_t x, uint32_t y, uint32_t z)
+{
+    uint64_t code = 0;
+    for (int bit = 20; bit >= 0; bit--) {
+        code = code << 1 | (x >> bit & 1);
+        code = code << 1 | (y >> bit & 1);
+        code = code << 1 | (z >> bit & 1);
+    }
+    return code;
+}
+
+static void test_codes(void)
+{
+    size_t wrong = 0, order = 0;
+    for (size_t i = 0; i < check_count(100000); i++) {
+        uint64_t r = random_bits(1, i, 0, 0);
+        uint32_t x = r & 0x1fffff, y = r >> 21 & 0x1fffff, z = r >> 42 & 0x1fffff;
+        if (i < 63) x = (uint32_t)(i < 21) << i % 21, y = (uint32_t)(i / 21 == 1) << i % 21,
+                    z = (uint32_t)(i > 41) << i % 21;
+        wrong += morton_code(x, y, z) != code_by_definition(x, y, z);
+        order += (x >> 20) != morton_code(x, y, z) >> 62;
+    }
+    check_equal(wrong, 0, "Morton codes, bit by bit");
+    check_equal(order, 0, "the first bit is the half of x");
+    check_equal(morton_code(0x1fffff, 0x1fffff, 0x1fffff), (uint64_t)-1 >> 1, "63 ones");
+}
+
+static void test_sort(void)
+{
+    for (size_t n = 0; n <= check_count(100000); n = n < 4 ? n + 1 : 5 * n) {
+        morton_pair *a = allocate(n, sizeof *a), *b = allocate(n, sizeof *b);
+        bvh_item *item = allocate(n, sizeof *item);
+        size_t wrong = 0, moved = 0;
+        for (size_t i = 0; i < n; i++) {
+            uint64_t r = random_bits(2, i, n, 0);  /* many equal codes, and many digits equal */
+            a[i] = (morton_pair){(r & 7) << 60 | (r >> 3 & 15) << 30 | (r >> 7 & 15),
+                                 (uint32_t)i};
+            item[i].index = (uint32_t)i;
+        }
+        morton_pair *s = morton_sort(a, b, n);
+        for (size_t i = 1; i < n; i++)
+            wrong += !(s[i - 1].code < s[i].code
+                       || (s[i - 1].code == s[i].code && s[i - 1].place < s[i].place));
+        check_equal(wrong, 0, "%zu codes in order, equal ones as they were", n);
+        uint32_t *place = allocate(n, sizeof *place);
+        for (size_t i = 0; i < n; i++) place[i] = s[i].place;
+        morton_reorder(item, s, n);
+        for (size_t i = 0; i < n; i++) moved += item[i].index != place[i] || s[i].place != i;
+        check_equal(moved, 0, "%zu items follow their codes", n);
+        free(a), free(b), free(item), free(place);
+    }
+}
+
+/* The cut by trying all places: before it all codes share one bit more with the first. */
+static void test_cut(void)
+{
+    size_t wrong = 0;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        random_stream g = random_start(3, i, 0);
+        morton_pair p[40];
+        size_t n = 2 + (size_t)(random_next_bits(&g) % 39);
+        int bits = 1 + (int)(random_next_bits(&g) % 63);
+        uint64_t code = random_next_bits(&g) >> 1 & ~(((uint64_t)1 << bits) - 1);
+        for (size_t k = 0; k < n; k++) {
+            uint64_t x = random_next_bits(&g) & (((uint64_t)1 << bits) - 1);
+            p[k].code = code | (i % 3 ? x : x & 3);
+            for (size_t j = k; j > 0 && p[j - 1].code > p[j].code; j--) {
+                morton_pair swap = p[j];
+                p[j] = p[j - 1], p[j - 1] = swap;
+            }
+        }
+        size_t cut = morton_cut(p, 0, n), expected = n / 2;
+        for (int bit = 62; bit >= 0 && p[0].code != p[n - 1].code; bit--) {
+            if ((p[0].code >> bit & 1) == (p[n - 1].code >> bit & 1)) continue;
+            for (expected = 0; (p[expected].code >> bit & 1) == 0; ) expected++;
+            break;
+        }
+        wrong += cut != expected || cut == 0 || cut == n;
+    }
+    check_equal(wrong, 0, "cut where the highest bit changes; equal codes in the middle");
+}
+
+/* What is below each inner node shares its first bits, and the next one parts left from right. */
+static void topology(const bvh *b, size_t at, const uint64_t *code, uint64_t *all, uint64_t *any,
+                     size_t *wrong)
+{
+    const bvh_node *n = &b->tree.node[at];
+    *all = ~(uint64_t)0, *any = 0;
+    for (size_t i = n->first; i < n->first + n->count; i++)
+        *all &= code[b->triangle[i].index], *any |= code[b->triangle[i].index];
+    if (n->count) return;
+    uint64_t all1, any1;
+    topology(b, n->first, code, all, any, wrong);
+    topology(b, n->first + 1, code, &all1, &any1, wrong);
+    uint64_t differ = (*any | any1) & ~(*all & all1), top = differ;
+    while (top & (top - 1)) top &= top - 1;
+    *wrong += differ != 0 && ((*any & top) != 0 || (all1 & top) == 0);
+    *all &= all1, *any |= any1;
+}
+
+static void test_topology(void)
+{
+    mesh m = teapot_mesh(12);
+    vec3 lo, hi;
+    bvh b;
+    bvh_item *item = allocate(m.triangles, sizeof *item);
+    morton_pair *pair = allocate(m.triangles, sizeof *pair);
+    uint64_t *code = allocate(m.triangles, sizeof *code), all, any;
+    size_t wrong = 0, off = 0;
+    for (size_t i = 0; i < m.triangles; i++) triangle_item(&m, i, &item[i]);
+    morton_codes(item, m.triangles, pair);
+    /* Cells as they are meant: the longest side of the box of the centres / 2^21, from its corner.
+     * In double; a centre in float is off by 2^-24 of 3.5, and so is its distance: 4 cells. */
+    lo = (vec3){9, 9, 9}, hi = vneg(lo);
+    for (size_t i = 0; i < m.triangles; i++) {
+        vec3 c = {(real)item_centre(&item[i], 0), (real)item_centre(&item[i], 1),
+                  (real)item_centre(&item[i], 2)};
+        lo = vmin(c, lo), hi = vmax(c, hi);
+    }
+    double cell = (double)vaxis(vsub(hi, lo), vlongest(vsub(hi, lo))) / 2097151;
+    for (size_t i = 0; i < m.triangles; i++) {
+        code[i] = pair[i].code;
+        for (int k = 0; k < 3; k++) {
+            uint32_t x = 0;
+            for (int bit = 0; bit < 21; bit++)
+                x |= (uint32_t)(code[i] >> (3 * bit + 2 - k) & 1) << bit;
+            double c = ((double)item_centre(&item[i], k) - (double)vaxis(lo, k)) / cell;
+            off += fabs((double)x - c) > 4;
+        }
+    }
+    check_equal(off, 0, "the code of a triangle is the cell of its centre");
+    for (int leaf = 1; leaf <= 8; leaf *= 8) {
+        bvh_build(&m, (bvh_options){BVH_MORTON, leaf, 0.3}, &b);
+        topology(&b, 0, code, &all, &any, &wrong);
+        check_equal(wrong, 0, "leaves of %d: each node is cut where its codes first differ", leaf);
+        check_at_least(b.tree.nodes, m.triangles / 8, "it is a tree");
+        bvh_free(&b);
+    }
+    free(item), free(pair), free(code);
+    mesh_free(&m);
+}
+
+/* No leaf costs more than the subtree that could stand in its place, and none less is left. */
+static void test_morton_leaves(void)
+{
+    mesh m = teapot_mesh(8);
+    bvh one, eight;
+    bvh_build(&m, (bvh_options){BVH_MORTON, 1, 0.3}, &one);
+    bvh_build(&m, (bvh_options){BVH_MORTON, 8, 0.3}, &eight);
+    bvh_stats a = bvh_stats_of(&one.tree), b = bvh_stats_of(&eight.tree);
+    check_at_most(b.nodes + 0.3 * b.tests, a.nodes + 0.3 * a.tests,
+                  "joining items into leaves never raises the cost");
+    check(b.leaves < a.leaves && a.leaves == m.triangles, "and some are joined");
+    bvh_free(&one), bvh_free(&eight);
+    mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Points of triangles: of the leaves that name the triangle, one has the point in its box. */
+typedef struct { const bvh *b; vec3 p; uint32_t index; real slack; bool found; } finder;
+
+static void find_point(finder *f, size_t at)
+{
+    const bvh_node *n = &f->b->tree.node[at];
+    for (int k = 0; k < 3; k++)
+        if (!(vaxis(f->p, k) >= (real)n->box.side[k] - f->slack
+              && vaxis(f->p, k) <= (real)n->box.side[3 + k] + f->slack)) return;
+    for (size_t i = n->first; i < n->first + n->count; i++)
+        f->found |= f->b->triangle[i].index == f->index;
+    if (n->count == 0) find_point(f, n->first), find_point(f, n->first + 1);
+}
+
+static void test_cover(const char *name, const mesh *m, real size, bool cut)
+{
+    bvh b;
+    size_t lost = 0, points = check_count(40000);
+    bvh_build(m, (bvh_options){BVH_SPATIAL, 4, 0.3}, &b);
+    check(!cut || b.tree.items > m->triangles + m->triangles / 4, "%s: %zu references to %zu", name,
+          b.tree.items, m->triangles);
+    check_at_most(b.tree.items, spatial_most * m->triangles, "%s: no more than there is room", name);
+    for (size_t i = 0; i < points; i++) {
+        random_stream g = random_start(4, i, 0);
+        uint32_t k = (uint32_t)(random_next_bits(&g) % m->triangles);
+        triangle t = mesh_triangle(m, k);
+        real u = random_next(&g), v = random_next(&g) * (1 - u);
+        if (i % 4 == 0) v = 0;              /* on an edge */
+        if (i % 16 == 0) u = 0;             /* a corner */
+        vec3 p = vmadd(vmadd(t.a, vsub(t.b, t.a), u), vsub(t.c, t.a), v);
+        finder f = {&b, p, k, i % 16 == 0 ? 0 : 4 * real_epsilon * size, false};
+        find_point(&f, 0);
+        lost += !f.found;
+    }
+    check_equal(lost, 0, "%s: points of triangles, 4 eps of the coordinates off, are in no leaf",
+                name);
+    bvh_free(&b);
+}
+
+/* A part's box against the closed form: the triangle (0,0) (8,0) (0,8) in the plane z = 1. */
+static void test_clip(void)
+{
+    vec3 v[3] = {{0, 0, 1}, {8, 0, 1}, {0, 8, 1}};
+    uint32_t index[3] = {0, 1, 2};
+    mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
+    bvh_item item;
+    bvh_box b;
+    float pad = (float)(32 * real_epsilon) + 0x1p-20f;
+    check(triangle_item(&m, 0, &item) && triangle_clip(&m, &item, 0, 2, 4, &b), "it reaches there");
+    check(b.side[0] == 2 && b.side[3] == 4, "from plane to plane");
+    check_close(b.side[4], 6, pad, "at x = 2 it is 6 high");
+    check(b.side[4] >= 6 && b.side[1] <= 0 && b.side[2] <= 1 && b.side[5] >= 1, "never too small");
+    check(triangle_clip(&m, &item, 1, 7, INFINITY, &b), "the tip");
+    check_close(b.side[3], 1, pad, "above y = 7 it is 1 wide");
+    check(!triangle_clip(&m, &item, 0, 9, 10, &b), "it does not reach beyond 8");
+    item.box.side[3] = 1;  /* cut before, at x = 1; box kept below y = 3 */
+    item.box.side[4] = 3;
+    check(!triangle_clip(&m, &item, 0, 2, 4, &b), "what was cut off does not come back");
+    check(triangle_clip(&m, &item, 1, 2, 9, &b) && b.side[3] == 1 && b.side[4] == 3,
+          "what is left of it, inside what was left before");
+}
+
+/* What the cuts are for: triangles that fill their boxes are left alone, slivers are cut, and then
+ * a ray tests few of them. */
+static void test_worth(void)
+{
+    mesh m = slivers(4000, (vec3){0, 0, 0}), pot = teapot_mesh(8);
+    bvh a, b;
+    bvh_work wa = {0, 0, 0, 0, 0}, wb = {0, 0, 0, 0, 0};
+    size_t differ = 0, hits = 0;
+    bvh_build(&m, bvh_defaults, &a);
+    bvh_build(&m, (bvh_options){BVH_SPATIAL, 8, 0.3}, &b);
+    for (size_t i = 0; i < check_count(2000); i++) {
+        random_stream g = random_start(5, i, 0);
+        vec3 o = random_vector(&g, 6), at = vmadd(random_vector(&g, 1), vunit((vec3){5, 4, 3}), 2);
+        hit x = hit_none, y = hit_none;
+        hits += bvh_hit_counted(&a, ray_between(o, at), &x, &wa);
+        bvh_hit_counted(&b, ray_between(o, at), &y, &wb);
+        differ += x.t != y.t || x.shape != y.shape || x.u != y.u || x.v != y.v;
+    }
+    check_equal(differ, 0, "slivers: the same hits with and without cuts");
+    check_at_least(hits, check_count(2000) / 4, "and there are some");
+    check_at_most((double)wb.tests, (double)wa.tests / 3, "a third of the tests");
+    check_at_most((double)wb.nodes, (double)wa.nodes / 2, "and half of the nodes");
+    bvh_free(&a), bvh_free(&b);
+    bvh_build(&pot, (bvh_options){BVH_SPATIAL, 8, 0.3}, &b);
+    check_at_most((double)b.tree.items, 1.1 * (double)pot.triangles, "the teapot's are left alone");
+    bvh_free(&b);
+    mesh_free(&m), mesh_free(&pot);
+}
+
+int main(void)
+{
+    mesh near = slivers(600, (vec3){0, 0, 0}), far = slivers(600, (vec3){1000, -1000, 3000});
+    mesh pot = teapot_mesh(6);
+    test_codes();
+    test_sort();
+    test_cut();
+    test_topology();
+    test_morton_leaves();
+    test_clip();
+    test_cover("slivers", &near, 8, true);
+    test_cover("slivers far out", &far, 3000, true);
+    test_cover("teapot", &pot, 4, false);
+    test_worth();
+    mesh_free(&near), mesh_free(&far), mesh_free(&pot);
+    return check_report("14_build");
+}
