@@ -1,6 +1,7 @@
 /* The two builders that are not cuts between items: Morton codes (morton.h) and cuts through items
  * (spatial.h). Codes and topology by an independent definition; parts of triangles cover them. */
 #include "../chapters/14_bvh/bvh.h"
+#include "../chapters/14_bvh/slivers.h"
 #include "../chapters/14_bvh/stats.h"
 #include "../chapters/07_mesh/teapot.h"
 #include "../common/random.h"
@@ -10,23 +11,6 @@ static vec3 random_vector(random_stream *g, real size)
 {
     real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
     return vscale((vec3){x, y, z}, size);
-}
-
-/* Long thin triangles round an axis at an odd angle: their boxes hold next to nothing. */
-static mesh slivers(size_t n, vec3 move)
-{
-    mesh m = {.vertices = 3 * n, .triangles = n};
-    vec3 w = vunit((vec3){1, (real)0.8, (real)0.6}), u, v;
-    vbasis(w, &u, &v);
-    m.v = allocate(m.vertices, sizeof *m.v), m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < n; i++) {
-        real a = 2 * pi * (real)i / (real)n, b = 2 * pi * (real)(i + 1) / (real)n;
-        m.v[3 * i] = vadd(move, vadd(vscale(u, cos(a)), vscale(v, sin(a))));
-        m.v[3 * i + 1] = vadd(move, vadd(vscale(u, cos(b)), vscale(v, sin(b))));
-        m.v[3 * i + 2] = vmadd(m.v[3 * i], w, 4);
-    }
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
-    return m;
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -257,7 +241,7 @@ static void test_clip(void)
  * a ray tests few of them. */
 static void test_worth(void)
 {
-    mesh m = slivers(4000, (vec3){0, 0, 0}), pot = teapot_mesh(8);
+    mesh m = slivers_mesh(4000, (vec3){0, 0, 0}), pot = teapot_mesh(8);
     bvh a, b;
     bvh_work wa = {0, 0, 0, 0, 0}, wb = {0, 0, 0, 0, 0};
     size_t differ = 0, hits = 0;
@@ -284,7 +268,7 @@ static void test_worth(void)
 
 int main(void)
 {
-    mesh near = slivers(600, (vec3){0, 0, 0}), far = slivers(600, (vec3){1000, -1000, 3000});
+    mesh near = slivers_mesh(600, (vec3){0, 0, 0}), far = slivers_mesh(600, (vec3){1000, -1000, 3000});
     mesh pot = teapot_mesh(6);
     test_codes();
     test_sort();

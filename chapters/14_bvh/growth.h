@@ -1,5 +1,4 @@
-/* growth.h: time and work against the number of triangles, against the size of leaves, and where
- * triangles are not alike. */
+/* growth.h: time and work against the number of triangles, and where triangles are not alike. */
 #ifndef BVH_GROWTH_H
 #define BVH_GROWTH_H
 
@@ -7,7 +6,6 @@
 #include "measure.h"
 
 static inline void table_of_stadium(const options *o);
-static inline void plot_of_leaves(const options *o, const subject *s);
 static inline void growth(const options *o, bool full);  /* full: up to 2e6 triangles, else 1e6 */
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -49,27 +47,6 @@ static inline void table_of_stadium(const options *o)
     subject_free(&s);
 }
 
-/* Quality against build time: each strategy a curve, leaf sizes 16, 8, 4, 2, 1 its points. */
-static inline void plot_of_leaves(const options *o, const subject *s)
-{
-    static const char *const name[bvh_strategies] = {"cycling axis", "longest axis", "median",
-                                                     "SAH, bins", "SAH, sweep", "Morton", "spatial"};
-    plot p = plot_new("Leaves of 16, 8, 4, 2, 1", "build [ns a triangle]", "diffuse ray [ns]", 0);
-    for (int k = 0; k < bvh_strategies; k++) {
-        int series = plot_series(&p, name[k]);
-        for (int leaf = 16; leaf > 0; leaf /= 2) {
-            candidate c = {name[k], {(bvh_strategy)k, leaf, leaf > 1 ? 0.8 / leaf : 1}, false};
-            trial t = {s, &c, &s->diffuse, {{0}, NULL}};
-            double build, search;
-            time_trials(&t, 1, run_build, 1, &build);
-            time_trials(&t, 1, run_search, 3, &search);
-            plot_add(&p, series, per(build * 1e9, s->m.triangles), per(search * 1e9, s->diffuse.n));
-            bvh_free(&t.b);
-        }
-    }
-    output_plot(o, &p, "14_bvh_build_time.svg");
-}
-
 /* Time against n: teapots of 64 n^2 - 8 n triangles, ever finer. */
 static inline void growth(const options *o, bool full)
 {
@@ -92,8 +69,8 @@ static inline void growth(const options *o, bool full)
                                fine[i] <= 64 ? 40 : 0, o->seed);
         trial t = {&s, &binned, &s.diffuse, {{0}, NULL}};
         double triangles = (double)s.m.triangles, seconds;
-        time_trials(&t, 1, run_build, fine[i] < 64 ? 9 : 3, &build[i]);
-        time_trials(&t, 1, run_search, 3, &seconds);
+        time_trials(&t, 1, run_build, fine[i] < 64 ? 5 : 1, &build[i]);
+        time_trials(&t, 1, run_search, fine[i] < 64 ? 3 : 1, &seconds);
         bvh_work w = rays_count(&t.b, &s.diffuse);
         x[i] = log2(triangles), search[i] = log2(seconds / (double)s.diffuse.n);
         nodes[i] = per((double)w.nodes, s.diffuse.n);

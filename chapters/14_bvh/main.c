@@ -1,11 +1,12 @@
-/* 14_bvh: a tree of boxes over the triangles of a mesh: built in five ways, searched, compared.
+/* 14_bvh: a tree of boxes over the triangles of a mesh: built in seven ways, searched, compared.
 cc -std=c11 -O2 -ffp-contract=off -o 14_bvh chapters/14_bvh/main.c -lm -lpthread
  *
- * Without options: the teapot of 102080 triangles, what each pixel took, four tables, three plots.
+ * Without options: the teapot of 102080 triangles, what each pixel took, six tables, three plots.
  * --mesh FILE.obj: that mesh instead, a picture only. --rays FILE: searches these rays and no
  * others. */
 #include "../07_mesh/obj.h"
 #include "growth.h"
+#include "pareto.h"
 #include "pictures.h"
 #include "ray_file.h"
 
@@ -142,7 +143,9 @@ int main(int argc, char **argv)
         table_of_strategies(&o, &s);
         table_of_overlap(&o, &s);
         table_of_stadium(&o);
-        if (!o.quick) plot_of_leaves(&o, &s);
+        table_of_paying(&o, &s);
+        table_of_slivers(&o);
+        if (!o.quick) plot_of_pareto(&o, &s);
         growth(&o, own.full);
         subject_free(&s);
     } else mesh_free(&m);

@@ -10,13 +10,14 @@
 
 typedef struct { const char *name; bvh_options options; bool naive; } candidate;
 
-enum { candidates = 9 };
+enum { candidates = 11 };
 static const candidate candidate_list[candidates] = {
     {"cycling axis", {BVH_CYCLE, 4, 1}, false}, {"longest axis", {BVH_LONGEST, 4, 1}, false},
     {"median", {BVH_MEDIAN, 4, 1}, false}, {"SAH, bins", {BVH_SAH, 1, 1}, false},
     {"SAH, bins", {BVH_SAH, 4, 0.3}, false}, {"SAH, bins", {BVH_SAH, 8, 0.3}, false},
     {"SAH, bins", {BVH_SAH, 16, 0.1}, false}, {"SAH, sweep", {BVH_SAH_SWEEP, 8, 0.3}, false},
-    {"SAH, boxes naive", {BVH_SAH, 8, 0.3}, true}};
+    {"SAH, boxes naive", {BVH_SAH, 8, 0.3}, true}, {"SAH, spatial", {BVH_SPATIAL, 8, 0.3}, false},
+    {"Morton", {BVH_MORTON, 8, 0.3}, false}};
 
 /* What the surveys share: the mesh, rays at it, and the hits of brute force for some of them. */
 typedef struct {

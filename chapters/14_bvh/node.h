@@ -185,6 +185,7 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
  * and up, and a ray along the box's edge or corner: everything is rounded to the nearest float, so
  * t of the near plane may come out larger than t of the far one, and the box is lost with all that
  * is in it. */
+__attribute__((always_inline))
 static inline box_ray box_ray_naive(ray r, const bvh_box *all)
 {
     box_ray q = {.scale = 1, .tmin = (float)r.tmin};

@@ -16,7 +16,7 @@
  *
  * At each node the best cut between items is known (split.h). If the boxes of its two sides share
  * more than 1e-5 of the root's area, 15 planes an axis are weighed too, by the same (14.6): n(L)
- * counts what reaches to the left of the plane, area(L) is of what is there             (14.12)
+ * counts what reaches to the left of the plane, area(L) is of what is there             (14.11)
  * A cut item can also be left whole, on the side where that costs less.
  *
  * Each child gets a part of the room that is left, in proportion to its items: the first cuts do
@@ -120,7 +120,7 @@ static inline spatial_cut spatial_find(const spatial_builder *b, const bvh_item 
     return best;
 }
 
-/* 0: goes left whole; 1: goes right whole; 2: is cut. By (14.12), of which only the sum matters. */
+/* 0: goes left whole; 1: goes right whole; 2: is cut. By (14.11), of which only the sum matters. */
 static inline int spatial_side(spatial_cut *cut, const bvh_item *item)
 {
     if (item->box.side[3 + cut->axis] <= cut->plane) return 0;
