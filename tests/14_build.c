@@ -196,7 +196,8 @@ static void test_cover(const char *name, const mesh *m, real size, bool cut)
     bvh_build(m, (bvh_options){BVH_SPATIAL, 4, 0.3}, &b);
     check(!cut || b.tree.items > m->triangles + m->triangles / 4, "%s: %zu references to %zu", name,
           b.tree.items, m->triangles);
-    check_at_most(b.tree.items, spatial_most * m->triangles, "%s: no more than there is room", name);
+    check_at_most(b.tree.items, spatial_most * m->triangles, "%s: no more than there is room",
+                  name);
     for (size_t i = 0; i < points; i++) {
         random_stream g = random_start(4, i, 0);
         uint32_t k = (uint32_t)(random_next_bits(&g) % m->triangles);
@@ -268,7 +269,8 @@ static void test_worth(void)
 
 int main(void)
 {
-    mesh near = slivers_mesh(600, (vec3){0, 0, 0}), far = slivers_mesh(600, (vec3){1000, -1000, 3000});
+    mesh near = slivers_mesh(600, (vec3){0, 0, 0});
+    mesh far = slivers_mesh(600, (vec3){1000, -1000, 3000});
     mesh pot = teapot_mesh(6);
     test_codes();
     test_sort();

@@ -159,7 +159,8 @@ static void inspect(inspection *x, size_t at, size_t depth, size_t leaf)
         uint32_t index = x->b->triangle[i].index;
         x->seen[index]++;
         for (int c = 0; c < 3; c++) {
-            vec3 p = x->b->triangle[i].corner[c], own = x->m->v[x->m->index[3 * index + (uint32_t)c]];
+            vec3 p = x->b->triangle[i].corner[c];
+            vec3 own = x->m->v[x->m->index[3 * index + (uint32_t)c]];
             x->odd += p.x != own.x || p.y != own.y || p.z != own.z;
             for (int k = 0; k < 3 && !x->cut; k++)
                 x->outside += !((real)n->box.side[k] <= vaxis(p, k)
@@ -181,10 +182,11 @@ static void test_invariants(const char *name, const mesh *m)
             inspection x = {&b, m, allocate(m->triangles, 1), allocate(n, 1), 0, 0, 0, 0,
                             s == BVH_SPATIAL};
             inspect(&x, 0, 0, (size_t)leaves[l]);
-            for (size_t i = 0; i < m->triangles; i++) missed += x.cut ? x.seen[i] < 1 : x.seen[i] != 1;
+            for (size_t i = 0; i < m->triangles; i++)
+                missed += x.cut ? x.seen[i] < 1 : x.seen[i] != 1;
             for (size_t i = 0; i < n; i++) unused += x.node_seen[i] != (i != 1);
-            check_equal(missed, 0, "%s, %s, %d: each triangle in a leaf, and if none is cut in one only", name,
-                        strategy_name[s], leaves[l]);
+            check_equal(missed, 0, "%s, %s, %d: each triangle in a leaf, uncut in one only",
+                        name, strategy_name[s], leaves[l]);
             check_equal(unused, 0, "%s, %s, %d: each node reached once", name, strategy_name[s],
                         leaves[l]);
             check_equal(x.outside, 0, "%s, %s, %d: boxes hold their children and triangles", name,

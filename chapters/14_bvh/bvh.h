@@ -44,9 +44,9 @@ static inline bool triangle_item(const mesh *m, size_t i, bvh_item *out)
     return true;
 }
 
-/* For tree_spatial. The triangle's part in a slab: its corners there, and the points where its edges
- * cross the two sides. These points are rounded: the box gets 4 eps of the largest coordinate more
- * all round, 3 for (b - a) s and 1 for the sum. */
+/* For tree_spatial. The triangle's part in a slab: its corners there, and the points where its
+ * edges cross the two sides. These points are rounded: the box gets 4 eps of the largest coordinate
+ * more all round, 3 for (b - a) s and 1 for the sum. */
 static inline bool triangle_clip(const void *context, const bvh_item *item, int axis, float lo,
                                  float hi, bvh_box *out)
 {

@@ -22,7 +22,8 @@ static bvh_options build_options(const own_options *own)
     failure f;
     for (int k = 0; k <= bvh_strategies; k++) {
         if (k == bvh_strategies)
-            failed(&f, 2, "--strategy %s: allowed are cycle, longest, median, sah, sweep, morton, spatial",
+            failed(&f, 2, "--strategy %s: allowed are cycle, longest, median, sah, sweep, "
+                          "morton, spatial",
                    own->strategy), fail(f);
         b.strategy = (bvh_strategy)k;
         if (strcmp(own->strategy, strategy_names[k]) == 0) break;
@@ -117,7 +118,8 @@ int main(int argc, char **argv)
          "search these rays: ox oy oz tmin dx dy dz tmax, float32"},
         {"hits", OPTION_TEXT, &own.hits, 0, 0, "with --rays: their t and triangle to this file"},
         {"any-hit", OPTION_FLAG, &own.any, 0, 0, "with --rays: is there any hit at all?"},
-        {"strategy", OPTION_TEXT, &own.strategy, 0, 0, "cycle, longest, median, sah, sweep, morton or spatial"},
+        {"strategy", OPTION_TEXT, &own.strategy, 0, 0,
+         "cycle, longest, median, sah, sweep, morton or spatial"},
         {"leaf", OPTION_INT, &own.leaf, 1, 255, "most triangles in a leaf"},
         {"full", OPTION_FLAG, &own.full, 0, 0, "growth up to 2e6 triangles instead of 1e6"}, {0}};
     options o = options_read(argc, argv, "14_bvh",

@@ -44,8 +44,8 @@ typedef struct { uint32_t first, count; float enter; } tree_waiting;
 
 /* `leaf` and `any` are known where this is called: each call becomes a loop of its own. Which child
  * is nearer is chosen by branches: half of the guesses are wrong, but with the others the processor
- * is already in the next node. Without them (an index from the comparison) it has to wait each time,
- * and a ray takes a third longer. */
+ * is already in the next node. Without them (an index from the comparison) it has to wait at every
+ * node, and a ray takes a third longer. */
 __attribute__((always_inline))
 static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
                                const void *context, bool any, hit *out, bvh_work *work)

@@ -50,7 +50,13 @@ typedef struct {
 } spatial_builder;
 
 /* cost: as splitter.cost. left, right: what is known of the two sides before the cut. */
-typedef struct { double cost; int axis; float plane; bvh_box left, right; size_t n[2]; } spatial_cut;
+typedef struct {
+    double cost;
+    int axis;
+    float plane;
+    bvh_box left, right;
+    size_t n[2];
+} spatial_cut;
 typedef struct { bvh_box box; size_t begin, end; } spatial_bin;
 
 static inline float spatial_plane(const bvh_box *b, int axis, int i)

@@ -63,7 +63,8 @@ static inline vec3 *mesh_points(const mesh *m, const bvh *b, size_t *n)
     vec3 *p = allocate(m->vertices, sizeof *p);
     bool *used = allocate(m->vertices, sizeof *used);
     for (size_t i = 0; i < b->tree.items; i++)
-        for (int k = 0; k < 3; k++) used[b->triangle[i].corner[k]] = true;
+        for (size_t k = 0; k < 3; k++)
+            used[m->index[3 * (size_t)b->triangle[i].index + k]] = true;
     *n = 0;
     for (size_t i = 0; i < m->vertices; i++)
         if (used[i]) p[(*n)++] = m->v[i];

@@ -131,7 +131,7 @@ static inline void methods_wrong(method *m, int methods, vec3 to, size_t n, cons
     vec3 eye = vadd(forest_camera(1).e, to);
     real bound = 64 * real_epsilon * (vlargest(to) + 100);
     for (int k = 0; k < methods; k++) {
-        m[k].x = (instances){0}, m[k].b = (bvh){.v = NULL}, m[k].m = (mesh){0}, wrong[k] = 0;
+        m[k].x = (instances){0}, m[k].b = (bvh){.triangle = NULL}, m[k].m = (mesh){0}, wrong[k] = 0;
         method_build(&m[k], &c);
     }
     for (size_t i = 0; i < n; i++) {
