@@ -1,8 +1,9 @@
 /* nested.h: a grid in the cells of a grid (两层网格): for scenes that are dense in one place.
  *
  *     +-----------+-----------+     Few large cells; each that holds anything is cut again, finely
- *     |           |  |  |  |  |     if it holds much. A ray passes empty space in large steps, and
- *     |           |--+--+--+--|     the teapot in the stadium has cells of its own size.
+ *     |           |  +-+-+-+  |     if it holds much: not all of it, but the box around what is in
+ *     |           |  +-+-+-+  |     it. A ray passes empty space in large steps, and the teapot in
+ *     |           |  +-+-+-+  |     the stadium has cells of its own size.
  *     |           |  |  |  |  |
  *     +-----------+-----------+     nested_build, nested_hit, ..: the verbs of items.h
  *
@@ -10,9 +11,9 @@
  * by (10.4). Items that span more than half of the outer cell cannot be cut apart: for them alone
  * it is cut into 27 at most. All inner cells of all outer ones share the two arrays of marking.h.
  *
- * The inner walk takes over at the t at which the outer cell begins, and ends where it ends. Outer
- * cells of an inner lattice reach to infinity like all (walk.h), so every t belongs to some cell
- * whose turn it is, and what grid.h says of rounding holds here word for word.
+ * The inner walk takes over at the t at which the outer cell begins, and ends where it ends. Every
+ * t belongs to some outer cell whose turn it is, and in it to an inner one, or to the space beside
+ * the inner box, where nothing can be hit: what grid.h says of rounding holds here word for word.
  *
  * Sources: D. Jevans, B. Wyvill, "Adaptive Voxel Subdivision for Ray Tracing", Graphics Interface
  * 1989; J. Kalojanov, M. Billeter, P. Slusallek, "Two-Level Grids for Ray Tracing on GPUs",
@@ -32,7 +33,7 @@ typedef struct {
 #define nested_defaults ((nested_options){0.1, 4, true, true, (size_t)1 << 30})
 
 typedef struct {
-    vec3 lo;
+    aabb box;             /* around what its items have in the outer cell, and the margin */
     uint32_t base;        /* its cells are base, base + 1, .. of the lists */
     uint8_t n[3];
 } nested_part;
@@ -54,25 +55,30 @@ static inline void nested_free(nested *x)
 }
 
 __attribute__((always_inline))
-static inline lattice nested_lattice(const lattice *outer, const nested_part *p)
+static inline lattice nested_lattice(const nested_part *p)
 {
-    vec3 n = {(real)p->n[0], (real)p->n[1], (real)p->n[2]};
-    vec3 size = {outer->size.x / n.x, outer->size.y / n.y, outer->size.z / n.z};
-    return (lattice){p->lo, size, vmul(outer->per, n), {p->n[0], p->n[1], p->n[2]}};
+    return lattice_of(p->box, (int[3]){p->n[0], p->n[1], p->n[2]});
 }
 
-/* How many of these items span at most half of the box on every axis. */
-static inline size_t nested_small(const items *x, const uint32_t *item, size_t k, aabb box)
+/* Around the parts of the items in the cell; the cell, and that box, are widened by the margin:
+ * what grid.h says of rounding needs the first to hold items beside the cell, the second to hold
+ * hits beside the items. *small: items that span at most half of the cell on every axis. */
+static inline aabb nested_box(const nested *x, const uint32_t *item, size_t k, aabb cell,
+                              size_t *small)
 {
-    size_t small = 0;
-    vec3 most = vscale(vsub(box.hi, box.lo), (real)0.5);
+    vec3 m = {x->g.margin, x->g.margin, x->g.margin};
+    vec3 half = vscale(vsub(cell.hi, cell.lo), (real)0.5);
+    aabb wide_cell = {vsub(cell.lo, m), vadd(cell.hi, m)}, all = aabb_empty();
+    *small = 0;
     for (size_t i = 0; i < k; i++) {
-        aabb b;
-        if (!items_bounds(x, item[i], &b)) continue;
-        vec3 e = vsub(vmin(b.hi, box.hi), vmax(b.lo, box.lo));
-        small += e.x <= most.x && e.y <= most.y && e.z <= most.z;
+        aabb b = cell;
+        (void)items_bounds(&x->g.x, item[i], &b);
+        b = (aabb){vmax(b.lo, wide_cell.lo), vmin(b.hi, wide_cell.hi)};
+        vec3 e = vsub(b.hi, b.lo);
+        *small += e.x <= half.x && e.y <= half.y && e.z <= half.z;
+        all = (aabb){vmin(all.lo, b.lo), vmax(all.hi, b.hi)};
     }
-    return small;
+    return (aabb){vsub(all.lo, m), vadd(all.hi, m)};
 }
 
 /* Cuts outer cell c, with k items. False: more cells than a reference can count. */
@@ -80,14 +86,14 @@ static inline bool nested_cut(nested *x, size_t c, const uint32_t *item, size_t 
                               size_t *cells)
 {
     const lattice *l = &x->g.cells;
-    size_t row = (size_t)l->n[0], layer = row * (size_t)l->n[1];
+    size_t row = (size_t)l->n[0], layer = row * (size_t)l->n[1], small;
     int at[3] = {(int)(c % row), (int)(c % layer / row), (int)(c / layer)}, n[3];
-    aabb box = lattice_box(l, at, at, 0);
     nested_part *p = &x->part[++x->parts];
-    double want = inner * (double)k, small = inner * (double)nested_small(&x->g.x, item, k, box);
-    if (want > 27) want = small > 27 ? small : 27;
-    grid_resolution(box, want, x->g.margin, n);
-    p->lo = box.lo, p->base = (uint32_t)*cells;
+    p->box = nested_box(x, item, k, lattice_box(l, at, at, 0), &small);
+    double want = inner * (double)k, apart = inner * (double)small;
+    if (want > 27) want = apart > 27 ? apart : 27;
+    grid_resolution(p->box, want, x->g.margin, n);
+    p->base = (uint32_t)*cells;
     for (int a = 0; a < 3; a++) p->n[a] = (uint8_t)(n[a] < 255 ? n[a] : 255);
     x->part_of[c] = (uint32_t)x->parts;
     *cells += (size_t)p->n[0] * p->n[1] * p->n[2];
@@ -102,7 +108,7 @@ static inline bool nested_mark(nested *x, const cell_lists *outer, bool exact, f
     for (size_t c = outer->cells; c-- > 0;) {
         if (!x->part_of[c]) continue;
         const nested_part *p = &x->part[x->part_of[c]];
-        mark.cells = nested_lattice(&x->g.cells, p);
+        mark.cells = nested_lattice(p);
         for (uint32_t i = outer->first[c + 1]; i-- > outer->first[c];)
             if (l->item) lists_enter(l, &mark, outer->item[i], p->base);
             else if (!lists_count(l, &mark, outer->item[i], p->base, f)) return false;
@@ -176,7 +182,8 @@ static inline bool nested_search_part(const nested *x, const nested_part *p, con
                                       real t, real leave, query *q, mailbox *seen, bool any,
                                       real *end, search_work *work)
 {
-    lattice inner = nested_lattice(&x->g.cells, p);
+    if (!grid_span(p->box, a, &t, &leave) || t > *end) return false;
+    lattice inner = nested_lattice(p);
     walk w = walk_from(&inner, a, t);
     w.cell += p->base;
     do {

@@ -43,7 +43,7 @@ typedef struct {
     int n[3];            /* cells on each axis, 1 to 2^20 */
 } lattice;
 
-typedef struct { vec3 o, d, inverse; real scale; } grid_line;  /* inverse: 0 where the ray is parallel */
+typedef struct { vec3 o, d, inverse; real scale; } grid_line;  /* inverse 0: parallel */
 
 typedef struct {
     vec3 t;              /* of the next wall on each axis; infinity: none ahead */
