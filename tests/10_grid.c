@@ -325,6 +325,35 @@ static void test_far_rays_are_cheap(void)
     grid_free(&g), nested_free(&n), mesh_free(&m);
 }
 
+/* Planes from so far away that rounding moves their hits across the walls of cells. */
+static void test_far_rays_are_right(void)
+{
+    size_t rays = check_count(4000), wrong = 0, wrong_two = 0, wrong_plain = 0, hits = 0;
+    mesh m = floors_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    grid g;
+    nested two;
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    if (!nested_build(&x, nested_defaults, &two, &f)) fail(f);
+    for (size_t i = 0; i < rays; i++) {
+        random_stream s = random_start(18, i, 0);
+        int power = (int)(i % 8) + (real_is_float ? 1 : 6);
+        vec3 o = random_vector(&s, pow((real)10, (real)power));
+        ray r = ray_from(o, vsub(m.v[random_below(&s, m.vertices)], o));
+        hit a = hit_none, b = hit_none, c = hit_none, d = hit_none;
+        bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = nested_hit(&two, r, &c);
+        bool gd = grid_search_plain(&g, r, walk_step, false, &d, NULL);
+        hits += ga, wrong += !same(ga, a, gb, b), wrong_two += !same(ga, a, gc, c);
+        wrong_plain += !same(ga, a, gd, d);
+    }
+    check_equal(wrong, 0, "planes from afar: wrong of %zu, %zu hits", rays, hits);
+    check_equal(wrong_two, 0, "planes from afar, two levels");
+    check_at_least(hits, rays / 2, "they are hit");
+    check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
+    grid_free(&g), nested_free(&two), mesh_free(&m);
+}
+
 /* The mailbox saves tests and changes no answer; exact marking leaves fewer references. */
 static void test_mailbox_and_marking(void)
 {
@@ -383,6 +412,7 @@ int main(void)
     test_resolution();
     test_limits();
     test_far_rays_are_cheap();
+    test_far_rays_are_right();
     test_mailbox_and_marking();
     return check_report("10_grid");
 }

@@ -94,7 +94,7 @@ static inline void bench_make(bench_kind kind, bool quick, uint64_t seed, bench 
     b->x = b->shapes ? items_of_scene(&b->s) : items_of_mesh(&b->m);
     if (!items_all_bounds(&b->x, &box, &f)) fail(f);
     if (kind == BENCH_STADIUM)
-        b->rays = rays_primary(bench_stadium_view(1), quick ? 10 : 24, quick ? 10 : 24);
+        b->rays = rays_primary(bench_stadium_view(1), quick ? 8 : 14, quick ? 8 : 14);
     else b->rays = rays_uniform(box, rays, seed);
 }
 

@@ -50,8 +50,8 @@ static inline bool grid_ask_block(const grid *g, grid_ask_cell *ask, vec3 lo, ve
 }
 
 /* On axis k the ray moves fastest, so where it passes the sides of a layer is as exact as any of
- * its points: within 16 epsilon D. Layers are delta thicker on either side, and a hit in a layer has
- * its t between those of the sides: when the next one begins beyond the best hit, that is all. */
+ * its points: within 16 epsilon D. Layers are delta thicker on either side, and a hit in one
+ * has its t between those of its sides: a layer that begins beyond the best hit ends the search. */
 __attribute__((always_inline))
 static inline bool grid_search_layers(const grid *g, grid_ask_cell *ask, ray r, bool any, hit *out,
                                       search_work *work)

@@ -25,7 +25,7 @@ int main(int argc, char **argv)
     grid_options how = grid_defaults;
     const option own[] = {
         {"density", OPTION_REAL, &how.density, 1e-3, 1e4, "cells a shape, 1e-3 to 1e4"},
-        {"bounds", OPTION_FLAG, &bounds, 0, 0, "enter shapes in all cells that their boxes overlap"},
+        {"bounds", OPTION_FLAG, &bounds, 0, 0, "shapes in all cells that their bounds overlap"},
         {"no-mailbox", OPTION_FLAG, &no_mailbox, 0, 0, "test a shape in every cell again"},
         {"mesh", OPTION_TEXT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and no table"}, {0}};
     options o = options_read(argc, argv, "10_grid", "A uniform grid: cells, walks, errors, time.",
@@ -41,12 +41,11 @@ int main(int argc, char **argv)
         mesh_free(&m);
         return 0;
     }
-    double T=clock_seconds();draw_grid(&o, how);fprintf(stderr,"%g\n",clock_seconds()-T);
+    draw_grid(&o, how);
     if (!o.out) draw_walk(&o), draw_stadium(&o);
-fprintf(stderr,"%g\n",clock_seconds()-T);
-    measure_variants(&o);fprintf(stderr,"%g\n",clock_seconds()-T);
-    measure_density(&o);fprintf(stderr,"%g\n",clock_seconds()-T);
-    measure_stadium(&o);fprintf(stderr,"%g\n",clock_seconds()-T);
-    measure_drift(&o);fprintf(stderr,"%g\n",clock_seconds()-T);
+    measure_variants(&o);
+    measure_density(&o);
+    measure_stadium(&o);
+    measure_drift(&o);
     return 0;
 }

@@ -1,11 +1,11 @@
 /* overlap.h: which cells does an item touch? (判断格子与图元是否相交)
  *
- *        +-----+-----+          The cheap answer: those that the item's bounds overlap. But a slanted
- *        |    /|     |          triangle leaves most of them empty, and the shapes in them are asked
- *        |   / | no  |          in vain. The exact answer: two convex bodies are apart if and only if
- *        |  /  |     |          they are apart when projected on one of these axes (分离轴):
- *        +-/---+-----+            the normals of both, and the cross products of their edges;
- *        |/ yes|  no |            for a triangle and a box 3 + 1 + 9.                        (10.2)
+ *        +-----+-----+       The cheap answer: those that the item's bounds overlap. But a slanted
+ *        |    /|     |       triangle leaves most of them empty, and who passes them asks it in
+ *        |   / | no  |       vain. The exact answer: two convex bodies are apart if and only if
+ *        |  /  |     |       they are apart when projected on one of these axes (分离轴):
+ *        +-/---+-----+         the normals of both, and the cross products of their edges;
+ *        |/ yes|  no |         for a triangle and a box 3 + 1 + 9.                        (10.2)
  *
  *   overlap_plan p;
  *   if (overlap_plan_of(&x, i, &p)) ...       once an item; false: it can never be hit
@@ -16,7 +16,7 @@
  * Never "no" when they touch, whatever the rounding: the margin is argued below. "Yes" may be wrong
  * where a gap is smaller than 8 epsilon times the largest coordinate of the item; and for
  *   polygons   beyond 8 corners only their plane is asked; concave ones count as their convex hull
- *   cones      the silhouettes along x, y and z, and the ends; what is inside the hollow cone counts
+ *   cones      the silhouettes along x, y and z, and the ends; what is inside a hollow cone counts
  * Spheres are exact, and hollow: a cell that lies wholly inside is not touched.
  *
  * Sources: S. Gottschalk, M. Lin, D. Manocha, "OBBTree", SIGGRAPH 1996 (separating axes);

@@ -27,6 +27,7 @@ struct panel {
     const grid *g;
     const nested *n;             /* or NULL */
     real most;                   /* of a count that is drawn white */
+    int samples;                 /* samples x samples rays a pixel */
     vec3 (*see)(const panel *p, ray r);
 };
 
@@ -36,16 +37,17 @@ static const vec3 paper = {(real)0.93, (real)0.93, (real)0.93};
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Four rays a pixel. */
 static inline void panel_pixel(int x, int y, void *context)
 {
     const panel *p = context;
     vec3 sum = {0, 0, 0};
-    for (int k = 0; k < 4; k++) {
-        real u = (real)x + (real)(1 + 2 * (k % 2)) / 4, v = (real)y + (real)(1 + 2 * (k / 2)) / 4;
+    int n = p->samples;
+    for (int k = 0; k < n * n; k++) {
+        real u = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
+        real v = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
         sum = vadd(sum, p->see(p, camera_ray(p->eye, u, v, p->width, p->im->height)));
     }
-    image_set(p->im, p->left + x, y, vscale(sum, (real)0.25));
+    image_set(p->im, p->left + x, y, vscale(sum, 1 / (real)(n * n)));
 }
 
 static inline bool panel_draw(panel *p, vec3 (*see)(const panel *, ray), int threads)
@@ -54,11 +56,15 @@ static inline bool panel_draw(panel *p, vec3 (*see)(const panel *, ray), int thr
     return parallel_pixels(p->width, p->im->height, threads, "picture", panel_pixel, p);
 }
 
-/* Panel k of n in a row. */
+/* Panel k of n in a row, a white gap to its right. */
 static inline void panel_place(panel *p, int k, int n)
 {
-    p->width = (p->im->width - (n - 1) * panel_gap) / n;
-    p->left = k * (p->width + panel_gap);
+    int all = p->im->width, gap = all >= 12 * n ? panel_gap : 0, w = (all - (n - 1) * gap) / n;
+    p->width = w > 1 ? w : 1;
+    p->left = k * (p->width + gap) < all ? k * (p->width + gap) : all - 1;
+    for (int y = 0; y < p->im->height; y++)
+        for (int x = p->left + p->width; x < p->im->width; x++)
+            image_set(p->im, x, y, (vec3){1, 1, 1});
 }
 
 static inline vec3 see_mesh(const panel *p, ray r)
@@ -86,9 +92,18 @@ static inline vec3 see_work(const panel *p, ray r)
 {
     search_work w = {0, 0, 0, 0};
     hit h;
+    grid_hit_counted(p->g, r, &h, &w);
+    return work_colour((real)(w.nodes + w.tests) / p->most);
+}
+
+/* The same on a logarithmic scale. */
+static inline vec3 see_work_log(const panel *p, ray r)
+{
+    search_work w = {0, 0, 0, 0};
+    hit h;
     if (p->n) nested_hit_counted(p->n, r, &h, &w);
     else grid_hit_counted(p->g, r, &h, &w);
-    return work_colour((real)(w.nodes + w.tests) / p->most);
+    return work_colour(log((real)(1 + w.nodes + w.tests)) / log(p->most));
 }
 
 /* Orange: the first hit found is not the first. */
@@ -123,7 +138,8 @@ static inline vec3 see_cells(const panel *p, ray r)
         int k = off[0] <= off[1] && off[0] <= off[2] ? 0 : off[1] <= off[2] ? 1 : 2;
         ((real *)&n)[k] = 1;
         real edge = real_min(off[(k + 1) % 3], off[(k + 2) % 3]);
-        return vscale(vmul(headlight(n, r.d), rgb(0.65, 0.8, 1)), edge < (real)0.07 ? (real)0.3 : 1);
+        real light = edge < (real)0.07 ? (real)0.3 : 1;
+        return vscale(vmul(headlight(n, r.d), rgb(0.65, 0.8, 1)), light);
     }
     return shown;
 }
@@ -146,7 +162,7 @@ static inline view panel_view(const panel *p, const mesh *m, bool z_up)
 static inline void draw_grid(const options *o, grid_options how)
 {
     image im = image_new(o->width, o->height);
-    panel p = {.im = &im, .most = 160};
+    panel p = {.im = &im, .most = 160, .samples = o->quick ? 1 : 2};
     mesh pot = teapot_mesh(o->quick ? 4 : 16), many = bench_boards(60, o->seed);
     grid_options coarse = how;
     grid g;
@@ -167,7 +183,7 @@ static inline void draw_grid(const options *o, grid_options how)
 static inline void draw_mesh(const options *o, const mesh *m, grid_options how, const char *name)
 {
     image im = image_new(o->width, o->height);
-    panel p = {.im = &im, .most = 120};
+    panel p = {.im = &im, .most = 120, .samples = 2};
     grid g;
     panel_place(&p, 0, 2);
     double start = clock_seconds();
@@ -184,18 +200,18 @@ static inline void draw_mesh(const options *o, const mesh *m, grid_options how, 
 static inline void draw_stadium(const options *o)
 {
     image im = image_new(o->quick ? 100 : 560, o->quick ? 50 : 240);
-    panel p = {.im = &im, .most = 200};
-    mesh m = stadium_mesh(o->quick ? 4 : 10);
+    panel p = {.im = &im, .most = 5000, .samples = 1};
+    mesh m = stadium_mesh(o->quick ? 4 : 8);
     nested n;
     grid g;
     failure f;
     panel_place(&p, 0, 2);
     panel_mesh(&p, &m, &g, grid_defaults, bench_stadium_view((real)p.width / (real)im.height));
-    bool whole = panel_draw(&p, see_work, o->threads);
+    bool whole = panel_draw(&p, see_work_log, o->threads);
     items x = items_of_mesh(&m);
     if (!nested_build(&x, nested_defaults, &n, &f)) fail(f);
     panel_place(&p, 1, 2), p.n = &n;
-    whole = whole && panel_draw(&p, see_work, o->threads);
+    whole = whole && panel_draw(&p, see_work_log, o->threads);
     output_picture(o, &im, "10_grid_stadium.png", false, whole);
     grid_free(&g), nested_free(&n), mesh_free(&m), image_free(&im);
 }

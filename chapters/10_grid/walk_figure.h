@@ -87,7 +87,8 @@ static inline void figure_ink(vec3 *at, real distance, double width, vec3 c)
 static inline void figure_pixel(int px, int py, void *context)
 {
     const walk_figure *f = context;
-    real x = ((real)px + (real)0.5) / figure_scale, y = figure_y - ((real)py + (real)0.5) / figure_scale;
+    real x = ((real)px + (real)0.5) / figure_scale;
+    real y = figure_y - ((real)py + (real)0.5) / figure_scale;
     size_t cell = (size_t)x + figure_x * (size_t)y;
     vec3 c = cell_marked(&f->touched, cell)  ? rgb(1, 0.68, 0.25)
              : cell_marked(&f->bounds, cell) ? rgb(1, 0.93, 0.75)
@@ -117,7 +118,8 @@ static inline void draw_walk(const options *o)
     items x = items_of_mesh(&m);
     image im = image_new(figure_x * figure_scale, figure_y * figure_scale);
     walk_figure f = {.im = &im, .m = &m, .h = hit_none};
-    f.cells = lattice_of((aabb){{0, 0, 0}, {figure_x, figure_y, 1}}, (int[3]){figure_x, figure_y, 1});
+    aabb layer = {{0, 0, 0}, {figure_x, figure_y, 1}};
+    f.cells = lattice_of(layer, (int[3]){figure_x, figure_y, 1});
     f.r = ray_from((vec3){(real)0.3, (real)1.75, (real)0.5}, (vec3){1, (real)0.105, 0});
     figure_mark(&f, &x, true, &f.touched), figure_mark(&f, &x, false, &f.bounds);
     items_hit(&x, f.r, &f.h);
