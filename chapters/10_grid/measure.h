@@ -196,7 +196,7 @@ static inline void measure_variants(const options *o)
         run[i] = (grid_run){variant_built(&b[i], i), &rays, NULL};
         v[i] = (clock_variant){variant_list[i].name, b[i].run, &run[i], 0};
     }
-    clock_compare(v, variants, o->quick ? 3 : 9);
+    clock_compare(v, variants, o->quick ? 3 : 25);
     for (int i = 0; i < variants; i++) {
         bool nest = i == two_levels;
         structure_stats st = nest ? nested_stats(&b[i].n) : grid_stats(&b[i].g);
@@ -220,11 +220,12 @@ static inline void measure_variants(const options *o)
 
 /* ---- how many cells ---- */
 
+/* Median of nine passes. */
 static inline double time_of(double (*run)(void *), const void *built, const ray_set *rays)
 {
     grid_run c = {built, rays, NULL};
     clock_variant v = {"", run, &c, 0};
-    clock_compare(&v, 1, 5);
+    clock_compare(&v, 1, 9);
     return v.seconds * 1e9 / (double)rays->n;
 }
 
