@@ -1,0 +1,51 @@
+/* 10_grid: a box cut into equal cells: built, walked through, and where it fails.
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 10_grid chapters/10_grid/main.c -lm -lpthread
+ *
+ * Without options: the teapot in its cells, a walk in the plane, what a stadium takes, four tables
+ * and their plots. --mesh FILE.obj: that mesh instead, one picture. */
+#include "../07_mesh/obj.h"
+#include "measure.h"
+#include "walk_figure.h"
+
+/* "dir/bunny.obj" -> build/10_grid_bunny.png: images/ is for the pictures of the text. */
+static const char *picture_name(const char *path, char name[512])
+{
+    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
+    const char *dot = strrchr(base, '.');
+    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
+    mkdir("build", 0777);
+    snprintf(name, 512, "build/10_grid_%.*s.png", length, base);
+    return name;
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = NULL;
+    bool no_mailbox = false, bounds = false;
+    grid_options how = grid_defaults;
+    const option own[] = {
+        {"density", OPTION_REAL, &how.density, 1e-3, 1e4, "cells a shape, 1e-3 to 1e4"},
+        {"bounds", OPTION_FLAG, &bounds, 0, 0, "shapes in all cells that their bounds overlap"},
+        {"no-mailbox", OPTION_FLAG, &no_mailbox, 0, 0, "test a shape in every cell again"},
+        {"mesh", OPTION_TEXT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and no table"}, {0}};
+    options o = options_read(argc, argv, "10_grid", "A uniform grid: cells, walks, errors, time.",
+                             (options){.width = 960, .height = 330, .seed = 1}, own);
+    how.exact = !bounds, how.mailbox = !no_mailbox;
+    if (path) {
+        char name[512];
+        failure f;
+        mesh m;
+        if (!obj_read(path, &m, &f)) fail(f);
+        if (!o.out) o.out = picture_name(path, name);
+        draw_mesh(&o, &m, how, name);
+        mesh_free(&m);
+        return 0;
+    }
+    draw_grid(&o, how);
+    if (!o.out) draw_walk(&o), draw_stadium(&o);
+    measure_variants(&o);
+    measure_density(&o);
+    measure_stadium(&o);
+    measure_drift(&o);
+    return 0;
+}

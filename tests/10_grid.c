@@ -1,0 +1,418 @@
+/* Every hit of the grids equals brute force, bit for bit; the walk through the cells equals whole
+ * numbers; lists, limits and work are what the headers promise. */
+#include "../chapters/10_grid/drift.h"
+#include "../chapters/10_grid/naive.h"
+#include "../chapters/10_grid/nested.h"
+#include "../chapters/10_grid/specks.h"
+#include "structure.h"
+
+static grid_options how;
+
+static void *build(const items *x, failure *f)
+{
+    grid *g = allocate(1, sizeof *g);
+    if (grid_build(x, how, g, f)) return g;
+    free(g);
+    return NULL;
+}
+
+static bool hit_of(const void *g, ray r, hit *out) { return grid_hit(g, r, out); }
+static bool occluded(const void *g, ray r) { return grid_occluded(g, r); }
+
+static void destroy(void *g)
+{
+    grid_free(g);
+    free(g);
+}
+
+static nested_options nested_how;
+
+static void *build_nested(const items *x, failure *f)
+{
+    nested *n = allocate(1, sizeof *n);
+    if (nested_build(x, nested_how, n, f)) return n;
+    free(n);
+    return NULL;
+}
+
+static bool nested_hit_of(const void *n, ray r, hit *out) { return nested_hit(n, r, out); }
+static bool nested_is_occluded(const void *n, ray r) { return nested_occluded(n, r); }
+
+static void destroy_nested(void *n)
+{
+    nested_free(n);
+    free(n);
+}
+
+/* ---- the walk ---- */
+
+/* 1e5 steps: the walls passed on each axis, after every step. Where two walls are met at the very
+ * same t either may come first; then the next step makes up for it. */
+static void test_walk_equals_whole_numbers(void)
+{
+    size_t walks = check_count(40), steps = 100000, wrong = 0, ties = 0;
+    lattice l = whole_lattice();
+    for (size_t i = 0; i < walks; i++) {
+        whole_walk e = whole_walk_of(11, i);
+        grid_line a = line_of(whole_ray(&e));
+        walk w = walk_from(&l, &a, 0);
+        for (size_t s = 0; s < steps; s++) {
+            walk_step(&w, walk_next_t(&w));
+            whole_step(&e);
+            bool same = true, tie = false;
+            for (int k = 0; k < 3; k++) {
+                int64_t j = (int64_t)vaxis(w.j, k), m = (2 * e.j[k] - 1) * e.d[(k + 1) % 3];
+                same &= j == e.j[k];
+                tie |= m == (2 * e.j[(k + 1) % 3] + 1) * e.d[k];
+                tie |= (2 * e.j[k] - 1) * e.d[(k + 2) % 3] == (2 * e.j[(k + 2) % 3] + 1) * e.d[k];
+            }
+            wrong += !same && !tie, ties += tie;
+        }
+    }
+    if (!real_is_float)
+        check_equal(wrong, 0, "%zu walks of 1e5 steps against whole numbers, in the wrong cell",
+                    walks);
+    check_at_most(ties, steps * walks / 50, "most steps have one next wall");
+}
+
+/* The promise of walk.h: 16 epsilon D with D = 2^20, of which a wall has epsilon 2^20 / 2. */
+static void test_drift(void)
+{
+    size_t walks = check_count(60);
+    double most = 16 * (double)real_epsilon * (1 << 20);
+    drift f = drift_after(DRIFT_F32, 100000, walks, 1);
+    drift a = drift_after(DRIFT_ADDED, 100000, walks, 1);
+    drift c = drift_after(DRIFT_COUNTED, 100000, walks, 1);
+    check_at_most(c.error, most, "walls counted: off after 1e5 steps [cells]");
+    check_at_least(f.wrong, 0.5, "t added up in float is in a wrong cell after 1e5 steps");
+    check_at_least(a.error, 100 * c.error, "adding up is worse than counting");
+}
+
+/* Rays of any direction through any lattice: in each cell, at the t at which it is entered and
+ * left, the exact point is in it within 16 epsilon D. */
+static void test_walk_keeps_its_promise(void)
+{
+    size_t rays = check_count(3000), steps = 0;
+    double worst = 0;
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(12, i, 0);
+        vec3 lo = random_vector(&g, ldexp((real)1, (int)random_below(&g, 20) - 10));
+        vec3 e = random_vector(&g, 1), o = random_vector(&g, ldexp((real)1, (int)(i % 9) - 3));
+        int n[3];
+        for (int k = 0; k < 3; k++) n[k] = 1 + (int)random_below(&g, i % 2 ? 7 : 100);
+        aabb box = {lo, vadd(lo, vmax(e, vneg(e)))};
+        lattice l = lattice_of(box, n);
+        ray r = ray_from(vadd(lo, o), vsub(random_vector(&g, 1), o));
+        if (i % 7 == 0) ((real *)&r.d)[i % 3] = 0;
+        if (i % 11 == 0) ((real *)&r.d)[i % 3] *= real_epsilon;
+        if (i % 13 == 0) r.d = vscale(r.d, ldexp((real)1, real_is_float ? -100 : -900));
+        grid_line a = line_of(r);
+        real t = -real_largest, to = real_largest;
+        if (!grid_span(box, &a, &t, &to)) continue;
+        double D = 0;
+        for (int k = 0; k < 3; k++) {
+            double u = fabs((double)(vaxis(r.o, k) - vaxis(box.lo, k)));
+            double v = fabs((double)(vaxis(box.hi, k) - vaxis(r.o, k)));
+            D = fmax(D, fmax(u, v));
+        }
+        walk w = walk_from(&l, &a, t);
+        for (real next = t; next <= to; t = next, steps++) {
+            next = walk_next_t(&w);
+            for (int k = 0; k < 3; k++) {
+                int at = walk_index(&l, &w, k);
+                wide size = wide_of((double)vaxis(l.size, k)), low = wide_of((double)vaxis(lo, k));
+                wide wall = wide_add(low, wide_mul(size, wide_of(at)));
+                wide end = wide_add(low, wide_mul(size, wide_of(at + 1)));
+                for (int side = 0; side < 2; side++) {
+                    real s = side ? real_min(next, to) : t;
+                    wide p = wide_add(wide_of((double)vaxis(a.o, k)),
+                                      wide_product((double)s, (double)vaxis(a.d, k)));
+                    double before = wide_value(wide_sub(wall, p));
+                    double after = wide_value(wide_sub(p, end));
+                    if (s >= t) worst = fmax(worst, fmax(before, after) / D);
+                }
+            }
+            if (next <= to) walk_step(&w, next);
+        }
+    }
+    check_at_most(worst, 16 * (double)real_epsilon, "%zu cells: off at entry or exit [D]", steps);
+    check_at_least(steps, rays, "the rays pass cells");
+}
+
+/* ---- what naive searches lose ---- */
+
+/* The drawing of naive.h: b stands in front of the far part of a. */
+static void test_early_is_wrong(void)
+{
+    mesh m = mesh_room(60);
+    failure f;
+    grid g;
+    hit h;
+    set_triangle(&m, 0, (vec3){0, -1, 0}, (vec3){8, 1, 4}, (vec3){8, -1, 4});   /* a */
+    set_triangle(&m, 1, (vec3){5, -1, 1}, (vec3){5, 1, 4}, (vec3){5, -1, 4});   /* b */
+    for (size_t i = 2; i < 60; i++)  /* others, so that there are cells */
+        set_triangle(&m, i, (vec3){(real)(i % 8), 3, 0}, (vec3){(real)(i % 8), 3, 1},
+                     (vec3){(real)(i % 8), 4, (real)(i % 5)});
+    items x = items_of_mesh(&m);
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    ray r = ray_from((vec3){-1, (real)-0.5, (real)3.25}, (vec3){1, 0, 0});
+    check(grid_hit(&g, r, &h) && h.shape == 1, "b is in front");
+    size_t lost = 0;
+    for (int i = 0; i < 64; i++) {
+        r.o.z = (real)i / 16;
+        hit e = hit_none;
+        grid_hit(&g, r, &h), grid_hit_early(&g, r, &e);
+        lost += e.shape != h.shape;
+    }
+    check_at_least(lost, 1, "who stops at the first hit found takes a for b somewhere");
+    grid_free(&g), mesh_free(&m);
+}
+
+/* In float the margin is wider than the specks are beside the walls: nothing to lose there. */
+static void test_naive_is_wrong(void)
+{
+    size_t n = 2000, rays = check_count(2000), wrong = 0, wrong_naive = 0, hits = 0;
+    mesh m = specks_mesh(n, grid_defaults, 1);
+    items x = items_of_mesh(&m);
+    failure f;
+    grid g;
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    for (size_t i = 0; i < rays; i++) {
+        ray r = specks_ray(&m, 1, i);
+        hit a = hit_none, b = hit_none, c = hit_none;
+        bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = grid_hit_naive(&g, r, &c);
+        hits += ga, wrong += !same(ga, a, gb, b), wrong_naive += !same(ga, a, gc, c);
+    }
+    check_equal(wrong, 0, "specks: wrong of %zu", rays);
+    check_at_least(hits, rays / (real_is_float ? 3 : 2), "specks are hit");
+    if (!real_is_float)
+        check_at_least(wrong_naive, rays / 500, "specks: t added up in float loses hits");
+    grid_free(&g), mesh_free(&m);
+}
+
+/* ---- lists, limits, work ---- */
+
+/* Every item is in every cell that it touches, once; and in no cell beyond the margin. */
+static void check_lists(const char *what, const items *x, grid_options o)
+{
+    failure f;
+    grid g;
+    if (!grid_build(x, o, &g, &f)) fail(f);
+    size_t lost = 0, astray = 0, unordered = 0, cells = lattice_cells(&g.cells), marks = 0;
+    uint32_t *at = allocate(cells, sizeof *at);
+    for (size_t c = 0; c < cells; c++) {
+        at[c] = g.lists.first[c], marks += cell_marked(&g.lists, c);
+        for (uint32_t k = at[c]; k + 1 < g.lists.first[c + 1]; k++)
+            unordered += g.lists.item[k] >= g.lists.item[k + 1];
+        lost += cell_marked(&g.lists, c) != (g.lists.first[c + 1] > at[c]);
+    }
+    for (size_t i = 0; i < x->n; i++)
+        for (size_t c = 0; c < cells; c++) {
+            int n0 = g.cells.n[0], n1 = g.cells.n[1];
+            int k[3] = {(int)c % n0, (int)c / n0 % n1, (int)c / n0 / n1};
+            bool listed = at[c] < g.lists.first[c + 1] && g.lists.item[at[c]] == i;
+            aabb tight = lattice_box(&g.cells, k, k, 0);
+            aabb loose = lattice_box(&g.cells, k, k, 2 * g.margin);
+            at[c] += listed;
+            lost += !listed && (o.exact ? items_overlap_box(x, i, tight)
+                                        : items_overlap_bounds(x, i, tight));
+            astray += listed && !(o.exact ? items_overlap_box(x, i, loose)
+                                          : items_overlap_bounds(x, i, loose));
+        }
+    check_equal(lost, 0, "%s: items missing from cells that they touch", what);
+    check_equal(astray, 0, "%s: items in cells that they do not touch", what);
+    check_equal(unordered, 0, "%s: lists ascend", what);
+    structure_stats s = grid_stats(&g);
+    check_equal(s.leaves - s.empty, marks, "%s: marked cells", what);
+    check(s.references == g.lists.first[cells] && s.bytes >= 4 * (s.references + s.leaves),
+          "%s: %zu references in %zu bytes", what, s.references, s.bytes);
+    free(at), grid_free(&g);
+}
+
+static void test_lists(void)
+{
+    mesh m = teapot_mesh(3), floors = floors_mesh(2);
+    items x = items_of_mesh(&m), y = items_of_mesh(&floors);
+    grid_options o = grid_defaults;
+    o.density = 4;
+    check_lists("teapot", &x, o), check_lists("planes", &y, o);
+    o.exact = false;
+    check_lists("teapot, bounds", &x, o);
+    mesh_free(&m), mesh_free(&floors);
+}
+
+/* (10.4): 27 n cubes, whatever the proportions, as long as an axis is not thinner than a cell. */
+static void test_resolution(void)
+{
+    static const double side[][3] = {{1, 1, 1}, {1, 2, 4}, {100, 1, 1}, {1, 1, 1e-3}, {1, 0, 1},
+                                     {1e-9, 1e-9, 1}, {0, 0, 0}, {1e9, 1, 1e-9}};
+    for (size_t i = 0; i < sizeof side / sizeof *side; i++) {
+        int n[3];
+        const real thin = (real)1e-12;  /* by the margin no box is flat */
+        vec3 hi = {(real)side[i][0] + thin, (real)side[i][1] + thin, (real)side[i][2] + thin};
+        grid_resolution((aabb){{0, 0, 0}, hi}, 27000, thin / 1000000, n);
+        double cells = (double)n[0] * n[1] * n[2], widest = 0, least = 1e300;
+        for (int k = 0; k < 3; k++) {
+            double size = (double)vaxis(hi, k) / n[k];
+            check(n[k] >= 1, "at least one cell on an axis");
+            if (n[k] > 2) widest = fmax(widest, size), least = fmin(least, size);
+        }
+        check(cells > 27000 / 1.5 && cells < 27000 * 1.5, "box %zu: %g cells of 27000", i, cells);
+        check_at_most(widest, 1.3 * least, "box %zu: cells are cubes", i);
+    }
+}
+
+static void test_limits(void)
+{
+    mesh m = teapot_mesh(8);
+    items x = items_of_mesh(&m);
+    failure f;
+    grid g;
+    nested n;
+    grid_options o = grid_defaults;
+    nested_options p = nested_defaults;
+    o.most_bytes = 200000;  /* fewer than 4 bytes a cell */
+    check(!grid_build(&x, o, &g, &f) && f.exit_code == 1 && strstr(f.text, "cells"),
+          "cells beyond most_bytes are refused");
+    o.most_bytes = 4 * 27 * m.triangles + 40000;  /* cells fit, references do not */
+    check(!grid_build(&x, o, &g, &f) && f.exit_code == 1 && strstr(f.text, "references"),
+          "references beyond most_bytes are refused");
+    grid_free(&g);
+    o = grid_defaults;
+    double bad[] = {0, -1, (double)NAN, 1e-7, 1e7, (double)INFINITY};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        o.density = bad[i];
+        check(!grid_build(&x, o, &g, &f) && f.exit_code == 2, "density %g is refused", bad[i]);
+        p = nested_defaults, p.inner = bad[i];
+        check(!nested_build(&x, p, &n, &f) && f.exit_code == 2, "inner %g is refused", bad[i]);
+    }
+    p = nested_defaults, p.most_bytes = 100000;
+    check(!nested_build(&x, p, &n, &f) && f.exit_code == 1, "two levels beyond most_bytes");
+    nested_free(&n), nested_free(&n), grid_free(&g);
+    mesh_free(&m);
+}
+
+/* What a ray costs is not O(n), from wherever a camera stands: D up to 1023 sizes goes straight
+ * through the cells (float: 3), and 1e6 sizes away (1e3) rays still ask some layers of cells. */
+static void test_far_rays_are_cheap(void)
+{
+    static const double away_double[] = {2, 300, 1000, 1e4, 1e6}, away_float[] = {2, 20, 100};
+    const double *away = real_is_float ? away_float : away_double;
+    mesh m = teapot_mesh(24);
+    items x = items_of_mesh(&m);
+    failure f;
+    grid g;
+    nested n;
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    if (!nested_build(&x, nested_defaults, &n, &f)) fail(f);
+    for (size_t k = 0; k < (real_is_float ? 3 : 5); k++) {
+        search_work w = {0, 0, 0, 0}, v = w;
+        size_t rays = 200, wrong = 0;
+        for (size_t i = 0; i < rays; i++) {
+            random_stream s = random_start(15, i, 0);
+            vec3 o = vscale(vunit(random_vector(&s, 1)), (real)(6.4 * away[k]));
+            ray r = ray_from(o, vsub(m.v[random_below(&s, m.vertices)], o));
+            hit a = hit_none, b = hit_none, c = hit_none;
+            bool ga = i % 10 == 0 && items_hit(&x, r, &a);
+            bool gb = grid_hit_counted(&g, r, &b, &w), gc = nested_hit_counted(&n, r, &c, &v);
+            wrong += !same(gb, b, gc, c) || (i % 10 == 0 && !same(ga, a, gb, b));
+        }
+        check_equal(wrong, 0, "%g sizes away: wrong", away[k]);
+        check_at_most(w.tests / rays, m.triangles / 50, "%g sizes away: tests a ray", away[k]);
+        check_at_most(v.tests / rays, m.triangles / 10, "%g sizes away, two levels", away[k]);
+        check_at_most(w.nodes / rays, 2000, "%g sizes away: cells a ray", away[k]);
+    }
+    grid_free(&g), nested_free(&n), mesh_free(&m);
+}
+
+/* Planes from so far away that rounding moves their hits across the walls of cells. */
+static void test_far_rays_are_right(void)
+{
+    size_t rays = check_count(4000), wrong = 0, wrong_two = 0, wrong_plain = 0, hits = 0;
+    mesh m = floors_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    grid g;
+    nested two;
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    if (!nested_build(&x, nested_defaults, &two, &f)) fail(f);
+    for (size_t i = 0; i < rays; i++) {
+        random_stream s = random_start(18, i, 0);
+        int power = (int)(i % 8) + (real_is_float ? 1 : 6);
+        vec3 o = random_vector(&s, pow((real)10, (real)power));
+        ray r = ray_from(o, vsub(m.v[random_below(&s, m.vertices)], o));
+        hit a = hit_none, b = hit_none, c = hit_none, d = hit_none;
+        bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = nested_hit(&two, r, &c);
+        bool gd = grid_search_plain(&g, r, walk_step, false, &d, NULL);
+        hits += ga, wrong += !same(ga, a, gb, b), wrong_two += !same(ga, a, gc, c);
+        wrong_plain += !same(ga, a, gd, d);
+    }
+    check_equal(wrong, 0, "planes from afar: wrong of %zu, %zu hits", rays, hits);
+    check_equal(wrong_two, 0, "planes from afar, two levels");
+    check_at_least(hits, rays / 2, "they are hit");
+    check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
+    grid_free(&g), nested_free(&two), mesh_free(&m);
+}
+
+/* The mailbox saves tests and changes no answer; exact marking leaves fewer references. */
+static void test_mailbox_and_marking(void)
+{
+    mesh m = needles(2000, (real)0.05);
+    items x = items_of_mesh(&m);
+    failure f;
+    grid g[3];
+    search_work w[3] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}};
+    size_t wrong = 0;
+    for (int k = 0; k < 3; k++) {
+        grid_options o = grid_defaults;
+        o.exact = k != 2, o.mailbox = k != 1;
+        if (!grid_build(&x, o, &g[k], &f)) fail(f);
+    }
+    for (size_t i = 0; i < check_count(1000); i++) {
+        random_stream s = random_start(16, i, 0);
+        vec3 o = random_vector(&s, 3);
+        ray r = ray_from(o, vsub(random_vector(&s, 1), o));
+        hit a = hit_none, b = hit_none, c = hit_none;
+        bool ga = grid_hit_counted(&g[0], r, &a, &w[0]);
+        bool gb = grid_hit_counted(&g[1], r, &b, &w[1]);
+        bool gc = grid_hit_counted(&g[2], r, &c, &w[2]);
+        wrong += !same(ga, a, gb, b) || !same(ga, a, gc, c);
+    }
+    check_equal(wrong, 0, "mailbox or not, exact or not: the same hits");
+    check_at_least(2 * w[1].tests, 3 * w[0].tests, "without it needles are tested again and again");
+    check_at_least(g[2].lists.references, 2 * g[0].lists.references, "bounds of slanted needles");
+    for (int k = 0; k < 3; k++) grid_free(&g[k]);
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    structure s = {"grid", build, hit_of, occluded, destroy};
+    structure two = {"two-level grid", build_nested, nested_hit_of, nested_is_occluded,
+                     destroy_nested};
+    how = grid_defaults;
+    structure_tests(&s, check_count(600));
+    nested_how = nested_defaults;
+    structure_tests(&two, check_count(600));
+    for (int k = 0; k < 4; k++) {
+        how = (grid_options){k == 0 ? 1e-3 : k == 1 ? 1 : 500, k != 1, k == 3, (size_t)1 << 28};
+        structure_mesh(&s, "teapot, other options", teapot_mesh(3), check_count(600),
+                       (vec3){0, 0, 0}, 3, 0);
+        structure_mesh(&s, "planes, other options", floors_mesh(4), check_count(600),
+                       (vec3){0, 0, 0}, 1, 0);
+        structure_mesh(&s, "from 2e3 away", torus_mesh(12), check_count(600), (vec3){0, 0, 0}, 1,
+                       2000);
+    }
+    test_walk_equals_whole_numbers();
+    test_drift();
+    test_walk_keeps_its_promise();
+    test_early_is_wrong();
+    test_naive_is_wrong();
+    test_lists();
+    test_resolution();
+    test_limits();
+    test_far_rays_are_cheap();
+    test_far_rays_are_right();
+    test_mailbox_and_marking();
+    return check_report("10_grid");
+}
