@@ -16,6 +16,7 @@
 #ifndef MAILBOX_H
 #define MAILBOX_H
 
+#include "../../common/posix.h"
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>

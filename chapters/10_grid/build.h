@@ -1,0 +1,138 @@
+/* build.h: building a uniform grid; see grid.h.
+ *
+ *   grid_bounds, grid_resolution, grid_mark     the three steps of the notes
+ *   bool grid_build(&x, how, &g, &f)            all of them
+ */
+#ifndef GRID_BUILD_H
+#define GRID_BUILD_H
+
+#include "mailbox.h"
+#include "marking.h"
+
+typedef struct {
+    double density;    /* cells an item: 1e-6 to 1e6 */
+    bool exact;        /* cells that the item touches; false: that its bounds overlap */
+    bool mailbox;
+    size_t most_bytes; /* false from grid_build, rather than more */
+} grid_options;
+
+#define grid_defaults ((grid_options){27, true, true, (size_t)1 << 30})
+
+typedef struct {
+    lattice cells;
+    aabb box;          /* of the lattice: bounds of the items, and `margin` around */
+    real margin, near; /* [scene units] */
+    cell_lists lists;
+    items x;
+    size_t entered;    /* items that can be hit */
+    bool mailbox;
+} grid;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* In float, 1e-7 of a distance is 1e-4 of a cell: what is paid in advance is less. */
+#define grid_reach (real_is_float ? 4 : 1024)
+
+/* The widest cells that still are small against the margin: 8 of it. */
+static inline int grid_most_cells(real side, real margin)
+{
+    return (int)real_clamp(side / (8 * margin), 1, 1 << 20);
+}
+
+/* (10.4). Axes thinner than a cell are left out, one after the other. */
+static inline void grid_resolution(aabb box, double cells, real margin, int n[3])
+{
+    bool cut[3] = {true, true, true};
+    for (int round = 0; round < 3; round++) {
+        double volume = 1, per = 0;
+        int axes = 0, thin = -1;
+        for (int k = 0; k < 3; k++)
+            if (cut[k]) volume *= (double)(vaxis(box.hi, k) - vaxis(box.lo, k)), axes++;
+        if (axes > 0) per = pow(cells / volume, 1.0 / axes);  /* cells a length */
+        for (int k = 0; k < 3; k++) {
+            real side = vaxis(box.hi, k) - vaxis(box.lo, k);
+            int most = grid_most_cells(side, margin);
+            double want = cut[k] ? (double)side * per : 1;
+            n[k] = want < most ? (int)(want + 0.5) : most;
+            n[k] = n[k] > 1 ? n[k] : 1;
+            if (cut[k] && want < 1
+                && (thin < 0 || side < vaxis(box.hi, thin) - vaxis(box.lo, thin))) thin = k;
+        }
+        if (thin < 0) break;
+        cut[thin] = false;
+    }
+}
+
+/* 1. Widened by the margin: for query_delta of the rays that begin near, and 8 epsilon of the
+ * largest coordinate, by which walls and bounds are rounded. */
+static inline bool grid_bounds(const items *x, grid *g, failure *f)
+{
+    aabb all;
+    if (!items_all_bounds(x, &all, f)) return false;
+    if (aabb_is_empty(all)) all = (aabb){{0, 0, 0}, {0, 0, 0}};
+    vec3 side = vsub(all.hi, all.lo);
+    real longest = vaxis(side, vlongest(side)), tiny = real_smallest / real_epsilon;
+    g->near = 512 * real_epsilon * (grid_reach * longest) + tiny;
+    g->margin = g->near + 8 * real_epsilon * aabb_reach(all) + tiny;
+    vec3 m = {g->margin, g->margin, g->margin};
+    g->box = (aabb){vsub(all.lo, m), vadd(all.hi, m)};
+    return true;
+}
+
+static inline void grid_free(grid *g)
+{
+    lists_free(&g->lists);
+    *g = (grid){.entered = 0};
+}
+
+/* 3. Last to first: each list ascends, so at equal t the first one asked wins at once. */
+static inline bool grid_mark(grid *g, grid_options how, failure *f)
+{
+    marking mark = {&g->x, g->cells, g->margin, how.exact};
+    cell_lists *l = &g->lists;
+    if (!lists_begin(lattice_cells(&g->cells), how.most_bytes, l, f)) return false;
+    for (size_t i = 0; i < g->x.n; i++)
+        if (!lists_count(l, &mark, i, 0, f)) return false;
+    lists_sum(l);
+    for (size_t i = g->x.n; i-- > 0;) lists_enter(l, &mark, i, 0);
+    lists_finish(l);
+    return true;
+}
+
+static inline bool grid_build(const items *x, grid_options how, grid *out, failure *f)
+{
+    int n[3];
+    size_t entered = 0;
+    aabb b;
+    *out = (grid){.x = *x, .mailbox = how.mailbox};
+    if (!(how.density >= 1e-6 && how.density <= 1e6))
+        return failed(f, 2, "density %g: allowed are 1e-6 to 1e6 cells an item", how.density);
+    if (!grid_bounds(x, out, f)) return false;
+    for (size_t i = 0; i < x->n; i++) entered += items_bounds(x, i, &b);
+    out->entered = entered;
+    grid_resolution(out->box, how.density * (double)entered, out->margin, n);
+    out->cells = lattice_of(out->box, n);
+    if (grid_mark(out, how, f)) return true;
+    grid_free(out);
+    return false;
+}
+
+/* Asks the items of a cell; true if one was closer than the best so far (any: was hit). */
+__attribute__((always_inline))
+static inline bool grid_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
+                            search_work *work)
+{
+    const uint32_t *i = g->lists.item + g->lists.first[cell];
+    const uint32_t *end = g->lists.item + g->lists.first[cell + 1];
+    bool found = false;
+    for (; i < end; i++) {
+        if (g->mailbox && mailbox_has(seen, *i)) continue;
+        if (work) work->tests++;
+        if (!query_ask(q, &g->x, *i, any)) continue;
+        if (any) return true;
+        found = true;
+    }
+    return found;
+}
+
+#endif

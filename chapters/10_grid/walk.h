@@ -1,0 +1,194 @@
+/* walk.h: which cells does a ray pass, in order? (三维 DDA, the line rasteriser of the notes in 3D)
+ *
+ *      +-----+-----+-----+      The ray meets the walls of each axis at equal intervals of t:
+ *      |     |     |  ---*->        t_k(j) = first_k + j step_k,  j = 0, 1, 2 ..           (10.3)
+ *      +-----+--.--*-----+          first = ((lo - o) + w size) / d,  step = size / |d|
+ *      |  .--*     |     |      The next wall is the one of the smallest t. Step over it: j + 1 on
+ *    o-*-----+-----+-----+      that axis. Where two are met at once, step over both.
+ *
+ *   grid_line a = line_of(r)                        once a ray
+ *   line_begin(&a, r.tmin, from)               the later of the two, in the t of the walk
+ *   line_end(&a, r.tmax, to)                   the earlier
+ *   walk w = walk_from(&l, &a, t)              the cell at t; the cell's number is w.cell
+ *   real t = walk_next_t(&w)                   where the ray leaves it; infinity: no wall ahead
+ *   walk_step(&w, t)                           into the next one
+ *   walk_step_naive(&w, t)                     t_k += step_k: drifts
+ *   int i = walk_index(&l, &w, k)              which cell on axis k
+ *
+ * Outer cells reach to infinity: the walk never leaves the lattice. t counts in lengths of a.d, in
+ * which very long and very short directions are scaled: multiply a t of the ray by a.scale.
+ *
+ * Adding step over and over adds up as many roundings: the error of t grows with the number of
+ * steps, and in float, after 1e5 of them, most walks are in a wrong cell. (10.3) counts in whole
+ * numbers instead, which are exact, and rounds t afresh: two operations more, and no drift.
+ *
+ * What is promised: at every t from the start on, the cell whose turn it is has the ray's exact
+ * point at t within 16 epsilon D on every axis, D = the largest |side of the lattice - o|. Because
+ * (lo - o), w size, their sum, 1/d and the products are each off by half an epsilon of themselves,
+ * and none of them, times |d|, is more than 2 D. A d_k below epsilon/4 of the longest counts as 0:
+ * it moves the ray by less than epsilon D.
+ *
+ * Sources: J. Cleary, G. Wyvill, "Analysis of an algorithm for fast ray tracing using uniform
+ * space subdivision", The Visual Computer 4, 1988; J. Amanatides, A. Woo, "A Fast Voxel Traversal
+ * Algorithm for Ray Tracing", Eurographics 1987 (both add; here it is counted).
+ */
+#ifndef WALK_H
+#define WALK_H
+
+#include "items.h"
+#include <stddef.h>
+
+typedef struct {
+    vec3 lo, size, per;  /* corner; sides of a cell, and 1 over them */
+    int n[3];            /* cells on each axis, 1 to 2^20 */
+} lattice;
+
+typedef struct { vec3 o, d, inverse; real scale; } grid_line;  /* inverse: 0 where the ray is parallel */
+
+typedef struct {
+    vec3 t;              /* of the next wall on each axis; infinity: none ahead */
+    vec3 first, step;    /* (10.3) */
+    vec3 j, last;        /* walls passed; walls in all */
+    ptrdiff_t cell, stride[3];
+} walk;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline lattice lattice_of(aabb box, const int n[3])
+{
+    vec3 e = vsub(box.hi, box.lo), count = {(real)n[0], (real)n[1], (real)n[2]};
+    vec3 size = {e.x / count.x, e.y / count.y, e.z / count.z};
+    return (lattice){box.lo, size, {1 / size.x, 1 / size.y, 1 / size.z}, {n[0], n[1], n[2]}};
+}
+
+static inline size_t lattice_cells(const lattice *l)
+{
+    return (size_t)l->n[0] * (size_t)l->n[1] * (size_t)l->n[2];
+}
+
+/* Of the cell that holds x on axis k; the outer ones hold what is outside. */
+__attribute__((always_inline))
+static inline int lattice_index(real x, real lo, real per, int n)
+{
+    return (int)real_clamp((x - lo) * per, 0, (real)(n - 1));
+}
+
+/* Cells i to j, both included, on every axis; `more` around. Rounding keeps the order of walls, so
+ * a block holds the box of each of its cells. */
+static inline aabb lattice_box(const lattice *l, const int i[3], const int j[3], real more)
+{
+    vec3 m = {more, more, more}, a = {(real)i[0], (real)i[1], (real)i[2]};
+    vec3 b = {(real)(j[0] + 1), (real)(j[1] + 1), (real)(j[2] + 1)};
+    return (aabb){vsub(vadd(l->lo, vmul(a, l->size)), m), vadd(vadd(l->lo, vmul(b, l->size)), m)};
+}
+
+__attribute__((always_inline))
+static inline grid_line line_of(ray r)
+{
+    real longest = fabs(vaxis(r.d, vlongest(r.d))), scale = 1;
+    if (!square_is_safe(longest * longest)) {  /* rare: 1/d, or t, could overflow */
+        int e, most = real_is_float ? FLT_MAX_EXP - 1 : DBL_MAX_EXP - 1;
+        (void)frexp(longest, &e);
+        e = e < most ? e : most;
+        r.d = (vec3){ldexp(r.d.x, -e), ldexp(r.d.y, -e), ldexp(r.d.z, -e)};
+        longest = ldexp(longest, -e), scale = ldexp((real)1, e);
+    }
+    real least = longest * (real_epsilon / 4);
+    vec3 inverse = {fabs(r.d.x) > least ? 1 / r.d.x : 0, fabs(r.d.y) > least ? 1 / r.d.y : 0,
+                    fabs(r.d.z) > least ? 1 / r.d.z : 0};
+    return (grid_line){r.o, r.d, inverse, scale};
+}
+
+/* The interval [r.tmin, tmax], cut to [from, to], in the t of the walk. A t below real_smallest has
+ * lost digits, so as much is added at both ends. A NaN interval holds no hit: any ends will do. */
+__attribute__((always_inline))
+static inline real line_begin(const grid_line *a, real tmin, real from)
+{
+    return real_max((tmin - real_smallest) * a->scale, from);
+}
+
+__attribute__((always_inline))
+static inline real line_end(const grid_line *a, real tmax, real to)
+{
+    return real_min((tmax + real_smallest) * a->scale, to);
+}
+
+/* One axis. A walk that begins one cell too early or late, by rounding, is within the promise. */
+__attribute__((always_inline))
+static inline int walk_axis(real lo, real size, real per, int n, real o, real d, real inverse,
+                            real t, real *first, real *step, real *last, real *next)
+{
+    int i = (int)real_clamp(((o - lo) + t * d) * per, 0, (real)(n - 1)), up = inverse > 0;
+    *last = inverse == 0 ? 0 : (real)(up ? n - 1 - i : i);
+    *first = ((lo - o) + (real)(i + up) * size) * inverse;
+    *step = size * fabs(inverse);
+    *next = *last > 0 ? *first : real_infinity;
+    return i;
+}
+
+__attribute__((always_inline))
+static inline walk walk_from(const lattice *l, const grid_line *a, real t)
+{
+    walk w = {.j = {0, 0, 0}};
+    int x = walk_axis(l->lo.x, l->size.x, l->per.x, l->n[0], a->o.x, a->d.x, a->inverse.x, t,
+                      &w.first.x, &w.step.x, &w.last.x, &w.t.x);
+    int y = walk_axis(l->lo.y, l->size.y, l->per.y, l->n[1], a->o.y, a->d.y, a->inverse.y, t,
+                      &w.first.y, &w.step.y, &w.last.y, &w.t.y);
+    int z = walk_axis(l->lo.z, l->size.z, l->per.z, l->n[2], a->o.z, a->d.z, a->inverse.z, t,
+                      &w.first.z, &w.step.z, &w.last.z, &w.t.z);
+    ptrdiff_t row = l->n[0], layer = row * l->n[1];
+    w.cell = x + row * y + layer * z;
+    w.stride[0] = a->inverse.x < 0 ? -1 : 1;
+    w.stride[1] = a->inverse.y < 0 ? -row : row;
+    w.stride[2] = a->inverse.z < 0 ? -layer : layer;
+    return w;
+}
+
+__attribute__((always_inline))
+static inline real walk_next_t(const walk *w)
+{
+    return real_min(real_min(w->t.x, w->t.y), w->t.z);
+}
+
+/* t = walk_next_t(w), not infinite. No branch: which wall is next is a coin toss. */
+__attribute__((always_inline))
+static inline void walk_step(walk *w, real t)
+{
+    bool x = w->t.x == t, y = w->t.y == t, z = w->t.z == t;
+    w->cell += (x ? w->stride[0] : 0) + (y ? w->stride[1] : 0) + (z ? w->stride[2] : 0);
+    w->j.x += x ? 1 : 0, w->j.y += y ? 1 : 0, w->j.z += z ? 1 : 0;
+    w->t.x = w->j.x < w->last.x ? w->first.x + w->j.x * w->step.x : real_infinity;
+    w->t.y = w->j.y < w->last.y ? w->first.y + w->j.y * w->step.y : real_infinity;
+    w->t.z = w->j.z < w->last.z ? w->first.z + w->j.z * w->step.z : real_infinity;
+}
+
+/* As published. */
+__attribute__((always_inline))
+static inline void walk_step_naive(walk *w, real t)
+{
+    int k = w->t.x == t ? 0 : w->t.y == t ? 1 : 2;
+    real *next = (real *)&w->t + k, *j = (real *)&w->j + k;
+    w->cell += w->stride[k];
+    *j += 1;
+    *next = *j < vaxis(w->last, k) ? *next + vaxis(w->step, k) : real_infinity;
+}
+
+/* The same with t kept in float, whatever real is: an exhibit. */
+__attribute__((always_inline))
+static inline void walk_step_f32(walk *w, real t)
+{
+    int k = w->t.x == t ? 0 : w->t.y == t ? 1 : 2;
+    real *next = (real *)&w->t + k, *j = (real *)&w->j + k;
+    float sum = (float)*next + (float)vaxis(w->step, k);
+    w->cell += w->stride[k];
+    *j += 1;
+    *next = *j < vaxis(w->last, k) ? (real)sum : real_infinity;
+}
+
+static inline int walk_index(const lattice *l, const walk *w, int k)
+{
+    ptrdiff_t row = l->n[0], layer = row * l->n[1];
+    return (int)(k == 0 ? w->cell % row : k == 1 ? w->cell % layer / row : w->cell / layer);
+}
+
+#endif
