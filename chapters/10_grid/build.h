@@ -122,9 +122,11 @@ __attribute__((always_inline))
 static inline bool grid_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
                             search_work *work)
 {
+    bool found = false;
+    if (!cell_marked(&g->lists, cell)) return false;
     const uint32_t *i = g->lists.item + g->lists.first[cell];
     const uint32_t *end = g->lists.item + g->lists.first[cell + 1];
-    bool found = false;
+    if (work) work->leaves++;
     for (; i < end; i++) {
         if (g->mailbox && mailbox_has(seen, *i)) continue;
         if (work) work->tests++;

@@ -14,6 +14,9 @@
 
 #include "build.h"
 
+typedef bool grid_ask_cell(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
+                           search_work *work);
+
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline bool grid_search_all(const grid *g, ray r, bool any, hit *out, search_work *work)
@@ -23,8 +26,9 @@ static inline bool grid_search_all(const grid *g, ray r, bool any, hit *out, sea
 }
 
 /* Asks all cells from lo to hi, both corners included; true if something was hit. */
-static inline bool grid_ask_block(const grid *g, vec3 lo, vec3 hi, query *q, mailbox *seen,
-                                  bool any, search_work *work)
+__attribute__((always_inline))
+static inline bool grid_ask_block(const grid *g, grid_ask_cell *ask, vec3 lo, vec3 hi, query *q,
+                                  mailbox *seen, bool any, search_work *work)
 {
     const lattice *l = &g->cells;
     int i[3], j[3];
@@ -39,9 +43,7 @@ static inline bool grid_ask_block(const grid *g, vec3 lo, vec3 hi, query *q, mai
                 size_t cell = (size_t)x + (size_t)l->n[0]
                               * ((size_t)y + (size_t)l->n[1] * (size_t)z);
                 if (work) work->nodes++;
-                if (!cell_marked(&g->lists, cell)) continue;
-                if (work) work->leaves++;
-                found |= grid_ask(g, cell, q, seen, any, work);
+                found |= ask(g, cell, q, seen, any, work);
                 if (found && any) return true;
             }
     return found;
@@ -50,7 +52,9 @@ static inline bool grid_ask_block(const grid *g, vec3 lo, vec3 hi, query *q, mai
 /* On axis k the ray moves fastest, so where it passes the sides of a layer is as exact as any of
  * its points: within 16 epsilon D. Layers are delta thicker on either side, and a hit in this
  * layer has its t between those of the sides: when the next one begins beyond the best hit, done. */
-static inline bool grid_search_far(const grid *g, ray r, bool any, hit *out, search_work *work)
+__attribute__((always_inline))
+static inline bool grid_search_layers(const grid *g, grid_ask_cell *ask, ray r, bool any, hit *out,
+                                      search_work *work)
 {
     const lattice *l = &g->cells;
     real delta = 2 * query_delta(r, g->box) + g->margin, cells = 1;
@@ -76,9 +80,15 @@ static inline bool grid_search_far(const grid *g, ray r, bool any, hit *out, sea
         vec3 lo = vsub(vmin(p, e), reach), hi = vadd(vmax(p, e), reach);
         if (aabb_is_empty(aabb_overlap(g->box, (aabb){lo, hi}))) continue;
         ((real *)&lo)[k] = ((real *)&hi)[k] = wall + size / 2;
-        if (grid_ask_block(g, lo, hi, &q, &seen, any, work) && any) return true;
+        if (grid_ask_block(g, ask, lo, hi, &q, &seen, any, work) && any) return true;
     }
     return query_answer(&q, out);
+}
+
+__attribute__((noinline, cold))
+static bool grid_search_far(const grid *g, ray r, bool any, hit *out, search_work *work)
+{
+    return grid_search_layers(g, grid_ask, r, any, out, work);
 }
 
 #endif

@@ -75,8 +75,6 @@ static inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_
         t = walk_next_t(&w);
         walk_step(&w, t);
         if (work) work->nodes++;
-        if (!cell_marked(&g->lists, cell)) continue;
-        if (work) work->leaves++;
         if (!grid_ask(g, cell, &q, &seen, any, work)) continue;
         if (any) return true;
         end = line_end(&a, q.r.tmax, to);

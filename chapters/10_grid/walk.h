@@ -4,7 +4,7 @@
  *      |     |     |  ---*->        t_k(j) = first_k + j step_k,  j = 0, 1, 2 ..           (10.3)
  *      +-----+--.--*-----+          first = ((lo - o) + w size) / d,  step = size / |d|
  *      |  .--*     |     |      The next wall is the one of the smallest t. Step over it: j + 1 on
- *    o-*-----+-----+-----+      that axis. Where two are met at once, step over both.
+ *    o-*-----+-----+-----+      that axis.
  *
  *   grid_line a = line_of(r)                        once a ray
  *   line_begin(&a, r.tmin, from)               the later of the two, in the t of the walk
@@ -150,39 +150,53 @@ static inline real walk_next_t(const walk *w)
     return real_min(real_min(w->t.x, w->t.y), w->t.z);
 }
 
-/* t = walk_next_t(w), not infinite. No branch: which wall is next is a coin toss. */
+/* The axis that is stepped along; t counted afresh, (10.3). */
+__attribute__((always_inline))
+static inline void walk_step_axis(walk *w, ptrdiff_t stride, real *t, real *j, real last,
+                                  real first, real step)
+{
+    w->cell += stride;
+    *j += 1;
+    *t = *j < last ? first + *j * step : real_infinity;
+}
+
+/* t = walk_next_t(w), not infinite. Where two walls are met at once, the cell between is passed in
+ * no time. Branches, because the processor guesses well: a ray mostly has one axis that is fast. */
 __attribute__((always_inline))
 static inline void walk_step(walk *w, real t)
 {
-    bool x = w->t.x == t, y = w->t.y == t, z = w->t.z == t;
-    w->cell += (x ? w->stride[0] : 0) + (y ? w->stride[1] : 0) + (z ? w->stride[2] : 0);
-    w->j.x += x ? 1 : 0, w->j.y += y ? 1 : 0, w->j.z += z ? 1 : 0;
-    w->t.x = w->j.x < w->last.x ? w->first.x + w->j.x * w->step.x : real_infinity;
-    w->t.y = w->j.y < w->last.y ? w->first.y + w->j.y * w->step.y : real_infinity;
-    w->t.z = w->j.z < w->last.z ? w->first.z + w->j.z * w->step.z : real_infinity;
+    if (w->t.x == t)
+        walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, w->first.x, w->step.x);
+    else if (w->t.y == t)
+        walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, w->first.y, w->step.y);
+    else walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, w->first.z, w->step.z);
 }
 
-/* As published. */
+/* As published: t += step. */
 __attribute__((always_inline))
 static inline void walk_step_naive(walk *w, real t)
 {
-    int k = w->t.x == t ? 0 : w->t.y == t ? 1 : 2;
-    real *next = (real *)&w->t + k, *j = (real *)&w->j + k;
-    w->cell += w->stride[k];
-    *j += 1;
-    *next = *j < vaxis(w->last, k) ? *next + vaxis(w->step, k) : real_infinity;
+    if (w->t.x == t)
+        walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, t + w->step.x, 0);
+    else if (w->t.y == t)
+        walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, t + w->step.y, 0);
+    else walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, t + w->step.z, 0);
 }
 
-/* The same with t kept in float, whatever real is: an exhibit. */
+/* The same with t and step in float, whatever real is: an exhibit. */
 __attribute__((always_inline))
 static inline void walk_step_f32(walk *w, real t)
 {
-    int k = w->t.x == t ? 0 : w->t.y == t ? 1 : 2;
-    real *next = (real *)&w->t + k, *j = (real *)&w->j + k;
-    float sum = (float)*next + (float)vaxis(w->step, k);
-    w->cell += w->stride[k];
-    *j += 1;
-    *next = *j < vaxis(w->last, k) ? (real)sum : real_infinity;
+    float s = (float)t;
+    if (w->t.x == t)
+        walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, (real)(s + (float)w->step.x),
+                       0);
+    else if (w->t.y == t)
+        walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, (real)(s + (float)w->step.y),
+                       0);
+    else
+        walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, (real)(s + (float)w->step.z),
+                       0);
 }
 
 static inline int walk_index(const lattice *l, const walk *w, int k)

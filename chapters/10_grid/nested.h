@@ -1,0 +1,248 @@
+/* nested.h: a grid in the cells of a grid (两层网格): for scenes that are dense in one place.
+ *
+ *     +-----------+-----------+     Few large cells; each that holds anything is cut again, finely
+ *     |           |  |  |  |  |     if it holds much. A ray passes empty space in large steps, and
+ *     |           |--+--+--+--|     the teapot in the stadium has cells of its own size.
+ *     |           |  |  |  |  |
+ *     +-----------+-----------+     nested_build, nested_hit, ..: the verbs of items.h
+ *
+ * Cells of the outer grid: outer n; of a cell with k items: inner k, at most 255 on an axis; both
+ * by (10.4). Items that span more than half of the outer cell cannot be cut apart: for them alone
+ * it is cut into 27 at most. All inner cells of all outer ones share the two arrays of marking.h.
+ *
+ * The inner walk takes over at the t at which the outer cell begins, and ends where it ends. Outer
+ * cells of an inner lattice reach to infinity like all (walk.h), so every t belongs to some cell
+ * whose turn it is, and what grid.h says of rounding holds here word for word.
+ *
+ * Sources: D. Jevans, B. Wyvill, "Adaptive Voxel Subdivision for Ray Tracing", Graphics Interface
+ * 1989; J. Kalojanov, M. Billeter, P. Slusallek, "Two-Level Grids for Ray Tracing on GPUs",
+ * Computer Graphics Forum 30(2), 2011 (two levels, flat arrays).
+ */
+#ifndef NESTED_H
+#define NESTED_H
+
+#include "grid.h"
+
+typedef struct {
+    double outer, inner;  /* cells an item: outer grid; cell of the outer grid. 1e-6 to 1e6 */
+    bool exact, mailbox;
+    size_t most_bytes;
+} nested_options;
+
+#define nested_defaults ((nested_options){0.1, 4, true, true, (size_t)1 << 30})
+
+typedef struct {
+    vec3 lo;
+    uint32_t base;        /* its cells are base, base + 1, .. of the lists */
+    uint8_t n[3];
+} nested_part;
+
+typedef struct {
+    grid g;               /* g.cells: the outer lattice; g.lists: of all inner cells */
+    uint32_t *part_of;    /* [outer cells] number of its part; 0: empty */
+    nested_part *part;    /* [parts], from 1 on */
+    size_t parts, peak;
+} nested;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void nested_free(nested *x)
+{
+    grid_free(&x->g);
+    free(x->part_of), free(x->part);
+    x->part_of = NULL, x->part = NULL;
+}
+
+__attribute__((always_inline))
+static inline lattice nested_lattice(const lattice *outer, const nested_part *p)
+{
+    vec3 n = {(real)p->n[0], (real)p->n[1], (real)p->n[2]};
+    vec3 size = {outer->size.x / n.x, outer->size.y / n.y, outer->size.z / n.z};
+    return (lattice){p->lo, size, vmul(outer->per, n), {p->n[0], p->n[1], p->n[2]}};
+}
+
+/* How many of these items span at most half of the box on every axis. */
+static inline size_t nested_small(const items *x, const uint32_t *item, size_t k, aabb box)
+{
+    size_t small = 0;
+    vec3 most = vscale(vsub(box.hi, box.lo), (real)0.5);
+    for (size_t i = 0; i < k; i++) {
+        aabb b;
+        if (!items_bounds(x, item[i], &b)) continue;
+        vec3 e = vsub(vmin(b.hi, box.hi), vmax(b.lo, box.lo));
+        small += e.x <= most.x && e.y <= most.y && e.z <= most.z;
+    }
+    return small;
+}
+
+/* Cuts outer cell c, with k items. False: more cells than a reference can count. */
+static inline bool nested_cut(nested *x, size_t c, const uint32_t *item, size_t k, double inner,
+                              size_t *cells)
+{
+    const lattice *l = &x->g.cells;
+    size_t row = (size_t)l->n[0], layer = row * (size_t)l->n[1];
+    int at[3] = {(int)(c % row), (int)(c % layer / row), (int)(c / layer)}, n[3];
+    aabb box = lattice_box(l, at, at, 0);
+    nested_part *p = &x->part[++x->parts];
+    double want = inner * (double)k, small = inner * (double)nested_small(&x->g.x, item, k, box);
+    if (want > 27) want = small > 27 ? small : 27;
+    grid_resolution(box, want, x->g.margin, n);
+    p->lo = box.lo, p->base = (uint32_t)*cells;
+    for (int a = 0; a < 3; a++) p->n[a] = (uint8_t)(n[a] < 255 ? n[a] : 255);
+    x->part_of[c] = (uint32_t)x->parts;
+    *cells += (size_t)p->n[0] * p->n[1] * p->n[2];
+    return *cells < UINT32_MAX;
+}
+
+/* Enters the items of all outer cells into the inner ones: pass 1 or pass 2 of marking.h. */
+static inline bool nested_mark(nested *x, const cell_lists *outer, bool exact, failure *f)
+{
+    cell_lists *l = &x->g.lists;
+    marking mark = {&x->g.x, x->g.cells, x->g.margin, exact};
+    for (size_t c = outer->cells; c-- > 0;) {
+        if (!x->part_of[c]) continue;
+        const nested_part *p = &x->part[x->part_of[c]];
+        mark.cells = nested_lattice(&x->g.cells, p);
+        for (uint32_t i = outer->first[c + 1]; i-- > outer->first[c];)
+            if (l->item) lists_enter(l, &mark, outer->item[i], p->base);
+            else if (!lists_count(l, &mark, outer->item[i], p->base, f)) return false;
+    }
+    return true;
+}
+
+static inline bool nested_fill(nested *x, const cell_lists *outer, nested_options how, failure *f)
+{
+    size_t cells = 0;
+    x->part_of = allocate(outer->cells, sizeof *x->part_of);
+    x->part = allocate(outer->marked_cells + 1, sizeof *x->part);
+    for (size_t c = 0; c < outer->cells; c++) {
+        size_t k = outer->first[c + 1] - outer->first[c];
+        if (k && !nested_cut(x, c, outer->item + outer->first[c], k, how.inner, &cells))
+            return failed(f, 1, "two-level grid: more than %u cells", (unsigned)UINT32_MAX);
+    }
+    if (!lists_begin(cells, how.most_bytes, &x->g.lists, f)) return false;
+    if (!nested_mark(x, outer, how.exact, f)) return false;
+    lists_sum(&x->g.lists);
+    nested_mark(x, outer, how.exact, f);
+    lists_finish(&x->g.lists);
+    return true;
+}
+
+static inline size_t nested_bytes(const nested *x)
+{
+    return lists_bytes(&x->g.lists) + (x->parts + 1) * sizeof *x->part
+           + lattice_cells(&x->g.cells) * sizeof *x->part_of;
+}
+
+static inline bool nested_build(const items *x, nested_options how, nested *out, failure *f)
+{
+    *out = (nested){.parts = 0};
+    if (!(how.inner >= 1e-6 && how.inner <= 1e6))
+        return failed(f, 2, "inner density %g: allowed are 1e-6 to 1e6 cells an item", how.inner);
+    grid_options outer = {how.outer, how.exact, how.mailbox, how.most_bytes};
+    if (!grid_build(x, outer, &out->g, f)) return false;
+    cell_lists lists = out->g.lists;
+    out->g.lists = (cell_lists){.cells = 0};
+    bool built = nested_fill(out, &lists, how, f);
+    out->peak = nested_bytes(out) + lists_bytes(&lists);
+    lists_free(&lists);
+    if (!built) nested_free(out);
+    return built;
+}
+
+/* All inner cells of an outer one. */
+__attribute__((always_inline))
+static inline bool nested_ask(const grid *g, size_t cell, query *q, mailbox *seen, bool any,
+                              search_work *work)
+{
+    const nested *x = (const nested *)g;  /* its first member */
+    const nested_part *p = &x->part[x->part_of[cell]];
+    bool found = false;
+    for (size_t i = 0, n = (size_t)p->n[0] * p->n[1] * p->n[2]; i < n && !(found && any); i++)
+        found |= grid_ask(g, p->base + i, q, seen, any, work);
+    return found;
+}
+
+__attribute__((noinline, cold))
+static bool nested_search_far(const nested *x, ray r, bool any, hit *out, search_work *work)
+{
+    return grid_search_layers(&x->g, nested_ask, r, any, out, work);
+}
+
+/* The walk through one outer cell, from t on; it ends at *end, which sinks with the best hit, or
+ * at `leave`. True: something was hit, and any hit will do. */
+__attribute__((always_inline))
+static inline bool nested_search_part(const nested *x, const nested_part *p, const grid_line *a,
+                                      real t, real leave, query *q, mailbox *seen, bool any,
+                                      real *end, search_work *work)
+{
+    lattice inner = nested_lattice(&x->g.cells, p);
+    walk w = walk_from(&inner, a, t);
+    w.cell += p->base;
+    do {
+        size_t cell = (size_t)w.cell;
+        t = walk_next_t(&w);
+        walk_step(&w, t);
+        if (work) work->nodes++;
+        if (!grid_ask(&x->g, cell, q, seen, any, work)) continue;
+        if (any) return true;
+        *end = line_end(a, q->r.tmax, *end);
+    } while (t <= leave && t <= *end);
+    return false;
+}
+
+__attribute__((always_inline))
+static inline bool nested_search(const nested *x, ray r, bool any, hit *out, search_work *work)
+{
+    const grid *g = &x->g;
+    if (g->entered == 0 || !ray_is_usable(r)) return false;
+    if (!(query_delta(r, g->box) <= g->near)) return nested_search_far(x, r, any, out, work);
+    grid_line a = line_of(r);
+    real from = line_begin(&a, r.tmin, -real_largest), to = real_largest;
+    if (!grid_span(g->box, &a, &from, &to)) return false;
+    real end = line_end(&a, r.tmax, to), t;
+    if (from > end) return false;
+    query q = query_of(r);
+    mailbox seen = mailbox_new();
+    walk w = walk_from(&g->cells, &a, from);
+    for (;; from = t) {
+        uint32_t part = x->part_of[w.cell];
+        t = walk_next_t(&w);
+        if (work) work->nodes++;
+        if (part && nested_search_part(x, &x->part[part], &a, from, t, &q, &seen, any, &end, work))
+            return true;
+        if (!(t <= end)) return query_answer(&q, out);
+        walk_step(&w, t);
+    }
+}
+
+static inline bool nested_hit(const nested *x, ray r, hit *out)
+{
+    return nested_search(x, r, false, out, NULL);
+}
+
+static inline bool nested_occluded(const nested *x, ray r)
+{
+    return nested_search(x, r, true, NULL, NULL);
+}
+
+static inline bool nested_hit_counted(const nested *x, ray r, hit *out, search_work *work)
+{
+    return nested_search(x, r, false, out, work);
+}
+
+static inline bool nested_occluded_counted(const nested *x, ray r, search_work *work)
+{
+    return nested_search(x, r, true, NULL, work);
+}
+
+static inline structure_stats nested_stats(const nested *x)
+{
+    structure_stats s = grid_stats(&x->g);
+    s.inner = lattice_cells(&x->g.cells), s.depth = 1;
+    s.leaves = x->g.lists.cells, s.empty = s.leaves - x->g.lists.marked_cells;
+    s.bytes = nested_bytes(x), s.peak = x->peak;
+    return s;
+}
+
+#endif
