@@ -2,7 +2,7 @@
 #include "../chapters/11_octree/octree.h"
 #include "structure.h"
 
-static octree_options how = octree_defaults;
+static octree_options how;
 
 static void *build(const items *x, failure *f)
 {
@@ -18,6 +18,7 @@ static void destroy(void *s) { octree_free(s), free(s); }
 
 int main(void)
 {
+    how = octree_defaults;
     structure s = {"octree", build, find, occluded, destroy};
     structure_tests(&s, check_count(600));
     return check_report("11_octree");

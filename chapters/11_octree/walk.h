@@ -1,36 +1,40 @@
-/* octree_walk.h: the cells along a ray, nearest first, without recursion (八叉树遍历).
+/* walk.h: the cells along a ray, nearest first, without recursion (八叉树遍历).
  *
- *   bool octree_walk(&t, r, any, pad, &h, &work)    any: ends at the first hit, h is not touched
- *                                                   pad 1: as it must be; 0: naive, loses hits
+ *   bool octree_walk(&t, r, any, pad, &h, &work, &trail)
+ *       any     ends at the first hit, h is not touched
+ *       pad     1: as it must be; 0: naive, loses hits
+ *       work    counts what was done; NULL: does not count
+ *       trail   notes down the leaves asked, by node number, in order; NULL: does not
  *
- *        m_y   m_x       The three walls through the middle of a cell cut the ray's way in it into
- *    in   |     |  out   at most four pieces. With s the way along the longest axis a of d,
+ *        m_x   m_y       The three walls through the middle of a cell cut the ray's way in it into
+ *    in   |     |  out   at most four pieces. With s the way along the longest axis a of d:
  *    --*--+-----+---*->
- *       00|  01 |  11        s = t |d_a|,     wall at w:  s_k = (w - o_k) i_k,  i_k = |d_a| / d_k  (11.3)
+ *       00|  01 |  11        s = t |d_a|     wall at w: s = (w - o_k) i_k, i_k = |d_a| / d_k (11.3)
  *
  * Bit k of a child, seen from where the ray comes, is 1 beyond wall k: so children come in rising
- * order, and the real number of child c is c xor (bits of the axes with d_k < 0)             (11.4)
+ * order, and the real number of child c is c xor (bits of the axes with d_k < 0)         (11.4)
  *
- * The walls of a child are those of its parent -+ size i_k / 4: no wall is computed anew     (11.5)
+ * The walls of a child are those of its parent -+ size |i_k| / 4: none is computed anew  (11.5)
  *
  * Rounding: wall k may be met anywhere from l_k = m_k - delta |i_k| to h_k = m_k + delta |i_k|
- * (10.1), and the ray may be in all cells for which that leaves a way: child c is passed unless
+ * (10.1), and the ray may be in all cells to which that leaves a way: child c is passed unless
  *
- *   h_k < in  and c is before wall k      l_k > out and c is beyond wall k                   (11.6)
- *   l_j > h_k and c is beyond wall j and before wall k
+ *   h_k < in   and c is before wall k,  or
+ *   l_k > out  and c is beyond wall k,  or
+ *   l_j > h_k  and c is beyond wall j and before wall k                                  (11.6)
  *
- * Nine comparisons, twelve with the third in both directions, no branch: eight bits are left.
+ * Twelve comparisons and no branch: one bit a child is left.
  *
- * Boundaries need no care of their own. A ray in a wall, or through a corner where eight cells meet,
- * has walls that cannot be told apart: more bits are left. A ray along an axis has d_k = 0; |i_k| is
- * then 1/eps, no more: this turns the ray by eps, which moves it by eps D within the bounds, and
- * delta is 512 of these. So nothing is infinite and there is no 0 * inf. (An origin beyond 1e290
- * may overflow to inf or NaN: comparisons are false, and every cell is passed.)
+ * Boundaries need no care of their own. A ray in a wall, or through a corner where eight cells
+ * meet, has walls that cannot be told apart: more bits are left. A ray along an axis has d_k = 0;
+ * |i_k| is then 1/eps, no more: that turns the ray by eps, moves it by eps D within the bounds, and
+ * delta is 512 of these. So nothing is infinite, and there is no 0 * inf. (From origins beyond
+ * 1e290 a product may overflow; comparisons with NaN are false, and the cell is passed.)
  */
 #ifndef OCTREE_WALK_H
 #define OCTREE_WALK_H
 
-#include "octree_build.h"
+#include "build.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -49,6 +53,9 @@ typedef struct {
     unsigned left;       /* children yet to be visited, in the ray's order */
 } octree_level;
 
+enum { octree_trail_room = 64 };
+typedef struct { uint32_t node[octree_trail_room]; int n; } octree_trail;
+
 /* 1/eps where d_k is 0 or so small that it does not matter; a NaN cannot be, d is finite. */
 static inline real octree_inverse(real d, real way)
 {
@@ -64,6 +71,13 @@ static inline octree_ray octree_ray_of(const octree *t, ray r, real pad)
     return (octree_ray){i, vscale(i, delta), way, flip};
 }
 
+/* s of (11.3), a little before (side -1) or behind (+1): a t below real_smallest has fewer digits,
+ * and d may be so large that this shows. The product should not be denormal, which is slow. */
+static inline real octree_way(const octree_ray *o, real t, int side)
+{
+    return (t + (real)side * (real_smallest / real_epsilon)) * o->way;
+}
+
 /* Bits of a mask of children from real numbers to the ray's order, and back: c xor flip. Without a
  * branch: where an axis is not flipped, the shift is 0 and all bits stay. */
 static inline unsigned octree_flipped(unsigned mask, unsigned flip)
@@ -75,18 +89,18 @@ static inline unsigned octree_flipped(unsigned mask, unsigned flip)
     return (mask >> z & low_z) | (mask & low_z) << z;
 }
 
-/* (11.6) */
+/* (11.6). fx: the children far in x, beyond the wall; nx: the near ones. */
 __attribute__((always_inline))
 static inline unsigned octree_passed(const octree_ray *o, vec3 m, real in, real out)
 {
-    enum { x1 = 0xaa, y1 = 0xcc, z1 = 0xf0, x0 = 0x55, y0 = 0x33, z0 = 0x0f, all = 0xff };
+    enum { fx = 0xaa, fy = 0xcc, fz = 0xf0, nx = 0x55, ny = 0x33, nz = 0x0f, all = 0xff };
     vec3 l = vsub(m, o->pad), h = vadd(m, o->pad);
-    unsigned a = (h.x < in ? x1 : all) & (h.y < in ? y1 : all) & (h.z < in ? z1 : all);
-    unsigned b = (l.x > out ? x0 : all) & (l.y > out ? y0 : all) & (l.z > out ? z0 : all);
-    unsigned c = (l.x > h.y ? x0 | y1 : all) & (l.y > h.x ? y0 | x1 : all)
-                 & (l.x > h.z ? x0 | z1 : all);
-    unsigned d = (l.z > h.x ? z0 | x1 : all) & (l.y > h.z ? y0 | z1 : all)
-                 & (l.z > h.y ? z0 | y1 : all);
+    unsigned a = (h.x < in ? fx : all) & (h.y < in ? fy : all) & (h.z < in ? fz : all);
+    unsigned b = (l.x > out ? nx : all) & (l.y > out ? ny : all) & (l.z > out ? nz : all);
+    unsigned c = (l.x > h.y ? nx | fy : all) & (l.y > h.x ? ny | fx : all)
+                 & (l.x > h.z ? nx | fz : all);
+    unsigned d = (l.z > h.x ? nz | fx : all) & (l.y > h.z ? ny | fz : all)
+                 & (l.z > h.y ? nz | fy : all);
     return a & b & c & d;
 }
 
@@ -110,7 +124,7 @@ static inline bool octree_leaf(const octree *t, octree_node n, query *q, mailbox
 
 __attribute__((always_inline))
 static inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *out,
-                               search_work *work)
+                               search_work *work, octree_trail *trail)
 {
     octree_level stack[octree_most_depth];
     int top = 0;
@@ -125,13 +139,13 @@ static inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *
     }
 
     /* The root */
-    real limit = r.tmax * o.way, half = t->size / 2;
+    real limit = octree_way(&o, r.tmax, +1), half = t->size / 2;
     vec3 to = vadd(vsub(t->lo, r.o), (vec3){half, half, half});
     vec3 m = {r.d.x < 0 ? -to.x : to.x, r.d.y < 0 ? -to.y : to.y, r.d.z < 0 ? -to.z : to.z};
     m = vmul(m, o.inverse);
     vec3 reach = vadd(vscale(o.inverse, half), o.pad);
     vec3 enter = vsub(m, reach), leave = vadd(m, reach);
-    real s0 = real_max(enter.x, real_max(enter.y, real_max(enter.z, r.tmin * o.way)));
+    real s0 = real_max(enter.x, real_max(enter.y, real_max(enter.z, octree_way(&o, r.tmin, -1))));
     real s1 = real_min(leave.x, real_min(leave.y, real_min(leave.z, limit)));
     if (s0 > s1) return false;
     octree_level c = {m, s0, s1, half / 2, n.first, 0};
@@ -151,25 +165,27 @@ static inline bool octree_walk(const octree *t, ray r, bool any, real pad, hit *
         in = real_max(k & 2 ? c.m.y - o.pad.y : in, in);
         in = real_max(k & 4 ? c.m.z - o.pad.z : in, in);
         if (in > limit) continue;
-        n = t->node[c.first + (k ^ o.flip)];
+        uint32_t at = c.first + (k ^ o.flip);
+        n = t->node[at];
         if (n.kind & octree_is_leaf) {
+            if (trail && trail->n < octree_trail_room) trail->node[trail->n++] = at;
             if (!octree_leaf(t, n, &q, &seen, any, work)) continue;
             if (any) return true;
-            limit = q.r.tmax * o.way;
+            limit = octree_way(&o, q.r.tmax, +1);
             continue;
         }
 
         /* One level down */
         if (c.left) stack[top++] = c;
-        real far = real_min(c.out, limit);
-        far = real_min(k & 1 ? far : c.m.x + o.pad.x, far);
-        far = real_min(k & 2 ? far : c.m.y + o.pad.y, far);
-        far = real_min(k & 4 ? far : c.m.z + o.pad.z, far);
+        real end = real_min(c.out, limit);
+        end = real_min(k & 1 ? end : c.m.x + o.pad.x, end);
+        end = real_min(k & 2 ? end : c.m.y + o.pad.y, end);
+        end = real_min(k & 4 ? end : c.m.z + o.pad.z, end);
         c.m.x += k & 1 ? c.half * o.inverse.x : -c.half * o.inverse.x;  /* (11.5) */
         c.m.y += k & 2 ? c.half * o.inverse.y : -c.half * o.inverse.y;
         c.m.z += k & 4 ? c.half * o.inverse.z : -c.half * o.inverse.z;
-        c.half /= 2, c.in = in, c.out = far, c.first = n.first;
-        c.left = octree_flipped(n.kind, o.flip) & octree_passed(&o, c.m, in, far);
+        c.half /= 2, c.in = in, c.out = end, c.first = n.first;
+        c.left = octree_flipped(n.kind, o.flip) & octree_passed(&o, c.m, in, end);
         if (work) work->nodes++;
     }
 }

@@ -1,4 +1,4 @@
-/* octree_build.h: cutting space into eight, and which items are in which part.
+/* build.h: cutting space into eight, and which items are in which part.
  *
  * The root is a cube, from the low corner of the bounds, as large as their longest side. Not the
  * box of the bounds: cells of a flat scene would be flat. Not centred: models are symmetric, and
@@ -12,8 +12,8 @@
  * are taken larger by that on each side when they are asked for their items.
  *
  * When to stop. n items are to be cut into cells that hold n_0 .. n_7. Each of them has a quarter
- * of the surface of their parent, so a line that meets the parent meets it with chance 1/4 (14.5 of
- * the chapter on bounding volumes; any book on integral geometry). It tests
+ * of the surface of their parent, so a line that meets the parent meets it with chance 1/4: of
+ * convex bodies, one in the other, by areas (9.6). It tests
  *
  *   uncut: n items          cut: (n_0 + ... + n_7) / 4                                       (11.2)
  *
@@ -38,7 +38,7 @@ typedef struct {
     size_t most_bytes;  /* allowed while building */
 } octree_options;
 
-#define octree_defaults ((octree_options){8, 12, true, true, (size_t)1 << 30})
+#define octree_defaults ((octree_options){16, 16, true, true, (size_t)1 << 30})
 
 /* A leaf: `kind` is octree_is_leaf + how many references, `first` the first of them. An inner node:
  * `kind` has bit c set if child c is not empty, `first` is the number of child 0. */
@@ -69,7 +69,8 @@ typedef struct { uint32_t x, y, z; int depth; } octree_cell;
 
 static inline octree_cell octree_child_cell(octree_cell c, unsigned k)
 {
-    return (octree_cell){2 * c.x + (k & 1), 2 * c.y + (k >> 1 & 1), 2 * c.z + (k >> 2), c.depth + 1};
+    return (octree_cell){2 * c.x + (k & 1), 2 * c.y + (k >> 1 & 1), 2 * c.z + (k >> 2),
+                         c.depth + 1};
 }
 
 /* (11.1); depth <= 20, so the numbers i are exact in float, too. */
@@ -143,7 +144,8 @@ static inline unsigned octree_children_of(const octree_builder *b, uint32_t i, c
     return in;
 }
 
-static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin, size_t n, int depth)
+static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin, size_t n,
+                                    int depth)
 {
     octree *t = b->t;
     if (!octree_grow(b, (void **)&t->reference, &b->reference_room, t->references + n,
@@ -155,7 +157,7 @@ static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin
     return true;
 }
 
-/* Cuts the cell of `node`, whose n items begin at list[begin]. `vain`: the cut above did not help. */
+/* Cuts the cell of `node`; its n items begin at list[begin]. `vain`: the cut above did not help. */
 static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, size_t begin,
                               size_t n, bool vain)
 {
@@ -218,7 +220,7 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
     vec3 size = vsub(t.bounds.hi, t.bounds.lo);
     bool any = !aabb_is_empty(t.bounds);
     t.lo = any ? t.bounds.lo : (vec3){0, 0, 0};
-    t.size = any ? vaxis(size, vlongest(size)) * (1 + real_epsilon) + real_smallest : 1;
+    t.size = any ? vaxis(size, vlongest(size)) + real_smallest : 1;
     vec3 high = vadd(t.lo, (vec3){t.size, t.size, t.size});
     b.margin = 2 * real_epsilon * aabb_reach((aabb){t.lo, high}) + real_smallest;
     bool ok = octree_list_room(&b, x->n)
