@@ -15,11 +15,12 @@
  * of the surface of their parent, so a line that meets the parent meets it with chance 1/4: of
  * convex bodies, one in the other, by areas (9.6). It tests
  *
- *   uncut: n items          cut: (n_0 + ... + n_7) / 4                                       (11.2)
+ *   uncut: n items          cut: (n_0 + ... + n_7) / 4, and the cost of the cut, some 4 tests   (11.2)
  *
- * A cut with n_0 + .. + n_7 >= 4 n does not help, and a second one below it is not made. (The first
- * is: around a corner where many triangles meet, all eight hold all, and yet their parts do not.)
- * Without this, n triangles on one place at depth 12 would be in 4^12 n leaves.
+ * A cut that does not help is made, but a second one below it is not. (The first is: around a corner
+ * where many triangles meet, all eight hold all, and yet their parts do not.) Without this, n
+ * triangles on one place would be in 4^depth n leaves; and six triangles that meet at a corner would
+ * be cut, with leaves of 4, until the depth ends it.
  */
 #ifndef OCTREE_BUILD_H
 #define OCTREE_BUILD_H
@@ -28,7 +29,7 @@
 #include "../10_grid/mailbox.h"
 #include "../10_grid/overlap.h"
 
-enum { octree_most_depth = 20 };
+enum { octree_most_depth = 20, octree_cut_cost = 4 };
 
 typedef struct {
     int leaf;           /* items that need no further cut [1 ..] */
@@ -177,7 +178,7 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
         for (unsigned c = 0; c < 8; c++) count[c] += in >> c & 1;
     }
     for (unsigned c = 0; c < 8; c++) sum += count[c], filled |= (unsigned)(count[c] > 0) << c;
-    bool helps = sum < 4 * n;  /* (11.2) */
+    bool helps = sum + 4 * octree_cut_cost < 4 * n;  /* (11.2) */
     if (!helps && vain) return octree_make_leaf(b, node, begin, n, cell.depth);
 
     /* A block of eight nodes, and each child in turn */

@@ -91,14 +91,15 @@ static inline void draw_quadtree(const options *o)
     hit h = hit_none;
     const char *path = output_path(o, "11_octree_quadtree.svg", false, room);
     if (!path) { mesh_free(&m); return; }
-    if (!octree_build(&x, (octree_options){2, 6, true, true, (size_t)1 << 20}, &t, &f)) fail(f);
-    ray r = ray_from((vec3){(real)0.12, (real)0.5, 0}, (vec3){(real)0.6, (real)0.125, 0});
+    if (!octree_build(&x, (octree_options){2, 7, true, true, (size_t)1 << 20}, &t, &f)) fail(f);
+    ray r = ray_from((vec3){(real)0.12, (real)0.47, 0}, (vec3){(real)0.6, (real)0.188, 0});
     bool found = octree_walk(&t, r, false, 1, &h, NULL, &trail);
     if (!file_begin(&w, path, &f)) fail(f);
     fprintf(w.stream, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 %d %d\" "
             "width=\"%d\" height=\"%d\" "
-            "font-family=\"sans-serif\">\n", figure_side + 8, figure_side + 8,
-            figure_side + 8, figure_side + 8);
+            "font-family=\"sans-serif\">\n<rect x=\"-4\" y=\"-4\" width=\"%d\" height=\"%d\" "
+            "fill=\"white\"/>\n", figure_side + 8, figure_side + 8, figure_side + 8,
+            figure_side + 8, figure_side + 8, figure_side + 8);
     figure_cells(w.stream, &t, 0, (octree_cell){0, 0, 0, 0}, &trail);
     for (size_t i = 0; i < m.triangles; i++)
         figure_line(w.stream, &t, m.v[3 * i], m.v[3 * i + 1],

@@ -154,9 +154,9 @@ static inline void fault_pixel(int x, int y, void *context)
  * left the textbook's walk, right octree_hit. */
 static inline void draw_faults(const options *o)
 {
-    enum { wide = 384, high = 256, gap = 6 };
+    enum { panel_width = 384, panel_height = 256, gap = 6 };
     octree_search *walk[2] = {octree_hit_textbook, octree_hit};
-    image all = image_new(2 * wide + gap, 2 * high + gap), im = image_new(wide, high);
+    image all = image_new(2 * panel_width + gap, 2 * panel_height + gap), im = image_new(panel_width, panel_height);
     mesh m[2] = {octree_soup(60, 2, 5), teapot_mesh(10)};
     camera c[2];
     camera_frame frame;
@@ -175,8 +175,8 @@ static inline void draw_faults(const options *o)
         if (!octree_build(&x, (octree_options){4, 6, true, true, (size_t)1 << 28}, &t, &f)) fail(f);
         for (int k = 0; k < 2; k++) {
             faulty_picture p = {{&t, &m[row], c[row], &im, 1, 0}, walk[k]};
-            whole = parallel_pixels(wide, high, o->threads, "faults", fault_pixel, &p) && whole;
-            image_place(&all, k * (wide + gap), row * (high + gap), &im);
+            whole = parallel_pixels(panel_width, panel_height, o->threads, "faults", fault_pixel, &p) && whole;
+            image_place(&all, k * (panel_width + gap), row * (panel_height + gap), &im);
         }
         octree_free(&t);
         mesh_free(&m[row]);

@@ -2,13 +2,14 @@
  *
  *   octree_hit_slabs(&t, r, &h)     the slab test (09) for every child that is not empty; those met
  *                                   go on a stack, the farthest first: simple, and the same answers
- *   octree_hit_textbook(&t, r, &h)  as printed by Revelles et al., and as often copied: loses hits
+ *   octree_hit_textbook(&t, r, &h)  by Revelles et al., as often copied: loses hits
  *
  * The textbook's walk carries the six t at which the ray crosses the planes of a cell, halves them
  * for the children, and goes from child to child by the smallest t of exit. It breaks on
  *
  *   rays along an axis      (lo - o) / d is +-inf, or NaN for 0/0 if o is in the plane; and halving
  *                           (-inf + inf) / 2 is NaN: comparisons fail, and the walk goes astray
+ *                           (the paper treats d_k = 0 apart; copies tend to leave that out)
  *   rays in a wall, rays    "first child" and "next child" are chosen by comparisons of equal or
  *   through corners         nearly equal t: it takes one of the cells that share the place, and the
  *                           item may be in another
@@ -16,7 +17,7 @@
  *                           that reaches out of its cell may be hit far behind, with others before
  *
  * Source: J. Revelles, C. Urena, M. Lastra, "An Efficient Parametric Algorithm for Octree
- * Traversal", WSCG 2000, sections 3 and 4, tables 1 and 2.
+ * Traversal", WSCG 2000, with its tables of the first and of the next child.
  */
 #ifndef OCTREE_VARIANTS_H
 #define OCTREE_VARIANTS_H
@@ -68,9 +69,9 @@ static inline bool octree_hit_slabs(const octree *t, ray r, hit *out)
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Where the recursion of the textbook stands: t of the cell's six planes. */
-typedef struct { const octree *t; query q; mailbox seen; unsigned flip; } textbook;
+typedef struct { const octree *t; query q; mailbox seen; unsigned flip; } textbook_walk;
 
-/* Table 1: the first child, by the plane through which the ray enters, that of the largest t0. */
+/* The first child, by the plane through which the ray enters, that of the largest t0. */
 static inline unsigned textbook_first(vec3 t0, vec3 tm)
 {
     if (t0.x > t0.y && t0.x > t0.z) return (tm.y < t0.x ? 2u : 0) | (tm.z < t0.x ? 4u : 0);
@@ -78,14 +79,14 @@ static inline unsigned textbook_first(vec3 t0, vec3 tm)
     return (tm.x < t0.z ? 1u : 0) | (tm.y < t0.z ? 2u : 0);
 }
 
-/* Table 2: the child behind the plane of the smallest t1; 8: the ray leaves the parent. */
+/* The next: the child behind the plane of the smallest t1; 8: the ray leaves the parent. */
 static inline unsigned textbook_next(unsigned c, vec3 t1)
 {
     unsigned k = t1.x < t1.y ? (t1.x < t1.z ? 1 : 4) : t1.y < t1.z ? 2 : 4;
     return c & k ? 8 : c | k;
 }
 
-static inline bool textbook_cell(textbook *s, octree_node n, vec3 t0, vec3 t1)
+static inline bool textbook_cell(textbook_walk *s, octree_node n, vec3 t0, vec3 t1)
 {
     if (t1.x < 0 || t1.y < 0 || t1.z < 0 || n.kind == 0) return false;
     if (n.kind & octree_is_leaf) return octree_leaf(s->t, n, &s->q, &s->seen, false, NULL);
@@ -99,10 +100,11 @@ static inline bool textbook_cell(textbook *s, octree_node n, vec3 t0, vec3 t1)
     return false;
 }
 
-/* Naive: see above. floors_mesh, rays at corners and along axes: a third of the hits are wrong. */
+/* Naive: see above. The octahedron of corners at multiples of 1/8: along axes all hits are wrong, at
+ * corners one in five. */
 static inline bool octree_hit_textbook(const octree *t, ray r, hit *out)
 {
-    textbook s = {t, query_of(r), mailbox_new(), 0};
+    textbook_walk s = {t, query_of(r), mailbox_new(), 0};
     vec3 lo = vsub(t->lo, r.o), hi = vadd(lo, (vec3){t->size, t->size, t->size}), d = r.d;
     if (t->items == 0) return false;
     for (int k = 0; k < 3; k++) {  /* mirrored, so that all d are positive */
