@@ -1,5 +1,5 @@
 /* Every hit of the octree equals brute force, whatever its options, and so does the walk by slab
- * tests; the textbook's walk and the walk without delta do not. The shape of the tree: 11_tree.c. */
+ * tests; the textbook's walk and the one without delta do not. The tree itself: 11_tree.c. */
 #include "../chapters/11_octree/octree.h"
 #include "structure.h"
 
@@ -80,31 +80,25 @@ static void test_naive(void)
     check_equal(ours, 0, "octree_hit, the same rays");
 }
 
-/* A hit that lies beyond the cell is not final: a long triangle crosses the ray's first cell and is
- * hit far behind; a small one before that, in the second cell. */
+/* A hit that lies beyond the cell is not final. The cube is [0, 8]^3, cut once. The ray comes along
+ * +x at y = z = 1; triangle 0 reaches into the first cell and is hit at x = 7, in the second, where
+ * triangle 1 is before it, at x = 5, so t = 6. */
 static void test_beyond_the_cell(void)
 {
-    mesh m = mesh_room(2 + 3);
+    mesh m = mesh_room(3);
+    items x = items_of_mesh(&m);
     octree t;
     failure f;
-    items x = items_of_mesh(&m);
-    ray r = ray_from((vec3){-1, (real)0.3, (real)0.3}, (vec3){1, 0, 0});
+    ray r = ray_from((vec3){-1, 1, 1}, (vec3){1, 0x1p-10, 0x1p-9});
     hit h = hit_none, naive = hit_none;
-    r.d.y = (real)0.001, r.d.z = (real)0.0017;
-    set_triangle(&m, 0, (vec3){0, (real)0.35, (real)0.3}, (vec3){7, (real)0.25, (real)0.3},
-                 (vec3){7, (real)0.3, (real)-3});
-    set_triangle(&m, 1, (vec3){5, 0, 0}, (vec3){5, 1, 0}, (vec3){5, 0, 1});
-    for (size_t i = 2; i < 5; i++)  /* more, so that there are cells */
-        set_triangle(&m, i, (vec3){8, 8, (real)i}, (vec3){8, 7, (real)i}, (vec3){7, 8, (real)i});
-    set_triangle(&m, 0, (vec3){0, (real)0.5, (real)0.25}, (vec3){7, (real)0.5, (real)0.35},
-                 (vec3){7, -3, (real)0.35});
-    how = (octree_options){1, 4, true, true, (size_t)1 << 26};
-    check(octree_build(&x, how, &t, &f), "built");
-    hit brute = hit_none;
-    items_hit(&x, r, &brute);
+    set_triangle(&m, 0, (vec3){0, 3, 0}, (vec3){8, (real)5 / 7, 0}, (vec3){8, (real)5 / 7, 8});
+    set_triangle(&m, 1, (vec3){5, 0, 0}, (vec3){5, 3, 0}, (vec3){5, 0, 3});
+    set_triangle(&m, 2, (vec3){8, 8, 8}, (vec3){8, 8, 7}, (vec3){8, 7, 8});
+    how = (octree_options){1, 1, true, true, (size_t)1 << 26};
+    check(octree_build(&x, how, &t, &f) && t.size == 8 && t.depth == 1, "one cut");
     octree_hit(&t, r, &h), octree_hit_textbook(&t, r, &naive);
-    check(h.shape == brute.shape && h.t == brute.t, "beyond the cell: as brute force, %u",
-          brute.shape);
+    check(h.shape == 1 && h.t == 6, "the nearer one is found, in the second cell");
+    check(naive.shape == 0 && naive.t > 7, "textbook: ends at a hit beyond the first cell");
     octree_free(&t);
     mesh_free(&m);
 }

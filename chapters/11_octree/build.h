@@ -15,12 +15,12 @@
  * of the surface of their parent, so a line that meets the parent meets it with chance 1/4: of
  * convex bodies, one in the other, by areas (9.6). It tests
  *
- *   uncut: n items          cut: (n_0 + ... + n_7) / 4, and the cost of the cut, some 4 tests   (11.2)
+ *   uncut: n items       cut: (n_0 + ... + n_7) / 4, and the cut itself, as 4 tests       (11.2)
  *
- * A cut that does not help is made, but a second one below it is not. (The first is: around a corner
- * where many triangles meet, all eight hold all, and yet their parts do not.) Without this, n
- * triangles on one place would be in 4^depth n leaves; and six triangles that meet at a corner would
- * be cut, with leaves of 4, until the depth ends it.
+ * A cut that does not help is made, but a second one below it is not. (The first is: around a
+ * corner where many triangles meet, all eight hold all, and yet their parts do not.) Without this,
+ * n triangles on one place would be in 4^depth n leaves; and the six that meet at a corner of a
+ * mesh would be cut, with leaves of 4, until the depth ends it.
  */
 #ifndef OCTREE_BUILD_H
 #define OCTREE_BUILD_H

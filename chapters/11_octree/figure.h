@@ -17,7 +17,7 @@ static inline void draw_quadtree(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { figure_side = 640, figure_walls_n = 60 };
+enum { figure_side = 640, figure_walls_n = 240 };
 
 /* Segments of curves from (x, y) to (x', y'), each a triangle that stands on it, 2^-12 high. */
 static inline mesh figure_walls(void)
@@ -28,8 +28,8 @@ static inline mesh figure_walls(void)
     for (int i = 0; i < figure_walls_n; i++) {
         vec3 p[2];
         for (int k = 0; k < 2; k++) {
-            real a = (real)(i + k) / 20;  /* a ring and a wave */
-            if (i < 20) p[k] = (vec3){(real)0.76 + (real)0.15 * cos(2 * pi * a),
+            real a = (real)(i + k) / 80;  /* a ring and a wave */
+            if (i < 80) p[k] = (vec3){(real)0.76 + (real)0.15 * cos(2 * pi * a),
                                       (real)0.68 + (real)0.15 * sin(2 * pi * a), 0};
             else p[k] = (vec3){(real)0.1 + (real)0.36 * (a - 1),
                                            (real)0.31 - (real)0.24 * cos(4 * (a - 1)), 0};
@@ -91,7 +91,7 @@ static inline void draw_quadtree(const options *o)
     hit h = hit_none;
     const char *path = output_path(o, "11_octree_quadtree.svg", false, room);
     if (!path) { mesh_free(&m); return; }
-    if (!octree_build(&x, (octree_options){2, 7, true, true, (size_t)1 << 20}, &t, &f)) fail(f);
+    if (!octree_build(&x, (octree_options){4, 7, true, true, (size_t)1 << 20}, &t, &f)) fail(f);
     ray r = ray_from((vec3){(real)0.12, (real)0.47, 0}, (vec3){(real)0.6, (real)0.188, 0});
     bool found = octree_walk(&t, r, false, 1, &h, NULL, &trail);
     if (!file_begin(&w, path, &f)) fail(f);

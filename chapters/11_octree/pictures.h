@@ -156,7 +156,8 @@ static inline void draw_faults(const options *o)
 {
     enum { panel_width = 384, panel_height = 256, gap = 6 };
     octree_search *walk[2] = {octree_hit_textbook, octree_hit};
-    image all = image_new(2 * panel_width + gap, 2 * panel_height + gap), im = image_new(panel_width, panel_height);
+    image all = image_new(2 * panel_width + gap, 2 * panel_height + gap);
+    image im = image_new(panel_width, panel_height);
     mesh m[2] = {octree_soup(60, 2, 5), teapot_mesh(10)};
     camera c[2];
     camera_frame frame;
@@ -175,7 +176,8 @@ static inline void draw_faults(const options *o)
         if (!octree_build(&x, (octree_options){4, 6, true, true, (size_t)1 << 28}, &t, &f)) fail(f);
         for (int k = 0; k < 2; k++) {
             faulty_picture p = {{&t, &m[row], c[row], &im, 1, 0}, walk[k]};
-            whole = parallel_pixels(panel_width, panel_height, o->threads, "faults", fault_pixel, &p) && whole;
+            whole = parallel_pixels(panel_width, panel_height, o->threads, "faults", fault_pixel,
+                                    &p) && whole;
             image_place(&all, k * (panel_width + gap), row * (panel_height + gap), &im);
         }
         octree_free(&t);

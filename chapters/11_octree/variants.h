@@ -100,8 +100,8 @@ static inline bool textbook_cell(textbook_walk *s, octree_node n, vec3 t0, vec3 
     return false;
 }
 
-/* Naive: see above. The octahedron of corners at multiples of 1/8: along axes all hits are wrong, at
- * corners one in five. */
+/* Naive: see above. Octahedron of corners at multiples of 1/8: along axes all hits are wrong, of
+ * rays at corners one in five. */
 static inline bool octree_hit_textbook(const octree *t, ray r, hit *out)
 {
     textbook_walk s = {t, query_of(r), mailbox_new(), 0};
