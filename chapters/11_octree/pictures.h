@@ -134,7 +134,7 @@ static inline bool draw_work(octree_picture p, int threads)
 
 /* ---- textbook beside octree_hit ---- */
 
-typedef struct { octree_picture p; octree_search *walk; } faulty_picture;
+typedef struct { octree_picture p; octree_search *search; } faulty_picture;
 
 static inline void fault_pixel(int x, int y, void *context)
 {
@@ -143,7 +143,7 @@ static inline void fault_pixel(int x, int y, void *context)
     const vec3 wrong = {(real)0.85, (real)0.25, 0};
     ray r = octree_picture_ray(&f->p, (real)x, (real)y);
     hit h = hit_none, truth = hit_none;
-    f->walk(f->p.t, r, &h), octree_hit(f->p.t, r, &truth);
+    f->search(f->p.t, r, &h), octree_hit(f->p.t, r, &truth);
     vec3 c = background;
     if (h.shape != no_shape) c = headlight(triangle_normal(mesh_triangle(f->p.m, h.shape)), r.d);
     if (h.shape != truth.shape || h.t != truth.t) c = vmadd(vscale(c, (real)0.3), wrong, (real)0.8);
@@ -155,7 +155,7 @@ static inline void fault_pixel(int x, int y, void *context)
 static inline void draw_faults(const options *o)
 {
     enum { panel_width = 384, panel_height = 256, gap = 6 };
-    octree_search *walk[2] = {octree_hit_textbook, octree_hit};
+    octree_search *search[2] = {octree_hit_textbook, octree_hit};
     image all = image_new(2 * panel_width + gap, 2 * panel_height + gap);
     image im = image_new(panel_width, panel_height);
     mesh m[2] = {octree_soup(60, 2, 5), teapot_mesh(10)};
@@ -175,7 +175,7 @@ static inline void draw_faults(const options *o)
         octree t;
         if (!octree_build(&x, (octree_options){4, 6, true, true, (size_t)1 << 28}, &t, &f)) fail(f);
         for (int k = 0; k < 2; k++) {
-            faulty_picture p = {{&t, &m[row], c[row], &im, 1, 0}, walk[k]};
+            faulty_picture p = {{&t, &m[row], c[row], &im, 1, 0}, search[k]};
             whole = parallel_pixels(panel_width, panel_height, o->threads, "faults", fault_pixel,
                                     &p) && whole;
             image_place(&all, k * (panel_width + gap), row * (panel_height + gap), &im);
