@@ -103,8 +103,9 @@ static void test_beyond_the_cell(void)
     mesh_free(&m);
 }
 
-/* Directions of any length, origins of any distance: t |d| overflows nothing that it should not. */
-static void test_scales(size_t n)
+/* Directions of any length, origins of any distance: t |d| overflows nothing that it should not. In
+ * the small mesh and with long d, t is below real_smallest and has few digits. */
+static void test_scales(real scale, size_t n)
 {
     mesh m = torus_mesh(16);
     items x = items_of_mesh(&m);
@@ -112,20 +113,25 @@ static void test_scales(size_t n)
     failure f;
     structure_verdict v = {0, 0, 0, 0};
     structure s = {"octree", build, find, occluded, destroy};
-    int most = real_is_float ? 120 : 1000;
+    int most = real_is_float ? 125 : 1021, few = 0;
     how = octree_defaults;
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], scale);
     check(octree_build(&x, how, &t, &f), "built");
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(23, i, 0);
-        ray r = aimed(&m, &g, (int)(i % 8), (vec3){0, 0, 0}, 1);
+        ray r = aimed(&m, &g, (int)(i % 8), (vec3){0, 0, 0}, scale);
         int e = (int)random_below(&g, (size_t)(2 * most)) - most;
+        r.d = vscale(r.d, 1 / scale);
         r.d = (vec3){ldexp(r.d.x, e), ldexp(r.d.y, e), ldexp(r.d.z, e)};
+        few += ldexp(scale, -e) < real_smallest;
         structure_ray(&s, &t, &x, r, &v);
         r.o = vscale(r.d, -1), r.tmin = -real_infinity;  /* from as far as it points */
         structure_compare(&s, &t, &x, r, &v);
     }
-    check_equal(v.wrong + v.wrong_any, 0, "directions of 2^-%d to 2^%d", most, most);
+    check_equal(v.wrong + v.wrong_any, 0, "size %g, directions of 2^-%d to 2^%d", (double)scale,
+                most, most);
     check_at_least(v.hits, v.rays / 4, "they hit");
+    check(few > 10 || scale == 1, "some t have few digits");
     octree_free(&t);
     mesh_free(&m);
 }
@@ -173,7 +179,8 @@ int main(void)
     test_options();
     test_naive();
     test_beyond_the_cell();
-    test_scales(check_count(4000));
+    test_scales(1, check_count(4000));
+    test_scales(0x1p-20, check_count(4000));
     test_counted(check_count(4000));
     return check_report("11_octree");
 }

@@ -2,7 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -o 11_octree chapters/11_octree/main.c -lm -lpthread
  *
  * Without options: the teapot with its cells, the work a pixel, a quadtree with a ray, what the
- * textbook's walk gets wrong, three tables, three plots. --mesh FILE.obj: that mesh and its cells. */
+ * textbook's walk gets wrong, three tables, three plots. --mesh FILE.obj: that mesh, its cells. */
 #include "../07_mesh/obj.h"
 #include "figure.h"
 #include "measure.h"
