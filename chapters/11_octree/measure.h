@@ -140,9 +140,9 @@ static inline void table_of_knobs(const options *o, mesh m)
         v[i] = (clock_variant){c[i].name, octree_run, &t[i], 0};
     }
     ray_set d = octree_rays_on(&t[3].t, &m, &p, o->seed);
-    clock_compare(v, n, o->quick ? 1 : 5);
+    clock_compare(v, n, o->quick ? 1 : 9);
     for (int i = 0; i < n; i++) primary[i] = v[i].seconds, t[i].rays = &d;
-    clock_compare(v, n, o->quick ? 1 : 5);
+    clock_compare(v, n, o->quick ? 1 : 9);
 
     char title[160];
     snprintf(title, sizeof title, "%zu triangles: %zu primary and %zu diffuse rays, one thread; "
