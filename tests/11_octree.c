@@ -131,7 +131,7 @@ static void test_scales(real scale, size_t n)
     check_equal(v.wrong + v.wrong_any, 0, "size %g, directions of 2^-%d to 2^%d", (double)scale,
                 most, most);
     check_at_least(v.hits, v.rays / 4, "they hit");
-    check(few > 10 || scale == 1, "some t have few digits");
+    check(few > 0 || scale == 1 || n < 1000, "some t have few digits");
     octree_free(&t);
     mesh_free(&m);
 }

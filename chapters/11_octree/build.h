@@ -189,8 +189,8 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     for (unsigned c = 0; c < 8; c++) {
         size_t at = end;
         if (count[c] == 0) continue;
-        if (!octree_list_room(b, end + count[c])) return false;
-        for (size_t i = begin; i < end; i++) {
+        if (!octree_list_room(b, end + count[c] + 1)) return false;
+        for (size_t i = begin; i < end; i++) {  /* without a branch: one place more is written to */
             b->list[at] = b->list[i];
             at += b->within[i] >> c & 1;
         }
@@ -224,7 +224,7 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
     t.size = any ? vaxis(size, vlongest(size)) + real_smallest : 1;
     vec3 high = vadd(t.lo, (vec3){t.size, t.size, t.size});
     b.margin = 2 * real_epsilon * aabb_reach((aabb){t.lo, high}) + real_smallest;
-    bool ok = octree_list_room(&b, x->n)
+    bool ok = octree_list_room(&b, x->n + 1)
               && octree_grow(&b, (void **)&t.node, &b.node_room, 8, sizeof *t.node)
               && octree_grow(&b, (void **)&t.reference, &b.reference_room, 1, sizeof *t.reference);
     if (ok) {
