@@ -7,6 +7,7 @@ cc -std=c11 -O2 -ffp-contract=off -o 11_octree chapters/11_octree/main.c -lm -lp
 #include "figure.h"
 #include "measure.h"
 #include "pictures.h"
+#include "scenes.h"
 
 typedef struct { const char *mesh; int depth, leaf; bool boxes; } own_options;
 
