@@ -1,0 +1,271 @@
+/* build.h: cutting space into eight, and which items are in which part.
+ *
+ * The root is a cube, from the low corner of the bounds, as large as their longest side. Not the
+ * box of the bounds: cells of a flat scene would be flat. Not centred: models are symmetric, and
+ * what lies across the first wall is in both halves.
+ *
+ * An item is in every cell that it touches: an item may be in many. Walls stand at
+ *
+ *   lo + i size / 2^depth                   i = 0 .. 2^depth, along each axis                (11.1)
+ *
+ * which the computer rounds by less than 2 eps M, M the largest |coordinate| of the cube: so cells
+ * are taken larger by that on each side when they are asked for their items.
+ *
+ * When to stop. n items are to be cut into cells that hold n_0 .. n_7. Each of them has a quarter
+ * of the surface of their parent, so a line that meets the parent meets it with chance 1/4: of
+ * convex bodies, one in the other, by areas (9.6). It tests
+ *
+ *   uncut: n items       cut: (n_0 + ... + n_7) / 4, and the cut itself, as 4 tests       (11.2)
+ *
+ * A cut that does not help is made, but a second one below it is not. (The first is: around a
+ * corner where many triangles meet, all eight hold all, and yet their parts do not.) Without this,
+ * n triangles on one place would be in 4^depth n leaves; and the six that meet at a corner of a
+ * mesh would be cut, with leaves of 4, until the depth ends it.
+ */
+#ifndef OCTREE_BUILD_H
+#define OCTREE_BUILD_H
+
+#include "../10_grid/items.h"
+#include "../10_grid/mailbox.h"
+#include "../10_grid/overlap.h"
+
+enum { octree_most_depth = 20, octree_cut_cost = 4 };
+
+typedef struct {
+    int leaf;           /* items that need no further cut [1 ..] */
+    int depth;          /* most cuts from the root to a leaf [0 .. octree_most_depth] */
+    bool mailbox;       /* do not test an item twice for one ray */
+    bool exact;         /* triangles themselves against cells; false: their boxes */
+    size_t most_bytes;  /* allowed while building */
+} octree_options;
+
+#define octree_defaults ((octree_options){16, 16, true, true, (size_t)1 << 30})
+
+/* A leaf: `kind` is octree_is_leaf + how many references, `first` the first of them. An inner node:
+ * `kind` has bit c set if child c is not empty, `first` is the number of child 0. */
+typedef struct { uint32_t first, kind; } octree_node;
+#define octree_is_leaf 0x80000000u
+
+typedef struct {
+    items x;
+    octree_options how;
+    octree_node *node;     /* node 0 is the root; then blocks of eight, from number 8 on */
+    uint32_t *reference;   /* numbers of items, leaf by leaf */
+    size_t nodes, references, items;
+    aabb bounds;           /* of what can be hit */
+    vec3 lo;               /* the cube */
+    real size;
+    int depth;             /* of the deepest leaf */
+    size_t bytes, peak;
+} octree;
+
+static inline bool octree_build(const items *x, octree_options how, octree *out, failure *f);
+static inline structure_stats octree_stats(const octree *t);
+static inline void octree_free(octree *t);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Corner of a cell in units of its own side: (11.1). */
+typedef struct { uint32_t x, y, z; int depth; } octree_cell;
+
+static inline octree_cell octree_child_cell(octree_cell c, unsigned k)
+{
+    return (octree_cell){2 * c.x + (k & 1), 2 * c.y + (k >> 1 & 1), 2 * c.z + (k >> 2),
+                         c.depth + 1};
+}
+
+/* (11.1); depth <= 20, so the numbers i are exact in float, too. */
+static inline aabb octree_cell_box(const octree *t, octree_cell c)
+{
+    real side = ldexp(t->size, -c.depth);
+    vec3 low = {(real)c.x * side, (real)c.y * side, (real)c.z * side};
+    vec3 high = {(real)(c.x + 1) * side, (real)(c.y + 1) * side, (real)(c.z + 1) * side};
+    return (aabb){vadd(t->lo, low), vadd(t->lo, high)};
+}
+
+static inline aabb octree_widened(aabb b, real margin)
+{
+    vec3 w = {margin, margin, margin};
+    return (aabb){vsub(b.lo, w), vadd(b.hi, w)};
+}
+
+/* What is being cut: lists of items, one above the other, from the root's to the present cell's. */
+typedef struct {
+    octree *t;
+    failure *f;
+    uint32_t *list;   /* items */
+    uint8_t *within;  /* of the same places: the children that the item is in */
+    size_t room, node_room, reference_room;
+    real margin;
+} octree_builder;
+
+/* Room for n of `size` bytes in *array, which has *room: twice as much as before, if that is
+ * allowed. */
+static inline bool octree_grow(octree_builder *b, void **array, size_t *room, size_t n, size_t size)
+{
+    octree *t = b->t;
+    if (n <= *room) return true;
+    size_t more = n + n / 2 + 64;
+    if (more > UINT32_MAX / 2 || t->bytes + more * size > t->how.most_bytes)
+        return failed(b->f, 2, "octree of %zu items, leaves of %d, depth %d: more than %zu bytes",
+                      t->items, t->how.leaf, t->how.depth, t->how.most_bytes);
+    void *p = aligned_alloc(64, (more * size + 63) / 64 * 64);
+    if (!p) return failed(b->f, 1, "no memory for %zu bytes", more * size);
+    if (*array) memcpy(p, *array, *room * size);
+    free(*array);
+    t->bytes += more * size;
+    if (t->bytes > t->peak) t->peak = t->bytes;
+    t->bytes -= *room * size;
+    *array = p, *room = more;
+    return true;
+}
+
+static inline bool octree_list_room(octree_builder *b, size_t n)
+{
+    size_t room = b->room;
+    return octree_grow(b, (void **)&b->within, &room, n, 1)
+           && octree_grow(b, (void **)&b->list, &b->room, n, sizeof *b->list);
+}
+
+/* The children that item i, which is in their parent, is in: bit c for child c. By its box, and, if
+ * that is in several, by itself. */
+static inline unsigned octree_children_of(const octree_builder *b, uint32_t i, const aabb child[8])
+{
+    aabb box;
+    vec3 low = child[0].hi, high = child[7].lo;  /* the walls between, a little beyond and before */
+    if (!items_bounds(&b->t->x, i, &box)) return 0;
+    unsigned in = (box.lo.x <= low.x ? 0x55u : 0) | (box.hi.x >= high.x ? 0xaau : 0);
+    in &= (box.lo.y <= low.y ? 0x33u : 0) | (box.hi.y >= high.y ? 0xccu : 0);
+    in &= (box.lo.z <= low.z ? 0x0fu : 0) | (box.hi.z >= high.z ? 0xf0u : 0);
+    if (!b->t->how.exact || (in & (in - 1)) == 0) return in;
+    overlap_plan p;
+    overlap_plan_of(&b->t->x, i, &p);
+    for (unsigned c = 0; c < 8; c++)
+        if (in >> c & 1 && !overlap_box(&p, child[c])) in &= ~(1u << c);
+    return in;
+}
+
+static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin, size_t n,
+                                    int depth)
+{
+    octree *t = b->t;
+    if (!octree_grow(b, (void **)&t->reference, &b->reference_room, t->references + n,
+                     sizeof *t->reference)) return false;
+    memcpy(t->reference + t->references, b->list + begin, n * sizeof *t->reference);
+    t->node[node] = (octree_node){(uint32_t)t->references, octree_is_leaf | (uint32_t)n};
+    t->references += n;
+    if (depth > t->depth) t->depth = depth;
+    return true;
+}
+
+/* Cuts the cell of `node`; its n items begin at list[begin]. `vain`: the cut above did not help. */
+static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, size_t begin,
+                              size_t n, bool vain)
+{
+    octree *t = b->t;
+    aabb child[8];
+    size_t count[8] = {0}, sum = 0, first = t->nodes, end = begin + n;
+    unsigned filled = 0;
+    if (n <= (size_t)t->how.leaf || cell.depth == t->how.depth)
+        return octree_make_leaf(b, node, begin, n, cell.depth);
+
+    /* Which child holds which items */
+    for (unsigned c = 0; c < 8; c++)
+        child[c] = octree_widened(octree_cell_box(t, octree_child_cell(cell, c)), b->margin);
+    for (size_t i = begin; i < end; i++) {
+        unsigned in = octree_children_of(b, b->list[i], child);
+        b->within[i] = (uint8_t)in;
+        for (unsigned c = 0; c < 8; c++) count[c] += in >> c & 1;
+    }
+    for (unsigned c = 0; c < 8; c++) sum += count[c], filled |= (unsigned)(count[c] > 0) << c;
+    bool helps = sum + 4 * octree_cut_cost < 4 * n;  /* (11.2) */
+    if (!helps && vain) return octree_make_leaf(b, node, begin, n, cell.depth);
+
+    /* A block of eight nodes, and each child in turn */
+    if (!octree_grow(b, (void **)&t->node, &b->node_room, first + 8, sizeof *t->node)) return false;
+    memset(t->node + first, 0, 8 * sizeof *t->node);
+    t->nodes = first + 8;
+    t->node[node] = (octree_node){(uint32_t)first, filled};
+    for (unsigned c = 0; c < 8; c++) {
+        size_t at = end;
+        if (count[c] == 0) continue;
+        if (!octree_list_room(b, end + count[c] + 1)) return false;
+        for (size_t i = begin; i < end; i++) {  /* without a branch: one place more is written to */
+            b->list[at] = b->list[i];
+            at += b->within[i] >> c & 1;
+        }
+        if (!octree_cut(b, first + c, octree_child_cell(cell, c), end, count[c], !helps))
+            return false;
+    }
+    return true;
+}
+
+/* What was too large is given back. */
+static inline void octree_trim(octree *t, void **array, size_t room, size_t n, size_t size)
+{
+    void *p = aligned_alloc(64, (n * size + 63) / 64 * 64);
+    if (!p) return;
+    memcpy(p, *array, n * size);
+    free(*array);
+    *array = p;
+    t->bytes -= (room - n) * size;
+}
+
+static inline bool octree_build(const items *x, octree_options how, octree *out, failure *f)
+{
+    octree t = {.x = *x, .how = how};
+    octree_builder b = {&t, f, NULL, NULL, 0, 0, 0, 0};
+    t.how.depth = how.depth < 0 ? 0 : how.depth > octree_most_depth ? octree_most_depth : how.depth;
+    *out = (octree){0};
+    if (!items_all_bounds(x, &t.bounds, f)) return false;
+    vec3 size = vsub(t.bounds.hi, t.bounds.lo);
+    bool any = !aabb_is_empty(t.bounds);
+    t.lo = any ? t.bounds.lo : (vec3){0, 0, 0};
+    t.size = any ? vaxis(size, vlongest(size)) + real_smallest : 1;
+    vec3 high = vadd(t.lo, (vec3){t.size, t.size, t.size});
+    b.margin = 2 * real_epsilon * aabb_reach((aabb){t.lo, high}) + real_smallest;
+    bool ok = octree_list_room(&b, x->n + 1)
+              && octree_grow(&b, (void **)&t.node, &b.node_room, 8, sizeof *t.node)
+              && octree_grow(&b, (void **)&t.reference, &b.reference_room, 1, sizeof *t.reference);
+    if (ok) {
+        memset(t.node, 0, 8 * sizeof *t.node);  /* 1 to 7 are not used: blocks begin at lines */
+        t.nodes = 8;
+        for (size_t i = 0; i < x->n; i++) {
+            aabb box;
+            b.list[t.items] = (uint32_t)i;
+            t.items += items_bounds(x, i, &box);
+        }
+        ok = octree_cut(&b, 0, (octree_cell){0, 0, 0, 0}, 0, t.items, false);
+    }
+    free(b.list), free(b.within);
+    t.bytes -= b.room * (sizeof *b.list + 1);
+    if (!ok) {
+        octree_free(&t);
+        return false;
+    }
+    octree_trim(&t, (void **)&t.node, b.node_room, t.nodes, sizeof *t.node);
+    octree_trim(&t, (void **)&t.reference, b.reference_room, t.references, sizeof *t.reference);
+    *out = t;
+    return true;
+}
+
+static inline structure_stats octree_stats(const octree *t)
+{
+    structure_stats s = {.references = t->references, .items = t->items, .depth = t->depth,
+                         .bytes = t->bytes, .peak = t->peak};
+    for (size_t i = 0; i < t->nodes; i += i == 0 ? 8 : 1) {
+        uint32_t kind = t->node[i].kind;
+        bool leaf = kind == 0 || kind & octree_is_leaf;
+        s.inner += !leaf, s.leaves += leaf;
+        s.empty += leaf && (kind & ~octree_is_leaf) == 0;
+    }
+    return s;
+}
+
+static inline void octree_free(octree *t)
+{
+    free(t->node), free(t->reference);
+    *t = (octree){0};
+}
+
+#endif

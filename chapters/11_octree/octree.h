@@ -1,0 +1,60 @@
+/* octree.h: a cube cut into eight, each part again, while too many items are in it (八叉树, octree).
+ *
+ *   +----+----+     child c of a cell: bit 0 of c is 1 in its upper half along x, bit 1 along y,
+ *   | 2  | 3  |     bit 2 along z. The eight stand in a row, which is one line of the cache.
+ *   +----+-+--+
+ *   | 0  +-+--+     A cell is a leaf (叶节点) if it holds at most how.leaf items, if it is how.depth
+ *   +----+-+--+     cuts deep, or if cutting does not help: see build.h.
+ *
+ *   octree_options how = octree_defaults;
+ *   bool octree_build(&x, how, &t, &f)        false: more than how.most_bytes, or too large
+ *   bool octree_hit(&t, r, &h)                the very hit of brute force: t, u, v, shape
+ *   bool octree_occluded(&t, r)
+ *   bool octree_hit_counted(&t, r, &h, &w), octree_occluded_counted(&t, r, &w)
+ *   structure_stats octree_stats(&t)
+ *   void octree_free(&t)                      a zeroed one may be freed
+ *
+ * The mesh or the scene of x must outlive the tree. How the search goes: walk.h.
+ * In the plane it is a quadtree (四叉树): figure.h draws one.
+ *
+ * Sources: A. Glassner, "Space Subdivision for Fast Ray Tracing", IEEE CG&A 4(10), 1984;
+ * J. Revelles, C. Ureña, M. Lastra, "An Efficient Parametric Algorithm for Octree Traversal", WSCG
+ * 2000.
+ */
+#ifndef OCTREE_H
+#define OCTREE_H
+
+#include "walk.h"
+#include "variants.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* always_inline makes a search of each of these calls: `any` and `work` are known there. */
+static inline bool octree_hit(const octree *t, ray r, hit *out)
+{
+    return octree_walk(t, r, false, 1, out, NULL, NULL);
+}
+
+static inline bool octree_occluded(const octree *t, ray r)
+{
+    return octree_walk(t, r, true, 1, NULL, NULL, NULL);
+}
+
+static inline bool octree_hit_counted(const octree *t, ray r, hit *out, search_work *work)
+{
+    return octree_walk(t, r, false, 1, out, work, NULL);
+}
+
+static inline bool octree_occluded_counted(const octree *t, ray r, search_work *work)
+{
+    return octree_walk(t, r, true, 1, NULL, work, NULL);
+}
+
+/* Naive: nothing in advance for rounding. A ray in a wall between two cells is told to be in one of
+ * them, and the item that it hits may have been found to be in the other. */
+static inline bool octree_hit_unpadded(const octree *t, ray r, hit *out)
+{
+    return octree_walk(t, r, false, 0, out, NULL, NULL);
+}
+
+#endif
