@@ -9,10 +9,9 @@
  *      +---------+--------+           An item that the plane cuts is in both, each time with the box
  *                                     of its part.
  *
- * When to stop. KD_MIDDLE and KD_MEDIAN: at how.leaf items. KD_SAH: when the best cut costs more than
- * the leaf, but not at once: a cut that does not pay may lead to one that does, so a path may have
- * some such cuts (kd_most_bad). Whatever the strategy: at depth 8 + 1.3 log2 n, and no path has
- * more than kd_most_bad cuts that leave more than half of the items on both sides.
+ * When to stop. KD_MIDDLE and KD_MEDIAN: at how.leaf items, or after kd_most_doubled cuts of one
+ * path that left more than half of the items on both sides. KD_SAH: when the best cut costs more
+ * than the leaf. Whatever the strategy: at depth 8 + 1.3 log2 n (12.6).
  *
  * Sources: V. Havran, J. Bittner, "On Improving KD-Trees for Ray Shooting", WSCG 2002 (cuts that
  * fail, depth); M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 2016, 4.4.
@@ -22,7 +21,7 @@
 
 #include "split.h"
 
-enum { kdtree_most_depth = 64, kd_most_bad = 0 };
+enum { kdtree_most_depth = 64, kd_most_doubled = 3 };
 
 /* How an item that lies in a plane is kept. KD_THICK: its box gets one float more on each side, so
  * that it lies in no plane of its own; where another plane cuts it, it goes to both children. The
@@ -119,31 +118,45 @@ static inline void kd_corner(const kd_builder *b, vec3 p, double out[3])
 }
 
 static inline void kd_cut_triangle(const kd_builder *b, const triangle *tri, const kd_box *now,
-                                   int axis, float plane, kd_box *below, kd_box *above)
+                                   int axis, float at, kd_box *below, kd_box *above)
 {
     double corner[3][3];
     kd_corner(b, tri->a, corner[0]), kd_corner(b, tri->b, corner[1]);
     kd_corner(b, tri->c, corner[2]);
     kd_polygon g = kd_polygon_in(corner, now);
     if (g.n == 0) return;  /* thinner than its own rounding: the cut boxes */
-    kd_cut_corners((const double (*)[3])g.p, g.n, axis, (double)plane,
-                   b->how.planar == KD_THICK, below, above);
+    kd_cut c = kd_cut_begin(axis, at);
+    for (int i = 0; i < g.n; i++) kd_cut_edge(&c, g.p[i], g.p[i + 1 < g.n ? i + 1 : 0]);
+    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
+}
+
+static inline void kd_cut_polygon(const kd_builder *b, const polygon *p, int axis, float at,
+                                  kd_box *below, kd_box *above)
+{
+    kd_cut c = kd_cut_begin(axis, at);
+    double one[3], two[3];
+    for (uint32_t i = 0; i < p->n; i++) {
+        kd_corner(b, p->v[i], one), kd_corner(b, p->v[i + 1 < p->n ? i + 1 : 0], two);
+        kd_cut_edge(&c, one, two);
+    }
+    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
 }
 
 /* The boxes of an item's two parts. A round shape keeps the two parts of its box; a polygon is cut
  * by the plane alone. */
-static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, float plane,
+static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, float at,
                                kd_box *below, kd_box *above)
 {
     const items *x = &b->t->x;
     *below = *above = i->box;
-    below->hi[axis] = above->lo[axis] = plane;
+    below->hi[axis] = above->lo[axis] = at;
     if (!b->how.clip) return;
     const shape *s = x->m ? NULL : &x->s->shapes[i->index];
     if (!s || s->kind == SHAPE_TRIANGLE) {
         triangle tri = s ? s->triangle : mesh_triangle(x->m, i->index);
-        kd_cut_triangle(b, &tri, &i->box, axis, plane, below, above);
-    }
+        kd_cut_triangle(b, &tri, &i->box, axis, at, below, above);
+    } else if (s->kind == SHAPE_POLYGON)
+        kd_cut_polygon(b, &s->polygon, axis, at, below, above);
 }
 
 static inline bool kd_is_empty(const kd_box *b)
@@ -188,39 +201,36 @@ static inline bool kd_leaf(kd_builder *b, size_t at, size_t begin, size_t n)
     return true;
 }
 
-/* The cut of this cell; false: it becomes a leaf. `bad` counts cuts that did not pay. */
+/* The cut of this cell; false: it becomes a leaf. */
 static inline bool kd_wants(kd_builder *b, size_t begin, size_t n, const kd_box *cell, int depth,
-                            int *bad, kd_choice *c)
+                            int doubled, kd_choice *c)
 {
     const kdtree_options *how = &b->how;
-    if (depth >= how->depth || *bad > kd_most_bad || n == 0) return false;
-    if (how->strategy != KD_SAH && n <= (size_t)how->leaf) return false;
+    bool by_cost = how->strategy == KD_SAH;
+    if (depth >= how->depth || n == 0) return false;
+    if (!by_cost && (n <= (size_t)how->leaf || doubled > kd_most_doubled)) return false;
     *c = kd_choose(&b->split, b->item + begin, n, cell);
-    if (!(c->cost < HUGE_VAL)) return false;
-    if (how->strategy != KD_SAH) return true;
-    double leaf = how->item_cost * (double)n;
-    if (c->cost >= leaf) ++*bad;
-    return *bad <= kd_most_bad && !(c->cost > 4 * leaf && n < 16);
+    return c->cost < (by_cost ? how->item_cost * (double)n : HUGE_VAL);
 }
 
 static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, const kd_box *cell,
-                           int depth, int bad)
+                           int depth, int doubled)
 {
     kdtree *t = b->t;
     kd_choice c;
     size_t below, above, first = t->nodes;
     if (depth > t->depth) t->depth = depth;
-    if (!kd_wants(b, begin, n, cell, depth, &bad, &c)) return kd_leaf(b, at, begin, n);
+    if (!kd_wants(b, begin, n, cell, depth, doubled, &c)) return kd_leaf(b, at, begin, n);
     if (!kd_partition(b, begin, n, c, &below, &above)) return false;
-    if (below + above > n + n / 2) bad++;
+    if (below + above > n + n / 2) doubled++;
     if (first + 2 >= (size_t)1 << 30) return failed(b->f, 2, "k-d tree: more than 2^30 nodes");
     if (!kd_room(b, &t->node, first, first + 2, &b->node_room, sizeof *t->node)) return false;
     t->nodes += 2;
     t->node[at] = (kd_node){.plane = c.plane, .rest = (uint32_t)first << 2 | (uint32_t)c.axis};
     kd_box lower = *cell, upper = *cell;
     lower.hi[c.axis] = upper.lo[c.axis] = c.plane;
-    return kd_cell(b, first + 1, begin + n, above, &upper, depth + 1, bad)
-           && kd_cell(b, first, begin, below, &lower, depth + 1, bad);
+    return kd_cell(b, first + 1, begin + n, above, &upper, depth + 1, doubled)
+           && kd_cell(b, first, begin, below, &lower, depth + 1, doubled);
 }
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -7,7 +7,9 @@
  *          .'     plane     .'
  *
  *   kd_polygon g = kd_polygon_in(corner, &box)    what is left of a triangle inside a box
- *   kd_cut(&g, axis, plane, &below, &above)       boxes of the two parts; an empty part: lo > hi
+ *   kd_cut c = kd_cut_begin(axis, plane)          then, for each edge a b of a polygon,
+ *   kd_cut_edge(&c, a, b)
+ *   kd_cut_end(&c, thick, &below, &above)         boxes of the two parts; an empty part: lo > hi
  *   kd_bounds(lo, hi, thick)                      rounded outwards to floats
  *
  * The present box is that of the part of the triangle in its cell, so what the box keeps of the
@@ -51,25 +53,25 @@ static inline kd_box kd_bounds(const double lo[3], const double hi[3], bool thic
     return b;
 }
 
-/* The point of the edge a b in the plane; a and b are on different sides, or in it. */
-static inline void kd_crossing(const double a[3], const double b[3], int axis, double plane,
+/* The point of the edge a b in the plane `at`; a and b are on different sides, or in it. */
+static inline void kd_crossing(const double a[3], const double b[3], int axis, double at,
                                double out[3])
 {
-    double s = (plane - a[axis]) / (b[axis] - a[axis]);
+    double s = (at - a[axis]) / (b[axis] - a[axis]);
     for (int k = 0; k < 3; k++) out[k] = a[k] + s * (b[k] - a[k]);
-    out[axis] = plane;
+    out[axis] = at;
 }
 
-/* Keeps what has sign * x <= sign * plane: corners in the plane stay. */
-static inline void kd_clip(kd_polygon *g, int axis, double plane, double sign)
+/* Keeps what has sign * x <= sign * at: corners in the plane stay. */
+static inline void kd_clip(kd_polygon *g, int axis, double at, double sign)
 {
     kd_polygon out = {0, {{0}}};
     for (int i = 0; i < g->n; i++) {
         const double *a = g->p[i], *b = g->p[i + 1 < g->n ? i + 1 : 0];
-        bool a_in = sign * a[axis] <= sign * plane, b_in = sign * b[axis] <= sign * plane;
+        bool a_in = sign * a[axis] <= sign * at, b_in = sign * b[axis] <= sign * at;
         if (a_in && out.n < kd_most_corners) memcpy(out.p[out.n++], a, sizeof out.p[0]);
         if (a_in != b_in && out.n < kd_most_corners)
-            kd_crossing(a, b, axis, plane, out.p[out.n++]);
+            kd_crossing(a, b, axis, at, out.p[out.n++]);
     }
     *g = out;
 }
@@ -97,17 +99,36 @@ static inline kd_polygon kd_polygon_in(double corner[3][3], const kd_box *box)
     return g;
 }
 
-/* Adds a point to the bounds of the side it is on; one in the plane to both. */
-static inline void kd_cut_point(const double p[3], int axis, double plane, double lo[2][3],
-                                double hi[2][3])
+/* The bounds of the two parts of a polygon, edge by edge, in any order: it may be concave. */
+typedef struct { int axis; double at, lo[2][3], hi[2][3]; } kd_cut;
+
+static inline kd_cut kd_cut_begin(int axis, float at)
+{
+    kd_cut c = {.axis = axis, .at = (double)at};
+    for (int k = 0; k < 3; k++)
+        c.lo[0][k] = c.lo[1][k] = HUGE_VAL, c.hi[0][k] = c.hi[1][k] = -HUGE_VAL;
+    return c;
+}
+
+/* Adds a point to the side it is on; one in the plane to both. */
+static inline void kd_cut_point(kd_cut *c, const double p[3])
 {
     for (int side = 0; side < 2; side++) {
-        if (side ? p[axis] < plane : p[axis] > plane) continue;
+        if (side ? p[c->axis] < c->at : p[c->axis] > c->at) continue;
         for (int k = 0; k < 3; k++) {
-            lo[side][k] = p[k] < lo[side][k] ? p[k] : lo[side][k];
-            hi[side][k] = p[k] > hi[side][k] ? p[k] : hi[side][k];
+            c->lo[side][k] = p[k] < c->lo[side][k] ? p[k] : c->lo[side][k];
+            c->hi[side][k] = p[k] > c->hi[side][k] ? p[k] : c->hi[side][k];
         }
     }
+}
+
+static inline void kd_cut_edge(kd_cut *c, const double a[3], const double b[3])
+{
+    double q[3], x = a[c->axis], y = b[c->axis];
+    kd_cut_point(c, a);
+    if (!((x < c->at && y > c->at) || (x > c->at && y < c->at))) return;
+    kd_crossing(a, b, c->axis, c->at, q);
+    kd_cut_point(c, q);
 }
 
 /* Box of what the plane leaves on one side: the bounds found, but not beyond the present box. */
@@ -121,25 +142,14 @@ static inline kd_box kd_cut_box(const double lo[3], const double hi[3], const kd
     return b;
 }
 
-/* (12.5). `below` and `above` hold the present box when this begins. Walks the edges of any
- * polygon, also of one that is not convex: its bounds need no order of corners. */
-static inline void kd_cut_corners(const double (*p)[3], int n, int axis, double plane, bool thick,
-                                  kd_box *below, kd_box *above)
+/* (12.5). `below` and `above` hold the present box when this begins. */
+static inline void kd_cut_end(const kd_cut *c, bool thick, kd_box *below, kd_box *above)
 {
-    double lo[2][3], hi[2][3], q[3];
-    for (int k = 0; k < 3; k++) lo[0][k] = lo[1][k] = HUGE_VAL, hi[0][k] = hi[1][k] = -HUGE_VAL;
-    for (int i = 0; i < n; i++) {
-        const double *a = p[i], *b = p[i + 1 < n ? i + 1 : 0];
-        kd_cut_point(a, axis, plane, lo, hi);
-        if ((a[axis] < plane && b[axis] > plane) || (a[axis] > plane && b[axis] < plane)) {
-            kd_crossing(a, b, axis, plane, q);
-            kd_cut_point(q, axis, plane, lo, hi);
-        }
-    }
-    *below = kd_cut_box(lo[0], hi[0], below, thick);
-    *above = kd_cut_box(lo[1], hi[1], above, thick);
-    below->hi[axis] = kd_min((float)plane, below->hi[axis]);
-    above->lo[axis] = kd_max((float)plane, above->lo[axis]);
+    int k = c->axis;
+    *below = kd_cut_box(c->lo[0], c->hi[0], below, thick);
+    *above = kd_cut_box(c->lo[1], c->hi[1], above, thick);
+    below->hi[k] = kd_min((float)c->at, below->hi[k]);
+    above->lo[k] = kd_max((float)c->at, above->lo[k]);
 }
 
 #endif

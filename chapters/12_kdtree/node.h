@@ -7,7 +7,6 @@
  *
  *   kd_frame                 where the tree lives: x' = scale (x - centre), scale a power of two
  *   kd_ray q = kd_ray_of(r, &frame, &box)      prepares the ray once
- *   kd_ray_naive(r, &frame, &box)              the same without what follows: loses hits
  *   limit = kd_ray_limit(&q, t)                t as a float that is not less, in units of q
  *
  * Planes are floats whatever `real` is: each plane is chosen among floats, so it is the very plane

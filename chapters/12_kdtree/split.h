@@ -102,9 +102,9 @@ static inline int kd_longest(const kd_box *b)
 }
 
 /* Only a plane within the cell cuts it: both parts are smaller than the whole. */
-static inline bool kd_cuts(const kd_box *cell, int axis, float plane)
+static inline bool kd_cuts(const kd_box *cell, int axis, float at)
 {
-    return plane > cell->lo[axis] && plane < cell->hi[axis];
+    return at > cell->lo[axis] && at < cell->hi[axis];
 }
 
 static inline kd_choice kd_middle(const kd_box *cell)
