@@ -1,0 +1,144 @@
+/* growth.h: time and work against the number of triangles, against the cost of a test, against the
+ * bonus for empty space; and what a step and a test really cost, by least squares. */
+#ifndef KDTREE_GROWTH_H
+#define KDTREE_GROWTH_H
+
+#include "measure.h"
+
+static inline void plots_of_cost(const options *o, const subject *s);
+static inline void plot_of_bonus(const options *o, const subject *s);
+static inline void growth(const options *o);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The x of the least |A x - b|^2: rows of three and one, by the normal equations. */
+static inline void least_squares(const double (*row)[4], int n, double x[3])
+{
+    double a[3][4] = {{0}};
+    for (int r = 0; r < n; r++)
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 4; j++) a[i][j] += row[r][i] * row[r][j];
+    for (int i = 0; i < 3; i++)
+        for (int r = 0; r < 3; r++) {
+            double f = r == i ? 0 : a[r][i] / a[i][i];
+            for (int j = 0; j < 4; j++) a[r][j] -= f * a[i][j];
+        }
+    for (int i = 0; i < 3; i++) x[i] = a[i][3] / a[i][i];
+}
+
+/* c_i from 1/16 to 4: the trees go from coarse to fine; c_t is 1 throughout. */
+static inline void plots_of_cost(const options *o, const subject *s)
+{
+    enum { most = 7 };
+    plot p = plot_new("Cost of a test: work", "c_i / c_t", "a diffuse ray", PLOT_LOG_X);
+    plot q = plot_new("Cost of a test: time", "c_i / c_t", "[ns], [B/tri]", PLOT_LOG_X);
+    int nodes = plot_series(&p, "nodes"), tests = plot_series(&p, "tests");
+    int leaves = plot_series(&p, "leaves"), primary = plot_series(&q, "primary ray [ns]");
+    int diffuse = plot_series(&q, "diffuse ray [ns]"), bytes = plot_series(&q, "memory [B/tri]");
+    double row[2 * most][4], x[3];
+    int n = 0;
+    for (int i = 0; i < most; i++) {
+        candidate c = candidate_list[4];
+        c.options.item_cost = ldexp(1.0, i - 4);
+        trial t[2] = {{s, &c, &s->primary, {0}}, {s, &c, &s->diffuse, {0}}};
+        double seconds[2], at = c.options.item_cost;
+        run_build(&t[0]);
+        t[1].t = t[0].t;
+        time_trials(t, 2, run_search, 3, seconds);
+        for (int k = 0; k < 2; k++) {
+            search_work w = rays_count(&t[k].t, t[k].rays);
+            double rays = (double)t[k].rays->n, ns = seconds[k] * 1e9 / rays;
+            double line[4] = {1, (double)w.nodes / rays, (double)w.tests / rays, ns};
+            memcpy(row[n++], line, sizeof line);
+            plot_add(&q, k ? diffuse : primary, at, ns);
+            if (!k) continue;
+            plot_add(&p, nodes, at, line[1]), plot_add(&p, tests, at, line[2]);
+            plot_add(&p, leaves, at, (double)w.leaves / rays);
+        }
+        plot_add(&q, bytes, at, per((double)t[0].t.bytes, t[0].t.items));
+        kdtree_free(&t[0].t);
+    }
+    least_squares((const double (*)[4])row, n, x);
+    printf("# fitted: a ray takes %.0f ns, %.1f ns a node and %.1f ns a test\n", x[0], x[1], x[2]);
+    output_plot(o, &p, "12_kdtree_cost.svg");
+    output_plot(o, &q, "12_kdtree_cost_time.svg");
+}
+
+static inline void plot_of_bonus(const options *o, const subject *s)
+{
+    plot p = plot_new("Bonus for cutting off empty space", "bonus", "a diffuse ray", 0);
+    int nodes = plot_series(&p, "nodes"), leaves = plot_series(&p, "leaves");
+    int empty = plot_series(&p, "empty leaves"), tests = plot_series(&p, "tests");
+    for (int i = 0; i <= 8; i++) {
+        kdtree t;
+        kdtree_options how = kdtree_defaults;
+        how.empty_bonus = i / 10.0;
+        build_or_fail(&s->x, how, &t);
+        search_work w = rays_count(&t, &s->diffuse);
+        plot_add(&p, nodes, how.empty_bonus, per((double)w.nodes, s->diffuse.n));
+        plot_add(&p, leaves, how.empty_bonus, per((double)w.leaves, s->diffuse.n));
+        plot_add(&p, empty, how.empty_bonus, per((double)w.empty, s->diffuse.n));
+        plot_add(&p, tests, how.empty_bonus, per((double)w.tests, s->diffuse.n));
+        kdtree_free(&t);
+    }
+    output_plot(o, &p, "12_kdtree_bonus.svg");
+}
+
+/* Time against n: teapots of 64 n^2 - 8 n triangles, ever finer. */
+static inline void growth(const options *o)
+{
+    static const int fine[] = {1, 2, 4, 8, 16, 32, 50};
+    int n = o->quick ? 4 : 7;
+    double x[7], build[7], search[7], nodes[7], least = HUGE_VAL, greatest = 0;
+    table out = table_new("Growth with n, SAH, one thread",
+                          "triangles|build [ms]|build / (n log2 n) [ns]|references/tri|nodes/ray|"
+                          "leaves/ray|tests/ray|ray [ns]|brute force [ns]|peak [B/tri]");
+    plot p = plot_new("Time against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot q = plot_new("Diffuse rays: work against n", "triangles", "a ray", PLOT_LOG_X);
+    int by_build = plot_series(&p, "build, a triangle"), by_ray = plot_series(&p, "k-d tree, a ray");
+    int by_brute = plot_series(&p, "brute force, a ray"), by_nodes = plot_series(&q, "nodes");
+    int by_leaves = plot_series(&q, "leaves"), by_tests = plot_series(&q, "tests");
+    for (int i = 0; i < n; i++) {
+        subject s;
+        mesh m = teapot_mesh(fine[i]);
+        subject_init(&s, m, view_of_mesh(&m, (real)1.6), 160, fine[i] < 32 ? 40 : 10, o->seed);
+        trial t = {&s, &candidate_list[4], &s.diffuse, {0}};
+        double triangles = (double)s.m.triangles, seconds;
+        if (fine[i] < 16) time_trials(&t, 1, run_build, 9, &build[i]);
+        else build[i] = -clock_seconds(), run_build(&t), build[i] += clock_seconds();
+        time_trials(&t, 1, run_search, 3, &seconds);
+        search_work w = rays_count(&t.t, &s.diffuse);
+        x[i] = log2(triangles), search[i] = log2(seconds / (double)s.diffuse.n);
+        nodes[i] = per((double)w.nodes, s.diffuse.n);
+        double unit = build[i] / (triangles * x[i]);
+        if (triangles > 900 && unit < least) least = unit;
+        if (triangles > 900 && unit > greatest) greatest = unit;
+        table_count(&out, s.m.triangles), table_number(&out, build[i] * 1e3);
+        table_number(&out, unit * 1e9);
+        table_number(&out, per((double)t.t.references, t.t.items)), table_number(&out, nodes[i]);
+        table_number(&out, per((double)w.leaves, s.diffuse.n));
+        table_number(&out, per((double)w.tests, s.diffuse.n));
+        table_number(&out, per(seconds * 1e9, s.diffuse.n));
+        table_number(&out, s.brute_seconds * 1e9);
+        table_number(&out, per((double)t.t.peak, s.m.triangles));
+        plot_add(&p, by_build, triangles, build[i] * 1e9 / triangles);
+        plot_add(&p, by_ray, triangles, per(seconds * 1e9, s.diffuse.n));
+        plot_add(&p, by_brute, triangles, s.brute_seconds * 1e9);
+        plot_add(&q, by_nodes, triangles, nodes[i]);
+        plot_add(&q, by_leaves, triangles, per((double)w.leaves, s.diffuse.n));
+        plot_add(&q, by_tests, triangles, per((double)w.tests, s.diffuse.n));
+        build[i] = log2(build[i]);
+        kdtree_free(&t.t);
+        subject_free(&s);
+    }
+    output_extra_table(o, &out);
+    printf("# fitted: build ~ n^%.2f; build / (n log2 n) within a factor %.2f from 1e3 on\n",
+           slope_of(x, build, n), greatest / least);
+    printf("# fitted: a diffuse ray passes %.2f more nodes for each doubling of n; time ~ n^%.2f\n",
+           slope_of(x, nodes, n), slope_of(x, search, n));
+    plot_slope(&p, 1, "slope 1");
+    output_plot(o, &p, "12_kdtree_n_time.svg");
+    output_plot(o, &q, "12_kdtree_n.svg");
+}
+
+#endif
