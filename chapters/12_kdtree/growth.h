@@ -26,10 +26,10 @@ static inline void least_squares(const double (*row)[4], int n, double x[3])
     for (int i = 0; i < 3; i++) x[i] = a[i][3] / a[i][i];
 }
 
-/* c_i from 1/16 to 4: the trees go from coarse to fine; c_t is 1 throughout. */
+/* c_i from 1/16 to 2: the trees go from coarse to fine; c_t is 1 throughout. */
 static inline void plots_of_cost(const options *o, const subject *s)
 {
-    enum { most = 7 };
+    enum { most = 6 };
     plot p = plot_new("Cost of a test: work", "c_i / c_t", "a diffuse ray", PLOT_LOG_X);
     plot q = plot_new("Cost of a test: time", "c_i / c_t", "[ns], [B/tri]", PLOT_LOG_X);
     int nodes = plot_series(&p, "nodes"), tests = plot_series(&p, "tests");
@@ -69,10 +69,11 @@ static inline void plot_of_bonus(const options *o, const subject *s)
     plot p = plot_new("Bonus for cutting off empty space", "bonus", "a diffuse ray", 0);
     int nodes = plot_series(&p, "nodes"), leaves = plot_series(&p, "leaves");
     int empty = plot_series(&p, "empty leaves"), tests = plot_series(&p, "tests");
-    for (int i = 0; i <= 8; i++) {
+    static const double bonus[6] = {0, 0.1, 0.2, 0.3, 0.5, 0.8};
+    for (int i = 0; i < 6; i++) {
         kdtree t;
         kdtree_options how = kdtree_defaults;
-        how.empty_bonus = i / 10.0;
+        how.empty_bonus = bonus[i];
         build_or_fail(&s->x, how, &t);
         search_work w = rays_count(&t, &s->diffuse);
         plot_add(&p, nodes, how.empty_bonus, per((double)w.nodes, s->diffuse.n));
@@ -104,7 +105,7 @@ static inline void growth(const options *o)
         subject_init(&s, m, view_of_mesh(&m, (real)1.6), 160, fine[i] < 32 ? 40 : 10, o->seed);
         trial t = {&s, &candidate_list[4], &s.diffuse, {0}};
         double triangles = (double)s.m.triangles, seconds;
-        if (fine[i] < 16) time_trials(&t, 1, run_build, 9, &build[i]);
+        if (fine[i] < 16) time_trials(&t, 1, run_build, 5, &build[i]);
         else build[i] = -clock_seconds(), run_build(&t), build[i] += clock_seconds();
         time_trials(&t, 1, run_search, 3, &seconds);
         search_work w = rays_count(&t.t, &s.diffuse);

@@ -13,7 +13,7 @@ typedef bool kd_searcher(const kdtree *t, ray r, hit *out);
 typedef struct { const char *name; kdtree_options options; kd_searcher *search; } candidate;
 
 #define KD_HOW(strategy, bonus, clip, planar) \
-    {strategy, 4, 0, 1, 0.5, bonus, clip, planar, SIZE_MAX / 4}
+    {strategy, 4, 0, 1, 0.4, bonus, clip, planar, SIZE_MAX / 4}
 
 enum { candidates = 10, structures = 6 };  /* the first six are trees, the others other searches */
 static const candidate candidate_list[candidates] = {
@@ -186,9 +186,9 @@ static inline void table_of_strategies(const options *o, const subject *s)
         if (again) t[i].t = t[i - 1].t, build[i] = build[i - 1];
         else run_build(&t[i]), build[i] = clock_seconds() - start;
     }
-    time_trials(t, candidates, run_search, o->quick ? 1 : 5, primary);
+    time_trials(t, candidates, run_search, o->quick ? 1 : 3, primary);
     for (int i = 0; i < candidates; i++) t[i].rays = &s->diffuse;
-    time_trials(t, candidates, run_search, o->quick ? 1 : 5, diffuse);
+    time_trials(t, candidates, run_search, o->quick ? 1 : 3, diffuse);
     for (int i = 0; i < candidates; i++) {
         search_work w = rays_count(&t[i].t, &s->primary), d = rays_count(&t[i].t, &s->diffuse);
         w.nodes += d.nodes, w.leaves += d.leaves, w.tests += d.tests;
@@ -295,7 +295,7 @@ static inline void table_of_stadium(const options *o)
         t[i] = (trial){&s, &candidate_list[i], &s.diffuse, {0}};
         run_build(&t[i]);
     }
-    time_trials(t, structures, run_search, o->quick ? 1 : 5, seconds);
+    time_trials(t, structures, run_search, o->quick ? 1 : 3, seconds);
     for (int i = 0; i < structures; i++) {
         table_text(&out, "%s", t[i].c->name);
         row_of_work(&out, &t[i].t, rays_count(&t[i].t, &s.diffuse), s.diffuse.n);

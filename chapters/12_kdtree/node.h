@@ -112,6 +112,7 @@ static inline float kd_ray_limit(const kd_ray *q, real t)
 
 /* The part of the ray in the box, as in 09, with near and far planes seen from two origins. Each
  * comparison keeps its second argument against a NaN. */
+__attribute__((always_inline))
 static inline void kd_ray_clip(kd_ray *q, ray r, const kd_box *box)
 {
     q->enter = -kd_ray_limit(q, -r.tmin), q->exit = kd_ray_limit(q, r.tmax);
@@ -123,6 +124,7 @@ static inline void kd_ray_clip(kd_ray *q, ray r, const kd_box *box)
     }
 }
 
+__attribute__((always_inline))
 static inline kd_ray kd_ray_of(ray r, const kd_frame *frame, const kd_box *box)
 {
     kd_ray q = {.unit = kd_unit(fabs(vaxis(r.d, vlongest(r.d)))), .scale = frame->scale};
