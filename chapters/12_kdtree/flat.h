@@ -135,8 +135,8 @@ static inline vec3 flat_colour(const flat_figure *f, real x, real y)
     real way[4] = {f->r.o.x, f->r.o.y, end.x, end.y};
     if (flat_segment(x, y, way) < (real)0.035) c = (vec3){(real)0.8, 0, 0};
     for (int i = 0; i < flat_walls; i++) {
-        real e[4];
-        flat_ends(i, e);
+        vec3 one = f->corner[i][0], two = f->corner[i][1];
+        real e[4] = {one.x, one.y, two.x, two.y};
         if (flat_segment(x, y, e) < (real)0.045) c = black;
     }
     real dot = (x - end.x) * (x - end.x) + (y - end.y) * (y - end.y);

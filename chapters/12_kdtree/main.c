@@ -99,7 +99,7 @@ int main(int argc, char **argv)
     mesh m = {0};
     subject s;
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
-    if (!own.mesh) m = teapot_mesh(o.quick ? 6 : 28);
+    if (!own.mesh) m = teapot_mesh(o.quick ? 6 : 32);
     draw(&o, &own, how, &m);
     if (own.mesh || own.strategy || o.out) {
         mesh_free(&m);
