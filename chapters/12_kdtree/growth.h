@@ -11,19 +11,16 @@ static inline void growth(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The x of the least |A x - b|^2: rows of three and one, by the normal equations. */
-static inline void least_squares(const double (*row)[4], int n, double x[3])
+/* b and c of ns = b nodes + c tests, by least squares: two normal equations. */
+static inline void fit_costs(const double (*row)[3], int n, double *b, double *c)
 {
-    double a[3][4] = {{0}};
-    for (int r = 0; r < n; r++)
-        for (int i = 0; i < 3; i++)
-            for (int j = 0; j < 4; j++) a[i][j] += row[r][i] * row[r][j];
-    for (int i = 0; i < 3; i++)
-        for (int r = 0; r < 3; r++) {
-            double f = r == i ? 0 : a[r][i] / a[i][i];
-            for (int j = 0; j < 4; j++) a[r][j] -= f * a[i][j];
-        }
-    for (int i = 0; i < 3; i++) x[i] = a[i][3] / a[i][i];
+    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+    for (int i = 0; i < n; i++) {
+        double x = row[i][0], y = row[i][1], z = row[i][2];
+        xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z;
+    }
+    *b = (xz * yy - yz * xy) / (xx * yy - xy * xy);
+    *c = (yz * xx - xz * xy) / (xx * yy - xy * xy);
 }
 
 /* c_i from 1/16 to 2: the trees go from coarse to fine; c_t is 1 throughout. */
@@ -35,8 +32,7 @@ static inline void plots_of_cost(const options *o, const subject *s)
     int nodes = plot_series(&p, "nodes"), tests = plot_series(&p, "tests");
     int leaves = plot_series(&p, "leaves"), primary = plot_series(&q, "primary ray [ns]");
     int diffuse = plot_series(&q, "diffuse ray [ns]"), bytes = plot_series(&q, "memory [B/tri]");
-    double row[2 * most][4], x[3];
-    int n = 0;
+    double row[most][3], node, test;
     for (int i = 0; i < most; i++) {
         candidate c = candidate_list[4];
         c.options.item_cost = ldexp(1.0, i - 4);
@@ -48,18 +44,18 @@ static inline void plots_of_cost(const options *o, const subject *s)
         for (int k = 0; k < 2; k++) {
             search_work w = rays_count(&t[k].t, t[k].rays);
             double rays = (double)t[k].rays->n, ns = seconds[k] * 1e9 / rays;
-            double line[4] = {1, (double)w.nodes / rays, (double)w.tests / rays, ns};
-            memcpy(row[n++], line, sizeof line);
+            double line[3] = {(double)w.nodes / rays, (double)w.tests / rays, ns};
             plot_add(&q, k ? diffuse : primary, at, ns);
             if (!k) continue;
-            plot_add(&p, nodes, at, line[1]), plot_add(&p, tests, at, line[2]);
+            memcpy(row[i], line, sizeof line);
+            plot_add(&p, nodes, at, line[0]), plot_add(&p, tests, at, line[1]);
             plot_add(&p, leaves, at, (double)w.leaves / rays);
         }
         plot_add(&q, bytes, at, per((double)t[0].t.bytes, t[0].t.items));
         kdtree_free(&t[0].t);
     }
-    least_squares((const double (*)[4])row, n, x);
-    printf("# fitted: a ray takes %.0f ns, %.1f ns a node and %.1f ns a test\n", x[0], x[1], x[2]);
+    fit_costs((const double (*)[3])row, most, &node, &test);
+    printf("# fitted: a diffuse ray takes %.1f ns a node and %.1f ns a test\n", node, test);
     output_plot(o, &p, "12_kdtree_cost.svg");
     output_plot(o, &q, "12_kdtree_cost_time.svg");
 }

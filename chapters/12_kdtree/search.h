@@ -17,8 +17,8 @@
  * is kept as the best so far, and is final when the next part begins beyond it: enter > tmax. Not
  * when enter = tmax: there the lower index may wait.
  *
- * No mailbox: an item is in many cells, but a ray meets it in few of them. Of the tests one in eleven
- * was the second of the same triangle (bunny, diffuse rays), and to notice cost as much.
+ * No mailbox: an item is in many cells, but a ray meets it in few of them. One test in ten or so is
+ * the second of the same triangle, and to notice costs as much.
  */
 #ifndef KDTREE_SEARCH_H
 #define KDTREE_SEARCH_H
