@@ -113,7 +113,8 @@ static void judge(const kd_box *mine, const kd_box *other, const kd_box *now, co
     for (int i = 0; i < b->n; i++) {
         bool here = box_has(mine, b->point[i], spare);
         v->contacts += !here;
-        v->lost += !here && !box_has(other, b->point[i], spare) && box_has(now, b->point[i], -spare);
+        bool there = box_has(other, b->point[i], spare);
+        v->lost += !here && !there && box_has(now, b->point[i], -spare);
     }
     for (int k = 0; k < 3 && b->n && mine->lo[0] <= mine->hi[0]; k++) {
         double below = b->lo[k] - (double)mine->lo[k], above = (double)mine->hi[k] - b->hi[k];

@@ -1,4 +1,4 @@
-/* The k-d tree against brute force, its invariants, its limits; and textbook searches losing hits. */
+/* The k-d tree against brute force, its invariants and limits; textbook searches losing hits. */
 #include "../chapters/12_kdtree/textbook.h"
 #include "structure.h"
 
@@ -225,7 +225,7 @@ static void test_clip_pays(void)
         ray r = ray_from(o, vsub(random_vector(&g, 1), o));
         kdtree_hit_counted(&with_clip, r, &h, &a), kdtree_hit_counted(&without, r, &h, &b);
     }
-    check_at_most(2 * a.tests, b.tests, "needles: exact clipping saves more than half of the tests");
+    check_at_most(2 * a.tests, b.tests, "needles: clipping saves more than half of the tests");
     kdtree_free(&with_clip), kdtree_free(&without);
     mesh_free(&m);
 }
@@ -264,7 +264,7 @@ static void test_limits(void)
     mesh_free(&m);
 }
 
-/* Far from 0, tiny, huge: the tree's own coordinates keep its planes apart, and the tree as good. */
+/* Far from 0, tiny, huge: the tree's own coordinates keep its planes apart: as good a tree. */
 static void test_frame(void)
 {
     const struct { const char *what; vec3 move; real scale; } list[] = {

@@ -44,7 +44,7 @@ static inline float kd_below(double x, bool thick)
 
 static inline float kd_above(double x, bool thick) { return -kd_below(-x, thick); }
 
-/* thick: at least one float to spare, so that what is flat is not, and no plane is quite its own. */
+/* thick: at least one float to spare, so that nothing is flat, and lies in a plane of its own. */
 static inline kd_box kd_bounds(const double lo[3], const double hi[3], bool thick)
 {
     kd_box b;

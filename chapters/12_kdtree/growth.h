@@ -92,7 +92,8 @@ static inline void growth(const options *o)
                           "leaves/ray|tests/ray|ray [ns]|brute force [ns]|peak [B/tri]");
     plot p = plot_new("Time against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
     plot q = plot_new("Diffuse rays: work against n", "triangles", "a ray", PLOT_LOG_X);
-    int by_build = plot_series(&p, "build, a triangle"), by_ray = plot_series(&p, "k-d tree, a ray");
+    int by_build = plot_series(&p, "build, a triangle");
+    int by_ray = plot_series(&p, "k-d tree, a ray");
     int by_brute = plot_series(&p, "brute force, a ray"), by_nodes = plot_series(&q, "nodes");
     int by_leaves = plot_series(&q, "leaves"), by_tests = plot_series(&q, "tests");
     for (int i = 0; i < n; i++) {

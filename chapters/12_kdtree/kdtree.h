@@ -1,4 +1,4 @@
-/* kdtree.h: the k-d tree (KD 树): space is cut in two by a plane across an axis, each part again, ...
+/* kdtree.h: the k-d tree (KD 树): a plane across an axis cuts space in two, and each part again
  *
  *     +-----+-------------+       kdtree t;
  *     |     |       o     |       if (!kdtree_build(&x, kdtree_defaults, &t, &f)) fail(f);
@@ -17,7 +17,7 @@
  *   how.depth           of the deepest leaf [1..64]; 0: 8 + 1.3 log2 n                      (12.6)
  *   how.traversal_cost, item_cost, empty_bonus     of the heuristic (12.4)
  *   how.clip            the box of a cut triangle is that of its part: clip.h
- *   how.planar          what lies in a plane: build.h
+ *   how.planar          what lies in a plane: tree.h
  *   how.most_bytes      of memory while it is built; more: kdtree_build returns false
  *
  * The items must outlive the tree. Total: 8 bytes a node, 16 a reference to a triangle (its corners

@@ -1,4 +1,4 @@
-/* 12_kdtree: space cut in two by planes across the axes, again and again: built, searched, compared.
+/* 12_kdtree: space cut in two by planes across the axes, again and again: built, compared.
 cc -std=c11 -O2 -ffp-contract=off -o 12_kdtree chapters/12_kdtree/main.c -lm -lpthread
  *
  * Without options: what each pixel of the teapot took, by four strategies; the tree in the plane;
@@ -8,6 +8,7 @@ cc -std=c11 -O2 -ffp-contract=off -o 12_kdtree chapters/12_kdtree/main.c -lm -lp
 #include "flat.h"
 #include "growth.h"
 #include "pictures.h"
+#include "scenes.h"
 
 typedef struct {
     const char *mesh, *strategy;

@@ -1,9 +1,9 @@
 /* pictures.h: a mesh under the headlight, and what each pixel's ray took to find it.
  *
- *   draw_mesh(p, threads), draw_visits(p, threads)     into p.im; visits: black 0, white `most` nodes
- *                                                      and tests together
- *   draw_strategies(&m, z_up, threads, &all)           four panels: middle, median; SAH by boxes,
- *                                                      SAH clipped
+ *   draw_mesh(p, threads), draw_visits(p, threads)   into p.im; visits: black 0, white `most` nodes
+ *                                                    and tests together
+ *   draw_strategies(&m, z_up, threads, &all)         four panels: middle, median; SAH by boxes,
+ *                                                    SAH clipped
  */
 #ifndef KDTREE_PICTURES_H
 #define KDTREE_PICTURES_H

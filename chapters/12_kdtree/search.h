@@ -1,14 +1,15 @@
 /* search.h: the search of the tree, front to back.
  *
- *   bool kd_search(&t, r, of_mesh, any, &h, &work)  of_mesh, any: known where this is called, so that
- *                                                   each call becomes a loop of its own
+ *   bool kd_search(&t, r, of_mesh, any, &h, &work)      of_mesh, any: known where this is called;
+ *                                                       each call becomes a loop of its own
  *
  *          |  near  :  far            At a cut the ray has the part [enter, exit] in the cell, and
  *      ----+--------:--------+---     passes the plane within [t0, t1] (12.3):
  *        enter   t0 : t1    exit
- *                                        exit < t0     near child only        (12.1)
- *                                        enter > t1    far child only
- *                                        else          near with [enter, t1], then far with [t0, exit]
+ *                                      exit < t0     near child only                       (12.1)
+ *                                      enter > t1    far child only
+ *                                      else          near with [enter, t1], far with [t0, exit]
+ *                                                                                          (12.2)
  *
  * Both, also where the plane is passed just at enter or just at exit: a ray in a plane, or through
  * a corner of cells, looks into all cells that it touches.

@@ -11,10 +11,10 @@
  * The heuristic. A line that meets the cell meets its part L with probability area(L) / area(cell):
  * both are convex. So a cut costs (12.4)
  *
- *    cost = c_t + c_i (area(L) n(L) + area(R) n(R)) / area(cell),   (1 - bonus) of it if n(L) n(R) = 0
+ *    cost = c_t + c_i (area(L) n(L) + area(R) n(R)) / area(cell)
  *
- * c_t for a step of the search, c_i for testing an item; a leaf of n costs c_i n. The bonus is for
- * cutting off empty space.
+ * c_t for a step of the search, c_i for testing an item; a leaf of n costs c_i n. A cut that leaves
+ * a part empty costs 1 - bonus of it.
  *
  *    begin   |  |    |     |             All begins in order, all ends in order. At a plane p:
  *    items   [--]  [-|--]  [----]           n(L) = how many begin before p

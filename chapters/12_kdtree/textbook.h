@@ -18,8 +18,8 @@
  *            the polygon is the one that is not visited
  *   and with rays that are not dyadic, rounding does the same to the textbook itself.
  *
- * For rays with tmin >= 0, as textbooks have them. The whole ray is taken down the tree, not its part
- * in the box: what a box test loses is shown in 09.
+ * For rays with tmin >= 0, as textbooks have them. The whole ray is taken down the tree, not its
+ * part in the box: what a box test loses is shown in 09.
  *
  * Source: V. Havran, "Heuristic Ray Shooting Algorithms", 2000, ch. 5 and app. C (TA-B).
  */
@@ -73,8 +73,8 @@ static inline bool kd_textbook(const kdtree *t, ray r, kd_manner manner, hit *ou
     }
 }
 
-/* A ray on which nothing is rounded, for a scene within [-1,1]^3 of dyadic coordinates: it begins at
- * a multiple of 1/8 within [-2,2]^3, and its direction has components 0, +-1, +-2 and +-4. */
+/* A ray on which nothing is rounded, for a scene of dyadic coordinates within [-1,1]^3: it begins
+ * at a multiple of 1/8 within [-2,2]^3, and its direction has components 0, +-1, +-2 and +-4. */
 static inline ray kd_dyadic_ray(random_stream *g)
 {
     ray r = ray_from((vec3){0, 0, 0}, (vec3){0, 0, 0});
