@@ -33,7 +33,7 @@ static kdtree_options build_options(const own_options *own)
     return how;
 }
 
-/* "dir/bunny.obj" -> build/12_kdtree_bunny.png: images/ is for the pictures of the text. */
+/* "dir/bunny.obj", or "sah" -> build/12_kdtree_bunny.png: images/ is for those of the text. */
 static const char *picture_name(const char *path, char name[512])
 {
     const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
@@ -75,8 +75,9 @@ static void draw(options *o, const own_options *own, kdtree_options how, const m
     image all = image_new(o->width, o->height);
     bool whole = own->strategy ? draw_one(o, m, how, !own->mesh, &all)
                                : draw_strategies(m, !own->mesh, o->threads, &all);
-    if (own->mesh && !o->out) o->out = picture_name(own->mesh, name);
-    output_picture(o, &all, own->strategy ? "12_kdtree_one.png" : "12_kdtree.png", true, whole);
+    if ((own->mesh || own->strategy) && !o->out)
+        o->out = picture_name(own->mesh ? own->mesh : own->strategy, name);
+    output_picture(o, &all, "12_kdtree.png", true, whole);
     image_free(&all);
 }
 

@@ -91,7 +91,8 @@ static inline bool kd_search(const kdtree *t, ray r, bool of_mesh, bool any, hit
                 stack[top++] = (kd_waiting){far, kd_max(t0, enter), exit};
                 exit = kd_min(t1, exit);
                 n = node[near];
-            } else n = node[exit < t0 ? near : far];
+            } else if (exit < t0) n = node[near];
+            else n = node[far];
         }
         if (w) w->leaves++, w->empty += n.rest == 3, w->tests += n.rest >> 2;
         if (n.rest != 3 && kd_ask(t, n, &q, of_mesh, any)) {
