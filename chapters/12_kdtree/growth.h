@@ -32,27 +32,28 @@ static inline void plots_of_cost(const options *o, const subject *s)
     int nodes = plot_series(&p, "nodes"), tests = plot_series(&p, "tests");
     int leaves = plot_series(&p, "leaves"), primary = plot_series(&q, "primary ray [ns]");
     int diffuse = plot_series(&q, "diffuse ray [ns]"), bytes = plot_series(&q, "memory [B/tri]");
-    double row[most][3], node, test;
+    double row[most][3], seconds[2][most], node, test;
+    candidate c[most];
+    trial t[2][most];
     for (int i = 0; i < most; i++) {
-        candidate c = candidate_list[4];
-        c.options.item_cost = ldexp(1.0, i - 4);
-        trial t[2] = {{s, &c, &s->primary, {0}}, {s, &c, &s->diffuse, {0}}};
-        double seconds[2], at = c.options.item_cost;
-        run_build(&t[0]);
-        t[1].t = t[0].t;
-        time_trials(t, 2, run_search, 3, seconds);
-        for (int k = 0; k < 2; k++) {
-            search_work w = rays_count(&t[k].t, t[k].rays);
-            double rays = (double)t[k].rays->n, ns = seconds[k] * 1e9 / rays;
-            double line[3] = {(double)w.nodes / rays, (double)w.tests / rays, ns};
-            plot_add(&q, k ? diffuse : primary, at, ns);
-            if (!k) continue;
-            memcpy(row[i], line, sizeof line);
-            plot_add(&p, nodes, at, line[0]), plot_add(&p, tests, at, line[1]);
-            plot_add(&p, leaves, at, (double)w.leaves / rays);
-        }
-        plot_add(&q, bytes, at, per((double)t[0].t.bytes, t[0].t.items));
-        kdtree_free(&t[0].t);
+        c[i] = candidate_list[4];
+        c[i].options.item_cost = ldexp(1.0, i - 4);
+        t[0][i] = t[1][i] = (trial){s, &c[i], &s->primary, {0}};
+        run_build(&t[0][i]);
+        t[1][i].t = t[0][i].t, t[1][i].rays = &s->diffuse;
+    }
+    for (int k = 0; k < 2; k++) time_trials(t[k], most, run_search, 5, seconds[k]);
+    for (int i = 0; i < most; i++) {
+        double at = c[i].options.item_cost, rays = (double)s->diffuse.n;
+        search_work w = rays_count(&t[1][i].t, &s->diffuse);
+        row[i][0] = (double)w.nodes / rays, row[i][1] = (double)w.tests / rays;
+        row[i][2] = seconds[1][i] * 1e9 / rays;
+        plot_add(&p, nodes, at, row[i][0]), plot_add(&p, tests, at, row[i][1]);
+        plot_add(&p, leaves, at, (double)w.leaves / rays);
+        plot_add(&q, primary, at, per(seconds[0][i] * 1e9, s->primary.n));
+        plot_add(&q, diffuse, at, row[i][2]);
+        plot_add(&q, bytes, at, per((double)t[0][i].t.bytes, t[0][i].t.items));
+        kdtree_free(&t[0][i].t);
     }
     fit_costs((const double (*)[3])row, most, &node, &test);
     printf("# fitted: a diffuse ray takes %.1f ns a node and %.1f ns a test\n", node, test);

@@ -40,10 +40,10 @@
 
 #include "search.h"
 
-/* By measurement, on meshes: a test costs a third to a half of a step down, empty space is hardly
+/* By measurement, on meshes: a test costs half of a step down, empty space is hardly
  * worth a bonus. See the README. */
 #define kdtree_defaults \
-    ((kdtree_options){KD_SAH, 4, 0, 1, 0.4, 0.1, true, KD_THICK, SIZE_MAX / 4})
+    ((kdtree_options){KD_SAH, 4, 0, 1, 0.5, 0.1, true, KD_THICK, SIZE_MAX / 4})
 
 /* ---------------------------------------------------------------------------------------------- */
 
