@@ -1,0 +1,243 @@
+/* build.h: building the tree.
+ *
+ *   bool kdtree_build(&x, how, &t, &f)    false: f says why, and t is empty
+ *
+ *            cell                  Items wait in one array. The items of the cell at hand are its
+ *    +---------+--------+          last n. Those of the lower child stay where they are, those of
+ *    |   L     |   R    |          the upper child are put behind, and done first:
+ *    |         |        |               [ .... | L L L L (gap) | R R R ]
+ *    +---------+--------+          An item that the plane cuts is in both, each time with the box
+ *                                  of its part.
+ *
+ * When to stop. KD_MIDDLE and KD_MEDIAN: at how.leaf items, or after kd_most_doubled cuts of one
+ * path that left more than half of the items on both sides. KD_SAH: when the best cut costs more
+ * than the leaf. Whatever the strategy: at depth 8 + 1.3 log2 n (12.6).
+ *
+ * Sources: V. Havran, J. Bittner, "On Improving KD-Trees for Ray Shooting", WSCG 2002 (cuts that
+ * fail, depth); M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 2016, 4.4.
+ */
+#ifndef KDTREE_BUILD_H
+#define KDTREE_BUILD_H
+
+#include "tree.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void kd_corner(const kd_builder *b, vec3 p, double out[3])
+{
+    vec3 q = kd_place(&b->t->frame, p);
+    out[0] = (double)q.x, out[1] = (double)q.y, out[2] = (double)q.z;
+}
+
+static inline void kd_cut_triangle(const kd_builder *b, const triangle *tri, const kd_box *now,
+                                   int axis, float at, kd_box *below, kd_box *above)
+{
+    double corner[3][3];
+    kd_corner(b, tri->a, corner[0]), kd_corner(b, tri->b, corner[1]);
+    kd_corner(b, tri->c, corner[2]);
+    kd_polygon g = kd_polygon_in(corner, now);
+    if (g.n == 0) return;  /* thinner than its own rounding: the cut boxes */
+    kd_cut c = kd_cut_begin(axis, at);
+    for (int i = 0; i < g.n; i++) kd_cut_edge(&c, g.p[i], g.p[i + 1 < g.n ? i + 1 : 0]);
+    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
+}
+
+static inline void kd_cut_polygon(const kd_builder *b, const polygon *p, int axis, float at,
+                                  kd_box *below, kd_box *above)
+{
+    kd_cut c = kd_cut_begin(axis, at);
+    double one[3], two[3];
+    for (uint32_t i = 0; i < p->n; i++) {
+        kd_corner(b, p->v[i], one), kd_corner(b, p->v[i + 1 < p->n ? i + 1 : 0], two);
+        kd_cut_edge(&c, one, two);
+    }
+    kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
+}
+
+/* The boxes of an item's two parts. A round shape keeps the two parts of its box; a polygon is cut
+ * by the plane alone. */
+static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, float at,
+                               kd_box *below, kd_box *above)
+{
+    const items *x = &b->t->x;
+    *below = *above = i->box;
+    below->hi[axis] = above->lo[axis] = at;
+    if (!b->how.clip) return;
+    const shape *s = x->m ? NULL : &x->s->shapes[i->index];
+    if (!s || s->kind == SHAPE_TRIANGLE) {
+        triangle tri = s ? s->triangle : mesh_triangle(x->m, i->index);
+        kd_cut_triangle(b, &tri, &i->box, axis, at, below, above);
+    } else if (s->kind == SHAPE_POLYGON)
+        kd_cut_polygon(b, &s->polygon, axis, at, below, above);
+}
+
+static inline bool kd_is_empty(const kd_box *b)
+{
+    return !(b->lo[0] <= b->hi[0] && b->lo[1] <= b->hi[1] && b->lo[2] <= b->hi[2]);
+}
+
+/* The n items from `begin` on to their sides of the plane: the first *below of them stay, *above
+ * follow behind all n. */
+static inline bool kd_partition(kd_builder *b, size_t begin, size_t n, kd_choice c, size_t *below,
+                                size_t *above)
+{
+    kdtree_planar planar = b->how.planar;
+    size_t l = begin, r = begin + n;
+    if (!kd_room(b, &b->item, r, r + n, &b->item_room, sizeof *b->item)) return false;
+    for (size_t i = begin; i < begin + n; i++) {
+        kd_item it = b->item[i], up = it;
+        float lo = it.box.lo[c.axis], hi = it.box.hi[c.axis];
+        bool flat = lo == c.plane && hi == c.plane;
+        bool left = lo < c.plane || flat, right = hi > c.plane || (flat && planar != KD_ONE);
+        if (left && right && !flat) {
+            kd_cut_item(b, &b->item[i], c.axis, c.plane, &it.box, &up.box);
+            left = !kd_is_empty(&it.box), right = !kd_is_empty(&up.box);
+        }
+        if (left) b->item[l++] = it;
+        if (right) b->item[r++] = up;
+    }
+    *below = l - begin, *above = r - begin - n;
+    return true;
+}
+
+static inline bool kd_leaf(kd_builder *b, size_t at, size_t begin, size_t n)
+{
+    kdtree *t = b->t;
+    size_t first = t->references;
+    if (first + n > UINT32_MAX || n >= (size_t)1 << 30)
+        return failed(b->f, 2, "k-d tree: more than 2^32 references");
+    if (!kd_room(b, &b->index, first, first + n, &b->index_room, sizeof *b->index)) return false;
+    for (size_t i = 0; i < n; i++) b->index[first + i] = b->item[begin + i].index;
+    t->node[at] = (kd_node){.first = (uint32_t)first, .rest = (uint32_t)n << 2 | 3};
+    t->references += n;
+    return true;
+}
+
+/* The cut of this cell; false: it becomes a leaf. */
+static inline bool kd_wants(kd_builder *b, size_t begin, size_t n, const kd_box *cell, int depth,
+                            int doubled, kd_choice *c)
+{
+    const kdtree_options *how = &b->how;
+    bool by_cost = how->strategy == KD_SAH;
+    if (depth >= how->depth || n == 0) return false;
+    if (!by_cost && (n <= (size_t)how->leaf || doubled > kd_most_doubled)) return false;
+    *c = kd_choose(&b->split, b->item + begin, n, cell);
+    return c->cost < (by_cost ? how->item_cost * (double)n : HUGE_VAL);
+}
+
+static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, const kd_box *cell,
+                           int depth, int doubled)
+{
+    kdtree *t = b->t;
+    kd_choice c;
+    size_t below, above, first = t->nodes;
+    if (depth > t->depth) t->depth = depth;
+    if (!kd_wants(b, begin, n, cell, depth, doubled, &c)) return kd_leaf(b, at, begin, n);
+    if (!kd_partition(b, begin, n, c, &below, &above)) return false;
+    if (below + above > n + n / 2) doubled++;
+    if (first + 2 >= (size_t)1 << 30) return failed(b->f, 2, "k-d tree: more than 2^30 nodes");
+    if (!kd_room(b, &t->node, first, first + 2, &b->node_room, sizeof *t->node)) return false;
+    t->nodes += 2;
+    t->node[at] = (kd_node){.plane = c.plane, .rest = (uint32_t)first << 2 | (uint32_t)c.axis};
+    kd_box lower = *cell, upper = *cell;
+    lower.hi[c.axis] = upper.lo[c.axis] = c.plane;
+    return kd_cell(b, first + 1, begin + n, above, &upper, depth + 1, doubled)
+           && kd_cell(b, first, begin, below, &lower, depth + 1, doubled);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Items in the frame of the tree, and its box. A shape's box has been rounded outwards already. */
+static inline bool kd_gather(kd_builder *b, const aabb *all)
+{
+    kdtree *t = b->t;
+    bool thick = b->how.planar == KD_THICK;
+    size_t n = 0;
+    if (all->lo.x <= all->hi.x) t->frame = kd_frame_of(*all);
+    if (!kd_room(b, &b->item, 0, t->x.n, &b->item_room, sizeof *b->item)) return false;
+    t->box = kd_nothing;
+    for (size_t i = 0; i < t->x.n; i++) {
+        aabb box;
+        double lo[3], hi[3];
+        if (!items_bounds(&t->x, i, &box)) continue;
+        kd_corner(b, box.lo, lo), kd_corner(b, box.hi, hi);
+        b->item[n] = (kd_item){kd_bounds(lo, hi, thick), (uint32_t)i};
+        for (int k = 0; k < 3; k++) {
+            t->box.lo[k] = kd_min(b->item[n].box.lo[k], t->box.lo[k]);
+            t->box.hi[k] = kd_max(b->item[n].box.hi[k], t->box.hi[k]);
+        }
+        n++;
+    }
+    t->items = n;
+    return true;
+}
+
+/* The records of the leaves, and no room to spare. */
+static inline bool kd_finish(kd_builder *b)
+{
+    kdtree *t = b->t;
+    kd_node *node = NULL;
+    size_t room = 0, nodes = 0, n = t->references;
+    if (!kd_room(b, &node, 0, t->nodes, &nodes, sizeof *node)) return false;
+    memcpy(node, t->node, t->nodes * sizeof *node);
+    kd_give_back(b, &t->node, b->node_room, sizeof *node);
+    t->node = node, b->node_room = nodes;
+    if (t->x.s) {
+        if (!kd_room(b, &t->index, 0, n + 1, &room, sizeof *t->index)) return false;
+        if (n) memcpy(t->index, b->index, n * sizeof *t->index);
+        return true;
+    }
+    if (!kd_room(b, &t->triangle, 0, n + 1, &room, sizeof *t->triangle)) return false;
+    for (size_t i = 0; i < n; i++) {
+        const uint32_t *c = t->x.m->index + 3 * (size_t)b->index[i];
+        t->triangle[i] = (kd_triangle){{c[0], c[1], c[2]}, b->index[i]};
+    }
+    return true;
+}
+
+static inline int kd_default_depth(size_t n)
+{
+    int d = (int)(8 + 1.3 * log2((double)n + 1));
+    return d < kdtree_most_depth ? d : kdtree_most_depth;
+}
+
+static inline bool kd_grow(kd_builder *b, const aabb *all)
+{
+    kdtree *t = b->t;
+    size_t r0 = 0, r1 = 0, r2 = 0;
+    if (!kd_gather(b, all)) return false;
+    size_t n = t->items;
+    if (b->how.depth <= 0 || b->how.depth > kdtree_most_depth) b->how.depth = kd_default_depth(n);
+    bool done = kd_room(b, &b->split.begin, 0, n + 1, &r0, sizeof(uint32_t))
+                && kd_room(b, &b->split.end, 0, n + 1, &r1, sizeof(uint32_t))
+                && kd_room(b, &b->split.spare, 0, n + 1, &r2, sizeof(uint32_t))
+                && kd_room(b, &t->node, 0, 2, &b->node_room, sizeof *t->node);
+    if (done) {
+        t->nodes = 2;
+        t->node[0] = t->node[1] = (kd_node){.rest = 3};
+        done = kd_cell(b, 0, 0, n, &t->box, 0, 0);
+    }
+    kd_give_back(b, &b->item, b->item_room, sizeof *b->item);
+    kd_give_back(b, &b->split.begin, r0, 4), kd_give_back(b, &b->split.end, r1, 4);
+    kd_give_back(b, &b->split.spare, r2, 4);
+    done = done && kd_finish(b);
+    kd_give_back(b, &b->index, b->index_room, 4);
+    return done;
+}
+
+/* False: f says why, and *out is empty. */
+static inline bool kdtree_build(const items *x, kdtree_options how, kdtree *out, failure *f)
+{
+    aabb all;
+    *out = (kdtree){.x = *x, .v = x->m ? x->m->v : NULL, .frame = {{0, 0, 0}, 1}};
+    if (!items_all_bounds(x, &all, f)) return false;
+    kd_builder b = {.t = out, .how = how, .f = f};
+    b.split = (kd_splitter){how.strategy, how.traversal_cost, how.item_cost, how.empty_bonus,
+                            NULL, NULL, NULL};
+    if (kd_grow(&b, &all)) return true;
+    free(b.item);
+    kdtree_free(out);
+    return false;
+}
+
+#endif

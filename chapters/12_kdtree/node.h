@@ -1,0 +1,150 @@
+/* node.h: the node of a k-d tree, 8 bytes, and when a ray passes its plane.
+ *
+ *   kd_node { plane | first, rest }
+ *       rest & 3 = 0, 1, 2   inner node (中间节点): cut at `plane` across axis x, y, z; its children
+ *                            are nodes rest >> 2 (below the plane) and the next one (above)
+ *       rest & 3 = 3         leaf (叶节点): items first .. first + (rest >> 2) - 1
+ *
+ *   kd_frame                 where the tree lives: x' = scale (x - centre), scale a power of two
+ *   kd_ray q = kd_ray_of(r, &frame, &box)      prepares the ray once
+ *   limit = kd_ray_limit(&q, t)                t as a float that is not less, in units of q
+ *
+ * Planes are floats whatever `real` is: each plane is chosen among floats, so it is the very plane
+ * that the items were sorted by, not a rounded one. Far from 0 floats are too coarse, and beyond
+ * 1e38 there are none; so the tree has coordinates of its own, in which its box is about 1 large
+ * and not far from 0. Where it already is, they are those of the scene.
+ *
+ * The t of a plane, and why no rounding loses a hit. The plane is passed not at one t but within
+ * [t0, t1]: t0 as seen from an origin moved forwards by delta, t1 from one moved back (12.3):
+ *
+ *         o - delta   o   o + delta             plane      t0 = (plane - (o + delta)) / d
+ *        -----+-------+-------+-------- ... -----|---      t1 = (plane - (o - delta)) / d
+ *
+ * So cells are larger by delta on each side, and a hit that rounding has carried over a wall is
+ * still found on the side where its item is. delta = 2^-21 D + query_delta (10.1); D: from o to the
+ * farthest side of the tree. The first term pays for float: o, plane - o, 1 / d and the
+ * product are four roundings, each of which moves the plane by 2^-24 D at most.
+ *
+ *   d = 0    1 / d is infinite: t0 = t1 = +-infinity, the side where o is; within delta of the
+ *            plane t0 = -infinity, t1 = infinity, or a NaN that the comparisons drop: both sides
+ *   far      o beyond all floats: one of the two is a NaN, and nothing is left out on that side
+ */
+#ifndef KDTREE_NODE_H
+#define KDTREE_NODE_H
+
+#include "../10_grid/items.h"
+
+typedef struct { union { float plane; uint32_t first; }; uint32_t rest; } kd_node;
+typedef struct { float lo[3], hi[3]; } kd_box;
+typedef struct { vec3 centre; real scale; } kd_frame;
+
+/* One axis of a ray. `second`: 1 if it meets the upper child first. */
+typedef struct { float o_near, o_far, inverse; uint32_t second; } kd_axis;
+typedef struct {
+    kd_axis axis[3];
+    real unit, scale;  /* t of kd_ray = t * unit * scale: both powers of two */
+    real slack;        /* t is compared with so much to spare */
+    float enter, exit; /* the part of the ray in the box of the tree; none if enter > exit */
+} kd_ray;
+
+_Static_assert(sizeof(kd_node) == 8, "eight nodes fill a line of the cache");
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool kd_is_leaf(kd_node n) { return (n.rest & 3) == 3; }
+
+static inline float kd_min(float a, float b) { return a < b ? a : b; }
+static inline float kd_max(float a, float b) { return a > b ? a : b; }
+
+/* A float > x by at least the error of the last operation that made x. Below all floats a NaN. */
+static inline float kd_beyond(real x)
+{
+    float f = (float)x;
+    return f + (fabs(f) * FLT_EPSILON + 0x1p-149f);
+}
+
+/* Half the surface. 0 if the box is empty. */
+static inline double kd_area(const kd_box *b)
+{
+    double x = (double)b->hi[0] - (double)b->lo[0], y = (double)b->hi[1] - (double)b->lo[1];
+    double z = (double)b->hi[2] - (double)b->lo[2];
+    return x >= 0 ? x * y + y * z + z * x : 0;
+}
+
+/* Coordinates in which the box is not more than twice its half size away from 0, and, if it is
+ * very large or small, about 1 large. x - centre is rounded by half an epsilon of the distance
+ * that it measures: nothing to the D above. */
+static inline kd_frame kd_frame_of(aabb all)
+{
+    kd_frame f = {{0, 0, 0}, 1};
+    int e, most = real_is_float ? 60 : 260;
+    vec3 half = vscale(vsub(all.hi, all.lo), (real)0.5), c = aabb_center(all);
+    real size = vaxis(half, vlongest(half));
+    if (fabs(vaxis(c, vlongest(c))) > 2 * size) f.centre = c;
+    (void)frexp(size, &e);
+    e = e > most ? most : e < -most ? -most : e;
+    if (e > 40 || e < -40) f.scale = ldexp((real)1, -e);
+    return f;
+}
+
+static inline vec3 kd_place(const kd_frame *f, vec3 p)
+{
+    return vscale(vsub(p, f->centre), f->scale);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The power of two by which a D outside of 2^+-20 must be divided to get there; else 1. */
+static inline real kd_unit(real longest)
+{
+    int e = 0, most = real_is_float ? 100 : 1000;
+    if (longest >= (real)0x1p-20 && longest <= (real)0x1p20) return 1;
+    (void)frexp(longest, &e);
+    return ldexp((real)1, e > most ? most : e < -most ? -most : e);
+}
+
+static inline float kd_ray_limit(const kd_ray *q, real t)
+{
+    real x = t * q->unit * q->scale + q->slack;
+    float f = (float)x;
+    return (real)f >= x ? f : kd_beyond(x);
+}
+
+/* The part of the ray in the box, as in 09, with near and far planes seen from two origins. Each
+ * comparison keeps its second argument against a NaN. */
+__attribute__((always_inline))
+static inline void kd_ray_clip(kd_ray *q, ray r, const kd_box *box)
+{
+    q->enter = -kd_ray_limit(q, -r.tmin), q->exit = kd_ray_limit(q, r.tmax);
+    for (int k = 0; k < 3; k++) {
+        const kd_axis *a = &q->axis[k];
+        float in = a->second ? box->hi[k] : box->lo[k], out = a->second ? box->lo[k] : box->hi[k];
+        q->enter = kd_max((in - a->o_near) * a->inverse, q->enter);
+        q->exit = kd_min((out - a->o_far) * a->inverse, q->exit);
+    }
+}
+
+__attribute__((always_inline))
+static inline kd_ray kd_ray_of(ray r, const kd_frame *frame, const kd_box *box)
+{
+    kd_ray q = {.unit = kd_unit(fabs(vaxis(r.d, vlongest(r.d)))), .scale = frame->scale};
+    vec3 o = kd_place(frame, r.o);
+    real reach = 0;
+    for (int k = 0; k < 3; k++) {
+        reach = real_max(fabs((real)box->lo[k] - vaxis(o, k)), reach);
+        reach = real_max(fabs((real)box->hi[k] - vaxis(o, k)), reach);
+    }
+    real delta = reach * ((real)0x1p-21 + 512 * real_epsilon) + (real)0x1p-100;  /* (12.3) */
+    /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
+     * from the numbers below FLT_MIN, with which processors are slow. */
+    q.slack = real_smallest * q.unit * q.scale + (real)0x1p-100;
+    for (int k = 0; k < 3; k++) {
+        float i = (float)(q.unit / vaxis(r.d, k));
+        float up = kd_beyond(vaxis(o, k) + delta), down = -kd_beyond(delta - vaxis(o, k));
+        q.axis[k] = i < 0 ? (kd_axis){down, up, i, 1} : (kd_axis){up, down, i, 0};
+    }
+    kd_ray_clip(&q, r, box);
+    return q;
+}
+
+#endif

@@ -1,0 +1,111 @@
+/* search.h: the search of the tree, front to back.
+ *
+ *   bool kd_search(&t, r, of_mesh, any, &h, &work)      of_mesh, any: known where this is called;
+ *                                                       each call becomes a loop of its own
+ *
+ *          |  near  :  far            At a cut the ray has the part [enter, exit] in the cell, and
+ *      ----+--------:--------+---     passes the plane within [t0, t1] (12.3):
+ *        enter   t0 : t1    exit
+ *                                      exit < t0     near child only                       (12.1)
+ *                                      enter > t1    far child only
+ *                                      else          near with [enter, t1], far with [t0, exit]
+ *                                                                                          (12.2)
+ *
+ * Both, also where the plane is passed just at enter or just at exit: a ray in a plane, or through
+ * a corner of cells, looks into all cells that it touches.
+ *
+ * What is found in a leaf may lie beyond its cell, and something nearer in a cell to come: the hit
+ * is kept as the best so far, and is final when the next part begins beyond it: enter > tmax. Not
+ * when enter = tmax: there the lower index may wait.
+ *
+ * No mailbox: an item is in many cells, but a ray meets it in few of them. One test in ten or so is
+ * the second of the same triangle, and to notice costs as much.
+ */
+#ifndef KDTREE_SEARCH_H
+#define KDTREE_SEARCH_H
+
+#include "build.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct { uint32_t node; float enter, exit; } kd_waiting;
+
+__attribute__((always_inline))
+static inline bool kd_ask_mesh(const kdtree *t, kd_node n, query *q, bool any)
+{
+    const kd_triangle *tri = t->triangle + n.first, *end = tri + (n.rest >> 2);
+    bool found = false;
+    hit h;
+    for (; tri < end; tri++) {
+        const vec3 *a = t->v + tri->corner[0], *b = t->v + tri->corner[1],
+                   *c = t->v + tri->corner[2];
+        if (!triangle_hit_corners(a, b, c, &q->shear, q->r, &h)) continue;
+        if (any) return true;
+        h.shape = tri->index;
+        found |= query_improves(q, h);
+    }
+    return found;
+}
+
+__attribute__((always_inline))
+static inline bool kd_ask_scene(const kdtree *t, kd_node n, query *q, bool any)
+{
+    const uint32_t *i = t->index + n.first, *end = i + (n.rest >> 2);
+    bool found = false;
+    for (; i < end; i++) {
+        if (!query_ask(q, &t->x, *i, any)) continue;
+        if (any) return true;
+        found = true;
+    }
+    return found;
+}
+
+/* Tests the items of a leaf; true if one was closer than the best so far (any: was hit at all). */
+__attribute__((always_inline))
+static inline bool kd_ask(const kdtree *t, kd_node n, query *q, bool of_mesh, bool any)
+{
+    return of_mesh ? kd_ask_mesh(t, n, q, any) : kd_ask_scene(t, n, q, any);
+}
+
+/* Branches, although each is a coin toss: without them every step waits for the one before. */
+__attribute__((always_inline))
+static inline bool kd_search(const kdtree *t, ray r, bool of_mesh, bool any, hit *out,
+                             search_work *w)
+{
+    kd_waiting stack[kdtree_most_depth];
+    int top = 0;
+    const kd_node *node = t->node;
+    if (t->items == 0 || !ray_is_usable(r)) return false;
+    query q = query_of(r);
+    kd_ray k = kd_ray_of(r, &t->frame, &t->box);
+    float enter = k.enter, exit = k.exit, limit = kd_ray_limit(&k, r.tmax);
+    if (enter > exit) return false;
+    kd_node n = node[0];
+    for (;;) {
+        while (!kd_is_leaf(n)) {  /* (12.1); a NaN leads to both */
+            const kd_axis *a = &k.axis[n.rest & 3];
+            float t0 = (n.plane - a->o_near) * a->inverse, t1 = (n.plane - a->o_far) * a->inverse;
+            uint32_t near = (n.rest >> 2) ^ a->second, far = near ^ 1;
+            if (w) w->nodes++;
+            if (!(exit < t0 || enter > t1)) {
+                stack[top++] = (kd_waiting){far, kd_max(t0, enter), exit};
+                exit = kd_min(t1, exit);
+                n = node[near];
+            } else if (exit < t0) n = node[near];
+            else n = node[far];
+        }
+        if (w) w->leaves++, w->empty += n.rest == 3, w->tests += n.rest >> 2;
+        if (n.rest != 3 && kd_ask(t, n, &q, of_mesh, any)) {
+            if (any) return true;
+            limit = kd_ray_limit(&k, q.r.tmax);
+        }
+        do {
+            if (top == 0) return query_answer(&q, out);
+            top--;
+        } while (stack[top].enter > limit);
+        n = node[stack[top].node];
+        enter = stack[top].enter, exit = kd_min(stack[top].exit, limit);
+    }
+}
+
+#endif

@@ -1,0 +1,340 @@
+/* The k-d tree against brute force, its invariants and limits; textbook searches losing hits. */
+#include "../chapters/12_kdtree/textbook.h"
+#include "structure.h"
+
+static kdtree_options options_now;
+
+static void *build_now(const items *x, failure *f)
+{
+    kdtree *t = allocate(1, sizeof *t);
+    if (kdtree_build(x, options_now, t, f)) return t;
+    free(t);
+    return NULL;
+}
+
+static bool hit_now(const void *s, ray r, hit *out) { return kdtree_hit(s, r, out); }
+static bool occluded_now(const void *s, ray r) { return kdtree_occluded(s, r); }
+static void destroy_now(void *s) { kdtree_free(s), free(s); }
+
+static kdtree_options with(kdtree_strategy strategy, int leaf, bool clip, kdtree_planar planar)
+{
+    kdtree_options how = kdtree_defaults;
+    how.strategy = strategy, how.leaf = leaf, how.clip = clip, how.planar = planar;
+    return how;
+}
+
+static void test_structures(void)
+{
+    const struct { const char *name; kdtree_options how; size_t rays; } list[] = {
+        {"k-d tree, SAH", kdtree_defaults, 400},
+        {"k-d tree, middle", with(KD_MIDDLE, 4, true, KD_THICK), 150},
+        {"k-d tree, median", with(KD_MEDIAN, 4, true, KD_THICK), 150},
+        {"k-d tree, SAH, boxes", with(KD_SAH, 4, false, KD_THICK), 150},
+        {"k-d tree, both sides", with(KD_SAH, 4, true, KD_BOTH), 150},
+        {"k-d tree, middle, one side", with(KD_MIDDLE, 1, true, KD_ONE), 100}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        structure s = {list[i].name, build_now, hit_now, occluded_now, destroy_now};
+        options_now = list[i].how;
+        structure_tests(&s, check_count(list[i].rays));
+    }
+    structure deep = {"k-d tree, costly tests", build_now, hit_now, occluded_now, destroy_now};
+    options_now = kdtree_defaults;
+    options_now.item_cost = 20, options_now.empty_bonus = 0.8;
+    structure_tests(&deep, check_count(100));
+}
+
+/* Rays for which no t is rounded, at squares in dyadic planes and at an octahedron. */
+typedef bool searcher(const kdtree *t, ray r, hit *out);
+
+static size_t wrong_of(searcher *search, const kdtree *t, const mesh *m, size_t rays, bool dyadic)
+{
+    size_t wrong = 0;
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(31, i, 0);
+        ray r = aimed(m, &g, (int)(i % aimed_kinds), (vec3){0, 0, 0}, 1);
+        if (dyadic) r = kd_dyadic_ray(&g);
+        if (r.tmin < 0) continue;
+        hit a = hit_none, b = hit_none;
+        bool ga = mesh_hit(m, r, &a), gb = search(t, r, &b);
+        wrong += !same(ga, a, gb, b);
+    }
+    return wrong;
+}
+
+static void test_naive(void)
+{
+    mesh m = floors_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree both, one;
+    size_t rays = check_count(4000);
+    check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_BOTH), &both, &f), "built");
+    check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_ONE), &one, &f), "built");
+    size_t strict = wrong_of(kdtree_hit_naive_strict, &both, &m, rays, true);
+    size_t strict_one = wrong_of(kdtree_hit_naive_strict, &one, &m, rays, true);
+    check_equal(wrong_of(kdtree_hit, &both, &m, rays, true), 0, "dyadic rays: padded search");
+    check_equal(wrong_of(kdtree_hit_textbook, &both, &m, rays, true), 0,
+                "dyadic rays: the textbook loses nothing where nothing is rounded");
+    check_at_least(wrong_of(kdtree_hit_naive_final, &both, &m, rays, true), rays / 100,
+                   "a hit beyond the cell taken as final is wrong");
+    check_at_least(strict, rays / 1000, "one child where t = enter or t = exit loses hits");
+    check_at_least(strict_one, 2 * strict, "and twice as many if one child has what is in a plane");
+    check_equal(wrong_of(kdtree_hit_textbook, &one, &m, rays, true), 0,
+                "one child has it, but both are visited: enough");
+    check_at_least(wrong_of(kdtree_hit_textbook, &both, &m, rays, false), 1,
+                   "aimed rays, rounded: the textbook loses hits");
+    check_equal(wrong_of(kdtree_hit, &both, &m, rays, false), 0, "aimed rays: padded search");
+    check_equal(wrong_of(kdtree_hit, &one, &m, rays, false), 0, "the same, kept in one child");
+    kdtree_free(&both), kdtree_free(&one);
+    mesh_free(&m);
+}
+
+/* From an eye at 0, o + delta is nothing but delta: what else keeps a ray from slipping between
+ * cells, that a float farther out is coarser, is not there. In float also the hits are rough. */
+static void test_pad(void)
+{
+    for (int kind = 0; kind < 3; kind++) {
+        mesh m = kind == 0 ? floors_mesh(7) : kind == 1 ? octahedron_mesh(9) : torus_mesh(24);
+        items x = items_of_mesh(&m);
+        failure f;
+        kdtree t;
+        size_t wrong = 0, hits = 0, rays = check_count(6000);
+        check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_BOTH), &t, &f), "built");
+        for (size_t i = 0; i < rays; i++) {
+            random_stream g = random_start(81, i, 0);
+            ray r = ray_from((vec3){0, 0, 0}, m.v[m.index[random_below(&g, 3 * m.triangles)]]);
+            if (i % 2) ((real *)&r.o)[i / 2 % 3] = random_next(&g) / 4;
+            r.d = vscale(vsub(r.d, r.o), 1 / (1 + random_next(&g)));
+            hit a = hit_none, b = hit_none;
+            bool ga = mesh_hit(&m, r, &a);
+            hits += ga, wrong += !same(ga, a, kdtree_hit(&t, r, &b), b);
+        }
+        check_equal(wrong, 0, "mesh %d from an eye at 0: as brute force", kind);
+        check_at_least(hits, rays / 4, "mesh %d: they hit", kind);
+        kdtree_free(&t);
+        mesh_free(&m);
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    const kdtree *t;
+    size_t seen, leaves, empty, references, outside, bad_range;
+    int depth;
+} walk;
+
+static void walk_node(walk *w, uint32_t at, kd_box cell, int depth)
+{
+    kd_node n = w->t->node[at];
+    w->seen++;
+    if (depth > w->depth) w->depth = depth;
+    if (kd_is_leaf(n)) {
+        uint32_t count = n.rest >> 2;
+        w->leaves++, w->empty += count == 0, w->references += count;
+        w->bad_range += n.first + (size_t)count > w->t->references;
+        return;
+    }
+    int k = (int)(n.rest & 3);
+    kd_box lower = cell, upper = cell;
+    w->outside += !(n.plane > cell.lo[k] && n.plane < cell.hi[k]);
+    lower.hi[k] = upper.lo[k] = n.plane;
+    walk_node(w, n.rest >> 2, lower, depth + 1);
+    walk_node(w, (n.rest >> 2) + 1, upper, depth + 1);
+}
+
+/* Is triangle i in a leaf whose cell has p, or all but 2^-40 of it? */
+static bool leaf_lists(const kdtree *t, uint32_t at, const real p[3], uint32_t i)
+{
+    kd_node n = t->node[at];
+    if (kd_is_leaf(n)) {
+        for (uint32_t j = 0; j < n.rest >> 2; j++)
+            if (t->triangle[n.first + j].index == i) return true;
+        return false;
+    }
+    real off = p[n.rest & 3] - (real)n.plane, spare = real_is_float ? (real)1e-5 : (real)0x1p-40;
+    return (off <= spare && leaf_lists(t, n.rest >> 2, p, i))
+           || (off >= -spare && leaf_lists(t, (n.rest >> 2) + 1, p, i));
+}
+
+static void invariants_of(const char *what, mesh m, kdtree_options how)
+{
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree t;
+    check(kdtree_build(&x, how, &t, &f), "%s: built", what);
+    walk w = {&t, 0, 0, 0, 0, 0, 0, 0};
+    walk_node(&w, 0, t.box, 0);
+    structure_stats s = kdtree_stats(&t);
+    check_equal(w.seen, t.nodes - 1, "%s: each node but the unused one is reached once", what);
+    check_equal(w.leaves, s.leaves, "%s: leaves counted", what);
+    check_equal(s.inner + 1, s.leaves, "%s: a binary tree has one inner node less", what);
+    check_equal(w.empty, s.empty, "%s: empty leaves counted", what);
+    check_equal(w.references, s.references, "%s: references counted", what);
+    check_equal(w.depth, s.depth, "%s: depth", what);
+    check_at_most(w.depth, kd_default_depth(m.triangles), "%s: depth bounded (12.6)", what);
+    check_equal(w.outside, 0, "%s: every plane cuts its cell", what);
+    check_equal(w.bad_range, 0, "%s: leaves name references that are there", what);
+    check_at_least(s.references, s.items, "%s: every item is somewhere", what);
+    check_at_least(s.peak, s.bytes, "%s: peak", what);
+    size_t lines = (t.nodes * 8 + 63) / 64 + ((t.references + 1) * 16 + 63) / 64;
+    check_equal(s.bytes, 64 * lines, "%s: 8 bytes a node, 16 a reference, whole lines", what);
+    size_t lost = 0, points = check_count(40000);
+    for (size_t i = 0; i < points; i++) {
+        random_stream g = random_start(41, i, 0);
+        uint32_t k = (uint32_t)random_below(&g, m.triangles);
+        triangle tri = mesh_triangle(&m, k);
+        real u = random_next(&g), v = random_next(&g) * (1 - u);
+        if (i % 4 == 0) u = 0;
+        if (i % 8 == 0) v = 0;
+        vec3 p = vmadd(vmadd(tri.a, vsub(tri.b, tri.a), u), vsub(tri.c, tri.a), v);
+        p = kd_place(&t.frame, p);
+        lost += !leaf_lists(&t, 0, (real[3]){p.x, p.y, p.z}, k);
+    }
+    check_equal(lost, 0, "%s: every point of a triangle is in a cell that lists it", what);
+    kdtree_free(&t);
+    mesh_free(&m);
+}
+
+static void test_invariants(void)
+{
+    invariants_of("teapot", teapot_mesh(8), kdtree_defaults);
+    invariants_of("teapot, middle", teapot_mesh(8), with(KD_MIDDLE, 2, true, KD_THICK));
+    invariants_of("teapot, median", teapot_mesh(8), with(KD_MEDIAN, 2, true, KD_THICK));
+    invariants_of("teapot, boxes", teapot_mesh(8), with(KD_SAH, 2, false, KD_THICK));
+    invariants_of("planes", floors_mesh(5), kdtree_defaults);
+    invariants_of("planes, one side", floors_mesh(4), with(KD_MIDDLE, 1, true, KD_ONE));
+    invariants_of("needles", needles(2000, (real)1e-5), kdtree_defaults);
+    invariants_of("stadium", stadium_mesh(8), kdtree_defaults);
+}
+
+/* Clipping only takes references away; what it leaves is tested less. */
+static void test_clip_pays(void)
+{
+    mesh m = needles(1000, (real)0.01);
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree with_clip, without;
+    search_work a = {0, 0, 0, 0}, b = {0, 0, 0, 0};
+    check(kdtree_build(&x, kdtree_defaults, &with_clip, &f), "built");
+    check(kdtree_build(&x, with(KD_SAH, 4, false, KD_THICK), &without, &f), "built");
+    for (size_t i = 0; i < check_count(5000); i++) {
+        random_stream g = random_start(51, i, 0);
+        hit h;
+        vec3 o = random_vector(&g, 3);
+        ray r = ray_from(o, vsub(random_vector(&g, 1), o));
+        kdtree_hit_counted(&with_clip, r, &h, &a), kdtree_hit_counted(&without, r, &h, &b);
+    }
+    check_at_most(2 * a.tests, b.tests, "needles: clipping saves more than half of the tests");
+    kdtree_free(&with_clip), kdtree_free(&without);
+    mesh_free(&m);
+}
+
+static void test_limits(void)
+{
+    mesh m = teapot_mesh(6);
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree t;
+    kdtree_options how = kdtree_defaults;
+    check(kdtree_build(&x, how, &t, &f), "built without a limit");
+    size_t peak = t.peak;
+    int refused = 0, exceeded = 0;
+    kdtree_free(&t);
+    for (int percent = 0; percent <= 100; percent += 4) {
+        how.most_bytes = peak * (size_t)percent / 100;
+        if (kdtree_build(&x, how, &t, &f)) exceeded += t.peak > how.most_bytes;
+        else {
+            refused++;
+            exceeded += t.node || t.triangle || t.index || !strstr(f.text, "bytes allowed");
+        }
+        kdtree_free(&t);
+    }
+    check_equal(exceeded, 0, "never more than most_bytes; what fails says why, and leaves nothing");
+    check_equal(refused, 25, "every limit below the peak refuses, the peak itself does not");
+    how = kdtree_defaults;
+    for (int depth = 1; depth <= 12; depth++) {
+        how.depth = depth;
+        check(kdtree_build(&x, how, &t, &f) && t.depth == depth, "depth %d is kept", depth);
+        kdtree_free(&t);
+    }
+    kdtree none = {0};
+    kdtree_free(&none);
+    kdtree_free(&none);
+    mesh_free(&m);
+}
+
+/* Far from 0, tiny, huge: the tree's own coordinates keep its planes apart: as good a tree. */
+static void test_frame(void)
+{
+    const struct { const char *what; vec3 move; real scale; } list[] = {
+        {"moved by 1e6 times its size", {1000000, -3000000, 2000000}, 1},
+        {"tiny", {0, 0, 0}, real_is_float ? (real)1e-15 : (real)1e-60},
+        {"huge", {0, 0, 0}, real_is_float ? (real)1e8 : (real)1e70}};
+    mesh m = teapot_mesh(6);
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree t, u;
+    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
+    for (size_t i = 0; i < 3; i++) {
+        if (real_is_float && i == 0) continue;  /* the corners themselves would move */
+        mesh c = teapot_mesh(6);
+        for (size_t j = 0; j < c.vertices; j++)
+            c.v[j] = vadd(vscale(c.v[j], list[i].scale), list[i].move);
+        items y = items_of_mesh(&c);
+        check(kdtree_build(&y, kdtree_defaults, &u, &f), "%s: built", list[i].what);
+        check_close(u.references, t.references, 0.02 * (double)t.references,
+                    "%s: as many references, but for planes that rounding moved", list[i].what);
+        size_t wrong = 0;
+        for (size_t j = 0; j < check_count(300); j++) {
+            random_stream g = random_start(61, j, 0);
+            ray r = aimed(&c, &g, (int)(j % 4), list[i].move, list[i].scale);
+            hit a = hit_none, b = hit_none;
+            bool ga = mesh_hit(&c, r, &a);
+            wrong += !same(ga, a, kdtree_hit(&u, r, &b), b);
+        }
+        check_equal(wrong, 0, "%s: as brute force", list[i].what);
+        kdtree_free(&u);
+        mesh_free(&c);
+    }
+    kdtree_free(&t);
+    mesh_free(&m);
+}
+
+/* The counted searches are the same searches; the counts add up. */
+static void test_counts(void)
+{
+    mesh m = teapot_mesh(8);
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree t;
+    size_t wrong = 0, odd = 0;
+    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
+    for (size_t i = 0; i < check_count(3000); i++) {
+        random_stream g = random_start(71, i, 0);
+        ray r = aimed(&m, &g, (int)(i % aimed_kinds), (vec3){0, 0, 0}, 3);
+        hit a = hit_none, b = hit_none;
+        search_work w = {0, 0, 0, 0};
+        bool ga = kdtree_hit(&t, r, &a);
+        wrong += !same(ga, a, kdtree_hit_counted(&t, r, &b, &w), b);
+        odd += w.empty > w.leaves || (ga && w.tests == 0) || w.leaves > w.nodes + 1;
+        wrong += kdtree_occluded(&t, r) != kdtree_occluded_counted(&t, r, &w);
+    }
+    check_equal(wrong, 0, "counted or not: the same answers");
+    check_equal(odd, 0, "counts that are possible");
+    kdtree_free(&t);
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    test_structures();
+    test_naive();
+    test_pad();
+    test_invariants();
+    test_clip_pays();
+    test_limits();
+    test_frame();
+    test_counts();
+    return check_report("12_kdtree");
+}
