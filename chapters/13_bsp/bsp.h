@@ -73,8 +73,8 @@ typedef struct {
 } bsp;
 
 /* By measurement: see the table of the README. */
-#define bsp_defaults ((bsp_options){.rule = BSP_COST, .candidates = 32, .leaf = 4, \
-    .depth = bsp_most_depth, .axis_cost = 0.5, .slanted_cost = 0.8, .seed = 1, \
+#define bsp_defaults ((bsp_options){.rule = BSP_COST, .candidates = 16, .leaf = 4, \
+    .depth = bsp_most_depth, .axis_cost = 4, .slanted_cost = 4.5, .seed = 1, \
     .most_bytes = (size_t)1 << 31})
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -264,20 +264,20 @@ static inline real bsp_limit(const bsp_ray *b, real t) { return t * b->scale + b
  * eps says: hence the slack. */
 static inline bool bsp_ray_of(const bsp *b, ray r, real pads, bsp_ray *out)
 {
-    int e = 0;
-    real longest = fabs(vaxis(r.d, vlongest(r.d)));
-    if (!(longest >= (real)0x1p-20 && longest <= (real)0x1p20)) {
+    real longest = fabs(vaxis(r.d, vlongest(r.d))), delta = query_delta(r, b->all);
+    out->scale = 1, out->slack = real_smallest;
+    if (!(longest >= (real)0x1p-20 && longest <= (real)0x1p20)) {  /* rare */
+        int e, most = real_is_float ? 100 : 1000;
         (void)frexp(longest, &e);
-        int most = real_is_float ? 100 : 1000;
-        e = e > most ? most : e < -most ? -most : e;
+        out->scale = ldexp((real)1, e > most ? most : e < -most ? -most : e);
+        out->slack *= out->scale;
+        r.d = vscale(r.d, 1 / out->scale);
     }
-    out->scale = ldexp((real)1, e), out->slack = real_smallest * out->scale;
-    out->o = vsub(r.o, b->middle), out->d = vscale(r.d, 1 / out->scale);
-    out->pad = pads * query_delta(r, b->all);
-    real delta = 2 * query_delta(r, b->all);
+    out->o = vsub(r.o, b->middle), out->d = r.d;
+    out->pad = pads * delta;
     out->t0 = r.tmin * out->scale - out->slack, out->t1 = bsp_limit(out, r.tmax);
     for (int k = 0; k < 3; k++) {
-        real o = vaxis(out->o, k), d = vaxis(out->d, k), h = vaxis(b->half, k) + delta;
+        real o = vaxis(out->o, k), d = vaxis(out->d, k), h = vaxis(b->half, k) + 2 * delta;
         real i = 1 / fabs(d), a = d < 0 ? o : -o;
         ((real *)&out->inverse)[k] = i, out->down[k] = d < 0;
         out->t0 = real_max((a - h) * i, out->t0);
@@ -319,8 +319,8 @@ static inline bool bsp_search(const bsp *b, ray r, real pads, bool any, bool fir
             stack[top].at = n->first + !down;
             stack[top].t0 = real_max(enter, t0), stack[top].t1 = t1;
             top += here & there;
-            if (here) at = n->first + down, t1 = real_min(leave, t1);
-            else at = n->first + !down, t0 = real_max(enter, t0);
+            at = n->first + (here ? down : !down);
+            t1 = real_min(here ? leave : t1, t1);  /* if only one side is left, t0 and t1 stay */
             continue;
         }
         uint32_t count = n->kind & ~bsp_leaf_bit;

@@ -4,6 +4,8 @@
  *   mesh m = comb_mesh(n)           n short walls, then n long ones; the planes of the short walls
  *                                   cut all long ones, and those of the long walls cut nothing
  *   mesh m = crossing_mesh(n)       n walls one way through n walls the other way: n^2 crossings
+ *   mesh m = town_mesh(n, turn)     n x n blocks of 12 triangles on a square of 2, turned by `turn`
+ *                                   [radians] about (1, 2, 3)
  *   mesh m = segments_mesh(n, seed) n short walls in the square [0, 10]^2 that do not cross
  *
  * A wall stands on a segment of the plane z = 0: a triangle with its third corner above the middle.
@@ -66,6 +68,37 @@ static inline mesh crossing_mesh(size_t n)
         puzzle_wall(&m, n + i, 0, x, 1, x);
         for (size_t k = i; k < 2 * n; k += n)  /* upright squares would need two triangles */
             m.v[3 * k + 2].z = 1000;
+    }
+    return m;
+}
+
+/* Rodrigues: p turned about the unit axis k. */
+static inline vec3 turned_about(vec3 k, real angle, vec3 p)
+{
+    real c = cos(angle), s = sin(angle);
+    return vadd(vadd(vscale(p, c), vscale(vcross(k, p), s)), vscale(k, vdot(k, p) * (1 - c)));
+}
+
+static inline mesh town_mesh(size_t n, real turn)
+{
+    mesh m = puzzle_new(12 * n * n);
+    vec3 axis = vunit((vec3){1, 2, 3});
+    for (size_t i = 0; i < n * n; i++) {
+        random_stream g = random_start(7, i, 0);
+        real w = 2 / (real)n, h = (real)0.1 + (real)0.6 * random_next(&g), edge = w / 6;
+        vec3 lo = {w * (real)(i % n) - 1 + edge, w * (real)(i / n) - 1 + edge, 0};
+        vec3 size = {w - 2 * edge, w - 2 * edge, h}, q[8];
+        for (int k = 0; k < 8; k++) {
+            vec3 part = {(real)(k & 1), (real)(k >> 1 & 1), (real)(k >> 2)};
+            q[k] = turned_about(axis, turn, vadd(lo, vmul(part, size)));
+        }
+        static const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+        for (size_t k = 0; k < 12; k++) {
+            const int *f = face[k / 2];
+            m.v[36 * i + 3 * k] = q[f[0]];
+            m.v[36 * i + 3 * k + 1] = q[f[1 + k % 2]], m.v[36 * i + 3 * k + 2] = q[f[2 + k % 2]];
+        }
     }
     return m;
 }
