@@ -293,7 +293,8 @@ static void test_slanted_wall(void)
     for (int i = 0; i < n * n; i++) {
         vec3 q[4];
         for (int k = 0; k < 4; k++) {
-            real u = (real)(i % n + (k == 1 || k == 2)) / (real)n, v = (real)(i / n + k / 2) / (real)n;
+            real u = (real)(i % n + (k == 1 || k == 2)) / (real)n;
+            real v = (real)(i / n + k / 2) / (real)n;
             q[k] = (vec3){u, v, (u + v) / 2};
         }
         set_triangle(&m, (size_t)(2 * i), q[0], q[1], q[2]);
@@ -309,7 +310,8 @@ static void test_slanted_wall(void)
         check(bsp_build(&x, how, &b, &f), "wall");
         for (size_t i = 0; i < check_count(2000); i++) {
             random_stream g = random_start(4, i, 0);
-            vec3 o = {random_next(&g), random_next(&g), 2}, to = {random_next(&g), random_next(&g), 0};
+            vec3 o = {random_next(&g), random_next(&g), 2};
+            vec3 to = {random_next(&g), random_next(&g), 0};
             hit h;
             bsp_hit_counted(&b, ray_from(o, vsub(to, o)), &h, k ? &across : &slanted);
         }

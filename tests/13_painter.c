@@ -1,5 +1,6 @@
-/* The painter's order: along every ray, the piece drawn last is the one that brute force hits first,
- * from eyes all around and inside; how often planes cut; and sorting by distance, which must fail. */
+/* The painter's order: along every ray, the piece drawn last is the one that brute force hits
+ * first, from eyes all around and inside; how often planes cut; and sorting by distance, which
+ * must fail. */
 #include "../chapters/13_bsp/painter.h"
 #include "../chapters/13_bsp/puzzles.h"
 #include "../chapters/07_mesh/specimens.h"
@@ -34,7 +35,8 @@ static uint32_t drawn_last(const painter *p, const uint32_t *order, size_t n, ra
 typedef struct { size_t rays, hits, wrong; } verdict;
 
 /* Rays within 1e-5 of an edge of what they hit see a neighbour as well, and are left out. */
-static verdict look(const mesh *m, const painter *p, bool naive, real reach, size_t eyes, size_t rays)
+static verdict look(const mesh *m, const painter *p, bool naive, real reach, size_t eyes,
+                    size_t rays)
 {
     verdict v = {0, 0, 0};
     uint32_t *order = allocate(p->pieces, sizeof *order);

@@ -13,7 +13,7 @@
  *   convex d = cell_cut(&store, c, p, sign)   the part with sign * s <= 0, on top of the store
  *   real a = cell_area(&store, c)
  *   cell_box_of(&store, c, &lo, &hi)        the axis-aligned box around it
- *   cells_back_to(&store, mark)             gives up what was made after `mark = cells_mark(&store)`
+ *   mark = cells_mark(&store), cells_back_to(&store, mark)     gives up what was made since
  *
  * The store is a stack: a builder that goes down the tree keeps the cells of one path, no more.
  * Nothing here must be exact: areas choose planes, they do not decide who is in a cell.

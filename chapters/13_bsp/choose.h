@@ -17,12 +17,12 @@
  * across the axes are tried where fragments begin and end (of up to 512 of them), by the area of
  * the box around the cell; the best of each axis then meets the slanted ones on equal terms.
  *
- * Sources: Fuchs, Kedem, Naylor 1980 (see side.h): auto-partition, fewest cuts; M. Paterson, F. Yao,
- * "Efficient Binary Space Partitions for Hidden-Surface Removal and Solid Modeling", Discrete &
- * Computational Geometry 5, 1990: random order; J. MacDonald, K. Booth, "Heuristics for Ray Tracing
- * Using Space Subdivision", The Visual Computer 6, 1990: the cost; Ize, Wald, Parker 2008 (see
- * cell.h): slanted planes by cost, planes through edges; R. Kammaje, B. Mora, "A Study of Restricted
- * BSP Trees for Ray Tracing", IEEE Symposium on Interactive Ray Tracing 2007.
+ * Sources: Fuchs, Kedem, Naylor 1980 (see side.h): auto-partition, fewest cuts; M. Paterson,
+ * F. Yao, "Efficient Binary Space Partitions for Hidden-Surface Removal and Solid Modeling",
+ * Discrete & Computational Geometry 5, 1990: random order; J. MacDonald, K. Booth, "Heuristics for
+ * Ray Tracing Using Space Subdivision", The Visual Computer 6, 1990: the cost; Ize, Wald, Parker
+ * 2008 (see cell.h): slanted planes by cost, planes through edges; R. Kammaje, B. Mora, "A Study of
+ * Restricted BSP Trees for Ray Tracing", IEEE Symposium on Interactive Ray Tracing 2007.
  */
 #ifndef CHOOSE_H
 #define CHOOSE_H
@@ -74,7 +74,7 @@ static inline void count_sides(const chooser *b, fragment_range_of all, plane_ch
     }
 }
 
-/* (13.6). A part as large as the whole: the plane runs along the cell's side and cuts nothing off. */
+/* (13.6). A part as large as the whole: the plane runs along the cell's side, and cuts nothing. */
 static inline void cost_of(const chooser *b, fragment_range_of all, convex c, plane_choice *x)
 {
     real back, front, area = cell_area(&b->cells, c);

@@ -23,7 +23,7 @@ typedef struct {
     image *im;
     bool painting;             /* the right panel */
     vec3 from, to;             /* the ray; the eye is `from` */
-    uint32_t rank[4096];       /* of a cell: 1, 2, .. where the ray passes; of a piece: when drawn */
+    uint32_t rank[4096];       /* of a cell: when the ray passes it; of a piece: when drawn */
     flat_label label[flat_most];
     int labels;
     struct { vec3 a, b; uint32_t piece; } foot[flat_most];

@@ -3,15 +3,15 @@
  *
  *   bool fragment_of(&w, &x, i, &f)      item i as a fragment on top of the store; false: never hit
  *   plane_side fragment_side(&w, p, &f)        where it lies (13.1)
- *   fragment_half(&w, p, sign, &f, out)  its part with sign * s <= 0, e to spare, on top of the store
+ *   fragment_half(&w, p, sign, &f, out)  its part with sign * s <= e, on top of the store
  *   bool fragment_plane(&w, &f, edge, &p)   its own plane (edge = 3) or one through an edge [0..2]
  *
  *   a triangle         a convex polygon, cut as the cells are cut
- *   any other shape    cannot be cut: its box, cut where a plane is axis-aligned, and the range of s
+ *   any other shape    cannot be cut: its box, cut by planes across the axes, and the range of s
  *                      over the whole shape. It may be named by cells that only its hull touches:
  *                      that costs time, no more.
  *
- * Coordinates: q = (p - middle) / scale, the middle of all and a power of two, so |q_k| <= size <= 1.
+ * Coordinates: q = (p - middle) / scale, the middle of all and a power of two: |q_k| <= size <= 1.
  */
 #ifndef FRAGMENT_H
 #define FRAGMENT_H

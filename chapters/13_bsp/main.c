@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 13_bsp chapters/13_
  * cells and the work of each pixel, and one line about the tree that --rule built. */
 #include "../07_mesh/obj.h"
 #include "flat_figure.h"
-#include "measure.h"
+#include "measure_scenes.h"
 #include "painting.h"
 #include "pictures.h"
 
@@ -44,7 +44,7 @@ static void draw_cells(options *o, const own_options *own, const mesh *m, bsp_op
     image im = image_new(o->width, o->height);
     if (!mesh_bounds(m, &lo, &hi)) lo = (vec3){-1, -1, -1}, hi = (vec3){1, 1, 1};
     if (own->mesh && !o->out) o->out = picture_name(own->mesh, name);
-    bool whole = draw_trees(m, lo, hi, how, o->threads, &im);
+    bool whole = draw_trees(m, lo, hi, !own->mesh, how, o->threads, &im);
     output_picture(o, &im, "13_bsp.png", true, whole);
     image_free(&im);
 }
@@ -57,9 +57,9 @@ static void tell(const mesh *m, bsp_options how)
     double start = clock_seconds();
     if (!bsp_build(&x, how, &b, &f)) fail(f);
     structure_stats s = bsp_stats(&b);
-    printf("# %zu triangles: built in %.3f s; %zu planes, %zu of them slanted; depth %d; %.2f names "
-           "a triangle; %zu bytes\n", m->triangles, clock_seconds() - start, s.inner, b.normals,
-           s.depth, per((double)s.references, s.items), s.bytes);
+    printf("# %zu triangles: built in %.3f s; %zu planes, %zu of them slanted; depth %d; "
+           "%.2f names a triangle; %zu bytes\n", m->triangles, clock_seconds() - start, s.inner,
+           b.normals, s.depth, per((double)s.references, s.items), s.bytes);
     bsp_free(&b);
 }
 
@@ -77,7 +77,7 @@ int main(int argc, char **argv)
 {
     own_options own = {.rule = "cost", .candidates = bsp_defaults.candidates};
     const option list[] = {
-        {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: the cells of this mesh instead, z up"},
+        {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: the cells of this mesh instead, y up"},
         {"rule", OPTION_TEXT, &own.rule, 0, 0, "random, fewest, axis, own or cost: right panels"},
         {"candidates", OPTION_INT, &own.candidates, 1, 10000, "slanted planes tried for a cell"},
         {0}};

@@ -1,10 +1,10 @@
 /* pictures.h: a slice through a tree's cells, and what each pixel's ray took.
  *
- *   bool draw_trees(&m, lo, hi, how, threads, &im)   four panels: cells across the axes, cells as
- *                                                    `how` says (left, right); below, nodes and
+ *   bool draw_trees(&m, lo, hi, z_up, how, threads, &im)   four panels: cells across the axes, and
+ *                                                    as `how` says (left, right); below, nodes and
  *                                                    tests of each pixel's ray, black 0, white 90
  *
- * Slice: the plane y = 0 of the mesh (z up). Each cell has its own tint, darker the more triangles
+ * Slice: upright, through the middle. Each cell has its own tint, darker the more triangles
  * it names; white cells name none.
  */
 #ifndef BSP_PICTURES_H
@@ -15,10 +15,16 @@
 #include "../../common/image.h"
 #include "../../common/parallel.h"
 
-typedef struct { const bsp *b; view v; image *im; vec3 lo, hi; } tree_picture;
+typedef struct {
+    const bsp *b;
+    view v;
+    image *im;
+    int up;                  /* axis: 1 or 2 */
+    real x0, x1, up0, up1;   /* of the slice */
+} tree_picture;
 
-static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bsp_options how, int threads,
-                              image *all);
+static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bool z_up, bsp_options how,
+                              int threads, image *all);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -53,9 +59,10 @@ static inline void slice_pixel(int x, int y, void *context)
     for (int k = 0; k < 9; k++) {
         real u = ((real)x + ((real)(k % 3) + (real)0.5) / 3) / (real)p->im->width;
         real v = ((real)y + ((real)(k / 3) + (real)0.5) / 3) / (real)p->im->height;
-        vec3 at = {p->lo.x + u * (p->hi.x - p->lo.x), 0, p->hi.z - v * (p->hi.z - p->lo.z)};
-        if (at.z < p->b->all.lo.z || at.z > p->b->all.hi.z || at.x < p->b->all.lo.x
-            || at.x > p->b->all.hi.x) continue;
+        vec3 at = aabb_center(p->b->all);
+        at.x = p->x0 + u * (p->x1 - p->x0);
+        *(p->up == 1 ? &at.y : &at.z) = p->up1 - v * (p->up1 - p->up0);
+        if (!aabb_contains(p->b->all, at)) continue;
         sum = vmadd(sum, cell_tint(p->b, leaf_of(p->b, vsub(at, p->b->middle))), (real)1 / 9);
     }
     image_set(p->im, x, y, sum);
@@ -84,10 +91,11 @@ static inline void work_pixel(int x, int y, void *context)
     image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / 90));
 }
 
-static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bsp_options how, int threads,
-                              image *all)
+static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bool z_up, bsp_options how,
+                              int threads, image *all)
 {
     bool whole = true;
+    int up = z_up ? 2 : 1;
     items x = items_of_mesh(m);
     failure f;
     for (int k = 0; k < 2; k++) {
@@ -96,11 +104,11 @@ static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bsp_options how, 
         across.rule = BSP_AXIS;
         if (!bsp_build(&x, k ? how : across, &b, &f)) fail(f);
         image im = image_new(all->width / 2 - 2, all->height / 2 - 2);
-        tree_picture p = {&b, view_of(lo, hi, true, (real)im.width / (real)im.height), &im, lo, hi};
         real aspect = (real)im.width / (real)im.height;
-        real half = (real)0.51 * real_max(hi.x - lo.x, (hi.z - lo.z) * aspect);
-        p.lo.x = (lo.x + hi.x) / 2 - half, p.hi.x = (lo.x + hi.x) / 2 + half;
-        p.lo.z = (lo.z + hi.z) / 2 - half / aspect, p.hi.z = (lo.z + hi.z) / 2 + half / aspect;
+        real tall = vaxis(hi, up) - vaxis(lo, up), low = (vaxis(hi, up) + vaxis(lo, up)) / 2;
+        real half = (real)0.51 * real_max(hi.x - lo.x, tall * aspect), left = (lo.x + hi.x) / 2;
+        tree_picture p = {&b, view_of(lo, hi, z_up, aspect), &im, up, left - half, left + half,
+                          low - half / aspect, low + half / aspect};
         whole = parallel_pixels(im.width, im.height, threads, "cells", slice_pixel, &p) && whole;
         image_place(all, k * (im.width + 4), 0, &im);
         whole = parallel_pixels(im.width, im.height, threads, "work", work_pixel, &p) && whole;

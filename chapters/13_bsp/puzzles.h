@@ -1,6 +1,6 @@
 /* puzzles.h: triangles that are hard to paint in order, and walls that are hard not to cut.
  *
- *   mesh m = cyclic_mesh()          three long triangles, each over the next: no order without a cut
+ *   mesh m = cyclic_mesh()          three long triangles, each over the next: no order
  *   mesh m = comb_mesh(n)           n short walls, then n long ones; the planes of the short walls
  *                                   cut all long ones, and those of the long walls cut nothing
  *   mesh m = crossing_mesh(n)       n walls one way through n walls the other way: n^2 crossings

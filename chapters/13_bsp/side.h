@@ -11,8 +11,8 @@
  *   side_range(p, q, n, &lo, &hi)                  smallest and largest s of n corners
  *   plane_side s = side_of_range(lo, hi, e)              SIDE_ON if all |s| <= e, else SIDE_BACK,
  *                                                  SIDE_FRONT, or SIDE_BOTH: the plane cuts it
- *   m = clip(p, sign, level, q, n, out)            the part with sign * s <= level; out: room for 2 n
- *                                                  corners; m = 0: nothing is left
+ *   m = clip(p, sign, level, q, n, out)            the part with sign * s <= level; out has room
+ *                                                  for 2 n corners; m = 0: nothing is left
  *
  * The plane of a triangle does not hold its corners: n, at and s are rounded. So a sign alone tells
  * nothing about a corner near the plane, and the plane gets a width e instead: what sticks out by
