@@ -189,9 +189,9 @@ static inline void table_of_rules(const options *o, const mesh *m)
     time_trials(t, rule_built, run_build, 1, build);
     for (int i = rule_built; i < n; i++) t[i].b = t[rule_default].b, build[i] = build[rule_default];
     for (int i = 0; i < n; i++) t[i].rays = &s.primary;
-    time_trials(t, n, run_search, o->quick ? 1 : 7, primary);
+    time_trials(t, n, run_search, o->quick ? 1 : 21, primary);
     for (int i = 0; i < n; i++) t[i].rays = &s.diffuse;
-    time_trials(t, n, run_search, o->quick ? 1 : 7, diffuse);
+    time_trials(t, n, run_search, o->quick ? 1 : 21, diffuse);
     for (int i = 0; i < n; i++) {
         rule_row(&out, &t[i], &s, build[i], primary[i], diffuse[i]);
         double ns = per(diffuse[i] * 1e9, rays_asked(&s.diffuse, t[i].some));

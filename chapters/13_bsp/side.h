@@ -37,6 +37,7 @@
 #define SIDE_H
 
 #include "../04_triangle/triangle.h"
+#include <stddef.h>
 
 typedef struct { vec3 n; real at; int axis; } split_plane;  /* axis: n = e_axis [0..2]; else 3 */
 typedef enum { SIDE_ON = 0, SIDE_BACK = 1, SIDE_FRONT = 2, SIDE_BOTH = 3 } plane_side;
@@ -59,7 +60,7 @@ static inline vec3 cross_accurate(vec3 a, vec3 b)
 }
 
 /* A needle 1 long and 1e-7 wide: plain products are off by eps, n by eps / 1e-7, and the corners
- * lie 1e-9 off their own plane. */
+ * lie up to 1e-7 off their own plane. */
 static inline split_plane plane_of_triangle_naive(vec3 a, vec3 b, vec3 c)
 {
     vec3 n = vunit(vcross(vsub(b, a), vsub(c, a)));
