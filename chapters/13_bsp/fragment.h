@@ -1,0 +1,193 @@
+/* fragment.h: what a builder of BSP trees knows of the items in a cell: the part of each that is in
+ * it.
+ *
+ *   bool fragment_of(&w, &x, i, &f)      item i as a fragment on top of the store; false: never hit
+ *   plane_side fragment_side(&w, p, &f)        where it lies (13.1)
+ *   fragment_half(&w, p, sign, &f, out)  its part with sign * s <= e, on top of the store
+ *   bool fragment_plane(&w, &f, edge, &p)   its own plane (edge = 3) or one through an edge [0..2]
+ *
+ *   a triangle         a convex polygon, cut as the cells are cut
+ *   any other shape    cannot be cut: its box, cut by planes across the axes, and the range of s
+ *                      over the whole shape. It may be named by cells that only its hull touches:
+ *                      that costs time, no more.
+ *
+ * Coordinates: q = (p - middle) / scale, the middle of all and a power of two: |q_k| <= size <= 1.
+ */
+#ifndef FRAGMENT_H
+#define FRAGMENT_H
+
+#include "../10_grid/items.h"
+#include "cell.h"
+
+/* Which rule places what is near a plane: side.h, and two that lose hits. */
+typedef enum {
+    BSP_SIDES_SAFE,    /* e = 192 eps size; what is on the plane goes to one side */
+    BSP_SIDES_STRICT,  /* naive: e = 0; all s < 0 or all s > 0, else cut: coplanar ones get lost */
+    BSP_SIDES_FIXED    /* naive: e = 1e-4 scene units: what sticks out by that much gets lost */
+} bsp_sides;
+
+typedef struct {
+    uint32_t item, corner;  /* first corner in the store */
+    uint16_t corners;       /* 0: a box, corners lo and hi */
+    bool used;              /* its own plane was taken, or it lies in a plane that was */
+} fragment;
+
+typedef struct {
+    const items *x;
+    vec3 middle;
+    real scale, size, e;
+    bsp_sides sides;
+    vec3 *corner;  /* a stack, as the cells are */
+    fragment *f;
+    size_t corners, fragments, corner_room, fragment_room;
+} workshop;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline vec3 workshop_place(const workshop *w, vec3 p)
+{
+    return vscale(vsub(p, w->middle), 1 / w->scale);
+}
+
+static inline void workshop_reserve(workshop *w, size_t corners)
+{
+    while (w->corners + corners > w->corner_room)
+        w->corner = grown(w->corner, w->corner_room, &w->corner_room, sizeof *w->corner);
+}
+
+static inline fragment *workshop_push(workshop *w, fragment f)
+{
+    w->f = grown(w->f, w->fragments, &w->fragment_room, sizeof *w->f);
+    w->f[w->fragments] = f;
+    return &w->f[w->fragments++];
+}
+
+static inline size_t workshop_bytes(const workshop *w)
+{
+    return w->corner_room * sizeof *w->corner + w->fragment_room * sizeof *w->f;
+}
+
+static inline bool item_is_triangle(const items *x, uint32_t i)
+{
+    return x->m || x->s->shapes[i].kind == SHAPE_TRIANGLE;
+}
+
+static inline triangle item_triangle(const items *x, uint32_t i)
+{
+    return x->m ? mesh_triangle(x->m, i) : x->s->shapes[i].triangle;
+}
+
+static inline bool fragment_of(workshop *w, uint32_t i, fragment *out)
+{
+    aabb b;
+    if (!items_bounds(w->x, i, &b)) return false;
+    workshop_reserve(w, 3);
+    vec3 *q = w->corner + w->corners;
+    *out = (fragment){i, (uint32_t)w->corners, 0, false};
+    if (item_is_triangle(w->x, i)) {
+        triangle t = item_triangle(w->x, i);
+        q[0] = workshop_place(w, t.a), q[1] = workshop_place(w, t.b), q[2] = workshop_place(w, t.c);
+        out->corners = 3;
+    } else {
+        q[0] = workshop_place(w, b.lo), q[1] = workshop_place(w, b.hi);
+        out->used = true;
+    }
+    w->corners += out->corners ? out->corners : 2;
+    return true;
+}
+
+static inline void range_add(real s, real reach, real *lo, real *hi)
+{
+    *lo = real_min(s - reach, *lo), *hi = real_max(s + reach, *hi);
+}
+
+/* A disk about `axis` with radius r reaches r sin(axis, n) along n; of a needle of a cone, all. */
+static inline real disk_along(vec3 axis, vec3 n, real r)
+{
+    vec3 u = vunit(axis);
+    return fabs(r) * (vzero(u) ? 1 : real_min(vlength(vcross(u, n)), 1));
+}
+
+static inline void shape_range(const workshop *w, const split_plane *p, const shape *h, real *lo,
+                               real *hi)
+{
+    real k = 1 / w->scale;
+    *lo = real_infinity, *hi = -real_infinity;
+    switch (h->kind) {
+    case SHAPE_SPHERE:
+        range_add(side_of(p, workshop_place(w, h->sphere.c)), fabs(h->sphere.r) * k, lo, hi);
+        break;
+    case SHAPE_CONE: {
+        vec3 axis = vsub(h->cone.b, h->cone.a);
+        range_add(side_of(p, workshop_place(w, h->cone.a)), disk_along(axis, p->n, h->cone.ra) * k,
+                  lo, hi);
+        range_add(side_of(p, workshop_place(w, h->cone.b)), disk_along(axis, p->n, h->cone.rb) * k,
+                  lo, hi);
+        break;
+    }
+    case SHAPE_POLYGON:
+        for (uint32_t i = 0; i < h->polygon.n; i++)
+            range_add(side_of(p, workshop_place(w, h->polygon.v[i])), 0, lo, hi);
+        break;
+    case SHAPE_TRIANGLE: break;
+    }
+}
+
+/* A slanted plane sees the shape or its box, whichever reaches less far. */
+static inline void fragment_range(const workshop *w, const split_plane *p, const fragment *f,
+                                  real *lo, real *hi)
+{
+    const vec3 *q = w->corner + f->corner;
+    if (f->corners || p->axis < 3) {
+        side_range(p, q, f->corners ? f->corners : 2, lo, hi);
+        return;
+    }
+    vec3 half = vscale(vsub(q[1], q[0]), (real)0.5);
+    real s = side_of(p, vadd(q[0], half)), a, b;
+    real reach = fabs(p->n.x) * half.x + fabs(p->n.y) * half.y + fabs(p->n.z) * half.z;
+    shape_range(w, p, &w->x->s->shapes[f->item], &a, &b);
+    *lo = real_max(a, s - reach), *hi = real_min(b, s + reach);
+    if (*lo > *hi) *lo = s - reach, *hi = s + reach;  /* by rounding alone */
+}
+
+static inline plane_side fragment_side(const workshop *w, const split_plane *p, const fragment *f)
+{
+    real lo, hi;
+    fragment_range(w, p, f, &lo, &hi);
+    return side_of_range(lo, hi, w->e);
+}
+
+/* The naive ones cut at the plane itself. */
+static inline void fragment_half(workshop *w, const split_plane *p, real sign, fragment f)
+{
+    real level = w->sides == BSP_SIDES_SAFE ? w->e : 0;
+    fragment part = f;
+    workshop_reserve(w, 2 * (size_t)f.corners + 2);
+    const vec3 *q = w->corner + f.corner;
+    vec3 *out = w->corner + w->corners;
+    part.corner = (uint32_t)w->corners;
+    if (f.corners) part.corners = (uint16_t)clip(p, sign, level, q, f.corners, out);
+    else {
+        out[0] = q[0], out[1] = q[1];
+        if (p->axis < 3 && sign > 0)
+            ((real *)&out[1])[p->axis] = real_min(vaxis(q[1], p->axis), p->at + level);
+        if (p->axis < 3 && sign < 0)
+            ((real *)&out[0])[p->axis] = real_max(vaxis(q[0], p->axis), p->at - level);
+    }
+    if (f.corners && part.corners == 0) return;
+    w->corners += f.corners ? part.corners : 2;
+    workshop_push(w, part);
+}
+
+/* Of the whole triangle, not of what is left of it: a small fragment has a poor plane. */
+static inline bool fragment_plane(const workshop *w, const fragment *f, int edge, split_plane *out)
+{
+    if (!f->corners) return false;
+    triangle t = item_triangle(w->x, f->item);
+    vec3 q[3] = {workshop_place(w, t.a), workshop_place(w, t.b), workshop_place(w, t.c)};
+    *out = plane_of_triangle(q[0], q[1], q[2]);
+    if (edge < 3 && !vzero(out->n)) *out = plane_of_edge(q[edge], q[(edge + 1) % 3], out->n);
+    return !vzero(out->n);
+}
+
+#endif

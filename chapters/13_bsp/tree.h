@@ -1,0 +1,229 @@
+/* tree.h: building a BSP tree: a plane for the cell, its items to both sides, and so on.
+ *
+ *             slanted plane              node[0] is the root; its children, back and front of the
+ *             /           \              plane, are node[first] and node[first + 1]
+ *          x = 3        leaf [4, 7]
+ *         /     \                        a leaf names its items; one that is in several cells is
+ *     leaf []   leaf [4, 2, 9]           named by several leaves
+ *
+ *   bool bsp_build(&x, how, &b, &f)    false: it does not fit. O(k n log n) for k candidates, if
+ *                                      few are cut
+ *   structure_stats bsp_stats(&b);  bsp_free(&b)
+ *
+ *   how.rule         which plane cuts a cell: choose.h
+ *   how.candidates   planes of triangles and edges that are tried for each cell [1..10000]
+ *   how.leaf         RANDOM, FEWEST: so many items make a leaf [>= 1]; by cost: where no cut pays
+ *   how.depth        of the deepest leaf at most [0..64]
+ *   how.axis_cost, how.slanted_cost     of a step, where testing an item costs 1
+ *   how.most_bytes   more, while it is built or after, and bsp_build fails (exit code 2)
+ *   how.sides        SAFE; or naive, to see what gets lost: fragment.h
+ *   how.seed         the same tree again
+ *
+ * Items are not cut: fragments are, and they only tell which leaves name an item. What the halves
+ * of a cell are made of lies on stacks, the back below the front, so the front is built first and
+ * given up; the most that is held is what one path of the tree holds.
+ *
+ * A node takes 16 bytes (12 in float), as in a k-d tree; slanted normals have a list of their own.
+ */
+#ifndef BSP_TREE_H
+#define BSP_TREE_H
+
+#include "choose.h"
+
+enum { bsp_most_depth = 64 };
+#define bsp_leaf_bit 0x80000000u
+#define bsp_slanted_bit 0x40000000u
+
+typedef struct {
+    real at;         /* n . q = at, q relative to the middle; in scene units */
+    uint32_t first;  /* children; of a leaf: references */
+    uint32_t kind;   /* 0, 1, 2: across this axis; slanted_bit + number of its normal; leaf_bit +
+                        number of references */
+} bsp_node;
+
+typedef struct {
+    const items *x;
+    aabb all;
+    vec3 middle, half;
+    bsp_node *node;
+    vec3 *normal;
+    uint32_t *reference;
+    size_t nodes, normals, references, in_tree;
+    size_t cuts;           /* fragments that planes cut in two while it was built */
+    int depth;
+    size_t bytes, peak;
+} bsp;
+
+/* By measurement: see the table of the README. */
+#define bsp_defaults ((bsp_options){.rule = BSP_COST, .candidates = 16, .leaf = 4, \
+    .depth = bsp_most_depth, .axis_cost = 4, .slanted_cost = 4.5, .seed = 1, \
+    .most_bytes = (size_t)1 << 31})
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    bsp *tree;
+    chooser c;
+    size_t node_room, normal_room, reference_room;
+    bool full;
+} bsp_builder;
+
+static inline void bsp_free(bsp *b)
+{
+    free(b->node), free(b->normal), free(b->reference);
+    *b = (bsp){0};
+}
+
+/* False, from then on, when more is held than is allowed. */
+static inline bool bsp_fits(bsp_builder *b)
+{
+    size_t now = b->node_room * sizeof(bsp_node) + b->normal_room * sizeof(vec3)
+                 + b->reference_room * sizeof(uint32_t) + workshop_bytes(&b->c.w)
+                 + cells_bytes(&b->c.cells);
+    if (now > b->tree->peak) b->tree->peak = now;
+    b->full |= now > b->c.how.most_bytes || b->tree->nodes >= bsp_slanted_bit
+               || b->tree->references >= bsp_leaf_bit || b->c.w.corners >= bsp_leaf_bit;
+    return !b->full;
+}
+
+static inline void bsp_make_leaf(bsp_builder *b, size_t at, fragment_range_of all, int depth)
+{
+    bsp *t = b->tree;
+    uint32_t n = (uint32_t)(all.end - all.begin);
+    t->node[at] = (bsp_node){0, (uint32_t)t->references, bsp_leaf_bit | n};
+    for (size_t i = all.begin; i < all.end; i++) {
+        t->reference = grown(t->reference, t->references, &b->reference_room, sizeof(uint32_t));
+        t->reference[t->references++] = b->c.w.f[i].item;
+    }
+    if (depth > t->depth) t->depth = depth;
+}
+
+/* Fragments of one side, on top of the workshop. */
+static inline fragment_range_of bsp_collect(bsp_builder *b, fragment_range_of all,
+                                            const plane_choice *c, plane_side wanted)
+{
+    workshop *w = &b->c.w;
+    fragment_range_of out = {w->fragments, 0};
+    for (size_t i = all.begin; i < all.end && !b->full; i++) {
+        fragment f = w->f[i];
+        plane_side s = fragment_side(w, &c->p, &f);
+        f.used |= s == SIDE_ON || i == c->chosen;
+        if (s == SIDE_ON && w->sides != BSP_SIDES_STRICT)
+            s = c->on_front ? SIDE_FRONT : SIDE_BACK;
+        if (!(s & wanted)) continue;
+        if (s != SIDE_BOTH) workshop_push(w, f);
+        else fragment_half(w, &c->p, wanted == SIDE_FRONT ? -1 : 1, f);
+        if (i % 1024 == 0) bsp_fits(b);
+    }
+    out.end = w->fragments;
+    return out;
+}
+
+static inline void bsp_set_plane(bsp_builder *b, size_t at, const split_plane *p)
+{
+    bsp *t = b->tree;
+    bsp_node *n = &t->node[at];
+    *n = (bsp_node){p->at * b->c.w.scale, (uint32_t)t->nodes - 2, (uint32_t)p->axis};
+    if (p->axis < 3) return;
+    n->kind = bsp_slanted_bit | (uint32_t)t->normals;
+    t->normal = grown(t->normal, t->normals, &b->normal_room, sizeof(vec3));
+    t->normal[t->normals++] = p->n;
+}
+
+static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of all, convex c,
+                                 int depth)
+{
+    workshop *w = &b->c.w;
+    plane_choice x;
+    if (!bsp_fits(b)) return;
+    if (depth >= b->c.how.depth || !choose_plane(&b->c, all, c, &x)) {
+        bsp_make_leaf(b, at, all, depth);
+        return;
+    }
+    for (int k = 0; k < 2; k++)
+        b->tree->node = grown(b->tree->node, b->tree->nodes++, &b->node_room, sizeof(bsp_node));
+    size_t first = b->tree->nodes - 2, corners = w->corners, fragments = w->fragments;
+    bsp_set_plane(b, at, &x.p);
+    b->tree->cuts += x.cut;
+    bool areas = rule_by_cost(b->c.how.rule);
+    cell_mark mark = cells_mark(&b->c.cells);
+    convex back = areas ? cell_cut(&b->c.cells, c, &x.p, 1) : c;
+    fragment_range_of behind = bsp_collect(b, all, &x, SIDE_BACK);
+    cell_mark mark_back = cells_mark(&b->c.cells);
+    size_t corners_back = w->corners, fragments_back = w->fragments;
+    convex front = areas ? cell_cut(&b->c.cells, c, &x.p, -1) : c;
+    fragment_range_of before = bsp_collect(b, all, &x, SIDE_FRONT);
+    if (!b->full) bsp_make_node(b, first + 1, before, front, depth + 1);
+    w->corners = corners_back, w->fragments = fragments_back;
+    cells_back_to(&b->c.cells, mark_back);
+    if (!b->full) bsp_make_node(b, first, behind, back, depth + 1);
+    w->corners = corners, w->fragments = fragments;
+    cells_back_to(&b->c.cells, mark);
+}
+
+/* An array of just the size needed. */
+static inline void *bsp_trim(void *p, size_t n, size_t size)
+{
+    void *less = realloc(p, (n ? n : 1) * size);
+    return less ? less : p;
+}
+
+/* Around the middle; half a little larger than rounding can make it. */
+static inline void bsp_frame(bsp *t, workshop *w)
+{
+    int e = 0;
+    bool none = aabb_is_empty(t->all);
+    t->middle = none ? (vec3){0, 0, 0} : aabb_center(t->all);
+    t->half = none ? (vec3){-1, -1, -1}
+                   : vmax(vsub(t->all.hi, t->middle), vsub(t->middle, t->all.lo));
+    t->half = vscale(t->half, 1 + 2 * real_epsilon);
+    real most = vaxis(t->half, vlongest(t->half));
+    if (!none && most > 0) (void)frexp(most, &e);
+    w->middle = t->middle, w->scale = ldexp((real)1, e);
+    w->size = none ? 0 : most / w->scale;
+    w->e = w->sides == BSP_SIDES_SAFE ? side_width * w->size
+         : w->sides == BSP_SIDES_FIXED ? (real)1e-4 / w->scale : 0;
+}
+
+static inline bool bsp_build(const items *x, bsp_options how, bsp *out, failure *f)
+{
+    *out = (bsp){.x = x};
+    bsp_builder b = {.tree = out, .c = {.w = {.x = x, .sides = how.sides}, .how = how}};
+    if (!items_all_bounds(x, &out->all, f)) return false;
+    bsp_frame(out, &b.c.w);
+    b.c.g = random_start(how.seed, 0, 0);
+    fragment g;
+    for (size_t i = 0; i < x->n; i++)
+        if (fragment_of(&b.c.w, (uint32_t)i, &g)) workshop_push(&b.c.w, g);
+    out->in_tree = b.c.w.fragments;
+    out->node = grown(NULL, 0, &b.node_room, sizeof(bsp_node));
+    out->nodes = 1;
+    convex c = cell_box(&b.c.cells, vscale(out->half, 1 / b.c.w.scale));
+    bsp_make_node(&b, 0, (fragment_range_of){0, out->in_tree}, c, 0);
+    free(b.c.w.corner), free(b.c.w.f), cells_free(&b.c.cells);
+    if (b.full) {
+        size_t n = out->in_tree, references = out->references;
+        bsp_free(out);
+        return failed(f, 2, "%zu items, named %zu times so far: more than %zu bytes", n,
+                      references, how.most_bytes);
+    }
+    out->node = bsp_trim(out->node, out->nodes, sizeof(bsp_node));
+    out->normal = bsp_trim(out->normal, out->normals, sizeof(vec3));
+    out->reference = bsp_trim(out->reference, out->references, sizeof(uint32_t));
+    out->bytes = out->nodes * sizeof(bsp_node) + out->normals * sizeof(vec3)
+                 + out->references * sizeof(uint32_t);
+    return true;
+}
+
+static inline structure_stats bsp_stats(const bsp *b)
+{
+    structure_stats s = {.references = b->references, .items = b->in_tree, .depth = b->depth,
+                         .bytes = b->bytes, .peak = b->peak};
+    for (size_t i = 0; i < b->nodes; i++) {
+        bool leaf = b->node[i].kind & bsp_leaf_bit;
+        s.inner += !leaf, s.leaves += leaf, s.empty += b->node[i].kind == bsp_leaf_bit;
+    }
+    return s;
+}
+
+#endif

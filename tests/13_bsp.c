@@ -1,0 +1,351 @@
+/* BSP trees: the answers of brute force by every rule, for every ray; sides of planes against twice
+ * the precision; areas of cells; limits; and the naive variants, which must go on failing. */
+#include "../chapters/13_bsp/bsp.h"
+#include "structure.h"
+
+static const char *const rule_name[bsp_rules] = {"random", "fewest", "axis", "own", "cost"};
+
+/* ---- the tests that all structures share ---- */
+
+static bsp_options shared_options;
+static int shared_variant;  /* 0; 1: bsp_hit_naive, 2: bsp_hit_first */
+typedef struct { items x; bsp b; } holder;
+
+static void *holder_build(const items *x, failure *f)
+{
+    holder *h = allocate(1, sizeof *h);
+    h->x = *x;
+    if (bsp_build(&h->x, shared_options, &h->b, f)) return h;
+    free(h);
+    return NULL;
+}
+
+static bool holder_hit(const void *s, ray r, hit *out)
+{
+    const bsp *b = &((const holder *)s)->b;
+    return shared_variant == 1 ? bsp_hit_naive(b, r, out)
+         : shared_variant == 2 ? bsp_hit_first(b, r, out) : bsp_hit(b, r, out);
+}
+
+static bool holder_occluded(const void *s, ray r)
+{
+    return bsp_occluded(&((const holder *)s)->b, r);
+}
+
+static void holder_destroy(void *s)
+{
+    bsp_free(&((holder *)s)->b);
+    free(s);
+}
+
+static structure structure_of(const char *name)
+{
+    return (structure){name, holder_build, holder_hit, holder_occluded, holder_destroy};
+}
+
+static void test_rules(void)
+{
+    for (int k = 0; k < bsp_rules; k++) {
+        structure s = structure_of(rule_name[k]);
+        shared_options = bsp_defaults;
+        shared_options.rule = (bsp_rule)k;
+        structure_tests(&s, check_count(k == BSP_COST ? 600 : 240));
+    }
+}
+
+/* Small leaves and deep cuts: many planes between an item and its leaf. */
+static void test_deep(void)
+{
+    structure s = structure_of("cost, deep");
+    shared_options = bsp_defaults;
+    shared_options.axis_cost = shared_options.slanted_cost = 0.01;
+    structure_mesh(&s, "torus, moved", torus_mesh(16), check_count(600), (vec3){1000, -2000, 3000},
+                   1, 0);
+    structure_mesh(&s, "planes", floors_mesh(4), check_count(600), (vec3){0, 0, 0}, 1, 0);
+    structure_mesh(&s, "needles", needles(100, (real)1e-3), check_count(600), (vec3){0, 0, 0}, 1,
+                   0);
+    shared_options.rule = BSP_OWN;
+    structure_mesh(&s, "needles, own", needles(100, (real)1e-7), check_count(600),
+                   (vec3){0, 0, 0}, 1, 0);
+}
+
+/* ---- naive ---- */
+
+static size_t wrong_of(mesh m, vec3 centre, real size, size_t rays)
+{
+    items x = items_of_mesh(&m);
+    structure s = structure_of("naive");
+    structure_verdict v = {0, 0, 0, 0};
+    void *built = structure_build(&s, &x, "naive");
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(31, i, 0);
+        ray r = aimed(&m, &g, (int)(i % aimed_kinds), centre, size);
+        structure_compare(&s, built, &x, r, &v);
+    }
+    holder_destroy(built);
+    mesh_free(&m);
+    return v.wrong;
+}
+
+static mesh scaled(mesh m, real k)
+{
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], k);
+    return m;
+}
+
+static void test_naive(void)
+{
+    const vec3 o = {0, 0, 0};
+    size_t n = check_count(2400);
+    shared_options = bsp_defaults;
+    shared_options.axis_cost = shared_options.slanted_cost = 0.5;  /* many planes */
+    shared_variant = 1;
+    check_at_least(wrong_of(floors_mesh(4), o, 1, n), n / 100,
+                   "planes without padding lose hits on planes, of %zu rays", n);
+    shared_variant = 2;
+    check_at_least(wrong_of(needles(300, (real)0.1), o, 1, n), n / 100,
+                   "the first leaf's hit is not always the closest, of %zu rays", n);
+    shared_variant = 0;
+    for (int k = 0; k < bsp_rules; k++) {
+        shared_options.rule = (bsp_rule)k;
+        shared_options.sides = BSP_SIDES_SAFE;
+        check_equal(wrong_of(floors_mesh(4), o, 1, n), 0, "%s: and with care, none",
+                    rule_name[k]);
+        shared_options.sides = BSP_SIDES_STRICT;
+        check_at_least(wrong_of(floors_mesh(4), o, 1, n), n / 100,
+                       "%s, strict: coplanar triangles get lost, of %zu rays", rule_name[k], n);
+    }
+    shared_options = bsp_defaults;
+    shared_options.sides = BSP_SIDES_FIXED;
+    size_t small = wrong_of(scaled(torus_mesh(16), (real)1e-3), o, (real)1e-3, n);
+    check_at_least(small, n / 100, "a fixed width loses what is small, of %zu rays", n);
+    shared_options.sides = BSP_SIDES_SAFE;
+    check_equal(wrong_of(scaled(torus_mesh(16), (real)1e-3), o, (real)1e-3, n), 0,
+                "the width of side.h loses nothing of it");
+}
+
+/* ---- side.h ---- */
+
+static wide side_exactly(split_plane p, vec3 q)
+{
+    return wide_sub(wide3_dot(wide3_of(p.n), wide3_of(q)), wide_of((double)p.at));
+}
+
+/* (13.2): computed s against the s of the very same numbers; 4.4 eps size without what moved q. */
+static void test_sides(void)
+{
+    double worst = 0, own = 0, naive = 0;
+    for (size_t i = 0; i < check_count(200000); i++) {
+        random_stream g = random_start(13, i, 0);
+        vec3 a = random_vector(&g, 1), b = random_vector(&g, 1), q = random_vector(&g, 1);
+        vec3 c = vadd(vmadd(a, vsub(b, a), random_next(&g)), random_vector(&g, (real)1e-7));
+        c = vmax((vec3){-1, -1, -1}, vmin((vec3){1, 1, 1}, c));
+        split_plane p = plane_of_triangle(a, b, c), w = plane_of_triangle_naive(a, b, c);
+        if (vzero(p.n)) continue;
+        wide error = wide_sub(wide_of((double)side_of(&p, q)), side_exactly(p, q));
+        worst = fmax(worst, fabs(wide_value(error)));
+        const vec3 corner[3] = {a, b, c};
+        for (int k = 0; k < 3; k++) {
+            own = fmax(own, fabs(wide_value(side_exactly(p, corner[k]))));
+            naive = fmax(naive, fabs(wide_value(side_exactly(w, corner[k]))));
+        }
+    }
+    double eps = (double)real_epsilon;
+    check_at_most(worst, 4.4 * eps, "s is within 4.4 eps size of the exact one");
+    check_at_most(own, 12 * eps, "a needle's corners are on its own plane");
+    check_at_least(naive, 1000 * eps, "plain products put them off it");
+}
+
+/* What clip leaves holds what belongs there: random points of a triangle, cut 64 times. */
+static void test_clip(void)
+{
+    double worst = 0;
+    size_t lost = 0, kept = 0;
+    for (size_t i = 0; i < check_count(3000); i++) {
+        random_stream g = random_start(17, i, 0);
+        vec3 q[2][200], x[20];
+        size_t n = 3, at = 0;
+        bool in[20];
+        for (int k = 0; k < 3; k++) q[0][k] = random_vector(&g, 1);
+        split_plane face = plane_of_triangle(q[0][0], q[0][1], q[0][2]);
+        for (int k = 0; k < 20; k++) {
+            real u = random_next(&g), v = random_next(&g) * (1 - u);
+            x[k] = vmadd(vmadd(q[0][0], vsub(q[0][1], q[0][0]), u), vsub(q[0][2], q[0][0]), v);
+            in[k] = true;
+        }
+        for (int cut = 0; cut < 64 && n; cut++) {  /* near x[0], which stays */
+            split_plane p = {vunit(random_vector(&g, 1)), 0, 3};
+            p.at = vdot(p.n, x[0]) + random_next(&g) * (real)0.3;
+            for (int k = 0; k < 20; k++) in[k] = in[k] && wide_sign(side_exactly(p, x[k])) <= 0;
+            n = clip(&p, 1, side_width, q[at], n, q[1 - at]);
+            at = 1 - at;
+        }
+        for (size_t k = 0; k < n; k++)
+            worst = fmax(worst, fabs(wide_value(side_exactly(face, q[at][k]))));
+        for (int k = 0; k < 20; k++) {  /* beyond no edge of the polygon by more than r */
+            if (!in[k]) continue;
+            bool inside = n > 0;
+            for (size_t j = 0; j < n && inside; j++) {
+                vec3 a = q[at][j], e = vsub(q[at][(j + 1) % n], a);
+                real off = vdot(vcross(e, vsub(x[k], a)), face.n);
+                inside = off >= -167 * real_epsilon * vlength(e);
+            }
+            lost += !inside, kept++;
+        }
+    }
+    check_equal(lost, 0, "of %zu points of triangles, what is cut off", kept);
+    check_at_most(worst, 170 * (double)real_epsilon, "cut 64 times, corners stay in the plane");
+}
+
+/* ---- cell.h ---- */
+
+static void test_cells(void)
+{
+    cell_store s = {0};
+    real back, front, eps = real_epsilon;
+    convex c = cell_box(&s, (vec3){1, 1, 1});
+    check_equal(c.faces, 6, "faces of a box");
+    check_equal(cell_area(&s, c), 24, "surface of a cube of 2");
+    split_plane x = plane_of_axis(0, (real)0.5), d = {vunit((vec3){1, 1, 1}), 0, 3};
+    cell_areas(&s, c, &x, &back, &front);
+    check_equal(back, 8 + 4 * 3, "box of 1.5 x 2 x 2");
+    check_equal(front, 8 + 4 * 1, "box of 0.5 x 2 x 2");
+    cell_areas(&s, c, &d, &back, &front);  /* a regular hexagon with sides of sqrt 2 */
+    check_close(back, 12 + 3 * sqrt(3.0), 50 * eps, "half a cube and a hexagon");
+    check_close(front, 12 + 3 * sqrt(3.0), 50 * eps, "the other half");
+    convex h = cell_cut(&s, c, &d, 1);
+    check_equal(h.faces, 7, "faces of half a cube");
+    check_close(cell_area(&s, h), 12 + 3 * sqrt(3.0), 50 * eps, "made, not only measured");
+
+    double worst = 0;
+    for (size_t i = 0; i < check_count(500); i++) {
+        cell_mark mark = cells_mark(&s);
+        random_stream g = random_start(3, i, 0);
+        vec3 inside = random_vector(&g, 1);
+        convex whole = c;
+        for (int k = 0; k < 12; k++) {
+            split_plane p = {vunit(random_vector(&g, 1)), 0, 3};
+            p.at = vdot(p.n, inside) + random_next(&g) * (real)0.2 + (real)0.1;
+            cell_areas(&s, whole, &p, &back, &front);
+            convex part = cell_cut(&s, whole, &p, 1), rest = cell_cut(&s, whole, &p, -1);
+            worst = fmax(worst, fabs((double)(cell_area(&s, part) - back)));
+            if (rest.faces) worst = fmax(worst, fabs((double)(cell_area(&s, rest) - front)));
+            whole = part;
+        }
+        vec3 sum = {0, 0, 0};  /* closed: the areas as vectors add up to nothing */
+        for (uint32_t k = 0; k < whole.faces; k++) {
+            const cell_face *f = &s.face[whole.face + k];
+            sum = vadd(sum, polygon_area(s.corner + f->corner, f->corners));
+        }
+        worst = fmax(worst, (double)vlength(sum));
+        cells_back_to(&s, mark);
+    }
+    check_at_most(worst, 1000 * (double)eps, "areas as measured, as made, and of a closed surface");
+    cells_free(&s);
+}
+
+/* ---- limits, and what the tree says about itself ---- */
+
+static void test_limits(void)
+{
+    mesh m = teapot_mesh(6);
+    items x = items_of_mesh(&m);
+    failure f;
+    bsp b;
+    bsp_options how = bsp_defaults;
+    how.most_bytes = 100000;
+    check(!bsp_build(&x, how, &b, &f) && f.exit_code == 2 && strstr(f.text, "100000 bytes"),
+          "too much memory is refused, not taken");
+    bsp_free(&b);
+    for (int depth = 0; depth <= 8; depth += 4) {
+        how = bsp_defaults;
+        how.depth = depth;
+        check(bsp_build(&x, how, &b, &f), "depth %d", depth);
+        structure_stats s = bsp_stats(&b);
+        check_equal(s.depth, depth, "no leaf is deeper than it may be, and some are as deep");
+        check_equal(s.leaves, s.inner + 1, "each plane makes one cell more");
+        check(s.references >= s.items && s.items == m.triangles, "all triangles are in leaves");
+        check(s.peak >= s.bytes && s.bytes > 0, "memory");
+        bsp_free(&b);
+    }
+    mesh_free(&m);
+
+    mesh t = octahedron_mesh(16);  /* all planes have all other triangles behind them */
+    x = items_of_mesh(&t);
+    how = bsp_defaults;
+    how.rule = BSP_FEWEST;
+    check(bsp_build(&x, how, &b, &f), "convex, fewest");
+    check_equal(b.cuts, 0, "fewest: planes of the faces of a convex mesh cut nothing");
+    bsp_free(&b);
+    how.rule = BSP_COST;
+    check(bsp_build(&x, how, &b, &f), "convex, cost");
+    structure_stats s = bsp_stats(&b);
+    check_at_most(s.references, 2 * s.items, "by cost: few are named twice");
+    bsp_free(&b);
+    mesh_free(&t);
+}
+
+/* A plane right on a slanted square: no cell keeps empty space in front of it. */
+static void test_slanted_wall(void)
+{
+    int n = 12;
+    mesh m = mesh_room((size_t)(2 * n * n));
+    for (int i = 0; i < n * n; i++) {
+        vec3 q[4];
+        for (int k = 0; k < 4; k++) {
+            real u = (real)(i % n + (k == 1 || k == 2)) / (real)n;
+            real v = (real)(i / n + k / 2) / (real)n;
+            q[k] = (vec3){u, v, (u + v) / 2};
+        }
+        set_triangle(&m, (size_t)(2 * i), q[0], q[1], q[2]);
+        set_triangle(&m, (size_t)(2 * i + 1), q[0], q[2], q[3]);
+    }
+    items x = items_of_mesh(&m);
+    search_work slanted = {0, 0, 0, 0}, across = {0, 0, 0, 0};
+    for (int k = 0; k < 2; k++) {
+        bsp b;
+        failure f;
+        bsp_options how = bsp_defaults;
+        how.rule = k ? BSP_AXIS : BSP_COST;
+        check(bsp_build(&x, how, &b, &f), "wall");
+        for (size_t i = 0; i < check_count(2000); i++) {
+            random_stream g = random_start(4, i, 0);
+            vec3 o = {random_next(&g), random_next(&g), 2};
+            vec3 to = {random_next(&g), random_next(&g), 0};
+            hit h;
+            bsp_hit_counted(&b, ray_from(o, vsub(to, o)), &h, k ? &across : &slanted);
+        }
+        bsp_free(&b);
+    }
+    size_t with = slanted.nodes + slanted.tests, without = across.nodes + across.tests;
+    check_at_most(10 * with, 9 * without, "a slanted wall costs less with slanted planes");
+    mesh_free(&m);
+}
+
+static void test_same_tree(void)
+{
+    mesh m = teapot_mesh(4);
+    items x = items_of_mesh(&m);
+    bsp a, b;
+    failure f;
+    check(bsp_build(&x, bsp_defaults, &a, &f) && bsp_build(&x, bsp_defaults, &b, &f), "twice");
+    bool equal = a.nodes == b.nodes && a.references == b.references
+                 && memcmp(a.reference, b.reference, a.references * sizeof *a.reference) == 0;
+    check(equal, "one seed, one tree");
+    bsp_free(&a), bsp_free(&b), bsp_free(&b);
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    test_sides();
+    test_clip();
+    test_cells();
+    test_limits();
+    test_same_tree();
+    test_slanted_wall();
+    test_naive();
+    test_deep();
+    test_rules();
+    return check_report("13_bsp");
+}

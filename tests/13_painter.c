@@ -1,0 +1,237 @@
+/* The painter's order: along every ray, the piece drawn last is the one that brute force hits
+ * first, from eyes all around and inside; how often planes cut; and sorting by distance, which
+ * must fail. */
+#include "../chapters/13_bsp/painter.h"
+#include "../chapters/13_bsp/puzzles.h"
+#include "../chapters/07_mesh/specimens.h"
+#include "../chapters/07_mesh/teapot.h"
+#include "aimed.h"
+#include "check.h"
+
+static const char *const rule_name[painter_rules] = {"first", "random", "fewest"};
+
+/* A piece as a fan of triangles. */
+static bool piece_covers(const painter *p, uint32_t k, const ray_shear *s, ray r)
+{
+    const painter_piece *x = &p->piece[k];
+    hit h;
+    for (uint32_t i = x->first + 2; i < x->first + x->corners; i++) {
+        triangle t = {p->corner[x->first], p->corner[i - 1], p->corner[i]};
+        if (triangle_hit_sheared(t, s, r, &h)) return true;
+    }
+    return false;
+}
+
+/* The triangle drawn last over the ray; no_shape if none. Rays are relative to the middle. */
+static uint32_t drawn_last(const painter *p, const uint32_t *order, size_t n, ray r)
+{
+    r.o = vsub(r.o, p->middle);
+    ray_shear s = shear_of(r);
+    while (n--)
+        if (piece_covers(p, order[n], &s, r)) return p->piece[order[n]].owner;
+    return no_shape;
+}
+
+typedef struct { size_t rays, hits, wrong; } verdict;
+
+/* Rays within 1e-5 of an edge of what they hit see a neighbour as well, and are left out. */
+static verdict look(const mesh *m, const painter *p, bool naive, real reach, size_t eyes,
+                    size_t rays)
+{
+    verdict v = {0, 0, 0};
+    uint32_t *order = allocate(p->pieces, sizeof *order);
+    for (size_t e = 0; e < eyes; e++) {
+        random_stream g = random_start(23, e, 0);
+        vec3 eye = random_vector(&g, e % 4 ? 3 * reach : reach);
+        size_t n = naive ? painter_order_naive(p, eye, order) : painter_order(p, eye, order);
+        check_equal(n, p->pieces, "all pieces are drawn");
+        for (size_t i = 0; i < rays; i++) {
+            triangle t = mesh_triangle(m, random_below(&g, m->triangles));
+            real a = random_next(&g), b = random_next(&g) * (1 - a);
+            vec3 to = vmadd(vmadd(t.a, vsub(t.b, t.a), a), vsub(t.c, t.a), b);
+            ray r = ray_from(eye, vsub(vadd(to, random_vector(&g, reach / 50)), eye));
+            hit h = hit_none;
+            bool hits = mesh_hit(m, r, &h);
+            real edge = real_min(real_min(h.u, h.v), 1 - h.u - h.v);
+            if (hits && edge < (real_is_float ? (real)1e-3 : (real)1e-5)) continue;
+            v.rays++, v.hits += hits, v.wrong += drawn_last(p, order, n, r) != h.shape;
+        }
+    }
+    free(order);
+    return v;
+}
+
+/* May a wrong ray in a thousand be put down to edges of others that it grazes? In float, yes. */
+static void test_scene(const char *name, mesh m, real reach, bool cut)
+{
+    for (int k = 0; k < painter_rules; k++) {
+        painter_options how = painter_defaults;
+        painter p;
+        failure f;
+        how.rule = (painter_rule)k;
+        check(painter_build(&m, how, &p, &f), "%s, %s: built", name, rule_name[k]);
+        verdict v = look(&m, &p, false, reach, check_count(24), 60);
+        check_at_most(v.wrong, real_is_float ? v.rays / 300 : 0,
+                      "%s, %s: drawn last is not hit first, of %zu", name, rule_name[k], v.rays);
+        check_at_least(v.hits, v.rays / 3, "%s: rays at it hit it", name);
+        if (cut) check_at_least(p.pieces, m.triangles + 1, "%s: something is cut", name);
+        painter_free(&p);
+    }
+    mesh_free(&m);
+}
+
+static void test_order(void)
+{
+    mesh soup = mesh_room(80);
+    for (size_t i = 0; i < soup.triangles; i++) {
+        random_stream g = random_start(1, i, 0);
+        vec3 a = random_vector(&g, 1);
+        set_triangle(&soup, i, a, vadd(a, random_vector(&g, 1)), vadd(a, random_vector(&g, 1)));
+    }
+    test_scene("cyclic", cyclic_mesh(), 1, true);
+    test_scene("soup", soup, 1, true);
+    test_scene("torus", torus_mesh(12), 1, true);
+    test_scene("octahedron", octahedron_mesh(4), 1, false);
+    test_scene("floors", floors_mesh(3), 1, false);
+    test_scene("needles", needles(60, (real)0.2), 1, true);
+    test_scene("teapot", teapot_mesh(3), 4, true);
+    test_scene("walls", crossing_mesh(6), 2, true);
+}
+
+/* Cyclic overlap: from above, each of the six orders of whole triangles is wrong somewhere. */
+static void test_naive(void)
+{
+    mesh m = cyclic_mesh();
+    painter p;
+    painter_uncut(&m, &p);
+    check_equal(p.pieces, 3, "uncut");
+    verdict v = look(&m, &p, true, 1, check_count(24), 60);
+    check_at_least(v.wrong, v.rays / 100, "sorted by distance: wrong, of %zu rays", v.rays);
+    uint32_t order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    for (int k = 0; k < 6; k++) {
+        size_t wrong = 0;
+        for (size_t i = 0; i < 3000; i++) {
+            random_stream g = random_start(2, i, 0);
+            vec3 to = vmul(random_vector(&g, 1), (vec3){1, 1, 0});
+            ray r = ray_from((vec3){0, 0, 4}, vsub(to, (vec3){0, 0, 4}));
+            hit h = hit_none;
+            mesh_hit(&m, r, &h);
+            wrong += drawn_last(&p, order[k], 3, r) != h.shape;
+        }
+        check_at_least(wrong, 20, "order %u %u %u of whole triangles: wrong somewhere", order[k][0],
+                       order[k][1], order[k][2]);
+    }
+    painter_free(&p);
+    mesh_free(&m);
+}
+
+static size_t pieces_of(const mesh *m, painter_rule rule, uint64_t seed)
+{
+    painter p;
+    failure f;
+    painter_options how = painter_defaults;
+    how.rule = rule, how.seed = seed;
+    check(painter_build(m, how, &p, &f), "built");
+    size_t n = p.pieces;
+    painter_free(&p);
+    return n;
+}
+
+static void test_pieces(void)
+{
+    for (size_t n = 4; n <= 64; n *= 4) {
+        mesh comb = comb_mesh(n), cross = crossing_mesh(n);
+        double sum = 0, all = 2 * (double)n;
+        check_equal(pieces_of(&comb, PAINTER_FIRST, 1), n * (n + 2),
+                    "comb, first: each of %zu long walls is cut by all short ones", n);
+        for (uint64_t seed = 0; seed < 16; seed++)
+            sum += (double)pieces_of(&comb, PAINTER_RANDOM, seed) / 16;
+        check_at_most(sum, all + 2 * all * log(all), "comb, random: (13.8)");
+        check_at_most(pieces_of(&comb, PAINTER_FEWEST, 1), 2 * n + n,
+                      "comb, fewest: next to nothing is cut");
+        for (int k = 0; k < painter_rules; k++)
+            check_at_least(pieces_of(&cross, (painter_rule)k, 1), n * n / 2,
+                           "crossing walls: %zu crossings, whatever the rule", n * n);
+        mesh_free(&comb), mesh_free(&cross);
+    }
+    mesh convex = octahedron_mesh(8);
+    for (int k = 0; k < painter_rules; k++)
+        check_equal(pieces_of(&convex, (painter_rule)k, 1), convex.triangles,
+                    "planes of a convex mesh cut nothing");
+    mesh_free(&convex);
+}
+
+/* Areas of the pieces of a triangle add up to its own, and no piece leaves its plane. */
+static void test_area(void)
+{
+    mesh m = needles(100, (real)0.3);
+    painter p;
+    failure f;
+    painter_options how = painter_defaults;
+    how.rule = PAINTER_RANDOM;
+    check(painter_build(&m, how, &p, &f), "built");
+    double *area = allocate(m.triangles, sizeof *area), worst = 0, off = 0;
+    for (size_t k = 0; k < p.pieces; k++) {
+        const painter_piece *x = &p.piece[k];
+        triangle t = mesh_triangle(&m, x->owner);
+        split_plane s = plane_of_triangle(vsub(t.a, p.middle), vsub(t.b, p.middle),
+                                          vsub(t.c, p.middle));
+        const vec3 *q = p.corner + x->first;
+        for (uint32_t i = 0; i < x->corners; i++) {
+            off = fmax(off, fabs((double)side_of(&s, q[i])));
+            if (i >= 2)
+                area[x->owner] += (double)vlength(vcross(vsub(q[i - 1], q[0]), vsub(q[i], q[0])));
+        }
+    }
+    for (size_t i = 0; i < m.triangles; i++) {
+        triangle t = mesh_triangle(&m, i);
+        double whole = (double)vlength(vcross(vsub(t.b, t.a), vsub(t.c, t.a)));
+        worst = fmax(worst, fabs(area[i] - whole));
+    }
+    check_at_most(off, 64 * (double)real_epsilon * 2, "pieces stay in their plane");
+    check_at_most(worst, 2000 * (double)real_epsilon, "areas of pieces add up");
+    free(area);
+    painter_free(&p);
+    mesh_free(&m);
+}
+
+static void test_odd_input(void)
+{
+    mesh m = mesh_room(4);
+    real nan = (real)NAN;
+    painter p;
+    failure f;
+    uint32_t order[4];
+    set_triangle(&m, 0, (vec3){nan, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0});
+    set_triangle(&m, 1, (vec3){0, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0});
+    set_triangle(&m, 2, (vec3){0, 0, 0}, (vec3){1, 1, 1}, (vec3){2, 2, 2});
+    set_triangle(&m, 3, (vec3){0, 0, 0}, (vec3){1, 0, 0}, (vec3){0, 1, 0});
+    check(painter_build(&m, painter_defaults, &p, &f), "NaN, no area, the same twice");
+    check_equal(p.pieces, 2, "two of four can be drawn");
+    check_equal(p.nodes, 1, "in one plane");
+    check_equal(painter_order(&p, (vec3){0, 0, 0}, order), 2, "an eye in the plane");
+    painter_free(&p);
+    m.triangles = 0;
+    check(painter_build(&m, painter_defaults, &p, &f) && p.pieces == 0, "nothing");
+    check_equal(painter_order(&p, (vec3){1, 2, 3}, order), 0, "no order of nothing");
+    painter_free(&p), painter_free(&p);
+    mesh_free(&m);
+
+    m = comb_mesh(40);
+    painter_options how = painter_defaults;
+    how.rule = PAINTER_FIRST, how.most = 500;
+    check(!painter_build(&m, how, &p, &f) && f.exit_code == 2 && strstr(f.text, "500 pieces"),
+          "too many pieces are refused");
+    painter_free(&p);
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    test_order();
+    test_naive();
+    test_pieces();
+    test_area();
+    test_odd_input();
+    return check_report("13_painter");
+}
