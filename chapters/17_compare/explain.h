@@ -1,0 +1,167 @@
+/* explain.h: why did a search not find a hit? For those who change a structure.
+ *
+ *   wrong_ray w = {&x, r, due, got}          brute force gave `due`, the structure `got`
+ *   explain_window(s, hit, &w, out)          any structure, knowing nothing of it but its X_hit:
+ *
+ *        tmin                due.t           shortens the ray's interval (光线间隔) round the hit
+ *          |---------[---------x-]-----|     until it is found, and finds by halving where the
+ *                    a           b           interval must begin and end to lose it: there, on
+ *                                            the ray, the search takes the wrong turn
+ *
+ *   explain_bvh(s, &w, out)                  walks from the root to the leaf that holds the shape,
+ *                                            and names the first node that does not let the ray in
+ *
+ * Both write a few lines to `out`.
+ */
+#ifndef EXPLAIN_H
+#define EXPLAIN_H
+
+#include "bvh_items.h"
+#include <stdio.h>
+
+typedef struct { const items *x; ray r; hit due, got; } wrong_ray;
+typedef void explainer(const void *s, const wrong_ray *w, FILE *out);
+typedef bool hit_function(const void *s, ray r, hit *out);
+
+static inline void explain_window(const void *s, hit_function *find, const wrong_ray *w, FILE *out);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool hits_equal(hit a, hit b)
+{
+    return a.shape == b.shape
+           && (a.shape == no_shape || (a.t == b.t && a.u == b.u && a.v == b.v));
+}
+
+static inline bool window_finds(const void *s, hit_function *find, const wrong_ray *w, real a,
+                                real b)
+{
+    ray r = w->r;
+    hit h = hit_none;
+    r.tmin = a, r.tmax = b;
+    find(s, r, &h);
+    return h.shape == w->due.shape;
+}
+
+/* Halves between `found`, an end with which the hit is found, and `lost`. The other end stays at
+ * the hit. */
+static inline void window_halve(const void *s, hit_function *find, const wrong_ray *w, real *found,
+                                real *lost)
+{
+    real t = w->due.t;
+    for (int k = 0; k < 200; k++) {
+        real middle = *found + (*lost - *found) / 2;
+        if (middle == *found || middle == *lost) return;
+        bool ok = middle < t ? window_finds(s, find, w, middle, t)
+                             : window_finds(s, find, w, t, middle);
+        *(ok ? found : lost) = middle;
+    }
+}
+
+static inline void explain_end(const void *s, hit_function *find, const wrong_ray *w, real end,
+                               const char *which, FILE *out)
+{
+    real found = w->due.t, lost = end;
+    if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(found) - 1 : 4 * fabs(found) + 1;
+    bool whole = end < w->due.t ? window_finds(s, find, w, lost, w->due.t)
+                                : window_finds(s, find, w, w->due.t, lost);
+    if (whole) return;
+    window_halve(s, find, w, &found, &lost);
+    vec3 p = ray_at(w->r, lost);
+    fprintf(out, "  found if the interval %s at t = %.17g, lost if at t = %.17g, which is at "
+                 "(%.9g, %.9g, %.9g)\n", which, (double)found, (double)lost, (double)p.x,
+            (double)p.y, (double)p.z);
+}
+
+static inline void explain_window(const void *s, hit_function *find, const wrong_ray *w, FILE *out)
+{
+    real t = w->due.t;
+    if (w->due.shape == no_shape) {
+        fprintf(out, "  it reports a hit that does not exist: a test or its interval is wrong\n");
+        return;
+    }
+    if (!window_finds(s, find, w, t, t)) {
+        fprintf(out, "  not found on the interval [t, t] either: the place of the hit is not "
+                     "searched, or the shape is not listed there\n");
+        return;
+    }
+    fprintf(out, "  found on the interval [t, t] alone: the shape is listed where it is hit, and "
+                 "the way there is lost\n");
+    explain_end(s, find, w, w->r.tmin, "begins", out);
+    explain_end(s, find, w, w->r.tmax, "ends", out);
+    if (window_finds(s, find, w, w->r.tmin, t))
+        fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
+}
+
+/* The tree of boxes. --------------------------------------------------------------------------- */
+
+/* Fills path[0..depth] with the nodes from the root to the leaf that holds place k of the items;
+ * returns the depth, or -1. */
+static inline int bvh_path(const bvh_tree *t, uint32_t at, size_t k, int depth, uint32_t *path)
+{
+    const bvh_node *n = &t->node[at];
+    path[depth] = at;
+    if (n->count) return k >= n->first && k - n->first < n->count ? depth : -1;
+    for (uint32_t child = n->first; depth < bvh_most_depth && child < n->first + 2; child++) {
+        int found = bvh_path(t, child, k, depth + 1, path);
+        if (found >= 0) return found;
+    }
+    return -1;
+}
+
+/* Where the shape stands in the order of the leaves; items if nowhere. */
+static inline size_t bvh_place(const bvh_items *b, uint32_t shape)
+{
+    size_t n = bvh_items_tree(b)->items, k = 0;
+    while (k < n && (b->of_mesh ? b->mesh.triangle[k].index : b->shapes.index[k]) != shape) k++;
+    return k;
+}
+
+/* By how much p sticks out of the box [scene units]; negative inside. */
+static inline real bvh_outside(const bvh_box *b, vec3 p)
+{
+    real out = -real_infinity;
+    for (int k = 0; k < 3; k++) {
+        out = real_max(out, (real)b->side[k] - vaxis(p, k));
+        out = real_max(out, vaxis(p, k) - (real)b->side[3 + k]);
+    }
+    return out;
+}
+
+static inline void explain_bvh(const void *s, const wrong_ray *w, FILE *out)
+{
+    const bvh_items *b = s;
+    const bvh_tree *t = bvh_items_tree(b);
+    uint32_t path[bvh_most_depth + 1];
+    size_t k = bvh_place(b, w->due.shape);
+    if (t->items == 0 || w->due.shape == no_shape) return;
+    int depth = k < t->items ? bvh_path(t, 0, k, 0, path) : -1;
+    if (depth < 0) {
+        fprintf(out, "  shape %u is in no leaf of the tree\n", w->due.shape);
+        return;
+    }
+    box_ray q = box_ray_of(w->r, &t->node[0].box);
+    real delta = box_reach(&t->node[0].box, w->r.o) * 512 * real_epsilon;
+    vec3 p = ray_at(w->r, w->due.t);
+    fprintf(out, "  shape %u is in node %u, a leaf at depth %d; nodes on the way:", w->due.shape,
+            path[depth], depth);
+    for (int i = 0; i <= depth; i++) fprintf(out, " %u", path[i]);
+    fprintf(out, "\n");
+    for (int i = 0; i <= depth; i++) {
+        const bvh_box *box = &t->node[path[i]].box;
+        float exit, enter = box_enter(box, &q, box_ray_limit(&q, w->due.t), &exit);
+        bool holds = bvh_outside(box, p) <= delta, met = !(enter > exit);
+        if (holds && met) continue;
+        fprintf(out, "  node %u is skipped: its box, x %g..%g, y %g..%g, z %g..%g, %s\n", path[i],
+                (double)box->side[0], (double)box->side[3], (double)box->side[1],
+                (double)box->side[4], (double)box->side[2], (double)box->side[5],
+                holds ? "holds the point of the hit, but the box test says the ray misses it"
+                      : "does not hold the point of the hit");
+        if (!holds) fprintf(out, "  (the point is %g outside)\n", (double)bvh_outside(box, p));
+        return;
+    }
+    fprintf(out, "  all these boxes hold the point and are met by the ray: the order of the search, "
+                 "its limit or its stack drops one, or the leaf's test is wrong\n");
+}
+
+#endif
