@@ -2,7 +2,7 @@
  * for a mesh and for a scene of shapes.
  *
  *   bvh_items b;
- *   bvh_items_build(&x, how, &b, &f)    how.tree: the options of 14; how.most_bytes: what it may hold
+ *   bvh_items_build(&x, how, &b, &f)    how.tree: options of 14; how.most_bytes: what it may hold
  *
  * The rest as items.h has it. nodes: pairs of boxes tested; a leaf is never empty.
  */
@@ -24,7 +24,7 @@ static inline const bvh_tree *bvh_items_tree(const bvh_items *b)
     return b->of_mesh ? &b->mesh.tree : &b->shapes.tree;
 }
 
-/* An item takes 28 bytes while the tree is built, 16 in the end, and has two nodes of 32 at most. */
+/* An item takes 28 bytes while the tree is built, 16 then, and has at most two nodes of 32. */
 static inline bool bvh_items_build(const items *x, bvh_items_options how, bvh_items *out,
                                    failure *f)
 {

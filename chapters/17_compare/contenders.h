@@ -10,7 +10,7 @@
  *   const contender *c = contender_find("octree");     NULL: no such name
  *   void *s = contender_build(c, &x, most_bytes, &f);  NULL: it does not fit, f says so
  *   c->hit(s, r, &h) ...                               the verbs
- *   c->search(s, r, n, any, hits)                      all rays in a loop, the structure's own search
+ *   c->search(s, r, n, any, hits)                      all rays in a loop, the structure's search
  *                                                      inlined; returns the number of hits. any:
  *                                                      hits[i] has t = 0, shape 0 where occluded
  *   contender_free(c, s)

@@ -1,15 +1,16 @@
 /* explain.h: why did a search not find a hit? For those who change a structure.
  *
- *   wrong_ray w = {&x, r, due, got}          brute force gave `due`, the structure `got`
- *   explain_window(s, hit, &w, out)          any structure, knowing nothing of it but its X_hit:
+ *   wrong_ray w = {r, due, got, X_hit, NULL}    brute force gave `due`, the structure `got`; for
+ *                                               X_occluded: {r, due, got, NULL, X_occluded}
+ *   explain_window(s, &w, out)                  any structure, knowing nothing of it but that verb:
  *
  *        tmin                due.t           shortens the ray's interval (光线间隔) round the hit
  *          |---------[---------x-]-----|     until it is found, and finds by halving where the
  *                    a           b           interval must begin and end to lose it: there, on
  *                                            the ray, the search takes the wrong turn
  *
- *   explain_bvh(s, &w, out)                  walks from the root to the leaf that holds the shape,
- *                                            and names the first node that does not let the ray in
+ *   explain_bvh(s, &w, out)                     walks from the root to the leaf that has the shape,
+ *                                               and names the first node that keeps the ray out
  *
  * Both write a few lines to `out`.
  */
@@ -19,11 +20,13 @@
 #include "bvh_items.h"
 #include <stdio.h>
 
-typedef struct { const items *x; ray r; hit due, got; } wrong_ray;
+typedef struct {
+    ray r;
+    hit due, got;
+    bool (*hit)(const void *s, ray r, hit *out);   /* one of the two */
+    bool (*occluded)(const void *s, ray r);
+} wrong_ray;
 typedef void explainer(const void *s, const wrong_ray *w, FILE *out);
-typedef bool hit_function(const void *s, ray r, hit *out);
-
-static inline void explain_window(const void *s, hit_function *find, const wrong_ray *w, FILE *out);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -33,63 +36,62 @@ static inline bool hits_equal(hit a, hit b)
            && (a.shape == no_shape || (a.t == b.t && a.u == b.u && a.v == b.v));
 }
 
-static inline bool window_finds(const void *s, hit_function *find, const wrong_ray *w, real a,
-                                real b)
+/* On the interval [a, b]. */
+static inline bool window_finds(const void *s, const wrong_ray *w, real a, real b)
 {
     ray r = w->r;
     hit h = hit_none;
     r.tmin = a, r.tmax = b;
-    find(s, r, &h);
-    return h.shape == w->due.shape;
+    if (w->occluded) return w->occluded(s, r);
+    w->hit(s, r, &h);
+    return hits_equal(h, w->due);
 }
 
 /* Halves between `found`, an end with which the hit is found, and `lost`. The other end stays at
  * the hit. */
-static inline void window_halve(const void *s, hit_function *find, const wrong_ray *w, real *found,
-                                real *lost)
+static inline void window_halve(const void *s, const wrong_ray *w, real *found, real *lost)
 {
     real t = w->due.t;
     for (int k = 0; k < 200; k++) {
         real middle = *found + (*lost - *found) / 2;
         if (middle == *found || middle == *lost) return;
-        bool ok = middle < t ? window_finds(s, find, w, middle, t)
-                             : window_finds(s, find, w, t, middle);
+        bool ok = middle < t ? window_finds(s, w, middle, t) : window_finds(s, w, t, middle);
         *(ok ? found : lost) = middle;
     }
 }
 
-static inline void explain_end(const void *s, hit_function *find, const wrong_ray *w, real end,
-                               const char *which, FILE *out)
+static inline void explain_end(const void *s, const wrong_ray *w, real end, const char *which,
+                               FILE *out)
 {
     real found = w->due.t, lost = end;
     if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(found) - 1 : 4 * fabs(found) + 1;
-    bool whole = end < w->due.t ? window_finds(s, find, w, lost, w->due.t)
-                                : window_finds(s, find, w, w->due.t, lost);
+    bool whole = end < w->due.t ? window_finds(s, w, lost, w->due.t)
+                                : window_finds(s, w, w->due.t, lost);
     if (whole) return;
-    window_halve(s, find, w, &found, &lost);
+    window_halve(s, w, &found, &lost);
     vec3 p = ray_at(w->r, lost);
     fprintf(out, "  found if the interval %s at t = %.17g, lost if at t = %.17g, which is at "
                  "(%.9g, %.9g, %.9g)\n", which, (double)found, (double)lost, (double)p.x,
             (double)p.y, (double)p.z);
 }
 
-static inline void explain_window(const void *s, hit_function *find, const wrong_ray *w, FILE *out)
+static inline void explain_window(const void *s, const wrong_ray *w, FILE *out)
 {
     real t = w->due.t;
     if (w->due.shape == no_shape) {
         fprintf(out, "  it reports a hit that does not exist: a test or its interval is wrong\n");
         return;
     }
-    if (!window_finds(s, find, w, t, t)) {
+    if (!window_finds(s, w, t, t)) {
         fprintf(out, "  not found on the interval [t, t] either: the place of the hit is not "
                      "searched, or the shape is not listed there\n");
         return;
     }
     fprintf(out, "  found on the interval [t, t] alone: the shape is listed where it is hit, and "
                  "the way there is lost\n");
-    explain_end(s, find, w, w->r.tmin, "begins", out);
-    explain_end(s, find, w, w->r.tmax, "ends", out);
-    if (window_finds(s, find, w, w->r.tmin, t))
+    explain_end(s, w, w->r.tmin, "begins", out);
+    explain_end(s, w, w->r.tmax, "ends", out);
+    if (window_finds(s, w, w->r.tmin, t))
         fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
 }
 
@@ -110,10 +112,10 @@ static inline int bvh_path(const bvh_tree *t, uint32_t at, size_t k, int depth, 
 }
 
 /* Where the shape stands in the order of the leaves; items if nowhere. */
-static inline size_t bvh_place(const bvh_items *b, uint32_t shape)
+static inline size_t bvh_place(const bvh_items *b, uint32_t item)
 {
     size_t n = bvh_items_tree(b)->items, k = 0;
-    while (k < n && (b->of_mesh ? b->mesh.triangle[k].index : b->shapes.index[k]) != shape) k++;
+    while (k < n && (b->of_mesh ? b->mesh.triangle[k].index : b->shapes.index[k]) != item) k++;
     return k;
 }
 
@@ -160,8 +162,8 @@ static inline void explain_bvh(const void *s, const wrong_ray *w, FILE *out)
         if (!holds) fprintf(out, "  (the point is %g outside)\n", (double)bvh_outside(box, p));
         return;
     }
-    fprintf(out, "  all these boxes hold the point and are met by the ray: the order of the search, "
-                 "its limit or its stack drops one, or the leaf's test is wrong\n");
+    fprintf(out, "  all these boxes hold the point and are met by the ray: the order of the "
+                 "search, its limit or its stack drops one, or the leaf's test is wrong\n");
 }
 
 #endif

@@ -1,13 +1,13 @@
 /* kinds.h: the rays with which structures are compared: four kinds to measure with, and rays aimed
  * where shapes end, to prove answers with.
  *
- *   ray_set p = rays_view(&w, edge)               primary (主光线): edge x edge from the eye; or a
- *                                                 part of the view: rays_region
+ *   ray_set p = rays_view(&w, part, edge)         primary (主光线): edge x edge from the eye, in the
+ *                                                 part x0, y0, x1, y1 of the view, [-1, 1], y up
  *   ray_set s = rays_to_lights(&w, &p, hits)      shadow (阴影光线): from each hit to each light that
  *                                                 its surface faces; is anything between?
  *   ray_set d = rays_scattered(&w, &p, hits, seed)    diffuse (漫反射): one a hit, by the cosine law
  *   ray_set m = rays_mirrored(&w, &p, hits)       mirror (镜面反射): one a hit
- *   ray_set a = rays_aimed(&w, n, seed)           at corners and edges of triangles and polygons, at
+ *   ray_set a = rays_aimed(&w, n, seed)           at corners and edges of triangles and polygons,
  *                                                 outlines, poles and rims of round shapes
  *   ray_set e = rays_everywhere(&w, n, seed)      from anywhere near to anywhere in it
  *   rays_free(&s)
@@ -26,10 +26,12 @@ static const char *const kind_name[ray_kinds] = {"primary", "shadow", "diffuse",
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Through the middles of edge x edge pixels of the part [x0, x1] x [y0, y1] of the view, y up. */
-static inline ray_set rays_region(const world *w, int edge, real x0, real y0, real x1, real y1)
+static const double whole_view[4] = {-1, -1, 1, 1};
+
+static inline ray_set rays_view(const world *w, const double part[4], int edge)
 {
     ray_set s = {allocate((size_t)edge * (size_t)edge, sizeof(ray)), 0};
+    real x0 = (real)part[0], y0 = (real)part[1], x1 = (real)part[2], y1 = (real)part[3];
     for (int j = 0; j < edge; j++)
         for (int i = 0; i < edge; i++) {
             real x = ((real)i + (real)0.5) / (real)edge, y = ((real)j + (real)0.5) / (real)edge;
@@ -37,8 +39,6 @@ static inline ray_set rays_region(const world *w, int edge, real x0, real y0, re
         }
     return s;
 }
-
-static inline ray_set rays_view(const world *w, int edge) { return rays_region(w, edge, -1, -1, 1, 1); }
 
 /* Where a ray leaves the surface it hit: a point off it, and the normal on that side. */
 static inline vec3 leaving(const world *w, ray r, hit h, vec3 *n)

@@ -1,13 +1,16 @@
 /* meshes.h: further scenes, of triangles alone: a stadium, a soup, needles, any OBJ file.
  *
  *   world w;
+ *   world_make(generator_find(mesh_list, mesh_scenes, "soup"), scale, &w, &f)
  *   mesh_world(&w, "soup", soup_mesh(n), z_up, &f)    view and light from the size of the mesh,
  *                                                     which w then owns; false: nothing in it
  *
- *   soup_mesh(n)       n small triangles anywhere in a cube: no surface, no order          [1, 2^24]
+ *   soup_mesh(n)       n small triangles anywhere in a cube: no surface, no order         [1, 2^24]
  *   thin_mesh(n)       n triangles as long as the cube and 1/1000 as wide, at odd angles: their
- *                      boxes are empty but for a line, and overlap all over                [1, 2^24]
+ *                      boxes are empty but for a line, and overlap all over               [1, 2^24]
  *   stadium_mesh(k)    10_grid/stadium.h: the teapot in a stadium
+ *
+ *   scale: of stadium, k; of soup and needles, thousands of triangles
  */
 #ifndef MESHES_H
 #define MESHES_H
@@ -15,6 +18,15 @@
 #include "../../common/random.h"
 #include "../10_grid/stadium.h"
 #include "world.h"
+
+enum { mesh_scenes = 3 };
+static inline bool make_stadium(int fine, world *w, failure *f);
+static inline bool make_soup(int thousands, world *w, failure *f);
+static inline bool make_needles(int thousands, world *w, failure *f);
+
+static const generator mesh_list[mesh_scenes] = {{"stadium", 32, 1, 150, make_stadium, 0},
+                                                 {"soup", 100, 1, 4000, make_soup, 0},
+                                                 {"needles", 5, 1, 1000, make_needles, 0}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -76,17 +88,27 @@ static inline bool mesh_world(world *w, const char *name, mesh m, bool z_up, fai
     return world_look(w, vmadd(centre, toward, (real)2.4 * size), centre, up, 45, f);
 }
 
-/* As the notes on the stadium have it, one looks at the teapot, not at the hall. */
-static inline bool stadium_world(world *w, int fine, failure *f)
+/* One looks at the teapot, not at the hall. */
+static inline bool make_stadium(int fine, world *w, failure *f)
 {
-    mesh pot = teapot_mesh(1);
     vec3 lo, hi;
+    mesh pot = teapot_mesh(1);
     mesh_bounds(&pot, &lo, &hi);
     mesh_free(&pot);
     if (!mesh_world(w, "stadium", stadium_mesh(fine), true, f)) return false;
     vec3 centre = vscale(vadd(lo, hi), (real)0.5);
     w->light[0] = vadd(centre, (vec3){4, -6, 8});
     return world_look(w, vadd(centre, (vec3){4, -8, 5}), centre, (vec3){0, 0, 1}, 45, f);
+}
+
+static inline bool make_soup(int thousands, world *w, failure *f)
+{
+    return mesh_world(w, "soup", soup_mesh(1000 * (size_t)thousands), true, f);
+}
+
+static inline bool make_needles(int thousands, world *w, failure *f)
+{
+    return mesh_world(w, "needles", thin_mesh(1000 * (size_t)thousands), true, f);
 }
 
 #endif

@@ -68,7 +68,8 @@ static inline bool spd_gears(int scale, world *w, failure *f)
     for (int z = 0; z < scale; z++)
         for (int y = 0; y < scale; y++)
             for (int x = 0; x < scale; x++) {
-                vec3 c = {R - 1 + step * (real)x, R - 1 + step * (real)y, 1 - (real)z / (real)scale};
+                vec3 c = {R - 1 + step * (real)x, R - 1 + step * (real)y,
+                          1 - (real)z / (real)scale};
                 world_paint(w, gear_surface(x, y, z));
                 gear_add(w, c, R, (x + y + z) % 2 ? pi / 36 : 0, thickness);
             }

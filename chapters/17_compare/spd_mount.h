@@ -37,7 +37,10 @@ static inline double mount_gauss(uint32_t x, uint32_t y, int scale)
     }
 }
 
-static inline real *mount_at(mount_heights *h, size_t x, size_t y) { return h->z + y * h->side + x; }
+static inline real *mount_at(mount_heights *h, size_t x, size_t y)
+{
+    return h->z + y * h->side + x;
+}
 
 static inline void mount_edge(mount_heights *h, size_t x, size_t y, size_t dx, size_t dy, real rise)
 {

@@ -59,7 +59,8 @@ static inline bool spd_rings(int scale, world *w, failure *f)
     rings_directions(d);
     world_paint(w, (surface){{1, 1, 1}, 1, 0, 0, 0, 0});
     for (int k = 0; k < 4; k++)  /* seen from the eye, counter-clockwise */
-        c[k] = (vec3){eye.x + (k == 0 || k == 3 ? half : -half), far, eye.z + (k < 2 ? half : -half)};
+        c[k] = (vec3){eye.x + (k == 0 || k == 3 ? half : -half), far,
+                      eye.z + (k < 2 ? half : -half)};
     world_add_polygon(w, c, 4);
     for (int layer = 0; layer < scale; layer++)
         for (int i = 0; i <= layer; i++)

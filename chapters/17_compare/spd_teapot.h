@@ -27,8 +27,10 @@ static inline bool spd_teapot(int scale, world *w, failure *f)
     mesh pot = teapot_mesh(scale);
     size_t squares = (size_t)scale * (size_t)scale;
     world_room(w, pot.triangles + squares, 4 * squares, 3);
-    world_paint(w, (surface){{1, (real)0.5, (real)0.1}, (real)0.75, (real)0.25, (real)3.0827, 0, 0});
-    for (size_t i = 0; i < pot.triangles; i++) world_add(w, shape_of_triangle(mesh_triangle(&pot, i)));
+    world_paint(w, (surface){{1, (real)0.5, (real)0.1}, (real)0.75, (real)0.25, (real)3.0827, 0,
+                             0});
+    for (size_t i = 0; i < pot.triangles; i++)
+        world_add(w, shape_of_triangle(mesh_triangle(&pot, i)));
     teapot_board(w, scale);
     mesh_free(&pot);
     world_light(w, (vec3){(real)-3.1, (real)9.8, (real)12.1});

@@ -4,7 +4,7 @@
  *   w.shape[0 .. w.n-1]                  shapes of any kind, or, if w.n is 0:
  *   w.mesh                               triangles alone
  *   surface s = world_surface(&w, i)     of shape or triangle i: O(log groups)
- *   ray r = world_ray(&w, x, y)          x to the right, y up, [-1, 1] from edge to edge of the view
+ *   ray r = world_ray(&w, x, y)          x to the right, y up, [-1, 1] from edge to edge of it
  *   scene s = world_scene(&w)            for scene_hit and the like of 07
  *   vec3 n = world_normal(&w, h, p)      unit, of the shape of hit h at its point p; either side
  *   world_bounds(&w, &lo, &hi)           a box round everything
@@ -16,6 +16,9 @@
  *   surface   colour [0,1]; kd, ks: how much of it diffuse and mirror; shine: Phong exponent, 0 if
  *             ks is; transmit: how much passes; ior: refractive index (折射率), 0 if opaque
  *   group     shapes group[k].first .. group[k+1].first - 1 have the same surface
+ *
+ *   const generator *g = generator_find(list, n, "balls");   NULL: no such name
+ *   if (!world_make(g, scale, &w, &f)) fail(f);              exit code 2: no such scale
  */
 #ifndef WORLD_H
 #define WORLD_H
@@ -45,6 +48,13 @@ typedef struct {
     size_t groups;
     camera_frame frame;              /* of the view: world_look */
 } world;
+
+typedef struct {
+    const char *name;
+    int scale, least, most;                          /* usual; allowed */
+    bool (*make)(int scale, world *out, failure *f); /* *out is zero before */
+    size_t hits;                                     /* published: see spd.h; 0: none are */
+} generator;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -102,6 +112,27 @@ static inline void world_bounds(const world *w, vec3 *lo, vec3 *hi)
         shape_bounds(w->shape[i], &a, &b);
         *lo = vmin(*lo, a), *hi = vmax(*hi, b);
     }
+}
+
+static inline const generator *generator_find(const generator *list, size_t n, const char *name)
+{
+    for (size_t k = 0; k < n; k++)
+        if (strcmp(list[k].name, name) == 0) return &list[k];
+    return NULL;
+}
+
+/* Background and strength of lights are those of the SPD for all. */
+static inline bool world_make(const generator *g, int scale, world *out, failure *f)
+{
+    *out = (world){0};
+    if (scale < g->least || scale > g->most)
+        return failed(f, 2, "scale %d: allowed for %s are whole numbers from %d to %d", scale,
+                      g->name, g->least, g->most);
+    if (!g->make(scale, out, f)) return false;
+    out->name = g->name;
+    out->background = (vec3){(real)0.078, (real)0.361, (real)0.753};
+    out->light_each = sqrt((real)out->lights) / (2 * (real)out->lights);
+    return true;
 }
 
 /* What generators are written with. ------------------------------------------------------------ */
