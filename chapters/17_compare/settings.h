@@ -24,7 +24,7 @@ static inline unsigned chosen_of(const char *only)
     unsigned chosen = 0;
     failure f;
     if (!only) return (1u << contenders) - 1;
-    for (const char *at = only; *at; at += strspn(at, ",")) {
+    for (const char *at = only + strspn(only, ","); *at; at += strspn(at, ",")) {
         int length = (int)strcspn(at, ","), k = 0;
         char name[32];
         snprintf(name, sizeof name, "%.*s", length, at);

@@ -18,7 +18,7 @@
  *   ray r = spd_ray(&w, i, j)        i, j = 0 .. 512, from left to right and from top to bottom:
  *                                    x = tan(22.5 deg) (2 i / 512 - 1), y likewise
  *   spd_print_digits(&w, &f)         rounds view and shapes to the six digits of the files that
- *                                    were traced. It matters: some rays pass an outline so closely that
+ *                                    were traced. Some rays pass an outline so closely that
  *                                    the seventh digit decides
  *
  *   hits of 263169      balls    gears    mount    tetra   tree

@@ -6,6 +6,9 @@
  *     o      o        2 acos(cos 60 / sin 36) = 63.4 degrees                            (17.4)
  *      \\  //
  *        o
+ *
+ * Balls and cylinders have radius .07412, the pentagons 1 / 1.07412. Pentagons of radius 1 would
+ * just touch; these overlap by a few per cent of the radius, and so do neighbouring copies.
  */
 #ifndef SPD_RINGS_H
 #define SPD_RINGS_H

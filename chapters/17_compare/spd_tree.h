@@ -1,5 +1,5 @@
-/* spd_tree.h: a tree: each branch, a cone with a ball at its end, bears two smaller ones: 2^(scale+1)
- * - 1 branches, and a field.
+/* spd_tree.h: a tree: each branch, a cone with a ball at its end, bears two smaller ones, 2^(scale
+ * + 1) - 1 branches in all; and a field.
  *
  *     \ /            a child's frame: turned about x by 40 or 25 degrees, about z by 90 or 230,
  *      o   /         scaled by .65 or .70, moved by 1 along z; then the parent's frame     (17.6)
