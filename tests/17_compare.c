@@ -217,7 +217,7 @@ static void test_shrunk_box(const char *name)
     bvh_items *b = e.s;
     const bvh_tree *t = bvh_items_tree(b);
     uint32_t path[bvh_most_depth + 1];
-    int depth = bvh_path(t, 0, bvh_place(b, due.shape), 0, path);
+    int depth = bvh_leaf_of(b, due.shape, ray_at(r, due.t), 1, path);
     check(depth > 0, "%s: its leaf is found", name);
     FILE *out = tmpfile();
     if (!out) abort();
@@ -235,12 +235,13 @@ static void test_shrunk_box(const char *name)
     world_free(&w);
 }
 
-/* A search that loses what is more than 3 beyond its beginning, and one whose occluded() is blind
- * for the same. */
+/* Searches that lose what is more than 3 beyond their beginning; of any structure. */
+static const contender *sighted;
+
 static bool short_sighted_hit(const void *s, ray r, hit *out)
 {
     hit h;
-    if (!bvh_items_hit(s, r, &h) || h.t > r.tmin + 3) return false;
+    if (!sighted->hit(s, r, &h) || h.t > r.tmin + 3) return false;
     *out = h;
     return true;
 }
@@ -251,12 +252,13 @@ static bool short_sighted_occluded(const void *s, ray r)
     return short_sighted_hit(s, r, &h);
 }
 
-static void test_lost_way(bool any)
+static void test_lost_way(const contender *c, bool any)
 {
     mesh m = teapot_mesh(4);
     items x = items_of_mesh(&m);
     failure f;
-    contender broken = bvh_contender;
+    contender broken = *c;
+    sighted = c;
     if (any) broken.occluded = short_sighted_occluded;
     else broken.hit = short_sighted_hit;
     entry e = {.c = &broken};
@@ -266,16 +268,64 @@ static void test_lost_way(bool any)
     check(items_hit(&x, r, &due) && due.t > 4, "the ray hits beyond t = 4");
     FILE *out = tmpfile();
     if (!out) abort();
-    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "found out");
-    char *text = written(out);
-    check(strstr(text, any ? "occluded: no" : "bvh: no hit"), "what it answers: %s", text);
-    check(strstr(text, "found on the interval [t, t] alone"), "it is found from near by: %s", text);
+    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "%s: found out", c->name);
+    char *text = written(out), answer[64];
+    snprintf(answer, sizeof answer, "%s: %s", c->name, any ? "occluded: no" : "no hit");
+    check(strstr(text, answer), "what it answers: %s", text);
+    check(strstr(text, "found on the interval [t, t] alone"), "found from near by: %s", text);
     const char *at = strstr(text, "begins at t = ");
     double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
-    check_close(begins, (double)due.t - 3, 1e-5, "and lost from more than 3 away: %s", text);
-    check(strstr(text, "all these boxes hold the point"), "its boxes are right");
+    check_close(begins, (double)due.t - 3, 1e-5, "%s: lost from more than 3 away: %s", c->name,
+                text);
+    check(strstr(text, c->explain == explain_bvh ? "all these boxes hold the point"
+                                                 : "the search skips"),
+          "%s: its cells are right: %s", c->name, text);
     free(text), fclose(out);
     contender_free(e.c, e.s);
+    mesh_free(&m);
+}
+
+static void scrub(uint32_t *item, size_t n, uint32_t lost, uint32_t other)
+{
+    for (size_t k = 0; k < n; k++) if (item[k] == lost) item[k] = other;
+}
+
+/* Takes a shape out of all leaves of a structure that cuts space. */
+static void forget(const contender *c, void *s, uint32_t lost, uint32_t other)
+{
+    grid *g = s;
+    octree *o = s;
+    kdtree *k = s;
+    bsp *b = s;
+    if (c == &grid_contender) scrub(g->lists.item, g->lists.references, lost, other);
+    if (c == &octree_contender) scrub(o->reference, o->references, lost, other);
+    if (c == &bsp_contender) scrub(b->reference, b->references, lost, other);
+    for (size_t i = 0, n = c == &kdtree_contender ? k->references : 0, kept = 0; i < n; i++)
+        if (k->triangle[i].index != lost) kept = i;
+        else k->triangle[i] = k->triangle[kept];
+}
+
+static void test_forgotten(const contender *c)
+{
+    mesh m = teapot_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    entry e = {.c = c};
+    e.s = contender_build(c, &x, (size_t)1 << 30, &f);
+    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    hit due = hit_none;
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(items_hit(&x, r, &due), "the ray hits");
+    forget(c, e.s, due.shape, due.shape ? 0 : 1);
+    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "%s: forgot a shape", c->name);
+    char *text = written(out), expected[80];
+    snprintf(expected, sizeof expected, "but not shape %u, which is listed 0 times in all",
+             due.shape);
+    check(strstr(text, expected), "%s: %s: %s", c->name, expected, text);
+    check(strstr(text, "building left it out"), "%s: and whose fault it is", c->name);
+    free(text), fclose(out);
+    contender_free(c, e.s);
     mesh_free(&m);
 }
 
@@ -452,7 +502,7 @@ static void test_program(void)
     check(printed("out", "tree bvh: 4096 primary") && printed("out", "as brute force"),
           "says what it compared");
     check_equal(run("--protocol spd --scene tetra --only bvh"), 0, "the protocol");
-    check(printed("out", "\nprimary tetra 6 bvh") || printed("out", "primary tetra 6 bvh"), "a line");
+    check(printed("out", "primary tetra 6 bvh: "), "a line");
     check(printed("out", "hits 49950\n"), "that ends with the number of hits");
     check_equal(run("--scene soup --scale 4 --memory 1 --quick"), 0, "not enough memory for some");
     check(!printed("out", "does not fit") || printed("out", "brute"), "their rows say so");
@@ -469,8 +519,12 @@ int main(void)
     test_shrunk_box("teapot");
     test_shrunk_box("tetra");
     test_shrunk_box("gears");
-    test_lost_way(false);
-    test_lost_way(true);
+    for (int k = 1; k < contenders; k++)
+        for (int any = 0; any < 2; any++) test_lost_way(contender_list[k], any);
+    test_forgotten(&grid_contender);
+    test_forgotten(&octree_contender);
+    test_forgotten(&kdtree_contender);
+    test_forgotten(&bsp_contender);
     test_dream();
     test_costs();
     test_growth();

@@ -11,7 +11,8 @@
  *   references            N_ER: entries in all leaves; over the shapes: how often one is cut
  *   tests/ray             N_IT: shapes tested
  *   nodes/ray             N_TS: steps: inner nodes passed, of a grid cells (14: pairs of boxes)
- *   build, time           T_B, T_R
+ *   build, and ns         T_B, T_R
+ *   pays after            so many rays of the scene's mix take brute force as long as building
  *
  * Brute force is timed with a part of the rays, so many as 5e6 tests allow.
  */
@@ -114,7 +115,7 @@ static inline search_work bench_work(const entry *e, size_t *rays)
     return w;
 }
 
-/* Lines build + k * ns: the lowest one, from few rays to many. */
+/* The lines build + k * ns (17.8): which is the lowest, from few rays to many. */
 static inline void bench_cheapest(const stage *s)
 {
     const entry *now = NULL;
@@ -165,9 +166,9 @@ static inline void bench_row(table *t, const stage *s, const entry *e, const ent
 static inline void bench_table(const options *o, const stage *s, const char *title)
 {
     table t = table_new(title,
-                        "structure|time build [ms]|memory [B/shape]|peak [MB]|inner|leaves|empty|"
-                        "refs/shape|nodes/ray|tests/ray|time primary [ns]|time shadow [ns]|"
-                        "time diffuse [ns]|time mirror [ns]|pays after [rays]");
+                        "structure|build [ms]|B/shape|peak [MB]|inner|leaves|empty|refs/shape|"
+                        "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|mirror [ns]|"
+                        "pays after");
     const entry *slow = NULL;
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].c == &brute_contender) slow = &s->entry[k];

@@ -4,7 +4,8 @@
  *   bvh_items b;
  *   bvh_items_build(&x, how, &b, &f)    how.tree: options of 14; how.most_bytes: what it may hold
  *
- * The rest as items.h has it. nodes: pairs of boxes tested; a leaf is never empty.
+ * The rest as items.h has it. nodes: pairs of boxes tested; a leaf is never empty. References are
+ * more than items where cuts go through items (BVH_SPATIAL).
  */
 #ifndef BVH_ITEMS_H
 #define BVH_ITEMS_H
@@ -15,7 +16,7 @@
 #include "../14_bvh/stats.h"
 
 typedef struct { bvh_options tree; size_t most_bytes; } bvh_items_options;
-typedef struct { bool of_mesh; bvh mesh; bvh_shapes shapes; } bvh_items;
+typedef struct { items x; bool of_mesh; bvh mesh; bvh_shapes shapes; } bvh_items;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -29,7 +30,8 @@ static inline bool bvh_items_build(const items *x, bvh_items_options how, bvh_it
                                    failure *f)
 {
     size_t most = x->n * (28 + 16 + 2 * sizeof(bvh_node));
-    *out = (bvh_items){.of_mesh = x->m != NULL};
+    if (how.tree.strategy == BVH_SPATIAL) most *= spatial_most;
+    *out = (bvh_items){.x = *x, .of_mesh = x->m != NULL};
     if (x->n >> 31) return failed(f, 2, "%zu items: fewer than 2^31 fit", x->n);
     if (most > how.most_bytes)
         return failed(f, 1, "may need %zu MB of %zu", most >> 20, how.most_bytes >> 20);
@@ -78,8 +80,11 @@ static inline bool bvh_items_occluded_counted(const bvh_items *b, ray r, search_
 static inline structure_stats bvh_items_stats(const bvh_items *b)
 {
     bvh_stats s = bvh_stats_of(bvh_items_tree(b));
-    return (structure_stats){.inner = s.inner, .leaves = s.leaves, .references = s.items,
-                             .items = s.items, .depth = s.depth, .bytes = s.bytes, .peak = s.peak};
+    structure_stats out = {.inner = s.inner, .leaves = s.leaves, .references = s.items,
+                           .depth = s.depth, .bytes = s.bytes, .peak = s.peak};
+    aabb box;
+    for (size_t i = 0; i < b->x.n; i++) out.items += items_bounds(&b->x, i, &box);
+    return out;
 }
 
 #endif

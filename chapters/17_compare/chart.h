@@ -53,16 +53,24 @@ static inline void chart_text(FILE *out, int x, int y, int size, const char *anc
     fprintf(out, "</text>\n");
 }
 
+/* Three digits, as in tables: 0.123, 12.3, 1234. */
+static inline void chart_number(char text[32], double x)
+{
+    snprintf(text, 32, x >= 100 ? "%.0f" : "%.3g", x);
+}
+
 static inline void chart_row_of(FILE *out, const chart_value *v, int x, int y, double most_ray,
                                 double most_build)
 {
-    char text[64] = "does not fit";
+    char text[72] = "does not fit";
     chart_text(out, x + 84, y + 15, 12, "end", v->name);
     int ray = 0, build = 0;
     if (v->ray > 0) {
         ray = (int)(chart_bar_most * v->ray / most_ray + 0.5);
         build = (int)(chart_bar_most * v->build / most_build + 0.5);
-        snprintf(text, sizeof text, "%.3g, %.3g", v->ray, v->build);
+        char a[32], b[32];
+        chart_number(a, v->ray), chart_number(b, v->build);
+        snprintf(text, sizeof text, "%s, %s", a, b);
     }
     fprintf(out, "<rect x='%d' y='%d' width='%d' height='9' fill='#0072B2'/>\n", x + 90, y + 3,
             ray);

@@ -1,7 +1,8 @@
 /* contenders.h: the structures that are compared. A new one is one line below, if it has the verbs
  * of 10_grid/items.h, and one in the list.
  *
- *   CONTENDER(octree, "octree", octree, octree_defaults)       makes octree_contender:
+ *   CONTENDER(octree, "octree", octree, octree_defaults, explain_octree)   octree_contender:
+ *             |       |         |       |                why a hit is lost, or NULL
  *             |       |         |       its options; most_bytes is set from outside
  *             |       |         prefix of its verbs and name of its type
  *             |       name in tables and for --only
@@ -20,7 +21,7 @@
 
 #include "brute.h"
 #include "bvh_items.h"
-#include "explain.h"
+#include "explain_cells.h"
 
 typedef struct {
     const char *name;
@@ -71,9 +72,19 @@ typedef struct {
         id##_c_occluded_counted, id##_c_search, id##_c_stats, id##_c_free, explain_it};
 
 CONTENDER(brute, "brute", brute, ((brute_options){0}), NULL)
+CONTENDER(grid, "grid", grid, grid_defaults, explain_grid)
+CONTENDER(octree, "octree", octree, octree_defaults, explain_octree)
+CONTENDER(kdtree, "kdtree", kdtree, kdtree_defaults, explain_kdtree)
+CONTENDER(bsp, "bsp", bsp, bsp_defaults, explain_bsp)
 CONTENDER(bvh, "bvh", bvh_items, ((bvh_items_options){bvh_defaults, 0}), explain_bvh)
+CONTENDER(bvh_morton, "bvh-morton", bvh_items,
+          ((bvh_items_options){{BVH_MORTON, 8, 0.3}, 0}), explain_bvh)
+CONTENDER(bvh_spatial, "bvh-spatial", bvh_items,
+          ((bvh_items_options){{BVH_SPATIAL, 8, 0.3}, 0}), explain_bvh)
 
-static const contender *const contender_list[] = {&brute_contender, &bvh_contender};
+static const contender *const contender_list[] = {
+    &brute_contender, &grid_contender, &octree_contender,     &kdtree_contender,
+    &bsp_contender,   &bvh_contender,  &bvh_morton_contender, &bvh_spatial_contender};
 enum { contenders = sizeof contender_list / sizeof *contender_list };
 
 static inline const contender *contender_find(const char *name)

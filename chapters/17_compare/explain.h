@@ -111,14 +111,6 @@ static inline int bvh_path(const bvh_tree *t, uint32_t at, size_t k, int depth, 
     return -1;
 }
 
-/* Where the shape stands in the order of the leaves; items if nowhere. */
-static inline size_t bvh_place(const bvh_items *b, uint32_t item)
-{
-    size_t n = bvh_items_tree(b)->items, k = 0;
-    while (k < n && (b->of_mesh ? b->mesh.triangle[k].index : b->shapes.index[k]) != item) k++;
-    return k;
-}
-
 /* By how much p sticks out of the box [scene units]; negative inside. */
 static inline real bvh_outside(const bvh_box *b, vec3 p)
 {
@@ -130,21 +122,50 @@ static inline real bvh_outside(const bvh_box *b, vec3 p)
     return out;
 }
 
+static inline uint32_t bvh_listed(const bvh_items *b, size_t k)
+{
+    return b->of_mesh ? b->mesh.triangle[k].index : b->shapes.index[k];
+}
+
+/* The way to the leaf that lists the shape, of several the first whose box holds p; -1: none. */
+static inline int bvh_leaf_of(const bvh_items *b, uint32_t wanted, vec3 p, real delta,
+                              uint32_t *path)
+{
+    const bvh_tree *t = bvh_items_tree(b);
+    int depth = -1;
+    for (size_t k = 0; k < t->items; k++) {
+        if (bvh_listed(b, k) != wanted) continue;
+        depth = bvh_path(t, 0, k, 0, path);
+        if (depth >= 0 && bvh_outside(&t->node[path[depth]].box, p) <= delta) return depth;
+    }
+    return depth;
+}
+
+static inline void explain_box(uint32_t node, const bvh_box *box, vec3 p, bool holds, FILE *out)
+{
+    fprintf(out, "  node %u is skipped: its box, x %g..%g, y %g..%g, z %g..%g, ", node,
+            (double)box->side[0], (double)box->side[3], (double)box->side[1], (double)box->side[4],
+            (double)box->side[2], (double)box->side[5]);
+    if (holds)
+        fprintf(out, "holds the point of the hit, but the box test says the ray misses it\n");
+    else fprintf(out, "does not hold the point of the hit, which is %g outside\n",
+                 (double)bvh_outside(box, p));
+}
+
 static inline void explain_bvh(const void *s, const wrong_ray *w, FILE *out)
 {
     const bvh_items *b = s;
     const bvh_tree *t = bvh_items_tree(b);
     uint32_t path[bvh_most_depth + 1];
-    size_t k = bvh_place(b, w->due.shape);
-    if (t->items == 0 || w->due.shape == no_shape) return;
-    int depth = k < t->items ? bvh_path(t, 0, k, 0, path) : -1;
+    if (t->items == 0) return;
+    box_ray q = box_ray_of(w->r, &t->node[0].box);
+    real delta = box_reach(&t->node[0].box, w->r.o) * 512 * real_epsilon;
+    vec3 p = ray_at(w->r, w->due.t);
+    int depth = bvh_leaf_of(b, w->due.shape, p, delta, path);
     if (depth < 0) {
         fprintf(out, "  shape %u is in no leaf of the tree\n", w->due.shape);
         return;
     }
-    box_ray q = box_ray_of(w->r, &t->node[0].box);
-    real delta = box_reach(&t->node[0].box, w->r.o) * 512 * real_epsilon;
-    vec3 p = ray_at(w->r, w->due.t);
     fprintf(out, "  shape %u is in node %u, a leaf at depth %d; nodes on the way:", w->due.shape,
             path[depth], depth);
     for (int i = 0; i <= depth; i++) fprintf(out, " %u", path[i]);
@@ -153,14 +174,10 @@ static inline void explain_bvh(const void *s, const wrong_ray *w, FILE *out)
         const bvh_box *box = &t->node[path[i]].box;
         float exit, enter = box_enter(box, &q, box_ray_limit(&q, w->due.t), &exit);
         bool holds = bvh_outside(box, p) <= delta, met = !(enter > exit);
-        if (holds && met) continue;
-        fprintf(out, "  node %u is skipped: its box, x %g..%g, y %g..%g, z %g..%g, %s\n", path[i],
-                (double)box->side[0], (double)box->side[3], (double)box->side[1],
-                (double)box->side[4], (double)box->side[2], (double)box->side[5],
-                holds ? "holds the point of the hit, but the box test says the ray misses it"
-                      : "does not hold the point of the hit");
-        if (!holds) fprintf(out, "  (the point is %g outside)\n", (double)bvh_outside(box, p));
-        return;
+        if (!holds || !met) {
+            explain_box(path[i], box, p, holds, out);
+            return;
+        }
     }
     fprintf(out, "  all these boxes hold the point and are met by the ray: the order of the "
                  "search, its limit or its stack drops one, or the leaf's test is wrong\n");

@@ -9,6 +9,7 @@ cc -std=c11 -O2 -ffp-contract=off -o 17_compare chapters/17_compare/main.c -lm -
 #include "modes.h"
 #include "pictures.h"
 #include "settings.h"
+#include "summary.h"
 #include <sys/resource.h>
 
 static int scale_of(const options *o, const own_options *own, int k)
@@ -17,8 +18,9 @@ static int scale_of(const options *o, const own_options *own, int k)
            : own->full ? scene_list[k].full : scene_find(scene_list[k].name)->scale;
 }
 
-/* Proves, measures, prints; adds rows to the CSV and bars to the chart. */
-static void compare(const common_settings *c, const world *w, table *csv, chart *bars)
+/* Proves, measures, prints; adds to CSV, chart and summary. */
+static void compare(const common_settings *c, const world *w, table *csv, chart *bars,
+                    summary *sum)
 {
     const options *o = c->o;
     stage s;
@@ -38,6 +40,7 @@ static void compare(const common_settings *c, const world *w, table *csv, chart 
     printf("\n");
     fflush(stdout);
     bench_csv(csv, &s);
+    summary_add(sum, &s);
     int place = chart_panel(bars, w->name);
     for (int k = 0; k < s.entries; k++) {
         const entry *e = &s.entry[k];
@@ -58,7 +61,7 @@ static void draw_pictures(const options *o, const common_settings *c)
     image_free(&im);
     if (o->out) return;
     if (!scene_world(scene_find("teapot"), o->quick ? 3 : 12, &w, &f)) fail(f);
-    im = image_new(o->width, o->width / 2);
+    im = image_new(o->width, o->width / 2 + 1);
     whole = visits_draw(o, &w, c->chosen & ~1u, c->most_bytes, &im);
     output_picture(o, &im, "17_compare_visits.png", false, whole);
     image_free(&im);
@@ -92,6 +95,7 @@ static void run(const options *o, const own_options *own, const common_settings 
     bool all = !own->scene && !own->mesh;
     world w;
     table csv = table_new("17_compare", bench_columns);
+    summary sum = {.chosen = c->chosen};
     chart bars = chart_new("What a ray costs, and what building costs");
     if (all && !own->verify && !own->files.rays) draw_pictures(o, c);
     for (int k = 0; k < scenes && !(all && o->out); k++) {
@@ -99,13 +103,14 @@ static void run(const options *o, const own_options *own, const common_settings 
         if (!wanted(o, own, k, &w)) continue;
         if (own->files.rays) file_run(c, &w, &own->files);
         else if (own->verify) verify_world(c, &w);
-        else compare(c, &w, &csv, &bars);
+        else compare(c, &w, &csv, &bars, &sum);
         world_free(&w);
     }
     bool measured = !own->files.rays && !own->verify && !(all && o->out);
     if (measured) bench_write_csv(o, &csv);
     else table_free(&csv);
     if (measured && all) {
+        summary_print(o, &sum);
         end_if_wrong(growth_run(o, c->chosen, c->most_bytes, own->full));
         output_chart(o, &bars, "17_compare_time.svg");
     }
@@ -119,7 +124,7 @@ int main(int argc, char **argv)
     const option list[] = {
         {"scene", OPTION_TEXT, &own.scene, 0, 0, 
          "balls gears mount rings teapot tetra tree stadium soup or needles, alone"},
-        {"scale", OPTION_INT, &own.scale, 0, 4000, "its size, see README"},
+        {"scale", OPTION_INT, &own.scale, 0, 10000, "its size, see README"},
         {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: this mesh, y up"},
         {"rays", OPTION_TEXT, &own.files.rays, 0, 0,
          "FILE of rays: ox oy oz tmin dx dy dz tmax, float32"},

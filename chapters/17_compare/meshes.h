@@ -10,7 +10,7 @@
  *                      boxes are empty but for a line, and overlap all over               [1, 2^24]
  *   stadium_mesh(k)    10_grid/stadium.h: the teapot in a stadium
  *
- *   scale: of stadium, k; of soup and needles, thousands of triangles
+ *   scale: of stadium, k; of soup, thousands of triangles; of needles, hundreds
  */
 #ifndef MESHES_H
 #define MESHES_H
@@ -22,11 +22,11 @@
 enum { mesh_scenes = 3 };
 static inline bool make_stadium(int fine, world *w, failure *f);
 static inline bool make_soup(int thousands, world *w, failure *f);
-static inline bool make_needles(int thousands, world *w, failure *f);
+static inline bool make_needles(int hundreds, world *w, failure *f);
 
 static const generator mesh_list[mesh_scenes] = {{"stadium", 32, 1, 150, make_stadium, 0},
                                                  {"soup", 100, 1, 4000, make_soup, 0},
-                                                 {"needles", 5, 1, 1000, make_needles, 0}};
+                                                 {"needles", 50, 1, 10000, make_needles, 0}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -106,9 +106,9 @@ static inline bool make_soup(int thousands, world *w, failure *f)
     return mesh_world(w, "soup", soup_mesh(1000 * (size_t)thousands), true, f);
 }
 
-static inline bool make_needles(int thousands, world *w, failure *f)
+static inline bool make_needles(int hundreds, world *w, failure *f)
 {
-    return mesh_world(w, "needles", thin_mesh(1000 * (size_t)thousands), true, f);
+    return mesh_world(w, "needles", thin_mesh(100 * (size_t)hundreds), true, f);
 }
 
 #endif

@@ -1,8 +1,8 @@
 /* pictures.h: all scenes on one sheet, and what each pixel took, structure by structure.
  *
  *   sheet_draw(&o, &im)                         5 x 2 panels, colours under the headlight of 02
- *   visits_draw(&o, &w, chosen, bytes, &im)     4 x 2 panels: nodes and tests of primary rays;
- *                                               white: visits_most or more
+ *   visits_draw(&o, &w, chosen, bytes, &im)     4 x 2 panels: the scene; nodes and tests of each
+ *                                               primary ray, black none, white visits_most or more
  * Both return false if Ctrl-C stopped them; then the picture is what there is.
  */
 #ifndef COMPARE_PICTURES_H
@@ -13,7 +13,7 @@
 #include "scenes.h"
 #include "stage.h"
 
-enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_rows = 2, visits_most = 120 };
+enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_rows = 2, visits_most = 100 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -117,11 +117,15 @@ static inline bool visits_draw(const options *o, const world *w, unsigned chosen
     bool whole = true;
     stage s;
     stage_begin(&s, w, chosen, most_bytes, 1);
-    for (int k = 0; whole && k < s.entries && k < visits_columns * visits_rows; k++) {
+    for (int k = 0; whole && k < s.entries && k + 1 < visits_columns * visits_rows; k++) {
         if (!s.entry[k].s) continue;
         panel p = {w, s.entry[k].c, s.entry[k].s, NULL, 1};
-        whole = panel_draw(p, visits_pixel, k, visits_columns, visits_rows, o->threads, im);
+        whole = panel_draw(p, visits_pixel, k + 1, visits_columns, visits_rows, o->threads, im);
     }
+    const entry *e = stage_any(&s);
+    panel p = {w, e ? e->c : NULL, e ? e->s : NULL, NULL, o->quick ? 1 : 3};
+    if (whole && e)
+        whole = panel_draw(p, panel_pixel, 0, visits_columns, visits_rows, o->threads, im);
     stage_end(&s);
     return whole;
 }

@@ -2,7 +2,8 @@
  *
  *   stage s;
  *   stage_begin(&s, &w, chosen, most_bytes, rounds)    builds all that are chosen (bit k: number k
- *                                                      of contender_list), `rounds` times in turn
+ *                                                      of contender_list), up to `rounds` times in
+ *                                                      turn, until a second has passed
  *   stage_rays(&s, whole_view, edge, seed)             the four kinds of rays: kinds.h
  *   if (!stage_prove(&s, brute_rays, seed, stdout)) exit(1);
  *   stage_end(&s)                                      the world stays the caller's
@@ -43,8 +44,9 @@ typedef struct {
 
 static inline void stage_build(stage *s, size_t most_bytes, int rounds)
 {
-    double seconds[contenders][9];
-    for (int round = 0; round < rounds; round++)
+    double seconds[contenders][9], begin = clock_seconds();
+    int done = 0;
+    for (int round = 0; round < rounds && clock_seconds() - begin < 1; round++, done++)
         for (int k = 0; k < s->entries; k++) {
             entry *e = &s->entry[k];
             contender_free(e->c, e->s);
@@ -54,7 +56,7 @@ static inline void stage_build(stage *s, size_t most_bytes, int rounds)
         }
     for (int k = 0; k < s->entries; k++) {
         entry *e = &s->entry[k];
-        e->build = clock_median(seconds[k], rounds);
+        e->build = clock_median(seconds[k], done);
         if (e->s) e->stats = e->c->stats(e->s);
     }
 }
