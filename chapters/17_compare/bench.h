@@ -148,8 +148,8 @@ static inline void bench_row(table *t, const stage *s, const entry *e, const ent
     search_work w = bench_work(e, &rays);
     table_text(t, "%s", e->c->name);
     if (!e->s) {
-        table_text(t, "does not fit: %s", e->why.text);
-        for (int k = 0; k < 13; k++) table_text(t, "%s", "");
+        table_text(t, "does not fit");
+        for (int k = 0; k < 13; k++) table_text(t, "-");
         return;
     }
     table_number(t, e->build * 1e3), table_number(t, per((double)st.bytes, s->x.n));
@@ -174,6 +174,9 @@ static inline void bench_table(const options *o, const stage *s, const char *tit
         if (s->entry[k].c == &brute_contender) slow = &s->entry[k];
     for (int k = 0; k < s->entries; k++) bench_row(&t, s, &s->entry[k], slow);
     output_extra_table(o, &t);
+    for (int k = 0; k < s->entries; k++)
+        if (!s->entry[k].s)
+            printf("# %s does not fit: %s\n", s->entry[k].c->name, s->entry[k].why.text);
     bench_cheapest(s);
 }
 

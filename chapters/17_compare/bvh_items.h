@@ -25,11 +25,13 @@ static inline const bvh_tree *bvh_items_tree(const bvh_items *b)
     return b->of_mesh ? &b->mesh.tree : &b->shapes.tree;
 }
 
-/* An item takes 28 bytes while the tree is built, 16 then, and has at most two nodes of 32. */
+/* While it is built an item takes 28 bytes (16 more to sort Morton codes), a copy in the order of
+ * the leaves, and two nodes of 32 at most. */
 static inline bool bvh_items_build(const items *x, bvh_items_options how, bvh_items *out,
                                    failure *f)
 {
-    size_t most = x->n * (28 + 16 + 2 * sizeof(bvh_node));
+    size_t copy = x->m ? sizeof(bvh_triangle) : sizeof(uint32_t);
+    size_t most = x->n * (28 + 16 + copy + 2 * sizeof(bvh_node));
     if (how.tree.strategy == BVH_SPATIAL) most *= spatial_most;
     *out = (bvh_items){.x = *x, .of_mesh = x->m != NULL};
     if (x->n >> 31) return failed(f, 2, "%zu items: fewer than 2^31 fit", x->n);

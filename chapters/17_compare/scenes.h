@@ -15,7 +15,7 @@ enum { scenes = spd_scenes + mesh_scenes };
 static const scene_sizes scene_list[scenes] = {
     {"balls", 2, 5},  {"gears", 1, 9},    {"mount", 3, 8},    {"rings", 2, 17},
     {"teapot", 3, 40}, {"tetra", 3, 8},   {"tree", 5, 15},    {"stadium", 4, 64},
-    {"soup", 1, 1000}, {"needles", 2, 500}};
+    {"soup", 1, 1000}, {"needles", 2, 100}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
