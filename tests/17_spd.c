@@ -103,6 +103,11 @@ static void test_balls(void)
     check_close(first.c.x, u, small, "the first child, x");
     check_close(first.c.y, u, small, "the first child, y");
     check_close(first.c.z, 2 * u, small, "the first child, z");
+    sphere second = w.shape[3].sphere, last = w.shape[4].sphere;  /* as the files of the SPD print */
+    check_close(second.c.x, 0.420314, 6e-7, "published: a child's first child, x");
+    check_close(second.c.z, 0.618405, 6e-7, "z");
+    check_close(last.c.y, 0.470715, 6e-7, "and its first child, y");
+    check_close(last.c.z, 0.598245, 6e-7, "z");
     vec3 sum = {0, 0, 0};
     for (size_t k = 0; k < 9; k++) sum = vadd(sum, w.shape[2 + 820 * k].sphere.c);
     check_close(vlength((vec3){sum.x, sum.y, 0}), 0, 10 * small, "nine children about the z axis");
@@ -265,10 +270,13 @@ static void test_tetra(void)
 {
     for (int scale = 1; scale < 6; scale++) {
         world w = made("tetra", scale);
-        double area = 0, edge = 0, inside = 0;
+        double area = 0, edge = 0, inside = 0, open = 0;
+        vec3 sum = {0, 0, 0};
         for (size_t i = 0; i < w.n; i++) {
             triangle t = w.shape[i].triangle;
             vec3 n = vcross(vsub(t.b, t.a), vsub(t.c, t.a));
+            sum = vadd(i % 4 ? sum : (vec3){0, 0, 0}, n);
+            if (i % 4 == 3) open = check_worse(open, (double)vlength(sum));
             area += (double)vlength(n) / 2;
             double e = 2 * sqrt(2.0) / (double)power(2, scale - 1);
             edge = check_worse(edge, fabs((double)vlength(vsub(t.b, t.a)) - e));
@@ -277,6 +285,7 @@ static void test_tetra(void)
         }
         check_close(area, 8 * sqrt(3.0), 400 * small, "area of tetra %d: at any depth", scale);
         check_at_most(edge, 4 * small, "edges of tetra %d", scale);
+        check_at_most(open, 4 * small, "its tetrahedra are closed, all faces turned one way");
         check_at_most(inside, 0, "within the cube");
         world_free(&w);
     }
