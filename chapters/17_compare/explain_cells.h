@@ -15,9 +15,11 @@
 #include "../13_bsp/bsp.h"
 #include "explain.h"
 
+enum { cell_most_depth = 79 };  /* no tree here is deeper; one that is broken may be */
+
 /* Nodes from the root to the leaf that holds a point; a grid has one, its cell. */
 typedef struct {
-    uint32_t path[80];
+    uint32_t path[cell_most_depth + 1];
     int depth;
     size_t listed;      /* shapes in the leaf */
     bool lists;         /* the one that is looked for among them */
@@ -53,11 +55,12 @@ static inline cell_place octree_place(const octree *t, vec3 p, uint32_t wanted)
     cell_place c = {.everywhere = times_listed(t->reference, t->references, wanted)};
     octree_node n = t->node[0];
     octree_cell cell = {0, 0, 0, 0};
-    while (!(n.kind & octree_is_leaf)) {
+    while (!(n.kind & octree_is_leaf) && c.depth < cell_most_depth) {
         vec3 wall = octree_cell_box(t, octree_child_cell(cell, 0)).hi;
         unsigned k = (p.x > wall.x ? 1u : 0) | (p.y > wall.y ? 2u : 0) | (p.z > wall.z ? 4u : 0);
         cell = octree_child_cell(cell, k);
         c.path[++c.depth] = n.first + k;
+        if (!(n.kind >> k & 1)) return c;  /* empty */
         n = t->node[n.first + k];
     }
     c.listed = n.kind & ~octree_is_leaf;
@@ -70,7 +73,7 @@ static inline cell_place kdtree_place(const kdtree *t, vec3 p, uint32_t wanted)
     cell_place c = {.depth = 0};
     uint32_t at = 0;
     vec3 q = kd_place(&t->frame, p);
-    while (!kd_is_leaf(t->node[at])) {
+    while (!kd_is_leaf(t->node[at]) && c.depth < cell_most_depth) {
         kd_node n = t->node[at];
         at = (n.rest >> 2) + (vaxis(q, (int)(n.rest & 3)) > (real)n.plane);
         c.path[++c.depth] = at;
@@ -90,7 +93,7 @@ static inline cell_place bsp_place(const bsp *b, vec3 p, uint32_t wanted)
     cell_place c = {.everywhere = times_listed(b->reference, b->references, wanted)};
     const bsp_node *n = b->node;
     vec3 q = vsub(p, b->middle);
-    while (!(n->kind & bsp_leaf_bit)) {
+    while (!(n->kind & bsp_leaf_bit) && c.depth < cell_most_depth) {
         real x = n->kind < 3 ? vaxis(q, (int)n->kind)
                              : vdot(b->normal[n->kind & ~bsp_slanted_bit], q);
         uint32_t at = n->first + (x > n->at);
