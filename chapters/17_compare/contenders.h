@@ -1,12 +1,13 @@
 /* contenders.h: the structures that are compared. A new one is one line below, if it has the verbs
  * of 10_grid/items.h, and one in the list.
  *
- *   CONTENDER(octree, "octree", octree, octree_defaults, explain_octree)   octree_contender:
- *             |       |         |       |                why a hit is lost, or NULL
- *             |       |         |       its options; most_bytes is set from outside
- *             |       |         prefix of its verbs and name of its type
- *             |       name in tables and for --only
- *             of this contender; several may share a structure
+ *   CONTENDER(id, "name", X, options, most, explain)     makes id_contender:
+ *      id        several may share a structure
+ *      "name"    in tables and for --only
+ *      X         prefix of its verbs and name of its type
+ *      options   X_options; most_bytes is set from outside
+ *      most      shapes, beyond which building takes long
+ *      explain   why a hit is lost: explain.h; or NULL
  *
  *   const contender *c = contender_find("octree");     NULL: no such name
  *   void *s = contender_build(c, &x, most_bytes, &f);  NULL: it does not fit, f says so
@@ -26,6 +27,7 @@
 typedef struct {
     const char *name;
     size_t size;
+    size_t most;         /* shapes, for which building takes a second or so: more only with --full */
     bool (*build)(const items *x, size_t most_bytes, void *out, failure *f);
     bool (*hit)(const void *s, ray r, hit *out);
     bool (*occluded)(const void *s, ray r);
@@ -39,7 +41,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-#define CONTENDER(id, text, X, options, explain_it)                                              \
+#define CONTENDER(id, text, X, options, most, explain_it)                                        \
     static bool id##_c_build(const items *x, size_t most_bytes, void *out, failure *f)           \
     {                                                                                            \
         X##_options how = options;                                                                \
@@ -68,19 +70,20 @@ typedef struct {
     static structure_stats id##_c_stats(const void *s) { return X##_stats(s); }                  \
     static void id##_c_free(void *s) { X##_free(s); }                                            \
     static const contender id##_contender = {                                                    \
-        text, sizeof(X), id##_c_build, id##_c_hit, id##_c_occluded, id##_c_hit_counted,          \
+        text, sizeof(X), most, id##_c_build, id##_c_hit, id##_c_occluded, id##_c_hit_counted,    \
         id##_c_occluded_counted, id##_c_search, id##_c_stats, id##_c_free, explain_it};
 
-CONTENDER(brute, "brute", brute, ((brute_options){0}), NULL)
-CONTENDER(grid, "grid", grid, grid_defaults, explain_grid)
-CONTENDER(octree, "octree", octree, octree_defaults, explain_octree)
-CONTENDER(kdtree, "kdtree", kdtree, kdtree_defaults, explain_kdtree)
-CONTENDER(bsp, "bsp", bsp, bsp_defaults, explain_bsp)
-CONTENDER(bvh, "bvh", bvh_items, ((bvh_items_options){bvh_defaults, 0}), explain_bvh)
+CONTENDER(brute, "brute", brute, ((brute_options){0}), SIZE_MAX, NULL)
+CONTENDER(grid, "grid", grid, grid_defaults, SIZE_MAX, explain_grid)
+CONTENDER(octree, "octree", octree, octree_defaults, SIZE_MAX, explain_octree)
+CONTENDER(kdtree, "kdtree", kdtree, kdtree_defaults, 300000, explain_kdtree)
+CONTENDER(bsp, "bsp", bsp, bsp_defaults, 70000, explain_bsp)
+CONTENDER(bvh, "bvh", bvh_items, ((bvh_items_options){bvh_defaults, 0}), SIZE_MAX,
+          explain_bvh)
 CONTENDER(bvh_morton, "bvh-morton", bvh_items,
-          ((bvh_items_options){{BVH_MORTON, 8, 0.3}, 0}), explain_bvh)
+          ((bvh_items_options){{BVH_MORTON, 8, 0.3}, 0}), SIZE_MAX, explain_bvh)
 CONTENDER(bvh_spatial, "bvh-spatial", bvh_items,
-          ((bvh_items_options){{BVH_SPATIAL, 8, 0.3}, 0}), explain_bvh)
+          ((bvh_items_options){{BVH_SPATIAL, 8, 0.3}, 0}), SIZE_MAX, explain_bvh)
 
 static const contender *const contender_list[] = {
     &brute_contender, &grid_contender, &octree_contender,     &kdtree_contender,

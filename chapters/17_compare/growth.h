@@ -2,7 +2,7 @@
  *
  *   growth_run(&o, chosen, most_bytes, full)    tables, fitted exponents, three plots
  *
- * A structure that took a second to build (full: a minute) is not asked for the next n.
+ * Without `full`, structures whose building takes long are left out of the larger ones.
  *
  * time ~ n^a (17.9): 1 for brute force. A tree that does log n steps has an a that falls with n;
  * how many more steps a doubling of n takes is the better number. Least squares against log n.
@@ -31,23 +31,21 @@ static inline void growth_note(growth_curve *c, const stage *s, const entry *e)
                       e->rays[KIND_DIFFUSE]);
 }
 
-/* A structure whose building took longer than `patience` seconds is out from then on. */
 static inline bool growth_step(growth_curve *c, int fine, int edge, const options *o,
-                               unsigned *chosen, size_t most_bytes, double patience)
+                               unsigned chosen, size_t most_bytes)
 {
     world w;
     stage s;
     failure f;
     if (!mesh_world(&w, "teapot", teapot_mesh(fine), true, &f)) fail(f);
-    stage_begin(&s, &w, *chosen, most_bytes, o->quick ? 1 : 3);
+    stage_begin(&s, &w, chosen, most_bytes, o->quick ? 1 : 3);
     stage_rays(&s, whole_view, edge, o->seed);
     bool ok = prove_rays(&s, s.rays[KIND_DIFFUSE].r, s.rays[KIND_DIFFUSE].n, false, stdout);
     bench_kind(&s, KIND_DIFFUSE, o->quick ? 1 : 3);
     for (int k = 0, i = 0; k < contenders; k++) {
-        if (!(*chosen >> k & 1)) continue;
+        if (!(chosen >> k & 1)) continue;
         const entry *e = &s.entry[i++];
         if (e->s) growth_note(&c[k], &s, e);
-        if (!e->s || e->build > patience) *chosen &= ~(1u << k);
     }
     stage_end(&s);
     world_free(&w);
@@ -100,15 +98,15 @@ static inline void growth_plots(const options *o, const growth_curve *c, unsigne
     for (int k = 0; k < contenders && search.series < plot_most_series; k++) {
         if (!(chosen >> k & 1)) continue;
         const char *name = contender_list[k]->name;
-        int series = plot_series(&search, name);
         bool slow = contender_list[k] == &brute_contender;  /* off the scale of the others */
-        plot_series(&build, name), plot_series(&steps, name);
+        int series = plot_series(&search, name), other = slow ? 0 : plot_series(&build, name);
+        if (!slow) plot_series(&steps, name);
         for (int i = 0; i < c[k].n; i++) {
             double x = exp2(c[k].x[i]);
             plot_add(&search, series, x, c[k].ray[i]);
             if (slow) continue;
-            plot_add(&steps, series, x, c[k].steps[i]);
-            plot_add(&build, series, x, c[k].build[i] * 1e9 / x);
+            plot_add(&steps, other, x, c[k].steps[i]);
+            plot_add(&build, other, x, c[k].build[i] * 1e9 / x);
         }
     }
     plot_slope(&search, 1, "slope 1");
@@ -122,11 +120,13 @@ static inline bool growth_run(const options *o, unsigned chosen, size_t most_byt
 {
     growth_curve c[contenders] = {{0}};
     int sizes = o->quick ? 3 : full ? growth_sizes : growth_sizes - 1;
-    unsigned left = chosen;
     for (int i = 0; i < sizes; i++) {
+        size_t fine = (size_t)growth_fine[i], n = 64 * fine * fine - 8 * fine;
+        unsigned now = 0;
+        for (int k = 0; k < contenders; k++)  /* and who did not fit is out */
+            if ((full || contender_list[k]->most >= n) && c[k].n == i) now |= chosen & 1u << k;
         progress("growth", (size_t)i, (size_t)sizes);
-        if (!growth_step(c, growth_fine[i], o->quick ? 16 : 96, o, &left, most_bytes,
-                         full ? 60 : 1)) return false;
+        if (!growth_step(c, (int)fine, o->quick ? 16 : 96, o, now, most_bytes)) return false;
     }
     progress("growth", 1, 1);
     growth_table(o, c, chosen);
