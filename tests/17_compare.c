@@ -336,6 +336,36 @@ static bool dreaming_hit(const void *s, ray r, hit *out)
     return true;
 }
 
+/* A tie that the wrong one wins. */
+static bool later_hit(const void *s, ray r, hit *out)
+{
+    if (!bvh_items_hit(s, r, out)) return false;
+    out->shape++;
+    return true;
+}
+
+static void test_tie(void)
+{
+    mesh m = teapot_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    contender broken = bvh_contender;
+    broken.hit = later_hit;
+    entry e = {.c = &broken};
+    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
+    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    hit due = hit_none;
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(items_hit(&x, r, &due), "the ray hits");
+    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "the wrong index is found out");
+    char *text = written(out);
+    check(strstr(text, "the lower index must win"), "and explained: %s", text);
+    free(text), fclose(out);
+    contender_free(e.c, e.s);
+    mesh_free(&m);
+}
+
 static void test_dream(void)
 {
     mesh m = teapot_mesh(1);
@@ -525,6 +555,7 @@ int main(void)
     test_forgotten(&octree_contender);
     test_forgotten(&kdtree_contender);
     test_forgotten(&bsp_contender);
+    test_tie();
     test_dream();
     test_costs();
     test_growth();

@@ -82,6 +82,9 @@ static inline void explain_window(const void *s, const wrong_ray *w, FILE *out)
         fprintf(out, "  it reports a hit that does not exist: a test or its interval is wrong\n");
         return;
     }
+    if (w->hit && w->got.shape != no_shape && w->got.t <= t)
+        fprintf(out, w->got.t < t ? "  nearer than any shape is: its test or its number is wrong\n"
+                                  : "  at the same t: there the lower index must win\n");
     if (!window_finds(s, w, t, t)) {
         fprintf(out, "  not found on the interval [t, t] either: the place of the hit is not "
                      "searched, or the shape is not listed there\n");
