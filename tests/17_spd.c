@@ -103,7 +103,7 @@ static void test_balls(void)
     check_close(first.c.x, u, small, "the first child, x");
     check_close(first.c.y, u, small, "the first child, y");
     check_close(first.c.z, 2 * u, small, "the first child, z");
-    sphere second = w.shape[3].sphere, last = w.shape[4].sphere;  /* as the files of the SPD print */
+    sphere second = w.shape[3].sphere, last = w.shape[4].sphere;  /* as the files print */
     check_close(second.c.x, 0.420314, 6e-7, "published: a child's first child, x");
     check_close(second.c.z, 0.618405, 6e-7, "z");
     check_close(last.c.y, 0.470715, 6e-7, "and its first child, y");

@@ -27,7 +27,7 @@
 typedef struct {
     const char *name;
     size_t size;
-    size_t most;         /* shapes, for which building takes a second or so: more only with --full */
+    size_t most;  /* shapes, for which building takes a second or so: more only with --full */
     bool (*build)(const items *x, size_t most_bytes, void *out, failure *f);
     bool (*hit)(const void *s, ray r, hit *out);
     bool (*occluded)(const void *s, ray r);
