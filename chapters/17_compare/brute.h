@@ -1,0 +1,45 @@
+/* brute.h: no structure at all (暴力求交), with the verbs of all structures. It is the oracle. */
+#ifndef BRUTE_H
+#define BRUTE_H
+
+#include "../10_grid/items.h"
+
+typedef struct { size_t most_bytes; } brute_options;
+typedef struct { items x; } brute;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool brute_build(const items *x, brute_options how, brute *out, failure *f)
+{
+    (void)how, (void)f;
+    *out = (brute){*x};
+    return true;
+}
+
+static inline void brute_free(brute *b) { *b = (brute){{NULL, NULL, 0}}; }
+static inline bool brute_hit(const brute *b, ray r, hit *out) { return items_hit(&b->x, r, out); }
+static inline bool brute_occluded(const brute *b, ray r) { return items_occluded(&b->x, r); }
+
+static inline bool brute_hit_counted(const brute *b, ray r, hit *out, search_work *w)
+{
+    w->tests += b->x.n;
+    return brute_hit(b, r, out);
+}
+
+/* Ends at the first item that is hit: that many tests. */
+static inline bool brute_occluded_counted(const brute *b, ray r, search_work *w)
+{
+    query q = query_of(r);
+    for (size_t i = 0; i < b->x.n; i++) {
+        w->tests++;
+        if (query_ask(&q, &b->x, (uint32_t)i, true)) return true;
+    }
+    return false;
+}
+
+static inline structure_stats brute_stats(const brute *b)
+{
+    return (structure_stats){.leaves = 1, .references = b->x.n, .items = b->x.n};
+}
+
+#endif

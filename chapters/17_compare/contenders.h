@@ -1,0 +1,115 @@
+/* contenders.h: the structures that are compared. A new one is one line below, if it has the verbs
+ * of 10_grid/items.h, and one in the list.
+ *
+ *   CONTENDER(id, "name", X, options, most, explain)     makes id_contender:
+ *      id        several may share a structure
+ *      "name"    in tables and for --only
+ *      X         prefix of its verbs and name of its type
+ *      options   X_options; most_bytes is set from outside
+ *      most      shapes, beyond which building takes long
+ *      explain   why a hit is lost: explain.h; or NULL
+ *
+ *   const contender *c = contender_find("octree");     NULL: no such name
+ *   void *s = contender_build(c, &x, most_bytes, &f);  NULL: it does not fit, f says so
+ *   c->hit(s, r, &h) ...                               the verbs
+ *   c->search(s, r, n, any, hits)                      all rays in a loop, the structure's search
+ *                                                      inlined; returns the number of hits. any:
+ *                                                      hits[i] has t = 0, shape 0 where occluded
+ *   contender_free(c, s)
+ */
+#ifndef CONTENDERS_H
+#define CONTENDERS_H
+
+#include "brute.h"
+#include "bvh_items.h"
+#include "explain_cells.h"
+
+typedef struct {
+    const char *name;
+    size_t size;
+    size_t most;  /* shapes, for which building takes a second or so: more only with --full */
+    bool (*build)(const items *x, size_t most_bytes, void *out, failure *f);
+    bool (*hit)(const void *s, ray r, hit *out);
+    bool (*occluded)(const void *s, ray r);
+    bool (*hit_counted)(const void *s, ray r, hit *out, search_work *w);
+    bool (*occluded_counted)(const void *s, ray r, search_work *w);
+    size_t (*search)(const void *s, const ray *r, size_t n, bool any, hit *out);
+    structure_stats (*stats)(const void *s);
+    void (*free)(void *s);
+    explainer *explain;  /* NULL: has none */
+} contender;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+#define CONTENDER(id, text, X, options, most, explain_it)                                        \
+    static bool id##_c_build(const items *x, size_t most_bytes, void *out, failure *f)           \
+    {                                                                                            \
+        X##_options how = options;                                                                \
+        how.most_bytes = most_bytes;                                                             \
+        return X##_build(x, how, out, f);                                                        \
+    }                                                                                            \
+    static bool id##_c_hit(const void *s, ray r, hit *out) { return X##_hit(s, r, out); }        \
+    static bool id##_c_occluded(const void *s, ray r) { return X##_occluded(s, r); }             \
+    static bool id##_c_hit_counted(const void *s, ray r, hit *out, search_work *w)               \
+    {                                                                                            \
+        return X##_hit_counted(s, r, out, w);                                                    \
+    }                                                                                            \
+    static bool id##_c_occluded_counted(const void *s, ray r, search_work *w)                    \
+    {                                                                                            \
+        return X##_occluded_counted(s, r, w);                                                    \
+    }                                                                                            \
+    static size_t id##_c_search(const void *s, const ray *r, size_t n, bool any, hit *out)       \
+    {                                                                                            \
+        size_t hits = 0;                                                                         \
+        for (size_t i = 0; i < n; i++) out[i] = hit_none;                                        \
+        for (size_t i = 0; any && i < n; i++)                                                    \
+            if (X##_occluded(s, r[i])) out[i] = (hit){0, 0, 0, 0}, hits++;                       \
+        for (size_t i = 0; !any && i < n; i++) hits += X##_hit(s, r[i], &out[i]);                \
+        return hits;                                                                             \
+    }                                                                                            \
+    static structure_stats id##_c_stats(const void *s) { return X##_stats(s); }                  \
+    static void id##_c_free(void *s) { X##_free(s); }                                            \
+    static const contender id##_contender = {                                                    \
+        text, sizeof(X), most, id##_c_build, id##_c_hit, id##_c_occluded, id##_c_hit_counted,    \
+        id##_c_occluded_counted, id##_c_search, id##_c_stats, id##_c_free, explain_it};
+
+CONTENDER(brute, "brute", brute, ((brute_options){0}), SIZE_MAX, NULL)
+CONTENDER(grid, "grid", grid, grid_defaults, SIZE_MAX, explain_grid)
+CONTENDER(octree, "octree", octree, octree_defaults, SIZE_MAX, explain_octree)
+CONTENDER(kdtree, "kdtree", kdtree, kdtree_defaults, 300000, explain_kdtree)
+CONTENDER(bsp, "bsp", bsp, bsp_defaults, 70000, explain_bsp)
+CONTENDER(bvh, "bvh", bvh_items, ((bvh_items_options){bvh_defaults, 0}), SIZE_MAX,
+          explain_bvh)
+CONTENDER(bvh_morton, "bvh-morton", bvh_items,
+          ((bvh_items_options){{BVH_MORTON, 8, 0.3}, 0}), SIZE_MAX, explain_bvh)
+CONTENDER(bvh_spatial, "bvh-spatial", bvh_items,
+          ((bvh_items_options){{BVH_SPATIAL, 8, 0.3}, 0}), SIZE_MAX, explain_bvh)
+
+static const contender *const contender_list[] = {
+    &brute_contender, &grid_contender, &octree_contender,     &kdtree_contender,
+    &bsp_contender,   &bvh_contender,  &bvh_morton_contender, &bvh_spatial_contender};
+enum { contenders = sizeof contender_list / sizeof *contender_list };
+
+static inline const contender *contender_find(const char *name)
+{
+    for (int k = 0; k < contenders; k++)
+        if (strcmp(contender_list[k]->name, name) == 0) return contender_list[k];
+    return NULL;
+}
+
+static inline void contender_free(const contender *c, void *s)
+{
+    if (s) c->free(s);
+    free(s);
+}
+
+static inline void *contender_build(const contender *c, const items *x, size_t most_bytes,
+                                    failure *f)
+{
+    void *s = allocate(1, c->size);
+    if (c->build(x, most_bytes, s, f)) return s;
+    contender_free(c, s);
+    return NULL;
+}
+
+#endif

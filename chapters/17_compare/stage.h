@@ -1,0 +1,201 @@
+/* stage.h: the structures on one scene: built, and proved to give the same answers.
+ *
+ *   stage s;
+ *   stage_begin(&s, &w, chosen, most_bytes, rounds)    builds all that are chosen (bit k: number k
+ *                                                      of contender_list), up to `rounds` times in
+ *                                                      turn, until a second has passed
+ *   stage_rays(&s, whole_view, edge, seed)             the four kinds of rays: kinds.h
+ *   if (!stage_prove(&s, brute_rays, seed, stdout)) exit(1);
+ *   stage_end(&s)                                      the world stays the caller's
+ *
+ * A proof (证明) by trial: every structure gives the same hit, t, u, v and shape, for every ray of
+ * every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few more of
+ * them, half of which are aimed where shapes end. The first ray that differs is explained
+ * (explain.h), and the answer is false.
+ */
+#ifndef STAGE_H
+#define STAGE_H
+
+#include "contenders.h"
+#include "kinds.h"
+
+typedef struct {
+    const contender *c;
+    void *s;                      /* NULL: it does not fit; */
+    failure why;                  /* and why */
+    double build;                 /* seconds, the median */
+    structure_stats stats;
+    search_work work[ray_kinds];
+    size_t rays[ray_kinds], hits[ray_kinds];
+    double seconds[ray_kinds];    /* of so many rays */
+} entry;
+
+typedef struct {
+    const world *w;
+    scene scene;
+    items x;
+    entry entry[contenders];
+    int entries;
+    ray_set rays[ray_kinds];
+    size_t proved, by_brute;      /* rays */
+} stage;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void stage_build(stage *s, size_t most_bytes, int rounds)
+{
+    double seconds[contenders][9], begin = clock_seconds();
+    int done = 0;
+    for (int round = 0; round < rounds && clock_seconds() - begin < 1; round++, done++)
+        for (int k = 0; k < s->entries; k++) {
+            entry *e = &s->entry[k];
+            contender_free(e->c, e->s);
+            double start = clock_seconds();
+            e->s = contender_build(e->c, &s->x, most_bytes, &e->why);
+            seconds[k][round] = clock_seconds() - start;
+        }
+    for (int k = 0; k < s->entries; k++) {
+        entry *e = &s->entry[k];
+        e->build = clock_median(seconds[k], done);
+        if (e->s) e->stats = e->c->stats(e->s);
+    }
+}
+
+/* rounds [1, 9]. */
+static inline void stage_begin(stage *s, const world *w, unsigned chosen, size_t most_bytes,
+                               int rounds)
+{
+    *s = (stage){.w = w, .scene = world_scene(w)};
+    s->x = w->n ? items_of_scene(&s->scene) : items_of_mesh(&w->mesh);
+    for (int k = 0; k < contenders; k++)
+        if (chosen >> k & 1) s->entry[s->entries++].c = contender_list[k];
+    stage_build(s, most_bytes, rounds);
+}
+
+static inline void stage_end(stage *s)
+{
+    for (int k = 0; k < s->entries; k++) contender_free(s->entry[k].c, s->entry[k].s);
+    for (int k = 0; k < ray_kinds; k++) rays_free(&s->rays[k]);
+    s->entries = 0;
+}
+
+/* The fastest there is for things on the way: the last that fits. NULL: none does. */
+static inline const entry *stage_any(const stage *s)
+{
+    for (int k = s->entries - 1; k >= 0; k--)
+        if (s->entry[k].s) return &s->entry[k];
+    return NULL;
+}
+
+static inline void stage_rays(stage *s, const double part[4], int edge, uint64_t seed)
+{
+    const entry *e = stage_any(s);
+    ray_set eye = rays_view(s->w, part, edge);
+    hit *h = allocate(eye.n, sizeof *h);
+    if (e) e->c->search(e->s, eye.r, eye.n, false, h);
+    s->rays[KIND_PRIMARY] = eye;
+    s->rays[KIND_SHADOW] = rays_to_lights(s->w, &eye, h);
+    s->rays[KIND_DIFFUSE] = rays_scattered(s->w, &eye, h, seed);
+    s->rays[KIND_MIRROR] = rays_mirrored(s->w, &eye, h);
+    free(h);
+}
+
+/* The proof. ----------------------------------------------------------------------------------- */
+
+static inline void print_hit(FILE *out, const char *who, hit h)
+{
+    if (h.shape == no_shape) fprintf(out, "  %s: no hit\n", who);
+    else fprintf(out, "  %s: t = %.17g, u = %.17g, v = %.17g, shape %u\n", who, (double)h.t,
+                 (double)h.u, (double)h.v, h.shape);
+}
+
+/* due: of `oracle`. */
+static inline void explain_ray(const entry *e, const char *oracle, const wrong_ray *w, FILE *out)
+{
+    const ray *r = &w->r;
+    fprintf(out, "%s: wrong ray: o = (%.17g, %.17g, %.17g), d = (%.17g, %.17g, %.17g), "
+                 "interval [%.17g, %.17g]\n", e->c->name, (double)r->o.x, (double)r->o.y,
+            (double)r->o.z, (double)r->d.x, (double)r->d.y, (double)r->d.z, (double)r->tmin,
+            (double)r->tmax);
+    print_hit(out, oracle, w->due);
+    if (w->occluded) fprintf(out, "  %s: occluded: %s\n", e->c->name,
+                             w->got.shape == no_shape ? "no" : "yes");
+    else print_hit(out, e->c->name, w->got);
+    explain_window(e->s, w, out);
+    if (e->c->explain && w->due.shape != no_shape) e->c->explain(e->s, w, out);
+}
+
+/* One entry against given hits of n rays: closest, and occluded. False: explained to `out`. */
+static inline bool prove_entry(const entry *e, const ray *r, const hit *due, size_t n,
+                               const char *oracle, FILE *out)
+{
+    for (size_t i = 0; i < n; i++) {
+        hit h = hit_none;
+        e->c->hit(e->s, r[i], &h);
+        wrong_ray w = {r[i], due[i], h, e->c->hit, NULL};
+        if (!hits_equal(h, due[i])) return explain_ray(e, oracle, &w, out), false;
+        if (e->c->occluded(e->s, r[i]) == (due[i].shape != no_shape)) continue;
+        w.got = due[i].shape == no_shape ? (hit){0, 0, 0, 0} : hit_none;
+        w.hit = NULL, w.occluded = e->c->occluded;
+        return explain_ray(e, oracle, &w, out), false;
+    }
+    return true;
+}
+
+/* All entries on n rays. The first that fits gives the hits that the others are held against; brute
+ * force gives them if it is to. */
+static inline bool prove_rays(const stage *s, const ray *r, size_t n, bool by_brute, FILE *out)
+{
+    const entry *first = NULL;
+    const char *oracle = "brute force";
+    bool ok = true;
+    hit *due = allocate(n, sizeof *due);
+    for (size_t i = 0; i < n; i++) {
+        due[i] = hit_none;
+        if (by_brute) items_hit(&s->x, r[i], &due[i]);
+    }
+    for (int k = 0; ok && k < s->entries; k++) {
+        const entry *e = &s->entry[k];
+        if (!e->s || e->c == &brute_contender) continue;
+        if (!first && !by_brute) {
+            oracle = e->c->name;
+            e->c->search(e->s, r, n, false, due);
+        }
+        first = first ? first : e;
+        ok = prove_entry(e, r, due, n, oracle, out);
+    }
+    free(due);
+    return ok;
+}
+
+/* Every so manieth ray of a set. */
+static inline ray_set rays_some(const ray_set *all, size_t most)
+{
+    size_t n = all->n < most ? all->n : most;
+    ray_set s = {allocate(n, sizeof(ray)), n};
+    for (size_t i = 0; i < n; i++) s.r[i] = all->r[i * all->n / n];
+    return s;
+}
+
+static inline bool stage_prove(stage *s, size_t brute_rays, uint64_t seed, FILE *out)
+{
+    ray_set extra[2] = {rays_aimed(s->w, brute_rays / 2, seed),
+                        rays_everywhere(s->w, brute_rays / 4, seed)};
+    bool ok = true;
+    for (int k = 0; k < 2; k++) {
+        ok = ok && prove_rays(s, extra[k].r, extra[k].n, true, out);
+        s->proved += extra[k].n, s->by_brute += extra[k].n;
+        rays_free(&extra[k]);
+    }
+    for (int k = 0; ok && k < ray_kinds; k++) {
+        ray_set some = rays_some(&s->rays[k], brute_rays / 4 / ray_kinds + 1);
+        ok = prove_rays(s, some.r, some.n, true, out)
+             && (some.n == s->rays[k].n
+                 || prove_rays(s, s->rays[k].r, s->rays[k].n, false, out));
+        s->proved += s->rays[k].n, s->by_brute += some.n;
+        rays_free(&some);
+    }
+    return ok;
+}
+
+#endif

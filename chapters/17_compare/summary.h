@@ -1,0 +1,61 @@
+/* summary.h: all scenes in three tables, a row a scene, a column a structure: nanoseconds a ray,
+ * mean of the four kinds as the scene has them; milliseconds to build; seconds in all for building
+ * and a million rays.
+ *
+ *   summary m = {.chosen = chosen};
+ *   summary_add(&m, &s)                 a stage that was measured
+ *   summary_print(&o, &m)
+ */
+#ifndef SUMMARY_H
+#define SUMMARY_H
+
+#include "bench.h"
+#include "scenes.h"
+
+typedef struct { char name[32]; double ray[contenders], build[contenders]; } summary_row;
+typedef struct { unsigned chosen; summary_row row[scenes]; int rows; } summary;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void summary_add(summary *m, const stage *s)
+{
+    if (m->rows == scenes) return;
+    summary_row *r = &m->row[m->rows++];
+    snprintf(r->name, sizeof r->name, "%.31s", s->w->name);
+    for (int k = 0, i = 0; k < contenders; k++) {
+        if (!(m->chosen >> k & 1)) continue;
+        const entry *e = &s->entry[i++];
+        r->ray[k] = e->s ? bench_mean(s, e) : -1;
+        r->build[k] = e->build;
+    }
+}
+
+static inline void summary_table(const options *o, const summary *m, const char *title,
+                                 double of_ray, double of_build)
+{
+    char columns[512] = "scene";
+    for (int k = 0; k < contenders; k++)
+        if (m->chosen >> k & 1)
+            snprintf(columns + strlen(columns), sizeof columns - strlen(columns), "|%s",
+                     contender_list[k]->name);
+    table t = table_new(title, columns);
+    for (int i = 0; i < m->rows; i++) {
+        table_text(&t, "%s", m->row[i].name);
+        for (int k = 0; k < contenders; k++) {
+            const summary_row *r = &m->row[i];
+            if (!(m->chosen >> k & 1)) continue;
+            if (r->ray[k] < 0) table_text(&t, "does not fit");
+            else table_number(&t, of_ray * r->ray[k] + of_build * r->build[k]);
+        }
+    }
+    output_extra_table(o, &t);
+}
+
+static inline void summary_print(const options *o, const summary *m)
+{
+    summary_table(o, m, "All scenes: nanoseconds a ray", 1e9, 0);
+    summary_table(o, m, "All scenes: milliseconds to build", 0, 1e3);
+    summary_table(o, m, "All scenes: seconds to build and to search for a million rays", 1e6, 1);
+}
+
+#endif

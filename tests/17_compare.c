@@ -1,0 +1,571 @@
+/* The bench itself: all structures give the same hits on all scenes; a structure that is broken on
+ * purpose is found out and explained; costs add up; and the program, seen from outside. */
+#include "../chapters/17_compare/growth.h"
+#include "../chapters/17_compare/modes.h"
+#include "check.h"
+#include <sys/wait.h>
+
+static char directory[] = "/tmp/17_compare_XXXXXX";
+
+static const char *in_directory(const char *name)
+{
+    static char path[4][256];
+    static int next;
+    char *p = path[next++ % 4];
+    snprintf(p, 256, "%s/%s", directory, name);
+    return p;
+}
+
+/* What f wrote so far; for free. */
+static char *written(FILE *f)
+{
+    long n = ftell(f);
+    char *text = allocate((size_t)n + 1, 1);
+    rewind(f);
+    if (fread(text, 1, (size_t)n, f) != (size_t)n) abort();
+    return text;
+}
+
+static world tiny(const char *name)
+{
+    world w;
+    failure f;
+    for (int k = 0; k < scenes; k++)
+        if (strcmp(scene_list[k].name, name) == 0
+            && !scene_world(scene_find(name), scene_list[k].quick, &w, &f)) fail(f);
+    return w;
+}
+
+static const unsigned everybody = (1u << contenders) - 1;
+
+static void test_equality(void)
+{
+    for (int k = 0; k < scenes; k++) {
+        stage s;
+        world w = tiny(scene_list[k].name);
+        FILE *out = tmpfile();
+        if (!out) abort();
+        stage_begin(&s, &w, everybody, (size_t)1 << 30, 1);
+        stage_rays(&s, whole_view, 16, 7);
+        check(stage_prove(&s, check_count(2000), 7, out), "%s: all structures agree", w.name);
+        char *text = written(out);
+        check(text[0] == 0, "%s: nothing to explain, but: %s", w.name, text);
+        check_at_least(s.by_brute, check_count(2000) * 3 / 4, "%s: so many by brute force", w.name);
+        check_at_least(s.proved, s.by_brute, "%s: and more by each other", w.name);
+        for (int i = 0; i < s.entries; i++) {
+            const entry *e = &s.entry[i];
+            check(e->s != NULL, "%s fits: %s", e->c->name, e->s ? "" : e->why.text);
+            if (!e->s) continue;
+            check_at_least(e->stats.references, e->stats.items, "%s %s: every shape is somewhere",
+                           w.name, e->c->name);
+            check_equal(e->stats.items, s.x.n, "%s %s: holds them all", w.name, e->c->name);
+            check(e->stats.leaves >= 1 && e->stats.peak >= e->stats.bytes, "%s: its numbers",
+                  e->c->name);
+        }
+        free(text), fclose(out);
+        stage_end(&s);
+        world_free(&w);
+    }
+}
+
+/* Counted searches find the same, and count. */
+static void test_counted(void)
+{
+    world w = tiny("stadium");
+    stage s;
+    stage_begin(&s, &w, everybody, (size_t)1 << 30, 1);
+    stage_rays(&s, whole_view, 16, 7);
+    for (int i = 0; i < s.entries; i++) {
+        const entry *e = &s.entry[i];
+        size_t wrong = 0, hits = 0;
+        search_work sum = {0, 0, 0, 0}, any = {0, 0, 0, 0};
+        for (size_t k = 0; k < s.rays[KIND_DIFFUSE].n; k++) {
+            ray r = s.rays[KIND_DIFFUSE].r[k];
+            hit a = hit_none, b = hit_none;
+            bool found = e->c->hit(e->s, r, &a);
+            wrong += e->c->hit_counted(e->s, r, &b, &sum) != found || !hits_equal(a, b);
+            wrong += e->c->occluded_counted(e->s, r, &any) != found;
+            hits += found;
+        }
+        check_equal(wrong, 0, "%s: counting changes nothing", e->c->name);
+        check_at_least(sum.tests, hits, "%s: a hit was tested", e->c->name);
+        check_at_most(any.tests, sum.tests, "%s: any hit takes no more tests", e->c->name);
+        check(e->c == &brute_contender ? sum.tests == s.x.n * s.rays[KIND_DIFFUSE].n
+                                       : sum.tests < s.x.n * s.rays[KIND_DIFFUSE].n / 4,
+              "%s: %zu tests", e->c->name, sum.tests);
+    }
+    stage_end(&s);
+    world_free(&w);
+}
+
+/* What does not fit says so, and the rest goes on without it. */
+static void test_memory(void)
+{
+    world w = tiny("soup");
+    stage s;
+    FILE *out = tmpfile();
+    if (!out) abort();
+    stage_begin(&s, &w, everybody, 1000, 1);
+    size_t fit = 0;
+    for (int i = 0; i < s.entries; i++) {
+        const entry *e = &s.entry[i];
+        fit += e->s != NULL;
+        check(e->s || strlen(e->why.text) > 5, "%s says why", e->c->name);
+    }
+    check(fit == 1 && s.entry[0].s && s.entry[0].c == &brute_contender,
+          "in 1000 bytes only brute force has room");
+    stage_rays(&s, whole_view, 8, 1);
+    check(stage_prove(&s, 40, 1, out), "and agrees with itself");
+    bench_measure(&s, 1);
+    check(s.entry[0].seconds[KIND_PRIMARY] > 0 && s.entry[s.entries - 1].seconds[KIND_PRIMARY] == 0,
+          "what does not fit is not timed");
+    fclose(out);
+    stage_end(&s);
+    world_free(&w);
+}
+
+/* Kinds of rays. ------------------------------------------------------------------------------- */
+
+static void test_kinds(void)
+{
+    double bound = real_is_float ? 1e-4 : 1e-11;
+    world w = tiny("balls");
+    scene all = world_scene(&w);
+    ray_set eye = rays_view(&w, whole_view, 24);
+    hit *h = allocate(eye.n, sizeof *h);
+    for (size_t i = 0; i < eye.n; i++) {
+        h[i] = hit_none;
+        scene_hit(&all, eye.r[i], &h[i]);
+    }
+    ray_set mirror = rays_mirrored(&w, &eye, h), diffuse = rays_scattered(&w, &eye, h, 3);
+    ray_set shadow = rays_to_lights(&w, &eye, h);
+    size_t k = 0, below = 0;
+    double angle = 0;
+    for (size_t i = 0; i < eye.n; i++) {
+        if (h[i].shape == no_shape) continue;
+        vec3 n = world_normal(&w, h[i], ray_at(eye.r[i], h[i].t));
+        vec3 d = vunit(eye.r[i].d), m = vunit(mirror.r[k].d);
+        angle = check_worse(angle, fabs(fabs((double)vdot(d, n)) - fabs((double)vdot(m, n))));
+        angle = check_worse(angle, fabs((double)vdot(vcross(d, n), m)));
+        below += vdot(m, n) * vdot(d, n) > 0 || vdot(diffuse.r[k].d, n) * vdot(d, n) > 0;
+        k++;
+    }
+    check_equal(mirror.n, k, "a mirror ray for each hit");
+    check_equal(diffuse.n, k, "a diffuse ray for each hit");
+    check_equal(below, 0, "on the side that the eye sees");
+    check_at_most(angle, bound, "mirrored: equal angles, one plane");
+    size_t lights = 0;
+    for (size_t i = 0; i < shadow.n; i++) {
+        double least = 1;
+        for (int l = 0; l < w.lights; l++) {
+            double d = (double)vlength(vsub(ray_at(shadow.r[i], shadow.r[i].tmax), w.light[l]));
+            least = d < least ? d : least;
+        }
+        lights += least < bound;
+    }
+    check_equal(lights, shadow.n, "shadow rays end at a light");
+    check(shadow.n > k / 2 && shadow.n <= k * 3, "up to three lights: %zu", shadow.n);
+    rays_free(&eye), rays_free(&mirror), rays_free(&diffuse), rays_free(&shadow);
+    free(h);
+    world_free(&w);
+}
+
+/* Aimed points lie on the outline: at right angles to the normal, or at a pole or rim. */
+static void test_aim(void)
+{
+    double bound = real_is_float ? 1e-5 : 1e-13;
+    sphere s = {{1, 2, 3}, (real)0.5};
+    vec3 o = {4, -3, 2}, corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    double off = 0;
+    size_t poles = 0, corners = 0, edges = 0;
+    for (size_t i = 0; i < 1000; i++) {
+        random_stream g = random_start(1, i, 0);
+        vec3 p = aim_at_sphere(s, o, &g), n = vsub(p, s.c), d = vsub(p, o);
+        off = check_worse(off, fabs((double)vlength(n) - 0.5));
+        bool pole = fabs(fabs((double)vaxis(n, vlongest(n))) - 0.5) < bound;
+        poles += pole;
+        if (!pole) off = check_worse(off, fabs((double)(vdot(n, d) / vlength(d))));
+        vec3 c = aim_at_corners(corner, 3, &g);
+        bool at_corner = vzero(c) || c.x == 1 || c.y == 1;
+        corners += at_corner;
+        edges += !at_corner && (c.x == 0 || c.y == 0 || fabs((double)(c.x + c.y) - 1) < bound);
+    }
+    check_at_most(off, bound, "aimed at the outline of a sphere");
+    check(poles > 400 && poles < 600, "half of them at its poles: %zu of 1000", poles);
+    check_equal(corners + edges, 1000, "at corners and edges of a triangle");
+    check(corners > 400 && corners < 600, "half of them at corners: %zu", corners);
+}
+
+/* Broken on purpose. --------------------------------------------------------------------------- */
+
+/* Shrinks the box of the leaf that holds the shape; the ray at it is lost there. */
+static void test_shrunk_box(const char *name)
+{
+    world w = tiny(name);
+    scene all = world_scene(&w);
+    items x = w.n ? items_of_scene(&all) : items_of_mesh(&w.mesh);
+    failure f;
+    entry e = {.c = &bvh_contender};
+    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
+    ray r = {{0, 0, 0}, 0, {0, 0, 0}, 0};
+    hit due = hit_none;
+    for (int k = 0; k < 100 && due.shape == no_shape; k++) {
+        r = world_ray(&w, (real)0.01 * (real)k, (real)-0.1);
+        items_hit(&x, r, &due);
+    }
+    check(due.shape != no_shape, "%s: a ray hits", name);
+    bvh_items *b = e.s;
+    const bvh_tree *t = bvh_items_tree(b);
+    uint32_t path[bvh_most_depth + 1];
+    int depth = bvh_leaf_of(b, due.shape, ray_at(r, due.t), 1, path);
+    check(depth > 0, "%s: its leaf is found", name);
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(prove_entry(&e, &r, &due, 1, "brute force", out) && ftell(out) == 0, "the tree is right");
+    bvh_box *box = &t->node[path[depth]].box;
+    for (int k = 0; k < 3; k++) box->side[3 + k] = box->side[k];
+    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "%s: broken, and found out", name);
+    char *text = written(out), expected[64];
+    snprintf(expected, sizeof expected, "node %u is skipped", path[depth]);
+    check(strstr(text, expected), "%s: names %s: %s", name, expected, text);
+    check(strstr(text, "does not hold the point of the hit"), "%s: and says why: %s", name, text);
+    check(strstr(text, "not found on the interval [t, t] either"), "%s: at the place itself", name);
+    free(text), fclose(out);
+    contender_free(e.c, e.s);
+    world_free(&w);
+}
+
+/* Searches that lose what is more than 3 beyond their beginning; of any structure. */
+static const contender *sighted;
+
+static bool short_sighted_hit(const void *s, ray r, hit *out)
+{
+    hit h;
+    if (!sighted->hit(s, r, &h) || h.t > r.tmin + 3) return false;
+    *out = h;
+    return true;
+}
+
+static bool short_sighted_occluded(const void *s, ray r)
+{
+    hit h;
+    return short_sighted_hit(s, r, &h);
+}
+
+static void test_lost_way(const contender *c, bool any)
+{
+    mesh m = teapot_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    contender broken = *c;
+    sighted = c;
+    if (any) broken.occluded = short_sighted_occluded;
+    else broken.hit = short_sighted_hit;
+    entry e = {.c = &broken};
+    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
+    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    hit due = hit_none;
+    check(items_hit(&x, r, &due) && due.t > 4, "the ray hits beyond t = 4");
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "%s: found out", c->name);
+    char *text = written(out), answer[64];
+    snprintf(answer, sizeof answer, "%s: %s", c->name, any ? "occluded: no" : "no hit");
+    check(strstr(text, answer), "what it answers: %s", text);
+    check(strstr(text, "found on the interval [t, t] alone"), "found from near by: %s", text);
+    const char *at = strstr(text, "begins at t = ");
+    double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
+    check_close(begins, (double)due.t - 3, 1e-5, "%s: lost from more than 3 away: %s", c->name,
+                text);
+    check(strstr(text, c->explain == explain_bvh ? "all these boxes hold the point"
+                                                 : "the search skips"),
+          "%s: its cells are right: %s", c->name, text);
+    free(text), fclose(out);
+    contender_free(e.c, e.s);
+    mesh_free(&m);
+}
+
+static void scrub(uint32_t *item, size_t n, uint32_t lost, uint32_t other)
+{
+    for (size_t k = 0; k < n; k++) if (item[k] == lost) item[k] = other;
+}
+
+/* Takes a shape out of all leaves of a structure that cuts space. */
+static void forget(const contender *c, void *s, uint32_t lost, uint32_t other)
+{
+    grid *g = s;
+    octree *o = s;
+    kdtree *k = s;
+    bsp *b = s;
+    if (c == &grid_contender) scrub(g->lists.item, g->lists.references, lost, other);
+    if (c == &octree_contender) scrub(o->reference, o->references, lost, other);
+    if (c == &bsp_contender) scrub(b->reference, b->references, lost, other);
+    for (size_t i = 0, n = c == &kdtree_contender ? k->references : 0, kept = 0; i < n; i++)
+        if (k->triangle[i].index != lost) kept = i;
+        else k->triangle[i] = k->triangle[kept];
+}
+
+static void test_forgotten(const contender *c)
+{
+    mesh m = teapot_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    entry e = {.c = c};
+    e.s = contender_build(c, &x, (size_t)1 << 30, &f);
+    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    hit due = hit_none;
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(items_hit(&x, r, &due), "the ray hits");
+    forget(c, e.s, due.shape, due.shape ? 0 : 1);
+    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "%s: forgot a shape", c->name);
+    char *text = written(out), expected[80];
+    snprintf(expected, sizeof expected, "but not shape %u, which is listed 0 times in all",
+             due.shape);
+    check(strstr(text, expected), "%s: %s: %s", c->name, expected, text);
+    check(strstr(text, "building left it out"), "%s: and whose fault it is", c->name);
+    free(text), fclose(out);
+    contender_free(c, e.s);
+    mesh_free(&m);
+}
+
+static bool dreaming_hit(const void *s, ray r, hit *out)
+{
+    (void)s, (void)r;
+    *out = (hit){1, 0, 0, 5};
+    return true;
+}
+
+/* A tie that the wrong one wins. */
+static bool later_hit(const void *s, ray r, hit *out)
+{
+    if (!bvh_items_hit(s, r, out)) return false;
+    out->shape++;
+    return true;
+}
+
+static void test_tie(void)
+{
+    mesh m = teapot_mesh(4);
+    items x = items_of_mesh(&m);
+    failure f;
+    contender broken = bvh_contender;
+    broken.hit = later_hit;
+    entry e = {.c = &broken};
+    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
+    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    hit due = hit_none;
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(items_hit(&x, r, &due), "the ray hits");
+    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "the wrong index is found out");
+    char *text = written(out);
+    check(strstr(text, "the lower index must win"), "and explained: %s", text);
+    free(text), fclose(out);
+    contender_free(e.c, e.s);
+    mesh_free(&m);
+}
+
+static void test_dream(void)
+{
+    mesh m = teapot_mesh(1);
+    items x = items_of_mesh(&m);
+    failure f;
+    contender broken = bvh_contender;
+    broken.hit = dreaming_hit;
+    entry e = {.c = &broken};
+    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
+    ray r = ray_from((vec3){9, 9, 9}, (vec3){1, 0, 0});
+    hit none = hit_none;
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(!prove_entry(&e, &r, &none, 1, "brute force", out), "a hit in empty space is found out");
+    char *text = written(out);
+    check(strstr(text, "a hit that does not exist"), "and explained: %s", text);
+    free(text), fclose(out);
+    contender_free(e.c, e.s);
+    mesh_free(&m);
+}
+
+/* Costs. --------------------------------------------------------------------------------------- */
+
+static void test_costs(void)
+{
+    stage s = {.entries = 2};
+    for (int k = 0; k < ray_kinds; k++) s.rays[k].n = k < 2 ? 100 : 0;
+    entry *a = &s.entry[0], *b = &s.entry[1];
+    *a = (entry){.c = &brute_contender, .s = &s, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
+    *b = (entry){.c = &bvh_contender, .s = &s, .rays = {100, 100}, .build = 0.5,
+                 .seconds = {1e-5, 3e-5}};
+    check_close(bench_ns(a, KIND_SHADOW), 3000, 1e-6, "6e-5 s for 20 rays");
+    check_close(bench_mean(&s, a), 2e-6, 1e-15, "1000 and 3000 ns, as many of each");
+    check_close(bench_mean(&s, b), 2e-7, 1e-15, "100 and 300");
+    check_close(bench_total(&s, b, 1e6), 0.7, 1e-9, "building and a million rays");
+    check_close(b->build / (bench_mean(&s, a) - bench_mean(&s, b)), 277778, 1, "pays after");
+    check_equal(bench_ns(a, KIND_MIRROR), 0, "no rays, no time");
+}
+
+static void test_growth(void)
+{
+    growth_curve c = {.n = 0};
+    for (int i = 0; i < 5; i++, c.n++) c.x[i] = 2 * i, c.ray[i] = 100 * exp2(i);
+    double y[5];
+    for (int i = 0; i < 5; i++) y[i] = log2(c.ray[i]);
+    check_close(slope_of(c.x, y, 5), 0.5, 1e-12, "time ~ n^0.5");
+}
+
+/* From outside. -------------------------------------------------------------------------------- */
+
+static int run(const char *arguments)
+{
+    const char *build = getenv("BUILD");
+    char command[1400];
+    snprintf(command, sizeof command, "%s/17_compare %s >%s/out 2>%s/err", build ? build : "build",
+             arguments, directory, directory);
+    int status = system(command);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static bool printed(const char *stream, const char *text)
+{
+    size_t n;
+    failure f;
+    char *s = file_read(in_directory(stream), &n, &f);
+    bool found = s && strstr(s, text);
+    free(s);
+    return found;
+}
+
+static void test_misuse(void)
+{
+    static const struct { const char *arguments, *says; } wrong[] = {
+        {"--only quadtree", "brute"}, {"--only ,", "names no structure"},
+        {"--scene bunny", "needles"}, {"--scale 3", "--scene"}, {"--scene balls --scale 7", "to 6"},
+        {"--scene balls --scale -1", "--scale -1"}, {"--scene balls --scale 2.5", "2.5"},
+        {"--scene balls --mesh x.obj", "one of them"}, {"--protocol nff", "spd"},
+        {"--protocol spd --scene soup", "tetra"}, {"--protocol spd --verify", "alone"},
+        {"--hits x", "--rays"}, {"--any-hit", "--rays"}, {"--region 0,0,1,1", "--verify"},
+        {"--verify --region 0,0,1", "X0,Y0,X1,Y1"}, {"--verify --region 0,0,nan,1", "nan"},
+        {"--verify --region 0,1,1,0", "Y0 < Y1"}, {"--memory 0", "from 1"},
+        {"--rays r --verify", "one of them"}};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        check_equal(run(wrong[i].arguments), 2, "%s", wrong[i].arguments);
+        check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
+              wrong[i].says);
+    }
+    check_equal(run("--rays /nowhere/x.rays"), 1, "no such rays");
+    check_equal(run("--mesh /nowhere/x.obj"), 1, "no such mesh");
+}
+
+static void put_float(FILE *out, real x)
+{
+    float f = (float)x;
+    uint32_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    for (int k = 0; k < 4; k++) putc((int)(bits >> 8 * k & 255), out);
+}
+
+static void write_rays(const char *path, const world *w, size_t n)
+{
+    ray_set s = rays_aimed(w, n, 9);
+    FILE *out = fopen(path, "wb");
+    if (!out) abort();
+    for (size_t i = 0; i < n; i++) {
+        const ray *r = &s.r[i];
+        real x[8] = {r->o.x, r->o.y, r->o.z, r->tmin, r->d.x, r->d.y, r->d.z, r->tmax};
+        for (int k = 0; k < 8; k++) put_float(out, x[k]);
+    }
+    if (fclose(out) != 0) abort();
+    rays_free(&s);
+}
+
+/* The hits in the file are those of brute force here; both kinds. */
+static void test_files(void)
+{
+    enum { n = 700 };
+    world w = tiny("gears");
+    scene all = world_scene(&w);
+    failure f;
+    size_t rays, size, hits = 0;
+    write_rays(in_directory("g.rays"), &w, n);
+    ray *r = rays_read(in_directory("g.rays"), &rays, &f);
+    for (int any = 0; any < 2; any++) {
+        char arguments[600];
+        size_t wrong = 0;
+        snprintf(arguments, sizeof arguments, "--scene gears --scale 1 --rays %s/g.rays --hits "
+                 "%s/g.hits --csv %s/g.csv %s", directory, directory, directory,
+                 any ? "--any-hit" : "");
+        check_equal(run(arguments), 0, "17_compare %s", arguments);
+        unsigned char *got = (unsigned char *)file_read(in_directory("g.hits"), &size, &f);
+        check(got && size == 8 * n, "a record for each ray");
+        for (size_t i = 0; got && size == 8 * n && i < n; i++) {
+            hit h = hit_none;
+            bool found = scene_hit(&all, r[i], &h);
+            real t = little_endian_real(got + 8 * i);
+            uint32_t index = little_endian(got + 8 * i + 4);
+            hits += found;
+            wrong += any ? t != (found ? 0 : real_infinity) || index != (found ? 0 : no_shape)
+                         : t != (real)(float)h.t || index != h.shape;
+        }
+        check_equal(wrong, 0, "hits in the file are those of brute force");
+        free(got);
+        char *csv = file_read(in_directory("g.csv"), &size, &f);
+        const char *expected = "scene,structure,kind,rays,hits,build_s,bytes,peak_bytes,";
+        check(csv && strncmp(csv, expected, strlen(expected)) == 0, "the columns of the CSV");
+        check(csv && strstr(csv, any ? "gears,bvh,any,700," : "gears,bvh,closest,700,"), "its row");
+        free(csv);
+    }
+    check(hits > n / 2, "enough of them hit: %zu of 2 times %d", hits, n);
+    free(r);
+    world_free(&w);
+}
+
+static void test_program(void)
+{
+    char arguments[300];
+    snprintf(arguments, sizeof arguments, "--quick --scene tetra --csv %s/t.csv", directory);
+    check_equal(run(arguments), 0, "a scene alone");
+    check(printed("out", "tetra: 64 shapes"), "its table");
+    check(printed("t.csv", "tetra,brute,primary,") && printed("t.csv", "tetra,bvh,mirror,"),
+          "a row for each structure and kind of rays");
+    check_equal(run("--verify --scene tree --scale 3 --region -0.5,0,0.5,1"), 0, "verify");
+    check(printed("out", "tree bvh: 4096 primary") && printed("out", "as brute force"),
+          "says what it compared");
+    check_equal(run("--protocol spd --scene tetra --only bvh"), 0, "the protocol");
+    check(printed("out", "primary tetra 6 bvh: "), "a line");
+    check(printed("out", "hits 49950\n"), "that ends with the number of hits");
+    check_equal(run("--scene soup --scale 4 --memory 1 --quick"), 0, "not enough memory for some");
+    check(!printed("out", "does not fit") || printed("out", "brute"), "their rows say so");
+}
+
+int main(void)
+{
+    if (!mkdtemp(directory)) abort();
+    test_equality();
+    test_counted();
+    test_memory();
+    test_kinds();
+    test_aim();
+    test_shrunk_box("teapot");
+    test_shrunk_box("tetra");
+    test_shrunk_box("gears");
+    for (int k = 1; k < contenders; k++)
+        for (int any = 0; any < 2; any++) test_lost_way(contender_list[k], any);
+    test_forgotten(&grid_contender);
+    test_forgotten(&octree_contender);
+    test_forgotten(&kdtree_contender);
+    test_forgotten(&bsp_contender);
+    test_tie();
+    test_dream();
+    test_costs();
+    test_growth();
+    if (run("--help") == 0) {
+        test_misuse();
+        test_files();
+        test_program();
+    } else printf("17_compare: the program is not built (make), so it is not tested\n");
+    char command[64];
+    snprintf(command, sizeof command, "rm -r %s", directory);
+    if (system(command) != 0) abort();
+    return check_report("17_compare");
+}
