@@ -161,6 +161,23 @@ static void test_pieces(void)
     mesh_free(&convex);
 }
 
+/* Powers of two scale without rounding: nothing may change, nor overflow, nor vanish. */
+static void test_scale(void)
+{
+    int far = real_is_float ? 60 : 500;
+    mesh m = torus_mesh(12);
+    size_t n = pieces_of(&m, PAINTER_FEWEST, 1);
+    for (int e = -far; e <= far; e += 2 * far) {
+        mesh large = torus_mesh(12);
+        for (size_t i = 0; i < m.vertices; i++)
+            large.v[i] = vscale(m.v[i], ldexp((real)1, e));
+        check_equal(pieces_of(&large, PAINTER_FEWEST, 1), n, "2^%d times as large: pieces", e);
+        mesh_free(&large);
+    }
+    check_at_least(n, m.triangles, "and all triangles are there");
+    mesh_free(&m);
+}
+
 /* Areas of the pieces of a triangle add up to its own, and no piece leaves its plane. */
 static void test_area(void)
 {
@@ -223,6 +240,9 @@ static void test_odd_input(void)
     check(!painter_build(&m, how, &p, &f) && f.exit_code == 2 && strstr(f.text, "500 pieces"),
           "too many pieces are refused");
     painter_free(&p);
+    how = painter_defaults, how.candidates = 0;
+    check(!painter_build(&m, how, &p, &f) && f.exit_code == 2, "no candidates: no plane, no order");
+    painter_free(&p);
     mesh_free(&m);
 }
 
@@ -231,6 +251,7 @@ int main(void)
     test_order();
     test_naive();
     test_pieces();
+    test_scale();
     test_area();
     test_odd_input();
     return check_report("13_painter");
