@@ -65,7 +65,8 @@ static void tell(const mesh *m, bsp_options how)
 
 static void draw_painter(const options *o)
 {
-    image flat = image_new(836, 414), cyclic = image_new(848, 280);
+    int k = o->quick ? 4 : 1;
+    image flat = image_new(836 / k, 414 / k), cyclic = image_new(848 / k, 280 / k);
     bool whole = draw_flat(o->threads, &flat);
     output_picture(o, &flat, "13_bsp_flat.png", false, whole);
     draw_cyclic(&cyclic);
