@@ -154,11 +154,32 @@ static void test_pieces(void)
                            "crossing walls: %zu crossings, whatever the rule", n * n);
         mesh_free(&comb), mesh_free(&cross);
     }
+    mesh torus = torus_mesh(16);
+    check_at_most(10 * pieces_of(&torus, PAINTER_FEWEST, 1),
+                  9 * pieces_of(&torus, PAINTER_RANDOM, 1), "looking at 16 saves a tenth and more");
+    mesh_free(&torus);
     mesh convex = octahedron_mesh(8);
     for (int k = 0; k < painter_rules; k++)
         check_equal(pieces_of(&convex, (painter_rule)k, 1), convex.triangles,
                     "planes of a convex mesh cut nothing");
     mesh_free(&convex);
+}
+
+/* Powers of two scale without rounding: nothing may change, nor overflow, nor vanish. */
+static void test_scale(void)
+{
+    int far = real_is_float ? 60 : 500;
+    mesh m = torus_mesh(12);
+    size_t n = pieces_of(&m, PAINTER_FEWEST, 1);
+    for (int e = -far; e <= far; e += 2 * far) {
+        mesh large = torus_mesh(12);
+        for (size_t i = 0; i < m.vertices; i++)
+            large.v[i] = vscale(m.v[i], ldexp((real)1, e));
+        check_equal(pieces_of(&large, PAINTER_FEWEST, 1), n, "2^%d times as large: pieces", e);
+        mesh_free(&large);
+    }
+    check_at_least(n, m.triangles, "and all triangles are there");
+    mesh_free(&m);
 }
 
 /* Areas of the pieces of a triangle add up to its own, and no piece leaves its plane. */
@@ -195,6 +216,29 @@ static void test_area(void)
     mesh_free(&m);
 }
 
+/* 4 x 4 squares in a slanted plane. A corner is off by 2 eps, a side is a quarter of the whole: so
+ * the plane of one is within some 4 x 4 eps of the others' corners, and they are all in it. */
+static void test_sheet(void)
+{
+    mesh m = mesh_room(32);
+    for (size_t i = 0; i < 16; i++) {
+        vec3 q[4], axis = vunit((vec3){1, 2, 3});
+        for (size_t k = 0; k < 4; k++) {
+            real u = (real)(i % 4 + (k == 1 || k == 2)) / 2, v = (real)(i / 4 + k / 2) / 2;
+            q[k] = turned_about(axis, (real)0.6, (vec3){u - 1, v - 1, (real)0.3});
+        }
+        set_triangle(&m, 2 * i, q[0], q[1], q[2]);
+        set_triangle(&m, 2 * i + 1, q[0], q[2], q[3]);
+    }
+    painter p;
+    failure f;
+    check(painter_build(&m, painter_defaults, &p, &f), "sheet");
+    check_equal(p.nodes, 1, "neighbours in one plane are in one node");
+    check_equal(p.pieces, 32, "and none is cut");
+    painter_free(&p);
+    mesh_free(&m);
+}
+
 static void test_odd_input(void)
 {
     mesh m = mesh_room(4);
@@ -223,6 +267,9 @@ static void test_odd_input(void)
     check(!painter_build(&m, how, &p, &f) && f.exit_code == 2 && strstr(f.text, "500 pieces"),
           "too many pieces are refused");
     painter_free(&p);
+    how = painter_defaults, how.candidates = 0;
+    check(!painter_build(&m, how, &p, &f) && f.exit_code == 2, "no candidates: no plane, no order");
+    painter_free(&p);
     mesh_free(&m);
 }
 
@@ -231,7 +278,9 @@ int main(void)
     test_order();
     test_naive();
     test_pieces();
+    test_scale();
     test_area();
+    test_sheet();
     test_odd_input();
     return check_report("13_painter");
 }

@@ -180,8 +180,8 @@ static inline bool draw_flat(int threads, image *all)
         image im = image_new((all->width - 8) / 2, all->height);
         flat_figure *g = allocate(1, sizeof *g);
         *g = (flat_figure){.p = &p, .im = &im, .painting = k == 1};
-        g->from = k ? (vec3){(real)8.6, (real)0.6, 0} : (vec3){(real)0.4, (real)4.3, 0};
-        g->to = (vec3){(real)9.9, (real)7.2, 0};
+        g->from = k ? (vec3){(real)8.6, (real)0.6, 0} : (vec3){(real)0.4, (real)4.6, 0};
+        g->to = (vec3){(real)9.9, (real)6.2, 0};
         for (uint32_t i = 0; i < p.pieces && g->feet < flat_most; i++)
             if (flat_foot(&p, i, &g->foot[g->feet].a, &g->foot[g->feet].b))
                 g->foot[g->feet++].piece = i;

@@ -42,7 +42,9 @@ static void draw_cells(options *o, const own_options *own, const mesh *m, bsp_op
     vec3 lo, hi;
     char name[512];
     image im = image_new(o->width, o->height);
-    if (!mesh_bounds(m, &lo, &hi)) lo = (vec3){-1, -1, -1}, hi = (vec3){1, 1, 1};
+    if (!mesh_bounds(m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
+    if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
+        lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
     if (own->mesh && !o->out) o->out = picture_name(own->mesh, name);
     bool whole = draw_trees(m, lo, hi, !own->mesh, how, o->threads, &im);
     output_picture(o, &im, "13_bsp.png", true, whole);
@@ -65,7 +67,8 @@ static void tell(const mesh *m, bsp_options how)
 
 static void draw_painter(const options *o)
 {
-    image flat = image_new(836, 414), cyclic = image_new(848, 280);
+    int k = o->quick ? 4 : 1;
+    image flat = image_new(836 / k, 414 / k), cyclic = image_new(848 / k, 280 / k);
     bool whole = draw_flat(o->threads, &flat);
     output_picture(o, &flat, "13_bsp_flat.png", false, whole);
     draw_cyclic(&cyclic);

@@ -64,12 +64,12 @@ static inline void table_of_scenes(const options *o)
         items x = items_of_mesh(&m);
         trial t[2] = {trial_of("axis", BSP_AXIS, 1, &x), trial_of("cost", BSP_COST, 16, &x)};
         double build[2], search[2];
-        time_trials(t, 2, run_build, 1, build);
+        time_builds(t, 2, build);
         ray_set rays = rays_uniform(t[0].b.all, o->quick ? 500 : 4000, o->seed);
         ray_set few = {rays.r, o->quick ? 20 : 200};
         hit *brute = rays_brute(&x, &few);
         for (int i = 0; i < 2; i++) t[i].rays = &rays;
-        time_trials(t, 2, run_search, o->quick ? 1 : 41, search);
+        time_searches(t, 2, o->quick ? 1 : 21, search);
         for (int i = 0; i < 2; i++) {
             structure_stats st = bsp_stats(&t[i].b);
             search_work w = rays_count(&t[i].b, &rays, 1);

@@ -6,7 +6,7 @@
  *           P     .eye         halves. What the plane cuts is cut into two pieces (碎片).    (13.7)
  *
  *   painter p;
- *   bool painter_build(&m, painter_defaults, &p, &f)   m must outlive it; false: too many pieces
+ *   bool painter_build(&m, painter_defaults, &p, &f)   false: too many pieces, no candidates
  *   size_t n = painter_order(&p, eye, order)           all pieces, farthest first; order[p.pieces]
  *   painter_uncut(&m, &p)                              no tree: all triangles as they are
  *   painter_order_naive(&p, eye, order)                all pieces by distance of their middles
@@ -14,7 +14,7 @@
  *
  *   p.piece[k]      corners p.corner[first .. first + corners - 1], of triangle `owner`
  *   how.rule        PAINTER_FIRST: planes in the order of the mesh; RANDOM; FEWEST: of `candidates`
- *   how.candidates  drawn, the one that cuts the fewest
+ *   how.candidates  drawn, the one that cuts the fewest [>= 1]
  *   how.most        pieces; more, and painter_build fails (exit code 2)
  *
  * The tree is built once and serves every eye: O(pieces) an order, no sorting, no depths. Sorting
@@ -23,7 +23,8 @@
  *
  * A piece within 64 eps size of a plane is in it and drawn with it: corners may be 6 eps off their
  * own plane (side.h), and each cut on the way adds 2.6. Triangles that lie closer than that over
- * each other have no order. Those without area or with a NaN are no pieces at all.
+ * each other have no order. Those without area or with a NaN are no pieces at all. The mesh may be
+ * up to real_largest / 2 wide.
  *
  * How many pieces? Paterson & Yao: n triangles can force n^2 (two crossing rows of walls do); n
  * walls that do not cross, in random order, make on average at most n + 2 n ln n           (13.8)
@@ -60,7 +61,7 @@ typedef struct {
     painter *p;
     const mesh *m;
     painter_options how;
-    real e;
+    real e, scale;        /* scale: a power of two above all sides */
     painter_piece *list;  /* a stack: what is still to be put into nodes */
     size_t n, room;
     random_stream g;
@@ -85,11 +86,16 @@ static inline void painter_push(painter_builder *b, painter_piece x)
     b->list[b->n++] = x;
 }
 
+/* Scaled, so that products neither overflow nor vanish. */
 static inline split_plane painter_plane(const painter_builder *b, uint32_t owner)
 {
     triangle t = mesh_triangle(b->m, owner);
     vec3 o = b->p->middle;
-    return plane_of_triangle(vsub(t.a, o), vsub(t.b, o), vsub(t.c, o));
+    real k = 1 / b->scale;
+    split_plane p = plane_of_triangle(vscale(vsub(t.a, o), k), vscale(vsub(t.b, o), k),
+                                      vscale(vsub(t.c, o), k));
+    p.at *= b->scale;
+    return p;
 }
 
 static inline plane_side painter_side(const painter_builder *b, const split_plane *p,
@@ -203,7 +209,8 @@ static inline void painter_begin(painter_builder *b)
     vec3 lo, hi;
     if (!mesh_bounds(m, &lo, &hi)) return;
     out->middle = vmadd(vscale(lo, (real)0.5), hi, (real)0.5);
-    b->e = 64 * real_epsilon * vaxis(vsub(hi, lo), vlongest(vsub(hi, lo)));
+    real size = vaxis(vsub(hi, lo), vlongest(vsub(hi, lo)));
+    b->e = 64 * real_epsilon * size, b->scale = power_above(size);
     for (size_t i = 0; i < m->triangles; i++) {
         triangle t = mesh_triangle(m, i);
         if (vzero(painter_plane(b, (uint32_t)i).n)) continue;
@@ -218,6 +225,8 @@ static inline void painter_begin(painter_builder *b)
 static inline bool painter_build(const mesh *m, painter_options how, painter *out, failure *f)
 {
     *out = (painter){0};
+    if (how.candidates < 1)
+        return failed(f, 2, "painter: %d candidates; 1 or more are needed", how.candidates);
     painter_builder b = {.p = out, .m = m, .how = how, .g = random_start(how.seed, 0, 0)};
     painter_begin(&b);
     painter_make(&b, 0);

@@ -11,6 +11,7 @@
  *   side_range(p, q, n, &lo, &hi)                  smallest and largest s of n corners
  *   plane_side s = side_of_range(lo, hi, e)              SIDE_ON if all |s| <= e, else SIDE_BACK,
  *                                                  SIDE_FRONT, or SIDE_BOTH: the plane cuts it
+ *   real k = power_above(x)                        a power of two > x, and 1 / k is finite
  *   m = clip(p, sign, level, q, n, out)            the part with sign * s <= level; out has room
  *                                                  for 2 n corners; m = 0: nothing is left
  *
@@ -45,6 +46,14 @@ typedef enum { SIDE_ON = 0, SIDE_BACK = 1, SIDE_FRONT = 2, SIDE_BOTH = 3 } plane
 #define side_width (192 * real_epsilon)  /* times size (13.3) */
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* To scale by without rounding. At least 2^-1000 (2^-100 in float), so that 1 / k is finite. */
+static inline real power_above(real x)
+{
+    int e = 0, least = real_is_float ? -100 : -1000;
+    (void)frexp(x, &e);
+    return ldexp((real)1, e > least ? e : least);
+}
 
 static inline split_plane plane_of_axis(int axis, real at)
 {

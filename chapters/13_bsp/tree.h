@@ -6,16 +6,17 @@
  *         /     \                        a leaf names its items; one that is in several cells is
  *     leaf []   leaf [4, 2, 9]           named by several leaves
  *
- *   bool bsp_build(&x, how, &b, &f)    false: it does not fit. O(k n log n) for k candidates, if
- *                                      few are cut
+ *   bool bsp_build(&x, how, &b, &f)    false: it does not fit, or `how` is out of its ranges.
+ *                                      O(k n log n) for k candidates, if few are cut
  *   structure_stats bsp_stats(&b);  bsp_free(&b)
  *
  *   how.rule         which plane cuts a cell: choose.h
  *   how.candidates   planes of triangles and edges that are tried for each cell [1..10000]
  *   how.leaf         RANDOM, FEWEST: so many items make a leaf [>= 1]; by cost: where no cut pays
  *   how.depth        of the deepest leaf at most [0..64]
- *   how.axis_cost, how.slanted_cost     of a step, where testing an item costs 1
- *   how.most_bytes   more, while it is built or after, and bsp_build fails (exit code 2)
+ *   how.axis_cost, how.slanted_cost     of a step, where testing an item costs 1 [>= 0]
+ *   how.most_bytes   more, while it is built or after, and bsp_build fails (exit code 2). Arrays
+ *                    grow by doubling, and it is asked after that: for a moment it may be twice
  *   how.sides        SAFE; or naive, to see what gets lost: fragment.h
  *   how.seed         the same tree again
  *
@@ -105,6 +106,7 @@ static inline fragment_range_of bsp_collect(bsp_builder *b, fragment_range_of al
     workshop *w = &b->c.w;
     fragment_range_of out = {w->fragments, 0};
     for (size_t i = all.begin; i < all.end && !b->full; i++) {
+        if (i % 1024 == 0) bsp_fits(b);
         fragment f = w->f[i];
         plane_side s = fragment_side(w, &c->p, &f);
         f.used |= s == SIDE_ON || i == c->chosen;
@@ -113,7 +115,6 @@ static inline fragment_range_of bsp_collect(bsp_builder *b, fragment_range_of al
         if (!(s & wanted)) continue;
         if (s != SIDE_BOTH) workshop_push(w, f);
         else fragment_half(w, &c->p, wanted == SIDE_FRONT ? -1 : 1, f);
-        if (i % 1024 == 0) bsp_fits(b);
     }
     out.end = w->fragments;
     return out;
@@ -171,29 +172,39 @@ static inline void *bsp_trim(void *p, size_t n, size_t size)
 /* Around the middle; half a little larger than rounding can make it. */
 static inline void bsp_frame(bsp *t, workshop *w)
 {
-    int e = 0;
     bool none = aabb_is_empty(t->all);
     t->middle = none ? (vec3){0, 0, 0} : aabb_center(t->all);
     t->half = none ? (vec3){-1, -1, -1}
                    : vmax(vsub(t->all.hi, t->middle), vsub(t->middle, t->all.lo));
     t->half = vscale(t->half, 1 + 2 * real_epsilon);
     real most = vaxis(t->half, vlongest(t->half));
-    if (!none && most > 0) (void)frexp(most, &e);
-    w->middle = t->middle, w->scale = ldexp((real)1, e);
+    w->middle = t->middle, w->scale = none ? 1 : power_above(most);
     w->size = none ? 0 : most / w->scale;
     w->e = w->sides == BSP_SIDES_SAFE ? side_width * w->size
          : w->sides == BSP_SIDES_FIXED ? (real)1e-4 / w->scale : 0;
+}
+
+static inline bool bsp_options_valid(bsp_options how, failure *f)
+{
+    if (how.depth >= 0 && how.depth <= bsp_most_depth && how.candidates >= 1
+        && how.candidates <= 10000 && how.leaf >= 1 && how.axis_cost >= 0 && how.slanted_cost >= 0)
+        return true;
+    return failed(f, 2, "BSP tree: depth %d, %d candidates, leaves of %d, costs %g and %g; allowed "
+                  "are depth 0 to %d, candidates 1 to 10000, leaves of 1 or more, costs from 0",
+                  how.depth, how.candidates, how.leaf, how.axis_cost, how.slanted_cost,
+                  (int)bsp_most_depth);
 }
 
 static inline bool bsp_build(const items *x, bsp_options how, bsp *out, failure *f)
 {
     *out = (bsp){.x = x};
     bsp_builder b = {.tree = out, .c = {.w = {.x = x, .sides = how.sides}, .how = how}};
+    if (!bsp_options_valid(how, f)) return false;
     if (!items_all_bounds(x, &out->all, f)) return false;
     bsp_frame(out, &b.c.w);
     b.c.g = random_start(how.seed, 0, 0);
     fragment g;
-    for (size_t i = 0; i < x->n; i++)
+    for (size_t i = 0; i < x->n && (i % 1024 || bsp_fits(&b)); i++)
         if (fragment_of(&b.c.w, (uint32_t)i, &g)) workshop_push(&b.c.w, g);
     out->in_tree = b.c.w.fragments;
     out->node = grown(NULL, 0, &b.node_room, sizeof(bsp_node));
@@ -202,9 +213,9 @@ static inline bool bsp_build(const items *x, bsp_options how, bsp *out, failure 
     bsp_make_node(&b, 0, (fragment_range_of){0, out->in_tree}, c, 0);
     free(b.c.w.corner), free(b.c.w.f), cells_free(&b.c.cells);
     if (b.full) {
-        size_t n = out->in_tree, references = out->references;
+        size_t references = out->references;
         bsp_free(out);
-        return failed(f, 2, "%zu items, named %zu times so far: more than %zu bytes", n,
+        return failed(f, 2, "%zu items, named %zu times so far: more than %zu bytes", x->n,
                       references, how.most_bytes);
     }
     out->node = bsp_trim(out->node, out->nodes, sizeof(bsp_node));
