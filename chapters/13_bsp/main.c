@@ -89,8 +89,6 @@ int main(int argc, char **argv)
     bsp_options how = build_options(&own);
     failure f;
     mesh m = {0};
-    if (o.width < 32 || o.height < 32)
-        failed(&f, 2, "--size %dx%d: four panels need 32x32 or more", o.width, o.height), fail(f);
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 4 : 12);
     draw_cells(&o, &own, &m, how);

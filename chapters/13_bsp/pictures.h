@@ -91,6 +91,9 @@ static inline void work_pixel(int x, int y, void *context)
     image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / 90));
 }
 
+/* Two panels and four pixels between them; in a tiny picture they touch, or the last one covers. */
+static inline int panel_side(int side) { return side > 32 ? side / 2 - 2 : (side + 1) / 2; }
+
 static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bool z_up, bsp_options how,
                               int threads, image *all)
 {
@@ -103,16 +106,16 @@ static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bool z_up, bsp_op
         bsp_options across = how;
         across.rule = BSP_AXIS;
         if (!bsp_build(&x, k ? how : across, &b, &f)) fail(f);
-        image im = image_new(all->width / 2 - 2, all->height / 2 - 2);
+        image im = image_new(panel_side(all->width), panel_side(all->height));
         real aspect = (real)im.width / (real)im.height;
         real tall = vaxis(hi, up) - vaxis(lo, up), low = (vaxis(hi, up) + vaxis(lo, up)) / 2;
         real half = (real)0.51 * real_max(hi.x - lo.x, tall * aspect), left = (lo.x + hi.x) / 2;
         tree_picture p = {&b, view_of(lo, hi, z_up, aspect), &im, up, left - half, left + half,
                           low - half / aspect, low + half / aspect};
         whole = parallel_pixels(im.width, im.height, threads, "cells", slice_pixel, &p) && whole;
-        image_place(all, k * (im.width + 4), 0, &im);
+        image_place(all, k * (all->width - im.width), 0, &im);
         whole = parallel_pixels(im.width, im.height, threads, "work", work_pixel, &p) && whole;
-        image_place(all, k * (im.width + 4), im.height + 4, &im);
+        image_place(all, k * (all->width - im.width), all->height - im.height, &im);
         image_free(&im);
         bsp_free(&b);
     }
