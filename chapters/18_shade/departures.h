@@ -73,7 +73,7 @@ static inline shape departure_shape(departure_kind kind, real size, vec3 c, rand
         corner[k] = vmadd(vmadd(c, x, r * cos(at)), y, r * sin(at));
     }
     if (kind == DEPART_POLYGON) return shape_of_polygon(polygon_of(corner, 5));
-    if (kind == DEPART_NEEDLE)  /* 1 to 1e-4 wide */
+    if (kind == DEPART_NEEDLE)  /* 1 to 1e-4 radius */
         corner[2] = vmadd(corner[0], vunit(vsub(corner[2], corner[1])), size * pow((real)10, -4 * b));
     return shape_of_triangle((triangle){corner[0], corner[1], corner[2]});
 }
@@ -147,21 +147,26 @@ static inline real departure_gap(const departure *x)
     return real_max((real)1e-6 * real_max(x->size, x->T / (real)1e4), ulps * real_epsilon * reach);
 }
 
-/* The plate's corners lie round the point straight above p, where the ray passes it. */
-static inline bool departure_leak(const departure *x, leaving way, real gap)
+/* Its corners lie round the point straight above p where the ray passes it. */
+static inline triangle departure_plate(const departure *x, real gap)
 {
     random_stream s = random_start(x->at, 1, 0);
     surface at = departure_surface(x, false);
-    hit h;
     vec3 a, b, middle = vmadd(at.p, x->steep, gap / vdot(at.n, x->steep)), corner[3];
-    real turn = 2 * pi * random_next(&s), wide = real_max(x->size, 64 * gap);
+    real turn = 2 * pi * random_next(&s), radius = real_max(x->size, 64 * gap);
     vbasis(at.n, &a, &b);
     for (int k = 0; k < 3; k++) {
         real angle = turn + 2 * pi / 3 * (real)k;
-        corner[k] = vmadd(vmadd(middle, a, wide * cos(angle)), b, wide * sin(angle));
+        corner[k] = vmadd(vmadd(middle, a, radius * cos(angle)), b, radius * sin(angle));
     }
+    return (triangle){corner[0], corner[1], corner[2]};
+}
+
+static inline bool departure_leak(const departure *x, leaving way, real gap)
+{
+    hit h;
     ray r = way.leave(departure_surface(x, way.naive), x->steep);
-    return !triangle_hit((triangle){corner[0], corner[1], corner[2]}, r, &h);
+    return !triangle_hit(departure_plate(x, gap), r, &h);
 }
 
 #endif

@@ -2,10 +2,10 @@
  *
  *   ray leave_X(surface s, vec3 w)                                         fails
  *   leave_fixed_1e3, leave_fixed_1e4   tmin = 1e-3, 1e-4 (notes: epsilon)  small or large scenes
- *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                   grazing rays; small scenes
- *   leave_normal     O = p + 32 eps max(1, |p|_max) n                      large flat shapes; small scenes
+ *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                   grazing rays
+ *   leave_normal     O = p + 32 eps max(1, |p|_max) n                      large flat shapes
  *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)             large shapes near the origin
- *   leave_bounds     O = p + (error bounds . |n|) n, rounded outwards      large flat shapes
+ *   leave_bounds     O = p + (error bounds . |n|) n, rounded outwards      needles
  *   leave            of leave.h: bounds of the point and of the test       -
  *
  * Sources: C. Wächter, N. Binder, Ray Tracing Gems, 2019, ch. 6 (ulps); M. Pharr, W. Jakob, G.
@@ -35,11 +35,14 @@ static inline real leave_scale(surface s)
     return 32 * real_epsilon * real_max(1, surface_reach(s.p));
 }
 
+/* Fails where w grazes the surface: tmin = eps |p| moves O away from it by n.w as much only. */
 static inline ray leave_scaled(surface s, vec3 w)
 {
     return (ray){s.p, leave_scale(s) / vlength(w), w, real_infinity};
 }
 
+/* Fails on a triangle of size 1e3 at the origin: its test is off by eps times 1e3, which |p| may
+ * not tell. */
 static inline ray leave_normal(surface s, vec3 w)
 {
     real off = leave_scale(s);
@@ -84,8 +87,8 @@ static inline real leave_outward(real x, real by)
     return by == 0 ? x : nextafter(x, by > 0 ? real_infinity : -real_infinity);
 }
 
-/* Fails on a triangle of 1e6 whose corner is near the origin: p is sure to 1e-9, but the test of
- * the triangle sees corners 1e6 away, and is not. */
+/* Fails on one needle in 2e4, as a ray leaves near the plane: p is sure, but the test of the triangle
+ * weighs corners that nearly cancel, and is not. */
 static inline ray leave_bounds(surface s, vec3 w)
 {
     real off = s.error * (fabs(s.n.x) + fabs(s.n.y) + fabs(s.n.z));

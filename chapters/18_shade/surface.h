@@ -51,14 +51,14 @@ static inline real surface_reach(vec3 p) { return fabs(vaxis(p, vlongest(p))); }
  * L^2 / |e x f|, some 1 for a fat triangle, large for a needle; beyond 64, 04 multiplies exactly. A
  * ray at angle theta to n meets the plane k eps L sin(theta) too early, k/2 eps L seen along n. The
  * rest of 8 is for normals of needles, which lean. */
-static inline surface surface_on_triangle(triangle t, uint32_t shape, real u, real v)
+static inline surface surface_on_triangle(triangle t, uint32_t index, real u, real v)
 {
     vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.a), x = vcross(e, f), n = triangle_normal(t);
     vec3 p = vadd(t.a, vmadd(vscale(e, u), f, v));
     real LL = real_max(vdot(e, e), vdot(f, f)), L = sqrt(LL);
     real k = real_min(LL / sqrt(vdot(x, x)), 64);  /* a NaN, of no area: 64 */
     real error = real_epsilon * (4 * L + 2 * surface_reach(p));
-    return (surface){p, n, n, error, real_epsilon * L * (8 + k / 2), shape};
+    return (surface){p, n, n, error, real_epsilon * L * (8 + k / 2), index};
 }
 
 static inline surface surface_of_mesh(const mesh *m, hit h)
@@ -68,32 +68,32 @@ static inline surface surface_of_mesh(const mesh *m, hit h)
     return s;
 }
 
-static inline surface surface_on_sphere(sphere b, uint32_t shape, vec3 p)
+static inline surface surface_on_sphere(sphere b, uint32_t index, vec3 p)
 {
     p = sphere_point(b, p);
     vec3 n = sphere_normal(b, p);
     real error = real_epsilon * (4 * fabs(b.r) + 2 * surface_reach(p));
-    return (surface){p, n, n, error, 0, shape};
+    return (surface){p, n, n, error, 0, index};
 }
 
-static inline surface surface_on_cone(cone c, uint32_t shape, vec3 p)
+static inline surface surface_on_cone(cone c, uint32_t index, vec3 p)
 {
     p = cone_point(c, p);
     vec3 n = cone_normal(c, p);
     real H = vlength(vsub(c.b, c.a)) + fabs(c.ra) + fabs(c.rb);
     real error = real_epsilon * (4 * H + 2 * surface_reach(p));
-    return (surface){p, n, n, error, 16 * real_epsilon * H, shape};
+    return (surface){p, n, n, error, 16 * real_epsilon * H, index};
 }
 
 /* Twice: the first step may have come from far away. O(corners), for L. */
-static inline surface surface_on_polygon(polygon g, uint32_t shape, vec3 p)
+static inline surface surface_on_polygon(polygon g, uint32_t index, vec3 p)
 {
     real L = 0;
     vec3 n = g.normal;
     for (uint32_t i = 0; i < g.n; i++) L = real_max(L, vlength(vsub(g.v[i], g.centre)));
     for (int k = 0; k < 2; k++) p = vmadd(p, n, -vdot(n, vsub(p, g.centre)));
     real error = real_epsilon * (4 * L + 2 * surface_reach(p));
-    return (surface){p, n, n, error, 8 * real_epsilon * L, shape};
+    return (surface){p, n, n, error, 8 * real_epsilon * L, index};
 }
 
 static inline surface surface_of_shape(const shape *s, ray r, hit h)
