@@ -50,10 +50,10 @@ static shares play(leaving way, departure_kind kind, real size, real T, size_t n
 static void test_others_fail(void)
 {
     size_t n = check_count(20000);
-    check_at_least(play(ways[0], DEPART_SPHERE, 1, 0, n).leak, 0.9, "eps 1e-3 passes a gap of 1e-6");
+    check_at_least(play(ways[0], DEPART_SPHERE, 1, 0, n).leak, 0.9, "eps 1e-3, gap 1e-6");
     check_at_least(play(ways[1], DEPART_TRIANGLE, (real)1e-3, 0, n).leak, 0.9, "eps 1e-4, too");
     check_at_least(play(ways[2], DEPART_SPHERE, 1, 100, n).self, 0.05, "eps in t: grazing rays");
-    check_at_least(play(ways[3], DEPART_TRIANGLE, 1000, 0, n).self, 0.002, "eps |p|: large triangles");
+    check_at_least(play(ways[3], DEPART_TRIANGLE, 1000, 0, n).self, 0.002, "eps |p|: large ones");
     check_equal(play(ways[3], DEPART_SPHERE, 1, 0, n).self, 0, "eps |p|: but not spheres");
     if (real_is_float) check_at_least(play(ways[4], DEPART_SPHERE, 1, 0, n).leak, 0.3, "256 ulps");
     size_t bounds = 0, ulps = 0;
@@ -165,7 +165,8 @@ static void test_skip(void)
                         shape_of_triangle((triangle){a, d, e})};
         scene floor = {two, 2};
         vec3 from = vadd(c, vscale(z, 2)), w = departure_towards(z, (real)0.0015, &s);
-        real on = random_next(&s) * 2 - 1, across = (random_next(&s) - (real)0.5) * 10000 * real_epsilon;
+        real on = random_next(&s) * 2 - 1;
+        real across = (random_next(&s) - (real)0.5) * 10000 * real_epsilon;
         ray r = ray_between(from, vmadd(vmadd(c, x, on), y, across));
         r.tmax = real_infinity;
         hit h;

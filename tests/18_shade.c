@@ -280,7 +280,7 @@ static void test_spent(void)
         check(spent[0].rays[RAY_SHADOW] < spent[1].rays[RAY_SHADOW] * 95 / 100,
               "of %zu shadow rays only %zu are called for", spent[1].rays[RAY_SHADOW],
               spent[0].rays[RAY_SHADOW]);
-        check_equal(spent[0].rays[RAY_SHADOW], spent[2].rays[RAY_SHADOW], "counted in threads, too");
+        check_equal(spent[0].rays[RAY_SHADOW], spent[2].rays[RAY_SHADOW], "by threads, too");
         for (int k = 0; k < 3; k++) image_free(&im[k]);
         gallery_free(g);
     }
@@ -298,7 +298,7 @@ static void test_masks(void)
     check(c.z == 2, "the bulb is seen by its own light");
     surface floor = {{-4, -1, 0}, {0, 0, 1}, {0, 0, 1}, (real)1e-5, 0, 0};
     shade_lit lit = {false};
-    check(!trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && lit.lit, "it does not stop its lamp");
+    check(!trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && lit.lit, "it lets its lamp shine");
     g->part[2].mask = MASK_ALL, lit.lit = false;
     check(trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && !lit.lit, "but would");
     gallery_free(g);
@@ -355,7 +355,7 @@ static void test_sight(void)
                     asked += i < j && apart;
                     both += expected;
                 }
-            check_equal(wrong, 0, "who sees whom in a cube with %d walls, T = %g", walls, (double)T);
+            check_equal(wrong, 0, "cube with %d walls, T = %g", walls, (double)T);
             check_equal(t.counts.rays[RAY_SIGHT], asked, "one ray a pair, none within a wall");
             check_at_least(both, posts * posts / 4, "many see each other");
             world_part_free(&part);

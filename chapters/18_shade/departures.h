@@ -25,7 +25,7 @@ typedef enum {
 
 typedef struct {
     shape s;
-    vec3 corner[5];     /* of the polygon: `departure` must not be copied about */
+    vec3 corner[5];     /* of the polygon: a departure must not be copied about */
     ray r;
     hit h;
     vec3 n, w, steep;   /* n towards r.o; n.w > 1e-3, n.steep > 0.1 */
@@ -74,7 +74,8 @@ static inline shape departure_shape(departure_kind kind, real size, vec3 c, rand
     }
     if (kind == DEPART_POLYGON) return shape_of_polygon(polygon_of(corner, 5));
     if (kind == DEPART_NEEDLE)  /* 1 to 1e-4 radius */
-        corner[2] = vmadd(corner[0], vunit(vsub(corner[2], corner[1])), size * pow((real)10, -4 * b));
+        corner[2] = vmadd(corner[0], vunit(vsub(corner[2], corner[1])),
+                          size * pow((real)10, -4 * b));
     return shape_of_triangle((triangle){corner[0], corner[1], corner[2]});
 }
 

@@ -1,8 +1,8 @@
-/* gallery.h: the scene of this chapter: a teapot, balls, a cone and a leaning card on a floor, under
- * a sun and a lamp; anywhere in space.
+/* gallery.h: the scene of this chapter: a teapot, balls, a cone and a leaning card on a floor,
+ * under a sun and a lamp; anywhere in space.
  *
- *   gallery *g = gallery_new(n, T);          teapot of n x n cells a patch; all moved by T along each
- *                                            axis; gallery_free
+ *   gallery *g = gallery_new(n, T);          teapot of n x n cells a patch; all moved by T along
+ *                                            each axis; gallery_free
  *   camera c = gallery_camera(T, aspect);    of all; gallery_close_up: of the card's lower edge
  *   shading how = gallery_shading(g);
  *   bool whole = gallery_draw(g, how, c, samples, threads, &im, &counts)     samples^2 rays a pixel
@@ -56,7 +56,8 @@ static inline void gallery_fill(gallery *g)
     g->shapes[3] = gallery_ball(g, 4.9, 0.6, 1.3);
     g->shapes[4] = gallery_ball(g, -0.4, -3.9, 0.45);
     g->shapes[5] = gallery_ball(g, 1.0, -4.6, 0.25);
-    g->shapes[6] = shape_of_cone((cone){gallery_at(g, -5, 0.4, 0), 1, gallery_at(g, -5, 0.4, 2.6), 0});
+    g->shapes[6] = shape_of_cone((cone){gallery_at(g, -5, 0.4, 0), 1,
+                                        gallery_at(g, -5, 0.4, 2.6), 0});
     g->shapes[7] = gallery_ball(g, 1.88, -4.14, 0.02);              /* beside the card's corner */
     g->shapes[8] = gallery_ball(g, -4.6, -2.3, 0.35);
     g->bulb = shape_of_sphere((sphere){gallery_at(g, -4.4, -1.6, 4.1), (real)0.16});

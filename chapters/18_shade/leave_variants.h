@@ -4,7 +4,7 @@
  *   leave_fixed_1e3, leave_fixed_1e4   tmin = 1e-3, 1e-4 (notes: epsilon)  small or large scenes
  *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                   grazing rays
  *   leave_normal     O = p + 32 eps max(1, |p|_max) n                      large flat shapes
- *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)             large shapes near the origin
+ *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)           large shapes near 0
  *   leave_bounds     O = p + (error bounds . |n|) n, rounded outwards      needles
  *   leave            of leave.h: bounds of the point and of the test       -
  *
@@ -87,8 +87,8 @@ static inline real leave_outward(real x, real by)
     return by == 0 ? x : nextafter(x, by > 0 ? real_infinity : -real_infinity);
 }
 
-/* Fails on one needle in 2e4, as a ray leaves near the plane: p is sure, but the test of the triangle
- * weighs corners that nearly cancel, and is not. */
+/* Fails on one needle in 2e4: p is sure, but the test of the triangle weighs corners that nearly
+ * cancel, and is not. */
 static inline ray leave_bounds(surface s, vec3 w)
 {
     real off = s.error * (fabs(s.n.x) + fabs(s.n.y) + fabs(s.n.z));

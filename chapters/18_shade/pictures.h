@@ -62,7 +62,7 @@ static inline void draw_acne(const options *o)
         shading how = gallery_shading(g);
         if (k % 2 == 0) how.surface_of = surface_f32;
         if (k % 2 == 0) how.leave = k ? leave_fixed_3e2 : leave_fixed_1e4;
-        camera c = k < 2 ? gallery_camera(T, (real)w / (real)h) : gallery_close_up(T, (real)w / (real)h);
+        camera c = (k < 2 ? gallery_camera : gallery_close_up)(T, (real)w / (real)h);
         whole = gallery_draw(g, how, c, o->quick ? 1 : 2, o->threads, &im, NULL);
         image_place(&all, k % 2 * (w + 6), k / 2 * (h + 6), &im);
     }
@@ -118,8 +118,8 @@ static inline void draw_sight(const options *o)
             printf(" %c", i == j ? '.' : sees ? '1' : '0');
             real x0 = (a.p.x + 7) * s, y0 = (4 - a.p.y) * s;
             real x1 = (b.p.x + 7) * s, y1 = (4 - b.p.y) * s;
-            vec3 white = {1, 1, 1};
-            if (i < j && sees) draw_stroke(&im, x0, y0, x1, y1, (real)0.3, vscale(white, (real)0.8));
+            vec3 white = {1, 1, 1}, grey = vscale(white, (real)0.8);
+            if (i < j && sees) draw_stroke(&im, x0, y0, x1, y1, (real)0.3, grey);
             if (i == j) draw_stroke(&im, x0, y0, x0, y0, s / 5, white);
         }
         printf("\n");

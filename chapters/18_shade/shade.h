@@ -51,8 +51,8 @@ static inline ray shade_shadow_ray(const shading *how, surface s, const light *L
     return (ray){r.o, r.tmin, vsub(L->at, r.o), 1};
 }
 
-/* (18.8). What cannot contribute has E = 0 or reflects nothing: if it is traced all the same, exactly
- * 0 is added. v: unit, towards the eye; s faces it. */
+/* (18.8). What cannot contribute has E = 0 or reflects nothing: if it is traced all the same,
+ * exactly 0 is added. v: unit, towards the eye; s faces it. */
 static inline vec3 shade(tracer *t, const shading *how, surface s, const material *m, vec3 v)
 {
     vec3 colour = vmadd(m->ke, vmul(how->ambient, m->kd), 1);

@@ -1,11 +1,11 @@
 /* sight.h: can two points see each other? Ray casting (光线投射) that draws nothing.
  *
  *   bool sight(&t, a, b)                one ray of kind RAY_SIGHT between two surfaces
- *   sight_table(&t, s, n, sees)         sees[i n + j]: n (n - 1) / 2 rays; symmetric, 1 in the diagonal
+ *   sight_table(&t, s, n, sees)         sees[i n + j]: symmetric, true in the diagonal
  *
  * Only pairs that face each other are asked: where n.(b - a) <= 0 at either end, the surface itself
- * is in between. The same answer for a, b and b, a: one ray serves both. Costs n^2 / 2 rays of O(log
- * shapes). Used for who can see whom in a game, antennas, view factors, guards in a museum.
+ * is in between. The same answer for a, b and b, a: one ray serves both, so a table takes at most n (n
+ * - 1) / 2 of them. Used for who can see whom in a game, antennas, view factors, guards.
  */
 #ifndef SIGHT_H
 #define SIGHT_H

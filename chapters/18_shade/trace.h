@@ -148,7 +148,8 @@ static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k,
 {
     const world_part *p = &t->w->part[k];
     if (!g->any_hit) {
-        if (g->first) return p->m ? bvh_occluded(&p->of_mesh, r) : bvh_shapes_occluded(&p->of_scene, r);
+        if (g->first && p->m) return bvh_occluded(&p->of_mesh, r);
+        if (g->first) return bvh_shapes_occluded(&p->of_scene, r);
         return p->m ? bvh_hit(&p->of_mesh, r, h) : bvh_shapes_hit(&p->of_scene, r, h);
     }
     const bvh_tree *tree = p->m ? &p->of_mesh.tree : &p->of_scene.tree;
