@@ -139,6 +139,31 @@ static void test_named(void)
     check(to.tmin == 0 && to.tmax == 1 && ray_at(to, 1).z == 3, "[0, 1] ends at the light");
 }
 
+/* Needles whose weights are least sure (k up to 64), left along their length. The part of `noise`
+ * that grows with k is there for them. */
+static void test_needles(void)
+{
+    size_t n = check_count(200000), self = 0, without = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(14, i, 0);
+        vec3 x, y, z = departure_unit(&s);
+        vbasis(z, &x, &y);
+        real k = 8 + 60 * random_next(&s), turn = random_next(&s);
+        vec3 c = departure_unit(&s);
+        triangle t = {c, vadd(c, x), vmadd(vmadd(c, x, turn), y, 1 / k)};
+        real u = random_next(&s), v = (1 - u) * random_next(&s);
+        surface at = surface_on_triangle(t, 0, u, v);
+        real slope = (real)0.1 + random_next(&s);
+        vec3 w = vadd(at.n, vscale(i % 2 ? x : vneg(x), slope));
+        hit h;
+        self += triangle_hit(t, leave(at, w), &h);
+        at.noise = 0;
+        without += triangle_hit(t, leave(at, w), &h);
+    }
+    check_equal(self, 0, "needles that meet themselves");
+    check_at_least(without, 1, "without noise, some do");
+}
+
 /* A floor of two triangles. Skipping the shape that a ray leaves is not enough: near the diagonal
  * it meets the neighbour, which lies in the same plane. */
 typedef struct { uint32_t own; } skip_payload;
@@ -225,6 +250,26 @@ static void test_between(void)
             unlike += there != scene_occluded(&room, leave_between(at[1], at[0]));
             naive += scene_occluded(&room, ray_between(at[0].p, at[1].p));
         }
+    /* A plate of 1 at the origin, seen from afar: its own p is sure to 1e-15, but the test sees its
+     * corners from 1e5 away. */
+    size_t near_only = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(13, i, 0);
+        vec3 x, y, z = departure_unit(&s);
+        vbasis(z, &x, &y);
+        shape plate = shape_of_triangle((triangle){x, y, vneg(vadd(x, y))});
+        ray r = ray_between(z, vscale(x, random_next(&s) / 2));
+        r.tmax = 2;
+        hit h;
+        if (!shape_hit(plate, r, &h)) continue;
+        surface at = surface_facing(surface_of_shape(&plate, r, h), r.d);
+        vec3 p = vscale(departure_towards(z, (real)0.001 + random_next(&s) / 10, &s), 100000);
+        surface air = {p, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
+        blocked += shape_hit(plate, leave_between(air, at), &h);
+        blocked += shape_hit(plate, leave_between(at, air), &h);
+        near_only += shape_hit(plate, ray_between(p, leave(at, p).o), &h);
+    }
+    check_at_least(near_only, n / 1000, "bounds for one end alone: the far one is met");
     check_equal(blocked, 0, "an end of a line of sight is met");
     check_equal(unlike, 0, "a sees b, but b does not see a");
     check_at_least(naive, n / 10, "[0, 1] between the points themselves meets its ends");
@@ -236,6 +281,7 @@ int main(void)
     test_others_fail();
     test_bounds();
     test_named();
+    test_needles();
     test_skip();
     test_between();
     return check_report("18_leave");

@@ -4,8 +4,8 @@
  *   sight_table(&t, s, n, sees)         sees[i n + j]: symmetric, true in the diagonal
  *
  * Only pairs that face each other are asked: where n.(b - a) <= 0 at either end, the surface itself
- * is in between. The same answer for a, b and b, a: one ray serves both, so a table takes at most n (n
- * - 1) / 2 of them. Used for who can see whom in a game, antennas, view factors, guards.
+ * is in between. The same answer for a, b and b, a: one ray serves both, so a table takes at most
+ * n (n - 1) / 2 of them. Used for who can see whom in a game, antennas, view factors, guards.
  */
 #ifndef SIGHT_H
 #define SIGHT_H
