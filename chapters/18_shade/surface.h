@@ -44,7 +44,10 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real surface_reach(vec3 p) { return fabs(vaxis(p, vlongest(p))); }
+static inline real surface_reach(vec3 p)
+{
+    return real_max(real_max(fabs(p.x), fabs(p.y)), fabs(p.z));
+}
 
 /* (18.6) The test of 04 moves each corner by up to 3 eps of its distance from o, which lies on the
  * triangle: 3 eps L, wherever between the corners p is. Its weights are right to k eps, where k =
@@ -70,8 +73,9 @@ static inline surface surface_of_mesh(const mesh *m, hit h)
 
 static inline surface surface_on_sphere(sphere b, uint32_t index, vec3 p)
 {
-    p = sphere_point(b, p);
-    vec3 n = sphere_normal(b, p);
+    vec3 n = vunit(vsub(p, b.c));
+    p = vmadd(b.c, n, fabs(b.r));  /* sphere_point, which finds n on the way */
+    if (b.r < 0) n = vneg(n);
     real error = real_epsilon * (4 * fabs(b.r) + 2 * surface_reach(p));
     return (surface){p, n, n, error, 0, index};
 }
