@@ -6,7 +6,7 @@
 
 static const int last = leavings - 1;  /* the default stands last */
 
-/* NUMERICS: n.w > 1e-3, T up to 1e6; gaps of 1e-6 max(1, T / 1e4), in float 32 eps |p|. */
+/* NUMERICS: n.w > 1e-3, T up to 1e6; gaps of 1e-6 max(1, T / 1e4), in float 32 ulps of |p|. */
 static void test_default(void)
 {
     static const char *const names[] = {"sphere", "triangle", "needle", "cone", "polygon"};

@@ -139,13 +139,15 @@ static inline bool departure_self(const departure *x, leaving way)
     return shape_hit(x->s, way.leave(departure_surface(x, way.naive), x->w), &h);
 }
 
-/* 32 eps of |p|, or of the shape, whichever is larger. (Of needles, whose weights are least sure,
- * 96.) */
+/* 32 units in the last place of |p|, or of the shape, whichever is larger. (Of needles, whose weights
+ * are least sure, 128.) */
 static inline real departure_gap(const departure *x)
 {
     real reach = real_max(surface_reach(ray_at(x->r, x->h.t)), x->size);
-    real ulps = x->kind == DEPART_NEEDLE ? 96 : 32;
-    return real_max((real)1e-6 * real_max(x->size, x->T / (real)1e4), ulps * real_epsilon * reach);
+    int e;
+    (void)frexp(reach, &e);
+    real ulps = (x->kind == DEPART_NEEDLE ? 128 : 32) * ldexp(real_epsilon, e - 1);
+    return real_max((real)1e-6 * real_max(x->size, x->T / (real)1e4), ulps);
 }
 
 /* Its corners lie round the point straight above p where the ray passes it. */

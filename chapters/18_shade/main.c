@@ -2,7 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
  * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, the table
- * of ways to leave a surface, three plots. --samples N: rays a pixel, N x N. */
+ * of ways to leave a surface, three plots. --samples N is rounded down to a square. */
 #include "../../common/output.h"
 #include "measure.h"
 #include "pictures.h"
@@ -16,7 +16,7 @@ int main(int argc, char **argv)
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send the shadow rays that cannot contribute, too"},
         {0}};
     options o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.",
-                             (options){.width = 800, .height = 450, .seed = 1, .samples = 3}, own);
+                             (options){.width = 800, .height = 450, .seed = 1, .samples = 9}, own);
     if (!teapot) teapot = o.quick ? 6 : 24;
     if (o.quick && o.samples > 1) o.samples = 1, o.width = 240, o.height = 135;
     draw_gallery(&o, teapot, all);

@@ -21,10 +21,12 @@ static inline void draw_gallery(const options *o, int n, bool spend_all)
     trace_counts counts;
     image im = image_new(o->width, o->height);
     shading how = gallery_shading(g);
+    int across = 1;
+    while ((across + 1) * (across + 1) <= o->samples) across++;
     how.spend_all = spend_all;
     camera c = gallery_camera(0, (real)o->width / (real)o->height);
     double start = clock_seconds();
-    bool whole = gallery_draw(g, how, c, o->samples, o->threads, &im, &counts);
+    bool whole = gallery_draw(g, how, c, across, o->threads, &im, &counts);
     printf("# %zu camera rays, %zu hits; %zu shadow rays, %zu of them stopped; %.2f s\n",
            counts.rays[RAY_CAMERA], counts.hits[RAY_CAMERA], counts.rays[RAY_SHADOW],
            counts.hits[RAY_SHADOW], clock_seconds() - start);

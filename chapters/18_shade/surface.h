@@ -20,9 +20,9 @@
  *
  *   shape      p                     error                             noise (18.6)
  *   sphere     c + R unit(p - c)     4 eps R + 2 eps |p|               0: 03 decides exactly
- *   triangle   a + u (b-a) + v (c-a) 4 eps L + 2 eps |p|, L an edge    (8 + k/2) eps L
- *   polygon    p - n (n.(p - m))     4 eps L + 2 eps |p|, L radius     8 eps L
- *   cone       moved on to the side  4 eps H + 2 eps |p|, H extent     16 eps H
+ *   triangle   a + u (b-a) + v (c-a) 2 eps L + 2 eps |p|, L an edge    (4 + k/2) eps L
+ *   polygon    p - n (n.(p - m))     4 eps L + 2 eps |p|, L radius     4 eps L
+ *   cone       moved on to the side  4 eps H + 2 eps |p|, H extent     8 eps H
  *
  * 2 eps |p|: two roundings of a sum, each off by eps/2 in each component, along n at most
  * sqrt(3) eps/2. The rest: unit() is right to 2.25 eps, products and edges to eps/2 each.
@@ -53,15 +53,15 @@ static inline real surface_reach(vec3 p)
  * triangle: 3 eps L, wherever between the corners p is. Its weights are right to k eps, where k =
  * L^2 / |e x f|, some 1 for a fat triangle, large for a needle; beyond 64, 04 multiplies exactly. A
  * ray at angle theta to n meets the plane k eps L sin(theta) too early, k/2 eps L seen along n. The
- * rest of 8 is for normals of needles, which lean. */
+ * rest of 4 is for normals of needles, which lean. */
 static inline surface surface_on_triangle(triangle t, uint32_t index, real u, real v)
 {
     vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.a), x = vcross(e, f), n = triangle_normal(t);
     vec3 p = vadd(t.a, vmadd(vscale(e, u), f, v));
     real LL = real_max(vdot(e, e), vdot(f, f)), L = sqrt(LL);
     real k = real_min(LL / sqrt(vdot(x, x)), 64);  /* a NaN, of no area: 64 */
-    real error = real_epsilon * (4 * L + 2 * surface_reach(p));
-    return (surface){p, n, n, error, real_epsilon * L * (8 + k / 2), index};
+    real error = real_epsilon * (2 * L + 2 * surface_reach(p));
+    return (surface){p, n, n, error, real_epsilon * L * (4 + k / 2), index};
 }
 
 static inline surface surface_of_mesh(const mesh *m, hit h)
@@ -86,7 +86,7 @@ static inline surface surface_on_cone(cone c, uint32_t index, vec3 p)
     vec3 n = cone_normal(c, p);
     real H = vlength(vsub(c.b, c.a)) + fabs(c.ra) + fabs(c.rb);
     real error = real_epsilon * (4 * H + 2 * surface_reach(p));
-    return (surface){p, n, n, error, 16 * real_epsilon * H, index};
+    return (surface){p, n, n, error, 8 * real_epsilon * H, index};
 }
 
 /* Twice: the first step may have come from far away. O(corners), for L. */
@@ -97,7 +97,7 @@ static inline surface surface_on_polygon(polygon g, uint32_t index, vec3 p)
     for (uint32_t i = 0; i < g.n; i++) L = real_max(L, vlength(vsub(g.v[i], g.centre)));
     for (int k = 0; k < 2; k++) p = vmadd(p, n, -vdot(n, vsub(p, g.centre)));
     real error = real_epsilon * (4 * L + 2 * surface_reach(p));
-    return (surface){p, n, n, error, 8 * real_epsilon * L, index};
+    return (surface){p, n, n, error, 4 * real_epsilon * L, index};
 }
 
 static inline surface surface_of_shape(const shape *s, ray r, hit h)
