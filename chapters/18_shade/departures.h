@@ -140,13 +140,13 @@ static inline bool departure_self(const departure *x, leaving way)
 }
 
 /* 32 units in the last place of |p|, or of the shape, whichever is larger. (Of needles, whose weights
- * are least sure, 128.) */
+ * are least sure, 192.) */
 static inline real departure_gap(const departure *x)
 {
     real reach = real_max(surface_reach(ray_at(x->r, x->h.t)), x->size);
     int e;
     (void)frexp(reach, &e);
-    real ulps = (x->kind == DEPART_NEEDLE ? 128 : 32) * ldexp(real_epsilon, e - 1);
+    real ulps = (x->kind == DEPART_NEEDLE ? 192 : 32) * ldexp(real_epsilon, e - 1);
     return real_max((real)1e-6 * real_max(x->size, x->T / (real)1e4), ulps);
 }
 
