@@ -307,6 +307,37 @@ static void test_masks(void)
     gallery_free(g);
 }
 
+/* On the ground floor of a house each ray towards a sun ends at the ceiling. As printed, that is
+ * shaded, by shadow rays of its own, which end at the next: two suns, eight ceilings: 2 + 4 + ... +
+ * 256 of them, and the suns shine in. Ours: one a light, and darkness. */
+static void test_printed(void)
+{
+    vec3 corner[9][4];
+    shape house[9];
+    for (int k = 0; k < 9; k++) {
+        for (int i = 0; i < 4; i++)
+            corner[k][i] = (vec3){i % 3 ? 99 : -99, i > 1 ? 99 : -99, (real)k};
+        house[k] = shape_of_polygon(polygon_of(corner[k], 4));
+    }
+    scene sc = {house, 9};
+    world_part part;
+    world_part_of_scene(&sc, MASK_ALL, &part);
+    world w = {&part, 1};
+    light suns[2] = {{LIGHT_DIRECTIONAL, {0, 0, 1}, {1, 1, 1}},
+                     {LIGHT_DIRECTIONAL, {0, (real)0.6, (real)0.8}, {1, 1, 1}}};
+    vec3 kd = {1, 1, 1};
+    shading how = {.lights = suns, .n = 2, .material_of = matte, .context = &kd};
+    tracer ours = {.w = &w, .program = shade_programs, .user = &how}, theirs = ours;
+    theirs.program = printed_programs;
+    ray down = ray_from((vec3){0, 0, (real)0.5}, (vec3){(real)0.1, 0, -1});
+    vec3 dark = shade_ray(&ours, down), bright = printed_ray(&theirs, down, 9);
+    check(vzero(dark), "no sun inside");
+    check_at_least((double)bright.x, 0.1, "as printed, they shine through ceilings");
+    check_equal(ours.counts.rays[RAY_SHADOW], 2, "ours: one a light");
+    check_equal(theirs.counts.rays[RAY_SHADOW], 510, "as printed: 2 + 4 + .. + 2^8");
+    world_part_free(&part);
+}
+
 /* ---- sight ----------------------------------------------------------------------------------- */
 
 /* A cube seen from inside: points on one wall do not see each other by rule, all others do. With a
@@ -373,6 +404,7 @@ int main(void)
     test_contact();
     test_spent();
     test_masks();
+    test_printed();
     test_sight();
     return check_report("18_shade");
 }

@@ -17,7 +17,7 @@
 #include "../../common/parallel.h"
 #include "../02_camera/camera.h"
 #include "../07_mesh/teapot.h"
-#include "shade.h"
+#include "printed.h"
 
 enum { gallery_shapes = 9, gallery_parts = 3 };
 
@@ -142,7 +142,7 @@ typedef struct {
     const gallery *g;
     shading how;
     camera c;
-    int samples;
+    int samples, printed;
     image *im;
     pthread_mutex_t lock;
     trace_counts counts;
@@ -152,12 +152,14 @@ static inline void gallery_pixel(int x, int y, void *context)
 {
     gallery_view *v = context;
     tracer t = {.w = &v->g->w, .program = shade_programs, .user = &v->how};
+    if (v->printed) t.program = printed_programs;
     vec3 sum = {0, 0, 0};
     int n = v->samples;
     for (int k = 0; k < n * n; k++) {
         real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
         real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
-        vec3 c = shade_ray(&t, camera_ray(v->c, px, py, v->im->width, v->im->height));
+        ray r = camera_ray(v->c, px, py, v->im->width, v->im->height);
+        vec3 c = v->printed ? printed_ray(&t, r, v->printed) : shade_ray(&t, r);
         sum = vadd(sum, vmin(c, (vec3){4, 4, 4}));  /* a highlight must not outshout its pixel */
     }
     image_set(v->im, x, y, vscale(sum, 1 / (real)(n * n)));
@@ -166,14 +168,33 @@ static inline void gallery_pixel(int x, int y, void *context)
     pthread_mutex_unlock(&v->lock);
 }
 
+/* Sets v->counts. */
+static inline bool gallery_draw_view(gallery_view *v, int threads)
+{
+    image *im = v->im;
+    pthread_mutex_init(&v->lock, NULL);
+    bool whole = parallel_pixels(im->width, im->height, threads, "drawing", gallery_pixel, v);
+    pthread_mutex_destroy(&v->lock);
+    return whole;
+}
+
 static inline bool gallery_draw(const gallery *g, shading how, camera c, int samples, int threads,
                                 image *im, trace_counts *counts)
 {
     gallery_view v = {.g = g, .how = how, .c = c, .samples = samples, .im = im};
-    pthread_mutex_init(&v.lock, NULL);
-    bool whole = parallel_pixels(im->width, im->height, threads, "drawing", gallery_pixel, &v);
-    pthread_mutex_destroy(&v.lock);
+    bool whole = gallery_draw_view(&v, threads);
     if (counts) *counts = v.counts;
+    return whole;
+}
+
+/* By printed.h, to this depth; one ray a pixel. */
+static inline bool gallery_draw_printed(const gallery *g, camera c, int depth, int threads,
+                                        image *im, trace_counts *counts)
+{
+    gallery_view v = {.g = g, .how = gallery_shading(g), .c = c, .samples = 1, .im = im};
+    v.printed = depth;
+    bool whole = gallery_draw_view(&v, threads);
+    *counts = v.counts;
     return whole;
 }
 

@@ -146,31 +146,35 @@ static inline void table_of_sizes(const options *o)
     output_plot(o, &p, "18_shade_size.svg");
 }
 
-/* One ray a pixel. */
+/* One ray a pixel: ours, ours with all shadow rays, and shade() as printed. */
 static inline void table_of_rays(const options *o)
 {
-    image im[2];
+    static const char *const names[] = {"only what is called for", "all the same",
+                                        "as printed, depth 2", "as printed, depth 8"};
+    enum { width = 400, height = 225, pixels = width * height };
+    image ours = image_new(width, height), im = image_new(width, height);
     gallery *g = gallery_new(o->quick ? 6 : 24, 0);
+    camera view = gallery_camera(0, (real)width / height);
     table t = table_new("Rays spent on the gallery, 400 x 225 pixels, one camera ray each",
                         "shadow rays|camera|hits|shadow|stopped|pictures differ [pixels]|time [s]");
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 4; k++) {
         shading how = gallery_shading(g);
         trace_counts c;
         how.spend_all = k == 1;
-        im[k] = image_new(400, 225);
         double start = clock_seconds();
-        gallery_draw(g, how, gallery_camera(0, (real)400 / 225), 1, o->threads, &im[k], &c);
+        if (k < 2) gallery_draw(g, how, view, 1, o->threads, k ? &im : &ours, &c);
+        else gallery_draw_printed(g, view, k == 2 ? 2 : 8, o->threads, &im, &c);
         double spent = clock_seconds() - start;
         size_t differ = 0;
-        for (size_t i = 0; i < 400 * 225; i++)
-            differ += memcmp(im[0].rgb + 3 * i, im[k].rgb + 3 * i, 3 * sizeof(float)) != 0;
-        table_text(&t, k ? "all the same" : "only what is called for");
+        for (size_t i = 0; k && i < pixels; i++)
+            differ += memcmp(ours.rgb + 3 * i, im.rgb + 3 * i, 3 * sizeof(float)) != 0;
+        table_text(&t, "%s", names[k]);
         table_count(&t, c.rays[RAY_CAMERA]), table_count(&t, c.hits[RAY_CAMERA]);
         table_count(&t, c.rays[RAY_SHADOW]), table_count(&t, c.hits[RAY_SHADOW]);
         table_count(&t, differ), table_number(&t, spent);
     }
     output_extra_table(o, &t);
-    image_free(&im[0]), image_free(&im[1]), gallery_free(g);
+    image_free(&ours), image_free(&im), gallery_free(g);
 }
 
 #endif
