@@ -7,7 +7,12 @@
 
 /* ---- trace ----------------------------------------------------------------------------------- */
 
-typedef struct { hit h; uint32_t part; bool met, missed; int asked, accepted, ignore, end_at; } seen;
+typedef struct {
+    hit h;
+    uint32_t part;
+    bool met, missed;
+    int asked, accepted, ignore, end_at;
+} seen;
 
 static void see_hit(tracer *t, ray r, trace_hit x, void *payload)
 {

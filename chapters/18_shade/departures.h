@@ -7,7 +7,7 @@
  *                                                leaves with n.w > 1e-3
  *   bool departure_self(&x, ways[k])             the leaving ray hits its own shape
  *   bool departure_leak(&x, ways[k], gap)        it misses a plate that lies `gap` above p
- *   real departure_gap(&x)                       1e-6 size max(1, T / 1e4 size), at least 32 ulps
+ *   real departure_gap(&x)                       1e-6 max(size, T / 1e4), at least 32 ulps of |p|
  *
  * No shape here bends towards w, so each hit of its own is a wrong one. Plates are triangles of
  * the shape's size, n.w > 0.1: a miss is wrong. Half of the hits come from near, half from the
@@ -139,8 +139,8 @@ static inline bool departure_self(const departure *x, leaving way)
     return shape_hit(x->s, way.leave(departure_surface(x, way.naive), x->w), &h);
 }
 
-/* 32 units in the last place of |p|, or of the shape, whichever is larger. (Of needles, whose weights
- * are least sure, 192.) */
+/* 32 units in the last place of |p|, or of the shape, whichever is larger. (Of needles, whose
+ * weights are least sure, 192.) */
 static inline real departure_gap(const departure *x)
 {
     real reach = real_max(surface_reach(ray_at(x->r, x->h.t)), x->size);

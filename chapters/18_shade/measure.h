@@ -97,8 +97,7 @@ static inline void table_of_leaving(const options *o)
             leaving_play(kinds[s], 1, e ? pow((real)10, (real)e) : 0, o->seed, n, score[e]);
         leaving_play(kinds[s], 100, 0, o->seed, n, large);
         leaving_time(kinds[s], o->seed, ns);
-        for (int i = 0; i <= leavings; i++) {
-            int k = i ? i - 1 : leavings;
+        for (int k = 0; k <= leavings; k++) {
             table_text(&t, "%s", leaving_name(k)), table_text(&t, s ? "triangle" : "sphere");
             leaving_cells(&t, score, k, 2);
             if (k < leavings) table_number(&t, ns[k]);
@@ -133,8 +132,8 @@ static inline void table_of_sizes(const options *o)
             if (e % 3 == 0 || drawn)
                 leaving_play((departure_kind)kind, pow((real)10, (real)(e - 3)), 0, o->seed, n,
                              score[e]);
-        for (int i = 0; i <= leavings; i++) {
-            int k = i ? i - 1 : leavings, series = drawn ? plot_series(&p, leaving_name(k)) : -1;
+        for (int k = 0; k <= leavings; k++) {
+            int series = drawn ? plot_series(&p, leaving_name(k)) : -1;
             for (int e = 0; e < 10 && drawn; e++)
                 plot_add(&p, series, pow(10, e - 3), score[e][k].self + score[e][k].leak);
             if (!all && (k < leavings - 2 || k == leavings)) continue;
