@@ -87,9 +87,9 @@ static inline void table_of_leaving(const options *o)
     plot against_time = plot_new("Acne and leaks, triangles of size 100, against time",
                                  "time of hit point and ray [ns]", "acne + leak [%]", PLOT_LOG_Y);
     table t = table_new("Leaving a surface of size 1, by its distance T from the origin",
-                        "method|shape|error: acne, T=0 [%]|error: acne, 1e2|error: acne, 1e4|"
-                        "error: acne, 1e6|error: leak, T=0 [%]|error: leak, 1e2|error: leak, 1e4|"
-                        "error: leak, 1e6|time [ns]");
+                        "method|shape|error: acne T=0 [%]|error: acne 1e2|error: acne 1e4|"
+                        "error: acne 1e6|error: leak T=0 [%]|error: leak 1e2|error: leak 1e4|"
+                        "error: leak 1e6|time [ns]");
     for (int s = 0; s < 2; s++) {
         leaving_score score[7][leavings + 1], large[leavings + 1];
         double ns[leavings];
@@ -123,8 +123,8 @@ static inline void table_of_sizes(const options *o)
     plot p = plot_new("Acne and leaks, triangles at the origin", "size of the triangle",
                       "acne + leak [%]", PLOT_LOG_X | PLOT_LOG_Y);
     table t = table_new("Leaving a surface at the origin, by its size",
-                        "method|shape|acne, 1e-3 [%]|acne, 1|acne, 1e3|acne, 1e6|"
-                        "leak, 1e-3 [%]|leak, 1|leak, 1e3|leak, 1e6");
+                        "method|shape|acne 1e-3 [%]|acne 1|acne 1e3|acne 1e6|"
+                        "leak 1e-3 [%]|leak 1|leak 1e3|leak 1e6");
     for (int kind = 0; kind < departure_kinds; kind++) {
         leaving_score score[10][leavings + 1];
         bool drawn = kind == DEPART_TRIANGLE, all = drawn || kind == DEPART_SPHERE;
