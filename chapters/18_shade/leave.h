@@ -14,12 +14,12 @@
  *
  * Why it works. p is off by `error` at most, and that pays for the rounding of O, too; the shape's
  * test is off by `noise`. So O lies on the side that w leads to, and the test agrees: t = 0 is not
- * reached. Why nothing leaks: error + noise is a few epsilon of |p| and of the shape's size, 1e-11
+ * reached. Why nothing leaks: error + noise is a few epsilon of |p| and of the shape's size, 1e-12
  * of a metre at a kilometre; what is farther away than that is met.
  *
  * Which side: the sign of n.w of the geometric normal n, never of the shading normal, so that a
  * refracted ray enters, a reflected one leaves. n.w = 0, in the surface: O on the side of n.
- * Costs some 3 ns. What other ways cost and miss: leave_variants.h.
+ * Costs a dot product and a few sums. What other ways cost and miss: leave_variants.h, README.
  */
 #ifndef LEAVE_H
 #define LEAVE_H
