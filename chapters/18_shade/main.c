@@ -1,0 +1,30 @@
+/* 18_shade: trace and shade, kinds of ray, lights and hard shadows; how a ray leaves a surface.
+cc -std=c11 -O2 -ffp-contract=off -o 18_shade chapters/18_shade/main.c -lm -lpthread
+ *
+ * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, the table
+ * of ways to leave a surface, three plots. --samples N is rounded down to a square. */
+#include "../../common/output.h"
+#include "measure.h"
+#include "pictures.h"
+
+int main(int argc, char **argv)
+{
+    int teapot = 0;
+    bool all = false;
+    const option own[] = {
+        {"teapot", OPTION_INT, &teapot, 1, 200, "cells along each side of its patches"},
+        {"spend-all", OPTION_FLAG, &all, 0, 0, "send the shadow rays that cannot contribute, too"},
+        {0}};
+    options o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.",
+                             (options){.width = 800, .height = 450, .seed = 1, .samples = 9}, own);
+    if (!teapot) teapot = o.quick ? 6 : 24;
+    if (o.quick && o.samples > 1) o.samples = 1, o.width = 240, o.height = 135;
+    draw_gallery(&o, teapot, all);
+    if (o.out) return 0;
+    draw_acne(&o);
+    draw_sight(&o);
+    table_of_leaving(&o);
+    table_of_sizes(&o);
+    table_of_rays(&o);
+    return 0;
+}

@@ -1,0 +1,130 @@
+/* surface.h: the point of a surface that a ray has hit, and how far off it may be.
+ *
+ *            ns n          p      on the surface as nearly as reals allow: put back on the shape
+ *             \|             by its own equation, not left where o + t d ends
+ *      --------p-------    n      unit normal of the shape, as the shape points it (geometric)
+ *                          ns     unit normal for shading (着色法线); n itself if there is no other
+ *                          error  p is at most so far from the surface (误差界), along n, if p is
+ *                                 moved along n and rounded once more                       (18.5)
+ *                          noise  the shape's own hit test sees its surface so far off      (18.6)
+ *                          shape  index in the scene, no_shape if unknown
+ *
+ *   surface s = surface_of_shape(&shapes[h.shape], r, h);     a shape of a scene (07)
+ *   surface s = surface_of_mesh(&m, h);                       a triangle of a mesh (07)
+ *   surface s = surface_naive(&shapes[h.shape], r, h);        p = o + t d, no bounds: to compare
+ *   surface s = surface_facing(s, d);                         n and ns turned against d
+ *
+ * How far o + t d is off: epsilon (|o| + |t d|) for the sum, and |d| times the error of t, whatever
+ * that is. Put back on the shape, p forgets where the ray came from: what is left are the roundings
+ * of the last steps, and they are bounded here, with eps = real_epsilon, |p| the largest component:
+ *
+ *   shape      p                     error                             noise (18.6)
+ *   sphere     c + R unit(p - c)     4 eps R + 2 eps |p|               0: 03 decides exactly
+ *   triangle   a + u (b-a) + v (c-a) 2 eps L + 2 eps |p|, L an edge    (4 + k/2) eps L
+ *   polygon    p - n (n.(p - m))     4 eps L + 2 eps |p|, L radius     4 eps L
+ *   cone       moved on to the side  4 eps H + 2 eps |p|, H extent     8 eps H
+ *
+ * 2 eps |p|: two roundings of a sum, each off by eps/2 in each component, along n at most
+ * sqrt(3) eps/2. The rest: unit() is right to 2.25 eps, products and edges to eps/2 each.
+ *
+ * Sources: C. Wächter, N. Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray
+ * Tracing Gems, 2019, ch. 6 (the barycentric point); M. Pharr, W. Jakob, G. Humphreys, "Physically
+ * Based Rendering", 3rd ed., 2016, section 3.9.4 (reprojection, bounds).
+ */
+#ifndef SURFACE_H
+#define SURFACE_H
+
+#include "../07_mesh/closest.h"
+
+typedef struct {
+    vec3 p, n, ns;
+    real error, noise;  /* >= 0, scene units */
+    uint32_t shape;
+} surface;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline real surface_reach(vec3 p)
+{
+    return real_max(real_max(fabs(p.x), fabs(p.y)), fabs(p.z));
+}
+
+/* (18.6) The test of 04 moves each corner by up to 3 eps of its distance from o, which lies on the
+ * triangle: 3 eps L, wherever between the corners p is. Its weights are right to k eps, where k =
+ * L^2 / |e x f|, some 1 for a fat triangle, large for a needle; beyond 64, 04 multiplies exactly. A
+ * ray at angle theta to n meets the plane k eps L sin(theta) too early, k/2 eps L seen along n. The
+ * rest of 4 is for normals of needles, which lean. */
+static inline surface surface_on_triangle(triangle t, uint32_t index, real u, real v)
+{
+    vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.a), x = vcross(e, f), n = triangle_normal(t);
+    vec3 p = vadd(t.a, vmadd(vscale(e, u), f, v));
+    real LL = real_max(vdot(e, e), vdot(f, f)), L = sqrt(LL);
+    real k = real_min(LL / sqrt(vdot(x, x)), 64);  /* a NaN, of no area: 64 */
+    real error = real_epsilon * (2 * L + 2 * surface_reach(p));
+    return (surface){p, n, n, error, real_epsilon * L * (4 + k / 2), index};
+}
+
+static inline surface surface_of_mesh(const mesh *m, hit h)
+{
+    surface s = surface_on_triangle(mesh_triangle(m, h.shape), h.shape, h.u, h.v);
+    if (m->n) s.ns = mesh_normal(m, h.shape, h.u, h.v);
+    return s;
+}
+
+static inline surface surface_on_sphere(sphere b, uint32_t index, vec3 p)
+{
+    vec3 n = vunit(vsub(p, b.c));
+    p = vmadd(b.c, n, fabs(b.r));  /* sphere_point, which finds n on the way */
+    if (b.r < 0) n = vneg(n);
+    real error = real_epsilon * (4 * fabs(b.r) + 2 * surface_reach(p));
+    return (surface){p, n, n, error, 0, index};
+}
+
+static inline surface surface_on_cone(cone c, uint32_t index, vec3 p)
+{
+    p = cone_point(c, p);
+    vec3 n = cone_normal(c, p);
+    real H = vlength(vsub(c.b, c.a)) + fabs(c.ra) + fabs(c.rb);
+    real error = real_epsilon * (4 * H + 2 * surface_reach(p));
+    return (surface){p, n, n, error, 8 * real_epsilon * H, index};
+}
+
+/* Twice: the first step may have come from far away. O(corners), for L. */
+static inline surface surface_on_polygon(polygon g, uint32_t index, vec3 p)
+{
+    real L = 0;
+    vec3 n = g.normal;
+    for (uint32_t i = 0; i < g.n; i++) L = real_max(L, vlength(vsub(g.v[i], g.centre)));
+    for (int k = 0; k < 2; k++) p = vmadd(p, n, -vdot(n, vsub(p, g.centre)));
+    real error = real_epsilon * (4 * L + 2 * surface_reach(p));
+    return (surface){p, n, n, error, 4 * real_epsilon * L, index};
+}
+
+static inline surface surface_of_shape(const shape *s, ray r, hit h)
+{
+    vec3 p = ray_at(r, h.t);
+    switch (s->kind) {
+    case SHAPE_SPHERE: return surface_on_sphere(s->sphere, h.shape, p);
+    case SHAPE_TRIANGLE: return surface_on_triangle(s->triangle, h.shape, h.u, h.v);
+    case SHAPE_CONE: return surface_on_cone(s->cone, h.shape, p);
+    case SHAPE_POLYGON: return surface_on_polygon(s->polygon, h.shape, p);
+    }
+    return (surface){p, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
+}
+
+/* p is where the ray says, and nobody knows how far that is from the surface. At 1e4 from the
+ * origin in float: 1e-3. */
+static inline surface surface_naive(const shape *s, ray r, hit h)
+{
+    vec3 p = ray_at(r, h.t), n = shape_normal(*s, p);
+    return (surface){p, n, n, 0, 0, h.shape};
+}
+
+/* Seen from where the ray comes from: n.d <= 0. ns turns with n. */
+static inline surface surface_facing(surface s, vec3 d)
+{
+    if (vdot(s.n, d) > 0) s.n = vneg(s.n), s.ns = vneg(s.ns);
+    return s;
+}
+
+#endif

@@ -1,0 +1,188 @@
+/* trace.h: trace() finds what a ray meets; what happens then is the user's.
+ *
+ *   trace(&t, kind, r, &payload)
+ *      |  r: origin, tmin, direction, tmax: a RayDesc (01)         program[kind]:
+ *      |                                                            mask       which parts it sees
+ *      +-- each candidate closer than the best so far -> any_hit    accept, ignore, or end
+ *      +-- the closest one                            -> closest_hit
+ *      +-- nothing                                    -> miss
+ *
+ * A kind of ray (光线类型) is a row of such programs, as in DXR, OptiX and Vulkan: a camera ray wants
+ * the closest hit and its colour, a shadow ray (`first`) only whether there is one, and ends at the
+ * first. The payload (有效载荷) is the user's struct: trace hands its address from program to program
+ * and never looks into it. closest_hit and miss may trace further rays: that is all recursion there
+ * is, and it ends where they end it; depth is for their payload to count.
+ *
+ *   kind              usual interval                          what it asks
+ *   RAY_CAMERA        [0, inf]                                closest
+ *   RAY_SHADOW        [0, 1], D = light - O; [0, inf]: sun    any
+ *   RAY_REFLECTION    [0, inf] from leave(s, w)               closest
+ *   RAY_REFRACTION    [0, inf] from leave(s, w)               closest
+ *   RAY_SIGHT         [0, 1] from leave_between(a, b)         any: can the two see each other?
+ *
+ *   world w = {part, n};                 parts: a mesh or a scene of shapes, in a tree (14) each
+ *   world_part_of_mesh(&m, mask, &part); world_part_of_scene(&s, mask, &part); world_part_free(..)
+ *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
+ *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
+ *
+ * Equal t: the lower part, then the lower shape wins (hit.h). any_hit is called in no particular
+ * order, perhaps twice for one hit, only for candidates that would be the best; NULL accepts all,
+ * which is faster. NULL for closest_hit and miss: nothing is done. No part, a NaN: a miss.
+ *
+ * Sources: T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, section 26.1; Microsoft,
+ * DirectX Raytracing functional specification (TraceRay, ray flags, instance masks); S. Parker et
+ * al., "OptiX: A General Purpose Ray Tracing Engine", SIGGRAPH 2010.
+ */
+#ifndef TRACE_H
+#define TRACE_H
+
+#include "../14_bvh/bvh.h"
+#include "../14_bvh/bvh_shapes.h"
+#include "surface.h"
+
+typedef enum {
+    RAY_CAMERA, RAY_SHADOW, RAY_REFLECTION, RAY_REFRACTION, RAY_SIGHT, ray_kinds
+} ray_kind;
+typedef enum { ANY_HIT_ACCEPT, ANY_HIT_IGNORE, ANY_HIT_END } any_hit_answer;
+
+typedef struct {
+    const mesh *m;       /* this, */
+    const scene *s;      /* or this; the other is NULL */
+    bvh of_mesh;
+    bvh_shapes of_scene;
+    uint8_t mask;        /* seen by kinds whose mask shares a bit */
+} world_part;
+
+typedef struct { const world_part *part; size_t parts; } world;
+typedef struct { hit h; uint32_t part; } trace_hit;  /* h.shape: within the part */
+
+typedef struct tracer tracer;
+typedef struct {
+    uint8_t mask;
+    bool first;          /* any hit will do: no closest_hit is called */
+    any_hit_answer (*any_hit)(const tracer *t, ray r, trace_hit x, void *payload);
+    void (*closest_hit)(tracer *t, ray r, trace_hit x, void *payload);
+    void (*miss)(tracer *t, ray r, void *payload);
+} ray_program;
+
+typedef struct { size_t rays[ray_kinds], hits[ray_kinds]; } trace_counts;
+
+struct tracer {
+    const world *w;
+    const ray_program *program;  /* [ray_kinds] */
+    const void *user;            /* for the programs */
+    trace_counts counts;
+};
+
+static const char *const ray_kind_names[ray_kinds] = {"camera", "shadow", "reflection",
+                                                      "refraction", "sight"};
+
+static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The mesh must outlive the part. O(n log n). */
+static inline void world_part_of_mesh(const mesh *m, uint8_t mask, world_part *out)
+{
+    *out = (world_part){.m = m, .mask = mask};
+    bvh_build(m, bvh_defaults, &out->of_mesh);
+}
+
+static inline void world_part_of_scene(const scene *s, uint8_t mask, world_part *out)
+{
+    *out = (world_part){.s = s, .mask = mask};
+    bvh_shapes_build(s, bvh_defaults, &out->of_scene);
+}
+
+static inline void world_part_free(world_part *p)
+{
+    if (p->m) bvh_free(&p->of_mesh);
+    if (p->s) bvh_shapes_free(&p->of_scene);
+    *p = (world_part){.mask = 0};
+}
+
+/* What was hit, put back on its shape. */
+static inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
+{
+    const world_part *p = &t->w->part[x.part];
+    return p->m ? surface_of_mesh(p->m, x.h) : surface_of_shape(&p->s->shapes[x.h.shape], r, x.h);
+}
+
+/* For kinds with an any_hit: the search of a leaf, one item at a time, with a question in between.
+ * `one` is the search as it would be with this item: kept if the answer says so. */
+typedef struct {
+    const tracer *t;
+    const ray_program *program;
+    const world_part *part;
+    uint32_t index;
+    ray r;
+    void *payload;
+    bool *end;
+} trace_asking;
+
+__attribute__((always_inline))
+static inline bool trace_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                              bool any)
+{
+    const trace_asking *a = context;
+    bool found = false;
+    for (uint32_t i = first; i < first + count; i++) {
+        query one = *q;
+        bool closer = a->part->m ? bvh_leaf(&a->part->of_mesh, i, 1, &one, false)
+                                 : bvh_shapes_leaf(&a->part->of_scene, i, 1, &one, false);
+        if (!closer || *a->end) continue;
+        trace_hit x = {one.best, a->index};
+        any_hit_answer answer = a->program->any_hit(a->t, a->r, x, a->payload);
+        if (answer == ANY_HIT_IGNORE) continue;
+        *q = one;
+        found = true;
+        if (answer == ANY_HIT_END) *a->end = true, q->r.tmax = -real_infinity;  /* prunes all */
+        if (any || *a->end) return true;
+    }
+    return found;
+}
+
+/* True: met, and *x says what (not if the kind asks for the first: then x is untouched). */
+static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k, ray r,
+                              void *payload, bool *end, hit *h)
+{
+    const world_part *p = &t->w->part[k];
+    if (!g->any_hit) {
+        if (g->first && p->m) return bvh_occluded(&p->of_mesh, r);
+        if (g->first) return bvh_shapes_occluded(&p->of_scene, r);
+        return p->m ? bvh_hit(&p->of_mesh, r, h) : bvh_shapes_hit(&p->of_scene, r, h);
+    }
+    const bvh_tree *tree = p->m ? &p->of_mesh.tree : &p->of_scene.tree;
+    trace_asking a = {t, g, p, k, r, payload, end};
+    if (g->first) return tree_search(tree, r, box_ray_of, trace_leaf, &a, true, NULL, NULL);
+    return tree_search(tree, r, box_ray_of, trace_leaf, &a, false, h, NULL);
+}
+
+static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)
+{
+    const ray_program *g = &t->program[kind];
+    trace_hit best = {hit_none, 0};
+    bool met = false, end = false;
+    ray rest = r;
+    t->counts.rays[kind]++;
+    for (uint32_t k = 0; k < t->w->parts && !end && !(met && g->first); k++) {
+        hit h = hit_none;
+        if (!(t->w->part[k].mask & g->mask)) continue;
+        if (!trace_part(t, g, k, rest, payload, &end, &h)) continue;
+        if (!met || h.t < best.h.t) best = (trace_hit){h, k};  /* at equal t the first part stays */
+        met = true;
+        if (!g->first) rest.tmax = best.h.t;
+    }
+    t->counts.hits[kind] += met;
+    if (!met && g->miss) g->miss(t, r, payload);
+    if (met && !g->first && g->closest_hit) g->closest_hit(t, r, best, payload);
+    return met;
+}
+
+static inline void trace_counts_add(trace_counts *to, const trace_counts *more)
+{
+    for (int k = 0; k < ray_kinds; k++)
+        to->rays[k] += more->rays[k], to->hits[k] += more->hits[k];
+}
+
+#endif

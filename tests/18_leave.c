@@ -1,0 +1,288 @@
+/* 18_leave: rays that leave surfaces: no self-hits, no missed occluders; bounds against exact
+ * distances; the other ways fail where they are said to. */
+#include "check.h"
+#include "../chapters/18_shade/leave_f32.h"
+#include "../chapters/18_shade/trace.h"
+
+static const int last = leavings - 1;  /* the default stands last */
+
+/* NUMERICS: n.w > 1e-3, T up to 1e6; gaps of 1e-6 max(1, T / 1e4), in float 32 ulps of |p|. */
+static void test_default(void)
+{
+    static const char *const names[] = {"sphere", "triangle", "needle", "cone", "polygon"};
+    for (int kind = 0; kind < departure_kinds; kind++) {
+        size_t self = 0, leak = 0, n = check_count(kind < 2 ? 20000 : 8000), all = 0;
+        for (int e = -3; e <= 6; e++)
+            for (int moved = 0; moved < 2; moved++) {
+                /* in float a shape of 1 is not a shape any more at 1e6, but for the first three:
+                 * a cone's wall is thinner there than the reals are apart */
+                if (real_is_float && moved && e > 3 && kind >= DEPART_CONE) continue;
+                real x = pow((real)10, (real)e);
+                for (size_t i = 0; i < n; i++) {
+                    departure d;
+                    departure_make(&d, (departure_kind)kind, moved ? 1 : x, moved ? x : 0, 5, i);
+                    self += departure_self(&d, ways[last]);
+                    leak += departure_leak(&d, ways[last], departure_gap(&d));
+                    all++;
+                }
+            }
+        /* A cone's tip has no normal: in float some hits lie within an offset of it. */
+        size_t tips = real_is_float && kind == DEPART_CONE ? all / 5000 : 0;
+        check_at_most(self, tips, "%s: rays that meet the surface they leave", names[kind]);
+        check_at_most(leak, tips, "%s: occluders missed", names[kind]);
+    }
+}
+
+typedef struct { double self, leak; } shares;
+
+static shares play(leaving way, departure_kind kind, real size, real T, size_t n)
+{
+    shares s = {0, 0};
+    for (size_t i = 0; i < n; i++) {
+        departure d;
+        departure_make(&d, kind, size, T, 6, i);
+        s.self += (double)departure_self(&d, way) / (double)n;
+        s.leak += (double)departure_leak(&d, way, departure_gap(&d)) / (double)n;
+    }
+    return s;
+}
+
+static void test_others_fail(void)
+{
+    size_t n = check_count(20000);
+    check_at_least(play(ways[0], DEPART_SPHERE, 1, 0, n).leak, 0.9, "eps 1e-3, gap 1e-6");
+    check_at_least(play(ways[1], DEPART_TRIANGLE, (real)1e-3, 0, n).leak, 0.9, "eps 1e-4, too");
+    check_at_least(play(ways[2], DEPART_SPHERE, 1, 100, n).self, 0.05, "eps in t: grazing rays");
+    check_at_least(play(ways[3], DEPART_TRIANGLE, 1000, 0, n).self, 0.002, "eps |p|: large ones");
+    check_equal(play(ways[3], DEPART_SPHERE, 1, 0, n).self, 0, "eps |p|: but not spheres");
+    if (real_is_float) check_at_least(play(ways[4], DEPART_SPHERE, 1, 0, n).leak, 0.3, "256 ulps");
+    size_t bounds = 0, ulps = 0;
+    for (size_t i = 0; i < 200000; i++) {
+        departure d;
+        departure_make(&d, DEPART_NEEDLE, 1, 0, 7, i);
+        bounds += departure_self(&d, ways[5]);
+        departure_make(&d, DEPART_TRIANGLE, (real)1e6, 0, 7, i / 2);
+        if (i % 2) ulps += departure_self(&d, ways[4]);
+    }
+    if (!real_is_float) check_at_least(bounds, 1, "bounds of p alone: needles");
+    check_at_least(ulps, 1, "ulps: large triangles");
+    double acne = 0, leak = 0;
+    for (size_t i = 0; i < n; i++) {
+        departure d;
+        departure_make(&d, DEPART_SPHERE, 1, 10000, 8, i);
+        acne += (double)departure_self_f32(&d, 1e-3f) / (double)n;
+        leak += (double)departure_leak_f32(&d, 1e-3f, (real)1e-3) / (double)n;
+    }
+    check_at_least(acne, 0.1, "float, eps 1e-3 at 1e4: a tenth of the sphere is black");
+    check_at_least(leak, 0.1, "and light comes through what is 1e-3 above it");
+}
+
+/* Distance of a point from the surface, with its sign along n: exactly, but for 1e-30. */
+static double distance(const shape *s, vec3 n, vec3 p)
+{
+    if (s->kind == SHAPE_SPHERE) {
+        wide3 f = wide3_sub(wide3_of(p), wide3_of(s->sphere.c));
+        double d = wide_value(wide_sub(wide3_length(f), wide_of((double)s->sphere.r)));
+        return vdot(n, vsub(p, s->sphere.c)) < 0 ? -d : d;
+    }
+    wide3 a = wide3_of(s->triangle.a), e = wide3_sub(wide3_of(s->triangle.b), a);
+    wide3 x = wide3_cross(e, wide3_sub(wide3_of(s->triangle.c), a));
+    wide d = wide_div(wide3_dot(x, wide3_sub(wide3_of(p), a)), wide3_length(x));
+    wide side = wide3_dot(x, wide3_of(n));
+    return wide_sign(side) < 0 ? -wide_value(d) : wide_value(d);
+}
+
+/* (18.5): |p - surface| <= error; O on the side of w, and not farther off than twice of it all. */
+static void test_bounds(void)
+{
+    size_t n = check_count(30000), beyond = 0, behind = 0, far = 0, naive = 0;
+    for (int kind = 0; kind <= DEPART_TRIANGLE; kind++)
+        for (int e = 0; e <= 6; e += 2)
+            for (size_t i = 0; i < n; i++) {
+                departure d;
+                departure_make(&d, (departure_kind)kind, 1, e ? pow((real)10, (real)e) : 0, 9, i);
+                surface s = departure_surface(&d, false), old = departure_surface(&d, true);
+                beyond += !(fabs(distance(&d.s, s.n, s.p)) <= (double)s.error);
+                naive += !(fabs(distance(&d.s, s.n, old.p)) <= (double)s.error);
+                ray out = leave(s, d.w), in = leave(s, vneg(d.w));
+                behind += !(distance(&d.s, s.n, out.o) > 0) || !(distance(&d.s, s.n, in.o) < 0);
+                double most = 2 * (double)(s.error + s.noise);
+                far += !(distance(&d.s, s.n, out.o) <= most);
+                far += out.tmin != 0 || out.tmax != real_infinity;
+            }
+    check_equal(beyond, 0, "p farther from the surface than its bound says");
+    check_equal(behind, 0, "an origin on the wrong side");
+    check_equal(far, 0, "an origin too far away, or another interval than [0, inf]");
+    check_at_least(naive, n / 100, "o + t d is farther off than that, now and then");
+}
+
+/* Exact inputs. */
+static void test_named(void)
+{
+    shape ball = shape_of_sphere((sphere){{0, 0, 0}, 1});
+    hit h;
+    ray r = ray_from((vec3){0, 0, 4}, (vec3){0, 0, -2});
+    check(shape_hit(ball, r, &h), "straight down");
+    surface s = surface_of_shape(&ball, r, h);
+    check(s.p.x == 0 && s.p.y == 0 && s.p.z == 1 && s.n.z == 1 && s.ns.z == 1, "the north pole");
+    check_close(s.error, 6 * real_epsilon, 1e-3 * (double)real_epsilon, "4 eps R + 2 eps |p|");
+    check_equal(s.noise, 0, "spheres are tested exactly");
+    ray in = leave(s, (vec3){0, 0, -1});
+    check(shape_hit(ball, in, &h), "into it: the other side is met");
+    check_close(h.t, 2, 16 * (double)real_epsilon, "the south pole");
+    check(!shape_hit(ball, leave(s, (vec3){1, 0, 0}), &h), "along the tangent: nothing");
+    s.ns = (vec3){1, 0, 0};
+    check(leave(s, (vec3){-1, 0, (real)0.1}).o.z > 1, "the geometric normal tells the side");
+    surface turned = surface_facing(s, (vec3){0, 0, 1});
+    check(turned.n.z == -1 && turned.ns.x == -1, "seen from within, both normals turn");
+    ray to = leave_to(s, (vec3){0, 0, 3});
+    check(to.tmin == 0 && to.tmax == 1 && ray_at(to, 1).z == 3, "[0, 1] ends at the light");
+}
+
+/* Needles whose weights are least sure (k up to 64), left along their length. The part of `noise`
+ * that grows with k is there for them. */
+static void test_needles(void)
+{
+    size_t n = 200000, self = 0, without = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(14, i, 0);
+        vec3 x, y, z = departure_unit(&s);
+        vbasis(z, &x, &y);
+        real k = 8 + 60 * random_next(&s), turn = random_next(&s);
+        vec3 c = departure_unit(&s);
+        triangle t = {c, vadd(c, x), vmadd(vmadd(c, x, turn), y, 1 / k)};
+        real u = random_next(&s), v = (1 - u) * random_next(&s);
+        surface at = surface_on_triangle(t, 0, u, v);
+        real slope = (real)0.1 + random_next(&s);
+        vec3 w = vadd(at.n, vscale(i % 2 ? x : vneg(x), slope));
+        hit h;
+        self += triangle_hit(t, leave(at, w), &h);
+        at.noise = 0;
+        without += triangle_hit(t, leave(at, w), &h);
+    }
+    check_equal(self, 0, "needles that meet themselves");
+    check_at_least(without, 1, "without noise, some do");
+}
+
+/* A floor of two triangles. Skipping the shape that a ray leaves is not enough: near the diagonal
+ * it meets the neighbour, which lies in the same plane. */
+typedef struct { uint32_t own; } skip_payload;
+
+static any_hit_answer skip_own(const tracer *t, ray r, trace_hit x, void *payload)
+{
+    (void)t, (void)r;
+    return x.h.shape == ((skip_payload *)payload)->own ? ANY_HIT_IGNORE : ANY_HIT_ACCEPT;
+}
+
+static void test_skip(void)
+{
+    static const ray_program programs[ray_kinds] = {
+        [RAY_CAMERA] = {1, false, NULL, NULL, NULL},
+        [RAY_SHADOW] = {1, true, NULL, NULL, NULL},
+        [RAY_REFLECTION] = {1, true, skip_own, NULL, NULL}};
+    size_t n = check_count(40000), plain = 0, skipping = 0, leaving_both = 0, asked = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(11, i, 0);
+        vec3 x, y, z = departure_unit(&s), c = vscale(departure_unit(&s), 300);
+        vbasis(z, &x, &y);
+        vec3 a = vadd(c, x), b = vadd(c, y), d = vsub(c, x), e = vsub(c, y);
+        shape two[2] = {shape_of_triangle((triangle){a, b, d}),
+                        shape_of_triangle((triangle){a, d, e})};
+        scene floor = {two, 2};
+        vec3 from = vadd(c, vscale(z, 2)), w = departure_towards(z, (real)0.0015, &s);
+        real on = random_next(&s) * 2 - 1;
+        real across = (random_next(&s) - (real)0.5) * 10000 * real_epsilon;
+        ray r = ray_between(from, vmadd(vmadd(c, x, on), y, across));
+        r.tmax = real_infinity;
+        hit h;
+        if (!scene_hit(&floor, r, &h)) continue;
+        world_part part;
+        world_part_of_scene(&floor, 1, &part);
+        world all = {&part, 1};
+        tracer t = {.w = &all, .program = programs};
+        skip_payload own = {h.shape};
+        ray naive = {ray_at(r, h.t), 0, w, real_infinity};
+        plain += trace(&t, RAY_SHADOW, naive, NULL);
+        skipping += trace(&t, RAY_REFLECTION, naive, &own);
+        surface at = surface_facing(surface_of_shape(&two[h.shape], r, h), r.d);
+        leaving_both += trace(&t, RAY_SHADOW, leave(at, w), NULL);
+        asked++;
+        world_part_free(&part);
+    }
+    check_at_least(asked, n / 2, "rays hit the floor");
+    check_at_least(plain, n / 20, "no offset: acne");
+    check_at_least(plain, skipping + n / 50, "skipping the own triangle helps");
+    check_at_least(skipping, n / 500, "but not against its neighbour");
+    check_equal(leaving_both, 0, "leave needs no skipping");
+}
+
+/* Both ends on surfaces: points in two faces of a room see each other, wherever the room is. */
+static void test_between(void)
+{
+    size_t blocked = 0, unlike = 0, n = check_count(30000), naive = 0;
+    for (int e = 0; e <= 6; e += 2)
+        for (size_t i = 0; i < n; i++) {
+            random_stream s = random_start(12, i, (uint64_t)e);
+            real T = e ? pow((real)10, (real)e) : 0;
+            vec3 c = vscale(departure_unit(&s), T), x, y, z = departure_unit(&s);
+            vbasis(z, &x, &y);
+            shape two[2];
+            surface at[2];
+            for (int k = 0; k < 2; k++) {  /* floor and ceiling, or two balls, 4 apart */
+                vec3 m = vmadd(c, z, k ? 2 : -2);
+                two[k] = i % 2 ? shape_of_sphere((sphere){m, 1})
+                               : shape_of_triangle((triangle){vmadd(m, x, 3), vmadd(m, y, 3),
+                                                              vmadd(vmadd(m, x, -3), y, -3)});
+                vec3 aim = i % 2 ? vmadd(m, departure_towards(z, random_next(&s), &s), k ? -1 : 1)
+                                 : vmadd(vmadd(m, x, random_next(&s)), y, random_next(&s) / 2);
+                ray r = ray_between(c, aim);
+                hit h;
+                r.tmax = real_infinity;
+                if (!shape_hit(two[k], r, &h)) h.t = real_infinity;
+                at[k] = surface_facing(surface_of_shape(&two[k], r, h), r.d);
+            }
+            if (!vfinite(at[0].p) || !vfinite(at[1].p)) continue;
+            vec3 ab = vunit(vsub(at[1].p, at[0].p));
+            if (!(vdot(at[0].n, ab) > (real)0.01 && vdot(at[1].n, ab) < (real)-0.01)) continue;
+            scene room = {two, 2};
+            bool there = scene_occluded(&room, leave_between(at[0], at[1]));
+            blocked += there;
+            unlike += there != scene_occluded(&room, leave_between(at[1], at[0]));
+            naive += scene_occluded(&room, ray_between(at[0].p, at[1].p));
+        }
+    /* A plate of 1 at the origin, seen from afar: its own p is sure to 1e-15, but the test sees its
+     * corners from 1e5 away. */
+    size_t near_only = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(13, i, 0);
+        vec3 x, y, z = departure_unit(&s);
+        vbasis(z, &x, &y);
+        shape plate = shape_of_triangle((triangle){x, y, vneg(vadd(x, y))});
+        ray r = ray_between(z, vscale(x, random_next(&s) / 2));
+        r.tmax = 2;
+        hit h;
+        if (!shape_hit(plate, r, &h)) continue;
+        surface at = surface_facing(surface_of_shape(&plate, r, h), r.d);
+        vec3 p = vscale(departure_towards(z, (real)0.001 + random_next(&s) / 10, &s), 100000);
+        surface air = {p, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
+        blocked += shape_hit(plate, leave_between(air, at), &h);
+        blocked += shape_hit(plate, leave_between(at, air), &h);
+        near_only += shape_hit(plate, ray_between(p, leave(at, p).o), &h);
+    }
+    check_at_least(near_only, n / 1000, "bounds for one end alone: the far one is met");
+    check_equal(blocked, 0, "an end of a line of sight is met");
+    check_equal(unlike, 0, "a sees b, but b does not see a");
+    check_at_least(naive, n / 10, "[0, 1] between the points themselves meets its ends");
+}
+
+int main(void)
+{
+    test_default();
+    test_others_fail();
+    test_bounds();
+    test_named();
+    test_needles();
+    test_skip();
+    test_between();
+    return check_report("18_leave");
+}
