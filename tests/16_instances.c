@@ -69,7 +69,8 @@ static bool compare(const crowd *c, const affine *inverse, const instances *x, r
     bool expected = crowd_hit(c, inverse, r, &brute, &i), got = instances_hit(x, r, &h);
     v->rays++, v->hits += expected;
     v->wrong += !same_place(got, h, expected, brute, i) || (!got && h.instance != 7);
-    v->wrong_any += instances_occluded(x, r) != expected;
+    v->wrong_any += instances_occluded(x, r) != expected
+                    || crowd_occluded(c, inverse, r) != expected;
     *t = brute.t;
     return expected;
 }
@@ -526,6 +527,10 @@ static void test_nearly_singular(bool wire)
     for (int e = 0; e < digits + 10; e++) {
         instance list[1] = {{plate(e, wire), 0}};
         crowd c = {&m, 1, list, 1};
+        affine a;
+        check(!instance_inverse(list[0].to_world, &a)
+                  || inverse_doubt(list[0].to_world, a) <= (real)0.25,
+              "2^-%d thick: seen only where (16.3) holds, g <= 1/4", e);
         for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_POINTS; b++) {
             instances x = built(&c, b);
             if (instances_stats(&x).hidden) {
@@ -548,7 +553,7 @@ static void test_nearly_singular(bool wire)
 /* Cramer's rule is off by some eps / s^2 for a wire of thickness s; refined, by eps / s. */
 static void test_refined(void)
 {
-    int e = real_is_float ? 8 : 20;
+    int e = real_is_float ? 10 : 24;  /* so thin that one step of (16.6) is not enough */
     real before = 0, after = 0, s = ldexp((real)1, -e);
     for (size_t i = 0; i < 200; i++) {
         random_stream g = random_start(54, i, 0);
@@ -602,6 +607,16 @@ static void test_beyond_all_numbers(void)
     ray r = ray_from((vec3){0, 0, 0}, (vec3){0, step, step / 8});
     check(isnan(affine_point(list[0].to_world, m.v[0]).x), "infinity - infinity");
     check(instances_hit(&x, r, &h) && h.instance == 0, "a triangle whose corners have no numbers");
+    instances_free(&x);
+    /* The same along all axes: nothing of its box is left to make another one infinite. */
+    list[0].to_world = (affine){{2 * huge, -huge, 0}, {-huge, 2 * huge, -huge}, {0, 0, 2 * huge},
+                                {0, 0, 0}};
+    set_triangle(&m, 0, (vec3){60, 64, 64}, (vec3){64, 60, 64}, (vec3){66, 66, 64});
+    x = built(&c, INSTANCES_POINTS);
+    r.d = vscale(affine_vector(list[0].to_world, (vec3){1, 1, 1}), (real)0x1p-20);
+    vec3 corner = affine_point(list[0].to_world, m.v[0]);
+    check(isnan(corner.x) && isnan(corner.y) && isnan(corner.z), "infinity - infinity everywhere");
+    check(instances_hit(&x, r, &h) && h.instance == 0, "a triangle that has no box");
     instances_free(&x), mesh_free(&m);
 }
 
@@ -820,6 +835,25 @@ static void test_pad_is_needed(bool fixed)
     mesh_free(&m);
 }
 
+/* (16.3) term by term, where each can be told exactly. M = 2, A = 1/2: |M| = 2, |A| = 1/2 and
+ * K = k = 1, so R counts 256 + 4. A off by 2^-10, a by 2^-9: E = 2^-9, f = 2^-8. */
+static void test_pad_formula(void)
+{
+    real eps = real_epsilon, V = 3, off = (real)0x1p-10;
+    affine m = affine_of(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){4, -8, 1}));
+    affine a = {.o = {0, 0, 0}};
+    check(instance_inverse(m, &a), "there is an inverse");
+    placing p = placing_of(m, a, V);
+    real world = 2 * V + 8, far = 2 * 4 + world, third = (real)4 / 3;
+    check_close(p.by_origin, third * eps * 260, 8 * eps * eps * 260, "what the ray pays");
+    check_close(p.fixed, third * (260 * eps * far + 2 * eps * world), 8 * eps * eps * 260 * far,
+                "what the box pays, with an exact inverse");
+    a.y.y += off, a.o.x += 2 * off;
+    p = placing_of(m, a, V);
+    check_close(p.fixed, third * (4 * off + 2 * off * world), 400 * eps * far,
+                "an inverse that is off: |f| + |E| (|M| V + |m|)");
+}
+
 /* Each instance that can be hit is in one leaf; `where` and `place` are inverse to each other. */
 static void test_invariants(void)
 {
@@ -832,6 +866,14 @@ static void test_invariants(void)
         if (i != 1) seen += x.tree.node[i].count;
     check_equal(seen, 49, "every instance in one leaf, but for the flat one");
     check_equal(x.where[7], no_shape, "which has no place");
+    for (uint32_t i = 0; i < 50; i++) {
+        if (i == 7) continue;
+        const placed *q = &x.place[x.where[i]];
+        real reach = box_farthest(&x.lower[q->mesh].tree.node[0].box);
+        check((real)x.tree.node[1].box.side[0]
+                  >= placing_of(s.list[i].to_world, q->to_object, reach).by_origin,
+              "a ray pays for every instance, for the worst one, too");
+    }
     for (uint32_t i = 0; i < 50; i++)
         check(i == 7 || (x.place[x.where[i]].index == i && x.place[x.where[i]].mesh == i % 3),
               "where and place");
@@ -841,6 +883,10 @@ static void test_invariants(void)
         + 16 * (double)s.mesh[2].triangles;
     check_equal(st.triangles, triangles, "triangles of all instances");
     check_equal(st.instances, 50, "instances"), check_equal(st.hidden, 1, "hidden");
+    int deepest = 0;
+    for (int k = 0; k < 3; k++)
+        deepest = x.lower[k].tree.depth > deepest ? x.lower[k].tree.depth : deepest;
+    check_equal(st.lower_depth, deepest, "the deepest tree of a mesh");
     check_at_most(st.upper_bytes, 50 * (sizeof(placed) + 4 + 64) + 64,
                   "memory: a place, a number, and two nodes an instance");
     check_equal(st.upper_bytes + st.lower_bytes, x.bytes, "bytes add up");
@@ -850,6 +896,9 @@ static void test_invariants(void)
     bool got = instances_hit(&x, r, &h);
     check(got && instances_hit_counted(&x, r, &same_h, &w) && same_h.h.t == h.h.t, "counted: same");
     check(w.upper.tests > 0 && w.upper.tests < 50 && w.lower.nodes > 0, "and counted");
+    w = (instances_work){.upper = {.nodes = 0}};
+    check(instances_occluded_counted(&x, r, &w) && w.upper.tests > 0 && w.lower.nodes > 0,
+          "any hit, counted");
     instances_free(&x), scene_free(&s);
 }
 
@@ -921,6 +970,43 @@ static void test_normals_of_instances(void)
     instances_free(&x), scene_free(&s);
 }
 
+/* Meshes with a normal at each point, with normals that have numbers of their own, and without: at
+ * corners the flattened mesh says what each instance says. */
+static void test_flattened_normals(void)
+{
+    scene_of_three s;
+    scene_make(&s, 12, 4, (vec3){0, 0, 0}, 99);
+    mesh *one = &s.mesh[1], *own = &s.mesh[2];
+    mesh_smooth_normals(one);
+    own->n = allocate(own->normals = 5, sizeof *own->n);
+    own->normal_index = allocate(3 * own->triangles, sizeof *own->normal_index);
+    for (uint32_t k = 0; k < 5; k++) own->n[k] = (vec3){1, (real)k, -2};
+    for (uint32_t k = 0; k < 3 * own->triangles; k++)
+        own->normal_index[k] = k % 7 == 6 ? mesh_none : k % 5;
+    s.list[4].to_world.x = (vec3){0, 0, 0};  /* never hit: left out, and all numbers stay right */
+    check_equal(mesh_bytes(own), (own->vertices + 5) * sizeof(vec3) + own->triangles * 24,
+                "points, normals, twice three numbers a triangle");
+    affine *inverse = crowd_inverses(&s.c);
+    mesh flat = crowd_flattened(&s.c);
+    double worst = 0;
+    size_t seen = 0;
+    for (uint32_t f = 0; f < flat.triangles; f++) {
+        uint32_t i = 0, k = 0;
+        flat_place(&s.c, inverse, f, &i, &k);
+        check(i != 4 && k < s.mesh[i % 3].triangles, "triangle %u of instance %u", k, i);
+        for (int j = 0; j < 3; j++) {
+            vec3 n = mesh_corner_normal(&s.mesh[i % 3], k, j);
+            vec3 got = mesh_corner_normal(&flat, f, j);
+            seen += !vzero(n);
+            worst = check_worse(worst, (double)vlength(vsub(got, normal_to_world(&inverse[i], n))));
+        }
+    }
+    check_at_least(seen, 100, "corners with normals");
+    check_equal(worst, 0, "normals of the flattened mesh: those of the instances");
+    mesh_free(&flat), scene_free(&s);
+    free(inverse);
+}
+
 /* A closed octahedron, corners counter-clockwise seen from outside: its normals point away from its
  * centre, mirrored or not. Those of the flattened mesh, whose corners keep their order, do not. */
 static void test_outside_of_mirrored(void)
@@ -981,9 +1067,11 @@ int main(void)
     test_boxes();
     test_pad_holds_every_hit();
     test_pad_is_needed(true), test_pad_is_needed(false);
+    test_pad_formula();
     test_invariants();
     test_normals();
     test_normals_of_instances();
+    test_flattened_normals();
     test_outside_of_mirrored();
     return check_report("16_instances");
 }

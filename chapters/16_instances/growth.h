@@ -58,7 +58,8 @@ static inline void table_of_growth(const options *o)
         if (with == 2) table_number(&out, eye[0] / eye[1]);
         else table_text(&out, "-"), table_text(&out, "-");
         plot_add(&p, two, (double)number[i], mb);
-        plot_add(&p, with == 2 ? flat : guess, (double)number[i], flat_mb);
+        if (with == 2) plot_add(&p, flat, (double)number[i], flat_mb);
+        if (i + 1 >= built) plot_add(&p, guess, (double)number[i], flat_mb);  /* from the last on */
         plot_add(&q, two_time, (double)number[i], per(eye[0] * 1e9, s.eyes));
         if (with == 2) plot_add(&q, flat_time, (double)number[i], per(eye[1] * 1e9, s.eyes));
         bvh_free(&m[1].b), mesh_free(&m[1].m);

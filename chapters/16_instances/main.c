@@ -1,8 +1,8 @@
 /* 16_instances: a forest of two firs, an oak, two birches, many times; normals that stay right.
 cc -std=c11 -O2 -ffp-contract=off -o 16_instances chapters/16_instances/main.c -lm -lpthread
  *
- * Without options: the forest, what goes wrong with normals and with normalised rays, three tables,
- * two plots. --instances N: so many plants, the picture only. --mesh FILE.obj: a crowd of that
+ * Without options: the forest, what goes wrong with normals and with normalised rays, four tables,
+ * three plots. --instances N: so many plants, the picture only. --mesh FILE.obj: a crowd of that
  * mesh, y up, the picture only. */
 #include "../07_mesh/obj.h"
 #include "growth.h"

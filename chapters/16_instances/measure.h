@@ -215,8 +215,10 @@ static inline void table_of_methods(const options *o)
         method_row(&out, &m[i], both, seconds, eye[0]);
     }
     output_table(o, &out);
+    char label[40];
+    snprintf(label, sizeof label, "other answers [of %zu]", corners);
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
-                      "other answers [of 500]", PLOT_LOG_Y);
+                      label, PLOT_LOG_Y);
     for (int i = 0; i < 5; i++)
         plot_add(&p, plot_series(&p, m[i].name), per(eye[i] * 1e9, s.eyes), (double)wrong[1][i]);
     output_plot(o, &p, "16_instances_wrong_time.svg");

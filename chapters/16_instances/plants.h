@@ -2,7 +2,7 @@
  *
  *   plant p = plant_fir(seed), plant_oak(seed), plant_birch(seed), plant_bush(seed),
  *             plant_grass(seed)
- *   plant p = plant_of_mesh(m)          any mesh of others, y up, scaled to height 1 on z = 0
+ *   plant p = plant_of_mesh(m)          any mesh of others, y up: its longest side 1, on z = 0
  *   mesh_free(&p.m)
  *
  * Stems are rings of quadrilaterals, leaves single triangles. Leaves have normals that lean half
@@ -227,8 +227,8 @@ static inline plant plant_grass(uint64_t seed)
     return p;
 }
 
-/* y becomes z; the middle of the box over the origin, its bottom at 0, its height 1. A mesh without
- * extent is left as it is. */
+/* y becomes z; the middle of the box over the origin, its bottom at 0, its longest side 1. One
+ * without extent keeps its size. */
 static inline plant plant_of_mesh(mesh m)
 {
     vec3 lo, hi;
