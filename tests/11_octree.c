@@ -136,8 +136,8 @@ static void test_scales(real scale, size_t n)
     mesh_free(&m);
 }
 
-/* Faces a little beyond the walls of cells, hit at a t of few digits: t |d_a|, taken back, may say a
- * place before the wall, by more than delta. All the same the cell behind it must be asked. */
+/* Faces a little beyond the walls of cells, hit at a t of few digits: t |d_a|, taken back, may say
+ * a place before the wall, by more than delta. All the same the cell behind it must be asked. */
 static void test_few_digits(size_t n)
 {
     mesh planes = floors_mesh(4), m = mesh_room(planes.triangles + 2);
