@@ -136,6 +136,58 @@ static void test_scales(real scale, size_t n)
     mesh_free(&m);
 }
 
+/* Faces a little beyond the walls of cells, hit at a t of few digits: t |d_a|, taken back, may say
+ * a place before the wall, by more than delta. All the same the cell behind it must be asked. */
+static void test_few_digits(size_t n)
+{
+    mesh planes = floors_mesh(4), m = mesh_room(planes.triangles + 2);
+    real beyond = 1 + (real_is_float ? (real)0x1p-10 : (real)0x1p-36), small = (real)0x1p-20;
+    structure_verdict v = {0, 0, 0, 0};
+    structure s = {"octree", build, find, occluded, destroy};
+    octree t;
+    failure f;
+    for (size_t i = 0; i < planes.triangles; i++) {
+        triangle p = mesh_triangle(&planes, i);
+        set_triangle(&m, i, p.a, p.b, p.c);
+    }
+    for (int k = 0; k < 2; k++) {  /* two dots that make the cube a little larger */
+        vec3 dot = {k ? beyond : -beyond, k ? beyond : -beyond, k ? beyond : -beyond};
+        set_triangle(&m, planes.triangles + (size_t)k, dot, dot, dot);
+    }
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], small);
+    items x = items_of_mesh(&m);
+    how = (octree_options){1, 6, true, true, (size_t)1 << 26};
+    check(octree_build(&x, how, &t, &f), "built");
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(31, i, 0);
+        vec3 o = random_vector(&g, 2), d = {0, 0, 0};
+        ((real *)&d)[i % 3] = ldexp(1 + random_next(&g), real_is_float ? 125 : 1021);
+        structure_ray(&s, &t, &x, ray_from(vscale(o, small), d), &v);
+    }
+    check_equal(v.wrong + v.wrong_any, 0, "t of few digits, faces just beyond a wall");
+    check_at_least(v.hits, v.rays / 4, "they hit");
+    octree_free(&t);
+    mesh_free(&planes), mesh_free(&m);
+}
+
+/* 17 planes, one behind the other: the search ends at the first. */
+static void test_ends_at_the_hit(void)
+{
+    mesh m = floors_mesh(16);
+    items x = items_of_mesh(&m);
+    octree t;
+    failure f;
+    search_work w = {0, 0, 0, 0};
+    hit h;
+    how = (octree_options){16, 6, true, true, (size_t)1 << 26};
+    check(octree_build(&x, how, &t, &f), "built");
+    check(octree_hit_counted(&t, ray_from((vec3){-3, (real)0.03, (real)0.07}, (vec3){1, 0, 0}), &h,
+                             &w) && h.t == 2, "the first plane");
+    check_at_most(w.leaves, 4, "leaves asked: those at the first plane alone");
+    octree_free(&t);
+    mesh_free(&m);
+}
+
 /* The same answers with and without counting; the mailbox saves tests, and no hit. */
 static void test_counted(size_t n)
 {
@@ -181,6 +233,8 @@ int main(void)
     test_beyond_the_cell();
     test_scales(1, check_count(4000));
     test_scales(0x1p-20, check_count(4000));
+    test_few_digits(check_count(3000));
+    test_ends_at_the_hit();
     test_counted(check_count(4000));
     return check_report("11_octree");
 }

@@ -10,6 +10,7 @@ typedef struct {
     const octree *t;
     size_t leaves, empty, inner, references, bad_bits, apart, twice;
     double volume;  /* of the cube, sum over the leaves */
+    int depth;
 } census;
 
 static bool leaf_holds(const octree *t, octree_node n, uint32_t item)
@@ -36,6 +37,7 @@ static void count_cell(census *s, uint32_t node, octree_cell c)
     aabb cell = octree_widened(octree_cell_box(t, c), 8 * real_epsilon * aabb_reach(t->bounds));
     s->leaves++, s->empty += count == 0, s->references += count;
     s->volume += ldexp(1.0, -3 * c.depth);
+    if (count && c.depth > s->depth) s->depth = c.depth;
     for (uint32_t i = 0; i < count; i++) {
         uint32_t item = t->reference[n.first + i];
         s->apart += !items_overlap_bounds(&t->x, item, cell);
@@ -78,6 +80,9 @@ static void test_tree(const char *name, mesh m, octree_options how, size_t point
     check(st.inner == s.inner && st.leaves == s.leaves && st.empty == s.empty
               && st.references == s.references && st.items == m.triangles,
           "%s: octree_stats counts what is there", name);
+    check_equal(st.depth, s.depth, "%s: the deepest leaf that holds something", name);
+    check_equal(st.bytes, t.nodes * sizeof *t.node + t.references * sizeof *t.reference,
+                "%s: what is held is what is counted", name);
     check(st.depth <= how.depth && st.bytes <= st.peak && st.peak <= how.most_bytes,
           "%s: depth and memory within the limits", name);
     check_equal(st.leaves, 7 * st.inner + 1, "%s: each cut makes seven more leaves", name);

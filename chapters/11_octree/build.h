@@ -200,11 +200,13 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     return true;
 }
 
-/* What was too large is given back. */
+/* What was too large is given back, if there is room for both for a moment. */
 static inline void octree_trim(octree *t, void **array, size_t room, size_t n, size_t size)
 {
+    if (t->bytes + n * size > t->how.most_bytes) return;
     void *p = aligned_alloc(64, (n * size + 63) / 64 * 64);
     if (!p) return;
+    if (t->bytes + n * size > t->peak) t->peak = t->bytes + n * size;
     memcpy(p, *array, n * size);
     free(*array);
     *array = p;
