@@ -1,6 +1,6 @@
 /* Every hit of the tree equals brute force: t, u, v and triangle, bit for bit, and so does
- * "occluded". Rays are aimed where boxes and triangles end: corners, edges, planes of faces, axes.
- * */
+ * "occluded". Rays are aimed where boxes and triangles end: corners, edges, planes of faces,
+ * axes. */
 #include "../chapters/14_bvh/bvh.h"
 #include "../chapters/14_bvh/bvh_shapes.h"
 #include "../chapters/07_mesh/specimens.h"
@@ -105,6 +105,7 @@ static void test_coincident(size_t n)
         for (int s = 0; s < bvh_strategies; s++) {
             bvh b;
             hit h = hit_none;
+            if (n > 50000 && s != BVH_SAH) continue;  /* BVH_SPATIAL alone would take 10 s */
             bvh_build(&m, (bvh_options){(bvh_strategy)s, 2, 1}, &b);
             check(bvh_hit(&b, r, &h), "%zu coincident triangles are hit, %s", n, strategy_name[s]);
             check_equal(h.shape, front ? 2 : 0, "lowest index of the nearest, %s",
@@ -312,6 +313,7 @@ int main(void)
     test_mesh("needles 1e-3", needles(500, (real)1e-3), (vec3){0, 0, 0}, 1, true);
     test_mesh("needles 1e-6", needles(500, (real)1e-6), (vec3){0, 0, 0}, 1, true);
     test_coincident(check_count(1000000));
+    test_coincident(check_count(30000));
     test_coincident(7);
     test_sick();
     test_sick_rays();
