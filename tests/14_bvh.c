@@ -151,7 +151,7 @@ static void test_sick(void)
             "the root box is finite");
         verdict v = {0, 0, 0, 0, 0};
         size_t other = 0, hit_sick = 0;
-        for (size_t i = 0; i < check_count(3000); i++) {
+        for (size_t i = 0; i < check_count(1500); i++) {
             random_stream g = random_start(5, i, 0);
             hit x = hit_none, y = hit_none;
             vec3 o = random_vector(&g, 3);
@@ -202,7 +202,7 @@ static void test_sick_rays(void)
 static void test_exponential(void)
 {
     int most = real_is_float ? 100 : 900;
-    size_t n = (size_t)most, rays = check_count(4000);
+    size_t n = (size_t)most, rays = check_count(1500);
     mesh m = mesh_room(n);
     for (size_t i = 0; i < n; i++) {
         real x = ldexp((real)1, (int)i - most / 2);
@@ -253,7 +253,7 @@ static void test_shapes(void)
     scene all = {s, n};
     for (int k = 0; k < bvh_strategies; k++) {
         bvh_shapes b;
-        size_t wrong = 0, hits = 0, rays = check_count(20000);
+        size_t wrong = 0, hits = 0, rays = check_count(10000);
         bvh_shapes_build(&all, (bvh_options){(bvh_strategy)k, 4, 1}, &b);
         for (size_t i = 0; i < rays; i++) {
             random_stream g = random_start(9, i, 0);
