@@ -35,8 +35,8 @@
 
 enum { spatial_most = 8 };  /* references an item, on average: no more room is given */
 
-/* Of the node's area: from where on cuts through items are weighed. Less of it makes building
- * slower, and on the teapot adds references that no ray is faster for. */
+/* Of the node's area: from where on cuts through items are weighed. At 0.1 the teapot takes five
+ * times as long to build, and its rays test one pair of boxes in seventy less. */
 #define spatial_least_overlap 0.3
 
 typedef bool spatial_clip(const void *context, const bvh_item *item, int axis, float lo, float hi,
