@@ -223,7 +223,7 @@ static void test_clip(void)
     mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
     bvh_item item;
     bvh_box b;
-    float pad = (float)(32 * real_epsilon) + 0x1p-20f;
+    float pad = (float)(48 * real_epsilon) + 0x1p-20f;  /* 6 eps of 8, and a float */
     check(triangle_item(&m, 0, &item) && triangle_clip(&m, &item, 0, 2, 4, &b), "it reaches there");
     check(b.side[0] == 2 && b.side[3] == 4, "from plane to plane");
     check_close(b.side[4], 6, pad, "at x = 2 it is 6 high");
@@ -231,11 +231,59 @@ static void test_clip(void)
     check(triangle_clip(&m, &item, 1, 7, INFINITY, &b), "the tip");
     check_close(b.side[3], 1, pad, "above y = 7 it is 1 wide");
     check(!triangle_clip(&m, &item, 0, 9, 10, &b), "it does not reach beyond 8");
+    check(triangle_clip(&m, &item, 0, 8, 9, &b) && b.side[0] == 8 && b.side[3] == 8 && b.side[1] <= 0,
+          "the corner at 8 belongs to what begins there");
+    check(triangle_clip(&m, &item, 0, 0, 4, &b) && b.side[4] >= 8, "and those at 0 to the first");
     item.box.side[3] = 1;  /* cut before, at x = 1; box kept below y = 3 */
     item.box.side[4] = 3;
     check(!triangle_clip(&m, &item, 0, 2, 4, &b), "what was cut off does not come back");
     check(triangle_clip(&m, &item, 1, 2, 9, &b) && b.side[3] == 1 && b.side[4] == 3,
           "what is left of it, inside what was left before");
+}
+
+/* Corners so far apart that their difference overflows: the slope of an edge is lost, so the box
+ * stays as it is. (In double the box in float is infinite anyway.) At x = 0 it is 0.4 L high. */
+static void test_clip_overflow(void)
+{
+    real large = real_largest;
+    vec3 v[3] = {{-large, 0, 0}, {large, (real)0.8 * large, 0}, {large, 0, 0}};
+    uint32_t index[3] = {0, 1, 2};
+    mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
+    bvh_item item;
+    bvh_box b;
+    check(triangle_item(&m, 0, &item) && triangle_clip(&m, &item, 0, -1, 1, &b)
+              && (real)b.side[4] >= (real)0.4 * large && b.side[1] <= 0,
+          "no part is lost where b - a overflows");
+}
+
+/* Where edges cross a plane, against the exact point: within 5.5 eps of the largest coordinate, so
+ * that the box, 6 eps larger, holds it. The float bounds of the box are compared as they are. */
+static void test_clip_rounding(void)
+{
+    size_t outside = 0;
+    for (size_t i = 0; i < check_count(200000); i++) {
+        random_stream g = random_start(6, i, 0);
+        vec3 v[3] = {random_vector(&g, 1), random_vector(&g, 1), random_vector(&g, 1)};
+        vec3 move = vscale(random_vector(&g, 1), i % 2 ? 100 : 0);
+        for (int k = 0; k < 3; k++) v[k] = vadd(v[k], move);
+        uint32_t index[3] = {0, 1, 2};
+        mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
+        bvh_item item;
+        bvh_box b;
+        float at = (float)((v[0].x + v[1].x) / 2);
+        if (!((real)at > real_min(v[0].x, v[1].x) && (real)at < real_max(v[0].x, v[1].x)))
+            continue;
+        bool there = triangle_item(&m, 0, &item)
+            && triangle_clip(&m, &item, 0, at, at, &b);
+        wide s = wide_div(wide_sub(wide_of((double)at), wide_of((double)v[0].x)),
+                               wide_sub(wide_of((double)v[1].x), wide_of((double)v[0].x)));
+        for (int k = 1; k < 3; k++) {
+            wide from = wide_of((double)vaxis(v[0], k)), to = wide_of((double)vaxis(v[1], k));
+            double exact = wide_value(wide_add(from, wide_mul(wide_sub(to, from), s)));
+            outside += !there || exact < (double)b.side[k] || exact > (double)b.side[3 + k];
+        }
+    }
+    check_equal(outside, 0, "the exact crossings of an edge are in the box of the part");
 }
 
 /* What the cuts are for: triangles that fill their boxes are left alone, slivers are cut, and then
@@ -278,6 +326,8 @@ int main(void)
     test_topology();
     test_morton_leaves();
     test_clip();
+    test_clip_overflow();
+    test_clip_rounding();
     test_cover("slivers", &near, 8, true);
     test_cover("slivers far out", &far, 3000, true);
     test_cover("teapot", &pot, 4, false);

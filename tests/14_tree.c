@@ -209,19 +209,37 @@ static void test_invariants(const char *name, const mesh *m)
         }
 }
 
+/* The same along all three axes, one after the other: Morton codes and bins get as deep, too. */
+static mesh comb(void)
+{
+    mesh m = mesh_room(540);
+    for (size_t i = 0; i < m.triangles; i++) {
+        real x = ldexp((real)1, 60 - (int)(i / 3));
+        vec3 a = {i % 3 == 0 ? x : 0, i % 3 == 1 ? x : 0, i % 3 == 2 ? x : 0};
+        m.v[3 * i] = a, m.v[3 * i + 1] = vadd(a, (vec3){x / 64, 0, 0});
+        m.v[3 * i + 2] = vadd(a, (vec3){0, x / 64, x / 64});
+    }
+    return m;
+}
+
 /* Who is left without halving: the depth that cuts in the middle would reach by themselves. */
 static void test_depth(void)
 {
-    mesh m = spiral(2000);
+    mesh m = spiral(2000), by_axes = comb();
     bvh b;
     for (int s = 0; s < bvh_strategies; s++) {
+        bvh_build(&by_axes, (bvh_options){(bvh_strategy)s, 1, 0.01}, &b);
+        check_at_most(b.tree.depth, 64, "powers of two on three axes, %s", strategy_name[s]);
+        if (s != BVH_MEDIAN)
+            check_at_least(b.tree.depth, 40, "they make deep trees, %s", strategy_name[s]);
+        bvh_free(&b);
         bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
         check_at_most(b.tree.depth, 64, "a million binary digits deep, %s", strategy_name[s]);
         if (s == BVH_LONGEST)
             check_at_least(b.tree.depth, 40, "the input is as bad as it is meant to be");
         bvh_free(&b);
     }
-    mesh_free(&m);
+    mesh_free(&m), mesh_free(&by_axes);
 }
 
 /* Memory as the system sees it: the resident set of this process may not grow by more than the

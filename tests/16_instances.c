@@ -811,7 +811,7 @@ static void test_pad_is_needed(bool fixed)
         if (fixed) {
             aabb w = box_of_points(one.to_world, m.v, m.vertices);
             bare.tree.node[0].box = box_padded(&w, 0);
-        } else bare.tree.node[1].box.side[0] = 0;
+        } else bare.by_origin = 0;
         for (size_t i = 0; i < 2000; i++) {
             random_stream g = random_start(93, i, (uint64_t)e);
             real far = fixed ? (real)0.001 : 3000;

@@ -44,20 +44,22 @@ static inline bool triangle_item(const mesh *m, size_t i, bvh_item *out)
     return true;
 }
 
-/* For tree_spatial. The triangle's part in a slab: its corners there, and the points where its
- * edges cross the two sides. These points are rounded: the box gets 4 eps of the largest coordinate
- * more all round, 3 for (b - a) s and 1 for the sum. */
+/* For tree_spatial. The triangle's part in a slab: its corners there, and the points a + (b - a) s
+ * where its edges cross the two sides. |b - a| <= 2 M, M the largest coordinate. b - a, the three
+ * roundings of s and the product are off by 5 eps / 2 of 2 M, the sum by eps / 2 of M: 5.5 eps M.
+ * The box gets 6 eps M more all round. Where b - a might overflow, it stays what it was. */
 static inline bool triangle_clip(const void *context, const bvh_item *item, int axis, float lo,
                                  float hi, bvh_box *out)
 {
     triangle t = mesh_triangle(context, item->index);
     vec3 p[3] = {t.a, t.b, t.c}, most = {-real_infinity, -real_infinity, -real_infinity};
-    vec3 least = vneg(most);
-    real side[2] = {(real)lo, (real)hi}, far = 0;
+    vec3 least = vneg(most), all = vmax(vmax(vmax(t.a, t.b), t.c), vneg(vmin(vmin(t.a, t.b), t.c)));
+    real side[2] = {(real)lo, (real)hi}, far = vaxis(all, vlongest(all));  /* M */
+    *out = item->box;
+    if (far > real_largest / 4) return true;
     for (int i = 0; i < 3; i++) {
         vec3 a = p[i], b = p[i < 2 ? i + 1 : 0];
         real from = vaxis(a, axis), to = vaxis(b, axis);
-        far = real_max(far, fabs(vaxis(a, vlongest(a))));
         if (from >= side[0] && from <= side[1]) least = vmin(a, least), most = vmax(a, most);
         for (int j = 0; j < 2; j++) {
             if ((from < side[j]) == (to < side[j])) continue;
@@ -65,7 +67,8 @@ static inline bool triangle_clip(const void *context, const bvh_item *item, int 
             least = vmin(c, least), most = vmax(c, most);
         }
     }
-    vec3 pad = vscale((vec3){4, 4, 4}, real_epsilon * far);
+    real more = 6 * real_epsilon * far;
+    vec3 pad = {more, more, more};
     bvh_box part = box_between(vsub(least, pad), vadd(most, pad));
     part.side[axis] = float_max(part.side[axis], lo);
     part.side[3 + axis] = float_min(part.side[3 + axis], hi);
@@ -79,13 +82,15 @@ static inline void bvh_free(bvh *b)
     b->triangle = NULL;
 }
 
-/* The program ends if there is no memory, and if there are 2^31 triangles. O(n log n). */
+/* The program ends if there is no memory, and if there are 2^31 triangles, with BVH_SPATIAL 2^28:
+ * places and nodes are counted in 32 bits. O(n log n). */
 static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
 {
     failure f;
-    if (m->triangles >> 31)
-        failed(&f, 2, "%zu triangles: fewer than 2^31 fit", m->triangles), fail(f);
     bool cuts = how.strategy == BVH_SPATIAL;
+    int most = cuts ? 28 : 31;
+    if (m->triangles >> most)
+        failed(&f, 2, "%zu triangles: fewer than 2^%d fit", m->triangles, most), fail(f);
     size_t n = 0, room = cuts ? spatial_most * m->triangles : m->triangles;
     bvh_item *item = allocate(room, sizeof *item);
     for (size_t i = 0; i < m->triangles; i++) n += triangle_item(m, i, &item[n]);

@@ -42,7 +42,7 @@ static inline void bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes 
     tree_takes(&out->tree, n * sizeof *out->index);
     for (size_t i = 0; i < n; i++) out->index[i] = item[i].index;
     free(item);
-    out->tree.bytes -= n * sizeof *item;
+    tree_gives(&out->tree, n * sizeof *item);
 }
 
 __attribute__((always_inline))

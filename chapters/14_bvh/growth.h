@@ -69,7 +69,8 @@ static inline void growth(const options *o, bool full)
                                fine[i] <= 64 ? 40 : 0, o->seed);
         trial t = {&s, &binned, &s.diffuse, {{0}, NULL}};
         double triangles = (double)s.m.triangles, seconds;
-        time_trials(&t, 1, run_build, fine[i] < 64 ? 5 : 1, &build[i]);
+        if (fine[i] < 64) time_trials(&t, 1, run_build, 5, &build[i]);
+        else build[i] = time_once(&t, run_build);
         time_trials(&t, 1, run_search, fine[i] < 64 ? 3 : 1, &seconds);
         bvh_work w = rays_count(&t.b, &s.diffuse);
         x[i] = log2(triangles), search[i] = log2(seconds / (double)s.diffuse.n);

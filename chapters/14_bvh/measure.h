@@ -94,6 +94,14 @@ static inline void time_trials(trial *t, int n, double (*run)(void *), int round
     for (int i = 0; i < n; i++) seconds[i] = v[i].seconds;
 }
 
+/* Seconds of one run that nothing has warmed up. For building: its memory is new each time. */
+static inline double time_once(trial *t, double (*run)(void *))
+{
+    double start = clock_seconds();
+    clock_kept = run(t);
+    return clock_seconds() - start;
+}
+
 static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
 
 static inline void table_of_strategies(const options *o, const subject *s)

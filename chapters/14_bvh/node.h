@@ -7,8 +7,8 @@
  * The box is in float whatever `real` is, rounded outwards, so that it holds what it should hold.
  * Two siblings stand side by side: 64 bytes, one line of the cache, one step of the search.
  *
- *   box_ray q = box_ray_of(r, &root_box)      prepares the ray once: origin and 1 / D, in float
- *   box_ray_naive(r, &root_box)               the same without what follows: loses hits
+ *   box_ray q = box_ray_of(r, &root, NULL)    prepares the ray once: origin and 1 / D, in float
+ *   box_ray_naive(r, &root, NULL)             the same without what follows: loses hits
  *   limit = box_ray_limit(&q, t)              t as a float, for comparing with t_enter
  *   enter = box_enter(&box, &q, limit, &exit) the part [enter, exit] of [tmin, limit]       (14.2)
  *   !(enter > exit)                           the ray meets the box; NaN throws no box away
@@ -157,9 +157,10 @@ static inline real box_ray_scale(real longest)
 }
 
 __attribute__((always_inline))  /* a call writes 80 bytes and reads them again: 10 % of a ray */
-static inline box_ray box_ray_of(ray r, const bvh_box *all)
+static inline box_ray box_ray_of(ray r, const bvh_box *all, const void *context)
 {
     box_ray q;
+    (void)context;  /* for those who owe more than this: search.h */
     real longest = fabs(vaxis(r.d, vlongest(r.d)));
     real reach = box_reach(all, r.o);
     real delta = reach * ((real)0x1p-21 + 256 * real_epsilon) + (real)0x1p-100;  /* (14.3) */
@@ -186,10 +187,10 @@ static inline box_ray box_ray_of(ray r, const bvh_box *all)
  * t of the near plane may come out larger than t of the far one, and the box is lost with all that
  * is in it. */
 __attribute__((always_inline))
-static inline box_ray box_ray_naive(ray r, const bvh_box *all)
+static inline box_ray box_ray_naive(ray r, const bvh_box *all, const void *context)
 {
     box_ray q = {.scale = 1, .tmin = (float)r.tmin};
-    (void)all;
+    (void)all, (void)context;
     for (int k = 0; k < 3; k++) {
         q.inverse[k] = (float)(1 / vaxis(r.d, k));
         q.o_near[k] = q.o_far[k] = (float)vaxis(r.o, k);

@@ -91,9 +91,8 @@ static inline void plot_of_pareto(const options *o, const subject *s)
             candidate c = {pareto_list[k].name,
                            {pareto_list[k].options.strategy, leaf, 0.8 / leaf}, false};
             trial t = {s, &c, &s->diffuse, {{0}, NULL}};
-            double build, search;
-            time_trials(&t, 1, run_build, 1, &build);
-            time_trials(&t, 1, run_search, 5, &search);
+            double build = time_once(&t, run_build), search;
+            time_trials(&t, 1, run_search, 3, &search);
             plot_add(&p, series, per(build * 1e9, s->m.triangles), per(search * 1e9, s->diffuse.n));
             bvh_free(&t.b);
         }

@@ -2,6 +2,7 @@
  *
  *   bool tree_search(&t, r, box_ray_of, leaf, context, any, &h, &work)
  *       leaf      tests the items of a leaf: see below
+ *       context   handed to box_ray_of, which has no use for it, and to leaf
  *       any       true: ends at the first hit (遮挡); h is not touched
  *       work      counts what was done; NULL: does not count
  *
@@ -30,8 +31,8 @@ typedef struct {
     size_t tests;   /* items tested */
 } bvh_work;
 
-/* box_ray_of; or box_ray_naive, which loses hits. */
-typedef box_ray tree_prepare(ray r, const bvh_box *all);
+/* box_ray_of; box_ray_naive, which loses hits; or what pays for more errors than those of node.h. */
+typedef box_ray tree_prepare(ray r, const bvh_box *all, const void *context);
 
 /* Tests items first .. first + count - 1; true if one was closer than q->best (any: was hit at
  * all). */
@@ -56,7 +57,7 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
     const bvh_node *node = t->node;
     if (t->items == 0 || !ray_is_usable(r)) return false;
     query q = query_of(r);
-    box_ray b = prepare(r, &node[0].box);
+    box_ray b = prepare(r, &node[0].box, context);
     float limit = box_ray_limit(&b, r.tmax);
     if (box_enter(&node[0].box, &b, limit, &exit0) > exit0) return false;
     uint32_t first = node[0].first, count = node[0].count;

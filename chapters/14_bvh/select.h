@@ -2,7 +2,6 @@
  *
  *   select_item(item, n, k, axis)     afterwards item[0 .. k-1] <= item[k] <= item[k+1 .. n-1]
  *
- *
  * Quickselect halves the rest on average: n + n/2 + n/4 + ... = 2 n comparisons. A bad choice of
  * pivot again and again makes n^2 of it. So the pivot is the median of three at first; once the
  * rest has not halved within three passes, it is the median of medians of five (Blum et al.),

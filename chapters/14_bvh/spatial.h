@@ -15,9 +15,9 @@
  *       It may be too large, never too small: a search must find every point of the item.
  *
  * At each node the best cut between items is known (split.h). If the boxes of its two sides share
- * more than 1e-5 of the root's area, 15 planes an axis are weighed too, by the same (14.6): n(L)
+ * more than 0.3 of the node's area, 15 planes an axis are weighed too, by the same (14.6): n(L)
  * counts what reaches to the left of the plane, area(L) is of what is there             (14.11)
- * A cut item can also be left whole, on the side where that costs less.
+ * An item that the plane cuts can also be left whole, on the side where that costs less.
  *
  * Each child gets a part of the room that is left, in proportion to its items: the first cuts do
  * not eat it up. Depth stays bounded as in tree.h: a set at depth d with d + log2(n) = 64 is halved
@@ -34,6 +34,10 @@
 #include "store.h"
 
 enum { spatial_most = 8 };  /* references an item, on average: no more room is given */
+
+/* Of the node's area: from where on cuts through items are weighed. At 0.1 the teapot takes five
+ * times as long to build, and its rays test one pair of boxes in seventy less. */
+#define spatial_least_overlap 0.3
 
 typedef bool spatial_clip(const void *context, const bvh_item *item, int axis, float lo, float hi,
                           bvh_box *out);
@@ -119,7 +123,7 @@ static inline spatial_cut spatial_find(const spatial_builder *b, const bvh_item 
     spatial_bin bin[most_bins];
     for (int k = 0; k < 3; k++) {
         float extent = b->split.box.side[3 + k] - b->split.box.side[k];
-        if (!(extent > 0 && most_bins / extent <= FLT_MAX)) continue;
+        if (!(extent <= FLT_MAX && most_bins / extent <= FLT_MAX)) continue;  /* 0 is left out */
         spatial_fill(b, item, n, k, bin);
         spatial_sweep(b, bin, k, &best);
     }
@@ -195,7 +199,7 @@ static inline void spatial_node(spatial_builder *b, size_t at, size_t begin, siz
     if (n > 1 && deep && !fits) left = split_by_number(item, n, box_longest(&s->centres));
     if (n > 1 && !deep) {
         left = split_items(s, item, n, depth);
-        if (room > n && !fits && spatial_overlap(s, item, n, left) > 0.3)
+        if (room > n && !fits && spatial_overlap(s, item, n, left) > spatial_least_overlap)
             cut = spatial_find(b, item, n);
         if (cut.cost < s->cost && cut.cost < all) left = spatial_apply(b, &cut, item, &n, room);
         else if (fits && s->cost >= all) left = 0;

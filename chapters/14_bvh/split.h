@@ -27,13 +27,12 @@
 
 #include "../../common/file.h"
 #include "select.h"
+#include "sort.h"
 
 typedef enum {
     BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, BVH_MORTON,
     BVH_SPATIAL, bvh_strategies
 } bvh_strategy;
-
-typedef struct { uint32_t key, place; } sort_pair;
 
 typedef struct {
     bvh_strategy strategy;
@@ -159,39 +158,6 @@ static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
 }
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Floats as whole numbers in the same order: all bits of a negative one are turned, the sign of
- * others. */
-static inline uint32_t float_key(float x)
-{
-    uint32_t bits;
-    x += 0.0f;  /* -0 becomes 0 */
-    memcpy(&bits, &x, sizeof bits);
-    return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
-
-/* Sorted by key; equal keys keep their order. O(n): four passes of 256 drawers; few by insertion.
- * */
-static inline void sort_pairs(sort_pair *pair, sort_pair *spare, size_t n)
-{
-    if (n <= 32) {
-        for (size_t i = 1; i < n; i++) {
-            sort_pair p = pair[i];
-            size_t j = i;
-            for (; j > 0 && pair[j - 1].key > p.key; j--) pair[j] = pair[j - 1];
-            pair[j] = p;
-        }
-        return;
-    }
-    for (int shift = 0; shift < 32; shift += 8) {  /* four passes: ends where it began */
-        size_t start[257] = {0};
-        for (size_t i = 0; i < n; i++) start[(pair[i].key >> shift & 255) + 1]++;
-        for (int i = 0; i < 256; i++) start[i + 1] += start[i];
-        for (size_t i = 0; i < n; i++) spare[start[pair[i].key >> shift & 255]++] = pair[i];
-        sort_pair *p = pair;
-        pair = spare, spare = p;
-    }
-}
 
 static inline void sort_along(splitter *s, const bvh_item *item, size_t n, int axis)
 {

@@ -65,7 +65,7 @@ static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const b
 static inline void tree_pierced(const bvh_tree *t, ray r, bvh_work *work)
 {
     if (t->items == 0 || !ray_is_usable(r)) return;
-    box_ray q = box_ray_of(r, &t->node[0].box);
+    box_ray q = box_ray_of(r, &t->node[0].box, NULL);
     tree_pierced_at(t, t->node, &q, work);
 }
 

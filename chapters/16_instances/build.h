@@ -34,6 +34,7 @@ typedef struct {
     bvh_tree tree;        /* over boxes of instances */
     placed *place;        /* [tree.items] */
     uint32_t *where;      /* [n] place of each instance; no_shape: it is never hit */
+    real by_origin;       /* of (16.3), the largest: what each ray pays for its |O|; -1: naive */
     size_t n, meshes;
     const mesh *mesh;     /* [meshes] the caller's */
     bvh *lower;           /* [meshes] */
@@ -93,12 +94,12 @@ static inline bool instance_item(const instances *x, instances_boxes boxes, cons
 }
 
 /* Boxes of all instances that can be hit, mesh by mesh, so that the points of one are collected at
- * a time. items[] gets them, all[] what goes with them; the largest by_origin is returned. */
-static inline real instances_items(instances *x, const crowd *c, instances_boxes boxes,
+ * a time. items[] gets them, all[] what goes with them. */
+static inline void instances_items(instances *x, const crowd *c, instances_boxes boxes,
                                    bvh_item *item, placed *all)
 {
-    real most = boxes == INSTANCES_NAIVE ? -1 : 0;
     size_t n = 0, count = 0;
+    x->by_origin = boxes == INSTANCES_NAIVE ? -1 : 0;
     for (size_t k = 0; k < c->meshes; k++) {
         bool tight = boxes != INSTANCES_CORNERS;
         vec3 *points = tight ? mesh_points(&c->mesh[k], &x->lower[k], &count) : NULL;
@@ -108,12 +109,11 @@ static inline real instances_items(instances *x, const crowd *c, instances_boxes
             if (!instance_item(x, boxes, &c->list[i], points, count, &item[n].box, &all[i],
                                &by_origin)) continue;
             item[n].index = (uint32_t)i;
-            n++, most = real_max(most, by_origin);
+            n++, x->by_origin = real_max(x->by_origin, by_origin);
         }
         free(points);
     }
     x->tree.items = n;
-    return most;
 }
 
 static inline bool crowd_is_usable(const crowd *c, failure *f)
@@ -143,11 +143,9 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
     }
     bvh_item *item = allocate(c->n, sizeof *item);
     placed *all = allocate(c->n, sizeof *all);
-    real by_origin = instances_items(out, c, how.boxes, item, all);
+    instances_items(out, c, how.boxes, item, all);
     size_t n = out->tree.items;
     tree_build(item, n, how.upper, &out->tree);
-    /* Place 1 of the nodes is free: it carries what each ray has to pay, -1: naive. */
-    out->tree.node[1].box.side[0] = float_above(by_origin);
     out->place = allocate(n, sizeof *out->place);
     out->where = allocate(c->n, sizeof *out->where);
     for (size_t i = 0; i < c->n; i++) out->where[i] = no_shape;

@@ -83,7 +83,7 @@ static inline double run_way(void *context)
         if (w->step > 0) in = affine_ray(w->to_object[i], in);
         if (w->step > 1) in = ray_unit(in);
         sum += (double)in.d.x;
-        sum += (double)shear_of(in).sx + (double)box_ray_of(in, &w->box).o_near[0];
+        sum += (double)shear_of(in).sx + (double)box_ray_of(in, &w->box, NULL).o_near[0];
     }
     return sum;
 }

@@ -43,13 +43,20 @@ typedef struct { hit h; uint32_t instance; } instance_hit;
 typedef struct { bvh_work upper, lower; } instances_work;  /* upper.tests: instances looked into */
 
 /* ---------------------------------------------------------------------------------------------- */
+typedef struct {
+    const instances *x;
+    uint32_t *triangle;     /* of the best hit so far */
+    bvh_work *lower;        /* NULL: does not count */
+    bool naive;             /* normalises */
+} instances_context;
+
 /* box_ray_of, and both origins moved on by what (16.3) asks of a ray from here. */
-static inline box_ray instances_box_ray(ray r, const bvh_box *root)
+static inline box_ray instances_box_ray(ray r, const bvh_box *root, const void *context)
 {
-    const bvh_node *node = (const bvh_node *)(const void *)root;  /* the root's box comes first */
-    real by_origin = (real)node[1].box.side[0], pad = by_origin * vlargest(r.o);
-    if (by_origin < 0) return box_ray_naive(r, root);
-    box_ray q = box_ray_of(r, root);
+    const instances *x = ((const instances_context *)context)->x;
+    real pad = x->by_origin * vlargest(r.o);
+    if (x->by_origin < 0) return box_ray_naive(r, root, NULL);
+    box_ray q = box_ray_of(r, root, NULL);
     for (int k = 0; k < 3; k++) {
         bool down = q.inverse[k] < 0;
         float *low = down ? &q.o_near[k] : &q.o_far[k], *high = down ? &q.o_far[k] : &q.o_near[k];
@@ -57,13 +64,6 @@ static inline box_ray instances_box_ray(ray r, const bvh_box *root)
     }
     return q;
 }
-
-typedef struct {
-    const instances *x;
-    uint32_t *triangle;     /* of the best hit so far */
-    bvh_work *lower;        /* NULL: does not count */
-    bool naive;             /* normalises */
-} instances_context;
 
 __attribute__((always_inline))
 static inline bool instances_leaf(const void *context, uint32_t first, uint32_t count,
