@@ -531,6 +531,31 @@ static void test_absolute_determinant(void)
     }
 }
 
+/* Flattened along y by a power of two, down to a few units of the smallest real: the same t, to the
+ * last bit, since all numbers are small whole ones. */
+static void test_flattened(void)
+{
+    real tiny = real_is_float ? (real)0x1p-145 : (real)0x1p-500 * (real)0x1p-570;
+    size_t n = check_count(3000), hits = 0, wrong = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(91, i, 0);
+        real p[3][3];
+        for (int k = 0; k < 9; k++) p[k / 3][k % 3] = (real)(random_next_bits(&g) % 129) - 64;
+        hit tall = hit_none, flat = hit_none;
+        vec3 v[2][3];
+        for (int k = 0; k < 3; k++) {
+            v[0][k] = (vec3){p[k][0], p[k][1], p[k][2] + 65};
+            v[1][k] = (vec3){p[k][0], p[k][1] * tiny, p[k][2] + 65};
+        }
+        ray r = ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1});
+        bool a = triangle_hit((triangle){v[0][0], v[0][1], v[0][2]}, r, &tall);
+        bool b = triangle_hit((triangle){v[1][0], v[1][1], v[1][2]}, r, &flat);
+        hits += a, wrong += a != b || tall.t != flat.t;
+    }
+    check_equal(wrong, 0, "triangles flattened to subnormal numbers: other answers");
+    check_at_least(hits, n / 8, "they are hit");
+}
+
 int main(void)
 {
     test_plane();
@@ -550,5 +575,6 @@ int main(void)
     test_normals();
     test_barycentrics();
     test_absolute_determinant();
+    test_flattened();
     return check_report("04_triangle");
 }
