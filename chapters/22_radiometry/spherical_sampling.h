@@ -1,0 +1,128 @@
+/* spherical_sampling.h: points of a triangle or a rectangle, uniform in the solid angle that p sees.
+ *
+ *      c___             spherical_triangle k = spherical_triangle_of(t, p);   once a p
+ *      |   \ c'         vec3 b = spherical_triangle_sample(&k, u, v);   barycentrics (b0, b1, b2)
+ *      |   .\           x = triangle_at(t, b.y, b.z), the direction is x - p;
+ *      |  x  \          pdf = 1 / k.omega [1/sr], the same for all; k.omega = 0: nothing to see
+ *      a------b
+ *                       spherical_rectangle r = spherical_rectangle_of(q, p);
+ *   c' on the edge      vec3 y = spherical_rectangle_sample(&r, u, v);   y.x, y.y in [0,1] along s, t
+ *   a c so that a b c'  x = rectangle_at(q, y); pdf = 1 / r.omega
+ *   has the share u of
+ *   the solid angle;    spherical_rectangle_sample_urena(q, p, u, v, &omega)
+ *   x between b and c'  the same by Ureña et al.: no step between two triangles, but it subtracts
+ *   by v                angles of some pi: fails for small rectangles (1e-4 in float, 1e-8 in double)
+ *
+ * No cosine and no 1/pdf is included. A sphere: sample_cone(cone_of_sphere(..)) of chapter 20.
+ * Points, not directions: a unit vector of float knows a light of 1e-6 as two or three places only,
+ * barycentrics know it to an epsilon of its size. The coordinates are weights that are computed as
+ * such, from what is small, and no angle is subtracted: a triangle may be as small as it likes.
+ *
+ * Sources: J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995 (the map); C. Peters,
+ * "BRDF Importance Sampling for Polygonal Lights", ACM TOG 40(4), 2021, section 3 (without angles
+ * of corners); C. Ureña, M. Fajardo, A. King, "An Area-Preserving Parametrization for Spherical
+ * Rectangles", Computer Graphics Forum 32(4), 2013.
+ */
+#ifndef SPHERICAL_SAMPLING_H
+#define SPHERICAL_SAMPLING_H
+
+#include "solid_angle.h"
+
+/* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. */
+typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; } spherical_triangle;
+typedef struct { spherical_triangle half[2]; real omega; } spherical_rectangle;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline vec3 rectangle_at(rectangle r, vec3 y)
+{
+    return vmadd(vmadd(r.o, r.s, y.x), r.t, y.y);
+}
+
+static inline spherical_triangle spherical_triangle_from(vec3 a, vec3 b, vec3 c, real volume,
+                                                         real omega)
+{
+    spherical_triangle k = {vunit(a), vunit(b), vunit(c), vlength(a), vlength(b), vlength(c), 0,
+                            fabs(omega)};
+    k.volume = fabs(volume) / k.la / k.lb / k.lc;
+    if (!(k.volume > 0)) k.omega = 0;  /* in its plane */
+    return k;
+}
+
+static inline spherical_triangle spherical_triangle_of(triangle t, vec3 p)
+{
+    return spherical_triangle_from(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p),
+                                   triangle_volume(t, p), triangle_solid_angle(t, p));
+}
+
+/* a b c' shall have the solid angle w = u omega. Let h be a multiple of a + c'. By (22.5)
+ *     tan(w/2) = det(a, b, h) / (h.(a + b)),
+ * and h = A a + B c gives B = sin(w/2) (1 + a.b), A = cos(w/2) det - sin(w/2) (a.c + b.c);
+ *     c' = 2 (h.a) / (h.h) h - a                                                         (22.12)
+ * Then 1 - cos of the angle between b and x is v times that between b and c': with q the quotient
+ * of their sines, x = q c' + (cos - q b.c') b.                                           (22.13) */
+static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u, real v)
+{
+    real s = sin(u * k->omega / 2), ab = vdot(k->a, k->b);
+    real B = s * (1 + ab), A = cos(u * k->omega / 2) * k->volume;
+    A -= s * (vdot(k->a, k->c) + vdot(k->b, k->c));
+    real scale = real_max(fabs(A), B);
+    if (scale > 0) A /= scale, B /= scale;  /* their squares might vanish */
+    else A = 1;
+    vec3 h = vmadd(vscale(k->a, A), k->c, B);
+    real twice = 2 * vdot(h, k->a) / vdot(h, h), ca = twice * A - 1, cc = twice * B;  /* c' */
+    vec3 end = vsub(vmadd(vscale(k->a, ca), k->c, cc), k->b);
+    real away = real_min(vdot(end, end) / 2, 2), cosine = 1 - v * away;  /* away: 1 - b.c' */
+    real q = away < 2 ? sqrt(v * (1 + cosine) / (2 - away)) : 0;
+    real wa = real_max(q * ca, 0) / k->la, wc = real_max(q * cc, 0) / k->lc;
+    real wb = real_max(cosine - q * (1 - away), 0) / k->lb, sum = wa + wb + wc;
+    return (vec3){wa / sum, wb / sum, wc / sum};
+}
+
+/* ---- rectangle: one of its two triangles, by their shares ---- */
+
+static inline spherical_rectangle spherical_rectangle_of(rectangle r, vec3 p)
+{
+    vec3 a = vsub(r.o, p), b = vadd(a, r.s), d = vadd(a, r.t), c = vadd(b, r.t);
+    real volume = rectangle_volume(r, p), one, two;
+    rectangle_solid_angles(r, p, &one, &two);
+    spherical_rectangle k = {{spherical_triangle_from(a, b, d, volume, one),
+                              spherical_triangle_from(c, d, b, volume, two)}, 0};
+    k.omega = k.half[0].omega + k.half[1].omega;
+    return k;
+}
+
+static inline vec3 spherical_rectangle_sample(const spherical_rectangle *k, real u, real v)
+{
+    real share = k->half[0].omega / k->omega;
+    int second = !(u < share);
+    u = second ? (u - share) / (1 - share) : u / share;
+    vec3 b = spherical_triangle_sample(&k->half[second], real_clamp(u, 0, 1), v);
+    return second ? (vec3){1 - b.y, 1 - b.z, 0} : (vec3){b.y, b.z, 0};
+}
+
+/* Names as in the paper. Fails for a rectangle of 1e-5 in float: S is the difference of angles of
+ * some pi, and what is left of it is noise. */
+static inline vec3 spherical_rectangle_sample_urena(rectangle r, vec3 p, real u, real v, real *S)
+{
+    real exl = vlength(r.s), eyl = vlength(r.t);
+    vec3 x = vscale(r.s, 1 / exl), y = vscale(r.t, 1 / eyl), d = vsub(r.o, p), z = vcross(x, y);
+    if (vdot(d, z) > 0) z = vneg(z);
+    real z0 = vdot(d, z), x0 = vdot(d, x), y0 = vdot(d, y), x1 = x0 + exl, y1 = y0 + eyl;
+    vec3 v00 = {x0, y0, z0}, v01 = {x0, y1, z0}, v10 = {x1, y0, z0}, v11 = {x1, y1, z0};
+    vec3 n0 = vunit(vcross(v00, v10)), n1 = vunit(vcross(v10, v11));
+    vec3 n2 = vunit(vcross(v11, v01)), n3 = vunit(vcross(v01, v00));
+    real g0 = acos(real_clamp(-vdot(n0, n1), -1, 1)), g1 = acos(real_clamp(-vdot(n1, n2), -1, 1));
+    real g2 = acos(real_clamp(-vdot(n2, n3), -1, 1)), g3 = acos(real_clamp(-vdot(n3, n0), -1, 1));
+    real k = 2 * pi - g2 - g3;
+    *S = g0 + g1 - k;
+    real au = u * *S + k, fu = (cos(au) * n0.z - n2.z) / sin(au);
+    real cu = real_clamp((fu > 0 ? 1 : -1) / sqrt(fu * fu + n0.z * n0.z), -1, 1);
+    real xu = real_clamp(-(cu * z0) / sqrt(real_max(1 - cu * cu, 0)), x0, x1);
+    real dd = sqrt(xu * xu + z0 * z0), h0 = y0 / sqrt(dd * dd + y0 * y0);
+    real h1 = y1 / sqrt(dd * dd + y1 * y1), hv = h0 + v * (h1 - h0);
+    real yv = hv * hv < 1 - real_epsilon ? hv * dd / sqrt(1 - hv * hv) : y1;
+    return (vec3){(xu - x0) / exl, (yv - y0) / eyl, 0};
+}
+
+#endif
