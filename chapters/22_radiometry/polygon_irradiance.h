@@ -197,7 +197,7 @@ static inline real seen_irradiance(const seen_polygon *s, const real *volume, ve
     if (!(whole > 0)) return 0;
     seen_polygon c = polygon_cut(s, n);
     real sum = lambert_sum(&c, n, &size);
-    if (8 * sum >= size) return sum;
+    if (32 * sum >= size) return sum;
     t = s->e[0];
     for (int i = 0; i + 2 < s->count; i++) {
         seen_triangle k = {s->v[0], t, vadd(t, s->e[i + 1]), volume[i]};

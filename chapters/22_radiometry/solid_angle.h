@@ -147,7 +147,7 @@ static inline bool triangle_solid_angle_fast(vec3 a, vec3 s, vec3 t, real *omega
     real d = whole + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb;
     real off = la * sqrt(vdot(s, s) * vdot(t, t)), sure = fabs(n) * (fabs(n) + fabs(d));
     *omega = 2 * atan2(n, d);
-    return fabs(d) * off + 2 * fabs(n) * whole <= 8 * sure && square_is_safe(sure)
+    return fabs(d) * off + 2 * fabs(n) * whole <= 16 * sure && square_is_safe(sure)
         && square_is_safe(n * n);  /* a NaN: false */
 }
 

@@ -1,0 +1,95 @@
+/* directions.h: one irradiance, estimated in four ways: what a sample is chosen by.
+ *
+ *   by                    pdf                  weight of a sample that meets the light
+ *   uniform hemisphere    1 / (2 pi)           2 pi cos theta                             (22.21)
+ *   cosine                cos / pi             pi                                         (22.22)
+ *   area of the light     1 / A, as area       cos cos' A / r^2                           (22.23)
+ *   its solid angle       1 / Omega            cos theta Omega                            (22.24)
+ *
+ * cos': at the light. The first two go where the light is not; the area of a sphere is half hidden,
+ * and near a light cos' / r^2 varies. What is left in the last is cos theta alone.
+ *
+ *   real x = direction_sample(LIGHT_SPHERE, BY_AREA, NULL, u, v);   u, v in [0, 1); radiance 1
+ *   direction_exact(LIGHT_SPHERE)                                   closed form
+ */
+#ifndef DIRECTIONS_H
+#define DIRECTIONS_H
+
+#include "../20_monte_carlo/sampler.h"
+#include "relations.h"
+
+typedef enum { LIGHT_SPHERE, LIGHT_SQUARE, lights } light_kind;
+typedef enum { BY_HEMISPHERE, BY_COSINE, BY_AREA, BY_SOLID_ANGLE, ways } way;
+static const char *const light_name[lights] = {"sphere", "square"};
+static const char *const way_name[ways] = {"uniform hemisphere", "cosine", "area", "solid angle"};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static const sphere lamp = {{1, 0, 2}, 1};
+static const rectangle pane = {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}};  /* faces -x */
+
+static inline double direction_exact(light_kind l)
+{
+    return (double)(l == LIGHT_SPHERE ? sphere_irradiance(lamp, here, up)
+                                      : rectangle_irradiance(pane, here, up));
+}
+
+static inline bool light_met(light_kind l, vec3 w)
+{
+    hit h;
+    return l == LIGHT_SPHERE ? sphere_hit(lamp, ray_from(here, w), &h) : rectangle_met(pane, w);
+}
+
+static inline real sphere_area_term(real u, real v)
+{
+    vec3 m = sample_sphere(u, v), y = vmadd(lamp.c, m, lamp.r);
+    real r2 = vdot(y, y), facing = -vdot(m, y);
+    return 4 * pi * lamp.r * lamp.r * real_max(y.z, 0) * real_max(facing, 0) / (r2 * r2);
+}
+
+static inline real sphere_angle_term(real u, real v)
+{
+    real d = vlength(lamp.c);
+    direction_cone c = cone_of_sphere(lamp.r, d);
+    vec3 w = directed(vscale(lamp.c, 1 / d), sample_cone(c, u, v));
+    return real_max(w.z, 0) * 4 * pi * c.half_sine2;
+}
+
+static inline real pane_angle_term(const spherical_rectangle *k, real u, real v)
+{
+    vec3 y = rectangle_at(pane, spherical_rectangle_sample(k, u, v));
+    return real_max(vunit(y).z, 0) * k->omega;
+}
+
+/* k: of the pane, for LIGHT_SQUARE and BY_SOLID_ANGLE; prepared once a point. */
+static inline real direction_sample(light_kind l, way by, const spherical_rectangle *k, real u,
+                                    real v)
+{
+    vec3 w;
+    switch (by) {
+    case BY_HEMISPHERE: w = sample_hemisphere(u, v); return light_met(l, w) ? 2 * pi * w.z : 0;
+    case BY_COSINE: w = sample_cosine(u, v); return light_met(l, w) ? pi : 0;
+    case BY_AREA:
+        return l == LIGHT_SPHERE ? sphere_area_term(u, v) : area_term(pane, here, up, u, v);
+    case BY_SOLID_ANGLE:
+        return l == LIGHT_SPHERE ? sphere_angle_term(u, v) : pane_angle_term(k, u, v);
+    case ways: break;
+    }
+    return 0;
+}
+
+/* The mean of n samples. */
+static inline double direction_estimate(light_kind l, way by, sequence_kind kind, uint64_t seed,
+                                        uint64_t run, uint32_t n)
+{
+    spherical_rectangle k = spherical_rectangle_of(pane, here);
+    double sum = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        sampler s = sampler_start(kind, seed, run, i, n);
+        point2 p = sampler_pair(&s);
+        sum += (double)direction_sample(l, by, &k, p.u, p.v);
+    }
+    return sum / n;
+}
+
+#endif

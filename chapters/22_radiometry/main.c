@@ -1,0 +1,19 @@
+/* 22_radiometry: flux, intensity, irradiance, radiance and solid angle, defined, computed, measured.
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 22_radiometry chapters/22_radiometry/main.c -lm -lpthread
+ * Every number has a closed form and an experiment; both are tested against each other. */
+#include "measure.h"
+#include "pictures.h"
+
+int main(int argc, char **argv)
+{
+    options defaults = {.width = 900, .height = 900, .seed = 1};
+    options o = options_read(argc, argv, "22_radiometry",
+                             "Light as something measured: irradiance of three lights.", defaults,
+                             NULL);
+    draw_floor(&o), draw_view(&o);
+    measure_relations(&o);
+    measure_ways(&o);
+    measure_hard(&o), plot_hard(&o);
+    measure_photometry(&o);
+    return 0;
+}

@@ -1,0 +1,261 @@
+/* relations.h: the definitions and laws of radiometry, each as a number that can be measured.
+ *
+ * A relation has a closed form, and an experiment whose mean is that number if the law is right: one
+ * call of `sample` is one ray or one photon (光子), weighted. relation_measure(k, seed, n) does n of
+ * them. `holds` is false for those that are often believed, and wrong: there z must be huge.
+ *
+ *   Omega = A / r^2                       (22.1)    E = dPhi / dA                       (22.18)
+ *   d omega = sin theta d theta d phi     (22.2)    E = I cos theta / r^2               (22.19)
+ *   I = dPhi / d omega                    (22.16)   L = d^2 Phi / (dA cos theta d omega) (22.20)
+ *   Phi = integral of I over all          (22.17)   E = integral of L cos theta d omega (22.6)
+ *
+ * Sources: F. Nicodemus et al., "Geometrical Considerations and Nomenclature for Reflectance", NBS
+ * Monograph 160, 1977; Marschner, Shirley, "Fundamentals of Computer Graphics", 2015, 18.1.
+ */
+#ifndef RELATIONS_H
+#define RELATIONS_H
+
+#include "../20_monte_carlo/t_test.h"
+#include "../../common/random.h"
+#include "polygon_irradiance.h"
+#include "sphere_irradiance.h"
+#include "spherical_sampling.h"
+
+typedef struct {
+    const char *name, *unit;
+    double (*closed)(void);
+    real (*sample)(random_stream *);
+    bool holds;
+} relation;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The things that are looked at, from the origin; z is up. */
+static const sphere ball = {{0, 0, 2}, 1}, sunk_ball = {{(real)1.5, 0, (real)-0.25}, 1};
+static const triangle sail = {{1, -1, (real)0.5}, {1, 1, (real)0.5}, {(real)0.5, 0, 2}};
+static const rectangle panel = {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}};             /* faces down */
+static const rectangle sunk_panel = {{2, -1, -1}, {0, 0, 3}, {0, 2, 0}}; /* upright, faces -x */
+static const vec3 here = {0, 0, 0}, up = {0, 0, 1};
+
+/* ---- solid angle ---- */
+
+static inline double four_pi(void) { return 4 * (double)pi; }
+static inline double two_pi(void) { return 2 * (double)pi; }
+static inline double plain_pi(void) { return (double)pi; }
+static inline double cap_closed(void) { return (double)cap_solid_angle(pi / 6); }
+static inline double ball_closed(void) { return (double)sphere_solid_angle(ball, here); }
+static inline double sail_closed(void) { return (double)fabs(triangle_solid_angle(sail, here)); }
+static inline double panel_closed(void) { return (double)fabs(rectangle_solid_angle(panel, here)); }
+
+/* theta and phi uniform in their intervals: (22.2) says how much each counts. */
+static inline real all_sample(random_stream *s) { return 2 * pi * pi * sin(pi * random_next(s)); }
+
+static inline real any_direction_in(random_stream *s, vec3 *w)
+{
+    real u = random_next(s), v = random_next(s);
+    *w = sample_sphere(u, v);
+    return 4 * pi;
+}
+
+static inline real cap_sample(random_stream *s)
+{
+    vec3 w;
+    real whole = any_direction_in(s, &w);
+    return w.z > cos(pi / 6) ? whole : 0;
+}
+
+static inline real ball_sample(random_stream *s)
+{
+    vec3 w;
+    hit h;
+    real whole = any_direction_in(s, &w);
+    return sphere_hit(ball, ray_from(here, w), &h) ? whole : 0;
+}
+
+static inline real sail_sample(random_stream *s)
+{
+    vec3 w;
+    hit h;
+    real whole = any_direction_in(s, &w);
+    return triangle_hit(sail, ray_from(here, w), &h) ? whole : 0;
+}
+
+/* Does the ray from the origin meet it? Where the plane is met, in shares of s and t. */
+static inline bool rectangle_met(rectangle r, vec3 w)
+{
+    vec3 m = vcross(r.s, r.t);
+    real t = vdot(r.o, m) / vdot(w, m);
+    vec3 y = vsub(vscale(w, t), r.o);
+    real a = vdot(y, r.s) / vdot(r.s, r.s), b = vdot(y, r.t) / vdot(r.t, r.t);
+    return t > 0 && a >= 0 && a <= 1 && b >= 0 && b <= 1;
+}
+
+static inline real panel_sample(random_stream *s)
+{
+    vec3 w;
+    real whole = any_direction_in(s, &w);
+    return rectangle_met(panel, w) ? whole : 0;
+}
+
+/* ---- flux and intensity: I = 1 W/sr, everywhere or along the axis ---- */
+
+/* A spotlight, I = cos^8 theta in front: 2 pi / 9. */
+static inline double spot_closed(void) { return 2 * (double)pi / 9; }
+static inline real spot_sample(random_stream *s)
+{
+    vec3 w;
+    real whole = any_direction_in(s, &w), z2 = w.z * w.z;
+    return w.z > 0 ? whole * z2 * z2 * z2 * z2 : 0;
+}
+
+/* ---- irradiance: photons on areas ---- */
+
+/* A source of Phi = 4 pi W in a ball of radius r. Photons a square metre on a piece of the ball, a
+ * cap of 0.1 sr; they start in a cone of 0.2 sr. */
+static inline real caught(random_stream *s, real r)
+{
+    direction_cone around = {(real)0.2 / (4 * pi)}, cap = {(real)0.1 / (4 * pi)};
+    real u = random_next(s), v = random_next(s), power = 4 * pi * around.half_sine2;
+    vec3 at = vscale(sample_cone(around, u, v), r);
+    real side = r * (1 - 2 * cap.half_sine2), area = (real)0.1 * r * r;
+    return at.z > side ? power / area : 0;
+}
+
+static inline double one(void) { return 1; }
+static inline double quarter(void) { return 0.25; }
+static inline double hundredth(void) { return 0.01; }
+static inline real caught_1(random_stream *s) { return caught(s, 1); }
+static inline real caught_2(random_stream *s) { return caught(s, 2); }
+static inline real caught_10(random_stream *s) { return caught(s, 10); }
+
+/* A beam of 1 W/m^2, 2 m wide and high, onto a plate of 1 m^2 that is turned by 60 degrees. */
+static inline double half(void) { return 0.5; }
+static inline real tilted_sample(random_stream *s)
+{
+    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, cosine = (real)0.5;
+    bool met = fabs(x) <= (real)0.5 && fabs(y / cosine) <= (real)0.5;
+    return met ? 4 : 0;
+}
+
+/* ---- radiance ---- */
+
+/* A meter: an opening of radius 0.1, behind it a tube that lets through what comes within 0.1 rad of
+ * its axis. It looks at a wall of L = 1 at distance d. Power goes from each dA' of the wall to each
+ * dA of the opening: L cos cos' / r^2 dA dA'. Divided by opening and projected solid angle: L. */
+static inline real meter(random_stream *s, real d)
+{
+    const real a = (real)0.1, tube = (real)0.1;
+    real spot = a + d * tan(tube), sine = sin(tube);
+    real u = random_next(s), v = random_next(s), u2 = random_next(s), v2 = random_next(s);
+    vec3 x = vscale(sample_disk(u, v), a), y = vscale(sample_disk(u2, v2), spot), w;
+    y.z = d;
+    w = vsub(y, x);
+    real r2 = vdot(w, w), cosine = w.z / sqrt(r2);
+    if (cosine < cos(tube)) return 0;
+    return cosine * cosine / r2 * (pi * spot * spot) / (pi * sine * sine);
+}
+
+static inline real meter_1(random_stream *s) { return meter(s, 1); }
+static inline real meter_10(random_stream *s) { return meter(s, 10); }
+static inline real meter_1000(random_stream *s) { return meter(s, 1000); }
+
+/* L = 1 from everywhere above, directions uniform in the hemisphere. */
+static inline real sky_sample(random_stream *s)
+{
+    real u = random_next(s), v = random_next(s);
+    vec3 w = sample_hemisphere(u, v);
+    return w.z / pdf_hemisphere(w);
+}
+
+/* A disk of 1 m^2 that shines with L = 1: power in the direction 60 degrees off, per sr. Photons
+ * leave with the density cos / pi; a ring of directions, cos in [0.45, 0.55], counts them. */
+static inline real lambert_sample(random_stream *s)
+{
+    real u = random_next(s), v = random_next(s), ring = 2 * pi * (real)0.1;
+    real z = sample_cosine(u, v).z;
+    return z > (real)0.45 && z < (real)0.55 ? pi / ring : 0;
+}
+
+/* ---- irradiance of lights ---- */
+
+static inline double ball_e(void) { return (double)sphere_irradiance(ball, here, up); }
+static inline double sunk_ball_e(void) { return (double)sphere_irradiance(sunk_ball, here, up); }
+static inline double unclipped_e(void)
+{
+    return (double)sphere_irradiance_unclipped(sunk_ball, here, up);
+}
+static inline double panel_e(void) { return (double)rectangle_irradiance(panel, here, up); }
+static inline double sunk_panel_e(void)
+{
+    return (double)rectangle_irradiance(sunk_panel, here, up);
+}
+
+/* By rays, cosine-distributed: pi for each that meets the light. */
+static inline real rays_to(random_stream *s, sphere b)
+{
+    hit h;
+    real u = random_next(s), v = random_next(s);
+    return sphere_hit(b, ray_from(here, sample_cosine(u, v)), &h) ? pi : 0;
+}
+static inline real ball_e_sample(random_stream *s) { return rays_to(s, ball); }
+static inline real sunk_ball_e_sample(random_stream *s) { return rays_to(s, sunk_ball); }
+
+/* By area: cos cos' / r^2 of a point of it. */
+static inline real area_term(rectangle r, vec3 p, vec3 n, real u, real v)
+{
+    vec3 y = vsub(rectangle_at(r, (vec3){u, v, 0}), p), m = vcross(r.s, r.t);
+    real r2 = vdot(y, y);
+    return real_max(vdot(n, y), 0) * real_max(-vdot(m, y), 0) / (r2 * r2);  /* |m| is the area */
+}
+static inline real panel_e_sample(random_stream *s)
+{
+    real u = random_next(s), v = random_next(s);
+    return area_term(panel, here, up, u, v);
+}
+static inline real sunk_panel_e_sample(random_stream *s)
+{
+    real u = random_next(s), v = random_next(s);
+    return area_term(sunk_panel, here, up, u, v);
+}
+
+/* ---- all of them ---- */
+
+enum { relations = 24 };
+static const relation relation_list[relations] = {
+    {"all directions, (22.2)", "sr", four_pi, all_sample, true},
+    {"cap of 30 degrees", "sr", cap_closed, cap_sample, true},
+    {"sphere, R = 1, d = 2", "sr", ball_closed, ball_sample, true},
+    {"triangle", "sr", sail_closed, sail_sample, true},
+    {"square, 2 x 2, d = 2", "sr", panel_closed, panel_sample, true},
+    {"flux, I = 1 everywhere: 4 pi I", "W", four_pi, all_sample, true},
+    {"flux of a spotlight, I = cos^8", "W", spot_closed, spot_sample, true},
+    {"- is it 4 pi I, as the notes say?", "W", four_pi, spot_sample, false},
+    {"irradiance at 1 m, I = 1", "W/m^2", one, caught_1, true},
+    {"irradiance at 2 m", "W/m^2", quarter, caught_2, true},
+    {"irradiance at 10 m", "W/m^2", hundredth, caught_10, true},
+    {"- beam, plate turned by 60 degrees", "W/m^2", one, tilted_sample, false},
+    {"the same with the cosine", "W/m^2", half, tilted_sample, true},
+    {"radiance of a wall from 1 m", "W/(m^2 sr)", one, meter_1, true},
+    {"radiance of a wall from 10 m", "W/(m^2 sr)", one, meter_10, true},
+    {"radiance of a wall from 1000 m", "W/(m^2 sr)", one, meter_1000, true},
+    {"intensity of a disk, 60 degrees off", "W/sr", half, lambert_sample, true},
+    {"irradiance of a white sky: pi L", "W/m^2", plain_pi, sky_sample, true},
+    {"- is it 2 pi L, without the cosine?", "W/m^2", two_pi, sky_sample, false},
+    {"irradiance of the sphere", "W/m^2", ball_e, ball_e_sample, true},
+    {"of one partly below the horizon", "W/m^2", sunk_ball_e, sunk_ball_e_sample, true},
+    {"- without the cut, (22.7)", "W/m^2", unclipped_e, sunk_ball_e_sample, false},
+    {"irradiance of the square", "W/m^2", panel_e, panel_e_sample, true},
+    {"of one partly below the horizon", "W/m^2", sunk_panel_e, sunk_panel_e_sample, true},
+};
+
+static inline estimate relation_measure(size_t k, uint64_t seed, size_t n)
+{
+    estimate e = {0};
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(seed, k, i);
+        e = estimate_add(e, (double)relation_list[k].sample(&s));
+    }
+    return e;
+}
+
+#endif
