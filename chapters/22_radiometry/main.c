@@ -11,7 +11,7 @@ int main(int argc, char **argv)
                              "Light as something measured: irradiance of three lights.", defaults,
                              NULL);
     draw_floor(&o), draw_view(&o);
-    measure_relations(&o);
+    measure_relations(&o), measure_view(&o);
     measure_ways(&o);
     measure_hard(&o), plot_hard(&o);
     measure_photometry(&o);

@@ -1,6 +1,7 @@
 /* measure.h: the tables of this chapter.
  *
  *   measure_relations(o)    every relation: closed form, estimate, standard error, z
+ *   measure_view(o)         areas of the picture of view.h, counted in pixels
  *   measure_ways(o)         error of four estimators against samples and time; plots
  *   measure_hard(o)         tiny, far, grazing, touching: error of the variants and their time
  *   measure_photometry(o)   lights in watts and in lumens
@@ -13,6 +14,7 @@
 #include "directions.h"
 #include "oracle.h"
 #include "photometry.h"
+#include "view.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -28,6 +30,24 @@ static inline void measure_relations(const options *o)
         table_text(&t, "%s", r->name), table_text(&t, "%s", r->unit);
         table_text(&t, "%.5f", c), table_text(&t, "%.5f", e.mean);
         table_number(&t, estimate_error(e)), table_text(&t, "%.1f", z);
+    }
+    output_extra_table(o, &t);
+}
+
+static inline void measure_view(const options *o)
+{
+    int n = o->quick ? 200 : 1000;
+    double area[view_maps][view_things];
+    for (int m = 0; m < view_maps; m++) view_count((view_map)m, n, area[m]);
+    table t = table_new("What a point sees: pixels counted, of 1000 x 1000", "thing|solid angle [sr]|"
+                        "error counted [sr]|irradiance [W/m^2]|error counted [W/m^2]");
+    for (int k = 0; k < view_things; k++) {
+        table_text(&t, "%s", view_name[k]);
+        for (int m = 0; m < view_maps; m++) {
+            double closed = view_closed((view_map)m, k);
+            table_text(&t, isnan(closed) ? "-" : "%.5f", closed);
+            table_text(&t, "%.5f", area[m][k]);
+        }
     }
     output_extra_table(o, &t);
 }
