@@ -1,4 +1,4 @@
-/* spherical_sampling.h: points of a triangle or a rectangle, uniform in the solid angle that p sees.
+/* spherical_sampling.h: points of a triangle or a rectangle, uniform in the solid angle p sees.
  *
  *      c___             spherical_triangle k = spherical_triangle_of(t, p);   once a p
  *      |   \ c'         vec3 b = spherical_triangle_sample(&k, u, v);   barycentrics (b0, b1, b2)
@@ -6,22 +6,25 @@
  *      |  x  \          pdf = 1 / k.omega [1/sr], the same for all; k.omega = 0: nothing to see
  *      a------b
  *                       spherical_rectangle r = spherical_rectangle_of(q, p);
- *   c' on the edge      vec3 y = spherical_rectangle_sample(&r, u, v);   y.x, y.y in [0,1] along s, t
- *   a c so that a b c'  x = rectangle_at(q, y); pdf = 1 / r.omega
+ *   c' on the edge      vec3 y = spherical_rectangle_sample(&r, u, v);   y.x, y.y in [0,1]
+ *   a c so that a b c'  x = rectangle_at(q, y), y.x along s, y.y along t; pdf = 1 / r.omega
  *   has the share u of
- *   the solid angle;    spherical_rectangle_sample_urena(q, p, u, v, &omega)
- *   x between b and c'  the same by Ureña et al.: no step between two triangles, but it subtracts
- *   by v                angles of some pi: fails for small rectangles (1e-4 in float, 1e-8 in double)
+ *   the solid angle;    variant                            cannot do
+ *   x between b and c'  spherical_rectangle_sample_urena   small ones: a difference of angles of pi
+ *   by v                spherical_rectangle_sample_halves  neighbours: two triangles, one step in u
  *
- * No cosine and no 1/pdf is included. A sphere: sample_cone(cone_of_sphere(..)) of chapter 20.
+ * A rectangle is sampled by the map of Ureña et al., whose neighbours stay neighbours, unless its
+ * solid angle is below 2^20 epsilon (0.125 in float), where that map knows less than 6 digits; then
+ * by its two halves. No cosine and no 1/pdf is included. A sphere: sample_cone(cone_of_sphere(..)).
+ *
  * Points, not directions: a unit vector of float knows a light of 1e-6 as two or three places only,
- * barycentrics know it to an epsilon of its size. The coordinates are weights that are computed as
- * such, from what is small, and no angle is subtracted: a triangle may be as small as it likes.
+ * barycentrics know it to an epsilon of its size. Those of a triangle are computed as weights, from
+ * what is small, and no angle is subtracted: it may be as small as it likes.
  *
- * Sources: J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995 (the map); C. Peters,
- * "BRDF Importance Sampling for Polygonal Lights", ACM TOG 40(4), 2021, section 3 (without angles
- * of corners); C. Ureña, M. Fajardo, A. King, "An Area-Preserving Parametrization for Spherical
- * Rectangles", Computer Graphics Forum 32(4), 2013.
+ * Sources: J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995 (the map); C.
+ * Peters, "BRDF Importance Sampling for Polygonal Lights", ACM TOG 40(4), 2021, section 3 (without
+ * the angles at the corners); C. Ureña, M. Fajardo, A. King, "An Area-Preserving Parametrization
+ * for Spherical Rectangles", Computer Graphics Forum 32(4), 2013.
  */
 #ifndef SPHERICAL_SAMPLING_H
 #define SPHERICAL_SAMPLING_H
@@ -30,7 +33,9 @@
 
 /* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. */
 typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; } spherical_triangle;
-typedef struct { spherical_triangle half[2]; real omega; } spherical_rectangle;
+/* Names as in the paper: sides along x and y, plane z = z0; S as Ureña's formula has it. */
+typedef struct { real x0, x1, y0, y1, z0, b0, b1, k, S; } urena_map;
+typedef struct { spherical_triangle half[2]; urena_map map; real omega; } spherical_rectangle;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -79,7 +84,26 @@ static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u
     return (vec3){wa / sum, wb / sum, wc / sum};
 }
 
-/* ---- rectangle: one of its two triangles, by their shares ---- */
+/* ---- rectangle ---- */
+
+static inline real urena_angle(vec3 n, vec3 m) { return acos(real_clamp(-vdot(n, m), -1, 1)); }
+
+static inline urena_map urena_map_of(rectangle r, vec3 p)
+{
+    real s = vlength(r.s), t = vlength(r.t);
+    vec3 x = vscale(r.s, 1 / s), y = vscale(r.t, 1 / t), d = vsub(r.o, p), z = vcross(x, y);
+    if (vdot(d, z) > 0) z = vneg(z);
+    urena_map m = {.x0 = vdot(d, x), .y0 = vdot(d, y), .z0 = vdot(d, z)};
+    m.x1 = m.x0 + s, m.y1 = m.y0 + t;
+    vec3 v00 = {m.x0, m.y0, m.z0}, v01 = {m.x0, m.y1, m.z0};
+    vec3 v10 = {m.x1, m.y0, m.z0}, v11 = {m.x1, m.y1, m.z0};
+    vec3 n0 = vunit(vcross(v00, v10)), n1 = vunit(vcross(v10, v11));
+    vec3 n2 = vunit(vcross(v11, v01)), n3 = vunit(vcross(v01, v00));
+    m.b0 = n0.z, m.b1 = n2.z;
+    m.k = 2 * pi - urena_angle(n2, n3) - urena_angle(n3, n0);
+    m.S = urena_angle(n0, n1) + urena_angle(n1, n2) - m.k;
+    return m;
+}
 
 static inline spherical_rectangle spherical_rectangle_of(rectangle r, vec3 p)
 {
@@ -87,12 +111,28 @@ static inline spherical_rectangle spherical_rectangle_of(rectangle r, vec3 p)
     real volume = rectangle_volume(r, p), one, two;
     rectangle_solid_angles(r, p, &one, &two);
     spherical_rectangle k = {{spherical_triangle_from(a, b, d, volume, one),
-                              spherical_triangle_from(c, d, b, volume, two)}, 0};
+                              spherical_triangle_from(c, d, b, volume, two)},
+                             urena_map_of(r, p), 0};
     k.omega = k.half[0].omega + k.half[1].omega;
     return k;
 }
 
-static inline vec3 spherical_rectangle_sample(const spherical_rectangle *k, real u, real v)
+/* A rectangle of 1e-5 in float: S and k are sums of angles of some pi, and S is noise. */
+static inline vec3 spherical_rectangle_sample_urena(const spherical_rectangle *r, real u, real v)
+{
+    const urena_map *m = &r->map;
+    real au = u * m->S + m->k, fu = (cos(au) * m->b0 - m->b1) / sin(au);
+    real cu = real_clamp((fu > 0 ? 1 : -1) / sqrt(fu * fu + m->b0 * m->b0), -1, 1);
+    real xu = -(cu * m->z0) / sqrt(real_max((1 - cu) * (1 + cu), real_smallest));
+    xu = real_clamp(xu, m->x0, m->x1);
+    real dd = xu * xu + m->z0 * m->z0;
+    real h0 = m->y0 / sqrt(dd + m->y0 * m->y0), h1 = m->y1 / sqrt(dd + m->y1 * m->y1);
+    real h = h0 + v * (h1 - h0), yu = h * sqrt(dd / real_max((1 - h) * (1 + h), real_smallest));
+    return (vec3){(xu - m->x0) / (m->x1 - m->x0),
+                  real_clamp((yu - m->y0) / (m->y1 - m->y0), 0, 1), 0};
+}
+
+static inline vec3 spherical_rectangle_sample_halves(const spherical_rectangle *k, real u, real v)
 {
     real share = k->half[0].omega / k->omega;
     int second = !(u < share);
@@ -101,28 +141,10 @@ static inline vec3 spherical_rectangle_sample(const spherical_rectangle *k, real
     return second ? (vec3){1 - b.y, 1 - b.z, 0} : (vec3){b.y, b.z, 0};
 }
 
-/* Names as in the paper. Fails for a rectangle of 1e-5 in float: S is the difference of angles of
- * some pi, and what is left of it is noise. */
-static inline vec3 spherical_rectangle_sample_urena(rectangle r, vec3 p, real u, real v, real *S)
+static inline vec3 spherical_rectangle_sample(const spherical_rectangle *k, real u, real v)
 {
-    real exl = vlength(r.s), eyl = vlength(r.t);
-    vec3 x = vscale(r.s, 1 / exl), y = vscale(r.t, 1 / eyl), d = vsub(r.o, p), z = vcross(x, y);
-    if (vdot(d, z) > 0) z = vneg(z);
-    real z0 = vdot(d, z), x0 = vdot(d, x), y0 = vdot(d, y), x1 = x0 + exl, y1 = y0 + eyl;
-    vec3 v00 = {x0, y0, z0}, v01 = {x0, y1, z0}, v10 = {x1, y0, z0}, v11 = {x1, y1, z0};
-    vec3 n0 = vunit(vcross(v00, v10)), n1 = vunit(vcross(v10, v11));
-    vec3 n2 = vunit(vcross(v11, v01)), n3 = vunit(vcross(v01, v00));
-    real g0 = acos(real_clamp(-vdot(n0, n1), -1, 1)), g1 = acos(real_clamp(-vdot(n1, n2), -1, 1));
-    real g2 = acos(real_clamp(-vdot(n2, n3), -1, 1)), g3 = acos(real_clamp(-vdot(n3, n0), -1, 1));
-    real k = 2 * pi - g2 - g3;
-    *S = g0 + g1 - k;
-    real au = u * *S + k, fu = (cos(au) * n0.z - n2.z) / sin(au);
-    real cu = real_clamp((fu > 0 ? 1 : -1) / sqrt(fu * fu + n0.z * n0.z), -1, 1);
-    real xu = real_clamp(-(cu * z0) / sqrt(real_max(1 - cu * cu, 0)), x0, x1);
-    real dd = sqrt(xu * xu + z0 * z0), h0 = y0 / sqrt(dd * dd + y0 * y0);
-    real h1 = y1 / sqrt(dd * dd + y1 * y1), hv = h0 + v * (h1 - h0);
-    real yv = hv * hv < 1 - real_epsilon ? hv * dd / sqrt(1 - hv * hv) : y1;
-    return (vec3){(xu - x0) / exl, (yv - y0) / eyl, 0};
+    return k->omega > (real)0x1p20 * real_epsilon ? spherical_rectangle_sample_urena(k, u, v)
+                                             : spherical_rectangle_sample_halves(k, u, v);
 }
 
 #endif

@@ -1,0 +1,203 @@
+/* Tests of 22_radiometry: points of triangles and rectangles, uniform in the solid angle: chi-square
+ * tests against the constant pdf, t-tests against closed forms, tiny, huge, grazing and touching
+ * ones. Fixed seeds; each random test alarms falsely once in 1e8 seeds, there are fewer than 100. */
+#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../chapters/22_radiometry/directions.h"
+#include "check.h"
+
+#define alarm 1e-8
+#define eps ((double)real_epsilon)
+
+/* How the solid angle of the sub-triangle a b c' should share: the sampled point (u, v) gives the
+ * triangle a, b, x(u, 1): its solid angle is u Omega, whatever the triangle. Exact, no chance. */
+static void check_shares(triangle t, vec3 p, double bound, const char *what)
+{
+    spherical_triangle k = spherical_triangle_of(t, p);
+    double worst = 0, whole = (double)fabs(triangle_solid_angle(t, p));
+    check(k.omega == (real)whole && whole > 0, "%s: omega is the solid angle", what);
+    for (int i = 0; i <= 32; i++) {
+        real u = (real)i / 32;
+        vec3 b = spherical_triangle_sample(&k, u, 1);  /* v = 1: c' itself */
+        check(b.x >= 0 && b.y >= 0 && b.z >= 0, "%s: barycentrics are not negative", what);
+        check_at_most(fabs((double)(b.x + b.y + b.z) - 1), 4 * eps, "%s: sum of barycentrics", what);
+        check_at_most(fabs((double)b.y), 16 * eps, "%s: c' lies on the edge a c", what);
+        vec3 end = {0, 0, 0};  /* in coordinates relative to a, for a tiny triangle far from 0 */
+        end = vmadd(vadd(t.a, end), vsub(t.c, t.a), b.z);
+        double part = (double)fabs(triangle_solid_angle((triangle){t.a, t.b, end}, p));
+        worst = check_worse(worst, fabs(part / whole - (double)u));
+    }
+    check_at_most(worst, bound, "%s: solid angle of a b c' is u Omega", what);
+}
+
+static void test_triangle_shares(void)
+{
+    vec3 p = {0, 0, 0};
+    check_shares(sail, p, 16 * eps, "a sail");
+    check_shares((triangle){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, p, 16 * eps, "an octant");
+    check_shares((triangle){{-9, -9, 1}, {9, -9, 1}, {0, 12, 1}}, p, 16 * eps, "nearly a hemisphere");
+    /* the corners have the size of 1, the triangle of 2^-20 or 2^-9: its corners are exact, the point
+     * end is rounded by eps / size of it */
+    real h = real_is_float ? (real)0x1p-9 : (real)0x1p-20;
+    check_shares((triangle){{1, 0, 0}, {1, h, 0}, {1, 0, h}}, p, 8 * eps / (double)h, "a tiny one");
+    check_shares((triangle){{1, 0, h}, {2, 0, h}, {1, 1, h}}, p, 64 * eps, "a grazing one");
+    /* touching: the edge a c passes p at a distance of about 1, but seen from p at a height of h
+     * only: an epsilon along the view of it is an epsilon / h across */
+    check_shares((triangle){{-1, -1, h}, {2, -1, h}, {-1, 2, h}}, p, 8 * eps / (double)h,
+                 "nearly touching");
+    /* tiny, with p = corner's foot: relative to a, everything is small numbers */
+    real m = real_is_float ? (real)0x1p-60 : (real)0x1p-300;
+    check_shares((triangle){{m, m, m}, {2 * m, m, m}, {m, 3 * m, m}}, p, 16 * eps, "scaled down");
+    spherical_triangle k = spherical_triangle_of((triangle){{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, p);
+    check_equal(k.omega, 0, "in its plane: nothing to see");
+    k = spherical_triangle_of((triangle){{1, 1, 1}, {1, 1, 1}, {1, 2, 1}}, p);
+    check_equal(k.omega, 0, "without area: nothing to see");
+}
+
+/* ---- chi-square: directions in 32 x 32 cells, pdf 1 / omega within ---- */
+
+typedef struct { triangle t; spherical_triangle k; } seen_t;
+typedef struct { rectangle r; spherical_rectangle k; } seen_r;
+
+static vec3 s_triangle(real u, real v, const void *context)
+{
+    const seen_t *s = context;
+    vec3 b = spherical_triangle_sample(&s->k, u, v);
+    return vunit(triangle_at(s->t, b.y, b.z));
+}
+
+static real d_triangle(vec3 w, const void *context)
+{
+    const seen_t *s = context;
+    hit h;
+    return triangle_hit(s->t, ray_from(here, w), &h) ? 1 / s->k.omega : 0;
+}
+
+static vec3 s_rectangle(real u, real v, const void *context)
+{
+    const seen_r *s = context;
+    return vunit(rectangle_at(s->r, spherical_rectangle_sample(&s->k, u, v)));
+}
+
+static vec3 s_halves(real u, real v, const void *context)
+{
+    const seen_r *s = context;
+    return vunit(rectangle_at(s->r, spherical_rectangle_sample_halves(&s->k, u, v)));
+}
+
+static vec3 s_by_area(real u, real v, const void *context)
+{
+    const seen_r *s = context;
+    return vunit(rectangle_at(s->r, (vec3){u, v, 0}));
+}
+
+static real d_rectangle(vec3 w, const void *context)
+{
+    const seen_r *s = context;
+    return rectangle_met(s->r, w) ? 1 / s->k.omega : 0;
+}
+
+/* The expectations of cells that the border cuts are known to 1 / 128 of them only: few samples,
+ * n, so that this is less than their noise. Cells that hold a corner of the border have other bins
+ * beside them. */
+static void test_chi_square(void)
+{
+    size_t n = check_count(20000);
+    static const triangle octant = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    seen_t t = {sail, spherical_triangle_of(sail, here)};
+    seen_t whole = {octant, spherical_triangle_of(octant, here)};
+    /* four of those make a half of the sphere, with borders on borders of cells */
+    chi_square_result r = chi_square_directions(s_triangle, d_triangle, &whole, 1, 1, 10 * n);
+    check_at_least(r.p, alarm, "octant: samples follow the pdf");
+    check_close(r.integral, 1, 1e-5, "octant: pdf integrates to 1");
+    r = chi_square_directions(s_triangle, d_triangle, &t, 1, 2, n);
+    check_at_least(r.p, alarm, "sail: samples follow the pdf");
+    check_close(r.integral, 1, 0.01, "sail: pdf integrates to 1");
+    static const rectangle list[] = {
+        {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}, {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}},
+        {{-3, -1, (real)0.01}, {4, 0, 0}, {0, 3, 0}}, {{1, 1, (real)0.25}, {0, 9, 0}, {9, 0, 0}}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        seen_r s = {list[i], spherical_rectangle_of(list[i], here)};
+        check_at_least(chi_square_directions(s_rectangle, d_rectangle, &s, 1, 3 + i, n).p, alarm,
+                       "rectangle %d: samples follow the pdf", (int)i);
+        check_at_least(chi_square_directions(s_halves, d_rectangle, &s, 1, 9 + i, n).p, alarm,
+                       "rectangle %d, halves: samples follow the pdf", (int)i);
+        check_at_most(chi_square_directions(s_by_area, d_rectangle, &s, 1, 3 + i, n).p, alarm,
+                      "rectangle %d by area: found out", (int)i);
+    }
+}
+
+/* ---- E[cos theta Omega] is the irradiance, in closed form ---- */
+
+static void test_expectations(void)
+{
+    size_t n = check_count(20000);
+    static const rectangle list[] = {
+        {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}, {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}},
+        {{2, -1, -1}, {0, 0, 3}, {0, 2, 0}}, {{-1, -1, (real)0x1p-10}, {0, 2, 0}, {2, 0, 0}},
+        {{1, 1, 1}, {0, (real)0x1p-10, 0}, {(real)0x1p-10, 0, 0}},
+        {{1, 1, 1}, {0, (real)0x1p-20, 0}, {(real)0x1p-20, 0, 0}},
+        {{1, 0, (real)0x1p-16}, {0, 1, 0}, {1, 0, 0}}, {{-500, 1, 1}, {1000, 0, 0}, {0, 0, 1000}}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        spherical_rectangle k = spherical_rectangle_of(list[i], here);
+        vec3 corner[4] = {list[i].o, vadd(list[i].o, list[i].s), {0, 0, 0}, {0, 0, 0}};
+        corner[2] = vadd(corner[1], list[i].t), corner[3] = vadd(list[i].o, list[i].t);
+        estimate e = {0}, x = {0}, y = {0};
+        for (size_t j = 0; j < n; j++) {
+            random_stream s = random_start(5, i, j);
+            real u = random_next(&s), v = random_next(&s);
+            vec3 q = spherical_rectangle_sample(&k, u, v);
+            check(q.x >= 0 && q.x <= 1 && q.y >= 0 && q.y <= 1, "rectangle %d: within", (int)i);
+            e = estimate_add(e, (double)(real_max(vunit(rectangle_at(list[i], q)).z, 0) * k.omega));
+            x = estimate_add(x, (double)q.x), y = estimate_add(y, (double)q.y);
+        }
+        double exact = (double)rectangle_irradiance(list[i], here, up);
+        check_at_least(t_test(e, exact, 64 * eps * exact), alarm, "rectangle %d: irradiance", (int)i);
+        if (i == 4 || i == 5) {  /* small: uniform in area, but for some 2^-10 */
+            check_at_least(t_test(x, 0.5, 0x1p-10), alarm, "rectangle %d: mean x", (int)i);
+            check_at_least(t_test(y, 0.5, 0x1p-10), alarm, "rectangle %d: mean y", (int)i);
+            check_close(estimate_variance(x), 1.0 / 12, 0.01, "rectangle %d: spread of x", (int)i);
+            check_close(estimate_variance(y), 1.0 / 12, 0.01, "rectangle %d: spread of y", (int)i);
+        }
+    }
+}
+
+/* The map of Ureña et al. on a small rectangle: its solid angle is noise. */
+static void test_urena_fails(void)
+{
+    real h = real_is_float ? (real)0x1p-11 : (real)0x1p-26;
+    rectangle r = {{1, 1, 1}, {0, h, 0}, {h, 0, 0}};
+    spherical_rectangle k = spherical_rectangle_of(r, here);
+    check_at_least(fabs((double)(k.map.S / k.omega) - 1), 0.01, "small: S is noise");
+    check_close((double)k.omega, (double)(h * h) / pow(3, 1.5), (double)(2 * h * h * h),
+                "small: omega is area cos / r^2");
+    r = (rectangle){{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}};
+    k = spherical_rectangle_of(r, here);
+    /* one of six sides of a cube about p: 4 pi / 6 */
+    check_close((double)k.omega, 2.09439510239319549, 8 * eps, "side of a cube");
+    check_close((double)k.map.S, 2.09439510239319549, 16 * eps, "side of a cube, Urena");
+}
+
+/* The sphere of chapter 20's cone, as the direct way to a sphere: E of a sphere by its cone. */
+static void test_sphere(void)
+{
+    for (int run = 0; run < 2; run++) {
+        estimate e = {0};
+        for (uint64_t i = 0; i < check_count(20000); i++) {
+            random_stream s = random_start(8, (uint64_t)run, i);
+            real u = random_next(&s), v = random_next(&s);
+            e = estimate_add(e, (double)direction_sample(LIGHT_SPHERE, run ? BY_AREA : BY_SOLID_ANGLE,
+                                                         NULL, u, v));
+        }
+        check_at_least(t_test(e, direction_exact(LIGHT_SPHERE), 64 * eps), alarm, "sphere %d", run);
+    }
+}
+
+int main(void)
+{
+    test_triangle_shares();
+    test_chi_square();
+    test_expectations();
+    test_urena_fails();
+    test_sphere();
+    return check_report("22_spherical_sampling");
+}
