@@ -19,7 +19,7 @@
  *
  * Points, not directions: a unit vector of float knows a light of 1e-6 as two or three places only,
  * barycentrics know it to an epsilon of its size. Those of a triangle are computed as weights, from
- * what is small, and no angle is subtracted: it may be as small as it likes.
+ * what is small, and no angle is subtracted: it may be as small as its volume can be a real.
  *
  * Sources: J. Arvo, "Stratified Sampling of Spherical Triangles", SIGGRAPH 1995 (the map); C.
  * Peters, "BRDF Importance Sampling for Polygonal Lights", ACM TOG 40(4), 2021, section 3 (without

@@ -1,0 +1,211 @@
+/* Tests of 22_radiometry: solid angles against closed forms, against 32 digits, and where the naive
+ * forms fail. */
+#include "../chapters/07_mesh/inside.h"
+#include "../chapters/20_monte_carlo/sampler.h"
+#include "../chapters/22_radiometry/oracle.h"
+#include "../chapters/22_radiometry/solid_angle.h"
+#include "check.h"
+
+#define eps ((double)real_epsilon)
+#define PI 3.14159265358979324
+
+static real between(random_stream *s, double lo, double hi)
+{
+    return (real)(lo + (hi - lo) * (double)random_next(s));
+}
+
+/* 10^x, x uniform */
+static real size_between(random_stream *s, double lo, double hi)
+{
+    return (real)pow(10, (double)between(s, lo, hi));
+}
+
+static vec3 point(random_stream *s, real size)
+{
+    real x = size * between(s, -1, 1), y = size * between(s, -1, 1);
+    return (vec3){x, y, size * between(s, -1, 1)};
+}
+
+static double relative(double value, double exact)
+{
+    return exact == 0 ? fabs(value) : fabs(value / exact - 1);
+}
+
+/* ---- caps and spheres ---- */
+
+static void test_caps(void)
+{
+    check_close((double)cap_solid_angle(pi) / (4 * PI), 1, 4 * eps, "all directions: 4 pi");
+    check_close((double)cap_solid_angle(pi / 2) / (2 * PI), 1, 4 * eps, "a hemisphere: 2 pi");
+    check_close((double)cap_solid_angle(pi / 3) / PI, 1, 4 * eps, "60 degrees: pi");
+    check_equal(cap_solid_angle(0), 0, "nothing");
+    /* pi a^2 (1 - a^2 / 12 + a^4 / 360): the rest is below 1e-20 for angles up to 1e-3 */
+    for (real a = (real)1e-3; a > (real)1e-12; a /= 8) {
+        double q = (double)a * (double)a, small = PI * q * (1 - q / 12 + q * q / 360);
+        check_at_most(relative((double)cap_solid_angle(a), small), 4 * eps, "cap of %g", (double)a);
+    }
+    check_equal(cap_solid_angle_naive(real_is_float ? (real)1e-4 : (real)1e-9), 0,
+                "naive: nothing is left");
+}
+
+static double sphere_exact(sphere s, vec3 p)
+{
+    wide3 f = wide3_between(p, s.c, 0);
+    wide dd = wide3_dot(f, f), rr = wide_product((double)s.r, (double)s.r), power = wide_sub(dd, rr);
+    if (wide_sign(power) < 0) return 4 * PI;
+    wide cosine = wide_sqrt(wide_div(power, dd));
+    return 2 * PI * wide_value(wide_div(wide_div(rr, dd), wide_add(wide_of(1), cosine)));
+}
+
+static void test_spheres(void)
+{
+    sphere unit = {{0, 0, 0}, 1};
+    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 0}), 4 * PI, 8 * eps, "from its centre");
+    check_close((double)sphere_solid_angle(unit, (vec3){0, (real)0.5, 0}), 4 * PI, 8 * eps, "inside");
+    check_close((double)sphere_solid_angle(unit, (vec3){0, 1, 0}), 2 * PI, 8 * eps, "on it");
+    /* at distance 2: 2 pi (1 - sqrt(3)/2) */
+    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 2}), 2 * PI * (1 - sqrt(0.75)), 4 * eps,
+                "from twice the radius");
+    check_equal(sphere_solid_angle((sphere){{0, 0, 0}, 0}, (vec3){1, 0, 0}), 0, "a point");
+    check_equal(sphere_solid_angle((sphere){{0, 0, 0}, 0}, (vec3){0, 0, 0}), 0, "a point from itself");
+    real inward = sphere_solid_angle((sphere){{0, 0, 0}, -1}, (vec3){0, 0, 2});
+    check_equal(inward, sphere_solid_angle(unit, (vec3){0, 0, 2}), "R < 0: the same points");
+    double worst = 0, worst_naive = 0;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        random_stream s = random_start(1, 0, i);
+        sphere b = {point(&s, 1), 1};
+        vec3 w = vunit(point(&s, 1)), p;
+        real far = size_between(&s, 0, real_is_float ? 15 : 100);
+        real gap = size_between(&s, real_is_float ? -6 : -14, 0);
+        p = vmadd(b.c, w, i % 2 ? far : 1 + gap);
+        double exact = sphere_exact(b, p);
+        worst = check_worse(worst, relative((double)sphere_solid_angle(b, p), exact));
+        worst_naive = check_worse(worst_naive, relative((double)sphere_solid_angle_naive(b, p), exact));
+    }
+    check_at_most(worst, 8 * eps, "spheres from far and from near: a handful of roundings");
+    check_at_least(worst_naive, 0.99, "naive: nothing is left");
+}
+
+/* ---- triangles ---- */
+
+static void test_known_triangles(void)
+{
+    vec3 o = {0, 0, 0};
+    triangle octant = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    check_close((double)triangle_solid_angle(octant, o), PI / 2, 4 * eps, "an eighth of 4 pi");
+    check_close((double)triangle_solid_angle((triangle){octant.b, octant.a, octant.c}, o), -PI / 2,
+                4 * eps, "turned round: negative");
+    /* L'Huilier: equilateral with sides of 60 degrees: 3 acos(1/3) - pi */
+    real h = sqrt((real)3) / 2;
+    triangle sixty = {{1, 0, 0}, {(real)0.5, h, 0}, {(real)0.5, h / 3, sqrt((real)2 / 3)}};
+    check_close((double)triangle_solid_angle(sixty, o), 3 * acos(1.0 / 3) - PI, 8 * eps, "tetrahedron");
+    triangle flat = {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
+    check_equal(triangle_solid_angle(flat, o), 2 * pi, "p within the triangle: 2 pi");
+    check_equal(triangle_solid_angle(flat, (vec3){3, 0, 0}), 0, "in its plane, outside: 0");
+    check_equal(triangle_solid_angle(flat, (vec3){-1, 0, 0}), 0, "on an edge: 0");
+    check_equal(triangle_solid_angle(flat, (vec3){1, 0, 0}), 0, "a corner: 0");
+    check_equal(triangle_solid_angle((triangle){o, o, o}, (vec3){1, 0, 0}), 0, "no area: 0");
+    check_close((double)triangle_solid_angle(flat, (vec3){0, 0, -(real)1e-9}), 2 * PI, 1e-8 + 8 * eps,
+                "close to it, in front of its back: nearly 2 pi");
+    check(isnan(triangle_solid_angle((triangle){{(real)NAN, 0, 0}, flat.b, flat.c}, o)), "NaN stays");
+}
+
+/* Tiny, slivers, near the plane, near an edge, far: the worst of each variant. */
+static triangle hard_triangle(random_stream *s, vec3 *p)
+{
+    const double lo = real_is_float ? -5 : -12;
+    real size = size_between(s, lo, 0.5), how = random_next(s);
+    vec3 a = point(s, 1), b = vadd(a, point(s, size)), c = vadd(a, point(s, size));
+    if (random_next(s) < (real)0.2) c = vadd(a, point(s, size * size_between(s, lo / 2, 0)));
+    real x = between(s, -2, 2), y = how < (real)0.5 ? between(s, -2, 2) : 0;
+    vec3 near = vmadd(vmadd(a, vsub(b, a), x), vsub(c, a), y);
+    *p = how < (real)0.3 ? point(s, 1) : vadd(near, point(s, size_between(s, lo, 0)));
+    return (triangle){a, b, c};
+}
+
+static void test_hard_triangles(void)
+{
+    double worst = 0, girard = 0, plain = 0, volume = 0;
+    size_t wrong_sign = 0;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        random_stream s = random_start(2, 0, i);
+        vec3 p;
+        triangle t = hard_triangle(&s, &p);
+        double exact = triangle_solid_angle_exact(t, p), value = (double)triangle_solid_angle(t, p);
+        int e;
+        double v = wide_value(wide_volume(corners_of_triangle(t, p, &e)));
+        if (exact == 0 || fabs(exact) < 1e-30) continue;  /* below what float can say of products */
+        worst = check_worse(worst, relative(value, exact));
+        volume = check_worse(volume, relative((double)triangle_volume(t, p), ldexp(v, -3 * e)));
+        girard = check_worse(girard, relative((double)triangle_solid_angle_girard(t, p), exact));
+        plain = check_worse(plain, relative(solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p)),
+                                            exact));
+        wrong_sign += solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p)) * exact < 0;
+    }
+    check_at_most(worst, 16 * eps, "what the header promises");
+    check_at_most(volume, 16 * eps, "volume: the same");
+    check_at_least(girard, 1, "Girard: no digit is right");
+    check_at_least(plain, 0.5, "as in chapter 07: no digit is right");
+    check_at_least((double)wrong_sign, 1, "as in chapter 07: wrong side");
+}
+
+/* The same triangle, scaled by powers of two: the same solid angle. */
+static void test_scales(void)
+{
+    triangle t = {{1, 2, 3}, {2, -1, 2}, {0, 1, 4}};
+    vec3 p = {(real)0.5, 0, -1};
+    double one = (double)triangle_solid_angle(t, p);
+    for (int e = real_is_float ? -120 : -1000; e < (real_is_float ? 120 : 1000); e += 24) {
+        real k = ldexp((real)1, e);
+        triangle s = {vscale(t.a, k), vscale(t.b, k), vscale(t.c, k)};
+        check_at_most(relative((double)triangle_solid_angle(s, vscale(p, k)), one), 32 * eps,
+                      "scaled by 2^%d", e);
+    }
+}
+
+/* A closed mesh adds up to 4 pi inside, to 0 outside, whichever way it is cut into triangles; a
+ * rectangle to its four triangles round the middle, and to the closed form over its middle:
+ * 4 asin(a b / sqrt((a^2 + h^2)(b^2 + h^2))), half sides a, b. */
+static void test_sums(void)
+{
+    static const vec3 c[8] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
+                              {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+    static const int q[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (size_t i = 0; i < check_count(2000); i++) {
+        random_stream s = random_start(3, 0, i);
+        vec3 p = point(&s, 2);
+        bool inside = p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1 && p.z > 0 && p.z < 1;
+        double triangles = 0, rectangles = 0;
+        for (int k = 0; k < 6; k++) {
+            triangles += (double)triangle_solid_angle((triangle){c[q[k][0]], c[q[k][1]], c[q[k][2]]}, p);
+            triangles += (double)triangle_solid_angle((triangle){c[q[k][0]], c[q[k][2]], c[q[k][3]]}, p);
+            rectangle r = {c[q[k][0]], vsub(c[q[k][1]], c[q[k][0]]), vsub(c[q[k][3]], c[q[k][0]])};
+            rectangles += (double)rectangle_solid_angle(r, p);
+        }
+        check_close(triangles, inside ? 4 * PI : 0, 64 * eps, "a cube of triangles");
+        check_close(rectangles, inside ? 4 * PI : 0, 64 * eps, "a cube of rectangles");
+    }
+    double worst = 0;
+    for (size_t i = 0; i < check_count(2000); i++) {
+        random_stream s = random_start(4, 0, i);
+        real a = size_between(&s, -4, 2), b = size_between(&s, -4, 2), h = size_between(&s, -4, 2);
+        rectangle r = {{-a, -b, h}, {2 * a, 0, 0}, {0, 2 * b, 0}};
+        double da = (double)a, db = (double)b, dh = (double)h;
+        /* asin as atan2, the cosine without cancellation */
+        double exact = 4 * atan2(da * db, dh * sqrt(da * da + db * db + dh * dh));
+        worst = check_worse(worst, relative((double)rectangle_solid_angle(r, (vec3){0, 0, 0}), exact));
+    }
+    check_at_most(worst, 24 * eps, "rectangles over their middle");
+}
+
+int main(void)
+{
+    test_caps();
+    test_spheres();
+    test_known_triangles();
+    test_hard_triangles();
+    test_scales();
+    test_sums();
+    return check_report("22_solid_angle");
+}
