@@ -1,0 +1,280 @@
+/* Tests of 22_radiometry: irradiance of spheres and polygons against textbook form factors, against
+ * 32 digits, and where the naive forms fail. */
+#include "../chapters/22_radiometry/measure.h"
+#include "check.h"
+
+#define eps ((double)real_epsilon)
+#define PI 3.14159265358979324
+
+static real between(random_stream *s, double lo, double hi)
+{
+    return (real)(lo + (hi - lo) * (double)random_next(s));
+}
+
+static real size_between(random_stream *s, double lo, double hi)
+{
+    return (real)pow(10, (double)between(s, lo, hi));
+}
+
+static double relative(double value, double exact)
+{
+    return exact == 0 ? fabs(value) : fabs(value / exact - 1);
+}
+
+/* ---- the oracle itself, against digits of others ---- */
+
+/* Computed from (22.8) with 80 digits by another program: R = 1, across, height, E. */
+static void test_oracle(void)
+{
+    static const double list[][3] = {
+        {2, 0.5, 0.19680187617896472434}, {1.25, -0.75, 0.014153726509890230922},
+        {0x1p20, -0.5, 1.092184305149337395e-19}, {0x1p10, -1 + 0x1p-10, 2.0932375573092866342e-17},
+        {0x1p6, -1 + 0x1p-20, 2.555488767452287925e-21},
+        {1 + 0x1p-20, -0.5, 0.22920274651186429498}};
+    for (int i = 0; i < 6; i++) {
+        double a = list[i][0], h = list[i][1], e = list[i][2];
+        check_at_most(relative(sphere_irradiance_exact(1, a, h), e), 1e-15, "oracle, sphere %d", i);
+        real value = sphere_irradiance((sphere){{(real)a, 0, (real)h}, 1}, here, up);
+        check_at_most(relative((double)value, e), 16 * eps, "default, sphere %d", i);
+    }
+    wide s, c;
+    for (int i = 0; i <= 64; i++) {
+        double x = PI * i / 64;
+        wide_sine_cosine(x, &s, &c);
+        check_close(wide_value(s), sin(x), 1e-15, "sine");
+        check_close(wide_value(c), cos(x), 1e-15, "cosine");
+        double one = wide_value(wide_sub(wide_add(wide_mul(s, s), wide_mul(c, c)), wide_of(1)));
+        check_at_most(fabs(one), 1e-28, "sin^2 + cos^2 = 1 in 28 digits");
+    }
+    /* Machin: pi/4 = 4 atan(1/5) - atan(1/239), and pi = 4 atan2(1, 1) */
+    wide machin = wide_sub(wide_mul(wide_of(4), wide_atan2(wide_of(1), wide_of(5))),
+                           wide_atan2(wide_of(1), wide_of(239)));
+    wide quarter_pi = wide_atan2(wide_of(1), wide_of(1));
+    check_at_most(fabs(wide_value(wide_sub(machin, quarter_pi))), 1e-29, "Machin's formula");
+    check_at_most(fabs(wide_value(wide_sub(wide_mul(wide_of(4), quarter_pi),
+                                           (wide){3.141592653589793116, 1.2246467991473532e-16}))),
+                  1e-29, "pi");
+    wide tiny = wide_atan2(wide_of(1e-20), wide_of(1));
+    check_at_most(relative(wide_value(tiny), 1e-20), 1e-15, "a tiny angle");
+}
+
+/* ---- spheres ---- */
+
+static double sphere_e(double r, double a, double h)
+{
+    return (double)sphere_irradiance((sphere){{(real)a, 0, (real)h}, (real)r}, here, up);
+}
+
+static void test_known_spheres(void)
+{
+    check_close(sphere_e(1, 0, 2), PI / 4, 4 * eps, "above: pi (R/d)^2");
+    check_close(sphere_e(1, 3, 1), PI / 10 / sqrt(10), 4 * eps, "touching the horizon from above");
+    check_equal(sphere_e(1, 3, -1), 0, "touching it from below");
+    check_equal(sphere_e(1, 0, -5), 0, "behind the surface");
+    check_equal(sphere_e(1, (real)0.5, 0), (double)pi, "p inside: all directions shine");
+    check_close(sphere_e(1, 0, 1), PI, 8 * eps, "p on it, facing it");
+    check_equal(sphere_e(1, 0, -1), 0, "p on it, facing away");
+    /* p on the sphere: a half of all directions, turned by the angle b: pi/2 (1 + cos b) */
+    check_close(sphere_e(1, 1, 0), PI / 2, 8 * eps, "p on it, facing along it");
+    check_close(sphere_e(5, 4, 3), PI / 2 * (1 + 0.6), 8 * eps, "p on it, oblique");
+    check_close(sphere_e(5, 4, -3), PI / 2 * (1 - 0.6), 8 * eps, "p on it, oblique, below");
+    check_equal(sphere_e(0, 1, 1), 0, "a point without a size");
+    /* half below: asin s - s sqrt(1 - s^2), s = R/d: area of two segments, (22.8) with height 0 */
+    double s = 0.5;
+    check_close(sphere_e(1, 2, 0), asin(s) - s * sqrt(1 - s * s), 8 * eps, "half below");
+    for (double far = 1e2; far < (real_is_float ? 1e6 : 1e40); far *= 10) {  /* -> 2/3 s^3 */
+        double q = 1 / (double)(real)far;
+        check_at_most(relative(sphere_e(1, far, 0), 2 * q * q * q / 3 * (1 + 0.3 * q * q)),
+                      8 * eps + q * q * q * q, "half below, far");
+    }
+    check_equal(sphere_irradiance((sphere){{0, 0, 2}, (real)NAN}, here, up) > 0, 0, "NaN is no light");
+}
+
+static void test_hard_spheres(void)
+{
+    double worst = 0, naive = 0;
+    size_t negative = 0;
+    const double lo = real_is_float ? -6 : -14, far = real_is_float ? 4 : 8;
+    for (size_t i = 0; i < check_count(40000); i++) {
+        random_stream s = random_start(1, 0, i);
+        real r = random_next(&s) < (real)0.5 ? size_between(&s, -3, 1) : 1;
+        real a = r * (random_next(&s) < (real)0.3 ? 1 + size_between(&s, lo, 0)
+                                                  : size_between(&s, -2, far));
+        real how = random_next(&s), h = a * between(&s, -1, 1);
+        if (how < (real)0.3) h = r * between(&s, -1, 1);
+        else if (how < (real)0.6) h = -r * (1 - size_between(&s, lo, 0));
+        else if (how < (real)0.8) h = r * size_between(&s, -8, 0) * (how < (real)0.7 ? 1 : -1);
+        if (!(sphere_power(wide3_of((vec3){a, 0, h}), (double)r).hi > 0)) continue;
+        double exact = sphere_irradiance_exact((double)r, (double)a, (double)h);
+        sphere b = {{a, 0, h}, r};
+        double value = (double)sphere_irradiance(b, here, up);
+        /* 32 digits of terms of size R/d leave 16 of it; below 1e-30 float says nothing */
+        if (exact < 1e-30 || exact < 1e-15 * (double)(r / a)) {
+            check(value >= 0 && value <= 2e-15 * (double)(r / a) + 2e-30, "next to nothing");
+            continue;
+        }
+        worst = check_worse(worst, relative(value, exact));
+        double off = relative((double)sphere_irradiance_naive(b, here, up), exact);
+        naive = off > naive ? off : naive;
+        negative += sphere_irradiance_naive(b, here, up) < 0;
+    }
+    check_at_most(worst, 16 * eps, "what the header promises");
+    check_at_least(naive, 1, "naive: no digit is right");
+    check_at_least((double)negative, 1, "naive: negative light");
+}
+
+/* Turned any way, E is the same, as well as n and p know where they are. */
+static void test_turned_spheres(void)
+{
+    double worst = 0;
+    for (size_t i = 0; i < check_count(5000); i++) {
+        random_stream s = random_start(2, 0, i);
+        real z = between(&s, -1, 1), turn = between(&s, 0, 6.28);
+        vec3 n = sample_turn(sqrt(1 - z * z), z, turn), x, y, p = {1, 2, 3};
+        vbasis(n, &x, &y);
+        real a = between(&s, 1.5, 8), h = between(&s, -0.9, 2), phi = between(&s, 0, 6.28);
+        vec3 f = vmadd(vmadd(vscale(x, a * cos(phi)), y, a * sin(phi)), n, h);
+        double exact = sphere_irradiance_exact(1, (double)a, (double)h);
+        /* height and across are off by some epsilon d <= 10, beside R + height >= 0.1: 5/2 powers */
+        worst = check_worse(worst, relative((double)sphere_irradiance((sphere){vadd(p, f), 1}, p, n),
+                                            exact));
+    }
+    check_at_most(worst, 3 * 10 / 0.1 * 3 * eps, "turned and moved");
+}
+
+/* ---- polygons ---- */
+
+/* Howell, "A Catalog of Radiation Heat Transfer Configuration Factors": a rectangle a x b at height
+ * c, one corner above p, parallel (B-3); and upright, its lower edge b in the plane, at distance c,
+ * beginning beside p, height a (B-4). Times pi. */
+static double parallel_corner(double a, double b, double c)
+{
+    double x = a / c, y = b / c, sx = sqrt(1 + x * x), sy = sqrt(1 + y * y);
+    return (x / sx * atan(y / sx) + y / sy * atan(x / sy)) / 2;
+}
+
+static double upright_corner(double a, double b, double c)
+{
+    double y = sqrt(a * a + c * c);
+    return (atan(b / c) - c / y * atan(b / y)) / 2;
+}
+
+static void test_known_polygons(void)
+{
+    for (size_t i = 0; i < check_count(2000); i++) {
+        random_stream s = random_start(3, 0, i);
+        double a = (double)between(&s, 0.25, 4), b = (double)between(&s, 0.25, 4);
+        double c = (double)between(&s, 0.25, 4);
+        rectangle ceiling = {{0, 0, (real)c}, {0, (real)b, 0}, {(real)a, 0, 0}};
+        rectangle wall = {{(real)c, 0, 0}, {0, 0, (real)a}, {0, (real)b, 0}};
+        check_at_most(relative((double)rectangle_irradiance(ceiling, here, up),
+                               parallel_corner(a, b, c)), 64 * eps, "ceiling, Howell B-3");
+        check_at_most(relative((double)rectangle_irradiance(wall, here, up),
+                               upright_corner(a, b, c)), 256 * eps, "wall, Howell B-4");
+        /* the same wall, let down into the ground: what is below does not count */
+        rectangle sunk = {{(real)c, 0, -(real)b}, {0, 0, (real)a + (real)b}, {0, (real)b, 0}};
+        check_at_most(relative((double)rectangle_irradiance(sunk, here, up),
+                               upright_corner(a, b, c)), 256 * eps + 8 * eps * (a + b) / a,
+                      "wall, partly below");
+    }
+    rectangle sky = {{-(real)1e6, -(real)1e6, 1}, {0, (real)2e6, 0}, {(real)2e6, 0, 0}};
+    check_close((double)rectangle_irradiance(sky, here, up), PI, 1e-5, "a white sky: pi L, not 2 pi");
+    rectangle plate = {{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}};
+    check_equal(rectangle_irradiance(plate, here, (vec3){0, 0, -1}), 0, "behind the receiver");
+    check_equal(rectangle_irradiance(plate, (vec3){0, 0, 2}, (vec3){0, 0, -1}), 0, "behind the light");
+    check_equal(rectangle_irradiance(plate, (vec3){5, 0, 1}, up), 0, "in its plane");
+    check_close((double)rectangle_irradiance(plate, (vec3){0, 0, 1}, up), PI, 4 * eps,
+                "touching, face to face: pi");
+    check_close((double)rectangle_irradiance(plate, (vec3){0, 0, 1}, (vec3){1, 0, 0}), PI / 2, 4 * eps,
+                "touching, at a right angle: half of it");
+    check_equal(rectangle_irradiance(plate, (vec3){0, 0, 1}, (vec3){0, 0, -1}), 0, "touching, away");
+    /* from near: as touching, but for the gap: the farthest view is lost, (gap/1)^2 */
+    for (real gap = (real)0x1p-6; gap > real_smallest * 64; gap /= 16) {
+        double e = (double)rectangle_irradiance(plate, (vec3){0, 0, 1 - gap}, up);
+        double g = (double)gap, seen = 1 - (double)(real)(1 - gap);
+        check_at_most(PI - e, 4 * seen * seen + 16 * eps, "gap %g: nearly pi", g);
+        e = (double)rectangle_irradiance(plate, (vec3){0, 0, 1 - gap}, (vec3){1, 0, 0});
+        check_close(e, PI / 2, 4 * seen + 16 * eps, "gap %g, at a right angle", g);
+    }
+    vec3 nan_corner[3] = {{(real)NAN, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+    check_equal(polygon_irradiance(nan_corner, 3, here, up), 0, "NaN is no light");
+    check_equal(polygon_irradiance(nan_corner, 2, here, up), 0, "two corners are no light");
+    /* an octagon in front, cut or not, is the sum of its triangles */
+    vec3 v[8];
+    for (int k = 0; k < 8; k++)
+        v[k] = (vec3){1 + cos(pi / 4 * (real)k), -sin(pi / 4 * (real)k), 1};
+    for (size_t i = 0; i < check_count(500); i++) {
+        random_stream s = random_start(4, 0, i);
+        real z = between(&s, -1, 1), turn = between(&s, 0, 6.28);
+        vec3 n = sample_turn(sqrt(1 - z * z), z, turn);
+        double sum = 0, whole = (double)polygon_irradiance(v, 8, here, n);
+        for (int k = 1; k + 1 < 8; k++)
+            sum += (double)polygon_irradiance((vec3[]){v[0], v[k], v[k + 1]}, 3, here, n);
+        check_close(whole, sum, 64 * eps, "an octagon is the sum of its triangles");
+    }
+}
+
+/* Those of the table of hard cases, and seeds of their own. */
+static void test_hard_cases(void)
+{
+    hard_run *r = allocate(1, sizeof *r);
+    for (int k = 0; k < hard_cases; k++) {
+        const hard_case *c = &hard_list[k];
+        bool fits = !real_is_float || c->size > 1e-6;  /* 1e-6: below what float's inputs resolve */
+        if (!fits && c->kind != HARD_SPHERE_E && c->shape != SHAPE_ANY) continue;
+        for (uint64_t seed = 20; seed < 20 + check_count(8); seed++) {
+            hard_fill(r, c, seed);
+            check_at_most(hard_error(r, 2), 32 * eps, "%s, %s", c->name, c->input);
+        }
+    }
+    const struct { int k; double least; } naive_fails[] = {  /* where no digit, or few, are left */
+        {1, real_is_float ? 0.9 : 1e-6}, {5, 1}, {9, real_is_float ? 1 : 1e-3}, {14, 1}, {15, 1}};
+    for (int i = 0; i < 5; i++) {
+        const hard_case *c = &hard_list[naive_fails[i].k];
+        hard_fill(r, c, 20);
+        double off = hard_error(r, 0);
+        check(isnan(off) || off >= naive_fails[i].least, "naive, %s, %s: only off by %g", c->name,
+              c->input, off);
+    }
+    free(r);
+}
+
+/* Random triangles: slivers, tiny, cut, grazing. In general position the promise holds; where p is
+ * close to the border, times size / distance, here at most 1e3. */
+static void test_random_triangles(void)
+{
+    double worst = 0, naive = 0;
+    size_t many = 0, far_off = 0;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        random_stream s = random_start(6, 0, i);
+        real size = size_between(&s, real_is_float ? -4 : -9, 0), thin = size_between(&s, -3, 0);
+        vec3 a = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)};
+        vec3 e = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)}, p = {0, 0, 0};
+        vec3 f = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)};
+        triangle t = {a, vmadd(a, e, size), vmadd(vmadd(a, e, size * random_next(&s)), f, size * thin)};
+        vec3 v[3] = {t.a, t.b, t.c};
+        double exact = polygon_irradiance_exact(v, 3, p);
+        double value = (double)polygon_irradiance(v, 3, p, up), off = relative(value, exact);
+        if (exact < 1e-30) { check(value < 1.1e-30, "behind, or next to nothing"); continue; }
+        bool cut = (t.a.z > 0) != (t.b.z > 0) || (t.a.z > 0) != (t.c.z > 0);
+        if (vlength(a) < (real)0.1 || (cut && size < (real)0.1)) continue;  /* near p: see above */
+        many++, far_off += !(off <= 64 * eps), worst = check_worse(worst, off);
+        double wrong = relative((double)polygon_irradiance_naive(v, 3, p, up), exact);
+        naive = wrong > naive ? wrong : naive;
+    }
+    check_at_most(worst, 4000 * eps, "random triangles: the worst");
+    check_at_most((double)far_off, 0.01 * (double)many, "random triangles: 99 %% within 64 epsilon");
+    check_at_least(naive, 1, "naive: no digit is right");
+}
+
+int main(void)
+{
+    test_oracle();
+    test_known_spheres();
+    test_hard_spheres();
+    test_turned_spheres();
+    test_known_polygons();
+    test_hard_cases();
+    test_random_triangles();
+    return check_report("22_irradiance");
+}
