@@ -1,6 +1,6 @@
 /* Tests of 22_radiometry: irradiance of spheres and polygons against textbook form factors, against
  * 32 digits, and where the naive forms fail. */
-#include "../chapters/22_radiometry/measure.h"
+#include "../chapters/22_radiometry/measure_hard.h"
 #include "check.h"
 
 #define eps ((double)real_epsilon)
@@ -34,7 +34,7 @@ static void test_oracle(void)
     for (int i = 0; i < 6; i++) {
         double a = list[i][0], h = list[i][1], e = list[i][2];
         check_at_most(relative(sphere_irradiance_exact(1, a, h), e), 1e-15, "oracle, sphere %d", i);
-        real value = sphere_irradiance((sphere){{(real)a, 0, (real)h}, 1}, here, up);
+        real value = sphere_irradiance((sphere){{(real)a, 0, (real)h}, 1}, seen_from, seen_up);
         check_at_most(relative((double)value, e), 16 * eps, "default, sphere %d", i);
     }
     wide s, c;
@@ -62,7 +62,7 @@ static void test_oracle(void)
 
 static double sphere_e(double r, double a, double h)
 {
-    return (double)sphere_irradiance((sphere){{(real)a, 0, (real)h}, (real)r}, here, up);
+    return (double)sphere_irradiance((sphere){{(real)a, 0, (real)h}, (real)r}, seen_from, seen_up);
 }
 
 static void test_known_spheres(void)
@@ -87,7 +87,8 @@ static void test_known_spheres(void)
         check_at_most(relative(sphere_e(1, far, 0), 2 * q * q * q / 3 * (1 + 0.3 * q * q)),
                       8 * eps + q * q * q * q, "half below, far");
     }
-    check_equal(sphere_irradiance((sphere){{0, 0, 2}, (real)NAN}, here, up) > 0, 0, "NaN is no light");
+    check_equal(sphere_irradiance((sphere){{0, 0, 2}, (real)NAN}, seen_from, seen_up) > 0, 0,
+                "NaN is no light");
 }
 
 static void test_hard_spheres(void)
@@ -107,16 +108,16 @@ static void test_hard_spheres(void)
         if (!(sphere_power(wide3_of((vec3){a, 0, h}), (double)r).hi > 0)) continue;
         double exact = sphere_irradiance_exact((double)r, (double)a, (double)h);
         sphere b = {{a, 0, h}, r};
-        double value = (double)sphere_irradiance(b, here, up);
+        double value = (double)sphere_irradiance(b, seen_from, seen_up);
         /* 32 digits of terms of size R/d leave 16 of it; below 1e-30 float says nothing */
         if (exact < 1e-30 || exact < 1e-15 * (double)(r / a)) {
             check(value >= 0 && value <= 2e-15 * (double)(r / a) + 2e-30, "next to nothing");
             continue;
         }
         worst = check_worse(worst, relative(value, exact));
-        double off = relative((double)sphere_irradiance_naive(b, here, up), exact);
+        double off = relative((double)sphere_irradiance_naive(b, seen_from, seen_up), exact);
         naive = off > naive ? off : naive;
-        negative += sphere_irradiance_naive(b, here, up) < 0;
+        negative += sphere_irradiance_naive(b, seen_from, seen_up) < 0;
     }
     check_at_most(worst, 16 * eps, "what the header promises");
     check_at_least(naive, 1, "naive: no digit is right");
@@ -135,9 +136,9 @@ static void test_turned_spheres(void)
         real a = between(&s, 1.5, 8), h = between(&s, -0.9, 2), phi = between(&s, 0, 6.28);
         vec3 f = vmadd(vmadd(vscale(x, a * cos(phi)), y, a * sin(phi)), n, h);
         double exact = sphere_irradiance_exact(1, (double)a, (double)h);
-        /* height and across are off by some epsilon d <= 10, beside R + height >= 0.1: 5/2 powers */
-        worst = check_worse(worst, relative((double)sphere_irradiance((sphere){vadd(p, f), 1}, p, n),
-                                            exact));
+        /* height is off by some epsilon d <= 10, beside R + height >= 0.1, to the power 5/2 */
+        worst = check_worse(
+            worst, relative((double)sphere_irradiance((sphere){vadd(p, f), 1}, p, n), exact));
     }
     check_at_most(worst, 3 * 10 / 0.1 * 3 * eps, "turned and moved");
 }
@@ -167,38 +168,42 @@ static void test_known_polygons(void)
         double c = (double)between(&s, 0.25, 4);
         rectangle ceiling = {{0, 0, (real)c}, {0, (real)b, 0}, {(real)a, 0, 0}};
         rectangle wall = {{(real)c, 0, 0}, {0, 0, (real)a}, {0, (real)b, 0}};
-        check_at_most(relative((double)rectangle_irradiance(ceiling, here, up),
+        check_at_most(relative((double)rectangle_irradiance(ceiling, seen_from, seen_up),
                                parallel_corner(a, b, c)), 64 * eps, "ceiling, Howell B-3");
-        check_at_most(relative((double)rectangle_irradiance(wall, here, up),
+        check_at_most(relative((double)rectangle_irradiance(wall, seen_from, seen_up),
                                upright_corner(a, b, c)), 256 * eps, "wall, Howell B-4");
         /* the same wall, let down into the ground: what is below does not count */
         rectangle sunk = {{(real)c, 0, -(real)b}, {0, 0, (real)a + (real)b}, {0, (real)b, 0}};
-        check_at_most(relative((double)rectangle_irradiance(sunk, here, up),
+        check_at_most(relative((double)rectangle_irradiance(sunk, seen_from, seen_up),
                                upright_corner(a, b, c)), 256 * eps + 8 * eps * (a + b) / a,
                       "wall, partly below");
     }
     rectangle sky = {{-(real)1e6, -(real)1e6, 1}, {0, (real)2e6, 0}, {(real)2e6, 0, 0}};
-    check_close((double)rectangle_irradiance(sky, here, up), PI, 1e-5, "a white sky: pi L, not 2 pi");
+    check_close((double)rectangle_irradiance(sky, seen_from, seen_up), PI, 1e-5,
+                "a white sky: pi L, not 2 pi");
     rectangle plate = {{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}};
-    check_equal(rectangle_irradiance(plate, here, (vec3){0, 0, -1}), 0, "behind the receiver");
-    check_equal(rectangle_irradiance(plate, (vec3){0, 0, 2}, (vec3){0, 0, -1}), 0, "behind the light");
-    check_equal(rectangle_irradiance(plate, (vec3){5, 0, 1}, up), 0, "in its plane");
-    check_close((double)rectangle_irradiance(plate, (vec3){0, 0, 1}, up), PI, 4 * eps,
+    check_equal(rectangle_irradiance(plate, seen_from, (vec3){0, 0, -1}), 0, "behind the receiver");
+    check_equal(rectangle_irradiance(plate, (vec3){0, 0, 2}, (vec3){0, 0, -1}), 0,
+                "behind the light");
+    check_equal(rectangle_irradiance(plate, (vec3){5, 0, 1}, seen_up), 0, "in its plane");
+    check_close((double)rectangle_irradiance(plate, (vec3){0, 0, 1}, seen_up), PI, 4 * eps,
                 "touching, face to face: pi");
-    check_close((double)rectangle_irradiance(plate, (vec3){0, 0, 1}, (vec3){1, 0, 0}), PI / 2, 4 * eps,
-                "touching, at a right angle: half of it");
-    check_equal(rectangle_irradiance(plate, (vec3){0, 0, 1}, (vec3){0, 0, -1}), 0, "touching, away");
+    check_close((double)rectangle_irradiance(plate, (vec3){0, 0, 1}, (vec3){1, 0, 0}), PI / 2,
+                4 * eps, "touching, at a right angle: half of it");
+    check_equal(rectangle_irradiance(plate, (vec3){0, 0, 1}, (vec3){0, 0, -1}), 0,
+                "touching, away");
     /* from near: as touching, but for the gap: the farthest view is lost, (gap/1)^2 */
     for (real gap = (real)0x1p-6; gap > real_smallest * 64; gap /= 16) {
-        double e = (double)rectangle_irradiance(plate, (vec3){0, 0, 1 - gap}, up);
+        double e = (double)rectangle_irradiance(plate, (vec3){0, 0, 1 - gap}, seen_up);
         double g = (double)gap, seen = 1 - (double)(real)(1 - gap);
         check_at_most(PI - e, 4 * seen * seen + 16 * eps, "gap %g: nearly pi", g);
         e = (double)rectangle_irradiance(plate, (vec3){0, 0, 1 - gap}, (vec3){1, 0, 0});
         check_close(e, PI / 2, 4 * seen + 16 * eps, "gap %g, at a right angle", g);
     }
     vec3 nan_corner[3] = {{(real)NAN, 0, 1}, {1, 0, 1}, {0, 1, 1}};
-    check_equal(polygon_irradiance(nan_corner, 3, here, up), 0, "NaN is no light");
-    check_equal(polygon_irradiance(nan_corner, 2, here, up), 0, "two corners are no light");
+    check_equal(polygon_irradiance(nan_corner, 3, seen_from, seen_up), 0, "NaN is no light");
+    check_equal(polygon_irradiance(nan_corner, 2, seen_from, seen_up), 0,
+                "two corners are no light");
     /* an octagon in front, cut or not, is the sum of its triangles */
     vec3 v[8];
     for (int k = 0; k < 8; k++)
@@ -207,9 +212,9 @@ static void test_known_polygons(void)
         random_stream s = random_start(4, 0, i);
         real z = between(&s, -1, 1), turn = between(&s, 0, 6.28);
         vec3 n = sample_turn(sqrt(1 - z * z), z, turn);
-        double sum = 0, whole = (double)polygon_irradiance(v, 8, here, n);
+        double sum = 0, whole = (double)polygon_irradiance(v, 8, seen_from, n);
         for (int k = 1; k + 1 < 8; k++)
-            sum += (double)polygon_irradiance((vec3[]){v[0], v[k], v[k + 1]}, 3, here, n);
+            sum += (double)polygon_irradiance((vec3[]){v[0], v[k], v[k + 1]}, 3, seen_from, n);
         check_close(whole, sum, 64 * eps, "an octagon is the sum of its triangles");
     }
 }
@@ -251,19 +256,21 @@ static void test_random_triangles(void)
         vec3 a = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)};
         vec3 e = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)}, p = {0, 0, 0};
         vec3 f = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)};
-        triangle t = {a, vmadd(a, e, size), vmadd(vmadd(a, e, size * random_next(&s)), f, size * thin)};
+        triangle t = {a, vmadd(a, e, size),
+                      vmadd(vmadd(a, e, size * random_next(&s)), f, size * thin)};
         vec3 v[3] = {t.a, t.b, t.c};
         double exact = polygon_irradiance_exact(v, 3, p);
-        double value = (double)polygon_irradiance(v, 3, p, up), off = relative(value, exact);
+        double value = (double)polygon_irradiance(v, 3, p, seen_up), off = relative(value, exact);
         if (exact < 1e-30) { check(value < 1.1e-30, "behind, or next to nothing"); continue; }
         bool cut = (t.a.z > 0) != (t.b.z > 0) || (t.a.z > 0) != (t.c.z > 0);
         if (vlength(a) < (real)0.1 || (cut && size < (real)0.1)) continue;  /* near p: see above */
         many++, far_off += !(off <= 64 * eps), worst = check_worse(worst, off);
-        double wrong = relative((double)polygon_irradiance_naive(v, 3, p, up), exact);
+        double wrong = relative((double)polygon_irradiance_naive(v, 3, p, seen_up), exact);
         naive = wrong > naive ? wrong : naive;
     }
     check_at_most(worst, 4000 * eps, "random triangles: the worst");
-    check_at_most((double)far_off, 0.01 * (double)many, "random triangles: 99 %% within 64 epsilon");
+    check_at_most((double)far_off, 0.01 * (double)many,
+                  "random triangles: 99 %% within 64 epsilon");
     check_at_least(naive, 1, "naive: no digit is right");
 }
 

@@ -51,7 +51,8 @@ static void test_caps(void)
 static double sphere_exact(sphere s, vec3 p)
 {
     wide3 f = wide3_between(p, s.c, 0);
-    wide dd = wide3_dot(f, f), rr = wide_product((double)s.r, (double)s.r), power = wide_sub(dd, rr);
+    wide dd = wide3_dot(f, f), rr = wide_product((double)s.r, (double)s.r),
+         power = wide_sub(dd, rr);
     if (wide_sign(power) < 0) return 4 * PI;
     wide cosine = wide_sqrt(wide_div(power, dd));
     return 2 * PI * wide_value(wide_div(wide_div(rr, dd), wide_add(wide_of(1), cosine)));
@@ -60,14 +61,17 @@ static double sphere_exact(sphere s, vec3 p)
 static void test_spheres(void)
 {
     sphere unit = {{0, 0, 0}, 1};
-    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 0}), 4 * PI, 8 * eps, "from its centre");
-    check_close((double)sphere_solid_angle(unit, (vec3){0, (real)0.5, 0}), 4 * PI, 8 * eps, "inside");
+    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 0}), 4 * PI, 8 * eps,
+                "from its centre");
+    check_close((double)sphere_solid_angle(unit, (vec3){0, (real)0.5, 0}), 4 * PI, 8 * eps,
+                "inside");
     check_close((double)sphere_solid_angle(unit, (vec3){0, 1, 0}), 2 * PI, 8 * eps, "on it");
     /* at distance 2: 2 pi (1 - sqrt(3)/2) */
-    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 2}), 2 * PI * (1 - sqrt(0.75)), 4 * eps,
-                "from twice the radius");
+    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 2}), 2 * PI * (1 - sqrt(0.75)),
+                4 * eps, "from twice the radius");
     check_equal(sphere_solid_angle((sphere){{0, 0, 0}, 0}, (vec3){1, 0, 0}), 0, "a point");
-    check_equal(sphere_solid_angle((sphere){{0, 0, 0}, 0}, (vec3){0, 0, 0}), 0, "a point from itself");
+    check_equal(sphere_solid_angle((sphere){{0, 0, 0}, 0}, (vec3){0, 0, 0}), 0,
+                "a point from itself");
     real inward = sphere_solid_angle((sphere){{0, 0, 0}, -1}, (vec3){0, 0, 2});
     check_equal(inward, sphere_solid_angle(unit, (vec3){0, 0, 2}), "R < 0: the same points");
     double worst = 0, worst_naive = 0;
@@ -80,7 +84,8 @@ static void test_spheres(void)
         p = vmadd(b.c, w, i % 2 ? far : 1 + gap);
         double exact = sphere_exact(b, p);
         worst = check_worse(worst, relative((double)sphere_solid_angle(b, p), exact));
-        worst_naive = check_worse(worst_naive, relative((double)sphere_solid_angle_naive(b, p), exact));
+        worst_naive =
+            check_worse(worst_naive, relative((double)sphere_solid_angle_naive(b, p), exact));
     }
     check_at_most(worst, 8 * eps, "spheres from far and from near: a handful of roundings");
     check_at_least(worst_naive, 0.99, "naive: nothing is left");
@@ -98,16 +103,18 @@ static void test_known_triangles(void)
     /* L'Huilier: equilateral with sides of 60 degrees: 3 acos(1/3) - pi */
     real h = sqrt((real)3) / 2;
     triangle sixty = {{1, 0, 0}, {(real)0.5, h, 0}, {(real)0.5, h / 3, sqrt((real)2 / 3)}};
-    check_close((double)triangle_solid_angle(sixty, o), 3 * acos(1.0 / 3) - PI, 8 * eps, "tetrahedron");
+    check_close((double)triangle_solid_angle(sixty, o), 3 * acos(1.0 / 3) - PI, 8 * eps,
+                "tetrahedron");
     triangle flat = {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
     check_equal(triangle_solid_angle(flat, o), 2 * pi, "p within the triangle: 2 pi");
     check_equal(triangle_solid_angle(flat, (vec3){3, 0, 0}), 0, "in its plane, outside: 0");
     check_equal(triangle_solid_angle(flat, (vec3){-1, 0, 0}), 0, "on an edge: 0");
     check_equal(triangle_solid_angle(flat, (vec3){1, 0, 0}), 0, "a corner: 0");
     check_equal(triangle_solid_angle((triangle){o, o, o}, (vec3){1, 0, 0}), 0, "no area: 0");
-    check_close((double)triangle_solid_angle(flat, (vec3){0, 0, -(real)1e-9}), 2 * PI, 1e-8 + 8 * eps,
-                "close to it, in front of its back: nearly 2 pi");
-    check(isnan(triangle_solid_angle((triangle){{(real)NAN, 0, 0}, flat.b, flat.c}, o)), "NaN stays");
+    check_close((double)triangle_solid_angle(flat, (vec3){0, 0, -(real)1e-9}), 2 * PI,
+                1e-8 + 8 * eps, "close to it, in front of its back: nearly 2 pi");
+    check(isnan(triangle_solid_angle((triangle){{(real)NAN, 0, 0}, flat.b, flat.c}, o)),
+          "NaN stays");
 }
 
 /* Tiny, slivers, near the plane, near an edge, far: the worst of each variant. */
@@ -178,8 +185,10 @@ static void test_sums(void)
         bool inside = p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1 && p.z > 0 && p.z < 1;
         double triangles = 0, rectangles = 0;
         for (int k = 0; k < 6; k++) {
-            triangles += (double)triangle_solid_angle((triangle){c[q[k][0]], c[q[k][1]], c[q[k][2]]}, p);
-            triangles += (double)triangle_solid_angle((triangle){c[q[k][0]], c[q[k][2]], c[q[k][3]]}, p);
+            triangles +=
+                (double)triangle_solid_angle((triangle){c[q[k][0]], c[q[k][1]], c[q[k][2]]}, p);
+            triangles +=
+                (double)triangle_solid_angle((triangle){c[q[k][0]], c[q[k][2]], c[q[k][3]]}, p);
             rectangle r = {c[q[k][0]], vsub(c[q[k][1]], c[q[k][0]]), vsub(c[q[k][3]], c[q[k][0]])};
             rectangles += (double)rectangle_solid_angle(r, p);
         }
@@ -194,7 +203,8 @@ static void test_sums(void)
         double da = (double)a, db = (double)b, dh = (double)h;
         /* asin as atan2, the cosine without cancellation */
         double exact = 4 * atan2(da * db, dh * sqrt(da * da + db * db + dh * dh));
-        worst = check_worse(worst, relative((double)rectangle_solid_angle(r, (vec3){0, 0, 0}), exact));
+        worst =
+            check_worse(worst, relative((double)rectangle_solid_angle(r, (vec3){0, 0, 0}), exact));
     }
     check_at_most(worst, 24 * eps, "rectangles over their middle");
 }

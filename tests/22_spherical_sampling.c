@@ -1,6 +1,6 @@
-/* Tests of 22_radiometry: points of triangles and rectangles, uniform in the solid angle: chi-square
+/* Tests of 22_radiometry: points of triangles and rectangles, uniform in solid angle: chi-square
  * tests against the constant pdf, t-tests against closed forms, tiny, huge, grazing and touching
- * ones. Fixed seeds; each random test alarms falsely once in 1e8 seeds, there are fewer than 100. */
+ * ones. Fixed seeds; a random test alarms falsely once in 1e8 seeds; there are fewer than 100. */
 #include "../chapters/20_monte_carlo/chi_square.h"
 #include "../chapters/22_radiometry/directions.h"
 #include "check.h"
@@ -19,7 +19,8 @@ static void check_shares(triangle t, vec3 p, double bound, const char *what)
         real u = (real)i / 32;
         vec3 b = spherical_triangle_sample(&k, u, 1);  /* v = 1: c' itself */
         check(b.x >= 0 && b.y >= 0 && b.z >= 0, "%s: barycentrics are not negative", what);
-        check_at_most(fabs((double)(b.x + b.y + b.z) - 1), 4 * eps, "%s: sum of barycentrics", what);
+        check_at_most(fabs((double)(b.x + b.y + b.z) - 1), 4 * eps, "%s: sum of barycentrics",
+                      what);
         check_at_most(fabs((double)b.y), 16 * eps, "%s: c' lies on the edge a c", what);
         vec3 end = {0, 0, 0};  /* in coordinates relative to a, for a tiny triangle far from 0 */
         end = vmadd(vadd(t.a, end), vsub(t.c, t.a), b.z);
@@ -34,9 +35,10 @@ static void test_triangle_shares(void)
     vec3 p = {0, 0, 0};
     check_shares(sail, p, 16 * eps, "a sail");
     check_shares((triangle){{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, p, 16 * eps, "an octant");
-    check_shares((triangle){{-9, -9, 1}, {9, -9, 1}, {0, 12, 1}}, p, 16 * eps, "nearly a hemisphere");
-    /* the corners have the size of 1, the triangle of 2^-20 or 2^-9: its corners are exact, the point
-     * end is rounded by eps / size of it */
+    check_shares((triangle){{-9, -9, 1}, {9, -9, 1}, {0, 12, 1}}, p, 16 * eps,
+                 "nearly a hemisphere");
+    /* the corners have the size of 1, the triangle of 2^-20 or 2^-9: its corners are exact, `end`
+     * is rounded by eps / size of it */
     real h = real_is_float ? (real)0x1p-9 : (real)0x1p-20;
     check_shares((triangle){{1, 0, 0}, {1, h, 0}, {1, 0, h}}, p, 8 * eps / (double)h, "a tiny one");
     check_shares((triangle){{1, 0, h}, {2, 0, h}, {1, 1, h}}, p, 64 * eps, "a grazing one");
@@ -69,7 +71,7 @@ static real d_triangle(vec3 w, const void *context)
 {
     const seen_t *s = context;
     hit h;
-    return triangle_hit(s->t, ray_from(here, w), &h) ? 1 / s->k.omega : 0;
+    return triangle_hit(s->t, ray_from(seen_from, w), &h) ? 1 / s->k.omega : 0;
 }
 
 static vec3 s_rectangle(real u, real v, const void *context)
@@ -103,8 +105,8 @@ static void test_chi_square(void)
 {
     size_t n = check_count(20000);
     static const triangle octant = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    seen_t t = {sail, spherical_triangle_of(sail, here)};
-    seen_t whole = {octant, spherical_triangle_of(octant, here)};
+    seen_t t = {sail, spherical_triangle_of(sail, seen_from)};
+    seen_t whole = {octant, spherical_triangle_of(octant, seen_from)};
     /* four of those make a half of the sphere, with borders on borders of cells */
     chi_square_result r = chi_square_directions(s_triangle, d_triangle, &whole, 1, 1, 10 * n);
     check_at_least(r.p, alarm, "octant: samples follow the pdf");
@@ -116,7 +118,7 @@ static void test_chi_square(void)
         {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}, {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}},
         {{-3, -1, (real)0.01}, {4, 0, 0}, {0, 3, 0}}, {{1, 1, (real)0.25}, {0, 9, 0}, {9, 0, 0}}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
-        seen_r s = {list[i], spherical_rectangle_of(list[i], here)};
+        seen_r s = {list[i], spherical_rectangle_of(list[i], seen_from)};
         check_at_least(chi_square_directions(s_rectangle, d_rectangle, &s, 1, 3 + i, n).p, alarm,
                        "rectangle %d: samples follow the pdf", (int)i);
         check_at_least(chi_square_directions(s_halves, d_rectangle, &s, 1, 9 + i, n).p, alarm,
@@ -138,7 +140,7 @@ static void test_expectations(void)
         {{1, 1, 1}, {0, (real)0x1p-20, 0}, {(real)0x1p-20, 0, 0}},
         {{1, 0, (real)0x1p-16}, {0, 1, 0}, {1, 0, 0}}, {{-500, 1, 1}, {1000, 0, 0}, {0, 0, 1000}}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
-        spherical_rectangle k = spherical_rectangle_of(list[i], here);
+        spherical_rectangle k = spherical_rectangle_of(list[i], seen_from);
         vec3 corner[4] = {list[i].o, vadd(list[i].o, list[i].s), {0, 0, 0}, {0, 0, 0}};
         corner[2] = vadd(corner[1], list[i].t), corner[3] = vadd(list[i].o, list[i].t);
         estimate e = {0}, x = {0}, y = {0};
@@ -150,8 +152,9 @@ static void test_expectations(void)
             e = estimate_add(e, (double)(real_max(vunit(rectangle_at(list[i], q)).z, 0) * k.omega));
             x = estimate_add(x, (double)q.x), y = estimate_add(y, (double)q.y);
         }
-        double exact = (double)rectangle_irradiance(list[i], here, up);
-        check_at_least(t_test(e, exact, 64 * eps * exact), alarm, "rectangle %d: irradiance", (int)i);
+        double exact = (double)rectangle_irradiance(list[i], seen_from, seen_up);
+        check_at_least(t_test(e, exact, 64 * eps * exact), alarm, "rectangle %d: irradiance",
+                       (int)i);
         if (i == 4 || i == 5) {  /* small: uniform in area, but for some 2^-10 */
             check_at_least(t_test(x, 0.5, 0x1p-10), alarm, "rectangle %d: mean x", (int)i);
             check_at_least(t_test(y, 0.5, 0x1p-10), alarm, "rectangle %d: mean y", (int)i);
@@ -166,12 +169,12 @@ static void test_urena_fails(void)
 {
     real h = real_is_float ? (real)0x1p-11 : (real)0x1p-26;
     rectangle r = {{1, 1, 1}, {0, h, 0}, {h, 0, 0}};
-    spherical_rectangle k = spherical_rectangle_of(r, here);
+    spherical_rectangle k = spherical_rectangle_of(r, seen_from);
     check_at_least(fabs((double)(k.map.S / k.omega) - 1), 0.01, "small: S is noise");
     check_close((double)k.omega, (double)(h * h) / pow(3, 1.5), (double)(2 * h * h * h),
                 "small: omega is area cos / r^2");
     r = (rectangle){{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}};
-    k = spherical_rectangle_of(r, here);
+    k = spherical_rectangle_of(r, seen_from);
     /* one of six sides of a cube about p: 4 pi / 6 */
     check_close((double)k.omega, 2.09439510239319549, 8 * eps, "side of a cube");
     check_close((double)k.map.S, 2.09439510239319549, 16 * eps, "side of a cube, Urena");
@@ -185,8 +188,8 @@ static void test_sphere(void)
         for (uint64_t i = 0; i < check_count(20000); i++) {
             random_stream s = random_start(8, (uint64_t)run, i);
             real u = random_next(&s), v = random_next(&s);
-            e = estimate_add(e, (double)direction_sample(LIGHT_SPHERE, run ? BY_AREA : BY_SOLID_ANGLE,
-                                                         NULL, u, v));
+            e = estimate_add(e, (double)direction_sample(
+                                    LIGHT_SPHERE, run ? BY_AREA : BY_SOLID_ANGLE, NULL, u, v));
         }
         check_at_least(t_test(e, direction_exact(LIGHT_SPHERE), 64 * eps), alarm, "sphere %d", run);
     }

@@ -30,14 +30,15 @@ static const rectangle pane = {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}}
 
 static inline double direction_exact(light_kind l)
 {
-    return (double)(l == LIGHT_SPHERE ? sphere_irradiance(lamp, here, up)
-                                      : rectangle_irradiance(pane, here, up));
+    return (double)(l == LIGHT_SPHERE ? sphere_irradiance(lamp, seen_from, seen_up)
+                                      : rectangle_irradiance(pane, seen_from, seen_up));
 }
 
 static inline bool light_met(light_kind l, vec3 w)
 {
     hit h;
-    return l == LIGHT_SPHERE ? sphere_hit(lamp, ray_from(here, w), &h) : rectangle_met(pane, w);
+    return l == LIGHT_SPHERE ? sphere_hit(lamp, ray_from(seen_from, w), &h)
+                             : rectangle_met(pane, w);
 }
 
 static inline real sphere_area_term(real u, real v)
@@ -70,7 +71,8 @@ static inline real direction_sample(light_kind l, way by, const spherical_rectan
     case BY_HEMISPHERE: w = sample_hemisphere(u, v); return light_met(l, w) ? 2 * pi * w.z : 0;
     case BY_COSINE: w = sample_cosine(u, v); return light_met(l, w) ? pi : 0;
     case BY_AREA:
-        return l == LIGHT_SPHERE ? sphere_area_term(u, v) : area_term(pane, here, up, u, v);
+        return l == LIGHT_SPHERE ? sphere_area_term(u, v)
+                                 : area_term(pane, seen_from, seen_up, u, v);
     case BY_SOLID_ANGLE:
         return l == LIGHT_SPHERE ? sphere_angle_term(u, v) : pane_angle_term(k, u, v);
     case ways: break;
@@ -82,7 +84,7 @@ static inline real direction_sample(light_kind l, way by, const spherical_rectan
 static inline double direction_estimate(light_kind l, way by, sequence_kind kind, uint64_t seed,
                                         uint64_t run, uint32_t n)
 {
-    spherical_rectangle k = spherical_rectangle_of(pane, here);
+    spherical_rectangle k = spherical_rectangle_of(pane, seen_from);
     double sum = 0;
     for (uint32_t i = 0; i < n; i++) {
         sampler s = sampler_start(kind, seed, run, i, n);

@@ -5,8 +5,8 @@
  *   FLOOR_SPOTLIGHT   a point, I = cos^8 of the angle off its axis: E = I cos theta / r^2  (22.19)
  *
  *   floor_exact(light, x, y)                     E [W/m^2] at (x, y, 0), the surface facing up
- *   floor_photons(light, seed, first, n, count)  n photons (光子) leave the light, each in its place
- *                                                and direction by chance; where they land is counted
+ *   floor_photons(light, seed, first, n, count)  n photons (光子) leave the light, from a place and
+ *                                                in a direction by chance; where they land counts
  *   floor_flux(light)                            power of all of them [W]: each carries 1/n of it
  *
  * L = 1 W/(m^2 sr), I = 1 W/sr along the axis. The floor: |x|, |y| < 4, floor_cells^2 cells.
@@ -37,8 +37,8 @@ static inline real floor_exact(floor_light light, real x, real y)
     vec3 p = {x, y, 0}, w = vsub(p, spot_at);
     real d = vlength(w);
     switch (light) {
-    case FLOOR_SPHERE: return sphere_irradiance(buried, p, up);
-    case FLOOR_RECTANGLE: return rectangle_irradiance(screen, p, up);
+    case FLOOR_SPHERE: return sphere_irradiance(buried, p, seen_up);
+    case FLOOR_RECTANGLE: return rectangle_irradiance(screen, p, seen_up);
     case FLOOR_SPOTLIGHT: return spot_intensity(vscale(w, 1 / d)) * (-w.z / d) / (d * d);
     case floor_lights: break;
     }
@@ -80,7 +80,7 @@ static inline void floor_photons(floor_light light, uint64_t seed, size_t first,
     }
 }
 
-/* Mean of E over cell (i, j), by the middles of 8 x 8 parts: what is inside the sphere gets none. */
+/* Mean of E over cell (i, j), by the middles of 8 x 8 parts; inside of the sphere there is none. */
 static inline double floor_cell(floor_light light, int i, int j)
 {
     enum { parts = 8 };

@@ -3,16 +3,13 @@
  *   measure_relations(o)    every relation: closed form, estimate, standard error, z
  *   measure_view(o)         areas of the picture of view.h, counted in pixels
  *   measure_ways(o)         error of four estimators against samples and time; plots
- *   measure_hard(o)         tiny, far, grazing, touching: error of the variants and their time
  *   measure_photometry(o)   lights in watts and in lumens
  */
 #ifndef MEASURE_22_H
 #define MEASURE_22_H
 
 #include "../../common/output.h"
-#include "../07_mesh/inside.h"
 #include "directions.h"
-#include "oracle.h"
 #include "photometry.h"
 #include "view.h"
 
@@ -39,7 +36,8 @@ static inline void measure_view(const options *o)
     int n = o->quick ? 200 : 1000;
     double area[view_maps][view_things];
     for (int m = 0; m < view_maps; m++) view_count((view_map)m, n, area[m]);
-    table t = table_new("What a point sees: pixels counted, of 1000 x 1000", "thing|solid angle [sr]|"
+    table t = table_new("What a point sees: pixels counted, of 1000 x 1000",
+                        "thing|solid angle [sr]|"
                         "error counted [sr]|irradiance [W/m^2]|error counted [W/m^2]");
     for (int k = 0; k < view_things; k++) {
         table_text(&t, "%s", view_name[k]);
@@ -126,194 +124,6 @@ static inline void measure_ways(const options *o)
     output_plot(o, &time, "22_radiometry_time.svg");
 }
 
-/* ---- hard cases: as many variants as there are of one number, on the same inputs ---- */
-
-enum { most_variants = 3, hard_inputs = 256 };
-typedef enum { HARD_SPHERE_ANGLE, HARD_TRIANGLE_ANGLE, HARD_SPHERE_E, HARD_SQUARE_E } hard_kind;
-typedef struct { hard_kind kind; sphere s; triangle t; vec3 p; vec3 v[4]; } hard_input;
-typedef struct { const char *name, *input; hard_kind kind; double size; int shape; } hard_case;
-enum { SHAPE_ANY, SHAPE_GRAZING, SHAPE_TOUCHING };
-
-static const hard_case hard_list[] = {
-    {"solid angle, sphere", "R/d = 1e-2", HARD_SPHERE_ANGLE, 1e-2, SHAPE_ANY},
-    {"solid angle, sphere", "R/d = 1e-6", HARD_SPHERE_ANGLE, 1e-6, SHAPE_ANY},
-    {"solid angle, sphere", "gap 1e-6 R", HARD_SPHERE_ANGLE, 1e-6, SHAPE_TOUCHING},
-    {"solid angle, triangle", "size 1", HARD_TRIANGLE_ANGLE, 1, SHAPE_ANY},
-    {"solid angle, triangle", "size 1e-3", HARD_TRIANGLE_ANGLE, 1e-3, SHAPE_ANY},
-    {"solid angle, triangle", "size 1e-7", HARD_TRIANGLE_ANGLE, 1e-7, SHAPE_ANY},
-    {"solid angle, triangle", "1e-6 off its plane", HARD_TRIANGLE_ANGLE, 1e-6, SHAPE_GRAZING},
-    {"irradiance, sphere", "half sunk, R/d = 0.1", HARD_SPHERE_E, 1e-1, SHAPE_ANY},
-    {"irradiance, sphere", "half sunk, R/d = 1e-3", HARD_SPHERE_E, 1e-3, SHAPE_ANY},
-    {"irradiance, sphere", "half sunk, R/d = 1e-6", HARD_SPHERE_E, 1e-6, SHAPE_ANY},
-    {"irradiance, sphere", "1e-4 R above the horizon", HARD_SPHERE_E, 1e-4, SHAPE_GRAZING},
-    {"irradiance, sphere", "gap 1e-6 R", HARD_SPHERE_E, 1e-6, SHAPE_TOUCHING},
-    {"irradiance, square", "size 1", HARD_SQUARE_E, 1, SHAPE_ANY},
-    {"irradiance, square", "size 1e-3", HARD_SQUARE_E, 1e-3, SHAPE_ANY},
-    {"irradiance, square", "size 1e-6", HARD_SQUARE_E, 1e-6, SHAPE_ANY},
-    {"irradiance, square", "1e-5 above the horizon", HARD_SQUARE_E, 1e-5, SHAPE_GRAZING},
-    {"irradiance, square", "gap 1e-6 to the floor", HARD_SQUARE_E, 1e-6, SHAPE_TOUCHING},
-};
-enum { hard_cases = sizeof hard_list / sizeof *hard_list };
-
-static inline real hard_between(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
-static inline vec3 hard_point(random_stream *s, double size)
-{
-    real x = hard_between(s, -size, size), y = hard_between(s, -size, size);
-    return (vec3){x, y, hard_between(s, -size, size)};
-}
-
-/* Seen from the origin, the surface being the plane z = 0. */
-static inline hard_input hard_make(const hard_case *c, random_stream *s)
-{
-    hard_input h = {.kind = c->kind, .s.r = 1};
-    real d = (real)(1 / c->size), gap = (real)c->size;
-    real turn = hard_between(s, 0, 6), spread = hard_between(s, 0.5, 1);
-    if (c->shape != SHAPE_ANY) d = c->shape == SHAPE_TOUCHING ? 1 + gap * spread : 10 * spread;
-    if (c->kind == HARD_SPHERE_ANGLE) h.s.c = vscale((vec3){cos(turn), sin(turn), 0}, d * spread);
-    if (c->kind == HARD_SPHERE_ANGLE && c->shape == SHAPE_TOUCHING) h.s.c = (vec3){0, d, 0};
-    if (c->kind == HARD_SPHERE_E) h.s.c = (vec3){d, 0, hard_between(s, -0.9, 0)};
-    if (c->kind == HARD_SPHERE_E && c->shape == SHAPE_GRAZING) h.s.c.z = -1 + gap;
-    if (c->kind == HARD_TRIANGLE_ANGLE) {
-        real size = c->shape == SHAPE_GRAZING ? 1 : (real)c->size;
-        vec3 a = {hard_between(s, 1, 2), hard_between(s, -1, 1), hard_between(s, -1, 1)};
-        h.t = (triangle){a, vadd(a, hard_point(s, (double)size)), vadd(a, hard_point(s, (double)size))};
-        if (c->shape == SHAPE_GRAZING) h.t.a.z = h.t.b.z = h.t.c.z = gap;
-    }
-    if (c->kind != HARD_SQUARE_E) return h;
-    real size = c->shape == SHAPE_ANY ? (real)c->size : 1, x = hard_between(s, 1, 2), z = gap;
-    if (c->shape == SHAPE_ANY) z = hard_between(s, 0.2, 1);
-    if (c->shape == SHAPE_GRAZING) z = gap - size;  /* upright: nearly all of it below */
-    vec3 o = {x, hard_between(s, -0.9, -0.1) * size, z};
-    rectangle r = {o, {0, 0, size}, {0, size, 0}};
-    if (c->shape == SHAPE_TOUCHING) r = (rectangle){{-spread, o.y, z}, {0, 1, 0}, {1, 0, 0}};
-    h.v[0] = r.o, h.v[1] = vadd(r.o, r.s), h.v[2] = vadd(h.v[1], r.t), h.v[3] = vadd(r.o, r.t);
-    return h;
-}
-
-static inline double hard_exact(const hard_input *h)
-{
-    switch (h->kind) {
-    case HARD_SPHERE_ANGLE: {  /* 2 pi sin^2 / (1 + cos) */
-        wide dd = wide3_dot(wide3_of(h->s.c), wide3_of(h->s.c)), one_wide = wide_of(1);
-        wide cosine = wide_sqrt(wide_div(wide_sub(dd, one_wide), dd));
-        wide q = wide_div(wide_div(one_wide, dd), wide_add(one_wide, cosine));
-        return 2 * 3.14159265358979324 * wide_value(q);
-    }
-    case HARD_TRIANGLE_ANGLE: return triangle_solid_angle_exact(h->t, here);
-    case HARD_SPHERE_E:
-        return sphere_irradiance_exact((double)h->s.r, (double)h->s.c.x, (double)h->s.c.z);
-    case HARD_SQUARE_E: return polygon_irradiance_exact(h->v, 4, here);
-    }
-    return 0;
-}
-
-/* Variant 0: naive; 1: the formula of chapter 07; 2: the default. */
-static inline real hard_value(const hard_input *h, int variant)
-{
-    const triangle *t = &h->t;
-    switch (h->kind) {
-    case HARD_SPHERE_ANGLE:
-        return variant ? sphere_solid_angle(h->s, here) : sphere_solid_angle_naive(h->s, here);
-    case HARD_TRIANGLE_ANGLE:
-        return variant == 0 ? triangle_solid_angle_girard(*t, here)
-             : variant == 1 ? (real)solid_angle(t->a, t->b, t->c) : triangle_solid_angle(*t, here);
-    case HARD_SPHERE_E:
-        return variant ? sphere_irradiance(h->s, here, up) : sphere_irradiance_naive(h->s, here, up);
-    case HARD_SQUARE_E:
-        return variant ? polygon_irradiance(h->v, 4, here, up)
-                       : polygon_irradiance_naive(h->v, 4, here, up);
-    }
-    return 0;
-}
-
-static inline bool hard_has(hard_kind k, int variant) { return variant != 1 || k == HARD_TRIANGLE_ANGLE; }
-
-typedef struct { hard_input in[hard_inputs]; int variant; } hard_run;
-
-static inline double run_hard(void *context)
-{
-    const hard_run *r = context;
-    real sum = 0;
-    for (int i = 0; i < hard_inputs; i++) sum += hard_value(&r->in[i], r->variant);
-    return (double)sum;
-}
-
-/* The largest relative error of a variant over the inputs; a NaN stays. */
-static inline double hard_error(const hard_run *r, int variant)
-{
-    double worst = 0;
-    for (int i = 0; i < hard_inputs; i++) {
-        double exact = hard_exact(&r->in[i]);
-        double off = fabs(((double)hard_value(&r->in[i], variant) - exact) / exact);
-        if (!(off <= worst)) worst = off;
-    }
-    return worst;
-}
-
-static inline void hard_fill(hard_run *r, const hard_case *c, uint64_t seed)
-{
-    for (int i = 0; i < hard_inputs; i++) {
-        random_stream s = random_start(seed, (uint64_t)(c - hard_list), (uint64_t)i);
-        r->in[i] = hard_make(c, &s);
-    }
-}
-
-static inline void measure_hard(const options *o)
-{
-    table t = table_new("Hard cases: largest relative error in 256 inputs, and time of one",
-                        "quantity|case|error naive|error as in 07|error default|time naive [ns]|"
-                        "time as in 07 [ns]|time default [ns]");
-    hard_run *r = allocate(most_variants, sizeof *r);
-    for (int k = 0; k < hard_cases; k++) {
-        const hard_case *c = &hard_list[k];
-        clock_variant v[most_variants];
-        for (int i = 0; i < most_variants; i++) {
-            hard_fill(&r[i], c, o->seed), r[i].variant = i;
-            v[i] = (clock_variant){"", run_hard, &r[i], 0};
-        }
-        clock_compare(v, most_variants, o->quick ? 3 : 21);
-        table_text(&t, "%s", c->name), table_text(&t, "%s", c->input);
-        for (int i = 0; i < 2 * most_variants; i++) {
-            if (!hard_has(c->kind, i % most_variants)) table_text(&t, "-");
-            else if (i < most_variants) table_number(&t, hard_error(&r[0], i));
-            else table_number(&t, v[i - most_variants].seconds / hard_inputs * 1e9);
-        }
-    }
-    output_extra_table(o, &t);
-    free(r);
-}
-
-/* Error against size, for the naive forms and the defaults. */
-static inline void plot_hard(const options *o)
-{
-    static const struct { const char *name; hard_kind kind; int variant; } lines[] = {
-        {"triangle, Girard", HARD_TRIANGLE_ANGLE, 0}, {"triangle, as in 07", HARD_TRIANGLE_ANGLE, 1},
-        {"triangle, default", HARD_TRIANGLE_ANGLE, 2}, {"sunk sphere, naive", HARD_SPHERE_E, 0},
-        {"sunk sphere, default", HARD_SPHERE_E, 2}, {"square, naive", HARD_SQUARE_E, 0},
-        {"square, default", HARD_SQUARE_E, 2}};
-    plot p = plot_new("Solid angle of a triangle, irradiance of a sphere and a square", "size/distance",
-                      "largest relative error", PLOT_LOG_X | PLOT_LOG_Y);
-    hard_run *r = allocate(1, sizeof *r);
-    for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
-        int series = plot_series(&p, lines[k].name);
-        for (int e = 0; e <= (real_is_float ? 12 : 24); e++) {
-            hard_case c = {"", "", lines[k].kind, pow(10, -0.25 * e), SHAPE_ANY};
-            for (int i = 0; i < hard_inputs; i++) {
-                random_stream s = random_start(o->seed, 99, (uint64_t)i);
-                r->in[i] = hard_make(&c, &s);
-            }
-            if (lines[k].kind == HARD_SPHERE_E && e < 1) continue;  /* d = R: touching */
-            plot_add(&p, series, c.size, hard_error(r, lines[k].variant));
-        }
-    }
-    output_plot(o, &p, "22_radiometry_hard.svg");
-    free(r);
-}
-
 /* ---- watts and lumens ---- */
 
 static inline void photometry_row(table *t, const char *what, double efficacy, double watts,
@@ -335,16 +145,19 @@ static inline void measure_photometry(const options *o)
     black_body_light platinum = black_body(2041.4);
     double disk = (double)pi / 4 * 0.00930 * 0.00930;  /* the sun's disk: 0.00930 rad wide */
     char title[160];
-    snprintf(title, sizeof title, "The same light in watts and in lumens (the fit of V is off by at "
-             "most %.4f)", worst);
+    snprintf(title, sizeof title,
+             "The same light in watts and in lumens (the fit of V is off by at "
+             "most %.4f)",
+             worst);
     table t = table_new(title, "light|efficacy [lm/W]|radiometric|unit|photometric|unit ");
     double k555 = lumens_per_watt * luminous_efficiency(555);
     photometry_row(&t, "1 W at 555 nm", k555, 1, "W", "lm");
     photometry_row(&t, "1 W at 650 nm", lumens_per_watt * luminous_efficiency(650), 1, "W", "lm");
     photometry_row(&t, "glowing wire, 2800 K: flux", lamp_2800.efficacy, 60, "W", "lm");
-    photometry_row(&t, "- intensity, the same all round", lamp_2800.efficacy, 60 / four_pi(), "W/sr",
-                   "cd");
-    photometry_row(&t, "- irradiance at 2 m", lamp_2800.efficacy, 60 / four_pi() / 4, "W/m^2", "lx");
+    photometry_row(&t, "- intensity, the same all round", lamp_2800.efficacy, 60 / four_pi(),
+                   "W/sr", "cd");
+    photometry_row(&t, "- irradiance at 2 m", lamp_2800.efficacy, 60 / four_pi() / 4, "W/m^2",
+                   "lx");
     photometry_row(&t, "- radiance of the wire", lamp_2800.efficacy, lamp_2800.radiance,
                    "W/(m^2 sr)", "nit");
     photometry_row(&t, "platinum freezing, 2041.4 K", platinum.efficacy, platinum.radiance,

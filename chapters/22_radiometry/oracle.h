@@ -5,8 +5,8 @@
  *   polygon_irradiance_exact(v, count, p)   (22.10) with n = +z, cut at the horizon; 0 from behind
  *   triangle_solid_angle_exact(t, p)        (22.5)
  *
- * Their formulas cancel like the naive ones, but of 32 digits enough is left: a result that is 1e-15
- * of its terms is right to 1e-16.
+ * Their formulas cancel like the naive ones, but of 32 digits enough is left: a result that is
+ * 1e-15 of its terms is right to 1e-16.
  */
 #ifndef ORACLE_22_H
 #define ORACLE_22_H

@@ -49,7 +49,8 @@ static inline vec3 z_colour(double z)
 
 static inline size_t floor_index(int light, int chunk, int cell)
 {
-    return ((size_t)light * floor_chunks + (size_t)chunk) * floor_cells * floor_cells + (size_t)cell;
+    return ((size_t)light * floor_chunks + (size_t)chunk) * floor_cells * floor_cells +
+           (size_t)cell;
 }
 
 static inline void photon_job(size_t i, void *context)

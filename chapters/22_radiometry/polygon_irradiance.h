@@ -8,7 +8,7 @@
  *          p                       edges that cross the horizon (地平线) of p are cut there.
  *
  *   polygon_irradiance(v, count, p, n)         E / L [sr]: times L [W/(m^2 sr)] it is the
- *                                              irradiance [W/m^2]; count in 3 .. polygon_most
+ *                                              irradiance [W/m^2]; count <= polygon_most, else NaN
  *   polygon_irradiance_naive(v, count, p, n)   (22.10) with acos, and without a cut
  *   rectangle_irradiance(r, p, n)              of its front, where r.s x r.t points
  *
@@ -22,14 +22,14 @@
  *   seen nearly edge-on                        the same                            integrated
  *   corner straight ahead of another: acos     loses half of the digits            atan2
  *
- * Where the terms of (22.10) cancel, what they stand for is integrated as it is, positive, in pieces
- * that are small compared with their distance:
+ * Where the terms of (22.10) cancel, what they stand for is integrated as it is, positive, in
+ * pieces that are small compared with their distance:
  *     E / L = integral of (n.w)(m.w) / |w|^2 dA, w = unit (x - p), = h integral of n.x / |x|^4 dA,
  * h being the distance of p from the plane, right to the last bits.                        (22.11)
  * Error: some 16 epsilon (n along an axis), times size / distance where p is close to the border.
  *
  * Sources: J. H. Lambert, "Photometria", 1760; D. Baum, H. Rushmeier, J. Winget, "Improving
- * Radiosity Solutions through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989, eq. 5
+ * Radiosity Solutions through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
  */
 #ifndef POLYGON_IRRADIANCE_H
 #define POLYGON_IRRADIANCE_H
@@ -39,9 +39,9 @@
 
 enum { polygon_most = 16 };
 
-/* As seen from p: corners, and edges e[i] = v[i+1] - v[i]. The edges are kept apart, since of a small
- * polygon far away the corners know little about them. */
-typedef struct { vec3 v[polygon_most + 2], e[polygon_most + 2]; int count; } seen_polygon;
+/* As seen from p: corners, and edges e[i] = v[i+1] - v[i]. The edges are kept apart, since of a
+ * small polygon far away the corners know little about them. Room for one that is not convex. */
+typedef struct { vec3 v[2 * polygon_most], e[2 * polygon_most]; int count; } seen_polygon;
 
 /* A triangle of it with corner a and edges s, t, and six times the volume of the pyramid over it:
  * positive if p is in front. */
@@ -209,6 +209,7 @@ static inline real seen_irradiance(const seen_polygon *s, const real *volume, ve
 
 static inline real polygon_irradiance(const vec3 *v, int count, vec3 p, vec3 n)
 {
+    if (count < 3 || count > polygon_most) return count < 3 ? 0 : (real)NAN;
     seen_polygon s = polygon_seen(v, count, p);
     real volume[polygon_most];
     for (int i = 0; i + 2 < count; i++)

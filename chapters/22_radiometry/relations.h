@@ -1,8 +1,8 @@
 /* relations.h: the definitions and laws of radiometry, each as a number that can be measured.
  *
- * A relation has a closed form, and an experiment whose mean is that number if the law is right: one
- * call of `sample` is one ray or one photon (光子), weighted. relation_measure(k, seed, n) does n of
- * them. `holds` is false for those that are often believed, and wrong: there z must be huge.
+ * A relation has a closed form, and an experiment whose mean is that number if the law is right:
+ * one call of `sample` is one ray or one photon (光子), weighted. relation_measure(k, seed, n) does
+ * n of them. `holds` is false for those that are often believed, and wrong: there z must be huge.
  *
  *   Omega = A / r^2                       (22.1)    E = dPhi / dA                       (22.18)
  *   d omega = sin theta d theta d phi     (22.2)    E = I cos theta / r^2               (22.19)
@@ -33,9 +33,9 @@ typedef struct {
 /* The things that are looked at, from the origin; z is up. */
 static const sphere ball = {{0, 0, 2}, 1}, sunk_ball = {{(real)1.5, 0, (real)-0.25}, 1};
 static const triangle sail = {{1, -1, (real)0.5}, {1, 1, (real)0.5}, {(real)0.5, 0, 2}};
-static const rectangle panel = {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}};             /* faces down */
+static const rectangle ceiling_pane = {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}};  /* faces down */
 static const rectangle sunk_panel = {{2, -1, -1}, {0, 0, 3}, {0, 2, 0}}; /* upright, faces -x */
-static const vec3 here = {0, 0, 0}, up = {0, 0, 1};
+static const vec3 seen_from = {0, 0, 0}, seen_up = {0, 0, 1};
 
 /* ---- solid angle ---- */
 
@@ -43,9 +43,15 @@ static inline double four_pi(void) { return 4 * (double)pi; }
 static inline double two_pi(void) { return 2 * (double)pi; }
 static inline double plain_pi(void) { return (double)pi; }
 static inline double cap_closed(void) { return (double)cap_solid_angle(pi / 6); }
-static inline double ball_closed(void) { return (double)sphere_solid_angle(ball, here); }
-static inline double sail_closed(void) { return (double)fabs(triangle_solid_angle(sail, here)); }
-static inline double panel_closed(void) { return (double)fabs(rectangle_solid_angle(panel, here)); }
+static inline double ball_closed(void) { return (double)sphere_solid_angle(ball, seen_from); }
+static inline double sail_closed(void)
+{
+    return (double)fabs(triangle_solid_angle(sail, seen_from));
+}
+static inline double panel_closed(void)
+{
+    return (double)fabs(rectangle_solid_angle(ceiling_pane, seen_from));
+}
 
 /* theta and phi uniform in their intervals: (22.2) says how much each counts. */
 static inline real all_sample(random_stream *s) { return 2 * pi * pi * sin(pi * random_next(s)); }
@@ -69,7 +75,7 @@ static inline real ball_sample(random_stream *s)
     vec3 w;
     hit h;
     real whole = any_direction_in(s, &w);
-    return sphere_hit(ball, ray_from(here, w), &h) ? whole : 0;
+    return sphere_hit(ball, ray_from(seen_from, w), &h) ? whole : 0;
 }
 
 static inline real sail_sample(random_stream *s)
@@ -77,7 +83,7 @@ static inline real sail_sample(random_stream *s)
     vec3 w;
     hit h;
     real whole = any_direction_in(s, &w);
-    return triangle_hit(sail, ray_from(here, w), &h) ? whole : 0;
+    return triangle_hit(sail, ray_from(seen_from, w), &h) ? whole : 0;
 }
 
 /* Does the ray from the origin meet it? Where the plane is met, in shares of s and t. */
@@ -94,7 +100,7 @@ static inline real panel_sample(random_stream *s)
 {
     vec3 w;
     real whole = any_direction_in(s, &w);
-    return rectangle_met(panel, w) ? whole : 0;
+    return rectangle_met(ceiling_pane, w) ? whole : 0;
 }
 
 /* ---- flux and intensity: I = 1 W/sr, everywhere or along the axis ---- */
@@ -139,9 +145,10 @@ static inline real tilted_sample(random_stream *s)
 
 /* ---- radiance ---- */
 
-/* A meter: an opening of radius 0.1, behind it a tube that lets through what comes within 0.1 rad of
- * its axis. It looks at a wall of L = 1 at distance d. Power goes from each dA' of the wall to each
- * dA of the opening: L cos cos' / r^2 dA dA'. Divided by opening and projected solid angle: L. */
+/* A meter: an opening of radius 0.1, behind it a tube that lets through what comes within 0.1 rad
+ * of its axis. It looks at a wall of L = 1 at distance d. Power goes from each dA' of the wall to
+ * each dA of the opening: L cos cos' / r^2 dA dA'. Divided by opening and projected solid angle: L.
+ */
 static inline real meter(random_stream *s, real d)
 {
     const real a = (real)0.1, tube = (real)0.1;
@@ -178,16 +185,22 @@ static inline real lambert_sample(random_stream *s)
 
 /* ---- irradiance of lights ---- */
 
-static inline double ball_e(void) { return (double)sphere_irradiance(ball, here, up); }
-static inline double sunk_ball_e(void) { return (double)sphere_irradiance(sunk_ball, here, up); }
+static inline double ball_e(void) { return (double)sphere_irradiance(ball, seen_from, seen_up); }
+static inline double sunk_ball_e(void)
+{
+    return (double)sphere_irradiance(sunk_ball, seen_from, seen_up);
+}
 static inline double unclipped_e(void)
 {
-    return (double)sphere_irradiance_unclipped(sunk_ball, here, up);
+    return (double)sphere_irradiance_unclipped(sunk_ball, seen_from, seen_up);
 }
-static inline double panel_e(void) { return (double)rectangle_irradiance(panel, here, up); }
+static inline double panel_e(void)
+{
+    return (double)rectangle_irradiance(ceiling_pane, seen_from, seen_up);
+}
 static inline double sunk_panel_e(void)
 {
-    return (double)rectangle_irradiance(sunk_panel, here, up);
+    return (double)rectangle_irradiance(sunk_panel, seen_from, seen_up);
 }
 
 /* By rays, cosine-distributed: pi for each that meets the light. */
@@ -195,7 +208,7 @@ static inline real rays_to(random_stream *s, sphere b)
 {
     hit h;
     real u = random_next(s), v = random_next(s);
-    return sphere_hit(b, ray_from(here, sample_cosine(u, v)), &h) ? pi : 0;
+    return sphere_hit(b, ray_from(seen_from, sample_cosine(u, v)), &h) ? pi : 0;
 }
 static inline real ball_e_sample(random_stream *s) { return rays_to(s, ball); }
 static inline real sunk_ball_e_sample(random_stream *s) { return rays_to(s, sunk_ball); }
@@ -210,12 +223,12 @@ static inline real area_term(rectangle r, vec3 p, vec3 n, real u, real v)
 static inline real panel_e_sample(random_stream *s)
 {
     real u = random_next(s), v = random_next(s);
-    return area_term(panel, here, up, u, v);
+    return area_term(ceiling_pane, seen_from, seen_up, u, v);
 }
 static inline real sunk_panel_e_sample(random_stream *s)
 {
     real u = random_next(s), v = random_next(s);
-    return area_term(sunk_panel, here, up, u, v);
+    return area_term(sunk_panel, seen_from, seen_up, u, v);
 }
 
 /* ---- all of them ---- */

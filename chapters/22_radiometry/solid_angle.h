@@ -4,14 +4,15 @@
  *         .-' A '-.         d omega = sin theta d theta d phi                                (22.2)
  *          \     /          all directions: 4 pi; what lies above a plane: 2 pi
  *           \   /
- *            \ /            cap_solid_angle(angle)         within [0, pi] of an axis          (22.3)
- *             p             sphere_solid_angle(s, p)       4 pi from inside                   (22.4)
- *                           triangle_solid_angle(t, p)     signed, in [-2 pi, 2 pi]           (22.5)
- *                           rectangle_solid_angle(r, p)    the same
- *                           triangle_volume(t, p)          (a-p).((b-a)x(c-a)): its sign, too
+ *            \ /            cap_solid_angle(angle)        within [0, pi] of an axis         (22.3)
+ *             p             sphere_solid_angle(s, p)      4 pi from inside                  (22.4)
+ *                           triangle_solid_angle(t, p)    signed, in [-2 pi, 2 pi]          (22.5)
+ *                           rectangle_solid_angle(r, p)   the same
+ *                           triangle_volume(t, p)         (a-p).((b-a)x(c-a)): its sign, too
  *
- * Signed: positive where the normal (b-a)x(c-a) points away from p, so that a closed mesh adds up to
- * 4 pi inside; negative in front. In the plane of the triangle: 0 outside, 2 pi within, 0 on edges.
+ * Signed: positive where the normal (b-a)x(c-a) points away from p, so that a closed mesh adds up
+ * to 4 pi inside; negative in front. In the plane of the triangle: 0 outside, 2 pi within, 0 on
+ * edges.
  *
  *   variant                       loses                                             so
  *   cap_solid_angle_naive         2 pi (1 - cos): all digits of a small cap         0 below 1e-8
@@ -25,8 +26,8 @@
  * in twice the precision what is not: edge-on, slivers, p close to an edge or to the sphere.
  *
  * Sources: A. Van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans. Biomed.
- * Eng. 30(2), 1983, eq. 8; A. Girard, "Invention nouvelle en l'algebre", 1629; J. Shewchuk, "Adaptive
- * Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997 (the two steps).
+ * Eng. 30(2), 1983, eq. 8; A. Girard, "Invention nouvelle en l'algebre", 1629; J. Shewchuk,
+ * "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
  */
 #ifndef SOLID_ANGLE_H
 #define SOLID_ANGLE_H
@@ -135,9 +136,10 @@ static inline wide_corners corners_of_triangle(triangle t, vec3 p, int *e)
                           wide3_between(p, t.c, *e)};
 }
 
-/* tan(Omega / 2) = a.(s x t) / (|a||b||c| + a.b |c| + b.c |a| + c.a |b|), b = a + s, c = a + t  (22.5)
+/* tan(Omega / 2) = a.(s x t) / (|a||b||c| + a.b |c| + b.c |a| + c.a |b|),                   (22.5)
+ * b = a + s, c = a + t.
  * The numerator is off by some epsilon |a||s||t|, the denominator by some epsilon |a||b||c|. false:
- * that may be more than 64 epsilon of the angle; so may it be where something over- or underflows.
+ * that may be more than 16 epsilon of the angle; so may it be where something over- or underflows.
  */
 static inline bool triangle_solid_angle_fast(vec3 a, vec3 s, vec3 t, real *omega)
 {

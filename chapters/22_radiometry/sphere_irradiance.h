@@ -18,8 +18,8 @@
  *   sphere touching the surface at p             sqrt(d^2 - R^2) is noise    d^2 - R^2 by wide.h
  *   p inside: all the light comes in             pi                          pi
  *
- * What the default gives is right to 16 epsilon where height and `across` are (n along an axis), and
- * otherwise to some epsilon d / (R + height): what the last bit of n or p already changes.
+ * What the default gives is right to 16 epsilon where height and `across` are (n along an axis),
+ * and otherwise to some epsilon d / (R + height): what the last bit of n or p already changes.
  *
  * Sources: J. Snyder, "Area Light Sources for Real-Time Graphics", Microsoft TR 96-11, 1996; S.
  * Lagarde, C. de Rousiers, "Moving Frostbite to Physically Based Rendering 3.0", 2014, listing 7.

@@ -8,7 +8,8 @@
  *   view_closed(m, k)                   the area as a closed form
  *   view_count(m, n, area)              the areas of all, counted on n x n pixels
  *
- * Source: W. Nusselt, "Graphische Bestimmung des Winkelverhaeltnisses bei der Waermestrahlung", 1928.
+ * Source: W. Nusselt, "Graphische Bestimmung des Winkelverhaeltnisses bei der Waermestrahlung",
+ * Zeitschrift des VDI 72, 1928.
  */
 #ifndef VIEW_H
 #define VIEW_H
@@ -37,7 +38,7 @@ static inline bool view_direction(view_map m, real x, real y, vec3 *w)
     if (x * x + y * y >= 1) return false;
     if (m == VIEW_PROJECTED) *w = (vec3){x, y, sqrt(1 - rr)};
     else {
-        real s = k * sqrt(1 - rr / 4);  /* sin theta / r = cos(theta/2), with rr = 4 sin^2(theta/2) */
+        real s = k * sqrt(1 - rr / 4);  /* k cos(theta/2), with rr = 4 sin^2(theta/2) */
         *w = (vec3){s * x, s * y, 1 - rr / 2};
     }
     return true;
@@ -45,7 +46,7 @@ static inline bool view_direction(view_map m, real x, real y, vec3 *w)
 
 static inline int view_met(vec3 w)
 {
-    ray r = ray_from(here, w);
+    ray r = ray_from(seen_from, w);
     hit h;
     for (int k = 0; k < 2; k++)
         if (sphere_hit(view_sphere[k], r, &h)) return k;
@@ -61,13 +62,14 @@ static inline double view_closed(view_map m, int k)
     bool e = m == VIEW_PROJECTED;
     if (k == 1 && !e) return (double)NAN;
     if (k < 2)
-        return (double)(e ? sphere_irradiance(view_sphere[k], here, up)
-                          : sphere_solid_angle(view_sphere[k], here));
+        return (double)(e ? sphere_irradiance(view_sphere[k], seen_from, seen_up)
+                          : sphere_solid_angle(view_sphere[k], seen_from));
     if (k == 2)
-        return (double)(e ? rectangle_irradiance(view_square, here, up)
-                          : fabs(rectangle_solid_angle(view_square, here)));
-    if (!e) return (double)fabs(triangle_solid_angle(view_triangle, here));
-    return (double)(polygon_irradiance(v, 3, here, up) + polygon_irradiance(back, 3, here, up));
+        return (double)(e ? rectangle_irradiance(view_square, seen_from, seen_up)
+                          : fabs(rectangle_solid_angle(view_square, seen_from)));
+    if (!e) return (double)fabs(triangle_solid_angle(view_triangle, seen_from));
+    return (double)(polygon_irradiance(v, 3, seen_from, seen_up) +
+                    polygon_irradiance(back, 3, seen_from, seen_up));
 }
 
 static inline void view_count(view_map m, int n, double area[view_things])

@@ -1,0 +1,196 @@
+/* Tests of 22_radiometry: each relation measured and compared with its closed form by a t-test, the
+ * wrong ones refuted; photons on floors; pixels counted; four ways of sampling; photometry. Fixed
+ * seeds; each random test alarms falsely once in 1e8 seeds, and there are fewer than 100. */
+#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../chapters/22_radiometry/floors.h"
+#include "../chapters/22_radiometry/measure.h"
+#include "check.h"
+
+#define alarm 1e-8
+#define eps ((double)real_epsilon)
+#define PI 3.14159265358979324
+
+static void test_relations(void)
+{
+    size_t n = check_count(100000), wrong = 0;
+    for (size_t k = 0; k < relations; k++) {
+        const relation *r = &relation_list[k];
+        estimate e = relation_measure(k, 7, n);
+        double c = r->closed(), p = t_test(e, c, 16 * eps * fabs(c));
+        check(e.n > 1 && estimate_error(e) > 0, "%s: chance has a part in it", r->name);
+        if (r->holds) check_at_least(p, alarm, "%s", r->name);
+        else check_at_most(p, alarm, "%s: refuted", r->name), wrong++;
+        check_at_most(estimate_error(e), 0.05 * fabs(c), "%s: good for 5 %%", r->name);
+    }
+    check_equal((double)wrong, 4, "four of them are often believed");
+}
+
+/* Closed forms, without chance. */
+static void test_closed(void)
+{
+    check_close((double)sphere_solid_angle(ball, seen_from), 2 * PI * (1 - sqrt(0.75)), 8 * eps,
+                "ball");
+    check_close((double)cap_solid_angle(pi / 6), 2 * PI * (1 - sqrt(0.75)), 8 * eps, "cap");
+    /* over the middle of 2 x 2 at height 2: 4 atan(1 / (2 sqrt 6)) */
+    check_close(panel_closed(), 4 * atan(1 / (2 * sqrt(6))), 8 * eps, "square");
+    check_close(ball_e(), PI / 4, 8 * eps, "irradiance of the ball");
+    /* Phi of I = cos^n: 2 pi / (n+1), by the midpoint rule in cos theta */
+    double sum = 0;
+    for (int i = 0; i < 10000; i++) sum += pow((i + 0.5) / 10000, 8) / 10000;
+    check_close(2 * PI * sum, spot_closed(), 1e-7, "flux of the spotlight");
+}
+
+/* ---- photons ---- */
+
+/* Counts in all cells against the closed form at once, by chi-square. Cells through which the
+ * border of the sphere or of the light's plane passes have a mean that 8 x 8 points know to a
+ * percent: left out. */
+static void test_floors(void)
+{
+    size_t n = check_count(400000);
+    for (int light = 0; light < floor_lights; light++) {
+        enum { cells = floor_cells * floor_cells };
+        uint32_t *count = allocate(cells, sizeof *count);
+        double *o = allocate(cells + 1, sizeof *o), *e = allocate(cells + 1, sizeof *e);
+        double counted = 0, expected = 0;
+        floor_photons((floor_light)light, 3, 0, n, count);
+        for (int k = 0; k < cells; k++) {
+            int i = k % floor_cells, j = k / floor_cells;
+            double x = (i + 0.5) / floor_cells * 8 - 4, y = (j + 0.5) / floor_cells * 8 - 4;
+            double r = sqrt(x * x + y * y), fill = floor_cell((floor_light)light, i, j);
+            bool border = light == FLOOR_SPHERE ? fabs(r - 0.8) < 0.1
+                        : light == FLOOR_RECTANGLE && x < -1.8 && x > -2.2;
+            if (border) continue;
+            o[k] = count[k], e[k] = floor_expected((floor_light)light, fill, (double)n);
+            counted += o[k], expected += e[k];
+        }
+        o[cells] = (double)n - counted, e[cells] = (double)n - expected;  /* those elsewhere */
+        check_at_least(chi_square_test(o, e, cells + 1).p, alarm, "floor %d: photons", light);
+        check_at_least(counted, 0.05 * (double)n, "floor %d: many of them arrive", light);
+        /* a fifth more light than closed form has: the test sees it */
+        for (int k = 0; k < cells; k++) e[k] *= 1.2;
+        e[cells] = (double)n - 1.2 * expected;
+        check_at_most(chi_square_test(o, e, cells + 1).p, alarm, "floor %d: a fifth is seen",
+                      light);
+        free(count), free(o), free(e);
+    }
+    real inside = floor_exact(FLOOR_SPHERE, 0, 0);
+    check_close((double)inside, PI, 4 * eps, "inside of the sphere: pi L");
+    check_equal(floor_exact(FLOOR_RECTANGLE, -3, 0), 0, "behind the rectangle");
+    /* one step from the screen that stands on the floor: E = L times a half of pi */
+    double near = (double)floor_exact(FLOOR_RECTANGLE, -2 + (real)0x1p-12, 0);
+    check_close(near, PI / 2, 0x1p-10, "touching light: half of all directions");
+}
+
+/* Pixels: of n x n, those that a border of length 10 or so crosses, 5 n, are right with chance 1/2:
+ * an area is off by about sqrt(5 n) / 2 pixels, 6 times that is allowed. */
+static void test_view(void)
+{
+    enum { n = 400 };
+    double area[view_things];
+    for (int m = 0; m < view_maps; m++) {
+        view_count((view_map)m, n, area);
+        double pixel = 2 * (double)view_scale((view_map)m) / n;
+        for (int k = 0; k < view_things; k++) {
+            double closed = view_closed((view_map)m, k);
+            if (isnan(closed)) continue;
+            check_close(area[k], closed, 3 * sqrt(5.0 * n) * pixel * pixel, "%s, map %d",
+                        view_name[k], m);
+        }
+    }
+    vec3 w = {0, 0, 0};
+    check(!view_direction(VIEW_PROJECTED, 1, (real)0.1, &w), "outside of the hemisphere");
+    for (int i = 0; i < 100; i++) {
+        real r = (real)i / 100;
+        for (int m = 0; m < view_maps; m++) {
+            check(view_direction((view_map)m, 0, r, &w), "inside");
+            check_close((double)vlength(w), 1, 4 * eps, "unit length");
+        }
+    }
+}
+
+/* ---- four ways to one number ---- */
+
+static void test_ways(void)
+{
+    size_t n = check_count(40000);
+    double variance[lights][ways];
+    spherical_rectangle k = spherical_rectangle_of(pane, seen_from);
+    for (int l = 0; l < lights; l++)
+        for (int b = 0; b < ways; b++) {
+            estimate e = {0};
+            for (size_t i = 0; i < n; i++) {
+                random_stream s = random_start(9, (uint64_t)(l * ways + b), i);
+                real u = random_next(&s), v = random_next(&s);
+                e = estimate_add(e, (double)direction_sample((light_kind)l, (way)b, &k, u, v));
+            }
+            double exact = direction_exact((light_kind)l);
+            check_at_least(t_test(e, exact, 16 * eps), alarm, "%s by %s", light_name[l],
+                           way_name[b]);
+            variance[l][b] = estimate_variance(e) / (exact * exact);
+        }
+    for (int l = 0; l < lights; l++) {
+        check_at_most(variance[l][BY_COSINE], 0.8 * variance[l][BY_HEMISPHERE], "cosine helps");
+        check_at_most(variance[l][BY_SOLID_ANGLE], 0.1 * variance[l][BY_AREA],
+                      "%s: solid angle beats area tenfold", light_name[l]);
+    }
+    /* by cosine: hits of probability E/pi, weight pi: variance / E^2 = pi / E - 1 */
+    for (int l = 0; l < lights; l++)
+        check_close(variance[l][BY_COSINE] / (PI / direction_exact((light_kind)l) - 1), 1, 0.1,
+                    "variance by cosine, in closed form");
+}
+
+/* ---- watts and lumens ---- */
+
+static void test_photometry(void)
+{
+    /* CIE's values halfway between those of the table */
+    static const double half[][2] = {{505, 0.4073}, {515, 0.6082}, {525, 0.7932}, {535, 0.9149},
+                                     {545, 0.9803}, {555, 1.0000}, {565, 0.9786}, {575, 0.9154},
+                                     {585, 0.8163}, {595, 0.6949}, {605, 0.5668}, {615, 0.4412},
+                                     {625, 0.3210}, {635, 0.2170}, {645, 0.1382}, {655, 0.0816}};
+    double worst = 0, sum = 0, fitted = 0;
+    for (int i = 0; i < 16; i++)
+        check_close(luminous_efficiency(half[i][0]), half[i][1], 0.003, "V(%g nm)", half[i][0]);
+    for (int nm = efficiency_first; nm <= efficiency_last; nm++) {
+        sum += luminous_efficiency(nm), fitted += luminous_efficiency_fit(nm);
+        worst = check_worse(worst, fabs(luminous_efficiency_fit(nm) - luminous_efficiency(nm)));
+    }
+    for (int i = 0; i < efficiencies; i++)
+        check_close(luminous_efficiency(380 + 10 * i), efficiency_table[i], 1e-15, "table");
+    check_at_most(worst, 0.01, "the fit is off by at most");
+    check_close(sum, 106.857, 0.02, "area of V: CIE's sum");
+    check_close(fitted, 106.857, 0.2, "area of the fit");
+    check_equal(luminous_efficiency(379), 0, "ultraviolet");
+    check_equal(luminous_efficiency(781), 0, "infrared");
+    check_equal(luminous_efficiency((double)NAN), 0, "NaN");
+    /* Stefan, Boltzmann: Planck's law over all wavelengths; Wien: its maximum */
+    for (double kelvin = 1000; kelvin < 20000; kelvin *= 2) {
+        double all = 0, peak = 0, most = 0;
+        for (double nm = 10; nm < 1e7; nm *= 1.001) {
+            double l = planck_radiance(nm, kelvin);
+            all += l * nm * log(1.001);
+            if (l > most) most = l, peak = nm;
+        }
+        check_at_most(fabs(all / black_body(kelvin).radiance - 1), 1e-5, "Stefan, %g K", kelvin);
+        check_close(peak * kelvin / 2.897771955e6, 1, 0.002, "Wien, %g K", kelvin);
+    }
+    /* the candela until 1979: 60 cd from 1 cm^2 at the freezing point of platinum */
+    check_close(black_body(2041.4).luminance / 6e5, 1, 0.01, "platinum: 600 000 nit");
+    double best = 0, where = 0;
+    for (double kelvin = 5000; kelvin < 8000; kelvin += 10)
+        if (black_body(kelvin).efficacy > best) best = black_body(kelvin).efficacy, where = kelvin;
+    check_close(best, 95.4, 0.5, "the best black body: 95 lm/W");
+    check_close(where, 6640, 60, "at some 6640 K");
+}
+
+int main(void)
+{
+    test_relations();
+    test_closed();
+    test_floors();
+    test_view();
+    test_ways();
+    test_photometry();
+    return check_report("22_radiometry");
+}
