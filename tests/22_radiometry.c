@@ -47,7 +47,7 @@ static void test_closed(void)
  * percent: left out. */
 static void test_floors(void)
 {
-    size_t n = check_count(400000);
+    const size_t n = 400000;
     for (int light = 0; light < floor_lights; light++) {
         enum { cells = floor_cells * floor_cells };
         uint32_t *count = allocate(cells, sizeof *count);
@@ -57,7 +57,7 @@ static void test_floors(void)
         for (int k = 0; k < cells; k++) {
             int i = k % floor_cells, j = k / floor_cells;
             double x = (i + 0.5) / floor_cells * 8 - 4, y = (j + 0.5) / floor_cells * 8 - 4;
-            double r = sqrt(x * x + y * y), fill = floor_cell((floor_light)light, i, j);
+            double r = sqrt(x * x + y * y), fill = floor_cell((floor_light)light, i, j, 8);
             bool border = light == FLOOR_SPHERE ? fabs(r - 0.8) < 0.1
                         : light == FLOOR_RECTANGLE && x < -1.8 && x > -2.2;
             if (border) continue;

@@ -103,7 +103,7 @@ static real d_rectangle(vec3 w, const void *context)
  * beside them. */
 static void test_chi_square(void)
 {
-    size_t n = check_count(20000);
+    const size_t n = 20000;
     static const triangle octant = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     seen_t t = {sail, spherical_triangle_of(sail, seen_from)};
     seen_t whole = {octant, spherical_triangle_of(octant, seen_from)};

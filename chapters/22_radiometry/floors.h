@@ -80,14 +80,13 @@ static inline void floor_photons(floor_light light, uint64_t seed, size_t first,
     }
 }
 
-/* Mean of E over cell (i, j), by the middles of 8 x 8 parts; inside of the sphere there is none. */
-static inline double floor_cell(floor_light light, int i, int j)
+/* Mean of E over cell (i, j), by the middles of parts^2 of it; inside of the sphere there is none. */
+static inline double floor_cell(floor_light light, int i, int j, int parts)
 {
-    enum { parts = 8 };
     double sum = 0;
     for (int k = 0; k < parts * parts; k++) {
-        real x = ((real)i + ((real)(k % parts) + (real)0.5) / parts) / floor_cells;
-        real y = ((real)j + ((real)(k / parts) + (real)0.5) / parts) / floor_cells;
+        real x = ((real)i + ((real)(k % parts) + (real)0.5) / (real)parts) / floor_cells;
+        real y = ((real)j + ((real)(k / parts) + (real)0.5) / (real)parts) / floor_cells;
         x = (2 * x - 1) * floor_half, y = (2 * y - 1) * floor_half;
         bool inside = light == FLOOR_SPHERE && x * x + y * y < (real)0.64;
         sum += inside ? 0 : (double)floor_exact(light, x, y);

@@ -199,7 +199,7 @@ static inline void plot_hard(const options *o)
     hard_run *r = allocate(1, sizeof *r);
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         int series = plot_series(&p, lines[k].name);
-        for (int e = 0; e <= (real_is_float ? 12 : 24); e++) {
+        for (int e = 0; e <= (real_is_float ? 12 : 24); e += o->quick ? 6 : 1) {
             hard_case c = {"", "", lines[k].kind, pow(10, -0.25 * e), SHAPE_ANY};
             for (int i = 0; i < hard_inputs; i++) {
                 random_stream s = random_start(o->seed, 99, (uint64_t)i);

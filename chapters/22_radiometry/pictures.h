@@ -19,6 +19,7 @@ typedef struct {
     image *im;
     uint64_t seed;
     size_t photons;
+    int parts;            /* floor_cell's */
     uint32_t *count;      /* of each light, of each chunk, of each cell */
     double *expected, *e; /* of each light, of each cell */
 } floor_picture;
@@ -69,7 +70,7 @@ static inline void cells_job(size_t i, void *context)
     double n = (double)(f->photons / floor_chunks * floor_chunks);
     for (int k = 0; k < floor_cells; k++) {
         size_t at = ((size_t)light * floor_cells + (size_t)j) * floor_cells + (size_t)k;
-        f->e[at] = floor_cell((floor_light)light, k, j);
+        f->e[at] = floor_cell((floor_light)light, k, j, f->parts);
         f->expected[at] = floor_expected((floor_light)light, f->e[at], n);
     }
 }
@@ -120,7 +121,8 @@ static inline void draw_floor(const options *o)
 {
     enum { cells = floor_cells * floor_cells };
     image im = image_new(o->width, o->height);
-    floor_picture f = {&im, o->seed, o->quick ? 100000 : 3000000, NULL, NULL, NULL};
+    floor_picture f = {&im, o->seed, o->quick ? 100000 : 3000000,
+                       o->quick ? 2 : 8, NULL, NULL, NULL};
     f.count = allocate((size_t)floor_lights * floor_chunks * cells, sizeof *f.count);
     f.expected = allocate((size_t)floor_lights * cells, sizeof *f.expected);
     f.e = allocate((size_t)floor_lights * cells, sizeof *f.e);
@@ -171,7 +173,7 @@ static inline void view_pixel(int x, int y, void *context)
 static inline void draw_view(const options *o)
 {
     if (o->out) return;
-    image im = image_new(906, 450);
+    image im = o->quick ? image_new(306, 150) : image_new(906, 450);
     bool whole = parallel_pixels(im.width, im.height, o->threads, "view", view_pixel, &im);
     output_picture(o, &im, "22_radiometry_view.png", false, whole);
     image_free(&im);
