@@ -196,6 +196,29 @@ static void test_sphere(void)
     }
 }
 
+/* Far, near, an ulp away, on it, from inside: mean of cos Omega. By the naive cone, 1 - cos, the far
+ * one has no light at all. */
+static void test_sphere_cones(void)
+{
+    const real distance[] = {1000000, 10, 2, (real)1.0625, 1 + 4 * real_epsilon, 1, (real)0.5};
+    for (size_t k = 0; k < sizeof distance / sizeof *distance; k++) {
+        sphere b = {{0, 0, distance[k]}, 1};
+        direction_cone c = sphere_cone(b, seen_from);
+        estimate e = {0};
+        for (uint64_t i = 0; i < check_count(20000); i++) {
+            random_stream s = random_start(10, k, i);
+            real u = random_next(&s), v = random_next(&s);
+            vec3 w = sample_cone(c, u, v);
+            check_close((double)(pdf_cone(c, w) * sphere_solid_angle(b, seen_from)), 1, 8 * eps,
+                        "distance %g: pdf is 1 / Omega", (double)distance[k]);
+            e = estimate_add(e, (double)real_max(w.z, 0) * (double)(4 * pi * c.half_sine2));
+        }
+        double exact = (double)sphere_irradiance(b, seen_from, seen_up);
+        check_at_least(t_test(e, exact, 16 * eps * exact), alarm, "sphere at %g",
+                       (double)distance[k]);
+    }
+}
+
 int main(void)
 {
     test_triangle_shares();
@@ -203,5 +226,6 @@ int main(void)
     test_expectations();
     test_urena_fails();
     test_sphere();
+    test_sphere_cones();
     return check_report("22_spherical_sampling");
 }

@@ -51,7 +51,7 @@ static inline real sphere_area_term(real u, real v)
 static inline real sphere_angle_term(real u, real v)
 {
     real d = vlength(lamp.c);
-    direction_cone c = cone_of_sphere(lamp.r, d);
+    direction_cone c = sphere_cone(lamp, seen_from);
     vec3 w = directed(vscale(lamp.c, 1 / d), sample_cone(c, u, v));
     return real_max(w.z, 0) * 4 * pi * c.half_sine2;
 }

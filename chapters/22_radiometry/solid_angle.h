@@ -6,6 +6,7 @@
  *           \   /
  *            \ /            cap_solid_angle(angle)        within [0, pi] of an axis         (22.3)
  *             p             sphere_solid_angle(s, p)      4 pi from inside                  (22.4)
+ *                           sphere_cone(s, p)             its directions, for sample_cone
  *                           triangle_solid_angle(t, p)    signed, in [-2 pi, 2 pi]          (22.5)
  *                           rectangle_solid_angle(r, p)   the same
  *                           triangle_volume(t, p)         (a-p).((b-a)x(c-a)): its sign, too
@@ -61,16 +62,21 @@ static inline real sphere_power_at(sphere s, vec3 p)
     return (real)wide_value(sphere_power(f, (double)s.r));
 }
 
-/* sin^2 = r^2 / d^2 and cos = sqrt(d^2 - r^2) / d: 2 pi (1 - cos) = 2 pi sin^2 / (1 + cos).
- * On the sphere itself 2 pi. */
-static inline real sphere_solid_angle(sphere s, vec3 p)
+/* sin^2 = r^2 / d^2 and cos = sqrt(d^2 - r^2) / d: sin^2(half) = sin^2 / (2 (1 + cos)), no 1 - cos.
+ * On the sphere itself a half of all directions, inside of it all of them. */
+static inline direction_cone sphere_cone(sphere s, vec3 p)
 {
     real d = vlength(vsub(s.c, p)), r = fabs(s.r), power = (d - r) * (d + r);
     if (fabs(power) < d * d / 16) power = sphere_power_at(s, p);
-    if (power < 0) return 4 * pi;
-    if (d == 0) return 0;
+    if (power < 0) return (direction_cone){1};
+    if (d == 0) return (direction_cone){0};
     real sine = r / d;
-    return 2 * pi * sine * sine / (1 + sqrt(power) / d);
+    return (direction_cone){sine * sine / (2 * (1 + sqrt(power) / d))};
+}
+
+static inline real sphere_solid_angle(sphere s, vec3 p)
+{
+    return 4 * pi * sphere_cone(s, p).half_sine2;
 }
 
 /* ---- triangle ---- */
