@@ -20,7 +20,8 @@ static void test_relations(void)
         check(e.n > 1 && estimate_error(e) > 0, "%s: chance has a part in it", r->name);
         if (r->holds) check_at_least(p, alarm, "%s", r->name);
         else check_at_most(p, alarm, "%s: refuted", r->name), wrong++;
-        check_at_most(estimate_error(e), 0.05 * fabs(c), "%s: good for 5 %%", r->name);
+        check_at_most(estimate_error(e), 0.05 * sqrt(1e5 / (double)n) * fabs(c),
+                      "%s: good for 5 %%", r->name);
     }
     check_equal((double)wrong, 4, "four of them are often believed");
 }

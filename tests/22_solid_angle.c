@@ -107,7 +107,8 @@ static void test_known_triangles(void)
                 "tetrahedron");
     triangle flat = {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
     check_equal(triangle_solid_angle(flat, o), 2 * pi, "p within the triangle: 2 pi");
-    check_equal(triangle_solid_angle((triangle){flat.a, flat.c, flat.b}, o), 2 * pi, "turned: 2 pi");
+    triangle turned = {flat.a, flat.c, flat.b};
+    check_equal(triangle_solid_angle(turned, o), 2 * pi, "turned round: 2 pi");
     check_equal(triangle_solid_angle(flat, (vec3){3, 0, 0}), 0, "in its plane, outside: 0");
     check_equal(triangle_solid_angle(flat, (vec3){-1, 0, 0}), 0, "on an edge: 0");
     check_equal(triangle_solid_angle(flat, (vec3){1, 0, 0}), 0, "a corner: 0");

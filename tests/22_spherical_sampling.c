@@ -196,11 +196,11 @@ static void test_sphere(void)
     }
 }
 
-/* Far, near, an ulp away, on it, from inside: mean of cos Omega. By the naive cone, 1 - cos, the far
- * one has no light at all. */
+/* Far, near, an ulp away, on it, from inside: mean of cos Omega. */
 static void test_sphere_cones(void)
 {
-    const real distance[] = {1000000, 10, 2, (real)1.0625, 1 + 4 * real_epsilon, 1, (real)0.5};
+    const real distance[] = {1000000, 10, 2, (real)1.0625, 1 + 4 * real_epsilon, 1,
+                             (real)0.5};
     for (size_t k = 0; k < sizeof distance / sizeof *distance; k++) {
         sphere b = {{0, 0, distance[k]}, 1};
         direction_cone c = sphere_cone(b, seen_from);

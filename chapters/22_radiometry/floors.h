@@ -80,7 +80,7 @@ static inline void floor_photons(floor_light light, uint64_t seed, size_t first,
     }
 }
 
-/* Mean of E over cell (i, j), by the middles of parts^2 of it; inside of the sphere there is none. */
+/* Mean of E over cell (i, j), by the middles of parts^2 of it; there is none inside the sphere. */
 static inline double floor_cell(floor_light light, int i, int j, int parts)
 {
     double sum = 0;
