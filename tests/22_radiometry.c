@@ -118,7 +118,7 @@ static void test_ways(void)
 {
     size_t n = check_count(100000);
     double variance[lights][ways];
-    spherical_rectangle k = spherical_rectangle_of(pane, seen_from);
+    light_view k = light_view_of(seen_from);
     for (int l = 0; l < lights; l++)
         for (int b = 0; b < ways; b++) {
             estimate e = {0};

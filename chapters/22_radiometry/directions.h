@@ -9,7 +9,8 @@
  * cos': at the light. The first two go where the light is not; the area of a sphere is half hidden,
  * and near a light cos' / r^2 varies. What is left in the last is cos theta alone.
  *
- *   real x = direction_sample(LIGHT_SPHERE, BY_AREA, NULL, u, v);   u, v in [0, 1); radiance 1
+ *   light_view k = light_view_of(p);                                once a point p
+ *   real x = direction_sample(LIGHT_SPHERE, BY_AREA, &k, u, v);     u, v in [0, 1); radiance 1
  *   direction_exact(LIGHT_SPHERE)                                   closed form
  */
 #ifndef DIRECTIONS_H
@@ -27,6 +28,8 @@ static const char *const way_name[ways] = {"uniform hemisphere", "cosine", "area
 
 static const sphere lamp = {{1, 0, 2}, 1};
 static const rectangle pane = {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}};  /* faces -x */
+
+typedef struct { direction_cone cone; vec3 axis; spherical_rectangle square; } light_view;
 
 static inline double direction_exact(light_kind l)
 {
@@ -48,23 +51,26 @@ static inline real sphere_area_term(real u, real v)
     return 4 * pi * lamp.r * lamp.r * real_max(y.z, 0) * real_max(facing, 0) / (r2 * r2);
 }
 
-static inline real sphere_angle_term(real u, real v)
+static inline light_view light_view_of(vec3 p)
 {
-    real d = vlength(lamp.c);
-    direction_cone c = sphere_cone(lamp, seen_from);
-    vec3 w = directed(vscale(lamp.c, 1 / d), sample_cone(c, u, v));
-    return real_max(w.z, 0) * 4 * pi * c.half_sine2;
+    return (light_view){sphere_cone(lamp, p), vunit(vsub(lamp.c, p)),
+                        spherical_rectangle_of(pane, p)};
 }
 
-static inline real pane_angle_term(const spherical_rectangle *k, real u, real v)
+static inline real sphere_angle_term(const light_view *k, real u, real v)
 {
-    vec3 y = rectangle_at(pane, spherical_rectangle_sample(k, u, v));
-    return real_max(vunit(y).z, 0) * k->omega;
+    return real_max(directed(k->axis, sample_cone(k->cone, u, v)).z, 0) * 4 * pi
+         * k->cone.half_sine2;
 }
 
-/* k: of the pane, for LIGHT_SQUARE and BY_SOLID_ANGLE; prepared once a point. */
-static inline real direction_sample(light_kind l, way by, const spherical_rectangle *k, real u,
-                                    real v)
+static inline real pane_angle_term(const light_view *k, real u, real v)
+{
+    vec3 y = rectangle_at(pane, spherical_rectangle_sample(&k->square, u, v));
+    return real_max(vunit(y).z, 0) * k->square.omega;
+}
+
+/* k: for BY_SOLID_ANGLE, prepared once a point. */
+static inline real direction_sample(light_kind l, way by, const light_view *k, real u, real v)
 {
     vec3 w;
     switch (by) {
@@ -74,7 +80,7 @@ static inline real direction_sample(light_kind l, way by, const spherical_rectan
         return l == LIGHT_SPHERE ? sphere_area_term(u, v)
                                  : area_term(pane, seen_from, seen_up, u, v);
     case BY_SOLID_ANGLE:
-        return l == LIGHT_SPHERE ? sphere_angle_term(u, v) : pane_angle_term(k, u, v);
+        return l == LIGHT_SPHERE ? sphere_angle_term(k, u, v) : pane_angle_term(k, u, v);
     case ways: break;
     }
     return 0;
@@ -84,7 +90,7 @@ static inline real direction_sample(light_kind l, way by, const spherical_rectan
 static inline double direction_estimate(light_kind l, way by, sequence_kind kind, uint64_t seed,
                                         uint64_t run, uint32_t n)
 {
-    spherical_rectangle k = spherical_rectangle_of(pane, seen_from);
+    light_view k = light_view_of(seen_from);
     double sum = 0;
     for (uint32_t i = 0; i < n; i++) {
         sampler s = sampler_start(kind, seed, run, i, n);
