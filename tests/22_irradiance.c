@@ -71,7 +71,7 @@ static void test_known_spheres(void)
     check_close(sphere_e(1, 3, 1), PI / 10 / sqrt(10), 4 * eps, "touching the horizon from above");
     check_equal(sphere_e(1, 3, -1), 0, "touching it from below");
     check_equal(sphere_e(1, 0, -5), 0, "behind the surface");
-    check_equal(sphere_e(1, (real)0.5, 0), (double)pi, "p inside: all directions shine");
+    check_equal(sphere_e(1, 0.5, 0), (double)pi, "p inside: all directions shine");
     check_close(sphere_e(1, 0, 1), PI, 8 * eps, "p on it, facing it");
     check_equal(sphere_e(1, 0, -1), 0, "p on it, facing away");
     /* p on the sphere: a half of all directions, turned by the angle b: pi/2 (1 + cos b) */
