@@ -55,7 +55,7 @@ static void test_walk_equals_whole_numbers(void)
     for (size_t i = 0; i < walks; i++) {
         whole_walk e = whole_walk_of(11, i);
         grid_line a = line_of(whole_ray(&e));
-        walk w = walk_from(&l, &a, 0);
+        grid_walk w = walk_from(&l, &a, 0);
         for (size_t s = 0; s < steps; s++) {
             walk_step(&w, walk_next_t(&w));
             whole_step(&e);
@@ -115,7 +115,7 @@ static void test_walk_keeps_its_promise(void)
             double v = fabs((double)(vaxis(box.hi, k) - vaxis(r.o, k)));
             D = fmax(D, fmax(u, v));
         }
-        walk w = walk_from(&l, &a, t);
+        grid_walk w = walk_from(&l, &a, t);
         for (real next = t; next <= to; t = next, steps++) {
             next = walk_next_t(&w);
             for (int k = 0; k < 3; k++) {

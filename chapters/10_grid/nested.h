@@ -184,7 +184,7 @@ static inline bool nested_search_part(const nested *x, const nested_part *p, con
 {
     if (!grid_span(p->box, a, &t, &leave) || t > *end) return false;
     lattice inner = nested_lattice(p);
-    walk w = walk_from(&inner, a, t);
+    grid_walk w = walk_from(&inner, a, t);
     w.cell += p->base;
     do {
         size_t cell = (size_t)w.cell;
@@ -211,7 +211,7 @@ static inline bool nested_search(const nested *x, ray r, bool any, hit *out, sea
     if (from > end) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();
-    walk w = walk_from(&g->cells, &a, from);
+    grid_walk w = walk_from(&g->cells, &a, from);
     for (;; from = t) {
         uint32_t part = x->part_of[w.cell];
         t = walk_next_t(&w);
