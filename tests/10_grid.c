@@ -262,6 +262,26 @@ static void test_resolution(void)
     }
 }
 
+/* What stats reports suffices as a limit, one byte less does not. */
+static void check_limit_is_exact(const items *x)
+{
+    failure f;
+    grid g;
+    nested n;
+    grid_options o = grid_defaults;
+    nested_options p = nested_defaults;
+    if (!grid_build(x, o, &g, &f)) fail(f);
+    if (!nested_build(x, p, &n, &f)) fail(f);
+    o.most_bytes = grid_stats(&g).peak, p.most_bytes = nested_stats(&n).peak;
+    grid_free(&g), nested_free(&n);
+    check(grid_build(x, o, &g, &f), "grid: fits into its peak of %zu bytes", o.most_bytes);
+    check(nested_build(x, p, &n, &f), "two levels: fit into their peak of %zu", p.most_bytes);
+    grid_free(&g), nested_free(&n);
+    o.most_bytes--, p.most_bytes--;
+    check(!grid_build(x, o, &g, &f) && f.exit_code == 1, "grid: a byte less is refused");
+    check(!nested_build(x, p, &n, &f) && f.exit_code == 1, "two levels: a byte less is refused");
+}
+
 static void test_limits(void)
 {
     mesh m = teapot_mesh(8);
@@ -289,7 +309,28 @@ static void test_limits(void)
     p = nested_defaults, p.most_bytes = 100000;
     check(!nested_build(&x, p, &n, &f) && f.exit_code == 1, "two levels beyond most_bytes");
     nested_free(&n), nested_free(&n), grid_free(&g);
+    check_limit_is_exact(&x);
     mesh_free(&m);
+}
+
+/* From 1e-280 to 1e74 (float: 1e-25 to 1e5) a box has as many cells as at size 1, though its volume
+ * is no double. */
+static void test_sizes(void)
+{
+    int least = real_is_float ? -25 : -280, most = real_is_float ? 5 : 74;
+    for (int e = least; e <= most; e += 6) {
+        mesh m = torus_mesh(8);
+        failure f;
+        grid g;
+        nested n;
+        real scale = pow((real)10, (real)e);
+        for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], scale);
+        items x = items_of_mesh(&m);
+        bool built = grid_build(&x, grid_defaults, &g, &f);
+        check(built && lattice_cells(&g.cells) > 20 * m.triangles, "a grid of size 1e%d", e);
+        check(nested_build(&x, nested_defaults, &n, &f), "two levels of size 1e%d", e);
+        grid_free(&g), nested_free(&n), mesh_free(&m);
+    }
 }
 
 /* What a ray costs is not O(n), from wherever a camera stands: D up to 1023 sizes goes straight
@@ -411,6 +452,7 @@ int main(void)
     test_lists();
     test_resolution();
     test_limits();
+    test_sizes();
     test_far_rays_are_cheap();
     test_far_rays_are_right();
     test_mailbox_and_marking();

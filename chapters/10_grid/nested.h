@@ -27,7 +27,7 @@
 typedef struct {
     double outer, inner;  /* cells an item: outer grid; cell of the outer grid. 1e-6 to 1e6 */
     bool exact, mailbox;
-    size_t most_bytes;
+    size_t most_bytes;    /* at any time while it is built */
 } nested_options;
 
 #define nested_defaults ((nested_options){0.1, 4, true, true, (size_t)1 << 30})
@@ -118,7 +118,11 @@ static inline bool nested_mark(nested *x, const cell_lists *outer, bool exact, f
 
 static inline bool nested_fill(nested *x, const cell_lists *outer, nested_options how, failure *f)
 {
-    size_t cells = 0;
+    size_t cells = 0, held = lists_bytes(outer) + outer->cells * sizeof *x->part_of
+                             + (outer->marked_cells + 1) * sizeof *x->part;
+    if (held > how.most_bytes)
+        return failed(f, 1, "two-level grid: %zu outer cells do not fit into %zu bytes",
+                      outer->cells, how.most_bytes);
     x->part_of = allocate(outer->cells, sizeof *x->part_of);
     x->part = allocate(outer->marked_cells + 1, sizeof *x->part);
     for (size_t c = 0; c < outer->cells; c++) {
@@ -126,7 +130,7 @@ static inline bool nested_fill(nested *x, const cell_lists *outer, nested_option
         if (k && !nested_cut(x, c, outer->item + outer->first[c], k, how.inner, &cells))
             return failed(f, 1, "two-level grid: more than %u cells", (unsigned)UINT32_MAX);
     }
-    if (!lists_begin(cells, how.most_bytes, &x->g.lists, f)) return false;
+    if (!lists_begin(cells, how.most_bytes - held, &x->g.lists, f)) return false;
     if (!nested_mark(x, outer, how.exact, f)) return false;
     lists_sum(&x->g.lists);
     nested_mark(x, outer, how.exact, f);

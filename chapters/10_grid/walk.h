@@ -11,7 +11,7 @@
  *   line_end(&a, r.tmax, to)                   the earlier
  *   grid_walk w = walk_from(&l, &a, t)         the cell at t; the cell's number is w.cell
  *   real t = walk_next_t(&w)                   where the ray leaves it; infinity: no wall ahead
- *   walk_step(&w, t)                           into the next one
+ *   walk_step(&w, t)                           into the next one, if t is not infinite
  *   walk_step_naive(&w, t)                     t_k += step_k: drifts
  *   int i = walk_index(&l, &w, k)              which cell on axis k
  *
@@ -160,8 +160,10 @@ static inline void walk_step_axis(grid_walk *w, ptrdiff_t stride, real *t, real 
     *t = *j < last ? first + *j * step : real_infinity;
 }
 
-/* t = walk_next_t(w), not infinite. Where two walls are met at once, the cell between is passed in
- * no time. Branches, because the processor guesses well: a ray mostly has one axis that is fast. */
+/* t = walk_next_t(w). Where it is infinite no wall is ahead, and w is of no use any more: its cell
+ * is past the lattice. Where two walls are met at once, the cell
+ * between is passed in no time. Branches, because the processor guesses well: a ray mostly has one
+ * axis that is fast. */
 __attribute__((always_inline))
 static inline void walk_step(grid_walk *w, real t)
 {
