@@ -395,6 +395,30 @@ static void test_far_rays_are_right(void)
     grid_free(&g), nested_free(&two), mesh_free(&m);
 }
 
+/* |d| from the least to the largest real: 1/d overflows, or t has lost
+ * digits; the interval may end, or be, that t. */
+static void test_lengths_of_directions(const structure *s)
+{
+    int most = real_is_float ? FLT_MAX_EXP - 3 : DBL_MAX_EXP - 3;
+    mesh m = torus_mesh(16);
+    items x = items_of_mesh(&m);
+    structure_verdict v = {0, 0, 0, 0};
+    void *built = structure_build(s, &x, "long and short directions");
+    for (size_t i = 0; built && i < check_count(2000); i++) {
+        random_stream g = random_start(21, i, 0);
+        vec3 o = random_vector(&g, 2), at = m.v[random_below(&g, m.vertices)];
+        int e = most - (int)random_below(&g, 12);
+        if (i % 2) e = -e;
+        vec3 d = vsub(at, o);
+        structure_ray(s, built, &x,
+                      ray_from(o, (vec3){ldexp(d.x, e), ldexp(d.y, e), ldexp(d.z, e)}), &v);
+    }
+    check_equal(v.wrong + v.wrong_any, 0, "%s: |d| of 2^%d and 2^-%d", s->name, most, most);
+    check_at_least(v.hits, v.rays / 5, "%s: they hit", s->name);
+    if (built) s->destroy(built);
+    mesh_free(&m);
+}
+
 /* The mailbox saves tests and changes no answer; exact marking leaves fewer references. */
 static void test_mailbox_and_marking(void)
 {
@@ -444,6 +468,8 @@ int main(void)
         structure_mesh(&s, "from 2e3 away", torus_mesh(12), check_count(600), (vec3){0, 0, 0}, 1,
                        2000);
     }
+    how = grid_defaults;
+    test_lengths_of_directions(&s), test_lengths_of_directions(&two);
     test_walk_equals_whole_numbers();
     test_drift();
     test_walk_keeps_its_promise();
