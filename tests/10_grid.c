@@ -55,7 +55,7 @@ static void test_walk_equals_whole_numbers(void)
     for (size_t i = 0; i < walks; i++) {
         whole_walk e = whole_walk_of(11, i);
         grid_line a = line_of(whole_ray(&e));
-        walk w = walk_from(&l, &a, 0);
+        grid_walk w = walk_from(&l, &a, 0);
         for (size_t s = 0; s < steps; s++) {
             walk_step(&w, walk_next_t(&w));
             whole_step(&e);
@@ -115,7 +115,7 @@ static void test_walk_keeps_its_promise(void)
             double v = fabs((double)(vaxis(box.hi, k) - vaxis(r.o, k)));
             D = fmax(D, fmax(u, v));
         }
-        walk w = walk_from(&l, &a, t);
+        grid_walk w = walk_from(&l, &a, t);
         for (real next = t; next <= to; t = next, steps++) {
             next = walk_next_t(&w);
             for (int k = 0; k < 3; k++) {
@@ -262,6 +262,26 @@ static void test_resolution(void)
     }
 }
 
+/* What stats reports suffices as a limit, one byte less does not. */
+static void check_limit_is_exact(const items *x)
+{
+    failure f;
+    grid g;
+    nested n;
+    grid_options o = grid_defaults;
+    nested_options p = nested_defaults;
+    if (!grid_build(x, o, &g, &f)) fail(f);
+    if (!nested_build(x, p, &n, &f)) fail(f);
+    o.most_bytes = grid_stats(&g).peak, p.most_bytes = nested_stats(&n).peak;
+    grid_free(&g), nested_free(&n);
+    check(grid_build(x, o, &g, &f), "grid: fits into its peak of %zu bytes", o.most_bytes);
+    check(nested_build(x, p, &n, &f), "two levels: fit into their peak of %zu", p.most_bytes);
+    grid_free(&g), nested_free(&n);
+    o.most_bytes--, p.most_bytes--;
+    check(!grid_build(x, o, &g, &f) && f.exit_code == 1, "grid: a byte less is refused");
+    check(!nested_build(x, p, &n, &f) && f.exit_code == 1, "two levels: a byte less is refused");
+}
+
 static void test_limits(void)
 {
     mesh m = teapot_mesh(8);
@@ -289,7 +309,28 @@ static void test_limits(void)
     p = nested_defaults, p.most_bytes = 100000;
     check(!nested_build(&x, p, &n, &f) && f.exit_code == 1, "two levels beyond most_bytes");
     nested_free(&n), nested_free(&n), grid_free(&g);
+    check_limit_is_exact(&x);
     mesh_free(&m);
+}
+
+/* From 1e-280 to 1e74 (float: 1e-25 to 1e5) a box has as many cells as at size 1, though its volume
+ * is no double. */
+static void test_sizes(void)
+{
+    int least = real_is_float ? -25 : -280, most = real_is_float ? 5 : 74;
+    for (int e = least; e <= most; e += 6) {
+        mesh m = torus_mesh(8);
+        failure f;
+        grid g;
+        nested n;
+        real scale = pow((real)10, (real)e);
+        for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], scale);
+        items x = items_of_mesh(&m);
+        bool built = grid_build(&x, grid_defaults, &g, &f);
+        check(built && lattice_cells(&g.cells) > 20 * m.triangles, "a grid of size 1e%d", e);
+        check(nested_build(&x, nested_defaults, &n, &f), "two levels of size 1e%d", e);
+        grid_free(&g), nested_free(&n), mesh_free(&m);
+    }
 }
 
 /* What a ray costs is not O(n), from wherever a camera stands: D up to 1023 sizes goes straight
@@ -354,6 +395,30 @@ static void test_far_rays_are_right(void)
     grid_free(&g), nested_free(&two), mesh_free(&m);
 }
 
+/* |d| from the least to the largest real: 1/d overflows, or t has lost
+ * digits; the interval may end, or be, that t. */
+static void test_lengths_of_directions(const structure *s)
+{
+    int most = real_is_float ? FLT_MAX_EXP - 3 : DBL_MAX_EXP - 3;
+    mesh m = torus_mesh(16);
+    items x = items_of_mesh(&m);
+    structure_verdict v = {0, 0, 0, 0};
+    void *built = structure_build(s, &x, "long and short directions");
+    for (size_t i = 0; built && i < check_count(2000); i++) {
+        random_stream g = random_start(21, i, 0);
+        vec3 o = random_vector(&g, 2), at = m.v[random_below(&g, m.vertices)];
+        int e = most - (int)random_below(&g, 12);
+        if (i % 2) e = -e;
+        vec3 d = vsub(at, o);
+        structure_ray(s, built, &x,
+                      ray_from(o, (vec3){ldexp(d.x, e), ldexp(d.y, e), ldexp(d.z, e)}), &v);
+    }
+    check_equal(v.wrong + v.wrong_any, 0, "%s: |d| of 2^%d and 2^-%d", s->name, most, most);
+    check_at_least(v.hits, v.rays / 5, "%s: they hit", s->name);
+    if (built) s->destroy(built);
+    mesh_free(&m);
+}
+
 /* The mailbox saves tests and changes no answer; exact marking leaves fewer references. */
 static void test_mailbox_and_marking(void)
 {
@@ -403,6 +468,8 @@ int main(void)
         structure_mesh(&s, "from 2e3 away", torus_mesh(12), check_count(600), (vec3){0, 0, 0}, 1,
                        2000);
     }
+    how = grid_defaults;
+    test_lengths_of_directions(&s), test_lengths_of_directions(&two);
     test_walk_equals_whole_numbers();
     test_drift();
     test_walk_keeps_its_promise();
@@ -411,6 +478,7 @@ int main(void)
     test_lists();
     test_resolution();
     test_limits();
+    test_sizes();
     test_far_rays_are_cheap();
     test_far_rays_are_right();
     test_mailbox_and_marking();

@@ -39,24 +39,25 @@ static inline int grid_most_cells(real side, real margin)
     return (int)real_clamp(side / (8 * margin), 1, 1 << 20);
 }
 
-/* (10.4). Axes thinner than a cell are left out, one after the other. */
+/* (10.4). Axes thinner than a cell are left out, one after the other. Sides are measured by the
+ * longest: the volume of a box of 1e-110 is 0 in double. */
 static inline void grid_resolution(aabb box, double cells, real margin, int n[3])
 {
     bool cut[3] = {true, true, true};
+    vec3 side = vsub(box.hi, box.lo);
+    real longest = vaxis(side, vlongest(side));
     for (int round = 0; round < 3; round++) {
         double volume = 1, per = 0;
         int axes = 0, thin = -1;
         for (int k = 0; k < 3; k++)
-            if (cut[k]) volume *= (double)(vaxis(box.hi, k) - vaxis(box.lo, k)), axes++;
-        if (axes > 0) per = pow(cells / volume, 1.0 / axes);  /* cells a length */
+            if (cut[k]) volume *= (double)(vaxis(side, k) / longest), axes++;
+        if (axes > 0) per = pow(cells / volume, 1.0 / axes);  /* cells along the longest side */
         for (int k = 0; k < 3; k++) {
-            real side = vaxis(box.hi, k) - vaxis(box.lo, k);
-            int most = grid_most_cells(side, margin);
-            double want = cut[k] ? (double)side * per : 1;
+            int most = grid_most_cells(vaxis(side, k), margin);
+            double want = cut[k] ? (double)(vaxis(side, k) / longest) * per : 1;
             n[k] = want < most ? (int)(want + 0.5) : most;
             n[k] = n[k] > 1 ? n[k] : 1;
-            if (cut[k] && want < 1
-                && (thin < 0 || side < vaxis(box.hi, thin) - vaxis(box.lo, thin))) thin = k;
+            if (cut[k] && want < 1 && (thin < 0 || vaxis(side, k) < vaxis(side, thin))) thin = k;
         }
         if (thin < 0) break;
         cut[thin] = false;

@@ -54,7 +54,7 @@ static inline ray whole_ray(const whole_walk *w)
 }
 
 /* Distance, along axis k, of the next wall from where t says that it is [cells]. */
-static inline double whole_error(const whole_walk *w, const walk *a)
+static inline double whole_error(const whole_walk *w, const grid_walk *a)
 {
     double worst = 0;
     for (int k = 0; k < 3; k++) {
@@ -73,7 +73,7 @@ static inline drift drift_after(drift_kind kind, size_t steps, size_t walks, uin
     for (size_t i = 0; i < walks; i++) {
         whole_walk exact = whole_walk_of(seed, i);
         grid_line a = line_of(whole_ray(&exact));
-        walk w = walk_from(&l, &a, 0);
+        grid_walk w = walk_from(&l, &a, 0);
         for (size_t s = 0; s < steps; s++) {
             real t = walk_next_t(&w);
             if (kind == DRIFT_F32) walk_step_f32(&w, t);

@@ -69,7 +69,7 @@ static inline bool grid_search(const grid *g, ray r, bool any, hit *out, search_
     if (from > end) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();
-    walk w = walk_from(&g->cells, &a, from);
+    grid_walk w = walk_from(&g->cells, &a, from);
     do {
         size_t cell = (size_t)w.cell;
         t = walk_next_t(&w);

@@ -55,8 +55,8 @@ static inline size_t lists_bytes(const cell_lists *l)
 static inline bool lists_fit(const cell_lists *l, failure *f)
 {
     if (l->references < UINT32_MAX && lists_bytes(l) <= l->most_bytes) return true;
-    return failed(f, 1, "grid of %zu cells and more than %zu references: more than %zu MB",
-                  l->cells, l->references, l->most_bytes >> 20);
+    return failed(f, 1, "grid: %zu cells and %zu references or more do not fit into %zu bytes",
+                  l->cells, l->references, l->most_bytes);
 }
 
 static inline bool lists_begin(size_t cells, size_t most_bytes, cell_lists *l, failure *f)

@@ -16,7 +16,7 @@
 
 #include "grid.h"
 
-typedef void grid_step(walk *w, real t);
+typedef void grid_step(grid_walk *w, real t);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -32,7 +32,7 @@ static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool
     real end = line_end(&a, r.tmax, to), t;
     query q = query_of(r);
     mailbox seen = mailbox_new();
-    walk w = walk_from(&g->cells, &a, from);
+    grid_walk w = walk_from(&g->cells, &a, from);
     do {
         size_t cell = (size_t)w.cell;
         t = walk_next_t(&w);

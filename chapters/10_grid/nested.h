@@ -27,7 +27,7 @@
 typedef struct {
     double outer, inner;  /* cells an item: outer grid; cell of the outer grid. 1e-6 to 1e6 */
     bool exact, mailbox;
-    size_t most_bytes;
+    size_t most_bytes;    /* at any time while it is built */
 } nested_options;
 
 #define nested_defaults ((nested_options){0.1, 4, true, true, (size_t)1 << 30})
@@ -118,7 +118,11 @@ static inline bool nested_mark(nested *x, const cell_lists *outer, bool exact, f
 
 static inline bool nested_fill(nested *x, const cell_lists *outer, nested_options how, failure *f)
 {
-    size_t cells = 0;
+    size_t cells = 0, held = lists_bytes(outer) + outer->cells * sizeof *x->part_of
+                             + (outer->marked_cells + 1) * sizeof *x->part;
+    if (held > how.most_bytes)
+        return failed(f, 1, "two-level grid: %zu outer cells do not fit into %zu bytes",
+                      outer->cells, how.most_bytes);
     x->part_of = allocate(outer->cells, sizeof *x->part_of);
     x->part = allocate(outer->marked_cells + 1, sizeof *x->part);
     for (size_t c = 0; c < outer->cells; c++) {
@@ -126,7 +130,7 @@ static inline bool nested_fill(nested *x, const cell_lists *outer, nested_option
         if (k && !nested_cut(x, c, outer->item + outer->first[c], k, how.inner, &cells))
             return failed(f, 1, "two-level grid: more than %u cells", (unsigned)UINT32_MAX);
     }
-    if (!lists_begin(cells, how.most_bytes, &x->g.lists, f)) return false;
+    if (!lists_begin(cells, how.most_bytes - held, &x->g.lists, f)) return false;
     if (!nested_mark(x, outer, how.exact, f)) return false;
     lists_sum(&x->g.lists);
     nested_mark(x, outer, how.exact, f);
@@ -184,7 +188,7 @@ static inline bool nested_search_part(const nested *x, const nested_part *p, con
 {
     if (!grid_span(p->box, a, &t, &leave) || t > *end) return false;
     lattice inner = nested_lattice(p);
-    walk w = walk_from(&inner, a, t);
+    grid_walk w = walk_from(&inner, a, t);
     w.cell += p->base;
     do {
         size_t cell = (size_t)w.cell;
@@ -211,7 +215,7 @@ static inline bool nested_search(const nested *x, ray r, bool any, hit *out, sea
     if (from > end) return false;
     query q = query_of(r);
     mailbox seen = mailbox_new();
-    walk w = walk_from(&g->cells, &a, from);
+    grid_walk w = walk_from(&g->cells, &a, from);
     for (;; from = t) {
         uint32_t part = x->part_of[w.cell];
         t = walk_next_t(&w);

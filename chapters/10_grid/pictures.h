@@ -13,6 +13,7 @@
 #include "../../common/parallel.h"
 #include "../02_camera/headlight.h"
 #include "bench.h"
+#include "heat.h"
 #include "naive.h"
 #include "nested.h"
 
@@ -74,20 +75,6 @@ static inline vec3 see_mesh(const panel *p, ray r)
     return headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
 }
 
-/* Black, blue, violet, orange, white: rising brightness. */
-static inline vec3 work_colour(real x)
-{
-    static const real level[5][3] = {{0, 0, 0},
-                                     {(real)0.05, (real)0.06, (real)0.45},
-                                     {(real)0.5, (real)0.07, (real)0.4},
-                                     {(real)0.95, (real)0.45, (real)0.05},
-                                     {1, 1, 1}};
-    x = real_clamp(x, 0, 1) * 4;
-    int i = x < 3 ? (int)x : 3;
-    const real *a = level[i], *b = level[i + 1];
-    return mix((vec3){a[0], a[1], a[2]}, (vec3){b[0], b[1], b[2]}, x - (real)i);
-}
-
 static inline vec3 see_work(const panel *p, ray r)
 {
     search_work w = {0, 0, 0, 0};
@@ -127,7 +114,7 @@ static inline vec3 see_cells(const panel *p, ray r)
     bool found = grid_hit(g, r, &h);
     vec3 shown = found ? headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d) : paper;
     if (!grid_span(g->box, &a, &t, &to)) return shown;
-    walk w = walk_from(&g->cells, &a, t);
+    grid_walk w = walk_from(&g->cells, &a, t);
     for (; t <= to && t <= h.t; t = walk_next_t(&w), t <= to ? walk_step(&w, t) : (void)0) {
         if (!cell_marked(&g->lists, (size_t)w.cell)) continue;
         vec3 at = ray_at(r, t), f = vmul(vsub(at, g->cells.lo), g->cells.per), n = {0, 0, 0};

@@ -6,12 +6,12 @@
  *      |  .--*     |     |      The next wall is the one of the smallest t. Step over it: j + 1 on
  *    o-*-----+-----+-----+      that axis.
  *
- *   grid_line a = line_of(r)                        once a ray
+ *   grid_line a = line_of(r)                   once a ray
  *   line_begin(&a, r.tmin, from)               the later of the two, in the t of the walk
  *   line_end(&a, r.tmax, to)                   the earlier
- *   walk w = walk_from(&l, &a, t)              the cell at t; the cell's number is w.cell
+ *   grid_walk w = walk_from(&l, &a, t)         the cell at t; the cell's number is w.cell
  *   real t = walk_next_t(&w)                   where the ray leaves it; infinity: no wall ahead
- *   walk_step(&w, t)                           into the next one
+ *   walk_step(&w, t)                           into the next one, if t is not infinite
  *   walk_step_naive(&w, t)                     t_k += step_k: drifts
  *   int i = walk_index(&l, &w, k)              which cell on axis k
  *
@@ -50,7 +50,7 @@ typedef struct {
     vec3 first, step;    /* (10.3) */
     vec3 j, last;        /* walls passed; walls in all */
     ptrdiff_t cell, stride[3];
-} walk;
+} grid_walk;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -127,9 +127,9 @@ static inline int walk_axis(real lo, real size, real per, int n, real o, real d,
 }
 
 __attribute__((always_inline))
-static inline walk walk_from(const lattice *l, const grid_line *a, real t)
+static inline grid_walk walk_from(const lattice *l, const grid_line *a, real t)
 {
-    walk w = {.j = {0, 0, 0}};
+    grid_walk w = {.j = {0, 0, 0}};
     int x = walk_axis(l->lo.x, l->size.x, l->per.x, l->n[0], a->o.x, a->d.x, a->inverse.x, t,
                       &w.first.x, &w.step.x, &w.last.x, &w.t.x);
     int y = walk_axis(l->lo.y, l->size.y, l->per.y, l->n[1], a->o.y, a->d.y, a->inverse.y, t,
@@ -145,14 +145,14 @@ static inline walk walk_from(const lattice *l, const grid_line *a, real t)
 }
 
 __attribute__((always_inline))
-static inline real walk_next_t(const walk *w)
+static inline real walk_next_t(const grid_walk *w)
 {
     return real_min(real_min(w->t.x, w->t.y), w->t.z);
 }
 
 /* The axis that is stepped along; t counted afresh, (10.3). */
 __attribute__((always_inline))
-static inline void walk_step_axis(walk *w, ptrdiff_t stride, real *t, real *j, real last,
+static inline void walk_step_axis(grid_walk *w, ptrdiff_t stride, real *t, real *j, real last,
                                   real first, real step)
 {
     w->cell += stride;
@@ -160,10 +160,12 @@ static inline void walk_step_axis(walk *w, ptrdiff_t stride, real *t, real *j, r
     *t = *j < last ? first + *j * step : real_infinity;
 }
 
-/* t = walk_next_t(w), not infinite. Where two walls are met at once, the cell between is passed in
- * no time. Branches, because the processor guesses well: a ray mostly has one axis that is fast. */
+/* t = walk_next_t(w). Where it is infinite no wall is ahead, and w is of no use any more: its cell
+ * is past the lattice. Where two walls are met at once, the cell
+ * between is passed in no time. Branches, because the processor guesses well: a ray mostly has one
+ * axis that is fast. */
 __attribute__((always_inline))
-static inline void walk_step(walk *w, real t)
+static inline void walk_step(grid_walk *w, real t)
 {
     if (w->t.x == t)
         walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, w->first.x, w->step.x);
@@ -174,7 +176,7 @@ static inline void walk_step(walk *w, real t)
 
 /* As published: t += step. */
 __attribute__((always_inline))
-static inline void walk_step_naive(walk *w, real t)
+static inline void walk_step_naive(grid_walk *w, real t)
 {
     if (w->t.x == t)
         walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, t + w->step.x, 0);
@@ -185,7 +187,7 @@ static inline void walk_step_naive(walk *w, real t)
 
 /* The same with t and step in float, whatever real is: an exhibit. */
 __attribute__((always_inline))
-static inline void walk_step_f32(walk *w, real t)
+static inline void walk_step_f32(grid_walk *w, real t)
 {
     float s = (float)t;
     if (w->t.x == t)
@@ -199,7 +201,7 @@ static inline void walk_step_f32(walk *w, real t)
                        0);
 }
 
-static inline int walk_index(const lattice *l, const walk *w, int k)
+static inline int walk_index(const lattice *l, const grid_walk *w, int k)
 {
     ptrdiff_t row = l->n[0], layer = row * l->n[1];
     return (int)(k == 0 ? w->cell % row : k == 1 ? w->cell % layer / row : w->cell / layer);

@@ -60,7 +60,7 @@ static inline void figure_mark(const walk_figure *f, const items *x, bool exact,
 static inline void figure_walk(walk_figure *f)
 {
     grid_line a = line_of(f->r);
-    walk w = walk_from(&f->cells, &a, 0);
+    grid_walk w = walk_from(&f->cells, &a, 0);
     for (real t = 0; f->walls < figure_most;) {
         f->passed[w.cell] = true;
         t = walk_next_t(&w);
