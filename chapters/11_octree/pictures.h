@@ -9,6 +9,7 @@
 
 #include "../../common/parallel.h"
 #include "../02_camera/headlight.h"
+#include "../10_grid/heat.h"
 #include "measure.h"
 
 typedef struct {
@@ -100,21 +101,6 @@ static inline void cells_pixel(int x, int y, void *context)
 static inline bool draw_cells(octree_picture p, int threads)
 {
     return parallel_pixels(p.im->width, p.im->height, threads, "cells", cells_pixel, &p);
-}
-
-/* Black, blue, violet, orange, white: rising brightness, so that it also reads in grey. */
-static inline vec3 work_colour(real x)
-{
-    static const real scale[5][3] = {{0, 0, 0},
-                                     {(real)0.05, (real)0.06, (real)0.45},
-                                     {(real)0.5, (real)0.07, (real)0.4},
-                                     {(real)0.95, (real)0.45, (real)0.05},
-                                     {1, 1, 1}};
-    x = real_clamp(x, 0, 1) * 4;
-    int i = x < 3 ? (int)x : 3;
-    real f = x - (real)i, c[3];
-    for (int k = 0; k < 3; k++) c[k] = (1 - f) * scale[i][k] + f * scale[i + 1][k];
-    return (vec3){c[0], c[1], c[2]};
 }
 
 static inline void work_pixel(int x, int y, void *context)

@@ -11,6 +11,7 @@
 #define BSP_PICTURES_H
 
 #include "bsp.h"
+#include "../10_grid/heat.h"
 #include "../10_grid/survey.h"
 #include "../../common/image.h"
 #include "../../common/parallel.h"
@@ -66,18 +67,6 @@ static inline void slice_pixel(int x, int y, void *context)
         sum = vmadd(sum, cell_tint(p->b, leaf_of(p->b, vsub(at, p->b->middle))), (real)1 / 9);
     }
     image_set(p->im, x, y, sum);
-}
-
-/* Black, blue, violet, orange, white: rising brightness, so that it also reads in grey. */
-static inline vec3 work_colour(real x)
-{
-    static const double scale[5][3] = {
-        {0, 0, 0}, {0.05, 0.06, 0.45}, {0.5, 0.07, 0.4}, {0.95, 0.45, 0.05}, {1, 1, 1}};
-    x = real_clamp(x, 0, 1) * 4;
-    int i = x < 3 ? (int)x : 3;
-    real f = x - (real)i, c[3];
-    for (int k = 0; k < 3; k++) c[k] = (1 - f) * (real)scale[i][k] + f * (real)scale[i + 1][k];
-    return (vec3){c[0], c[1], c[2]};
 }
 
 static inline void work_pixel(int x, int y, void *context)

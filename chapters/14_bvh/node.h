@@ -42,6 +42,7 @@
 #define BVH_NODE_H
 
 #include "../04_triangle/triangle.h"
+#include "../09_aabb/float_round.h"
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -61,22 +62,6 @@ typedef struct {
 _Static_assert(sizeof(bvh_node) == 32, "two nodes fill one line of the cache");
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* The largest float <= x. The nearest one, or where that is above x the one before it: its bits, as
- * a number, less one, or one more if it is negative. (FLT_MAX comes before infinity, and -2^-149
- * before -0.) Which of the two is a coin toss: no branch, or building takes a third longer. */
-static inline float float_below(real x)
-{
-    float f = (float)x;
-    uint32_t bits, above = (real)f > x;
-    memcpy(&bits, &f, sizeof bits);
-    bits += 2 * (bits >> 31 & above) - above;
-    memcpy(&f, &bits, sizeof f);
-    return f;
-}
-
-/* A float >= x. */
-static inline float float_above(real x) { return -float_below(-x); }
 
 /* A float > x by at least the error of the last operation that made x: x + |x| 2^-24. Below all
  * floats it is a NaN, and then the comparisons leave the plane out. */

@@ -1,7 +1,8 @@
 /* sort.h: floats sorted in O(n), by their digits (基数排序, radix sort).
  *
- *   uint32_t key = float_key(x)       a < b as floats: key(a) < key(b); -0 and 0 have the same
  *   sort_pairs(pair, spare, n)        by key; equal keys keep their order; spare[n] is overwritten
+ *
+ * The key of a float is float_key of 09.
  *
  * No two keys are compared. They are thrown into 256 drawers by their last 8 bits, taken out drawer
  * by drawer, thrown again by the next 8 bits, and so on: four passes. Each keeps the order that the
@@ -19,16 +20,6 @@
 typedef struct { uint32_t key, place; } sort_pair;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Floats as whole numbers in the same order: all bits of a negative one are turned, the sign of
- * others. */
-static inline uint32_t float_key(float x)
-{
-    uint32_t bits;
-    x += 0.0f;  /* -0 becomes 0 */
-    memcpy(&bits, &x, sizeof bits);
-    return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
 
 /* Few are sorted by insertion. */
 static inline void sort_pairs(sort_pair *pair, sort_pair *spare, size_t n)

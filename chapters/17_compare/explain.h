@@ -161,7 +161,7 @@ static inline void explain_bvh(const void *s, const wrong_ray *w, FILE *out)
     const bvh_tree *t = bvh_items_tree(b);
     uint32_t path[bvh_most_depth + 1];
     if (t->items == 0) return;
-    box_ray q = box_ray_of(w->r, &t->node[0].box);
+    box_ray q = box_ray_of(w->r, &t->node[0].box, NULL);
     real delta = box_reach(&t->node[0].box, w->r.o) * 512 * real_epsilon;
     vec3 p = ray_at(w->r, w->due.t);
     int depth = bvh_leaf_of(b, w->due.shape, p, delta, path);
