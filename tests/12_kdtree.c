@@ -306,6 +306,77 @@ static void test_frame(void)
     mesh_free(&m);
 }
 
+/* Leaves with items in them that the ray meets before t: each cell made larger by `spare`. */
+static size_t leaves_met(const kdtree *t, uint32_t at, kd_box cell, ray r, real until, real spare)
+{
+    kd_node n = t->node[at];
+    real enter = r.tmin, exit = until;
+    for (int k = 0; k < 3; k++) {
+        real o = vaxis(r.o, k), d = vaxis(r.d, k);
+        real a = ((real)cell.lo[k] - spare - o) / d, b = ((real)cell.hi[k] + spare - o) / d;
+        enter = real_max(real_min(a, b), enter), exit = real_min(real_max(a, b), exit);
+    }
+    if (enter > exit) return 0;
+    if (kd_is_leaf(n)) return kd_count(n) > 0;
+    kd_box lower = cell, upper = cell;
+    lower.hi[kd_axis(n)] = upper.lo[kd_axis(n)] = n.plane;
+    return leaves_met(t, kd_lower(n), lower, r, until, spare)
+           + leaves_met(t, kd_lower(n) + 1, upper, r, until, spare);
+}
+
+/* No leaf is asked that the ray does not meet, or only behind its hit. The spare room is twice the
+ * delta of (12.3), D < 32: o + delta is rounded up. Floats serve also for t: 2^-20 of it more. */
+static void test_no_more(void)
+{
+    mesh m = teapot_mesh(8);
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree t;
+    size_t asked_not_met = 0, asked = 0;
+    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
+    for (size_t i = 0; i < check_count(3000); i++) {
+        random_stream g = random_start(91, i, 0);
+        vec3 o = vscale(random_vector(&g, 1), 8);
+        ray r = ray_from(o, vsub(random_vector(&g, 3), o));
+        hit h = hit_none;
+        search_work w = {0, 0, 0, 0};
+        real until = kdtree_hit_counted(&t, r, &h, &w) ? h.t * (1 + (real)0x1p-20) : r.tmax;
+        real spare = 32 * ((real)0x1p-20 + 1024 * real_epsilon);
+        asked += w.leaves;
+        asked_not_met += w.leaves > leaves_met(&t, 0, t.box, r, until, spare);
+    }
+    check_equal(asked_not_met, 0, "rays that ask more leaves than they meet; %zu asked", asked);
+    kdtree_free(&t);
+    mesh_free(&m);
+}
+
+/* An eye beyond all floats: o + delta is infinite, t of a plane is a NaN or infinite, and no child
+ * may be dropped for that. Along an axis even such a ray hits. In float there is no such place. */
+static void test_beyond(void)
+{
+    mesh m = torus_mesh(16);
+    items x = items_of_mesh(&m);
+    failure f;
+    kdtree t;
+    size_t wrong = 0, hits = 0, rays = real_is_float ? 0 : check_count(2000);
+    check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_BOTH), &t, &f), "built");
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(101, i, 0);
+        vec3 o = m.v[m.index[random_below(&g, 3 * m.triangles)]], d = {0, 0, 0};
+        real far = i % 2 ? (real)1e30 * (real)1e30 : (real)1e30 * (real)1e9;
+        if (i / 2 % 2) far = -far;
+        ((real *)&o)[i % 3] = far, ((real *)&d)[i % 3] = far < 0 ? 1 : -1;
+        hit a = hit_none, b = hit_none;
+        ray r = ray_from(o, d);
+        bool ga = mesh_hit(&m, r, &a);
+        hits += ga, wrong += !same(ga, a, kdtree_hit(&t, r, &b), b);
+    }
+    check_equal(wrong, 0, "from an eye beyond all floats: as brute force");
+    check_at_least(hits, rays / 2, "and they hit");
+    kdtree_free(&t);
+    mesh_free(&m);
+}
+
 /* The counted searches are the same searches; the counts add up. */
 static void test_counts(void)
 {
@@ -341,5 +412,7 @@ int main(void)
     test_limits();
     test_frame();
     test_counts();
+    test_no_more();
+    test_beyond();
     return check_report("12_kdtree");
 }

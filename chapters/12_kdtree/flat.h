@@ -165,7 +165,7 @@ static inline void draw_flat(const options *o)
     flat_init(&middle, KD_MIDDLE, (real)1e-3), flat_init(&sah, KD_SAH, 1000);
     flat_picture p = {{&middle, &sah}, &im};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "flat", flat_pixel, &p);
-    printf("# in the plane: the ray visits %d cells cut in the middle, %d by SAH\n", middle.cells,
+    printf("# in the plane: the ray passes %d cells cut in the middle, %d by SAH\n", middle.cells,
            sah.cells);
     output_picture(o, &im, "12_kdtree_flat.png", false, whole);
     kdtree_free(&middle.t), kdtree_free(&sah.t);
