@@ -81,7 +81,7 @@ static void test_naive(void)
     check_at_least(strict_one, 2 * strict, "and twice as many if one child has what is in a plane");
     check_equal(wrong_of(kdtree_hit_textbook, &one, &m, rays, true), 0,
                 "one child has it, but both are visited: enough");
-    check_at_least(wrong_of(kdtree_hit_textbook, &both, &m, rays, false), 1,
+    check_at_least(wrong_of(kdtree_hit_textbook, &both, &m, 4000, false), 1,  /* always as many */
                    "aimed rays, rounded: the textbook loses hits");
     check_equal(wrong_of(kdtree_hit, &both, &m, rays, false), 0, "aimed rays: padded search");
     check_equal(wrong_of(kdtree_hit, &one, &m, rays, false), 0, "the same, kept in one child");
