@@ -5,8 +5,8 @@
  *       bits & 3 = 3         leaf (叶节点): items first .. first + kd_count(n) - 1
  *
  *   kd_lower(n)              number of the child (子节点) below the plane; the one above is the next
- *   kd_full(n, child)        child 0, below, 1, above: is there anything in it? Known beforehand, so
- *                            that a search does not look into empty cells: most of those it passes
+ *   kd_full(n, child)        child 0 (below) or 1 (above): is there anything in it? So a search
+ *                            need not look into empty cells, and they are most of those it passes
  *
  *   kd_frame                 where the tree lives: x' = scale (x - centre), scale a power of two
  *   kd_ray_of(r, &frame, &box, &q)             prepares the ray once
@@ -54,8 +54,8 @@ _Static_assert(sizeof(kd_node) == 8, "eight nodes fill a line of the cache");
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* An inner node: two bits for the axis, two for what is full, the rest numbers the pair of children.
- * A leaf: two bits, and how many items. */
+/* An inner node: two bits for the axis, two for what is full, the rest numbers the pair of
+ * children. A leaf: two bits, and how many items. */
 static inline kd_node kd_inner(float at, int axis, size_t lower, bool below, bool above)
 {
     return (kd_node){.plane = at, .bits = (uint32_t)(lower / 2) << 4 | (uint32_t)above << 3
@@ -130,9 +130,9 @@ static inline float kd_ray_limit(const kd_ray *q, real t)
     return (real)f >= x ? f : kd_beyond(x);
 }
 
-/* Also the part of the ray in the box, as in 09, with near and far planes seen from two origins. Each
- * comparison keeps its second argument against a NaN. Written where it is used: a copy of what has
- * just been stored number by number would wait for it, 15 ns a ray. */
+/* Also the part of the ray in the box, as in 09, with near and far planes seen from two origins.
+ * Each comparison keeps its second argument against a NaN. Written where it is used: a copy of what
+ * has just been stored number by number would wait for it, 15 ns a ray. */
 __attribute__((always_inline))
 static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, kd_ray *q)
 {

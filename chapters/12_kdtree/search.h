@@ -12,7 +12,7 @@
  *                                                                                          (12.2)
  *
  * Both, also where the plane is passed just at enter or just at exit: a ray in a plane, or through
- * a corner of cells, looks into all cells that it touches.
+ * a corner of cells, looks into all cells that it touches. But not into an empty child: kd_full.
  *
  * What is found in a leaf may lie beyond its cell, and something nearer in a cell to come: the hit
  * is kept as the best so far, and is final when the next part begins beyond it: enter > tmax. Not
