@@ -175,7 +175,8 @@ static void test_clip(bool thick)
         judge(&above, &below, &now, &bu, spare, slack, &v);
     }
     check_equal(v.lost, 0, "each point of a triangle lies in the box of one of its parts");
-    check_at_most(v.contacts, v.parts / 1000, "nearly always in that of the part it belongs to");
+    /* points are counted, and one part may have 64 */
+    check_at_most(v.contacts, v.parts / 1000 + 64, "nearly always in that of its own part");
     check_equal(v.loose, 0, "boxes of parts are tight; farthest %g", v.worst);
     check_at_least(v.parts - v.empty, v.parts / 4, "triangles reach into their boxes");
     check_at_least(v.empty, v.parts / 20, "and some do not");

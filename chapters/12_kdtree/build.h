@@ -108,7 +108,7 @@ static inline bool kd_leaf(kd_builder *b, size_t at, size_t begin, size_t n)
         return failed(b->f, 2, "k-d tree: more than 2^32 references");
     if (!kd_room(b, &b->index, first, first + n, &b->index_room, sizeof *b->index)) return false;
     for (size_t i = 0; i < n; i++) b->index[first + i] = b->item[begin + i].index;
-    t->node[at] = (kd_node){.first = (uint32_t)first, .rest = (uint32_t)n << 2 | 3};
+    t->node[at] = kd_leaf_node(first, n);
     t->references += n;
     return true;
 }
@@ -135,10 +135,10 @@ static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, con
     if (!kd_wants(b, begin, n, cell, depth, doubled, &c)) return kd_leaf(b, at, begin, n);
     if (!kd_partition(b, begin, n, c, &below, &above)) return false;
     if (below + above > n + n / 2) doubled++;
-    if (first + 2 >= (size_t)1 << 30) return failed(b->f, 2, "k-d tree: more than 2^30 nodes");
+    if (first + 2 > (size_t)1 << 29) return failed(b->f, 2, "k-d tree: more than 2^29 nodes");
     if (!kd_room(b, &t->node, first, first + 2, &b->node_room, sizeof *t->node)) return false;
     t->nodes += 2;
-    t->node[at] = (kd_node){.plane = c.plane, .rest = (uint32_t)first << 2 | (uint32_t)c.axis};
+    t->node[at] = kd_inner(c.plane, c.axis, first, below > 0, above > 0);
     kd_box lower = *cell, upper = *cell;
     lower.hi[c.axis] = upper.lo[c.axis] = c.plane;
     return kd_cell(b, first + 1, begin + n, above, &upper, depth + 1, doubled)
@@ -214,7 +214,7 @@ static inline bool kd_grow(kd_builder *b, const aabb *all)
                 && kd_room(b, &t->node, 0, 2, &b->node_room, sizeof *t->node);
     if (done) {
         t->nodes = 2;
-        t->node[0] = t->node[1] = (kd_node){.rest = 3};
+        t->node[0] = t->node[1] = kd_leaf_node(0, 0);
         done = kd_cell(b, 0, 0, n, &t->box, 0, 0);
     }
     kd_give_back(b, &b->item, b->item_room, sizeof *b->item);

@@ -76,9 +76,9 @@ static inline void flat_visit(flat_figure *f, uint32_t at, real enter, real exit
         if (f->cells < flat_most_cells) f->cell[f->cells++] = at;
         return;
     }
-    int k = (int)(n.rest & 3);
+    int k = kd_axis(n);
     real t = ((real)n.plane - vaxis(f->r.o, k)) / vaxis(f->r.d, k);
-    uint32_t below = n.rest >> 2, near = vaxis(f->r.d, k) > 0 ? below : below + 1;
+    uint32_t below = kd_lower(n), near = vaxis(f->r.d, k) > 0 ? below : below + 1;
     flat_visit(f, near, enter, real_min(t, exit));
     flat_visit(f, near ^ 1, real_max(t, enter), exit);
 }
@@ -124,9 +124,9 @@ static inline vec3 flat_colour(const flat_figure *f, real x, real y)
     bool line = false;
     for (int depth = 0; !kd_is_leaf(f->t.node[at]); depth++) {
         kd_node n = f->t.node[at];
-        real off = (n.rest & 3 ? y : x) - (real)n.plane;
+        real off = (kd_axis(n) ? y : x) - (real)n.plane;
         line = line || fabs(off) < (real)0.05 / (1 + (real)depth / 2);
-        at = (n.rest >> 2) + (off > 0);
+        at = kd_lower(n) + (off > 0);
     }
     for (int i = 0; i < f->cells; i++)
         if (f->cell[i] == at) c = flat_rank(i, f->cells);
@@ -165,7 +165,7 @@ static inline void draw_flat(const options *o)
     flat_init(&middle, KD_MIDDLE, (real)1e-3), flat_init(&sah, KD_SAH, 1000);
     flat_picture p = {{&middle, &sah}, &im};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "flat", flat_pixel, &p);
-    printf("# in the plane: the ray visits %d cells cut in the middle, %d by SAH\n", middle.cells,
+    printf("# in the plane: the ray passes %d cells cut in the middle, %d by SAH\n", middle.cells,
            sah.cells);
     output_picture(o, &im, "12_kdtree_flat.png", false, whole);
     kdtree_free(&middle.t), kdtree_free(&sah.t);

@@ -65,7 +65,7 @@ static inline void plot_of_bonus(const options *o, const subject *s)
 {
     plot p = plot_new("Bonus for cutting off empty space", "bonus", "a diffuse ray", 0);
     int nodes = plot_series(&p, "nodes"), leaves = plot_series(&p, "leaves");
-    int empty = plot_series(&p, "empty leaves"), tests = plot_series(&p, "tests");
+    int tests = plot_series(&p, "tests");
     static const double bonus[6] = {0, 0.1, 0.2, 0.3, 0.5, 0.8};
     for (int i = 0; i < 6; i++) {
         kdtree t;
@@ -75,7 +75,6 @@ static inline void plot_of_bonus(const options *o, const subject *s)
         search_work w = rays_count(&t, &s->diffuse);
         plot_add(&p, nodes, how.empty_bonus, per((double)w.nodes, s->diffuse.n));
         plot_add(&p, leaves, how.empty_bonus, per((double)w.leaves, s->diffuse.n));
-        plot_add(&p, empty, how.empty_bonus, per((double)w.empty, s->diffuse.n));
         plot_add(&p, tests, how.empty_bonus, per((double)w.tests, s->diffuse.n));
         kdtree_free(&t);
     }

@@ -11,7 +11,7 @@ typedef bool kd_searcher(const kdtree *t, ray r, hit *out);
 typedef struct { const char *name; kdtree_options options; kd_searcher *search; } candidate;
 
 #define KD_HOW(strategy, bonus, clip, planar) \
-    {strategy, 4, 0, 1, 0.5, bonus, clip, planar, SIZE_MAX / 4}
+    {strategy, 4, 0, 1, kdtree_item_cost, bonus, clip, planar, SIZE_MAX / 4}
 
 enum { candidates = 10, structures = 6 };  /* the first six are trees, the others other searches */
 static const candidate candidate_list[candidates] = {

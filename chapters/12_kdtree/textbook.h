@@ -38,10 +38,10 @@ typedef struct { uint32_t node; real enter, exit; } kd_part;
 static inline bool kd_textbook_step(kd_node n, vec3 o, vec3 d, kd_manner manner, kd_part *p,
                                     kd_part *later)
 {
-    int k = (int)(n.rest & 3);
+    int k = kd_axis(n);
     real at = (real)n.plane, ok = vaxis(o, k), dk = vaxis(d, k), t = (at - ok) / dk;
     uint32_t below = ok < at || (ok == at && dk > 0) ? 0 : 1;
-    uint32_t near = (n.rest >> 2) + below, far = near ^ 1;
+    uint32_t near = kd_lower(n) + below, far = near ^ 1;
     bool strict = manner == KD_STRICT;
     p->node = near;
     if (t > p->exit || t < 0 || (strict && t >= p->exit)) return false;
