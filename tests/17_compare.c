@@ -2,6 +2,7 @@
  * purpose is found out and explained; costs add up; and the program, seen from outside. */
 #include "../chapters/17_compare/growth.h"
 #include "../chapters/17_compare/modes.h"
+#include "../chapters/17_compare/summary.h"
 #include "check.h"
 #include <sys/wait.h>
 
@@ -121,6 +122,37 @@ static void test_memory(void)
           "what does not fit is not timed");
     fclose(out);
     stage_end(&s);
+    world_free(&w);
+}
+
+/* All together stay within the limit, at any time; what the last ones need, the first may take. */
+static void test_memory_together(void)
+{
+    world w = tiny("teapot");
+    stage s;
+    size_t all = 0, most = 0, fit[3];
+    stage_begin(&s, &w, everybody, (size_t)1 << 30, 1);
+    for (int i = 0; i < s.entries; i++) {
+        structure_stats st = s.entry[i].stats;
+        most = all + st.peak > most ? all + st.peak : most;
+        all += st.bytes;
+    }
+    stage_end(&s);
+    for (int part = 0; part < 3; part++) {
+        size_t limit = most * (size_t)(part + 1) / 3, held = 0;
+        stage_begin(&s, &w, everybody, limit, 2);
+        fit[part] = 0;
+        for (int i = 0; i < s.entries; i++) {
+            const entry *e = &s.entry[i];
+            if (!e->s) continue;
+            check_at_most((double)(held + e->stats.peak), (double)limit, "%s: within what is left",
+                          e->c->name);
+            held += e->stats.bytes;
+            fit[part]++;
+        }
+        stage_end(&s);
+    }
+    check(fit[0] > 1 && fit[0] < fit[2], "%zu, %zu, %zu fit", fit[0], fit[1], fit[2]);
     world_free(&w);
 }
 
@@ -297,7 +329,8 @@ static void forget(const contender *c, void *s, uint32_t lost, uint32_t other)
     octree *o = s;
     kdtree *k = s;
     bsp *b = s;
-    if (c == &grid_contender) scrub(g->lists.item, g->lists.references, lost, other);
+    if (c == &grid_contender || c == &nested_contender)  /* whose first member is a grid */
+        scrub(g->lists.item, g->lists.references, lost, other);
     if (c == &octree_contender) scrub(o->reference, o->references, lost, other);
     if (c == &bsp_contender) scrub(b->reference, b->references, lost, other);
     for (size_t i = 0, n = c == &kdtree_contender ? k->references : 0, kept = 0; i < n; i++)
@@ -387,6 +420,23 @@ static void test_dream(void)
     mesh_free(&m);
 }
 
+/* A structure alone is proved by brute force alone, and nothing proves nothing. */
+static void test_alone(void)
+{
+    world w = tiny("tetra");
+    stage s;
+    unsigned alone = 1u << contender_number(&bvh_contender);
+    for (int k = 0; k < 3; k++) {
+        stage_begin(&s, &w, k == 0 ? 0 : k == 1 ? alone : alone | 2, (size_t)1 << 30, 1);
+        stage_rays(&s, whole_view, 16, 7);
+        check(stage_prove(&s, 80, 7, stdout), "all right");
+        check((s.by_brute > 0) == (k > 0) && (s.proved > s.by_brute) == (k == 2),
+              "%d structures: %zu proved, %zu by brute force", k, s.proved, s.by_brute);
+        stage_end(&s);
+    }
+    world_free(&w);
+}
+
 /* Costs. --------------------------------------------------------------------------------------- */
 
 static void test_costs(void)
@@ -403,6 +453,16 @@ static void test_costs(void)
     check_close(bench_total(&s, b, 1e6), 0.7, 1e-9, "building and a million rays");
     check_close(b->build / (bench_mean(&s, a) - bench_mean(&s, b)), 277778, 1, "pays after");
     check_equal(bench_ns(a, KIND_MIRROR), 0, "no rays, no time");
+}
+
+static void test_winners(void)
+{
+    summary m = {.chosen = 1u | 2 | 4};
+    summary_row r = {"x", {3e-6, 1e-6, 2e-6, 1e-9}, {0, 5, 0.5, 0}};
+    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
+    check(strcmp(summary_fastest(&m, &r, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
+    r.ray[1] = -1;
+    check(strcmp(summary_fastest(&m, &r, 1, 0), "nested") == 0, "what does not fit does not win");
 }
 
 static void test_growth(void)
@@ -447,7 +507,9 @@ static void test_misuse(void)
         {"--hits x", "--rays"}, {"--any-hit", "--rays"}, {"--region 0,0,1,1", "--verify"},
         {"--verify --region 0,0,1", "X0,Y0,X1,Y1"}, {"--verify --region 0,0,nan,1", "nan"},
         {"--verify --region 0,1,1,0", "Y0 < Y1"}, {"--memory 0", "from 1"},
-        {"--rays r --verify", "one of them"}};
+        {"--rays r --verify", "one of them"}, {"--verify --csv x", "tables"},
+        {"--protocol spd --csv x", "tables"}, {"--scene balls --out x.png", "picture"},
+        {"--out x.png --csv y", "one of them"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         check_equal(run(wrong[i].arguments), 2, "%s", wrong[i].arguments);
         check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
@@ -535,7 +597,8 @@ static void test_program(void)
     check(printed("out", "primary tetra 6 bvh: "), "a line");
     check(printed("out", "hits 49950\n"), "that ends with the number of hits");
     check_equal(run("--scene soup --scale 4 --memory 1 --quick"), 0, "not enough memory for some");
-    check(!printed("out", "does not fit") || printed("out", "brute"), "their rows say so");
+    check(printed("out", "# kdtree does not fit: ") && printed("out", "\nbrute "),
+          "they say so, and the others go on");
 }
 
 int main(void)
@@ -544,6 +607,9 @@ int main(void)
     test_equality();
     test_counted();
     test_memory();
+    test_memory_together();
+    test_alone();
+    test_winners();
     test_kinds();
     test_aim();
     test_shrunk_box("teapot");
@@ -552,6 +618,7 @@ int main(void)
     for (int k = 1; k < contenders; k++)
         for (int any = 0; any < 2; any++) test_lost_way(contender_list[k], any);
     test_forgotten(&grid_contender);
+    test_forgotten(&nested_contender);
     test_forgotten(&octree_contender);
     test_forgotten(&kdtree_contender);
     test_forgotten(&bsp_contender);

@@ -66,9 +66,9 @@ static inline void bench_kind(stage *s, ray_kind kind, int rounds)
             entry *e = &s->entry[k];
             if (!e->s || (round < 0 && e->c == &brute_contender)) continue;
             ray_set some = rays_some(&s->rays[kind], e->rays[kind]);
-            double start = clock_seconds();
+            double start = work_seconds();
             e->hits[kind] = e->c->search(e->s, some.r, some.n, kind == KIND_SHADOW, out);
-            if (round >= 0) seconds[k][round] = clock_seconds() - start;
+            if (round >= 0) seconds[k][round] = work_seconds() - start;
             rays_free(&some);
         }
     for (int k = 0; k < s->entries; k++)
