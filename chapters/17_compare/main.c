@@ -136,7 +136,8 @@ int main(int argc, char **argv)
          "all rays by brute force, too; explain what differs"},
         {"region", OPTION_TEXT, &own.region, 0, 0,
          "with --verify: X0,Y0,X1,Y1 of the view, -1 to 1"},
-        {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20, "MB that all structures may hold together"},
+        {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
+         "MB that all structures may hold together"},
         {"full", OPTION_FLAG, &own.full, 0, 0, "large scenes, more rays, growth to 2e6"}, {0}};
     options o = options_read(argc, argv, "17_compare",
                              "Every structure on the same scenes and the same rays.",

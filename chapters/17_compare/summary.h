@@ -1,7 +1,7 @@
 /* summary.h: all scenes in four tables. A row a scene, a column a structure: nanoseconds a ray, mean
- * of the four kinds as the scene has them; milliseconds to build; seconds in all for building and a
- * million rays. And who wins: who is fastest, and how many times as long a ray takes the k-d tree as
- * the BVH.
+ * of the four kinds as the scene has them; milliseconds to build; seconds in all for building and
+ * a million rays. And who wins: who is fastest, and how many times as long a ray takes in the k-d
+ * tree as in the BVH.
  *
  *   summary m = {.chosen = chosen};
  *   summary_add(&m, &s)                 a stage that was measured
@@ -69,10 +69,11 @@ static inline const char *summary_fastest(const summary *m, const summary_row *r
 static inline void summary_winners(const options *o, const summary *m)
 {
     int kd = contender_number(&kdtree_contender), boxes = contender_number(&bvh_contender);
+    bool chosen = m->chosen >> kd & m->chosen >> boxes & 1;
     table t = table_new("Who wins", "scene|a ray|build and 1e6 rays|ray: kdtree / bvh");
     for (int i = 0; i < m->rows; i++) {
         const summary_row *r = &m->row[i];
-        bool both = m->chosen >> kd & m->chosen >> boxes & 1 && r->ray[kd] >= 0 && r->ray[boxes] > 0;
+        bool both = chosen && r->ray[kd] >= 0 && r->ray[boxes] > 0;
         table_text(&t, "%s", r->name);
         table_text(&t, "%s", summary_fastest(m, r, 1, 0));
         table_text(&t, "%s", summary_fastest(m, r, 1e6, 1));
