@@ -180,6 +180,8 @@ static void test_kinds(void)
         angle = check_worse(angle, fabs(fabs((double)vdot(d, n)) - fabs((double)vdot(m, n))));
         angle = check_worse(angle, fabs((double)vdot(vcross(d, n), m)));
         below += vdot(m, n) * vdot(d, n) > 0 || vdot(diffuse.r[k].d, n) * vdot(d, n) > 0;
+        vec3 from = vsub(mirror.r[k].o, ray_at(eye.r[i], h[i].t));
+        below += vdot(from, n) * vdot(d, n) >= 0;
         k++;
     }
     check_equal(mirror.n, k, "a mirror ray for each hit");
@@ -197,6 +199,11 @@ static void test_kinds(void)
     }
     check_equal(lights, shadow.n, "shadow rays end at a light");
     check(shadow.n > k / 2 && shadow.n <= k * 3, "up to three lights: %zu", shadow.n);
+    ray_set some = rays_some(&eye, 10);
+    check_equal(some.n, 10, "ten of %zu", eye.n);
+    for (size_t i = 0; i < some.n; i++)
+        check(vzero(vsub(some.r[i].d, eye.r[i * eye.n / 10].d)), "ray %zu of ten, evenly", i);
+    rays_free(&some);
     rays_free(&eye), rays_free(&mirror), rays_free(&diffuse), rays_free(&shadow);
     free(h);
     world_free(&w);
@@ -461,6 +468,8 @@ static void test_winners(void)
     summary_row r = {"x", {3e-6, 1e-6, 2e-6, 1e-9}, {0, 5, 0.5, 0}};
     check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
     check(strcmp(summary_fastest(&m, &r, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
+    r.ray[2] = 0.98e-6;
+    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "two percent are noise");
     r.ray[1] = -1;
     check(strcmp(summary_fastest(&m, &r, 1, 0), "nested") == 0, "what does not fit does not win");
 }
@@ -548,7 +557,7 @@ static void test_files(void)
     world w = tiny("gears");
     scene all = world_scene(&w);
     failure f;
-    size_t rays, size, hits = 0;
+    size_t rays, size, hits = 0, hits_before = 0;
     write_rays(in_directory("g.rays"), &w, n);
     ray *r = rays_read(in_directory("g.rays"), &rays, &f);
     for (int any = 0; any < 2; any++) {
@@ -574,7 +583,11 @@ static void test_files(void)
         char *csv = file_read(in_directory("g.csv"), &size, &f);
         const char *expected = "scene,structure,kind,rays,hits,build_s,bytes,peak_bytes,";
         check(csv && strncmp(csv, expected, strlen(expected)) == 0, "the columns of the CSV");
-        check(csv && strstr(csv, any ? "gears,bvh,any,700," : "gears,bvh,closest,700,"), "its row");
+        char row[64];
+        snprintf(row, sizeof row, "gears,bvh,%s,700,%zu,", any ? "any" : "closest",
+                 hits - hits_before);
+        check(csv && strstr(csv, row), "its row: %s", row);
+        hits_before = hits;
         free(csv);
     }
     check(hits > n / 2, "enough of them hit: %zu of 2 times %d", hits, n);

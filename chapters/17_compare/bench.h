@@ -116,7 +116,7 @@ static inline search_work bench_work(const entry *e, size_t *rays)
 }
 
 /* The lines build + k * ns (17.8): which is the lowest, from few rays to many? Three percent faster
- * is no faster. */
+ * is no faster, ten percent sooner no sooner: the earlier in the list is named. */
 static inline void bench_cheapest(const stage *s)
 {
     const entry *now = NULL;
@@ -133,7 +133,7 @@ static inline void bench_cheapest(const stage *s)
             const entry *e = &s->entry[k];
             double gain = bench_mean(s, now) - bench_mean(s, e);
             double at = (e->build - now->build) / gain;
-            if (e->s && gain > 0.03 * bench_mean(s, now) && at < from) from = at, next = e;
+            if (e->s && gain > 0.03 * bench_mean(s, now) && at < 0.9 * from) from = at, next = e;
         }
         if (!next) break;
         printf(", from %.2g rays on %s", from, next->c->name);
