@@ -120,6 +120,14 @@ static void test_memory(void)
     bench_measure(&s, 1);
     check(s.entry[0].seconds[KIND_PRIMARY] > 0 && s.entry[s.entries - 1].seconds[KIND_PRIMARY] == 0,
           "what does not fit is not timed");
+    search_work any = {0, 0, 0, 0};
+    ray_set shadow = s.rays[KIND_SHADOW];
+    size_t hits = 0;
+    for (size_t i = 0; i < shadow.n; i++)
+        hits += s.entry[0].c->occluded_counted(s.entry[0].s, shadow.r[i], &any);
+    check(hits > 0, "some shadow rays are stopped");
+    check_equal(s.entry[0].hits[KIND_SHADOW], hits, "as many as were measured");
+    check_equal(s.entry[0].work[KIND_SHADOW].tests, any.tests, "with so many tests");
     fclose(out);
     stage_end(&s);
     world_free(&w);
