@@ -2,6 +2,7 @@
  * purpose is found out and explained; costs add up; and the program, seen from outside. */
 #include "../chapters/17_compare/growth.h"
 #include "../chapters/17_compare/modes.h"
+#include "../chapters/17_compare/summary.h"
 #include "check.h"
 #include <sys/wait.h>
 
@@ -119,8 +120,47 @@ static void test_memory(void)
     bench_measure(&s, 1);
     check(s.entry[0].seconds[KIND_PRIMARY] > 0 && s.entry[s.entries - 1].seconds[KIND_PRIMARY] == 0,
           "what does not fit is not timed");
+    search_work any = {0, 0, 0, 0};
+    ray_set shadow = s.rays[KIND_SHADOW];
+    size_t hits = 0;
+    for (size_t i = 0; i < shadow.n; i++)
+        hits += s.entry[0].c->occluded_counted(s.entry[0].s, shadow.r[i], &any);
+    check(hits > 0, "some shadow rays are stopped");
+    check_equal(s.entry[0].hits[KIND_SHADOW], hits, "as many as were measured");
+    check_equal(s.entry[0].work[KIND_SHADOW].tests, any.tests, "with so many tests");
     fclose(out);
     stage_end(&s);
+    world_free(&w);
+}
+
+/* All together stay within the limit, at any time; what the last ones need, the first may take. */
+static void test_memory_together(void)
+{
+    world w = tiny("teapot");
+    stage s;
+    size_t all = 0, most = 0, fit[3];
+    stage_begin(&s, &w, everybody, (size_t)1 << 30, 1);
+    for (int i = 0; i < s.entries; i++) {
+        structure_stats st = s.entry[i].stats;
+        most = all + st.peak > most ? all + st.peak : most;
+        all += st.bytes;
+    }
+    stage_end(&s);
+    for (int part = 0; part < 3; part++) {
+        size_t limit = most * (size_t)(part + 1) / 3, held = 0;
+        stage_begin(&s, &w, everybody, limit, 2);
+        fit[part] = 0;
+        for (int i = 0; i < s.entries; i++) {
+            const entry *e = &s.entry[i];
+            if (!e->s) continue;
+            check_at_most((double)(held + e->stats.peak), (double)limit, "%s: within what is left",
+                          e->c->name);
+            held += e->stats.bytes;
+            fit[part]++;
+        }
+        stage_end(&s);
+    }
+    check(fit[0] > 1 && fit[0] < fit[2], "%zu, %zu, %zu fit", fit[0], fit[1], fit[2]);
     world_free(&w);
 }
 
@@ -148,6 +188,8 @@ static void test_kinds(void)
         angle = check_worse(angle, fabs(fabs((double)vdot(d, n)) - fabs((double)vdot(m, n))));
         angle = check_worse(angle, fabs((double)vdot(vcross(d, n), m)));
         below += vdot(m, n) * vdot(d, n) > 0 || vdot(diffuse.r[k].d, n) * vdot(d, n) > 0;
+        vec3 from = vsub(mirror.r[k].o, ray_at(eye.r[i], h[i].t));
+        below += vdot(from, n) * vdot(d, n) >= 0;
         k++;
     }
     check_equal(mirror.n, k, "a mirror ray for each hit");
@@ -165,6 +207,11 @@ static void test_kinds(void)
     }
     check_equal(lights, shadow.n, "shadow rays end at a light");
     check(shadow.n > k / 2 && shadow.n <= k * 3, "up to three lights: %zu", shadow.n);
+    ray_set some = rays_some(&eye, 10);
+    check_equal(some.n, 10, "ten of %zu", eye.n);
+    for (size_t i = 0; i < some.n; i++)
+        check(vzero(vsub(some.r[i].d, eye.r[i * eye.n / 10].d)), "ray %zu of ten, evenly", i);
+    rays_free(&some);
     rays_free(&eye), rays_free(&mirror), rays_free(&diffuse), rays_free(&shadow);
     free(h);
     world_free(&w);
@@ -297,7 +344,8 @@ static void forget(const contender *c, void *s, uint32_t lost, uint32_t other)
     octree *o = s;
     kdtree *k = s;
     bsp *b = s;
-    if (c == &grid_contender) scrub(g->lists.item, g->lists.references, lost, other);
+    if (c == &grid_contender || c == &nested_contender)  /* whose first member is a grid */
+        scrub(g->lists.item, g->lists.references, lost, other);
     if (c == &octree_contender) scrub(o->reference, o->references, lost, other);
     if (c == &bsp_contender) scrub(b->reference, b->references, lost, other);
     for (size_t i = 0, n = c == &kdtree_contender ? k->references : 0, kept = 0; i < n; i++)
@@ -387,6 +435,23 @@ static void test_dream(void)
     mesh_free(&m);
 }
 
+/* A structure alone is proved by brute force alone, and nothing proves nothing. */
+static void test_alone(void)
+{
+    world w = tiny("tetra");
+    stage s;
+    unsigned alone = 1u << contender_number(&bvh_contender);
+    for (int k = 0; k < 3; k++) {
+        stage_begin(&s, &w, k == 0 ? 0 : k == 1 ? alone : alone | 2, (size_t)1 << 30, 1);
+        stage_rays(&s, whole_view, 16, 7);
+        check(stage_prove(&s, 80, 7, stdout), "all right");
+        check((s.by_brute > 0) == (k > 0) && (s.proved > s.by_brute) == (k == 2),
+              "%d structures: %zu proved, %zu by brute force", k, s.proved, s.by_brute);
+        stage_end(&s);
+    }
+    world_free(&w);
+}
+
 /* Costs. --------------------------------------------------------------------------------------- */
 
 static void test_costs(void)
@@ -403,6 +468,18 @@ static void test_costs(void)
     check_close(bench_total(&s, b, 1e6), 0.7, 1e-9, "building and a million rays");
     check_close(b->build / (bench_mean(&s, a) - bench_mean(&s, b)), 277778, 1, "pays after");
     check_equal(bench_ns(a, KIND_MIRROR), 0, "no rays, no time");
+}
+
+static void test_winners(void)
+{
+    summary m = {.chosen = 1u | 2 | 4};
+    summary_row r = {"x", {3e-6, 1e-6, 2e-6, 1e-9}, {0, 5, 0.5, 0}};
+    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
+    check(strcmp(summary_fastest(&m, &r, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
+    r.ray[2] = 0.98e-6;
+    check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "two percent are noise");
+    r.ray[1] = -1;
+    check(strcmp(summary_fastest(&m, &r, 1, 0), "nested") == 0, "what does not fit does not win");
 }
 
 static void test_growth(void)
@@ -447,7 +524,9 @@ static void test_misuse(void)
         {"--hits x", "--rays"}, {"--any-hit", "--rays"}, {"--region 0,0,1,1", "--verify"},
         {"--verify --region 0,0,1", "X0,Y0,X1,Y1"}, {"--verify --region 0,0,nan,1", "nan"},
         {"--verify --region 0,1,1,0", "Y0 < Y1"}, {"--memory 0", "from 1"},
-        {"--rays r --verify", "one of them"}};
+        {"--rays r --verify", "one of them"}, {"--verify --csv x", "tables"},
+        {"--protocol spd --csv x", "tables"}, {"--scene balls --out x.png", "picture"},
+        {"--out x.png --csv y", "one of them"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         check_equal(run(wrong[i].arguments), 2, "%s", wrong[i].arguments);
         check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
@@ -486,7 +565,7 @@ static void test_files(void)
     world w = tiny("gears");
     scene all = world_scene(&w);
     failure f;
-    size_t rays, size, hits = 0;
+    size_t rays, size, hits = 0, hits_before = 0;
     write_rays(in_directory("g.rays"), &w, n);
     ray *r = rays_read(in_directory("g.rays"), &rays, &f);
     for (int any = 0; any < 2; any++) {
@@ -512,7 +591,11 @@ static void test_files(void)
         char *csv = file_read(in_directory("g.csv"), &size, &f);
         const char *expected = "scene,structure,kind,rays,hits,build_s,bytes,peak_bytes,";
         check(csv && strncmp(csv, expected, strlen(expected)) == 0, "the columns of the CSV");
-        check(csv && strstr(csv, any ? "gears,bvh,any,700," : "gears,bvh,closest,700,"), "its row");
+        char row[64];
+        snprintf(row, sizeof row, "gears,bvh,%s,700,%zu,", any ? "any" : "closest",
+                 hits - hits_before);
+        check(csv && strstr(csv, row), "its row: %s", row);
+        hits_before = hits;
         free(csv);
     }
     check(hits > n / 2, "enough of them hit: %zu of 2 times %d", hits, n);
@@ -531,11 +614,15 @@ static void test_program(void)
     check_equal(run("--verify --scene tree --scale 3 --region -0.5,0,0.5,1"), 0, "verify");
     check(printed("out", "tree bvh: 4096 primary") && printed("out", "as brute force"),
           "says what it compared");
+    check_equal(run("--verify --scene tree --scale 3 --region -1,0.98,1,1 --only bvh,grid"), 0, "sky");
+    check(printed("out", "tree bvh: 4096 primary, 0 shadow"), "above the tree nothing is hit");
+    check(printed("out", "tree grid: 4096 primary") && !printed("out", "octree"), "two of --only");
     check_equal(run("--protocol spd --scene tetra --only bvh"), 0, "the protocol");
     check(printed("out", "primary tetra 6 bvh: "), "a line");
     check(printed("out", "hits 49950\n"), "that ends with the number of hits");
     check_equal(run("--scene soup --scale 4 --memory 1 --quick"), 0, "not enough memory for some");
-    check(!printed("out", "does not fit") || printed("out", "brute"), "their rows say so");
+    check(printed("out", "# kdtree does not fit: ") && printed("out", "\nbrute "),
+          "they say so, and the others go on");
 }
 
 int main(void)
@@ -544,6 +631,9 @@ int main(void)
     test_equality();
     test_counted();
     test_memory();
+    test_memory_together();
+    test_alone();
+    test_winners();
     test_kinds();
     test_aim();
     test_shrunk_box("teapot");
@@ -552,6 +642,7 @@ int main(void)
     for (int k = 1; k < contenders; k++)
         for (int any = 0; any < 2; any++) test_lost_way(contender_list[k], any);
     test_forgotten(&grid_contender);
+    test_forgotten(&nested_contender);
     test_forgotten(&octree_contender);
     test_forgotten(&kdtree_contender);
     test_forgotten(&bsp_contender);

@@ -222,6 +222,30 @@ static real segment_distance(vec3 a, vec3 b, vec3 c, vec3 d)  /* by trying: 60 x
     return least;
 }
 
+static double copies_apart(const world *w, size_t a, size_t b)
+{
+    double least = 1;
+    for (size_t i = 0; i < 900; i++) {
+        cone c = w->shape[2 + 60 * a + 2 * (i / 30)].cone;
+        cone d = w->shape[2 + 60 * b + 2 * (i % 30)].cone;
+        if ((double)vlength(vsub(c.a, d.a)) > 2.5) continue;  /* edges are 1.1 long */
+        double distance = (double)segment_distance(c.a, c.b, d.a, d.b);
+        least = distance < least ? distance : least;
+    }
+    return least;
+}
+
+/* Copies 1 to 4, the layer behind the first: at x, z = -1 -1, -1 1, 1 -1, 1 1. */
+static void check_rings_of_copies(void)
+{
+    world w = made("rings", 2);
+    check_close(copies_apart(&w, 1, 3), 2 * 0.07412 / 1.07412, 5e-4,
+                "rings of neighbours in x are as near as those of one copy");
+    check_at_least(copies_apart(&w, 1, 2), 3 * 0.07412, "not so those of neighbours in z");
+    check_at_least(copies_apart(&w, 0, 1), 3 * 0.07412, "nor those of two layers");
+    world_free(&w);
+}
+
 static void test_rings(void)
 {
     world w = made("rings", 1);
@@ -258,8 +282,9 @@ static void test_rings(void)
     check_at_most(worst, 10 * small, "cylinders join the balls of a pentagon");
     check_at_most(tilt, 10 * small, "rings tilted as the faces of a dodecahedron: cosine 1/sqrt 5");
     check_equal(linked, 15, "every two of six rings are linked");
-    check_close(least * 1.07412, 2 * 0.07412, 1e-3,
-                "rings of that radius would just touch, were the pentagons of radius 1");
+    check_close(least, 2 * 0.07412 / 1.07412, 5e-4, "linked axes pass each other at 2 r / (1 + r)");
+    check_at_most(least, 2 * 0.07412 - 0.009, "and that is less than 2 r: rings overlap");
+    check_rings_of_copies();
     ray corner = spd_ray(&w, 0, 0);
     hit h;
     check(shape_hit(w.shape[0], corner, &h), "the wall fills the view");

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Sets the tables of $BUILD/float/NAME and $BUILD/double/NAME side by side: the columns whose names
-# begin with "error" or "time", behind the columns that say of what.
+# begin with "error" or "time", or tell a time by their unit (build_s, ns_per_ray), behind the
+# columns that say of what.
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 for name in "$@"; do
@@ -15,7 +16,7 @@ for name in "$@"; do
         {
             row = ""
             for (i = 1; i <= columns; i++) {
-                if (FNR == 1) measured[i] = $i ~ /^(error|time)/
+                if (FNR == 1) measured[i] = $i ~ /^(error|time)|^ns_|_s$/
                 if (!measured[i]) row = row (row == "" ? "" : "|") $i
                 else if (FNR == 1) row = row "|" $i " float|double"
                 else row = row "|" one[FNR, i] "|" $i

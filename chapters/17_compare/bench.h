@@ -66,9 +66,9 @@ static inline void bench_kind(stage *s, ray_kind kind, int rounds)
             entry *e = &s->entry[k];
             if (!e->s || (round < 0 && e->c == &brute_contender)) continue;
             ray_set some = rays_some(&s->rays[kind], e->rays[kind]);
-            double start = clock_seconds();
+            double start = work_seconds();
             e->hits[kind] = e->c->search(e->s, some.r, some.n, kind == KIND_SHADOW, out);
-            if (round >= 0) seconds[k][round] = clock_seconds() - start;
+            if (round >= 0) seconds[k][round] = work_seconds() - start;
             rays_free(&some);
         }
     for (int k = 0; k < s->entries; k++)
@@ -116,7 +116,7 @@ static inline search_work bench_work(const entry *e, size_t *rays)
 }
 
 /* The lines build + k * ns (17.8): which is the lowest, from few rays to many? Three percent faster
- * is no faster. */
+ * is no faster, ten percent sooner no sooner: the earlier in the list is named. */
 static inline void bench_cheapest(const stage *s)
 {
     const entry *now = NULL;
@@ -133,7 +133,7 @@ static inline void bench_cheapest(const stage *s)
             const entry *e = &s->entry[k];
             double gain = bench_mean(s, now) - bench_mean(s, e);
             double at = (e->build - now->build) / gain;
-            if (e->s && gain > 0.03 * bench_mean(s, now) && at < from) from = at, next = e;
+            if (e->s && gain > 0.03 * bench_mean(s, now) && at < 0.9 * from) from = at, next = e;
         }
         if (!next) break;
         printf(", from %.2g rays on %s", from, next->c->name);

@@ -3,7 +3,7 @@
  *
  *   CONTENDER(id, "name", X, options, most, explain)     makes id_contender:
  *      id        several may share a structure
- *      "name"    in tables and for --only
+ *      "name"    in tables and for --only; those from `usual` on in the list run only if asked for
  *      X         prefix of its verbs and name of its type
  *      options   X_options; most_bytes is set from outside
  *      most      shapes, beyond which building takes long
@@ -75,6 +75,7 @@ typedef struct {
 
 CONTENDER(brute, "brute", brute, ((brute_options){0}), SIZE_MAX, NULL)
 CONTENDER(grid, "grid", grid, grid_defaults, SIZE_MAX, explain_grid)
+CONTENDER(nested, "nested", nested, nested_defaults, SIZE_MAX, explain_nested)
 CONTENDER(octree, "octree", octree, octree_defaults, SIZE_MAX, explain_octree)
 CONTENDER(kdtree, "kdtree", kdtree, kdtree_defaults, 300000, explain_kdtree)
 CONTENDER(bsp, "bsp", bsp, bsp_defaults, 70000, explain_bsp)
@@ -85,16 +86,31 @@ CONTENDER(bvh_morton, "bvh-morton", bvh_items,
 CONTENDER(bvh_spatial, "bvh-spatial", bvh_items,
           ((bvh_items_options){{BVH_SPATIAL, 8, 0.3}, 0}), SIZE_MAX, explain_bvh)
 
+
+/* As in the published results of the SPD: so many cells an item, so deep. */
+CONTENDER(grid_1, "grid-1", grid, ((grid_options){1, true, true, 0}), SIZE_MAX, explain_grid)
+CONTENDER(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), SIZE_MAX, explain_grid)
+CONTENDER(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), SIZE_MAX,
+          explain_octree)
+
 static const contender *const contender_list[] = {
-    &brute_contender, &grid_contender, &octree_contender,     &kdtree_contender,
-    &bsp_contender,   &bvh_contender,  &bvh_morton_contender, &bvh_spatial_contender};
-enum { contenders = sizeof contender_list / sizeof *contender_list };
+    &brute_contender,      &grid_contender,        &nested_contender, &octree_contender,
+    &kdtree_contender,     &bsp_contender,         &bvh_contender,    &bvh_morton_contender,
+    &bvh_spatial_contender, &grid_1_contender,     &grid_10_contender, &octree_7_contender};
+enum { usual_contenders = 9, contenders = sizeof contender_list / sizeof *contender_list };
 
 static inline const contender *contender_find(const char *name)
 {
     for (int k = 0; k < contenders; k++)
         if (strcmp(contender_list[k]->name, name) == 0) return contender_list[k];
     return NULL;
+}
+
+static inline int contender_number(const contender *c)  /* in the list */
+{
+    int k = 0;
+    while (contender_list[k] != c) k++;
+    return k;
 }
 
 static inline void contender_free(const contender *c, void *s)

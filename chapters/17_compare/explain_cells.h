@@ -1,6 +1,6 @@
-/* explain_cells.h: the same for the structures that cut space: grid, octree, k-d tree, BSP tree.
+/* explain_cells.h: the same for the structures that cut space: grids, octree, k-d tree, BSP tree.
  *
- *   explain_grid, explain_octree, explain_kdtree, explain_bsp(s, &w, out)
+ *   explain_grid, explain_nested, explain_octree, explain_kdtree, explain_bsp(s, &w, out)
  *
  * go to the cell that holds the point of the hit and see whether the shape is listed there. If not,
  * building left it out. If so, the search did not ask that cell, or lost the answer: brute force
@@ -9,7 +9,7 @@
 #ifndef EXPLAIN_CELLS_H
 #define EXPLAIN_CELLS_H
 
-#include "../10_grid/grid.h"
+#include "../10_grid/nested.h"
 #include "../11_octree/octree.h"
 #include "../12_kdtree/kdtree.h"
 #include "../13_bsp/bsp.h"
@@ -17,7 +17,8 @@
 
 enum { cell_most_depth = 79 };  /* no tree here is deeper; one that is broken may be */
 
-/* Nodes from the root to the leaf that holds a point; a grid has one, its cell. */
+/* Nodes from the root to the leaf that holds a point; a grid has one, its cell, a nested one the
+ * outer and the inner cell. */
 typedef struct {
     uint32_t path[cell_most_depth + 1];
     int depth;
@@ -35,19 +36,41 @@ static inline size_t times_listed(const uint32_t *item, size_t n, uint32_t wante
     return found;
 }
 
-static inline cell_place grid_place(const grid *g, vec3 p, uint32_t wanted)
+static inline uint32_t cell_of(const lattice *l, vec3 p)
 {
-    const lattice *l = &g->cells;
     size_t cell = 0;
     for (int k = 2; k >= 0; k--) {
         int i = lattice_index(vaxis(p, k), vaxis(l->lo, k), vaxis(l->per, k), l->n[k]);
         cell = cell * (size_t)l->n[k] + (size_t)i;
     }
-    const cell_lists *m = &g->lists;
-    size_t n = m->first[cell + 1] - m->first[cell];
-    bool lists = times_listed(m->item + m->first[cell], n, wanted) > 0;
-    return (cell_place){{(uint32_t)cell}, 0, n, lists,
-                        times_listed(m->item, m->references, wanted)};
+    return (uint32_t)cell;
+}
+
+static inline void cell_look(cell_place *c, const cell_lists *m, uint32_t cell, uint32_t wanted)
+{
+    c->path[c->depth] = cell;
+    c->listed = m->first[cell + 1] - m->first[cell];
+    c->lists = times_listed(m->item + m->first[cell], c->listed, wanted) > 0;
+}
+
+static inline cell_place grid_place(const grid *g, vec3 p, uint32_t wanted)
+{
+    cell_place c = {.everywhere = times_listed(g->lists.item, g->lists.references, wanted)};
+    cell_look(&c, &g->lists, cell_of(&g->cells, p), wanted);
+    return c;
+}
+
+static inline cell_place nested_place(const nested *x, vec3 p, uint32_t wanted)
+{
+    const cell_lists *m = &x->g.lists;
+    cell_place c = {{cell_of(&x->g.cells, p)}, .everywhere = times_listed(m->item, m->references,
+                                                                          wanted)};
+    uint32_t part = x->part_of[c.path[0]];
+    if (part == 0) return c;  /* empty */
+    lattice inner = nested_lattice(&x->part[part]);
+    c.depth = 1;
+    cell_look(&c, m, x->part[part].base + cell_of(&inner, p), wanted);
+    return c;
 }
 
 static inline cell_place octree_place(const octree *t, vec3 p, uint32_t wanted)
@@ -127,6 +150,7 @@ static inline void explain_place(const cell_place *c, const wrong_ray *w, const 
         explain_place(&c, w, leaf, out);                                           \
     }
 EXPLAIN_PLACE(grid, "cell")
+EXPLAIN_PLACE(nested, "cell")
 EXPLAIN_PLACE(octree, "leaf")
 EXPLAIN_PLACE(kdtree, "leaf")
 EXPLAIN_PLACE(bsp, "leaf")

@@ -95,18 +95,19 @@ static inline void growth_plots(const options *o, const growth_curve *c, unsigne
     plot search = plot_new("A diffuse ray against n", "triangles", "time [ns]", log_log);
     plot build = plot_new("Building against n", "triangles", "time [ns a triangle]", log_log);
     plot steps = plot_new("Work against n", "triangles", "steps and tests, a ray", PLOT_LOG_X);
-    for (int k = 0; k < contenders && search.series < plot_most_series; k++) {
-        if (!(chosen >> k & 1)) continue;
-        const char *name = contender_list[k]->name;
+    plot *all[3] = {&search, &steps, &build};
+    for (int j = 1; j <= contenders; j++) {  /* brute force last: one colour each in all plots */
+        int k = j % contenders;
         bool slow = contender_list[k] == &brute_contender;  /* off the scale of the others */
-        int series = plot_series(&search, name), other = slow ? 0 : plot_series(&build, name);
-        if (!slow) plot_series(&steps, name);
-        for (int i = 0; i < c[k].n; i++) {
-            double x = exp2(c[k].x[i]);
-            plot_add(&search, series, x, c[k].ray[i]);
-            if (slow) continue;
-            plot_add(&steps, other, x, c[k].steps[i]);
-            plot_add(&build, other, x, c[k].build[i] * 1e9 / x);
+        for (int p = 0; p < (slow ? 1 : 3) && chosen >> k & 1; p++) {
+            bool keep = p == 0 && !slow && chosen & 1;  /* a place for brute force */
+            if (all[p]->series + keep == plot_most_series) continue;
+            int series = plot_series(all[p], contender_list[k]->name);
+            for (int i = 0; i < c[k].n; i++) {
+                double x = exp2(c[k].x[i]), build_ns = c[k].build[i] * 1e9 / x;
+                plot_add(all[p], series, x, p == 0 ? c[k].ray[i] : p == 1 ? c[k].steps[i]
+                                                                           : build_ns);
+            }
         }
     }
     plot_slope(&search, 1, "slope 1");

@@ -122,7 +122,7 @@ int main(int argc, char **argv)
 {
     own_options own = {.scale = -1, .megabytes = 2048};
     const option list[] = {
-        {"scene", OPTION_TEXT, &own.scene, 0, 0, 
+        {"scene", OPTION_TEXT, &own.scene, 0, 0,
          "balls gears mount rings teapot tetra tree stadium soup or needles, alone"},
         {"scale", OPTION_INT, &own.scale, 0, 10000, "its size, see README"},
         {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: this mesh, y up"},
@@ -136,14 +136,15 @@ int main(int argc, char **argv)
          "all rays by brute force, too; explain what differs"},
         {"region", OPTION_TEXT, &own.region, 0, 0,
          "with --verify: X0,Y0,X1,Y1 of the view, -1 to 1"},
-        {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20, "MB that one structure may hold"},
+        {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
+         "MB that all structures may hold together"},
         {"full", OPTION_FLAG, &own.full, 0, 0, "large scenes, more rays, growth to 2e6"}, {0}};
     options o = options_read(argc, argv, "17_compare",
                              "Every structure on the same scenes and the same rays.",
                              (options){.width = 1000, .height = 400, .seed = 1}, list);
     common_settings c = {&o, chosen_of(own.only), (size_t)own.megabytes << 20, {-1, -1, 1, 1},
                          own.full};
-    check_options(&own);
+    check_options(&o, &own);
     read_region(own.region, c.region);
     const generator *g = own.scene ? scene_find(own.scene) : NULL;
     if (own.protocol) protocol_run(c, own.only, g, own.scale);

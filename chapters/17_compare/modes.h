@@ -2,8 +2,8 @@
  *
  *   protocol_run(c, scene, scale)         --protocol spd: lines that begin with `primary` and end
  *                                         with the number of hits
- *   verify_run(c, o, scene, scale)        --verify: all rays by brute force, too
- *   file_run(c, o, w, files)              --rays: rays of a file, and their hits to another
+ *   verify_world(c, w)                    --verify: all rays by brute force, too
+ *   file_run(c, w, files)                 --rays: rays of a file, and their hits to another
  * c: what is common to all runs. A difference between two structures ends the program with exit 1.
  */
 #ifndef MODES_H
@@ -17,7 +17,7 @@
 typedef struct {
     const options *o;
     unsigned chosen;       /* bit k: contender_list[k] */
-    size_t most_bytes;     /* that one structure may hold while it is built */
+    size_t most_bytes;     /* that all structures may hold together, while they are built, too */
     double region[4];      /* of the view */
     bool full;
 } common_settings;
@@ -77,11 +77,8 @@ static inline void verify_world(const common_settings *c, const world *w)
 {
     stage s;
     double edge = sqrt(1e8 / (double)(world_size(w) + 1));
-    size_t rays = 2000;
     stage_begin(&s, w, c->chosen, c->most_bytes, 1);
     stage_rays(&s, c->region, edge < 8 ? 8 : edge > 64 ? 64 : (int)edge, c->o->seed);
-    for (int k = 0; k < ray_kinds; k++)
-        if (4 * ray_kinds * s.rays[k].n > rays) rays = 4 * ray_kinds * s.rays[k].n;
     ray_set aimed = rays_aimed(w, 2000, c->o->seed);
     bool ok = prove_rays(&s, aimed.r, aimed.n, true, stdout);
     for (int k = 0; ok && k < ray_kinds; k++)

@@ -83,13 +83,6 @@ static inline bool panel_draw(panel p, pixel_job *job, int k, int columns, int r
     return whole;
 }
 
-static inline unsigned bvh_alone(void)
-{
-    int k = 0;
-    while (contender_list[k] != &bvh_contender) k++;
-    return 1u << k;
-}
-
 static inline bool sheet_draw(const options *o, image *im)
 {
     bool whole = true;
@@ -101,7 +94,7 @@ static inline bool sheet_draw(const options *o, image *im)
         bool thousands = strcmp(g->name, "soup") == 0;  /* a fine soup is a grey cube */
         int scale = o->quick || thousands ? scene_list[k].quick : g->scale;
         if (!scene_world(g, scale, &w, &f)) fail(f);
-        stage_begin(&s, &w, bvh_alone(), SIZE_MAX, 1);
+        stage_begin(&s, &w, 1u << contender_number(&bvh_contender), SIZE_MAX, 1);
         const entry *e = stage_any(&s);
         panel p = {&w, e->c, e->s, NULL, o->quick ? 1 : 3};
         whole = panel_draw(p, panel_pixel, k, sheet_columns, sheet_rows, o->threads, im);

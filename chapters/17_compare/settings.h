@@ -1,8 +1,8 @@
 /* settings.h: the options of this chapter, and what is wrong with them.
  *
- *   chosen_of("grid,bvh")       bit k: number k of contender_list; NULL: all
+ *   chosen_of("grid,bvh")       bit k: number k of contender_list; NULL: the usual
  *   read_region(text, part)     four numbers: a part of the view
- *   check_options(&own)         what does not exist, or does not go together
+ *   check_options(&o, &own)     what does not exist, or does not go together
  * Misuse ends the program with exit 2 and a message.
  */
 #ifndef SETTINGS_H
@@ -23,7 +23,7 @@ static inline unsigned chosen_of(const char *only)
 {
     unsigned chosen = 0;
     failure f;
-    if (!only) return (1u << contenders) - 1;
+    if (!only) return (1u << usual_contenders) - 1;
     for (const char *at = only + strspn(only, ","); *at; at += strspn(at, ",")) {
         int length = (int)strcspn(at, ","), k = 0;
         char name[32];
@@ -56,7 +56,7 @@ static inline void read_region(const char *text, double region[4])
 }
 
 /* What does not go together. */
-static inline void check_options(const own_options *own)
+static inline void check_options(const options *o, const own_options *own)
 {
     failure f = {0, ""};
     const generator *g = own->scene ? scene_find(own->scene) : NULL;
@@ -80,6 +80,11 @@ static inline void check_options(const own_options *own)
         failed(&f, 2, "--hits and --any-hit need --rays FILE");
     else if (own->files.rays && own->verify) failed(&f, 2, "--rays and --verify: one of them");
     else if (own->region && !own->verify) failed(&f, 2, "--region needs --verify");
+    else if (o->csv && (own->verify || own->protocol))
+        failed(&f, 2, "--csv goes with tables: not with --verify, not with --protocol");
+    else if (o->out && (own->scene || own->mesh || own->verify || own->protocol || own->files.rays))
+        failed(&f, 2, "--out is for the picture of all scenes: it goes with no other work");
+    else if (o->out && o->csv) failed(&f, 2, "--out draws, --csv measures: one of them");
     if (f.exit_code) fail(f);
     if (own->files.hits && !file_try(own->files.hits, &f)) fail(f);
 }

@@ -7,8 +7,11 @@
  *      \\  //
  *        o
  *
- * Balls and cylinders have radius .07412, the pentagons 1 / 1.07412. Pentagons of radius 1 would
- * just touch; these overlap by a few per cent of the radius, and so do neighbouring copies.
+ * Balls and cylinders have radius r = .07412, the pentagons 1 / (1 + r). The balls of a pentagon
+ * are 1.09 apart, far more than 2 r. But of two linked rings the axes pass each other at 2 r /
+ * (1 + r): they would just touch if the pentagons had radius 1, and overlap by 2 r^2 / (1 + r) =
+ * .0102, 14 % of r. So do rings of copies that are neighbours in x; in z and between layers there
+ * is room.
  */
 #ifndef SPD_RINGS_H
 #define SPD_RINGS_H

@@ -2,8 +2,9 @@
  *
  *   stage s;
  *   stage_begin(&s, &w, chosen, most_bytes, rounds)    builds all that are chosen (bit k: number k
- *                                                      of contender_list), up to `rounds` times in
- *                                                      turn, until a second has passed
+ *                                                      of contender_list), each up to `rounds`
+ *                                                      times, until a quarter of a second has
+ *                                                      passed; all together hold at most most_bytes
  *   stage_rays(&s, whole_view, edge, seed)             the four kinds of rays: kinds.h
  *   if (!stage_prove(&s, brute_rays, seed, stdout)) exit(1);
  *   stage_end(&s)                                      the world stays the caller's
@@ -12,6 +13,9 @@
  * every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few more of
  * them, half of which are aimed where shapes end. The first ray that differs is explained
  * (explain.h), and the answer is false.
+ *
+ * Times here are those that this thread had a processor for (work_seconds), so that other work of
+ * the machine counts little.
  */
 #ifndef STAGE_H
 #define STAGE_H
@@ -42,22 +46,35 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* Of this thread, on a processor. */
+static inline double work_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static inline void entry_build(entry *e, const items *x, size_t most_bytes, int rounds)
+{
+    double seconds[9], begin = work_seconds();
+    int done = 0;
+    do {
+        contender_free(e->c, e->s);
+        double start = work_seconds();
+        e->s = contender_build(e->c, x, most_bytes, &e->why);
+        seconds[done++] = work_seconds() - start;
+    } while (e->s && done < rounds && work_seconds() - begin < 0.25);
+    e->build = clock_median(seconds, done);
+    if (e->s) e->stats = e->c->stats(e->s);
+}
+
+/* One after the other: each may take what those before it have left. */
 static inline void stage_build(stage *s, size_t most_bytes, int rounds)
 {
-    double seconds[contenders][9], begin = clock_seconds();
-    int done = 0;
-    for (int round = 0; round < rounds && clock_seconds() - begin < 1; round++, done++)
-        for (int k = 0; k < s->entries; k++) {
-            entry *e = &s->entry[k];
-            contender_free(e->c, e->s);
-            double start = clock_seconds();
-            e->s = contender_build(e->c, &s->x, most_bytes, &e->why);
-            seconds[k][round] = clock_seconds() - start;
-        }
     for (int k = 0; k < s->entries; k++) {
-        entry *e = &s->entry[k];
-        e->build = clock_median(seconds[k], done);
-        if (e->s) e->stats = e->c->stats(e->s);
+        entry_build(&s->entry[k], &s->x, most_bytes, rounds);
+        size_t bytes = s->entry[k].stats.bytes;
+        most_bytes -= bytes < most_bytes ? bytes : most_bytes;
     }
 }
 
@@ -168,6 +185,14 @@ static inline bool prove_rays(const stage *s, const ray *r, size_t n, bool by_br
     return ok;
 }
 
+/* Those that fit, beside brute force: one alone has only that to agree with. */
+static inline int stage_fit(const stage *s)
+{
+    int n = 0;
+    for (int k = 0; k < s->entries; k++) n += s->entry[k].s && s->entry[k].c != &brute_contender;
+    return n;
+}
+
 /* Every so manieth ray of a set. */
 static inline ray_set rays_some(const ray_set *all, size_t most)
 {
@@ -187,14 +212,16 @@ static inline bool stage_prove(stage *s, size_t brute_rays, uint64_t seed, FILE 
         s->proved += extra[k].n, s->by_brute += extra[k].n;
         rays_free(&extra[k]);
     }
+    int fit = stage_fit(s);
     for (int k = 0; ok && k < ray_kinds; k++) {
         ray_set some = rays_some(&s->rays[k], brute_rays / 4 / ray_kinds + 1);
         ok = prove_rays(s, some.r, some.n, true, out)
              && (some.n == s->rays[k].n
                  || prove_rays(s, s->rays[k].r, s->rays[k].n, false, out));
-        s->proved += s->rays[k].n, s->by_brute += some.n;
+        s->proved += fit > 1 ? s->rays[k].n : some.n, s->by_brute += some.n;
         rays_free(&some);
     }
+    if (fit == 0) s->proved = s->by_brute = 0;
     return ok;
 }
 

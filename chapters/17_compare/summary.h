@@ -1,6 +1,7 @@
-/* summary.h: all scenes in three tables, a row a scene, a column a structure: nanoseconds a ray,
+/* summary.h: all scenes in four tables. A row a scene, a column a structure: nanoseconds a ray,
  * mean of the four kinds as the scene has them; milliseconds to build; seconds in all for building
- * and a million rays.
+ * and a million rays. And who wins: who is fastest, and how many times as long a ray takes in the
+ * k-d tree as in the BVH.
  *
  *   summary m = {.chosen = chosen};
  *   summary_add(&m, &s)                 a stage that was measured
@@ -51,11 +52,44 @@ static inline void summary_table(const options *o, const summary *m, const char 
     output_extra_table(o, &t);
 }
 
+/* The fastest, of_ray and of_build as above; "-": none fits. Three percent are noise: within them
+ * the earlier in the list wins. */
+static inline const char *summary_fastest(const summary *m, const summary_row *r, double of_ray,
+                                          double of_build)
+{
+    const char *name = "-";
+    double least = HUGE_VAL;
+    for (int k = 0; k < contenders; k++) {
+        double x = of_ray * r->ray[k] + of_build * r->build[k];
+        if (!(m->chosen >> k & 1) || r->ray[k] < 0 || !(x < 0.97 * least)) continue;
+        least = x, name = contender_list[k]->name;
+    }
+    return name;
+}
+
+static inline void summary_winners(const options *o, const summary *m)
+{
+    int kd = contender_number(&kdtree_contender), boxes = contender_number(&bvh_contender);
+    bool chosen = m->chosen >> kd & m->chosen >> boxes & 1;
+    table t = table_new("Who wins", "scene|a ray|build and 1e6 rays|ray: kdtree / bvh");
+    for (int i = 0; i < m->rows; i++) {
+        const summary_row *r = &m->row[i];
+        bool both = chosen && r->ray[kd] >= 0 && r->ray[boxes] > 0;
+        table_text(&t, "%s", r->name);
+        table_text(&t, "%s", summary_fastest(m, r, 1, 0));
+        table_text(&t, "%s", summary_fastest(m, r, 1e6, 1));
+        if (both) table_number(&t, r->ray[kd] / r->ray[boxes]);
+        else table_text(&t, "-");
+    }
+    output_extra_table(o, &t);
+}
+
 static inline void summary_print(const options *o, const summary *m)
 {
     summary_table(o, m, "All scenes: nanoseconds a ray", 1e9, 0);
     summary_table(o, m, "All scenes: milliseconds to build", 0, 1e3);
     summary_table(o, m, "All scenes: seconds to build and to search for a million rays", 1e6, 1);
+    summary_winners(o, m);
 }
 
 #endif
