@@ -237,7 +237,7 @@ static void test_sort(void)
                 if (kind == 1) f = 1;
                 if (kind == 2) f = (float)i;
                 if (kind == 3) f *= i % 2 ? 1e-30f : 1e30f;
-                key[i] = other[i] = kd_key(f);
+                key[i] = other[i] = float_key(f);
                 wrong += kd_unkey(key[i]) != f;
             }
             kd_sort(key, spare, n);
@@ -246,7 +246,7 @@ static void test_sort(void)
             for (size_t i = 1; i < n; i++) wrong += kd_unkey(key[i - 1]) > kd_unkey(key[i]);
         }
     check_equal(wrong, 0, "floats sorted by their bits");
-    check(kd_key(-0.0f) == kd_key(0.0f), "-0 and 0 are one plane");
+    check(float_key(-0.0f) == float_key(0.0f), "-0 and 0 are one plane");
 }
 
 /* (12.4) by definition: every side of every box, counted anew. */

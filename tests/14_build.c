@@ -231,7 +231,8 @@ static void test_clip(void)
     check(triangle_clip(&m, &item, 1, 7, INFINITY, &b), "the tip");
     check_close(b.side[3], 1, pad, "above y = 7 it is 1 wide");
     check(!triangle_clip(&m, &item, 0, 9, 10, &b), "it does not reach beyond 8");
-    check(triangle_clip(&m, &item, 0, 8, 9, &b) && b.side[0] == 8 && b.side[3] == 8 && b.side[1] <= 0,
+    check(triangle_clip(&m, &item, 0, 8, 9, &b) && b.side[0] == 8 && b.side[3] == 8
+              && b.side[1] <= 0,
           "the corner at 8 belongs to what begins there");
     check(triangle_clip(&m, &item, 0, 0, 4, &b) && b.side[4] >= 8, "and those at 0 to the first");
     item.box.side[3] = 1;  /* cut before, at x = 1; box kept below y = 3 */

@@ -614,7 +614,8 @@ static void test_program(void)
     check_equal(run("--verify --scene tree --scale 3 --region -0.5,0,0.5,1"), 0, "verify");
     check(printed("out", "tree bvh: 4096 primary") && printed("out", "as brute force"),
           "says what it compared");
-    check_equal(run("--verify --scene tree --scale 3 --region -1,0.98,1,1 --only bvh,grid"), 0, "sky");
+    check_equal(run("--verify --scene tree --scale 3 --region -1,0.98,1,1 --only bvh,grid"), 0,
+                "sky");
     check(printed("out", "tree bvh: 4096 primary, 0 shadow"), "above the tree nothing is hit");
     check(printed("out", "tree grid: 4096 primary") && !printed("out", "octree"), "two of --only");
     check_equal(run("--protocol spd --scene tetra --only bvh"), 0, "the protocol");

@@ -90,6 +90,8 @@ static inline void structure_meshes(const structure *s, size_t rays)
     structure_mesh(s, "torus", torus_mesh(24), rays, home, 1, 0);
     structure_mesh(s, "torus, moved", torus_mesh(24), rays, off, 1, 0);
     structure_mesh(s, "torus, tiny", torus_mesh(24), rays, home, (real)1e-12, 0);
+    structure_mesh(s, "torus, of subnormal numbers", torus_mesh(24), rays, home,
+                   8 * real_smallest * real_epsilon * 1000, 0);
     structure_mesh(s, "torus, huge", torus_mesh(24), rays, home, (real)1e6, 0);
     structure_mesh(s, "torus, flat", torus_mesh(16), rays, home, 0x1p-70, 0);
     structure_mesh(s, "torus, from 100 away", torus_mesh(24), rays, home, 1, 100);

@@ -178,9 +178,10 @@ static inline bool signs_differ(real x, real y, real z)
     return real_min(real_min(x, y), z) < 0 && real_max(real_max(x, y), z) > 0;
 }
 
-/* The edge functions of a, b, c with their exact signs: each axis scaled by its own power of two, so
- * that nothing over- or underflows, and with the rounding of the products given back. All three
- * change by one factor, which t does not see. Zero only if two corners and the ray are in line. False if a coordinate is infinite or NaN, or if all are zero. */
+/* The edge functions of a, b, c with their exact signs: each axis is scaled by its own power of
+ * two, so that nothing over- or underflows, and the rounding of the products is given back. All
+ * three change by one factor, which t does not see. Zero only if two corners and the ray are
+ * exactly in line. False if a coordinate is infinite or NaN, or if all are zero. */
 static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
 {
     vec3 x = {a.x, b.x, c.x}, y = {a.y, b.y, c.y};

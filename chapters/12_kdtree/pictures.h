@@ -11,6 +11,7 @@
 #include "../../common/image.h"
 #include "../../common/parallel.h"
 #include "../02_camera/headlight.h"
+#include "../10_grid/heat.h"
 #include "measure.h"
 
 typedef struct { const kdtree *t; const mesh *m; view v; image *im; real most; } picture;
@@ -32,21 +33,6 @@ static inline void mesh_pixel(int x, int y, void *context)
     image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
 }
 
-/* Black, blue, violet, orange, white: rising brightness, so that it also reads in grey. */
-static inline vec3 heat(real x)
-{
-    static const real scale[5][3] = {{0, 0, 0},
-                                     {(real)0.05, (real)0.06, (real)0.45},
-                                     {(real)0.5, (real)0.07, (real)0.4},
-                                     {(real)0.95, (real)0.45, (real)0.05},
-                                     {1, 1, 1}};
-    x = real_clamp(x, 0, 1) * 4;
-    int i = x < 3 ? (int)x : 3;
-    real f = x - (real)i, c[3];
-    for (int k = 0; k < 3; k++) c[k] = (1 - f) * scale[i][k] + f * scale[i + 1][k];
-    return (vec3){c[0], c[1], c[2]};
-}
-
 static inline void visits_pixel(int x, int y, void *context)
 {
     const picture *p = context;
@@ -54,7 +40,7 @@ static inline void visits_pixel(int x, int y, void *context)
     hit h;
     kdtree_hit_counted(p->t, camera_ray(p->v.camera, (real)x + (real)0.5, (real)y + (real)0.5,
                                         p->im->width, p->im->height), &h, &w);
-    image_set(p->im, x, y, heat((real)(w.nodes + w.tests) / p->most));
+    image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / p->most));
 }
 
 static inline bool draw_mesh(picture p, int threads)

@@ -31,6 +31,7 @@
 #ifndef KDTREE_SPLIT_H
 #define KDTREE_SPLIT_H
 
+#include "../09_aabb/float_round.h"
 #include "clip.h"
 
 typedef enum { KD_MIDDLE, KD_MEDIAN, KD_SAH, kdtree_strategies } kdtree_strategy;
@@ -46,16 +47,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Floats as whole numbers in the same order: all bits of a negative one are turned, the sign of
- * others. */
-static inline uint32_t kd_key(float x)
-{
-    uint32_t bits;
-    x += 0.0f;  /* -0 becomes 0 */
-    memcpy(&bits, &x, sizeof bits);
-    return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
-
+/* The float of a float_key (09). */
 static inline float kd_unkey(uint32_t key)
 {
     float x;
@@ -119,7 +111,7 @@ static inline kd_choice kd_median(kd_splitter *s, const kd_item *item, size_t n,
 {
     int k = kd_longest(cell);
     for (size_t i = 0; i < n; i++)
-        s->begin[i] = kd_key(0.5f * item[i].box.lo[k] + 0.5f * item[i].box.hi[k]);
+        s->begin[i] = float_key(0.5f * item[i].box.lo[k] + 0.5f * item[i].box.hi[k]);
     kd_sort(s->begin, s->spare, n);
     float p = kd_unkey(s->begin[n / 2]);
     return kd_cuts(cell, k, p) ? (kd_choice){0, k, p} : kd_middle(cell);
@@ -143,8 +135,8 @@ static inline void kd_sweep_axis(kd_splitter *s, const kd_item *item, size_t n,
     double y = (double)cell->hi[v] - (double)cell->lo[v], area = kd_area(cell);
     kd_profile f = {x * y, x + y, cell->lo[k], cell->hi[k]};
     for (size_t i = 0; i < n; i++) {
-        s->begin[i] = kd_key(item[i].box.lo[k]);
-        s->end[i] = kd_key(item[i].box.hi[k]);
+        s->begin[i] = float_key(item[i].box.lo[k]);
+        s->end[i] = float_key(item[i].box.hi[k]);
     }
     kd_sort(s->begin, s->spare, n), kd_sort(s->end, s->spare, n);
     for (size_t i = 0, j = 0; j < n; ) {

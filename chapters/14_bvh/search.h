@@ -31,7 +31,7 @@ typedef struct {
     size_t tests;   /* items tested */
 } bvh_work;
 
-/* box_ray_of; box_ray_naive, which loses hits; or what pays for more errors than those of node.h. */
+/* box_ray_of; box_ray_naive, which loses hits; or what pays for more errors than node.h counts. */
 typedef box_ray tree_prepare(ray r, const bvh_box *all, const void *context);
 
 /* Tests items first .. first + count - 1; true if one was closer than q->best (any: was hit at

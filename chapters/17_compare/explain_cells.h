@@ -98,10 +98,10 @@ static inline cell_place kdtree_place(const kdtree *t, vec3 p, uint32_t wanted)
     vec3 q = kd_place(&t->frame, p);
     while (!kd_is_leaf(t->node[at]) && c.depth < cell_most_depth) {
         kd_node n = t->node[at];
-        at = (n.rest >> 2) + (vaxis(q, (int)(n.rest & 3)) > (real)n.plane);
+        at = kd_lower(n) + (vaxis(q, kd_axis(n)) > (real)n.plane);
         c.path[++c.depth] = at;
     }
-    size_t first = t->node[at].first, n = t->node[at].rest >> 2;
+    size_t first = t->node[at].first, n = kd_count(t->node[at]);
     for (size_t k = 0; k < t->references; k++) {
         bool it = (t->triangle ? t->triangle[k].index : t->index[k]) == wanted;
         c.everywhere += it;

@@ -10,6 +10,7 @@
 
 #include "../../common/output.h"
 #include "../02_camera/headlight.h"
+#include "../10_grid/heat.h"
 #include "scenes.h"
 #include "stage.h"
 
@@ -46,28 +47,13 @@ static inline void panel_pixel(int x, int y, void *context)
     image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
 }
 
-/* Black, blue, violet, orange, white: rising brightness, so that it also reads in grey. */
-static inline vec3 visits_colour(real x)
-{
-    static const real scale[5][3] = {{0, 0, 0},
-                                     {(real)0.05, (real)0.06, (real)0.45},
-                                     {(real)0.5, (real)0.07, (real)0.4},
-                                     {(real)0.95, (real)0.45, (real)0.05},
-                                     {1, 1, 1}};
-    x = real_clamp(x, 0, 1) * 4;
-    int i = x < 3 ? (int)x : 3;
-    real f = x - (real)i, c[3];
-    for (int k = 0; k < 3; k++) c[k] = (1 - f) * scale[i][k] + f * scale[i + 1][k];
-    return (vec3){c[0], c[1], c[2]};
-}
-
 static inline void visits_pixel(int x, int y, void *context)
 {
     const panel *p = context;
     search_work w = {0, 0, 0, 0};
     hit h;
     p->c->hit_counted(p->s, panel_ray(p, (real)x + (real)0.5, (real)y + (real)0.5), &h, &w);
-    image_set(p->im, x, y, visits_colour((real)(w.nodes + w.tests) / visits_most));
+    image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / visits_most));
 }
 
 /* Draws a panel as number k of columns x rows of the picture; panels are at least a pixel large. */
