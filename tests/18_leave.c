@@ -26,9 +26,10 @@ static void test_default(void)
                     all++;
                 }
             }
-        /* A cone's tip has no normal: in float some hits lie within an offset of it. */
+        /* A cone's tip has no normal: in float some hits lie within an offset of it. Without the
+         * noise of the test there would be ten times as many self-hits. */
         size_t tips = real_is_float && kind == DEPART_CONE ? all / 5000 : 0;
-        check_at_most(self, tips, "%s: rays that meet the surface they leave", names[kind]);
+        check_at_most(self, tips / 4, "%s: rays that meet the surface they leave", names[kind]);
         check_at_most(leak, tips, "%s: occluders missed", names[kind]);
     }
 }
@@ -50,6 +51,7 @@ static shares play(leaving way, departure_kind kind, real size, real T, size_t n
 static void test_others_fail(void)
 {
     size_t n = check_count(20000);
+    n = n < 4000 ? 4000 : n;  /* the rarest failure here is one in a hundred */
     check_at_least(play(ways[0], DEPART_SPHERE, 1, 0, n).leak, 0.9, "eps 1e-3, gap 1e-6");
     check_at_least(play(ways[1], DEPART_TRIANGLE, (real)1e-3, 0, n).leak, 0.9, "eps 1e-4, too");
     check_at_least(play(ways[2], DEPART_SPHERE, 1, 100, n).self, 0.05, "eps in t: grazing rays");
@@ -135,6 +137,9 @@ static void test_named(void)
     check(leave(s, (vec3){-1, 0, (real)0.1}).o.z > 1, "the geometric normal tells the side");
     surface turned = surface_facing(s, (vec3){0, 0, 1});
     check(turned.n.z == -1 && turned.ns.x == -1, "seen from within, both normals turn");
+    ball.sphere.r = -1;  /* a sphere turned inside out: n points inwards (03) */
+    s = surface_of_shape(&ball, r, h);
+    check(s.n.z == -1 && s.p.z == 1 && s.error > 0, "radius -1");
     ray to = leave_to(s, (vec3){0, 0, 3});
     check(to.tmin == 0 && to.tmax == 1 && ray_at(to, 1).z == 3, "[0, 1] ends at the light");
 }

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "../common/random.h"
 #include "../chapters/18_shade/gallery.h"
+#include "../chapters/18_shade/leave_variants.h"
 #include "../chapters/18_shade/sight.h"
 
 /* ---- trace ----------------------------------------------------------------------------------- */
@@ -11,7 +12,8 @@ typedef struct {
     hit h;
     uint32_t part;
     bool met, missed;
-    int asked, accepted, ignore, end_at;
+    int asked, accepted, ignore, end_at, hopeless;
+    real best;  /* of the accepted, 0: none yet */
 } seen;
 
 static void see_hit(tracer *t, ray r, trace_hit x, void *payload)
@@ -32,9 +34,10 @@ static any_hit_answer see_any(const tracer *t, ray r, trace_hit x, void *payload
     seen *s = payload;
     (void)t, (void)r;
     s->asked++;
+    s->hopeless += s->accepted && x.h.t > s->best;
     if (s->end_at && s->asked == s->end_at) return ANY_HIT_END;
     if (x.h.shape % 3 == (uint32_t)s->ignore) return ANY_HIT_IGNORE;
-    s->accepted++;
+    s->accepted++, s->best = x.h.t;
     return ANY_HIT_ACCEPT;
 }
 
@@ -86,6 +89,7 @@ static void test_trace(void)
     world_part_of_scene(&scenes[1], 2 | 1, &part[1]);
     world_part_of_mesh(&pot, 2, &part[2]);
     size_t n = check_count(20000), wrong[4] = {0}, hits[4] = {0}, ties = 0, early = 0, later = 0;
+    size_t hopeless = 0;
     tracer t = {.w = &w, .program = see_programs};
     for (size_t i = 0; i < n; i++) {
         vec3 from = {random_next(&s) * 20 - 10, random_next(&s) * 20 - 10, random_next(&s) * 8};
@@ -106,6 +110,7 @@ static void test_trace(void)
             if (kind < 2) wrong[kind] += got.asked != 0;
             if (first && met) early += got.asked == 1;
             if (first) later += got.accepted > 1;
+            hopeless += (size_t)got.hopeless;
         }
         seen end = {.ignore = 3, .end_at = 2};  /* the second candidate ends it, whatever it is */
         trace(&t, RAY_REFLECTION, r, &end);
@@ -120,6 +125,7 @@ static void test_trace(void)
     check_equal(t.counts.hits[RAY_CAMERA], hits[RAY_CAMERA], "each hit once");
     check_at_least(ties, n / 100, "ties between parts are among them");
     check_at_least(early, n / 100, "a kind that wants the first hit often asks once");
+    check_equal(hopeless, 0, "candidates behind the best so far, in this part or an earlier one");
     check_equal(later, 0, "candidates after ANY_HIT_END, or after the first");
 
     seen nothing = {.ignore = 3};
@@ -169,6 +175,11 @@ static void test_light(void)
     check_close(c.z, 0.64, eps, "(n.h)^2");
     c = blinn_phong(&m, up, (vec3){1, 0, 0}, (vec3){-1, 0, 0}, E);
     check(vfinite(c), "l = -v: no half vector, and no NaN");
+    m.shine = (real)2.5;
+    c = blinn_phong(&m, up, (vec3){1, 0, 0}, (vec3){0, 0, -1}, E);
+    check_equal(c.z, 0, "an eye below the shading normal: no highlight, and no NaN");
+    lamp = (light){LIGHT_POINT, {0, 0, (real)(real_is_float ? 1e-20 : 1e-160)}, {1, 0, 0}};
+    check(!light_reaches(&lamp, o, up, up, &x) && vzero(x.E), "so near that E overflows");
     check(material_reflects(&m) && !material_reflects(&(material){.shine = 1}), "black");
 }
 
@@ -233,6 +244,71 @@ static void test_contact(void)
     check_equal(wrong, 0, "points of the floor that are lit or dark wrongly");
     check_at_least(dark, n, "points in the shadow");
     check_at_least(lost, n / 10, "an eps of 1e-3 begins inside the ball, near the contact");
+}
+
+/* ---- all of shade ---------------------------------------------------------------------------- */
+
+static material shiny(const void *context, trace_hit x, const surface *s)
+{
+    (void)context, (void)s;
+    if (x.part == 1) return (material){{1, 1, 1}, {0, 0, 0}, 1, {0, 0, 0}};
+    return (material){{(real)0.5, (real)0.25, 0}, {0, (real)0.5, (real)0.125}, 3, {0, 0, 7}};
+}
+
+/* (18.8) at the north pole of a ball, seen from above, by a d that is not unit: sun from (0.6, 0,
+ * 0.8), h = (0.6, 0, 1.8) / sqrt(3.6). A lamp in front of a wall: what is behind it does not
+ * shadow, whatever way the ray leaves. */
+static void test_shade(void)
+{
+    shape ball = shape_of_sphere((sphere){{0, 0, 0}, 1});
+    vec3 corner[4] = {{2, -9, -9}, {2, 9, -9}, {2, 9, 9}, {2, -9, 9}};
+    shape wall = shape_of_polygon(polygon_of(corner, 4));
+    scene s[2] = {{&ball, 1}, {&wall, 1}};
+    world_part part[2];
+    world_part_of_scene(&s[0], MASK_ALL, &part[0]), world_part_of_scene(&s[1], MASK_ALL, &part[1]);
+    world w = {part, 1};
+    light L = {LIGHT_DIRECTIONAL, {(real)0.6, 0, (real)0.8}, {1, 2, 4}};
+    shading how = {.lights = &L, .n = 1, .material_of = shiny, .background = {3, 1, 4},
+                   .ambient = {1, 2, 3}};
+    tracer t = {.w = &w, .program = shade_programs, .user = &how};
+    ray r = ray_from((vec3){0, 0, 5}, (vec3){0, 0, -4});
+    double lobe = pow(1.8 / sqrt(3.6), 3), eps = 16 * (double)real_epsilon;
+    vec3 c = shade_ray(&t, r);
+    check_close(c.x, 0.5 + 0.8 * 0.5 / (double)pi, eps, "ambient and Lambert (18.8)");
+    check_close(c.y, 0.5 + 1.6 * (0.25 / (double)pi + 0.5 * lobe), eps, "and the highlight");
+    check_close(c.z, 7 + 3.2 * 0.125 * lobe, 4 * eps, "emission and highlight");
+    c = shade_ray(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 1, 0}));
+    check(c.x == 3 && c.y == 1 && c.z == 4, "the background");
+
+    ray (*const leaving_by[])(surface, vec3) = {NULL, leave, leave_fixed_1e4};
+    w.parts = 2, L = (light){LIGHT_POINT, {1, 0, 2}, {2, 2, 2}};
+    double cosine = 1 / sqrt(2);
+    for (int k = 0; k < 3; k++) {
+        how.leave = leaving_by[k];
+        c = shade_ray(&t, r);
+        check_close(c.x, 0.5 + cosine * 0.5 / (double)pi, eps, "a lamp before a wall, way %d", k);
+    }
+    world_part_free(&part[0]), world_part_free(&part[1]);
+}
+
+/* On a smoothed mesh the shading normal comes from the corners, and is another than n. */
+static void test_smooth(void)
+{
+    mesh pot = teapot_mesh(4);
+    size_t wrong = 0, apart = 0, flipped = 0;
+    for (uint32_t i = 0; i < pot.triangles; i++) {
+        hit h = {1, (real)0.25, (real)0.5, i};
+        surface s = surface_of_mesh(&pot, h);
+        vec3 ns = mesh_normal(&pot, i, h.u, h.v);
+        wrong += s.ns.x != ns.x || s.ns.y != ns.y || s.ns.z != ns.z || s.shape != i;
+        if (vzero(s.n)) continue;
+        apart += vlength(vcross(s.n, s.ns)) > (real)0.01;
+        flipped += !(vdot(s.n, s.ns) > 0);
+    }
+    check_equal(wrong, 0, "shading normals of the mesh");
+    check_equal(flipped, 0, "on the same side as n");
+    check_at_least(apart, pot.triangles / 4, "but not the same");
+    mesh_free(&pot);
 }
 
 /* ---- only what is called for ----------------------------------------------------------------- */
@@ -402,11 +478,27 @@ static void test_sight(void)
     }
 }
 
+/* Above one another in empty space: seen if both face the other. */
+static void test_facing(void)
+{
+    world nothing = {NULL, 0};
+    tracer t = {.w = &nothing, .program = shade_programs};
+    for (int k = 0; k < 4; k++) {
+        vec3 n[2] = {{0, 0, k & 1 ? -1 : 1}, {0, 0, k & 2 ? 1 : -1}};
+        surface a = {{0, 0, 0}, n[0], n[0], 0, 0, 0}, b = {{0, 0, 2}, n[1], n[1], 0, 0, 1};
+        check(sight(&t, a, b) == (k == 0) && sight(&t, b, a) == (k == 0), "facing, case %d", k);
+    }
+    check_equal(t.counts.rays[RAY_SIGHT], 2, "no ray where the surface itself is in between");
+}
+
 int main(void)
 {
+    test_facing();
     test_trace();
     test_light();
     test_contact();
+    test_shade();
+    test_smooth();
     test_spent();
     test_masks();
     test_printed();

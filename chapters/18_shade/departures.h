@@ -2,9 +2,9 @@
  * lies close above it.
  *
  *   departure_kind        the surface: sphere, triangle (fat, needle), cone, polygon
- *   departure x = departure_of(kind, size, T, seed, i);  number i: a shape of this size, moved by T
- *                                                in some direction, hit by a ray; and a w that
- *                                                leaves with n.w > 1e-3
+ *   departure_make(&x, kind, size, T, seed, i)   number i: a shape of this size, moved by T in some
+ *                                                direction, hit by a ray; and a w that leaves with
+ *                                                n.w > 1e-3
  *   bool departure_self(&x, ways[k])             the leaving ray hits its own shape
  *   bool departure_leak(&x, ways[k], gap)        it misses a plate that lies `gap` above p
  *   real departure_gap(&x)                       1e-6 max(size, T / 1e4), at least 32 ulps of |p|
@@ -118,7 +118,8 @@ static inline void departure_make(departure *x, departure_kind kind, real size, 
         x->kind = kind, x->size = size, x->T = T, x->at = random_mix(i + sample);
         surface at = surface_of_shape(&x->s, x->r, x->h);
         x->n = surface_facing(at, x->r.d).n;
-        if (kind == DEPART_CONE && vdot(x->n, at.n) < 0) continue;  /* inside is another wall */
+        bool round = kind == DEPART_SPHERE || kind == DEPART_CONE;
+        if (round && vdot(x->n, at.n) < 0) continue;  /* from inside w meets the other wall */
         real grazing = i % 3 == 0 ? (real)0.001 : i % 3 == 1 ? (real)0.01 : 1;
         real least = (real)1.1e-3;
         x->w = departure_towards(x->n, least + (1 - least) * grazing * random_next(&s), &s);

@@ -12,7 +12,8 @@
  * empirical lobe (经验模型) without a unit: it neither keeps energy nor narrows at grazing angles.
  *
  *   light_sample x;
- *   if (light_reaches(&light, p, n, &x)) ...    false: behind the surface, black, or at p itself
+ *   if (light_reaches(&light, p, n, ns, &x)) .. false: behind the surface, black, or at p itself
+ *                                               (as near as that: if E overflows)
  *   vec3 c = blinn_phong(&m, ns, x.l, v, x.E)   (18.3) + (18.4)
  *   bool material_reflects(&m)                  false: black; no light is worth a shadow ray
  *
@@ -54,7 +55,9 @@ static inline bool light_reaches(const light *L, vec3 p, vec3 ng, vec3 ns, light
     *out = (light_sample){vunit(to), {0, 0, 0}};
     real cosine = vdot(ns, out->l), square = L->kind == LIGHT_POINT ? vdot(to, to) : 1;
     if (!(cosine > 0) || !(vdot(ng, out->l) > 0) || !(square > 0)) return false;
-    out->E = vscale(L->colour, cosine / square);
+    vec3 E = vscale(L->colour, cosine / square);
+    if (!vfinite(E)) return false;  /* infinity times a black kd would be a NaN */
+    out->E = E;
     return !vzero(L->colour);
 }
 

@@ -1,6 +1,6 @@
 /* shade.h: the three functions of the notes, written as programs of trace.h.
  *
- *   rayTraceImage()                                for each pixel: shade_pixel
+ *   rayTraceImage()                                for each pixel: shade_ray
  *     trace(RAY_CAMERA, eye ray, &seen)
  *       miss         -> seen.colour = background
  *       closest_hit  -> shade(): for each light that can contribute                       (18.8)
@@ -15,6 +15,9 @@
  *   tracer t = {&world, shade_programs, &s};
  *   vec3 c = shade_ray(&t, camera_ray(..));
  *   t.counts.rays[RAY_SHADOW]                      what it took
+ *
+ * Programs that need more than a `shading` point tracer.user to a struct of their own that begins
+ * with one: then shade_miss still finds it, and shade() is given it in any case.
  */
 #ifndef SHADE_H
 #define SHADE_H
@@ -27,7 +30,7 @@ enum { MASK_SEEN = 1, MASK_SHADOW = 2, MASK_SIGHT = 4, MASK_ALL = 7 };
 
 typedef struct {
     const light *lights;
-    int n;
+    int n;               /* how many */
     material (*material_of)(const void *context, trace_hit x, const surface *s);
     const void *context;
     vec3 background, ambient;

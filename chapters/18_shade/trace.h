@@ -130,19 +130,19 @@ static inline bool trace_leaf(const void *context, uint32_t first, uint32_t coun
         query one = *q;
         bool closer = a->part->m ? bvh_leaf(&a->part->of_mesh, i, 1, &one, false)
                                  : bvh_shapes_leaf(&a->part->of_scene, i, 1, &one, false);
-        if (!closer || *a->end) continue;
+        if (!closer) continue;
         trace_hit x = {one.best, a->index};
         any_hit_answer answer = a->program->any_hit(a->t, a->r, x, a->payload);
         if (answer == ANY_HIT_IGNORE) continue;
         *q = one;
         found = true;
-        if (answer == ANY_HIT_END) *a->end = true, q->r.tmax = -real_infinity;  /* prunes all */
-        if (any || *a->end) return true;
+        if (answer == ANY_HIT_END) *a->end = true, q->r.tmax = -real_infinity;  /* ends all */
+        if (any) return true;
     }
     return found;
 }
 
-/* True: met, and *x says what (not if the kind asks for the first: then x is untouched). */
+/* True: met, and *h says what (not if the kind asks for the first: then h is untouched). */
 static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k, ray r,
                               void *payload, bool *end, hit *h)
 {
