@@ -170,6 +170,10 @@ static void test_weights(void)
     check_at_most(most[1], p * slack, "cosine: always pi");
     check_at_most(most[2], p / 0.2 * slack, "mixed with a fifth of cosine: at most 5 pi");
     check_at_least(most[3], 1000, "cos^20 alone: no bound");
+    vec3 w = {(real)0.8, 0, (real)0.6};
+    double density = 0.75 * (double)pdf_lobe(4, w) + 0.25 * (double)pdf_cosine(w);
+    check_close(importance_weight_mixed(4, (real)0.25, w.z) * density, 0.6,
+                16 * (double)real_epsilon, "f / p, p being a mixture");
     check_close(importance_weight_mixed(20, 0, (real)0.5), importance_weight(20, (real)0.5), 1e-9,
                 "nothing mixed in");
 }

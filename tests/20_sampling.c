@@ -95,6 +95,7 @@ static double second_moment(const trial *t, vec3 w)
 static void test_chi_square(void)
 {
     size_t n = check_count(200000);
+    n = n < 20000 ? 20000 : n;  /* so many it takes to find the cube out */
     for (size_t k = 0; k < sizeof right / sizeof *right; k++) {
         chi_square_result r = chi_square_of(&right[k], n);
         check_at_least(r.p, alarm, "%s: samples follow the pdf", right[k].name);
@@ -112,6 +113,7 @@ static void test_chi_square(void)
 static void test_expectations(void)
 {
     size_t n = check_count(50000);
+    n = n < 5000 ? 5000 : n;
     for (size_t k = 0; k < sizeof right / sizeof *right; k++) {
         const trial *t = &right[k];
         estimate x = {0}, y = {0}, square = {0};
@@ -297,6 +299,24 @@ static void test_choose(void)
         check(c.before == NULL, "and nothing is left to free");
     }
     check(!choice_build(bad[0], 0, &c), "nothing to choose from");
+
+    /* extremes: weights that a plain sum forgets; one that is met by u = 0 alone; the least there
+     * are, whose multiples round up to the whole */
+    real lost[1001] = {1}, far[2] = {real_is_float ? (real)1e-37 : (real)1e-300,
+                                     real_is_float ? (real)1e37 : (real)1e300};
+    for (int k = 1; k <= 1000; k++) lost[k] = (real)0x1p-54;
+    check(choice_build(lost, 1001, &c), "1 and a thousand times 2^-54");
+    check_close(c.before[1001] - 1, 1000 * 0x1p-54, 0x1p-52, "none of them is lost");
+    choice_free(&c);
+    check(choice_build(far, 2, &c), "far apart");
+    check_equal(choice_sample(&c, 0, &p, &rest), 0, "u = 0");
+    check(p > 0, "p of the least probable one");
+    choice_free(&c);
+    real least[3] = {(real)ldexp(1.0, real_is_float ? -149 : -1074), 0, 0};
+    check(choice_build(least, 3, &c), "the least weight there is");
+    check_equal(choice_sample(&c, (real)0.75, &p, &rest), 0, "nothing of weight 0 is met");
+    check(p == 1 && rest >= 0 && rest < 1, "and its p is 1");
+    choice_free(&c);
 
     /* many equal weights: rounded sums end below the largest u, and the naive walk runs off the end
      * */

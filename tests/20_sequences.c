@@ -250,11 +250,13 @@ static void test_uniform(void)
  * 1.5 for two points, which are never alike. In one and the same order it would hardly fall. */
 static void test_unbiased(void)
 {
+    uint64_t runs = check_count(3000);
+    runs = runs < 300 ? 300 : runs;  /* for fewer the bound of 2, below, is too narrow */
     for (int kind = 0; kind < sequence_kinds; kind++) {
         if (kind == SEQUENCE_HALTON) continue;
         for (uint32_t n = 1; n <= 64; n = 4 * n + 3) {  /* 1, 7, 31: no powers of two */
             estimate e = {0}, pairs = {0}, product = {0}, next = {0};
-            for (uint64_t run = 0; run < check_count(3000); run++) {
+            for (uint64_t run = 0; run < runs; run++) {
                 double error[integrands], sum = 0, off = 0, off_1 = 0;
                 integrand_errors((sequence_kind)kind, 1, run, n, error);
                 e = estimate_add(e, error[SMOOTH]);
@@ -308,8 +310,27 @@ static void test_keys(void)
     check_equal(sampler_number(&s), random_real(4, 5, 6, 2), "and in their order");
 }
 
+/* Halton's digits in base 3: over the seeds all six permutations come alike, not three turns only.
+ * And in double the digits of Sobol's points go on below 2^-32. */
+static void test_digits(void)
+{
+    size_t n = check_count(60000), coarse = 0;
+    double seen[6] = {0}, due[6];
+    for (uint64_t k = 0; k < n; k++) {
+        uint64_t coin = random_bits(6, k, 0, 0);
+        uint32_t d0 = halton_digit(0, 3, coin), d1 = halton_digit(1, 3, coin);
+        seen[2 * d0 + (d1 > d0 ? d1 - 1 : d1)]++;
+        double u = ldexp((double)real_of_fraction((uint32_t)coin, (uint32_t)k), 32);
+        coarse += u == floor(u);
+    }
+    for (int k = 0; k < 6; k++) due[k] = (double)n / 6;
+    check_at_least(chi_square_test(seen, due, 6).p, alarm, "permutations of three digits");
+    if (!real_is_float) check_at_most(coarse, n / 1000, "fractions that end at 2^-32");
+}
+
 int main(void)
 {
+    test_digits();
     test_nets();
     test_sampler_nets();
     test_sobol_definition();

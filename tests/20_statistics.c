@@ -187,12 +187,20 @@ static void test_rejects(void)
     rare[3] = 1, rare[10] = few[10] = 500;
     check_at_least(chi_square_test(rare, few, 11).p, 0.01, "rare bins are put together");
 
+    /* And what is left over counts as a bin, too: 60 where 1 is due. */
+    double many[2] = {100, 60}, one[2] = {100, 1};
+    check_equal(chi_square_test(many, one, 2).degrees, 1, "two bins");
+    check_at_most(chi_square_test(many, one, 2).p, 1e-8, "60 where 1 is due");
+
     double x[3] = {1, 2, 4}, y[3] = {5, 3, -1};
     line_fit f = fit_line(x, y, 3);
     check_close(f.slope, -2, 1e-14, "slope of 7 - 2x");
     check_close(f.intercept, 7, 1e-14, "intercept of 7 - 2x");
     check_at_most(slope_interval(f, 0.95), 1e-13, "an exact line has no doubt");
     check(isinf(slope_interval(fit_line(x, y, 2), 0.95)), "two points always lie on a line");
+    /* 0, 0, 3 at 0, 1, 2: residuals 1/2, -1, 1/2 from 1.5 x - 0.5; sqrt((3/2) / (3 - 2) / 2) */
+    double bent_x[3] = {0, 1, 2}, bent[3] = {0, 0, 3};
+    check_close(fit_line(bent_x, bent, 3).slope_error, sqrt(0.75), 1e-14, "error of a slope");
 }
 
 int main(void)

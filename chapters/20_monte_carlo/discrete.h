@@ -56,19 +56,21 @@ static inline real choice_probability(const choice *c, size_t k)
 }
 
 /* u is at most 1 - 2^-53, and 2^-53 of the whole is half a step of double or more: x < whole after
- * rounding, too. So before[lo] <= x < before[hi] all the time, and in the end hi = lo + 1, a step
- * of height above 0. */
+ * rounding, too, unless the whole is below 1e-307 and rounds more coarsely. So before[lo] <= x <
+ * before[hi] all the time, and in the end hi = lo + 1, a step of height above 0. A weight of 1e-300
+ * beside one of 1e300 is met if u = 0; its p must not round to 0. */
 static inline size_t choice_sample(const choice *c, real u, real *p, real *rest)
 {
     double whole = c->before[c->n], x = (double)u * whole;
     size_t lo = 0, hi = c->n;
+    if (!(x < whole)) x = nextafter(whole, 0.0);
     while (hi - lo > 1) {
         size_t middle = lo + (hi - lo) / 2;
         if (c->before[middle] <= x) lo = middle;
         else hi = middle;
     }
     double step = c->before[hi] - c->before[lo];
-    *p = (real)(step / whole);
+    *p = real_max((real)(step / whole), real_smallest);
     *rest = real_min((real)((x - c->before[lo]) / step), 1 - real_epsilon / 2);
     return lo;
 }

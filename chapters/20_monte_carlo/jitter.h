@@ -5,6 +5,7 @@
  *   +----+----+----+
  *   |  . |    |.   |      jitter_line(i, n, key, &s), jitter_square(i, n, key, &s, &u, &v)
  *   |    |  . |    |      i [0..n-1]: which point; key: the same for all n; s: its own numbers
+ *                         n [1 .. 2^31] is how many
  *
  *   uint32_t j = permuted(i, n, key);          a permutation of 0 .. n-1, without memory
  *
