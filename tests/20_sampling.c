@@ -189,6 +189,26 @@ static void test_corners(void)
     check(pdf_cone(c_sun, (vec3){0, 0, 1}) > 1000, "a density may exceed 1");
 }
 
+/* On the rim of a disk and of cones of any angle roundings go outwards, too: the pdf forgives them,
+ * and not more. */
+static void test_rims(void)
+{
+    size_t lost = 0, disk = 0, beyond = 0;
+    for (uint64_t i = 0; i < check_count(200000); i++) {
+        random_stream s = random_start(9, 0, i);
+        real u = 1 - real_epsilon / 2 * (1 + floor(3 * random_next(&s))), v = random_next(&s);
+        direction_cone c = {pow((real)10, -9 * random_next(&s))};
+        lost += !(pdf_cone(c, sample_cone(c, u, v)) > 0);
+        direction_cone wider = {c.half_sine2 * (1 + 64 * real_epsilon)};
+        beyond += pdf_cone(c, sample_cone(wider, u, v)) > 0;
+        vec3 rim[3] = {sample_disk_polar(u, v), sample_disk(u, v), sample_disk(v, u)};
+        for (int k = 0; k < 3; k++) disk += !(pdf_disk(rim[k]) > 0);
+    }
+    check_equal(lost, 0, "samples of a cone outside of it");
+    check_equal(disk, 0, "samples of the disk outside of it");
+    check_equal(beyond, 0, "a cone wider by 64 epsilon is another cone");
+}
+
 /* sin of the angle of sample u: of a cone 2 sqrt(q (1-q)), q = u sin^2(angle/2), in double from the
  * angle itself; of a lobe by its first two terms, a = -log(1-u) / (n+1) being small. */
 static void test_narrow(void)
@@ -341,6 +361,7 @@ int main(void)
     test_chi_square();
     test_expectations();
     test_corners();
+    test_rims();
     test_narrow();
     test_stretch();
     test_triangles_and_frames();
