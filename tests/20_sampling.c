@@ -189,8 +189,8 @@ static void test_corners(void)
     check(pdf_cone(c_sun, (vec3){0, 0, 1}) > 1000, "a density may exceed 1");
 }
 
-/* On the rim of a disk and of cones of any angle roundings go outwards, too: the pdf forgives them,
- * and not more. */
+/* On the rim of cones of any angle roundings go outwards, too: the pdf forgives them, and not more.
+ * On that of the disk they hardly do. */
 static void test_rims(void)
 {
     size_t lost = 0, disk = 0, beyond = 0;
