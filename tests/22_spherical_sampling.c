@@ -165,7 +165,7 @@ static void test_expectations(void)
     }
 }
 
-/* p touches the middle of an edge, each one in turn: two corners are opposite of each other, and the
+/* p touches the middle of an edge, each in turn: two corners are opposite of each other, and the
  * arc between them goes anywhere. Mean of cos Omega by a t-test; all weights are finite, >= 0. */
 static void test_near_edges(void)
 {

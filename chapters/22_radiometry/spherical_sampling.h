@@ -31,8 +31,8 @@
 
 #include "solid_angle.h"
 
-/* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. The triangle's
- * corner `first` is a: usually 0; where p is close to an edge, the corner opposite of that edge. */
+/* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. Its corner
+ * `first` is a: usually 0; where p is close to an edge, the corner opposite of that edge. */
 typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; int first; } spherical_triangle;
 /* Names as in the paper: sides along x and y, plane z = z0; S as Ureña's formula has it. */
 typedef struct { real x0, x1, y0, y1, z0, b0, b1, k, S; } urena_map;
