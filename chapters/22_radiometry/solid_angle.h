@@ -166,8 +166,8 @@ static inline wide_corners corners_of_triangle(triangle t, vec3 p, int *e)
 
 /* tan(Omega / 2) = a.(s x t) / (|a||b||c| + a.b |c| + b.c |a| + c.a |b|),                   (22.5)
  * b = a + s, c = a + t.
- * The numerator is off by some epsilon |a||s||t|, the denominator by some epsilon |a||b||c|, or more
- * if b or c is short: it is a + s or a + t here, and off by an epsilon |a|. false: that may be more
+ * The numerator is off by some epsilon |a||s||t|, the denominator by some epsilon |a||b||c|, and by
+ * more if b or c is short: it is a + s or a + t, and off by an epsilon |a|. false: that may be more
  * than 16 epsilon of the angle; so may it be where something over- or underflows. */
 static inline bool triangle_solid_angle_fast(vec3 a, vec3 s, vec3 t, real *omega)
 {
