@@ -252,6 +252,32 @@ static void test_hard_cases(void)
     free(r);
 }
 
+/* Light, and p, scaled by powers of two: the same irradiance, to the last bits. */
+static void test_scales(void)
+{
+    const sphere b = {{2, 0, (real)0.5}, 1};
+    const rectangle wall = {{2, -1, -1}, {0, 0, 3}, {0, 2, 0}};
+    double sphere_one = (double)sphere_irradiance(b, seen_from, seen_up);
+    double wall_one = (double)rectangle_irradiance(wall, seen_from, seen_up);
+    for (int e = real_is_float ? -120 : -1000; e < (real_is_float ? 120 : 1000); e += 8) {
+        rectangle r = rectangle_scaled(wall, e);
+        vec3 v[4] = {r.o, vadd(r.o, r.s), vadd(vadd(r.o, r.s), r.t), vadd(r.o, r.t)};
+        check_at_most(relative((double)sphere_irradiance(sphere_scaled(b, e), seen_from, seen_up),
+                               sphere_one), 16 * eps, "sphere, scaled by 2^%d", e);
+        check_at_most(relative((double)rectangle_irradiance(r, seen_from, seen_up), wall_one),
+                      16 * eps, "rectangle, scaled by 2^%d", e);
+        check_at_most(relative((double)polygon_irradiance(v, 4, seen_from, seen_up), wall_one),
+                      16 * eps, "polygon, scaled by 2^%d", e);
+        spherical_rectangle k = spherical_rectangle_of(r, seen_from);
+        spherical_triangle h = spherical_triangle_of((triangle){v[0], v[1], v[2]}, seen_from);
+        double half = (double)fabs(triangle_solid_angle((triangle){v[0], v[1], v[2]}, seen_from));
+        check_at_most(relative((double)k.omega, 2 * half), 0.5, "in view, scaled by 2^%d", e);
+        check_at_most(relative((double)h.omega, half), 16 * eps, "half, scaled by 2^%d", e);
+        check_close(spherical_rectangle_sample(&k, (real)0.5, (real)0.5).y, 0.5, 64 * eps,
+                    "the middle, scaled by 2^%d", e);
+    }
+}
+
 /* Random triangles: slivers, tiny, cut, grazing. In general position the promise holds; where p is
  * close to the border, times size / distance, here at most 1e3. */
 static void test_random_triangles(void)
@@ -290,6 +316,7 @@ int main(void)
     test_turned_spheres();
     test_known_polygons();
     test_hard_cases();
+    test_scales();
     test_random_triangles();
     return check_report("22_irradiance");
 }

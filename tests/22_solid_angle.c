@@ -158,6 +158,23 @@ static void test_hard_triangles(void)
     check_at_least((double)wrong_sign, 1, "as in chapter 07: wrong side");
 }
 
+/* p close to a corner, compared with the others: b - p is not to be taken as (a - p) + (b - a). */
+static void test_near_corners(void)
+{
+    double worst = 0;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        random_stream s = random_start(5, 0, i);
+        vec3 a = point(&s, 1), b = point(&s, size_between(&s, -3, -0.5)), c = point(&s, 1);
+        vec3 p = point(&s, 1);
+        triangle t = {vadd(p, a), vadd(p, b), vadd(p, c)};
+        if (i % 2) t = (triangle){t.a, t.c, t.b};
+        double exact = triangle_solid_angle_exact(t, p);
+        if (fabs(exact) < 1e-30) continue;
+        worst = check_worse(worst, relative((double)triangle_solid_angle(t, p), exact));
+    }
+    check_at_most(worst, 16 * eps, "near a corner: what the header promises");
+}
+
 /* The same triangle, scaled by powers of two: the same solid angle. */
 static void test_scales(void)
 {
@@ -169,6 +186,8 @@ static void test_scales(void)
         triangle s = {vscale(t.a, k), vscale(t.b, k), vscale(t.c, k)};
         check_at_most(relative((double)triangle_solid_angle(s, vscale(p, k)), one), 32 * eps,
                       "scaled by 2^%d", e);
+        check_close((double)sphere_solid_angle((sphere){{0, 0, 2 * k}, k}, (vec3){0, 0, 0}),
+                    2 * PI * (1 - sqrt(0.75)), 4 * eps, "sphere, scaled by 2^%d", e);
     }
 }
 
@@ -217,6 +236,7 @@ int main(void)
     test_spheres();
     test_known_triangles();
     test_hard_triangles();
+    test_near_corners();
     test_scales();
     test_sums();
     return check_report("22_solid_angle");

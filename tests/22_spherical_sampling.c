@@ -165,6 +165,39 @@ static void test_expectations(void)
     }
 }
 
+/* p touches the middle of an edge, each in turn: two corners are opposite of each other, and the
+ * arc between them goes anywhere. Mean of cos Omega by a t-test; all weights are finite, >= 0. */
+static void test_near_edges(void)
+{
+    static const vec3 corner[3] = {{-1, 0, 0}, {1, 0, 0}, {(real)0.5, 2, 0}};
+    const real gap[] = {0, (real)0x1p-12, real_epsilon, -real_epsilon / 4, 0};
+    const size_t n = check_count(4000);
+    for (int edge = 0; edge < 3; edge++)
+        for (size_t g = 0; g < sizeof gap / sizeof *gap; g++) {
+            vec3 v[3] = {corner[edge], corner[(edge + 1) % 3], corner[(edge + 2) % 3]};
+            vec3 p = {0, gap[g], g == 4 ? real_epsilon / 4 : (real)0x1p-12}, down = {0, 0, -1};
+            triangle t = {v[0], v[1], v[2]};
+            spherical_triangle k = spherical_triangle_of(t, p);
+            estimate e = {0}, inward = {0};
+            for (size_t i = 0; i < n; i++) {
+                random_stream s = random_start(21, (uint64_t)edge, i);
+                real u = random_next(&s), a = random_next(&s);
+                vec3 b = spherical_triangle_sample(&k, u, a);
+                check(b.x >= 0 && b.y >= 0 && b.z >= 0 && b.x + b.y + b.z < 2, "weights");
+                vec3 w = vunit(vsub(triangle_at(t, b.y, b.z), p));
+                e = estimate_add(e, (double)(real_max(-w.z, 0) * k.omega));
+                inward = estimate_add(inward, (double)(real_max(w.y, 0) * k.omega));
+            }
+            if (g == 4) continue;  /* too close: directions are noise, weights are weights */
+            double down_e = (double)polygon_irradiance(v, 3, p, down);
+            double inward_e = (double)polygon_irradiance(v, 3, p, (vec3){0, 1, 0});
+            /* points are rounded, by 2^-24 or less: directions from a height of 2^-12 by 2^-12 */
+            check_at_least(t_test(e, down_e, 0x1p-9), alarm, "edge %d, gap %d: down", edge, (int)g);
+            check_at_least(t_test(inward, inward_e, 0x1p-9), alarm, "edge %d, gap %d: inward", edge,
+                           (int)g);
+        }
+}
+
 /* The map of Ureña et al. on a small rectangle: its solid angle is noise. */
 static void test_urena_fails(void)
 {
@@ -225,6 +258,7 @@ int main(void)
     test_triangle_shares();
     test_chi_square();
     test_expectations();
+    test_near_edges();
     test_urena_fails();
     test_sphere();
     test_sphere_cones();

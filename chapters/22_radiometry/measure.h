@@ -36,7 +36,9 @@ static inline void measure_view(const options *o)
     int n = o->quick ? 200 : 1000;
     double area[view_maps][view_things];
     for (int m = 0; m < view_maps; m++) view_count((view_map)m, n, area[m]);
-    table t = table_new("What a point sees: pixels counted, of 1000 x 1000",
+    char title[80];
+    snprintf(title, sizeof title, "What a point sees: pixels counted, of %d x %d", n, n);
+    table t = table_new(title,
                         "thing|solid angle [sr]|"
                         "error counted [sr]|irradiance [W/m^2]|error counted [W/m^2]");
     for (int k = 0; k < view_things; k++) {
@@ -83,19 +85,22 @@ static inline double run_way(void *context)
 static inline void measure_ways(const options *o)
 {
     enum { all = 2 * lights * ways };
+    int runs = o->quick ? 2 : 64;
     way_errors e[all];
     clock_variant clock[all];
     for (int i = 0; i < all; i++) {
         timed_way w = {(light_kind)(i / 2 / ways), (way)(i / 2 % ways),
                        i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, o->seed};
-        e[i] = (way_errors){w, o->quick ? 2 : 64, {0}};
+        e[i] = (way_errors){w, runs, {0}};
         clock[i] = (clock_variant){way_name[w.by], run_way, &e[i].what, 0};
     }
     parallel_for(all, o->threads, "estimates", way_job, e);
     clock_compare(clock, all, o->quick ? 3 : 51);
-    table t = table_new("Irradiance of two lights: error (root mean square over 64 runs, relative) "
-                        "and time", "light|samples by|N|error random|time random [us]|error Sobol'|"
-                        "time Sobol' [us]");
+    char title[120];
+    snprintf(title, sizeof title, "Irradiance of two lights: error (root mean square over %d runs, "
+                                  "relative) and time", runs);
+    table t = table_new(title, "light|samples by|N|error random|time random [us]|error Sobol'|"
+                               "time Sobol' [us]");
     for (int i = 0; i < all; i += 2)
         for (int l = 0; l < levels; l += 2) {
             table_text(&t, "%s", light_name[e[i].what.light]);
@@ -165,6 +170,9 @@ static inline void measure_photometry(const options *o)
     photometry_row(&t, "sun, 5772 K: radiance", sun.efficacy, sun.radiance, "W/(m^2 sr)", "nit");
     photometry_row(&t, "- irradiance above the air", sun.efficacy, sun.radiance * disk, "W/m^2",
                    "lx");
+    black_body_light best = black_body(6640);  /* found by a search in the tests */
+    photometry_row(&t, "best black body, 6640 K: radiance", best.efficacy, best.radiance,
+                   "W/(m^2 sr)", "nit");
     output_extra_table(o, &t);
 }
 

@@ -26,7 +26,8 @@
  * pieces that are small compared with their distance:
  *     E / L = integral of (n.w)(m.w) / |w|^2 dA, w = unit (x - p), = h integral of n.x / |x|^4 dA,
  * h being the distance of p from the plane, right to the last bits.                        (22.11)
- * Error: some 16 epsilon (n along an axis), times size / distance where p is close to the border.
+ * Error: some 16 epsilon (n along an axis), times size / distance where p is close to the border,
+ * times size / height where the part above the horizon is low: edges are differences of corners.
  *
  * Sources: J. H. Lambert, "Photometria", 1760; D. Baum, H. Rushmeier, J. Winget, "Improving
  * Radiosity Solutions through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
@@ -211,7 +212,14 @@ static inline real polygon_irradiance(const vec3 *v, int count, vec3 p, vec3 n)
 {
     if (count < 3 || count > polygon_most) return count < 3 ? 0 : (real)NAN;
     seen_polygon s = polygon_seen(v, count, p);
-    real volume[polygon_most];
+    real volume[polygon_most], far = 0;
+    for (int i = 0; i < count; i++) far = real_max(far, vlength(s.v[i]));
+    int e = needed_scale(far);
+    if (e) {
+        vec3 scaled[polygon_most];
+        for (int i = 0; i < count; i++) scaled[i] = vldexp(v[i], e);
+        return polygon_irradiance(scaled, count, vldexp(p, e), n);
+    }
     for (int i = 0; i + 2 < count; i++)
         volume[i] = -triangle_volume((triangle){v[0], v[i + 1], v[i + 2]}, p);
     return seen_irradiance(&s, volume, n);
@@ -219,6 +227,8 @@ static inline real polygon_irradiance(const vec3 *v, int count, vec3 p, vec3 n)
 
 static inline real rectangle_irradiance(rectangle r, vec3 p, vec3 n)
 {
+    int e = needed_scale(rectangle_far(r, p));
+    if (e) return rectangle_irradiance(rectangle_scaled(r, e), vldexp(p, e), n);
     seen_polygon s = rectangle_seen(r, p);
     real half = -rectangle_volume(r, p), volume[2] = {half, half};
     return seen_irradiance(&s, volume, n);

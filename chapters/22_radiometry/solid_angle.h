@@ -41,6 +41,26 @@ typedef struct { vec3 o, s, t; } rectangle;
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* Light, and p, may be scaled together. In float a product of three distances of 1e15 overflows, of
+ * 1e-15 vanishes: then this is the e with which 2^e far comes near to 1; otherwise 0. */
+static inline int needed_scale(real far)
+{
+    const real most = real_is_float ? (real)0x1p16 : (real)0x1p128;
+    int e = 0;
+    if ((far > most && far <= real_largest) || (far > 0 && far < 1 / most)) (void)frexp(far, &e);
+    return -e;
+}
+
+static inline vec3 vldexp(vec3 a, int e)
+{
+    return (vec3){ldexp(a.x, e), ldexp(a.y, e), ldexp(a.z, e)};
+}
+
+static inline sphere sphere_scaled(sphere s, int e)
+{
+    return (sphere){vldexp(s.c, e), ldexp(s.r, e)};
+}
+
 /* ---- cap, sphere ---- */
 
 /* angle = 1e-9: cos is 1, and nothing is left. */
@@ -67,6 +87,8 @@ static inline real sphere_power_at(sphere s, vec3 p)
 static inline direction_cone sphere_cone(sphere s, vec3 p)
 {
     real d = vlength(vsub(s.c, p)), r = fabs(s.r), power = (d - r) * (d + r);
+    int e = needed_scale(real_max(d, r));
+    if (e) return sphere_cone(sphere_scaled(s, e), vldexp(p, e));
     if (fabs(power) < d * d / 16) power = sphere_power_at(s, p);
     if (power < 0) return (direction_cone){1};
     if (d == 0) return (direction_cone){0};
@@ -144,9 +166,9 @@ static inline wide_corners corners_of_triangle(triangle t, vec3 p, int *e)
 
 /* tan(Omega / 2) = a.(s x t) / (|a||b||c| + a.b |c| + b.c |a| + c.a |b|),                   (22.5)
  * b = a + s, c = a + t.
- * The numerator is off by some epsilon |a||s||t|, the denominator by some epsilon |a||b||c|. false:
- * that may be more than 16 epsilon of the angle; so may it be where something over- or underflows.
- */
+ * The numerator is off by some epsilon |a||s||t|, the denominator by some epsilon |a||b||c|, and by
+ * more if b or c is short: it is a + s or a + t, and off by an epsilon |a|. false: that may be more
+ * than 16 epsilon of the angle; so may it be where something over- or underflows. */
 static inline bool triangle_solid_angle_fast(vec3 a, vec3 s, vec3 t, real *omega)
 {
     vec3 b = vadd(a, s), c = vadd(a, t);
@@ -154,8 +176,9 @@ static inline bool triangle_solid_angle_fast(vec3 a, vec3 s, vec3 t, real *omega
     real n = vdot(a, vcross(s, t)), whole = la * lb * lc;
     real d = whole + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb;
     real off = la * sqrt(vdot(s, s) * vdot(t, t)), sure = fabs(n) * (fabs(n) + fabs(d));
+    real off_d = 2 * whole + la * la * (lb + lc) / 2;
     *omega = 2 * atan2(n, d);
-    return fabs(d) * off + 2 * fabs(n) * whole <= 16 * sure && square_is_safe(sure)
+    return fabs(d) * off + fabs(n) * off_d <= 16 * sure && square_is_safe(sure)
         && square_is_safe(n * n);  /* a NaN: false */
 }
 
@@ -214,6 +237,17 @@ static inline void rectangle_solid_angles(rectangle r, vec3 p, real *one, real *
     wide_corners k[2];
     corners_of_rectangle(r, p, k);
     *one = wide_solid_angle(k[0]), *two = wide_solid_angle(k[1]);
+}
+
+static inline rectangle rectangle_scaled(rectangle r, int e)
+{
+    return (rectangle){vldexp(r.o, e), vldexp(r.s, e), vldexp(r.t, e)};
+}
+
+/* The longest side or way from p to o. */
+static inline real rectangle_far(rectangle r, vec3 p)
+{
+    return real_max(vlength(vsub(r.o, p)), real_max(vlength(r.s), vlength(r.t)));
 }
 
 static inline real rectangle_solid_angle(rectangle r, vec3 p)

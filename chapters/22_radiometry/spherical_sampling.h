@@ -31,8 +31,9 @@
 
 #include "solid_angle.h"
 
-/* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. */
-typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; } spherical_triangle;
+/* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. Its corner
+ * `first` is a: usually 0; where p is close to an edge, the corner opposite of that edge. */
+typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; int first; } spherical_triangle;
 /* Names as in the paper: sides along x and y, plane z = z0; S as Ureña's formula has it. */
 typedef struct { real x0, x1, y0, y1, z0, b0, b1, k, S; } urena_map;
 typedef struct { spherical_triangle half[2]; urena_map map; real omega; } spherical_rectangle;
@@ -44,11 +45,22 @@ static inline vec3 rectangle_at(rectangle r, vec3 y)
     return vmadd(vmadd(r.o, r.s, y.x), r.t, y.y);
 }
 
+/* Two corners on opposite sides of p, nearly: the arc between them goes anywhere, and 1 + a.b is
+ * noise. (22.12) follows the arcs a b and a c: the one nearest to pi has to be b c. */
+static inline int first_corner(vec3 a, vec3 b, vec3 c)
+{
+    real ab = vdot(a, b), bc = vdot(b, c), ca = vdot(c, a);
+    if (real_min(ab, ca) > -(real)0.875) return 0;
+    return bc <= real_min(ab, ca) ? 0 : ca <= ab ? 1 : 2;
+}
+
 static inline spherical_triangle spherical_triangle_from(vec3 a, vec3 b, vec3 c, real volume,
                                                          real omega)
 {
-    spherical_triangle k = {vunit(a), vunit(b), vunit(c), vlength(a), vlength(b), vlength(c), 0,
-                            fabs(omega)};
+    vec3 v[3] = {a, b, c};
+    int i = first_corner(vunit(a), vunit(b), vunit(c)), j = (i + 1) % 3, h = (i + 2) % 3;
+    spherical_triangle k = {vunit(v[i]), vunit(v[j]), vunit(v[h]), vlength(v[i]), vlength(v[j]),
+                            vlength(v[h]), 0, fabs(omega), i};
     k.volume = fabs(volume) / k.la / k.lb / k.lc;
     if (!(k.volume > 0)) k.omega = 0;  /* in its plane */
     return k;
@@ -56,8 +68,13 @@ static inline spherical_triangle spherical_triangle_from(vec3 a, vec3 b, vec3 c,
 
 static inline spherical_triangle spherical_triangle_of(triangle t, vec3 p)
 {
-    return spherical_triangle_from(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p),
-                                   triangle_volume(t, p), triangle_solid_angle(t, p));
+    vec3 a = vsub(t.a, p), b = vsub(t.b, p), c = vsub(t.c, p);
+    int e = needed_scale(real_max(vlength(a), real_max(vlength(b), vlength(c))));
+    if (e) {
+        t = (triangle){vldexp(t.a, e), vldexp(t.b, e), vldexp(t.c, e)}, p = vldexp(p, e);
+        return spherical_triangle_of(t, p);
+    }
+    return spherical_triangle_from(a, b, c, triangle_volume(t, p), triangle_solid_angle(t, p));
 }
 
 /* a b c' shall have the solid angle w = u omega. Let h be a multiple of a + c'. By (22.5)
@@ -76,12 +93,18 @@ static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u
     else A = 1;
     vec3 h = vmadd(vscale(k->a, A), k->c, B);
     real twice = 2 * vdot(h, k->a) / vdot(h, h), ca = twice * A - 1, cc = twice * B;  /* c' */
-    vec3 end = vsub(vmadd(vscale(k->a, ca), k->c, cc), k->b);
-    real away = real_min(vdot(end, end) / 2, 2), cosine = 1 - v * away;  /* away: 1 - b.c' */
-    real q = away < 2 ? sqrt(v * (1 + cosine) / (2 - away)) : 0;
+    vec3 end = vmadd(vscale(k->a, ca), k->c, cc), apart = vsub(end, k->b), both = vadd(end, k->b);
+    real away = vdot(apart, apart) / 2, near = 2 - away, bc = 1 - away;  /* 1 -+ b.c', b.c' */
+    if (away > 1) near = vdot(both, both) / 2, away = 2 - near, bc = near - 1;
+    real up = away > 1 ? 2 * (1 - v) + v * near : 2 - v * away;  /* 1 + cosine */
+    real cosine = away > 1 ? up - 1 : 1 - v * away, q = near > 0 ? sqrt(v * up / near) : 0;
     real wa = real_max(q * ca, 0) / k->la, wc = real_max(q * cc, 0) / k->lc;
-    real wb = real_max(cosine - q * (1 - away), 0) / k->lb, sum = wa + wb + wc;
-    return (vec3){wa / sum, wb / sum, wc / sum};
+    real wb = real_max(cosine - q * bc, 0) / k->lb, sum = wa + wb + wc;
+    if (!(sum > 0)) {  /* p on an edge, and c' opposite of b: take c' */
+        wa = real_max(ca, 0) / k->la, wc = real_max(cc, 0) / k->lc, sum = wa + wc;
+    }
+    real w[3] = {wa / sum, wb / sum, wc / sum};
+    return (vec3){w[(3 - k->first) % 3], w[(4 - k->first) % 3], w[(5 - k->first) % 3]};
 }
 
 /* ---- rectangle ---- */
@@ -107,6 +130,8 @@ static inline urena_map urena_map_of(rectangle r, vec3 p)
 
 static inline spherical_rectangle spherical_rectangle_of(rectangle r, vec3 p)
 {
+    int e = needed_scale(rectangle_far(r, p));
+    if (e) return spherical_rectangle_of(rectangle_scaled(r, e), vldexp(p, e));
     vec3 a = vsub(r.o, p), b = vadd(a, r.s), d = vadd(a, r.t), c = vadd(b, r.t);
     real volume = rectangle_volume(r, p), one, two;
     rectangle_solid_angles(r, p, &one, &two);
