@@ -1,5 +1,6 @@
-/* Tests of 23_brdf: reciprocity, energy, samples against pdfs, extreme parameters, closed forms, and
- * the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
+/* Tests of 23_brdf: reciprocity, energy, samples against pdfs, extreme parameters, closed forms,
+ * and the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8
+ * seeds. */
 #include "../chapters/23_brdf/brdf_naive.h"
 #include "../chapters/23_brdf/reflection.h"
 #include "../chapters/20_monte_carlo/chi_square.h"
@@ -234,7 +235,8 @@ static void test_weights(void)
             off = check_worse(off, fabs((double)brdf_pdf_local(&b, wi, wo) / (double)pdf - 1));
             if (b.kind == BRDF_LAMBERT) bound = 0.5;
             if (b.kind == BRDF_GGX) bound = 1;
-            /* both lobes: (fd + fs) / (p pd + (1-p) ps) <= the larger of fd/(p pd), fs/((1-p) ps) */
+            /* both lobes: (fd + fs) / (p pd + (1-p) ps), at most the larger of fd / (p pd) and
+             * fs / ((1-p) ps) */
             if (b.kind == BRDF_BLINN_PHONG) worst = check_worse(worst, w - bound - 1e-3);
             else worst = check_worse(worst, w - bound * (1 + 16 * eps));
         }
@@ -270,7 +272,7 @@ static void test_estimates(void)
             for (int j = 0; j < 5; j++) e[j] = estimate_add(e[j], (double)x[j].x);
         }
         double rounding = 64 * eps;
-        /* (1/pi) integral cos^2 = 2/3; the others: albedos in closed form, half of one by symmetry */
+        /* (1/pi) integral cos^2 = 2/3; the others: albedos in closed form, or half of one */
         check_at_least(t_test(e[0], 2.0 / 3, rounding), alarm, "choice %d: Lambert", c);
         check_at_least(t_test(e[1], 1 - log(2.0), rounding), alarm, "choice %d: GGX", c);
         check_at_least(t_test(e[2], 1, rounding), alarm, "choice %d: Blinn-Phong", c);
@@ -429,7 +431,8 @@ static void test_naive(void)
     static const double exponent[] = {1, 2, 4, 10};
     for (int i = 0; i < 4; i++) {
         real e = (real)exponent[i];
-        double albedo = quadrature(phong_of, &e, up, 300), exact = 2 * (double)pi / (exponent[i] + 2);
+        double albedo = quadrature(phong_of, &e, up, 300);
+        double exact = 2 * (double)pi / (exponent[i] + 2);
         check_close(albedo, exact, 2e-4, "Phong, e = %g: 2 pi / (e + 2)", exponent[i]);
         check(exponent[i] > 4.28 || albedo > 1, "Phong: makes light of nothing");
     }
@@ -470,7 +473,8 @@ static void test_naive(void)
     vec3 mid = at_angle(0.6, 0);
     double t2 = 0.64 / 0.36, bd = exp(-t2 / 0.25) / ((double)pi * 0.25 * 0.1296);
     check_close((double)beckmann_d((real)0.5, mid) / bd, 1, 64 * eps, "Beckmann, closed form");
-    check_close((double)beckmann_d_naive((real)0.5, mid) / bd, 1, 64 * eps, "naive, where it works");
+    check_close((double)beckmann_d_naive((real)0.5, mid) / bd, 1, 64 * eps,
+                "naive, where it works");
 }
 
 /* The white furnace of the visible normals: what is reflected once from all facets seen, 1. */

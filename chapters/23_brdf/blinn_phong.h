@@ -16,8 +16,8 @@
  *   blinn_phong_normal(e, u, v)         h by its part of the pdf; wi = mirrored(wo, h)
  *
  * Sources: J. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977;
- * F. Giesen, "Derivation of the Phong and Blinn-Phong normalization factors", 2009 (C); E. Lafortune,
- * Y. Willems, "Using the modified Phong reflectance model", report CW 197, 1994.
+ * F. Giesen, "Derivation of the Phong and Blinn-Phong normalization factors", 2009 (C); E.
+ * Lafortune, Y. Willems, "Using the modified Phong reflectance model", report CW 197, 1994.
  */
 #ifndef BLINN_PHONG_H
 #define BLINN_PHONG_H

@@ -22,8 +22,8 @@
  *
  * n, wi, wo have unit length; wi and wo point away from the surface. One that is behind it, or
  * within epsilon^2 of the horizon, gives 0. brdf_sample is then false, as it is for what is black
- * and for a facet that sends wi below the surface: nothing is reflected, no ray is to be traced, and
- * wi, pdf, weight are untouched. (Such a sample counts: its weight is 0.)
+ * and for a facet that sends wi below the surface: nothing is reflected, no ray is to be traced,
+ * and wi, pdf, weight are untouched. (Such a sample counts: its weight is 0.)
  *
  * A mirror is a delta (狄拉克函数): f and brdf_pdf are 0 for all directions that one can name, only
  * brdf_sample finds its wi, with the pdf infinity and the weight F. Ask brdf_is_delta before
@@ -188,7 +188,7 @@ static inline bool brdf_sample(const brdf *b, vec3 n, vec3 wo, real u, real v, v
 }
 
 /* The mean weight over a grid of (u, v): weights are bounded, whatever the lobe. Its tails, and the
- * horizon that cuts them, are at the edges of the square: u = s^2 (3 - 2 s) goes there more often. */
+ * horizon that cuts them, are at the edges of the square: u = s^2 (3 - 2 s) is there more often. */
 static inline vec3 brdf_albedo_specular(const brdf *b, vec3 wo)
 {
     enum { k = 64 };

@@ -55,7 +55,7 @@ static inline float ggx_d_naive_f32(float a, float z)
 
 static inline real blinn_phong_power_naive(real e, vec3 h) { return h.z > 0 ? pow(h.z, e) : 0; }
 
-/* D = e^(-tan^2 / a^2) / (pi a^2 z^4): facets with slopes in a bell curve.                (23.18) */
+/* D = e^(-tan^2 / a^2) / (pi a^2 z^4): facets with slopes in a bell curve.               (23.18) */
 static inline real beckmann_d_naive(real a, vec3 m)
 {
     real t = (m.x * m.x + m.y * m.y) / (m.z * m.z), z4 = m.z * m.z * m.z * m.z;

@@ -1,6 +1,7 @@
 /* 23_brdf: how surfaces reflect, and the reflection equation integrated five ways.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 23_brdf chapters/23_brdf/main.c -lm -lpthread
- * Errors are measured against a quadrature over half vectors that shares nothing with the samplers. */
+ * Errors are measured against a quadrature over half vectors that shares nothing with the
+ * samplers. */
 #include "measure.h"
 #include "pictures.h"
 

@@ -16,7 +16,8 @@
 
 enum { surfaces = 3, methods = 5, levels = 5 };
 static const char *const surface_name[surfaces] = {"Lambert", "GGX .7", "GGX .25"};
-static const char *const method_name[methods] = {"grid", "uniform", "cosine", "BRDF", "BRDF, Sobol'"};
+static const char *const method_name[methods] = {"grid", "uniform", "cosine", "BRDF",
+                                                 "BRDF, Sobol'"};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -54,7 +55,8 @@ static inline double method_run(reflection *r, int surface, int method, int leve
 {
     brdf b = surface_brdf(surface);
     uint32_t n = level_samples(level);
-    r->choice = method <= 1 ? DIRECTIONS_UNIFORM : method == 2 ? DIRECTIONS_COSINE : DIRECTIONS_BRDF;
+    r->choice = method <= 1 ? DIRECTIONS_UNIFORM
+              : method == 2 ? DIRECTIONS_COSINE : DIRECTIONS_BRDF;
     if (method == 0)
         return (double)reflection_grid(r, &b, upright, oblique, glowing_sky, 4 << level).x;
     return (double)reflection_estimate(r, &b, upright, oblique, glowing_sky,
@@ -167,7 +169,8 @@ static inline void measure_furnace(const options *o)
     static const double cosine[5] = {1, 0.7, 0.4, 0.1, 0.01};
     table t = table_new("White furnace: what single scattering keeps, GGX, F = 1",
                         "roughness|alpha|cos 1|cos .7|cos .4|cos .1|cos .01|lost in all [%]");
-    plot p = plot_new("White furnace: albedo of GGX with F = 1", "cos of the angle to n", "albedo", 0);
+    plot p = plot_new("White furnace: albedo of GGX with F = 1", "cos of the angle to n", "albedo",
+                      0);
     for (int r = 0; r <= 10; r++) {
         brdf b = brdf_ggx((vec3){1, 1, 1}, (real)r / 10);
         double all = 0;
@@ -193,30 +196,36 @@ static inline void measure_furnace(const options *o)
 
 /* ---- naive beside right ---- */
 
-/* Albedo of a value, by BRDF samples of the right GGX or by the grid. */
-static inline double naive_albedo(int which, double parameter, real cosine)
+typedef real one_value(real parameter, vec3 wi, vec3 wo);
+
+/* What an estimate with the wrong pdf p' tends to: the integral of f cos p / p'. */
+static inline real value_by_wrong_pdf(real e, vec3 wi, vec3 wo)
+{
+    return blinn_phong_value(e, wi, wo) * blinn_phong_pdf(e, wi, wo)
+         / blinn_phong_pdf_naive(e, wi, wo);
+}
+
+static inline real ggx_value(real a, vec3 wi, vec3 wo)
+{
+    brdf b = brdf_ggx((vec3){1, 1, 1}, sqrt(a));
+    return brdf_value_local(&b, wi, wo).x;
+}
+
+static inline double albedo_by_grid(one_value *f, real parameter, real cosine)
 {
     enum { k = 400 };
     vec3 wo = {-sqrt((1 - cosine) * (1 + cosine)), 0, cosine};
     double sum = 0;
     for (int i = 0; i < k * k; i++) {
-        vec3 wi = sample_hemisphere(((real)(i / k) + (real)0.5) / k, ((real)(i % k) + (real)0.5) / k);
-        real x = (real)parameter, f = which == 0 ? phong_naive(x, wi, wo)
-                                    : which == 1 ? ggx_value_naive(x, wi, wo) : 0;
-        if (which == 2)  /* what an estimate with the wrong pdf tends to: integral f cos p / p' */
-            f = blinn_phong_value(x, wi, wo) * blinn_phong_pdf(x, wi, wo)
-              / blinn_phong_pdf_naive(x, wi, wo);
-        if (which == 3) f = blinn_phong_value(x, wi, wo);
-        if (which == 4) {
-            brdf b = brdf_ggx((vec3){1, 1, 1}, sqrt(x));
-            f = brdf_value_local(&b, wi, wo).x;
-        }
-        sum += (double)(f * wi.z);
+        real u = ((real)(i / k) + (real)0.5) / k, v = ((real)(i % k) + (real)0.5) / k;
+        vec3 wi = sample_hemisphere(u, v);
+        sum += (double)(f(parameter, wi, wo) * wi.z);
     }
     return sum * 2 * (double)pi / (k * k);
 }
 
-static inline void naive_row(table *t, const char *what, const char *input, double naive, double right)
+static inline void naive_row(table *t, const char *what, const char *input, double naive,
+                             double right)
 {
     table_text(t, "%s", what), table_text(t, "%s", input);
     table_number(t, naive), table_number(t, right);
@@ -225,16 +234,22 @@ static inline void naive_row(table *t, const char *what, const char *input, doub
 static inline void measure_naive(const options *o)
 {
     table t = table_new("Formulas that look right", "naive|input|error it gives|instead of");
-    naive_row(&t, "Phong as it is: albedo", "e = 1, head-on", naive_albedo(0, 1, 1),
-              naive_albedo(3, 1, 1));
-    naive_row(&t, "Phong as it is: albedo", "e = 100, head-on", naive_albedo(0, 100, 1),
-              naive_albedo(3, 100, 1));
-    naive_row(&t, "pdf of h for pdf of wi: albedo", "e = 10, cos .6", naive_albedo(2, 10, (real)0.6),
-              naive_albedo(3, 10, (real)0.6));
-    naive_row(&t, "GGX without G: albedo", "alpha .5, cos .1", naive_albedo(1, 0.5, (real)0.1),
-              naive_albedo(4, 0.5, (real)0.1));
-    naive_row(&t, "GGX without G: albedo", "alpha .5, cos .001", naive_albedo(1, 0.5, (real)0.001),
-              naive_albedo(4, 0.5, (real)0.001));
+    static const struct {
+        const char *what, *input;
+        one_value *naive, *right;
+        double parameter, cosine;
+    } row[] = {
+        {"Phong as it is: albedo", "e = 1, head-on", phong_naive, blinn_phong_value, 1, 1},
+        {"Phong as it is: albedo", "e = 100, head-on", phong_naive, blinn_phong_value, 100, 1},
+        {"pdf of h for pdf of wi: albedo", "e = 10, cos .6", value_by_wrong_pdf,
+         blinn_phong_value, 10, 0.6},
+        {"GGX without G: albedo", "alpha .5, cos .1", ggx_value_naive, ggx_value, 0.5, 0.1},
+        {"GGX without G: albedo", "alpha .5, cos .001", ggx_value_naive, ggx_value, 0.5, 0.001}};
+    for (int k = 0; k < 5; k++) {
+        real p = (real)row[k].parameter, c = (real)row[k].cosine;
+        naive_row(&t, row[k].what, row[k].input, albedo_by_grid(row[k].naive, p, c),
+                  albedo_by_grid(row[k].right, p, c));
+    }
     for (int k = 2; k <= 4; k++) {
         float a = (float)pow(10, -k);
         char input[48];
@@ -244,7 +259,7 @@ static inline void measure_naive(const options *o)
     }
     vec3 flat = {1, 0, real_is_float ? (real)1e-12 : (real)1e-90};
     naive_row(&t, "Beckmann as it is: D", real_is_float ? "m.z = 1e-12" : "m.z = 1e-90",
-              (double)beckmann_d_naive((real)0.5, flat), (double)beckmann_d((real)0.5, flat));
+              fabs((double)beckmann_d_naive((real)0.5, flat)), (double)beckmann_d((real)0.5, flat));
     output_extra_table(o, &t);
 }
 

@@ -33,7 +33,7 @@ static inline vec3 sky_and_ground(vec3 w)
     if (w.z < 0) return chequered_ground(w);
     real sun = vdot(w, vunit((vec3){(real)-0.55, (real)-0.55, (real)0.65})), t = sqrt(w.z);
     vec3 sky = vmadd(vscale(horizon, 1 - t), zenith, t);
-    return vmadd(sky, (vec3){1, (real)0.9, (real)0.75}, 18 * exp(120 * (sun - 1)));
+    return vmadd(sky, (vec3){1, (real)0.9, (real)0.75}, 10 * exp(60 * (sun - 1)));
 }
 
 /* ---- spheres ---- */
@@ -83,9 +83,8 @@ static inline void draw_spheres(const options *o)
 /* ---- lobes ---- */
 
 enum { lobe_columns = 5, lobe_rows = 3 };
-static const char *const lobe_name[lobe_columns] = {
-    "Lambert", "Blinn-Phong 30 over matte", "GGX, roughness 1", "GGX, roughness 0.6",
-    "GGX, roughness 0.4"};
+static const char *const lobe_name[lobe_columns] = {"Lambert", "Blinn-Phong 30", "GGX 1", "GGX .6",
+                                                     "GGX .4"};
 
 static inline brdf lobe_brdf(int column)
 {
@@ -107,6 +106,7 @@ typedef struct { brdf b; vec3 wo; real scale; } lobe;
 static inline real lobe_beyond(const lobe *l, vec3 p)
 {
     real r = vlength(p);
+    if (p.z <= 0) return r;
     vec3 w = vscale(p, 1 / (r > 0 ? r : 1));
     return r - l->scale * brdf_value_local(&l->b, w, l->wo).x * real_max(w.z, 0);
 }
@@ -125,7 +125,7 @@ static inline real lobe_scale(const lobe *l)
 
 static inline bool lobe_hit(const lobe *l, vec3 o, vec3 d, real t0, real t1, real *t)
 {
-    enum { steps = 90 };
+    enum { steps = 60 };
     real before = t0;
     for (int i = 1; i <= steps; i++) {
         real now = t0 + (t1 - t0) * (real)i / steps;
@@ -184,21 +184,24 @@ static inline vec3 lobe_ray(const lobe *l, vec3 o, vec3 d)
     return c;
 }
 
+typedef struct { image *im; lobe lobes[lobe_rows][lobe_columns]; } lobe_sheet;
+
 static inline void lobe_pixel(int x, int y, void *context)
 {
     enum { fine = 2 };
-    image *im = context;
-    int side = im->width / lobe_columns, column = x / side, row = y / side;
-    lobe l = {lobe_brdf(column), lobe_view(row == 0 ? 30 : row == 1 ? 60 : 80), 0};
-    l.scale = lobe_scale(&l);
-    vec3 d = vunit((vec3){0, 1, (real)-0.42}), right = {1, 0, 0}, up = vcross(right, d), sum = {0, 0, 0};
+    const lobe_sheet *sheet = context;
+    int side = sheet->im->width / lobe_columns;
+    const lobe *l = &sheet->lobes[y / side][x / side];
+    vec3 d = vunit((vec3){0, 1, (real)-0.42}), right = {1, 0, 0}, up = vcross(right, d);
+    vec3 sum = {0, 0, 0};
     for (int k = 0; k < fine * fine; k++) {
         real px = ((real)(x % side) + ((real)(k % fine) + (real)0.5) / fine) / (real)side;
         real py = ((real)(y % side) + ((real)(k / fine) + (real)0.5) / fine) / (real)side;
-        vec3 o = vmadd(vscale(right, (2 * px - 1) * (real)1.2), up, (1 - 2 * py) * (real)1.2 + (real)0.4);
-        sum = vadd(sum, lobe_ray(&l, vmadd(o, d, -4), d));
+        vec3 o = vscale(right, (2 * px - 1) * (real)1.2);
+        o = vmadd(o, up, (1 - 2 * py) * (real)1.2 + (real)0.35);
+        sum = vadd(sum, lobe_ray(l, vmadd(o, d, -4), d));
     }
-    image_set(im, x, y, vscale(sum, (real)1 / (fine * fine)));
+    image_set(sheet->im, x, y, vscale(sum, (real)1 / (fine * fine)));
 }
 
 static inline void draw_lobes(const options *o)
@@ -206,22 +209,32 @@ static inline void draw_lobes(const options *o)
     if (o->out) return;
     int side = o->quick ? 24 : 180;
     image im = image_new(lobe_columns * side, lobe_rows * side);
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "lobes", lobe_pixel, &im);
+    lobe_sheet sheet = {.im = &im};
+    for (int row = 0; row < lobe_rows; row++)
+        for (int column = 0; column < lobe_columns; column++) {
+            lobe *l = &sheet.lobes[row][column];
+            *l = (lobe){lobe_brdf(column), lobe_view(row == 0 ? 30 : row == 1 ? 60 : 80), 0};
+            l->scale = lobe_scale(l);
+        }
+    bool whole = parallel_pixels(im.width, im.height, o->threads, "lobes", lobe_pixel, &sheet);
     output_picture(o, &im, "23_brdf_lobes.png", false, whole);
     image_free(&im);
 }
 
 static inline void plot_lobes(const options *o)
 {
-    plot p = plot_new("f cos, light at 45 degrees from the left", "f cos, along the surface [1/sr]",
-                      "f cos, along n [1/sr]", 0);
+    plot p = plot_new("f cos over its largest; light at 45 degrees from the left",
+                      "along the surface", "along n", 0);
     for (int k = 0; k < lobe_columns; k++) {
-        brdf b = lobe_brdf(k);
-        int s = plot_series(&p, lobe_name[k]);
+        lobe l = {lobe_brdf(k), lobe_view(45), 0};
+        char name[48];
+        l.scale = lobe_scale(&l);
+        snprintf(name, sizeof name, "%s, up to %.2f / sr", lobe_name[k], 1 / (double)l.scale);
+        int s = plot_series(&p, name);
         for (int i = 0; i <= 72; i++) {
             real a = ((real)i / 72 - (real)0.5) * pi;
             vec3 w = {sin(a), 0, cos(a)};
-            double f = (double)(brdf_value_local(&b, w, lobe_view(45)).x * w.z);
+            double f = (double)(l.scale * brdf_value_local(&l.b, w, l.wo).x * w.z);
             plot_add(&p, s, f * (double)w.x, f * (double)w.z);
         }
     }

@@ -3,8 +3,9 @@
  *   L(wo) = integral over the hemisphere of f(wi, wo) L(wi) cos(n, wi) dwi                  (23.2)
  *         ~ 1/N sum of f(wi, wo) L(wi) cos(n, wi) / pdf(wi),   wi drawn with this pdf      (23.19)
  *
- *   vec3 lo = reflection_grid(&b, n, wo, light, k, &r);      k x k directions, evenly spread
- *   vec3 lo = reflection_estimate(&r, &b, n, wo, light, sampler kind, seed, pixel, N)
+ *   reflection r = {DIRECTIONS_BRDF, false, 0};
+ *   vec3 lo = reflection_estimate(&r, &b, n, wo, light, kind, seed, pixel, N);   kind: sampler.h
+ *   vec3 lo = reflection_grid(&r, &b, n, wo, light, k);   k x k directions, evenly spread
  *
  *   choice                pdf
  *   DIRECTIONS_UNIFORM    1 / (2 pi)       all directions alike
@@ -12,7 +13,8 @@
  *   DIRECTIONS_BRDF       brdf_pdf         those that the surface asks for
  *
  * light(wi): radiance that arrives from the unit direction wi (world). It is asked only where
- * f cos > 0; r.asked counts how often. With r.ask_all it is asked always, and the answer is the same.
+ * f cos > 0; r.asked counts how often. With r.ask_all it is asked always, and the answer is the
+ * same.
  */
 #ifndef REFLECTION_H
 #define REFLECTION_H
@@ -27,7 +29,8 @@ typedef struct { direction_choice choice; bool ask_all; size_t asked; } reflecti
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* One direction and its f cos / pdf; false if that is 0. A mirror is met by DIRECTIONS_BRDF alone. */
+/* One direction and its f cos / pdf; false if that is 0. A mirror's is found by DIRECTIONS_BRDF
+ * alone. */
 static inline bool reflection_direction(direction_choice choice, const brdf *b, shading_frame f,
                                         vec3 wo, point2 p, vec3 *wi, vec3 *weight)
 {
@@ -85,10 +88,11 @@ static inline vec3 reflection_grid(reflection *r, const brdf *b, vec3 n, vec3 wo
     return vscale(sum, 1 / ((real)k * (real)k));
 }
 
-/* Accurate to 1e-5 for GGX, whatever its alpha: the midpoint rule over half vectors, spread as D is.
+/* For GGX, whatever its alpha: the midpoint rule over half vectors, spread as D is.
  *   D z dm = du dv,  z^2 = (1 - u) / (1 + (a^2 - 1) u),  dwi = 4 (wo.m) dm                 (23.20)
  * Shares nothing with brdf_sample. */
-static inline vec3 reflection_reference(const brdf *b, vec3 n, vec3 wo, incident_light *light, int k)
+static inline vec3 reflection_reference(const brdf *b, vec3 n, vec3 wo, incident_light *light,
+                                        int k)
 {
     shading_frame f = shading_frame_of(n);
     vec3 sum = {0, 0, 0}, o = to_local(f, wo);
