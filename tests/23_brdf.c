@@ -121,6 +121,9 @@ static void test_closed_forms(void)
     check_at_least(brdf_value_local(&sharp, up, up).x, 5, "f = 9.8 / sr: no fraction");
     check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, 0).x, 1, eps, "Schlick, grazing");
     check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, 1).x, 0.04, eps, "Schlick, head-on");
+    check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, (real)0.5).x, 0.07, eps, "f0 + .96 / 32");
+    check(vzero(fresnel_schlick(black, 0)), "no boundary, no reflection");
+    check_equal(fresnel_schlick((vec3){1, 1, 1}, (real)-0.5).x, 1, "a cosine out of range");
 
     /* tan = 2 at alpha 1/2: S = z sqrt(1 + 1) */
     vec3 w = at_angle(1 / sqrt(5.0), 0.5);
@@ -492,6 +495,8 @@ static void test_weak_furnace(void)
         }
         /* 6 sigma of a share of n */
         check_close(inside + (double)out / n, 1, 3 / sqrt(n) + 1e-3, "cos %g", k / 5.0);
+        /* head-on (23.11) is 1 / (4 pi), all around: half of the samples are above the surface */
+        if (k == 5) check_close(inside, 0.5, 1e-12 + 64 * eps, "alpha = 1, head-on: half");
     }
 }
 

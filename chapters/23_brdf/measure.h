@@ -228,7 +228,9 @@ static inline void naive_row(table *t, const char *what, const char *input, doub
                              double right)
 {
     table_text(t, "%s", what), table_text(t, "%s", input);
-    table_number(t, naive), table_number(t, right);
+    if (isnan(naive)) table_text(t, "NaN");  /* its sign says nothing */
+    else table_number(t, naive);
+    table_number(t, right);
 }
 
 static inline void measure_naive(const options *o)
@@ -259,7 +261,7 @@ static inline void measure_naive(const options *o)
     }
     vec3 flat = {1, 0, real_is_float ? (real)1e-12 : (real)1e-90};
     naive_row(&t, "Beckmann as it is: D", real_is_float ? "m.z = 1e-12" : "m.z = 1e-90",
-              fabs((double)beckmann_d_naive((real)0.5, flat)), (double)beckmann_d((real)0.5, flat));
+              (double)beckmann_d_naive((real)0.5, flat), (double)beckmann_d((real)0.5, flat));
     output_extra_table(o, &t);
 }
 

@@ -79,7 +79,7 @@ static inline vec3 ggx_visible(real a, vec3 wo, real u, real v)
     real y = (1 - half) * sqrt(real_max((1 - d.x) * (1 + d.x), 0)) + half * d.y;
     real z = sqrt(real_max(1 - d.x * d.x - y * y, 0));
     vec3 m = vmadd(vmadd(vscale(s, d.x), t, y), w, z);
-    return vunit((vec3){a * m.x, a * m.y, real_max(m.z, real_epsilon * real_epsilon)});
+    return vunit((vec3){a * m.x, a * m.y, real_max(m.z, 0)});
 }
 
 #endif
