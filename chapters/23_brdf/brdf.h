@@ -17,7 +17,8 @@
  *   brdf_sample(&b, n, wo, u, v, &wi, &pdf, &weight)   draws wi; pdf per solid angle [1/sr];
  *                                              weight = f cos / pdf, cosine and pdf included
  *   brdf_pdf(&b, n, wi, wo)                    the pdf with which brdf_sample draws wi given wo
- *   brdf_albedo(&b, cos)                       (23.4) for wo at this cosine, within 2e-3
+ *   brdf_albedo(&b, cos)                       (23.4) for wo at this cosine; within 3e-3
+ *                                              where cos >= .1, and 1e-2 below
  *   brdf_is_delta(&b), brdf_is_black(&b)
  *
  * n, wi, wo have unit length; wi and wo point away from the surface. One that is behind it, or
