@@ -5,6 +5,7 @@
 #include "../chapters/23_brdf/reflection.h"
 #include "../chapters/20_monte_carlo/chi_square.h"
 #include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "check.h"
 
 #define alarm 1e-8
@@ -295,6 +296,30 @@ static void test_estimates(void)
     }
 }
 
+/* A matte surface under a shining ball that is partly below the horizon: rho / pi times the
+ * irradiance, in closed form (chapter 22). */
+static const sphere ball = {{1, (real)0.5, (real)0.4}, (real)0.7};
+static vec3 ball_light(vec3 wi)
+{
+    hit h;
+    return sphere_hit(ball, (ray){.d = wi, .tmax = real_infinity}, &h) ? white : black;
+}
+
+static void test_ball(void)
+{
+    brdf b = brdf_lambert((vec3){(real)0.25, (real)0.5, 1});
+    vec3 origin = {0, 0, 0}, wo = at_angle(0.5, 0);
+    double due = 0.5 / (double)pi * (double)sphere_irradiance(ball, origin, up);
+    for (int c = 0; c < 3; c++) {
+        estimate e = {0};
+        reflection r = {(direction_choice)c, false, 0};
+        for (uint64_t k = 0; k < check_count(4000); k++)
+            e = estimate_add(e, (double)reflection_estimate(&r, &b, up, wo, ball_light,
+                                                            SEQUENCE_RANDOM, 7, k, 16).y);
+        check_at_least(t_test(e, due, 64 * eps), alarm, "choice %d: matte, under a ball", c);
+    }
+}
+
 /* The reference of the tables, by the half vectors, against the plain midpoint rule. */
 static void test_reference(void)
 {
@@ -519,6 +544,7 @@ int main(void)
     test_sampling();
     test_weights();
     test_estimates();
+    test_ball();
     test_reference();
     test_extremes();
     test_nothing();

@@ -45,7 +45,7 @@ static inline void sphere_pixel(int x, int y, void *context)
 {
     const sphere_sheet *sheet = context;
     int across = sheet->im->width / sphere_columns, down = sheet->im->height / sphere_rows;
-    int column = x / across, row = y / down;
+    int column = across ? x / across : sphere_columns, row = down ? y / down : sphere_rows;
     vec3 sum = {(real)0.9, (real)0.9, (real)0.9}, f0 = {(real)0.95, (real)0.85, (real)0.7};
     if (column < sphere_columns && row < sphere_rows) {
         brdf b = brdf_ggx(f0, (real)column / (sphere_columns - 1));
@@ -74,7 +74,8 @@ static inline void sphere_pixel(int x, int y, void *context)
 static inline void draw_spheres(const options *o)
 {
     image im = image_new(o->width, o->height);
-    sphere_sheet sheet = {&im, o, o->quick ? 4 : (uint32_t)o->samples, o->quick ? 4 : 256};
+    uint32_t n = o->quick && o->samples > 4 ? 4 : (uint32_t)o->samples;
+    sphere_sheet sheet = {&im, o, n, o->quick ? 4 : 256};
     bool whole = parallel_pixels(o->width, o->height, o->threads, "spheres", sphere_pixel, &sheet);
     output_picture(o, &im, "23_brdf.png", true, whole);
     image_free(&im);
