@@ -1,0 +1,555 @@
+/* Tests of 23_brdf: reciprocity, energy, samples against pdfs, extreme parameters, closed forms,
+ * and the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8
+ * seeds. */
+#include "../chapters/23_brdf/brdf_naive.h"
+#include "../chapters/23_brdf/reflection.h"
+#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/22_radiometry/sphere_irradiance.h"
+#include "check.h"
+
+#define alarm 1e-8
+#define eps ((double)real_epsilon)
+static const vec3 white = {1, 1, 1}, black = {0, 0, 0}, up = {0, 0, 1};
+
+static vec3 at_angle(double cosine, double turn)
+{
+    double s = sqrt((1 - cosine) * (1 + cosine));
+    return (vec3){(real)(s * cos(turn)), (real)(s * sin(turn)), (real)cosine};
+}
+
+static vec3 random_direction(uint64_t i, uint64_t which)
+{
+    return sample_hemisphere(random_real(5, i, which, 0), random_real(5, i, which, 1));
+}
+
+enum { specimens = 12 };
+static brdf specimen(int i)
+{
+    vec3 half = {(real)0.5, (real)0.5, (real)0.5}, f0 = {(real)1.0, (real)0.7, (real)0.3};
+    static const double roughness[6] = {1, 0.7, 0.5, 0.3, 0.2, 0.1};
+    static const double exponent[5] = {0, 1, 10, 100, 1000};
+    if (i == 0) return brdf_lambert(half);
+    if (i <= 6) return brdf_ggx(f0, (real)roughness[i - 1]);
+    return brdf_blinn_phong(i % 2 ? black : half, half, (real)exponent[i - 7]);
+}
+
+/* ---- (23.3) reciprocity: f(wi, wo) = f(wo, wi) but for the order of a few operations ---- */
+
+static void test_reciprocity(void)
+{
+    double worst = 0;
+    for (int i = 0; i < specimens; i++)
+        for (uint64_t k = 0; k < check_count(2000); k++) {
+            brdf b = specimen(i);
+            vec3 wi = random_direction(k, 0), wo = random_direction(k, 1);
+            double f = (double)brdf_value_local(&b, wi, wo).x;
+            double g = (double)brdf_value_local(&b, wo, wi).x;
+            worst = check_worse(worst, fabs(f - g) / (f + 1e-30));
+        }
+    check_at_most(worst, 16 * eps, "reciprocity");
+    /* in the world, about any normal: the frame's rounding, times how steep the lobe is */
+    brdf b = specimen(2);
+    vec3 n = vunit((vec3){(real)0.3, (real)-0.7, (real)-0.6});
+    vec3 wi = directed(n, random_direction(1, 0)), wo = directed(n, random_direction(1, 1));
+    double local = (double)brdf_value_local(&b, random_direction(1, 0), random_direction(1, 1)).x;
+    check_close(brdf_value(&b, n, wi, wo).x / (real)local, 1, 200 * eps, "any normal");
+    check_close(brdf_value(&b, n, wo, wi).x / (real)local, 1, 200 * eps, "any normal, reversed");
+    check_close((double)brdf_pdf(&b, n, wi, wo)
+                    / (double)brdf_pdf_local(&b, random_direction(1, 0), random_direction(1, 1)),
+                1, 200 * eps, "pdf, any normal");
+}
+
+/* ---- albedo by the midpoint rule over z and turn: shares nothing with the samplers ---- */
+
+typedef double value_function(const void *context, vec3 wi, vec3 wo);
+
+static double quadrature(value_function *f, const void *context, vec3 wo, int k)
+{
+    double sum = 0;
+    for (int i = 0; i < k; i++)
+        for (int j = 0; j < k; j++) {
+            vec3 wi = at_angle((i + 0.5) / k, 2 * (double)pi * (j + 0.5) / k);
+            sum += f(context, wi, wo) * (double)wi.z;
+        }
+    return sum * 2 * (double)pi / k / k;
+}
+
+static double value_of(const void *b, vec3 wi, vec3 wo)
+{
+    return (double)brdf_value_local(b, wi, wo).x;
+}
+static double pdf_over_cosine(const void *b, vec3 wi, vec3 wo)
+{
+    return (double)brdf_pdf_local(b, wi, wo) / (double)wi.z;
+}
+static double phong_of(const void *e, vec3 wi, vec3 wo)
+{
+    return (double)phong_naive(*(const real *)e, wi, wo);
+}
+static double ggx_naive_of(const void *a, vec3 wi, vec3 wo)
+{
+    return (double)ggx_value_naive(*(const real *)a, wi, wo);
+}
+
+static void test_closed_forms(void)
+{
+    brdf lambert = brdf_lambert((vec3){(real)0.25, (real)0.5, 1});
+    vec3 wo = at_angle(0.4, 1);
+    check_close(brdf_value_local(&lambert, up, wo).x, 0.25 / 3.14159265358979324, eps, "rho / pi");
+    /* the midpoint rule is exact for f cos, which is linear in z */
+    check_close(quadrature(value_of, &lambert, wo, 16), 0.25, 64 * eps, "albedo = rho");
+    check_equal(brdf_albedo(&lambert, (real)0.4).x, (real)0.25, "brdf_albedo, Lambert");
+
+    /* Blinn-Phong head-on: albedo 1 by (23.14). Midpoint error: O(e / k)^2 */
+    static const double exponent[] = {0, 0.5, 1, 5, 20, 60};
+    for (int i = 0; i < 6; i++) {
+        brdf b = brdf_blinn_phong(black, white, (real)exponent[i]);
+        check_close(quadrature(value_of, &b, up, 500), 1, 2e-4, "Blinn-Phong, e = %g", exponent[i]);
+    }
+    brdf zero = brdf_blinn_phong(black, white, 0);
+    check_close(brdf_value_local(&zero, wo, up).x, 1 / (double)pi, 2 * eps, "e = 0 is Lambert's");
+
+    /* GGX: the facets' projected area is 1, D z = 1 / pi at alpha 1; from all sides */
+    vec3 m = at_angle(0.3, 2);
+    check_close(ggx_d(1, m), 1 / (double)pi, 4 * eps, "alpha = 1: D is constant");
+    check_close(ggx_d((real)0.1, up), 100 / (double)pi, 1000 * eps, "D(n) = 1 / (pi a^2)");
+    /* wi = wo = n: F0 D(n) / 4, nothing hidden */
+    brdf gold = brdf_ggx((vec3){1, (real)0.5, (real)0.25}, sqrt((real)0.5));
+    check_close(brdf_value_local(&gold, up, up).y, 0.5 * 4 / (double)pi / 4, 16 * eps, "f(n, n)");
+    check_at_least(brdf_value_local(&gold, up, up).x * pi * 2, 1, "a density, no fraction");
+    brdf sharp = brdf_ggx(white, (real)0.3);
+    check_at_least(brdf_value_local(&sharp, up, up).x, 5, "f = 9.8 / sr: no fraction");
+    check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, 0).x, 1, eps, "Schlick, grazing");
+    check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, 1).x, 0.04, eps, "Schlick, head-on");
+    check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, (real)0.5).x, 0.07, eps, "f0 + .96 / 32");
+    check(vzero(fresnel_schlick(black, 0)), "no boundary, no reflection");
+    check_equal(fresnel_schlick((vec3){1, 1, 1}, (real)-0.5).x, 1, "a cosine out of range");
+
+    /* tan = 2 at alpha 1/2: S = z sqrt(1 + 1) */
+    vec3 w = at_angle(1 / sqrt(5.0), 0.5);
+    check_close(ggx_g1((real)0.5, w), 2 / (1 + sqrt(2.0)), 8 * eps, "G1, closed form");
+    check_close(ggx_g2((real)0.5, w, w), 1 / sqrt(2.0), 8 * eps, "G2 = 1 / (1 + 2 Lambda)");
+}
+
+/* ---- (23.4) energy ---- */
+
+static vec3 white_light(vec3 wi) { (void)wi; return white; }
+
+static void test_energy(void)
+{
+    for (int r = 0; r <= 20; r++) {
+        brdf b = brdf_ggx(white, (real)r / 20);
+        for (int i = 0; i <= 20; i++) {
+            double cosine = i == 0 ? 1e-3 : i / 20.0, a = (double)brdf_albedo(&b, (real)cosine).x;
+            check_at_most(a, 1 + 100 * eps, "GGX, roughness %g, cos %g: energy", r / 20.0, cosine);
+            check_at_least(a, 0.3, "and 1 - ln 2 of it at the least");
+            if (r == 0) check_close(a, 1, 4 * eps, "a mirror keeps all");
+        }
+    }
+    for (int e = 0; e <= 12; e++) {
+        brdf b = brdf_blinn_phong(black, white, e ? (real)pow(4, e - 3) : 0);
+        for (int i = 1; i <= 20; i++)
+            check_at_most((double)brdf_albedo(&b, (real)i / 20).x, 1.002,
+                          "Blinn-Phong %d: energy", e);
+    }
+    /* the same by quadrature that knows no sampler: lobes of some 0.1 against cells of 1/300 */
+    for (int i = 0; i < specimens; i++) {
+        brdf b = specimen(i);
+        if ((b.kind == BRDF_GGX && b.alpha < (real)0.2) || b.exponent > 20) continue;
+        for (int k = 1; k <= 5; k++) {
+            double cosine = k / 5.0, a = quadrature(value_of, &b, at_angle(cosine, 0.3), 300);
+            check_close(brdf_albedo(&b, (real)cosine).x, a, 2.5e-3, "albedo %d, cos %g", i, cosine);
+        }
+    }
+    /* and over half vectors, for sharp lobes, too; itself good to 1e-3 for cos >= .1 */
+    static const double roughness[] = {0.05, 0.2, 0.3, 0.5, 1}, cosine[] = {1, 0.7, 0.4, 0.1};
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 4; k++) {
+            brdf b = brdf_ggx(white, (real)roughness[i]);
+            double a = (double)reflection_reference(&b, up, at_angle(cosine[k], 0), white_light,
+                                                    400).x;
+            check_close(brdf_albedo(&b, (real)cosine[k]).x, a, 4e-3, "albedo, roughness %g, cos %g",
+                        roughness[i], cosine[k]);
+        }
+    /* alpha = 1 head-on: D = 1/pi, S = 1, f zi = zi / (2 pi (1 + zi)), so the albedo is
+     * integral from 0 to 1 of z / (1 + z) dz = 1 - ln 2: more than two thirds are lost */
+    brdf rough = brdf_ggx(white, 1);
+    check_close(brdf_albedo(&rough, 1).x, 1 - log(2.0), 1e-3, "alpha = 1, head-on: 1 - ln 2");
+}
+
+/* ---- samples against pdf ---- */
+
+typedef struct { brdf b; vec3 n, wo; int naive; } sampled;
+
+static vec3 sample_of(real u, real v, const void *context)
+{
+    const sampled *s = context;
+    vec3 wi = {0, 0, 0}, weight;
+    real pdf;
+    if (!brdf_sample(&s->b, s->n, s->wo, u, v, &wi, &pdf, &weight)) return (vec3){0, 0, 0};
+    return wi;
+}
+
+static real pdf_of(vec3 w, const void *context)
+{
+    const sampled *s = context;
+    if (s->naive) return w.z > 0 ? blinn_phong_pdf_naive(s->b.exponent, w, s->wo) : 0;
+    return brdf_pdf(&s->b, s->n, w, s->wo);
+}
+
+static void test_sampling(void)
+{
+    size_t n = check_count(40000);
+    for (int i = 0; i < specimens; i++) {
+        brdf b = specimen(i);
+        if ((b.kind == BRDF_GGX && b.alpha < (real)0.08) || b.exponent > 20) continue;
+        for (int k = 0; k < 3; k++) {
+            static const double cosine[] = {1, 0.6, 0.2};
+            sampled s = {b, up, at_angle(cosine[k], 0.7), 0};
+            chi_square_result r = chi_square_directions(sample_of, pdf_of, &s, 1, 3, n);
+            check_at_least(r.p, alarm, "specimen %d, cos %g: samples follow the pdf", i, cosine[k]);
+            check_at_most(r.integral, 1.003, "pdf integrates to 1, less what is rejected");
+        }
+    }
+    /* sharp lobes: seen by cells that grow finer towards +z, which is where wo = n reflects to */
+    brdf sharp[] = {specimen(5), specimen(6), specimen(10), specimen(11),
+                    brdf_ggx(white, (real)0.05)};
+    static const double focus[] = {3, 6, 3, 3, 8};
+    for (int i = 0; i < 5; i++) {
+        sampled s = {sharp[i], up, up, 0};
+        chi_square_result r = chi_square_directions(sample_of, pdf_of, &s, focus[i], 4, n);
+        check_at_least(r.p, alarm, "sharp lobe %d: samples follow the pdf", i);
+        check_close(r.integral, 1, 0.003, "sharp lobe %d: integral", i);
+    }
+    /* about another normal: the same lobe, turned */
+    vec3 side = vunit((vec3){1, (real)-0.5, (real)-0.3});
+    sampled turned = {specimen(2), side, directed(side, at_angle(0.5, 1)), 0};
+    check_at_least(chi_square_directions(sample_of, pdf_of, &turned, 1, 5, n).p, alarm, "turned");
+    /* without the 1 / (4 wo.h): found out at once, and its integral is not 1 */
+    sampled naive = {brdf_blinn_phong(black, white, 10), up, at_angle(0.6, 0.7), 1};
+    chi_square_result r = chi_square_directions(sample_of, pdf_of, &naive, 1, 6, n);
+    check_at_most(r.p, alarm, "half-vector pdf: refuted");
+    check_at_least(r.integral, 1.5, "half-vector pdf: integral");
+}
+
+/* weight = f cos / pdf, and what bounds it. */
+static void test_weights(void)
+{
+    double worst = 0, off = 0;
+    for (int i = 0; i < specimens; i++) {
+        brdf b = specimen(i);
+        double e = (double)b.exponent;
+        double bound = (e + 2) * (e + 4) / ((e + exp2(-e / 2)) * (e + 1));             /* (23.16) */
+        for (uint64_t k = 0; k < check_count(3000); k++) {
+            vec3 wo = random_direction(k, 7), wi, weight;
+            real u = random_real(6, k, 0, 0), v = random_real(6, k, 0, 1), pdf;
+            if (!brdf_sample_local(&b, wo, u, v, &wi, &pdf, &weight)) continue;
+            vec3 f = brdf_value_local(&b, wi, wo);
+            double again = (double)f.x * (double)wi.z / (double)pdf, w = (double)weight.x;
+            off = check_worse(off, fabs(again - w) / w);
+            off = check_worse(off, fabs((double)brdf_pdf_local(&b, wi, wo) / (double)pdf - 1));
+            if (b.kind == BRDF_LAMBERT) bound = 0.5;
+            if (b.kind == BRDF_GGX) bound = 1;
+            /* both lobes: (fd + fs) / (p pd + (1-p) ps), at most the larger of fd / (p pd) and
+             * fs / ((1-p) ps) */
+            if (b.kind == BRDF_BLINN_PHONG) worst = check_worse(worst, w - bound - 1e-3);
+            else worst = check_worse(worst, w - bound * (1 + 16 * eps));
+        }
+    }
+    check_at_most(worst, 0, "weights are bounded");
+    /* the lobe's steepness times rounding; alpha = .01, and grazing half vectors */
+    check_at_most(off, 1e6 * eps, "weight = f cos / pdf, and pdf is brdf_pdf");
+}
+
+/* ---- t-tests: estimates with a known answer ---- */
+
+static vec3 overhead(vec3 wi) { return vscale(white, wi.z > 0 ? wi.z : 0); }
+static vec3 bright_side(vec3 wi) { return wi.x > 0 ? white : black; }
+
+static void test_estimates(void)
+{
+    vec3 wo = at_angle(0.5, 0);
+    int runs = (int)check_count(2000);
+    for (int c = 0; c < 3; c++) {
+        brdf lambert = brdf_lambert(white), rough = brdf_ggx(white, 1);
+        brdf phong = brdf_blinn_phong(black, white, 20), both = specimen(8);
+        estimate e[5] = {{0}, {0}, {0}, {0}, {0}};
+        for (int k = 0; k < runs; k++) {
+            reflection r = {(direction_choice)c, false, 0};
+            uint64_t p = (uint64_t)k;
+            sequence_kind s = SEQUENCE_RANDOM;
+            vec3 x[5] = {reflection_estimate(&r, &lambert, up, wo, overhead, s, 1, p, 16),
+                         reflection_estimate(&r, &rough, up, up, white_light, s, 2, p, 16),
+                         reflection_estimate(&r, &phong, up, up, white_light, s, 3, p, 16),
+                         reflection_estimate(&r, &rough, up, up, bright_side, s, 4, p, 16),
+                         reflection_estimate(&r, &both, up, up, white_light, s, 5, p, 16)};
+            for (int j = 0; j < 5; j++) e[j] = estimate_add(e[j], (double)x[j].x);
+        }
+        double rounding = 64 * eps;
+        /* (1/pi) integral cos^2 = 2/3; the others: albedos in closed form, or half of one */
+        check_at_least(t_test(e[0], 2.0 / 3, rounding), alarm, "choice %d: Lambert", c);
+        check_at_least(t_test(e[1], 1 - log(2.0), rounding), alarm, "choice %d: GGX", c);
+        check_at_least(t_test(e[2], 1, rounding), alarm, "choice %d: Blinn-Phong", c);
+        check_at_least(t_test(e[3], (1 - log(2.0)) / 2, rounding), alarm, "choice %d: half", c);
+        check_at_least(t_test(e[4], 1, rounding), alarm, "choice %d: 1/2 matte, 1/2 gloss", c);
+    }
+}
+
+/* A matte surface under a shining ball that is partly below the horizon: rho / pi times the
+ * irradiance, in closed form (chapter 22). */
+static const sphere ball = {{1, (real)0.5, (real)0.4}, (real)0.7};
+static vec3 ball_light(vec3 wi)
+{
+    hit h;
+    return sphere_hit(ball, (ray){.d = wi, .tmax = real_infinity}, &h) ? white : black;
+}
+
+static void test_ball(void)
+{
+    brdf b = brdf_lambert((vec3){(real)0.25, (real)0.5, 1});
+    vec3 origin = {0, 0, 0}, wo = at_angle(0.5, 0);
+    double due = 0.5 / (double)pi * (double)sphere_irradiance(ball, origin, up);
+    for (int c = 0; c < 3; c++) {
+        estimate e = {0};
+        reflection r = {(direction_choice)c, false, 0};
+        for (uint64_t k = 0; k < check_count(4000); k++)
+            e = estimate_add(e, (double)reflection_estimate(&r, &b, up, wo, ball_light,
+                                                            SEQUENCE_RANDOM, 7, k, 16).y);
+        check_at_least(t_test(e, due, 64 * eps), alarm, "choice %d: matte, under a ball", c);
+    }
+}
+
+/* The reference of the tables, by the half vectors, against the plain midpoint rule. */
+static void test_reference(void)
+{
+    vec3 wo = at_angle(0.7, 0);
+    for (int i = 1; i <= 3; i++) {
+        brdf b = brdf_ggx(white, 1 - (real)i / 8);
+        reflection r = {DIRECTIONS_UNIFORM, false, 0};
+        double grid = (double)reflection_grid(&r, &b, up, wo, overhead, 500).x;
+        double half = (double)reflection_reference(&b, up, wo, overhead, 400).x;
+        check_close(half, grid, 1e-4, "reference, roughness %g", 1 - i / 8.0);
+    }
+}
+
+/* ---- extremes ---- */
+
+static void test_extremes(void)
+{
+    static const double roughness[] = {0, 1e-30, 1e-9, 1e-5, 2e-4, 1e-3, 0.02, 0.1, 1, 7, -1};
+    double cosines[] = {1, 0.5, 1e-3, 1e-8, eps, 2 * eps * eps, 1e-30, 0};
+    double numbers[] = {0, 1e-12, 0.5, 1 - eps / 2};
+    bool finite = true, unit = true, above = true;
+    for (int i = 0; i < 11 + 8; i++)
+        for (int a = 0; a < 8; a++) {
+            brdf b = i < 11 ? brdf_ggx(white, (real)roughness[i])
+                            : brdf_blinn_phong(i % 2 ? white : black, white, (real)pow(10, i - 11));
+            vec3 wo = at_angle(cosines[a], 0), wi, weight;
+            for (int c = 0; c < 16; c++) {
+                real pdf, x = brdf_value_local(&b, at_angle(cosines[c / 2], 3), wo).x;
+                finite &= isfinite(x) && x >= 0;
+                x = brdf_pdf_local(&b, at_angle(cosines[c / 2], 3), wo);
+                finite &= isfinite(x) && x >= 0;
+                if (!brdf_sample_local(&b, wo, (real)numbers[c / 4], (real)numbers[c % 4], &wi,
+                                       &pdf, &weight)) continue;
+                finite &= vfinite(weight) && pdf > 0 && (isfinite(pdf) || brdf_is_delta(&b));
+                unit &= fabs(vlength(wi) - 1) < 8 * real_epsilon;
+                above &= wi.z > 0;
+            }
+        }
+    check(finite, "values, pdfs and weights are finite");
+    check(unit, "samples have unit length");
+    check(above, "samples are above the surface");
+
+    brdf smooth = brdf_ggx(white, 0);
+    check(brdf_is_delta(&smooth), "roughness 0 is a mirror");
+    brdf nan = brdf_ggx(white, (real)NAN);
+    check(brdf_is_delta(&nan), "roughness NaN is taken for 0");
+    /* just above the mirror: each sample is next to the mirror's, and weighs the same */
+    brdf almost = brdf_ggx(white, (real)1.01 * sqrt(ggx_least_alpha));
+    check(!brdf_is_delta(&almost), "still a lobe");
+    vec3 wo = at_angle(0.6, 1), wi, weight;
+    real pdf;
+    double far = 0, light = 0;
+    for (uint64_t k = 0; k < 1000; k++) {
+        real u = random_real(8, k, 0, 0) * (real)0.99, v = random_real(8, k, 0, 1) * (real)0.99;
+        if (!brdf_sample_local(&almost, wo, u, v, &wi, &pdf, &weight)) far = 1;
+        far = check_worse(far, (double)vlength(vsub(wi, mirrored(wo, up))));
+        light = check_worse(light, fabs((double)weight.x - 1));
+    }
+    check_at_most(far, 100 * sqrt(eps), "the lobe closes around the mirror's direction");
+    check_at_most(light, 100 * sqrt(eps), "and loses nothing");
+
+    /* the mirror itself: exact direction, weight F0 head-on, no value anywhere */
+    brdf silver = brdf_mirror((vec3){(real)0.9, (real)0.5, (real)0.25});
+    check(brdf_sample_local(&silver, up, 0, 0, &wi, &pdf, &weight) && vzero(vsub(wi, up)), "back");
+    check_equal(weight.x, (real)0.9, "F0 head-on");
+    check(isinf(pdf), "a delta");
+    check(vzero(brdf_value_local(&silver, up, up)), "no value, even in the mirror's direction");
+    check_equal(brdf_pdf_local(&silver, up, up), 0, "no pdf");
+}
+
+/* Behind the surface, on the horizon, NaN, and black: 0, and no sample. */
+static void test_nothing(void)
+{
+    vec3 below = at_angle(-0.5, 1), side = {1, 0, 0}, above = at_angle(0.5, 2);
+    vec3 nan = {(real)NAN, (real)NAN, (real)NAN};
+    vec3 bad[] = {below, side, nan, vneg(up)};
+    for (int i = 0; i <= specimens; i++) {
+        brdf b = i < specimens ? specimen(i) : brdf_mirror(white);
+        for (int k = 0; k < 4; k++) {
+            vec3 wi = {7, 7, 7}, weight = wi;
+            real pdf = 7;
+            check(vzero(brdf_value_local(&b, bad[k], above)), "light from behind");
+            check(vzero(brdf_value_local(&b, above, bad[k])), "seen from behind");
+            check(vzero(brdf_value(&b, vneg(up), above, vneg(bad[k]))), "the other side");
+            check_equal(brdf_pdf_local(&b, bad[k], above), 0, "pdf behind");
+            check_equal(brdf_pdf_local(&b, above, bad[k]), 0, "pdf from behind");
+            check(!brdf_sample_local(&b, bad[k], (real)0.5, (real)0.5, &wi, &pdf, &weight),
+                  "no sample from behind");
+            check(wi.x == 7 && pdf == 7 && weight.x == 7, "and nothing is written");
+        }
+    }
+    brdf dark[] = {brdf_lambert(black), brdf_ggx(black, (real)0.5), brdf_mirror(black),
+                   brdf_blinn_phong(black, black, 10)};
+    for (int i = 0; i < 4; i++) {
+        vec3 wi, weight;
+        real pdf;
+        check(!brdf_sample_local(&dark[i], above, (real)0.5, (real)0.5, &wi, &pdf, &weight),
+              "black: no sample");
+        check(vzero(brdf_value_local(&dark[i], up, up)), "black: no value");
+        check_equal(brdf_albedo(&dark[i], 1).x, 0, "black: albedo");
+    }
+}
+
+/* Only what is called for. */
+static vec3 light_above(vec3 wi) { return wi.z > 0 ? white : black; }
+
+static void test_only_what_is_called_for(void)
+{
+    /* highlight black: the samples are the matte ones, bit for bit, and none goes to the lobe */
+    brdf matte = brdf_lambert((vec3){(real)0.5, (real)0.5, (real)0.5});
+    brdf dull = brdf_blinn_phong(matte.diffuse, black, 50), glow = specimen(7);
+    vec3 wo = at_angle(0.5, 0), a, b, weight;
+    real pdf, q;
+    for (uint64_t k = 0; k < 1000; k++) {
+        real u = random_real(9, k, 0, 0), v = random_real(9, k, 0, 1);
+        bool one = brdf_sample_local(&matte, wo, u, v, &a, &pdf, &weight);
+        bool two = brdf_sample_local(&dull, wo, u, v, &b, &q, &weight);
+        if (one != two || a.x != b.x || a.y != b.y || a.z != b.z || pdf != q) {
+            check(false, "black highlight: %d", (int)k);
+            break;
+        }
+    }
+    check_equal(dull.chance, 0, "black highlight: never sampled");
+    check_equal(glow.chance, 1, "black ground: always the highlight");
+    /* directions that cannot contribute are not asked for, and asking changes nothing */
+    brdf kinds[] = {specimen(1), specimen(7), brdf_mirror(white), brdf_lambert(black)};
+    for (int i = 0; i < 4; i++)
+        for (int c = 0; c < 3; c++) {
+            reflection thrifty = {(direction_choice)c, false, 0}, lavish = thrifty;
+            lavish.ask_all = true;
+            vec3 grazing = at_angle(0.1, 0);
+            vec3 x = reflection_estimate(&thrifty, &kinds[i], up, grazing, light_above,
+                                         SEQUENCE_RANDOM, 1, 2, 1000);
+            vec3 y = reflection_estimate(&lavish, &kinds[i], up, grazing, light_above,
+                                         SEQUENCE_RANDOM, 1, 2, 1000);
+            check(x.x == y.x && x.y == y.y && x.z == y.z, "kind %d, choice %d: the same", i, c);
+            check_equal(lavish.asked, 1000, "all asked");
+            if (i >= 2 && c < DIRECTIONS_BRDF) check_equal(thrifty.asked, 0, "mirror, black: none");
+            if (i == 3) check_equal(thrifty.asked, 0, "black: none");
+            if (i < 2 && c == DIRECTIONS_BRDF) check_at_most(thrifty.asked, 900, "below: none");
+        }
+}
+
+/* ---- the naive ones ---- */
+
+static void test_naive(void)
+{
+    static const double exponent[] = {1, 2, 4, 10};
+    for (int i = 0; i < 4; i++) {
+        real e = (real)exponent[i];
+        double albedo = quadrature(phong_of, &e, up, 300);
+        double exact = 2 * (double)pi / (exponent[i] + 2);
+        check_close(albedo, exact, 2e-4, "Phong, e = %g: 2 pi / (e + 2)", exponent[i]);
+        check(exponent[i] > 4.28 || albedo > 1, "Phong: makes light of nothing");
+    }
+    real a = (real)0.5;
+    brdf b = brdf_ggx(white, sqrt(a));
+    check_at_least(quadrature(ggx_naive_of, &a, at_angle(0.1, 0), 300), 1.5, "no Smith, grazing");
+    check_at_least(quadrature(ggx_naive_of, &a, at_angle(0.001, 0), 300), 50, "no Smith: no limit");
+    check_at_most(quadrature(value_of, &b, at_angle(0.1, 0), 300), 1, "Smith: energy");
+    /* it is D / (4 zi zo) times G2, nothing else */
+    vec3 wi = at_angle(0.3, 2), wo = at_angle(0.8, 0);
+    double g = (double)(ggx_value_naive(a, wi, wo) * ggx_g2(a, wi, wo));
+    check_close(value_of(&b, wi, wo) / g, 1, 32 * eps, "f = D G2 / (4 zi zo)");
+
+    real tiny = sqrt(real_epsilon) / 4;
+    check(isinf(ggx_d_naive(tiny, up)), "textbook D, a^2 < epsilon: infinite");
+    check_close(ggx_d(tiny, up) * pi * tiny * tiny, 1, 4 * eps, "D(n) = 1 / (pi a^2)");
+    check(isinf(ggx_d_naive_f32(1e-4f, 1)), "textbook D in float, alpha = 1e-4: infinite");
+    /* halfway down its own lobe: tan = a, k = 2 z^2, D = 1 / (4 pi a^2 z^4) */
+    real s = (real)13.7 * sqrt(real_epsilon), z = 1 / sqrt(1 + s * s);
+    vec3 m = {s * z, 0, z};
+    double due = 1 / (4 * (double)(pi * s * s * z * z * z * z));
+    check_close((double)ggx_d(s, m) / due, 1, 32 * eps, "D at tan = alpha");
+    check_at_least(fabs((double)ggx_d_naive(s, m) / due - 1), 1e-4, "textbook D: off");
+
+    /* cos^e from the sine against e log cos = e/2 log1p(-sin^2), in double whatever real is */
+    real e = 1 / (16 * real_epsilon), sine = 4 * sqrt(real_epsilon) * (real)0.9;
+    vec3 h = {sine, 0, sqrt((1 - sine) * (1 + sine))};
+    double power = exp((double)e / 2 * log1p(-(double)sine * (double)sine));
+    check_close((double)blinn_phong_power(e, h) / power, 1, 32 * eps, "cos^e, large e");
+    check_at_least(fabs((double)blinn_phong_power_naive(e, h) / power - 1), 1e-3, "pow: off");
+    /* both branches of blinn_phong_power where they meet */
+    vec3 h1 = at_angle(0.5 + 4 * eps, 0), h0 = at_angle(0.5, 0);
+    check_close(blinn_phong_power(3, h1), blinn_phong_power(3, h0), 32 * eps, "branches meet");
+
+    vec3 flat = {1, 0, real_is_float ? (real)1e-12 : (real)1e-90};
+    check(isnan(beckmann_d_naive((real)0.5, flat)), "Beckmann, grazing: 0/0");
+    check_equal(beckmann_d((real)0.5, flat), 0, "Beckmann: 0");
+    vec3 mid = at_angle(0.6, 0);
+    double t2 = 0.64 / 0.36, bd = exp(-t2 / 0.25) / ((double)pi * 0.25 * 0.1296);
+    check_close((double)beckmann_d((real)0.5, mid) / bd, 1, 64 * eps, "Beckmann, closed form");
+    check_close((double)beckmann_d_naive((real)0.5, mid) / bd, 1, 64 * eps,
+                "naive, where it works");
+}
+
+/* The white furnace of the visible normals: what is reflected once from all facets seen, 1. */
+static void test_weak_furnace(void)
+{
+    brdf b = brdf_ggx(white, 1);
+    for (int k = 1; k <= 5; k++) {
+        /* pdf over the hemisphere + rejected samples = 1 */
+        double inside = quadrature(pdf_over_cosine, &b, at_angle(k / 5.0, 0), 300);
+        int out = 0, n = (int)check_count(40000);
+        for (uint64_t i = 0; i < (uint64_t)n; i++) {
+            vec3 wi, weight;
+            real pdf, u = random_real(10, i, 0, 0), v = random_real(10, i, 0, 1);
+            out += !brdf_sample_local(&b, at_angle(k / 5.0, 0), u, v, &wi, &pdf, &weight);
+        }
+        /* 6 sigma of a share of n */
+        check_close(inside + (double)out / n, 1, 3 / sqrt(n) + 1e-3, "cos %g", k / 5.0);
+        /* head-on (23.11) is 1 / (4 pi), all around: half of the samples are above the surface */
+        if (k == 5) check_close(inside, 0.5, 1e-12 + 64 * eps, "alpha = 1, head-on: half");
+    }
+}
+
+int main(void)
+{
+    test_reciprocity();
+    test_closed_forms();
+    test_energy();
+    test_sampling();
+    test_weights();
+    test_estimates();
+    test_ball();
+    test_reference();
+    test_extremes();
+    test_nothing();
+    test_only_what_is_called_for();
+    test_naive();
+    test_weak_furnace();
+    return check_report("23_brdf");
+}
