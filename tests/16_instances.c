@@ -978,6 +978,7 @@ static void test_flattened_normals(void)
     scene_make(&s, 12, 4, (vec3){0, 0, 0}, 99);
     mesh *one = &s.mesh[1], *own = &s.mesh[2];
     mesh_smooth_normals(one);
+    free(own->n), free(own->normal_index);
     own->n = allocate(own->normals = 5, sizeof *own->n);
     own->normal_index = allocate(3 * own->triangles, sizeof *own->normal_index);
     for (uint32_t k = 0; k < 5; k++) own->n[k] = (vec3){1, (real)k, -2};
