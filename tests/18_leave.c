@@ -26,10 +26,13 @@ static void test_default(void)
                     all++;
                 }
             }
-        /* A cone's tip has no normal: in float some hits lie within an offset of it. Without the
-         * noise of the test there would be ten times as many self-hits. */
-        size_t tips = real_is_float && kind == DEPART_CONE ? all / 5000 : 0;
-        check_at_most(self, tips / 4, "%s: rays that meet the surface they leave", names[kind]);
+        /* A cone's tip has no normal: in float some hits lie within an offset of it, about one in
+         * 22000. Four more are allowed, as few of them scatter. Without the noise of the test there
+         * would be ten times as many. */
+        bool tip = real_is_float && kind == DEPART_CONE;
+        size_t tips = tip ? all / 5000 : 0;
+        check_at_most(self, tips / 4 + (tip ? 4 : 0), "%s: rays that meet the surface they leave",
+                      names[kind]);
         check_at_most(leak, tips, "%s: occluders missed", names[kind]);
     }
 }
