@@ -4,18 +4,9 @@
 #include "../chapters/14_bvh/ray_file.h"
 #include "../common/random.h"
 #include "check.h"
-#include <sys/wait.h>
 
 static char directory[] = "/tmp/14_files_XXXXXX";
-
-static const char *in_directory(const char *name)
-{
-    static char path[4][256];
-    static int next;
-    char *p = path[next++ % 4];
-    snprintf(p, 256, "%s/%s", directory, name);
-    return p;
-}
+#include "program.h"
 
 static void write_bytes(const char *path, const void *bytes, size_t n)
 {
@@ -71,26 +62,6 @@ static void test_hits(void)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static int run(const char *arguments)
-{
-    const char *build = getenv("BUILD");
-    char command[1400];
-    snprintf(command, sizeof command, "%s/14_bvh %s >%s/out 2>%s/err", build ? build : "build",
-             arguments, directory, directory);
-    int status = system(command);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static bool printed(const char *stream, const char *text)
-{
-    size_t n;
-    failure f;
-    char *s = file_read(in_directory(stream), &n, &f);
-    bool found = s && strstr(s, text);
-    free(s);
-    return found;
-}
-
 static void put_float(unsigned char *to, real x)
 {
     float f = (float)x;
@@ -143,7 +114,7 @@ static void test_program(void)
                      "--strategy %s --leaf %d --csv %s/t.csv %s",
                      directory, directory, directory, name[s], s + 1, directory,
                      any ? "--any-hit" : "");
-            check_equal(run(arguments), 0, "14_bvh %s", arguments);
+            check_equal(run("14_bvh", arguments), 0, "14_bvh %s", arguments);
             unsigned char *got = (unsigned char *)file_read(in_directory("t.hits"), &size, &f);
             size_t wrong = 0;
             check(got && size == 8 * rays, "a record for each ray");
@@ -172,27 +143,27 @@ static void test_misuse(void)
     char arguments[600];
     write_bytes(in_directory("bad.obj"), "v 0 0 0\nf 1 2 3\n", 16);
     write_bytes(in_directory("short.rays"), one_ray, 30);
-    check_equal(run("--strategy fast"), 2, "no such strategy");
+    check_equal(run("14_bvh", "--strategy fast"), 2, "no such strategy");
     check(printed("err", "fast") && printed("err", "sweep"),
           "the message names it and what is allowed");
-    check_equal(run("--leaf 0"), 2, "no triangle in a leaf");
-    check_equal(run("--leaf 256"), 2, "too many");
-    check_equal(run("--hits x"), 2, "--hits without --rays");
-    check_equal(run("--any-hit"), 2, "--any-hit without --rays");
-    check_equal(run("--mesh /nowhere/x.obj"), 1, "no such mesh");
+    check_equal(run("14_bvh", "--leaf 0"), 2, "no triangle in a leaf");
+    check_equal(run("14_bvh", "--leaf 256"), 2, "too many");
+    check_equal(run("14_bvh", "--hits x"), 2, "--hits without --rays");
+    check_equal(run("14_bvh", "--any-hit"), 2, "--any-hit without --rays");
+    check_equal(run("14_bvh", "--mesh /nowhere/x.obj"), 1, "no such mesh");
     snprintf(arguments, sizeof arguments, "--mesh %s/bad.obj", directory);
-    check_equal(run(arguments), 2, "a mesh with an error");
+    check_equal(run("14_bvh", arguments), 2, "a mesh with an error");
     check(printed("err", "2"), "and its line");
     snprintf(arguments, sizeof arguments, "--rays %s/short.rays", directory);
-    check_equal(run(arguments), 2, "30 bytes are no ray");
+    check_equal(run("14_bvh", arguments), 2, "30 bytes are no ray");
     check(printed("err", "30 bytes"), "and says so");
-    check_equal(run("--rays /nowhere/x.rays"), 1, "no such rays");
+    check_equal(run("14_bvh", "--rays /nowhere/x.rays"), 1, "no such rays");
     snprintf(arguments, sizeof arguments, "--rays %s/one.rays --hits %s/no/where", directory,
              directory);
     write_bytes(in_directory("one.rays"), one_ray, 32);
-    check_equal(run(arguments), 1, "hits cannot be written there");
+    check_equal(run("14_bvh", arguments), 1, "hits cannot be written there");
     snprintf(arguments, sizeof arguments, "--rays %s/one.rays --hits /dev/full", directory);
-    check_equal(run(arguments), 1, "disk full");
+    check_equal(run("14_bvh", arguments), 1, "disk full");
 }
 
 int main(void)
@@ -200,7 +171,7 @@ int main(void)
     if (!mkdtemp(directory)) abort();
     test_rays();
     test_hits();
-    if (run("--help") == 0) {
+    if (run("14_bvh", "--help") == 0) {
         test_program();
         test_misuse();
     } else printf("14_files: the program is not built (make), so it is not tested\n");

@@ -4,18 +4,9 @@
 #include "../chapters/17_compare/modes.h"
 #include "../chapters/17_compare/summary.h"
 #include "check.h"
-#include <sys/wait.h>
 
 static char directory[] = "/tmp/17_compare_XXXXXX";
-
-static const char *in_directory(const char *name)
-{
-    static char path[4][256];
-    static int next;
-    char *p = path[next++ % 4];
-    snprintf(p, 256, "%s/%s", directory, name);
-    return p;
-}
+#include "program.h"
 
 /* What f wrote so far; for free. */
 static char *written(FILE *f)
@@ -493,26 +484,6 @@ static void test_growth(void)
 
 /* From outside. -------------------------------------------------------------------------------- */
 
-static int run(const char *arguments)
-{
-    const char *build = getenv("BUILD");
-    char command[1400];
-    snprintf(command, sizeof command, "%s/17_compare %s >%s/out 2>%s/err", build ? build : "build",
-             arguments, directory, directory);
-    int status = system(command);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-static bool printed(const char *stream, const char *text)
-{
-    size_t n;
-    failure f;
-    char *s = file_read(in_directory(stream), &n, &f);
-    bool found = s && strstr(s, text);
-    free(s);
-    return found;
-}
-
 static void test_misuse(void)
 {
     static const struct { const char *arguments, *says; } wrong[] = {
@@ -528,12 +499,12 @@ static void test_misuse(void)
         {"--protocol spd --csv x", "tables"}, {"--scene balls --out x.png", "picture"},
         {"--out x.png --csv y", "one of them"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        check_equal(run(wrong[i].arguments), 2, "%s", wrong[i].arguments);
+        check_equal(run("17_compare", wrong[i].arguments), 2, "%s", wrong[i].arguments);
         check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
               wrong[i].says);
     }
-    check_equal(run("--rays /nowhere/x.rays"), 1, "no such rays");
-    check_equal(run("--mesh /nowhere/x.obj"), 1, "no such mesh");
+    check_equal(run("17_compare", "--rays /nowhere/x.rays"), 1, "no such rays");
+    check_equal(run("17_compare", "--mesh /nowhere/x.obj"), 1, "no such mesh");
 }
 
 static void put_float(FILE *out, real x)
@@ -574,7 +545,7 @@ static void test_files(void)
         snprintf(arguments, sizeof arguments, "--scene gears --scale 1 --rays %s/g.rays --hits "
                  "%s/g.hits --csv %s/g.csv %s", directory, directory, directory,
                  any ? "--any-hit" : "");
-        check_equal(run(arguments), 0, "17_compare %s", arguments);
+        check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
         unsigned char *got = (unsigned char *)file_read(in_directory("g.hits"), &size, &f);
         check(got && size == 8 * n, "a record for each ray");
         for (size_t i = 0; got && size == 8 * n && i < n; i++) {
@@ -607,21 +578,24 @@ static void test_program(void)
 {
     char arguments[300];
     snprintf(arguments, sizeof arguments, "--quick --scene tetra --csv %s/t.csv", directory);
-    check_equal(run(arguments), 0, "a scene alone");
+    check_equal(run("17_compare", arguments), 0, "a scene alone");
     check(printed("out", "tetra: 64 shapes"), "its table");
     check(printed("t.csv", "tetra,brute,primary,") && printed("t.csv", "tetra,bvh,mirror,"),
           "a row for each structure and kind of rays");
-    check_equal(run("--verify --scene tree --scale 3 --region -0.5,0,0.5,1"), 0, "verify");
+    check_equal(run("17_compare", "--verify --scene tree --scale 3 --region -0.5,0,0.5,1"), 0,
+                "verify");
     check(printed("out", "tree bvh: 4096 primary") && printed("out", "as brute force"),
           "says what it compared");
-    check_equal(run("--verify --scene tree --scale 3 --region -1,0.98,1,1 --only bvh,grid"), 0,
+    check_equal(run("17_compare", "--verify --scene tree --scale 3 --region -1,0.98,1,1 "
+                                  "--only bvh,grid"), 0,
                 "sky");
     check(printed("out", "tree bvh: 4096 primary, 0 shadow"), "above the tree nothing is hit");
     check(printed("out", "tree grid: 4096 primary") && !printed("out", "octree"), "two of --only");
-    check_equal(run("--protocol spd --scene tetra --only bvh"), 0, "the protocol");
+    check_equal(run("17_compare", "--protocol spd --scene tetra --only bvh"), 0, "the protocol");
     check(printed("out", "primary tetra 6 bvh: "), "a line");
     check(printed("out", "hits 49950\n"), "that ends with the number of hits");
-    check_equal(run("--scene soup --scale 4 --memory 1 --quick"), 0, "not enough memory for some");
+    check_equal(run("17_compare", "--scene soup --scale 4 --memory 1 --quick"), 0,
+                "not enough memory for some");
     check(printed("out", "# kdtree does not fit: ") && printed("out", "\nbrute "),
           "they say so, and the others go on");
 }
@@ -651,7 +625,7 @@ int main(void)
     test_dream();
     test_costs();
     test_growth();
-    if (run("--help") == 0) {
+    if (run("17_compare", "--help") == 0) {
         test_misuse();
         test_files();
         test_program();

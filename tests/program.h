@@ -1,0 +1,46 @@
+/* program.h: a built program seen from outside, and a directory for its files.
+ *
+ *   static char directory[] = "/tmp/NAME_XXXXXX";    before this is included; main calls mkdtemp
+ *   const char *path = in_directory("g.rays")        good until the fourth call after it
+ *   int status = run("17_compare", "--quick")        of $BUILD, or of build/; -1: it was killed;
+ *                                                    its output goes to the files `out` and `err`
+ *   if (printed("err", "--leaf 0")) ...              is that text in one of them?
+ */
+#ifndef PROGRAM_H
+#define PROGRAM_H
+
+#include "../common/file.h"
+#include <sys/wait.h>
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline const char *in_directory(const char *name)
+{
+    static char path[4][256];
+    static int next;
+    char *p = path[next++ % 4];
+    snprintf(p, 256, "%s/%s", directory, name);
+    return p;
+}
+
+static inline int run(const char *program, const char *arguments)
+{
+    const char *build = getenv("BUILD");
+    char command[1400];
+    snprintf(command, sizeof command, "%s/%s %s >%s/out 2>%s/err", build ? build : "build", program,
+             arguments, directory, directory);
+    int status = system(command);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static inline bool printed(const char *stream, const char *text)
+{
+    size_t n;
+    failure f;
+    char *s = file_read(in_directory(stream), &n, &f);
+    bool found = s && strstr(s, text);
+    free(s);
+    return found;
+}
+
+#endif
