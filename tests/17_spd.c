@@ -111,8 +111,8 @@ static void test_balls(void)
     vec3 sum = {0, 0, 0};
     for (size_t k = 0; k < 9; k++) sum = vadd(sum, w.shape[2 + 820 * k].sphere.c);
     check_close(vlength((vec3){sum.x, sum.y, 0}), 0, 10 * small, "nine children about the z axis");
-    check_equal(world_surface(&w, 0).kd, (real)0.8, "the floor's surface");
-    check_equal(world_surface(&w, w.n - 1).ks, (real)0.5, "a ball's surface");
+    check_equal(world_finish(&w, 0).kd, (real)0.8, "the floor's surface");
+    check_equal(world_finish(&w, w.n - 1).ks, (real)0.5, "a ball's surface");
     world_free(&w);
 }
 
@@ -140,7 +140,7 @@ static void test_gears(void)
         }
         worst_sum = check_worse(worst_sum, (double)vlength(sum));
         worst_volume = check_worse(worst_volume, fabs((double)volume - area * 0.1));
-        glass += world_surface(&w, 1 + 146 * g).transmit > 0;
+        glass += world_finish(&w, 1 + 146 * g).transmit > 0;
     }
     check_at_most(worst_sum, 20 * small, "gears are closed, all faces outwards");
     check_at_most(worst_volume, 20 * small, "volume of a gear, thickness 0.1");
@@ -149,7 +149,7 @@ static void test_gears(void)
         for (int y = 0; y < 3; y++)
             for (int z = 0; z < 3; z++) expected += (4 * x + 2 * y + z) % 5 == 0;
     check_equal(glass, expected, "gears of glass");
-    surface s = world_surface(&w, 1);  /* .01 + 5/7, .01 + 3/7, .01 + 2/7, over the first */
+    finish s = world_finish(&w, 1);  /* .01 + 5/7, .01 + 3/7, .01 + 2/7, over the first */
     check_close(s.colour.x, 1, small, "the first gear's red");
     check_close(s.colour.y, (0.01 + 3.0 / 7) / (0.01 + 5.0 / 7), small, "its green");
     check_close(s.colour.z, (0.01 + 2.0 / 7) / (0.01 + 5.0 / 7), small, "its blue");
@@ -197,8 +197,8 @@ static void test_mount(void)
         for (int k = 0; k < i; k++)
             check_close(vlength(vsub(w.shape[i].sphere.c, w.shape[k].sphere.c)), 0.34, 10 * small,
                         "the glass balls %d and %d touch", i, k);
-    check_equal(world_surface(&w, 3).ior, (real)1.5, "they are glass");
-    check_equal(world_surface(&w, 4).ior, 0, "the rock is not");
+    check_equal(world_finish(&w, 3).ior, (real)1.5, "they are glass");
+    check_equal(world_finish(&w, 4).ior, 0, "the rock is not");
     world_free(&w);
 }
 
@@ -347,11 +347,11 @@ static void test_teapot(void)
     for (size_t i = n; i < w.n; i++) {
         polygon p = w.shape[i].polygon;
         area += (double)vcross(vsub(p.v[1], p.v[0]), vsub(p.v[2], p.v[1])).z;
-        dark += world_surface(&w, i).colour.x < 1;
+        dark += world_finish(&w, i).colour.x < 1;
     }
     check_close(area, 64, 200 * small, "the board covers [-4, 4]^2, facing up");
     check_equal(dark, 18, "half of 36 squares are dark");
-    check_equal(world_surface(&w, n - 1).kd, (real)0.75, "the pot's surface");
+    check_equal(world_finish(&w, n - 1).kd, (real)0.75, "the pot's surface");
     world_free(&w);
 }
 

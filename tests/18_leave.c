@@ -206,7 +206,7 @@ static void test_skip(void)
         if (!scene_hit(&floor, r, &h)) continue;
         world_part part;
         world_part_of_scene(&floor, 1, &part);
-        world all = {&part, 1};
+        trace_world all = {&part, 1};
         tracer t = {.w = &all, .program = programs};
         skip_payload own = {h.shape};
         ray naive = {ray_at(r, h.t), 0, w, real_infinity};

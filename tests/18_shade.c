@@ -50,7 +50,7 @@ static const ray_program see_programs[ray_kinds] = {
 
 /* The closest of two scenes and a mesh, by asking everybody. ignore: shapes of this index modulo 3
  * do not count; 3: all do. */
-static bool brute(const world *w, ray r, uint8_t mask, int ignore, seen *out)
+static bool brute(const trace_world *w, ray r, uint8_t mask, int ignore, seen *out)
 {
     bool met = false;
     for (uint32_t k = 0; k < w->parts; k++) {
@@ -74,7 +74,7 @@ static void test_trace(void)
     enum { balls = 40 };
     shape ball[2][balls];
     world_part part[3];
-    world w = {part, 3};
+    trace_world w = {part, 3};
     mesh pot = teapot_mesh(3);
     random_stream s = random_start(3, 0, 0);
     for (int k = 0; k < 2; k++)
@@ -133,7 +133,7 @@ static void test_trace(void)
     check(!trace(&t, RAY_CAMERA, bad, &nothing) && nothing.missed, "a NaN is a miss");
     check(trace(&t, RAY_SIGHT, ray_between((vec3){0, 0, 9}, (vec3){0, 0, 0}), NULL),
           "programs may all be NULL");
-    world empty = {NULL, 0};
+    trace_world empty = {NULL, 0};
     t.w = &empty, nothing.missed = false;
     check(!trace(&t, RAY_CAMERA, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
               && nothing.missed, "an empty world is missed");
@@ -212,7 +212,7 @@ static void test_contact(void)
             if (lamp) L.at = (vec3){T, T, T + 3};
             world_part part;
             world_part_of_scene(&sc, MASK_ALL, &part);
-            world w = {&part, 1};
+            trace_world w = {&part, 1};
             shading how = {.lights = &L, .n = 1, .material_of = matte, .context = &kd};
             tracer t = {.w = &w, .program = shade_programs, .user = &how};
             double R = lamp ? sqrt(3) : 1;
@@ -266,7 +266,7 @@ static void test_shade(void)
     scene s[2] = {{&ball, 1}, {&wall, 1}};
     world_part part[2];
     world_part_of_scene(&s[0], MASK_ALL, &part[0]), world_part_of_scene(&s[1], MASK_ALL, &part[1]);
-    world w = {part, 1};
+    trace_world w = {part, 1};
     light L = {LIGHT_DIRECTIONAL, {(real)0.6, 0, (real)0.8}, {1, 2, 4}};
     shading how = {.lights = &L, .n = 1, .material_of = shiny, .background = {3, 1, 4},
                    .ambient = {1, 2, 3}};
@@ -319,7 +319,7 @@ static trace_counts counts_of(const light *L, vec3 kd, bool spend_all)
     scene sc = {&ball, 1};
     world_part part;
     world_part_of_scene(&sc, MASK_ALL, &part);
-    world w = {&part, 1};
+    trace_world w = {&part, 1};
     shading how = {.lights = L, .n = 1, .material_of = matte, .context = &kd};
     how.spend_all = spend_all;
     tracer t = {.w = &w, .program = shade_programs, .user = &how};
@@ -403,7 +403,7 @@ static void test_printed(void)
     scene sc = {house, 9};
     world_part part;
     world_part_of_scene(&sc, MASK_ALL, &part);
-    world w = {&part, 1};
+    trace_world w = {&part, 1};
     light suns[2] = {{LIGHT_DIRECTIONAL, {0, 0, 1}, {1, 1, 1}},
                      {LIGHT_DIRECTIONAL, {0, (real)0.6, (real)0.8}, {1, 1, 1}}};
     vec3 kd = {1, 1, 1};
@@ -447,7 +447,7 @@ static void test_sight(void)
             scene sc = {wall, (size_t)walls};
             world_part part;
             world_part_of_scene(&sc, MASK_ALL, &part);
-            world w = {&part, 1};
+            trace_world w = {&part, 1};
             tracer t = {.w = &w, .program = shade_programs};
             for (int i = 0; i < posts; i++) {
                 random_stream r = random_start(9, (uint64_t)i, 0);
@@ -481,7 +481,7 @@ static void test_sight(void)
 /* Above one another in empty space: seen if both face the other. */
 static void test_facing(void)
 {
-    world nothing = {NULL, 0};
+    trace_world nothing = {NULL, 0};
     tracer t = {.w = &nothing, .program = shade_programs};
     for (int k = 0; k < 4; k++) {
         vec3 n[2] = {{0, 0, k & 1 ? -1 : 1}, {0, 0, k & 2 ? 1 : -1}};

@@ -82,7 +82,7 @@ static inline bool mesh_world(world *w, const char *name, mesh m, bool z_up, fai
     vec3 toward = vunit(z_up ? (vec3){(real)0.45, -1, (real)0.55}
                              : (vec3){(real)0.45, (real)0.55, 1});
     w->group = allocate(1, sizeof *w->group);
-    w->group[w->groups++].surface = (surface){{1, 1, 1}, 1, 0, 0, 0, 0};
+    w->group[w->groups++].finish = (finish){{1, 1, 1}, 1, 0, 0, 0, 0};
     w->light_each = (real)0.5;
     world_light(w, vmadd(vmadd(centre, toward, 3 * size), up, 2 * size));
     return world_look(w, vmadd(centre, toward, (real)2.4 * size), centre, up, 45, f);

@@ -32,7 +32,7 @@ static inline vec3 panel_colour(const panel *p, ray r)
     hit h;
     if (!p->c->hit(p->s, r, &h)) return p->w->background;
     vec3 n = world_normal(p->w, h, ray_at(r, h.t));
-    return vmul(world_surface(p->w, h.shape).colour, headlight(n, r.d));
+    return vmul(world_finish(p->w, h.shape).colour, headlight(n, r.d));
 }
 
 static inline void panel_pixel(int x, int y, void *context)

@@ -48,9 +48,9 @@ static inline bool spd_balls(int scale, world *w, failure *f)
     for (int k = 0; k < scale; k++) shapes += n *= 9;
     world_room(w, shapes, 4, 2);
     balls_directions(d);
-    world_paint(w, (surface){{1, (real)0.75, (real)0.33}, (real)0.8, 0, 0, 0, 1});
+    world_paint(w, (finish){{1, (real)0.75, (real)0.33}, (real)0.8, 0, 0, 0, 1});
     world_add_square(w, (vec3){0, 0, (real)-0.5}, 12);
-    world_paint(w, (surface){{1, (real)0.9, (real)0.7}, (real)0.5, (real)0.5, (real)3.0827, 0, 1});
+    world_paint(w, (finish){{1, (real)0.9, (real)0.7}, (real)0.5, (real)0.5, (real)3.0827, 0, 1});
     balls_add(w, d, (sphere){{0, 0, 0}, (real)0.5}, (vec3){0, 0, 1}, scale);
     world_light(w, (vec3){4, 3, 2});
     world_light(w, (vec3){1, -4, 4});

@@ -47,14 +47,14 @@ static inline real gear_shade(int k, int steps)  /* the fraction of k steps of 1
     return (real)0.01 + (real)(k * steps % 7) / 7;
 }
 
-static inline surface gear_surface(int x, int y, int z)
+static inline finish gear_finish(int x, int y, int z)
 {
     vec3 c = {gear_shade(3 * x + 2 * y + z + 1, 5), gear_shade(3 * y + 2 * z + x + 1, 3),
               gear_shade(3 * z + 2 * x + y + 1, 2)};
     c = vscale(c, 1 / vaxis(c, vlongest(c)));
     if ((4 * x + 2 * y + z) % 5 == 0)
-        return (surface){c, (real)0.2, 0, 0, (real)0.8, (real)1.1};
-    return (surface){c, 1, 0, 0, 0, 0};
+        return (finish){c, (real)0.2, 0, 0, (real)0.8, (real)1.1};
+    return (finish){c, 1, 0, 0, 0, 0};
 }
 
 static inline bool spd_gears(int scale, world *w, failure *f)
@@ -63,14 +63,14 @@ static inline bool spd_gears(int scale, world *w, failure *f)
     real R = 1 / ((real)scale - (real)0.05 * (real)(scale - 1)), step = (real)1.9 * R;
     real thickness = real_min((real)0.1, (real)0.5 / (real)scale);
     world_room(w, 1 + gears * (gear_corners + 2), 4 + gears * 6 * gear_corners, gears + 1);
-    world_paint(w, (surface){{1, (real)0.85, (real)0.7}, (real)0.3, (real)0.6, (real)3.0827, 0, 0});
+    world_paint(w, (finish){{1, (real)0.85, (real)0.7}, (real)0.3, (real)0.6, (real)3.0827, 0, 0});
     world_add_square(w, (vec3){0, 0, 0}, 2);
     for (int z = 0; z < scale; z++)
         for (int y = 0; y < scale; y++)
             for (int x = 0; x < scale; x++) {
                 vec3 c = {R - 1 + step * (real)x, R - 1 + step * (real)y,
                           1 - (real)z / (real)scale};
-                world_paint(w, gear_surface(x, y, z));
+                world_paint(w, gear_finish(x, y, z));
                 gear_add(w, c, R, (x + y + z) % 2 ? pi / 36 : 0, thickness);
             }
     world_light(w, (vec3){2, 4, 4});

@@ -108,9 +108,9 @@ static inline bool spd_mount(int scale, world *w, failure *f)
     mount_heights h = mount_raise(scale);
     size_t n = (size_t)1 << scale;
     world_room(w, 4 + 2 * n * n, 0, 2);
-    world_paint(w, (surface){{1, 1, 1}, (real)0.1, (real)0.1, (real)101.148, (real)0.9, (real)1.5});
+    world_paint(w, (finish){{1, 1, 1}, (real)0.1, (real)0.1, (real)101.148, (real)0.9, (real)1.5});
     mount_balls(w);
-    world_paint(w, (surface){{(real)0.5, (real)0.45, (real)0.35}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{(real)0.5, (real)0.45, (real)0.35}, 1, 0, 0, 0, 0});
     mount_triangles(w, &h, 0, 0, n);
     free(h.z);
     world_light(w, (vec3){-100, -100, 100});

@@ -22,11 +22,11 @@ enum { ring_points = 5, ring_count = 6 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline surface rings_surface(int k)
+static inline finish rings_finish(int k)
 {
     static const double c[ring_count][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1},
                                             {0, 1, 1}, {1, 0, 1}, {1, 1, 0}};
-    return (surface){{(real)c[k][0], (real)c[k][1], (real)c[k][2]}, (real)0.5, (real)0.2,
+    return (finish){{(real)c[k][0], (real)c[k][1], (real)c[k][2]}, (real)0.5, (real)0.2,
                      (real)3.0827, 0, 0};
 }
 
@@ -45,7 +45,7 @@ static inline void rings_copy(world *w, vec3 d[ring_count][ring_points], vec3 ce
 {
     real r = (real)0.07412, reach = 1 / (1 + r);
     for (int k = 0; k < ring_count; k++) {
-        world_paint(w, rings_surface(k));
+        world_paint(w, rings_finish(k));
         for (int i = 0; i < ring_points; i++) {
             vec3 a = vmadd(centre, d[k][i], reach);
             vec3 b = vmadd(centre, d[k][(i + 1) % ring_points], reach);
@@ -63,7 +63,7 @@ static inline bool spd_rings(int scale, world *w, failure *f)
     half *= tan(pi / 8);
     world_room(w, 1 + 2 * ring_points * ring_count * copies, 4, 1 + ring_count * copies);
     rings_directions(d);
-    world_paint(w, (surface){{1, 1, 1}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{1, 1, 1}, 1, 0, 0, 0, 0});
     for (int k = 0; k < 4; k++)  /* seen from the eye, counter-clockwise */
         c[k] = (vec3){eye.x + (k == 0 || k == 3 ? half : -half), far,
                       eye.z + (k < 2 ? half : -half)};

@@ -35,7 +35,7 @@ static inline bool spd_tetra(int scale, world *w, failure *f)
 {
     real up = (real)0.816497, at = (real)-0.004103;
     world_room(w, (size_t)1 << 2 * scale, 0, 1);
-    world_paint(w, (surface){{1, (real)0.2, (real)0.2}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{1, (real)0.2, (real)0.2}, 1, 0, 0, 0, 0});
     tetra_add(w, (vec3){0, 0, 0}, 1, scale);
     world_light(w, (vec3){2, -18, -5});
     return world_look(w, (vec3){(real)1.022846, (real)-3.177154, (real)-2.174512},

@@ -48,9 +48,9 @@ static inline bool spd_tree(int scale, world *w, failure *f)
                                        {-30, 40, 10}, {50, 25, 20},  {-10, -60, 30}};
     tree_frame root = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
     world_room(w, 1 + 2 * (((size_t)2 << scale) - 1), 4, 2);
-    world_paint(w, (surface){{(real)0.2, (real)0.7, (real)0.2}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{(real)0.2, (real)0.7, (real)0.2}, 1, 0, 0, 0, 0});
     world_add_square(w, (vec3){0, 0, 0}, 50);
-    world_paint(w, (surface){{(real)0.55, (real)0.4, (real)0.2}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{(real)0.55, (real)0.4, (real)0.2}, 1, 0, 0, 0, 0});
     tree_add(w, root, (real)0.15, scale);
     for (int k = 0; k < 7; k++)
         world_light(w, (vec3){(real)light[k][0], (real)light[k][1], (real)light[k][2]});

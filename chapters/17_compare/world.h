@@ -3,7 +3,7 @@
  *   world w;                             what a generator fills: spd.h, meshes.h
  *   w.shape[0 .. w.n-1]                  shapes of any kind, or, if w.n is 0:
  *   w.mesh                               triangles alone
- *   surface s = world_surface(&w, i)     of shape or triangle i: O(log groups)
+ *   finish s = world_finish(&w, i)     of shape or triangle i: O(log groups)
  *   ray r = world_ray(&w, x, y)          x to the right, y up, [-1, 1] from edge to edge of it
  *   scene s = world_scene(&w)            for scene_hit and the like of 07
  *   vec3 n = world_normal(&w, h, p)      unit, of the shape of hit h at its point p; either side
@@ -13,9 +13,9 @@
  * The view is square: from -> at, `up` somewhere upwards, `angle` from edge to edge. Directions of
  * rays are not unit: their part along the axis of the view is 1.
  *
- *   surface   colour [0,1]; kd, ks: how much of it diffuse and mirror; shine: Phong exponent, 0 if
+ *   finish    colour [0,1]; kd, ks: how much of it diffuse and mirror; shine: Phong exponent, 0 if
  *             ks is; transmit: how much passes; ior: refractive index (折射率), 0 if opaque
- *   group     shapes group[k].first .. group[k+1].first - 1 have the same surface
+ *   group     shapes group[k].first .. group[k+1].first - 1 have the same finish
  *
  *   const generator *g = generator_find(list, n, "balls");   NULL: no such name
  *   if (!world_make(g, scale, &w, &f)) fail(f);              exit code 2: no such scale
@@ -26,8 +26,8 @@
 #include "../02_camera/frame.h"
 #include "../07_mesh/closest.h"
 
-typedef struct { vec3 colour; real kd, ks, shine, transmit, ior; } surface;
-typedef struct { size_t first; surface surface; } surface_group;
+typedef struct { vec3 colour; real kd, ks, shine, transmit, ior; } finish;
+typedef struct { size_t first; finish finish; } finish_group;
 
 enum { world_most_lights = 8 };
 
@@ -44,7 +44,7 @@ typedef struct {
     vec3 *corner;                    /* [corners] of the polygons among them */
     size_t corners;
     mesh mesh;
-    surface_group *group;            /* [groups] by rising `first`; the first begins at 0 */
+    finish_group *group;            /* [groups] by rising `first`; the first begins at 0 */
     size_t groups;
     camera_frame frame;              /* of the view: world_look */
 } world;
@@ -85,7 +85,7 @@ static inline ray world_ray(const world *w, real x, real y)
     return ray_from(w->from, vmadd(d, w->frame.v, k * y));
 }
 
-static inline surface world_surface(const world *w, size_t i)
+static inline finish world_finish(const world *w, size_t i)
 {
     size_t lo = 0, hi = w->groups;
     while (hi - lo > 1) {
@@ -93,7 +93,7 @@ static inline surface world_surface(const world *w, size_t i)
         if (w->group[middle].first <= i) lo = middle;
         else hi = middle;
     }
-    return w->group[lo].surface;
+    return w->group[lo].finish;
 }
 
 static inline vec3 world_normal(const world *w, hit h, vec3 p)
@@ -147,10 +147,10 @@ static inline void world_room(world *w, size_t shapes, size_t corners, size_t gr
 
 static inline void world_add(world *w, shape s) { w->shape[w->n++] = s; }
 
-/* The shapes added from now on have this surface. */
-static inline void world_paint(world *w, surface s)
+/* The shapes added from now on have this finish. */
+static inline void world_paint(world *w, finish s)
 {
-    w->group[w->groups++] = (surface_group){w->n ? w->n : w->mesh.triangles, s};
+    w->group[w->groups++] = (finish_group){w->n ? w->n : w->mesh.triangles, s};
 }
 
 static inline void world_add_polygon(world *w, const vec3 *corner, size_t n)

@@ -28,7 +28,7 @@ typedef struct {
     scene s, lamp;
     mesh pot;
     world_part part[gallery_parts];  /* shapes, teapot, bulb */
-    world w;
+    trace_world w;
     light lights[2];
 } gallery;
 
@@ -77,7 +77,7 @@ static inline gallery *gallery_new(int n, real T)
     world_part_of_scene(&g->s, MASK_ALL, &g->part[0]);
     world_part_of_mesh(&g->pot, MASK_ALL, &g->part[1]);
     world_part_of_scene(&g->lamp, MASK_SEEN, &g->part[2]);
-    g->w = (world){g->part, gallery_parts};
+    g->w = (trace_world){g->part, gallery_parts};
     return g;
 }
 

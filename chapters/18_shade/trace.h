@@ -20,7 +20,7 @@
  *   RAY_REFRACTION    [0, inf] from leave(s, w)               closest
  *   RAY_SIGHT         [0, 1] from leave_between(a, b)         any: can the two see each other?
  *
- *   world w = {part, n};                 parts: a mesh or a scene of shapes, in a tree (14) each
+ *   trace_world w = {part, n};           parts: a mesh or a scene of shapes, in a tree (14) each
  *   world_part_of_mesh(&m, mask, &part); world_part_of_scene(&s, mask, &part); world_part_free(..)
  *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
@@ -53,7 +53,7 @@ typedef struct {
     uint8_t mask;        /* seen by kinds whose mask shares a bit */
 } world_part;
 
-typedef struct { const world_part *part; size_t parts; } world;
+typedef struct { const world_part *part; size_t parts; } trace_world;
 typedef struct { hit h; uint32_t part; } trace_hit;  /* h.shape: within the part */
 
 typedef struct tracer tracer;
@@ -68,7 +68,7 @@ typedef struct {
 typedef struct { size_t rays[ray_kinds], hits[ray_kinds]; } trace_counts;
 
 struct tracer {
-    const world *w;
+    const trace_world *w;
     const ray_program *program;  /* [ray_kinds] */
     const void *user;            /* for the programs */
     trace_counts counts;
