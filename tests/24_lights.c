@@ -1,0 +1,245 @@
+/* Tests of 24_direct_light: lit_scene.h against brute force and 18, emitter.h against closed forms
+ * and by chi-square, mis.h. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/07_mesh/teapot.h"
+#include "../chapters/24_direct_light/lit_cornell.h"
+#include "../chapters/24_direct_light/mis.h"
+#include "check.h"
+
+#define alarm 1e-8
+#define eps ((double)real_epsilon)
+
+static vec3 v3(double x, double y, double z) { return (vec3){(real)x, (real)y, (real)z}; }
+
+static vec3 random_point(uint64_t i, uint64_t which, double size)
+{
+    double c[3];
+    for (uint64_t k = 0; k < 3; k++) c[k] = size * (2 * (double)random_real(3, i, which, k) - 1);
+    return v3(c[0], c[1], c[2]);
+}
+
+static bool same(vec3 a, vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+/* ---- lit_scene: the very hit, and 18's surface bit by bit ---- */
+
+static void test_trace(const lit_scene *s, double size, const char *name)
+{
+    scene shapes = {s->shape, s->shapes};
+    size_t wrong = 0, hits = 0, n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        vec3 o = random_point(i, 0, size), to = random_point(i, 1, size);
+        ray r = ray_from(o, vsub(to, o));
+        hit a = hit_none, b = hit_none;
+        lit_hit h;
+        bool ma = mesh_hit(&s->m, r, &a), mb = scene_hit(&shapes, r, &b);
+        bool of_mesh = ma && (!mb || a.t <= b.t), met = lit_trace(s, r, &h);
+        wrong += met != (ma || mb) || lit_occluded(s, r) != met;
+        if (!met || !(ma || mb)) continue;
+        hits++;
+        surface x = of_mesh ? surface_of_mesh(&s->m, a) : surface_of_shape(&s->shape[b.shape], r, b);
+        bool front = vdot(x.n, r.d) < 0;
+        x = surface_facing(x, r.d);
+        size_t place = of_mesh ? a.shape : s->m.triangles + b.shape;
+        uint16_t of = of_mesh ? s->of_triangle[a.shape] : s->of_shape[b.shape];
+        wrong += h.t != (of_mesh ? a.t : b.t) || h.front != front || h.s.shape != place;
+        wrong += !same(h.s.p, x.p) || !same(h.s.n, x.n) || !same(h.s.ns, x.ns);
+        wrong += h.s.error != x.error || h.s.noise != x.noise;
+        wrong += h.m != &s->material[of] || h.emitter != s->emitter_of[place];
+        vec3 none = {0, 0, 0}, le = front && h.emitter != lit_dark ? h.m->Le : none;
+        wrong += !same(lit_emitted(&h), le);
+    }
+    check_equal(wrong, 0, "%s: hit, surface, material, emission as by brute force", name);
+    check_at_least(hits, n / 8, "%s: rays that meet something", name);
+}
+
+/* Of everything: a smooth mesh, a faceted one, lamps of each kind, a cone. */
+static lit_scene a_scene(void)
+{
+    lit_scene s;
+    lit_begin(&s);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(v3(.5, .5, .5))});
+    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = v3(3, 2, 1)});
+    for (int k = 0; k < 30; k++) {
+        vec3 a = random_point((uint64_t)k, 7, 3), b = random_point((uint64_t)k, 8, 1);
+        lit_add_triangle(&s, (triangle){a, vadd(a, b), vadd(a, v3(1, .2, .1))}, k % 3 ? grey : lamp);
+        lit_add_shape(&s, shape_of_sphere((sphere){b, (real)(k % 2 ? .2 : -.2)}), k % 5 ? grey : lamp);
+    }
+    mesh ball = teapot_mesh(2);
+    mesh_smooth_normals(&ball);
+    lit_add_mesh(&s, &ball, grey);
+    mesh_free(&ball);
+    mesh bare = cornell_mesh();
+    for (size_t i = 0; i < bare.vertices; i++) bare.v[i] = vscale(bare.v[i], (real)(1.0 / 512));
+    lit_add_mesh(&s, &bare, lamp);
+    mesh_free(&bare);
+    lit_add_rectangle(&s, (rectangle){v3(-2, -2, -1), v3(1, 0, 0), v3(0, 2, 0)}, lamp);
+    lit_add_shape(&s, shape_of_cone((cone){v3(0, 0, 2), (real).5, v3(0, 1, 2), 0}), lamp);
+    lit_end(&s);
+    return s;
+}
+
+static void test_scenes(void)
+{
+    lit_scene box, all = a_scene(), none;
+    lit_cornell(&box);
+    test_trace(&box, 700, "Cornell box");
+    test_trace(&all, 3, "all kinds");
+    check_equal(box.m.triangles, 38, "triangles of the box");
+    check_equal(box.emitters, 1, "one light, of two triangles");
+    check_equal(box.emitter_of[16], 0, "its one half");
+    check_equal(box.emitter_of[17], 0, "its other half");
+    check_equal(box.emitter[0].area, 105 * 130, "its area: exact products");
+    check_close(box.emitter[0].n.y, -1, 2 * eps, "it shines down");
+    mesh room = cornell_mesh();
+    for (size_t i = 0; i < 38; i++) {
+        triangle a = mesh_triangle(&room, i), b = mesh_triangle(&box.m, i);
+        check(same(a.a, b.a) && same(a.b, b.b) && same(a.c, b.c), "triangle %zu as measured", i);
+    }
+    mesh_free(&room);
+    /* 10 lamps of 30, 38 triangles of the box, a rectangle, 6 of 30 spheres; the cone is none */
+    check_equal(all.emitters, 10 + 38 + 1 + 6, "emitters of all kinds");
+    lit_begin(&none);
+    lit_end(&none);
+    test_trace(&box, 1, "inside a wall of nothing");
+    lit_hit h;
+    check(!lit_trace(&none, ray_from(v3(0, 0, 0), v3(1, 0, 0)), &h), "an empty scene is never hit");
+    check(!lit_occluded(&none, ray_from(v3(0, 0, 0), v3(1, 0, 0))), "nor does it occlude");
+    lit_free(&none), lit_free(&none), lit_free(&box), lit_free(&all);
+}
+
+/* ---- emitters ---- */
+
+enum { specimens = 8 };
+static emitter specimen(int i)
+{
+    vec3 Le = v3(1, 1, 1);
+    switch (i) {
+    case 0: return emitter_of_rectangle((rectangle){v3(-1, -1, 2), v3(0, 2, 0), v3(2, 0, 0)}, Le);
+    case 1: return emitter_of_rectangle((rectangle){v3(5, 5, .01), v3(0, .01, 0), v3(.02, 0, 0)}, Le);
+    case 2: return emitter_of_triangle((triangle){v3(-1, -1, 1), v3(0, 2, 1), v3(1, -1, 1.5)}, Le);
+    case 3: return emitter_of_triangle((triangle){v3(1, 0, 0), v3(1, -5, 3), v3(1, 5, 3)}, Le);
+    case 4: return emitter_of_sphere((sphere){v3(0, 0, 3), 1}, Le);
+    case 5: return emitter_of_sphere((sphere){v3(0, 0, 1.001), 1}, Le);
+    case 6: return emitter_of_sphere((sphere){v3(.2, .3, .1), -1}, Le);
+    default: return emitter_of_sphere((sphere){v3(3, 2, 100), (real).01}, Le);
+    }
+}
+
+static double emitter_omega(const emitter *e, vec3 p)
+{
+    if (e->kind == EMITTER_TRIANGLE) return fabs((double)triangle_solid_angle(e->triangle, p));
+    if (e->kind == EMITTER_RECTANGLE) return fabs((double)rectangle_solid_angle(e->rectangle, p));
+    return e->sphere.r < 0 ? 4 * (double)pi : (double)sphere_solid_angle(e->sphere, p);
+}
+
+/* A point of the light must lie on it within its own bound, wi must lead there, the pdf must be the
+ * one told without sampling. The mean of 1 / pdf is omega, of w.a / pdf the light's mean in that
+ * direction, by area as by angle: two measures, one truth. */
+static void test_emitter(int i)
+{
+    emitter e = specimen(i);
+    vec3 p = v3(0, 0, 0), axis = vunit(v3(.3, .5, .8));
+    double omega = emitter_omega(&e, p), off = 0, astray = 0, pdfs = 0;
+    estimate all = {0}, by_area = {0}, by_angle = {0};
+    size_t n = check_count(20000);
+    for (size_t k = 0; k < n; k++) {
+        point2 u = {random_real(1, k, 0, 0), random_real(1, k, 0, 1)};
+        for (int angle = 0; angle < 2; angle++) {
+            emitter_point x = {.pdf = 1};
+            bool some = angle ? emitter_by_angle(&e, p, u, &x) : emitter_by_area(&e, p, u, &x);
+            double part = some ? (double)(vdot(x.wi, axis) / x.pdf) : 0;
+            if (angle) by_angle = estimate_add(by_angle, part);
+            else by_area = estimate_add(by_area, part);
+            if (!angle) all = estimate_add(all, some ? 1 / (double)x.pdf : 0);
+            if (!some) continue;
+            real h = e.kind == EMITTER_SPHERE
+                   ? vlength(vsub(x.s.p, e.sphere.c)) - fabs(e.sphere.r) : emitter_height(&e, x.s.p);
+            off = check_worse(off, (double)(fabs(h) / x.s.error));
+            vec3 to = vunit(vsub(x.s.p, p));
+            astray = check_worse(astray, (double)vlength(vsub(to, x.wi)));
+            real q = angle ? emitter_pdf_angle(&e, p) : emitter_pdf_area(&e, p, x.s.p);
+            /* x is rounded: a sphere's normal turns by that over R, wi by that over d */
+            double size = (double)(vlength(x.s.p) + e.reach), d = (double)vlength(x.s.p);
+            double R = e.kind == EMITTER_SPHERE ? (double)fabs(e.sphere.r) : 1;
+            double slack = angle ? 1 : (1 + size / R + size / d) / -(double)vdot(x.s.n, x.wi);
+            pdfs = check_worse(pdfs, fabs((double)(q / x.pdf - 1)) / slack);
+        }
+    }
+    check_at_most(off, 1, "light %d: points off it, in their own bounds", i);
+    /* (24.6) at the limb: an error of eps D goes as its root into x. Else some eps. */
+    double round = e.kind == EMITTER_SPHERE ? 8 * sqrt(eps) : 64 * eps;
+    check_at_most(astray, round, "light %d: wi leads to the point", i);
+    check_at_most(pdfs, 16 * eps, "light %d: pdf of a point, with and without", i);
+    check_at_least(t_test(all, omega, 64 * eps * omega), alarm, "light %d: mean of 1/pdf", i);
+    estimate both = {by_area.n, by_area.mean - by_angle.mean,
+                     by_area.squares + by_angle.squares};
+    check_at_least(t_test(both, 0, 64 * eps), alarm, "light %d: by area as by angle", i);
+}
+
+/* What cannot be seen is not sampled, and no pdf says otherwise. */
+static void test_unseen(void)
+{
+    emitter r = specimen(0), s = specimen(4), in = specimen(6);
+    emitter flat = emitter_of_triangle((triangle){v3(0, 0, 1), v3(1, 0, 1), v3(2, 0, 1)}, v3(1, 1, 1));
+    emitter dot = emitter_of_sphere((sphere){v3(0, 0, 1), 0}, v3(1, 1, 1));
+    const struct { const emitter *e; vec3 p; const char *what; } dark[] = {
+        {&r, v3(0, 0, 3), "behind a rectangle"}, {&r, v3(7, 1, 2), "in its plane"},
+        {&r, v3(.5, .5, 2), "in the rectangle"}, {&s, v3(0, .5, 3), "inside a sphere"},
+        {&in, v3(5, 0, 0), "outside of one that shines inwards"},
+        {&flat, v3(0, 0, 0), "no area"}, {&dot, v3(0, 0, 0), "radius 0"}};
+    for (size_t i = 0; i < sizeof dark / sizeof *dark; i++) {
+        size_t seen = 0;
+        for (uint64_t k = 0; k < 1000; k++) {
+            point2 u = {random_real(2, k, 0, 0), random_real(2, k, 0, 1)};
+            emitter_point x;
+            seen += emitter_by_area(dark[i].e, dark[i].p, u, &x);
+            seen += emitter_by_angle(dark[i].e, dark[i].p, u, &x);
+        }
+        check_equal(seen, 0, "%s: nothing to sample", dark[i].what);
+        check_equal(emitter_pdf_angle(dark[i].e, dark[i].p), 0, "%s: pdf", dark[i].what);
+    }
+    check_equal(emitter_pdf_area(&r, v3(0, 0, 3), v3(0, 0, 2)), 0, "area pdf from behind");
+    /* on the inner side of a shining sphere, rounded to either side of it: all directions */
+    for (uint64_t k = 0; k < 1000; k++) {
+        vec3 d = sample_sphere(random_real(2, k, 1, 0), random_real(2, k, 1, 1));
+        vec3 p = surface_on_sphere(in.sphere, 0, vadd(in.sphere.c, d)).p;
+        emitter_point x;
+        check(emitter_by_angle(&in, p, (point2){random_real(2, k, 1, 2), random_real(2, k, 1, 3)}, &x)
+                  && x.pdf == 1 / (4 * pi), "on a sphere that shines inwards");
+    }
+}
+
+/* ---- mis ---- */
+
+static void test_weights(void)
+{
+    const real list[] = {real_smallest, 1, 3, real_largest, real_infinity};
+    double worst = 0;
+    for (int i = 0; i < 5; i++)
+        for (int j = 0; j < 5; j++) {
+            real a = list[i], b = list[j];
+            double sum = (double)(mis_balance(a, b) + mis_balance(b, a)) - 1;
+            double power = (double)(mis_power(a, b) + mis_power(b, a)) - 1;
+            worst = check_worse(worst, check_worse(fabs(sum), fabs(power)));
+        }
+    check_at_most(worst, 2 * eps, "weights add up to 1, for every pair of pdfs");
+    check_equal(mis_balance(3, 1), (real)0.75, "3 : 1");
+    check_close(mis_power(3, 1), 0.9, 2 * eps, "9 : 1");
+    check_equal(mis_power(2, 0), 1, "nobody else");
+    check_equal(mis_power(0, 0), 0, "nobody at all");
+    check_equal(mis_power(real_infinity, 5), 1, "a mirror's own direction");
+    check_equal(mis_power(5, real_infinity), 0, "not drawn by the mirror");
+    check_equal(mis_balance((real)NAN, 1), 0, "a NaN counts nothing");
+    real huge = real_is_float ? (real)1e20 : (real)1e160;
+    check(isnan(mis_power_naive(huge, huge)), "naive: overflow of squares");
+    check_close(mis_power(huge, huge), 0.5, eps, "and here");
+}
+
+int main(void)
+{
+    test_scenes();
+    for (int i = 0; i < specimens; i++) test_emitter(i);
+    test_unseen();
+    test_weights();
+    return check_report("24_lights");
+}
