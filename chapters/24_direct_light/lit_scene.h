@@ -62,7 +62,7 @@ typedef struct {
     lit_face *face;           /* [m.triangles] */
     bvh tree;
     bvh_shapes shape_tree;
-    int32_t *first, *last;    /* [emitters] its triangles; -1: none, a sphere */
+    int32_t *first, *last;    /* [emitters] its lanes in `few`; -1: none, a sphere */
     few few;                  /* of up to 64 triangles: in place of the tree */
     lit_part *part;           /* what was added, until lit_end */
     struct { size_t v, n, parts, shapes, of_shape, materials, emitters; } room;
@@ -222,14 +222,14 @@ static inline void lit_end(lit_scene *s)
     s->first = allocate(s->emitters, sizeof *s->first);
     s->last = allocate(s->emitters, sizeof *s->last);
     for (size_t e = 0; e < s->emitters; e++) s->first[e] = s->last[e] = -1;
-    for (size_t i = s->m.triangles; i-- > 0;) {
-        uint32_t e = s->emitter_of[i];
-        if (e == lit_dark) continue;
-        s->first[e] = (int32_t)i;
-        if (s->last[e] < 0) s->last[e] = (int32_t)i;
-    }
     bvh_build(&s->m, how, &s->tree);
     few_build(&s->m, &s->few);
+    for (size_t i = s->few.lanes ? s->m.triangles : 0; i-- > 0;) {
+        uint32_t e = s->emitter_of[i];
+        if (e == lit_dark) continue;
+        s->first[e] = s->few.lane[i];
+        if (s->last[e] < 0) s->last[e] = s->few.lane[i];
+    }
     how.item_cost = 1.5;  /* a shape's test costs more than a triangle's */
     bvh_shapes_build(&shapes, how, &s->shape_tree);
 }
@@ -260,7 +260,8 @@ static inline surface lit_surface(const lit_scene *s, hit h)
 static inline few_skip lit_skip(const lit_scene *s, uint32_t from, uint32_t e)
 {
     few_skip k = few_skip_none;
-    if (from < s->m.triangles) k.other = (int32_t)from;
+    if (s->few.lanes == 0) return k;
+    if (from < s->m.triangles) k.other = s->few.lane[from];
     if (e < s->emitters) k.first = s->first[e], k.last = s->last[e];
     return k;
 }
