@@ -150,32 +150,31 @@ static void test_energy(void)
     for (int e = 0; e <= 12; e++) {
         brdf b = brdf_blinn_phong(black, white, e ? (real)pow(4, e - 3) : 0);
         for (int i = 1; i <= 20; i++)
-            check_at_most((double)brdf_albedo(&b, (real)i / 20).x, 1.002,
+            check_at_most((double)brdf_albedo(&b, (real)i / 20).x, 1.0002,
                           "Blinn-Phong %d: energy", e);
     }
-    /* the same by quadrature that knows no sampler: lobes of some 0.1 against cells of 1/300 */
+    /* brdf_albedo is within 2e-4. By quadrature that knows no sampler: lobes of some 0.1 against cells of 1/300 */
     for (int i = 0; i < specimens; i++) {
         brdf b = specimen(i);
         if ((b.kind == BRDF_GGX && b.alpha < (real)0.2) || b.exponent > 20) continue;
         for (int k = 1; k <= 5; k++) {
             double cosine = k / 5.0, a = quadrature(value_of, &b, at_angle(cosine, 0.3), 300);
-            check_close(brdf_albedo(&b, (real)cosine).x, a, 2.5e-3, "albedo %d, cos %g", i, cosine);
+            check_close(brdf_albedo(&b, (real)cosine).x, a, 2e-4, "albedo %d, cos %g", i, cosine);
         }
     }
-    /* and over half vectors, for sharp lobes, too; itself good to 1e-3 for cos >= .1 */
+    /* and over half vectors, for sharp lobes, too */
     static const double roughness[] = {0.05, 0.2, 0.3, 0.5, 1}, cosine[] = {1, 0.7, 0.4, 0.1};
     for (int i = 0; i < 5; i++)
         for (int k = 0; k < 4; k++) {
             brdf b = brdf_ggx(white, (real)roughness[i]);
-            double a = (double)reflection_reference(&b, up, at_angle(cosine[k], 0), white_light,
-                                                    400).x;
-            check_close(brdf_albedo(&b, (real)cosine[k]).x, a, 4e-3, "albedo, roughness %g, cos %g",
+            double a = (double)reflection_reference(&b, up, at_angle(cosine[k], 0), white_light).x;
+            check_close(brdf_albedo(&b, (real)cosine[k]).x, a, 2e-4, "albedo, roughness %g, cos %g",
                         roughness[i], cosine[k]);
         }
     /* alpha = 1 head-on: D = 1/pi, S = 1, f zi = zi / (2 pi (1 + zi)), so the albedo is
      * integral from 0 to 1 of z / (1 + z) dz = 1 - ln 2: more than two thirds are lost */
     brdf rough = brdf_ggx(white, 1);
-    check_close(brdf_albedo(&rough, 1).x, 1 - log(2.0), 1e-3, "alpha = 1, head-on: 1 - ln 2");
+    check_close(brdf_albedo(&rough, 1).x, 1 - log(2.0), 2e-4, "alpha = 1, head-on: 1 - ln 2");
 }
 
 /* ---- samples against pdf ---- */
@@ -328,8 +327,8 @@ static void test_reference(void)
         brdf b = brdf_ggx(white, 1 - (real)i / 8);
         reflection r = {DIRECTIONS_UNIFORM, false, 0};
         double grid = (double)reflection_grid(&r, &b, up, wo, overhead, 500).x;
-        double half = (double)reflection_reference(&b, up, wo, overhead, 400).x;
-        check_close(half, grid, 1e-4, "reference, roughness %g", 1 - i / 8.0);
+        double half = (double)reflection_reference(&b, up, wo, overhead).x;
+        check_close(half, grid, 1e-5 + 1000 * eps, "reference, roughness %g", 1 - i / 8.0);
     }
 }
 
@@ -361,6 +360,22 @@ static void test_extremes(void)
     check(finite, "values, pdfs and weights are finite");
     check(unit, "samples have unit length");
     check(above, "samples are above the surface");
+
+    /* a sharp highlight seen at a grazing angle: wo.h as a product rounds to below 0, and so would
+     * the pdf and the weight */
+    brdf needle = brdf_blinn_phong(black, white, 1 / real_epsilon);
+    bool positive = true;
+    int kept = 0;
+    for (uint64_t k = 0; k < check_count(20000); k++) {
+        vec3 w, weight, low = at_angle(pow(10, -4 - 8 * (double)random_real(11, k, 0, 2)), (double)k);
+        real pdf, u = random_real(11, k, 0, 0), v = random_real(11, k, 0, 1);
+        if (!brdf_sample_local(&needle, low, u, v, &w, &pdf, &weight)) continue;
+        positive &= pdf > 0 && weight.x >= 0 && isfinite(pdf) && vfinite(weight);
+        positive &= brdf_pdf_local(&needle, w, low) >= 0;
+        kept++;
+    }
+    check(positive, "grazing, sharp: pdf > 0, weight >= 0");
+    check_at_least(kept, (double)check_count(20000) / 10, "and there were such samples");
 
     brdf smooth = brdf_ggx(white, 0);
     check(brdf_is_delta(&smooth), "roughness 0 is a mirror");
@@ -442,7 +457,7 @@ static void test_only_what_is_called_for(void)
             break;
         }
     }
-    check_equal(dull.chance, 0, "black highlight: never sampled");
+    check_equal(dull.kind, BRDF_LAMBERT, "black highlight: matte, no highlight is computed");
     check_equal(glow.chance, 1, "black ground: always the highlight");
     /* directions that cannot contribute are not asked for, and asking changes nothing */
     brdf kinds[] = {specimen(1), specimen(7), brdf_mirror(white), brdf_lambert(black)};
@@ -459,7 +474,11 @@ static void test_only_what_is_called_for(void)
             check_equal(lavish.asked, 1000, "all asked");
             if (i >= 2 && c < DIRECTIONS_BRDF) check_equal(thrifty.asked, 0, "mirror, black: none");
             if (i == 3) check_equal(thrifty.asked, 0, "black: none");
-            if (i < 2 && c == DIRECTIONS_BRDF) check_at_most(thrifty.asked, 900, "below: none");
+            if (i == 1 && c == DIRECTIONS_BRDF) check_at_most(thrifty.asked, 900, "below: none");
+            /* roughness 1: wi is uniform above z = -wo.z, so 1 / (1 + wo.z) of it is above z = 0;
+             * 6 sigma */
+            if (i == 0 && c == DIRECTIONS_BRDF)
+                check_close(thrifty.asked, 1000 / 1.1, 6 * sqrt(1000 * 0.1) / 1.1, "below: none");
         }
 }
 
