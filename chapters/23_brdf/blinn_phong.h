@@ -5,9 +5,9 @@
  *   pdf(wi) = (e + 1) / (2 pi) (n.h)^e / (4 wo.h)                                        (23.15)
  *   f zi / pdf = 4 C (wo.h) zi 2 pi / (e + 1) <= (e+2)(e+4) / ((e + 2^(-e/2)) (e + 1))   (23.16)
  *
- * C makes the albedo 1 when wo = n; at all other angles it is less, but for e = 0: that is Lambert's
- * 1/pi. The factor 1 / (4 wo.h) is dh/dwi: while wi turns by an angle, h turns by half of it in the
- * plane of wi and wo, and by 1 / (2 wo.h) of it across.
+ * C makes the albedo 1 when wo = n; at all other angles it is less, but for e = 0, which is
+ * Lambert's 1/pi. The factor 1 / (4 wo.h) is dh/dwi: while wi turns by an angle, h turns by half of
+ * it in the plane of wi and wo, and by 1 / (2 wo.h) of it across.
  *
  * Directions are local and of unit length, e >= 0.
  *

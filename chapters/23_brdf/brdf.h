@@ -90,9 +90,10 @@ static inline vec3 brdf_value_local(const brdf *b, vec3 wi, vec3 wo)
     if (brdf_behind(wi) || brdf_behind(wo)) return black;
     switch (b->kind) {
     case BRDF_LAMBERT: return matte;
-    case BRDF_BLINN_PHONG:
-        return vmadd(matte, b->specular,
-                     b->scale * blinn_phong_power(b->exponent, half_vector(wi, wo)));   /* (23.13) */
+    case BRDF_BLINN_PHONG: {
+        real power = blinn_phong_power(b->exponent, half_vector(wi, wo));
+        return vmadd(matte, b->specular, b->scale * power);                            /* (23.13) */
+    }
     case BRDF_GGX: {
         vec3 m = half_vector(wi, wo);
         real shadow = wo.z * ggx_s(b->alpha, wi) + wi.z * ggx_s(b->alpha, wo);
@@ -124,10 +125,10 @@ static inline real brdf_pdf_local(const brdf *b, vec3 wi, vec3 wo)
 static inline bool brdf_sample_blinn_phong(const brdf *b, vec3 wo, real u, real v, vec3 *wi,
                                            real *pdf, vec3 *weight)
 {
-    real p = b->chance, e = b->exponent, largest = 1 - real_epsilon / 2;
-    vec3 h, w;
-    if (u < p) h = blinn_phong_normal(e, real_min(u / p, largest), v), w = mirrored(wo, h);
-    else w = sample_cosine(real_min((u - p) / (1 - p), largest), v), h = half_vector(w, wo);
+    real p = b->chance, e = b->exponent;
+    vec3 h, w;  /* the new u is below 1, rounding included: a float below p is p (1 - epsilon / 2) */
+    if (u < p) h = blinn_phong_normal(e, u / p, v), w = mirrored(wo, h);
+    else w = sample_cosine((u - p) / (1 - p), v), h = half_vector(w, wo);
     if (brdf_behind(w)) return false;
     real power = blinn_phong_power(e, h);  /* once: it is most of the work */
     vec3 f = vmadd(vscale(b->diffuse, 1 / pi), b->specular, b->scale * power);

@@ -6,12 +6,13 @@
  *                                                        p.u, p.v in (0,1); p.area: its share
  *
  * A Fibonacci lattice (斐波那契格点): point i is ((i + 1/2) / n, i g / n), n and g neighbours in
- * Fibonacci's sequence. Every strip of it is evenly filled, whatever its direction, which no grid
- * is. s -> u = s^2 (3 - 2 s), du = 6 s (1 - s) ds, makes it denser at the edges of the square, where
- * the tails of lobes and the horizon are.
+ * Fibonacci's sequence. Every strip of it is evenly filled, whatever its direction; a grid's are
+ * not. s -> u = s^2 (3 - 2 s), du = 6 s (1 - s) ds, makes it denser at the edges of the square,
+ * where the tails of lobes and the horizon are.
  *
  * Sources: S. Zaremba, "Good lattice points, discrepancy, and numerical integration", Annali di
- * Matematica 73, 1966; L. Hua, Y. Wang, "Applications of Number Theory to Numerical Analysis", 1981.
+ * Matematica 73, 1966; L. Hua, Y. Wang, "Applications of Number Theory to Numerical Analysis",
+ * 1981.
  */
 #ifndef FIBONACCI_H
 #define FIBONACCI_H

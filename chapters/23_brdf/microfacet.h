@@ -76,8 +76,8 @@ static inline real ggx_g2(real a, vec3 wi, vec3 wo)
 static inline vec3 ggx_visible(real a, vec3 wo, real u, real v)
 {
     vec3 w = unit_of((vec3){a * wo.x, a * wo.y, wo.z});
-    real q = v * (1 + w.z);  /* 1 - c.z */
-    vec3 c = sample_turn(sqrt(q * real_max(2 - q, 0)), 1 - q, u);
+    real q = v * (1 + w.z);  /* 1 - c.z, below 2: w.z is at most 1, as z * (1 / z) is, rounded */
+    vec3 c = sample_turn(sqrt(q * (2 - q)), 1 - q, u);
     return unit_of((vec3){a * (c.x + w.x), a * (c.y + w.y), (1 - v) * (1 + w.z)});
 }
 
