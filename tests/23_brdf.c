@@ -2,6 +2,7 @@
  * and the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8
  * seeds. */
 #include "../chapters/23_brdf/brdf_naive.h"
+#include "../chapters/23_brdf/pictures.h"
 #include "../chapters/23_brdf/reflection.h"
 #include "../chapters/20_monte_carlo/chi_square.h"
 #include "../chapters/20_monte_carlo/t_test.h"
@@ -126,6 +127,20 @@ static void test_closed_forms(void)
     check(vzero(fresnel_schlick(black, 0)), "no boundary, no reflection");
     check_equal(fresnel_schlick((vec3){1, 1, 1}, (real)-0.5).x, 1, "a cosine out of range");
 
+    /* back to where it came from: m = wi = wo, so F = F0 at all angles. alpha 1/2, z = .6: the
+     * bracket of D is .64 / .25 + .36 = 2.92, S^2 = .36 + .64 / 4 = .52, f = F0 D / (4 z S) */
+    vec3 back = at_angle(0.6, 1);
+    double d = 1 / ((double)pi * 0.25 * 2.92 * 2.92);
+    double due = 0.5 * d / (4 * 0.6 * sqrt(0.52));
+    check_close((double)brdf_value_local(&gold, back, back).y / due, 1, 64 * eps, "back: F0");
+    brdf glass = brdf_mirror((vec3){(real)0.04, (real)0.04, (real)0.04});
+    vec3 out, weight;
+    real pdf;
+    check(brdf_sample_local(&glass, at_angle(0.5, 1), 0, 0, &out, &pdf, &weight), "a mirror");
+    check_close(weight.x, 0.07, 2 * eps, "Fresnel of a mirror at 60 degrees: .04 + .96 / 32");
+    check_close(brdf_albedo(&glass, (real)0.5).x, 0.07, 2 * eps, "and its albedo");
+    check_equal(brdf_albedo(&lambert, 0).x, 0, "seen from the horizon: nothing");
+
     /* tan = 2 at alpha 1/2: S = z sqrt(1 + 1) */
     vec3 w = at_angle(1 / sqrt(5.0), 0.5);
     check_close(ggx_g1((real)0.5, w), 2 / (1 + sqrt(2.0)), 8 * eps, "G1, closed form");
@@ -150,32 +165,32 @@ static void test_energy(void)
     for (int e = 0; e <= 12; e++) {
         brdf b = brdf_blinn_phong(black, white, e ? (real)pow(4, e - 3) : 0);
         for (int i = 1; i <= 20; i++)
-            check_at_most((double)brdf_albedo(&b, (real)i / 20).x, 1.002,
+            check_at_most((double)brdf_albedo(&b, (real)i / 20).x, 1.0002,
                           "Blinn-Phong %d: energy", e);
     }
-    /* the same by quadrature that knows no sampler: lobes of some 0.1 against cells of 1/300 */
+    /* brdf_albedo is within 2e-4. By quadrature that knows no sampler, cells of 1/300 against lobes
+     * of some 0.1 */
     for (int i = 0; i < specimens; i++) {
         brdf b = specimen(i);
         if ((b.kind == BRDF_GGX && b.alpha < (real)0.2) || b.exponent > 20) continue;
         for (int k = 1; k <= 5; k++) {
             double cosine = k / 5.0, a = quadrature(value_of, &b, at_angle(cosine, 0.3), 300);
-            check_close(brdf_albedo(&b, (real)cosine).x, a, 2.5e-3, "albedo %d, cos %g", i, cosine);
+            check_close(brdf_albedo(&b, (real)cosine).x, a, 2e-4, "albedo %d, cos %g", i, cosine);
         }
     }
-    /* and over half vectors, for sharp lobes, too; itself good to 1e-3 for cos >= .1 */
+    /* and over half vectors, for sharp lobes, too */
     static const double roughness[] = {0.05, 0.2, 0.3, 0.5, 1}, cosine[] = {1, 0.7, 0.4, 0.1};
     for (int i = 0; i < 5; i++)
         for (int k = 0; k < 4; k++) {
             brdf b = brdf_ggx(white, (real)roughness[i]);
-            double a = (double)reflection_reference(&b, up, at_angle(cosine[k], 0), white_light,
-                                                    400).x;
-            check_close(brdf_albedo(&b, (real)cosine[k]).x, a, 4e-3, "albedo, roughness %g, cos %g",
+            double a = (double)reflection_reference(&b, up, at_angle(cosine[k], 0), white_light).x;
+            check_close(brdf_albedo(&b, (real)cosine[k]).x, a, 2e-4, "albedo, roughness %g, cos %g",
                         roughness[i], cosine[k]);
         }
     /* alpha = 1 head-on: D = 1/pi, S = 1, f zi = zi / (2 pi (1 + zi)), so the albedo is
      * integral from 0 to 1 of z / (1 + z) dz = 1 - ln 2: more than two thirds are lost */
     brdf rough = brdf_ggx(white, 1);
-    check_close(brdf_albedo(&rough, 1).x, 1 - log(2.0), 1e-3, "alpha = 1, head-on: 1 - ln 2");
+    check_close(brdf_albedo(&rough, 1).x, 1 - log(2.0), 2e-4, "alpha = 1, head-on: 1 - ln 2");
 }
 
 /* ---- samples against pdf ---- */
@@ -248,6 +263,7 @@ static void test_weights(void)
             vec3 f = brdf_value_local(&b, wi, wo);
             double again = (double)f.x * (double)wi.z / (double)pdf, w = (double)weight.x;
             off = check_worse(off, fabs(again - w) / w);
+            off = check_worse(off, fabs((double)(f.z * wi.z / (pdf * weight.z)) - 1));
             off = check_worse(off, fabs((double)brdf_pdf_local(&b, wi, wo) / (double)pdf - 1));
             if (b.kind == BRDF_LAMBERT) bound = 0.5;
             if (b.kind == BRDF_GGX) bound = 1;
@@ -328,8 +344,9 @@ static void test_reference(void)
         brdf b = brdf_ggx(white, 1 - (real)i / 8);
         reflection r = {DIRECTIONS_UNIFORM, false, 0};
         double grid = (double)reflection_grid(&r, &b, up, wo, overhead, 500).x;
-        double half = (double)reflection_reference(&b, up, wo, overhead, 400).x;
-        check_close(half, grid, 1e-4, "reference, roughness %g", 1 - i / 8.0);
+        check_equal(r.asked, 500 * 500, "the grid asks for each of its directions");
+        double half = (double)reflection_reference(&b, up, wo, overhead).x;
+        check_close(half, grid, 1e-5 + 1000 * eps, "reference, roughness %g", 1 - i / 8.0);
     }
 }
 
@@ -355,15 +372,37 @@ static void test_extremes(void)
                                        &pdf, &weight)) continue;
                 finite &= vfinite(weight) && pdf > 0 && (isfinite(pdf) || brdf_is_delta(&b));
                 unit &= fabs(vlength(wi) - 1) < 8 * real_epsilon;
-                above &= wi.z > 0;
+                above &= !brdf_behind(wi);
             }
         }
     check(finite, "values, pdfs and weights are finite");
     check(unit, "samples have unit length");
     check(above, "samples are above the surface");
 
+    /* a sharp highlight seen at a grazing angle: wo.h as a product rounds to below 0, and so would
+     * the pdf and the weight */
+    brdf needle = brdf_blinn_phong(black, white, 1 / real_epsilon);
+    bool positive = true;
+    int kept = 0;
+    for (uint64_t k = 0; k < check_count(20000); k++) {
+        vec3 w, weight;
+        vec3 low = at_angle(pow(10, -4 - 8 * (double)random_real(11, k, 0, 2)), (double)k);
+        real pdf, u = random_real(11, k, 0, 0), v = random_real(11, k, 0, 1);
+        if (!brdf_sample_local(&needle, low, u, v, &w, &pdf, &weight)) continue;
+        positive &= pdf > 0 && weight.x >= 0 && isfinite(pdf) && vfinite(weight);
+        positive &= brdf_pdf_local(&needle, w, low) >= 0;
+        kept++;
+    }
+    check(positive, "grazing, sharp: pdf > 0, weight >= 0");
+    check_at_least(kept, (double)check_count(20000) / 10, "and there were such samples");
+
     brdf smooth = brdf_ggx(white, 0);
     check(brdf_is_delta(&smooth), "roughness 0 is a mirror");
+    brdf below = brdf_ggx(white, -1), beyond = brdf_ggx(white, 7);
+    check(brdf_is_delta(&below) && beyond.alpha == 1, "roughness is clamped to [0,1]");
+    brdf blunt = brdf_blinn_phong(black, white, -3);
+    brdf sharpest = brdf_blinn_phong(black, white, (real)1e30);
+    check(blunt.exponent == 0 && sharpest.exponent == 1 / real_epsilon, "and exponents");
     brdf nan = brdf_ggx(white, (real)NAN);
     check(brdf_is_delta(&nan), "roughness NaN is taken for 0");
     /* just above the mirror: each sample is next to the mirror's, and weighs the same */
@@ -411,6 +450,11 @@ static void test_nothing(void)
             check(wi.x == 7 && pdf == 7 && weight.x == 7, "and nothing is written");
         }
     }
+    brdf matte = brdf_lambert(white);
+    vec3 w = {7, 7, 7}, unused;
+    real none;
+    check(!brdf_sample_local(&matte, above, 0, (real)0.5, &w, &none, &unused) && w.x == 7,
+          "the rim of the square is the horizon: no sample");
     brdf dark[] = {brdf_lambert(black), brdf_ggx(black, (real)0.5), brdf_mirror(black),
                    brdf_blinn_phong(black, black, 10)};
     for (int i = 0; i < 4; i++) {
@@ -419,6 +463,7 @@ static void test_nothing(void)
         check(!brdf_sample_local(&dark[i], above, (real)0.5, (real)0.5, &wi, &pdf, &weight),
               "black: no sample");
         check(vzero(brdf_value_local(&dark[i], up, up)), "black: no value");
+        check_equal(brdf_pdf_local(&dark[i], up, up), 0, "black: no pdf");
         check_equal(brdf_albedo(&dark[i], 1).x, 0, "black: albedo");
     }
 }
@@ -442,7 +487,7 @@ static void test_only_what_is_called_for(void)
             break;
         }
     }
-    check_equal(dull.chance, 0, "black highlight: never sampled");
+    check_equal(dull.kind, BRDF_LAMBERT, "black highlight: matte, no highlight is computed");
     check_equal(glow.chance, 1, "black ground: always the highlight");
     /* directions that cannot contribute are not asked for, and asking changes nothing */
     brdf kinds[] = {specimen(1), specimen(7), brdf_mirror(white), brdf_lambert(black)};
@@ -459,8 +504,26 @@ static void test_only_what_is_called_for(void)
             check_equal(lavish.asked, 1000, "all asked");
             if (i >= 2 && c < DIRECTIONS_BRDF) check_equal(thrifty.asked, 0, "mirror, black: none");
             if (i == 3) check_equal(thrifty.asked, 0, "black: none");
-            if (i < 2 && c == DIRECTIONS_BRDF) check_at_most(thrifty.asked, 900, "below: none");
+            if (i == 1 && c == DIRECTIONS_BRDF) check_at_most(thrifty.asked, 900, "below: none");
+            /* roughness 1: wi is uniform above z = -wo.z, so 1 / (1 + wo.z) of it is above z = 0;
+             * 6 sigma */
+            if (i == 0 && c == DIRECTIONS_BRDF)
+                check_close(thrifty.asked, 1000 / 1.1, 6 * sqrt(1000 * 0.1) / 1.1, "below: none");
         }
+}
+
+/* A black sphere would ask for nothing at all; these seven, mirror to rough, do not ask below their
+ * horizon. All asked: the same picture, byte for byte. */
+static void test_picture_unchanged(void)
+{
+    image thrifty = image_new(70, 40), lavish = image_new(70, 40);
+    options o = {.seed = 3};
+    sphere_sheet sheet[2] = {{&thrifty, &o, 4, 16, false}, {&lavish, &o, 4, 16, true}};
+    for (int i = 0; i < 70 * 40; i++)
+        for (int k = 0; k < 2; k++) sphere_pixel(i % 70, i / 70, &sheet[k]);
+    check(memcmp(thrifty.rgb, lavish.rgb, 70 * 40 * 3 * sizeof(float)) == 0, "the same picture");
+    check(vlength(image_get(&thrifty, 35, 35)) > 0, "which shows something");
+    image_free(&thrifty), image_free(&lavish);
 }
 
 /* ---- the naive ones ---- */
@@ -549,6 +612,7 @@ int main(void)
     test_extremes();
     test_nothing();
     test_only_what_is_called_for();
+    test_picture_unchanged();
     test_naive();
     test_weak_furnace();
     return check_report("23_brdf");

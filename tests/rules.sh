@@ -53,6 +53,8 @@ seen=$(violations "$scratch/tree" | wc -l)
 if [ "$seen" -eq 4 ]; then ok; else no "4 broken includes were planted, $seen were found"; fi
 
 # Each main.c compiles by its own line 2, in a directory that holds only what it includes, and runs.
+# Line 2 has flags of its own: where the others are what is tested, CHECK_DIVISOR=10 takes every tenth.
+count=0
 for main in chapters/*/main.c; do
     name=$(basename "$(dirname "$main")")
     line=$(sed -n 2p "$main")
@@ -60,6 +62,8 @@ for main in chapters/*/main.c; do
     "cc -std=c11 "*" -o $name $main "*) ok ;;
     *) no "$main: line 2 is not its compile command: $line"; continue ;;
     esac
+    count=$((count + 1))
+    [ $((count % ${CHECK_DIVISOR:-1})) -eq 0 ] || continue
     alone="$scratch/alone_$name"
     mkdir -p "$alone"
     for file in $(${CC:-cc} -std=c11 -MM "$main" | sed -e 's/^[^:]*://' -e 's/\\$//'); do

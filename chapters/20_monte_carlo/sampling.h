@@ -56,13 +56,11 @@ static inline vec3 sample_disk_polar(real u, real v) { return sample_turn(sqrt(u
 static inline vec3 sample_disk(real u, real v)
 {
     real a = 2 * u - 1, b = 2 * v - 1;
-    if (a == 0 && b == 0) return (vec3){0, 0, 0};
-    if (fabs(a) > fabs(b)) {
-        real phi = pi / 4 * (b / a);
-        return (vec3){a * cos(phi), a * sin(phi), 0};
-    }
-    real phi = pi / 4 * (a / b);
-    return (vec3){b * sin(phi), b * cos(phi), 0};
+    bool wide = fabs(a) > fabs(b);  /* values are chosen, not branches, which nobody can predict */
+    real r = wide ? a : b, q = wide ? b : a;
+    if (r == 0) return (vec3){0, 0, 0};
+    real phi = pi / 4 * (q / r), c = r * cos(phi), s = r * sin(phi);
+    return (vec3){wide ? c : s, wide ? s : c, 0};
 }
 
 static inline real pdf_disk(vec3 p)

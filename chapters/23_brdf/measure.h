@@ -41,13 +41,14 @@ static inline vec3 glowing_sky(vec3 w)
 static const vec3 upright = {0, 0, 1};
 #define oblique vunit((vec3){-1, 0, 1})
 
+/* Within 1e-6. */
 static inline double surface_exact(int surface, bool quick)
 {
     brdf b = surface_brdf(surface);
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
     int k = quick ? 200 : 1000;
     return (double)(surface == 0 ? reflection_grid(&r, &b, upright, oblique, glowing_sky, k)
-                    : reflection_reference(&b, upright, oblique, glowing_sky, k)).x;
+                    : reflection_reference(&b, upright, oblique, glowing_sky)).x;
 }
 
 static inline double method_run(reflection *r, int surface, int method, int level, uint64_t seed,
@@ -175,12 +176,13 @@ static inline void measure_furnace(const options *o)
         brdf b = brdf_ggx((vec3){1, 1, 1}, (real)r / 10);
         double all = 0;
         table_number(&t, r / 10.0), table_number(&t, r * r / 100.0);
-        for (int k = 0; k < 5; k++) table_number(&t, (double)brdf_albedo(&b, (real)cosine[k]).x);
+        for (int k = 0; k < 5; k++)  /* no more digits than brdf_albedo has */
+            table_text(&t, "%.3f", (double)brdf_albedo(&b, (real)cosine[k]).x);
         for (int k = 0; k < 20; k++) {  /* mean over white light from all sides: 2 a c dc */
             double c = (k + 0.5) / 20;
             all += 2 * c * (double)brdf_albedo(&b, (real)c).x / 20;
         }
-        table_number(&t, 100 * (1 - all));
+        table_text(&t, "%.1f", 100 * fabs(1 - all));
         if (r < 3 || r % 2) continue;
         char name[32];
         snprintf(name, sizeof name, "roughness %.1f", r / 10.0);

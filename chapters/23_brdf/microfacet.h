@@ -29,19 +29,22 @@
  *
  * Sources: B. Walter, S. Marschner, H. Li, K. Torrance, "Microfacet models for refraction through
  * rough surfaces", EGSR 2007; E. Heitz, "Understanding the masking-shadowing function", JCGT 3(2),
- * 2014, eq. 99; E. Heitz, "Sampling the GGX distribution of visible normals", JCGT 7(4), 2018;
- * C. Schlick, "An inexpensive BRDF model for physically-based rendering", Eurographics 1994.
+ * 2014, eq. 99 (G2), and "Sampling the GGX distribution of visible normals", JCGT 7(4), 2018
+ * (23.10); J. Dupuy, A. Benyoub, "Sampling visible GGX normals with spherical caps", Computer
+ * Graphics Forum 42(8), 2023 (ggx_visible); C. Schlick, "An inexpensive BRDF model for
+ * physically-based rendering", Eurographics 1994.
  */
 #ifndef MICROFACET_H
 #define MICROFACET_H
 
 #include "../20_monte_carlo/sampling.h"
+#include "shading_frame.h"
 
 #define ggx_least_alpha sqrt(real_epsilon)  /* 1.5e-8, or 3.5e-4 in float */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 fresnel_schlick(vec3 f0, real c)
+brdf_inline vec3 fresnel_schlick(vec3 f0, real c)
 {
     real q = 1 - real_clamp(c, 0, 1), q5 = q * q * q * q * q;
     if (vzero(f0)) return f0;
@@ -49,13 +52,13 @@ static inline vec3 fresnel_schlick(vec3 f0, real c)
 }
 
 /* A sum of squares, where the textbook's z^2 (a^2 - 1) + 1 is a difference (ggx_d_naive). */
-static inline real ggx_d(real a, vec3 m)
+brdf_inline real ggx_d(real a, vec3 m)
 {
     real x = m.x / a, y = m.y / a, k = x * x + y * y + m.z * m.z;
     return m.z > 0 ? 1 / (pi * a * a * k * k) : 0;
 }
 
-static inline real ggx_s(real a, vec3 w)
+brdf_inline real ggx_s(real a, vec3 w)
 {
     return sqrt(w.z * w.z + a * a * (w.x * w.x + w.y * w.y));
 }
@@ -67,19 +70,15 @@ static inline real ggx_g2(real a, vec3 wi, vec3 wo)
     return 2 * wi.z * wo.z / (wo.z * ggx_s(a, wi) + wi.z * ggx_s(a, wo));
 }
 
-/* Stretched by 1/a the facets are a hemisphere; what wo sees of it is a half disk and half an
- * ellipse; a uniform point of those is lifted to the hemisphere and stretched back. */
+/* Stretched by 1/a the facets are a hemisphere of mirrors, and what it reflects of a beam from w is
+ * uniform: c, on the part of the unit sphere above z = -w.z. m is half way, and stretched back.
+ * h.z is written without the difference c.z + w.z, and 1 - c.z^2 as a product. */
 static inline vec3 ggx_visible(real a, vec3 wo, real u, real v)
 {
-    vec3 w = vunit((vec3){a * wo.x, a * wo.y, wo.z});
-    real l = sqrt(w.x * w.x + w.y * w.y);
-    vec3 s = l > 0 ? (vec3){-w.y / l, w.x / l, 0} : (vec3){1, 0, 0}, t = vcross(w, s);
-    vec3 d = sample_disk(u, v);
-    real half = (1 + w.z) / 2;
-    real y = (1 - half) * sqrt(real_max((1 - d.x) * (1 + d.x), 0)) + half * d.y;
-    real z = sqrt(real_max(1 - d.x * d.x - y * y, 0));
-    vec3 m = vmadd(vmadd(vscale(s, d.x), t, y), w, z);
-    return vunit((vec3){a * m.x, a * m.y, real_max(m.z, 0)});
+    vec3 w = unit_of((vec3){a * wo.x, a * wo.y, wo.z});
+    real q = v * (1 + w.z);  /* 1 - c.z, below 2: w.z is at most 1, as z * (1 / z) is, rounded */
+    vec3 c = sample_turn(sqrt(q * (2 - q)), 1 - q, u);
+    return unit_of((vec3){a * (c.x + w.x), a * (c.y + w.y), (1 - v) * (1 + w.z)});
 }
 
 #endif

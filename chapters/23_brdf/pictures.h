@@ -39,7 +39,12 @@ static inline vec3 sky_and_ground(vec3 w)
 /* ---- spheres ---- */
 
 enum { sphere_columns = 7, sphere_rows = 4 };
-typedef struct { image *im; const options *o; uint32_t samples, converged; } sphere_sheet;
+typedef struct {
+    image *im;
+    const options *o;
+    uint32_t samples, converged;
+    bool ask_all;  /* the light from directions that bring nothing, too: the same picture */
+} sphere_sheet;
 
 static inline void sphere_pixel(int x, int y, void *context)
 {
@@ -51,7 +56,7 @@ static inline void sphere_pixel(int x, int y, void *context)
         brdf b = brdf_ggx(f0, (real)column / (sphere_columns - 1));
         uint32_t n = row == 3 ? sheet->converged : sheet->samples;
         sequence_kind kind = row == 3 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM;
-        reflection r = {row == 3 ? DIRECTIONS_BRDF : (direction_choice)row, false, 0};
+        reflection r = {row == 3 ? DIRECTIONS_BRDF : (direction_choice)row, sheet->ask_all, 0};
         uint64_t pixel = (uint64_t)y * (uint64_t)sheet->im->width + (uint64_t)x;
         vec3 ground = sum, wo = {0, -1, 0};
         sum = (vec3){0, 0, 0};
@@ -75,7 +80,7 @@ static inline void draw_spheres(const options *o)
 {
     image im = image_new(o->width, o->height);
     uint32_t n = o->quick && o->samples > 4 ? 4 : (uint32_t)o->samples;
-    sphere_sheet sheet = {&im, o, n, o->quick ? 4 : 256};
+    sphere_sheet sheet = {&im, o, n, o->quick ? 4 : 256, false};
     bool whole = parallel_pixels(o->width, o->height, o->threads, "spheres", sphere_pixel, &sheet);
     output_picture(o, &im, "23_brdf.png", true, whole);
     image_free(&im);
