@@ -261,7 +261,7 @@ static inline few_skip lit_skip(const lit_scene *s, uint32_t from, uint32_t e)
 {
     few_skip k = few_skip_none;
     if (s->few.lanes == 0) return k;
-    if (from < s->m.triangles) k.other = s->few.lane[from];
+    if (from < few_most && from < s->m.triangles) k.other = s->few.lane[from];
     if (e < s->emitters) k.first = s->first[e], k.last = s->last[e];
     return k;
 }

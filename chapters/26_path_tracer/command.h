@@ -214,16 +214,16 @@ static inline void command_run(const command *c, const options *o)
 {
     if (c->merge) { command_check(c, o), command_run_merge(c, o); return; }
     char settings[state_settings];
-    showcase scene;
+    showcase shown;
     path_tracer t;
     command_check(c, o);
     film_range range = c->range ? command_range(c) : (film_range){0, 0};
     path_options how = command_options(c);
     command_settings(c, o, settings);
     film f = command_film(c, o, settings);
-    command_scene(c, (real)o->width / (real)o->height, &scene);
-    path_tracer_of(&scene.s, showcase_sky(&scene), how, &t);
-    render_job j = {.tracer = &t, .eye = scene.eye, .seed = o->seed, .threads = o->threads};
+    command_scene(c, (real)o->width / (real)o->height, &shown);
+    path_tracer_of(&shown.s, showcase_sky(&shown), how, &t);
+    render_job j = {.tracer = &t, .eye = shown.eye, .seed = o->seed, .threads = o->threads};
     command_user user = {c, o, settings, 0};
     uint32_t samples = o->samples > 0 ? (uint32_t)o->samples
                      : c->error > 0 || c->seconds > 0 ? 0 : o->quick ? 4 : 64;
@@ -233,7 +233,7 @@ static inline void command_run(const command *c, const options *o)
     if (whole) command_save(c, &f, settings);
     if (whole) command_report(o, &f, &j, c->obj ? c->obj : c->scene ? c->scene : "cornell");
     command_picture(o, &f, whole);
-    film_free(&f), path_tracer_free(&t), showcase_free(&scene);
+    film_free(&f), path_tracer_free(&t), showcase_free(&shown);
 }
 
 #endif

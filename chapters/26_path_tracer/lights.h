@@ -19,6 +19,7 @@
 #ifndef LIGHTS_H
 #define LIGHTS_H
 
+#include "../20_monte_carlo/sampling.h"
 #include "../18_shade/leave.h"
 #include "../24_direct_light/lit_scene.h"
 #include "environment.h"

@@ -3,7 +3,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
  * Without options: pictures, and error against time for every strategy. With --scene, --samples,
  * --error, --time ...: one picture. Errors are measured against a reference of many samples, which
  * a test compares with the naive path of 25. */
-#include "command.h"
+#include "pictures.h"
 
 int main(int argc, char **argv)
 {
@@ -26,6 +26,12 @@ int main(int argc, char **argv)
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
     if (c.bounces == path_endless) c.bounces = -1;
-    if (command_given(&c, &o)) command_run(&c, &o);
+    if (command_given(&c, &o)) {
+        command_run(&c, &o);
+        return 0;
+    }
+    draw_cornell(&o), draw_others(&o), draw_strategies(&o);
+    measure_strategies(&o);
+    measure_speed(&o);
     return 0;
 }

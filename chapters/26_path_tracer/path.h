@@ -24,8 +24,8 @@
  *   no roulette         where nothing can follow: after the last bounce, black, absorbed; q = 1
  *   no refraction code  without glass; no sphere is tested where there are none
  *   no random digits    for a choice of one
- * counts say how often each was done. With spend_all shadow rays are traced, dice thrown and bounces
- * made that can bring nothing: the result is the same bit by bit.
+ * counts say how often each was done. With spend_all shadow rays that can bring nothing are traced
+ * all the same: the result is the same bit by bit.
  *
  * Random numbers: pair 0 places the ray in its pixel. The next path_pairs pairs, two a hit (light,
  * BRDF), are the sampler's; all others, glass and roulette are independent: what far bounces bring

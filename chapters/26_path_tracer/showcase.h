@@ -102,7 +102,7 @@ static inline void showcase_teapot(showcase *c, real aspect)
     mesh_free(&m);
     showcase_floor(&c->s, (vec3){0, 0, 0}, 60, (vec3){(real)0.4, (real)0.42, (real)0.45});
     showcase_outdoors(c);
-    c->eye = showcase_eye((vec3){(real)1.5, (real)4.6, 9}, (vec3){(real)0.2, (real)1.3, 0}, 30,
+    c->eye = showcase_eye((vec3){(real)2.5, (real)6.5, 13}, (vec3){(real)0.25, (real)1.3, 0}, 24,
                           aspect);
 }
 
@@ -141,7 +141,27 @@ static inline bool showcase_of(const char *name, real aspect, showcase *c, failu
     return true;
 }
 
-/* From the front, a little from above; the sphere round its box fills the view. */
+/* The nearest eye along `from` that sees all corners of the box, with a margin: by halving. */
+static inline camera showcase_framed(vec3 lo, vec3 hi, vec3 from, real fov, real aspect)
+{
+    vec3 half = vscale(vsub(hi, lo), (real)0.5), middle = vadd(lo, half);
+    real near = vlength(half), far = near * 100 / real_min(aspect, 1);
+    for (int k = 0; k < 40; k++) {
+        real away = (near + far) / 2, x, y;
+        camera c = showcase_eye(vmadd(middle, from, away), middle, fov, aspect);
+        bool fits = true;
+        for (int i = 0; i < 8; i++) {
+            vec3 p = {i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z};
+            fits = fits && camera_project(c, p, 100, 100, &x, &y) && x > 6 && x < 94 && y > 6
+                && y < 94;
+        }
+        if (fits) far = away;
+        else near = away;
+    }
+    return showcase_eye(vmadd(middle, from, far), middle, fov, aspect);
+}
+
+/* From the front, a little from above. */
 static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, failure *f)
 {
     mesh m;
@@ -162,9 +182,7 @@ static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, f
     mesh_free(&m);
     showcase_floor(&c->s, (vec3){middle.x, lo.y, middle.z}, 30 * r, vscale(grey, (real)0.6));
     showcase_outdoors(c);
-    real away = r / sin(fov / 2 * pi / 180 * real_min(aspect, 1)) * (real)1.05;
-    vec3 from = vmadd(middle, vunit((vec3){(real)0.45, (real)0.4, 1}), away);
-    c->eye = showcase_eye(from, middle, fov, aspect);
+    c->eye = showcase_framed(lo, hi, vunit((vec3){(real)0.45, (real)0.4, 1}), fov, aspect);
     lit_end(&c->s);
     return true;
 }

@@ -48,7 +48,10 @@ static inline bool tally_add(tally *to, double x)
 
 static inline double tally_sum(const tally *t)
 {
-    return (double)t->high * 4 + (double)t->low * 0x1p-62;
+    tally x = *t;
+    if (t->high < 0) x = (tally){~x.low + 1, ~x.high + (x.low == 0)};  /* |t|: high and low agree */
+    double size = (double)x.high * 4 + (double)x.low * 0x1p-62;
+    return t->high < 0 ? -size : size;
 }
 
 #endif
