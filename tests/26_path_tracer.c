@@ -293,14 +293,14 @@ static void test_reciprocity(void)
 
 static void test_roulette(void)
 {
-    check_equal(roulette_survival((vec3){(real)0.25, (real)0.5, 0}), (real)0.5, "q of (26.9)");
+    check_equal(roulette_survival((vec3){(real)0.125, (real)0.25, 0}), (real)0.5, "q of (26.9)");
     check_equal(roulette_survival((vec3){2, 0, 0}), 1, "never above 1");
     for (int k = 1; k < 10; k++) {
-        path_walk w = {.beta = {1, 1, 1}};
+        path_walk w = {.beta = {1, 1, 1}, .squeezed = 1};
         path_tracer t = {.how = path_defaults};
         path_counts c = {0};
         estimate e = {0};
-        real b = (real)k / 10;
+        real b = (real)k / 20;
         for (uint32_t i = 0; i < check_count(20000); i++) {
             path_random s = path_start(&t.how, 7, i, 0, 1);
             w.beta = (vec3){b, b / 2, 0};

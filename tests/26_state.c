@@ -220,7 +220,8 @@ static void test_error(void)
 {
     enum { side = 20 };
     place p;
-    place_of(&p, "cornell", 0);
+    place_of(&p, "cornell", 0);  /* seen so that the light's edges, most of its noise, are not */
+    p.j.eye = showcase_eye((vec3){278, 200, -150}, (vec3){278, 80, 559}, 45, 1);
     film all = film_new(side, side);
     uint32_t most = (uint32_t)check_count(1500);
     p.j.seed = 99;
@@ -241,7 +242,7 @@ static void test_error(void)
     check_close(said2 / (true2 - rest * rest), 1, 0.2, "estimated by true mean square error");
     for (int k = 0; k < 3; k++) {
         film m = film_new(side, side);
-        double wanted = k == 0 ? 0.08 : k == 1 ? 0.04 : 0.02;
+        double wanted = k == 0 ? 0.02 : k == 1 ? 0.01 : 0.007;
         p.j.seed = 50 + (uint64_t)k;
         render_until(&p.j, &m, (render_goal){.error = wanted});
         double e = distance(&m, &reference);
@@ -278,8 +279,8 @@ static void test_dielectric(void)
         if (vdot(n, wo) < 0) wo = vneg(wo);
         eta = (real)0.4 + 2 * random_next(&s);
         real ci = vdot(n, wo), f = dielectric_fresnel(eta, ci, &c), again;
-        if (f < 1) {  /* c is off by some epsilon / c, and F by 4 / c times that */
-            real off = fabs(dielectric_fresnel(1 / eta, c, &again) - f) * c * c;
+        if (f < 1) {  /* c^2 is off by some epsilon, F by 4 / c times its root's; both cosines */
+            real off = fabs(dielectric_fresnel(1 / eta, c, &again) - f) * c * c * ci * ci;
             worst = check_worse(worst, (double)off);
         }
         bool through;
@@ -323,7 +324,7 @@ static void test_environment(void)
         wrong += fabs(vlength(d) - 1) > 8 * real_epsilon;
         omega = estimate_add(omega, 1 / pdf), zz = estimate_add(zz, d.y * d.y / pdf);
     }
-    check_at_most(wrong, check_count(200000) * (real_is_float ? 1e-4 : 1e-5), "sample and lookup");
+    check_at_most(wrong, (double)check_count(200000) * (real_is_float ? 1e-4 : 1e-5), "sample and lookup");
     check_at_least(t_test(omega, lit, 1e-5 * lit), 1e-7, "E[1/pdf] is the solid angle that shines");
     environment_free(&e);
     im.rgb[5] = -1;
@@ -346,7 +347,7 @@ int main(void)
     test_environment();
     test_error();
     test_program();
-    char command[300];
-    snprintf(command, sizeof command, "rm -r %s", directory);
-    return check_report("26_state") | (system(command) != 0);
+    char clean[300];
+    snprintf(clean, sizeof clean, "rm -r %s", directory);
+    return check_report("26_state") | (system(clean) != 0);
 }

@@ -83,7 +83,7 @@ static inline void measure_place_of(const options *o, measure_place *m)
     path_tracer_of(&m->c.s, NULL, path_defaults, &t);
     render_job j = {.tracer = &t, .eye = m->c.eye, .seed = 77, .threads = o->threads};
     film all = film_new(m->side, m->side);
-    if (!render_range(&j, &all, 0, o->quick ? 256 : 2048))
+    if (!render_range(&j, &all, 0, o->quick ? 256 : 1500))
         failed(&f, 130, "stopped"), fail(f);
     m->reference = film_picture(&all);
     m->dark = allocate((size_t)(m->side * m->side), sizeof *m->dark);
@@ -146,12 +146,12 @@ static inline void measure_strategies(const options *o)
     measure_place_of(o, &m);
     strategy_list(s);
     double pixels = (double)m.side * m.side;
-    measured naive[4];
+    measured naive[3];
     for (int k = 0; k < strategies; k++) {
         plot_series(&error, s[k].name), plot_series(&time, s[k].name);
-        for (int l = 0; l < (o->quick ? 2 : 4); l++) {
+        for (int l = 0; l < (o->quick ? 2 : 3); l++) {
             uint32_t n = 4u << 2 * l;
-            measured x = measure_strategy(&m, &s[k], n, o->quick ? 1 : l < 2 ? 4 : 1);
+            measured x = measure_strategy(&m, &s[k], n, o->quick ? 1 : l < 2 ? 3 : 1);
             if (k == 0) naive[l] = x;
             double efficiency = 1 / (x.error * x.error * x.seconds);
             table_text(&t, "%s", s[k].name), table_count(&t, n);
@@ -197,7 +197,7 @@ static inline double measure_seconds(int threads, render_job *j, int side)
 
 static inline void measure_speed(const options *o)
 {
-    enum { runs = 5 };
+    enum { runs = 3 };
     showcase c;
     path_tracer t;
     failure f;

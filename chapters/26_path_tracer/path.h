@@ -51,7 +51,7 @@ typedef struct {
     bool spend_all;
 } path_options;
 
-enum { path_endless = 1 << 20, path_pairs = 6 };
+enum { path_endless = 1 << 20, path_pairs = 4 };
 #define path_defaults \
     ((path_options){SEQUENCE_SOBOL, true, true, ROULETTE_THROUGHPUT, path_endless, 0, false})
 
@@ -121,6 +121,7 @@ typedef struct {
     surface from;                /* what r left; from.shape = no_shape: the eye */
     real pdf;                    /* of r's direction; infinite: no light sample could find it */
     const lit_material *medium;  /* glass that r is in, or NULL */
+    real squeezed;               /* part of beta that is dielectric_squeeze: it comes back */
     int bounces;
 } path_walk;
 
@@ -180,8 +181,9 @@ __attribute__((always_inline))
 static inline bool path_dice(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
     if (t->how.roulette == ROULETTE_NONE) return true;
-    real q = t->how.roulette == ROULETTE_FIXED ? roulette_fixed(w->beta)
-                                               : roulette_survival(w->beta);
+    vec3 carries = t->glass ? vscale(w->beta, 1 / w->squeezed) : w->beta;
+    real q = t->how.roulette == ROULETTE_FIXED ? roulette_fixed(carries)
+                                               : roulette_survival(carries);
     if (q >= 1) return true;
     c->dice++;
     if (random_next(&s->own) >= q) return false;
@@ -197,7 +199,7 @@ static inline void path_through_glass(path_walk *w, const lit_hit *x, path_rando
     c->refractions++;
     vec3 wi = dielectric_scatter(x->s.n, vneg(vunit(w->r.d)), eta, random_next(&s->own), &through);
     if (through) {
-        w->beta = vscale(w->beta, dielectric_squeeze(eta));
+        w->beta = vscale(w->beta, dielectric_squeeze(eta)), w->squeezed *= dielectric_squeeze(eta);
         w->medium = x->front ? x->m : NULL;
     }
     w->r = leave(x->s, wi);
@@ -255,12 +257,14 @@ static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s,
 __attribute__((always_inline))
 static inline vec3 path_run(const path_tracer *t, ray eye, path_random *s, path_counts *c)
 {
-    path_walk w = {.beta = {1, 1, 1}, .r = eye, .from = {.shape = no_shape}, .pdf = real_infinity};
+    path_walk w = {.beta = {1, 1, 1}, .r = eye, .from = {.shape = no_shape}, .pdf = real_infinity,
+                   .squeezed = 1};
     c->paths++, c->camera++;
     while (path_step(t, &w, s, c)) {}
     return w.L;
 }
 
+__attribute__((flatten))
 static inline vec3 path_radiance_plain(const path_tracer *t, ray eye, path_random *s,
                                        path_counts *c)
 {

@@ -34,18 +34,18 @@ static inline void draw_scene(const options *o, const char *scene_name, int w, i
 
 static inline void draw_cornell(const options *o)
 {
-    draw_scene(o, "cornell", o->width, o->height, o->quick ? 4 : 64, 2, "26_path_tracer.png", true);
+    draw_scene(o, "cornell", o->width, o->height, o->quick ? 4 : 36, 2, "26_path_tracer.png", true);
 }
 
 static inline void draw_others(const options *o)
 {
     int q = o->quick ? 4 : 1;
     if (o->out) return;
-    draw_scene(o, "spheres", 400 / q, 400 / q, o->quick ? 4 : 128, 2, "26_path_tracer_spheres.png",
+    draw_scene(o, "spheres", 320 / q, 320 / q, o->quick ? 4 : 64, 2, "26_path_tracer_spheres.png",
                false);
-    draw_scene(o, "teapot", 480 / q, 320 / q, o->quick ? 4 : 64, 1, "26_path_tracer_teapot.png",
+    draw_scene(o, "teapot", 360 / q, 240 / q, o->quick ? 4 : 32, 1, "26_path_tracer_teapot.png",
                false);
-    draw_scene(o, "furnace", 420 / q, 280 / q, o->quick ? 4 : 32, (real)0.8,
+    draw_scene(o, "furnace", 360 / q, 240 / q, o->quick ? 4 : 16, (real)0.8,
                "26_path_tracer_furnace.png", false);
 }
 
@@ -54,7 +54,7 @@ static inline void draw_strategies(const options *o)
 {
     strategy s[strategies];
     const int shown[4] = {0, 2, 5, 6};
-    int side = o->quick ? 24 : 180;
+    int side = o->quick ? 24 : 160;
     measure_place m = {.side = side};
     failure f;
     if (o->out) return;

@@ -8,7 +8,7 @@
  *   cornell   the box of 21, matte, one light                       38 triangles
  *   spheres   the box without blocks: a mirror and a ball of glass, faintly green
  *   teapot    of rough copper, in the open: sky, sun, a floor       9 x 9 cells a patch
- *   furnace   balls of all BRDFs of 23 under a white sky: each shows its albedo, and nothing else
+ *   furnace   balls of all BRDFs of 23, and of glass, in a white world: they show what they lose
  *   OBJ       matte grey, on a floor, under the same sky
  */
 #ifndef SHOWCASE_H
