@@ -24,7 +24,9 @@
  * must not lose a hit, so all its rounding is paid for in advance. With U = 2^-24, D the largest
  * distance along an axis from o to what there is, coordinates taken from the middle of the box:
  * o' <= 3 D is off by 20 U D at most, d' <= 1.8 by 12 U, each product by 71 U D + 5 U D, the
- * difference by 11 U D more, a |d'n| by 28 U D: m = 256 U D; e = 32 U D.
+ * difference by 11 U D more, a |d'n| by 28 U D: m = 256 U D; e = 32 U D. Both get 256 eps D more for
+ * the test of 04 itself, as in (14.3), and 16 eps times the largest coordinate for taking the
+ * middle away: of weight in float only, and far from the origin.
  */
 #ifndef FEW_H
 #define FEW_H
@@ -38,6 +40,7 @@ typedef struct {
     float (*row)[few_most];     /* [14][lane]; NaN: no such lane */
     vec3 middle, half;          /* of the box */
     real scale;                 /* a power of two: the box becomes some 1 large */
+    real blur;                  /* what coordinates lose when the middle is taken from them */
     int32_t lanes;              /* a multiple of few_wide; 0: nothing was built */
     int32_t lane[few_most];     /* [triangle] */
     uint8_t first[few_most], last[few_most];  /* [lane] its triangles */
@@ -76,8 +79,10 @@ static inline bool few_around(const mesh *m, size_t first, size_t last, few_rect
     for (int k = 1; k < 3; k++) if (vlength(edge[k]) > vlength(u)) u = edge[k];
     vec3 n = triangle_normal(t), v;
     real lo[3], hi[3], area = 0, far = 0;
-    if (vzero(n)) vbasis(vzero(u) ? (vec3){0, 0, 1} : vunit(u), &n, &v);
-    u = vzero(u) ? (vec3){0, 0, 1} : vunit(u), v = vcross(n, u);
+    u = vzero(u) ? (vec3){0, 0, 1} : vunit(u);
+    n = vunit(vsub(n, vscale(u, vdot(n, u))));  /* that of a needle leans along its length */
+    if (vzero(n)) vbasis(u, &n, &v);
+    v = vcross(n, u);
     few_extent(m, first, last, t.a, u, &lo[0], &hi[0]);
     few_extent(m, first, last, t.a, v, &lo[1], &hi[1]);
     few_extent(m, first, last, t.a, n, &lo[2], &hi[2]);
@@ -115,7 +120,9 @@ static inline bool few_build(const mesh *m, few *out)
     real size = vaxis(half, vlongest(half));
     if (!(size > real_smallest / real_epsilon && size < real_largest * real_epsilon)) return false;
     (void)frexp(size, &e);
+    vec3 far = vmax(vmax(hi, vneg(hi)), vmax(lo, vneg(lo)));
     *out = (few){.middle = vadd(lo, half), .half = half, .scale = ldexp((real)1, -e)};
+    out->blur = 16 * real_epsilon * vaxis(far, vlongest(far)) * out->scale;
     out->room = allocate(14 * few_most + few_line, sizeof *out->room);
     size_t past = (uintptr_t)out->room / sizeof(float) % few_line;
     out->row = (float (*)[few_most])(void *)(out->room + (past ? few_line - past : 0));
@@ -146,9 +153,11 @@ static inline bool few_look(const few *f, const query *q, few_ray *out)
     vec3 o = vscale(vsub(q->r.o, f->middle), f->scale), d = vscale(q->r.d, fabs(q->shear.sz));
     real x = fabs(o.x) + f->half.x * f->scale, y = fabs(o.y) + f->half.y * f->scale;
     real D = real_max(x, real_max(y, fabs(o.z) + f->half.z * f->scale));
-    if (!(D < (real)0x1p60) || !(q->r.tmin >= 0)) return false;
+    real own = 256 * real_epsilon;
+    if (!(D < (real)0x1p60) || !(f->blur < 1) || !(q->r.tmin >= 0)) return false;
     *out = (few_ray){(float)o.x, (float)o.y, (float)o.z, (float)d.x, (float)d.y, (float)d.z,
-                     (float)(D * (real)0x1p-16), (float)(D * (real)0x1p-19),
+                     (float)(D * ((real)0x1p-16 + own) + f->blur),
+                     (float)(D * ((real)0x1p-19 + own) + f->blur),
                      fabs(vaxis(q->r.d, q->shear.kz)) * f->scale};
     return true;
 }
