@@ -223,7 +223,7 @@ static void test_error(void)
     place_of(&p, "cornell", 0);  /* seen so that the light's edges, most of its noise, are not */
     p.j.eye = showcase_eye((vec3){278, 200, -150}, (vec3){278, 80, 559}, 45, 1);
     film all = film_new(side, side);
-    uint32_t most = (uint32_t)check_count(1500);
+    uint32_t most = 300 + (uint32_t)check_count(1200);
     p.j.seed = 99;
     render_range(&p.j, &all, 0, most);
     image reference = film_picture(&all);
