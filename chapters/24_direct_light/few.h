@@ -24,8 +24,8 @@
  * must not lose a hit, so all its rounding is paid for in advance. With U = 2^-24, D the largest
  * distance along an axis from o to what there is, coordinates taken from the middle of the box:
  * o' <= 3 D is off by 20 U D at most, d' <= 1.8 by 12 U, each product by 71 U D + 5 U D, the
- * difference by 11 U D more, a |d'n| by 28 U D: m = 256 U D; e = 32 U D. Both get 256 eps D more for
- * the test of 04 itself, as in (14.3), and 16 eps times the largest coordinate for taking the
+ * difference by 11 U D more, a |d'n| by 28 U D: m = 256 U D; e = 32 U D. Both get 256 eps D more
+ * for the test of 04 itself, as in (14.3), and 16 eps times the largest coordinate for taking the
  * middle away: of weight in float only, and far from the origin.
  */
 #ifndef FEW_H
@@ -199,8 +199,8 @@ static inline void few_keys(const few *f, const few_ray *ray_, float limit, few_
     } while ((first += few_wide) < f->lanes);
 }
 
-/* The least key above `last`; UINT32_MAX: the least. Differences wrap: those not above become large.
- * Eight at a time by hand: of the plain loop gcc makes a reduction for each block, 4 times slower. */
+/* The least key above `last`; UINT32_MAX: the least. Differences wrap: those not above become
+ * large. Eight at a time by hand: gcc reduces a plain loop block by block, 4 times slower. */
 typedef uint32_t few_eight __attribute__((vector_size(4 * few_wide)));
 
 __attribute__((always_inline))
