@@ -5,7 +5,7 @@
 #include "../chapters/26_path_tracer/render.h"
 #include "../chapters/26_path_tracer/showcase.h"
 
-static const double false_alarm = 1e-7;  /* false alarms of each test of chance; there are some 300 */
+static const double false_alarm = 1e-7;  /* of each test of chance; some 300 */
 
 /* Means of n samples each along one ray, by so many independent pixels: what the t-test takes. */
 static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estimate e[3],
@@ -74,7 +74,7 @@ static void furnace_ball(const brdf *b, const environment *sky, real cosine, boo
     real y = sqrt(1 - cosine * cosine);
     along(&t, ray_from((vec3){0, y, 5}, (vec3){0, 0, -1}), check_count(400), 16, e, &c);
     vec3 a = brdf_albedo(b, cosine);
-    for (int k = 0; k < 3; k++)  /* brdf_albedo is right to 3e-3, 2e-6: a map's colours are floats */
+    for (int k = 0; k < 3; k++)  /* brdf_albedo is right to 3e-3; 2e-6: maps are in float */
         check_at_least(t_test(e[k], (double)vaxis(a, k), 3e-3 + 2e-6), false_alarm,
                        "furnace, kind %d, cos %g, channel %d: mean %.6g, albedo %.6g", (int)b->kind,
                        (double)cosine, k, e[k].mean, (double)vaxis(a, k));
@@ -118,8 +118,8 @@ static void test_glass(void)
         lit_end(&s);
         path_tracer_of(&s, NULL, path_defaults, &t);
         along(&t, ray_from((vec3){0, (real)0.6, 5}, (vec3){0, 0, -1}), check_count(500), 16, e, &c);
-        check_at_least(t_test(e[2], 1, 1e-6), false_alarm, "a clear ball %d in white light: %.9g", k,
-                       e[2].mean);
+        check_at_least(t_test(e[2], 1, 1e-6), false_alarm, "a clear ball %d in white light: %.9g",
+                       k, e[2].mean);
         check_at_least(c.refractions, c.paths, "each path meets the ball");
         check_equal(c.light_draws, 0, "no light sample on glass");
         if (k < 2) {  /* from its middle no ray is reflected totally: L is squeezed into n^2 */
@@ -132,7 +132,7 @@ static void test_glass(void)
             for (int ch = 0; ch < 3; ch++) {
                 double F = 0.04, a = exp(-2 * (double)vaxis(m.sigma, ch));
                 double exact = F + (1 - F) * (1 - F) * a / (1 - F * a);
-                check_at_least(t_test(e[ch], exact, 1e-6), false_alarm, "absorbed: %.6g, exactly %.6g",
+                check_at_least(t_test(e[ch], exact, 1e-6), false_alarm, "absorbed: %.6g, not %.6g",
                                e[ch].mean, exact);
             }
         }
@@ -188,11 +188,11 @@ static void test_naive(void)
             vec3 L = path_radiance(&t, r, &s, &mine);
             for (int ch = 0; ch < 3; ch++) b[ch] = estimate_add(b[ch], vaxis(L, ch));
         }
-        for (int ch = 0; ch < 3; ch++) {  /* where a hundred paths found light: nearly normal means */
+        for (int ch = 0; ch < 3; ch++) {  /* where a hundred paths found light: nearly normal */
             if (found[ch] < 100) continue;
             compared++;
-            check_at_least(welch(a[ch], b[ch]), false_alarm / 10, "pixel %d, channel %d: %.6g, naive %.6g",
-                           i, ch, b[ch].mean, a[ch].mean);
+            check_at_least(welch(a[ch], b[ch]), false_alarm / 10,
+                           "pixel %d, channel %d: %.6g, naive %.6g", i, ch, b[ch].mean, a[ch].mean);
         }
         all[0] = estimate_add(all[0], (real)(a[0].mean - b[0].mean));
         all[1] = estimate_add(all[1], (real)(a[1].mean - b[1].mean));
@@ -245,8 +245,8 @@ static void test_strategies_agree(void)
         for (int k = 0; k < 3; k++) {
             if (o == 0) best[k] = e[k];
             else if (o == 5) check_equal(e[k].mean, best[k].mean, "spend_all changes no bit");
-            else check_at_least(welch(e[k], best[k]), false_alarm, "strategy %d, channel %d: %g, not %g",
-                                o, k, e[k].mean, best[k].mean);
+            else check_at_least(welch(e[k], best[k]), false_alarm,
+                                "strategy %d, channel %d: %g, not %g", o, k, e[k].mean, best[k].mean);
         }
         path_tracer_free(&t);
     }
@@ -296,8 +296,8 @@ static void test_reciprocity(void)
 {
     size_t n = check_count(120000);
     estimate there = received(false, n), back = received(true, n);
-    check_at_least(welch(there, back), false_alarm, "power from A to B %.6g, from B to A %.6g", there.mean,
-                   back.mean);
+    check_at_least(welch(there, back), false_alarm, "power from A to B %.6g, from B to A %.6g",
+                   there.mean, back.mean);
     check_at_most(estimate_error(there), 0.02 * there.mean * sqrt(120000.0 / (double)n),
                   "the test is sharp: 2 %% of the power, with all samples");
 }
@@ -320,7 +320,8 @@ static void test_roulette(void)
             bool lives = path_dice(&t, &w, &s, &c);
             e = estimate_add(e, lives ? w.beta.y : 0);
         }
-        check_at_least(t_test(e, (double)b / 2, 1e-7), false_alarm, "beta %g: mean %g", (double)b, e.mean);
+        check_at_least(t_test(e, (double)b / 2, 1e-7), false_alarm, "beta %g: mean %g", (double)b,
+                       e.mean);
         check_equal(c.dice, check_count(20000), "a die each");
     }
 }

@@ -152,7 +152,12 @@ static inline void command_run_merge(const command *c, const options *o)
     film_free(&all);
 }
 
-typedef struct { const command *c; const options *o; const char *settings; int lines; } command_user;
+typedef struct {
+    const command *c;
+    const options *o;
+    const char *settings;
+    int lines;  /* of the picture that is in the terminal */
+} command_user;
 
 /* After a pass: the state, and the picture in the terminal, over the one before. */
 static inline void command_shown(const film *f, void *user)
@@ -177,7 +182,8 @@ static inline film_range command_range(const command *c)
     int a, b, used = 0;
     bool ok = sscanf(c->range, "%9d:%9d%n", &a, &b, &used) == 2 && !c->range[used];
     if (!ok || a < 0 || a >= b)
-        failed(&f, 2, "--range %.100s: allowed are A:B, whole numbers 0 <= A < B", c->range), fail(f);
+        failed(&f, 2, "--range %.100s: allowed are A:B, whole numbers 0 <= A < B", c->range),
+            fail(f);
     return (film_range){(uint32_t)a, (uint32_t)b};
 }
 

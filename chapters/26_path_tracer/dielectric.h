@@ -29,11 +29,11 @@
 
 static inline real dielectric_fresnel(real eta, real c, real *cos_t)
 {
-    real k = (1 - eta) * (1 + eta), square = k + eta * eta * c * c;                       /* (26.1) */
+    real k = (1 - eta) * (1 + eta), square = k + eta * eta * c * c;                    /* (26.1) */
     *cos_t = square > 0 ? sqrt(square) : 0;
     if (!(square > 0)) return 1;
     real s = eta * c + *cos_t, p = c + eta * *cos_t;
-    real rs = k / (s * s), rp = k * ((1 + eta * eta) * c * c - eta * eta) / (p * p);       /* (26.3) */
+    real rs = k / (s * s), rp = k * ((1 + eta * eta) * c * c - eta * eta) / (p * p);    /* (26.3) */
     return (rs * rs + rp * rp) / 2;
 }
 
@@ -42,7 +42,7 @@ static inline vec3 dielectric_scatter(vec3 n, vec3 wo, real eta, real u, bool *t
     real c = real_clamp(vdot(n, wo), 0, 1), cos_t;
     *through = u >= dielectric_fresnel(eta, c, &cos_t);
     if (!*through) return vunit(vsub(vscale(n, 2 * c), wo));
-    return vunit(vsub(vscale(n, eta * c - cos_t), vscale(wo, eta)));                       /* (26.2) */
+    return vunit(vsub(vscale(n, eta * c - cos_t), vscale(wo, eta)));                    /* (26.2) */
 }
 
 static inline real dielectric_squeeze(real eta) { return eta * eta; }

@@ -7,7 +7,7 @@
  *
  *   environment e;
  *   if (!environment_of_image(&im, &e, &f)) fail(f);     im is copied; f: negative, NaN, all black
- *   environment_read("sky.pfm", &e, &f)                  .pfm .png .ppm: linear radiance
+ *   environment_read("sky.pfm", &e, &f)                  .pfm or .ppm: linear radiance  
  *   environment_sky(256, 128, to_sun, &e)                a blue sky, a sun and what is around it
  *   vec3 L = environment_radiance(&e, d)                 d: unit
  *   environment_sample(&e, u, &wi, &pdf)                 pdf [1/sr] in proportion to luminance

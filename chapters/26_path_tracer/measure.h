@@ -61,7 +61,8 @@ static inline image measure_render(const measure_place *m, const strategy *s, ui
             path_random r = path_start(&s->how, seed, 2 * (uint64_t)i + k % 2, k / 2, 1u << 31);
             point2 u = path_pair(&r);
             ray eye = camera_ray(m->c.eye, x + u.u, y + u.v, m->side, m->side);
-            vec3 L = s->naive ? naive_radiance(&p, eye, &r.pairs, &n) : path_radiance(&t, eye, &r, &c);
+            vec3 L = s->naive ? naive_radiance(&p, eye, &r.pairs, &n)
+                              : path_radiance(&t, eye, &r, &c);
             film_add(&f, (size_t)i, k, L);
         }
     *seconds = clock_seconds() - start;
@@ -91,7 +92,8 @@ static inline void measure_place_of(const options *o, measure_place *m)
         bool sees = false;
         for (int k = 0; k < 64; k++) {
             lit_hit h;
-            real x = (real)(i % m->side) + (real)(k % 8) / 7, y = (real)(i / m->side) + (real)(k / 8) / 7;
+            real x = (real)(i % m->side) + (real)(k % 8) / 7;
+            real y = (real)(i / m->side) + (real)(k / 8) / 7;
             ray r = camera_ray(m->c.eye, x, y, m->side, m->side);
             sees = sees || (lit_trace(&m->c.s, r, &h) && h.emitter != lit_dark);
         }

@@ -44,7 +44,7 @@
 typedef struct {
     sequence_kind sequence;
     bool light_sampling;     /* without: only what BRDF directions run into */
-    bool mis;                /* without: BRDF directions do not count what light samples could find */
+    bool mis;                /* without: light samples alone count what they could find */
     roulette_rule roulette;
     int bounces;             /* at most; path_endless */
     real clamp;              /* no sample counts for more than that; 0: none is cut */
@@ -145,7 +145,8 @@ static inline vec3 path_found(const path_tracer *t, const path_walk *w, const li
 static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
 {
     if (!t->sky) return t->scene->background;
-    vec3 d = w->from.shape == no_shape ? vunit(w->r.d) : w->r.d, L = environment_radiance(t->sky, d);
+    vec3 d = w->from.shape == no_shape ? vunit(w->r.d) : w->r.d;
+    vec3 L = environment_radiance(t->sky, d);
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return L;
     if (!t->how.mis) return (vec3){0, 0, 0};
     return vscale(L, mis_power(w->pdf, lights_pdf_sky(&t->light, d)));
