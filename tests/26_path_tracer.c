@@ -246,7 +246,8 @@ static void test_strategies_agree(void)
             if (o == 0) best[k] = e[k];
             else if (o == 5) check_equal(e[k].mean, best[k].mean, "spend_all changes no bit");
             else check_at_least(welch(e[k], best[k]), false_alarm,
-                                "strategy %d, channel %d: %g, not %g", o, k, e[k].mean, best[k].mean);
+                                "strategy %d, channel %d: %g, not %g", o, k, e[k].mean,
+                                best[k].mean);
         }
         path_tracer_free(&t);
     }

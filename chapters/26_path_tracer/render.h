@@ -11,8 +11,8 @@
  *   .seconds = s    when the next pass would take longer than what is left; at least one sample
  *
  * Each pass doubles the samples, so that what it shows is worth showing. Near its end an error
- * needs n (error now / e)^2 samples: that many are next, if less than the double. The number does not
- * depend on time or threads, and neither does a picture with as many samples.
+ * needs n (error now / e)^2 samples: that many are next, if less than the double. The number does
+ * not depend on time or threads, and neither does a picture with as many samples.
  * goal.shown(&f, user) is called after each pass [may be NULL].
  *
  * The sample k of pixel i uses the random numbers of (seed, i, k) alone (film.h: halves).
