@@ -30,6 +30,8 @@
  *      A hit that an item reports lies within 256 eps D of the item and of the true ray (14 and 04
  *      say why, and (7.14) and (7.15) for cones and polygons); the planes' own t are right within
  *      4 eps D. The rest is for the building of cells.
+ *      (One kind is left out: a polygon whose corners are farther off their plane than 32 eps of
+ *      its size, seen edge-on. Its picture may cross itself, and the hit is only within its hull.)
  *
  * Coordinates up to items_most, 1e75 (1e9 in float), are taken: areas and volumes stay finite.
  */
