@@ -1,0 +1,326 @@
+/* measure.h: error against time for every way of drawing, against references and closed forms.
+ *
+ *   measure_ways(o)     main table, plots: box and plates, eight ways; efficiency (24.11)
+ *   measure_lights(o)   sixteen lamps: all of them, or one
+ *   measure_closed(o)   estimates beside closed forms of 22, with the t-test's p
+ *   measure_near(o)     a light closer and closer: second moment by area, and what one sees of it
+ *   measure_called(o)   rays that were traced, and rays that could not have brought anything
+ *
+ *   efficiency = 1 / (variance of one sample * its time)                                  (24.11)
+ *
+ * Errors are relative: root of the mean square over a grid of points that the camera sees, over the
+ * mean of the reference. Reference: by angle or both, on all lights, with many well-spread points.
+ */
+#ifndef MEASURE_H
+#define MEASURE_H
+
+#include "../../common/clock.h"
+#include "../20_monte_carlo/t_test.h"
+#include "../22_radiometry/polygon_irradiance.h"
+#include "../22_radiometry/sphere_irradiance.h"
+#include "pictures.h"
+
+enum { survey_levels = 5, survey_most = 8, survey_time_level = 3 };
+static inline uint32_t survey_samples(int level) { return (uint32_t)1 << 2 * level; }
+
+typedef struct { lit_hit h; vec3 wo; double truth; } seen_point;
+typedef struct { direct_way way; lights_kind kind; sequence_kind sequence; } survey_entry;
+
+typedef struct {
+    stage g;
+    seen_point *point;
+    size_t points;
+    double mean;
+    uint64_t seed;
+    uint32_t reference;
+    survey_entry entry[survey_most];
+    int entries;
+    lights choice[LIGHTS_FLUX + 1];
+    double error[survey_most][survey_levels], seconds[survey_most];  /* of one sample */
+    direct_work work[survey_most][survey_levels];
+} survey;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline double grey(vec3 c) { return (double)(c.x + c.y + c.z) / 3; }
+
+static inline double survey_estimate(const survey *s, survey_entry e, const seen_point *p,
+                                     uint64_t pixel, uint32_t n, uint64_t seed, direct_work *work)
+{
+    direct d = {&s->g.s, e.way, &s->choice[e.kind], work, false};
+    double sum = 0;
+    for (uint32_t k = 0; k < n; k++) {
+        sampler q = sampler_start(e.sequence, seed, pixel, k, n);
+        sum += grey(direct_light(&d, &p->h, p->wo, &q));
+    }
+    return sum / n;
+}
+
+static inline void survey_reference(size_t i, void *context)
+{
+    survey *s = context;
+    direct_work work = {0, 0, 0};
+    seen_point *p = &s->point[i];
+    survey_entry best = {DIRECT_POWER, LIGHTS_ALL, SEQUENCE_SOBOL};
+    if (p->h.m->f.kind == BRDF_LAMBERT) best.way = DIRECT_ANGLE;
+    p->truth = survey_estimate(s, best, p, i, s->reference, s->seed + 1, &work);
+}
+
+static inline void survey_job(size_t job, void *context)
+{
+    survey *s = context;
+    int level = survey_levels - 1 - (int)job / s->entries, k = (int)job % s->entries;
+    double square = 0;
+    for (size_t i = 0; i < s->points; i++) {
+        double x = survey_estimate(s, s->entry[k], &s->point[i], i, survey_samples(level), s->seed,
+                                   &s->work[k][level]);
+        square += (x - s->point[i].truth) * (x - s->point[i].truth);
+    }
+    s->error[k][level] = sqrt(square / (double)s->points) / s->mean;
+}
+
+typedef struct { survey *s; int k; } survey_run;
+static inline double survey_timed(void *context)
+{
+    survey_run *r = context;
+    double sum = 0;
+    direct_work work = {0, 0, 0};
+    for (size_t i = 0; i < r->s->points; i++)
+        sum += survey_estimate(r->s, r->s->entry[r->k], &r->s->point[i], i,
+                               survey_samples(survey_time_level), r->s->seed, &work);
+    return sum;
+}
+
+/* What the camera sees at the middle of across x down pixels, but for lights. */
+static inline void survey_open(survey *s, const options *o, stage_name name, uint32_t reference)
+{
+    *s = (survey){.seed = o->seed, .reference = o->quick ? 64 : reference};
+    stage_open(name, &s->g);
+    int across = o->quick ? 6 : 24, down = (int)((real)across / s->g.aspect);
+    s->point = allocate((size_t)(across * down), sizeof *s->point);
+    for (int i = 0; i < across * down; i++) {
+        seen_point *p = &s->point[s->points];
+        ray r = camera_ray(s->g.c, (real)(i % across) + (real)0.5, (real)(i / across) + (real)0.5,
+                           across, down);
+        if (!lit_trace(&s->g.s, r, &p->h) || p->h.emitter != lit_dark) continue;
+        p->wo = vneg(vunit(r.d));
+        s->points++;
+    }
+    for (int k = 0; k <= LIGHTS_FLUX; k++) lights_build(&s->g.s, (lights_kind)k, &s->choice[k]);
+    parallel_for(s->points, o->threads, "reference", survey_reference, s);
+    for (size_t i = 0; i < s->points; i++) s->mean += s->point[i].truth / (double)s->points;
+}
+
+static inline void survey_measure(survey *s, const options *o)
+{
+    clock_variant v[survey_most];
+    survey_run run[survey_most];
+    size_t jobs = (size_t)(s->entries * survey_levels);
+    parallel_for(jobs, o->threads, "samples", survey_job, s);
+    for (int k = 0; k < s->entries; k++) {
+        run[k] = (survey_run){s, k};
+        v[k] = (clock_variant){"", survey_timed, &run[k], 0};
+    }
+    clock_compare(v, s->entries, o->quick ? 1 : 3);
+    double samples = (double)s->points * survey_samples(survey_time_level);
+    for (int k = 0; k < s->entries; k++) s->seconds[k] = v[k].seconds / samples;
+}
+
+static inline void survey_close(survey *s)
+{
+    for (int k = 0; k <= LIGHTS_FLUX; k++) lights_free(&s->choice[k]);
+    free(s->point);
+    stage_close(&s->g);
+}
+
+/* Error of 64 samples, rays and time of one; efficiency (24.11). */
+static inline void survey_row(const survey *s, int k, table *t)
+{
+    direct_work w = s->work[k][survey_time_level];
+    double n = survey_samples(survey_time_level), error = s->error[k][survey_time_level];
+    double rays = (double)(w.shadow + w.direction) / (double)w.samples;
+    table_number(t, rays), table_number(t, s->error[k][2]), table_number(t, error);
+    table_number(t, 1e6 * s->seconds[k]);
+    table_number(t, 1 / (error * error * n * 1e6 * s->seconds[k]));
+}
+
+/* ---- eight ways ---- */
+
+static inline void survey_plots(const survey *s, const options *o, const char *title,
+                                const char *by_time, const char *by_samples)
+{
+    int flags = PLOT_LOG_X | PLOT_LOG_Y;
+    plot t = plot_new(title, "time a point [us]", "error RMSE [1]", flags);
+    plot n = plot_new(title, "samples a point", "error RMSE [1]", flags);
+    for (int k = 0; k < s->entries; k++) {
+        const char *name = direct_name[s->entry[k].way];
+        int a = plot_series(&t, name), b = plot_series(&n, name);
+        for (int level = 0; level < survey_levels; level++) {
+            double samples = survey_samples(level);
+            plot_add(&t, a, 1e6 * s->seconds[k] * samples, s->error[k][level]);
+            plot_add(&n, b, samples, s->error[k][level]);
+        }
+    }
+    plot_slope(&t, -0.5, "slope -1/2"), plot_slope(&n, -0.5, "slope -1/2");
+    output_plot(o, &t, by_time), output_plot(o, &n, by_samples);
+}
+
+static inline void measure_ways(const options *o)
+{
+    table t = table_new("Direct light: error, time, efficiency",
+                        "scene|way|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
+                        "|efficiency [1/us]");
+    for (int scene = 0; scene < 2; scene++) {
+        survey s;
+        survey_open(&s, o, scene ? STAGE_PLATES : STAGE_BOX, scene ? 1024 : 2048);
+        s.entries = direct_ways;
+        for (int k = 0; k < direct_ways; k++)
+            s.entry[k] = (survey_entry){(direct_way)k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
+        survey_measure(&s, o);
+        for (int k = 0; k < direct_ways; k++) {
+            table_text(&t, scene ? "plates" : "box"), table_text(&t, "%s", direct_name[k]);
+            survey_row(&s, k, &t);
+        }
+        if (scene)
+            survey_plots(&s, o, "Four plates, four spheres", "24_direct_light_plates_time.svg",
+                         "24_direct_light_plates_error.svg");
+        else
+            survey_plots(&s, o, "Cornell box, direct light", "24_direct_light_time.svg",
+                         "24_direct_light_error.svg");
+        survey_close(&s);
+    }
+    output_table(o, &t);
+}
+
+static inline void measure_lights(const options *o)
+{
+    static const char *const name[] = {"all", "one by 1/n", "one by flux"};
+    survey s;
+    survey_open(&s, o, STAGE_HALL, 256);
+    s.entries = 6;
+    for (int k = 0; k < 6; k++)
+        s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER, (lights_kind)(k % 3),
+                                    SEQUENCE_RANDOM};
+    survey_measure(&s, o);
+    table t = table_new("Sixteen lamps, three of them bright",
+                        "way|lights|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
+                        "|efficiency [1/us]");
+    for (int k = 0; k < 6; k++) {
+        table_text(&t, "%s", direct_name[s.entry[k].way]), table_text(&t, "%s", name[k % 3]);
+        survey_row(&s, k, &t);
+    }
+    output_extra_table(o, &t);
+    survey_close(&s);
+}
+
+/* ---- a single point ---- */
+
+/* One light, one matte white point at the origin, facing +z. */
+static inline estimate lone_point(const emitter *e, direct_way way, uint32_t n, uint64_t seed)
+{
+    lit_scene s;
+    lit_begin(&s);
+    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = e->Le});
+    lit_material matte = {.f = brdf_lambert((vec3){1, 1, 1})};
+    if (e->kind == EMITTER_SPHERE) lit_add_shape(&s, shape_of_sphere(e->sphere), lamp);
+    else lit_add_rectangle(&s, e->rectangle, lamp);
+    lit_end(&s);
+    lights l;
+    lights_build(&s, LIGHTS_ALL, &l);
+    direct_work work = {0, 0, 0};
+    direct d = {&s, way, &l, &work, false};
+    vec3 n_up = {0, 0, 1};
+    lit_hit h = {{{0, 0, 0}, n_up, n_up, 0, 0, no_shape}, &matte, lit_dark, 1, true};
+    estimate x = {0};
+    for (uint32_t k = 0; k < n; k++) {
+        sampler q = sampler_start(SEQUENCE_RANDOM, seed, 0, k, n);
+        x = estimate_add(x, grey(direct_light(&d, &h, n_up, &q)));
+    }
+    lights_free(&l), lit_free(&s);
+    return x;
+}
+
+static inline void measure_closed(const options *o)
+{
+    const vec3 white = {1, 1, 1}, p = {0, 0, 0}, up = {0, 0, 1};
+    table t = table_new("Estimates of 20000 samples beside closed forms",
+                        "light|way|exact|estimate|error standard|p");
+    for (int i = 0; i < 3; i++) {
+        rectangle r = {of_doubles(-1, -1, 2), of_doubles(0, 2, 0), of_doubles(2, 0, 0)};
+        sphere b = {of_doubles(2, 0, i == 2 ? 0 : .5), 1};
+        emitter e = i == 0 ? emitter_of_rectangle(r, white) : emitter_of_sphere(b, white);
+        real E = i == 0 ? rectangle_irradiance(r, p, up) : sphere_irradiance(b, p, up);
+        for (int way = 0; way < direct_ways; way++) {
+            if (way == DIRECT_COSINE) continue;  /* the same as BRDF on what is matte */
+            estimate x = lone_point(&e, (direct_way)way, o->quick ? 1000 : 20000, o->seed);
+            table_text(&t, i == 0 ? "rectangle overhead" : i == 1 ? "sphere" : "sphere half below");
+            table_text(&t, "%s", direct_name[way]), table_text(&t, "%.5f", (double)(E / pi));
+            table_text(&t, "%.5f", x.mean), table_number(&t, estimate_error(x));
+            table_number(&t, t_test(x, (double)(E / pi), 1e-6));
+        }
+    }
+    output_extra_table(o, &t);
+}
+
+/* A wall that shines, on the floor at the distance h. E[X^2] of samples by area = integral of
+ * (f cos)^2 / pdf_area dw: by points drawn by angle, where what is summed stays small. */
+static inline void measure_near(const options *o)
+{
+    const vec3 white = {1, 1, 1}, p = {0, 0, 0};
+    table t = table_new("A shining wall on the floor: variance of a sample by area and by angle",
+                        "distance|mean|by area|by area as seen in 20000|by angle");
+    for (int i = 0; i < 5; i++) {
+        double h = pow(10, -i);
+        rectangle r = {of_doubles(h, -1, 0), {0, 0, 2}, {0, 2, 0}};
+        emitter e = emitter_of_rectangle(r, white), *q = &e;
+        double second = 0, mean = (double)(rectangle_irradiance(r, p, (vec3){0, 0, 1}) / pi);
+        uint32_t n = o->quick ? 1000 : 100000;
+        for (uint32_t k = 0; k < n; k++) {
+            sampler s = sampler_start(SEQUENCE_SOBOL, o->seed, 0, k, n);
+            emitter_point x;
+            if (!emitter_by_angle(q, p, sampler_pair(&s), &x)) continue;
+            double c = (double)(x.wi.z / pi);
+            second += c * c / (double)(emitter_pdf_area(q, p, x.s.p) * x.pdf) / n;
+        }
+        uint32_t few = o->quick ? 1000 : 20000;
+        table_number(&t, h), table_number(&t, mean), table_number(&t, second - mean * mean);
+        table_number(&t, estimate_variance(lone_point(q, DIRECT_AREA, few, o->seed)));
+        table_number(&t, estimate_variance(lone_point(q, DIRECT_ANGLE, few, o->seed)));
+    }
+    output_extra_table(o, &t);
+}
+
+/* ---- what is called for ---- */
+
+static inline void measure_called(const options *o)
+{
+    static const char *const name[] = {"box", "plates", "strip"};
+    table t = table_new("Rays of one sample a point: what is called for, and all",
+                        "scene|way|points|shadow|of|directions|of|same bits");
+    for (int scene = STAGE_BOX; scene <= STAGE_STRIP; scene++) {
+        survey s;
+        survey_open(&s, o, (stage_name)scene, 1);
+        for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
+            direct_work work[2] = {{0, 0, 0}, {0, 0, 0}};
+            bool same = true;
+            for (size_t i = 0; i < s.points; i++) {
+                vec3 L[2];
+                for (int all = 0; all < 2; all++) {
+                    direct d = {&s.g.s, (direct_way)way, &s.choice[LIGHTS_ALL], &work[all], all};
+                    sampler q = sampler_start(SEQUENCE_RANDOM, o->seed, i, 0, 1);
+                    L[all] = direct_light(&d, &s.point[i].h, s.point[i].wo, &q);
+                }
+                same = same && memcmp(&L[0], &L[1], sizeof L[0]) == 0;
+            }
+            table_text(&t, "%s", name[scene]), table_text(&t, "%s", direct_name[way]);
+            table_count(&t, s.points);
+            table_count(&t, work[0].shadow), table_count(&t, work[1].shadow);
+            table_count(&t, work[0].direction), table_count(&t, work[1].direction);
+            table_text(&t, same ? "yes" : "NO");
+        }
+        survey_close(&s);
+    }
+    output_extra_table(o, &t);
+}
+
+#endif
