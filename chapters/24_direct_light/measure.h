@@ -8,8 +8,9 @@
  *
  *   efficiency = 1 / (variance of one sample * its time)                                  (24.11)
  *
- * Errors are relative: root of the mean square over a grid of points that the camera sees, over the
- * mean of the reference. Reference: by angle or both, on all lights, with many well-spread points.
+ * Errors: root of the mean square of (estimate - truth) / (truth + its mean over all points), over a
+ * grid of points that the camera sees; so neither the brightest nor the darkest points decide alone.
+ * Variance: the same. Reference: by lights or both, on all lights, with many well-spread samples.
  */
 #ifndef MEASURE_H
 #define MEASURE_H
@@ -20,7 +21,7 @@
 #include "../22_radiometry/sphere_irradiance.h"
 #include "pictures.h"
 
-enum { survey_levels = 5, survey_most = 8, survey_time_level = 3 };
+enum { survey_levels = 5, survey_most = 9, survey_points = 20, survey_time_level = 3 };
 static inline uint32_t survey_samples(int level) { return (uint32_t)1 << 2 * level; }
 
 typedef struct { lit_hit h; vec3 wo; double truth; } seen_point;
@@ -33,7 +34,7 @@ typedef struct {
     double mean;
     uint64_t seed;
     uint32_t reference;
-    survey_entry entry[survey_most];
+    survey_entry best, entry[survey_most];
     int entries;
     lights choice[LIGHTS_FLUX + 1];
     double error[survey_most][survey_levels], seconds[survey_most];  /* of one sample */
@@ -61,9 +62,7 @@ static inline void survey_reference(size_t i, void *context)
     survey *s = context;
     direct_work work = {0, 0, 0};
     seen_point *p = &s->point[i];
-    survey_entry best = {DIRECT_POWER, LIGHTS_ALL, SEQUENCE_SOBOL};
-    if (p->h.m->f.kind == BRDF_LAMBERT) best.way = DIRECT_ANGLE;
-    p->truth = survey_estimate(s, best, p, i, s->reference, s->seed + 1, &work);
+    p->truth = survey_estimate(s, s->best, p, i, s->reference, s->seed + 1, &work);
 }
 
 static inline void survey_job(size_t job, void *context)
@@ -71,12 +70,15 @@ static inline void survey_job(size_t job, void *context)
     survey *s = context;
     int level = survey_levels - 1 - (int)job / s->entries, k = (int)job % s->entries;
     double square = 0;
-    for (size_t i = 0; i < s->points; i++) {
-        double x = survey_estimate(s, s->entry[k], &s->point[i], i, survey_samples(level), s->seed,
+    size_t runs = level < survey_time_level ? 8 : level == survey_time_level ? 2 : 1;
+    for (size_t i = 0; i < runs * s->points; i++) {
+        const seen_point *p = &s->point[i % s->points];
+        double x = survey_estimate(s, s->entry[k], p, i, survey_samples(level), s->seed,
                                    &s->work[k][level]);
-        square += (x - s->point[i].truth) * (x - s->point[i].truth);
+        double off = (x - p->truth) / (p->truth + s->mean);
+        square += off * off;
     }
-    s->error[k][level] = sqrt(square / (double)s->points) / s->mean;
+    s->error[k][level] = sqrt(square / (double)(runs * s->points));
 }
 
 typedef struct { survey *s; int k; } survey_run;
@@ -92,11 +94,16 @@ static inline double survey_timed(void *context)
 }
 
 /* What the camera sees at the middle of across x down pixels, but for lights. */
-static inline void survey_open(survey *s, const options *o, stage_name name, uint32_t reference)
+static inline void survey_open(survey *s, const options *o, stage_name name, int across,
+                               uint32_t reference)
 {
     *s = (survey){.seed = o->seed, .reference = o->quick ? 64 : reference};
+    s->best = (survey_entry){DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL};
+    if (name == STAGE_PLATES) s->best.way = DIRECT_POWER;
+    if (name == STAGE_HALL) s->best.way = DIRECT_AREA;  /* all its lamps are small and far */
     stage_open(name, &s->g);
-    int across = o->quick ? 6 : 24, down = (int)((real)across / s->g.aspect);
+    if (o->quick) across = 6;
+    int down = (int)((real)across / s->g.aspect);
     s->point = allocate((size_t)(across * down), sizeof *s->point);
     for (int i = 0; i < across * down; i++) {
         seen_point *p = &s->point[s->points];
@@ -152,7 +159,7 @@ static inline void survey_plots(const survey *s, const options *o, const char *t
     int flags = PLOT_LOG_X | PLOT_LOG_Y;
     plot t = plot_new(title, "time a point [us]", "error RMSE [1]", flags);
     plot n = plot_new(title, "samples a point", "error RMSE [1]", flags);
-    for (int k = 0; k < s->entries; k++) {
+    for (int k = 0; k < direct_ways; k++) {
         const char *name = direct_name[s->entry[k].way];
         int a = plot_series(&t, name), b = plot_series(&n, name);
         for (int level = 0; level < survey_levels; level++) {
@@ -165,30 +172,35 @@ static inline void survey_plots(const survey *s, const options *o, const char *t
     output_plot(o, &t, by_time), output_plot(o, &n, by_samples);
 }
 
+static inline void measure_stage(const options *o, stage_name which, table *t)
+{
+    survey s;
+    bool box = which == STAGE_BOX;
+    survey_open(&s, o, which, survey_points, box ? 2048 : 1024);
+    s.entries = direct_ways + 1;
+    for (int k = 0; k < direct_ways; k++)
+        s.entry[k] = (survey_entry){(direct_way)k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
+    s.entry[direct_ways] = (survey_entry){DIRECT_POWER, LIGHTS_UNIFORM, SEQUENCE_SOBOL};
+    survey_measure(&s, o);
+    for (int k = 0; k < s.entries; k++) {
+        table_text(t, box ? "box" : "plates");
+        table_text(t, k < direct_ways ? "%s" : "power, Sobol'", direct_name[k % direct_ways]);
+        survey_row(&s, k, t);
+    }
+    if (box) survey_plots(&s, o, "Cornell box, direct light", "24_direct_light_time.svg",
+                          "24_direct_light_error.svg");
+    else survey_plots(&s, o, "Four plates, four spheres", "24_direct_light_plates_time.svg",
+                      "24_direct_light_plates_error.svg");
+    survey_close(&s);
+}
+
 static inline void measure_ways(const options *o)
 {
     table t = table_new("Direct light: error, time, efficiency",
                         "scene|way|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
-                        "|efficiency [1/us]");
-    for (int scene = 0; scene < 2; scene++) {
-        survey s;
-        survey_open(&s, o, scene ? STAGE_PLATES : STAGE_BOX, scene ? 1024 : 2048);
-        s.entries = direct_ways;
-        for (int k = 0; k < direct_ways; k++)
-            s.entry[k] = (survey_entry){(direct_way)k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
-        survey_measure(&s, o);
-        for (int k = 0; k < direct_ways; k++) {
-            table_text(&t, scene ? "plates" : "box"), table_text(&t, "%s", direct_name[k]);
-            survey_row(&s, k, &t);
-        }
-        if (scene)
-            survey_plots(&s, o, "Four plates, four spheres", "24_direct_light_plates_time.svg",
-                         "24_direct_light_plates_error.svg");
-        else
-            survey_plots(&s, o, "Cornell box, direct light", "24_direct_light_time.svg",
-                         "24_direct_light_error.svg");
-        survey_close(&s);
-    }
+                        "|time efficiency [1/us]");
+    measure_stage(o, STAGE_BOX, &t);
+    measure_stage(o, STAGE_PLATES, &t);
     output_table(o, &t);
 }
 
@@ -196,7 +208,7 @@ static inline void measure_lights(const options *o)
 {
     static const char *const name[] = {"all", "one by 1/n", "one by flux"};
     survey s;
-    survey_open(&s, o, STAGE_HALL, 256);
+    survey_open(&s, o, STAGE_HALL, 12, 1024);
     s.entries = 6;
     for (int k = 0; k < 6; k++)
         s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER, (lights_kind)(k % 3),
@@ -204,7 +216,7 @@ static inline void measure_lights(const options *o)
     survey_measure(&s, o);
     table t = table_new("Sixteen lamps, three of them bright",
                         "way|lights|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
-                        "|efficiency [1/us]");
+                        "|time efficiency [1/us]");
     for (int k = 0; k < 6; k++) {
         table_text(&t, "%s", direct_name[s.entry[k].way]), table_text(&t, "%s", name[k % 3]);
         survey_row(&s, k, &t);
@@ -294,12 +306,11 @@ static inline void measure_near(const options *o)
 
 static inline void measure_called(const options *o)
 {
-    static const char *const name[] = {"box", "plates", "strip"};
     table t = table_new("Rays of one sample a point: what is called for, and all",
                         "scene|way|points|shadow|of|directions|of|same bits");
-    for (int scene = STAGE_BOX; scene <= STAGE_STRIP; scene++) {
+    for (int which = 0; which < 3; which++) {
         survey s;
-        survey_open(&s, o, (stage_name)scene, 1);
+        survey_open(&s, o, (stage_name)which, survey_points, 1);
         for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
             direct_work work[2] = {{0, 0, 0}, {0, 0, 0}};
             bool same = true;
@@ -312,7 +323,7 @@ static inline void measure_called(const options *o)
                 }
                 same = same && memcmp(&L[0], &L[1], sizeof L[0]) == 0;
             }
-            table_text(&t, "%s", name[scene]), table_text(&t, "%s", direct_name[way]);
+            table_text(&t, "%s", stage_names[which]), table_text(&t, "%s", direct_name[way]);
             table_count(&t, s.points);
             table_count(&t, work[0].shadow), table_count(&t, work[1].shadow);
             table_count(&t, work[0].direction), table_count(&t, work[1].direction);

@@ -3,7 +3,7 @@
  *   direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, n, seed};
  *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with its own camera ray
  *
- *   draw_box(o)      the box by what is best, converged
+ *   draw_stage(o, name, way)   the main picture
  *   draw_equal(o)    table and pictures: five ways in the same time
  *   draw_plates(o)   BRDF, lights, both: the same number of rays
  *   draw_strip(o)    a light that touches the floor, by area and by angle
@@ -84,13 +84,14 @@ static inline bool draw_panels(const options *o, const direct_view *v, int n, in
     return whole;
 }
 
-static inline void draw_box(const options *o)
+/* The main picture: one stage, one way. */
+static inline void draw_stage(const options *o, stage_name name, direct_way way)
 {
     stage g;
-    stage_open(STAGE_BOX, &g);
+    stage_open(name, &g);
     image im = image_new(o->width, o->height);
-    g.c = cornell_camera((real)o->width / (real)o->height);
-    direct_view v = {&g, DIRECT_POWER, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
+    g.c = stage_camera_of(name, (real)o->width / (real)o->height);
+    direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
     bool whole = direct_render(&v, &im, o->threads);
     output_picture(o, &im, "24_direct_light.png", true, whole);
     image_free(&im), stage_close(&g);

@@ -18,6 +18,7 @@
 
 typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_HALL, stages } stage_name;
 typedef struct { lit_scene s; camera c; real aspect, exposure; } stage;
+static const char *const stage_names[stages] = {"box", "plates", "strip", "hall"};
 
 enum { plates = 4, plate_lights = 4 };
 static const double plate_roughness[plates] = {0.07, 0.14, 0.22, 0.32};  /* top to bottom */
@@ -39,6 +40,21 @@ static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
         || !camera_perspective(f, (real)view, aspect, &c, &why))
         fail(why);
     return c;
+}
+
+static const vec3 plate_eye = {0, 2, 15};
+
+static inline camera stage_camera_of(stage_name name, real aspect)
+{
+    switch (name) {
+    case STAGE_PLATES: return stage_camera(plate_eye, of_doubles(0, -2, 2.5), 28, aspect);
+    case STAGE_STRIP:
+        return stage_camera(of_doubles(0, 2.6, 5), of_doubles(0, .2, -.8), 36, aspect);
+    case STAGE_HALL:
+        return stage_camera(of_doubles(0, 9, 13), of_doubles(0, 0, -.5), 34, aspect);
+    case STAGE_BOX: case stages: break;
+    }
+    return cornell_camera(aspect);
 }
 
 static inline uint16_t stage_matte(lit_scene *s, double r, double g, double b)
@@ -68,21 +84,21 @@ static inline void stage_plates(stage *g)
                                             {(real)1.2, 1, (real)0.5},
                                             {(real)0.7, (real)1.2, (real)0.7},
                                             {(real)0.7, (real)0.95, (real)1.6}};
-    vec3 eye = {0, 2, 15}, f0 = {(real)0.85, (real)0.85, (real)0.85};
+    vec3 f0 = {(real)0.85, (real)0.85, (real)0.85};
     uint16_t grey = stage_matte(&g->s, .3, .3, .3);
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, 20), {60, 0, 0}, {0, 0, -22}}, grey);
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, -2), {60, 0, 0}, {0, 30, 0}}, grey);
     for (int k = 0; k < plates; k++) {
         lit_material m = {.f = brdf_ggx(f0, (real)plate_roughness[k])};
         uint16_t metal = lit_add_material(&g->s, m);
-        stage_plate(&g->s, of_doubles(0, place[k][0], place[k][1]), eye, (real)0.5, metal);
+        stage_plate(&g->s, of_doubles(0, place[k][0], place[k][1]), plate_eye, (real)0.5,
+                    metal);
     }
     for (int k = 0; k < plate_lights; k++) {  /* flux 4 pi^2 r^2 L, the same for all */
         real r = (real)plate_radius[k], L = 1 / (r * r);
         sphere ball = {of_doubles(-3.75 + 2.5 * k, 0, 0), r};
         lit_add_shape(&g->s, shape_of_sphere(ball), stage_lamp(&g->s, vscale(tint[k], L)));
     }
-    g->c = stage_camera(eye, of_doubles(0, -2, 2.5), 28, g->aspect = (real)1.4);
     g->exposure = (real)1.2;
 }
 
@@ -93,7 +109,6 @@ static inline void stage_strip(stage *g)
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-6, 0, 6), {12, 0, 0}, {0, 0, -12}}, grey);
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-3, 0, -2), {6, 0, 0}, {0, 1, 0}}, lamp);
     lit_add_shape(&g->s, shape_of_sphere((sphere){of_doubles(1.2, .5, -1.3), (real).5}), dark);
-    g->c = stage_camera(of_doubles(0, 2.6, 5), of_doubles(0, .2, -.8), 36, g->aspect = (real)1.4);
     g->exposure = (real)1.5;
 }
 
@@ -111,19 +126,14 @@ static inline void stage_hall(stage *g)
         sphere ball = {of_doubles(x + 1, .6, z + .8), (real)0.6};
         lit_add_shape(&g->s, shape_of_sphere(ball), grey);
     }
-    g->c = stage_camera(of_doubles(0, 9, 13), of_doubles(0, 0, -.5), 34, g->aspect = (real)1.4);
     g->exposure = (real)1.6;
 }
 
 static inline void stage_open(stage_name name, stage *g)
 {
-    *g = (stage){.aspect = 1, .exposure = 1};
-    if (name == STAGE_BOX) {
-        lit_cornell(&g->s);
-        g->c = cornell_camera(1), g->exposure = (real)1.4;
-        return;
-    }
-    lit_begin(&g->s);
+    *g = (stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = (real)1.4};
+    if (name == STAGE_BOX) lit_cornell_begin(&g->s);
+    else lit_begin(&g->s);
     switch (name) {
     case STAGE_PLATES: stage_plates(g); break;
     case STAGE_STRIP: stage_strip(g); break;
@@ -131,6 +141,7 @@ static inline void stage_open(stage_name name, stage *g)
     case STAGE_BOX: case stages: break;
     }
     lit_end(&g->s);
+    g->c = stage_camera_of(name, g->aspect);
 }
 
 static inline void stage_close(stage *g) { lit_free(&g->s); }
