@@ -9,7 +9,7 @@ static const char *const way_names[direct_ways] = {"uniform", "cosine", "brdf", 
                                                    "balance", "power", "half"};
 
 /* The place of `text` in a list of n names; what is not there ends the program. */
-static int place_of(const char *text, const char *const *name, int n, const char *option)
+static int place_of(const char *text, const char *const *name, int n, const char *of)
 {
     failure f;
     char all[128] = "";
@@ -18,7 +18,7 @@ static int place_of(const char *text, const char *const *name, int n, const char
         size_t end = strlen(all);
         snprintf(all + end, sizeof all - end, "%s%s", k ? ", " : "", name[k]);
     }
-    failed(&f, 2, "--%s %.100s: allowed are %s", option, text, all);
+    failed(&f, 2, "--%s %.100s: allowed are %s", of, text, all);
     fail(f);
 }
 

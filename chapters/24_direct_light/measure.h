@@ -8,8 +8,8 @@
  *
  *   efficiency = 1 / (variance of one sample * its time)                                  (24.11)
  *
- * Errors: root of the mean square of (estimate - truth) / (truth + its mean over all points), over a
- * grid of points that the camera sees; so neither the brightest nor the darkest points decide alone.
+ * Errors: root of the mean square of (estimate - truth) / (truth + mean truth), over a grid of
+ * points that the camera sees; so neither the brightest nor the darkest points decide alone.
  * Variance: the same. Reference: by lights or both, on all lights, with many well-spread samples.
  */
 #ifndef MEASURE_H

@@ -1,7 +1,7 @@
 /* pictures.h: direct light, a picture at a time, and several side by side.
  *
  *   direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, n, seed};
- *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with its own camera ray
+ *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with a camera ray
  *
  *   draw_stage(o, name, way)   the main picture
  *   draw_equal(o)    table and pictures: five ways in the same time
@@ -91,7 +91,8 @@ static inline void draw_stage(const options *o, stage_name name, direct_way way)
     stage_open(name, &g);
     image im = image_new(o->width, o->height);
     g.c = stage_camera_of(name, (real)o->width / (real)o->height);
-    direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
+    direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL,
+                     o->quick ? 1 : (uint32_t)o->samples, o->seed};
     bool whole = direct_render(&v, &im, o->threads);
     output_picture(o, &im, "24_direct_light.png", true, whole);
     image_free(&im), stage_close(&g);
@@ -114,7 +115,8 @@ static inline double unlit_error(const image *im, const image *reference)
     return n ? sqrt(square / (double)n) : 0;
 }
 
-/* How many samples take the same time, as measured: see the table that is printed. Fixed, so that the picture is the same on every machine. */
+/* How many samples take the same time, as measured: see the table that is printed. Fixed, so that
+ * the picture is the same on every machine. */
 static inline void draw_equal(const options *o)
 {
     enum { n = 5 };

@@ -1,6 +1,6 @@
 /* scenes.h: what this chapter draws and measures.
  *
- *   stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c where it is seen from; stage_close(&g)
+ *   stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
  *
  *   STAGE_BOX      the Cornell box (21): one rectangle, matte walls
  *   STAGE_PLATES   E. Veach's: four metal plates, smooth to rough (top to bottom), each tilted so
@@ -67,7 +67,7 @@ static inline uint16_t stage_lamp(lit_scene *s, vec3 Le)
     return lit_add_material(s, (lit_material){.Le = Le});
 }
 
-/* A plate at c, 8 wide: its normal halves the angle between the eye and the lights at the origin. */
+/* A plate at c, 8 wide: its normal halves the angle between the eye and the origin. */
 static inline void stage_plate(lit_scene *s, vec3 c, vec3 eye, real half, uint16_t material)
 {
     vec3 n = vunit(vadd(vunit(vsub(eye, c)), vunit(vneg(c)))), across = {8, 0, 0};
