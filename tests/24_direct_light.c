@@ -122,8 +122,8 @@ static outcome of_matte(const lit_scene *s, direct_way way, lights_kind kind, si
     return measure(s, way, kind, brdf_lambert(white), up, n, false);
 }
 
-/* Matte and white: L = E / pi. A way that meets the light less than 100 times has no normal mean
- * yet; where the truth is 0, each way must say 0. */
+/* Matte and white: L = E / pi. A way that meets or misses the light only a few times has no normal
+ * mean yet; where the truth is 0, each way must say 0. */
 static void test_closed_forms(void)
 {
     size_t n = check_count(20000), tests = 0;
@@ -131,7 +131,8 @@ static void test_closed_forms(void)
         setting x = setting_of(i);
         for (int way = 0; way < direct_ways; way++) {
             bool directions = way <= DIRECT_BRDF || way == DIRECT_HALF;
-            if (directions && x.truth > 0 && x.hits * (double)n < 400) continue;
+            double rare = x.hits < 1 - x.hits ? x.hits : 1 - x.hits;
+            if (directions && rare > 0 && rare * (double)n < 400) continue;
             if (way == DIRECT_AREA && x.near) continue;
             outcome o = of_matte(&x.s, (direct_way)way, LIGHTS_ALL, n);
             double truth = x.truth / (double)pi;
@@ -142,7 +143,7 @@ static void test_closed_forms(void)
         }
         lit_free(&x.s);
     }
-    check_at_least(tests, 40, "settings and ways with something to test");
+    check_at_least(tests, 30, "settings and ways with something to test");
 }
 
 /* ---- glossy: the ways agree; in a closed furnace of radiance 1 each gives the albedo ---- */
