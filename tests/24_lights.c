@@ -180,7 +180,7 @@ static void test_emitter(int i)
     vec3 p = v3(0, 0, 0), axis = vunit(v3(.3, .5, .8));
     double omega = emitter_omega(&e, p), off = 0, astray = 0, pdfs = 0;
     estimate all = {0}, by_area = {0}, by_angle = {0};
-    size_t n = check_count(20000);
+    size_t n = check_count(20000), others = 0;
     for (size_t k = 0; k < n; k++) {
         point2 u = {random_real(1, k, 0, 0), random_real(1, k, 0, 1)};
         for (int angle = 0; angle < 2; angle++) {
@@ -191,6 +191,11 @@ static void test_emitter(int i)
             else by_area = estimate_add(by_area, part);
             if (!angle) all = estimate_add(all, some ? 1 / (double)x.pdf : 0);
             if (!some) continue;
+            if (angle && e.kind == EMITTER_RECTANGLE) {
+                spherical_rectangle r = spherical_rectangle_of(e.rectangle, p);
+                vec3 y = spherical_rectangle_sample(&r, u.u, u.v);
+                others += !same(x.s.p, rectangle_at(e.rectangle, y)) || x.pdf != 1 / r.omega;
+            }
             real h = e.kind == EMITTER_SPHERE ? vlength(vsub(x.s.p, e.sphere.c)) - fabs(e.sphere.r)
                                               : emitter_height(&e, x.s.p);
             off = check_worse(off, (double)(fabs(h) / x.s.error));
@@ -204,6 +209,7 @@ static void test_emitter(int i)
             pdfs = check_worse(pdfs, fabs((double)(q / x.pdf - 1)) / slack);
         }
     }
+    check_equal(others, 0, "light %d: the short cut to 22's own points, to the bit", i);
     check_at_most(off, 1, "light %d: points off it, in their own bounds", i);
     /* (24.6) at the limb: an error of eps D goes as its root into x. Else some eps. */
     double round = e.kind == EMITTER_SPHERE ? 8 * sqrt(eps) : 64 * eps;

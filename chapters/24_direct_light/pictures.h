@@ -182,7 +182,7 @@ static inline void draw_hall(const options *o)
     direct_view v[3];
     for (int k = 0; k < 3; k++)
         v[k] = (direct_view){&g, DIRECT_AREA, k == 0 ? LIGHTS_ALL : k == 1 ? LIGHTS_UNIFORM
-                             : LIGHTS_FLUX, SEQUENCE_RANDOM, k == 0 ? 1 : 14, o->seed};
+                             : LIGHTS_FLUX, SEQUENCE_RANDOM, k == 0 ? 1 : 9, o->seed};
     draw_panels(o, v, 3, 320, "24_direct_light_hall.png", NULL, NULL);
     stage_close(&g);
 }
