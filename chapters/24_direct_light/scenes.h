@@ -11,8 +11,8 @@
  * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
  * SIGGRAPH 1995, figure 2.
  */
-#ifndef SCENES_H
-#define SCENES_H
+#ifndef DIRECT_SCENES_H
+#define DIRECT_SCENES_H
 
 #include "lit_cornell.h"
 
