@@ -27,6 +27,7 @@
 
 #include "../14_bvh/bvh.h"
 #include "../14_bvh/bvh_shapes.h"
+#include "../18_shade/leave.h"
 #include "../23_brdf/brdf.h"
 #include "emitter.h"
 

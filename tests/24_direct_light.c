@@ -1,0 +1,463 @@
+/* Tests of 24_direct_light: every way of drawing against closed forms (22), hard cases, rays that
+ * are not traced, and the naive ways failing. Fixed seeds; each t-test alarms falsely once in 1e8
+ * seeds, all of them together once in 1e6. */
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/22_radiometry/polygon_irradiance.h"
+#include "../chapters/22_radiometry/sphere_irradiance.h"
+#include "../chapters/24_direct_light/direct.h"
+#include "../chapters/24_direct_light/lit_cornell.h"
+#include "check.h"
+
+#define alarm 1e-8
+#define eps ((double)real_epsilon)
+
+static const vec3 white = {1, 1, 1}, black = {0, 0, 0}, up = {0, 0, 1};
+static vec3 v3(double x, double y, double z) { return (vec3){(real)x, (real)y, (real)z}; }
+
+/* ---- scenes: lights alone, seen from the origin, whose surface faces up ---- */
+
+typedef struct { lit_scene s; double truth, hits; const char *what; bool near; } setting;
+
+static uint16_t lamp_of(lit_scene *s, double L)
+{
+    return lit_add_material(s, (lit_material){.Le = v3(L, L, L)});
+}
+
+/* truth: E for L = 1. hits: the part of cosine-distributed directions that meet the light, E / pi.
+ * near: samples by area have so long a tail that their mean is not normal (test_fireflies). */
+static setting rectangle_light(vec3 o, vec3 s, vec3 t, const char *what)
+{
+    setting x = {.what = what};
+    rectangle r = {o, s, t};
+    lit_begin(&x.s);
+    lit_add_rectangle(&x.s, r, lamp_of(&x.s, 1));
+    lit_end(&x.s);
+    x.truth = (double)rectangle_irradiance(r, v3(0, 0, 0), up);
+    x.hits = x.truth / (double)pi;
+    return x;
+}
+
+static setting sphere_light(vec3 c, double r, const char *what)
+{
+    setting x = {.what = what};
+    sphere b = {c, (real)r};
+    lit_begin(&x.s);
+    lit_add_shape(&x.s, shape_of_sphere(b), lamp_of(&x.s, 1));
+    lit_end(&x.s);
+    bool inside = vlength(c) < fabs(b.r);
+    x.truth = inside == (r < 0) ? (double)sphere_irradiance(b, v3(0, 0, 0), up) : 0;
+    x.hits = x.truth / (double)pi;
+    return x;
+}
+
+enum { settings = 17 };
+static setting setting_plain(int i)
+{
+    setting x;
+    switch (i) {
+    case 0: return rectangle_light(v3(-1, -1, 2), v3(0, 2, 0), v3(2, 0, 0), "overhead");
+    case 1: return rectangle_light(v3(3, 4, 10), v3(0, .01, 0), v3(.01, 0, 0), "small");
+    case 2: return rectangle_light(v3(-40, -40, 1), v3(0, 80, 0), v3(80, 0, 0), "large");
+    case 3: return rectangle_light(v3(1, -1, -1), v3(0, 0, 2), v3(0, 2, 0), "across the horizon");
+    case 4: return rectangle_light(v3(.2, -1, 0), v3(0, 0, 2), v3(0, 2, 0), "stands on it, near");
+    case 5: return rectangle_light(v3(5, -1, .001), v3(0, 0, .1), v3(0, 2, 0), "low");
+    case 6: return rectangle_light(v3(1, 0, 0), v3(1, 0, 0), v3(0, 1, 0), "in its plane");
+    case 7: return rectangle_light(v3(-1, -1, -1), v3(2, 0, 0), v3(0, 2, 0), "below");
+    case 8: return rectangle_light(v3(-1, -1, 2), v3(2, 0, 0), v3(0, 2, 0), "turned away");
+    case 9: return rectangle_light(v3(-1, -1, 1), v3(0, 2, 1), v3(2, 0, 0), "leaning");
+    case 10: return sphere_light(v3(1, 0, 3), 1, "sphere");
+    case 11: return sphere_light(v3(2, 0, 0), 1, "sphere, half below");
+    case 12: return sphere_light(v3(0, .0, 1.001), 1, "sphere, all but touching");
+    case 13: return sphere_light(v3(30, 20, 100), .01, "small sphere");
+    case 14: return sphere_light(v3(.3, .2, .1), -1, "inside a sphere that shines inwards");
+    case 15: return sphere_light(v3(.3, .2, .1), 1, "inside a sphere that shines outwards");
+    default: break;
+    }
+    x = rectangle_light(v3(0, -1, 2), v3(0, 2, 0), v3(1, 0, 0), "half of it behind an obstacle");
+    lit_free(&x.s);
+    lit_begin(&x.s);
+    lit_add_rectangle(&x.s, (rectangle){v3(-1, -1, 2), v3(0, 2, 0), v3(2, 0, 0)}, lamp_of(&x.s, 1));
+    uint16_t wall = lit_add_material(&x.s, (lit_material){.f = brdf_lambert(white)});
+    lit_add_rectangle(&x.s, (rectangle){v3(-.5, -.5, 1), v3(.5, 0, 0), v3(0, 1, 0)}, wall);
+    lit_end(&x.s);
+    return x;
+}
+
+static setting setting_of(int i)
+{
+    setting x = setting_plain(i);
+    x.near = i == 2 || i == 4 || i == 12;
+    return x;
+}
+
+/* A point of some surface of which nothing else is known, at p. */
+static lit_hit place(vec3 p, const lit_material *m)
+{
+    surface s = {p, up, up, 2 * real_epsilon * surface_reach(p), 0, no_shape};
+    return (lit_hit){s, m, lit_dark, 1, true};
+}
+
+typedef struct { estimate e; direct_work w; double most; } outcome;
+static outcome measure(const lit_scene *s, direct_way way, lights_kind kind, brdf f, vec3 wo,
+                       size_t n, bool spend_all)
+{
+    lit_material m = {.f = f};
+    lit_hit h = place(black, &m);
+    outcome o = {{0}, {0, 0, 0}, 0};
+    lights l;
+    lights_build(s, kind, &l);
+    direct d = {s, way, &l, &o.w, spend_all};
+    for (size_t k = 0; k < n; k++) {
+        sampler q = sampler_start(SEQUENCE_RANDOM, 24, (uint64_t)way, (uint32_t)k, (uint32_t)n);
+        double x = (double)direct_light(&d, &h, wo, &q).x;
+        o.most = check_worse(o.most, x);
+        o.e = estimate_add(o.e, x);
+    }
+    lights_free(&l);
+    return o;
+}
+
+static outcome of_matte(const lit_scene *s, direct_way way, lights_kind kind, size_t n)
+{
+    return measure(s, way, kind, brdf_lambert(white), up, n, false);
+}
+
+/* Matte and white: L = E / pi. A way that meets or misses the light only a few times has no normal
+ * mean yet; where the truth is 0, each way must say 0. */
+static void test_closed_forms(void)
+{
+    size_t n = check_count(20000), tests = 0;
+    for (int i = 0; i < settings; i++) {
+        setting x = setting_of(i);
+        for (int way = 0; way < direct_ways; way++) {
+            bool directions = way <= DIRECT_BRDF || way == DIRECT_HALF;
+            double rare = x.hits < 1 - x.hits ? x.hits : 1 - x.hits;
+            if (directions && rare > 0 && rare * (double)n < 400) continue;
+            if (way == DIRECT_AREA && x.near) continue;
+            outcome o = of_matte(&x.s, (direct_way)way, LIGHTS_ALL, n);
+            double truth = x.truth / (double)pi;
+            /* the obstacle's edge is where the reals of its corners are: some epsilons */
+            check_at_least(t_test(o.e, truth, 256 * eps * truth), alarm, "%s, %s: %g, is %g",
+                           x.what, direct_name[way], o.e.mean, truth);
+            tests += x.truth > 0;
+        }
+        lit_free(&x.s);
+    }
+    check_at_least(tests, 30, "settings and ways with something to test");
+}
+
+/* ---- glossy: the ways agree; in a closed furnace of radiance 1 each gives the albedo ---- */
+
+static void test_glossy(void)
+{
+    vec3 wo = vunit(v3(-.6, 0, .8)), f0 = v3(.9, .9, .9);
+    const brdf list[3] = {brdf_ggx(f0, (real).4), brdf_ggx(f0, (real).7),
+                          brdf_blinn_phong(v3(.2, .2, .2), v3(.6, .6, .6), 50)};
+    size_t n = check_count(20000);
+    setting all = setting_of(14), rect = setting_of(3), ball = setting_of(10);
+    for (int i = 0; i < 3; i++) {
+        double albedo = (double)brdf_albedo(&list[i], wo.z).x;
+        outcome other[2];
+        for (int k = 0; k < 2; k++)
+            other[k] = measure(k ? &ball.s : &rect.s, DIRECT_COSINE, LIGHTS_ALL, list[i], wo,
+                               2 * n, false);
+        for (int way = 0; way < direct_ways; way++) {
+            /* by all directions alike a narrow lobe is met too seldom for a normal mean */
+            if (way < DIRECT_BRDF || (way == DIRECT_AREA && i == 0)) continue;
+            outcome o = measure(&all.s, (direct_way)way, LIGHTS_ALL, list[i], wo, n, false);
+            check_at_least(t_test(o.e, albedo, 3e-3), alarm, "furnace, brdf %d, %s", i,
+                           direct_name[way]);
+            for (int k = 0; k < 2; k++) {
+                const lit_scene *s = k ? &ball.s : &rect.s;
+                outcome a = measure(s, (direct_way)way, LIGHTS_ALL, list[i], wo, n, false);
+                double error = hypot(estimate_error(a.e), estimate_error(other[k].e));
+                check_at_most(fabs(a.e.mean - other[k].e.mean), 6 * error + 1e-12,
+                              "brdf %d, light %d, %s against cosine", i, k, direct_name[way]);
+            }
+        }
+    }
+    lit_free(&all.s), lit_free(&rect.s), lit_free(&ball.s);
+}
+
+/* Veach's theorem 9.2 for one sample of each: V(balance) <= V(any other weights) + mu^2 / 2, hence
+ * than each way alone. Variances are known to some sqrt(2 kurtosis / n): a tenth is added. */
+static void test_never_worse(void)
+{
+    vec3 wo = vunit(v3(-.6, 0, .8)), f0 = v3(1, 1, 1);
+    size_t n = check_count(40000);
+    for (int i = 0; i < 6; i++) {
+        brdf f = brdf_ggx(f0, (real)(i % 3 == 0 ? .15 : i % 3 == 1 ? .4 : 1));
+        setting x = sphere_light(v3(3, 0, 4), i < 3 ? .2 : 3, "a sphere");
+        double v[direct_ways], mean = 0;
+        for (int way = DIRECT_BRDF; way < direct_ways; way++) {
+            if (way == DIRECT_AREA) continue;
+            outcome o = measure(&x.s, (direct_way)way, LIGHTS_ALL, f, wo, n, false);
+            v[way] = estimate_variance(o.e);
+            if (way == DIRECT_BALANCE) mean = o.e.mean;
+        }
+        double least = v[DIRECT_BRDF] < v[DIRECT_ANGLE] ? v[DIRECT_BRDF] : v[DIRECT_ANGLE];
+        double most = v[DIRECT_BRDF] + v[DIRECT_ANGLE] - least;
+        double slack = 1.1 + 20 / sqrt((double)n);
+        check_at_most(v[DIRECT_BALANCE], slack * (least + mean * mean / 2), "balance, case %d", i);
+        /* the worse half stays: (V1 + V2) / 4, whatever the better one does */
+        check_at_least(v[DIRECT_HALF] * slack, most / 4, "half and half, case %d", i);
+        lit_free(&x.s);
+    }
+}
+
+/* ---- area: a wall that shines stands on the floor, p at the distance h before it ---- */
+
+/* E[X^2] = integral of f^2 cos^2 / pdf_area dw, measured by points drawn by angle: there the
+ * integrand is bounded. It goes as 1/h^2: averaged over a pixel that reaches the wall, infinite. */
+static void test_fireflies(void)
+{
+    double before = 0;
+    for (int i = 0; i < 4; i++) {
+        double h = pow(10, -i);
+        rectangle wall = {v3(h, -1, 0), v3(0, 0, 2), v3(0, 2, 0)};
+        emitter e = emitter_of_rectangle(wall, white);
+        estimate second = {0};
+        for (uint64_t k = 0; k < check_count(100000); k++) {
+            emitter_point x;
+            point2 u = {random_real(4, k, (uint64_t)i, 0), random_real(4, k, (uint64_t)i, 1)};
+            if (!emitter_by_angle(&e, black, u, &x)) continue;
+            double cosine = (double)x.wi.z / (double)pi;
+            double q = (double)emitter_pdf_area(&e, black, x.s.p);
+            second = estimate_add(second, cosine * cosine / q / (double)x.pdf);
+        }
+        /* 1/h^2 in the limit; the first steps still see the far end of the wall */
+        if (i > 1) check_at_least(second.mean / before, 50, "second moment by area, h = %g", h);
+        before = second.mean;
+    }
+    setting x = rectangle_light(v3(1e-3, -1, 0), v3(0, 0, 2), v3(0, 2, 0), "near");
+    size_t n = 20000;
+    outcome area = of_matte(&x.s, DIRECT_AREA, LIGHTS_ALL, n);
+    outcome angle = of_matte(&x.s, DIRECT_ANGLE, LIGHTS_ALL, n);
+    outcome power = of_matte(&x.s, DIRECT_POWER, LIGHTS_ALL, n);
+    /* cos omega / pi <= 1 here: omega is a quarter of all directions, pi */
+    check_at_most(angle.most, 1 + 64 * eps, "by angle: no sample above f omega");
+    check_at_most(power.most, 2, "power: f cos / p is at most 1 of either");
+    check_at_least(area.most, 4, "by area: a sample far above the mean, 1/2");
+    /* what the samples show of their variance is a thousandth of it: few come near the wall */
+    check_at_least(before, 1000 * estimate_variance(area.e), "by area: the variance unseen");
+    check_at_most(estimate_variance(angle.e), 0.25, "by angle: samples in [0, 1]");
+    lit_free(&x.s);
+}
+
+/* ---- several lights ---- */
+
+static void test_several(void)
+{
+    setting x = {.what = "several"};
+    double truth = 0;
+    lit_begin(&x.s);
+    for (int k = 0; k < 5; k++) {
+        double L = k == 0 ? 20 : 1 + k;
+        rectangle r = {v3(2 * k - 5, -1, 2), v3(0, 1, 0), v3(.6, 0, 0)};
+        sphere b = {v3(2 * k - 5, 2, 1), (real).3};
+        lit_add_rectangle(&x.s, r, lamp_of(&x.s, L));
+        lit_add_shape(&x.s, shape_of_sphere(b), lamp_of(&x.s, L));
+        truth += L * (double)(rectangle_irradiance(r, black, up) + sphere_irradiance(b, black, up));
+    }
+    lit_end(&x.s);
+    check_equal(x.s.emitters, 10, "lights");
+    size_t n = check_count(8000);
+    double v[3];
+    truth /= (double)pi;
+    for (int kind = LIGHTS_ALL; kind <= LIGHTS_FLUX; kind++)
+        for (int way = DIRECT_AREA; way < direct_ways; way++) {
+            outcome o = of_matte(&x.s, (direct_way)way, (lights_kind)kind, n);
+            check_at_least(t_test(o.e, truth, 256 * eps * truth), alarm, "choice %d, %s: %g, is %g",
+                           kind, direct_name[way], o.e.mean, truth);
+            if (way == DIRECT_ANGLE) v[kind] = estimate_variance(o.e);
+            if (way == DIRECT_ANGLE)
+                check_equal(o.w.shadow, kind == LIGHTS_ALL ? 10 * n : n, "shadow rays a sample");
+        }
+    /* All: the sum of the lights' own variances; one: their means differ, too, times 1/P. */
+    check_at_least(v[LIGHTS_UNIFORM], 2 * v[LIGHTS_ALL], "one of ten is noisier than all");
+    lights l;
+    double sum = 0;
+    lights_build(&x.s, LIGHTS_FLUX, &l);
+    for (size_t k = 0; k < 10; k++) {
+        const emitter *e = &x.s.emitter[k], *e0 = &x.s.emitter[0];
+        double flux = (double)(e->area * e->Le.x / (e0->area * e0->Le.x));
+        sum += (double)lights_chance(&l, k);
+        check_close(lights_chance(&l, k) / lights_chance(&l, 0), flux, 64 * eps * flux,
+                    "chance of light %zu in proportion to its flux", k);
+    }
+    check_close(sum, 1, 16 * eps, "a fair choice: probabilities add up");
+    lights_free(&l), lit_free(&x.s);
+}
+
+/* ---- only what is called for ---- */
+
+static void test_called_for(void)
+{
+    setting overhead = setting_of(0), below = setting_of(7), away = setting_of(8);
+    setting inside = setting_of(15), ball = setting_of(11), hidden = setting_of(16);
+    lit_scene none;
+    lit_begin(&none), lit_end(&none);
+    size_t n = 1000;
+    brdf matte = brdf_lambert(white), dark = brdf_lambert(black), mirror = brdf_mirror(white);
+    for (int i = 0; i < direct_ways; i++) {
+        direct_way w = (direct_way)i;
+        size_t one = w <= DIRECT_BRDF || direct_both(w) ? n : 0;
+        outcome o = measure(&below.s, w, LIGHTS_ALL, matte, up, n, false);
+        check_equal(o.w.shadow, 0, "light below, %s", direct_name[i]);
+        o = measure(&away.s, w, LIGHTS_ALL, matte, up, n, false);
+        check_equal(o.w.shadow, 0, "light turned away, %s", direct_name[i]);
+        o = measure(&inside.s, w, LIGHTS_ALL, matte, up, n, false);
+        check_equal(o.w.shadow, 0, "inside a light, %s", direct_name[i]);
+        o = measure(&overhead.s, w, LIGHTS_ALL, dark, up, n, false);
+        check_equal(o.w.shadow + o.w.direction, 0, "black, %s", direct_name[i]);
+        o = measure(&none, w, LIGHTS_UNIFORM, matte, up, n, false);
+        check_equal(o.w.shadow + o.w.direction, 0, "no lights, %s", direct_name[i]);
+        check_equal(o.e.mean, 0, "no lights, %s", direct_name[i]);
+        o = measure(&overhead.s, w, LIGHTS_ALL, matte, up, n, false);
+        check_equal(o.w.shadow, w >= DIRECT_AREA ? n : 0, "overhead, %s: shadow", direct_name[i]);
+        check_equal(o.w.direction, one, "overhead, %s: directions", direct_name[i]);
+        o = measure(&overhead.s, w, LIGHTS_ALL, mirror, up, n, false);
+        bool finds = w == DIRECT_BRDF || direct_both(w);
+        check_equal(o.w.shadow, 0, "mirror, %s: shadow", direct_name[i]);
+        check_equal(o.w.direction, finds ? n : 0, "mirror, %s", direct_name[i]);
+        /* straight up is the light: all of it, but for those who cannot name the direction */
+        double whole = !finds ? 0 : w == DIRECT_HALF ? .5 : 1;
+        check_close(o.e.mean, whole, 4 * eps, "mirror, %s", direct_name[i]);
+        check_equal(o.e.squares, 0, "mirror, %s: no noise", direct_name[i]);
+    }
+    /* spent all the same: more rays, the same bits */
+    const setting *list[] = {&overhead, &below, &ball, &hidden, &away};
+    const brdf kinds[] = {matte, dark, mirror, brdf_ggx(white, (real).3)};
+    for (int i = 0; i < direct_ways; i++)
+        for (int j = 0; j < 5; j++)
+            for (int k = 0; k < 4; k++) {
+                vec3 wo = vunit(v3(.5, .2, .6));
+                outcome a = measure(&list[j]->s, (direct_way)i, LIGHTS_ALL, kinds[k], wo, n,
+                                    false);
+                outcome b = measure(&list[j]->s, (direct_way)i, LIGHTS_ALL, kinds[k], wo, n,
+                                    true);
+                check(a.e.mean == b.e.mean && a.e.squares == b.e.squares, "%s, %s: spent, and the "
+                      "result is another", list[j]->what, direct_name[i]);
+                check(a.w.shadow <= b.w.shadow && a.w.direction <= b.w.direction, "more rays");
+            }
+    outcome o = measure(&ball.s, DIRECT_ANGLE, LIGHTS_ALL, matte, up, n, false);
+    outcome all = measure(&ball.s, DIRECT_ANGLE, LIGHTS_ALL, matte, up, n, true);
+    check_equal(all.w.shadow, n, "spend_all: each sample its shadow ray");
+    /* half of the sphere is below the horizon: so is half of what is drawn */
+    check_close((double)o.w.shadow / (double)n, .5, .1, "light half below: half of the rays");
+    lit_free(&overhead.s), lit_free(&below.s), lit_free(&away.s), lit_free(&inside.s);
+    lit_free(&ball.s), lit_free(&hidden.s), lit_free(&none);
+}
+
+/* A shading normal that leans away: the light is above its horizon, but below the surface. */
+static void test_leaning(void)
+{
+    setting x = rectangle_light(v3(1, -1, -1), v3(0, 0, .9), v3(0, 2, 0), "below, before ns");
+    lit_material m = {.f = brdf_lambert(white)};
+    lit_hit h = place(black, &m);
+    h.s.ns = vunit(v3(1, 0, .5));
+    lights l;
+    lights_build(&x.s, LIGHTS_ALL, &l);
+    for (int way = 0; way < direct_ways; way++) {
+        direct_work w = {0, 0, 0};
+        direct d = {&x.s, (direct_way)way, &l, &w, false};
+        double sum = 0;
+        for (uint32_t k = 0; k < 1000; k++) {
+            sampler q = sampler_start(SEQUENCE_RANDOM, 6, 0, k, 1000);
+            sum += (double)direct_light(&d, &h, up, &q).x;
+        }
+        check_equal(sum, 0, "light below a leaning normal's surface, %s", direct_name[way]);
+        check_equal(w.shadow, 0, "no shadow ray to it, %s", direct_name[way]);
+        if (way == DIRECT_COSINE)
+            check(w.direction > 600 && w.direction < 800, "directions below are not traced");
+    }
+    lights_free(&l), lit_free(&x.s);
+}
+
+/* In the box no picture may change by a bit, and the shadow rays that are saved are counted. */
+static void test_box(void)
+{
+    enum { side = 24 };
+    lit_scene s;
+    lights l;
+    camera c = cornell_camera(1);
+    direct_work spent = {0, 0, 0}, called = {0, 0, 0};
+    size_t changed = 0, bad = 0;
+    lit_cornell(&s);
+    lights_build(&s, LIGHTS_ALL, &l);
+    for (int way = 0; way < direct_ways; way++)
+        for (int i = 0; i < side * side; i++) {
+            real px = (real)(i % side) + (real).5, py = (real)(i / side) + (real).5;
+            ray r = camera_ray(c, px, py, side, side);
+            lit_hit h;
+            if (!lit_trace(&s, r, &h)) continue;
+            vec3 L[2], wo = vneg(vunit(r.d));
+            for (int all = 0; all < 2; all++) {
+                sampler q = sampler_start(SEQUENCE_SOBOL, 1, (uint64_t)i, 0, 1);
+                direct d = {&s, (direct_way)way, &l, all ? &spent : &called, all};
+                L[all] = direct_light(&d, &h, wo, &q);
+            }
+            changed += memcmp(&L[0], &L[1], sizeof L[0]) != 0;
+            bad += !vfinite(L[0]) || L[0].x < 0;
+        }
+    check_equal(changed, 0, "spend_all: the same bytes");
+    check_equal(bad, 0, "finite, not negative");
+    check_at_least(spent.shadow, called.shadow + side, "shadow rays saved in the box");
+    lights_free(&l), lit_free(&s);
+}
+
+/* Receivers on real surfaces, far out and far off: no light on itself, no shadow from itself. A
+ * sphere and a mesh, light of every kind; compare with the closed form of a matte point. */
+static void test_far(void)
+{
+    for (int i = 0; i < 4; i++) {
+        double far = i % 2 ? (real_is_float ? 1e3 : 1e6) : 0, n = (double)check_count(20000);
+        lit_scene s;
+        vec3 at = v3(far, -far, far / 2);
+        lit_begin(&s);
+        uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(white)});
+        rectangle floor = {vadd(at, v3(-4, -4, 0)), v3(8, 0, 0), v3(0, 8, 0)};
+        rectangle wall = {vadd(at, v3(.25, -1, 0)), v3(0, 0, 2), v3(0, 2, 0)};
+        lit_add_rectangle(&s, floor, grey);
+        if (i < 2) lit_add_rectangle(&s, wall, lamp_of(&s, 1));
+        sphere b = {vadd(at, v3(0, 0, 1)), (real).875};
+        if (i >= 2) lit_add_shape(&s, shape_of_sphere(b), lamp_of(&s, 1));
+        lit_end(&s);
+        lights l;
+        direct_work w = {0, 0, 0};
+        lights_build(&s, LIGHTS_ALL, &l);
+        lit_hit h;
+        ray down = ray_between(vadd(at, v3(0, 0, .0625)), vsub(at, v3(0, 0, 1)));
+        check(lit_trace(&s, down, &h) && h.s.shape < 2, "the floor is met, at %g", far);
+        double truth = i < 2 ? (double)rectangle_irradiance(wall, h.s.p, up)
+                             : (double)sphere_irradiance(b, h.s.p, up);
+        for (int way = 0; way < direct_ways; way++) {
+            direct d = {&s, (direct_way)way, &l, &w, false};
+            estimate e = {0};
+            if (way == DIRECT_AREA && i >= 2) continue;  /* the sphere is near */
+            for (uint32_t k = 0; (double)k < n; k++) {
+                sampler q = sampler_start(SEQUENCE_RANDOM, 5, (uint64_t)way, k, (uint32_t)n);
+                e = estimate_add(e, (double)direct_light(&d, &h, up, &q).x);
+            }
+            /* far out the reals of the corners round: 1e6 eps of a light at a distance of 1/8 */
+            double round = (256 + 64 * far) * eps;
+            check_at_least(t_test(e, truth / (double)pi, round), alarm, "at %g, light %d, %s", far,
+                           i / 2, direct_name[way]);
+        }
+        lights_free(&l), lit_free(&s);
+    }
+}
+
+int main(void)
+{
+    test_closed_forms();
+    test_glossy();
+    test_never_worse();
+    test_fireflies();
+    test_several();
+    test_called_for();
+    test_leaning();
+    test_box();
+    test_far();
+    return check_report("24_direct_light");
+}
