@@ -21,6 +21,10 @@
  *
  *   X_n = 1 + 1/N sum of w_i X_(n-1),i
  *   V_n = rho^2 / N (4/3 (V_(n-1) + S_(n-1)^2) - S_(n-1)^2),  V_0 = 0                      (25.12)
+ *
+ * So V_n stays finite only if 4/3 rho^2 < N. The mean converges for every rho < 1, the variance of
+ * one uniform direction only for rho < .866: beyond, deep terms are rare and huge products of
+ * weights, which a run of any length that one can afford does not meet. Cosine: w = rho, V_n = 0.
  */
 #ifndef FURNACE_H
 #define FURNACE_H

@@ -6,8 +6,8 @@
  *   bounce_terms_lit(&p, eye, &s, term, &counts);   the same expectations, with far less noise
  *
  * K^k E = K^(k-1) (K E), and K E is direct light, of which 24 knows where it comes from: so the path
- * takes k - 1 bounces, and the last K is a point x of a light, drawn in the solid angle that it
- * fills, and a ray of sight to it:
+ * takes k - 1 bounces, and the last K is a point x of a light, uniform on its area (24's cheap way),
+ * and a ray of sight to it:
  *
  *   term[k] = w_0 ... w_(k-2)  f cos E(x) / pdf,  0 if something is between                (25.10)
  *
@@ -47,7 +47,7 @@ static inline vec3 bounce_direct(const lit_scene *s, const lit_hit *x, vec3 wo, 
     if (!s->emitters || naive_black(x->m) || brdf_is_delta(&x->m->f)) return black;
     size_t n = s->emitters, i = (size_t)(which * (real)n);
     const emitter *e = &s->emitter[i < n ? i : n - 1];
-    if (!emitter_by_angle(e, x->s.p, u, &to) || !(vdot(x->s.n, to.wi) > 0)) return black;
+    if (!emitter_by_area(e, x->s.p, u, &to) || !(vdot(x->s.n, to.wi) > 0)) return black;
     vec3 f = vscale(brdf_value(&x->m->f, x->s.ns, to.wi, wo), vdot(x->s.ns, to.wi));
     if (vzero(f)) return black;
     c->sight++;
