@@ -278,7 +278,7 @@ static void test_direct_closed_form(void)
     double per = (double)(polygon_irradiance(corner, 4, p, up) / pi);
     naive_path path = {&s, DIRECTIONS_BRDF, 1, false};
     estimate naive[3] = {{0, 0, 0}}, lit[3] = {{0, 0, 0}};
-    bounce_counts c = {{{0}, 0, 0}, 0};
+    bounce_counts c = {{{0}, 0, 0}, 0}, asked = c;
     vec3 term[2];
     size_t n = count_from(2000, 40000), m = check_count(4000);
     for (size_t i = 0; i < n; i++) {
@@ -286,7 +286,7 @@ static void test_direct_closed_form(void)
         bounce_terms(&path, eye, &r, term, &c);
         for (int j = 0; j < 3; j++) naive[j] = estimate_add(naive[j], (double)vaxis(term[1], j));
         if (i >= m) continue;
-        bounce_terms_lit(&path, eye, &q, term, &c);
+        bounce_terms_lit(&path, eye, &q, term, &asked);
         for (int j = 0; j < 3; j++) lit[j] = estimate_add(lit[j], (double)vaxis(term[1], j));
     }
     for (int j = 0; j < 3; j++) {
@@ -299,7 +299,9 @@ static void test_direct_closed_form(void)
         check_at_least(estimate_variance(naive[j]), 10 * estimate_variance(lit[j]),
                        "to ask the light saves variance");
     }
-    check_equal(c.sight, m, "one ray of sight a sample, none from the last hit");
+    check_equal(asked.sight, m, "one ray of sight a sample");
+    check_equal(naive_rays(&asked.walk), m, "and none that goes on: the last K was the light's");
+    check_at_most((double)naive_rays(&c.walk), 2 * (double)n, "a path: eye and one bounce");
     lit_free(&s);
 }
 
@@ -322,7 +324,9 @@ static void test_terms_lit(void)
         lit_add_shape(&s, shape_of_sphere((sphere){{300, 420, 250}, 90}), lamp);
         lit_end(&s);
         naive_path p = {&s, DIRECTIONS_BRDF, depth, false};
-        ray eye = {{278, 273, -800}, 0, {more ? -40 : 40, -273, 1000}, real_infinity};
+        /* into a corner; or into the mirror, where the lamp's image stands */
+        ray eye = {{278, 273, -800}, 0, {40, -273, 1000}, real_infinity};
+        if (more) eye = (ray){{350, 100, 60}, 0, {-50, -518, 190}, real_infinity};
         estimate naive[depth + 1][3], lit[depth + 1][3];
         memset(naive, 0, sizeof naive), memset(lit, 0, sizeof lit);
         bounce_counts c = {{{0}, 0, 0}, 0};
@@ -402,7 +406,7 @@ static void test_called_for(void)
             if (!lamps) check_equal(naive_rays(&few), 0, "no light, no ray");
             if (!lamps) check_equal(naive_rays(&tree_few), 0, "no light, no tree");
             if (!lamps) continue;
-            check_at_least(light, (double)n / 20, "there is something to see");
+            check_at_least((double)light, (double)n / 20, "there is something to see");
             check_at_most((double)naive_rays(&few), 0.75 * (double)naive_rays(&many),
                           "a path ends where nothing can follow");
             check_at_most((double)naive_rays(&tree_few), 0.5 * (double)naive_rays(&tree_many),
@@ -448,11 +452,67 @@ static void test_counts(void)
     lit_free(&s);
 }
 
+/* A wall that leans by its shading normals alone, a lamp behind it: no light comes through. */
+static void test_shading_normals(void)
+{
+    vec3 v[4] = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
+    vec3 n = vunit((vec3){1, (real)0.3, 0});
+    uint32_t index[6] = {0, 1, 2, 0, 2, 3}, of[6] = {0, 0, 0, 0, 0, 0};
+    mesh m = {.v = v, .vertices = 4, .index = index, .triangles = 2, .n = &n, .normals = 1,
+              .normal_index = of};
+    lit_scene s;
+    vec3 white = {(real)0.9, (real)0.9, (real)0.9};
+    bounce_counts c = {{{0}, 0, 0}, 0};
+    ray eye = {{0, 1, 0}, 0, {(real)-0.1, -1, 0}, real_infinity};
+    lit_begin(&s);
+    uint16_t wall = lit_add_material(&s, (lit_material){.f = brdf_lambert(white)});
+    uint16_t lamp = lit_add_material(&s, (lit_material){.f = brdf_lambert(dark), .Le = one});
+    lit_add_mesh(&s, &m, wall);
+    lit_add_rectangle(&s, (rectangle){{-9, -1, -9}, {0, 0, 18}, {18, 0, 0}}, lamp);
+    lit_end(&s);
+    for (int choice = DIRECTIONS_UNIFORM; choice <= DIRECTIONS_BRDF; choice++) {
+        naive_path p = {&s, (direction_choice)choice, 2, false};
+        size_t light = 0, k = count_from(100, 1000);
+        for (size_t i = 0; i < k; i++) {
+            vec3 term[3];
+            sampler a = second_pair(8, (uint32_t)i), b = a;
+            light += !vzero(naive_radiance(&p, eye, &a, &c.walk));
+            bounce_terms_lit(&p, eye, &b, term, &c);
+            light += !vzero(term[1]);
+        }
+        check_equal(light, 0, "%s: nothing shines through a wall", choice_name[choice]);
+    }
+    check_at_least((double)c.walk.rays[1], 10, "though directions above it were taken");
+    check_equal(c.sight, 0, "no ray of sight through it");
+    lit_free(&s);
+}
+
+/* How long the eye's direction is does not matter: times 4 is exact. Glossy walls see wo. */
+static void test_eye_length(void)
+{
+    lit_scene s;
+    size_t wrong = 0;
+    hard_scene(&s, true);
+    naive_path p = {&s, DIRECTIONS_BRDF, 3, false};
+    naive_counts c = {{0}, 0, 0};
+    for (size_t i = 0; i < count_from(100, 500); i++) {
+        ray r = some_ray((vec3){0, (real)0.5, 0}, i), far = r;
+        far.d = vscale(r.d, 4);
+        sampler a = second_pair(i, 2), b = a;
+        vec3 L = naive_radiance(&p, r, &a, &c);
+        wrong += !same(L, naive_radiance(&p, far, &b, &c));
+        wrong += !same(branching_radiance(&p, 2, r, 1, i, 0, &c),
+                       branching_radiance(&p, 2, far, 1, i, 0, &c));
+    }
+    check_equal(wrong, 0, "the same light along a longer direction");
+    lit_free(&s);
+}
+
 int main(void)
 {
     test_furnace_exact(), test_endless(), test_furnace_uniform();
     test_pair(), test_pair_whole();
     test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
-    test_called_for(), test_counts();
+    test_called_for(), test_counts(), test_shading_normals(), test_eye_length();
     return check_report("25_bounces");
 }
