@@ -18,6 +18,6 @@ int main(int argc, char **argv)
     if (!o.out) draw_branches(&o);
     measure_branches(&o), measure_rays(&o);
     measure_furnace(&o), measure_pair(&o), measure_norms(&o);
-    measure_cornell(&o), measure_sums(&o);
+    measure_cornell(&o), measure_notes(&o), measure_sums(&o);
     return 0;
 }
