@@ -129,10 +129,10 @@ static inline void trial_times(branch_trial *b, bool quick)
     timed_trial t[trials];
     clock_variant v[trials];
     for (int i = 0; i < trials; i++) {
-        t[i] = (timed_trial){b, i, quick ? 500 : 8000, 0};
+        t[i] = (timed_trial){b, i, quick ? 500 : 3000, 0};
         v[i] = (clock_variant){branch_name[i % branch_kinds], timed_run, &t[i], 0};
     }
-    for (int i = 0; i < trials; i += 16) clock_compare(v + i, 16, quick ? 1 : 5);
+    for (int i = 0; i < trials; i += 16) clock_compare(v + i, 16, quick ? 1 : 15);
     for (int i = 0; i < trials; i++) b->us[i] = v[i].seconds / (double)t[i].rays * b->rays[i] * 1e6;
 }
 
