@@ -113,7 +113,7 @@ static void test_endless(void)
     lit_free(&s);
 }
 
-/* ---- furnace with uniform directions: the mean (25.5), the variance (25.12), for N = 1, 2, 4 ---- */
+/* ---- furnace, uniform directions: mean (25.5), variance (25.12), for N = 1, 2, 4 ---- */
 
 static void test_furnace_uniform(void)
 {
@@ -432,7 +432,7 @@ static void test_called_for(void)
                 wrong_tree += !same(T, branching_radiance(&all, 3, some_ray(o, i), 25, i, 1,
                                                           &tree_many));
             }
-            check_equal(wrong, 0, "%s: the same radiance with every ray spent", choice_name[choice]);
+            check_equal(wrong, 0, "%s: the same with every ray spent", choice_name[choice]);
             check_equal(wrong_tree, 0, "%s, N = 3: the same", choice_name[choice]);
             check_equal(naive_rays(&many), 6 * n, "spend_all: every ray, to the end");
             if (!lamps) check_equal(naive_rays(&few), 0, "no light, no ray");

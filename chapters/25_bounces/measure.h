@@ -86,7 +86,8 @@ static inline void measure_pair(const options *o)
             vec3 term[depth + 1];
             sampler r = sampler_start(SEQUENCE_RANDOM, o->seed, seen, i, 1);
             bounce_terms(&path, trial_ray(0, seen, sampler_pair(&r)), &r, term, &c);
-            for (int k = 0; k <= depth; k++) e[seen][k] = estimate_add(e[seen][k], (double)term[k].x);
+            for (int k = 0; k <= depth; k++)
+                e[seen][k] = estimate_add(e[seen][k], (double)term[k].x);
         }
     for (int k = 0; k <= depth; k++) {
         transport_term(&exact, k, T);
@@ -105,7 +106,7 @@ static inline void measure_norms(const options *o)
 {
     static const double albedo[][2] = {{0.5, 0.5}, {0.5, 0.9}, {1, 0.5}, {0.5, 1}, {0.99, 0.99},
                                        {1, 1}, {1, 1.2}};
-    table t = table_new("Does the series converge? A ball (0) in a sphere (1): radiance of the ball",
+    table t = table_new("Does the series converge? Ball (0) in a sphere (1): radiance of the ball",
                         "rho 0|rho 1|norm of K|spectral radius|n = 10|n = 100|n = 1000|"
                         "(I - K)^-1 E");
     for (size_t i = 0; i < sizeof albedo / sizeof *albedo; i++) {
@@ -226,7 +227,8 @@ static inline void measure_sums(const options *o)
     for (int k = 0; k < 1000; k++) exact = 1 + (double)rho * exact;
     double way[] = {(double)bounces_forward_f32(1, rho, 1000),
                     (double)bounces_forward_kahan_f32(1, rho, 1000),
-                    bounces_forward_double(1, rho, 1000), (double)bounces_backward_f32(1, rho, 1000)};
+                    bounces_forward_double(1, rho, 1000),
+                    (double)bounces_backward_f32(1, rho, 1000)};
     static const char *const name[] = {"forward, float", "forward, float, Kahan",
                                        "forward, sum in double", "backward, float"};
     for (int k = 0; k < 4; k++) {

@@ -12,7 +12,7 @@
  *   vec3 L = notes_shade(&p, eye, &s, &counts);    p.depth mends the third
  *
  * Its expectation is K' E + K'^2 E + ..: E is missing, and K' is K without the rows of what shines,
- * but for the first hit. In a furnace, where all walls shine, that is rho E instead of E / (1 - rho).
+ * but for the first hit. In a furnace, where all walls shine: rho E instead of E / (1 - rho).
  */
 #ifndef NOTES_SHADE_H
 #define NOTES_SHADE_H

@@ -1,9 +1,9 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_terms(o, depth, naive)   the Cornell box, upper row E, K E, K^2 E, K^3 E and the rest up to
- *                                 K^depth E; lower row the running sums, the last one is the whole.
- *                                 Of the upper row the last three are shown 2, 4 and 4 times as
- *                                 bright. naive: by paths that meet the light, not by (25.10)
+ *   draw_terms(o, depth, naive)   the Cornell box, upper row E, K E, K^2 E, K^3 E, the rest up to
+ *                                 K^depth E; lower row the running sums, the last is the whole. Of
+ *                                 the upper row the last three are shown 2, 4, 4 times as bright.
+ *                                 naive: by paths that meet the light, not by (25.10)
  *   draw_branches(o)              direct light and two bounces more, by N = 1, 2, 4, 8 directions a
  *                                 hit, from left to right, with the same number of rays a pixel
  */
