@@ -1,0 +1,84 @@
+/* branching.h: N directions at each hit, as the notes first write shade(): the rays explode.
+ *
+ *                 N = 3                   bounces   rays
+ *   eye --- x0 --< ---< .. ---< ..        0         1
+ *                  ---< .. ---< ..        1         N
+ *                  ---< .. ---< ..        2         N^2 ...
+ *
+ *   rays = 1 + N + ... + N^d = (N^(d+1) - 1) / (N - 1), d + 1 if N = 1: where nothing ends  (25.9)
+ *
+ *   vec3 L = branching_radiance(&p, N, eye, seed, pixel, sample, &counts);
+ *   double n = branching_rays(N, d);              (25.9)
+ *
+ * Its expectation is that of naive_path.h, (25.8), for every N. Each of the N gets 1/N of the
+ * weight, so that all rays of a generation together weigh as much as one ray of a path: the farther
+ * from the eye, the more rays, and the less each of them brings.
+ *
+ * Random numbers: node c of a node i of the tree of rays is N i + c + 1, the eye ray is node 0, and
+ * node i takes pair i of (seed, pixel, sample). So the numbers do not depend on which branches were
+ * cut, and N = 1 draws the same path as naive_radiance with a SEQUENCE_RANDOM sampler whose pair 0
+ * has been taken (for the place in the pixel). Beyond 2^64 nodes numbers repeat.
+ *
+ * No recursion: a stack of one node a generation, depth at most branching_most (else it is cut
+ * there). The memory is that of one path; only time explodes.
+ */
+#ifndef BRANCHING_H
+#define BRANCHING_H
+
+#include "naive_path.h"
+
+enum { branching_most = 64 };
+typedef struct { lit_hit x; vec3 wo, throughput; uint64_t node; int done; } branching_node;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline double branching_rays(int N, int d)
+{
+    return N == 1 ? d + 1.0 : (pow((double)N, d + 1.0) - 1) / (N - 1);
+}
+
+static inline point2 branching_pair(uint64_t seed, uint64_t pixel, uint64_t sample, uint64_t node)
+{
+    random_stream s = random_start(seed, pixel, sample);
+    s.dimension = 2 * node;
+    real u = random_next(&s), v = random_next(&s);
+    return (point2){u, v};
+}
+
+/* What the ray finds; the node that begins there, done if nothing follows. */
+static inline vec3 branching_visit(const naive_path *p, int N, ray r, vec3 throughput, uint64_t i,
+                                   int bounces, branching_node *node, naive_counts *c)
+{
+    bool met;
+    vec3 Le = naive_find(p, r, bounces, &node->x, &met, c);
+    bool last = !met || bounces == p->depth || bounces == branching_most;
+    bool black = met && !last && naive_black(node->x.m);
+    c->black += black;
+    node->done = last || (black && !p->spend_all) ? N : 0;
+    node->wo = vneg(bounces ? r.d : vunit(r.d)), node->throughput = throughput, node->node = i;
+    return vmul(throughput, Le);
+}
+
+static inline vec3 branching_radiance(const naive_path *p, int N, ray eye, uint64_t seed,
+                                      uint64_t pixel, uint64_t sample, naive_counts *c)
+{
+    branching_node stack[branching_most + 1];
+    vec3 one = {1, 1, 1}, L = {0, 0, 0}, weight;
+    ray r;
+    if (naive_dark(p->scene) && !p->spend_all) return L;
+    L = vadd(L, branching_visit(p, N, eye, one, 0, 0, &stack[0], c));
+    for (int k = 0; k >= 0;) {
+        branching_node *top = &stack[k];
+        if (top->done == N) { k--; continue; }
+        uint64_t i = top->node * (uint64_t)N + (uint64_t)++top->done;
+        point2 u = branching_pair(seed, pixel, sample, i);
+        if (!naive_direction(p, &top->x, top->wo, u, &r, &weight)) continue;
+        vec3 throughput = vscale(vmul(top->throughput, weight), 1 / (real)N);
+        if (vzero(throughput) && !p->spend_all) continue;
+        k++;
+        L = vadd(L, branching_visit(p, N, r, throughput, i, k, &stack[k], c));
+    }
+    return L;
+}
+
+#endif

@@ -1,0 +1,23 @@
+/* 25_bounces: light sorted by its bounces, rooms where its sum is known, N rays a hit exploding.
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters/25_bounces/main.c -lm -lpthread
+ * Errors are measured against closed forms, linear systems, and an estimate that shares nothing
+ * with the paths but their walk. */
+#include "measure.h"
+#include "pictures.h"
+
+int main(int argc, char **argv)
+{
+    int depth = 10;
+    bool naive = false;
+    option own[] = {
+        {"depth", OPTION_INT, &depth, 4, term_most, "bounces in the main picture"},
+        {"naive", OPTION_FLAG, &naive, 0, 0, "main picture by paths that meet the light"}, {0}};
+    options defaults = {.width = 1000, .height = 400, .samples = 48, .seed = 1};
+    options o = options_read(argc, argv, "25_bounces", "L = E + KE + K^2 E + ...", defaults, own);
+    draw_terms(&o, depth, naive);
+    if (!o.out) draw_branches(&o);
+    measure_branches(&o), measure_rays(&o);
+    measure_furnace(&o), measure_pair(&o), measure_norms(&o);
+    measure_cornell(&o), measure_notes(&o), measure_sums(&o);
+    return 0;
+}

@@ -1,0 +1,84 @@
+/* terms.h: E, K E, K^2 E, ... each by itself: light by the number of its bounces.
+ *
+ *   vec3 term[depth + 1];
+ *   bounce_terms(&p, eye, &s, term, &counts);       term[k]: a sample of K^k E, by the naive path;
+ *                                                   added up in order: naive_radiance, bit by bit
+ *   bounce_terms_lit(&p, eye, &s, term, &counts);   the same expectations, with far less noise
+ *
+ * K^k E = K^(k-1) (K E), and K E is direct light, of which 24 knows where it comes from: so the
+ * path takes k - 1 bounces, and the last K is a point x of a light, uniform on its area (24's cheap
+ * way), and a ray of sight to it:
+ *
+ *   term[k] = w_0 ... w_(k-2)  f cos E(x) / pdf,  0 if something is between                (25.10)
+ *
+ * Two ways to the same numbers that share nothing but the walk: tests hold one against the other.
+ * A mirror's K finds no point of a light: there what the path meets is counted, as in naive_path.h.
+ * counts->sight counts rays of sight: none without emitters, to lights behind the surface, or from
+ * what is black.
+ */
+#ifndef TERMS_H
+#define TERMS_H
+
+#include "naive_path.h"
+
+typedef struct { naive_counts walk; size_t sight; } bounce_counts;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void bounce_clear(const naive_path *p, vec3 *term)
+{
+    for (int k = 0; k <= p->depth; k++) term[k] = (vec3){0, 0, 0};
+}
+
+static inline void bounce_terms(const naive_path *p, ray eye, sampler *s, vec3 *term,
+                                bounce_counts *c)
+{
+    bounce_clear(p, term);
+    for (naive_walk w = naive_start(p, eye); naive_next(p, &w, s, &c->walk);)
+        term[w.bounces] = w.brought;
+}
+
+/* K E at x towards wo: one of the lights, each as likely as the others. */
+static inline vec3 bounce_direct(const lit_scene *s, const lit_hit *x, vec3 wo, real which,
+                                 point2 u, bounce_counts *c)
+{
+    vec3 black = {0, 0, 0};
+    emitter_point to;
+    if (!s->emitters || naive_black(x->m) || brdf_is_delta(&x->m->f)) return black;
+    size_t n = s->emitters, i = (size_t)(which * (real)n);
+    const emitter *e = &s->emitter[i < n ? i : n - 1];
+    if (!emitter_by_area(e, x->s.p, u, &to) || !(vdot(x->s.n, to.wi) > 0)) return black;
+    vec3 f = vscale(brdf_value(&x->m->f, x->s.ns, to.wi, wo), vdot(x->s.ns, to.wi));
+    if (vzero(f)) return black;
+    c->sight++;
+    if (lit_occluded(s, leave_between(x->s, to.s))) return black;
+    return vscale(vmul(f, e->Le), (real)n / to.pdf);
+}
+
+/* A hit of bounce k gives term[k + 1] by its light; what it shines itself is term[k] only if that
+ * was not asked for at the hit before: seen by the eye, or in a mirror. */
+static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, vec3 *term,
+                                    bounce_counts *c)
+{
+    vec3 through = {1, 1, 1}, wo = vneg(vunit(eye.d)), weight;
+    bool count_it = true, met;
+    lit_hit x;
+    bounce_clear(p, term);
+    if (naive_dark(p->scene)) return;
+    for (int k = 0;; k++) {
+        vec3 Le = naive_find(p, eye, k, &x, &met, &c->walk);
+        if (count_it || !met) term[k] = vadd(term[k], vmul(through, Le));
+        if (!met || k == p->depth) return;
+        if (naive_black(x.m)) { c->walk.black++; return; }
+        real which = sampler_number(s);
+        vec3 direct = bounce_direct(p->scene, &x, wo, which, sampler_pair(s), c);
+        term[k + 1] = vadd(term[k + 1], vmul(through, direct));
+        if (k + 1 == p->depth && !brdf_is_delta(&x.m->f) && vzero(p->scene->background)) return;
+        if (!naive_direction(p, &x, wo, sampler_pair(s), &eye, &weight)) return;
+        through = vmul(through, weight);
+        if (vzero(through)) return;
+        wo = vneg(eye.d), count_it = brdf_is_delta(&x.m->f);
+    }
+}
+
+#endif

@@ -1,0 +1,186 @@
+/* Tests of 25_bounces, first part: the operator on patches, its Neumann series, the furnace's sum.
+ * Oracles: 2 x 2 systems and eigenvalues in closed form, sums in double-double, dyadic numbers. */
+#include "../chapters/25_bounces/series.h"
+#include "../chapters/25_bounces/transport.h"
+#include "../chapters/01_ray/wide.h"
+#include "../common/random.h"
+#include "check.h"
+
+#define eps ((double)real_epsilon)
+
+/* ---- (25.5) ---- */
+
+/* E = 1; Horner in double-double: some 1e-31 a step. */
+static wide exact_sum(double rho, int n)
+{
+    wide s = wide_of(1), r = wide_of(rho);
+    for (int k = 0; k < n; k++) s = wide_add(wide_mul(s, r), wide_of(1));
+    return s;
+}
+
+static double off(double measured, wide exact)
+{
+    return fabs(wide_value(wide_sub(wide_of(measured), exact))) / wide_value(exact);
+}
+
+static void test_series(void)
+{
+    static const int many[] = {0, 1, 2, 5, 30, 1000};
+    double worst = 0;
+    for (int i = 0; i < 6; i++)
+        for (int k = 0; k < 60; k++) {  /* towards 1 from below, from above, towards 0, at random */
+            real near = ldexp((real)1, -k % 50), any = random_real(25, 0, (uint64_t)k, 0);
+            real rho[] = {1 - near, 1 + near / 1024, near, any};
+            for (int j = 0; j < 4; j++)
+                worst = check_worse(worst, off((double)series_sum(1, rho[j], (real)many[i]),
+                                               exact_sum((double)rho[j], many[i])));
+        }
+    /* log1p, product, expm1 and quotient are rounded, at most an epsilon each; but for rho = 1 +
+     * 2^-10 e^x - 1 multiplies the relative error of x = 1001 log rho by x / (1 - e^-x) < 2 */
+    check_at_most(worst, 8 * eps, "series_sum");
+    check_equal(series_sum(3, 1, 6), 21, "rho = 1: E (n + 1)");
+    check_equal((double)series_sum(1, (real)0.5, 3), 1.875, "1 + 1/2 + 1/4 + 1/8");
+    check_equal(series_sum(2, 0, 9), 2, "black: E");
+    check_equal(series_whole(1, (real)0.75), 4, "E / (1 - rho)");
+    check(isinf(series_whole(1, 1)) && isinf(series_whole(1, 2)), "rho >= 1: diverges");
+    check_equal(series_whole(0, 1), 0, "no light, no sum");
+}
+
+static void test_series_naive(void)
+{
+    real kept = ldexp((real)1, real_is_float ? -16 : -30);
+    check(isnan(series_sum_naive(1, 1, 4)), "naive: 0/0 at rho = 1");
+    /* rho^11 = 1 - 11 kept + 55 kept^2 - ..: below half an ulp of rho^11 the third term is dropped,
+     * and the sum is off by 5 kept of itself */
+    double lost = off((double)series_sum_naive(1, 1 - kept, 10), exact_sum(1 - (double)kept, 10));
+    check_close(lost / (double)kept, 5, 0.1, "naive: half of the digits lost near 1");
+    check_at_least(lost, 100 * eps, "and that is a lot");
+}
+
+/* rho = .999 as a float, 1000 bounces. b = rho^k is off by k/2 eps at most, so the sum of exact
+ * additions by sum k rho^k / sum rho^k eps/2 < 1000 eps/2. Plain additions: eps/2 of the sum each,
+ * 1000 more. Backward: each step's eps/2 of L shrinks by rho later on, 1000 eps/2 in all, and half
+ * of that again for the product. */
+static void test_float_sums(void)
+{
+    float rho = 0.999f;
+    wide exact = exact_sum((double)rho, 1000);
+    double half = (double)FLT_EPSILON / 2;
+    double naive = off((double)bounces_forward_f32(1, rho, 1000), exact);
+    double kahan = off((double)bounces_forward_kahan_f32(1, rho, 1000), exact);
+    double wider = off(bounces_forward_double(1, rho, 1000), exact);
+    double back = off((double)bounces_backward_f32(1, rho, 1000), exact);
+    check_at_most(naive, 2000 * half, "forward");
+    check_at_most(kahan, 1000 * half, "forward, Kahan");
+    check_at_most(wider, 1000 * half, "forward, double");
+    check_at_most(back, 2000 * half, "backward");
+    check_close(kahan, wider, 2 * half, "Kahan's sum and double's see the same summands");
+    check_at_least(naive, 3 * kahan, "the plain sum is the larger error");
+    /* the albedo itself: what rounds .999 to a float moves the whole by 1 / (1 - rho) times that */
+    double moved = 1 / (1 - (double)rho) / 1000 - 1;
+    check_at_least(fabs(moved), 100 * half, "rho in float is another room");
+    check_at_most(fabs(moved), 1000 * half, "... by at most 1/(1 - rho) eps/2");
+}
+
+/* ---- operator ---- */
+
+static transport two(double a, double b, double c, double d, double e, double f)
+{
+    transport t = transport_new(2);
+    t.K[0] = a, t.K[1] = b, t.K[2] = c, t.K[3] = d, t.E[0] = e, t.E[1] = f;
+    return t;
+}
+
+static void test_two_patches(void)
+{
+    double a = 0.125, b = 0.5, c = 0.25, d = 0.375, L[2], S[2], T[2], sum[2] = {0, 0};
+    transport t = two(a, b, c, d, 3, 1);
+    check(transport_solve(&t, L), "regular");
+    /* Cramer: det = .875 * .625 - .125 = .421875, L = (3 * .625 + .5, .875 + .75) / det */
+    check_close(L[0], 2.375 / 0.421875, 1e-14, "(I - K)^-1 E, first");
+    check_close(L[1], 1.625 / 0.421875, 1e-14, "(I - K)^-1 E, second");
+    for (int k = 0; k <= 12; k++) {
+        transport_term(&t, k, T), transport_sum(&t, k, S);
+        for (int i = 0; i < 2; i++) sum[i] += T[i];
+        for (int i = 0; i < 2; i++)
+            check_close(S[i], sum[i], 1e-14, "%d terms of patch %d add up", k + 1, i);
+    }
+    transport_term(&t, 2, T);
+    check_equal(T[0], 0.125 * 0.875 + 0.5 * 1.125, "K^2 E by hand, first");
+    check_equal(T[1], 0.25 * 0.875 + 0.375 * 1.125, "K^2 E by hand, second");
+    check_equal(transport_norm(&t), 0.625, "largest row");
+    double root = (a + d) / 2 + sqrt((a - d) * (a - d) / 4 + b * c);
+    check_close(transport_radius(&t, 200), root, 1e-14, "spectral radius");
+    transport_sum(&t, 200, S);  /* .625^201 = 1e-41 is left out */
+    check_close(S[0], L[0], 1e-14, "the series' limit, first");
+    check_close(S[1], L[1], 1e-14, "the series' limit, second");
+    transport_free(&t);
+    transport_free(&t);
+}
+
+static void test_convergence(void)
+{
+    double L[2], S[2];
+    /* one white, one half black, each seeing the other alone: norm 1, radius sqrt(1/2) */
+    transport t = two(0, 1, 0.5, 0, 1, 1);
+    check_equal(transport_norm(&t), 1, "norm 1");
+    check_close(transport_radius(&t, 400), sqrt(0.5), 1e-12, "to and fro: -radius, too");
+    check(transport_solve(&t, L), "regular all the same");
+    check_close(L[0], 4, 1e-14, "L0 = (1 + 1) / (1 - 1/2)");
+    transport_sum(&t, 100, S);  /* 2^-50 of it is left */
+    check_close(S[0], 4, 1e-13, "and the series gets there");
+    transport_free(&t);
+
+    t = two(0, 1, 0.25, 0.75, 1, 1);  /* closed, white: rows sum to 1 */
+    check(!transport_solve(&t, L), "closed and white: singular");
+    check_close(transport_radius(&t, 100), 1, 1e-14, "radius 1");
+    for (int n = 1; n <= 1000; n *= 10) {
+        transport_sum(&t, n, S);
+        check_equal(S[0], n + 1, "grows by E each bounce, n = %d", n);
+    }
+    transport_free(&t);
+
+    t = transport_new(1);  /* gives back twice what it gets */
+    t.K[0] = 2, t.E[0] = 1;
+    check(transport_solve(&t, L), "rho = 2 has a solution");
+    check_equal(L[0], -1, "L = -1: negative light");
+    transport_sum(&t, 10, S);
+    check_equal(S[0], 2047, "no sum of positive terms gets there");
+    transport_free(&t);
+}
+
+/* Rows of sum .9, so |(I - K)^-1| <= 10, and elimination without growth: n eps 10 L, some slack. */
+static void test_dense(void)
+{
+    enum { n = 40 };
+    double x[n], L[n], worst = 0;
+    transport t = transport_new(n);
+    for (int i = 0; i < n; i++) {
+        double row = 0;
+        x[i] = 1 + random_double_of(random_bits(25, 1, (uint64_t)i, 0));
+        for (int j = 0; j < n; j++)
+            row += t.K[i * n + j] = random_double_of(random_bits(25, 2, (uint64_t)i, (uint64_t)j));
+        for (int j = 0; j < n; j++) t.K[i * n + j] *= 0.9 / row;
+    }
+    transport_apply(&t, x, t.E);
+    for (int i = 0; i < n; i++) t.E[i] = x[i] - t.E[i];
+    check(transport_solve(&t, L), "regular");
+    for (int i = 0; i < n; i++) worst = check_worse(worst, fabs(L[i] - x[i]));
+    check_at_most(worst, 20 * n * DBL_EPSILON, "the L that E was made from");
+    check_close(transport_radius(&t, 300), 0.9, 1e-13, "equal rows: radius = row");
+    transport_free(&t);
+    /* pivots: a zero on the diagonal of I - K */
+    double M[2];
+    t = two(1, 0.5, 0.5, 0, 1, 1);
+    check(transport_solve(&t, M), "regular, first pivot 0");
+    check_close(M[1], -2, 1e-15, "-L1 / 2 = 1");
+    check_close(M[0], -6, 1e-15, "-L0 / 2 + L1 = 1");
+    transport_free(&t);
+}
+
+int main(void)
+{
+    test_series(), test_series_naive(), test_float_sums();
+    test_two_patches(), test_convergence(), test_dense();
+    return check_report("25_transport");
+}
