@@ -70,21 +70,23 @@ static inline bool glossy_ray(surface s, vec3 d, real shine, point2 u, ray *out)
 }
 
 /* With z = r.w and x the axis of the lobe in the plane of n and r: n.w = c z + sin cos(phi)
- * sqrt(1 - z^2) > 0 for cos(phi) > -z c / (sqrt(1 - z^2) sin), a share acos(..) / pi of the circle.
- * The mean of that over z^(s+1), which is uniform: midpoints of equal steps, and finer ones near
- * both ends, where the arc cosine is steep.                                                (21.6) */
+ * sqrt(1 - z^2) > 0 for cos(phi) > -edge, edge = z c / (sqrt(1 - z^2) sin): a share acos(-edge) / pi
+ * of the circle. All of it (c > 0) or nothing (c < 0) where z > sin. The mean of that over y =
+ * z^(s+1), which is uniform: midpoints up to y* = sin^(s+1), denser near both ends, where the arc
+ * cosine is steep.                                                                         (21.6) */
 static inline double glossy_above(double c, double shine)
 {
-    enum { steps = 4000 };
+    enum { steps = 2000 };
     double sine = sqrt((1 - c) * (1 + c)), sum = 0;
-    if (isinf(shine) || sine == 0) return 1;
+    if (isinf(shine) || sine == 0) return c > 0;
+    double log_y = (shine + 1) * log(sine), beyond = c > 0 ? -expm1(log_y) : 0;
     for (int i = 0; i < steps; i++) {
-        double x = (i + 0.5) / steps, y = x * x * (3 - 2 * x), dy = 6 * x * (1 - x) / steps;
-        double l = log(y) / (shine + 1), z = exp(l);
-        double edge = -z * c / (sqrt(-expm1(2 * l)) * sine);
-        sum += dy * acos(edge < -1 ? -1 : edge > 1 ? 1 : edge);
+        double x = (i + 0.5) / steps, dy = 6 * x * (1 - x) / steps;
+        double l = (log_y + log(x * x * (3 - 2 * x))) / (shine + 1), z = exp(l);
+        double edge = z * c / (sqrt(-expm1(2 * l)) * sine);
+        sum += dy * acos(edge < -1 ? 1 : edge > 1 ? -1 : -edge);
     }
-    return sum / (double)pi;
+    return beyond + exp(log_y) * sum / 3.14159265358979323846;
 }
 
 #endif

@@ -76,10 +76,10 @@ static inline void studio_fill(studio *g)
     g->shapes[3] = studio_ball(1.7, -4.4, 0.5);
     for (int i = 0; i < studio_row; i++)  /* a row that leads away from the camera */
         g->shapes[4 + i] = studio_ball(-1.0 - 1.15 * i, -5.6 + 2.3 * i, 0.42);
-    g->light[0] = studio_softbox(studio_vec(-6, -5, 9), studio_vec(0, 0, 1), 5,
+    g->light[0] = studio_softbox(studio_vec(-6, -5, 9), studio_vec(0, 0, 1), 8,
                                  studio_vec(430, 400, 350), g->corner + 4);
     vec3 lamp = studio_vec(7.5, 0.6, 5);
-    g->light[1] = (area_light){AREA_BALL, lamp, .r = (real)0.6, .colour = studio_vec(17, 23, 34)};
+    g->light[1] = (area_light){AREA_BALL, lamp, .r = (real)0.9, .colour = studio_vec(17, 23, 34)};
     g->lamps[0] = shape_of_polygon(polygon_of(g->corner + 4, 4));
     g->lamps[1] = shape_of_sphere((sphere){lamp, g->light[1].r});
 }
@@ -150,8 +150,8 @@ static inline void studio_set(studio_look *k, const studio *g, int effects)
 static inline distributed_view studio_view(const studio_look *k, studio_shot shot, real aspect)
 {
     static const double look[studio_shots][8] = {  /* from, to, degrees, focus */
-        {1.6, -15, 4.6, -0.4, 0, 1.15, 30, 14.4}, {1.6, -15, 4.6, 1.4, -1.5, 0.5, 16, 14.4},
-        {1.6, -15, 4.6, 0.2, 0, 1.6, 16, 14.4},   {1.6, -15, 4.6, 0.4, -0.6, 0.7, 10, 14.4},
+        {1.6, -15, 4.6, -0.4, 0, 1.15, 30, 14.4}, {1.6, -15, 4.6, 2.9, -2.7, 0.5, 13, 14.4},
+        {1.6, -15, 4.6, 0.2, 0, 1.6, 16, 14.4},   {1.6, -15, 4.6, 1.9, -1.8, 0.7, 14, 14.4},
         {1.6, -15, 4.6, -2.6, 0, 0.9, 20, 14.4}};
     const double *l = look[shot];
     failure why;
