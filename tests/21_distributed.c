@@ -1,6 +1,6 @@
 /* 21_distributed: pictures: Whitted's is the special case without any extent; no ray and no random
- * number but what is called for; all effects at once against a sum of closed forms; the Cornell box;
- * the program from outside. */
+ * number but what is called for; all effects at once against a sum of closed forms; the Cornell
+ * box; the program from outside. */
 #define _DEFAULT_SOURCE 1
 #include "check.h"
 #include "../chapters/21_distributed/box.h"
@@ -64,7 +64,18 @@ static void test_is_18(void)
     for (int kind = 0; kind < ray_kinds; kind++)
         check_equal(d.t.counts.rays[kind], t.counts.rays[kind], "rays: %s", ray_kind_names[kind]);
     for (int i = 0; i < drawn_kinds; i++) check_equal(d.drawn[i], 0, "no random number");
-    studio_free(g);
+    /* a picture of one sample a pixel: through the middle of each */
+    image one = image_new(w, w);
+    v.samples = 1, differ = 0;
+    distributed_draw(&v, &one, 2);
+    for (int i = 0; i < w * w; i++) {
+        vec3 b = shade_ray(&t, camera_ray(v.c, (real)(i % w) + (real)0.5, (real)(i / w) + (real)0.5,
+                                          w, w));
+        float pixel[3] = {(float)b.x, (float)b.y, (float)b.z};
+        differ += memcmp(pixel, one.rgb + 3 * i, sizeof pixel) != 0;
+    }
+    check_equal(differ, 0, "pixels that differ from chapter 18's");
+    image_free(&one), studio_free(g);
 }
 
 /* ---- only what is called for ---- */
@@ -94,7 +105,8 @@ static void test_spending(void)
         check(all.drawn[DRAWN_LENS] && all.drawn[DRAWN_LIGHT] && all.drawn[DRAWN_LOBE]
               && all.drawn[DRAWN_SKY], "all drawn");
         check(all.rays.rays[RAY_SHADOW] > few.rays.rays[RAY_SHADOW], "more shadow rays");
-        check(all.rays.rays[RAY_SIGHT] > few.rays.rays[RAY_SIGHT] || effects & EFFECT_SKY, "more sky rays");
+        check(all.rays.rays[RAY_SIGHT] > few.rays.rays[RAY_SIGHT] || effects & EFFECT_SKY,
+              "more sky rays");
     }
     image_free(&a), image_free(&b), studio_free(g);
 }
@@ -108,7 +120,9 @@ static void test_none(void)
     studio_set(&k, g, EFFECT_ALL);
     distributed_counts full = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &a);
     k.light[0].colour = k.light[1].colour = (vec3){0, 0, 0};
-    check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW], 0, "black lights");
+    distributed_counts dark = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b);
+    check_equal(dark.rays.rays[RAY_SHADOW], 0, "black lights");
+    check_equal(dark.drawn[DRAWN_LIGHT], 0, "and no number for them");
     studio_set(&k, g, EFFECT_ALL), k.how.n = 0;
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW], 0, "no light");
     studio_set(&k, g, EFFECT_ALL), k.how.ambient = (vec3){0, 0, 0};
@@ -165,7 +179,13 @@ static void test_reproducible(void)
 
 /* ---- against closed forms ---- */
 
-typedef struct { material floor; vec3 sheet[4]; shape shapes[2]; scene s; world_part part; } furnace;
+typedef struct {
+    material floor;
+    vec3 sheet[4];
+    shape shapes[1];
+    scene s;
+    world_part part;
+} furnace;
 
 static material furnace_material(const void *context, trace_hit x, const surface *s)
 {
@@ -180,7 +200,6 @@ static furnace *furnace_new(vec3 kd, vec3 ks, real shine)
     for (int k = 0; k < 4; k++)
         f->sheet[k] = (vec3){k == 0 || k == 3 ? -100 : 100, k < 2 ? -100 : 100, 0};
     f->shapes[0] = shape_of_polygon(polygon_of(f->sheet, 4));
-    f->shapes[1] = shape_of_sphere((sphere){{0, 0, 50}, 1});
     f->s = (scene){f->shapes, 1};
     world_part_of_scene(&f->s, MASK_ALL, &f->part);
     return f;
@@ -250,6 +269,80 @@ static void test_furnace(void)
     }
 }
 
+/* A wall along y: by an orthographic camera all rows of a column see the same of the sky. With the
+ * same numbers everywhere they are equal (but for roundings where a ray meets the wall's edge),
+ * with their own they are not. */
+static void test_same(void)
+{
+    furnace *f = furnace_new((vec3){1, 1, 1}, (vec3){0, 0, 0}, 1);
+    vec3 wall[4] = {{1, -1000, 0}, {1, 1000, 0}, {1, 1000, 2}, {1, -1000, 2}};
+    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(wall, 4))};
+    scene s = {both, 2};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    trace_world world = {&part, 1};
+    camera_frame frame;
+    failure why;
+    distributed how = {.n = 0, .material_of = furnace_material, .context = f, .reach = 100,
+                       .ambient = {1, 1, 1}, .depth = 1};
+    distributed_view v = {.w = &world, .how = &how, .kind = SEQUENCE_RANDOM, .samples = 16};
+    bool ok = frame_look_at((vec3){0, 0, 9}, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &why)
+           && camera_orthographic(frame, (camera_window){-1, (real)0.9, -1, 1}, &v.c, &why);
+    image im = image_new(w, h);
+    check(ok, "a camera");
+    for (int same = 0; same < 2; same++) {
+        size_t differ = 0;
+        v.same = same, v.seed = 12;
+        distributed_draw(&v, &im, 2);
+        for (int i = w; i < w * h; i++) differ += im.rgb[3 * i] != im.rgb[3 * (i % w)];
+        if (same) check_at_most(differ, w * h / 100, "all pixels ask alike");
+        else check_at_least(differ, w * h / 2, "each pixel has its own numbers");
+    }
+    image_free(&im), world_part_free(&part), furnace_free(f);
+}
+
+/* Where a chain between two glossy sheets was, by its calls for a material. */
+typedef struct { vec3 p[3]; int n; } chain;
+
+static material chain_material(const void *context, trace_hit x, const surface *s)
+{
+    chain *c = *(chain *const *)context;
+    (void)x;
+    if (c->n < 3) c->p[c->n] = s->p;
+    c->n++;
+    return (material){.ks = {1, 1, 1}, .shine = 20};
+}
+
+/* The second lobe takes other numbers than the first: otherwise both rays would stand at the same
+ * angle to their axes. */
+static void test_chain(void)
+{
+    furnace *f = furnace_new((vec3){0, 0, 0}, (vec3){1, 1, 1}, 1);
+    vec3 lid[4];
+    for (int i = 0; i < 4; i++) lid[i] = f->sheet[i], lid[i].z = 1;
+    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(lid, 4))};
+    scene s = {both, 2};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    trace_world world = {&part, 1};
+    chain c, *at = &c;
+    distributed how = {.n = 0, .material_of = chain_material, .context = &at, .depth = 3};
+    distributor d = distributor_of(&world, &how);
+    size_t asked = 0, alike = 0;
+    for (uint32_t i = 0; i < 500; i++) {
+        c.n = 0;
+        distributed_ray(&d, ray_from((vec3){0, 0, (real)0.5}, (vec3){0, 0, -1}),
+                        (distributed_sample){SEQUENCE_RANDOM, 13, i, 0, 1});
+        if (c.n < 3) continue;
+        vec3 w1 = vunit(vsub(c.p[1], c.p[0])), w2 = vunit(vsub(c.p[2], c.p[1]));
+        real z1 = w1.z, z2 = vdot(w2, (vec3){w1.x, w1.y, -w1.z});
+        asked++, alike += fabs(z1 - z2) < (real)1e-4;
+    }
+    check_at_least(asked, 100, "chains of three");
+    check_at_most(alike, asked / 10, "lobes with the same numbers");
+    world_part_free(&part), furnace_free(f);
+}
+
 /* ---- the Cornell box ---- */
 
 static void test_cornell(void)
@@ -261,7 +354,8 @@ static void test_cornell(void)
     for (size_t i = 0; i < m.triangles; i++) {
         triangle tri = mesh_triangle(&m, i);
         bool shines = cornell_of(i) == CORNELL_LIGHT, room = i < 18;
-        vec3 n = triangle_normal(tri), middle = vscale(vadd(vadd(tri.a, tri.b), tri.c), (real)1 / 3);
+        vec3 n = triangle_normal(tri);
+        vec3 middle = vscale(vadd(vadd(tri.a, tri.b), tri.c), (real)1 / 3);
         inwards += !room || vdot(n, vsub(centre, middle)) > 0;
         if (shines) A += vlength(vcross(vsub(tri.b, tri.a), vsub(tri.c, tri.a))) / 2, lights++;
     }
@@ -313,14 +407,16 @@ static void test_program(void)
     check(mkdtemp(directory) != NULL, "a directory");
     check_equal(run("21_distributed", "--effects sx"), 2, "unknown effect");
     check(printed("err", "--effects sx"), "says which");
-    snprintf(arguments, sizeof arguments, "--quick --size 24x16 --effects so --out %s/a.pfm", directory);
+    snprintf(arguments, sizeof arguments, "--quick --size 24x16 --effects so --out %s/a.pfm",
+             directory);
     check_equal(run("21_distributed", arguments), 0, "two effects");
     snprintf(arguments, sizeof arguments,
              "--quick --size 24x16 --effects so --spend-all --threads 3 --out %s/b.pfm", directory);
     check_equal(run("21_distributed", arguments), 0, "all spent");
     size_t n[2];
     failure f;
-    char *a = file_read(in_directory("a.pfm"), &n[0], &f), *b = file_read(in_directory("b.pfm"), &n[1], &f);
+    char *a = file_read(in_directory("a.pfm"), &n[0], &f);
+    char *b = file_read(in_directory("b.pfm"), &n[1], &f);
     check(a && b && n[0] == n[1] && memcmp(a, b, n[0]) == 0, "the same picture");
     free(a), free(b);
     snprintf(arguments, sizeof arguments, "rm -r %s", directory);
@@ -336,6 +432,8 @@ int main(void)
     test_reproducible();
     test_sum();
     test_furnace();
+    test_same();
+    test_chain();
     test_cornell();
     test_box();
     test_program();

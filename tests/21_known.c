@@ -1,5 +1,5 @@
 /* 21_distributed: area lights, lobes, skies and lenses against closed forms. Each t-test has a
- * false-alarm_rate rate of 1e-6; there are fewer than 200 of them: 2e-4 in all, with fixed seeds. */
+ * false-alarm rate of 1e-6; there are fewer than 200 of them: 2e-4 in all, with fixed seeds. */
 #include "check.h"
 #include "../chapters/21_distributed/known.h"
 
@@ -31,7 +31,7 @@ static void test_answers(void)
         check_at_least(p, alarm_rate, "%s, %u random samples", k.name, n);
         for (int m = 1; m < 3; m++) {
             estimate runs = {0};
-            for (uint64_t run = 0; run < check_count(100); run++)
+            for (uint64_t run = 0; run < check_count(400); run++)
                 runs = estimate_add(runs, known_mean(&k, kinds[m], 8, run, 64).mean);
             p = t_test(runs, k.truth, rounding());
             check_at_least(p, alarm_rate, "%s, runs of 64 %s", k.name, sequence_name[kinds[m]]);
@@ -85,7 +85,11 @@ static void test_rectangle_form(void)
         sum += dA / (square * square);
     }
     check_close((double)pi * known_rectangle(x0, x1, y0, y1), sum, 1e-4, "(21.12)");
-    check_close(known_rectangle(-1e9, 1e9, -1e9, 1e9), 1, 1e-8 + (double)real_epsilon, "a sky is 1");
+    double eps = (double)real_epsilon;
+    check_close(known_rectangle(-1e9, 1e9, -1e9, 1e9), 1, 1e-8 + eps, "a sky is 1");
+    check_close(known_segment(0), 0.5, eps, "half a disk");
+    check_close(known_segment(0.5), 1 / 3.0 - sqrt(3.0) / (4 * (double)pi), eps, "beyond half");
+    check_close(known_segment(-1), 1, eps, "all of it");
 }
 
 /* A half plane over a square light, its edge parallel to two sides: in the umbra nothing, then a
@@ -100,7 +104,8 @@ static void test_penumbra(void)
         k.shapes[0] = known_sheet(&k, 0, (vec3){c, 0, 1}, (vec3){0, -4, 0}, (vec3){4, 0, 0});
         world_part_of_scene(&k.s, MASK_ALL, &k.part);
         double truth = i < -3 ? 0 : i > 3 ? 1 : (1 + i / 3.0) / 2;
-        estimate e = known_mean(&k, SEQUENCE_RANDOM, 9, (uint64_t)(i + 4), (uint32_t)check_count(20000));
+        uint32_t n = (uint32_t)check_count(20000);
+        estimate e = known_mean(&k, SEQUENCE_RANDOM, 9, (uint64_t)(i + 4), n);
         check_at_least(t_test(e, truth, rounding()), alarm_rate, "penumbra at %d/6", i);
         if (i * i > 9) check_equal(e.mean, truth, "umbra, or all of the light: no noise");
         known_free(&k);
@@ -115,7 +120,8 @@ static void test_point(void)
     random_stream s = random_start(31, 0, 0);
     size_t n = check_count(20000), differ = 0, lit = 0;
     for (size_t i = 0; i < n; i++) {
-        vec3 p = vscale(direction(&s), number(&s, 0, 5)), at = vscale(direction(&s), number(&s, 0, 5));
+        vec3 p = vscale(direction(&s), number(&s, 0, 5));
+        vec3 at = vscale(direction(&s), number(&s, 0, 5));
         vec3 ng = direction(&s), ns = vunit(vmadd(ng, direction(&s), (real)0.3));
         vec3 colour = {number(&s, 0, 9), number(&s, 0, 9), i % 7 ? 1 : 0};
         if (i % 11 == 0) colour = (vec3){0, 0, 0};
@@ -278,7 +284,7 @@ static void test_lobe(void)
         check_at_least(t_test(z, (shine + 1) / (shine + 2), 16 * (double)real_epsilon), alarm_rate,
                        "mean cosine, s = %g", shine);
         check(below <= 0, "nothing is sent below");
-        check_at_most(length, 8 * (double)real_epsilon, "unit length: 4 of the sample, 4 of the basis");
+        check_at_most(length, 8 * (double)real_epsilon, "unit length: the sample's and the basis'");
     }
 }
 
@@ -309,7 +315,8 @@ static void test_leak(void)
 {
     vec3 corner[4] = {{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}};
     vec3 lid[4] = {{-900, -900, 1}, {900, -900, 1}, {900, 900, 1}, {-900, 900, 1}};
-    shape shapes[2] = {shape_of_polygon(polygon_of(corner, 4)), shape_of_polygon(polygon_of(lid, 4))};
+    shape shapes[2] = {shape_of_polygon(polygon_of(corner, 4)),
+                       shape_of_polygon(polygon_of(lid, 4))};
     scene sheet = {shapes, 2};
     world_part part;
     world_part_of_scene(&sheet, MASK_ALL, &part);
@@ -336,7 +343,7 @@ static void test_leak(void)
 static void test_silhouette(void)
 {
     random_stream q = random_start(44, 0, 0);
-    size_t below = 0, lifted = 0;
+    size_t below = 0, lifted = 0, into = 0;
     for (size_t i = 0; i < check_count(50000); i++) {
         vec3 n = direction(&q), d = direction(&q);
         surface s = {{0, 0, 0}, n, vunit(vmadd(n, direction(&q), (real)0.7)), 0, 0, no_shape};
@@ -344,9 +351,14 @@ static void test_silhouette(void)
         vec3 r = vmadd(d, s.ns, -2 * vdot(d, s.ns));
         lifted += vdot(r, s.n) < 0;
         below += !(vdot(glossy_axis(s, d), s.n) > 0);
+        ray w;
+        real u0 = random_next(&q);
+        point2 u = {u0, random_next(&q)};
+        if (glossy_ray(s, d, 3, u, &w)) into += !(vdot(w.d, s.n) > 0 && vdot(w.d, s.ns) > 0);
     }
     check(lifted > 0, "some lead below");
     check_equal(below, 0, "and are lifted");
+    check_equal(into, 0, "no ray below either of the normals");
 }
 
 /* ---- lens ---- */
@@ -377,7 +389,8 @@ static void test_focus(void)
         camera c = some_camera((int)(i % 4), &s);
         thin_lens l = {number(&s, 0.01, 1), number(&s, 0.5, 50)};
         real x = number(&s, 0, 64), y = number(&s, 0, 48), z = number(&s, 0.3, 90);
-        point2 u = {random_next(&s), random_next(&s)};
+        real u0 = random_next(&s);
+        point2 u = {u0, random_next(&s)};
         ray a = lens_ray(c, (thin_lens){0, l.focus}, x, y, 64, 48, (point2){(real)NAN, 0});
         ray b = camera_ray(c, x, y, 64, 48), r = lens_ray(c, l, x, y, 64, 48, u);
         differ += memcmp(&a, &b, sizeof a) != 0;
@@ -385,7 +398,8 @@ static void test_focus(void)
         vec3 P = ray_at(b, t), off = vsub(ray_at(r, t), P);
         real size = l.focus + vlength(c.e) + fabs(t) * vlength(b.d);
         apart = check_worse(apart, (double)(vlength(off) / size));
-        depth = check_worse(depth, fabs((double)(-vdot(vsub(ray_at(r, t), c.e), c.w) / l.focus - 1)));
+        real F = -vdot(vsub(ray_at(r, t), c.e), c.w);
+        depth = check_worse(depth, fabs((double)(F / l.focus - 1)));
         /* at depth z: within the circle; and all of it is used */
         real blur = lens_blur(l, z), at = vlength(vsub(ray_at(r, tz), ray_at(b, tz)));
         outside = check_worse(outside, (double)((at - blur) / (size + z)));
@@ -414,10 +428,12 @@ static void test_blur(void)
         vec3 p = ray_at(camera_ray(c, 30, 20, 64, 48), z / c.d);
         vec3 o = vadd(c.e, vmadd(vscale(c.u, l.radius * cos(phi)), c.v, l.radius * sin(phi)));
         vec3 P = vmadd(o, vsub(p, o), l.focus / z);
-        bool seen = camera_project(c, p, 64, 48, &x0, &y0) && camera_project(c, P, 64, 48, &x1, &y1);
+        bool seen = camera_project(c, p, 64, 48, &x0, &y0)
+                 && camera_project(c, P, 64, 48, &x1, &y1);
         real pixel_x = (c.r - c.l) / 64, pixel_y = (c.t - c.b) / 48;
         real dx = (x1 - x0) * pixel_x / pixel_y, dy = y1 - y0;
-        double diameter = (double)lens_blur_pixels(c, l, z, 48), radius = (double)sqrt(dx * dx + dy * dy);
+        double diameter = (double)lens_blur_pixels(c, l, z, 48);
+        double radius = (double)sqrt(dx * dx + dy * dy);
         off = check_worse(off, seen ? fabs(2 * radius - diameter) : 1);
     }
     /* positions of up to 64 pixels, from coordinates of up to 60, seen from z - or F - >= 1 */
@@ -425,7 +441,7 @@ static void test_blur(void)
     thin_lens l = lens_of((real)0.05, 2, 3);
     check_close((double)l.radius, 0.0125, 1e-8, "50 mm, f/2: 12.5 mm");
     check_equal((double)lens_blur(l, 3), 0, "no circle in focus");
-    check_close((double)lens_blur(l, 6), 0.0125, 1e-8, "at twice the distance as outside as the lens");
+    check_close((double)lens_blur(l, 6), 0.0125, 1e-8, "as wide as the lens at 2 F");
     check_equal((double)lens_blur((thin_lens){1, real_infinity}, 5), 1, "focus at infinity");
 }
 

@@ -1,16 +1,16 @@
 /* distributed.h: one more ray for nothing: the samples of a pixel are spread over all its effects.
  *
- * Whitted's pixel asks one question: one ray through its middle, one to the middle of the light, one
- * in the mirror direction. Each is the middle of an integral: over the pixel, the lens, the light,
- * the lobe, the sky. A pixel needs several rays anyway, for its edges: let sample k of n take the
- * k-th point of *each* of these domains, and all are integrated by the same n rays     (21.11)
+ * Whitted's pixel asks one question: one ray through its middle, one to the middle of the light,
+ * one in the mirror direction. Each is the middle of an integral: over the pixel, the lens, the
+ * light, the lobe, the sky. A pixel needs several rays anyway, for its edges: let sample k of n take
+ * the k-th point of *each* of these domains, and all are integrated by the same n rays.    (21.11)
  *
- *   pair of random numbers      of the pixel   decides on             and is drawn
- *   0   PAIR_FILM               1              where in the pixel     always
- *   1   PAIR_LENS               1              where on the lens      if its radius is not 0
- *   2.. PAIR_HIT, light i       1 a light      where on the light     if it has a size
- *       behind the lights       1              where in the sky       if ambient light can be hidden
- *       behind that             1              where in the lobe      if the surface is not a mirror
+ *   pair of random numbers      a hit          decides on            and is drawn
+ *   0   PAIR_FILM               1              where in the pixel    always
+ *   1   PAIR_LENS               1              where on the lens     if its radius is not 0
+ *   2.. PAIR_HIT, light i       1 a light      where on the light    if it has a size
+ *       behind the lights       1              where in the sky      if ambient light can be hidden
+ *       behind that             1              where in the lobe     if the surface is not a mirror
  *   and so on for the next hit: a fixed place each, so what is not drawn changes no other.
  *
  *   distributed how = {.light = lights, .n = 1, .material_of = .., .depth = 5, ..};

@@ -1,8 +1,8 @@
 /* glossy.h: a reflection that is not quite a mirror's: rays scattered about the mirror direction.
  *
- *       d      n     r           r = d - 2 (d.n) n                     the mirror direction    (21.3)
- *        \     |    /.           pdf(w) = (s + 1) / (2 pi) (r.w)^s     Phong's lobe (波瓣)     (21.4)
- *         \    |   / .`          L = ks integral L(w) pdf(w) dw        what is seen in it      (21.5)
+ *       d      n     r           r = d - 2 (d.n) n                     the mirror direction  (21.3)
+ *        \     |    /.           pdf(w) = (s + 1) / (2 pi) (r.w)^s     Phong's lobe (波瓣)   (21.4)
+ *         \    |   / .`          L = ks integral L(w) pdf(w) dw        what is seen in it    (21.5)
  *          \   |  / .` w
  *   -----------p-------------    one ray: w by (21.4), and its weight is ks: the pdf cancels
  *
@@ -70,10 +70,10 @@ static inline bool glossy_ray(surface s, vec3 d, real shine, point2 u, ray *out)
 }
 
 /* With z = r.w and x the axis of the lobe in the plane of n and r: n.w = c z + sin cos(phi)
- * sqrt(1 - z^2) > 0 for cos(phi) > -edge, edge = z c / (sqrt(1 - z^2) sin): a share acos(-edge) / pi
- * of the circle. All of it (c > 0) or nothing (c < 0) where z > sin. The mean of that over y =
+ * sqrt(1 - z^2) > 0 for cos(phi) > -edge, edge = z c / (sqrt(1 - z^2) sin): a share acos(-edge) /
+ * pi of the circle. All of it (c > 0) or nothing (c < 0) where z > sin. The mean of that over y =
  * z^(s+1), which is uniform: midpoints up to y* = sin^(s+1), denser near both ends, where the arc
- * cosine is steep.                                                                         (21.6) */
+ * cosine is steep. Right to 1e-7.                                                         (21.6) */
 static inline double glossy_above(double c, double shine)
 {
     enum { steps = 2000 };

@@ -7,19 +7,19 @@
  *   estimate e = known_mean(&k, kind, seed, run, n)      of n samples
  *
  *   question                                              answer
- *   KNOWN_SQUARE     irradiance under a rectangle         known_rectangle                    (21.12)
+ *   KNOWN_SQUARE     irradiance under a rectangle         known_rectangle                   (21.12)
  *   KNOWN_DISK       .. on the axis of a disk             pi L R^2 / (R^2 + h^2)
  *   KNOWN_BALL       .. from a ball above the horizon     I cos / d^2: as from its middle
- *   KNOWN_PENUMBRA   share of a square that is seen past  area of the part of the square beyond the
- *                    the edge of a plane                  edge's shadow line                 (21.13)
- *   KNOWN_LOBE       share of a lobe (s = 20) that passes glossy_above                        (21.6)
- *                    the edge of a ceiling
+ *   KNOWN_PENUMBRA   share of a square that is seen past  area of the part of the square beyond
+ *                    the edge of a plane                  the edge's shadow line            (21.13)
+ *   KNOWN_LOBE       share of a lobe (s = 20) that        glossy_above                       (21.6)
+ *                    passes the edge of a ceiling
  *   KNOWN_HORIZON    share of a lobe (s = 1) above the    (1 + cos(angle)) / 2
  *                    surface, 60 degrees
  *   KNOWN_SKY_..     openness: under a disk, under a      (21.8); reach: all but a segment of the
  *                    ball, at a wall, in a corner, near   disk that cosine-distributed directions
  *                    a wall that counts to a reach only   are lifted from
- *   KNOWN_LENS       share of the lens that sees past an  all but a segment of a disk        (21.14)
+ *   KNOWN_LENS       share of the lens that sees past an  all but a segment of a disk       (21.14)
  *                    edge that is out of focus
  *   KNOWN_SHARP      .. past an edge in focus             1, and each sample is
  *
@@ -158,7 +158,7 @@ static inline void known_make(known_kind kind, known *k)
     static const char *const names[known_kinds] = {
         "under a rectangle", "under a disk", "under a ball", "penumbra", "lobe past an edge",
         "lobe above the surface", "sky behind a disk", "sky behind a ball", "sky at a wall",
-        "sky in a corner", "sky at a wall, reach", "lens past an edge", "lens past an edge in focus"};
+        "sky in a corner", "sky at a wall, reach", "lens past an edge", "lens, edge in focus"};
     vec3 up = {0, 0, 1};
     *k = (known){.kind = kind, .name = names[kind], .reach = real_infinity};
     k->floor = (surface){{0, 0, 0}, up, up, 0, 0, no_shape};
@@ -205,7 +205,8 @@ static inline double known_sample(const known *k, point2 u)
     case KNOWN_PENUMBRA:
         area_light_reaches(&k->light, s->p, s->n, s->ns, u, &x);
         return known_passes(&t, RAY_SHADOW, leave_to(*s, x.to));
-    case KNOWN_LOBE: return glossy_ray(*s, down, 20, u, &r) ? known_passes(&t, RAY_REFLECTION, r) : 0;
+    case KNOWN_LOBE:
+        return glossy_ray(*s, down, 20, u, &r) ? known_passes(&t, RAY_REFLECTION, r) : 0;
     case KNOWN_HORIZON: return glossy_ray(*s, (vec3){sqrt((real)0.75), 0, (real)-0.5}, 1, u, &r);
     case KNOWN_LENS: case KNOWN_SHARP: return known_passes(&t, RAY_CAMERA, known_eye(u));
     default: return ambient_open(&t, *s, u, k->reach);

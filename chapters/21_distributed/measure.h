@@ -15,7 +15,7 @@ enum { measure_methods = 3, measure_levels = 4 };
 static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
                                                               SEQUENCE_SOBOL};
 
-/* ---- pictures ---------------------------------------------------------------------------------- */
+/* ---- pictures -------------------------------------------------------------------------------- */
 
 typedef struct {
     studio *g;
@@ -79,7 +79,7 @@ static inline void table_of_pictures(const options *o)
     int levels = measure_levels - o->quick, w = o->quick ? 12 : 20, h = w * 3 / 4;
     picture_study p = {.g = studio_new(o->quick ? 4 : 8), .im = image_new(w, h),
                        .reference = image_new(w, h)};
-    table t = table_new("Error of a picture against a converged one, and time of 64 samples a pixel",
+    table t = table_new("Error of a picture against a converged one; time of 64 samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|"
                         "time [ms]");
     plot time = plot_new("Error of a picture, and time", "time of a picture [ms]", "error (rmse)",
@@ -118,7 +118,7 @@ static inline void table_of_pictures(const options *o)
     image_free(&p.im), image_free(&p.reference), studio_free(p.g);
 }
 
-/* ---- closed forms ------------------------------------------------------------------------------ */
+/* ---- closed forms ---------------------------------------------------------------------------- */
 
 typedef struct {
     known k[known_kinds];
@@ -185,8 +185,8 @@ static inline void table_of_known(const options *o)
     for (int i = 0; i < known_kinds; i++) known_make((known_kind)i, &s->k[i]);
     parallel_for(known_kinds * measure_methods * measure_levels, o->threads, "closed forms",
                  known_job, s);
-    table t = table_new("Questions with known answers: means, their standard errors, p of the t-test,"
-                        " slopes", "question|answer|random|+-|Sobol'|+-|p random|p jittered|"
+    table t = table_new("Questions with known answers: means, standard errors, t-tests, slopes",
+                        "question|answer|random|+-|Sobol'|+-|p random|p jittered|"
                         "p Sobol'|slope random|jittered|Sobol'");
     for (int i = 0; i < known_kinds; i++) {
         int top = measure_levels - 1;
@@ -208,7 +208,7 @@ static inline void table_of_known(const options *o)
     free(s);
 }
 
-/* ---- what is called for ------------------------------------------------------------------------ */
+/* ---- what is called for ---------------------------------------------------------------------- */
 
 static inline void rays_row(const options *o, table *t, const studio *g, int effects,
                             const char *name)
@@ -249,7 +249,7 @@ static inline void table_of_rays(const options *o)
     studio_free(g);
 }
 
-/* ---- lobes ------------------------------------------------------------------------------------- */
+/* ---- lobes ----------------------------------------------------------------------------------- */
 
 static inline double lobe_lost(const options *o, double degrees, real shine)
 {
@@ -270,7 +270,7 @@ static inline void table_of_lobes(const options *o)
 {
     static const double degrees[5] = {0, 30, 60, 80, 89.9};
     static const int shine[4] = {1, 10, 100, 1000};
-    table t = table_new("What of a lobe leads below the surface, by the angle of the mirror direction",
+    table t = table_new("What of a lobe leads below the surface, by the angle of its axis",
                         "shine|0 deg [%]|30 deg|60 deg|80 deg|89.9 deg|largest error");
     for (int i = 0; i < 4; i++) {
         double worst = 0;

@@ -1,7 +1,7 @@
 /* pictures.h: what Whitted cannot do, and what n rays a pixel make of it.
  *
  *   draw_studio(&o, effects, spend_all)    the main picture
- *   draw_whitted(&o)                       the same without any extent, and with all of it
+ *   draw_whitted(&o)                       the same, without any extent
  *   draw_teapot(&o)                        as a mirror, as a highlight, glossy, glossier
  *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
  *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1, 16 and 64 a pixel
@@ -59,14 +59,33 @@ static inline void draw_studio(const options *o, int effects, bool spend_all)
     image_free(&im), studio_free(g);
 }
 
+static inline void draw_whitted(const options *o)
+{
+    studio *g = studio_new(pictures_cells(o));
+    studio_look k;
+    studio_set(&k, g, 0);
+    image im = image_new(o->width, o->height);
+    distributed_view v = studio_view(&k, STUDIO_ALL, (real)o->width / (real)o->height);
+    v.samples = o->quick ? 1 : 4, v.seed = o->seed;
+    bool whole = distributed_draw(&v, &im, o->threads);
+    output_picture(o, &im, "21_distributed_whitted.png", false, whole);
+    image_free(&im), studio_free(g);
+}
+
 /* ---- the notes' two failures ---- */
 
 /* Blinn-Phong (18) under the same lights, as points: a highlight is all that it reflects. */
-typedef struct { const studio_look *k; camera c; image *im; light lights[2]; shading how; } plain;
+typedef struct {
+    const studio_look *k;
+    camera c;
+    image *im;
+    light lights[2];
+    shading how;
+} highlight_view;
 
-static inline void plain_pixel(int x, int y, void *context)
+static inline void highlight_pixel(int x, int y, void *context)
 {
-    const plain *p = context;
+    const highlight_view *p = context;
     tracer t = {.w = &p->k->w, .program = shade_programs, .user = &p->how};
     vec3 sum = {0, 0, 0};
     for (int k = 0; k < 4; k++) {
@@ -77,14 +96,14 @@ static inline void plain_pixel(int x, int y, void *context)
     image_set(p->im, x, y, vscale(sum, (real)0.25));
 }
 
-static inline bool draw_plain(const studio_look *k, camera c, image *im, int threads)
+static inline bool draw_highlight(const studio_look *k, camera c, image *im, int threads)
 {
-    plain p = {k, c, im, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}}, {.lights = NULL}};
+    highlight_view p = {k, c, im, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}}, {.lights = NULL}};
     for (int i = 0; i < 2; i++)
         p.lights[i] = (light){LIGHT_POINT, k->light[i].at, k->light[i].colour};
     p.how = (shading){.lights = p.lights, .n = 2, .material_of = studio_material, .context = k,
                       .background = k->how.background, .ambient = k->how.ambient};
-    return parallel_pixels(im->width, im->height, threads, "drawing", plain_pixel, &p);
+    return parallel_pixels(im->width, im->height, threads, "drawing", highlight_pixel, &p);
 }
 
 static inline void draw_teapot(const options *o)
@@ -96,12 +115,12 @@ static inline void draw_teapot(const options *o)
     bool whole = true;
     for (int i = 0; i < 4 && whole; i++) {
         studio_look k;
-        studio_set(&k, g, i == 1 ? EFFECT_GLOSSY : i == 0 ? EFFECT_SOFT : EFFECT_SOFT | EFFECT_GLOSSY);
+        studio_set(&k, g, (i == 1 ? 0 : EFFECT_SOFT) | (i == 0 ? 0 : EFFECT_GLOSSY));
         if (i > 1) k.pot_shine = (real)shine[i];
         distributed_view v = studio_view(&k, STUDIO_GLOSSY, (real)w / (real)h);
         v.samples = o->quick ? 2 : i > 2 ? 32 : i ? 16 : 4, v.seed = o->seed;
         if (i == 1) {
-            whole = draw_plain(&k, v.c, &one, o->threads);
+            whole = draw_highlight(&k, v.c, &one, o->threads);
             image_place(&sheet, w + pictures_gap, 0, &one);
         } else whole = pictures_panel(&sheet, i % 2, i / 2, &one, &v, o->threads);
     }
