@@ -244,6 +244,33 @@ static void test_sum(void)
     known_free(&k), furnace_free(f);
 }
 
+/* 16 points of the light from one hit: the same mean, 1/16 of the variance, by independent ones; an
+ * F-test would want normal samples, so half of that margin. */
+static void test_split_mean(void)
+{
+    furnace *f = furnace_new((vec3){1, 1, 1}, (vec3){0, 0, 0}, 1);
+    trace_world world = {&f->part, 1};
+    known k;
+    known_make(KNOWN_SQUARE, &k);
+    distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
+                       .ambient = {1, 1, 1}, .reach = 10, .depth = 1};
+    distributor d = distributor_of(&world, &how);
+    ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1});
+    estimate e[2] = {{0}, {0}};
+    for (int split = 0; split < 2; split++)
+        for (uint32_t i = 0; i < check_count(4000); i++) {
+            how.split = split ? 16 : 1;
+            distributed_sample q = {SEQUENCE_RANDOM, 14, i, 0, 1};
+            e[split] = estimate_add(e[split], (double)distributed_ray(&d, r, q).x);
+        }
+    for (int split = 0; split < 2; split++)
+        check_at_least(t_test(e[split], k.truth / (double)pi + 1, 1e-6 + 64 * (double)real_epsilon),
+                       1e-6, "mean with and without splitting, false-alarm rate 1e-6");
+    if (e[0].n > 100)
+        check_at_most(estimate_variance(e[1]), estimate_variance(e[0]) / 8, "variance of 16");
+    known_free(&k), furnace_free(f);
+}
+
 /* A convex white body in an even sky is as bright as the sky, by diffuse light, by mirror, and by a
  * lobe that is all above: exactly, with no noise. */
 static void test_furnace(void)
@@ -431,6 +458,7 @@ int main(void)
     test_split();
     test_reproducible();
     test_sum();
+    test_split_mean();
     test_furnace();
     test_same();
     test_chain();

@@ -177,7 +177,7 @@ static inline distributed_view studio_effect_view(studio_look *k, const studio *
 static inline void draw_effects(const options *o)
 {
     static const uint32_t samples[5] = {4, 16, 1, 16, 64};
-    int w = o->quick ? 32 : 108, h = w * 3 / 4;
+    int w = o->quick ? 32 : 104, h = w * 3 / 4;
     studio *g = studio_new(pictures_cells(o));
     image sheet = pictures_sheet(5, 4, w, h), one = image_new(w, h);
     bool whole = true;
