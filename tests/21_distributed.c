@@ -432,6 +432,7 @@ static void test_program(void)
 {
     char arguments[400];
     check(mkdtemp(directory) != NULL, "a directory");
+    check_equal(run("21_distributed", "--effects sgolx"), 2, "unknown effect behind all");
     check_equal(run("21_distributed", "--effects sx"), 2, "unknown effect");
     check(printed("err", "--effects sx"), "says which");
     snprintf(arguments, sizeof arguments, "--quick --size 24x16 --effects so --out %s/a.pfm",

@@ -15,17 +15,18 @@ int main(int argc, char **argv)
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send rays that cannot contribute, too"},
         {0}};
     options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
-                             (options){.width = 528, .height = 297, .seed = 1, .samples = 16}, own);
+                             (options){.width = 512, .height = 288, .seed = 1, .samples = 16}, own);
     static const char letters[] = "sgol";
-    int chosen = strcmp(effects, "all") == 0 ? EFFECT_ALL : 0;
-    for (const char *c = effects; *c && chosen != EFFECT_ALL && strcmp(effects, "none"); c++) {
+    bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
+    int chosen = every ? EFFECT_ALL : 0;
+    for (const char *c = effects; *c && !named; c++) {
         const char *at = strchr(letters, *c);
         failure f;
         if (!at) failed(&f, 2, "--effects %s: all, none, or letters of s g o l", effects), fail(f);
         chosen |= 1 << (at - letters);
     }
     if (o.quick && o.samples == 16) o.samples = 2;
-    if (o.quick && o.width == 528 && o.height == 297) o.width = 160, o.height = 90;
+    if (o.quick && o.width == 512 && o.height == 288) o.width = 160, o.height = 90;
     draw_studio(&o, chosen, all);
     if (o.out) return 0;
     draw_whitted(&o), draw_teapot(&o), draw_box(&o), draw_effects(&o);

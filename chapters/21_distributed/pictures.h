@@ -109,7 +109,7 @@ static inline bool draw_highlight(const studio_look *k, camera c, image *im, int
 static inline void draw_teapot(const options *o)
 {
     static const int shine[4] = {0, 0, 600, 40};
-    int w = o->quick ? 80 : 240, h = w * 9 / 16;
+    int w = o->quick ? 80 : 232, h = w * 9 / 16;
     studio *g = studio_new(pictures_cells(o));
     image sheet = pictures_sheet(2, 2, w, h), one = image_new(w, h);
     bool whole = true;
@@ -177,7 +177,7 @@ static inline distributed_view studio_effect_view(studio_look *k, const studio *
 static inline void draw_effects(const options *o)
 {
     static const uint32_t samples[5] = {4, 16, 1, 16, 64};
-    int w = o->quick ? 32 : 104, h = w * 3 / 4;
+    int w = o->quick ? 32 : 100, h = w * 3 / 4;
     studio *g = studio_new(pictures_cells(o));
     image sheet = pictures_sheet(5, 4, w, h), one = image_new(w, h);
     bool whole = true;
