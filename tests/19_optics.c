@@ -207,7 +207,7 @@ static void test_fresnel(void)
     check_at_most(sum, 8 * (double)real_epsilon, "R + T = 1, by two formulas");
     check_at_most(back, 1e-6, "R is the same both ways");
     for (size_t i = 0; i < 1000; i++) {  /* nearly no interface, nearly grazing */
-        real c = sqrt(real_epsilon) * (real)(1 + i) / 500, n2 = 1 + 4 * real_epsilon;
+        real c = sqrt(real_epsilon) * (real)(1 + i) / 500, n2 = 1 + real_epsilon;
         vec3 N = {0, 0, 1}, d = {sqrt((1 - c) * (1 + c)), 0, -c};
         snell x, y;
         double exact = wide_fresnel(d, N, 1, n2);
@@ -215,8 +215,8 @@ static void test_fresnel(void)
         naive = fmax(naive, fabs((double)fresnel_naive(&y) - exact));
         close = check_worse(close, fabs((double)fresnel(&x) - exact));
     }
-    check_at_most(close, real_is_float ? eps : 1e-7, "R at n2 = 1 + 4 eps: steep is 4e-8 in double");
-    check_at_least(naive, 0.1, "the textbook there");
+    check_at_most(close, real_is_float ? eps : 1e-7, "R at n2 = 1 + eps: steep is 2e-8 in double");
+    check_at_least(naive, 0.02, "the textbook there");
     check_at_least(cheap, 0.02, "Schlick's R is not exact");
 }
 

@@ -43,7 +43,7 @@ static inline real fresnel(const snell *s)
     return (real)(R < 1 ? R : 1);  /* at a grazing angle rounding may bring it past 1 */
 }
 
-/* Fails for: n1 = 1, n2 = 1 + 1e-6 in float: R is off by 0.39 at a grazing angle. */
+/* Fails for: n1 = 1, n2 = 1 + epsilon, ci = sqrt(epsilon): R is off by 0.05. */
 static inline real fresnel_naive(const snell *s)
 {
     real p = (real)s->n1 * (real)s->ci, q = (real)s->n2 * (real)s->ct;

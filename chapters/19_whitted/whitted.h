@@ -48,6 +48,7 @@ typedef struct {
     bool (*closest)(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
                     trace_hit *x);
     real (*lit)(tracer *t, ray r, uint32_t from, int k);
+    surface (*surface_of)(const tracer *t, ray r, trace_hit x);
 } whitted_search;
 
 typedef struct {
@@ -75,6 +76,16 @@ static inline bool whitted_counts(const whitted *w, vec3 weight)
     return weight.x > w->least || weight.y > w->least || weight.z > w->least;
 }
 
+/* light_reaches of 18; of a sun without the square root that makes its direction unit. */
+__attribute__((always_inline))
+static inline bool whitted_reaches(const light *L, const surface *s, light_sample *x)
+{
+    if (L->kind == LIGHT_POINT) return light_reaches(L, s->p, s->n, s->ns, x);
+    real c = vdot(s->ns, L->at);
+    *x = (light_sample){L->at, vscale(L->colour, real_max(c, 0))};
+    return c > 0 && vdot(s->n, L->at) > 0 && !vzero(L->colour);
+}
+
 /* (18.8) with what glass lets through. s faces the eye; v unit, towards it. */
 __attribute__((always_inline))
 static inline vec3 whitted_shade(tracer *t, const whitted *w, const whitted_search *search,
@@ -85,12 +96,14 @@ static inline vec3 whitted_shade(tracer *t, const whitted *w, const whitted_sear
     for (int i = 0; i < w->n; i++) {
         const light *L = &w->lights[i];
         light_sample x;
-        bool counts = material_reflects(m) && light_reaches(L, s->p, s->n, s->ns, &x);
+        bool counts = material_reflects(m) && whitted_reaches(L, s, &x);
         if (!counts && !w->spend_all) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
         real lit = search->lit(t, r, s->shape, i);
         if (log) log->add(log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
-        if (counts && lit > 0) colour = vmadd(colour, blinn_phong(m, s->ns, x.l, v, x.E), lit);
+        if (!counts || !(lit > 0)) continue;
+        vec3 c = vzero(m->ks) ? vscale(vmul(x.E, m->kd), 1 / pi) : blinn_phong(m, s->ns, x.l, v, x.E);
+        colour = vmadd(colour, c, lit);
     }
     return colour;
 }
@@ -171,7 +184,7 @@ static inline int whitted_step(tracer *t, const whitted_search *search, whitted_
         *sum = vadd(*sum, whitted_nothing(w, b));
         return 0;
     }
-    surface s = surface_of_trace(t, b->r, x);
+    surface s = search->surface_of(t, b->r, x);
     const whitted_material *m = w->material_of(w->context, x, &s, &room);
     media_crossing c = {0};
     real more = 0;
@@ -204,13 +217,13 @@ static inline int whitted_step(tracer *t, const whitted_search *search, whitted_
 }
 
 __attribute__((always_inline))
-static inline vec3 whitted_walk(tracer *t, ray r, media_set in, const whitted_search *search,
-                                whitted_log *log)
+static inline vec3 whitted_walk(tracer *t, ray r, media_set in, uint32_t from,
+                                const whitted_search *search, whitted_log *log)
 {
     whitted_branch stack[whitted_most_depth + 2];
     int top = 0;
     vec3 sum = {0, 0, 0};
-    stack[top++] = (whitted_branch){ray_unit(r), {1, 1, 1}, in, 1, RAY_CAMERA, no_shape, -1};
+    stack[top++] = (whitted_branch){ray_unit(r), {1, 1, 1}, in, 1, RAY_CAMERA, from, -1};
     while (top > 0) {
         whitted_branch b = stack[--top];
         top += whitted_step(t, search, &b, &sum, stack + top, log);
@@ -258,11 +271,11 @@ static inline real whitted_lit(tracer *t, ray r, uint32_t from, int k)
     return trace(t, RAY_SHADOW, r, &lit) ? 0 : lit;
 }
 
-static const whitted_search whitted_by_trace = {whitted_closest, whitted_lit};
+static const whitted_search whitted_by_trace = {whitted_closest, whitted_lit, surface_of_trace};
 
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in)
 {
-    return whitted_walk(t, r, in, &whitted_by_trace, NULL);
+    return whitted_walk(t, r, in, no_shape, &whitted_by_trace, NULL);
 }
 
 #endif
