@@ -1,5 +1,5 @@
-/* 19_optics: reflection, Snell, Fresnel, Beer against twice the precision and closed forms; the sets
- * of media. */
+/* 19_optics: reflection, Snell, Fresnel, Beer against twice the precision and closed forms; the
+ * sets of media. */
 #include "check.h"
 #include "../common/random.h"
 #include "../chapters/01_ray/wide.h"
@@ -46,7 +46,8 @@ static double wide_fresnel(vec3 d, vec3 n, real n1, real n2)
     if (wide_sign(kk) < 0) return 1;
     wide c = wide_sqrt(cc), t = wide_div(wide_sqrt(kk), b);
     wide p = wide_mul(a, c), q = wide_mul(b, t), u = wide_mul(b, c), v = wide_mul(a, t);
-    wide rs = wide_div(wide_sub(p, q), wide_add(p, q)), rp = wide_div(wide_sub(u, v), wide_add(u, v));
+    wide rs = wide_div(wide_sub(p, q), wide_add(p, q));
+    wide rp = wide_div(wide_sub(u, v), wide_add(u, v));
     return wide_value(wide_add(wide_mul(rs, rs), wide_mul(rp, rp))) / 2;
 }
 
@@ -139,9 +140,7 @@ static void test_normal_incidence(void)
     check_at_least(nan, n / 20, "1 - ci^2 < 0: the textbook's NaN");
 }
 
-/* Exact directions: the critical angle of n1 = 5, n2 = 3 has sine 0.6: (0.6, -0.8) is not exact, but
- * with normals and directions of Pythagorean triples scaled by 1/8, 15/17 .. nothing is; n1 = 2, n2
- * = 1 at 60 degrees neither. Exact is: sin i = 1, grazing. */
+/* Directions and indices that are exact: along the surface, along the normal, none between. */
 static void test_edges(void)
 {
     vec3 up = {0, 0, 1}, graze = {1, 0, 0}, down = {0, 0, -1}, w;
@@ -163,8 +162,9 @@ static void test_edges(void)
     check_close(fresnel(&x), 1.0 / 9, (double)real_epsilon, "((2-1)/(2+1))^2");
     check_close(schlick(&x), 1.0 / 9, (double)real_epsilon, "Schlick is exact there");
     check(!snell_of((vec3){(real)NAN, 0, 0}, up, 1, 2, &x) && fresnel(&x) == 1, "a NaN: total");
-    /* Brewster: tan i = n2 / n1 = 4/3: sin = 0.8, cos = 0.6, refracted at right angles to the mirror
-     * direction: ct = 0.8. rp = 0, rs = (3 * 0.6 - 4 * 0.8) / (3 * 0.6 + 4 * 0.8) = -7/25. */
+    /* Brewster: tan i = n2 / n1 = 4/3: sin = 0.8, cos = 0.6; what is refracted goes at right angles
+     * to what is reflected: ct = 0.8. rp = 0, rs = (3 * 0.6 - 4 * 0.8) / (3 * 0.6 + 4 * 0.8) = -7/25.
+     */
     snell_of((vec3){(real)0.8, 0, (real)-0.6}, up, 3, 4, &x);
     check_close(x.ct, 0.8, 2 * (double)real_epsilon, "Brewster's angle");
     check_close(fresnel(&x), 0.0392, 2 * (double)real_epsilon, "one polarisation: (7/25)^2 / 2");
@@ -192,15 +192,15 @@ static void test_fresnel(void)
         if (n1 < n2) error = check_worse(error, fabs(R - exact) * steep);
         if (n1 < n2 && delta > (real)5e-7) usual = check_worse(usual, fabs(R - exact));
         sum = check_worse(sum, fabs(R + (double)fresnel_through(&x) - 1));
-        if (!x.total) {  /* reversible: the same R from the other side, at the angle of refraction */
+        if (!x.total) {  /* the same R from the other side, at the angle of refraction */
             snell z = {x.n2, x.n1, x.ct, x.ci, false};
             back = check_worse(back, fabs((double)fresnel(&z) - R));
         }
         if (i % 3) cheap = fmax(cheap, fabs((double)schlick(&x) - exact));
     }
     check_equal(outside, 0, "R is in [0, 1]");
-    /* dR/dci of a grazing ray is up to 4 n1 n2 / (n2 sqrt(n2^2 - n1^2)), some 3 / steep; ci is off by
-     * a few eps of double. In float, the result is rounded. */
+    /* dR/dci of a grazing ray is up to 4 n1 n2 / (n2 sqrt(n2^2 - n1^2)), some 3 / steep; ci is off
+     * by a few eps of double. In float, the result is rounded. */
     double eps = (double)real_epsilon;
     check_at_most(error, 16 * DBL_EPSILON + (real_is_float ? eps : 0), "error of R, times steep");
     check_at_most(usual, 1e-12 + (real_is_float ? eps : 0), "R, n2 / n1 >= 1 + 1e-6");
@@ -234,7 +234,7 @@ static void test_schlick(void)
         double e = fabs((double)schlick(&x) - wide_fresnel(d, up, 1, (real)1.5));
         most = fmax(most, e);
         if (i == 0 || i == 900) check_at_most(e, 4 * (double)real_epsilon, "exact at %d", i / 10);
-        snell y = {x.n2, x.n1, x.ct, x.ci, false};  /* from inside, Schlick needs the outer cosine */
+        snell y = {x.n2, x.n1, x.ct, x.ci, false};  /* from inside it takes the outer cosine */
         check_close(schlick(&y), schlick(&x), 1e-6, "the same from the other side");
     }
     check(most > 0.01 && most < 0.04, "Schlick is off by %g", most);

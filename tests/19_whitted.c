@@ -9,7 +9,7 @@
 #include "../chapters/19_whitted/tank.h"
 #include "../chapters/19_whitted/two_spheres.h"
 
-/* ---- a small scene: shapes, each with a look ----------------------------------------------------- */
+/* ---- a small scene: shapes, each with a look ------------------------------------------------- */
 
 enum { most_shapes = 32 };
 typedef struct {
@@ -93,7 +93,7 @@ static int through(const rays_seen *x, int refractions)
     return refractions ? -1 : k;
 }
 
-/* ---- closed forms -------------------------------------------------------------------------------- */
+/* ---- closed forms ---------------------------------------------------------------------------- */
 
 /* Displacement h sin i (1 - cos i / (n cos t)), direction unchanged; light (1 - R)^2. Any place and
  * size: roundings are those of the coordinates. */
@@ -125,7 +125,7 @@ static void test_plate(void)
             double ct = sqrt(1 - sine * sine / (n * n));
             double expected = (double)thick * sine * (1 - c / (n * ct));
             double unit = (double)(real_max(T, 141 * h) * real_epsilon);
-            moved = check_worse(moved, fabs((double)-vdot(f, side) - expected) / (unit * 32));
+            moved = check_worse(moved, fabs((double)-vdot(f, side) - expected) / (unit * 64));
             double rs = (c - n * ct) / (c + n * ct), rp = (n * c - ct) / (n * c + ct);
             double through_both = 1 - (rs * rs + rp * rp) / 2;
             light_off = check_worse(light_off, fabs((double)x.ray[last].weight.x
@@ -134,7 +134,8 @@ static void test_plate(void)
             stage_end(&s);
         }
     check_at_most(turned, 16 * (double)real_epsilon, "a plate does not turn a ray");
-    check_at_most(moved, 1, "displacement: rays begin 3 (error + noise), 24 eps of the plate, off it");
+    check_at_most(moved, 1, "displacement: rays begin 3 (error + noise), 24 eps of the plate, off "
+                            "it, twice");
     check_at_most(light_off, 16 * (double)real_epsilon, "light (1 - R)^2");
     check_at_least(naive, 0.3, "there is a displacement");
 }
@@ -146,7 +147,8 @@ typedef struct { wide3 o, d; wide weight; } wide_ray;
 static wide wide_fresnel_through(wide n1, wide n2, wide ci, wide ct)
 {
     wide p = wide_mul(n1, ci), q = wide_mul(n2, ct), u = wide_mul(n2, ci), v = wide_mul(n1, ct);
-    wide rs = wide_div(wide_sub(p, q), wide_add(p, q)), rp = wide_div(wide_sub(u, v), wide_add(u, v));
+    wide rs = wide_div(wide_sub(p, q), wide_add(p, q));
+    wide rp = wide_div(wide_sub(u, v), wide_add(u, v));
     wide r = wide_add(wide_mul(rs, rs), wide_mul(rp, rp));
     return wide_sub(wide_of(1), wide_mul(r, wide_of(0.5)));
 }
@@ -169,7 +171,8 @@ static wide_ray wide_through_ball(sphere b, ray r, real n)
     d = wide3_madd(zero, d, wide_div(wide_of(1), wide3_length(d)));
     wide R = wide_of((double)b.r), one = wide_of(1), n1 = wide_of((double)n), T1, T2;
     wide3 f = wide3_sub(o, c);
-    wide h = wide3_dot(d, f), D = wide_sub(wide_mul(h, h), wide_sub(wide3_dot(f, f), wide_mul(R, R)));
+    wide h = wide3_dot(d, f), k = wide_sub(wide3_dot(f, f), wide_mul(R, R));
+    wide D = wide_sub(wide_mul(h, h), k);
     wide t = wide_sub(wide_neg(h), wide_sqrt(D));
     wide3 p = wide3_madd(f, d, t), N = wide3_madd(zero, p, wide_div(one, R));
     wide3 w = wide_refract(d, N, one, n1, &T1);
@@ -211,9 +214,10 @@ static void test_ball(void)
         /* o: error bound of surface.h, R eps (4 + 2 |p|/R), and entry's share, bent twice */
         double unit = (double)((R + far) * real_epsilon);
         place = check_worse(place, wide_off(exact.o, x.ray[last].r.o) / unit);
-        direction = check_worse(direction, wide_off(exact.d, x.ray[last].r.d) * (double)(R / (R + far)));
-        double chord = (double)x.ray[in].t, T = wide_value(exact.weight);
-        weight = check_worse(weight, fabs((double)x.ray[last].weight.z - T) * (double)(R / (R + far)));
+        double near = (double)(R / (R + far)), chord = (double)x.ray[in].t;
+        double T = wide_value(exact.weight);
+        direction = check_worse(direction, wide_off(exact.d, x.ray[last].r.d) * near);
+        weight = check_worse(weight, fabs((double)x.ray[last].weight.z - T) * near);
         beer = check_worse(beer, fabs((double)x.ray[last].weight.x / T - exp(-chord / (double)R)));
     }
     check_at_least(seen, n * 9 / 10, "rays through the ball");
@@ -237,18 +241,20 @@ static void test_hall(void)
         t.counts = (trace_counts){0};
         vec3 c = whitted_ray(&t, ray_from((vec3){(real)0.3, (real)0.2, 1}, (vec3){0, 0, -5}),
                              (media_set){0});
-        check_equal(c.x, 2 - 2 * ldexp(1.0, -depth) - 0 * (double)c.y,
+        int digits = real_is_float ? 23 : 52, levels = depth < digits ? depth : digits + 1;
+        check_close(c.x, 2 - 2 * ldexp(1.0, -depth), levels > digits ? 2 * (double)real_epsilon : 0,
                     "a geometric series, depth %d", depth);
-        check_equal(t.counts.rays[RAY_REFLECTION], (size_t)depth - 1, "one ray a level");
+        if (depth < 140)  /* then the weight is no float any more, and the branch is cut */
+            check_equal(t.counts.rays[RAY_REFLECTION], (size_t)depth - 1, "one ray a level");
         check_equal(t.counts.rays[RAY_CAMERA], 1, "the eye ray is depth 1");
     }
-    /* cut where the weight is at most 2^-10: depth 10, and what is missing is the rest of the series */
+    /* cut where the weight is at most 2^-10: what is missing is the rest of the series */
     s.w.depth = 256, s.w.least = (real)ldexp(1.0, -10);
     vec3 c = whitted_ray(&t, ray_from((vec3){0, 0, 1}, (vec3){0, 0, 1}), (media_set){0});
-    check_equal(c.x, 2 - 2 * ldexp(1.0, -10), "cut");
+    check_equal((double)c.x, 2 - 2 * ldexp(1.0, -10), "cut");
     stage_end(&s);
 
-    /* within a mirror ball, at any angle, after 256 reflections: M = 255/256, ke = 1/256: L = 1 - M^256 */
+    /* within a mirror ball, at any angle, depth 256: M = 255/256, ke = 1/256: L = 1 - M^256 */
     stage b = {0};
     m = whitted_mirror(255.0 / 256), m.base.ke = (vec3){(real)1 / 256, 0, 0};
     stage_add(&b, shape_of_sphere((sphere){{5, 6, 7}, 2}), m);
@@ -262,8 +268,8 @@ static void test_hall(void)
     stage_end(&b);
 }
 
-/* In a sky that is 1 everywhere, clear glass is invisible: what is neither reflected nor let through
- * is the rest at the last depth, and no more than 1 comes from anywhere. */
+/* In a sky that is 1 everywhere, clear glass is invisible: what is missing is the rest at the last
+ * depth, and no more than 1 comes from anywhere. */
 static void test_furnace(void)
 {
     tank *k = tank_new();
@@ -301,7 +307,7 @@ static void test_furnace(void)
     check_at_most(worst, 64 * (double)real_epsilon, "a clear ball in a white sky");
 }
 
-/* ---- touching and nested -------------------------------------------------------------------------- */
+/* ---- touching and nested --------------------------------------------------------------------- */
 
 /* air | glass | water | glass | air, at normal incidence, the faces between them twice, of either
  * body, in any order of the shapes, anywhere: only the four true interfaces count. */
@@ -334,7 +340,8 @@ static void test_touching(void)
                 if (apart) naive = fmax(naive, fabs(got - expected));
                 else {
                     worst = check_worse(worst, fabs(got - expected));
-                    check(out, "the fourth refraction goes to the sky, order %d, T = %g", o, (double)T);
+                    check(out, "the fourth refraction goes to the sky, order %d, T = %g", o,
+                          (double)T);
                     check_equal(t.counts.hits[RAY_SIGHT] , 0, "contact rays let all pass");
                 }
                 stage_end(&s);
@@ -344,14 +351,16 @@ static void test_touching(void)
     check_at_least(naive, 0.01, "face by face, one of two faces is passed unseen");
 }
 
-/* Coincident balls: glass (0..2) holding water (0..1 of the same radius as the cavity), nested balls
- * that touch from inside, a bubble: along the axis. */
+/* 1 - R at normal incidence. */
+static double kept(double n1, double n2) { return 1 - pow((n1 - n2) / (n1 + n2), 2); }
+
+/* Balls that coincide, that touch from inside, that are nested: along the axis. */
 static void test_nested(void)
 {
-    static const struct { double r1, z2, r2, z3, r3; } make[3] = {
-        {2, 0, 1, 0, 1},        /* cavity and water coincide */
-        {2, 1, 1, 1, 0.5},      /* the water touches the glass from inside, at the top */
-        {2, 0, 1.5, 0, 0.5}};   /* three, one in the other */
+    static const struct { double ball[3][2]; } make[3] = {  /* z, radius */
+        {{{0, 2}, {0, 1}, {0, 1}}},      /* two coincide */
+        {{{0, 2}, {1, 1}, {1, 0.5}}},    /* one touches another from inside, at the top */
+        {{{0, 2}, {0, 1.5}, {0, 0.5}}}}; /* three, one in the other */
     double a = 1, g = 1.5, w = 1.25, v = 1;
     for (int k = 0; k < 3; k++)
         for (int e = 0; e <= 4; e += 2) {
@@ -359,30 +368,31 @@ static void test_nested(void)
             stage s = {0};
             rays_seen x;
             s.media[1].ior = (real)g, s.media[2].ior = (real)w, s.media[3].ior = (real)v;
-            stage_add(&s, shape_of_sphere((sphere){{T, T, T}, (real)make[k].r1}), whitted_clear(1, 1));
-            stage_add(&s, shape_of_sphere((sphere){{T, T, T + (real)make[k].z2}, (real)make[k].r2}),
-                      whitted_clear(2, 1));
-            stage_add(&s, shape_of_sphere((sphere){{T, T, T + (real)make[k].z3}, (real)make[k].r3}),
-                      whitted_clear(3, 1));
+            for (uint32_t j = 0; j < 3; j++) {
+                vec3 c = {T, T, T + (real)make[k].ball[j][0]};
+                stage_add(&s, shape_of_sphere((sphere){c, (real)make[k].ball[j][1]}),
+                          whitted_clear(j + 1, 1));
+            }
             tracer t = stage_begin(&s, 9);
             look(&t, ray_from((vec3){T, T, T + 5}, (vec3){0, 0, -1}), (media_set){0}, &x);
-            double R[3] = {pow((a - g) / (a + g), 2), pow((g - w) / (g + w), 2), pow((w - v) / (w + v), 2)};
-            double T1 = (1 - R[0]) * (1 - R[1]) * (1 - R[2]) * (1 - R[2]) * (1 - R[1]) * (1 - R[0]);
+            double ag = kept(a, g), gw = kept(g, w), wv = kept(w, v);
+            double T1 = ag * gw * wv * wv * gw * ag;
             int faces = 6;
             if (k == 0)  /* glass | air in it (the higher number) | glass */
-                T1 = pow((1 - R[0]) * (1 - pow((g - v) / (g + v), 2)), 2), faces = 4;
+                T1 = pow(ag * kept(g, v), 2), faces = 4;
             if (k == 1)  /* air | water | air | water | glass | air: one interface at the top */
-                T1 = (1 - pow((a - w) / (a + w), 2)) * pow(1 - R[2], 2) * (1 - R[1]) * (1 - R[0]), faces = 5;
+                T1 = kept(a, w) * wv * wv * gw * ag, faces = 5;
             int last = through(&x, faces);
-            check(last > 0 && !(x.ray[last].t < real_infinity), "case %d, T = %g: out", k, (double)T);
+            check(last > 0 && !(x.ray[last].t < real_infinity), "case %d, T = %g: out", k,
+                  (double)T);
             if (last > 0)
                 check_close(x.ray[last].weight.x, T1, 32 * (double)real_epsilon, "case %d", k);
             stage_end(&s);
         }
 }
 
-/* Glass that stands on a table: from within, the table is seen, and its light; face by face, the ray
- * would go out below. Whichever is found first. And a lower priority does not break in. */
+/* Glass that stands on a table: from within, the table is seen; face by face, the ray would go out
+ * below. Whichever is found first. And a lower priority does not break in. */
 static void test_on_table(void)
 {
     for (int first = 0; first < 2; first++) {
@@ -437,11 +447,14 @@ static void test_around(void)
     tank *k = tank_new();
     tracer t = tank_tracer(k);
     const struct { vec3 p; uint32_t n, a, b, c; } at[] = {
-        {{0, 0, 5}, 0, 0, 0, 0}, {{(real)1.45, 0, 1}, 1, 1, 0, 0}, {{-1, (real)-0.5, 1}, 1, 2, 0, 0},
+        {{0, 0, 5}, 0, 0, 0, 0}, {{(real)1.45, 0, 1}, 1, 1, 0, 0},
+        {{-1, (real)-0.5, 1}, 1, 2, 0, 0},
         {{(real)0.55, (real)0.35, (real)0.8}, 2, 2, 3, 0},
         {{(real)0.55, (real)-0.1, (real)0.8}, 3, 2, 3, 4}, {{0, 0, (real)1.8}, 0, 0, 0, 0}};
-    for (size_t i = 0; i < sizeof at / sizeof *at; i++)
-        check(set_is(media_around(&t, at[i].p), at[i].n, at[i].a, at[i].b, at[i].c), "place %zu", i);
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+        media_set in = media_around(&t, at[i].p);
+        check(set_is(in, at[i].n, at[i].a, at[i].b, at[i].c), "place %zu", i);
+    }
     tank_free(k);
     /* An eye in a ball of glass: with the set, and without it the walk finds out at the exit. */
     stage s = {0};
@@ -457,7 +470,7 @@ static void test_around(void)
     stage_end(&s);
 }
 
-/* ---- only what is called for ---------------------------------------------------------------------- */
+/* ---- only what is called for ----------------------------------------------------------------- */
 
 static trace_counts ball_counts(whitted_material m, real ior, int depth, real least, bool inside)
 {
@@ -568,7 +581,7 @@ static void test_cut(void)
         t.counts = (trace_counts){0};
         vec3 cut = whitted_ray(&t, r, (media_set){0});
         size_t branches = t.counts.rays[RAY_REFLECTION] + t.counts.rays[RAY_REFRACTION] + 1;
-        /* each ray traced leaves at most two cut branches of at most 0.001 each, times at most 1.5 */
+        /* each ray leaves at most two cut branches of at most 0.001 each, times at most 1.5 */
         double lost = (double)(all.x - cut.x);
         check(lost >= -1e-6, "cutting takes away");
         worst = check_worse(worst, lost / (0.003 * (double)branches));
@@ -577,7 +590,7 @@ static void test_cut(void)
     forty_free(f), free(f);
 }
 
-/* ---- balls.h ---------------------------------------------------------------------------------------- */
+/* ---- balls.h --------------------------------------------------------------------------------- */
 
 static void test_balls(void)
 {
@@ -602,7 +615,7 @@ static void test_balls(void)
     forty_free(f), free(f);
 }
 
-/* ---- the tree of rays ------------------------------------------------------------------------------ */
+/* ---- the tree of rays ------------------------------------------------------------------------ */
 
 static void test_tree(void)
 {

@@ -8,16 +8,16 @@
  *
  *   ray                         looked at
  *   eye ray                     the balls that its tile of the picture may see, nearest first
- *   shadow ray to light k       the balls in its cell of light k's buffer: the plane at right angles
- *                               to the light, cut in cells; nearest to the light first
+ *   shadow ray to light k       the balls in its cell of light k's buffer: the plane at right
+ *                               angles to the light, cut in cells; nearest to the light first
  *   inside a ball, and nothing  that ball: it is left where the ray meets its far side
  *   else reaches into it
  *   reflected outwards          all but the ball it leaves: a ball is convex
  *   all others                  a tree (14)
  *
- *      \  \  \  light k            cell of its buffer       A shadow ray is asked for by its origin
- *       |  |( )| |                 |  |  |  |               alone: all rays to a sun are parallel, and
- *       |( )|  | |  --->  1 0 1 1  lists of balls           a cell of the buffer is a beam of them.
+ *     \  \  \  light k         cell of its buffer     A shadow ray is asked for by its origin
+ *      |  |( )| |              |  |  |  |            alone: rays to a sun are parallel, and a
+ *      |( )|  | |  --->  1 0 1 1  lists of balls     cell of the buffer is a beam of them.
  *
  * Every list errs to the large side, and whether a ball is hit decides sphere_hit of 03: the same
  * hits as by brute force.
@@ -54,6 +54,7 @@ typedef struct {
     ball_beam beam[balls_most_lights];
     int beams;
     ball_lists eye;
+    real *near;                /* [n] of each ball, from the eye; a little less */
     int across;                /* tiles of the view */
 } balls;
 
@@ -63,7 +64,7 @@ static inline void balls_free(balls *b)
 {
     free(b->s), free(b->lone), free(b->leaf), tree_free(&b->tree);
     for (int k = 0; k < b->beams; k++) free(b->beam[k].lists.first), free(b->beam[k].lists.item);
-    free(b->eye.first), free(b->eye.item);
+    free(b->eye.first), free(b->eye.item), free(b->near);
     *b = (balls){0};
 }
 
@@ -92,8 +93,8 @@ static inline void pairs_add(ball_pair **p, size_t *n, size_t *room, ball_pair x
     (*p)[(*n)++] = x;
 }
 
-/* The part of the plane that matters is that of the small balls: the largest ball, the ground, would
- * make the cells as large as itself. Outside of it lies cell 0 to the left, .. : clamped. */
+/* The part of the plane that matters is that of the small balls: a large one, the ground, would
+ * make the cells as large as itself. What lies outside is clamped to the outermost cells. */
 static inline void beam_build(const balls *b, vec3 l, ball_beam *out)
 {
     ball_pair *pair = NULL;
@@ -179,17 +180,21 @@ static inline void balls_view(balls *b, const camera *c, int width, int height)
 {
     ball_pair *pair = NULL;
     size_t n = 0, room = 0;
-    int across = (width + balls_tile - 1) / balls_tile, down = (height + balls_tile - 1) / balls_tile;
-    free(b->eye.first), free(b->eye.item);
-    b->across = across;
+    int across = (width + balls_tile - 1) / balls_tile;
+    int down = (height + balls_tile - 1) / balls_tile;
+    free(b->eye.first), free(b->eye.item), free(b->near);
+    b->across = across, b->near = allocate(b->n, sizeof *b->near);
     real *sine = allocate(b->n, sizeof *sine), *cosine = allocate(b->n, sizeof *cosine);
     for (size_t i = 0; i < b->n; i++) {
         sine[i] = real_min(1, b->s[i].r / vlength(vsub(b->s[i].c, c->e)) * (1 + 8 * real_epsilon));
         cosine[i] = sqrt((1 - sine[i]) * (1 + sine[i]));
+        real far = vlength(vsub(b->s[i].c, c->e)), size = far + b->s[i].r + surface_reach(c->e);
+        b->near[i] = sine[i] < 1 ? far - b->s[i].r - 64 * real_epsilon * size : 0;
     }
     for (int y = 0; y < down; y++)
         for (int x = 0; x < across; x++) {
-            real at = (real)(x * balls_tile), to = (real)(y * balls_tile), half = (real)balls_tile / 2;
+            real at = (real)(x * balls_tile), to = (real)(y * balls_tile);
+            real half = (real)balls_tile / 2;
             vec3 d = vunit(camera_ray(*c, at + half, to + half, width, height).d);
             real tile = 1;  /* cosine of half its angle */
             for (int k = 0; k < 4; k++) {
@@ -205,7 +210,7 @@ static inline void balls_view(balls *b, const camera *c, int width, int height)
                 real least = cosine[i] * tile - sine[i] * tile_sine - 64 * real_epsilon;
                 if (sine[i] < 1 && along < far * least) continue;
                 pairs_add(&pair, &n, &room, (ball_pair){(uint32_t)(y * across + x), i,
-                                                        sine[i] < 1 ? far - b->s[i].r : 0});
+                                                        b->near[i]});
             }
         }
     b->eye = lists_of_pairs(pair, n, (size_t)across * (size_t)down);
@@ -248,7 +253,8 @@ static inline bool ball_exit(sphere s, ray r, hit *out)
 typedef struct { const balls *b; uint32_t from; } balls_asking;  /* from: left outwards */
 
 __attribute__((always_inline))
-static inline bool balls_leaf(const void *context, uint32_t first, uint32_t count, query *q, bool any)
+static inline bool balls_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                              bool any)
 {
     const balls_asking *a = context;
     const balls *b = a->b;
@@ -272,6 +278,7 @@ static inline bool balls_seen(const balls *b, ray r, size_t k, hit *best)
     *best = hit_none;
     for (uint32_t i = b->eye.first[k]; i < b->eye.first[k + 1]; i++) {
         uint32_t j = b->eye.item[i];
+        if (b->near[j] > r.tmax) break;
         if (!sphere_hit(b->s[j], r, &h) || (h.shape = j, !hit_before(h, *best))) continue;
         *best = h, r.tmax = h.t;
     }
@@ -317,7 +324,7 @@ static inline real balls_light(const balls *b, ray r, int k, uint32_t from, cons
     return lit;
 }
 
-/* ---- as a search for whitted_walk: tracer.user is a balls_scene -------------------------------- */
+/* ---- as a search for whitted_walk: tracer.user is a balls_scene ------------------------------ */
 
 typedef struct {
     whitted w;           /* first: where whitted_walk looks for it */
@@ -354,7 +361,7 @@ __attribute__((always_inline))
 static inline surface balls_surface(const tracer *t, ray r, trace_hit x)
 {
     const balls_scene *s = t->user;
-    return surface_on_sphere(s->b.s[x.h.shape], x.h.shape, ray_at(r, x.h.t));
+    return whitted_on_ball(s->b.s[x.h.shape], x.h.shape, ray_at(r, x.h.t));
 }
 
 static const whitted_search whitted_by_balls = {balls_closest, balls_lit, balls_surface};

@@ -5,8 +5,8 @@
  *    -----|-----   between the two places where rays may begin, a hair before and a hair behind?
  *       water      All faces there are crossed as one: media.h.
  *
- *   more = contact_find(t, r, x, &s, &m, &room, &c)   adds faces to the crossing c. If one of them is
- *                                     opaque, s and m become its own: glass on a table shows it.
+ *   more = contact_find(t, r, x, &s, &m, &room, &c)   adds faces to the crossing c. If one of them
+ *                                     is opaque, s and m become its own: glass on a table shows it.
  *                                     more: by so much rays must begin farther away than by leave
  *   media_set in = media_around(t, p) the bodies that p is in: for the eye's own place
  *
@@ -47,8 +47,9 @@ static inline any_hit_answer contact_any(const tracer *t, ray r, trace_hit x, vo
     return ANY_HIT_IGNORE;
 }
 
-static inline real contact_find(tracer *t, ray r, trace_hit x, surface *s, const whitted_material **m,
-                                whitted_material *room, media_crossing *c)
+static inline real contact_find(tracer *t, ray r, trace_hit x, surface *s,
+                                const whitted_material **m, whitted_material *room,
+                                media_crossing *c)
 {
     const whitted *w = t->user;
     real reach = 2 * (s->error + s->noise) + w->touch;

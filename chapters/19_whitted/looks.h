@@ -2,7 +2,7 @@
  *
  *   whitted_paint(r, g, b)      reflects evenly, casts shadows
  *   whitted_mirror(m)           M = m, nothing else
- *   whitted_clear(body, keep)   clear glass that bounds `body`; shadow rays keep this part of a light
+ *   whitted_clear(body, keep)   clear glass that bounds `body`; shadow rays keep this part of light
  *   box_faces(lo, hi, in, corner, shape)     the six squares of a box; normals outwards, or inwards
  */
 #ifndef LOOKS_H

@@ -1,13 +1,13 @@
-/* 19_whitted: recursion: reflection, refraction, total reflection, Fresnel, absorption, nested glass.
+/* 19_whitted: recursion: mirrors, glass, total reflection, Fresnel, absorption, nested bodies.
 cc -std=c11 -O2 -ffp-contract=off -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
  * Without options: the two spheres of 1980, a tank, four depths, the tree of one pixel, tables of
- * error against time, of Fresnel's forms, of speed. --protocol spd: rays counted as in the published
+ * error against time, of Fresnel's forms, of speed. --protocol spd: rays counted as in published
  * results. --samples N is rounded down to a square. */
 #include "../../common/output.h"
+#include "spd_protocol.h"
 #include "measure.h"
 #include "pictures.h"
-#include "spd_protocol.h"
 
 static void usage(const char *text)
 {
@@ -49,14 +49,15 @@ int main(int argc, char **argv)
     bool all = false;
     const option own[] = {
         {"protocol", OPTION_TEXT, &how, 0, 0, "spd: count rays as the published results do"},
-        {"scene", OPTION_TEXT, &name, 0, 0, "with --protocol: balls gears mount rings teapot tetra tree"},
+        {"scene", OPTION_TEXT, &name, 0, 0,
+         "with --protocol: balls gears mount rings teapot tetra or tree"},
         {"scale", OPTION_INT, &scale, 0, 100, "with --protocol: its size"},
-        {"tree", OPTION_SIZE, pixel, 1, 639, "XxY: the tree of rays of this pixel of 640x480, alone"},
+        {"tree", OPTION_SIZE, pixel, 1, 639, "XxY: the tree of rays of this pixel of 640x480"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "trace what cannot contribute, too"}, {0}};
     options o = options_read(argc, argv, "19_whitted", "Whitted's ray tracing.",
-                             (options){.width = 640, .height = 480, .seed = 1, .samples = 16}, own);
+                             (options){.width = 640, .height = 480, .seed = 1, .samples = 9}, own);
     if (how && strcmp(how, "spd") != 0) usage("--protocol: allowed is spd");
-    if (!how && (name || scale >= 0)) usage("--scene and --scale are allowed with --protocol spd only");
+    if (!how && (name || scale >= 0)) usage("--scene, --scale: allowed with --protocol spd");
     if (how) {
         protocol(&o, name, scale);
         return 0;
@@ -65,7 +66,7 @@ int main(int argc, char **argv)
         draw_ray_tree(&o, (real)pixel[0] + (real)0.5, (real)pixel[1] + (real)0.5);
         return 0;
     }
-    if (o.quick && o.samples == 16) o.samples = 1;
+    if (o.quick && o.samples == 9) o.samples = 1;
     if (o.quick && o.width == 640 && o.height == 480) o.width = 160, o.height = 120;
     draw_two_spheres(&o, all);
     if (o.out) return 0;

@@ -46,7 +46,7 @@ static inline void table_of_knobs(const options *o)
     static const double least[] = {0.5, 0.1, 0.03, 0.01, 0.001, 0.0001};
     forty *f = allocate(1, sizeof *f);
     forty_fill(f);
-    int w = o->quick ? 48 : 320, h = w * 3 / 4;
+    int w = o->quick ? 48 : 240, h = w * 3 / 4;
     image im = image_new(w, h), deep = image_new(w, h);
     whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
                       .across = 1, .balls = true};
@@ -55,7 +55,8 @@ static inline void table_of_knobs(const options *o)
                         "time [ns/pixel]");
     plot p = plot_new("What is left out, against time", "time [ns/pixel]", "error, rmse",
                       PLOT_LOG_Y);
-    int by_depth = plot_series(&p, "depth 1, 2 .. 12, no cut"), by_cut = plot_series(&p, "cut 0.5 .. 0.0001");
+    int by_depth = plot_series(&p, "depth 1, 2 .. 12, no cut"), by_cut;
+    by_cut = plot_series(&p, "cut 0.5 .. 0.0001");
     balls_view(&f->fast.b, &v.c, w, h);
     f->fast.w.depth = o->quick ? 24 : 64, f->fast.w.least = 0;
     whitted_draw(&v, o->threads);
@@ -105,8 +106,10 @@ static inline void table_of_fresnel(const options *o)
     real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_naive};
     static const char *const names[3] = {"exact", "Schlick", "exact, textbook"};
     plot p = plot_new("Fresnel: glass, n = 1.5", "angle [degrees]", "R", 0);
-    int exact = plot_series(&p, "exact, from outside"), cheap = plot_series(&p, "Schlick, from outside");
-    int within = plot_series(&p, "exact, from inside"), close = plot_series(&p, "Schlick, from inside");
+    int exact = plot_series(&p, "exact, from outside");
+    int cheap = plot_series(&p, "Schlick, from outside");
+    int within = plot_series(&p, "exact, from inside");
+    int close = plot_series(&p, "Schlick, from inside");
     for (int i = 0; i <= 90; i += 2) {
         snell s = snell_at((real)i, 1, (real)1.5), in = snell_at((real)i, (real)1.5, 1);
         plot_add(&p, exact, i, (double)fresnel(&s)), plot_add(&p, cheap, i, (double)schlick(&s));
@@ -143,7 +146,7 @@ static inline void table_of_speed(const options *o)
 {
     forty *f = allocate(1, sizeof *f);
     forty_fill(f);
-    int w = o->quick ? 64 : 640, h = w * 3 / 4, rounds = o->quick ? 1 : 5;
+    int w = o->quick ? 64 : 480, h = w * 3 / 4, rounds = o->quick ? 1 : 3;
     image a = image_new(w, h), b = image_new(w, h);
     double seconds[3][9];
     static const char *const names[3] = {"tree, exact Fresnel", "lists, exact Fresnel",

@@ -9,7 +9,7 @@
  *   medium m[] = {{1, {0,0,0}, 0}, {1.5, ..}, ..};    m[k]: what body k is made of; m[0]: air
  *   media_set in = {0};                               the bodies that a ray is in: none
  *   uint32_t k = media_fills(m, &in)                  whose medium it is that fills the place
- *   media_enter(&in, k), media_leave(&in, k)          no more than 7 at once: an eighth is not noted
+ *   media_enter(&in, k), media_leave(&in, k)          at most 7 at once: an eighth is not noted
  *
  * One place of the ray may lie on several faces: water touches its glass; the bubble touches the
  * ball. A crossing holds them all, and only what is before and behind them all counts, so it does
@@ -22,7 +22,7 @@
  *   after = media_after(before, &c)
  *   from = media_fills(m, &before), to = media_fills(m, &after);     from == to: no interface
  *
- * The same face of a body twice (on an edge of a mesh) counts once. In and out of one body: nothing.
+ * The same face of a body twice (on an edge of a mesh) counts once. In and out of a body: nothing.
  * Bodies entered at one place are taken by rising number: of equal priority, the higher fills.
  *
  * Source: C. Schmidt, B. Budge, "Simple Nested Dielectrics in Ray Traced Images", journal of

@@ -67,7 +67,8 @@ static inline void draw_two_spheres(const options *o, bool spend_all)
     bool whole = whitted_draw(&v, o->threads);
     printf("# two spheres:");
     for (int k = 0; k < RAY_SIGHT; k++)
-        printf(" %zu %s rays%s", v.counts.rays[k], ray_kind_names[k], k + 1 < RAY_SIGHT ? "," : ";");
+        printf(" %zu %s rays%s", v.counts.rays[k], ray_kind_names[k],
+               k + 1 < RAY_SIGHT ? "," : ";");
     printf(" %.2f s\n", clock_seconds() - start);
     output_picture(o, &im, "19_whitted.png", true, whole);
     image_free(&im), two_spheres_free(s);
@@ -76,7 +77,7 @@ static inline void draw_two_spheres(const options *o, bool spend_all)
 static inline void draw_tank(const options *o)
 {
     tank *k = tank_new();
-    int w = o->quick ? 96 : 400, h = w * 3 / 4;
+    int w = o->quick ? 96 : 360, h = w * 3 / 4;
     bool whole = true;
     image all = image_new(2 * w + 6, h), im = image_new(w, h);
     for (size_t i = 0; i < 3 * (size_t)all.width * (size_t)all.height; i++) all.rgb[i] = 1;
@@ -96,14 +97,14 @@ static inline void draw_depths(const options *o)
     static const int depth[4] = {1, 2, 3, 8};
     forty *f = allocate(1, sizeof *f);
     forty_fill(f);
-    int w = o->quick ? 64 : 400, h = w * 3 / 4;
+    int w = o->quick ? 64 : 360, h = w * 3 / 4;
     bool whole = true;
     image all = image_new(2 * w + 6, 2 * h + 6), im = image_new(w, h);
     for (size_t i = 0; i < 3 * (size_t)all.width * (size_t)all.height; i++) all.rgb[i] = 1;
     for (int i = 0; i < 4 && whole; i++) {
         f->fast.w.depth = depth[i];
         whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &im,
-                          .across = o->quick ? 1 : 3, .balls = true};
+                          .across = o->quick ? 1 : 2, .balls = true};
         balls_view(&f->fast.b, &v.c, w, h);
         whole = whitted_draw(&v, o->threads);
         image_place(&all, i % 2 * (w + 6), i / 2 * (h + 6), &im);

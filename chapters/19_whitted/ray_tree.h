@@ -58,7 +58,8 @@ static inline void ray_tree_print_below(const ray_tree *x, int k, FILE *f)
     const ray_tree_node *n = &x->node[k];
     int lights = 0, lit = 0;
     for (int i = k + 1; i < x->n; i++)
-        if (x->node[i].from == k && x->node[i].kind == RAY_SHADOW) lights++, lit += x->node[i].lit > 0;
+        if (x->node[i].from == k && x->node[i].kind == RAY_SHADOW)
+            lights++, lit += x->node[i].lit > 0;
     fprintf(f, "%*s%d %s: weight %.3g, ", 2 * n->depth - 2, "", n->depth, ray_kind_names[n->kind],
             (double)n->weight);
     if (n->t < real_infinity) fprintf(f, "%.3g far", (double)n->t);
@@ -95,7 +96,8 @@ static inline int ray_tree_level(const ray_tree_node *n)
 
 static inline void ray_tree_svg(const ray_tree *x, FILE *f)
 {
-    static const char *const colour[ray_kinds] = {"#000000", "#e69f00", "#0072b2", "#009e73", "#000"};
+    static const char *const colour[ray_kinds] = {"#000000", "#e69f00", "#0072b2", "#009e73",
+                                                  "#000000"};
     double *at = allocate((size_t)x->n, sizeof *at), width = ray_tree_place(x, 0, 0, at);
     int deep = 0;
     for (int i = 0; i < x->n; i++)
@@ -113,11 +115,12 @@ static inline void ray_tree_svg(const ray_tree *x, FILE *f)
         bool shadow = n->kind == RAY_SHADOW;
         fprintf(f, "<line x1=\"%.1f\" y1=\"%.0f\" x2=\"%.1f\" y2=\"%.0f\" stroke=\"%s\" "
                    "stroke-width=\"%.2f\"%s/>\n", x0, y1 - 70, x1, y1, colour[n->kind],
-                shadow ? 1 : 1 + 9 * sqrt((double)n->weight), shadow ? " stroke-dasharray=\"3 3\"" : "");
+                shadow ? 1 : 1 + 9 * sqrt((double)n->weight),
+                shadow ? " stroke-dasharray=\"3 3\"" : "");
         const char *fill = shadow ? n->lit > 0 ? "#ffe27a" : "#444444"
                            : n->t < real_infinity ? "#ffffff" : "#9ad0ff";
-        fprintf(f, "<circle cx=\"%.1f\" cy=\"%.0f\" r=\"6\" fill=\"%s\" stroke=\"black\"/>\n", x1, y1,
-                fill);
+        fprintf(f, "<circle cx=\"%.1f\" cy=\"%.0f\" r=\"6\" fill=\"%s\" stroke=\"black\"/>\n", x1,
+                y1, fill);
     }
     for (int d = 1; d <= deep; d++)
         fprintf(f, "<text x=\"8\" y=\"%d\" fill=\"#666\">%d</text>\n", 55 + 70 * d, d);
@@ -125,7 +128,7 @@ static inline void ray_tree_svg(const ray_tree *x, FILE *f)
         {"eye ray", RAY_CAMERA}, {"reflection", RAY_REFLECTION}, {"refraction", RAY_REFRACTION},
         {"shadow ray (yellow: lit)", RAY_SHADOW}, {"blue end: sky", -1}};
     for (int k = 0; k < 5; k++)
-        fprintf(f, "<text x=\"%d\" y=\"%d\" fill=\"%s\">%s</text>\n", 60 + 170 * k, 70 * deep + 96,
+        fprintf(f, "<text x=\"%d\" y=\"%d\" fill=\"%s\">%s</text>\n", 60 + 180 * k, 70 * deep + 96,
                 key[k].kind < 0 ? "#3a86c8" : colour[key[k].kind], key[k].what);
     fprintf(f, "</svg>\n");
     free(at);

@@ -25,7 +25,7 @@
  *
  * (19.4): n1/n2 ci - ct cancels if n1 is nearly n2; times q / q it does not, with (19.3).
  *
- * Sources: A. Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 4 and 5; T. Akenine-Möller
+ * Sources: A. Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 4, 5; T. Akenine-Möller
  * et al., "Real-Time Rendering", 4th ed., 2018, section 14.5.2.
  */
 #ifndef REFRACT_H
@@ -46,9 +46,9 @@ static inline double snell_dot(vec3 a, vec3 b)
     return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
 }
 
-/* ci of the directions of d and n, whatever their lengths: n.d / (|n| |d|), with |n|^2 |d|^2 = 1 + y
- * and y of a few epsilon: 1/sqrt(1 + y) = 1 - y/2 + 3/8 y^2 within y^3. In double, whatever real is.
- * n.d > 0 by rounding is a ray along the surface: ci = 0. */
+/* ci of the directions of d and n, whatever their lengths: n.d / (|n| |d|), |n|^2 |d|^2 = 1 + y, y a
+ * few epsilon: 1/sqrt(1 + y) = 1 - y/2 + 3/8 y^2 within y^3. In double, whatever real is. n.d > 0
+ * by rounding is a ray along the surface: ci = 0. */
 __attribute__((always_inline))
 static inline bool snell_of(vec3 d, vec3 n, real n1, real n2, snell *out)
 {
@@ -57,7 +57,7 @@ static inline bool snell_of(vec3 d, vec3 n, real n1, real n2, snell *out)
     double k = (b - a) * (b + a) + a * a * (ci * ci);
     *out = (snell){a, b, ci, 0, !(k >= 0)};  /* a NaN: total */
     if (out->total) return false;
-    out->ct = sqrt(k) / b;                                                               /* (19.3) */
+    out->ct = sqrt(k) / b;                                                              /* (19.3) */
     return true;
 }
 
@@ -76,7 +76,8 @@ __attribute__((always_inline))
 static inline vec3 snell_refract(const snell *s, vec3 d, vec3 n)
 {
     double q = s->n1 * s->ci + s->n2 * s->ct, eta = s->n1 / s->n2;
-    double along = s->n1 == s->n2 ? 0 : (s->n1 - s->n2) * (s->n1 + s->n2) / (s->n2 * q); /* (19.4) */
+    double along = (s->n1 - s->n2) * (s->n1 + s->n2) / (s->n2 * q);                     /* (19.4) */
+    if (s->n1 == s->n2) along = 0;  /* also at ci = 0, where it is 0 / 0 */
     return unit_again(vmadd(vscale(d, (real)eta), n, (real)along));
 }
 

@@ -1,7 +1,8 @@
 /* spd_protocol.h: the scenes of 17 traced as the results published for them were: rays counted.
  *
  *   spd_count c;
- *   spd_count_scene(&w, edge, threads, &c)      (edge + 1)^2 eye rays through the corners of pixels
+ *   spd_count_scene(&w, edge, threads, rgb, &c)  (edge + 1)^2 eye rays, through corners of pixels;
+ *                                               rgb: NULL, or the picture
  *   spd_print(&w, scale, &c, seconds)           lines beginning primary, shadow, secondary
  *
  * The protocol: 512^2 pixels, 513^2 rays through their corners (17.7); depth at most 5, the eye ray
@@ -75,14 +76,15 @@ static inline vec3 spd_shade(tracer *t, const world *w, const finish *f, const s
 }
 
 /* The branches of a hit; at the last depth none. */
-static inline int spd_children(const spd_branch *b, const finish *f, const surface *s, bool entering,
-                               spd_branch out[2])
+static inline int spd_children(const spd_branch *b, const finish *f, const surface *s,
+                               bool entering, spd_branch out[2])
 {
     int n = 0;
     snell x;
     real mirror = f->ks, ior = f->ior > 0 ? f->ior : 1;
     if (b->depth >= spd_depth) return 0;
-    bool bends = f->transmit > 0 && snell_of(b->r.d, s->n, entering ? 1 : ior, entering ? ior : 1, &x);
+    real n1 = entering ? 1 : ior, n2 = entering ? ior : 1;
+    bool bends = f->transmit > 0 && snell_of(b->r.d, s->n, n1, n2, &x);
     if (f->transmit > 0 && !bends) mirror += f->transmit;
     if (bends) {
         vec3 w = snell_refract(&x, b->r.d, s->n);
@@ -132,7 +134,8 @@ static inline void spd_row(size_t j, void *context)
 }
 
 /* False: stopped by Ctrl-C. */
-static inline bool spd_count_scene(const world *w, int edge, int threads, float *rgb, spd_count *out)
+static inline bool spd_count_scene(const world *w, int edge, int threads, float *rgb,
+                                   spd_count *out)
 {
     scene s = world_scene(w);
     world_part part;

@@ -1,13 +1,14 @@
-/* tank.h: a glass tank full of water, in which a glass ball holds a bubble: nested bodies, and faces
- * that coincide.
+/* tank.h: a glass tank full of water, in which a glass ball holds a bubble: nested bodies, and
+ * faces that coincide.
  *
- *      |#|            |#|         body 1, glass: the outer box, and the cavity's walls, normals inwards
- *      |#|~~~~~~~~~~~~|#|         body 2, water: a box with the very same walls: each ray to the water
- *      |#|  (ball)    |#|         meets two faces at the same t
- *      |################|         bodies 3, 4: a ball of glass, and the air in it
- *    ------- table -------        the tank stands on it: glass on what is opaque
+ *      |#|            |#|      body 1, glass: the outer box, and the cavity's walls, turned inwards
+ *      |#|~~~~~~~~~~~~|#|      body 2, water: a box with the very same walls: each ray to the water
+ *      |#|  (ball)    |#|      meets two faces at the same t
+ *      |################|      bodies 3, 4: a ball of glass, and the air in it
+ *    ------- table -------     the tank stands on it: glass on what is opaque
  *
- *   tank *k = tank_new();  tank_free(k);  camera c = tank_camera(aspect);  tracer t = tank_tracer(k)
+ *   tank *k = tank_new();  tank_free(k)
+ *   camera c = tank_camera(aspect);  tracer t = tank_tracer(k)
  *
  * k->w.apart = true is the naive way: faces that touch are taken one by one, and the second one is
  * passed unseen.
@@ -60,12 +61,14 @@ static inline tank *tank_new(void)
     vec3 c = {(real)0.55, (real)-0.1, (real)0.8};
     k->shape[tank_ball] = shape_of_sphere((sphere){c, (real)0.55});
     k->shape[tank_bubble] = shape_of_sphere((sphere){c, (real)0.35});
-    k->shape[tank_stone] = shape_of_sphere((sphere){{(real)-0.7, (real)0.2, (real)0.525}, (real)0.4});
+    vec3 stone = {(real)-0.7, (real)0.2, (real)0.525};
+    k->shape[tank_stone] = shape_of_sphere((sphere){stone, (real)0.4});
     for (int i = 0; i < 6; i++) {
         k->look[tank_outer + i] = k->look[tank_cavity + i] = whitted_clear(1, (real)0.95);
         k->look[tank_water + i] = whitted_clear(2, (real)0.95);
     }
-    k->look[tank_ball] = whitted_clear(3, (real)0.8), k->look[tank_bubble] = whitted_clear(4, (real)0.9);
+    k->look[tank_ball] = whitted_clear(3, (real)0.8);
+    k->look[tank_bubble] = whitted_clear(4, (real)0.9);
     k->look[tank_stone] = whitted_paint(0.75, 0.2, 0.05);
     k->look[tank_table] = whitted_paint(0.75, 0.72, 0.66), k->dark = whitted_paint(0.3, 0.26, 0.22);
     k->media[0] = k->media[4] = (medium){1, {0, 0, 0}, 0};
@@ -76,8 +79,9 @@ static inline tank *tank_new(void)
     world_part_of_scene(&k->scene, MASK_ALL, &k->part);
     k->world = (trace_world){&k->part, 1};
     k->w = (whitted){.lights = k->lights, .n = 1, .material_of = tank_material, .context = k,
-                     .media = k->media, .background = {(real)0.55, (real)0.66, (real)0.8}, .depth = 12,
-                     .least = (real)1 / 1024, .ambient = {(real)0.2, (real)0.2, (real)0.2}};
+                     .media = k->media, .background = {(real)0.55, (real)0.66, (real)0.8},
+                     .depth = 12, .least = (real)1 / 256,
+                     .ambient = {(real)0.2, (real)0.2, (real)0.2}};
     return k;
 }
 

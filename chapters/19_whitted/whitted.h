@@ -76,6 +76,26 @@ static inline bool whitted_counts(const whitted *w, vec3 weight)
     return weight.x > w->least || weight.y > w->least || weight.z > w->least;
 }
 
+/* surface_of_shape of 18, for balls without a root: p is on the surface but for rounding, so that
+ * (p - c) / R is nearly unit. */
+__attribute__((always_inline))
+static inline surface whitted_on_ball(sphere b, uint32_t index, vec3 p)
+{
+    vec3 f = vscale(vsub(p, b.c), 1 / b.r), n = unit_again(f);
+    real y = vdot(f, f) - 1;
+    if (!(y * y < real_epsilon / 4) || b.r < 0) return surface_on_sphere(b, index, p);
+    p = vmadd(b.c, n, b.r);
+    return (surface){p, n, n, real_epsilon * (4 * b.r + 2 * surface_reach(p)), 0, index};
+}
+
+static inline surface whitted_surface(const tracer *t, ray r, trace_hit x)
+{
+    const world_part *p = &t->w->part[x.part];
+    const shape *s = p->m ? NULL : &p->s->shapes[x.h.shape];
+    if (!s || s->kind != SHAPE_SPHERE) return surface_of_trace(t, r, x);
+    return whitted_on_ball(s->sphere, x.h.shape, ray_at(r, x.h.t));
+}
+
 /* light_reaches of 18; of a sun without the square root that makes its direction unit. */
 __attribute__((always_inline))
 static inline bool whitted_reaches(const light *L, const surface *s, light_sample *x)
@@ -102,7 +122,8 @@ static inline vec3 whitted_shade(tracer *t, const whitted *w, const whitted_sear
         real lit = search->lit(t, r, s->shape, i);
         if (log) log->add(log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
         if (!counts || !(lit > 0)) continue;
-        vec3 c = vzero(m->ks) ? vscale(vmul(x.E, m->kd), 1 / pi) : blinn_phong(m, s->ns, x.l, v, x.E);
+        vec3 c = vscale(vmul(x.E, m->kd), 1 / pi);
+        if (!vzero(m->ks)) c = blinn_phong(m, s->ns, x.l, v, x.E);
         colour = vmadd(colour, c, lit);
     }
     return colour;
@@ -117,36 +138,39 @@ static inline vec3 whitted_nothing(const whitted *w, const whitted_branch *b)
     return vmul(b->weight, vmul(left, sky));
 }
 
-/* A ray that goes on from s, on the side of `side`, whatever rounding makes of n.d. */
+/* A ray that goes on from s, on the side of `side`, whatever rounding makes of n.d. Field by field:
+ * a copy of the whole struct would wait for what was just written to it. */
 __attribute__((always_inline))
-static inline whitted_branch whitted_child(const whitted_branch *b, const surface *s, ray_kind kind,
-                                           vec3 side, vec3 d, vec3 factor, real more)
+static inline void whitted_child(const whitted_branch *b, const surface *s, ray_kind kind,
+                                 vec3 side, vec3 d, vec3 weight, real more, whitted_branch *c)
 {
-    whitted_branch c = *b;
-    c.r = (ray){leave_point(*s, side, more), 0, d, real_infinity};
-    c.weight = vmul(b->weight, factor);
-    c.depth++, c.kind = kind, c.from = s->shape;
-    return c;
+    c->r.o = leave_point(*s, side, more), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
+    c->weight = weight, c->in = b->in;
+    c->depth = b->depth + 1, c->kind = kind, c->from = s->shape, c->number = b->number;
 }
 
-/* Children of an opaque surface: a reflection, if it counts. spend_all: a refraction, too, of weight
- * 0, straight on. */
+static inline bool whitted_follows(const whitted *w, vec3 weight)
+{
+    return whitted_counts(w, weight) || (vzero(weight) && w->spend_all);
+}
+
+/* Children of an opaque surface: a reflection, if it counts. spend_all: a refraction, too, straight
+ * on, of weight 0. */
 __attribute__((always_inline))
 static inline int whitted_opaque(const whitted *w, const whitted_branch *b, const surface *s,
                                  const whitted_material *m, whitted_branch child[2])
 {
     int n = 0;
-    const vec3 black = {0, 0, 0};
-    if (w->spend_all) child[n++] = whitted_child(b, s, RAY_REFRACTION, vneg(s->n), b->r.d, black, 0);
-    if (vzero(m->mirror) && !w->spend_all) return n;
-    vec3 d = reflect(b->r.d, s->ns);
-    child[n] = whitted_child(b, s, RAY_REFLECTION, s->n, d, m->mirror, 0);
-    if (whitted_counts(w, child[n].weight) || (vzero(child[n].weight) && w->spend_all)) n++;
+    vec3 weight = vmul(b->weight, m->mirror);
+    if (w->spend_all)
+        whitted_child(b, s, RAY_REFRACTION, vneg(s->n), b->r.d, (vec3){0, 0, 0}, 0, &child[n++]);
+    if (whitted_follows(w, weight))
+        whitted_child(b, s, RAY_REFLECTION, s->n, reflect(b->r.d, s->ns), weight, 0, &child[n++]);
     return n;
 }
 
 /* Children at an interface from medium n1 to n2. The normals of s face the ray; `after`: where
- * what is refracted will be. more: leave.h. */
+ * what is refracted will be. more: contact.h. */
 __attribute__((always_inline))
 static inline int whitted_glass(const whitted *w, const whitted_branch *b, const surface *s,
                                 const whitted_material *m, real n1, real n2, const media_set *after,
@@ -156,22 +180,23 @@ static inline int whitted_glass(const whitted *w, const whitted_branch *b, const
     int n = 0;
     bool bends = snell_of(b->r.d, s->ns, n1, n2, &x);
     real R = w->fresnel == WHITTED_EXACT ? fresnel(&x) : schlick(&x);
-    child[0] = whitted_child(b, s, RAY_REFLECTION, s->n, reflect(b->r.d, s->ns),
-                             vscale(m->mirror, R), more);
-    if (whitted_counts(w, child[0].weight) || (vzero(child[0].weight) && w->spend_all)) n++;
-    if (!bends) return n;
-    child[n] = whitted_child(b, s, RAY_REFRACTION, vneg(s->n), snell_refract(&x, b->r.d, s->ns),
-                             vscale(m->through, 1 - R), more);
-    child[n].in = *after;
-    if (whitted_counts(w, child[n].weight) || (vzero(child[n].weight) && w->spend_all)) n++;
+    vec3 back = vmul(b->weight, vscale(m->mirror, R));
+    vec3 on = vmul(b->weight, vscale(m->through, 1 - R));
+    if (whitted_follows(w, back))
+        whitted_child(b, s, RAY_REFLECTION, s->n, reflect(b->r.d, s->ns), back, more, &child[n++]);
+    if (bends && whitted_follows(w, on)) {
+        vec3 d = snell_refract(&x, b->r.d, s->ns);
+        whitted_child(b, s, RAY_REFRACTION, vneg(s->n), d, on, more, &child[n]);
+        child[n++].in = *after;
+    }
     return n;
 }
 
 /* What one branch meets: adds what it brings to *sum; its children, the last to be traced first. A
  * face between two places of the same medium is none: the ray goes on, no deeper. */
 __attribute__((always_inline))
-static inline int whitted_step(tracer *t, const whitted_search *search, whitted_branch *b, vec3 *sum,
-                               whitted_branch child[2], whitted_log *log)
+static inline int whitted_step(tracer *t, const whitted_search *search, whitted_branch *b,
+                               vec3 *sum, whitted_branch child[2], whitted_log *log)
 {
     const whitted *w = t->user;
     trace_hit x;
@@ -193,7 +218,7 @@ static inline int whitted_step(tracer *t, const whitted_search *search, whitted_
         if (!w->apart) more = contact_find(t, b->r, x, &s, &m, &room, &c);
         if (m->body) b->in = media_before(b->in, &c), inside = media_fills(w->media, &b->in);
     }
-    if (!vzero(w->media[inside].absorb))                                                 /* (19.9) */
+    if (!vzero(w->media[inside].absorb))                                                /* (19.9) */
         b->weight = vmul(b->weight, absorbed(w->media[inside].absorb, x.h.t));
     s = surface_facing(s, b->r.d);
     bool deeper = b->depth < w->depth;
@@ -201,9 +226,9 @@ static inline int whitted_step(tracer *t, const whitted_search *search, whitted_
         media_set after = media_after(b->in, &c);
         uint32_t to = media_fills(w->media, &after);
         if (to == inside) {
-            child[0] = whitted_child(b, &s, b->kind, vneg(s.n), b->r.d, (vec3){1, 1, 1}, more);
-            child[0].in = after, child[0].depth--;
-            return whitted_counts(w, child[0].weight) || w->spend_all;
+            whitted_child(b, &s, b->kind, vneg(s.n), b->r.d, b->weight, more, child);
+            child->in = after, child->depth--;
+            return whitted_follows(w, child->weight);
         }
         if (material_reflects(&m->base) || !vzero(m->base.ke))
             *sum = vadd(*sum, vmul(b->weight, whitted_shade(t, w, search, &s, &m->base,
@@ -216,19 +241,28 @@ static inline int whitted_step(tracer *t, const whitted_search *search, whitted_
     return deeper ? whitted_opaque(w, b, &s, m, child) : 0;
 }
 
+/* ray_unit of 01, without its second root where there is no interval to scale. */
+static inline ray whitted_unit(ray r)
+{
+    if (r.tmin == 0 && r.tmax == real_infinity) return (ray){r.o, 0, vunit(r.d), r.tmax};
+    return ray_unit(r);
+}
+
 __attribute__((always_inline))
 static inline vec3 whitted_walk(tracer *t, ray r, media_set in, uint32_t from,
                                 const whitted_search *search, whitted_log *log)
 {
-    whitted_branch stack[whitted_most_depth + 2];
-    int top = 0;
+    whitted_branch stack[whitted_most_depth + 2], slot[2][2], *b = &slot[0][0];
+    int top = 0, other = 1;
     vec3 sum = {0, 0, 0};
-    stack[top++] = (whitted_branch){ray_unit(r), {1, 1, 1}, in, 1, RAY_CAMERA, from, -1};
-    while (top > 0) {
-        whitted_branch b = stack[--top];
-        top += whitted_step(t, search, &b, &sum, stack + top, log);
+    *b = (whitted_branch){whitted_unit(r), {1, 1, 1}, in, 1, RAY_CAMERA, from, -1};
+    for (;;) {
+        int n = whitted_step(t, search, b, &sum, slot[other], log);
+        if (n == 2) stack[top++] = slot[other][0];
+        if (n + top == 0) return sum;
+        b = n ? &slot[other][n - 1] : &stack[--top];
+        other ^= n > 0;
     }
-    return sum;
 }
 
 /* ---- the search of 18 ------------------------------------------------------------------------ */
@@ -271,7 +305,7 @@ static inline real whitted_lit(tracer *t, ray r, uint32_t from, int k)
     return trace(t, RAY_SHADOW, r, &lit) ? 0 : lit;
 }
 
-static const whitted_search whitted_by_trace = {whitted_closest, whitted_lit, surface_of_trace};
+static const whitted_search whitted_by_trace = {whitted_closest, whitted_lit, whitted_surface};
 
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in)
 {

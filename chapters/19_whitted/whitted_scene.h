@@ -1,8 +1,9 @@
 /* whitted_scene.h: what Whitted's ray tracing must know of a scene, beside where its surfaces are.
  *
- *   opaque surface (不透明)     kd, ks, ke of 18, and a mirror M on top:      L = shade + M L(reflected)
+ *   opaque surface (不透明)     kd, ks, ke of 18, and a mirror M on top: L = shade + M L(reflected)
  *   glass (透明介质)            bounds a body, filled with a medium; M and T, usually white, colour
- *                               what Fresnel's equations share out:  L = R M L(refl.) + (1-R) T L(refr.)
+ *                               what Fresnel's equations share out:
+ *                               L = R M L(reflected) + (1 - R) T L(refracted)
  *
  * A material is asked for at each hit. `through` black makes glass a varnish: it reflects by its
  * refractive index, and nothing goes in.
