@@ -163,8 +163,7 @@ static void test_edges(void)
     check_close(schlick(&x), 1.0 / 9, (double)real_epsilon, "Schlick is exact there");
     check(!snell_of((vec3){(real)NAN, 0, 0}, up, 1, 2, &x) && fresnel(&x) == 1, "a NaN: total");
     /* Brewster: tan i = n2 / n1 = 4/3: sin = 0.8, cos = 0.6; what is refracted goes at right angles
-     * to what is reflected: ct = 0.8. rp = 0, rs = (3 * 0.6 - 4 * 0.8) / (3 * 0.6 + 4 * 0.8) = -7/25.
-     */
+     * to what is reflected: ct = 0.8. rp = 0, rs = (1.8 - 3.2) / (1.8 + 3.2) = -7/25. */
     snell_of((vec3){(real)0.8, 0, (real)-0.6}, up, 3, 4, &x);
     check_close(x.ct, 0.8, 2 * (double)real_epsilon, "Brewster's angle");
     check_close(fresnel(&x), 0.0392, 2 * (double)real_epsilon, "one polarisation: (7/25)^2 / 2");

@@ -8,8 +8,11 @@ static char directory[] = "/tmp/19_spd_XXXXXX";
 
 /* Everything is asked of every shape; the recursion is one, and a ray's kind is not known before it
  * is needed. Only ways to begin a ray are shared with what is tested. */
-typedef struct { const world *w; scene s; size_t primary, hits, shadow, blocked, reflected, refracted; }
-    brute_count;
+typedef struct {
+    const world *w;
+    scene s;
+    size_t primary, hits, shadow, blocked, reflected, refracted;
+} brute_count;
 
 static void brute_ray(brute_count *c, ray r, int depth)
 {

@@ -46,8 +46,8 @@ static inline double snell_dot(vec3 a, vec3 b)
     return (double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z;
 }
 
-/* ci of the directions of d and n, whatever their lengths: n.d / (|n| |d|), |n|^2 |d|^2 = 1 + y, y a
- * few epsilon: 1/sqrt(1 + y) = 1 - y/2 + 3/8 y^2 within y^3. In double, whatever real is. n.d > 0
+/* ci of the directions of d and n, whatever their lengths: n.d / (|n| |d|), |n|^2 |d|^2 = 1 + y, y
+ * a few epsilon: 1/sqrt(1 + y) = 1 - y/2 + 3/8 y^2 within y^3. In double, whatever real is. n.d > 0
  * by rounding is a ray along the surface: ci = 0. */
 __attribute__((always_inline))
 static inline bool snell_of(vec3 d, vec3 n, real n1, real n2, snell *out)

@@ -10,11 +10,9 @@
  * reflection ray where Ks > 0, a refraction ray where T > 0, both of constant weight, no Fresnel.
  * Total reflection: what would be refracted is reflected, and goes with the reflection ray.
  *
- * The scenes' triangles and polygons have two sides. Which side of glass a ray is on is told by the
- * normal, as everywhere here; a body is what has one finish, so that the faces of one gear are not
- * known to belong together: only whether the ray is in glass counts.
- *
- * Shadow rays end at the first hit, of glass too.
+ * Glass lies behind the faces whose normal the ray meets: from there the index is 1 / ior, and no
+ * more is remembered (media.h would ask for bodies; these scenes have none). Shadow rays end at the
+ * first hit, of glass, too.
  *
  * Sources: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and
  * the documentation of its programs.
@@ -60,7 +58,7 @@ static const ray_program spd_programs[ray_kinds] = {
 /* Kd n.l, and a highlight of its kind. s faces the eye. */
 static inline vec3 spd_shade(tracer *t, const world *w, const finish *f, const surface *s, vec3 v)
 {
-    vec3 black = {0, 0, 0}, kd = vscale(f->colour, f->kd);
+    vec3 kd = vscale(f->colour, f->kd);
     vec3 sum = vscale(kd, w->light_each);
     for (int i = 0; i < w->lights; i++) {
         vec3 l = vsub(w->light[i], s->p);
@@ -72,7 +70,7 @@ static inline vec3 spd_shade(tracer *t, const world *w, const finish *f, const s
         vec3 c = vmadd(vscale(kd, vdot(s->n, l)), (vec3){1, 1, 1}, lobe);
         sum = vadd(sum, vscale(c, w->light_each));
     }
-    return vadd(sum, black);
+    return sum;
 }
 
 /* The branches of a hit; at the last depth none. */
