@@ -288,6 +288,10 @@ static void test_media(void)
         media_set before = media_before(in, &c), after = media_after(before, &c);
         check(media_fills(m, &before) == 1 && after.n == 1 && after.body[0] == 2, "touching");
     }
+    media_crossing thin = {0};  /* in and out again at one place: we stay where we are */
+    media_crossing_add(&thin, 1, 1), media_crossing_add(&thin, 1, -1);
+    media_set stay = media_after((media_set){1, {1}}, &thin);
+    check(stay.n == 1 && stay.body[0] == 1, "in and out");
     media_crossing c = {0};
     media_crossing_add(&c, 2, -1);
     media_set in = {1, {4}}, before = media_before(in, &c);

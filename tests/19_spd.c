@@ -79,6 +79,22 @@ static void test_counts(void)
     }
 }
 
+/* Inside glass that has no Ks: beyond the critical angle all goes with the reflection. */
+static void test_total(void)
+{
+    finish glass = {{1, 1, 1}, (real)0.2, 0, 0, (real)0.8, (real)1.5};
+    surface s = {{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, 0, 0, 0};
+    spd_branch out[2], b = {ray_from((vec3){0, 0, 1}, (vec3){(real)0.8, 0, (real)-0.6}), {1, 1, 1},
+                            1, RAY_CAMERA};
+    check_equal(spd_children(&b, &glass, &s, false, out), 1, "one ray");
+    check(out[0].kind == RAY_REFLECTION && out[0].depth == 2, "reflected");
+    check_equal(out[0].weight.x, (real)0.8, "with all that would have gone through");
+    check_equal(spd_children(&b, &glass, &s, true, out), 1, "from outside: refracted");
+    check(out[0].kind == RAY_REFRACTION, "Ks = 0: no reflection");
+    b.depth = spd_depth;
+    check_equal(spd_children(&b, &glass, &s, true, out), 0, "the last depth");
+}
+
 /* The published number of primary hits, and what follows for a scene that reflects nothing. */
 static void test_published(void)
 {
@@ -115,6 +131,7 @@ int main(void)
 {
     if (!mkdtemp(directory)) return 1;
     test_counts();
+    test_total();
     test_published();
     test_program();
     char command[64];

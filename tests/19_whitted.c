@@ -519,6 +519,23 @@ static void test_called_for(void)
     check_equal(c.rays[RAY_REFRACTION], 20, "what goes through is not");
 }
 
+/* A light behind: no shadow ray; in front: one a hit. */
+static void test_shadow_rays(void)
+{
+    for (int front = 0; front < 2; front++) {
+        stage s = {0};
+        s.light = (light){LIGHT_DIRECTIONAL, {0, 0, front ? 1 : -1}, {1, 1, 1}};
+        s.w.lights = &s.light, s.w.n = 1;
+        stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), whitted_paint(0.5, 0.5, 0.5));
+        tracer t = stage_begin(&s, 3);
+        for (int i = 0; i < 10; i++)
+            whitted_ray(&t, ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}), (media_set){0});
+        check_equal(t.counts.rays[RAY_SHADOW], front ? 10 : 0, "shadow rays, front %d", front);
+        check_equal(t.counts.hits[RAY_SHADOW], 0, "the ball does not shadow itself");
+        stage_end(&s);
+    }
+}
+
 typedef struct { tracer t; camera c; image im; } shot;
 
 static void shoot(shot *s)
@@ -592,14 +609,24 @@ static void test_cut(void)
 
 /* ---- balls.h --------------------------------------------------------------------------------- */
 
-static void test_balls(void)
+static void test_balls(bool swollen)
 {
     forty *f = allocate(1, sizeof *f);
     forty_fill(f);
+    if (swollen) {  /* they overlap now, and some lie in others */
+        for (int k = 1; k < forty_balls; k++) {
+            f->ball[k].r *= k % 5 ? (real)1.25 : (real)2.5;
+            f->shape[k].sphere = f->ball[k];
+        }
+        f->fast.w.apart = false;
+        world_part_free(&f->part), balls_free(&f->fast.b);
+        world_part_of_scene(&f->scene, MASK_ALL, &f->part);
+        balls_build(f->ball, forty_balls, f->suns, 3, &f->fast.b);
+    }
     camera c = forty_camera((real)4 / 3);
     balls_view(&f->fast.b, &c, 400, 300);
     tracer a = forty_tracer(f), b = a;
-    size_t n = check_count(30000), wrong = 0;
+    size_t n = check_count(swollen ? 5000 : 30000), wrong = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(10, i, 0);
         real x = 400 * random_next(&s), y = 300 * random_next(&s);
@@ -673,9 +700,11 @@ int main(void)
     test_on_table();
     test_around();
     test_called_for();
+    test_shadow_rays();
     test_spend_all();
     test_cut();
-    test_balls();
+    test_balls(false);
+    test_balls(true);
     test_tree();
     test_boxes();
     return check_report("19_whitted");

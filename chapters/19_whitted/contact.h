@@ -66,7 +66,7 @@ static inline real contact_find(tracer *t, ray r, trace_hit x, surface *s,
 }
 
 /* Faces met on the way to infinity: more out of a body than into it, and we were in it. Of a ball
- * the search tells the first only: met from outside, it is left again. */
+ * the search tells the first only: in, and then the count is -1, or out. */
 typedef struct { uint32_t body[media_most_faces]; int count[media_most_faces], n; } around_notes;
 
 static inline any_hit_answer around_any(const tracer *t, ray r, trace_hit x, void *payload)
@@ -76,13 +76,11 @@ static inline any_hit_answer around_any(const tracer *t, ray r, trace_hit x, voi
     whitted_material room;
     surface s = surface_of_trace(t, r, x);
     uint32_t body = w->material_of(w->context, x, &s, &room)->body;
-    const world_part *p = &t->w->part[x.part];
-    bool ball = p->s && p->s->shapes[x.h.shape].kind == SHAPE_SPHERE, out = vdot(s.n, r.d) > 0;
     int k = 0;
     while (k < notes->n && notes->body[k] != body) k++;
-    if (body == 0 || k == media_most_faces || (ball && !out)) return ANY_HIT_IGNORE;
+    if (body == 0 || k == media_most_faces) return ANY_HIT_IGNORE;
     if (k == notes->n) notes->body[notes->n++] = body, notes->count[k] = 0;
-    notes->count[k] += out ? 1 : -1;
+    notes->count[k] += vdot(s.n, r.d) > 0 ? 1 : -1;
     return ANY_HIT_IGNORE;
 }
 
