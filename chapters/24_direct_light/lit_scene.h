@@ -10,6 +10,9 @@
  *
  *   lit_trace(&s, r, &h)      what r meets first; h.s is 18's surface, turned to where r comes from
  *   lit_occluded(&s, r)       is there anything?
+ *   lit_trace_from(&s, r, i, &h), lit_occluded_from(&s, r, i, e)   the same answers, sooner, for
+ *                             rays that 18's leave or leave_between made: from triangle i
+ *                             [no_shape: none], to emitter e [lit_dark: none]
  *   lit_emitted(&h)           radiance towards the origin of r: Le from the front, 0 from behind
  *
  * All that is the same for every ray is computed once, by lit_end: edges, normals, error bounds
@@ -30,6 +33,7 @@
 #include "../18_shade/leave.h"
 #include "../23_brdf/brdf.h"
 #include "emitter.h"
+#include "few.h"
 
 typedef struct {
     brdf f;         /* reflection, on both sides; brdf_is_black: none */
@@ -58,6 +62,8 @@ typedef struct {
     lit_face *face;           /* [m.triangles] */
     bvh tree;
     bvh_shapes shape_tree;
+    int32_t *first, *last;    /* [emitters] its lanes in `few`; -1: none, a sphere */
+    few few;                  /* of up to 64 triangles: in place of the tree */
     lit_part *part;           /* what was added, until lit_end */
     struct { size_t v, n, parts, shapes, of_shape, materials, emitters; } room;
 } lit_scene;
@@ -213,7 +219,17 @@ static inline void lit_end(lit_scene *s)
         uint32_t e = ball ? lit_emitter(s, emitter_of_sphere(s->shape[i].sphere, Le)) : lit_dark;
         s->emitter_of[s->m.triangles + i] = e;
     }
+    s->first = allocate(s->emitters, sizeof *s->first);
+    s->last = allocate(s->emitters, sizeof *s->last);
+    for (size_t e = 0; e < s->emitters; e++) s->first[e] = s->last[e] = -1;
     bvh_build(&s->m, how, &s->tree);
+    few_build(&s->m, &s->few);
+    for (size_t i = s->few.lanes ? s->m.triangles : 0; i-- > 0;) {
+        uint32_t e = s->emitter_of[i];
+        if (e == lit_dark) continue;
+        s->first[e] = s->few.lane[i];
+        if (s->last[e] < 0) s->last[e] = s->few.lane[i];
+    }
     how.item_cost = 1.5;  /* a shape's test costs more than a triangle's */
     bvh_shapes_build(&shapes, how, &s->shape_tree);
 }
@@ -221,7 +237,8 @@ static inline void lit_end(lit_scene *s)
 static inline void lit_free(lit_scene *s)
 {
     mesh_free(&s->m);
-    bvh_free(&s->tree), bvh_shapes_free(&s->shape_tree);
+    bvh_free(&s->tree), bvh_shapes_free(&s->shape_tree), few_free(&s->few);
+    free(s->first), free(s->last);
     free(s->of_triangle), free(s->shape), free(s->of_shape), free(s->material);
     free(s->emitter), free(s->emitter_of), free(s->face), free(s->part);
     lit_begin(s);
@@ -239,11 +256,29 @@ static inline surface lit_surface(const lit_scene *s, hit h)
     return (surface){p, k->n, ns, error, k->noise, h.shape};
 }
 
+/* A ray that leaves a triangle never meets it again (18.7); nor, up to its end, the emitter. */
+static inline few_skip lit_skip(const lit_scene *s, uint32_t from, uint32_t e)
+{
+    few_skip k = few_skip_none;
+    if (s->few.lanes == 0) return k;
+    if (from < few_most && from < s->m.triangles) k.other = s->few.lane[from];
+    if (e < s->emitters) k.first = s->first[e], k.last = s->last[e];
+    return k;
+}
+
+__attribute__((always_inline))
+static inline bool lit_closest(const lit_scene *s, ray r, uint32_t from, hit *h)
+{
+    int known = few_hit(&s->few, &s->m, r, lit_skip(s, from, lit_dark), h);
+    return known >= 0 ? known : bvh_hit(&s->tree, r, h);
+}
+
 /* out->s.shape: triangle, or m.triangles + shape. */
-static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
+__attribute__((always_inline))
+static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
     hit h = hit_none, other;
-    bool met = bvh_hit(&s->tree, r, &h), of_shape = false;
+    bool met = lit_closest(s, r, from, &h), of_shape = false;
     if (s->shapes) {
         ray rest = r;
         if (met) rest.tmax = h.t;
@@ -261,9 +296,22 @@ static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
     return true;
 }
 
+static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
+{
+    return lit_trace_from(s, r, no_shape, out);
+}
+
+__attribute__((always_inline))
+static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, uint32_t e)
+{
+    int known = few_occluded(&s->few, &s->m, r, lit_skip(s, from, e));
+    if (known < 0) known = bvh_occluded(&s->tree, r);
+    return known || (s->shapes && bvh_shapes_occluded(&s->shape_tree, r));
+}
+
 static inline bool lit_occluded(const lit_scene *s, ray r)
 {
-    return bvh_occluded(&s->tree, r) || (s->shapes && bvh_shapes_occluded(&s->shape_tree, r));
+    return lit_occluded_from(s, r, no_shape, lit_dark);
 }
 
 static inline vec3 lit_emitted(const lit_hit *h)

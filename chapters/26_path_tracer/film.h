@@ -1,0 +1,176 @@
+/* film.h: what the samples of every pixel add up to, and how far off the picture still is.
+ *
+ *   sample k of a pixel belongs to half k mod 2; the halves share no random numbers: within each,
+ *   sample k / 2 of a sequence of its own
+ *
+ *   A, B: means of the two halves of N samples; both are right on average and independent, so
+ *   E (A - B)^2 = V[A] + V[B],   V[(A + B)/2] = E (A - B)^2 / 4                             (26.12)
+ *   RMSE^2 = mean over pixels and channels of (A - B)^2 nA nB / N^2                         (26.13)
+ *
+ *   film f = film_new(w, h);
+ *   film_add(&f, i, k, L)                 sample k of pixel i = y w + x; once each
+ *   film_cover(&f, a, b, &why)            says that all pixels have samples a .. b-1; false: twice
+ *   double e = film_error(&f)             the RMSE (26.13) of film_picture, of linear radiance, all
+ *                                         pixels and channels; infinity with fewer than 2 samples
+ *   image im = film_picture(&f)
+ *   film_join(&f, &other, &why)           adds the samples of other: exact, so parts = whole
+ *   film_free(&f)
+ *
+ * (26.13) needs no assumption on how samples are spread within a half: it holds for Sobol's points,
+ * where s^2 / n would be far too large. It is unbiased for the mean square, whatever the number of
+ * pixels; over p pixels it is itself off by some sqrt(2 / p), more where a few pixels hold most of
+ * the noise. What no sample has found yet (a caustic) it can't know.
+ * Price: two halves of N/2 points, not one set of N: what stratification gains beyond 1/N grows a
+ * little later.
+ */
+#ifndef FILM_H
+#define FILM_H
+
+#include "../../common/image.h"
+#include "tally.h"
+
+enum { film_most_ranges = 256, film_side = 16 };
+typedef struct { tally half[2][3]; } film_pixel;
+typedef struct { uint32_t begin, end; } film_range;   /* samples begin .. end - 1 */
+typedef struct {
+    int width, height;
+    film_pixel *pixel;                    /* [width height] */
+    film_range range[film_most_ranges];   /* rising, with gaps between them */
+    int ranges;
+    film_range pending;                   /* a pass that was stopped: done only where `tile` says */
+    bool *tile;                           /* [tiles] of 16 x 16 */
+} film;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline size_t film_across(const film *f)
+{
+    return ((size_t)f->width + film_side - 1) / film_side;
+}
+
+static inline size_t film_tiles(const film *f)
+{
+    return film_across(f) * (((size_t)f->height + film_side - 1) / film_side);
+}
+
+static inline film film_new(int width, int height)
+{
+    film f = {.width = width, .height = height};
+    f.pixel = allocate((size_t)width * (size_t)height, sizeof *f.pixel);
+    f.tile = allocate(film_tiles(&f), sizeof *f.tile);
+    return f;
+}
+
+static inline void film_free(film *f)
+{
+    free(f->pixel), free(f->tile);
+    *f = (film){.width = 0};
+}
+
+static inline bool film_add(film *f, size_t i, uint32_t k, vec3 L)
+{
+    tally *t = f->pixel[i].half[k % 2];
+    bool x = tally_add(&t[0], (double)L.x), y = tally_add(&t[1], (double)L.y);
+    return tally_add(&t[2], (double)L.z) && x && y;
+}
+
+/* How many of a range are in the half. */
+static inline double film_share(film_range r, int half)
+{
+    return half ? r.end / 2 - r.begin / 2 : (r.end + 1) / 2 - (r.begin + 1) / 2;
+}
+
+static inline void film_count(const film *f, size_t tile, double n[2])
+{
+    for (int h = 0; h < 2; h++) {
+        n[h] = f->tile[tile] ? film_share(f->pending, h) : 0;
+        for (int i = 0; i < f->ranges; i++) n[h] += film_share(f->range[i], h);
+    }
+}
+
+static inline uint64_t film_samples(const film *f)
+{
+    uint64_t n = 0;
+    for (int i = 0; i < f->ranges; i++) n += f->range[i].end - f->range[i].begin;
+    return n;
+}
+
+static inline bool film_cover(film *f, uint32_t begin, uint32_t end, failure *why)
+{
+    int at = 0, n = f->ranges;
+    if (begin >= end) return true;
+    while (at < n && f->range[at].end <= begin) at++;
+    if (at < n && f->range[at].begin < end)
+        return failed(why, 2, "samples %u:%u are there already, in %u:%u: nothing counts twice",
+                      (unsigned)begin, (unsigned)end, (unsigned)f->range[at].begin,
+                      (unsigned)f->range[at].end);
+    bool before = at > 0 && f->range[at - 1].end == begin;
+    bool after = at < n && f->range[at].begin == end;
+    if (before && after) {
+        f->range[at - 1].end = f->range[at].end;
+        memmove(f->range + at, f->range + at + 1, (size_t)(n - at - 1) * sizeof *f->range);
+        f->ranges--;
+    } else if (before) f->range[at - 1].end = end;
+    else if (after) f->range[at].begin = begin;
+    else {
+        if (n == film_most_ranges)
+            return failed(why, 2, "more than %d separate ranges of samples", film_most_ranges);
+        memmove(f->range + at + 1, f->range + at, (size_t)(n - at) * sizeof *f->range);
+        f->range[at] = (film_range){begin, end};
+        f->ranges++;
+    }
+    return true;
+}
+
+static inline bool film_join(film *to, const film *f, failure *why)
+{
+    if (to->width != f->width || to->height != f->height)
+        return failed(why, 2, "%dx%d pixels do not fit on %dx%d", f->width, f->height, to->width,
+                      to->height);
+    for (int i = 0; i < f->ranges; i++)
+        if (!film_cover(to, f->range[i].begin, f->range[i].end, why)) return false;
+    for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
+        for (int k = 0; k < 6; k++)
+            tally_join(&to->pixel[i].half[k / 3][k % 3], &f->pixel[i].half[k / 3][k % 3]);
+    return true;
+}
+
+static inline size_t film_tile_of(const film *f, size_t i)
+{
+    size_t w = (size_t)f->width;
+    return i / w / film_side * film_across(f) + i % w / film_side;
+}
+
+/* A pixel without samples is black. */
+static inline image film_picture(const film *f)
+{
+    image im = image_new(f->width, f->height);
+    for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++) {
+        double n[2];
+        film_count(f, film_tile_of(f, i), n);
+        for (int k = 0; k < 3 && n[0] + n[1] > 0; k++) {
+            tally sum = f->pixel[i].half[0][k];
+            tally_join(&sum, &f->pixel[i].half[1][k]);
+            im.rgb[3 * i + (size_t)k] = (float)(tally_sum(&sum) / (n[0] + n[1]));
+        }
+    }
+    return im;
+}
+
+static inline double film_error(const film *f)
+{
+    double n[2] = {0, 0}, sum = 0, pixels = (double)f->width * f->height;
+    for (int i = 0; i < f->ranges; i++)
+        for (int h = 0; h < 2; h++) n[h] += film_share(f->range[i], h);
+    if (n[0] < 1 || n[1] < 1) return (double)INFINITY;
+    for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
+        for (int k = 0; k < 3; k++) {
+            const film_pixel *p = &f->pixel[i];
+            double d = tally_sum(&p->half[0][k]) / n[0] - tally_sum(&p->half[1][k]) / n[1];
+            sum += d * d;
+        }
+    double N = n[0] + n[1];
+    return sqrt(sum / (3 * pixels) * (n[0] * n[1] / (N * N)));
+}
+
+#endif

@@ -1,0 +1,37 @@
+/* 26_path_tracer: the whole: light sampling, BRDF sampling, roulette, glass; states that add up.
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chapters/26_path_tracer/main.c -lm -lpthread
+ * Without options: pictures, and error against time for every strategy. With --scene, --samples,
+ * --error, --time ...: one picture. Errors are measured against a reference of many samples, which
+ * a test compares with the naive path of 25. */
+#include "pictures.h"
+
+int main(int argc, char **argv)
+{
+    command c = {.bounces = -1};
+    options defaults = {.width = 400, .height = 400, .samples = -1, .seed = 1};
+    option own[] = {
+        {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, furnace"},
+        {"obj", OPTION_TEXT, &c.obj, 0, 0, "FILE.obj: this mesh, on a floor, under a sky"},
+        {"environment", OPTION_TEXT, &c.sky, 0, 0, "FILE.pfm, .png, .ppm: light all round"},
+        {"error", OPTION_REAL, &c.error, 1e-9, 1e9, "until the RMSE is no larger, in radiance"},
+        {"time", OPTION_REAL, &c.seconds, 1e-3, 1e7, "the best picture in so many seconds"},
+        {"save", OPTION_TEXT, &c.save, 0, 0, "keep the state here, after every pass"},
+        {"resume", OPTION_TEXT, &c.resume, 0, 0, "FILE: go on from this state"},
+        {"range", OPTION_TEXT, &c.range, 0, 0, "A:B, samples A to B - 1 only, for --merge"},
+        {"merge", OPTION_TEXT, &c.merge, 0, 0, "FILE FILE ...: the picture of all these states"},
+        {"strategy", OPTION_TEXT, &c.strategy, 0, 0, "mis, lights, directions"},
+        {"bounces", OPTION_INT, &c.bounces, 0, path_endless, "at most, default endless"},
+        {"clamp", OPTION_REAL, &c.clamp, 0, 1e9, "cut samples brighter than this: dark, default not"},
+        {0}};
+    argc = command_merge(argc, argv, &c);
+    options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
+    if (c.bounces == path_endless) c.bounces = -1;
+    if (command_given(&c, &o)) {
+        command_run(&c, &o);
+        return 0;
+    }
+    draw_cornell(&o), draw_others(&o), draw_strategies(&o);
+    measure_strategies(&o);
+    measure_speed(&o);
+    return 0;
+}

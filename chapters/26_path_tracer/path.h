@@ -1,0 +1,282 @@
+/* path.h: the path tracer: radiance that arrives along a ray, from one random path.
+ *
+ *   eye --> x0 --> x1 --> x2 ...      at each xk, with beta = product of f cos / pdf / q so far:
+ *            \      \                   1. light sampling: a point of a light, a shadow ray
+ *             light  light              2. BRDF sampling: the next ray; what it meets may shine
+ *
+ *   L = sum over k of beta_k ( w_L f cos Le / p_L  +  w_B f cos Le / p_B ),  w_L + w_B = 1  (26.11)
+ *
+ *   w: power heuristic of 24 (24.9). What the eye sees at once, or in a mirror or through glass, no
+ *   light sample could have found: there w_B = 1. Roulette (26.8) ends the path.
+ *
+ *   path_tracer t;
+ *   path_tracer_of(&scene, sky, path_defaults, &t);        sky: an environment (26.6) or NULL
+ *   vec3 L = path_radiance(&t, r, &s, &counts);            s: path_random; counts: {0} at first
+ *   path_random s = path_start(&t.how, seed, pixel, k, n); sample k of n of a pixel
+ *   path_tracer_free(&t)
+ *
+ * E[L] is the solution of the rendering equation (25.1) along r, whatever t.how says but for
+ * `bounces` and `clamp`, which leave light out. How large the noise is is all that differs.
+ *
+ * Only what is called for:
+ *   no light sample     at mirrors, glass, black surfaces; in scenes without lights
+ *   no shadow ray       where the light's back faces x, or f cos = 0
+ *   no roulette         where nothing can follow: after the last bounce, black, absorbed; q = 1
+ *   no refraction code  without glass; no sphere is tested where there are none
+ *   no random digits    for a choice of one
+ * counts say how often each was done. With spend_all shadow rays that can bring nothing are traced
+ * all the same: the result is the same bit by bit.
+ *
+ * Random numbers: pair 0 places the ray in its pixel. The next path_pairs pairs, two a hit (light,
+ * BRDF), are the sampler's; all others, glass and roulette are independent: what far bounces bring
+ * depends on too many numbers for any of them to be worth stratifying.
+ *
+ * Source: J. Kajiya, SIGGRAPH 1986; E. Veach, thesis, Stanford, 1997, sections 8.3, 9.2, 10.2.
+ */
+#ifndef PATH_H
+#define PATH_H
+
+#include "../24_direct_light/mis.h"
+#include "dielectric.h"
+#include "lights.h"
+#include "roulette.h"
+
+typedef struct {
+    sequence_kind sequence;
+    bool light_sampling;     /* without: only what BRDF directions run into */
+    bool mis;                /* without: BRDF directions do not count what light samples could find */
+    roulette_rule roulette;
+    int bounces;             /* at most; path_endless */
+    real clamp;              /* no sample counts for more than that; 0: none is cut */
+    bool spend_all;
+} path_options;
+
+enum { path_endless = 1 << 20, path_pairs = 4 };
+#define path_defaults \
+    ((path_options){SEQUENCE_SOBOL, true, true, ROULETTE_THROUGHPUT, path_endless, 0, false})
+
+typedef struct {
+    size_t paths, camera, bounce, shadow;            /* rays traced */
+    size_t light_draws, dice, refractions, spent;    /* spent: what could bring nothing */
+} path_counts;
+
+typedef struct {
+    const lit_scene *scene;
+    const environment *sky;
+    lights light;
+    path_options how;
+    bool glass, plain;       /* plain: flat matte triangles, no sky, defaults: see path_radiance */
+} path_tracer;
+
+typedef struct { sampler pairs; random_stream own; uint32_t left; } path_random;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline size_t path_rays(const path_counts *c) { return c->camera + c->bounce + c->shadow; }
+
+static inline void path_counts_add(path_counts *to, const path_counts *c)
+{
+    to->paths += c->paths, to->camera += c->camera, to->bounce += c->bounce;
+    to->shadow += c->shadow, to->light_draws += c->light_draws, to->dice += c->dice;
+    to->refractions += c->refractions, to->spent += c->spent;
+}
+
+static inline void path_tracer_free(path_tracer *t) { lights_free(&t->light); }
+
+static inline void path_tracer_of(const lit_scene *s, const environment *sky, path_options how,
+                                  path_tracer *out)
+{
+    *out = (path_tracer){.scene = s, .sky = sky, .how = how};
+    lights_of(s, sky, &out->light);
+    bool matte = true;
+    for (size_t i = 0; i < s->materials; i++) {
+        out->glass = out->glass || s->material[i].ior > 0;
+        matte = matte && s->material[i].f.kind == BRDF_LAMBERT;
+    }
+    out->plain = matte && !out->glass && !sky && s->shapes == 0 && !s->m.n && !how.spend_all
+        && how.light_sampling && how.mis && how.roulette == ROULETTE_THROUGHPUT
+        && how.bounces == path_endless && s->emitters == 1;
+}
+
+static inline path_random path_start(const path_options *how, uint64_t seed, uint64_t pixel,
+                                     uint32_t k, uint32_t n)
+{
+    path_random r = {.pairs = sampler_start(how->sequence, seed, pixel, k, n), .left = path_pairs};
+    r.own = random_start(seed ^ random_step, pixel, k);
+    return r;
+}
+
+__attribute__((always_inline))
+static inline point2 path_pair(path_random *r)
+{
+    if (r->left > 0) return r->left--, sampler_pair(&r->pairs);
+    real u = random_next(&r->own), v = random_next(&r->own);
+    return (point2){u, v};
+}
+
+/* Where the path is, and what it has gathered. */
+typedef struct {
+    vec3 L, beta;
+    ray r;
+    surface from;                /* what r left; from.shape = no_shape: the eye */
+    real pdf;                    /* of r's direction; infinite: no light sample could find it */
+    const lit_material *medium;  /* glass that r is in, or NULL */
+    real squeezed;               /* part of beta that is dielectric_squeeze: it comes back */
+    int bounces;
+} path_walk;
+
+static inline vec3 path_cut(vec3 c, real most)
+{
+    real x = real_max(real_max(c.x, c.y), c.z);
+    return most > 0 && x > most ? vscale(c, most / x) : c;
+}
+
+/* (26.11), second half: light that the ray itself has met. */
+__attribute__((always_inline))
+static inline vec3 path_found(const path_tracer *t, const path_walk *w, const lit_hit *x)
+{
+    vec3 Le = x->m->Le;
+    if (!(w->pdf < real_infinity) || !t->how.light_sampling) return Le;
+    if (!t->how.mis) return (vec3){0, 0, 0};
+    real q = lights_pdf(&t->light, x->emitter, w->from.p, x->t, fabs(vdot(x->s.n, w->r.d)));
+    return vscale(Le, mis_power(w->pdf, q));
+}
+
+static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
+{
+    if (!t->sky) return t->scene->background;
+    vec3 d = w->from.shape == no_shape ? vunit(w->r.d) : w->r.d, L = environment_radiance(t->sky, d);
+    if (!(w->pdf < real_infinity) || !t->how.light_sampling) return L;
+    if (!t->how.mis) return (vec3){0, 0, 0};
+    return vscale(L, mis_power(w->pdf, lights_pdf_sky(&t->light, d)));
+}
+
+/* (26.11), first half. wo is local to f. */
+__attribute__((always_inline))
+static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
+                              shading_frame f, vec3 wo, point2 u, path_counts *c)
+{
+    light_draw l;
+    c->light_draws++;
+    if (!lights_sample(&t->light, x->s.p, u, &l)) return;
+    vec3 wi = to_local(f, l.wi);
+    bool lit = vdot(x->s.n, l.wi) > 0 && !brdf_behind(wi);
+    if (!lit && !t->how.spend_all) return;
+    vec3 fcos = lit ? vscale(brdf_value_local(&x->m->f, wi, wo), wi.z) : (vec3){0, 0, 0};
+    vec3 brings = vmul(w->beta, vmul(fcos, l.Le));
+    if (vzero(brings)) {
+        if (!t->how.spend_all) return;
+        c->spent++;
+    }
+    c->shadow++;
+    ray r = l.emitter == lit_dark ? leave(x->s, l.wi) : leave_between(x->s, l.s);
+    if (lit_occluded_from(t->scene, r, x->s.shape, l.emitter)) return;
+    real weight = t->how.mis ? mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, wo)) : 1;
+    vec3 gain = vscale(brings, weight / l.pdf);
+    w->L = vadd(w->L, path_cut(gain, t->how.clamp));
+}
+
+/* False: the path ends here. */
+__attribute__((always_inline))
+static inline bool path_dice(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
+{
+    if (t->how.roulette == ROULETTE_NONE) return true;
+    vec3 carries = t->glass ? vscale(w->beta, 1 / w->squeezed) : w->beta;
+    real q = t->how.roulette == ROULETTE_FIXED ? roulette_fixed(carries)
+                                               : roulette_survival(carries);
+    if (q >= 1) return true;
+    c->dice++;
+    if (random_next(&s->own) >= q) return false;
+    w->beta = vscale(w->beta, 1 / q);
+    return true;
+}
+
+static inline void path_through_glass(path_walk *w, const lit_hit *x, path_random *s,
+                                      path_counts *c)
+{
+    bool through;
+    real eta = x->front ? 1 / x->m->ior : x->m->ior;
+    c->refractions++;
+    vec3 wi = dielectric_scatter(x->s.n, vneg(vunit(w->r.d)), eta, random_next(&s->own), &through);
+    if (through) {
+        w->beta = vscale(w->beta, dielectric_squeeze(eta)), w->squeezed *= dielectric_squeeze(eta);
+        w->medium = x->front ? x->m : NULL;
+    }
+    w->r = leave(x->s, wi);
+    w->from = x->s, w->pdf = real_infinity;
+}
+
+/* The next ray by the BRDF; false: nothing is reflected. */
+__attribute__((always_inline))
+static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hit *x,
+                                path_random *s, path_counts *c)
+{
+    const brdf *b = &x->m->f;
+    vec3 wo = vneg(w->from.shape == no_shape ? vunit(w->r.d) : w->r.d), wi, weight;
+    shading_frame f = shading_frame_of(x->s.ns);
+    vec3 local = to_local(f, wo);
+    point2 for_light = path_pair(s), for_brdf = path_pair(s);
+    if (t->how.light_sampling && lights_some(&t->light) && !brdf_is_delta(b))
+        path_light(t, w, x, f, local, for_light, c);
+    if (!brdf_sample_local(b, local, for_brdf.u, for_brdf.v, &wi, &w->pdf, &weight)) return false;
+    wi = to_world(f, wi);
+    if (!(vdot(x->s.n, wi) > 0)) return false;
+    w->beta = vmul(w->beta, weight);
+    w->r = leave(x->s, wi);
+    w->from = x->s;
+    return true;
+}
+
+/* One hit, and on. The flags of t.how, t.glass are known where this is inlined: what is not called
+ * for is not even compiled in. */
+__attribute__((always_inline))
+static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
+{
+    lit_hit x;
+    if (!lit_trace_from(t->scene, w->r, w->from.shape, &x)) {
+        vec3 L = vmul(w->beta, path_escaped(t, w));
+        w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
+        return false;
+    }
+    if (t->glass && w->medium)
+        w->beta = vmul(w->beta, dielectric_absorb(w->medium->sigma, x.t * vlength(w->r.d)));
+    if (x.front && x.emitter != lit_dark) {
+        vec3 L = vmul(w->beta, path_found(t, w, &x));
+        w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
+    }
+    bool glass = t->glass && x.m->ior > 0;
+    if (w->bounces >= t->how.bounces) return false;
+    if (!glass && brdf_is_black(&x.m->f)) return false;
+    if (glass) path_through_glass(w, &x, s, c);
+    else if (!path_reflect(t, w, &x, s, c)) return false;
+    if (vzero(w->beta) || !path_dice(t, w, s, c)) return false;
+    w->bounces++, c->bounce++;
+    return true;
+}
+
+__attribute__((always_inline))
+static inline vec3 path_run(const path_tracer *t, ray eye, path_random *s, path_counts *c)
+{
+    path_walk w = {.beta = {1, 1, 1}, .r = eye, .from = {.shape = no_shape}, .pdf = real_infinity,
+                   .squeezed = 1};
+    c->paths++, c->camera++;
+    while (path_step(t, &w, s, c)) {}
+    return w.L;
+}
+
+__attribute__((flatten))
+static inline vec3 path_radiance_plain(const path_tracer *t, ray eye, path_random *s,
+                                       path_counts *c)
+{
+    path_tracer known = {.scene = t->scene, .light = t->light, .how = path_defaults};
+    known.how.clamp = t->how.clamp;
+    known.light.of.n = 0, known.light.emitters = 1, known.light.skies = 0;
+    return path_run(&known, eye, s, c);
+}
+
+static inline vec3 path_radiance(const path_tracer *t, ray eye, path_random *s, path_counts *c)
+{
+    return t->plain ? path_radiance_plain(t, eye, s, c) : path_run(t, eye, s, c);
+}
+
+#endif

@@ -1,0 +1,111 @@
+/* Tests of few.h: the answers of the tree, for meshes that make sorting out hard. */
+#include "check.h"
+#include "../chapters/21_distributed/cornell.h"
+#include "../chapters/24_direct_light/few.h"
+#include "../common/random.h"
+
+static vec3 somewhere(random_stream *s)
+{
+    real x = random_next(s), y = random_next(s), z = random_next(s);
+    return (vec3){2 * x - 1, 2 * y - 1, 2 * z - 1};
+}
+
+/* kind 0: any triangles; 1: pairs in a plane; 2: needles; 3: on a lattice, many ties; 4: far away. */
+static mesh make(int kind, size_t n, random_stream *s)
+{
+    mesh m = {.v = allocate(3 * n, sizeof *m.v), .vertices = 3 * n, .triangles = n,
+              .index = allocate(3 * n, sizeof *m.index)};
+    for (size_t i = 0; i < 3 * n; i++) {
+        m.index[i] = (uint32_t)i;
+        vec3 p = somewhere(s);
+        if (kind == 2 && i % 3 == 2) p = vmadd(m.v[i - 1], p, (real)1e-5);
+        if (kind == 3) p = (vec3){floor(p.x * 2), floor(p.y * 2), floor(p.z * 2)};
+        if (kind == 4) p = vadd(p, (vec3){1000, -2000, 500});
+        m.v[i] = p;
+    }
+    for (size_t i = 0; kind == 1 && i + 1 < n; i += 2) {
+        vec3 *a = m.v + 3 * i, e = vsub(a[1], a[0]);
+        a[2] = vadd(a[1], vcross(e, (vec3){0, 1, 0}));
+        a[3] = a[0], a[4] = a[2], a[5] = vadd(a[0], vsub(a[2], a[1]));
+    }
+    return m;
+}
+
+/* A ray from around the mesh, every other one aimed at a point of a triangle, its edge or corner. */
+static ray aim(const mesh *m, int k, random_stream *s)
+{
+    vec3 lo, hi;
+    mesh_bounds(m, &lo, &hi);
+    vec3 c = vscale(vadd(lo, hi), (real)0.5), o = vmadd(c, somewhere(s), k % 3 == 0 ? 30 : 1);
+    if (k % 2 == 0) return ray_from(o, somewhere(s));
+    size_t i = (size_t)(random_next(s) * (real)m->triangles);
+    triangle t = mesh_triangle(m, i);
+    real u = k % 4 == 1 ? random_next(s) : 0, v = k % 8 < 4 ? (1 - u) * random_next(s) : 0;
+    vec3 p = vadd(t.a, vadd(vscale(vsub(t.b, t.a), u), vscale(vsub(t.c, t.a), v)));
+    ray r = ray_between(o, p);
+    r.tmax = k % 16 < 8 ? real_infinity : 1;
+    return r;
+}
+
+static void test_same_as_tree(void)
+{
+    random_stream s = random_start(24, 1, 1);
+    size_t different = 0, hits = 0, asked = 0;
+    for (int round = 0; round < (int)check_count(200); round++) {
+        int kind = round % 5;
+        mesh m = make(kind, 1 + (size_t)(random_next(&s) * few_most), &s);
+        few f;
+        bvh b;
+        check(few_build(&m, &f), "up to 64 triangles are taken");
+        bvh_build(&m, bvh_defaults, &b);
+        for (int k = 0; k < 1000; k++) {
+            ray r = aim(&m, k, &s);
+            hit a = hit_none, h = hit_none;
+            int known = few_hit(&f, &m, r, few_skip_none, &h);
+            bool met = bvh_hit(&b, r, &a);
+            asked += known < 0, hits += met;
+            if (known < 0) continue;
+            different += known != met || a.t != h.t || a.u != h.u || a.v != h.v
+                || a.shape != h.shape;
+            different += few_occluded(&f, &m, r, few_skip_none) != bvh_occluded(&b, r);
+        }
+        few_free(&f), bvh_free(&b), mesh_free(&m);
+    }
+    check_equal(different, 0, "hits that are not the tree's, bit by bit");
+    check_equal(asked, 0, "rays of usual size that were left to the tree");
+    check_at_least(hits, check_count(200) * 200, "rays that hit: the test has something to compare");
+}
+
+static void test_limits(void)
+{
+    random_stream s = random_start(24, 2, 1);
+    mesh m = make(0, few_most + 1, &s), none = {0};
+    few f = {0};
+    hit h;
+    check(!few_build(&m, &f) && f.lanes == 0, "65 triangles are left to the tree");
+    check(!few_build(&none, &f), "no triangles: nothing is built");
+    check_equal(few_hit(&f, &m, ray_from(somewhere(&s), somewhere(&s)), few_skip_none, &h), -1,
+                "nothing was built: ask the tree");
+    mesh_free(&m);
+    m = cornell_mesh();
+    check(few_build(&m, &f), "the Cornell box is taken");
+    check_equal(f.lanes, 24, "lanes: 18 pairs and two walls that are not flat, in eights");
+    ray r = ray_from((vec3){278, 273, 100}, (vec3){0, 0, 1});
+    r.tmin = -5;
+    check_equal(few_hit(&f, &m, r, few_skip_none, &h), -1, "tmin < 0 is left to the tree");
+    r.tmin = 0, r.o.x = (real)NAN;
+    check_equal(few_hit(&f, &m, r, few_skip_none, &h), -1, "a NaN is left to the tree");
+    r = ray_from((vec3){278, 273, 100}, (vec3){0, -1, 0});
+    check(few_hit(&f, &m, r, few_skip_none, &h) == 1 && h.shape < 2, "the floor is met");
+    few_skip k = few_skip_none;
+    k.other = f.lane[h.shape];
+    check_equal(few_hit(&f, &m, r, k, &h), 0, "but not if it is left out");
+    few_free(&f), few_free(&f), mesh_free(&m);
+}
+
+int main(void)
+{
+    test_same_as_tree();
+    test_limits();
+    return check_report("24_few");
+}

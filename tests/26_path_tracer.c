@@ -1,0 +1,373 @@
+/* Tests of 26: the estimator against closed forms, the naive path of 25 and itself turned round. */
+#include "check.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/25_bounces/naive_path.h"
+#include "../chapters/26_path_tracer/render.h"
+#include "../chapters/26_path_tracer/showcase.h"
+
+static const double false_alarm = 1e-7;  /* false alarms of each test of chance; there are some 300 */
+
+/* Means of n samples each along one ray, by so many independent pixels: what the t-test takes. */
+static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estimate e[3],
+                  path_counts *c)
+{
+    for (int k = 0; k < 3; k++) e[k] = (estimate){0};
+    for (size_t p = 0; p < pixels; p++) {
+        vec3 sum = {0, 0, 0};
+        for (uint32_t k = 0; k < n; k++) {
+            path_random s = path_start(&t->how, 3, p, k, n);
+            (void)path_pair(&s);
+            sum = vadd(sum, path_radiance(t, r, &s, c));
+        }
+        for (int k = 0; k < 3; k++) e[k] = estimate_add(e[k], vaxis(sum, k) / (real)n);
+    }
+}
+
+/* ---- a closed sphere that shines: L = Le / (1 - albedo), everywhere, in all directions ---- */
+
+static void test_closed_sphere(void)
+{
+    const sequence_kind kinds[] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON_OWEN,
+                                   SEQUENCE_SOBOL_XOR, SEQUENCE_SOBOL};
+    lit_scene s;
+    lit_begin(&s);
+    lit_material m = {.f = brdf_lambert((vec3){(real)0.5, (real)0.25, 0}), .Le = {1, 2, 3}};
+    lit_add_shape(&s, shape_of_sphere((sphere){{1, 2, 3}, -2}), lit_add_material(&s, m));
+    lit_end(&s);
+    const double exact[3] = {2, 2 / 0.75, 3};
+    for (int o = 0; o < 5 * 3 * 3; o++) {
+        path_options how = path_defaults;
+        how.sequence = kinds[o / 9], how.roulette = (roulette_rule)(o % 3);
+        how.light_sampling = o / 3 % 3 > 0, how.mis = o / 3 % 3 > 1;
+        if (how.roulette == ROULETTE_NONE) how.bounces = 60;  /* 2^-60 is left out */
+        path_tracer t;
+        estimate e[3];
+        path_counts c = {0};
+        path_tracer_of(&s, NULL, how, &t);
+        along(&t, ray_from((vec3){1, 2, (real)3.5}, (vec3){1, 2, 3}), check_count(200), 16, e, &c);
+        for (int k = 0; k < 3; k++)
+            check_at_least(t_test(e[k], exact[k], 200 * (double)real_epsilon), false_alarm,
+                           "closed sphere, %s, option %d, channel %d: mean %.9g, exactly %.9g",
+                           sequence_name[how.sequence], o, k, e[k].mean, exact[k]);
+        path_tracer_free(&t);
+    }
+    lit_free(&s);
+}
+
+/* ---- furnace: one ball, white light from all sides, L = albedo(cos) ---- */
+
+static void furnace_ball(const brdf *b, const environment *sky, real cosine, bool light)
+{
+    lit_scene s;
+    path_tracer t;
+    estimate e[3];
+    path_counts c = {0};
+    path_options how = path_defaults;
+    how.light_sampling = how.mis = light;
+    how.roulette = ROULETTE_NONE, how.bounces = 3;
+    lit_begin(&s);
+    lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}),
+                  lit_add_material(&s, (lit_material){.f = *b}));
+    s.background = (vec3){1, 1, 1};
+    lit_end(&s);
+    path_tracer_of(&s, sky, how, &t);
+    real y = sqrt(1 - cosine * cosine);
+    along(&t, ray_from((vec3){0, y, 5}, (vec3){0, 0, -1}), check_count(400), 16, e, &c);
+    vec3 a = brdf_albedo(b, cosine);
+    for (int k = 0; k < 3; k++)  /* brdf_albedo is right to 3e-3, 2e-6: a map's colours are floats */
+        check_at_least(t_test(e[k], (double)vaxis(a, k), 3e-3 + 2e-6), false_alarm,
+                       "furnace, kind %d, cos %g, channel %d: mean %.6g, albedo %.6g", (int)b->kind,
+                       (double)cosine, k, e[k].mean, (double)vaxis(a, k));
+    if (!sky) check_equal(c.light_draws + c.shadow, 0, "no light, no light samples");
+    check_equal(c.dice + c.refractions, 0, "no dice without roulette, no glass");
+    path_tracer_free(&t), lit_free(&s);
+}
+
+static void test_furnace(void)
+{
+    vec3 c = {(real)0.9, (real)0.5, (real)0.1}, d = {(real)0.3, (real)0.4, (real)0.5};
+    const brdf b[] = {brdf_lambert(c), brdf_blinn_phong(d, d, 30), brdf_ggx(c, (real)0.8),
+                      brdf_ggx(c, (real)0.3), brdf_mirror(c)};
+    image white = image_new(16, 8);
+    environment sky;
+    failure f;
+    for (size_t i = 0; i < 3 * 16 * 8; i++) white.rgb[i] = 1;
+    check(environment_of_image(&white, &sky, &f), "a white map");
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 2; k++) {
+            furnace_ball(&b[i], NULL, k ? (real)0.9 : (real)0.4, true);
+            furnace_ball(&b[i], &sky, k ? (real)0.9 : (real)0.4, true);
+            furnace_ball(&b[i], &sky, k ? (real)0.9 : (real)0.4, false);
+        }
+    image_free(&white), environment_free(&sky);
+}
+
+/* Glass keeps nothing back: L = 1 behind any ball of it; with absorption less. */
+static void test_glass(void)
+{
+    for (int k = 0; k < 3; k++) {
+        lit_scene s;
+        path_tracer t;
+        estimate e[3];
+        path_counts c = {0};
+        lit_material m = {.ior = k == 1 ? (real)0.7 : (real)1.5, .sigma = {0, 0, 0}};
+        if (k == 2) m.sigma = (vec3){1, 2, 0};
+        lit_begin(&s);
+        lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), lit_add_material(&s, m));
+        s.background = (vec3){1, 1, 1};
+        lit_end(&s);
+        path_tracer_of(&s, NULL, path_defaults, &t);
+        along(&t, ray_from((vec3){0, (real)0.6, 5}, (vec3){0, 0, -1}), check_count(500), 16, e, &c);
+        check_at_least(t_test(e[2], 1, 1e-6), false_alarm, "a clear ball %d in white light: %.9g", k,
+                       e[2].mean);
+        check_at_least(c.refractions, c.paths, "each path meets the ball");
+        check_equal(c.light_draws, 0, "no light sample on glass");
+        if (k == 2) {  /* head on: 1 - F goes in, 2 long, F inside back ...: a geometric series */
+            along(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}), check_count(2000), 16, e, &c);
+            for (int ch = 0; ch < 3; ch++) {
+                double F = 0.04, a = exp(-2 * (double)vaxis(m.sigma, ch));
+                double exact = F + (1 - F) * (1 - F) * a / (1 - F * a);
+                check_at_least(t_test(e[ch], exact, 1e-6), false_alarm, "absorbed: %.6g, exactly %.6g",
+                               e[ch].mean, exact);
+            }
+        }
+        path_tracer_free(&t), lit_free(&s);
+    }
+}
+
+/* ---- against the naive path of 25 ---- */
+
+/* Means of two estimates that share nothing (Welch). */
+static double welch(estimate a, estimate b)
+{
+    double va = estimate_variance(a) / (double)a.n, vb = estimate_variance(b) / (double)b.n;
+    double k = (va + vb) * (va + vb)
+        / (va * va / (double)(a.n - 1) + vb * vb / (double)(b.n - 1));
+    if (!(va + vb > 0)) return a.mean == b.mean ? 1 : 0;
+    return t_above((a.mean - b.mean) / sqrt(va + vb), k);
+}
+
+static void test_naive(void)
+{
+    enum { side = 6 };
+    showcase c;
+    path_tracer t;
+    failure f;
+    estimate all[2] = {{0}, {0}};
+    check(showcase_of("cornell", 1, &c, &f), "the box");
+    path_tracer_of(&c.s, NULL, path_defaults, &t);
+    check(t.plain, "the box is plain: the specialised loop is what is tested");
+    naive_path p = {&c.s, DIRECTIONS_BRDF, naive_endless, false};
+    naive_counts counts = {0};
+    path_counts mine = {0};
+    size_t n = check_count(12000);
+    for (int i = 0; i < side * side; i++) {
+        estimate a[3] = {{0}, {0}, {0}}, b[3] = {{0}, {0}, {0}};
+        for (size_t k = 0; k < n; k++) {
+            sampler s = sampler_start(SEQUENCE_RANDOM, 5, (uint64_t)i, (uint32_t)k, (uint32_t)n);
+            point2 u = sampler_pair(&s);
+            ray r = camera_ray(c.eye, (real)(i % side) + u.u, (real)(i / side) + u.v, side, side);
+            vec3 L = naive_radiance(&p, r, &s, &counts);
+            for (int ch = 0; ch < 3; ch++) a[ch] = estimate_add(a[ch], vaxis(L, ch));
+        }
+        for (size_t k = 0; k < n / 8; k++) {
+            path_options how = t.how;
+            how.sequence = SEQUENCE_RANDOM;
+            path_random s = path_start(&how, 6, (uint64_t)i, (uint32_t)k, (uint32_t)n);
+            point2 u = path_pair(&s);
+            ray r = camera_ray(c.eye, (real)(i % side) + u.u, (real)(i / side) + u.v, side, side);
+            vec3 L = path_radiance(&t, r, &s, &mine);
+            for (int ch = 0; ch < 3; ch++) b[ch] = estimate_add(b[ch], vaxis(L, ch));
+        }
+        for (int ch = 0; ch < 3; ch++)  /* few paths see the light: the tails are not Student's */
+            check_at_least(welch(a[ch], b[ch]), false_alarm / 10, "pixel %d, channel %d: %.6g, naive %.6g",
+                           i, ch, b[ch].mean, a[ch].mean);
+        all[0] = estimate_add(all[0], (real)(a[0].mean - b[0].mean));
+        all[1] = estimate_add(all[1], (real)(a[1].mean - b[1].mean));
+    }
+    check_at_least(t_test(all[0], 0, 1e-9), false_alarm, "the mean difference of all pixels: %g",
+                   all[0].mean);
+    check_at_least(t_test(all[1], 0, 1e-9), false_alarm, "the mean difference of all pixels: %g",
+                   all[1].mean);
+    path_tracer_free(&t), showcase_free(&c);
+}
+
+/* Strategies that must agree, in a room with glass, mirror, gloss, two lights and a sky. */
+static void crowded(lit_scene *s, bool glass)
+{
+    lit_cornell_begin(s);
+    lit_material gloss = {.f = brdf_ggx((vec3){(real)0.9, (real)0.7, (real)0.4}, (real)0.4)};
+    lit_material lamp = {.f = brdf_lambert((vec3){(real)0.5, (real)0.5, (real)0.5}),
+                         .Le = {3, 4, 5}};
+    lit_add_shape(s, shape_of_sphere((sphere){{420, 80, 150}, 80}), lit_add_material(s, gloss));
+    lit_add_shape(s, shape_of_sphere((sphere){{100, 400, 300}, 60}), lit_add_material(s, lamp));
+    if (glass) {
+        lit_material ball = {.ior = (real)1.5, .sigma = {(real)0.001, 0, (real)0.002}};
+        lit_add_shape(s, shape_of_sphere((sphere){{180, 235, 160}, 70}), lit_add_material(s, ball));
+    }
+    s->background = (vec3){(real)0.2, (real)0.3, (real)0.4};
+    lit_end(s);
+}
+
+static void test_strategies_agree(void)
+{
+    lit_scene s;
+    environment sky;
+    estimate best[3], e[3];
+    environment_sky(32, 16, (vec3){0, (real)0.3, -1}, &sky);
+    crowded(&s, true);
+    ray r = ray_between((vec3){278, 273, -800}, (vec3){330, 20, 60});
+    for (int o = 0; o < 6; o++) {
+        path_options how = path_defaults;
+        path_counts c = {0};
+        how.sequence = SEQUENCE_RANDOM;
+        if (o == 1) how.mis = false;
+        if (o == 2) how.light_sampling = how.mis = false;
+        if (o == 3) how.roulette = ROULETTE_FIXED;
+        if (o == 4) how.roulette = ROULETTE_NONE, how.bounces = 100;
+        if (o == 5) how.spend_all = true;
+        path_tracer t;
+        path_tracer_of(&s, &sky, how, &t);
+        along(&t, r, check_count(o == 2 ? 1500 : 500), 16, e, &c);
+        for (int k = 0; k < 3; k++) {
+            if (o == 0) best[k] = e[k];
+            else if (o == 5) check_equal(e[k].mean, best[k].mean, "spend_all changes no bit");
+            else check_at_least(welch(e[k], best[k]), false_alarm, "strategy %d, channel %d: %g, not %g",
+                                o, k, e[k].mean, best[k].mean);
+        }
+        path_tracer_free(&t);
+    }
+    lit_free(&s), environment_free(&sky);
+}
+
+/* ---- reciprocity: what A sends to B is what B would send to A ---- */
+
+/* Power that the rectangle `eye` gets, by its own area and cosine: E = pi mean L. */
+static estimate received(bool swapped, size_t n)
+{
+    rectangle place[2] = {{{120, 300, 200}, {90, 0, 20}, {0, 60, 10}},
+                          {{380, 120, 480}, {-60, 30, 0}, {20, 80, 0}}};
+    lit_scene s;
+    path_tracer t;
+    path_counts c = {0};
+    estimate e = {0};
+    rectangle lamp = place[swapped], eye = place[!swapped];
+    lit_cornell_begin(&s);
+    for (size_t i = 0; i < s.emitters; i++) s.emitter[i].Le = (vec3){0, 0, 0};
+    lit_material glass = {.ior = (real)1.5, .sigma = {(real)0.002, 0, 0}};
+    lit_material gloss = {.f = brdf_ggx((vec3){1, (real)0.8, (real)0.6}, (real)0.5)};
+    lit_add_shape(&s, shape_of_sphere((sphere){{300, 260, 150}, 70}), lit_add_material(&s, glass));
+    lit_add_shape(&s, shape_of_sphere((sphere){{150, 90, 400}, 90}), lit_add_material(&s, gloss));
+    s.material[CORNELL_LIGHT].Le = (vec3){0, 0, 0};
+    s.emitters = 0;
+    for (size_t i = 0; i < s.m.triangles; i++) s.part[i].emitter = lit_dark;
+    lit_add_rectangle(&s, lamp, lit_add_material(&s, (lit_material){.Le = {10, 10, 10}}));
+    lit_add_rectangle(&s, eye, lit_add_material(&s, (lit_material){.Le = {0, 0, 0}}));
+    lit_end(&s);
+    path_tracer_of(&s, NULL, path_defaults, &t);
+    real area = vlength(vcross(eye.s, eye.t));
+    vec3 normal = vunit(vcross(eye.s, eye.t));
+    for (size_t i = 0; i < n; i++) {
+        path_random r = path_start(&t.how, 9, i, 0, 1);
+        point2 u = path_pair(&r), v = path_pair(&r);
+        vec3 p = vadd(eye.o, vadd(vscale(eye.s, u.u), vscale(eye.t, u.v)));
+        ray d = leave((surface){p, normal, normal, (real)1e-3, 0, no_shape},
+                      directed(normal, sample_cosine(v.u, v.v)));
+        e = estimate_add(e, path_radiance(&t, d, &r, &c).x * area / 1000);
+    }
+    path_tracer_free(&t), lit_free(&s);
+    return e;
+}
+
+static void test_reciprocity(void)
+{
+    size_t n = check_count(120000);
+    estimate there = received(false, n), back = received(true, n);
+    check_at_least(welch(there, back), false_alarm, "power from A to B %.6g, from B to A %.6g", there.mean,
+                   back.mean);
+    check_at_most(estimate_error(there), 0.02 * there.mean * sqrt(120000.0 / (double)n),
+                  "the test is sharp: 2 %% of the power, with all samples");
+}
+
+/* ---- roulette: X / q with probability q has the mean of X ---- */
+
+static void test_roulette(void)
+{
+    check_equal(roulette_survival((vec3){(real)0.125, (real)0.25, 0}), (real)0.5, "q of (26.9)");
+    check_equal(roulette_survival((vec3){2, 0, 0}), 1, "never above 1");
+    for (int k = 1; k < 10; k++) {
+        path_walk w = {.beta = {1, 1, 1}, .squeezed = 1};
+        path_tracer t = {.how = path_defaults};
+        path_counts c = {0};
+        estimate e = {0};
+        real b = (real)k / 20;
+        for (uint32_t i = 0; i < check_count(20000); i++) {
+            path_random s = path_start(&t.how, 7, i, 0, 1);
+            w.beta = (vec3){b, b / 2, 0};
+            bool lives = path_dice(&t, &w, &s, &c);
+            e = estimate_add(e, lives ? w.beta.y : 0);
+        }
+        check_at_least(t_test(e, (double)b / 2, 1e-7), false_alarm, "beta %g: mean %g", (double)b, e.mean);
+        check_equal(c.dice, check_count(20000), "a die each");
+    }
+}
+
+/* ---- only what is called for ---- */
+
+static path_counts count(const char *name, path_options how, image *out)
+{
+    showcase c;
+    path_tracer t;
+    failure f;
+    if (!showcase_of(name, 1, &c, &f)) fail(f);
+    path_tracer_of(&c.s, showcase_sky(&c), how, &t);
+    render_job j = {.tracer = &t, .eye = c.eye, .seed = 2, .threads = 1};
+    film m = film_new(20, 20);
+    render_range(&j, &m, 0, 8);
+    check_equal(j.refused, 0, "samples that are not numbers, %s", name);
+    image im = film_picture(&m);
+    for (int i = 0; i < 3 * 400; i++) check(isfinite(im.rgb[i]) && im.rgb[i] >= 0, "a radiance");
+    if (out) *out = im;
+    else image_free(&im);
+    film_free(&m), path_tracer_free(&t), showcase_free(&c);
+    return j.counts;
+}
+
+static void test_called_for(void)
+{
+    path_options how = path_defaults, all = how;
+    all.spend_all = true;
+    for (int i = 0; showcase_names[i]; i++) {
+        const char *name = showcase_names[i];
+        image plain, spent;
+        path_counts a = count(name, how, &plain), b = count(name, all, &spent);
+        check(memcmp(plain.rgb, spent.rgb, 3 * 400 * sizeof *plain.rgb) == 0,
+              "%s: the same picture, byte for byte, when all is spent", name);
+        check_at_least(b.shadow, a.shadow, "%s: shadow rays", name);
+        check_equal(a.spent, 0, "%s: nothing is spent in vain", name);
+        bool glass = strcmp(name, "spheres") == 0 || strcmp(name, "furnace") == 0;
+        check((a.refractions > 0) == glass, "%s: refraction code runs where there is glass", name);
+        bool lit = strcmp(name, "furnace") != 0;
+        check((a.light_draws > 0) == lit, "%s: light samples where there are lights", name);
+        if (i == 0) check_at_least(b.spent, 100, "the box: there was something to spend");
+        image_free(&plain), image_free(&spent);
+    }
+    how.bounces = 0;
+    path_counts none = count("cornell", how, NULL);
+    check_equal(none.bounce + none.shadow + none.dice + none.light_draws, 0, "no bounce: no dice");
+    how = path_defaults, how.light_sampling = how.mis = false;
+    check_equal(count("cornell", how, NULL).shadow, 0, "directions only: no shadow rays");
+}
+
+int main(void)
+{
+    test_roulette();
+    test_closed_sphere();
+    test_furnace();
+    test_glass();
+    test_called_for();
+    test_strategies_agree();
+    test_reciprocity();
+    test_naive();
+    return check_report("26_path_tracer");
+}

@@ -1,0 +1,353 @@
+/* Tests of 26: exact sums, states that are cut, joined, resumed, damaged; honest error estimates. */
+#include "check.h"
+static char directory[] = "/tmp/26_state_XXXXXX";
+#include "program.h"
+#include "../common/output.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/26_path_tracer/command.h"
+
+/* ---- tally ---- */
+
+static void test_tally(void)
+{
+    random_stream s = random_start(26, 1, 1);
+    for (int round = 0; round < (int)check_count(500); round++) {
+        tally forth = {0, 0}, back = {0, 0}, split[3] = {{0, 0}, {0, 0}, {0, 0}};
+        double x[60], exact = 0;
+        for (int i = 0; i < 60; i++) {  /* multiples of 2^-20 below 2^25: their sum is exact */
+            x[i] = floor((double)random_next(&s) * 0x1p45) * 0x1p-20;
+            if (i % 3 == 0) x[i] = -x[i];
+            if (i % 7 == 0) x[i] *= 0x1p-20, x[i] = floor(x[i] * 0x1p20) * 0x1p-20;
+            exact += x[i];
+        }
+        for (int i = 0; i < 60; i++) {
+            tally_add(&forth, x[i]), tally_add(&back, x[59 - i]);
+            tally_add(&split[(int)(random_next(&s) * 3)], x[i]);
+        }
+        tally_join(&split[0], &split[2]), tally_join(&split[0], &split[1]);
+        check_equal(tally_sum(&forth), exact, "sum of dyadic numbers");
+        check(memcmp(&forth, &back, sizeof forth) == 0, "backwards: the same bits");
+        check(memcmp(&forth, &split[0], sizeof forth) == 0, "in three parts: the same bits");
+    }
+    tally t = {0, 0};
+    check(!tally_add(&t, NAN) && t.low == 0 && t.high == 0, "a NaN is refused");
+    check(tally_add(&t, INFINITY), "infinity is cut");
+    check_equal(tally_sum(&t), 0x1p60, "to 2^60");
+    check(tally_add(&t, -0x1p60) && t.low == 0 && t.high == 0, "and taken away again");
+    tally_add(&t, -1e-30), tally_add(&t, 1e-30), tally_add(&t, -0.0);
+    check(t.low == 0 && t.high == 0, "less than 2^-62 is nothing, on both sides");
+    tally_add(&t, -0x1p-62);
+    check_equal(tally_sum(&t), -0x1p-62, "the least step, downwards");
+    tally_add(&t, 0x1p-61);
+    check_equal(tally_sum(&t), 0x1p-62, "and up again, across 0");
+}
+
+/* ---- film and state ---- */
+
+typedef struct { showcase c; path_tracer t; render_job j; } place;
+
+static void place_of(place *p, const char *name, int threads)
+{
+    failure f;
+    if (!showcase_of(name, 1, &p->c, &f)) fail(f);
+    path_tracer_of(&p->c.s, showcase_sky(&p->c), path_defaults, &p->t);
+    p->j = (render_job){.tracer = &p->t, .eye = p->c.eye, .seed = 4, .threads = threads};
+}
+
+static void place_free(place *p) { path_tracer_free(&p->t), showcase_free(&p->c); }
+
+static bool same(const film *a, const film *b)
+{
+    return a->width == b->width && a->height == b->height && a->ranges == b->ranges
+        && memcmp(a->range, b->range, (size_t)a->ranges * sizeof *a->range) == 0
+        && memcmp(a->pixel, b->pixel,
+                  (size_t)a->width * (size_t)a->height * sizeof *a->pixel) == 0;
+}
+
+static void test_parts(void)
+{
+    const uint32_t cut[] = {0, 1, 7, 8, 20, 33};
+    const int order[] = {3, 0, 4, 2, 1};
+    place one, three;
+    failure f;
+    place_of(&one, "spheres", 1), place_of(&three, "spheres", 3);
+    film whole = film_new(21, 19), joined = film_new(21, 19), grown = film_new(21, 19), part;
+    render_range(&one.j, &whole, 0, 33);
+    for (int i = 0; i < 5; i++) {
+        int k = order[i];
+        part = film_new(21, 19);
+        render_range(&three.j, &part, cut[k], cut[k + 1]);
+        check(film_join(&joined, &part, &f), "part %d joins", k);
+        if (i == 2) check(!film_join(&joined, &part, &f) && strstr(f.text, "twice"), "not twice");
+        film_free(&part);
+    }
+    check(same(&whole, &joined), "five parts in any order, three threads: the same bits");
+    render_until(&three.j, &grown, (render_goal){.samples = 5});
+    render_until(&three.j, &grown, (render_goal){.samples = 33});
+    check(same(&whole, &grown), "in passes, stopped and gone on: the same bits");
+    part = film_new(20, 19);
+    check(!film_join(&joined, &part, &f) && strstr(f.text, "20x19"), "another size does not fit");
+    film_free(&part), film_free(&whole), film_free(&joined), film_free(&grown);
+    place_free(&one), place_free(&three);
+}
+
+static void test_ranges(void)
+{
+    film m = film_new(1, 1);
+    failure f;
+    check(film_cover(&m, 4, 8, &f) && film_cover(&m, 0, 2, &f) && film_cover(&m, 9, 11, &f), "three");
+    check_equal(m.ranges, 3, "with gaps");
+    check(!film_cover(&m, 7, 9, &f) && !film_cover(&m, 1, 3, &f) && !film_cover(&m, 0, 20, &f),
+          "what overlaps is refused");
+    check_equal(f.exit_code, 2, "as misuse");
+    check(film_cover(&m, 2, 4, &f) && m.ranges == 2 && m.range[0].end == 8, "a gap is closed");
+    check(film_cover(&m, 8, 9, &f) && m.ranges == 1 && m.range[0].end == 11, "all of them");
+    double n[2];
+    film_count(&m, 0, n);
+    check(n[0] == 6 && n[1] == 5, "samples 0 .. 10: six are even");
+    film_free(&m);
+}
+
+static void test_state(void)
+{
+    place p;
+    failure f;
+    film m = film_new(9, 7), back;
+    char settings[state_settings] = "scene x\nseed 4\n", empty[state_settings] = "";
+    place_of(&p, "cornell", 1);
+    render_range(&p.j, &m, 3, 6), render_range(&p.j, &m, 10, 12);
+    const char *path = in_directory("s.state");
+    check(state_write(path, &m, settings, &f), "written");
+    check(state_read(path, &back, empty, &f) && same(&m, &back), "and read: the same");
+    check_text(empty, settings, "its settings");
+    film_free(&back);
+    check(!state_read(path, &back, (char[state_settings]){"scene x\nseed 5\n"}, &f)
+          && f.exit_code == 2 && strstr(f.text, "'seed 4', not 'seed 5'"), "another seed: %s", f.text);
+    check(!state_read(in_directory("none"), &back, empty, &f) && f.exit_code == 1, "no such file");
+    size_t n;
+    char *text = file_read(path, &n, &f), *damaged = allocate(n + 1, 1);
+    for (size_t k = 0; k < 400; k++) {  /* a bit here, an end there */
+        size_t at = k * 977 % n, length = k % 2 ? n : at;
+        memcpy(damaged, text, n + 1);
+        if (k % 2) damaged[at] = (char)(damaged[at] ^ 1 << k % 8);
+        char of[state_settings] = "";
+        bool read = state_parse("x", damaged, length, &back, of, &f);
+        check(!read && f.exit_code == 2, "a damaged state is refused: %zu", k);
+        if (read || back.width) film_free(&back);
+    }
+    /* The right checksum, but sizes and ranges of nonsense. */
+    const char *header[] = {"size 9x7\nsamples 3:6 5:9\n\n", "size 0x7\nsamples 3:6\n\n",
+                            "size 9x9\nsamples 3:6\n\n", "size 99999x7\nsamples 3:6\n\n",
+                            "size 9x7\nsamples 6:3\n\n", "size 9x7\n\n", "size 9x7\nsamples 1:\n\n"};
+    for (int k = 0; k < 7; k++) {
+        char *made = allocate(n + 100, 1), of[state_settings] = "";
+        size_t l = (size_t)sprintf(made, "%sscene x\n%s", state_magic, header[k]);
+        l += 96 * 63;
+        state_word((uint8_t *)made + l, state_hash(state_hash_start, made, l));
+        back = (film){.width = 0};
+        check(!state_parse("x", made, l + 8, &back, of, &f) && f.exit_code == 2, "header %d", k);
+        film_free(&back), free(made);
+    }
+    free(text), free(damaged), film_free(&m), place_free(&p);
+}
+
+/* ---- the program ---- */
+
+static bool equal_files(const char *a, const char *b)
+{
+    size_t n, m;
+    failure f;
+    char *x = file_read(in_directory(a), &n, &f), *y = file_read(in_directory(b), &m, &f);
+    bool equal = x && y && n == m && memcmp(x, y, n) == 0;
+    free(x), free(y);
+    return equal;
+}
+
+static int go(const char *format, const char *a, const char *b)
+{
+    char text[700], x[300], y[300];
+    snprintf(x, sizeof x, "%s", in_directory(a)), snprintf(y, sizeof y, "%s", in_directory(b));
+    snprintf(text, sizeof text, format, x, y);
+    return run("26_path_tracer", text);
+}
+
+static void test_program(void)
+{
+#define small "--size 24x18 --scene spheres "
+    check_equal(go(small "--samples 12 --save %s --out %s", "all.state", "all.pfm"), 0, "one run");
+    check_equal(go(small "--samples 5 --save %s --out %s", "part.state", "p.pfm"), 0, "a part");
+    check_equal(go(small "--samples 12 --resume %s --out %s/no/such.pfm", "part.state", "x"), 1, "where nothing can be written: exit 1");
+    char text[900];
+    snprintf(text, sizeof text, small "--samples 12 --resume %s --save %s --out %s",
+             in_directory("part.state"), in_directory("more.state"), in_directory("more.pfm"));
+    check_equal(run("26_path_tracer", text), 0, "resumed");
+    check(equal_files("all.state", "more.state") && equal_files("all.pfm", "more.pfm"),
+          "stopped and resumed: the same bytes, state and picture");
+    check_equal(go(small "--range 0:3 --save %s --out %s", "a.state", "p.pfm"), 0, "a");
+    check_equal(go(small "--range 8:12 --save %s --out %s", "c.state", "p.pfm"), 0, "c");
+    check_equal(go(small "--range 3:8 --save %s --out %s", "b.state", "p.pfm"), 0, "b");
+    snprintf(text, sizeof text, "--merge %s/c.state %s/a.state %s/b.state --save %s/m.state "
+             "--out %s/m.pfm", directory, directory, directory, directory, directory);
+    check_equal(run("26_path_tracer", text), 0, "merged");
+    check(equal_files("all.state", "m.state") && equal_files("all.pfm", "m.pfm"),
+          "three ranges merged: the same bytes as one run");
+    check_equal(go("--merge %s %s --quick", "a.state", "a.state"), 2, "nothing counts twice");
+    check(printed("err", "nothing counts twice"), "and says so");
+    check_equal(go(small "--seed 9 --samples 12 --resume %s --out %s", "part.state", "p.pfm"), 2,
+                "another seed");
+    check(printed("err", "'seed 1', not 'seed 9'"), "and says which");
+    check_equal(go("--size 25x18 --scene spheres --samples 12 --resume %s --out %s", "part.state",
+                   "p.pfm"), 2, "another size");
+    check_equal(go(small "--samples 12 --resume %s --out %s", "c.state", "p.pfm"), 2, "not from 0");
+    check_equal(go(small "--range 5:3 --out %s", "p.pfm", ""), 2, "a range backwards");
+    check_equal(go(small "--strategy luck --out %s", "p.pfm", ""), 2, "no such strategy");
+    check_equal(go("--scene nowhere --out %s", "p.pfm", ""), 2, "no such scene");
+    check_equal(go(small "--error 0.5 --out %s", "p.pfm", ""), 0, "to an error");
+    check_equal(go(small "--time 0.2 --out %s", "p.pfm", ""), 0, "for a time");
+}
+
+/* ---- the error estimate is what it says ---- */
+
+static double distance(const film *a, const image *reference)
+{
+    image im = film_picture(a);
+    double e = image_compare(&im, reference).rmse;
+    image_free(&im);
+    return e;
+}
+
+static void test_error(void)
+{
+    enum { side = 20 };
+    place p;
+    place_of(&p, "cornell", 0);  /* seen so that the light's edges, most of its noise, are not */
+    p.j.eye = showcase_eye((vec3){278, 200, -150}, (vec3){278, 80, 559}, 45, 1);
+    film all = film_new(side, side);
+    uint32_t most = (uint32_t)check_count(1500);
+    p.j.seed = 99;
+    render_range(&p.j, &all, 0, most);
+    image reference = film_picture(&all);
+    double rest = film_error(&all), true2 = 0, said2 = 0;
+    int runs = 12;
+    for (int k = 0; k < runs; k++) {
+        film m = film_new(side, side);
+        p.j.seed = (uint64_t)k;
+        render_range(&p.j, &m, 0, 24);
+        double e = distance(&m, &reference), said = film_error(&m);
+        true2 += e * e / runs, said2 += said * said / runs;
+        film_free(&m);
+    }
+    /* The reference's own error is in true2. 12 x 1200 numbers of chance, squared, and those of a
+     * pixel are alike: off by sqrt(2 / 4800) = 2 % each, twice that for their tails; times 5. */
+    check_close(said2 / (true2 - rest * rest), 1, 0.2, "estimated by true mean square error");
+    for (int k = 0; k < 3; k++) {
+        film m = film_new(side, side);
+        double wanted = k == 0 ? 0.02 : k == 1 ? 0.01 : 0.007;
+        p.j.seed = 50 + (uint64_t)k;
+        render_until(&p.j, &m, (render_goal){.error = wanted});
+        double e = distance(&m, &reference);
+        check_at_most(film_error(&m), wanted, "stopped where the estimate is");
+        /* One picture: 3 x 400 numbers: 8 % of the square with tails; times 5: 1.2. */
+        check_at_most(sqrt(e * e), 1.2 * sqrt(wanted * wanted + rest * rest), "asked for %g", wanted);
+        check_at_least(film_samples(&m), 16, "not before 16 samples");
+        film_free(&m);
+    }
+    image_free(&reference), film_free(&all), place_free(&p);
+}
+
+/* ---- environment, dielectric: closed forms ---- */
+
+static void test_dielectric(void)
+{
+    real c, e = real_epsilon;
+    for (int k = 0; k < 20; k++) {
+        real n = 1 + (real)k / 10, f = (n - 1) / (n + 1);
+        check_close(dielectric_fresnel(1 / n, 1, &c), f * f, 8 * e, "head on: ((n-1)/(n+1))^2");
+    }
+    real h = (real)0x1p-20, eta = 1 + h, head = h / (2 + h);
+    check_close(dielectric_fresnel(eta, 1, &c) / (head * head), 1, 64 * e, "nearly no boundary");
+    check_equal(dielectric_fresnel((real)1.5, (real)0.5, &c), 1, "beyond the critical angle");
+    check_equal(dielectric_fresnel((real)1.5, 0, &c), 1, "grazing");
+    real brewster = 1 / sqrt(1 + (real)2.25);  /* tan = 1.5: F = ((1-n^2)/(1+n^2))^2 / 2 */
+    real rs = (real)1.25 / (real)3.25;
+    check_close(dielectric_fresnel(1 / (real)1.5, brewster, &c), rs * rs / 2, 16 * e, "Brewster");
+    random_stream s = random_start(26, 3, 1);
+    double worst = 0, length = 0, snell = 0;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        vec3 n = sample_sphere(random_next(&s), random_next(&s));
+        vec3 wo = sample_sphere(random_next(&s), random_next(&s));
+        if (vdot(n, wo) < 0) wo = vneg(wo);
+        eta = (real)0.4 + 2 * random_next(&s);
+        real ci = vdot(n, wo), f = dielectric_fresnel(eta, ci, &c), again;
+        if (f < 1) {  /* c^2 is off by some epsilon, F by 4 / c times its root's; both cosines */
+            real off = fabs(dielectric_fresnel(1 / eta, c, &again) - f) * c * c * ci * ci;
+            worst = check_worse(worst, (double)off);
+        }
+        bool through;
+        vec3 wi = dielectric_scatter(n, wo, eta, random_next(&s), &through);
+        length = check_worse(length, fabs((double)(vlength(wi) - 1)));
+        real want = through ? -1 : 1;
+        check(vdot(wi, n) * want >= -4 * e, "reflected above, refracted below");
+        vec3 across = vsub(vcross(n, wi), vscale(vcross(n, wo), -(through ? eta : 1)));
+        snell = check_worse(snell, (double)vlength(across));
+    }
+    check_at_most(length, 4 * (double)e, "unit length");
+    check_at_most(snell, 16 * (double)e, "n x wi = -eta n x wo: Snell, in the plane");
+    check_at_most(worst, 32 * (double)e, "F is the same from both sides");
+}
+
+static void test_environment(void)
+{
+    image im = image_new(12, 6);
+    environment e;
+    failure f;
+    random_stream s = random_start(26, 4, 1);
+    for (int i = 0; i < 72; i++)
+        for (int k = 0; k < 3; k++)
+            im.rgb[3 * i + k] = i % 5 == 0 ? 0 : (float)random_next(&s) * (i % 7 ? 1 : 30);
+    check(environment_of_image(&im, &e, &f), "built");
+    estimate omega = {0}, zz = {0};
+    size_t wrong = 0;
+    real covered = 0;
+    for (int j = 0; j < 6; j++) covered += 12 * environment_omega(&e, j);
+    check_close(covered, 4 * pi, 64 * real_epsilon, "all texels make the sphere");
+    double lit = 0;
+    for (int i = 0; i < 72; i++) lit += i % 5 ? (double)environment_omega(&e, i / 12) : 0;
+    for (size_t i = 0; i < check_count(200000); i++) {
+        vec3 d, L;
+        real pdf;
+        point2 u = {random_next(&s), random_next(&s)};
+        environment_sample(&e, u, &d, &pdf, &L);
+        vec3 at = environment_radiance(&e, d);
+        real again = environment_pdf(&e, d);
+        wrong += !(fabs(again / pdf - 1) < 64 * real_epsilon) || at.x != L.x;  /* edges of texels */
+        wrong += fabs(vlength(d) - 1) > 8 * real_epsilon;
+        omega = estimate_add(omega, 1 / pdf), zz = estimate_add(zz, d.y * d.y / pdf);
+    }
+    check_at_most(wrong, (double)check_count(200000) * (real_is_float ? 1e-4 : 1e-5), "sample and lookup");
+    check_at_least(t_test(omega, lit, 1e-5 * lit), 1e-7, "E[1/pdf] is the solid angle that shines");
+    environment_free(&e);
+    im.rgb[5] = -1;
+    check(!environment_of_image(&im, &e, &f) && f.exit_code == 2, "a negative radiance");
+    im.rgb[5] = NAN;
+    check(!environment_of_image(&im, &e, &f), "a NaN");
+    memset(im.rgb, 0, 72 * 3 * sizeof *im.rgb);
+    check(!environment_of_image(&im, &e, &f), "black");
+    image_free(&im);
+}
+
+int main(void)
+{
+    if (!mkdtemp(directory)) return 1;
+    test_tally();
+    test_ranges();
+    test_parts();
+    test_state();
+    test_dielectric();
+    test_environment();
+    test_error();
+    test_program();
+    char clean[300];
+    snprintf(clean, sizeof clean, "rm -r %s", directory);
+    return check_report("26_state") | (system(clean) != 0);
+}
