@@ -109,8 +109,8 @@ static inline bool mtl_line_ends(text_reader *t)
 
 static inline bool mtl_name(text_reader *t, char name[text_token])
 {
-    const char *start;
-    size_t n;
+    const char *start = NULL;
+    size_t n = 0;
     if (!text_rest(t, &start, &n)) return false;
     memcpy(name, start, n), name[n] = 0;
     return true;

@@ -49,7 +49,7 @@ static inline bool word_more(text_reader *t)
 /* The comparison is written so that a NaN would fail. */
 static inline bool word_number(text_reader *t, real *out, double lowest, double highest)
 {
-    real x;
+    real x = 0;
     if (!text_more(t)) return text_bad(t, t->p, "no number before", "a number");
     const char *start = t->p;
     double exact;
