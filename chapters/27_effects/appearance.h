@@ -9,7 +9,7 @@
  *   3         Kd             -          Ks                -
  *   5         Kd             -          Ks, Fresnel       -
  *   4         d Kd           -          Ks                (1-d) (1-Ks) Tf, straight
- *   9         d Kd           Ks         -                 (1-d) Tf, straight
+ *   9         d Kd           Ks         -                 (1-d) (1-Ks) Tf, straight
  *   6         (1-Tf) Kd      -          Ks                (1-Ks) Tf, bent by Ni
  *   7         (1-Tf) Kd      -          1, Fresnel        Tf, bent by Ni
  *   not said  as 2; if d < 1, as 9
@@ -102,8 +102,7 @@ static inline appearance appearance_of(const studio_material *m)
     }
     if (illum == 4 || illum == 9) {
         a.matte = vscale(kd, m->d);
-        a.through = vscale(m->tf, 1 - m->d);
-        if (illum == 4) a.through = vmul(a.through, vrest(m->ks));
+        a.through = vmul(vscale(m->tf, 1 - m->d), vrest(m->ks));
     }
     if (illum == 6 || illum == 7) {
         a.matte = vmul(kd, vrest(m->tf));

@@ -48,10 +48,10 @@ static inline void framing_add_box(framing *g, vec3 lo, vec3 hi, real far)
         framing_add(g, (vec3){k & 1 ? lo.x : hi.x, k & 2 ? lo.y : hi.y, k & 4 ? lo.z : hi.z}, far);
 }
 
-/* All shapes and all placed points; of more than most_points instances' points, the boxes. */
+/* All shapes and all placed points; if these are too many, the box of everything. */
 static inline void framing_measure(framing *g, const studio *s, real far)
 {
-    const size_t most_points = 20000000;
+    const size_t most_points = 50000000;  /* a second or so */
     size_t points = 0;
     g->D = 0, g->l = g->b = real_infinity, g->r = g->t = -real_infinity;
     for (size_t i = 0; i < s->shapes; i++) {
@@ -59,7 +59,7 @@ static inline void framing_measure(framing *g, const studio *s, real far)
         shape_bounds(s->shape[i], &lo, &hi);
         if (vfinite(lo) && vfinite(hi)) framing_add_box(g, lo, hi, far);
     }
-    for (size_t i = 0; i < s->places; i++) points += s->mesh[s->placed[i].mesh].vertices;
+    for (size_t i = 0; i < s->places; i++) points += 3 * s->mesh[s->placed[i].mesh].triangles;
     for (size_t i = 0; i < s->places && points <= most_points; i++) {
         const mesh *m = &s->mesh[s->placed[i].mesh];
         for (size_t k = 0; k < 3 * m->triangles; k++)  /* a stray vertex is not seen */

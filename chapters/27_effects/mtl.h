@@ -166,7 +166,7 @@ static inline bool mtl_read(studio *s, const char *path, uint32_t *library, fail
         if (s->library_file[*library] == file) return true;
     if (s->files_read >= studio_most_files)
         return failed(f, 2, "%.300s: too many files, allowed: %d in all", path, studio_most_files);
-    FILE *in = word_open(path, f);
+    FILE *in = word_open(path, false, f);
     if (!in) return false;
     s->files_read++;
     studio_grow(s, library, s->libraries), studio_grow(s, library_file, s->libraries);

@@ -314,7 +314,7 @@ static inline bool nff_read(studio *s, const char *path, affine to_world, uint32
 {
     if (s->files_read >= studio_most_files)
         return failed(f, 2, "%.300s: too many files, allowed: %d in all", path, studio_most_files);
-    FILE *in = word_open(path, f);
+    FILE *in = word_open(path, false, f);
     if (!in) return false;
     s->files_read++;
     bool ok = nff_read_stream(s, in, path, to_world, made_of, f);

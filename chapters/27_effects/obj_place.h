@@ -34,6 +34,8 @@ static inline bool obj_try_library(studio *s, const char *base, const char *name
         && access(path, R_OK) == 0;
     if (!*there) return true;
     if (!mtl_read(s, path, &k, f)) return false;
+    for (size_t i = 0; i < found->n; i++)
+        if (found->library[i] == k) return true;
     found->library = grown(found->library, found->n, &found->room, sizeof *found->library);
     found->library[found->n++] = k;
     return true;
@@ -97,7 +99,7 @@ static inline bool obj_mesh(studio *s, const char *path, bool smooth, uint32_t *
         if (s->paint[k].file == file && s->paint[k].smooth == smooth) return *out = k, true;
     if (s->files_read >= studio_most_files)
         return failed(f, 2, "%.300s: too many files, allowed: %d in all", path, studio_most_files);
-    FILE *in = word_open(path, f);
+    FILE *in = word_open(path, false, f);
     if (!in) return false;
     s->files_read++;
     bool ok = obj_read_stream(in, path, UINT32_MAX / 4, &m, f);

@@ -159,7 +159,7 @@ static inline bool scene_picture(statement *q, sky *out)
     if (q->s->files_read++ >= studio_most_files)
         return failed(q->f, 2, "%.300s: too many files, allowed: %d", path, studio_most_files);
     if (stat(path, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode))
-        return failed(q->f, 2, "%.300s: a picture is read from a file only", path);  /* no end */
+        return failed(q->f, 1, "%.300s: cannot read: not a file on a disk", path);
     if (!image_read(path, &out->picture, q->f)) return false;
     if (sky_bad_pixel(&out->picture, &x, &y)) {
         image_free(&out->picture);

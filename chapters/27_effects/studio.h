@@ -30,6 +30,7 @@
 #define STUDIO_H
 
 #include "../16_instances/crowd.h"
+#include "../18_shade/leave.h"
 #include "../18_shade/light.h"
 #include "name_table.h"
 #include "sky.h"

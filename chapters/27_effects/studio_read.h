@@ -83,7 +83,7 @@ static inline bool scene_include(scene_reader *r)
     if (r->q.s->files_read++ >= studio_most_files)
         return failed(r->q.f, 2, "%s:%u: include: too many files, allowed: %d in all", text_name(t),
                       (unsigned)t->line, studio_most_files);
-    FILE *in = word_open(path, r->q.f);
+    FILE *in = word_open(path, false, r->q.f);
     return in && scene_enter(r, in, path, r->q.f);
 }
 
@@ -157,11 +157,15 @@ static inline void studio_begin(studio *s)
     sky_aim(&s->sky, 1, 0);
 }
 
+/* Names come from files: what could hurt a terminal is shown as "?". */
 static inline bool studio_end(studio *s, const studio_words *words, bool ok, failure *f)
 {
     ok = ok && (!words || scene_options(s, words, f)) && studio_finish(s, f);
-    if (!ok) studio_free(s);
-    return ok;
+    if (ok) return true;
+    for (char *p = f ? f->text : NULL; p && *p; p++)
+        if ((unsigned char)*p < ' ' || *p == 127) *p = '?';
+    studio_free(s);
+    return false;
 }
 
 static inline bool studio_read(const char *path, const studio_words *words, studio *s, failure *f)
@@ -177,7 +181,7 @@ static inline bool studio_read(const char *path, const studio_words *words, stud
         s->up = 2;
         ok = nff_read(s, path, as_it_is, 0, f);
     } else {
-        FILE *in = word_open(path, f);
+        FILE *in = word_open(path, true, f);  /* a pipe, too */
         ok = in && scene_read_stream(s, in, path, f);
     }
     return studio_end(s, words, ok, f);

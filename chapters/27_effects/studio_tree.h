@@ -87,7 +87,9 @@ static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f
     for (size_t k = 0; k < s->meshes; k++)
         if (is[k]) used[k] = s->mesh[k];
     instances_options how = instances_defaults;
-    how.boxes = n > 1000 ? INSTANCES_CORNERS : INSTANCES_POINTS;  /* O(1), O(points) an instance */
+    size_t points = 0;  /* of all instances: what tight boxes would cost */
+    for (size_t i = 0; i < n; i++) points += s->mesh[t->moved_list[i].mesh].vertices;
+    how.boxes = points > 20000000 ? INSTANCES_CORNERS : INSTANCES_POINTS;
     crowd c = {used, s->meshes, t->moved_list, n};
     bool ok = instances_build(&c, how, &t->moved, f);
     t->moved.mesh = s->mesh;  /* `used` ends here; the trees copied what they need */

@@ -7,7 +7,8 @@
  *   word_take(t, "from")                  true, and past it, if that is the next token of this line
  *   word_more(t)                          text_more, but goes on to the next lines: NFF
  *   word_path(base, name, path)           `name` as seen from the directory of the file `base`
- *   word_open(path, f)                    a file to read from; a directory or none: NULL, exit 1
+ *   word_open(path, any, f)               a file to read from; a directory or none: NULL, exit 1.
+ *                                         Not `any`: no pipes and devices, which may have no end
  *
  * What fails sets the failure of the reader, with file, line and keyword.
  */
@@ -92,12 +93,16 @@ static inline bool word_path(const char *base, const char *name, char path[word_
     return true;
 }
 
-static inline FILE *word_open(const char *path, failure *f)
+static inline FILE *word_open(const char *path, bool any, failure *f)
 {
     struct stat what;
-    bool directory = stat(path, &what) == 0 && S_ISDIR(what.st_mode);
-    FILE *in = directory ? NULL : fopen(path, "rb");
-    if (directory) errno = EISDIR;
+    bool there = stat(path, &what) == 0, folder = there && S_ISDIR(what.st_mode);
+    if (there && !any && !folder && !S_ISREG(what.st_mode)) {
+        failed(f, 1, "%.300s: cannot read: not a file on a disk", path);
+        return NULL;
+    }
+    FILE *in = folder ? NULL : fopen(path, "rb");
+    if (folder) errno = EISDIR;
     if (!in) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno));
     return in;
 }
