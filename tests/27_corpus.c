@@ -1,6 +1,6 @@
-/* Hostile and broken files: those of tests/corpus/, found by a fuzzer or written by hand, as they are
- * and changed at random. Each is read, or refused with a message that names a file, and nothing else
- * happens: no crash, no hang (a watchdog ends the test), no leak (under the sanitizers).
+/* Hostile and broken files: those of tests/corpus/, found by a fuzzer or written by hand, as they
+ * are and changed at random. Each is read, or refused with a message that names a file, and nothing
+ * else happens: no crash, no hang (a watchdog ends the test), no leak (under the sanitizers).
  *
  * What begins with ok_ must be read, what begins with bad_ refused.
  */
@@ -39,7 +39,7 @@ static bool feed(const char *name)
     char text[300];
     const char *read = name;
     if (ends_with(name, ".ppm") || ends_with(name, ".pfm") || ends_with(name, ".mtl")) {
-        snprintf(text, sizeof text, ends_with(name, ".mtl") ? "mtl \"%s\"\n" : "environment \"%s\"\n",
+        snprintf(text, sizeof text, "%s \"%s\"\n", ends_with(name, ".mtl") ? "mtl" : "environment",
                  name);
         put("feed.scene", text), read = "feed.scene";
     }
@@ -48,7 +48,8 @@ static bool feed(const char *name)
     else if (!(f.exit_code == 1 || f.exit_code == 2) || !strchr(f.text, ':'))
         check(false, "%s: exit %d, '%s'", name, f.exit_code, f.text);
     for (const char *p = f.text; !ok && *p; p++)
-        if ((unsigned char)*p < ' ' || *p == 127) check(false, "%s: byte %d in a message", name, *p);
+        if ((unsigned char)*p < ' ' || *p == 127)
+            check(false, "%s: byte %d in a message", name, *p);
     return ok;
 }
 

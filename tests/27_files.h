@@ -1,6 +1,6 @@
 /* 27_files.h: texts as files in a directory of their own, and what reading them gives.
  *
- *   static char directory[] = "/tmp/27_NAME_XXXXXX";   before this; main: mkdtemp, then remove_all()
+ *   static char directory[] = "/tmp/27_NAME_XXXXXX";   before this; main: mkdtemp, remove_all()
  *   put("a.mtl", text)                         writes the file
  *   bool ok = read_scene("a.scene", &s, &f)    studio_read of a file there
  *   refused("a.mtl", text, scene, exit, "a.mtl:3: Kd", "0 to 1")

@@ -36,8 +36,10 @@ static appearance look_of(const char *keys)
 /* (27.3), row by row; the numbers are sums and products of powers of two. */
 static void test_appearance(void)
 {
-    static const struct { const char *keys; double flat, matte, highlight, mirror, glossy, through; }
-        row[] = {
+    static const struct {
+        const char *keys;
+        double flat, matte, highlight, mirror, glossy, through;
+    } row[] = {
             {"Kd .5\nKs .25\nNs 9\nillum 0", .5, 0, 0, 0, 0, 0},
             {"Kd .5\nKs .25\nNs 9\nillum 1", 0, .5, 0, 0, 0, 0},
             {"Kd .5\nKs .25\nNs 9\nillum 10", 0, .5, 0, 0, 0, 0},
@@ -112,8 +114,8 @@ static void test_energy(void)
 static void test_effects(void)
 {
     enum { H = EFFECT_HARD_SHADOWS, S = EFFECT_SOFT_SHADOWS, M = EFFECT_MIRROR, G = EFFECT_GLOSSY,
-           R = EFFECT_REFRACTION, A = EFFECT_ABSORPTION, N = EFFECT_INDIRECT, E = EFFECT_ENVIRONMENT,
-           D = EFFECT_DEPTH_OF_FIELD };
+           R = EFFECT_REFRACTION, A = EFFECT_ABSORPTION, N = EFFECT_INDIRECT,
+           E = EFFECT_ENVIRONMENT, D = EFFECT_DEPTH_OF_FIELD };
     static const struct { const char *text; unsigned effects; integrator how; } list[] = {
         {"", 0, INTEGRATOR_CASTING},
         {FLOOR, 0, INTEGRATOR_CASTING},
@@ -165,7 +167,7 @@ static void test_effects(void)
         unsigned sum = p.effects & EFFECT_DEPTH_OF_FIELD;
         for (uint32_t m = 0; m < s.materials; m++)
             if (s.material[m].used) sum |= plan_effects(&p, m);
-        check(sum == p.effects, "what materials have a part in, together: %x of %x", sum, p.effects);
+        check(sum == p.effects, "what materials have a part in: %x of %x", sum, p.effects);
         plan_free(&p), studio_free(&s);
     }
 }
@@ -210,7 +212,7 @@ static void test_effects_option(void)
     unsigned mask = 0;
     check(!effects_read("hard,bogus", &mask, &f) && f.exit_code == 2 && strstr(f.text, "'bogus'")
           && strstr(f.text, "allowed: all"), "%s", f.text);
-    check(!effects_read("", &mask, &f) && !effects_read("hard,", &mask, &f), "nothing is no effect");
+    check(!effects_read("", &mask, &f) && !effects_read("hard,", &mask, &f), "nothing: none");
 }
 
 /* ---- camera ---- */
@@ -225,7 +227,8 @@ static void test_framing(void)
         real size = pow((real)10, 4 * uniform()), off = round % 2 ? 0 : 20 * size;
         vec3 p[6], reach = {0, 0, 0};
         for (int k = 0; k < 6; k++) {
-            p[k] = (vec3){off + size * uniform(), size * uniform(), off * uniform() + size * uniform()};
+            p[k] = (vec3){off + size * uniform(), size * uniform(), size * uniform()};
+            p[k].z += off * uniform();
             reach = vmax(reach, (vec3){fabs(p[k].x), fabs(p[k].y), fabs(p[k].z)});
         }
         for (int k = 0; k < 2; k++) {
@@ -261,9 +264,11 @@ static void test_framing(void)
 
 static void test_odd_cameras(void)
 {
-    static const char *const fine[] = {"", "sphere 0 0 0 0\n", "sphere 5 5 5 0\n", "polygon 1 1 1 1 1 1 1"
-                                       " 1 1\n", "sphere 0 0 0 1e15\n", "sphere 1e9 0 0 1e-9\n"};
-    static const char *const bad[] = {"camera from 0 0 0 at 0 0 0\n", "camera from 0 1 0 at 0 0 0\n"};
+    static const char *const fine[] = {"", "sphere 0 0 0 0\n", "sphere 5 5 5 0\n",
+                                       "polygon 1 1 1 1 1 1 1 1 1\n", "sphere 0 0 0 1e15\n",
+                                       "sphere 1e9 0 0 1e-9\n"};
+    static const char *const bad[] = {"camera from 0 0 0 at 0 0 0\n",
+                                      "camera from 0 1 0 at 0 0 0\n"};
     studio s;
     studio_view v;
     camera c;
@@ -299,7 +304,7 @@ static void test_sky(void)
         {1, 0, {1, (real)0.1, (real)-0.1}, 5, 1}, {1, 0, {-1, (real)-0.1, (real)-0.1}, 2, 2},
         {1, 0, {(real)0.1, 5, (real)-0.2}, 4, 0}, {1, 0, {(real)-0.1, -9, (real)-0.2}, 3, 3},
         {1, 0, {(real)0.1, (real)-0.1, 9}, 7, 2}, {1, 0, {(real)-0.1, (real)0.1, 9}, 0, 1},
-        {2, 0, {(real)0.1, 1, (real)0.1}, 4, 1},            /* z up: the middle is +y, right of it +x */
+        {2, 0, {(real)0.1, 1, (real)0.1}, 4, 1},            /* z up: the middle is +y, then +x */
         {1, 90, {-1, (real)0.1, (real)-0.1}, 4, 1},         /* turned about y: the middle is -x */
         {0, 0, {(real)0.1, 1, (real)-0.1}, 4, 1}};          /* x up: right = y x x = -z */
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {

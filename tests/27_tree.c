@@ -18,7 +18,8 @@ static mesh ball_mesh(int levels)
 {
     icosphere b = icosphere_new(levels, (vec3){0, 0, 0}, 1);
     mesh m = {.v = allocate(b.vertices, sizeof *m.v), .vertices = b.vertices,
-              .index = allocate(3 * (size_t)b.triangles, sizeof *m.index), .triangles = b.triangles};
+              .index = allocate(3 * (size_t)b.triangles, sizeof *m.index),
+              .triangles = b.triangles};
     memcpy(m.v, b.v, b.vertices * sizeof *m.v);
     memcpy(m.index, b.index, 3 * (size_t)b.triangles * sizeof *m.index);
     icosphere_free(&b);
@@ -50,14 +51,16 @@ static void random_studio(studio *s, int kinds)
     uint32_t b = studio_add_mesh(s, ball_mesh(2), allocate(1, 4), 0, true);
     mesh_smooth_normals(&s->mesh[b]);
     for (int i = 0; i < 8; i++) {
-        if (kinds & 4) studio_place(s, i % 2 ? a : b, random_place(), i % 3 ? red : 0, (cite){0, 0});
+        if (kinds & 4)
+            studio_place(s, i % 2 ? a : b, random_place(), i % 3 ? red : 0, (cite){0, 0});
         if (kinds & 2 && i % 3 == 1) studio_place(s, a, one, red, (cite){0, 0});
         if (kinds & 2 && i == 5) studio_place(s, b, one, 0, (cite){0, 0});
     }
     if (!studio_finish(s, &f)) abort();
 }
 
-/* Everything in turn. Equal t: shapes, then the first standing place of each mesh, then the rest. */
+/* Everything in turn. Equal t: shapes, then the first standing place of each mesh, then the
+ * rest. */
 static bool brute_hit(const studio *s, ray r, studio_hit *out)
 {
     scene all = studio_shapes(s);
@@ -98,7 +101,8 @@ static void test_hits(void)
             ray r = ray_from(o, vscale(d, (real)0.25 + random_next(&rng)));
             studio_hit x = {hit_none, 0}, y = x;
             bool met = studio_tree_hit(&t, r, &x), should = brute_hit(&s, r, &y);
-            wrong += met != should || x.h.t != y.h.t || x.h.shape != y.h.shape || x.place != y.place;
+            wrong += met != should || x.h.t != y.h.t || x.h.shape != y.h.shape
+                || x.place != y.place;
             if (i % 2) r.tmax = 2 * random_next(&rng);
             seen += studio_tree_occluded(&t, r) != brute_hit(&s, r, &y);
             if (!met) continue;

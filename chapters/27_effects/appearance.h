@@ -18,17 +18,17 @@
  *   matte      Lambert: what other surfaces and lights send is gathered from everywhere
  *   highlight  Blinn-Phong with `exponent`, of lights alone: nothing else is reflected
  *   mirror     reflected sharply; glossy instead: reflected in a lobe with `exponent`. Which of the
- *              two says Ns: 1000 and more, or none, is a mirror. A mirror shows lamps with a size by
+ *              two says Ns: 1000 and more, or none: a mirror. A mirror shows lamps with a size by
  *              itself and has no highlight; without Ns neither has illum 2
  *   through    bends: refracted by `ior`; else straight on. solid: `absorb` counts inside (Beer)
  *   fresnel    `mirror` or `glossy` is the reflection F0 at normal incidence where through is black
- *              (5): F = F0 + (1-F0)(1-cos)^5. Where it is not (7): F is that of a dielectric of index
+ *              (5): F = F0 + (1-F0)(1-cos)^5. Where it is not (7): F is a dielectric's, of index
  *              `ior`, times the colour. matte and through count by 1 - F
  *
  * Energy: no channel may give back more than it gets. Where matte + reflected + through (with
  * fresnel: matte + through) exceeds 1, all of them are divided by the sum: `excess` is the largest.
- * illum 8 and 9 have reflection maps in MTL, 10 catches shadows only: neither is simulated, they are
- * drawn as above. Ke emits whatever illum is.
+ * illum 8 and 9 have reflection maps in MTL, 10 catches shadows only: neither is simulated, they
+ * are drawn as above. Ke emits whatever illum is.
  */
 #ifndef APPEARANCE_H
 #define APPEARANCE_H

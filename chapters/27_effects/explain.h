@@ -50,7 +50,7 @@ static inline void explain_view(FILE *out, const studio *s, const plan *p, const
         fprintf(out, "lens       radius %g, in focus at %g\n", (double)s->lens.radius,
                 (double)studio_focus(s, v));
     if (p->headlight)
-        fprintf(out, "light      none was given: each ray carries a lamp, which throws no shadow\n");
+        fprintf(out, "light      none was given: each ray carries a lamp that throws no shadow\n");
 }
 
 static inline void explain_mask(FILE *out, unsigned mask)

@@ -5,15 +5,15 @@
  *   corners     polygons are told where theirs are
  *   used        of materials: does a shape, or a triangle of a placed mesh, have it?
  *   emitter     a list of all that has Ke: shapes, and triangles by place
- *   classic     lights of NFF get their intensity: I = pi c D^2, D the distance from where the camera
- *               looks at (without a camera: the middle of everything)                    (27.4)
+ *   classic     lights of NFF get their intensity: I = pi c D^2, D the distance from where the
+ *               camera looks at (without a camera: the middle of everything)                 (27.4)
  *
  * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows.
  */
 #ifndef FINISH_H
 #define FINISH_H
 
-#include "studio.h"
+#include "studio_add.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -17,9 +17,9 @@
  *        \    .     |               D = max (qw + max(|qv|, |qu| / aspect) / tan(phi/2))    (27.5)
  *          \        |
  *
- * and 4 % more, for air around it. Then the middle is moved to the middle of what shows, and D taken
- * again. `up` says which way is up: s.up. Up by y: the front is +z, up by z: -y, as Blender has it.
- * False, exit code 2: the scene is so large or small that no camera has numbers for it.
+ * and 4 % more, for air around it. Then the middle is moved to the middle of what shows, and D
+ * taken again. `up` says which way is up: s.up. Up by y: the front is +z, up by z: -y, as Blender
+ * has it. False, exit code 2: the scene is so large or small that no camera has numbers for it.
  */
 #ifndef FRAMING_H
 #define FRAMING_H

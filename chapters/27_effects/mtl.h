@@ -1,7 +1,7 @@
 /* mtl.h: reads materials from Wavefront MTL files (材质库).
  *
  *   newmtl NAME          a material begins; of two with the same name the later one counts
- *   Kd Ks Ke r [g b]     matte, specular, emitted; one number: grey           (27.3) of appearance.h
+ *   Kd Ks Ke r [g b]     matte, specular, emitted; one number: grey          (27.3) of appearance.h
  *   Tf r [g b]           transmission filter
  *   Ns x                 exponent of the highlight, 0 to 1e9; 1000 and more: a mirror
  *   Ni x                 refractive index, 0.001 to 10; 0, which some programs write: 1, and a note
@@ -14,15 +14,15 @@
  *   if (!mtl_read(&s, "a.mtl", &library, &f)) ...   s.library[library]; a file is read only once
  *   mtl_key(&s, &t, m, cite, &known)                 one such line for material m: scene files, too
  *
- * Broken: "FILE:LINE: Kd: not a number: 'x', allowed: finite decimals", exit code 2; the file cannot
- * be read: 1. What a line is, text.h says. Memory: a fixed multiple of the size of the file.
+ * Broken: "FILE:LINE: Kd: not a number: 'x', allowed: finite decimals", exit code 2; the file
+ * cannot be read: 1. What a line is, text.h says. Memory: a fixed multiple of the size of the file.
  *
  * Source: Wavefront, "Material library file (.mtl)", Advanced Visualizer manual, 1995.
  */
 #ifndef MTL_H
 #define MTL_H
 
-#include "studio.h"
+#include "studio_add.h"
 #include "words.h"
 
 /* ---------------------------------------------------------------------------------------------- */

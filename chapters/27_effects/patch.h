@@ -3,8 +3,9 @@
  *   size_t n = patch_triangles(v, corners, index)     index [3 (corners - 2)]: corners from 0;
  *                                                     corners - 2 triangles, or 0: it cannot
  *
- * Two ways. If corner 0 sees every edge from its left, the fan 0 1 2, 0 2 3, .. is right: O(n). Else
- * ears (耳切法) are cut: a corner whose triangle turns left and holds no other corner, again and again:
+ * Two ways. If corner 0 sees every edge from its left, the fan 0 1 2, 0 2 3, .. is right: O(n).
+ * Else ears (耳切法) are cut: a corner whose triangle turns left and holds no other corner, again and
+ * again:
  *
  *        3______2          an ear: 0 1 2 if nothing lies in it; then corner 1 goes
  *        \     /           at most n rounds over n corners, each asking n others: O(n^3) at the

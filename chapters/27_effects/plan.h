@@ -2,7 +2,7 @@
  *
  *   plan p = plan_of(&s);            s finished (studio_read.h)
  *   p.effects                        mask of effect.h; p.integrator: the least that does them
- *   p.why[k]                         one line: what calls for effect k, by name and line, or why not
+ *   p.why[k]                         what calls for effect k, by name and line, or why not
  *   p.look[m]                        appearance of material m
  *   plan_effects(&p, m)              those that a hit of material m has a part in
  *   p.headlight                      no light at all is there: each ray carries a lamp
@@ -19,7 +19,8 @@
  *                     what reflects does not all lie in one plane x, y or z = constant
  *   depth of field    the lens has a radius
  *
- * lit: matte, highlight or glossy is not black. In use: a shape or a triangle that is placed has it.
+ * lit: matte, highlight or glossy is not black. In use: a shape or a triangle that is placed has
+ * it.
  *
  * Why point lights and suns call for no indirect light: they and the `illum` numbers come from
  * models where light reaches a surface straight from a lamp (Phong, Whitted), or by mirrors and
@@ -33,8 +34,8 @@
 #ifndef PLAN_H
 #define PLAN_H
 
-#include "appearance.h"
 #include "effect.h"
+#include "flat.h"
 
 typedef struct {
     unsigned effects;
@@ -55,7 +56,9 @@ static inline void plan_free(plan *p)
 /* Materials in use that have something in common: the first, and how many. */
 typedef struct { uint32_t first; size_t n; } plan_group;
 
-typedef enum { PART_LIT, PART_MATTE, PART_MIRROR, PART_GLOSSY, PART_THROUGH, PART_ABSORB } plan_part;
+typedef enum {
+    PART_LIT, PART_MATTE, PART_MIRROR, PART_GLOSSY, PART_THROUGH, PART_ABSORB
+} plan_part;
 
 static inline bool plan_has(const appearance *a, plan_part part)
 {
@@ -116,63 +119,6 @@ static inline void plan_says(plan *p, unsigned effect, bool called, const char *
     va_end(arguments);
 }
 
-/* ---- is there anything for indirect light to go to and fro between? ---- */
-
-typedef struct { bool begun; vec3 at; bool same[3]; } plan_plane;
-
-static inline bool plan_in_plane(plan_plane *q, vec3 p)
-{
-    if (!q->begun) *q = (plan_plane){true, p, {true, true, true}};
-    q->same[0] &= p.x == q->at.x, q->same[1] &= p.y == q->at.y, q->same[2] &= p.z == q->at.z;
-    return q->same[0] || q->same[1] || q->same[2];
-}
-
-/* Does mesh m, where triangles without usemtl are made of `bare`, reflect anything? O(runs) */
-static inline bool plan_mesh_reflects(const studio *s, const plan *p, uint32_t m, uint32_t bare)
-{
-    const mesh *x = &s->mesh[m];
-    bool any = (!x->runs || x->run[0].first > 0) && !appearance_black(&p->look[bare]);
-    for (size_t k = 0; !any && k < x->runs; k++) {
-        uint32_t own = s->paint[m].run_material[k];
-        any = !appearance_black(&p->look[own == name_none ? bare : own]);
-    }
-    return any;
-}
-
-/* Triangles of a place that stands. */
-static inline bool plan_mesh_flat(const studio *s, const plan *p, uint32_t place, plan_plane *q)
-{
-    const mesh *m = &s->mesh[s->placed[place].mesh];
-    for (uint32_t k = 0; k < m->triangles; k++) {
-        if (appearance_black(&p->look[studio_material_of(s, place, k)])) continue;
-        for (size_t c = 0; c < 3; c++)
-            if (!plan_in_plane(q, m->v[m->index[3 * (size_t)k + c]])) return false;
-    }
-    return true;
-}
-
-/* Exactly: a plane that is askew, a mesh that was moved or stands there twice count as not flat. */
-static inline bool plan_is_flat(const studio *s, const plan *p)
-{
-    plan_plane q = {.begun = false};
-    bool flat = true, *seen = allocate(s->meshes, sizeof *seen);
-    for (size_t i = 0; flat && i < s->shapes; i++) {
-        const shape *x = &s->shape[i];
-        if (appearance_black(&p->look[s->shape_material[i]])) continue;
-        flat = x->kind == SHAPE_POLYGON;  /* triangles are in meshes */
-        for (uint32_t k = 0; flat && k < x->polygon.n; k++)
-            flat = plan_in_plane(&q, x->polygon.v[k]);
-    }
-    for (uint32_t i = 0; flat && i < s->places; i++) {
-        uint32_t m = s->placed[i].mesh;
-        if (!plan_mesh_reflects(s, p, m, s->placing[i].material)) continue;
-        flat = !seen[m] && studio_stands(s, i) && plan_mesh_flat(s, p, i, &q);
-        seen[m] = true;
-    }
-    free(seen);
-    return flat;
-}
-
 /* ---- the effects, one after the other ---- */
 
 static inline void plan_shadows(plan *p, const studio *s, plan_group lit, size_t lamps,
@@ -211,8 +157,8 @@ static inline void plan_reflections(plan *p, const studio *s)
         list[] = {
             {EFFECT_MIRROR, PART_MIRROR, KEY_ILLUM, "no material in use reflects sharply (illum 3 "
              "to 7 with Ns 1000 or none; NFF: Ks)"},
-            {EFFECT_GLOSSY, PART_GLOSSY, KEY_NS, "no material in use reflects in a lobe (illum 3 to "
-             "7 with Ns below 1000)"},
+            {EFFECT_GLOSSY, PART_GLOSSY, KEY_NS, "no material in use reflects in a lobe (illum 3 "
+             "to 7 with Ns below 1000)"},
             {EFFECT_REFRACTION, PART_THROUGH, KEY_ILLUM, "no material in use lets light through "
              "(illum 6, 7; 4, 9 with d below 1; NFF: T)"},
             {EFFECT_ABSORPTION, PART_ABSORB, KEY_ABSORB, "no material in use lets light through "
@@ -232,9 +178,9 @@ static inline void plan_indirect(plan *p, const studio *s)
     plan_group matte = plan_find(s, p, PART_MATTE);
     if (!matte.n) plan_says(p, EFFECT_INDIRECT, false, "no material in use is matte (Kd)");
     else if (!lamps && !around)
-        plan_says(p, EFFECT_INDIRECT, false, "no light has a size (Ke, environment); points and suns "
-                  "are of models without it");
-    else if (plan_is_flat(s, p))
+        plan_says(p, EFFECT_INDIRECT, false, "no light has a size (Ke, environment); points and "
+                  "suns are of models without it");
+    else if (flat_studio(s, p->look))
         plan_says(p, EFFECT_INDIRECT, false, "all that reflects lies in one plane");
     else plan_says(p, EFFECT_INDIRECT, true, "%s, lit by %s",
                    plan_name(s, matte, KEY_KD, by, sizeof by),

@@ -1,7 +1,7 @@
 /* scene_file.h: the statements of a scene file that name files, and the table of all statements.
  *
- *   material    NAME                      what follows is made of it; the next lines describe it with
- *     Kd 0.8 0.2 0.1                      the keywords of MTL (mtl.h)
+ *   material    NAME                      what follows is made of it; the next lines describe it,
+ *     Kd 0.8 0.2 0.1                      with the keywords of MTL (mtl.h)
  *     illum 1
  *   mtl         FILE                      its materials can be named by `use`
  *   obj         FILE [smooth] [PLACING]
@@ -15,8 +15,9 @@
  *
  *   scene_statement(&q)       q.t stands at the keyword; false: q.f says what is wrong
  *
- * Broken: "FILE:LINE: camera: what is 'x', allowed: from, at ..", exit code 2; a file that cannot be
- * read: 1. What is not of its own material gets the one that was current where the statement stands.
+ * Broken: "FILE:LINE: camera: what is 'x', allowed: from, at ..", exit code 2; a file that cannot
+ * be read: 1. What is not of its own material gets the one that was current where the statement
+ * stands.
  */
 #ifndef SCENE_FILE_H
 #define SCENE_FILE_H
@@ -136,8 +137,8 @@ static inline bool scene_instance(statement *q)
     if (!scene_word(q, name)) return false;
     uint32_t k = name_find(&q->shapes, name);
     if (k == name_none)
-        return failed(q->f, 2, "%s:%u: instance: no mesh '%s', allowed: names that mesh gave before",
-                      text_name(q->t), (unsigned)q->at.line, name);
+        return failed(q->f, 2, "%s:%u: instance: no mesh '%s', allowed: names that mesh gave "
+                      "before", text_name(q->t), (unsigned)q->at.line, name);
     if (!scene_placing(q, &a)) return false;
     studio_place(q->s, q->shape[k], a, q->material, q->at);
     return true;
@@ -152,9 +153,11 @@ static inline bool scene_picture(statement *q, sky *out)
     if (!scene_path(q, path)) return false;
     out->scale = 1;
     while (text_more(q->t)) {
-        if (word_take(q->t, "scale")) { if (!word_number(q->t, &out->scale, 0, 1e30)) return false; }
-        else if (word_take(q->t, "turn")) { if (!word_number(q->t, &turn, -1e6, 1e6)) return false; }
-        else return text_bad(q->t, q->t->p, "what is", "scale, turn");
+        bool ok = true;
+        if (word_take(q->t, "scale")) ok = word_number(q->t, &out->scale, 0, 1e30);
+        else if (word_take(q->t, "turn")) ok = word_number(q->t, &turn, -1e6, 1e6);
+        else ok = text_bad(q->t, q->t->p, "what is", "scale, turn");
+        if (!ok) return false;
     }
     if (q->s->files_read++ >= studio_most_files)
         return failed(q->f, 2, "%.300s: too many files, allowed: %d", path, studio_most_files);

@@ -1,6 +1,6 @@
 /* sky.h: what is behind everything: a background (背景), and an environment (环境光照) that lights.
  *
- *   background   the colour that a ray meets if it meets nothing else, and no more: it lights nobody
+ *   background   the colour that a ray meets if it meets nothing else: it lights nobody
  *   environment  radiance from infinitely far; matte surfaces gather it, so it calls for rays
  *
  *   SKY_NONE      the background, which may be black

@@ -5,7 +5,7 @@
  *   mesh[0 .. meshes-1]        triangle meshes of 07, each in a space of its own
  *   placed[0 .. places-1]      instances of 16: a mesh and where it stands; nothing else shows it
  *   material[0 .. materials-1] what MTL, NFF or scene file say; [0] is the default, matte grey
- *   light[0 .. lights-1]       lights without size (18), and emitter[0 .. emitters-1]: faces with Ke
+ *   light[0 .. lights-1]       lights without size (18); emitter[0 .. emitters-1]: faces with Ke
  *   view, lens, sky            camera, its lens, and what is behind everything
  *
  *   studio s;
@@ -19,8 +19,9 @@
  *   studio_said(&s, cite, text, sizeof text)     "room.scene:7", "(default)", "--light"
  *   studio_free(&s);                             a zeroed one may be freed
  *
- * Everything is filled in before studio_finish; nothing changes afterwards, so threads may share it.
- * Numbers are finite. Radii may be negative (a sphere seen from inside), polygons concave.
+ * Everything is filled in by the readers (studio_add.h) and studio_finish; nothing changes
+ * afterwards, so threads may share it. Numbers are finite. Radii may be negative (a sphere seen
+ * from inside), polygons concave.
  *
  * Lights of NFF files have no falloff (1987); here all have. Their intensity is chosen in
  * studio_finish so that E is pi times what the file says where the camera looks at (without a
@@ -54,7 +55,7 @@ typedef struct {
 
 typedef struct { name_table names; uint32_t *material; size_t room; } studio_palette;
 typedef struct { light light; bool classic; cite at; } studio_light;
-typedef struct { uint32_t *run_material; uint32_t file; bool smooth; } studio_paint;  /* of a mesh */
+typedef struct { uint32_t *run_material, file; bool smooth; } studio_paint;  /* of a mesh */
 typedef struct { uint32_t material; cite at; } studio_placing;  /* for triangles without usemtl */
 typedef struct { uint32_t place, index; } studio_emitter;  /* place no_shape: shape `index` */
 
@@ -153,77 +154,10 @@ static inline const char *studio_said(const studio *s, cite c, char *text, size_
     return text;
 }
 
-/* ---- materials ---- */
-
-/* A new material with the defaults of MTL: matte, opaque, and kd of its own. */
-static inline uint32_t studio_add_material(studio *s, const char *name, cite at)
-{
-    studio_grow(s, material, s->materials);
-    s->material[s->materials] = (studio_material){
-        .name = name_add(&s->names, name), .kd = {(real)0.8, (real)0.8, (real)0.8},
-        .tf = {1, 1, 1}, .ns = 1000, .ni = 1, .d = 1, .illum = -1, .at = at};
-    return (uint32_t)s->materials++;
-}
-
 static inline const char *studio_material_name(const studio *s, uint32_t m)
 {
     return name_text(&s->names, s->material[m].name);
 }
-
-/* From now on the name means this material. */
-static inline void studio_palette_add(studio_palette *p, const char *name, uint32_t number)
-{
-    uint32_t k = name_add(&p->names, name);
-    p->material = grown(p->material, p->names.n - 1, &p->room, sizeof *p->material);
-    p->material[k] = number;
-}
-
-static inline uint32_t studio_palette_find(const studio_palette *p, const char *name)
-{
-    uint32_t k = name_find(&p->names, name);
-    return k == name_none ? name_none : p->material[k];
-}
-
-/* ---- things ---- */
-
-static inline void studio_add_shape(studio *s, shape x, uint32_t made_of)
-{
-    studio_grow(s, shape, s->shapes), studio_grow(s, shape_material, s->shapes);
-    s->shape_material[s->shapes] = made_of;
-    s->shape[s->shapes++] = x;
-}
-
-/* Its corners move until studio_finish says where they are. */
-static inline void studio_add_polygon(studio *s, const vec3 *v, size_t n, uint32_t made_of)
-{
-    for (size_t i = 0; i < n; i++) studio_grow(s, corner, s->corners), s->corner[s->corners++] = v[i];
-    studio_add_shape(s, shape_of_polygon(polygon_of(v, n)), made_of);
-}
-
-/* Takes the mesh over; run_material [m->runs] too: name_none where nobody knows the name. */
-static inline uint32_t studio_add_mesh(studio *s, mesh m, uint32_t *run_material, uint32_t file,
-                                       bool smooth)
-{
-    studio_grow(s, mesh, s->meshes), studio_grow(s, paint, s->meshes);
-    s->paint[s->meshes] = (studio_paint){run_material, file, smooth};
-    s->mesh[s->meshes] = m;
-    return (uint32_t)s->meshes++;
-}
-
-static inline void studio_place(studio *s, uint32_t m, affine to_world, uint32_t made_of, cite at)
-{
-    studio_grow(s, placed, s->places), studio_grow(s, placing, s->places);
-    s->placing[s->places] = (studio_placing){made_of, at};
-    s->placed[s->places++] = (instance){to_world, m};
-}
-
-static inline void studio_add_light(studio *s, light l, bool classic, cite at)
-{
-    studio_grow(s, light, s->lights);
-    s->light[s->lights++] = (studio_light){l, classic, at};
-}
-
-/* ---- asking ---- */
 
 static inline scene studio_shapes(const studio *s) { return (scene){s->shape, s->shapes}; }
 

@@ -1,11 +1,11 @@
 /* studio_read.h: a whole scene from its file: scene file, OBJ or NFF, by the ending of its name.
  *
- *   if (!studio_read("room.scene", &words, &s, &f)) fail(f);   then s is zeroed, and need not be freed
+ *   if (!studio_read("room.scene", &words, &s, &f)) fail(f);   then s is zeroed
  *   if (!studio_read_text(text, "demo", &words, &s, &f)) ..    a scene file that is in memory
  *
- * `words` [may be NULL] is what the command line says, in the language of scene files: words.light =
- * "at 0 3 0 colour 9; at 1 3 0 colour 5". It is read last and replaces what the files said: one light
- * or sun there, and those of the files are out; messages name it "--light".
+ * `words` [may be NULL] is what the command line says, in the language of scene files: words.light
+ * = "at 0 3 0 colour 9; at 1 3 0 colour 5". It is read last and replaces what the files said: one
+ * light or sun there, and those of the files are out; messages name it "--light".
  *
  *   include FILE     in a scene file: as if its lines stood here
  *

@@ -10,10 +10,10 @@
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
  *
- * Three kinds of trees, each only where it has something to hold: shapes (14), one for each mesh that
- * stands as it is in its file (14), and one of two levels (16) for meshes that were moved, also
- * those that stand a second time. t.shapes.tree.items, t.standing and t.moved.n say how much each
- * has: 0 is what most scenes have in two of them, and a renderer may leave those out.
+ * Three kinds of trees, each only where it has something to hold: shapes (14), one for each mesh
+ * that stands as it is in its file (14), and one of two levels (16) for meshes that were moved,
+ * also those that stand a second time. t.shapes.tree.items, t.standing and t.moved.n say how much
+ * each has: 0 is what most scenes have in two of them, and a renderer may leave those out.
  *
  * The surface of an instance: its triangle with the corners taken to the world. What rounding moves
  * on the way there and back is the pad of (16.3); it goes on top of `error` and of `noise`.
