@@ -93,7 +93,7 @@ static void test_energy(void)
         vec3 back = vmax(a.highlight, vadd(a.mirror, a.glossy)), rest = vadd(a.matte, a.through);
         vec3 all = a.fresnel ? vmax(back, rest) : vadd(back, rest);
         real most = real_max(real_max(all.x, all.y), all.z);
-        check_at_most(most, 1 + 20 * (double)real_epsilon, "illum %d: energy", m.illum);
+        check_at_most((double)most, 1 + 20 * (double)real_epsilon, "illum %d: energy", m.illum);
         bool ok = vfinite(all) && a.matte.x >= 0 && a.through.x >= 0;
         if (!ok) check(false, "illum %d: not finite or below 0", m.illum);
     }
@@ -256,7 +256,7 @@ static void test_framing(void)
         check_at_least(least, 0, "within the picture");
         check_at_most(most, 1, "within the picture");
         /* Boxes of the triangles are framed, larger than they: how much is luck. Half, at least. */
-        check_at_least(most - least, 0.4, "large in the picture");
+        check_at_least((double)(most - least), 0.4, "large in the picture");
         check(v.up.x == (real)(round % 3 == 0) && v.up.y == (real)(round % 3 == 1), "up");
         studio_free(&s);
     }

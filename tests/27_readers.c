@@ -134,6 +134,24 @@ static void test_many_materials(void)
     free(mtl), free(obj);
 }
 
+/* Notes are kept up to twenty, whole; a fuzzer once found them copied beyond their end. */
+static void test_notes(void)
+{
+    char mtl[3000] = "newmtl a\n";
+    studio s;
+    failure f;
+    for (int i = 0; i < 100; i++) strcat(mtl, i % 3 ? "Ni 0\n" : "Kd spectral x.rfl\n");
+    put("a.mtl", mtl), put("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a\nf 1 2 3\n");
+    bool ok = read_scene("a.obj", &s, &f);
+    check(ok && s.note_count == 100 && s.note_size == strlen(s.notes), "%s", f.text);
+    size_t lines = 0;
+    for (const char *p = s.notes; ok && *p; p++) lines += *p == '\n';
+    check_equal(lines, (size_t)studio_most_notes, "lines of notes");
+    check(ok && strstr(s.notes, "a.mtl:2: Kd: only r g b is read\n")
+          && strstr(s.notes, "a.mtl:21: Ni 0 is taken as 1\n"), "%s", s.notes);
+    if (ok) studio_free(&s);
+}
+
 /* ---- OBJ as programs write it ---- */
 
 static void test_exports(void)
@@ -411,7 +429,7 @@ static void test_patches(void)
             sum = vadd(sum, area);
         }
         check(left, "no triangle is turned round");
-        check_at_most(vlength(vsub(sum, whole)), 40 * 64 * (double)real_epsilon,
+        check_at_most((double)vlength(vsub(sum, whole)), 40 * 64 * (double)real_epsilon,
                       "their areas add up to the polygon's: some 40 sums of numbers about 4");
         size_t wrong = 0;
         for (int q = 0; q < 50; q++) {
@@ -443,9 +461,9 @@ static void test_scene(void)
     put("s.scene", "# all statements\nup z\nbackground 0.5\ncamera from 0 -8 2 at 0 0 1 angle 30"
         " hither 0.25\nlens radius 0.125 focus 7\nlight at 1 2 3 colour 4\n"
         "sun to 0 0 2 colour 1 2 3\n"
-        "environment 0.25 1 # gradient\nmaterial gold\n  Kd 0.75 0.5 0\n  illum 3\n\tKs .25\n"
+        "environment 0.25 1 # gradient\nmaterial gold # a name\n  Kd 0.75 0.5 0\n  illum 3\n\tKs .25\n"
         "sphere 1 2 3 -0.5\ncone 0 0 0 1  0 0 2 0\npolygon 0 0 0 1 0 0 1 1 0 \\\n 0 1 0\n"
-        "obj i.obj smooth scale 2 turn 0 0 1 90 move 1 0 0\nmtl i.mtl\nuse blue\nmesh pot i.obj\n"
+        "obj i.obj smooth scale 2 turn 0 0 1 90 move 1 0 0\nmtl i.mtl\nuse blue \t# of the library\nmesh pot i.obj\n"
         "instance pot\ninstance pot scale 1 1 -1\nobj \"a b.obj\"\nnff i.nff move 0 0 4 scale 2\n"
         "include inner.scene\n");
     bool ok = read_scene("s.scene", &s, &f);
@@ -470,7 +488,7 @@ static void test_scene(void)
     check(s.places == 5 && s.meshes == 4, "places %zu, meshes %zu: a file is read once for smooth, "
           "once not", s.places, s.meshes);
     vec3 p = affine_point(s.placed[0].to_world, (vec3){1, 0, 0});
-    check_at_most(vlength(vsub(p, (vec3){1, 2, 0})), 8 * (double)real_epsilon,
+    check_at_most((double)vlength(vsub(p, (vec3){1, 2, 0})), 8 * (double)real_epsilon,
                   "scaled, turned, moved, in this order");
     check(studio_material_of(&s, 0, 0) == gold, "without usemtl: what was current");
     check_text(studio_material_name(&s, studio_material_of(&s, 1, 0)), "blue", "by use");
@@ -595,6 +613,7 @@ int main(void)
     test_mtl_random();
     test_mtl_broken();
     test_many_materials();
+    test_notes();
     test_exports();
     test_nff_scenes();
     test_nff_rest();

@@ -26,7 +26,7 @@ static void pixel(int x, int y, void *context)
     if (studio_tree_hit(j->t, r, &h)) {
         const appearance *a = &j->p->look[studio_hit_material(j->t, h)];
         vec3 sum = vadd(vadd(a->matte, a->highlight), vadd(vadd(a->mirror, a->glossy), a->through));
-        c = vmul(sum, headlight(studio_surface(j->t, r, h).ns, r.d));
+        c = vmul(vmin(sum, (vec3){1, 1, 1}), headlight(studio_surface(j->t, r, h).ns, r.d));
         c = vadd(c, vadd(a->flat, a->emits));
     }
     image_set(j->im, x, y, c);

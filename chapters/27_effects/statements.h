@@ -38,6 +38,18 @@ static inline bool say_missing(statement *q, const char *what)
     return text_bad(q->t, q->t->p, "something is missing before", what);
 }
 
+/* The rest of the line without its comment: # behind a blank. A name may hold blanks. */
+static inline bool say_name(statement *q, char name[text_token])
+{
+    if (!mtl_name(q->t, name)) return false;
+    for (char *p = name; *p; p++)
+        if ((*p == ' ' || *p == '\t') && p[strspn(p, " \t")] == '#') {
+            *p = 0;
+            break;
+        }
+    return true;
+}
+
 static inline bool say_camera(statement *q)
 {
     text_reader *t = q->t;
@@ -114,7 +126,7 @@ static inline bool say_up(statement *q)
 static inline bool say_use(statement *q)
 {
     char name[text_token];
-    if (!mtl_name(q->t, name)) return false;
+    if (!say_name(q, name)) return false;
     uint32_t k = studio_palette_find(&q->s->own, name);
     for (size_t i = 0; k == name_none && i < q->s->libraries; i++)
         k = studio_palette_find(&q->s->library[i], name);
@@ -128,7 +140,7 @@ static inline bool say_use(statement *q)
 static inline bool say_material(statement *q)
 {
     char name[text_token];
-    if (!mtl_name(q->t, name)) return false;
+    if (!say_name(q, name)) return false;
     q->material = q->described = studio_add_material(q->s, name, q->at);
     studio_palette_add(&q->s->own, name, q->material);
     return true;

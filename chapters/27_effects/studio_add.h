@@ -5,7 +5,7 @@
  *   studio_add_shape(&s, x, m)                             a shape, but no polygon:
  *   studio_add_polygon(&s, corners, n, m)                  its corners are copied
  *   uint32_t k = studio_add_mesh(&s, mesh, run_material, file, smooth)   takes both over
- *   studio_place(&s, k, to_world, m, cite)                 shows mesh k; m where no usemtl says more
+ *   studio_place(&s, k, to_world, m, cite)                 shows mesh k; m: if no usemtl says more
  *   studio_add_light(&s, light, classic, cite)
  *
  * Then studio_finish (finish.h), once.
