@@ -80,7 +80,7 @@ int main(void)
 {
     const char *const corpus = "tests/corpus";
     DIR *d = opendir(corpus);
-    size_t files = 0, bytes = 0, rounds = check_count(16);
+    size_t files = 0, bytes = 0, rounds = check_count(8);
     rng = random_start(27, 3, 0);
     if (!mkdtemp(directory)) abort();
     nowhere = fopen("/dev/null", "w");

@@ -461,9 +461,11 @@ static void test_scene(void)
     put("s.scene", "# all statements\nup z\nbackground 0.5\ncamera from 0 -8 2 at 0 0 1 angle 30"
         " hither 0.25\nlens radius 0.125 focus 7\nlight at 1 2 3 colour 4\n"
         "sun to 0 0 2 colour 1 2 3\n"
-        "environment 0.25 1 # gradient\nmaterial gold # a name\n  Kd 0.75 0.5 0\n  illum 3\n\tKs .25\n"
+        "environment 0.25 1 # gradient\nmaterial gold # a name\n  Kd 0.75 0.5 0\n  illum 3\n"
+        "\tKs .25\n"
         "sphere 1 2 3 -0.5\ncone 0 0 0 1  0 0 2 0\npolygon 0 0 0 1 0 0 1 1 0 \\\n 0 1 0\n"
-        "obj i.obj smooth scale 2 turn 0 0 1 90 move 1 0 0\nmtl i.mtl\nuse blue \t# of the library\nmesh pot i.obj\n"
+        "obj i.obj smooth scale 2 turn 0 0 1 90 move 1 0 0\nmtl i.mtl\n"
+        "use blue \t# of the library\nmesh pot i.obj\n"
         "instance pot\ninstance pot scale 1 1 -1\nobj \"a b.obj\"\nnff i.nff move 0 0 4 scale 2\n"
         "include inner.scene\n");
     bool ok = read_scene("s.scene", &s, &f);
