@@ -130,21 +130,58 @@ static void test_hits(void)
     }
 }
 
-/* From a convex body no ray that leads outwards comes back: instances, scaled, turned, far away. */
+/* A square, a mesh that stands and one that is moved, all in the same place: the first counts. */
+static void test_equal(void)
+{
+    const vec3 corner[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const uint32_t expected[3] = {no_shape, 1, 0};
+    for (int first = 0; first < 3; first++) {
+        studio s;
+        studio_tree t;
+        failure f;
+        mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3,
+                  .index = allocate(3, sizeof *m.index), .triangles = 1};
+        memcpy(m.v, corner, 3 * sizeof *m.v);
+        m.index[1] = 1, m.index[2] = 2;
+        studio_begin(&s);
+        uint32_t k = studio_add_mesh(&s, m, allocate(1, 4), 0, false);
+        affine one = affine_scaling((vec3){1, 1, 1}), moved = one;
+        moved.o.z = -(real)0.0;  /* nowhere else, and yet not as it was */
+        if (first < 1) studio_add_polygon(&s, corner, 4, 0);
+        studio_place(&s, k, moved, 0, (cite){0, 0});
+        if (first < 2) studio_place(&s, k, one, 0, (cite){0, 0});
+        if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) abort();
+        ray r = ray_from((vec3){(real)0.75, (real)0.25, 4}, (vec3){0, 0, -1});
+        studio_hit x = {hit_none, 7};
+        check(studio_tree_hit(&t, r, &x) && x.h.t == 4, "it is hit");
+        check(x.place == expected[first],
+              "of what lies in one place the first kind counts: place %x", (unsigned)x.place);
+        studio_tree_free(&t);
+        studio_free(&s);
+    }
+}
+
+/* From a convex body no ray that leads outwards comes back: instances, scaled, turned, far away;
+ * power < 0: far away in the mesh's own space, and back near the origin in the world. */
 static void test_leaving(void)
 {
-    for (int power = 0; power <= 4; power += 2) {
+    for (int power = -4; power <= 4; power += 2) {
         studio s;
         studio_tree t;
         failure f;
         size_t met = 0, back = 0, rays = check_count(20000);
-        real far = pow((real)10, (real)power);
+        real far = power < 0 ? 0 : pow((real)10, (real)power);
+        real own = power < 0 ? pow((real)10, (real)(real_is_float ? -power / 2 : -power)) : 0;
+        mesh ball = ball_mesh(2);
+        vec3 offset = {own, -own / 3, own / 7};
+        for (size_t i = 0; i < ball.vertices; i++) ball.v[i] = vadd(ball.v[i], offset);
         studio_begin(&s);
-        uint32_t m = studio_add_mesh(&s, ball_mesh(2), allocate(1, 4), 0, false);
+        uint32_t m = studio_add_mesh(&s, ball, allocate(1, 4), 0, false);
         affine a = affine_scaling((vec3){2, (real)0.5, -1});
         a = affine_of(a, affine_rotation(vunit((vec3){1, 2, 3}), 1));
         vec3 at = {far, far / 3, -far / 7};
-        studio_place(&s, m, affine_of(a, affine_translation(at)), 0, (cite){0, 0});
+        a.o = vsub(at, affine_vector(a, offset));
+        studio_place(&s, m, a, 0, (cite){0, 0});
         if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) abort();
         for (size_t i = 0; i < rays; i++) {
             vec3 o = vadd(at, vscale(vunit(in_cube(1)), 5));
@@ -169,6 +206,7 @@ int main(void)
 {
     rng = random_start(27, 2, 0);
     test_hits();
+    test_equal();
     test_leaving();
     return check_report("27_tree");
 }
