@@ -1,7 +1,8 @@
 /* balls.h: a scene of balls alone, searched with what is known of balls and a tree does not know.
  *
  *   balls b;
- *   balls_build(s, n, lights, k, &b)      s[n] spheres, r > 0; copies them; O(n log n + k n cells)
+ *   balls_build(s, n, keep, lights, k, &b)   s[n] spheres, r > 0; copies them; keep[n]: part of the
+ *                                         light that each lets pass; O(n^2 + k n cells)
  *   balls_view(&b, &c, width, height)     the same for eye rays of that camera; again for another
  *   vec3 colour = balls_ray(&t, r, x, y)  as whitted_ray; t.user is a balls_scene
  *   balls_free(&b)                        a zeroed one may be freed
@@ -42,6 +43,7 @@ typedef struct { uint32_t *first, *item; size_t lists; } ball_lists;
 typedef struct {
     vec3 l, u, v;              /* towards the light; across */
     real u0, v0, per_u, per_v; /* cell = (p.u - u0) per_u, .. */
+    real *end;                 /* [n] how far towards the light each ball reaches; a little more */
     ball_lists lists;
 } ball_beam;
 
@@ -63,7 +65,8 @@ typedef struct {
 static inline void balls_free(balls *b)
 {
     free(b->s), free(b->lone), free(b->leaf), tree_free(&b->tree);
-    for (int k = 0; k < b->beams; k++) free(b->beam[k].lists.first), free(b->beam[k].lists.item);
+    for (int k = 0; k < b->beams; k++)
+        free(b->beam[k].lists.first), free(b->beam[k].lists.item), free(b->beam[k].end);
     free(b->eye.first), free(b->eye.item), free(b->near);
     *b = (balls){0};
 }
@@ -95,13 +98,13 @@ static inline void pairs_add(ball_pair **p, size_t *n, size_t *room, ball_pair x
 
 /* The part of the plane that matters is that of the small balls: a large one, the ground, would
  * make the cells as large as itself. What lies outside is clamped to the outermost cells. */
-static inline void beam_build(const balls *b, vec3 l, ball_beam *out)
+static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_beam *out)
 {
     ball_pair *pair = NULL;
     size_t n = 0, room = 0;
     real lo[2] = {real_infinity, real_infinity}, hi[2] = {-real_infinity, -real_infinity}, mean = 0;
     vbasis(l, &out->u, &out->v);
-    out->l = l;
+    out->l = l, out->end = allocate(b->n, sizeof *out->end);
     for (size_t i = 0; i < b->n; i++) mean += b->s[i].r / (real)b->n;
     for (size_t i = 0; i < b->n; i++) {
         sphere s = b->s[i];
@@ -117,6 +120,9 @@ static inline void beam_build(const balls *b, vec3 l, ball_beam *out)
     out->u0 = lo[0], out->v0 = lo[1], out->per_u = per[0], out->per_v = per[1];
     for (uint32_t i = 0; i < b->n; i++) {
         sphere s = b->s[i];
+        real reach = surface_reach(s.c) + s.r;
+        out->end[i] = vdot(s.c, l) + s.r + 32 * real_epsilon * reach;
+        if (shadow[i] == 1) continue;  /* keeps nothing back */
         /* a cell more to either side: rounding, here and in beam_cell */
         real c[2] = {vdot(s.c, out->u), vdot(s.c, out->v)}, from[2], to[2];
         for (int k = 0; k < 2; k++) {
@@ -126,7 +132,7 @@ static inline void beam_build(const balls *b, vec3 l, ball_beam *out)
         for (int y = (int)from[1]; y <= (int)to[1]; y++)
             for (int x = (int)from[0]; x <= (int)to[0]; x++)
                 pairs_add(&pair, &n, &room, (ball_pair){(uint32_t)(y * balls_cells + x), i,
-                                                        -(vdot(s.c, l) + s.r)});
+                                                        -out->end[i]});
     }
     out->lists = lists_of_pairs(pair, n, balls_cells * balls_cells);
     free(pair);
@@ -162,7 +168,8 @@ static inline void balls_lone(balls *b)
     }
 }
 
-static inline void balls_build(const sphere *s, size_t n, const light *L, int lights, balls *out)
+static inline void balls_build(const sphere *s, size_t n, const real *shadow, const light *L,
+                               int lights, balls *out)
 {
     *out = (balls){.s = allocate(n, sizeof *s), .lone = allocate(n, sizeof(bool)), .n = n};
     memcpy(out->s, s, n * sizeof *s);
@@ -170,7 +177,7 @@ static inline void balls_build(const sphere *s, size_t n, const light *L, int li
     balls_lone(out);
     for (; out->beams < lights && out->beams < balls_most_lights; out->beams++) {
         if (L[out->beams].kind != LIGHT_DIRECTIONAL) break;
-        beam_build(out, L[out->beams].at, &out->beam[out->beams]);
+        beam_build(out, L[out->beams].at, shadow, &out->beam[out->beams]);
     }
 }
 
@@ -313,12 +320,13 @@ static inline real balls_light(const balls *b, ray r, int k, uint32_t from, cons
 {
     const ball_lists *m = &b->beam[k].lists;
     size_t cell = beam_cell(&b->beam[k], r.o);
-    real lit = 1;
+    real lit = 1, at = vdot(r.o, b->beam[k].l), slack = 32 * real_epsilon * surface_reach(r.o);
     hit h;
     for (uint32_t i = m->first[cell]; i < m->first[cell + 1]; i++) {
         uint32_t j = m->item[i];
         const sphere *s = &b->s[j];
-        if (shadow[j] == 1 || (j == from && ball_outwards(s, &r)) || ball_behind(s, &r)) continue;
+        if (b->beam[k].end[j] < at - slack) break;  /* sorted: all others, too, lie below */
+        if ((j == from && ball_outwards(s, &r)) || ball_behind(s, &r)) continue;
         if (sphere_hit(*s, r, &h) && !((lit *= shadow[j]) > 0)) return 0;
     }
     return lit;
