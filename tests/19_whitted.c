@@ -621,7 +621,7 @@ static void test_balls(bool swollen)
         f->fast.w.apart = false;
         world_part_free(&f->part), balls_free(&f->fast.b);
         world_part_of_scene(&f->scene, MASK_ALL, &f->part);
-        balls_build(f->ball, forty_balls, f->suns, 3, &f->fast.b);
+        balls_build(f->ball, forty_balls, f->shadow, f->suns, 3, &f->fast.b);
     }
     camera c = forty_camera((real)4 / 3);
     balls_view(&f->fast.b, &c, 400, 300);
