@@ -98,11 +98,11 @@ static lit_hit place(vec3 p, const lit_material *m)
 }
 
 typedef struct { estimate e; direct_work w; double most; } outcome;
-static outcome measure(const lit_scene *s, direct_way way, lights_kind kind, brdf f, vec3 p, vec3 wo,
+static outcome measure(const lit_scene *s, direct_way way, lights_kind kind, brdf f, vec3 wo,
                        size_t n, bool spend_all)
 {
     lit_material m = {.f = f};
-    lit_hit h = place(p, &m);
+    lit_hit h = place(black, &m);
     outcome o = {{0}, {0, 0, 0}, 0};
     lights l;
     lights_build(s, kind, &l);
@@ -117,8 +117,13 @@ static outcome measure(const lit_scene *s, direct_way way, lights_kind kind, brd
     return o;
 }
 
-/* Matte and white: L = E / pi. A way that meets the light less than 100 times has no normal mean
- * yet; where the truth is 0, each way must say 0. */
+static outcome of_matte(const lit_scene *s, direct_way way, lights_kind kind, size_t n)
+{
+    return measure(s, way, kind, brdf_lambert(white), up, n, false);
+}
+
+/* Matte and white: L = E / pi. A way that meets or misses the light only a few times has no normal
+ * mean yet; where the truth is 0, each way must say 0. */
 static void test_closed_forms(void)
 {
     size_t n = check_count(20000), tests = 0;
@@ -126,10 +131,10 @@ static void test_closed_forms(void)
         setting x = setting_of(i);
         for (int way = 0; way < direct_ways; way++) {
             bool directions = way <= DIRECT_BRDF || way == DIRECT_HALF;
-            if (directions && x.truth > 0 && x.hits * (double)n < 400) continue;
+            double rare = x.hits < 1 - x.hits ? x.hits : 1 - x.hits;
+            if (directions && rare > 0 && rare * (double)n < 400) continue;
             if (way == DIRECT_AREA && x.near) continue;
-            outcome o = measure(&x.s, (direct_way)way, LIGHTS_ALL, brdf_lambert(white), black, up, n,
-                                false);
+            outcome o = of_matte(&x.s, (direct_way)way, LIGHTS_ALL, n);
             double truth = x.truth / (double)pi;
             /* the obstacle's edge is where the reals of its corners are: some epsilons */
             check_at_least(t_test(o.e, truth, 256 * eps * truth), alarm, "%s, %s: %g, is %g",
@@ -138,7 +143,7 @@ static void test_closed_forms(void)
         }
         lit_free(&x.s);
     }
-    check_at_least(tests, 40, "settings and ways with something to test");
+    check_at_least(tests, 30, "settings and ways with something to test");
 }
 
 /* ---- glossy: the ways agree; in a closed furnace of radiance 1 each gives the albedo ---- */
@@ -154,17 +159,17 @@ static void test_glossy(void)
         double albedo = (double)brdf_albedo(&list[i], wo.z).x;
         outcome other[2];
         for (int k = 0; k < 2; k++)
-            other[k] = measure(k ? &ball.s : &rect.s, DIRECT_COSINE, LIGHTS_ALL, list[i], black, wo,
+            other[k] = measure(k ? &ball.s : &rect.s, DIRECT_COSINE, LIGHTS_ALL, list[i], wo,
                                2 * n, false);
         for (int way = 0; way < direct_ways; way++) {
             /* by all directions alike a narrow lobe is met too seldom for a normal mean */
             if (way < DIRECT_BRDF || (way == DIRECT_AREA && i == 0)) continue;
-            outcome o = measure(&all.s, (direct_way)way, LIGHTS_ALL, list[i], black, wo, n, false);
+            outcome o = measure(&all.s, (direct_way)way, LIGHTS_ALL, list[i], wo, n, false);
             check_at_least(t_test(o.e, albedo, 3e-3), alarm, "furnace, brdf %d, %s", i,
                            direct_name[way]);
             for (int k = 0; k < 2; k++) {
                 const lit_scene *s = k ? &ball.s : &rect.s;
-                outcome a = measure(s, (direct_way)way, LIGHTS_ALL, list[i], black, wo, n, false);
+                outcome a = measure(s, (direct_way)way, LIGHTS_ALL, list[i], wo, n, false);
                 double error = hypot(estimate_error(a.e), estimate_error(other[k].e));
                 check_at_most(fabs(a.e.mean - other[k].e.mean), 6 * error + 1e-12,
                               "brdf %d, light %d, %s against cosine", i, k, direct_name[way]);
@@ -182,11 +187,11 @@ static void test_never_worse(void)
     size_t n = check_count(40000);
     for (int i = 0; i < 6; i++) {
         brdf f = brdf_ggx(f0, (real)(i % 3 == 0 ? .15 : i % 3 == 1 ? .4 : 1));
-        setting x = i < 3 ? sphere_light(v3(3, 0, 4), .2, "small") : sphere_light(v3(3, 0, 4), 3, "");
+        setting x = sphere_light(v3(3, 0, 4), i < 3 ? .2 : 3, "a sphere");
         double v[direct_ways], mean = 0;
         for (int way = DIRECT_BRDF; way < direct_ways; way++) {
             if (way == DIRECT_AREA) continue;
-            outcome o = measure(&x.s, (direct_way)way, LIGHTS_ALL, f, black, wo, n, false);
+            outcome o = measure(&x.s, (direct_way)way, LIGHTS_ALL, f, wo, n, false);
             v[way] = estimate_variance(o.e);
             if (way == DIRECT_BALANCE) mean = o.e.mean;
         }
@@ -209,7 +214,8 @@ static void test_fireflies(void)
     double before = 0;
     for (int i = 0; i < 4; i++) {
         double h = pow(10, -i);
-        emitter e = emitter_of_rectangle((rectangle){v3(h, -1, 0), v3(0, 0, 2), v3(0, 2, 0)}, white);
+        rectangle wall = {v3(h, -1, 0), v3(0, 0, 2), v3(0, 2, 0)};
+        emitter e = emitter_of_rectangle(wall, white);
         estimate second = {0};
         for (uint64_t k = 0; k < check_count(100000); k++) {
             emitter_point x;
@@ -225,9 +231,9 @@ static void test_fireflies(void)
     }
     setting x = rectangle_light(v3(1e-3, -1, 0), v3(0, 0, 2), v3(0, 2, 0), "near");
     size_t n = 20000;
-    outcome area = measure(&x.s, DIRECT_AREA, LIGHTS_ALL, brdf_lambert(white), black, up, n, false);
-    outcome angle = measure(&x.s, DIRECT_ANGLE, LIGHTS_ALL, brdf_lambert(white), black, up, n, false);
-    outcome power = measure(&x.s, DIRECT_POWER, LIGHTS_ALL, brdf_lambert(white), black, up, n, false);
+    outcome area = of_matte(&x.s, DIRECT_AREA, LIGHTS_ALL, n);
+    outcome angle = of_matte(&x.s, DIRECT_ANGLE, LIGHTS_ALL, n);
+    outcome power = of_matte(&x.s, DIRECT_POWER, LIGHTS_ALL, n);
     /* cos omega / pi <= 1 here: omega is a quarter of all directions, pi */
     check_at_most(angle.most, 1 + 64 * eps, "by angle: no sample above f omega");
     check_at_most(power.most, 2, "power: f cos / p is at most 1 of either");
@@ -260,8 +266,7 @@ static void test_several(void)
     truth /= (double)pi;
     for (int kind = LIGHTS_ALL; kind <= LIGHTS_FLUX; kind++)
         for (int way = DIRECT_AREA; way < direct_ways; way++) {
-            outcome o = measure(&x.s, (direct_way)way, (lights_kind)kind, brdf_lambert(white), black,
-                                up, n, false);
+            outcome o = of_matte(&x.s, (direct_way)way, (lights_kind)kind, n);
             check_at_least(t_test(o.e, truth, 256 * eps * truth), alarm, "choice %d, %s: %g, is %g",
                            kind, direct_name[way], o.e.mean, truth);
             if (way == DIRECT_ANGLE) v[kind] = estimate_variance(o.e);
@@ -273,7 +278,13 @@ static void test_several(void)
     lights l;
     double sum = 0;
     lights_build(&x.s, LIGHTS_FLUX, &l);
-    for (size_t k = 0; k < 10; k++) sum += (double)lights_chance(&l, k);
+    for (size_t k = 0; k < 10; k++) {
+        const emitter *e = &x.s.emitter[k], *e0 = &x.s.emitter[0];
+        double flux = (double)(e->area * e->Le.x / (e0->area * e0->Le.x));
+        sum += (double)lights_chance(&l, k);
+        check_close(lights_chance(&l, k) / lights_chance(&l, 0), flux, 64 * eps * flux,
+                    "chance of light %zu in proportion to its flux", k);
+    }
     check_close(sum, 1, 16 * eps, "a fair choice: probabilities add up");
     lights_free(&l), lit_free(&x.s);
 }
@@ -291,21 +302,21 @@ static void test_called_for(void)
     for (int i = 0; i < direct_ways; i++) {
         direct_way w = (direct_way)i;
         size_t one = w <= DIRECT_BRDF || direct_both(w) ? n : 0;
-        outcome o = measure(&below.s, w, LIGHTS_ALL, matte, black, up, n, false);
+        outcome o = measure(&below.s, w, LIGHTS_ALL, matte, up, n, false);
         check_equal(o.w.shadow, 0, "light below, %s", direct_name[i]);
-        o = measure(&away.s, w, LIGHTS_ALL, matte, black, up, n, false);
+        o = measure(&away.s, w, LIGHTS_ALL, matte, up, n, false);
         check_equal(o.w.shadow, 0, "light turned away, %s", direct_name[i]);
-        o = measure(&inside.s, w, LIGHTS_ALL, matte, black, up, n, false);
+        o = measure(&inside.s, w, LIGHTS_ALL, matte, up, n, false);
         check_equal(o.w.shadow, 0, "inside a light, %s", direct_name[i]);
-        o = measure(&overhead.s, w, LIGHTS_ALL, dark, black, up, n, false);
+        o = measure(&overhead.s, w, LIGHTS_ALL, dark, up, n, false);
         check_equal(o.w.shadow + o.w.direction, 0, "black, %s", direct_name[i]);
-        o = measure(&none, w, LIGHTS_UNIFORM, matte, black, up, n, false);
+        o = measure(&none, w, LIGHTS_UNIFORM, matte, up, n, false);
         check_equal(o.w.shadow + o.w.direction, 0, "no lights, %s", direct_name[i]);
         check_equal(o.e.mean, 0, "no lights, %s", direct_name[i]);
-        o = measure(&overhead.s, w, LIGHTS_ALL, matte, black, up, n, false);
+        o = measure(&overhead.s, w, LIGHTS_ALL, matte, up, n, false);
         check_equal(o.w.shadow, w >= DIRECT_AREA ? n : 0, "overhead, %s: shadow", direct_name[i]);
         check_equal(o.w.direction, one, "overhead, %s: directions", direct_name[i]);
-        o = measure(&overhead.s, w, LIGHTS_ALL, mirror, black, up, n, false);
+        o = measure(&overhead.s, w, LIGHTS_ALL, mirror, up, n, false);
         bool finds = w == DIRECT_BRDF || direct_both(w);
         check_equal(o.w.shadow, 0, "mirror, %s: shadow", direct_name[i]);
         check_equal(o.w.direction, finds ? n : 0, "mirror, %s", direct_name[i]);
@@ -321,21 +332,46 @@ static void test_called_for(void)
         for (int j = 0; j < 5; j++)
             for (int k = 0; k < 4; k++) {
                 vec3 wo = vunit(v3(.5, .2, .6));
-                outcome a = measure(&list[j]->s, (direct_way)i, LIGHTS_ALL, kinds[k], black, wo, n,
+                outcome a = measure(&list[j]->s, (direct_way)i, LIGHTS_ALL, kinds[k], wo, n,
                                     false);
-                outcome b = measure(&list[j]->s, (direct_way)i, LIGHTS_ALL, kinds[k], black, wo, n,
+                outcome b = measure(&list[j]->s, (direct_way)i, LIGHTS_ALL, kinds[k], wo, n,
                                     true);
                 check(a.e.mean == b.e.mean && a.e.squares == b.e.squares, "%s, %s: spent, and the "
                       "result is another", list[j]->what, direct_name[i]);
                 check(a.w.shadow <= b.w.shadow && a.w.direction <= b.w.direction, "more rays");
             }
-    outcome o = measure(&ball.s, DIRECT_ANGLE, LIGHTS_ALL, matte, black, up, n, false);
-    outcome all = measure(&ball.s, DIRECT_ANGLE, LIGHTS_ALL, matte, black, up, n, true);
+    outcome o = measure(&ball.s, DIRECT_ANGLE, LIGHTS_ALL, matte, up, n, false);
+    outcome all = measure(&ball.s, DIRECT_ANGLE, LIGHTS_ALL, matte, up, n, true);
     check_equal(all.w.shadow, n, "spend_all: each sample its shadow ray");
     /* half of the sphere is below the horizon: so is half of what is drawn */
     check_close((double)o.w.shadow / (double)n, .5, .1, "light half below: half of the rays");
     lit_free(&overhead.s), lit_free(&below.s), lit_free(&away.s), lit_free(&inside.s);
     lit_free(&ball.s), lit_free(&hidden.s), lit_free(&none);
+}
+
+/* A shading normal that leans away: the light is above its horizon, but below the surface. */
+static void test_leaning(void)
+{
+    setting x = rectangle_light(v3(1, -1, -1), v3(0, 0, .9), v3(0, 2, 0), "below, before ns");
+    lit_material m = {.f = brdf_lambert(white)};
+    lit_hit h = place(black, &m);
+    h.s.ns = vunit(v3(1, 0, .5));
+    lights l;
+    lights_build(&x.s, LIGHTS_ALL, &l);
+    for (int way = 0; way < direct_ways; way++) {
+        direct_work w = {0, 0, 0};
+        direct d = {&x.s, (direct_way)way, &l, &w, false};
+        double sum = 0;
+        for (uint32_t k = 0; k < 1000; k++) {
+            sampler q = sampler_start(SEQUENCE_RANDOM, 6, 0, k, 1000);
+            sum += (double)direct_light(&d, &h, up, &q).x;
+        }
+        check_equal(sum, 0, "light below a leaning normal's surface, %s", direct_name[way]);
+        check_equal(w.shadow, 0, "no shadow ray to it, %s", direct_name[way]);
+        if (way == DIRECT_COSINE)
+            check(w.direction > 600 && w.direction < 800, "directions below are not traced");
+    }
+    lights_free(&l), lit_free(&x.s);
 }
 
 /* In the box no picture may change by a bit, and the shadow rays that are saved are counted. */
@@ -351,7 +387,8 @@ static void test_box(void)
     lights_build(&s, LIGHTS_ALL, &l);
     for (int way = 0; way < direct_ways; way++)
         for (int i = 0; i < side * side; i++) {
-            ray r = camera_ray(c, (real)(i % side) + (real).5, (real)(i / side) + (real).5, side, side);
+            real px = (real)(i % side) + (real).5, py = (real)(i / side) + (real).5;
+            ray r = camera_ray(c, px, py, side, side);
             lit_hit h;
             if (!lit_trace(&s, r, &h)) continue;
             vec3 L[2], wo = vneg(vunit(r.d));
@@ -419,6 +456,7 @@ int main(void)
     test_fireflies();
     test_several();
     test_called_for();
+    test_leaning();
     test_box();
     test_far();
     return check_report("24_direct_light");

@@ -36,7 +36,8 @@ static void test_trace(const lit_scene *s, double size, const char *name)
         wrong += met != (ma || mb) || lit_occluded(s, r) != met;
         if (!met || !(ma || mb)) continue;
         hits++;
-        surface x = of_mesh ? surface_of_mesh(&s->m, a) : surface_of_shape(&s->shape[b.shape], r, b);
+        surface x = of_mesh ? surface_of_mesh(&s->m, a)
+                            : surface_of_shape(&s->shape[b.shape], r, b);
         bool front = vdot(x.n, r.d) < 0;
         x = surface_facing(x, r.d);
         size_t place = of_mesh ? a.shape : s->m.triangles + b.shape;
@@ -61,8 +62,10 @@ static lit_scene a_scene(void)
     uint16_t lamp = lit_add_material(&s, (lit_material){.Le = v3(3, 2, 1)});
     for (int k = 0; k < 30; k++) {
         vec3 a = random_point((uint64_t)k, 7, 3), b = random_point((uint64_t)k, 8, 1);
-        lit_add_triangle(&s, (triangle){a, vadd(a, b), vadd(a, v3(1, .2, .1))}, k % 3 ? grey : lamp);
-        lit_add_shape(&s, shape_of_sphere((sphere){b, (real)(k % 2 ? .2 : -.2)}), k % 5 ? grey : lamp);
+        triangle t = {a, vadd(a, b), vadd(a, v3(1, .2, .1))};
+        sphere ball = {b, (real)(k % 2 ? .2 : -.2)};
+        lit_add_triangle(&s, t, k % 3 ? grey : lamp);
+        lit_add_shape(&s, shape_of_sphere(ball), k % 5 ? grey : lamp);
     }
     mesh ball = teapot_mesh(2);
     mesh_smooth_normals(&ball);
@@ -107,6 +110,41 @@ static void test_scenes(void)
     lit_free(&none), lit_free(&none), lit_free(&box), lit_free(&all);
 }
 
+/* At the same t, to the last bit: the triangle. And the normals of the second of two smooth meshes
+ * are its own. */
+static void test_joined(void)
+{
+    lit_scene s;
+    lit_hit h;
+    lit_begin(&s);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(v3(.5, .5, .5))});
+    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = v3(1, 1, 1)});
+    lit_add_shape(&s, shape_of_sphere((sphere){v3(0, 0, 0), 1}), lamp);
+    lit_add_triangle(&s, (triangle){v3(1, -1, -1), v3(1, 1, -1), v3(1, 0, 1)}, grey);
+    mesh pot[2] = {teapot_mesh(1), teapot_mesh(2)};
+    for (int k = 0; k < 2; k++) {
+        mesh_smooth_normals(&pot[k]);
+        for (size_t i = 0; i < pot[k].vertices; i++) pot[k].v[i].z += (real)(4 + 4 * k);
+        lit_add_mesh(&s, &pot[k], grey);
+    }
+    lit_end(&s);
+    check(lit_trace(&s, ray_from(v3(3, 0, 0), v3(-1, 0, 0)), &h) && h.t == 2 && h.s.shape == 0,
+          "a triangle and a sphere at t = 2: the triangle");
+    size_t wrong = 0, first = 1;
+    for (int k = 0; k < 2; k++) {
+        for (size_t i = 0; i < pot[k].triangles; i++) {
+            vec3 n = mesh_normal(&pot[k], i, (real).3, (real).4);
+            wrong += !same(n, mesh_normal(&s.m, first + i, (real).3, (real).4));
+        }
+        first += pot[k].triangles;
+        mesh_free(&pot[k]);
+    }
+    check_equal(wrong, 0, "normals of joined meshes");
+    check_equal(s.m.triangles, first, "triangles of joined meshes");
+    check(same(mesh_normal(&s.m, 0, 0, 0), v3(1, 0, 0)), "the flat one keeps its own");
+    lit_free(&s);
+}
+
 /* ---- emitters ---- */
 
 enum { specimens = 8 };
@@ -115,7 +153,8 @@ static emitter specimen(int i)
     vec3 Le = v3(1, 1, 1);
     switch (i) {
     case 0: return emitter_of_rectangle((rectangle){v3(-1, -1, 2), v3(0, 2, 0), v3(2, 0, 0)}, Le);
-    case 1: return emitter_of_rectangle((rectangle){v3(5, 5, .01), v3(0, .01, 0), v3(.02, 0, 0)}, Le);
+    case 1:
+        return emitter_of_rectangle((rectangle){v3(5, 5, .01), v3(0, .01, 0), v3(.02, 0, 0)}, Le);
     case 2: return emitter_of_triangle((triangle){v3(-1, -1, 1), v3(0, 2, 1), v3(1, -1, 1.5)}, Le);
     case 3: return emitter_of_triangle((triangle){v3(1, 0, 0), v3(1, -5, 3), v3(1, 5, 3)}, Le);
     case 4: return emitter_of_sphere((sphere){v3(0, 0, 3), 1}, Le);
@@ -141,7 +180,7 @@ static void test_emitter(int i)
     vec3 p = v3(0, 0, 0), axis = vunit(v3(.3, .5, .8));
     double omega = emitter_omega(&e, p), off = 0, astray = 0, pdfs = 0;
     estimate all = {0}, by_area = {0}, by_angle = {0};
-    size_t n = check_count(20000);
+    size_t n = check_count(20000), others = 0;
     for (size_t k = 0; k < n; k++) {
         point2 u = {random_real(1, k, 0, 0), random_real(1, k, 0, 1)};
         for (int angle = 0; angle < 2; angle++) {
@@ -152,8 +191,13 @@ static void test_emitter(int i)
             else by_area = estimate_add(by_area, part);
             if (!angle) all = estimate_add(all, some ? 1 / (double)x.pdf : 0);
             if (!some) continue;
-            real h = e.kind == EMITTER_SPHERE
-                   ? vlength(vsub(x.s.p, e.sphere.c)) - fabs(e.sphere.r) : emitter_height(&e, x.s.p);
+            if (angle && e.kind == EMITTER_RECTANGLE) {
+                spherical_rectangle r = spherical_rectangle_of(e.rectangle, p);
+                vec3 y = spherical_rectangle_sample(&r, u.u, u.v);
+                others += !same(x.s.p, rectangle_at(e.rectangle, y)) || x.pdf != 1 / r.omega;
+            }
+            real h = e.kind == EMITTER_SPHERE ? vlength(vsub(x.s.p, e.sphere.c)) - fabs(e.sphere.r)
+                                              : emitter_height(&e, x.s.p);
             off = check_worse(off, (double)(fabs(h) / x.s.error));
             vec3 to = vunit(vsub(x.s.p, p));
             astray = check_worse(astray, (double)vlength(vsub(to, x.wi)));
@@ -165,6 +209,7 @@ static void test_emitter(int i)
             pdfs = check_worse(pdfs, fabs((double)(q / x.pdf - 1)) / slack);
         }
     }
+    check_equal(others, 0, "light %d: the short cut to 22's own points, to the bit", i);
     check_at_most(off, 1, "light %d: points off it, in their own bounds", i);
     /* (24.6) at the limb: an error of eps D goes as its root into x. Else some eps. */
     double round = e.kind == EMITTER_SPHERE ? 8 * sqrt(eps) : 64 * eps;
@@ -181,7 +226,8 @@ static void test_emitter(int i)
 static void test_unseen(void)
 {
     emitter r = specimen(0), s = specimen(4), in = specimen(6);
-    emitter flat = emitter_of_triangle((triangle){v3(0, 0, 1), v3(1, 0, 1), v3(2, 0, 1)}, v3(1, 1, 1));
+    triangle line = {v3(0, 0, 1), v3(1, 0, 1), v3(2, 0, 1)};
+    emitter flat = emitter_of_triangle(line, v3(1, 1, 1));
     emitter dot = emitter_of_sphere((sphere){v3(0, 0, 1), 0}, v3(1, 1, 1));
     const struct { const emitter *e; vec3 p; const char *what; } dark[] = {
         {&r, v3(0, 0, 3), "behind a rectangle"}, {&r, v3(7, 1, 2), "in its plane"},
@@ -205,8 +251,9 @@ static void test_unseen(void)
         vec3 d = sample_sphere(random_real(2, k, 1, 0), random_real(2, k, 1, 1));
         vec3 p = surface_on_sphere(in.sphere, 0, vadd(in.sphere.c, d)).p;
         emitter_point x;
-        check(emitter_by_angle(&in, p, (point2){random_real(2, k, 1, 2), random_real(2, k, 1, 3)}, &x)
-                  && x.pdf == 1 / (4 * pi), "on a sphere that shines inwards");
+        point2 u = {random_real(2, k, 1, 2), random_real(2, k, 1, 3)};
+        check(emitter_by_angle(&in, p, u, &x) && x.pdf == 1 / (4 * pi),
+              "on a sphere that shines inwards");
     }
 }
 
@@ -239,6 +286,7 @@ static void test_weights(void)
 int main(void)
 {
     test_scenes();
+    test_joined();
     for (int i = 0; i < specimens; i++) test_emitter(i);
     test_unseen();
     test_weights();

@@ -2,6 +2,7 @@
  * Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
 #include "../chapters/25_bounces/branching.h"
 #include "../chapters/25_bounces/furnace.h"
+#include "../chapters/25_bounces/notes_shade.h"
 #include "../chapters/25_bounces/terms.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
@@ -112,7 +113,7 @@ static void test_endless(void)
     lit_free(&s);
 }
 
-/* ---- furnace with uniform directions: the mean (25.5), the variance (25.12), for N = 1, 2, 4 ---- */
+/* ---- furnace, uniform directions: mean (25.5), variance (25.12), for N = 1, 2, 4 ---- */
 
 static void test_furnace_uniform(void)
 {
@@ -355,6 +356,37 @@ static void test_terms_lit(void)
     }
 }
 
+/* ---- shade() as printed: fails where it must ---- */
+
+static void test_notes(void)
+{
+    lit_scene s;
+    naive_counts c = {{0}, 0, 0};
+    vec3 half = {(real)0.5, (real)0.5, (real)0.5};
+    furnace_sphere(&s, one, half);
+    naive_path p = {&s, DIRECTIONS_BRDF, 100, false};
+    sampler r = second_pair(9, 0);
+    check_equal((double)notes_shade(&p, some_ray(dark, 9), &r, &c).x, 0.5, "rho E, not 2");
+    lit_free(&s);
+    /* the ball is no light: its one term is the sphere's E, and nothing that the sphere reflects */
+    furnace_pair(&s, (real)0.5, (vec3[]){dark, one}, (vec3[]){half, half});
+    ray down = {{0, (real)0.7, 0}, 0, {0, -1, 0}, real_infinity};
+    r = second_pair(9, 1);
+    check_equal((double)notes_shade(&p, down, &r, &c).x, 0.5, "rho_0 E_1: the light's K is lost");
+    transport t = furnace_transport(0.5, (vec3[]){dark, one}, (vec3[]){half, half}, 0);
+    double L[2];
+    check(transport_solve(&t, L) && L[0] > 0.75, "of %g", L[0]);
+    transport_free(&t), lit_free(&s);
+    /* no emitter but the background, seen past a grey ball: there it is right */
+    lit_begin(&s);
+    lit_add_shape(&s, shape_of_sphere((sphere){dark, (real)0.5}),
+                  lit_add_material(&s, (lit_material){.f = brdf_lambert(half)}));
+    lit_end(&s);
+    s.background = one, r = second_pair(9, 2);
+    check_equal((double)notes_shade(&p, down, &r, &c).x, 0.5, "a convex grey thing under a sky");
+    lit_free(&s);
+}
+
 /* ---- only what is called for ---- */
 
 /* A box of pure red walls and a pure green lamp, a white lamp that reflects nothing, a black
@@ -400,7 +432,7 @@ static void test_called_for(void)
                 wrong_tree += !same(T, branching_radiance(&all, 3, some_ray(o, i), 25, i, 1,
                                                           &tree_many));
             }
-            check_equal(wrong, 0, "%s: the same radiance with every ray spent", choice_name[choice]);
+            check_equal(wrong, 0, "%s: the same with every ray spent", choice_name[choice]);
             check_equal(wrong_tree, 0, "%s, N = 3: the same", choice_name[choice]);
             check_equal(naive_rays(&many), 6 * n, "spend_all: every ray, to the end");
             if (!lamps) check_equal(naive_rays(&few), 0, "no light, no ray");
@@ -513,6 +545,6 @@ int main(void)
     test_furnace_exact(), test_endless(), test_furnace_uniform();
     test_pair(), test_pair_whole();
     test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
-    test_called_for(), test_counts(), test_shading_normals(), test_eye_length();
+    test_notes(), test_called_for(), test_counts(), test_shading_normals(), test_eye_length();
     return check_report("25_bounces");
 }

@@ -90,8 +90,9 @@ static void test_paths(void)
             }
             check_at_least(t_test(one, direct, 100 * eps), alarm, "E + KE: %g +- %g, exact %g",
                            one.mean, estimate_error(one), direct);
-            check_at_least(t_test(all, whole, step + 1e-6), alarm, "whole: %g +- %g, exact %g -+ %g",
-                           all.mean, estimate_error(all), whole, step);
+            check_at_least(t_test(all, whole, step + 1e-6), alarm,
+                           "whole: %g +- %g, exact %g -+ %g", all.mean, estimate_error(all),
+                           whole, step);
             check_at_most(estimate_error(all), n < 1000 ? 0.08 * whole : 0.05 * whole,
                           "a test that can tell");
             /* a point within some epsilon of an edge may lie behind the other wall */

@@ -36,7 +36,7 @@ static void test_series(void)
                                                exact_sum((double)rho[j], many[i])));
         }
     /* log1p, product, expm1 and quotient are rounded, at most an epsilon each; but for rho = 1 +
-     * 2^-10 the sum e^x - 1 multiplies the relative error of x = 1001 log rho by x / (1 - e^-x) < 2 */
+     * 2^-10 e^x - 1 multiplies the relative error of x = 1001 log rho by x / (1 - e^-x) < 2 */
     check_at_most(worst, 8 * eps, "series_sum");
     check_equal(series_sum(3, 1, 6), 21, "rho = 1: E (n + 1)");
     check_equal((double)series_sum(1, (real)0.5, 3), 1.875, "1 + 1/2 + 1/4 + 1/8");
@@ -76,7 +76,7 @@ static void test_float_sums(void)
     check_at_most(back, 2000 * half, "backward");
     check_close(kahan, wider, 2 * half, "Kahan's sum and double's see the same summands");
     check_at_least(naive, 3 * kahan, "the plain sum is the larger error");
-    /* the albedo itself: rounding .999 to a float moves the whole by (1 - rho)^-1 = 1000 times that */
+    /* the albedo itself: what rounds .999 to a float moves the whole by 1 / (1 - rho) times that */
     double moved = 1 / (1 - (double)rho) / 1000 - 1;
     check_at_least(fabs(moved), 100 * half, "rho in float is another room");
     check_at_most(fabs(moved), 1000 * half, "... by at most 1/(1 - rho) eps/2");

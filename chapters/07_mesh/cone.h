@@ -15,11 +15,16 @@
  *   vec3 cone_point(c, p)         p moved at right angles to the axis on to the side
  *
  * Both ends are closed: u = 0 and u = 1 belong to the side. Two cones that share an end are not
- * watertight there. A ray that runs in the side hits nothing or either end; one that runs parallel
- * to the axis of a cylinder misses it. Radii of unlike sign: two cones tip to tip; else the signs
+ * watertight there. A ray that runs in the side hits nothing or any point of it; one that runs
+ * parallel to the axis of a cylinder misses it. A tangent ray hits; where rounding could blur that,
+ * twice the digits decide. Radii of unlike sign: two cones tip to tip; else the signs
  * make no difference. Always a miss: a = b, both radii 0, D = 0, NaN or infinity anywhere.
  * Any size, distance and length of D will do, if o and t can be written as reals in units of the
- * cone's own size. Needs -ffp-contract=off: a contracted product would be given back wrongly.
+ * cone's own size. The point o + t d of a hit is always near the side, ends included:
+ *
+ *          8 epsilon (L + |t d|),   L = h + |ra| + |rb|                                   (7.14)
+ *
+ * Needs -ffp-contract=off: a contracted product would be given back wrongly.
  *
  * Sources: E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for Ray/Sphere
  * Intersection", Ray Tracing Gems, 2019, ch. 7 (the discriminant from near the shape, here by
@@ -29,6 +34,7 @@
 #define CONE_H
 
 #include "../01_ray/hit.h"
+#include "../01_ray/wide.h"
 
 typedef struct {
     vec3 a;   /* middle of the base, u = 0 */
@@ -93,6 +99,86 @@ static inline real cone_nearest(vec3 q, vec3 d, vec3 w, vec3 C)
     return real_clamp(t, real_min(t0, t1), real_max(t0, t1));  /* NaN (d along w): the first end */
 }
 
+/* The same problem in units of the cone and of d, powers of two, so that nothing is rounded. t of
+ * the result times 2^*exponent is t. False if something is infinite or NaN, or d = 0. */
+static inline bool cone_in_units(cone *c, ray *r, int *exponent)
+{
+    vec3 w = vsub(c->b, c->a), radii = {c->ra, c->rb, 0};
+    int e, f;
+    if (!vfinite(w) || !vfinite(radii) || !vfinite(r->d) || !vfinite(r->o)) return false;
+    (void)vscaled(vmax(vmax(w, vneg(w)), vmax(radii, vneg(radii))), &e);
+    r->d = vscaled(r->d, &f);
+    real k = ldexp((real)1, -e);
+    *c = (cone){vscale(c->a, k), c->ra * k, vscale(c->b, k), c->rb * k};
+    *r = (ray){vscale(r->o, k), ldexp(r->tmin, f - e), r->d, ldexp(r->tmax, f - e)};
+    *exponent = e - f;
+    return !vzero(r->d);
+}
+
+/* How far |E + t C| and |R + t G| may be apart at a hit: 4 epsilon L of distance from the side. */
+static inline real cone_off(real h, cone c)
+{
+    real L = h + fabs(c.ra) + fabs(c.rb);
+    return 4 * real_epsilon * L * (h + fabs(c.rb - c.ra));
+}
+
+/* Steps 1 to 4 below in wide numbers, everything times h once more, so that no root of w.w is
+ * needed. Once the discriminant is nothing but rounding, 1e-29 of its parts, the ray is tangent:
+ * one root, -beta / alpha. Each root must prove that it is on the side. */
+__attribute__((cold))
+static inline bool cone_hit_in_doubt(cone c, ray r, hit *out)
+{
+    int exponent;
+    if (!cone_in_units(&c, &r, &exponent) || (c.ra == 0 && c.rb == 0)) return false;
+    vec3 rough = vsub(c.b, c.a);
+    real near = cone_nearest(vsub(r.o, c.a), r.d, rough, vcross(r.d, rough));
+    wide3 a = wide3_of(c.a), d = wide3_of(r.d), w = wide3_sub(wide3_of(c.b), a),
+          q = wide3_madd(wide3_sub(wide3_of(r.o), a), d, wide_of((double)near));
+    wide ra = wide_of((double)c.ra), k = wide_sub(wide_of((double)c.rb), ra), hh = wide3_dot(w, w);
+    wide3 C = wide3_cross(d, w), E = wide3_cross(q, w);
+    wide z = wide3_dot(q, w), g = wide3_dot(d, w);
+    wide R = wide_add(wide_mul(hh, ra), wide_mul(k, z)), G = wide_mul(k, g);
+    wide alpha = wide_sub(wide_mul(hh, wide3_dot(C, C)), wide_mul(G, G));
+    wide beta = wide_sub(wide_mul(hh, wide3_dot(C, E)), wide_mul(G, R));
+    wide gamma = wide_sub(wide_mul(hh, wide3_dot(E, E)), wide_mul(R, R));
+
+    wide D = wide_sub(wide_mul(beta, beta), wide_mul(alpha, gamma));
+    double hh_CC = wide_value(wide_mul(hh, wide3_dot(C, C))), G0 = wide_value(G),
+           hh_EE = wide_value(wide_mul(hh, wide3_dot(E, E))), R0 = wide_value(R);
+    double noise = 1e-29 * (hh_CC + G0 * G0) * (hh_EE + R0 * R0);
+    if (!(wide_value(D) >= -noise)) return false;
+    wide root = wide_value(D) <= noise ? wide_of(0) : wide_sqrt(D);
+    wide far = wide_neg(wide_sign(beta) < 0 ? wide_sub(beta, root) : wide_add(beta, root));
+    wide t[2] = {wide_div(far, alpha), wide_div(gamma, far)};
+    if (wide_sign(root) == 0) t[1] = t[0];
+    if (wide_value(wide_sub(t[0], t[1])) > 0) { wide swap = t[0]; t[0] = t[1]; t[1] = swap; }
+
+    real h = vlength(rough);
+    double off = (double)(h * cone_off(h, c));
+    for (int i = 0; i < 2; i++) {
+        wide3 e = wide3_madd(E, C, t[i]);
+        double ee = wide_value(wide_mul(hh, wide3_dot(e, e))),
+               rho = fabs(wide_value(wide_add(R, wide_mul(t[i], G))));
+        if (!(fabs(ee - rho * rho) <= off * (off + rho))) continue;
+        double size = wide_value(hh), up = wide_value(wide_add(z, wide_mul(t[i], g)));
+        double over = wide_value(wide_sub(wide_add(z, wide_mul(t[i], g)), hh));
+        if (!(up >= -1e-29 * size && over <= 1e-29 * size)) continue;
+        real at = (real)wide_value(wide_add(wide_of((double)near), t[i]));
+        if (!ray_covers(r, at)) continue;
+        *out = (hit){ldexp(at, exponent), real_clamp((real)(up / size), 0, 1), 0, 0};
+        return true;
+    }
+    return false;
+}
+
+/* Is root t on the side, within rounding, or its height z clearly none of the cone's? */
+static inline bool cone_proves(real t, real z, real hh, vec3 E, vec3 C, real R, real G, real off)
+{
+    vec3 e = vmadd(E, C, t);
+    real rho = R + t * G;
+    return fabs(vdot(e, e) - rho * rho) <= off * (off + fabs(rho)) || fabs(z - hh / 2) > hh;
+}
+
 /* Step 1: move the origin to a point q of the ray near the cone; nothing is lost on the way. Step
  * 2: with C = d x w, E = q x w, radius R = h ra + m q.w and its change G = m d.w along the ray,
  *         m = (rb - ra) / h (all four are h times their size, which saves rounding a unit axis):
@@ -102,7 +188,10 @@ static inline real cone_nearest(vec3 q, vec3 d, vec3 w, vec3 C)
  * Step 3: the discriminant without cancellation, by Lagrange's identity:
  *             beta^2 - alpha gamma = |R C - G E|^2 - |C x E|^2 = (S - T)(S + T)  (7.7)
  *         C x E is parallel to w, so T = |w.(C x E)| / h. The ray hits if T <= S.
- * Step 4: the two roots, neither by subtracting. */
+ * Step 4: the two roots, neither by subtracting.
+ * Rounding moves E and R by some epsilon h L, so S - T by that times |C| and |G|. If it may be
+ * nothing else, the ray nearly touches, gamma / far of step 4 may be nothing else either, and
+ * wide numbers decide. So they do along a side, where alpha cancels, if a root is off it. */
 static inline bool cone_hit_moderate(cone c, ray r, hit *out)
 {
     vec3 w = vsub(c.b, c.a), d = r.d, C = vcross(d, w);
@@ -111,34 +200,38 @@ static inline bool cone_hit_moderate(cone c, ray r, hit *out)
               cone_near(r.o.z, c.a.z, near, d.z)};
 
     vec3 E = vcross(q, w);
-    real h = vlength(w), hh = vdot(w, w), m = (c.rb - c.ra) / h, z = vdot(q, w), g = vdot(d, w);
+    real hh = vdot(w, w), EE = vdot(E, E), rough = 32 * real_epsilon * near;
+    if (EE > 2 * hh * (hh + c.ra * c.ra + c.rb * c.rb + rough * rough * vdot(d, d)))
+        return false;  /* not near at all: between the ends, the ray is far away */
+    real h = sqrt(hh), m = (c.rb - c.ra) / h, z = vdot(q, w), g = vdot(d, w);
     real R = h * c.ra + m * z, G = m * g;
     real S = vlength(vsub(vscale(C, R), vscale(E, G))),
-         T = fabs(vdot(vscale(w, 1 / h), vcross(C, E)));
-    if (!(S >= T) || (c.ra == 0 && c.rb == 0)) return false;  /* written so that a NaN is a miss */
+         T = fabs(vdot(vscale(w, 1 / h), vcross(C, E))), gap = S - T;
+    real rr = fabs(c.ra) + fabs(c.rb);
+    if (!(fabs(gap) * rr > 64 * real_epsilon * (S + T) * (h + rr)))  /* a NaN comes here too */
+        return cone_hit_in_doubt(c, r, out);
+    if (gap < 0) return false;
 
-    real alpha = vdot(C, C) - G * G, beta = vdot(C, E) - G * R, gamma = vdot(E, E) - R * R;
-    real far = -(beta + copysign(sqrt((S - T) * (S + T)), beta));
+    real alpha = vdot(C, C) - G * G, beta = vdot(C, E) - G * R, gamma = EE - R * R;
+    real far = -(beta + copysign(sqrt(gap * (S + T)), beta));
     real t0 = far / alpha, t1 = gamma / far;  /* 1/0 and 0/0 are in no interval: no hit there */
+    if (!(fabs(alpha) > G * G / 16)) {
+        real off = cone_off(h, c);
+        if (!cone_proves(t0, z + t0 * g, hh, E, C, R, G, off)
+            || !cone_proves(t1, z + t1 * g, hh, E, C, R, G, off))
+            return cone_hit_in_doubt(c, r, out);
+    }
     if (t0 > t1) { real swap = t0; t0 = t1; t1 = swap; }
     return cone_first(r, (real[2]){near + t0, near + t1}, (real[2]){z + t0 * g, z + t1 * g}, hh,
                       out);
 }
 
-/* Sizes whose products could over- or underflow: the same problem in units of the cone and of d,
- * powers of two, so that nothing is rounded. Rare, so it may be slow. */
+/* Sizes whose products could over- or underflow. Rare, so it may be slow. */
 static inline bool cone_hit_extreme(cone c, ray r, hit *out)
 {
-    vec3 w = vsub(c.b, c.a), radii = {c.ra, c.rb, 0};
-    int e, f;
-    if (!vfinite(w) || !vfinite(radii) || !vfinite(r.d) || !vfinite(r.o)) return false;
-    (void)vscaled(vmax(vmax(w, vneg(w)), vmax(radii, vneg(radii))), &e);
-    r.d = vscaled(r.d, &f);
-    real k = ldexp((real)1, -e);
-    c = (cone){vscale(c.a, k), c.ra * k, vscale(c.b, k), c.rb * k};
-    r = (ray){vscale(r.o, k), ldexp(r.tmin, f - e), r.d, ldexp(r.tmax, f - e)};
-    if (!cone_hit_moderate(c, r, out)) return false;
-    out->t = ldexp(out->t, e - f);
+    int exponent;
+    if (!cone_in_units(&c, &r, &exponent) || !cone_hit_moderate(c, r, out)) return false;
+    out->t = ldexp(out->t, exponent);
     return true;
 }
 
@@ -146,7 +239,8 @@ static inline bool cone_hit(cone c, ray r, hit *out)
 {
     vec3 w = vsub(c.b, c.a);
     real size = vdot(w, w) + c.ra * c.ra + c.rb * c.rb;
-    if (!square_is_safe(size * size * size * vdot(r.d, r.d))) return cone_hit_extreme(c, r, out);
+    if (!square_is_safe(size * size * size * vdot(r.d, r.d)) || !square_is_safe(size * size))
+        return cone_hit_extreme(c, r, out);
     return cone_hit_moderate(c, r, out);
 }
 

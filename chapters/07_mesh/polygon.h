@@ -16,8 +16,13 @@
  * Closed: a ray through an edge or a corner hits. Watertight: of polygons and triangles of 04 that
  * share edges, corner for corner, at least one is hit by a ray through the seam. A corner of one
  * that lies within an edge of another (T-junction) is no shared edge: rays may slip there.
- * Corners that are not quite in a plane: the plane through their mean with Newell's normal gives
- * t, and t stays between those of the nearest and the farthest corner.
+ * The point of a hit is near the polygon, also if that is seen edge-on or is a sliver:
+ *
+ *          32 epsilon D along each axis,   D = the largest |corner - o| along an axis     (7.15)
+ *
+ * Corners that are not quite in a plane: the plane through their mean with Newell's normal gives t
+ * as long as the corners are near it, and (7.15) holds with 128; else two points of the edges do,
+ * and the hit is between these. t always stays between the nearest and the farthest corner's.
  *
  *   fewer than three corners, no area, NaN or infinity anywhere, D = 0, exactly edge-on    no hit
  *
@@ -33,6 +38,7 @@
 typedef struct {
     const vec3 *v;  /* [n] corners; they belong to the caller */
     uint32_t n;
+    float trust;    /* seen less steeply, |n.d / dz| below this, the plane's depth is noise */
     vec3 normal;    /* unit, or 0 */
     vec3 centre;    /* mean of the corners */
 } polygon;
@@ -57,7 +63,13 @@ static inline polygon polygon_of(const vec3 *v, size_t n)
     for (size_t i = 2; i < n; i++)
         sum = vadd(sum,
                    vcross(vscale(vsub(v[i - 1], v[0]), scale), vscale(vsub(v[i], v[0]), scale)));
-    return (polygon){v, (uint32_t)n, vunit(sum), n ? vadd(v[0], offset) : offset};
+    polygon p = {v, (uint32_t)n, 0, vunit(sum), n ? vadd(v[0], offset) : offset};
+    real off = 0, size = vaxis(widest, vlongest(widest));
+    for (size_t i = 0; i < n; i++)
+        off = real_max(fabs(vdot(p.normal, vsub(v[i], p.centre))), off);
+    real steep = real_max(off / (32 * real_epsilon * size), (real)1 / 16);
+    p.trust = steep < 2 ? (float)steep : INFINITY;
+    return p;
 }
 
 static inline vec3 polygon_normal(polygon p) { return p.normal; }
@@ -114,6 +126,46 @@ static inline edge_side edge_of(vec3 a, vec3 b)
     return along || a.x == 0 ? EDGE_TOUCHES : EDGE_AWAY;
 }
 
+/* Where the line y = 0 of the picture enters and leaves the polygon, next to the origin. */
+typedef struct { vec3 left, right; } polygon_walk;
+
+/* Edge a b meets the line: nearer to the origin than what is kept? A weighted mean of a and b, so
+ * it is on the edge. */
+static inline void edge_nearest(vec3 a, vec3 b, polygon_walk *w)
+{
+    if ((a.y > 0) == (b.y > 0) && a.y != 0 && b.y != 0) return;
+    real s = a.y == b.y ? a.x / (a.x - b.x) : a.y / (a.y - b.y);  /* all on the line: at x = 0 */
+    s = real_clamp(s, 0, 1);
+    vec3 p = {(1 - s) * a.x + s * b.x, 0, (1 - s) * a.z + s * b.z};
+    if (p.x <= 0 && !(p.x < w->left.x)) w->left = p;
+    if (p.x >= 0 && !(p.x > w->right.x)) w->right = p;
+}
+
+/* Depth where the plane's is noise: seen edge-on, of hardly any width, corners not in a plane. Walk
+ * through the origin, along x or y, whichever the picture is narrower in. What is between the
+ * edges met on the left and on the right belongs to the polygon, so does the point that divides
+ * them as the origin does:
+ *             z = ((xr) zl + (-xl) zr) / (xr - xl),   xl <= 0 <= xr                      (7.16)
+ * If one of them is as near as rounding moves a corner, it is taken itself. */
+static inline real polygon_depth_in_doubt(polygon p, const ray_shear *s, real near, real far)
+{
+    polygon_walk x = {{-real_infinity, 0, near}, {real_infinity, 0, far}}, y = x;
+    vec3 a = shear_corner(&p.v[p.n - 1], s), lo = a, hi = a;
+    for (uint32_t i = 0; i < p.n; i++) {
+        vec3 b = shear_corner(&p.v[i], s);
+        edge_nearest(a, b, &x);
+        edge_nearest((vec3){a.y, a.x, a.z}, (vec3){b.y, b.x, b.z}, &y);
+        lo = vmin(lo, b), hi = vmax(hi, b);
+        a = b;
+    }
+    polygon_walk w = hi.x - lo.x > hi.y - lo.y ? y : x;
+    real blur = 16 * real_epsilon * real_max(fabs(near), fabs(far));
+    vec3 nearer = -w.left.x < w.right.x ? w.left : w.right;
+    if (!(fabs(nearer.x) > blur)) return nearer.z;
+    real k = -w.left.x / (w.right.x - w.left.x);
+    return k > 0 && k < 1 ? (1 - k) * w.left.z + k * w.right.z : nearer.z;
+}
+
 /* Why nothing slips: each corner has one place in the picture, and each shared edge counts the
  * same for both its polygons. Summed over all polygons of a surface, the shared edges cancel,
  * modulo 2, and what is left is the crossings of the outer border: odd, if the ray passes within.
@@ -141,7 +193,8 @@ static inline bool polygon_hit_sheared(polygon p, const ray_shear *s, ray r, hit
     real nd = vdot(p.normal, r.d), steep = nd * s->sz;
     if (nd == 0 && !odd) return false;  /* edge-on: the ray may touch, but the neighbours are hit */
     real z = c.z + (vaxis(p.normal, s->kx) * c.x + vaxis(p.normal, s->ky) * c.y) / steep;
-    real t = real_clamp(z, near, far) * s->sz;  /* edge-on but for rounding, z is noise */
+    if (!(fabs(steep) >= (real)p.trust)) z = polygon_depth_in_doubt(p, s, near, far);
+    real t = real_clamp(z, near, far) * s->sz;
     if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
     *out = (hit){t, 0, 0, 0};
     return true;

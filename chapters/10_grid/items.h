@@ -28,8 +28,10 @@
  *          delta = 512 eps D,    D = the largest |side of the bounds - o| along an axis
  *
  *      A hit that an item reports lies within 256 eps D of the item and of the true ray (14 and 04
- *      say why); the planes' own t are right within 4 eps D. The rest is for the building of cells.
- *      (Some cones and polygons of 07, barely grazed, are no such items: see query_delta.)
+ *      say why, and (7.14) and (7.15) for cones and polygons); the planes' own t are right within
+ *      4 eps D. The rest is for the building of cells.
+ *      (One kind is left out: a polygon whose corners are farther off their plane than 32 eps of
+ *      its size, seen edge-on. Its picture may cross itself, and the hit is only within its hull.)
  *
  * Coordinates up to items_most, 1e75 (1e9 in float), are taken: areas and volumes stay finite.
  */
@@ -117,12 +119,7 @@ static inline bool ray_is_usable(ray r) { return vfinite(r.o) && vfinite(r.d) &&
 
 static inline query query_of(ray r) { return (query){r, shear_of(r), hit_none}; }
 
-/* (10.1) [scene units]; a little even where everything is 0.
- *
- * Two shapes of 07 may report a hit farther off themselves than that: a cone or cylinder, if the
- * ray lies in a tangent plane of it (both roots are noise); a polygon seen edge-on, or of hardly
- * any width (t is bounded by its corners alone). Whether such a hit is found depends on the cells
- * that were asked: there, and only there, a structure may differ from items_hit. */
+/* (10.1) [scene units]; a little even where everything is 0. */
 static inline real query_delta(ray r, aabb all)
 {
     vec3 a = vsub(r.o, all.lo), b = vsub(all.hi, r.o);

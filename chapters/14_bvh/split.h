@@ -102,8 +102,8 @@ static inline int bin_of(const splitter *s, const bvh_item *i, int axis, float s
 }
 
 /* Areas times numbers from the right, then from the left; the best plane is after bin
- * `choice->bin`. */
-static inline void sweep_bins(const split_bin *bin, int bins, int axis, split_choice *choice)
+ * `best->bin`. */
+static inline void sweep_bins(const split_bin *bin, int bins, int axis, split_choice *best)
 {
     double right[most_bins];
     bvh_box box = box_empty();
@@ -118,7 +118,7 @@ static inline void sweep_bins(const split_bin *bin, int bins, int axis, split_ch
         box_add(&box, &bin[i].box);
         n += bin[i].n;
         double cost = n ? box_area(&box) * (double)n + right[i + 1] : HUGE_VAL;
-        if (cost < choice->cost) *choice = (split_choice){cost, axis, i};
+        if (cost < best->cost) *best = (split_choice){cost, axis, i};
     }
 }
 
@@ -132,7 +132,7 @@ static inline double split_cost(const splitter *s, double sum)
 static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
 {
     split_bin bin[3][most_bins];
-    split_choice choice = {HUGE_VAL, 0, 0};
+    split_choice best = {HUGE_VAL, 0, 0};
     int bins = bins_for(n);
     float scale[3];
     for (int k = 0; k < 3; k++) {
@@ -146,12 +146,12 @@ static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
             b->n++;
         }
     for (int k = 0; k < 3; k++)
-        if (scale[k] > 0) sweep_bins(bin[k], bins, k, &choice);
-    s->cost = split_cost(s, choice.cost);
+        if (scale[k] > 0) sweep_bins(bin[k], bins, k, &best);
+    s->cost = split_cost(s, best.cost);
     if (s->cost == HUGE_VAL) return split_by_number(item, n, box_longest(&s->centres));
     size_t left = 0, right = n;
     while (left < right) {
-        if (bin_of(s, &item[left], choice.axis, scale[choice.axis]) <= choice.bin) left++;
+        if (bin_of(s, &item[left], best.axis, scale[best.axis]) <= best.bin) left++;
         else item_swap(&item[left], &item[--right]);
     }
     return left;

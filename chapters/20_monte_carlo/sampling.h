@@ -56,11 +56,11 @@ static inline vec3 sample_disk_polar(real u, real v) { return sample_turn(sqrt(u
 static inline vec3 sample_disk(real u, real v)
 {
     real a = 2 * u - 1, b = 2 * v - 1;
-    bool wide = fabs(a) > fabs(b);  /* values are chosen, not branches, which nobody can predict */
-    real r = wide ? a : b, q = wide ? b : a;
+    bool flat = fabs(a) > fabs(b);  /* values are chosen, not branches, which nobody can predict */
+    real r = flat ? a : b, q = flat ? b : a;
     if (r == 0) return (vec3){0, 0, 0};
     real phi = pi / 4 * (q / r), c = r * cos(phi), s = r * sin(phi);
-    return (vec3){wide ? c : s, wide ? s : c, 0};
+    return (vec3){flat ? c : s, flat ? s : c, 0};
 }
 
 static inline real pdf_disk(vec3 p)

@@ -62,9 +62,9 @@ static const struct { uint8_t corner[4]; uint8_t part; } cornell_quad[cornell_qu
     {{21, 25, 26, 22}, CORNELL_WHITE}, {{22, 26, 27, 23}, CORNELL_WHITE},
     {{23, 27, 24, 20}, CORNELL_WHITE}};
 
-static inline cornell_part cornell_of(size_t triangle)
+static inline cornell_part cornell_of(size_t i)
 {
-    return (cornell_part)cornell_quad[triangle / 2].part;
+    return (cornell_part)cornell_quad[i / 2].part;
 }
 
 /* To be freed with mesh_free. */

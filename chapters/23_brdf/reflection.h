@@ -32,18 +32,18 @@ typedef struct { direction_choice choice; bool ask_all; size_t asked; } reflecti
 
 /* One direction and its f cos / pdf; false if that is 0. A mirror's is found by DIRECTIONS_BRDF
  * alone. */
-static inline bool reflection_direction(direction_choice choice, const brdf *b, shading_frame f,
+static inline bool reflection_direction(direction_choice how, const brdf *b, shading_frame f,
                                         vec3 wo, point2 p, vec3 *wi, vec3 *weight)
 {
     vec3 w = {0, 0, 1};
     real pdf;
     *weight = (vec3){0, 0, 0};
-    if (choice == DIRECTIONS_BRDF) {
+    if (how == DIRECTIONS_BRDF) {
         bool some = brdf_sample_local(b, wo, p.u, p.v, &w, &pdf, weight);
         *wi = to_world(f, w);
         return some;
     }
-    bool cosine = choice == DIRECTIONS_COSINE;
+    bool cosine = how == DIRECTIONS_COSINE;
     w = cosine ? sample_cosine(p.u, p.v) : sample_hemisphere(p.u, p.v);
     pdf = cosine ? pdf_cosine(w) : pdf_hemisphere(w);
     *wi = to_world(f, w);

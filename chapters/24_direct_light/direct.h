@@ -29,7 +29,7 @@
  * sample are pairs 0: direction, 1: which light, 2 ...: points of lights, from where s stands;
  * numbers that nobody asks for are not computed.
  *
- * A mirror has f = 0 but for one direction: only UNIFORM to ANGLE without BRDF lose it.
+ * A mirror has f = 0 but for one direction: only BRDF, and both with it, find that.
  * A background of the scene is seen by directions only.
  */
 #ifndef DIRECT_H

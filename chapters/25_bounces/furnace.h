@@ -13,7 +13,7 @@
  *   K = | 0            rho_0       |                                                       (25.11)
  *       | rho_1 r^2    rho_1 (1 - r^2) |
  *
- *   transport t = furnace_transport(r, E, rho, channel);    the same for one channel; transport_free
+ *   transport t = furnace_transport(r, E, rho, channel);    (25.11) of one channel; transport_free
  *   furnace_variance(N, rho, n)      variance of E = 1 in such a room, N uniform directions a hit
  *
  * Its oracle: with X_n the estimate of S_n = 1 + rho + ... + rho^n, w = 2 rho cos the weight,

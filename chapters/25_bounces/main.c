@@ -1,4 +1,4 @@
-/* 25_bounces: light sorted by its bounces, rooms where the sum is known, and N rays a hit exploding.
+/* 25_bounces: light sorted by its bounces, rooms where its sum is known, N rays a hit exploding.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters/25_bounces/main.c -lm -lpthread
  * Errors are measured against closed forms, linear systems, and an estimate that shares nothing
  * with the paths but their walk. */
@@ -18,6 +18,6 @@ int main(int argc, char **argv)
     if (!o.out) draw_branches(&o);
     measure_branches(&o), measure_rays(&o);
     measure_furnace(&o), measure_pair(&o), measure_norms(&o);
-    measure_cornell(&o), measure_sums(&o);
+    measure_cornell(&o), measure_notes(&o), measure_sums(&o);
     return 0;
 }

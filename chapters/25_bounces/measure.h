@@ -4,6 +4,7 @@
  *   measure_pair(o)      two materials, term by term, against the linear system (25.11)
  *   measure_norms(o)     ||K||, spectral radius, and what the series does
  *   measure_cornell(o)   how much light each bounce brings to the picture, two ways
+ *   measure_notes(o)     what shade() of the notes leaves out
  *   measure_sums(o)      a thousand bounces in float
  */
 #ifndef MEASURE_H
@@ -11,6 +12,7 @@
 
 #include "../20_monte_carlo/t_test.h"
 #include "measure_branches.h"
+#include "notes_shade.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -84,7 +86,8 @@ static inline void measure_pair(const options *o)
             vec3 term[depth + 1];
             sampler r = sampler_start(SEQUENCE_RANDOM, o->seed, seen, i, 1);
             bounce_terms(&path, trial_ray(0, seen, sampler_pair(&r)), &r, term, &c);
-            for (int k = 0; k <= depth; k++) e[seen][k] = estimate_add(e[seen][k], (double)term[k].x);
+            for (int k = 0; k <= depth; k++)
+                e[seen][k] = estimate_add(e[seen][k], (double)term[k].x);
         }
     for (int k = 0; k <= depth; k++) {
         transport_term(&exact, k, T);
@@ -103,7 +106,7 @@ static inline void measure_norms(const options *o)
 {
     static const double albedo[][2] = {{0.5, 0.5}, {0.5, 0.9}, {1, 0.5}, {0.5, 1}, {0.99, 0.99},
                                        {1, 1}, {1, 1.2}};
-    table t = table_new("Does the series converge? A ball (0) in a sphere (1): radiance of the ball",
+    table t = table_new("Does the series converge? Ball (0) in a sphere (1): radiance of the ball",
                         "rho 0|rho 1|norm of K|spectral radius|n = 10|n = 100|n = 1000|"
                         "(I - K)^-1 E");
     for (size_t i = 0; i < sizeof albedo / sizeof *albedo; i++) {
@@ -178,6 +181,43 @@ static inline void measure_cornell(const options *o)
     free(c);
 }
 
+/* The same random numbers for both, so that their difference is known better than they are. */
+static inline void measure_notes(const options *o)
+{
+    static const char *const name[] = {"furnace, rho = .5", "furnace, rho = .9", "Cornell box"};
+    table t = table_new("shade() as the notes print it: mean radiance",
+                        "room|whole|as printed|with what the eye sees|still missing|-+");
+    for (int room = 0; room < 3; room++) {
+        lit_scene s;
+        vec3 one = {1, 1, 1};
+        estimate e[4] = {{0, 0, 0}};
+        if (room == 2) lit_cornell(&s);
+        else furnace_sphere(&s, one, vscale(one, room ? (real)0.9 : (real)0.5));
+        naive_path p = {&s, DIRECTIONS_BRDF, room == 2 ? 20 : 400, false};
+        naive_counts c = {{0}, 0, 0};
+        for (uint32_t i = 0; i < (o->quick ? 1000u : 100000u) / (room == 2 ? 1 : 1000); i++) {
+            sampler a = sampler_start(SEQUENCE_RANDOM, o->seed, 0, i, 1);
+            point2 u = sampler_pair(&a);
+            sampler b = a, d = a;
+            ray eye = {{0, 0, 0}, 0, {1, 0, 0}, real_infinity};
+            if (room == 2) eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
+            naive_path seen = p;
+            seen.depth = 0;
+            double whole = (double)naive_radiance(&p, eye, &a, &c).y;
+            double printed = (double)notes_shade(&p, eye, &b, &c).y;
+            double own = (double)naive_radiance(&seen, eye, &d, &c).y;
+            e[0] = estimate_add(e[0], whole), e[1] = estimate_add(e[1], printed);
+            e[2] = estimate_add(e[2], printed + own);
+            e[3] = estimate_add(e[3], whole - printed - own);
+        }
+        table_text(&t, "%s", name[room]);
+        for (int k = 0; k < 4; k++) table_number(&t, e[k].mean);
+        table_number(&t, estimate_error(e[3]));
+        lit_free(&s);
+    }
+    output_extra_table(o, &t);
+}
+
 static inline void measure_sums(const options *o)
 {
     table t = table_new("rho = .999 as a float, 1000 bounces: relative error of the sum",
@@ -187,7 +227,8 @@ static inline void measure_sums(const options *o)
     for (int k = 0; k < 1000; k++) exact = 1 + (double)rho * exact;
     double way[] = {(double)bounces_forward_f32(1, rho, 1000),
                     (double)bounces_forward_kahan_f32(1, rho, 1000),
-                    bounces_forward_double(1, rho, 1000), (double)bounces_backward_f32(1, rho, 1000)};
+                    bounces_forward_double(1, rho, 1000),
+                    (double)bounces_backward_f32(1, rho, 1000)};
     static const char *const name[] = {"forward, float", "forward, float, Kahan",
                                        "forward, sum in double", "backward, float"};
     for (int k = 0; k < 4; k++) {

@@ -129,10 +129,10 @@ static inline void trial_times(branch_trial *b, bool quick)
     timed_trial t[trials];
     clock_variant v[trials];
     for (int i = 0; i < trials; i++) {
-        t[i] = (timed_trial){b, i, quick ? 500 : 8000, 0};
+        t[i] = (timed_trial){b, i, quick ? 500 : 3000, 0};
         v[i] = (clock_variant){branch_name[i % branch_kinds], timed_run, &t[i], 0};
     }
-    for (int i = 0; i < trials; i += 16) clock_compare(v + i, 16, quick ? 1 : 5);
+    for (int i = 0; i < trials; i += 16) clock_compare(v + i, 16, quick ? 1 : 15);
     for (int i = 0; i < trials; i++) b->us[i] = v[i].seconds / (double)t[i].rays * b->rays[i] * 1e6;
 }
 
@@ -177,7 +177,7 @@ static inline void plot_branches(const options *o, const branch_trial *b)
     output_plot(o, &p, "25_bounces_error.svg");
 }
 
-/* The most bounces: from one sample on, k independent ones divide the error by sqrt k. */
+/* At the largest depth: from one sample on, k independent ones divide the error by sqrt k. */
 static inline void plot_time(const options *o, const branch_trial *b)
 {
     plot p = plot_new("Cornell box, 5 bounces: relative error against time", "time of a pixel [ms]",
@@ -215,8 +215,22 @@ static inline void measure_branches(const options *o)
 
 /* ---- rays against depth ---- */
 
+/* Mean rays of a sample; room 0 is closed, and all of its samples take the same. */
+static inline double rays_of_sample(const options *o, const lit_scene *s, int room, int N, int d)
+{
+    naive_counts c = {{0}, 0, 0};
+    naive_path path = {s, DIRECTIONS_BRDF, d, false};
+    uint64_t i = 0;
+    for (; i == 0 || (room && (double)naive_rays(&c) < (o->quick ? 1e3 : 2e4)); i++) {
+        ray eye = trial_ray(room, i % trial_pixels, branching_pair(o->seed, 0, i, 0));
+        branching_radiance(&path, N, eye, o->seed, 0, i, &c);
+    }
+    return (double)naive_rays(&c) / (double)i;
+}
+
 static inline void measure_rays(const options *o)
 {
+    static const int deepest[branch_kinds] = {15, 15, 8, 5};
     lit_scene s[2];
     table t = table_new("Rays of one sample, by depth: a closed room, and the Cornell box",
                         "N|bounces|(N^(d+1)-1)/(N-1)|closed|Cornell box");
@@ -224,25 +238,19 @@ static inline void measure_rays(const options *o)
     furnace_sphere(&s[0], (vec3){1, 1, 1}, (vec3){(real)0.5, (real)0.5, (real)0.5});
     lit_cornell(&s[1]);
     for (int n = 0; n < branch_kinds; n++) {
-        static const int deepest[branch_kinds] = {15, 15, 8, 5};
         char name[64];
-        int closed = plot_series(&p, branch_name[n]), open;
+        plot_series(&p, branch_name[n]);
         snprintf(name, sizeof name, "%s, Cornell box", branch_name[n]);
-        open = plot_series(&p, name);
+        plot_series(&p, name);
         for (int d = 0; d <= deepest[n] - (o->quick ? 2 * n : 0); d++) {
-            double rays[2], whole = branching_rays(1 << n, d);
+            double rays[2];
             for (int k = 0; k < 2; k++) {
-                naive_counts c = {{0}, 0, 0};
-                naive_path path = {&s[k], DIRECTIONS_BRDF, d, false};
-                uint64_t i = 0;
-                for (; i == 0 || (k && (double)naive_rays(&c) < (o->quick ? 1e3 : 2e4)); i++)
-                    branching_radiance(&path, 1 << n, trial_ray(k, i % trial_pixels,
-                                       branching_pair(o->seed, 0, i, 0)), o->seed, 0, i, &c);
-                rays[k] = (double)naive_rays(&c) / (double)i;
-                plot_add(&p, k ? open : closed, d, rays[k]);
+                rays[k] = rays_of_sample(o, &s[k], k, 1 << n, d);
+                plot_add(&p, 2 * n + k, d, rays[k]);
             }
             if (d % 5 && d != 3) continue;
-            table_count(&t, (size_t)1 << n), table_count(&t, (size_t)d), table_number(&t, whole);
+            table_count(&t, (size_t)1 << n), table_count(&t, (size_t)d);
+            table_number(&t, branching_rays(1 << n, d));
             table_number(&t, rays[0]), table_number(&t, rays[1]);
         }
     }

@@ -1,9 +1,9 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_terms(o, depth, naive)   the Cornell box, upper row E, K E, K^2 E, K^3 E and the rest up to
- *                                 K^depth E; lower row the running sums, the last one is the whole.
- *                                 Of the upper row the last three are shown 2, 4 and 4 times as
- *                                 bright. naive: by paths that meet the light, not by (25.10)
+ *   draw_terms(o, depth, naive)   the Cornell box, upper row E, K E, K^2 E, K^3 E, the rest up to
+ *                                 K^depth E; lower row the running sums, the last is the whole. Of
+ *                                 the upper row the last three are shown 2, 4, 4 times as bright.
+ *                                 naive: by paths that meet the light, not by (25.10)
  *   draw_branches(o)              direct light and two bounces more, by N = 1, 2, 4, 8 directions a
  *                                 hit, from left to right, with the same number of rays a pixel
  */
@@ -93,7 +93,7 @@ typedef struct {
 static inline void branch_pixel(int x, int y, void *context)
 {
     const branch_sheet *b = context;
-    int w = b->panel.width, h = b->panel.height;
+    int w = b->panel.width / 2, h = b->panel.height / 2;
     uint64_t pixel = (uint64_t)y * (uint64_t)w + (uint64_t)x, i = 0;
     vec3 sum = {0, 0, 0};
     naive_counts c = {{0}, 0, 0};
@@ -104,7 +104,8 @@ static inline void branch_pixel(int x, int y, void *context)
         sum = vadd(sum, branching_radiance(&b->path, b->N, eye, b->seed, pixel, i, &c));
     }
     image panel = b->panel;
-    image_set(&panel, x, y, vscale(sum, 1 / (real)i));
+    for (int k = 0; k < 4; k++)  /* each pixel drawn as four */
+        image_set(&panel, 2 * x + k % 2, 2 * y + k / 2, vscale(sum, 1 / (real)i));
 }
 
 static inline void draw_branches(const options *o)
@@ -113,12 +114,12 @@ static inline void draw_branches(const options *o)
     lit_cornell(&s);
     int side = o->quick ? 20 : 120;
     bool whole = true;
-    image sheet = image_new(branch_columns * side, side);
+    image sheet = image_new(2 * branch_columns * side, 2 * side);
     for (int k = 0; k < branch_columns && whole; k++) {
         branch_sheet b = {{&s, DIRECTIONS_BRDF, branch_depth, false}, cornell_camera(1),
-                          o->quick ? 85 : 585, o->seed, 1 << k, image_new(side, side)};
+                          o->quick ? 85 : 585, o->seed, 1 << k, image_new(2 * side, 2 * side)};
         whole = parallel_pixels(side, side, o->threads, "branches", branch_pixel, &b);
-        image_place(&sheet, k * side, 0, &b.panel);
+        image_place(&sheet, 2 * k * side, 0, &b.panel);
         image_free(&b.panel);
     }
     output_picture(o, &sheet, "25_bounces_branches.png", false, whole);

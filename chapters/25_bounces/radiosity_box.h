@@ -4,7 +4,7 @@
  *    /|_|_|_|_/|       E[k] and rho[k] each; every wall is cut into m x m squares, on each of
  *   |_|_|_|_| /        which L is taken to be what it is in the middle:
  *   |_|_|_|_|/
- *                      L_i = E_i + rho_i sum over j of F_ij L_j                            (25.14)
+ *                      L_i = E_i + rho_i sum over j of F_ij L_j                            (25.13)
  *
  *   transport t = radiosity_box(E, rho, m);        n = 6 m^2, (k m + row) m + column
  *   double v = radiosity_at(E, rho, m, L, p, k);   radiance at a point p of wall k, given all L_j

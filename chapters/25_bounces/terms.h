@@ -5,9 +5,9 @@
  *                                                   added up in order: naive_radiance, bit by bit
  *   bounce_terms_lit(&p, eye, &s, term, &counts);   the same expectations, with far less noise
  *
- * K^k E = K^(k-1) (K E), and K E is direct light, of which 24 knows where it comes from: so the path
- * takes k - 1 bounces, and the last K is a point x of a light, uniform on its area (24's cheap way),
- * and a ray of sight to it:
+ * K^k E = K^(k-1) (K E), and K E is direct light, of which 24 knows where it comes from: so the
+ * path takes k - 1 bounces, and the last K is a point x of a light, uniform on its area (24's cheap
+ * way), and a ray of sight to it:
  *
  *   term[k] = w_0 ... w_(k-2)  f cos E(x) / pdf,  0 if something is between                (25.10)
  *

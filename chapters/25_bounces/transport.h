@@ -146,12 +146,16 @@ static inline double transport_norm(const transport *t)
  * may have -radius, too (light that goes to and fro between two surfaces), and never settle. */
 static inline double transport_radius(const transport *t, int steps)
 {
-    double *v = allocate((size_t)t->n, sizeof *v), *w = allocate((size_t)t->n, sizeof *w), grown = 0;
+    double *v = allocate((size_t)t->n, sizeof *v), *w = allocate((size_t)t->n, sizeof *w);
+    double grown = 0;
     for (int i = 0; i < t->n; i++) v[i] = 1;
     for (int k = 0; k < steps; k++) {
         transport_apply(t, v, w);
         grown = 0;
-        for (int i = 0; i < t->n; i++) w[i] = (w[i] + v[i]) / 2, grown = w[i] > grown ? w[i] : grown;
+        for (int i = 0; i < t->n; i++) {
+            w[i] = (w[i] + v[i]) / 2;
+            grown = w[i] > grown ? w[i] : grown;
+        }
         for (int i = 0; i < t->n; i++) v[i] = w[i] / grown;
     }
     free(v), free(w);

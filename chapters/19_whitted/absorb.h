@@ -1,0 +1,33 @@
+/* absorb.h: light that coloured glass keeps (吸收): the law of Beer and Lambert.
+ *
+ *   dL/ds = -a L     =>     L(s) = L(0) e^(-a s)                              (19.9)
+ *
+ *   vec3 k = absorbed(a, s)             the part that is left after a way s; a per unit length
+ *   vec3 a = absorption_of(c, s)        that leaves the colour c (0, 1] after a way s > 0
+ *
+ * The deeper, the darker and the more saturated: the colour of glass is no property of its surface.
+ * After an infinite way nothing is left of what is absorbed, and all of what is not (a = 0: 0 times
+ * infinity would be a NaN). a = 0 costs no exponential.
+ *
+ * Sources: P. Bouguer 1729, J. Lambert 1760, A. Beer 1852.
+ */
+#ifndef ABSORB_H
+#define ABSORB_H
+
+#include "../../common/vec3.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline real absorbed_one(real a, real s) { return a == 0 ? 1 : exp(-a * s); }
+
+static inline vec3 absorbed(vec3 a, real s)
+{
+    return (vec3){absorbed_one(a.x, s), absorbed_one(a.y, s), absorbed_one(a.z, s)};
+}
+
+static inline vec3 absorption_of(vec3 c, real s)
+{
+    return (vec3){-log(c.x) / s, -log(c.y) / s, -log(c.z) / s};
+}
+
+#endif

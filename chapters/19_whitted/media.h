@@ -1,0 +1,117 @@
+/* media.h: which medium (介质) a ray is in, when bodies are nested, touch or overlap.
+ *
+ *      air .-------.            A body is what a closed surface bounds; it is filled with a medium.
+ *         / glass   \           A place may lie in several bodies: in the bubble it is in the glass
+ *     ---|->-(bubble)>--        ball and in the bubble. Which of them fills it?
+ *         \         /           The one of highest priority (优先级); of equals the one entered last,
+ *          '-------'            the innermost. In none of them: body 0, what is around everything.
+ *
+ *   medium m[] = {{1, {0,0,0}, 0}, {1.5, ..}, ..};    m[k]: what body k is made of; m[0]: air
+ *   media_set in = {0};                               the bodies that a ray is in: none
+ *   uint32_t k = media_fills(m, &in)                  whose medium it is that fills the place
+ *   media_enter(&in, k), media_leave(&in, k)          at most 7 at once: an eighth is not noted
+ *
+ * One place of the ray may lie on several faces: water touches its glass; the bubble touches the
+ * ball. A crossing holds them all, and only what is before and behind them all counts, so it does
+ * not matter which of them was found first:
+ *
+ *   media_crossing c = {0};
+ *   media_crossing_add(&c, k, +1)                     a face of k, from outside to inside; -1: out
+ *   before = media_before(in, &c)                     `in`, and what is left without having been
+ *                                                     entered: the ray began in there
+ *   after = media_after(before, &c)
+ *   from = media_fills(m, &before), to = media_fills(m, &after);     from == to: no interface
+ *
+ * The same face of a body twice (on an edge of a mesh) counts once. In and out of a body: nothing.
+ * Bodies entered at one place are taken by rising number: of equal priority, the higher fills.
+ *
+ * Source: C. Schmidt, B. Budge, "Simple Nested Dielectrics in Ray Traced Images", journal of
+ * graphics tools 7(2), 2002 (priorities).
+ */
+#ifndef MEDIA_H
+#define MEDIA_H
+
+#include "../../common/vec3.h"
+#include <stdint.h>
+
+typedef struct {
+    real ior;       /* refractive index (折射率) > 0 */
+    vec3 absorb;    /* per unit length: absorb.h */
+    int priority;
+} medium;
+
+enum { media_most = 7, media_most_faces = 8 };
+typedef struct { uint32_t n, body[media_most]; } media_set;  /* in the order of entering */
+typedef struct {
+    int n;
+    uint32_t body[media_most_faces];
+    bool in[media_most_faces], out[media_most_faces];
+} media_crossing;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+__attribute__((always_inline))
+static inline uint32_t media_fills(const medium *m, const media_set *s)
+{
+    if (s->n == 0) return 0;
+    uint32_t best = s->body[0];
+    for (uint32_t k = 1; k < s->n; k++)
+        if (m[s->body[k]].priority >= m[best].priority) best = s->body[k];
+    return best;
+}
+
+static inline bool media_has(const media_set *s, uint32_t body)
+{
+    for (uint32_t k = 0; k < s->n; k++)
+        if (s->body[k] == body) return true;
+    return false;
+}
+
+static inline void media_enter(media_set *s, uint32_t body)
+{
+    if (s->n < media_most && !media_has(s, body)) s->body[s->n++] = body;
+}
+
+static inline void media_leave(media_set *s, uint32_t body)
+{
+    uint32_t n = 0;
+    for (uint32_t k = 0; k < s->n; k++)
+        if (s->body[k] != body) s->body[n++] = s->body[k];
+    s->n = n;
+}
+
+/* Kept by rising number. More than 8 bodies at one place: the rest is not noted. */
+static inline void media_crossing_add(media_crossing *c, uint32_t body, int sign)
+{
+    int k = 0;
+    while (k < c->n && c->body[k] < body) k++;
+    if (k == c->n || c->body[k] != body) {
+        if (c->n == media_most_faces) return;
+        for (int j = c->n++; j > k; j--)
+            c->body[j] = c->body[j - 1], c->in[j] = c->in[j - 1], c->out[j] = c->out[j - 1];
+        c->body[k] = body, c->in[k] = c->out[k] = false;
+    }
+    if (sign > 0) c->in[k] = true;
+    else c->out[k] = true;
+}
+
+static inline media_set media_before(media_set in, const media_crossing *c)
+{
+    for (int k = 0; k < c->n; k++) {
+        if (!c->out[k] || c->in[k] || media_has(&in, c->body[k]) || in.n == media_most) continue;
+        for (uint32_t j = in.n++; j > 0; j--) in.body[j] = in.body[j - 1];
+        in.body[0] = c->body[k];  /* longest of all in there: the outermost */
+    }
+    return in;
+}
+
+static inline media_set media_after(media_set before, const media_crossing *c)
+{
+    for (int k = 0; k < c->n; k++)
+        if (c->out[k] && !c->in[k]) media_leave(&before, c->body[k]);
+    for (int k = 0; k < c->n; k++)
+        if (c->in[k] && !c->out[k]) media_enter(&before, c->body[k]);
+    return before;
+}
+
+#endif

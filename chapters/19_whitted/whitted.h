@@ -1,0 +1,219 @@
+/* whitted.h: Whitted's ray tracing: trace and shade of 18, and shade traces on.
+ *
+ *   depth 1            eye ray                     What a ray brings back:
+ *            \                                       L = shade (18.8) + M L(reflected)
+ *   depth 2   o--- shadow rays                                 opaque: M, at every angle
+ *            / \                                     L = e^(-a s) (R M L(reflected)
+ *   depth 3 o   o   reflected, refracted                 + (1 - R) T L(refracted))  glass  (19.10)
+ *          / \   \                                 R: fresnel.h; a, s: absorb.h
+ *
+ * Ray depth (光线深度) as the notes count it: the eye ray has depth 1, what it gives rise to 2, ...
+ * Shadow rays have none. (19.10) is a recursion, and ends at a depth, or where a branch can no
+ * longer contribute: each carries its weight, the product of the factors above it. Written as a
+ * loop: a stack holds the branches still to be traced, at most one a level.
+ *
+ *   whitted w = {.lights = L, .n = 2, .material_of = f, .context = c, .media = m, .depth = 8};
+ *   tracer t = {.w = &world, .program = whitted_programs, .user = &w};
+ *   vec3 colour = whitted_ray(&t, r, in)      in: the bodies that the ray's origin is in
+ *   t.counts.rays[RAY_REFLECTION] ..          what it took, by kind; RAY_SIGHT: contact.h
+ *
+ *   depth     at most so many rays behind one another [1..256]; what lies deeper is black
+ *   least     a branch whose weight is nowhere more than this is cut [>= 0]: 0 cuts only those that
+ *             are exactly 0
+ *   apart     true: no glass touches or overlaps anything: then no contact rays are needed
+ *   spend_all traces what cannot contribute, too: the same picture, to the last bit
+ *
+ * Only what is called for: no reflection ray from a black mirror or below least, no refraction ray
+ * into what is opaque or in total reflection, no shadow ray to a light behind the surface (18).
+ *
+ * whitted_walk takes the search as an argument: whoever knows more of a scene than a tree does can
+ * be faster and keep all the rest.
+ *
+ * Sources: T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980; R.
+ * Hall, D. Greenberg, "A Testbed for Realistic Image Synthesis", IEEE CG&A 3(8), 1983 (adaptive
+ * depth); T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, section 26.1.
+ */
+#ifndef WHITTED_H
+#define WHITTED_H
+
+#include "contact.h"
+#include "whitted_branch.h"
+
+static inline vec3 whitted_ray(tracer *t, ray r, media_set in);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* surface_of_shape of 18, for balls without a root: p is on the surface but for rounding, so that
+ * (p - c) / R is nearly unit. */
+__attribute__((always_inline))
+static inline surface whitted_on_ball(sphere b, uint32_t index, vec3 p)
+{
+    vec3 f = vscale(vsub(p, b.c), 1 / b.r), n = unit_again(f);
+    real y = vdot(f, f) - 1;
+    if (!(y * y < real_epsilon / 4) || b.r < 0) return surface_on_sphere(b, index, p);
+    p = vmadd(b.c, n, b.r);
+    return (surface){p, n, n, real_epsilon * (4 * b.r + 2 * surface_reach(p)), 0, index};
+}
+
+static inline surface whitted_surface(const tracer *t, ray r, trace_hit x)
+{
+    const world_part *p = &t->w->part[x.part];
+    const shape *s = p->m ? NULL : &p->s->shapes[x.h.shape];
+    if (!s || s->kind != SHAPE_SPHERE) return surface_of_trace(t, r, x);
+    return whitted_on_ball(s->sphere, x.h.shape, ray_at(r, x.h.t));
+}
+
+/* light_reaches of 18; of a sun without the square root that makes its direction unit. */
+__attribute__((always_inline))
+static inline bool whitted_reaches(const light *L, const surface *s, light_sample *x)
+{
+    if (L->kind == LIGHT_POINT) return light_reaches(L, s->p, s->n, s->ns, x);
+    real c = vdot(s->ns, L->at);
+    *x = (light_sample){L->at, vscale(L->colour, real_max(c, 0))};
+    return c > 0 && vdot(s->n, L->at) > 0 && !vzero(L->colour);
+}
+
+/* (18.8) with what glass lets through. s faces the eye; v unit, towards it. */
+__attribute__((always_inline))
+static inline vec3 whitted_shade(tracer *t, const whitted *w, const whitted_search *search,
+                                 const surface *s, const material *m, vec3 v, whitted_log *log,
+                                 const whitted_branch *b)
+{
+    vec3 colour = vmadd(m->ke, vmul(w->ambient, m->kd), 1);
+    for (int i = 0; i < w->n; i++) {
+        const light *L = &w->lights[i];
+        light_sample x;
+        bool counts = material_reflects(m) && whitted_reaches(L, s, &x);
+        if (!counts && !w->spend_all) continue;
+        ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
+        real lit = search->lit(t, r, s->shape, i);
+        if (log) log->add(log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
+        if (!counts || !(lit > 0)) continue;
+        vec3 c = vscale(vmul(x.E, m->kd), 1 / pi);
+        if (!vzero(m->ks)) c = blinn_phong(m, s->ns, x.l, v, x.E);
+        colour = vmadd(colour, c, lit);
+    }
+    return colour;
+}
+
+/* What one branch meets: adds what it brings to *sum; its children, the last to be traced first. A
+ * face between two places of the same medium is none: the ray goes on, no deeper. */
+__attribute__((always_inline))
+static inline int whitted_step(tracer *t, const whitted_search *search, whitted_branch *b,
+                               vec3 *sum, whitted_branch child[2], whitted_log *log)
+{
+    const whitted *w = t->user;
+    trace_hit x;
+    whitted_material room;
+    uint32_t inside = media_fills(w->media, &b->in);
+    bool met = search->closest(t, b->kind, b->r, inside, b->from, &x);
+    if (log) b->number = log->add(log, b->kind, b->number, b->depth, b->r,
+                                  met ? x.h.t : real_infinity, b->weight, 0);
+    if (!met) {
+        *sum = vadd(*sum, whitted_nothing(w, b));
+        return 0;
+    }
+    surface s = search->surface_of(t, b->r, x);
+    const whitted_material *m = w->material_of(w->context, x, &s, &room);
+    media_crossing c = {0};
+    real more = 0;
+    if (m->body) {  /* which side is asked of the geometric normal, before it is turned */
+        media_crossing_add(&c, m->body, vdot(s.n, b->r.d) < 0 ? 1 : -1);
+        if (!w->apart) more = contact_find(t, b->r, x, &s, &m, &room, &c);
+        if (m->body) b->in = media_before(b->in, &c), inside = media_fills(w->media, &b->in);
+    }
+    if (!vzero(w->media[inside].absorb))                                                /* (19.9) */
+        b->weight = vmul(b->weight, absorbed(w->media[inside].absorb, x.h.t));
+    s = surface_facing(s, b->r.d);
+    bool deeper = b->depth < w->depth;
+    if (m->body) {
+        media_set after = media_after(b->in, &c);
+        uint32_t to = media_fills(w->media, &after);
+        if (to == inside) {
+            whitted_child(b, &s, b->kind, vneg(s.n), b->r.d, b->weight, more, child);
+            child->in = after, child->depth--;
+            return whitted_follows(w, child->weight);
+        }
+        if (material_reflects(&m->base) || !vzero(m->base.ke))
+            *sum = vadd(*sum, vmul(b->weight, whitted_shade(t, w, search, &s, &m->base,
+                                                            vneg(b->r.d), log, b)));
+        return deeper ? whitted_glass(w, b, &s, m, w->media[inside].ior, w->media[to].ior, &after,
+                                      more, child) : 0;
+    }
+    *sum = vadd(*sum, vmul(b->weight, whitted_shade(t, w, search, &s, &m->base, vneg(b->r.d), log,
+                                                    b)));
+    return deeper ? whitted_opaque(w, b, &s, m, child) : 0;
+}
+
+/* ray_unit of 01, without its second root where there is no interval to scale. */
+static inline ray whitted_unit(ray r)
+{
+    if (r.tmin == 0 && r.tmax == real_infinity) return (ray){r.o, 0, vunit(r.d), r.tmax};
+    return ray_unit(r);
+}
+
+__attribute__((always_inline))
+static inline vec3 whitted_walk(tracer *t, ray r, media_set in, uint32_t from,
+                                const whitted_search *search, whitted_log *log)
+{
+    whitted_branch stack[whitted_most_depth + 2], slot[2][2], *b = &slot[0][0];
+    int top = 0, other = 1;
+    vec3 sum = {0, 0, 0};
+    *b = (whitted_branch){whitted_unit(r), {1, 1, 1}, in, 1, RAY_CAMERA, from, -1};
+    for (;;) {
+        int n = whitted_step(t, search, b, &sum, slot[other], log);
+        if (n == 2) stack[top++] = slot[other][0];
+        if (n + top == 0) return sum;
+        b = n ? &slot[other][n - 1] : &stack[--top];
+        other ^= n > 0;
+    }
+}
+
+/* ---- the search of 18 ------------------------------------------------------------------------ */
+
+static inline void whitted_remember(tracer *t, ray r, trace_hit x, void *payload)
+{
+    (void)t, (void)r;
+    *(trace_hit *)payload = x;
+}
+
+/* Glass dims the light, and does not bend it: a shadow ray has no other way to go. */
+static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, void *payload)
+{
+    const whitted *w = t->user;
+    whitted_material room;
+    surface s = surface_of_trace(t, r, x);
+    *(real *)payload *= w->material_of(w->context, x, &s, &room)->shadow;
+    return *(real *)payload > 0 ? ANY_HIT_IGNORE : ANY_HIT_END;
+}
+
+static const ray_program whitted_programs[ray_kinds] = {
+    [RAY_CAMERA] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_SHADOW] = {MASK_SHADOW, true, whitted_dims, NULL, NULL},
+    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_SIGHT] = {MASK_SEEN, false, contact_any, NULL, NULL},
+};
+
+static inline bool whitted_closest(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
+                                   trace_hit *x)
+{
+    (void)inside, (void)from;
+    return trace(t, kind, r, x);
+}
+
+static inline real whitted_lit(tracer *t, ray r, uint32_t from, int k)
+{
+    real lit = 1;
+    (void)from, (void)k;
+    return trace(t, RAY_SHADOW, r, &lit) ? 0 : lit;
+}
+
+static const whitted_search whitted_by_trace = {whitted_closest, whitted_lit, whitted_surface};
+
+static inline vec3 whitted_ray(tracer *t, ray r, media_set in)
+{
+    return whitted_walk(t, r, in, no_shape, &whitted_by_trace, NULL);
+}
+
+#endif

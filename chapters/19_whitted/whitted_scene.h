@@ -1,0 +1,48 @@
+/* whitted_scene.h: what Whitted's ray tracing must know of a scene, beside where its surfaces are.
+ *
+ *   opaque surface (不透明)     kd, ks, ke of 18, and a mirror M on top: L = shade + M L(reflected)
+ *   glass (透明介质)            bounds a body, filled with a medium; M and T, usually white, colour
+ *                               what Fresnel's equations share out:
+ *                               L = R M L(reflected) + (1 - R) T L(refracted)
+ *
+ * A material is asked for at each hit. `through` black makes glass a varnish: it reflects by its
+ * refractive index, and nothing goes in.
+ */
+#ifndef WHITTED_SCENE_H
+#define WHITTED_SCENE_H
+
+#include "../18_shade/shade.h"
+#include "media.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    material base;    /* what lights and sky do on it: 18 */
+    vec3 mirror;      /* M: opaque: what is reflected; glass: a factor of R */
+    vec3 through;     /* T: glass: a factor of 1 - R. Black: no refraction */
+    uint32_t body;    /* glass: the body that it bounds [1..]; opaque: 0 */
+    real shadow;      /* part of the light that shadow rays keep at each shape of it [0, 1] */
+} whitted_material;
+
+typedef enum { WHITTED_EXACT, WHITTED_SCHLICK } whitted_fresnel;
+
+typedef struct {
+    const light *lights;
+    int n;
+    /* May fill *room and return it, or return what it has. */
+    const whitted_material *(*material_of)(const void *context, trace_hit x, const surface *s,
+                                           whitted_material *room);
+    const void *context;
+    const medium *media;  /* media.h; [0]: around everything */
+    vec3 background, ambient;
+    vec3 (*sky)(const void *context, vec3 d);  /* along unit d; NULL: background */
+    int depth;
+    real least;
+    whitted_fresnel fresnel;
+    bool apart, spend_all;
+    real touch;           /* faces nearer to each other than this touch [scene units]: contact.h */
+} whitted;
+
+enum { whitted_most_depth = 256 };
+
+#endif

@@ -1,0 +1,231 @@
+/* distributed.h: one more ray for nothing: the samples of a pixel are spread over all its effects.
+ *
+ * Whitted's pixel asks one question: one ray through its middle, one to the middle of the light,
+ * one in the mirror direction. Each is the middle of an integral: over the pixel, the lens, the
+ * light, the lobe, the sky. A pixel needs several rays anyway, for its edges: let sample k of n take
+ * the k-th point of *each* of these domains, and all are integrated by the same n rays.    (21.11)
+ *
+ *   pair of random numbers      a hit          decides on            and is drawn
+ *   0   PAIR_FILM               1              where in the pixel    always
+ *   1   PAIR_LENS               1              where on the lens     if its radius is not 0
+ *   2.. PAIR_HIT, light i       1 a light      where on the light    if it has a size
+ *       behind the lights       1              where in the sky      if ambient light can be hidden
+ *       behind that             1              where in the lobe     if the surface is not a mirror
+ *   and so on for the next hit: a fixed place each, so what is not drawn changes no other.
+ *
+ *   distributed how = {.light = lights, .n = 1, .material_of = .., .depth = 5, ..};
+ *   distributor d = distributor_of(&world, &how);       one a thread: it counts rays and pairs
+ *   distributed_sample q = {SEQUENCE_SOBOL, seed, pixel, k, n};
+ *   vec3 L = distributed_ray(&d, r, q);                 what one ray sees
+ *   bool whole = distributed_draw(&view, &im, threads)  a picture; sums view.spent
+ *
+ * Each hit: emission, ambient light where the sky is open, each light by one shadow ray; then one
+ * ray into the lobe of ks, with shine as its exponent, until `depth` rays have been cast (the eye
+ * ray is the first). A chain, no tree: a loop. `split` > 1 sends so many shadow and sky rays from
+ * the first hit: to be used where few pixels need many.
+ *
+ * Only what is called for: nothing is drawn or sent for a lens, a light, a lobe of no size; nothing
+ * for what is black, behind, or below. `spend_all` does it all the same: the same picture to the
+ * last bit.
+ *
+ * Source: R. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
+ */
+#ifndef DISTRIBUTED_H
+#define DISTRIBUTED_H
+
+#include "../../common/image.h"
+#include "../../common/parallel.h"
+#include "ambient_occlusion.h"
+#include "area_light.h"
+#include "glossy.h"
+#include "lens.h"
+
+typedef struct {
+    const area_light *light;
+    int n;                    /* lights */
+    material (*material_of)(const void *context, trace_hit x, const surface *s);
+    const void *context;
+    vec3 background, ambient; /* what a ray sees that meets nothing; La of ambient_occlusion.h */
+    real reach;               /* 0: nothing hides ambient light, no ray asks */
+    int depth;                /* >= 1 */
+    uint32_t split;           /* 0 is 1 */
+    bool spend_all;
+} distributed;
+
+typedef struct { sequence_kind kind; uint64_t seed, pixel; uint32_t k, n; } distributed_sample;
+enum { PAIR_FILM, PAIR_LENS, PAIR_HIT };
+typedef enum { DRAWN_FILM, DRAWN_LENS, DRAWN_LIGHT, DRAWN_SKY, DRAWN_LOBE, drawn_kinds } drawn_kind;
+typedef struct { trace_counts rays; size_t drawn[drawn_kinds]; } distributed_counts;
+
+typedef struct {
+    tracer t;
+    const distributed *how;
+    size_t drawn[drawn_kinds];
+} distributor;
+
+typedef struct {
+    const trace_world *w;
+    const distributed *how;
+    camera c;
+    thin_lens lens;
+    sequence_kind kind;
+    uint64_t seed;
+    uint32_t samples;
+    bool same;                /* all pixels use the same random numbers */
+    distributed_counts spent; /* sums */
+    pthread_mutex_t lock;     /* set by distributed_draw */
+    image *im;
+} distributed_view;
+
+static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct { bool met; surface s; material m; } distributed_met;  /* payload */
+
+static inline void distributed_closest_hit(tracer *t, ray r, trace_hit x, void *payload)
+{
+    const distributed *how = t->user;
+    surface s = surface_facing(surface_of_trace(t, r, x), r.d);
+    *(distributed_met *)payload = (distributed_met){true, s, how->material_of(how->context, x, &s)};
+}
+
+static const ray_program distributed_programs[ray_kinds] = {
+    [RAY_CAMERA] = {MASK_SEEN, false, NULL, distributed_closest_hit, NULL},
+    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, distributed_closest_hit, NULL},
+    [RAY_SHADOW] = {MASK_SHADOW, true, NULL, NULL, shade_nothing_between},
+    [RAY_SIGHT] = {MASK_SIGHT, true, NULL, NULL, shade_nothing_between},
+};
+
+static inline distributor distributor_of(const trace_world *w, const distributed *how)
+{
+    return (distributor){{.w = w, .program = distributed_programs, .user = how}, how, {0}};
+}
+
+/* Part j of `split` of the pair, whichever were drawn before. */
+static inline point2 distributed_pair(distributor *d, distributed_sample q, drawn_kind what,
+                                      uint32_t pair, uint32_t j, uint32_t split)
+{
+    sampler s = sampler_start(q.kind, q.seed, q.pixel, q.k * split + j, q.n * split);
+    s.pair = pair;
+    d->drawn[what]++;
+    return sampler_pair(&s);
+}
+
+static inline uint32_t distributed_pairs_a_hit(const distributed *how)
+{
+    return (uint32_t)how->n + 2;
+}
+
+/* Lambert's share of light i, mean of the rays. One ray says it all for a light of no size. */
+static inline vec3 distributed_direct(distributor *d, const surface *s, const material *m, int i,
+                                      distributed_sample q, uint32_t pair, uint32_t split)
+{
+    const distributed *how = d->how;
+    const area_light *L = &how->light[i];
+    vec3 sum = {0, 0, 0};
+    bool black = vzero(m->kd) || vzero(L->colour), sized = area_light_has_size(L);
+    if (!sized && !how->spend_all) split = 1;
+    for (uint32_t j = 0; j < split; j++) {
+        point2 u = {0, 0};
+        area_sample x;
+        shade_lit answer = {false};
+        if (black && !how->spend_all) break;
+        if (sized || how->spend_all) u = distributed_pair(d, q, DRAWN_LIGHT, pair, j, split);
+        bool counts = area_light_reaches(L, s->p, s->n, s->ns, u, &x) && !black;
+        if (counts || how->spend_all) trace(&d->t, RAY_SHADOW, leave_to(*s, x.to), &answer);
+        if (counts && answer.lit) {
+            if (!sized) return vmul(x.E, vscale(m->kd, 1 / pi));  /* the mean of equal ones */
+            sum = vadd(sum, vmul(x.E, vscale(m->kd, 1 / pi)));
+        }
+    }
+    return split == 1 ? sum : vscale(sum, 1 / (real)split);
+}
+
+static inline vec3 distributed_sky(distributor *d, const surface *s, const material *m,
+                                   distributed_sample q, uint32_t pair, uint32_t split)
+{
+    const distributed *how = d->how;
+    vec3 all = vmul(how->ambient, m->kd);
+    bool asked = how->reach > 0 && !vzero(all);
+    uint32_t open = 0;
+    for (uint32_t j = 0; j < split && (asked || how->spend_all); j++)
+        open += ambient_open(&d->t, *s, distributed_pair(d, q, DRAWN_SKY, pair, j, split),
+                             how->reach);
+    return asked ? vscale(all, (real)open / (real)split) : all;
+}
+
+/* False: the chain ends. */
+static inline bool distributed_next(distributor *d, const surface *s, const material *m, vec3 beta,
+                                    distributed_sample q, uint32_t pair, ray *r)
+{
+    bool black = vzero(vmul(beta, m->ks)), mirror = isinf(m->shine);
+    point2 u = {0, 0};
+    if (black && !d->how->spend_all) return false;
+    if (!mirror || d->how->spend_all) u = distributed_pair(d, q, DRAWN_LOBE, pair, 0, 1);
+    return glossy_ray(*s, r->d, m->shine, u, r);
+}
+
+/* In the order of shade() (18), so that without any extent the two agree to the last bit. */
+static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q)
+{
+    const distributed *how = d->how;
+    vec3 L = {0, 0, 0}, beta = {1, 1, 1};
+    uint32_t pair = PAIR_HIT, split = how->split > 1 ? how->split : 1;
+    for (int depth = 1;; depth++, pair += distributed_pairs_a_hit(how), split = 1) {
+        distributed_met x = {.met = false};
+        trace(&d->t, depth == 1 ? RAY_CAMERA : RAY_REFLECTION, r, &x);
+        if (!x.met) return vadd(L, vmul(beta, how->background));
+        uint32_t sky = pair + (uint32_t)how->n;
+        vec3 here = vadd(x.m.ke, distributed_sky(d, &x.s, &x.m, q, sky, split));
+        for (int i = 0; i < how->n; i++)
+            here = vadd(here, distributed_direct(d, &x.s, &x.m, i, q, pair + (uint32_t)i, split));
+        L = vadd(L, vmul(beta, here));
+        if (depth >= how->depth) return L;
+        if (!distributed_next(d, &x.s, &x.m, beta, q, sky + 1, &r)) return L;
+        beta = vmul(beta, x.m.ks);
+    }
+}
+
+/* ---- pictures ---- */
+
+/* Sample k of pixel (x, y). A single sample is taken in the middle, as without a lens or a film. */
+static inline vec3 distributed_camera(const distributed_view *v, distributor *d, int x, int y,
+                                      uint32_t k)
+{
+    uint64_t pixel = (uint64_t)y * (uint64_t)v->im->width + (uint64_t)x;
+    distributed_sample q = {v->kind, v->seed, v->same ? 0 : pixel, k, v->samples};
+    point2 film = distributed_pair(d, q, DRAWN_FILM, PAIR_FILM, 0, 1), lens = {0, 0};
+    if (v->samples == 1) film = (point2){(real)0.5, (real)0.5};
+    if (v->lens.radius != 0 || d->how->spend_all)
+        lens = distributed_pair(d, q, DRAWN_LENS, PAIR_LENS, 0, 1);
+    ray r = lens_ray(v->c, v->lens, (real)x + film.u, (real)y + film.v, v->im->width,
+                     v->im->height, lens);
+    return distributed_ray(d, r, q);
+}
+
+static inline void distributed_pixel(int x, int y, void *context)
+{
+    distributed_view *v = context;
+    distributor d = distributor_of(v->w, v->how);
+    vec3 sum = {0, 0, 0};
+    for (uint32_t k = 0; k < v->samples; k++)
+        sum = vadd(sum, distributed_camera(v, &d, x, y, k));
+    image_set(v->im, x, y, vscale(sum, 1 / (real)v->samples));
+    pthread_mutex_lock(&v->lock);
+    trace_counts_add(&v->spent.rays, &d.t.counts);
+    for (int i = 0; i < drawn_kinds; i++) v->spent.drawn[i] += d.drawn[i];
+    pthread_mutex_unlock(&v->lock);
+}
+
+static inline bool distributed_draw(distributed_view *v, image *im, int threads)
+{
+    v->im = im;
+    v->spent = (distributed_counts){.drawn = {0}};
+    pthread_mutex_init(&v->lock, NULL);
+    bool whole = parallel_pixels(im->width, im->height, threads, "drawing", distributed_pixel, v);
+    pthread_mutex_destroy(&v->lock);
+    return whole;
+}
+
+#endif

@@ -1,0 +1,92 @@
+/* glossy.h: a reflection that is not quite a mirror's: rays scattered about the mirror direction.
+ *
+ *       d      n     r           r = d - 2 (d.n) n                     the mirror direction  (21.3)
+ *        \     |    /.           pdf(w) = (s + 1) / (2 pi) (r.w)^s     Phong's lobe (波瓣)   (21.4)
+ *         \    |   / .`          L = ks integral L(w) pdf(w) dw        what is seen in it    (21.5)
+ *          \   |  / .` w
+ *   -----------p-------------    one ray: w by (21.4), and its weight is ks: the pdf cancels
+ *
+ *   ray r;
+ *   if (glossy_ray(s, d, shine, u, &r)) .. ks * what r meets     s faces d; d: any length
+ *       false: w leads below the surface; it sees nothing, and no ray is called for
+ *   glossy_ray_naive(s, d, shine, u, &r)                         sends that ray into the body
+ *   real glossy_above(c, shine)                                  share of (21.4) above, c = n.r
+ *
+ * shine s >= 0 [1]: 0 is any direction on the side of r, 10 satin, 1000 nearly a mirror. Infinity
+ * is a mirror: w = r, and u is not looked at. Half of the rays lie within acos(2^(-1/(s+1))) of r.
+ *
+ * Below the surface: for r at a grazing angle up to half of the lobe. That light is lost here, so
+ * rough surfaces get darker towards the silhouette: ks is the albedo of a surface seen from above,
+ * an upper bound elsewhere. The lobe keeps no more promises than that: it does not conserve energy,
+ * and it is not reciprocal.
+ *
+ * A smoothed mesh (07) has two normals. r is made with the shading normal; if it leads below the
+ * geometric one, at a silhouette, it is lifted into the surface's plane: otherwise mirrors would
+ * have black rims. "Below" is meant for both normals.
+ *
+ * Sources: R. Cook, T. Porter, L. Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984 (gloss); B.
+ * Phong, CACM 18(6), 1975 (the lobe); E. Lafortune, Y. Willems, "Using the modified Phong
+ * reflectance model for physically based rendering", 1994 (its normalisation).
+ */
+#ifndef GLOSSY_H
+#define GLOSSY_H
+
+#include "../18_shade/leave.h"
+#include "../20_monte_carlo/sampler.h"
+#include "../20_monte_carlo/sampling.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* (21.3), unit. Lifted, it is a hair above the surface, so that leave() takes the right side. */
+static inline vec3 glossy_axis(surface s, vec3 d)
+{
+    vec3 r = vunit(vmadd(d, s.ns, -2 * vdot(d, s.ns)));
+    real below = vdot(r, s.n);
+    return below < 0 ? vunit(vmadd(r, s.n, 16 * real_epsilon - below)) : r;
+}
+
+/* At infinity a mirror: (21.4) has all its weight at r. */
+static inline vec3 glossy_direction(surface s, vec3 d, real shine, point2 u)
+{
+    vec3 r = glossy_axis(s, d);
+    return isinf(shine) ? r : directed(r, sample_lobe(shine, u.u, u.v));
+}
+
+/* Under a thin floor it sees the sky below: the floor shines in the dark. */
+static inline bool glossy_ray_naive(surface s, vec3 d, real shine, point2 u, ray *out)
+{
+    *out = leave(s, glossy_direction(s, d, shine, u));
+    return true;
+}
+
+/* A NaN is below. */
+static inline bool glossy_ray(surface s, vec3 d, real shine, point2 u, ray *out)
+{
+    vec3 w = glossy_direction(s, d, shine, u);
+    if (!(vdot(w, s.n) > 0)) return false;
+    if (!isinf(shine) && !(vdot(w, s.ns) > 0)) return false;
+    *out = leave(s, w);
+    return true;
+}
+
+/* With z = r.w and x the axis of the lobe in the plane of n and r: n.w = c z + sin cos(phi)
+ * sqrt(1 - z^2) > 0 for cos(phi) > -edge, edge = z c / (sqrt(1 - z^2) sin): a share acos(-edge) /
+ * pi of the circle. All of it (c > 0) or nothing (c < 0) where z > sin. The mean of that over y =
+ * z^(s+1), which is uniform: midpoints up to y* = sin^(s+1), denser near both ends, where the arc
+ * cosine is steep. Right to 1e-7.                                                         (21.6) */
+static inline double glossy_above(double c, double shine)
+{
+    enum { steps = 2000 };
+    double sine = sqrt((1 - c) * (1 + c)), sum = 0;
+    if (isinf(shine) || sine == 0) return c > 0;
+    double log_y = (shine + 1) * log(sine), beyond = c > 0 ? -expm1(log_y) : 0;
+    for (int i = 0; i < steps; i++) {
+        double x = (i + 0.5) / steps, dy = 6 * x * (1 - x) / steps;
+        double l = (log_y + log(x * x * (3 - 2 * x))) / (shine + 1), z = exp(l);
+        double edge = z * c / (sqrt(-expm1(2 * l)) * sine);
+        sum += dy * acos(edge < -1 ? 1 : edge > 1 ? -1 : -edge);
+    }
+    return beyond + exp(log_y) * sum / 3.14159265358979323846;
+}
+
+#endif

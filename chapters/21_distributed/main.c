@@ -1,0 +1,36 @@
+/* 21_distributed: what Whitted's way cannot do: soft shadows, gloss, open skies, lenses.
+cc -std=c11 -O2 -ffp-contract=off -o 21_distributed chapters/21_distributed/main.c -lm -lpthread
+ *
+ * Without options: a studio with all effects and with none, the two failures and their mends, a row
+ * of panels an effect; the error of pictures against time; closed forms; rays spent. */
+#include "../../common/output.h"
+#include "measure.h"
+
+int main(int argc, char **argv)
+{
+    const char *effects = "all";
+    bool all = false;
+    const option own[] = {
+        {"effects", OPTION_TEXT, &effects, 0, 0, "of s (soft) g (gloss) o (occlusion) l (lens)"},
+        {"spend-all", OPTION_FLAG, &all, 0, 0, "send rays that cannot contribute, too"},
+        {0}};
+    options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
+                             (options){.width = 512, .height = 288, .seed = 1, .samples = 16}, own);
+    static const char letters[] = "sgol";
+    bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
+    int chosen = every ? EFFECT_ALL : 0;
+    for (const char *c = effects; *c && !named; c++) {
+        const char *at = strchr(letters, *c);
+        failure f;
+        if (!at) failed(&f, 2, "--effects %s: all, none, or letters of s g o l", effects), fail(f);
+        chosen |= 1 << (at - letters);
+    }
+    if (o.quick && o.samples == 16) o.samples = 2;
+    if (o.quick && o.width == 512 && o.height == 288) o.width = 160, o.height = 90;
+    draw_studio(&o, chosen, all);
+    if (o.out) return 0;
+    draw_whitted(&o), draw_teapot(&o), draw_box(&o), draw_effects(&o);
+    table_of_pictures(&o);
+    table_of_known(&o), table_of_rays(&o), table_of_lobes(&o);
+    return 0;
+}

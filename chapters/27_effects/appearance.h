@@ -1,0 +1,129 @@
+/* appearance.h: what the numbers of a material mean for light: `illum` says what they call for.
+ *
+ *   appearance a = appearance_of(&s.material[m]);      colours; black: not called for
+ *
+ *   illum     matte          highlight  mirror or glossy  through                            (27.3)
+ *   0         - (Kd is drawn as it is, unlit: `flat`)
+ *   1, 10     Kd             -          -                 -
+ *   2, 8      Kd             Ks         -                 -
+ *   3         Kd             -          Ks                -
+ *   5         Kd             -          Ks, Fresnel       -
+ *   4         d Kd           -          Ks                (1-d) (1-Ks) Tf, straight
+ *   9         d Kd           Ks         -                 (1-d) (1-Ks) Tf, straight
+ *   6         (1-Tf) Kd      -          Ks                (1-Ks) Tf, bent by Ni
+ *   7         (1-Tf) Kd      -          1, Fresnel        Tf, bent by Ni
+ *   not said  as 2; if d < 1, as 9
+ *   NFF       Kd rgb         Ks rgb     Ks rgb, mirror    T, bent by ior
+ *
+ *   matte      Lambert: what other surfaces and lights send is gathered from everywhere
+ *   highlight  Blinn-Phong with `exponent`, of lights alone: nothing else is reflected
+ *   mirror     reflected sharply; glossy instead: reflected in a lobe with `exponent`. Which of the
+ *              two says Ns: 1000 and more, or none: a mirror. A mirror shows lamps with a size by
+ *              itself and has no highlight; without Ns neither has illum 2
+ *   through    bends: refracted by `ior`; else straight on. solid: `absorb` counts inside (Beer)
+ *   fresnel    `mirror` or `glossy` is the reflection F0 at normal incidence where through is black
+ *              (5): F = F0 + (1-F0)(1-cos)^5. Where it is not (7): F is a dielectric's, of index
+ *              `ior`, times the colour. matte and through count by 1 - F
+ *
+ * Energy: no channel may give back more than it gets. Where matte + reflected + through (with
+ * fresnel: matte + through) exceeds 1, all of them are divided by the sum: `excess` is the largest.
+ * illum 8 and 9 have reflection maps in MTL, 10 catches shadows only: neither is simulated, they
+ * are drawn as above. Ke emits whatever illum is.
+ */
+#ifndef APPEARANCE_H
+#define APPEARANCE_H
+
+#include "studio.h"
+
+typedef struct {
+    vec3 flat, matte, highlight, mirror, glossy, through, emits;
+    vec3 absorb;                 /* per unit of length */
+    real exponent, ior;
+    bool fresnel, bends, solid;
+    real excess;                 /* > 1: colours were divided by it */
+} appearance;
+
+enum { appearance_mirror_ns = 1000 };
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline vec3 vrest(vec3 a)  /* 1 - a, not below 0 */
+{
+    return vmax((vec3){1 - a.x, 1 - a.y, 1 - a.z}, (vec3){0, 0, 0});
+}
+
+static inline real vgreatest(vec3 a) { return real_max(real_max(a.x, a.y), a.z); }
+
+/* Reflection of all that is around: in a lobe or sharp. */
+static inline void appearance_reflects(appearance *a, const studio_material *m, vec3 colour)
+{
+    bool spread = !m->classic && m->said[KEY_NS].file && m->ns < appearance_mirror_ns;
+    *(spread ? &a->glossy : &a->mirror) = colour;
+}
+
+/* Divides by what is too much, all channels alike, so that the hue stays. */
+static inline void appearance_limit(appearance *a)
+{
+    vec3 reflected = vmax(a->highlight, vadd(a->mirror, a->glossy));
+    vec3 rest = vadd(a->matte, a->through);
+    a->excess = vgreatest(a->fresnel ? vmax(reflected, rest) : vadd(reflected, rest));
+    if (!(a->excess > 1 + 16 * real_epsilon)) return;
+    vec3 *part[] = {&a->matte, &a->highlight, &a->mirror, &a->glossy, &a->through};
+    for (int k = 0; k < 5; k++) *part[k] = vscale(*part[k], 1 / a->excess);
+}
+
+static inline appearance appearance_classic(const studio_material *m)
+{
+    appearance a = {.matte = m->kd, .highlight = m->ks, .mirror = m->ks, .through = m->tf,
+                    .emits = m->ke, .absorb = m->absorb, .exponent = m->ns, .ior = m->ni,
+                    .bends = m->ni != 1, .solid = true};
+    appearance_limit(&a);
+    return a;
+}
+
+/* How it is read when nobody says: see the table. */
+static inline int appearance_illum(const studio_material *m)
+{
+    return m->illum >= 0 ? m->illum : m->d < 1 ? 9 : 2;
+}
+
+static inline appearance appearance_of(const studio_material *m)
+{
+    if (m->classic) return appearance_classic(m);
+    int illum = appearance_illum(m);
+    bool emits = !vzero(m->ke), lobe = m->said[KEY_NS].file;
+    vec3 kd = emits && !m->said[KEY_KD].file ? (vec3){0, 0, 0} : m->kd;  /* a lamp is no wall */
+    appearance a = {.matte = kd, .emits = m->ke, .exponent = m->ns, .ior = m->ni};
+    switch (illum) {
+    case 0: a.matte = (vec3){0, 0, 0}, a.flat = kd; break;
+    case 2: case 8: case 9: if (lobe) a.highlight = m->ks; break;
+    case 3: case 4: case 5: case 6: appearance_reflects(&a, m, m->ks); break;
+    case 7: if (m->ni != 1) appearance_reflects(&a, m, (vec3){1, 1, 1}); break;
+    }
+    if (illum == 4 || illum == 9) {
+        a.matte = vscale(kd, m->d);
+        a.through = vmul(vscale(m->tf, 1 - m->d), vrest(m->ks));
+    }
+    if (illum == 6 || illum == 7) {
+        a.matte = vmul(kd, vrest(m->tf));
+        a.through = illum == 6 ? vmul(m->tf, vrest(m->ks)) : m->tf;
+        a.bends = m->ni != 1, a.solid = true, a.absorb = m->absorb;
+    }
+    a.fresnel = illum == 5 || (illum == 7 && m->ni != 1);
+    appearance_limit(&a);
+    return a;
+}
+
+/* Gives back light that falls on it: lights have something to do here. */
+static inline bool appearance_lit(const appearance *a)
+{
+    return !vzero(a->matte) || !vzero(a->highlight) || !vzero(a->glossy);
+}
+
+/* Nothing of what falls on it goes anywhere. */
+static inline bool appearance_black(const appearance *a)
+{
+    return !appearance_lit(a) && vzero(a->mirror) && vzero(a->through);
+}
+
+#endif

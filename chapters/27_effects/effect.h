@@ -1,0 +1,88 @@
+/* effect.h: the effects that a scene may call for, each one bit of a mask.
+ *
+ *   bit                      name in --effects   what it takes
+ *   EFFECT_HARD_SHADOWS      hard                a shadow ray to each point light and sun
+ *   EFFECT_SOFT_SHADOWS      soft                shadow rays to points of the emitting faces
+ *   EFFECT_MIRROR            mirror              a ray along the mirror direction
+ *   EFFECT_GLOSSY            glossy              rays about the mirror direction
+ *   EFFECT_REFRACTION        refraction          a ray through the surface, bent or straight
+ *   EFFECT_ABSORPTION        absorption          no ray: exp(-absorb length) inside
+ *   EFFECT_INDIRECT          indirect            rays from matte surfaces to other surfaces
+ *   EFFECT_ENVIRONMENT       environment         shadow rays to the sky
+ *   EFFECT_DEPTH_OF_FIELD    depth               rays through all of the lens
+ *
+ *   unsigned mask = called;
+ *   if (!effects_read("called,-soft", &mask, &f)) fail(f);   names, all, none, called; -NAME takes
+ *                                                            away; from left to right
+ *   integrator k = integrator_of(mask)                       the least that can do all of them
+ */
+#ifndef EFFECT_H
+#define EFFECT_H
+
+#include "../../common/file.h"
+
+enum {
+    EFFECT_HARD_SHADOWS = 1, EFFECT_SOFT_SHADOWS = 2, EFFECT_MIRROR = 4, EFFECT_GLOSSY = 8,
+    EFFECT_REFRACTION = 16, EFFECT_ABSORPTION = 32, EFFECT_INDIRECT = 64, EFFECT_ENVIRONMENT = 128,
+    EFFECT_DEPTH_OF_FIELD = 256,
+    effect_kinds = 9,                      /* bit k is 1 << k, k from 0 */
+    EFFECTS_NONE = 0, EFFECTS_ALL = 511,
+    EFFECTS_LIT = EFFECT_HARD_SHADOWS | EFFECT_SOFT_SHADOWS | EFFECT_ENVIRONMENT,
+    EFFECTS_WHITTED = EFFECT_MIRROR | EFFECT_REFRACTION | EFFECT_ABSORPTION,
+    EFFECTS_OF_CHANCE = EFFECT_SOFT_SHADOWS | EFFECT_GLOSSY | EFFECT_INDIRECT | EFFECT_ENVIRONMENT
+        | EFFECT_DEPTH_OF_FIELD            /* integrals: they take random numbers */
+};
+
+typedef enum { INTEGRATOR_CASTING, INTEGRATOR_WHITTED, INTEGRATOR_PATHS } integrator;
+
+static const struct { const char *option, *name; } effect_names[effect_kinds] = {
+    {"hard", "hard shadows"}, {"soft", "soft shadows"}, {"mirror", "mirror"}, {"glossy", "glossy"},
+    {"refraction", "refraction"}, {"absorption", "absorption"}, {"indirect", "indirect light"},
+    {"environment", "environment"}, {"depth", "depth of field"}};
+
+static const char *const integrator_names[] = {"ray casting", "Whitted ray tracing",
+                                               "path tracing"};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline integrator integrator_of(unsigned mask)
+{
+    return mask & EFFECTS_OF_CHANCE ? INTEGRATOR_PATHS
+        : mask & EFFECTS_WHITTED ? INTEGRATOR_WHITTED : INTEGRATOR_CASTING;
+}
+
+/* The mask that a word of n bytes names; false: none. */
+static inline bool effect_word(const char *word, size_t n, unsigned called, unsigned *mask)
+{
+    const struct { const char *name; unsigned mask; } sets[] = {
+        {"all", EFFECTS_ALL}, {"none", EFFECTS_NONE}, {"called", called}};
+    for (int k = 0; k < 3; k++)
+        if (strlen(sets[k].name) == n && strncmp(sets[k].name, word, n) == 0)
+            return *mask = sets[k].mask, true;
+    for (int k = 0; k < effect_kinds; k++)
+        if (strlen(effect_names[k].option) == n && strncmp(effect_names[k].option, word, n) == 0)
+            return *mask = 1u << k, true;
+    return false;
+}
+
+/* *mask is what `called` means, and then the answer. */
+static inline bool effects_read(const char *list, unsigned *mask, failure *f)
+{
+    unsigned sum = 0, one = 0;
+    for (const char *p = list;; p++) {
+        bool away = *p == '-';
+        p += away;
+        size_t n = strcspn(p, ",");
+        if (!effect_word(p, n, *mask, &one))
+            return failed(f, 2, "--effects %.100s: what is '%.*s', allowed: all, none, called, "
+                          "hard, soft, mirror, glossy, refraction, absorption, indirect, "
+                          "environment, depth; with - before it: without", list,
+                          (int)(n < 40 ? n : 40), p);
+        sum = away ? sum & ~one : sum | one;
+        p += n;
+        if (!*p) break;
+    }
+    return *mask = sum, true;
+}
+
+#endif

@@ -1,0 +1,229 @@
+/* scene_file.h: the statements of a scene file that name files, and the table of all statements.
+ *
+ *   material    NAME                      what follows is made of it; the next lines describe it,
+ *     Kd 0.8 0.2 0.1                      with the keywords of MTL (mtl.h)
+ *     illum 1
+ *   mtl         FILE                      its materials can be named by `use`
+ *   obj         FILE [smooth] [PLACING]
+ *   nff         FILE [PLACING]
+ *   mesh        NAME FILE [smooth]        an OBJ file that is only seen where an instance puts it
+ *   instance    NAME [PLACING]
+ *   environment C | C C | PICTURE [scale X] [turn DEGREES]     one colour; below and above; sky.h
+ *
+ *   PLACING     scale X | scale X Y Z | turn X Y Z DEGREES | move X Y Z,   in the order written
+ *   FILE        relative to the file that names it; "in quotes" if it holds blanks
+ *
+ *   scene_statement(&q)       q.t stands at the keyword; false: q.f says what is wrong
+ *
+ * Broken: "FILE:LINE: camera: what is 'x', allowed: from, at ..", exit code 2; a file that cannot
+ * be read: 1. What is not of its own material gets the one that was current where the statement
+ * stands.
+ */
+#ifndef SCENE_FILE_H
+#define SCENE_FILE_H
+
+#include "nff.h"
+#include "obj_place.h"
+#include "statements.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The name of a file: a token, or "some words". As seen from here, into path. */
+static inline bool scene_path(statement *q, char path[word_longest_path])
+{
+    char name[word_longest_path];
+    size_t n = 0;
+    if (!text_more(q->t)) return say_missing(q, "the name of a file");
+    const char *p = q->t->p;
+    bool quoted = *p == '"';
+    p += quoted;
+    while (n + 1 < sizeof name && *p && !text_ends_line(*p)
+           && (quoted ? *p != '"' : *p != ' ' && *p != '\t')) name[n++] = *p++;
+    name[n] = 0;
+    if (n == 0 || n + 1 == sizeof name || (quoted && *p++ != '"'))
+        return text_bad(q->t, q->t->p, "not the name of a file:", "FILE or \"FILE\"");
+    q->t->p += p - q->t->p;
+    if (word_path(q->base, name, path)) return true;
+    return text_bad(q->t, q->t->p, "a path too long before", text_longest);
+}
+
+static inline bool scene_placing(statement *q, affine *out)
+{
+    text_reader *t = q->t;
+    vec3 v;
+    real degrees;
+    *out = affine_scaling((vec3){1, 1, 1});
+    while (text_more(t)) {
+        affine next;
+        if (word_take(t, "move")) {
+            if (!word_point(t, &v)) return false;
+            next = affine_translation(v);
+        } else if (word_take(t, "turn")) {
+            if (!word_point(t, &v) || !word_number(t, &degrees, -1e6, 1e6)) return false;
+            v = vunit(v);
+            if (vzero(v)) return text_bad(t, t->p, "no axis before", "turn X Y Z DEGREES");
+            next = affine_rotation(v, degrees * (pi / 180));
+        } else if (word_take(t, "scale")) {
+            if (!word_number(t, &v.x, -1e30, 1e30)) return false;
+            v.y = v.z = v.x;
+            if (word_is_number(t) && (!word_number(t, &v.y, -1e30, 1e30)
+                                      || !word_number(t, &v.z, -1e30, 1e30))) return false;
+            if (v.x == 0 || v.y == 0 || v.z == 0)
+                return text_bad(t, t->p, "scaled to nothing before", "scale X Y Z, none 0");
+            next = affine_scaling(v);
+        } else return text_bad(t, t->p, "what is", "move, turn, scale");
+        *out = affine_of(*out, next);
+        if (!vfinite(out->x) || !vfinite(out->y) || !vfinite(out->z) || !vfinite(out->o))
+            return text_bad(t, t->p, "beyond what numbers hold, before", "smaller places");
+    }
+    return true;
+}
+
+static inline bool scene_obj(statement *q)
+{
+    char path[word_longest_path];
+    affine a;
+    uint32_t m;
+    if (!scene_path(q, path)) return false;
+    bool smooth = word_take(q->t, "smooth");
+    if (!scene_placing(q, &a) || !obj_mesh(q->s, path, smooth, &m, q->f)) return false;
+    studio_place(q->s, m, a, q->material, q->at);
+    return true;
+}
+
+static inline bool scene_nff(statement *q)
+{
+    char path[word_longest_path];
+    affine a;
+    return scene_path(q, path) && scene_placing(q, &a)
+        && nff_read(q->s, path, a, q->material, q->f);
+}
+
+static inline bool scene_mtl(statement *q)
+{
+    char path[word_longest_path];
+    uint32_t library;
+    return scene_path(q, path) && mtl_line_ends(q->t) && mtl_read(q->s, path, &library, q->f);
+}
+
+/* One word, 0 behind it. */
+static inline bool scene_word(statement *q, char word[64])
+{
+    size_t n = 0;
+    if (!text_more(q->t)) return say_missing(q, "a name");
+    while (n < 63 && !text_ends_token(q->t->p[n])) word[n] = q->t->p[n], n++;
+    word[n] = 0;
+    if (n == 0 || n == 63) return text_bad(q->t, q->t->p, "not a name:", "up to 62 characters");
+    return q->t->p += n, true;
+}
+
+static inline bool scene_mesh(statement *q)
+{
+    char name[64], path[word_longest_path];
+    uint32_t m;
+    if (!scene_word(q, name) || !scene_path(q, path)) return false;
+    bool smooth = word_take(q->t, "smooth");
+    if (!mtl_line_ends(q->t) || !obj_mesh(q->s, path, smooth, &m, q->f)) return false;
+    uint32_t k = name_add(&q->shapes, name);
+    q->shape = grown(q->shape, q->shapes.n - 1, &q->shape_room, sizeof *q->shape);
+    q->shape[k] = m;
+    return true;
+}
+
+static inline bool scene_instance(statement *q)
+{
+    char name[64];
+    affine a;
+    if (!scene_word(q, name)) return false;
+    uint32_t k = name_find(&q->shapes, name);
+    if (k == name_none)
+        return failed(q->f, 2, "%s:%u: instance: no mesh '%s', allowed: names that mesh gave "
+                      "before", text_name(q->t), (unsigned)q->at.line, name);
+    if (!scene_placing(q, &a)) return false;
+    studio_place(q->s, q->shape[k], a, q->material, q->at);
+    return true;
+}
+
+static inline bool scene_picture(statement *q, sky *out)
+{
+    char path[word_longest_path];
+    real turn = 0;
+    struct stat what;
+    int x, y;
+    if (!scene_path(q, path)) return false;
+    out->scale = 1;
+    while (text_more(q->t)) {
+        bool ok = true;
+        if (word_take(q->t, "scale")) ok = word_number(q->t, &out->scale, 0, 1e30);
+        else if (word_take(q->t, "turn")) ok = word_number(q->t, &turn, -1e6, 1e6);
+        else ok = text_bad(q->t, q->t->p, "what is", "scale, turn");
+        if (!ok) return false;
+    }
+    if (q->s->files_read++ >= studio_most_files)
+        return failed(q->f, 2, "%.300s: too many files, allowed: %d", path, studio_most_files);
+    if (stat(path, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode))
+        return failed(q->f, 1, "%.300s: cannot read: not a file on a disk", path);
+    if (!image_read(path, &out->picture, q->f)) return false;
+    if (sky_bad_pixel(&out->picture, &x, &y)) {
+        image_free(&out->picture);
+        return failed(q->f, 2, "%.300s: pixel %d %d: no light, allowed: 0 and more, finite", path,
+                      x, y);
+    }
+    out->kind = SKY_IMAGE;
+    sky_aim(out, q->s->up, turn);
+    return true;
+}
+
+static inline bool scene_environment(statement *q)
+{
+    sky now = {.background = q->s->sky.background};
+    real c[6];
+    int n = 0;
+    if (!text_more(q->t)) return say_missing(q, "a colour, two, or a picture");
+    if (!word_is_number(q->t) && *q->t->p != '-') {
+        if (!scene_picture(q, &now)) return false;
+    } else {
+        while (n < 6 && text_more(q->t))
+            if (!word_number(q->t, &c[n++], 0, 1e30)) return false;
+        if (n == 4 || n == 5)
+            return text_bad(q->t, q->t->p, "numbers end before", "1, 2, 3 or 6 of them");
+        now.kind = n == 1 || n == 3 ? SKY_CONSTANT : SKY_GRADIENT;
+        now.low = n < 3 ? (vec3){c[0], c[0], c[0]} : (vec3){c[0], c[1], c[2]};
+        now.high = n == 2 ? (vec3){c[1], c[1], c[1]} : n == 6 ? (vec3){c[3], c[4], c[5]} : now.low;
+        sky_aim(&now, q->s->up, 0);
+    }
+    image_free(&q->s->sky.picture);
+    q->s->sky = now, q->s->sky_said = q->at;
+    return true;
+}
+
+static inline bool say_light(statement *q) { return say_lamp(q, LIGHT_POINT); }
+static inline bool say_sun(statement *q) { return say_lamp(q, LIGHT_DIRECTIONAL); }
+
+static const struct { const char *word; bool (*say)(statement *q); } scene_statements[] = {
+    {"camera", say_camera}, {"lens", say_lens}, {"light", say_light}, {"sun", say_sun},
+    {"background", say_background}, {"environment", scene_environment}, {"up", say_up},
+    {"material", say_material}, {"use", say_use}, {"sphere", say_sphere}, {"cone", say_cone},
+    {"polygon", say_polygon}, {"obj", scene_obj}, {"nff", scene_nff}, {"mtl", scene_mtl},
+    {"mesh", scene_mesh}, {"instance", scene_instance}};
+
+/* One statement, except include. */
+static inline bool scene_statement(statement *q)
+{
+    size_t k = 0, n = sizeof scene_statements / sizeof *scene_statements;
+    bool known;
+    while (k < n && !text_is(q->t, scene_statements[k].word)) k++;
+    if (k < n) {
+        q->t->p += strlen(q->t->keyword = scene_statements[k].word);
+        return scene_statements[k].say(q) && mtl_line_ends(q->t);
+    }
+    if (!mtl_is_key(q->t))
+        return text_bad(q->t, q->t->p, "begins with", "camera, lens, light, sun, background, "
+                        "environment, up, material, use, sphere, cone, polygon, obj, nff, mtl, "
+                        "mesh, instance, include, or Kd .. illum");
+    if (q->described == name_none)
+        return text_bad(q->t, q->t->p, "describes nothing:", "these below a line material NAME");
+    return mtl_key(q->s, q->t, q->described, q->at, &known) && mtl_line_ends(q->t);
+}
+
+#endif

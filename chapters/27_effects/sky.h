@@ -1,0 +1,115 @@
+/* sky.h: what is behind everything: a background (背景), and an environment (环境光照) that lights.
+ *
+ *   background   the colour that a ray meets if it meets nothing else: it lights nobody
+ *   environment  radiance from infinitely far; matte surfaces gather it, so it calls for rays
+ *
+ *   SKY_NONE      the background, which may be black
+ *   SKY_CONSTANT  `low` everywhere
+ *   SKY_GRADIENT  low + (high - low) (1 + d.up) / 2: from straight below to straight above  (27.1)
+ *   SKY_IMAGE     a latitude-longitude picture (经纬度贴图), its middle along `front`:      (27.2)
+ *
+ *         +up  0 +------------------+        x = w (1/2 + atan2(d.right, d.front) / 2 pi)
+ *                |        .         |        y = h acos(d.up) / pi
+ *                |      front       |        right = front x up; nearest pixel, no filter
+ *         -up  h +------------------+        times `scale`
+ *                0                  w
+ *
+ *   vec3 L = sky_radiance(&s, d)     what comes from direction d, of any length > 0, times scale
+ *   bool sky_lights(&s)              is there an environment that is not black?
+ *   sky_aim(&s, up, degrees)         its axes: front is turned about up
+ *   sky_free(&s)
+ *
+ * Source: P. Debevec, "Rendering Synthetic Objects into Real Scenes", SIGGRAPH 1998.
+ */
+#ifndef SKY_H
+#define SKY_H
+
+#include "../../common/image.h"
+#include "../01_ray/affine.h"
+
+typedef enum { SKY_NONE, SKY_CONSTANT, SKY_GRADIENT, SKY_IMAGE } sky_kind;
+typedef struct {
+    sky_kind kind;
+    vec3 background;
+    vec3 low, high;
+    vec3 up, front, right;  /* unit, at right angles */
+    real scale;             /* of the picture */
+    image picture;          /* owned; rgb is finite and not negative (see sky_check) */
+} sky;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void sky_free(sky *s)
+{
+    image_free(&s->picture);
+    *s = (sky){.kind = SKY_NONE};
+}
+
+/* Unturned, the middle of the picture is seen along the first axis that is not up, backwards:
+ * -z with y up, as a camera looks that was not turned; +y with z up. */
+static inline void sky_aim(sky *s, int up, real degrees)
+{
+    static const int axis[3][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, 0, -1}},
+                                      {{0, 0, 1}, {0, 1, 0}}};
+    const int (*a)[3] = axis[up];
+    s->up = (vec3){(real)a[0][0], (real)a[0][1], (real)a[0][2]};
+    vec3 front = {(real)a[1][0], (real)a[1][1], (real)a[1][2]};
+    s->front = degrees == 0 ? front : vturned(front, s->up, degrees * (pi / 180));
+    s->right = vcross(s->front, s->up);
+}
+
+/* (27.2). The comparisons come before the conversion, and a NaN becomes pixel 0. */
+static inline vec3 sky_pixel(const sky *s, vec3 d)
+{
+    const image *im = &s->picture;
+    d = vunit(d);
+    real x = (real)0.5 + atan2(vdot(d, s->right), vdot(d, s->front)) / (2 * pi);
+    real y = acos(real_clamp(vdot(d, s->up), -1, 1)) / pi;
+    x *= (real)im->width, y *= (real)im->height;
+    int i = x > 0 ? (x < (real)im->width ? (int)x : im->width - 1) : 0;
+    int j = y > 0 ? (y < (real)im->height ? (int)y : im->height - 1) : 0;
+    return image_get(im, i, j);
+}
+
+static inline vec3 sky_radiance(const sky *s, vec3 d)
+{
+    switch (s->kind) {
+    case SKY_NONE: return s->background;
+    case SKY_CONSTANT: return s->low;
+    case SKY_GRADIENT: {
+        real k = (1 + vdot(vunit(d), s->up)) / 2;
+        return vmadd(vscale(s->low, 1 - k), s->high, k);
+    }
+    case SKY_IMAGE: return vscale(sky_pixel(s, d), s->scale);
+    }
+    return (vec3){0, 0, 0};
+}
+
+/* Black or not: of a picture, whether any pixel is. O(pixels). */
+static inline bool sky_lights(const sky *s)
+{
+    size_t n = 3 * (size_t)s->picture.width * (size_t)s->picture.height;
+    switch (s->kind) {
+    case SKY_NONE: return false;
+    case SKY_CONSTANT: return !vzero(s->low);
+    case SKY_GRADIENT: return !vzero(s->low) || !vzero(s->high);
+    case SKY_IMAGE:
+        for (size_t i = 0; i < n && s->scale > 0; i++)
+            if (s->picture.rgb[i] > 0) return true;
+    }
+    return false;
+}
+
+/* The first pixel that is no radiance (NaN, infinite, negative); false: there is none. */
+static inline bool sky_bad_pixel(const image *im, int *x, int *y)
+{
+    size_t n = 3 * (size_t)im->width * (size_t)im->height;
+    for (size_t i = 0; i < n; i++)
+        if (!(im->rgb[i] >= 0 && im->rgb[i] <= FLT_MAX)) {
+            *x = (int)(i / 3 % (size_t)im->width), *y = (int)(i / 3 / (size_t)im->width);
+            return true;
+        }
+    return false;
+}
+
+#endif

@@ -1,0 +1,214 @@
+/* studio.h: a scene from files, in memory: what there is, what it is made of, and which line of
+ * which file says so.
+ *
+ *   shape[0 .. shapes-1]       loose shapes of 07, in the world; shape_material[i] goes with each
+ *   mesh[0 .. meshes-1]        triangle meshes of 07, each in a space of its own
+ *   placed[0 .. places-1]      instances of 16: a mesh and where it stands; nothing else shows it
+ *   material[0 .. materials-1] what MTL, NFF or scene file say; [0] is the default, matte grey
+ *   light[0 .. lights-1]       lights without size (18); emitter[0 .. emitters-1]: faces with Ke
+ *   view, lens, sky            camera, its lens, and what is behind everything
+ *
+ *   studio s;
+ *   failure f;
+ *   if (!studio_read("room.scene", NULL, &s, &f)) fail(f);           (studio_read.h)
+ *   material number  m = s.shape_material[i]                         of a shape
+ *                    m = studio_material_of(&s, place, triangle)     of a triangle: O(log runs)
+ *   studio_bounds(&s, &lo, &hi)                  false: nothing there
+ *   scene all = studio_shapes(&s);  crowd c = studio_crowd(&s);      for trees of 14 and 16
+ *   studio_stands(&s, place)                     placed as it is in its file, not moved
+ *   studio_said(&s, cite, text, sizeof text)     "room.scene:7", "(default)", "--light"
+ *   studio_free(&s);                             a zeroed one may be freed
+ *
+ * Everything is filled in by the readers (studio_add.h) and studio_finish; nothing changes
+ * afterwards, so threads may share it. Numbers are finite. Radii may be negative (a sphere seen
+ * from inside), polygons concave.
+ *
+ * Lights of NFF files have no falloff (1987); here all have. Their intensity is chosen in
+ * studio_finish so that E is pi times what the file says where the camera looks at (without a
+ * camera: in the middle of the scene), so that a matte white surface there is as bright as it says.
+ */
+#ifndef STUDIO_H
+#define STUDIO_H
+
+#include "../16_instances/crowd.h"
+#include "../18_shade/leave.h"
+#include "../18_shade/light.h"
+#include "name_table.h"
+#include "sky.h"
+
+typedef struct { uint32_t file, line; } cite;  /* file 0: nobody said it; line 0: the whole file */
+
+typedef enum {
+    KEY_KD, KEY_KS, KEY_KE, KEY_TF, KEY_ABSORB, KEY_NS, KEY_NI, KEY_D, KEY_ILLUM, material_keys
+} material_key;
+
+typedef struct {
+    uint32_t name;             /* in s.names */
+    vec3 kd, ks, ke, tf;       /* matte, specular, emitted [W/m^2/sr], transmitted */
+    vec3 absorb;               /* per unit of length inside, >= 0 (Beer) */
+    real ns, ni, d;            /* exponent [0, 1e9], refractive index [.001, 10], 1 opaque .. 0 */
+    int illum;                 /* 0 to 10; -1: not said. What it means: appearance.h */
+    bool classic;              /* NFF: weights as they stand; reflections are sharp */
+    cite at, said[material_keys];
+    bool used;                 /* by a shape or a placed triangle */
+} studio_material;
+
+typedef struct { name_table names; uint32_t *material; size_t room; } studio_palette;
+typedef struct { light light; bool classic; cite at; } studio_light;
+typedef struct { uint32_t *run_material, file; bool smooth; } studio_paint;  /* of a mesh */
+typedef struct { uint32_t material; cite at; } studio_placing;  /* for triangles without usemtl */
+typedef struct { uint32_t place, index; } studio_emitter;  /* place no_shape: shape `index` */
+
+typedef struct {
+    bool given;                /* false: found in framing.h */
+    vec3 from, at, up;
+    real angle;                /* vertical, full, degrees (0, 180) */
+    real hither;               /* nothing nearer is seen, along the axis of the view */
+    int width, height;         /* of the picture, as NFF says; 0: not said */
+    cite said;
+} studio_view;
+
+typedef struct { real radius, focus; cite said; } studio_lens;  /* radius 0: pinhole; focus 0: at */
+
+typedef struct {
+    name_table files, names;   /* file 0 is "" */
+    studio_palette own;        /* materials by name: those of scene files */
+    studio_palette *library;   /* [libraries] those of MTL files; library_file[k] is their file */
+    uint32_t *library_file;
+    studio_material *material;
+    shape *shape;
+    uint32_t *shape_material;
+    vec3 *corner;              /* of all polygons, one after the other */
+    mesh *mesh;
+    studio_paint *paint;       /* [meshes] */
+    instance *placed;
+    studio_placing *placing;   /* [places] */
+    studio_light *light;
+    studio_emitter *emitter;
+    size_t libraries, materials, shapes, corners, meshes, places, lights, emitters;
+    size_t library_room, library_file_room, material_room, shape_room, shape_material_room,
+        corner_room, mesh_room, paint_room, placed_room, placing_room, light_room, emitter_room;
+    studio_view view;
+    studio_lens lens;
+    sky sky;
+    cite sky_said, background_said;
+    int up;                    /* 0, 1, 2: x, y, z is upwards, where nothing else says so; y */
+    char *notes;               /* a line each: what was read but not understood */
+    size_t note_count, note_size, note_room;
+    size_t files_read;
+} studio;
+
+enum {
+    studio_most_files = 256,       /* read in all, so that files that include each other end */
+    studio_most_notes = 20,        /* kept; the rest is counted */
+    studio_most_emitters = 1 << 20 /* faces with Ke: instances multiply them */
+};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Room for one more in s->ARRAY, which has n of them. */
+#define studio_grow(s, array, n) \
+    ((s)->array = grown((s)->array, n, &(s)->array##_room, sizeof *(s)->array))
+
+static inline void studio_palette_free(studio_palette *p)
+{
+    name_table_free(&p->names);
+    free(p->material);
+}
+
+static inline void studio_free(studio *s)
+{
+    for (size_t k = 0; k < s->libraries; k++) studio_palette_free(&s->library[k]);
+    for (size_t k = 0; k < s->meshes; k++) mesh_free(&s->mesh[k]), free(s->paint[k].run_material);
+    studio_palette_free(&s->own);
+    name_table_free(&s->files), name_table_free(&s->names);
+    sky_free(&s->sky);
+    free(s->library), free(s->library_file), free(s->material), free(s->shape);
+    free(s->shape_material), free(s->corner), free(s->mesh), free(s->paint), free(s->placed);
+    free(s->placing), free(s->light), free(s->emitter), free(s->notes);
+    *s = (studio){.up = 0};
+}
+
+/* Something to tell whoever reads the scene: kept, not an error. */
+__attribute__((format(printf, 2, 3)))
+static inline void studio_note(studio *s, const char *format, ...)
+{
+    char text[480];
+    va_list arguments;
+    if (s->note_count++ >= studio_most_notes) return;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    while (s->note_size + sizeof text >= s->note_room)  /* the old text is note_room long */
+        s->notes = grown(s->notes, s->note_room, &s->note_room, 1);
+    for (const char *p = text; *p; p++)
+        s->notes[s->note_size++] = (unsigned char)*p < ' ' || *p == 127 ? '?' : *p;
+    s->notes[s->note_size++] = '\n', s->notes[s->note_size] = 0;
+}
+
+static inline const char *studio_said(const studio *s, cite c, char *text, size_t room)
+{
+    if (c.file == 0) snprintf(text, room, "(default)");
+    else if (c.line == 0) snprintf(text, room, "%s", name_text(&s->files, c.file));
+    else snprintf(text, room, "%s:%u", name_text(&s->files, c.file), (unsigned)c.line);
+    return text;
+}
+
+static inline const char *studio_material_name(const studio *s, uint32_t m)
+{
+    return name_text(&s->names, s->material[m].name);
+}
+
+static inline scene studio_shapes(const studio *s) { return (scene){s->shape, s->shapes}; }
+
+static inline crowd studio_crowd(const studio *s)
+{
+    return (crowd){s->mesh, s->meshes, s->placed, s->places};
+}
+
+/* The last run that begins at or before the triangle, as mesh_material finds it. */
+static inline uint32_t studio_material_of(const studio *s, uint32_t place, uint32_t k)
+{
+    const mesh *m = &s->mesh[s->placed[place].mesh];
+    size_t lo = 0, hi = m->runs;
+    while (lo < hi) {
+        size_t middle = lo + (hi - lo) / 2;
+        if (m->run[middle].first <= k) lo = middle + 1;
+        else hi = middle;
+    }
+    uint32_t of = lo ? s->paint[s->placed[place].mesh].run_material[lo - 1] : name_none;
+    return of == name_none ? s->placing[place].material : of;
+}
+
+static inline bool studio_stands(const studio *s, size_t place)
+{
+    affine a = s->placed[place].to_world, one = affine_scaling((vec3){1, 1, 1});
+    return memcmp(&a, &one, sizeof a) == 0;
+}
+
+/* A box round everything: of a mesh that was turned, of the corners of its own box. */
+static inline bool studio_bounds(const studio *s, vec3 *lo, vec3 *hi)
+{
+    *lo = (vec3){real_infinity, real_infinity, real_infinity};
+    *hi = vneg(*lo);
+    for (size_t i = 0; i < s->shapes; i++) {
+        vec3 a, b;
+        shape_bounds(s->shape[i], &a, &b);
+        if (!vfinite(a) || !vfinite(b)) continue;
+        *lo = vmin(*lo, a), *hi = vmax(*hi, b);
+    }
+    for (uint32_t m = 0; m < s->meshes; m++) {  /* at most studio_most_files */
+        vec3 a, b;
+        if (!mesh_bounds(&s->mesh[m], &a, &b)) continue;
+        for (size_t i = 0; i < 8 * s->places; i++) {
+            const instance *x = &s->placed[i / 8];
+            if (x->mesh != m) continue;
+            vec3 p = affine_point(x->to_world, (vec3){i & 1 ? a.x : b.x, i & 2 ? a.y : b.y,
+                                                      i & 4 ? a.z : b.z});
+            if (vfinite(p)) *lo = vmin(*lo, p), *hi = vmax(*hi, p);
+        }
+    }
+    return lo->x <= hi->x && lo->y <= hi->y && lo->z <= hi->z;
+}
+
+#endif

@@ -1,0 +1,197 @@
+/* studio_read.h: a whole scene from its file: scene file, OBJ or NFF, by the ending of its name.
+ *
+ *   if (!studio_read("room.scene", &words, &s, &f)) fail(f);   then s is zeroed
+ *   if (!studio_read_text(text, "demo", &words, &s, &f)) ..    a scene file that is in memory
+ *
+ * `words` [may be NULL] is what the command line says, in the language of scene files: words.light
+ * = "at 0 3 0 colour 9; at 1 3 0 colour 5". It is read last and replaces what the files said: one
+ * light or sun there, and those of the files are out; messages name it "--light".
+ *
+ *   include FILE     in a scene file: as if its lines stood here
+ *
+ * A file that includes itself, on whatever way round, files nested more than 16 deep, more than 256
+ * files in all: exit code 2, and the line of the include.
+ */
+#ifndef STUDIO_READ_H
+#define STUDIO_READ_H
+
+#include "finish.h"
+#include "scene_file.h"
+
+typedef struct { const char *camera, *lens, *light, *sun, *environment, *background, *up; }
+    studio_words;
+
+static inline bool studio_read(const char *path, const studio_words *words, studio *out,
+                               failure *f);
+static inline bool studio_read_text(const char *text, const char *name, const studio_words *words,
+                                    studio *out, failure *f);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { scene_deepest = 16 };
+
+typedef struct {
+    char path[word_longest_path];
+    uint32_t file;
+    FILE *in;
+    dev_t device;
+    ino_t inode;              /* with device: which file it is, by whatever name; 0: none */
+    text_reader t;
+} scene_level;
+
+typedef struct { scene_level *level[scene_deepest]; int depth; statement q; } scene_reader;
+
+/* The stream now belongs to the level. */
+static inline bool scene_enter(scene_reader *r, FILE *in, const char *path, failure *f)
+{
+    scene_level *l = r->level[r->depth] = allocate(1, sizeof *l);
+    struct stat what;
+    snprintf(l->path, sizeof l->path, "%s", path);
+    l->in = in;
+    if (fileno(in) >= 0 && fstat(fileno(in), &what) == 0)
+        l->device = what.st_dev, l->inode = what.st_ino;
+    l->file = name_add(&r->q.s->files, path);
+    r->depth++;
+    return text_begin(&l->t, in, l->path, f);
+}
+
+static inline bool scene_leave(scene_reader *r)
+{
+    scene_level *l = r->level[--r->depth];
+    bool ok = !l->t.buffer || text_end(&l->t);
+    fclose(l->in);
+    free(l);
+    return ok;
+}
+
+/* include FILE, at the keyword. */
+static inline bool scene_include(scene_reader *r)
+{
+    char path[word_longest_path];
+    text_reader *t = r->q.t;
+    struct stat what;
+    t->p += strlen(t->keyword = "include");
+    if (!scene_path(&r->q, path) || !mtl_line_ends(t)) return false;
+    if (stat(path, &what) == 0)
+        for (int k = 0; k < r->depth; k++)
+            if (r->level[k]->inode == what.st_ino && r->level[k]->device == what.st_dev)
+                return failed(r->q.f, 2, "%s:%u: include: %.200s includes itself", text_name(t),
+                              (unsigned)t->line, path);
+    if (r->depth == scene_deepest)
+        return failed(r->q.f, 2, "%s:%u: include: nested too deep, allowed: %d files", text_name(t),
+                      (unsigned)t->line, scene_deepest);
+    if (r->q.s->files_read++ >= studio_most_files)
+        return failed(r->q.f, 2, "%s:%u: include: too many files, allowed: %d in all", text_name(t),
+                      (unsigned)t->line, studio_most_files);
+    FILE *in = word_open(path, false, r->q.f);
+    return in && scene_enter(r, in, path, r->q.f);
+}
+
+/* Reads the stream and all that it includes; closes them. */
+static inline bool scene_read_stream(studio *s, FILE *in, const char *path, failure *f)
+{
+    scene_reader *r = allocate(1, sizeof *r);
+    r->q = (statement){.s = s, .f = f, .described = name_none};
+    bool ok = scene_enter(r, in, path, f);
+    while (ok && r->depth) {
+        scene_level *l = r->level[r->depth - 1];
+        r->q.t = &l->t, r->q.base = l->path;
+        if (!text_statement(&l->t)) {
+            ok = scene_leave(r);
+            continue;
+        }
+        r->q.at = (cite){l->file, (uint32_t)l->t.line};
+        ok = text_is(&l->t, "include") ? scene_include(r) : scene_statement(&r->q);
+    }
+    while (r->depth) (void)scene_leave(r);
+    name_table_free(&r->q.shapes);
+    free(r->q.shape), free(r);
+    return ok;
+}
+
+static inline bool scene_read_text(studio *s, const char *text, const char *name, failure *f)
+{
+    size_t n = strlen(text);
+    FILE *in = fmemopen((void *)(n ? text : "\n"), n ? n : 1, "rb");  /* it is only read */
+    if (!in) return failed(f, 1, "%.100s: no memory", name);
+    return scene_read_stream(s, in, name, f);
+}
+
+/* What one option says: its parts between ; are statements that begin with its name. */
+static inline bool scene_option(studio *s, const char *keyword, const char *value, failure *f)
+{
+    if (!value) return true;
+    size_t room = strlen(value) * (strlen(keyword) + 2) + 64, n = 0;
+    char *text = allocate(room, 1), name[32];
+    snprintf(name, sizeof name, "--%s", keyword);
+    n += (size_t)snprintf(text, room, "%s ", keyword);
+    for (const char *p = value; *p; p++)
+        if (*p == ';') n += (size_t)snprintf(text + n, room - n, "\n%s ", keyword);
+        else text[n++] = *p;
+    bool ok = scene_read_text(s, text, name, f);
+    free(text);
+    return ok;
+}
+
+static inline bool scene_options(studio *s, const studio_words *w, failure *f)
+{
+    if (w->light || w->sun) s->lights = 0;
+    return scene_option(s, "up", w->up, f) && scene_option(s, "camera", w->camera, f)
+        && scene_option(s, "lens", w->lens, f) && scene_option(s, "light", w->light, f)
+        && scene_option(s, "sun", w->sun, f) && scene_option(s, "background", w->background, f)
+        && scene_option(s, "environment", w->environment, f);
+}
+
+static inline bool scene_ends(const char *path, const char *ending)
+{
+    size_t n = strlen(path), m = strlen(ending), k = 0;
+    while (n > m && k < m && tolower((unsigned char)path[n - m + k]) == ending[k]) k++;
+    return n > m && k == m;
+}
+
+static inline void studio_begin(studio *s)
+{
+    *s = (studio){.up = 1};
+    name_add(&s->files, "");
+    studio_add_material(s, "(default)", (cite){0, 0});
+    sky_aim(&s->sky, 1, 0);
+}
+
+/* Names come from files: what could hurt a terminal is shown as "?". */
+static inline bool studio_end(studio *s, const studio_words *words, bool ok, failure *f)
+{
+    ok = ok && (!words || scene_options(s, words, f)) && studio_finish(s, f);
+    if (ok) return true;
+    for (char *p = f ? f->text : NULL; p && *p; p++)
+        if ((unsigned char)*p < ' ' || *p == 127) *p = '?';
+    studio_free(s);
+    return false;
+}
+
+static inline bool studio_read(const char *path, const studio_words *words, studio *s, failure *f)
+{
+    const affine as_it_is = affine_scaling((vec3){1, 1, 1});
+    uint32_t m;
+    bool ok = true;
+    studio_begin(s);
+    if (scene_ends(path, ".obj")) {
+        if ((ok = obj_mesh(s, path, false, &m, f)))
+            studio_place(s, m, as_it_is, 0, (cite){s->paint[m].file, 0});
+    } else if (scene_ends(path, ".nff")) {
+        s->up = 2;
+        ok = nff_read(s, path, as_it_is, 0, f);
+    } else {
+        FILE *in = word_open(path, true, f);  /* a pipe, too */
+        ok = in && scene_read_stream(s, in, path, f);
+    }
+    return studio_end(s, words, ok, f);
+}
+
+static inline bool studio_read_text(const char *text, const char *name, const studio_words *words,
+                                    studio *s, failure *f)
+{
+    studio_begin(s);
+    return studio_end(s, words, scene_read_text(s, text, name, f), f);
+}
+
+#endif

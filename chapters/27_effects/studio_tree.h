@@ -1,0 +1,191 @@
+/* studio_tree.h: what a ray hits first in a studio, and the surface there.
+ *
+ *   studio_tree t;
+ *   if (!studio_tree_build(&s, &t, &f)) fail(f);    s must outlive t; only one that is finished
+ *   studio_hit x;
+ *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
+ *                                             meshes that stand before instances, then the lower
+ *   bool studio_tree_occluded(&t, r)          any
+ *   surface a = studio_surface(&t, r, x)      with the error bounds of 18, for leave.h
+ *   uint32_t m = studio_hit_material(&t, x)
+ *   studio_tree_free(&t)                      a zeroed one may be freed
+ *
+ * Three kinds of trees, each only where it has something to hold: shapes (14), one for each mesh
+ * that stands as it is in its file (14), and one of two levels (16) for meshes that were moved,
+ * also those that stand a second time. t.shapes.tree.items, t.standing and t.moved.n say how much
+ * each has: 0 is what most scenes have in two of them, and a renderer may leave those out.
+ *
+ * The surface of an instance: its triangle with the corners taken to the world. What rounding moves
+ * on the way there and back is the pad of (16.3); it goes on top of `error` and of `noise`.
+ */
+#ifndef STUDIO_TREE_H
+#define STUDIO_TREE_H
+
+#include "../14_bvh/bvh_shapes.h"
+#include "../16_instances/instances.h"
+#include "../18_shade/surface.h"
+#include "studio.h"
+
+typedef struct { hit h; uint32_t place; } studio_hit;  /* place no_shape: h.shape is a shape */
+
+typedef struct {
+    const studio *s;
+    bvh_shapes shapes;
+    bvh *mesh;                /* [standing] */
+    uint32_t *mesh_place;     /* [standing] */
+    instances moved;
+    instance *moved_list;     /* [moved.n] */
+    uint32_t *moved_place;    /* [moved.n] */
+    placing *pad;             /* [moved.n] */
+    size_t standing;
+} studio_tree;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void studio_tree_free(studio_tree *t)
+{
+    bvh_shapes_free(&t->shapes);
+    for (size_t k = 0; k < t->standing; k++) bvh_free(&t->mesh[k]);
+    instances_free(&t->moved);
+    free(t->mesh), free(t->mesh_place), free(t->moved_list), free(t->moved_place), free(t->pad);
+    *t = (studio_tree){.s = NULL};
+}
+
+/* Which places stand: the first of each mesh that is not moved. */
+static inline void studio_tree_sort(const studio *s, studio_tree *t)
+{
+    bool *has = allocate(s->meshes, sizeof *has);
+    t->mesh = allocate(s->meshes, sizeof *t->mesh);
+    t->mesh_place = allocate(s->meshes, sizeof *t->mesh_place);
+    t->moved_list = allocate(s->places, sizeof *t->moved_list);
+    t->moved_place = allocate(s->places, sizeof *t->moved_place);
+    size_t moved = 0;
+    for (uint32_t i = 0; i < s->places; i++) {
+        uint32_t m = s->placed[i].mesh;
+        if (!has[m] && studio_stands(s, i)) {
+            has[m] = true;
+            bvh_build(&s->mesh[m], bvh_defaults, &t->mesh[t->standing]);
+            t->mesh_place[t->standing++] = i;
+        } else {
+            t->moved_list[moved] = s->placed[i];
+            t->moved_place[moved++] = i;
+        }
+    }
+    t->moved.n = moved;
+    free(has);
+}
+
+/* Trees only for meshes that are moved: the others get an empty one, from an empty mesh. */
+static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f)
+{
+    size_t n = t->moved.n;
+    if (!n) return true;
+    uint32_t *number = allocate(s->meshes, sizeof *number);
+    mesh *used = allocate(s->meshes, sizeof *used);
+    bool *is = allocate(s->meshes, sizeof *is);
+    for (size_t i = 0; i < n; i++) is[t->moved_list[i].mesh] = true;
+    for (size_t k = 0; k < s->meshes; k++)
+        if (is[k]) used[k] = s->mesh[k];
+    instances_options how = instances_defaults;
+    size_t points = 0;  /* of all instances: what tight boxes would cost */
+    for (size_t i = 0; i < n; i++) points += s->mesh[t->moved_list[i].mesh].vertices;
+    how.boxes = points > 20000000 ? INSTANCES_CORNERS : INSTANCES_POINTS;
+    crowd c = {used, s->meshes, t->moved_list, n};
+    bool ok = instances_build(&c, how, &t->moved, f);
+    t->moved.mesh = s->mesh;  /* `used` ends here; the trees copied what they need */
+    t->pad = allocate(n, sizeof *t->pad);
+    for (size_t i = 0; ok && i < n; i++) {
+        uint32_t where = t->moved.where[i];
+        if (where == no_shape) continue;
+        const placed *p = &t->moved.place[where];
+        t->pad[i] = placing_of(t->moved_list[i].to_world, p->to_object,
+                               box_farthest(&t->moved.lower[p->mesh].tree.node[0].box));
+    }
+    free(number), free(used), free(is);
+    return ok;
+}
+
+/* O(n log n). False: more than 2^31 of something. */
+static inline bool studio_tree_build(const studio *s, studio_tree *out, failure *f)
+{
+    scene all = studio_shapes(s);
+    *out = (studio_tree){.s = s};
+    bvh_options how = bvh_defaults;
+    how.item_cost = 2;  /* spheres, cones, polygons: a test costs more than a triangle's */
+    if (s->shapes >> 31) return failed(f, 2, "%zu shapes: fewer than 2^31 fit", s->shapes);
+    if (all.n) bvh_shapes_build(&all, how, &out->shapes);
+    studio_tree_sort(s, out);
+    if (studio_tree_moved(s, out, f)) return true;
+    studio_tree_free(out);
+    return false;
+}
+
+__attribute__((always_inline))
+static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
+{
+    bool found = false;
+    hit h;
+    instance_hit x;
+    if (t->shapes.tree.items && bvh_shapes_hit(&t->shapes, r, &h)) {
+        *out = (studio_hit){h, no_shape};
+        found = true, r.tmax = h.t;
+    }
+    for (size_t k = 0; k < t->standing; k++)  /* nearer, not as near: the first keeps it */
+        if (bvh_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
+            *out = (studio_hit){h, t->mesh_place[k]};
+            found = true, r.tmax = h.t;
+        }
+    if (t->moved.n && instances_hit(&t->moved, r, &x) && !(found && x.h.t == r.tmax)) {
+        *out = (studio_hit){x.h, t->moved_place[x.instance]};
+        found = true;
+    }
+    return found;
+}
+
+__attribute__((always_inline))
+static inline bool studio_tree_occluded(const studio_tree *t, ray r)
+{
+    if (t->shapes.tree.items && bvh_shapes_occluded(&t->shapes, r)) return true;
+    for (size_t k = 0; k < t->standing; k++)
+        if (bvh_occluded(&t->mesh[k], r)) return true;
+    return t->moved.n && instances_occluded(&t->moved, r);
+}
+
+static inline uint32_t studio_hit_material(const studio_tree *t, studio_hit x)
+{
+    return x.place == no_shape ? t->s->shape_material[x.h.shape]
+                               : studio_material_of(t->s, x.place, x.h.shape);
+}
+
+/* Which of the moved a place is: they are in the order of the places. */
+static inline size_t studio_moved_index(const studio_tree *t, uint32_t place)
+{
+    size_t lo = 0, hi = t->moved.n;
+    while (hi - lo > 1) {
+        size_t middle = lo + (hi - lo) / 2;
+        if (t->moved_place[middle] <= place) lo = middle;
+        else hi = middle;
+    }
+    return lo;
+}
+
+static inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
+{
+    const studio *s = t->s;
+    if (x.place == no_shape) return surface_of_shape(&s->shape[x.h.shape], r, x.h);
+    const mesh *m = &s->mesh[s->placed[x.place].mesh];
+    size_t k = t->moved.n ? studio_moved_index(t, x.place) : 0;
+    if (!t->moved.n || t->moved_place[k] != x.place) return surface_of_mesh(m, x.h);
+    const affine *w = &s->placed[x.place].to_world;
+    triangle c = mesh_triangle(m, x.h.shape);
+    c = (triangle){affine_point(*w, c.a), affine_point(*w, c.b), affine_point(*w, c.c)};
+    surface a = surface_on_triangle(c, x.h.shape, x.h.u, x.h.v);
+    const affine *back = &t->moved.place[t->moved.where[k]].to_object;
+    a.n = normal_to_world(back, triangle_normal(mesh_triangle(m, x.h.shape)));
+    a.ns = m->n ? normal_to_world(back, mesh_normal(m, x.h.shape, x.h.u, x.h.v)) : a.n;
+    real pad = placing_pad(&t->pad[k], a.p);
+    a.error += pad, a.noise += pad;
+    return a;
+}
+
+#endif

@@ -1,0 +1,711 @@
+/* 19_whitted: the walk against closed forms and twice the precision: plate, ball, hall of mirrors,
+ * furnace; touching and nested bodies; no ray that is not called for; balls.h against the tree. */
+#include "check.h"
+#include "../common/image.h"
+#include "../common/random.h"
+#include "../chapters/01_ray/wide.h"
+#include "../chapters/19_whitted/forty.h"
+#include "../chapters/19_whitted/ray_tree.h"
+#include "../chapters/19_whitted/tank.h"
+#include "../chapters/19_whitted/two_spheres.h"
+
+/* ---- a small scene: shapes, each with a look ------------------------------------------------- */
+
+enum { most_shapes = 32 };
+typedef struct {
+    whitted w;
+    shape shape[most_shapes];
+    whitted_material look[most_shapes];
+    vec3 corner[4 * most_shapes];
+    medium media[8];
+    scene scene;
+    world_part part;
+    trace_world world;
+    light light;
+    size_t n;
+} stage;
+
+static const whitted_material *stage_look(const void *context, trace_hit x, const surface *s,
+                                          whitted_material *room)
+{
+    (void)s, (void)room;
+    return &((const stage *)context)->look[x.h.shape];
+}
+
+static void stage_add(stage *s, shape x, whitted_material m)
+{
+    s->shape[s->n] = x, s->look[s->n++] = m;
+}
+
+/* A square of side 2 h in the plane z = c.z, normal up or down. */
+static void stage_square(stage *s, vec3 c, real h, bool up, whitted_material m)
+{
+    vec3 *q = s->corner + 4 * s->n;
+    for (int i = 0; i < 4; i++) {
+        int j = up ? i : 3 - i;
+        q[i] = vadd(c, (vec3){j == 1 || j == 2 ? h : -h, j > 1 ? h : -h, 0});
+    }
+    stage_add(s, shape_of_polygon(polygon_of(q, 4)), m);
+}
+
+static tracer stage_begin(stage *s, int depth)
+{
+    s->scene = (scene){s->shape, s->n};
+    world_part_of_scene(&s->scene, MASK_ALL, &s->part);
+    s->world = (trace_world){&s->part, 1};
+    s->media[0].ior = 1;
+    s->w.media = s->media, s->w.material_of = stage_look, s->w.context = s, s->w.depth = depth;
+    return (tracer){.w = &s->world, .program = whitted_programs, .user = &s->w};
+}
+
+static void stage_end(stage *s) { world_part_free(&s->part); }
+
+/* The rays themselves, to look at. */
+typedef struct {
+    whitted_log log;
+    struct { ray_kind kind; int from, depth; ray r; real t; vec3 weight; } ray[512];
+    int n;
+} rays_seen;
+
+static int rays_seen_add(whitted_log *log, ray_kind kind, int from, int depth, ray r, real t,
+                         vec3 weight, real lit)
+{
+    rays_seen *x = (rays_seen *)log;
+    (void)lit;
+    if (x->n == 512) return 511;
+    x->ray[x->n].kind = kind, x->ray[x->n].from = from, x->ray[x->n].depth = depth;
+    x->ray[x->n].r = r, x->ray[x->n].t = t, x->ray[x->n].weight = weight;
+    return x->n++;
+}
+
+static vec3 look(tracer *t, ray r, media_set in, rays_seen *x)
+{
+    *x = (rays_seen){.log = {rays_seen_add}};
+    return whitted_walk(t, r, in, no_shape, &whitted_by_trace, &x->log);
+}
+
+/* The ray that goes on straight through: the refractions, one after another. */
+static int through(const rays_seen *x, int refractions)
+{
+    int k = 0;
+    for (int i = 1; i < x->n && refractions > 0; i++)
+        if (x->ray[i].from == k && x->ray[i].kind == RAY_REFRACTION) k = i, refractions--;
+    return refractions ? -1 : k;
+}
+
+/* ---- closed forms ---------------------------------------------------------------------------- */
+
+/* Displacement h sin i (1 - cos i / (n cos t)), direction unchanged; light (1 - R)^2. Any place and
+ * size: roundings are those of the coordinates. */
+static void test_plate(void)
+{
+    const double n = 1.5;
+    double turned = 0, moved = 0, light_off = 0, naive = 0;
+    for (int e = -3; e <= 6; e++)
+        for (int k = 0; k < 9; k++) {
+            stage s = {0};
+            rays_seen x;
+            real h = pow((real)10, (real)-e), T = e > 0 ? h * pow((real)10, (real)(e / 2)) : 0;
+            if (e <= 0) h = pow((real)10, (real)-e);
+            whitted_material glass = whitted_clear(1, 1);
+            s.media[1].ior = (real)n;
+            stage_square(&s, (vec3){T, T, T + h}, 100 * h, true, glass);
+            stage_square(&s, (vec3){T, T, T}, 100 * h, false, glass);
+            real top = s.corner[0].z, thick = top - s.corner[4].z;
+            tracer t = stage_begin(&s, 4);
+            double i = k * 10 * (double)pi / 180, sine = sin(i), c = cos(i);
+            vec3 d = vunit((vec3){(real)sine, 0, (real)-c});
+            vec3 o = {T - 5 * h * d.x / -d.z, T, top + 5 * h};
+            look(&t, ray_from(o, d), (media_set){0}, &x);
+            int last = through(&x, 2);
+            check(last > 0, "two refractions");
+            ray out = x.ray[last].r;
+            turned = check_worse(turned, (double)vlength(vsub(out.d, d)));
+            vec3 f = vsub(out.o, o), side = {-d.z, 0, d.x};  /* at right angles to d, upwards */
+            double ct = sqrt(1 - sine * sine / (n * n));
+            double expected = (double)thick * sine * (1 - c / (n * ct));
+            double unit = (double)(real_max(T, 141 * h) * real_epsilon);
+            moved = check_worse(moved, fabs((double)-vdot(f, side) - expected) / (unit * 64));
+            double rs = (c - n * ct) / (c + n * ct), rp = (n * c - ct) / (n * c + ct);
+            double through_both = 1 - (rs * rs + rp * rp) / 2;
+            light_off = check_worse(light_off, fabs((double)x.ray[last].weight.x
+                                                    - through_both * through_both));
+            naive = check_worse(naive, fabs(expected) / (double)thick);
+            stage_end(&s);
+        }
+    check_at_most(turned, 16 * (double)real_epsilon, "a plate does not turn a ray");
+    check_at_most(moved, 1, "displacement: rays begin 3 (error + noise), 24 eps of the plate, off "
+                            "it, twice");
+    check_at_most(light_off, 16 * (double)real_epsilon, "light (1 - R)^2");
+    check_at_least(naive, 0.3, "there is a displacement");
+}
+
+
+/* In twice the precision: where a ray leaves a ball of glass, and how: d turns by i - t twice. */
+typedef struct { wide3 o, d; wide weight; } wide_ray;
+
+static wide wide_fresnel_through(wide n1, wide n2, wide ci, wide ct)
+{
+    wide p = wide_mul(n1, ci), q = wide_mul(n2, ct), u = wide_mul(n2, ci), v = wide_mul(n1, ct);
+    wide rs = wide_div(wide_sub(p, q), wide_add(p, q));
+    wide rp = wide_div(wide_sub(u, v), wide_add(u, v));
+    wide r = wide_add(wide_mul(rs, rs), wide_mul(rp, rp));
+    return wide_sub(wide_of(1), wide_mul(r, wide_of(0.5)));
+}
+
+/* n unit, against d; both in twice the precision. */
+static wide3 wide_refract(wide3 d, wide3 n, wide n1, wide n2, wide *part)
+{
+    wide eta = wide_div(n1, n2), ci = wide_neg(wide3_dot(n, d)), one = wide_of(1);
+    wide ss = wide_mul(wide_mul(eta, eta), wide_sub(one, wide_mul(ci, ci)));
+    wide ct = wide_sqrt(wide_sub(one, ss));
+    wide3 zero = {wide_of(0), wide_of(0), wide_of(0)};
+    *part = wide_fresnel_through(n1, n2, ci, ct);
+    return wide3_madd(wide3_madd(zero, d, eta), n, wide_sub(wide_mul(eta, ci), ct));
+}
+
+static wide_ray wide_through_ball(sphere b, ray r, real n)
+{
+    wide3 o = wide3_of(r.o), d = wide3_of(r.d), c = wide3_of(b.c), zero = {wide_of(0), wide_of(0),
+                                                                          wide_of(0)};
+    d = wide3_madd(zero, d, wide_div(wide_of(1), wide3_length(d)));
+    wide R = wide_of((double)b.r), one = wide_of(1), n1 = wide_of((double)n), T1, T2;
+    wide3 f = wide3_sub(o, c);
+    wide h = wide3_dot(d, f), k = wide_sub(wide3_dot(f, f), wide_mul(R, R));
+    wide D = wide_sub(wide_mul(h, h), k);
+    wide t = wide_sub(wide_neg(h), wide_sqrt(D));
+    wide3 p = wide3_madd(f, d, t), N = wide3_madd(zero, p, wide_div(one, R));
+    wide3 w = wide_refract(d, N, one, n1, &T1);
+    wide s = wide_mul(wide_of(-2), wide3_dot(w, p));  /* the chord */
+    wide3 q = wide3_madd(p, w, s), M = wide3_madd(zero, q, wide_div(wide_of(-1), R));
+    wide3 out = wide_refract(w, M, n1, one, &T2);
+    return (wide_ray){wide3_madd(c, q, one), out, wide_mul(T1, T2)};
+}
+
+static double wide_off(wide3 a, vec3 b)
+{
+    return wide_value(wide3_length(wide3_sub(a, wide3_of(b))));
+}
+
+static void test_ball(void)
+{
+    double place = 0, direction = 0, weight = 0, beer = 0;
+    size_t n = check_count(4000), seen = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream q = random_start(7, i, 0);
+        stage s = {0};
+        rays_seen x;
+        double e = floor(7 * (double)random_next(&q)) - 3;  /* place 0 .. 1e3 R, size 1e-3 .. 1e3 */
+        real R = (real)pow(10, e), far = R * (real)(i % 3 == 0 ? 0 : i % 3 == 1 ? 10 : 1000);
+        sphere b = {{far, -far, far}, R};
+        s.media[1] = (medium){(real)1.1 + random_next(&q), {1 / R, (real)0.5 / R, 0}, 0};
+        stage_add(&s, shape_of_sphere(b), whitted_clear(1, 1));
+        tracer t = stage_begin(&s, 4);
+        vec3 from = {2 * random_next(&q) - 1, 2 * random_next(&q) - 1, 2 * random_next(&q) - 1};
+        vec3 at = {random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, random_next(&q) / 2};
+        ray r = ray_between(vmadd(b.c, vunit(from), 4 * R), vmadd(b.c, at, R));
+        r.tmax = real_infinity;
+        wide_ray exact = wide_through_ball(b, r, s.media[1].ior);
+        look(&t, r, (media_set){0}, &x);
+        int last = through(&x, 2), in = through(&x, 1);
+        stage_end(&s);
+        if (last < 0) continue;
+        seen++;
+        /* o: error bound of surface.h, R eps (4 + 2 |p|/R), and entry's share, bent twice */
+        double unit = (double)((R + far) * real_epsilon);
+        place = check_worse(place, wide_off(exact.o, x.ray[last].r.o) / unit);
+        double near = (double)(R / (R + far)), chord = (double)x.ray[in].t;
+        double T = wide_value(exact.weight);
+        direction = check_worse(direction, wide_off(exact.d, x.ray[last].r.d) * near);
+        weight = check_worse(weight, fabs((double)x.ray[last].weight.z - T) * near);
+        beer = check_worse(beer, fabs((double)x.ray[last].weight.x / T - exp(-chord / (double)R)));
+    }
+    check_at_least(seen, n * 9 / 10, "rays through the ball");
+    check_at_most(place, 64, "where it leaves, in eps of R and of the coordinates");
+    check_at_most(direction, 128 * (double)real_epsilon, "direction: i is off by eps |p| / R");
+    check_at_most(weight, 128 * (double)real_epsilon, "light (1 - R1)(1 - R2)");
+    check_at_most(beer, 64 * (double)real_epsilon * 1001, "absorbed on the chord");
+}
+
+/* Two mirrors with M = 1/2 that shine with 1: 1 + 1/2 + 1/4 + ..: exact in binary. */
+static void test_hall(void)
+{
+    stage s = {0};
+    whitted_material m = whitted_mirror(0.5);
+    m.base.ke = (vec3){1, 1, 1};
+    stage_square(&s, (vec3){0, 0, 0}, 4, true, m);
+    stage_square(&s, (vec3){0, 0, 3}, 4, false, m);
+    tracer t = stage_begin(&s, 1);
+    for (int depth = 1; depth <= whitted_most_depth; depth *= 2) {
+        s.w.depth = depth;
+        t.counts = (trace_counts){0};
+        vec3 c = whitted_ray(&t, ray_from((vec3){(real)0.3, (real)0.2, 1}, (vec3){0, 0, -5}),
+                             (media_set){0});
+        int digits = real_is_float ? 23 : 52, levels = depth < digits ? depth : digits + 1;
+        check_close(c.x, 2 - 2 * ldexp(1.0, -depth), levels > digits ? 2 * (double)real_epsilon : 0,
+                    "a geometric series, depth %d", depth);
+        if (depth < 140)  /* then the weight is no float any more, and the branch is cut */
+            check_equal(t.counts.rays[RAY_REFLECTION], (size_t)depth - 1, "one ray a level");
+        check_equal(t.counts.rays[RAY_CAMERA], 1, "the eye ray is depth 1");
+    }
+    /* cut where the weight is at most 2^-10: what is missing is the rest of the series */
+    s.w.depth = 256, s.w.least = (real)ldexp(1.0, -10);
+    vec3 c = whitted_ray(&t, ray_from((vec3){0, 0, 1}, (vec3){0, 0, 1}), (media_set){0});
+    check_equal((double)c.x, 2 - 2 * ldexp(1.0, -10), "cut");
+    stage_end(&s);
+
+    /* within a mirror ball, at any angle, depth 256: M = 255/256, ke = 1/256: L = 1 - M^256 */
+    stage b = {0};
+    m = whitted_mirror(255.0 / 256), m.base.ke = (vec3){(real)1 / 256, 0, 0};
+    stage_add(&b, shape_of_sphere((sphere){{5, 6, 7}, 2}), m);
+    t = stage_begin(&b, 256);
+    for (size_t i = 0; i < check_count(100); i++) {
+        random_stream q = random_start(8, i, 0);
+        vec3 d = {random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, random_next(&q)};
+        c = whitted_ray(&t, ray_from((vec3){5, (real)6.5, 8}, d), (media_set){0});
+        check_close(c.x, 1 - pow(255.0 / 256, 256), 256 * (double)real_epsilon, "mirror ball");
+    }
+    stage_end(&b);
+}
+
+/* In a sky that is 1 everywhere, clear glass is invisible: what is missing is the rest at the last
+ * depth, and no more than 1 comes from anywhere. */
+static void test_furnace(void)
+{
+    tank *k = tank_new();
+    k->w.background = (vec3){1, 1, 1};
+    for (int i = 0; i < 5; i++) k->media[i].absorb = (vec3){0, 0, 0};
+    k->look[tank_stone] = whitted_mirror(1), k->look[tank_table] = k->dark = whitted_mirror(1);
+    k->w.least = 0;
+    tracer t = tank_tracer(k);
+    camera c = tank_camera(1);
+    double most = 0, mean = 0;
+    size_t n = 0;
+    for (int y = 2; y < 32; y += 3)
+        for (int x = 2; x < 32; x += 3, n++) {
+            double L = 0;
+            k->w.depth = 13;
+            L = (double)whitted_ray(&t, camera_ray(c, (real)x, (real)y, 32, 32), (media_set){0}).x;
+            most = check_worse(most, L);
+            mean += L;
+        }
+    tank_free(k);
+    check_at_most(most, 1 + 64 * (double)real_epsilon, "never more than there is");
+    check_at_least(mean / (double)n, 0.95, "and little less: what lies deeper than 13");
+
+    stage s = {0};
+    s.media[1].ior = (real)1.5, s.w.background = (vec3){1, 1, 1};
+    stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), whitted_clear(1, 1));
+    t = stage_begin(&s, 64);
+    double worst = 0;
+    for (int i = 0; i <= 90; i++) {  /* R < 0.4: the rest is below 0.4^62 */
+        ray r = ray_from((vec3){(real)i / 100, 0, 5}, (vec3){0, 0, -1});
+        double L = (double)whitted_ray(&t, r, (media_set){0}).x;
+        worst = check_worse(worst, fabs(L - 1));
+    }
+    stage_end(&s);
+    check_at_most(worst, 64 * (double)real_epsilon, "a clear ball in a white sky");
+}
+
+/* ---- touching and nested --------------------------------------------------------------------- */
+
+/* air | glass | water | glass | air, at normal incidence, the faces between them twice, of either
+ * body, in any order of the shapes, anywhere: only the four true interfaces count. */
+static void test_touching(void)
+{
+    static const int order[3][6] = {{0, 1, 2, 3, 4, 5}, {0, 2, 1, 4, 3, 5}, {5, 4, 3, 2, 1, 0}};
+    static const struct { int z, body; bool up; } face[6] = {
+        {3, 1, true}, {2, 1, false}, {2, 2, true}, {1, 2, false}, {1, 3, true}, {0, 3, false}};
+    double ag = pow(0.5 / 2.5, 2), gw = pow((1.5 - 1.25) / (1.5 + 1.25), 2);
+    double expected = (1 - ag) * (1 - gw) * (1 - gw) * (1 - ag), worst = 0, naive = 0;
+    for (int o = 0; o < 3; o++)
+        for (int e = 0; e <= 6; e += 2) {
+            real T = e ? pow((real)10, (real)e) : 0;
+            for (int apart = 0; apart < 2; apart++) {
+                stage s = {0};
+                rays_seen x;
+                for (int i = 0; i < 6; i++) {
+                    int f = order[o][i];
+                    stage_square(&s, (vec3){T, T, T + (real)face[f].z}, 2, face[f].up,
+                                 whitted_clear((uint32_t)face[f].body, 1));
+                }
+                s.media[1].ior = s.media[3].ior = (real)1.5, s.media[2].ior = (real)1.25;
+                s.w.apart = apart;
+                tracer t = stage_begin(&s, 8);
+                vec3 eye = {T + (real)0.5, T + (real)0.25, T + 5};
+                look(&t, ray_from(eye, (vec3){0, 0, -1}), (media_set){0}, &x);
+                int last = through(&x, 4);
+                double got = last < 0 ? 0 : (double)x.ray[last].weight.x;
+                bool out = last > 0 && !(x.ray[last].t < real_infinity);
+                if (apart) naive = fmax(naive, fabs(got - expected));
+                else {
+                    worst = check_worse(worst, fabs(got - expected));
+                    check(out, "the fourth refraction goes to the sky, order %d, T = %g", o,
+                          (double)T);
+                    check_equal(t.counts.hits[RAY_SIGHT] , 0, "contact rays let all pass");
+                }
+                stage_end(&s);
+            }
+        }
+    check_at_most(worst, 16 * (double)real_epsilon, "(1 - R) of four interfaces");
+    check_at_least(naive, 0.01, "face by face, one of two faces is passed unseen");
+}
+
+/* 1 - R at normal incidence. */
+static double kept(double n1, double n2) { return 1 - pow((n1 - n2) / (n1 + n2), 2); }
+
+/* Balls that coincide, that touch from inside, that are nested: along the axis. */
+static void test_nested(void)
+{
+    static const struct { double ball[3][2]; } make[3] = {  /* z, radius */
+        {{{0, 2}, {0, 1}, {0, 1}}},      /* two coincide */
+        {{{0, 2}, {1, 1}, {1, 0.5}}},    /* one touches another from inside, at the top */
+        {{{0, 2}, {0, 1.5}, {0, 0.5}}}}; /* three, one in the other */
+    double a = 1, g = 1.5, w = 1.25, v = 1;
+    for (int k = 0; k < 3; k++)
+        for (int e = 0; e <= 4; e += 2) {
+            real T = e ? pow((real)10, (real)e) : 0;
+            stage s = {0};
+            rays_seen x;
+            s.media[1].ior = (real)g, s.media[2].ior = (real)w, s.media[3].ior = (real)v;
+            for (uint32_t j = 0; j < 3; j++) {
+                vec3 c = {T, T, T + (real)make[k].ball[j][0]};
+                stage_add(&s, shape_of_sphere((sphere){c, (real)make[k].ball[j][1]}),
+                          whitted_clear(j + 1, 1));
+            }
+            tracer t = stage_begin(&s, 9);
+            look(&t, ray_from((vec3){T, T, T + 5}, (vec3){0, 0, -1}), (media_set){0}, &x);
+            double ag = kept(a, g), gw = kept(g, w), wv = kept(w, v);
+            double T1 = ag * gw * wv * wv * gw * ag;
+            int faces = 6;
+            if (k == 0)  /* glass | air in it (the higher number) | glass */
+                T1 = pow(ag * kept(g, v), 2), faces = 4;
+            if (k == 1)  /* air | water | air | water | glass | air: one interface at the top */
+                T1 = kept(a, w) * wv * wv * gw * ag, faces = 5;
+            int last = through(&x, faces);
+            check(last > 0 && !(x.ray[last].t < real_infinity), "case %d, T = %g: out", k,
+                  (double)T);
+            if (last > 0)
+                check_close(x.ray[last].weight.x, T1, 32 * (double)real_epsilon, "case %d", k);
+            stage_end(&s);
+        }
+}
+
+/* Glass that stands on a table: from within, the table is seen; face by face, the ray would go out
+ * below. Whichever is found first. And a lower priority does not break in. */
+static void test_on_table(void)
+{
+    for (int first = 0; first < 2; first++) {
+        stage s = {0};
+        whitted_material table = whitted_paint(0, 0, 0);
+        table.base.ke = (vec3){1, 2, 4};
+        s.media[1].ior = (real)1.5;
+        if (first) stage_square(&s, (vec3){0, 0, 0}, 9, true, table);
+        stage_square(&s, (vec3){0, 0, 1}, 2, true, whitted_clear(1, 1));
+        stage_square(&s, (vec3){0, 0, 0}, 2, false, whitted_clear(1, 1));
+        if (!first) stage_square(&s, (vec3){0, 0, 0}, 9, true, table);
+        tracer t = stage_begin(&s, 2);
+        vec3 c = whitted_ray(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}), (media_set){0});
+        check_close(c.z, 4 * 0.96, 16 * (double)real_epsilon, "the table through its glass");
+        s.w.apart = true;
+        c = whitted_ray(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 0, -1}), (media_set){0});
+        if (!first) check_equal(c.z, 0, "face by face the table is not seen");
+        stage_end(&s);
+    }
+    /* Two balls that overlap: the one of higher priority is whole. Through both along the axis:
+     * air | 1 | 2 | air if 2 has priority; 1 ends within 2 without an interface. */
+    for (int p = -1; p <= 1; p++) {
+        stage s = {0};
+        rays_seen x;
+        s.media[1] = (medium){(real)1.5, {1, 0, 0}, 0}, s.media[2] = (medium){2, {0, 1, 0}, p};
+        stage_add(&s, shape_of_sphere((sphere){{0, 0, 1}, (real)1.5}), whitted_clear(1, 1));
+        stage_add(&s, shape_of_sphere((sphere){{0, 0, -1}, (real)1.5}), whitted_clear(2, 1));
+        tracer t = stage_begin(&s, 8);
+        look(&t, ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1}), (media_set){0}, &x);
+        int last = through(&x, 4);  /* four faces, one of which is passed */
+        check(last > 0 && x.ray[last].depth == 4, "three interfaces, not four");
+        /* faces at z = 2.5, 0.5, -0.5, -2.5 */
+        double in1 = p < 0 ? 3 : 2, in2 = p < 0 ? 2 : 3;
+        double T = (1 - 0.04) * (1 - pow(0.5 / 3.5, 2)) * (1 - 1.0 / 9);
+        check_close(x.ray[last].weight.z, T, 16 * (double)real_epsilon, "light");
+        check_close(x.ray[last].weight.x, T * exp(-in1), 16 * (double)real_epsilon, "way in 1");
+        check_close(x.ray[last].weight.y, T * exp(-in2), 16 * (double)real_epsilon, "way in 2");
+        stage_end(&s);
+    }
+}
+
+static bool set_is(media_set s, uint32_t n, uint32_t a, uint32_t b, uint32_t c)
+{
+    uint32_t want[3] = {a, b, c};
+    for (uint32_t k = 0; k < n && s.n == n; k++)
+        if (!media_has(&s, want[k])) return false;
+    return s.n == n;
+}
+
+static void test_around(void)
+{
+    tank *k = tank_new();
+    tracer t = tank_tracer(k);
+    const struct { vec3 p; uint32_t n, a, b, c; } at[] = {
+        {{0, 0, 5}, 0, 0, 0, 0}, {{(real)1.45, 0, 1}, 1, 1, 0, 0},
+        {{-1, (real)-0.5, 1}, 1, 2, 0, 0},
+        {{(real)0.55, (real)0.35, (real)0.8}, 2, 2, 3, 0},
+        {{(real)0.55, (real)-0.1, (real)0.8}, 3, 2, 3, 4}, {{0, 0, (real)1.8}, 0, 0, 0, 0}};
+    for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
+        media_set in = media_around(&t, at[i].p);
+        check(set_is(in, at[i].n, at[i].a, at[i].b, at[i].c), "place %zu", i);
+    }
+    tank_free(k);
+    /* An eye in a ball of glass: with the set, and without it the walk finds out at the exit. */
+    stage s = {0};
+    s.media[1] = (medium){(real)1.5, {1, 2, 0}, 0}, s.w.background = (vec3){1, 1, 1};
+    stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 2}), whitted_clear(1, 1));
+    t = stage_begin(&s, 2);
+    ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, 3});
+    media_set in = media_around(&t, r.o);
+    vec3 a = whitted_ray(&t, r, in), b = whitted_ray(&t, r, (media_set){0});
+    check(in.n == 1 && in.body[0] == 1, "in the ball");
+    check_close(a.x, 0.96 * exp(-1), 8 * (double)real_epsilon, "a way of 1 in glass");
+    check(a.x == b.x && a.y == b.y && a.z == b.z, "the same, unasked");
+    stage_end(&s);
+}
+
+/* ---- only what is called for ----------------------------------------------------------------- */
+
+static trace_counts ball_counts(whitted_material m, real ior, int depth, real least, bool inside)
+{
+    stage s = {0};
+    s.media[1].ior = ior, s.w.least = least;
+    stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), m);
+    tracer t = stage_begin(&s, depth);
+    for (int i = 0; i < 10; i++)  /* from inside: near the rim, nearly along it */
+        whitted_ray(&t, inside ? ray_from((vec3){0, (real)0.95, 0}, (vec3){1, (real)i / 100, 0})
+                               : ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}),
+                    inside ? media_around(&t, (vec3){0, (real)0.95, 0}) : (media_set){0});
+    stage_end(&s);
+    return t.counts;
+}
+
+static void test_called_for(void)
+{
+    whitted_material m = whitted_paint(0.5, 0.5, 0.5);
+    trace_counts c = ball_counts(m, 1, 8, 0, false);
+    check_equal(c.hits[RAY_CAMERA], 10, "all hit");
+    check_equal(c.rays[RAY_REFLECTION] + c.rays[RAY_REFRACTION], 0, "black mirror, opaque: no ray");
+    check_equal(c.rays[RAY_SIGHT], 0, "opaque: no contact ray");
+    c = ball_counts(whitted_mirror(0.5), 1, 8, 0, false);
+    check_equal(c.rays[RAY_REFLECTION], 10, "a mirror: one each; away from it");
+    check_equal(c.rays[RAY_REFRACTION], 0, "opaque");
+    c = ball_counts(whitted_mirror(0.5), 1, 1, 0, false);
+    check_equal(c.rays[RAY_REFLECTION], 0, "depth 1: eye rays alone");
+    c = ball_counts(whitted_mirror(0.5), 1, 8, (real)0.5, false);
+    check_equal(c.rays[RAY_REFLECTION], 0, "a weight of 0.5 is not more than 0.5: cut");
+    c = ball_counts(whitted_clear(1, 1), (real)1.5, 2, 0, false);
+    check_equal(c.rays[RAY_REFLECTION], 10, "glass, depth 2: both");
+    check_equal(c.rays[RAY_REFRACTION], 10, "glass, depth 2: both");
+    check_equal(c.rays[RAY_SIGHT], 20, "one contact ray a hit: at the ball, and at its far side");
+    c = ball_counts(whitted_clear(1, 1), 1, 8, 0, false);
+    check_equal(c.rays[RAY_REFLECTION], 0, "glass like the air around: R = 0, no reflection");
+    check_equal(c.rays[RAY_REFRACTION], 20, "in and out");
+    m = whitted_clear(1, 1), m.through = (vec3){0, 0, 0};
+    c = ball_counts(m, (real)1.5, 8, 0, false);
+    check_equal(c.rays[RAY_REFRACTION], 0, "nothing is let through: no ray");
+    check_equal(c.rays[RAY_REFLECTION], 10, "but reflected");
+    c = ball_counts(whitted_clear(1, 1), (real)1.5, 5, 0, true);
+    check_equal(c.rays[RAY_REFRACTION], 0, "total reflection: no refraction");
+    check_equal(c.rays[RAY_REFLECTION], 40, "but a reflection a level");
+    c = ball_counts(whitted_clear(1, 1), (real)1.5, 8, (real)0.05, false);
+    check_equal(c.rays[RAY_REFLECTION], 0, "R = 0.04 is cut");
+    check_equal(c.rays[RAY_REFRACTION], 20, "what goes through is not");
+}
+
+/* A light behind: no shadow ray; in front: one a hit. */
+static void test_shadow_rays(void)
+{
+    for (int front = 0; front < 2; front++) {
+        stage s = {0};
+        s.light = (light){LIGHT_DIRECTIONAL, {0, 0, front ? 1 : -1}, {1, 1, 1}};
+        s.w.lights = &s.light, s.w.n = 1;
+        stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), whitted_paint(0.5, 0.5, 0.5));
+        tracer t = stage_begin(&s, 3);
+        for (int i = 0; i < 10; i++)
+            whitted_ray(&t, ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}), (media_set){0});
+        check_equal(t.counts.rays[RAY_SHADOW], front ? 10 : 0, "shadow rays, front %d", front);
+        check_equal(t.counts.hits[RAY_SHADOW], 0, "the ball does not shadow itself");
+        stage_end(&s);
+    }
+}
+
+typedef struct { tracer t; camera c; image im; } shot;
+
+static void shoot(shot *s)
+{
+    for (int y = 0; y < s->im.height; y++)
+        for (int x = 0; x < s->im.width; x++) {
+            ray r = camera_ray(s->c, (real)x + (real)0.5, (real)y + (real)0.5, s->im.width,
+                               s->im.height);
+            image_set(&s->im, x, y, whitted_ray(&s->t, r, (media_set){0}));
+        }
+}
+
+static void same_picture(const char *name, whitted *w, tracer t, camera c)
+{
+    shot a = {t, c, image_new(24, 18)}, b = a;
+    b.im = image_new(24, 18);
+    w->depth = 5, w->least = 0;
+    shoot(&a);
+    w->spend_all = true;
+    shoot(&b);
+    w->spend_all = false;
+    check(memcmp(a.im.rgb, b.im.rgb, sizeof(float) * 3 * 24 * 18) == 0, "%s: the same bytes", name);
+    size_t less = 0, more = 0;
+    for (int k = 0; k < RAY_SIGHT; k++) {
+        less += a.t.counts.rays[k], more += b.t.counts.rays[k];
+        check(a.t.counts.rays[k] <= b.t.counts.rays[k], "%s: not more %s rays", name,
+              ray_kind_names[k]);
+    }
+    check(less < more * 9 / 10, "%s: %zu rays of %zu", name, less, more);
+    image_free(&a.im), image_free(&b.im);
+}
+
+static void test_spend_all(void)
+{
+    two_spheres *two = two_spheres_new();
+    tank *k = tank_new();
+    forty *f = allocate(1, sizeof *f);
+    forty_fill(f);
+    same_picture("two spheres", &two->w, two_spheres_tracer(two), two_spheres_camera((real)4 / 3));
+    same_picture("tank", &k->w, tank_tracer(k), tank_camera((real)4 / 3));
+    same_picture("forty balls", &f->fast.w, forty_tracer(f), forty_camera((real)4 / 3));
+    two_spheres_free(two), tank_free(k), forty_free(f), free(f);
+}
+
+/* What is cut off is worth no more than its weight times the brightest thing there is: 1 here. */
+static void test_cut(void)
+{
+    forty *f = allocate(1, sizeof *f);
+    forty_fill(f);
+    camera c = forty_camera(1);
+    whitted *w = &f->fast.w;
+    tracer t = forty_tracer(f);
+    double worst = 0;
+    for (size_t i = 0; i < check_count(2000); i++) {
+        random_stream s = random_start(9, i, 0);
+        ray r = camera_ray(c, 100 * random_next(&s), 100 * random_next(&s), 100, 100);
+        w->depth = 40, w->least = 0;
+        vec3 all = whitted_ray(&t, r, (media_set){0});
+        w->least = (real)0.001;
+        t.counts = (trace_counts){0};
+        vec3 cut = whitted_ray(&t, r, (media_set){0});
+        size_t branches = t.counts.rays[RAY_REFLECTION] + t.counts.rays[RAY_REFRACTION] + 1;
+        /* each ray leaves at most two cut branches of at most 0.001 each, times at most 1.5 */
+        double lost = (double)(all.x - cut.x);
+        check(lost >= -1e-6, "cutting takes away");
+        worst = check_worse(worst, lost / (0.003 * (double)branches));
+    }
+    check_at_most(worst, 1, "what was cut");
+    forty_free(f), free(f);
+}
+
+/* ---- balls.h --------------------------------------------------------------------------------- */
+
+static void test_balls(bool swollen)
+{
+    forty *f = allocate(1, sizeof *f);
+    forty_fill(f);
+    if (swollen) {  /* they overlap now, and some lie in others */
+        for (int k = 1; k < forty_balls; k++) {
+            f->ball[k].r *= k % 5 ? (real)1.25 : (real)2.5;
+            f->shape[k].sphere = f->ball[k];
+        }
+        f->fast.w.apart = false;
+        world_part_free(&f->part), balls_free(&f->fast.b);
+        world_part_of_scene(&f->scene, MASK_ALL, &f->part);
+        balls_build(f->ball, forty_balls, f->shadow, f->suns, 3, &f->fast.b);
+    }
+    camera c = forty_camera((real)4 / 3);
+    balls_view(&f->fast.b, &c, 400, 300);
+    tracer a = forty_tracer(f), b = a;
+    size_t n = check_count(swollen ? 5000 : 30000), wrong = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(10, i, 0);
+        real x = 400 * random_next(&s), y = 300 * random_next(&s);
+        if (i % 16 == 0) x = floor(x), y = floor(y);  /* corners of tiles among them */
+        ray r = camera_ray(c, x, y, 400, 300);
+        vec3 u = whitted_ray(&a, r, (media_set){0}), v = balls_ray(&b, r, x, y);
+        wrong += !(u.x == v.x && u.y == v.y && u.z == v.z);
+    }
+    check_equal(wrong, 0, "of %zu rays differ from those of the tree", n);
+    for (int k = 0; k < RAY_SIGHT; k++)
+        check_equal(a.counts.rays[k], b.counts.rays[k], "%s rays", ray_kind_names[k]);
+    check_at_least(a.counts.rays[RAY_REFRACTION], n / 4, "much glass");
+    forty_free(f), free(f);
+}
+
+/* ---- the tree of rays ------------------------------------------------------------------------ */
+
+static void test_tree(void)
+{
+    two_spheres *s = two_spheres_new();
+    tracer t = two_spheres_tracer(s);
+    ray_tree *x = allocate(1, sizeof *x);
+    vec3 at = vadd(s->shape[two_glass].sphere.c, (vec3){(real)0.5, 0, (real)0.3});
+    camera c = two_spheres_camera(1);
+    check(ray_tree_trace(x, &t, ray_between(c.e, at), (media_set){0}), "fits");
+    size_t count[ray_kinds] = {0}, bad = 0;
+    for (int i = 0; i < x->n; i++) {
+        const ray_tree_node *n = &x->node[i];
+        count[n->kind]++;
+        if (i) bad += n->from < 0 || n->from >= i;
+        if (i && n->kind != RAY_SHADOW)
+            bad += n->depth != x->node[n->from].depth + 1 || n->weight > x->node[n->from].weight;
+    }
+    for (int k = 0; k < RAY_SIGHT; k++)
+        check_equal(count[k], t.counts.rays[k], "each %s ray is in the tree", ray_kind_names[k]);
+    check_equal(bad, 0, "a child lies one deeper, and weighs no more");
+    check(x->node[0].depth == 1 && x->node[0].kind == RAY_CAMERA, "the eye ray has depth 1");
+    FILE *f = tmpfile();
+    ray_tree_print(x, f);
+    long lines = 0;
+    rewind(f);
+    for (int ch; (ch = fgetc(f)) != EOF; ) lines += ch == '\n';
+    check_equal((size_t)lines + count[RAY_SHADOW], (size_t)x->n, "a line a ray, but for shadows");
+    fclose(f);
+    free(x), two_spheres_free(s);
+}
+
+static void test_boxes(void)
+{
+    for (int in = 0; in < 2; in++) {
+        vec3 corner[24];
+        shape s[6];
+        box_faces((vec3){1, 2, 3}, (vec3){2, 4, 7}, in, corner, s);
+        for (int k = 0; k < 6; k++) {
+            vec3 n = s[k].polygon.normal, out = vsub(corner[4 * k], (vec3){(real)1.5, 3, 5});
+            check((vdot(n, out) > 0) == !in, "face %d", k);
+            for (int i = 0; i < 4; i++)
+                check(vdot(n, vsub(corner[4 * k + i], corner[4 * k])) == 0, "flat");
+        }
+    }
+}
+
+int main(void)
+{
+    test_plate();
+    test_ball();
+    test_hall();
+    test_furnace();
+    test_touching();
+    test_nested();
+    test_on_table();
+    test_around();
+    test_called_for();
+    test_shadow_rays();
+    test_spend_all();
+    test_cut();
+    test_balls(false);
+    test_balls(true);
+    test_tree();
+    test_boxes();
+    return check_report("19_whitted");
+}

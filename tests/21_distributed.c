@@ -1,0 +1,470 @@
+/* 21_distributed: pictures: Whitted's is the special case without any extent; no ray and no random
+ * number but what is called for; all effects at once against a sum of closed forms; the Cornell
+ * box; the program from outside. */
+#define _DEFAULT_SOURCE 1
+#include "check.h"
+#include "../chapters/21_distributed/box.h"
+#include "../chapters/21_distributed/known.h"
+#include "../chapters/21_distributed/studio.h"
+
+static char directory[] = "/tmp/distributed_XXXXXX";
+#include "program.h"
+
+enum { w = 40, h = 30 };
+
+static distributed_counts draw_look(const studio_look *k, uint32_t samples, sequence_kind kind,
+                                    int threads, image *im)
+{
+    distributed_view v = studio_view(k, STUDIO_ALL, (real)w / h);
+    v.samples = samples, v.kind = kind, v.seed = 3;
+    check(distributed_draw(&v, im, threads), "drawn");
+    return v.spent;
+}
+
+static size_t different(const image *a, const image *b)
+{
+    size_t n = 0;
+    for (int i = 0; i < w * h; i++) n += memcmp(a->rgb + 3 * i, b->rgb + 3 * i, 12) != 0;
+    return n;
+}
+
+/* ---- Whitted ---- */
+
+/* The studio's materials; nothing reflects. */
+static material matte(const void *context, trace_hit x, const surface *s)
+{
+    material m = studio_material(context, x, s);
+    m.ks = (vec3){0, 0, 0};
+    return m;
+}
+
+/* No size, no lobe, no lens, an even sky: chapter 18's picture, to the last bit. */
+static void test_is_18(void)
+{
+    studio *g = studio_new(4);
+    studio_look k;
+    studio_set(&k, g, 0);
+    area_light point[2] = {{AREA_BALL, k.light[0].at, .colour = k.light[0].colour}, k.light[1]};
+    k.how.light = point, k.how.material_of = matte;
+    light lights[2];
+    for (int i = 0; i < 2; i++) lights[i] = (light){LIGHT_POINT, point[i].at, point[i].colour};
+    shading how = {.lights = lights, .n = 2, .material_of = matte, .context = &k,
+                   .background = k.how.background, .ambient = k.how.ambient};
+    tracer t = {.w = &k.w, .program = shade_programs, .user = &how};
+    distributor d = distributor_of(&k.w, &k.how);
+    distributed_view v = studio_view(&k, STUDIO_ALL, 1);
+    size_t differ = 0;
+    for (int i = 0; i < w * w; i++) {
+        distributed_sample q = {SEQUENCE_RANDOM, 1, (uint64_t)i, 0, 1};
+        ray r = camera_ray(v.c, (real)(i % w), (real)(i / w), w, w);
+        vec3 a = distributed_ray(&d, r, q), b = shade_ray(&t, r);
+        differ += memcmp(&a, &b, sizeof a) != 0;
+    }
+    check_equal(differ, 0, "colours that differ from chapter 18's");
+    for (int kind = 0; kind < ray_kinds; kind++)
+        check_equal(d.t.counts.rays[kind], t.counts.rays[kind], "rays: %s", ray_kind_names[kind]);
+    for (int i = 0; i < drawn_kinds; i++) check_equal(d.drawn[i], 0, "no random number");
+    /* a picture of one sample a pixel: through the middle of each */
+    image one = image_new(w, w);
+    v.samples = 1, differ = 0;
+    distributed_draw(&v, &one, 2);
+    for (int i = 0; i < w * w; i++) {
+        vec3 b = shade_ray(&t, camera_ray(v.c, (real)(i % w) + (real)0.5, (real)(i / w) + (real)0.5,
+                                          w, w));
+        float pixel[3] = {(float)b.x, (float)b.y, (float)b.z};
+        differ += memcmp(pixel, one.rgb + 3 * i, sizeof pixel) != 0;
+    }
+    check_equal(differ, 0, "pixels that differ from chapter 18's");
+    image_free(&one), studio_free(g);
+}
+
+/* ---- only what is called for ---- */
+
+/* Each of the 16 combinations: what is off draws nothing; all spent, the picture stays. */
+static void test_spending(void)
+{
+    studio *g = studio_new(3);
+    image a = image_new(w, h), b = image_new(w, h);
+    for (int effects = 0; effects < 16; effects++) {
+        studio_look k;
+        studio_set(&k, g, effects);
+        sequence_kind kind = effects % 3 == 0 ? SEQUENCE_SOBOL
+                           : effects % 3 == 1 ? SEQUENCE_RANDOM : SEQUENCE_JITTERED;
+        distributed_counts few = draw_look(&k, 3, kind, 1, &a);
+        k.how.spend_all = true;
+        distributed_counts all = draw_look(&k, 3, kind, 2, &b);
+        size_t pixels = 3 * w * h;
+        check_equal(different(&a, &b), 0, "effects %d: the same picture if all is spent", effects);
+        check_equal(few.drawn[DRAWN_LENS], effects & EFFECT_LENS ? pixels : 0, "lens %d", effects);
+        check_equal(few.drawn[DRAWN_FILM], pixels, "film");
+        check(!few.drawn[DRAWN_LIGHT] == !(effects & EFFECT_SOFT), "light numbers, %d", effects);
+        check(!few.drawn[DRAWN_LOBE] == !(effects & EFFECT_GLOSSY), "lobe numbers, %d", effects);
+        check(!few.drawn[DRAWN_SKY] == !(effects & EFFECT_SKY), "sky numbers, %d", effects);
+        check(!few.rays.rays[RAY_SIGHT] == !(effects & EFFECT_SKY), "sky rays, %d", effects);
+        check_equal(few.rays.rays[RAY_CAMERA], pixels, "camera rays");
+        check(all.drawn[DRAWN_LENS] && all.drawn[DRAWN_LIGHT] && all.drawn[DRAWN_LOBE]
+              && all.drawn[DRAWN_SKY], "all drawn");
+        check(all.rays.rays[RAY_SHADOW] > few.rays.rays[RAY_SHADOW], "more shadow rays");
+        check(all.rays.rays[RAY_SIGHT] > few.rays.rays[RAY_SIGHT] || effects & EFFECT_SKY,
+              "more sky rays");
+    }
+    image_free(&a), image_free(&b), studio_free(g);
+}
+
+/* Black or out of reach: exactly none of that kind. */
+static void test_none(void)
+{
+    studio *g = studio_new(3);
+    image a = image_new(w, h), b = image_new(w, h);
+    studio_look k;
+    studio_set(&k, g, EFFECT_ALL);
+    distributed_counts full = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &a);
+    k.light[0].colour = k.light[1].colour = (vec3){0, 0, 0};
+    distributed_counts dark = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b);
+    check_equal(dark.rays.rays[RAY_SHADOW], 0, "black lights");
+    check_equal(dark.drawn[DRAWN_LIGHT], 0, "and no number for them");
+    studio_set(&k, g, EFFECT_ALL), k.how.n = 0;
+    check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW], 0, "no light");
+    studio_set(&k, g, EFFECT_ALL), k.how.ambient = (vec3){0, 0, 0};
+    check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SIGHT], 0, "a black sky");
+    studio_set(&k, g, EFFECT_ALL), k.how.material_of = matte;
+    check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_REFLECTION], 0, "ks black");
+    studio_set(&k, g, EFFECT_ALL), k.how.depth = 1;
+    check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_REFLECTION], 0, "depth 1");
+    studio_set(&k, g, EFFECT_ALL);
+    for (int i = 0; i < 2; i++) k.light[i].at.z = -20, k.light[i].n.z = -1;
+    check_at_most(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW],
+                  full.rays.rays[RAY_SHADOW] / 4, "lights under the floor: only undersides ask");
+    image_free(&a), image_free(&b), studio_free(g);
+}
+
+/* Split: a light with a size gets so many rays from the first hit, one without still gets one. */
+static void test_split(void)
+{
+    studio *g = studio_new(3);
+    image a = image_new(w, h), b = image_new(w, h);
+    studio_look k;
+    studio_set(&k, g, 0), k.how.depth = 1;
+    size_t one = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &a).rays.rays[RAY_SHADOW];
+    k.how.split = 16;
+    distributed_counts many = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &b);
+    check_equal(many.rays.rays[RAY_SHADOW], one, "no size: one ray says it all");
+    check_equal(different(&a, &b), 0, "and the same picture");
+    studio_set(&k, g, EFFECT_SOFT | EFFECT_SKY), k.how.depth = 1;
+    one = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &a).drawn[DRAWN_LIGHT];
+    k.how.split = 16;
+    many = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &b);
+    check_equal(many.drawn[DRAWN_LIGHT], 16 * one, "16 points of the light");
+    check_equal(many.drawn[DRAWN_SKY] % 16, 0, "16 of the sky");
+    image_free(&a), image_free(&b), studio_free(g);
+}
+
+/* One seed, one picture; other seeds, others; `same`: every pixel asks alike. */
+static void test_reproducible(void)
+{
+    studio *g = studio_new(3);
+    image a = image_new(w, h), b = image_new(w, h);
+    studio_look k;
+    studio_set(&k, g, EFFECT_ALL);
+    for (int kind = 0; kind < sequence_kinds; kind++) {
+        draw_look(&k, 2, (sequence_kind)kind, 1, &a), draw_look(&k, 2, (sequence_kind)kind, 3, &b);
+        check_equal(different(&a, &b), 0, "1 and 3 threads, %s", sequence_name[kind]);
+    }
+    distributed_view v = studio_view(&k, STUDIO_ALL, (real)w / h);
+    v.samples = 2, v.seed = 4;
+    distributed_draw(&v, &b, 2);
+    check(different(&a, &b) > w * h / 2, "another seed");
+    image_free(&a), image_free(&b), studio_free(g);
+}
+
+/* ---- against closed forms ---- */
+
+typedef struct {
+    material floor;
+    vec3 sheet[4];
+    shape shapes[1];
+    scene s;
+    world_part part;
+} furnace;
+
+static material furnace_material(const void *context, trace_hit x, const surface *s)
+{
+    (void)x, (void)s;
+    return ((const furnace *)context)->floor;
+}
+
+static furnace *furnace_new(vec3 kd, vec3 ks, real shine)
+{
+    furnace *f = allocate(1, sizeof *f);
+    f->floor = (material){kd, ks, shine, {0, 0, 0}};
+    for (int k = 0; k < 4; k++)
+        f->sheet[k] = (vec3){k == 0 || k == 3 ? -100 : 100, k < 2 ? -100 : 100, 0};
+    f->shapes[0] = shape_of_polygon(polygon_of(f->sheet, 4));
+    f->s = (scene){f->shapes, 1};
+    world_part_of_scene(&f->s, MASK_ALL, &f->part);
+    return f;
+}
+
+static void furnace_free(furnace *f) { world_part_free(&f->part), free(f); }
+
+/* Everything by one chain: kd/pi E + kd La open + ks (what of the lobe is above) B. A ray at 60
+ * degrees; a cosine lobe, so 3/4 are above; the rectangle of (21.12). */
+static void test_sum(void)
+{
+    vec3 kd = {(real)0.5, (real)0.25, (real)0.125}, ks = {(real)0.25, (real)0.5, (real)0.75};
+    furnace *f = furnace_new(kd, ks, 1);
+    trace_world world = {&f->part, 1};
+    known k;
+    known_make(KNOWN_SQUARE, &k);
+    distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
+                       .background = {2, 2, 2}, .ambient = {1, 1, 1}, .reach = 10, .depth = 3};
+    ray r = ray_from((vec3){-sqrt((real)3), 0, 1}, (vec3){sqrt((real)3), 0, -1});
+    uint32_t n = (uint32_t)check_count(20000);
+    for (int kind = 0; kind < 2; kind++) {
+        distributor d = distributor_of(&world, &how);
+        estimate e[3] = {{0}, {0}, {0}};
+        for (uint32_t i = 0; i < (kind ? check_count(200) : n); i++) {
+            vec3 sum = {0, 0, 0};
+            uint32_t m = kind ? 64 : 1;
+            for (uint32_t j = 0; j < m; j++) {
+                distributed_sample q = {kind ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, 5, i, j, m};
+                sum = vmadd(sum, distributed_ray(&d, r, q), 1 / (real)m);
+            }
+            for (int c = 0; c < 3; c++) e[c] = estimate_add(e[c], (double)vaxis(sum, c));
+        }
+        for (int c = 0; c < 3; c++) {
+            double truth = (double)vaxis(kd, c) * (k.truth / (double)pi + 1)
+                         + (double)vaxis(ks, c) * 0.75 * 2;
+            check_at_least(t_test(e[c], truth, 1e-6 + 64 * (double)real_epsilon), 1e-6,
+                           "all effects by one chain, false-alarm rate 1e-6");
+        }
+        double sent = (double)d.t.counts.rays[RAY_REFLECTION];
+        check_at_most(sent, 0.9 * (double)d.t.counts.rays[RAY_CAMERA], "a quarter is below");
+    }
+    known_free(&k), furnace_free(f);
+}
+
+/* 16 points of the light from one hit: the same mean, 1/16 of the variance, by independent ones; an
+ * F-test would want normal samples, so half of that margin. */
+static void test_split_mean(void)
+{
+    furnace *f = furnace_new((vec3){1, 1, 1}, (vec3){0, 0, 0}, 1);
+    trace_world world = {&f->part, 1};
+    known k;
+    known_make(KNOWN_SQUARE, &k);
+    distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
+                       .ambient = {1, 1, 1}, .reach = 10, .depth = 1};
+    distributor d = distributor_of(&world, &how);
+    ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1});
+    estimate e[2] = {{0}, {0}};
+    for (int split = 0; split < 2; split++)
+        for (uint32_t i = 0; i < check_count(4000); i++) {
+            how.split = split ? 16 : 1;
+            distributed_sample q = {SEQUENCE_RANDOM, 14, i, 0, 1};
+            e[split] = estimate_add(e[split], (double)distributed_ray(&d, r, q).x);
+        }
+    for (int split = 0; split < 2; split++)
+        check_at_least(t_test(e[split], k.truth / (double)pi + 1, 1e-6 + 64 * (double)real_epsilon),
+                       1e-6, "mean with and without splitting, false-alarm rate 1e-6");
+    if (e[0].n > 100)
+        check_at_most(estimate_variance(e[1]), estimate_variance(e[0]) / 8, "variance of 16");
+    known_free(&k), furnace_free(f);
+}
+
+/* A convex white body in an even sky is as bright as the sky, by diffuse light, by mirror, and by a
+ * lobe that is all above: exactly, with no noise. */
+static void test_furnace(void)
+{
+    const real shines[3] = {real_infinity, 5, 1};
+    for (int i = 0; i < 3; i++) {
+        vec3 white = {1, 1, 1}, black = {0, 0, 0};
+        furnace *f = furnace_new(i == 1 ? black : vscale(white, (real)0.5),
+                                 i == 1 ? white : vscale(white, (real)0.5), shines[i]);
+        trace_world world = {&f->part, 1};
+        distributed how = {.n = 0, .material_of = furnace_material, .context = f,
+                           .background = white, .ambient = white, .reach = real_infinity,
+                           .depth = 2};
+        distributor d = distributor_of(&world, &how);
+        ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1});
+        size_t off = 0;
+        for (uint32_t j = 0; j < 200; j++) {
+            vec3 c = distributed_ray(&d, r, (distributed_sample){SEQUENCE_SOBOL, 6, 0, j, 200});
+            off += c.x != 1 || c.y != 1 || c.z != 1;
+        }
+        check_equal(off, 0, "as bright as the sky, shine %g", (double)shines[i]);
+        furnace_free(f);
+    }
+}
+
+/* A wall along y: by an orthographic camera all rows of a column see the same of the sky. With the
+ * same numbers everywhere they are equal (but for roundings where a ray meets the wall's edge),
+ * with their own they are not. */
+static void test_same(void)
+{
+    furnace *f = furnace_new((vec3){1, 1, 1}, (vec3){0, 0, 0}, 1);
+    vec3 wall[4] = {{1, -1000, 0}, {1, 1000, 0}, {1, 1000, 2}, {1, -1000, 2}};
+    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(wall, 4))};
+    scene s = {both, 2};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    trace_world world = {&part, 1};
+    camera_frame frame;
+    failure why;
+    distributed how = {.n = 0, .material_of = furnace_material, .context = f, .reach = 100,
+                       .ambient = {1, 1, 1}, .depth = 1};
+    distributed_view v = {.w = &world, .how = &how, .kind = SEQUENCE_RANDOM, .samples = 16};
+    bool ok = frame_look_at((vec3){0, 0, 9}, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &why)
+           && camera_orthographic(frame, (camera_window){-1, (real)0.9, -1, 1}, &v.c, &why);
+    image im = image_new(w, h);
+    check(ok, "a camera");
+    for (int same = 0; same < 2; same++) {
+        size_t differ = 0;
+        v.same = same, v.seed = 12;
+        distributed_draw(&v, &im, 2);
+        for (int i = w; i < w * h; i++) differ += im.rgb[3 * i] != im.rgb[3 * (i % w)];
+        if (same) check_at_most(differ, w * h / 100, "all pixels ask alike");
+        else check_at_least(differ, w * h / 2, "each pixel has its own numbers");
+    }
+    image_free(&im), world_part_free(&part), furnace_free(f);
+}
+
+/* Where a chain between two glossy sheets was, by its calls for a material. */
+typedef struct { vec3 p[3]; int n; } chain;
+
+static material chain_material(const void *context, trace_hit x, const surface *s)
+{
+    chain *c = *(chain *const *)context;
+    (void)x;
+    if (c->n < 3) c->p[c->n] = s->p;
+    c->n++;
+    return (material){.ks = {1, 1, 1}, .shine = 20};
+}
+
+/* The second lobe takes other numbers than the first: otherwise both rays would stand at the same
+ * angle to their axes. */
+static void test_chain(void)
+{
+    furnace *f = furnace_new((vec3){0, 0, 0}, (vec3){1, 1, 1}, 1);
+    vec3 lid[4];
+    for (int i = 0; i < 4; i++) lid[i] = f->sheet[i], lid[i].z = 1;
+    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(lid, 4))};
+    scene s = {both, 2};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    trace_world world = {&part, 1};
+    chain c, *at = &c;
+    distributed how = {.n = 0, .material_of = chain_material, .context = &at, .depth = 3};
+    distributor d = distributor_of(&world, &how);
+    size_t asked = 0, alike = 0;
+    for (uint32_t i = 0; i < 500; i++) {
+        c.n = 0;
+        distributed_ray(&d, ray_from((vec3){0, 0, (real)0.5}, (vec3){0, 0, -1}),
+                        (distributed_sample){SEQUENCE_RANDOM, 13, i, 0, 1});
+        if (c.n < 3) continue;
+        vec3 w1 = vunit(vsub(c.p[1], c.p[0])), w2 = vunit(vsub(c.p[2], c.p[1]));
+        real z1 = w1.z, z2 = vdot(w2, (vec3){w1.x, w1.y, -w1.z});
+        asked++, alike += fabs(z1 - z2) < (real)1e-4;
+    }
+    check_at_least(asked, 100, "chains of three");
+    check_at_most(alike, asked / 10, "lobes with the same numbers");
+    world_part_free(&part), furnace_free(f);
+}
+
+/* ---- the Cornell box ---- */
+
+static void test_cornell(void)
+{
+    mesh m = cornell_mesh();
+    vec3 centre = {278, 274, 280}, s = cornell_side_s, t = cornell_side_t;
+    size_t inwards = 0, lights = 0;
+    real A = 0;
+    for (size_t i = 0; i < m.triangles; i++) {
+        triangle tri = mesh_triangle(&m, i);
+        bool shines = cornell_of(i) == CORNELL_LIGHT, room = i < 18;
+        vec3 n = triangle_normal(tri);
+        vec3 middle = vscale(vadd(vadd(tri.a, tri.b), tri.c), (real)1 / 3);
+        inwards += !room || vdot(n, vsub(centre, middle)) > 0;
+        if (shines) A += vlength(vcross(vsub(tri.b, tri.a), vsub(tri.c, tri.a))) / 2, lights++;
+    }
+    check_equal(m.triangles, 38, "triangles");
+    check_equal(inwards, 38, "walls face the room");
+    check_equal(lights, 2, "of the light");
+    check_close((double)A, 105 * 130, 1e5 * (double)real_epsilon, "its area");
+    check(vcross(s, t).y < 0, "the light shines down");
+    mesh_free(&m);
+}
+
+/* A point of the floor that sees all of the light: E = pi L F, without and with a size; and the
+ * ceiling, which no light reaches: black, by no shadow ray. */
+static void test_box(void)
+{
+    vec3 black = {0, 0, 0};
+    box_room *b = box_new(true, black, 0);
+    distributor d = distributor_of(&b->w, &b->how);
+    estimate e = {0};
+    ray down = ray_from((vec3){450, 100, 100}, (vec3){0, -100, 0});
+    double H = 548.8, x0 = (213 - 450) / H, x1 = (343 - 450) / H, y0 = 127 / H, y1 = 232 / H;
+    for (uint64_t i = 0; i < check_count(4000); i++)
+        e = estimate_add(e, (double)distributed_ray(&d, down, (distributed_sample){
+                                SEQUENCE_RANDOM, 7, i, 0, 1}).x);
+    double truth = 0.725 * 17 * known_rectangle(x0, x1, y0, y1);
+    check_at_least(t_test(e, truth, 64 * truth * (double)real_epsilon), 1e-6,
+                   "light on the floor, false-alarm rate 1e-6");
+    check_equal(d.t.counts.hits[RAY_SHADOW], 0, "seen past the blocks");
+    ray up = ray_from((vec3){100, 400, 100}, (vec3){3, 148, 5});
+    size_t before = d.t.counts.rays[RAY_SHADOW];
+    vec3 c = distributed_ray(&d, up, (distributed_sample){SEQUENCE_RANDOM, 7, 0, 0, 1});
+    check(vzero(c), "the ceiling is black");
+    check_equal(d.t.counts.rays[RAY_SHADOW], before, "and asks for no shadow ray");
+    ray lamp = ray_from((vec3){278, 400, 280}, (vec3){0, 1, 0});
+    c = distributed_ray(&d, lamp, (distributed_sample){SEQUENCE_RANDOM, 7, 0, 0, 1});
+    check_close((double)c.x, 17, 1e-4, "the light itself");
+    /* shadow: behind the tall block, where the light is hidden altogether */
+    ray behind = ray_from((vec3){400, 20, 500}, (vec3){0, -20, 0});
+    c = distributed_ray(&d, behind, (distributed_sample){SEQUENCE_RANDOM, 7, 0, 0, 1});
+    check(vzero(c), "umbra");
+    box_free(b);
+}
+
+/* ---- the program ---- */
+
+static void test_program(void)
+{
+    char arguments[400];
+    check(mkdtemp(directory) != NULL, "a directory");
+    check_equal(run("21_distributed", "--effects sgolx"), 2, "unknown effect behind all");
+    check_equal(run("21_distributed", "--effects sx"), 2, "unknown effect");
+    check(printed("err", "--effects sx"), "says which");
+    snprintf(arguments, sizeof arguments, "--quick --size 24x16 --effects so --out %s/a.pfm",
+             directory);
+    check_equal(run("21_distributed", arguments), 0, "two effects");
+    snprintf(arguments, sizeof arguments,
+             "--quick --size 24x16 --effects so --spend-all --threads 3 --out %s/b.pfm", directory);
+    check_equal(run("21_distributed", arguments), 0, "all spent");
+    size_t n[2];
+    failure f;
+    char *a = file_read(in_directory("a.pfm"), &n[0], &f);
+    char *b = file_read(in_directory("b.pfm"), &n[1], &f);
+    check(a && b && n[0] == n[1] && memcmp(a, b, n[0]) == 0, "the same picture");
+    free(a), free(b);
+    snprintf(arguments, sizeof arguments, "rm -r %s", directory);
+    check_equal(system(arguments), 0, "removed");
+}
+
+int main(void)
+{
+    test_is_18();
+    test_spending();
+    test_none();
+    test_split();
+    test_reproducible();
+    test_sum();
+    test_split_mean();
+    test_furnace();
+    test_same();
+    test_chain();
+    test_cornell();
+    test_box();
+    test_program();
+    return check_report("21_distributed");
+}

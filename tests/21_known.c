@@ -1,0 +1,469 @@
+/* 21_distributed: area lights, lobes, skies and lenses against closed forms. Each t-test has a
+ * false-alarm rate of 1e-6; there are fewer than 200 of them: 2e-4 in all, with fixed seeds. */
+#include "check.h"
+#include "../chapters/21_distributed/known.h"
+
+static const double alarm_rate = 1e-6;
+static const sequence_kind kinds[3] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_SOBOL};
+
+/* Sheets that end at 1e6 (1e-6), glossy_above (1e-7); E in float is right to some 10 epsilon. */
+static double rounding(void) { return 2e-6 + 16 * (double)real_epsilon; }
+
+static real number(random_stream *s, double lo, double hi)
+{
+    return (real)(lo + (hi - lo) * (double)random_next(s));
+}
+
+static vec3 direction(random_stream *s)
+{
+    real u = random_next(s), v = random_next(s);
+    return sample_sphere(u, v);
+}
+
+/* Random samples are independent; well-spread ones are not, so their runs are the samples. Not fewer
+ * than 40 of them: with two or three, all may be alike by chance, as shares of 64 are. */
+static void test_answers(void)
+{
+    size_t runs_due = check_count(400) < 40 ? 40 : check_count(400);
+    for (int i = 0; i < known_kinds; i++) {
+        known k;
+        known_make((known_kind)i, &k);
+        uint32_t n = (uint32_t)check_count(40000);
+        double p = t_test(known_mean(&k, SEQUENCE_RANDOM, 7, 0, n), k.truth, rounding());
+        check_at_least(p, alarm_rate, "%s, %u random samples", k.name, n);
+        for (int m = 1; m < 3; m++) {
+            estimate runs = {0};
+            for (uint64_t run = 0; run < runs_due; run++)
+                runs = estimate_add(runs, known_mean(&k, kinds[m], 8, run, 64).mean);
+            p = t_test(runs, k.truth, rounding());
+            check_at_least(p, alarm_rate, "%s, runs of 64 %s", k.name, sequence_name[kinds[m]]);
+        }
+        known_free(&k);
+    }
+}
+
+/* Standard deviation of a slope over four levels of N, a factor of 4 apart, from runs whose rms is
+ * known to 1/sqrt(2 runs): 1 / sqrt(2 runs) / (log 4 sqrt 5) = .228 / sqrt(runs). Five of them, and
+ * .07 for N that are not yet large. */
+static void test_slopes(void)
+{
+    static const known_kind asked[5] = {KNOWN_PENUMBRA, KNOWN_LOBE, KNOWN_SKY_DISK, KNOWN_LENS,
+                                        KNOWN_SQUARE};
+    size_t runs = check_count(100);
+    double bound = 0.07 + 5 * 0.228 / sqrt((double)runs);
+    for (int i = 0; i < 5; i++)
+        for (int m = 0; m < 3; m++) {
+            double x[4], y[4];
+            known k;
+            known_make(asked[i], &k);
+            for (int l = 0; l < 4; l++) {
+                estimate square = {0};
+                uint32_t n = (uint32_t)16 << 2 * l;
+                for (uint64_t run = 0; run < runs; run++) {
+                    double off = known_mean(&k, kinds[m], 20 + (uint64_t)l, run, n).mean - k.truth;
+                    square = estimate_add(square, off * off);
+                }
+                x[l] = log((double)n), y[l] = log(square.mean) / 2;
+            }
+            double slope = fit_line(x, y, 4).slope;
+            if (m == 0) check_close(slope, -0.5, bound, "%s: random is N^-1/2", k.name);
+            else if (asked[i] == KNOWN_SQUARE)
+                check_at_most(slope, -0.9 + bound, "no edge: better than N^-0.9");
+            else check_at_most(slope, -0.75 + bound, "%s: %s is N^-3/4 at an edge, or better",
+                               k.name, sequence_name[kinds[m]]);
+            known_free(&k);
+        }
+}
+
+/* By 300 x 300 midpoints, whose error is h^2/24 times second derivatives of at most 10. */
+static void test_rectangle_form(void)
+{
+    enum { n = 300 };
+    const double x0 = -0.5, x1 = 1.5, y0 = -0.5, y1 = 1;
+    double sum = 0, dA = (x1 - x0) * (y1 - y0) / n / n;
+    for (int i = 0; i < n * n; i++) {
+        double x = x0 + (x1 - x0) * (i % n + 0.5) / n, y = y0 + (y1 - y0) * (i / n + 0.5) / n;
+        double square = x * x + y * y + 1;
+        sum += dA / (square * square);
+    }
+    check_close((double)pi * known_rectangle(x0, x1, y0, y1), sum, 1e-4, "(21.12)");
+    double eps = (double)real_epsilon;
+    check_close(known_rectangle(-1e9, 1e9, -1e9, 1e9), 1, 1e-8 + eps, "a sky is 1");
+    check_close(known_segment(0), 0.5, eps, "half a disk");
+    check_close(known_segment(0.5), 1 / 3.0 - sqrt(3.0) / (4 * (double)pi), eps, "beyond half");
+    check_close(known_segment(-1), 1, eps, "all of it");
+}
+
+/* A half plane over a square light, its edge parallel to two sides: in the umbra nothing, then a
+ * share that grows linearly, then all. Where it is all or nothing, each sample says so. */
+static void test_penumbra(void)
+{
+    for (int i = -4; i <= 4; i++) {
+        known k;
+        known_make(KNOWN_PENUMBRA, &k);
+        world_part_free(&k.part);
+        real c = (real)i / 6;  /* the edge is at x = c, z = 1: at 2c on the light */
+        k.shapes[0] = known_sheet(&k, 0, (vec3){c, 0, 1}, (vec3){0, -4, 0}, (vec3){4, 0, 0});
+        world_part_of_scene(&k.s, MASK_ALL, &k.part);
+        double truth = i < -3 ? 0 : i > 3 ? 1 : (1 + i / 3.0) / 2;
+        uint32_t n = (uint32_t)check_count(20000);
+        estimate e = known_mean(&k, SEQUENCE_RANDOM, 9, (uint64_t)(i + 4), n);
+        check_at_least(t_test(e, truth, rounding()), alarm_rate, "penumbra at %d/6", i);
+        if (i * i > 9) check_equal(e.mean, truth, "umbra, or all of the light: no noise");
+        known_free(&k);
+    }
+}
+
+/* ---- area lights ---- */
+
+/* A ball of radius 0 is the point light of 18, to the last bit, whatever u is. */
+static void test_point(void)
+{
+    random_stream s = random_start(31, 0, 0);
+    size_t n = check_count(20000), differ = 0, lit = 0;
+    for (size_t i = 0; i < n; i++) {
+        vec3 p = vscale(direction(&s), number(&s, 0, 5));
+        vec3 at = vscale(direction(&s), number(&s, 0, 5));
+        vec3 ng = direction(&s), ns = vunit(vmadd(ng, direction(&s), (real)0.3));
+        vec3 colour = {number(&s, 0, 9), number(&s, 0, 9), i % 7 ? 1 : 0};
+        if (i % 11 == 0) colour = (vec3){0, 0, 0};
+        if (i % 13 == 0) p = at;
+        area_light L = {AREA_BALL, at, .colour = colour};
+        light point = {LIGHT_POINT, at, colour};
+        area_sample x;
+        light_sample y;
+        bool a = area_light_reaches(&L, p, ng, ns, (point2){(real)NAN, (real)NAN}, &x);
+        bool b = light_reaches(&point, p, ng, ns, &y);
+        differ += a != b || memcmp(&x.E, &y.E, sizeof x.E) || memcmp(&x.l, &y.l, sizeof x.l);
+        differ += memcmp(&x.to, &at, sizeof at) != 0;
+        lit += a;
+    }
+    check_equal(differ, 0, "a ball of no size and a point light");
+    check(lit > 0, "some are lit");
+    area_light L = {AREA_DISK, {0, 0, 2}, .n = {0, 0, -1}, .colour = {3, 3, 3}};
+    area_sample x;
+    vec3 up = {0, 0, 1}, p = {0, 0, 0};
+    check(!area_light_has_size(&L), "no size");
+    check(area_light_reaches(&L, p, up, up, (point2){(real)NAN, 0}, &x), "it shines");
+    check_equal((double)x.E.x, 0.75, "I / d^2");
+    L.a = (vec3){0, 0, 0}, L.b = (vec3){0, 1, 0};
+    check(area_light_has_size(&L), "a line has a size");
+    check(!vfinite(area_light_radiance(&L)) || vzero(area_light_radiance(&L)), "but no area");
+}
+
+/* On the ball, on its near side: to - p leads against the ball's normal there. */
+static void test_ball(void)
+{
+    random_stream s = random_start(32, 0, 0);
+    double off = 0, far = -1;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        vec3 at = vscale(direction(&s), number(&s, 1.0001, 4)), p = {0, 0, 0};
+        area_light L = {AREA_BALL, at, .r = 1, .colour = {1, 1, 1}};
+        area_sample x;
+        real u = random_next(&s), v = random_next(&s);
+        area_light_reaches(&L, p, vunit(at), vunit(at), (point2){u, v}, &x);
+        vec3 n = vsub(x.to, at);
+        off = check_worse(off, fabs((double)vlength(n) - 1));
+        far = check_worse(far, (double)vdot(n, x.l));
+    }
+    /* t is off by the error of across / sqrt(..): sqrt(epsilon) where the ray only grazes */
+    check_at_most(off, 8 * sqrt((double)real_epsilon), "off the ball");
+    check_at_most(far, 8 * sqrt((double)real_epsilon), "on its far side");
+    area_light L = {AREA_BALL, {0, 0, 0}, .r = 1, .colour = {1, 1, 1}};
+    area_sample x;
+    vec3 p = {0, 0, (real)0.5}, up = {0, 0, 1};
+    check(!area_light_reaches(&L, p, vneg(up), vneg(up), (point2){0, 0}, &x), "from inside");
+    check(vzero(x.E), "nothing");
+}
+
+/* Half sunk below the horizon: the cosine law is cut, and E is that of the visible part only:
+ * a ball of sin beta = s, its middle in the horizon: L times the integral of
+ * sin(phi) sin(alpha)^2 over half a turn and alpha < beta: L (beta - s cos beta). */
+static void test_sunk_ball(void)
+{
+    double s = 0.5, beta = asin(s), L = 1 / ((double)pi * s * s);  /* I = 1, R = .5, d = 1 */
+    double truth = L * (beta - s * cos(beta));
+    area_light ball = {AREA_BALL, {1, 0, 0}, .r = (real)0.5, .colour = {1, 1, 1}};
+    vec3 up = {0, 0, 1}, p = {0, 0, 0};
+    estimate e = {0};
+    size_t below = 0;
+    for (uint32_t i = 0; i < check_count(40000); i++) {
+        sampler q = sampler_start(SEQUENCE_RANDOM, 33, 0, i, 1);
+        area_sample x;
+        below += !area_light_reaches(&ball, p, up, up, sampler_pair(&q), &x);
+        e = estimate_add(e, (double)x.E.x);
+    }
+    check_at_least(t_test(e, truth, 1e-12 + (double)real_epsilon), alarm_rate, "half a ball");
+    check(below > 0, "half of its samples are below the horizon and call for no ray");
+}
+
+/* The light of the middle, below a square of side 2 at height 1: 4 L instead of 1.741 L. */
+static void test_centre(void)
+{
+    area_light L = {AREA_RECTANGLE, {0, 0, 1}, {2, 0, 0}, {0, 2, 0}, {0, 0, -1}, 0, {4, 4, 4}};
+    vec3 up = {0, 0, 1}, p = {0, 0, 0};
+    estimate good = {0}, naive = {0};
+    double truth = (double)pi * known_rectangle(-1, 1, -1, 1);
+    for (uint32_t i = 0; i < check_count(10000); i++) {
+        sampler q = sampler_start(SEQUENCE_RANDOM, 34, 0, i, 1);
+        point2 u = sampler_pair(&q);
+        area_sample x;
+        area_light_reaches(&L, p, up, up, u, &x), good = estimate_add(good, (double)x.E.x);
+        area_light_naive(&L, p, up, up, u, &x), naive = estimate_add(naive, (double)x.E.x);
+    }
+    check_at_least(t_test(good, truth, rounding()), alarm_rate, "every sample its own cosines");
+    check_close(naive.mean / truth, 4 / 1.7408, 1e-3, "the middle's, for all of them");
+    check_close((double)area_light_radiance(&L).x, 1, 1e-6, "L = I / A");
+    /* far away all lights are points: (1 + 1/3 (a/d)^2) at most */
+    L.at.z = 1000;
+    area_sample x, y;
+    area_light_reaches(&L, p, up, up, (point2){(real)0.9, (real)0.1}, &x);
+    area_light_naive(&L, p, up, up, (point2){(real)0.9, (real)0.1}, &y);
+    check_close((double)x.E.x / (double)y.E.x, 1, 3e-6, "at 1000 times its size");
+}
+
+/* Behind the light, behind the surface, by either normal; NaN; black: no ray. */
+static void test_no_light(void)
+{
+    area_light L = {AREA_DISK, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0, {1, 1, 1}};
+    vec3 up = {0, 0, 1}, down = {0, 0, -1}, p = {0, 0, 0}, nan = {(real)NAN, 0, 0};
+    point2 u = {(real)0.3, (real)0.6};
+    area_sample x;
+    check(area_light_reaches(&L, p, up, up, u, &x), "lit");
+    check(!area_light_reaches(&L, p, down, up, u, &x) && vzero(x.E), "behind the surface");
+    check(!area_light_reaches(&L, p, up, down, u, &x) && vzero(x.E), "by the shading normal");
+    check(!area_light_reaches(&L, (vec3){0, 0, 2}, down, down, u, &x) && vzero(x.E), "behind it");
+    check(!area_light_reaches(&L, (vec3){0, 0, 1}, up, up, u, &x) && vzero(x.E), "in its plane");
+    check(!area_light_reaches(&L, nan, up, up, u, &x) && vzero(x.E), "a NaN reaches nothing");
+    L.colour = (vec3){0, 0, 0};
+    check(!area_light_reaches(&L, p, up, up, u, &x), "black");
+}
+
+/* ---- lobes ---- */
+
+static surface at_origin(vec3 n) { return (surface){{0, 0, 0}, n, n, 0, 0, no_shape}; }
+
+/* s = 0: the part of a hemisphere that another one, at the angle, has in common with it; s = 1: its
+ * projection. Midpoints: 1e-7. */
+static void test_above(void)
+{
+    for (int i = 0; i <= 20; i++) {
+        double c = 1 - i / 10.0;
+        check_close(glossy_above(c, 0), 1 - acos(c) / (double)pi, 1e-6, "s = 0, c = %g", c);
+        check_close(glossy_above(c, 1), (1 + c) / 2, 1e-6, "s = 1, c = %g", c);
+        check_close(glossy_above(c, 7) + glossy_above(-c, 7), 1, 1e-6, "the rest is below");
+    }
+    check_equal(glossy_above(0.01, (double)INFINITY), 1, "a mirror");
+    check_close(glossy_above(0, 300), 0.5, 1e-6, "half of it, at the horizon");
+}
+
+/* Share above, and the mean of r.w = (s+1)/(s+2) of all, counted where nothing is cut. */
+static void test_lobe(void)
+{
+    static const double shines[4] = {0, 5, 50, 3000}, degrees[3] = {10, 60, 88};
+    vec3 up = {0, 0, 1};
+    surface s = at_origin(up);
+    for (int i = 0; i < 12; i++) {
+        double a = degrees[i % 3] * (double)pi / 180, shine = shines[i / 3];
+        vec3 d = {(real)sin(a), 0, (real)-cos(a)}, r = {(real)sin(a), 0, (real)cos(a)};
+        estimate above = {0}, z = {0};
+        double below = 0, length = 0;
+        for (uint32_t j = 0; j < check_count(20000); j++) {
+            sampler q = sampler_start(SEQUENCE_RANDOM, 41, (uint64_t)i, j, 1);
+            point2 u = sampler_pair(&q);
+            ray w = {{0, 0, 0}, 0, {0, 0, 0}, 0};
+            bool sent = glossy_ray(s, vscale(d, 3), (real)shine, u, &w);
+            above = estimate_add(above, sent);
+            if (sent) below = check_worse(below, -(double)w.d.z);
+            glossy_ray_naive(s, d, (real)shine, u, &w);
+            z = estimate_add(z, (double)vdot(w.d, r));
+            length = check_worse(length, fabs((double)vlength(w.d) - 1));
+        }
+        /* something as rare as 14/n happens to none of n with a chance of e^-14 = 1e-6 */
+        double rare = 1e-6 + 14 / (double)above.n;
+        check_at_least(t_test(above, glossy_above(cos(a), shine), rare), alarm_rate,
+                       "share above, %g degrees, s = %g", degrees[i % 3], shine);
+        check_at_least(t_test(z, (shine + 1) / (shine + 2), 16 * (double)real_epsilon), alarm_rate,
+                       "mean cosine, s = %g", shine);
+        check(below <= 0, "nothing is sent below");
+        check_at_most(length, 8 * (double)real_epsilon, "unit length: the sample's and the basis'");
+    }
+}
+
+/* s = infinity: r itself, u unread. Large s tend to it. */
+static void test_mirror(void)
+{
+    random_stream q = random_start(42, 0, 0);
+    double off = 0, lobe = 0;
+    bool sent = true;
+    for (size_t i = 0; i < check_count(5000); i++) {
+        vec3 n = direction(&q), d = direction(&q);
+        surface s = surface_facing(at_origin(n), d);
+        ray w = {{0, 0, 0}, 0, {0, 0, 0}, 0}, v = w;
+        vec3 r = vmadd(d, n, -2 * vdot(n, d));
+        sent = glossy_ray(s, d, real_infinity, (point2){(real)NAN, 0}, &w) && sent;
+        off = check_worse(off, (double)vlength(vsub(w.d, r)));
+        glossy_ray_naive(s, d, (real)1e12, (point2){(real)0.5, random_next(&q)}, &v);
+        lobe = check_worse(lobe, (double)vlength(vsub(v.d, r)));
+    }
+    check(sent, "always");
+    check_at_most(off, 8 * (double)real_epsilon, "the mirror direction");
+    /* sin = sqrt(2 log 2 / 1e12) */
+    check_at_most(lobe, 1.2e-6 + 8 * (double)real_epsilon, "s = 1e12");
+}
+
+/* The naive ray leads into the body: over a thin sheet it sees the sky below. */
+static void test_leak(void)
+{
+    vec3 corner[4] = {{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}};
+    vec3 lid[4] = {{-900, -900, 1}, {900, -900, 1}, {900, 900, 1}, {-900, 900, 1}};
+    shape shapes[2] = {shape_of_polygon(polygon_of(corner, 4)),
+                       shape_of_polygon(polygon_of(lid, 4))};
+    scene sheet = {shapes, 2};
+    world_part part;
+    world_part_of_scene(&sheet, MASK_ALL, &part);
+    trace_world w = {&part, 1};
+    surface s = surface_on_polygon(shapes[0].polygon, 0, (vec3){0, 0, 0});
+    vec3 d = {(real)0.8, 0, (real)-0.6};
+    size_t n = check_count(4000), leaks[2] = {0, 0};
+    for (uint32_t i = 0; i < n; i++)
+        for (int k = 0; k < 2; k++) {
+            sampler q = sampler_start(SEQUENCE_RANDOM, 43, 0, i, 1);
+            tracer t = {.w = &w, .program = shade_programs};
+            shade_lit sky = {false};
+            ray r;
+            if ((k ? glossy_ray : glossy_ray_naive)(s, d, 1, sampler_pair(&q), &r) && r.d.z < 0)
+                trace(&t, RAY_SIGHT, r, &sky);
+            leaks[k] += sky.lit;
+        }
+    check(leaks[0] > n / 10, "a fifth of a cosine lobe at 53 degrees, into the floor");
+    check_equal(leaks[1], 0, "no ray into the floor");
+    world_part_free(&part);
+}
+
+/* Two normals: the lobe's axis is never below the geometric one. */
+static void test_silhouette(void)
+{
+    random_stream q = random_start(44, 0, 0);
+    size_t below = 0, lifted = 0, into = 0;
+    for (size_t i = 0; i < check_count(50000); i++) {
+        vec3 n = direction(&q), d = direction(&q);
+        surface s = {{0, 0, 0}, n, vunit(vmadd(n, direction(&q), (real)0.7)), 0, 0, no_shape};
+        s = surface_facing(s, d);
+        vec3 r = vmadd(d, s.ns, -2 * vdot(d, s.ns));
+        lifted += vdot(r, s.n) < 0;
+        below += !(vdot(glossy_axis(s, d), s.n) > 0);
+        ray w;
+        real u0 = random_next(&q);
+        point2 u = {u0, random_next(&q)};
+        if (glossy_ray(s, d, 3, u, &w)) into += !(vdot(w.d, s.n) > 0 && vdot(w.d, s.ns) > 0);
+    }
+    check(lifted > 0, "some lead below");
+    check_equal(below, 0, "and are lifted");
+    check_equal(into, 0, "no ray below either of the normals");
+}
+
+/* ---- lens ---- */
+
+static camera some_camera(int kind, random_stream *s)
+{
+    camera_frame f;
+    camera c;
+    failure why;
+    vec3 e = vscale(direction(s), 10), to = vadd(e, direction(s));
+    camera_window win = {-1, (real)1.5, (real)-0.7, (real)0.4};
+    bool ok = frame_look_at(e, to, direction(s), &f, &why);
+    if (kind == 0) ok = ok && camera_perspective(f, 50, (real)1.5, &c, &why);
+    else if (kind == 1) ok = ok && camera_off_axis(f, win, (real)0.7, &c, &why);
+    else if (kind == 2) ok = ok && camera_orthographic(f, win, &c, &why);
+    else ok = ok && camera_oblique(f, win, vmadd(vneg(f.w), f.u, (real)0.4), &c, &why);
+    if (!ok) fail(why);
+    return c;
+}
+
+/* Radius 0: camera_ray, to the last bit, u unread. Else all rays of a point meet in one. */
+static void test_focus(void)
+{
+    random_stream s = random_start(51, 0, 0);
+    size_t differ = 0;
+    double apart = 0, depth = 0, outside = 0, widest = 0;
+    for (size_t i = 0; i < check_count(4000); i++) {
+        camera c = some_camera((int)(i % 4), &s);
+        thin_lens l = {number(&s, 0.01, 1), number(&s, 0.5, 50)};
+        real x = number(&s, 0, 64), y = number(&s, 0, 48), z = number(&s, 0.3, 90);
+        real u0 = random_next(&s);
+        point2 u = {u0, random_next(&s)};
+        ray a = lens_ray(c, (thin_lens){0, l.focus}, x, y, 64, 48, (point2){(real)NAN, 0});
+        ray b = camera_ray(c, x, y, 64, 48), r = lens_ray(c, l, x, y, 64, 48, u);
+        differ += memcmp(&a, &b, sizeof a) != 0;
+        real t = l.focus / -vdot(b.d, c.w), tz = z / -vdot(b.d, c.w);
+        vec3 P = ray_at(b, t), off = vsub(ray_at(r, t), P);
+        real size = l.focus + vlength(c.e) + fabs(t) * vlength(b.d);
+        apart = check_worse(apart, (double)(vlength(off) / size));
+        real F = -vdot(vsub(ray_at(r, t), c.e), c.w);
+        depth = check_worse(depth, fabs((double)(F / l.focus - 1)));
+        /* at depth z: within the circle; and all of it is used */
+        real blur = lens_blur(l, z), at = vlength(vsub(ray_at(r, tz), ray_at(b, tz)));
+        outside = check_worse(outside, (double)((at - blur) / (size + z)));
+        if (blur > (real)0.01) widest = check_worse(widest, (double)(at / blur));
+        ray far = lens_ray(c, (thin_lens){l.radius, real_infinity}, x, y, 64, 48, u);
+        differ += memcmp(&far.d, &b.d, sizeof b.d) != 0;
+    }
+    check_equal(differ, 0, "a pinhole; and parallel beams, for a focus at infinity");
+    /* some 10 roundings of numbers up to the size */
+    check_at_most(apart, 16 * (double)real_epsilon, "rays of one point in the plane of focus");
+    check_at_most(depth, 2e3 * (double)real_epsilon, "that plane, |e| = 10, F >= 1/2");
+    check_at_most(outside, 16 * (double)real_epsilon, "outside of the circle of confusion");
+    check_at_least(widest, 0.9, "its rim");
+}
+
+/* Seen through the rim of the lens, a point shows half a circle away from where the middle shows
+ * it: by camera_project of the point of the plane of focus on that line. */
+static void test_blur(void)
+{
+    random_stream s = random_start(52, 0, 0);
+    double off = 0;
+    for (size_t i = 0; i < check_count(4000); i++) {
+        camera c = some_camera((int)(i % 2), &s);
+        thin_lens l = {number(&s, 0.01, 0.5), number(&s, 2, 20)};
+        real z = number(&s, 1, 40), x0 = 0, y0 = 0, x1 = 0, y1 = 0, phi = number(&s, 0, 6.28);
+        vec3 p = ray_at(camera_ray(c, 30, 20, 64, 48), z / c.d);
+        vec3 o = vadd(c.e, vmadd(vscale(c.u, l.radius * cos(phi)), c.v, l.radius * sin(phi)));
+        vec3 P = vmadd(o, vsub(p, o), l.focus / z);
+        bool seen = camera_project(c, p, 64, 48, &x0, &y0)
+                 && camera_project(c, P, 64, 48, &x1, &y1);
+        real pixel_x = (c.r - c.l) / 64, pixel_y = (c.t - c.b) / 48;
+        real dx = (x1 - x0) * pixel_x / pixel_y, dy = y1 - y0;
+        double diameter = (double)lens_blur_pixels(c, l, z, 48);
+        double radius = (double)sqrt(dx * dx + dy * dy);
+        off = check_worse(off, seen ? fabs(2 * radius - diameter) : 1);
+    }
+    /* positions of up to 64 pixels, from coordinates of up to 60, seen from z - or F - >= 1 */
+    check_at_most(off, 2e4 * (double)real_epsilon, "diameter of the circle in pixels");
+    thin_lens l = lens_of((real)0.05, 2, 3);
+    check_close((double)l.radius, 0.0125, 1e-8, "50 mm, f/2: 12.5 mm");
+    check_equal((double)lens_blur(l, 3), 0, "no circle in focus");
+    check_close((double)lens_blur(l, 6), 0.0125, 1e-8, "as wide as the lens at 2 F");
+    check_equal((double)lens_blur((thin_lens){1, real_infinity}, 5), 1, "focus at infinity");
+}
+
+int main(void)
+{
+    test_answers();
+    test_slopes();
+    test_rectangle_form();
+    test_penumbra();
+    test_point();
+    test_ball();
+    test_sunk_ball();
+    test_centre();
+    test_no_light();
+    test_above();
+    test_lobe();
+    test_mirror();
+    test_leak();
+    test_silhouette();
+    test_focus();
+    test_blur();
+    return check_report("21_known");
+}

@@ -1,0 +1,98 @@
+/* Tests of the program 27_effects, from outside: what it prints, refuses, draws, and needs. */
+static char directory[] = "/tmp/27_effects_XXXXXX";
+#include "27_files.h"
+#include <sys/resource.h>
+
+static void ends(int status, const char *arguments, const char *stream, const char *text)
+{
+    int got = run("27_effects", arguments);
+    check(got == status, "%s: ended with %d, not %d", arguments, got, status);
+    check(printed(stream, text), "%s: '%s' is not on %s", arguments, text, stream);
+}
+
+static void test_explain(void)
+{
+    char args[900];
+    put("room.scene", "material floor\nKd .5\nillum 1\npolygon -5 0 5 5 0 5 5 0 -5 -5 0 -5\n"
+        "material ball\nKd .1\nKs .8\nillum 3\nsphere 0 1 0 1\nlight at 3 5 3 colour 50\n");
+    char room[256], out[256];
+    snprintf(room, sizeof room, "%s", in_directory("room.scene"));
+    snprintf(out, sizeof out, "%s", in_directory("o.pfm"));
+    snprintf(args, sizeof args, "--explain --size 24x16 --scene %s --out %s", room, out);
+    ends(0, args, "out", "plan       Whitted ray tracing");
+    check(printed("out", "  yes  mirror          material 'ball' ("), "what calls for it");
+    check(printed("out", "room.scene:8)"), "and its line");
+    check(printed("out", "  no   soft shadows    nothing in use emits light (Ke)"), "why not");
+    check(printed("out", "found: none was given"), "a camera is found");
+    snprintf(args, sizeof args, "%s --explain --size 24x16 --out %s --lens 'radius .1 focus 2' "
+             "--environment '0.5 1' --camera 'from 0 1 6 at 0 1 0'", room, out);
+    ends(0, args, "out", "plan       path tracing");
+    check(printed("out", "yes  depth of field  lens (--lens:1), radius 0.1"), "the lens");
+    check(printed("out", "yes  environment     environment (--environment:1) on"), "environment");
+    check(printed("out", "(--camera:1)"), "the camera of the option");
+}
+
+static void test_misuse(void)
+{
+    char args[900];
+    put("broken.scene", "sphere 0 0 0 1\n\nsphere 0 0 x 1\n");
+    put("broken.obj", "v 0 0 0\nf 1 2 3\n");
+    put("broken.nff", "s 0 0 0 1\nz");
+    put("x.jpg", "");
+    static const char *const names[] = {"broken.scene:3: sphere: not a number: 'x'",
+                                        "broken.obj:2: f: vertex index out of range: 3",
+                                        "broken.nff:2: line: begins with 'z'"};
+    for (int k = 0; k < 3; k++) {
+        snprintf(args, sizeof args, "%s --quick", in_directory(
+            (const char *[]){"broken.scene", "broken.obj", "broken.nff"}[k]));
+        ends(2, args, "err", names[k]);
+    }
+    snprintf(args, sizeof args, "--scene %s --quick", in_directory("no.obj"));
+    ends(1, args, "err", "no.obj: cannot read: No such file");
+    ends(2, "--quick --camera 'from 0 0 0'", "err", "--camera:1: camera: something is missing");
+    ends(2, "--quick --light 'at 0 0 0 colour 1; at 1'", "err", "--light:2: light: no number");
+    ends(1, "--quick --environment no.pfm", "err", "no.pfm: cannot read: No such file");
+    ends(2, "--quick --up w", "err", "--up:1: up: no axis: 'w'");
+}
+
+/* Two million triangles are to be read, built and drawn within 1 GiB: two hundred thousand within a
+ * tenth of it, less what any program needs. The sanitizers need more. */
+static void test_memory(void)
+{
+    char args[900];
+    struct rusage u;
+    size_t n = check_count(100000) < 100000 ? 40 : 316;
+    FILE *out = fopen(in_directory("big.obj"), "wb");
+    if (!out) abort();
+    for (size_t j = 0; j <= n; j++)
+        for (size_t i = 0; i <= n; i++)
+            fprintf(out, "v %zu %.6f %zu\n", i, sin((double)(i * j) / 99), j);
+    for (size_t j = 0; j < n; j++)
+        for (size_t i = 0; i < n; i++) {
+            size_t a = j * (n + 1) + i + 1;
+            fprintf(out, "f %zu %zu %zu %zu\n", a, a + n + 1, a + n + 2, a + 1);
+        }
+    if (fclose(out) != 0) abort();
+    snprintf(args, sizeof args, "%s --explain --size 64x64 --out %s", in_directory("big.obj"),
+             in_directory("o.pfm"));
+    ends(0, args, "out", n == 316 ? "199712 triangles" : "3200 triangles");
+    getrusage(RUSAGE_CHILDREN, &u);
+    if (n == 316) check_at_most((double)u.ru_maxrss / 1024, 107, "MiB");
+    image im = {0, 0, NULL};
+    failure f;
+    size_t lit = 0;
+    check(image_read(in_directory("o.pfm"), &im, &f), "%s", f.text);
+    for (size_t i = 0; im.rgb && i < 64 * 64; i++) lit += im.rgb[3 * i] > 0;
+    check_at_least(lit, 64 * 64 / 8, "pixels that show it: all of it is framed, large");
+    image_free(&im);
+}
+
+int main(void)
+{
+    if (!mkdtemp(directory)) abort();
+    test_explain();
+    test_misuse();
+    test_memory();
+    remove_all();
+    return check_report("27_effects");
+}

@@ -1,0 +1,56 @@
+/* 27_files.h: texts as files in a directory of their own, and what reading them gives.
+ *
+ *   static char directory[] = "/tmp/27_NAME_XXXXXX";   before this; main: mkdtemp, remove_all()
+ *   put("a.mtl", text)                         writes the file
+ *   bool ok = read_scene("a.scene", &s, &f)    studio_read of a file there
+ *   refused("a.mtl", text, scene, exit, "a.mtl:3: Kd", "0 to 1")
+ *                                              the file `text` makes the reading of `scene` fail so
+ */
+#ifndef FILES_27_H
+#define FILES_27_H
+
+#include "program.h"
+#include "../chapters/27_effects/studio_read.h"
+#include "check.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void put_bytes(const char *name, const void *bytes, size_t n)
+{
+    FILE *out = fopen(in_directory(name), "wb");
+    if (!out || fwrite(bytes, 1, n, out) != n || fclose(out) != 0) abort();
+}
+
+static inline void put(const char *name, const char *text) { put_bytes(name, text, strlen(text)); }
+
+static inline bool read_scene(const char *name, studio *s, failure *f)
+{
+    char path[256];
+    *f = (failure){0, ""};
+    snprintf(path, sizeof path, "%s", in_directory(name));
+    return studio_read(path, NULL, s, f);
+}
+
+static inline void refused(const char *name, const char *text, const char *read, int exit_code,
+                           const char *where, const char *allowed)
+{
+    studio s;
+    failure f;
+    put(name, text);
+    bool ok = read_scene(read, &s, &f);
+    check(!ok, "%s is read: %.60s", name, text);
+    check(s.material == NULL && s.shapes == 0, "a scene that was refused is zeroed");
+    if (ok) studio_free(&s);
+    else check(f.exit_code == exit_code && strstr(f.text, where) && strstr(f.text, allowed),
+               "exit %d, '%s'; expected %d, '%s', '%s'", f.exit_code, f.text, exit_code, where,
+               allowed);
+}
+
+static inline void remove_all(void)
+{
+    char command[300];
+    snprintf(command, sizeof command, "rm -rf %s", directory);
+    if (system(command) != 0) abort();
+}
+
+#endif

@@ -1,0 +1,336 @@
+/* Tests of chapters/27_effects: what materials call for, the plan, the camera, the sky.
+ *
+ * Oracles: the table of (27.3) by hand; scenes with one effect each; projection of 02.
+ */
+#include "../chapters/27_effects/explain.h"
+#include "../chapters/27_effects/studio_read.h"
+#include "../common/random.h"
+#include "check.h"
+
+static random_stream rng;
+static real uniform(void) { return 2 * random_next(&rng) - 1; }
+static bool grey(vec3 a, double x) { return a.x == (real)x && a.y == (real)x && a.z == (real)x; }
+
+static bool read_text(const char *text, studio *s)
+{
+    failure f = {0, ""};
+    bool ok = studio_read_text(text, "t", NULL, s, &f);
+    check(ok, "%s: %s", f.text, text);
+    return ok;
+}
+
+/* ---- materials ---- */
+
+static appearance look_of(const char *keys)
+{
+    studio s;
+    char text[400];
+    appearance a = {.ior = -1};
+    snprintf(text, sizeof text, "material m\n%s\n", keys);
+    if (!read_text(text, &s)) return a;
+    a = appearance_of(&s.material[1]);
+    studio_free(&s);
+    return a;
+}
+
+/* (27.3), row by row; the numbers are sums and products of powers of two. */
+static void test_appearance(void)
+{
+    static const struct {
+        const char *keys;
+        double flat, matte, highlight, mirror, glossy, through;
+    } row[] = {
+            {"Kd .5\nKs .25\nNs 9\nillum 0", .5, 0, 0, 0, 0, 0},
+            {"Kd .5\nKs .25\nNs 9\nillum 1", 0, .5, 0, 0, 0, 0},
+            {"Kd .5\nKs .25\nNs 9\nillum 10", 0, .5, 0, 0, 0, 0},
+            {"Kd .5\nKs .25\nNs 9\nillum 2", 0, .5, .25, 0, 0, 0},
+            {"Kd .5\nKs .25\nNs 9\nillum 8", 0, .5, .25, 0, 0, 0},
+            {"Kd .5\nKs .25\nillum 2", 0, .5, 0, 0, 0, 0},
+            {"Kd .5\nKs .25\nillum 3", 0, .5, 0, .25, 0, 0},
+            {"Kd .5\nKs .25\nNs 1000\nillum 3", 0, .5, 0, .25, 0, 0},
+            {"Kd .5\nKs .25\nNs 999\nillum 3", 0, .5, 0, 0, .25, 0},
+            {"Kd .5\nKs .25\nNs 0\nillum 5", 0, .5, 0, 0, .25, 0},
+            {"Kd .5\nKs .25\nillum 4\nd .5\nTf .5", 0, .25, 0, .25, 0, .1875},
+            {"Kd .5\nKs .25\nNs 9\nillum 9\nd .25", 0, .125, .25, 0, 0, .5625},
+            {"Kd .5\nKs .25\nillum 4", 0, .5, 0, .25, 0, 0},
+            {"Kd .5\nKs .25\nillum 6", 0, 0, 0, .25, 0, .75},
+            {"Kd .5\nKs .25\nillum 6\nTf .5\nNi 1.5", 0, .25, 0, .25, 0, .375},
+            {"Kd .5\nKs .25\nillum 7\nTf .5\nNi 1.5", 0, .25, 0, 1, 0, .5},
+            {"Kd .5\nKs .25\nillum 7\nTf .5", 0, .25, 0, 0, 0, .5},
+            {"Kd .5\nKs .25\nillum 7\nTf 0\nNi 1.5\nNs 9", 0, .5, 0, 0, 1, 0},
+            {"Kd .5\nKs .25\nNs 9", 0, .5, .25, 0, 0, 0},
+            {"Kd .5\nd .5", 0, .25, 0, 0, 0, .5},
+            {"Kd .5\nd .5\nillum 2", 0, .5, 0, 0, 0, 0},
+            {"Ke 3\nillum 1", 0, 0, 0, 0, 0, 0},
+            {"Ke 3\nKd .5\nillum 1", 0, .5, 0, 0, 0, 0}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        appearance a = look_of(row[i].keys);
+        check(grey(a.flat, row[i].flat) && grey(a.matte, row[i].matte)
+              && grey(a.highlight, row[i].highlight) && grey(a.mirror, row[i].mirror)
+              && grey(a.glossy, row[i].glossy) && grey(a.through, row[i].through),
+              "'%s': flat %g matte %g highlight %g mirror %g glossy %g through %g", row[i].keys,
+              (double)a.flat.x, (double)a.matte.x, (double)a.highlight.x, (double)a.mirror.x,
+              (double)a.glossy.x, (double)a.through.x);
+    }
+    check(look_of("illum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
+    check(!look_of("illum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
+    check(look_of("illum 6\nNi 1.5").bends && !look_of("illum 6").bends
+          && !look_of("illum 4\nNi 1.5\nd .5").bends, "bent by Ni in 6 and 7 only");
+}
+
+/* No channel gives back more than it gets, whatever the numbers; hues stay. */
+static void test_energy(void)
+{
+    for (size_t i = check_count(20000); i-- > 0;) {
+        studio_material m = {.tf = {1, 1, 1}, .ni = 1 + random_next(&rng), .d = random_next(&rng),
+                             .ns = 2000 * random_next(&rng), .illum = (int)(i % 12) - 1,
+                             .classic = i % 13 == 0};
+        m.said[KEY_NS].file = 1, m.said[KEY_KD].file = 1;
+        m.kd = (vec3){2 * random_next(&rng), random_next(&rng), random_next(&rng)};
+        m.ks = (vec3){random_next(&rng), 2 * random_next(&rng), random_next(&rng)};
+        if (i % 2) m.tf = (vec3){random_next(&rng), random_next(&rng), 2 * random_next(&rng)};
+        appearance a = appearance_of(&m);
+        vec3 back = vmax(a.highlight, vadd(a.mirror, a.glossy)), rest = vadd(a.matte, a.through);
+        vec3 all = a.fresnel ? vmax(back, rest) : vadd(back, rest);
+        real most = real_max(real_max(all.x, all.y), all.z);
+        check_at_most((double)most, 1 + 20 * (double)real_epsilon, "illum %d: energy", m.illum);
+        bool ok = vfinite(all) && a.matte.x >= 0 && a.through.x >= 0;
+        if (!ok) check(false, "illum %d: not finite or below 0", m.illum);
+    }
+    appearance a = look_of("Kd .75 .5 0\nKs .75\nNs 9\nillum 2");
+    check(a.excess == (real)1.5 && a.matte.x == (real)0.5 && a.highlight.z == (real)0.5,
+          "1.5 times too much: all divided by it");
+}
+
+/* ---- the plan ---- */
+
+#define FLOOR "material floor\nKd .5\nillum 1\npolygon -5 0 5 5 0 5 5 0 -5 -5 0 -5\n"
+#define BLACK "material black\nKd 0\nillum 1\nsphere 0 1 0 1\n"
+#define POINT "light at 1 9 2 colour 9\n"
+#define LAMP "material lamp\nKe 5\npolygon -1 9 -1 1 9 -1 1 9 1 -1 9 1\n"
+#define SKY "environment .5 1\n"
+#define BALL(keys) "material ball\n" keys "\nsphere 0 1 0 1\n"
+
+static void test_effects(void)
+{
+    enum { H = EFFECT_HARD_SHADOWS, S = EFFECT_SOFT_SHADOWS, M = EFFECT_MIRROR, G = EFFECT_GLOSSY,
+           R = EFFECT_REFRACTION, A = EFFECT_ABSORPTION, N = EFFECT_INDIRECT,
+           E = EFFECT_ENVIRONMENT, D = EFFECT_DEPTH_OF_FIELD };
+    static const struct { const char *text; unsigned effects; integrator how; } list[] = {
+        {"", 0, INTEGRATOR_CASTING},
+        {FLOOR, 0, INTEGRATOR_CASTING},
+        {FLOOR POINT BLACK, H, INTEGRATOR_CASTING},
+        {FLOOR "sun to 1 1 1 colour 1\n", H, INTEGRATOR_CASTING},
+        {FLOOR "light at 1 9 2 colour 0\n", 0, INTEGRATOR_CASTING},
+        {BLACK POINT, 0, INTEGRATOR_CASTING},
+        {POINT "material m\nKd 1\nillum 0\nsphere 0 0 0 1\n", 0, INTEGRATOR_CASTING},
+        {FLOOR BLACK LAMP, S, INTEGRATOR_PATHS},
+        {FLOOR BLACK LAMP POINT, S | H, INTEGRATOR_PATHS},
+        {FLOOR BLACK SKY, E, INTEGRATOR_PATHS},
+        {FLOOR "environment 0\n", 0, INTEGRATOR_CASTING},
+        {BALL("Kd 0\nKs 1\nillum 3"), M, INTEGRATOR_WHITTED},
+        {BALL("Kd 0\nKs 1\nillum 3") SKY, M, INTEGRATOR_WHITTED},   /* it shows in the mirror */
+        {BALL("Kd 0\nKs 1\nillum 3") POINT FLOOR, M | H, INTEGRATOR_WHITTED},
+        {BALL("Kd 0\nKs 1\nNs 50\nillum 3"), G, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nKs 1\nNs 50\nillum 3") POINT, G | H, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nKs 1\nNs 50\nillum 3") SKY, G | E, INTEGRATOR_PATHS},
+        {BALL("Kd 0\nNi 1.5\nillum 6"), R, INTEGRATOR_WHITTED},
+        {BALL("Kd 0\nNi 1.5\nillum 7"), R | M, INTEGRATOR_WHITTED},
+        {BALL("Kd 0\nillum 7"), R, INTEGRATOR_WHITTED},             /* Ni 1 reflects nothing */
+        {BALL("Kd 0\nNi 1.5\nabsorb 1 0 0\nillum 6"), R | A, INTEGRATOR_WHITTED},
+        {BALL("Kd 0\nd .5\nabsorb 1 0 0\nillum 4"), R, INTEGRATOR_WHITTED},
+        {BALL("Kd 0\nTf 0\nabsorb 1 0 0\nillum 6"), 0, INTEGRATOR_CASTING},
+        {FLOOR BALL("Kd .5\nillum 1") LAMP, S | N, INTEGRATOR_PATHS},
+        {FLOOR BALL("Kd 0\nKs 1\nillum 3") LAMP, S | N | M, INTEGRATOR_PATHS},
+        {FLOOR BALL("Kd .5\nillum 1") SKY, E | N, INTEGRATOR_PATHS},
+        {FLOOR BALL("Kd .5\nillum 1") POINT, H, INTEGRATOR_CASTING},
+        {FLOOR "polygon 9 0 0 9 0 1 8 0 1\n" SKY, E, INTEGRATOR_PATHS},  /* one plane */
+        {FLOOR "polygon 9 0 0 9 1 1 8 0 1\n" SKY, E | N, INTEGRATOR_PATHS},
+        {FLOOR POINT "lens radius .1\n", H | D, INTEGRATOR_PATHS},
+        {FLOOR POINT "lens radius 0\n", H, INTEGRATOR_CASTING},
+        {"lens radius 1\n", D, INTEGRATOR_PATHS},
+        {FLOOR LAMP SKY POINT "lens radius .1\nmaterial a\nKd .1\nKs .2\nillum 3\nsphere 0 1 0 1\n"
+         "material b\nKd .1\nKs .2\nNs 10\nillum 3\nsphere 3 1 0 1\nmaterial c\nNi 1.5\nillum 6\n"
+         "absorb 1\nsphere 6 1 0 1\n", EFFECTS_ALL, INTEGRATOR_PATHS},
+        {"material unused\nKs 1\nillum 3\n" FLOOR POINT, H, INTEGRATOR_CASTING}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        studio s;
+        if (!read_text(list[i].text, &s)) continue;
+        plan p = plan_of(&s);
+        check(p.effects == list[i].effects, "effects %x, expected %x: %s", p.effects,
+              list[i].effects, list[i].text);
+        check(p.integrator == list[i].how, "%s: %s", integrator_names[p.integrator], list[i].text);
+        bool dark = !strstr(list[i].text, "colour 9") && !strstr(list[i].text, "colour 1")
+            && !strstr(list[i].text, "lamp") && !strstr(list[i].text, SKY);
+        check(p.headlight == dark, "a lamp of its own if no light is there: %s", list[i].text);
+        for (int k = 0; k < effect_kinds; k++) check(p.why[k][0], "each effect has its reason");
+        unsigned sum = p.effects & EFFECT_DEPTH_OF_FIELD;
+        for (uint32_t m = 0; m < s.materials; m++)
+            if (s.material[m].used) sum |= plan_effects(&p, m);
+        check(sum == p.effects, "what materials have a part in: %x of %x", sum, p.effects);
+        plan_free(&p), studio_free(&s);
+    }
+}
+
+/* The reasons name material and line. */
+static void test_reasons(void)
+{
+    studio s;
+    char *text = NULL;
+    size_t size;
+    if (!read_text(FLOOR POINT BALL("Kd 0\nKs 1\nillum 3"), &s)) return;
+    plan p = plan_of(&s);
+    check_text(p.why[0], "light (t:5) on material 'floor' (t:3)", "hard shadows");
+    check_text(p.why[2], "material 'ball' (t:9)", "mirror: the line of illum");
+    check(strstr(p.why[6], "no light has a size"), "indirect light: %s", p.why[6]);
+    failure f;
+    studio_view v;
+    camera c;
+    FILE *out = open_memstream(&text, &size);
+    check(studio_camera(&s, 1, &v, &c, &f), "%s", f.text);
+    explain(out, &s, &p, &v);
+    if (fclose(out) != 0) abort();
+    check(strstr(text, "plan       Whitted ray tracing"), "%s", text);
+    check(strstr(text, "  yes  mirror          material 'ball' (t:9)"), "%s", text);
+    check(strstr(text, "  no   glossy  "), "%s", text);
+    check(strstr(text, "ball  (t:6)  illum 3: mirror"), "%s", text);
+    free(text);
+    plan_free(&p), studio_free(&s);
+}
+
+static void test_effects_option(void)
+{
+    static const struct { const char *text; unsigned called, mask; } list[] = {
+        {"all", 1, 511}, {"none", 1, 0}, {"called", 5, 5}, {"hard,depth", 4, 257},
+        {"called,-mirror", 5, 1}, {"all,-indirect,-soft", 0, 511 - 64 - 2}, {"-all,glossy", 3, 8}};
+    failure f;
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        unsigned mask = list[i].called;
+        check(effects_read(list[i].text, &mask, &f) && mask == list[i].mask, "%s: %x", list[i].text,
+              mask);
+    }
+    unsigned mask = 0;
+    check(!effects_read("hard,bogus", &mask, &f) && f.exit_code == 2 && strstr(f.text, "'bogus'")
+          && strstr(f.text, "allowed: all"), "%s", f.text);
+    check(!effects_read("", &mask, &f) && !effects_read("hard,", &mask, &f), "nothing: none");
+}
+
+/* ---- camera ---- */
+
+/* All of a random scene shows, and it fills the picture. */
+static void test_framing(void)
+{
+    static const char *const ups[] = {"up x\n", "up y\n", "up z\n"};
+    for (size_t round = check_count(300); round-- > 0;) {
+        char text[2000];
+        size_t n = (size_t)sprintf(text, "%s", ups[round % 3]);
+        real size = pow((real)10, 4 * uniform()), off = round % 2 ? 0 : 20 * size;
+        vec3 p[6], reach = {0, 0, 0};
+        for (int k = 0; k < 6; k++) {
+            p[k] = (vec3){off + size * uniform(), size * uniform(), size * uniform()};
+            p[k].z += off * uniform();
+            reach = vmax(reach, (vec3){fabs(p[k].x), fabs(p[k].y), fabs(p[k].z)});
+        }
+        for (int k = 0; k < 2; k++) {
+            n += (size_t)sprintf(text + n, "polygon");
+            for (int j = 0; j < 3; j++)
+                n += (size_t)sprintf(text + n, " %.17g %.17g %.17g", (double)p[3 * k + j].x,
+                                     (double)p[3 * k + j].y, (double)p[3 * k + j].z);
+            n += (size_t)sprintf(text + n, "\n");
+        }
+        studio s;
+        studio_view v;
+        camera c;
+        failure f;
+        real aspect = (const real[]){1, 2, (real)0.25}[round / 3 % 3];
+        if (!read_text(text, &s)) continue;
+        bool ok = studio_camera(&s, aspect, &v, &c, &f);
+        check(ok, "%s", f.text);
+        real least = 1, most = 0;
+        for (int k = 0; k < 6; k++) {
+            real x = 0, y = 0;
+            check(ok && camera_project(c, p[k], 1000, 1000, &x, &y), "in front of the camera");
+            least = real_min(least, real_min(x, y) / 1000);
+            most = real_max(most, real_max(x, y) / 1000);
+        }
+        check_at_least(least, 0, "within the picture");
+        check_at_most(most, 1, "within the picture");
+        /* Boxes of the triangles are framed, larger than they: how much is luck. Half, at least. */
+        check_at_least((double)(most - least), 0.4, "large in the picture");
+        check(v.up.x == (real)(round % 3 == 0) && v.up.y == (real)(round % 3 == 1), "up");
+        studio_free(&s);
+    }
+}
+
+static void test_odd_cameras(void)
+{
+    static const char *const fine[] = {"", "sphere 0 0 0 0\n", "sphere 5 5 5 0\n",
+                                       "polygon 1 1 1 1 1 1 1 1 1\n", "sphere 0 0 0 1e15\n",
+                                       "sphere 1e9 0 0 1e-9\n"};
+    static const char *const bad[] = {"camera from 0 0 0 at 0 0 0\n",
+                                      "camera from 0 1 0 at 0 0 0\n"};
+    studio s;
+    studio_view v;
+    camera c;
+    failure f;
+    for (size_t i = 0; i < sizeof fine / sizeof *fine; i++)
+        if (read_text(fine[i], &s)) {
+            check(studio_camera(&s, 1, &v, &c, &f), "%s: %s", fine[i], f.text);
+            studio_free(&s);
+        }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        if (read_text(bad[i], &s)) {
+            check(!studio_camera(&s, 1, &v, &c, &f) && f.exit_code == 2
+                  && strstr(f.text, "t:1: camera:"), "%s: %s", bad[i], f.text);
+            studio_free(&s);
+        }
+    if (read_text("camera from 0 3 4 at 0 0 0\nlens radius 1\n", &s)) {
+        check(studio_camera(&s, 1, &v, &c, &f) && studio_focus(&s, &v) == 5, "in focus: at");
+        studio_free(&s);
+    }
+}
+
+/* ---- sky ---- */
+
+static void test_sky(void)
+{
+    sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4)};
+    for (int y = 0; y < 4; y++)
+        for (int x = 0; x < 8; x++)
+            image_set(&s.picture, x, y, (vec3){(real)x, (real)y, 1});
+    /* Up y: the middle of the picture is -z, its right half begins there, +x is at 3/4. */
+    static const struct { int up; real turn; vec3 d; int x, y; } list[] = {
+        {1, 0, {(real)0.1, (real)0.1, -1}, 4, 1}, {1, 0, {(real)-0.1, (real)-0.1, -1}, 3, 2},
+        {1, 0, {1, (real)0.1, (real)-0.1}, 5, 1}, {1, 0, {-1, (real)-0.1, (real)-0.1}, 2, 2},
+        {1, 0, {(real)0.1, 5, (real)-0.2}, 4, 0}, {1, 0, {(real)-0.1, -9, (real)-0.2}, 3, 3},
+        {1, 0, {(real)0.1, (real)-0.1, 9}, 7, 2}, {1, 0, {(real)-0.1, (real)0.1, 9}, 0, 1},
+        {2, 0, {(real)0.1, 1, (real)0.1}, 4, 1},            /* z up: the middle is +y, then +x */
+        {1, 90, {-1, (real)0.1, (real)-0.1}, 4, 1},         /* turned about y: the middle is -x */
+        {0, 0, {(real)0.1, 1, (real)-0.1}, 4, 1}};          /* x up: right = y x x = -z */
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        sky_aim(&s, list[i].up, list[i].turn);
+        vec3 c = sky_radiance(&s, vscale(list[i].d, 3));
+        bool ok = c.x == 2 * (real)list[i].x && c.y == 2 * (real)list[i].y && c.z == 2;
+        check(ok, "direction %zu: pixel %g %g, expected %d %d", i, (double)c.x / 2, (double)c.y / 2,
+              list[i].x, list[i].y);
+    }
+    check(vfinite(sky_radiance(&s, (vec3){0, 0, 0})), "no direction: any pixel");
+    check(sky_lights(&s), "a picture that is not black lights");
+    s.scale = 0;
+    check(!sky_lights(&s), "scaled to black it does not");
+    sky_free(&s);
+}
+
+int main(void)
+{
+    rng = random_start(27, 1, 0);
+    test_appearance();
+    test_energy();
+    test_effects();
+    test_reasons();
+    test_effects_option();
+    test_framing();
+    test_odd_cameras();
+    test_sky();
+    return check_report("27_plan");
+}

@@ -1,0 +1,630 @@
+/* Tests of chapters/27_effects: MTL, NFF, OBJ with materials, scene files.
+ *
+ * Oracles: numbers that a double holds exactly, written by hand; scenes of 17, printed as NFF and
+ * read again; random materials, printed in many ways.
+ */
+static char directory[] = "/tmp/27_readers_XXXXXX";
+#include "../chapters/16_instances/crowd.h"
+#include "../chapters/17_compare/spd.h"
+#include "27_files.h"
+#include "../common/random.h"
+#include <time.h>
+
+static random_stream rng;
+static size_t below(size_t n) { return (size_t)(random_next_bits(&rng) % n); }
+static bool same(vec3 a, vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+static bool grey(vec3 a, real x) { return same(a, (vec3){x, x, x}); }
+
+#define TRIANGLE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+
+/* The material of that name that a triangle is made of, from a.mtl. */
+static studio_material mtl_material(const char *text, const char *name)
+{
+    studio s;
+    failure f;
+    char obj[300];
+    snprintf(obj, sizeof obj, "mtllib a.mtl\n" TRIANGLE "usemtl %s\nf 1 2 3\n", name);
+    put("a.mtl", text), put("a.obj", obj);
+    if (!read_scene("a.obj", &s, &f)) {
+        check(false, "%s", f.text);
+        return (studio_material){.illum = -2};
+    }
+    studio_material m = s.material[studio_material_of(&s, 0, 0)];
+    check_text(studio_material_name(&s, studio_material_of(&s, 0, 0)), name, "its name");
+    studio_free(&s);
+    return m;
+}
+
+/* ---- MTL ---- */
+
+static void test_mtl(void)
+{
+    studio_material m = mtl_material(
+        "# all of it\n\nnewmtl other\nKd 0 0 0\n newmtl  a b\n\tKd .5 .25 1\nKs 0.75\nKe 1 2 4\n"
+        "Tf 0.5 1 0\nNs 96\nNi 1.5\nd 0.25\nillum 7\nabsorb 0.5 0 2\nKa 1 1 1\n"
+        "map_Kd -s 1 1 1 x.png\n"
+        "Pr 0.5\nsharpness 60\nbump y.png\nunknown things 1 2 3\n# end", "a b");
+    check(same(m.kd, (vec3){0.5, 0.25, 1}) && grey(m.ks, 0.75) && same(m.ke, (vec3){1, 2, 4}),
+          "Kd, Ks, Ke");
+    check(same(m.tf, (vec3){0.5, 1, 0}) && same(m.absorb, (vec3){0.5, 0, 2}), "Tf, absorb");
+    check(m.ns == 96 && m.ni == (real)1.5 && m.d == (real)0.25 && m.illum == 7, "Ns Ni d illum");
+    check(m.at.line == 5 && m.said[KEY_KD].line == 6 && m.said[KEY_ABSORB].line == 14, "lines");
+    m = mtl_material("newmtl a\r\nTr 0.25\r\nNi 0\r\nd -halo 0.5\r\nTr .75\r\n", "a");
+    check(m.d == (real)0.25, "Tr x is d = 1 - x, the later of the two counts: %g", (double)m.d);
+    check(m.ni == 1, "Ni 0 is taken as 1");
+    check(m.said[KEY_KD].file == 0 && m.illum == -1 && m.ns == 1000, "what nobody said");
+    m = mtl_material("newmtl a\nKd 0\nnewmtl a\nKd 0.5\n", "a");
+    check(grey(m.kd, 0.5), "the later of two counts");
+    m = mtl_material("\xef\xbb\xbfnewmtl a\nKd \\\n 0.5 \\\n0.25 0 # dark\n"
+                     "Ks spectral x.rfl 1\nillum 10",
+                     "a");
+    check(same(m.kd, (vec3){0.5, 0.25, 0}) && m.illum == 10 && grey(m.ks, 0), "joined lines");
+}
+
+static void test_mtl_random(void)
+{
+    for (size_t i = check_count(300); i-- > 0;) {
+        double x[14];
+        char text[2000];
+        const char *end = (const char *[]){"\n", "\r\n", "\n\n", "  \n", " # x\n"}[below(5)];
+        for (int k = 0; k < 14; k++) x[k] = (double)random_float_of(random_next_bits(&rng));
+        snprintf(text, sizeof text, "newmtl m\nKd %.17g %.17g %.17g%s\tKs  %.17g %.17g %.17g%s"
+                 "Ke %.17e %g"
+                 " 1%sNs %.17g%sNi %.17g%sd %.17g%sillum %zu%s", x[0], x[1], x[2], end,
+                 x[3], x[4], x[5], end, x[6], 0.5, end, 1000 * x[7], end, 1 + x[8], end, x[9], end,
+                 i % 11, end);
+        studio_material m = mtl_material(text, "m");
+        bool ok = same(m.kd, (vec3){(real)x[0], (real)x[1], (real)x[2]})
+            && same(m.ks, (vec3){(real)x[3], (real)x[4], (real)x[5]}) && m.ke.x == (real)x[6]
+            && m.ns == (real)(1000 * x[7]) && m.ni == (real)(1 + x[8]) && m.d == (real)x[9]
+            && m.illum == (int)(i % 11);
+        if (!ok) check(false, "%s", text);
+    }
+    check(true, "random materials");
+}
+
+static void test_mtl_broken(void)
+{
+    static const struct { const char *text, *where, *allowed; } list[] = {
+        {"Kd 1 1 1\n", "a.mtl:1: line: before the first material: 'Kd'", "newmtl NAME"},
+        {"newmtl\n", "a.mtl:1: newmtl: no name before", "a name"},
+        {"newmtl a\nKd\n", "a.mtl:2: Kd: no number before the end of the line", "a number"},
+        {"newmtl a\nKd 1 2\n", "a.mtl:2: Kd: no number before", "a number"},
+        {"newmtl a\nKd 1 2 3 4\n", "a.mtl:2: Kd: too much: '4'", "the end of the line"},
+        {"newmtl a\n\nKd nan 0 0\n", "a.mtl:3: Kd: not a number: 'nan'", "finite decimals"},
+        {"newmtl a\nKd inf\n", "a.mtl:2: Kd: not a number: 'inf'", "finite"},
+        {"newmtl a\nKs -0.5 0 0\n", "a.mtl:2: Ks: out of range: '-0.5'", "0 to 1e+30"},
+        {"newmtl a\nKe 1e400\n", "a.mtl:2: Ke: out of range: '1e400'", "0 to 1e+30"},
+        {"newmtl a\nd 1.5\n", "a.mtl:2: d: out of range: '1.5'", "0 to 1"},
+        {"newmtl a\nTr -1\n", "a.mtl:2: Tr: out of range: '-1'", "0 to 1"},
+        {"newmtl a\nNs -3\n", "a.mtl:2: Ns: out of range: '-3'", "0 to 1e+09"},
+        {"newmtl a\nNi 20\n", "a.mtl:2: Ni: out of range: '20'", "0 to 10"},
+        {"newmtl a\nNi 0.0001\n", "a.mtl:2: Ni: too small before", "0.001 to 10"},
+        {"newmtl a\nillum 11\n", "a.mtl:2: illum: out of range: '11'", "0 to 10"},
+        {"newmtl a\nillum 1.5\n", "a.mtl:2: illum: not a whole number", "0 to 10"},
+        {"newmtl a\nKd 1 1 1x\n", "a.mtl:2: Kd: not a number: '1x'", "finite decimals"},
+        {"newmtl a\nKd 0x1 1 1\n", "a.mtl:2: Kd: not a number: '0x1'", "finite decimals"}};
+    put("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a\nf 1 2 3\n");
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        refused("a.mtl", list[i].text, "a.obj", 2, list[i].where, list[i].allowed);
+}
+
+/* A hundred thousand materials, each used once: by searching a list this takes minutes. */
+static void test_many_materials(void)
+{
+    size_t n = check_count(100000), m = 0, o = 0;
+    char *mtl = allocate(n + 1, 40), *obj = allocate(n + 8, 40);
+    studio s;
+    failure f;
+    o += (size_t)sprintf(obj, "mtllib a.mtl\nmtllib a.mtl a.mtl\n" TRIANGLE);
+    for (size_t i = 0; i < n; i++) {
+        m += (size_t)sprintf(mtl + m, "newmtl m%zu\nNs %zu\n", i, i);
+        o += (size_t)sprintf(obj + o, "usemtl m%zu\nf 1 2 3\n", n - 1 - i);
+    }
+    put("a.mtl", mtl), put("a.obj", obj);
+    clock_t start = clock();
+    bool ok = read_scene("a.obj", &s, &f);
+    double t = (double)(clock() - start) / CLOCKS_PER_SEC;
+    check(ok, "%s", f.text);
+    check(ok && s.material[studio_material_of(&s, 0, 0)].ns == (real)(n - 1)
+          && s.material[studio_material_of(&s, 0, (uint32_t)n - 1)].ns == 0, "each its own");
+    check(ok && s.libraries == 1, "a library that is named thrice is read once");
+    check_at_most(t, 3, "many materials take time that grows with their number alone: some 0.05 s");
+    if (ok) studio_free(&s);
+    free(mtl), free(obj);
+}
+
+/* Notes are kept up to twenty, whole; a fuzzer once found them copied beyond their end. */
+static void test_notes(void)
+{
+    char mtl[3000] = "newmtl a\n";
+    studio s;
+    failure f;
+    for (int i = 0; i < 100; i++) strcat(mtl, i % 3 ? "Ni 0\n" : "Kd spectral x.rfl\n");
+    put("a.mtl", mtl), put("a.obj", "mtllib a.mtl\n" TRIANGLE "usemtl a\nf 1 2 3\n");
+    bool ok = read_scene("a.obj", &s, &f);
+    check(ok && s.note_count == 100 && s.note_size == strlen(s.notes), "%s", f.text);
+    size_t lines = 0;
+    for (const char *p = s.notes; ok && *p; p++) lines += *p == '\n';
+    check_equal(lines, (size_t)studio_most_notes, "lines of notes");
+    check(ok && strstr(s.notes, "a.mtl:2: Kd: only r g b is read\n")
+          && strstr(s.notes, "a.mtl:21: Ni 0 is taken as 1\n"), "%s", s.notes);
+    if (ok) studio_free(&s);
+}
+
+/* ---- OBJ as programs write it ---- */
+
+static void test_exports(void)
+{
+    studio s;
+    failure f;
+    put("blend.obj", "# Blender v2.79 (sub 0) OBJ File: 'x.blend'\n# www.blender.org\n"
+        "mtllib blend.mtl\no Cube_Cube.001\nv 1.000000 1.000000 -1.000000\nv 1.0 -1.0 -1.0\n"
+        "v -1.0 -1.0 -1.0\nv -1.0 1.0 -1.0\nvt 0.625 0.5\nvn 0.0 0.0 -1.0\nusemtl Material\ns off\n"
+        "g Cube_Cube.001_Material\nf 1/1/1 2/1/1 3/1/1 4/1/1\nusemtl None\ns 1\n"
+        "f 1//1 2//1 3//1\nl 1 2\n");
+    put("blend.mtl", "# Blender MTL File: 'x.blend'\n# Material Count: 1\n\nnewmtl Material\n"
+        "Ns 96.078431\nKa 1.000000 1.000000 1.000000\nKd 0.640000 0.640000 0.640000\n"
+        "Ks 0.500000 0.500000 0.500000\nKe 0.000000 0.000000 0.000000\nNi 1.000000\nd 1.000000\n"
+        "illum 2\nmap_Kd C:\\\\textures\\\\wood.png\n");
+    bool ok = read_scene("blend.obj", &s, &f);
+    check(ok, "%s", f.text);
+    if (!ok) return;
+    check(s.mesh[0].triangles == 3 && s.materials == 2 && s.mesh[0].n, "Blender: what is there");
+    check(studio_material_of(&s, 0, 1) == 1 && studio_material_of(&s, 0, 2) == 0, "Blender: None");
+    check(s.material[1].illum == 2 && s.material[1].ns == (real)96.078431, "Blender: material");
+    check(s.note_count == 1 && strstr(s.notes, "textures are not read"), "a note: %s", s.notes);
+    studio_free(&s);
+
+    put("ml.obj", "####\n#\n# OBJ File Generated by Meshlab\n#\n####\n# Object ml.obj\n#\n"
+        "# Vertices: 3\n# Faces: 1\n#\n####\nmtllib ./ml.obj.mtl\n\n"
+        "vn 0.000000 0.000000 1.570796\nv 0.000000 0.000000 0.000000 0.5 0.5 0.5\n"
+        "vn 0 0 1.570796\nv 1 0 0 0.5 0.5 0.5\nvn 0 0 1.570796\nv 0 1 0 0.5 0.5 0.5\n"
+        "# 3 vertices, 0 vertices normals\n\nusemtl material_0\nf 1//1 2//2 3//3\n"
+        "# 1 faces, 0 coords texture\n\n# End of File\n");
+    put("ml.obj.mtl", "#\n# Wavefront material file\n# Converted by Meshlab Group\n#\n\n"
+        "newmtl material_0\nKa 0.200000 0.200000 0.200000\nKd 0.501961 0.501961 0.501961\n"
+        "Ks 1.000000 1.000000 1.000000\nTr 0.000000\nillum 2\nNs 0.000000\n\n");
+    ok = read_scene("ml.obj", &s, &f);
+    check(ok && s.material[studio_material_of(&s, 0, 0)].d == 1 && s.note_count == 0, "Meshlab: %s",
+          f.text);
+    if (ok) studio_free(&s);
+
+    put("lost.obj", "mtllib C:\\Users\\me\\lost.mtl\nmtllib /no/such/other.mtl\n" TRIANGLE
+        "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
+    put("lost.mtl", "newmtl a\nKd 0.5\n");
+    ok = read_scene("lost.obj", &s, &f);
+    check(ok, "libraries that are not there are no error: %s", f.text);
+    check(ok && s.material[studio_material_of(&s, 0, 0)].kd.x == (real)0.5,
+          "the last part of the path is looked for beside the file");
+    check(ok && strstr(s.notes, "no file '/no/such/other.mtl'") && strstr(s.notes, "material 'b'"),
+          "and what is not there is noted: %s", ok ? s.notes : "");
+    if (ok) studio_free(&s);
+
+    put("my pot.mtl", "newmtl a\nKd 0.25\n");
+    put("two.mtl", "newmtl a\nKd 0.75\nnewmtl c\nKd 0.5\n");
+    put("b.obj", "mtllib my pot.mtl\nmtllib no.mtl two.mtl\n" TRIANGLE
+        "f 1 2 3\nusemtl a\nf 1 2 3\nusemtl c\nf 1 2 3\n");
+    ok = read_scene("b.obj", &s, &f);
+    check(ok && s.material[studio_material_of(&s, 0, 1)].kd.x == (real)0.25
+          && s.material[studio_material_of(&s, 0, 2)].kd.x == (real)0.5
+          && studio_material_of(&s, 0, 0) == 0, "blanks in a name; the first library counts: %s",
+          f.text);
+    if (ok) studio_free(&s);
+}
+
+/* ---- NFF ---- */
+
+static void print_vec(FILE *out, vec3 v, const char *blank)
+{
+    fprintf(out, "%.17g%s%.17g%s%.17g%s", (double)v.x, blank, (double)v.y, blank, (double)v.z,
+            blank);
+}
+
+/* A world of 17 as NFF, with that between the tokens. */
+static void print_nff(const world *w, const char *name, const char *blank)
+{
+    FILE *out = fopen(in_directory(name), "wb");
+    if (!out) abort();
+    fprintf(out, "# %s\nb%s", w->name, blank), print_vec(out, w->background, blank);
+    fprintf(out, "v%sfrom%s", blank, blank), print_vec(out, w->from, blank);
+    fprintf(out, "at%s", blank), print_vec(out, w->at, blank);
+    fprintf(out, "up%s", blank), print_vec(out, w->up, blank);
+    fprintf(out, "angle%s%.17g%shither%s0.5%sresolution%s512%s512%s", blank, (double)w->angle,
+            blank, blank, blank, blank, blank, blank);
+    for (int i = 0; i < w->lights; i++)
+        fprintf(out, "l%s", blank), print_vec(out, w->light[i], blank);
+    size_t group = 0;
+    for (size_t i = 0; i < world_size(w); i++) {
+        if (group < w->groups && w->group[group].first == i) {
+            finish p = w->group[group++].finish;
+            fprintf(out, "f%s", blank), print_vec(out, p.colour, blank);
+            fprintf(out, "%.17g%s%.17g%s%.17g%s%.17g%s%.17g%s", (double)p.kd, blank, (double)p.ks,
+                    blank, (double)p.shine, blank, (double)p.transmit, blank, (double)p.ior, blank);
+        }
+        shape x = w->n ? w->shape[i] : shape_of_triangle(mesh_triangle(&w->mesh, i));
+        switch (x.kind) {
+        case SHAPE_SPHERE:
+            fprintf(out, "s%s", blank), print_vec(out, x.sphere.c, blank);
+            fprintf(out, "%.17g%s", (double)x.sphere.r, blank);
+            break;
+        case SHAPE_CONE:
+            fprintf(out, "c%s", blank), print_vec(out, x.cone.a, blank);
+            fprintf(out, "%.17g%s", (double)x.cone.ra, blank), print_vec(out, x.cone.b, blank);
+            fprintf(out, "%.17g%s", (double)x.cone.rb, blank);
+            break;
+        case SHAPE_TRIANGLE:
+            fprintf(out, "p%s3%s", blank, blank), print_vec(out, x.triangle.a, blank);
+            print_vec(out, x.triangle.b, blank), print_vec(out, x.triangle.c, blank);
+            break;
+        case SHAPE_POLYGON:
+            fprintf(out, "p%s%u%s", blank, (unsigned)x.polygon.n, blank);
+            for (uint32_t k = 0; k < x.polygon.n; k++) print_vec(out, x.polygon.v[k], blank);
+        }
+        if (i % 7 == 3) fprintf(out, "\n# a comment, p 3 s 1\n");
+    }
+    if (fclose(out) != 0) abort();
+}
+
+static bool same_finish(const studio_material *m, finish p)
+{
+    return same(m->kd, vscale(p.colour, p.kd)) && same(m->ks, vscale(p.colour, p.ks))
+        && grey(m->tf, p.transmit) && m->ns == p.shine && m->ni == (p.ior > 0 ? p.ior : 1)
+        && m->classic;
+}
+
+/* Everything as 17 made it, in the same order; triangles and the rest each in theirs. */
+static bool same_world(const studio *s, const world *w)
+{
+    size_t triangle_at = 0, shape_at = 0;
+    for (size_t i = 0; i < world_size(w); i++) {
+        shape x = w->n ? w->shape[i] : shape_of_triangle(mesh_triangle(&w->mesh, i));
+        uint32_t m;
+        if (x.kind == SHAPE_TRIANGLE) {
+            if (!s->meshes || triangle_at >= s->mesh[0].triangles) return false;
+            triangle t = mesh_triangle(&s->mesh[0], triangle_at);
+            if (!same(t.a, x.triangle.a) || !same(t.b, x.triangle.b) || !same(t.c, x.triangle.c))
+                return false;
+            m = studio_material_of(s, 0, (uint32_t)triangle_at++);
+        } else {
+            if (shape_at >= s->shapes) return false;
+            const shape *y = &s->shape[shape_at];
+            bool ok = x.kind == y->kind;
+            if (ok && x.kind == SHAPE_SPHERE)
+                ok = same(x.sphere.c, y->sphere.c) && x.sphere.r == y->sphere.r;
+            else if (ok && x.kind == SHAPE_CONE)
+                ok = same(x.cone.a, y->cone.a) && same(x.cone.b, y->cone.b)
+                    && x.cone.ra == y->cone.ra && x.cone.rb == y->cone.rb;
+            else if (ok) {
+                ok = x.polygon.n == y->polygon.n && same(x.polygon.normal, y->polygon.normal);
+                for (uint32_t k = 0; ok && k < x.polygon.n; k++)
+                    ok = same(x.polygon.v[k], y->polygon.v[k]);
+            }
+            if (!ok) return false;
+            m = s->shape_material[shape_at++];
+        }
+        if (!same_finish(&s->material[m], world_finish(w, i))) return false;
+    }
+    return shape_at == s->shapes && (s->meshes ? s->mesh[0].triangles : 0) == triangle_at;
+}
+
+static void test_nff_scenes(void)
+{
+    static const struct { const char *name; int scale; } list[] = {
+        {"balls", 2}, {"gears", 2}, {"mount", 4}, {"rings", 2}, {"teapot", 3}, {"tetra", 4},
+        {"tree", 5}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        for (int k = 0; k < 3; k++) {
+            world w;
+            studio s;
+            failure f;
+            if (!spd_world(list[i].name, list[i].scale, &w, &f)) abort();
+            print_nff(&w, "w.nff", (const char *[]){" ", "\n", "\t \r\n  "}[k]);
+            bool ok = read_scene("w.nff", &s, &f);
+            check(ok, "%s: %s", list[i].name, f.text);
+            if (!ok) continue;
+            check(same_world(&s, &w), "%s: each shape and finish as it was made", list[i].name);
+            check(same(s.view.from, w.from) && same(s.view.at, w.at) && same(s.view.up, w.up)
+                  && s.view.angle == w.angle && s.view.hither == (real)0.5 && s.view.width == 512,
+                  "%s: view", list[i].name);
+            check(same(s.sky.background, w.background) && s.sky.kind == SKY_NONE, "background");
+            check((int)s.lights == w.lights, "lights");
+            for (int l = 0; l < w.lights; l++) {  /* (27.4): E / pi at `at` is what 1987 says */
+                real D = vlength(vsub(w.light[l], w.at));
+                check(same(s.light[l].light.at, w.light[l]), "light %d", l);
+                check_close(s.light[l].light.colour.x / (pi * D * D) / w.light_each, 1,
+                            8 * (double)real_epsilon, "a light's strength where the camera looks");
+            }
+            studio_free(&s), world_free(&w);
+        }
+}
+
+static void test_nff_rest(void)
+{
+    studio s;
+    failure f;
+    put("r.nff", "s 0 0 0 -2 # inside\nl 1 2 3 0.5 0.25 1 l 4 5 6 f 1 1 1 .5 .5 3 0 0\ns 1 1 1 1\n"
+        "f 1 1 1 .5 .5 3 0 0 c 0 0 0 -1 0 0 1 0.5\npp 3 0 0 0 0 0 1 1 0 0 0 1 1 0 1 0 1 0 1\n"
+        "p 3 5 0 0 6 0 0 5 1 0\n"
+        "pp 4 0 0 0 0 0 2 2 0 0 0 0 2 0.5 0.5 0 0 0 2 0 2 0 0 0 2");
+    bool ok = read_scene("r.nff", &s, &f);
+    check(ok, "%s", f.text);
+    if (!ok) return;
+    check(s.shapes == 3 && s.shape[0].sphere.r == -2 && s.shape[2].cone.ra == -1, "negative radii");
+    check(s.materials == 2, "equal f lines are one material: %zu", s.materials);
+    check(s.shape_material[0] == 0 && s.shape_material[1] == 1, "before the first f: the default");
+    check(s.lights == 2 && !s.view.given, "lights, no view");
+    const mesh *m = &s.mesh[0];
+    check(m->triangles == 4 && m->n, "two triangles and a concave patch of two: %zu", m->triangles);
+    check(same(mesh_normal(m, 1, (real)0.25, (real)0.25), (vec3){0, 0, 1}),
+          "a triangle without normals keeps its own");
+    vec3 n = mesh_normal(m, 0, 1, 0);
+    check_close(n.y, sqrt(0.5), 4 * (double)real_epsilon, "the normal of a corner");
+    check_close(vlength(n), 1, 4 * (double)real_epsilon, "made unit");
+    studio_free(&s);
+}
+
+static void test_nff_broken(void)
+{
+    static const struct { const char *text, *where, *allowed; } list[] = {
+        {"s 0 0 0\n", "b.nff:2: s: no number before the end of the file", "a number"},
+        {"s 0 0 0 x", "b.nff:1: s: not a number: 'x'", "finite"},
+        {"\n\ns 0 nan 0 1", "b.nff:3: s: not a number: 'nan'", "finite"},
+        {"q 1 2 3", "b.nff:1: line: begins with 'q'", "v, b, l, f, s, c, p, pp"},
+        {"p 2 0 0 0 1 1 1", "b.nff:1: p: out of range: '2'", "3 to"},
+        {"p 3.5 0 0 0", "b.nff:1: p: not a whole number", "3 or more"},
+        {"p 1000000000 0 0 0 1 1 1 2 0 0", "b.nff:1: p: ", "a number"},
+        {"p -4 0 0 0", "b.nff:1: p: out of range: '-4'", "3 to 1e+09"},
+        {"v from 0 0 0 at 1 1 1 up 0 0 1\ns 0 0 0 1", "b.nff:2: v: from, at, up or angle is",
+         "all four"},
+        {"v from 0 0 0 angle 180", "b.nff:1: angle: out of range: '180'", "179.999"},
+        {"f 1 1 1 .5 .5 3 2 1", "b.nff:1: f: out of range: '2'", "0 to 1"},
+        {"f 1 1 1 .5 .5 -3 0 1", "b.nff:1: f: out of range: '-3'", "0 to 1e+09"},
+        {"l 1 2 3 4", "b.nff:1: l: ", "a number"},
+        {"b 1 1 -1", "b.nff:1: b: out of range: '-1'", "0"},
+        {"s 1 2 3 1e999", "b.nff:1: s: out of range: '1e999'", "to"}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        refused("b.nff", list[i].text, "b.nff", 2, list[i].where, list[i].allowed);
+    char big[300 * 40] = "pp 300\n";  /* a star of 300 corners: corner 0 does not see them all */
+    for (int i = 0; i < 300; i++) {
+        double r = i % 2 ? 1 : 3, a = 2 * 3.14159265358979 * i / 300;
+        sprintf(big + strlen(big), "%.6f %.6f 0 0 0 1\n", r * cos(a), r * sin(a));
+    }
+    refused("b.nff", big, "b.nff", 2, "b.nff:301: pp: a concave patch", "up to 256 corners");
+}
+
+/* ---- patches ---- */
+
+/* A ring of corners at rising angles: seen as a whole from the middle, but not from corner 0. */
+static size_t random_star(vec3 *v, vec3 x, vec3 y, vec3 at)
+{
+    size_t n = 3 + below(30);
+    for (size_t i = 0; i < n; i++) {
+        real a = 2 * pi * (real)i / (real)n, r = (real)0.25 + random_next(&rng) * (n > 3);
+        v[i] = vadd(at, vadd(vscale(x, r * cos(a)), vscale(y, r * sin(a))));
+    }
+    return n;
+}
+
+/* The triangles cover the polygon: random points are in one of them where 07 finds them inside. */
+static void test_patches(void)
+{
+    for (size_t round = check_count(400); round-- > 0;) {
+        vec3 v[40], n = vunit((vec3){random_next(&rng) - (real)0.5, random_next(&rng) - (real)0.5,
+                                     random_next(&rng) - (real)0.5}), x, y;
+        uint32_t index[3 * 40];
+        vbasis(n, &x, &y);
+        size_t corners = random_star(v, x, y, (vec3){3, 1, -2});
+        size_t triangles = patch_triangles(v, corners, index);
+        check(triangles == corners - 2, "n - 2 triangles");
+        polygon p = polygon_of(v, corners);
+        vec3 whole = {0, 0, 0}, sum = whole;
+        for (size_t i = 2; i < corners; i++)
+            whole = vadd(whole, vcross(vsub(v[i - 1], v[0]), vsub(v[i], v[0])));
+        bool left = true;
+        for (size_t k = 0; k < triangles; k++) {
+            triangle t = {v[index[3 * k]], v[index[3 * k + 1]], v[index[3 * k + 2]]};
+            vec3 area = vcross(vsub(t.b, t.a), vsub(t.c, t.a));
+            left = left && vdot(area, n) > -64 * real_epsilon;
+            sum = vadd(sum, area);
+        }
+        check(left, "no triangle is turned round");
+        check_at_most((double)vlength(vsub(sum, whole)), 40 * 64 * (double)real_epsilon,
+                      "their areas add up to the polygon's: some 40 sums of numbers about 4");
+        size_t wrong = 0;
+        for (int q = 0; q < 50; q++) {
+            vec3 at = vadd((vec3){3, 1, -2}, vadd(vscale(x, random_next(&rng) * 3 - (real)1.5),
+                                                  vscale(y, random_next(&rng) * 3 - (real)1.5)));
+            ray r = ray_from(vadd(at, n), vneg(n));
+            hit h;
+            bool in = polygon_hit(p, r, &h), found = false;
+            for (size_t k = 0; k < triangles; k++)
+                found = found || triangle_hit((triangle){v[index[3 * k]], v[index[3 * k + 1]],
+                                                         v[index[3 * k + 2]]}, r, &h);
+            wrong += in != found;
+        }
+        check_at_most(wrong, real_is_float ? 1 : 0, "points inside, as the polygon has them");
+    }
+}
+
+/* ---- scene files ---- */
+
+static void test_scene(void)
+{
+    studio s;
+    failure f;
+    put("i.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    put("i.obj", "mtllib i.mtl\n" TRIANGLE "f 1 2 3\nusemtl red\nf 1 2 3\n");
+    put("i.nff", "b 1 1 1 s 1 0 0 2 p 4 0 0 0 1 0 0 1 1 0 0 1 0 p 3 0 0 0 1 0 0 0 1 0");
+    put("inner.scene", "use gold\nsphere 9 9 9 1\n");
+    put("a b.obj", TRIANGLE "f 3 2 1\n");
+    put("s.scene", "# all statements\nup z\nbackground 0.5\ncamera from 0 -8 2 at 0 0 1 angle 30"
+        " hither 0.25\nlens radius 0.125 focus 7\nlight at 1 2 3 colour 4\n"
+        "sun to 0 0 2 colour 1 2 3\n"
+        "environment 0.25 1 # gradient\nmaterial gold # a name\n  Kd 0.75 0.5 0\n  illum 3\n"
+        "\tKs .25\n"
+        "sphere 1 2 3 -0.5\ncone 0 0 0 1  0 0 2 0\npolygon 0 0 0 1 0 0 1 1 0 \\\n 0 1 0\n"
+        "obj i.obj smooth scale 2 turn 0 0 1 90 move 1 0 0\nmtl i.mtl\n"
+        "use blue \t# of the library\nmesh pot i.obj\n"
+        "instance pot\ninstance pot scale 1 1 -1\nobj \"a b.obj\"\nnff i.nff move 0 0 4 scale 2\n"
+        "include inner.scene\n");
+    bool ok = read_scene("s.scene", &s, &f);
+    check(ok, "%s", f.text);
+    if (!ok) return;
+    check(s.up == 2 && grey(s.sky.background, 1) && s.view.hither == (real)0.25, "up, background");
+    check(same(s.view.from, (vec3){0, -8, 2}) && same(s.view.up, (vec3){0, 0, 1})
+          && s.view.angle == 30 && s.view.said.line == 4, "camera");
+    check(s.lens.radius == (real)0.125 && s.lens.focus == 7 && s.lens.said.line == 5, "lens");
+    check(s.lights == 2 && s.light[0].light.kind == LIGHT_POINT && grey(s.light[0].light.colour, 4)
+          && same(s.light[1].light.at, (vec3){0, 0, 1}) && s.light[1].at.line == 7, "light, sun");
+    check(s.sky.kind == SKY_GRADIENT && same(sky_radiance(&s.sky, (vec3){0, 0, -3}), s.sky.low)
+          && grey(sky_radiance(&s.sky, (vec3){1, 0, 0}), 0.625), "environment");
+    uint32_t gold = s.shape_material[0];
+    check_text(studio_material_name(&s, gold), "gold", "the material of a sphere");
+    check(s.material[gold].illum == 3 && s.material[gold].said[KEY_ILLUM].line == 11, "described");
+    check(s.shapes == 6, "sphere, cone, polygon, two of NFF, one included: %zu", s.shapes);
+    check(s.shape[2].polygon.n == 4 && same(s.shape[2].polygon.v[3], (vec3){0, 1, 0}), "polygon");
+    check(same(s.shape[3].sphere.c, (vec3){2, 0, 8}) && s.shape[3].sphere.r == 4, "NFF, moved");
+    check(same(s.shape[4].polygon.v[1], (vec3){2, 0, 8}), "NFF, a polygon moved");
+    check(s.shape_material[5] == gold, "what is included stands there");
+    check(s.places == 5 && s.meshes == 4, "places %zu, meshes %zu: a file is read once for smooth, "
+          "once not", s.places, s.meshes);
+    vec3 p = affine_point(s.placed[0].to_world, (vec3){1, 0, 0});
+    check_at_most((double)vlength(vsub(p, (vec3){1, 2, 0})), 8 * (double)real_epsilon,
+                  "scaled, turned, moved, in this order");
+    check(studio_material_of(&s, 0, 0) == gold, "without usemtl: what was current");
+    check_text(studio_material_name(&s, studio_material_of(&s, 1, 0)), "blue", "by use");
+    check_text(studio_material_name(&s, studio_material_of(&s, 1, 1)), "red", "by usemtl");
+    check(studio_stands(&s, 1) && !studio_stands(&s, 2), "stands, is moved");
+    studio_free(&s);
+}
+
+/* What the command line says comes last and replaces. */
+static void test_words(void)
+{
+    studio s;
+    failure f;
+    studio_words w = {.camera = "from 1 0 0 at 0 0 0",
+                      .light = "at 0 0 1 colour 1; at 0 0 2 colour 2",
+                      .environment = "0.5", .up = "x", .lens = "radius 2"};
+    const char *text = "light at 5 5 5 colour 5\nsun to 1 0 0 colour 1\nenvironment 1 2\n"
+        "lens radius 1\ncamera from 0 0 9 at 0 0 0\nsphere 0 0 0 1\n";
+    bool ok = studio_read_text(text, "t", &w, &s, &f);
+    check(ok, "%s", f.text);
+    if (!ok) return;
+    char said[99];
+    check(s.lights == 2 && s.light[1].light.at.z == 2, "lights of the files are replaced");
+    check_text(studio_said(&s, s.light[1].at, said, sizeof said), "--light:2", "says from where");
+    check(s.view.from.x == 1 && s.sky.kind == SKY_CONSTANT && s.lens.radius == 2, "the rest");
+    studio_free(&s);
+    ok = studio_read_text(text, "t", NULL, &s, &f);
+    check(ok && s.lights == 2 && s.light[1].light.kind == LIGHT_DIRECTIONAL, "without: as it was");
+    if (ok) studio_free(&s);
+    w.light = "at 1 2";
+    ok = studio_read_text(text, "t", &w, &s, &f);
+    check(!ok && strstr(f.text, "--light:1: light: no number before"), "%s", f.text);
+    if (ok) studio_free(&s);
+}
+
+static void test_scene_broken(void)
+{
+    static const struct { const char *text, *where, *allowed; } list[] = {
+        {"sphre 0 0 0 1\n", "x.scene:1: line: begins with 'sphre'", "sphere"},
+        {"sphere 0 0 0\n", "x.scene:1: sphere: no number before", "a number"},
+        {"sphere 0 0 0 1 2\n", "x.scene:1: sphere: too much: '2'", "the end of the line"},
+        {"\ncamera from 0 0 0\n", "x.scene:2: camera: something is missing", "from X Y Z at X Y Z"},
+        {"camera from 0 0 0 at 1 1\n", "x.scene:1: camera: no number before", "a number"},
+        {"camera from 0 0 0 at 1 1 1 angle 180\n", "out of range: '180'", "0.001 to 179"},
+        {"camera form 0 0 0\n", "what is 'form'", "from, at, up, angle, hither"},
+        {"lens focus 3\n", "x.scene:1: lens: something is missing", "radius X"},
+        {"light at 1 1 1\n", "x.scene:1: light: something is missing", "colour C"},
+        {"light at 1 1 1 colour -1\n", "out of range: '-1'", "0 to 1e+30"},
+        {"sun to 0 0 0 colour 1\n", "sun: no direction before", "not all 0"},
+        {"up w\n", "x.scene:1: up: no axis: 'w'", "x, y, z"},
+        {"Kd 1 1 1\n", "x.scene:1: line: describes nothing: 'Kd'", "material NAME"},
+        {"material a\nKd 2 x\n", "x.scene:2: Kd: too much: 'x'", "the end"},
+        {"use gold\n", "x.scene:1: use: no material 'gold'", "names that material"},
+        {"instance pot\n", "x.scene:1: instance: no mesh 'pot'", "names that mesh"},
+        {"environment\n", "x.scene:1: environment: something is missing", "a picture"},
+        {"environment 1 2 3 4\n", "environment: numbers end", "1, 2, 3 or 6"},
+        {"environment 1 2 3 4 5 6 7\n", "environment: too much: '7'", "the end of the line"},
+        {"environment i.mtl\n", "i.mtl: no whole P3, P6 or PF picture", ""},
+        {"environment nan.pfm\n", "nan.pfm: pixel 1 0: no light", "0 and more"},
+        {"polygon 0 0 0 1 1 1\n", "x.scene:1: polygon: too few corners", "3 or more"},
+        {"obj i.obj turn 0 0 0 5\n", "obj: no axis before", "turn X Y Z DEGREES"},
+        {"obj i.obj scale 0\n", "obj: scaled to nothing", "none 0"},
+        {"obj i.obj scale 1e30 scale 1e30 scale 1e30 scale 1e30 scale 1e30 scale 1e30 scale 1e30 "
+         "scale 1e30 scale 1e30 scale 1e30 scale 1e30\n", "beyond what numbers hold", ""},
+        {"obj \"i.obj\n", "obj: not the name of a file", "FILE"},
+        {"nff i.nff scale 1 2 1\n", "scaled by unlike factors", "polygons"},
+        {"nff x.scene\n", "x.scene:1: line: begins with 'nff'", "v, b, l"},
+        {"include x.scene\n", "x.scene:1: include: ", "includes itself"}};
+    put_bytes("nan.pfm", "PF 2 1 -1\n\0\0\0\0\0\0\0\0\0\0\0\0\0\0\xc0\x7f\0\0\0\0\0\0\0\0", 34);
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        refused("x.scene", list[i].text, "x.scene", 2, list[i].where, list[i].allowed);
+    refused("x.scene", "include no.scene\n", "x.scene", 1, "no.scene: cannot read: No such", "");
+    refused("x.scene", "obj no.obj\n", "x.scene", 1, "no.obj: cannot read: No such", "");
+    refused("x.scene", "include .\n", "x.scene", 1, "cannot read: Is a directory", "");
+    refused("x.scene", "include /dev/zero\n", "x.scene", 1, "/dev/zero: cannot read: not", "");
+    refused("x.scene", "environment /dev/zero\n", "x.scene", 1, "/dev/zero: cannot read: not", "");
+    refused("x.scene", "environment no.pfm\n", "x.scene", 1, "no.pfm: cannot read", "");
+    refused("x.scene", "obj empty.obj\n", "x.scene", 1, "empty.obj", "");
+    put("empty.obj", "");
+    refused("x.scene", "obj empty.obj\n", "x.scene", 2, "empty.obj:1: line: no face", "1 or more");
+}
+
+static void test_includes(void)
+{
+    studio s;
+    failure f;
+    char name[32], text[64];
+    put("a.scene", "include b.scene\n"), put("b.scene", "\ninclude ././a.scene\n");
+    check(!read_scene("a.scene", &s, &f) && f.exit_code == 2
+          && strstr(f.text, "b.scene:2: include:") && strstr(f.text, "includes itself"), "%s",
+          f.text);
+    for (int i = 0; i < 17; i++) {
+        snprintf(name, sizeof name, "d%d.scene", i);
+        snprintf(text, sizeof text, "include d%d.scene\n", i + 1);
+        put(name, i == 16 ? "sphere 0 0 0 1\n" : text);
+    }
+    check(!read_scene("d0.scene", &s, &f) && strstr(f.text, "nested too deep"), "%s", f.text);
+    bool ok = read_scene("d1.scene", &s, &f);
+    check(ok && s.shapes == 1, "16 deep: %s", f.text);
+    if (ok) studio_free(&s);
+    for (int i = 0; i < 12; i++) {  /* each twice: 2^12 of the last */
+        snprintf(name, sizeof name, "e%d.scene", i);
+        snprintf(text, sizeof text, "include e%d.scene\ninclude e%d.scene\n", i + 1, i + 1);
+        put(name, i == 11 ? "sphere 0 0 0 1\n" : text);
+    }
+    check(!read_scene("e0.scene", &s, &f) && f.exit_code == 2
+          && strstr(f.text, "too many files, allowed: 256"), "%s", f.text);
+    put("glow.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\nf 1 2 3\nf 1 2 3\n");
+    size_t n = studio_most_emitters / 4 + 1, room = n * 12 + 100, at;
+    char *many = allocate(room, 1);
+    at = (size_t)sprintf(many, "material lamp\nKe 1\nmesh g glow.obj\n");
+    for (size_t i = 0; i < n; i++) at += (size_t)sprintf(many + at, "instance g\n");
+    refused("x.scene", many, "x.scene", 2, "1048580 faces emit light", "at most 1048576");
+    free(many);
+}
+
+int main(void)
+{
+    rng = random_start(27, 0, 0);
+    if (!mkdtemp(directory)) abort();
+    test_mtl();
+    test_mtl_random();
+    test_mtl_broken();
+    test_many_materials();
+    test_notes();
+    test_exports();
+    test_nff_scenes();
+    test_nff_rest();
+    test_nff_broken();
+    test_patches();
+    test_scene();
+    test_words();
+    test_scene_broken();
+    test_includes();
+    remove_all();
+    return check_report("27_readers");
+}

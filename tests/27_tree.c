@@ -1,0 +1,212 @@
+/* Tests of chapters/27_effects/studio_tree.h: what a ray hits first, and the surface there.
+ *
+ * Oracle: each shape and each instance asked in turn (07, 16), and the closed form of a sphere.
+ */
+#include "../chapters/27_effects/studio_read.h"
+#include "../chapters/27_effects/studio_tree.h"
+#include "../chapters/18_shade/leave.h"
+#include "../chapters/04_triangle/icosphere.h"
+#include "../common/random.h"
+#include "check.h"
+
+static random_stream rng;
+static real uniform(void) { return 2 * random_next(&rng) - 1; }
+static vec3 in_cube(real r) { return (vec3){r * uniform(), r * uniform(), r * uniform()}; }
+
+/* A ball of triangles, outward, corners shared. */
+static mesh ball_mesh(int levels)
+{
+    icosphere b = icosphere_new(levels, (vec3){0, 0, 0}, 1);
+    mesh m = {.v = allocate(b.vertices, sizeof *m.v), .vertices = b.vertices,
+              .index = allocate(3 * (size_t)b.triangles, sizeof *m.index),
+              .triangles = b.triangles};
+    memcpy(m.v, b.v, b.vertices * sizeof *m.v);
+    memcpy(m.index, b.index, 3 * (size_t)b.triangles * sizeof *m.index);
+    icosphere_free(&b);
+    return m;
+}
+
+static affine random_place(void)
+{
+    affine a = affine_scaling((vec3){(real)0.3 + random_next(&rng), (real)0.5, (real)-0.7});
+    a = affine_of(a, affine_rotation(vunit(in_cube(1)), 6 * uniform()));
+    return affine_of(a, affine_translation(in_cube(4)));
+}
+
+/* Shapes, meshes that stand, one of them twice, and others that are moved. */
+static void random_studio(studio *s, int kinds)
+{
+    const affine one = affine_scaling((vec3){1, 1, 1});
+    failure f;
+    studio_begin(s);
+    uint32_t red = studio_add_material(s, "red", (cite){0, 0});
+    for (int i = 0; kinds & 1 && i < 20; i++) {
+        vec3 v[4] = {in_cube(4), in_cube(4), in_cube(4), {0, 0, 0}};
+        v[3] = vadd(v[0], vsub(v[2], v[1]));
+        if (i % 3 == 0) studio_add_polygon(s, v, 4, red);
+        else if (i % 3 == 1) studio_add_shape(s, shape_of_sphere((sphere){v[0], uniform()}), 0);
+        else studio_add_shape(s, shape_of_cone((cone){v[0], uniform(), v[1], uniform()}), red);
+    }
+    uint32_t a = studio_add_mesh(s, ball_mesh(1), allocate(1, 4), 0, false);
+    uint32_t b = studio_add_mesh(s, ball_mesh(2), allocate(1, 4), 0, true);
+    mesh_smooth_normals(&s->mesh[b]);
+    for (int i = 0; i < 8; i++) {
+        if (kinds & 4)
+            studio_place(s, i % 2 ? a : b, random_place(), i % 3 ? red : 0, (cite){0, 0});
+        if (kinds & 2 && i % 3 == 1) studio_place(s, a, one, red, (cite){0, 0});
+        if (kinds & 2 && i == 5) studio_place(s, b, one, 0, (cite){0, 0});
+    }
+    if (!studio_finish(s, &f)) abort();
+}
+
+/* Everything in turn. Equal t: shapes, then the first standing place of each mesh, then the
+ * rest. */
+static bool brute_hit(const studio *s, ray r, studio_hit *out)
+{
+    scene all = studio_shapes(s);
+    bool found = false, seen[2] = {false, false}, *stands = allocate(s->places, sizeof *stands);
+    hit h;
+    if (scene_hit(&all, r, &h)) *out = (studio_hit){h, no_shape}, found = true, r.tmax = h.t;
+    for (uint32_t i = 0; i < s->places; i++) {
+        uint32_t m = s->placed[i].mesh;
+        stands[i] = studio_stands(s, i) && !seen[m];
+        if (stands[i]) seen[m] = true;
+    }
+    for (int pass = 0; pass < 2; pass++)
+        for (uint32_t i = 0; i < s->places; i++) {
+            affine back;
+            ray inside = r;
+            if (stands[i] != (pass == 0)) continue;
+            if (pass && (!instance_inverse(s->placed[i].to_world, &back)
+                         || !instance_ray(&back, r, &inside))) continue;
+            if (!mesh_hit(&s->mesh[s->placed[i].mesh], inside, &h) || (found && h.t >= r.tmax))
+                continue;
+            *out = (studio_hit){h, i}, found = true, r.tmax = h.t;
+        }
+    free(stands);
+    return found;
+}
+
+static void test_hits(void)
+{
+    for (int kinds = 0; kinds < 8; kinds++) {
+        studio s;
+        studio_tree t;
+        failure f;
+        random_studio(&s, kinds);
+        check(studio_tree_build(&s, &t, &f), "%s", f.text);
+        size_t wrong = 0, hits = 0, material_wrong = 0, seen = 0, off = 0, away = 0;
+        for (size_t i = check_count(4000); i-- > 0;) {
+            vec3 o = in_cube(6), d = vsub(in_cube(3), o);
+            ray r = ray_from(o, vscale(d, (real)0.25 + random_next(&rng)));
+            studio_hit x = {hit_none, 0}, y = x;
+            bool met = studio_tree_hit(&t, r, &x), should = brute_hit(&s, r, &y);
+            wrong += met != should || x.h.t != y.h.t || x.h.shape != y.h.shape
+                || x.place != y.place;
+            if (i % 2) r.tmax = 2 * random_next(&rng);
+            seen += studio_tree_occluded(&t, r) != brute_hit(&s, r, &y);
+            if (!met) continue;
+            hits++;
+            uint32_t m = studio_hit_material(&t, x);
+            material_wrong += m != (x.place == no_shape ? s.shape_material[x.h.shape]
+                                                        : s.placing[x.place].material);
+            surface a = studio_surface(&t, r, x);
+            vec3 p = ray_at(r, x.h.t);
+            /* o + t d is off by the rounding of sum and t; both places are some 10 from 0. */
+            off += !(vlength(vsub(a.p, p)) <= 4096 * real_epsilon);
+            away += !(fabs(vlength(a.n) - 1) <= 8 * real_epsilon && a.error >= 0 && a.noise >= 0);
+        }
+        check_equal(wrong, 0, "kinds %d: hits as everything in turn has them", kinds);
+        check_equal(seen, 0, "kinds %d: occluded, likewise", kinds);
+        check_equal(material_wrong, 0, "kinds %d: the material of the place or shape", kinds);
+        check_equal(off, 0, "kinds %d: the surface is where the ray hit", kinds);
+        check_equal(away, 0, "kinds %d: unit normals, bounds", kinds);
+        check(kinds == 0 ? hits == 0 : hits > 0, "kinds %d: %zu hits", kinds,
+              hits);
+        check((t.shapes.tree.items > 0) == (kinds & 1) && (t.standing > 0) == ((kinds & 2) != 0)
+              && (t.moved.n > 0) == ((kinds & 6) != 0), "only trees that hold something");
+        studio_tree_free(&t);
+        studio_free(&s);
+    }
+}
+
+/* A square, a mesh that stands and one that is moved, all in the same place: the first counts. */
+static void test_equal(void)
+{
+    const vec3 corner[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const uint32_t expected[3] = {no_shape, 1, 0};
+    for (int first = 0; first < 3; first++) {
+        studio s;
+        studio_tree t;
+        failure f;
+        mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3,
+                  .index = allocate(3, sizeof *m.index), .triangles = 1};
+        memcpy(m.v, corner, 3 * sizeof *m.v);
+        m.index[1] = 1, m.index[2] = 2;
+        studio_begin(&s);
+        uint32_t k = studio_add_mesh(&s, m, allocate(1, 4), 0, false);
+        affine one = affine_scaling((vec3){1, 1, 1}), moved = one;
+        moved.o.z = -(real)0.0;  /* nowhere else, and yet not as it was */
+        if (first < 1) studio_add_polygon(&s, corner, 4, 0);
+        studio_place(&s, k, moved, 0, (cite){0, 0});
+        if (first < 2) studio_place(&s, k, one, 0, (cite){0, 0});
+        if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) abort();
+        ray r = ray_from((vec3){(real)0.75, (real)0.25, 4}, (vec3){0, 0, -1});
+        studio_hit x = {hit_none, 7};
+        check(studio_tree_hit(&t, r, &x) && x.h.t == 4, "it is hit");
+        check(x.place == expected[first],
+              "of what lies in one place the first kind counts: place %x", (unsigned)x.place);
+        studio_tree_free(&t);
+        studio_free(&s);
+    }
+}
+
+/* From a convex body no ray that leads outwards comes back: instances, scaled, turned, far away;
+ * power < 0: far away in the mesh's own space, and back near the origin in the world. */
+static void test_leaving(void)
+{
+    for (int power = -4; power <= 4; power += 2) {
+        studio s;
+        studio_tree t;
+        failure f;
+        size_t met = 0, back = 0, rays = check_count(20000);
+        real far = power < 0 ? 0 : pow((real)10, (real)power);
+        real own = power < 0 ? pow((real)10, (real)(real_is_float ? -power / 2 : -power)) : 0;
+        mesh ball = ball_mesh(2);
+        vec3 offset = {own, -own / 3, own / 7};
+        for (size_t i = 0; i < ball.vertices; i++) ball.v[i] = vadd(ball.v[i], offset);
+        studio_begin(&s);
+        uint32_t m = studio_add_mesh(&s, ball, allocate(1, 4), 0, false);
+        affine a = affine_scaling((vec3){2, (real)0.5, -1});
+        a = affine_of(a, affine_rotation(vunit((vec3){1, 2, 3}), 1));
+        vec3 at = {far, far / 3, -far / 7};
+        a.o = vsub(at, affine_vector(a, offset));
+        studio_place(&s, m, a, 0, (cite){0, 0});
+        if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) abort();
+        for (size_t i = 0; i < rays; i++) {
+            vec3 o = vadd(at, vscale(vunit(in_cube(1)), 5));
+            studio_hit x = {hit_none, 0};
+            ray r = ray_from(o, vsub(vadd(at, in_cube((real)0.3)), o));
+            if (!studio_tree_hit(&t, r, &x)) continue;
+            surface q = surface_facing(studio_surface(&t, r, x), r.d);
+            vec3 w = vunit(in_cube(1));
+            if (vdot(w, q.n) < 0) w = vneg(w);
+            if (vdot(w, q.n) < (real)1e-3) continue;
+            met++;
+            back += studio_tree_occluded(&t, leave(q, w));
+        }
+        check_equal(back, 0, "at 1e%d: rays that leave an instance do not meet it again", power);
+        check_at_least(met, rays / 2, "at 1e%d: rays", power);
+        studio_tree_free(&t);
+        studio_free(&s);
+    }
+}
+
+int main(void)
+{
+    rng = random_start(27, 2, 0);
+    test_hits();
+    test_equal();
+    test_leaving();
+    return check_report("27_tree");
+}
