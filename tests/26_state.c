@@ -261,43 +261,44 @@ static void test_error(void)
 
 /* ---- environment, dielectric: closed forms ---- */
 
+/* How often it goes through: 1 - R, R in closed form. */
+static void through_often(real n2, real cosine, double R)
+{
+    random_stream s = random_start(26, 5, (uint64_t)(n2 * 100));
+    estimate e = {0};
+    vec3 wo = {sqrt(1 - cosine * cosine), 0, cosine};
+    for (size_t i = 0; i < check_count(40000); i++) {
+        bool through;
+        (void)dielectric_scatter((vec3){0, 0, 1}, wo, 1, n2, random_next(&s), &through);
+        e = estimate_add(e, through);
+    }
+    check_at_least(t_test(e, 1 - R, 1e-6), 1e-7, "n = %g, cos %g: %g through, not %g", (double)n2,
+                   (double)cosine, e.mean, 1 - R);
+}
+
 static void test_dielectric(void)
 {
-    real c, e = real_epsilon;
-    for (int k = 0; k < 20; k++) {
-        real n = 1 + (real)k / 10, f = (n - 1) / (n + 1);
-        check_close(dielectric_fresnel(1 / n, 1, &c), f * f, 8 * e, "head on: ((n-1)/(n+1))^2");
-    }
-    real h = (real)0x1p-20, eta = 1 + h, head = h / (2 + h);
-    check_close(dielectric_fresnel(eta, 1, &c) / (head * head), 1, 64 * e, "nearly no boundary");
-    check_equal(dielectric_fresnel((real)1.5, (real)0.5, &c), 1, "beyond the critical angle");
-    check_equal(dielectric_fresnel((real)1.5, 0, &c), 1, "grazing");
-    real brewster = 1 / sqrt(1 + (real)2.25);  /* tan = 1.5: F = ((1-n^2)/(1+n^2))^2 / 2 */
-    real rs = (real)1.25 / (real)3.25;
-    check_close(dielectric_fresnel(1 / (real)1.5, brewster, &c), rs * rs / 2, 16 * e, "Brewster");
     random_stream s = random_start(26, 3, 1);
-    double worst = 0, length = 0, snell = 0;
+    real e = real_epsilon, rs = (real)1.25 / (real)3.25;
+    double length = 0, off = 0;
+    through_often((real)1.5, 1, 0.04), through_often(3, 1, 0.25), through_often(1, (real)0.3, 0);
+    through_often((real)1.5, 1 / sqrt((real)3.25), (double)(rs * rs / 2));  /* Brewster's angle */
+    through_often((real)0.5, (real)0.5, 1);  /* total */
     for (size_t i = 0; i < check_count(20000); i++) {
         vec3 n = sample_sphere(random_next(&s), random_next(&s));
         vec3 wo = sample_sphere(random_next(&s), random_next(&s));
         if (vdot(n, wo) < 0) wo = vneg(wo);
-        eta = (real)0.4 + 2 * random_next(&s);
-        real ci = vdot(n, wo), f = dielectric_fresnel(eta, ci, &c), again;
-        if (f < 1) {  /* c^2 is off by some epsilon, F by 4 / c times its root's; both cosines */
-            real off = fabs(dielectric_fresnel(1 / eta, c, &again) - f) * c * c * ci * ci;
-            worst = check_worse(worst, (double)off);
-        }
+        real n1 = (real)0.4 + 2 * random_next(&s), n2 = (real)0.4 + 2 * random_next(&s);
         bool through;
-        vec3 wi = dielectric_scatter(n, wo, eta, random_next(&s), &through);
+        vec3 wi = dielectric_scatter(n, wo, n1, n2, random_next(&s), &through);
         length = check_worse(length, fabs((double)(vlength(wi) - 1)));
-        real want = through ? -1 : 1;
-        check(vdot(wi, n) * want >= -4 * e, "reflected above, refracted below");
-        vec3 across = vsub(vcross(n, wi), vscale(vcross(n, wo), -(through ? eta : 1)));
-        snell = check_worse(snell, (double)vlength(across));
+        check(vdot(wi, n) * (through ? -1 : 1) >= -8 * e, "reflected above, refracted below");
+        vec3 across = vadd(vscale(vcross(n, wi), through ? n2 : n1), vscale(vcross(n, wo), n1));
+        off = check_worse(off, (double)vlength(across));
     }
     check_at_most(length, 4 * (double)e, "unit length");
-    check_at_most(snell, 16 * (double)e, "n x wi = -eta n x wo: Snell, in the plane");
-    check_at_most(worst, 32 * (double)e, "F is the same from both sides");
+    check_at_most(off, 64 * (double)e, "n2 n x wi = -n1 n x wo: Snell, in the plane");
+    check_equal(dielectric_squeeze(3, 2) * dielectric_squeeze(2, 3), 1, "there and back again");
 }
 
 static void test_environment(void)

@@ -196,11 +196,13 @@ static inline void path_through_glass(path_walk *w, const lit_hit *x, path_rando
                                       path_counts *c)
 {
     bool through;
-    real eta = x->front ? 1 / x->m->ior : x->m->ior;
+    real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1;
     c->refractions++;
-    vec3 wi = dielectric_scatter(x->s.n, vneg(vunit(w->r.d)), eta, random_next(&s->own), &through);
+    vec3 wo = vneg(vunit(w->r.d));
+    vec3 wi = dielectric_scatter(x->s.n, wo, n1, n2, random_next(&s->own), &through);
     if (through) {
-        w->beta = vscale(w->beta, dielectric_squeeze(eta)), w->squeezed *= dielectric_squeeze(eta);
+        real k = dielectric_squeeze(n1, n2);
+        w->beta = vscale(w->beta, k), w->squeezed *= k;
         w->medium = x->front ? x->m : NULL;
     }
     w->r = leave(x->s, wi);
@@ -240,7 +242,7 @@ static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s,
         return false;
     }
     if (t->glass && w->medium)
-        w->beta = vmul(w->beta, dielectric_absorb(w->medium->sigma, x.t * vlength(w->r.d)));
+        w->beta = vmul(w->beta, absorbed(w->medium->sigma, x.t * vlength(w->r.d)));
     if (x.front && x.emitter != lit_dark) {
         vec3 L = vmul(w->beta, path_found(t, w, &x));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
