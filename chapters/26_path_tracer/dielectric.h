@@ -3,13 +3,13 @@
  *       wo   n   wr       R: Fresnel's share (19.8) of what comes along is reflected,
  *         \  |  /         1 - R goes through, along Snell's direction (19.4)
  *    ______\ | /_____
- *             \           one of the two is drawn, with just this probability:                (26.1)
+ *             \           one of the two is drawn, with just this probability:              (26.1)
  *              \ wt       weight R / R = 1, or (1 - R) / (1 - R) = 1
  *
  *   vec3 wi = dielectric_scatter(n, wo, n1, n2, u, &through)
  *       n1: refractive index where wo is, n2: behind; u in [0,1); n.wo >= 0; all unit
- *   beta *= dielectric_squeeze(n1, n2)   if it went through: radiance (not power) is squeezed (26.2)
- *       into a smaller solid angle in glass, by (n1/n2)^2 as seen from the eye, and let out again
+ *   beta *= dielectric_squeeze(n1, n2)   if it went through: radiance, not power, is         (26.2)
+ *       squeezed into a smaller solid angle in glass, (n1/n2)^2 seen from the eye, and let out again
  *
  * In total reflection R = 1. What the glass keeps on the way: absorbed (19.9).
  *
@@ -33,6 +33,9 @@ static inline vec3 dielectric_scatter(vec3 n, vec3 wo, real n1, real n2, real u,
     return reflect(d, n);
 }
 
-static inline real dielectric_squeeze(real n1, real n2) { return n1 / n2 * (n1 / n2); }   /* (26.2) */
+static inline real dielectric_squeeze(real n1, real n2)
+{
+    return n1 / n2 * (n1 / n2);                                                         /* (26.2) */
+}
 
 #endif
