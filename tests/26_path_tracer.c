@@ -175,7 +175,7 @@ static void test_naive(void)
             ray r = camera_ray(c.eye, (real)(i % side) + u.u, (real)(i / side) + u.v, side, side);
             vec3 L = naive_radiance(&p, r, &s, &counts);
             for (int ch = 0; ch < 3; ch++) {
-                found[ch] += vaxis(L, ch) > (real)0.5 * a[ch].mean;
+                found[ch] += (double)vaxis(L, ch) > a[ch].mean / 2;
                 a[ch] = estimate_add(a[ch], vaxis(L, ch));
             }
         }
