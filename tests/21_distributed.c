@@ -159,6 +159,25 @@ static void test_split(void)
     image_free(&a), image_free(&b), showroom_free(g);
 }
 
+/* 4 samples of 4 parts are 16 points: one in each cell of 4 x 4. And no two domains of a chain have
+ * the same pair: 3 lights, the sky and the lobe. */
+static void test_pairs(void)
+{
+    static const sequence_kind kinds[2] = {SEQUENCE_JITTERED, SEQUENCE_SOBOL};
+    for (int i = 0; i < 2; i++) {
+        distributor d = {.how = NULL};
+        unsigned seen = 0;
+        for (uint32_t k = 0; k < 16; k++) {
+            distributed_sample q = {kinds[i], 15, 3, k / 4, 4};
+            point2 p = distributed_pair(&d, q, DRAWN_SKY, 5, k % 4, 4);
+            seen |= 1u << ((int)(4 * p.u) + 4 * (int)(4 * p.v)) % 32;
+        }
+        check_equal(seen, 0xffff, "a cell each, %s", sequence_name[kinds[i]]);
+    }
+    check_equal(distributed_pairs_a_hit(&(distributed){.n = 3}), 5, "a pair each");
+    check(PAIR_FILM < PAIR_LENS && PAIR_LENS < PAIR_HIT, "and film and lens");
+}
+
 /* One seed, one picture; other seeds, others; `same`: every pixel asks alike. */
 static void test_reproducible(void)
 {
@@ -328,6 +347,47 @@ static void test_same(void)
     image_free(&im), world_part_free(&part), furnace_free(f);
 }
 
+/* Red: a light; green: the sky; blue: what the lobe sees. A wall hides part of each. They take
+ * different numbers: no correlation beyond 5 / sqrt(n), five standard deviations. */
+static void test_independent(void)
+{
+    furnace *f = furnace_new((vec3){1, 1, 0}, (vec3){0, 0, 1}, 1);
+    vec3 wall[4] = {{(real)0.6, -9, 0}, {(real)0.6, 9, 0}, {(real)0.6, 9, 2}, {(real)0.6, -9, 2}};
+    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(wall, 4))};
+    scene s = {both, 2};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    trace_world world = {&part, 1};
+    known k;
+    known_make(KNOWN_SQUARE, &k);
+    k.light.colour = (vec3){1, 0, 0};
+    distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
+                       .background = {0, 0, 1}, .ambient = {0, 1, 0}, .reach = real_infinity,
+                       .depth = 2};
+    distributor d = distributor_of(&world, &how);
+    uint32_t n = (uint32_t)check_count(4000);
+    double sum[3] = {0}, product[3][3] = {{0}};
+    for (uint32_t i = 0; i < n; i++) {
+        vec3 c = distributed_ray(&d, ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1}),
+                                 (distributed_sample){SEQUENCE_RANDOM, 16, i, 0, 1});
+        for (int a = 0; a < 3; a++) {
+            sum[a] += (double)vaxis(c, a);
+            for (int b = 0; b < 3; b++)
+                product[a][b] += (double)vaxis(c, a) * (double)vaxis(c, b);
+        }
+    }
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++)
+            product[a][b] = product[a][b] / n - sum[a] / n * (sum[b] / n);
+    for (int a = 0; a < 3; a++) {
+        int b = (a + 1) % 3;
+        check(product[a][a] > 0, "colour %d varies", a);
+        check_at_most(fabs(product[a][b]) / sqrt(product[a][a] * product[b][b]),
+                      5 / sqrt((double)n), "correlation of colours %d and %d", a, b);
+    }
+    known_free(&k), world_part_free(&part), furnace_free(f);
+}
+
 /* Where a chain between two glossy sheets was, by its calls for a material. */
 typedef struct { vec3 p[3]; int n; } chain;
 
@@ -457,11 +517,13 @@ int main(void)
     test_spending();
     test_none();
     test_split();
+    test_pairs();
     test_reproducible();
     test_sum();
     test_split_mean();
     test_furnace();
     test_same();
+    test_independent();
     test_chain();
     test_cornell();
     test_box();
