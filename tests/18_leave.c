@@ -306,7 +306,7 @@ static void test_rooms(void)
             v[k] = room_point(axis, centre, x);
         }
         mesh m = {.v = v, .vertices = 8, .index = (uint32_t *)room_index, .triangles = 12};
-        real x[3] = {1 - 2 * (real)(i & 8) / 8, 1 - 2 * (real)(i & 16) / 16, 2 * random_next(&g) - 1};
+        real x[3] = {i & 8 ? -1 : 1, i & 16 ? -1 : 1, 2 * random_next(&g) - 1};
         for (int k = 0; k < (i & 32 ? 3 : 2); k++) {  /* three: a corner */
             if (k == 2) x[2] = x[2] < 0 ? -1 : 1;
             x[k] *= 1 - 16 * real_epsilon * random_next(&g);

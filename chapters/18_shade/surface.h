@@ -24,9 +24,9 @@
  *   polygon    p - n (n.(p - m))     4 eps L + 2 eps |p|, L radius     4 eps L
  *   cone       moved on to the side  4 eps H + 2 eps |p|, H extent     8 eps H
  *
- * On a triangle, p = a + u (b-a) + v (c-a), with 1-u-v, u, v >= margin: some eps away from its edges
- * (18.9). Where two walls of a room meet, a point on the edge lies on both. `leave` moves it off one
- * of them alone, and the test of the other may then see it behind: the ray gets out at the edge.
+ * On a triangle, p = a + u (b-a) + v (c-a) with 1-u-v, u, v >= margin (18.9): some eps away from
+ * its edges. Where two walls of a room meet, a point on the edge lies on both. `leave` moves it off
+ * one of them alone, and the other's test may then see it behind: the ray gets out at the edge.
  *
  * 2 eps |p|: two roundings of a sum, each off by eps/2 in each component, along n at most
  * sqrt(3) eps/2. The rest: unit() is right to 2.25 eps, products and edges to eps/2 each.
