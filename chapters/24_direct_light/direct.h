@@ -26,8 +26,8 @@
  * Called for: no shadow ray where n.wi <= 0, where f is 0 (black, mirror), to a light's back; no
  * ray at all without emitters, no light drawn for a mirror. w.shadow, w.direction count the rays.
  * d.spend_all traces them all the same: the result has the same bits. The random numbers of a
- * sample are, from where s stands, pair 0: direction; then, if one light is chosen, 1: which, 2: its
- * point; if all, 1 ...: a point of each. Numbers that nobody asks for are not computed.
+ * sample are, from where s stands, pair 0: direction; then, if one of several lights is chosen,
+ * 1: which, 2: its point; if all, 1 ...: a point of each. What nobody asks for is not computed.
  *
  * A mirror has f = 0 but for one direction: only BRDF, and both with it, find that.
  * A background of the scene is seen by directions only.
