@@ -112,7 +112,8 @@ static inline vec3 direct_from(const direct *d, const direct_point *x, size_t k,
     if (!(vdot(x->h->s.n, y.wi) > 0)) f = none;
     if (vzero(f) && !d->spend_all) return none;
     d->work->shadow++;
-    if (lit_occluded(d->s, leave_between(x->h->s, y.s))) return none;
+    if (lit_occluded_from(d->s, leave_between(x->h->s, y.s), x->h->s.shape, (uint32_t)k))
+        return none;
     if (vzero(f)) return none;
     real pdf = chance * y.pdf, w = 1;
     if (direct_both(d->way)) w = direct_weight(d->way, pdf, brdf_pdf_local(b, wi, x->wo));
@@ -134,7 +135,8 @@ static inline vec3 direct_along(const direct *d, const direct_point *x, point2 u
     if (vzero(weight) && !d->spend_all) return weight;
     lit_hit y;
     d->work->direction++;
-    if (!lit_trace(d->s, leave(x->h->s, wi), &y)) return vmul(weight, d->s->background);
+    if (!lit_trace_from(d->s, leave(x->h->s, wi), x->h->s.shape, &y))
+        return vmul(weight, d->s->background);
     vec3 Le = lit_emitted(&y);
     if (vzero(Le) || vzero(weight)) return (vec3){0, 0, 0};
     if (both) {

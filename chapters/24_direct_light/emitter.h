@@ -20,7 +20,7 @@
  *   emitter_pdf_angle(&e, p)         (24.5); 0 if p cannot see its front
  *
  *   by area               by angle
- *   a product, a root     some 5 times the work
+ *   a product, a root     some 7 times the work
  *   1/r^2 close by:       never more than f cos omega: what is left of the variance is that of the
  *   no bound, variance    integrand, f cos
  *   without end if e

@@ -170,7 +170,7 @@ static inline void draw_strip(const options *o)
     direct_view v[2];
     for (int k = 0; k < 2; k++)
         v[k] = (direct_view){&g, k ? DIRECT_ANGLE : DIRECT_AREA, LIGHTS_ALL, SEQUENCE_RANDOM,
-                             k ? 9 : 16, o->seed};
+                             k ? 10 : 16, o->seed};
     draw_panels(o, v, 2, 480, "24_direct_light_strip.png", NULL, NULL);
     stage_close(&g);
 }
