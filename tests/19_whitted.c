@@ -434,6 +434,45 @@ static void test_on_table(void)
     }
 }
 
+/* A plate stands on a floor a million times its size (in float: a thousand), tilted, so that
+ * coordinates are rounded: the floor is seen up to 32 eps of its size off its place, and no contact
+ * ray of the plate reaches so far. `touch` says how far to look. */
+static void test_touch(void)
+{
+    size_t lost[2] = {0}, n = 400;
+    real size = real_is_float ? 1000 : 1000000;
+    for (size_t i = 0; i < n; i++) {
+        random_stream q = random_start(11, i, 0);
+        vec3 z = vunit((vec3){random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, 1}), a, b;
+        vbasis(z, &a, &b);
+        stage s = {0};
+        whitted_material floor = whitted_paint(0, 0, 0);
+        floor.base.ke = (vec3){1, 1, 1};
+        s.media[1].ior = (real)1.5;
+        for (int k = 0; k < 3; k++) {  /* floor, under side, upper side */
+            real h = k ? 1 : size;
+            vec3 *c = s.corner + 4 * k;
+            for (int j = 0; j < 4; j++) {
+                int m = k == 1 ? 3 - j : j;
+                vec3 p = vscale(a, m == 1 || m == 2 ? h : -h);
+                c[j] = vmadd(vmadd(p, b, m > 1 ? h : -h), z, k == 2 ? (real)0.5 : 0);
+            }
+            stage_add(&s, shape_of_polygon(polygon_of(c, 4)), k ? whitted_clear(1, 1) : floor);
+        }
+        tracer t = stage_begin(&s, 3);
+        vec3 at = vmadd(vscale(a, random_next(&q) / 2), b, random_next(&q) / 2);
+        ray r = ray_from(vmadd(at, z, 3), vneg(z));
+        for (int k = 0; k < 2; k++) {
+            s.w.touch = k ? 32 * size * real_epsilon : 0;
+            double L = (double)whitted_ray(&t, r, (media_set){0}).x;
+            lost[k] += !(fabs(L - 0.96) < 16 * (double)real_epsilon);
+        }
+        stage_end(&s);
+    }
+    check_at_least(lost[0], n / 20, "the floor is missed without `touch`");
+    check_equal(lost[1], 0, "and with it seen: 1 - R = 0.96 of its light, of %zu", n);
+}
+
 static bool set_is(media_set s, uint32_t n, uint32_t a, uint32_t b, uint32_t c)
 {
     uint32_t want[3] = {a, b, c};
@@ -698,6 +737,7 @@ int main(void)
     test_touching();
     test_nested();
     test_on_table();
+    test_touch();
     test_around();
     test_called_for();
     test_shadow_rays();
