@@ -16,9 +16,9 @@
  *
  * How near is touching? 2 (error + noise) of the face that was hit, to either side, and what
  * `touch` >= 0 adds. Faces that are the same in exact numbers are never farther apart, if their
- * sizes are comparable. Of a far larger face, glass on a floor a million times its size, the test is
- * off by epsilon times that size (18.6), and the glass knows nothing of it: say touch = 32 epsilon
- * times the larger size.
+ * sizes are comparable. A far larger face, a floor a million times the size of the glass on it, is
+ * met up to some epsilon of its own size off (18.6), of which the glass knows nothing: say touch =
+ * 32 epsilon times the larger size.
  */
 #ifndef CONTACT_H
 #define CONTACT_H
