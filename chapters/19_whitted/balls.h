@@ -32,6 +32,7 @@
 #define BALLS_H
 
 #include "../02_camera/camera.h"
+#include "balls_lanes.h"
 #include "whitted.h"
 
 enum { balls_cells = 48, balls_tile = 8, balls_most_lights = 8 };
@@ -52,6 +53,7 @@ typedef struct {
     sphere *s;                 /* [n] */
     bool *lone;                /* [n] nothing else reaches into it */
     size_t n;
+    ball_lanes lanes;          /* up to 64 balls; then there is no tree */
     bvh_tree tree;
     ball_item *leaf;           /* in the order of the tree's leaves */
     ball_beam beam[balls_most_lights];
@@ -174,7 +176,7 @@ static inline void balls_build(const sphere *s, size_t n, const real *shadow, co
 {
     *out = (balls){.s = allocate(n, sizeof *s), .lone = allocate(n, sizeof(bool)), .n = n};
     memcpy(out->s, s, n * sizeof *s);
-    balls_tree(out);
+    if (!ball_lanes_fill(s, n, &out->lanes)) balls_tree(out);
     balls_lone(out);
     for (; out->beams < lights && out->beams < balls_most_lights; out->beams++) {
         if (L[out->beams].kind != LIGHT_DIRECTIONAL) break;

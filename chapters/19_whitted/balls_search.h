@@ -92,6 +92,7 @@ static inline bool balls_hit(const balls *b, ray r, uint32_t from, bool inside, 
         best->shape = from;
         return true;
     }
+    if (b->lanes.n) return ball_lanes_hit(&b->lanes, b->s, r, inside ? no_shape : from, best);
     balls_asking a = {b, inside ? no_shape : from};
     return tree_search(&b->tree, r, box_ray_of, balls_leaf, &a, false, best, NULL);
 }
