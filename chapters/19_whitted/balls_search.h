@@ -97,30 +97,42 @@ static inline bool balls_hit(const balls *b, ray r, uint32_t from, bool inside, 
     return tree_search(&b->tree, r, box_ray_of, balls_leaf, &a, false, best, NULL);
 }
 
+/* Does the ray from p to the sun meet this disc? Across, p lies D = R^2 - u^2 - v^2 inside; along, h
+ * above the centre: below it the ball is met if D > 0, above only from inside, D > h^2.
+ *      1: yes; 0: no; -1: as near as rounding, ask 03
+ * u, v, h are off by 8 epsilon S at most, S the size of all coordinates; so D and D - h^2 are by
+ * 64 epsilon S^2. */
 __attribute__((always_inline))
-static inline size_t beam_cell(const ball_beam *m, vec3 p)
+static inline int disc_shades(const ball_disc *m, real u, real v, real h, real reach)
 {
-    real u = real_clamp((vdot(p, m->u) - m->u0) * m->per_u, 0, balls_cells - 1);
-    real v = real_clamp((vdot(p, m->v) - m->v0) * m->per_v, 0, balls_cells - 1);
-    return (size_t)v * balls_cells + (size_t)u;
+    real S = m->size + reach, noise = 64 * real_epsilon * S * S;
+    u -= m->u, v -= m->v, h -= m->l;
+    real D = m->rr - (u * u + v * v), deep = h < 0 ? D : D - h * h;
+    if (D < -noise || deep < -noise) return 0;
+    return deep > noise ? 1 : -1;
 }
 
-/* shadow[j]: part of the light that ball j lets pass. */
+/* Part of light k that arrives; shadow[j]: what ball j lets pass. */
 __attribute__((always_inline))
 static inline real balls_light(const balls *b, ray r, int k, uint32_t from, const real *shadow)
 {
-    const ball_lists *m = &b->beam[k].lists;
-    size_t cell = beam_cell(&b->beam[k], r.o);
-    real lit = 1, at = vdot(r.o, b->beam[k].l), slack = 32 * real_epsilon * surface_reach(r.o);
+    const ball_beam *m = &b->beam[k];
+    real u = vdot(r.o, m->u), v = vdot(r.o, m->v), at = vdot(r.o, m->l), lit = 1;
+    real reach = surface_reach(r.o), slack = 32 * real_epsilon * reach;
+    size_t x = (size_t)real_clamp((u - m->u0) * m->per_u, 0, balls_cells - 1);
+    size_t y = (size_t)real_clamp((v - m->v0) * m->per_v, 0, balls_cells - 1);
+    const uint32_t *list = &m->lists.first[y * balls_cells + x];
     hit h;
-    for (uint32_t i = m->first[cell]; i < m->first[cell + 1]; i++) {
-        uint32_t j = m->item[i];
-        const sphere *s = &b->s[j];
-        if (b->beam[k].end[j] < at - slack) break;  /* sorted: all others, too, lie below */
-        if ((j == from && ball_outwards(s, &r)) || ball_behind(s, &r)) continue;
-        if (sphere_hit(*s, r, &h) && !((lit *= shadow[j]) > 0)) return 0;
+    if (!ball_outwards(&b->s[from], &r) && sphere_hit(b->s[from], r, &h)) lit = shadow[from];
+    for (uint32_t i = list[0]; i < list[1] && lit > 0; i++) {
+        uint32_t j = m->lists.item[i];
+        if (m->disc[j].end < at - slack) break;  /* sorted: all others, too, lie below */
+        if (j == from) continue;
+        int meets = disc_shades(&m->disc[j], u, v, at, reach);
+        if (meets == 0 || (meets < 0 && !sphere_hit(b->s[j], r, &h))) continue;
+        lit *= shadow[j];
     }
-    return lit;
+    return lit > 0 ? lit : 0;
 }
 
 /* ---- as a search for whitted_walk: tracer.user is a balls_scene ------------------------------ */
@@ -132,11 +144,9 @@ typedef struct {
 } balls_scene;
 
 __attribute__((always_inline))
-static inline bool balls_closest(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
-                                 trace_hit *x)
+static inline bool balls_closest(tracer *t, ray_kind kind, ray r, uint32_t from, trace_hit *x)
 {
     const balls_scene *s = t->user;
-    (void)inside;
     t->counts.rays[kind]++;
     x->part = 0;
     bool met = kind == RAY_CAMERA
@@ -165,11 +175,16 @@ static inline surface balls_surface(const tracer *t, ray r, trace_hit x)
 
 static const whitted_search whitted_by_balls = {balls_closest, balls_lit, balls_surface};
 
+static inline uint32_t balls_tile_of(const balls *b, real x, real y)
+{
+    return (uint32_t)y / balls_tile * (uint32_t)b->across + (uint32_t)x / balls_tile;
+}
+
 /* The colour along the eye ray through (x, y) of the picture that balls_view was told of. */
 static inline vec3 balls_ray(tracer *t, ray r, real x, real y)
 {
     const balls_scene *s = t->user;
-    uint32_t tile = (uint32_t)y / balls_tile * (uint32_t)s->b.across + (uint32_t)x / balls_tile;
+    uint32_t tile = balls_tile_of(&s->b, x, y);
     return whitted_walk(t, r, (media_set){0}, tile, &whitted_by_balls, NULL);
 }
 

@@ -15,11 +15,10 @@
 #include "fresnel.h"
 #include "whitted_scene.h"
 
-/* How rays are searched for. closest: of a ray of this kind, which began in the body `inside` at
- * shape `from` (no_shape: at the eye). lit: part of light k that arrives along a shadow ray. */
+/* How rays are searched for. closest: of a ray of this kind, which began at shape `from` (no_shape:
+ * at the eye). lit: part of light k that arrives along a shadow ray. */
 typedef struct {
-    bool (*closest)(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
-                    trace_hit *x);
+    bool (*closest)(tracer *t, ray_kind kind, ray r, uint32_t from, trace_hit *x);
     real (*lit)(tracer *t, ray r, uint32_t from, int k);
     surface (*surface_of)(const tracer *t, ray r, trace_hit x);
 } whitted_search;
