@@ -12,7 +12,7 @@
  *        missed       D < 0; or k > 0 and b < 0: outside, and behind
  *        t0 = k / (b + sqrt(D)) >= k / (b + min(b, R))       where it may be met at best    (19.11)
  *
- * The loop only sorts out what can't be met; sphere_hit of 03 decides on what is left, the nearest
+ * The loop only sorts out what can't be met; ball_hit, the answer of 03, decides on what is left, the nearest
  * (19.11) first, until one is hit before the next could be. Sorting out must not lose a hit, so its
  * rounding is paid for in advance. U = 2^-24, S: sum of the largest coordinates of o and c, and R.
  * f is off by 2 U S a component (o and c are rounded), b by 12 U S, k by 25 U S^2, b^2 by 45 U S^2;
@@ -22,7 +22,7 @@
 #ifndef BALLS_LANES_H
 #define BALLS_LANES_H
 
-#include "../03_sphere/sphere.h"
+#include "ball_hit.h"
 
 enum { ball_lanes_most = 64, ball_lanes_wide = 16 };
 
@@ -119,7 +119,7 @@ static inline bool ball_lanes_hit(const ball_lanes *a, const sphere *s, ray r, u
     ball_lanes_keys(a, r, from, key);
     for (uint32_t k = ball_lanes_next(a, key, UINT32_MAX);
          k != ball_lanes_none && ball_lanes_bound(k) <= r.tmax; k = ball_lanes_next(a, key, k)) {
-        if (!sphere_hit(s[k & 63], r, &h) || (h.shape = k & 63, !hit_before(h, *best))) continue;
+        if (!ball_hit(&s[k & 63], &r, &h) || (h.shape = k & 63, !hit_before(h, *best))) continue;
         *best = h, r.tmax = h.t;
     }
     return best->shape != no_shape;

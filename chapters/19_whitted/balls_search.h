@@ -16,37 +16,6 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* True only if the ray, d unit, certainly passes: the ball lies behind it, o outside. */
-__attribute__((always_inline))
-static inline bool ball_behind(const sphere *s, const ray *r)
-{
-    vec3 f = vsub(r->o, s->c);
-    real ff = vdot(f, f), rr = s->r * s->r;
-    return vdot(f, r->d) >= 0 && ff - rr > 16 * real_epsilon * (ff + rr);
-}
-
-/* Of a ray that leaves ball s outwards, or begins inside and is to leave it. */
-__attribute__((always_inline))
-static inline bool ball_outwards(const sphere *s, const ray *r)
-{
-    return vdot(vsub(r->o, s->c), r->d) > 0;
-}
-
-/* The far root alone, from inside: t1 of 03, by (3.5) and (3.3). */
-__attribute__((always_inline))
-static inline bool ball_exit(sphere s, ray r, hit *out)
-{
-    double dx = (double)r.d.x, fx = (double)r.o.x - (double)s.c.x, R = (double)s.r;
-    double dy = (double)r.d.y, fy = (double)r.o.y - (double)s.c.y;
-    double dz = (double)r.d.z, fz = (double)r.o.z - (double)s.c.z;
-    double x = dy * fz - dz * fy, y = dz * fx - dx * fz, z = dx * fy - dy * fx;
-    double a = dx * dx + dy * dy + dz * dz, b = -(dx * fx + dy * fy + dz * fz);
-    double arr = a * (R * R), D = arr - (x * x + y * y + z * z);
-    if (!(b >= 0 && D > arr * 0x1p-26)) return sphere_hit(s, r, out);
-    *out = (hit){(real)((b + sqrt(D)) / a), 0, 0, 0};
-    return true;
-}
-
 typedef struct { const balls *b; uint32_t from; } balls_asking;  /* from: left outwards */
 
 __attribute__((always_inline))
@@ -58,8 +27,7 @@ static inline bool balls_leaf(const void *context, uint32_t first, uint32_t coun
     bool found = false;
     hit h;
     for (uint32_t i = first; i < first + count; i++) {
-        if (b->leaf[i].index == a->from || ball_behind(&b->leaf[i].s, &q->r)) continue;
-        if (!sphere_hit(b->leaf[i].s, q->r, &h)) continue;
+        if (b->leaf[i].index == a->from || !ball_hit(&b->leaf[i].s, &q->r, &h)) continue;
         if (any) return true;
         h.shape = b->leaf[i].index;
         found |= query_improves(q, h);
@@ -76,7 +44,7 @@ static inline bool balls_seen(const balls *b, ray r, size_t k, hit *best)
     for (uint32_t i = b->eye.first[k]; i < b->eye.first[k + 1]; i++) {
         uint32_t j = b->eye.item[i];
         if (b->near[j] > r.tmax) break;
-        if (!sphere_hit(b->s[j], r, &h) || (h.shape = j, !hit_before(h, *best))) continue;
+        if (!ball_hit(&b->s[j], &r, &h) || (h.shape = j, !hit_before(h, *best))) continue;
         *best = h, r.tmax = h.t;
     }
     return best->shape != no_shape;
@@ -88,7 +56,7 @@ static inline bool balls_hit(const balls *b, ray r, uint32_t from, bool inside, 
 {
     *best = hit_none;
     if (inside && b->lone[from]) {
-        if (!ball_exit(b->s[from], r, best)) return false;
+        if (!ball_exit(&b->s[from], &r, best)) return false;
         best->shape = from;
         return true;
     }
@@ -123,13 +91,13 @@ static inline real balls_light(const balls *b, ray r, int k, uint32_t from, cons
     size_t y = (size_t)real_clamp((v - m->v0) * m->per_v, 0, balls_cells - 1);
     const uint32_t *list = &m->lists.first[y * balls_cells + x];
     hit h;
-    if (!ball_outwards(&b->s[from], &r) && sphere_hit(b->s[from], r, &h)) lit = shadow[from];
+    if (!ball_outwards(&b->s[from], &r) && ball_hit(&b->s[from], &r, &h)) lit = shadow[from];
     for (uint32_t i = list[0]; i < list[1] && lit > 0; i++) {
         uint32_t j = m->lists.item[i];
         if (m->disc[j].end < at - slack) break;  /* sorted: all others, too, lie below */
         if (j == from) continue;
         int meets = disc_shades(&m->disc[j], u, v, at, reach);
-        if (meets == 0 || (meets < 0 && !sphere_hit(b->s[j], r, &h))) continue;
+        if (meets == 0 || (meets < 0 && !ball_hit(&b->s[j], &r, &h))) continue;
         lit *= shadow[j];
     }
     return lit > 0 ? lit : 0;
