@@ -53,8 +53,11 @@ static inline bool balls_step(tracer *t, balls_level *now, balls_work *k, balls_
     }
     for (int a = 0; a < met; a++) {
         int i = k->met[a];
-        whitted_arrive(t, &now->b[i], k->hit[i], balls_surface(t, now->b[i].r, k->hit[i]),
-                       &k->place[i]);
+        balls_surface(t, &now->b[i].r, &k->hit[i], &k->place[i].s);
+    }
+    for (int a = 0; a < met; a++) {
+        int i = k->met[a];
+        whitted_arrive(t, &now->b[i], &k->hit[i], &k->place[i]);
         k->lit[lit] = (uint16_t)i;
         lit += whitted_is_lit(w, &k->place[i]);
     }

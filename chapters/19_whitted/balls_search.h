@@ -135,10 +135,10 @@ static inline real balls_lit(tracer *t, ray r, uint32_t from, int k)
 }
 
 __attribute__((always_inline))
-static inline surface balls_surface(const tracer *t, ray r, trace_hit x)
+static inline void balls_surface(const tracer *t, const ray *r, const trace_hit *x, surface *s)
 {
-    const balls_scene *s = t->user;
-    return whitted_on_ball(s->b.s[x.h.shape], x.h.shape, ray_at(r, x.h.t));
+    const balls_scene *k = t->user;
+    whitted_on_ball(&k->b.s[x->h.shape], x->h.shape, ray_at(*r, x->h.t), s);
 }
 
 static const whitted_search whitted_by_balls = {balls_closest, balls_lit, balls_surface};

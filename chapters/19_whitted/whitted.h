@@ -44,23 +44,35 @@ static inline vec3 whitted_ray(tracer *t, ray r, media_set in);
 /* ---------------------------------------------------------------------------------------------- */
 
 /* surface_of_shape of 18, for balls without a root: p is on the surface but for rounding, so that
- * (p - c) / R is nearly unit. */
+ * (p - c) / R is nearly unit. Field by field: a copy of the whole struct would wait for what was
+ * just written to it. */
 __attribute__((always_inline))
-static inline surface whitted_on_ball(sphere b, uint32_t index, vec3 p)
+static inline void whitted_on_ball(const sphere *b, uint32_t index, vec3 p, surface *s)
 {
-    vec3 f = vscale(vsub(p, b.c), 1 / b.r), n = unit_again(f);
+    vec3 f = vscale(vsub(p, b->c), 1 / b->r), n = unit_again(f);
     real y = vdot(f, f) - 1;
-    if (!(y * y < real_epsilon / 4) || b.r < 0) return surface_on_sphere(b, index, p);
-    p = vmadd(b.c, n, b.r);
-    return (surface){p, n, n, real_epsilon * (4 * b.r + 2 * surface_reach(p)), 0, index};
+    if (!(y * y < real_epsilon / 4) || b->r < 0) {
+        *s = surface_on_sphere(*b, index, p);
+        return;
+    }
+    s->p = vmadd(b->c, n, b->r), s->n = n, s->ns = n;
+    s->error = real_epsilon * (4 * b->r + 2 * surface_reach(s->p)), s->noise = 0, s->shape = index;
 }
 
-static inline surface whitted_surface(const tracer *t, ray r, trace_hit x)
+static inline void whitted_surface(const tracer *t, const ray *r, const trace_hit *x, surface *s)
 {
-    const world_part *p = &t->w->part[x.part];
-    const shape *s = p->m ? NULL : &p->s->shapes[x.h.shape];
-    if (!s || s->kind != SHAPE_SPHERE) return surface_of_trace(t, r, x);
-    return whitted_on_ball(s->sphere, x.h.shape, ray_at(r, x.h.t));
+    const world_part *p = &t->w->part[x->part];
+    const shape *k = p->m ? NULL : &p->s->shapes[x->h.shape];
+    if (!k || k->kind != SHAPE_SPHERE) *s = surface_of_trace(t, *r, *x);
+    else whitted_on_ball(&k->sphere, x->h.shape, ray_at(*r, x->h.t), s);
+}
+
+/* surface_facing of 18 without a branch: which side is seen is anybody's guess. */
+__attribute__((always_inline))
+static inline void whitted_face(surface *s, vec3 d)
+{
+    real side = vdot(s->n, d) > 0 ? -1 : 1;
+    s->n = vscale(s->n, side), s->ns = vscale(s->ns, side);
 }
 
 /* light_reaches of 18; of a sun without the square root that makes its direction unit. */
@@ -107,25 +119,28 @@ typedef struct {
     real more;                  /* contact.h */
 } whitted_place;
 
-/* Which side of a body is asked of the geometric normal, before it is turned. */
+/* p->s is there, and turned to the ray here. Which side of a body is asked of the geometric normal,
+ * before it is turned. */
 __attribute__((always_inline))
-static inline void whitted_arrive(tracer *t, whitted_branch *b, trace_hit x, surface s,
+static inline void whitted_arrive(tracer *t, whitted_branch *b, const trace_hit *x,
                                   whitted_place *p)
 {
     const whitted *w = t->user;
-    media_crossing c = {0};
-    p->m = w->material_of(w->context, x, &s, &p->room);
+    p->m = w->material_of(w->context, *x, &p->s, &p->room);
     p->more = 0;
     if (p->m->body) {
-        media_crossing_add(&c, p->m->body, vdot(s.n, b->r.d) < 0 ? 1 : -1);
-        if (!w->apart) p->more = contact_find(t, b->r, x, &s, &p->m, &p->room, &c);
-        if (p->m->body) b->in = media_before(b->in, &c);
+        media_crossing c = {0};
+        media_crossing_add(&c, p->m->body, vdot(p->s.n, b->r.d) < 0 ? 1 : -1);
+        if (!w->apart) p->more = contact_find(t, b->r, *x, &p->s, &p->m, &p->room, &c);
+        if (p->m->body) {
+            b->in = media_before(b->in, &c), p->after = media_after(b->in, &c);
+            p->to = media_fills(w->media, &p->after);
+        }
     }
     p->inside = media_fills(w->media, &b->in);
     if (!vzero(w->media[p->inside].absorb))                                             /* (19.9) */
-        b->weight = vmul(b->weight, absorbed(w->media[p->inside].absorb, x.h.t));
-    p->s = surface_facing(s, b->r.d);
-    if (p->m->body) p->after = media_after(b->in, &c), p->to = media_fills(w->media, &p->after);
+        b->weight = vmul(b->weight, absorbed(w->media[p->inside].absorb, x->h.t));
+    whitted_face(&p->s, b->r.d);
 }
 
 /* A face between two places of the same medium is none: the ray goes on, no deeper. */
@@ -168,7 +183,8 @@ static inline int whitted_step(tracer *t, const whitted_search *search, whitted_
                                   met ? x.h.t : real_infinity, b->weight, 0);
     *colour = met ? (vec3){0, 0, 0} : whitted_nothing(w, b);
     if (!met) return 0;
-    whitted_arrive(t, b, x, search->surface_of(t, b->r, x), &p);
+    search->surface_of(t, &b->r, &x, &p.s);
+    whitted_arrive(t, b, &x, &p);
     if (whitted_is_lit(w, &p))
         *colour = vmul(b->weight, whitted_shade(t, w, search, &p.s, &p.m->base, vneg(b->r.d), log,
                                                 b));

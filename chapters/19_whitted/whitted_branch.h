@@ -20,7 +20,7 @@
 typedef struct {
     bool (*closest)(tracer *t, ray_kind kind, ray r, uint32_t from, trace_hit *x);
     real (*lit)(tracer *t, ray r, uint32_t from, int k);
-    surface (*surface_of)(const tracer *t, ray r, trace_hit x);
+    void (*surface_of)(const tracer *t, const ray *r, const trace_hit *x, surface *s);
 } whitted_search;
 
 typedef struct {
