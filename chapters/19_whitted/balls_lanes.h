@@ -24,7 +24,7 @@
 
 #include "ball_hit.h"
 
-enum { ball_lanes_most = 64, ball_lanes_wide = 16 };
+enum { ball_lanes_most = 64, ball_lanes_wide = 8 };
 
 typedef struct {
     float x[ball_lanes_most], y[ball_lanes_most], z[ball_lanes_most];  /* c */

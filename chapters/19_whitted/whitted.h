@@ -96,7 +96,7 @@ static inline vec3 whitted_shade(tracer *t, const whitted *w, const whitted_sear
     for (int i = 0; i < w->n && (reflects || w->spend_all); i++) {
         const light *L = &w->lights[i];
         light_sample x;
-        bool counts = whitted_reaches(L, s, &x) && reflects;
+        bool counts = reflects && whitted_reaches(L, s, &x);
         if (!counts && !w->spend_all) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
         real lit = search->lit(t, r, s->shape, i);

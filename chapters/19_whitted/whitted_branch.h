@@ -70,7 +70,7 @@ static inline void whitted_child(const whitted_branch *b, const surface *s, ray_
 
 static inline bool whitted_follows(const whitted *w, vec3 weight)
 {
-    return whitted_counts(w, weight) || (vzero(weight) && w->spend_all);
+    return whitted_counts(w, weight) || (w->spend_all && vzero(weight));
 }
 
 /* Children of an opaque surface: a reflection, if it counts. spend_all: a refraction, too, straight
