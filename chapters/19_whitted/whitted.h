@@ -36,36 +36,11 @@
 #ifndef WHITTED_H
 #define WHITTED_H
 
-#include "contact.h"
-#include "whitted_branch.h"
+#include "whitted_search.h"
 
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in);
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* surface_of_shape of 18, for balls without a root: p is on the surface but for rounding, so that
- * (p - c) / R is nearly unit. Field by field: a copy of the whole struct would wait for what was
- * just written to it. */
-__attribute__((always_inline))
-static inline void whitted_on_ball(const sphere *b, uint32_t index, vec3 p, surface *s)
-{
-    vec3 f = vscale(vsub(p, b->c), 1 / b->r), n = unit_again(f);
-    real y = vdot(f, f) - 1;
-    if (!(y * y < real_epsilon / 4) || b->r < 0) {
-        *s = surface_on_sphere(*b, index, p);
-        return;
-    }
-    s->p = vmadd(b->c, n, b->r), s->n = n, s->ns = n;
-    s->error = real_epsilon * (4 * b->r + 2 * surface_reach(s->p)), s->noise = 0, s->shape = index;
-}
-
-static inline void whitted_surface(const tracer *t, const ray *r, const trace_hit *x, surface *s)
-{
-    const world_part *p = &t->w->part[x->part];
-    const shape *k = p->m ? NULL : &p->s->shapes[x->h.shape];
-    if (!k || k->kind != SHAPE_SPHERE) *s = surface_of_trace(t, *r, *x);
-    else whitted_on_ball(&k->sphere, x->h.shape, ray_at(*r, x->h.t), s);
-}
 
 /* surface_facing of 18 without a branch: which side is seen is anybody's guess. */
 __attribute__((always_inline))
@@ -228,47 +203,6 @@ static inline vec3 whitted_walk(tracer *t, ray r, media_set in, uint32_t from,
     for (int k = 1; k < levels; k++) c = vadd(c, level[k]);
     return c;
 }
-
-/* ---- the search of 18 ------------------------------------------------------------------------ */
-
-static inline void whitted_remember(tracer *t, ray r, trace_hit x, void *payload)
-{
-    (void)t, (void)r;
-    *(trace_hit *)payload = x;
-}
-
-/* Glass dims the light, and does not bend it: a shadow ray has no other way to go. */
-static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, void *payload)
-{
-    const whitted *w = t->user;
-    whitted_material room;
-    surface s = surface_of_trace(t, r, x);
-    *(real *)payload *= w->material_of(w->context, x, &s, &room)->shadow;
-    return *(real *)payload > 0 ? ANY_HIT_IGNORE : ANY_HIT_END;
-}
-
-static const ray_program whitted_programs[ray_kinds] = {
-    [RAY_CAMERA] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
-    [RAY_SHADOW] = {MASK_SHADOW, true, whitted_dims, NULL, NULL},
-    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
-    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
-    [RAY_SIGHT] = {MASK_SEEN, false, contact_any, NULL, NULL},
-};
-
-static inline bool whitted_closest(tracer *t, ray_kind kind, ray r, uint32_t from, trace_hit *x)
-{
-    (void)from;
-    return trace(t, kind, r, x);
-}
-
-static inline real whitted_lit(tracer *t, ray r, uint32_t from, int k)
-{
-    real lit = 1;
-    (void)from, (void)k;
-    return trace(t, RAY_SHADOW, r, &lit) ? 0 : lit;
-}
-
-static const whitted_search whitted_by_trace = {whitted_closest, whitted_lit, whitted_surface};
 
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in)
 {
