@@ -1,7 +1,7 @@
 /* balls_lanes.h: up to 64 balls, all asked at once.
  *
  *   A tree asks a few boxes one after another, and each waits for the one before. A loop over all
- *   balls without a branch, in float, becomes eight or sixteen wide, and is done sooner.
+ *   balls without a branch, in float, becomes eight wide, and is done sooner.
  *
  *   ball_lanes a;
  *   if (ball_lanes_fill(s, n, &a)) ..     false: more than 64 balls, or none
@@ -96,7 +96,7 @@ static inline uint32_t ball_lanes_next(const ball_lanes *a, const uint32_t key[b
     }
     uint32_t best = low[0];
     for (int j = 1; j < ball_lanes_wide; j++) best = low[j] < best ? low[j] : best;
-    return best + last + 1;
+    return best > ball_lanes_none - (last + 1) ? ball_lanes_none : best + last + 1;  /* wrapped */
 }
 
 /* Lower bound on t that a key stands for; 2^-20 for the rounding of (19.11). */
