@@ -15,7 +15,7 @@
  *   inside a ball, and nothing  that ball: it is left where the ray meets its far side
  *   else reaches into it
  *   reflected outwards          all but the ball it leaves: a ball is convex
- *   all others                  a tree (14)
+ *   all others                  up to 64 balls: all at once, balls_lanes.h; more: a tree (14)
  *
  *     \  \  \  light k         cell of its buffer     A shadow ray is asked for by its origin
  *      |  |( )| |              |  |  |  |            alone: rays to a sun are parallel, and a

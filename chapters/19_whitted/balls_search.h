@@ -6,8 +6,8 @@
  *   bool balls_hit(&b, r, from, inside, &h)     closest hit of a ray that begins on ball `from`
  *   real balls_light(&b, r, k, from, keep)      part of light k that arrives
  *
- * No ball is asked that a list leaves out; whether one is hit decides 03, but for two clear cases:
- * the ball lies behind the ray, and the far side of the ball that the ray is in.
+ * No ball is asked that a list leaves out; whether one is hit decides 03, through ball_hit.h.
+ * Towards a sun every ball is a disc: what is clear there needs no root.
  */
 #ifndef BALLS_SEARCH_H
 #define BALLS_SEARCH_H
