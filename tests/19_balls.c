@@ -12,7 +12,10 @@ static vec3 anywhere(random_stream *s, real size)
     return (vec3){x, y, spread(s, size)};
 }
 
-static vec3 any_direction(random_stream *s) { return vunit(vadd(anywhere(s, 1), (vec3){0, 0, (real)1e-3})); }
+static vec3 any_direction(random_stream *s)
+{
+    return vunit(vadd(anywhere(s, 1), (vec3){0, 0, (real)1e-3}));
+}
 
 /* A ray that matters: from anywhere, from the ball's own surface in and out, from inside; past its
  * outline by some epsilons of its size. */

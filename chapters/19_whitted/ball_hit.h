@@ -46,7 +46,7 @@ static inline bool ball_hit(const sphere *s, const ray *r, hit *out)
     return true;
 }
 
-/* From inside, k < 0, also by rounding: then the far root is the one (3.3), and no noise if b > 0. */
+/* From inside, k < 0, also by rounding: the far root is the one (3.3), and no noise if b >= 0. */
 __attribute__((always_inline))
 static inline bool ball_exit(const sphere *s, const ray *r, hit *out)
 {

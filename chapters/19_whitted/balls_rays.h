@@ -25,8 +25,8 @@
 enum { balls_batch = 64, balls_room = 4 * balls_batch };
 
 typedef struct {
-    whitted_branch b[balls_room + 1];
-    uint8_t eye[balls_room + 1];      /* the ray that it descends from */
+    whitted_branch b[balls_room];
+    uint8_t eye[balls_room];          /* the ray that it descends from */
     int n;
 } balls_level;
 
@@ -83,13 +83,15 @@ static inline bool balls_levels(tracer *t, int n, const ray *r, const real *x, c
                                 vec3 *colour)
 {
     const balls_scene *s = t->user;
+    const media_set nowhere = {0};
     balls_level level[2];
     balls_work k;
     int now = 0;
     if (!s->w.apart || s->w.spend_all || n > balls_batch) return false;
-    for (int i = 0; i < n; i++)
-        level[0].b[i] = whitted_eye(r[i], (media_set){0}, balls_tile_of(&s->b, x[i], y[i])),
+    for (int i = 0; i < n; i++) {
+        whitted_eye(r[i], &nowhere, balls_tile_of(&s->b, x[i], y[i]), &level[0].b[i]);
         level[0].eye[i] = (uint8_t)i;
+    }
     for (level[0].n = n; level[now].n > 0; now = !now) {
         vec3 sum[balls_batch];
         bool any[balls_batch] = {false};

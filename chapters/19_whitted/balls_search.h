@@ -60,13 +60,14 @@ static inline bool balls_hit(const balls *b, ray r, uint32_t from, bool inside, 
         best->shape = from;
         return true;
     }
-    if (b->lanes.n) return ball_lanes_hit(&b->lanes, b->s, r, inside ? no_shape : from, best);
-    balls_asking a = {b, inside ? no_shape : from};
+    if (inside) from = no_shape;
+    if (b->lanes.n) return ball_lanes_hit(&b->lanes, b->s, r, from, best);
+    balls_asking a = {b, from};
     return tree_search(&b->tree, r, box_ray_of, balls_leaf, &a, false, best, NULL);
 }
 
-/* Does the ray from p to the sun meet this disc? Across, p lies D = R^2 - u^2 - v^2 inside; along, h
- * above the centre: below it the ball is met if D > 0, above only from inside, D > h^2.
+/* Does the ray from p to the sun meet this disc? Across, p lies D = R^2 - u^2 - v^2 inside; along,
+ * h above the centre: below it the ball is met if D > 0, above only from inside, D > h^2.
  *      1: yes; 0: no; -1: as near as rounding, ask 03
  * u, v, h are off by 8 epsilon S at most, S the size of all coordinates; so D and D - h^2 are by
  * 64 epsilon S^2. */

@@ -119,7 +119,10 @@ static inline void whitted_arrive(tracer *t, whitted_branch *b, const trace_hit 
 }
 
 /* A face between two places of the same medium is none: the ray goes on, no deeper. */
-static inline bool whitted_passes(const whitted_place *p) { return p->m->body && p->to == p->inside; }
+static inline bool whitted_passes(const whitted_place *p)
+{
+    return p->m->body && p->to == p->inside;
+}
 
 /* Is there anything for lights to do? */
 static inline bool whitted_is_lit(const whitted *w, const whitted_place *p)
@@ -175,9 +178,11 @@ static inline ray whitted_unit(ray r)
     return (ray){r.o, 0, vscale(r.d, 1 / sqrt(dd)), r.tmax};
 }
 
-static inline whitted_branch whitted_eye(ray r, media_set in, uint32_t from)
+__attribute__((always_inline))
+static inline void whitted_eye(ray r, const media_set *in, uint32_t from, whitted_branch *b)
 {
-    return (whitted_branch){whitted_unit(r), {1, 1, 1}, in, 1, RAY_CAMERA, from, -1};
+    b->r = whitted_unit(r), b->weight = (vec3){1, 1, 1}, b->in = *in;
+    b->depth = 1, b->kind = RAY_CAMERA, b->from = from, b->number = -1;
 }
 
 /* Summed level by level: so whoever traces a level after the other gets the same, to the last bit.
@@ -189,7 +194,7 @@ static inline vec3 whitted_walk(tracer *t, ray r, media_set in, uint32_t from,
     whitted_branch stack[whitted_most_depth + 2], slot[2][2], *b = &slot[0][0];
     vec3 level[whitted_most_depth + 1], c;
     int top = 0, other = 1, levels = 0;
-    *b = whitted_eye(r, in, from);
+    whitted_eye(r, &in, from, b);
     for (;;) {
         int n = whitted_step(t, search, b, &c, slot[other], log);
         if (b->depth > levels) level[levels++] = c;
