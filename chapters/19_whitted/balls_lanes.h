@@ -14,10 +14,10 @@
  *
  * The loop only sorts out what can't be met; ball_hit, the answer of 03, decides on what is left,
  * the nearest (19.11) first, until one is hit before the next could be. Sorting out must not lose a
- * hit, so its rounding is paid for in advance. U = 2^-24, S: sum of the largest coordinates of o and c, and R.
- * f is off by 2 U S a component (o and c are rounded), b by 12 U S, k by 25 U S^2, b^2 by 45 U S^2;
- * d, unit within 5 U where real is float, makes 30 U S^2 more; sums 10: m = 256 U S^2 for k and D,
- * e = 16 U S for b. What overflows is a NaN, and stays in.
+ * hit, so its rounding is paid for in advance. U = 2^-24, S: sum of the largest coordinates of o
+ * and c, and R. f is off by 2 U S a component (o and c are rounded), b by 12 U S, k by 25 U S^2,
+ * b^2 by 45 U S^2; d, unit within 5 U where real is float, makes 30 U S^2 more; sums 10: m = 256 U
+ * S^2 for k and D, e = 16 U S for b. What overflows is a NaN, and stays in.
  */
 #ifndef BALLS_LANES_H
 #define BALLS_LANES_H
