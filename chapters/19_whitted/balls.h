@@ -15,7 +15,7 @@
  *   inside a ball, and nothing  that ball: it is left where the ray meets its far side
  *   else reaches into it
  *   reflected outwards          all but the ball it leaves: a ball is convex
- *   all others                  a tree (14)
+ *   all others                  up to 64 balls: all at once, balls_lanes.h; more: a tree (14)
  *
  *     \  \  \  light k         cell of its buffer     A shadow ray is asked for by its origin
  *      |  |( )| |              |  |  |  |            alone: rays to a sun are parallel, and a
@@ -32,6 +32,7 @@
 #define BALLS_H
 
 #include "../02_camera/camera.h"
+#include "balls_lanes.h"
 #include "whitted.h"
 
 enum { balls_cells = 48, balls_tile = 8, balls_most_lights = 8 };
@@ -41,10 +42,13 @@ typedef struct { sphere s; uint32_t index; } ball_item;
 /* Lists of numbers, one after another: list k is item[first[k]] .. item[first[k + 1] - 1]. */
 typedef struct { uint32_t *first, *item; size_t lists; } ball_lists;
 
+/* A ball as the sun sees it. end: how far towards the sun it reaches; a little more. */
+typedef struct { real u, v, l, rr, size, end; } ball_disc;
+
 typedef struct {
     vec3 l, u, v;              /* towards the light; across */
     real u0, v0, per_u, per_v; /* cell = (p.u - u0) per_u, .. */
-    real *end;                 /* [n] how far towards the light each ball reaches; a little more */
+    ball_disc *disc;           /* [n] */
     ball_lists lists;
 } ball_beam;
 
@@ -52,6 +56,7 @@ typedef struct {
     sphere *s;                 /* [n] */
     bool *lone;                /* [n] nothing else reaches into it */
     size_t n;
+    ball_lanes lanes;          /* up to 64 balls; then there is no tree */
     bvh_tree tree;
     ball_item *leaf;           /* in the order of the tree's leaves */
     ball_beam beam[balls_most_lights];
@@ -67,7 +72,7 @@ static inline void balls_free(balls *b)
 {
     free(b->s), free(b->lone), free(b->leaf), tree_free(&b->tree);
     for (int k = 0; k < b->beams; k++)
-        free(b->beam[k].lists.first), free(b->beam[k].lists.item), free(b->beam[k].end);
+        free(b->beam[k].lists.first), free(b->beam[k].lists.item), free(b->beam[k].disc);
     free(b->eye.first), free(b->eye.item), free(b->near);
     *b = (balls){0};
 }
@@ -97,6 +102,19 @@ static inline void pairs_add(ball_pair **p, size_t *n, size_t *room, ball_pair x
     (*p)[(*n)++] = x;
 }
 
+/* A ball behind which, seen from the sun, all others lie as wholes, and outside of it: it shades
+ * none of them. The ground, as a rule. */
+static inline bool beam_shades_none(const balls *b, vec3 l, uint32_t k)
+{
+    sphere s = b->s[k];
+    for (size_t i = 0; i < b->n; i++) {
+        vec3 f = vsub(b->s[i].c, s.c);
+        real r = b->s[i].r, margin = 16 * real_epsilon * (surface_reach(s.c) + surface_reach(f));
+        if (i != k && !(vdot(f, l) > r + margin && vlength(f) > r + s.r + 4 * margin)) return false;
+    }
+    return true;
+}
+
 /* The part of the plane that matters is that of the small balls: a large one, the ground, would
  * make the cells as large as itself. What lies outside is clamped to the outermost cells. */
 static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_beam *out)
@@ -105,7 +123,7 @@ static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_b
     size_t n = 0, room = 0;
     real lo[2] = {real_infinity, real_infinity}, hi[2] = {-real_infinity, -real_infinity}, mean = 0;
     vbasis(l, &out->u, &out->v);
-    out->l = l, out->end = allocate(b->n, sizeof *out->end);
+    out->l = l, out->disc = allocate(b->n, sizeof *out->disc);
     for (size_t i = 0; i < b->n; i++) mean += b->s[i].r / (real)b->n;
     for (size_t i = 0; i < b->n; i++) {
         sphere s = b->s[i];
@@ -121,9 +139,10 @@ static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_b
     out->u0 = lo[0], out->v0 = lo[1], out->per_u = per[0], out->per_v = per[1];
     for (uint32_t i = 0; i < b->n; i++) {
         sphere s = b->s[i];
-        real reach = surface_reach(s.c) + s.r;
-        out->end[i] = vdot(s.c, l) + s.r + 32 * real_epsilon * reach;
-        if (shadow[i] == 1) continue;  /* keeps nothing back */
+        real size = surface_reach(s.c) + s.r, along = vdot(s.c, l);
+        out->disc[i] = (ball_disc){vdot(s.c, out->u), vdot(s.c, out->v), along, s.r * s.r, size,
+                                   along + s.r + 32 * real_epsilon * size};
+        if (shadow[i] == 1 || beam_shades_none(b, l, i)) continue;
         /* a cell more to either side: rounding, here and in beam_cell */
         real c[2] = {vdot(s.c, out->u), vdot(s.c, out->v)}, from[2], to[2];
         for (int k = 0; k < 2; k++) {
@@ -133,7 +152,7 @@ static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_b
         for (int y = (int)from[1]; y <= (int)to[1]; y++)
             for (int x = (int)from[0]; x <= (int)to[0]; x++)
                 pairs_add(&pair, &n, &room, (ball_pair){(uint32_t)(y * balls_cells + x), i,
-                                                        -out->end[i]});
+                                                        -out->disc[i].end});
     }
     out->lists = lists_of_pairs(pair, n, balls_cells * balls_cells);
     free(pair);
@@ -174,7 +193,7 @@ static inline void balls_build(const sphere *s, size_t n, const real *shadow, co
 {
     *out = (balls){.s = allocate(n, sizeof *s), .lone = allocate(n, sizeof(bool)), .n = n};
     memcpy(out->s, s, n * sizeof *s);
-    balls_tree(out);
+    if (!ball_lanes_fill(s, n, &out->lanes)) balls_tree(out);
     balls_lone(out);
     for (; out->beams < lights && out->beams < balls_most_lights; out->beams++) {
         if (L[out->beams].kind != LIGHT_DIRECTIONAL) break;

@@ -12,7 +12,7 @@
 #ifndef FORTY_H
 #define FORTY_H
 
-#include "balls_search.h"
+#include "balls_rays.h"
 #include "looks.h"
 
 enum { forty_balls = 40 };

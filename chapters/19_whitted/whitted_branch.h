@@ -15,13 +15,12 @@
 #include "fresnel.h"
 #include "whitted_scene.h"
 
-/* How rays are searched for. closest: of a ray of this kind, which began in the body `inside` at
- * shape `from` (no_shape: at the eye). lit: part of light k that arrives along a shadow ray. */
+/* How rays are searched for. closest: of a ray of this kind, which began at shape `from` (no_shape:
+ * at the eye). lit: part of light k that arrives along a shadow ray. */
 typedef struct {
-    bool (*closest)(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
-                    trace_hit *x);
+    bool (*closest)(tracer *t, ray_kind kind, ray r, uint32_t from, trace_hit *x);
     real (*lit)(tracer *t, ray r, uint32_t from, int k);
-    surface (*surface_of)(const tracer *t, ray r, trace_hit x);
+    void (*surface_of)(const tracer *t, const ray *r, const trace_hit *x, surface *s);
 } whitted_search;
 
 typedef struct {
@@ -71,7 +70,7 @@ static inline void whitted_child(const whitted_branch *b, const surface *s, ray_
 
 static inline bool whitted_follows(const whitted *w, vec3 weight)
 {
-    return whitted_counts(w, weight) || (vzero(weight) && w->spend_all);
+    return whitted_counts(w, weight) || (w->spend_all && vzero(weight));
 }
 
 /* Children of an opaque surface: a reflection, if it counts. spend_all: a refraction, too, straight
