@@ -327,6 +327,41 @@ static void test_roulette(void)
     }
 }
 
+/* ---- which light: as often as lights_chance says, and as its pdf says ---- */
+
+static void test_choice_of_light(void)
+{
+    lit_scene s;
+    environment sky;
+    lights l;
+    estimate often[3] = {{0}, {0}, {0}};
+    random_stream from = random_start(26, 8, 1);
+    size_t wrong = 0;
+    environment_sky(16, 8, (vec3){0, 1, 0}, &sky);
+    lit_begin(&s);
+    for (int i = 0; i < 3; i++) {
+        lit_material m = {.Le = {1, 1, (real)(1 + 2 * i)}};
+        lit_add_shape(&s, shape_of_sphere((sphere){{(real)(3 * i), 0, 0}, 1}),
+                      lit_add_material(&s, m));
+    }
+    lit_end(&s), lights_of(&s, &sky, &l);
+    for (size_t k = 0; k < check_count(20000); k++) {
+        light_draw x;
+        vec3 p = {2, 5, 1};
+        point2 u = {random_next(&from), random_next(&from)};
+        bool some = lights_sample(&l, p, u, &x);
+        for (uint32_t i = 0; i < 3; i++) often[i] = estimate_add(often[i], some && x.emitter == i);
+        if (!some || x.emitter == lit_dark) continue;
+        real q = lights_pdf(&l, x.emitter, p, vlength(vsub(x.s.p, p)), 1);
+        wrong += !(fabs(q / x.pdf - 1) < 64 * real_epsilon);
+    }
+    check_equal(wrong, 0, "pdfs that are not what lights_pdf says");
+    for (int i = 0; i < 3; i++)  /* radiances 3, 5, 7 of 15, and half of all to the sky */
+        check_at_least(t_test(often[i], (3 + 2 * i) / 30.0, 1e-6), false_alarm,
+                       "light %d: drawn %g of the times", i, often[i].mean);
+    lights_free(&l), lit_free(&s), environment_free(&sky);
+}
+
 /* ---- only what is called for ---- */
 
 static path_counts count(const char *name, path_options how, image *out)
@@ -381,6 +416,7 @@ int main(void)
     test_furnace();
     test_glass();
     test_called_for();
+    test_choice_of_light();
     test_strategies_agree();
     test_reciprocity();
     test_naive();

@@ -1,5 +1,6 @@
 /* Tests of 26: exact sums, states that are cut, joined, resumed, damaged; error estimates. */
 #include "check.h"
+#include "child.h"
 static char directory[] = "/tmp/26_state_XXXXXX";
 #include "program.h"
 #include "../common/output.h"
@@ -197,6 +198,9 @@ static void test_program(void)
           "three ranges merged: the same bytes as one run");
     check_equal(go("--merge %s %s --quick", "a.state", "a.state"), 2, "nothing counts twice");
     check(printed("err", "nothing counts twice"), "and says so");
+    check_equal(go("--merge %s --strategy lights --out %s", "a.state", "p.pfm"), 2,
+                "a merge has no strategy");
+    check_equal(go("--merge %s --environment x.pfm --out %s", "a.state", "p.pfm"), 2, "nor a sky");
     check_equal(go(small "--seed 9 --samples 12 --resume %s --out %s", "part.state", "p.pfm"), 2,
                 "another seed");
     check(printed("err", "'seed 1', not 'seed 9'"), "and says which");
@@ -208,6 +212,29 @@ static void test_program(void)
     check_equal(go("--scene nowhere --out %s", "p.pfm", ""), 2, "no such scene");
     check_equal(go(small "--error 0.5 --out %s", "p.pfm", ""), 0, "to an error");
     check_equal(go(small "--time 0.2 --out %s", "p.pfm", ""), 0, "for a time");
+}
+
+static void merge_one(void *context)
+{
+    char *word[] = {"26_path_tracer", "--merge=a", NULL};
+    command_merge(2, word, context);
+}
+
+/* --merge=A again and again, and once more than there is room for. */
+static void test_many_parts(void)
+{
+    char *word[] = {"26_path_tracer", "--merge=a", "--merge", "b", "c", "--quick", "--merge=d"};
+    command c = {.bounces = -1};
+    check_equal(command_merge(7, word, &c), 6, "but for c all is left to options_read");
+    check(c.parts == 4 && strcmp(c.part[2], "c") == 0 && strcmp(word[4], "--quick") == 0, "four");
+    command *full = allocate(1, sizeof *full);
+    full->parts = command_most_parts - 1;
+    merge_one(full);
+    check_equal(full->parts, command_most_parts, "the last that fits");
+    child_result r = child_run(merge_one, full);
+    check(r.status == 2 && strstr(r.err, "at most 4096 files"), "one more: exit %d, %s", r.status,
+          r.err);
+    free(full);
 }
 
 /* ---- the error estimate is what it says ---- */
@@ -353,6 +380,7 @@ int main(void)
     test_environment();
     test_error();
     test_program();
+    test_many_parts();
     char clean[300];
     snprintf(clean, sizeof clean, "rm -r %s", directory);
     return check_report("26_state") | (system(clean) != 0);

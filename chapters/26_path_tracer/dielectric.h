@@ -10,6 +10,7 @@
  *       n1: refractive index where wo is, n2: behind; u in [0,1); n.wo >= 0; all unit
  *   beta *= dielectric_squeeze(n1, n2)   if it went through: radiance, not power, is         (26.2)
  *       squeezed into a smaller solid angle in glass, (n1/n2)^2 seen from the eye, and out again
+ *   dice look at beta / (product of all (26.2) so far): on the way out it comes back         (26.3)
  *
  * In total reflection R = 1. What the glass keeps on the way: absorbed (19.9).
  *

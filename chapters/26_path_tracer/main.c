@@ -8,7 +8,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
 int main(int argc, char **argv)
 {
     command c = {.bounces = -1};
-    options defaults = {.width = 400, .height = 400, .samples = -1, .seed = 1};
+    options defaults = {.width = 320, .height = 320, .samples = -1, .seed = 1};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, furnace"},
         {"obj", OPTION_TEXT, &c.obj, 0, 0, "FILE.obj: this mesh, on a floor, under a sky"},

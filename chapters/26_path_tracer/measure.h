@@ -1,7 +1,6 @@
 /* measure.h: what each idea of the chapter is worth, in the Cornell box.
  *
  *   measure_strategies(o)   error against time and rays, one table and two plots
- *   measure_roulette(o)     rules for ending a path: error, rays, efficiency
  *   measure_speed(o)        rays a second, one thread and two
  *
  * Efficiency (效率) = 1 / (error^2 x time): samples twice as fast, or with half the variance, are
@@ -199,7 +198,7 @@ static inline double measure_seconds(int threads, render_job *j, int side)
 
 static inline void measure_speed(const options *o)
 {
-    enum { runs = 3 };
+    enum { runs = 2 };
     showcase c;
     path_tracer t;
     failure f;
