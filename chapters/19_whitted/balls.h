@@ -2,7 +2,8 @@
  *
  *   balls b;
  *   balls_build(s, n, keep, lights, k, &b)   s[n] spheres, r > 0; copies them; keep[n]: part of the
- *                                         light that each lets pass; O(n^2 + k n cells)
+ *                                         light that each lets pass; O(n^2 + k n cells). Up to 8
+ *                                         lights, all directional; else the program ends
  *   balls_view(&b, &c, width, height)     the same for eye rays of that camera; again for another
  *   balls_free(&b)                        a zeroed one may be freed
  *
@@ -195,8 +196,9 @@ static inline void balls_build(const sphere *s, size_t n, const real *shadow, co
     memcpy(out->s, s, n * sizeof *s);
     if (!ball_lanes_fill(s, n, &out->lanes)) balls_tree(out);
     balls_lone(out);
-    for (; out->beams < lights && out->beams < balls_most_lights; out->beams++) {
-        if (L[out->beams].kind != LIGHT_DIRECTIONAL) break;
+    for (failure f; out->beams < lights; out->beams++) {
+        if (out->beams == balls_most_lights || L[out->beams].kind != LIGHT_DIRECTIONAL)
+            failed(&f, 2, "balls take up to %d lights, all directional", balls_most_lights), fail(f);
         beam_build(out, L[out->beams].at, shadow, &out->beam[out->beams]);
     }
 }

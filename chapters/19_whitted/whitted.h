@@ -142,7 +142,7 @@ static inline int whitted_follow(const whitted *w, const whitted_branch *b, cons
         child->in = p->after, child->depth--;
         return whitted_follows(w, child->weight);
     }
-    if (b->depth >= w->depth) return 0;
+    if (b->depth >= w->depth || b->depth >= whitted_most_depth) return 0;
     if (!p->m->body) return whitted_opaque(w, b, &p->s, p->m, child);
     return whitted_glass(w, b, &p->s, p->m, w->media[p->inside].ior, w->media[p->to].ior,
                          &p->after, p->more, child);
