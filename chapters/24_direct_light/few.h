@@ -71,37 +71,56 @@ static inline void few_extent(const mesh *m, size_t first, size_t last, vec3 c, 
     }
 }
 
-typedef struct { vec3 c, u, v, n; real a, b, far; } few_rectangle;  /* far: from the origin */
+/* The largest coordinate. */
+static inline real few_far(const mesh *m, size_t first, size_t last)
+{
+    real far = 0;
+    for (size_t i = 3 * first; i < 3 * last + 3; i++) {
+        vec3 p = m->v[m->index[i]];
+        far = real_max(far, real_max(fabs(p.x), real_max(fabs(p.y), fabs(p.z))));
+    }
+    return far;
+}
 
-/* Round triangles first..last, along the longest edge of the first; false if they are not flat, or
- * fill less than 2/5 of it, or one has no area. */
-static inline bool few_around(const mesh *m, size_t first, size_t last, few_rectangle *out)
+typedef struct { vec3 c, u, v, n; real a, b; } few_rectangle;
+
+/* Round triangles first..last, along one edge of the first. */
+static inline few_rectangle few_along(const mesh *m, size_t first, size_t last, vec3 edge)
 {
     triangle t = mesh_triangle(m, first);
-    vec3 edge[3] = {vsub(t.b, t.a), vsub(t.c, t.b), vsub(t.a, t.c)}, u = edge[0];
-    for (int k = 1; k < 3; k++) if (vlength(edge[k]) > vlength(u)) u = edge[k];
-    vec3 n = triangle_normal(t), v;
-    real lo[3], hi[3], area = 0, far = 0;
-    bool solid = true;
-    u = vzero(u) ? (vec3){0, 0, 1} : vunit(u);
+    vec3 u = vunit(edge), n = triangle_normal(t), v;
+    real lo[2], hi[2];
     n = vunit(vsub(n, vscale(u, vdot(n, u))));  /* that of a needle leans along its length */
-    if (vzero(n)) vbasis(u, &n, &v);
     v = vcross(n, u);
     few_extent(m, first, last, t.a, u, &lo[0], &hi[0]);
     few_extent(m, first, last, t.a, v, &lo[1], &hi[1]);
-    few_extent(m, first, last, t.a, n, &lo[2], &hi[2]);
     vec3 c = vmadd(vmadd(t.a, u, (lo[0] + hi[0]) / 2), v, (lo[1] + hi[1]) / 2);
-    *out = (few_rectangle){c, u, v, n, (hi[0] - lo[0]) / 2, (hi[1] - lo[1]) / 2, 0};
+    return (few_rectangle){c, u, v, n, (hi[0] - lo[0]) / 2, (hi[1] - lo[1]) / 2};
+}
+
+/* Along the longest edge, where a needle's normal does least harm, unless another one makes it much
+ * smaller: along the diagonal, a rectangle's would have twice its area. False if the triangles are
+ * not flat, or fill less than 2/5 of it, or one has no area: never hit. */
+static inline bool few_around(const mesh *m, size_t first, size_t last, few_rectangle *out)
+{
+    triangle t = mesh_triangle(m, first);
+    vec3 edge[3] = {vsub(t.b, t.a), vsub(t.c, t.b), vsub(t.a, t.c)};
+    real lo, hi, area = 0;
+    int longest = 0;
     for (size_t i = first; i <= last; i++) {
         triangle k = mesh_triangle(m, i);
-        vec3 p = vmax(vmax(k.a, vneg(k.a)), vmax(k.b, vneg(k.b)));
-        far = real_max(far, vaxis(p, vlongest(p)));
+        if (vzero(triangle_normal(k))) return false;
         area += vlength(vcross(vsub(k.b, k.a), vsub(k.c, k.a))) / 2;
-        solid = solid && !vzero(triangle_normal(k));
     }
-    out->far = far;
-    bool flat = real_max(hi[2], -lo[2]) <= 4 * real_epsilon * far;
-    return solid && (first == last || (flat && area > out->a * out->b * (real)1.6));
+    for (int k = 1; k < 3; k++)
+        if (vlength(edge[k]) > vlength(edge[longest])) longest = k;
+    for (int k = 0; k < 3; k++) {
+        few_rectangle r = few_along(m, first, last, edge[(longest + k) % 3]);
+        if (k == 0 || r.a * r.b < out->a * out->b * (real)0.75) *out = r;
+    }
+    few_extent(m, first, last, out->c, out->n, &lo, &hi);
+    bool flat = hi - lo <= 4 * real_epsilon * few_far(m, first, last);
+    return first == last || (flat && area > out->a * out->b * (real)1.6);
 }
 
 static inline void few_store(few *f, int lane, const few_rectangle *r)
@@ -117,8 +136,9 @@ static inline void few_store(few *f, int lane, const few_rectangle *r)
 
 /* Two triangles: on which side of their common edge is which? That edge of the first has the second
  * behind it. Corners off by 2^-12 of the triangle's height do not matter, see few_within. */
-static inline void few_divide(few *f, int lane, const mesh *m, real far)
+static inline void few_divide(few *f, int lane, const mesh *m)
 {
+    real far = few_far(m, f->first[lane], f->last[lane]);
     triangle t = mesh_triangle(m, f->first[lane]), o = mesh_triangle(m, f->last[lane]);
     const vec3 p[5] = {t.a, t.b, t.c, t.a, t.b};
     for (int k = 0; k < 3; k++) {
@@ -157,8 +177,8 @@ static inline bool few_build(const mesh *m, few *out)
         bool two = i + 1 < m->triangles && few_around(m, i, i + 1, &r);
         out->first[lanes] = (uint8_t)i, out->last[lanes] = (uint8_t)(i + two);
         out->lane[i] = lanes;
-        if (two || few_around(m, i, i, &r)) few_store(out, lanes, &r);  /* no area: never hit */
-        if (two) few_divide(out, lanes, m, r.far), out->lane[++i] = lanes;
+        if (two || few_around(m, i, i, &r)) few_store(out, lanes, &r);
+        if (two) few_divide(out, lanes, m), out->lane[++i] = lanes;
     }
     out->lanes = (lanes + few_wide - 1) / few_wide * few_wide;
     return true;
@@ -249,10 +269,14 @@ static inline int32_t few_second(const few_list *l, int32_t least)
 /* The least key above `last`. */
 static inline int32_t few_next(const few *f, const few_list *l, int32_t last)
 {
-    int32_t best = few_none;
-    for (int32_t i = 0; i < f->lanes; i++)
-        if (l->key[i] > last && l->key[i] < best) best = l->key[i];
-    return best;
+    int32_t low[few_wide];
+    for (int j = 0; j < few_wide; j++) low[j] = few_none;
+    for (int32_t first = 0; first < f->lanes; first += few_wide)
+        for (int j = 0; j < few_wide; j++) {
+            int32_t x = l->key[first + j] > last ? l->key[first + j] : few_none;
+            low[j] = x < low[j] ? x : low[j];
+        }
+    return few_least(low);
 }
 
 /* shear_of (04) without branches: which axis is the longest is a matter of chance. */
