@@ -16,8 +16,8 @@
  *   lit_emitted(&h)           radiance towards the origin of r: Le from the front, 0 from behind
  *
  * All that is the same for every ray is computed once, by lit_end: edges, normals, error bounds
- * (18.5), (18.6) of triangles, lights. lit_trace of a triangle is a search, and then two products
- * and a sum a coordinate: the same bits as surface_of_mesh.
+ * (18.5), (18.6), (18.9) of triangles, lights. lit_trace of a triangle is a search, then two
+ * products and a sum a coordinate: the same bits as surface_of_mesh.
  *
  * Everything added is copied, but for the corners of polygons, which must outlive the scene.
  * Emitters: one per shining triangle, rectangle, sphere of area > 0: first the flat ones in the
@@ -42,8 +42,8 @@ typedef struct {
     vec3 sigma;     /* absorption inside, per unit of length */
 } lit_material;
 
-/* A triangle, ready: p = a + u e + v f, error = epsilon (reach + 2 |p|). */
-typedef struct { vec3 a, e, f, n; real reach, noise; } lit_face;
+/* A triangle, ready: p = a + u e + v f (18.9), error = epsilon (reach + 2 |p|). */
+typedef struct { vec3 a, e, f, n; real reach, noise, margin; } lit_face;
 
 typedef struct { uint32_t corner[3], normal[3], emitter; uint16_t material; } lit_part;
 
@@ -184,7 +184,8 @@ static inline lit_face lit_face_of(triangle t)
 {
     vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.a);
     surface s = surface_on_triangle(t, no_shape, 0, 0);
-    return (lit_face){t.a, e, f, s.n, 2 * sqrt(real_max(vdot(e, e), vdot(f, f))), s.noise};
+    real LL = real_max(vdot(e, e), vdot(f, f)), L = sqrt(LL), k = surface_needle(e, f, LL);
+    return (lit_face){t.a, e, f, s.n, 2 * L, s.noise, surface_margin(t.a, L, k)};
 }
 
 /* What was added triangle by triangle becomes one array for each of its fields. */
@@ -250,7 +251,7 @@ __attribute__((always_inline))
 static inline surface lit_surface(const lit_scene *s, hit h)
 {
     const lit_face *k = &s->face[h.shape];
-    vec3 p = vadd(k->a, vmadd(vscale(k->e, h.u), k->f, h.v));
+    vec3 p = surface_inside(k->a, k->e, k->f, k->margin, h.u, h.v);
     real error = real_epsilon * (k->reach + 2 * surface_reach(p));
     vec3 ns = s->m.n ? mesh_normal(&s->m, h.shape, h.u, h.v) : k->n;
     return (surface){p, k->n, ns, error, k->noise, h.shape};
