@@ -20,7 +20,8 @@
  *       z = (-o'n / d'n: distance along d's longest axis) >= (|o'n| - e) / (|d'n| + 16 u)   (24.21)
  *
  * The loop only sorts out, in float, what can't be hit; the watertight test of 04 decides in `real`
- * on what is left, one or two triangles as a rule, the nearest bound (24.21) first. Sorting out
+ * on what is left, the nearest bound (24.21) first: one triangle as a rule, that on whose side of
+ * the common edge the ray passes, and the second bound shows that it is all. Sorting out
  * must not lose a hit, so all its rounding is paid for in advance. With U = 2^-24, D the largest
  * distance along an axis from o to what there is, coordinates taken from the middle of the box:
  * o' <= 3 D is off by 20 U D at most, d' <= 1.8 by 12 U, each product by 71 U D + 5 U D, the
@@ -212,7 +213,7 @@ static inline float few_limit(const few_ray *r, real t)
     return (float)real_min(t * r->along * (1 + (real)0x1p-19), (real)0x1p62);
 }
 
-/* The keys of all lanes, and in column i mod 8 the least two of them: for most rays the second shows
+/* The keys of all lanes, and the least two of each column i mod 8: for most rays the second shows
  * that the first is all there is to ask. */
 typedef struct { int32_t key[few_most], low[few_wide], next[few_wide]; } few_list;
 
