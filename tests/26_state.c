@@ -61,8 +61,8 @@ static bool same(const film *a, const film *b)
 {
     return a->width == b->width && a->height == b->height && a->ranges == b->ranges
         && memcmp(a->range, b->range, (size_t)a->ranges * sizeof *a->range) == 0
-        && memcmp(a->pixel, b->pixel,
-                  (size_t)a->width * (size_t)a->height * sizeof *a->pixel) == 0;
+        && memcmp(a->half[0], b->half[0],
+                  2 * (size_t)a->width * (size_t)a->height * sizeof *a->half[0]) == 0;
 }
 
 static void test_parts(void)

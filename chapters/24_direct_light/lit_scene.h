@@ -267,6 +267,7 @@ static inline few_skip lit_skip(const lit_scene *s, uint32_t from, uint32_t e)
     return k;
 }
 
+/* Among the triangles. */
 __attribute__((always_inline))
 static inline bool lit_closest(const lit_scene *s, ray r, uint32_t from, hit *h)
 {
@@ -274,26 +275,41 @@ static inline bool lit_closest(const lit_scene *s, ray r, uint32_t from, hit *h)
     return known >= 0 ? known : bvh_hit(&s->tree, r, h);
 }
 
+/* Fields one by one: a struct that is copied as a whole right after its fields were written waits
+ * for all of them. */
+__attribute__((always_inline))
+static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t material,
+                             real t, lit_hit *out)
+{
+    real side = vdot(x.n, r.d), turn = side > 0 ? -1 : 1;
+    out->s.p = x.p, out->s.n = vscale(x.n, turn), out->s.ns = vscale(x.ns, turn);
+    out->s.error = x.error, out->s.noise = x.noise, out->s.shape = (uint32_t)place;
+    out->m = &s->material[material], out->emitter = s->emitter_of[place];
+    out->t = t, out->front = side < 0;
+}
+
+/* In a scene without shapes. */
+__attribute__((always_inline))
+static inline bool lit_trace_flat(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
+{
+    hit h;
+    if (!lit_closest(s, r, from, &h)) return false;
+    lit_found(s, r, lit_surface(s, h), h.shape, s->of_triangle[h.shape], h.t, out);
+    return true;
+}
+
 /* out->s.shape: triangle, or m.triangles + shape. */
 __attribute__((always_inline))
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
-    hit h = hit_none, other;
-    bool met = lit_closest(s, r, from, &h), of_shape = false;
-    if (s->shapes) {
-        ray rest = r;
-        if (met) rest.tmax = h.t;
-        if (bvh_shapes_hit(&s->shape_tree, rest, &other) && (!met || other.t < h.t))
-            h = other, of_shape = true;
-    }
-    if (!met && !of_shape) return false;
-    surface x = of_shape ? surface_of_shape(&s->shape[h.shape], r, h) : lit_surface(s, h);
-    size_t place = of_shape ? s->m.triangles + h.shape : h.shape;
-    const lit_material *m = &s->material[of_shape ? s->of_shape[h.shape] : s->of_triangle[h.shape]];
-    real side = vdot(x.n, r.d);
-    if (side > 0) x.n = vneg(x.n), x.ns = vneg(x.ns);
-    x.shape = (uint32_t)place;
-    *out = (lit_hit){x, m, s->emitter_of[place], h.t, side < 0};
+    hit other;
+    ray rest = r;
+    bool met = lit_trace_flat(s, r, from, out);
+    if (!s->shapes) return met;
+    if (met) rest.tmax = out->t;
+    if (!bvh_shapes_hit(&s->shape_tree, rest, &other) || (met && !(other.t < out->t))) return met;
+    lit_found(s, r, surface_of_shape(&s->shape[other.shape], r, other),
+              s->m.triangles + other.shape, s->of_shape[other.shape], other.t, out);
     return true;
 }
 

@@ -98,6 +98,7 @@ static inline void path_tracer_of(const lit_scene *s, const environment *sky, pa
         && how.bounces == path_endless && s->emitters == 1;
 }
 
+__attribute__((always_inline))
 static inline path_random path_start(const path_options *how, uint64_t seed, uint64_t pixel,
                                      uint32_t k, uint32_t n)
 {
@@ -236,7 +237,9 @@ __attribute__((always_inline))
 static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
     lit_hit x;
-    if (!lit_trace_from(t->scene, w->r, w->from.shape, &x)) {
+    bool met = t->plain ? lit_trace_flat(t->scene, w->r, w->from.shape, &x)
+                        : lit_trace_from(t->scene, w->r, w->from.shape, &x);
+    if (!met) {
         vec3 L = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
         return false;
@@ -271,7 +274,7 @@ __attribute__((flatten))
 static inline vec3 path_radiance_plain(const path_tracer *t, ray eye, path_random *s,
                                        path_counts *c)
 {
-    path_tracer known = {.scene = t->scene, .light = t->light, .how = path_defaults};
+    path_tracer known = {.scene = t->scene, .light = t->light, .how = path_defaults, .plain = true};
     known.how.clamp = t->how.clamp;
     known.light.of.n = 0, known.light.emitters = 1, known.light.skies = 0;
     return path_run(&known, eye, s, c);
