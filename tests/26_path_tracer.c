@@ -309,6 +309,8 @@ static void test_roulette(void)
 {
     check_equal(roulette_survival((vec3){(real)0.125, (real)0.25, 0}), (real)0.5, "q of (26.9)");
     check_equal(roulette_survival((vec3){2, 0, 0}), 1, "never above 1");
+    vec3 cut = path_cut((vec3){4, 2, 1}, 2), whole = path_cut((vec3){4, 2, 1}, 0);
+    check(cut.x == 2 && cut.y == 1 && cut.z == (real)0.5 && whole.x == 4, "--clamp keeps the hue");
     for (int k = 1; k < 10; k++) {
         path_walk w = {.beta = {1, 1, 1}, .squeezed = 1};
         path_tracer t = {.how = path_defaults};

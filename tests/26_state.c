@@ -107,6 +107,10 @@ static void test_ranges(void)
     double n[2];
     film_count(&m, 0, n);
     check(n[0] == 6 && n[1] == 5, "samples 0 .. 10: six are even");
+    m.ranges = 0;
+    check(film_cover(&m, 3, 6, &f), "an odd range");
+    film_count(&m, 0, n);
+    check(n[0] == 1 && n[1] == 2, "samples 3, 4, 5: one is even");
     film_free(&m);
 }
 
@@ -343,8 +347,13 @@ static void test_environment(void)
     real covered = 0;
     for (int j = 0; j < 6; j++) covered += 12 * environment_omega(&e, j);
     check_close(covered, 4 * pi, 64 * real_epsilon, "all texels make the sphere");
-    double lit = 0;
-    for (int i = 0; i < 72; i++) lit += i % 5 ? (double)environment_omega(&e, i / 12) : 0;
+    double lit = 0, lit_zz = 0;
+    for (int i = 0; i < 72; i++) {
+        double top = cos((double)pi * (i / 12) / 6), bottom = cos((double)pi * (i / 12 + 1) / 6);
+        lit += i % 5 ? (double)environment_omega(&e, i / 12) : 0;
+        double cubes = top * top * top - bottom * bottom * bottom;
+        lit_zz += i % 5 ? 2 * (double)pi / 12 * cubes / 3 : 0;
+    }
     for (size_t i = 0; i < check_count(200000); i++) {
         vec3 d, L;
         real pdf;
@@ -359,6 +368,7 @@ static void test_environment(void)
     check_at_most(wrong, (double)check_count(200000) * (real_is_float ? 1e-4 : 1e-5),
                   "sample and lookup");
     check_at_least(t_test(omega, lit, 1e-5 * lit), 1e-7, "E[1/pdf] is the solid angle that shines");
+    check_at_least(t_test(zz, lit_zz, 1e-5 * lit), 1e-7, "(26.5): even in cos theta, not in theta");
     environment_free(&e);
     im.rgb[5] = -1;
     check(!environment_of_image(&im, &e, &f) && f.exit_code == 2, "a negative radiance");

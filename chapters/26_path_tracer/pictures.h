@@ -42,7 +42,7 @@ static inline void draw_others(const options *o)
 {
     int q = o->quick ? 4 : 1;
     if (o->out) return;
-    draw_scene(o, "spheres", 320 / q, 320 / q, o->quick ? 4 : 32, 2, "26_path_tracer_spheres.png",
+    draw_scene(o, "spheres", 288 / q, 288 / q, o->quick ? 4 : 32, 2, "26_path_tracer_spheres.png",
                false);
     draw_scene(o, "teapot", 360 / q, 240 / q, o->quick ? 4 : 16, 1, "26_path_tracer_teapot.png",
                false);
