@@ -6,6 +6,7 @@
 #include "../chapters/27_effects/studio_read.h"
 #include "../common/random.h"
 #include "check.h"
+#include <time.h>
 
 static random_stream rng;
 static real uniform(void) { return 2 * random_next(&rng) - 1; }
@@ -57,7 +58,7 @@ static void test_appearance(void)
             {"Kd .5\nKs .25\nillum 6\nTf .5\nNi 1.5", 0, .25, 0, .25, 0, .375},
             {"Kd .5\nKs .25\nillum 7\nTf .5\nNi 1.5", 0, .25, 0, 1, 0, .5},
             {"Kd .5\nKs .25\nillum 7\nTf .5", 0, .25, 0, 0, 0, .5},
-            {"Kd .5\nKs .25\nillum 7\nTf 0\nNi 1.5\nNs 9", 0, .5, 0, 0, 1, 0},
+            {"Kd .5\nKs .25\nillum 7\nTf 0\nNi 3\nNs 9", 0, .5, 0, 0, .25, 0},  /* (2/4)^2 */
             {"Kd .5\nKs .25\nNs 9", 0, .5, .25, 0, 0, 0},
             {"Kd .5\nd .5", 0, .25, 0, 0, 0, .5},
             {"Kd .5\nd .5\nillum 2", 0, .5, 0, 0, 0, 0},
@@ -72,8 +73,9 @@ static void test_appearance(void)
               (double)a.flat.x, (double)a.matte.x, (double)a.highlight.x, (double)a.mirror.x,
               (double)a.glossy.x, (double)a.through.x);
     }
-    check(look_of("illum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
-    check(!look_of("illum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
+    check(look_of("Ks .5\nillum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
+    check(!look_of("Ks 1\nillum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
+    check(!look_of("Ks 0\nillum 5").fresnel, "black reflects nothing, at no angle");
     check(look_of("illum 6\nNi 1.5").bends && !look_of("illum 6").bends
           && !look_of("illum 4\nNi 1.5\nd .5").bends, "bent by Ni in 6 and 7 only");
 }
@@ -148,7 +150,10 @@ static void test_effects(void)
         {FLOOR "polygon 9 0 0 9 1 1 8 0 1\n" SKY, E | N, INTEGRATOR_PATHS},
         {FLOOR POINT "lens radius .1\n", H | D, INTEGRATOR_PATHS},
         {FLOOR POINT "lens radius 0\n", H, INTEGRATOR_CASTING},
-        {"lens radius 1\n", D, INTEGRATOR_PATHS},
+        {"lens radius 1\n", 0, INTEGRATOR_CASTING},                /* one colour everywhere */
+        {"lens radius 1\n" "environment 1\n", 0, INTEGRATOR_CASTING},
+        {"lens radius 1\n" SKY, D, INTEGRATOR_PATHS},              /* E: nothing gathers it */
+        {"lens radius 1\nsphere 0 0 0 1\n", D, INTEGRATOR_PATHS},
         {FLOOR LAMP SKY POINT "lens radius .1\nmaterial a\nKd .1\nKs .2\nillum 3\nsphere 0 1 0 1\n"
          "material b\nKd .1\nKs .2\nNs 10\nillum 3\nsphere 3 1 0 1\nmaterial c\nNi 1.5\nillum 6\n"
          "absorb 1\nsphere 6 1 0 1\n", EFFECTS_ALL, INTEGRATOR_PATHS},
@@ -161,7 +166,8 @@ static void test_effects(void)
               list[i].effects, list[i].text);
         check(p.integrator == list[i].how, "%s: %s", integrator_names[p.integrator], list[i].text);
         bool dark = !strstr(list[i].text, "colour 9") && !strstr(list[i].text, "colour 1")
-            && !strstr(list[i].text, "lamp") && !strstr(list[i].text, SKY);
+            && !strstr(list[i].text, "lamp") && !strstr(list[i].text, SKY)
+            && !strstr(list[i].text, "environment 1");
         check(p.headlight == dark, "a lamp of its own if no light is there: %s", list[i].text);
         for (int k = 0; k < effect_kinds; k++) check(p.why[k][0], "each effect has its reason");
         unsigned sum = p.effects & EFFECT_DEPTH_OF_FIELD;
@@ -170,6 +176,39 @@ static void test_effects(void)
         check(sum == p.effects, "what materials have a part in: %x of %x", sum, p.effects);
         plan_free(&p), studio_free(&s);
     }
+}
+
+/* A black mesh of many materials in many places beside a floor: asked of each place anew, whether
+ * one of its materials reflects, takes 5e4^2 questions: seconds. */
+static void test_many_places(void)
+{
+    size_t n = check_count(50000);
+    const affine one = affine_scaling((vec3){1, 1, 1});
+    studio s;
+    if (!read_text(FLOOR BLACK "environment 1\n", &s)) return;
+    mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = n, .runs = n,
+              .index = allocate(3 * n, sizeof *m.index), .run = allocate(n, sizeof *m.run)};
+    uint32_t *black = allocate(n, sizeof *black);
+    for (size_t i = 0; i < n; i++) m.run[i].first = (uint32_t)i, black[i] = 2;
+    uint32_t k = studio_add_mesh(&s, m, black, 0, false);
+    for (size_t i = 0; i < n; i++) studio_place(&s, k, one, 2, (cite){0, 0});
+    clock_t start = clock();
+    plan p = plan_of(&s);
+    check_at_most((double)(clock() - start) / CLOCKS_PER_SEC, 1, "some milliseconds");
+    check(p.effects == EFFECT_ENVIRONMENT, "black: the floor is still alone: %x", p.effects);
+    plan_free(&p);
+    for (size_t i = 0; i < n; i++) s.placing[i].material = 0;  /* no triangle takes it */
+    p = plan_of(&s);
+    check(p.effects == EFFECT_ENVIRONMENT, "each triangle has a material of its own");
+    plan_free(&p);
+    black[n / 2] = 0;
+    p = plan_of(&s);
+    check(p.effects == (EFFECT_ENVIRONMENT | EFFECT_INDIRECT), "one of its materials reflects");
+    plan_free(&p);
+    black[n / 2] = name_none;
+    p = plan_of(&s);
+    check(p.effects == (EFFECT_ENVIRONMENT | EFFECT_INDIRECT), "one triangle takes the place's");
+    plan_free(&p), studio_free(&s);
 }
 
 /* The reasons name material and line. */
@@ -327,6 +366,7 @@ int main(void)
     test_appearance();
     test_energy();
     test_effects();
+    test_many_places();
     test_reasons();
     test_effects_option();
     test_framing();

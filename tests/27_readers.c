@@ -385,6 +385,8 @@ static void test_nff_broken(void)
         {"s 1 2 3 1e999", "b.nff:1: s: out of range: '1e999'", "to"}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         refused("b.nff", list[i].text, "b.nff", 2, list[i].where, list[i].allowed);
+    refused("b.nff", real_is_float ? "s 0 0 0 1\nl 1e38 0 0" : "s 0 0 0 1\nl 1e300 0 0", "b.nff", 2,
+            "b.nff:2: l: too far away", "nearer");
     char big[300 * 40] = "pp 300\n";  /* a star of 300 corners: corner 0 does not see them all */
     for (int i = 0; i < 300; i++) {
         double r = i % 2 ? 1 : 3, a = 2 * 3.14159265358979 * i / 300;
