@@ -211,6 +211,34 @@ static void test_many_places(void)
     plan_free(&p), studio_free(&s);
 }
 
+/* A mesh of two triangles, the first without a material, and a third material with none. */
+static void test_finish(void)
+{
+    const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 4}};
+    const uint32_t index[6] = {0, 1, 2, 2, 1, 0};
+    const mesh_run run[2] = {{1, 0}, {2, 0}};
+    affine at = affine_of(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){1, 2, 3}));
+    studio s;
+    failure f;
+    vec3 lo, hi;
+    studio_begin(&s);
+    for (int i = 0; i < 3; i++) studio_add_material(&s, "m", (cite){0, 0});
+    s.material[1].ke.x = 1;
+    mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = 2, .runs = 2,
+              .index = allocate(6, sizeof *m.index), .run = allocate(2, sizeof *m.run)};
+    uint32_t *paint = allocate(2, sizeof *paint);
+    memcpy(m.v, corner, sizeof corner), memcpy(m.index, index, sizeof index);
+    memcpy(m.run, run, sizeof run), paint[0] = 1, paint[1] = 2;
+    studio_place(&s, studio_add_mesh(&s, m, paint, 0, false), at, 3, (cite){0, 0});
+    check(studio_finish(&s, &f), "finished");
+    check(!s.material[0].used && s.material[1].used && !s.material[2].used && s.material[3].used,
+          "in use: of the second triangle, and of the place for the first");
+    check(s.emitters == 1 && s.emitter[0].place == 0 && s.emitter[0].index == 1, "what emits");
+    check(studio_bounds(&s, &lo, &hi) && lo.x == 1 && lo.y == 2 && lo.z == 3 && hi.x == 3
+          && hi.y == 4 && hi.z == 11, "the box of what was scaled and moved");
+    studio_free(&s);
+}
+
 /* The reasons name material and line. */
 static void test_reasons(void)
 {
@@ -366,6 +394,7 @@ int main(void)
     test_appearance();
     test_energy();
     test_effects();
+    test_finish();
     test_many_places();
     test_reasons();
     test_effects_option();
