@@ -211,6 +211,24 @@ static void test_many_places(void)
     plan_free(&p), studio_free(&s);
 }
 
+/* A triangle in the plane of the floor, as it is in its file, and moved out of the plane. */
+static void test_flat_mesh(void)
+{
+    const vec3 corner[3] = {{9, 0, 0}, {9, 0, 1}, {8, 0, 0}};
+    for (int y = 0; y < 2; y++) {
+        studio s;
+        if (!read_text(FLOOR "environment 1\n", &s)) continue;
+        mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = 1,
+                  .index = allocate(3, sizeof *m.index)};
+        memcpy(m.v, corner, sizeof corner), m.index[1] = 1, m.index[2] = 2;
+        studio_place(&s, studio_add_mesh(&s, m, NULL, 0, false),
+                     affine_translation((vec3){0, (real)y, 0}), 1, (cite){0, 0});
+        plan p = plan_of(&s);
+        check(p.effects == (EFFECT_ENVIRONMENT | (y ? EFFECT_INDIRECT : 0u)), "moved by %d", y);
+        plan_free(&p), studio_free(&s);
+    }
+}
+
 /* A mesh of two triangles, the first without a material, and a third material with none. */
 static void test_finish(void)
 {
@@ -221,6 +239,7 @@ static void test_finish(void)
     studio s;
     failure f;
     vec3 lo, hi;
+    at.z.y = -2;  /* askew: y' = 2 y - 2 z + 2 */
     studio_begin(&s);
     for (int i = 0; i < 3; i++) studio_add_material(&s, "m", (cite){0, 0});
     s.material[1].ke.x = 1;
@@ -234,7 +253,7 @@ static void test_finish(void)
     check(!s.material[0].used && s.material[1].used && !s.material[2].used && s.material[3].used,
           "in use: of the second triangle, and of the place for the first");
     check(s.emitters == 1 && s.emitter[0].place == 0 && s.emitter[0].index == 1, "what emits");
-    check(studio_bounds(&s, &lo, &hi) && lo.x == 1 && lo.y == 2 && lo.z == 3 && hi.x == 3
+    check(studio_bounds(&s, &lo, &hi) && lo.x == 1 && lo.y == -6 && lo.z == 3 && hi.x == 3
           && hi.y == 4 && hi.z == 11, "the box of what was scaled and moved");
     studio_free(&s);
 }
@@ -395,6 +414,7 @@ int main(void)
     test_energy();
     test_effects();
     test_finish();
+    test_flat_mesh();
     test_many_places();
     test_reasons();
     test_effects_option();

@@ -362,6 +362,14 @@ static void test_nff_rest(void)
     check_close(n.y, sqrt(0.5), 4 * (double)real_epsilon, "the normal of a corner");
     check_close(vlength(n), 1, 4 * (double)real_epsilon, "made unit");
     studio_free(&s);
+    put("n.nff", "pp 3 0 0 0 0 1 1 1 0 0 0 1 1 0 1 0 0 1 1");
+    put("n.scene", "nff n.nff scale 1 2 1\n");
+    ok = read_scene("n.scene", &s, &f);
+    check(ok, "%s", f.text);
+    if (!ok) return;
+    n = mesh_normal(&s.mesh[0], 0, (real)0.25, (real)0.25);
+    check_close(n.y / n.z, 0.5, 8 * (double)real_epsilon, "normals go by the inverse transposed");
+    studio_free(&s);
 }
 
 static void test_nff_broken(void)
