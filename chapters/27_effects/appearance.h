@@ -23,8 +23,8 @@
  *              itself and has no highlight; without Ns neither has illum 2
  *   through    bends: refracted by `ior`; else straight on. solid: `absorb` counts inside (Beer)
  *   fresnel    `mirror` or `glossy` is the reflection F0 at normal incidence where through is black
- *              (5): F = F0 + (1-F0)(1-cos)^5; F0 black: no reflection, at no angle, and `fresnel` is
- *              false. Where it is not (7): F is a dielectric's, of index
+ *              (5): F = F0 + (1-F0)(1-cos)^5; F0 black: nothing at any angle, `fresnel` is false.
+ *              Where it is not (7): F is a dielectric's, of index
  *              `ior`, times the colour. matte and through count by 1 - F
  *
  * Energy: no channel may give back more than it gets. Where matte + reflected + through (with
