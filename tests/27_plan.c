@@ -6,6 +6,7 @@
 #include "../chapters/27_effects/studio_read.h"
 #include "../common/random.h"
 #include "check.h"
+#include <time.h>
 
 static random_stream rng;
 static real uniform(void) { return 2 * random_next(&rng) - 1; }
@@ -57,7 +58,7 @@ static void test_appearance(void)
             {"Kd .5\nKs .25\nillum 6\nTf .5\nNi 1.5", 0, .25, 0, .25, 0, .375},
             {"Kd .5\nKs .25\nillum 7\nTf .5\nNi 1.5", 0, .25, 0, 1, 0, .5},
             {"Kd .5\nKs .25\nillum 7\nTf .5", 0, .25, 0, 0, 0, .5},
-            {"Kd .5\nKs .25\nillum 7\nTf 0\nNi 1.5\nNs 9", 0, .5, 0, 0, 1, 0},
+            {"Kd .5\nKs .25\nillum 7\nTf 0\nNi 3\nNs 9", 0, .5, 0, 0, .25, 0},  /* (2/4)^2 */
             {"Kd .5\nKs .25\nNs 9", 0, .5, .25, 0, 0, 0},
             {"Kd .5\nd .5", 0, .25, 0, 0, 0, .5},
             {"Kd .5\nd .5\nillum 2", 0, .5, 0, 0, 0, 0},
@@ -72,8 +73,9 @@ static void test_appearance(void)
               (double)a.flat.x, (double)a.matte.x, (double)a.highlight.x, (double)a.mirror.x,
               (double)a.glossy.x, (double)a.through.x);
     }
-    check(look_of("illum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
-    check(!look_of("illum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
+    check(look_of("Ks .5\nillum 5").fresnel && look_of("illum 7\nNi 1.5").fresnel, "Fresnel: 5, 7");
+    check(!look_of("Ks 1\nillum 3").fresnel && !look_of("illum 7").fresnel, "not: 3, 7 with Ni 1");
+    check(!look_of("Ks 0\nillum 5").fresnel, "black reflects nothing, at no angle");
     check(look_of("illum 6\nNi 1.5").bends && !look_of("illum 6").bends
           && !look_of("illum 4\nNi 1.5\nd .5").bends, "bent by Ni in 6 and 7 only");
 }
@@ -148,7 +150,10 @@ static void test_effects(void)
         {FLOOR "polygon 9 0 0 9 1 1 8 0 1\n" SKY, E | N, INTEGRATOR_PATHS},
         {FLOOR POINT "lens radius .1\n", H | D, INTEGRATOR_PATHS},
         {FLOOR POINT "lens radius 0\n", H, INTEGRATOR_CASTING},
-        {"lens radius 1\n", D, INTEGRATOR_PATHS},
+        {"lens radius 1\n", 0, INTEGRATOR_CASTING},                /* one colour everywhere */
+        {"lens radius 1\n" "environment 1\n", 0, INTEGRATOR_CASTING},
+        {"lens radius 1\n" SKY, D, INTEGRATOR_PATHS},              /* E: nothing gathers it */
+        {"lens radius 1\nsphere 0 0 0 1\n", D, INTEGRATOR_PATHS},
         {FLOOR LAMP SKY POINT "lens radius .1\nmaterial a\nKd .1\nKs .2\nillum 3\nsphere 0 1 0 1\n"
          "material b\nKd .1\nKs .2\nNs 10\nillum 3\nsphere 3 1 0 1\nmaterial c\nNi 1.5\nillum 6\n"
          "absorb 1\nsphere 6 1 0 1\n", EFFECTS_ALL, INTEGRATOR_PATHS},
@@ -161,7 +166,8 @@ static void test_effects(void)
               list[i].effects, list[i].text);
         check(p.integrator == list[i].how, "%s: %s", integrator_names[p.integrator], list[i].text);
         bool dark = !strstr(list[i].text, "colour 9") && !strstr(list[i].text, "colour 1")
-            && !strstr(list[i].text, "lamp") && !strstr(list[i].text, SKY);
+            && !strstr(list[i].text, "lamp") && !strstr(list[i].text, SKY)
+            && !strstr(list[i].text, "environment 1");
         check(p.headlight == dark, "a lamp of its own if no light is there: %s", list[i].text);
         for (int k = 0; k < effect_kinds; k++) check(p.why[k][0], "each effect has its reason");
         unsigned sum = p.effects & EFFECT_DEPTH_OF_FIELD;
@@ -170,6 +176,86 @@ static void test_effects(void)
         check(sum == p.effects, "what materials have a part in: %x of %x", sum, p.effects);
         plan_free(&p), studio_free(&s);
     }
+}
+
+/* A black mesh of many materials in many places beside a floor: asked of each place anew, whether
+ * one of its materials reflects, takes 5e4^2 questions: seconds. */
+static void test_many_places(void)
+{
+    size_t n = check_count(50000);
+    const affine one = affine_scaling((vec3){1, 1, 1});
+    studio s;
+    if (!read_text(FLOOR BLACK "environment 1\n", &s)) return;
+    mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = n, .runs = n,
+              .index = allocate(3 * n, sizeof *m.index), .run = allocate(n, sizeof *m.run)};
+    uint32_t *black = allocate(n, sizeof *black);
+    for (size_t i = 0; i < n; i++) m.run[i].first = (uint32_t)i, black[i] = 2;
+    uint32_t k = studio_add_mesh(&s, m, black, 0, false);
+    for (size_t i = 0; i < n; i++) studio_place(&s, k, one, 2, (cite){0, 0});
+    clock_t start = clock();
+    plan p = plan_of(&s);
+    check_at_most((double)(clock() - start) / CLOCKS_PER_SEC, 1, "some milliseconds");
+    check(p.effects == EFFECT_ENVIRONMENT, "black: the floor is still alone: %x", p.effects);
+    plan_free(&p);
+    for (size_t i = 0; i < n; i++) s.placing[i].material = 0;  /* no triangle takes it */
+    p = plan_of(&s);
+    check(p.effects == EFFECT_ENVIRONMENT, "each triangle has a material of its own");
+    plan_free(&p);
+    black[n / 2] = 0;
+    p = plan_of(&s);
+    check(p.effects == (EFFECT_ENVIRONMENT | EFFECT_INDIRECT), "one of its materials reflects");
+    plan_free(&p);
+    black[n / 2] = name_none;
+    p = plan_of(&s);
+    check(p.effects == (EFFECT_ENVIRONMENT | EFFECT_INDIRECT), "one triangle takes the place's");
+    plan_free(&p), studio_free(&s);
+}
+
+/* A triangle in the plane of the floor, as it is in its file, and moved out of the plane. */
+static void test_flat_mesh(void)
+{
+    const vec3 corner[3] = {{9, 0, 0}, {9, 0, 1}, {8, 0, 0}};
+    for (int y = 0; y < 2; y++) {
+        studio s;
+        if (!read_text(FLOOR "environment 1\n", &s)) continue;
+        mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = 1,
+                  .index = allocate(3, sizeof *m.index)};
+        memcpy(m.v, corner, sizeof corner), m.index[1] = 1, m.index[2] = 2;
+        studio_place(&s, studio_add_mesh(&s, m, NULL, 0, false),
+                     affine_translation((vec3){0, (real)y, 0}), 1, (cite){0, 0});
+        plan p = plan_of(&s);
+        check(p.effects == (EFFECT_ENVIRONMENT | (y ? EFFECT_INDIRECT : 0u)), "moved by %d", y);
+        plan_free(&p), studio_free(&s);
+    }
+}
+
+/* A mesh of two triangles, the first without a material, and a third material with none. */
+static void test_finish(void)
+{
+    const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 4}};
+    const uint32_t index[6] = {0, 1, 2, 2, 1, 0};
+    const mesh_run run[2] = {{1, 0}, {2, 0}};
+    affine at = affine_of(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){1, 2, 3}));
+    studio s;
+    failure f;
+    vec3 lo, hi;
+    at.z.y = -2;  /* askew: y' = 2 y - 2 z + 2 */
+    studio_begin(&s);
+    for (int i = 0; i < 3; i++) studio_add_material(&s, "m", (cite){0, 0});
+    s.material[1].ke.x = 1;
+    mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = 2, .runs = 2,
+              .index = allocate(6, sizeof *m.index), .run = allocate(2, sizeof *m.run)};
+    uint32_t *paint = allocate(2, sizeof *paint);
+    memcpy(m.v, corner, sizeof corner), memcpy(m.index, index, sizeof index);
+    memcpy(m.run, run, sizeof run), paint[0] = 1, paint[1] = 2;
+    studio_place(&s, studio_add_mesh(&s, m, paint, 0, false), at, 3, (cite){0, 0});
+    check(studio_finish(&s, &f), "finished");
+    check(!s.material[0].used && s.material[1].used && !s.material[2].used && s.material[3].used,
+          "in use: of the second triangle, and of the place for the first");
+    check(s.emitters == 1 && s.emitter[0].place == 0 && s.emitter[0].index == 1, "what emits");
+    check(studio_bounds(&s, &lo, &hi) && lo.x == 1 && lo.y == -6 && lo.z == 3 && hi.x == 3
+          && hi.y == 4 && hi.z == 11, "the box of what was scaled and moved");
+    studio_free(&s);
 }
 
 /* The reasons name material and line. */
@@ -327,6 +413,9 @@ int main(void)
     test_appearance();
     test_energy();
     test_effects();
+    test_finish();
+    test_flat_mesh();
+    test_many_places();
     test_reasons();
     test_effects_option();
     test_framing();

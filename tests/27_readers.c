@@ -362,6 +362,14 @@ static void test_nff_rest(void)
     check_close(n.y, sqrt(0.5), 4 * (double)real_epsilon, "the normal of a corner");
     check_close(vlength(n), 1, 4 * (double)real_epsilon, "made unit");
     studio_free(&s);
+    put("n.nff", "pp 3 0 0 0 0 1 1 1 0 0 0 1 1 0 1 0 0 1 1");
+    put("n.scene", "nff n.nff scale 1 2 1\n");
+    ok = read_scene("n.scene", &s, &f);
+    check(ok, "%s", f.text);
+    if (!ok) return;
+    n = mesh_normal(&s.mesh[0], 0, (real)0.25, (real)0.25);
+    check_close(n.y / n.z, 0.5, 8 * (double)real_epsilon, "normals go by the inverse transposed");
+    studio_free(&s);
 }
 
 static void test_nff_broken(void)
@@ -385,6 +393,8 @@ static void test_nff_broken(void)
         {"s 1 2 3 1e999", "b.nff:1: s: out of range: '1e999'", "to"}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         refused("b.nff", list[i].text, "b.nff", 2, list[i].where, list[i].allowed);
+    refused("b.nff", real_is_float ? "s 0 0 0 1\nl 1e38 0 0" : "s 0 0 0 1\nl 1e300 0 0", "b.nff", 2,
+            "b.nff:2: l: too far away", "nearer");
     char big[300 * 40] = "pp 300\n";  /* a star of 300 corners: corner 0 does not see them all */
     for (int i = 0; i < 300; i++) {
         double r = i % 2 ? 1 : 3, a = 2 * 3.14159265358979 * i / 300;

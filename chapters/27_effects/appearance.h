@@ -11,10 +11,11 @@
  *   4         d Kd           -          Ks                (1-d) (1-Ks) Tf, straight
  *   9         d Kd           Ks         -                 (1-d) (1-Ks) Tf, straight
  *   6         (1-Tf) Kd      -          Ks                (1-Ks) Tf, bent by Ni
- *   7         (1-Tf) Kd      -          1, Fresnel        Tf, bent by Ni
+ *   7         (1-Tf) Kd      -          1, Fresnel        Tf, bent by Ni; Tf 0: F0 of Ni, as 5
  *   not said  as 2; if d < 1, as 9
  *   NFF       Kd rgb         Ks rgb     Ks rgb, mirror    T, bent by ior
  *
+ *   flat       seen by the eye, by mirrors and glass, and lights nobody, as the background
  *   matte      Lambert: what other surfaces and lights send is gathered from everywhere
  *   highlight  Blinn-Phong with `exponent`, of lights alone: nothing else is reflected
  *   mirror     reflected sharply; glossy instead: reflected in a lobe with `exponent`. Which of the
@@ -22,7 +23,8 @@
  *              itself and has no highlight; without Ns neither has illum 2
  *   through    bends: refracted by `ior`; else straight on. solid: `absorb` counts inside (Beer)
  *   fresnel    `mirror` or `glossy` is the reflection F0 at normal incidence where through is black
- *              (5): F = F0 + (1-F0)(1-cos)^5. Where it is not (7): F is a dielectric's, of index
+ *              (5): F = F0 + (1-F0)(1-cos)^5; F0 black: nothing at any angle, `fresnel` is false.
+ *              Where it is not (7): F is a dielectric's, of index
  *              `ior`, times the colour. matte and through count by 1 - F
  *
  * Energy: no channel may give back more than it gets. Where matte + reflected + through (with
@@ -59,6 +61,13 @@ static inline void appearance_reflects(appearance *a, const studio_material *m, 
 {
     bool spread = !m->classic && m->said[KEY_NS].file && m->ns < appearance_mirror_ns;
     *(spread ? &a->glossy : &a->mirror) = colour;
+}
+
+/* Of glass: all, times F. Of what lets nothing through (Tf 0): F0 = ((1 - Ni) / (1 + Ni))^2. */
+static inline vec3 appearance_surface(const studio_material *m)
+{
+    real r = (1 - m->ni) / (1 + m->ni), F0 = vzero(m->tf) ? r * r : 1;
+    return (vec3){F0, F0, F0};
 }
 
 /* Divides by what is too much, all channels alike, so that the hue stays. */
@@ -98,7 +107,7 @@ static inline appearance appearance_of(const studio_material *m)
     case 0: a.matte = (vec3){0, 0, 0}, a.flat = kd; break;
     case 2: case 8: case 9: if (lobe) a.highlight = m->ks; break;
     case 3: case 4: case 5: case 6: appearance_reflects(&a, m, m->ks); break;
-    case 7: if (m->ni != 1) appearance_reflects(&a, m, (vec3){1, 1, 1}); break;
+    case 7: if (m->ni != 1) appearance_reflects(&a, m, appearance_surface(m)); break;
     }
     if (illum == 4 || illum == 9) {
         a.matte = vscale(kd, m->d);
@@ -109,7 +118,7 @@ static inline appearance appearance_of(const studio_material *m)
         a.through = illum == 6 ? vmul(m->tf, vrest(m->ks)) : m->tf;
         a.bends = m->ni != 1, a.solid = true, a.absorb = m->absorb;
     }
-    a.fresnel = illum == 5 || (illum == 7 && m->ni != 1);
+    a.fresnel = (illum == 5 || illum == 7) && !(vzero(a.mirror) && vzero(a.glossy));
     appearance_limit(&a);
     return a;
 }

@@ -77,12 +77,15 @@ static inline void explain_material(FILE *out, const studio *s, const plan *p, u
     char said[300], illum[40];
     fprintf(out, "  ");
     explain_text(out, studio_material_name(s, m));
-    fprintf(out, "  (");
-    explain_text(out, studio_said(s, x->at, said, sizeof said));
+    if (x->at.file) {
+        fprintf(out, "  (");
+        explain_text(out, studio_said(s, x->at, said, sizeof said));
+        fprintf(out, ")");
+    }
     if (x->classic) snprintf(illum, sizeof illum, "NFF");
     else snprintf(illum, sizeof illum, x->illum < 0 ? "illum not said, as %d" : "illum %d",
                   appearance_illum(x));
-    fprintf(out, ")  %s: ", illum);
+    fprintf(out, "  %s: ", illum);
     if (!x->used) fprintf(out, "not in use");
     else explain_mask(out, plan_effects(p, m));
     if (x->used && !vzero(x->ke)) fprintf(out, "; emits");

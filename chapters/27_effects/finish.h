@@ -8,7 +8,8 @@
  *   classic     lights of NFF get their intensity: I = pi c D^2, D the distance from where the
  *               camera looks at (without a camera: the middle of everything)                 (27.4)
  *
- * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows.
+ * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows;
+ * a light of NFF so far away that no number holds its intensity.
  */
 #ifndef FINISH_H
 #define FINISH_H
@@ -84,16 +85,22 @@ static inline bool finish_mesh(studio *s, uint32_t number, failure *f)
 }
 
 /* (27.4) */
-static inline void finish_classic_lights(studio *s)
+static inline bool finish_classic_lights(studio *s, failure *f)
 {
+    char said[300];
     vec3 lo, hi, middle = s->view.at;
     if (!s->view.given && studio_bounds(s, &lo, &hi))
         middle = vmadd(vscale(lo, (real)0.5), hi, (real)0.5);
     for (size_t i = 0; i < s->lights; i++) {
         light *l = &s->light[i].light;
         real D = vlength(vsub(l->at, middle));
-        if (s->light[i].classic) l->colour = vscale(l->colour, pi * D * D);
+        if (!s->light[i].classic) continue;
+        l->colour = vscale(l->colour, pi * D * D);
+        if (!vfinite(l->colour))
+            return failed(f, 2, "%s: l: too far away: no number holds its intensity, allowed: "
+                          "nearer", studio_said(s, s->light[i].at, said, sizeof said));
     }
+    return true;
 }
 
 static inline bool studio_finish(studio *s, failure *f)
@@ -109,8 +116,7 @@ static inline bool studio_finish(studio *s, failure *f)
         if (!vzero(s->material[s->shape_material[i]].ke))
             ok = finish_emits(s, no_shape, &(finish_list){&i, 1}, f);
     for (uint32_t m = 0; ok && m < s->meshes; m++) ok = finish_mesh(s, m, f);
-    finish_classic_lights(s);
-    return ok;
+    return ok && finish_classic_lights(s, f);
 }
 
 #endif

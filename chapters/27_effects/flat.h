@@ -23,17 +23,20 @@ static inline bool flat_holds(flat_plane *q, vec3 p)
     return q->same[0] || q->same[1] || q->same[2];
 }
 
-/* Does mesh m, where triangles without usemtl are made of `bare`, reflect anything? O(runs) */
-static inline bool flat_mesh_reflects(const studio *s, const appearance *look, uint32_t m,
-                                      uint32_t bare)
+/* Of one mesh: has it triangles that reflect by their own material, others that take that of the
+ * place, and was one of its places met? Asked once, not for each place: there may be many. */
+typedef struct { bool own, bare, seen; } flat_paint;
+
+static inline flat_paint flat_paint_of(const studio *s, const appearance *look, size_t number)
 {
-    const mesh *x = &s->mesh[m];
-    bool any = (!x->runs || x->run[0].first > 0) && !appearance_black(&look[bare]);
-    for (size_t k = 0; !any && k < x->runs; k++) {
-        uint32_t own = s->paint[m].run_material[k];
-        any = !appearance_black(&look[own == name_none ? bare : own]);
+    const mesh *m = &s->mesh[number];
+    flat_paint q = {.bare = !m->runs || m->run[0].first > 0};
+    for (size_t k = 0; k < m->runs; k++) {
+        uint32_t own = s->paint[number].run_material[k];
+        if (own == name_none) q.bare = true;
+        else q.own = q.own || !appearance_black(&look[own]);
     }
-    return any;
+    return q;
 }
 
 /* Triangles of a place that stands. */
@@ -52,7 +55,9 @@ static inline bool flat_mesh(const studio *s, const appearance *look, uint32_t p
 static inline bool flat_studio(const studio *s, const appearance *look)
 {
     flat_plane q = {.begun = false};
-    bool flat = true, *seen = allocate(s->meshes, sizeof *seen);
+    bool flat = true;
+    flat_paint *paint = allocate(s->meshes, sizeof *paint);
+    for (size_t m = 0; m < s->meshes; m++) paint[m] = flat_paint_of(s, look, m);
     for (size_t i = 0; flat && i < s->shapes; i++) {
         const shape *x = &s->shape[i];
         if (appearance_black(&look[s->shape_material[i]])) continue;
@@ -61,12 +66,12 @@ static inline bool flat_studio(const studio *s, const appearance *look)
             flat = flat_holds(&q, x->polygon.v[k]);
     }
     for (uint32_t i = 0; flat && i < s->places; i++) {
-        uint32_t m = s->placed[i].mesh;
-        if (!flat_mesh_reflects(s, look, m, s->placing[i].material)) continue;
-        flat = !seen[m] && studio_stands(s, i) && flat_mesh(s, look, i, &q);
-        seen[m] = true;
+        flat_paint *m = &paint[s->placed[i].mesh];
+        if (!m->own && !(m->bare && !appearance_black(&look[s->placing[i].material]))) continue;
+        flat = !m->seen && studio_stands(s, i) && flat_mesh(s, look, i, &q);
+        m->seen = true;
     }
-    free(seen);
+    free(paint);
     return flat;
 }
 

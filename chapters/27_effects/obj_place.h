@@ -90,20 +90,14 @@ static inline uint32_t *obj_run_materials(studio *s, const char *path, const mes
     return number;
 }
 
-static inline bool obj_mesh(studio *s, const char *path, bool smooth, uint32_t *out, failure *f)
+/* Of an open stream: a new mesh. */
+static inline bool obj_mesh_stream(studio *s, FILE *in, const char *path, bool smooth,
+                                   uint32_t *out, failure *f)
 {
     uint32_t file = name_add(&s->files, path);
     mesh m;
     obj_libraries found = {NULL, 0, 0};
-    for (uint32_t k = 0; k < s->meshes; k++)
-        if (s->paint[k].file == file && s->paint[k].smooth == smooth) return *out = k, true;
-    if (s->files_read >= studio_most_files)
-        return failed(f, 2, "%.300s: too many files, allowed: %d in all", path, studio_most_files);
-    FILE *in = word_open(path, false, f);
-    if (!in) return false;
-    s->files_read++;
     bool ok = obj_read_stream(in, path, UINT32_MAX / 4, &m, f);
-    fclose(in);
     if (!ok) return false;
     char *save = NULL, *line = m.libraries ? strtok_r(m.libraries, "\n", &save) : NULL;
     for (; ok && line; line = strtok_r(NULL, "\n", &save))
@@ -114,6 +108,21 @@ static inline bool obj_mesh(studio *s, const char *path, bool smooth, uint32_t *
         *out = studio_add_mesh(s, m, obj_run_materials(s, path, &m, &found), file, smooth);
     }
     free(found.library);
+    return ok;
+}
+
+static inline bool obj_mesh(studio *s, const char *path, bool smooth, uint32_t *out, failure *f)
+{
+    uint32_t file = name_add(&s->files, path);
+    for (uint32_t k = 0; k < s->meshes; k++)
+        if (s->paint[k].file == file && s->paint[k].smooth == smooth) return *out = k, true;
+    if (s->files_read >= studio_most_files)
+        return failed(f, 2, "%.300s: too many files, allowed: %d in all", path, studio_most_files);
+    FILE *in = word_open(path, false, f);
+    if (!in) return false;
+    s->files_read++;
+    bool ok = obj_mesh_stream(s, in, path, smooth, out, f);
+    fclose(in);
     return ok;
 }
 

@@ -17,7 +17,7 @@
  *   absorption        a material in use refracts and absorbs
  *   indirect light    a material in use is matte; light comes from faces (Ke) or an environment;
  *                     what reflects does not all lie in one plane x, y or z = constant
- *   depth of field    the lens has a radius
+ *   depth of field    the lens has a radius; something is there, or a sky of many colours
  *
  * lit: matte, highlight or glossy is not black. In use: a shape or a triangle that is placed has
  * it.
@@ -200,6 +200,8 @@ static inline plan plan_of(const studio *s)
     plan_reflections(&p, s);
     plan_indirect(&p, s);
     if (!s->lens.said.file) plan_says(&p, EFFECT_DEPTH_OF_FIELD, false, "no lens is given");
+    else if (!s->shapes && !s->places && s->sky.kind <= SKY_CONSTANT)
+        plan_says(&p, EFFECT_DEPTH_OF_FIELD, false, "nothing is there that could be out of focus");
     else plan_says(&p, EFFECT_DEPTH_OF_FIELD, s->lens.radius > 0, "lens (%.150s), radius %g",
                    studio_said(s, s->lens.said, said, sizeof said), (double)s->lens.radius);
     p.headlight = !lamps && !s->emitters && !sky_lights(&s->sky);

@@ -197,17 +197,18 @@ static inline bool studio_bounds(const studio *s, vec3 *lo, vec3 *hi)
         if (!vfinite(a) || !vfinite(b)) continue;
         *lo = vmin(*lo, a), *hi = vmax(*hi, b);
     }
-    for (uint32_t m = 0; m < s->meshes; m++) {  /* at most studio_most_files */
-        vec3 a, b;
-        if (!mesh_bounds(&s->mesh[m], &a, &b)) continue;
-        for (size_t i = 0; i < 8 * s->places; i++) {
-            const instance *x = &s->placed[i / 8];
-            if (x->mesh != m) continue;
-            vec3 p = affine_point(x->to_world, (vec3){i & 1 ? a.x : b.x, i & 2 ? a.y : b.y,
-                                                      i & 4 ? a.z : b.z});
-            if (vfinite(p)) *lo = vmin(*lo, p), *hi = vmax(*hi, p);
-        }
+    struct { vec3 lo, hi; bool any; } *box = allocate(s->meshes, sizeof *box);
+    for (size_t m = 0; m < s->meshes; m++)
+        box[m].any = mesh_bounds(&s->mesh[m], &box[m].lo, &box[m].hi);
+    for (size_t i = 0; i < 8 * s->places; i++) {
+        const instance *x = &s->placed[i / 8];
+        vec3 a = box[x->mesh].lo, b = box[x->mesh].hi;
+        if (!box[x->mesh].any) continue;
+        vec3 p = affine_point(x->to_world, (vec3){i & 1 ? a.x : b.x, i & 2 ? a.y : b.y,
+                                                  i & 4 ? a.z : b.z});
+        if (vfinite(p)) *lo = vmin(*lo, p), *hi = vmax(*hi, p);
     }
+    free(box);
     return lo->x <= hi->x && lo->y <= hi->y && lo->z <= hi->z;
 }
 

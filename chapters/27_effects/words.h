@@ -55,11 +55,12 @@ static inline bool word_number(text_reader *t, real *out, double lowest, double 
     const char *start = t->p;
     double exact;
     const char *stop = decimal_read(start, &exact);
-    char allowed[64];
-    snprintf(allowed, sizeof allowed, "%g to %g", lowest, highest);
     /* Asked of the double: a number just outside may round to the border in float. */
-    if (stop && text_ends_token(*stop) && !(exact >= lowest && exact <= highest))
+    if (stop && text_ends_token(*stop) && !(exact >= lowest && exact <= highest)) {
+        char allowed[64];
+        snprintf(allowed, sizeof allowed, "%g to %g", lowest, highest);
         return text_bad(t, start, "out of range:", allowed);
+    }
     if (!text_number(t, &x)) return false;
     *out = x;
     return true;
