@@ -10,7 +10,7 @@
  * A stream of numbers, one after the other, would not do: a shadow ray that is left out would hand
  * its numbers on to the next ray, and the picture would change where nothing else did. Here each
  * has an address: the ray it belongs to (node, by the kinds of rays that led to it) and what it is
- * for. Two nodes may meet in one number, once in 2^32: they are not independent then, no more.
+ * for. Two nodes may meet in one number, once in 2^29: they are not independent then, no more.
  *
  * As in 26, samples k and k + 1 belong to halves that share nothing, so that their difference tells
  * the error (26.12). Down to depth dice_depth pairs are Sobol's, further ones are independent.
@@ -38,7 +38,12 @@ static inline dice dice_start(uint64_t seed, uint64_t pixel, uint32_t k)
     return d;
 }
 
-static inline uint32_t dice_child(uint32_t node, uint32_t kind) { return 16 * node + kind + 1; }
+/* Mixed: 16 node + kind alone would forget the first ray after eight, and of ten bounces in a row
+ * the last would all be one node. */
+static inline uint32_t dice_child(uint32_t node, uint32_t kind)
+{
+    return (uint32_t)(random_mix(16 * (uint64_t)node + kind + 1) >> 32);
+}
 
 /* Of the eye: where in the pixel, where on the lens. */
 static inline point2 dice_eye(const dice *d, uint32_t what)

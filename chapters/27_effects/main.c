@@ -39,14 +39,14 @@ static void show(const options *o, const request *q, stage *e)
 {
     image im = image_new(o->width, o->height);
     bool demo = !q->path && !q->told && !q->effects && !q->priced && !o->out;
-    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : 16;
+    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 32 : 16;
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
     bool whole = draw_region(&j, &im, 0, 0, o->threads);
     if (whole && (e->mask & EFFECTS_SPEND)) compare_with_plan(&j, e, o->threads);
     if (whole && (demo || q->priced)) {
         int w = o->width / 4 > 0 ? o->width / 4 : 1, h = o->height / 4 > 0 ? o->height / 4 : 1;
-        whole = table_of_price(o, e, w, h, samples);
+        whole = table_of_price(o, e, w, h, samples > 16 ? 16 : samples);
         if (whole && demo) whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1,
                                               samples);
         if (whole && demo) table_of_tax(o);

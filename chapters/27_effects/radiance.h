@@ -16,8 +16,8 @@
  *
  * All branches are followed, on a stack, no recursion. Which of them: those above `least` if
  * nothing is left to chance, as in 19; else each survives with q = min(1, 2 max w), and counts for
- * w / q (26.8), (26.9). Survivors have half of the light or more, so there are some two at a time,
- * and where w is large both sides of glass are seen without noise.
+ * w / q (26.8), (26.9). Survivors have half of the light or more, so there are some two at a time.
+ * Of what the eye sees sharply, in mirrors and glass, 1/32 of the light is enough: no noise there.
  *
  * What a ray meets that was sent by a matte surface or a lobe, and is a lamp or the sky, counts as
  * far as shadow rays leave it to them (24.9): effects_found.
@@ -83,7 +83,8 @@ static inline bool effects_follows(const stage *e, const unsigned mask, const br
     if (vzero(w)) return (mask & EFFECTS_SPEND) != 0;
     if (!(mask & EFFECTS_OF_CHANCE) || !e->chance)
         return w.x > e->least || w.y > e->least || w.z > e->least;
-    real q = roulette_survival(w);
+    bool sharp = purpose == DICE_SURVIVES_MIRROR || purpose == DICE_SURVIVES_REFRACTION;
+    real q = sharp && !b->bounced ? roulette_within(w, 32) : roulette_survival(w);
     if (q >= 1) return true;
     if (dice_number(d, b->node, purpose) >= q) return false;
     *weight = vscale(w, 1 / q);
