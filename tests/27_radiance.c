@@ -42,9 +42,12 @@ static const char *const ingredient[effect_kinds] = {
     "material chrome\nKd 0.1\nKs 0.7 0.8 0.9\nillum 3\nsphere -1 0.6 0 0.6\n",
     "material satin\nKd 0.2\nKs 0.6\nNs 40\nillum 3\nsphere 0.4 0.5 0.8 0.5\n",
     "material glass\nNi 1.5\nTf 0.9 1 1\nKd 0\nillum 7\nsphere 1 0.7 -0.4 0.7\n"
-        "material pane\nKd 0.3\nd 0.4\nKs 0.2\nNs 20\npolygon -2 0 1.4  -1 0 1.4  -1 1 1.4  -2 1 1.4\n",
-    "material green\nNi 1.3\nTf 1\nKd 0\nKs 0.1\nabsorb 2 0.3 1\nillum 6\nsphere -0.2 0.4 1.6 0.4\n",
-    "material wall\nKd 0.7 0.3 0.3\nKs 0.2\nNs 10\nillum 2\npolygon -3 0 -2  3 0 -2  3 4 -2  -3 4 -2\n"
+        "material pane\nKd 0.3\nd 0.4\nKs 0.2\nNs 20\n"
+        "polygon -2 0 1.4  -1 0 1.4  -1 1 1.4  -2 1 1.4\n",
+    "material green\nNi 1.3\nTf 1\nKd 0\nKs 0.1\nabsorb 2 0.3 1\nillum 6\n"
+        "sphere -0.2 0.4 1.6 0.4\n",
+    "material wall\nKd 0.7 0.3 0.3\nKs 0.2\nNs 10\nillum 2\n"
+        "polygon -3 0 -2  3 0 -2  3 4 -2  -3 4 -2\n"
         "material floor\nKd 0.6\nillum 1\npolygon -3 0 3  3 0 3  3 0 -2  -3 0 -2\n",
     "environment 0.3 0.4 0.6 1 1 0.9\n",
     "lens radius 0.1 focus 5\n"};
@@ -82,8 +85,8 @@ static void test_set(unsigned mask)
     bool finite = image_compare(&lean, &full).not_finite == 0;
     check(finite, "ingredients %x: not finite", mask);
     for (int k = 0; k < effect_kinds; k++)
-        check(b.counts.rays[k] >= a.counts.rays[k], "ingredients %x: fewer rays of %s with all", mask,
-              effect_names[k].name);
+        check(b.counts.rays[k] >= a.counts.rays[k], "ingredients %x: fewer rays of %s with all",
+              mask, effect_names[k].name);
     for (int k = 2; k < 7; k++)  /* what needs a hit has one, and is spent on it */
         if (q.s.shapes && !(called >> k & 1))
             check(b.counts.rays[k] > 0, "ingredients %x: all sends no rays for %s", mask,
@@ -157,8 +160,8 @@ static void test_classic(bool glass)
         }
     /* 27's surfaces of balls are 19's, 18's take a root: a few epsilon apart, but at an edge of a
      * shadow or ball, where one ray may fall on the other side. */
-    check_at_most((double)off, glass ? 0 : 0.002 * (double)n, "%zu pixels off the chapter's, worst %g",
-                  off, worst);
+    check_at_most((double)off, glass ? 0 : 0.002 * (double)n,
+                  "%zu pixels off the chapter's, worst %g", off, worst);
     classic_free(&c);
     tear_down(&q);
     free(text);

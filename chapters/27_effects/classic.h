@@ -2,7 +2,8 @@
  *
  *   classic c;
  *   classic_build(&e, &c)           shapes and meshes that stand; e outlives it
- *   vec3 L = classic_shade(&c, r)   18: shade_ray.  vec3 L = classic_whitted(&c, r)   19: whitted_ray
+ *   vec3 L = classic_shade(&c, r)   18: shade_ray
+ *   vec3 L = classic_whitted(&c, r) 19: whitted_ray
  *   bool classic_can(&e)            19 knows all that the stage calls for: hard shadows, mirror,
  *                                   refraction, absorption, no thin glass, no Fresnel but glass's,
  *                                   one background, no instances
@@ -161,8 +162,10 @@ static inline char *forty_text(bool plain)
     for (int k = 0; k < forty_balls; k++) {
         const int *b = forty_ball[k];
         int kind = plain ? 0 : k % 3;
-        if (kind) n += (size_t)snprintf(text + n, room - n, "use %s\n", kind == 1 ? "mirror" : "glass");
-        else n += (size_t)snprintf(text + n, room - n, "material paint%d\nKd %g %g %g\nillum 1\n", k,
+        if (kind) n += (size_t)snprintf(text + n, room - n, "use %s\n",
+                                        kind == 1 ? "mirror" : "glass");
+        else n += (size_t)snprintf(text + n, room - n,
+                                   "material paint%d\nKd %g %g %g\nillum 1\n", k,
                                    0.3 + 0.15 * (k * 7 % 5), 0.3 + 0.15 * (k * 3 % 5),
                                    0.3 + 0.1 * (k * 11 % 7));
         n += (size_t)snprintf(text + n, room - n, "sphere %g %g %g %g\n", b[0] / 1e3, b[1] / 1e3,

@@ -83,7 +83,8 @@ static inline void draw_tile(size_t tile, void *context)
     double squares = 0, one;
     size_t pixels = 0;
     int across = (j->im->width + draw_side - 1) / draw_side;
-    int x0 = (int)(tile % (size_t)across) * draw_side, y0 = (int)(tile / (size_t)across) * draw_side;
+    int x0 = (int)(tile % (size_t)across) * draw_side;
+    int y0 = (int)(tile / (size_t)across) * draw_side;
     for (int y = y0; y < y0 + draw_side && y < j->im->height; y++)
         for (int x = x0; x < x0 + draw_side && x < j->im->width; x++) {
             if (j->timed && (x + 7 * y) % draw_timed_every) continue;

@@ -3,13 +3,13 @@
  *   lamp_list l;
  *   lamps_build(&t, &l)                       of t.s; O(n)
  *   lamps_sample(&l, p, u, &x)                false: this sample counts, and is 0
- *   real q = lamps_pdf(&l, Ke, shape, p, t, cosine)    of drawing the point that a ray from p meets at
- *                                             distance t, where it emits Ke; shape: NULL if none
+ *   real q = lamps_pdf(&l, Ke, shape, p, t, cosine)    of drawing the point that a ray from p
+ *                                             meets at distance t, where it emits Ke; shape or NULL
  *   lamps_free(&l)
  *
- *   P(face) ~ area x radiance (26.10). Flat faces and cones are drawn by area (24.4), spheres by angle
- *   (24.5). Then the density of a point by area, P(face) / area = (Ke.x + Ke.y + Ke.z) / sum, does
- *   not depend on which face it lies: no table from shapes to faces is needed.             (27.6)
+ *   P(face) ~ area x radiance (26.10). Flat faces and cones are drawn by area (24.4), spheres by
+ *   angle (24.5). Then the density of a point by area, P(face) / area = (Ke.x + Ke.y + Ke.z) / sum,
+ *   does not depend on which face it lies: no table from shapes to faces is needed.        (27.6)
  *
  * Polygons with four corners that are a parallelogram stay one, others become triangles (patch.h).
  * MTL says nothing of a front: faces emit to both sides, and p draws from the side that it is on.
@@ -75,7 +75,9 @@ static inline void lamps_add_shape(lamp_list *l, const shape *s, vec3 Ke)
 {
     switch (s->kind) {
     case SHAPE_SPHERE: lamps_add(l, (lamp_face){.e = emitter_of_sphere(s->sphere, Ke)}); break;
-    case SHAPE_TRIANGLE: lamps_add(l, (lamp_face){.e = emitter_of_triangle(s->triangle, Ke)}); break;
+    case SHAPE_TRIANGLE:
+        lamps_add(l, (lamp_face){.e = emitter_of_triangle(s->triangle, Ke)});
+        break;
     case SHAPE_CONE: lamps_add_cone(l, s->cone, Ke); break;
     case SHAPE_POLYGON: lamps_add_polygon(l, s->polygon, Ke); break;
     }
@@ -159,10 +161,11 @@ static inline bool lamps_sample(const lamp_list *l, vec3 p, point2 u, lamp_draw 
     return true;
 }
 
-static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p, real t, real cosine)
+static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p, real t,
+                             real cosine)
 {
     if (!l->n) return 0;
-    real bright = lamps_bright(Ke) / l->sum;                                             /* (27.6) */
+    real bright = lamps_bright(Ke) / l->sum;                                           /* (27.6) */
     if (!s || s->kind != SHAPE_SPHERE) return bright * (t * t / cosine);
     emitter e = emitter_of_sphere(s->sphere, Ke);
     return bright * e.area * emitter_pdf_angle(&e, p);

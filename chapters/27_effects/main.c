@@ -26,7 +26,8 @@ static void compare_with_plan(drawing *j, stage *e, int threads)
     stage_effects(e, e->p->effects, false);
     if (draw_region(&plain, &im, 0, 0, threads)) {
         bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
-        printf("plan       %s; everything at every hit took %.3g s, the plan %.3g s: %.0f %% saved\n",
+        printf("plan       %s; everything at every hit took %.3g s, the plan %.3g s: "
+               "%.0f %% saved\n",
                same ? "the same picture byte for byte" : "ANOTHER PICTURE", j->seconds,
                plain.seconds, (1 - plain.seconds / j->seconds) * 100);
     }
@@ -85,7 +86,7 @@ int main(int argc, char **argv)
     request q = {.path = NULL};
     const option own[] = {
         {"scene", OPTION_TEXT, &q.path, 0, 0, "FILE to draw: .obj, .nff, else a scene file"},
-        {"effects", OPTION_TEXT, &q.effects, 0, 0, "LIST simulate these: all, none, called, -soft .."},
+        {"effects", OPTION_TEXT, &q.effects, 0, 0, "LIST simulate: all, none, called, -soft .."},
         {"explain", OPTION_FLAG, &q.told, 0, 0, "say what the scene calls for, and why"},
         {"price", OPTION_FLAG, &q.priced, 0, 0, "leave out each effect in turn: time and error"},
         {"camera", OPTION_TEXT, &q.words.camera, 0, 0, "from X Y Z at X Y Z [up X Y Z] [angle A]"},

@@ -2,7 +2,7 @@
  *
  *   table_of_effects(&o, &j, times)      what a picture took: rays and shares of time by effect
  *   table_of_price(&o, &e, w, h, n)      each called effect left out in turn, at w x h, n samples
- *   draw_strip(&o, &e, n)                the scene with effects added one by one: 27_effects_strip.png
+ *   draw_strip(&o, &e, w, h, n)          effects added one by one: 27_effects_strip.png
  *
  * Prices are medians of rounds in which all variants take their turn. Random numbers have names
  * (dice.h), so that what an effect does not touch is the same in both pictures, noise included: the
@@ -90,7 +90,7 @@ static inline bool table_of_price(const options *o, stage *e, int width, int hei
     for (int round = 0; round < rounds && whole; round++)
         for (int i = 0; i < n && whole; i++)
             whole = price_draw(&run[i], e, rounds, round, o->threads);
-    table t = table_new("Each effect left out in turn: the error that makes, the time that it saves",
+    table t = table_new("Each effect left out in turn: the error that makes, the time it saves",
                         "left out|its rays|error: rmse|saves [%]|time [us/pixel]");
     plot p = plot_new("What is left out, and what that saves", "time [us/pixel]", "error, rmse",
                       PLOT_LOG_Y);

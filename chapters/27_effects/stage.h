@@ -54,7 +54,7 @@ typedef struct {
     sky_light sky;
     unsigned mask, counted;          /* mask: also EFFECTS_SPEND */
     bool chance;                     /* integrals: roulette; else every branch above `least` */
-    bool clear;                      /* a material lets light straight through: shadow rays ask it */
+    bool clear;                      /* a material lets light straight through */
     int depth;                       /* rays behind one another, the eye's is 1 [<= 128] */
     real least;                      /* weight below which a branch is cut, without chance */
     camera eye;
