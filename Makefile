@@ -66,7 +66,7 @@ test: all $(TESTS:%=$(BUILD)/test_%)
 	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" sh tests/run.sh cli.sh rules.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
-test-$(1): $(patsubst %,$(BUILD)/test_%,$(filter $(1) $(1)_%,$(TESTS)))
+test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
 	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" sh tests/run.sh $(filter $(1) $(1)_%,$(TESTS))
 endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))

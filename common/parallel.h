@@ -86,7 +86,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     while (started > 0) pthread_join(others[--started], NULL);
     sigaction(SIGINT, &before, NULL);
     if (w.shown > 0) fprintf(stderr, "\r\033[K");
-    return atomic_load(&w.next) >= n;  /* each piece that was taken is done */
+    return atomic_load(&w.next) >= n && !atomic_load(&parallel_stop);
 }
 
 enum { parallel_side = 16 };  /* of a tile, pixels */

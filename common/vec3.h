@@ -73,12 +73,12 @@ static inline int vlongest(vec3 a)
     return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
 }
 
-static inline bool vzero(vec3 a) { return a.x == 0 && a.y == 0 && a.z == 0; }
+static inline bool vzero(vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z) == 0; }
 static inline bool vfinite(vec3 a) { return isfinite(a.x) && isfinite(a.y) && isfinite(a.z); }
 
 /* a scaled by the power of two that brings its longest component into [1/2, 1): exact, and its
  * square neither overflows nor vanishes. *exponent undoes it: a = ldexp(result, *exponent). */
-static inline vec3 vscaled(vec3 a, int *exponent)
+__attribute__((cold)) static inline vec3 vscaled(vec3 a, int *exponent)
 {
     (void)frexp(fabs(vaxis(a, vlongest(a))), exponent);
     return (vec3){ldexp(a.x, -*exponent), ldexp(a.y, -*exponent), ldexp(a.z, -*exponent)};

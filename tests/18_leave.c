@@ -283,6 +283,51 @@ static void test_between(void)
     check_at_least(naive, n / 10, "[0, 1] between the points themselves meets its ends");
 }
 
+/* Closed rooms of twelve triangles, turned and moved; from the middle at points within 16 eps of an
+ * edge, or of a corner, and on from there. `bare`: the same without (18.9). */
+static const uint32_t room_index[36] = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                                        2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+
+static vec3 room_point(const vec3 axis[3], vec3 centre, const real x[3])
+{
+    return vmadd(vmadd(vmadd(centre, axis[0], x[0]), axis[1], x[1]), axis[2], x[2]);
+}
+
+static void test_rooms(void)
+{
+    size_t n = check_count(60000), lost = 0, bare = 0, eye = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(18, i, 0);
+        vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, v[8], centre = {0, 0, 0};
+        if (i % 4 > 1) axis[2] = departure_unit(&g), vbasis(axis[2], &axis[0], &axis[1]);
+        if (i % 4 == 3) centre = vscale(departure_unit(&g), 10);
+        for (int k = 0; k < 8; k++) {
+            real x[3] = {(real)(2 * (k & 1) - 1), (real)((k & 2) - 1), (real)((k & 4) / 2 - 1)};
+            v[k] = room_point(axis, centre, x);
+        }
+        mesh m = {.v = v, .vertices = 8, .index = (uint32_t *)room_index, .triangles = 12};
+        real x[3] = {i & 8 ? -1 : 1, i & 16 ? -1 : 1, 2 * random_next(&g) - 1};
+        for (int k = 0; k < (i & 32 ? 3 : 2); k++) {  /* three: a corner */
+            if (k == 2) x[2] = x[2] < 0 ? -1 : 1;
+            x[k] *= 1 - 16 * real_epsilon * random_next(&g);
+        }
+        vec3 from = vmadd(centre, departure_unit(&g), (real)0.5);
+        ray r = ray_from(from, vsub(room_point(axis, centre, x), from));
+        hit h = hit_none, other = hit_none;
+        if (!mesh_hit(&m, r, &h)) { eye++; continue; }
+        surface s = surface_facing(surface_of_mesh(&m, h), r.d);
+        real cosine = (real)0.001 + (i % 3 ? (real)0.999 * random_next(&g) : 0);
+        vec3 w = departure_towards(s.n, cosine, &g);
+        lost += !mesh_hit(&m, leave(s, w), &other);
+        triangle t = mesh_triangle(&m, h.shape);
+        s.p = vadd(t.a, vmadd(vscale(vsub(t.b, t.a), h.u), vsub(t.c, t.a), h.v));
+        bare += !mesh_hit(&m, leave(s, w), &other);
+    }
+    check_equal(eye, 0, "closed: whoever looks from the middle sees a wall");
+    check_equal(lost, 0, "rays that get out of a closed room");
+    check_at_least((double)bare, (double)n / 2000, "with p on the edge itself some do");
+}
+
 int main(void)
 {
     test_default();
@@ -292,5 +337,6 @@ int main(void)
     test_needles();
     test_skip();
     test_between();
+    test_rooms();
     return check_report("18_leave");
 }

@@ -434,6 +434,45 @@ static void test_on_table(void)
     }
 }
 
+/* A plate stands on a floor a million times its size (in float: a thousand), tilted, so that
+ * coordinates are rounded: the floor is seen up to 32 eps of its size off its place, and no contact
+ * ray of the plate reaches so far. `touch` says how far to look. */
+static void test_touch(void)
+{
+    size_t lost[2] = {0}, n = 400;
+    real size = real_is_float ? 1000 : 1000000;
+    for (size_t i = 0; i < n; i++) {
+        random_stream q = random_start(11, i, 0);
+        vec3 z = vunit((vec3){random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, 1}), a, b;
+        vbasis(z, &a, &b);
+        stage s = {0};
+        whitted_material floor = whitted_paint(0, 0, 0);
+        floor.base.ke = (vec3){1, 1, 1};
+        s.media[1].ior = (real)1.5;
+        for (int k = 0; k < 3; k++) {  /* floor, under side, upper side */
+            real h = k ? 1 : size;
+            vec3 *c = s.corner + 4 * k;
+            for (int j = 0; j < 4; j++) {
+                int m = k == 1 ? 3 - j : j;
+                vec3 p = vscale(a, m == 1 || m == 2 ? h : -h);
+                c[j] = vmadd(vmadd(p, b, m > 1 ? h : -h), z, k == 2 ? (real)0.5 : 0);
+            }
+            stage_add(&s, shape_of_polygon(polygon_of(c, 4)), k ? whitted_clear(1, 1) : floor);
+        }
+        tracer t = stage_begin(&s, 3);
+        vec3 at = vmadd(vscale(a, random_next(&q) / 2), b, random_next(&q) / 2);
+        ray r = ray_from(vmadd(at, z, 3), vneg(z));
+        for (int k = 0; k < 2; k++) {
+            s.w.touch = k ? 32 * size * real_epsilon : 0;
+            double L = (double)whitted_ray(&t, r, (media_set){0}).x;
+            lost[k] += !(fabs(L - 0.96) < 16 * (double)real_epsilon);
+        }
+        stage_end(&s);
+    }
+    check_at_least(lost[0], n / 20, "the floor is missed without `touch`");
+    check_equal(lost[1], 0, "and with it seen: 1 - R = 0.96 of its light, of %zu", n);
+}
+
 static bool set_is(media_set s, uint32_t n, uint32_t a, uint32_t b, uint32_t c)
 {
     uint32_t want[3] = {a, b, c};
@@ -467,7 +506,65 @@ static void test_around(void)
     check(in.n == 1 && in.body[0] == 1, "in the ball");
     check_close(a.x, 0.96 * exp(-1), 8 * (double)real_epsilon, "a way of 1 in glass");
     check(a.x == b.x && a.y == b.y && a.z == b.z, "the same, unasked");
+    in = media_around(&t, (vec3){(real)-5.377, (real)-3.189, (real)-7.803});
+    check_equal(in.n, 0, "outside, though the ball lies where the question goes");
     stage_end(&s);
+}
+
+/* ---- what a look says counts: one ball of glass, along its axis ------------------------------ */
+
+static vec3 looked_at(whitted_material m, whitted *w, vec3 o, vec3 d)
+{
+    stage s = {.w = *w};
+    s.media[1] = (medium){(real)1.5, {1, 0, 0}, 0};
+    stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), m);
+    tracer t = stage_begin(&s, w->depth);
+    vec3 c = whitted_ray(&t, ray_from(o, d), (media_set){0});
+    stage_end(&s);
+    return c;
+}
+
+static vec3 sky_above(const void *context, vec3 d)
+{
+    (void)context;
+    return (vec3){d.z > 0 ? 1 : 0, d.z > 0 ? 0 : 1, 3};
+}
+
+static void test_looks(void)
+{
+    double eps = (double)real_epsilon;
+    vec3 up = {0, 0, 5}, down = {0, 0, -1}, c;
+    whitted w = {.sky = sky_above, .depth = 2};
+    whitted_material m = whitted_clear(1, 1);
+    m.mirror = (vec3){(real)0.5, 1, 0}, m.through = (vec3){0, 0, 0};
+    c = looked_at(m, &w, up, down);  /* R = 0.04 of the sky above, times M */
+    check_close(c.x, 0.02, 4 * eps, "M of glass");
+    check(c.y == 0 && c.z == 0, "the sky in the direction of the ray; M black");
+    m.base.ke = (vec3){1, 2, 4}, w.depth = 1;
+    c = looked_at(m, &w, up, down);
+    check(c.x == 1 && c.y == 2 && c.z == 4, "glass shines, too");
+    /* Schlick at 0.8 against the normal: cosine 0.6, R = 0.04 + 0.96 0.4^5 */
+    w.depth = 2, m = whitted_clear(1, 1), m.through = (vec3){0, 0, 0}, w.fresnel = WHITTED_SCHLICK;
+    c = looked_at(m, &w, (vec3){(real)0.8, 0, 5}, down);
+    check_close(c.z, 3 * (0.04 + 0.96 * pow(0.4, 5)), 64 * eps, "Schlick's form is used");
+    /* A medium without end around everything keeps all back that it absorbs at all. */
+    stage s = {.w = {.background = {1, 1, 1}}};
+    s.media[0].absorb = (vec3){0, (real)0.01, 1};
+    stage_square(&s, (vec3){0, 0, 0}, 1, true, whitted_paint(0, 0, 0));
+    tracer t = stage_begin(&s, 1);
+    c = whitted_ray(&t, ray_from(up, up), (media_set){0});
+    check(c.x == 1 && c.y == 0 && c.z == 0, "nothing is seen of the sky where it absorbs");
+    stage_end(&s);
+    /* A light through two bodies that keep a half and a quarter. */
+    stage q = {.light = {LIGHT_DIRECTIONAL, {0, 0, 1}, {pi, pi, pi}}};
+    q.w.lights = &q.light, q.w.n = 1;
+    stage_square(&q, (vec3){0, 0, 0}, 9, true, whitted_paint(1, 1, 1));
+    stage_add(&q, shape_of_sphere((sphere){{0, 0, 2}, 1}), whitted_clear(1, (real)0.5));
+    stage_add(&q, shape_of_sphere((sphere){{0, 0, 5}, 1}), whitted_clear(2, (real)0.25));
+    t = stage_begin(&q, 1);
+    c = whitted_ray(&t, ray_from((vec3){5, 0, 5}, (vec3){-1, 0, -1}), (media_set){0});
+    check_close(c.x, 0.125, 4 * eps, "both dim the light");
+    stage_end(&q);
 }
 
 /* ---- only what is called for ----------------------------------------------------------------- */
@@ -621,7 +718,7 @@ static void test_balls(bool swollen)
         f->fast.w.apart = false;
         world_part_free(&f->part), balls_free(&f->fast.b);
         world_part_of_scene(&f->scene, MASK_ALL, &f->part);
-        balls_build(f->ball, forty_balls, f->suns, 3, &f->fast.b);
+        balls_build(f->ball, forty_balls, f->shadow, f->suns, 3, &f->fast.b);
     }
     camera c = forty_camera((real)4 / 3);
     balls_view(&f->fast.b, &c, 400, 300);
@@ -698,7 +795,9 @@ int main(void)
     test_touching();
     test_nested();
     test_on_table();
+    test_touch();
     test_around();
+    test_looks();
     test_called_for();
     test_shadow_rays();
     test_spend_all();

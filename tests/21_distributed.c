@@ -5,17 +5,17 @@
 #include "check.h"
 #include "../chapters/21_distributed/box.h"
 #include "../chapters/21_distributed/known.h"
-#include "../chapters/21_distributed/studio.h"
+#include "../chapters/21_distributed/showroom.h"
 
 static char directory[] = "/tmp/distributed_XXXXXX";
 #include "program.h"
 
 enum { w = 40, h = 30 };
 
-static distributed_counts draw_look(const studio_look *k, uint32_t samples, sequence_kind kind,
+static distributed_counts draw_look(const showroom_look *k, uint32_t samples, sequence_kind kind,
                                     int threads, image *im)
 {
-    distributed_view v = studio_view(k, STUDIO_ALL, (real)w / h);
+    distributed_view v = showroom_view(k, SHOWROOM_ALL, (real)w / h);
     v.samples = samples, v.kind = kind, v.seed = 3;
     check(distributed_draw(&v, im, threads), "drawn");
     return v.spent;
@@ -30,10 +30,10 @@ static size_t different(const image *a, const image *b)
 
 /* ---- Whitted ---- */
 
-/* The studio's materials; nothing reflects. */
+/* The showroom's materials; nothing reflects. */
 static material matte(const void *context, trace_hit x, const surface *s)
 {
-    material m = studio_material(context, x, s);
+    material m = showroom_material(context, x, s);
     m.ks = (vec3){0, 0, 0};
     return m;
 }
@@ -41,9 +41,9 @@ static material matte(const void *context, trace_hit x, const surface *s)
 /* No size, no lobe, no lens, an even sky: chapter 18's picture, to the last bit. */
 static void test_is_18(void)
 {
-    studio *g = studio_new(4);
-    studio_look k;
-    studio_set(&k, g, 0);
+    showroom *g = showroom_new(4);
+    showroom_look k;
+    showroom_set(&k, g, 0);
     area_light point[2] = {{AREA_BALL, k.light[0].at, .colour = k.light[0].colour}, k.light[1]};
     k.how.light = point, k.how.material_of = matte;
     light lights[2];
@@ -52,7 +52,7 @@ static void test_is_18(void)
                    .background = k.how.background, .ambient = k.how.ambient};
     tracer t = {.w = &k.w, .program = shade_programs, .user = &how};
     distributor d = distributor_of(&k.w, &k.how);
-    distributed_view v = studio_view(&k, STUDIO_ALL, 1);
+    distributed_view v = showroom_view(&k, SHOWROOM_ALL, 1);
     size_t differ = 0;
     for (int i = 0; i < w * w; i++) {
         distributed_sample q = {SEQUENCE_RANDOM, 1, (uint64_t)i, 0, 1};
@@ -75,7 +75,7 @@ static void test_is_18(void)
         differ += memcmp(pixel, one.rgb + 3 * i, sizeof pixel) != 0;
     }
     check_equal(differ, 0, "pixels that differ from chapter 18's");
-    image_free(&one), studio_free(g);
+    image_free(&one), showroom_free(g);
 }
 
 /* ---- only what is called for ---- */
@@ -83,11 +83,11 @@ static void test_is_18(void)
 /* Each of the 16 combinations: what is off draws nothing; all spent, the picture stays. */
 static void test_spending(void)
 {
-    studio *g = studio_new(3);
+    showroom *g = showroom_new(3);
     image a = image_new(w, h), b = image_new(w, h);
     for (int effects = 0; effects < 16; effects++) {
-        studio_look k;
-        studio_set(&k, g, effects);
+        showroom_look k;
+        showroom_set(&k, g, effects);
         sequence_kind kind = effects % 3 == 0 ? SEQUENCE_SOBOL
                            : effects % 3 == 1 ? SEQUENCE_RANDOM : SEQUENCE_JITTERED;
         distributed_counts few = draw_look(&k, 3, kind, 1, &a);
@@ -108,73 +108,92 @@ static void test_spending(void)
         check(all.rays.rays[RAY_SIGHT] > few.rays.rays[RAY_SIGHT] || effects & EFFECT_SKY,
               "more sky rays");
     }
-    image_free(&a), image_free(&b), studio_free(g);
+    image_free(&a), image_free(&b), showroom_free(g);
 }
 
 /* Black or out of reach: exactly none of that kind. */
 static void test_none(void)
 {
-    studio *g = studio_new(3);
+    showroom *g = showroom_new(3);
     image a = image_new(w, h), b = image_new(w, h);
-    studio_look k;
-    studio_set(&k, g, EFFECT_ALL);
+    showroom_look k;
+    showroom_set(&k, g, EFFECT_ALL);
     distributed_counts full = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &a);
     k.light[0].colour = k.light[1].colour = (vec3){0, 0, 0};
     distributed_counts dark = draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b);
     check_equal(dark.rays.rays[RAY_SHADOW], 0, "black lights");
     check_equal(dark.drawn[DRAWN_LIGHT], 0, "and no number for them");
-    studio_set(&k, g, EFFECT_ALL), k.how.n = 0;
+    showroom_set(&k, g, EFFECT_ALL), k.how.n = 0;
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW], 0, "no light");
-    studio_set(&k, g, EFFECT_ALL), k.how.ambient = (vec3){0, 0, 0};
+    showroom_set(&k, g, EFFECT_ALL), k.how.ambient = (vec3){0, 0, 0};
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SIGHT], 0, "a black sky");
-    studio_set(&k, g, EFFECT_ALL), k.how.material_of = matte;
+    showroom_set(&k, g, EFFECT_ALL), k.how.material_of = matte;
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_REFLECTION], 0, "ks black");
-    studio_set(&k, g, EFFECT_ALL), k.how.depth = 1;
+    showroom_set(&k, g, EFFECT_ALL), k.how.depth = 1;
     check_equal(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_REFLECTION], 0, "depth 1");
-    studio_set(&k, g, EFFECT_ALL);
+    showroom_set(&k, g, EFFECT_ALL);
     for (int i = 0; i < 2; i++) k.light[i].at.z = -20, k.light[i].n.z = -1;
     check_at_most(draw_look(&k, 2, SEQUENCE_SOBOL, 2, &b).rays.rays[RAY_SHADOW],
                   full.rays.rays[RAY_SHADOW] / 4, "lights under the floor: only undersides ask");
-    image_free(&a), image_free(&b), studio_free(g);
+    image_free(&a), image_free(&b), showroom_free(g);
 }
 
 /* Split: a light with a size gets so many rays from the first hit, one without still gets one. */
 static void test_split(void)
 {
-    studio *g = studio_new(3);
+    showroom *g = showroom_new(3);
     image a = image_new(w, h), b = image_new(w, h);
-    studio_look k;
-    studio_set(&k, g, 0), k.how.depth = 1;
+    showroom_look k;
+    showroom_set(&k, g, 0), k.how.depth = 1;
     size_t one = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &a).rays.rays[RAY_SHADOW];
     k.how.split = 16;
     distributed_counts many = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &b);
     check_equal(many.rays.rays[RAY_SHADOW], one, "no size: one ray says it all");
     check_equal(different(&a, &b), 0, "and the same picture");
-    studio_set(&k, g, EFFECT_SOFT | EFFECT_SKY), k.how.depth = 1;
+    showroom_set(&k, g, EFFECT_SOFT | EFFECT_SKY), k.how.depth = 1;
     one = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &a).drawn[DRAWN_LIGHT];
     k.how.split = 16;
     many = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &b);
     check_equal(many.drawn[DRAWN_LIGHT], 16 * one, "16 points of the light");
     check_equal(many.drawn[DRAWN_SKY] % 16, 0, "16 of the sky");
-    image_free(&a), image_free(&b), studio_free(g);
+    image_free(&a), image_free(&b), showroom_free(g);
+}
+
+/* 4 samples of 4 parts are 16 points: one in each cell of 4 x 4. And no two domains of a chain have
+ * the same pair: 3 lights, the sky and the lobe. */
+static void test_pairs(void)
+{
+    static const sequence_kind kinds[2] = {SEQUENCE_JITTERED, SEQUENCE_SOBOL};
+    for (int i = 0; i < 2; i++) {
+        distributor d = {.how = NULL};
+        unsigned seen = 0;
+        for (uint32_t k = 0; k < 16; k++) {
+            distributed_sample q = {kinds[i], 15, 3, k / 4, 4};
+            point2 p = distributed_pair(&d, q, DRAWN_SKY, 5, k % 4, 4);
+            seen |= 1u << ((int)(4 * p.u) + 4 * (int)(4 * p.v)) % 32;
+        }
+        check_equal(seen, 0xffff, "a cell each, %s", sequence_name[kinds[i]]);
+    }
+    check_equal(distributed_pairs_a_hit(&(distributed){.n = 3}), 5, "a pair each");
+    check(PAIR_FILM < PAIR_LENS && PAIR_LENS < PAIR_HIT, "and film and lens");
 }
 
 /* One seed, one picture; other seeds, others; `same`: every pixel asks alike. */
 static void test_reproducible(void)
 {
-    studio *g = studio_new(3);
+    showroom *g = showroom_new(3);
     image a = image_new(w, h), b = image_new(w, h);
-    studio_look k;
-    studio_set(&k, g, EFFECT_ALL);
+    showroom_look k;
+    showroom_set(&k, g, EFFECT_ALL);
     for (int kind = 0; kind < sequence_kinds; kind++) {
         draw_look(&k, 2, (sequence_kind)kind, 1, &a), draw_look(&k, 2, (sequence_kind)kind, 3, &b);
         check_equal(different(&a, &b), 0, "1 and 3 threads, %s", sequence_name[kind]);
     }
-    distributed_view v = studio_view(&k, STUDIO_ALL, (real)w / h);
+    distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)w / h);
     v.samples = 2, v.seed = 4;
     distributed_draw(&v, &b, 2);
     check(different(&a, &b) > w * h / 2, "another seed");
-    image_free(&a), image_free(&b), studio_free(g);
+    image_free(&a), image_free(&b), showroom_free(g);
 }
 
 /* ---- against closed forms ---- */
@@ -328,6 +347,47 @@ static void test_same(void)
     image_free(&im), world_part_free(&part), furnace_free(f);
 }
 
+/* Red: a light; green: the sky; blue: what the lobe sees. A wall hides part of each. They take
+ * different numbers: no correlation beyond 5 / sqrt(n), five standard deviations. */
+static void test_independent(void)
+{
+    furnace *f = furnace_new((vec3){1, 1, 0}, (vec3){0, 0, 1}, 1);
+    vec3 wall[4] = {{(real)0.6, -9, 0}, {(real)0.6, 9, 0}, {(real)0.6, 9, 2}, {(real)0.6, -9, 2}};
+    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(wall, 4))};
+    scene s = {both, 2};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    trace_world world = {&part, 1};
+    known k;
+    known_make(KNOWN_SQUARE, &k);
+    k.light.colour = (vec3){1, 0, 0};
+    distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
+                       .background = {0, 0, 1}, .ambient = {0, 1, 0}, .reach = real_infinity,
+                       .depth = 2};
+    distributor d = distributor_of(&world, &how);
+    uint32_t n = (uint32_t)check_count(4000);
+    double sum[3] = {0}, product[3][3] = {{0}};
+    for (uint32_t i = 0; i < n; i++) {
+        vec3 c = distributed_ray(&d, ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1}),
+                                 (distributed_sample){SEQUENCE_RANDOM, 16, i, 0, 1});
+        for (int a = 0; a < 3; a++) {
+            sum[a] += (double)vaxis(c, a);
+            for (int b = 0; b < 3; b++)
+                product[a][b] += (double)vaxis(c, a) * (double)vaxis(c, b);
+        }
+    }
+    for (int a = 0; a < 3; a++)
+        for (int b = 0; b < 3; b++)
+            product[a][b] = product[a][b] / n - sum[a] / n * (sum[b] / n);
+    for (int a = 0; a < 3; a++) {
+        int b = (a + 1) % 3;
+        check(product[a][a] > 0, "colour %d varies", a);
+        check_at_most(fabs(product[a][b]) / sqrt(product[a][a] * product[b][b]),
+                      5 / sqrt((double)n), "correlation of colours %d and %d", a, b);
+    }
+    known_free(&k), world_part_free(&part), furnace_free(f);
+}
+
 /* Where a chain between two glossy sheets was, by its calls for a material. */
 typedef struct { vec3 p[3]; int n; } chain;
 
@@ -457,11 +517,13 @@ int main(void)
     test_spending();
     test_none();
     test_split();
+    test_pairs();
     test_reproducible();
     test_sum();
     test_split_mean();
     test_furnace();
     test_same();
+    test_independent();
     test_chain();
     test_cornell();
     test_box();

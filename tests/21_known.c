@@ -6,8 +6,8 @@
 static const double alarm_rate = 1e-6;
 static const sequence_kind kinds[3] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_SOBOL};
 
-/* Sheets that end at 1e6 (1e-6), glossy_above (1e-7); E in float is right to some 10 epsilon. */
-static double rounding(void) { return 2e-6 + 16 * (double)real_epsilon; }
+/* Sheets that end (known_far), glossy_above (1e-7); E in float is right to some 10 epsilon. */
+static double rounding(void) { return 2.0 / known_far + 16 * (double)real_epsilon; }
 
 static real number(random_stream *s, double lo, double hi)
 {
@@ -20,7 +20,7 @@ static vec3 direction(random_stream *s)
     return sample_sphere(u, v);
 }
 
-/* Random samples are independent; well-spread ones are not, so their runs are the samples. Not fewer
+/* Random samples are independent; well-spread ones are not, so their runs are the samples. No fewer
  * than 40 of them: with two or three, all may be alike by chance, as shares of 64 are. */
 static void test_answers(void)
 {

@@ -252,7 +252,7 @@ static void test_several(void)
     double truth = 0;
     lit_begin(&x.s);
     for (int k = 0; k < 5; k++) {
-        double L = k == 0 ? 20 : 1 + k;
+        double L = k == 0 ? 60 : 1 + k;
         rectangle r = {v3(2 * k - 5, -1, 2), v3(0, 1, 0), v3(.6, 0, 0)};
         sphere b = {v3(2 * k - 5, 2, 1), (real).3};
         lit_add_rectangle(&x.s, r, lamp_of(&x.s, L));
@@ -287,6 +287,40 @@ static void test_several(void)
     }
     check_close(sum, 1, 16 * eps, "a fair choice: probabilities add up");
     lights_free(&l), lit_free(&x.s);
+}
+
+/* Flux is the sum of all colours: a red lamp is drawn as often as a blue one of the same size. And
+ * a sample leaves the sampler behind all that it has asked for. */
+static void test_choice(void)
+{
+    lit_scene s;
+    lit_begin(&s);
+    for (int k = 0; k < 3; k++) {
+        vec3 Le = {k == 0 ? 3 : 0, k == 1 ? 3 : 0, k == 2 ? 6 : 0};
+        uint16_t lamp = lit_add_material(&s, (lit_material){.Le = Le});
+        lit_add_rectangle(&s, (rectangle){v3(2 * k - 3, 0, 1), v3(0, 1, 0), v3(1, 0, 0)}, lamp);
+    }
+    lit_end(&s);
+    for (int kind = LIGHTS_ALL; kind <= LIGHTS_FLUX; kind++) {
+        lights l;
+        direct_work w = {0, 0, 0};
+        lit_material m = {.f = brdf_lambert(white)};
+        lit_hit h = place(black, &m);
+        lights_build(&s, (lights_kind)kind, &l);
+        direct d = {&s, DIRECT_POWER, &l, &w, false};
+        for (size_t k = 0; k < 3; k++)
+            check_close(lights_chance(&l, k),
+                        kind == LIGHTS_ALL ? 1 : kind == LIGHTS_UNIFORM ? 1. / 3 : k < 2 ? .25 : .5,
+                        4 * eps, "chance of light %zu, choice %d", k, kind);
+        sampler q = sampler_start(SEQUENCE_SOBOL, 1, 2, 3, 4), next = q;
+        direct_light(&d, &h, up, &q);
+        /* a direction; then three points, or which one and its point */
+        for (int k = 0; k < (kind == LIGHTS_ALL ? 4 : 3); k++) sampler_pair(&next);
+        point2 a = sampler_pair(&q), b = sampler_pair(&next);
+        check(a.u == b.u && a.v == b.v, "choice %d: the sampler stands behind it", kind);
+        lights_free(&l);
+    }
+    lit_free(&s);
 }
 
 /* ---- only what is called for ---- */
@@ -370,8 +404,35 @@ static void test_leaning(void)
         check_equal(w.shadow, 0, "no shadow ray to it, %s", direct_name[way]);
         if (way == DIRECT_COSINE)
             check(w.direction > 600 && w.direction < 800, "directions below are not traced");
+        direct_work behind = {0, 0, 0};
+        d.work = &behind;
+        sampler q = sampler_start(SEQUENCE_RANDOM, 6, 0, 0, 1);
+        vec3 L = direct_light(&d, &h, vunit(v3(-1, 0, .25)), &q);  /* above n, below ns */
+        check(vzero(L) && behind.direction + behind.shadow == 0, "wo behind ns: black, no ray");
     }
     lights_free(&l), lit_free(&x.s);
+}
+
+/* Nothing but a background of 1: a white surface is as bright, in every direction. A lamp in front
+ * of it changes nothing if it is as bright, for those who see both. */
+static void test_background(void)
+{
+    setting lamp = setting_of(9);
+    size_t n = check_count(20000);
+    for (int k = 0; k < 2; k++) {
+        lit_scene none, *s = k ? &lamp.s : &none;
+        lit_begin(&none), lit_end(&none);
+        s->background = white;
+        for (int way = 0; way < direct_ways; way++) {
+            outcome o = of_matte(s, (direct_way)way, LIGHTS_ALL, n);
+            bool along = way <= DIRECT_BRDF || direct_both((direct_way)way);
+            double truth = along ? 1 : k ? lamp.truth / (double)pi : 0;
+            check_at_least(t_test(o.e, truth, 256 * eps), alarm, "background, lamp %d, %s", k,
+                           direct_name[way]);
+        }
+        lit_free(&none);
+    }
+    lit_free(&lamp.s);
 }
 
 /* In the box no picture may change by a bit, and the shadow rays that are saved are counted. */
@@ -455,8 +516,10 @@ int main(void)
     test_never_worse();
     test_fireflies();
     test_several();
+    test_choice();
     test_called_for();
     test_leaning();
+    test_background();
     test_box();
     test_far();
     return check_report("24_direct_light");

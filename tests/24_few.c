@@ -1,7 +1,7 @@
 /* Tests of few.h: the answers of the tree, for meshes that make sorting out hard. */
 #include "check.h"
 #include "../chapters/21_distributed/cornell.h"
-#include "../chapters/24_direct_light/few.h"
+#include "../chapters/24_direct_light/lit_cornell.h"
 #include "../common/random.h"
 
 static vec3 somewhere(random_stream *s)
@@ -10,7 +10,7 @@ static vec3 somewhere(random_stream *s)
     return (vec3){2 * x - 1, 2 * y - 1, 2 * z - 1};
 }
 
-/* kind 0: any triangles; 1: pairs in a plane; 2: needles; 3: on a lattice, many ties; 4: far away. */
+/* kind 0: any triangles; 1: pairs in a plane; 2: needles; 3: on a lattice, ties; 4: far away. */
 static mesh make(int kind, size_t n, random_stream *s)
 {
     mesh m = {.v = allocate(3 * n, sizeof *m.v), .vertices = 3 * n, .triangles = n,
@@ -31,7 +31,7 @@ static mesh make(int kind, size_t n, random_stream *s)
     return m;
 }
 
-/* A ray from around the mesh, every other one aimed at a point of a triangle, its edge or corner. */
+/* A ray from around the mesh, every other one aimed at a triangle, its edge or corner. */
 static ray aim(const mesh *m, int k, random_stream *s)
 {
     vec3 lo, hi;
@@ -73,7 +73,7 @@ static void test_same_as_tree(void)
     }
     check_equal(different, 0, "hits that are not the tree's, bit by bit");
     check_equal(asked, 0, "rays of usual size that were left to the tree");
-    check_at_least(hits, check_count(200) * 200, "rays that hit: the test has something to compare");
+    check_at_least(hits, check_count(200) * 200, "rays that hit: something to compare");
 }
 
 static void test_limits(void)
@@ -103,9 +103,40 @@ static void test_limits(void)
     few_free(&f), few_free(&f), mesh_free(&m);
 }
 
+/* A walk through the box: what a ray leaves is left out, and the answers stay the same. */
+static void test_leaving(void)
+{
+    lit_scene s;
+    random_stream at = random_start(24, 3, 1);
+    size_t different = 0, shadows = 0;
+    lit_cornell(&s);
+    for (int i = 0; i < (int)check_count(4000); i++) {
+        ray r = ray_from((vec3){278, 273, 10}, somewhere(&at));
+        lit_hit h, x, y;
+        for (int k = 0; k < 5 && lit_trace(&s, r, &h); k++) {
+            emitter_point e;
+            point2 u = {random_next(&at), random_next(&at)};
+            if (emitter_by_area(&s.emitter[0], h.s.p, u, &e) && vdot(h.s.n, e.wi) > 0) {
+                ray b = leave_between(h.s, e.s);
+                bool dark = bvh_occluded(&s.tree, b);
+                shadows += dark;
+                different += dark != lit_occluded(&s, b)
+                    || dark != lit_occluded_from(&s, b, h.s.shape, 0);
+            }
+            r = leave(h.s, directed(h.s.n, sample_cosine(u.u, u.v)));
+            bool met = lit_trace(&s, r, &x), again = lit_trace_from(&s, r, h.s.shape, &y);
+            different += met != again || (met && (x.t != y.t || x.s.shape != y.s.shape));
+        }
+    }
+    check_equal(different, 0, "with what they leave, and without: the same answers");
+    check_at_least(shadows, check_count(4000) / 16, "rays in shadow: something to compare");
+    lit_free(&s);
+}
+
 int main(void)
 {
     test_same_as_tree();
+    test_leaving();
     test_limits();
     return check_report("24_few");
 }

@@ -222,6 +222,54 @@ static void test_emitter(int i)
     check_at_least(t_test(both, 0, 64 * eps), alarm, "light %d: by area as by angle", i);
 }
 
+/* Height of x over the plane of three corners, beyond the reals' own precision. */
+static double exact_height(vec3 a, vec3 b, vec3 c, vec3 x)
+{
+    long double e[3], f[3], d[3], n[3], h = 0, nn = 0;
+    for (int k = 0; k < 3; k++) {
+        e[k] = (long double)vaxis(b, k) - (long double)vaxis(a, k);
+        f[k] = (long double)vaxis(c, k) - (long double)vaxis(a, k);
+        d[k] = (long double)vaxis(x, k) - (long double)vaxis(a, k);
+    }
+    for (int k = 0; k < 3; k++) {
+        int i = (k + 1) % 3, j = (k + 2) % 3;
+        n[k] = e[i] * f[j] - e[j] * f[i], h += n[k] * d[k], nn += n[k] * n[k];
+    }
+    return (double)(fabsl(h) / sqrtl(nn));
+}
+
+/* (18.5): x is off the triangles that rays meet by no more than it says. Those of a rectangle have
+ * the rounded corners of lit_add_rectangle. */
+static void test_bounds(void)
+{
+    double off[2] = {0, 0}, low = 2;
+    size_t n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        double far = i % 2 ? 30 : 0;
+        vec3 o = random_point(i, 20, far), s = random_point(i, 21, 1);
+        vec3 t = vscale(vunit(vcross(s, random_point(i, 22, 1))), random_real(3, i, 23, 0));
+        point2 u = {random_real(3, i, 24, 0), random_real(3, i, 24, 1)};
+        if (i % 2 == 0) o = vneg(vmadd(vscale(s, u.u), t, u.v));  /* x near 0 */
+        vec3 b = vadd(o, s), c = vadd(b, t), d = vadd(o, t);
+        emitter of[2] = {emitter_of_rectangle((rectangle){o, s, t}, v3(1, 1, 1)),
+                         emitter_of_triangle((triangle){o, b, c}, v3(1, 1, 1))};
+        for (int k = 0; k < 2; k++) {
+            emitter_point x;
+            if (!emitter_by_area(&of[k], vadd(o, of[k].n), u, &x)) continue;
+            bool second = k == 0 && u.v > u.u;
+            double h = exact_height(o, second ? c : b, second ? d : c, x.s.p);
+            /* the normals of needles lean: that is what the noise is for */
+            off[k] = check_worse(off[k], h / (double)(x.s.error + x.s.noise));
+            double edge = (double)vlength(s), reach = (double)surface_reach(x.s.p);
+            double least = (double)x.s.error / (eps * (2 * edge + 2 * reach));
+            low = least < low ? least : low;
+        }
+    }
+    check_at_most(off[0], 1, "points of rectangles, beside those that rays meet");
+    check_at_most(off[1], 1, "points of triangles");
+    check_at_least(low, 1 - 4 * eps, "no bound below (18.5)");
+}
+
 /* What cannot be seen is not sampled, and no pdf says otherwise. */
 static void test_unseen(void)
 {
@@ -246,6 +294,18 @@ static void test_unseen(void)
         check_equal(emitter_pdf_angle(dark[i].e, dark[i].p), 0, "%s: pdf", dark[i].what);
     }
     check_equal(emitter_pdf_area(&r, v3(0, 0, 3), v3(0, 0, 2)), 0, "area pdf from behind");
+    real most = real_largest / 16;  /* its square is no real */
+    const rectangle odd[] = {{v3(0, 0, 0), {most, 0, 0}, {0, most, 0}},
+                             {v3(0, 0, 0), {(real)NAN, 0, 0}, v3(0, 1, 0)},
+                             {v3(0, 0, 0), v3(1, 0, 0), v3(2, 0, 0)}};
+    for (int i = 0; i < 3; i++) {
+        lit_scene one;
+        lit_begin(&one);
+        lit_add_rectangle(&one, odd[i],
+                          lit_add_material(&one, (lit_material){.Le = v3(1, 1, 1)}));
+        check_equal(one.emitters, 0, "rectangle %d without an area that is a number: dark", i);
+        lit_free(&one);
+    }
     /* on the inner side of a shining sphere, rounded to either side of it: all directions */
     for (uint64_t k = 0; k < 1000; k++) {
         vec3 d = sample_sphere(random_real(2, k, 1, 0), random_real(2, k, 1, 1));
@@ -288,6 +348,7 @@ int main(void)
     test_scenes();
     test_joined();
     for (int i = 0; i < specimens; i++) test_emitter(i);
+    test_bounds();
     test_unseen();
     test_weights();
     return check_report("24_lights");

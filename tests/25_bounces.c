@@ -89,7 +89,24 @@ static void test_endless(void)
     sampler r = second_pair(1, 0);
     vec3 L = naive_radiance(&p, some_ray(dark, 1), &r, &c);
     check(L.x == 2 && L.y == 2 && L.z == 2, "E / (1 - 1/2) = 2 to the last bit");
-    check_equal(naive_rays(&c), real_is_float ? 150 : 1075, "until 2^-k is no number any more");
+    check_equal(naive_rays(&c), real_is_float ? 127 : 1023, "until 2^-k is no normal number");
+    lit_free(&s);
+
+    /* .6 and .8: the smallest number of all, times these, rounds to itself */
+    check((real)0.6 * nextafter((real)0, (real)1) > 0, "so at 0 no path would end");
+    furnace_box(&s, one, (vec3){(real)0.6, (real)0.8, (real)0.5});
+    c = (naive_counts){{0}, 0, 0}, r = second_pair(4, 0);
+    L = naive_radiance(&p, some_ray(dark, 3), &r, &c);
+    double hits = ceil(log((double)real_smallest) / log((double)(real)0.8));
+    check_close((double)L.y, 5, 64 * eps, "E / (1 - .8)");
+    check_close((double)naive_rays(&c), hits, 1, "until .8^k is no normal number");
+    naive_counts tree = {{0}, 0, 0};
+    p.depth = branching_most;
+    vec3 T = branching_radiance(&p, 1, some_ray(dark, 3), 25, 4, 0, &tree);
+    check_close((double)T.x, 2.5, 64 * eps, "E / (1 - .6)");
+    p.depth = 1000, tree = (naive_counts){{0}, 0, 0};
+    (void)branching_radiance(&p, 1, some_ray(dark, 3), 25, 4, 0, &tree);
+    check_equal(naive_rays(&tree), branching_most + 1, "as deep as the stack");
     lit_free(&s);
 
     furnace_sphere(&s, one, one);  /* rho = 1: linear growth */
@@ -419,31 +436,32 @@ static void test_called_for(void)
         hard_scene(&s, lamps);
         for (int choice = DIRECTIONS_UNIFORM; choice <= DIRECTIONS_BRDF; choice++) {
             naive_path p = {&s, (direction_choice)choice, 5, false}, all = p;
-            naive_counts few = {{0}, 0, 0}, many = few, tree_few = few, tree_many = few;
+            naive_counts called = {{0}, 0, 0}, many = called;
+            naive_counts tree_called = called, tree_many = called;
             size_t wrong = 0, wrong_tree = 0, light = 0, n = count_from(300, 1500);
             all.spend_all = true;
             for (size_t i = 0; i < n; i++) {
                 sampler a = second_pair(i, 1), b = a;
-                vec3 L = naive_radiance(&p, some_ray(o, i), &a, &few);
+                vec3 L = naive_radiance(&p, some_ray(o, i), &a, &called);
                 wrong += !same(L, naive_radiance(&all, some_ray(o, i), &b, &many));
                 light += !vzero(L);
                 if (i % 10) continue;
-                vec3 T = branching_radiance(&p, 3, some_ray(o, i), 25, i, 1, &tree_few);
+                vec3 T = branching_radiance(&p, 3, some_ray(o, i), 25, i, 1, &tree_called);
                 wrong_tree += !same(T, branching_radiance(&all, 3, some_ray(o, i), 25, i, 1,
                                                           &tree_many));
             }
             check_equal(wrong, 0, "%s: the same with every ray spent", choice_name[choice]);
             check_equal(wrong_tree, 0, "%s, N = 3: the same", choice_name[choice]);
             check_equal(naive_rays(&many), 6 * n, "spend_all: every ray, to the end");
-            if (!lamps) check_equal(naive_rays(&few), 0, "no light, no ray");
-            if (!lamps) check_equal(naive_rays(&tree_few), 0, "no light, no tree");
+            if (!lamps) check_equal(naive_rays(&called), 0, "no light, no ray");
+            if (!lamps) check_equal(naive_rays(&tree_called), 0, "no light, no tree");
             if (!lamps) continue;
             check_at_least((double)light, (double)n / 20, "there is something to see");
-            check_at_most((double)naive_rays(&few), 0.75 * (double)naive_rays(&many),
+            check_at_most((double)naive_rays(&called), 0.75 * (double)naive_rays(&many),
                           "a path ends where nothing can follow");
-            check_at_most((double)naive_rays(&tree_few), 0.5 * (double)naive_rays(&tree_many),
+            check_at_most((double)naive_rays(&tree_called), 0.5 * (double)naive_rays(&tree_many),
                           "a branch, too");
-            check_at_least(few.black, 1, "black surfaces were met");
+            check_at_least(called.black, 1, "black surfaces were met");
         }
         lit_free(&s);
     }

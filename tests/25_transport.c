@@ -140,6 +140,10 @@ static void test_convergence(void)
     }
     transport_free(&t);
 
+    t = two(0.1, 0.9, 0.3, 0.7, 1, 1);  /* the same, but rounded: a pivot of 1e-16 or so */
+    check(!transport_solve(&t, L), "closed and white, nearly: singular");
+    transport_free(&t);
+
     t = transport_new(1);  /* gives back twice what it gets */
     t.K[0] = 2, t.E[0] = 1;
     check(transport_solve(&t, L), "rho = 2 has a solution");

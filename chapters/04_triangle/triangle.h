@@ -194,9 +194,10 @@ static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
     return e->x + e->y + e->z != 0 && !signs_differ(e->x, e->y, e->z);
 }
 
-/* The second half of the test, for the few triangles that pass the first: distance and interval. */
-static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *corner[3],
-                                  const ray_shear *s, ray r, hit *out)
+/* The second half of the test, for the few triangles that pass the first: distance and interval. In
+ * space the triangle has area: shear_distance asks that, too. */
+__attribute__((always_inline))
+static inline bool shear_meets(vec3 a, vec3 b, vec3 c, vec3 e, const ray_shear *s, ray r, hit *out)
 {
     real det = e.x + e.y + e.z, size = fabs(det);
     real products = fabs(a.x * c.y) + fabs(b.x * a.y) + fabs(c.x * b.y);
@@ -209,8 +210,17 @@ static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *co
     real w = e.x / det, u = e.y / det, v = e.z / det;
     real t = (w * a.z + u * b.z + v * c.z) * s->sz;  /* weights in [0,1]: cannot overflow */
     if (!ray_covers(r, t) || !(fabs(t) <= real_largest)) return false;
-    if (vzero(triangle_cross(*corner[0], *corner[1], *corner[2]))) return false;
     *out = (hit){t, u, v, 0};
+    return true;
+}
+
+static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *corner[3],
+                                  const ray_shear *s, ray r, hit *out)
+{
+    hit h;
+    if (!shear_meets(a, b, c, e, s, r, &h)) return false;
+    if (vzero(triangle_cross(*corner[0], *corner[1], *corner[2]))) return false;
+    *out = h;
     return true;
 }
 

@@ -133,9 +133,9 @@ static inline placing placing_of(affine m, affine a, real reach)
 {
     affine off = inverse_residual(m, a);
     real M = affine_norm(m), K = M * affine_norm(a), k = affine_growth(m, a);
-    real world = M * reach + vlargest(m.o), third = (real)4 / 3, eps = real_epsilon;
-    real fixed = 260 * eps * (M * vlargest(a.o) + world) + vlargest(off.o)
-        + (affine_norm(off) + 2 * eps * k) * world + 16 * real_smallest * M;  /* what underflows */
+    real far = M * reach + vlargest(m.o), third = (real)4 / 3, eps = real_epsilon;
+    real fixed = 260 * eps * (M * vlargest(a.o) + far) + vlargest(off.o)
+        + (affine_norm(off) + 2 * eps * k) * far + 16 * real_smallest * M;  /* what underflows */
     return (placing){third * eps * (256 * K + 4 * k), third * fixed};
 }
 

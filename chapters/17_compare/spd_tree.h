@@ -44,7 +44,7 @@ static inline void tree_add(world *w, tree_frame f, real base, int depth)
 
 static inline bool spd_tree(int scale, world *w, failure *f)
 {
-    static const double light[7][3] = {{-5, 5, 50},  {30, -30, 30}, {-40, -30, 20}, {10, 30, 40},
+    static const double lamp[7][3] = {{-5, 5, 50},  {30, -30, 30}, {-40, -30, 20}, {10, 30, 40},
                                        {-30, 40, 10}, {50, 25, 20},  {-10, -60, 30}};
     tree_frame root = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
     world_room(w, 1 + 2 * (((size_t)2 << scale) - 1), 4, 2);
@@ -53,7 +53,7 @@ static inline bool spd_tree(int scale, world *w, failure *f)
     world_paint(w, (finish){{(real)0.55, (real)0.4, (real)0.2}, 1, 0, 0, 0, 0});
     tree_add(w, root, (real)0.15, scale);
     for (int k = 0; k < 7; k++)
-        world_light(w, (vec3){(real)light[k][0], (real)light[k][1], (real)light[k][2]});
+        world_light(w, (vec3){(real)lamp[k][0], (real)lamp[k][1], (real)lamp[k][2]});
     return world_look(w, (vec3){(real)4.5, (real)0.4, 2}, (vec3){0, 0, (real)1.5}, (vec3){0, 0, 1},
                       45, f);
 }

@@ -8,7 +8,7 @@
  *                                [tmin, tmax] = [0, ..]: no epsilon in t
  *
  *   ray r = leave(s, w);             from s along w (not zero, any length), to infinity
- *   ray r = leave_to(s, light);      from s to a point that is on no surface: D = light - O, [0, 1]
+ *   ray r = leave_to(s, q);          from s to a point that is on no surface: D = q - O, [0, 1]
  *   ray r = leave_between(a, b);     from one surface to another: D = Ob - Oa, [0, 1]; neither end
  *                                    is hit: line of sight (视线)
  *
@@ -40,9 +40,9 @@ static inline ray leave(surface s, vec3 w)
     return (ray){leave_point(s, w, 0), 0, w, real_infinity};
 }
 
-static inline ray leave_to(surface s, vec3 light)
+static inline ray leave_to(surface s, vec3 q)
 {
-    return ray_between(leave_point(s, vsub(light, s.p), 0), light);
+    return ray_between(leave_point(s, vsub(q, s.p), 0), q);
 }
 
 /* The far end is seen from the near one: there the test's error is one of the distance, 3 eps D for

@@ -52,7 +52,7 @@ typedef struct {
 static inline bool light_reaches(const light *L, vec3 p, vec3 ng, vec3 ns, light_sample *out)
 {
     vec3 to = L->kind == LIGHT_POINT ? vsub(L->at, p) : L->at;
-    *out = (light_sample){vunit(to), {0, 0, 0}};
+    *out = (light_sample){L->kind == LIGHT_POINT ? vunit(to) : to, {0, 0, 0}};
     real cosine = vdot(ns, out->l), square = L->kind == LIGHT_POINT ? vdot(to, to) : 1;
     if (!(cosine > 0) || !(vdot(ng, out->l) > 0) || !(square > 0)) return false;
     vec3 E = vscale(L->colour, cosine / square);
@@ -63,9 +63,10 @@ static inline bool light_reaches(const light *L, vec3 p, vec3 ng, vec3 ns, light
 
 static inline vec3 blinn_phong(const material *m, vec3 ns, vec3 l, vec3 v, vec3 E)
 {
+    vec3 matte = vscale(m->kd, 1 / pi);
+    if (vzero(m->ks)) return vmul(E, matte);
     real nh = real_max(0, vdot(ns, vunit(vadd(l, v))));
-    vec3 lobe = vzero(m->ks) ? m->ks : vscale(m->ks, pow(nh, m->shine));
-    return vmul(E, vmadd(lobe, m->kd, 1 / pi));
+    return vmul(E, vmadd(matte, m->ks, pow(nh, m->shine)));
 }
 
 static inline bool material_reflects(const material *m) { return !vzero(m->kd) || !vzero(m->ks); }

@@ -20,9 +20,13 @@
  *
  *   shape      p                     error                             noise (18.6)
  *   sphere     c + R unit(p - c)     4 eps R + 2 eps |p|               0: 03 decides exactly
- *   triangle   a + u (b-a) + v (c-a) 2 eps L + 2 eps |p|, L an edge    (4 + k/2) eps L
+ *   triangle   (18.9)                2 eps L + 2 eps |p|, L an edge    (4 + k/2) eps L
  *   polygon    p - n (n.(p - m))     4 eps L + 2 eps |p|, L radius     4 eps L
  *   cone       moved on to the side  4 eps H + 2 eps |p|, H extent     8 eps H
+ *
+ * On a triangle, p = a + u (b-a) + v (c-a) with 1-u-v, u, v >= margin (18.9): some eps away from
+ * its edges. Where two walls of a room meet, a point on the edge lies on both. `leave` moves it off
+ * one of them alone, and the other's test may then see it behind: the ray gets out at the edge.
  *
  * 2 eps |p|: two roundings of a sum, each off by eps/2 in each component, along n at most
  * sqrt(3) eps/2. The rest: unit() is right to 2.25 eps, products and edges to eps/2 each.
@@ -49,6 +53,35 @@ static inline real surface_reach(vec3 p)
     return real_max(real_max(fabs(p.x), fabs(p.y)), fabs(p.z));
 }
 
+/* k = L^2 / |e x f|: some 1 for a fat triangle, large for a needle; a NaN, of no area: 64. */
+static inline real surface_needle(vec3 e, vec3 f, real LL)
+{
+    vec3 x = vcross(e, f);
+    return real_min(LL / sqrt(vdot(x, x)), 64);
+}
+
+/* (18.9) The height over an edge is L / k or more, so p stays 16 eps L + 4 eps |a| away from it:
+ * more than p is off and than the test of the wall behind is, if that is no larger. Of no area, or
+ * far away: 1/8 of the height, where reals tell no more. */
+static inline real surface_margin(vec3 a, real L, real k)
+{
+    real m = real_epsilon * k * (16 + 4 * surface_reach(a) / L);
+    return m < (real)0.125 ? m : (real)0.125;
+}
+
+/* a + u e + v f, all three weights (18.9) at least m [<= 1/8]. */
+__attribute__((always_inline))
+static inline vec3 surface_inside(vec3 a, vec3 e, vec3 f, real m, real u, real v)
+{
+    u = real_max(u, m), v = real_max(v, m);
+    real over = u + v - (1 - m);
+    if (over > 0) {
+        if (u > v) u -= over;
+        else v -= over;
+    }
+    return vadd(a, vmadd(vscale(e, u), f, v));
+}
+
 /* (18.6) The test of 04 moves each corner by up to 3 eps of its distance from o, which lies on the
  * triangle: 3 eps L, wherever between the corners p is. Its weights are right to k eps, where k =
  * L^2 / |e x f|, some 1 for a fat triangle, large for a needle; beyond 64, 04 multiplies exactly. A
@@ -56,10 +89,9 @@ static inline real surface_reach(vec3 p)
  * rest of 4 is for normals of needles, which lean. */
 static inline surface surface_on_triangle(triangle t, uint32_t index, real u, real v)
 {
-    vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.a), x = vcross(e, f), n = triangle_normal(t);
-    vec3 p = vadd(t.a, vmadd(vscale(e, u), f, v));
-    real LL = real_max(vdot(e, e), vdot(f, f)), L = sqrt(LL);
-    real k = real_min(LL / sqrt(vdot(x, x)), 64);  /* a NaN, of no area: 64 */
+    vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.a), n = triangle_normal(t);
+    real LL = real_max(vdot(e, e), vdot(f, f)), L = sqrt(LL), k = surface_needle(e, f, LL);
+    vec3 p = surface_inside(t.a, e, f, surface_margin(t.a, L, k), u, v);
     real error = real_epsilon * (2 * L + 2 * surface_reach(p));
     return (surface){p, n, n, error, real_epsilon * L * (4 + k / 2), index};
 }

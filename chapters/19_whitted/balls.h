@@ -1,10 +1,13 @@
 /* balls.h: a scene of balls alone, searched with what is known of balls and a tree does not know.
  *
  *   balls b;
- *   balls_build(s, n, lights, k, &b)      s[n] spheres, r > 0; copies them; O(n log n + k n cells)
+ *   balls_build(s, n, keep, lights, k, &b)   s[n] spheres, r > 0; copies them; keep[n]: part of the
+ *                                         light that each lets pass; O(n^2 + k n cells). Up to 8
+ *                                         lights, all directional; else the program ends
  *   balls_view(&b, &c, width, height)     the same for eye rays of that camera; again for another
- *   vec3 colour = balls_ray(&t, r, x, y)  as whitted_ray; t.user is a balls_scene
  *   balls_free(&b)                        a zeroed one may be freed
+ *
+ * What is looked at, by balls_search.h:
  *
  *   ray                         looked at
  *   eye ray                     the balls that its tile of the picture may see, nearest first
@@ -13,7 +16,7 @@
  *   inside a ball, and nothing  that ball: it is left where the ray meets its far side
  *   else reaches into it
  *   reflected outwards          all but the ball it leaves: a ball is convex
- *   all others                  a tree (14)
+ *   all others                  up to 64 balls: all at once, balls_lanes.h; more: a tree (14)
  *
  *     \  \  \  light k         cell of its buffer     A shadow ray is asked for by its origin
  *      |  |( )| |              |  |  |  |            alone: rays to a sun are parallel, and a
@@ -30,6 +33,7 @@
 #define BALLS_H
 
 #include "../02_camera/camera.h"
+#include "balls_lanes.h"
 #include "whitted.h"
 
 enum { balls_cells = 48, balls_tile = 8, balls_most_lights = 8 };
@@ -39,9 +43,13 @@ typedef struct { sphere s; uint32_t index; } ball_item;
 /* Lists of numbers, one after another: list k is item[first[k]] .. item[first[k + 1] - 1]. */
 typedef struct { uint32_t *first, *item; size_t lists; } ball_lists;
 
+/* A ball as the sun sees it. end: how far towards the sun it reaches; a little more. */
+typedef struct { real u, v, l, rr, size, end; } ball_disc;
+
 typedef struct {
     vec3 l, u, v;              /* towards the light; across */
     real u0, v0, per_u, per_v; /* cell = (p.u - u0) per_u, .. */
+    ball_disc *disc;           /* [n] */
     ball_lists lists;
 } ball_beam;
 
@@ -49,6 +57,7 @@ typedef struct {
     sphere *s;                 /* [n] */
     bool *lone;                /* [n] nothing else reaches into it */
     size_t n;
+    ball_lanes lanes;          /* up to 64 balls; then there is no tree */
     bvh_tree tree;
     ball_item *leaf;           /* in the order of the tree's leaves */
     ball_beam beam[balls_most_lights];
@@ -63,7 +72,8 @@ typedef struct {
 static inline void balls_free(balls *b)
 {
     free(b->s), free(b->lone), free(b->leaf), tree_free(&b->tree);
-    for (int k = 0; k < b->beams; k++) free(b->beam[k].lists.first), free(b->beam[k].lists.item);
+    for (int k = 0; k < b->beams; k++)
+        free(b->beam[k].lists.first), free(b->beam[k].lists.item), free(b->beam[k].disc);
     free(b->eye.first), free(b->eye.item), free(b->near);
     *b = (balls){0};
 }
@@ -93,15 +103,28 @@ static inline void pairs_add(ball_pair **p, size_t *n, size_t *room, ball_pair x
     (*p)[(*n)++] = x;
 }
 
+/* A ball behind which, seen from the sun, all others lie as wholes, and outside of it: it shades
+ * none of them. The ground, as a rule. */
+static inline bool beam_shades_none(const balls *b, vec3 l, uint32_t k)
+{
+    sphere s = b->s[k];
+    for (size_t i = 0; i < b->n; i++) {
+        vec3 f = vsub(b->s[i].c, s.c);
+        real r = b->s[i].r, margin = 16 * real_epsilon * (surface_reach(s.c) + surface_reach(f));
+        if (i != k && !(vdot(f, l) > r + margin && vlength(f) > r + s.r + 4 * margin)) return false;
+    }
+    return true;
+}
+
 /* The part of the plane that matters is that of the small balls: a large one, the ground, would
  * make the cells as large as itself. What lies outside is clamped to the outermost cells. */
-static inline void beam_build(const balls *b, vec3 l, ball_beam *out)
+static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_beam *out)
 {
     ball_pair *pair = NULL;
     size_t n = 0, room = 0;
     real lo[2] = {real_infinity, real_infinity}, hi[2] = {-real_infinity, -real_infinity}, mean = 0;
     vbasis(l, &out->u, &out->v);
-    out->l = l;
+    out->l = l, out->disc = allocate(b->n, sizeof *out->disc);
     for (size_t i = 0; i < b->n; i++) mean += b->s[i].r / (real)b->n;
     for (size_t i = 0; i < b->n; i++) {
         sphere s = b->s[i];
@@ -117,6 +140,10 @@ static inline void beam_build(const balls *b, vec3 l, ball_beam *out)
     out->u0 = lo[0], out->v0 = lo[1], out->per_u = per[0], out->per_v = per[1];
     for (uint32_t i = 0; i < b->n; i++) {
         sphere s = b->s[i];
+        real size = surface_reach(s.c) + s.r, along = vdot(s.c, l);
+        out->disc[i] = (ball_disc){vdot(s.c, out->u), vdot(s.c, out->v), along, s.r * s.r, size,
+                                   along + s.r + 32 * real_epsilon * size};
+        if (shadow[i] == 1 || beam_shades_none(b, l, i)) continue;
         /* a cell more to either side: rounding, here and in beam_cell */
         real c[2] = {vdot(s.c, out->u), vdot(s.c, out->v)}, from[2], to[2];
         for (int k = 0; k < 2; k++) {
@@ -126,7 +153,7 @@ static inline void beam_build(const balls *b, vec3 l, ball_beam *out)
         for (int y = (int)from[1]; y <= (int)to[1]; y++)
             for (int x = (int)from[0]; x <= (int)to[0]; x++)
                 pairs_add(&pair, &n, &room, (ball_pair){(uint32_t)(y * balls_cells + x), i,
-                                                        -(vdot(s.c, l) + s.r)});
+                                                        -out->disc[i].end});
     }
     out->lists = lists_of_pairs(pair, n, balls_cells * balls_cells);
     free(pair);
@@ -162,15 +189,17 @@ static inline void balls_lone(balls *b)
     }
 }
 
-static inline void balls_build(const sphere *s, size_t n, const light *L, int lights, balls *out)
+static inline void balls_build(const sphere *s, size_t n, const real *shadow, const light *L,
+                               int lights, balls *out)
 {
     *out = (balls){.s = allocate(n, sizeof *s), .lone = allocate(n, sizeof(bool)), .n = n};
     memcpy(out->s, s, n * sizeof *s);
-    balls_tree(out);
+    if (!ball_lanes_fill(s, n, &out->lanes)) balls_tree(out);
     balls_lone(out);
-    for (; out->beams < lights && out->beams < balls_most_lights; out->beams++) {
-        if (L[out->beams].kind != LIGHT_DIRECTIONAL) break;
-        beam_build(out, L[out->beams].at, &out->beam[out->beams]);
+    for (failure f; out->beams < lights; out->beams++) {
+        if (out->beams == balls_most_lights || L[out->beams].kind != LIGHT_DIRECTIONAL)
+            failed(&f, 2, "balls take up to %d lights, all directional", balls_most_lights), fail(f);
+        beam_build(out, L[out->beams].at, shadow, &out->beam[out->beams]);
     }
 }
 
@@ -215,163 +244,6 @@ static inline void balls_view(balls *b, const camera *c, int width, int height)
         }
     b->eye = lists_of_pairs(pair, n, (size_t)across * (size_t)down);
     free(pair), free(sine), free(cosine);
-}
-
-/* ---- searching ------------------------------------------------------------------------------- */
-
-/* True only if the ray, d unit, certainly passes: the ball lies behind it, o outside. */
-__attribute__((always_inline))
-static inline bool ball_behind(const sphere *s, const ray *r)
-{
-    vec3 f = vsub(r->o, s->c);
-    real ff = vdot(f, f), rr = s->r * s->r;
-    return vdot(f, r->d) >= 0 && ff - rr > 16 * real_epsilon * (ff + rr);
-}
-
-/* Of a ray that leaves ball s outwards, or begins inside and is to leave it. */
-__attribute__((always_inline))
-static inline bool ball_outwards(const sphere *s, const ray *r)
-{
-    return vdot(vsub(r->o, s->c), r->d) > 0;
-}
-
-/* The far root alone, from inside: t1 of 03, by (3.5) and (3.3). */
-__attribute__((always_inline))
-static inline bool ball_exit(sphere s, ray r, hit *out)
-{
-    double dx = (double)r.d.x, fx = (double)r.o.x - (double)s.c.x, R = (double)s.r;
-    double dy = (double)r.d.y, fy = (double)r.o.y - (double)s.c.y;
-    double dz = (double)r.d.z, fz = (double)r.o.z - (double)s.c.z;
-    double x = dy * fz - dz * fy, y = dz * fx - dx * fz, z = dx * fy - dy * fx;
-    double a = dx * dx + dy * dy + dz * dz, b = -(dx * fx + dy * fy + dz * fz);
-    double arr = a * (R * R), D = arr - (x * x + y * y + z * z);
-    if (!(b >= 0 && D > arr * 0x1p-26)) return sphere_hit(s, r, out);
-    *out = (hit){(real)((b + sqrt(D)) / a), 0, 0, 0};
-    return true;
-}
-
-typedef struct { const balls *b; uint32_t from; } balls_asking;  /* from: left outwards */
-
-__attribute__((always_inline))
-static inline bool balls_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                              bool any)
-{
-    const balls_asking *a = context;
-    const balls *b = a->b;
-    bool found = false;
-    hit h;
-    for (uint32_t i = first; i < first + count; i++) {
-        if (b->leaf[i].index == a->from || ball_behind(&b->leaf[i].s, &q->r)) continue;
-        if (!sphere_hit(b->leaf[i].s, q->r, &h)) continue;
-        if (any) return true;
-        h.shape = b->leaf[i].index;
-        found |= query_improves(q, h);
-    }
-    return found;
-}
-
-/* Of eye rays: k is the tile. The list is sorted by the nearest point of each ball. */
-__attribute__((always_inline))
-static inline bool balls_seen(const balls *b, ray r, size_t k, hit *best)
-{
-    hit h;
-    *best = hit_none;
-    for (uint32_t i = b->eye.first[k]; i < b->eye.first[k + 1]; i++) {
-        uint32_t j = b->eye.item[i];
-        if (b->near[j] > r.tmax) break;
-        if (!sphere_hit(b->s[j], r, &h) || (h.shape = j, !hit_before(h, *best))) continue;
-        *best = h, r.tmax = h.t;
-    }
-    return best->shape != no_shape;
-}
-
-/* from: the ball on which the ray begins, or no_shape; inside: it goes into it. */
-__attribute__((always_inline))
-static inline bool balls_hit(const balls *b, ray r, uint32_t from, bool inside, hit *best)
-{
-    *best = hit_none;
-    if (inside && b->lone[from]) {
-        if (!ball_exit(b->s[from], r, best)) return false;
-        best->shape = from;
-        return true;
-    }
-    balls_asking a = {b, inside ? no_shape : from};
-    return tree_search(&b->tree, r, box_ray_of, balls_leaf, &a, false, best, NULL);
-}
-
-__attribute__((always_inline))
-static inline size_t beam_cell(const ball_beam *m, vec3 p)
-{
-    real u = real_clamp((vdot(p, m->u) - m->u0) * m->per_u, 0, balls_cells - 1);
-    real v = real_clamp((vdot(p, m->v) - m->v0) * m->per_v, 0, balls_cells - 1);
-    return (size_t)v * balls_cells + (size_t)u;
-}
-
-/* shadow[j]: part of the light that ball j lets pass. */
-__attribute__((always_inline))
-static inline real balls_light(const balls *b, ray r, int k, uint32_t from, const real *shadow)
-{
-    const ball_lists *m = &b->beam[k].lists;
-    size_t cell = beam_cell(&b->beam[k], r.o);
-    real lit = 1;
-    hit h;
-    for (uint32_t i = m->first[cell]; i < m->first[cell + 1]; i++) {
-        uint32_t j = m->item[i];
-        const sphere *s = &b->s[j];
-        if (shadow[j] == 1 || (j == from && ball_outwards(s, &r)) || ball_behind(s, &r)) continue;
-        if (sphere_hit(*s, r, &h) && !((lit *= shadow[j]) > 0)) return 0;
-    }
-    return lit;
-}
-
-/* ---- as a search for whitted_walk: tracer.user is a balls_scene ------------------------------ */
-
-typedef struct {
-    whitted w;           /* first: where whitted_walk looks for it */
-    balls b;
-    const real *shadow;  /* [b.n] */
-} balls_scene;
-
-__attribute__((always_inline))
-static inline bool balls_closest(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
-                                 trace_hit *x)
-{
-    const balls_scene *s = t->user;
-    (void)inside;
-    t->counts.rays[kind]++;
-    x->part = 0;
-    bool met = kind == RAY_CAMERA
-        ? balls_seen(&s->b, r, from, &x->h)
-        : balls_hit(&s->b, r, from, !ball_outwards(&s->b.s[from], &r), &x->h);
-    t->counts.hits[kind] += met;
-    return met;
-}
-
-__attribute__((always_inline))
-static inline real balls_lit(tracer *t, ray r, uint32_t from, int k)
-{
-    const balls_scene *s = t->user;
-    t->counts.rays[RAY_SHADOW]++;
-    real lit = balls_light(&s->b, r, k, from, s->shadow);
-    t->counts.hits[RAY_SHADOW] += lit == 0;
-    return lit;
-}
-
-__attribute__((always_inline))
-static inline surface balls_surface(const tracer *t, ray r, trace_hit x)
-{
-    const balls_scene *s = t->user;
-    return whitted_on_ball(s->b.s[x.h.shape], x.h.shape, ray_at(r, x.h.t));
-}
-
-static const whitted_search whitted_by_balls = {balls_closest, balls_lit, balls_surface};
-
-/* The colour along the eye ray through (x, y) of the picture that balls_view was told of. */
-static inline vec3 balls_ray(tracer *t, ray r, real x, real y)
-{
-    const balls_scene *s = t->user;
-    uint32_t tile = (uint32_t)y / balls_tile * (uint32_t)s->b.across + (uint32_t)x / balls_tile;
-    return whitted_walk(t, r, (media_set){0}, tile, &whitted_by_balls, NULL);
 }
 
 #endif

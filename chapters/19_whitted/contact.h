@@ -15,8 +15,10 @@
  * glass touches nothing says `apart` and is spared them.
  *
  * How near is touching? 2 (error + noise) of the face that was hit, to either side, and what
- * `touch` adds. Faces that are the same in exact numbers are never farther apart, if their sizes
- * are comparable; glass on a floor a million times its size needs `touch`.
+ * `touch` >= 0 adds. Faces that are the same in exact numbers are never farther apart, if their
+ * sizes are comparable. A far larger face, a floor a million times the size of the glass on it, is
+ * met up to some epsilon of its own size off (18.6), of which the glass knows nothing: say touch =
+ * 32 epsilon times the larger size.
  */
 #ifndef CONTACT_H
 #define CONTACT_H

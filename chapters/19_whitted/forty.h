@@ -12,7 +12,7 @@
 #ifndef FORTY_H
 #define FORTY_H
 
-#include "balls.h"
+#include "balls_rays.h"
 #include "looks.h"
 
 enum { forty_balls = 40 };
@@ -89,7 +89,7 @@ static inline void forty_fill(forty *f)
                           .media = f->media, .depth = 8, .least = (real)1 / 256, .apart = true,
                           .background = {(real)0.35, (real)0.55, (real)0.85},
                           .ambient = {(real)0.1, (real)0.1, (real)0.1}};
-    balls_build(f->ball, forty_balls, f->suns, 3, &f->fast.b);
+    balls_build(f->ball, forty_balls, f->shadow, f->suns, 3, &f->fast.b);
     f->fast.shadow = f->shadow;
 }
 

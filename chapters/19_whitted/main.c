@@ -58,6 +58,9 @@ int main(int argc, char **argv)
                              (options){.width = 640, .height = 480, .seed = 1, .samples = 9}, own);
     if (how && strcmp(how, "spd") != 0) usage("--protocol: allowed is spd");
     if (!how && (name || scale >= 0)) usage("--scene, --scale: allowed with --protocol spd");
+    if (how && pixel[0]) usage("--tree: not allowed with --protocol");
+    if (pixel[1] > 479) usage("--tree: allowed are columns from 1 to 639, rows from 1 to 479");
+    if (pixel[0] && o.out) usage("--out: not allowed with --tree");
     if (how) {
         protocol(&o, name, scale);
         return 0;

@@ -99,9 +99,11 @@ static inline void ray_tree_svg(const ray_tree *x, FILE *f)
     static const char *const colour[ray_kinds] = {"#000000", "#e69f00", "#0072b2", "#009e73",
                                                   "#000000"};
     double *at = allocate((size_t)x->n, sizeof *at), width = ray_tree_place(x, 0, 0, at);
-    int deep = 0;
-    for (int i = 0; i < x->n; i++)
+    int deep = 0, depth = 0;  /* shadow rays have none: they may lie one lower */
+    for (int i = 0; i < x->n; i++) {
         if (ray_tree_level(&x->node[i]) > deep) deep = ray_tree_level(&x->node[i]);
+        if (x->node[i].depth > depth) depth = x->node[i].depth;
+    }
     double step = width < 2 ? 300 : 860 / width;
     fprintf(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 %d\" "
                "font-family=\"sans-serif\" font-size=\"14\">\n"
@@ -122,7 +124,8 @@ static inline void ray_tree_svg(const ray_tree *x, FILE *f)
         fprintf(f, "<circle cx=\"%.1f\" cy=\"%.0f\" r=\"6\" fill=\"%s\" stroke=\"black\"/>\n", x1,
                 y1, fill);
     }
-    for (int d = 1; d <= deep; d++)
+    fprintf(f, "<text x=\"8\" y=\"85\" fill=\"#666\">depth</text>\n");
+    for (int d = 1; d <= depth; d++)
         fprintf(f, "<text x=\"8\" y=\"%d\" fill=\"#666\">%d</text>\n", 55 + 70 * d, d);
     static const struct { const char *what; int kind; } key[] = {
         {"eye ray", RAY_CAMERA}, {"reflection", RAY_REFLECTION}, {"refraction", RAY_REFRACTION},

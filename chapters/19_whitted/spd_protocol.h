@@ -28,7 +28,7 @@
 
 enum { spd_depth = 5 };
 
-typedef struct { trace_counts rays; size_t pixels; } spd_count;
+typedef struct { trace_counts rays; } spd_count;
 
 typedef struct {
     const world *w;
@@ -145,7 +145,7 @@ static inline bool spd_count_scene(const world *w, int edge, int threads, float 
     k.world = (trace_world){&part, 1};
     k.row = allocate((size_t)edge + 1, sizeof *k.row);
     bool whole = parallel_for((size_t)edge + 1, threads, w->name, spd_row, &k);
-    *out = (spd_count){.pixels = (size_t)edge * (size_t)edge};
+    *out = (spd_count){0};
     for (int j = 0; j <= edge; j++) trace_counts_add(&out->rays, &k.row[j]);
     free(k.row);
     world_part_free(&part);

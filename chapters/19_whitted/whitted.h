@@ -36,64 +36,18 @@
 #ifndef WHITTED_H
 #define WHITTED_H
 
-#include "contact.h"
-#include "absorb.h"
-#include "fresnel.h"
+#include "whitted_search.h"
 
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in);
 
-/* How rays are searched for. closest: of a ray of this kind, which began in the body `inside` at
- * shape `from` (no_shape: at the eye). lit: part of light k that arrives along a shadow ray. */
-typedef struct {
-    bool (*closest)(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
-                    trace_hit *x);
-    real (*lit)(tracer *t, ray r, uint32_t from, int k);
-    surface (*surface_of)(const tracer *t, ray r, trace_hit x);
-} whitted_search;
-
-typedef struct {
-    ray r;              /* d is unit */
-    vec3 weight;
-    media_set in;
-    int depth;
-    ray_kind kind;
-    uint32_t from;      /* shape on which it began */
-    int number;         /* of this ray, for the log */
-} whitted_branch;
-
-/* Is told of each ray: ray_tree.h. `t`: of its hit, infinity if none; a shadow ray: of its end, and
- * `lit` of the light arrives. `parent`: number of the ray before it. */
-typedef struct whitted_log whitted_log;
-struct whitted_log {
-    int (*add)(whitted_log *log, ray_kind kind, int parent, int depth, ray r, real t, vec3 weight,
-               real lit);
-};
-
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool whitted_counts(const whitted *w, vec3 weight)
-{
-    return weight.x > w->least || weight.y > w->least || weight.z > w->least;
-}
-
-/* surface_of_shape of 18, for balls without a root: p is on the surface but for rounding, so that
- * (p - c) / R is nearly unit. */
+/* surface_facing of 18 without a branch: which side is seen is anybody's guess. */
 __attribute__((always_inline))
-static inline surface whitted_on_ball(sphere b, uint32_t index, vec3 p)
+static inline void whitted_face(surface *s, vec3 d)
 {
-    vec3 f = vscale(vsub(p, b.c), 1 / b.r), n = unit_again(f);
-    real y = vdot(f, f) - 1;
-    if (!(y * y < real_epsilon / 4) || b.r < 0) return surface_on_sphere(b, index, p);
-    p = vmadd(b.c, n, b.r);
-    return (surface){p, n, n, real_epsilon * (4 * b.r + 2 * surface_reach(p)), 0, index};
-}
-
-static inline surface whitted_surface(const tracer *t, ray r, trace_hit x)
-{
-    const world_part *p = &t->w->part[x.part];
-    const shape *s = p->m ? NULL : &p->s->shapes[x.h.shape];
-    if (!s || s->kind != SHAPE_SPHERE) return surface_of_trace(t, r, x);
-    return whitted_on_ball(s->sphere, x.h.shape, ray_at(r, x.h.t));
+    real side = vdot(s->n, d) > 0 ? -1 : 1;
+    s->n = vscale(s->n, side), s->ns = vscale(s->ns, side);
 }
 
 /* light_reaches of 18; of a sun without the square root that makes its direction unit. */
@@ -113,199 +67,147 @@ static inline vec3 whitted_shade(tracer *t, const whitted *w, const whitted_sear
                                  const whitted_branch *b)
 {
     vec3 colour = vmadd(m->ke, vmul(w->ambient, m->kd), 1);
-    for (int i = 0; i < w->n; i++) {
+    bool shiny = !vzero(m->ks), reflects = shiny || !vzero(m->kd);
+    for (int i = 0; i < w->n && (reflects || w->spend_all); i++) {
         const light *L = &w->lights[i];
         light_sample x;
-        bool counts = material_reflects(m) && whitted_reaches(L, s, &x);
+        bool counts = reflects && whitted_reaches(L, s, &x);
         if (!counts && !w->spend_all) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
         real lit = search->lit(t, r, s->shape, i);
         if (log) log->add(log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
         if (!counts || !(lit > 0)) continue;
         vec3 c = vscale(vmul(x.E, m->kd), 1 / pi);
-        if (!vzero(m->ks)) c = blinn_phong(m, s->ns, x.l, v, x.E);
+        if (shiny) c = blinn_phong(m, s->ns, x.l, v, x.E);
         colour = vmadd(colour, c, lit);
     }
     return colour;
 }
 
-/* What is seen where nothing is hit. Through an endless medium: what it does not absorb. */
-static inline vec3 whitted_nothing(const whitted *w, const whitted_branch *b)
-{
-    vec3 sky = w->sky ? w->sky(w->context, b->r.d) : w->background;
-    if (b->in.n == 0 && vzero(w->media[0].absorb)) return vmul(b->weight, sky);
-    vec3 left = absorbed(w->media[media_fills(w->media, &b->in)].absorb, real_infinity);
-    return vmul(b->weight, vmul(left, sky));
-}
+/* Where a branch ends. */
+typedef struct {
+    surface s;                  /* faces the ray */
+    const whitted_material *m;  /* perhaps `room` */
+    whitted_material room;
+    uint32_t inside, to;        /* bodies that fill the place before and behind */
+    media_set after;            /* of glass: what is refracted is in there */
+    real more;                  /* contact.h */
+} whitted_place;
 
-/* A ray that goes on from s, on the side of `side`, whatever rounding makes of n.d. Field by field:
- * a copy of the whole struct would wait for what was just written to it. */
+/* p->s is there, and turned to the ray here. Which side of a body is asked of the geometric normal,
+ * before it is turned. */
 __attribute__((always_inline))
-static inline void whitted_child(const whitted_branch *b, const surface *s, ray_kind kind,
-                                 vec3 side, vec3 d, vec3 weight, real more, whitted_branch *c)
-{
-    c->r.o = leave_point(*s, side, more), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
-    c->weight = weight, c->in = b->in;
-    c->depth = b->depth + 1, c->kind = kind, c->from = s->shape, c->number = b->number;
-}
-
-static inline bool whitted_follows(const whitted *w, vec3 weight)
-{
-    return whitted_counts(w, weight) || (vzero(weight) && w->spend_all);
-}
-
-/* Children of an opaque surface: a reflection, if it counts. spend_all: a refraction, too, straight
- * on, of weight 0. */
-__attribute__((always_inline))
-static inline int whitted_opaque(const whitted *w, const whitted_branch *b, const surface *s,
-                                 const whitted_material *m, whitted_branch child[2])
-{
-    int n = 0;
-    vec3 weight = vmul(b->weight, m->mirror);
-    if (w->spend_all)
-        whitted_child(b, s, RAY_REFRACTION, vneg(s->n), b->r.d, (vec3){0, 0, 0}, 0, &child[n++]);
-    if (whitted_follows(w, weight))
-        whitted_child(b, s, RAY_REFLECTION, s->n, reflect(b->r.d, s->ns), weight, 0, &child[n++]);
-    return n;
-}
-
-/* Children at an interface from medium n1 to n2. The normals of s face the ray; `after`: where
- * what is refracted will be. more: contact.h. */
-__attribute__((always_inline))
-static inline int whitted_glass(const whitted *w, const whitted_branch *b, const surface *s,
-                                const whitted_material *m, real n1, real n2, const media_set *after,
-                                real more, whitted_branch child[2])
-{
-    snell x;
-    int n = 0;
-    bool bends = snell_of(b->r.d, s->ns, n1, n2, &x);
-    real R = w->fresnel == WHITTED_EXACT ? fresnel(&x) : schlick(&x);
-    vec3 back = vmul(b->weight, vscale(m->mirror, R));
-    vec3 on = vmul(b->weight, vscale(m->through, 1 - R));
-    if (whitted_follows(w, back))
-        whitted_child(b, s, RAY_REFLECTION, s->n, reflect(b->r.d, s->ns), back, more, &child[n++]);
-    if (bends && whitted_follows(w, on)) {
-        vec3 d = snell_refract(&x, b->r.d, s->ns);
-        whitted_child(b, s, RAY_REFRACTION, vneg(s->n), d, on, more, &child[n]);
-        child[n++].in = *after;
-    }
-    return n;
-}
-
-/* What one branch meets: adds what it brings to *sum; its children, the last to be traced first. A
- * face between two places of the same medium is none: the ray goes on, no deeper. */
-__attribute__((always_inline))
-static inline int whitted_step(tracer *t, const whitted_search *search, whitted_branch *b,
-                               vec3 *sum, whitted_branch child[2], whitted_log *log)
+static inline void whitted_arrive(tracer *t, whitted_branch *b, const trace_hit *x,
+                                  whitted_place *p)
 {
     const whitted *w = t->user;
+    p->m = w->material_of(w->context, *x, &p->s, &p->room);
+    p->more = 0;
+    if (p->m->body) {
+        media_crossing c = {0};
+        media_crossing_add(&c, p->m->body, vdot(p->s.n, b->r.d) < 0 ? 1 : -1);
+        if (!w->apart) p->more = contact_find(t, b->r, *x, &p->s, &p->m, &p->room, &c);
+        if (p->m->body) {
+            b->in = media_before(b->in, &c), p->after = media_after(b->in, &c);
+            p->to = media_fills(w->media, &p->after);
+        }
+    }
+    p->inside = media_fills(w->media, &b->in);
+    if (!vzero(w->media[p->inside].absorb))                                             /* (19.9) */
+        b->weight = vmul(b->weight, absorbed(w->media[p->inside].absorb, x->h.t));
+    whitted_face(&p->s, b->r.d);
+}
+
+/* A face between two places of the same medium is none: the ray goes on, no deeper. */
+static inline bool whitted_passes(const whitted_place *p)
+{
+    return p->m->body && p->to == p->inside;
+}
+
+/* Is there anything for lights to do? */
+static inline bool whitted_is_lit(const whitted *w, const whitted_place *p)
+{
+    const material *m = &p->m->base;
+    if (whitted_passes(p)) return false;
+    return material_reflects(m) || !vzero(m->ke) || (w->spend_all && !p->m->body);
+}
+
+/* What follows: 0 to 2 children; the last is traced first. */
+__attribute__((always_inline))
+static inline int whitted_follow(const whitted *w, const whitted_branch *b, const whitted_place *p,
+                                 whitted_branch child[2])
+{
+    if (whitted_passes(p)) {
+        whitted_child(b, &p->s, b->kind, vneg(p->s.n), b->r.d, b->weight, p->more, child);
+        child->in = p->after, child->depth--;
+        return whitted_follows(w, child->weight);
+    }
+    if (b->depth >= w->depth || b->depth >= whitted_most_depth) return 0;
+    if (!p->m->body) return whitted_opaque(w, b, &p->s, p->m, child);
+    return whitted_glass(w, b, &p->s, p->m, w->media[p->inside].ior, w->media[p->to].ior,
+                         &p->after, p->more, child);
+}
+
+/* One branch: what it brings, into *colour, and its children. */
+__attribute__((always_inline))
+static inline int whitted_step(tracer *t, const whitted_search *search, whitted_branch *b,
+                               vec3 *colour, whitted_branch child[2], whitted_log *log)
+{
+    const whitted *w = t->user;
+    whitted_place p;
     trace_hit x;
-    whitted_material room;
-    uint32_t inside = media_fills(w->media, &b->in);
-    bool met = search->closest(t, b->kind, b->r, inside, b->from, &x);
+    bool met = search->closest(t, b->kind, b->r, b->from, &x);
     if (log) b->number = log->add(log, b->kind, b->number, b->depth, b->r,
                                   met ? x.h.t : real_infinity, b->weight, 0);
-    if (!met) {
-        *sum = vadd(*sum, whitted_nothing(w, b));
-        return 0;
-    }
-    surface s = search->surface_of(t, b->r, x);
-    const whitted_material *m = w->material_of(w->context, x, &s, &room);
-    media_crossing c = {0};
-    real more = 0;
-    if (m->body) {  /* which side is asked of the geometric normal, before it is turned */
-        media_crossing_add(&c, m->body, vdot(s.n, b->r.d) < 0 ? 1 : -1);
-        if (!w->apart) more = contact_find(t, b->r, x, &s, &m, &room, &c);
-        if (m->body) b->in = media_before(b->in, &c), inside = media_fills(w->media, &b->in);
-    }
-    if (!vzero(w->media[inside].absorb))                                                /* (19.9) */
-        b->weight = vmul(b->weight, absorbed(w->media[inside].absorb, x.h.t));
-    s = surface_facing(s, b->r.d);
-    bool deeper = b->depth < w->depth;
-    if (m->body) {
-        media_set after = media_after(b->in, &c);
-        uint32_t to = media_fills(w->media, &after);
-        if (to == inside) {
-            whitted_child(b, &s, b->kind, vneg(s.n), b->r.d, b->weight, more, child);
-            child->in = after, child->depth--;
-            return whitted_follows(w, child->weight);
-        }
-        if (material_reflects(&m->base) || !vzero(m->base.ke))
-            *sum = vadd(*sum, vmul(b->weight, whitted_shade(t, w, search, &s, &m->base,
-                                                            vneg(b->r.d), log, b)));
-        return deeper ? whitted_glass(w, b, &s, m, w->media[inside].ior, w->media[to].ior, &after,
-                                      more, child) : 0;
-    }
-    *sum = vadd(*sum, vmul(b->weight, whitted_shade(t, w, search, &s, &m->base, vneg(b->r.d), log,
-                                                    b)));
-    return deeper ? whitted_opaque(w, b, &s, m, child) : 0;
+    *colour = met ? (vec3){0, 0, 0} : whitted_nothing(w, b);
+    if (!met) return 0;
+    search->surface_of(t, &b->r, &x, &p.s);
+    whitted_arrive(t, b, &x, &p);
+    if (whitted_is_lit(w, &p))
+        *colour = vmul(b->weight, whitted_shade(t, w, search, &p.s, &p.m->base, vneg(b->r.d), log,
+                                                b));
+    return whitted_follow(w, b, &p, child);
 }
 
 /* ray_unit of 01, without its second root where there is no interval to scale. */
+__attribute__((always_inline))
 static inline ray whitted_unit(ray r)
 {
-    if (r.tmin == 0 && r.tmax == real_infinity) return (ray){r.o, 0, vunit(r.d), r.tmax};
-    return ray_unit(r);
+    real dd = vdot(r.d, r.d);
+    if (r.tmin != 0 || r.tmax != real_infinity || !square_is_safe(dd)) return ray_unit(r);
+    return (ray){r.o, 0, vscale(r.d, 1 / sqrt(dd)), r.tmax};
 }
 
+__attribute__((always_inline))
+static inline void whitted_eye(ray r, const media_set *in, uint32_t from, whitted_branch *b)
+{
+    b->r = whitted_unit(r), b->weight = (vec3){1, 1, 1}, b->in = *in;
+    b->depth = 1, b->kind = RAY_CAMERA, b->from = from, b->number = -1;
+}
+
+/* Summed level by level: so whoever traces a level after the other gets the same, to the last bit.
+ * A face that is none makes no new level. */
 __attribute__((always_inline))
 static inline vec3 whitted_walk(tracer *t, ray r, media_set in, uint32_t from,
                                 const whitted_search *search, whitted_log *log)
 {
     whitted_branch stack[whitted_most_depth + 2], slot[2][2], *b = &slot[0][0];
-    int top = 0, other = 1;
-    vec3 sum = {0, 0, 0};
-    *b = (whitted_branch){whitted_unit(r), {1, 1, 1}, in, 1, RAY_CAMERA, from, -1};
+    vec3 level[whitted_most_depth + 1], c;
+    int top = 0, other = 1, levels = 0;
+    whitted_eye(r, &in, from, b);
     for (;;) {
-        int n = whitted_step(t, search, b, &sum, slot[other], log);
+        int n = whitted_step(t, search, b, &c, slot[other], log);
+        if (b->depth > levels) level[levels++] = c;
+        else level[b->depth - 1] = vadd(level[b->depth - 1], c);
         if (n == 2) stack[top++] = slot[other][0];
-        if (n + top == 0) return sum;
+        if (n + top == 0) break;
         b = n ? &slot[other][n - 1] : &stack[--top];
         other ^= n > 0;
     }
+    c = level[0];
+    for (int k = 1; k < levels; k++) c = vadd(c, level[k]);
+    return c;
 }
-
-/* ---- the search of 18 ------------------------------------------------------------------------ */
-
-static inline void whitted_remember(tracer *t, ray r, trace_hit x, void *payload)
-{
-    (void)t, (void)r;
-    *(trace_hit *)payload = x;
-}
-
-/* Glass dims the light, and does not bend it: a shadow ray has no other way to go. */
-static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, void *payload)
-{
-    const whitted *w = t->user;
-    whitted_material room;
-    surface s = surface_of_trace(t, r, x);
-    *(real *)payload *= w->material_of(w->context, x, &s, &room)->shadow;
-    return *(real *)payload > 0 ? ANY_HIT_IGNORE : ANY_HIT_END;
-}
-
-static const ray_program whitted_programs[ray_kinds] = {
-    [RAY_CAMERA] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
-    [RAY_SHADOW] = {MASK_SHADOW, true, whitted_dims, NULL, NULL},
-    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
-    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
-    [RAY_SIGHT] = {MASK_SEEN, false, contact_any, NULL, NULL},
-};
-
-static inline bool whitted_closest(tracer *t, ray_kind kind, ray r, uint32_t inside, uint32_t from,
-                                   trace_hit *x)
-{
-    (void)inside, (void)from;
-    return trace(t, kind, r, x);
-}
-
-static inline real whitted_lit(tracer *t, ray r, uint32_t from, int k)
-{
-    real lit = 1;
-    (void)from, (void)k;
-    return trace(t, RAY_SHADOW, r, &lit) ? 0 : lit;
-}
-
-static const whitted_search whitted_by_trace = {whitted_closest, whitted_lit, whitted_surface};
 
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in)
 {

@@ -7,7 +7,7 @@
  *         ___  \               one sample:  I V cos(theta) cos(theta') / |q - p|^2,  I = L A (21.2)
  *       occluder\              V: 1 if one shadow ray gets through, or 0
  *     n|    ######\
- *   ---p--------- umbra, then penumbra (半影), then all of the light
+ *   ---p--------- umbra (本影), then penumbra (半影), then all of the light
  *
  * A light is given by its intensity I [W/sr] straight ahead, not by its radiance L: if it shrinks
  * and I stays, (21.2) does, and a light of no size is a point light. There is no other code for it:

@@ -2,8 +2,8 @@
  *
  * Whitted's pixel asks one question: one ray through its middle, one to the middle of the light,
  * one in the mirror direction. Each is the middle of an integral: over the pixel, the lens, the
- * light, the lobe, the sky. A pixel needs several rays anyway, for its edges: let sample k of n take
- * the k-th point of *each* of these domains, and all are integrated by the same n rays.    (21.11)
+ * light, the lobe, the sky. A pixel needs several rays anyway, for its edges: let sample k of n
+ * take the k-th point of *each* of these domains: the same n rays integrate them all.      (21.11)
  *
  *   pair of random numbers      a hit          decides on            and is drawn
  *   0   PAIR_FILM               1              where in the pixel    always

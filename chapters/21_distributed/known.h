@@ -74,8 +74,10 @@ static inline double known_segment(double h)
     return (acos(h) - h * sqrt((1 - h) * (1 + h))) / (double)pi;
 }
 
-/* So far away that what lies beyond it is at most 1e-6 of a hemisphere. */
-enum { known_far = 1000000 };
+/* Where a sheet without end ends: so far away that what lies beyond is at most 2 / known_far of a
+ * hemisphere, and not so far that a hit on a polygon, right to 32 epsilon of its size (07), might
+ * lie behind a point at distance 1. */
+enum { known_far = sizeof(real) == sizeof(float) ? 4096 : 1000000 };
 
 /* From an edge at -+ a to the far edge, at + b. */
 static inline shape known_sheet(known *k, int i, vec3 at, vec3 a, vec3 b)

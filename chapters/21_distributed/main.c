@@ -1,8 +1,8 @@
 /* 21_distributed: what Whitted's way cannot do: soft shadows, gloss, open skies, lenses.
 cc -std=c11 -O2 -ffp-contract=off -o 21_distributed chapters/21_distributed/main.c -lm -lpthread
  *
- * Without options: a studio with all effects and with none, the two failures and their mends, a row
- * of panels an effect; the error of pictures against time; closed forms; rays spent. */
+ * Without options: a showroom with all effects and with none, the two failures and their mends, a
+ * row of panels an effect; the error of pictures against time; closed forms; rays spent. */
 #include "../../common/output.h"
 #include "measure.h"
 
@@ -27,7 +27,7 @@ int main(int argc, char **argv)
     }
     if (o.quick && o.samples == 16) o.samples = 2;
     if (o.quick && o.width == 512 && o.height == 288) o.width = 160, o.height = 90;
-    draw_studio(&o, chosen, all);
+    draw_showroom(&o, chosen, all);
     if (o.out) return 0;
     draw_whitted(&o), draw_teapot(&o), draw_box(&o), draw_effects(&o);
     table_of_pictures(&o);

@@ -18,29 +18,41 @@ static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, S
 /* ---- pictures -------------------------------------------------------------------------------- */
 
 typedef struct {
-    studio *g;
+    showroom *g;
     image im, reference;
     double error[5][measure_methods][measure_levels], seconds[5][measure_methods];
 } picture_study;
 
 typedef struct { distributed_view v; image im; } picture_run;
 
+/* Ctrl-C: half a picture must not be measured. */
+static inline void measure_unless(bool stopped)
+{
+    failure f;
+    if (stopped) failed(&f, 130, "stopped"), fail(f);
+}
+
+static inline void measure_draw(distributed_view *v, image *im, int threads)
+{
+    measure_unless(!distributed_draw(v, im, threads));
+}
+
 /* On one thread. */
 static inline double picture_seconds(void *context)
 {
     picture_run *r = context;
-    (void)distributed_draw(&r->v, &r->im, 1);
+    measure_draw(&r->v, &r->im, 1);
     return (double)r->im.rgb[0];
 }
 
 /* Time of 16 samples a pixel; it is proportional to their number. */
 static inline void picture_time(const options *o, picture_study *p, int effect, real aspect)
 {
-    studio_look k;
+    showroom_look k;
     picture_run run[measure_methods];
     clock_variant variant[measure_methods];
     for (int m = 0; m < measure_methods; m++) {
-        run[m] = (picture_run){studio_effect_view(&k, p->g, effect, true, aspect), p->im};
+        run[m] = (picture_run){showroom_effect_view(&k, p->g, effect, true, aspect), p->im};
         run[m].v.kind = measure_method[m], run[m].v.samples = 16;
         variant[m] = (clock_variant){sequence_name[run[m].v.kind], picture_seconds, &run[m], 0};
     }
@@ -48,7 +60,7 @@ static inline void picture_time(const options *o, picture_study *p, int effect, 
     for (int m = 0; m < measure_methods; m++) p->seconds[effect][m] = variant[m].seconds / 16;
 }
 
-/* As a screen shows it: white is white. Else a few reflections of lamps would be all of the error. */
+/* As a screen shows it: white is white. Else a few reflections of lamps would be all the error. */
 static inline void picture_clip(image *im)
 {
     for (size_t i = 0; i < 3 * (size_t)im->width * (size_t)im->height; i++)
@@ -60,14 +72,14 @@ static inline void picture_clip(image *im)
 static inline void picture_errors(const options *o, picture_study *p, int effect)
 {
     real aspect = (real)p->im.width / (real)p->im.height;
-    studio_look k;
-    distributed_view v = studio_effect_view(&k, p->g, effect, true, aspect);
+    showroom_look k;
+    distributed_view v = showroom_effect_view(&k, p->g, effect, true, aspect);
     v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
-    (void)distributed_draw(&v, &p->reference, o->threads), picture_clip(&p->reference);
+    measure_draw(&v, &p->reference, o->threads), picture_clip(&p->reference);
     for (int m = 0; m < measure_methods; m++)
         for (int l = 0; l < measure_levels - o->quick; l++) {
             v.kind = measure_method[m], v.seed = o->seed, v.samples = (uint32_t)1 << 2 * l;
-            (void)distributed_draw(&v, &p->im, o->threads), picture_clip(&p->im);
+            measure_draw(&v, &p->im, o->threads), picture_clip(&p->im);
             p->error[effect][m][l] = image_compare(&p->im, &p->reference).rmse;
         }
     picture_time(o, p, effect, aspect);
@@ -84,7 +96,7 @@ static inline double picture_slope(const double *error, int levels)
 static inline void table_of_pictures(const options *o)
 {
     int levels = measure_levels - o->quick, w = o->quick ? 12 : 20, h = w * 3 / 4;
-    picture_study p = {.g = studio_new(o->quick ? 4 : 8), .im = image_new(w, h),
+    picture_study p = {.g = showroom_new(o->quick ? 4 : 8), .im = image_new(w, h),
                        .reference = image_new(w, h)};
     table t = table_new("Error of a picture against a converged one; time of 64 samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|"
@@ -97,11 +109,11 @@ static inline void table_of_pictures(const options *o)
         picture_errors(o, &p, e);
         for (int m = 0; m < measure_methods; m++) {
             char name[64];
-            snprintf(name, sizeof name, "%s, %s", studio_effect[e].name,
+            snprintf(name, sizeof name, "%s, %s", showroom_effect[e].name,
                      sequence_name[measure_method[m]]);
             int in_time = e == 0 || e == 4 ? plot_series(&time, name) : -1;
             int in_n = e == 0 || e == 3 ? plot_series(&n, name) : -1;
-            table_text(&t, "%s", studio_effect[e].name);
+            table_text(&t, "%s", showroom_effect[e].name);
             table_text(&t, "%s", sequence_name[measure_method[m]]);
             for (int l = 0; l < measure_levels; l++) {
                 double error = p.error[e][m][l], N = 1 << 2 * l;
@@ -122,7 +134,7 @@ static inline void table_of_pictures(const options *o)
     output_table(o, &t);
     output_plot(o, &n, "21_distributed_pictures.svg");
     output_plot(o, &time, "21_distributed_time.svg");
-    image_free(&p.im), image_free(&p.reference), studio_free(p.g);
+    image_free(&p.im), image_free(&p.reference), showroom_free(p.g);
 }
 
 /* ---- closed forms ---------------------------------------------------------------------------- */
@@ -153,7 +165,7 @@ static inline void known_job(size_t i, void *context)
 
 /* All that is no chance: sheets that end somewhere, glossy_above to 1e-7, and in float the sum of
  * a thousand weights. */
-static inline double known_rounding(void) { return 2e-6 + 4 * (double)real_epsilon; }
+static inline double known_rounding(void) { return 2.0 / known_far + 4 * (double)real_epsilon; }
 
 /* NaN where the points are exact: from some N on there is no error. */
 static inline double known_slope(const known_study *s, int kind, int method)
@@ -190,8 +202,8 @@ static inline void table_of_known(const options *o)
     known_study *s = allocate(1, sizeof *s);
     s->seed = o->seed, s->runs = o->quick ? 8 : 64;
     for (int i = 0; i < known_kinds; i++) known_make((known_kind)i, &s->k[i]);
-    parallel_for(known_kinds * measure_methods * measure_levels, o->threads, "closed forms",
-                 known_job, s);
+    measure_unless(!parallel_for(known_kinds * measure_methods * measure_levels, o->threads,
+                                 "closed forms", known_job, s));
     table t = table_new("Questions with known answers: means, standard errors, t-tests, slopes",
                         "question|answer|random|+-|Sobol'|+-|p random|p jittered|"
                         "p Sobol'|slope random|jittered|Sobol'");
@@ -217,18 +229,18 @@ static inline void table_of_known(const options *o)
 
 /* ---- what is called for ---------------------------------------------------------------------- */
 
-static inline void rays_row(const options *o, table *t, const studio *g, int effects,
+static inline void rays_row(const options *o, table *t, const showroom *g, int effects,
                             const char *name)
 {
     enum { w = 96, h = 54 };
     image a = image_new(w, h), b = image_new(w, h);
     for (int all = 0; all < 2; all++) {
-        studio_look k;
-        studio_set(&k, g, effects);
+        showroom_look k;
+        showroom_set(&k, g, effects);
         k.how.spend_all = all;
-        distributed_view v = studio_view(&k, STUDIO_ALL, (real)w / h);
+        distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)w / h);
         v.samples = 4;
-        (void)distributed_draw(&v, all ? &b : &a, o->threads);
+        measure_draw(&v, all ? &b : &a, o->threads);
         table_text(t, "%s%s", name, all ? ", all the same" : "");
         const size_t *n = v.spent.rays.rays, *d = v.spent.drawn;
         table_count(t, n[RAY_CAMERA]), table_count(t, n[RAY_SHADOW]);
@@ -245,7 +257,7 @@ static inline void rays_row(const options *o, table *t, const studio *g, int eff
 
 static inline void table_of_rays(const options *o)
 {
-    studio *g = studio_new(o->quick ? 4 : 8);
+    showroom *g = showroom_new(o->quick ? 4 : 8);
     table t = table_new("Rays and pairs of random numbers, 96 x 54 pixels, 4 samples each",
                         "effects|camera|shadow|reflection|sky|lens numbers|light|sky|lobe|"
                         "pictures differ [pixels]");
@@ -253,7 +265,7 @@ static inline void table_of_rays(const options *o)
     rays_row(o, &t, g, EFFECT_GLOSSY, "gloss"), rays_row(o, &t, g, EFFECT_SKY, "occlusion");
     rays_row(o, &t, g, EFFECT_LENS, "lens"), rays_row(o, &t, g, EFFECT_ALL, "all");
     output_extra_table(o, &t);
-    studio_free(g);
+    showroom_free(g);
 }
 
 /* ---- lobes ----------------------------------------------------------------------------------- */

@@ -1,17 +1,17 @@
 /* pictures.h: what Whitted cannot do, and what n rays a pixel make of it.
  *
- *   draw_studio(&o, effects, spend_all)    the main picture
+ *   draw_showroom(&o, effects, spend_all)    the main picture
  *   draw_whitted(&o)                       the same, without any extent
  *   draw_teapot(&o)                        as a mirror, as a highlight, glossy, glossier
  *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
- *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1, 16 and 64 a pixel
+ *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1 and 32 a pixel
  */
 #ifndef DISTRIBUTED_PICTURES_H
 #define DISTRIBUTED_PICTURES_H
 
 #include "../../common/output.h"
 #include "box.h"
-#include "studio.h"
+#include "showroom.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -43,40 +43,40 @@ static inline void pictures_print(const distributed_view *v, double seconds)
            n[RAY_SHADOW], n[RAY_REFLECTION], n[RAY_SIGHT], seconds);
 }
 
-static inline void draw_studio(const options *o, int effects, bool spend_all)
+static inline void draw_showroom(const options *o, int effects, bool spend_all)
 {
-    studio *g = studio_new(pictures_cells(o));
-    studio_look k;
-    studio_set(&k, g, effects);
+    showroom *g = showroom_new(pictures_cells(o));
+    showroom_look k;
+    showroom_set(&k, g, effects);
     k.how.spend_all = spend_all;
-    distributed_view v = studio_view(&k, STUDIO_ALL, (real)o->width / (real)o->height);
+    distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)o->width / (real)o->height);
     image im = image_new(o->width, o->height);
     v.samples = (uint32_t)o->samples, v.seed = o->seed;
     double start = clock_seconds();
     bool whole = distributed_draw(&v, &im, o->threads);
     pictures_print(&v, clock_seconds() - start);
     output_picture(o, &im, "21_distributed.png", true, whole);
-    image_free(&im), studio_free(g);
+    image_free(&im), showroom_free(g);
 }
 
 static inline void draw_whitted(const options *o)
 {
-    studio *g = studio_new(pictures_cells(o));
-    studio_look k;
-    studio_set(&k, g, 0);
+    showroom *g = showroom_new(pictures_cells(o));
+    showroom_look k;
+    showroom_set(&k, g, 0);
     image im = image_new(o->width, o->height);
-    distributed_view v = studio_view(&k, STUDIO_ALL, (real)o->width / (real)o->height);
+    distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)o->width / (real)o->height);
     v.samples = o->quick ? 1 : 4, v.seed = o->seed;
     bool whole = distributed_draw(&v, &im, o->threads);
     output_picture(o, &im, "21_distributed_whitted.png", false, whole);
-    image_free(&im), studio_free(g);
+    image_free(&im), showroom_free(g);
 }
 
 /* ---- the notes' two failures ---- */
 
 /* Blinn-Phong (18) under the same lights, as points: a highlight is all that it reflects. */
 typedef struct {
-    const studio_look *k;
+    const showroom_look *k;
     camera c;
     image *im;
     light lights[2];
@@ -96,12 +96,12 @@ static inline void highlight_pixel(int x, int y, void *context)
     image_set(p->im, x, y, vscale(sum, (real)0.25));
 }
 
-static inline bool draw_highlight(const studio_look *k, camera c, image *im, int threads)
+static inline bool draw_highlight(const showroom_look *k, camera c, image *im, int threads)
 {
     highlight_view p = {k, c, im, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}}, {.lights = NULL}};
     for (int i = 0; i < 2; i++)
         p.lights[i] = (light){LIGHT_POINT, k->light[i].at, k->light[i].colour};
-    p.how = (shading){.lights = p.lights, .n = 2, .material_of = studio_material, .context = k,
+    p.how = (shading){.lights = p.lights, .n = 2, .material_of = showroom_material, .context = k,
                       .background = k->how.background, .ambient = k->how.ambient};
     return parallel_pixels(im->width, im->height, threads, "drawing", highlight_pixel, &p);
 }
@@ -110,25 +110,25 @@ static inline void draw_teapot(const options *o)
 {
     static const int shine[4] = {0, 0, 600, 40};
     int w = o->quick ? 80 : 232, h = w * 9 / 16;
-    studio *g = studio_new(pictures_cells(o));
+    showroom *g = showroom_new(pictures_cells(o));
     image sheet = pictures_sheet(2, 2, w, h), one = image_new(w, h);
     bool whole = true;
     for (int i = 0; i < 4 && whole; i++) {
-        studio_look k;
-        studio_set(&k, g, (i == 1 ? 0 : EFFECT_SOFT) | (i == 0 ? 0 : EFFECT_GLOSSY));
+        showroom_look k;
+        showroom_set(&k, g, (i == 1 ? 0 : EFFECT_SOFT) | (i == 0 ? 0 : EFFECT_GLOSSY));
         if (i > 1) k.pot_shine = (real)shine[i];
-        distributed_view v = studio_view(&k, STUDIO_GLOSSY, (real)w / (real)h);
-        v.samples = o->quick ? 2 : i > 2 ? 32 : i ? 16 : 4, v.seed = o->seed;
+        distributed_view v = showroom_view(&k, SHOWROOM_GLOSSY, (real)w / (real)h);
+        v.samples = o->quick ? 2 : i > 2 ? 32 : i ? 16 : 8, v.seed = o->seed;
         if (i == 1) {
             whole = draw_highlight(&k, v.c, &one, o->threads);
             image_place(&sheet, w + pictures_gap, 0, &one);
         } else whole = pictures_panel(&sheet, i % 2, i / 2, &one, &v, o->threads);
     }
     output_picture(o, &sheet, "21_distributed_teapot.png", false, whole);
-    image_free(&sheet), image_free(&one), studio_free(g);
+    image_free(&sheet), image_free(&one), showroom_free(g);
 }
 
-/* Exposed twice as long as the studio. */
+/* Exposed twice as long as the showroom. */
 static inline void draw_box(const options *o)
 {
     static const real reach[4] = {0, 0, 0, 250};
@@ -155,41 +155,41 @@ static inline void draw_box(const options *o)
 
 /* What each row compares: the shot, what is on anyway, what is added. The sky's row is without
  * lamps. */
-static const struct { studio_shot shot; int before, after; bool dark; const char *name; }
-    studio_effect[5] = {
-        {STUDIO_SOFT, 0, EFFECT_SOFT, false, "soft shadow"},
-        {STUDIO_GLOSSY, EFFECT_SOFT, EFFECT_SOFT | EFFECT_GLOSSY, false, "gloss"},
-        {STUDIO_SKY, 0, EFFECT_SKY, true, "occlusion"},
-        {STUDIO_LENS, 0, EFFECT_LENS, false, "lens"},
-        {STUDIO_ALL, 0, EFFECT_ALL, false, "all"}};
+static const struct { showroom_shot shot; int before, after; bool dark; const char *name; }
+    showroom_effect[5] = {
+        {SHOWROOM_SOFT, 0, EFFECT_SOFT, false, "soft shadow"},
+        {SHOWROOM_GLOSSY, EFFECT_SOFT, EFFECT_SOFT | EFFECT_GLOSSY, false, "gloss"},
+        {SHOWROOM_SKY, 0, EFFECT_SKY, true, "occlusion"},
+        {SHOWROOM_LENS, 0, EFFECT_LENS, false, "lens"},
+        {SHOWROOM_ALL, 0, EFFECT_ALL, false, "all"}};
 
-static inline distributed_view studio_effect_view(studio_look *k, const studio *g, int effect,
+static inline distributed_view showroom_effect_view(showroom_look *k, const showroom *g, int effect,
                                                   bool after, real aspect)
 {
-    studio_set(k, g, after ? studio_effect[effect].after : studio_effect[effect].before);
-    if (studio_effect[effect].dark) {  /* and twice the sky */
+    showroom_set(k, g, after ? showroom_effect[effect].after : showroom_effect[effect].before);
+    if (showroom_effect[effect].dark) {  /* and twice the sky */
         k->how.n = 0;
         k->how.ambient = k->how.background = vscale(k->how.ambient, 2);
     }
-    return studio_view(k, studio_effect[effect].shot, aspect);
+    return showroom_view(k, showroom_effect[effect].shot, aspect);
 }
 
 static inline void draw_effects(const options *o)
 {
-    static const uint32_t samples[5] = {4, 16, 1, 16, 64};
-    int w = o->quick ? 32 : 100, h = w * 3 / 4;
-    studio *g = studio_new(pictures_cells(o));
-    image sheet = pictures_sheet(5, 4, w, h), one = image_new(w, h);
+    static const uint32_t samples[4] = {4, 16, 1, 32};
+    int w = o->quick ? 32 : 140, h = w * 3 / 4;
+    showroom *g = showroom_new(pictures_cells(o));
+    image sheet = pictures_sheet(4, 4, w, h), one = image_new(w, h);
     bool whole = true;
-    for (int i = 0; i < 20 && whole; i++) {
-        studio_look k;
-        distributed_view v = studio_effect_view(&k, g, i / 5, i % 5 > 0, (real)w / (real)h);
-        v.samples = o->quick ? 1 + samples[i % 5] / 16 : samples[i % 5];
-        v.same = i % 5 == 1, v.seed = o->seed;
-        whole = pictures_panel(&sheet, i % 5, i / 5, &one, &v, o->threads);
+    for (int i = 0; i < 16 && whole; i++) {
+        showroom_look k;
+        distributed_view v = showroom_effect_view(&k, g, i / 4, i % 4 > 0, (real)w / (real)h);
+        v.samples = o->quick ? 1 + samples[i % 4] / 16 : samples[i % 4];
+        v.same = i % 4 == 1, v.seed = o->seed;
+        whole = pictures_panel(&sheet, i % 4, i / 4, &one, &v, o->threads);
     }
     output_picture(o, &sheet, "21_distributed_effects.png", false, whole);
-    image_free(&sheet), image_free(&one), studio_free(g);
+    image_free(&sheet), image_free(&one), showroom_free(g);
 }
 
 #endif

@@ -10,7 +10,7 @@
  *   a c so that a b c'  x = rectangle_at(q, y), y.x along s, y.y along t; pdf = 1 / r.omega
  *   has the share u of
  *   the solid angle;    variant                            cannot do
- *   x between b and c'  spherical_rectangle_sample_urena   small ones: a difference of angles of pi
+ *   x between b and c'  spherical_rectangle_sample_urena   small ones: a difference of sines
  *   by v                spherical_rectangle_sample_halves  neighbours: two triangles, one step in u
  *
  * A rectangle is sampled by the map of Ureña et al., whose neighbours stay neighbours, unless its
@@ -34,8 +34,8 @@
 /* Unit directions from p to the corners, their distances, a.(b x c) of the unit ones. Its corner
  * `first` is a: usually 0; where p is close to an edge, the corner opposite of that edge. */
 typedef struct { vec3 a, b, c; real la, lb, lc, volume, omega; int first; } spherical_triangle;
-/* Names as in the paper: sides along x and y, plane z = z0; S as Ureña's formula has it. */
-typedef struct { real x0, x1, y0, y1, z0, b0, b1, k, S; } urena_map;
+/* Names as in the paper: sides along x and y, plane z = z0, here its distance; c0^2 = 1 - b0^2. */
+typedef struct { real x0, x1, y0, y1, z, b0, c0, f0, cos_k, sin_k; } urena_map;
 typedef struct { spherical_triangle half[2]; urena_map map; real omega; } spherical_rectangle;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -109,23 +109,31 @@ static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u
 
 /* ---- rectangle ---- */
 
-static inline real urena_angle(vec3 n, vec3 m) { return acos(real_clamp(-vdot(n, m), -1, 1)); }
+/* Length of (a, z); small ones would vanish when squared. */
+static inline real urena_length(real a, real z)
+{
+    real square = a * a + z * z;
+    return square > real_smallest / real_epsilon ? sqrt(square) : hypot(a, z);
+}
 
+/* The planes through p and the sides y0, y1, x0 have unit normals whose z are b0, b1, n; those of
+ * y1 and x0 meet at the angle g2, of x0 and y0 at g3, in lines from p to corners r1, r0 away:
+ *     cos g2 = -b1 n, sin g2 = z r1 / (l2 l3);   cos g3 = -n b0, sin g3 = z r0 / (l0 l3);
+ * of k = 2 pi - g2 - g3 the cosine and sine are enough. With h = b1 sin g3 + b0 sin g2 nothing has
+ * to cancel: sin k = n h, f0 = cos k b0 - b1 = -sin g3 h.                                (22.25) */
 static inline urena_map urena_map_of(rectangle r, vec3 p)
 {
     real s = vlength(r.s), t = vlength(r.t);
-    vec3 x = vscale(r.s, 1 / s), y = vscale(r.t, 1 / t), d = vsub(r.o, p), z = vcross(x, y);
-    if (vdot(d, z) > 0) z = vneg(z);
-    urena_map m = {.x0 = vdot(d, x), .y0 = vdot(d, y), .z0 = vdot(d, z)};
-    m.x1 = m.x0 + s, m.y1 = m.y0 + t;
-    vec3 v00 = {m.x0, m.y0, m.z0}, v01 = {m.x0, m.y1, m.z0};
-    vec3 v10 = {m.x1, m.y0, m.z0}, v11 = {m.x1, m.y1, m.z0};
-    vec3 n0 = vunit(vcross(v00, v10)), n1 = vunit(vcross(v10, v11));
-    vec3 n2 = vunit(vcross(v11, v01)), n3 = vunit(vcross(v01, v00));
-    m.b0 = n0.z, m.b1 = n2.z;
-    m.k = 2 * pi - urena_angle(n2, n3) - urena_angle(n3, n0);
-    m.S = urena_angle(n0, n1) + urena_angle(n1, n2) - m.k;
-    return m;
+    vec3 x = vscale(r.s, 1 / s), y = vscale(r.t, 1 / t), d = vsub(r.o, p);
+    real x0 = vdot(d, x), y0 = vdot(d, y), y1 = y0 + t, z = fabs(vdot(d, vcross(x, y)));
+    real l0 = urena_length(y0, z), l2 = urena_length(y1, z), l3 = urena_length(x0, z);
+    real r0 = sqrt(x0 * x0 + y0 * y0 + z * z), r1 = sqrt(x0 * x0 + y1 * y1 + z * z);
+    real b0 = -y0 / l0, c0 = z / l0, b1 = y1 / l2, n = -x0 / l3;
+    real sin2 = z / l2 * (r1 / l3), sin3 = c0 * (r0 / l3), h = c0 / l2 / l3;
+    if (y0 < 0 && y1 > 0) h *= y1 * r0 - y0 * r1;
+    else h *= l3 * (l3 * (y1 - y0) * (y1 + y0) / (y1 * r0 + y0 * r1));
+    return (urena_map){x0, x0 + s, y0, y1, z, b0, c0, -sin3 * h, b0 * b1 * n * n - sin2 * sin3,
+                       n * h};
 }
 
 static inline spherical_rectangle spherical_rectangle_of(rectangle r, vec3 p)
@@ -142,15 +150,20 @@ static inline spherical_rectangle spherical_rectangle_of(rectangle r, vec3 p)
     return k;
 }
 
-/* A rectangle of 1e-5 in float: S and k are sums of angles of some pi, and S is noise. */
+/* The part u of the solid angle lies between x0 and xu:
+ *     a = k + u omega,  f = cos a b0 - b1,  xu = z sin a sign(f) / sqrt(f^2 - (c0 sin a)^2) (22.26)
+ * cos a and sin a as those of k, and small changes. A rectangle of 1e-5 in float: h1 - h0 below is
+ * noise. */
 static inline vec3 spherical_rectangle_sample_urena(const spherical_rectangle *r, real u, real v)
 {
     const urena_map *m = &r->map;
-    real au = u * m->S + m->k, fu = (cos(au) * m->b0 - m->b1) / sin(au);
-    real cu = real_clamp((fu > 0 ? 1 : -1) / sqrt(fu * fu + m->b0 * m->b0), -1, 1);
-    real xu = -(cu * m->z0) / sqrt(real_max((1 - cu) * (1 + cu), real_smallest));
-    xu = real_clamp(xu, m->x0, m->x1);
-    real dd = xu * xu + m->z0 * m->z0;
+    real half = sin(u * r->omega / 2), sine = 2 * half * cos(u * r->omega / 2);
+    real less = 2 * half * half;  /* 1 - cosine */
+    real sin_a = m->sin_k + (m->cos_k * sine - m->sin_k * less);
+    real f = m->f0 - m->b0 * (m->cos_k * less + m->sin_k * sine), g = m->c0 * sin_a;
+    real root = sqrt(real_max((f - g) * (f + g), real_smallest));
+    real xu = real_clamp((f > 0 ? m->z : -m->z) * sin_a / root, m->x0, m->x1);
+    real dd = xu * xu + m->z * m->z;
     real h0 = m->y0 / sqrt(dd + m->y0 * m->y0), h1 = m->y1 / sqrt(dd + m->y1 * m->y1);
     real h = h0 + v * (h1 - h0), yu = h * sqrt(dd / real_max((1 - h) * (1 + h), real_smallest));
     return (vec3){(xu - m->x0) / (m->x1 - m->x0),

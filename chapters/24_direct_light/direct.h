@@ -26,8 +26,8 @@
  * Called for: no shadow ray where n.wi <= 0, where f is 0 (black, mirror), to a light's back; no
  * ray at all without emitters, no light drawn for a mirror. w.shadow, w.direction count the rays.
  * d.spend_all traces them all the same: the result has the same bits. The random numbers of a
- * sample are pairs 0: direction, 1: which light, 2 ...: points of lights, from where s stands;
- * numbers that nobody asks for are not computed.
+ * sample are, from where s stands, pair 0: direction; then, if one of several lights is chosen,
+ * 1: which, 2: its point; if all, 1 ...: a point of each. What nobody asks for is not computed.
  *
  * A mirror has f = 0 but for one direction: only BRDF, and both with it, find that.
  * A background of the scene is seen by directions only.
@@ -112,7 +112,8 @@ static inline vec3 direct_from(const direct *d, const direct_point *x, size_t k,
     if (!(vdot(x->h->s.n, y.wi) > 0)) f = none;
     if (vzero(f) && !d->spend_all) return none;
     d->work->shadow++;
-    if (lit_occluded(d->s, leave_between(x->h->s, y.s))) return none;
+    if (lit_occluded_from(d->s, leave_between(x->h->s, y.s), x->h->s.shape, (uint32_t)k))
+        return none;
     if (vzero(f)) return none;
     real pdf = chance * y.pdf, w = 1;
     if (direct_both(d->way)) w = direct_weight(d->way, pdf, brdf_pdf_local(b, wi, x->wo));
@@ -134,7 +135,8 @@ static inline vec3 direct_along(const direct *d, const direct_point *x, point2 u
     if (vzero(weight) && !d->spend_all) return weight;
     lit_hit y;
     d->work->direction++;
-    if (!lit_trace(d->s, leave(x->h->s, wi), &y)) return vmul(weight, d->s->background);
+    if (!lit_trace_from(d->s, leave(x->h->s, wi), x->h->s.shape, &y))
+        return vmul(weight, d->s->background);
     vec3 Le = lit_emitted(&y);
     if (vzero(Le) || vzero(weight)) return (vec3){0, 0, 0};
     if (both) {

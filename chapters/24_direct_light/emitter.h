@@ -20,7 +20,7 @@
  *   emitter_pdf_angle(&e, p)         (24.5); 0 if p cannot see its front
  *
  *   by area               by angle
- *   a product, a root     some 5 times the work
+ *   a product, a root     some 7 times the work
  *   1/r^2 close by:       never more than f cos omega: what is left of the variance is that of the
  *   no bound, variance    integrand, f cos
  *   without end if e
@@ -184,7 +184,7 @@ static inline bool emitter_rectangle_sample(rectangle r, vec3 p, point2 u, vec3 
     *omega = fabs(rectangle_solid_angle(r, p));
     spherical_rectangle k;
     if (reach > (real)0x1p-24 && reach < (real)0x1p24 && *omega > (real)0x1p20 * real_epsilon) {
-        k.map = urena_map_of(r, p);
+        k.map = urena_map_of(r, p), k.omega = *omega;
         *x = rectangle_at(r, spherical_rectangle_sample_urena(&k, u.u, u.v));
         return true;
     }

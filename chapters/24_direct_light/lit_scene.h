@@ -16,8 +16,8 @@
  *   lit_emitted(&h)           radiance towards the origin of r: Le from the front, 0 from behind
  *
  * All that is the same for every ray is computed once, by lit_end: edges, normals, error bounds
- * (18.5), (18.6) of triangles, lights. lit_trace of a triangle is a search, and then two products
- * and a sum a coordinate: the same bits as surface_of_mesh.
+ * (18.5), (18.6), (18.9) of triangles, lights. lit_trace of a triangle is a search, then two
+ * products and a sum a coordinate: the same bits as surface_of_mesh.
  *
  * Everything added is copied, but for the corners of polygons, which must outlive the scene.
  * Emitters: one per shining triangle, rectangle, sphere of area > 0: first the flat ones in the
@@ -42,8 +42,8 @@ typedef struct {
     vec3 sigma;     /* absorption inside, per unit of length */
 } lit_material;
 
-/* A triangle, ready: p = a + u e + v f, error = epsilon (reach + 2 |p|). */
-typedef struct { vec3 a, e, f, n; real reach, noise; } lit_face;
+/* A triangle, ready: p = a + u e + v f (18.9), error = epsilon (reach + 2 |p|). */
+typedef struct { vec3 a, e, f, n; real reach, noise, margin; } lit_face;
 
 typedef struct { uint32_t corner[3], normal[3], emitter; uint16_t material; } lit_part;
 
@@ -184,7 +184,8 @@ static inline lit_face lit_face_of(triangle t)
 {
     vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.a);
     surface s = surface_on_triangle(t, no_shape, 0, 0);
-    return (lit_face){t.a, e, f, s.n, 2 * sqrt(real_max(vdot(e, e), vdot(f, f))), s.noise};
+    real LL = real_max(vdot(e, e), vdot(f, f)), L = sqrt(LL), k = surface_needle(e, f, LL);
+    return (lit_face){t.a, e, f, s.n, 2 * L, s.noise, surface_margin(t.a, L, k)};
 }
 
 /* What was added triangle by triangle becomes one array for each of its fields. */
@@ -250,7 +251,7 @@ __attribute__((always_inline))
 static inline surface lit_surface(const lit_scene *s, hit h)
 {
     const lit_face *k = &s->face[h.shape];
-    vec3 p = vadd(k->a, vmadd(vscale(k->e, h.u), k->f, h.v));
+    vec3 p = surface_inside(k->a, k->e, k->f, k->margin, h.u, h.v);
     real error = real_epsilon * (k->reach + 2 * surface_reach(p));
     vec3 ns = s->m.n ? mesh_normal(&s->m, h.shape, h.u, h.v) : k->n;
     return (surface){p, k->n, ns, error, k->noise, h.shape};
@@ -266,6 +267,7 @@ static inline few_skip lit_skip(const lit_scene *s, uint32_t from, uint32_t e)
     return k;
 }
 
+/* Among the triangles. */
 __attribute__((always_inline))
 static inline bool lit_closest(const lit_scene *s, ray r, uint32_t from, hit *h)
 {
@@ -273,26 +275,41 @@ static inline bool lit_closest(const lit_scene *s, ray r, uint32_t from, hit *h)
     return known >= 0 ? known : bvh_hit(&s->tree, r, h);
 }
 
+/* Fields one by one: a struct that is copied as a whole right after its fields were written waits
+ * for all of them. */
+__attribute__((always_inline))
+static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t material,
+                             real t, lit_hit *out)
+{
+    real side = vdot(x.n, r.d), turn = side > 0 ? -1 : 1;
+    out->s.p = x.p, out->s.n = vscale(x.n, turn), out->s.ns = vscale(x.ns, turn);
+    out->s.error = x.error, out->s.noise = x.noise, out->s.shape = (uint32_t)place;
+    out->m = &s->material[material], out->emitter = s->emitter_of[place];
+    out->t = t, out->front = side < 0;
+}
+
+/* In a scene without shapes. */
+__attribute__((always_inline))
+static inline bool lit_trace_flat(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
+{
+    hit h;
+    if (!lit_closest(s, r, from, &h)) return false;
+    lit_found(s, r, lit_surface(s, h), h.shape, s->of_triangle[h.shape], h.t, out);
+    return true;
+}
+
 /* out->s.shape: triangle, or m.triangles + shape. */
 __attribute__((always_inline))
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
-    hit h = hit_none, other;
-    bool met = lit_closest(s, r, from, &h), of_shape = false;
-    if (s->shapes) {
-        ray rest = r;
-        if (met) rest.tmax = h.t;
-        if (bvh_shapes_hit(&s->shape_tree, rest, &other) && (!met || other.t < h.t))
-            h = other, of_shape = true;
-    }
-    if (!met && !of_shape) return false;
-    surface x = of_shape ? surface_of_shape(&s->shape[h.shape], r, h) : lit_surface(s, h);
-    size_t place = of_shape ? s->m.triangles + h.shape : h.shape;
-    const lit_material *m = &s->material[of_shape ? s->of_shape[h.shape] : s->of_triangle[h.shape]];
-    real side = vdot(x.n, r.d);
-    if (side > 0) x.n = vneg(x.n), x.ns = vneg(x.ns);
-    x.shape = (uint32_t)place;
-    *out = (lit_hit){x, m, s->emitter_of[place], h.t, side < 0};
+    hit other;
+    ray rest = r;
+    bool met = lit_trace_flat(s, r, from, out);
+    if (!s->shapes) return met;
+    if (met) rest.tmax = out->t;
+    if (!bvh_shapes_hit(&s->shape_tree, rest, &other) || (met && !(other.t < out->t))) return met;
+    lit_found(s, r, surface_of_shape(&s->shape[other.shape], r, other),
+              s->m.triangles + other.shape, s->of_shape[other.shape], other.t, out);
     return true;
 }
 

@@ -159,10 +159,10 @@ static inline void measure_near(const options *o)
             double c = (double)(x.wi.z / pi);
             second += c * c / (double)(emitter_pdf_area(q, p, x.s.p) * x.pdf) / n;
         }
-        uint32_t few = o->quick ? 1000 : 20000;
+        uint32_t seen = o->quick ? 1000 : 20000;
         table_number(&t, h), table_number(&t, mean), table_number(&t, second - mean * mean);
-        table_number(&t, estimate_variance(lone_point(q, DIRECT_AREA, few, o->seed)));
-        table_number(&t, estimate_variance(lone_point(q, DIRECT_ANGLE, few, o->seed)));
+        table_number(&t, estimate_variance(lone_point(q, DIRECT_AREA, seen, o->seed)));
+        table_number(&t, estimate_variance(lone_point(q, DIRECT_ANGLE, seen, o->seed)));
     }
     output_extra_table(o, &t);
 }

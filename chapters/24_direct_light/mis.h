@@ -15,9 +15,10 @@
  *   a = 0, or a NaN       0                 this way did not draw x
  *   both infinite         1/2
  *
- * The balance heuristic is, but for a term 1/n, the best of all weights that are the same for all
- * f; the power heuristic is better where one way alone would do well. mis_power_naive squares
- * before it divides: a pdf of 1e20 overflows in float, and the weight is a NaN.
+ * Whatever f is: no weights >= 0 have a variance smaller than the balance heuristic's by more than
+ * F^2 (1/least n - 1/sum of n), n the number of samples of each way. The power heuristic is better
+ * where one way alone would do well. mis_power_naive squares before it divides: a pdf of 1e20
+ * overflows in float, and the weight is a NaN.
  *
  * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
  * SIGGRAPH 1995, sections 3.2 and 3.3.

@@ -121,8 +121,8 @@ static inline void draw_equal(const options *o)
 {
     enum { n = 5 };
     static const struct { direct_way way; uint32_t samples; } panel[n] = {
-        {DIRECT_UNIFORM, 16}, {DIRECT_COSINE, 16}, {DIRECT_AREA, 16}, {DIRECT_ANGLE, 8},
-        {DIRECT_POWER, 5}};
+        {DIRECT_UNIFORM, 16}, {DIRECT_COSINE, 16}, {DIRECT_AREA, 16}, {DIRECT_ANGLE, 10},
+        {DIRECT_POWER, 7}};
     stage g;
     direct_view v[n], best;
     double seconds[n];
@@ -170,7 +170,7 @@ static inline void draw_strip(const options *o)
     direct_view v[2];
     for (int k = 0; k < 2; k++)
         v[k] = (direct_view){&g, k ? DIRECT_ANGLE : DIRECT_AREA, LIGHTS_ALL, SEQUENCE_RANDOM,
-                             k ? 8 : 16, o->seed};
+                             k ? 10 : 16, o->seed};
     draw_panels(o, v, 2, 480, "24_direct_light_strip.png", NULL, NULL);
     stage_close(&g);
 }

@@ -73,7 +73,7 @@ static inline vec3 branching_radiance(const naive_path *p, int N, ray eye, uint6
         uint64_t i = top->node * (uint64_t)N + (uint64_t)++top->done;
         point2 u = branching_pair(seed, pixel, sample, i);
         if (!naive_direction(p, &top->x, top->wo, u, &r, &weight)) continue;
-        vec3 throughput = vscale(vmul(top->throughput, weight), 1 / (real)N);
+        vec3 throughput = naive_through(top->throughput, vscale(weight, 1 / (real)N));
         if (vzero(throughput) && !p->spend_all) continue;
         k++;
         L = vadd(L, branching_visit(p, N, r, throughput, i, k, &stack[k], c));

@@ -16,8 +16,8 @@
  *   transport t = furnace_transport(r, E, rho, channel);    (25.11) of one channel; transport_free
  *   furnace_variance(N, rho, n)      variance of E = 1 in such a room, N uniform directions a hit
  *
- * Its oracle: with X_n the estimate of S_n = 1 + rho + ... + rho^n, w = 2 rho cos the weight,
- * E[w] = rho, E[w^2] = 4/3 rho^2, all directions seeing the same,
+ * Where it comes from: X_n is the estimate of S_n = 1 + rho + ... + rho^n, w = 2 rho cos the
+ * weight; the mean of w is rho, that of w^2 is 4/3 rho^2; all directions see the same. So
  *
  *   X_n = 1 + 1/N sum of w_i X_(n-1),i
  *   V_n = rho^2 / N (4/3 (V_(n-1) + S_(n-1)^2) - S_(n-1)^2),  V_0 = 0                      (25.12)

@@ -6,7 +6,7 @@
  *   naive_path p = {&scene, DIRECTIONS_BRDF, depth, false};
  *   vec3 L = naive_radiance(&p, eye, &s, &counts);   s: sampler (20), a pair a bounce; counts: {0}
  *
- *   E[L] = E + K E + K^2 E + ... + K^depth E  of what the eye ray meets, exactly.           (25.8)
+ *   mean of L = E + K E + K^2 E + ... + K^depth E  of what the eye ray meets, exactly       (25.8)
  *
  * Light is counted where a path meets it, never searched for: for each hit k <= depth, its emission
  * times the throughput; for a ray that leaves the scene, the background, and the path ends. All of
@@ -17,9 +17,10 @@
  * The variance is what makes it naive: a light that fills the share q of the directions is met by
  * one path in 1/q. It is finite as long as w and E are bounded.
  *
- * Never ends? Not with a depth. naive_endless stops where the path escapes or the throughput is 0:
- * with albedo 1/2, when a real has no smaller number, after 1075 hits in double, 150 in float; with
- * albedo 1 in a closed room, never.
+ * Never ends? Not with a depth. naive_endless stops where the path escapes or the throughput is 0.
+ * What is below the smallest normal number (下溢, underflow) counts as 0: with albedo 1/2 after
+ * 1023 hits in double, 127 in float. To wait for 0 itself would not do: the smallest number of all,
+ * times .6, rounds to itself. With albedo 1 in a closed room it never stops.
  *
  * Only what is called for: a ray is traced only if it can bring something. None goes on from a
  * black surface (a light with black reflection, for one), in a direction that reflects nothing,
@@ -82,6 +83,16 @@ static inline void naive_add(naive_counts *to, const naive_counts *c)
     to->escaped += c->escaped, to->black += c->black;
 }
 
+/* Throughput after a hit of this weight, without what is too small to go on. */
+static inline vec3 naive_through(vec3 a, vec3 weight)
+{
+    a = vmul(a, weight);
+    if (a.x < real_smallest) a.x = 0;
+    if (a.y < real_smallest) a.y = 0;
+    if (a.z < real_smallest) a.z = 0;
+    return a;
+}
+
 /* Emission that a ray finds; *met: is there a surface? */
 __attribute__((always_inline))
 static inline vec3 naive_find(const naive_path *p, ray r, int bounces, lit_hit *x, bool *met,
@@ -136,7 +147,7 @@ static inline bool naive_next(const naive_path *p, naive_walk *w, sampler *s, na
     }
     vec3 wo = vneg(w->bounces ? w->r.d : vunit(w->r.d));
     if (!naive_direction(p, &x, wo, sampler_pair(s), &w->r, &weight)) return true;
-    w->throughput = vmul(w->throughput, weight);
+    w->throughput = naive_through(w->throughput, weight);
     w->ended = vzero(w->throughput) && !p->spend_all;
     return true;
 }

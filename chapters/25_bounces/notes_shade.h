@@ -29,7 +29,7 @@ static inline vec3 notes_shade(const naive_path *p, ray r, sampler *s, naive_cou
     (void)naive_find(p, r, 0, &x, &met, c);
     for (int k = 1; met && k <= p->depth; k++) {
         if (!naive_direction(p, &x, vneg(vunit(r.d)), sampler_pair(s), &r, &weight)) break;
-        through = vmul(through, weight);
+        through = naive_through(through, weight);
         vec3 Le = naive_find(p, r, k, &x, &met, c);
         if (!vzero(Le)) return vmul(through, Le);
     }

@@ -4,7 +4,7 @@
  *                                 K^depth E; lower row the running sums, the last is the whole. Of
  *                                 the upper row the last three are shown 2, 4, 4 times as bright.
  *                                 naive: by paths that meet the light, not by (25.10)
- *   draw_branches(o)              direct light and two bounces more, by N = 1, 2, 4, 8 directions a
+ *   draw_branches(o)              up to three bounces, by N = 1, 2, 4, 8 directions a
  *                                 hit, from left to right, with the same number of rays a pixel
  */
 #ifndef PICTURES_H
@@ -82,7 +82,7 @@ enum { branch_columns = 4, branch_depth = 3 };
 typedef struct {
     naive_path path;
     camera view;
-    size_t rays;      /* a pixel: the last sample may exceed it */
+    size_t rays;      /* a pixel, at most, but for one sample that takes more */
     uint64_t seed;
     int N;
     image panel;

@@ -75,7 +75,7 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
         term[k + 1] = vadd(term[k + 1], vmul(through, direct));
         if (k + 1 == p->depth && !brdf_is_delta(&x.m->f) && vzero(p->scene->background)) return;
         if (!naive_direction(p, &x, wo, sampler_pair(s), &eye, &weight)) return;
-        through = vmul(through, weight);
+        through = naive_through(through, weight);
         if (vzero(through)) return;
         wo = vneg(eye.d), count_it = brdf_is_delta(&x.m->f);
     }

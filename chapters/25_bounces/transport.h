@@ -10,7 +10,7 @@
  *
  *   K_ij = rho_i F_ij,   sum over j of F_ij = 1 if the room is closed, less if it is open   (25.4)
  *
- *   transport t = transport_new(n);       n patches, all zero; fill t.E[i], t.K[i * n + j]
+ *   transport t = transport_new(n);       n < 46341 patches, all zero; fill t.E[i], t.K[i * n + j]
  *   transport_apply(&t, L, out);          out = K L; not in place                    O(n^2)
  *   transport_term(&t, k, out);           K^k E                                      O(k n^2)
  *   transport_sum(&t, k, out);            E + K E + ... + K^k E

@@ -23,22 +23,27 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+static inline void command_part(command *c, const char *path)
+{
+    failure f;
+    if (c->parts == command_most_parts)
+        failed(&f, 2, "--merge takes at most %d files", command_most_parts), fail(f);
+    c->part[c->parts++] = path;
+}
+
 /* --merge A B C: takes the words up to the next option out of argv; they go to c->part. */
 static inline int command_merge(int argc, char **argv, command *c)
 {
     int kept = 1;
-    failure f;
     for (int i = 1; i < argc; i++) {
         argv[kept++] = argv[i];
-        bool merge = strcmp(argv[i], "--merge") == 0;
-        if (strncmp(argv[i], "--merge=", 8) == 0) c->part[c->parts++] = argv[i] + 8, merge = true;
+        bool joined = strncmp(argv[i], "--merge=", 8) == 0;
+        bool merge = joined || strcmp(argv[i], "--merge") == 0;
+        if (joined) command_part(c, argv[i] + 8);
         else if (merge && i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0)
-            c->part[c->parts++] = argv[kept++] = argv[++i];
-        while (merge && c->parts > 0 && i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0) {
-            if (c->parts == command_most_parts)
-                failed(&f, 2, "--merge takes at most %d files", command_most_parts), fail(f);
-            c->part[c->parts++] = argv[++i];
-        }
+            command_part(c, argv[kept++] = argv[++i]);
+        while (merge && i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0)
+            command_part(c, argv[++i]);
     }
     return kept;
 }
@@ -123,10 +128,13 @@ static inline void command_save(const command *c, const film *f, const char *set
     if (c->save && !state_write(c->save, f, settings, &why)) fail(why);
 }
 
-static inline void command_picture(const options *o, const film *f, bool whole)
+/* In a terminal command_shown has shown it already, if all of it was done. */
+static inline void command_picture(const options *o, const film *f, bool whole, bool shown)
 {
+    options with = *o;
+    with.preview = o->preview && !(shown && whole);
     image im = film_picture(f);
-    output_picture(o, &im, "26_path_tracer_render.png", true, whole);
+    output_picture(&with, &im, "26_path_tracer_render.png", true, whole);
     image_free(&im);
 }
 
@@ -148,11 +156,16 @@ static inline void command_run_merge(const command *c, const options *o)
     command_save(c, &all, settings);
     render_job none = {.seconds = 0};
     command_report(o, &all, &none, "merged");
-    command_picture(o, &all, true);
+    command_picture(o, &all, true, false);
     film_free(&all);
 }
 
-typedef struct { const command *c; const options *o; const char *settings; int lines; } command_user;
+typedef struct {
+    const command *c;
+    const options *o;
+    const char *settings;
+    int lines;  /* of the picture that is in the terminal */
+} command_user;
 
 /* After a pass: the state, and the picture in the terminal, over the one before. */
 static inline void command_shown(const film *f, void *user)
@@ -177,7 +190,9 @@ static inline film_range command_range(const command *c)
     int a, b, used = 0;
     bool ok = sscanf(c->range, "%9d:%9d%n", &a, &b, &used) == 2 && !c->range[used];
     if (!ok || a < 0 || a >= b)
-        failed(&f, 2, "--range %.100s: allowed are A:B, whole numbers 0 <= A < B", c->range), fail(f);
+        failed(&f, 2, "--range %.100s: allowed are A:B, whole numbers 0 <= A < B < 10^9",
+               c->range),
+            fail(f);
     return (film_range){(uint32_t)a, (uint32_t)b};
 }
 
@@ -189,7 +204,8 @@ static inline void command_check(const command *c, const options *o)
     if (c->range && (goal || c->resume))
         failed(&f, 2, "--range does those samples alone: no --samples, --error, --time, --resume"),
             fail(f);
-    if (c->merge && (c->range || goal || c->resume || c->scene || c->obj))
+    if (c->merge && (c->range || goal || c->resume || c->scene || c->obj || c->sky || c->strategy
+                     || c->clamp > 0 || c->bounces >= 0))
         failed(&f, 2, "--merge puts states together: it takes --save and --out only"), fail(f);
     if (c->save && !file_try(c->save, &f)) fail(f);
 }
@@ -232,7 +248,7 @@ static inline void command_run(const command *c, const options *o)
                           : render_until(&j, &f, goal);
     if (whole) command_save(c, &f, settings);
     if (whole) command_report(o, &f, &j, c->obj ? c->obj : c->scene ? c->scene : "cornell");
-    command_picture(o, &f, whole);
+    command_picture(o, &f, whole, user.lines > 0);
     film_free(&f), path_tracer_free(&t), showcase_free(&shown);
 }
 

@@ -1,55 +1,42 @@
-/* dielectric.h: what a smooth boundary of glass or water does with light. dielectric (电介质)
+/* dielectric.h: smooth glass for a path, which has one way to go. dielectric (电介质)
  *
- *       wo   n   wr         eta = index where light comes from / index behind the boundary
- *         \  |  /           cos^2 t = (1 - eta)(1 + eta) + eta^2 c^2, c = n.wo              (26.1)
- *    ______\ | /_____       refraction (折射): wt = (eta c - cos t) n - eta wo              (26.2)
- *             \             rs = -(1 - eta)(1 + eta) / (eta c + cos t)^2                    (26.3)
- *              \ wt         rp = (1 - eta)(1 + eta)((1 + eta^2) c^2 - eta^2) / (c + eta cos t)^2
- *                           F = (rs^2 + rp^2) / 2, or 1 if cos^2 t <= 0                     (26.4)
+ *       wo   n   wr       R: Fresnel's share (19.8) of what comes along is reflected,
+ *         \  |  /         1 - R goes through, along Snell's direction (19.4)
+ *    ______\ | /_____
+ *             \           one of the two is drawn, with just this probability:              (26.1)
+ *              \ wt       weight R / R = 1, or (1 - R) / (1 - R) = 1
  *
- * F is what Fresnel's equations (菲涅耳方程) send back of unpolarised light; the rest goes through.
- * Where cos^2 t <= 0 all is reflected: total internal reflection (全内反射). In the textbook's form,
- * (eta c - cos t) / (eta c + cos t), rs loses all its digits as eta nears 1.
+ *   vec3 wi = dielectric_scatter(n, wo, n1, n2, u, &through)
+ *       n1: refractive index where wo is, n2: behind; u in [0,1); n.wo >= 0; all unit
+ *   beta *= dielectric_squeeze(n1, n2)   if it went through: radiance, not power, is         (26.2)
+ *       squeezed into a smaller solid angle in glass, (n1/n2)^2 seen from the eye, and out again
+ *   dice look at beta / (product of all (26.2) so far): on the way out it comes back         (26.3)
  *
- *   real F = dielectric_fresnel(eta, c, &cos_t)      c in [0,1]; cos_t: 0 if F = 1 by totality
- *   vec3 wi = dielectric_scatter(n, wo, eta, u, &through)
- *       one of the two directions: through with probability 1 - F, by u in [0,1). Weight: 1, since
- *       F / F = 1; but what crosses is squeezed into a smaller solid angle, and radiance (not
- *       power) is multiplied by dielectric_squeeze(eta) = eta^2, there and back again by 1 / eta^2
- *   vec3 a = dielectric_absorb(sigma, t)             exp(-sigma t), Beer's law (比尔定律)   (26.5)
+ * In total reflection R = 1. What the glass keeps on the way: absorbed (19.9).
  *
- * n, wo: unit, n.wo >= 0; wi: unit. Source: E. Hecht, Optics, 4th ed., 2002, section 4.6.
+ * Source: E. Veach, thesis, Stanford, 1997, section 5.2 (the factor (26.2)).
  */
 #ifndef DIELECTRIC_H
 #define DIELECTRIC_H
 
-#include "../../common/vec3.h"
+#include "../19_whitted/absorb.h"
+#include "../19_whitted/fresnel.h"
+#include "../19_whitted/reflect.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real dielectric_fresnel(real eta, real c, real *cos_t)
+static inline vec3 dielectric_scatter(vec3 n, vec3 wo, real n1, real n2, real u, bool *through)
 {
-    real k = (1 - eta) * (1 + eta), square = k + eta * eta * c * c;                       /* (26.1) */
-    *cos_t = square > 0 ? sqrt(square) : 0;
-    if (!(square > 0)) return 1;
-    real s = eta * c + *cos_t, p = c + eta * *cos_t;
-    real rs = k / (s * s), rp = k * ((1 + eta * eta) * c * c - eta * eta) / (p * p);       /* (26.3) */
-    return (rs * rs + rp * rp) / 2;
+    snell s;
+    vec3 d = vneg(wo);
+    *through = snell_of(d, n, n1, n2, &s) && u >= fresnel(&s);                         /* (26.1) */
+    if (*through) return snell_refract(&s, d, n);
+    return reflect(d, n);
 }
 
-static inline vec3 dielectric_scatter(vec3 n, vec3 wo, real eta, real u, bool *through)
+static inline real dielectric_squeeze(real n1, real n2)
 {
-    real c = real_clamp(vdot(n, wo), 0, 1), cos_t;
-    *through = u >= dielectric_fresnel(eta, c, &cos_t);
-    if (!*through) return vunit(vsub(vscale(n, 2 * c), wo));
-    return vunit(vsub(vscale(n, eta * c - cos_t), vscale(wo, eta)));                       /* (26.2) */
-}
-
-static inline real dielectric_squeeze(real eta) { return eta * eta; }
-
-static inline vec3 dielectric_absorb(vec3 sigma, real t)
-{
-    return (vec3){exp(-sigma.x * t), exp(-sigma.y * t), exp(-sigma.z * t)};
+    return n1 / n2 * (n1 / n2);                                                         /* (26.2) */
 }
 
 #endif

@@ -1,16 +1,18 @@
 /* environment.h: light from infinitely far away, a picture of the whole sphere of directions.
  *                                                            environment light (环境光)
- *   0 ______ u = phi / 2 pi ______ 1      row j: polar angles pi j/h to pi (j+1)/h from +y
- *    |  +y: above                  |      column i: phi = atan2(z, x) from 2 pi i/w on
+ *   0 ___________ u ______________ 1      u = phi / 2 pi, v = theta / pi                    (26.4)
+ *    |  +y: above                  |      theta: from +y, phi = atan2(z, x); w columns, h rows
  *  v |. . . . horizon . . . . . . .|      Omega_j = 2 pi/w (cos(pi j/h) - cos(pi (j+1)/h))  (26.6)
  *    |__-y: below__________________|      p(wi) = P(texel) / Omega, P ~ luminance x Omega   (26.7)
  *
+ *   in row j: cos theta = cos(pi j/h) - u' (cos(pi j/h) - cos(pi (j+1)/h)), phi evenly       (26.5)
+ *
  *   environment e;
  *   if (!environment_of_image(&im, &e, &f)) fail(f);     im is copied; f: negative, NaN, all black
- *   environment_read("sky.pfm", &e, &f)                  .pfm .png .ppm: linear radiance
+ *   environment_read("sky.pfm", &e, &f)                  .pfm: linear; .ppm: from sRGB
  *   environment_sky(256, 128, to_sun, &e)                a blue sky, a sun and what is around it
  *   vec3 L = environment_radiance(&e, d)                 d: unit
- *   environment_sample(&e, u, &wi, &pdf)                 pdf [1/sr] in proportion to luminance
+ *   environment_sample(&e, u, &wi, &pdf, &L)             pdf [1/sr] in proportion to luminance
  *   real p = environment_pdf(&e, d)                      the same for any direction; 0: black there
  *   environment_free(&e)
  *
@@ -100,7 +102,7 @@ static inline real environment_pdf(const environment *e, vec3 d)
     return environment_density(e, environment_texel(e, d));
 }
 
-/* Within a texel: phi evenly, cos theta evenly. *L is what environment_radiance gives there. */
+/* (26.5), by half angles. *L is what environment_radiance gives there. */
 static inline void environment_sample(const environment *e, point2 u, vec3 *wi, real *pdf, vec3 *L)
 {
     real p, rest, w = (real)e->im.width, h = (real)e->im.height;
@@ -117,7 +119,7 @@ static inline void environment_sample(const environment *e, point2 u, vec3 *wi, 
 }
 
 /* A sky to look at: paler towards the horizon, grey below it; the sun is a disk 3 degrees wide,
- * thirty times the real one's area and as many times less bright, so that maps may be small. */
+ * some thirty times the real one's area and about as many times less bright: maps may be small. */
 static inline void environment_sky(int width, int height, vec3 to_sun, environment *out)
 {
     image im = image_new(width, height);
@@ -133,9 +135,9 @@ static inline void environment_sky(int width, int height, vec3 to_sun, environme
             real up = real_max(d.y, 0), mix = 1 - (1 - up) * (1 - up) * (1 - up);
             vec3 c = d.y < 0 ? ground : vmadd(vscale(pale, 1 - mix), zenith, mix);
             vec3 off = vsub(d, to_sun);
-            real near = vdot(off, off);  /* (2 sin(angle/2))^2 */
+            real near = vdot(off, off);  /* (2 sin(angle/2))^2: 0.000686 at 1.5 degrees */
             if (d.y >= 0) c = vmadd(c, gold, exp(-near * 12) * (real)0.6);
-            if (near < (real)0.0027) c = vmadd(c, gold, 180);
+            if (near < (real)0.000686) c = vmadd(c, gold, 1400);
             image_set(&im, i, j, c);
         }
     if (!environment_of_image(&im, out, &f)) fail(f);

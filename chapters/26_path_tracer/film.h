@@ -30,11 +30,11 @@
 #include "tally.h"
 
 enum { film_most_ranges = 256, film_side = 16 };
-typedef struct { tally half[2][3]; } film_pixel;
+typedef struct { tally of[3]; } film_sum;              /* of R, G, B */
 typedef struct { uint32_t begin, end; } film_range;   /* samples begin .. end - 1 */
 typedef struct {
     int width, height;
-    film_pixel *pixel;                    /* [width height] */
+    film_sum *half[2];                    /* [width height] each: a first sample fills one only */
     film_range range[film_most_ranges];   /* rising, with gaps between them */
     int ranges;
     film_range pending;                   /* a pass that was stopped: done only where `tile` says */
@@ -56,20 +56,22 @@ static inline size_t film_tiles(const film *f)
 static inline film film_new(int width, int height)
 {
     film f = {.width = width, .height = height};
-    f.pixel = allocate((size_t)width * (size_t)height, sizeof *f.pixel);
+    size_t n = (size_t)width * (size_t)height;
+    f.half[0] = allocate(2 * n, sizeof *f.half[0]);
+    f.half[1] = f.half[0] + n;
     f.tile = allocate(film_tiles(&f), sizeof *f.tile);
     return f;
 }
 
 static inline void film_free(film *f)
 {
-    free(f->pixel), free(f->tile);
+    free(f->half[0]), free(f->tile);
     *f = (film){.width = 0};
 }
 
 static inline bool film_add(film *f, size_t i, uint32_t k, vec3 L)
 {
-    tally *t = f->pixel[i].half[k % 2];
+    tally *t = f->half[k % 2][i].of;
     bool x = tally_add(&t[0], (double)L.x), y = tally_add(&t[1], (double)L.y);
     return tally_add(&t[2], (double)L.z) && x && y;
 }
@@ -131,7 +133,7 @@ static inline bool film_join(film *to, const film *f, failure *why)
         if (!film_cover(to, f->range[i].begin, f->range[i].end, why)) return false;
     for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
         for (int k = 0; k < 6; k++)
-            tally_join(&to->pixel[i].half[k / 3][k % 3], &f->pixel[i].half[k / 3][k % 3]);
+            tally_join(&to->half[k / 3][i].of[k % 3], &f->half[k / 3][i].of[k % 3]);
     return true;
 }
 
@@ -149,8 +151,8 @@ static inline image film_picture(const film *f)
         double n[2];
         film_count(f, film_tile_of(f, i), n);
         for (int k = 0; k < 3 && n[0] + n[1] > 0; k++) {
-            tally sum = f->pixel[i].half[0][k];
-            tally_join(&sum, &f->pixel[i].half[1][k]);
+            tally sum = f->half[0][i].of[k];
+            tally_join(&sum, &f->half[1][i].of[k]);
             im.rgb[3 * i + (size_t)k] = (float)(tally_sum(&sum) / (n[0] + n[1]));
         }
     }
@@ -165,8 +167,8 @@ static inline double film_error(const film *f)
     if (n[0] < 1 || n[1] < 1) return (double)INFINITY;
     for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++)
         for (int k = 0; k < 3; k++) {
-            const film_pixel *p = &f->pixel[i];
-            double d = tally_sum(&p->half[0][k]) / n[0] - tally_sum(&p->half[1][k]) / n[1];
+            double d = tally_sum(&f->half[0][i].of[k]) / n[0]
+                     - tally_sum(&f->half[1][i].of[k]) / n[1];
             sum += d * d;
         }
     double N = n[0] + n[1];

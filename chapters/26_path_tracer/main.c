@@ -8,11 +8,11 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
 int main(int argc, char **argv)
 {
     command c = {.bounces = -1};
-    options defaults = {.width = 400, .height = 400, .samples = -1, .seed = 1};
+    options defaults = {.width = 320, .height = 320, .samples = -1, .seed = 1};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, furnace"},
         {"obj", OPTION_TEXT, &c.obj, 0, 0, "FILE.obj: this mesh, on a floor, under a sky"},
-        {"environment", OPTION_TEXT, &c.sky, 0, 0, "FILE.pfm, .png, .ppm: light all round"},
+        {"environment", OPTION_TEXT, &c.sky, 0, 0, "FILE.pfm or FILE.ppm: light all round"},
         {"error", OPTION_REAL, &c.error, 1e-9, 1e9, "until the RMSE is no larger, in radiance"},
         {"time", OPTION_REAL, &c.seconds, 1e-3, 1e7, "the best picture in so many seconds"},
         {"save", OPTION_TEXT, &c.save, 0, 0, "keep the state here, after every pass"},
@@ -21,7 +21,7 @@ int main(int argc, char **argv)
         {"merge", OPTION_TEXT, &c.merge, 0, 0, "FILE FILE ...: the picture of all these states"},
         {"strategy", OPTION_TEXT, &c.strategy, 0, 0, "mis, lights, directions"},
         {"bounces", OPTION_INT, &c.bounces, 0, path_endless, "at most, default endless"},
-        {"clamp", OPTION_REAL, &c.clamp, 0, 1e9, "cut samples brighter than this: dark, default not"},
+        {"clamp", OPTION_REAL, &c.clamp, 0, 1e9, "cut brighter samples: darkens; default not"},
         {0}};
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);

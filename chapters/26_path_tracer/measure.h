@@ -1,7 +1,6 @@
 /* measure.h: what each idea of the chapter is worth, in the Cornell box.
  *
  *   measure_strategies(o)   error against time and rays, one table and two plots
- *   measure_roulette(o)     rules for ending a path: error, rays, efficiency
  *   measure_speed(o)        rays a second, one thread and two
  *
  * Efficiency (效率) = 1 / (error^2 x time): samples twice as fast, or with half the variance, are
@@ -61,7 +60,8 @@ static inline image measure_render(const measure_place *m, const strategy *s, ui
             path_random r = path_start(&s->how, seed, 2 * (uint64_t)i + k % 2, k / 2, 1u << 31);
             point2 u = path_pair(&r);
             ray eye = camera_ray(m->c.eye, x + u.u, y + u.v, m->side, m->side);
-            vec3 L = s->naive ? naive_radiance(&p, eye, &r.pairs, &n) : path_radiance(&t, eye, &r, &c);
+            vec3 L = s->naive ? naive_radiance(&p, eye, &r.pairs, &n)
+                              : path_radiance(&t, eye, &r, &c);
             film_add(&f, (size_t)i, k, L);
         }
     *seconds = clock_seconds() - start;
@@ -91,7 +91,8 @@ static inline void measure_place_of(const options *o, measure_place *m)
         bool sees = false;
         for (int k = 0; k < 64; k++) {
             lit_hit h;
-            real x = (real)(i % m->side) + (real)(k % 8) / 7, y = (real)(i / m->side) + (real)(k / 8) / 7;
+            real x = (real)(i % m->side) + (real)(k % 8) / 7;
+            real y = (real)(i / m->side) + (real)(k / 8) / 7;
             ray r = camera_ray(m->c.eye, x, y, m->side, m->side);
             sees = sees || (lit_trace(&m->c.s, r, &h) && h.emitter != lit_dark);
         }
@@ -197,7 +198,7 @@ static inline double measure_seconds(int threads, render_job *j, int side)
 
 static inline void measure_speed(const options *o)
 {
-    enum { runs = 3 };
+    enum { runs = 2 };
     showcase c;
     path_tracer t;
     failure f;

@@ -44,7 +44,7 @@
 typedef struct {
     sequence_kind sequence;
     bool light_sampling;     /* without: only what BRDF directions run into */
-    bool mis;                /* without: BRDF directions do not count what light samples could find */
+    bool mis;                /* without: light samples alone count what they could find */
     roulette_rule roulette;
     int bounces;             /* at most; path_endless */
     real clamp;              /* no sample counts for more than that; 0: none is cut */
@@ -98,6 +98,7 @@ static inline void path_tracer_of(const lit_scene *s, const environment *sky, pa
         && how.bounces == path_endless && s->emitters == 1;
 }
 
+__attribute__((always_inline))
 static inline path_random path_start(const path_options *how, uint64_t seed, uint64_t pixel,
                                      uint32_t k, uint32_t n)
 {
@@ -145,7 +146,8 @@ static inline vec3 path_found(const path_tracer *t, const path_walk *w, const li
 static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
 {
     if (!t->sky) return t->scene->background;
-    vec3 d = w->from.shape == no_shape ? vunit(w->r.d) : w->r.d, L = environment_radiance(t->sky, d);
+    vec3 d = w->from.shape == no_shape ? vunit(w->r.d) : w->r.d;
+    vec3 L = environment_radiance(t->sky, d);
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return L;
     if (!t->how.mis) return (vec3){0, 0, 0};
     return vscale(L, mis_power(w->pdf, lights_pdf_sky(&t->light, d)));
@@ -195,11 +197,13 @@ static inline void path_through_glass(path_walk *w, const lit_hit *x, path_rando
                                       path_counts *c)
 {
     bool through;
-    real eta = x->front ? 1 / x->m->ior : x->m->ior;
+    real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1;
     c->refractions++;
-    vec3 wi = dielectric_scatter(x->s.n, vneg(vunit(w->r.d)), eta, random_next(&s->own), &through);
+    vec3 wo = vneg(vunit(w->r.d));
+    vec3 wi = dielectric_scatter(x->s.n, wo, n1, n2, random_next(&s->own), &through);
     if (through) {
-        w->beta = vscale(w->beta, dielectric_squeeze(eta)), w->squeezed *= dielectric_squeeze(eta);
+        real k = dielectric_squeeze(n1, n2);
+        w->beta = vscale(w->beta, k), w->squeezed *= k;
         w->medium = x->front ? x->m : NULL;
     }
     w->r = leave(x->s, wi);
@@ -233,13 +237,15 @@ __attribute__((always_inline))
 static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
     lit_hit x;
-    if (!lit_trace_from(t->scene, w->r, w->from.shape, &x)) {
+    bool met = t->plain ? lit_trace_flat(t->scene, w->r, w->from.shape, &x)
+                        : lit_trace_from(t->scene, w->r, w->from.shape, &x);
+    if (!met) {
         vec3 L = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
         return false;
     }
     if (t->glass && w->medium)
-        w->beta = vmul(w->beta, dielectric_absorb(w->medium->sigma, x.t * vlength(w->r.d)));
+        w->beta = vmul(w->beta, absorbed(w->medium->sigma, x.t * vlength(w->r.d)));
     if (x.front && x.emitter != lit_dark) {
         vec3 L = vmul(w->beta, path_found(t, w, &x));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
@@ -268,7 +274,7 @@ __attribute__((flatten))
 static inline vec3 path_radiance_plain(const path_tracer *t, ray eye, path_random *s,
                                        path_counts *c)
 {
-    path_tracer known = {.scene = t->scene, .light = t->light, .how = path_defaults};
+    path_tracer known = {.scene = t->scene, .light = t->light, .how = path_defaults, .plain = true};
     known.how.clamp = t->how.clamp;
     known.light.of.n = 0, known.light.emitters = 1, known.light.skies = 0;
     return path_run(&known, eye, s, c);

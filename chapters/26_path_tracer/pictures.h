@@ -4,9 +4,10 @@
  *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
  *   draw_teapot(o)      rough copper under a sky
  *   draw_furnace(o)     balls of every BRDF under a white sky
- *   draw_strategies(o)  the box, 16 samples a pixel: naive, directions, lights, all of it
+ *   draw_strategies(o)  the box, 16 samples a pixel: naive, lights, both, Sobol' points
  *
- * Each with so many samples as some seconds of two cores make; fixed, so that the bytes are.
+ * Each with so many samples as a few seconds make; fixed, so that the bytes are. Powers of two: two
+ * halves (film.h) of 2^k Sobol' points each are spread best (20).
  */
 #ifndef PICTURES_H
 #define PICTURES_H
@@ -34,16 +35,16 @@ static inline void draw_scene(const options *o, const char *scene_name, int w, i
 
 static inline void draw_cornell(const options *o)
 {
-    draw_scene(o, "cornell", o->width, o->height, o->quick ? 4 : 36, 2, "26_path_tracer.png", true);
+    draw_scene(o, "cornell", o->width, o->height, o->quick ? 4 : 64, 2, "26_path_tracer.png", true);
 }
 
 static inline void draw_others(const options *o)
 {
     int q = o->quick ? 4 : 1;
     if (o->out) return;
-    draw_scene(o, "spheres", 320 / q, 320 / q, o->quick ? 4 : 64, 2, "26_path_tracer_spheres.png",
+    draw_scene(o, "spheres", 320 / q, 320 / q, o->quick ? 4 : 32, 2, "26_path_tracer_spheres.png",
                false);
-    draw_scene(o, "teapot", 360 / q, 240 / q, o->quick ? 4 : 32, 1, "26_path_tracer_teapot.png",
+    draw_scene(o, "teapot", 360 / q, 240 / q, o->quick ? 4 : 16, 1, "26_path_tracer_teapot.png",
                false);
     draw_scene(o, "furnace", 360 / q, 240 / q, o->quick ? 4 : 16, (real)0.8,
                "26_path_tracer_furnace.png", false);

@@ -10,9 +10,9 @@
  *   .error = e      at the first pass with film_error <= e, and 16 samples; .samples: most
  *   .seconds = s    when the next pass would take longer than what is left; at least one sample
  *
- * Each pass doubles the samples, so that what it shows is worth showing. Near its end an error needs
- * n (error now / e)^2 samples: that many are next, if less than the double. The number does not
- * depend on time or threads, and neither does a picture with as many samples.
+ * Each pass doubles the samples, so that what it shows is worth showing. Near its end an error
+ * needs n (error now / e)^2 samples: that many are next, if less than the double. The number does
+ * not depend on time or threads, and neither does a picture with as many samples.
  * goal.shown(&f, user) is called after each pass [may be NULL].
  *
  * The sample k of pixel i uses the random numbers of (seed, i, k) alone (film.h: halves).
@@ -67,7 +67,8 @@ static inline void render_tile(size_t tile, void *job)
     film *f = j->to;
     path_counts c = {0};
     size_t refused = 0;
-    int x0 = (int)(tile % film_across(f)) * film_side, y0 = (int)(tile / film_across(f)) * film_side;
+    int x0 = (int)(tile % film_across(f)) * film_side;
+    int y0 = (int)(tile / film_across(f)) * film_side;
     for (int y = y0; y < y0 + film_side && y < f->height; y++)
         for (int x = x0; x < x0 + film_side && x < f->width; x++)
             refused += render_pixel(j, f, x, y, &c);

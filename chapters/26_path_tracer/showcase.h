@@ -100,7 +100,7 @@ static inline void showcase_teapot(showcase *c, real aspect)
     uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, (real)0.35)});
     lit_add_mesh(&c->s, &m, pot);
     mesh_free(&m);
-    showcase_floor(&c->s, (vec3){0, 0, 0}, 60, (vec3){(real)0.4, (real)0.42, (real)0.45});
+    showcase_floor(&c->s, (vec3){0, 0, 0}, 60, (vec3){(real)0.48, (real)0.42, (real)0.36});
     showcase_outdoors(c);
     c->eye = showcase_eye((vec3){(real)2.5, (real)6.5, 13}, (vec3){(real)0.25, (real)1.3, 0}, 24,
                           aspect);

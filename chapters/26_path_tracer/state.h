@@ -76,7 +76,7 @@ static inline bool state_write(const char *path, const film *f, const char *sett
     for (size_t i = 0; i < (size_t)f->width * (size_t)f->height; i++) {
         uint8_t bytes[96];
         for (int k = 0; k < 6; k++) {
-            const tally *t = &f->pixel[i].half[k / 3][k % 3];
+            const tally *t = &f->half[k / 3][i].of[k % 3];
             state_word(bytes + 16 * k, t->low);
             state_word(bytes + 16 * k + 8, (uint64_t)t->high);
         }
@@ -155,8 +155,8 @@ static inline bool state_parse(const char *path, const char *text, size_t n, fil
                       (size_t)(text + n - at) - 8, 96 * pixels);
     for (size_t i = 0; i < 6 * pixels; i++) {
         const uint8_t *p = (const uint8_t *)at + 16 * i;
-        out->pixel[i / 6].half[i % 6 / 3][i % 3] = (tally){state_word_of(p),
-                                                           (int64_t)state_word_of(p + 8)};
+        out->half[i % 6 / 3][i / 6].of[i % 3] = (tally){state_word_of(p),
+                                                        (int64_t)state_word_of(p + 8)};
     }
     memcpy(settings, body, length), settings[length] = 0;
     return true;
