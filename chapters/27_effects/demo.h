@@ -17,7 +17,7 @@ static const char demo_scene[] =
     "cone 0.75 0 -0.4 0.6  0.75 1.4 -0.4 0.35\n"
     "material glass\n  Ni 1.5\n  Tf 1\n  absorb 0.5 0.1 0.3\n  illum 7\n"
     "sphere 2.1 0.7 0.3  0.7\n"
-    "material lamp\n  Ke 9 8.5 8\n"
-    "polygon -1 4.5 -1  1 4.5 -1  1 4.5 1  -1 4.5 1\n";
+    "material lamp\n  Ke 2 1.85 1.7\n"
+    "polygon -2.4 4.5 -1.6  2.4 4.5 -1.6  2.4 4.5 2.2  -2.4 4.5 2.2\n";
 
 #endif

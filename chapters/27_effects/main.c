@@ -3,60 +3,70 @@ cc -std=c11 -O2 -ffp-contract=off -o 27_effects chapters/27_effects/main.c -lm -
  *
  *   27_effects room.scene --explain       a scene file, an OBJ or an NFF file: what it calls for
  *   27_effects --scene room.scene --out room.png --camera "from 0 1 5 at 0 1 0"
+ *   27_effects room.scene --effects all   everything at every hit: the same picture, more time
+ *   27_effects room.scene --price         what each effect costs, and what leaving it out
  *
  * Without options: the scene of demo.h. What the command line says of camera, lens, lights and
  * surroundings replaces what the files say; the words are those of scene files. */
 #include "../../common/output.h"
-#include "../02_camera/headlight.h"
+#include "classic.h"
 #include "demo.h"
 #include "explain.h"
+#include "price.h"
 #include "studio_read.h"
-#include "studio_tree.h"
 
-typedef struct { const studio_tree *t; const plan *p; camera c; real near; image *im; } job;
+typedef struct { const char *path, *effects; bool told, priced; studio_words words; } request;
 
-/* What the surface would look like by a lamp beside the eye. */
-static void pixel(int x, int y, void *context)
+/* All at every hit was drawn: what the plan draws, and whether that is the same picture. */
+static void compare_with_plan(drawing *j, stage *e, int threads)
 {
-    const job *j = context;
-    studio_hit h = {hit_none, no_shape};
-    ray r = camera_ray(j->c, (real)x + (real)0.5, (real)y + (real)0.5, j->im->width, j->im->height);
-    vec3 c = sky_radiance(&j->t->s->sky, r.d);
-    r.tmin = j->near;
-    if (studio_tree_hit(j->t, r, &h)) {
-        const appearance *a = &j->p->look[studio_hit_material(j->t, h)];
-        vec3 sum = vadd(vadd(a->matte, a->highlight), vadd(vadd(a->mirror, a->glossy), a->through));
-        c = vmul(vmin(sum, (vec3){1, 1, 1}), headlight(studio_surface(j->t, r, h).ns, r.d));
-        c = vadd(c, vadd(a->flat, a->emits));
+    image im = image_new(j->im->width, j->im->height);
+    drawing plain = *j;
+    size_t n = 3 * (size_t)im.width * (size_t)im.height;
+    stage_effects(e, e->p->effects, false);
+    if (draw_region(&plain, &im, 0, 0, threads)) {
+        bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
+        printf("plan       %s; everything at every hit took %.3g s, the plan %.3g s: "
+               "%.0f %% saved\n",
+               same ? "the same picture byte for byte" : "ANOTHER PICTURE", j->seconds,
+               plain.seconds, (1 - plain.seconds / j->seconds) * 100);
     }
-    image_set(j->im, x, y, c);
+    stage_effects(e, EFFECTS_ALL, true);
+    image_free(&im);
 }
 
-static void draw(const options *o, const studio *s, const plan *p, camera c, real near)
+/* The default run: the picture, its strip, the price list, and what being general costs. */
+static void show(const options *o, const request *q, stage *e)
 {
-    studio_tree t;
-    failure f;
     image im = image_new(o->width, o->height);
-    if (!studio_tree_build(s, &t, &f)) fail(f);
-    job j = {&t, p, c, near, &im};
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "pixels", pixel, &j);
+    bool demo = !q->path && !q->told && !q->effects && !q->priced && !o->out;
+    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 32 : 16;
+    drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
+                 .height = o->height};
+    bool whole = draw_region(&j, &im, 0, 0, o->threads);
+    if (whole && (e->mask & EFFECTS_SPEND)) compare_with_plan(&j, e, o->threads);
+    if (whole && (demo || q->priced)) {
+        int w = o->width / 4 > 0 ? o->width / 4 : 1, h = o->height / 4 > 0 ? o->height / 4 : 1;
+        whole = table_of_price(o, e, w, h, samples > 16 ? 16 : samples);
+        if (whole && demo) whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1,
+                                              samples);
+        if (whole && demo) table_of_tax(o);
+    } else if (whole) {
+        effects_counts timed;
+        image none = image_new(o->width, o->height);  /* draw_timed fills nothing in */
+        double error = draw_error(&j);
+        drawing again = j;
+        again.im = &none;
+        if (draw_timed(&again, o->threads, &timed)) {
+            table_of_effects(o, &j, &timed);
+            printf("# %d samples a pixel, %.3g s", samples, j.seconds);
+            if (error > 0 && samples > 1) printf(", error rmse %.3g by halves", error);
+            printf("\n");
+        }
+        image_free(&none);
+    }
     output_picture(o, &im, "27_effects.png", true, whole);
     image_free(&im);
-    studio_tree_free(&t);
-}
-
-static void table_of_effects(const options *o, const studio *s, const plan *p)
-{
-    table t = table_new("What the scene calls for", "effect|called|materials");
-    for (int k = 0; k < effect_kinds; k++) {
-        size_t n = 0;
-        for (uint32_t m = 0; m < s->materials; m++)
-            n += s->material[m].used && plan_effects(p, m) >> k & 1;
-        table_text(&t, "%s", effect_names[k].name);
-        table_text(&t, "%s", p->effects >> k & 1 ? "yes" : "no");
-        table_count(&t, n);
-    }
-    output_table(o, &t);
 }
 
 /* room.scene alone stands for --scene=room.scene: of names that end so, nothing else is meant. */
@@ -73,38 +83,41 @@ static char *option_of_file(char *word)
 
 int main(int argc, char **argv)
 {
-    const char *path = NULL;
-    studio_words words = {.camera = NULL};
-    bool told = false;
+    request q = {.path = NULL};
     const option own[] = {
-        {"scene", OPTION_TEXT, &path, 0, 0, "FILE to draw: .obj, .nff, else a scene file"},
-        {"explain", OPTION_FLAG, &told, 0, 0, "say what the scene calls for, and why"},
-        {"camera", OPTION_TEXT, &words.camera, 0, 0, "from X Y Z at X Y Z [up X Y Z] [angle A]"},
-        {"lens", OPTION_TEXT, &words.lens, 0, 0, "radius X [focus X]"},
-        {"light", OPTION_TEXT, &words.light, 0, 0, "at X Y Z colour C [; at ...]"},
-        {"sun", OPTION_TEXT, &words.sun, 0, 0, "to X Y Z colour C [; to ...]"},
-        {"environment", OPTION_TEXT, &words.environment, 0, 0, "C, C C, or a picture"},
-        {"background", OPTION_TEXT, &words.background, 0, 0, "C"},
-        {"up", OPTION_TEXT, &words.up, 0, 0, "x, y or z: where no camera says it"},
+        {"scene", OPTION_TEXT, &q.path, 0, 0, "FILE to draw: .obj, .nff, else a scene file"},
+        {"effects", OPTION_TEXT, &q.effects, 0, 0, "LIST simulate: all, none, called, -soft .."},
+        {"explain", OPTION_FLAG, &q.told, 0, 0, "say what the scene calls for, and why"},
+        {"price", OPTION_FLAG, &q.priced, 0, 0, "leave out each effect in turn: time and error"},
+        {"camera", OPTION_TEXT, &q.words.camera, 0, 0, "from X Y Z at X Y Z [up X Y Z] [angle A]"},
+        {"lens", OPTION_TEXT, &q.words.lens, 0, 0, "radius X [focus X]"},
+        {"light", OPTION_TEXT, &q.words.light, 0, 0, "at X Y Z colour C [; at ...]"},
+        {"sun", OPTION_TEXT, &q.words.sun, 0, 0, "to X Y Z colour C [; to ...]"},
+        {"environment", OPTION_TEXT, &q.words.environment, 0, 0, "C, C C, or a picture"},
+        {"background", OPTION_TEXT, &q.words.background, 0, 0, "C"},
+        {"up", OPTION_TEXT, &q.words.up, 0, 0, "x, y or z: where no camera says it"},
         {0}};
     for (int i = 1; i < argc; i++)
         if (strcmp(argv[i - 1], "--scene") != 0) argv[i] = option_of_file(argv[i]);
     options o = options_read(argc, argv, "27_effects", "Draws scene files.",
-                             (options){.width = 640, .height = 480}, own);
-    if (o.quick && o.width == 640 && o.height == 480) o.width = 160, o.height = 120;
+                             (options){.width = 400, .height = 300, .samples = -1}, own);
+    if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;
     studio s;
     studio_view view;
     camera c;
+    stage e;
     failure f;
-    if (path ? !studio_read(path, &words, &s, &f)
-             : !studio_read_text(demo_scene, "demo.scene", &words, &s, &f)) fail(f);
+    if (q.path ? !studio_read(q.path, &q.words, &s, &f)
+               : !studio_read_text(demo_scene, "demo.scene", &q.words, &s, &f)) fail(f);
     plan p = plan_of(&s);
-    real aspect = (real)o.width / (real)o.height;
-    if (!studio_camera(&s, aspect, &view, &c, &f)) fail(f);
-    if (told) explain(stdout, &s, &p, &view);
-    draw(&o, &s, &p, c, view.hither);
-    if (!told) table_of_effects(&o, &s, &p);
-    plan_free(&p);
-    studio_free(&s);
+    unsigned mask = p.effects;
+    if (q.effects && !effects_read(q.effects, &mask, &f)) fail(f);
+    if (!studio_camera(&s, (real)o.width / (real)o.height, &view, &c, &f)) fail(f);
+    if (q.told) explain(stdout, &s, &p, &view);
+    if (!stage_build(&s, &p, &e, &f)) fail(f);
+    stage_view(&e, &view, c);
+    stage_effects(&e, mask, q.effects && mask == EFFECTS_ALL);
+    show(&o, &q, &e);
+    stage_free(&e), plan_free(&p), studio_free(&s);
     return 0;
 }

@@ -152,15 +152,15 @@ static inline bool nff_read_stream(studio *s, FILE *in, const char *path, affine
         && fabs(vdot(x, z)) <= off * a * a && fabs(vdot(y, z)) <= off * a * a;
     nff_reader r = {.s = s, .file = name_add(&s->files, path), .material = made_of,
                     .to_world = to_world, .size = even ? a : 0};
-    size_t lights = s->lights;
+    size_t before = s->lights;
     if (!text_begin(&r.t, in, path, f)) return false;
     bool ok = true;
     while (ok && (r.t.keyword = "line", word_more(&r.t))) ok = nff_statement(&r);
     ok = text_end(&r.t) && ok;
     real each = sqrt((real)r.plain_lights) / (2 * (real)r.plain_lights);
-    for (; lights < s->lights; lights++)
-        if (s->light[lights].light.colour.x < 0)
-            s->light[lights].light.colour = (vec3){each, each, each};
+    for (; before < s->lights; before++)
+        if (s->light[before].light.colour.x < 0)
+            s->light[before].light.colour = (vec3){each, each, each};
     r.m.normals = r.smooth ? r.m.vertices : 0;
     if (!r.smooth) free(r.m.n), r.m.n = NULL;
     if (ok && r.m.triangles) {

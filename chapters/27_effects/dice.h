@@ -1,0 +1,79 @@
+/* dice.h: random numbers with a name: what is not called for shifts nothing.
+ *
+ *   number = f(seed, pixel, sample, node, purpose)
+ *
+ *   dice d = dice_start(seed, pixel, k)               sample k of a pixel
+ *   point2 u = dice_pair(&d, node, depth, DICE_LAMP)  [0,1)^2; the same whenever it is asked for
+ *   real u = dice_number(&d, node, purpose)           one, independent of all others
+ *   node = dice_child(node, kind)                     of a ray of kind 0 .. 15; the eye's is 0
+ *
+ * A stream of numbers, one after the other, would not do: a shadow ray that is left out would hand
+ * its numbers on to the next ray, and the picture would change where nothing else did. Here each
+ * has an address: the ray it belongs to (node, by the kinds of rays that led to it) and what it is
+ * for. Two nodes may meet in one number, once in 2^29: they are not independent then, no more.
+ *
+ * As in 26, samples k and k + 1 belong to halves that share nothing, so that their difference tells
+ * the error (26.12). Down to depth dice_depth pairs are Sobol's, further ones are independent.
+ */
+#ifndef DICE_H
+#define DICE_H
+
+#include "../20_monte_carlo/sampler.h"
+
+typedef enum {
+    DICE_LAMP, DICE_SKY, DICE_GLOSSY, DICE_INDIRECT, DICE_SURVIVES_MIRROR, DICE_SURVIVES_GLOSSY,
+    DICE_SURVIVES_INDIRECT, DICE_SURVIVES_REFRACTION, dice_purposes
+} dice_purpose;
+
+enum { DICE_PIXEL = 1, DICE_LENS = 2 };  /* of the eye: number 0 is of its node */
+typedef struct { sampler pairs; uint64_t own; } dice;
+enum { dice_depth = 3 };
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline dice dice_start(uint64_t seed, uint64_t pixel, uint32_t k)
+{
+    dice d = {.pairs = sampler_start(SEQUENCE_SOBOL, seed, 2 * pixel + k % 2, k / 2, 1u << 31)};
+    d.own = random_start(seed, 2 * pixel + k % 2, k / 2).key;
+    return d;
+}
+
+/* Mixed: 16 node + kind alone would forget the first ray after eight, and of ten bounces in a row
+ * the last would all be one node. */
+static inline uint32_t dice_child(uint32_t node, uint32_t kind)
+{
+    return (uint32_t)(random_mix(16 * (uint64_t)node + kind + 1) >> 32);
+}
+
+/* Of the eye: where in the pixel, where on the lens. */
+static inline point2 dice_eye(const dice *d, uint32_t what)
+{
+    sampler s = d->pairs;
+    s.pair = what - 1;
+    return sampler_pair(&s);
+}
+
+__attribute__((always_inline))
+static inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
+{
+    return random_mix(d->own ^ random_mix(random_step * (node * (uint64_t)64 + number + 1)));
+}
+
+static inline real dice_number(const dice *d, uint32_t node, dice_purpose purpose)
+{
+    return random_real_of(dice_bits(d, node, purpose));
+}
+
+static inline point2 dice_pair(const dice *d, uint32_t node, int depth, dice_purpose purpose)
+{
+    if (depth > dice_depth) {
+        real u = random_real_of(dice_bits(d, node, dice_purposes + 2 * (uint32_t)purpose));
+        real v = random_real_of(dice_bits(d, node, dice_purposes + 2 * (uint32_t)purpose + 1));
+        return (point2){u, v};
+    }
+    sampler s = d->pairs;
+    s.pair = node * dice_purposes + (uint32_t)purpose + 2;
+    return sampler_pair(&s);
+}
+
+#endif

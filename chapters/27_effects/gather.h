@@ -1,0 +1,182 @@
+/* gather.h: light that reaches a surface straight from lights, lamps and sky: shadow rays.
+ *
+ *   gather_share k = gather_shares(a, cosine, ..)    what the surface does with light, by part
+ *   vec3 L = gather(e, mask, b, &s, &k, lobe, dice, counts)
+ *
+ *   hard shadows   each point light and sun (18.1), (18.2)
+ *   soft shadows   one point of one lamp: L = f cos Le w / pdf                             (27.8)
+ *   environment    one direction of the sky, likewise
+ *
+ * A lamp can also be met by a ray that goes on from here. Where such rays are sent, matte part and
+ * lobe share each direction with them by the power heuristic (24.9); where not, w = 1. A highlight
+ * is of lights alone: w = 1.
+ *
+ * No ray: a light that is behind the surface, black, or one for which nothing is reflected.
+ */
+#ifndef GATHER_H
+#define GATHER_H
+
+#include "stage.h"
+#include "../24_direct_light/mis.h"
+#include "../../common/clock.h"
+#include "dice.h"
+
+/* A ray in hand: where it is, what it counts for, how it came to be. */
+typedef struct {
+    ray r;              /* d is unit */
+    vec3 weight;
+    media_set in;
+    real pdf;           /* of r.d, if light samples could have found what it meets; else infinite */
+    real cosine;        /* with the normal where it began */
+    int kind, depth;
+    uint32_t node;      /* dice.h */
+    bool bounced;       /* a matte surface lies behind it: what it meets is no picture, but light */
+} branch;
+
+typedef struct { vec3 matte, highlight, mirror, glossy, through; real exponent; } gather_share;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+__attribute__((always_inline))
+static inline void effects_clock(const unsigned mask, effects_counts *c, int kind)
+{
+    if (!(mask & EFFECTS_TIMED)) return;
+    double now = clock_seconds();
+    c->seconds[c->now] += now - c->since;
+    c->now = kind, c->since = now;
+}
+
+/* surface_of_shape of 18, and of balls 19's, which takes no root. */
+__attribute__((always_inline))
+static inline surface effects_surface(const stage *e, ray r, studio_hit x)
+{
+    const shape *s = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
+    if (!s || s->kind != SHAPE_SPHERE) return studio_surface(&e->t, r, x);
+    return whitted_on_ball(s->sphere, x.h.shape, ray_at(r, x.h.t));
+}
+
+/* What of the light comes through where materials are clear: those that do not bend. */
+static inline vec3 gather_clear(const stage *e, ray r)
+{
+    vec3 left = {1, 1, 1}, end = ray_at(r, r.tmax);
+    for (int k = 0; k < stage_most_depth; k++) {
+        studio_hit x;
+        if (!studio_tree_hit(&e->t, r, &x)) return left;
+        const appearance *a = &e->look[studio_hit_material(&e->t, x)];
+        if (vzero(a->through) || a->bends) break;
+        left = vmul(left, a->through);
+        surface s = effects_surface(e, r, x);
+        vec3 o = leave_point(s, r.d, 0);
+        if (r.tmax == real_infinity) r.o = o;
+        else r = ray_between(o, end);
+        if (vdot(vsub(end, o), s.n) * vdot(r.d, s.n) < 0) return left;  /* past the end */
+    }
+    return (vec3){0, 0, 0};
+}
+
+/* False: nothing arrives. */
+__attribute__((always_inline))
+static inline bool gather_passes(const stage *e, const unsigned mask, ray r, int kind, int then,
+                                 effects_counts *c, vec3 *left)
+{
+    bool passes;
+    c->rays[kind]++;
+    effects_clock(mask, c, kind);
+    *left = (vec3){1, 1, 1};
+    if ((mask & EFFECT_REFRACTION) && e->clear) {
+        *left = gather_clear(e, r);
+        passes = !vzero(*left);
+    } else passes = !studio_tree_occluded(&e->t, r);
+    effects_clock(mask, c, then);
+    return passes;
+}
+
+/* f cos w of all parts, for light from wi that was drawn with this pdf. */
+__attribute__((always_inline))
+static inline vec3 gather_reflects(const stage *e, const unsigned mask, const gather_share *k,
+                                   const brdf *lobe, const surface *s, vec3 wi, vec3 wo, real pdf)
+{
+    real c = vdot(s->ns, wi);
+    real w = e->counted & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
+    vec3 sum = vscale(k->matte, c / pi * w);
+    if (!vzero(k->highlight)) {
+        real nh = real_max(0, vdot(s->ns, vunit(vadd(wi, wo))));
+        sum = vmadd(sum, k->highlight, pow(nh, k->exponent) * c);
+    }
+    if (!vzero(k->glossy)) {
+        shading_frame f = shading_frame_of(s->ns);
+        vec3 i = to_local(f, wi), o = to_local(f, wo);
+        real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
+        sum = vmadd(sum, vmul(k->glossy, brdf_value_local(lobe, i, o)), c * share);
+    }
+    return sum;
+}
+
+__attribute__((always_inline))
+static inline vec3 gather_lights(const stage *e, const unsigned mask, const branch *b,
+                                 const surface *s, const gather_share *k, const brdf *lobe,
+                                 bool lit, effects_counts *c)
+{
+    vec3 sum = {0, 0, 0}, left, wo = vneg(b->r.d);
+    bool here = lit && (!b->bounced || (e->counted & EFFECT_INDIRECT));
+    for (int i = 0; i < e->lights; i++) {
+        const light *L = &e->light[i];
+        light_sample x;
+        bool counts = here && whitted_reaches(L, s, &x);
+        if (!counts && !(mask & EFFECTS_SPEND)) continue;
+        ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
+        bool passes = gather_passes(e, mask, r, 0, b->kind, c, &left);
+        if (!counts || !passes) continue;
+        vec3 v = vscale(vmul(x.E, k->matte), 1 / pi);
+        if (!vzero(k->highlight)) {
+            material m = {k->matte, k->highlight, k->exponent, {0, 0, 0}};
+            v = blinn_phong(&m, s->ns, x.l, wo, x.E);
+        }
+        if (!vzero(k->glossy))
+            v = vadd(v, vmul(x.E, vmul(k->glossy, brdf_value(lobe, s->ns, x.l, wo))));
+        sum = vadd(sum, (mask & EFFECT_REFRACTION) && e->clear ? vmul(v, left) : v);
+    }
+    return sum;
+}
+
+/* (27.8), of a lamp or of the sky: `at` is where the light comes from, NULL: from infinity. */
+__attribute__((always_inline))
+static inline vec3 gather_sample(const stage *e, const unsigned mask, const branch *b,
+                                 const surface *s, const gather_share *k, const brdf *lobe,
+                                 bool lit, int kind, vec3 wi, vec3 Le, real pdf, const surface *at,
+                                 effects_counts *c)
+{
+    vec3 v = {0, 0, 0}, left;
+    if (lit && vdot(s->ns, wi) > 0 && vdot(s->n, wi) > 0)
+        v = vmul(gather_reflects(e, mask, k, lobe, s, wi, vneg(b->r.d), pdf), Le);
+    if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
+    ray r = at ? leave_between(*s, *at) : leave(*s, wi);
+    bool passes = gather_passes(e, mask, r, kind, b->kind, c, &left);
+    if (!passes || vzero(v)) return (vec3){0, 0, 0};
+    return vscale(vmul(v, left), 1 / pdf);
+}
+
+__attribute__((always_inline))
+static inline vec3 gather(const stage *e, const unsigned mask, const branch *b, const surface *s,
+                          const gather_share *k, const brdf *lobe, const dice *d, effects_counts *c)
+{
+    vec3 sum = {0, 0, 0};
+    bool lit = !vzero(k->matte) || !vzero(k->highlight) || !vzero(k->glossy);
+    if (!lit && !(mask & EFFECTS_SPEND)) return sum;
+    if (mask & EFFECT_HARD_SHADOWS) sum = gather_lights(e, mask, b, s, k, lobe, lit, c);
+    if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
+        lamp_draw x;
+        if (lamps_sample(&e->lamp, s->p, dice_pair(d, b->node, b->depth, DICE_LAMP), &x))
+            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, 1, x.wi, x.Le, x.pdf, &x.s,
+                                          c));
+    }
+    if (mask & EFFECT_ENVIRONMENT) {
+        sky_draw x;
+        if (sky_light_sample(&e->sky, s->ns, dice_pair(d, b->node, b->depth, DICE_SKY), &x))
+            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, 7, x.wi, x.L, x.pdf, NULL,
+                                          c));
+    }
+    return sum;
+}
+
+#endif

@@ -1,0 +1,129 @@
+/* stage.h: a scene made ready for light: trees, lamps, sky, lobes, media; and what is to be done.
+ *
+ *   stage e;
+ *   if (!stage_build(&s, &p, &e, &f)) fail(f);      s, p must outlive it
+ *   stage_effects(&e, mask, spend)                  what to simulate from now on; see below
+ *   e.eye = camera; e.lens, e.hither                stage_view(&e, &view, camera) sets them
+ *   stage_free(&e);
+ *
+ *   mask     effects that are simulated (effect.h)
+ *   spend    all of them at every hit, whether it has a part in them or not: what a renderer does
+ *            that does not ask. Rays are traced and shaded whose weight is black, so that they add
+ *            exactly 0; they give rise to no further ones, or there would be no end
+ *   counted  the effects whose light is expected: mask, or if all are spent those that the scene
+ *            calls for. It decides how light is gathered (one ray a branch or chance, and whether a
+ *            bounce or a shadow ray is to find a lamp), never whether something is traced
+ *
+ *   effects_counts c = {0};           rays by effect; absorption: segments; depth: rays of the eye
+ */
+#ifndef STAGE_H
+#define STAGE_H
+
+#include "../19_whitted/whitted.h"  /* before sky.h: it has a `sky` of its own */
+#include "../21_distributed/lens.h"
+#include "../23_brdf/brdf.h"
+#include "framing.h"
+#include "lamps.h"
+#include "plan.h"
+#include "sky_light.h"
+
+enum {
+    EFFECTS_SPEND = 512,      /* bits beside those of effect.h */
+    EFFECTS_TIMED = 1024,
+    RAY_OF_EYE = effect_kinds, effects_rays,
+    stage_most_depth = 128
+};
+
+typedef struct {
+    size_t rays[effects_rays];       /* [RAY_OF_EYE]: all that the eye sent */
+    double seconds[effects_rays];    /* only with EFFECTS_TIMED */
+    double since;                    /* when the ray now in hand was begun */
+    int now;                         /* its kind */
+} effects_counts;
+
+typedef struct {
+    const studio *s;
+    const plan *p;
+    studio_tree t;
+    const appearance *look;
+    brdf *lobe;                      /* [materials] white, with the material's exponent */
+    medium *media;                   /* [materials + 1] body m + 1 is made of material m */
+    light *light;
+    int lights;
+    lamp_list lamp;
+    sky_light sky;
+    unsigned mask, counted;          /* mask: also EFFECTS_SPEND */
+    bool chance;                     /* integrals: roulette; else every branch above `least` */
+    bool clear;                      /* a material lets light straight through */
+    int depth;                       /* rays behind one another, the eye's is 1 [<= 128] */
+    real least;                      /* weight below which a branch is cut, without chance */
+    camera eye;
+    thin_lens lens;
+    real hither;
+} stage;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void stage_free(stage *e)
+{
+    studio_tree_free(&e->t);
+    lamps_free(&e->lamp);
+    sky_light_free(&e->sky);
+    free(e->lobe), free(e->media), free(e->light);
+    *e = (stage){.s = NULL};
+}
+
+static inline void stage_effects(stage *e, unsigned mask, bool spend)
+{
+    e->counted = spend ? mask & e->p->effects : mask;
+    e->mask = mask | (spend ? EFFECTS_SPEND : 0);
+    e->chance = (e->counted & EFFECTS_OF_CHANCE) != 0;
+    e->depth = e->chance ? stage_most_depth : 12;
+}
+
+static inline void stage_materials(stage *e)
+{
+    const studio *s = e->s;
+    const vec3 black = {0, 0, 0}, white = {1, 1, 1};
+    e->lobe = allocate(s->materials, sizeof *e->lobe);
+    e->media = allocate(s->materials + 1, sizeof *e->media);
+    e->media[0] = (medium){1, black, 0};
+    for (size_t m = 0; m < s->materials; m++) {
+        const appearance *a = &e->look[m];
+        e->lobe[m] = brdf_blinn_phong(black, white, a->exponent);
+        e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, 0};
+        e->clear = e->clear || (s->material[m].used && !vzero(a->through) && !a->bends);
+    }
+}
+
+static inline bool stage_build(const studio *s, const plan *p, stage *out, failure *f)
+{
+    *out = (stage){.s = s, .p = p, .look = p->look, .least = (real)1 / 512};
+    if (!studio_tree_build(s, &out->t, f)) return false;
+    if (!sky_light_build(&s->sky, &out->sky, f)) {
+        studio_tree_free(&out->t);
+        return false;
+    }
+    lamps_build(&out->t, &out->lamp);
+    stage_materials(out);
+    out->lights = (int)s->lights;
+    out->light = allocate(s->lights, sizeof *out->light);
+    for (size_t i = 0; i < s->lights; i++) out->light[i] = s->light[i].light;
+    stage_effects(out, p->effects, false);
+    return true;
+}
+
+static inline void stage_view(stage *e, const studio_view *v, camera c)
+{
+    e->eye = c;
+    e->lens = (thin_lens){e->s->lens.radius, studio_focus(e->s, v)};
+    e->hither = v->hither;
+}
+
+static inline void effects_counts_add(effects_counts *to, const effects_counts *c)
+{
+    for (int k = 0; k < effects_rays; k++)
+        to->rays[k] += c->rays[k], to->seconds[k] += c->seconds[k];
+}
+
+#endif

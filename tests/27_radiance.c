@@ -1,0 +1,221 @@
+/* Tests of chapters/27_effects: what is drawn. Everything simulated at every hit gives the picture
+ * of the plan, byte for byte; what is not called for takes no ray; and where 18, 19 and 26 can draw
+ * the same, the light is the same.
+ */
+#include "../chapters/27_effects/classic.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "check.h"
+
+typedef struct { studio s; plan p; stage e; } set;
+
+static void set_up(set *q, const char *text)
+{
+    failure f;
+    studio_view v;
+    camera c;
+    if (!studio_read_text(text, "test.scene", NULL, &q->s, &f)) fail(f);
+    q->p = plan_of(&q->s);
+    if (!studio_camera(&q->s, 4 / (real)3, &v, &c, &f)) fail(f);
+    if (!stage_build(&q->s, &q->p, &q->e, &f)) fail(f);
+    stage_view(&q->e, &v, c);
+}
+
+static void tear_down(set *q) { stage_free(&q->e), plan_free(&q->p), studio_free(&q->s); }
+
+enum { across = 16, down = 12 };
+
+static drawing draw(const stage *e, image *im, int samples)
+{
+    drawing j = {.e = e, .samples = samples, .seed = 5, .width = across, .height = down};
+    draw_region(&j, im, 0, 0, 1);
+    return j;
+}
+
+/* ---- the matrix: a scene for each set of ingredients ---- */
+
+/* One for each effect; a scene may call for more than the ingredients name: a lamp over walls also
+ * makes indirect light. */
+static const char *const ingredient[effect_kinds] = {
+    "light at 2 4 3 colour 60\nsun to -1 2 1 colour 0.7\n",
+    "material lamp\nKe 5 4 3\npolygon -1 4 -1  1 4 -1  1 4 1  -1 4 1\nsphere 1.5 3 1 0.2\n"
+        "cone -2 3 0 0.1  -1 3 0 0.2\n",
+    "material chrome\nKd 0.1\nKs 0.7 0.8 0.9\nillum 3\nsphere -1 0.6 0 0.6\n",
+    "material satin\nKd 0.2\nKs 0.6\nNs 40\nillum 3\nsphere 0.4 0.5 0.8 0.5\n",
+    "material glass\nNi 1.5\nTf 0.9 1 1\nKd 0\nillum 7\nsphere 1 0.7 -0.4 0.7\n"
+        "material pane\nKd 0.3\nd 0.4\nKs 0.2\nNs 20\n"
+        "polygon -2 0 1.4  -1 0 1.4  -1 1 1.4  -2 1 1.4\n",
+    "material green\nNi 1.3\nTf 1\nKd 0\nKs 0.1\nabsorb 2 0.3 1\nillum 6\n"
+        "sphere -0.2 0.4 1.6 0.4\n",
+    "material wall\nKd 0.7 0.3 0.3\nKs 0.2\nNs 10\nillum 2\n"
+        "polygon -3 0 -2  3 0 -2  3 4 -2  -3 4 -2\n"
+        "material floor\nKd 0.6\nillum 1\npolygon -3 0 3  3 0 3  3 0 -2  -3 0 -2\n",
+    "environment 0.3 0.4 0.6 1 1 0.9\n",
+    "lens radius 0.1 focus 5\n"};
+
+static char *scene_of(unsigned mask)
+{
+    char *text = allocate(4096, 1);
+    size_t n = (size_t)snprintf(text, 4096, "camera from 0 1.5 6 at 0 0.8 0 angle 40\n%s",
+                                mask & EFFECT_ENVIRONMENT ? "" : "background 0.1 0.2 0.3\n");
+    for (int k = 0; k < effect_kinds; k++)
+        if (mask >> k & 1) n += (size_t)snprintf(text + n, 4096 - n, "%s", ingredient[k]);
+    return text;
+}
+
+static unsigned seen_called;
+
+static void test_set(unsigned mask)
+{
+    set q;
+    char *text = scene_of(mask);
+    set_up(&q, text);
+    image lean = image_new(across, down), full = image_new(across, down);
+    drawing a = draw(&q.e, &lean, 4);
+    unsigned called = q.p.effects;
+    seen_called |= called;
+    for (int k = 0; k < effect_kinds; k++)
+        if (!(called >> k & 1))
+            check(a.counts.rays[k] == 0, "ingredients %x: %zu rays for %s, not called for", mask,
+                  a.counts.rays[k], effect_names[k].name);
+    stage_effects(&q.e, EFFECTS_ALL, true);
+    drawing b = draw(&q.e, &full, 4);
+    check(memcmp(lean.rgb, full.rgb, 3 * across * down * sizeof *lean.rgb) == 0,
+          "ingredients %x, called %x: simulating everything gives another picture, rmse %g", mask,
+          called, image_compare(&lean, &full).rmse);
+    bool finite = image_compare(&lean, &full).not_finite == 0;
+    check(finite, "ingredients %x: not finite", mask);
+    for (int k = 0; k < effect_kinds; k++)
+        check(b.counts.rays[k] >= a.counts.rays[k], "ingredients %x: fewer rays of %s with all",
+              mask, effect_names[k].name);
+    for (int k = 2; k < 7; k++)  /* what needs a hit has one, and is spent on it */
+        if (q.s.shapes && !(called >> k & 1))
+            check(b.counts.rays[k] > 0, "ingredients %x: all sends no rays for %s", mask,
+                  effect_names[k].name);
+    image_free(&lean), image_free(&full);
+    tear_down(&q);
+    free(text);
+}
+
+static void test_matrix(void)
+{
+    test_set(0), test_set(EFFECTS_ALL);
+    for (int i = 0; i < effect_kinds; i++)
+        for (int k = 0; k <= i; k++) {
+            test_set(1u << i | 1u << k);
+            test_set((1u << i | 1u << k) ^ EFFECTS_ALL);
+        }
+    check(seen_called == EFFECTS_ALL, "the matrix calls for %x alone", seen_called);
+}
+
+/* The copies for fixed masks are the same function: the general one gives the same bytes. */
+static void test_special(void)
+{
+    static const unsigned masks[] = {EFFECTS_NONE, EFFECTS_PLAIN, EFFECTS_MIRRORS, EFFECTS_GLASS,
+                                     EFFECTS_COLOURED_GLASS, EFFECTS_MATTE_ROOM, EFFECTS_ROOM,
+                                     EFFECTS_OUTDOORS};
+    set q;
+    char *text = scene_of(EFFECTS_ALL & ~(unsigned)EFFECT_DEPTH_OF_FIELD);
+    set_up(&q, text);
+    for (size_t k = 0; k < sizeof masks / sizeof *masks; k++) {
+        size_t bad = 0;
+        stage_effects(&q.e, masks[k], false);
+        effects_function *own = effects_made_for(masks[k]);
+        check(own != effects_general, "mask %x has no copy of its own", masks[k]);
+        for (int i = 0; i < 300; i++) {
+            dice d = dice_start(1, (uint64_t)i, 0);
+            effects_counts c = {.now = 0};
+            ray r = camera_ray(q.e.eye, (real)(i % 20), (real)(i / 20), 20, 15);
+            vec3 a = own(&q.e, r, (media_set){0}, &d, &c);
+            vec3 b = effects_general(&q.e, r, (media_set){0}, &d, &c);
+            bad += memcmp(&a, &b, sizeof a) != 0;
+        }
+        check(bad == 0, "mask %x: %zu of 300 rays differ from the general function", masks[k], bad);
+    }
+    tear_down(&q);
+    free(text);
+}
+
+/* ---- 18 and 19 ---- */
+
+static void test_classic(bool glass)
+{
+    set q;
+    classic c;
+    char *text = forty_text(!glass);
+    double worst = 0;
+    size_t off = 0, n = 0;
+    set_up(&q, text);
+    check(classic_can(&q.e), "forty balls are for 19");
+    classic_build(&q.e, &c);
+    for (int y = 0; y < 45; y++)
+        for (int x = 0; x < 60; x++, n++) {
+            dice d = {.own = 0};
+            effects_counts counts = {.now = 0};
+            ray r = camera_ray(q.e.eye, (real)x + (real)0.5, (real)y + (real)0.5, 60, 45);
+            vec3 a = effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &d, &counts);
+            vec3 b = glass ? classic_whitted(&c, r) : classic_shade(&c, r);
+            double most = (double)vlength(vsub(a, b));
+            off += most > 256 * (double)real_epsilon;
+            worst = most > worst ? most : worst;
+        }
+    /* 27's surfaces of balls are 19's, 18's take a root: a few epsilon apart, but at an edge of a
+     * shadow or ball, where one ray may fall on the other side. */
+    check_at_most((double)off, glass ? 0 : 0.002 * (double)n,
+                  "%zu pixels off the chapter's, worst %g", off, worst);
+    classic_free(&c);
+    tear_down(&q);
+    free(text);
+}
+
+/* ---- light: closed forms ---- */
+
+/* The mean along the ray through the middle of the picture, of n independent estimates. */
+static void along(const stage *e, size_t n, estimate out[3])
+{
+    effects_function *f = effects_made_for(e->mask);
+    for (int k = 0; k < 3; k++) out[k] = (estimate){0};
+    for (size_t i = 0; i < n; i++) {
+        dice d = dice_start(9, i, 0);
+        effects_counts c = {.now = 0};
+        ray r = camera_ray(e->eye, 8, 6, 16, 12);
+        vec3 L = f(e, r, (media_set){0}, &d, &c);
+        for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], vaxis(L, k));
+    }
+}
+
+static void expect(const char *what, const char *text, const double exact[3], double rounding)
+{
+    set q;
+    estimate e[3];
+    set_up(&q, text);
+    along(&q.e, check_count(20000), e);
+    for (int k = 0; k < 3; k++)  /* false alarms: 1e-7 each, some 20 of them */
+        check_at_least(t_test(e[k], exact[k], rounding * (double)real_epsilon), 1e-7,
+                       "%s, channel %d: mean %.9g, exactly %.9g", what, k, e[k].mean, exact[k]);
+    tear_down(&q);
+}
+
+/* A closed ball that shines inwards: L = Le / (1 - albedo) everywhere. A matte ball in an even sky:
+ * L = albedo. Under a lamp, without anything else: Lambert's formula of the form factor. */
+static void test_light(void)
+{
+    expect("closed sphere", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\nKd 0.5 0.25 0.1\n"
+           "Ke 1 2 3\nillum 1\nsphere 0 0 0 -2\n", (double[3]){2, 2 / 0.75, 3 / 0.9}, 300);
+    expect("ball in an even sky", "camera from 0 0 5 at 0 0 0\nenvironment 1\nmaterial m\n"
+           "Kd 0.8 0.5 0.2\nillum 1\nsphere 0 0 0 1\n", (double[3]){0.8, 0.5, 0.2}, 300);
+    /* small lamp of area A, radiance 1, at height h straight above: E = pi R^2 / (R^2 + h^2) for a
+     * disk; here a sphere of radius R: E = pi (R/h)^2 at its foot, L = kd E / pi */
+    expect("under a sphere", "camera from 0.5 3 0.1 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
+           "polygon -3 0 3  3 0 3  3 0 -3  -3 0 -3\nmaterial lamp\nKe 4\nsphere 0 4 0 1\n"
+           "camera from 1 3 1 at 0 0 0\n", (double[3]){0.125, 0.125, 0.125}, 300);
+}
+
+int main(void)
+{
+    test_matrix();
+    test_special();
+    test_classic(false);
+    test_classic(true);
+    test_light();
+    return check_report("27_radiance");
+}
