@@ -52,7 +52,9 @@ static inline surface effects_surface(const stage *e, ray r, studio_hit x)
 {
     const shape *s = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
     if (!s || s->kind != SHAPE_SPHERE) return studio_surface(&e->t, r, x);
-    return whitted_on_ball(s->sphere, x.h.shape, ray_at(r, x.h.t));
+    surface on;
+    whitted_on_ball(&s->sphere, x.h.shape, ray_at(r, x.h.t), &on);
+    return on;
 }
 
 /* What of the light comes through where materials are clear: those that do not bend. */
