@@ -133,8 +133,30 @@ static void test_leaving(void)
     lit_free(&s);
 }
 
+/* Sixteen triangles round one vertex: a ray through it has all lanes for candidates, none left over to
+ * end the search. */
+static void test_fan(void)
+{
+    enum { n = 16 };
+    lit_scene s;
+    lit_hit h;
+    lit_begin(&s);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){1, 1, 1})});
+    for (int i = 0; i < n; i++) {
+        real a = 2 * pi * (real)i / n, b = 2 * pi * (real)(i + 1) / n;
+        triangle t = {{0, 0, 0}, {cos(a), sin(a), 0}, {cos(b), sin(b), 0}};
+        lit_add_triangle(&s, t, grey);
+    }
+    lit_end(&s);
+    check(lit_trace(&s, (ray){{0, 0, 5}, 0, {0, 0, -1}, real_infinity}, &h), "the vertex is met");
+    check_equal(h.t, 5, "its distance");
+    check_equal(h.s.shape, 0, "the first of all that share it");
+    lit_free(&s);
+}
+
 int main(void)
 {
+    test_fan();
     test_same_as_tree();
     test_leaving();
     test_limits();

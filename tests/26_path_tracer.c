@@ -19,7 +19,7 @@ static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estima
             (void)path_pair(&s);
             sum = vadd(sum, path_radiance(t, r, &s, c));
         }
-        for (int k = 0; k < 3; k++) e[k] = estimate_add(e[k], vaxis(sum, k) / (real)n);
+        for (int k = 0; k < 3; k++) e[k] = estimate_add(e[k], (double)vaxis(sum, k) / n);
     }
 }
 
@@ -176,7 +176,7 @@ static void test_naive(void)
             vec3 L = naive_radiance(&p, r, &s, &counts);
             for (int ch = 0; ch < 3; ch++) {
                 found[ch] += (double)vaxis(L, ch) > a[ch].mean / 2;
-                a[ch] = estimate_add(a[ch], vaxis(L, ch));
+                a[ch] = estimate_add(a[ch], (double)vaxis(L, ch));
             }
         }
         for (size_t k = 0; k < n / 8; k++) {
@@ -186,7 +186,7 @@ static void test_naive(void)
             point2 u = path_pair(&s);
             ray r = camera_ray(c.eye, (real)(i % side) + u.u, (real)(i / side) + u.v, side, side);
             vec3 L = path_radiance(&t, r, &s, &mine);
-            for (int ch = 0; ch < 3; ch++) b[ch] = estimate_add(b[ch], vaxis(L, ch));
+            for (int ch = 0; ch < 3; ch++) b[ch] = estimate_add(b[ch], (double)vaxis(L, ch));
         }
         for (int ch = 0; ch < 3; ch++) {  /* where a hundred paths found light: nearly normal */
             if (found[ch] < 100) continue;
@@ -194,8 +194,8 @@ static void test_naive(void)
             check_at_least(welch(a[ch], b[ch]), false_alarm / 10,
                            "pixel %d, channel %d: %.6g, naive %.6g", i, ch, b[ch].mean, a[ch].mean);
         }
-        all[0] = estimate_add(all[0], (real)(a[0].mean - b[0].mean));
-        all[1] = estimate_add(all[1], (real)(a[1].mean - b[1].mean));
+        all[0] = estimate_add(all[0], a[0].mean - b[0].mean);
+        all[1] = estimate_add(all[1], a[1].mean - b[1].mean);
     }
     check_at_least(t_test(all[0], 0, 1e-9), false_alarm, "the mean difference of all pixels: %g",
                    all[0].mean);
@@ -287,7 +287,7 @@ static estimate received(bool swapped, size_t n)
         vec3 p = vadd(eye.o, vadd(vscale(eye.s, u.u), vscale(eye.t, u.v)));
         ray d = leave((surface){p, normal, normal, (real)1e-3, 0, no_shape},
                       directed(normal, sample_cosine(v.u, v.v)));
-        e = estimate_add(e, path_radiance(&t, d, &r, &c).x * area / 1000);
+        e = estimate_add(e, (double)(path_radiance(&t, d, &r, &c).x * area / 1000));
     }
     path_tracer_free(&t), lit_free(&s);
     return e;
@@ -321,7 +321,7 @@ static void test_roulette(void)
             path_random s = path_start(&t.how, 7, i, 0, 1);
             w.beta = (vec3){b, b / 2, 0};
             bool lives = path_dice(&t, &w, &s, &c);
-            e = estimate_add(e, lives ? w.beta.y : 0);
+            e = estimate_add(e, lives ? (double)w.beta.y : 0);
         }
         check_at_least(t_test(e, (double)b / 2, 1e-7), false_alarm, "beta %g: mean %g", (double)b,
                        e.mean);

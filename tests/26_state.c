@@ -363,9 +363,10 @@ static void test_environment(void)
         real again = environment_pdf(&e, d);
         wrong += !(fabs(again / pdf - 1) < 64 * real_epsilon) || at.x != L.x;  /* edges of texels */
         wrong += fabs(vlength(d) - 1) > 8 * real_epsilon;
-        omega = estimate_add(omega, 1 / pdf), zz = estimate_add(zz, d.y * d.y / pdf);
+        omega = estimate_add(omega, (double)(1 / pdf));
+        zz = estimate_add(zz, (double)(d.y * d.y / pdf));
     }
-    check_at_most(wrong, (double)check_count(200000) * (real_is_float ? 1e-4 : 1e-5),
+    check_at_most((double)wrong, (double)check_count(200000) * (real_is_float ? 1e-4 : 1e-5),
                   "sample and lookup");
     check_at_least(t_test(omega, lit, 1e-5 * lit), 1e-7, "E[1/pdf] is the solid angle that shines");
     check_at_least(t_test(zz, lit_zz, 1e-5 * lit), 1e-7, "(26.5): even in cos theta, not in theta");

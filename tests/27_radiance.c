@@ -179,7 +179,7 @@ static void along(const stage *e, size_t n, estimate out[3])
         effects_counts c = {.now = 0};
         ray r = camera_ray(e->eye, 8, 6, 16, 12);
         vec3 L = f(e, r, (media_set){0}, &d, &c);
-        for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], vaxis(L, k));
+        for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], (double)vaxis(L, k));
     }
 }
 
