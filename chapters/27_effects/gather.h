@@ -30,6 +30,7 @@ typedef struct {
     real cosine;        /* with the normal where it began */
     int kind, depth;
     uint32_t node;      /* dice.h */
+    uint32_t from;      /* shape that it began on, or no_shape */
     bool bounced;       /* a matte surface lies behind it: what it meets is no picture, but light */
 } branch;
 
@@ -57,6 +58,56 @@ static inline surface effects_surface(const stage *e, ray r, studio_hit x)
     return on;
 }
 
+/* A leaf of a tree of shapes, as 19 searches it: a ball is not met again by a ray that leaves it. */
+typedef struct { const bvh_shapes *b; uint32_t from; } effects_asking;
+
+__attribute__((always_inline))
+static inline bool effects_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                                bool any)
+{
+    const effects_asking *a = context;
+    bool found = false;
+    hit h;
+    for (uint32_t i = first; i < first + count; i++) {
+        uint32_t j = a->b->index[i];
+        const shape *s = &a->b->shapes[j];
+        if (s->kind == SHAPE_SPHERE) {
+            if (j == a->from && ball_outwards(&s->sphere, &q->r)) continue;
+            if (!ball_hit(&s->sphere, &q->r, &h)) continue;
+        } else if (!shape_hit_sheared(s, &q->shear, q->r, &h)) continue;
+        if (any) return true;
+        h.shape = j;
+        found |= query_improves(q, h);
+    }
+    return found;
+}
+
+/* Shapes and nothing else: most scenes of Whitted's time. */
+__attribute__((always_inline))
+static inline bool effects_shapes_alone(const studio_tree *t)
+{
+    return t->shapes.tree.items && !t->standing && !t->moved.n;
+}
+
+__attribute__((always_inline))
+static inline bool effects_hit(const stage *e, ray r, uint32_t from, studio_hit *x)
+{
+    const studio_tree *t = &e->t;
+    if (!effects_shapes_alone(t)) return studio_tree_hit(t, r, x);
+    effects_asking a = {&t->shapes, from};
+    x->place = no_shape;
+    return tree_search(&t->shapes.tree, r, box_ray_of, effects_leaf, &a, false, &x->h, NULL);
+}
+
+__attribute__((always_inline))
+static inline bool effects_occluded(const stage *e, ray r, uint32_t from)
+{
+    const studio_tree *t = &e->t;
+    if (!effects_shapes_alone(t)) return studio_tree_occluded(t, r);
+    effects_asking a = {&t->shapes, from};
+    return tree_search(&t->shapes.tree, r, box_ray_of, effects_leaf, &a, true, NULL, NULL);
+}
+
 /* What of the light comes through where materials are clear: those that do not bend. */
 static inline vec3 gather_clear(const stage *e, ray r)
 {
@@ -78,8 +129,8 @@ static inline vec3 gather_clear(const stage *e, ray r)
 
 /* False: nothing arrives. */
 __attribute__((always_inline))
-static inline bool gather_passes(const stage *e, const unsigned mask, ray r, int kind, int then,
-                                 effects_counts *c, vec3 *left)
+static inline bool gather_passes(const stage *e, const unsigned mask, ray r, uint32_t from, int kind,
+                                 int then, effects_counts *c, vec3 *left)
 {
     bool passes;
     c->rays[kind]++;
@@ -88,7 +139,7 @@ static inline bool gather_passes(const stage *e, const unsigned mask, ray r, int
     if ((mask & EFFECT_REFRACTION) && e->clear) {
         *left = gather_clear(e, r);
         passes = !vzero(*left);
-    } else passes = !studio_tree_occluded(&e->t, r);
+    } else passes = !effects_occluded(e, r, from);
     effects_clock(mask, c, then);
     return passes;
 }
@@ -127,7 +178,7 @@ static inline vec3 gather_lights(const stage *e, const unsigned mask, const bran
         bool counts = here && whitted_reaches(L, s, &x);
         if (!counts && !(mask & EFFECTS_SPEND)) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
-        bool passes = gather_passes(e, mask, r, 0, b->kind, c, &left);
+        bool passes = gather_passes(e, mask, r, s->shape, 0, b->kind, c, &left);
         if (!counts || !passes) continue;
         vec3 v = vscale(vmul(x.E, k->matte), 1 / pi);
         if (!vzero(k->highlight)) {
@@ -153,7 +204,7 @@ static inline vec3 gather_sample(const stage *e, const unsigned mask, const bran
         v = vmul(gather_reflects(e, mask, k, lobe, s, wi, vneg(b->r.d), pdf), Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
     ray r = at ? leave_between(*s, *at) : leave(*s, wi);
-    bool passes = gather_passes(e, mask, r, kind, b->kind, c, &left);
+    bool passes = gather_passes(e, mask, r, s->shape, kind, b->kind, c, &left);
     if (!passes || vzero(v)) return (vec3){0, 0, 0};
     return vscale(vmul(v, left), 1 / pdf);
 }

@@ -61,7 +61,7 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
-    c->bounced = b->bounced;
+    c->bounced = b->bounced, c->from = s->shape;
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
 }
 
@@ -170,7 +170,7 @@ static inline int effects_step(const stage *e, const unsigned mask, branch *b, v
     studio_hit x;
     c->rays[b->kind]++;
     effects_clock(mask, c, b->kind);
-    if (!studio_tree_hit(&e->t, b->r, &x)) {
+    if (!effects_hit(e, b->r, b->from, &x)) {
         *sum = vadd(*sum, vmul(b->weight, effects_nothing(e, mask, b)));
         return 0;
     }
@@ -220,7 +220,7 @@ static inline vec3 effects_radiance(const stage *e, ray eye, media_set in, const
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
     *b = (branch){.r = whitted_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
-                  .cosine = 1, .kind = RAY_OF_EYE, .depth = 1};
+                  .cosine = 1, .kind = RAY_OF_EYE, .depth = 1, .from = no_shape};
     for (;;) {
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);
         for (int i = 0; i + 1 < n; i++) stack[top++] = slot[other][i];
