@@ -58,7 +58,7 @@ static inline surface effects_surface(const stage *e, ray r, studio_hit x)
     return on;
 }
 
-/* A leaf of a tree of shapes, as 19 searches it: a ray that leaves a ball does not meet it again. */
+/* A leaf of a tree of shapes, as 19 searches it: rays that leave a ball do not meet it again. */
 typedef struct { const bvh_shapes *b; uint32_t from; } effects_asking;
 
 __attribute__((always_inline))
