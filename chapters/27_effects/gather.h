@@ -58,7 +58,7 @@ static inline surface effects_surface(const stage *e, ray r, studio_hit x)
     return on;
 }
 
-/* A leaf of a tree of shapes, as 19 searches it: a ball is not met again by a ray that leaves it. */
+/* A leaf of a tree of shapes, as 19 searches it: rays that leave a ball do not meet it again. */
 typedef struct { const bvh_shapes *b; uint32_t from; } effects_asking;
 
 __attribute__((always_inline))
@@ -129,8 +129,8 @@ static inline vec3 gather_clear(const stage *e, ray r)
 
 /* False: nothing arrives. */
 __attribute__((always_inline))
-static inline bool gather_passes(const stage *e, const unsigned mask, ray r, uint32_t from, int kind,
-                                 int then, effects_counts *c, vec3 *left)
+static inline bool gather_passes(const stage *e, const unsigned mask, ray r, uint32_t from,
+                                 int kind, int then, effects_counts *c, vec3 *left)
 {
     bool passes;
     c->rays[kind]++;
