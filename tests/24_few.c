@@ -133,8 +133,8 @@ static void test_leaving(void)
     lit_free(&s);
 }
 
-/* Sixteen triangles round one vertex: a ray through it has all lanes for candidates, none left over to
- * end the search. */
+/* Sixteen triangles round one vertex: a ray through it has all lanes for candidates, none left over
+ * to end the search. */
 static void test_fan(void)
 {
     enum { n = 16 };

@@ -41,7 +41,7 @@ static inline bool effects_follows(const stage *e, const unsigned mask, const br
 {
     vec3 w = *weight;
     if (vzero(w)) return (mask & EFFECTS_SPEND) != 0;
-    if (!(mask & EFFECTS_OF_CHANCE) || !e->chance)
+    if (!e->chance)
         return w.x > e->least || w.y > e->least || w.z > e->least;
     bool sharp = purpose == DICE_SURVIVES_MIRROR || purpose == DICE_SURVIVES_REFRACTION;
     real q = sharp && !b->bounced ? roulette_within(w, 32) : roulette_survival(w);
@@ -123,6 +123,11 @@ static inline gather_share effects_shares(const unsigned mask, const appearance 
         real R = fresnel(x);
         k.mirror = vscale(k.mirror, R), k.glossy = vscale(k.glossy, R);
         k.through = vscale(k.through, 1 - R), k.matte = vscale(k.matte, 1 - R);
+    } else if (!(mask & EFFECT_REFRACTION)) {  /* left out by --effects: nothing was refracted */
+        real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
+        real R = fresnel_schlick((vec3){f0, f0, f0}, real_min(1, fabs(vdot(s->ns, d)))).x;
+        k.mirror = vscale(k.mirror, R), k.glossy = vscale(k.glossy, R);
+        k.matte = vscale(k.matte, 1 - R);
     }
     return k;
 }
