@@ -84,7 +84,8 @@ int main(void)
             path_random own = path_start(&t.how, 4, (uint64_t)i * n + k, 0, 1);
             vec3 a = draw(&e, r, (media_set){0}, &d, &counts);
             vec3 b = path_radiance(&t, r, &own, &spent);
-            for (int j = 0; j < 3; j++) off[j] = estimate_add(off[j], (double)(vaxis(a, j) - vaxis(b, j)));
+            for (int j = 0; j < 3; j++)
+                off[j] = estimate_add(off[j], (double)(vaxis(a, j) - vaxis(b, j)));
         }
         for (int j = 0; j < 3; j++) {
             double likely = t_test(off[j], 0, 300 * (double)real_epsilon);

@@ -198,7 +198,8 @@ static inline void balls_build(const sphere *s, size_t n, const real *shadow, co
     balls_lone(out);
     for (failure f; out->beams < lights; out->beams++) {
         if (out->beams == balls_most_lights || L[out->beams].kind != LIGHT_DIRECTIONAL)
-            failed(&f, 2, "balls take up to %d lights, all directional", balls_most_lights), fail(f);
+            failed(&f, 2, "balls take up to %d lights, all directional", (int)balls_most_lights),
+                fail(f);
         beam_build(out, L[out->beams].at, shadow, &out->beam[out->beams]);
     }
 }
