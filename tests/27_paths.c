@@ -56,7 +56,7 @@ int main(void)
     failure f;
     studio s;
     studio_view v;
-    camera c;
+    camera c = {.kind = CAMERA_PERSPECTIVE};
     stage e;
     lit_scene lit;
     path_tracer t;
