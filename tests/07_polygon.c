@@ -314,7 +314,8 @@ static void always_on_the_polygon(void)
     }
     check_at_most(worst, 32, "off the polygon, in epsilon D (7.15), of %zu hits", hits);
     check_at_least((double)hits, (double)check_count(100000) / 20, "some are hit");
-    check_at_least(worst_plane, 1000, "the depth of the plane (7.10) alone is off the polygon");
+    if (check_count(100000) >= 10000)  /* rare: a few hundred rays may show none */
+        check_at_least(worst_plane, 1000, "the depth of the plane (7.10) alone is off the polygon");
 }
 
 /* Corners off their plane, by anything from the last bit to the polygon's own size: the point of a
