@@ -8,7 +8,7 @@
 # make clean      removes build/                                                 help    this text
 #
 # Variables: CC (cc), CFLAGS (-O3, and -march=native where it works), REAL (double or float),
-# LDLIBS, V=1 shows the commands, JOBS (tests at a time, all cores).
+# LDLIBS, V=1 shows the commands, JOBS (compilers and tests at a time, all cores).
 # Example: make clean test CC=clang REAL=float CFLAGS=-O2
 
 NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null && echo -march=native)
@@ -29,6 +29,11 @@ NUMBERS := $(foreach c,$(CHAPTERS),$(firstword $(subst _, ,$(c))))
 TESTS := $(patsubst tests/%.c,%,$(sort $(wildcard tests/*.c)))
 TEST_NUMBERS := $(sort $(foreach t,$(TESTS),$(firstword $(subst _, ,$(t)))))
 Q := $(if $(V),,@)
+# What only builds and tests takes all cores; make's own -j goes before. Programs run one by one.
+JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+ifeq ($(MAKELEVEL)$(filter-out all test test-% sanitize precision,$(MAKECMDGOALS)),0)
+MAKEFLAGS += -j$(JOBS)
+endif
 
 .PHONY: all run images test precision graph sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
@@ -63,11 +68,11 @@ images: run
 	cp $(BUILD)/*_time.svg images/
 
 test: all $(TESTS:%=$(BUILD)/test_%)
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" sh tests/run.sh cli.sh rules.sh $(TESTS)
+	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh rules.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" sh tests/run.sh $(filter $(1) $(1)_%,$(TESTS))
+	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh $(filter $(1) $(1)_%,$(TESTS))
 endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 

@@ -56,7 +56,7 @@ int main(void)
     failure f;
     studio s;
     studio_view v;
-    camera c = {.kind = CAMERA_PERSPECTIVE};
+    camera c;
     stage e;
     lit_scene lit;
     path_tracer t;
@@ -71,7 +71,6 @@ int main(void)
     path_tracer_of(&lit, NULL, path_defaults, &t);
     check(p.effects == (EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED),
           "the room calls for %x", p.effects);
-    effects_function *draw = effects_made_for(e.mask);
     size_t n = check_count(12000);
     double worst = 1;
     for (int i = 0; i < 8 * 6; i++) {  /* a ray each, some through glass and mirror */
@@ -82,7 +81,7 @@ int main(void)
             effects_counts counts = {.now = 0};
             path_counts spent = {0};
             path_random own = path_start(&t.how, 4, (uint64_t)i * n + k, 0, 1);
-            vec3 a = draw(&e, r, (media_set){0}, &d, &counts);
+            vec3 a = effects_general(&e, r, (media_set){0}, &d, &counts);
             vec3 b = path_radiance(&t, r, &own, &spent);
             for (int j = 0; j < 3; j++)
                 off[j] = estimate_add(off[j], (double)(vaxis(a, j) - vaxis(b, j)));

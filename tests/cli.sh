@@ -128,33 +128,33 @@ for main in "$root"/chapters/*/main.c; do
     set -- .png .ppm .p3.ppm .pfm
     shift $turn; turn=$(((turn + 1) % 4))
     rm -rf build
-    run 0 --quick --out "picture$1" --seed 3
+    run 0 --quick --size 96x72 --out "picture$1" --seed 3
     whole "picture$1"
     if [ ! -d build ]; then ok; else no "--out draws other pictures, too"; fi
     if [ -c /dev/full ]; then  # Linux alone has it
         ln -s /dev/full full.ppm
-        run 1 --quick --out full.ppm
+        run 1 --quick --size 96x72 --out full.ppm
         if grep -q "full.ppm: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
         if [ -L full.ppm ]; then ok; else no "the link to the full disk is gone"; fi
     fi
     echo old >old.ppm
-    (ulimit -f 4; "$program" --quick --out old.ppm >out 2>err)
+    (ulimit -f 4; "$program" --quick --size 96x72 --out old.ppm >out 2>err)
     status=$?
     if [ $status -eq 1 ] && grep -q "old.ppm: cannot write: " err; then ok
     else no "a file that may not grow: $status, $(cat err)"; fi
     if [ "$(cat old.ppm)" = old ]; then ok; else no "the old picture is gone"; fi
     no_part
     if [ "$turn" -eq 2 ] && [ -c /dev/full ]; then
-        run 1 --quick --csv /dev/full
+        run 1 --quick --size 96x72 --csv /dev/full
         if grep -q "/dev/full: cannot write: No space left" err; then ok; else no "$(cat err)"; fi
-        "$program" --quick >/dev/full 2>err
+        "$program" --quick --size 96x72 >/dev/full 2>err
         status=$?
         if [ $status -eq 1 ] && grep -q "standard output: cannot write" err; then ok
         else no "a table to a full disk: $status, $(cat err)"; fi
     fi
 
     # Ctrl-C: a whole picture and exit 130, unless it was too early or all was done.
-    for seconds in 0.5 1 2 4; do
+    for seconds in 0.2 0.5 1 2 4; do
         interrupt $seconds
         [ -f big.ppm ] && break
     done

@@ -91,8 +91,8 @@ static inline wide3 wide3_ldexp(vec3 a, int e)
 
 /* The roots in numbers of twice the precision of double, for the few rays that sphere_roots cannot
  * tell. Scaling d, and all lengths, by powers of two is exact, and keeps every square in range. */
-__attribute__((cold))
-static inline bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
+__attribute__((noinline, cold))
+static bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
 {
     if (!vfinite(r.o) || !vfinite(s.c) || !isfinite(s.r)) return false;
     if (!vfinite(r.d) || vzero(r.d)) return false;

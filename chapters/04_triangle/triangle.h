@@ -73,8 +73,8 @@ static inline double triangle_area_exactly(const double x[3], const double y[3])
 /* (b - a) x (c - a) = a x b + b x c + c x a from the corners as they are: no difference is rounded.
  * Scaled by some power of two, so that nothing overflows, and what underflows is 1e-290 of the
  * largest coordinate squared. */
-__attribute__((cold))
-static inline vec3 triangle_cross_exactly(vec3 a, vec3 b, vec3 c)
+__attribute__((noinline, cold))
+static vec3 triangle_cross_exactly(vec3 a, vec3 b, vec3 c)
 {
     const vec3 corner[3] = {a, b, c};
     double p[3][3], n[3];
@@ -182,7 +182,8 @@ static inline bool signs_differ(real x, real y, real z)
  * two, so that nothing over- or underflows, and the rounding of the products is given back. All
  * three change by one factor, which t does not see. Zero only if two corners and the ray are
  * exactly in line. False if a coordinate is infinite or NaN, or if all are zero. */
-static inline bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
+__attribute__((noinline, cold))
+static bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
 {
     vec3 x = {a.x, b.x, c.x}, y = {a.y, b.y, c.y};
     int up;
@@ -204,7 +205,9 @@ static inline bool shear_meets(vec3 a, vec3 b, vec3 c, vec3 e, const ray_shear *
     bool doubtful = !(size > products / 64)  /* seen edge-on: signs and weights lose their digits */
         || !(size > real_smallest / real_epsilon && size <= real_largest);
     if (doubtful) {  /* rare */
-        if (!edges_exactly(a, b, c, &e)) return false;
+        vec3 exact;  /* e itself, its address given away, would be written and read for every ray */
+        if (!edges_exactly(a, b, c, &exact)) return false;
+        e = exact;
         det = e.x + e.y + e.z;
     }
     real w = e.x / det, u = e.y / det, v = e.z / det;

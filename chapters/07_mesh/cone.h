@@ -125,8 +125,8 @@ static inline real cone_off(real h, cone c)
 /* Steps 1 to 4 below in wide numbers, everything times h once more, so that no root of w.w is
  * needed. Once the discriminant is nothing but rounding, 1e-29 of its parts, the ray is tangent:
  * one root, -beta / alpha. Each root must prove that it is on the side. */
-__attribute__((cold))
-static inline bool cone_hit_in_doubt(cone c, ray r, hit *out)
+__attribute__((noinline, cold))
+static bool cone_hit_in_doubt(cone c, ray r, hit *out)
 {
     int exponent;
     if (!cone_in_units(&c, &r, &exponent) || (c.ra == 0 && c.rb == 0)) return false;
@@ -227,7 +227,8 @@ static inline bool cone_hit_moderate(cone c, ray r, hit *out)
 }
 
 /* Sizes whose products could over- or underflow. Rare, so it may be slow. */
-static inline bool cone_hit_extreme(cone c, ray r, hit *out)
+__attribute__((noinline, cold))
+static bool cone_hit_extreme(cone c, ray r, hit *out)
 {
     int exponent;
     if (!cone_in_units(&c, &r, &exponent) || !cone_hit_moderate(c, r, out)) return false;

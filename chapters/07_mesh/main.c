@@ -1,5 +1,5 @@
 /* 07_mesh: shapes, meshes from files, the closest hit by brute force, and what is inside.
-cc -std=c11 -O2 -ffp-contract=off -o 07_mesh chapters/07_mesh/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 07_mesh chapters/07_mesh/main.c -lm -lpthread
  *
  * Without options: the teapot, one shape of each kind, slices through meshes, three tables.
  * With --mesh FILE.obj: that mesh in a picture, and what brute force costs on it. */

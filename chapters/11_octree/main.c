@@ -1,5 +1,5 @@
 /* 11_octree: a cube cut into eight, and again: its cells, their order along a ray, their cost.
-cc -std=c11 -O2 -ffp-contract=off -o 11_octree chapters/11_octree/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 11_octree chapters/11_octree/main.c -lm -lpthread
  *
  * Without options: the teapot with its cells, the work a pixel, a quadtree with a ray, what the
  * textbook's walk gets wrong, three tables, three plots. --mesh FILE.obj: that mesh, its cells. */

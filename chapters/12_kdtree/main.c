@@ -1,5 +1,5 @@
 /* 12_kdtree: space cut in two by planes across the axes, again and again: built, compared.
-cc -std=c11 -O2 -ffp-contract=off -o 12_kdtree chapters/12_kdtree/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 12_kdtree chapters/12_kdtree/main.c -lm -lpthread
  *
  * Without options: what each pixel of the teapot took, by four strategies; the tree in the plane;
  * four tables, six plots. --mesh FILE.obj: the first picture of that mesh. --strategy NAME: that

@@ -1,5 +1,5 @@
 /* 14_bvh: a tree of boxes over the triangles of a mesh: built in seven ways, searched, compared.
-cc -std=c11 -O2 -ffp-contract=off -o 14_bvh chapters/14_bvh/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_bvh/main.c -lm -lpthread
  *
  * Without options: the teapot of 102080 triangles, what each pixel took, six tables, three plots.
  * --mesh FILE.obj: that mesh instead, a picture only. --rays FILE: searches these rays and no

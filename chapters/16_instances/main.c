@@ -1,5 +1,5 @@
 /* 16_instances: a forest of two firs, an oak, two birches, many times; normals that stay right.
-cc -std=c11 -O2 -ffp-contract=off -o 16_instances chapters/16_instances/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 16_instances chapters/16_instances/main.c -lm -lpthread
  *
  * Without options: the forest, what goes wrong with normals and with normalised rays, four tables,
  * three plots. --instances N: so many plants, the picture only. --mesh FILE.obj: a crowd of that

@@ -1,5 +1,5 @@
 /* 17_compare: every structure on the same scenes and the same rays: first the same hits, then time.
-cc -std=c11 -O2 -ffp-contract=off -o 17_compare chapters/17_compare/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 17_compare chapters/17_compare/main.c -lm -lpthread
  *
  * Without options: ten scenes, four kinds of rays, a table each; growth with n; two pictures, a
  * chart, three plots. --scene or --mesh: one scene. --rays: the rays of a file. --verify: all rays

@@ -1,5 +1,5 @@
 /* 18_shade: trace and shade, kinds of ray, lights and hard shadows; how a ray leaves a surface.
-cc -std=c11 -O2 -ffp-contract=off -o 18_shade chapters/18_shade/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
  * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, the table
  * of ways to leave a surface, three plots. --samples N is rounded down to a square. */

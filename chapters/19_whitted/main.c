@@ -1,5 +1,5 @@
 /* 19_whitted: recursion: mirrors, glass, total reflection, Fresnel, absorption, nested bodies.
-cc -std=c11 -O2 -ffp-contract=off -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
  * Without options: the two spheres of 1980, a tank, four depths, the tree of one pixel, tables of
  * error against time, of Fresnel's forms, of speed. --protocol spd: rays counted as in published

@@ -1,5 +1,5 @@
 /* 21_distributed: what Whitted's way cannot do: soft shadows, gloss, open skies, lenses.
-cc -std=c11 -O2 -ffp-contract=off -o 21_distributed chapters/21_distributed/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chapters/21_distributed/main.c -lm -lpthread
  *
  * Without options: a showroom with all effects and with none, the two failures and their mends, a
  * row of panels an effect; the error of pictures against time; closed forms; rays spent. */

@@ -28,7 +28,6 @@ typedef struct {
     int x0, y0;
     double squares;           /* sum of squared differences of the halves' means */
     size_t pixels;            /* that went into it */
-    bool timed;
     pthread_mutex_t lock;
 } drawing;
 
@@ -58,16 +57,16 @@ static inline vec3 draw_pixel(const drawing *j, effects_function *f, int x, int 
     vec3 half[2] = {{0, 0, 0}, {0, 0, 0}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
     int n = j->samples;
-    bool rolled = n > 1 || (j->e->mask & EFFECTS_OF_CHANCE);
+    bool rolled = n > 1 || (j->e->mask & EFFECTS_OF_CHANCE), timed = j->e->mask & EFFECTS_TIMED;
     for (int k = 0; k < n; k++) {
         dice d = {.own = 0};
         if (rolled) d = dice_start(j->seed, i, (uint32_t)k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[8]++;
         c->now = RAY_OF_EYE;
-        if (j->timed) c->since = clock_seconds();
+        if (timed) c->since = clock_seconds();
         half[k % 2] = vadd(half[k % 2], f(j->e, r, (media_set){0}, &d, c));
-        if (j->timed) c->seconds[c->now] += clock_seconds() - c->since;
+        if (timed) c->seconds[c->now] += clock_seconds() - c->since;
     }
     vec3 off = vsub(vscale(half[0], 1 / (real)((n + 1) / 2)),
                     vscale(half[1], 1 / (real)(n > 1 ? n / 2 : 1)));
@@ -78,18 +77,19 @@ static inline vec3 draw_pixel(const drawing *j, effects_function *f, int x, int 
 static inline void draw_tile(size_t tile, void *context)
 {
     drawing *j = context;
-    effects_function *f = effects_made_for(j->e->mask | (j->timed ? EFFECTS_TIMED : 0));
+    effects_function *f = effects_made_for(j->e->mask);
     effects_counts c = {.now = 0};
     double squares = 0, one;
     size_t pixels = 0;
+    bool timed = j->e->mask & EFFECTS_TIMED;
     int across = (j->im->width + draw_side - 1) / draw_side;
     int x0 = (int)(tile % (size_t)across) * draw_side;
     int y0 = (int)(tile / (size_t)across) * draw_side;
     for (int y = y0; y < y0 + draw_side && y < j->im->height; y++)
         for (int x = x0; x < x0 + draw_side && x < j->im->width; x++) {
-            if (j->timed && (x + 7 * y) % draw_timed_every) continue;
+            if (timed && (x + 7 * y) % draw_timed_every) continue;
             vec3 L = draw_pixel(j, f, x + j->x0, y + j->y0, &c, &one);
-            if (!j->timed) image_set(j->im, x, y, L);
+            if (!timed) image_set(j->im, x, y, L);
             squares += one, pixels++;
         }
     pthread_mutex_lock(&j->lock);
@@ -124,8 +124,10 @@ static inline double draw_error(const drawing *j)
  * a ray, of each kind alike. */
 static inline bool draw_timed(const drawing *of, int threads, effects_counts *counts)
 {
+    stage clocked = *of->e;
     drawing j = *of;
-    j.timed = true;
+    clocked.mask |= EFFECTS_TIMED;
+    j.e = &clocked;
     if (j.samples > 8) j.samples = 8;
     bool whole = draw_region(&j, of->im, of->x0, of->y0, threads);
     *counts = j.counts;

@@ -108,7 +108,7 @@ static inline bool studio_camera(const studio *s, real aspect, studio_view *view
     char said[300];
     camera_frame c;
     failure why;
-    *view = s->view;
+    *view = s->view, *out = (camera){.kind = CAMERA_PERSPECTIVE};
     if (!view->given && !framing_find(s, aspect, view, f)) return false;
     if (frame_look_at(view->from, view->at, view->up, &c, &why)
         && camera_perspective(c, view->angle, aspect, out, &why)) return true;

@@ -174,7 +174,7 @@ static inline vec3 gather_lights(const stage *e, const unsigned mask, const bran
     bool here = lit && (!b->bounced || (e->counted & EFFECT_INDIRECT));
     for (int i = 0; i < e->lights; i++) {
         const light *L = &e->light[i];
-        light_sample x;
+        light_sample x = {{0, 0, 0}, {0, 0, 0}};
         bool counts = here && whitted_reaches(L, s, &x);
         if (!counts && !(mask & EFFECTS_SPEND)) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);

@@ -1,5 +1,5 @@
 /* 27_effects: a renderer for scene files that simulates only what the scene calls for.
-cc -std=c11 -O2 -ffp-contract=off -o 27_effects chapters/27_effects/main.c -lm -lpthread
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters/27_effects/main.c -lm -lpthread
  *
  *   27_effects room.scene --explain       a scene file, an OBJ or an NFF file: what it calls for
  *   27_effects --scene room.scene --out room.png --camera "from 0 1 5 at 0 1 0"

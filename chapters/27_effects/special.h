@@ -41,7 +41,6 @@ EFFECTS_COMPILED(effects_matte_room, EFFECTS_MATTE_ROOM)
 EFFECTS_COMPILED(effects_room, EFFECTS_ROOM)
 EFFECTS_COMPILED(effects_outdoors, EFFECTS_OUTDOORS)
 EFFECTS_COMPILED(effects_general, e->mask)
-EFFECTS_COMPILED(effects_timed, e->mask | EFFECTS_TIMED)
 
 /* Of depth of field radiance knows nothing: the ray comes from somewhere on the lens. */
 static inline effects_function *effects_made_for(unsigned mask)
@@ -55,7 +54,7 @@ static inline effects_function *effects_made_for(unsigned mask)
     case EFFECTS_MATTE_ROOM: return effects_matte_room;
     case EFFECTS_ROOM: return effects_room;
     case EFFECTS_OUTDOORS: return effects_outdoors;
-    default: return mask & EFFECTS_TIMED ? effects_timed : effects_general;
+    default: return effects_general;
     }
 }
 

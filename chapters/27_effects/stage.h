@@ -52,7 +52,7 @@ typedef struct {
     int lights;
     lamp_list lamp;
     sky_light sky;
-    unsigned mask, counted;          /* mask: also EFFECTS_SPEND */
+    unsigned mask, counted;          /* mask: also EFFECTS_SPEND, EFFECTS_TIMED */
     bool chance;                     /* integrals: roulette; else every branch above `least` */
     bool clear;                      /* a material lets light straight through */
     int depth;                       /* rays behind one another, the eye's is 1 [<= 128] */
