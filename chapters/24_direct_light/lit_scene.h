@@ -319,17 +319,11 @@ static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
 }
 
 __attribute__((always_inline))
-static inline bool lit_occluded_flat(const lit_scene *s, ray r, uint32_t from, uint32_t e)
-{
-    int known = few_occluded(&s->few, &s->m, r, lit_skip(s, from, e));
-    return known >= 0 ? known : bvh_occluded(&s->tree, r);
-}
-
-__attribute__((always_inline))
 static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, uint32_t e)
 {
-    return lit_occluded_flat(s, r, from, e)
-        || (s->shapes && bvh_shapes_occluded(&s->shape_tree, r));
+    int known = few_occluded(&s->few, &s->m, r, lit_skip(s, from, e));
+    if (known < 0) known = bvh_occluded(&s->tree, r);
+    return known || (s->shapes && bvh_shapes_occluded(&s->shape_tree, r));
 }
 
 static inline bool lit_occluded(const lit_scene *s, ray r)

@@ -172,8 +172,7 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
     }
     c->shadow++;
     ray r = l.emitter == lit_dark ? leave(x->s, l.wi) : leave_between(x->s, l.s);
-    if (t->plain ? lit_occluded_flat(t->scene, r, x->s.shape, l.emitter)
-                 : lit_occluded_from(t->scene, r, x->s.shape, l.emitter)) return;
+    if (lit_occluded_from(t->scene, r, x->s.shape, l.emitter)) return;
     real weight = t->how.mis ? mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, wo)) : 1;
     vec3 gain = vscale(brings, weight / l.pdf);
     w->L = vadd(w->L, path_cut(gain, t->how.clamp));
