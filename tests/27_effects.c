@@ -87,11 +87,41 @@ static void test_memory(void)
     image_free(&im);
 }
 
+/* --region draws the same pixels as the whole picture has there, and prices them. */
+static void test_region(void)
+{
+    char args[900];
+    image all = {0, 0, NULL}, part = {0, 0, NULL};
+    failure f;
+    snprintf(args, sizeof args, "--size 40x30 --samples 2 --out %s", in_directory("all.pfm"));
+    ends(0, args, "out", "# 2 samples a pixel");
+    snprintf(args, sizeof args, "--size 40x30 --samples 2 --region 9x7+20+11 --out %s",
+             in_directory("part.pfm"));
+    ends(0, args, "out", "# 2 samples a pixel");
+    check(image_read(in_directory("all.pfm"), &all, &f), "%s", f.text);
+    check(image_read(in_directory("part.pfm"), &part, &f), "%s", f.text);
+    check(part.width == 9 && part.height == 7, "%d x %d pixels", part.width, part.height);
+    for (int y = 0; part.rgb && all.rgb && y < part.height; y++)
+        check(memcmp(part.rgb + 27 * y, all.rgb + 3 * (40 * (y + 11) + 20),
+                     27 * sizeof *part.rgb) == 0, "row %d of the region", y);
+    image_free(&all), image_free(&part);
+    snprintf(args, sizeof args, "--size 40x30 --samples 2 --quick --price --region 9x7+20+11 "
+             "--out %s", in_directory("part.pfm"));
+    ends(0, args, "out", "nothing              126");
+    static const char *const wrong[] = {"9x7", "9x7+32+0", "9x7+0+24", "0x7+0+0", "9x7+-1+0",
+                                        "9x7+0+0+", "99999999999x7+0+0"};
+    for (int k = 0; k < 7; k++) {
+        snprintf(args, sizeof args, "--size 40x30 --region %s", wrong[k]);
+        ends(2, args, "err", "WxH+X+Y, within the 40x30 pixels of --size");
+    }
+}
+
 int main(void)
 {
     if (!mkdtemp(directory)) abort();
     test_explain();
     test_misuse();
+    test_region();
     test_memory();
     remove_all();
     return check_report("27_effects");

@@ -5,6 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *   27_effects --scene room.scene --out room.png --camera "from 0 1 5 at 0 1 0"
  *   27_effects room.scene --effects all   everything at every hit: the same picture, more time
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
+ *   27_effects room.scene --price --region 80x60+160+120     for these pixels, at (160, 120)
  *
  * Without options: the scene of demo.h. What the command line says of camera, lens, lights and
  * surroundings replaces what the files say; the words are those of scene files. */
@@ -15,7 +16,32 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
 #include "price.h"
 #include "studio_read.h"
 
-typedef struct { const char *path, *effects; bool told, priced; studio_words words; } request;
+typedef struct {
+    const char *path, *effects, *region;
+    bool told, priced;
+    studio_words words;
+} request;
+
+static draw_window window_of(const options *o, const char *said)
+{
+    draw_window w = {0, 0, o->width, o->height, o->width, o->height};
+    int end = 0;
+    failure f;
+    if (!said) return w;
+    if (sscanf(said, "%5dx%5d+%5d+%5d%n", &w.width, &w.height, &w.x, &w.y, &end) == 4
+        && !said[end] && w.width > 0 && w.height > 0 && w.x >= 0 && w.y >= 0
+        && w.width <= w.across - w.x && w.height <= w.down - w.y) return w;
+    failed(&f, 2, "--region %.60s: WxH+X+Y, within the %dx%d pixels of --size", said, o->width,
+           o->height);
+    fail(f);
+}
+
+/* Of the whole picture the price list takes a quarter in width and height. */
+static draw_window window_to_price(draw_window w, const request *q)
+{
+    int across = w.across / 4 > 0 ? w.across / 4 : 1, down = w.down / 4 > 0 ? w.down / 4 : 1;
+    return q->region ? w : (draw_window){0, 0, across, down, across, down};
+}
 
 /* All at every hit was drawn: what the plan draws, and whether that is the same picture. */
 static void compare_with_plan(drawing *j, stage *e, int threads)
@@ -24,7 +50,7 @@ static void compare_with_plan(drawing *j, stage *e, int threads)
     drawing plain = *j;
     size_t n = 3 * (size_t)im.width * (size_t)im.height;
     stage_effects(e, e->p->effects, false);
-    if (draw_region(&plain, &im, 0, 0, threads)) {
+    if (draw_region(&plain, &im, j->x0, j->y0, threads)) {
         bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
         printf("plan       %s; everything at every hit took %.3g s, the plan %.3g s: "
                "%.0f %% saved\n",
@@ -38,22 +64,22 @@ static void compare_with_plan(drawing *j, stage *e, int threads)
 /* The default run: the picture, its strip, the price list, and what being general costs. */
 static void show(const options *o, const request *q, stage *e)
 {
-    image im = image_new(o->width, o->height);
-    bool demo = !q->path && !q->told && !q->effects && !q->priced && !o->out;
+    draw_window w = window_of(o, q->region);
+    image im = image_new(w.width, w.height);
+    bool demo = !q->path && !q->told && !q->effects && !q->priced && !q->region && !o->out;
     int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 32 : 16;
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
-    bool whole = draw_region(&j, &im, 0, 0, o->threads);
+    bool whole = draw_region(&j, &im, w.x, w.y, o->threads);
     if (whole && (e->mask & EFFECTS_SPEND)) compare_with_plan(&j, e, o->threads);
     if (whole && (demo || q->priced)) {
-        int w = o->width / 4 > 0 ? o->width / 4 : 1, h = o->height / 4 > 0 ? o->height / 4 : 1;
-        whole = table_of_price(o, e, w, h, samples > 16 ? 16 : samples);
+        whole = table_of_price(o, e, window_to_price(w, q), samples > 16 ? 16 : samples);
         if (whole && demo) whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1,
                                               samples);
         if (whole && demo) table_of_tax(o);
     } else if (whole) {
         effects_counts timed;
-        image none = image_new(o->width, o->height);  /* draw_timed fills nothing in */
+        image none = image_new(w.width, w.height);  /* draw_timed fills nothing in */
         double error = draw_error(&j);
         drawing again = j;
         again.im = &none;
@@ -89,6 +115,7 @@ int main(int argc, char **argv)
         {"effects", OPTION_TEXT, &q.effects, 0, 0, "LIST simulate: all, none, called, -soft .."},
         {"explain", OPTION_FLAG, &q.told, 0, 0, "say what the scene calls for, and why"},
         {"price", OPTION_FLAG, &q.priced, 0, 0, "leave out each effect in turn: time and error"},
+        {"region", OPTION_TEXT, &q.region, 0, 0, "WxH+X+Y: of the picture these pixels only"},
         {"camera", OPTION_TEXT, &q.words.camera, 0, 0, "from X Y Z at X Y Z [up X Y Z] [angle A]"},
         {"lens", OPTION_TEXT, &q.words.lens, 0, 0, "radius X [focus X]"},
         {"light", OPTION_TEXT, &q.words.light, 0, 0, "at X Y Z colour C [; at ...]"},

@@ -1,7 +1,7 @@
 /* price.h: what each effect takes and gives: rays, time, and the error of leaving it out; pictures.
  *
  *   table_of_effects(&o, &j, times)      what a picture took: rays and shares of time by effect
- *   table_of_price(&o, &e, w, h, n)      each called effect left out in turn, at w x h, n samples
+ *   table_of_price(&o, &e, window, n)    each called effect left out in turn, n samples a pixel
  *   draw_strip(&o, &e, w, h, n)          effects added one by one: 27_effects_strip.png
  *
  * Prices are medians of rounds in which all variants take their turn. Random numbers have names
@@ -15,6 +15,9 @@
 #include "draw.h"
 
 enum { price_most_rounds = 5 };
+
+/* The pixels from (x, y) on of a picture of across x down. */
+typedef struct { int x, y, width, height, across, down; } draw_window;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -45,13 +48,19 @@ static inline void table_of_effects(const options *o, const drawing *j, const ef
     output_table(o, &t);
 }
 
-typedef struct { drawing j; image im; double seconds[price_most_rounds]; unsigned mask; } price_run;
+typedef struct {
+    drawing j;
+    image im;
+    int x, y;
+    double seconds[price_most_rounds];
+    unsigned mask;
+} price_run;
 
 static inline bool price_draw(price_run *k, stage *e, int rounds, int round, int threads)
 {
     stage_effects(e, k->mask, false);
     if (round >= rounds) return true;
-    bool whole = draw_region(&k->j, &k->im, 0, 0, threads);
+    bool whole = draw_region(&k->j, &k->im, k->x, k->y, threads);
     k->seconds[round] = k->j.seconds;
     return whole;
 }
@@ -73,7 +82,7 @@ static inline void price_row(table *t, plot *p, const char *name, const price_ru
     plot_add(p, plot_series(p, text), b / pixels * 1e6, error);
 }
 
-static inline bool table_of_price(const options *o, stage *e, int width, int height, int samples)
+static inline bool table_of_price(const options *o, stage *e, draw_window w, int samples)
 {
     int rounds = o->quick ? 1 : 3, n = 1;
     unsigned called = e->p->effects, before = e->mask;
@@ -83,9 +92,10 @@ static inline bool table_of_price(const options *o, stage *e, int width, int hei
     for (int k = 0; k < effect_kinds; k++)
         if (called >> k & 1) effect[n] = k, run[n++].mask = called & ~(1u << k);
     for (int i = 0; i < n; i++) {
-        run[i].im = image_new(width, height);
-        run[i].j = (drawing){.e = e, .samples = samples, .seed = o->seed, .width = width,
-                             .height = height};
+        run[i].im = image_new(w.width, w.height);
+        run[i].x = w.x, run[i].y = w.y;
+        run[i].j = (drawing){.e = e, .samples = samples, .seed = o->seed, .width = w.across,
+                             .height = w.down};
     }
     for (int round = 0; round < rounds && whole; round++)
         for (int i = 0; i < n && whole; i++)
