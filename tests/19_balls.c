@@ -1,6 +1,7 @@
 /* 19_whitted: the clear cases of ball_hit.h, the lanes, the suns' discs and many rays at once, each
  * against 03 or against the walk of one ray. All must be the same to the last bit. */
 #include "check.h"
+#include "child.h"
 #include "../common/random.h"
 #include "../chapters/19_whitted/forty.h"
 
@@ -180,8 +181,34 @@ static void test_rays(int which)
     forty_free(f), free(f);
 }
 
+static void build_lit(void *lights)
+{
+    const sphere s = {{0, 0, 0}, 1};
+    const real shadow = 0;
+    balls all;
+    int n = 0;
+    while (n < 9 && ((const light *)lights)[n].colour.x > 0) n++;
+    balls_build(&s, 1, &shadow, lights, n, &all);
+    balls_free(&all);
+}
+
+/* A beam is made for parallel light, and there is room for eight. */
+static void test_lights_refused(void)
+{
+    light L[10] = {{LIGHT_POINT, {0, 0, 1}, {0, 0, 0}}};
+    for (int k = 0; k < 8; k++) L[k] = (light){LIGHT_DIRECTIONAL, {0, 0, 1}, {1, 1, 1}};
+    check_equal(child_run(build_lit, L).status, 0, "eight suns");
+    L[8] = L[0];
+    child_result r = child_run(build_lit, L);
+    check(r.status == 2 && strstr(r.err, "up to 8 lights"), "nine suns: %d, %s", r.status, r.err);
+    L[1].kind = LIGHT_POINT, L[8].colour.x = 0;
+    r = child_run(build_lit, L);
+    check(r.status == 2 && strstr(r.err, "all directional"), "a lamp: %d, %s", r.status, r.err);
+}
+
 int main(void)
 {
+    test_lights_refused();
     test_ball_hit();
     test_lanes();
     test_suns();

@@ -265,6 +265,9 @@ static void test_hall(void)
         c = whitted_ray(&t, ray_from((vec3){5, (real)6.5, 8}, d), (media_set){0});
         check_close(c.x, 1 - pow(255.0 / 256, 256), 256 * (double)real_epsilon, "mirror ball");
     }
+    b.w.depth = 1000;  /* no more than the stack has room for */
+    c = whitted_ray(&t, ray_from((vec3){5, (real)6.5, 8}, (vec3){1, 2, 3}), (media_set){0});
+    check_close(c.x, 1 - pow(255.0 / 256, 256), 256 * (double)real_epsilon, "depth at most 256");
     stage_end(&b);
 }
 

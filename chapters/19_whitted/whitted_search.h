@@ -68,6 +68,14 @@ static const ray_program whitted_programs[ray_kinds] = {
 /* A leaf of a tree of shapes. `lit`: of shadow rays, what is left of the light; else NULL. */
 typedef struct { tracer *t; const bvh_shapes *b; uint32_t from; ray r; real *lit; } whitted_asking;
 
+/* One shape; a ray that leaves a ball outwards does not meet it again. */
+__attribute__((always_inline))
+static inline bool whitted_meets(const shape *s, bool leaves, const query *q, hit *h)
+{
+    if (s->kind != SHAPE_SPHERE) return shape_hit_sheared(s, &q->shear, q->r, h);
+    return !(leaves && ball_outwards(&s->sphere, &q->r)) && ball_hit(&s->sphere, &q->r, h);
+}
+
 __attribute__((always_inline))
 static inline bool whitted_leaf(const void *context, uint32_t first, uint32_t count, query *q,
                                 bool any)
@@ -77,11 +85,7 @@ static inline bool whitted_leaf(const void *context, uint32_t first, uint32_t co
     hit h;
     for (uint32_t i = first; i < first + count; i++) {
         uint32_t j = a->b->index[i];
-        const shape *s = &a->b->shapes[j];
-        if (s->kind == SHAPE_SPHERE) {
-            if (j == a->from && ball_outwards(&s->sphere, &q->r)) continue;
-            if (!ball_hit(&s->sphere, &q->r, &h)) continue;
-        } else if (!shape_hit_sheared(s, &q->shear, q->r, &h)) continue;
+        if (!whitted_meets(&a->b->shapes[j], j == a->from, q, &h)) continue;
         h.shape = j;
         if (!any) found |= query_improves(q, h);
         else if (whitted_dims(a->t, a->r, (trace_hit){h, 0}, a->lit) == ANY_HIT_END) return true;

@@ -70,11 +70,7 @@ static inline bool effects_leaf(const void *context, uint32_t first, uint32_t co
     hit h;
     for (uint32_t i = first; i < first + count; i++) {
         uint32_t j = a->b->index[i];
-        const shape *s = &a->b->shapes[j];
-        if (s->kind == SHAPE_SPHERE) {
-            if (j == a->from && ball_outwards(&s->sphere, &q->r)) continue;
-            if (!ball_hit(&s->sphere, &q->r, &h)) continue;
-        } else if (!shape_hit_sheared(s, &q->shear, q->r, &h)) continue;
+        if (!whitted_meets(&a->b->shapes[j], j == a->from, q, &h)) continue;
         if (any) return true;
         h.shape = j;
         found |= query_improves(q, h);
