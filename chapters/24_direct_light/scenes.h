@@ -49,7 +49,7 @@ static inline camera stage_camera_of(stage_name name, real aspect)
     switch (name) {
     case STAGE_PLATES: return stage_camera(plate_eye, of_doubles(0, -2, 2.5), 28, aspect);
     case STAGE_STRIP:
-        return stage_camera(of_doubles(0, 2.6, 5), of_doubles(0, .2, -.8), 36, aspect);
+        return stage_camera(of_doubles(0, 2.2, 3), of_doubles(0, .05, -1), 36, aspect);
     case STAGE_HALL:
         return stage_camera(of_doubles(0, 9, 13), of_doubles(0, 0, -.5), 34, aspect);
     case STAGE_BOX: case stages: break;

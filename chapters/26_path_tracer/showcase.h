@@ -108,9 +108,10 @@ static inline void showcase_teapot(showcase *c, real aspect)
 
 static inline void showcase_furnace(lit_scene *s)
 {
-    vec3 grey = {(real)0.8, (real)0.8, (real)0.8}, third = {(real)0.4, (real)0.4, (real)0.4};
-    const brdf b[] = {brdf_lambert(grey), brdf_blinn_phong(third, third, 50),
-                      brdf_ggx(grey, (real)0.7), brdf_ggx(grey, (real)0.2), brdf_mirror(grey)};
+    vec3 grey = {(real)0.8, (real)0.8, (real)0.8},
+         half = {(real)0.5, (real)0.5, (real)0.5}, white = {1, 1, 1};
+    const brdf b[] = {brdf_lambert(grey), brdf_blinn_phong(half, half, 50),
+                      brdf_ggx(white, (real)0.7), brdf_ggx(white, (real)0.2), brdf_mirror(white)};
     lit_begin(s);
     for (int i = 0; i < 6; i++) {
         vec3 at = {(real)(i % 3) * (real)2.3, (real)(1 - i / 3) * (real)2.3, 0};
@@ -118,7 +119,7 @@ static inline void showcase_furnace(lit_scene *s)
         if (i < 5) m = (lit_material){.f = b[i]};
         showcase_ball(s, at, 1, m);
     }
-    s->background = (vec3){1, 1, 1};
+    s->background = white;
 }
 
 static inline bool showcase_of(const char *name, real aspect, showcase *c, failure *f)
