@@ -9,6 +9,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chap
 int main(int argc, char **argv)
 {
     const char *effects = "all";
+    char path[64];
     bool all = false;
     const option own[] = {
         {"effects", OPTION_TEXT, &effects, 0, 0, "of s (soft) g (gloss) o (occlusion) l (lens)"},
@@ -27,6 +28,11 @@ int main(int argc, char **argv)
     }
     if (o.quick && o.samples == 16) o.samples = 2;
     if (o.quick && o.width == 512 && o.height == 288) o.width = 160, o.height = 90;
+    if (!every && !o.out) {  /* images/ is for the text */
+        snprintf(path, sizeof path, "build/21_distributed_%.20s.png", effects);
+        mkdir("build", 0777);
+        o.out = path;
+    }
     draw_showroom(&o, chosen, all);
     if (o.out) return 0;
     draw_whitted(&o), draw_teapot(&o), draw_box(&o), draw_effects(&o);

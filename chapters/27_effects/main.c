@@ -7,8 +7,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
  *   27_effects room.scene --price --region 80x60+160+120     for these pixels, at (160, 120)
  *
- * Without options: the scene of demo.h. What the command line says of camera, lens, lights and
- * surroundings replaces what the files say; the words are those of scene files. */
+ * Without options: the scene of demo.h. With some the picture goes to build/27_effects_render.png,
+ * if --out names no other. What the command line says of camera, lens, lights and surroundings
+ * replaces what the files say; the words are those of scene files. */
 #include "../../common/output.h"
 #include "classic.h"
 #include "demo.h"
@@ -21,6 +22,13 @@ typedef struct {
     bool told, priced;
     studio_words words;
 } request;
+
+static bool request_own(const request *q)
+{
+    const studio_words *w = &q->words;
+    return q->path || q->effects || q->region || q->told || q->priced || w->camera || w->lens
+        || w->light || w->sun || w->environment || w->background || w->up;
+}
 
 static draw_window window_of(const options *o, const char *said)
 {
@@ -66,7 +74,7 @@ static void show(const options *o, const request *q, stage *e)
 {
     draw_window w = window_of(o, q->region);
     image im = image_new(w.width, w.height);
-    bool demo = !q->path && !q->told && !q->effects && !q->priced && !q->region && !o->out;
+    bool demo = !o->out;
     int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 32 : 16;
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
@@ -144,6 +152,10 @@ int main(int argc, char **argv)
     if (!stage_build(&s, &p, &e, &f)) fail(f);
     stage_view(&e, &view, c);
     stage_effects(&e, mask, q.effects && mask == EFFECTS_ALL);
+    if (!o.out && request_own(&q)) {  /* images/ is for the text */
+        mkdir("build", 0777);
+        o.out = "build/27_effects_render.png";
+    }
     show(&o, &q, &e);
     stage_free(&e), plan_free(&p), studio_free(&s);
     return 0;

@@ -107,7 +107,9 @@ static inline bool table_of_price(const options *o, stage *e, draw_window w, int
     for (int i = 0; i < n && whole; i++)
         price_row(&t, &p, i ? effect_names[effect[i]].name : "nothing", &run[i], effect[i], &run[0],
                   rounds);
-    if (whole) output_table(o, &t), output_plot(o, &p, "27_effects_price_time.svg");
+    options beside = *o;  /* the plot goes to build/, wherever the picture goes */
+    beside.out = NULL;
+    if (whole) output_table(o, &t), output_plot(&beside, &p, "27_effects_price_time.svg");
     else table_free(&t), plot_free(&p);
     for (int i = 0; i < n; i++) image_free(&run[i].im);
     stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
