@@ -190,6 +190,14 @@ static void test_exports(void)
           f.text);
     if (ok) studio_free(&s);
 
+    put("left.obj", "usemtl a\nmtllib left.mtl\n" TRIANGLE "f 1/ 2/ 3/\nusemtl\nf 1// 2// 3//\n");
+    put("left.mtl", "newmtl a\nKd 0.5\n");
+    ok = read_scene("left.obj", &s, &f);
+    check(ok && s.note_count == 0, "usemtl before mtllib, and without a name: %s", f.text);
+    check(ok && studio_material_of(&s, 0, 0) == 1 && studio_material_of(&s, 0, 1) == 0,
+          "usemtl without a name: what the place is made of");
+    if (ok) studio_free(&s);
+
     put("lost.obj", "mtllib C:\\Users\\me\\lost.mtl\nmtllib /no/such/other.mtl\n" TRIANGLE
         "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
     put("lost.mtl", "newmtl a\nKd 0.5\n");
