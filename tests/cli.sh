@@ -133,13 +133,14 @@ for main in "$root"/chapters/*/main.c; do
     # A picture, and a mesh, with a table.
     "$program" --help >help
     table_or_misuse --out tiny.ppm
-    if [ -e tiny.csv ]; then whole tiny.ppm; fi
+    sizes='1x300 300x1'
+    if [ -e tiny.csv ]; then whole tiny.ppm; else sizes="1x1 $sizes"; fi
     for option in mesh obj; do
         grep -q "^  --$option TEXT" help || continue
         printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
         table_or_misuse "--$option" one.obj
     done
-    for size in 1x1 1x300 300x1; do  # fewer pixels than panels, tiles, threads
+    for size in $sizes; do  # fewer pixels than panels, tiles, threads
         run 0 --quick --size $size --out tiny.ppm
         whole tiny.ppm
     done
@@ -151,6 +152,10 @@ for main in "$root"/chapters/*/main.c; do
     run 0 --quick --size 96x72 --out "picture$1" --seed 3
     whole "picture$1"
     if [ ! -d build ]; then ok; else no "--out draws other pictures, too"; fi
+    if grep -q '^  --samples N' help; then  # --quick takes few, unless it is told how many
+        run 0 --quick --size 96x72 --out "many$1" --seed 3 --samples 25
+        if cmp -s "many$1" "picture$1"; then no "--samples is not heeded"; else ok; fi
+    fi
     if [ -c /dev/full ]; then  # Linux alone has it
         ln -s /dev/full full.ppm
         run 1 --quick --size 96x72 --out full.ppm

@@ -35,6 +35,7 @@ int main(int argc, char **argv)
                              (options){.width = 420, .height = 420, .samples = 16, .seed = 1}, own);
     bool only = scene_name || way_name;
     failure f;
+    if (o.quick && o.samples == 16) o.samples = 1;  /* what was asked for stays */
     if (only && o.csv) failed(&f, 2, "--csv: no table with --scene, --way"), fail(f);
     stage_name which = scene_name ? (stage_name)place_of(scene_name, stage_names, stages, "scene")
                                   : STAGE_BOX;
