@@ -338,6 +338,26 @@ static void test_features(void)
     mesh_free(&m);
 }
 
+/* Some programs write all slashes, indices or not, and usemtl without a name. */
+static void test_left_out(void)
+{
+    mesh m;
+    failure f;
+    bool ok = read_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\n"
+                        "usemtl red\nf 1/ 2// 3/1/\nusemtl\nf 3//1 1/1/1 2/\nusemtl  # x\n"
+                        "f 1/\\\n 2 3/", &m, &f);
+    static const uint32_t index[] = {0, 1, 2, 2, 0, 1, 0, 1, 2}, none = mesh_none;
+    const uint32_t normal[] = {none, none, none, 0, 0, none, none, none, none};
+    check(ok, "what is left out: %s", f.text);
+    if (!ok) return;
+    check(m.triangles == 3 && memcmp(m.index, index, sizeof index) == 0, "slashes alone: indices");
+    check(m.normal_index && memcmp(m.normal_index, normal, sizeof normal) == 0,
+          "slashes alone: normals");
+    static const char *const material[] = {"red", "", ""};
+    for (size_t i = 0; i < 3; i++) check_text(mesh_material(&m, i), material[i], "triangle %zu", i);
+    mesh_free(&m);
+}
+
 /* ---- errors ---- */
 
 static void test_errors(void)
@@ -374,14 +394,14 @@ static void test_errors(void)
         {V3 "f", "t.obj:4: f: too few corners before the end of the file"},
         {V3 "f 1 2 x\n", "t.obj:4: f: not an index: 'x'"},
         {V3 "f 1 2 3.0\n", "t.obj:4: f: not a corner"},
-        {V3 "f 1/ 2/ 3/\n", "t.obj:4: f: not an index: a blank"},
+        {V3 "f 1/x 2 3\n", "t.obj:4: f: not an index: 'x'"},
+        {V3 "f 1/// 2 3\n", "t.obj:4: f: not an index"},
+        {V3 "vt 0\nf 1/1// 2 3\n", "t.obj:5: f: not an index"},
         {V3 "f 1/1/1/1 2 3\n", "t.obj:4: f: "},
-        {V3 "f 1// 2 3\n", "t.obj:4: f: not an index"},
         {V3 "f / 2 3\n", "t.obj:4: f: not an index"},
         {V3 "f 1 2 --3\n", "t.obj:4: f: not an index"},
         {V3 "f 1 2 \\ \n 3\n", "t.obj:4: f: not an index"},
         {V3 "f 1 2 \\\n x\n", "t.obj:5: f: not an index: 'x'"},
-        {V3 "usemtl\nf 1 2 3", "t.obj:4: usemtl: no name"},
         {"mtllib \n", "t.obj:1: mtllib: no name"},
         {"", "t.obj:"}, {V3, "t.obj:4: line: no face before the end of the file"},
         {V3 "1 2 3\n", "t.obj:4: line: begins with '1'"},
@@ -695,6 +715,7 @@ int main(void)
     test_numbers();
     test_random_numbers();
     test_features();
+    test_left_out();
     test_errors();
     test_long_lines();
     test_random_files();

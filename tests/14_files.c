@@ -150,6 +150,8 @@ static void test_misuse(void)
     check_equal(run("14_bvh", "--leaf 256"), 2, "too many");
     check_equal(run("14_bvh", "--hits x"), 2, "--hits without --rays");
     check_equal(run("14_bvh", "--any-hit"), 2, "--any-hit without --rays");
+    check_equal(run("14_bvh", "--rays x --out x.png"), 2, "--rays draws nothing");
+    check(printed("err", "--out: no picture with --rays"), "says so");
     check_equal(run("14_bvh", "--mesh /nowhere/x.obj"), 1, "no such mesh");
     snprintf(arguments, sizeof arguments, "--mesh %s/bad.obj", directory);
     check_equal(run("14_bvh", arguments), 2, "a mesh with an error");

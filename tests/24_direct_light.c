@@ -1,6 +1,8 @@
 /* Tests of 24_direct_light: every way of drawing against closed forms (22), hard cases, rays that
  * are not traced, and the naive ways failing. Fixed seeds; each t-test alarms falsely once in 1e8
  * seeds, all of them together once in 1e6. */
+static char directory[] = "/tmp/24_direct_light_XXXXXX";
+#include "program.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
@@ -509,6 +511,16 @@ static void test_far(void)
     }
 }
 
+/* One picture has no table: asked for one, the program says so, and does not draw. */
+static void test_program(void)
+{
+    if (!mkdtemp(directory)) abort();
+    check_equal(run("24_direct_light", "--scene box --csv x"), 2, "--scene with --csv");
+    check(printed("err", "--csv: no table with --scene, --way"), "says so");
+    check_equal(run("24_direct_light", "--way area --csv x"), 2, "--way with --csv");
+    unlink(in_directory("out")), unlink(in_directory("err")), rmdir(directory);
+}
+
 int main(void)
 {
     test_closed_forms();
@@ -522,5 +534,6 @@ int main(void)
     test_background();
     test_box();
     test_far();
+    test_program();
     return check_report("24_direct_light");
 }

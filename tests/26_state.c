@@ -146,14 +146,16 @@ static void test_state(void)
     const char *header[] = {"size 9x7\nsamples 3:6 5:9\n\n", "size 0x7\nsamples 3:6\n\n",
                             "size 9x9\nsamples 3:6\n\n", "size 99999x7\nsamples 3:6\n\n",
                             "size 9x7\nsamples 6:3\n\n", "size 9x7\n\n",
-                            "size 9x7\nsamples 1:\n\n"};
-    for (int k = 0; k < 7; k++) {
+                            "size 9x7\nsamples 1:\n\n",
+                            "size 16384x16384\nsamples 3:6\n\n"};  /* a film of 26 GB */
+    for (int k = 0; k < 8; k++) {
         char *made = allocate(n + 100, 1), of[state_settings] = "";
         size_t l = (size_t)sprintf(made, "%sscene x\n%s", state_magic, header[k]);
         l += 96 * 63;
         state_word((uint8_t *)made + l, state_hash(state_hash_start, made, l));
         back = (film){.width = 0};
-        check(!state_parse("x", made, l + 8, &back, of, &f) && f.exit_code == 2, "header %d", k);
+        check(!state_parse("x", made, l + 8, &back, of, &f) && f.exit_code == 2
+              && strstr(f.text, "its header is damaged"), "header %d: %s", k, f.text);
         film_free(&back), free(made);
     }
     free(text), free(damaged), film_free(&m), place_free(&p);
@@ -377,6 +379,9 @@ static void test_environment(void)
     check(!environment_of_image(&im, &e, &f), "a NaN");
     memset(im.rgb, 0, 72 * 3 * sizeof *im.rgb);
     check(!environment_of_image(&im, &e, &f), "black");
+    check(image_write(in_directory("black.pfm"), &im, &f), "%s", f.text);
+    check(!environment_read(in_directory("black.pfm"), &e, &f) && f.exit_code == 2
+          && strstr(f.text, "black.pfm: the environment has"), "the file is named: %s", f.text);
     image_free(&im);
 }
 

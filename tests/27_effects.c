@@ -53,6 +53,11 @@ static void test_misuse(void)
     ends(2, "--quick --light 'at 0 0 0 colour 1; at 1'", "err", "--light:2: light: no number");
     ends(1, "--quick --environment no.pfm", "err", "no.pfm: cannot read: No such file");
     ends(2, "--quick --up w", "err", "--up:1: up: no axis: 'w'");
+    ends(1, "--quick --environment no.obj", "err", "no.obj: cannot read: No such file");
+    ends(2, "--quick --out no.obj", "err", "no.obj");
+    ends(1, "--quick no.scene --explain", "err", "no.scene: cannot read: No such file");
+    ends(1, "--explain no.scene", "err", "no.scene: cannot read: No such file");
+    ends(2, "a.scene --quick b.obj", "err", "a.scene and b.obj: one scene at a time");
 }
 
 /* Two million triangles are to be read, built and drawn within 1 GiB: two hundred thousand within a

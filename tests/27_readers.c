@@ -190,6 +190,14 @@ static void test_exports(void)
           f.text);
     if (ok) studio_free(&s);
 
+    put("left.obj", "usemtl a\nmtllib left.mtl\n" TRIANGLE "f 1/ 2/ 3/\nusemtl\nf 1// 2// 3//\n");
+    put("left.mtl", "newmtl a\nKd 0.5\n");
+    ok = read_scene("left.obj", &s, &f);
+    check(ok && s.note_count == 0, "usemtl before mtllib, and without a name: %s", f.text);
+    check(ok && studio_material_of(&s, 0, 0) == 1 && studio_material_of(&s, 0, 1) == 0,
+          "usemtl without a name: what the place is made of");
+    if (ok) studio_free(&s);
+
     put("lost.obj", "mtllib C:\\Users\\me\\lost.mtl\nmtllib /no/such/other.mtl\n" TRIANGLE
         "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
     put("lost.mtl", "newmtl a\nKd 0.5\n");
@@ -559,7 +567,7 @@ static void test_scene_broken(void)
         {"environment 1 2 3 4\n", "environment: numbers end", "1, 2, 3 or 6"},
         {"environment 1 2 3 4 5 6 7\n", "environment: too much: '7'", "the end of the line"},
         {"environment i.mtl\n", "i.mtl: no whole P3, P6 or PF picture", ""},
-        {"environment nan.pfm\n", "nan.pfm: pixel 1 0: no light", "0 and more"},
+        {"environment nan.pfm\n", "nan.pfm: pixel 1 0: no light", "0 to 1e+30"},
         {"polygon 0 0 0 1 1 1\n", "x.scene:1: polygon: too few corners", "3 or more"},
         {"obj i.obj turn 0 0 0 5\n", "obj: no axis before", "turn X Y Z DEGREES"},
         {"obj i.obj scale 0\n", "obj: scaled to nothing", "none 0"},
@@ -572,8 +580,10 @@ static void test_scene_broken(void)
     put_bytes("nan.pfm", "PF 2 1 -1\n\0\0\0\0\0\0\0\0\0\0\0\0\0\0\xc0\x7f\0\0\0\0\0\0\0\0", 34);
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         refused("x.scene", list[i].text, "x.scene", 2, list[i].where, list[i].allowed);
-    refused("x.scene", "include no.scene\n", "x.scene", 1, "no.scene: cannot read: No such", "");
-    refused("x.scene", "obj no.obj\n", "x.scene", 1, "no.obj: cannot read: No such", "");
+    refused("x.scene", "include no.scene\n", "x.scene", 1, "no.scene: cannot read: No such",
+            "/x.scene:1: ");
+    refused("x.scene", "\n\nobj no.obj\n", "x.scene", 1, "no.obj: cannot read: No such",
+            "/x.scene:3: ");
     refused("x.scene", "include .\n", "x.scene", 1, "cannot read: Is a directory", "");
     refused("x.scene", "include /dev/zero\n", "x.scene", 1, "/dev/zero: cannot read: not", "");
     refused("x.scene", "environment /dev/zero\n", "x.scene", 1, "/dev/zero: cannot read: not", "");

@@ -26,6 +26,17 @@ misuse() {  # misuse TEXT ALLOWED ARGUMENTS...
     text=$1 allowed=$2; shift 2
     run 2 "$@"; says "$text"; says "$allowed"
 }
+# table_or_misuse ARGUMENTS...: --csv is heeded, or refused at once; tiny.csv is there if it was heeded
+table_or_misuse() {
+    rm -f tiny.csv
+    "$program" --quick --size 1x1 --csv tiny.csv "$@" >out 2>err </dev/null
+    status=$?
+    if [ $status -eq 2 ]; then
+        says "--csv"
+        if [ -e tiny.csv ]; then no "misuse left files behind"; else ok; fi
+    elif [ $status -eq 0 ] && [ -s tiny.csv ]; then ok
+    else no "--csv $* ended with $status, no table: $(head -c 300 err)"; fi
+}
 no_part() { if [ -z "$(find . -name '*.part')" ]; then ok; else no "a .part file is left"; fi; }
 
 # whole FILE: the picture begins as its ending wants; a PPM has all its bytes
@@ -119,7 +130,17 @@ for main in "$root"/chapters/*/main.c; do
     done
     if [ ! -d images ]; then ok; else no "--quick writes into images/"; fi
 
-    for size in 1x1 1x300 300x1; do  # fewer pixels than panels, tiles, threads
+    # A picture, and a mesh, with a table.
+    "$program" --help >help
+    table_or_misuse --out tiny.ppm
+    sizes='1x300 300x1'
+    if [ -e tiny.csv ]; then whole tiny.ppm; else sizes="1x1 $sizes"; fi
+    for option in mesh obj; do
+        grep -q "^  --$option TEXT" help || continue
+        printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
+        table_or_misuse "--$option" one.obj
+    done
+    for size in $sizes; do  # fewer pixels than panels, tiles, threads
         run 0 --quick --size $size --out tiny.ppm
         whole tiny.ppm
     done
@@ -131,6 +152,10 @@ for main in "$root"/chapters/*/main.c; do
     run 0 --quick --size 96x72 --out "picture$1" --seed 3
     whole "picture$1"
     if [ ! -d build ]; then ok; else no "--out draws other pictures, too"; fi
+    if grep -q '^  --samples N' help; then  # --quick takes few, unless it is told how many
+        run 0 --quick --size 96x72 --out "many$1" --seed 3 --samples 25
+        if cmp -s "many$1" "picture$1"; then no "--samples is not heeded"; else ok; fi
+    fi
     if [ -c /dev/full ]; then  # Linux alone has it
         ln -s /dev/full full.ppm
         run 1 --quick --size 96x72 --out full.ppm

@@ -144,7 +144,8 @@ int main(int argc, char **argv)
                      NULL);
     room scene = room_corner();
     view v = {.scene = &scene, .f = filter_tent, .how = SAMPLES_JITTERED, .seed = o.seed};
-    v.n = o.quick ? 1 : (int)sqrt((double)o.samples);  /* the largest square that is not more */
+    if (o.quick && o.samples == 16) o.samples = 1;  /* what was asked for stays */
+    v.n = (int)sqrt((double)o.samples);  /* the largest square that is not more */
     draw_four_cameras(&o, v, o.width, o.height);
     if (!o.out) {
         draw_vanishing_points(&o, v, o.quick ? 202 : 806, o.quick ? 169 : 676);

@@ -5,7 +5,9 @@
  *   vt 0 0               a texture coordinate: checked and counted
  *   f 1 2 3              a polygon of three or more corners  i  i/j  i//k  i/j/k
  *   f -4/1/1 -3/1 -2 -1  from 1 up in the order of the file; -1 is the last one so far
- *   usemtl, mtllib NAME  kept by name;  every other keyword (o g s l p curv ...) is skipped
+ *   f 1/ 2// 3/1/        a slash with no index behind it counts for nothing
+ *   usemtl, mtllib NAME  kept by name, usemtl alone as "": no material from here on
+ *   every other keyword  skipped (o g s l p curv ...)
  *
  * A polygon a b c d e ... becomes the fan abc, acd, ade ... in the order of the file. That is right
  * for convex polygons and for those that their first corner sees whole; of other concave ones the
@@ -61,12 +63,12 @@ typedef struct {
     mesh m;
 } obj_reader;
 
-/* Appends the rest of the line to a text, with `end` behind it. */
+/* Appends the rest of the line to a text, with `end` behind it; end 0: there may be none. */
 static inline bool obj_name(obj_reader *r, char **text, size_t *size, size_t *room, char end)
 {
-    const char *name = NULL;
+    const char *name = "";
     size_t n = 0;
-    if (!text_rest(&r->text, &name, &n)) return false;
+    if ((end || text_more(&r->text)) && !text_rest(&r->text, &name, &n)) return false;
     char *grown = text_grow(&r->text, *text, room, *size, n + 2, 1);
     if (!grown) return false;
     *text = grown;
@@ -144,8 +146,9 @@ static inline bool obj_corner_read(obj_reader *r, obj_corner *c)
     const char *start = t->p;
     uint32_t unused;
     if (!obj_index(r, &r->v, &c->v)) return false;
-    if (*t->p == '/' && *++t->p != '/' && !obj_index(r, &r->t, &unused)) return false;
-    if (*t->p == '/' && (t->p++, !obj_index(r, &r->n, &c->n))) return false;
+    if (*t->p == '/' && *++t->p != '/' && !text_ends_token(*t->p)
+        && !obj_index(r, &r->t, &unused)) return false;
+    if (*t->p == '/' && !text_ends_token(*++t->p) && !obj_index(r, &r->n, &c->n)) return false;
     if (t->p - start >= text_token) return text_bad(t, start, "corner too long:", text_longest);
     return text_ends_token(*t->p) || text_bad(t, start, "not a corner:", obj_corner_form);
 }

@@ -31,9 +31,10 @@ int main(int argc, char **argv)
     options o = options_read(argc, argv, "10_grid", "A uniform grid: cells, walks, errors, time.",
                              (options){.width = 960, .height = 330, .seed = 1}, own);
     how.exact = !bounds, how.mailbox = !no_mailbox;
+    failure f;
+    if (path && o.csv) failed(&f, 2, "--csv: no table with --mesh"), fail(f);
     if (path) {
         char name[512];
-        failure f;
         mesh m;
         if (!obj_read(path, &m, &f)) fail(f);
         if (!o.out) o.out = picture_name(path, name);

@@ -66,6 +66,8 @@ int main(int argc, char **argv)
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
     mesh m = {0};
+    if (own.mesh && o.csv) failed(&f, 2, "--csv: no table with --mesh"), fail(f);
+    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 8 : 12);
     draw(&o, &own, &m);

@@ -100,6 +100,9 @@ int main(int argc, char **argv)
     failure f;
     mesh m = {0};
     subject s;
+    if ((own.mesh || own.strategy) && o.csv)
+        failed(&f, 2, "--csv: no table with --mesh, --strategy"), fail(f);
+    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 6 : 32);
     draw(&o, &own, how, &m);

@@ -89,6 +89,8 @@ int main(int argc, char **argv)
     bsp_options how = build_options(&own);
     failure f;
     mesh m = {0};
+    if (own.mesh && o.csv) failed(&f, 2, "--csv: no table with --mesh"), fail(f);
+    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 4 : 12);
     draw_cells(&o, &own, &m, how);

@@ -130,6 +130,9 @@ int main(int argc, char **argv)
     mesh m = {0};
     if (!own.rays && (own.hits || own.any))
         failed(&f, 2, "--hits and --any-hit need --rays FILE"), fail(f);
+    if (own.rays && o.out) failed(&f, 2, "--out: no picture with --rays"), fail(f);
+    if (!own.rays && o.csv && (own.mesh || o.out))
+        failed(&f, 2, "--csv: no table with --mesh, --out, but with --rays"), fail(f);
     if (own.hits && !file_try(own.hits, &f)) fail(f);
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 8 : 40);

@@ -24,6 +24,9 @@ int main(int argc, char **argv)
     plant own = {.wood = 0};
     mesh m = {0};
     bool own_picture = plants || path, picture_only = own_picture || o.out;
+    if (own_picture && o.csv)
+        failed(&f, 2, "--csv: no table with --instances, --mesh"), fail(f);
+    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
     if (path && !obj_read(path, &m, &f)) fail(f);
     if (path) own = plant_of_mesh(m);
     if (own_picture && !o.out)  /* images/ is for the pictures of the text */

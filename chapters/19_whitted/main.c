@@ -61,6 +61,9 @@ int main(int argc, char **argv)
     if (how && pixel[0]) usage("--tree: not allowed with --protocol");
     if (pixel[1] > 479) usage("--tree: allowed are columns from 1 to 639, rows from 1 to 479");
     if (pixel[0] && o.out) usage("--out: not allowed with --tree");
+    if ((how || pixel[0]) && o.csv) usage("--csv: not allowed with --protocol, --tree");
+    if ((how || pixel[0]) && all) usage("--spend-all: not allowed with --protocol, --tree");
+    if (o.out && o.csv) usage("--out draws, --csv measures: one of them");
     if (how) {
         protocol(&o, name, scale);
         return 0;

@@ -17,12 +17,13 @@ int main(int argc, char **argv)
         {0}};
     options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
                              (options){.width = 512, .height = 288, .seed = 1, .samples = 16}, own);
+    failure f;
+    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
     static const char letters[] = "sgol";
     bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
     int chosen = every ? EFFECT_ALL : 0;
     for (const char *c = effects; *c && !named; c++) {
         const char *at = strchr(letters, *c);
-        failure f;
         if (!at) failed(&f, 2, "--effects %s: all, none, or letters of s g o l", effects), fail(f);
         chosen |= 1 << (at - letters);
     }

@@ -79,8 +79,7 @@ static inline void sphere_pixel(int x, int y, void *context)
 static inline void draw_spheres(const options *o)
 {
     image im = image_new(o->width, o->height);
-    uint32_t n = o->quick && o->samples > 4 ? 4 : (uint32_t)o->samples;
-    sphere_sheet sheet = {&im, o, n, o->quick ? 4 : 256, false};
+    sphere_sheet sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 256, false};
     bool whole = parallel_pixels(o->width, o->height, o->threads, "spheres", sphere_pixel, &sheet);
     output_picture(o, &im, "23_brdf.png", true, whole);
     image_free(&im);

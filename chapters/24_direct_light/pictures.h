@@ -91,8 +91,7 @@ static inline void draw_stage(const options *o, stage_name name, direct_way way)
     stage_open(name, &g);
     image im = image_new(o->width, o->height);
     g.c = stage_camera_of(name, (real)o->width / (real)o->height);
-    direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL,
-                     o->quick ? 1 : (uint32_t)o->samples, o->seed};
+    direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
     bool whole = direct_render(&v, &im, o->threads);
     output_picture(o, &im, "24_direct_light.png", true, whole);
     image_free(&im), stage_close(&g);

@@ -14,6 +14,7 @@ int main(int argc, char **argv)
         {"naive", OPTION_FLAG, &naive, 0, 0, "main picture by paths that meet the light"}, {0}};
     options defaults = {.width = 1000, .height = 400, .samples = 48, .seed = 1};
     options o = options_read(argc, argv, "25_bounces", "L = E + KE + K^2 E + ...", defaults, own);
+    if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
     draw_terms(&o, depth, naive);
     if (!o.out) draw_branches(&o);
     measure_branches(&o), measure_rays(&o);

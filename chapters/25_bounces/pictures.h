@@ -59,7 +59,7 @@ static inline void draw_terms(const options *o, int depth, bool naive)
     lit_scene s;
     lit_cornell(&s);
     int w = o->width / term_columns, h = o->height / 2;
-    uint32_t n = o->quick && o->samples > 4 ? 4 : (uint32_t)o->samples;
+    uint32_t n = (uint32_t)o->samples;
     term_sheet t = {.path = {&s, DIRECTIONS_BRDF, depth, false}, .samples = n, .seed = o->seed,
                     .naive = naive};
     w = w > 0 ? w : 1, h = h > 0 ? h : 1;

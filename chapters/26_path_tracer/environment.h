@@ -71,9 +71,10 @@ static inline bool environment_read(const char *path, environment *out, failure 
 {
     image im;
     if (!image_read(path, &im, f)) return false;
-    bool ok = environment_of_image(&im, out, f);
+    failure why;
+    bool ok = environment_of_image(&im, out, &why);
     image_free(&im);
-    return ok;
+    return ok || failed(f, why.exit_code, "%.300s: %s", path, why.text);
 }
 
 /* Row and column of d; the last one where rounding goes beyond. */

@@ -100,14 +100,15 @@ static inline bool state_number(const char **at, unsigned long most, char after,
     return ok && *end;
 }
 
-/* The lines `size` and `samples`; what follows is at *at. */
-static inline bool state_header(const char **at, film *out)
+/* The lines `size` and `samples`; what follows is at *at. A size that asks for more than n bytes,
+ * those of the file, is refused before there is a film of it. */
+static inline bool state_header(const char **at, size_t n, film *out)
 {
     unsigned long w, h, a, b;
     if (strncmp(*at, "size ", 5) != 0) return false;
     *at += 5;
     if (!state_number(at, 16384, 'x', &w) || !state_number(at, 16384, '\n', &h)) return false;
-    if (w == 0 || h == 0 || strncmp(*at, "samples", 7) != 0) return false;
+    if (w == 0 || h == 0 || w > n / 96 / h || strncmp(*at, "samples", 7) != 0) return false;
     *at += 7;
     *out = film_new((int)w, (int)h);
     while (**at == ' ') {
@@ -148,7 +149,7 @@ static inline bool state_parse(const char *path, const char *text, size_t n, fil
     size_t length = (size_t)(size + 1 - body);
     const char *at = size + 1;
     if (*settings && !state_same(path, body, length, settings, why)) return false;
-    if (!state_header(&at, out)) return failed(why, 2, "%.300s: its header is damaged", path);
+    if (!state_header(&at, n, out)) return failed(why, 2, "%.300s: its header is damaged", path);
     size_t pixels = (size_t)out->width * (size_t)out->height;
     if ((size_t)(text + n - at) != 96 * pixels + 8)
         return failed(why, 2, "%.300s: %zu bytes of sums, but %zu belong to its size", path,

@@ -103,16 +103,27 @@ static void show(const options *o, const request *q, stage *e)
     image_free(&im);
 }
 
-/* room.scene alone stands for --scene=room.scene: of names that end so, nothing else is meant. */
-static char *option_of_file(char *word)
+/* room.scene alone stands for --scene=room.scene, but not behind an option that takes a value. */
+static void options_of_files(int argc, char **argv)
 {
-    bool file = word[0] != '-'
-        && (scene_ends(word, ".scene") || scene_ends(word, ".obj") || scene_ends(word, ".nff"));
-    size_t room = strlen(word) + 16;
-    if (!file) return word;
-    char *words = allocate(room, 1);
-    snprintf(words, room, "--scene=%s", word);
-    return words;
+    static const char *const flags[] = {"--explain", "--price", "--preview", "--quick", "--help"};
+    const char *first = NULL;
+    failure f;
+    for (int i = 1; i < argc; i++) {
+        const char *word = argv[i], *before = argv[i - 1];
+        bool value = i > 1 && strncmp(before, "--", 2) == 0 && !strchr(before, '=');
+        for (int k = 0; k < 5; k++) value = value && strcmp(before, flags[k]) != 0;
+        if (value || word[0] == '-' || !(scene_ends(word, ".scene") || scene_ends(word, ".obj")
+                                         || scene_ends(word, ".nff"))) continue;
+        if (first) {
+            program_name = "27_effects";
+            failed(&f, 2, "%.200s and %.200s: one scene at a time; a scene file can include others",
+                   first, word), fail(f);
+        }
+        size_t room = strlen(word) + 16;
+        first = word, argv[i] = allocate(room, 1);
+        snprintf(argv[i], room, "--scene=%s", word);
+    }
 }
 
 int main(int argc, char **argv)
@@ -132,8 +143,7 @@ int main(int argc, char **argv)
         {"background", OPTION_TEXT, &q.words.background, 0, 0, "C"},
         {"up", OPTION_TEXT, &q.words.up, 0, 0, "x, y or z: where no camera says it"},
         {0}};
-    for (int i = 1; i < argc; i++)
-        if (strcmp(argv[i - 1], "--scene") != 0) argv[i] = option_of_file(argv[i]);
+    options_of_files(argc, argv);
     options o = options_read(argc, argv, "27_effects", "Draws scene files.",
                              (options){.width = 400, .height = 300, .samples = -1}, own);
     if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;

@@ -72,7 +72,7 @@ static inline uint32_t obj_material_number(const studio *s, const obj_libraries 
     return k;
 }
 
-/* Of each run; "None" is how Blender says that there is none. */
+/* Of each run; "None" is how Blender says that there is none, "" is usemtl without a name. */
 static inline uint32_t *obj_run_materials(studio *s, const char *path, const mesh *m,
                                           const obj_libraries *found)
 {
@@ -83,7 +83,7 @@ static inline uint32_t *obj_run_materials(studio *s, const char *path, const mes
         number[i] = obj_material_number(s, found, name);
         if (number[i] != name_none || name_find(&unknown, name) != name_none) continue;
         name_add(&unknown, name);
-        if (found->n && strcmp(name, "None") != 0 && strcmp(name, "(null)") != 0)
+        if (found->n && *name && strcmp(name, "None") != 0 && strcmp(name, "(null)") != 0)
             studio_note(s, "%.200s: material '%.100s' is nowhere described", path, name);
     }
     name_table_free(&unknown);

@@ -166,8 +166,7 @@ static inline bool scene_picture(statement *q, sky *out)
     if (!image_read(path, &out->picture, q->f)) return false;
     if (sky_bad_pixel(&out->picture, &x, &y)) {
         image_free(&out->picture);
-        return failed(q->f, 2, "%.300s: pixel %d %d: no light, allowed: 0 and more, finite", path,
-                      x, y);
+        return failed(q->f, 2, "%.300s: pixel %d %d: no light, allowed: 0 to 1e+30", path, x, y);
     }
     out->kind = SKY_IMAGE;
     sky_aim(out, q->s->up, turn);

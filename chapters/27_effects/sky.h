@@ -100,12 +100,12 @@ static inline bool sky_lights(const sky *s)
     return false;
 }
 
-/* The first pixel that is no radiance (NaN, infinite, negative); false: there is none. */
+/* The first pixel that is no radiance (NaN, negative, too large to be summed); false: none. */
 static inline bool sky_bad_pixel(const image *im, int *x, int *y)
 {
     size_t n = 3 * (size_t)im->width * (size_t)im->height;
     for (size_t i = 0; i < n; i++)
-        if (!(im->rgb[i] >= 0 && im->rgb[i] <= FLT_MAX)) {
+        if (!(im->rgb[i] >= 0 && im->rgb[i] <= 1e30f)) {
             *x = (int)(i / 3 % (size_t)im->width), *y = (int)(i / 3 / (size_t)im->width);
             return true;
         }

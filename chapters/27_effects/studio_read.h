@@ -87,6 +87,15 @@ static inline bool scene_include(scene_reader *r)
     return in && scene_enter(r, in, path, r->q.f);
 }
 
+/* A file that cannot be read: what named it, and in which line, is worth knowing, too. */
+static inline void scene_named_at(const scene_level *l, const scene_reader *r, failure *f)
+{
+    failure why = *f;
+    const char *name = text_name(&l->t);
+    if (why.exit_code == 1 && strlen(name) + strlen(why.text) + 16 < sizeof f->text)
+        failed(f, 1, "%s:%u: %s", name, (unsigned)r->q.at.line, why.text);
+}
+
 /* Reads the stream and all that it includes; closes them. */
 static inline bool scene_read_stream(studio *s, FILE *in, const char *path, failure *f)
 {
@@ -102,6 +111,7 @@ static inline bool scene_read_stream(studio *s, FILE *in, const char *path, fail
         }
         r->q.at = (cite){l->file, (uint32_t)l->t.line};
         ok = text_is(&l->t, "include") ? scene_include(r) : scene_statement(&r->q);
+        if (!ok) scene_named_at(l, r, f);
     }
     while (r->depth) (void)scene_leave(r);
     name_table_free(&r->q.shapes);
