@@ -246,6 +246,82 @@ static void test_classic(bool glass)
     free(text);
 }
 
+/* ---- bodies: what a ray is inside of ---- */
+
+static vec3 seen_along(const set *q, ray r)
+{
+    dice d = dice_start(1, 1, 0);
+    effects_counts c = {.now = 0};
+    return effects_made_for(q->e.mask)(&q->e, r, (media_set){0}, &d, &c);
+}
+
+/* Two scenes are one picture: to rounding, which moves the edge of what lies behind by less than a
+ * pixel in ten thousand. */
+static void test_same(const char *what, const char *one, const char *other)
+{
+    enum { w = 40, h = 30 };
+    set a, b;
+    size_t off = 0;
+    set_up(&a, one), set_up(&b, other);
+    for (int i = 0; i < w * h; i++) {
+        ray r = camera_ray(a.e.eye, (real)(i % w) + (real)0.37, (real)(i / w) + (real)0.41, w, h);
+        real far = vlength(vsub(seen_along(&a, r), seen_along(&b, r)));
+        off += !(far <= 4096 * real_epsilon);
+    }
+    check_at_most((double)off, sizeof(real) == 4 ? 4 : 0, "%s: rays that differ", what);
+    tear_down(&a), tear_down(&b);
+}
+
+/* Along an axis, with Ni 1, light is weakened by exp(-sum of absorb x length), and nothing else. */
+static void test_way(const char *text, real z, double exponent)
+{
+    set q;
+    set_up(&q, text);
+    ray r = {.o = {0, 0, z}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
+    check_close((double)seen_along(&q, r).x, exp(-exponent), 64 * (double)real_epsilon, "%s", text);
+    tear_down(&q);
+}
+
+#define SEEN "camera from 0 0 5 at 0 0 0 angle 30\nbackground 0.1 0.2 0.3\n"                    \
+    "material lines\nKd 0.2 0.9 0.4\nillum 0\npolygon -9 -1 -3  9 -1 -3  9 0.2 -3  -9 0.2 -3\n"
+#define GLASS_BALL "material glass\nKd 0\nNi 1.5\nillum 7\nabsorb 0.3 0.1 0.2\nsphere 0 0 0 1\n"
+#define CLEAR_BALL SEEN "material glass\nKd 0\nNi 1.5\nillum 6\nsphere 0 0 0 1\n"
+#define WAY "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 0.5\n" \
+    "sphere 0 0 0 2\n"
+#define WAY_IN WAY "material b\nKd 0\nillum 6\nabsorb 2\nsphere 0 0 0 1\n"
+
+static void test_bodies(void)
+{
+    test_same("a ball within a ball of the same glass", SEEN GLASS_BALL,
+              SEEN GLASS_BALL "sphere 0.1 0 0.2 0.5\n");
+    test_same("balls within it that overlap", SEEN GLASS_BALL,
+              SEEN GLASS_BALL "sphere 0.2 0 0.2 0.5\nsphere -0.2 0 0.1 0.5\nsphere 0 0.2 0 0.6\n");
+    test_same("a bubble: a ball turned inside out, or one of Ni 1",
+              CLEAR_BALL "sphere 0.1 0 0 -0.5\n",
+              CLEAR_BALL "material air\nKd 0\nNi 1\nillum 6\nsphere 0.1 0 0 0.5\n");
+    test_way(WAY, 5, 0.5 * 4), test_way(WAY, 1, 0.5 * 3);
+    test_way(WAY_IN, 5, 0.5 * 2 + 2 * 2);
+    test_way(WAY_IN, 0, 2 * 1 + 0.5 * 1);  /* begun in both: that of the first face fills it */
+}
+
+/* Glass whose refraction is left out keeps the share that it reflects: Schlick's, F0 = 0.04. */
+static void test_left_out(void)
+{
+    set q;
+    set_up(&q, "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial m\nNi 1.5\nKd 0.5\nTf 0.5\n"
+           "illum 7\nsphere 0 0 0 1\n");
+    stage_effects(&q.e, q.p.effects & ~(unsigned)EFFECT_REFRACTION, false);
+    check(q.e.mask == EFFECT_MIRROR, "%x", q.e.mask);
+    for (int k = 0; k < 2; k++) {
+        double cosine = k ? 0.5 : 1, R = 0.04 + 0.96 * pow(1 - cosine, 5);
+        vec3 o = {k ? (real)sqrt(0.75) : 0, 0, 5};
+        vec3 L = seen_along(&q, (ray){.o = o, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity});
+        check_close((double)L.x, 0.25 * (1 - R) * cosine + R, 64 * (double)real_epsilon,
+                   "no refraction, cosine %g", cosine);
+    }
+    tear_down(&q);
+}
+
 /* ---- light: closed forms ---- */
 
 /* The mean along the ray through the middle of the picture, of n independent estimates. */
@@ -296,6 +372,8 @@ int main(void)
     test_special();
     test_classic(false);
     test_classic(true);
+    test_bodies();
+    test_left_out();
     test_light();
     return check_report("27_radiance");
 }
