@@ -17,14 +17,16 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
 
 typedef struct { const char *path, *effects; bool told, priced; studio_words words; } request;
 
-/* All at every hit was drawn: what the plan draws, and whether that is the same picture. */
-static void compare_with_plan(drawing *j, stage *e, int threads)
+/* All at every hit was drawn: what the plan draws, and whether that is the same picture. False:
+ * stopped. */
+static bool compare_with_plan(drawing *j, stage *e, int threads)
 {
     image im = image_new(j->im->width, j->im->height);
     drawing plain = *j;
     size_t n = 3 * (size_t)im.width * (size_t)im.height;
     stage_effects(e, e->p->effects, false);
-    if (draw_region(&plain, &im, 0, 0, threads)) {
+    bool whole = draw_region(&plain, &im, 0, 0, threads);
+    if (whole) {
         bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
         printf("plan       %s; everything at every hit took %.3g s, the plan %.3g s: "
                "%.0f %% saved\n",
@@ -33,9 +35,11 @@ static void compare_with_plan(drawing *j, stage *e, int threads)
     }
     stage_effects(e, EFFECTS_ALL, true);
     image_free(&im);
+    return whole;
 }
 
-/* The default run: the picture, its strip, the price list, and what being general costs. */
+/* The default run: the picture, its strip, the price list, and what being general costs. The
+ * picture is saved before all else: Ctrl-C later on loses none of it. */
 static void show(const options *o, const request *q, stage *e)
 {
     image im = image_new(o->width, o->height);
@@ -44,20 +48,22 @@ static void show(const options *o, const request *q, stage *e)
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
     bool whole = draw_region(&j, &im, 0, 0, o->threads);
-    if (whole && (e->mask & EFFECTS_SPEND)) compare_with_plan(&j, e, o->threads);
+    output_picture(o, &im, "27_effects.png", true, whole);
+    if (e->mask & EFFECTS_SPEND) whole = compare_with_plan(&j, e, o->threads);
     if (whole && (demo || q->priced)) {
         int w = o->width / 4 > 0 ? o->width / 4 : 1, h = o->height / 4 > 0 ? o->height / 4 : 1;
         whole = table_of_price(o, e, w, h, samples > 16 ? 16 : samples);
         if (whole && demo) whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1,
                                               samples);
-        if (whole && demo) table_of_tax(o);
+        if (whole && demo) whole = table_of_tax(o);
     } else if (whole) {
         effects_counts timed;
         image none = image_new(o->width, o->height);  /* draw_timed fills nothing in */
         double error = draw_error(&j);
         drawing again = j;
         again.im = &none;
-        if (draw_timed(&again, o->threads, &timed)) {
+        whole = draw_timed(&again, o->threads, &timed);
+        if (whole) {
             table_of_effects(o, &j, &timed);
             printf("# %d samples a pixel, %.3g s", samples, j.seconds);
             if (error > 0 && samples > 1) printf(", error rmse %.3g by halves", error);
@@ -65,8 +71,9 @@ static void show(const options *o, const request *q, stage *e)
         }
         image_free(&none);
     }
-    output_picture(o, &im, "27_effects.png", true, whole);
     image_free(&im);
+    failure f;
+    if (!whole) failed(&f, 130, "stopped; the picture was whole before"), fail(f);
 }
 
 /* room.scene alone stands for --scene=room.scene: of names that end so, nothing else is meant. */
