@@ -302,6 +302,8 @@ static void test_bodies(void)
     test_way(WAY, 5, 0.5 * 4), test_way(WAY, 1, 0.5 * 3);
     test_way(WAY_IN, 5, 0.5 * 2 + 2 * 2);
     test_way(WAY_IN, 0, 2 * 1 + 0.5 * 1);  /* begun in both: that of the first face fills it */
+    test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 1\n"
+             "polygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n", 5, INFINITY);  /* and never out */
     /* a prism: in by its face, all reflected at 45 degrees, 2 later out by the other face */
     test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nNi 1.5\nillum 6\n"
              "absorb 0.7\npolygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n"
@@ -326,7 +328,7 @@ static void test_left_out(void)
     }
     tear_down(&q);
     set_up(&q, "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial m\nKd 0.5\nKs 0.25\n"
-           "illum 5\nsphere 0 0 0 1\n");  /* and so does what is matte below Fresnel's reflection (illum 5) */
+           "illum 5\nsphere 0 0 0 1\n");  /* what is matte gets the rest */
     ray r = {.o = {(real)sqrt(0.75), 0, 5}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
     double F = 0.25 + 0.75 / 32;
     check_close((double)seen_along(&q, r).x, 0.5 * (1 - F) * 0.5 + F, 64 * (double)real_epsilon,
@@ -381,7 +383,7 @@ static void test_light(void)
     /* Two lamps, found by shadow rays and by chance: the weights of both ways add up to 1. A square
      * that faces upwards, 2 above the floor, half side 1: 4 corners' form factors (a = b = 1/2);
      * and a sphere of radius R at distance 5, height 3: (R/5)^2 3/5. */
-    double a = 0.5, k = a / sqrt(1 + a * a), F = 4 / pi * k * atan(k);
+    double a = 0.5, k = a / sqrt(1 + a * a), F = 4 / (double)pi * k * atan(k);
     double L = 0.5 * (F + 50 * 0.01 * 0.6);
     expect("under two lamps", "camera from 0 1.5 4 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
            "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 1\n"
