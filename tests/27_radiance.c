@@ -303,7 +303,7 @@ static void test_bodies(void)
     test_way(WAY_IN, 5, 0.5 * 2 + 2 * 2);
     test_way(WAY_IN, 0, 2 * 1 + 0.5 * 1);  /* begun in both: that of the first face fills it */
     test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 1\n"
-             "polygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n", 5, INFINITY);  /* and never out */
+             "polygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n", 5, (double)INFINITY);  /* never out */
     /* a prism: in by its face, all reflected at 45 degrees, 2 later out by the other face */
     test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nNi 1.5\nillum 6\n"
              "absorb 0.7\npolygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n"
