@@ -384,9 +384,9 @@ static void test_light(void)
      * that faces upwards, 2 above the floor, half side 1: 4 corners' form factors (a = b = 1/2);
      * and a sphere of radius R at distance 5, height 3: (R/5)^2 3/5. */
     double a = 0.5, k = a / sqrt(1 + a * a), F = 4 / (double)pi * k * atan(k);
-    double L = 0.5 * (F + 50 * 0.01 * 0.6);
+    double L = 0.5 * (20 * F + 50 * 0.01 * 0.6);
     expect("under two lamps", "camera from 0 1.5 4 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
-           "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 1\n"
+           "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 20\n"
            "polygon -1 2 1  1 2 1  1 2 -1  -1 2 -1\nmaterial ball\nKe 50\nsphere 4 3 0 0.5\n",
            (double[3]){L, L, L}, 300, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT);
 }
