@@ -246,6 +246,96 @@ static void test_classic(bool glass)
     free(text);
 }
 
+/* ---- bodies: what a ray is inside of ---- */
+
+static vec3 seen_along(const set *q, ray r)
+{
+    dice d = dice_start(1, 1, 0);
+    effects_counts c = {.now = 0};
+    return effects_made_for(q->e.mask)(&q->e, r, (media_set){0}, &d, &c);
+}
+
+/* Two scenes are one picture: to rounding, which moves the edge of what lies behind by less than a
+ * pixel in ten thousand. */
+static void test_same(const char *what, const char *one, const char *other)
+{
+    enum { w = 40, h = 30 };
+    set a, b;
+    size_t off = 0;
+    set_up(&a, one), set_up(&b, other);
+    for (int i = 0; i < w * h; i++) {
+        ray r = camera_ray(a.e.eye, (real)(i % w) + (real)0.37, (real)(i / w) + (real)0.41, w, h);
+        real far = vlength(vsub(seen_along(&a, r), seen_along(&b, r)));
+        off += !(far <= 4096 * real_epsilon);
+    }
+    check_at_most((double)off, sizeof(real) == 4 ? 4 : 0, "%s: rays that differ", what);
+    tear_down(&a), tear_down(&b);
+}
+
+/* Along an axis, with Ni 1, light is weakened by exp(-sum of absorb x length), and nothing else. */
+static void test_way(const char *text, real z, double exponent)
+{
+    set q;
+    set_up(&q, text);
+    ray r = {.o = {0, 0, z}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
+    check_close((double)seen_along(&q, r).x, exp(-exponent), 64 * (double)real_epsilon, "%s", text);
+    tear_down(&q);
+}
+
+#define SEEN "camera from 0 0 5 at 0 0 0 angle 30\nbackground 0.1 0.2 0.3\n"                    \
+    "material lines\nKd 0.2 0.9 0.4\nillum 0\npolygon -9 -1 -3  9 -1 -3  9 0.2 -3  -9 0.2 -3\n"
+#define GLASS_BALL "material glass\nKd 0\nNi 1.5\nillum 7\nabsorb 0.3 0.1 0.2\nsphere 0 0 0 1\n"
+#define CLEAR_BALL SEEN "material glass\nKd 0\nNi 1.5\nillum 6\nsphere 0 0 0 1\n"
+#define WAY "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 0.5\n" \
+    "sphere 0 0 0 2\n"
+#define WAY_IN WAY "material b\nKd 0\nillum 6\nabsorb 2\nsphere 0 0 0 1\n"
+
+static void test_bodies(void)
+{
+    test_same("a ball within a ball of the same glass", SEEN GLASS_BALL,
+              SEEN GLASS_BALL "sphere 0.1 0 0.2 0.5\n");
+    test_same("balls within it that overlap", SEEN GLASS_BALL,
+              SEEN GLASS_BALL "sphere 0.2 0 0.2 0.5\nsphere -0.2 0 0.1 0.5\nsphere 0 0.2 0 0.6\n");
+    test_same("a bubble: a ball turned inside out, or one of Ni 1",
+              CLEAR_BALL "sphere 0.1 0 0 -0.5\n",
+              CLEAR_BALL "material air\nKd 0\nNi 1\nillum 6\nsphere 0.1 0 0 0.5\n");
+    test_way(WAY, 5, 0.5 * 4), test_way(WAY, 1, 0.5 * 3);
+    test_way(WAY_IN, 5, 0.5 * 2 + 2 * 2);
+    test_way(WAY_IN, 0, 2 * 1 + 0.5 * 1);  /* begun in both: that of the first face fills it */
+    test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 1\n"
+             "polygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n", 5, (double)INFINITY);  /* never out */
+    /* a prism: in by its face, all reflected at 45 degrees, 2 later out by the other face */
+    test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nNi 1.5\nillum 6\n"
+             "absorb 0.7\npolygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n"
+             "polygon -1 -1 0  -1 -1 -2  1 -1 -2  1 -1 0\n"
+             "polygon -1 1 0  1 1 0  1 -1 -2  -1 -1 -2\n", 5, 0.7 * 2);
+}
+
+/* Glass whose refraction is left out keeps the share that it reflects: Schlick's, F0 = 0.04. */
+static void test_left_out(void)
+{
+    set q;
+    set_up(&q, "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial m\nNi 1.5\nKd 0.5\nTf 0.5\n"
+           "illum 7\nsphere 0 0 0 1\n");
+    stage_effects(&q.e, q.p.effects & ~(unsigned)EFFECT_REFRACTION, false);
+    check(q.e.mask == EFFECT_MIRROR, "%x", q.e.mask);
+    for (int k = 0; k < 2; k++) {
+        double cosine = k ? 0.5 : 1, R = 0.04 + 0.96 * pow(1 - cosine, 5);
+        vec3 o = {k ? (real)sqrt(0.75) : 0, 0, 5};
+        vec3 L = seen_along(&q, (ray){.o = o, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity});
+        check_close((double)L.x, 0.25 * (1 - R) * cosine + R, 64 * (double)real_epsilon,
+                   "no refraction, cosine %g", cosine);
+    }
+    tear_down(&q);
+    set_up(&q, "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial m\nKd 0.5\nKs 0.25\n"
+           "illum 5\nsphere 0 0 0 1\n");  /* what is matte gets the rest */
+    ray r = {.o = {(real)sqrt(0.75), 0, 5}, .d = {0, 0, -1}, .tmin = 0, .tmax = real_infinity};
+    double F = 0.25 + 0.75 / 32;
+    check_close((double)seen_along(&q, r).x, 0.5 * (1 - F) * 0.5 + F, 64 * (double)real_epsilon,
+                "illum 5 at 60 degrees");
+    tear_down(&q);
+}
+
 /* ---- light: closed forms ---- */
 
 /* The mean along the ray through the middle of the picture, of n independent estimates. */
@@ -262,13 +352,15 @@ static void along(const stage *e, size_t n, estimate out[3])
     }
 }
 
-static void expect(const char *what, const char *text, const double exact[3], double rounding)
+static void expect(const char *what, const char *text, const double exact[3], double rounding,
+                   unsigned mask)
 {
     set q;
     estimate e[3];
     set_up(&q, text);
+    if (mask) stage_effects(&q.e, mask, false);
     along(&q.e, check_count(20000), e);
-    for (int k = 0; k < 3; k++)  /* false alarms: 1e-7 each, some 20 of them */
+    for (int k = 0; k < 3; k++)  /* false alarms: 1e-7 each, 12 of them */
         check_at_least(t_test(e[k], exact[k], rounding * (double)real_epsilon), 1e-7,
                        "%s, channel %d: mean %.9g, exactly %.9g", what, k, e[k].mean, exact[k]);
     tear_down(&q);
@@ -279,14 +371,53 @@ static void expect(const char *what, const char *text, const double exact[3], do
 static void test_light(void)
 {
     expect("closed sphere", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\nKd 0.5 0.25 0.1\n"
-           "Ke 1 2 3\nillum 1\nsphere 0 0 0 -2\n", (double[3]){2, 2 / 0.75, 3 / 0.9}, 300);
+           "Ke 1 2 3\nillum 1\nsphere 0 0 0 -2\n", (double[3]){2, 2 / 0.75, 3 / 0.9}, 300,
+           0);
     expect("ball in an even sky", "camera from 0 0 5 at 0 0 0\nenvironment 1\nmaterial m\n"
-           "Kd 0.8 0.5 0.2\nillum 1\nsphere 0 0 0 1\n", (double[3]){0.8, 0.5, 0.2}, 300);
+           "Kd 0.8 0.5 0.2\nillum 1\nsphere 0 0 0 1\n", (double[3]){0.8, 0.5, 0.2}, 300, 0);
     /* small lamp of area A, radiance 1, at height h straight above: E = pi R^2 / (R^2 + h^2) for a
      * disk; here a sphere of radius R: E = pi (R/h)^2 at its foot, L = kd E / pi */
     expect("under a sphere", "camera from 0.5 3 0.1 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
            "polygon -3 0 3  3 0 3  3 0 -3  -3 0 -3\nmaterial lamp\nKe 4\nsphere 0 4 0 1\n"
-           "camera from 1 3 1 at 0 0 0\n", (double[3]){0.125, 0.125, 0.125}, 300);
+           "camera from 1 3 1 at 0 0 0\n", (double[3]){0.125, 0.125, 0.125}, 300, 0);
+    /* Two lamps, found by shadow rays and by chance: the weights of both ways add up to 1. A square
+     * that faces upwards, 2 above the floor, half side 1: 4 corners' form factors (a = b = 1/2);
+     * and a sphere of radius R at distance 5, height 3: (R/5)^2 3/5. */
+    double a = 0.5, k = a / sqrt(1 + a * a), F = 4 / (double)pi * k * atan(k);
+    double L = 0.5 * (20 * F + 50 * 0.01 * 0.6);
+    expect("under two lamps", "camera from 0 1.5 4 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
+           "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 20\n"
+           "polygon -1 2 1  1 2 1  1 2 -1  -1 2 -1\nmaterial ball\nKe 50\nsphere 4 3 0 0.5\n",
+           (double[3]){L, L, L}, 300, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT);
+}
+
+/* What a lobe shows of lamps of each kind and of the sky: by its rays alone, by shadow rays alone,
+ * by both with weights. False alarms: 1e-7 each. */
+static void test_ways(void)
+{
+    static const unsigned by[] = {EFFECT_SOFT_SHADOWS | EFFECT_ENVIRONMENT,
+                                  EFFECT_SOFT_SHADOWS | EFFECT_ENVIRONMENT | EFFECT_GLOSSY};
+    set q;
+    set_up(&q, "camera from 0 2 4 at 0 0 0\nenvironment 0.5 1\nmaterial satin\nKd 0\nKs 0.5\n"
+           "Ns 20\nillum 3\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 3\n"
+           "sphere -1.5 2.5 -3 0.6\npolygon 0.7 2 -4  1.7 2 -4  1.7 3 -4  0.7 3 -4\n"
+           "cone -0.5 1.2 -3 0.5  -0.3 2.2 -3 0\n");
+    for (int k = 0; k < 2; k++) {
+        estimate off = {0};
+        for (size_t i = 0; i < check_count(20000); i++) {
+            effects_counts c = {.now = 0};
+            ray r = camera_ray(q.e.eye, 8, 6, 16, 12);
+            dice d = dice_start(9, i, 0), other = dice_start(10 + (uint64_t)k, i, 0);
+            stage_effects(&q.e, EFFECT_GLOSSY, false);
+            vec3 a = effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &d, &c);
+            stage_effects(&q.e, by[k], false);
+            vec3 b = effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &other, &c);
+            off = estimate_add(off, (double)(a.x - b.x));
+        }
+        check_at_least(t_test(off, 0, 300 * (double)real_epsilon), 1e-7,
+                       "effects %x: off by %g", by[k], off.mean);
+    }
+    tear_down(&q);
 }
 
 int main(void)
@@ -296,6 +427,9 @@ int main(void)
     test_special();
     test_classic(false);
     test_classic(true);
+    test_bodies();
+    test_left_out();
     test_light();
+    test_ways();
     return check_report("27_radiance");
 }

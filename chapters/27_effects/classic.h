@@ -9,7 +9,8 @@
  *                                   one background, no instances
  *   classic_free(&c)
  *
- *   table_of_tax(&o, &t)            rows: 27 against 18 and 19, in turn, one thread: medians
+ *   table_of_tax(&o)                prints 27 against 18 and 19, in turn, one thread: medians;
+ *                                   false: stopped by Ctrl-C, nothing is printed
  */
 #ifndef CLASSIC_H
 #define CLASSIC_H
@@ -123,6 +124,7 @@ typedef struct {
     bool whitted;
     image im;
     effects_counts counts;
+    bool stopped;
 } tax_run;
 
 static inline void tax_pixel(int x, int y, void *context)
@@ -137,7 +139,7 @@ static inline void tax_pixel(int x, int y, void *context)
 static inline double tax_before(void *context)
 {
     tax_run *k = context;
-    parallel_pixels(k->im.width, k->im.height, 1, "chapter", tax_pixel, k);
+    k->stopped |= !parallel_pixels(k->im.width, k->im.height, 1, "chapter", tax_pixel, k);
     return (double)k->im.rgb[0];
 }
 
@@ -145,7 +147,7 @@ static inline double tax_now(void *context)
 {
     tax_run *k = context;
     drawing j = {.e = k->e, .samples = 1, .seed = 1, .width = k->im.width, .height = k->im.height};
-    draw_region(&j, &k->im, 0, 0, 1);
+    k->stopped |= !draw_region(&j, &k->im, 0, 0, 1);
     k->counts = j.counts;
     return (double)k->im.rgb[0];
 }
@@ -174,7 +176,7 @@ static inline char *forty_text(bool plain)
     return text;
 }
 
-static inline void tax_row(const options *o, table *t, bool glass)
+static inline bool tax_row(const options *o, table *t, bool glass)
 {
     studio s;
     stage e;
@@ -204,15 +206,18 @@ static inline void tax_row(const options *o, table *t, bool glass)
     classic_free(&run[0].c);
     image_free(&run[0].im), image_free(&run[1].im);
     stage_free(&e), plan_free(&p), studio_free(&s), free(text);
+    return !run[0].stopped && !run[1].stopped;
 }
 
-static inline void table_of_tax(const options *o)
+static inline bool table_of_tax(const options *o)
 {
     table t = table_new("The general program against the chapters' own, in turn, one thread",
                         "scene|chapter|rays a pixel|difference: most|its own [ns/ray]|"
                         "here [ns/ray]|speed here / there");
-    tax_row(o, &t, false), tax_row(o, &t, true);
-    output_extra_table(o, &t);
+    bool whole = tax_row(o, &t, false) && tax_row(o, &t, true);
+    if (whole) output_extra_table(o, &t);
+    else table_free(&t);
+    return whole;
 }
 
 #endif

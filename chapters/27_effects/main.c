@@ -51,14 +51,16 @@ static draw_window window_to_price(draw_window w, const request *q)
     return q->region ? w : (draw_window){0, 0, across, down, across, down};
 }
 
-/* All at every hit was drawn: what the plan draws, and whether that is the same picture. */
-static void compare_with_plan(drawing *j, stage *e, int threads)
+/* All at every hit was drawn: what the plan draws, and whether that is the same picture. False:
+ * stopped. */
+static bool compare_with_plan(drawing *j, stage *e, int threads)
 {
     image im = image_new(j->im->width, j->im->height);
     drawing plain = *j;
     size_t n = 3 * (size_t)im.width * (size_t)im.height;
     stage_effects(e, e->p->effects, false);
-    if (draw_region(&plain, &im, j->x0, j->y0, threads)) {
+    bool whole = draw_region(&plain, &im, j->x0, j->y0, threads);
+    if (whole) {
         bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
         printf("plan       %s; everything at every hit took %.3g s, the plan %.3g s: "
                "%.0f %% saved\n",
@@ -67,9 +69,11 @@ static void compare_with_plan(drawing *j, stage *e, int threads)
     }
     stage_effects(e, EFFECTS_ALL, true);
     image_free(&im);
+    return whole;
 }
 
-/* The default run: the picture, its strip, the price list, and what being general costs. */
+/* The default run: the picture, its strip, the price list, and what being general costs. The
+ * picture is saved before all else: Ctrl-C later on loses none of it. */
 static void show(const options *o, const request *q, stage *e)
 {
     draw_window w = window_of(o, q->region);
@@ -79,19 +83,21 @@ static void show(const options *o, const request *q, stage *e)
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
     bool whole = draw_region(&j, &im, w.x, w.y, o->threads);
-    if (whole && (e->mask & EFFECTS_SPEND)) compare_with_plan(&j, e, o->threads);
+    output_picture(o, &im, "27_effects.png", true, whole);
+    if (e->mask & EFFECTS_SPEND) whole = compare_with_plan(&j, e, o->threads);
     if (whole && (demo || q->priced)) {
         whole = table_of_price(o, e, window_to_price(w, q), samples > 16 ? 16 : samples);
         if (whole && demo) whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1,
                                               samples);
-        if (whole && demo) table_of_tax(o);
+        if (whole && demo) whole = table_of_tax(o);
     } else if (whole) {
         effects_counts timed;
         image none = image_new(w.width, w.height);  /* draw_timed fills nothing in */
         double error = draw_error(&j);
         drawing again = j;
         again.im = &none;
-        if (draw_timed(&again, o->threads, &timed)) {
+        whole = draw_timed(&again, o->threads, &timed);
+        if (whole) {
             table_of_effects(o, &j, &timed);
             printf("# %d samples a pixel, %.3g s", samples, j.seconds);
             if (error > 0 && samples > 1) printf(", error rmse %.3g by halves", error);
@@ -99,8 +105,9 @@ static void show(const options *o, const request *q, stage *e)
         }
         image_free(&none);
     }
-    output_picture(o, &im, "27_effects.png", true, whole);
     image_free(&im);
+    failure f;
+    if (!whole) failed(&f, 130, "stopped; the picture was whole before"), fail(f);
 }
 
 /* room.scene alone stands for --scene=room.scene, but not behind an option that takes a value. */

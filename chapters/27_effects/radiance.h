@@ -155,15 +155,28 @@ static inline int effects_children(const stage *e, const unsigned mask, const br
 }
 
 /* Through a face of a body, inwards or out: what is before it and after it; returns whose medium
- * fills the place behind. Which side is asked of the geometric normal, before it is turned. Not
- * inlined: gcc 12 at -O3 -march=native then takes both media for the same one. */
+ * fills the place behind. Which side is asked of the geometric normal, before it is turned.
+ *
+ * A body is listed as often as it was entered: of two balls of one glass that overlap, leaving the
+ * first is no leaving of the glass. One that is left without having been entered was around the
+ * ray's origin: it becomes the outermost. More than media_most: not noted.
+ *
+ * A call, since it is for few hits, and nine copies would be compiled. */
 __attribute__((noinline))
 static uint32_t effects_crosses(const stage *e, uint32_t body, bool inwards, media_set *in,
-                                       media_set *after)
+                                media_set *after)
 {
-    media_crossing over = {0};
-    media_crossing_add(&over, body, inwards ? 1 : -1);
-    *in = media_before(*in, &over), *after = media_after(*in, &over);
+    uint32_t k = in->n;
+    while (!inwards && k > 0 && in->body[k - 1] != body) k--;
+    *after = *in;
+    if (inwards) {
+        if (k < media_most) after->body[after->n++] = body;
+    } else if (k > 0) {
+        for (after->n--; k < in->n; k++) after->body[k - 1] = in->body[k];
+    } else if (in->n < media_most) {
+        for (k = in->n++; k > 0; k--) in->body[k] = in->body[k - 1];
+        in->body[0] = body;
+    }
     return media_fills(e->media, after);
 }
 
@@ -193,7 +206,7 @@ static inline int effects_step(const stage *e, const unsigned mask, branch *b, v
     }
     s = surface_facing(s, b->r.d);
     snell at = {1, 1, 1, 1, false};
-    bool bends = body && (a->bends || e->media[inside].ior != 1);
+    bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
     if (bends) snell_of(b->r.d, s.ns, e->media[inside].ior, e->media[to].ior, &at);
     if (body && to == inside) {  /* the same medium on both sides: no surface */
         effects_child(mask, b, &s, b->kind, vneg(s.n), b->r.d, b->weight, child);
