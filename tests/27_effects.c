@@ -113,6 +113,10 @@ static void test_region(void)
     snprintf(args, sizeof args, "--size 40x30 --samples 2 --quick --price --region 9x7+20+11 "
              "--out %s", in_directory("part.pfm"));
     ends(0, args, "out", "nothing              126");
+    check(printed("out", "\nmirror "), "the demo has a mirror: it has its price");
+    strcat(args, " --effects called,-mirror");
+    ends(0, args, "out", "\nindirect light ");
+    check(!printed("out", "\nmirror "), "what --effects leaves out has none");
     static const char *const wrong[] = {"9x7", "9x7+32+0", "9x7+0+24", "0x7+0+0", "9x7+-1+0",
                                         "9x7+0+0+", "99999999999x7+0+0"};
     for (int k = 0; k < 7; k++) {

@@ -85,7 +85,7 @@ static inline void price_row(table *t, plot *p, const char *name, const price_ru
 static inline bool table_of_price(const options *o, stage *e, draw_window w, int samples)
 {
     int rounds = o->quick ? 1 : 3, n = 1;
-    unsigned called = e->p->effects, before = e->mask;
+    unsigned before = e->mask, called = e->p->effects & before;  /* --effects may leave some out */
     price_run run[effect_kinds + 1] = {{.mask = called}};
     int effect[effect_kinds + 1] = {-1};
     bool whole = true;
