@@ -29,6 +29,7 @@ typedef struct {
     real pdf;           /* of r.d, if light samples could have found what it meets; else infinite */
     real cosine;        /* with the normal where it began */
     int kind, depth;
+    int passed;         /* faces with one medium on both sides, since it last changed its way */
     uint32_t node;      /* dice.h */
     uint32_t from;      /* shape that it began on, or no_shape */
     bool bounced;       /* a matte surface lies behind it: what it meets is no picture, but light */

@@ -61,7 +61,7 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
-    c->bounced = b->bounced, c->from = s->shape;
+    c->bounced = b->bounced, c->from = s->shape, c->passed = 0;
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
 }
 
@@ -209,8 +209,10 @@ static inline int effects_step(const stage *e, const unsigned mask, branch *b, v
     bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
     if (bends) snell_of(b->r.d, s.ns, e->media[inside].ior, e->media[to].ior, &at);
     if (body && to == inside) {  /* the same medium on both sides: no surface */
+        if (b->passed == stage_most_depth) return 0;
         effects_child(mask, b, &s, b->kind, vneg(s.n), b->r.d, b->weight, child);
         child->in = after, child->depth = b->depth, child->pdf = b->pdf, child->cosine = b->cosine;
+        child->passed = b->passed + 1;
         return 1;
     }
     gather_share k = effects_shares(mask, a, b->r.d, &s, &at, bends);
