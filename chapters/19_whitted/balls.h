@@ -91,7 +91,7 @@ static inline int ball_pair_order(const void *a, const void *b)
 static inline ball_lists lists_of_pairs(ball_pair *p, size_t n, size_t lists)
 {
     ball_lists out = {allocate(lists + 1, sizeof(uint32_t)), allocate(n, sizeof(uint32_t)), lists};
-    qsort(p, n, sizeof *p, ball_pair_order);
+    if (n) qsort(p, n, sizeof *p, ball_pair_order);
     for (size_t i = 0; i < n; i++) out.first[p[i].list + 1]++, out.item[i] = p[i].ball;
     for (size_t k = 0; k < lists; k++) out.first[k + 1] += out.first[k];
     return out;
