@@ -141,7 +141,7 @@ for main in "$root"/chapters/*/main.c; do
         table_or_misuse "--$option" one.obj
     done
     for size in $sizes; do  # fewer pixels than panels, tiles, threads
-        run 0 --quick --size $size --out tiny.ppm
+        run 0 --quick --size "$size" --out tiny.ppm
         whole tiny.ppm
     done
 
