@@ -189,6 +189,8 @@ static void test_random_scenes(void)
 /* The copies for fixed masks are the same function: the general one gives the same bytes. */
 static void test_special(void)
 {
+    check(effects_made_for(EFFECTS_PLAIN) == effects_plain, "a set with a copy of its own");
+    check(effects_made_for(EFFECTS_PLAIN | EFFECTS_GENERAL) == effects_general, "for prices");
     static const unsigned masks[] = {EFFECTS_NONE, EFFECTS_PLAIN, EFFECTS_MIRRORS, EFFECTS_GLASS,
                                      EFFECTS_COLOURED_GLASS, EFFECTS_MATTE_ROOM, EFFECTS_ROOM,
                                      EFFECTS_OUTDOORS};

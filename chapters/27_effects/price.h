@@ -59,6 +59,7 @@ typedef struct {
 static inline bool price_draw(price_run *k, stage *e, int rounds, int round, int threads)
 {
     stage_effects(e, k->mask, false);
+    e->mask |= EFFECTS_GENERAL;  /* else some sets would have a copy made for them, others not */
     if (round >= rounds) return true;
     bool whole = draw_region(&k->j, &k->im, k->x, k->y, threads);
     k->seconds[round] = k->j.seconds;

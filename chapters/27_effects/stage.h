@@ -30,6 +30,7 @@
 enum {
     EFFECTS_SPEND = 512,      /* bits beside those of effect.h */
     EFFECTS_TIMED = 1024,
+    EFFECTS_GENERAL = 2048,   /* drawn by the general copy, whatever the set: special.h */
     RAY_OF_EYE = effect_kinds, effects_rays,
     stage_most_depth = 128
 };
@@ -52,7 +53,7 @@ typedef struct {
     int lights;
     lamp_list lamp;
     sky_light sky;
-    unsigned mask, counted;          /* mask: also EFFECTS_SPEND, EFFECTS_TIMED */
+    unsigned mask, counted;          /* mask: also SPEND, TIMED, GENERAL */
     bool chance;                     /* integrals: roulette; else every branch above `least` */
     bool clear;                      /* a material lets light straight through */
     int depth;                       /* rays behind one another, the eye's is 1 [<= 128] */
