@@ -1,4 +1,5 @@
 # make            builds every chapter into build/
+# make first      the short book: builds and runs the first program of every chapter  first-NN  only one
 # make run        runs every chapter: draws into images/, prints every table     run-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
 # make precision  every chapter in float and in double: error and time side by side
@@ -15,10 +16,14 @@ NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null
 CFLAGS ?= -O3 $(NATIVE)
 LDLIBS ?= -lm -lpthread
 REAL ?= double
-WARN = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion
+# first.h and first.c say 0.5 where real may be float: there two warnings would be noise. Where it is
+# double they say nothing of them; where it is float, rules.sh asks all other files.
+WARN_FIRST = -Wall -Wextra -Wpedantic -Wshadow
+WARN = $(WARN_FIRST) $(if $(filter double,$(REAL)),-Wconversion -Wdouble-promotion)
 # Contraction into fma would break exact antisymmetry (04); gcc 12's SLP vectoriser skips roundings.
 EXACT = -ffp-contract=off -fno-tree-slp-vectorize
-ALL_CFLAGS = -std=c11 $(CFLAGS) $(EXACT) $(WARN) -DREAL=$(REAL) -DBUILD_FLAGS='"$(strip $(CFLAGS) $(EXACT))"'
+FLAGS = -std=c11 $(CFLAGS) $(EXACT) -DREAL=$(REAL)
+ALL_CFLAGS = $(FLAGS) $(WARN) -DBUILD_FLAGS='"$(strip $(CFLAGS) $(EXACT))"'
 
 BUILD ?= build
 # Objects of other flags are other objects: each set has its own stamp, and a change rebuilds.
@@ -26,6 +31,8 @@ STAMP := $(BUILD)/flags
 MAINS := $(sort $(wildcard chapters/*/main.c))
 CHAPTERS := $(patsubst chapters/%/main.c,%,$(MAINS))
 NUMBERS := $(foreach c,$(CHAPTERS),$(firstword $(subst _, ,$(c))))
+FIRSTS := $(patsubst chapters/%/first.c,%,$(sort $(wildcard chapters/*/first.c)))
+FIRST_NUMBERS := $(foreach c,$(FIRSTS),$(firstword $(subst _, ,$(c))))
 TESTS := $(patsubst tests/%.c,%,$(sort $(wildcard tests/*.c)))
 TEST_NUMBERS := $(sort $(foreach t,$(TESTS),$(firstword $(subst _, ,$(t)))))
 Q := $(if $(V),,@)
@@ -42,6 +49,10 @@ $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
+$(BUILD)/%_first: chapters/%/first.c $(STAMP)
+	$(if $(V),,@echo "CC $*_first")
+	$(Q)$(CC) $(FLAGS) $(WARN_FIRST) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
+
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
@@ -53,7 +64,21 @@ $(STAMP): FORCE
 	@echo '$(CC) $(ALL_CFLAGS) $(LDLIBS)' | cmp -s - $@ || echo '$(CC) $(ALL_CFLAGS) $(LDLIBS)' > $@
 FORCE:
 
-run: $(CHAPTERS:%=run-%)
+# Two at a time, or as many as there are cores; 17 measures time, and runs alone.
+first:
+	@echo "== the short book"
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(addprefix first-,$(filter-out 17_compare,$(FIRSTS)))
+	$(Q)$(MAKE) --no-print-directory $(addprefix first-,$(filter 17_compare,$(FIRSTS)))
+$(FIRSTS:%=first-%): first-%: $(BUILD)/%_first
+	$(Q)$(BUILD)/$*_first
+define first_number
+.PHONY: first-$(1)
+first-$(1): $(addprefix first-,$(filter $(1)_%,$(FIRSTS)))
+endef
+$(foreach n,$(FIRST_NUMBERS),$(eval $(call first_number,$(n))))
+.PHONY: first $(FIRSTS:%=first-%)
+
+run: first $(CHAPTERS:%=run-%)
 $(CHAPTERS:%=run-%): run-%: $(BUILD)/%
 	@echo; echo "== $*"
 	$(Q)$(BUILD)/$*
@@ -67,8 +92,8 @@ $(foreach n,$(NUMBERS),$(eval $(call run_number,$(n))))
 images: run
 	cp $(BUILD)/*_time.svg images/
 
-test: all $(TESTS:%=$(BUILD)/test_%)
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh rules.sh $(TESTS)
+test: all $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
+	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh first.sh rules.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))

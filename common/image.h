@@ -162,6 +162,25 @@ static inline bool image_write(const char *path, const image *im, failure *f)
     return file_commit(&w, f);
 }
 
+/* A program whose one option is a picture's name: argv[1], else images/NAME.png (float: build/).
+ * picture_end writes it, says where it is and frees it; both end the program on failure. */
+static inline const char *picture_path(int argc, char **argv, const char *name)
+{
+    static char path[200];
+    failure f = {2, "it takes one word at most: the name of the picture"};
+    program_name = name;
+    if (argc > 2 || (argc == 2 && !image_can_write(argv[1], &f))) fail(f);
+    mkdir(real_is_float ? "build" : "images", 0777);  /* if that fails, writing the file says why */
+    snprintf(path, sizeof path, "%s/%s.png", real_is_float ? "build" : "images", name);
+    return argc == 2 ? argv[1] : path;
+}
+
+static inline int picture_end(const char *path, image *im)
+{
+    failure f;
+    if (!image_write(path, im, &f)) fail(f);
+    return image_free(im), printf("-> %s\n", path) < 0;
+}
 typedef struct { const char *at, *end; } scanner;
 
 /* The next whole number in 0..most after white space and # comments; -1 if there is none. */

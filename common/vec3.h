@@ -1,7 +1,7 @@
 /* vec3.h: real numbers, and vectors of three of them.
  *
  * real is double, or float with -DREAL=float; a vec3 is a point, a direction or a colour, passed by
- * value. Functions are called v + what they return; vectors come first, then numbers.
+ * value. vec(x, y, z) makes one of doubles; else v + what is returned; vectors first, then numbers.
  *
  *   vadd(a,b)  a + b     vscale(a,s)   s a          vdot(a,b)    a . b   vmin(a,b)   smaller
  *   vsub(a,b)  a - b     vmul(a,b)     (ax bx, ..)  vcross(a,b)  a x b   vmax(a,b)   larger
@@ -42,6 +42,7 @@ static inline real real_min(real a, real b) { return a < b ? a : b; }
 static inline real real_max(real a, real b) { return a > b ? a : b; }
 static inline real real_clamp(real x, real lo, real hi) { return real_min(real_max(x, lo), hi); }
 
+static inline vec3 vec(double x, double y, double z) { return (vec3){(real)x, (real)y, (real)z}; }
 static inline vec3 vadd(vec3 a, vec3 b) { return (vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
 static inline vec3 vsub(vec3 a, vec3 b) { return (vec3){a.x - b.x, a.y - b.y, a.z - b.z}; }
 static inline vec3 vmul(vec3 a, vec3 b) { return (vec3){a.x * b.x, a.y * b.y, a.z * b.z}; }

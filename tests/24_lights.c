@@ -9,13 +9,11 @@
 #define alarm 1e-8
 #define eps ((double)real_epsilon)
 
-static vec3 v3(double x, double y, double z) { return (vec3){(real)x, (real)y, (real)z}; }
-
 static vec3 random_point(uint64_t i, uint64_t which, double size)
 {
     double c[3];
     for (uint64_t k = 0; k < 3; k++) c[k] = size * (2 * (double)random_real(3, i, which, k) - 1);
-    return v3(c[0], c[1], c[2]);
+    return vec(c[0], c[1], c[2]);
 }
 
 static bool same(vec3 a, vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
@@ -58,11 +56,11 @@ static lit_scene a_scene(void)
 {
     lit_scene s;
     lit_begin(&s);
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(v3(.5, .5, .5))});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = v3(3, 2, 1)});
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
+    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(3, 2, 1)});
     for (int k = 0; k < 30; k++) {
         vec3 a = random_point((uint64_t)k, 7, 3), b = random_point((uint64_t)k, 8, 1);
-        triangle t = {a, vadd(a, b), vadd(a, v3(1, .2, .1))};
+        triangle t = {a, vadd(a, b), vadd(a, vec(1, .2, .1))};
         sphere ball = {b, (real)(k % 2 ? .2 : -.2)};
         lit_add_triangle(&s, t, k % 3 ? grey : lamp);
         lit_add_shape(&s, shape_of_sphere(ball), k % 5 ? grey : lamp);
@@ -75,8 +73,8 @@ static lit_scene a_scene(void)
     for (size_t i = 0; i < bare.vertices; i++) bare.v[i] = vscale(bare.v[i], (real)(1.0 / 512));
     lit_add_mesh(&s, &bare, lamp);
     mesh_free(&bare);
-    lit_add_rectangle(&s, (rectangle){v3(-2, -2, -1), v3(1, 0, 0), v3(0, 2, 0)}, lamp);
-    lit_add_shape(&s, shape_of_cone((cone){v3(0, 0, 2), (real).5, v3(0, 1, 2), 0}), lamp);
+    lit_add_rectangle(&s, (rectangle){vec(-2, -2, -1), vec(1, 0, 0), vec(0, 2, 0)}, lamp);
+    lit_add_shape(&s, shape_of_cone((cone){vec(0, 0, 2), (real).5, vec(0, 1, 2), 0}), lamp);
     lit_end(&s);
     return s;
 }
@@ -105,8 +103,8 @@ static void test_scenes(void)
     lit_end(&none);
     test_trace(&box, 1, "inside a wall of nothing");
     lit_hit h;
-    check(!lit_trace(&none, ray_from(v3(0, 0, 0), v3(1, 0, 0)), &h), "an empty scene is never hit");
-    check(!lit_occluded(&none, ray_from(v3(0, 0, 0), v3(1, 0, 0))), "nor does it occlude");
+    check(!lit_trace(&none, ray_from(vec(0, 0, 0), vec(1, 0, 0)), &h), "an empty scene is never hit");
+    check(!lit_occluded(&none, ray_from(vec(0, 0, 0), vec(1, 0, 0))), "nor does it occlude");
     lit_free(&none), lit_free(&none), lit_free(&box), lit_free(&all);
 }
 
@@ -117,10 +115,10 @@ static void test_joined(void)
     lit_scene s;
     lit_hit h;
     lit_begin(&s);
-    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(v3(.5, .5, .5))});
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = v3(1, 1, 1)});
-    lit_add_shape(&s, shape_of_sphere((sphere){v3(0, 0, 0), 1}), lamp);
-    lit_add_triangle(&s, (triangle){v3(1, -1, -1), v3(1, 1, -1), v3(1, 0, 1)}, grey);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(.5, .5, .5))});
+    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = vec(1, 1, 1)});
+    lit_add_shape(&s, shape_of_sphere((sphere){vec(0, 0, 0), 1}), lamp);
+    lit_add_triangle(&s, (triangle){vec(1, -1, -1), vec(1, 1, -1), vec(1, 0, 1)}, grey);
     mesh pot[2] = {teapot_mesh(1), teapot_mesh(2)};
     for (int k = 0; k < 2; k++) {
         mesh_smooth_normals(&pot[k]);
@@ -128,7 +126,7 @@ static void test_joined(void)
         lit_add_mesh(&s, &pot[k], grey);
     }
     lit_end(&s);
-    check(lit_trace(&s, ray_from(v3(3, 0, 0), v3(-1, 0, 0)), &h) && h.t == 2 && h.s.shape == 0,
+    check(lit_trace(&s, ray_from(vec(3, 0, 0), vec(-1, 0, 0)), &h) && h.t == 2 && h.s.shape == 0,
           "a triangle and a sphere at t = 2: the triangle");
     size_t wrong = 0, first = 1;
     for (int k = 0; k < 2; k++) {
@@ -141,7 +139,7 @@ static void test_joined(void)
     }
     check_equal(wrong, 0, "normals of joined meshes");
     check_equal(s.m.triangles, first, "triangles of joined meshes");
-    check(same(mesh_normal(&s.m, 0, 0, 0), v3(1, 0, 0)), "the flat one keeps its own");
+    check(same(mesh_normal(&s.m, 0, 0, 0), vec(1, 0, 0)), "the flat one keeps its own");
     lit_free(&s);
 }
 
@@ -150,17 +148,17 @@ static void test_joined(void)
 enum { specimens = 8 };
 static emitter specimen(int i)
 {
-    vec3 Le = v3(1, 1, 1);
+    vec3 Le = vec(1, 1, 1);
     switch (i) {
-    case 0: return emitter_of_rectangle((rectangle){v3(-1, -1, 2), v3(0, 2, 0), v3(2, 0, 0)}, Le);
+    case 0: return emitter_of_rectangle((rectangle){vec(-1, -1, 2), vec(0, 2, 0), vec(2, 0, 0)}, Le);
     case 1:
-        return emitter_of_rectangle((rectangle){v3(5, 5, .01), v3(0, .01, 0), v3(.02, 0, 0)}, Le);
-    case 2: return emitter_of_triangle((triangle){v3(-1, -1, 1), v3(0, 2, 1), v3(1, -1, 1.5)}, Le);
-    case 3: return emitter_of_triangle((triangle){v3(1, 0, 0), v3(1, -5, 3), v3(1, 5, 3)}, Le);
-    case 4: return emitter_of_sphere((sphere){v3(0, 0, 3), 1}, Le);
-    case 5: return emitter_of_sphere((sphere){v3(0, 0, 1.001), 1}, Le);
-    case 6: return emitter_of_sphere((sphere){v3(.2, .3, .1), -1}, Le);
-    default: return emitter_of_sphere((sphere){v3(3, 2, 100), (real).01}, Le);
+        return emitter_of_rectangle((rectangle){vec(5, 5, .01), vec(0, .01, 0), vec(.02, 0, 0)}, Le);
+    case 2: return emitter_of_triangle((triangle){vec(-1, -1, 1), vec(0, 2, 1), vec(1, -1, 1.5)}, Le);
+    case 3: return emitter_of_triangle((triangle){vec(1, 0, 0), vec(1, -5, 3), vec(1, 5, 3)}, Le);
+    case 4: return emitter_of_sphere((sphere){vec(0, 0, 3), 1}, Le);
+    case 5: return emitter_of_sphere((sphere){vec(0, 0, 1.001), 1}, Le);
+    case 6: return emitter_of_sphere((sphere){vec(.2, .3, .1), -1}, Le);
+    default: return emitter_of_sphere((sphere){vec(3, 2, 100), (real).01}, Le);
     }
 }
 
@@ -177,7 +175,7 @@ static double emitter_omega(const emitter *e, vec3 p)
 static void test_emitter(int i)
 {
     emitter e = specimen(i);
-    vec3 p = v3(0, 0, 0), axis = vunit(v3(.3, .5, .8));
+    vec3 p = vec(0, 0, 0), axis = vunit(vec(.3, .5, .8));
     double omega = emitter_omega(&e, p), off = 0, astray = 0, pdfs = 0;
     estimate all = {0}, by_area = {0}, by_angle = {0};
     size_t n = check_count(20000), others = 0;
@@ -251,8 +249,8 @@ static void test_bounds(void)
         point2 u = {random_real(3, i, 24, 0), random_real(3, i, 24, 1)};
         if (i % 2 == 0) o = vneg(vmadd(vscale(s, u.u), t, u.v));  /* x near 0 */
         vec3 b = vadd(o, s), c = vadd(b, t), d = vadd(o, t);
-        emitter of[2] = {emitter_of_rectangle((rectangle){o, s, t}, v3(1, 1, 1)),
-                         emitter_of_triangle((triangle){o, b, c}, v3(1, 1, 1))};
+        emitter of[2] = {emitter_of_rectangle((rectangle){o, s, t}, vec(1, 1, 1)),
+                         emitter_of_triangle((triangle){o, b, c}, vec(1, 1, 1))};
         for (int k = 0; k < 2; k++) {
             emitter_point x;
             if (!emitter_by_area(&of[k], vadd(o, of[k].n), u, &x)) continue;
@@ -274,14 +272,14 @@ static void test_bounds(void)
 static void test_unseen(void)
 {
     emitter r = specimen(0), s = specimen(4), in = specimen(6);
-    triangle line = {v3(0, 0, 1), v3(1, 0, 1), v3(2, 0, 1)};
-    emitter flat = emitter_of_triangle(line, v3(1, 1, 1));
-    emitter dot = emitter_of_sphere((sphere){v3(0, 0, 1), 0}, v3(1, 1, 1));
+    triangle line = {vec(0, 0, 1), vec(1, 0, 1), vec(2, 0, 1)};
+    emitter flat = emitter_of_triangle(line, vec(1, 1, 1));
+    emitter dot = emitter_of_sphere((sphere){vec(0, 0, 1), 0}, vec(1, 1, 1));
     const struct { const emitter *e; vec3 p; const char *what; } dark[] = {
-        {&r, v3(0, 0, 3), "behind a rectangle"}, {&r, v3(7, 1, 2), "in its plane"},
-        {&r, v3(.5, .5, 2), "in the rectangle"}, {&s, v3(0, .5, 3), "inside a sphere"},
-        {&in, v3(5, 0, 0), "outside of one that shines inwards"},
-        {&flat, v3(0, 0, 0), "no area"}, {&dot, v3(0, 0, 0), "radius 0"}};
+        {&r, vec(0, 0, 3), "behind a rectangle"}, {&r, vec(7, 1, 2), "in its plane"},
+        {&r, vec(.5, .5, 2), "in the rectangle"}, {&s, vec(0, .5, 3), "inside a sphere"},
+        {&in, vec(5, 0, 0), "outside of one that shines inwards"},
+        {&flat, vec(0, 0, 0), "no area"}, {&dot, vec(0, 0, 0), "radius 0"}};
     for (size_t i = 0; i < sizeof dark / sizeof *dark; i++) {
         size_t seen = 0;
         for (uint64_t k = 0; k < 1000; k++) {
@@ -293,16 +291,16 @@ static void test_unseen(void)
         check_equal(seen, 0, "%s: nothing to sample", dark[i].what);
         check_equal(emitter_pdf_angle(dark[i].e, dark[i].p), 0, "%s: pdf", dark[i].what);
     }
-    check_equal(emitter_pdf_area(&r, v3(0, 0, 3), v3(0, 0, 2)), 0, "area pdf from behind");
+    check_equal(emitter_pdf_area(&r, vec(0, 0, 3), vec(0, 0, 2)), 0, "area pdf from behind");
     real most = real_largest / 16;  /* its square is no real */
-    const rectangle odd[] = {{v3(0, 0, 0), {most, 0, 0}, {0, most, 0}},
-                             {v3(0, 0, 0), {(real)NAN, 0, 0}, v3(0, 1, 0)},
-                             {v3(0, 0, 0), v3(1, 0, 0), v3(2, 0, 0)}};
+    const rectangle odd[] = {{vec(0, 0, 0), {most, 0, 0}, {0, most, 0}},
+                             {vec(0, 0, 0), {(real)NAN, 0, 0}, vec(0, 1, 0)},
+                             {vec(0, 0, 0), vec(1, 0, 0), vec(2, 0, 0)}};
     for (int i = 0; i < 3; i++) {
         lit_scene one;
         lit_begin(&one);
         lit_add_rectangle(&one, odd[i],
-                          lit_add_material(&one, (lit_material){.Le = v3(1, 1, 1)}));
+                          lit_add_material(&one, (lit_material){.Le = vec(1, 1, 1)}));
         check_equal(one.emitters, 0, "rectangle %d without an area that is a number: dark", i);
         lit_free(&one);
     }

@@ -63,13 +63,21 @@ for main in chapters/*/main.c; do
     then ok; else no "$main does not compile alone: $(head -n 3 "$scratch/err")"; fi
 done
 
+# In float the Makefile leaves two warnings out, for first.h (see there): here all other files get them.
+if [ "${REAL:-double}" = float ]; then
+    for c in chapters/*/main.c tests/*.c; do
+        ${CC:-cc} -std=c11 -fsyntax-only -Wconversion -Wdouble-promotion -DREAL=float "$c" 2>&1
+    done | grep 'warning:' | grep -v '/first\.h:' >"$scratch/widened"
+    if [ -s "$scratch/widened" ]; then no "float: $(head -n 5 "$scratch/widened")"; else ok; fi
+fi
+
 lines=$(cat common/*.h | wc -l)
-if [ "$lines" -le 1500 ]; then ok; else no "common/ has $lines lines, at most 1500 are wanted"; fi
+if [ "$lines" -le 1520 ]; then ok; else no "common/ has $lines lines, at most 1520 are wanted"; fi
 lines=$(wc -l < common/vec3.h)
 if [ "$lines" -lt 150 ]; then ok; else no "vec3.h has $lines lines, fewer than 150 are wanted"; fi
-# Characters, not bytes; line 2 of a main.c is a command and may be longer.
+# Characters, not bytes; line 2 of a main.c or first.c is a command and may be longer.
 long=$(LC_ALL=C awk '{ gsub(/[\200-\277]/, "") }
-    length > 100 && !(FNR == 2 && FILENAME ~ /main\.c$/) { print FILENAME ":" FNR }' \
+    length > 100 && !(FNR == 2 && FILENAME ~ /(main|first)\.c$/) { print FILENAME ":" FNR }' \
     common/*.h chapters/*/*.[hc] tests/*.[hc])
 if [ -z "$long" ]; then ok; else no "lines longer than 100 columns: $long"; fi
 

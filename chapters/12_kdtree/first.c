@@ -1,0 +1,46 @@
+/* 12 A knot in a k-d tree: each leaf has its colour.
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 12_kdtree_first chapters/12_kdtree/first.c -lm
+   A ray looks on its own side of each plane first, and beyond it if it has hit nothing so far. */
+#include "../../common/image.h"
+#include "../02_camera/first.h"
+#include "first.h"
+
+enum { side = 480, n = 2 };
+
+/* The leaf where p is: leaves take their turn in the rainbow. */
+static vec3 tint(const first_kdtree *t, vec3 p)
+{
+    const first_kd_node *node = &t->root;
+    while (node->child) node = &node->child[vaxis(p, node->axis) > node->plane];
+    return vscale(first_tint(1.0 * node->number / t->leaves), node->number % 2 ? 0.55 : 1);
+}
+
+static vec3 colour(const first_kdtree *t, ray r)
+{
+    hit h;
+    if (!first_kdtree_hit(t, r, &h)) return vec(0.9, 0.92, 0.95);
+    real facing = -vdot(first_mesh_normal(t->m, h.shape, r.d), vunit(r.d));
+    return vscale(tint(t, ray_at(r, h.t)), 0.15 + 0.85 * facing);
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = picture_path(argc, argv, "12_kdtree_first");
+    first_mesh m = first_knot(120, 12);
+    first_kdtree t;
+    first_kdtree_build(&m, &t);
+    first_camera c = first_camera_at(vec(1, -3, 9), vec(0, 0, 0), vec(0, 1, 0), 42, side, side);
+    image im = image_new(side, side);
+    for (int y = 0; y < side; y++)
+        for (int x = 0; x < side; x++) {
+            vec3 sum = vec(0, 0, 0);
+            for (int s = 0; s < n * n; s++)
+                sum = vadd(sum, colour(&t, first_pixel_ray(c, x, y, s, n)));
+            image_set(&im, x, y, vscale(sum, 1.0 / (n * n)));
+        }
+    printf("%d triangles, %d leaves, %.1f tests a ray\n", m.n, t.leaves,
+           first_tests / (double)(side * side * n * n));
+    first_kdtree_free(&t);
+    first_mesh_free(&m);
+    return picture_end(path, &im);
+}
