@@ -1,6 +1,6 @@
 /* first.h: a uniform grid (均匀网格): 27 cells a triangle, each with the list of triangles in it.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding puts a ray into the wrong
- * cell. grid.h mends it. At most 256 cells a side, so from 600,000 triangles on fewer than 27. */
+ * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding puts rays into wrong
+ * cells. grid.h mends it. At most 256 cells a side, so from 600,000 triangles on fewer than 27. */
 #ifndef FIRST_GRID_H
 #define FIRST_GRID_H
 #include "../07_mesh/first.h"
@@ -29,7 +29,7 @@ static inline int first_grid_cell(const first_grid *g, vec3 p, int k)
     return (int)real_clamp((vaxis(p, k) - vaxis(g->box.lo, k)) / g->size[k], 0, g->n[k] - 1);
 }
 
-/* 1. The box. 2. The grid. 3. Each triangle goes into the list of each cell that its box touches. */
+/* 1. The box. 2. The grid. 3. Each triangle goes into the list of each cell its box touches. */
 static inline first_grid first_grid_build(const first_mesh *m)
 {
     real hair;

@@ -1,6 +1,6 @@
 /* first.h: an octree (八叉树): a box with too many triangles is cut into eight, and so on.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair by which
- * cells overlap, and hits are lost. octree.h mends it. 12 levels; 1e6 triangles are fine. */
+ * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair by
+ * which cells overlap, and hits are lost. octree.h mends it. 12 levels; 1e6 triangles are fine. */
 #ifndef FIRST_OCTREE_H
 #define FIRST_OCTREE_H
 #include "../07_mesh/first.h"

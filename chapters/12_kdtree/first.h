@@ -40,13 +40,13 @@ static inline void first_kd_split(first_kdtree *t, first_kd_node *node, aabb box
 
     /* Which triangles reach below the plane, which above: those that it cuts are in both. */
     int axis = vlongest(vsub(box.hi, box.lo));
-    real plane = (vaxis(box.lo, axis) + vaxis(box.hi, axis)) / 2;
+    real cut = (vaxis(box.lo, axis) + vaxis(box.hi, axis)) / 2;
     first_kd_node *child = allocate(2, sizeof *child);
     for (int side = 0; side < 2; side++) {
         child[side].item = allocate((size_t)node->n, sizeof(int));
         for (int i = 0; i < node->n; i++) {
             aabb b = first_aabb_pad(first_triangle_box(t->m->tri[node->item[i]]), t->hair);
-            bool in = side == 0 ? vaxis(b.lo, axis) <= plane : vaxis(b.hi, axis) >= plane;
+            bool in = side == 0 ? vaxis(b.lo, axis) <= cut : vaxis(b.hi, axis) >= cut;
             if (in) child[side].item[child[side].n++] = node->item[i];
         }
     }
@@ -58,9 +58,9 @@ static inline void first_kd_split(first_kdtree *t, first_kd_node *node, aabb box
         return;
     }
     free(node->item);
-    node->item = NULL, node->child = child, node->axis = axis, node->plane = plane;
-    aabb below = {box.lo, first_kd_moved(box.hi, axis, plane)};
-    aabb above = {first_kd_moved(box.lo, axis, plane), box.hi};
+    node->item = NULL, node->child = child, node->axis = axis, node->plane = cut;
+    aabb below = {box.lo, first_kd_moved(box.hi, axis, cut)};
+    aabb above = {first_kd_moved(box.lo, axis, cut), box.hi};
     first_kd_split(t, &child[0], below, depth + 1);
     first_kd_split(t, &child[1], above, depth + 1);
 }

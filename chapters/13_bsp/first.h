@@ -1,5 +1,5 @@
 /* first.h: a BSP tree (BSP树): space is cut in two by the planes of the triangles themselves.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair by which
+ * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair that
  * planes are thick. bsp.h mends it, and cuts what crosses a plane. For up to 20,000 triangles. */
 #ifndef FIRST_BSP_H
 #define FIRST_BSP_H

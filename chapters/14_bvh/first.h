@@ -1,5 +1,5 @@
 /* first.h: a bounding volume hierarchy (层次包围盒, BVH): not space is cut, but the set of triangles.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair by which
+ * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair that
  * boxes are larger, and hits are lost. bvh.h mends it. 1e6 triangles are fine. */
 #ifndef FIRST_BVH_H
 #define FIRST_BVH_H
@@ -59,7 +59,7 @@ static inline void first_bvh_select(first_bvh *b, int lo, int hi, int k, int axi
  * and the cheapest of 15 planes on each axis is taken. Returns n(L), or 0: all centres are one. */
 static inline int first_bvh_sah(first_bvh *b, int first, int n)
 {
-    real best = real_infinity, best_plane = 0;
+    real best = real_infinity, best_cut = 0;
     int best_axis = 0, left = 0;
     for (int axis = 0; axis < 3; axis++) {
         real lo = real_infinity, hi = -real_infinity;
@@ -68,21 +68,21 @@ static inline int first_bvh_sah(first_bvh *b, int first, int n)
             hi = real_max(hi, first_bvh_centre(b, i, axis));
         }
         for (int k = 1; k < 16; k++) {
-            real plane = lo + (hi - lo) * k / 16;
+            real cut = lo + (hi - lo) * k / 16;
             aabb box[2] = {aabb_empty(), aabb_empty()};
             int count[2] = {0, 0};
             for (int i = first; i < first + n; i++) {
-                int side = first_bvh_centre(b, i, axis) < plane ? 0 : 1;
+                int side = first_bvh_centre(b, i, axis) < cut ? 0 : 1;
                 box[side] = aabb_union(box[side], first_triangle_box(b->m->tri[b->order[i]]));
                 count[side]++;
             }
             real cost = aabb_area(box[0]) * count[0] + aabb_area(box[1]) * count[1];
             if (!count[0] || !count[1] || !(cost < best)) continue;
-            best = cost, best_plane = plane, best_axis = axis;
+            best = cost, best_cut = cut, best_axis = axis;
         }
     }
     for (int i = first; best < real_infinity && i < first + n; i++)
-        if (first_bvh_centre(b, i, best_axis) < best_plane) first_bvh_swap(b, i, first + left++);
+        if (first_bvh_centre(b, i, best_axis) < best_cut) first_bvh_swap(b, i, first + left++);
     return left;
 }
 
