@@ -103,8 +103,9 @@ static void test_scenes(void)
     lit_end(&none);
     test_trace(&box, 1, "inside a wall of nothing");
     lit_hit h;
-    check(!lit_trace(&none, ray_from(vec(0, 0, 0), vec(1, 0, 0)), &h), "an empty scene is never hit");
-    check(!lit_occluded(&none, ray_from(vec(0, 0, 0), vec(1, 0, 0))), "nor does it occlude");
+    const ray along_x = ray_from(vec(0, 0, 0), vec(1, 0, 0));
+    check(!lit_trace(&none, along_x, &h), "an empty scene is never hit");
+    check(!lit_occluded(&none, along_x), "nor does it occlude");
     lit_free(&none), lit_free(&none), lit_free(&box), lit_free(&all);
 }
 
@@ -150,10 +151,14 @@ static emitter specimen(int i)
 {
     vec3 Le = vec(1, 1, 1);
     switch (i) {
-    case 0: return emitter_of_rectangle((rectangle){vec(-1, -1, 2), vec(0, 2, 0), vec(2, 0, 0)}, Le);
+    case 0:
+        return emitter_of_rectangle((rectangle){vec(-1, -1, 2), vec(0, 2, 0), vec(2, 0, 0)}, Le);
     case 1:
-        return emitter_of_rectangle((rectangle){vec(5, 5, .01), vec(0, .01, 0), vec(.02, 0, 0)}, Le);
-    case 2: return emitter_of_triangle((triangle){vec(-1, -1, 1), vec(0, 2, 1), vec(1, -1, 1.5)}, Le);
+        return emitter_of_rectangle(
+            (rectangle){vec(5, 5, .01), vec(0, .01, 0), vec(.02, 0, 0)}, Le);
+    case 2:
+        return emitter_of_triangle(
+            (triangle){vec(-1, -1, 1), vec(0, 2, 1), vec(1, -1, 1.5)}, Le);
     case 3: return emitter_of_triangle((triangle){vec(1, 0, 0), vec(1, -5, 3), vec(1, 5, 3)}, Le);
     case 4: return emitter_of_sphere((sphere){vec(0, 0, 3), 1}, Le);
     case 5: return emitter_of_sphere((sphere){vec(0, 0, 1.001), 1}, Le);
