@@ -26,7 +26,7 @@ static vec3 colour(const first_bsp *b, ray r)
 int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "13_bsp_first");
-    first_mesh m = first_knot(60, 6);
+    first_mesh m = first_knot(50, 6);
     first_bsp b;
     first_bsp_build(&m, &b);
     first_camera c = first_camera_at(vec(1, -3, 9), vec(0, 0, 0), vec(0, 1, 0), 42, side, side);

@@ -92,7 +92,7 @@ static inline bool first_occluded(const first_scene *s, ray r)
 
 typedef struct {
     vec3 p, n, v;             /* point; unit normal, on the viewer's side; unit, to the viewer */
-    bool inside;              /* the viewer is inside the ball */
+    bool inside;              /* the viewer is in the ball, or on the back of the flat thing */
     const first_material *m;
     vec3 kd;                  /* of this point */
 } first_point;

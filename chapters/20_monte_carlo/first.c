@@ -1,0 +1,67 @@
+/* 20 Left: 4000 darts; the share inside the circle is pi / 4. Right: the error of three ways to pi
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo_first chapters/20_monte_carlo/first.c -lm
+   against N, 1 to 16384: dots measured, lines sqrt(variance / N). Grid lines are 10 times apart. */
+#include "../../common/image.h"
+#include "first.h"
+
+enum { side = 360, gap = 24, darts = 4000, repeats = 48, steps = 8 };
+
+static void dot(image *im, double px, double py, double radius, vec3 c)
+{
+    for (int y = (int)(py - radius - 1); y <= (int)(py + radius + 1); y++)
+        for (int x = (int)(px - radius - 1); x <= (int)(px + radius + 1); x++) {
+            if (x < 0 || y < 0 || x >= im->width || y >= im->height) continue;
+            double cover = real_clamp(radius + 0.5 - hypot(x + 0.5 - px, y + 0.5 - py), 0, 1);
+            image_set(im, x, y, vadd(vscale(image_get(im, x, y), 1 - cover), vscale(c, cover)));
+        }
+}
+
+/* Places of N (a power of 4) and of an error from 10^0.5 down to 10^-3.5. */
+static double across(double k) { return side + gap + 20 + (side - 40) * k / (steps - 1); }
+static double down(double error) { return (0.5 - log10(error)) / 4 * side; }
+
+int main(int argc, char **argv)
+{
+    const char *path = picture_path(argc, argv, "20_monte_carlo_first");
+    const vec3 colour[3] = {{0.85, 0.3, 0.02}, {0.05, 0.4, 0.75}, {0, 0.45, 0.25}};
+    const double variance[3] = {pi * (4 - pi), 32 / 3.0 - pi * pi, 60 - 72 * log(2) - pi * pi};
+    image im = image_new(2 * side + gap, side);
+    for (int i = 0; i < im.width * im.height; i++)
+        image_set(&im, i % im.width, i / im.width, vec(1, 1, 1));
+
+    for (int i = 0; i < darts; i++) {
+        real u = random_real(1, 0, i, 0), v = random_real(1, 0, i, 1);
+        vec3 c = colour[first_pi_darts(u, v) > 0 ? 0 : 1];
+        dot(&im, u * (side - 3), side - v * (side - 3), 1.6, c);
+    }
+    for (int i = 0; i < 4 * side; i++) {
+        double a = pi / 2 * i / (4 * side);
+        dot(&im, (side - 3) * cos(a), side - (side - 3) * sin(a), 0.7, vec(0, 0, 0));
+    }
+
+    for (int e = 0; e >= -3; e--)
+        for (int x = side + gap; x < im.width; x++)
+            image_set(&im, x, (int)down(pow(10, e)), vec(0.7, 0.7, 0.7));
+    for (int e = 0; e <= 4; e++)
+        for (int y = 0; y < side; y++)
+            image_set(&im, (int)across(e / log10(4)), y, vec(0.7, 0.7, 0.7));
+    for (int way = 0; way < 3; way++) {
+        for (double k = 0; k < steps - 1; k += 0.01)
+            dot(&im, across(k), down(sqrt(variance[way] / pow(4, k))), 0.4, colour[way]);
+        for (int k = 0; k < steps; k++) {
+            double square = 0;
+            for (int j = 0; j < repeats; j++) {
+                random_stream r = random_start(2, j, k);
+                first_samples s = {0, 0, 0};
+                for (int i = 0; i < 1 << 2 * k; i++) {
+                    real u = random_next(&r), v = random_next(&r);
+                    first_sample(&s, way == 0 ? first_pi_darts(u, v)
+                                   : way == 1 ? first_pi_uniform(u) : first_pi_importance(u));
+                }
+                square += pow(first_mean(s) - pi, 2) / repeats;
+            }
+            dot(&im, across(k), down(sqrt(square)), 4, colour[way]);
+        }
+    }
+    return picture_end(path, &im);
+}

@@ -1,0 +1,72 @@
+/* first.h: integrals by chance: an estimator and its error, inversion, importance; directions.
+ * Wrong: variance as mean of squares minus square of the mean. For mean 1000, deviation 1 it keeps
+ * no digit in float, and may be negative. estimate.h (20.4) mends it. */
+#ifndef FIRST_MONTE_CARLO_H
+#define FIRST_MONTE_CARLO_H
+#include "../../common/random.h"
+
+typedef struct { real n, sum, squares; } first_samples;
+
+static inline void first_sample(first_samples *s, real x)
+{
+    s->n += 1;
+    s->sum += x;
+    s->squares += x * x;
+}
+
+/* mean = (x_1 + ... + x_N) / N                                                           (20.1) */
+static inline real first_mean(first_samples s) { return s.sum / s.n; }
+
+/* The variance (方差) of one sample; N - 1, since the mean is an estimate itself.        (20.2) */
+static inline real first_variance(first_samples s)
+{
+    return (s.squares / s.n - first_mean(s) * first_mean(s)) * s.n / (s.n - 1);
+}
+
+/* The standard error (标准误差) of the mean: four times the samples halve it.            (20.3) */
+static inline real first_error(first_samples s) { return sqrt(first_variance(s) / s.n); }
+
+/* ------------------------------------------------------------------------------------------------
+ * Three ways to pi. All are f(X) / p(X) with X drawn from p: on average each is the integral
+ * of f (20.7); the more p looks like f, the less f / p varies. u, v: uniform in [0,1). */
+
+/* Darts (飞镖): f = 4 inside the quarter of a disk, else 0; p = 1. Variance pi (4 - pi) = 2.70 */
+static inline real first_pi_darts(real u, real v) { return u * u + v * v < 1 ? 4 : 0; }
+
+/* f = 4 sqrt(1 - x^2) on [0,1], p = 1. Variance 32/3 - pi^2 = 0.80 */
+static inline real first_pi_uniform(real u) { return 4 * sqrt(1 - u * u); }
+
+/* The same f with p = (4 - 2x) / 3, which falls as f does: importance sampling (重要性采样).
+ * Inversion (反演): the probability P(x) = (4x - x^2) / 3 of a sample below x is to be u, so that
+ * x = 2 - sqrt(4 - 3u). Variance 60 - 72 ln 2 - pi^2 = 0.22 */
+static inline real first_pi_importance(real u)
+{
+    real x = 2 - sqrt(4 - 3 * u);
+    return 4 * sqrt(real_max(1 - x * x, 0)) / ((4 - 2 * x) / 3);
+}
+
+/* ------------------------------------------------------------------------------------------------
+ * Directions of the upper hemisphere, z >= 0, by inversion of the height z. */
+
+/* Uniform: heights are evenly spread (Archimedes). p = 1 / (2 pi) */
+static inline vec3 first_uniform_direction(real u, real v)
+{
+    real r = sqrt(real_max(1 - u * u, 0)), phi = 2 * pi * v;
+    return vec(r * cos(phi), r * sin(phi), u);
+}
+
+/* Towards the pole: p = cos(theta) / pi, and the weight of cos(theta) is a constant.    (20.14) */
+static inline vec3 first_cosine_direction(real u, real v)
+{
+    real r = sqrt(u), phi = 2 * pi * v;
+    return vec(r * cos(phi), r * sin(phi), sqrt(1 - u));
+}
+
+/* w, given round the z axis, now round the unit vector n. */
+static inline vec3 first_round(vec3 n, vec3 w)
+{
+    vec3 s, t;
+    vbasis(n, &s, &t);
+    return vadd(vadd(vscale(s, w.x), vscale(t, w.y)), vscale(n, w.z));
+}
+#endif

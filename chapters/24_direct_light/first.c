@@ -1,0 +1,35 @@
+/* 24 The Cornell box in direct light, with 16 rays from each point that is seen. Left they leave in
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light_first chapters/24_direct_light/first.c -lm
+   directions drawn at random, right they are sent to points of the lamp. Exposed twice. */
+#include "../../common/image.h"
+#include "first.h"
+
+enum { side = 300, n = 4 };
+
+static vec3 colour(const first_scene *s, bool by_lamp, ray r, random_stream *random)
+{
+    hit h;
+    if (!first_scene_hit(s, r, &h)) return vec(0, 0, 0);
+    first_point x = first_point_at(s, r, h);
+    return vadd(first_emitted(x), by_lamp ? first_direct_by_lamp(s, 0, x, random)
+                                          : first_direct_by_direction(s, x, random));
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = picture_path(argc, argv, "24_direct_light_first");
+    image im = image_new(2 * side, side);
+    first_scene s = first_cornell();
+    first_camera c = first_cornell_camera(side, side);
+    for (int y = 0; y < side; y++)
+        for (int x = 0; x < 2 * side; x++) {
+            vec3 sum = vec(0, 0, 0);
+            for (int k = 0; k < n * n; k++) {
+                random_stream random = random_start(1, y * 2 * side + x, k);
+                ray r = first_pixel_ray(c, x % side, y, k, n);
+                sum = vadd(sum, colour(&s, x >= side, r, &random));
+            }
+            image_set(&im, x, y, vscale(sum, 2.0 / (n * n)));
+        }
+    return picture_end(path, &im);
+}

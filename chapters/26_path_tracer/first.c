@@ -1,0 +1,35 @@
+/* 26 The Cornell box, path traced, exposed twice. 26_path_tracer_first [SAMPLES a pixel] [PICTURE]
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer_first chapters/26_path_tracer/first.c -lm
+ */
+#include "../../common/image.h"
+#include "first.h"
+
+enum { side = 320, most = 65536 };
+
+int main(int argc, char **argv)
+{
+    char *end = "";
+    long N = argc > 1 ? strtol(argv[1], &end, 10) : 0;
+    bool given = argc > 1 && isdigit((unsigned char)argv[1][0]) && *end == 0;
+    const char *path = picture_path(argc - given, argv + given, "26_path_tracer_first");
+    failure f = {2, "samples a pixel: 1 to 65536"};
+    if (!given) N = 16;
+    if (N < 1 || N > most) fail(f);
+
+    image im = image_new(side, side);
+    first_scene s = first_cornell();
+    first_camera c = first_cornell_camera(side, side);
+    for (int y = 0; y < side; y++) {
+        for (int x = 0; x < side; x++) {
+            vec3 sum = vec(0, 0, 0);
+            for (int i = 0; i < N; i++) {
+                random_stream random = random_start(1, y * side + x, i);
+                real px = x + random_next(&random), py = y + random_next(&random);
+                sum = vadd(sum, first_path(&s, first_camera_ray(c, px, py), &random));
+            }
+            image_set(&im, x, y, vscale(sum, 2.0 / N));
+        }
+        if (N > 100 && isatty(2)) fprintf(stderr, "\r%d of %d rows ", y + 1, side);
+    }
+    return picture_end(path, &im);
+}
