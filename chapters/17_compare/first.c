@@ -19,7 +19,6 @@ static void fill(image *im, int x, int y, int w, int h, vec3 c)
 static const char letter[] = "ABCDEGHIKORSTUVPY01";
 static const int rows[] = {025755, 065656, 034443, 065556, 074647, 034553, 055755, 072227, 055655,
     025552, 065655, 034216, 072222, 055557, 055552, 065644, 055222, 075557, 026227};
-
 static void print(image *im, int x, int y, const char *text, int size)
 {
     for (; *text; text++, x += 4 * size) {
@@ -69,8 +68,8 @@ int main(int argc, char **argv)
             if (s == first_use_brute) truth[i] = h;
             else if (h.t != truth[i].t) wrong++;
         }
-        double ns = 1e9 * (clock() - start) / CLOCKS_PER_SEC / rays, tests = first_tests;
-        tests /= rays;
+        double ns = 1e9 * (clock() - start) / CLOCKS_PER_SEC / rays;
+        double tests = 1.0 * first_tests / rays;
         printf("%-9s  %11.1f  %8.0f  %d of %d\n", first_structure_name[s], tests, ns, wrong, rays);
         print(&im, 20, 52 + 40 * s, first_structure_name[s], 4);
         fill(&im, left, 50 + 40 * s, (int)(decade * log10(tests)), 26, colour[s]);
