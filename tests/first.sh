@@ -67,29 +67,39 @@ for f in chapters/*/first.h; do
     if [ -f "$dir/first.c" ]; then ok; else no "$dir has a first.h, and no first.c"; fi
 done
 
-# Each program: line 2 compiles it in a folder that holds only what it includes; what it draws is what
-# the program of this build draws, byte for byte.
+# Each program: line 2 compiles it in a folder that holds only what it includes; it draws the same picture
+# as with other flags, byte for byte. With a part of the counts only the program of this build runs.
 flags='-std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize'
+[ "${CHECK_DIVISOR:-1}" -gt 1 ] && echo "first.sh: only the programs of this build"
 for main in chapters/*/first.c; do
     name=$(basename "$(dirname "$main")")_first
     alone=$scratch/$name
+    mkdir "$alone"
     line=$(sed -n 2p "$main")
     if [ "$line" = "cc $flags -o $name $main -lm" ]; then ok
     else no "$main: line 2 is not its compile command: $line"; continue; fi
-    for f in $(${CC:-cc} -std=c11 -MM "$main" | sed -e 's/^[^:]*://' -e 's/\\$//'); do
-        f=$(echo "$f" | sed -e ':a' -e 's#[^/. ][^/ ]*/\.\./##' -e 'ta')
-        mkdir -p "$alone/$(dirname "$f")" && cp "$f" "$alone/$f"
-    done
-    if (cd "$alone" && sh -c "${CC:-cc}${line#cc} -DREAL=${REAL:-double}") 2>"$scratch/err"
-    then ok; else no "$main does not compile alone: $(head -n 3 "$scratch/err")"; continue; fi
+    if [ "${CHECK_DIVISOR:-1}" -gt 1 ]; then
+        cp "$BUILD/$name" "$alone"
+    else
+        for f in $(${CC:-cc} -std=c11 -MM "$main" | sed -e 's/^[^:]*://' -e 's/\\$//'); do
+            f=$(echo "$f" | sed -e ':a' -e 's#[^/. ][^/ ]*/\.\./##' -e 'ta')
+            mkdir -p "$alone/$(dirname "$f")" && cp "$f" "$alone/$f"
+        done
+        if (cd "$alone" && sh -c "${CC:-cc}${line#cc} -DREAL=${REAL:-double}") 2>"$scratch/err"
+        then ok; else no "$main does not compile alone: $(head -n 3 "$scratch/err")"; continue; fi
+    fi
     if (cd "$alone" && "./$name" >out 2>err); then ok; else no "$name: $(head -n 3 "$alone/err")"; continue; fi
     folder=images; [ "${REAL:-double}" = float ] && folder=build
     if [ "$(tail -n 1 "$alone/out")" = "-> $folder/$name.png" ]; then ok; else no "$name: does not say where its picture is"; fi
     wide=480; case $name in 21_*|25_*|26_*) wide=320 ;; esac
     width=$(od -An -tu1 -j16 -N4 "$alone/$folder/$name.png" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }')
     if [ "$width" -ge $wide ]; then ok; else no "$name: its picture is $width wide, $wide at least are wanted"; fi
-    (cd "$alone" && "$BUILD/$name" again.png >out 2>err)
-    if cmp -s "$alone/$folder/$name.png" "$alone/again.png"; then ok; else no "$name: this build draws another picture"; fi
+    # The committed picture; or, where the C library rounds otherwise, that of this build.
+    if cmp -s "$alone/$folder/$name.png" "images/$name.png" || [ "${CHECK_DIVISOR:-1}" -gt 1 ]; then ok
+    else
+        (cd "$alone" && "$BUILD/$name" again.png >out 2>err)
+        if cmp -s "$alone/$folder/$name.png" "$alone/again.png"; then ok; else no "$name: two builds, two pictures"; fi
+    fi
     # Misuse: one line that names the program, exit 2, and nothing written.
     for bad in 'a.png b.png' '--help' 'picture.gif'; do
         # shellcheck disable=SC2086
