@@ -1,4 +1,4 @@
-/* 01 A ray: dots at equal steps of t, D from the middle to a square (left) and of length 1 (right).
+/* 01 Dots at equal steps of t. Left D leads from the middle to a square, right its length is 1.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 01_ray_first chapters/01_ray/first.c -lm
  */
 #include "../../common/image.h"
@@ -31,10 +31,9 @@ static image fan(bool unit)
         vec3 b = s < 2 ? vec(side, 1, 0) : s < 4 ? vec(1, -side, 0)
                : s < 6 ? vec(-side, -1, 0) : vec(-1, side, 0);
         ray r = ray_between(vec(0, 0, 0), b);
-        if (unit) r = first_ray_unit(r), r.tmax = 1;
+        if (unit) r = first_ray_unit(r), r.tmax = 1;  /* the same numbers t, other points */
         for (real t = 0; t <= 1.75; t += 0.125) {
-            double hue = t / 1.5;
-            vec3 colour = vec(0.8 * hue, 0.1, 0.6 * (1 - hue)), pale = vec(0.75, 0.75, 0.75);
+            vec3 colour = vec(0.8 * t, 0.1, 0.6 * (1 - t)), pale = vec(0.75, 0.75, 0.75);
             bool inside = ray_covers(r, t);
             dot(&im, ray_at(r, t), inside ? 3.2 : 1.7, inside ? colour : pale);
         }

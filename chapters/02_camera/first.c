@@ -1,13 +1,13 @@
-/* 02 Two cameras in a checkered room: parallel rays (left), rays from an eye (right); above one ray
+/* 02 Two cameras in a checkered room. Left the rays are parallel, right they come from an eye.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 02_camera_first chapters/02_camera/first.c -lm
-   a pixel, below the mean of sixteen. */
+   Above one ray a pixel, below the mean of sixteen. */
 #include "../../common/image.h"
 #include "first.h"
 
 enum { width = 360, height = 300 };
 
-/* The room: [-2,2] x [0,3] x [-2,2]. A ray leaves it through the wall that it reaches first; a ray
- * that passes beside the room reaches no point of it. */
+/* The room: [-2,2] x [0,3] x [-2,2]. Only walls where a ray goes out are painted, so that from
+ * outside one looks into it. A ray goes out through the first of three walls that it reaches. */
 static vec3 room(ray r)
 {
     const vec3 lo = vec(-2, 0, -2), hi = vec(2, 3, 2);
@@ -49,11 +49,11 @@ int main(int argc, char **argv)
     image im = image_new(2 * width, 2 * height);
     first_camera eye = first_camera_at(vec(1.8, 2.2, 1.9), vec(-0.6, 0.9, -0.9), vec(0, 1, 0), 62,
                                        width, height);
-    first_camera plan = first_camera_at(vec(6, 6, 7), vec(0, 1.1, 0), vec(0, 1, 0), 20,
-                                        width, height);
-    plan.t = 3, plan.b = -3, plan.r = 3.6, plan.l = -3.6;  /* a window as large as the room */
+    first_camera far = first_camera_at(vec(6, 6, 7), vec(0, 1.1, 0), vec(0, 1, 0), 90,
+                                       width, height);
+    far.t = 3, far.b = -3, far.r = 3.6, far.l = -3.6;  /* a window as large as the room */
     for (int row = 0; row < 2; row++) {
-        image left = look(plan, true, row ? 4 : 1), right = look(eye, false, row ? 4 : 1);
+        image left = look(far, true, row ? 4 : 1), right = look(eye, false, row ? 4 : 1);
         image_place(&im, 0, row * height, &left);
         image_place(&im, width, row * height, &right);
         image_free(&left), image_free(&right);

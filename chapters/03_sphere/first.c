@@ -1,4 +1,4 @@
-/* 03 Balls, each point in the colour of its normal: red to the right, green up, blue to the eye.
+/* 03 Balls, each point in the colour of its normal n: red is n.x, green n.y, blue n.z.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere_first chapters/03_sphere/first.c -lm
  */
 #include "../../common/image.h"
@@ -29,14 +29,14 @@ static vec3 colour(ray r)
             vec3 normal = first_sphere_normal(ball[i], ray_at(r, h.t));
             seen = vscale(vadd(normal, vec(1, 1, 1)), 0.5);
         }
-    return vmul(seen, seen);
+    return vmul(seen, seen);  /* about what a screen makes of it: so the colours stay even */
 }
 
 int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "03_sphere_first");
     image im = image_new(side, side);
-    first_camera c = first_camera_at(vec(0, -3, 12.5), vec(0, 0, 0), vec(0, 1, 0), 37,
+    first_camera c = first_camera_at(vec(0, -3, 12.5), vec(0, -0.12, 0), vec(0, 1, 0), 37,
                                      side, side);
     sow();
     for (int y = 0; y < side; y++)

@@ -10,7 +10,7 @@ static triangle star[most];
 static int triangles;
 
 /* An icosahedron has its corners at (0, +-1, +-g) and their turns, g the golden ratio; three that
- * are 2 apart make a face. On each face stands a spike of three triangles, its tip c. */
+ * are 2 apart make a face. On each face stands a spike of three triangles. */
 static void build(void)
 {
     const double g = (1 + sqrt(5.0)) / 2;
@@ -39,6 +39,7 @@ static vec3 colour(ray r)
     hit h;
     if (first_plane_hit(floor_below, r, &h)) {
         vec3 p = ray_at(r, h.t);
+        /* No shadow is cast yet: this one is painted. */
         real shadow = 0.35 + 0.65 * real_clamp(hypot(p.x, p.z) / 3.4, 0, 1), haze = exp(-h.t / 40);
         bool white = ((int)floor(p.x) + (int)floor(p.z)) % 2 == 0;
         seen = vadd(vscale(white ? vec(0.6, 0.62, 0.65) : vec(0.1, 0.2, 0.3), shadow * haze),

@@ -20,7 +20,7 @@ static inline bool first_plane_hit(plane s, ray r, hit *out)
 }
 
 /* Any value given at the corners, w a + u b + v c with w = 1 - u - v: u and v are barycentric
- * coordinates (重心坐标). Of the corners themselves it is the point.                      (4.6) */
+ * coordinates (重心坐标). If the values are the corners, the result is the point.         (4.6) */
 static inline vec3 barycentric_mix(vec3 a, vec3 b, vec3 c, real u, real v)
 {
     return vadd(vadd(vscale(a, 1 - u - v), vscale(b, u)), vscale(c, v));
@@ -32,7 +32,8 @@ static inline bool first_triangle_hit(triangle tri, ray r, hit *out)
      *     t (-d) + u e1 + v e2 = s,   e1 = b - a,  e2 = c - a,  s = o - a                 (4.8) */
     vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), s = vsub(r.o, tri.a);
 
-    /* Cramer's rule (克拉默法则), its determinants as triple products. */
+    /* Cramer's rule (克拉默法则), its determinants written as triple products:
+     *     t = s2.e2 / det,  u = s1.s / det,  v = s2.d / det,   s1 = d x e2,  s2 = s x e1 */
     vec3 s1 = vcross(r.d, e2), s2 = vcross(s, e1);
     real det = vdot(s1, e1), inverse = 1 / det;
     real t = vdot(s2, e2) * inverse;

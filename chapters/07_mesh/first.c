@@ -1,6 +1,6 @@
-/* 07 A mesh by brute force (left), or the OBJ file that is named; and a cut through it (right), by
+/* 07 A mesh, its own or the OBJ file that is named. Left by brute force, right a cut through it.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 07_mesh_first chapters/07_mesh/first.c -lm
-   parity: what is inside is orange. 07_mesh_first [FILE.obj] [PICTURE.png] */
+   What is inside by parity is orange. 07_mesh_first [FILE.obj] [PICTURE.png] */
 #include "../../common/image.h"
 #include "../02_camera/first.h"
 #include "first.h"

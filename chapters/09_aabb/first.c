@@ -39,9 +39,10 @@ static vec3 colour(ray r)
         if (first_aabb_hit(house[i], r, &t) && t < closest) {
             closest = t;
             vec3 p = ray_at(r, t), top = house[i].hi;
-            bool roof = fabs(p.y - top.y) < 0.001;
+            bool roof = fabs(p.y - top.y) < 0.001, side = fabs(p.x - top.x) < 0.001;
             bool window = !roof && fmod(p.y + 9, 0.24) > 0.12 && fmod(p.x + p.z + 9, 0.16) > 0.07;
-            seen = vscale(ramp((t * vlength(r.d) - 8) / 13), roof ? 1 : window ? 0.45 : 0.8);
+            real near = t * vlength(r.d) - 7.5;  /* the town is some 14 deep */
+            seen = vscale(ramp(near / 14), (roof ? 1 : side ? 0.55 : 0.8) * (window ? 0.55 : 1));
         }
     return seen;
 }

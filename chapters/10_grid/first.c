@@ -28,7 +28,8 @@ int main(int argc, char **argv)
     const char *path = picture_path(argc, argv, "10_grid_first");
     first_mesh m = first_knot(120, 12);
     first_grid g = first_grid_build(&m);
-    first_camera c = first_camera_at(vec(1, -3, 9), vec(0, 0, 0), vec(0, 1, 0), 42, side, side);
+    first_camera c = first_camera_at(vec(1, -3, 9), vec(0.2, -0.12, 0), vec(0, 1, 0), 42,
+                                     side, side);
     image im = image_new(side, side);
     for (int y = 0; y < side; y++)
         for (int x = 0; x < side; x++) {

@@ -33,7 +33,8 @@ int main(int argc, char **argv)
     first_mesh m = first_knot(120, 12);
     first_octree t;
     first_octree_build(&m, &t);
-    first_camera c = first_camera_at(vec(1, -3, 9), vec(0, 0, 0), vec(0, 1, 0), 42, side, side);
+    first_camera c = first_camera_at(vec(1, -3, 9), vec(0.2, -0.12, 0), vec(0, 1, 0), 42,
+                                     side, side);
     image im = image_new(side, side);
     for (int y = 0; y < side; y++)
         for (int x = 0; x < side; x++) {

@@ -20,7 +20,8 @@ static vec3 colour(const first_bsp *b, ray r)
     hit h;
     if (!first_bsp_hit(b, r, &h)) return vec(0.9, 0.92, 0.95);
     real facing = -vdot(first_mesh_normal(b->m, h.shape, r.d), vunit(r.d));
-    return vscale(tint(b, ray_at(r, h.t + 0.001)), 0.15 + 0.85 * facing);
+    vec3 below = ray_at(r, h.t + 0.001);  /* a hit lies in a plane: look a little behind it */
+    return vscale(tint(b, below), 0.15 + 0.85 * facing);
 }
 
 int main(int argc, char **argv)
@@ -29,7 +30,8 @@ int main(int argc, char **argv)
     first_mesh m = first_knot(50, 6);
     first_bsp b;
     first_bsp_build(&m, &b);
-    first_camera c = first_camera_at(vec(1, -3, 9), vec(0, 0, 0), vec(0, 1, 0), 42, side, side);
+    first_camera c = first_camera_at(vec(1, -3, 9), vec(0.2, -0.12, 0), vec(0, 1, 0), 42,
+                                     side, side);
     image im = image_new(side, side);
     for (int y = 0; y < side; y++)
         for (int x = 0; x < side; x++) {

@@ -30,7 +30,8 @@ int main(int argc, char **argv)
 {
     const char *path = picture_path(argc, argv, "14_bvh_first");
     first_mesh m = first_knot(120, 12);
-    first_camera c = first_camera_at(vec(1, -3, 9), vec(0, 0, 0), vec(0, 1, 0), 42, side, side);
+    first_camera c = first_camera_at(vec(1, -3, 9), vec(0.2, -0.12, 0), vec(0, 1, 0), 42,
+                                     side, side);
     image im = image_new(2 * side, side);
     vec3 *tint = allocate((size_t)m.n, sizeof *tint);
     for (int sah = 0; sah < 2; sah++) {

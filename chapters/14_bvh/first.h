@@ -12,6 +12,7 @@ typedef struct {
     aabb box;         /* of all triangles below, and a hair more */
     int first, n;     /* they are order[first .. first + n) */
     int left, right;  /* the two children; 0: this is a leaf */
+    int axis;         /* along it left lies lower */
 } first_bvh_node;     /*                                                                  (14.1) */
 
 typedef struct {
@@ -36,7 +37,7 @@ static inline void first_bvh_swap(first_bvh *b, int i, int j)
 }
 
 /* Moves the triangle with the k-th lowest centre to place k, lower ones before it, in O(n): like
- * quicksort, but only the part that holds k is gone on with (快速选择). */
+ * quicksort, but only in the part that holds k (快速选择). */
 static inline void first_bvh_select(first_bvh *b, int lo, int hi, int k, int axis)
 {
     while (lo < hi) {
@@ -55,12 +56,12 @@ static inline void first_bvh_select(first_bvh *b, int lo, int hi, int k, int axi
 
 /* The surface area heuristic (表面积启发式): a line that meets the box meets a part of it with the
  * probability area(part) / area(box) (14.5), so a cut costs
- *     area(L) n(L) + area(R) n(R)                                                        (14.6)
- * and the cheapest of 15 planes on each axis is taken. Returns n(L), or 0: all centres are one. */
-static inline int first_bvh_sah(first_bvh *b, int first, int n)
+ *     area(L) n(L) + area(R) n(R), besides what is the same for all cuts                 (14.6)
+ * The cheapest of 15 planes on each axis. Returns n(L), or 0 if all centres are in one place. */
+static inline int first_bvh_sah(first_bvh *b, int first, int n, int *best_axis)
 {
     real best = real_infinity, best_cut = 0;
-    int best_axis = 0, left = 0;
+    int left = 0;
     for (int axis = 0; axis < 3; axis++) {
         real lo = real_infinity, hi = -real_infinity;
         for (int i = first; i < first + n; i++) {
@@ -78,29 +79,29 @@ static inline int first_bvh_sah(first_bvh *b, int first, int n)
             }
             real cost = aabb_area(box[0]) * count[0] + aabb_area(box[1]) * count[1];
             if (!count[0] || !count[1] || !(cost < best)) continue;
-            best = cost, best_cut = cut, best_axis = axis;
+            best = cost, best_cut = cut, *best_axis = axis;
         }
     }
     for (int i = first; best < real_infinity && i < first + n; i++)
-        if (first_bvh_centre(b, i, best_axis) < best_cut) first_bvh_swap(b, i, first + left++);
+        if (first_bvh_centre(b, i, *best_axis) < best_cut) first_bvh_swap(b, i, first + left++);
     return left;
 }
 
 /* The node for order[first .. first + n), and all below it; returns its number. */
 static inline int first_bvh_split(first_bvh *b, int first, int n, bool sah)
 {
-    int me = b->nodes++, left = 0;
+    int me = b->nodes++, left = 0, *axis = &b->node[me].axis;
     aabb box = aabb_empty();
     for (int i = first; i < first + n; i++)
         box = aabb_union(box, first_triangle_box(b->m->tri[b->order[i]]));
-    b->node[me] = (first_bvh_node){first_aabb_pad(box, b->hair), first, n, 0, 0};
+    b->node[me] = (first_bvh_node){first_aabb_pad(box, b->hair), first, n, 0, 0, 0};
     if (n <= first_bvh_leaf) return me;
 
     /* By the heuristic; or across the longest axis, by the triangle in the middle. */
-    if (sah) left = first_bvh_sah(b, first, n);
+    if (sah) left = first_bvh_sah(b, first, n, axis);
     if (left == 0) {
-        left = n / 2;
-        first_bvh_select(b, first, first + n - 1, first + left, vlongest(vsub(box.hi, box.lo)));
+        left = n / 2, *axis = vlongest(vsub(box.hi, box.lo));
+        first_bvh_select(b, first, first + n - 1, first + left, *axis);
     }
     b->node[me].left = first_bvh_split(b, first, left, sah);
     b->node[me].right = first_bvh_split(b, first + left, n - left, sah);
@@ -129,8 +130,11 @@ static inline bool first_bvh_visit(const first_bvh *b, int i, ray *r, hit *out)
             if (first_mesh_test(b->m, b->order[k], r, out)) found = true;
         return found;
     }
-    if (first_bvh_visit(b, node->left, r, out)) found = true;
-    if (first_bvh_visit(b, node->right, r, out)) found = true;
+
+    /* The nearer child first: a hit in it shortens the ray, and may spare the other one. */
+    bool down = vaxis(r->d, node->axis) < 0;
+    if (first_bvh_visit(b, down ? node->right : node->left, r, out)) found = true;
+    if (first_bvh_visit(b, down ? node->left : node->right, r, out)) found = true;
     return found;
 }
 

@@ -1,6 +1,6 @@
-/* 18 Five balls in the light of two lamps, and their shadows. In the lower left corner eps is 0:
+/* 18 Five balls in the light of two lamps, and their shadows.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade_first chapters/18_shade/first.c -lm
-   there points shade themselves (acne). */
+   In the lower left corner eps is 0: there points shade themselves (acne). */
 #include "../../common/image.h"
 #include "../02_camera/first.h"
 #include "first.h"
@@ -20,7 +20,7 @@ static first_scene build(void)
         first_material m = {.kd = kd[i], .ks = vec(0.5, 0.5, 0.5), .p = 10 << i};
         first_add_ball(&s, vec(2.1 * cos(a), 0.65 + 0.12 * i, 2.1 * sin(a)), 0.75 + 0.12 * i, m);
     }
-    s.light[s.lights++] = (first_light){vec(-5, 9, 6), vec(330, 300, 250)};
+    s.light[s.lights++] = (first_light){vec(-5, 9, 6), vec(260, 240, 200)};
     s.light[s.lights++] = (first_light){vec(8, 5, 4), vec(30, 50, 90)};
     return s;
 }

@@ -27,8 +27,7 @@ static inline vec3 first_brdf_value(first_brdf f, vec3 wi, vec3 wo)
 /* What comes from the direction w in the picture: a window, in a room of blue and brown. */
 static inline vec3 first_room_light(vec3 w)
 {
-    bool pane = fabs(w.x) > 0.04 && fabs(w.y - 0.45) > 0.04;
-    if (w.z > 0.3 && fabs(w.x) < 0.34 && fabs(w.y - 0.45) < 0.3 && pane) return vec(9, 8.5, 7.5);
+    if (w.z > 0.3 && fabs(w.x) < 0.34 && fabs(w.y - 0.45) < 0.3) return vec(6, 5.7, 5);
     real up = (1 + w.y) / 2;
     return vadd(vscale(vec(0.35, 0.5, 0.75), up), vscale(vec(0.3, 0.18, 0.1), 1 - up));
 }

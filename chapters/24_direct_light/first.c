@@ -1,6 +1,6 @@
-/* 24 The Cornell box in direct light, with 16 rays from each point that is seen. Left they leave in
+/* 24 The Cornell box in direct light, with 16 eye rays a pixel and one ray more for each.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light_first chapters/24_direct_light/first.c -lm
-   directions drawn at random, right they are sent to points of the lamp. Exposed twice. */
+   Left that ray has a random direction, right it goes to a point of the lamp. Twice as bright. */
 #include "../../common/image.h"
 #include "first.h"
 

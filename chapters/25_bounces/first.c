@@ -1,6 +1,6 @@
-/* 25 The terms of L = E + K E + K^2 E + ...: light that comes straight from the lamp, after one
+/* 25 The terms of L = E + K E + K^2 E + ...: light reflected no time, once, twice, three times.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces_first chapters/25_bounces/first.c -lm
-   reflection, two, three; below, the sums so far. Exposed twice. */
+   Below, the sums so far. Shown twice as bright. */
 #include "../../common/image.h"
 #include "first.h"
 
@@ -27,9 +27,11 @@ int main(int argc, char **argv)
                 image_set(&im, k * side + x, side + y, vscale(all, 2));
             }
         }
-    printf("rays a pixel's point, all terms up to K^5 E, if each hit sends N:\n");
+    printf("rays for one eye ray, up to K^5 E, if each hit sends N:\n");
     for (int each = 1; each <= 16; each *= 4)
-        printf("N = %2d: %10.0f\n", each, first_rays_of_branching(each, 5));
-    printf("here: N = %d, %ld rays\n", N, first_bounce_rays);
+        printf("    N = %2d: %7.0f\n", each, first_rays_of_branching(each, 5));
+    printf("in a furnace that emits 1 and reflects half of it, after n bounces (for ever: 2):\n");
+    for (int k = 0; k <= 8; k += 2) printf("    n = %d: %.4f\n", k, first_furnace(1, 0.5, k));
+    printf("here, one path a term: %ld rays, and a shadow ray a path\n", first_bounce_rays);
     return picture_end(path, &im);
 }

@@ -1,6 +1,6 @@
-/* 26 The Cornell box, path traced, exposed twice. 26_path_tracer_first [SAMPLES a pixel] [PICTURE]
+/* 26 The Cornell box, path traced, shown twice as bright.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer_first chapters/26_path_tracer/first.c -lm
- */
+   26_path_tracer_first [SAMPLES a pixel, 1 to 65536] [PICTURE.png] */
 #include "../../common/image.h"
 #include "first.h"
 

@@ -1,6 +1,6 @@
-/* 27 Three scenes, and what each of them calls for: a ball in the sun, mirror and glass, a room
+/* 27 Three scenes, and what each calls for: a ball in the sun, glass and chrome, a room and a lamp.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects_first chapters/27_effects/first.c -lm
-   with a lamp. Prints the plans, and the rays that each effect took. */
+   Prints the plans, and the rays that each effect took. */
 #include "../../common/image.h"
 #include "first.h"
 
