@@ -130,7 +130,6 @@ static inline bool first_bvh_visit(const first_bvh *b, int i, ray *r, hit *out)
             if (first_mesh_test(b->m, b->order[k], r, out)) found = true;
         return found;
     }
-
     /* The nearer child first: a hit in it shortens the ray, and may spare the other one. */
     bool down = vaxis(r->d, node->axis) < 0;
     if (first_bvh_visit(b, down ? node->right : node->left, r, out)) found = true;
