@@ -11,7 +11,8 @@
  *   if (barycentrics_inside(k)) ...             no weight is negative
  *   vec3 p = triangle_at(tri, u, v);            the point: on the triangle within some epsilon,
  *                                               however far away the origin of the ray was
- *   vec3 n = barycentric_mix(na, nb, nc, u, v); any value given at the corners: a colour, a normal
+ *   vec3 n = barycentric_mix(na, nb, nc, u, v); any value given at the corners: a colour, a normal;
+ *                                               in first.h
  *
  * That the weights sum to one is no test of anything: it is so for every point of the plane, by the
  * way they are computed. The signs are the test.
@@ -47,11 +48,6 @@ static inline bool barycentrics_inside(barycentrics k)  /* a NaN is not inside *
 static inline real barycentrics_sum(barycentrics k) { return k.w + k.u + k.v; }
 
 /* a + u (b - a) + v (c - a) would miss b at u = 1 by a rounding; this form meets all corners. */
-static inline vec3 barycentric_mix(vec3 a, vec3 b, vec3 c, real u, real v)
-{
-    return vmadd(vmadd(vscale(a, 1 - u - v), b, u), c, v);
-}
-
 static inline vec3 triangle_at(triangle tri, real u, real v)
 {
     return barycentric_mix(tri.a, tri.b, tri.c, u, v);
