@@ -60,8 +60,8 @@ static bool near_edge(const first_world *x, ray r, vec3 c)
     return false;
 }
 
-/* Through glass, over chrome: at depth 8, and where the eye rays end. Where a ball touches the board
- * eps leaves out a little, as 18 says: one ray in 20000 or so sees that in glass. */
+/* Through glass, over chrome: at depth 8, and where the eye rays end. Where a ball touches the
+ * board eps leaves out a little, as 18 says: one ray in 20000 or so sees that in glass. */
 static void test_two_balls(void)
 {
     first_scene s = first_two_balls();

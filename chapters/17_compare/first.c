@@ -59,17 +59,17 @@ int main(int argc, char **argv)
         print(&im, left + k * decade, 305, tick[k], 3);
     }
     printf("structure  tests a ray  ns a ray  hits unlike brute force\n");
-    for (int s = 0; s < first_structures; s++) {
-        int wrong = 0;
+    for (int s = 0, wrong; s < first_structures; s++) {
         clock_t start = clock();
-        first_tests = 0;
+        first_tests = wrong = 0;
         for (int i = 0; i < rays; i++) {
             hit h = {real_infinity, 0, 0, 0};
             if (!first_contest_hit(&c, s, random_ray(i), &h)) h.t = real_infinity;
             if (s == first_use_brute) truth[i] = h;
             else if (h.t != truth[i].t) wrong++;
         }
-        double ns = 1e9 * (clock() - start) / CLOCKS_PER_SEC / rays, tests = 1.0 * first_tests / rays;
+        double ns = 1e9 * (clock() - start) / CLOCKS_PER_SEC / rays;
+        double tests = 1.0 * first_tests / rays;
         printf("%-9s  %11.1f  %8.0f  %d of %d\n", first_structure_name[s], tests, ns, wrong, rays);
         print(&im, 20, 52 + 40 * s, first_structure_name[s], 4);
         fill(&im, left, 50 + 40 * s, (int)(decade * log10(tests)), 26, colour[s]);

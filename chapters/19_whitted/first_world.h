@@ -1,4 +1,4 @@
-/* first_world.h: a scene of first.h as whitted.h has it: what the first version is measured against.
+/* first_world.h: a scene of first.h as whitted.h has it: what the first version is held against.
  *
  *   first_world *x = first_world_new(&s, depth);      s must outlive it; first_world_free(x)
  *   vec3 L = first_world_ray(x, r)                    what first_whitted(&s, r, depth) should say
