@@ -58,10 +58,9 @@ int main(int argc, char **argv)
         print(&im, left + k * decade, 305, tick[k], 3);
     }
     printf("structure  tests a ray  ns a ray  hits unlike brute force\n");
-    for (int s = 0; s < first_structures; s++) {
-        int wrong = 0;
+    for (int s = 0, wrong; s < first_structures; s++) {
         clock_t start = clock();
-        first_tests = 0;
+        first_tests = wrong = 0;
         for (int i = 0; i < rays; i++) {
             hit h = {real_infinity, 0, 0, 0};
             if (!first_contest_hit(&c, s, random_ray(i), &h)) h.t = real_infinity;
