@@ -1,5 +1,5 @@
-/* 20's first.h: the answers of estimate.h, of closed forms and of sampling.h; and a variance that is
- * noise. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
+/* 20's first.h: the answers of estimate.h, of closed forms and of sampling.h; and a variance that
+ * is noise. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
 #include "../chapters/20_monte_carlo/chi_square.h"
 #include "../chapters/20_monte_carlo/first.h"
 #include "../chapters/20_monte_carlo/sampling.h"
@@ -61,7 +61,8 @@ static void test_far_mean(void)
         double e = estimate_variance(easy.full);
         near = check_worse(near, fabs((double)first_variance(easy.first) / e - 1));
     }
-    check_at_most(full, size * (double)mean * DBL_EPSILON, "estimate.h at a mean of %g", mean);
+    check_at_most(full, size * (double)mean * DBL_EPSILON, "estimate.h at a mean of %g",
+                  (double)mean);
     check_at_most(near, 4 * size * eps, "first_variance at a mean of 1");
     check_at_least(bad, 0.8 * sets, "not one digit of first_variance, of %d", sets);
     check_at_least(negative, 0.05 * sets, "first_variance below 0, of %d", sets);
@@ -139,8 +140,14 @@ static void test_pi_by_rule(void)
 
 /* ---- directions ---- */
 
-static vec3 s_uniform(real u, real v, const void *c) { return (void)c, first_uniform_direction(u, v); }
-static vec3 s_cosine(real u, real v, const void *c) { return (void)c, first_cosine_direction(u, v); }
+static vec3 s_uniform(real u, real v, const void *c)
+{
+    return (void)c, first_uniform_direction(u, v);
+}
+static vec3 s_cosine(real u, real v, const void *c)
+{
+    return (void)c, first_cosine_direction(u, v);
+}
 static real d_uniform(vec3 w, const void *c) { return (void)c, pdf_hemisphere(w); }
 static real d_cosine(vec3 w, const void *c) { return (void)c, pdf_cosine(w); }
 
