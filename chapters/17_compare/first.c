@@ -16,12 +16,12 @@ static void fill(image *im, int x, int y, int w, int h, vec3 c)
 }
 
 /* Letters of 3 x 5 squares, a digit of eight for each row, the uppermost first. */
-static const char letter[] = "ABCDEGHIKORSTUVPY01";
-static const int rows[] = {025755, 065656, 034443, 065556, 074647, 034553, 055755, 072227, 055655,
-    025552, 065655, 034216, 072222, 055557, 055552, 065644, 055222, 075557, 026227};
-
 static void print(image *im, int x, int y, const char *text, int size)
 {
+    const char *letter = "ABCDEGHIKORSTUVPY01";
+    const int rows[] = {025755, 065656, 034443, 065556, 074647, 034553, 055755, 072227, 055655,
+                        025552, 065655, 034216, 072222, 055557, 055552, 065644, 055222, 075557,
+                        026227};
     for (; *text; text++, x += 4 * size) {
         const char *at = strchr(letter, *text);
         for (int bit = 0; at && bit < 15; bit++)
@@ -59,18 +59,17 @@ int main(int argc, char **argv)
         print(&im, left + k * decade, 305, tick[k], 3);
     }
     printf("structure  tests a ray  ns a ray  hits unlike brute force\n");
-    for (int s = 0; s < first_structures; s++) {
-        int wrong = 0;
+    for (int s = 0, wrong; s < first_structures; s++) {
         clock_t start = clock();
-        first_tests = 0;
+        first_tests = wrong = 0;
         for (int i = 0; i < rays; i++) {
             hit h = {real_infinity, 0, 0, 0};
             if (!first_contest_hit(&c, s, random_ray(i), &h)) h.t = real_infinity;
             if (s == first_use_brute) truth[i] = h;
             else if (h.t != truth[i].t) wrong++;
         }
-        double ns = 1e9 * (clock() - start) / CLOCKS_PER_SEC / rays, tests = first_tests;
-        tests /= rays;
+        double ns = 1e9 * (clock() - start) / CLOCKS_PER_SEC / rays;
+        double tests = 1.0 * first_tests / rays;
         printf("%-9s  %11.1f  %8.0f  %d of %d\n", first_structure_name[s], tests, ns, wrong, rays);
         print(&im, 20, 52 + 40 * s, first_structure_name[s], 4);
         fill(&im, left, 50 + 40 * s, (int)(decade * log10(tests)), 26, colour[s]);

@@ -1,6 +1,6 @@
 /* first.h: Whitted's ray tracer: shade() calls trace() again for what mirrors and glass show.
- * Wrong where n1 and n2 are nearly the same: (19.5) subtracts near equals, and where glass touches
- * glass. fresnel.h and media.h mend it. Never deeper than the depth it is given. */
+ * Wrong where n2 is nearly n1: (19.5) subtracts near equals, R is off by eps / (n2 - n1) of itself;
+ * and where glass touches glass: one face goes unseen. fresnel.h and media.h mend it. */
 #ifndef FIRST_WHITTED_H
 #define FIRST_WHITTED_H
 #include "../02_camera/first.h"

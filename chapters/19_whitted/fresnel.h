@@ -9,7 +9,7 @@
  *     0     i      90
  *   real R = fresnel(&s)              exact, for the cosines of refract.h
  *   real T = fresnel_through(&s)      by (19.6): a check, R + T = 1
- *   real R = fresnel_naive(&s)        (19.5) as it stands
+ *   real R = fresnel_first(&s)        (19.5) as it stands: first_fresnel of first.h
  *   real R = schlick(&s)              R0 + (1 - R0)(1 - c)^5,  R0 = ((n1-n2)/(n1+n2))^2  (19.7)
  *                                     c: the cosine on the thinner side, n1 > n2 ? ct : ci
  *
@@ -44,13 +44,10 @@ static inline real fresnel(const snell *s)
 }
 
 /* Fails for: n1 = 1, n2 = 1 + epsilon, ci = sqrt(epsilon): R is off by 0.05. */
-static inline real fresnel_naive(const snell *s)
+static inline real fresnel_first(const snell *s)
 {
-    real p = (real)s->n1 * (real)s->ci, q = (real)s->n2 * (real)s->ct;
-    real u = (real)s->n2 * (real)s->ci, v = (real)s->n1 * (real)s->ct;
     if (s->total) return 1;
-    real rs = (p - q) / (p + q), rp = (u - v) / (u + v);                                /* (19.5) */
-    return (rs * rs + rp * rp) / 2;
+    return first_fresnel((real)s->ci, (real)s->ct, (real)s->n1, (real)s->n2);
 }
 
 static inline real fresnel_through(const snell *s)

@@ -82,5 +82,6 @@ int main(int argc, char **argv)
     table_of_knobs(&o);
     table_of_fresnel(&o);
     table_of_speed(&o);
+    table_of_first(&o);
     return 0;
 }

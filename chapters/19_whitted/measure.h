@@ -4,10 +4,12 @@
  *   table_of_knobs(&o)      the main table, and its plot
  *   table_of_fresnel(&o)    plot of R, error and time of Schlick's form
  *   table_of_speed(&o)      pixels per second of forty.h, one thread
+ *   table_of_first(&o)      first.h on its two balls: time, and what differs
  */
 #ifndef WHITTED_MEASURE_H
 #define WHITTED_MEASURE_H
 
+#include "first_world.h"
 #include "pictures.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -111,8 +113,8 @@ static inline void table_of_fresnel(const options *o)
     static const double ior[] = {1.1, 1.33, 1.5, 2.4};
     clock_variant c[3];
     fresnel_run *b = allocate(3, sizeof *b);
-    real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_naive};
-    static const char *const names[3] = {"exact", "Schlick", "exact, textbook"};
+    real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_first};
+    static const char *const names[3] = {"exact", "Schlick", "first"};
     plot p = plot_new("Fresnel: glass, n = 1.5", "angle [degrees]", "R", 0);
     int exact = plot_series(&p, "exact, from outside");
     int cheap = plot_series(&p, "Schlick, from outside");
@@ -187,6 +189,48 @@ static inline void table_of_speed(const options *o)
     }
     output_extra_table(o, &t);
     image_free(&a), image_free(&b), forty_free(f), free(f);
+}
+
+typedef struct { image im; const first_scene *s; const first_world *x; } first_picture;
+
+/* One ray a pixel, depth 8; x NULL: by first.h. */
+static inline double first_picture_draw(void *context)
+{
+    first_picture *p = context;
+    first_camera c = first_two_balls_camera(p->im.width, p->im.height);
+    for (int i = 0; i < p->im.width * p->im.height; i++) {
+        int x = i % p->im.width, y = i / p->im.width;
+        ray r = first_ray_unit(first_pixel_ray(c, x, y, 0, 1));
+        image_set(&p->im, x, y, p->x ? first_world_ray(p->x, r) : first_whitted(p->s, r, 8));
+    }
+    return (double)p->im.rgb[0];
+}
+
+/* Five things: a tree has nothing to gain, and `first` is no slower for asking them all. */
+static inline void table_of_first(const options *o)
+{
+    first_scene s = first_two_balls();
+    first_world *x = first_world_new(&s, 8);
+    int w = o->quick ? 64 : 480, h = w * 5 / 8;
+    first_picture p[2] = {{image_new(w, h), &s, NULL}, {image_new(w, h), &s, x}};
+    clock_variant v[2] = {{"first", first_picture_draw, &p[0], 0},
+                          {"whitted", first_picture_draw, &p[1], 0}};
+    clock_compare(v, 2, o->quick ? 1 : 5);
+    table t = table_new("Two balls over a board, one thread, one ray a pixel, depth 8",
+                        "method|pixels off by 1e-6|error: rmse|error: most|time [ns/pixel]");
+    for (int k = 0; k < 2; k++) {
+        image_difference d = image_compare(&p[k].im, &p[1].im);
+        size_t pixels = (size_t)w * (size_t)h, off = 0;
+        for (size_t i = 0; i < pixels; i++) {
+            const float *a = p[k].im.rgb + 3 * i, *b = p[1].im.rgb + 3 * i;
+            off += fmax(fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1])), fabs(a[2] - b[2])) > 1e-6f;
+        }
+        table_text(&t, "%s", v[k].name), table_count(&t, off);
+        table_number(&t, d.rmse), table_number(&t, d.maximum);
+        table_number(&t, v[k].seconds * 1e9 / (double)pixels);
+    }
+    output_extra_table(o, &t);
+    image_free(&p[0].im), image_free(&p[1].im), first_world_free(x);
 }
 
 #endif

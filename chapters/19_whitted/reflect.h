@@ -6,7 +6,7 @@
  *     -------p-------
  *
  *   vec3 w = reflect(d, n)          unit, if d and n are, within some epsilon
- *   vec3 w = reflect_naive(d, n)    (19.1) as it stands, to compare
+ *   first_reflect(d, n)             of first.h: (19.1) as it stands
  *   vec3 u = unit_again(w)          length 1 + x becomes 1 - 3/2 x^2: no root, no division
  *
  * n of either side gives the same w. |w|^2 = |d|^2 + 4 c^2 (n.n - 1): if n is longer than 1 by
@@ -22,17 +22,15 @@
 #ifndef REFLECT_H
 #define REFLECT_H
 
-#include "../../common/vec3.h"
+#include "first.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* 1/sqrt(1 + y) = 1 - y/2 + 3/8 y^2 .., y = w.w - 1. */
 static inline vec3 unit_again(vec3 w) { return vscale(w, (3 - vdot(w, w)) / 2); }
 
-/* Fails for: two mirrors with n = (0.6, 0.8, 0) as reals have it, a ray along n to and fro: after
- * 1e5 reflections |w| is off by 1e5 times as much as n. */
-static inline vec3 reflect_naive(vec3 d, vec3 n) { return vmadd(d, n, -2 * vdot(n, d)); }
-
-static inline vec3 reflect(vec3 d, vec3 n) { return unit_again(reflect_naive(d, n)); }
+/* Two mirrors with n = (0.6, 0.8, 0) as reals have it, a ray along n to and fro: after 1e5 plain
+ * reflections |w| would be off by 1e5 times as much as n. */
+static inline vec3 reflect(vec3 d, vec3 n) { return unit_again(first_reflect(d, n)); }
 
 #endif

@@ -11,13 +11,14 @@
  *   snell s;
  *   if (snell_of(d, n, n1, n2, &s))           false: total reflection (then s.total)
  *       w = snell_refract(&s, d, n);          unit
- *   snell_of_naive, snell_refract_naive       the textbook: ct^2 = 1 - (n1/n2)^2 (1 - ci^2)
+ *   first_refract(d, n, n1, n2, &w)           first.h: ct^2 = 1 - (n1/n2)^2 (1 - ci^2)
+ *   snell_of_naive(d, n, n1, n2, &s)          by the sines: sin t = n1/n2 sqrt(1 - ci^2)
  *
  * d and n are unit within some epsilon, n.d <= 0; n1, n2 > 0: refractive indices (折射率) of the side
  * that d comes from, and of the other.
  *
- *   input                         textbook                         here
- *   ci > 1 by rounding            root of a negative number: NaN   a sum of positive numbers
+ *   input                         textbooks                        here
+ *   ci > 1 by rounding            by the sines: a NaN              a sum of positive numbers
  *   n1 nearly n2, grazing         1 - (nearly 1): noise            n2 - n1 is exact (Sterbenz)
  *   near the critical angle       decided by rounding, in float    in double, d and n taken as the
  *                                 even 1e-7 away from it           directions that they are
@@ -61,8 +62,9 @@ static inline bool snell_of(vec3 d, vec3 n, real n1, real n2, snell *out)
     return true;
 }
 
-/* Fails for: d = -n where n.n > 1 by rounding, as for a quarter of all normals: a NaN. n1 = 1,
- * n2 = 1 + epsilon at a grazing angle: ct is off by all of itself. */
+/* Fails for: d = -n where n.n > 1 by rounding, as for a quarter of all normals: a NaN, where
+ * first_refract has none. Both, n1 = 1, n2 = 1 + epsilon at a grazing angle: ct is off by all of
+ * itself. */
 static inline bool snell_of_naive(vec3 d, vec3 n, real n1, real n2, snell *out)
 {
     real eta = n1 / n2, ci = -vdot(n, d), sine = eta * sqrt(1 - ci * ci);
@@ -79,12 +81,6 @@ static inline vec3 snell_refract(const snell *s, vec3 d, vec3 n)
     double along = (s->n1 - s->n2) * (s->n1 + s->n2) / (s->n2 * q);                     /* (19.4) */
     if (s->n1 == s->n2) along = 0;  /* also at ci = 0, where it is 0 / 0 */
     return unit_again(vmadd(vscale(d, (real)eta), n, (real)along));
-}
-
-static inline vec3 snell_refract_naive(const snell *s, vec3 d, vec3 n)
-{
-    real eta = (real)(s->n1 / s->n2);
-    return vmadd(vscale(d, eta), n, eta * (real)s->ci - (real)s->ct);
 }
 
 #endif
