@@ -12,7 +12,7 @@
  *
  *   call                  cannot do                                        so
  *   estimate_variance(e)  fewer than two samples: nothing is known         infinity
- *   moments_variance(m)   subtracts nearly equal numbers                   may be negative
+ *   first_variance(s)     subtracts nearly equal numbers (first.h)         may be negative
  *
  * An estimate counts in double whatever real is: 2^24 samples are nothing here, and a float that
  * has reached 2^24 no longer grows by ones (sum.h). A sample that is NaN or infinite spoils the
@@ -29,7 +29,6 @@
 #include <stddef.h>
 
 typedef struct { size_t n; double mean, squares; } estimate;  /* squares: sum of (x_i - mean)^2 */
-typedef struct { size_t n; real sum, squares; } moments;      /* sums of x_i and of x_i^2 */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -64,21 +63,10 @@ static inline double estimate_error(estimate e)
     return sqrt(estimate_variance(e) / (double)(e.n ? e.n : 1));
 }
 
-/* The textbook's shortcut V[X] = E[X^2] - E[X]^2. Both terms are about mean^2, their difference is
- * about s^2, and both have been rounded: with mean/s beyond 1/sqrt(epsilon) (3000 in float, 1e8 in
- * double) what is left is noise, and half of the time negative. */
-static inline moments moments_add(moments m, real x)
-{
-    return (moments){m.n + 1, m.sum + x, m.squares + x * x};
-}
-
-static inline real moments_variance(moments m)
-{
-    real n = (real)m.n, mean = m.sum / n;
-    return (m.squares / n - mean * mean) * n / (n - 1);
-}
-
-/* The same, always in float. */
+/* The textbook's shortcut V[X] = E[X^2] - E[X]^2, which is first_variance, but always in float.
+ * Both terms are about mean^2, their difference is about s^2, and both have been rounded: with
+ * mean/s beyond 1/sqrt(epsilon) (3000 in float, 1e8 in double) what is left is noise, and half of
+ * the time negative. */
 typedef struct { float sum, squares; } moments_f32;
 
 static inline moments_f32 moments_add_f32(moments_f32 m, float x)

@@ -55,7 +55,7 @@ static inline vec3 first_uniform_direction(real u, real v)
     return vec(r * cos(phi), r * sin(phi), u);
 }
 
-/* Towards the pole: p = cos(theta) / pi, and the weight of cos(theta) is a constant.    (20.14) */
+/* Towards the pole: p = cos(theta) / pi, and each weight of cos(theta) is pi.           (20.15) */
 static inline vec3 first_cosine_direction(real u, real v)
 {
     real r = sqrt(u), phi = 2 * pi * v;

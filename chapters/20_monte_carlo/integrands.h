@@ -4,6 +4,9 @@
  *   smooth   e^(x+y)                       integral (e - 1)^2
  *   edge     1 if x^2 + y^2 < 1, else 0    integral pi / 4: as a pixel that a silhouette crosses
  *
+ *   integrand_errors(kind, ...)    of the mean of N samples, by a method of sampler.h
+ *   first_errors(...)              the notes' way, first.h: one stream, sums of reals
+ *
  *   Exact standard deviations of the mean of N samples:
  *   deviation_random(f, N)       sqrt(V[f] / N)                                             (20.3)
  *   deviation_jittered(f, k)     N = k x k cells, one sample each:
@@ -27,6 +30,7 @@
 #ifndef INTEGRANDS_H
 #define INTEGRANDS_H
 
+#include "first.h"
 #include "sampler.h"
 
 typedef enum { SMOOTH, EDGE, integrands } integrand;
@@ -58,6 +62,19 @@ static inline void integrand_errors(sequence_kind kind, uint64_t seed, uint64_t 
     }
     for (int f = 0; f < integrands; f++)
         error[f] = sum[f] / n - integrand_integral((integrand)f);
+}
+
+static inline void first_errors(uint64_t seed, uint64_t run, uint32_t n, double error[integrands])
+{
+    random_stream random = random_start(seed, run, n);
+    first_samples s[integrands] = {{0, 0, 0}, {0, 0, 0}};
+    for (uint32_t i = 0; i < n; i++) {
+        real u = random_next(&random), v = random_next(&random);
+        for (int f = 0; f < integrands; f++)
+            first_sample(&s[f], (real)integrand_value((integrand)f, (point2){u, v}));
+    }
+    for (int f = 0; f < integrands; f++)
+        error[f] = (double)first_mean(s[f]) - integrand_integral((integrand)f);
 }
 
 /* The mean of e^x over [a, a+h], and its variance there, as a part of e^(2a): with t = h/2 the mean

@@ -8,13 +8,13 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo chap
 
 /* ---- time of one estimate, points and both integrands ---- */
 
-typedef struct { sequence_kind kind; uint64_t seed; uint32_t n; } timed_estimate;
+typedef struct { int method; uint64_t seed; uint32_t n; } timed_estimate;
 
 static double run_estimate(void *context)
 {
     const timed_estimate *e = context;
     double error[integrands];
-    integrand_errors(e->kind, e->seed, 0, e->n, error);
+    convergence_errors(e->method, e->seed, 0, e->n, error);
     return error[SMOOTH] + error[EDGE];
 }
 
@@ -25,21 +25,21 @@ static void number_or_dash(table *t, double x)
 }
 
 /* ns a sample, at 1024 samples: it hardly depends on their number. */
-static void measure_time(const options *o, double ns[sequence_kinds])
+static void measure_time(const options *o, double ns[convergence_methods])
 {
-    timed_estimate e[sequence_kinds];
-    clock_variant v[sequence_kinds];
-    for (int k = 0; k < sequence_kinds; k++) {
-        e[k] = (timed_estimate){(sequence_kind)k, o->seed, 1024};
-        v[k] = (clock_variant){sequence_name[k], run_estimate, &e[k], 0};
+    timed_estimate e[convergence_methods];
+    clock_variant v[convergence_methods];
+    for (int k = 0; k < convergence_methods; k++) {
+        e[k] = (timed_estimate){k, o->seed, 1024};
+        v[k] = (clock_variant){convergence_name(k), run_estimate, &e[k], 0};
     }
-    clock_compare(v, sequence_kinds, o->quick ? 5 : 99);
-    for (int k = 0; k < sequence_kinds; k++) ns[k] = v[k].seconds / 1024 * 1e9;
+    clock_compare(v, convergence_methods, o->quick ? 5 : 99);
+    for (int k = 0; k < convergence_methods; k++) ns[k] = v[k].seconds / 1024 * 1e9;
 }
 
 static void measure_methods(const options *o)
 {
-    double ns[sequence_kinds];
+    double ns[convergence_methods];
     int levels = o->quick ? 4 : 6, runs = o->quick ? 48 : 480;
     convergence *c = convergence_measure(levels, runs, o->seed, o->threads);
     table t = table_new("Root mean square error of two integrals, its exact value, and time",
@@ -49,17 +49,19 @@ static void measure_methods(const options *o)
     plot time = plot_new("Error of a smooth integral, and time", "time of an estimate [us]",
                          "error", PLOT_LOG_X | PLOT_LOG_Y);
     measure_time(o, ns);
-    for (int k = 0; k < sequence_kinds; k++) {
-        plot_series(&smooth, sequence_name[k]), plot_series(&edge, sequence_name[k]);
-        plot_series(&time, sequence_name[k]);
+    for (int k = 0; k < convergence_methods; k++) {
+        bool apart = k != CONVERGENCE_FIRST;  /* its errors lie on those of random */
+        const char *name = convergence_name(k);
+        if (apart) plot_series(&smooth, name), plot_series(&edge, name);
+        plot_series(&time, name);
         for (int l = 0; l < c->levels; l++) {
             double n = convergence_n(l), us = n * ns[k] / 1000;
-            table_text(&t, "%s", sequence_name[k]), table_count(&t, convergence_n(l));
+            table_text(&t, "%s", name), table_count(&t, convergence_n(l));
             for (int f = 0; f < integrands; f++) {
-                double rms = convergence_rms(c, (sequence_kind)k, (integrand)f, l);
-                number_or_dash(&t, convergence_exact((sequence_kind)k, (integrand)f, l));
+                double rms = convergence_rms(c, k, (integrand)f, l);
+                number_or_dash(&t, convergence_exact(k, (integrand)f, l));
                 table_number(&t, rms);
-                plot_add(f == SMOOTH ? &smooth : &edge, k, n, rms);
+                if (apart) plot_add(f == SMOOTH ? &smooth : &edge, k, n, rms);
                 if (f == SMOOTH) plot_add(&time, k, us, rms);
             }
             table_number(&t, us);

@@ -23,8 +23,8 @@ static inline void measure_slopes(const options *o, const convergence *c)
                         "theory|exact, these N|error slope|error -+");
     for (int k = 0; k < sequence_kinds; k++)
         for (int f = 0; f < integrands; f++) {
-            line_fit fit = convergence_slope(c, (sequence_kind)k, (integrand)f);
-            double exact = convergence_exact_slope((sequence_kind)k, (integrand)f, c->levels).slope;
+            line_fit fit = convergence_slope(c, k, (integrand)f);
+            double exact = convergence_exact_slope(k, (integrand)f, c->levels).slope;
             table_text(&t, "%s", sequence_name[k]), table_text(&t, "%s", f ? "edge" : "smooth");
             table_text(&t, "%s", theory[k][f]);
             table_text(&t, isnan(exact) ? "-" : "%.3f", exact);

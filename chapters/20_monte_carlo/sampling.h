@@ -8,7 +8,7 @@
  *   sample_sphere(u, v)             all directions             pdf_sphere    1 / (4 pi)     1/sr
  *   sample_hemisphere(u, v)         z > 0                      1 / (2 pi)                   1/sr
  *   sample_cosine(u, v)             z > 0, more upwards        z / pi                       1/sr
- *   sample_cosine_polar(u, v)       the same                   the same
+ *   first_cosine_direction(u, v)    the same (first.h)         the same
  *   sample_lobe(n, u, v)            z > 0, n >= 0              (n + 1) / (2 pi) z^n         1/sr
  *   sample_cone(c, u, v)            within an angle of z       1 / (4 pi c.half_sine2)      1/sr
  *   directed(n, w)                  turns +z to the unit n
@@ -118,11 +118,6 @@ static inline vec3 sample_cosine(real u, real v)
     real r = real_max(fabs(2 * u - 1), fabs(2 * v - 1));
     w.z = sqrt(real_max((1 - r) * (1 + r), real_smallest));
     return w;
-}
-
-static inline vec3 sample_cosine_polar(real u, real v)
-{
-    return sample_turn(sqrt(u), sqrt(1 - u), v);
 }
 
 static inline real pdf_cosine(vec3 w) { return w.z > 0 ? w.z / pi : 0; }

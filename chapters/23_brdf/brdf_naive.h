@@ -5,7 +5,7 @@
  *   blinn_phong_pdf_naive(e, wi, wo)  all of it: no 1 / (4 wo.h)                blinn_phong_pdf
  *   ggx_value_naive(a, wi, wo)        grazing: infinite energy; no Smith term   brdf_value
  *   ggx_d_naive(a, m)                 a^2 < epsilon, m = n: infinity            ggx_d
- *   blinn_phong_power_naive(e, h)     large e: rounding of n.h, e-fold          blinn_phong_power
+ *   first_brdf_value (first.h)        large e: rounding of n.h, e-fold          blinn_phong_power
  *   beckmann_d_naive(a, m)            m.z^4 underflows: 0/0                     beckmann_d
  *   beckmann_d(a, m)                  -
  *
@@ -52,8 +52,6 @@ static inline float ggx_d_naive_f32(float a, float z)
     float k = z * z * (a * a - 1) + 1;
     return a * a / (3.14159265f * k * k);
 }
-
-static inline real blinn_phong_power_naive(real e, vec3 h) { return h.z > 0 ? pow(h.z, e) : 0; }
 
 /* D = e^(-tan^2 / a^2) / (pi a^2 z^4): facets with slopes in a bell curve.               (23.18) */
 static inline real beckmann_d_naive(real a, vec3 m)

@@ -1,6 +1,6 @@
 /* measure.h: the reflection equation, error against samples against time.
  *
- *   measure_methods(o)   main table, plots, slopes: three surfaces, five ways to integrate
+ *   measure_methods(o)   main table, plots, slopes: four surfaces, six ways to integrate
  *   measure_furnace(o)   what GGX keeps of a white sky: roughness against angle
  *   measure_naive(o)     the formulas of brdf_naive.h beside the right ones
  */
@@ -12,20 +12,35 @@
 #include "../../common/parallel.h"
 #include "../20_monte_carlo/t_test.h"
 #include "brdf_naive.h"
+#include "first.h"
 #include "reflection.h"
 
-enum { surfaces = 3, methods = 5, levels = 5 };
-static const char *const surface_name[surfaces] = {"Lambert", "GGX .7", "GGX .25"};
+enum { WINDOW = 3, surfaces };  /* the last one reflects the window of first.h, not the sky */
+enum { FIRST = 5, methods, levels = 5 };
+static const char *const surface_name[surfaces] = {"Lambert", "GGX .7", "GGX .25", "window"};
 static const char *const method_name[methods] = {"grid", "uniform", "cosine", "BRDF",
-                                                 "BRDF, Sobol'"};
+                                                 "BRDF, Sobol'", "first"};
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline first_brdf window_brdf(void)
+{
+    return (first_brdf){vec(0.12, 0.04, 0.02), vec(0.75, 0.6, 0.4), 64};
+}
 
 static inline brdf surface_brdf(int surface)
 {
     vec3 white = {1, 1, 1};
+    first_brdf f = window_brdf();
+    if (surface == WINDOW) return brdf_blinn_phong(f.kd, f.ks, f.e);
     if (surface == 0) return brdf_lambert(white);
     return brdf_ggx(white, surface == 1 ? (real)0.7 : (real)0.25);
+}
+
+/* first.h knows no light but its own. */
+static inline bool method_suits(int method, int surface)
+{
+    return method != FIRST || surface == WINDOW;
 }
 
 static inline uint32_t level_samples(int level) { return (uint32_t)16 << 2 * level; }
@@ -39,16 +54,27 @@ static inline vec3 glowing_sky(vec3 w)
 }
 
 static const vec3 upright = {0, 0, 1};
-#define oblique vunit((vec3){-1, 0, 1})
+static inline incident_light *surface_light(int surface)
+{
+    return surface == WINDOW ? first_room_light : glowing_sky;
+}
 
-/* Within 1e-6. */
+/* At 45 degrees; at WINDOW from where the window is seen mirrored. */
+static inline vec3 surface_view(int surface)
+{
+    return vunit(surface == WINDOW ? vec(-0.2, -0.5, 0.85) : vec(-1, 0, 1));
+}
+
+/* Within 1e-6, that of the window within 1e-5. */
 static inline double surface_exact(int surface, bool quick)
 {
     brdf b = surface_brdf(surface);
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
-    int k = quick ? 200 : 1000;
-    return (double)(surface == 0 ? reflection_grid(&r, &b, upright, oblique, glowing_sky, k)
-                    : reflection_reference(&b, upright, oblique, glowing_sky)).x;
+    int k = (quick ? 200 : 1000) * (surface == WINDOW ? 4 : 1);
+    vec3 wo = surface_view(surface);
+    incident_light *light = surface_light(surface);
+    return (double)(b.kind == BRDF_GGX ? reflection_reference(&b, upright, wo, light)
+                                       : reflection_grid(&r, &b, upright, wo, light, k)).x;
 }
 
 static inline double method_run(reflection *r, int surface, int method, int level, uint64_t seed,
@@ -56,11 +82,17 @@ static inline double method_run(reflection *r, int surface, int method, int leve
 {
     brdf b = surface_brdf(surface);
     uint32_t n = level_samples(level);
+    vec3 wo = surface_view(surface);
+    incident_light *light = surface_light(surface);
     r->choice = method <= 1 ? DIRECTIONS_UNIFORM
               : method == 2 ? DIRECTIONS_COSINE : DIRECTIONS_BRDF;
-    if (method == 0)
-        return (double)reflection_grid(r, &b, upright, oblique, glowing_sky, 4 << level).x;
-    return (double)reflection_estimate(r, &b, upright, oblique, glowing_sky,
+    if (method == 0) return (double)reflection_grid(r, &b, upright, wo, light, 4 << level).x;
+    if (method == FIRST) {
+        random_stream random = random_start(seed, run, n);
+        r->asked += n;
+        return (double)first_reflection(window_brdf(), upright, wo, (int)n, &random).x;
+    }
+    return (double)reflection_estimate(r, &b, upright, wo, light,
                                        method == 4 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, seed, run,
                                        n).x;
 }
@@ -78,6 +110,7 @@ static inline void survey_job(size_t i, void *context)
     int level = levels - 1 - (int)(i / (surfaces * methods));
     int surface = (int)(i % surfaces), method = (int)(i / surfaces) % methods;
     int runs = method == 0 ? 1 : s->runs;
+    if (!method_suits(method, surface)) return;
     double square = 0, exact = s->exact[surface];
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
     for (int k = 0; k < runs; k++) {
@@ -97,17 +130,18 @@ static inline double timed_run(void *context)
     return method_run(&r, m->surface, m->method, 3, 1, 1);
 }
 
-static inline void measure_times(const options *o, double ns[surfaces][methods])
+/* The methods of one surface in turn. */
+static inline void measure_times(const options *o, int surface, double ns[methods])
 {
-    timed_method m[surfaces * methods];
-    clock_variant v[surfaces * methods];
-    for (int i = 0; i < surfaces * methods; i++) {
-        m[i] = (timed_method){i / methods, i % methods};
-        v[i] = (clock_variant){method_name[i % methods], timed_run, &m[i], 0};
+    timed_method m[methods];
+    clock_variant v[methods];
+    int n = surface == WINDOW ? methods : FIRST;
+    for (int k = 0; k < n; k++) {
+        m[k] = (timed_method){surface, k};
+        v[k] = (clock_variant){method_name[k], timed_run, &m[k], 0};
     }
-    clock_compare(v, surfaces * methods, o->quick ? 3 : 31);
-    for (int i = 0; i < surfaces * methods; i++)
-        ns[i / methods][i % methods] = v[i].seconds / level_samples(3) * 1e9;
+    clock_compare(v, n, o->quick ? 3 : 31);
+    for (int k = 0; k < n; k++) ns[k] = v[k].seconds / level_samples(3) * 1e9;
 }
 
 static inline void measure_slopes(const options *o, const survey *s)
@@ -116,6 +150,7 @@ static inline void measure_slopes(const options *o, const survey *s)
     for (int f = 0; f < surfaces; f++)
         for (int m = 0; m < methods; m++) {
             double x[levels], y[levels];
+            if (!method_suits(m, f)) continue;
             for (int l = 0; l < levels; l++)
                 x[l] = log(level_samples(l)), y[l] = log(s->error[f][m][l]);
             line_fit fit = fit_line(x, y, levels);
@@ -130,7 +165,7 @@ static inline void plot_survey(const options *o, const survey *s, double ns[surf
 {
     plot p = plot_new(title, time ? "time of an estimate [us]" : "N", "relative error",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int m = 0; m < methods; m++) {
+    for (int m = 0; m < methods && method_suits(m, f); m++) {
         plot_series(&p, method_name[m]);
         for (int l = 0; l < levels; l++)
             plot_add(&p, m, level_samples(l) * (time ? ns[f][m] / 1000 : 1), s->error[f][m][l]);
@@ -145,12 +180,12 @@ static inline void measure_methods(const options *o)
     double ns[surfaces][methods];
     for (int f = 0; f < surfaces; f++) s.exact[f] = surface_exact(f, o->quick);
     parallel_for(surfaces * methods * levels, o->threads, "estimates", survey_job, &s);
-    measure_times(o, ns);
+    for (int f = 0; f < surfaces; f++) measure_times(o, f, ns[f]);
     table t = table_new("The reflection equation: relative error (rms), light asked for, time",
                         "surface|method|N|asked|error [1]|time [us]");
     for (int f = 0; f < surfaces; f++)
         for (int m = 0; m < methods; m++)
-            for (int l = 0; l < levels; l += 2) {
+            for (int l = 0; l < levels && method_suits(m, f); l += 2) {
                 table_text(&t, "%s", surface_name[f]), table_text(&t, "%s", method_name[m]);
                 table_count(&t, level_samples(l)), table_number(&t, s.asked[f][m][l]);
                 table_number(&t, s.error[f][m][l]);

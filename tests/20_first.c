@@ -1,0 +1,190 @@
+/* 20's first.h: the answers of estimate.h, of closed forms and of sampling.h; and a variance that
+ * is noise. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
+#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../chapters/20_monte_carlo/first.h"
+#include "../chapters/20_monte_carlo/sampling.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "check.h"
+
+#define alarm 1e-8
+static const double eps = (double)real_epsilon;
+
+typedef struct { first_samples first; estimate full, centred; } sums;
+
+/* n numbers about `mean` of deviation 1; `centred` sees them as offsets, which lose no digit. */
+static sums sums_of(real mean, uint64_t set, int n)
+{
+    sums s = {{0, 0, 0}, {0}, {0}};
+    random_stream random = random_start(1, set, 0);
+    for (int i = 0; i < n; i++) {
+        real x = mean + (2 * random_next(&random) - 1) * sqrt((real)3);
+        first_sample(&s.first, x);
+        s.full = estimate_add(s.full, (double)x);
+        s.centred = estimate_add(s.centred, (double)x - (double)mean);
+    }
+    return s;
+}
+
+/* Sums of n numbers are off by n/2 epsilon at most, the difference by that of mean^2. */
+static void test_samples(void)
+{
+    size_t n = check_count(10000);
+    double mean = 0, variance = 0, error = 0;
+    for (size_t set = 0; set < n; set++) {
+        int size = 2 + (int)(set % 99);
+        double centre = (double)(set % 41) / 10 - 2;
+        sums s = sums_of((real)centre, set, size);
+        double v = estimate_variance(s.full), scale = size * eps * (1 + 4 / v);
+        mean = check_worse(mean, fabs((double)first_mean(s.first) - s.full.mean) / (size * eps));
+        variance = check_worse(variance, fabs((double)first_variance(s.first) / v - 1) / scale);
+        double e = (double)first_error(s.first) / estimate_error(s.full) - 1;
+        if (scale < 0.1) error = check_worse(error, fabs(e) / scale);
+    }
+    check_at_most(mean, 4, "mean against estimate.h, in n epsilon, %zu sets", n);
+    check_at_most(variance, 4, "variance, in n epsilon (1 + mean^2 / variance), %zu sets", n);
+    check_at_most(error, 4, "standard error, in the same, %zu sets", n);
+}
+
+/* In float a mean of 1000; in double the one that lies as far out: 2.3e7. */
+static void test_far_mean(void)
+{
+    enum { size = 1000, most = 1000 };
+    const real mean = 1000 * sqrt((real)FLT_EPSILON / real_epsilon);
+    int sets = (int)check_count(most), negative = 0, bad = 0;
+    double full = 0, near = 0;
+    for (int set = 0; set < sets; set++) {
+        sums s = sums_of(mean, (uint64_t)set, size);
+        double v = estimate_variance(s.centred), first = (double)first_variance(s.first);
+        negative += first < 0, bad += fabs(first / v - 1) > 0.1;
+        full = check_worse(full, fabs(estimate_variance(s.full) / v - 1));
+        sums easy = sums_of(1, (uint64_t)set, size);
+        double e = estimate_variance(easy.full);
+        near = check_worse(near, fabs((double)first_variance(easy.first) / e - 1));
+    }
+    check_at_most(full, size * (double)mean * DBL_EPSILON, "estimate.h at a mean of %g",
+                  (double)mean);
+    check_at_most(near, 4 * size * eps, "first_variance at a mean of 1");
+    check_at_least(bad, 0.8 * sets, "not one digit of first_variance, of %d", sets);
+    check_at_least(negative, 0.05 * sets, "first_variance below 0, of %d", sets);
+}
+
+/* One number: nothing is known of the spread, and nothing breaks. */
+static void test_few(void)
+{
+    first_samples s = {0, 0, 0};
+    check(!(first_variance(s) >= 0), "the variance of nothing");
+    first_sample(&s, 7);
+    check_equal(first_mean(s), 7, "one number is its mean");
+    check(!isfinite(first_variance(s)), "its variance is not known");
+    first_sample(&s, 9);
+    check_equal(first_variance(s), 2, "(1 + 1) / (2 - 1)");
+    check_equal(first_error(s), 1, "root of 2 / 2");
+    first_sample(&s, (real)NAN);
+    check(isnan(first_mean(s)) && isnan(first_error(s)), "a NaN stays");
+}
+
+/* ---- three ways to pi ---- */
+
+enum { ways = 3 };
+static const char *const way_name[ways] = {"darts", "uniform", "importance"};
+static double way_value(int way, real u, real v)
+{
+    return (double)(way == 0 ? first_pi_darts(u, v)
+                  : way == 1 ? first_pi_uniform(u) : first_pi_importance(u));
+}
+
+static const double true_pi = 3.14159265358979324;
+static double way_variance(int way)
+{
+    return way == 0 ? true_pi * (4 - true_pi)
+         : way == 1 ? 32.0 / 3 - true_pi * true_pi : 60 - 72 * log(2) - true_pi * true_pi;
+}
+
+static void test_pi_by_chance(void)
+{
+    size_t n = check_count(200000);
+    for (int way = 0; way < ways; way++) {
+        estimate x = {0}, square = {0};
+        for (size_t i = 0; i < n; i++) {
+            random_stream random = random_start(2, i, (uint64_t)way);
+            real u = random_next(&random), v = random_next(&random);
+            double f = way_value(way, u, v), d = f - true_pi;
+            x = estimate_add(x, f), square = estimate_add(square, d * d);
+        }
+        check_at_least(t_test(x, true_pi, 8 * eps), alarm, "pi by %s", way_name[way]);
+        check_at_least(t_test(square, way_variance(way), 32 * eps), alarm, "variance of %s",
+                       way_name[way]);
+    }
+}
+
+/* Both again by the midpoint rule over u and v: that x is drawn with the p by which it is divided
+ * is a matter of the integral, not of chance. Cells on the rim of the disk and the root's end at
+ * u = 1 cost some 1e-5. */
+static void test_pi_by_rule(void)
+{
+    static const double said[ways] = {2.70, 0.80, 0.22};  /* in the comments of first.h */
+    enum { side = 1000 };
+    for (int way = 0; way < ways; way++) {
+        int down = way == 0 ? side : 1, across = way == 0 ? side : 100 * side;
+        double sum = 0, squares = 0, cells = (double)across * down;
+        for (int i = 0; i < across; i++)
+            for (int k = 0; k < down; k++) {
+                double f = way_value(way, (real)((i + 0.5) / across), (real)((k + 0.5) / down));
+                sum += f / cells, squares += (f - true_pi) * (f - true_pi) / cells;
+            }
+        check_close(sum, true_pi, 1e-4, "the integral of %s", way_name[way]);
+        check_close(squares, way_variance(way), 2e-4, "the integral of its variance");
+        check_close(way_variance(way), said[way], 0.005, "as first.h has it");
+    }
+}
+
+/* ---- directions ---- */
+
+static vec3 s_uniform(real u, real v, const void *c)
+{
+    return (void)c, first_uniform_direction(u, v);
+}
+static vec3 s_cosine(real u, real v, const void *c)
+{
+    return (void)c, first_cosine_direction(u, v);
+}
+static real d_uniform(vec3 w, const void *c) { return (void)c, pdf_hemisphere(w); }
+static real d_cosine(vec3 w, const void *c) { return (void)c, pdf_cosine(w); }
+
+static void test_directions(void)
+{
+    size_t n = check_count(200000), below = 0, other = 0;
+    n = n < 20000 ? 20000 : n;
+    chi_square_result r = chi_square_directions(s_uniform, d_uniform, NULL, 1, 1, n);
+    check_at_least(r.p, alarm, "uniform directions follow pdf_hemisphere");
+    r = chi_square_directions(s_cosine, d_cosine, NULL, 1, 1, n);
+    check_at_least(r.p, alarm, "cosine directions follow pdf_cosine");
+    const real at[] = {0, real_epsilon / 2, (real)0.5, 1 - real_epsilon / 2};
+    double length = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream random = random_start(3, i, 0);
+        real u = random_next(&random), v = random_next(&random);
+        if (i < 16) u = at[i % 4], v = at[i / 4];  /* the corners of the square */
+        vec3 w[2] = {first_uniform_direction(u, v), first_cosine_direction(u, v)};
+        vec3 axis = sample_sphere(v, u);
+        for (int k = 0; k < 2; k++) {
+            vec3 a = first_round(axis, w[k]), b = directed(axis, w[k]);
+            below += !(w[k].z >= 0), other += a.x != b.x || a.y != b.y || a.z != b.z;
+            length = check_worse(length, fabs((double)vlength(w[k]) - 1));
+        }
+    }
+    check_equal(below, 0, "directions below z = 0, of %zu", 2 * n);
+    check_equal(other, 0, "first_round is another than directed, of %zu", 2 * n);
+    check_at_most(length, 4 * eps, "length 1");
+}
+
+int main(void)
+{
+    test_samples();
+    test_far_mean();
+    test_few();
+    test_pi_by_chance();
+    test_pi_by_rule();
+    test_directions();
+    return check_report("20_first");
+}
