@@ -280,7 +280,7 @@ static void test_shade(void)
     c = shade_ray(&t, ray_from((vec3){0, 0, 5}, (vec3){0, 1, 0}));
     check(c.x == 3 && c.y == 1 && c.z == 4, "the background");
 
-    ray (*const leaving_by[])(surface, vec3) = {NULL, leave, leave_fixed_1e4};
+    ray (*const leaving_by[])(surface, vec3) = {NULL, leave, leave_first};
     w.parts = 2, L = (light){LIGHT_POINT, {1, 0, 2}, {2, 2, 2}};
     double cosine = 1 / sqrt(2);
     for (int k = 0; k < 3; k++) {

@@ -13,19 +13,12 @@
  *
  * The interval is closed, so a later shape at the very same t is reported too; then the lower index
  * wins. That rule makes the answer independent of the order of the search: every acceleration
- * structure gives the same hit as this loop.
+ * structure gives the same hit as this loop. `hit` itself stands in first.h.
  */
 #ifndef HIT_H
 #define HIT_H
 
 #include "ray.h"
-#include <stdint.h>
-
-typedef struct {
-    real t;          /* where on the ray */
-    real u, v;       /* where on the shape, if it has coordinates: see the shape; else 0 */
-    uint32_t shape;  /* its index in the scene; the X_hit of a single shape leaves it 0 */
-} hit;
 
 #define no_shape UINT32_MAX
 #define hit_none ((hit){real_infinity, 0, 0, no_shape})

@@ -9,8 +9,8 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 01_ray chapters/01_
 #include "wide.h"
 
 enum { forms = 5, lines = 256, repeats = 800 };  /* few lines: the fastest cache holds them */
-static const char *const form_name[forms] = {"float O + tD", "float (1-t)A + tB", "O + tD",
-                                             "O + tD fused", "(1-t)A + tB"};
+static const char *const form_name[forms] = {"float O + tD", "float (1-t)A + tB", "first O + tD",
+                                             "O + tD fused", "first (1-t)A + tB"};
 enum { plain_f32, between_form_f32, plain, fused, between_form };
 
 /* The same line for both forms, O + t D and through A = O and B = O + D, and all of it in float. */

@@ -28,20 +28,19 @@
 #ifndef RAY_H
 #define RAY_H
 
-#include "../../common/vec3.h"
+#include "first.h"
 
-typedef struct {
-    vec3 o;     /* origin O */
-    real tmin;  /* first t that counts */
-    vec3 d;     /* direction D: not zero, any length */
-    real tmax;  /* last t that counts */
-} ray;
+/* `ray`, ray_at and what asks for no bound stand in first.h. The bounds:
+ *
+ *   ray_at          (1.2): each component is off by at most epsilon (|O| + |t D|): half an epsilon
+ *                   for the product and half for the sum
+ *   ray_at_between  (1.1): exact at t = 0 and at t = 1, where ray_at reaches B only within
+ *                   rounding. Beyond B the two products grow with t and cancel: off by up to 3/2
+ *                   epsilon (|(1 - t) A| + |t B|), for a far A and a large t worse than (1.2) by
+ *                   the factor t
+ *   ray_covers      (1.4), with >= and <=, so that a NaN t is outside */
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* P(t) = O + t D (1.2). Each component is off by at most epsilon (|O| + |t D|): half an epsilon for
- * the product and half for the sum. */
-static inline vec3 ray_at(ray r, real t) { return vmadd(r.o, r.d, t); }
 
 /* P(t) = O + t D with one rounding instead of two: off by half an epsilon |P|. One instruction a
  * component on a machine with a fused multiply-add; a call of libm, and slow, on others. */
@@ -49,17 +48,6 @@ static inline vec3 ray_at_fused(ray r, real t)
 {
     return (vec3){fma(t, r.d.x, r.o.x), fma(t, r.d.y, r.o.y), fma(t, r.d.z, r.o.z)};
 }
-
-/* P(t) = (1 - t) A + t B (1.1): exact at t = 0 and at t = 1, where ray_at reaches B only within
- * rounding. Beyond B the two products grow with t and cancel: off by up to 3/2 epsilon
- * (|(1 - t) A| + |t B|), for a far A and a large t worse than (1.2) by the factor t. */
-static inline vec3 ray_at_between(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
-
-static inline ray ray_from(vec3 o, vec3 d) { return (ray){o, 0, d, real_infinity}; }
-static inline ray ray_between(vec3 a, vec3 b) { return (ray){a, 0, vsub(b, a), 1}; }
-
-/* Written with >= and <=, so that a NaN t is outside. */
-static inline bool ray_covers(ray r, real t) { return t >= r.tmin && t <= r.tmax; }
 
 /* The same points and the same interval with a unit D: t becomes t |D|, a distance (1.3). */
 static inline ray ray_unit(ray r)

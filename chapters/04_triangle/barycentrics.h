@@ -47,11 +47,6 @@ static inline bool barycentrics_inside(barycentrics k)  /* a NaN is not inside *
 static inline real barycentrics_sum(barycentrics k) { return k.w + k.u + k.v; }
 
 /* a + u (b - a) + v (c - a) would miss b at u = 1 by a rounding; this form meets all corners. */
-static inline vec3 barycentric_mix(vec3 a, vec3 b, vec3 c, real u, real v)
-{
-    return vmadd(vmadd(vscale(a, 1 - u - v), b, u), c, v);
-}
-
 static inline vec3 triangle_at(triangle tri, real u, real v)
 {
     return barycentric_mix(tri.a, tri.b, tri.c, u, v);

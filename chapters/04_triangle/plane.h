@@ -25,8 +25,8 @@
 #define PLANE_H
 
 #include "../01_ray/hit.h"
+#include "first.h"
 
-typedef struct { vec3 p, n; } plane;
 typedef struct { real a, b, c, d; } plane_equation;
 
 /* ---------------------------------------------------------------------------------------------- */

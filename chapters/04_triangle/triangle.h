@@ -42,8 +42,6 @@
 #include "plane.h"
 #include <limits.h>
 
-typedef struct { vec3 a, b, c; } triangle;
-
 /* A ray, ready for (4.9): axis kz is the longest of D; o the origin in the order kx, ky, kz. */
 typedef struct { int kx, ky, kz; vec3 o; real sx, sy, sz; } ray_shear;
 

@@ -17,7 +17,7 @@
  *   aabb_grow_point(b, p)  smallest that holds b and p    aabb_area(b)        surface; empty: 0
  *   aabb_union(a, b)       smallest that holds both       aabb_contains(b, p) faces belong to it
  *   aabb_overlap(a, b)     what they share, or empty      aabb_center(b)
- *   A NaN coordinate of p does not grow the box.
+ *   A NaN coordinate of p does not grow the box. The type, and what is not below, are in first.h.
  *
  * Never a false negative, whatever the rounding: a ray that meets the box in exact arithmetic is
  * reported, with *t_enter <= the exact one (tmin, if the ray starts inside). So a search that skips
@@ -36,8 +36,7 @@
 #define AABB_H
 
 #include "../01_ray/ray.h"
-
-typedef struct { vec3 lo, hi; } aabb;
+#include "first.h"
 
 typedef struct {
     vec3 inverse;             /* 1 / d_k; +-infinity for d_k = +-0; NaN: this axis says nothing */
@@ -49,20 +48,6 @@ _Static_assert(sizeof(aabb) == 6 * sizeof(real), "aabb_hit_inverse reads six rea
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline aabb aabb_empty(void)
-{
-    real inf = real_infinity;
-    return (aabb){{inf, inf, inf}, {-inf, -inf, -inf}};
-}
-
-static inline aabb aabb_grow_point(aabb b, vec3 p) { return (aabb){vmin(p, b.lo), vmax(p, b.hi)}; }
-static inline aabb aabb_union(aabb a, aabb b) { return (aabb){vmin(b.lo, a.lo), vmax(b.hi, a.hi)}; }
-
-static inline bool aabb_is_empty(aabb b)
-{
-    return b.lo.x > b.hi.x || b.lo.y > b.hi.y || b.lo.z > b.hi.z;
-}
-
 static inline aabb aabb_overlap(aabb a, aabb b)
 {
     aabb c = {vmax(a.lo, b.lo), vmin(a.hi, b.hi)};
@@ -70,12 +55,6 @@ static inline aabb aabb_overlap(aabb a, aabb b)
 }
 
 static inline vec3 aabb_center(aabb b) { return vmadd(vscale(b.lo, (real)0.5), b.hi, (real)0.5); }
-
-static inline real aabb_area(aabb b)
-{
-    vec3 e = vsub(b.hi, b.lo);
-    return aabb_is_empty(b) ? 0 : 2 * (e.x * e.y + e.y * e.z + e.z * e.x);
-}
 
 static inline bool aabb_contains(aabb b, vec3 p)
 {

@@ -1,6 +1,6 @@
 /* draw.h: the pictures of this chapter.
  *
- *   draw_room(o)         boxes, and walls and boards of no thickness: textbook beside aabb_hit
+ *   draw_room(o)         boxes, and walls and boards of no thickness: first beside aabb_hit
  *   draw_aligned(o)      rays along an axis at whole numbers, as from an orthographic camera: what
  *                        each method loses in the planes of the boxes
  *   draw_silhouette(o)   around a corner, one cell a neighbouring real of the origin
@@ -78,7 +78,7 @@ static inline void room_pixel(int x, int y, void *context)
     for (int i = 0; i < 4; i++) {
         real u = px + (real)(1 + 2 * (i % 2)) / 4, v = (real)y + (real)(1 + 2 * (i / 2)) / 4;
         ray r = camera_ray(s->view, u, v, s->panel, s->im->height);
-        sum = vmadd(sum, room_colour(s, right ? aabb_hit : aabb_hit_textbook, r), (real)0.25);
+        sum = vmadd(sum, room_colour(s, right ? aabb_hit : first_aabb_hit, r), (real)0.25);
     }
     image_set(s->im, x, y, sum);
 }
@@ -103,7 +103,7 @@ static inline void draw_room(const options *o)
 /* ---- cells: one panel a method ---- */
 
 enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 6, cell_columns = 3 };
-static const int cell_methods[6] = {method_textbook, method_closed, method_fmin,
+static const int cell_methods[6] = {method_first, method_closed, method_fmin,
                                     method_pbrt, method_inclusive, method_default};
 
 /* What cell (i, j) asks: is any of the boxes hit? Returns their number; *truth is the answer. */

@@ -1,6 +1,6 @@
 /* first.h: the axis-aligned box (轴对齐包围盒) and the slab test, as the notes have it.
- * Wrong: (9.3) loses flat boxes, whose t_enter = t_exit, and rays along a face, where 0/0 is no
- * number. aabb.h loses none. The structures, 10 to 14, make their boxes a hair larger instead. */
+ * Wrong: (9.3) loses flat boxes, whose t_enter = t_exit; in a face, where 0/0 is no number, every
+ * third ray along an axis; all with d = -0.0. aabb.h loses none; 10 to 14 add a hair to boxes. */
 #ifndef FIRST_AABB_H
 #define FIRST_AABB_H
 #include "../04_triangle/first.h"

@@ -58,7 +58,7 @@ typedef struct { aabb b[boxes]; ray r[rays]; int order[boxes]; } workload;
         }                                                                                      \
         return sum;                                                                            \
     }
-TIMED(run_textbook, , aabb_hit_textbook(*b, r, &t))
+TIMED(run_first, , first_aabb_hit(*b, r, &t))
 TIMED(run_closed_f32, , aabb_hit_closed_f32(*b, r, &t))
 TIMED(run_closed, , aabb_hit_closed(*b, r, &t))
 TIMED(run_fmin, , aabb_hit_fmin(*b, r, &t))
@@ -67,7 +67,7 @@ TIMED(run_inclusive, , aabb_hit_inclusive(*b, r, &t))
 TIMED(run_default, , aabb_hit(*b, r, &t))
 TIMED(run_inverse, ray_inverse i1 = inverse_of(r), aabb_hit_inverse(b, &i1, r, &t))
 static double (*const run_method[methods + 1])(void *) = {
-    run_textbook, run_closed_f32, run_closed, run_fmin, run_pbrt, run_inclusive, run_default,
+    run_first, run_closed_f32, run_closed, run_fmin, run_pbrt, run_inclusive, run_default,
     run_inverse};
 
 static workload *workload_new(uint64_t seed)

@@ -2,7 +2,7 @@
  * of them loses. aabb_hit of aabb.h is the one to use.
  *
  *                             input where it misses a box that the ray meets
- *   aabb_hit_textbook         flat box: t_enter = t_exit; contact at t = 0; and the next line. It
+ *   first_aabb_hit (first.h)  flat box: t_enter = t_exit; contact at t = 0; and the next line. It
  *                             knows no interval but [0, infinity]
  *   aabb_hit_closed           axis-parallel ray in a plane of the box: 0/0; d = -0.0
  *   aabb_hit_fmin             the same ray: fmin forgets the NaN and keeps the +-infinity beside it
@@ -15,7 +15,7 @@
  *
  * t_enter as in aabb.h, but rounded to nearest: it may lie an ulp or two behind the exact one.
  *
- * Sources: L. Yan, GAMES101, lecture 13, 2020 (textbook); M. Pharr, G. Humphreys, "Physically Based
+ * Sources: L. Yan, GAMES101, lecture 13, 2020 (first); M. Pharr, G. Humphreys, "Physically Based
  * Rendering", 2nd ed., 2010, section 4.2.1 (pbrt; the 3rd edition pads the exit by 2 gamma(3));
  * T. Barnes, "Fast, branchless ray/bounding box intersections, part 3", 2022 (inclusive).
  */
@@ -26,42 +26,12 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* t at the planes lo_k and hi_k of a slab, (9.1), in the order in which the ray meets them: going
- * down an axis it meets hi first. */
-static inline void slab_times(real lo, real hi, real o, real d, real *t0, real *t1)
-{
-    real a = (lo - o) / d, b = (hi - o) / d;
-    *t0 = d < 0 ? b : a;
-    *t1 = d < 0 ? a : b;
-}
-
-/* t_enter and t_exit of (9.2), by division. */
-static inline void slabs_by_division(aabb b, ray r, real *t_enter, real *t_exit)
-{
-    vec3 t0, t1;
-    slab_times(b.lo.x, b.hi.x, r.o.x, r.d.x, &t0.x, &t1.x);
-    slab_times(b.lo.y, b.hi.y, r.o.y, r.d.y, &t0.y, &t1.y);
-    slab_times(b.lo.z, b.hi.z, r.o.z, r.d.z, &t0.z, &t1.z);
-    *t_enter = real_max(real_max(t0.x, t0.y), t0.z);
-    *t_exit = real_min(real_min(t1.x, t1.y), t1.z);
-}
-
-/* "Hit if t_enter < t_exit and t_exit > 0". The box [0,1] x [0,1] x [2,2] never. */
-static inline bool aabb_hit_textbook(aabb b, ray r, real *t_enter)
-{
-    real t0, t1;
-    slabs_by_division(b, r, &t0, &t1);
-    if (!(t0 < t1 && t1 > 0)) return false;
-    *t_enter = t0;
-    return true;
-}
-
-/* The same with <=, and with the ray's interval. o = (-5, .5, 0), d = (1, 0, 0) against [0,1]^3:
+/* first_aabb_hit with <=, and the ray's interval. o = (-5, .5, 0), d = (1, 0, 0) against [0,1]^3:
  * z gives 0/0 = NaN and 1/0 = infinity; with d.y = -0.0 near and far of y change places. */
 static inline bool aabb_hit_closed(aabb b, ray r, real *t_enter)
 {
     real t0, t1;
-    slabs_by_division(b, r, &t0, &t1);
+    first_slabs(b, r, &t0, &t1);
     if (!(t0 <= t1 && t1 >= r.tmin && t0 <= r.tmax)) return false;
     *t_enter = real_max(t0, r.tmin);
     return true;

@@ -17,6 +17,7 @@
 #define DEPARTURES_H
 
 #include "../../common/random.h"
+#include "../04_triangle/first.h"
 #include "leave_variants.h"
 
 typedef enum {
@@ -27,7 +28,7 @@ typedef struct {
     shape s;
     vec3 corner[5];     /* of the polygon: a departure must not be copied about */
     ray r;
-    hit h;
+    hit h, first;       /* by the robust tests; by those of 03's and 04's first.h */
     vec3 n, w, steep;   /* n towards r.o; n.w > 1e-3, n.steep > 0.1 */
     real size, T;
     departure_kind kind;
@@ -38,6 +39,7 @@ typedef struct {
     const char *name;
     ray (*leave)(surface, vec3);
     bool naive;         /* p = o + t d */
+    bool first;         /* and all tests are those of the short book */
 } leaving;
 
 enum { leavings = 7 };
@@ -45,10 +47,10 @@ enum { leavings = 7 };
 /* ---------------------------------------------------------------------------------------------- */
 
 static const leaving ways[leavings] = {
-    {"fixed eps 1e-3", leave_fixed_1e3, true},  {"fixed eps 1e-4", leave_fixed_1e4, true},
-    {"scaled eps in t", leave_scaled, true},    {"scaled eps along n", leave_normal, true},
-    {"ulps", leave_ulps, false},                {"error bounds", leave_bounds, false},
-    {"leave", leave, false}};
+    {"fixed eps 1e-3", leave_fixed_1e3, true, false}, {"first", leave_first, true, true},
+    {"scaled eps in t", leave_scaled, true, false},
+    {"scaled eps along n", leave_normal, true, false}, {"ulps", leave_ulps, false, false},
+    {"error bounds", leave_bounds, false, false},      {"leave", leave, false, false}};
 
 static inline vec3 departure_unit(random_stream *s)
 {
@@ -102,6 +104,13 @@ static inline vec3 departure_towards(vec3 n, real cosine, random_stream *s)
     return vmadd(vmadd(vscale(n, cosine), x, sine * cos(a)), y, sine * sin(a));
 }
 
+static inline bool departure_hit(const shape *s, ray r, bool first, hit *out)
+{
+    if (first && s->kind == SHAPE_SPHERE) return first_sphere_hit(s->sphere, r, out);
+    if (first && s->kind == SHAPE_TRIANGLE) return first_triangle_hit(s->triangle, r, out);
+    return shape_hit(*s, r, out);
+}
+
 static inline void departure_make(departure *x, departure_kind kind, real size, real T,
                                   uint64_t seed, uint64_t i)
 {
@@ -115,6 +124,7 @@ static inline void departure_make(departure *x, departure_kind kind, real size, 
         x->r = ray_between(from, departure_target(&x->s, c, &s));
         x->r.tmax = real_infinity;
         if (!shape_hit(x->s, x->r, &x->h)) continue;
+        if (!departure_hit(&x->s, x->r, true, &x->first)) x->first = x->h;
         x->kind = kind, x->size = size, x->T = T, x->at = random_mix(i + sample);
         surface at = surface_of_shape(&x->s, x->r, x->h);
         x->n = surface_facing(at, x->r.d).n;
@@ -134,10 +144,17 @@ static inline surface departure_surface(const departure *x, bool naive)
     return surface_facing(s, x->r.d);
 }
 
+/* The way out along w. */
+static inline ray departure_ray(const departure *x, leaving way, vec3 w)
+{
+    if (!way.first) return way.leave(departure_surface(x, way.naive), w);
+    return way.leave(surface_facing(surface_naive(&x->s, x->r, x->first), x->r.d), w);
+}
+
 static inline bool departure_self(const departure *x, leaving way)
 {
     hit h;
-    return shape_hit(x->s, way.leave(departure_surface(x, way.naive), x->w), &h);
+    return departure_hit(&x->s, departure_ray(x, way, x->w), way.first, &h);
 }
 
 /* 32 units in the last place of |p|, or of the shape, whichever is larger. (Of needles, whose
@@ -169,8 +186,8 @@ static inline triangle departure_plate(const departure *x, real gap)
 static inline bool departure_leak(const departure *x, leaving way, real gap)
 {
     hit h;
-    ray r = way.leave(departure_surface(x, way.naive), x->steep);
-    return !triangle_hit(departure_plate(x, gap), r, &h);
+    shape plate = shape_of_triangle(departure_plate(x, gap));
+    return !departure_hit(&plate, departure_ray(x, way, x->steep), way.first, &h);
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* first.h: trace() finds what a ray sees, shade() its colour; a shadow ray asks for the light.
- * Wrong at other scales: eps = 1e-4 leaves out what is nearer than that, and from 1e12 on (in float
- * from 1000) surfaces shade themselves. leave.h needs no eps. At most 32 things and 4 lights. */
+ * Wrong at other scales: what lies within eps, 1e-4 of the way, casts no shadow, and from 1e12 on
+ * (in float from 1000) surfaces shade themselves. leave.h has no eps. At most 32 things, 4 lights. */
 #ifndef FIRST_SHADE_H
 #define FIRST_SHADE_H
 #include "../03_sphere/first.h"

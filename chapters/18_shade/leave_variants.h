@@ -1,7 +1,8 @@
 /* leave_variants.h: how else rays are made to leave a surface, one signature.
  *
  *   ray leave_X(surface s, vec3 w)                                         fails
- *   leave_fixed_1e3, leave_fixed_1e4   tmin = 1e-3, 1e-4 (notes: epsilon)  small or large scenes
+ *   leave_fixed_1e3  tmin = 1e-3                                          small or large scenes
+ *   leave_first      tmin = 1e-4: the notes' epsilon, as in first.h       small or large scenes
  *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                   grazing rays
  *   leave_normal     O = p + 32 eps max(1, |p|_max) n                      large flat shapes
  *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)           large shapes near 0
@@ -25,7 +26,7 @@ static inline ray leave_fixed_1e3(surface s, vec3 w)
     return (ray){s.p, (real)1e-3, w, real_infinity};
 }
 
-static inline ray leave_fixed_1e4(surface s, vec3 w)
+static inline ray leave_first(surface s, vec3 w)
 {
     return (ray){s.p, (real)1e-4, w, real_infinity};
 }

@@ -45,7 +45,7 @@ static inline double leaving_seconds(void *context)
     const leaving_run *b = context;
     double sum = 0;
     for (int i = 0; i < leaving_batch; i++) {
-        ray r = b->way.leave(departure_surface(&b->x[i], b->way.naive), b->x[i].w);
+        ray r = departure_ray(&b->x[i], b->way, b->x[i].w);
         sum += (double)(r.o.x + r.o.y + r.o.z + r.tmin);
     }
     return sum;

@@ -63,7 +63,7 @@ static inline void draw_acne(const options *o)
     for (int k = 0; k < 4 && whole; k++) {
         shading how = gallery_shading(g);
         if (k % 2 == 0) how.surface_of = surface_f32;
-        if (k % 2 == 0) how.leave = k ? leave_fixed_3e2 : leave_fixed_1e4;
+        if (k % 2 == 0) how.leave = k ? leave_fixed_3e2 : leave_first;
         camera c = (k < 2 ? gallery_camera : gallery_close_up)(T, (real)w / (real)h);
         whole = gallery_draw(g, how, c, o->quick ? 1 : 2, o->threads, &im, NULL);
         image_place(&all, k % 2 * (w + 6), k / 2 * (h + 6), &im);
