@@ -56,8 +56,8 @@ static inline void first_add_block(first_scene *s, vec3 top, vec3 a, vec3 b, fir
     first_add_flat(s, top, a, b, m);
     first_add_flat(s, top, down, a, m);
     first_add_flat(s, top, b, down, m);
-    first_add_flat(s, c, vneg(a), down, m);
-    first_add_flat(s, c, down, vneg(b), m);
+    first_add_flat(s, c, down, vneg(a), m);
+    first_add_flat(s, c, vneg(b), down, m);
 }
 
 static inline first_scene first_cornell(void)

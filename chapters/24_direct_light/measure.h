@@ -44,7 +44,7 @@ static inline void measure_stage(const options *o, stage_name which, table *t)
     survey_open(&s, o, which, survey_points, box ? 2048 : 1024);
     s.entries = direct_ways + 1;
     for (int k = 0; k < direct_ways; k++)
-        s.entry[k] = (survey_entry){(direct_way)k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
+        s.entry[k] = (survey_entry){k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
     s.entry[direct_ways] = (survey_entry){DIRECT_POWER, LIGHTS_UNIFORM, SEQUENCE_SOBOL};
     survey_measure(&s, o);
     for (int k = 0; k < s.entries; k++) {
@@ -59,6 +59,29 @@ static inline void measure_stage(const options *o, stage_name which, table *t)
     survey_close(&s);
 }
 
+/* first.h in its own box, whose walls are parallelograms, beside the two that do the same there. */
+static inline void measure_first(const options *o, table *t)
+{
+    static const survey_entry entry[] = {
+        {WAY_FIRST_DIRECTION, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
+        {DIRECT_COSINE, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
+        {WAY_FIRST_LAMP, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
+        {DIRECT_AREA, LIGHTS_UNIFORM, SEQUENCE_RANDOM}};
+    survey s;
+    survey_open_first(&s, o, survey_points, 2048);
+    s.entries = sizeof entry / sizeof *entry;
+    memcpy(s.entry, entry, sizeof entry);
+    survey_measure(&s, o);
+    for (int k = 0; k < s.entries; k++) {
+        int way = entry[k].way;
+        table_text(t, "first's box");
+        table_text(t, "%s", way == WAY_FIRST_DIRECTION ? "first, direction"
+                          : way == WAY_FIRST_LAMP ? "first, lamp" : direct_name[way]);
+        survey_row(&s, k, t);
+    }
+    survey_close(&s);
+}
+
 static inline void measure_ways(const options *o)
 {
     table t = table_new("Direct light: error, time, efficiency",
@@ -66,6 +89,7 @@ static inline void measure_ways(const options *o)
                         "|time efficiency [1/us]");
     measure_stage(o, STAGE_BOX, &t);
     measure_stage(o, STAGE_PLATES, &t);
+    measure_first(o, &t);
     output_table(o, &t);
 }
 

@@ -1,0 +1,296 @@
+/* 24's first.h: both ways against direct.h on the same walls, and against closed forms; the noise of
+ * each where the other is better; the box. Fixed seeds; a t-test alarms falsely once in 1e8 seeds. */
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/22_radiometry/polygon_irradiance.h"
+#include "../chapters/24_direct_light/direct.h"
+#include "../chapters/24_direct_light/lit_cornell.h"
+#include "../chapters/24_direct_light/lit_first.h"
+#include "check.h"
+
+static const double false_alarm = 1e-8;
+static const vec3 up = {0, 0, 1};
+
+static double green(vec3 c) { return (double)c.y; }
+
+/* ---- sample by sample: the same random numbers, the same walls, another program ---- */
+
+/* f cos Le / pdf by emitter.h: (24.4) as chapter 24 has it. */
+static double full_by_lamp(const lit_scene *s, const lit_hit *x, point2 u)
+{
+    emitter_point y;
+    if (!emitter_by_area(&s->emitter[0], x->s.p, u, &y) || !(vdot(x->s.n, y.wi) > 0)) return 0;
+    if (lit_occluded(s, leave_between(x->s, y.s))) return 0;
+    real fcos = brdf_value(&x->m->f, x->s.n, y.wi, x->s.n).y * vdot(x->s.n, y.wi);
+    return (double)(fcos * s->emitter[0].Le.y / y.pdf);
+}
+
+/* f cos Le / pdf by sampling.h. */
+static double full_by_direction(const lit_scene *s, const lit_hit *x, point2 u)
+{
+    lit_hit y;
+    vec3 w = sample_cosine_polar(u.u, u.v), wi = directed(x->s.n, w);
+    real weight = brdf_value(&x->m->f, x->s.n, wi, x->s.n).y * w.z / pdf_cosine(w);
+    return lit_trace(s, leave(x->s, wi), &y) ? (double)(weight * lit_emitted(&y).y) : 0;
+}
+
+static point2 two_numbers(random_stream s)
+{
+    real u = random_next(&s), v = random_next(&s);
+    return (point2){u, v};
+}
+
+/* In the box. Some few samples may differ: by the seam between two walls, at the edge of a shadow,
+ * and where first.h's eps leaves out what is near. Float's roundings are near eps themselves, so
+ * that there surfaces shade themselves in rays that graze them (18). */
+static void test_sample_by_sample(void)
+{
+    first_scene s = first_cornell();
+    first_camera c = first_cornell_camera(256, 256);
+    lit_scene full;
+    size_t n = check_count(65536), met = 0, lit[2] = {0, 0}, other[2] = {0, 0}, points = 0;
+    double worst = 0;
+    lit_first(&s, &full);
+    for (size_t i = 0; i < n; i++) {
+        random_stream random = random_start(1, i, 0);
+        ray r = first_camera_ray(c, 256 * random_next(&random), 256 * random_next(&random));
+        hit h;
+        lit_hit g;
+        bool hits = first_scene_hit(&s, r, &h);
+        if (hits != lit_trace(&full, r, &g)) points++;
+        if (!hits) continue;
+        first_point x = first_point_at(&s, r, h);
+        met++;
+        if (!(vlength(vsub(x.p, g.s.p)) < 256 * real_epsilon) || vdot(x.n, g.s.n) < 0.5)  {
+            points++;
+            continue;
+        }
+        point2 u = two_numbers(random);
+        random_stream again = random;
+        double a[2] = {green(first_direct_by_direction(&s, x, &random)),
+                       green(first_direct_by_lamp(&s, 0, x, &again))};
+        double b[2] = {full_by_direction(&full, &g, u), full_by_lamp(&full, &g, u)};
+        for (int k = 0; k < 2; k++) {
+            lit[k] += b[k] > 0;
+            if ((a[k] > 0) != (b[k] > 0)) other[k]++;
+            else worst = check_worse(worst, fabs(a[k] - b[k]) / (b[k] + 1e-3));
+        }
+    }
+    double some = (real_is_float ? 6e-3 : 1e-4) * (double)n;check_at_least(met, 0.9 * (double)n, "eye rays that meet a wall");
+    check_at_least(lit[0], 0.003 * (double)n, "directions that meet the lamp");
+    check_at_least(lit[1], 0.4 * (double)n, "points of the lamp that are seen");
+    check_at_most(points, some, "eye rays with another answer, of %zu", n);
+    check_at_most(other[0], some, "by directions: lit here, dark there, of %zu", n);
+    check_at_most(other[1], some, "by the lamp: lit here, dark there, of %zu", n);
+    check_at_most(worst, 4096 * (double)real_epsilon, "relative difference of one sample");
+    lit_free(&full);
+}
+
+/* ---- closed forms: a lamp and a white point that faces up, at the origin ---- */
+
+typedef struct { first_scene s; first_point x; double truth; } setting;
+
+static setting setting_of(rectangle r)
+{
+    static const first_material white = {.kd = {1, 1, 1}};
+    first_material lamp = {.ke = {1, 1, 1}};
+    setting t = {.s = {.eps = (real)1e-5}};
+    first_add_flat(&t.s, r.o, r.s, r.t, lamp);
+    t.x = (first_point){.n = up, .v = up, .m = &white, .kd = {1, 1, 1}};
+    t.truth = (double)(rectangle_irradiance(r, t.x.p, up) / pi);
+    return t;
+}
+
+static estimate sampled(const setting *t, bool by_lamp, size_t n, uint64_t seed)
+{
+    estimate e = {0, 0, 0};
+    for (size_t i = 0; i < n; i++) {
+        random_stream random = random_start(seed, i, by_lamp);
+        vec3 L = by_lamp ? first_direct_by_lamp(&t->s, 0, t->x, &random)
+                         : first_direct_by_direction(&t->s, t->x, &random);
+        e = estimate_add(e, green(L));
+    }
+    return e;
+}
+
+/* Lamps of all sizes and slants, at 1 to 4 from the point, some partly below its horizon; as many
+ * turn their dark side to it. A direction meets the lamp or not: one in 100 must, for a mean that
+ * is nearly normal after so many samples. */
+static void test_closed_forms(void)
+{
+    size_t lamps = check_count(400), n = 4000, tests = 0;
+    double least[2] = {1, 1}, dark = 0;
+    for (size_t i = 0; i < lamps; i++) {
+        random_stream q = random_start(2, i, 0);
+        real x[9];
+        for (int k = 0; k < 9; k++) x[k] = 2 * random_next(&q) - 1;
+        vec3 at = vscale((vec3){x[0], x[1], fabs(x[2])}, 2), a = {x[3], x[4], x[5]};
+        at.z += 1;
+        vec3 b = vcross(a, (vec3){x[6], x[7], x[8]});
+        setting t = setting_of((rectangle){at, a, b});
+        if (t.truth == 0)
+            for (int k = 0; k < 2; k++) dark = check_worse(dark, sampled(&t, k, 100, i).mean);
+        if (t.truth < 0.01) continue;
+        tests++;
+        for (int k = 0; k < 2; k++) {
+            double p = t_test(sampled(&t, k, n, i), t.truth, 64 * (double)real_epsilon);
+            least[k] = p < least[k] ? p : least[k];
+        }
+    }
+    check_at_least(tests, (double)lamps / 8, "lamps to be seen, of %zu", lamps);
+    check_at_least(least[0], false_alarm, "by directions: the least p of %zu lamps", tests);
+    check_at_least(least[1], false_alarm, "by the lamp: the least p of %zu lamps", tests);
+    check_equal(dark, 0, "lamps that show their backs, or are below the horizon");
+}
+
+/* ---- noise: "the first is noisy for a small lamp, the second close to a lamp" ---- */
+
+static estimate by_both(const setting *t, size_t n)
+{
+    lit_scene s;
+    lights l;
+    lit_first(&t->s, &s);
+    lights_build(&s, LIGHTS_ALL, &l);
+    direct_work work = {0, 0, 0};
+    direct d = {&s, DIRECT_POWER, &l, &work, false};
+    lit_material white = {.f = brdf_lambert((vec3){1, 1, 1})};
+    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &white, lit_dark, 1, true};
+    estimate e = {0, 0, 0};
+    for (size_t i = 0; i < n; i++) {
+        sampler q = sampler_start(SEQUENCE_RANDOM, 3, 0, (uint32_t)i, (uint32_t)n);
+        e = estimate_add(e, green(direct_light(&d, &h, up, &q)));
+    }
+    lights_free(&l), lit_free(&s);
+    return e;
+}
+
+/* A square lamp of side a at 2 above: a direction meets it with the probability q = E / pi, so that
+ * its variance is q (1 - q), and its error over the mean sqrt((1 - q) / q) = 2 sqrt pi / a. */
+static void test_small_lamp(void)
+{
+    size_t n = check_count(400000);
+    for (int k = 0; k < 3; k++) {
+        real a = k == 0 ? 1 : k == 1 ? (real)0.25 : (real)0.0625;
+        setting t = setting_of((rectangle){{-a / 2, -a / 2, 2}, {0, a, 0}, {a, 0, 0}});
+        double q = t.truth, expected = sqrt((1 - q) / q);
+        estimate d = sampled(&t, false, n, 4), l = sampled(&t, true, n, 4), both = by_both(&t, n);
+check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, "a = %g",
+                    (double)a);
+        check_close(sqrt(estimate_variance(d)) / q, expected, expected * 6 / sqrt(q * (double)n),
+                    "by directions: error of one over the mean, lamp of side %g", (double)a);
+        check_at_most(sqrt(estimate_variance(l)) / q, 0.15, "by the lamp, of side %g", (double)a);
+        check_at_most(estimate_variance(both), 1.5 * estimate_variance(l), "mis.h, side %g",
+                      (double)a);
+    }
+}
+
+/* A wall that shines stands at the distance h on the floor. By the lamp the variance grows as
+ * 1 / h^2; q is nearly 1/2, and by directions it is q (1 - q) < 1/4; mis.h keeps to the better of the two. */
+static void test_close_to_a_lamp(void)
+{
+    size_t n = check_count(400000);
+    double before = 0;
+    for (int k = 0; k < 3; k++) {
+        real h = k == 0 ? 1 : k == 1 ? (real)0.1 : (real)0.01;
+        setting t = setting_of((rectangle){{h, -1, 0}, {0, 0, 2}, {0, 2, 0}});
+        double both = estimate_variance(by_both(&t, n));
+        double d = estimate_variance(sampled(&t, false, n, 5));
+        double l = estimate_variance(sampled(&t, true, n, 5));
+        check_at_most(d, 0.26, "by directions, at %g", (double)h);
+        check_at_most(both, 1.5 * (d < l ? d : l), "mis.h, at %g", (double)h);
+if (k) check_at_least(l, 20 * before, "by the lamp, at %g: near 1 / h^2", (double)h);
+        before = l;
+    }
+    check_at_least(before, 400, "by the lamp, at a hundredth: a thousand times 1/4, and more");
+}
+
+/* ---- the box ---- */
+
+static vec3 middle(const first_thing *x)
+{
+    return vadd(x->corner, vscale(vadd(x->a, x->b), (real)0.5));
+}
+
+/* Walls face the room, blocks the room around them, the lamp the floor. */
+static void test_orientation(void)
+{
+    first_scene s = first_cornell();
+    vec3 room = {(real)2.76, (real)2.74, (real)2.8};
+    check_equal(s.things, 16, "a lamp, five walls, two blocks without bottoms");
+    for (int i = 0; i < s.things; i++) {
+        vec3 m = middle(&s.thing[i]), n = s.thing[i].n;
+        vec3 from = room;
+        if (i >= 6) {  /* the middle of the block is that of its top, half way down */
+            from = middle(&s.thing[i < 11 ? 6 : 11]);
+            from.y /= 2;
+        }
+        real side = vdot(n, vsub(m, from));
+        check(i < 6 ? side < 0 : side > 0, "thing %d faces the wrong way", i);
+        check(vzero(s.thing[i].m.ke) == (i > 0), "thing 0 alone shines");
+    }
+    check(s.thing[0].n.x == 0 && s.thing[0].n.y < 0 && s.thing[0].n.z == 0, "the lamp, down");
+}
+
+/* Mean over the picture of what the lamp brings, and of what is seen of it: the measured box of 21
+ * leans here and there by some millimetres of 5 m. */
+static double cornell_mean(bool full, size_t n)
+{
+    first_scene s = first_cornell();
+    lit_scene g;
+    double sum = 0;
+    lit_cornell(&g);
+    for (size_t i = 0; i < n; i++) {
+        sampler q = sampler_start(SEQUENCE_SOBOL, 6, 0, (uint32_t)i, (uint32_t)n);
+        point2 u = sampler_pair(&q), v = sampler_pair(&q);
+        if (full) {
+            lit_hit x;
+            if (!lit_trace(&g, camera_ray(cornell_camera(1), u.u, u.v, 1, 1), &x)) continue;
+            sum += green(lit_emitted(&x)) + full_by_lamp(&g, &x, v);
+        } else {
+            hit h;
+            ray r = first_camera_ray(first_cornell_camera(1, 1), u.u, u.v);
+            random_stream random = random_start(6, i, 0);
+            if (!first_scene_hit(&s, r, &h)) continue;
+            first_point x = first_point_at(&s, r, h);
+            sum += green(vadd(first_emitted(x), first_direct_by_lamp(&s, 0, x, &random)));
+        }
+    }
+    lit_free(&g);
+    return sum / (double)n;
+}
+
+static void test_measured_box(void)
+{
+    size_t n = check_count(1u << 17);
+    double full = cornell_mean(true, n), first = cornell_mean(false, n);check_close(first / full, 1, 2 / sqrt((double)n), "mean of the picture, %g, over that of the measured box, %g",
+                first, full);
+}
+
+/* ---- no hang, no crash ---- */
+
+static void test_odd_input(void)
+{
+    first_scene empty = {.eps = (real)1e-5}, s = first_cornell();
+    random_stream random = random_start(7, 0, 0);
+    first_material m = {.kd = {1, 1, 1}};
+    first_point x = {.n = up, .v = up, .m = &m, .kd = {1, 1, 1}};
+    check(vzero(first_direct_by_direction(&empty, x, &random)), "an empty scene is black");
+    first_add_flat(&empty, (vec3){0, 0, 1}, (vec3){1, 0, 0}, (vec3){1, 0, 0}, m);
+    check(vzero(first_direct_by_lamp(&empty, 0, x, &random)), "a lamp without an area is dark");
+    x.p = s.thing[0].corner;
+    s.thing[0].a = s.thing[0].b = (vec3){0, 0, 0};
+    check(vzero(first_direct_by_lamp(&s, 0, x, &random)), "a point of the lamp itself");
+    x.n = (vec3){(real)NAN, 0, 0};
+    (void)first_direct_by_direction(&s, x, &random);
+    for (int i = 0; i < 2000; i++) first_add_block(&s, x.p, up, up, m);
+    check_equal(s.things, first_most_things, "what does not fit is left out");
+}
+
+int main(void)
+{
+    test_sample_by_sample();
+    test_closed_forms();
+    test_small_lamp(), test_close_to_a_lamp();
+    test_orientation(), test_measured_box();
+    test_odd_input();
+    return check_report("24_first");
+}
