@@ -11,9 +11,9 @@
  *
  * The first two slip through a closed mesh when a ray is aimed at an edge or a vertex: the
  * neighbours of an edge round differently, and each says that the other one is hit. (In first.h
- * u, v and 1 - u - v come from differences with corner a; the neighbour has another a.) triangle_hit
- * never slips: of the triangles round the point where a ray passes through a closed mesh at least
- * one is hit.
+ * u, v and 1 - u - v come from differences with corner a; the neighbour has another a.)
+ * triangle_hit never slips: of the triangles round the point where a ray passes through a closed
+ * mesh at least one is hit.
  *
  * One ray against many triangles: prepare the ray once, then test; the answers are the same bits.
  *   ray_shear s = shear_of(r);                     tmin and tmax of r may change afterwards

@@ -12,7 +12,8 @@
  *   t = min { t_i : shape i is hit at t_i, tmin <= t_i <= tmax }, the lowest i at equal t     (7.4)
  *
  * The interval shrinks to the best hit so far, and is closed: see hit.h. The answer does not
- * depend on the order of the search. (In first.h the last one wins at equal t.) An empty scene is never hit. `out` is untouched on a miss.
+ * depend on the order of the search. (In first.h the last one wins at equal t.) An empty scene is
+ * never hit. `out` is untouched on a miss.
  */
 #ifndef CLOSEST_H
 #define CLOSEST_H

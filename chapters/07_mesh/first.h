@@ -53,7 +53,7 @@ static inline vec3 first_mesh_normal(const first_mesh *m, uint32_t i, vec3 d)
 
 /* ------------------------------------------------------------------------------------------------
  * OBJ files: lines `v x y z`, a point, and `f i j k ...`, a polygon of points that came before it:
- * i counts from 1, or, if negative, back from the last; of `i/j/k` it is i. No other line counts. */
+ * i counts from 1, or, if negative, back from the last; of `i/j/k` it is i. All else is skipped. */
 
 static inline void first_obj_error(const char *path, int line, const char *what)
 {
