@@ -60,6 +60,17 @@ typedef struct { timed_way what; int runs; double rms[levels]; } way_errors;
 
 static inline uint32_t level_n(int l) { return (uint32_t)16 << (2 * l); }  /* 16 ... 16384 */
 
+/* One way more: first.h's, of a sphere and by random numbers only. */
+static inline bool is_first(way by) { return by == ways; }
+
+static inline double way_estimate(const timed_way *w, uint64_t run, uint32_t n)
+{
+    if (!is_first(w->by)) return direction_estimate(w->light, w->by, w->kind, w->seed, run, n);
+    random_stream random = random_start(w->seed, run, n);
+    return (double)first_mean(first_irradiance_by_directions(lamp, 1, seen_from, seen_up, (int)n,
+                                                             &random));
+}
+
 static inline void way_job(size_t i, void *context)
 {
     way_errors *e = (way_errors *)context + i;
@@ -67,8 +78,7 @@ static inline void way_job(size_t i, void *context)
     for (int l = 0; l < levels; l++) {
         double square = 0;
         for (int run = 0; run < e->runs; run++) {
-            double off = direction_estimate(e->what.light, e->what.by, e->what.kind, e->what.seed,
-                                            (uint64_t)run, level_n(l)) - exact;
+            double off = way_estimate(&e->what, (uint64_t)run, level_n(l)) - exact;
             square += off * off;
         }
         e->rms[l] = sqrt(square / e->runs) / exact;
@@ -77,25 +87,40 @@ static inline void way_job(size_t i, void *context)
 
 static inline double run_way(void *context)
 {
-    const timed_way *w = context;
-    return direction_estimate(w->light, w->by, w->kind, w->seed, 0, 1024);
+    return way_estimate(context, 0, 1024);
 }
 
-/* Order: light, way, random or Sobol'. */
+/* Row k of the table: the sphere's ways and first.h's, then those of the square. */
+enum { sphere_rows = ways + 1, way_rows = sphere_rows + ways };
+static inline timed_way way_of_row(int k, sequence_kind kind, uint64_t seed)
+{
+    bool square = k >= sphere_rows;
+    return (timed_way){square ? LIGHT_SQUARE : LIGHT_SPHERE, (way)(square ? k - sphere_rows : k),
+                       kind, seed};
+}
+
+static inline void way_cells(table *t, const way_errors *e, double seconds, int l)
+{
+    bool none = is_first(e->what.by) && e->what.kind != SEQUENCE_RANDOM;
+    if (none) table_text(t, "-"), table_text(t, "-");
+    else table_number(t, e->rms[l]), table_number(t, seconds / 1024 * level_n(l) * 1e6);
+}
+
+/* Of each row random, then Sobol'. */
 static inline void measure_ways(const options *o)
 {
-    enum { all = 2 * lights * ways };
+    enum { all = 2 * way_rows, square = 2 * sphere_rows };
     int runs = o->quick ? 2 : 64;
     way_errors e[all];
     clock_variant clock[all];
     for (int i = 0; i < all; i++) {
-        timed_way w = {(light_kind)(i / 2 / ways), (way)(i / 2 % ways),
-                       i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, o->seed};
-        e[i] = (way_errors){w, runs, {0}};
-        clock[i] = (clock_variant){way_name[w.by], run_way, &e[i].what, 0};
+        e[i] = (way_errors){way_of_row(i / 2, i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, o->seed),
+                            runs, {0}};
+        clock[i] = (clock_variant){"", run_way, &e[i].what, 0};
     }
     parallel_for(all, o->threads, "estimates", way_job, e);
-    clock_compare(clock, all, o->quick ? 3 : 51);
+    clock_compare(clock, square, o->quick ? 3 : 51);
+    clock_compare(clock + square, all - square, o->quick ? 3 : 51);
     char title[120];
     snprintf(title, sizeof title, "Irradiance of two lights: error (root mean square over %d runs, "
                                   "relative) and time", runs);
@@ -103,19 +128,18 @@ static inline void measure_ways(const options *o)
                                "time Sobol' [us]");
     for (int i = 0; i < all; i += 2)
         for (int l = 0; l < levels; l += 2) {
+            way by = e[i].what.by;
             table_text(&t, "%s", light_name[e[i].what.light]);
-            table_text(&t, "%s", way_name[e[i].what.by]), table_count(&t, level_n(l));
-            for (int k = 0; k < 2; k++) {
-                table_number(&t, e[i + k].rms[l]);
-                table_number(&t, clock[i + k].seconds / 1024 * level_n(l) * 1e6);
-            }
+            table_text(&t, "%s", is_first(by) ? "first" : way_name[by]);
+            table_count(&t, level_n(l));
+            for (int k = 0; k < 2; k++) way_cells(&t, &e[i + k], clock[i + k].seconds, l);
         }
     output_table(o, &t);
     plot n = plot_new("Irradiance of the square: error against samples", "N", "relative error",
                       PLOT_LOG_X | PLOT_LOG_Y);
     plot time = plot_new("Irradiance of the square: error against time", "time [us]",
                          "relative error", PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = all / 2; i < all; i++) {
+    for (int i = square; i < all; i++) {
         char name[64];
         snprintf(name, sizeof name, "%s%s", way_name[e[i].what.by], i % 2 ? ", Sobol'" : "");
         int a = plot_series(&n, name), b = plot_series(&time, name);

@@ -4,8 +4,8 @@
  *   plot_hard(o)      the same against size/distance
  *
  * A case of hard_list fills a hard_run with random inputs of its kind; hard_error is the largest
- * error of a variant in them, against 32 digits (oracle.h). Variants: 0 naive, 1 the formula of
- * chapter 07 as it stands (triangles only), 2 the default.
+ * error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres only), naive,
+ * the formula of chapter 07 as it stands (triangles only), the default.
  */
 #ifndef MEASURE_HARD_H
 #define MEASURE_HARD_H
@@ -17,7 +17,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { most_variants = 3, hard_inputs = 256 };
+enum { HARD_FIRST, HARD_NAIVE, HARD_AS_IN_07, HARD_DEFAULT, most_variants, hard_inputs = 256 };
 typedef enum { HARD_SPHERE_ANGLE, HARD_TRIANGLE_ANGLE, HARD_SPHERE_E, HARD_SQUARE_E } hard_kind;
 typedef struct { hard_kind kind; sphere s; triangle t; vec3 p; vec3 v[4]; } hard_input;
 typedef struct { const char *name, *input; hard_kind kind; double size; int shape; } hard_case;
@@ -101,31 +101,34 @@ static inline double hard_exact(const hard_input *h)
     return 0;
 }
 
-/* Variant 0: naive; 1: the formula of chapter 07; 2: the default. */
 static inline real hard_value(const hard_input *h, int variant)
 {
     const triangle *t = &h->t;
+    bool good = variant == HARD_DEFAULT;
     switch (h->kind) {
     case HARD_SPHERE_ANGLE:
-        return variant ? sphere_solid_angle(h->s, seen_from)
-                       : sphere_solid_angle_naive(h->s, seen_from);
+        return good ? sphere_solid_angle(h->s, seen_from)
+                    : first_sphere_solid_angle(h->s, seen_from);
     case HARD_TRIANGLE_ANGLE:
-        return variant == 0   ? triangle_solid_angle_girard(*t, seen_from)
-               : variant == 1 ? (real)solid_angle(t->a, t->b, t->c)
-                              : triangle_solid_angle(*t, seen_from);
+        return good                     ? triangle_solid_angle(*t, seen_from)
+               : variant == HARD_AS_IN_07 ? (real)solid_angle(t->a, t->b, t->c)
+                                          : triangle_solid_angle_girard(*t, seen_from);
     case HARD_SPHERE_E:
-        return variant ? sphere_irradiance(h->s, seen_from, seen_up)
-                       : sphere_irradiance_naive(h->s, seen_from, seen_up);
+        return good                    ? sphere_irradiance(h->s, seen_from, seen_up)
+               : variant == HARD_FIRST ? first_sphere_irradiance(h->s, 1, seen_from, seen_up)
+                                       : sphere_irradiance_naive(h->s, seen_from, seen_up);
     case HARD_SQUARE_E:
-        return variant ? polygon_irradiance(h->v, 4, seen_from, seen_up)
-                       : polygon_irradiance_naive(h->v, 4, seen_from, seen_up);
+        return good ? polygon_irradiance(h->v, 4, seen_from, seen_up)
+                    : polygon_irradiance_naive(h->v, 4, seen_from, seen_up);
     }
     return 0;
 }
 
 static inline bool hard_has(hard_kind k, int variant)
 {
-    return variant != 1 || k == HARD_TRIANGLE_ANGLE;
+    if (variant == HARD_FIRST) return k == HARD_SPHERE_ANGLE || k == HARD_SPHERE_E;
+    if (variant == HARD_NAIVE) return k != HARD_SPHERE_ANGLE;
+    return variant != HARD_AS_IN_07 || k == HARD_TRIANGLE_ANGLE;
 }
 
 typedef struct { hard_input in[hard_inputs]; int variant; } hard_run;
@@ -161,8 +164,8 @@ static inline void hard_fill(hard_run *r, const hard_case *c, uint64_t seed)
 static inline void measure_hard(const options *o)
 {
     table t = table_new("Hard cases: largest relative error in 256 inputs, and time of one",
-                        "quantity|case|error naive|error as in 07|error default|time naive [ns]|"
-                        "time as in 07 [ns]|time default [ns]");
+                        "quantity|case|error first|error naive|error as in 07|error default|"
+                        "time first [ns]|time naive [ns]|time as in 07 [ns]|time default [ns]");
     hard_run *r = allocate(most_variants, sizeof *r);
     for (int k = 0; k < hard_cases; k++) {
         const hard_case *c = &hard_list[k];
@@ -187,13 +190,13 @@ static inline void measure_hard(const options *o)
 static inline void plot_hard(const options *o)
 {
     static const struct { const char *name; hard_kind kind; int variant;
-    } lines[] = {{"triangle, Girard", HARD_TRIANGLE_ANGLE, 0},
-                 {"triangle, as in 07", HARD_TRIANGLE_ANGLE, 1},
-                 {"triangle, default", HARD_TRIANGLE_ANGLE, 2},
-                 {"sunk sphere, naive", HARD_SPHERE_E, 0},
-                 {"sunk sphere, default", HARD_SPHERE_E, 2},
-                 {"square, naive", HARD_SQUARE_E, 0},
-                 {"square, default", HARD_SQUARE_E, 2}};
+    } lines[] = {{"triangle, Girard", HARD_TRIANGLE_ANGLE, HARD_NAIVE},
+                 {"triangle, as in 07", HARD_TRIANGLE_ANGLE, HARD_AS_IN_07},
+                 {"triangle, default", HARD_TRIANGLE_ANGLE, HARD_DEFAULT},
+                 {"sunk sphere, naive", HARD_SPHERE_E, HARD_NAIVE},
+                 {"sunk sphere, default", HARD_SPHERE_E, HARD_DEFAULT},
+                 {"square, naive", HARD_SQUARE_E, HARD_NAIVE},
+                 {"square, default", HARD_SQUARE_E, HARD_DEFAULT}};
     plot p = plot_new("Solid angle of a triangle, irradiance of a sphere and a square",
                       "size/distance", "largest relative error", PLOT_LOG_X | PLOT_LOG_Y);
     hard_run *r = allocate(1, sizeof *r);

@@ -16,8 +16,8 @@
  * edges.
  *
  *   variant                       loses                                             so
- *   cap_solid_angle_naive         2 pi (1 - cos): all digits of a small cap         0 below 1e-8
- *   sphere_solid_angle_naive      the same, far away; and near the touching sphere  0 at 1e8 radii
+ *   first_cap_solid_angle         2 pi (1 - cos): all digits of a small cap         0 below 1e-8
+ *   first_sphere_solid_angle      the same, far away; and near the touching sphere  0 at 1e8 radii
  *   triangle_solid_angle_girard   sum of angles - pi: all digits of a small one     noise, or < 0
  *   the same formula as here, in chapter 07, as it stands: those of one seen edge-on, or from near
  *   to an edge
@@ -35,6 +35,7 @@
 
 #include "../03_sphere/sphere.h"
 #include "../20_monte_carlo/sampling.h"
+#include "first.h"
 
 /* Corners o, o + s, o + s + t, o + t, with s.t = 0; its front is where s x t points. */
 typedef struct { vec3 o, s, t; } rectangle;
@@ -63,16 +64,8 @@ static inline sphere sphere_scaled(sphere s, int e)
 
 /* ---- cap, sphere ---- */
 
-/* angle = 1e-9: cos is 1, and nothing is left. */
-static inline real cap_solid_angle_naive(real angle) { return 2 * pi * (1 - cos(angle)); }
-
+/* The naive forms are those of first.h. */
 static inline real cap_solid_angle(real angle) { return 4 * pi * cone_of_angle(angle).half_sine2; }
-
-static inline real sphere_solid_angle_naive(sphere s, vec3 p)
-{
-    real sine = s.r / vlength(vsub(s.c, p));
-    return sine >= 1 ? 4 * pi : 2 * pi * (1 - sqrt(1 - sine * sine));
-}
 
 /* |c - p|^2 - r^2, right to the last bits even where p is an ulp from the sphere. */
 static inline real sphere_power_at(sphere s, vec3 p)

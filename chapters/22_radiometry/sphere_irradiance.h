@@ -10,7 +10,8 @@
  *
  *   sphere_irradiance(s, p, n)       E / L [sr]: times L [W/(m^2 sr)] it is the irradiance [W/m^2]
  *   sphere_irradiance_naive(s, p, n) (22.8) as published
- *   sphere_irradiance_unclipped(..)  (22.7) for any height: counts what is below as negative
+ *   sphere_irradiance_unclipped(..)  (22.7) for any height: counts what is below as negative; as
+ *                                    does first_sphere_irradiance, which stops at 0
  *
  *   case                                         naive                       so here
  *   far sphere (R/d = 1e-3 in float) on the      three terms of size R/d     positive numbers are
