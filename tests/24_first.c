@@ -1,5 +1,6 @@
-/* 24's first.h: both ways against direct.h on the same walls, and against closed forms; the noise of
- * each where the other is better; the box. Fixed seeds; a t-test alarms falsely once in 1e8 seeds. */
+/* 24's first.h: both ways against the full version's on the same walls, and against closed forms;
+ * the noise of each where the other is better; the box. Fixed seeds; a t-test alarms falsely once in
+ * 1e8 seeds. */
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
@@ -75,7 +76,8 @@ static void test_sample_by_sample(void)
             else worst = check_worse(worst, fabs(a[k] - b[k]) / (b[k] + 1e-3));
         }
     }
-    double some = (real_is_float ? 6e-3 : 1e-4) * (double)n;check_at_least(met, 0.9 * (double)n, "eye rays that meet a wall");
+    double some = (real_is_float ? 6e-3 : 1e-4) * (double)n;
+    check_at_least(met, 0.9 * (double)n, "eye rays that meet a wall");
     check_at_least(lit[0], 0.003 * (double)n, "directions that meet the lamp");
     check_at_least(lit[1], 0.4 * (double)n, "points of the lamp that are seen");
     check_at_most(points, some, "eye rays with another answer, of %zu", n);
@@ -184,7 +186,8 @@ check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, 
 }
 
 /* A wall that shines stands at the distance h on the floor. By the lamp the variance grows as
- * 1 / h^2; q is nearly 1/2, and by directions it is q (1 - q) < 1/4; mis.h keeps to the better of the two. */
+ * 1 / h^2; q is nearly 1/2, and by directions it is q (1 - q) < 1/4; mis.h keeps to the better
+ * of the two. */
 static void test_close_to_a_lamp(void)
 {
     size_t n = check_count(400000);
@@ -261,7 +264,9 @@ static double cornell_mean(bool full, size_t n)
 static void test_measured_box(void)
 {
     size_t n = check_count(1u << 17);
-    double full = cornell_mean(true, n), first = cornell_mean(false, n);check_close(first / full, 1, 2 / sqrt((double)n), "mean of the picture, %g, over that of the measured box, %g",
+    double full = cornell_mean(true, n), first = cornell_mean(false, n);
+    check_close(first / full, 1, 2 / sqrt((double)n),
+                "mean of the picture, %g, over that of the measured box, %g",
                 first, full);
 }
 

@@ -162,13 +162,13 @@ static void test_furnace_uniform(void)
                                "variance %g +- %g, exact %g, N = %d", square[j].mean,
                                estimate_error(square[j]), V, N);
             }
-            check_equal((double)naive_rays(&c), (double)n * branching_rays(N, depth),
+            check_equal((double)naive_rays(&c), (double)n * first_rays_of_branching(N, depth),
                         "(N^(d+1) - 1) / (N - 1) rays, N = %d", N);
             lit_free(&s);
         }
-    check_equal(branching_rays(1, 9), 10, "N = 1");
-    check_equal(branching_rays(2, 9), 1023, "N = 2");
-    check_equal(branching_rays(8, 5), 37449, "N = 8");
+    check_equal(first_rays_of_branching(1, 9), 10, "N = 1");
+    check_equal(first_rays_of_branching(2, 9), 1023, "N = 2");
+    check_equal(first_rays_of_branching(8, 5), 37449, "N = 8");
     check_close(furnace_variance(1, 0.75, 1), 0.1875, 1e-15, "V_1 = rho^2 / 3");
 }
 

@@ -8,7 +8,7 @@
  *   rays = 1 + N + ... + N^d = (N^(d+1) - 1) / (N - 1), d + 1 if N = 1: where nothing ends  (25.9)
  *
  *   vec3 L = branching_radiance(&p, N, eye, seed, pixel, sample, &counts);
- *   double n = branching_rays(N, d);              (25.9)
+ *   double n = first_rays_of_branching(N, d);     (25.9), from first.h
  *
  * Its expectation is that of naive_path.h, (25.8), for every N. Each of the N gets 1/N of the
  * weight, so that all rays of a generation together weigh as much as one ray of a path: the farther
@@ -25,17 +25,13 @@
 #ifndef BRANCHING_H
 #define BRANCHING_H
 
+#include "first.h"
 #include "naive_path.h"
 
 enum { branching_most = 64 };
 typedef struct { lit_hit x; vec3 wo, throughput; uint64_t node; int done; } branching_node;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline double branching_rays(int N, int d)
-{
-    return N == 1 ? d + 1.0 : (pow((double)N, d + 1.0) - 1) / (N - 1);
-}
 
 static inline point2 branching_pair(uint64_t seed, uint64_t pixel, uint64_t sample, uint64_t node)
 {

@@ -1,11 +1,11 @@
 /* first.h: light that has been reflected 0, 1, 2, .. times: L = E + K E + K^2 E + ...    (25.3)
  * Wrong where it stops: what comes after the last term is missing; and N rays a hit are N^k rays for
- * the k-th term. transport.h and naive_path.h take one ray a hit; 26 stops without being wrong. */
+ * the k-th term. terms.h has all terms from one ray a hit; 26 stops without being wrong. */
 #ifndef FIRST_BOUNCES_H
 #define FIRST_BOUNCES_H
 #include "../24_direct_light/first.h"
 
-static long first_bounce_rays;  /* traced since the program began */
+static long first_bounce_rays;  /* sent since the program began, to the lamp too */
 
 /* K^k E as seen along r: light that was reflected k times on its way from the lamp (thing 0) to the
  * eye. K takes the light that leaves all surfaces to what they reflect of it: each hit sends N rays
@@ -18,7 +18,8 @@ static inline vec3 first_term(const first_scene *s, ray r, int k, int N, random_
     first_bounce_rays++;
     if (!first_scene_hit(s, r, &h)) return sum;
     first_point x = first_point_at(s, r, h);
-    if (k == 0) return first_emitted(x);                                                  /* E */
+    if (k <= 0) return first_emitted(x);                                                  /* E */
+    if (k == 1) first_bounce_rays += N;
     for (int i = 0; i < N; i++)
         sum = vadd(sum, k == 1 ? first_direct_by_lamp(s, 0, x, random)                   /* K E */
                                : vmul(x.kd, first_term(s, first_bounce(s, x, random), k - 1, N,
@@ -26,7 +27,8 @@ static inline vec3 first_term(const first_scene *s, ray r, int k, int N, random_
     return vscale(sum, 1.0 / N);
 }
 
-/* 1 + N + ... + N^d rays for all terms up to the d-th, if no ray leaves the scene.       (25.9) */
+/* 1 + N + ... + N^d rays for the d-th term (one such tree would do for all terms up to it), if no ray
+ * leaves the scene.                                                                      (25.9) */
 static inline double first_rays_of_branching(int N, int d)
 {
     double rays = 1, level = 1;

@@ -17,6 +17,7 @@
 #include "../24_direct_light/lit_cornell.h"
 #include "branching.h"
 #include "furnace.h"
+#include "measure_first.h"
 #include "terms.h"
 
 enum { branch_kinds = 4, rooms = 2, trial_depths = 4, trial_side = 8 };
@@ -103,7 +104,7 @@ static inline void trial_job(size_t job, void *context)
     size_t pixel = job % b->pixels * b->stride;
     trial_part *part = &b->part[trial][pixel];
     double exact = b->exact[trial_room(trial)][pixel][trial_d(trial)];
-    double n = b->budget / branching_rays(trial_N(trial), trial_depth[trial_d(trial)]);
+    double n = b->budget / first_rays_of_branching(trial_N(trial), trial_depth[trial_d(trial)]);
     for (uint64_t i = 0; i == 0 || (double)i < n; i++) {
         double e = trial_sample(b, trial, pixel, i, &part->c) - exact;
         part->square = estimate_add(part->square, e * e);
@@ -204,10 +205,12 @@ static inline void measure_branches(const options *o)
         int one = i - i % branch_kinds, d = trial_depth[trial_d(i)];
         table_text(&t, "%s", room_name[trial_room(i)]), table_count(&t, (size_t)d);
         table_count(&t, (size_t)trial_N(i));
-        table_count(&t, (size_t)branching_rays(trial_N(i), d)), table_number(&t, b->rays[i]);
+        table_count(&t, (size_t)first_rays_of_branching(trial_N(i), d));
+        table_number(&t, b->rays[i]);
         table_number(&t, b->error[i]), table_number(&t, b->us[i]), table_number(&t, in_time);
         table_number(&t, in_time / (b->error[one] * sqrt(b->us[one] / 1000)));
     }
+    first_rows(o, &t);
     output_table(o, &t);
     plot_branches(o, b), plot_time(o, b);
     free(b);
@@ -250,7 +253,7 @@ static inline void measure_rays(const options *o)
             }
             if (d % 5 && d != 3) continue;
             table_count(&t, (size_t)1 << n), table_count(&t, (size_t)d);
-            table_number(&t, branching_rays(1 << n, d));
+            table_number(&t, first_rays_of_branching(1 << n, d));
             table_number(&t, rays[0]), table_number(&t, rays[1]);
         }
     }

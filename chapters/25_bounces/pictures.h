@@ -97,7 +97,7 @@ static inline void branch_pixel(int x, int y, void *context)
     uint64_t pixel = (uint64_t)y * (uint64_t)w + (uint64_t)x, i = 0;
     vec3 sum = {0, 0, 0};
     naive_counts c = {{0}, 0, 0};
-    size_t samples = (size_t)((double)b->rays / branching_rays(b->N, b->path.depth));
+    size_t samples = (size_t)((double)b->rays / first_rays_of_branching(b->N, b->path.depth));
     for (; i < (samples ? samples : 1); i++) {
         point2 u = branching_pair(b->seed, pixel, i, 0);
         ray eye = camera_ray(b->view, (real)x + u.u, (real)y + u.v, w, h);
