@@ -45,14 +45,14 @@ static inline size_t first_grid_range(const first_grid *g, aabb b, int lo[3], in
 static inline size_t first_grid_measure(first_grid *g, real hair)
 {
     int lo[3], hi[3];
-    size_t items = 0;
+    size_t sum = 0;
     for (int k = 0; k < 3; k++)
         g->size[k] = (vaxis(g->box.hi, k) - vaxis(g->box.lo, k)) / g->n[k];
     for (int i = 0; i < g->m->n; i++) {
         aabb b = first_aabb_pad(first_triangle_box(g->m->tri[i]), hair);
-        items += first_grid_range(g, b, lo, hi);
+        sum += first_grid_range(g, b, lo, hi);
     }
-    return items;
+    return sum;
 }
 
 /* 1. The box. 2. The grid. 3. Each triangle goes into the list of each cell its box touches. */
