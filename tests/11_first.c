@@ -50,7 +50,7 @@ static double most_depth(double log_n) { return (void)log_n, first_octree_depth;
 int main(void)
 {
     structure full = {"octree", full_build, full_hit, full_occluded, full_destroy};
-    first_structure s = {"first octree", build, hit_of, destroy, items_of, depth_of, 8,
+    first_structure s = {"first octree", build, hit_of, destroy, items_of, depth_of, 16,
                          most_depth};
     first_structure_tests(&s, &full);
     return check_report("11_first");

@@ -1,5 +1,5 @@
 /* first.h: a ray (光线), the points on it, and the interval (光线间隔) in which it counts.
- * Wrong far out: (1.1) loses digits as t grows, and far from the origin (1.2) has steps as O has.
+ * Wrong far out: (1.1) loses digits as t grows; both move in steps where O is far from the origin.
  * ray.h says which form to take where, and how shadow rays leave out their ends. */
 #ifndef FIRST_RAY_H
 #define FIRST_RAY_H

@@ -37,11 +37,10 @@ static inline vec3 first_camera_window(first_camera c, real x, real y)
     return vadd(vscale(c.u, u), vscale(c.v, v));
 }
 
-/* Orthographic (正交): all rays run along -w and begin in the plane of e. 0 - w, since -w may have
- * components -0, which the simplest box test (9.1) takes for a way up.                    (2.4) */
+/* Orthographic (正交): all rays run along -w and begin in the plane of e.                 (2.4) */
 static inline ray first_orthographic_ray(first_camera c, real x, real y)
 {
-    return ray_from(vadd(c.e, first_camera_window(c, x, y)), vsub(vec(0, 0, 0), c.w));
+    return ray_from(vadd(c.e, first_camera_window(c, x, y)), vneg(c.w));
 }
 
 /* Perspective (透视): all rays begin at e, D = -d w + u u + v v.                          (2.5) */

@@ -105,30 +105,30 @@ static inline first_mesh first_obj_read(const char *path)
     return free(text), free(point), m;
 }
 
-/* A closed tube along the knot (2 + cos 3a) (cos 2a, sin 2a), sin 3a: 2 around sides triangles. */
+/* A closed tube along the knot (2 + cos 3a) (cos 2a, sin 2a), sin 3a: 2 steps x sides triangles. */
 static inline vec3 first_knot_point(real a)
 {
     return vec((2 + cos(3 * a)) * cos(2 * a), (2 + cos(3 * a)) * sin(2 * a), sin(3 * a));
 }
 
-static inline vec3 first_tube_point(int i, int around, int j, int sides)
+static inline vec3 first_tube_point(int i, int steps, int j, int sides)
 {
-    real a = 2 * pi * i / around, b = 2 * pi * j / sides;
+    real a = 2 * pi * i / steps, b = 2 * pi * j / sides;
     vec3 p = first_knot_point(a), along = vunit(vsub(first_knot_point(a + 0.01), p));
     vec3 x = vunit(vcross(along, p)), y = vcross(along, x);
     return vadd(p, vadd(vscale(x, 0.5 * cos(b)), vscale(y, 0.5 * sin(b))));
 }
 
-static inline first_mesh first_knot(int around, int sides)
+static inline first_mesh first_knot(int steps, int sides)
 {
-    first_mesh m = {allocate((size_t)(2 * around * sides), sizeof *m.tri), 0};
-    for (int i = 0; i < around; i++)
+    first_mesh m = {allocate((size_t)(2 * steps * sides), sizeof *m.tri), 0};
+    for (int i = 0; i < steps; i++)
         for (int j = 0; j < sides; j++) {
-            int i2 = (i + 1) % around, j2 = (j + 1) % sides;
-            vec3 a = first_tube_point(i, around, j, sides);
-            vec3 b = first_tube_point(i2, around, j, sides);
-            vec3 c = first_tube_point(i2, around, j2, sides);
-            vec3 d = first_tube_point(i, around, j2, sides);
+            int i2 = (i + 1) % steps, j2 = (j + 1) % sides;
+            vec3 a = first_tube_point(i, steps, j, sides);
+            vec3 b = first_tube_point(i2, steps, j, sides);
+            vec3 c = first_tube_point(i2, steps, j2, sides);
+            vec3 d = first_tube_point(i, steps, j2, sides);
             m.tri[m.n++] = (triangle){a, c, b};
             m.tri[m.n++] = (triangle){a, d, c};
         }

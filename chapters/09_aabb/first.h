@@ -76,7 +76,8 @@ static inline void first_slabs(aabb b, ray r, real *t_enter, real *t_exit)
     *t_exit = real_min(real_min(t_max.x, t_max.y), t_max.z);
 }
 
-/* The notes: hit if t_enter < t_exit and t_exit > 0                                       (9.3) */
+/* The notes: hit if t_enter < t_exit and t_exit > 0. Whether the box lies in the ray's interval is
+ * left to the caller; t_enter is negative where the ray begins inside.                   (9.3) */
 static inline bool first_aabb_hit(aabb b, ray r, real *t_enter)
 {
     real t0, t1;

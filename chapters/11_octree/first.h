@@ -54,7 +54,7 @@ static inline void first_octree_split(first_octree *t, first_octree_node *node, 
     }
 
     /* If most triangles are in several children, cutting helps nobody. */
-    if (sum > 2 * node->n) {
+    if (sum > 3 * node->n) {
         for (int c = 0; c < 8; c++) free(child[c].item);
         free(child);
         t->leaves++;

@@ -20,7 +20,7 @@ typedef struct {
     const first_mesh *m;
     aabb box;
     real hair;
-    int depth, leaves;             /* of levels no more than `depth` */
+    int depth, leaves;             /* at most `depth` levels */
     first_kd_node root;
 } first_kdtree;
 

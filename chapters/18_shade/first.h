@@ -11,7 +11,7 @@ typedef struct {
     real p;       /* its exponent: the larger, the smaller the highlight */
     vec3 mirror;  /* of the mirror image (19) */
     real ior;     /* refractive index of glass (19); 0: opaque */
-    vec3 ke;      /* emitted radiance (21) */
+    vec3 ke;      /* emitted light (24) */
     int checks;   /* squares along each side of a flat thing, every other one darker */
 } first_material;
 
@@ -19,7 +19,7 @@ typedef struct {
 typedef struct {
     sphere ball;
     vec3 corner, a, b;
-    vec3 n, ua, vb;  /* n = a x b; u = ua . (p - corner), v = vb . (p - corner) */
+    vec3 n, ua, vb;  /* n = a x b; ua . a = 1, ua . b = 0, so that ua . (p - corner) = u; vb: v */
     first_material m;
 } first_thing;
 
@@ -31,7 +31,7 @@ typedef struct {
     first_light light[first_most_lights];
     int things, lights;
     vec3 ambient, above, below;  /* light from everywhere; the sky overhead, and underfoot */
-    real eps;
+    real eps;   /* of shadow rays a part of the way to the light (1.5); of others a distance */
 } first_scene;
 
 static inline void first_add(first_scene *s, first_thing t)
@@ -108,7 +108,8 @@ static inline first_point first_point_at(const first_scene *s, ray r, hit h)
     return at;
 }
 
-/* What leaves the point for the viewer when light arrives from the unit direction l. */
+/* What leaves the point for the viewer, if E arrives from the unit direction l. (22 and 23 say what
+ * the two measure, and where pi comes from.) */
 static inline vec3 first_reflected(first_point x, vec3 l, vec3 E)
 {
     vec3 h = vunit(vadd(l, x.v));

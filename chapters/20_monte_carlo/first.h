@@ -55,7 +55,8 @@ static inline vec3 first_uniform_direction(real u, real v)
     return vec(r * cos(phi), r * sin(phi), u);
 }
 
-/* Towards the pole: p = cos(theta) / pi, and each weight of cos(theta) is pi.           (20.15) */
+/* Towards the pole: p = cos(theta) / pi, and each weight of cos(theta) is pi            (20.15).
+ * The probability of a height below z is then z^2: with 1 - u for it, z = sqrt(1 - u). */
 static inline vec3 first_cosine_direction(real u, real v)
 {
     real r = sqrt(u), phi = 2 * pi * v;
