@@ -147,7 +147,7 @@ static void test_exact_tangents(void)
         real t0 = 0, t1 = 0;
         wrong[0] += sphere_roots(less, r, &t0, &t1);
         wrong[1] += !sphere_roots(more, r, &t0, &t1);
-        naive += sphere_roots_naive(less, r, &t0, &t1) || !sphere_roots_naive(more, r, &t0, &t1);
+        naive += first_sphere_roots(less, r, &t0, &t1) || !first_sphere_roots(more, r, &t0, &t1);
         haines += sphere_roots_haines(less, r, &t0, &t1) || !sphere_roots_haines(more, r, &t0, &t1);
         lagrange +=
             sphere_roots_lagrange(less, r, &t0, &t1) || !sphere_roots_lagrange(more, r, &t0, &t1);
@@ -188,7 +188,7 @@ static void test_distance(void)
         for (real far = 1; far < 2000000; far *= 10)
             for (int moved = 0; moved < 2; moved++) {
                 tally y[methods] = {
-                    {.roots = sphere_roots_naive_f32},   {.roots = sphere_roots_naive},
+                    {.roots = sphere_roots_first_f32},   {.roots = first_sphere_roots},
                     {.roots = sphere_roots_stable_root}, {.roots = sphere_roots_haines},
                     {.roots = sphere_roots_kahan},       {.roots = sphere_roots}};
                 size_t judged = 0, due_hits = 0;
@@ -248,7 +248,7 @@ static void test_naive_fails(void)
         ray r = sphere_aim(&s, 1, 1000000, 1 + random_signed(&s) / 10000, true, &ball);
         bool due = sphere_clearance(ball, r) < 0;
         hit h;
-        naive += sphere_hit_naive(ball, r, &h) != due;
+        naive += first_sphere_hit(ball, r, &h) != due;
         ours += sphere_hit(ball, r, &h) != due;
     }
     check_at_least(naive, n / 1000, "the textbook is wrong about grazing rays from 1e6, of %zu", n);
@@ -303,7 +303,7 @@ static void test_on_the_surface(void)
             bool is = sphere_roots(ball, r, &t0, &t1);
             wrong[k + 1] += !is || (k > 0 ? !(t0 < 0) : k < 0 ? !(t0 > 0) : t0 != 0) || !(t1 > 0);
             if (k) worst = check_worse(worst, fabs((double)t0 / exact - 1));
-            is = sphere_roots_naive(ball, r, &t0, &t1);
+            is = first_sphere_roots(ball, r, &t0, &t1);
             naive += !is || (k > 0 ? !(t0 < 0) : k < 0 ? !(t0 > 0) : t0 != 0);
             is = sphere_roots_haines(ball, r, &t0, &t1);
             haines += !is || (k > 0 ? !(t0 < 0) : k < 0 ? !(t0 > 0) : t0 != 0);
@@ -345,7 +345,7 @@ static void test_extreme_sizes(void)
         real scale = t1 > fabs(t0) ? t1 : fabs(t0);
         worst = check_worse(worst, (double)(fabs(ldexp(u0, n - m) - t0) / scale));
         worst = check_worse(worst, (double)(fabs(ldexp(u1, n - m) - t1) / scale));
-        fallback += sphere_hit_naive(big, q, &(hit){0}) != sphere_hit_naive(ball, r, &(hit){0});
+        fallback += first_sphere_hit(big, q, &(hit){0}) != first_sphere_hit(ball, r, &(hit){0});
     }
     check_equal(wrong, 0, "hit or miss at any scale");
     /* the fast path and the wide one differ by the rounding of b and a, 3 eps, and of D: 8 eps

@@ -16,8 +16,8 @@
  *   call                 cannot do                                   so
  *   frame_look_at        target = e; up = 0; up along the view;      false, and *why says it;
  *                        NaN or infinity; |e - target| too big       *out is untouched
- *   frame_look_at_naive  the same; and up at a small angle to the    u leans towards w
- *                        view
+ *   first_camera_at      the same, of first.h; and up at a small     u is 0, or noise;
+ *                        angle to the view                           u leans towards w
  *
  * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, sections
  * 2.4.7 and 4.3.
@@ -34,8 +34,6 @@ typedef struct { vec3 e, u, v, w; } camera_frame;
 #define camera_refused(why, ...) (failed(why, 2, __VA_ARGS__), false)
 
 static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out, failure *why);
-static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_frame *out,
-                                       failure *why);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -77,24 +75,13 @@ static inline bool frame_is_parallel(vec3 up, vec3 back, failure *why)
         0 - (double)back.x, 0 - (double)back.y, 0 - (double)back.z);
 }
 
-/* up = (3, 5, 6), from (0, 0, 0) towards (3, 5, 6.000001), in double: an angle of 8e-8. w is
- * rounded to length 1 first, which turns it by some epsilon; seen against the angle, that turns u
- * by 1e-9, and u leans towards w. In float 6.0001 does as much harm. */
-static inline bool frame_look_at_naive(vec3 e, vec3 target, vec3 up, camera_frame *out,
-                                       failure *why)
-{
-    vec3 back = vsub(e, target);
-    if (!frame_input_is_usable(e, target, up, back, why)) return false;
-    vec3 w = vunit(back), u = vcross(up, w);
-    if (vzero(u)) return frame_is_parallel(up, back, why);
-    u = vunit(u);
-    *out = (camera_frame){e, u, vcross(w, u), w};
-    return true;
-}
-
 /* u comes from `up` and `back` as they are given, through products that lose nothing: at any angle
  * it stands at right angles to both within a few epsilon. An angle of less than 4 epsilon is
- * refused: it is of the size that rounding the input makes of zero. */
+ * refused: it is of the size that rounding the input makes of zero.
+ *
+ * up = (3, 5, 6), from (0, 0, 0) towards (3, 5, 6.000001), in double: an angle of 8e-8. first.h
+ * rounds w to length 1 first, which turns it by some epsilon; seen against the angle, that turns u
+ * by 1e-9, and u leans towards w. In float 6.0001 does as much harm. */
 static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out, failure *why)
 {
     vec3 back = vsub(e, target);

@@ -51,9 +51,8 @@ measure_loop(run_ray_naive, vec3 d = camera_ray_naive(m->c, measure_at).d;
              sum += (double)(d.x + d.y + d.z))
 measure_loop(run_frame, camera_frame f; int k = i % 256;
              if (frame_look_at(m->c.e, m->target[k], m->up[k], &f, NULL)) sum += (double)f.v.x)
-measure_loop(run_frame_naive, camera_frame f; int k = i % 256;
-             if (frame_look_at_naive(m->c.e, m->target[k], m->up[k], &f, NULL))
-                 sum += (double)f.v.x)
+measure_loop(run_frame_first, int k = i % 256;
+             sum += (double)frame_first(m->c.e, m->target[k], m->up[k]).v.x)
 measure_loop(run_tangent, sum += (double)half_tangent(m->phi[i % 256]))
 measure_loop(run_tangent_naive, sum += (double)half_tangent_naive(m->phi[i % 256]))
 
@@ -128,7 +127,7 @@ static inline void measure_frames(table *t, int rounds)
 {
     random_stream s = random_start(2, 0, 0);
     for (int k = 1; k <= 5; k += 2) {
-        double naive = 0, robust = 0, small = pow(10.0, -k);
+        double first = 0, robust = 0, small = pow(10.0, -k);
         measure_input m;
         m.c.e = (vec3){0, 0, 0};
         for (int i = 0; i < 256; i++) {
@@ -137,13 +136,13 @@ static inline void measure_frames(table *t, int rounds)
             vbasis(n, &a, &b);
             m.target[i] = vscale(n, 1 + random_next(&s));
             m.up[i] = vmadd(n, a, (real)small);
-            if (frame_look_at_naive(m.c.e, m.target[i], m.up[i], &f, NULL))
-                naive = measure_worst(naive, frame_error(f, m.target[i], m.up[i]));
+            f = frame_first(m.c.e, m.target[i], m.up[i]);
+            first = measure_worst(first, frame_error(f, m.target[i], m.up[i]));
             if (frame_look_at(m.c.e, m.target[i], m.up[i], &f, NULL))
                 robust = measure_worst(robust, frame_error(f, m.target[i], m.up[i]));
         }
         measure_pair(t, &m, rounds, "frame's u [rad]", "angle %g", small,
-                     (clock_variant){"up x unit w", run_frame_naive, NULL, 0}, naive,
+                     (clock_variant){"first: up x unit w", run_frame_first, NULL, 0}, first,
                      (clock_variant){"products kept whole", run_frame, NULL, 0}, robust);
     }
 }

@@ -5,6 +5,7 @@
  *
  *   double ray_error(c, D, x, y, nx, ny)    how far D passes from (x, y), in pixels
  *   double frame_error(f, target, up)       |u - exact u|: radians, if small
+ *   camera_frame frame_first(e, target, up) that of first.h
  *   double half_tangent_exact(phi)          tan(phi / 2), phi in degrees [178, 180), to 1e-16
  */
 #ifndef CAMERA_ORACLE_H
@@ -12,8 +13,16 @@
 
 #include "../01_ray/wide.h"
 #include "camera.h"
+#include "first.h"
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* The frame as first.h has it, for the same questions. */
+static inline camera_frame frame_first(vec3 e, vec3 target, vec3 up)
+{
+    first_camera c = first_camera_at(e, target, up, 90, 1, 1);
+    return (camera_frame){c.e, c.u, c.v, c.w};
+}
 
 static inline wide wide_ratio(wide a, double b, double n)
 {

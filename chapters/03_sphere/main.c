@@ -19,8 +19,8 @@ enum { timed = 1024, repeats = 20 };
             hits += X_hit(s[k % timed].ball, s[k % timed].r, &h);                                  \
         return (double)hits;                                                                       \
     }
-TIMED(run_naive_f32, sphere_hit_naive_f32)
-TIMED(run_naive, sphere_hit_naive)
+TIMED(run_first_f32, sphere_hit_first_f32)
+TIMED(run_first, first_sphere_hit)
 TIMED(run_in_double, sphere_hit_in_double)
 TIMED(run_stable_root, sphere_hit_stable_root)
 TIMED(run_haines, sphere_hit_haines)
@@ -28,7 +28,7 @@ TIMED(run_lagrange, sphere_hit_lagrange)
 TIMED(run_kahan, sphere_hit_kahan)
 TIMED(run_hit, sphere_hit)
 static double (*const run_method[methods])(void *) = {
-    run_naive_f32, run_naive, run_in_double, run_stable_root,
+    run_first_f32, run_first, run_in_double, run_stable_root,
     run_haines, run_lagrange, run_kahan, run_hit};
 
 static void time_methods(const options *o, aim how, real far, double ns[methods])

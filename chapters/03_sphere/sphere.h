@@ -7,14 +7,15 @@
  *                                           D = a R^2 - |d x f|^2                             (3.5)
  *
  * (3.3) as it stands is the textbook: far from the sphere b^2 and a k are huge and nearly equal,
- * and their difference is noise. (3.5) is the same number by Lagrange's identity, with terms of the
+ * and their difference is noise: R = 1 seen from 1e4 in float, or a ray from 1e6 that passes at
+ * 1.0001 R in double. (3.5) is the same number by Lagrange's identity, with terms of the
  * size of what is asked for: R, and how far the ray passes from c. Where D still is smaller than
  * its own rounding error could be, it is computed again in twice the precision: few rays in 1e9
  * from 1e6 R.
  *
  *   sphere_hit(s, r, &h)         the first root in [tmin, tmax]; from inside that is the exit
  *   sphere_roots(s, r, &t0, &t1) both roots, entry t0 <= exit t1, behind o, too
- *   sphere_hit_naive, sphere_roots_naive    the textbook, to compare
+ *   first_sphere_hit, first_sphere_roots    the textbook, of first.h; `sphere` is from there, too
  *   sphere_point(s, p)           p moved to the surface, along the line from the centre
  *   sphere_normal(s, p)          unit normal at p
  *
@@ -36,11 +37,8 @@
 
 #include "../01_ray/hit.h"
 #include "../01_ray/wide.h"
+#include "first.h"
 
-typedef struct { vec3 c; real r; } sphere;  /* centre and radius */
-
-static inline bool sphere_roots_naive(sphere s, ray r, real *t0, real *t1);
-static inline bool sphere_hit_naive(sphere s, ray r, hit *out);
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1);
 static inline bool sphere_hit(sphere s, ray r, hit *out);
 static inline vec3 sphere_point(sphere s, vec3 p);
@@ -57,24 +55,6 @@ static inline bool sphere_first(ray r, real t0, real t1, hit *out)
     if (!ray_covers(r, t0)) return false;
     *out = (hit){t0, 0, 0, 0};
     return true;
-}
-
-/* Fails for: R = 1 seen from 1e4 in float, or a ray from 1e6 that passes at 1.0001 R in double. */
-static inline bool sphere_roots_naive(sphere s, ray r, real *t0, real *t1)
-{
-    vec3 f = vsub(r.o, s.c);
-    real a = vdot(r.d, r.d), b = 2 * vdot(r.d, f), k = vdot(f, f) - s.r * s.r;
-    real D = b * b - 4 * a * k;
-    if (!(D >= 0)) return false;
-    *t0 = (-b - sqrt(D)) / (2 * a);
-    *t1 = (-b + sqrt(D)) / (2 * a);
-    return true;
-}
-
-static inline bool sphere_hit_naive(sphere s, ray r, hit *out)
-{
-    real t0, t1;
-    return sphere_roots_naive(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
 }
 
 /* k = |f|^2 - R^2: its sign tells on which side of the surface o = c + f lies. */

@@ -1,12 +1,12 @@
 /* sphere_draw.h: the two pictures of this chapter.
  *
  *   sphere_draw(&o)      a sphere through a long lens from 500, 1000, 2000 and 5000 radii: above by
- *                        the textbook in float, below by sphere_hit; |n.d|, red where a ray through
+ *                        first.h in float, below by sphere_hit; |n.d|, red where a ray through
  *                        the disc misses, blue where a ray beside it hits
  *   sphere_draw_map(&o)  across: the distance, 1 to 1e6 radii; up: how far the ray passes from the
  *                        centre, 0 to 1.2 radii; red and blue as above, grey where the answer is
  *                        right: the darker, the farther the hit is off the surface (light 1e-9 R,
- *                        black R); left the textbook in float, then the textbook, then sphere_hit
+ *                        black R); left first.h in float, then first.h, then sphere_hit
  */
 #ifndef SPHERE_DRAW_H
 #define SPHERE_DRAW_H
@@ -64,7 +64,7 @@ static inline void sphere_draw_pixel(int x, int y, void *context)
 
 static inline void sphere_draw(const options *o)
 {
-    static sphere_hit_function *const X_hit[2] = {sphere_hit_naive_f32, sphere_hit};
+    static sphere_hit_function *const X_hit[2] = {sphere_hit_first_f32, sphere_hit};
     image im = image_new(o->width, o->height);
     sphere_panels p = {&im, 4, 2, X_hit};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "sphere", sphere_draw_pixel, &p);
@@ -98,7 +98,7 @@ static inline void sphere_map_pixel(int x, int y, void *context)
 
 static inline void sphere_draw_map(const options *o)
 {
-    static sphere_hit_function *const X_hit[3] = {sphere_hit_naive_f32, sphere_hit_naive,
+    static sphere_hit_function *const X_hit[3] = {sphere_hit_first_f32, first_sphere_hit,
                                                   sphere_hit};
     if (o->out) return;
     image im = image_new(960, 200);

@@ -22,10 +22,10 @@
 
 enum { methods = 8, distances = 13 };
 static const char *const method_name[methods] = {
-    "textbook, float", "textbook", "textbook, in double", "stable root",
+    "first, in float", "first", "first, in double", "stable root",
     "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit"};
 static sphere_hit_function *const method_hit[methods] = {
-    sphere_hit_naive_f32, sphere_hit_naive, sphere_hit_in_double, sphere_hit_stable_root,
+    sphere_hit_first_f32, first_sphere_hit, sphere_hit_in_double, sphere_hit_stable_root,
     sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit};
 
 typedef struct { sphere ball; ray r; } shot;

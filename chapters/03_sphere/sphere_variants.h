@@ -2,8 +2,8 @@
  * signature of sphere_hit and of sphere_roots; only their rounding differs. l: distance.
  *
  *   suffix          what it does                                  told wrong within
- *   _naive          the textbook (3.3); see sphere.h              eps (l/R)^2 R  of the limb
- *   _naive_f32      the same in float, whatever real is
+ *   first_sphere_.. the textbook (3.8); see first.h               eps (l/R)^2 R  of the limb
+ *   _first_f32      the same in float, whatever real is
  *   _in_double      the same in double, whatever real is
  *   _stable_root    (3.3), the roots by (3.4): without b - h      eps (l/R)^2 R  mends nothing
  *   _haines         D from the ray's point closest to c           eps (l/R) R
@@ -24,15 +24,15 @@
 typedef bool sphere_hit_function(sphere s, ray r, hit *out);
 typedef bool sphere_roots_function(sphere s, ray r, real *t0, real *t1);
 
-static inline sphere_roots_function sphere_roots_naive_f32, sphere_roots_in_double,
+static inline sphere_roots_function sphere_roots_first_f32, sphere_roots_in_double,
     sphere_roots_stable_root, sphere_roots_haines, sphere_roots_lagrange, sphere_roots_kahan;
-static inline sphere_hit_function sphere_hit_naive_f32, sphere_hit_in_double,
+static inline sphere_hit_function sphere_hit_first_f32, sphere_hit_in_double,
     sphere_hit_stable_root, sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Fails for: R = 1 seen from 1e4: of the rays that should hit, every third misses. */
-static inline bool sphere_roots_naive_f32(sphere s, ray r, real *t0, real *t1)
+static inline bool sphere_roots_first_f32(sphere s, ray r, real *t0, real *t1)
 {
     float fx = (float)r.o.x - (float)s.c.x, dx = (float)r.d.x, R = (float)s.r;
     float fy = (float)r.o.y - (float)s.c.y, dy = (float)r.d.y;
@@ -112,10 +112,10 @@ static inline bool sphere_roots_kahan(sphere s, ray r, real *t0, real *t1)
     return sphere_by_vieta(a, b, k, a * (s.r * s.r) - vdot(x, x), t0, t1);  /* (3.5) */
 }
 
-static inline bool sphere_hit_naive_f32(sphere s, ray r, hit *out)
+static inline bool sphere_hit_first_f32(sphere s, ray r, hit *out)
 {
     real t0, t1;
-    return sphere_roots_naive_f32(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+    return sphere_roots_first_f32(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
 }
 
 static inline bool sphere_hit_in_double(sphere s, ray r, hit *out)

@@ -1,0 +1,133 @@
+/* 02's first.h: the rays of camera_ray, to the last bit; and an `up` along the view, or nearly. */
+#include "../chapters/02_camera/oracle.h"
+#include "../chapters/02_camera/samples.h"
+#include "check.h"
+
+static const double eps = (double)real_epsilon;
+
+static vec3 random_vec3(random_stream *s)
+{
+    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, z = 2 * random_next(s) - 1;
+    return (vec3){x, y, z};
+}
+
+static double apart(vec3 a, vec3 b) { return (double)vlength(vsub(a, b)); }
+static bool same(vec3 a, vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+static bool same_ray(ray a, ray b)
+{
+    return same(a.o, b.o) && same(a.d, b.d) && a.tmin == b.tmin && a.tmax == b.tmax;
+}
+
+/* Views whose `up` is at least 0.3 radians away from the view, fields of view up to a right angle:
+ * the frame within some epsilon of frame_look_at, the window of camera_perspective. */
+static void test_views(void)
+{
+    double frame = 0, window = 0;
+    size_t n = check_count(20000), seen = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(1, i, 0);
+        vec3 e = random_vec3(&s), target = random_vec3(&s), up = random_vec3(&s);
+        real phi = 1 + 89 * random_next(&s);
+        int nx = 1 + (int)(1000 * random_next(&s)), ny = 1 + (int)(1000 * random_next(&s));
+        camera_frame f;
+        camera full;
+        failure why;
+        real sine = vlength(vcross(vunit(up), vunit(vsub(e, target))));
+        if (!(sine > (real)0.3) || !frame_look_at(e, target, up, &f, &why)) continue;
+        if (!camera_perspective(f, phi, (real)nx / (real)ny, &full, &why)) fail(why);
+        first_camera c = first_camera_at(e, target, up, phi, nx, ny);
+        seen++;
+        frame = check_worse(frame, apart(c.u, f.u) + apart(c.v, f.v) + apart(c.w, f.w));
+        double off = fabs((double)(c.r / full.r - 1)) + fabs((double)(c.t / full.t - 1))
+            + fabs((double)(c.l / full.l - 1)) + fabs((double)(c.b / full.b - 1));
+        window = check_worse(window, off);
+    }
+    check_at_least((double)seen, 0.8 * (double)n, "the test sees views");
+    check_at_most(frame, 40 * eps, "u, v, w, within 4 epsilon over the sine of the angle");
+    check_at_most(window, 16 * eps, "l, r, b, t, of %zu", n);
+}
+
+/* Of one frame and one window the rays are those of camera_ray, bit by bit. */
+static void test_rays(void)
+{
+    size_t perspective = 0, parallel = 0, positions = 0, n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(2, i, 0);
+        first_camera c = first_camera_at(vscale(random_vec3(&s), 100), random_vec3(&s),
+                                         (vec3){0, 1, 0}, 1 + 178 * random_next(&s), 640, 480);
+        if (i % 2) c.l *= 2, c.b = -c.t / 3, c.d = 1 + random_next(&s);  /* off-axis */
+        real x = 640 * random_next(&s), y = 480 * random_next(&s);
+        camera_frame f = {c.e, c.u, c.v, c.w};
+        camera_window w = {c.l, c.r, c.b, c.t};
+        camera eye, plan;
+        failure why;
+        if (!camera_off_axis(f, w, c.d, &eye, &why)) fail(why);
+        if (!camera_orthographic(f, w, &plan, &why)) fail(why);
+        perspective += !same_ray(first_camera_ray(c, x, y), camera_ray(eye, x, y, 640, 480));
+        parallel += !same_ray(first_orthographic_ray(c, x, y), camera_ray(plan, x, y, 640, 480));
+        for (int k = 0; k < 9; k++) {
+            real px = 0, py = 0, half = (real)0.5;
+            samples_place(SAMPLES_REGULAR, k, 3, half, &s, &px, &py);
+            ray a = first_pixel_ray(c, 17, 4, k, 3);
+            ray b = camera_ray(eye, 17 + half + px, 4 + half + py, 640, 480);
+            positions += !(apart(a.d, b.d) <= 64 * eps * (double)vlength(b.d)) || !same(a.o, b.o);
+        }
+    }
+    check_equal(perspective, 0, "first_camera_ray against camera_ray, of %zu", n);
+    check_equal(parallel, 0, "first_orthographic_ray against camera_ray, of %zu", n);
+    check_equal(positions, 0, "first_pixel_ray: the middles of 3 x 3 cells, of %zu", 9 * n);
+}
+
+/* "Wrong where up is along the view: u becomes (0,0,0)": and then all rays of a picture lie in the
+ * plane of w and v, and v is 0, too: they are one ray. frame_look_at refuses it. */
+static void test_up_along_the_view(void)
+{
+    vec3 e = {0, 0, 0}, target = {0, 0, -4}, up = {0, 0, 1};
+    camera_frame f;
+    failure why;
+    first_camera c = first_camera_at(e, target, up, 90, 64, 64);
+    check(vzero(c.u) && vzero(c.v), "up along the view: neither right nor up");
+    check(same(first_camera_ray(c, 0, 0).d, first_camera_ray(c, 64, 64).d), "all rays are one");
+    check(!frame_look_at(e, target, up, &f, &why), "frame_look_at refuses it");
+    c = first_camera_at(e, e, up, 90, 64, 64);
+    check(vzero(first_camera_ray(c, 32, 32).d), "at itself: no direction");
+    c = first_camera_at(e, (vec3){(real)NAN, 0, 1}, up, 90, 64, 64);
+    check(vzero(c.u), "a NaN: no right");
+}
+
+/* "or, at a small angle, leans to one side": by epsilon over the angle, where
+ * frame_look_at still is right within 6 epsilon. */
+static void test_up_near_the_view(void)
+{
+    size_t n = check_count(2000);
+    for (real angle = (real)0.1; angle > 500 * real_epsilon; angle /= 10) {
+        double leans = 0, first = 0, robust = 0;
+        for (size_t i = 0; i < n; i++) {
+            random_stream s = random_start(3, i, 0);
+            vec3 view = vscale(vunit(random_vec3(&s)), 1 + 99 * random_next(&s));
+            vec3 e = {0, 0, 0}, a, b;
+            vbasis(vunit(view), &a, &b);
+            vec3 up = vmadd(vunit(view), a, angle);
+            camera_frame f, g = frame_first(e, view, up);
+            failure why;
+            if (!frame_look_at(e, view, up, &f, &why)) fail(why);
+            leans = check_worse(leans, fabs((double)vdot(g.u, g.w)));
+            first = check_worse(first, frame_error(g, view, up));
+            robust = check_worse(robust, frame_error(f, view, up));
+        }
+        double bound = eps / (double)angle;
+        check_at_least(first, 0.1 * bound, "at the angle %g first.h's u is off", (double)angle);
+        check_at_most(first, 8 * bound, "and by its own reason, at %g", (double)angle);
+        check_at_least(leans, 0.1 * bound, "it leans towards w, at %g", (double)angle);
+        check_at_most(robust, 6 * eps, "where frame_look_at is right, at %g", (double)angle);
+    }
+}
+
+int main(void)
+{
+    test_views();
+    test_rays();
+    test_up_along_the_view();
+    test_up_near_the_view();
+    return check_report("02_first");
+}
