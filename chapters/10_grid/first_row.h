@@ -1,4 +1,4 @@
-/* first_row.h: the row `first` of the tables: what the notes' own structure takes for the same rays.
+/* first_row.h: the row `first` of the tables: what the notes' structure takes for the same rays.
  *
  *   first_search s = {built, hit};
  *   first_cells(&t, s, &primary, &diffuse, &hard, brute, rounds)   four cells: tests a ray, wrong
