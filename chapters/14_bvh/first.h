@@ -1,6 +1,6 @@
 /* first.h: a bounding volume hierarchy (层次包围盒, BVH): not space is cut, but the set of triangles.
  * Wrong far away: from 1e4 sizes in float, 1e13 in double, rounding exceeds the hair by which
- * boxes are larger, and hits are lost. bvh.h mends it. 1e6 triangles take seconds. */
+ * boxes are larger, and hits are lost. bvh.h mends it. 1e6 triangles by the heuristic: a minute. */
 #ifndef FIRST_BVH_H
 #define FIRST_BVH_H
 #include "../07_mesh/first.h"
