@@ -1,6 +1,6 @@
 /* first.h: the two that Whitted's way lacks: a light with an area, and blurred reflection.
- * Wrong: what of a lobe leads below the surface is lost, half of it at grazing angles: glossy.h says
- * how much. Near the lamp (21.2) has no bound; by solid angle it has: 22's spherical_sampling.h. */
+ * Wrong: what of a lobe leads below the surface is lost, at grazing angles half: glossy.h says how
+ * much. Near the lamp (21.2) has no bound; by solid angle it has: 22's spherical_sampling.h. */
 #ifndef FIRST_DISTRIBUTED_H
 #define FIRST_DISTRIBUTED_H
 #include "../19_whitted/first.h"
@@ -32,7 +32,7 @@ static inline vec3 first_lobe(vec3 r, real s, random_stream *random)
 }
 
 /* One path instead of Whitted's tree. What is mirrored comes from the lobe (21.5). Glass reflects
- * with the chance R, or else refracts: on average that is R of one and 1 - R of the other. (21.15) */
+ * with the chance R, or else refracts: on average R of one and 1 - R of the other.      (21.15) */
 static inline vec3 first_distributed(const first_scene *s, const first_lamp *lamp, ray r, int depth,
                                      random_stream *random)
 {
