@@ -1,6 +1,6 @@
 /* first.h: the two that Whitted's way lacks: a light with an area, and blurred reflection.
- * Wrong where the lobe reaches below the surface: that part of the light is lost; and near the lamp,
- * where (21.2) has no bound. glossy.h and area_light.h mend them. Error ~ 1 / sqrt(rays). */
+ * Wrong: what of a lobe leads below the surface is lost, at grazing angles half: glossy.h says how
+ * much. Near the lamp (21.2) has no bound; by solid angle it has: 22's spherical_sampling.h. */
 #ifndef FIRST_DISTRIBUTED_H
 #define FIRST_DISTRIBUTED_H
 #include "../19_whitted/first.h"
@@ -31,13 +31,13 @@ static inline vec3 first_lobe(vec3 r, real s, random_stream *random)
     return first_round(r, vec(side * cos(phi), side * sin(phi), z));
 }
 
-/* One path instead of Whitted's tree: glass reflects or refracts, as a coin decides. What comes
- * back along r is right on average over many rays.                                       (21.5) */
+/* One path instead of Whitted's tree. What is mirrored comes from the lobe (21.5). Glass reflects
+ * with the chance R, or else refracts: on average R of one and 1 - R of the other.      (21.15) */
 static inline vec3 first_distributed(const first_scene *s, const first_lamp *lamp, ray r, int depth,
                                      random_stream *random)
 {
     hit h;
-    if (depth == 0) return vec(0, 0, 0);
+    if (depth <= 0) return vec(0, 0, 0);
     if (!first_scene_hit(s, r, &h)) return first_background(s, r.d);
     first_point x = first_point_at(s, r, h);
     vec3 E = first_lamp_sample(s, lamp, x, random), weight = x.m->mirror;

@@ -38,6 +38,6 @@ int main(int argc, char **argv)
     if (o.out) return 0;
     draw_whitted(&o), draw_teapot(&o), draw_box(&o), draw_effects(&o);
     table_of_pictures(&o);
-    table_of_known(&o), table_of_rays(&o), table_of_lobes(&o);
+    table_of_known(&o), table_of_first(&o), table_of_rays(&o), table_of_lobes(&o);
     return 0;
 }

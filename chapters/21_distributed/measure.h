@@ -2,6 +2,7 @@
  *
  *   table_of_pictures(&o)   the main one: error of a picture, per effect and way of sampling, time
  *   table_of_known(&o)      questions of known.h: estimates, t-tests, slopes
+ *   table_of_first(&o)      three of them by first.h: its error and its time
  *   table_of_rays(&o)       rays and random numbers, only what is called for and all
  *   table_of_lobes(&o)      what a lobe loses below the surface
  */
@@ -10,6 +11,7 @@
 
 #include "pictures.h"
 #include "known.h"
+#include "known_first.h"
 
 enum { measure_methods = 3, measure_levels = 4 };
 static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
@@ -225,6 +227,57 @@ static inline void table_of_known(const options *o)
     known_plot(o, s);
     for (int i = 0; i < known_kinds; i++) known_free(&s->k[i]);
     free(s);
+}
+
+/* ---- the notes' own way ---------------------------------------------------------------------- */
+
+typedef struct { known full; known_first first; bool is_first; uint64_t seed; } known_ask;
+enum { known_ask_samples = 1024 };
+
+static inline estimate known_asked(const known_ask *a, uint64_t run)
+{
+    if (a->is_first) return known_first_mean(&a->first, a->seed, run, known_ask_samples);
+    return known_mean(&a->full, SEQUENCE_RANDOM, a->seed, run, known_ask_samples);
+}
+
+static inline double known_ask_run(void *context) { return known_asked(context, 0).mean; }
+
+static inline void first_row(const options *o, table *t, const known_ask *a, double seconds)
+{
+    estimate mean = {0};
+    double square = 0;
+    int runs = o->quick ? 8 : 64;
+    for (int run = 0; run < runs; run++) {
+        double off = known_asked(a, (uint64_t)run).mean - a->full.truth;
+        mean = estimate_add(mean, off + a->full.truth), square += off * off / runs;
+    }
+    table_text(t, "%s", a->full.name), table_text(t, a->is_first ? "first" : "random");
+    table_text(t, "%.6f", a->full.truth), table_text(t, "%.6f", mean.mean);
+    table_text(t, "%.6f", estimate_error(mean));
+    table_number(t, sqrt(square)), table_number(t, 1e9 * seconds / known_ask_samples);
+}
+
+static inline void table_of_first(const options *o)
+{
+    static const known_kind kinds[3] = {KNOWN_SQUARE, KNOWN_PENUMBRA, KNOWN_HORIZON};
+    char title[96];
+    snprintf(title, sizeof title, "Three of them by first.h: runs of %d samples, time of one",
+             (int)known_ask_samples);
+    table t = table_new(title, "question|samples|answer|error mean|error +-|error rms|time [ns]");
+    for (int i = 0; i < 3; i++) {
+        known_ask *a = allocate(2, sizeof *a);
+        clock_variant v[2];
+        for (int k = 0; k < 2; k++) {
+            known_make(kinds[i], &a[k].full);
+            a[k].first = known_first_of(kinds[i]), a[k].is_first = k == 0, a[k].seed = o->seed;
+            v[k] = (clock_variant){"", known_ask_run, &a[k], 0};
+        }
+        clock_compare(v, 2, o->quick ? 3 : 51);
+        for (int k = 0; k < 2; k++)
+            first_row(o, &t, &a[k], v[k].seconds), known_free(&a[k].full);
+        free(a);
+    }
+    output_extra_table(o, &t);
 }
 
 /* ---- what is called for ---------------------------------------------------------------------- */

@@ -4,8 +4,8 @@
  *   plot_hard(o)      the same against size/distance
  *
  * A case of hard_list fills a hard_run with random inputs of its kind; hard_error is the largest
- * error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres only), naive,
- * the formula of chapter 07 as it stands (triangles only), the default.
+ * error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres only),
+ * naive, the formula of chapter 07 as it stands (triangles only), the default.
  */
 #ifndef MEASURE_HARD_H
 #define MEASURE_HARD_H
