@@ -96,7 +96,7 @@ test: all $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh first.sh rules.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
-test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
+test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
 	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh $(filter $(1) $(1)_%,$(TESTS))
 endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))

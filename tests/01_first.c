@@ -22,7 +22,7 @@ static double off(real computed, real a, real b, real t)
     return fabs(wide_value(wide_sub(wide_of((double)computed), exact)));
 }
 
-/* Points, directions and t below 1: each form is right within a few roundings of numbers below 2. */
+/* Points, directions and t below 1: each form is right within some roundings of numbers below 2. */
 static void test_easy(void)
 {
     double at = 0, between = 0, unit = 0;

@@ -8,7 +8,7 @@
 
 static const struct { const char *name; triangle_method *hit; } methods[] = {
     {"plane + inside", triangle_hit_plane},
-    {"Möller-Trumbore", triangle_hit_moller_trumbore},
+    {"first: Möller-Trumbore", first_triangle_hit},
     {"watertight", triangle_hit}};
 enum { method_count = 3 };
 
@@ -184,10 +184,9 @@ static void test_random_against_oracle(void)
         if (fmin(fmin(fabs(x.u), fabs(x.v)), fabs(x.w)) < margin) continue;
         bool due = x.t >= 0 && x.u > 0 && x.v > 0 && x.w > 0;
         clear++;
-        hit one = untouched, early = untouched;
-        different +=
-            triangle_hit_moller_trumbore(tri, r, &one) != triangle_hit_early(tri, r, &early);
-        different += !same_hit(one, early);
+        hit one = untouched, three = untouched;
+        different += triangle_hit_one_branch(tri, r, &one) != first_triangle_hit(tri, r, &three);
+        different += !same_hit(one, three);
         for (int k = 0; k < method_count; k++) {
             hit h = untouched;
             wrong[k] += methods[k].hit(tri, r, &h) != due || (!due && !same_hit(h, untouched));
@@ -214,7 +213,7 @@ static void test_random_against_oracle(void)
     check_at_most(beyond, 2 * eps, "watertight: u, v >= 0 and u + v <= 1");
     check_equal(different, 0,
                 "triangle_hit, _sheared and _corners agree to the last bit, and so do "
-                "Möller-Trumbore with one branch and with early returns");
+                "Möller-Trumbore with one branch and with three");
 }
 
 /* The floor for t is 1e-9 at a width of 1e-6 in double, that is 4.5 eps / width; the condition of
@@ -281,7 +280,7 @@ static void test_no_area_no_hit(void)
         hit h;
         ray r = ray_from(o, vsub(p, o));
         hits += triangle_hit(t, r, &h);
-        naive += triangle_hit_moller_trumbore(t, r, &h);
+        naive += first_triangle_hit(t, r, &h);
         length = check_worse(length, (double)vlength(triangle_normal(t)));
     }
     check_equal(hits, 0, "a triangle without area is never hit, of %zu rays aimed at it", n);

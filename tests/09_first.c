@@ -14,7 +14,7 @@ static aabb random_box(random_stream *g, real size)
     return aabb_grow_point(aabb_grow_point(aabb_empty(), in_cube(g, size)), in_cube(g, size));
 }
 
-/* Boxes with a volume, rays in no special place: same answers; t_enter the same but for rounding. */
+/* Boxes with a volume, rays in no special place: the same answers; t_enter but for rounding. */
 static void test_easy(void)
 {
     size_t n = check_count(100000), wrong = 0, hits = 0;

@@ -11,7 +11,8 @@
  *   if (barycentrics_inside(k)) ...             no weight is negative
  *   vec3 p = triangle_at(tri, u, v);            the point: on the triangle within some epsilon,
  *                                               however far away the origin of the ray was
- *   vec3 n = barycentric_mix(na, nb, nc, u, v); any value given at the corners: a colour, a normal
+ *   vec3 n = barycentric_mix(na, nb, nc, u, v); any value given at the corners: a colour, a normal;
+ *                                               in first.h
  *
  * That the weights sum to one is no test of anything: it is so for every point of the plane, by the
  * way they are computed. The signs are the test.

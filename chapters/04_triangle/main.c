@@ -11,7 +11,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 04_triangle chapter
 static void draw(const options *o)
 {
     image im = image_new(o->width, o->height);
-    dome s = dome_new(&im, triangle_hit_moller_trumbore, triangle_hit_tolerant, triangle_hit);
+    dome s = dome_new(&im, first_triangle_hit, triangle_hit_tolerant, triangle_hit);
     bool whole = parallel_pixels(im.width, im.height, o->threads, "dome", dome_pixel, &s);
     output_picture(o, &im, "04_triangle.png", true, whole);
     image_free(&im);
@@ -23,8 +23,8 @@ static void draw(const options *o)
 SOUP_TIMED(run_plane_f32, (void)0, triangle_hit_plane_f32(*k, r, &h))
 SOUP_TIMED(run_mt_f32, (void)0, triangle_hit_moller_trumbore_f32(*k, r, &h))
 SOUP_TIMED(run_plane, (void)0, triangle_hit_plane(*k, r, &h))
-SOUP_TIMED(run_early, (void)0, triangle_hit_early(*k, r, &h))
-SOUP_TIMED(run_mt, (void)0, triangle_hit_moller_trumbore(*k, r, &h))
+SOUP_TIMED(run_first, (void)0, first_triangle_hit(*k, r, &h))
+SOUP_TIMED(run_one_branch, (void)0, triangle_hit_one_branch(*k, r, &h))
 SOUP_TIMED(run_tolerant, (void)0, triangle_hit_tolerant(*k, r, &h))
 SOUP_TIMED(run_watertight, (void)0, triangle_hit(*k, r, &h))
 SOUP_TIMED(run_sheared, ray_shear z = shear_of(r),
@@ -45,8 +45,8 @@ static const struct {
 } method[methods] = {{"plane + inside, float", triangle_hit_plane_f32, run_plane_f32},
                      {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, run_mt_f32},
                      {"plane + inside", triangle_hit_plane, run_plane},
-                     {"Möller-Trumbore, early returns", triangle_hit_early, run_early},
-                     {"Möller-Trumbore", triangle_hit_moller_trumbore, run_mt},
+                     {"first: Möller-Trumbore", first_triangle_hit, run_first},
+                     {"Möller-Trumbore, one branch", triangle_hit_one_branch, run_one_branch},
                      {"Möller-Trumbore, edges +1e-5", triangle_hit_tolerant, run_tolerant},
                      {"watertight", triangle_hit, run_watertight},
                      {"watertight, shear kept", hit_sheared, run_sheared}};
@@ -63,7 +63,7 @@ static void plot_slips(const options *o)
     plot p = plot_new("Rays aimed at vertices of a closed mesh", "translation [R]", "slips [%]",
                       PLOT_LOG_X);
     for (int k = 0; k < methods - 1; k++) {
-        if (method[k].hit == triangle_hit_early) continue;  /* the same hits as without */
+        if (method[k].hit == triangle_hit_one_branch) continue;  /* the same hits as first */
         int series = plot_series(&p, method[k].name);
         for (real far = 1; far < (real)2e6; far *= 10) {
             icosphere m = sphere_at(k, far);

@@ -9,7 +9,8 @@
  *   plane p = {point, normal};                  n: any length but 0
  *   plane p = plane_through(a, b, c);           n = (b - a) x (c - a); 0 if a, b, c lie on a line
  *   plane_equation e = plane_equation_of(p);    and back: plane_of(e), p nearest to the origin
- *   if (plane_hit(p, r, &h)) ...                (4.4), the robust one
+ *   if (plane_hit(p, r, &h)) ...                (4.4), the robust one; that of first.h hits at an
+ *                                               infinite t, if the ray is nearly parallel
  *   if (plane_equation_hit(e, r, &h)) ...       (4.5), the same in exact arithmetic
  *
  * Never hit: a ray parallel to the plane, in it or not (no single t); n = 0; NaN or infinite input.

@@ -6,13 +6,14 @@
  *          a --- b               true if t is in the ray's interval; both sides count
  *
  *   triangle_hit_plane(tri, r, &h)             meets the plane, then three inside tests      (4.7)
- *   triangle_hit_moller_trumbore(tri, r, &h)   three unknowns by Cramer's rule               (4.8)
+ *   first_triangle_hit(tri, r, &h)             first.h: three unknowns by Cramer's rule      (4.8)
  *   triangle_hit(tri, r, &h)                   watertight (水密): for all later chapters   (4.10)
  *
  * The first two slip through a closed mesh when a ray is aimed at an edge or a vertex: the
- * neighbours of an edge round differently, and each says that the other one is hit. triangle_hit
- * never slips: of the triangles round the point where a ray passes through a closed mesh at least
- * one is hit.
+ * neighbours of an edge round differently, and each says that the other one is hit. (In first.h
+ * u, v and 1 - u - v come from differences with corner a; the neighbour has another a.)
+ * triangle_hit never slips: of the triangles round the point where a ray passes through a closed
+ * mesh at least one is hit.
  *
  * One ray against many triangles: prepare the ray once, then test; the answers are the same bits.
  *   ray_shear s = shear_of(r);                     tmin and tmax of r may change afterwards
@@ -122,22 +123,6 @@ static inline bool triangle_hit_plane(triangle tri, ray r, hit *out)
     real wc = vdot(s.n, vcross(vsub(tri.b, tri.a), vsub(p, tri.a)));
     if (!(real_min(real_min(wa, wb), wc) >= 0)) return false;  /* one branch: see signs_differ */
     *out = (hit){h.t, wb / vdot(s.n, s.n), wc / vdot(s.n, s.n), 0};
-    return true;
-}
-
-/* o + t d = a + u e1 + v e2 is  [-d e1 e2] (t u v)^T = o - a: three equations, solved by Cramer's
- * rule (克拉默法则) with determinants written as triple products (4.8).
- * Slips: u, v and 1 - u - v come from differences with corner a; the neighbour has another a. */
-static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
-{
-    vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a);
-    vec3 p = vcross(r.d, e2);
-    vec3 s = vsub(r.o, tri.a), q = vcross(s, e1);
-    real det = vdot(e1, p), inverse = 1 / det;
-    real u = vdot(s, p) * inverse, v = vdot(r.d, q) * inverse, t = vdot(e2, q) * inverse;
-    if (!(real_min(u, v) >= 0 && u + v <= 1)) return false;  /* det = 0: u + v infinite or NaN */
-    if (!ray_covers(r, t) || !isfinite(t)) return false;
-    *out = (hit){t, u, v, 0};
     return true;
 }
 

@@ -2,8 +2,8 @@
  *
  *   triangle_hit_plane_f32             (4.7) in float
  *   triangle_hit_moller_trumbore_f32   (4.8) in float
- *   triangle_hit_early                 (4.8) as printed, with a return after each coordinate: the
- *                                      same hits, but branches that nobody can predict
+ *   triangle_hit_one_branch            (4.8) as in first.h, the same hits to the last bit, but with
+ *                                      one branch for u and v: nobody can predict three
  *   triangle_hit_absolute              (4.8) refusing |det| < 1e-8: loses small triangles, because
  *                                      det = -d . (e1 x e2) is an area, in squares of the unit
  *   triangle_hit_tolerant              (4.8) with the edges moved out by 1e-5: no slips, but a ray
@@ -67,19 +67,13 @@ static inline bool triangle_hit_moller_trumbore_f32(triangle tri, ray r, hit *ou
     return true;
 }
 
-static inline bool triangle_hit_early(triangle tri, ray r, hit *out)
+static inline bool triangle_hit_one_branch(triangle tri, ray r, hit *out)
 {
-    vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), p = vcross(r.d, e2);
-    real det = vdot(e1, p);
-    if (det == 0) return false;
-    real inverse = 1 / det;
-    vec3 s = vsub(r.o, tri.a);
-    real u = vdot(s, p) * inverse;
-    if (!(u >= 0 && u <= 1)) return false;
-    vec3 q = vcross(s, e1);
-    real v = vdot(r.d, q) * inverse;
-    if (!(v >= 0 && u + v <= 1)) return false;
-    real t = vdot(e2, q) * inverse;
+    vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), s = vsub(r.o, tri.a);
+    vec3 p = vcross(r.d, e2), q = vcross(s, e1);
+    real det = vdot(e1, p), inverse = 1 / det;
+    real u = vdot(s, p) * inverse, v = vdot(r.d, q) * inverse, t = vdot(e2, q) * inverse;
+    if (!(real_min(u, v) >= 0 && u + v <= 1)) return false;  /* det = 0: u + v infinite or NaN */
     if (!ray_covers(r, t) || !isfinite(t)) return false;
     *out = (hit){t, u, v, 0};
     return true;

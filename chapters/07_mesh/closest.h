@@ -6,15 +6,19 @@
  *   bool scene_occluded(&s, r)                is there any hit at all? ends at the first one found
  *   bool mesh_hit(&m, r, &h)                  the same for the triangles of a mesh: h.shape is the
  *   bool mesh_occluded(&m, r)                 triangle, h.u and h.v its barycentrics
+ *   first_mesh s = mesh_soup(&m)              its triangles, by the same numbers, for what first.h
+ *                                             asks of them; first_mesh_free(&s) [< 2^31 triangles]
  *
  *   t = min { t_i : shape i is hit at t_i, tmin <= t_i <= tmax }, the lowest i at equal t     (7.4)
  *
  * The interval shrinks to the best hit so far, and is closed: see hit.h. The answer does not
- * depend on the order of the search. An empty scene is never hit. `out` is untouched on a miss.
+ * depend on the order of the search. (In first.h the last one wins at equal t.) An empty scene is
+ * never hit. `out` is untouched on a miss.
  */
 #ifndef CLOSEST_H
 #define CLOSEST_H
 
+#include "first.h"
 #include "mesh.h"
 #include "shape.h"
 
@@ -74,6 +78,13 @@ static inline bool mesh_occluded(const mesh *m, ray r)
     for (size_t i = 0; i < m->triangles; i++)
         if (mesh_triangle_hit(m, i, &k, r, &h)) return true;
     return false;
+}
+
+static inline first_mesh mesh_soup(const mesh *m)
+{
+    first_mesh s = {allocate(m->triangles, sizeof *s.tri), (int)m->triangles};
+    for (size_t i = 0; i < m->triangles; i++) s.tri[i] = mesh_triangle(m, i);
+    return s;
 }
 
 #endif

@@ -52,8 +52,8 @@ static inline vec3 first_mesh_normal(const first_mesh *m, uint32_t i, vec3 d)
 }
 
 /* ------------------------------------------------------------------------------------------------
- * OBJ files: lines `v x y z`, a point, and `f i j k ...`, a polygon; points count from 1, or, if
- * negative, back from the last one; of `i/j/k` only i counts here. Other lines are passed over. */
+ * OBJ files: lines `v x y z`, a point, and `f i j k ...`, a polygon of points that came before it:
+ * i counts from 1, or, if negative, back from the last; of `i/j/k` it is i. All else is skipped. */
 
 static inline void first_obj_error(const char *path, int line, const char *what)
 {
@@ -72,10 +72,11 @@ static inline first_mesh first_obj_read(const char *path)
     vec3 *point = NULL;
     first_mesh m = {NULL, 0};
     for (int line = 1; next; line++) {
-        char *s = next;
+        char *s = next + strspn(next, " \t");
         next = strchr(s, '\n');
         if (next) *next++ = 0;
-        if (s[0] == 'v' && isspace((unsigned char)s[1])) {
+        else if (s + strlen(s) < text + bytes) first_obj_error(path, line, "not a text");
+        if (s[0] == 'v' && strchr(" \t\r", s[1])) {  /* or the line ends: strchr finds a 0 */
             double x[3];
             s++;
             for (int k = 0; k < 3; k++, s = end) {
@@ -84,7 +85,7 @@ static inline first_mesh first_obj_read(const char *path)
             }
             point = grown(point, points, &point_room, sizeof *point);
             point[points++] = vec(x[0], x[1], x[2]);
-        } else if (s[0] == 'f' && isspace((unsigned char)s[1])) {
+        } else if (s[0] == 'f' && strchr(" \t\r", s[1])) {
             triangle t = {vec(0, 0, 0), vec(0, 0, 0), vec(0, 0, 0)};
             int corners = 0;
             for (s++; ; s = end + strcspn(end, " \t\r")) {
@@ -101,8 +102,7 @@ static inline first_mesh first_obj_read(const char *path)
             if (corners < 3) first_obj_error(path, line, "a face has three corners or more");
         }
     }
-    free(text), free(point);
-    return m;
+    return free(text), free(point), m;
 }
 
 /* A closed tube along the knot (2 + cos 3a) (cos 2a, sin 2a), sin 3a: 2 around sides triangles. */

@@ -5,7 +5,9 @@
  *      /_______/          surface; the triangles that say "hit" are more, where the ray meets an
  *                         edge or a vertex.
  *
- *   bool inside_parity_naive(&m, p, d)  counts hits of the ray p + t d: wrong on edges and vertices
+ *   bool first_mesh_inside(&soup, p, d) counts hits of the ray p + t d, of first.h: wrong on edges
+ *                                       and vertices, where none or several triangles are hit
+ *   bool inside_parity_naive(&m, p, d)  the same by the watertight test: there several are hit
  *   bool inside_parity(&m, p, d)        counts crossings, one for each, edges and vertices included
  *   bool inside_vote(&m, p, k)          majority of k naive parities [odd, 1..15], k directions
  *   bool inside_winding(&m, p)          |winding number| > 1/2: no ray at all

@@ -129,13 +129,19 @@ static inline table measure_shapes(uint64_t seed, size_t rays, plot *wrong, plot
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { questions = 32 };
-typedef struct { const mesh *m; int method; vec3 p[questions], d[questions]; } inside_batch;
+typedef struct {
+    const mesh *m;
+    const first_mesh *soup;
+    int method;
+    vec3 p[questions], d[questions];
+} inside_batch;
 
 static inline double run_inside(void *context)
 {
     const inside_batch *b = context;
     int sum = 0;
-    for (int i = 0; i < questions; i++) sum += inside_ask(b->method, b->m, b->p[i], b->d[i]);
+    for (int i = 0; i < questions; i++)
+        sum += inside_ask(b->method, b->m, b->soup, b->p[i], b->d[i]);
     return sum;
 }
 
@@ -144,6 +150,7 @@ static inline table measure_inside(uint64_t seed, size_t points, plot *against_t
     static inside_batch b[inside_methods];
     clock_variant v[inside_methods];
     mesh m = torus_mesh(24);
+    first_mesh soup = mesh_soup(&m);
     table t = table_new(
         "Point in a closed mesh of 1152 triangles, rays aimed at",
         "method|error: random [% wrong]|error: an edge|error: a vertex|time [ns a triangle]");
@@ -154,7 +161,8 @@ static inline table measure_inside(uint64_t seed, size_t points, plot *against_t
     }
     random_stream s = random_start(seed, 0, 74);
     for (int k = 0; k < inside_methods; k++) {
-        b[k].m = &m, b[k].method = k, v[k] = (clock_variant){inside_names[k], run_inside, &b[k], 0};
+        b[k].m = &m, b[k].soup = &soup, b[k].method = k;
+        v[k] = (clock_variant){inside_names[k], run_inside, &b[k], 0};
         for (int i = 0; i < questions; i++)
             (void)inside_question(&m, &s, AT_VERTEX, &b[k].p[i], &b[k].d[i]);
     }
@@ -168,7 +176,7 @@ static inline table measure_inside(uint64_t seed, size_t points, plot *against_t
         plot_add(against_time, plot_series(against_time, inside_names[k]), ns,
                  100 * (double)score[2].wrong[k] / (double)points);
     }
-    mesh_free(&m);
+    mesh_free(&m), first_mesh_free(&soup);
     return t;
 }
 
@@ -176,6 +184,7 @@ static inline table measure_inside(uint64_t seed, size_t points, plot *against_t
 
 typedef struct {
     const mesh *m;
+    const first_mesh *soup;  /* not NULL: ask this, by first.h */
     uint64_t seed;
     size_t rays;
     bool any;
@@ -193,41 +202,56 @@ static inline double run_cost(void *context)
         vec3 o = vmadd(b->centre, direction(&s), 3 * b->radius);
         ray r = ray_from(o, vsub(aim, o));
         hit h = hit_none;
-        sum += b->any ? mesh_occluded(b->m, r) : mesh_hit(b->m, r, &h) ? (double)h.t : 0;
+        if (b->any) sum += mesh_occluded(b->m, r);
+        else if (b->soup ? first_mesh_hit(b->soup, r, &h) : mesh_hit(b->m, r, &h))
+            sum += (double)h.t;
     }
     return sum;
 }
 
+static inline void cost_row(table *t, const char *method, const cost_batch *b, double us)
+{
+    table_text(t, "%s", method), table_count(t, b->m->triangles), table_count(t, b->rays);
+    table_number(t, us), table_number(t, 1e3 * us / (double)b->m->triangles);
+}
+
 /* The first n/4^k triangles of m as meshes of their own, k = 0..5, some `tests` triangle tests
- * each time. *exponent: slope of log time against log n, by least squares; 1 for O(n). */
+ * each time; and all of them once more by first.h. *exponent: slope of log time against log n, by
+ * least squares; 1 for O(n). */
 static inline table measure_cost(const mesh *m, uint64_t seed, size_t tests, plot *time,
                                  double *exponent)
 {
     table t = table_new("Closest hit by brute force",
-                        "triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");
+                        "method|triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");
     int closest = plot_series(time, "closest hit"), any = plot_series(time, "any hit");
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     vec3 lo, hi;
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
+    vec3 size = vsub(hi, lo), centre = vmadd(lo, size, (real)0.5);
+    first_mesh soup = mesh_soup(m);
     for (int k = 5; k >= 0; k--) {
         mesh part = *m;
         part.triangles = m->triangles >> (2 * k);
         if (part.triangles < 50 && k > 0) continue;  /* there the call costs more than the tests */
         size_t rays = tests / part.triangles;
         rays = rays < 8 ? 8 : rays > 20000 ? 20000 : rays;
-        vec3 size = vsub(hi, lo), centre = vmadd(lo, size, (real)0.5);
-        cost_batch b[2] = {{&part, seed, rays, false, centre, vlength(size) / 2},
-                           {&part, seed, rays, true, centre, vlength(size) / 2}};
-        clock_variant v[2] = {{"closest", run_cost, &b[0], 0}, {"any", run_cost, &b[1], 0}};
-        clock_compare(v, 2, 3);
+        cost_batch b[3];
+        for (int i = 0; i < 3; i++)
+            b[i] = (cost_batch){&part, i == 2 ? &soup : NULL, seed, rays, i == 1, centre,
+                                vlength(size) / 2};
+        clock_variant v[3] = {{"closest", run_cost, &b[0], 0}, {"any", run_cost, &b[1], 0},
+                              {"first", run_cost, &b[2], 0}};
+        clock_compare(v, k == 0 ? 3 : 2, 3);
         double us = 1e6 * v[0].seconds / (double)rays, any_us = 1e6 * v[1].seconds / (double)rays;
-        table_count(&t, part.triangles), table_count(&t, rays), table_number(&t, us);
-        table_number(&t, 1e3 * us / (double)part.triangles), table_number(&t, any_us);
+        cost_row(&t, "mesh_hit", &b[0], us), table_number(&t, any_us);
         plot_add(time, closest, (double)part.triangles, us);
         plot_add(time, any, (double)part.triangles, any_us);
         double a = log((double)part.triangles), c = log(us);
         n++, x += a, y += c, xx += a * a, xy += a * c;
+        if (k > 0) continue;
+        cost_row(&t, "first", &b[2], 1e6 * v[2].seconds / (double)rays), table_text(&t, "-");
     }
+    first_mesh_free(&soup);
     *exponent = n > 1 ? (n * xy - x * y) / (n * xx - x * x) : 0;
     plot_slope(time, 1, "O(n)");
     return t;

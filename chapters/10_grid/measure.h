@@ -12,6 +12,8 @@
 #include "../../common/parallel.h"
 #include "bench.h"
 #include "drift.h"
+#include "first.h"
+#include "first_row.h"
 #include "naive.h"
 #include "nested.h"
 #include "specks.h"
@@ -175,6 +177,37 @@ static inline ray_set teapot_rays(const mesh *m, int width, int height, uint64_t
     return all;
 }
 
+static inline bool first_grid_search(const void *g, ray r, hit *out)
+{
+    return first_grid_hit(g, r, out);
+}
+
+/* Per cent of wrong hits. */
+static inline double first_side_wrong(const mesh *m, const ray_set *rays, const hit *brute)
+{
+    first_mesh f = first_mesh_of(m);
+    first_grid g = first_grid_build(&f);
+    size_t wrong = first_wrong((first_search){&g, first_grid_search}, rays, brute);
+    first_grid_free(&g), first_mesh_free(&f);
+    return 100 * per_ray(wrong, rays);
+}
+
+static inline void first_row(table *t, const mesh *m, const ray_set *rays, const hit *brute,
+                             const side_scene *boards, const side_scene *specks, int rounds)
+{
+    first_mesh f = first_mesh_of(m);
+    first_grid g = first_grid_build(&f);
+    first_search s = {&g, first_grid_search};
+    table_text(t, "first"), table_count(t, (size_t)(g.n[0] * g.n[1] * g.n[2]));
+    table_number(t, (double)g.items / (double)f.n), table_text(t, "-");
+    table_number(t, first_tests_a_ray(s, rays));
+    table_number(t, first_side_wrong(m, rays, brute));
+    table_number(t, first_side_wrong(&boards->m, &boards->rays, boards->h));
+    table_number(t, first_side_wrong(&specks->m, &specks->rays, specks->h));
+    table_number(t, first_seconds(s, rays, rounds) * 1e9 / (double)rays->n);
+    first_grid_free(&g), first_mesh_free(&f);
+}
+
 static inline void measure_variants(const options *o)
 {
     table t = table_new("Wrong hits on three scenes; work and time a ray on the teapot",
@@ -197,6 +230,7 @@ static inline void measure_variants(const options *o)
         v[i] = (clock_variant){variant_list[i].name, b[i].run, &run[i], 0};
     }
     clock_compare(v, variants, o->quick ? 3 : 25);
+    first_row(&t, &m, &rays, h, &boards, &specks, o->quick ? 3 : 25);
     for (int i = 0; i < variants; i++) {
         bool nest = i == two_levels;
         structure_stats st = nest ? nested_stats(&b[i].n) : grid_stats(&b[i].g);

@@ -1,6 +1,6 @@
 /* first.h: an octree (八叉树): a box with too many triangles is cut into eight, and so on.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair by
- * which cells overlap, and hits are lost. octree.h mends it. 12 levels; 1e6 triangles are fine. */
+ * Wrong far away: from 1e4 sizes in float, 1e13 in double, rounding exceeds the hair by which
+ * cells overlap, and hits are lost. octree.h mends it. 12 levels; 1e6 triangles are fine. */
 #ifndef FIRST_OCTREE_H
 #define FIRST_OCTREE_H
 #include "../07_mesh/first.h"
@@ -96,6 +96,7 @@ static inline bool first_octree_visit(const first_octree *t, const first_octree_
 
 static inline bool first_octree_hit(const first_octree *t, ray r, hit *out)
 {
+    r.d = vadd(r.d, vec(0, 0, 0));  /* -0.0 + 0 is 0, which (9.1) can take */
     return first_octree_visit(t, &t->root, &r, out);
 }
 

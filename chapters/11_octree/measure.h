@@ -9,7 +9,8 @@
 #include "../../common/output.h"
 #include "../07_mesh/specimens.h"
 #include "../07_mesh/teapot.h"
-#include "../10_grid/survey.h"
+#include "../10_grid/first_row.h"
+#include "first.h"
 #include "octree.h"
 
 static inline void table_of_knobs(const options *o, mesh m);
@@ -90,6 +91,28 @@ static inline ray_set octree_hard_rays(const mesh *m, vec3 eye, real far, size_t
     return s;
 }
 
+static inline bool first_octree_search(const void *t, ray r, hit *out)
+{
+    return first_octree_hit(t, r, out);
+}
+
+static inline void first_octree_row(table *out, const mesh *m, const ray_set *primary,
+                                    const ray_set *diffuse, const ray_set *hard,
+                                    const hit *brute, int rounds)
+{
+    first_octree t;
+    first_mesh f = first_mesh_of(m);
+    double start = clock_seconds();
+    first_octree_build(&f, &t);
+    double build = clock_seconds() - start;
+    table_text(out, "first"), table_count(out, first_octree_leaf), table_text(out, "-");
+    table_number(out, build * 1e3);
+    for (int k = 0; k < 5; k++) table_text(out, "-");
+    first_cells(out, (first_search){&t, first_octree_search}, primary, diffuse, hard, brute,
+                rounds);
+    first_octree_free(&t), first_mesh_free(&f);
+}
+
 static inline void table_of_knobs(const options *o, mesh m)
 {
     enum { n = 16 };
@@ -144,6 +167,7 @@ static inline void table_of_knobs(const options *o, mesh m)
     table out = table_new(title, "structure|leaf|depth|time build [ms]|memory [B/item]|"
                           "peak [B/item]|refs/item|nodes/ray|leaves/ray|tests/ray|error [wrong]|"
                           "time primary [ns]|time diffuse [ns]");
+    first_octree_row(&out, &m, &p, &d, &hard, brute, o->quick ? 1 : 9);
     for (int i = 0; i < n; i++) {
         structure_stats s = octree_stats(&t[i].t);
         search_work w = octree_count(&t[i].t, &p), e = octree_count(&t[i].t, &d);

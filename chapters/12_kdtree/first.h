@@ -1,6 +1,6 @@
 /* first.h: a k-d tree (KD树): a box is cut in two, across its longest side, in the middle.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, the plane's t is off by more than
- * a hair, and hits are lost. kdtree.h mends it, and cuts where it pays. 1e6 triangles are fine. */
+ * Wrong far away: from 1e4 sizes in float, 1e13 in double, the plane's t is off by more than a
+ * hair, and hits are lost. kdtree.h mends it, and cuts where it pays. 1e6 triangles are fine. */
 #ifndef FIRST_KDTREE_H
 #define FIRST_KDTREE_H
 #include "../07_mesh/first.h"
@@ -106,6 +106,7 @@ static inline bool first_kdtree_hit(const first_kdtree *t, ray r, hit *out)
 {
     real t0, t1;
     if (t->m->n == 0) return false;
+    r.d = vadd(r.d, vec(0, 0, 0));  /* -0.0 + 0 is 0, which (9.1) can take */
     first_slabs(t->box, r, &t0, &t1);
     t0 = real_max(t0, r.tmin), t1 = real_min(t1, r.tmax);
     return t0 <= t1 && first_kd_visit(t, &t->root, &r, t0, t1, out);

@@ -4,7 +4,8 @@
 
 #include "../../common/output.h"
 #include "../07_mesh/teapot.h"
-#include "../10_grid/survey.h"
+#include "../10_grid/first_row.h"
+#include "first.h"
 #include "textbook.h"
 
 typedef bool kd_searcher(const kdtree *t, ray r, hit *out);
@@ -162,6 +163,25 @@ static inline void row_of_brute(table *out, const subject *s)
     table_number(out, s->brute_seconds * 1e9), table_number(out, s->brute_seconds * 1e9);
 }
 
+static inline bool first_kdtree_search(const void *t, ray r, hit *out)
+{
+    return first_kdtree_hit(t, r, out);
+}
+
+static inline void row_of_first(table *out, const subject *s, int rounds)
+{
+    first_kdtree t;
+    first_mesh f = first_mesh_of(&s->m);
+    double start = clock_seconds();
+    first_kdtree_build(&f, &t);
+    double build = clock_seconds() - start;
+    table_text(out, "first"), table_number(out, build * 1e3);
+    for (int k = 0; k < 7; k++) table_text(out, "-");
+    first_cells(out, (first_search){&t, first_kdtree_search}, &s->primary, &s->diffuse,
+                &s->corners, s->brute, rounds);
+    first_kdtree_free(&t), first_mesh_free(&f);
+}
+
 static inline void table_of_strategies(const options *o, const subject *s)
 {
     trial t[candidates];
@@ -185,6 +205,7 @@ static inline void table_of_strategies(const options *o, const subject *s)
     time_trials(t, candidates, run_search, o->quick ? 1 : 3, primary);
     for (int i = 0; i < candidates; i++) t[i].rays = &s->diffuse;
     time_trials(t, candidates, run_search, o->quick ? 1 : 3, diffuse);
+    row_of_first(&out, s, o->quick ? 1 : 3);
     for (int i = 0; i < candidates; i++) {
         search_work w = rays_count(&t[i].t, &s->primary), d = rays_count(&t[i].t, &s->diffuse);
         w.nodes += d.nodes, w.leaves += d.leaves, w.tests += d.tests;

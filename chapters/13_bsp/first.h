@@ -1,5 +1,5 @@
 /* first.h: a BSP tree (BSP树): space is cut in two by the planes of the triangles themselves.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair that
+ * Wrong far away: from 1e4 sizes in float, 1e13 in double, rounding exceeds the hair that
  * planes are thick. bsp.h mends it, and cuts what crosses a plane. For up to 20,000 triangles. */
 #ifndef FIRST_BSP_H
 #define FIRST_BSP_H
@@ -45,7 +45,8 @@ static inline void first_bsp_set_plane(const first_bsp *b, first_bsp_node *node,
 }
 
 /* The plane, of 24 triangles', that leaves the fewest on its fuller side and in itself. Of a round
- * thing all lies behind each of its planes: false if none leaves less than 95 %. */
+ * thing all lies behind each of its planes, and long triangles are on both sides of most: false if
+ * none leaves less than 95 %, or cuts less than half. */
 static inline bool first_bsp_choose(const first_bsp *b, first_bsp_node *node)
 {
     int best = node->count, best_item = -1;
@@ -58,6 +59,7 @@ static inline bool first_bsp_choose(const first_bsp *b, first_bsp_node *node)
             side[0] += where & 1, side[1] += where >> 1, in += where == 0;
         }
         int fuller = in + (side[0] > side[1] ? side[0] : side[1]);
+        if (side[0] + side[1] > 1.5 * node->count) continue;
         if (fuller < best) best = fuller, best_item = item;
     }
     if (best > 0.95 * node->count) return false;

@@ -6,7 +6,8 @@
 #define BSP_MEASURE_H
 
 #include "../../common/output.h"
-#include "../10_grid/survey.h"
+#include "../10_grid/first_row.h"
+#include "first.h"
 #include "bsp.h"
 
 static inline void table_of_rules(const options *o, const mesh *m);
@@ -176,6 +177,25 @@ static inline void rule_row(table *out, const trial *t, const survey *s, double 
     table_number(out, per(diffuse * 1e9, nd));
 }
 
+static inline bool first_bsp_search(const void *b, ray r, hit *out)
+{
+    return first_bsp_hit(b, r, out);
+}
+
+static inline void first_rule_row(table *out, const mesh *m, const survey *s, int rounds)
+{
+    first_bsp b;
+    first_mesh f = first_mesh_of(m);
+    double start = clock_seconds();
+    first_bsp_build(&f, &b);
+    double build = clock_seconds() - start;
+    table_text(out, "first"), table_number(out, build * 1e3);
+    for (int k = 0; k < 9; k++) table_text(out, "-");
+    first_cells(out, (first_search){&b, first_bsp_search}, &s->primary, &s->diffuse, &s->corners,
+                s->brute, rounds);
+    first_bsp_free(&b), first_mesh_free(&f);
+}
+
 static inline void table_of_rules(const options *o, const mesh *m)
 {
     items x = items_of_mesh(m);
@@ -200,6 +220,7 @@ static inline void table_of_rules(const options *o, const mesh *m)
     time_searches(t, n, o->quick ? 1 : 15, primary);
     for (int i = 0; i < n; i++) t[i].rays = &s.diffuse;
     time_searches(t, n, o->quick ? 1 : 15, diffuse);
+    first_rule_row(&out, m, &s, o->quick ? 1 : 15);
     for (int i = 0; i < n; i++) {
         rule_row(&out, &t[i], &s, build[i], primary[i], diffuse[i]);
         double ns = per(diffuse[i] * 1e9, rays_asked(&s.diffuse, t[i].some));

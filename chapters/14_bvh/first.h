@@ -1,6 +1,6 @@
 /* first.h: a bounding volume hierarchy (层次包围盒, BVH): not space is cut, but the set of triangles.
- * Wrong far away: beyond some 100 sizes in float, 1e11 in double, rounding exceeds the hair that
- * boxes are larger, and hits are lost. bvh.h mends it. 1e6 triangles are fine. */
+ * Wrong far away: from 1e4 sizes in float, 1e13 in double, rounding exceeds the hair by which
+ * boxes are larger, and hits are lost. bvh.h mends it. 1e6 triangles take seconds. */
 #ifndef FIRST_BVH_H
 #define FIRST_BVH_H
 #include "../07_mesh/first.h"
@@ -86,8 +86,9 @@ static inline int first_bvh_sah(first_bvh *b, int first, int n)
     return left;
 }
 
-/* The node for order[first .. first + n), and all below it; returns its number. */
-static inline int first_bvh_split(first_bvh *b, int first, int n, bool sah)
+/* The node for order[first .. first + n), and all below it, of which `sah` levels, no more, by the
+ * heuristic: it may cut off one triangle at a time. Returns the node's number. */
+static inline int first_bvh_split(first_bvh *b, int first, int n, int sah)
 {
     int me = b->nodes++, left = 0;
     aabb box = aabb_empty();
@@ -97,7 +98,7 @@ static inline int first_bvh_split(first_bvh *b, int first, int n, bool sah)
     if (n <= first_bvh_leaf) return me;
 
     /* By the heuristic; or across the longest axis, by the triangle in the middle. */
-    if (sah) left = first_bvh_sah(b, first, n);
+    if (sah-- > 0) left = first_bvh_sah(b, first, n);
     if (left == 0) {
         left = n / 2;
         first_bvh_select(b, first, first + n - 1, first + left, vlongest(vsub(box.hi, box.lo)));
@@ -113,7 +114,7 @@ static inline first_bvh first_bvh_build(const first_mesh *m, bool sah)
                    .node = allocate(2 * (size_t)m->n + 1, sizeof(first_bvh_node))};
     (void)first_triangles_box(m->tri, m->n, &b.hair);
     for (int i = 0; i < m->n; i++) b.order[i] = i;
-    first_bvh_split(&b, 0, m->n, sah);
+    first_bvh_split(&b, 0, m->n, sah ? 100 : 0);
     return b;
 }
 
@@ -136,6 +137,7 @@ static inline bool first_bvh_visit(const first_bvh *b, int i, ray *r, hit *out)
 
 static inline bool first_bvh_hit(const first_bvh *b, ray r, hit *out)
 {
+    r.d = vadd(r.d, vec(0, 0, 0));  /* -0.0 + 0 is 0, which (9.1) can take */
     return first_bvh_visit(b, 0, &r, out);
 }
 

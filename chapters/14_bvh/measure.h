@@ -5,6 +5,8 @@
 #include "../../common/output.h"
 #include "../07_mesh/closest.h"
 #include "../07_mesh/teapot.h"
+#include "../10_grid/first_row.h"
+#include "first.h"
 #include "stats.h"
 #include "survey.h"
 
@@ -104,6 +106,26 @@ static inline double time_once(trial *t, double (*run)(void *))
 
 static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
 
+static inline bool first_bvh_search(const void *b, ray r, hit *out)
+{
+    return first_bvh_hit(b, r, out);
+}
+
+static inline void first_strategy_row(table *out, const subject *s, bool sah, int rounds)
+{
+    first_mesh f = first_mesh_of(&s->m);
+    double start = clock_seconds(), rays = (double)(s->primary.n + s->diffuse.n);
+    first_bvh b = first_bvh_build(&f, sah);
+    double build = clock_seconds() - start;
+    table_text(out, sah ? "first, SAH" : "first, middle"), table_count(out, first_bvh_leaf);
+    table_number(out, build * 1e3);
+    for (int k = 0; k < 4; k++) table_text(out, "-");
+    double seconds = first_cells(out, (first_search){&b, first_bvh_search}, &s->primary,
+                                 &s->diffuse, &s->corners, s->brute, rounds);
+    table_number(out, rays / seconds * 1e-6);
+    first_bvh_free(&b), first_mesh_free(&f);
+}
+
 static inline void table_of_strategies(const options *o, const subject *s)
 {
     trial t[candidates];
@@ -121,6 +143,7 @@ static inline void table_of_strategies(const options *o, const subject *s)
     time_trials(t, candidates, run_search, o->quick ? 1 : 5, primary);
     for (int i = 0; i < candidates; i++) t[i].rays = &s->diffuse;
     time_trials(t, candidates, run_search, o->quick ? 1 : 5, diffuse);
+    for (int sah = 0; sah < 2; sah++) first_strategy_row(&out, s, sah != 0, o->quick ? 1 : 5);
     for (int i = 0; i < candidates; i++) {
         bvh_stats st = bvh_stats_of(&t[i].b.tree);
         bvh_work p = rays_count(&t[i].b, &s->primary), d = rays_count(&t[i].b, &s->diffuse);

@@ -1,0 +1,65 @@
+/* The first BVH, by both of its rules: brute force's hits; fewer than 2 n nodes; wrong far away. */
+#include "../chapters/14_bvh/first.h"
+#include "../chapters/14_bvh/bvh.h"
+#include "first_structure.h"
+
+static void *full_build(const items *x, failure *f)
+{
+    bvh *b = allocate(1, sizeof *b);
+    bvh_build(x->m, bvh_defaults, b);
+    return (void)f, b;
+}
+
+static bool full_hit(const void *s, ray r, hit *out) { return bvh_hit(s, r, out); }
+static bool full_occluded(const void *s, ray r) { return bvh_occluded(s, r); }
+static void full_destroy(void *s) { bvh_free(s), free(s); }
+
+static bool heuristic;
+
+static void *build(const first_mesh *m)
+{
+    first_bvh *b = allocate(1, sizeof *b);
+    *b = first_bvh_build(m, heuristic);
+    return b;
+}
+
+static bool hit_of(const void *s, ray r, hit *out) { return first_bvh_hit(s, r, out); }
+static void destroy(void *s) { first_bvh_free(s), free(s); }
+static size_t nodes_of(const void *s) { return (size_t)((const first_bvh *)s)->nodes; }
+
+static int depth_below(const first_bvh *b, int i)
+{
+    if (b->node[i].left == 0) return 0;
+    int l = depth_below(b, b->node[i].left), r = depth_below(b, b->node[i].right);
+    return 1 + (l > r ? l : r);
+}
+
+static int depth_of(const void *s) { return depth_below(s, 0); }
+static double most_depth(double log_n) { return log_n + (heuristic ? 100 : 0); }
+
+/* Flat boards at -1.067^-i, all of one size: each of the heuristic's cuts costs as much as any
+ * other, and its first takes one board off. Without a limit the depth would be n. */
+static void test_one_by_one(const first_structure *s)
+{
+    size_t n = real_is_float ? 800 : 5000;
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < n; i++) {
+        real x = (real)-exp(log(1.067) * -(double)i);
+        set_triangle(&m, i, (vec3){x, 0, 0}, (vec3){x, 1, 0}, (vec3){x, 0, 1});
+    }
+    first_structure_bounds(s, "one by one", m, (vec3){0, 0, 0});
+}
+
+int main(void)
+{
+    structure full = {"BVH", full_build, full_hit, full_occluded, full_destroy};
+    first_structure s = {"first BVH, middle", build, hit_of, destroy, nodes_of, depth_of, 2,
+                         most_depth};
+    for (int sah = 0; sah < 2; sah++) {
+        heuristic = sah != 0;
+        if (sah) s.name = "first BVH, SAH";
+        first_structure_tests(&s, &full);
+        test_one_by_one(&s);
+    }
+    return check_report("14_first");
+}
