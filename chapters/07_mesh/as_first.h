@@ -26,10 +26,10 @@ static inline first_mesh first_mesh_of(const mesh *m)
 }
 
 /* Both are hit_none where there is no hit; infinity - infinity is no number, and not wrong. */
-static inline bool first_is_wrong(hit h, hit brute)
+static inline bool first_is_wrong(hit h, hit due)
 {
-    real most = (real_is_float ? (real)1e-3 : (real)1e-8) * brute.t;
-    return (h.shape == no_shape) != (brute.shape == no_shape) || fabs(h.t - brute.t) > most;
+    real most = (real_is_float ? (real)1e-3 : (real)1e-8) * due.t;
+    return (h.shape == no_shape) != (due.shape == no_shape) || fabs(h.t - due.t) > most;
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* first.h: instances (实例): one mesh in memory, many in the scene. The ray moves, not the mesh.
- * Slow: it asks every instance, O(n). Wrong where M flattens (det = 0), and far away, as 14 is.
- * build.h puts a tree over the instances, and pays for the rounding. */
+ * Slow: it asks every instance, O(n). Wrong where det M is 0, as it is, rounded, at a scale of
+ * 1e-110 (1e-15 in float), and far away, as 14 is. build.h has a tree, and pays for rounding. */
 #ifndef FIRST_INSTANCES_H
 #define FIRST_INSTANCES_H
 #include "../14_bvh/first.h"

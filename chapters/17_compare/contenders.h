@@ -23,6 +23,7 @@
 #include "brute.h"
 #include "bvh_items.h"
 #include "explain_cells.h"
+#include "first_items.h"
 
 typedef struct {
     const char *name;
@@ -124,11 +125,26 @@ CONTENDER(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), SIZE_MA
 CONTENDER(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), SIZE_MAX,
           explain_octree)
 
+/* Of the short book: they may be wrong (stage.h). */
+CONTENDER(first_grid, "first-grid", first_items, ((first_items_options){first_use_grid, 0}),
+          SIZE_MAX, NULL)
+CONTENDER(first_octree, "first-octree", first_items, ((first_items_options){first_use_octree, 0}),
+          SIZE_MAX, NULL)
+CONTENDER(first_kdtree, "first-kdtree", first_items, ((first_items_options){first_use_kdtree, 0}),
+          SIZE_MAX, NULL)
+CONTENDER(first_bsp, "first-bsp", first_items, ((first_items_options){first_use_bsp, 0}),
+          first_bsp_most, NULL)
+CONTENDER(first_bvh, "first-bvh", first_items, ((first_items_options){first_use_bvh, 0}),
+          SIZE_MAX, NULL)
+
 static const contender *const contender_list[] = {
     &brute_contender,      &grid_contender,        &nested_contender, &octree_contender,
     &kdtree_contender,     &bsp_contender,         &bvh_contender,    &bvh_morton_contender,
-    &bvh_spatial_contender, &grid_1_contender,     &grid_10_contender, &octree_7_contender};
-enum { usual_contenders = 9, contenders = sizeof contender_list / sizeof *contender_list };
+    &bvh_spatial_contender, &grid_1_contender,     &grid_10_contender, &octree_7_contender,
+    &first_grid_contender, &first_octree_contender, &first_kdtree_contender, &first_bsp_contender,
+    &first_bvh_contender};
+enum { usual_contenders = 9, full_contenders = 12,
+       contenders = sizeof contender_list / sizeof *contender_list };
 
 static inline const contender *contender_find(const char *name)
 {
@@ -142,6 +158,11 @@ static inline int contender_number(const contender *c)  /* in the list */
     int k = 0;
     while (contender_list[k] != c) k++;
     return k;
+}
+
+static inline bool contender_is_first(const contender *c)  /* it may be wrong */
+{
+    return contender_number(c) >= full_contenders;
 }
 
 static inline void contender_free(const contender *c, void *s)

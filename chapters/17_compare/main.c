@@ -90,6 +90,26 @@ static void print_memory(const options *o)
     printf("# most memory held by the program: %.0f MB\n", (double)u.ru_maxrss / 1024);
 }
 
+/* The notes' own algorithms beside the fastest full tree, on a small soup. */
+static void compare_first(const common_settings *c)
+{
+    const options *o = c->o;
+    unsigned firsts = ((1u << contenders) - 1) & ~((1u << full_contenders) - 1);
+    world w;
+    stage s;
+    failure f;
+    char title[160];
+    if (!scene_world(scene_find("soup"), o->quick ? 1 : 4, &w, &f)) fail(f);
+    stage_begin(&s, &w, firsts | 1u << contender_number(&bvh_contender), c->most_bytes, 1);
+    stage_rays(&s, whole_view, o->quick ? 12 : 64, o->seed);
+    end_if_wrong(stage_prove(&s, o->quick ? 200 : 2400, o->seed, stdout));
+    bench_measure(&s, o->quick ? 1 : 3);
+    snprintf(title, sizeof title, "The first versions: soup of %zu triangles", world_size(&w));
+    bench_table(o, &s, title);
+    printf("\n");
+    stage_end(&s), world_free(&w);
+}
+
 static void run(const options *o, const own_options *own, const common_settings *c)
 {
     bool all = !own->scene && !own->mesh;
@@ -111,6 +131,7 @@ static void run(const options *o, const own_options *own, const common_settings 
     else table_free(&csv);
     if (measured && all) {
         summary_print(o, &sum);
+        if (!own->only) compare_first(c);
         end_if_wrong(growth_run(o, c->chosen, c->most_bytes, own->full));
         output_chart(o, &bars, "17_compare_time.svg");
     }

@@ -84,9 +84,14 @@ static inline void verify_world(const common_settings *c, const world *w)
     for (int k = 0; ok && k < ray_kinds; k++)
         ok = prove_rays(&s, s.rays[k].r, s.rays[k].n, true, stdout);
     end_if_wrong(ok);
+    stage_count_wrong(&s, aimed.r, aimed.n, true);
+    for (int k = 0; k < ray_kinds; k++) 
+        stage_count_wrong(&s, s.rays[k].r, s.rays[k].n, false);
     for (int k = 0; k < s.entries; k++)
         if (!s.entry[k].s)
             printf("%s %s: does not fit: %s\n", w->name, s.entry[k].c->name, s.entry[k].why.text);
+        else if (contender_is_first(s.entry[k].c))
+            bench_print_wrong(&s.entry[k]);
         else if (s.entry[k].c != &brute_contender)
             printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays: as "
                    "brute force\n", w->name, s.entry[k].c->name, s.rays[KIND_PRIMARY].n,

@@ -32,6 +32,8 @@ typedef struct {
     search_work work[ray_kinds];
     size_t rays[ray_kinds], hits[ray_kinds];
     double seconds[ray_kinds];    /* of so many rays */
+    size_t wrong[2], held[2];     /* of a first version: hits unlike brute force's, of so many: */
+                                  /* of rays aimed at borders, or begun there; of all others */
 } entry;
 
 typedef struct {
@@ -99,9 +101,13 @@ static inline void stage_end(stage *s)
 /* The fastest there is for things on the way: the last that fits. NULL: none does. */
 static inline const entry *stage_any(const stage *s)
 {
-    for (int k = s->entries - 1; k >= 0; k--)
-        if (s->entry[k].s) return &s->entry[k];
-    return NULL;
+    const entry *first = NULL;
+    for (int k = s->entries - 1; k >= 0; k--) {
+        const entry *e = &s->entry[k];
+        if (e->s && !contender_is_first(e->c)) return e;
+        if (e->s && !first) first = e;
+    }
+    return first;
 }
 
 static inline void stage_rays(stage *s, const double part[4], int edge, uint64_t seed)
@@ -173,7 +179,7 @@ static inline bool prove_rays(const stage *s, const ray *r, size_t n, bool by_br
     }
     for (int k = 0; ok && k < s->entries; k++) {
         const entry *e = &s->entry[k];
-        if (!e->s || e->c == &brute_contender) continue;
+        if (!e->s || e->c == &brute_contender || contender_is_first(e->c)) continue;
         if (!first && !by_brute) {
             oracle = e->c->name;
             e->c->search(e->s, r, n, false, due);
@@ -185,11 +191,27 @@ static inline bool prove_rays(const stage *s, const ray *r, size_t n, bool by_br
     return ok;
 }
 
+/* The first versions are allowed to be wrong: counted, not explained. */
+static inline void stage_count_wrong(stage *s, const ray *r, size_t n, bool aimed)
+{
+    for (int k = 0; k < s->entries; k++) {
+        entry *e = &s->entry[k];
+        for (size_t i = 0; e->s && contender_is_first(e->c) && i < n; i++) {
+            hit due = hit_none, h = hit_none;
+            items_hit(&s->x, r[i], &due);
+            e->c->hit(e->s, r[i], &h);
+            e->wrong[!aimed] += first_is_wrong(h, due), e->held[!aimed]++;
+        }
+    }
+}
+
 /* Those that fit, beside brute force: one alone has only that to agree with. */
 static inline int stage_fit(const stage *s)
 {
     int n = 0;
-    for (int k = 0; k < s->entries; k++) n += s->entry[k].s && s->entry[k].c != &brute_contender;
+    for (int k = 0; k < s->entries; k++) 
+        n += s->entry[k].s && s->entry[k].c != &brute_contender
+             && !contender_is_first(s->entry[k].c);
     return n;
 }
 
@@ -209,6 +231,7 @@ static inline bool stage_prove(stage *s, size_t brute_rays, uint64_t seed, FILE 
     bool ok = true;
     for (int k = 0; k < 2; k++) {
         ok = ok && prove_rays(s, extra[k].r, extra[k].n, true, out);
+        stage_count_wrong(s, extra[k].r, extra[k].n, true);
         s->proved += extra[k].n, s->by_brute += extra[k].n;
         rays_free(&extra[k]);
     }
@@ -218,6 +241,7 @@ static inline bool stage_prove(stage *s, size_t brute_rays, uint64_t seed, FILE 
         ok = prove_rays(s, some.r, some.n, true, out)
              && (some.n == s->rays[k].n
                  || prove_rays(s, s->rays[k].r, s->rays[k].n, false, out));
+        stage_count_wrong(s, some.r, some.n, false);
         s->proved += fit > 1 ? s->rays[k].n : some.n, s->by_brute += some.n;
         rays_free(&some);
     }

@@ -1,0 +1,90 @@
+/* first_items.h: the structures of first.h with the verbs that all structures share (items.h of
+ * 10): what the notes' own algorithms cost beside the full versions. They may be wrong: stage.h
+ * holds them against brute force, marks them, and goes on.
+ *
+ *   first_items_options{which}     first_use_grid .. first_use_bvh: one of them is built
+ *
+ * Triangles only; a BSP tree of more than first_bsp_most is not built: it takes too long. They do
+ * not say what they hold, and count tests, not steps.
+ */
+#ifndef FIRST_ITEMS_H
+#define FIRST_ITEMS_H
+
+#include "../07_mesh/as_first.h"
+#include "../10_grid/items.h"
+#include "first.h"
+
+typedef struct { int which; size_t most_bytes; } first_items_options;
+typedef struct { first_mesh m; first_contest c; int which; } first_items;
+
+enum { first_bsp_most = 20000, first_bytes = 2000 };  /* a triangle, at a guess */
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool first_items_build(const items *x, first_items_options how, first_items *out,
+                                     failure *f)
+{
+    *out = (first_items){.which = how.which};
+    if (!x->m) return failed(f, 2, "the first versions hold triangles only");
+    if (how.which == first_use_bsp && x->n > first_bsp_most)
+        return failed(f, 2, "for at most %d triangles", (int)first_bsp_most);
+    if (x->n > how.most_bytes / first_bytes || x->n > INT32_MAX / 8)
+        return failed(f, 1, "%zu triangles may not fit", x->n);
+    out->m = first_mesh_of(x->m);
+    out->c.m = &out->m;
+    switch (how.which) {
+    case first_use_grid: out->c.grid = first_grid_build(&out->m); break;
+    case first_use_octree: first_octree_build(&out->m, &out->c.octree); break;
+    case first_use_kdtree: first_kdtree_build(&out->m, &out->c.kdtree); break;
+    case first_use_bsp: first_bsp_build(&out->m, &out->c.bsp); break;
+    default: out->c.bvh = first_bvh_build(&out->m, true);
+    }
+    return true;
+}
+
+static inline void first_items_free(first_items *s)
+{
+    switch (s->c.m ? s->which : first_structures) {
+    case first_use_grid: first_grid_free(&s->c.grid); break;
+    case first_use_octree: first_octree_free(&s->c.octree); break;
+    case first_use_kdtree: first_kdtree_free(&s->c.kdtree); break;
+    case first_use_bsp: first_bsp_free(&s->c.bsp); break;
+    case first_use_bvh: first_bvh_free(&s->c.bvh); break;
+    default: break;
+    }
+    first_mesh_free(&s->m);
+    s->c.m = NULL;
+}
+
+static inline bool first_items_hit(const first_items *s, ray r, hit *out)
+{
+    return first_contest_hit(&s->c, s->which, r, out);
+}
+
+/* The first versions have no search of their own for any hit. */
+static inline bool first_items_occluded(const first_items *s, ray r)
+{
+    hit h;
+    return first_items_hit(s, r, &h);
+}
+
+static inline bool first_items_hit_counted(const first_items *s, ray r, hit *out, search_work *w)
+{
+    long before = first_tests;
+    bool met = first_items_hit(s, r, out);
+    w->tests += (size_t)(first_tests - before);
+    return met;
+}
+
+static inline bool first_items_occluded_counted(const first_items *s, ray r, search_work *w)
+{
+    hit h;
+    return first_items_hit_counted(s, r, &h, w);
+}
+
+static inline structure_stats first_items_stats(const first_items *s)
+{
+    return (structure_stats){.items = (size_t)s->m.n};
+}
+
+#endif

@@ -1,0 +1,129 @@
+/* 17's first.h: five structures, and brute force: the same hits on easy rays, those of 07's
+ * mesh_hit; nothing to hold, one triangle, 2000 at one place, none of any area, rays that are none. */
+#include "check.h"
+#include "../common/random.h"
+#include "../chapters/07_mesh/teapot.h"
+#include "../chapters/17_compare/scenes.h"
+#include "../chapters/17_compare/stage.h"
+
+static vec3 random_vec3(random_stream *g, real size)
+{
+    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
+    return vscale((vec3){x, y, z}, size);
+}
+
+/* Hits of every structure against first_mesh_hit's, and, if m is given, its against mesh_hit's. */
+static void compare(const first_mesh *f, const mesh *m, vec3 middle, real size, const char *what)
+{
+    static first_contest c;
+    size_t n = check_count(20000), hits = 0, wrong[first_structures] = {0}, robust = 0;
+    first_contest_build(f, &c);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(1, i, 0);
+        vec3 from = vadd(middle, vscale(vunit(random_vec3(&g, 1)), 3 * size));
+        ray r = ray_between(from, vadd(middle, random_vec3(&g, size)));
+        if (i % 2) r.tmax = real_infinity;
+        hit due = hit_none, robust_hit = hit_none;
+        first_mesh_hit(f, r, &due);
+        hits += due.shape != no_shape;
+        if (m) mesh_hit(m, r, &robust_hit), robust += first_is_wrong(due, robust_hit);
+        for (int s = 0; s < first_structures; s++) {
+            hit h = hit_none;
+            bool met = first_contest_hit(&c, s, r, &h);
+            wrong[s] += met != (due.shape != no_shape) || (met && h.t != due.t);
+        }
+    }
+    for (int s = 0; s < first_structures; s++)
+        check_at_most(wrong[s], real_is_float ? n / 5000 : 0, "%s: %s, of %zu hits", what,
+                      first_structure_name[s], hits);
+    if (m) check_at_least(hits, n / 4, "%s: rays that hit", what);
+    if (m) check_at_most(robust, n / 2000, "%s: as mesh_hit has it, but at seams", what);
+    first_contest_free(&c);
+}
+
+static void test_easy(void)
+{
+    mesh pot = teapot_mesh(4);
+    first_mesh f = first_mesh_of(&pot), knot = first_knot(60, 8);
+    vec3 lo, hi;
+    mesh_bounds(&pot, &lo, &hi);
+    compare(&f, &pot, vscale(vadd(lo, hi), (real)0.5), vlength(vsub(hi, lo)) / 4, "teapot");
+    compare(&knot, NULL, (vec3){0, 0, 0}, 3, "knot");
+    mesh_free(&pot), first_mesh_free(&f), first_mesh_free(&knot);
+}
+
+static void test_degenerate(void)
+{
+    static first_contest c;
+    static triangle t[2000];
+    const int count[4] = {0, 1, 2000, 2000};
+    const char *const what[4] = {"nothing", "one triangle", "2000 at one place", "no area"};
+    for (int k = 0; k < 4; k++) {
+        first_mesh m = {t, count[k]};
+        for (int i = 0; i < 2000; i++)
+            t[i] = (triangle){{-1, -1, 0}, {1, -1, 0}, k == 3 ? (vec3){0, -1, 0} : (vec3){0, 1, 0}};
+        if (k == 2) compare(&m, NULL, (vec3){0, 0, 0}, 1, what[k]);
+        first_contest_build(&m, &c);
+        vec3 d[] = {{0, 0, -1}, {0, 0, 0}, {(real)NAN, 0, 0}, {0, 0, -real_infinity}};
+        size_t hits = 0, others = 0;
+        for (int s = 0; s < first_structures; s++)
+            for (int j = 0; j < 4; j++) {
+                hit h;
+                bool met = first_contest_hit(&c, s, ray_from((vec3){0, 0, 1}, d[j]), &h);
+                *(j ? &others : &hits) += met;
+            }
+        check_equal(hits, k == 1 || k == 2 ? first_structures : 0, "%s", what[k]);
+        check_equal(others, 0, "%s: rays that are none", what[k]);
+        first_contest_free(&c);
+    }
+}
+
+/* For the tables: each alone, built by the name it has there; none holds what is no triangle. */
+static void test_contenders(void)
+{
+    mesh pot = teapot_mesh(2);
+    shape ball = shape_of_sphere((sphere){{0, 0, 0}, 1});
+    scene s = {&ball, 1};
+    items x = items_of_mesh(&pot), round = items_of_scene(&s);
+    failure f;
+    for (int k = full_contenders; k < contenders; k++) {
+        const contender *c = contender_list[k];
+        void *built = contender_build(c, &x, (size_t)1 << 30, &f);
+        hit h, due;
+        ray r = ray_from((vec3){(real)0.1, -9, 1}, (vec3){0, 1, 0});
+        check(built && c->hit(built, r, &h) && mesh_hit(&pot, r, &due)
+              && !first_is_wrong(h, due) && c->occluded(built, r), "%s", c->name);
+        contender_free(c, built);
+        check(!contender_build(c, &round, (size_t)1 << 30, &f), "%s: a ball", c->name);
+        check(!contender_build(c, &x, 1000, &f), "%s: no room", c->name);
+    }
+    mesh_free(&pot);
+}
+
+/* Where they are wrong they are counted; the proof of the others goes on, and holds. */
+static void test_wrong_is_counted(void)
+{
+    stage s;
+    world w;
+    failure f;
+    if (!scene_world(scene_find("soup"), 1, &w, &f)) fail(f);
+    stage_begin(&s, &w, ((1u << contenders) - 1) & ~1u, (size_t)1 << 30, 1);
+    stage_rays(&s, whole_view, 24, 7);
+    check(stage_prove(&s, 400, 7, stdout), "the full versions are right");
+    for (int k = 0; k < s.entries; k++) {
+        const entry *e = &s.entry[k];
+        if (!contender_is_first(e->c)) check_equal(e->held[0] + e->held[1], 0, "%s", e->c->name);
+        else check(e->wrong[0] > 10 && e->wrong[0] < e->held[0] / 2 && e->wrong[1] <= 1,
+                   "%s: wrong at borders: %zu, else %zu", e->c->name, e->wrong[0], e->wrong[1]);
+    }
+    stage_end(&s), world_free(&w);
+}
+
+int main(void)
+{
+    test_easy();
+    test_degenerate();
+    test_contenders();
+    test_wrong_is_counted();
+    return check_report("17_first");
+}
