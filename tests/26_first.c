@@ -1,5 +1,5 @@
 /* 26's first.h: its pictures against path.h's and against the terms of 25 on the same walls, its
- * roulette, its noise, its options. Fixed seeds; each comparison alarms falsely once in 1e8 seeds. */
+ * roulette, its noise, its options. Fixed seeds; a comparison alarms falsely once in 1e8 seeds. */
 static char directory[] = "/tmp/26_first_XXXXXX";
 #include "program.h"
 #include "../chapters/20_monte_carlo/t_test.h"
@@ -13,7 +13,8 @@ static const double false_alarm = 1e-8, sigmas = 5.8;
 
 /* Two estimates of the same number. */
 #define check_same(a, b, ...) \
-    check_close((a).mean, (b).mean, sigmas * hypot(estimate_error(a), estimate_error(b)), __VA_ARGS__)
+    check_close((a).mean, (b).mean, sigmas * hypot(estimate_error(a), estimate_error(b)), \
+                __VA_ARGS__)
 
 /* ---- the Cornell box, 4 x 4 regions ---- */
 
@@ -173,8 +174,8 @@ static first_scene cube(double rho, vec3 E)
     return s;
 }
 
-/* Hits of a path: P(n) = q^(n-1) (1 - q), on average 1 / (1 - q) = 5, more than 93 with q^93 = 1e-9.
- * The recursion is as deep as that. With albedo 1 the light grows without end; each path ends. */
+/* Hits of a path: P(n) = q^(n-1) (1 - q), on average 1 / (1 - q) = 5, more than 93 with the
+ * probability q^93 = 1e-9. The recursion is as deep as that. With albedo 1 the light grows without end; each path ends. */
 static void test_ends(void)
 {
     first_scene s = cube(1, (vec3){1, 1, 1});
