@@ -1,5 +1,5 @@
 /* first.h: path tracing (路径追踪): shade() with one ray a hit, light sampling and Russian roulette.
- * Wrong nowhere on average, but noisy near lamps and for what shines; and only matte walls, one lamp.
+ * Wrong nowhere on average, but noisy close to a lamp (24); and it knows only matte walls, one lamp.
  * path.h has mirrors, glass, many lamps, a sky, and takes both ways to a lamp at once. */
 #ifndef FIRST_PATH_H
 #define FIRST_PATH_H

@@ -11,11 +11,14 @@
 #define MEASURE_H
 
 #include "../../common/output.h"
+#include "../24_direct_light/lit_first.h"
 #include "../25_bounces/naive_path.h"
 #include "command.h"
+#include "first.h"
 
 enum { strategies = 7 };
-typedef struct { const char *name; bool naive; path_options how; } strategy;
+typedef enum { BY_PATH, BY_NAIVE, BY_FIRST } strategy_program;
+typedef struct { const char *name; strategy_program by; path_options how; } strategy;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -29,15 +32,16 @@ static inline void strategy_list(strategy s[strategies])
     by_lights.mis = false;
     fixed.roulette = ROULETTE_FIXED;
     const strategy list[strategies] = {
-        {"naive (25)", true, none}, {"directions + roulette", false, directions},
-        {"lights + roulette", false, by_lights}, {"lights + MIS, 40 bounces", false, both},
-        {"lights + MIS + roulette .8", false, fixed},
-        {"lights + MIS + roulette", false, r}, {"the same, Sobol' (default)", false, d}};
+        {"naive (25)", BY_NAIVE, none}, {"directions + roulette", BY_PATH, directions},
+        {"lights + roulette", BY_PATH, by_lights}, {"lights + MIS, 40 bounces", BY_PATH, both},
+        {"lights + MIS + roulette .8", BY_PATH, fixed},
+        {"lights + MIS + roulette", BY_PATH, r}, {"the same, Sobol' (default)", BY_PATH, d}};
     memcpy(s, list, sizeof list);
 }
 
 typedef struct {
     showcase c;
+    first_scene first;     /* the same walls, for first.h; or nothing */
     int side;
     image reference;
     bool *dark;            /* [side^2] does not see the light */
@@ -60,12 +64,13 @@ static inline image measure_render(const measure_place *m, const strategy *s, ui
             path_random r = path_start(&s->how, seed, 2 * (uint64_t)i + k % 2, k / 2, 1u << 31);
             point2 u = path_pair(&r);
             ray eye = camera_ray(m->c.eye, x + u.u, y + u.v, m->side, m->side);
-            vec3 L = s->naive ? naive_radiance(&p, eye, &r.pairs, &n)
+            vec3 L = s->by == BY_FIRST ? first_path(&m->first, eye, &r.own)
+                   : s->by == BY_NAIVE ? naive_radiance(&p, eye, &r.pairs, &n)
                               : path_radiance(&t, eye, &r, &c);
             film_add(&f, (size_t)i, k, L);
         }
     *seconds = clock_seconds() - start;
-    *rays = s->naive ? naive_rays(&n) : path_rays(&c);
+    *rays = s->by == BY_NAIVE ? naive_rays(&n) : path_rays(&c);
     failure why;
     film_cover(&f, 0, samples, &why);
     image im = film_picture(&f);
@@ -73,12 +78,26 @@ static inline image measure_render(const measure_place *m, const strategy *s, ui
     return im;
 }
 
+/* The box; or first.h's, all of whose walls are parallelograms. */
+static inline void measure_box(measure_place *m, bool first)
+{
+    failure f;
+    if (!first) {
+        if (!showcase_of("cornell", 1, &m->c, &f)) fail(f);
+        return;
+    }
+    first_camera c = first_cornell_camera(1, 1);
+    m->first = first_cornell();
+    lit_first(&m->first, &m->c.s);
+    m->c.eye = showcase_eye(c.e, vsub(c.e, c.w), (real)39.3077, 1);
+}
+
 /* Of a reference whose own error is known to be some part of what is measured. */
-static inline void measure_place_of(const options *o, measure_place *m)
+static inline void measure_place_of(const options *o, bool first, measure_place *m)
 {
     failure f;
     *m = (measure_place){.side = o->quick ? 12 : 32};
-    if (!showcase_of("cornell", 1, &m->c, &f)) fail(f);
+    measure_box(m, first);
     path_tracer t;
     path_tracer_of(&m->c.s, NULL, path_defaults, &t);
     render_job j = {.tracer = &t, .eye = m->c.eye, .seed = 77, .threads = o->threads};
@@ -135,33 +154,69 @@ static inline measured measure_strategy(const measure_place *m, const strategy *
     return x;
 }
 
+enum { strategy_levels = 3 };
+static inline uint32_t strategy_samples(int level) { return 4u << 2 * level; }
+
+static inline void strategy_measure(const options *o, const measure_place *m, const strategy *s,
+                                    measured x[strategy_levels])
+{
+    for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++)
+        x[l] = measure_strategy(m, s, strategy_samples(l), o->quick ? 1 : l < 2 ? 3 : 1);
+}
+
+/* Nobody counts the rays of first.h. */
+static inline void strategy_rows(const options *o, const measure_place *m, const strategy *s,
+                                 const measured *x, const measured *naive, table *t)
+{
+    for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++) {
+        double paths = (double)m->side * m->side * strategy_samples(l);
+        double efficiency = 1 / (x[l].error * x[l].error * x[l].seconds);
+        table_text(t, "%s", s->name), table_count(t, strategy_samples(l));
+        table_number(t, x[l].error);
+        if (s->by == BY_FIRST) table_text(t, "-");
+        else table_number(t, x[l].rays / paths);
+        table_number(t, x[l].seconds * 1e3), table_number(t, efficiency);
+        table_number(t, efficiency * naive[l].error * naive[l].error * naive[l].seconds);
+    }
+}
+
+/* first.h in its own box, beside the naive path there. */
+static inline void measure_first(const options *o, table *t)
+{
+    strategy s[strategies], first = {.name = "first, in its own box", .by = BY_FIRST};
+    measure_place m;
+    measured naive[strategy_levels], x[strategy_levels];
+    strategy_list(s);
+    first.how = s[2].how;
+    measure_place_of(o, true, &m);
+    strategy_measure(o, &m, &s[0], naive), strategy_measure(o, &m, &first, x);
+    strategy_rows(o, &m, &first, x, naive, t);
+    measure_place_free(&m);
+}
+
 static inline void measure_strategies(const options *o)
 {
     measure_place m;
     strategy s[strategies];
+    measured naive[strategy_levels], x[strategy_levels];
     table t = table_new("Error of pixels that do not see the light, and what it costs; one thread",
                         "strategy|samples|error RMSE|rays a path|time [ms]|efficiency|"
                         "time for the naive error [x less]");
     plot error = plot_new("Error and rays", "rays a pixel", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
     plot time = plot_new("Error and time", "time [s]", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
-    measure_place_of(o, &m);
+    measure_place_of(o, false, &m);
     strategy_list(s);
-    double pixels = (double)m.side * m.side;
-    measured naive[3];
     for (int k = 0; k < strategies; k++) {
+        strategy_measure(o, &m, &s[k], x);
+        if (k == 0) memcpy(naive, x, sizeof naive);
+        strategy_rows(o, &m, &s[k], x, naive, &t);
         plot_series(&error, s[k].name), plot_series(&time, s[k].name);
-        for (int l = 0; l < (o->quick ? 2 : 3); l++) {
-            uint32_t n = 4u << 2 * l;
-            measured x = measure_strategy(&m, &s[k], n, o->quick ? 1 : l < 2 ? 3 : 1);
-            if (k == 0) naive[l] = x;
-            double efficiency = 1 / (x.error * x.error * x.seconds);
-            table_text(&t, "%s", s[k].name), table_count(&t, n);
-            table_number(&t, x.error), table_number(&t, x.rays / (pixels * n));
-            table_number(&t, x.seconds * 1e3), table_number(&t, efficiency);
-            table_number(&t, efficiency * naive[l].error * naive[l].error * naive[l].seconds);
-            plot_add(&error, k, x.rays / pixels, x.error), plot_add(&time, k, x.seconds, x.error);
+        for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++) {
+            plot_add(&error, k, x[l].rays / ((double)m.side * m.side), x[l].error);
+            plot_add(&time, k, x[l].seconds, x[l].error);
         }
     }
+    measure_first(o, &t);
     plot_slope(&error, -0.5, "slope -1/2"), plot_slope(&time, -0.5, "slope -1/2");
     output_table(o, &t);
     output_plot(o, &error, "26_path_tracer_error.svg");

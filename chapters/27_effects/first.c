@@ -35,10 +35,7 @@ int main(int argc, char **argv)
                 for (int k = 0; k < n * n; k++) {
                     random_stream random = random_start(1, y * width + x, k);
                     ray r = first_ray_unit(first_pixel_ray(camera[i], x, y, k, n));
-                    hit h;
-                    if (first_scene_hit(&scene[i], r, &h))
-                        sum = vadd(sum, first_emitted(first_point_at(&scene[i], r, h)));
-                    sum = vadd(sum, first_planned(&scene[i], &p, r, 40, &random));
+                    sum = vadd(sum, first_planned(&scene[i], &p, r, true, 40, &random));
                 }
                 image_set(&im, i * width + x, y, vscale(sum, (i == 2 ? 2.0 : 1.0) / (n * n)));
             }
