@@ -49,10 +49,11 @@ static void both_build(both *x, real far)
     for (int i = 0; i < balls; i++) {
         real angle = 2 * pi * (real)i / balls, R = (real)(6 + i) / 8;
         vec3 c = vadd(by, (vec3){2 * cos(angle), R + (real)0.125, 2 * sin(angle)});
-        first_material m = {.kd = vec(0.5, 0.1 * i, 0.3), .ks = vec(0.5, 0.4, 0.3), .p = 10 << i};
+        first_material m = {.kd = vec(0.5, 0.1 * i, 0.3), .ks = vec(0.5, 0.4, 0.3),
+                            .shine = 10 << i};
         first_add_ball(&x->s, c, R, m);
         x->shape[i + 2] = shape_of_sphere((sphere){c, R});
-        x->look[i + 2] = (material){m.kd, m.ks, m.p, m.ke};
+        x->look[i + 2] = (material){m.kd, m.ks, m.shine, m.ke};
     }
     both_light(x, vadd(by, vec(-5, 9, 6)), vec(330, 300, 250));
     both_light(x, vadd(by, vec(8, 5, 4)), vec(30, 50, 90));

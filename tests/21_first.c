@@ -119,7 +119,7 @@ static first_scene sharp_balls(first_lamp *lamp)
     first_scene s = first_two_balls();
     vec3 down = vunit(vneg(s.light[0].p)), a, b;
     for (int i = 0; i < s.things; i++)
-        s.thing[i].m.ks = zero, s.thing[i].m.p = real_is_float ? (real)1e13 : (real)1e25;
+        s.thing[i].m.ks = zero, s.thing[i].m.shine = real_is_float ? (real)1e13 : (real)1e25;
     s.light[0].p = vscale(s.light[0].p, 100), s.light[0].I = vscale(s.light[0].I, 10000);
     vbasis(down, &a, &b);
     *lamp = (first_lamp){s.light[0].p, vscale(a, (real)0.1), vscale(b, (real)0.1),
@@ -165,7 +165,7 @@ static void test_lost(void)
     size_t n = check_count(100000);
     for (int i = 0; i < 12; i++) {
         double c = cosine[i % 4], sine = sqrt((1 - c) * (1 + c)), shine = shines[i / 4];
-        s.thing[0].m.p = (real)shine;
+        s.thing[0].m.shine = (real)shine;
         ray r = ray_from(vec(-3 * sine, 0, 3 * c), vec(sine, 0, -c)), sent;
         estimate e = {0}, full = {0};
         for (size_t k = 0; k < n; k++) {

@@ -29,7 +29,7 @@ static double full_by_lamp(const lit_scene *s, const lit_hit *x, point2 u)
 static double full_by_direction(const lit_scene *s, const lit_hit *x, point2 u)
 {
     lit_hit y;
-    vec3 w = sample_cosine_polar(u.u, u.v), wi = directed(x->s.n, w);
+    vec3 w = first_cosine_direction(u.u, u.v), wi = directed(x->s.n, w);
     real weight = brdf_value(&x->m->f, x->s.n, wi, x->s.n).y * w.z / pdf_cosine(w);
     return lit_trace(s, leave(x->s, wi), &y) ? (double)(weight * lit_emitted(&y).y) : 0;
 }

@@ -17,7 +17,7 @@ static first_scene build(void)
                         {0.4, 0.1, 0.45}};
     for (int i = 0; i < 5; i++) {
         real a = 2 * pi * i / 5 + 0.3;
-        first_material m = {.kd = kd[i], .ks = vec(0.5, 0.5, 0.5), .p = 10 << i};
+        first_material m = {.kd = kd[i], .ks = vec(0.5, 0.5, 0.5), .shine = 10 << i};
         first_add_ball(&s, vec(2.1 * cos(a), 0.65 + 0.12 * i, 2.1 * sin(a)), 0.75 + 0.12 * i, m);
     }
     s.light[s.lights++] = (first_light){vec(-5, 9, 6), vec(260, 240, 200)};

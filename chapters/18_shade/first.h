@@ -8,7 +8,7 @@
 typedef struct {
     vec3 kd;      /* diffuse reflectance: the share of light that comes back, in all directions */
     vec3 ks;      /* of the highlight */
-    real p;       /* its exponent: the larger, the smaller the highlight */
+    real shine;   /* its exponent s (18.4): the larger, the smaller the highlight */
     vec3 mirror;  /* of the mirror image (19) */
     real ior;     /* refractive index of glass (19); 0: opaque */
     vec3 ke;      /* emitted light (24) */
@@ -114,7 +114,8 @@ static inline vec3 first_reflected(first_point x, vec3 l, vec3 E)
 {
     vec3 h = vunit(vadd(l, x.v));
     vec3 diffuse = vscale(x.kd, 1 / pi);                              /* kd / pi E         (18.3) */
-    vec3 gloss = vscale(x.m->ks, pow(real_max(vdot(x.n, h), 0), x.m->p));  /* ks (n.h)^p E (18.4) */
+    real lobe = pow(real_max(vdot(x.n, h), 0), x.m->shine);
+    vec3 gloss = vscale(x.m->ks, lobe);                               /* ks (n.h)^s E      (18.4) */
     return vmul(vadd(diffuse, gloss), E);
 }
 

@@ -65,11 +65,11 @@ static inline first_scene first_two_balls(void)
     first_scene s = {.ambient = vec(0.12, 0.13, 0.16), .above = vec(0.12, 0.28, 0.6),
                      .below = vec(0.95, 0.85, 0.7), .eps = 1e-4};
     first_material board = {.kd = vec(0.8, 0.72, 0.55), .checks = 16};
-    first_material chrome = {.kd = vec(0.02, 0.02, 0.02), .ks = vec(0.6, 0.6, 0.6), .p = 300,
+    first_material chrome = {.kd = vec(0.02, 0.02, 0.02), .ks = vec(0.6, 0.6, 0.6), .shine = 300,
                              .mirror = vec(0.85, 0.83, 0.8)};
-    first_material glass = {.ior = 1.5, .ks = vec(0.4, 0.4, 0.4), .p = 300};
-    first_material clay = {.kd = vec(0.7, 0.12, 0.05), .ks = vec(0.1, 0.1, 0.1), .p = 20};
-    first_material moss = {.kd = vec(0.1, 0.4, 0.12), .ks = vec(0.1, 0.1, 0.1), .p = 20};
+    first_material glass = {.ior = 1.5, .ks = vec(0.4, 0.4, 0.4), .shine = 300};
+    first_material clay = {.kd = vec(0.7, 0.12, 0.05), .ks = vec(0.1, 0.1, 0.1), .shine = 20};
+    first_material moss = {.kd = vec(0.1, 0.4, 0.12), .ks = vec(0.1, 0.1, 0.1), .shine = 20};
     first_add_flat(&s, vec(-8, 0, 8), vec(16, 0, 0), vec(0, 0, -16), board);
     first_add_ball(&s, vec(-0.9, 1, 1), 1, glass);
     first_add_ball(&s, vec(1.3, 1.3, -0.9), 1.3, chrome);

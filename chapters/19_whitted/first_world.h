@@ -53,7 +53,7 @@ static inline void first_world_add(first_world *x, int i)
     vec3 *q = x->corner + 4 * i, far = vadd(vadd(t->corner, t->a), t->b);
     q[0] = t->corner, q[1] = vadd(t->corner, t->a), q[2] = far, q[3] = vadd(t->corner, t->b);
     x->shape[i] = t->ball.r != 0 ? shape_of_sphere(t->ball) : shape_of_polygon(polygon_of(q, 4));
-    x->look[i] = (whitted_material){{m->kd, m->ks, m->p, m->ke}, m->mirror, {0, 0, 0}, 0, 0};
+    x->look[i] = (whitted_material){{m->kd, m->ks, m->shine, m->ke}, m->mirror, {0, 0, 0}, 0, 0};
     x->media[i + 1] = (medium){m->ior, {0, 0, 0}, 0};
     if (m->ior == 0) return;
     x->look[i].body = (uint32_t)i + 1;

@@ -64,7 +64,7 @@ static inline vec3 first_cosine_direction(real u, real v)
 }
 
 /* w, given round the z axis, now round the unit vector n. */
-static inline vec3 first_round(vec3 n, vec3 w)
+static inline vec3 directed(vec3 n, vec3 w)
 {
     vec3 s, t;
     vbasis(n, &s, &t);

@@ -34,6 +34,7 @@
 #define SAMPLING_H
 
 #include "../04_triangle/barycentrics.h"
+#include "first.h"
 
 /* Its size: sin^2(angle / 2), the angle being the one between axis and side, in (0, pi]. */
 typedef struct { real half_sine2; } direction_cone;
@@ -161,13 +162,6 @@ static inline real pdf_cone(direction_cone c, vec3 w)
 {
     real q = w.z > 0 ? (w.x * w.x + w.y * w.y) / (2 * (1 + w.z)) : (1 - w.z) / 2;
     return q <= c.half_sine2 * (1 + 16 * real_epsilon) ? 1 / (4 * pi * c.half_sine2) : 0;
-}
-
-static inline vec3 directed(vec3 n, vec3 w)
-{
-    vec3 s, t;
-    vbasis(n, &s, &t);
-    return vmadd(vmadd(vscale(s, w.x), t, w.y), n, w.z);
 }
 
 #endif

@@ -19,7 +19,7 @@ int main(int argc, char **argv)
     first_lamp lamp = {vsub(at, vscale(vadd(a, b), 2)), vscale(a, 4), vscale(b, 4),
                        vscale(s.light[0].I, 1 / 16.0)};
     first_add_flat(&s, lamp.corner, lamp.a, lamp.b, (first_material){.ke = lamp.L});
-    s.thing[2].m.p = 90;
+    s.thing[2].m.shine = 90;
 
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {

@@ -28,7 +28,7 @@ static inline vec3 first_lobe(vec3 r, real s, random_stream *random)
 {
     real z = pow(1 - random_next(random), 1 / (s + 1)), phi = 2 * pi * random_next(random);
     real side = sqrt(real_max(1 - z * z, 0));
-    return first_round(r, vec(side * cos(phi), side * sin(phi), z));
+    return directed(r, vec(side * cos(phi), side * sin(phi), z));
 }
 
 /* One path instead of Whitted's tree. What is mirrored comes from the lobe (21.5). Glass reflects
@@ -52,7 +52,7 @@ static inline vec3 first_distributed(const first_scene *s, const first_lamp *lam
             && random_next(random) >= first_fresnel(-vdot(r.d, x.n), -vdot(through, x.n), n1, n2))
             next.d = through;
     } else if (!vzero(weight)) {
-        next.d = first_lobe(next.d, x.m->p, random);
+        next.d = first_lobe(next.d, x.m->shine, random);
         if (vdot(next.d, x.n) <= 0) return L;
     } else return L;
     return vadd(L, vmul(weight, first_distributed(s, lamp, next, depth - 1, random)));

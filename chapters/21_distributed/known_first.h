@@ -29,7 +29,7 @@ static inline known_first known_first_of(known_kind kind)
     k.lamp = known_first_lamp(&full.light);
     if (full.s.n > 0) {  /* the sheet: three of its corners */
         const vec3 *v = full.corner;
-        first_add_flat(&k.s, v[0], vsub(v[1], v[0]), vsub(v[3], v[0]), (first_material){.p = 0});
+        first_add_flat(&k.s, v[0], vsub(v[1], v[0]), vsub(v[3], v[0]), (first_material){.ior = 0});
     }
     known_free(&full);
     return k;

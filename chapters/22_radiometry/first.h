@@ -32,7 +32,7 @@ static inline real first_irradiance_sample(sphere s, real L, vec3 p, vec3 n, rea
 {
     vec3 z = first_uniform_direction(u, v);
     hit h;
-    if (!first_sphere_hit(s, ray_from(p, first_round(n, z)), &h)) return 0;
+    if (!first_sphere_hit(s, ray_from(p, directed(n, z)), &h)) return 0;
     return L * z.z * 2 * pi;
 }
 

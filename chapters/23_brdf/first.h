@@ -45,7 +45,7 @@ static inline vec3 first_reflection(first_brdf f, vec3 n, vec3 wo, int N, random
         real u = (i % side + random_next(random)) / side;
         real v = (i / side + random_next(random)) / side;
         vec3 wi = first_cosine_direction(u, v);
-        vec3 arrives = first_room_light(first_round(n, wi));
+        vec3 arrives = first_room_light(directed(n, wi));
         L = vadd(L, vscale(vmul(first_brdf_value(f, wi, local), arrives), pi / N));
     }
     return L;

@@ -12,7 +12,7 @@
 static inline ray first_bounce(const first_scene *s, first_point x, random_stream *random)
 {
     real u = random_next(random), v = random_next(random);
-    return (ray){x.p, s->eps, first_round(x.n, first_cosine_direction(u, v)), real_infinity};
+    return (ray){x.p, s->eps, directed(x.n, first_cosine_direction(u, v)), real_infinity};
 }
 
 /* A lamp shines on its front, where its a x b points. */

@@ -27,8 +27,8 @@ static inline vec3 first_term(const first_scene *s, ray r, int k, int N, random_
     return vscale(sum, 1.0 / N);
 }
 
-/* 1 + N + ... + N^d rays for the d-th term (one such tree would do for all terms up to it), if no ray
- * leaves the scene.                                                                      (25.9) */
+/* 1 + N + ... + N^d rays for the d-th term, if none leaves the scene. (One such tree would do for
+ * all terms up to it.)                                                                   (25.9) */
 static inline double first_rays_of_branching(int N, int d)
 {
     double rays = 1, level = 1;

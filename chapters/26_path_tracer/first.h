@@ -24,7 +24,7 @@ static inline vec3 first_path_shade(const first_scene *s, first_point x, random_
     hit h;
     if (!first_scene_hit(s, r, &h)) return L;
 
-    /* If it meets the lamp: that light is counted already. But lamps reflect, too. */
+    /* Li leaves out emission: a lamp that is met here is counted already. But lamps reflect, too. */
     vec3 Li = first_path_shade(s, first_point_at(s, r, h), random);
     return vadd(L, vscale(vmul(x.kd, Li), 1 / q));                                      /* (24.2) */
 }

@@ -10,7 +10,7 @@ static first_scene one_ball(void)
 {
     first_scene s = {.ambient = vec(0.15, 0.17, 0.2), .above = vec(0.12, 0.28, 0.6),
                      .below = vec(0.95, 0.85, 0.7), .eps = 1e-4};
-    first_material clay = {.kd = vec(0.75, 0.25, 0.1), .ks = vec(0.5, 0.5, 0.5), .p = 60};
+    first_material clay = {.kd = vec(0.75, 0.25, 0.1), .ks = vec(0.5, 0.5, 0.5), .shine = 60};
     first_add_ball(&s, vec(0, 1, 0), 1.7, clay);
     s.light[s.lights++] = (first_light){vec(-4, 7, 5), vec(260, 250, 230)};
     return s;

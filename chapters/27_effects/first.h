@@ -66,8 +66,8 @@ static inline vec3 first_plan_lights(const first_scene *s, const first_plan *p, 
 }
 
 /* What comes back along r, of unit direction: the chapters 18, 19, 24 and 26 in one, each of them
- * only if it is in the plan. seen: by the eye, or in mirrors and glass; from a matte wall the lamp
- * is counted already, and `ambient` stands for the sky. A mirror that is matte, too, is a mirror. */
+ * only if it is in the plan. `seen`: by the eye, or in mirrors and glass; from a matte wall the
+ * lamp is counted already, and `ambient` stands for the sky. What is matte and mirrors, mirrors. */
 static inline vec3 first_planned(const first_scene *s, const first_plan *p, ray r, bool seen,
                                  int depth, random_stream *random)
 {
