@@ -175,7 +175,8 @@ static first_scene cube(double rho, vec3 E)
 }
 
 /* Hits of a path: P(n) = q^(n-1) (1 - q), on average 1 / (1 - q) = 5, more than 93 with the
- * probability q^93 = 1e-9. The recursion is as deep as that. With albedo 1 the light grows without end; each path ends. */
+ * probability q^93 = 1e-9. The recursion is as deep as that. With albedo 1 the light grows without
+ * end; each path ends. */
 static void test_ends(void)
 {
     first_scene s = cube(1, (vec3){1, 1, 1});
