@@ -35,7 +35,7 @@ static inline real first_fresnel(real ci, real ct, real n1, real n2)
 }
 
 /* What comes back along r, of unit direction, from a tree of rays with `depth` levels (光线深度);
- * the eye ray is the first.                                                             (19.10) */
+ * the eye ray is the first. (To a shadow ray glass is like stone.)                      (19.10) */
 static inline vec3 first_whitted(const first_scene *s, ray r, int depth)
 {
     hit h;
