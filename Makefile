@@ -57,6 +57,10 @@ $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
 	$(Q)$(CC) -std=c11 $(FIRST_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
 
+$(BUILD)/test_%_first: tests/%_first.c $(STAMP)
+	$(if $(V),,@echo "CC tests/$*_first")
+	$(Q)$(CC) $(ALL_CFLAGS) $(FIRST_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
