@@ -1,6 +1,6 @@
 /* first.h: light that has been reflected 0, 1, 2, .. times: L = E + K E + K^2 E + ...    (25.3)
- * Wrong where it stops: what comes after the last term is missing; N rays a hit are N^k rays for the
- * k-th term. terms.h has all terms from one ray a hit; 26 stops without being wrong. */
+ * Wrong where it stops: what comes after the last term is missing; N rays a hit are N^k rays for
+ * the k-th term. terms.h has all terms from one ray a hit; 26 stops without being wrong. */
 #ifndef FIRST_BOUNCES_H
 #define FIRST_BOUNCES_H
 #include "../24_direct_light/first.h"

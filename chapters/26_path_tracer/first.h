@@ -1,5 +1,5 @@
 /* first.h: path tracing (路径追踪): shade() with one ray a hit, light sampling and Russian roulette.
- * Wrong nowhere on average, but noisy close to a lamp (24); and it knows only matte walls, one lamp.
+ * Wrong nowhere on average, but noisy close to a lamp (24); and it knows matte walls and one lamp.
  * path.h has mirrors, glass, many lamps, a sky, and takes both ways to a lamp at once. */
 #ifndef FIRST_PATH_H
 #define FIRST_PATH_H
@@ -24,7 +24,7 @@ static inline vec3 first_path_shade(const first_scene *s, first_point x, random_
     hit h;
     if (!first_scene_hit(s, r, &h)) return L;
 
-    /* Li leaves out emission: a lamp that is met here is counted already. But lamps reflect, too. */
+    /* Li leaves out emission: a lamp that is met here is counted already. But lamps reflect. */
     vec3 Li = first_path_shade(s, first_point_at(s, r, h), random);
     return vadd(L, vscale(vmul(x.kd, Li), 1 / q));                                      /* (24.2) */
 }

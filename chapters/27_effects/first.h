@@ -1,6 +1,6 @@
 /* first.h: what the lights and materials of a scene call for, decided before the first ray is shot.
- * Wrong where a scene wants what its format does not say: with point lights only, light between walls
- * is not traced, and `ambient` stands for it. plan.h says why, price.h what it costs. One lamp. */
+ * Wrong where a scene wants what it does not say: with point lights only, light between walls is
+ * not traced, and `ambient` stands for it. plan.h says why, price.h what it costs. One lamp. */
 #ifndef FIRST_EFFECTS_H
 #define FIRST_EFFECTS_H
 #include "../19_whitted/first.h"
