@@ -10,7 +10,8 @@ static triangle star[most];
 static int triangles;
 
 /* An icosahedron has its corners at (0, +-1, +-g) and their turns, g the golden ratio; three that
- * are 2 apart make a face. On each face stands a spike of three triangles. */
+ * are 2 apart make a face. On each face stands a spike of three triangles, some of them the other
+ * way round: colour() asks only how much they face the ray. */
 static void build(void)
 {
     const double g = (1 + sqrt(5.0)) / 2;

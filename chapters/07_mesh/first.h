@@ -61,8 +61,8 @@ static inline void first_obj_error(const char *path, int line, const char *what)
     failed(&f, 2, "%.300s: line %d: %s", path, line, what), fail(f);
 }
 
-/* The whole file as triangles, a polygon as a fan round its first corner. A broken file ends
- * the program, with the line. first_mesh_free gives the triangles back. */
+/* The whole file as triangles, a polygon as a fan round its first corner; a broken one ends the
+ * program, with its line. (file_read, grown, fail: common/file.h, which image.h brings along.) */
 static inline first_mesh first_obj_read(const char *path)
 {
     failure why;
