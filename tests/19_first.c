@@ -23,7 +23,7 @@ static void test_laws(void)
     size_t n = check_count(50000), bends = 0, total = 0, wrong = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
-        vec3 N = random_unit(&s), d = random_unit(&s), w, v;
+        vec3 N = random_unit(&s), d = random_unit(&s), w = vec(0, 0, 0), v;
         real n1 = ior[i % 4], n2 = ior[i / 4 % 4];
         if (vdot(d, N) > 0) N = vneg(N);
         mirror = check_worse(mirror, apart(first_reflect(d, N), reflect(d, N)));

@@ -61,7 +61,7 @@ static void test_sample_by_sample(void)
         if (!hits) continue;
         first_point x = first_point_at(&s, r, h);
         met++;
-        if (!(vlength(vsub(x.p, g.s.p)) < 256 * real_epsilon) || vdot(x.n, g.s.n) < 0.5)  {
+        if (!(vlength(vsub(x.p, g.s.p)) < 256 * real_epsilon) || vdot(x.n, g.s.n) < (real)0.5) {
             points++;
             continue;
         }
