@@ -46,7 +46,7 @@ static void test_slabs(void)
         real t[2];
         first_slabs(b, r, &t[0], &t[1]);
         for (int e = 0; e < 2; e++) {
-            double least = INFINITY;  /* of the six planes one passes through the point */
+            double least = HUGE_VAL;  /* of the six planes one passes through the point */
             vec3 p = ray_at(r, t[e]);
             for (int k = 0; k < 3; k++) {
                 least = fmin(least, fabs((double)(vaxis(p, k) - vaxis(b.lo, k))));
@@ -56,7 +56,7 @@ static void test_slabs(void)
         }
         real lo, hi;
         first_slab(b.lo.x, b.hi.x, r.o.x, r.d.x, &lo, &hi);
-        if (!(lo <= hi)) off = NAN;
+        if (!(lo <= hi)) off = (double)NAN;
     }
     check_at_most(off, 16 * (double)real_epsilon, "entry and exit lie in a plane of the box");
 }

@@ -77,10 +77,10 @@ static void test_sample_by_sample(void)
         }
     }
     double some = (real_is_float ? 6e-3 : 1e-4) * (double)n;
-    check_at_least(met, 0.9 * (double)n, "eye rays that meet a wall");
-    check_at_least(lit[0], 0.003 * (double)n, "directions that meet the lamp");
-    check_at_least(lit[1], 0.4 * (double)n, "points of the lamp that are seen");
-    check_at_most(points, some, "eye rays with another answer, of %zu", n);
+    check_at_least((double)met, 0.9 * (double)n, "eye rays that meet a wall");
+    check_at_least((double)lit[0], 0.003 * (double)n, "directions that meet the lamp");
+    check_at_least((double)lit[1], 0.4 * (double)n, "points of the lamp that are seen");
+    check_at_most((double)points, some, "eye rays with another answer, of %zu", n);
     check_at_most(other[0], some, "by directions: lit here, dark there, of %zu", n);
     check_at_most(other[1], some, "by the lamp: lit here, dark there, of %zu", n);
     check_at_most(worst, 4096 * (double)real_epsilon, "relative difference of one sample");

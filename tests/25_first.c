@@ -185,7 +185,7 @@ static void test_odd_input(void)
     check(vzero(first_term(&empty, r, 3, 2, &random)), "an empty scene is black");
     check(vfinite(first_term(&s, r, 1000, 1, &random)), "a thousand bounces");
     check_equal(first_term(&s, r, -5, 1, &random).x, 1, "fewer than none are none");
-    r.d = vec(NAN, 0, 0);
+    r.d = vec((double)NAN, 0, 0);
     check(vzero(first_term(&s, r, 3, 2, &random)), "a ray of NaN meets nothing");
     r.d = vec(0, 0, 0);
     check(vzero(first_term(&s, r, 3, 2, &random)), "a ray without direction meets nothing");

@@ -235,7 +235,7 @@ static void test_odd_input(void)
     random_stream random = random_start(9, 0, 0);
     ray r = wall_ray();
     check(vzero(first_path(&empty, r, &random)), "an empty scene is black");
-    r.d = vec(NAN, 0, 0);
+    r.d = vec((double)NAN, 0, 0);
     check(vzero(first_path(&s, r, &random)), "a ray of NaN meets nothing");
     r.d = vec(0, 0, 0);
     check(vzero(first_path(&s, r, &random)), "a ray without direction meets nothing");

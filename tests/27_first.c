@@ -225,7 +225,7 @@ static void test_odd_input(void)
     for (uint64_t i = 0; i < 20000; i++)
         finite = finite && vfinite(planned(&s, &p, eye_ray(FLOOR_BALL, i), i));
     check(finite, "a closed room that loses nothing: at most %d hits a path", most_depth);
-    ray r = ray_from(vec(0, 1, 5), vec(NAN, 0, 0));
+    ray r = ray_from(vec(0, 1, 5), vec((double)NAN, 0, 0));
     planned(&s, &p, r, 0);
     check(vfinite(planned(&s, &p, ray_from(vec(0, 1, 5), vec(0, 0, 0)), 0)), "no direction");
 }
