@@ -81,8 +81,8 @@ static void test_sample_by_sample(void)
     check_at_least((double)lit[0], 0.003 * (double)n, "directions that meet the lamp");
     check_at_least((double)lit[1], 0.4 * (double)n, "points of the lamp that are seen");
     check_at_most((double)points, some, "eye rays with another answer, of %zu", n);
-    check_at_most(other[0], some, "by directions: lit here, dark there, of %zu", n);
-    check_at_most(other[1], some, "by the lamp: lit here, dark there, of %zu", n);
+    check_at_most((double)other[0], some, "by directions: lit here, dark there, of %zu", n);
+    check_at_most((double)other[1], some, "by the lamp: lit here, dark there, of %zu", n);
     check_at_most(worst, 4096 * (double)real_epsilon, "relative difference of one sample");
     lit_free(&full);
 }
@@ -138,7 +138,7 @@ static void test_closed_forms(void)
             least[k] = p < least[k] ? p : least[k];
         }
     }
-    check_at_least(tests, (double)lamps / 8, "lamps to be seen, of %zu", lamps);
+    check_at_least((double)tests, (double)lamps / 8, "lamps to be seen, of %zu", lamps);
     check_at_least(least[0], false_alarm, "by directions: the least p of %zu lamps", tests);
     check_at_least(least[1], false_alarm, "by the lamp: the least p of %zu lamps", tests);
     check_equal(dark, 0, "lamps that show their backs, or are below the horizon");
