@@ -293,7 +293,7 @@ static inline first_verdict first_structure_from(const first_structure *s, const
 /* What the top of first.h says. Brute force has the same triangle test: the structure errs. */
 static inline void first_structure_far(const first_structure *s, const structure *full)
 {
-    size_t n = check_count(5000);
+    size_t n = check_count(5000) < 2000 ? 2000 : check_count(5000);  /* fewer show no share */
     real most = real_is_float ? (real)1e4 : (real)1e13;
     first_verdict near = first_structure_from(s, full, most / 100, n);
     first_verdict at = first_structure_from(s, full, most, n);
