@@ -50,7 +50,7 @@ static void both_build(both *x, real far)
         real angle = 2 * pi * (real)i / balls, R = (real)(6 + i) / 8;
         vec3 c = vadd(by, (vec3){2 * cos(angle), R + (real)0.125, 2 * sin(angle)});
         first_material m = {.kd = vec(0.5, 0.1 * i, 0.3), .ks = vec(0.5, 0.4, 0.3),
-                            .shine = 10 << i};
+                            .shine = (real)(10 << i)};
         first_add_ball(&x->s, c, R, m);
         x->shape[i + 2] = shape_of_sphere((sphere){c, R});
         x->look[i + 2] = (material){m.kd, m.ks, m.shine, m.ke};
@@ -141,8 +141,8 @@ static void test_closed_forms(void)
             bool met = first_scene_hit(&s, r, &h);
             first_point at = first_point_at(&s, r, h);
             double kd = (i + i / 8) % 2 ? 0.15 : 1;
-            wrong += !met || h.shape != 0 || fabs((double)at.kd.x - kd) > eps || at.n.y != k
-                     || at.v.y != k || at.inside != (k < 0);
+            wrong += !met || h.shape != 0 || fabs((double)at.kd.x - kd) > eps || at.n.y != (real)k
+                     || at.v.y != (real)k || at.inside != (k < 0);
         }
     check_equal(wrong, 0, "64 squares from both sides: colour, and which side is seen");
     ray r = ray_from(vec(0, 99, 0), vec(1, 0, 0));
@@ -195,7 +195,7 @@ static wrong_count lit_below(real gap)
 {
     wrong_count c = {0, 0, 0};
     for (uint64_t i = 0; i < 2000; i++) {
-        vec3 p = vec(random_real(2, i, 0, 0), random_real(2, i, 1, 0), 0), up = {0, 0, 1};
+        vec3 p = {random_real(2, i, 0, 0), random_real(2, i, 1, 0), 0}, up = {0, 0, 1};
         vec3 lamp = vmadd(p, up, 4), n = {0, 0, 1}, x = {2, 0, 0}, y = {0, 2, 0};
         vec3 low = vec(-0.5, -0.5, 0), high = vmadd(low, up, gap);
         first_scene s = {.eps = (real)1e-4};

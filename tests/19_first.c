@@ -100,7 +100,7 @@ static void test_depth(void)
     first_add_flat(&s, vec(-9, -9, 1), vec(18, 0, 0), vec(0, 18, 0), m);
     size_t wrong = 0;
     for (int depth = 0; depth <= 200; depth++)
-        wrong += first_whitted(&s, ray_from(vec(0, 0, 0), vec(0, 0, 1)), depth).x != depth;
+        wrong += first_whitted(&s, ray_from(vec(0, 0, 0), vec(0, 0, 1)), depth).x != (real)depth;
     check_equal(wrong, 0, "as many levels as were asked for, 0 to 200");
     first_add_ball(&s, vec(0, 0, 0), 0.5, (first_material){.ior = 1.5});
     check(vfinite(first_whitted(&s, ray_from(vec(0.1, 0, 0), vec(0, 0, 1)), 9)), "a ball between");

@@ -145,7 +145,7 @@ static void test_rays(void)
                 random_stream random = random_start(4, i, (uint64_t)(8 * N + k));
                 real x = random_next(&random), y = random_next(&random);
                 long before = first_bounce_rays;
-                first_term(&s, ray_from(vec(0, 0, 0), vec(1, x, y)), k, N, &random);
+                first_term(&s, ray_from(vec(0, 0, 0), (vec3){1, x, y}), k, N, &random);
                 rays += (double)(first_bounce_rays - before);
                 due += first_rays_of_branching(N, k);
             }
