@@ -146,7 +146,9 @@ static void test_interval(void)
     r = ray_from(vec(1, 0.5, 0.5), vec(1, 0, 0));
     check(!first_aabb_hit(b, r, &t) && aabb_hit(b, r, &t), "from a face on, and away");
     r = ray_from(vec(0.5, 0.5, 0.5), vec(0, 0, 0));
-    check(first_aabb_hit(b, r, &t) || true, "direction 0: some answer");
+    check(first_aabb_hit(b, r, &t), "direction 0, inside: in all slabs at every t");
+    r.o = vec(2, 0.5, 0.5);
+    check(!first_aabb_hit(b, r, &t), "direction 0, outside: in one slab at no t");
     check(!first_aabb_hit(aabb_empty(), ray_from(vec(0, 0, 0), vec(1, 2, 3)), &t), "nothing");
 }
 
