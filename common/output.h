@@ -1,4 +1,4 @@
-/* output.h: where pictures, plots and tables go.
+/* output.h: where pictures, plots (lab/report.h) and tables (likewise) go.
  *
  *   name            without options    --quick         --out FILE
  *   main picture    images/            build/quick/    FILE
@@ -14,13 +14,6 @@
 #include "image.h"
 #include "options.h"
 #include "parallel.h"
-#include "plot.h"
-#include "table.h"
-#include <sys/utsname.h>
-
-#ifndef BUILD_FLAGS
-#define BUILD_FLAGS "not known"  /* the Makefile passes CFLAGS */
-#endif
 
 /* ---------------------------------------------------------------------------------------------- */
 /* Where `name` goes, its directory made; NULL if it is not wanted. */
@@ -68,41 +61,4 @@ static inline void output_picture(const options *o, const image *im, const char 
     if (!whole) failed(&f, 130, "stopped; %s holds what there was", path ? path : "-"), fail(f);
 }
 
-/* Saves and frees a plot. */
-static inline void output_plot(const options *o, plot *p, const char *name)
-{
-    char room[512];
-    failure f;
-    file_writer w;
-    const char *path = output_path(o, name, false, room);
-    if (path && !file_begin(&w, path, &f)) fail(f);
-    if (path) plot_write(p, w.stream);
-    if (path && !file_commit(&w, &f)) fail(f);
-    plot_free(p);
-}
-
-/* Prints a table, and frees it. */
-static inline void output_extra_table(const options *o, table *t)
-{
-    struct utsname u;
-    (void)o;
-    printf("# %s\n# ", t->title);
-    if (uname(&u) >= 0) printf("%s %s, %d cores; ", u.sysname, u.machine, parallel_cores());
-    printf("%s%s; ", strstr(__VERSION__, "lang") ? "" : "gcc ", __VERSION__);
-    printf("flags %s; real = %s\n", BUILD_FLAGS, real_is_float ? "float" : "double");
-    table_print(t, stdout);
-    printf("\n");
-    table_free(t);
-}
-
-/* The main table: it goes to the file of --csv, too. */
-static inline void output_table(const options *o, table *t)
-{
-    failure f = {0, ""};
-    file_writer w;
-    bool csv = o->csv && file_begin(&w, o->csv, &f);
-    if (csv) table_csv(t, w.stream), file_commit(&w, &f);
-    output_extra_table(o, t);
-    if (f.exit_code) fail(f);  /* after the table was shown */
-}
 #endif

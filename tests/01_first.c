@@ -1,6 +1,6 @@
 /* 01's first.h: what ray.h says of the same points, and where both forms of a point fail. */
 #include "../chapters/01_ray/ray.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "../common/random.h"
 #include "check.h"
 

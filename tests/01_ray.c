@@ -2,7 +2,7 @@
 #include "../chapters/01_ray/affine.h"
 #include "../chapters/01_ray/hit.h"
 #include "../chapters/01_ray/ray_f32.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "../common/random.h"
 #include "check.h"
 

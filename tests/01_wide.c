@@ -1,7 +1,7 @@
 /* Tests of chapters/01_ray/wide.h against 128-bit integers, where sums and products of integers are
  * exact, and against 113-bit floats, as far as the compiler has them. */
 #include "check.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "../common/random.h"
 
 #ifdef __SIZEOF_INT128__

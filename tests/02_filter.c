@@ -1,6 +1,6 @@
 /* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
 #include "check.h"
-#include "../chapters/02_camera/pattern.h"
+#include "../chapters/02_camera/lab/pattern.h"
 #include "../chapters/02_camera/samples.h"
 
 #define eps ((double)real_epsilon)

@@ -1,5 +1,5 @@
 /* 02's first.h: the rays of camera_ray, to the last bit; and an `up` along the view, or nearly. */
-#include "../chapters/02_camera/oracle.h"
+#include "../chapters/02_camera/lab/oracle.h"
 #include "../chapters/02_camera/samples.h"
 #include "check.h"
 

@@ -1,5 +1,5 @@
 /* 03's first.h: the answers of sphere.h from nearby, and noise from afar. */
-#include "../chapters/03_sphere/sphere_oracle.h"
+#include "../chapters/03_sphere/lab/sphere_oracle.h"
 #include "check.h"
 
 static const double eps = (double)real_epsilon;

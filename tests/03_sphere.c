@@ -1,7 +1,7 @@
 /* 03_sphere: hit or miss against integers and against exact tangents; residuals; intervals;
  * extremes. The oracles: closed forms, 64-bit integers, and sphere_oracle.h. */
-#include "../chapters/03_sphere/sphere_oracle.h"
-#include "../chapters/03_sphere/sphere_variants.h"
+#include "../chapters/03_sphere/lab/sphere_oracle.h"
+#include "../chapters/03_sphere/lab/sphere_variants.h"
 #include "check.h"
 #include <stdint.h>
 

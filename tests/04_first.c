@@ -1,7 +1,7 @@
 /* 04's first.h: planes and triangles in clear cases; the seams of a closed mesh, where it slips. */
 #include "check.h"
-#include "../chapters/04_triangle/needles.h"
-#include "../chapters/04_triangle/slips.h"
+#include "../chapters/04_triangle/lab/needles.h"
+#include "../chapters/04_triangle/lab/slips.h"
 
 #define eps ((double)real_epsilon)
 

@@ -1,8 +1,8 @@
 /* Tests of 04_triangle: plane, three hit tests, barycentrics; closed forms, an exact oracle,
  * needles and degenerate input. What happens at edges and vertices is in 04_watertight.c. */
 #include "check.h"
-#include "../chapters/04_triangle/needles.h"
-#include "../chapters/04_triangle/triangle_naive.h"
+#include "../chapters/04_triangle/lab/needles.h"
+#include "../chapters/04_triangle/lab/triangle_naive.h"
 
 #define eps ((double)real_epsilon)
 

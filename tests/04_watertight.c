@@ -2,8 +2,8 @@
  * slip, triangle_hit must not, not once. */
 #include "check.h"
 #include "../common/parallel.h"
-#include "../chapters/04_triangle/slips.h"
-#include "../chapters/04_triangle/triangle_naive.h"
+#include "../chapters/04_triangle/lab/slips.h"
+#include "../chapters/04_triangle/lab/triangle_naive.h"
 
 /* The translations are as large as the real can take: the mesh must keep its shape on the lattice
  * of the reals around it. */

@@ -1,6 +1,6 @@
 /* 07_cone: open cones and cylinders against closed forms and an exact oracle. */
 #include "check.h"
-#include "../chapters/07_mesh/trials.h"
+#include "../chapters/07_mesh/lab/trials.h"
 
 /* Exact: every number here has few bits. */
 static void closed_forms(void)

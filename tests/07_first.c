@@ -1,8 +1,8 @@
 /* 07's first.h: closest hits, parity and OBJ files as the full headers have them; where parity
  * fails; what the program says of broken files. */
 #include "check.h"
-#include "../chapters/07_mesh/obj.h"
-#include "../chapters/07_mesh/trials.h"
+#include "../chapters/07_mesh/files/obj.h"
+#include "../chapters/07_mesh/lab/trials.h"
 
 static char directory[] = "/tmp/07_first_XXXXXX";
 #include "program.h"

@@ -1,6 +1,6 @@
 /* 07_inside: point in mesh by parity, vote and winding number, aimed at vertices and edges. */
 #include "check.h"
-#include "../chapters/07_mesh/trials.h"
+#include "../chapters/07_mesh/lab/trials.h"
 
 /* Closed: each edge runs once in each direction. V - E + F = 2 - 2 holes (Euler, 欧拉公式). */
 static void specimens_are_closed(void)

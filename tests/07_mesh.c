@@ -1,6 +1,6 @@
 /* 07_mesh: shapes behind one tag, and the closest hit by brute force. */
 #include "check.h"
-#include "../chapters/07_mesh/trials.h"
+#include "../chapters/07_mesh/lab/trials.h"
 
 static random_stream numbers;
 

@@ -6,7 +6,7 @@
 #include "check.h"
 #include "../common/clock.h"
 #include "../common/random.h"
-#include "../chapters/07_mesh/obj.h"
+#include "../chapters/07_mesh/files/obj.h"
 #include <sys/resource.h>
 #include <sys/wait.h>
 

@@ -3,8 +3,8 @@
  */
 #include "check.h"
 #include "../common/random.h"
-#include "../chapters/01_ray/wide.h"
-#include "../chapters/07_mesh/teapot.h"
+#include "../common/numbers/wide.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
 
 static int compare_edges(const void *a, const void *b)
 {

@@ -1,6 +1,6 @@
 /* 09_aabb: boxes; the slab test against whole numbers, at every scale, with infinities and NaN. */
-#include "../chapters/09_aabb/exact.h"
-#include "../chapters/09_aabb/slabs.h"
+#include "../chapters/09_aabb/lab/exact.h"
+#include "../chapters/09_aabb/lab/slabs.h"
 #include "check.h"
 
 typedef bool box_test(aabb b, ray r, real *t_enter);

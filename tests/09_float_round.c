@@ -1,6 +1,6 @@
 /* Rounding down and up to floats, against the neighbours that the C library names; keys against the
  * order of the floats. */
-#include "../chapters/09_aabb/float_round.h"
+#include "../common/numbers/float_round.h"
 #include "../common/random.h"
 #include "check.h"
 

@@ -1,9 +1,9 @@
 /* 09_aabb with full mantissas and with something in the box: what is hit has its box hit, and how
  * often the converse is wrong. */
 #include "../chapters/03_sphere/sphere.h"
-#include "../chapters/07_mesh/teapot.h"
-#include "../chapters/09_aabb/alarms.h"
-#include "../chapters/09_aabb/own_box.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
+#include "../chapters/09_aabb/lab/alarms.h"
+#include "../chapters/09_aabb/lab/own_box.h"
 #include "check.h"
 
 /* What is reported in error passes the box by little: the padding 16 u, 3 u for the entry and 3 u

@@ -1,9 +1,9 @@
 /* Every hit of the grids equals brute force, bit for bit; the walk through the cells equals whole
  * numbers; lists, limits and work are what the headers promise. */
-#include "../chapters/10_grid/drift.h"
-#include "../chapters/10_grid/naive.h"
+#include "../chapters/10_grid/lab/drift.h"
+#include "../chapters/10_grid/lab/naive.h"
 #include "../chapters/10_grid/nested.h"
-#include "../chapters/10_grid/specks.h"
+#include "../chapters/10_grid/lab/specks.h"
 #include "structure.h"
 
 static grid_options how;

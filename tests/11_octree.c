@@ -1,5 +1,6 @@
 /* Every hit of the octree equals brute force, whatever its options, and so does the walk by slab
  * tests; the textbook's walk and the one without delta do not. The tree itself: 11_tree.c. */
+#include "../chapters/11_octree/lab/variants.h"
 #include "../chapters/11_octree/octree.h"
 #include "structure.h"
 

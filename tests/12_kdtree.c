@@ -1,5 +1,5 @@
 /* The k-d tree against brute force, its invariants and limits; textbook searches losing hits. */
-#include "../chapters/12_kdtree/textbook.h"
+#include "../chapters/12_kdtree/lab/textbook.h"
 #include "structure.h"
 
 static kdtree_options options_now;

@@ -2,9 +2,9 @@
  * first, from eyes all around and inside; how often planes cut; and sorting by distance, which
  * must fail. */
 #include "../chapters/13_bsp/painter.h"
-#include "../chapters/13_bsp/puzzles.h"
-#include "../chapters/07_mesh/specimens.h"
-#include "../chapters/07_mesh/teapot.h"
+#include "../chapters/13_bsp/lab/puzzles.h"
+#include "../chapters/07_mesh/scenes/specimens.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
 #include "aimed.h"
 #include "check.h"
 

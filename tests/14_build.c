@@ -1,9 +1,9 @@
 /* The two builders that are not cuts between items: Morton codes (morton.h) and cuts through items
  * (spatial.h). Codes and topology by an independent definition; parts of triangles cover them. */
 #include "../chapters/14_bvh/bvh.h"
-#include "../chapters/14_bvh/slivers.h"
+#include "../chapters/14_bvh/lab/slivers.h"
 #include "../chapters/14_bvh/stats.h"
-#include "../chapters/07_mesh/teapot.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
 #include "check.h"
 

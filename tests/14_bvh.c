@@ -3,8 +3,8 @@
  * axes. */
 #include "../chapters/14_bvh/bvh.h"
 #include "../chapters/14_bvh/bvh_shapes.h"
-#include "../chapters/07_mesh/specimens.h"
-#include "../chapters/07_mesh/teapot.h"
+#include "../chapters/07_mesh/scenes/specimens.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
 #include "aimed.h"
 #include "check.h"
 

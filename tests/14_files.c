@@ -1,7 +1,7 @@
 /* Rays and hits in files, and the program that reads and writes them, seen from outside. */
 #include "../chapters/07_mesh/closest.h"
-#include "../chapters/07_mesh/teapot.h"
-#include "../chapters/14_bvh/ray_file.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
+#include "../chapters/07_mesh/files/ray_file.h"
 #include "../common/random.h"
 #include "check.h"
 

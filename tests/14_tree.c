@@ -1,9 +1,9 @@
 /* The tree itself: roundings, selection, invariants, depth, memory, the heuristic's prediction. */
 #include "../chapters/14_bvh/bvh.h"
 #include "../chapters/14_bvh/stats.h"
-#include "../chapters/14_bvh/survey.h"
-#include "../chapters/07_mesh/specimens.h"
-#include "../chapters/07_mesh/teapot.h"
+#include "../chapters/14_bvh/lab/survey.h"
+#include "../chapters/07_mesh/scenes/specimens.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
 #include "check.h"
 

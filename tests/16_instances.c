@@ -1,7 +1,7 @@
 /* Two levels against what they stand for: every instance asked in turn (bit for bit), and one mesh
  * of everything (bit for bit where the transforms are exact, else within (16.3)). */
 #include "../chapters/16_instances/instances.h"
-#include "../chapters/07_mesh/teapot.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
 #include "aimed.h"
 #include "check.h"
 

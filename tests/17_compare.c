@@ -1,8 +1,8 @@
 /* The bench itself: all structures give the same hits on all scenes; a structure that is broken on
  * purpose is found out and explained; costs add up; and the program, seen from outside. */
-#include "../chapters/17_compare/growth.h"
-#include "../chapters/17_compare/modes.h"
-#include "../chapters/17_compare/summary.h"
+#include "../chapters/17_compare/lab/growth.h"
+#include "../chapters/17_compare/lab/modes.h"
+#include "../chapters/17_compare/lab/summary.h"
 #include "check.h"
 
 static char directory[] = "/tmp/17_compare_XXXXXX";

@@ -2,8 +2,8 @@
  * mesh_hit; nothing to hold, one triangle, 2000 at one place, none of any area, rays that are none. */
 #include "check.h"
 #include "../common/random.h"
-#include "../chapters/07_mesh/teapot.h"
-#include "../chapters/17_compare/scenes.h"
+#include "../chapters/07_mesh/scenes/teapot.h"
+#include "../chapters/17_compare/lab/scenes.h"
 #include "../chapters/17_compare/stage.h"
 
 static vec3 random_vec3(random_stream *g, real size)

@@ -1,7 +1,7 @@
 /* 18_leave: rays that leave surfaces: no self-hits, no missed occluders; bounds against exact
  * distances; the other ways fail where they are said to. */
 #include "check.h"
-#include "../chapters/18_shade/leave_f32.h"
+#include "../chapters/18_shade/lab/leave_f32.h"
 #include "../chapters/18_shade/trace.h"
 
 static const int last = leavings - 1;  /* the default stands last */

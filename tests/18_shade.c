@@ -2,8 +2,8 @@
  * against geometry; no ray that cannot contribute; line of sight. */
 #include "check.h"
 #include "../common/random.h"
-#include "../chapters/18_shade/gallery.h"
-#include "../chapters/18_shade/leave_variants.h"
+#include "../chapters/18_shade/lab/gallery.h"
+#include "../chapters/18_shade/lab/leave_variants.h"
 #include "../chapters/18_shade/sight.h"
 
 /* ---- trace ----------------------------------------------------------------------------------- */

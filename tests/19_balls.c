@@ -3,7 +3,7 @@
 #include "check.h"
 #include "child.h"
 #include "../common/random.h"
-#include "../chapters/19_whitted/forty.h"
+#include "../chapters/19_whitted/scenes/forty.h"
 
 static real spread(random_stream *s, real size) { return size * (2 * random_next(s) - 1); }
 

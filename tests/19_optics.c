@@ -2,7 +2,7 @@
  * sets of media. */
 #include "check.h"
 #include "../common/random.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "../chapters/19_whitted/absorb.h"
 #include "../chapters/19_whitted/fresnel.h"
 #include "../chapters/19_whitted/media.h"

@@ -3,7 +3,7 @@
 static char directory[] = "/tmp/19_spd_XXXXXX";
 #include "check.h"
 #include "program.h"
-#include "../chapters/19_whitted/spd_protocol.h"
+#include "../chapters/19_whitted/lab/spd_protocol.h"
 #include <unistd.h>
 
 /* Everything is asked of every shape; the recursion is one, and a ray's kind is not known before it

@@ -3,11 +3,11 @@
 #include "check.h"
 #include "../common/image.h"
 #include "../common/random.h"
-#include "../chapters/01_ray/wide.h"
-#include "../chapters/19_whitted/forty.h"
-#include "../chapters/19_whitted/ray_tree.h"
-#include "../chapters/19_whitted/tank.h"
-#include "../chapters/19_whitted/two_spheres.h"
+#include "../common/numbers/wide.h"
+#include "../chapters/19_whitted/scenes/forty.h"
+#include "../chapters/19_whitted/lab/ray_tree.h"
+#include "../chapters/19_whitted/lab/tank.h"
+#include "../chapters/19_whitted/lab/two_spheres.h"
 
 /* ---- a small scene: shapes, each with a look ------------------------------------------------- */
 

@@ -1,8 +1,8 @@
 /* Tests of 20_monte_carlo: mean and variance in one pass, sums; and how the naive forms fail. */
 #include "../chapters/20_monte_carlo/estimate.h"
 #include "../chapters/20_monte_carlo/first.h"
-#include "../chapters/20_monte_carlo/sum.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/sum.h"
+#include "../common/numbers/wide.h"
 #include "../common/random.h"
 #include "check.h"
 

@@ -1,6 +1,6 @@
 /* 20's first.h: the answers of estimate.h, of closed forms and of sampling.h; and a variance that
  * is noise. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/first.h"
 #include "../chapters/20_monte_carlo/sampling.h"
 #include "../chapters/20_monte_carlo/t_test.h"

@@ -1,7 +1,7 @@
 /* Tests of 20_monte_carlo: errors and their slopes against exact values, importance sampling done
  * well and fatally, and what four times the rays do. Fixed seeds; each random test alarms falsely
  * once in 1e8 seeds, there are fewer than 100. */
-#include "../chapters/20_monte_carlo/measure.h"
+#include "../chapters/20_monte_carlo/lab/measure.h"
 #include "../chapters/20_monte_carlo/importance.h"
 #include "check.h"
 

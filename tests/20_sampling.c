@@ -1,12 +1,12 @@
 /* Tests of 20_monte_carlo: each sampler against its pdf, and against known expectations; wrong ones
  * are found out. Chi-square and t-tests have fixed seeds and the false-alarm rate 1e-8 each: there
  * are fewer than 100. What is wrong must fail at 1e-8, too. */
-#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/discrete.h"
 #include "../chapters/20_monte_carlo/first.h"
-#include "../chapters/20_monte_carlo/sampling_naive.h"
+#include "../chapters/20_monte_carlo/lab/sampling_naive.h"
 #include "../chapters/20_monte_carlo/t_test.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "check.h"
 
 #define alarm 1e-8

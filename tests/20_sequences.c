@@ -1,8 +1,8 @@
 /* Tests of 20_monte_carlo: sets of points. What is exact is tested exactly: nets, radical inverses,
  * permutations. What is random has a fixed seed and the false-alarm rate 1e-8 each; there are fewer
  * than 100 such tests. */
-#include "../chapters/20_monte_carlo/chi_square.h"
-#include "../chapters/20_monte_carlo/integrands.h"
+#include "../common/lab/chi_square.h"
+#include "../chapters/20_monte_carlo/lab/integrands.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"
 

@@ -1,6 +1,6 @@
 /* Tests of 20_monte_carlo: the functions behind tests of statistics against closed forms, and the
  * tests themselves: they must pass what is right as often as they say, and reject what is wrong. */
-#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"
 

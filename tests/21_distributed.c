@@ -3,9 +3,9 @@
  * box; the program from outside. */
 #define _DEFAULT_SOURCE 1
 #include "check.h"
-#include "../chapters/21_distributed/box.h"
-#include "../chapters/21_distributed/known.h"
-#include "../chapters/21_distributed/showroom.h"
+#include "../chapters/21_distributed/lab/box.h"
+#include "../chapters/21_distributed/lab/known.h"
+#include "../chapters/21_distributed/lab/showroom.h"
 
 static char directory[] = "/tmp/distributed_XXXXXX";
 #include "program.h"

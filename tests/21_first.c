@@ -1,8 +1,8 @@
 /* 21's first.h: the answers of area_light.h, glossy.h, of closed forms and of 19's first.h; what
  * its lobes lose, and what it makes of a near lamp. Fixed seeds; each random test alarms falsely
  * once in 1e8 seeds. */
-#include "../chapters/20_monte_carlo/chi_square.h"
-#include "../chapters/21_distributed/known_first.h"
+#include "../common/lab/chi_square.h"
+#include "../chapters/21_distributed/lab/known_first.h"
 #include "../chapters/22_radiometry/spherical_sampling.h"
 #include "check.h"
 

@@ -1,7 +1,7 @@
 /* 21_distributed: area lights, lobes, skies and lenses against closed forms. Each t-test has a
  * false-alarm rate of 1e-6; there are fewer than 200 of them: 2e-4 in all, with fixed seeds. */
 #include "check.h"
-#include "../chapters/21_distributed/known.h"
+#include "../chapters/21_distributed/lab/known.h"
 
 static const double alarm_rate = 1e-6;
 static const sequence_kind kinds[3] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_SOBOL};

@@ -2,7 +2,7 @@
  * and small caps and sunk balls, where it has none. Fixed seeds; each random test alarms falsely
  * once in 1e8 seeds. */
 #include "../chapters/20_monte_carlo/t_test.h"
-#include "../chapters/22_radiometry/oracle.h"
+#include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "check.h"
 

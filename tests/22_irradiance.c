@@ -1,6 +1,6 @@
 /* Tests of 22_radiometry: irradiance of spheres and polygons against textbook form factors, against
  * 32 digits, and where the naive forms fail. */
-#include "../chapters/22_radiometry/measure_hard.h"
+#include "../chapters/22_radiometry/lab/measure_hard.h"
 #include "check.h"
 
 #define eps ((double)real_epsilon)

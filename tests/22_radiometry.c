@@ -1,9 +1,9 @@
 /* Tests of 22_radiometry: each relation measured and compared with its closed form by a t-test, the
  * wrong ones refuted; photons on floors; pixels counted; four ways of sampling; photometry. Fixed
  * seeds; each random test alarms falsely once in 1e8 seeds, and there are fewer than 100. */
-#include "../chapters/20_monte_carlo/chi_square.h"
-#include "../chapters/22_radiometry/floors.h"
-#include "../chapters/22_radiometry/measure.h"
+#include "../common/lab/chi_square.h"
+#include "../chapters/22_radiometry/lab/floors.h"
+#include "../chapters/22_radiometry/lab/measure.h"
 #include "check.h"
 
 #define alarm 1e-8

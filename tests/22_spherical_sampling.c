@@ -1,8 +1,8 @@
 /* Tests of 22_radiometry: points of triangles and rectangles, uniform in solid angle: chi-square
  * tests against the constant pdf, t-tests against closed forms, tiny, huge, grazing and touching
  * ones. Fixed seeds; a random test alarms falsely once in 1e8 seeds; there are fewer than 100. */
-#include "../chapters/20_monte_carlo/chi_square.h"
-#include "../chapters/22_radiometry/directions.h"
+#include "../common/lab/chi_square.h"
+#include "../chapters/22_radiometry/lab/directions.h"
 #include "check.h"
 
 #define alarm 1e-8

@@ -1,11 +1,11 @@
 /* Tests of 23_brdf: reciprocity, energy, samples against pdfs, extreme parameters, closed forms,
  * and the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8
  * seeds. */
-#include "../chapters/23_brdf/brdf_naive.h"
+#include "../chapters/23_brdf/lab/brdf_naive.h"
 #include "../chapters/23_brdf/first.h"
-#include "../chapters/23_brdf/pictures.h"
+#include "../chapters/23_brdf/lab/pictures.h"
 #include "../chapters/23_brdf/reflection.h"
-#include "../chapters/20_monte_carlo/chi_square.h"
+#include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "check.h"

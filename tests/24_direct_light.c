@@ -7,7 +7,7 @@ static char directory[] = "/tmp/24_direct_light_XXXXXX";
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
-#include "../chapters/24_direct_light/lit_cornell.h"
+#include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "check.h"
 
 #define alarm 1e-8

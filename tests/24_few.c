@@ -1,7 +1,7 @@
 /* Tests of few.h: the answers of the tree, for meshes that make sorting out hard. */
 #include "check.h"
-#include "../chapters/21_distributed/cornell.h"
-#include "../chapters/24_direct_light/lit_cornell.h"
+#include "../chapters/21_distributed/scenes/cornell.h"
+#include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "../common/random.h"
 
 static vec3 somewhere(random_stream *s)

@@ -4,8 +4,8 @@
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
-#include "../chapters/24_direct_light/lit_cornell.h"
-#include "../chapters/24_direct_light/lit_first.h"
+#include "../chapters/24_direct_light/scenes/lit_cornell.h"
+#include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "check.h"
 
 static const double false_alarm = 1e-8;

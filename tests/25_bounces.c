@@ -1,12 +1,12 @@
 /* Tests of 25_bounces, second part: paths, branches, terms, in rooms where the answer is known.
  * Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
 #include "../chapters/25_bounces/branching.h"
-#include "../chapters/25_bounces/furnace.h"
-#include "../chapters/25_bounces/notes_shade.h"
+#include "../chapters/25_bounces/lab/furnace.h"
+#include "../chapters/25_bounces/lab/notes_shade.h"
 #include "../chapters/25_bounces/terms.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
-#include "../chapters/24_direct_light/lit_cornell.h"
+#include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "check.h"
 
 #define alarm 1e-8

@@ -1,6 +1,6 @@
 /* Tests of 25_bounces, third part: a box of six different walls by a linear system and by paths.
  * Each random test alarms falsely once in 1e8 seeds. */
-#include "../chapters/25_bounces/radiosity_box.h"
+#include "../chapters/25_bounces/lab/radiosity_box.h"
 #include "../chapters/25_bounces/naive_path.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"

@@ -2,7 +2,7 @@
  * Oracles: 2 x 2 systems and eigenvalues in closed form, sums in double-double, dyadic numbers. */
 #include "../chapters/25_bounces/series.h"
 #include "../chapters/25_bounces/transport.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "../common/random.h"
 #include "check.h"
 

@@ -3,7 +3,7 @@
 static char directory[] = "/tmp/26_first_XXXXXX";
 #include "program.h"
 #include "../chapters/20_monte_carlo/t_test.h"
-#include "../chapters/24_direct_light/lit_first.h"
+#include "../chapters/24_direct_light/scenes/lit_first.h"
 #include "../chapters/25_bounces/first.h"
 #include "../chapters/26_path_tracer/first.h"
 #include "../chapters/26_path_tracer/path.h"

@@ -3,7 +3,7 @@
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/25_bounces/naive_path.h"
 #include "../chapters/26_path_tracer/render.h"
-#include "../chapters/26_path_tracer/showcase.h"
+#include "../chapters/26_path_tracer/lab/showcase.h"
 
 static const double false_alarm = 1e-7;  /* of each test of chance; some 300 */
 

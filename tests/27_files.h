@@ -10,7 +10,7 @@
 #define FILES_27_H
 
 #include "program.h"
-#include "../chapters/27_effects/studio_read.h"
+#include "../chapters/27_effects/files/studio_read.h"
 #include "check.h"
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -3,7 +3,7 @@
  */
 #include "../chapters/27_effects/lamps.h"
 #include "../chapters/27_effects/sky_light.h"
-#include "../chapters/27_effects/studio_read.h"
+#include "../chapters/27_effects/files/studio_read.h"
 #include "../common/random.h"
 #include "check.h"
 

@@ -5,8 +5,8 @@
  * nothing. In the room: a glass ball that absorbs, and a mirror.
  */
 #include "../chapters/26_path_tracer/path.h"
-#include "../chapters/27_effects/draw.h"
-#include "../chapters/27_effects/studio_read.h"
+#include "../chapters/27_effects/lab/draw.h"
+#include "../chapters/27_effects/files/studio_read.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"
 

@@ -2,8 +2,8 @@
  *
  * Oracles: the table of (27.3) by hand; scenes with one effect each; projection of 02.
  */
-#include "../chapters/27_effects/explain.h"
-#include "../chapters/27_effects/studio_read.h"
+#include "../chapters/27_effects/lab/explain.h"
+#include "../chapters/27_effects/files/studio_read.h"
 #include "../common/random.h"
 #include "check.h"
 #include <time.h>

@@ -2,7 +2,7 @@
  * of the plan, byte for byte; what is not called for takes no ray; and where 18, 19 and 26 can draw
  * the same, the light is the same.
  */
-#include "../chapters/27_effects/classic.h"
+#include "../chapters/27_effects/lab/classic.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"
 

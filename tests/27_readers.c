@@ -5,7 +5,7 @@
  */
 static char directory[] = "/tmp/27_readers_XXXXXX";
 #include "../chapters/16_instances/crowd.h"
-#include "../chapters/17_compare/spd.h"
+#include "../chapters/07_mesh/scenes/spd.h"
 #include "27_files.h"
 #include "../common/random.h"
 #include <time.h>

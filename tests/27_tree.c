@@ -2,10 +2,10 @@
  *
  * Oracle: each shape and each instance asked in turn (07, 16), and the closed form of a sphere.
  */
-#include "../chapters/27_effects/studio_read.h"
+#include "../chapters/27_effects/files/studio_read.h"
 #include "../chapters/27_effects/studio_tree.h"
 #include "../chapters/18_shade/leave.h"
-#include "../chapters/04_triangle/icosphere.h"
+#include "../chapters/04_triangle/scenes/icosphere.h"
 #include "../common/random.h"
 #include "check.h"
 

@@ -10,7 +10,7 @@
 #ifndef FIRST_STRUCTURE_H
 #define FIRST_STRUCTURE_H
 
-#include "../chapters/07_mesh/as_first.h"
+#include "../chapters/07_mesh/scenes/as_first.h"
 #include "structure.h"
 
 typedef struct {

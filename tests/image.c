@@ -1,7 +1,7 @@
 /* Tests of common/image.h: comparison, the sRGB curve, files; hostile ones, too. */
 #include "check.h"
 #include "child.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "../common/image.h"
 #include "../common/random.h"
 #include <sys/resource.h>

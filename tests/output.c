@@ -1,7 +1,7 @@
 /* Tests of common/output.h: what goes where. Each call runs in a child process. */
 #include "check.h"
 #include "child.h"
-#include "../common/output.h"
+#include "../common/lab/report.h"
 
 static char dir[] = "/tmp/output_test_XXXXXX";
 static options given;

@@ -1,7 +1,7 @@
 /* Tests of common/plot.h: places, ticks, and a file that is valid whatever goes into it. */
 #include "check.h"
 #include "child.h"
-#include "../common/plot.h"
+#include "../common/lab/plot.h"
 
 static char svg[200000];
 

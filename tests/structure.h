@@ -9,9 +9,9 @@
 #ifndef STRUCTURE_H
 #define STRUCTURE_H
 
-#include "../chapters/07_mesh/specimens.h"
-#include "../chapters/10_grid/items.h"
-#include "../chapters/10_grid/stadium.h"
+#include "../chapters/07_mesh/scenes/specimens.h"
+#include "../chapters/09_aabb/structure.h"
+#include "../chapters/07_mesh/scenes/stadium.h"
 #include "aimed.h"
 #include "check.h"
 

@@ -1,7 +1,7 @@
 /* Tests of common/table.h. */
 #include "check.h"
 #include "child.h"
-#include "../common/table.h"
+#include "../common/lab/table.h"
 
 static char text[8192];
 

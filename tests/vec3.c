@@ -1,6 +1,6 @@
 /* Tests of common/vec3.h. */
 #include "check.h"
-#include "../chapters/01_ray/wide.h"
+#include "../common/numbers/wide.h"
 #include "../common/random.h"
 #include "../common/vec3.h"
 

@@ -1,12 +1,12 @@
 /* 01_ray: a point on a ray, in two forms and two precisions: what each costs and how far it is off.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 01_ray chapters/01_ray/main.c -lm -lpthread
  * The oracle is wide.h. The picture shows one ray in float, ever farther from the origin. */
-#include "../../common/output.h"
+#include "../../common/lab/report.h"
 #include "../../common/parallel.h"
 #include "../../common/random.h"
 #include "hit.h"
 #include "ray_f32.h"
-#include "wide.h"
+#include "../../common/numbers/wide.h"
 
 enum { forms = 5, lines = 256, repeats = 800 };  /* few lines: the fastest cache holds them */
 static const char *const form_name[forms] = {"float O + tD", "float (1-t)A + tB", "first O + tD",

@@ -4,7 +4,8 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 02_camera chapters/
  * Draws one room through four cameras, three vanishing points, the slip in RTR's equation, a camera
  * far from the origin, what lies behind a parallel view, and a zone plate with one ray a pixel and
  * with many. Prints and plots error against time (measure_rays.h, measure_pixels.h). */
-#include "measure_pixels.h"
+#include "../../common/lab/report.h"
+#include "lab/measure_pixels.h"
 #include "rtr_camera.h"
 
 #define r_(x) ((real)(x))

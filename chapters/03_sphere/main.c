@@ -1,10 +1,10 @@
 /* 03_sphere: a ray meets a sphere, in eight ways: which rays each gets wrong, and what it costs.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/03_sphere/main.c -lm -lpthread
  * The oracle is sphere_oracle.h. The picture shows a sphere from far away through a long lens. */
-#include "../../common/output.h"
+#include "../../common/lab/report.h"
 #include "../../common/parallel.h"
-#include "sphere_draw.h"
-#include "sphere_survey.h"
+#include "lab/sphere_draw.h"
+#include "lab/sphere_survey.h"
 
 enum { timed = 1024, repeats = 20 };
 

@@ -36,7 +36,7 @@
 #define SPHERE_H
 
 #include "../01_ray/hit.h"
-#include "../01_ray/wide.h"
+#include "../../common/numbers/wide.h"
 #include "first.h"
 
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1);

@@ -1,12 +1,12 @@
 /* 04_triangle: rays aimed exactly at edges of a mesh: who slips through, and what certainty costs.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 04_triangle chapters/04_triangle/main.c -lm -lpthread
  * The oracles: a closed mesh is hit by every ray from its inside; (4.8) in double-double. */
-#include "../../common/output.h"
+#include "../../common/lab/report.h"
 #include "../../common/parallel.h"
-#include "dome.h"
-#include "needles.h"
-#include "soup.h"
-#include "triangle_naive.h"
+#include "lab/dome.h"
+#include "lab/needles.h"
+#include "lab/soup.h"
+#include "lab/triangle_naive.h"
 
 static void draw(const options *o)
 {

@@ -39,7 +39,7 @@
 #ifndef TRIANGLE_H
 #define TRIANGLE_H
 
-#include "../01_ray/wide.h"
+#include "../../common/numbers/wide.h"
 #include "plane.h"
 #include <limits.h>
 

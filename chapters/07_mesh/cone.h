@@ -34,7 +34,7 @@
 #define CONE_H
 
 #include "../01_ray/hit.h"
-#include "../01_ray/wide.h"
+#include "../../common/numbers/wide.h"
 
 typedef struct {
     vec3 a;   /* middle of the base, u = 0 */

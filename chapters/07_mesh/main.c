@@ -3,10 +3,10 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 07_mesh chapters/07
  *
  * Without options: the teapot, one shape of each kind, slices through meshes, three tables.
  * With --mesh FILE.obj: that mesh in a picture, and what brute force costs on it. */
-#include "../../common/output.h"
-#include "measure.h"
-#include "obj.h"
-#include "pictures.h"
+#include "../../common/lab/report.h"
+#include "lab/measure.h"
+#include "files/obj.h"
+#include "lab/pictures.h"
 
 /* A picture takes rays x triangles tests. Where no size is asked for, it gets the size that so
  * many tests can fill within ten seconds on two cores. That depends on the mesh alone, not on the

@@ -1,9 +1,9 @@
 /* 09_aabb: a ray and a box: what each slab test loses, what it costs, and what a box hit is worth.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 09_aabb chapters/09_aabb/main.c -lm -lpthread
  * The oracles are whole numbers (exact.h) and twice the precision (mantissa.h). */
-#include "draw.h"
-#include "measure_alarms.h"
-#include "slab_figure.h"
+#include "lab/draw.h"
+#include "lab/measure_alarms.h"
+#include "lab/slab_figure.h"
 
 /* ---- what is lost ---- */
 

@@ -3,9 +3,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 10_grid chapters/10
  *
  * Without options: the teapot in its cells, a walk in the plane, what a stadium takes, four tables
  * and their plots. --mesh FILE.obj: that mesh instead, one picture. */
-#include "../07_mesh/obj.h"
-#include "measure.h"
-#include "walk_figure.h"
+#include "../07_mesh/files/obj.h"
+#include "lab/measure.h"
+#include "lab/walk_figure.h"
 
 /* "dir/bunny.obj" -> build/10_grid_bunny.png: images/ is for the pictures of the text. */
 static const char *picture_name(const char *path, char name[512])

@@ -35,7 +35,7 @@
 #ifndef WALK_H
 #define WALK_H
 
-#include "items.h"
+#include "../09_aabb/structure.h"
 #include <stddef.h>
 
 typedef struct {

@@ -3,11 +3,11 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 11_octree chapters/
  *
  * Without options: the teapot with its cells, the work a pixel, a quadtree with a ray, what the
  * textbook's walk gets wrong, three tables, three plots. --mesh FILE.obj: that mesh, its cells. */
-#include "../07_mesh/obj.h"
-#include "figure.h"
-#include "measure.h"
-#include "pictures.h"
-#include "scenes.h"
+#include "../07_mesh/files/obj.h"
+#include "lab/figure.h"
+#include "lab/measure.h"
+#include "lab/pictures.h"
+#include "lab/scenes.h"
 
 typedef struct { const char *mesh; int depth, leaf; bool boxes; } own_options;
 

@@ -4,11 +4,11 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 12_kdtree chapters/
  * Without options: what each pixel of the teapot took, by four strategies; the tree in the plane;
  * four tables, six plots. --mesh FILE.obj: the first picture of that mesh. --strategy NAME: that
  * tree alone, beside the mesh. */
-#include "../07_mesh/obj.h"
-#include "flat.h"
-#include "growth.h"
-#include "pictures.h"
-#include "scenes.h"
+#include "../07_mesh/files/obj.h"
+#include "lab/flat.h"
+#include "lab/growth.h"
+#include "lab/pictures.h"
+#include "lab/scenes.h"
 
 typedef struct {
     const char *mesh, *strategy;

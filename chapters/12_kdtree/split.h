@@ -31,7 +31,7 @@
 #ifndef KDTREE_SPLIT_H
 #define KDTREE_SPLIT_H
 
-#include "../09_aabb/float_round.h"
+#include "../../common/numbers/float_round.h"
 #include "clip.h"
 
 typedef enum { KD_MIDDLE, KD_MEDIAN, KD_SAH, kdtree_strategies } kdtree_strategy;

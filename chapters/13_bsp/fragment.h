@@ -16,7 +16,7 @@
 #ifndef FRAGMENT_H
 #define FRAGMENT_H
 
-#include "../10_grid/items.h"
+#include "../09_aabb/structure.h"
 #include "cell.h"
 
 /* Which rule places what is near a plane: side.h, and two that lose hits. */

@@ -3,11 +3,11 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 13_bsp chapters/13_
  *
  * Without options: three pictures, four tables, two plots. --mesh FILE.obj: that mesh instead, its
  * cells and the work of each pixel, and one line about the tree that --rule built. */
-#include "../07_mesh/obj.h"
-#include "flat_figure.h"
-#include "measure_scenes.h"
-#include "painting.h"
-#include "pictures.h"
+#include "../07_mesh/files/obj.h"
+#include "lab/flat_figure.h"
+#include "lab/measure_scenes.h"
+#include "lab/painting.h"
+#include "lab/pictures.h"
 
 typedef struct { const char *mesh, *rule; int candidates; } own_options;
 

@@ -4,11 +4,11 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
  * Without options: the teapot of 102080 triangles, what each pixel took, six tables, three plots.
  * --mesh FILE.obj: that mesh instead, a picture only. --rays FILE: searches these rays and no
  * others. */
-#include "../07_mesh/obj.h"
-#include "growth.h"
-#include "pareto.h"
-#include "pictures.h"
-#include "ray_file.h"
+#include "../07_mesh/files/obj.h"
+#include "lab/growth.h"
+#include "lab/pareto.h"
+#include "lab/pictures.h"
+#include "../07_mesh/files/ray_file.h"
 
 typedef struct { const char *mesh, *rays, *hits, *strategy; bool any, full; int leaf; } own_options;
 

@@ -42,7 +42,7 @@
 #define BVH_NODE_H
 
 #include "../04_triangle/triangle.h"
-#include "../09_aabb/float_round.h"
+#include "../../common/numbers/float_round.h"
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>

@@ -20,7 +20,7 @@
 #ifndef BVH_SEARCH_H
 #define BVH_SEARCH_H
 
-#include "../10_grid/items.h"
+#include "../09_aabb/structure.h"
 #include "tree.h"
 
 typedef struct {

@@ -4,9 +4,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 16_instances chapte
  * Without options: the forest, what goes wrong with normals and with normalised rays, four tables,
  * three plots. --instances N: so many plants, the picture only. --mesh FILE.obj: a crowd of that
  * mesh, y up, the picture only. */
-#include "../07_mesh/obj.h"
-#include "growth.h"
-#include "pictures.h"
+#include "../07_mesh/files/obj.h"
+#include "lab/growth.h"
+#include "lab/pictures.h"
 
 int main(int argc, char **argv)
 {

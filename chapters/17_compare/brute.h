@@ -2,7 +2,7 @@
 #ifndef BRUTE_H
 #define BRUTE_H
 
-#include "../10_grid/items.h"
+#include "../09_aabb/structure.h"
 
 typedef struct { size_t most_bytes; } brute_options;
 typedef struct { items x; } brute;

@@ -10,8 +10,8 @@
 #ifndef FIRST_ITEMS_H
 #define FIRST_ITEMS_H
 
-#include "../07_mesh/as_first.h"
-#include "../10_grid/items.h"
+#include "../07_mesh/scenes/as_first.h"
+#include "../09_aabb/structure.h"
 #include "first.h"
 
 typedef struct { int which; size_t most_bytes; } first_items_options;

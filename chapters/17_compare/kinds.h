@@ -18,8 +18,8 @@
 #ifndef KINDS_H
 #define KINDS_H
 
-#include "../10_grid/survey.h"
-#include "world.h"
+#include "../09_aabb/trials/survey.h"
+#include "../07_mesh/scenes/world.h"
 
 typedef enum { KIND_PRIMARY, KIND_SHADOW, KIND_DIFFUSE, KIND_MIRROR, ray_kinds } ray_kind;
 static const char *const kind_name[ray_kinds] = {"primary", "shadow", "diffuse", "mirror"};

@@ -4,12 +4,12 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 17_compare chapters
  * Without options: ten scenes, four kinds of rays, a table each; growth with n; two pictures, a
  * chart, three plots. --scene or --mesh: one scene. --rays: the rays of a file. --verify: all rays
  * by brute force, too. --protocol spd: the published counts. */
-#include "chart.h"
-#include "growth.h"
-#include "modes.h"
-#include "pictures.h"
-#include "settings.h"
-#include "summary.h"
+#include "lab/chart.h"
+#include "lab/growth.h"
+#include "lab/modes.h"
+#include "lab/pictures.h"
+#include "lab/settings.h"
+#include "lab/summary.h"
 #include <sys/resource.h>
 
 static int scale_of(const options *o, const own_options *own, int k)

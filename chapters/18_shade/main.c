@@ -3,9 +3,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/1
  *
  * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, the table
  * of ways to leave a surface, three plots. --samples N is rounded down to a square. */
-#include "../../common/output.h"
-#include "measure.h"
-#include "pictures.h"
+#include "../../common/lab/report.h"
+#include "lab/measure.h"
+#include "lab/pictures.h"
 
 int main(int argc, char **argv)
 {

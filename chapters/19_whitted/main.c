@@ -5,9 +5,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters
  * error against time, of Fresnel's forms, of speed. --protocol spd: rays counted as in published
  * results. --samples N is rounded down to a square. */
 #include "../../common/output.h"
-#include "spd_protocol.h"
-#include "measure.h"
-#include "pictures.h"
+#include "lab/spd_protocol.h"
+#include "lab/measure.h"
+#include "lab/pictures.h"
 
 static void usage(const char *text)
 {

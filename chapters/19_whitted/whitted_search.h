@@ -11,7 +11,7 @@
 #ifndef WHITTED_SEARCH_H
 #define WHITTED_SEARCH_H
 
-#include "ball_hit.h"
+#include "balls/ball_hit.h"
 #include "contact.h"
 #include "whitted_branch.h"
 

@@ -1,10 +1,10 @@
 /* 20_monte_carlo: integrals by chance: how fast the error falls, for six ways of placing samples.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo chapters/20_monte_carlo/main.c -lm -lpthread
  * Errors are measured against closed forms, and their size against its own exact value. */
-#include "measure.h"
-#include "measure_floats.h"
-#include "measure_importance.h"
-#include "pictures.h"
+#include "lab/measure.h"
+#include "lab/measure_floats.h"
+#include "lab/measure_importance.h"
+#include "lab/pictures.h"
 
 /* ---- time of one estimate, points and both integrands ---- */
 

@@ -31,7 +31,7 @@
 #define T_TEST_H
 
 #include "estimate.h"
-#include "incomplete.h"
+#include "../../common/numbers/incomplete.h"
 
 typedef struct { double slope, intercept, slope_error; size_t n; } line_fit;
 

@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chap
  * Without options: a showroom with all effects and with none, the two failures and their mends, a
  * row of panels an effect; the error of pictures against time; closed forms; rays spent. */
 #include "../../common/output.h"
-#include "measure.h"
+#include "lab/measure.h"
 
 int main(int argc, char **argv)
 {

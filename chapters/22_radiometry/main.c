@@ -1,9 +1,9 @@
 /* 22_radiometry: flux, intensity, irradiance, radiance, solid angle: computed, and measured.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 22_radiometry chapters/22_radiometry/main.c -lm -lpthread
  * Every number has a closed form and an experiment; both are tested against each other. */
-#include "measure.h"
-#include "measure_hard.h"
-#include "pictures.h"
+#include "lab/measure.h"
+#include "lab/measure_hard.h"
+#include "lab/pictures.h"
 
 int main(int argc, char **argv)
 {

@@ -35,7 +35,7 @@
 #ifndef POLYGON_IRRADIANCE_H
 #define POLYGON_IRRADIANCE_H
 
-#include "gauss.h"
+#include "../../common/numbers/gauss.h"
 #include "solid_angle.h"
 
 enum { polygon_most = 16 };

@@ -28,7 +28,7 @@
 #ifndef SPHERE_IRRADIANCE_H
 #define SPHERE_IRRADIANCE_H
 
-#include "gauss.h"
+#include "../../common/numbers/gauss.h"
 #include "solid_angle.h"
 
 /* A sphere in the frame of the surface. power = d^2 - radius^2 [>= 0]. */

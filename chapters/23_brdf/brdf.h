@@ -35,7 +35,7 @@
 #define BRDF_H
 
 #include "blinn_phong.h"
-#include "fibonacci.h"
+#include "../../common/numbers/fibonacci.h"
 #include "microfacet.h"
 #include "shading_frame.h"
 

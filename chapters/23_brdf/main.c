@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 23_brdf chapters/23_brdf/main.c -lm -lpthread
  * Errors are measured against a quadrature over half vectors that shares nothing with the
  * samplers. */
-#include "measure.h"
-#include "pictures.h"
+#include "lab/measure.h"
+#include "lab/pictures.h"
 
 int main(int argc, char **argv)
 {

@@ -3,7 +3,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light cha
  * Without options: five pictures, six tables, four plots. --scene or --way: that picture only.
  * Errors are measured against closed forms, and where there are none against a long run with
  * well-spread points. */
-#include "measure.h"
+#include "lab/measure.h"
 
 static const char *const way_names[direct_ways] = {"uniform", "cosine", "brdf", "area", "angle",
                                                    "balance", "power", "half"};

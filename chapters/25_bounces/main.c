@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters/25_bounces/main.c -lm -lpthread
  * Errors are measured against closed forms, linear systems, and an estimate that shares nothing
  * with the paths but their walk. */
-#include "measure.h"
-#include "pictures.h"
+#include "lab/measure.h"
+#include "lab/pictures.h"
 
 int main(int argc, char **argv)
 {

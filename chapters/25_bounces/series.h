@@ -28,7 +28,7 @@
 #ifndef SERIES_H
 #define SERIES_H
 
-#include "../20_monte_carlo/sum.h"
+#include "../../common/numbers/sum.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

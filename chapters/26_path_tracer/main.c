@@ -3,7 +3,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
  * Without options: pictures, and error against time for every strategy. With --scene, --samples,
  * --error, --time ...: one picture. Errors are measured against a reference of many samples, which
  * a test compares with the naive path of 25. */
-#include "pictures.h"
+#include "lab/pictures.h"
 
 int main(int argc, char **argv)
 {

@@ -11,11 +11,11 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  * if --out names no other. What the command line says of camera, lens, lights and surroundings
  * replaces what the files say; the words are those of scene files. */
 #include "../../common/output.h"
-#include "classic.h"
-#include "demo.h"
-#include "explain.h"
-#include "price.h"
-#include "studio_read.h"
+#include "lab/classic.h"
+#include "lab/demo.h"
+#include "lab/explain.h"
+#include "lab/price.h"
+#include "files/studio_read.h"
 
 typedef struct {
     const char *path, *effects, *region;

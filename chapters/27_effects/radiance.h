@@ -29,7 +29,7 @@
 #define RADIANCE_H
 
 #include "met.h"
-#include "../02_camera/headlight.h"
+#include "../../common/headlight.h"
 #include "../26_path_tracer/roulette.h"
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -1,0 +1,71 @@
+/* oracle.h: how far a ray, a frame and a tangent are off, measured in wide arithmetic.
+ *
+ * The input (e, window, frame, angle) is taken as the exact numbers that it is; what follows from
+ * it is computed again with 32 digits, and compared.
+ *
+ *   double ray_error(c, D, x, y, nx, ny)    how far D passes from (x, y), in pixels
+ *   double frame_error(f, target, up)       |u - exact u|: radians, if small
+ *   camera_frame frame_first(e, target, up) that of first.h
+ *   double half_tangent_exact(phi)          tan(phi / 2), phi in degrees [178, 180), to 1e-16
+ */
+#ifndef CAMERA_ORACLE_H
+#define CAMERA_ORACLE_H
+
+#include "../../../common/numbers/wide.h"
+#include "../camera.h"
+#include "../first.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The frame as first.h has it, for the same questions. */
+static inline camera_frame frame_first(vec3 e, vec3 target, vec3 up)
+{
+    first_camera c = first_camera_at(e, target, up, 90, 1, 1);
+    return (camera_frame){c.e, c.u, c.v, c.w};
+}
+
+static inline wide wide_ratio(wide a, double b, double n)
+{
+    return wide_div(wide_mul(a, wide_of(b)), wide_of(n));
+}
+
+/* Both rays are met with the image plane, the given one and the exact one (2.2, 2.3, 2.5). u, v, w
+ * are taken as they are, so that rounding the frame does not count here. */
+static inline double ray_error(camera c, vec3 D, real x, real y, int nx, int ny)
+{
+    wide width = wide_sub(wide_of((double)c.r), wide_of((double)c.l));
+    wide height = wide_sub(wide_of((double)c.b), wide_of((double)c.t));
+    wide u = wide_add(wide_of((double)c.l), wide_ratio(width, (double)x, nx));
+    wide v = wide_add(wide_of((double)c.t), wide_ratio(height, (double)y, ny));
+    wide3 U = wide3_of(c.u), V = wide3_of(c.v), W = wide3_of(c.w), zero = wide3_of((vec3){0, 0, 0});
+    wide3 plane = wide3_madd(wide3_madd(zero, U, u), V, v), given = wide3_of(D);
+    wide3 exact = wide3_madd(plane, W, wide_of(-(double)c.d));
+    if (!(wide_sign(wide3_dot(given, W)) < 0)) return (double)INFINITY;  /* nothing is left of D */
+    wide scale = wide_div(wide3_dot(exact, W), wide3_dot(given, W));
+    wide3 off = wide3_sub(wide3_madd(zero, given, scale), exact);
+    double dx = wide_value(wide_div(wide3_dot(off, U), width)) * nx;
+    double dy = wide_value(wide_div(wide3_dot(off, V), height)) * ny;
+    return sqrt(dx * dx + dy * dy);
+}
+
+static inline double frame_error(camera_frame f, vec3 target, vec3 up)
+{
+    wide3 back = wide3_sub(wide3_of(f.e), wide3_of(target)), u = wide3_cross(wide3_of(up), back);
+    wide one_over = wide_div(wide_of(-1), wide3_length(u));
+    return wide_value(wide3_length(wide3_madd(wide3_of(f.u), u, one_over)));
+}
+
+/* 1 / tan(delta), delta = (180 - phi) pi / 360 <= 0.0175, tan by its series. */
+static inline double half_tangent_exact(real phi)
+{
+    wide pi_wide = {3.14159265358979311600, 1.22464679914735317723e-16};
+    wide missing = wide_sub(wide_of(180), wide_of((double)phi));
+    wide delta = wide_ratio(wide_mul(missing, pi_wide), 1, 360);
+    wide s = wide_mul(delta, delta), sum = wide_of(0);
+    static const double top[] = {62, 17, 2, 1, 1}, bottom[] = {2835, 315, 15, 3, 1};
+    for (int i = 0; i < 5; i++)
+        sum = wide_add(wide_mul(sum, s), wide_div(wide_of(top[i]), wide_of(bottom[i])));
+    return wide_value(wide_div(wide_of(1), wide_mul(sum, delta)));
+}
+
+#endif

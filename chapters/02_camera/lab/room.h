@@ -1,0 +1,94 @@
+/* room.h: something to look at: the corner of a room, with blocks, out of flat rectangles.
+ *
+ *   z                 Each rectangle lies across one axis: all of it has the same x, or y, or z. So
+ *   |  ____           the ray meets its plane at t = (at - o.x) / d.x, and two comparisons tell
+ *   | /   /|          whether it is met inside.
+ *   |/___/ |__ y
+ *   |    |/           room s = room_corner()             floor z = 0, walls x = 0, y = 0, blocks
+ *   |____|            vec3 colour = room_colour(&s, r)   of what the ray meets first
+ *   x
+ */
+#ifndef ROOM_H
+#define ROOM_H
+
+#include "../../01_ray/hit.h"
+#include "../../../common/headlight.h"
+
+typedef struct {
+    int axis;            /* 0, 1, 2: the one that it lies across */
+    real at;             /* where on that axis */
+    vec3 low, high;      /* its extent on the two others */
+    vec3 colour, check;  /* of the squares, in turn */
+    real cell;           /* side of a square */
+} room_rectangle;
+
+typedef struct { room_rectangle r[24]; int n; } room;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool room_rectangle_hit(const room_rectangle *q, ray r, real *t)
+{
+    real tq = (q->at - vaxis(r.o, q->axis)) / vaxis(r.d, q->axis);
+    if (!ray_covers(r, tq) || isinf(tq)) return false;  /* parallel: tq is infinite or NaN */
+    vec3 p = ray_at(r, tq);
+    for (int k = 0; k < 3; k++)
+        if (k != q->axis && !(vaxis(p, k) >= vaxis(q->low, k) && vaxis(p, k) <= vaxis(q->high, k)))
+            return false;
+    *t = tq;
+    return true;
+}
+
+static inline vec3 room_colour(const room *s, ray r)
+{
+    static const vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const room_rectangle *first = NULL;
+    for (int i = 0; i < s->n; i++) {
+        real t;
+        if (room_rectangle_hit(&s->r[i], r, &t) && (t < r.tmax || !first)) {
+            first = &s->r[i];
+            r.tmax = t;
+        }
+    }
+    if (!first) return (vec3){(real)0.86, (real)0.89, (real)0.93};
+    vec3 p = vsub(ray_at(r, r.tmax), first->low);
+    int a = (first->axis + 1) % 3, b = (first->axis + 2) % 3;
+    long squares = (long)floor(vaxis(p, a) / first->cell) + (long)floor(vaxis(p, b) / first->cell);
+    return vmul(squares % 2 ? first->check : first->colour, headlight(axes[first->axis], r.d));
+}
+
+static inline void room_add(room *s, int axis, real at, vec3 low, vec3 high, vec3 colour,
+                            vec3 check, real cell)
+{
+    s->r[s->n++] = (room_rectangle){axis, at, low, high, colour, check, cell};
+}
+
+/* Six faces, painted darker on the sides, so that edges show where the headlight shows none. */
+static inline void room_block(room *s, vec3 low, vec3 high, vec3 colour, real cell)
+{
+    static const real paint[] = {(real)0.55, (real)0.8, 1};
+    for (int k = 0; k < 3; k++) {
+        vec3 a = vscale(colour, paint[k]), b = vscale(a, (real)0.8);
+        room_add(s, k, vaxis(low, k), low, high, a, b, cell);
+        room_add(s, k, vaxis(high, k), low, high, a, b, cell);
+    }
+}
+
+static inline room room_corner(void)
+{
+    room s = {.n = 0};
+    vec3 o = {0, 0, 0}, end = {4, 4, 4}, size = {(real)0.8, (real)0.8, (real)0.8};
+    vec3 orange = {1, (real)0.5, (real)0.08};
+    room_add(&s, 2, 0, o, end, (vec3){(real)0.85, (real)0.8, (real)0.7},
+             (vec3){(real)0.42, (real)0.36, (real)0.3}, (real)0.5);
+    room_add(&s, 0, 0, o, end, (vec3){(real)0.3, (real)0.48, (real)0.75},
+             (vec3){(real)0.17, (real)0.3, (real)0.55}, (real)0.5);
+    room_add(&s, 1, 0, o, end, (vec3){(real)0.5, (real)0.72, (real)0.62},
+             (vec3){(real)0.3, (real)0.52, (real)0.43}, (real)0.5);
+    for (int i = 0; i < 3; i++) {  /* three blocks of one size, one behind the other */
+        vec3 low = {2, (real)0.5 + (real)1.2 * (real)i, 0};
+        room_block(&s, low, vadd(low, size), orange, (real)0.4);
+    }
+    return s;
+}
+
+#endif

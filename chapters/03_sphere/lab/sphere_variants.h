@@ -1,0 +1,151 @@
+/* sphere_variants.h: other ways to meet a sphere, to be measured beside sphere.h. All have the
+ * signature of sphere_hit and of sphere_roots; only their rounding differs. l: distance.
+ *
+ *   suffix          what it does                                  told wrong within
+ *   first_sphere_.. the textbook (3.8); see first.h               eps (l/R)^2 R  of the limb
+ *   _first_f32      the same in float, whatever real is
+ *   _in_double      the same in double, whatever real is
+ *   _stable_root    (3.3), the roots by (3.4): without b - h      eps (l/R)^2 R  mends nothing
+ *   _haines         D from the ray's point closest to c           eps (l/R) R
+ *   _lagrange       D by (3.5), plain cross product               eps (l/R) R    and cheaper
+ *   _kahan          D by (3.5), every rounding error given back   eps R          whatever l
+ *   sphere_hit      D by (3.5); if too small to be sure, again in twice the precision
+ *
+ * Source of _haines: E. Haines, J. Günther, T. Akenine-Möller, "Precision Improvements for
+ * Ray/Sphere Intersection", Ray Tracing Gems, 2019, ch. 7. Of (3.4): W. Press et al., "Numerical
+ * Recipes", 2nd ed. 1992, section 5.6. Of _kahan: difference_of_products in vec3.h, and D. Knuth,
+ * "The Art of Computer Programming", vol. 2, section 4.2.2 theorem B.
+ */
+#ifndef SPHERE_VARIANTS_H
+#define SPHERE_VARIANTS_H
+
+#include "../sphere.h"
+
+typedef bool sphere_hit_function(sphere s, ray r, hit *out);
+typedef bool sphere_roots_function(sphere s, ray r, real *t0, real *t1);
+
+static inline sphere_roots_function sphere_roots_first_f32, sphere_roots_in_double,
+    sphere_roots_stable_root, sphere_roots_haines, sphere_roots_lagrange, sphere_roots_kahan;
+static inline sphere_hit_function sphere_hit_first_f32, sphere_hit_in_double,
+    sphere_hit_stable_root, sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Fails for: R = 1 seen from 1e4: of the rays that should hit, every third misses. */
+static inline bool sphere_roots_first_f32(sphere s, ray r, real *t0, real *t1)
+{
+    float fx = (float)r.o.x - (float)s.c.x, dx = (float)r.d.x, R = (float)s.r;
+    float fy = (float)r.o.y - (float)s.c.y, dy = (float)r.d.y;
+    float fz = (float)r.o.z - (float)s.c.z, dz = (float)r.d.z;
+    float a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
+    float D = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
+    if (!(D >= 0)) return false;
+    *t0 = (real)((-b - sqrtf(D)) / (2 * a));
+    *t1 = (real)((-b + sqrtf(D)) / (2 * a));
+    return true;
+}
+
+static inline bool sphere_roots_in_double(sphere s, ray r, real *t0, real *t1)
+{
+    double fx = (double)r.o.x - (double)s.c.x, dx = (double)r.d.x, R = (double)s.r;
+    double fy = (double)r.o.y - (double)s.c.y, dy = (double)r.d.y;
+    double fz = (double)r.o.z - (double)s.c.z, dz = (double)r.d.z;
+    double a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
+    double D = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
+    if (!(D >= 0)) return false;
+    *t0 = (real)((-b - sqrt(D)) / (2 * a));
+    *t1 = (real)((-b + sqrt(D)) / (2 * a));
+    return true;
+}
+
+/* t0 t1 = k / a (3.4): the root that b - h would spoil follows from the other one. Ordered, since
+ * rounding may swap two roots that nearly coincide. b and h are half of the textbook's. */
+static inline bool sphere_by_vieta(real a, real b, real k, real D, real *t0, real *t1)
+{
+    if (!(D >= 0)) return false;
+    real q = b + copysign(sqrt(D), b), far = q / a, near = q == 0 ? 0 : k / q;
+    *t0 = real_min(near, far);
+    *t1 = real_max(near, far);
+    return true;
+}
+
+static inline bool sphere_roots_stable_root(sphere s, ray r, real *t0, real *t1)
+{
+    vec3 f = vsub(r.o, s.c);
+    real a = vdot(r.d, r.d), b = -vdot(r.d, f), k = vdot(f, f) - s.r * s.r;
+    return sphere_by_vieta(a, b, k, b * b - a * k, t0, t1);
+}
+
+static inline bool sphere_roots_haines(sphere s, ray r, real *t0, real *t1)
+{
+    vec3 f = vsub(r.o, s.c);
+    real a = vdot(r.d, r.d), b = -vdot(r.d, f), k = vdot(f, f) - s.r * s.r;
+    vec3 l = vmadd(f, r.d, b / a);  /* from c to the ray's closest point */
+    return sphere_by_vieta(a, b, k, a * (s.r * s.r - vdot(l, l)), t0, t1);
+}
+
+static inline bool sphere_roots_lagrange(sphere s, ray r, real *t0, real *t1)
+{
+    vec3 f = vsub(r.o, s.c), x = vcross(r.d, f);
+    real a = vdot(r.d, r.d), b = -vdot(r.d, f), k = vdot(f, f) - s.r * s.r;
+    return sphere_by_vieta(a, b, k, a * (s.r * s.r) - vdot(x, x), t0, t1);  /* (3.5) */
+}
+
+/* What rounding took from the sum s = a + b: exactly a + b - s (Knuth). */
+static inline real sum_error(real a, real b, real s)
+{
+    real bb = s - a;
+    return (a - (s - bb)) + (b - bb);
+}
+
+/* Without branches and without a wider type; needs a machine that has fma, or it is slow. */
+static inline bool sphere_roots_kahan(sphere s, ray r, real *t0, real *t1)
+{
+    vec3 d = r.d, f = vsub(r.o, s.c);
+    vec3 e = {sum_error(r.o.x, -s.c.x, f.x), sum_error(r.o.y, -s.c.y, f.y),
+              sum_error(r.o.z, -s.c.z, f.z)};  /* o - c = f + e exactly */
+    vec3 x = {difference_of_products(d.y, f.z, d.z, f.y),
+              difference_of_products(d.z, f.x, d.x, f.z),
+              difference_of_products(d.x, f.y, d.y, f.x)};
+    x = vadd(x, vcross(d, e));
+    real a = vdot(d, d), b = -(vdot(d, f) + vdot(d, e)), k = vdot(f, f) - s.r * s.r;
+    return sphere_by_vieta(a, b, k, a * (s.r * s.r) - vdot(x, x), t0, t1);  /* (3.5) */
+}
+
+static inline bool sphere_hit_first_f32(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    return sphere_roots_first_f32(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+}
+
+static inline bool sphere_hit_in_double(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    return sphere_roots_in_double(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+}
+
+static inline bool sphere_hit_stable_root(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    return sphere_roots_stable_root(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+}
+
+static inline bool sphere_hit_haines(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    return sphere_roots_haines(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+}
+
+static inline bool sphere_hit_lagrange(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    return sphere_roots_lagrange(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+}
+
+static inline bool sphere_hit_kahan(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    return sphere_roots_kahan(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+}
+
+#endif

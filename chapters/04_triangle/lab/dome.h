@@ -1,0 +1,101 @@
+/* dome.h: the picture of this chapter. A dome of triangles on a wall, seen by three methods.
+ *
+ *    . . . . . . .      Each dot is a ray. Every tenth ray of every tenth row passes through a
+ *    . .o-----o. .      corner of the mesh, computed from that very ray; so the rays between two
+ *    . .|. . /|. .      corners run along an edge, but for rounding. A camera above a floor of
+ *    . .|. /. |. .      tiles sees the same, or any picture of something built on its grid.
+ *    . .o-----o. .
+ *
+ *   image im = image_new(960, 320);
+ *   dome s = dome_new(&im, method1, method2, method3);       three panels, 2 x 2 pixels a ray
+ *   parallel_pixels(im.width, im.height, 0, "dome", dome_pixel, &s);
+ *   dome_free(&s);
+ *
+ * Grey: hit once. Blue: twice or more. Orange: not at all, the light behind the wall glares
+ * through.
+ */
+#ifndef DOME_H
+#define DOME_H
+
+#include "../../../common/image.h"
+#include "../../../common/headlight.h"
+#include "slips.h"
+
+enum { dome_cell = 10, dome_zoom = 2, dome_panels = 3 };
+typedef struct {
+    image *im;
+    triangle_method *method[dome_panels];
+    int width, height;       /* of one panel, rays */
+    int columns, rows;       /* of cells */
+    triangle *tri;           /* two a cell, row by row */
+    vec3 right, up, back;    /* camera frame, turned so that no axis is along an axis */
+} dome;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* No round numbers: nothing is exact by chance. */
+static const vec3 dome_eye = {(real)0.1, (real)0.2, (real)0.3};
+
+static inline vec3 dome_direction(const dome *s, int x, int y)  /* x, y: pixels of one panel */
+{
+    real scale = (real)1.2 / (real)s->height, right = ((real)x - (real)s->width / 2) * scale;
+    return vsub(vmadd(vscale(s->right, right), s->up, ((real)s->height / 2 - (real)y) * scale),
+                s->back);
+}
+
+static inline vec3 dome_corner(const dome *s, int i, int j)
+{
+    /* from one cell beyond the picture */
+    vec3 d = dome_direction(s, dome_cell * (i - 1), dome_cell * (j - 1));
+    real rest = (real)0.25 - (vdot(d, d) - 1);  /* > 0 where the wall bulges towards the eye */
+    return vmadd(dome_eye, d, 4 - 2 * sqrt(real_max(rest, 0)));
+}
+
+static inline dome dome_new(image *im, triangle_method *first, triangle_method *second,
+                            triangle_method *third)
+{
+    dome s = {.im = im, .method = {first, second, third}, .back = vunit((vec3){1, 2, 5})};
+    vbasis(s.back, &s.right, &s.up);
+    s.width = (im->width + dome_panels * dome_zoom - 1) / (dome_panels * dome_zoom);
+    s.height = (im->height + dome_zoom - 1) / dome_zoom;
+    s.columns = s.width / dome_cell + 3, s.rows = s.height / dome_cell + 3;
+    triangle *next = s.tri = allocate(2 * (size_t)s.columns * (size_t)s.rows, sizeof *s.tri);
+    for (int j = 0; j < s.rows; j++)
+        for (int i = 0; i < s.columns; i++) {
+            vec3 a = dome_corner(&s, i, j), b = dome_corner(&s, i + 1, j);
+            vec3 c = dome_corner(&s, i + 1, j + 1), d = dome_corner(&s, i, j + 1);
+            *next++ = (triangle){a, d, b};
+            *next++ = (triangle){b, d, c};
+        }
+    return s;
+}
+
+static inline void dome_free(dome *s)
+{
+    free(s->tri);
+    s->tri = NULL;
+}
+
+static inline void dome_pixel(int x, int y, void *context)
+{
+    const dome *s = context;
+    int px = x / dome_zoom % s->width, py = y / dome_zoom, panel = x / dome_zoom / s->width;
+    ray r = ray_from(dome_eye, dome_direction(s, px, py));
+    hit h, best = hit_none;
+    int hits = 0;
+    int i0 = px / dome_cell, j0 = py / dome_cell;
+    for (int j = j0; j < j0 + 3; j++)  /* the cells round the pixel: the others are far off */
+        for (int i = i0; i < i0 + 3; i++)
+            for (int k = 0; k < 2; k++) {
+                int index = 2 * (j * s->columns + i) + k;
+                if (!s->method[panel](s->tri[index], r, &h)) continue;
+                hits++, h.shape = (uint32_t)index;
+                if (hit_before(h, best)) best = h;
+            }
+    vec3 c = {1, (real)0.2, 0};
+    if (hits) c = vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), (real)0.6);
+    if (hits > 1) c = (vec3){0, (real)0.2, (real)0.8};
+    image_set(s->im, x, y, c);
+}
+
+#endif

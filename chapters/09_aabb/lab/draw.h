@@ -1,0 +1,183 @@
+/* draw.h: the pictures of this chapter.
+ *
+ *   draw_room(o)         boxes, and walls and boards of no thickness: first beside aabb_hit
+ *   draw_aligned(o)      rays along an axis at whole numbers, as from an orthographic camera: what
+ *                        each method loses in the planes of the boxes
+ *   draw_silhouette(o)   around a corner, one cell a neighbouring real of the origin
+ *
+ * Cells: blue hit, white miss, both right; orange a hit that is lost; yellow a false alarm.
+ */
+#ifndef DRAW_H
+#define DRAW_H
+
+#include "../../../common/lab/report.h"
+#include "../../../common/parallel.h"
+#include "../../02_camera/camera.h"
+#include "../../../common/headlight.h"
+#include "mantissa.h"
+#include "methods.h"
+
+static inline vec3 rgb(double r, double g, double b) { return (vec3){(real)r, (real)g, (real)b}; }
+static inline vec3 mix(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
+
+/* ---- the room ---- */
+
+enum { room_gap = 6, room_boxes = 17 };
+typedef struct { aabb b; vec3 colour; } painted_box;
+typedef struct { image *im; int panel; camera view; painted_box box[room_boxes]; } box_room;
+
+static inline void room_furnish(painted_box *p)
+{
+    static const signed char box[][6] = {  /* in quarters */
+        {0, 0, 0, 24, 24, 0}, {0, 0, 0, 0, 24, 16}, {0, 0, 0, 24, 0, 16},     /* floor, walls */
+        {0, 3, 5, 3, 11, 5}, {0, 3, 8, 3, 11, 8}, {0, 3, 11, 3, 11, 11},      /* boards */
+        {1, 14, 0, 6, 20, 3}, {1, 14, 3, 3, 20, 6},                           /* a seat */
+        {8, 8, 4, 15, 14, 4}, {8, 8, 0, 9, 9, 4}, {14, 8, 0, 15, 9, 4},       /* a flat table, */
+        {8, 13, 0, 9, 14, 4}, {14, 13, 0, 15, 14, 4}, {10, 10, 4, 12, 12, 6}, /* a box on it */
+        {17, 1, 0, 17, 7, 7}, {19, 0, 5, 23, 0, 10}, {16, 16, 0, 20, 20, 4}}; /* a screen, ... */
+    for (int i = 0; i < room_boxes; i++) {
+        real q[6];
+        for (int k = 0; k < 6; k++) q[k] = (real)box[i][k] / 4;
+        double warm = i % 3 == 0 ? 0.85 : 0.45, cold = i % 3 == 2 ? 0.85 : 0.5;
+        p[i].b = (aabb){{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
+        p[i].colour = i < 3 ? rgb(0.75, 0.72, 0.66) : rgb(warm, 0.55, cold);
+    }
+    p[15].b.lo.y = p[15].b.hi.y = (real)0.125;  /* a picture, a little before its wall */
+}
+
+/* The axis of the face that p lies on. */
+static inline int face_axis(aabb b, vec3 p)
+{
+    vec3 lo = vsub(p, b.lo), hi = vsub(p, b.hi);
+    real x = real_min(fabs(lo.x), fabs(hi.x)), y = real_min(fabs(lo.y), fabs(hi.y));
+    real z = real_min(fabs(lo.z), fabs(hi.z));
+    return x <= y && x <= z ? 0 : y <= z ? 1 : 2;
+}
+
+static inline vec3 room_colour(const box_room *s, box_method *test, ray r)
+{
+    static const vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    vec3 c = rgb(0.03, 0.04, 0.07);
+    for (int i = 0; i < room_boxes; i++) {
+        real t;
+        if (!test(s->box[i].b, r, &t) || t > r.tmax) continue;
+        r.tmax = t;
+        vec3 n = axis[face_axis(s->box[i].b, ray_at(r, t))];
+        c = vmul(s->box[i].colour, headlight(n, r.d));
+    }
+    return c;
+}
+
+static inline void room_pixel(int x, int y, void *context)
+{
+    const box_room *s = context;
+    bool right = x >= s->panel + room_gap;
+    vec3 sum = {0, 0, 0};
+    real px = (real)(right ? x - s->panel - room_gap : x);
+    if (!right && x >= s->panel) { image_set(s->im, x, y, (vec3){1, 1, 1}); return; }
+    for (int i = 0; i < 4; i++) {
+        real u = px + (real)(1 + 2 * (i % 2)) / 4, v = (real)y + (real)(1 + 2 * (i / 2)) / 4;
+        ray r = camera_ray(s->view, u, v, s->panel, s->im->height);
+        sum = vmadd(sum, room_colour(s, right ? aabb_hit : first_aabb_hit, r), (real)0.25);
+    }
+    image_set(s->im, x, y, sum);
+}
+
+static inline void draw_room(const options *o)
+{
+    box_room s;
+    camera_frame f;
+    failure why;
+    image im = image_new(o->width, o->height);
+    vec3 e = {13, 15, 8}, target = {(real)2.4, (real)2.4, (real)0.9}, up = {0, 0, 1};
+    s.im = &im, s.panel = o->width > 2 * room_gap ? (o->width - room_gap) / 2 : o->width;
+    room_furnish(s.box);
+    if (!frame_look_at(e, target, up, &f, &why)
+        || !camera_perspective(f, 27, (real)s.panel / (real)im.height, &s.view, &why))
+        fail(why);
+    bool whole = parallel_pixels(im.width, im.height, o->threads, "room", room_pixel, &s);
+    output_picture(o, &im, "09_aabb.png", true, whole);
+    image_free(&im);
+}
+
+/* ---- cells: one panel a method ---- */
+
+enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 6, cell_columns = 3 };
+static const int cell_methods[6] = {method_first, method_closed, method_fmin,
+                                    method_pbrt, method_inclusive, method_default};
+
+/* What cell (i, j) asks: is any of the boxes hit? Returns their number; *truth is the answer. */
+typedef int cell_question(int i, int j, aabb *box, ray *r, bool *truth);
+typedef struct { image *im; cell_question *ask; } cell_picture;
+
+static inline void cell_pixel(int x, int y, void *context)
+{
+    const cell_picture *p = context;
+    int panel = x / cell_panel + cell_columns * (y / cell_panel), i = x % cell_panel / cell_size;
+    int j = y % cell_panel / cell_size;
+    vec3 c = {1, 1, 1};
+    if (i < cell_count && j < cell_count) {
+        aabb box[8];
+        ray r;
+        real t;
+        bool truth, answer = false;
+        int n = p->ask(i, j, box, &r, &truth);
+        for (int k = 0; k < n; k++) answer |= method[cell_methods[panel]](box[k], r, &t);
+        c = truth == answer ? (truth ? rgb(0.3, 0.5, 0.72) : rgb(0.88, 0.88, 0.88))
+                            : (truth ? rgb(0.75, 0.14, 0) : rgb(0.9, 0.75, 0.05));
+    }
+    image_set(p->im, x, y, c);
+}
+
+static inline void draw_cells(const options *o, const char *name, cell_question *ask)
+{
+    image im = image_new(cell_columns * cell_panel - 6, 2 * cell_panel - 6);
+    cell_picture p = {&im, ask};
+    bool whole = parallel_pixels(im.width, im.height, o->threads, name, cell_pixel, &p);
+    output_picture(o, &im, name, false, whole);
+    image_free(&im);
+}
+
+/* Along -z, d.x = +0.0 on the left and -0.0 on the right, d.y = +0.0 above and -0.0 below: four
+ * times a block, a plate of no thickness, a sheet seen edge-on and a rod seen end-on. */
+static inline int ask_aligned(int i, int j, aabb *box, ray *r, bool *truth)
+{
+    static const int b[4][6] = {{4, 4, 0, 14, 14, 5}, {18, 4, 3, 28, 14, 3},
+                                {4, 20, 0, 28, 20, 5}, {16, 26, 0, 16, 26, 5}};
+    int half = cell_count / 2, x = i / half * half, y = j / half * half;
+    r->o = (vec3){(real)i, (real)j, 9}, r->tmin = 0, r->tmax = real_infinity;
+    r->d = (vec3){i < half ? (real)0.0 : (real)-0.0, j < half ? (real)0.0 : (real)-0.0, -1};
+    *truth = false;
+    for (int k = 0; k < 4; k++) {
+        box[k].lo = (vec3){(real)(x + b[k][0]), (real)(y + b[k][1]), (real)b[k][2]};
+        box[k].hi = (vec3){(real)(x + b[k][3]), (real)(y + b[k][4]), (real)b[k][5]};
+        *truth |= exact_aabb(box[k], *r).hit;
+    }
+    return 4;
+}
+
+/* Parallel rays past the corner (lo.x, hi.y, hi.z), their origins 1/4 epsilon apart: next to each
+ * other, as reals between 1/4 and 1/2 are. They enter by lo.x and hi.z, and leave by hi.y. */
+static inline int ask_silhouette(int i, int j, aabb *box, ray *r, bool *truth)
+{
+    vec3 corner = rgb(0.78213, 0.71971, 0.13457), d = rgb(1.17312, 0.91973, -0.83719);
+    real step = real_epsilon / 4, t = (real)0.38711;
+    *box = (aabb){{corner.x, -1, -1}, {2, corner.y, corner.z}};
+    *r = ray_from(vmadd(corner, d, -t), d);
+    r->o.x += (real)(i - cell_count / 2) * step;
+    r->o.y -= (real)(j - cell_count / 2) * step;
+    *truth = wide_aabb(*box, *r).hit;
+    return 1;
+}
+
+static inline void draw_aligned(const options *o)
+{
+    draw_cells(o, "09_aabb_aligned.png", ask_aligned);
+}
+
+static inline void draw_silhouette(const options *o)
+{
+    draw_cells(o, "09_aabb_silhouette.png", ask_silhouette);
+}
+
+#endif

@@ -1,0 +1,121 @@
+/* survey.h: the rays with which the structures are measured.
+ *
+ *   view v = view_of(lo, hi, z_up, aspect);        a camera in front of a box and above it
+ *   ray_set s = rays_primary(v, width, height);    one ray a pixel (主光线)
+ *   ray_set d = rays_diffuse(&m, &s, hits, seed);  one on from each of their hits: cosine law
+ *   ray_set c = rays_corners(&m, eye, n, seed);    at corners of triangles, all from one point
+ *   ray_set u = rays_uniform(box, n, seed);        lines through a box, uniformly distributed:
+ *                              origin uniform on its surface, direction by the cosine law
+ *   rays_free(&s);
+ *   slope_of(x, y, n)                              of y over x, by least squares
+ *
+ * hits: one for each ray of s, hit_none where there is none; any structure may have found them.
+ */
+#ifndef SURVEY_H
+#define SURVEY_H
+
+#include "../../../common/clock.h"
+#include "../../../common/random.h"
+#include "../../02_camera/camera.h"
+#include "../../07_mesh/mesh.h"
+#include "../aabb.h"
+#include "../../01_ray/hit.h"
+
+typedef struct { camera camera; real size; } view;
+typedef struct { ray *r; size_t n; } ray_set;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline view view_of(vec3 lo, vec3 hi, bool z_up, real aspect)
+{
+    failure f;
+    view v = {.size = vlength(vsub(hi, lo)) / 2};
+    vec3 centre = vscale(vadd(lo, hi), (real)0.5), up = {0, !z_up, z_up};
+    vec3 toward = vunit(z_up ? (vec3){(real)0.45, -1, (real)0.55}
+                             : (vec3){(real)0.45, (real)0.55, 1});
+    camera_frame frame;
+    if (!frame_look_at(vmadd(centre, toward, 3 * v.size), centre, up, &frame, &f)
+        || !camera_perspective(frame, aspect > 1 ? 26 : 38, aspect, &v.camera, &f)) fail(f);
+    return v;
+}
+
+static inline void rays_free(ray_set *s)
+{
+    free(s->r);
+    *s = (ray_set){NULL, 0};
+}
+
+static inline ray_set rays_primary(view v, int width, int height)
+{
+    ray_set s = {allocate((size_t)width * (size_t)height, sizeof(ray)), 0};
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            s.r[s.n++] = camera_ray(v.camera, (real)x + (real)0.5, (real)y + (real)0.5, width,
+                                    height);
+    return s;
+}
+
+/* A direction about n with density cos / pi: n plus a point of the unit sphere. */
+static inline vec3 diffuse_direction(vec3 n, random_stream *g)
+{
+    real z = 2 * random_next(g) - 1, phi = 2 * pi * random_next(g), s = sqrt(1 - z * z);
+    return vadd(n, (vec3){s * cos(phi), s * sin(phi), z});
+}
+
+/* They start a little off the surface, by 1e-4 of the distance that the eye keeps. */
+static inline ray_set rays_diffuse(const mesh *m, const ray_set *eye, const hit *hits,
+                                   uint64_t seed)
+{
+    ray_set s = {allocate(eye->n, sizeof(ray)), 0};
+    for (size_t i = 0; i < eye->n; i++) {
+        random_stream g = random_start(seed, i, 0);
+        if (hits[i].shape == no_shape) continue;
+        vec3 n = triangle_normal(mesh_triangle(m, hits[i].shape));
+        vec3 p = ray_at(eye->r[i], hits[i].t);
+        if (vdot(n, eye->r[i].d) > 0) n = vneg(n);
+        vec3 off = vmadd(p, n, (real)1e-4 * vlength(vsub(p, eye->r[i].o)));
+        s.r[s.n++] = ray_from(off, diffuse_direction(n, &g));
+    }
+    return s;
+}
+
+/* Rays aimed at corners of the mesh, from the eye: where boxes and triangles end. */
+static inline ray_set rays_corners(const mesh *m, vec3 eye, size_t n, uint64_t seed)
+{
+    ray_set s = {allocate(n, sizeof(ray)), n};
+    for (size_t i = 0; i < n; i++)
+        s.r[i] = ray_from(eye, vsub(m->v[random_bits(seed, i, 1, 0) % m->vertices], eye));
+    return s;
+}
+
+/* The inward half of directions suffices: a line that enters also leaves. */
+static inline ray_set rays_uniform(aabb box, size_t n, uint64_t seed)
+{
+    ray_set s = {allocate(n, sizeof(ray)), n};
+    real size[3], area[3];
+    for (int k = 0; k < 3; k++) size[k] = vaxis(box.hi, k) - vaxis(box.lo, k);
+    for (int k = 0; k < 3; k++) area[k] = size[(k + 1) % 3] * size[(k + 2) % 3];
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(seed, i, 2);
+        real pick = random_next(&g) * (area[0] + area[1] + area[2]);
+        int k = pick < area[0] ? 0 : pick < area[0] + area[1] ? 1 : 2;
+        int high = (int)(random_next_bits(&g) & 1);
+        vec3 o, n_in = {0, 0, 0};
+        for (int j = 0; j < 3; j++)
+            ((real *)&o)[j] = vaxis(box.lo, j) + random_next(&g) * size[j];
+        ((real *)&o)[k] = vaxis(high ? box.hi : box.lo, k);
+        ((real *)&n_in)[k] = high ? -1 : 1;
+        s.r[i] = ray_from(o, diffuse_direction(n_in, &g));
+    }
+    return s;
+}
+
+/* Slope of y over x by least squares. */
+static inline double slope_of(const double *x, const double *y, int n)
+{
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int i = 0; i < n; i++) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+#endif

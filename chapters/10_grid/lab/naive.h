@@ -1,0 +1,58 @@
+/* naive.h: searching a grid the way it is first written, to see what goes wrong.
+ *
+ *                            loses
+ *   grid_hit_early           what is nearer than a hit that lies beyond its cell: an item is in
+ *                            several cells, and is hit in the first of them that the ray passes,
+ *                            though the point lies in a later one, behind other items
+ *   grid_hit_naive           t += step, in float: after many cells the walk is in a wrong one
+ *
+ *        +-------+-------+   A ray from the left enters cell 1, which lists a (its end reaches into
+ *    o---|-------|-b---a-|   it, above) and finds it hit: in cell 2. It stops: b, in front of a,
+ *        | a- - -|- - /  |   but listed in cell 2 alone, is lost.
+ *        +-------+-------+
+ */
+#ifndef GRID_NAIVE_H
+#define GRID_NAIVE_H
+
+#include "../grid.h"
+
+typedef void grid_step(grid_walk *w, real t);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* grid_search for rays that begin near. early: the first cell with a hit ends the search. */
+__attribute__((always_inline))
+static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool early, hit *out,
+                                     search_work *work)
+{
+    if (g->entered == 0 || !ray_is_usable(r)) return false;
+    grid_line a = line_of(r);
+    real from = line_begin(&a, r.tmin, -real_largest), to = real_largest;
+    if (!grid_span(g->box, &a, &from, &to)) return false;
+    real end = line_end(&a, r.tmax, to), t;
+    query q = query_of(r);
+    mailbox seen = mailbox_new();
+    grid_walk w = walk_from(&g->cells, &a, from);
+    do {
+        size_t cell = (size_t)w.cell;
+        t = walk_next_t(&w);
+        step(&w, t);
+        if (work) work->nodes++;
+        if (!grid_ask(g, cell, &q, &seen, false, work)) continue;
+        if (early) break;
+        end = line_end(&a, q.r.tmax, to);
+    } while (t <= end);
+    return query_answer(&q, out);
+}
+
+static inline bool grid_hit_early(const grid *g, ray r, hit *out)
+{
+    return grid_search_plain(g, r, walk_step, true, out, NULL);
+}
+
+static inline bool grid_hit_naive(const grid *g, ray r, hit *out)
+{
+    return grid_search_plain(g, r, walk_step_f32, false, out, NULL);
+}
+
+#endif

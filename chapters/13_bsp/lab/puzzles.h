@@ -1,0 +1,134 @@
+/* puzzles.h: triangles that are hard to paint in order, and walls that are hard not to cut.
+ *
+ *   mesh m = cyclic_mesh()          three long triangles, each over the next: no order
+ *   mesh m = comb_mesh(n)           n short walls, then n long ones; the planes of the short walls
+ *                                   cut all long ones, and those of the long walls cut nothing
+ *   mesh m = crossing_mesh(n)       n walls one way through n walls the other way: n^2 crossings
+ *   mesh m = town_mesh(n, turn)     n x n blocks of 12 triangles on a square of 2, turned by `turn`
+ *                                   [radians] about (1, 2, 3)
+ *   mesh m = segments_mesh(n, seed) n short walls in the square [0, 10]^2 that do not cross
+ *
+ * A wall stands on a segment of the plane z = 0: a triangle with its third corner above the middle.
+ * mesh_free releases them all.
+ */
+#ifndef PUZZLES_H
+#define PUZZLES_H
+
+#include "../../07_mesh/mesh.h"
+#include "../../../common/random.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline mesh puzzle_new(size_t n)
+{
+    mesh m = {.vertices = 3 * n, .triangles = n};
+    m.v = allocate(m.vertices, sizeof *m.v);
+    m.index = allocate(m.vertices, sizeof *m.index);
+    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
+    return m;
+}
+
+static inline void puzzle_wall(mesh *m, size_t i, real x0, real y0, real x1, real y1)
+{
+    m->v[3 * i] = (vec3){x0, y0, 0}, m->v[3 * i + 1] = (vec3){x1, y1, 0};
+    m->v[3 * i + 2] = (vec3){(x0 + x1) / 2, (y0 + y1) / 2, 1};
+}
+
+/* The same triangle turned by thirds: it rises along its length, so each ends over the next. */
+static inline mesh cyclic_mesh(void)
+{
+    mesh m = puzzle_new(3);
+    for (size_t i = 0; i < 3; i++) {
+        real a = 2 * pi * (real)i / 3, c = cos(a), s = sin(a);
+        const vec3 q[3] = {{(real)-1.1, (real)-0.8, (real)-0.3}, {(real)1.3, (real)-0.5, (real)0.3},
+                           {(real)-1.1, (real)-0.1, (real)-0.3}};
+        for (size_t k = 0; k < 3; k++)
+            m.v[3 * i + k] = (vec3){c * q[k].x - s * q[k].y, s * q[k].x + c * q[k].y, q[k].z};
+    }
+    return m;
+}
+
+static inline mesh comb_mesh(size_t n)
+{
+    mesh m = puzzle_new(2 * n);
+    for (size_t i = 0; i < n; i++) {
+        real x = ((real)i + (real)0.5) / (real)n;
+        puzzle_wall(&m, i, x, -2, x, -1);
+        puzzle_wall(&m, n + i, 0, (real)i / (real)n, 1, (real)i / (real)n);
+    }
+    return m;
+}
+
+static inline mesh crossing_mesh(size_t n)
+{
+    mesh m = puzzle_new(2 * n);
+    for (size_t i = 0; i < n; i++) {
+        real x = ((real)i + (real)0.5) / (real)n;
+        puzzle_wall(&m, i, x, 0, x, 1);
+        puzzle_wall(&m, n + i, 0, x, 1, x);
+        for (size_t k = i; k < 2 * n; k += n)  /* upright squares would need two triangles */
+            m.v[3 * k + 2].z = 1000;
+    }
+    return m;
+}
+
+/* Rodrigues: p turned about the unit axis k. */
+static inline vec3 turned_about(vec3 k, real angle, vec3 p)
+{
+    real c = cos(angle), s = sin(angle);
+    return vadd(vadd(vscale(p, c), vscale(vcross(k, p), s)), vscale(k, vdot(k, p) * (1 - c)));
+}
+
+static inline mesh town_mesh(size_t n, real turn)
+{
+    mesh m = puzzle_new(12 * n * n);
+    vec3 axis = vunit((vec3){1, 2, 3});
+    for (size_t i = 0; i < n * n; i++) {
+        random_stream g = random_start(7, i, 0);
+        real w = 2 / (real)n, h = (real)0.1 + (real)0.6 * random_next(&g), edge = w / 6;
+        vec3 lo = {w * (real)(i % n) - 1 + edge, w * (real)(i / n) - 1 + edge, 0};
+        vec3 size = {w - 2 * edge, w - 2 * edge, h}, q[8];
+        for (int k = 0; k < 8; k++) {
+            vec3 part = {(real)(k & 1), (real)(k >> 1 & 1), (real)(k >> 2)};
+            q[k] = turned_about(axis, turn, vadd(lo, vmul(part, size)));
+        }
+        static const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                       {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+        for (size_t k = 0; k < 12; k++) {
+            const int *f = face[k / 2];
+            m.v[36 * i + 3 * k] = q[f[0]];
+            m.v[36 * i + 3 * k + 1] = q[f[1 + k % 2]], m.v[36 * i + 3 * k + 2] = q[f[2 + k % 2]];
+        }
+    }
+    return m;
+}
+
+/* Do the segments a b and c d, all in z = 0, come closer than `gap` to each other's line? */
+static inline bool segments_meet(vec3 a, vec3 b, vec3 c, vec3 d, real gap)
+{
+    vec3 u = vunit(vsub(b, a)), w = vunit(vsub(d, c));
+    real ac = vcross(u, vsub(c, a)).z, ad = vcross(u, vsub(d, a)).z;
+    real ca = vcross(w, vsub(a, c)).z, cb = vcross(w, vsub(b, c)).z;
+    return real_min(ac, ad) < gap && real_max(ac, ad) > -gap && real_min(ca, cb) < gap
+           && real_max(ca, cb) > -gap;
+}
+
+static inline mesh segments_mesh(size_t n, uint64_t seed)
+{
+    mesh m = puzzle_new(n);
+    random_stream g = random_start(seed, 0, 0);
+    for (size_t i = 0; i < n;) {
+        vec3 a = {10 * random_next(&g), 10 * random_next(&g), 0};
+        real angle = pi * random_next(&g), h = (real)0.9 + random_next(&g);
+        vec3 half = {h * cos(angle), h * sin(angle), 0}, b = vadd(a, half);
+        a = vsub(a, half);
+        bool free_place = a.x > 1 && a.x < 9 && a.y > 1 && a.y < 9 && b.x > 1 && b.x < 9
+                          && b.y > 1 && b.y < 9;
+        for (size_t k = 0; k < i; k++)
+            free_place = free_place && !segments_meet(a, b, m.v[3 * k], m.v[3 * k + 1], (real)0.3);
+        if (free_place) puzzle_wall(&m, i++, a.x, a.y, b.x, b.y);
+    }
+    return m;
+}
+
+#endif

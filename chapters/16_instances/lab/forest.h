@@ -1,0 +1,232 @@
+/* forest.h: plants of a few kinds, by the thousand, on rolling ground; and its picture.
+ *
+ *   forest w;
+ *   forest_plant(&w, n, &own, seed)     n plants; own: this plant instead of ours, or NULL
+ *   camera c = forest_camera(aspect)
+ *   forest_picture p = {&w, &x, c, &im, samples, naive}; forest_draw(p, threads)
+ *   forest_free(&w)
+ *
+ * Kind 0 is the ground, instance 0. The others are turned, scaled unlike in height and width, and
+ * mirrored, every second one. So dense that each has 20 square units; more of them reach farther.
+ *
+ * Light is the headlight of 02, and another one from the direction of the sun where nothing is in
+ * between (instances_occluded). Far away all fades into the sky.
+ */
+#ifndef FOREST_H
+#define FOREST_H
+
+#include "../../../common/image.h"
+#include "../../../common/parallel.h"
+#include "../../02_camera/camera.h"
+#include "../../../common/headlight.h"
+#include "../instances.h"
+#include "plants.h"
+
+enum { forest_most_kinds = 8 };
+typedef struct {
+    plant kind[forest_most_kinds];
+    mesh mesh[forest_most_kinds];  /* the plants' meshes, side by side */
+    size_t kinds, n;
+    instance *list;                /* [n] */
+} forest;
+
+typedef struct {
+    const forest *w;
+    const instances *x;
+    camera c;
+    image *im;
+    int samples;                   /* samples x samples rays a pixel */
+    bool naive;                    /* rays normalised: instances_hit_naive */
+} forest_picture;
+
+static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed);
+static inline bool forest_draw(forest_picture p, int threads);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void forest_free(forest *w)
+{
+    for (size_t k = 0; k < w->kinds; k++) mesh_free(&w->mesh[k]);
+    free(w->list);
+    *w = (forest){.list = NULL};
+}
+
+static inline real ground_height(real x, real y)
+{
+    real hills = 6 * sin((real)0.021 * x + (real)0.9) * sin((real)0.016 * y - (real)0.4)
+        + (real)2.5 * sin((real)0.045 * x + (real)0.037 * y)
+        + (real)0.35 * sin((real)0.31 * x + (real)0.2 * y) * cos((real)0.27 * y);
+    real t = real_clamp((y - 50) / 330, 0, 1);  /* across the valley it rises */
+    return hills - 7 * exp(-(y - 45) * (y - 45) / 1800) + 62 * t * t * (3 - 2 * t)
+        + 14 * t * sin((real)0.013 * x + 1);
+}
+
+/* Where the path runs, and how far the forest reaches to the sides. */
+static inline real path_at(real y) { return 7 * sin((real)0.03 * y) + (real)0.02 * y; }
+static inline real forest_half_width(real y) { return 25 + (real)0.75 * y; }
+
+/* A grid of cells, as wide as the forest at each distance, finer near the eye. */
+static inline plant ground_of(real depth)
+{
+    enum { n = 96 };
+    plant p = {.m = {.vertices = (n + 1) * (n + 1), .triangles = 2 * n * n}};
+    p.m.v = allocate(p.m.vertices, sizeof *p.m.v);
+    p.m.index = allocate(3 * p.m.triangles, sizeof *p.m.index);
+    for (int j = 0; j <= n; j++)
+        for (int i = 0; i <= n; i++) {
+            real s = (real)j / n, y = -20 + (depth + 60) * s * s;
+            real x = (2 * (real)i / n - 1) * (forest_half_width(y > 0 ? y : 0) + 40);
+            p.m.v[j * (n + 1) + i] = (vec3){x, y, ground_height(x, y)};
+        }
+    uint32_t *k = p.m.index;
+    for (uint32_t j = 0; j < n; j++)
+        for (uint32_t i = 0; i < n; i++) {
+            uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
+            *k++ = a, *k++ = b, *k++ = d, *k++ = a, *k++ = d, *k++ = c;
+        }
+    mesh_smooth_normals(&p.m);
+    p.leaf = p.bark = (vec3){(real)0.20, (real)0.24, (real)0.07};
+    p.leaf_too = (vec3){(real)0.20, (real)0.24, (real)0.07};
+    return p;
+}
+
+/* Density 1 / 20: n = integral of 2 half_width / 20. */
+static inline real forest_depth(size_t n)
+{
+    real area = 20 * (real)n, a = (real)0.75, b = 50;
+    return (-b + sqrt(b * b + 4 * a * area)) / (2 * a);
+}
+
+/* Some place, uniformly in the forest, not on the path. */
+static inline vec3 forest_place(random_stream *g, real depth, bool low)
+{
+    for (;;) {
+        real y = (depth + 10) * random_next(g) - 10;
+        real half = forest_half_width(y), x = (2 * random_next(g) - 1) * forest_half_width(depth);
+        real off = fabs(x - path_at(y)), clear = low ? (real)1.2 : 4 + 90 / (6 + y);
+        if (fabs(x) < half && off > clear && y > (low ? -8 : 10))
+            return (vec3){x, y, ground_height(x, y)};
+    }
+}
+
+static inline affine forest_stand(random_stream *g, vec3 at, real low, real high)
+{
+    real height = plant_between(g, low, high);
+    real width = height * plant_between(g, (real)0.75, (real)1.3);
+    affine a = affine_scaling((vec3){random_next_bits(g) & 1 ? width : -width, width, height});
+    a = affine_of(a, affine_rotation((vec3){0, 0, 1}, plant_between(g, 0, 2 * pi)));
+    return affine_of(a, affine_translation(at));
+}
+
+static const real forest_sizes[forest_most_kinds] = {1, 9, 9, 7, 8, 8, (real)0.8, (real)0.45};
+
+/* Firs on the heights, birches along the path, and what is low in between. */
+static inline uint32_t forest_kind(vec3 at, real pick, bool low, uint32_t odd)
+{
+    real high = at.z / 60 + (real)0.4 * sin(at.x / 23) * cos(at.y / 31);
+    real off = fabs(at.x - path_at(at.y));
+    if (low) return pick < (real)0.25 && off > 3 ? 6 : 7;
+    if (off < 14 && pick < (real)0.6) return 4 + odd;
+    if (pick < (real)0.35 + high / 2) return 1 + odd;
+    return pick < (real)0.85 ? 3 : 4 + odd;
+}
+
+static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed)
+{
+    real depth = real_max(forest_depth(n), 60);
+    *w = (forest){.kinds = own ? 2 : 8, .n = n + 1};
+    w->kind[0] = ground_of(depth);
+    if (own) w->kind[1] = *own;
+    else {
+        w->kind[1] = plant_fir(seed), w->kind[2] = plant_fir(seed + 1);
+        w->kind[3] = plant_oak(seed), w->kind[4] = plant_birch(seed);
+        w->kind[5] = plant_birch(seed + 1), w->kind[6] = plant_bush(seed);
+        w->kind[7] = plant_grass(seed);
+    }
+    for (size_t k = 0; k < w->kinds; k++) w->mesh[k] = w->kind[k].m;
+    w->list = allocate(w->n, sizeof *w->list);
+    w->list[0] = (instance){affine_translation((vec3){0, 0, 0}), 0};
+    for (size_t i = 1; i < w->n; i++) {
+        random_stream g = random_start(seed, i, 7);
+        bool low = !own && i % 3 == 0;
+        vec3 at = forest_place(&g, low ? real_min(depth, 110) : depth, low);
+        uint32_t kind = own ? 1 : forest_kind(at, random_next(&g), low, i & 1);
+        real size = own ? 3 : forest_sizes[kind];
+        w->list[i] = (instance){forest_stand(&g, at, size, size * (real)1.7), kind};
+    }
+}
+
+static inline camera forest_camera(real aspect)
+{
+    camera_frame frame;
+    camera c;
+    failure f;
+    vec3 eye = {-2, -16, ground_height(-2, -16) + 11};
+    vec3 target = {6, 60, 5};
+    if (!frame_look_at(eye, target, (vec3){0, 0, 1}, &frame, &f)
+        || !camera_perspective(frame, 44, aspect, &c, &f)) fail(f);
+    return c;
+}
+
+/* ---- light ---- */
+
+static inline vec3 sun_direction(void)
+{
+    return vunit((vec3){(real)-0.75, (real)0.35, (real)0.62});
+}
+
+static inline vec3 blend(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
+
+static inline vec3 sky_colour(vec3 d)
+{
+    vec3 horizon = {(real)0.72, (real)0.80, (real)0.86}, u = vunit(d);
+    vec3 zenith = {(real)0.20, (real)0.40, (real)0.72}, warm = {(real)0.30, (real)0.20, (real)0.08};
+    real glow = real_max(vdot(u, sun_direction()), 0);
+    return vmadd(blend(horizon, zenith, real_clamp(2 * u.z, 0, 1)), warm, glow * glow * glow);
+}
+
+static inline vec3 forest_colour(const forest *w, instance_hit h)
+{
+    const plant *p = &w->kind[w->list[h.instance].mesh];
+    if (h.h.shape < p->wood) return p->bark;
+    random_stream g = random_start(3, h.instance, 0);
+    vec3 own = blend(p->leaf, p->leaf_too, random_next(&g));
+    return vscale(own, plant_between(&g, (real)0.8, (real)1.2));
+}
+
+static inline vec3 forest_light(const forest_picture *p, ray r)
+{
+    instance_hit h;
+    if (!(p->naive ? instances_hit_naive(p->x, r, &h) : instances_hit(p->x, r, &h)))
+        return sky_colour(r.d);
+    vec3 n = instances_normal(p->x, h), sun = sun_direction(), at = ray_at(r, h.h.t);
+    real far = h.h.t * vlength(r.d);
+    ray shadow = ray_from(at, sun);
+    shadow.tmin = (real)1e-4 * far + (real)0.01;
+    vec3 light = vscale(headlight(n, r.d), (real)0.55);
+    light = vmadd(light, (vec3){(real)0.15, (real)0.2, (real)0.3}, 1);
+    if (!instances_occluded(p->x, shadow))
+        light = vadd(light, vmul(headlight(n, sun), (vec3){(real)2.3, (real)2.0, (real)1.5}));
+    vec3 seen = vmul(forest_colour(p->w, h), light);
+    return blend(sky_colour((vec3){r.d.x, r.d.y, 0}), seen, exp(-far / 1000));
+}
+
+static inline void forest_pixel(int x, int y, void *context)
+{
+    const forest_picture *p = context;
+    vec3 sum = {0, 0, 0};
+    int n = p->samples;
+    for (int k = 0; k < n * n; k++) {
+        real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
+        real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
+        sum = vadd(sum, forest_light(p, camera_ray(p->c, px, py, p->im->width, p->im->height)));
+    }
+    image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
+}
+
+static inline bool forest_draw(forest_picture p, int threads)
+{
+    return parallel_pixels(p.im->width, p.im->height, threads, "forest", forest_pixel, &p);
+}
+
+#endif

@@ -1,0 +1,134 @@
+/* pictures.h: the forest, right and with normalised rays, and teapots whose normals are wrong.
+ *
+ *   draw_forest(&o, n, &own)           the main picture; own: a plant instead of ours, or NULL
+ *   draw_normals(&o)                   teapots scaled: A^T n, M n, and the angle between them
+ *   draw_unit(&o)                      the forest by rays normalised in object space
+ */
+#ifndef INSTANCES_PICTURES_H
+#define INSTANCES_PICTURES_H
+
+#include "../../../common/output.h"
+#include "../../07_mesh/scenes/teapot.h"
+#include "forest.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void draw_plants(const options *o, size_t n, plant *own, bool naive,
+                               const char *name, bool is_main)
+{
+    forest w;
+    instances x;
+    failure f;
+    double start = clock_seconds();
+    forest_plant(&w, n, own, o->seed);
+    crowd c = {w.mesh, w.kinds, w.list, w.n};
+    if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
+    double built = clock_seconds();
+    image im = image_new(o->width, o->height);
+    camera eye = forest_camera((real)o->width / (real)o->height);
+    int samples = o->quick || naive ? 1 : 3;
+    bool whole = forest_draw((forest_picture){&w, &x, eye, &im, samples, naive}, o->threads);
+    instance_stats s = instances_stats(&x);
+    if (is_main)
+        printf("# %zu instances of %zu meshes, %.4g triangles, in %.3g MB: grown and built in "
+               "%.3f s, %d x %d pixels of %d rays in %.3f s\n", s.instances, s.meshes, s.triangles,
+               (double)(x.bytes + s.mesh_bytes) * 0x1p-20, built - start, o->width, o->height,
+               samples * samples, clock_seconds() - built);
+    output_picture(o, &im, name, is_main, whole);
+    instances_free(&x), forest_free(&w), image_free(&im);
+}
+
+static inline void draw_forest(const options *o, size_t n, plant *own)
+{
+    draw_plants(o, n, own, false, "16_instances.png", true);
+}
+
+static inline void draw_unit(const options *o)
+{
+    draw_plants(o, o->quick ? 300 : 9000, NULL, true, "16_instances_unit.png", false);
+}
+
+/* ---- normals ---- */
+
+enum { pots = 4 };
+typedef struct {
+    const instances *x;
+    const instance *list;
+    camera c;
+    image *im;
+    int row, samples;
+} pot_row;
+
+static inline vec3 pot_light(const pot_row *p, ray r)
+{
+    instance_hit h;
+    vec3 background = {(real)0.93, (real)0.93, (real)0.93};
+    if (!instances_hit(p->x, r, &h)) return p->row < 2 ? background : (vec3){0, 0, 0};
+    const placed *at = &p->x->place[p->x->where[h.instance]];
+    vec3 object = mesh_normal(&p->x->mesh[at->mesh], h.h.shape, h.h.u, h.h.v);
+    vec3 n = normal_to_world(&at->to_object, object);
+    vec3 naive = normal_naive(&p->list[h.instance].to_world, object);
+    if (p->row < 2) return headlight(p->row ? naive : n, r.d);
+    real off = mesh_angle(n, naive) / (pi / 3);  /* white at 60 degrees */
+    return (vec3){real_min(2 * off, 1), off, real_max(2 * off - 1, 0)};
+}
+
+static inline void pot_pixel(int x, int y, void *context)
+{
+    const pot_row *p = context;
+    vec3 sum = {0, 0, 0};
+    int n = p->samples;
+    for (int k = 0; k < n * n; k++) {
+        real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
+        real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
+        sum = vadd(sum, pot_light(p, camera_ray(p->c, px, py, p->im->width, p->im->height)));
+    }
+    image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
+}
+
+static inline camera pot_camera(real aspect)
+{
+    camera_frame frame;
+    camera c;
+    failure f;
+    real half = (real)14.2;
+    camera_window win = {-half, half, -half / aspect, half / aspect};
+    if (!frame_look_at((vec3){0, -30, 12}, (vec3){0, 0, (real)1.9}, (vec3){0, 0, 1}, &frame, &f)
+        || !camera_orthographic(frame, win, &c, &f)) fail(f);
+    return c;
+}
+
+/* Three rows: right, M n, the angle between. */
+static inline void draw_normals(const options *o)
+{
+    static const vec3 scale[pots] = {{1, 1, 1}, {1, 1, (real)0.3}, {(real)0.3, 1, 1},
+                                     {(real)0.75, (real)0.75, (real)1.45}};
+    mesh m = teapot_mesh(o->quick ? 4 : 12);
+    instance list[pots];
+    instances x;
+    failure f;
+    bool whole = true;
+    for (int i = 0; i < pots; i++) {
+        vec3 to = {(real)-10.2 + (real)i * (real)6.9 + (i > 2 ? (real)-1.4 : 0), 0, 0};
+        affine turn = affine_rotation((vec3){0, 0, 1}, (real)-0.5);
+        affine a = affine_of(affine_scaling(scale[i]), turn);
+        list[i] = (instance){affine_of(a, affine_translation(to)), 0};
+    }
+    crowd c = {&m, 1, list, pots};
+    if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
+    image all = image_new(o->width, o->height);
+    for (int row = 0; row < 3; row++) {
+        int top = row * o->height / 3, bottom = (row + 1) * o->height / 3;
+        if (bottom == top) continue;
+        image im = image_new(o->width, bottom - top);
+        camera eye = pot_camera((real)im.width / (real)im.height);
+        pot_row p = {&x, list, eye, &im, row, o->quick ? 1 : 3};
+        whole &= parallel_pixels(im.width, im.height, o->threads, "normals", pot_pixel, &p);
+        image_place(&all, 0, top, &im);
+        image_free(&im);
+    }
+    output_picture(o, &all, "16_instances_normals.png", false, whole);
+    image_free(&all), instances_free(&x), mesh_free(&m);
+}
+
+#endif

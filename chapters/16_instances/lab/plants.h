@@ -1,0 +1,250 @@
+/* plants.h: a few plants as meshes: z up, the foot of the stem at the origin, about 1 high.
+ *
+ *   plant p = plant_fir(seed), plant_oak(seed), plant_birch(seed), plant_bush(seed),
+ *             plant_grass(seed)
+ *   plant p = plant_of_mesh(m)          any mesh of others, y up: its longest side 1, on z = 0
+ *   mesh_free(&p.m)
+ *
+ * Stems are rings of quadrilaterals, leaves single triangles. Leaves have normals that lean half
+ * outwards from the middle of the crown: it looks round, though its leaves are flat.
+ */
+#ifndef PLANTS_H
+#define PLANTS_H
+
+#include "../../../common/random.h"
+#include "../../07_mesh/mesh.h"
+
+typedef struct {
+    mesh m;
+    uint32_t wood;         /* triangles below this number are wood, the others leaves */
+    vec3 bark, leaf, leaf_too;  /* colours; of leaves each instance has one in between */
+} plant;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Room for n triangles, each with corners of its own; m counts what is used. */
+static inline plant plant_room(size_t n)
+{
+    plant p = {.m = {.v = NULL}};
+    p.m.v = allocate(3 * n, sizeof *p.m.v);
+    p.m.n = allocate(3 * n, sizeof *p.m.n);
+    p.m.index = allocate(3 * n, sizeof *p.m.index);
+    return p;
+}
+
+static inline void plant_triangle(plant *p, vec3 a, vec3 b, vec3 c, vec3 na, vec3 nb, vec3 nc)
+{
+    mesh *m = &p->m;
+    const vec3 v[3] = {a, b, c}, n[3] = {na, nb, nc};
+    for (int k = 0; k < 3; k++) {
+        m->index[3 * m->triangles + (size_t)k] = (uint32_t)m->vertices;
+        m->n[m->vertices] = n[k];
+        m->v[m->vertices++] = v[k];
+    }
+    m->normals = m->vertices, m->triangles++;
+}
+
+/* Cone from a, radius ra, to b, radius rb; six sides. */
+static inline void plant_stem(plant *p, vec3 a, real ra, vec3 b, real rb)
+{
+    vec3 s, t, q[4], n[2];
+    vbasis(vunit(vsub(b, a)), &s, &t);
+    for (int k = 0; k < 6; k++) {
+        for (int j = 0; j < 2; j++) {
+            real angle = (real)(k + j) * pi / 3;
+            n[j] = vmadd(vscale(s, cos(angle)), t, sin(angle));
+            q[j] = vmadd(a, n[j], ra), q[2 + j] = vmadd(b, n[j], rb);
+        }
+        plant_triangle(p, q[0], q[1], q[3], n[0], n[1], n[1]);
+        plant_triangle(p, q[0], q[3], q[2], n[0], n[1], n[0]);
+    }
+}
+
+/* A leaf a b c of a crown about `middle`. */
+static inline void plant_leaf(plant *p, vec3 a, vec3 b, vec3 c, vec3 middle)
+{
+    vec3 flat = vunit(vcross(vsub(b, a), vsub(c, a))), n[3];
+    const vec3 v[3] = {a, b, c};
+    for (int k = 0; k < 3; k++) {
+        vec3 out = vunit(vsub(v[k], middle));
+        n[k] = vadd(out, vscale(flat, vdot(flat, out) < 0 ? -1 : 1));
+    }
+    plant_triangle(p, a, b, c, n[0], n[1], n[2]);
+}
+
+static inline real plant_between(random_stream *g, real lo, real hi)
+{
+    return lo + (hi - lo) * random_next(g);
+}
+
+static inline vec3 plant_direction(random_stream *g)
+{
+    real z = plant_between(g, -1, 1), phi = plant_between(g, 0, 2 * pi), s = sqrt(1 - z * z);
+    return (vec3){s * cos(phi), s * sin(phi), z};
+}
+
+/* One branch of a fir: it hangs, and carries needles to both sides, shorter towards its tip. */
+static inline void plant_fir_branch(plant *p, vec3 foot, vec3 out, real length, real hang)
+{
+    enum { parts = 4 };
+    vec3 side = {-out.y, out.x, 0}, middle = {0, 0, foot.z - length / 2}, at[parts + 1];
+    for (int k = 0; k <= parts; k++) {
+        real x = (real)k / parts;
+        at[k] = vmadd(foot, out, length * x);
+        at[k].z -= hang * length * x * (1 - (real)0.35 * x);
+    }
+    for (int k = 0; k < parts; k++)
+        for (int s = -1; s <= 1; s += 2) {
+            real width = length * (real)0.34 * (1 - (real)0.7 * (real)k / parts);
+            vec3 tip = vmadd(vmadd(at[k], side, width * (real)s), out, (real)0.3 * length);
+            tip.z -= (real)0.12 * length;
+            plant_leaf(p, at[k], at[k + 1], tip, middle);
+        }
+}
+
+static inline plant plant_fir(uint64_t seed)
+{
+    enum { rings = 17, most = 11 };
+    plant p = plant_room(12 + rings * most * 8);
+    random_stream g = random_start(seed, 1, 0);
+    plant_stem(&p, (vec3){0, 0, (real)-0.05}, (real)0.022, (vec3){0, 0, 1}, (real)0.002);
+    p.wood = (uint32_t)p.m.triangles;
+    for (int i = 0; i < rings; i++) {
+        real x = (real)i / rings, z = (real)0.1 + (real)0.9 * x;
+        real turn = plant_between(&g, 0, 2 * pi);
+        int n = most - i / 3;
+        for (int k = 0; k < n; k++) {
+            real angle = turn + 2 * pi * ((real)k + plant_between(&g, 0, (real)0.5)) / (real)n;
+            real length = (real)0.235 * pow(1 - x, (real)0.85) * plant_between(&g, (real)0.8, 1)
+                + (real)0.02;
+            vec3 foot = {0, 0, z + plant_between(&g, (real)-0.02, (real)0.02)};
+            plant_fir_branch(&p, foot, (vec3){cos(angle), sin(angle), 0}, length,
+                             plant_between(&g, (real)0.35, (real)0.6));
+        }
+    }
+    p.bark = (vec3){(real)0.16, (real)0.10, (real)0.07};
+    p.leaf = (vec3){(real)0.045, (real)0.13, (real)0.06};
+    p.leaf_too = (vec3){(real)0.08, (real)0.20, (real)0.07};
+    return p;
+}
+
+typedef struct {
+    vec3 middle;          /* of the crown */
+    real leaf, spread, up;  /* size of leaves; how far branches turn away; how much they rise */
+    int levels, children, leaves;
+} plant_habit;
+
+static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h, vec3 a, vec3 d,
+                                real length, real radius, int level, bool leaves)
+{
+    vec3 b = vmadd(a, d, length);
+    if (!leaves) plant_stem(p, a, radius, b, radius * (real)0.62);
+    if (leaves && level >= h->levels - 2)
+        for (int k = 0; k < h->leaves; k++) {
+            vec3 at = vmadd(vmadd(a, d, length * plant_between(g, (real)0.3, (real)1.1)),
+                            plant_direction(g), length * (real)0.55 * random_next(g));
+            vec3 x = plant_direction(g), y = vcross(x, plant_direction(g));
+            plant_leaf(p, at, vmadd(at, x, h->leaf), vmadd(vmadd(at, x, h->leaf / 2), y, h->leaf),
+                       h->middle);
+        }
+    if (level + 1 >= h->levels) return;
+    for (int k = 0; k < h->children; k++) {
+        random_stream own = random_start(random_next_bits(g), 0, 0);  /* the same in both passes */
+        vec3 s, t;
+        vbasis(d, &s, &t);
+        real angle = 2 * pi * ((real)k + plant_between(&own, 0, (real)0.8)) / (real)h->children;
+        vec3 e = vmadd(vmadd(d, s, h->spread * cos(angle)), t, h->spread * sin(angle));
+        e.z += h->up;
+        plant_branch(p, &own, h, vmadd(a, d, length * plant_between(&own, (real)0.75, 1)), vunit(e),
+                     length * plant_between(&own, (real)0.62, (real)0.8), radius * (real)0.6,
+                     level + 1, leaves);
+    }
+}
+
+/* First all wood, then all leaves: the same random numbers in both passes. */
+static inline plant plant_grown(uint64_t seed, plant_habit h, real stem, real radius)
+{
+    size_t branches = 0, at_level = 1;
+    for (int k = 0; k < h.levels; k++) branches += at_level, at_level *= (size_t)h.children;
+    plant p = plant_room(branches * (12 + (size_t)h.leaves));
+    for (int pass = 0; pass < 2; pass++) {
+        random_stream g = random_start(seed, 2, 0);
+        plant_branch(&p, &g, &h, (vec3){0, 0, (real)-0.03}, (vec3){0, 0, 1}, stem, radius, 0, pass);
+        if (!pass) p.wood = (uint32_t)p.m.triangles;
+    }
+    return p;
+}
+
+static inline plant plant_oak(uint64_t seed)
+{
+    plant p = plant_grown(seed, (plant_habit){{0, 0, (real)0.62}, (real)0.036, (real)0.85,
+                                              (real)0.12, 5, 3, 14}, (real)0.34, (real)0.03);
+    p.bark = (vec3){(real)0.20, (real)0.15, (real)0.11};
+    p.leaf = (vec3){(real)0.13, (real)0.26, (real)0.05};
+    p.leaf_too = (vec3){(real)0.32, (real)0.30, (real)0.05};
+    return p;
+}
+
+static inline plant plant_birch(uint64_t seed)
+{
+    plant p = plant_grown(seed, (plant_habit){{0, 0, (real)0.65}, (real)0.026, (real)0.5,
+                                              (real)0.3, 6, 2, 22}, (real)0.38, (real)0.016);
+    p.bark = (vec3){(real)0.75, (real)0.73, (real)0.68};
+    p.leaf = (vec3){(real)0.55, (real)0.42, (real)0.06};
+    p.leaf_too = (vec3){(real)0.70, (real)0.30, (real)0.05};
+    return p;
+}
+
+static inline plant plant_bush(uint64_t seed)
+{
+    plant p = plant_grown(seed, (plant_habit){{0, 0, (real)0.1}, (real)0.11, (real)1.1,
+                                              (real)0.05, 4, 3, 12}, (real)0.25, (real)0.02);
+    p.bark = (vec3){(real)0.18, (real)0.13, (real)0.10};
+    p.leaf = (vec3){(real)0.14, (real)0.22, (real)0.07};
+    p.leaf_too = (vec3){(real)0.26, (real)0.25, (real)0.08};
+    return p;
+}
+
+/* Blades that bend outwards. */
+static inline plant plant_grass(uint64_t seed)
+{
+    enum { blades = 60 };
+    plant p = plant_room(2 * blades);
+    random_stream g = random_start(seed, 5, 0);
+    for (int k = 0; k < blades; k++) {
+        real angle = plant_between(&g, 0, 2 * pi), far = (real)0.9 * sqrt(random_next(&g));
+        real height = plant_between(&g, (real)0.4, 1), turn = plant_between(&g, 0, 2 * pi);
+        vec3 out = {cos(angle), sin(angle), 0}, side = {cos(turn), sin(turn), 0};
+        vec3 a = vscale(out, far), b = vmadd(a, side, (real)0.09);
+        vec3 tip = vmadd(a, out, (real)0.5 * height);
+        vec3 c = vmadd(vmadd(a, out, (real)0.12 * height), side, (real)0.08), up = {0, 0, 1};
+        c.z = (real)0.6 * height, tip.z = height;
+        plant_triangle(&p, a, b, c, up, up, up);
+        plant_triangle(&p, a, c, tip, up, up, up);
+    }
+    p.leaf = p.bark = (vec3){(real)0.24, (real)0.30, (real)0.07};
+    p.leaf_too = (vec3){(real)0.38, (real)0.36, (real)0.12};
+    return p;
+}
+
+/* y becomes z; the middle of the box over the origin, its bottom at 0, its longest side 1. One
+ * without extent keeps its size. */
+static inline plant plant_of_mesh(mesh m)
+{
+    vec3 lo, hi;
+    plant p = {.m = m};
+    p.bark = p.leaf = (vec3){(real)0.62, (real)0.55, (real)0.45};
+    p.leaf_too = (vec3){(real)0.72, (real)0.45, (real)0.30};
+    if (!mesh_bounds(&m, &lo, &hi)) return p;
+    vec3 middle = vscale(vadd(lo, hi), (real)0.5);
+    real height = hi.y - lo.y, widest = real_max(hi.x - lo.x, hi.z - lo.z);
+    real s = 1 / (real_max(height, widest) > 0 ? real_max(height, widest) : 1);
+    for (size_t i = 0; i < m.vertices; i++) {
+        vec3 q = m.v[i];
+        m.v[i] = vscale((vec3){q.x - middle.x, middle.z - q.z, q.y - lo.y}, s);
+    }
+    for (size_t i = 0; i < m.normals; i++) m.n[i] = (vec3){m.n[i].x, -m.n[i].z, m.n[i].y};
+    return p;
+}
+
+#endif

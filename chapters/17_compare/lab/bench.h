@@ -1,0 +1,239 @@
+/* bench.h: what each structure costs on a scene: build, memory, work and time a ray.
+ *
+ *   bench_measure(&s, rounds)        each kind of rays, all structures in turn, medians, one thread
+ *   bench_table(&o, &s, title)        a table of the scene, and who is cheapest for how many rays
+ *   bench_csv_row(&csv, &s)           a row a structure and kind of rays: the columns bench_columns
+ *   bench_total(e, rays)              seconds for so many rays of this mix, building included
+ *
+ * The columns are those in which the literature compares (Havran 2000), in short names:
+ *
+ *   inner, leaves, empty  N_G, N_E, N_EE: inner nodes; leaves or cells; those with nothing in them
+ *   references            N_ER: entries in all leaves; over the shapes: how often one is cut
+ *   tests/ray             N_IT: shapes tested
+ *   nodes/ray             N_TS: steps: inner nodes passed, of a grid cells (14: pairs of boxes)
+ *   build, and ns         T_B, T_R
+ *   pays after            so many rays of the scene's mix take brute force as long as building
+ *
+ * Brute force is timed with a part of the rays, so many as 5e6 tests allow.
+ */
+#ifndef BENCH_H
+#define BENCH_H
+
+#include "../../../common/lab/report.h"
+#include "../stage.h"
+
+#define bench_columns                                                                            \
+    "scene|structure|kind|rays|hits|build_s|bytes|peak_bytes|inner|leaves|empty|references|depth|" \
+    "nodes_per_ray|tests_per_ray|ns_per_ray"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* On a terminal: how far a long piece of work is. done = all erases the line. */
+static inline void progress(const char *what, size_t done, size_t all)
+{
+    if (!isatty(STDERR_FILENO)) return;
+    if (done == all) fprintf(stderr, "\r\033[K");
+    else fprintf(stderr, "\r%s: %s, %zu of %zu \033[K", program_name, what, done + 1, all);
+}
+
+static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
+
+static inline void bench_count(entry *e, ray_kind kind, const ray_set *some)
+{
+    search_work w = {0, 0, 0, 0};
+    hit h;
+    for (size_t i = 0; i < some->n; i++)
+        if (kind == KIND_SHADOW) e->c->occluded_counted(e->s, some->r[i], &w);
+        else e->c->hit_counted(e->s, some->r[i], &h, &w);
+    e->work[kind] = w;
+}
+
+static inline void bench_kind(stage *s, ray_kind kind, int rounds)
+{
+    double seconds[contenders][9];
+    hit *out = allocate(s->rays[kind].n, sizeof *out);
+    for (int k = 0; k < s->entries; k++) {
+        entry *e = &s->entry[k];
+        bool slow = e->c == &brute_contender;
+        size_t most = slow ? 5000000 / (s->x.n + 1) / (size_t)rounds + 4 : SIZE_MAX;
+        ray_set some = rays_some(&s->rays[kind], most);
+        if (e->s) bench_count(e, kind, &some);
+        e->rays[kind] = some.n;
+        rays_free(&some);
+    }
+    for (int round = -1; round < rounds; round++)
+        for (int k = 0; k < s->entries; k++) {
+            entry *e = &s->entry[k];
+            if (!e->s || (round < 0 && e->c == &brute_contender)) continue;
+            ray_set some = rays_some(&s->rays[kind], e->rays[kind]);
+            double start = work_seconds();
+            e->hits[kind] = e->c->search(e->s, some.r, some.n, kind == KIND_SHADOW, out);
+            if (round >= 0) seconds[k][round] = work_seconds() - start;
+            rays_free(&some);
+        }
+    for (int k = 0; k < s->entries; k++)
+        s->entry[k].seconds[kind] = s->entry[k].s ? clock_median(seconds[k], rounds) : 0;
+    free(out);
+}
+
+static inline void bench_measure(stage *s, int rounds)  /* [1, 9] */
+{
+    for (int kind = 0; kind < ray_kinds; kind++) bench_kind(s, (ray_kind)kind, rounds);
+}
+
+static inline double bench_ns(const entry *e, int kind)
+{
+    return per(e->seconds[kind] * 1e9, e->rays[kind]);
+}
+
+/* Seconds a ray, every kind counting by how many of it the scene has. */
+static inline double bench_mean(const stage *s, const entry *e)
+{
+    double sum = 0;
+    size_t n = 0;
+    for (int k = 0; k < ray_kinds; k++) {
+        sum += bench_ns(e, k) * 1e-9 * (double)s->rays[k].n;
+        n += s->rays[k].n;
+    }
+    return per(sum, n);
+}
+
+static inline double bench_total(const stage *s, const entry *e, double rays)
+{
+    return e->build + rays * bench_mean(s, e);
+}
+
+static inline search_work bench_work(const entry *e, size_t *rays)
+{
+    search_work w = {0, 0, 0, 0};
+    *rays = 0;
+    for (int k = 0; k < ray_kinds; k++) {
+        w.nodes += e->work[k].nodes, w.leaves += e->work[k].leaves;
+        w.empty += e->work[k].empty, w.tests += e->work[k].tests;
+        *rays += e->rays[k];
+    }
+    return w;
+}
+
+/* The lines build + k * ns (17.8): which is the lowest, from few rays to many? Three percent faster
+ * is no faster, ten percent sooner no sooner: the earlier in the list is named. */
+static inline void bench_cheapest(const stage *s)
+{
+    const entry *now = NULL;
+    for (int k = 0; k < s->entries; k++) {
+        const entry *e = &s->entry[k];
+        if (!e->s || contender_is_first(e->c)) continue;
+        if (!now || bench_total(s, e, 1) < bench_total(s, now, 1)) now = e;
+    }
+    if (!now) return;
+    printf("# cheapest in all: %s", now->c->name);
+    for (;;) {
+        const entry *next = NULL;
+        double from = HUGE_VAL;
+        for (int k = 0; k < s->entries; k++) {
+            const entry *e = &s->entry[k];
+            double gain = bench_mean(s, now) - bench_mean(s, e);
+            double at = (e->build - now->build) / gain;
+            if (!e->s || contender_is_first(e->c)) continue;
+            if (gain > 0.03 * bench_mean(s, now) && at < 0.9 * from) from = at, next = e;
+        }
+        if (!next) break;
+        printf(", from %.2g rays on %s", from, next->c->name);
+        now = next;
+    }
+    printf("\n");
+}
+
+static inline void bench_row(table *t, const stage *s, const entry *e, const entry *slow)
+{
+    structure_stats st = e->stats;
+    size_t rays;
+    search_work w = bench_work(e, &rays);
+    table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->c->name);
+    if (!e->s) {
+        table_text(t, "does not fit");
+        for (int k = 0; k < 13; k++) table_text(t, "-");
+        return;
+    }
+    table_number(t, e->build * 1e3);
+    if (contender_is_first(e->c)) {  /* what they hold nobody counts */
+        for (int k = 0; k < 7; k++) table_text(t, "-");
+    } else {
+        table_number(t, per((double)st.bytes, s->x.n)), table_number(t, (double)st.peak / 0x1p20);
+        table_count(t, st.inner), table_count(t, st.leaves), table_count(t, st.empty);
+        table_number(t, per((double)st.references, st.items));
+        table_number(t, per((double)w.nodes, rays));
+    }
+    table_number(t, per((double)w.tests, rays));
+    for (int k = 0; k < ray_kinds; k++) table_number(t, bench_ns(e, k));
+    double gain = slow && slow->s ? bench_mean(s, slow) - bench_mean(s, e) : 0;
+    if (gain > 0) table_number(t, ceil(e->build / gain));
+    else table_text(t, "-");
+}
+
+/* They go on where they are wrong: at edges their triangles slip (04). */
+static inline void bench_print_wrong(const entry *e)
+{
+    printf("# %s: wrong at %zu of %zu rays from or to borders, at %zu of %zu others\n",
+           e->c->name, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
+}
+
+static inline void bench_table(const options *o, const stage *s, const char *title)
+{
+    table t = table_new(title,
+                        "structure|build [ms]|B/shape|peak [MB]|inner|leaves|empty|refs/shape|"
+                        "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|mirror [ns]|"
+                        "pays after");
+    const entry *slow = NULL;
+    for (int k = 0; k < s->entries; k++)
+        if (s->entry[k].c == &brute_contender) slow = &s->entry[k];
+    for (int k = 0; k < s->entries; k++) bench_row(&t, s, &s->entry[k], slow);
+    output_extra_table(o, &t);
+    for (int k = 0; k < s->entries; k++)
+        if (s->entry[k].s && contender_is_first(s->entry[k].c)) bench_print_wrong(&s->entry[k]);
+    for (int k = 0; k < s->entries; k++)
+        if (!s->entry[k].s)
+            printf("# %s does not fit: %s\n", s->entry[k].c->name, s->entry[k].why.text);
+    bench_cheapest(s);
+}
+
+static inline void bench_csv_row(table *t, const stage *s, const entry *e, const char *kind,
+                                 size_t rays, size_t hits, search_work w, double seconds)
+{
+    structure_stats st = e->stats;
+    size_t cells = 0;
+    size_t count[] = {st.inner, st.leaves, st.empty, st.references, (size_t)st.depth};
+    table_text(t, "%s", s->w->name), table_text(t, "%s", e->c->name), table_text(t, "%s", kind);
+    table_count(t, rays), table_count(t, hits);
+    table_text(t, "%.9f", e->build), table_count(t, st.bytes), table_count(t, st.peak);
+    for (; cells < sizeof count / sizeof *count; cells++) table_count(t, count[cells]);
+    table_text(t, "%.6g", per((double)w.nodes, rays));
+    table_text(t, "%.6g", per((double)w.tests, rays));
+    table_text(t, "%.6g", per(seconds * 1e9, rays));
+}
+
+/* A structure that does not fit has a row, too: no rays, no numbers. */
+static inline void bench_csv(table *t, const stage *s)
+{
+    for (int i = 0; i < s->entries; i++)
+        for (int k = 0; k < ray_kinds; k++) {
+            const entry *e = &s->entry[i];
+            bench_csv_row(t, s, e, kind_name[k], e->s ? e->rays[k] : 0, e->hits[k], e->work[k],
+                          e->seconds[k]);
+        }
+}
+
+/* The file of --csv; the tables on the screen have other columns. */
+static inline void bench_write_csv(const options *o, table *t)
+{
+    failure f;
+    file_writer w;
+    if (o->csv) {
+        if (!file_begin(&w, o->csv, &f)) fail(f);
+        table_csv(t, w.stream);
+        if (!file_commit(&w, &f)) fail(f);
+    }
+    table_free(t);
+}
+
+#endif

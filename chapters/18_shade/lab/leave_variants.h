@@ -1,0 +1,101 @@
+/* leave_variants.h: how else rays are made to leave a surface, one signature.
+ *
+ *   ray leave_X(surface s, vec3 w)                                         fails
+ *   leave_fixed_1e3  tmin = 1e-3                                          small or large scenes
+ *   leave_first      tmin = 1e-4: the notes' epsilon, as in first.h       small or large scenes
+ *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                   grazing rays
+ *   leave_normal     O = p + 32 eps max(1, |p|_max) n                      large flat shapes
+ *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)           large shapes near 0
+ *   leave_bounds     O = p + (error bounds . |n|) n, rounded outwards      needles
+ *   leave            of leave.h: bounds of the point and of the test       -
+ *
+ * Sources: C. Wächter, N. Binder, Ray Tracing Gems, 2019, ch. 6 (ulps); M. Pharr, W. Jakob, G.
+ * Humphreys, "Physically Based Rendering", 3rd ed., 2016, section 3.9.5 (bounds).
+ */
+#ifndef LEAVE_VARIANTS_H
+#define LEAVE_VARIANTS_H
+
+#include "../leave.h"
+#include <string.h>
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* w of length 1 or not: tmin counts in lengths of w, as in most programs that do this. */
+static inline ray leave_fixed_1e3(surface s, vec3 w)
+{
+    return (ray){s.p, (real)1e-3, w, real_infinity};
+}
+
+static inline ray leave_first(surface s, vec3 w)
+{
+    return (ray){s.p, (real)1e-4, w, real_infinity};
+}
+
+static inline real leave_scale(surface s)
+{
+    return 32 * real_epsilon * real_max(1, surface_reach(s.p));
+}
+
+/* Fails where w grazes the surface: tmin = eps |p| moves O away from it by n.w as much only. */
+static inline ray leave_scaled(surface s, vec3 w)
+{
+    return (ray){s.p, leave_scale(s) / vlength(w), w, real_infinity};
+}
+
+/* Fails on a triangle of size 1e3 at the origin: its test is off by eps times 1e3, which |p| may
+ * not tell. */
+static inline ray leave_normal(surface s, vec3 w)
+{
+    real off = leave_scale(s);
+    return (ray){vmadd(s.p, s.n, vdot(s.n, w) < 0 ? -off : off), 0, w, real_infinity};
+}
+
+/* x moved by n * 256 of its units in the last place: reals of one sign, read as integers, are in
+ * order. Near zero these units vanish: there by n * 2^-16 in float, as published, and as many
+ * digits later in double. */
+static inline real leave_ulps_axis(real x, real n)
+{
+    const real near = (real)1 / 32, step = real_is_float ? (real)0x1p-16 : (real)0x1p-45;
+    if (fabs(x) < near) return x + step * n;
+    int32_t i = (int32_t)(256 * n);
+    if (real_is_float) {
+        float f = (float)x;
+        int32_t bits;
+        memcpy(&bits, &f, sizeof bits);
+        bits += x < 0 ? -i : i;
+        memcpy(&f, &bits, sizeof f);
+        return (real)f;
+    }
+    double f = (double)x;
+    int64_t bits;
+    memcpy(&bits, &f, sizeof bits);
+    bits += x < 0 ? -i : i;
+    memcpy(&f, &bits, sizeof f);
+    return (real)f;
+}
+
+static inline ray leave_ulps(surface s, vec3 w)
+{
+    vec3 n = vdot(s.n, w) < 0 ? vneg(s.n) : s.n;
+    vec3 o = {leave_ulps_axis(s.p.x, n.x), leave_ulps_axis(s.p.y, n.y),
+              leave_ulps_axis(s.p.z, n.z)};
+    return (ray){o, 0, w, real_infinity};
+}
+
+/* Each component to the next real on the side it was moved to. */
+static inline real leave_outward(real x, real by)
+{
+    return by == 0 ? x : nextafter(x, by > 0 ? real_infinity : -real_infinity);
+}
+
+/* Fails on one needle in 2e4: p is sure, but the test of the triangle weighs corners that nearly
+ * cancel, and is not. */
+static inline ray leave_bounds(surface s, vec3 w)
+{
+    real off = s.error * (fabs(s.n.x) + fabs(s.n.y) + fabs(s.n.z));
+    vec3 by = vscale(s.n, vdot(s.n, w) < 0 ? -off : off), o = vadd(s.p, by);
+    o = (vec3){leave_outward(o.x, by.x), leave_outward(o.y, by.y), leave_outward(o.z, by.z)};
+    return (ray){o, 0, w, real_infinity};
+}
+
+#endif

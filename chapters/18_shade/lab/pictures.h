@@ -1,0 +1,135 @@
+/* pictures.h: the gallery; its shadows far from the origin; the floor as seen from the spout.
+ *
+ *   draw_gallery(&o, n, spend_all)     the main picture, and what rays it took
+ *   draw_acne(&o)                      two views at T = 1e4: naive, mended
+ *   draw_sight(&o)                     a plan of the gallery: which points see each other
+ */
+#ifndef SHADE_PICTURES_H
+#define SHADE_PICTURES_H
+
+#include "../../../common/lab/stroke.h"
+#include "../../../common/output.h"
+#include "gallery.h"
+#include "leave_variants.h"
+#include "../sight.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void draw_gallery(const options *o, int n, bool spend_all)
+{
+    gallery *g = gallery_new(n, 0);
+    trace_counts counts;
+    image im = image_new(o->width, o->height);
+    shading how = gallery_shading(g);
+    int across = 1;
+    while ((across + 1) * (across + 1) <= o->samples) across++;
+    how.spend_all = spend_all;
+    camera c = gallery_camera(0, (real)o->width / (real)o->height);
+    double start = clock_seconds();
+    bool whole = gallery_draw(g, how, c, across, o->threads, &im, &counts);
+    printf("# %zu camera rays, %zu hits; %zu shadow rays, %zu of them stopped; %.2f s\n",
+           counts.rays[RAY_CAMERA], counts.hits[RAY_CAMERA], counts.rays[RAY_SHADOW],
+           counts.hits[RAY_SHADOW], clock_seconds() - start);
+    output_picture(o, &im, "18_shade.png", true, whole);
+    image_free(&im), gallery_free(g);
+}
+
+/* The hit point as a program in float keeps it: t and p rounded, and no bound. */
+static inline surface surface_f32(const tracer *t, ray r, trace_hit x)
+{
+    surface s = surface_of_trace(t, r, x);
+    float at = (float)x.h.t;
+    float px = (float)r.o.x + at * (float)r.d.x, py = (float)r.o.y + at * (float)r.d.y;
+    float pz = (float)r.o.z + at * (float)r.d.z;
+    s.p = (vec3){(real)px, (real)py, (real)pz}, s.error = s.noise = 0;
+    return s;
+}
+
+static inline ray leave_fixed_3e2(surface s, vec3 w)
+{
+    return (ray){s.p, (real)0.03 / vlength(w), w, real_infinity};
+}
+
+/* Above: all of it; below: where the card meets the floor. Left: float and a fixed eps; right:
+ * bounds. */
+static inline void draw_acne(const options *o)
+{
+    const real T = 10000;
+    int w = o->quick ? 96 : 400, h = w * 9 / 16;
+    gallery *g = gallery_new(o->quick ? 6 : 24, T);
+    image all = image_new(2 * w + 6, 2 * h + 6), im = image_new(w, h);
+    bool whole = true;
+    for (size_t i = 0; i < 3 * (size_t)all.width * (size_t)all.height; i++) all.rgb[i] = 1;
+    for (int k = 0; k < 4 && whole; k++) {
+        shading how = gallery_shading(g);
+        if (k % 2 == 0) how.surface_of = surface_f32;
+        if (k % 2 == 0) how.leave = k ? leave_fixed_3e2 : leave_first;
+        camera c = (k < 2 ? gallery_camera : gallery_close_up)(T, (real)w / (real)h);
+        whole = gallery_draw(g, how, c, o->quick ? 1 : 2, o->threads, &im, NULL);
+        image_place(&all, k % 2 * (w + 6), k / 2 * (h + 6), &im);
+    }
+    output_picture(o, &all, "18_shade_acne.png", false, whole);
+    image_free(&all), image_free(&im), gallery_free(g);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { sight_posts = 9 };
+
+/* A point in the air, at knee height over (x, y). */
+static inline surface sight_post(double x, double y)
+{
+    return (surface){{(real)x, (real)y, (real)0.5}, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
+}
+
+typedef struct { const gallery *g; image *im; } sight_map;
+
+/* What two of the posts see: 14 x 10 units of the floor's plan, y upwards. */
+static inline void sight_pixel(int x, int y, void *context)
+{
+    const sight_map *m = context;
+    real s = 14 / (real)m->im->width;
+    surface at = sight_post((double)(((real)x + (real)0.5) * s - 7),
+                            (double)(4 - ((real)y + (real)0.5) * s));
+    tracer t = {.w = &m->g->w, .program = shade_programs};
+    surface from[2] = {sight_post(-0.6, -5.8), sight_post(6.4, -2.6)};
+    bool a = sight_free(&t, from[0], at), b = sight_free(&t, from[1], at);
+    vec3 dark = {(real)0.035, (real)0.04, (real)0.06};
+    vec3 c = vadd(dark, vadd(a ? (vec3){(real)0.55, (real)0.28, 0} : (vec3){0, 0, 0},
+                             b ? (vec3){0, (real)0.2, (real)0.6} : (vec3){0, 0, 0}));
+    image_set(m->im, x, y, c);
+}
+
+static inline void draw_sight(const options *o)
+{
+    static const double at[sight_posts][2] = {
+        {-0.6, -5.8}, {6.4, -2.6}, {-6.2, -4}, {-3.6, 2.8}, {0.3, 3.2},
+        {6.2, 3}, {-1.5, -2.3}, {3.4, -1.2}, {0.5, -3.2}};
+    gallery *g = gallery_new(o->quick ? 6 : 24, 0);
+    image im = image_new(o->quick ? 168 : 700, o->quick ? 120 : 500);
+    sight_map m = {g, &im};
+    bool whole = parallel_pixels(im.width, im.height, o->threads, "sight", sight_pixel, &m);
+    real s = (real)im.width / 14;
+    tracer t = {.w = &g->w, .program = shade_programs};
+    printf("# who sees whom, half a unit above the floor\n");
+    for (int i = 0; i < sight_posts; i++) {
+        printf("(%4.1f, %4.1f) ", at[i][0], at[i][1]);
+        for (int j = 0; j < sight_posts; j++) {
+            surface a = sight_post(at[i][0], at[i][1]), b = sight_post(at[j][0], at[j][1]);
+            bool sees = i == j || sight_free(&t, a, b);
+            printf(" %c", i == j ? '.' : sees ? '1' : '0');
+            real x0 = (a.p.x + 7) * s, y0 = (4 - a.p.y) * s;
+            real x1 = (b.p.x + 7) * s, y1 = (4 - b.p.y) * s;
+            vec3 white = {1, 1, 1}, grey = vscale(white, (real)0.8);
+            if (i < j && sees) draw_stroke(&im, x0, y0, x1, y1, (real)0.3, grey);
+            if (i == j) draw_stroke(&im, x0, y0, x0, y0, s / 5, white);
+        }
+        printf("\n");
+    }
+    printf("# %zu rays for %d pairs\n\n", t.counts.rays[RAY_SIGHT],
+           sight_posts * (sight_posts - 1) / 2);
+    output_picture(o, &im, "18_shade_sight.png", false, whole);
+    image_free(&im), gallery_free(g);
+}
+
+#endif

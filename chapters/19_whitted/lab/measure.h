@@ -1,0 +1,237 @@
+/* measure.h: the tables: error against time over depth and over the cut; Fresnel exact and cheap;
+ * forty balls by tree and by lists.
+ *
+ *   table_of_knobs(&o)      the main table, and its plot
+ *   table_of_fresnel(&o)    plot of R, error and time of Schlick's form
+ *   table_of_speed(&o)      pixels per second of forty.h, one thread
+ *   table_of_first(&o)      first.h on its two balls: time, and what differs
+ */
+#ifndef WHITTED_MEASURE_H
+#define WHITTED_MEASURE_H
+
+#include "../../../common/lab/report.h"
+#include "first_world.h"
+#include "pictures.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Of a picture that is not whole no row can tell: Ctrl-C ends the program. */
+static inline void measured_draw(whitted_view *v, int threads)
+{
+    failure f;
+    if (!whitted_draw(v, threads)) failed(&f, 130, "stopped"), fail(f);
+}
+
+static inline double knob_time(whitted_view *v, int rounds)
+{
+    double seconds[9];
+    for (int i = 0; i < rounds; i++) {
+        double start = clock_seconds();
+        measured_draw(v, 1);
+        seconds[i] = clock_seconds() - start;
+    }
+    return clock_median(seconds, rounds);
+}
+
+static inline void knob_row(const options *o, table *t, plot *p, int series, const char *name,
+                            forty *f, whitted_view *v, const image *deep)
+{
+    double seconds = knob_time(v, o->quick ? 1 : 3);
+    image_difference d = image_compare(v->im, deep);
+    size_t pixels = (size_t)v->im->width * (size_t)v->im->height;
+    table_text(t, "%s", name);
+    table_count(t, (size_t)f->fast.w.depth);
+    table_number(t, (double)f->fast.w.least);
+    for (int k = RAY_SHADOW; k <= RAY_REFRACTION; k++)
+        table_number(t, (double)v->counts.rays[k] / (double)pixels);
+    table_number(t, d.rmse), table_number(t, d.maximum);
+    table_number(t, seconds / (double)pixels * 1e9);
+    plot_add(p, series, seconds / (double)pixels * 1e9, d.rmse);
+}
+
+/* Against depth 64 and a cut of 1e-10: what that leaves out does not show in a picture of floats,
+ * and without any cut depth 64 takes more than a hundred times as long. */
+static inline void table_of_knobs(const options *o)
+{
+    static const int depth[] = {1, 2, 3, 4, 5, 6, 8, 12};
+    static const double least[] = {0.5, 0.1, 0.03, 0.01, 0.001, 0.0001};
+    forty *f = allocate(1, sizeof *f);
+    forty_fill(f);
+    int w = o->quick ? 48 : 240, h = w * 3 / 4;
+    image im = image_new(w, h), deep = image_new(w, h);
+    whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
+                      .across = 1, .balls = true};
+    table t = table_new("Forty balls: error against depth 64 and a cut of 1e-10; rays a pixel",
+                        "knob|depth|cut|shadow|reflection|refraction|error: rmse|error: most|"
+                        "time [ns/pixel]");
+    plot p = plot_new("What is left out, against time", "time [ns/pixel]", "error, rmse",
+                      PLOT_LOG_Y);
+    int by_depth = plot_series(&p, "depth 1, 2 .. 12, no cut"), by_cut;
+    by_cut = plot_series(&p, "cut 0.5 .. 0.0001");
+    balls_view(&f->fast.b, &v.c, w, h);
+    f->fast.w.depth = 64, f->fast.w.least = (real)1e-10;
+    measured_draw(&v, o->threads);
+    v.im = &im;
+    for (size_t k = 0; k < sizeof depth / sizeof *depth; k++) {
+        f->fast.w.depth = depth[k], f->fast.w.least = 0;
+        knob_row(o, &t, &p, by_depth, "depth", f, &v, &deep);
+    }
+    for (size_t k = 0; k < sizeof least / sizeof *least; k++) {
+        f->fast.w.depth = 64, f->fast.w.least = (real)least[k];
+        knob_row(o, &t, &p, by_cut, "cut", f, &v, &deep);
+    }
+    output_table(o, &t);
+    output_plot(o, &p, "19_whitted_time.svg");
+    image_free(&im), image_free(&deep), forty_free(f), free(f);
+}
+
+enum { fresnel_batch = 1024 };
+typedef struct { snell s[fresnel_batch]; real (*form)(const snell *s); } fresnel_run;
+
+static inline double fresnel_seconds(void *context)
+{
+    const fresnel_run *b = context;
+    double sum = 0;
+    for (int k = 0; k < 64; k++)
+        for (int i = 0; i < fresnel_batch; i++) sum += (double)b->form(&b->s[i]);
+    return sum;
+}
+
+static inline real fresnel_called(const snell *s) { return fresnel(s); }
+static inline real schlick_called(const snell *s) { return schlick(s); }
+
+static inline snell snell_at(real degrees, real n1, real n2)
+{
+    snell s;
+    real a = degrees * pi / 180;
+    snell_of((vec3){sin(a), 0, -cos(a)}, (vec3){0, 0, 1}, n1, n2, &s);
+    return s;
+}
+
+/* Fresnel's exact equations and Schlick's form; then what the cheap one changes in a picture. */
+static inline void table_of_fresnel(const options *o)
+{
+    static const double ior[] = {1.1, 1.33, 1.5, 2.4};
+    clock_variant c[3];
+    fresnel_run *b = allocate(3, sizeof *b);
+    real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_first};
+    static const char *const names[3] = {"exact", "Schlick", "first"};
+    plot p = plot_new("Fresnel: glass, n = 1.5", "angle [degrees]", "R", 0);
+    int exact = plot_series(&p, "exact, from outside");
+    int cheap = plot_series(&p, "Schlick, from outside");
+    int within = plot_series(&p, "exact, from inside");
+    int close = plot_series(&p, "Schlick, from inside");
+    for (int i = 0; i <= 90; i += 2) {
+        snell s = snell_at((real)i, 1, (real)1.5), in = snell_at((real)i, (real)1.5, 1);
+        plot_add(&p, exact, i, (double)fresnel(&s)), plot_add(&p, cheap, i, (double)schlick(&s));
+        plot_add(&p, within, i, (double)fresnel(&in)), plot_add(&p, close, i, (double)schlick(&in));
+    }
+    for (int k = 0; k < 3; k++) {
+        b[k].form = form[k];
+        for (int i = 0; i < fresnel_batch; i++)
+            b[k].s[i] = snell_at((real)i * 90 / fresnel_batch, 1, (real)1.5);
+        c[k] = (clock_variant){names[k], fresnel_seconds, &b[k], 0};
+    }
+    clock_compare(c, 3, o->quick ? 3 : 15);
+    table t = table_new("R of Schlick's form, against Fresnel's, over all angles from outside",
+                        "form|off at n=1.1|n=1.33|n=1.5|n=2.4|time [ns]");
+    for (int k = 0; k < 3; k++) {
+        table_text(&t, "%s", names[k]);
+        for (int j = 0; j < 4; j++) {
+            double most = 0;
+            for (int i = 0; i < 900; i++) {
+                snell s = snell_at((real)i / 10, 1, (real)ior[j]);
+                double off = fabs((double)form[k](&s) - (double)fresnel(&s));
+                most = off > most ? off : most;
+            }
+            table_number(&t, most);
+        }
+        table_number(&t, c[k].seconds * 1e9 / (64 * fresnel_batch));
+    }
+    output_extra_table(o, &t);
+    output_plot(o, &p, "19_whitted_fresnel.svg");
+    free(b);
+}
+
+static inline void table_of_speed(const options *o)
+{
+    forty *f = allocate(1, sizeof *f);
+    forty_fill(f);
+    int w = o->quick ? 64 : 480, h = w * 3 / 4, rounds = o->quick ? 1 : 3;
+    image a = image_new(w, h), b = image_new(w, h);
+    double seconds[4][9];
+    static const char *const names[4] = {"tree", "lists", "lists, 64 rays at once",
+                                         "lists, 64 rays, Schlick"};
+    whitted_view v[4];
+    image_difference off[4] = {{0}};
+    for (int i = 0; i < rounds; i++)
+        for (int k = 0; k < 4; k++) {
+            f->fast.w.fresnel = k == 3 ? WHITTED_SCHLICK : WHITTED_EXACT;
+            v[k] = (whitted_view){.t = forty_tracer(f), .c = forty_camera((real)w / (real)h),
+                                  .im = k ? &b : &a, .across = 1, .balls = k > 0};
+            double start = clock_seconds();
+            if (k) balls_view(&f->fast.b, &v[k].c, w, h);
+            if (k < 2) measured_draw(&v[k], 1);
+            else balls_picture(&v[k].t, &v[k].c, &b), v[k].counts = v[k].t.counts;
+            seconds[k][i] = clock_seconds() - start;
+            if (k) off[k] = image_compare(&b, &a);
+        }
+    table t = table_new("Forty balls, one thread, one ray a pixel, depth 8, cut 1/256",
+                        "search|camera|shadow|reflection|refraction|off [rmse]|Mpixels/s|ns/ray");
+    for (int k = 0; k < 4; k++) {
+        double s = clock_median(seconds[k], rounds), rays = 0;
+        table_text(&t, "%s", names[k]);
+        for (int j = 0; j < RAY_SIGHT; j++) {
+            table_count(&t, v[k].counts.rays[j]);
+            rays += (double)v[k].counts.rays[j];
+        }
+        table_number(&t, off[k].rmse);
+        table_number(&t, (double)w * h / s / 1e6), table_number(&t, s / rays * 1e9);
+    }
+    output_extra_table(o, &t);
+    image_free(&a), image_free(&b), forty_free(f), free(f);
+}
+
+typedef struct { image im; const first_scene *s; const first_world *x; } first_picture;
+
+/* One ray a pixel, depth 8; x NULL: by first.h. */
+static inline double first_picture_draw(void *context)
+{
+    first_picture *p = context;
+    first_camera c = first_two_balls_camera(p->im.width, p->im.height);
+    for (int i = 0; i < p->im.width * p->im.height; i++) {
+        int x = i % p->im.width, y = i / p->im.width;
+        ray r = first_ray_unit(first_pixel_ray(c, x, y, 0, 1));
+        image_set(&p->im, x, y, p->x ? first_world_ray(p->x, r) : first_whitted(p->s, r, 8));
+    }
+    return (double)p->im.rgb[0];
+}
+
+/* Five things: a tree has nothing to gain, and `first` is no slower for asking them all. */
+static inline void table_of_first(const options *o)
+{
+    first_scene s = first_two_balls();
+    first_world *x = first_world_new(&s, 8);
+    int w = o->quick ? 64 : 480, h = w * 5 / 8;
+    first_picture p[2] = {{image_new(w, h), &s, NULL}, {image_new(w, h), &s, x}};
+    clock_variant v[2] = {{"first", first_picture_draw, &p[0], 0},
+                          {"whitted", first_picture_draw, &p[1], 0}};
+    clock_compare(v, 2, o->quick ? 1 : 5);
+    table t = table_new("Two balls over a board, one thread, one ray a pixel, depth 8",
+                        "method|pixels off by 1e-6|error: rmse|error: most|time [ns/pixel]");
+    for (int k = 0; k < 2; k++) {
+        image_difference d = image_compare(&p[k].im, &p[1].im);
+        size_t pixels = (size_t)w * (size_t)h, off = 0;
+        for (size_t i = 0; i < pixels; i++) {
+            const float *a = p[k].im.rgb + 3 * i, *b = p[1].im.rgb + 3 * i;
+            off += fmax(fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1])), fabs(a[2] - b[2])) > 1e-6f;
+        }
+        table_text(&t, "%s", v[k].name), table_count(&t, off);
+        table_number(&t, d.rmse), table_number(&t, d.maximum);
+        table_number(&t, v[k].seconds * 1e9 / (double)pixels);
+    }
+    output_extra_table(o, &t);
+    image_free(&p[0].im), image_free(&p[1].im), first_world_free(x);
+}
+
+#endif

@@ -1,0 +1,146 @@
+/* integrands.h: two functions on the unit square whose integrals are known, and what error each way
+ * of placing samples must make.
+ *
+ *   smooth   e^(x+y)                       integral (e - 1)^2
+ *   edge     1 if x^2 + y^2 < 1, else 0    integral pi / 4: as a pixel that a silhouette crosses
+ *
+ *   integrand_errors(kind, ...)    of the mean of N samples, by a method of sampler.h
+ *   first_errors(...)              the notes' way, first.h: one stream, sums of reals
+ *
+ *   Exact standard deviations of the mean of N samples:
+ *   deviation_random(f, N)       sqrt(V[f] / N)                                             (20.3)
+ *   deviation_jittered(f, k)     N = k x k cells, one sample each:
+ *                                sqrt(sum over the cells of V[f in the cell]) / N          (20.10)
+ *   deviation_sobol(m)           smooth, N = 2^m, Owen's scrambling:
+ *                                sqrt(sum of gain times variance of a level / N)           (20.11)
+ *
+ * Where jittering wins: a smooth f varies by about 1/k in a cell, variance 1/k^2 = 1/N a sample,
+ * N^-2 in the mean: the error falls as 1/N. At an edge only some k of the k^2 cells are cut; they
+ * keep a variance of up to 1/4: k / N^2 = N^-3/2 in the mean, an error of N^-3/4.
+ *
+ * Scrambled net: split f into parts, one for each size of box 2^-k x 2^-l (as Haar wavelets do).
+ * Parts with k + l <= m - 2 are integrated exactly (gain 0), those with k + l = m - 1 have the gain
+ * 2, finer ones 1: as good as random. What is left of a smooth f are parts of variance 4^-(k+l), so
+ * N^-2, in all m + 1 shapes: the mean has the variance N^-3 log N.
+ *
+ * Sources: D. Mitchell, "Consequences of stratified sampling in graphics", SIGGRAPH 1996; A. Owen,
+ * "Scrambled net variance for integrals of smooth functions", Ann. Stat. 25(4), 1997, and "Monte
+ * Carlo variance of scrambled net quadrature", SIAM J. Numer. Anal. 34(5), 1997 (gains).
+ */
+#ifndef INTEGRANDS_H
+#define INTEGRANDS_H
+
+#include "../first.h"
+#include "../sampler.h"
+
+typedef enum { SMOOTH, EDGE, integrands } integrand;
+#define quarter_pi 0.785398163397448310  /* in double, whatever real is */
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline double integrand_value(integrand f, point2 p)
+{
+    double x = (double)p.u, y = (double)p.v;
+    return f == SMOOTH ? exp(x + y) : x * x + y * y < 1;
+}
+
+static inline double integrand_integral(integrand f)
+{
+    double g = expm1(1.0);
+    return f == SMOOTH ? g * g : quarter_pi;
+}
+
+/* error[f]: the mean of f over n samples of `kind`, minus its integral. */
+static inline void integrand_errors(sequence_kind kind, uint64_t seed, uint64_t run, uint32_t n,
+                                    double error[integrands])
+{
+    double sum[integrands] = {0};
+    for (uint32_t i = 0; i < n; i++) {
+        sampler s = sampler_start(kind, seed, run, i, n);
+        point2 p = sampler_pair(&s);
+        for (int f = 0; f < integrands; f++) sum[f] += integrand_value((integrand)f, p);
+    }
+    for (int f = 0; f < integrands; f++)
+        error[f] = sum[f] / n - integrand_integral((integrand)f);
+}
+
+static inline void first_errors(uint64_t seed, uint64_t run, uint32_t n, double error[integrands])
+{
+    random_stream random = random_start(seed, run, n);
+    first_samples s[integrands] = {{0, 0, 0}, {0, 0, 0}};
+    for (uint32_t i = 0; i < n; i++) {
+        real u = random_next(&random), v = random_next(&random);
+        for (int f = 0; f < integrands; f++)
+            first_sample(&s[f], (real)integrand_value((integrand)f, (point2){u, v}));
+    }
+    for (int f = 0; f < integrands; f++)
+        error[f] = (double)first_mean(s[f]) - integrand_integral((integrand)f);
+}
+
+/* The mean of e^x over [a, a+h], and its variance there, as a part of e^(2a): with t = h/2 the mean
+ * is e^(a+t) sinh t / t, and so on; for small t by its series, since the difference cancels. */
+static inline double exp_mean(double a, double h) { return exp(a) * expm1(h) / h; }
+
+static inline double exp_variance(double a, double h)
+{
+    double t = h / 2, part = sinh(t) / t;
+    double v = t > 0.1 ? sinh(2 * t) / (2 * t) - part * part
+                       : t * t * (1.0 / 3 + t * t * (4.0 / 45 + t * t * (1.0 / 105
+                                                     + t * t * (8.0 / 14175))));
+    return exp(2 * a + h) * v;
+}
+
+/* Area below the circle's quarter over [x, x+h], cut at height y: of the box from 0. */
+static inline double circle_area(double x, double y)  /* of {s < x, t < y, s^2 + t^2 < 1} */
+{
+    if (x <= 0 || y <= 0) return 0;
+    x = x < 1 ? x : 1, y = y < 1 ? y : 1;
+    if (x * x + y * y <= 1) return x * y;
+    double from = sqrt((1 - y) * (1 + y));  /* up to there the height is y, then the circle */
+    return from * y + 0.5 * (x * sqrt((1 - x) * (1 + x)) + asin(x) - from * y - asin(from));
+}
+
+static inline double deviation_random(integrand f, double n)
+{
+    double mean = exp_mean(0, 1), v = exp_variance(0, 1), p = quarter_pi;
+    return sqrt((f == SMOOTH ? v * (v + 2 * mean * mean) : p * (1 - p)) / n);
+}
+
+static inline double deviation_jittered(integrand f, int k)
+{
+    double h = 1.0 / k, sum = 0, n = (double)k * k;
+    for (int i = 0; i < k * k; i++) {
+        double x = (i % k) * h, y = (i / k) * h, hx = x + h, hy = y + h;
+        if (f == SMOOTH) {
+            double vx = exp_variance(x, h), vy = exp_variance(y, h);
+            double mx = exp_mean(x, h), my = exp_mean(y, h);
+            sum += vx * vy + vx * my * my + mx * mx * vy;
+        } else {
+            double a = circle_area(hx, hy) - circle_area(x, hy) - circle_area(hx, y)
+                       + circle_area(x, y), p = a * n;
+            sum += p * (1 - p);
+        }
+    }
+    return sqrt(sum > 0 ? sum : 0) / n;
+}
+
+/* Variance of e^x that lies between steps of width 2^-k and steps of half that width: a quarter of
+ * the squared difference of the means of both halves. A geometric sum over the 2^k steps. */
+static inline double exp_level(int k)
+{
+    double h = ldexp(1, -k), half = exp_mean(0, h / 2) * expm1(h / 2) / 2;
+    return half * half * expm1(2.0) / expm1(2 * h) * h;
+}
+
+static inline double deviation_sobol(int m)
+{
+    enum { deepest = 26 };  /* finer levels add less than 4^-26 of the whole */
+    double mean = exp_mean(0, 1), sum = 0;
+    for (int k = m; k < m + deepest; k++) sum += 2 * mean * mean * exp_level(k);
+    for (int k = 0; k < m + deepest; k++)
+        for (int l = k >= m - 1 ? 0 : m - 1 - k; l < m + deepest; l++)
+            sum += (k + l == m - 1 ? 2 : 1) * exp_level(k) * exp_level(l);
+    return sqrt(sum / ldexp(1, m));
+}
+
+#endif

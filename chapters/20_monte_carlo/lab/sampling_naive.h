@@ -1,0 +1,97 @@
+/* sampling_naive.h: ways to a disk, a triangle, a sphere that are wrong, dear or inexact.
+ *
+ * Wrong: what comes out is not uniform, and every estimate that takes it for uniform has an error
+ * that no number of samples mends. Pictures hide it, chi-square shows it (tests/20_sampling.c).
+ *
+ *   sample_disk_naive          r = u: half of the points in the inner quarter of the area, and
+ *                              their density grows without bound towards the centre
+ *   sample_triangle_naive      b1 = u, b2 = v (1 - u): crowds at the corner u = 1
+ *   sample_triangle_sums       three numbers divided by their sum: crowds in the middle. It takes w
+ *                              from u and v
+ *   sample_triangle_fold       u + v > 1: u turned to 1 - u, v forgotten: a quarter of the points
+ *                              lies outside. (With both it is right)
+ *   sample_sphere_naive        a point of the cube, normalised: crowds towards the corners; the
+ *                              density there is 3^1.5 = 5.2 times that at the faces' middles
+ *   sample_hemisphere_naive    theta = pi/2 u: crowds at the pole
+ *
+ * Right, but dear: sample_disk_rejection tries points of the square until one lies in the disk:
+ * 4/pi = 1.27 tries on average, no roots, no sines. But the second try is an independent one, so
+ * well-spread (u, v) are partly thrown away; and how many numbers it needs is not known beforehand.
+ *
+ * Right, but inexact: sample_cone_naive, sample_lobe_naive lose the digits of 1 - z.
+ */
+#ifndef SAMPLING_NAIVE_H
+#define SAMPLING_NAIVE_H
+
+#include "../../../common/random.h"
+#include "../sampling.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline vec3 sample_disk_naive(real u, real v) { return sample_turn(u, 0, v); }
+
+static inline vec3 sample_triangle_naive(real u, real v)
+{
+    return (vec3){(1 - u) * (1 - v), u, v * (1 - u)};
+}
+
+/* A third number: the lower digits of u, which are as random as the upper ones. */
+static inline real lower_digits(real u)
+{
+    real x = u * 4096;
+    return x - floor(x);
+}
+
+static inline vec3 sample_triangle_sums(real u, real v)
+{
+    real w = lower_digits(u), sum = u + v + w;
+    return sum > 0 ? vscale((vec3){u, v, w}, 1 / sum) : (vec3){1, 0, 0};
+}
+
+static inline vec3 sample_triangle_fold(real u, real v)
+{
+    if (u + v > 1) u = 1 - u;
+    return (vec3){1 - u - v, u, v};
+}
+
+static inline vec3 sample_sphere_naive(real u, real v)
+{
+    return vunit((vec3){2 * u - 1, 2 * v - 1, 2 * lower_digits(u) - 1});
+}
+
+static inline vec3 sample_hemisphere_naive(real u, real v)
+{
+    return sample_turn(sin(pi / 2 * u), cos(pi / 2 * u), v);
+}
+
+/* Begins with (u, v); further tries come from a stream of their own, keyed by (u, v). */
+static inline vec3 sample_disk_rejection(real u, real v)
+{
+    random_stream s = {0, 0};
+    for (int tries = 0;; tries++) {
+        vec3 p = {2 * u - 1, 2 * v - 1, 0};
+        if (p.x * p.x + p.y * p.y <= 1) return p;
+        if (tries == 0) s = random_start((uint64_t)(ldexp((double)u, 53)),
+                                         (uint64_t)(ldexp((double)v, 53)), 0);
+        u = random_next(&s), v = random_next(&s);
+    }
+}
+
+/* In float 1 - cos of an angle of 0.0047, that of the sun, is off by up to 0.3 %, and below 0.0002
+ * it is 0: the pdf is infinite. */
+static inline vec3 sample_cone_naive(real angle, real u, real v)
+{
+    real z = 1 - u * (1 - cos(angle));
+    return sample_turn(sqrt(real_max(1 - z * z, 0)), z, v);
+}
+
+static inline real pdf_cone_naive(real angle) { return 1 / (2 * pi * (1 - cos(angle))); }
+
+/* n = 1e6 in float: z takes a few dozen values below 1, so directions lie on a few dozen rings. */
+static inline vec3 sample_lobe_naive(real n, real u, real v)
+{
+    real z = pow(1 - u, 1 / (n + 1));
+    return sample_turn(sqrt(real_max(1 - z * z, 0)), z, v);
+}
+
+#endif

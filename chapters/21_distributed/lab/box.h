@@ -1,0 +1,81 @@
+/* box.h: the Cornell box (cornell.h) as a world for distributed.h.
+ *
+ *   box_room *b = box_new(sized, ambient, reach);   sized: the light is the square that it is; else
+ *                                                   all of its intensity comes from the middle
+ *   distributed_view v = box_view(b, aspect);       box_free(b)
+ *
+ * The light is a part of its own, seen by camera rays and by no others: it hides nothing that it
+ * lights.
+ */
+#ifndef BOX_H
+#define BOX_H
+
+#include "../scenes/cornell.h"
+#include "../distributed.h"
+
+typedef struct {
+    mesh walls, square;  /* walls and blocks; the light: two meshes with the same vertices */
+    uint8_t part_of[cornell_triangles];
+    world_part part[2];
+    trace_world w;
+    area_light light;
+    distributed how;
+} box_room;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline material box_material(const void *context, trace_hit x, const surface *s)
+{
+    const box_room *b = context;
+    vec3 ke = s->n.y < 0 ? area_light_radiance(&b->light) : (vec3){0, 0, 0};
+    if (x.part == 1) return (material){.kd = cornell_reflectance[CORNELL_LIGHT], .ke = ke};
+    return (material){.kd = cornell_reflectance[b->part_of[x.h.shape]]};
+}
+
+/* The triangles of the box that are, or are not, its light. */
+static inline mesh box_mesh(bool shining, uint8_t part_of[cornell_triangles])
+{
+    mesh m = cornell_mesh();
+    size_t n = 0;
+    for (size_t i = 0; i < m.triangles; i++) {
+        if ((cornell_of(i) == CORNELL_LIGHT) != shining) continue;
+        memmove(m.index + 3 * n, m.index + 3 * i, 3 * sizeof *m.index);
+        part_of[n++] = (uint8_t)cornell_of(i);
+    }
+    m.triangles = n;
+    return m;
+}
+
+static inline box_room *box_new(bool sized, vec3 ambient, real reach)
+{
+    box_room *b = allocate(1, sizeof *b);
+    uint8_t part_of_light[cornell_triangles];
+    vec3 s = cornell_side_s, t = cornell_side_t, normal = vcross(s, t);
+    real A = vlength(normal);
+    b->walls = box_mesh(false, b->part_of), b->square = box_mesh(true, part_of_light);
+    world_part_of_mesh(&b->walls, MASK_ALL, &b->part[0]);
+    world_part_of_mesh(&b->square, MASK_SEEN, &b->part[1]);
+    b->w = (trace_world){b->part, 2};
+    b->light = (area_light){AREA_RECTANGLE, vmadd(vmadd(cornell_corner, s, (real)0.5), t,
+                                                  (real)0.5), s, t, vunit(normal), 0,
+                            vscale(cornell_radiance, A)};
+    if (!sized) b->light.a = b->light.b = (vec3){0, 0, 0};
+    b->how = (distributed){.light = &b->light, .n = 1, .material_of = box_material, .context = b,
+                           .ambient = ambient, .reach = reach, .depth = 1};
+    return b;
+}
+
+static inline void box_free(box_room *b)
+{
+    world_part_free(&b->part[0]), world_part_free(&b->part[1]);
+    mesh_free(&b->walls), mesh_free(&b->square);
+    free(b);
+}
+
+static inline distributed_view box_view(const box_room *b, real aspect)
+{
+    return (distributed_view){.w = &b->w, .how = &b->how, .c = cornell_camera(aspect),
+                              .kind = SEQUENCE_SOBOL, .seed = 1};
+}
+
+#endif

@@ -1,0 +1,229 @@
+/* known.h: questions for soft shadows, lobes, the sky and lenses whose answers are known exactly.
+ *
+ *   known k;
+ *   known_make(KNOWN_PENUMBRA, &k);           known_free(&k)
+ *   k.name, k.truth                           the closed form
+ *   double x = known_sample(&k, u)            one sample, by real rays; its expectation is k.truth
+ *   estimate e = known_mean(&k, kind, seed, run, n)      of n samples
+ *
+ *   question                                              answer
+ *   KNOWN_SQUARE     irradiance under a rectangle         known_rectangle                   (21.12)
+ *   KNOWN_DISK       .. on the axis of a disk             pi L R^2 / (R^2 + h^2)
+ *   KNOWN_BALL       .. from a ball above the horizon     I cos / d^2: as from its middle
+ *   KNOWN_PENUMBRA   share of a square that is seen past  area of the part of the square beyond
+ *                    the edge of a plane                  the edge's shadow line            (21.13)
+ *   KNOWN_LOBE       share of a lobe (s = 20) that        glossy_above                       (21.6)
+ *                    passes the edge of a ceiling
+ *   KNOWN_HORIZON    share of a lobe (s = 1) above the    (1 + cos(angle)) / 2
+ *                    surface, 60 degrees
+ *   KNOWN_SKY_..     openness: under a disk, under a      (21.8); reach: all but a segment of the
+ *                    ball, at a wall, in a corner, near   disk that cosine-distributed directions
+ *                    a wall that counts to a reach only   are lifted from
+ *   KNOWN_LENS       share of the lens that sees past an  all but a segment of a disk       (21.14)
+ *                    edge that is out of focus
+ *   KNOWN_SHARP      .. past an edge in focus             1, and each sample is
+ *
+ * Sources: J. Howell, "A Catalog of Radiation Configuration Factors", 1982, B-3, B-4, B-13 (21.12,
+ * disk, wall).
+ */
+#ifndef KNOWN_H
+#define KNOWN_H
+
+#include "../../20_monte_carlo/t_test.h"
+#include "../distributed.h"
+
+typedef enum {
+    KNOWN_SQUARE, KNOWN_DISK, KNOWN_BALL, KNOWN_PENUMBRA, KNOWN_LOBE, KNOWN_HORIZON,
+    KNOWN_SKY_DISK, KNOWN_SKY_BALL, KNOWN_SKY_WALL, KNOWN_SKY_CORNER, KNOWN_SKY_REACH, KNOWN_LENS,
+    KNOWN_SHARP, known_kinds
+} known_kind;
+
+typedef struct {
+    known_kind kind;
+    const char *name;
+    double truth;
+    area_light light;
+    surface floor;        /* the point that asks: the origin, z up */
+    real reach;
+    shape shapes[2];
+    vec3 corner[8];
+    scene s;
+    world_part part;
+    trace_world w;
+} known;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Form factor from a point to a rectangle a x b that is parallel at distance 1, one corner right
+ * above the point; odd in a and in b, so that rectangles elsewhere are sums of four. */
+static inline double known_corner(double a, double b)
+{
+    double x = sqrt(1 + a * a), y = sqrt(1 + b * b);
+    return (a / x * atan(b / x) + b / y * atan(a / y)) / (2 * (double)pi);
+}
+
+static inline double known_rectangle(double x0, double x1, double y0, double y1)
+{
+    return known_corner(x1, y1) - known_corner(x0, y1) - known_corner(x1, y0)
+         + known_corner(x0, y0);
+}
+
+/* The part of the unit disk's area, 1 in all, with x > h, |h| <= 1. */
+static inline double known_segment(double h)
+{
+    return (acos(h) - h * sqrt((1 - h) * (1 + h))) / (double)pi;
+}
+
+/* Where a sheet without end ends: so far away that what lies beyond is at most 2 / known_far of a
+ * hemisphere, and not so far that a hit on a polygon, right to 32 epsilon of its size (07), might
+ * lie behind a point at distance 1. */
+enum { known_far = sizeof(real) == sizeof(float) ? 4096 : 1000000 };
+
+/* From an edge at -+ a to the far edge, at + b. */
+static inline shape known_sheet(known *k, int i, vec3 at, vec3 a, vec3 b)
+{
+    vec3 *v = k->corner + 4 * i;
+    v[0] = vsub(at, a), v[1] = vadd(at, a);
+    v[2] = vadd(v[1], b), v[3] = vadd(v[0], b);
+    return shape_of_polygon(polygon_of(v, 4));
+}
+
+static inline void known_lights(known *k)
+{
+    vec3 down = {0, 0, -1};
+    if (k->kind == KNOWN_SQUARE) {
+        k->light = (area_light){AREA_RECTANGLE, {(real)0.5, (real)0.25, 1}, {2, 0, 0},
+                                {0, (real)1.5, 0}, down, 0, {3, 3, 3}};
+        k->truth = (double)pi * known_rectangle(-0.5, 1.5, -0.5, 1);
+    } else if (k->kind == KNOWN_DISK) {
+        k->light = (area_light){AREA_DISK, {0, 0, 1}, {(real)0.75, 0, 0}, {0, (real)0.75, 0}, down,
+                                0, {1, 1, 1}};
+        k->truth = 1 / (1 + 0.75 * 0.75);  /* L = 1 / (pi R^2) */
+    } else if (k->kind == KNOWN_BALL) {
+        k->light = (area_light){AREA_BALL, {(real)1.5, 0, 2}, .r = 1, .colour = {1, 1, 1}};
+        k->truth = 2 / 2.5 / (2.5 * 2.5);
+    } else {
+        /* The square [-1,1]^2 at z = 2; at z = 1 a plane that begins at the line c x + s y = .13,
+         * (c, s) = (12, 5) / 13: on the light c x + s y = .26, from its lower to its upper side. */
+        vec3 across = {(real)48 / 13, (real)20 / 13, 0}, along = {(real)-20 / 13, (real)48 / 13, 0};
+        vec3 edge = {(real)0.12, (real)0.05, 1};
+        k->light = (area_light){AREA_RECTANGLE, {0, 0, 2}, {2, 0, 0}, {0, 2, 0}, down, 0,
+                                {1, 1, 1}};
+        k->shapes[0] = known_sheet(k, 0, edge, along, across);
+        k->truth = (1 + 0.26 * 13 / 12) / 2;
+        k->s.n = 1;
+    }
+}
+
+static inline void known_skies(known *k)
+{
+    vec3 up = {0, 0, known_far}, out = {known_far, 0, 0}, aside = {0, known_far, 0};
+    k->s.n = 1;
+    switch (k->kind) {
+    case KNOWN_SKY_DISK:  /* a cone whose base it is, apex up: open below, and not to be missed */
+        k->shapes[0] = shape_of_cone((cone){{0, 0, (real)0.5}, (real)0.75, {0, 0, 1}, 0});
+        k->truth = 0.25 / (0.25 + 0.5625);
+        break;
+    case KNOWN_SKY_BALL:
+        k->shapes[0] = shape_of_sphere((sphere){{0, 0, (real)1.8}, 1});
+        k->truth = 1 - 1 / (1.8 * 1.8);
+        break;
+    case KNOWN_SKY_WALL:  /* 2 high, 1 away; the sheet goes down, from its upper edge */
+        k->shapes[0] = known_sheet(k, 0, (vec3){1, 0, 2}, aside, vneg(up));
+        k->truth = (1 + 1 / sqrt(5.0)) / 2;
+        break;
+    case KNOWN_SKY_CORNER:
+        k->shapes[0] = known_sheet(k, 0, (vec3){1, 0, -1}, aside, up);
+        k->shapes[1] = known_sheet(k, 1, (vec3){0, 1, -1}, out, up);
+        k->s.n = 2, k->truth = 0.25;
+        break;
+    case KNOWN_SKY_REACH:
+        k->shapes[0] = known_sheet(k, 0, (vec3){1, 0, -1}, aside, up);
+        k->reach = (real)2.5, k->truth = 1 - known_segment(0.4);
+        break;
+    case KNOWN_LOBE:  /* a ceiling at z = 1 for x > .2 */
+        k->shapes[0] = known_sheet(k, 0, (vec3){(real)0.2, 0, 1}, aside, out);
+        k->truth = glossy_above(0.2 / sqrt(1.04), 20);
+        break;
+    case KNOWN_LENS:   /* R = .3, F = 2: at z = 4 the lens is as wide again, upside down */
+    case KNOWN_SHARP:
+        k->shapes[0] = known_sheet(k, 0, (vec3){(real)0.09, 0, k->kind == KNOWN_LENS ? 4 : 2},
+                                   aside, out);
+        k->truth = k->kind == KNOWN_LENS ? 1 - known_segment(0.3) : 1;
+        break;
+    default: k->s.n = 0, k->truth = 0.75; break;  /* KNOWN_HORIZON */
+    }
+}
+
+static inline void known_make(known_kind kind, known *k)
+{
+    static const char *const names[known_kinds] = {
+        "under a rectangle", "under a disk", "under a ball", "penumbra", "lobe past an edge",
+        "lobe above the surface", "sky behind a disk", "sky behind a ball", "sky at a wall",
+        "sky in a corner", "sky at a wall, reach", "lens past an edge", "lens, edge in focus"};
+    vec3 up = {0, 0, 1};
+    *k = (known){.kind = kind, .name = names[kind], .reach = real_infinity};
+    k->floor = (surface){{0, 0, 0}, up, up, 0, 0, no_shape};
+    k->s.shapes = k->shapes;
+    if (kind <= KNOWN_PENUMBRA) known_lights(k);
+    else known_skies(k);
+    world_part_of_scene(&k->s, MASK_ALL, &k->part);
+    k->w = (trace_world){&k->part, 1};
+}
+
+static inline void known_free(known *k) { world_part_free(&k->part); }
+
+/* The eye at the origin looks up; the picture is one pixel, and its middle is the zenith. */
+static inline ray known_eye(point2 u)
+{
+    static const camera c = {CAMERA_PERSPECTIVE, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1},
+                             -1, 1, -1, 1, 1, {0, 0, 0}};
+    return lens_ray(c, (thin_lens){(real)0.3, 2}, (real)0.5, (real)0.5, 1, 1, u);
+}
+
+static inline double known_passes(tracer *t, ray_kind kind, ray r)
+{
+    shade_lit answer = {false};
+    trace(t, kind, r, &answer);
+    return answer.lit;
+}
+
+static inline double known_sample(const known *k, point2 u)
+{
+    static const ray_program programs[ray_kinds] = {
+        [RAY_CAMERA] = {MASK_ALL, true, NULL, NULL, shade_nothing_between},
+        [RAY_SHADOW] = {MASK_ALL, true, NULL, NULL, shade_nothing_between},
+        [RAY_REFLECTION] = {MASK_ALL, true, NULL, NULL, shade_nothing_between},
+        [RAY_SIGHT] = {MASK_ALL, true, NULL, NULL, shade_nothing_between}};
+    tracer t = {.w = &k->w, .program = programs};
+    const surface *s = &k->floor;
+    vec3 down = {0, 0, -1};
+    area_sample x;
+    ray r;
+    switch (k->kind) {
+    case KNOWN_SQUARE: case KNOWN_DISK: case KNOWN_BALL:
+        area_light_reaches(&k->light, s->p, s->n, s->ns, u, &x);
+        return (double)x.E.x;
+    case KNOWN_PENUMBRA:
+        area_light_reaches(&k->light, s->p, s->n, s->ns, u, &x);
+        return known_passes(&t, RAY_SHADOW, leave_to(*s, x.to));
+    case KNOWN_LOBE:
+        return glossy_ray(*s, down, 20, u, &r) ? known_passes(&t, RAY_REFLECTION, r) : 0;
+    case KNOWN_HORIZON: return glossy_ray(*s, (vec3){sqrt((real)0.75), 0, (real)-0.5}, 1, u, &r);
+    case KNOWN_LENS: case KNOWN_SHARP: return known_passes(&t, RAY_CAMERA, known_eye(u));
+    default: return ambient_open(&t, *s, u, k->reach);
+    }
+}
+
+static inline estimate known_mean(const known *k, sequence_kind kind, uint64_t seed, uint64_t run,
+                                  uint32_t n)
+{
+    estimate e = {0};
+    for (uint32_t i = 0; i < n; i++) {
+        sampler s = sampler_start(kind, seed, run, i, n);
+        e = estimate_add(e, known_sample(k, sampler_pair(&s)));
+    }
+    return e;
+}
+
+#endif

@@ -1,0 +1,195 @@
+/* pictures.h: what Whitted cannot do, and what n rays a pixel make of it.
+ *
+ *   draw_showroom(&o, effects, spend_all)    the main picture
+ *   draw_whitted(&o)                       the same, without any extent
+ *   draw_teapot(&o)                        as a mirror, as a highlight, glossy, glossier
+ *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
+ *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1 and 32 a pixel
+ */
+#ifndef DISTRIBUTED_PICTURES_H
+#define DISTRIBUTED_PICTURES_H
+
+#include "../../../common/output.h"
+#include "box.h"
+#include "showroom.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { pictures_gap = 4 };
+
+static inline int pictures_cells(const options *o) { return o->quick ? 5 : 16; }
+
+/* White between the panels. */
+static inline image pictures_sheet(int across, int down, int w, int h)
+{
+    image im = image_new(across * (w + pictures_gap) - pictures_gap,
+                         down * (h + pictures_gap) - pictures_gap);
+    for (size_t i = 0; i < 3 * (size_t)im.width * (size_t)im.height; i++) im.rgb[i] = 1;
+    return im;
+}
+
+static inline bool pictures_panel(image *sheet, int i, int j, image *one, distributed_view *v,
+                                  int threads)
+{
+    bool whole = distributed_draw(v, one, threads);
+    image_place(sheet, i * (one->width + pictures_gap), j * (one->height + pictures_gap), one);
+    return whole;
+}
+
+static inline void pictures_print(const distributed_view *v, double seconds)
+{
+    const size_t *n = v->spent.rays.rays;
+    printf("# %zu camera, %zu shadow, %zu reflection, %zu sky rays; %.2f s\n", n[RAY_CAMERA],
+           n[RAY_SHADOW], n[RAY_REFLECTION], n[RAY_SIGHT], seconds);
+}
+
+static inline void draw_showroom(const options *o, int effects, bool spend_all)
+{
+    showroom *g = showroom_new(pictures_cells(o));
+    showroom_look k;
+    showroom_set(&k, g, effects);
+    k.how.spend_all = spend_all;
+    distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)o->width / (real)o->height);
+    image im = image_new(o->width, o->height);
+    v.samples = (uint32_t)o->samples, v.seed = o->seed;
+    double start = clock_seconds();
+    bool whole = distributed_draw(&v, &im, o->threads);
+    pictures_print(&v, clock_seconds() - start);
+    output_picture(o, &im, "21_distributed.png", true, whole);
+    image_free(&im), showroom_free(g);
+}
+
+static inline void draw_whitted(const options *o)
+{
+    showroom *g = showroom_new(pictures_cells(o));
+    showroom_look k;
+    showroom_set(&k, g, 0);
+    image im = image_new(o->width, o->height);
+    distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)o->width / (real)o->height);
+    v.samples = o->quick ? 1 : 4, v.seed = o->seed;
+    bool whole = distributed_draw(&v, &im, o->threads);
+    output_picture(o, &im, "21_distributed_whitted.png", false, whole);
+    image_free(&im), showroom_free(g);
+}
+
+/* ---- the notes' two failures ---- */
+
+/* Blinn-Phong (18) under the same lights, as points: a highlight is all that it reflects. */
+typedef struct {
+    const showroom_look *k;
+    camera c;
+    image *im;
+    light lights[2];
+    shading how;
+} highlight_view;
+
+static inline void highlight_pixel(int x, int y, void *context)
+{
+    const highlight_view *p = context;
+    tracer t = {.w = &p->k->w, .program = shade_programs, .user = &p->how};
+    vec3 sum = {0, 0, 0};
+    for (int k = 0; k < 4; k++) {
+        real px = (real)x + ((real)(k % 2) + (real)0.5) / 2;
+        real py = (real)y + ((real)(k / 2) + (real)0.5) / 2;
+        sum = vadd(sum, shade_ray(&t, camera_ray(p->c, px, py, p->im->width, p->im->height)));
+    }
+    image_set(p->im, x, y, vscale(sum, (real)0.25));
+}
+
+static inline bool draw_highlight(const showroom_look *k, camera c, image *im, int threads)
+{
+    highlight_view p = {k, c, im, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}}, {.lights = NULL}};
+    for (int i = 0; i < 2; i++)
+        p.lights[i] = (light){LIGHT_POINT, k->light[i].at, k->light[i].colour};
+    p.how = (shading){.lights = p.lights, .n = 2, .material_of = showroom_material, .context = k,
+                      .background = k->how.background, .ambient = k->how.ambient};
+    return parallel_pixels(im->width, im->height, threads, "drawing", highlight_pixel, &p);
+}
+
+static inline void draw_teapot(const options *o)
+{
+    static const int shine[4] = {0, 0, 600, 40};
+    int w = o->quick ? 80 : 232, h = w * 9 / 16;
+    showroom *g = showroom_new(pictures_cells(o));
+    image sheet = pictures_sheet(2, 2, w, h), one = image_new(w, h);
+    bool whole = true;
+    for (int i = 0; i < 4 && whole; i++) {
+        showroom_look k;
+        showroom_set(&k, g, (i == 1 ? 0 : EFFECT_SOFT) | (i == 0 ? 0 : EFFECT_GLOSSY));
+        if (i > 1) k.pot_shine = (real)shine[i];
+        distributed_view v = showroom_view(&k, SHOWROOM_GLOSSY, (real)w / (real)h);
+        v.samples = o->quick ? 2 : i > 2 ? 32 : i ? 16 : 8, v.seed = o->seed;
+        if (i == 1) {
+            whole = draw_highlight(&k, v.c, &one, o->threads);
+            image_place(&sheet, w + pictures_gap, 0, &one);
+        } else whole = pictures_panel(&sheet, i % 2, i / 2, &one, &v, o->threads);
+    }
+    output_picture(o, &sheet, "21_distributed_teapot.png", false, whole);
+    image_free(&sheet), image_free(&one), showroom_free(g);
+}
+
+/* Exposed twice as long as the showroom. */
+static inline void draw_box(const options *o)
+{
+    static const real reach[4] = {0, 0, 0, 250};
+    int w = o->quick ? 48 : 180;
+    image sheet = pictures_sheet(4, 1, w, w), one = image_new(w, w);
+    bool whole = true;
+    for (int i = 0; i < 4 && whole; i++) {
+        vec3 ambient = {(real)0.26, (real)0.2, (real)0.11};
+        box_room *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
+        distributed_view v = box_view(b, 1);
+        v.samples = o->quick ? 2 : 8, v.seed = o->seed, b->how.split = 4;
+        whole = pictures_panel(&sheet, i, 0, &one, &v, o->threads);
+        box_free(b);
+    }
+    for (int y = 0; y < w; y++)
+        for (int x = 0; x < sheet.width; x++)
+            if (x % (w + pictures_gap) < w)
+                image_set(&sheet, x, y, vscale(image_get(&sheet, x, y), 2));
+    output_picture(o, &sheet, "21_distributed_cornell.png", false, whole);
+    image_free(&sheet), image_free(&one);
+}
+
+/* ---- the mends, one by one ---- */
+
+/* What each row compares: the shot, what is on anyway, what is added. The sky's row is without
+ * lamps. */
+static const struct { showroom_shot shot; int before, after; bool dark; const char *name; }
+    showroom_effect[5] = {
+        {SHOWROOM_SOFT, 0, EFFECT_SOFT, false, "soft shadow"},
+        {SHOWROOM_GLOSSY, EFFECT_SOFT, EFFECT_SOFT | EFFECT_GLOSSY, false, "gloss"},
+        {SHOWROOM_SKY, 0, EFFECT_SKY, true, "occlusion"},
+        {SHOWROOM_LENS, 0, EFFECT_LENS, false, "lens"},
+        {SHOWROOM_ALL, 0, EFFECT_ALL, false, "all"}};
+
+static inline distributed_view showroom_effect_view(showroom_look *k, const showroom *g, int effect,
+                                                  bool after, real aspect)
+{
+    showroom_set(k, g, after ? showroom_effect[effect].after : showroom_effect[effect].before);
+    if (showroom_effect[effect].dark) {  /* and twice the sky */
+        k->how.n = 0;
+        k->how.ambient = k->how.background = vscale(k->how.ambient, 2);
+    }
+    return showroom_view(k, showroom_effect[effect].shot, aspect);
+}
+
+static inline void draw_effects(const options *o)
+{
+    static const uint32_t samples[4] = {4, 16, 1, 32};
+    int w = o->quick ? 32 : 140, h = w * 3 / 4;
+    showroom *g = showroom_new(pictures_cells(o));
+    image sheet = pictures_sheet(4, 4, w, h), one = image_new(w, h);
+    bool whole = true;
+    for (int i = 0; i < 16 && whole; i++) {
+        showroom_look k;
+        distributed_view v = showroom_effect_view(&k, g, i / 4, i % 4 > 0, (real)w / (real)h);
+        v.samples = o->quick ? 1 + samples[i % 4] / 16 : samples[i % 4];
+        v.same = i % 4 == 1, v.seed = o->seed;
+        whole = pictures_panel(&sheet, i % 4, i / 4, &one, &v, o->threads);
+    }
+    output_picture(o, &sheet, "21_distributed_effects.png", false, whole);
+    image_free(&sheet), image_free(&one), showroom_free(g);
+}
+
+#endif

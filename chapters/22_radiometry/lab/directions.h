@@ -1,0 +1,103 @@
+/* directions.h: one irradiance, estimated in four ways: what a sample is chosen by.
+ *
+ *   by                    pdf                  weight of a sample that meets the light
+ *   uniform hemisphere    1 / (2 pi)           2 pi cos theta                             (22.21)
+ *   cosine                cos / pi             pi                                         (22.22)
+ *   area of the light     1 / A, as area       cos cos' A / r^2                           (22.23)
+ *   its solid angle       1 / Omega            cos theta Omega                            (22.24)
+ *
+ * cos': at the light. The first two go where the light is not; the area of a sphere is half hidden,
+ * and near a light cos' / r^2 varies. What is left in the last is cos theta alone.
+ *
+ *   light_view k = light_view_of(p);                                once a point p
+ *   real x = direction_sample(LIGHT_SPHERE, BY_AREA, &k, u, v);     u, v in [0, 1); radiance 1
+ *   direction_exact(LIGHT_SPHERE)                                   closed form
+ */
+#ifndef DIRECTIONS_H
+#define DIRECTIONS_H
+
+#include "../../20_monte_carlo/sampler.h"
+#include "../relations.h"
+
+typedef enum { LIGHT_SPHERE, LIGHT_SQUARE, lights } light_kind;
+typedef enum { BY_HEMISPHERE, BY_COSINE, BY_AREA, BY_SOLID_ANGLE, ways } way;
+static const char *const light_name[lights] = {"sphere", "square"};
+static const char *const way_name[ways] = {"uniform hemisphere", "cosine", "area", "solid angle"};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static const sphere lamp = {{1, 0, 2}, 1};
+static const rectangle pane = {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}};  /* faces -x */
+
+typedef struct { direction_cone cone; vec3 axis; spherical_rectangle square; } light_view;
+
+static inline double direction_exact(light_kind l)
+{
+    return (double)(l == LIGHT_SPHERE ? sphere_irradiance(lamp, seen_from, seen_up)
+                                      : rectangle_irradiance(pane, seen_from, seen_up));
+}
+
+static inline bool light_met(light_kind l, vec3 w)
+{
+    hit h;
+    return l == LIGHT_SPHERE ? sphere_hit(lamp, ray_from(seen_from, w), &h)
+                             : rectangle_met(pane, w);
+}
+
+static inline real sphere_area_term(real u, real v)
+{
+    vec3 m = sample_sphere(u, v), y = vmadd(lamp.c, m, lamp.r);
+    real r2 = vdot(y, y), facing = -vdot(m, y);
+    return 4 * pi * lamp.r * lamp.r * real_max(y.z, 0) * real_max(facing, 0) / (r2 * r2);
+}
+
+static inline light_view light_view_of(vec3 p)
+{
+    return (light_view){sphere_cone(lamp, p), vunit(vsub(lamp.c, p)),
+                        spherical_rectangle_of(pane, p)};
+}
+
+static inline real sphere_angle_term(const light_view *k, real u, real v)
+{
+    return real_max(directed(k->axis, sample_cone(k->cone, u, v)).z, 0) * 4 * pi
+         * k->cone.half_sine2;
+}
+
+static inline real pane_angle_term(const light_view *k, real u, real v)
+{
+    vec3 y = rectangle_at(pane, spherical_rectangle_sample(&k->square, u, v));
+    return real_max(vunit(y).z, 0) * k->square.omega;
+}
+
+/* k: for BY_SOLID_ANGLE, prepared once a point. */
+static inline real direction_sample(light_kind l, way by, const light_view *k, real u, real v)
+{
+    vec3 w;
+    switch (by) {
+    case BY_HEMISPHERE: w = sample_hemisphere(u, v); return light_met(l, w) ? 2 * pi * w.z : 0;
+    case BY_COSINE: w = sample_cosine(u, v); return light_met(l, w) ? pi : 0;
+    case BY_AREA:
+        return l == LIGHT_SPHERE ? sphere_area_term(u, v)
+                                 : area_term(pane, seen_from, seen_up, u, v);
+    case BY_SOLID_ANGLE:
+        return l == LIGHT_SPHERE ? sphere_angle_term(k, u, v) : pane_angle_term(k, u, v);
+    case ways: break;
+    }
+    return 0;
+}
+
+/* The mean of n samples. */
+static inline double direction_estimate(light_kind l, way by, sequence_kind kind, uint64_t seed,
+                                        uint64_t run, uint32_t n)
+{
+    light_view k = light_view_of(seen_from);
+    double sum = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        sampler s = sampler_start(kind, seed, run, i, n);
+        point2 p = sampler_pair(&s);
+        sum += (double)direction_sample(l, by, &k, p.u, p.v);
+    }
+    return sum / n;
+}
+
+#endif

@@ -1,0 +1,104 @@
+/* floors.h: a floor under three lights; its irradiance in closed form, and as photons count it.
+ *
+ *   FLOOR_SPHERE      radius 1, partly buried: it touches the floor all round
+ *   FLOOR_RECTANGLE   upright, standing on the floor, shining to +x
+ *   FLOOR_SPOTLIGHT   a point, I = cos^8 of the angle off its axis: E = I cos theta / r^2  (22.19)
+ *
+ *   floor_exact(light, x, y)                     E [W/m^2] at (x, y, 0), the surface facing up
+ *   floor_photons(light, seed, first, n, count)  n photons (光子) leave the light, from a place and
+ *                                                in a direction by chance; where they land counts
+ *   floor_flux(light)                            power of all of them [W]: each carries 1/n of it
+ *
+ * L = 1 W/(m^2 sr), I = 1 W/sr along the axis. The floor: |x|, |y| < 4, floor_cells^2 cells.
+ */
+#ifndef FLOORS_H
+#define FLOORS_H
+
+#include "../relations.h"
+
+typedef enum { FLOOR_SPHERE, FLOOR_RECTANGLE, FLOOR_SPOTLIGHT, floor_lights } floor_light;
+enum { floor_cells = 64 };
+#define floor_half ((real)4)
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static const sphere buried = {{0, 0, (real)0.6}, 1};
+static const rectangle screen = {{-2, (real)-1.5, 0}, {0, 3, 0}, {0, 0, 2}};
+static const vec3 spot_at = {-2, 0, 2}, spot_axis = {(real)0.6, 0, (real)-0.8};
+
+static inline real spot_intensity(vec3 w)
+{
+    real c = real_max(vdot(w, spot_axis), 0), c2 = c * c, c4 = c2 * c2;
+    return c4 * c4;
+}
+
+static inline real floor_exact(floor_light light, real x, real y)
+{
+    vec3 p = {x, y, 0}, w = vsub(p, spot_at);
+    real d = vlength(w);
+    switch (light) {
+    case FLOOR_SPHERE: return sphere_irradiance(buried, p, seen_up);
+    case FLOOR_RECTANGLE: return rectangle_irradiance(screen, p, seen_up);
+    case FLOOR_SPOTLIGHT: return spot_intensity(vscale(w, 1 / d)) * (-w.z / d) / (d * d);
+    case floor_lights: break;
+    }
+    return 0;
+}
+
+/* A Lambertian surface sends pi L from each square metre; all of the sphere's is counted, though
+ * what starts below the floor stays there. */
+static inline double floor_flux(floor_light light)
+{
+    double area = light == FLOOR_SPHERE ? 4 * (double)pi : 6;
+    return light == FLOOR_SPOTLIGHT ? spot_closed() : (double)pi * area;
+}
+
+/* Where it starts and where it goes. */
+static inline void photon_start(floor_light light, random_stream *s, vec3 *o, vec3 *d)
+{
+    real u = random_next(s), v = random_next(s), u2 = random_next(s), v2 = random_next(s);
+    vec3 m = spot_axis;
+    *o = spot_at, *d = light == FLOOR_SPOTLIGHT ? sample_lobe(8, u, v) : sample_cosine(u2, v2);
+    if (light == FLOOR_SPHERE) m = sample_sphere(u, v), *o = vmadd(buried.c, m, buried.r);
+    if (light == FLOOR_RECTANGLE) m.x = 1, m.z = 0, *o = rectangle_at(screen, (vec3){u, v, 0});
+    *d = directed(m, *d);
+}
+
+static inline void floor_photons(floor_light light, uint64_t seed, size_t first, size_t n,
+                                 uint32_t *count)
+{
+    for (size_t i = first; i < first + n; i++) {
+        random_stream s = random_start(seed, 1000 + (uint64_t)light, i);
+        vec3 o, d;
+        photon_start(light, &s, &o, &d);
+        if (!(o.z > 0) || !(d.z < 0)) continue;
+        vec3 q = vmadd(o, d, -o.z / d.z);
+        real x = (q.x + floor_half) / (2 * floor_half) * floor_cells;
+        real y = (q.y + floor_half) / (2 * floor_half) * floor_cells;
+        if (x >= 0 && y >= 0 && x < floor_cells && y < floor_cells)
+            count[(int)y * floor_cells + (int)x]++;
+    }
+}
+
+/* Mean of E over cell (i, j), by the middles of parts^2 of it; there is none inside the sphere. */
+static inline double floor_cell(floor_light light, int i, int j, int parts)
+{
+    double sum = 0;
+    for (int k = 0; k < parts * parts; k++) {
+        real x = ((real)i + ((real)(k % parts) + (real)0.5) / (real)parts) / floor_cells;
+        real y = ((real)j + ((real)(k / parts) + (real)0.5) / (real)parts) / floor_cells;
+        x = (2 * x - 1) * floor_half, y = (2 * y - 1) * floor_half;
+        bool inside = light == FLOOR_SPHERE && x * x + y * y < (real)0.64;
+        sum += inside ? 0 : (double)floor_exact(light, x, y);
+    }
+    return sum / (parts * parts);
+}
+
+/* Photons that n of them are expected to bring to a cell in which E is the mean. */
+static inline double floor_expected(floor_light light, double e, double n)
+{
+    double side = 2 * (double)floor_half / floor_cells;
+    return e * side * side * n / floor_flux(light);
+}
+
+#endif

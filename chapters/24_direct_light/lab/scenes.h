@@ -1,0 +1,149 @@
+/* scenes.h: what this chapter draws and measures.
+ *
+ *   stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
+ *
+ *   STAGE_BOX      the Cornell box (21): one rectangle, matte walls
+ *   STAGE_PLATES   E. Veach's: four metal plates, smooth to rough (top to bottom), each tilted so
+ *                  that it mirrors four spheres of the same flux, small to large (left to right)
+ *   STAGE_STRIP    a shining wall, low and long, that stands on the floor and touches it
+ *   STAGE_HALL     sixteen lamps, of which three are bright
+ *
+ * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
+ * SIGGRAPH 1995, figure 2.
+ */
+#ifndef DIRECT_SCENES_H
+#define DIRECT_SCENES_H
+
+#include "../scenes/lit_cornell.h"
+
+typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_HALL, stages } stage_name;
+typedef struct { lit_scene s; camera c; real aspect, exposure; } stage;
+static const char *const stage_names[stages] = {"box", "plates", "strip", "hall"};
+
+enum { plates = 4, plate_lights = 4 };
+static const double plate_roughness[plates] = {0.07, 0.14, 0.22, 0.32};  /* top to bottom */
+static const double plate_radius[plate_lights] = {0.033, 0.1, 0.3, 0.9};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline vec3 of_doubles(double x, double y, double z)
+{
+    return (vec3){(real)x, (real)y, (real)z};
+}
+
+static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
+{
+    camera_frame f;
+    camera c;
+    failure why;
+    if (!frame_look_at(from, at, (vec3){0, 1, 0}, &f, &why)
+        || !camera_perspective(f, (real)view, aspect, &c, &why))
+        fail(why);
+    return c;
+}
+
+static const vec3 plate_eye = {0, 2, 15};
+
+static inline camera stage_camera_of(stage_name name, real aspect)
+{
+    switch (name) {
+    case STAGE_PLATES: return stage_camera(plate_eye, of_doubles(0, -2, 2.5), 28, aspect);
+    case STAGE_STRIP:
+        return stage_camera(of_doubles(0, 2.2, 3), of_doubles(0, .05, -1), 36, aspect);
+    case STAGE_HALL:
+        return stage_camera(of_doubles(0, 9, 13), of_doubles(0, 0, -.5), 34, aspect);
+    case STAGE_BOX: case stages: break;
+    }
+    return cornell_camera(aspect);
+}
+
+static inline uint16_t stage_matte(lit_scene *s, double r, double g, double b)
+{
+    return lit_add_material(s, (lit_material){.f = brdf_lambert(of_doubles(r, g, b))});
+}
+
+static inline uint16_t stage_lamp(lit_scene *s, vec3 Le)
+{
+    return lit_add_material(s, (lit_material){.Le = Le});
+}
+
+/* A plate at c, 8 wide: its normal halves the angle between the eye and the origin. */
+static inline void stage_plate(lit_scene *s, vec3 c, vec3 eye, real half, uint16_t material)
+{
+    vec3 n = vunit(vadd(vunit(vsub(eye, c)), vunit(vneg(c)))), across = {8, 0, 0};
+    vec3 t = vscale(vcross(n, (vec3){1, 0, 0}), 2 * half);
+    vec3 o = vsub(vsub(c, vscale(across, (real)0.5)), vscale(t, (real)0.5));
+    lit_add_rectangle(s, (rectangle){o, across, t}, material);
+}
+
+static inline void stage_plates(stage *g)
+{
+    static const double place[plates][2] = {{-2.4, -0.13}, {-3.06, 0.92}, {-3.58, 2.22},
+                                            {-3.91, 3.57}};
+    static const vec3 tint[plate_lights] = {{(real)1.5, (real)0.75, (real)0.75},
+                                            {(real)1.2, 1, (real)0.5},
+                                            {(real)0.7, (real)1.2, (real)0.7},
+                                            {(real)0.7, (real)0.95, (real)1.6}};
+    vec3 f0 = {(real)0.85, (real)0.85, (real)0.85};
+    uint16_t grey = stage_matte(&g->s, .3, .3, .3);
+    lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, 20), {60, 0, 0}, {0, 0, -22}}, grey);
+    lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, -2), {60, 0, 0}, {0, 30, 0}}, grey);
+    for (int k = 0; k < plates; k++) {
+        lit_material m = {.f = brdf_ggx(f0, (real)plate_roughness[k])};
+        uint16_t metal = lit_add_material(&g->s, m);
+        stage_plate(&g->s, of_doubles(0, place[k][0], place[k][1]), plate_eye, (real)0.5,
+                    metal);
+    }
+    for (int k = 0; k < plate_lights; k++) {  /* flux 4 pi^2 r^2 L, the same for all */
+        real r = (real)plate_radius[k], L = 1 / (r * r);
+        sphere ball = {of_doubles(-3.75 + 2.5 * k, 0, 0), r};
+        lit_add_shape(&g->s, shape_of_sphere(ball), stage_lamp(&g->s, vscale(tint[k], L)));
+    }
+    g->exposure = (real)1.2;
+}
+
+static inline void stage_strip(stage *g)
+{
+    uint16_t grey = stage_matte(&g->s, .7, .7, .7), dark = stage_matte(&g->s, .3, .15, .1);
+    uint16_t lamp = stage_lamp(&g->s, of_doubles(2, 1.7, 1.2));
+    lit_add_rectangle(&g->s, (rectangle){of_doubles(-6, 0, 6), {12, 0, 0}, {0, 0, -12}}, grey);
+    lit_add_rectangle(&g->s, (rectangle){of_doubles(-3, 0, -2), {6, 0, 0}, {0, 1, 0}}, lamp);
+    lit_add_shape(&g->s, shape_of_sphere((sphere){of_doubles(1.2, .5, -1.3), (real).5}), dark);
+    g->exposure = (real)1.5;
+}
+
+static inline void stage_hall(stage *g)
+{
+    uint16_t grey = stage_matte(&g->s, .6, .6, .6), blue = stage_matte(&g->s, .3, .4, .6);
+    lit_add_rectangle(&g->s, (rectangle){of_doubles(-9, 0, 9), {18, 0, 0}, {0, 0, -18}}, grey);
+    lit_add_rectangle(&g->s, (rectangle){of_doubles(-9, 0, -9), {18, 0, 0}, {0, 6, 0}}, blue);
+    for (int k = 0; k < 16; k++) {
+        double x = -6 + 4 * (k % 4), z = -6 + 4 * (k / 4), L = k == 2 || k == 9 || k == 15 ? 60 : 2;
+        vec3 tint = k % 3 ? of_doubles(1, .8, .6) : of_doubles(.7, .9, 1);
+        uint16_t lamp = stage_lamp(&g->s, vscale(tint, (real)L));
+        rectangle r = {of_doubles(x, 3.5, z), {(real)0.5, 0, 0}, {0, 0, (real)0.5}};
+        lit_add_rectangle(&g->s, r, lamp);
+        sphere ball = {of_doubles(x + 1, .6, z + .8), (real)0.6};
+        lit_add_shape(&g->s, shape_of_sphere(ball), grey);
+    }
+    g->exposure = (real)1.6;
+}
+
+static inline void stage_open(stage_name name, stage *g)
+{
+    *g = (stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = (real)1.4};
+    if (name == STAGE_BOX) lit_cornell_begin(&g->s);
+    else lit_begin(&g->s);
+    switch (name) {
+    case STAGE_PLATES: stage_plates(g); break;
+    case STAGE_STRIP: stage_strip(g); break;
+    case STAGE_HALL: stage_hall(g); break;
+    case STAGE_BOX: case stages: break;
+    }
+    lit_end(&g->s);
+    g->c = stage_camera_of(name, g->aspect);
+}
+
+static inline void stage_close(stage *g) { lit_free(&g->s); }
+
+#endif

@@ -1,0 +1,94 @@
+/* furnace.h: closed rooms in which every term of the series is known exactly.
+ *
+ *    .-------.       furnace_sphere(&s, E, rho)       a sphere of radius 1, seen from inside
+ *   /   .-.   \      furnace_box(&s, E, rho)          the cube [-1,1]^3, twelve triangles
+ *  |   ( 1 )   |     furnace_pair(&s, r, E, rho)      two materials: a ball of radius r < 1 in the
+ *   \   '-'  2/                                       middle of a sphere of radius 1
+ *    '-------'
+ *
+ * Sphere and box: all walls emit E and reflect rho, matte: (25.5), (25.6), channel by channel.
+ * Pair: by symmetry each of the two has one radiance all over. The ball (0) sees the sphere alone;
+ * of what leaves the sphere (1), (r/1)^2 goes to the ball:
+ *
+ *   K = | 0            rho_0       |                                                       (25.11)
+ *       | rho_1 r^2    rho_1 (1 - r^2) |
+ *
+ *   transport t = furnace_transport(r, E, rho, channel);    (25.11) of one channel; transport_free
+ *   furnace_variance(N, rho, n)      variance of E = 1 in such a room, N uniform directions a hit
+ *
+ * Where it comes from: X_n is the estimate of S_n = 1 + rho + ... + rho^n, w = 2 rho cos the
+ * weight; the mean of w is rho, that of w^2 is 4/3 rho^2; all directions see the same. So
+ *
+ *   X_n = 1 + 1/N sum of w_i X_(n-1),i
+ *   V_n = rho^2 / N (4/3 (V_(n-1) + S_(n-1)^2) - S_(n-1)^2),  V_0 = 0                      (25.12)
+ *
+ * So V_n stays finite only if 4/3 rho^2 < N. The mean converges for every rho < 1, the variance of
+ * one uniform direction only for rho < .866: beyond, deep terms are rare and huge products of
+ * weights, which a run of any length that one can afford does not meet. Cosine: w = rho, V_n = 0.
+ */
+#ifndef FURNACE_H
+#define FURNACE_H
+
+#include "../../24_direct_light/lit_scene.h"
+#include "../series.h"
+#include "../transport.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void furnace_sphere(lit_scene *s, vec3 E, vec3 rho)
+{
+    lit_begin(s);
+    uint16_t wall = lit_add_material(s, (lit_material){.f = brdf_lambert(rho), .Le = E});
+    lit_add_shape(s, shape_of_sphere((sphere){{0, 0, 0}, -1}), wall);
+    lit_end(s);
+}
+
+/* Six squares, s x t pointing inwards. */
+static inline rectangle furnace_wall(int k)
+{
+    int axis = k / 2;
+    real side = k % 2 ? 1 : -1, out[3] = {-1, -1, -1}, a[3] = {0, 0, 0}, b[3] = {0, 0, 0};
+    out[axis] = side;
+    a[(axis + 1) % 3] = 2, b[(axis + 2) % 3] = 2;  /* a x b = +axis: inwards where side = -1 */
+    vec3 o = {out[0], out[1], out[2]}, s = {a[0], a[1], a[2]}, t = {b[0], b[1], b[2]};
+    return k % 2 ? (rectangle){o, t, s} : (rectangle){o, s, t};
+}
+
+static inline void furnace_box(lit_scene *s, vec3 E, vec3 rho)
+{
+    lit_begin(s);
+    uint16_t wall = lit_add_material(s, (lit_material){.f = brdf_lambert(rho), .Le = E});
+    for (int k = 0; k < 6; k++) lit_add_rectangle(s, furnace_wall(k), wall);
+    lit_end(s);
+}
+
+static inline void furnace_pair(lit_scene *s, real r, const vec3 E[2], const vec3 rho[2])
+{
+    lit_begin(s);
+    for (int k = 0; k < 2; k++) {
+        uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert(rho[k]), .Le = E[k]});
+        lit_add_shape(s, shape_of_sphere((sphere){{0, 0, 0}, k ? -1 : r}), m);
+    }
+    lit_end(s);
+}
+
+static inline transport furnace_transport(double r, const vec3 E[2], const vec3 rho[2], int channel)
+{
+    transport t = transport_new(2);
+    double a = (double)vaxis(rho[0], channel), b = (double)vaxis(rho[1], channel);
+    for (int k = 0; k < 2; k++) t.E[k] = (double)vaxis(E[k], channel);
+    t.K[1] = a, t.K[2] = b * r * r, t.K[3] = b * (1 - r * r);
+    return t;
+}
+
+static inline double furnace_variance(int N, double rho, int n)
+{
+    double V = 0, S = 1;
+    for (int k = 1; k <= n; k++) {
+        V = rho * rho / N * ((V + S * S) * 4 / 3 - S * S);
+        S = 1 + rho * S;
+    }
+    return V;
+}
+
+#endif

@@ -1,0 +1,245 @@
+/* measure.h: the series, where its sum is known and where it is not.
+ *
+ *   measure_furnace(o)   partial sums by paths against (25.5), their variance against (25.12); plot
+ *   measure_pair(o)      two materials, term by term, against the linear system (25.11)
+ *   measure_norms(o)     ||K||, spectral radius, and what the series does
+ *   measure_cornell(o)   how much light each bounce brings to the picture, two ways
+ *   measure_notes(o)     what shade() of the notes leaves out
+ *   measure_sums(o)      a thousand bounces in float
+ */
+#ifndef MEASURE_H
+#define MEASURE_H
+
+#include "../../20_monte_carlo/t_test.h"
+#include "measure_branches.h"
+#include "notes_shade.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* One estimate of n samples, in the box whose three channels are rho. */
+static inline estimate furnace_estimate(const options *o, const lit_scene *s, direction_choice how,
+                                        int depth, int channel, uint32_t n)
+{
+    naive_path path = {s, how, depth, false};
+    naive_counts c = {{0}, 0, 0};
+    estimate e = {0, 0, 0};
+    ray eye = {{0, 0, 0}, 0, {1, (real)0.2, (real)0.3}, real_infinity};
+    for (uint32_t i = 0; i < n; i++) {
+        sampler r = sampler_start(SEQUENCE_RANDOM, o->seed, (uint64_t)depth, i, 1);
+        e = estimate_add(e, (double)vaxis(naive_radiance(&path, eye, &r, &c), channel));
+    }
+    return e;
+}
+
+static inline void measure_furnace(const options *o)
+{
+    static const int depth[] = {0, 1, 3, 10, 30, 100};
+    static const char *const name[] = {"rho = .5", "rho = .9", "rho = .99", "rho = 1"};
+    vec3 rho[2] = {{(real)0.5, (real)0.9, (real)0.99}, {1, 1, 1}};
+    table t = table_new("Closed box, all walls shining with 1: E + KE + ... + K^n E by paths",
+                        "rho|n|exact|cosine|error cosine [1]|uniform|its -+|-+ by (25.12)");
+    plot p = plot_new("Furnace: bounces 0 to n, by uniform directions", "n + 1", "radiance",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    for (int j = 0; j < 4; j++) plot_series(&p, name[j]);
+    for (int j = 0; j < 4; j++) {
+        lit_scene s;
+        char exact_name[64];
+        real albedo = vaxis(rho[j / 3], j % 3);
+        snprintf(exact_name, sizeof exact_name, "exact, %s", name[j]);
+        int exact_series = plot_series(&p, exact_name);
+        furnace_box(&s, (vec3){1, 1, 1}, rho[j / 3]);
+        for (int k = 0; k < 6; k++) {
+            uint32_t n = (o->quick ? 50u : 2000u) / (k > 4 ? 4 : 1);
+            estimate e = furnace_estimate(o, &s, DIRECTIONS_UNIFORM, depth[k], j % 3, n);
+            estimate f = furnace_estimate(o, &s, DIRECTIONS_COSINE, depth[k], j % 3, 10);
+            double exact = (double)series_sum(1, albedo, (real)depth[k]);
+            table_text(&t, "%s", name[j] + 6), table_count(&t, (size_t)depth[k]);
+            table_number(&t, exact), table_number(&t, f.mean);
+            table_number(&t, fabs(f.mean / exact - 1)), table_number(&t, e.mean);
+            table_number(&t, estimate_error(e));
+            table_number(&t, sqrt(furnace_variance(1, (double)albedo, depth[k]) / n));
+            plot_add(&p, j, depth[k] + 1, e.mean);
+        }
+        for (int n = 1; n <= 128; n *= 2)
+            plot_add(&p, exact_series, n, (double)series_sum(1, albedo, (real)(n - 1)));
+        lit_free(&s);
+    }
+    output_extra_table(o, &t);
+    output_plot(o, &p, "25_bounces_furnace.svg");
+}
+
+static inline void measure_pair(const options *o)
+{
+    enum { depth = 5 };
+    lit_scene s;
+    estimate e[2][depth + 1];
+    double T[2];
+    memset(e, 0, sizeof e);
+    furnace_pair(&s, (real)pair_radius, pair_light, pair_albedo);
+    transport exact = furnace_transport(pair_radius, pair_light, pair_albedo, 0);
+    table t = table_new("A ball in a sphere, two materials: K^n E by paths and by matrix",
+                        "n|ball exact|ball measured|p|sphere exact|sphere measured|p");
+    for (uint32_t i = 0; i < (o->quick ? 500u : 20000u); i++)
+        for (size_t seen = 0; seen < 2; seen++) {
+            naive_path path = {&s, DIRECTIONS_COSINE, depth, false};
+            bounce_counts c = {{{0}, 0, 0}, 0};
+            vec3 term[depth + 1];
+            sampler r = sampler_start(SEQUENCE_RANDOM, o->seed, seen, i, 1);
+            bounce_terms(&path, trial_ray(0, seen, sampler_pair(&r)), &r, term, &c);
+            for (int k = 0; k <= depth; k++)
+                e[seen][k] = estimate_add(e[seen][k], (double)term[k].x);
+        }
+    for (int k = 0; k <= depth; k++) {
+        transport_term(&exact, k, T);
+        table_count(&t, (size_t)k);
+        for (int seen = 0; seen < 2; seen++) {
+            table_number(&t, T[seen]), table_number(&t, e[seen][k].mean);
+            table_number(&t, t_test(e[seen][k], T[seen], 1e-5));
+        }
+    }
+    output_extra_table(o, &t);
+    transport_free(&exact), lit_free(&s);
+}
+
+/* Ball in a sphere, r = .4, both shining with 1. */
+static inline void measure_norms(const options *o)
+{
+    static const double albedo[][2] = {{0.5, 0.5}, {0.5, 0.9}, {1, 0.5}, {0.5, 1}, {0.99, 0.99},
+                                       {1, 1}, {1, 1.2}};
+    table t = table_new("Does the series converge? Ball (0) in a sphere (1): radiance of the ball",
+                        "rho 0|rho 1|norm of K|spectral radius|n = 10|n = 100|n = 1000|"
+                        "(I - K)^-1 E");
+    for (size_t i = 0; i < sizeof albedo / sizeof *albedo; i++) {
+        vec3 one = {1, 1, 1}, E[2] = {one, one};
+        vec3 rho[2] = {vscale(one, (real)albedo[i][0]), vscale(one, (real)albedo[i][1])};
+        transport k = furnace_transport(pair_radius, E, rho, 0);
+        double L[2];
+        table_number(&t, albedo[i][0]), table_number(&t, albedo[i][1]);
+        table_number(&t, transport_norm(&k)), table_number(&t, transport_radius(&k, 1000));
+        for (int n = 10; n <= 1000; n *= 10) transport_sum(&k, n, L), table_number(&t, L[0]);
+        if (transport_solve(&k, L)) table_number(&t, L[0]);
+        else table_text(&t, "singular");
+        transport_free(&k);
+    }
+    output_extra_table(o, &t);
+}
+
+/* ---- Cornell box, mean over the whole picture ---- */
+
+enum { cornell_terms = 11, cornell_jobs = 32 };
+typedef struct {
+    lit_scene s;
+    uint64_t seed;
+    uint32_t n;
+    estimate e[cornell_jobs][2][cornell_terms];
+    bounce_counts c[cornell_jobs][2];
+} cornell_survey;
+
+static inline void cornell_job(size_t job, void *context)
+{
+    cornell_survey *t = context;
+    naive_path p = {&t->s, DIRECTIONS_BRDF, cornell_terms - 1, false};
+    vec3 term[cornell_terms];
+    for (uint32_t i = 0; i < 2 * t->n; i++) {
+        int lit = i % 2;
+        sampler s = sampler_start(SEQUENCE_RANDOM, t->seed, job, i, 1);
+        point2 u = sampler_pair(&s);
+        ray eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
+        if (lit) bounce_terms_lit(&p, eye, &s, term, &t->c[job][1]);
+        else bounce_terms(&p, eye, &s, term, &t->c[job][0]);
+        for (int k = 0; k < cornell_terms; k++)
+            t->e[job][lit][k] = estimate_add(t->e[job][lit][k], (double)term[k].y);
+    }
+}
+
+static inline void measure_cornell(const options *o)
+{
+    cornell_survey *c = allocate(1, sizeof *c);
+    table t = table_new("Cornell box: mean radiance of the picture (green) after n bounces",
+                        "n|paths|-+|lit|-+|part of the whole [%]|over the one before");
+    double whole = 0, before = 0;
+    lit_cornell(&c->s);
+    c->seed = o->seed, c->n = o->quick ? 200 : 5000;
+    parallel_for(cornell_jobs, o->threads, "terms", cornell_job, c);
+    for (int i = 1; i < cornell_jobs; i++)
+        for (int k = 0; k < 2 * cornell_terms; k++) {
+            estimate *e = &c->e[0][k / cornell_terms][k % cornell_terms];
+            *e = estimate_merge(*e, c->e[i][k / cornell_terms][k % cornell_terms]);
+        }
+    for (int k = 0; k < cornell_terms; k++) whole += c->e[0][1][k].mean;
+    for (int k = 0; k < cornell_terms; k++) {
+        estimate naive = c->e[0][0][k], lit = c->e[0][1][k];
+        table_count(&t, (size_t)k), table_number(&t, naive.mean);
+        table_number(&t, estimate_error(naive)), table_number(&t, lit.mean);
+        table_number(&t, estimate_error(lit)), table_number(&t, 100 * lit.mean / whole);
+        if (k) table_number(&t, lit.mean / before);
+        else table_text(&t, "-");
+        before = lit.mean;
+    }
+    output_extra_table(o, &t);
+    lit_free(&c->s);
+    free(c);
+}
+
+/* The same random numbers for both, so that their difference is known better than they are. */
+static inline void measure_notes(const options *o)
+{
+    static const char *const name[] = {"furnace, rho = .5", "furnace, rho = .9", "Cornell box"};
+    table t = table_new("shade() as the notes print it: mean radiance",
+                        "room|whole|as printed|with what the eye sees|still missing|-+");
+    for (int room = 0; room < 3; room++) {
+        lit_scene s;
+        vec3 one = {1, 1, 1};
+        estimate e[4] = {{0, 0, 0}};
+        if (room == 2) lit_cornell(&s);
+        else furnace_sphere(&s, one, vscale(one, room ? (real)0.9 : (real)0.5));
+        naive_path p = {&s, DIRECTIONS_BRDF, room == 2 ? 20 : 400, false};
+        naive_counts c = {{0}, 0, 0};
+        for (uint32_t i = 0; i < (o->quick ? 1000u : 100000u) / (room == 2 ? 1 : 1000); i++) {
+            sampler a = sampler_start(SEQUENCE_RANDOM, o->seed, 0, i, 1);
+            point2 u = sampler_pair(&a);
+            sampler b = a, d = a;
+            ray eye = {{0, 0, 0}, 0, {1, 0, 0}, real_infinity};
+            if (room == 2) eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
+            naive_path seen = p;
+            seen.depth = 0;
+            double whole = (double)naive_radiance(&p, eye, &a, &c).y;
+            double printed = (double)notes_shade(&p, eye, &b, &c).y;
+            double own = (double)naive_radiance(&seen, eye, &d, &c).y;
+            e[0] = estimate_add(e[0], whole), e[1] = estimate_add(e[1], printed);
+            e[2] = estimate_add(e[2], printed + own);
+            e[3] = estimate_add(e[3], whole - printed - own);
+        }
+        table_text(&t, "%s", name[room]);
+        for (int k = 0; k < 4; k++) table_number(&t, e[k].mean);
+        table_number(&t, estimate_error(e[3]));
+        lit_free(&s);
+    }
+    output_extra_table(o, &t);
+}
+
+static inline void measure_sums(const options *o)
+{
+    table t = table_new("rho = .999 as a float, 1000 bounces: relative error of the sum",
+                        "way|result|error [1]");
+    float rho = 0.999f;
+    double exact = 1;
+    for (int k = 0; k < 1000; k++) exact = 1 + (double)rho * exact;
+    double way[] = {(double)bounces_forward_f32(1, rho, 1000),
+                    (double)bounces_forward_kahan_f32(1, rho, 1000),
+                    bounces_forward_double(1, rho, 1000),
+                    (double)bounces_backward_f32(1, rho, 1000)};
+    static const char *const name[] = {"forward, float", "forward, float, Kahan",
+                                       "forward, sum in double", "backward, float"};
+    for (int k = 0; k < 4; k++) {
+        table_text(&t, "%s", name[k]), table_text(&t, "%.6f", way[k]);
+        table_number(&t, way[k] / exact - 1);
+    }
+    double other = 1;
+    for (int k = 0; k < 1000; k++) other = 1 + 0.999 * other;
+    table_text(&t, "exactly, with .999 itself"), table_text(&t, "%.6f", other);
+    table_number(&t, other / exact - 1);
+    output_extra_table(o, &t);
+}
+
+#endif

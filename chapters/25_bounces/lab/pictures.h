@@ -1,0 +1,130 @@
+/* pictures.h: the pictures of this chapter.
+ *
+ *   draw_terms(o, depth, naive)   the Cornell box, upper row E, K E, K^2 E, K^3 E, the rest up to
+ *                                 K^depth E; lower row the running sums, the last is the whole. Of
+ *                                 the upper row the last three are shown 2, 4, 4 times as bright.
+ *                                 naive: by paths that meet the light, not by (25.10)
+ *   draw_branches(o)              up to three bounces, by N = 1, 2, 4, 8 directions a
+ *                                 hit, from left to right, with the same number of rays a pixel
+ */
+#ifndef PICTURES_H
+#define PICTURES_H
+
+#include "../../../common/output.h"
+#include "../../../common/parallel.h"
+#include "../../24_direct_light/scenes/lit_cornell.h"
+#include "../branching.h"
+#include "../terms.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { term_columns = 5, term_most = 60 };
+static const real term_gain[term_columns] = {1, 1, 2, 4, 4};
+typedef struct {
+    naive_path path;
+    camera view;
+    uint32_t samples;
+    uint64_t seed;
+    bool naive;
+    image term[term_columns], sum[term_columns];
+} term_sheet;
+
+static inline void term_pixel(int x, int y, void *context)
+{
+    const term_sheet *t = context;
+    int w = t->term[0].width, h = t->term[0].height;
+    vec3 mean[term_columns] = {{0, 0, 0}}, term[term_most + 1], sum = {0, 0, 0};
+    bounce_counts c = {{{0}, 0, 0}, 0};
+    for (uint32_t i = 0; i < t->samples; i++) {
+        uint64_t pixel = (uint64_t)y * (uint64_t)w + (uint64_t)x;
+        sampler s = sampler_start(SEQUENCE_SOBOL, t->seed, pixel, i, t->samples);
+        point2 u = sampler_pair(&s);
+        ray eye = camera_ray(t->view, (real)x + u.u, (real)y + u.v, w, h);
+        if (t->naive) bounce_terms(&t->path, eye, &s, term, &c);
+        else bounce_terms_lit(&t->path, eye, &s, term, &c);
+        for (int k = 0; k <= t->path.depth; k++) {
+            int column = k < term_columns ? k : term_columns - 1;
+            mean[column] = vmadd(mean[column], term[k], 1 / (real)t->samples);
+        }
+    }
+    for (int k = 0; k < term_columns; k++) {
+        sum = vadd(sum, mean[k]);
+        image_set(&((image *)t->term)[k], x, y, vscale(mean[k], term_gain[k]));
+        image_set(&((image *)t->sum)[k], x, y, sum);
+    }
+}
+
+static inline void draw_terms(const options *o, int depth, bool naive)
+{
+    lit_scene s;
+    lit_cornell(&s);
+    int w = o->width / term_columns, h = o->height / 2;
+    uint32_t n = (uint32_t)o->samples;
+    term_sheet t = {.path = {&s, DIRECTIONS_BRDF, depth, false}, .samples = n, .seed = o->seed,
+                    .naive = naive};
+    w = w > 0 ? w : 1, h = h > 0 ? h : 1;
+    t.view = cornell_camera((real)w / (real)h);
+    for (int k = 0; k < term_columns; k++) t.term[k] = image_new(w, h), t.sum[k] = image_new(w, h);
+    bool whole = parallel_pixels(w, h, o->threads, "terms", term_pixel, &t);
+    image sheet = image_new(o->width, o->height);
+    for (int k = 0; k < term_columns; k++) {
+        image_place(&sheet, k * w, 0, &t.term[k]), image_place(&sheet, k * w, h, &t.sum[k]);
+        image_free(&t.term[k]), image_free(&t.sum[k]);
+    }
+    output_picture(o, &sheet, "25_bounces.png", true, whole);
+    image_free(&sheet);
+    lit_free(&s);
+}
+
+/* ---- N directions with the same number of rays ---- */
+
+enum { branch_columns = 4, branch_depth = 3 };
+typedef struct {
+    naive_path path;
+    camera view;
+    size_t rays;      /* a pixel, at most, but for one sample that takes more */
+    uint64_t seed;
+    int N;
+    image panel;
+} branch_sheet;
+
+/* As many samples as (25.9) allows where nothing ends. The box is open, and rays that escape spare
+ * all N alike some of it. */
+static inline void branch_pixel(int x, int y, void *context)
+{
+    const branch_sheet *b = context;
+    int w = b->panel.width / 2, h = b->panel.height / 2;
+    uint64_t pixel = (uint64_t)y * (uint64_t)w + (uint64_t)x, i = 0;
+    vec3 sum = {0, 0, 0};
+    naive_counts c = {{0}, 0, 0};
+    size_t samples = (size_t)((double)b->rays / first_rays_of_branching(b->N, b->path.depth));
+    for (; i < (samples ? samples : 1); i++) {
+        point2 u = branching_pair(b->seed, pixel, i, 0);
+        ray eye = camera_ray(b->view, (real)x + u.u, (real)y + u.v, w, h);
+        sum = vadd(sum, branching_radiance(&b->path, b->N, eye, b->seed, pixel, i, &c));
+    }
+    image panel = b->panel;
+    for (int k = 0; k < 4; k++)  /* each pixel drawn as four */
+        image_set(&panel, 2 * x + k % 2, 2 * y + k / 2, vscale(sum, 1 / (real)i));
+}
+
+static inline void draw_branches(const options *o)
+{
+    lit_scene s;
+    lit_cornell(&s);
+    int side = o->quick ? 20 : 120;
+    bool whole = true;
+    image sheet = image_new(2 * branch_columns * side, 2 * side);
+    for (int k = 0; k < branch_columns && whole; k++) {
+        branch_sheet b = {{&s, DIRECTIONS_BRDF, branch_depth, false}, cornell_camera(1),
+                          o->quick ? 85 : 585, o->seed, 1 << k, image_new(2 * side, 2 * side)};
+        whole = parallel_pixels(side, side, o->threads, "branches", branch_pixel, &b);
+        image_place(&sheet, 2 * k * side, 0, &b.panel);
+        image_free(&b.panel);
+    }
+    output_picture(o, &sheet, "25_bounces_branches.png", false, whole);
+    image_free(&sheet);
+    lit_free(&s);
+}
+
+#endif

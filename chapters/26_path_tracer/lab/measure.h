@@ -1,0 +1,284 @@
+/* measure.h: what each idea of the chapter is worth, in the Cornell box.
+ *
+ *   measure_strategies(o)   error against time and rays, one table and two plots
+ *   measure_speed(o)        rays a second, one thread and two
+ *
+ * Efficiency (效率) = 1 / (error^2 x time): samples twice as fast, or with half the variance, are
+ * worth twice as much. Errors: RMSE against a reference of many samples, over the pixels that do
+ * not see the light, where nothing is left to do.
+ */
+#ifndef MEASURE_H
+#define MEASURE_H
+
+#include "../../../common/lab/report.h"
+#include "../../24_direct_light/scenes/lit_first.h"
+#include "../../25_bounces/naive_path.h"
+#include "command.h"
+#include "../first.h"
+
+enum { strategies = 7 };
+typedef enum { BY_PATH, BY_NAIVE, BY_FIRST } strategy_program;
+typedef struct { const char *name; strategy_program by; path_options how; } strategy;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void strategy_list(strategy s[strategies])
+{
+    path_options d = path_defaults, none = d, r = d;
+    r.sequence = SEQUENCE_RANDOM;
+    none = r, none.roulette = ROULETTE_NONE, none.bounces = 40;
+    path_options directions = r, by_lights = r, both = none, fixed = r;
+    directions.light_sampling = directions.mis = false;
+    by_lights.mis = false;
+    fixed.roulette = ROULETTE_FIXED;
+    const strategy list[strategies] = {
+        {"naive (25)", BY_NAIVE, none}, {"directions + roulette", BY_PATH, directions},
+        {"lights + roulette", BY_PATH, by_lights}, {"lights + MIS, 40 bounces", BY_PATH, both},
+        {"lights + MIS + roulette .8", BY_PATH, fixed},
+        {"lights + MIS + roulette", BY_PATH, r}, {"the same, Sobol' (default)", BY_PATH, d}};
+    memcpy(s, list, sizeof list);
+}
+
+typedef struct {
+    showcase c;
+    first_scene first;     /* the same walls, for first.h; or nothing */
+    int side;
+    image reference;
+    bool *dark;            /* [side^2] does not see the light */
+    size_t darks;
+} measure_place;
+
+static inline image measure_render(const measure_place *m, const strategy *s, uint64_t seed,
+                                   uint32_t samples, double *seconds, size_t *rays)
+{
+    path_tracer t;
+    path_tracer_of(&m->c.s, NULL, s->how, &t);
+    film f = film_new(m->side, m->side);
+    path_counts c = {0};
+    naive_counts n = {0};
+    naive_path p = {&m->c.s, DIRECTIONS_BRDF, naive_endless, false};
+    double start = clock_seconds();
+    for (int i = 0; i < m->side * m->side; i++)
+        for (uint32_t k = 0; k < samples; k++) {
+            real x = (real)(i % m->side), y = (real)(i / m->side);
+            path_random r = path_start(&s->how, seed, 2 * (uint64_t)i + k % 2, k / 2, 1u << 31);
+            point2 u = path_pair(&r);
+            ray eye = camera_ray(m->c.eye, x + u.u, y + u.v, m->side, m->side);
+            vec3 L = s->by == BY_FIRST ? first_path(&m->first, eye, &r.own)
+                   : s->by == BY_NAIVE ? naive_radiance(&p, eye, &r.pairs, &n)
+                              : path_radiance(&t, eye, &r, &c);
+            film_add(&f, (size_t)i, k, L);
+        }
+    *seconds = clock_seconds() - start;
+    *rays = s->by == BY_NAIVE ? naive_rays(&n) : path_rays(&c);
+    failure why;
+    film_cover(&f, 0, samples, &why);
+    image im = film_picture(&f);
+    film_free(&f), path_tracer_free(&t);
+    return im;
+}
+
+/* The box; or first.h's, all of whose walls are parallelograms. */
+static inline void measure_box(measure_place *m, bool first)
+{
+    failure f;
+    if (!first) {
+        if (!showcase_of("cornell", 1, &m->c, &f)) fail(f);
+        return;
+    }
+    first_camera c = first_cornell_camera(1, 1);
+    m->first = first_cornell();
+    lit_first(&m->first, &m->c.s);
+    m->c.eye = showcase_eye(c.e, vsub(c.e, c.w), (real)39.3077, 1);
+}
+
+/* Of a reference whose own error is known to be some part of what is measured. */
+static inline void measure_place_of(const options *o, bool first, measure_place *m)
+{
+    failure f;
+    *m = (measure_place){.side = o->quick ? 12 : 32};
+    measure_box(m, first);
+    path_tracer t;
+    path_tracer_of(&m->c.s, NULL, path_defaults, &t);
+    render_job j = {.tracer = &t, .eye = m->c.eye, .seed = 77, .threads = o->threads};
+    film all = film_new(m->side, m->side);
+    if (!render_range(&j, &all, 0, o->quick ? 256 : 1500))
+        failed(&f, 130, "stopped"), fail(f);
+    m->reference = film_picture(&all);
+    m->dark = allocate((size_t)(m->side * m->side), sizeof *m->dark);
+    for (int i = 0; i < m->side * m->side; i++) {
+        bool sees = false;
+        for (int k = 0; k < 64; k++) {
+            lit_hit h;
+            real x = (real)(i % m->side) + (real)(k % 8) / 7;
+            real y = (real)(i / m->side) + (real)(k / 8) / 7;
+            ray r = camera_ray(m->c.eye, x, y, m->side, m->side);
+            sees = sees || (lit_trace(&m->c.s, r, &h) && h.emitter != lit_dark);
+        }
+        m->dark[i] = !sees, m->darks += !sees;
+    }
+    film_free(&all), path_tracer_free(&t);
+}
+
+static inline void measure_place_free(measure_place *m)
+{
+    image_free(&m->reference), showcase_free(&m->c), free(m->dark);
+}
+
+static inline double measure_error(const measure_place *m, const image *im)
+{
+    double sum = 0;
+    for (int i = 0; i < 3 * m->side * m->side; i++) {
+        double d = (double)im->rgb[i] - (double)m->reference.rgb[i];
+        if (m->dark[i / 3]) sum += d * d;
+    }
+    return sqrt(sum / (3 * (double)m->darks));
+}
+
+typedef struct { double error, seconds, rays; } measured;
+
+/* The mean square over some pictures. */
+static inline measured measure_strategy(const measure_place *m, const strategy *s, uint32_t samples,
+                                        int runs)
+{
+    measured x = {0, 0, 0};
+    for (int k = 0; k < runs; k++) {
+        double seconds, e;
+        size_t rays;
+        image im = measure_render(m, s, (uint64_t)k + 1, samples, &seconds, &rays);
+        e = measure_error(m, &im);
+        x.error += e * e / runs, x.seconds += seconds / runs, x.rays += (double)rays / runs;
+        image_free(&im);
+    }
+    x.error = sqrt(x.error);
+    return x;
+}
+
+enum { strategy_levels = 3 };
+static inline uint32_t strategy_samples(int level) { return 4u << 2 * level; }
+
+static inline void strategy_measure(const options *o, const measure_place *m, const strategy *s,
+                                    measured x[strategy_levels])
+{
+    for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++)
+        x[l] = measure_strategy(m, s, strategy_samples(l), o->quick ? 1 : l < 2 ? 3 : 1);
+}
+
+/* Nobody counts the rays of first.h. */
+static inline void strategy_rows(const options *o, const measure_place *m, const strategy *s,
+                                 const measured *x, const measured *naive, table *t)
+{
+    for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++) {
+        double paths = (double)m->side * m->side * strategy_samples(l);
+        double efficiency = 1 / (x[l].error * x[l].error * x[l].seconds);
+        table_text(t, "%s", s->name), table_count(t, strategy_samples(l));
+        table_number(t, x[l].error);
+        if (s->by == BY_FIRST) table_text(t, "-");
+        else table_number(t, x[l].rays / paths);
+        table_number(t, x[l].seconds * 1e3), table_number(t, efficiency);
+        table_number(t, efficiency * naive[l].error * naive[l].error * naive[l].seconds);
+    }
+}
+
+/* first.h in its own box, beside the naive path there. */
+static inline void measure_first(const options *o, table *t)
+{
+    strategy s[strategies], first = {.name = "first, in its own box", .by = BY_FIRST};
+    measure_place m;
+    measured naive[strategy_levels], x[strategy_levels];
+    strategy_list(s);
+    first.how = s[2].how;
+    measure_place_of(o, true, &m);
+    strategy_measure(o, &m, &s[0], naive), strategy_measure(o, &m, &first, x);
+    strategy_rows(o, &m, &first, x, naive, t);
+    measure_place_free(&m);
+}
+
+static inline void measure_strategies(const options *o)
+{
+    measure_place m;
+    strategy s[strategies];
+    measured naive[strategy_levels], x[strategy_levels];
+    table t = table_new("Error of pixels that do not see the light, and what it costs; one thread",
+                        "strategy|samples|error RMSE|rays a path|time [ms]|efficiency|"
+                        "time for the naive error [x less]");
+    plot error = plot_new("Error and rays", "rays a pixel", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
+    plot time = plot_new("Error and time", "time [s]", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
+    measure_place_of(o, false, &m);
+    strategy_list(s);
+    for (int k = 0; k < strategies; k++) {
+        strategy_measure(o, &m, &s[k], x);
+        if (k == 0) memcpy(naive, x, sizeof naive);
+        strategy_rows(o, &m, &s[k], x, naive, &t);
+        plot_series(&error, s[k].name), plot_series(&time, s[k].name);
+        for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++) {
+            plot_add(&error, k, x[l].rays / ((double)m.side * m.side), x[l].error);
+            plot_add(&time, k, x[l].seconds, x[l].error);
+        }
+    }
+    measure_first(o, &t);
+    plot_slope(&error, -0.5, "slope -1/2"), plot_slope(&time, -0.5, "slope -1/2");
+    output_table(o, &t);
+    output_plot(o, &error, "26_path_tracer_error.svg");
+    output_plot(o, &time, "26_path_tracer_time.svg");
+    measure_place_free(&m);
+}
+
+/* ---- speed ---- */
+
+/* Arithmetic and nothing else: what the machine's threads are good for. */
+static inline void measure_spin(size_t i, void *context)
+{
+    random_stream s = random_start(1, i, 0);
+    double x = 0;
+    for (int k = 0; k < 20000; k++) x += (double)random_next(&s);
+    if (x < 0) *(double *)context = x;
+}
+
+static inline double measure_seconds(int threads, render_job *j, int side)
+{
+    double start = clock_seconds(), nowhere = 0;
+    if (!j) {
+        parallel_for(400, threads, "arithmetic", measure_spin, &nowhere);
+        return clock_seconds() - start;
+    }
+    film f = film_new(side, side);
+    j->threads = threads, j->counts = (path_counts){0};
+    start = clock_seconds();
+    render_range(j, &f, 0, 1);
+    start = clock_seconds() - start;
+    film_free(&f);
+    return start;
+}
+
+static inline void measure_speed(const options *o)
+{
+    enum { runs = 2 };
+    showcase c;
+    path_tracer t;
+    failure f;
+    int side = o->quick ? 100 : 600;
+    if (!showcase_of("cornell", 1, &c, &f)) fail(f);
+    path_tracer_of(&c.s, NULL, path_defaults, &t);
+    render_job j = {.tracer = &t, .eye = c.eye, .seed = 1};
+    double best[2][2] = {{1e9, 1e9}, {1e9, 1e9}};
+    for (int k = 0; k < (o->quick ? 1 : runs); k++)
+        for (int two = 0; two < 2; two++) {
+            best[two][0] = fmin(best[two][0], measure_seconds(1 + two, &j, side));
+            best[two][1] = fmin(best[two][1], measure_seconds(1 + two, NULL, side));
+        }
+    double rays = (double)path_rays(&j.counts);
+    table s = table_new("The Cornell box, one sample a pixel, endless depth; best of some runs",
+                        "threads|pixels|rays|rays a path|time [s]|rays [M/s]|gain|"
+                        "gain of arithmetic alone");
+    for (int two = 0; two < 2; two++) {
+        table_count(&s, 1 + (size_t)two), table_text(&s, "%dx%d", side, side);
+        table_count(&s, (size_t)rays), table_number(&s, rays / ((double)side * side));
+        table_number(&s, best[two][0]), table_number(&s, rays / best[two][0] * 1e-6);
+        table_number(&s, best[0][0] / best[two][0]), table_number(&s, best[0][1] / best[two][1]);
+    }
+    output_extra_table(o, &s);
+    path_tracer_free(&t), showcase_free(&c);
+}
+
+#endif

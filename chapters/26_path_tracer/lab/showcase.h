@@ -1,0 +1,191 @@
+/* showcase.h: scenes for the path tracer, each with a camera and its light.
+ *
+ *   showcase c;
+ *   if (!showcase_of("cornell", aspect, &c, &f)) fail(f);    aspect: width / height
+ *   if (!showcase_of_obj(path, aspect, &c, &f)) fail(f);     any OBJ, y up, framed automatically
+ *   showcase_free(&c)
+ *
+ *   cornell   the box of 21, matte, one light                       38 triangles
+ *   spheres   the box without blocks: a mirror and a ball of glass, faintly green
+ *   teapot    of rough copper, in the open: sky, sun, a floor       9 x 9 cells a patch
+ *   furnace   balls of all BRDFs of 23, and of glass, in a white world: they show what they lose
+ *   OBJ       matte grey, on a floor, under the same sky
+ */
+#ifndef SHOWCASE_H
+#define SHOWCASE_H
+
+#include "../../07_mesh/files/obj.h"
+#include "../../07_mesh/scenes/teapot.h"
+#include "../../24_direct_light/scenes/lit_cornell.h"
+#include "../path.h"
+
+typedef struct { lit_scene s; environment sky; bool has_sky; camera eye; } showcase;
+static const char *const showcase_names[] = {"cornell", "spheres", "teapot", "furnace", NULL};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void showcase_free(showcase *c)
+{
+    lit_free(&c->s);
+    if (c->has_sky) environment_free(&c->sky);
+    c->has_sky = false;
+}
+
+static inline const environment *showcase_sky(const showcase *c)
+{
+    return c->has_sky ? &c->sky : NULL;
+}
+
+static inline camera showcase_eye(vec3 from, vec3 at, real degrees, real aspect)
+{
+    camera_frame f;
+    camera c;
+    failure why;
+    if (!frame_look_at(from, at, (vec3){0, 1, 0}, &f, &why)
+        || !camera_perspective(f, degrees, aspect, &c, &why))
+        fail(why);
+    return c;
+}
+
+static inline void showcase_ball(lit_scene *s, vec3 c, real r, lit_material m)
+{
+    lit_add_shape(s, shape_of_sphere((sphere){c, r}), lit_add_material(s, m));
+}
+
+/* Flat ground, facing up. */
+static inline void showcase_floor(lit_scene *s, vec3 middle, real half, vec3 albedo)
+{
+    uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert(albedo)});
+    vec3 o = {middle.x - half, middle.y, middle.z - half};
+    lit_add_rectangle(s, (rectangle){o, {0, 0, 2 * half}, {2 * half, 0, 0}}, m);
+}
+
+static inline void showcase_spheres(lit_scene *s)
+{
+    mesh m = cornell_mesh();
+    enum { room = 18 };  /* triangles that are no blocks */
+    lit_begin(s);
+    for (int k = 0; k < cornell_parts; k++) {
+        lit_material x = {.f = brdf_lambert(cornell_reflectance[k])};
+        if (k == CORNELL_LIGHT) x.Le = cornell_radiance;
+        lit_add_material(s, x);
+    }
+    rectangle light = {cornell_corner, cornell_side_s, cornell_side_t};
+    for (size_t i = 0; i < room; i++)
+        if (cornell_of(i) != CORNELL_LIGHT)
+            lit_add_triangle(s, mesh_triangle(&m, i), (uint16_t)cornell_of(i));
+    lit_add_rectangle(s, light, CORNELL_LIGHT);
+    mesh_free(&m);
+    real r = 100;
+    showcase_ball(s, (vec3){390, r, 350}, r,
+                  (lit_material){.f = brdf_mirror((vec3){(real)0.95, (real)0.93, (real)0.88})});
+    showcase_ball(s, (vec3){170, r, 200}, r,
+                  (lit_material){.ior = (real)1.5,
+                                 .sigma = {(real)0.0016, (real)0.0004, (real)0.0012}});
+}
+
+static inline void showcase_outdoors(showcase *c)
+{
+    environment_sky(512, 256, (vec3){(real)-0.5, (real)0.75, (real)0.6}, &c->sky);
+    c->has_sky = true;
+}
+
+static inline void showcase_teapot(showcase *c, real aspect)
+{
+    mesh m = teapot_mesh(9);
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = (vec3){m.v[i].x, m.v[i].z, -m.v[i].y};
+    for (size_t i = 0; i < m.normals; i++) m.n[i] = (vec3){m.n[i].x, m.n[i].z, -m.n[i].y};
+    lit_begin(&c->s);
+    vec3 copper = {(real)0.95, (real)0.64, (real)0.54};
+    uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, (real)0.35)});
+    lit_add_mesh(&c->s, &m, pot);
+    mesh_free(&m);
+    showcase_floor(&c->s, (vec3){0, 0, 0}, 60, (vec3){(real)0.48, (real)0.42, (real)0.36});
+    showcase_outdoors(c);
+    c->eye = showcase_eye((vec3){(real)2.5, (real)6.5, 13}, (vec3){(real)0.25, (real)1.3, 0}, 24,
+                          aspect);
+}
+
+static inline void showcase_furnace(lit_scene *s)
+{
+    vec3 grey = {(real)0.8, (real)0.8, (real)0.8},
+         half = {(real)0.5, (real)0.5, (real)0.5}, white = {1, 1, 1};
+    const brdf b[] = {brdf_lambert(grey), brdf_blinn_phong(half, half, 50),
+                      brdf_ggx(white, (real)0.7), brdf_ggx(white, (real)0.2), brdf_mirror(white)};
+    lit_begin(s);
+    for (int i = 0; i < 6; i++) {
+        vec3 at = {(real)(i % 3) * (real)2.3, (real)(1 - i / 3) * (real)2.3, 0};
+        lit_material m = {.ior = (real)1.5};
+        if (i < 5) m = (lit_material){.f = b[i]};
+        showcase_ball(s, at, 1, m);
+    }
+    s->background = white;
+}
+
+static inline bool showcase_of(const char *name, real aspect, showcase *c, failure *f)
+{
+    *c = (showcase){.has_sky = false};
+    if (strcmp(name, "cornell") == 0 || strcmp(name, "spheres") == 0) {
+        if (*name == 'c') lit_cornell_begin(&c->s);
+        else showcase_spheres(&c->s);
+        c->eye = cornell_camera(aspect);
+    } else if (strcmp(name, "teapot") == 0) {
+        showcase_teapot(c, aspect);
+    } else if (strcmp(name, "furnace") == 0) {
+        showcase_furnace(&c->s);
+        c->eye = showcase_eye((vec3){(real)2.3, (real)1.15, 14}, (vec3){(real)2.3, (real)1.15, 0},
+                              22, aspect);
+    } else {
+        return failed(f, 2, "--scene %.200s: allowed are cornell, spheres, teapot, furnace", name);
+    }
+    lit_end(&c->s);
+    return true;
+}
+
+/* The nearest eye along `from` that sees all corners of the box, with a margin: by halving. */
+static inline camera showcase_framed(vec3 lo, vec3 hi, vec3 from, real fov, real aspect)
+{
+    vec3 half = vscale(vsub(hi, lo), (real)0.5), middle = vadd(lo, half);
+    real near = vlength(half), far = near * 100 / real_min(aspect, 1);
+    for (int k = 0; k < 40; k++) {
+        real away = (near + far) / 2, x, y;
+        camera c = showcase_eye(vmadd(middle, from, away), middle, fov, aspect);
+        bool fits = true;
+        for (int i = 0; i < 8; i++) {
+            vec3 p = {i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z};
+            fits = fits && camera_project(c, p, 100, 100, &x, &y) && x > 6 && x < 94 && y > 6
+                && y < 94;
+        }
+        if (fits) far = away;
+        else near = away;
+    }
+    return showcase_eye(vmadd(middle, from, far), middle, fov, aspect);
+}
+
+/* From the front, a little from above. */
+static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, failure *f)
+{
+    mesh m;
+    vec3 lo, hi;
+    *c = (showcase){.has_sky = false};
+    if (!obj_read(path, &m, f)) return false;
+    bool some = mesh_bounds(&m, &lo, &hi);
+    vec3 half = vscale(vsub(hi, lo), (real)0.5), middle = vadd(lo, half);
+    real r = vlength(half), fov = 30;
+    if (!some || !(r > 0) || !isfinite(r)) {
+        mesh_free(&m);
+        return failed(f, 2, "%.300s: no triangles of any size to draw", path);
+    }
+    lit_begin(&c->s);
+    vec3 grey = {(real)0.72, (real)0.7, (real)0.66};
+    uint16_t clay = lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)});
+    lit_add_mesh(&c->s, &m, clay);
+    mesh_free(&m);
+    showcase_floor(&c->s, (vec3){middle.x, lo.y, middle.z}, 30 * r, vscale(grey, (real)0.6));
+    showcase_outdoors(c);
+    c->eye = showcase_framed(lo, hi, vunit((vec3){(real)0.45, (real)0.4, 1}), fov, aspect);
+    lit_end(&c->s);
+    return true;
+}
+
+#endif

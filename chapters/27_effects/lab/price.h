@@ -1,0 +1,143 @@
+/* price.h: what each effect takes and gives: rays, time, and the error of leaving it out; pictures.
+ *
+ *   table_of_effects(&o, &j, times)      what a picture took: rays and shares of time by effect
+ *   table_of_price(&o, &e, window, n)    each called effect left out in turn, n samples a pixel
+ *   draw_strip(&o, &e, w, h, n)          effects added one by one: 27_effects_strip.png
+ *
+ * Prices are medians of rounds in which all variants take their turn. Random numbers have names
+ * (dice.h), so that what an effect does not touch is the same in both pictures, noise included: the
+ * error is what it adds, not what chance does.
+ */
+#ifndef PRICE_H
+#define PRICE_H
+
+#include "../../../common/lab/report.h"
+#include "draw.h"
+
+enum { price_most_rounds = 5 };
+
+/* The pixels from (x, y) on of a picture of across x down. */
+typedef struct { int x, y, width, height, across, down; } draw_window;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Shares of the time by kind of ray, as draw_timed measured them. */
+static inline double price_share(const effects_counts *timed, int k)
+{
+    double sum = 0;
+    for (int i = 0; i < effects_rays; i++) sum += timed->seconds[i];
+    return sum > 0 ? timed->seconds[k] / sum : 0;
+}
+
+static inline void table_of_effects(const options *o, const drawing *j, const effects_counts *timed)
+{
+    const stage *e = j->e;
+    table t = table_new("What the picture took, by effect: rays, and the time of these rays",
+                        "effect|called|simulated|rays|rays a sample|time [ms]");
+    double samples = (double)j->pixels * j->samples;
+    for (int k = -1; k < effect_kinds; k++) {
+        int at = k < 0 ? RAY_OF_EYE : k;
+        table_text(&t, "%s", k < 0 ? "rays of the eye" : effect_names[k].name);
+        table_text(&t, "%s", k < 0 ? "-" : e->p->effects >> k & 1 ? "yes" : "no");
+        table_text(&t, "%s", k < 0 || e->mask >> k & 1 ? "yes" : "no");
+        table_count(&t, j->counts.rays[at]);
+        table_number(&t, samples > 0 ? (double)j->counts.rays[at] / samples : 0);
+        if (k == 5 || k == 8) table_text(&t, "-");  /* no rays of their own */
+        else table_number(&t, price_share(timed, at) * j->seconds * 1e3);
+    }
+    output_table(o, &t);
+}
+
+typedef struct {
+    drawing j;
+    image im;
+    int x, y;
+    double seconds[price_most_rounds];
+    unsigned mask;
+} price_run;
+
+static inline bool price_draw(price_run *k, stage *e, int rounds, int round, int threads)
+{
+    stage_effects(e, k->mask, false);
+    e->mask |= EFFECTS_GENERAL;  /* else some sets would have a copy made for them, others not */
+    if (round >= rounds) return true;
+    bool whole = draw_region(&k->j, &k->im, k->x, k->y, threads);
+    k->seconds[round] = k->j.seconds;
+    return whole;
+}
+
+static inline void price_row(table *t, plot *p, const char *name, const price_run *k, int effect,
+                             const price_run *all, int rounds)
+{
+    double now[price_most_rounds], full[price_most_rounds];
+    memcpy(now, k->seconds, sizeof now), memcpy(full, all->seconds, sizeof full);
+    double pixels = (double)k->im.width * k->im.height, a = clock_median(full, rounds);
+    double b = clock_median(now, rounds), error = image_compare(&k->im, &all->im).rmse;
+    char text[40];
+    snprintf(text, sizeof text, "%s%s", effect < 0 ? "" : "no ", name);
+    table_text(t, "%s", name);
+    table_count(t, effect < 0 ? all->j.counts.rays[RAY_OF_EYE] : all->j.counts.rays[effect]);
+    if (effect < 0) table_text(t, "-"), table_text(t, "-");
+    else table_number(t, error), table_number(t, (1 - b / a) * 100);
+    table_number(t, b / pixels * 1e6);
+    plot_add(p, plot_series(p, text), b / pixels * 1e6, error);
+}
+
+static inline bool table_of_price(const options *o, stage *e, draw_window w, int samples)
+{
+    int rounds = o->quick ? 1 : 3, n = 1;
+    unsigned before = e->mask, called = e->p->effects & before;  /* --effects may leave some out */
+    price_run run[effect_kinds + 1] = {{.mask = called}};
+    int effect[effect_kinds + 1] = {-1};
+    bool whole = true;
+    for (int k = 0; k < effect_kinds; k++)
+        if (called >> k & 1) effect[n] = k, run[n++].mask = called & ~(1u << k);
+    for (int i = 0; i < n; i++) {
+        run[i].im = image_new(w.width, w.height);
+        run[i].x = w.x, run[i].y = w.y;
+        run[i].j = (drawing){.e = e, .samples = samples, .seed = o->seed, .width = w.across,
+                             .height = w.down};
+    }
+    for (int round = 0; round < rounds && whole; round++)
+        for (int i = 0; i < n && whole; i++)
+            whole = price_draw(&run[i], e, rounds, round, o->threads);
+    table t = table_new("Each effect left out in turn: the error that makes, the time it saves",
+                        "left out|its rays|error: rmse|saves [%]|time [us/pixel]");
+    plot p = plot_new("What is left out, and what that saves", "time [us/pixel]", "error, rmse",
+                      PLOT_LOG_Y);
+    for (int i = 0; i < n && whole; i++)
+        price_row(&t, &p, i ? effect_names[effect[i]].name : "nothing", &run[i], effect[i], &run[0],
+                  rounds);
+    options beside = *o;  /* the plot goes to build/, wherever the picture goes */
+    beside.out = NULL;
+    if (whole) output_table(o, &t), output_plot(&beside, &p, "27_effects_price_time.svg");
+    else table_free(&t), plot_free(&p);
+    for (int i = 0; i < n; i++) image_free(&run[i].im);
+    stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
+    return whole;
+}
+
+/* Three panels in a row, two rows: each has one effect more (absorption goes with refraction). */
+static inline bool draw_strip(const options *o, stage *e, int w, int h, int samples)
+{
+    static const unsigned mask[6] = {
+        EFFECTS_LIT | EFFECT_DEPTH_OF_FIELD, EFFECT_MIRROR, EFFECT_GLOSSY, EFFECT_REFRACTION,
+        EFFECT_ABSORPTION, EFFECT_INDIRECT};
+    image all = image_new(3 * w, 2 * h);
+    unsigned sum = 0, before = e->mask;
+    bool whole = true;
+    for (int k = 0; k < 6 && whole; k++) {
+        image im = image_new(w, h);
+        stage_effects(e, (sum |= mask[k]) & e->p->effects, false);
+        drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = w, .height = h};
+        whole = draw_region(&j, &im, 0, 0, o->threads);
+        image_place(&all, k % 3 * w, k / 3 * h, &im);
+        image_free(&im);
+    }
+    stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
+    output_picture(o, &all, "27_effects_strip.png", false, whole);
+    image_free(&all);
+    return whole;
+}
+
+#endif

@@ -1,0 +1,59 @@
+/* report.h: saves plots, prints tables: what a chapter measured. Where they go: output.h.
+ *
+ *   output_plot(&o, &p, "14_bvh_n_time.svg")   saves and frees a plot
+ *   output_table(&o, &t)                       prints and frees the main table; --csv gets it, too
+ *   output_extra_table(&o, &t)                 prints and frees another one
+ */
+#ifndef REPORT_H
+#define REPORT_H
+
+#include "../output.h"
+#include "plot.h"
+#include "table.h"
+#include <sys/utsname.h>
+
+#ifndef BUILD_FLAGS
+#define BUILD_FLAGS "not known"  /* the Makefile passes CFLAGS */
+#endif
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Saves and frees a plot. */
+static inline void output_plot(const options *o, plot *p, const char *name)
+{
+    char room[512];
+    failure f;
+    file_writer w;
+    const char *path = output_path(o, name, false, room);
+    if (path && !file_begin(&w, path, &f)) fail(f);
+    if (path) plot_write(p, w.stream);
+    if (path && !file_commit(&w, &f)) fail(f);
+    plot_free(p);
+}
+
+/* Prints a table, and frees it. */
+static inline void output_extra_table(const options *o, table *t)
+{
+    struct utsname u;
+    (void)o;
+    printf("# %s\n# ", t->title);
+    if (uname(&u) >= 0) printf("%s %s, %d cores; ", u.sysname, u.machine, parallel_cores());
+    printf("%s%s; ", strstr(__VERSION__, "lang") ? "" : "gcc ", __VERSION__);
+    printf("flags %s; real = %s\n", BUILD_FLAGS, real_is_float ? "float" : "double");
+    table_print(t, stdout);
+    printf("\n");
+    table_free(t);
+}
+
+/* The main table: it goes to the file of --csv, too. */
+static inline void output_table(const options *o, table *t)
+{
+    failure f = {0, ""};
+    file_writer w;
+    bool csv = o->csv && file_begin(&w, o->csv, &f);
+    if (csv) table_csv(t, w.stream), file_commit(&w, &f);
+    output_extra_table(o, t);
+    if (f.exit_code) fail(f);  /* after the table was shown */
+}
+
+#endif
