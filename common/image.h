@@ -51,7 +51,7 @@ static inline void image_set(image *im, int x, int y, vec3 c)
 static inline vec3 image_get(const image *im, int x, int y)
 {
     const float *p = image_pixel(im, x, y);
-    return (vec3){(real)p[0], (real)p[1], (real)p[2]};
+    return vec(p[0], p[1], p[2]);
 }
 
 /* Copies a panel with its upper left corner to (x, y) [+-2^30]; what sticks out is left out. */

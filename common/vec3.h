@@ -1,11 +1,12 @@
 /* vec3.h: real numbers, and vectors of three of them.
  *
  * real is double, or float with -DREAL=float; a vec3 is a point, a direction or a colour, passed by
- * value. vec(x, y, z) makes one of doubles; else v + what is returned; vectors first, then numbers.
+ * value. vec(x, y, z) makes one of any numbers; the others are v + what is returned; vectors first.
  *
  *   vadd(a,b)  a + b     vscale(a,s)   s a          vdot(a,b)    a . b   vmin(a,b)   smaller
  *   vsub(a,b)  a - b     vmul(a,b)     (ax bx, ..)  vcross(a,b)  a x b   vmax(a,b)   larger
  *   vneg(a)    -a        vmadd(a,b,s)  a + s b      vlength(a)   |a|     vaxis(a,k)  ax, ay, az
+ *   vwith(a,k,s)  a with component k = s
  *   vunit(a)   a / |a|   vfinite(a)    all finite   vzero(a)     all 0   vlongest(a) k of max |ak|
  *   vbasis(n, &s, &t)     completes a unit n to a right-handed orthonormal basis s, t, n
  *
@@ -42,7 +43,8 @@ static inline real real_min(real a, real b) { return a < b ? a : b; }
 static inline real real_max(real a, real b) { return a > b ? a : b; }
 static inline real real_clamp(real x, real lo, real hi) { return real_min(real_max(x, lo), hi); }
 
-static inline vec3 vec(double x, double y, double z) { return (vec3){(real)x, (real)y, (real)z}; }
+/* Of any numbers: who writes vec(0.3, n, 2) need not say of each that it may lose digits. */
+#define vec(x, y, z) ((vec3){(real)(x), (real)(y), (real)(z)})
 static inline vec3 vadd(vec3 a, vec3 b) { return (vec3){a.x + b.x, a.y + b.y, a.z + b.z}; }
 static inline vec3 vsub(vec3 a, vec3 b) { return (vec3){a.x - b.x, a.y - b.y, a.z - b.z}; }
 static inline vec3 vmul(vec3 a, vec3 b) { return (vec3){a.x * b.x, a.y * b.y, a.z * b.z}; }
@@ -67,6 +69,7 @@ static inline vec3 vmax(vec3 a, vec3 b)
 }
 
 static inline real vaxis(vec3 a, int k) { return ((const real *)&a)[k]; }
+static inline vec3 vwith(vec3 a, int k, real s) { return ((real *)&a)[k] = s, a; }
 
 static inline int vlongest(vec3 a)
 {

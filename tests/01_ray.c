@@ -73,7 +73,7 @@ static void test_ends(void)
  * of (1.2) with the larger of them. */
 static void test_form_far_out(void)
 {
-    vec3 a = {(real)10000.3, 0, 0}, b = vadd(a, (vec3){(real)0.7, 0, 0});
+    vec3 a = {10000.3, 0, 0}, b = vadd(a, vec(0.7, 0, 0));
     wide wa = wide_of((double)a.x), d = wide_sub(wide_of((double)b.x), wa);
     real t = 12345;
     double naive = 0, robust = 0;
@@ -106,13 +106,13 @@ static void test_float_staircase(void)
 
 static void test_interval(void)
 {
-    ray r = {{0, 0, 0}, (real)0.5, {1, 0, 0}, 2};
-    check(ray_covers(r, (real)0.5) && ray_covers(r, 2), "the interval is closed at both ends");
+    ray r = {{0, 0, 0}, 0.5, {1, 0, 0}, 2};
+    check(ray_covers(r, 0.5) && ray_covers(r, 2), "the interval is closed at both ends");
     check(!ray_covers(r, (real)0.5 - (real)epsilon) && !ray_covers(r, 2 + 4 * (real)epsilon),
           "the next number outside is outside");
     check(!ray_covers(r, (real)NAN), "a NaN is in no interval");
     r.tmin = 3;
-    check(!ray_covers(r, (real)2.5), "an empty interval covers nothing");
+    check(!ray_covers(r, 2.5), "an empty interval covers nothing");
     ray segment = ray_between((vec3){1, 2, 3}, (vec3){2, 2, 3});
     check(segment.tmin == 0 && segment.tmax == 1, "from A to B: [0, 1]");
     ray all = ray_from((vec3){1, 2, 3}, (vec3){0, 0, 5});
@@ -145,13 +145,13 @@ static void test_unit(void)
 static void test_shadow(void)
 {
     vec3 p = {0, 0, 0}, light = {0, 100, 0};
-    real eps = (real)0.0078125;
+    real eps = 0.0078125;
     ray r = ray_shadow(p, light, eps), u = ray_shadow_unit(p, light, eps);
     check_equal(ray_at(r, r.tmin).y, 100 * eps, "not normalised: eps of the way");
     check_equal(ray_at(u, u.tmin).y, eps, "normalised: the distance eps");
     check_close(ray_at(r, r.tmax).y, 100 - 100 * (double)eps, 200 * epsilon, "at the light");
     check_close(ray_at(u, u.tmax).y, 100 - (double)eps, 200 * epsilon, "the same at the light");
-    real blocker = (real)0.5;  /* half a unit above p: 0.005 of the way */
+    real blocker = 0.5;  /* half a unit above p: 0.005 of the way */
     check(!ray_covers(r, blocker / 100) && ray_covers(u, blocker),
           "the same eps loses an occluder in one form and keeps it in the other");
 }
@@ -211,7 +211,7 @@ static void test_affine(void)
     check_at_most(undo, 4 * 10 * 70 * epsilon, "the inverse takes the point back");
     affine out = affine_scaling((vec3){7, 7, 7});
     check(!affine_inverse(affine_scaling((vec3){1, 0, 1}), &out), "a flat one has no inverse");
-    check(!affine_inverse(affine_scaling((vec3){1, (real)NAN, 1}), &out), "nor has a NaN");
+    check(!affine_inverse(affine_scaling(vec(1, NAN, 1)), &out), "nor has a NaN");
     check(!affine_inverse(affine_translation((vec3){real_infinity, 0, 0}), &out), "nor infinity");
     check(!affine_inverse(affine_scaling((vec3){real_infinity, 1, 1}), &out), "nor infinite axes");
     check_equal(out.x.x, 7, "a failed inverse leaves *out alone");

@@ -38,7 +38,7 @@ static camera_frame any_frame(real far)
 static camera_window any_window(void)
 {
     real l = uniform(-2, 1), b = uniform(-2, 1);
-    return (camera_window){l, l + uniform((real)0.5, 3), b, b + uniform((real)0.5, 3)};
+    return (camera_window){l, l + uniform(0.5, 3), b, b + uniform(0.5, 3)};
 }
 static camera any_camera(int kind, real far)
 {
@@ -48,8 +48,8 @@ static camera any_camera(int kind, real far)
     vec3 D = vadd(vneg(f.w), vadd(vscale(f.u, uniform(-1, 1)), vscale(f.v, uniform(-1, 1))));
     bool ok = kind == 0 ? camera_orthographic(f, any_window(), &c, &why)
             : kind == 1 ? camera_oblique(f, any_window(), D, &c, &why)
-            : kind == 2 ? camera_perspective(f, uniform(10, 120), uniform((real)0.5, 2), &c, &why)
-            : camera_off_axis(f, any_window(), uniform((real)0.3, 3), &c, &why);
+            : kind == 2 ? camera_perspective(f, uniform(10, 120), uniform(0.5, 2), &c, &why)
+            : camera_off_axis(f, any_window(), uniform(0.3, 3), &c, &why);
     if (!ok) fail(why);
     return c;
 }
@@ -91,12 +91,12 @@ static void test_frames(void)
 static void test_frames_near_parallel(void)
 {
     real smallest = real_is_float ? (real)1e-5 : (real)1e-13;
-    for (real small = (real)0.1; small > smallest; small /= 10) {
+    for (real small = 0.1; small > smallest; small /= 10) {
         double naive = 0, robust = 0, leans = 0;
         for (int k = 0; k < 500; k++) {
             vec3 view = vscale(any_direction(), uniform(1, 100)), s1, s2, e = {0, 0, 0};
             vbasis(vunit(view), &s1, &s2);
-            vec3 up = vscale(vadd(vunit(view), vscale(s1, small)), uniform((real)0.1, 10));
+            vec3 up = vscale(vadd(vunit(view), vscale(s1, small)), uniform(0.1, 10));
             camera_frame f, g;
             failure why;
             if (!frame_look_at(e, view, up, &f, &why)) fail(why);
@@ -195,8 +195,8 @@ static void test_refusals(void)
     refused(camera_oblique(f, w, (vec3){nan_, 0, 0}, &c, &why), why, "forward", "oblique NaN");
     refused(rtr_look_at(o, p, axis_z, 180, &rtr, &why), why, "field of view", "RTR, 180 degrees");
     refused(rtr_look_at(o, o, axis_z, 60, &rtr, &why), why, "equals", "RTR, zero distance");
-    check(camera_perspective(f, (real)179.99, 1, &c, &why), "179.99 degrees is a field of view");
-    check(camera_perspective(f, (real)1e-3, 1, &c, &why), "0.001 degrees is a field of view");
+    check(camera_perspective(f, 179.99, 1, &c, &why), "179.99 degrees is a field of view");
+    check(camera_perspective(f, 1e-3, 1, &c, &why), "0.001 degrees is a field of view");
 }
 
 /* The window's corners and centre, on dyadic numbers, where nothing rounds. */
@@ -230,8 +230,8 @@ static void test_pixels_exactly(void)
     check_close(c.t, 1, eps, "phi = 90: half height 1");
     check_close(c.r, 2, 2 * eps, "a = 2: half width 2");
     check(!camera_project(c, f.e, 64, 64, &x, &y), "e itself shows nowhere");
-    check(!camera_project(c, (vec3){0, 0, (real)8.5}, 64, 64, &x, &y), "behind e: not in front");
-    check(!camera_project(c, (vec3){0, 0, (real)NAN}, 64, 64, &x, &y), "NaN: not in front");
+    check(!camera_project(c, vec(0, 0, 8.5), 64, 64, &x, &y), "behind e: not in front");
+    check(!camera_project(c, vec(0, 0, NAN), 64, 64, &x, &y), "NaN: not in front");
     /* a cabinet view: a unit of depth is drawn as half a unit at 45 degrees, (2.4) */
     real k = (real)0.5 * sqrt((real)0.5);
     if (!camera_oblique(f, (camera_window){-4, 4, -4, 4}, (vec3){-k, -k, -1}, &c, &why)) fail(why);
@@ -293,7 +293,7 @@ static void test_there_and_back(void)
  * wherever e is. s - e: s is rounded to epsilon/2 |e| a component. */
 static void test_far_away(void)
 {
-    real h = (real)0.0125, d = (real)0.035;
+    real h = 0.0125, d = 0.035;
     for (int k = 0; k <= 8; k += 2) {
         double naive = 0, direct = 0, far = pow(10.0, k);
         for (int i = 0; i < 2000; i++) {
@@ -318,7 +318,7 @@ static void test_far_away(void)
 
 static void test_half_tangent(void)
 {
-    real angles[] = {179, (real)179.9, (real)179.99, (real)179.999};
+    real angles[] = {179, 179.9, 179.99, 179.999};
     for (int i = 0; i < 4; i++) {
         double exact = half_tangent_exact(angles[i]);
         double delta = (180 - (double)angles[i]) * (double)pi / 360;
@@ -485,8 +485,8 @@ static void test_what_moving_changes(void)
         check_equal(distance(o, camera_ray(only_window, (real)i, 16, 64, 64).o), 4,
                     "only l, r moved: other rays");
     }
-    if (!camera_oblique(f, n, (vec3){(real)0.5, 0, -1}, &c, NULL)
-        || !camera_oblique(moved, shifted, (vec3){(real)0.5, 0, -1}, &both, NULL)) abort();
+    if (!camera_oblique(f, n, vec(0.5, 0, -1), &c, NULL)
+        || !camera_oblique(moved, shifted, vec(0.5, 0, -1), &both, NULL)) abort();
     check_equal(distance(camera_ray(c, 8, 16, 64, 64).o, camera_ray(both, 8, 16, 64, 64).o), 0,
                 "oblique: the same");
     if (!camera_off_axis(f, n, 1, &c, NULL)
@@ -530,14 +530,14 @@ static void test_headlight(void)
     check_close(headlight(n, (vec3){3, 0, -4}).x, 0.8, 2 * eps, "3-4-5: 0.8");
     check_equal(headlight(n, o).x, 0, "no direction: black");
     check_equal(headlight(o, n).x, 0, "no normal: black");
-    check(isnan(headlight((vec3){0, 0, (real)NAN}, n).x), "a NaN stays a NaN");
+    check(isnan(headlight(vec(0, 0, NAN), n).x), "a NaN stays a NaN");
     real tiny = sqrt(real_smallest) / 8, huge_ = real_largest / 4;
     check_close(headlight(n, (vec3){0, tiny, tiny}).x, sqrt(0.5), 4 * eps, "d too short to square");
     check_close(headlight(n, (vec3){0, huge_, huge_}).x, sqrt(0.5), 4 * eps,
                 "d too long to square");
     for (int k = 0; k < 10000; k++) {
         vec3 d = any_direction();
-        vec3 c = headlight(d, vscale(d, uniform((real)0.1, 9)));
+        vec3 c = headlight(d, vscale(d, uniform(0.1, 9)));
         check(c.x <= 1 && c.x >= 1 - 4 * real_epsilon && c.x == c.y && c.y == c.z,
               "grey, at most 1");
     }

@@ -102,9 +102,9 @@ static void test_weights(void)
         check_close(filter_volume(f), sum * sum, 1e-5 + 8 * eps,
                     "%s: filter_volume is the integral", names[i]);
     }
-    check_close(filter_weight(filter_tent, (real)0.25, (real)0.5), 0.375, 2 * eps,
+    check_close(filter_weight(filter_tent, 0.25, 0.5), 0.375, 2 * eps,
                 "tent: 3/4 times 1/2");
-    check_close(filter_weight(filter_gaussian, (real)0.5, (real)0.5), exp(-1.0), 4 * eps,
+    check_close(filter_weight(filter_gaussian, 0.5, 0.5), exp(-1.0), 4 * eps,
                 "Gaussian: one sigma each way");
 }
 
@@ -148,7 +148,7 @@ static void test_white_wall(void)
                         real x, y;
                         samples_place((sample_placement)how, k, n, filters[i].radius, &s, &x, &y);
                         sum = filter_add(sum, filter_weight(filters[i], x, y),
-                                         (vec3){1, (real)0.5, 0});
+                                         vec(1, 0.5, 0));
                     }
                     vec3 c = filter_mean(sum);
                     worst = worse(worst, worse(fabs((double)c.x - 1), fabs((double)c.y - 0.5)));

@@ -41,7 +41,7 @@ static void test_plane(void)
     check(back.n.z == 2 && back.p.x == 0 && back.p.y == 0 && back.p.z == 3,
           "the point nearest to the origin");
     hit h = untouched;
-    ray r = ray_from((vec3){5, 7, -1}, (vec3){1, 0, (real)0.5});
+    ray r = ray_from((vec3){5, 7, -1}, vec(1, 0, 0.5));
     check(plane_hit(p, r, &h) && h.t == 8, "z: -1 + t/2 = 3");
     check(plane_equation_hit(e, r, &h) && h.t == 8, "the same from the equation");
     r.d = vneg(r.d), h = untouched;
@@ -54,10 +54,10 @@ static void test_plane(void)
     const ray never[] = {
         ray_from((vec3){0, 0, 0}, (vec3){1, 1, 0}),                    /* parallel */
         ray_from((vec3){0, 0, 3}, (vec3){1, 1, 0}),                    /* in the plane: 0/0 */
-        ray_from((vec3){0, 0, 3}, (vec3){1, -1, (real)-0.0}),
+        ray_from((vec3){0, 0, 3}, vec(1, -1, -0.0)),
         ray_from((vec3){0, 0, 0}, (vec3){0, 0, 0}),
-        ray_from((vec3){0, 0, (real)NAN}, (vec3){0, 0, 1}),
-        ray_from((vec3){0, 0, 0}, (vec3){0, 0, (real)NAN}),
+        ray_from(vec(0, 0, NAN), (vec3){0, 0, 1}),
+        ray_from((vec3){0, 0, 0}, vec(0, 0, NAN)),
         ray_from((vec3){0, 0, real_infinity}, (vec3){0, 0, 1}),
         ray_from((vec3){0, 0, -real_infinity}, (vec3){0, 0, 1})};
     for (size_t i = 0; i < sizeof never / sizeof *never; i++) {
@@ -110,10 +110,10 @@ static vec3 turned_by(int axis, vec3 p)
 static void test_exact_hits(void)
 {
     const struct { vec3 o, d; real t, u, v; } c[] = {
-        {{1, 1, 3}, {0, 0, -1}, 3, (real)0.25, (real)0.25},
-        {{1, 2, -4}, {0, 0, 2}, 2, (real)0.25, (real)0.5},
-        {{3, 1, 4}, {(real)-0.5, 0, -1}, 4, (real)0.25, (real)0.25},
-        {{1, 1, -8}, {0, 0, (real)0.125}, 64, (real)0.25, (real)0.25}};
+        {{1, 1, 3}, {0, 0, -1}, 3, 0.25, 0.25},
+        {{1, 2, -4}, {0, 0, 2}, 2, 0.25, 0.5},
+        {{3, 1, 4}, {-0.5, 0, -1}, 4, 0.25, 0.25},
+        {{1, 1, -8}, {0, 0, 0.125}, 64, 0.25, 0.25}};
     triangle flat = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     for (int k = 0; k < method_count; k++)
         for (int axis = 0; axis < 3; axis++)
@@ -146,7 +146,7 @@ static void test_border_is_inside(void)
     triangle t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     const struct { real x, y; bool inside; } c[] = {
         {0, 0, 1}, {4, 0, 1}, {0, 4, 1}, {2, 0, 1}, {0, 2, 1}, {2, 2, 1},
-        {2, (real)-0.25, 0}, {(real)-0.25, 2, 0}, {2, (real)2.25, 0},
+        {2, -0.25, 0}, {-0.25, 2, 0}, {2, 2.25, 0},
         {5, 0, 0}, {0, 5, 0}, {-1, -1, 0}};
     for (int k = 0; k < method_count; k++)
         for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
@@ -170,8 +170,8 @@ static void test_random_against_oracle(void)
     double error[method_count] = {0}, error_uv[method_count] = {0}, beyond = 0;
     for (size_t i = 0, n = check_count(200000); i < n; i++) {
         triangle tri = {random_vec3(&g, 2), random_vec3(&g, 2), random_vec3(&g, 2)};
-        real u = slip_between(&g, (real)-0.2, (real)1.2),
-             v = slip_between(&g, (real)-0.2, (real)1.2);
+        real u = slip_between(&g, -0.2, 1.2),
+             v = slip_between(&g, -0.2, 1.2);
         vec3 o = random_vec3(&g, 5);
         ray r = ray_from(o, vscale(vsub(triangle_at(tri, u, v), o),
                                    ldexp((real)1, (int)random_integer(&g, 8))));
@@ -315,7 +315,7 @@ static void test_rounded_edges(void)
         triangle t = {corner[k], corner[(k + 1) % 3], corner[(k + 2) % 3]};
         hit h = untouched;
         /* n = (1, 1, 1/far - 2): at x = y = 3/4 the plane has z = 1/4 within 1/far */
-        check(triangle_hit(t, ray_from((vec3){(real)0.75, (real)0.75, -1}, (vec3){0, 0, 1}), &h),
+        check(triangle_hit(t, ray_from(vec(0.75, 0.75, -1), (vec3){0, 0, 1}), &h),
               "a triangle from 1 to %g, corner %d first, is hit", (double)far, k);
         check_close(h.t, 1.25, 8 * eps, "where it is");
         vec3 normal = triangle_normal(t);
@@ -362,7 +362,7 @@ static void test_edge_on(void)
 /* NaN, infinities, zeros and extremes in every place of the input: no hit with a NaN in it. */
 static void test_no_nan(void)
 {
-    const real odd[] = {0, (real)-0.0, 1, -1, (real)0.5, (real)NAN, real_infinity,
+    const real odd[] = {0, -0.0, 1, -1, 0.5, (real)NAN, real_infinity,
                         -real_infinity, real_largest, -real_largest, real_smallest,
                         real_smallest * real_epsilon};
     const size_t kinds = sizeof odd / sizeof *odd;
@@ -397,7 +397,7 @@ static void test_no_nan(void)
     triangle t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
     ray r = {{1, 1, 4}, (real)NAN, {0, 0, -1}, real_infinity};
     check(!triangle_hit(t, r, &h), "a NaN in the interval covers nothing");
-    r.tmin = 0, r.d = (vec3){(real)-0.0, (real)-0.0, -1};
+    r.tmin = 0, r.d = vec(-0.0, -0.0, -1);
     check(triangle_hit(t, r, &h) && h.t == 4, "-0.0 in a direction is 0");
 }
 
@@ -518,7 +518,7 @@ static void test_absolute_determinant(void)
         for (size_t i = 0; i < n; i++) {
             triangle t = {random_vec3(&g, size), random_vec3(&g, size), random_vec3(&g, size)};
             vec3 o = vscale(vunit(random_vec3(&g, 1)), size);
-            ray r = ray_from(o, vunit(vsub(triangle_at(t, (real)0.3, (real)0.3), o)));
+            ray r = ray_from(o, vunit(vsub(triangle_at(t, 0.3, 0.3), o)));
             hit h;
             if (!triangle_hit_patched(t, r, 0, 0, &h)) continue;
             lost += !triangle_hit_absolute(t, r, &h), missed += !triangle_hit(t, r, &h);

@@ -104,7 +104,7 @@ static void test_no_slip_between_spikes(void)
             triangle t =
                 icosphere_triangle(&m, (uint32_t)(random_next_bits(&g) >> 32) % m.triangles);
             real u = random_next(&g), v = random_next(&g) * (1 - u);
-            vec3 o = slip_origin(&g, (vec3){0, 0, 0}, (real)0.01), a = vunit(t.a);
+            vec3 o = slip_origin(&g, (vec3){0, 0, 0}, 0.01), a = vunit(t.a);
             vec3 d = vmadd(vmadd(vscale(a, 1 - u - v), vunit(t.b), u), vunit(t.c), v);
             slipped += slip_misses_all(&m, triangle_hit, ray_from(o, i % 4 ? d : vsub(t.a, o)));
         }
@@ -126,8 +126,8 @@ static void test_no_slip_on_a_lattice(void)
     size_t slipped = 0, rays = 0;
     for (int o = 0; o < 343; o++)
         for (int d = 0; d < 729; d++) {
-            ray r = ray_from((vec3){(real)(o % 7 - 3), (real)(o / 7 % 7 - 3), (real)(o / 49 - 3)},
-                             (vec3){(real)(d % 9 - 4), (real)(d / 9 % 9 - 4), (real)(d / 81 - 4)});
+            ray r = ray_from(vec((o % 7 - 3), (o / 7 % 7 - 3), (o / 49 - 3)),
+                             vec((d % 9 - 4), (d / 9 % 9 - 4), (d / 81 - 4)));
             if (vzero(r.d)) continue;
             bool any = false;
             hit h;

@@ -14,12 +14,12 @@ static void closed_forms(void)
     check_equal(h.u, (real)0.5, "half way up");
     check(cone_hit(tip, r, &h), "straight at a cone");
     check_equal(h.t, (real)3.5, "radius 1/2 at half height");
-    r.tmin = (real)3.75;
+    r.tmin = 3.75;
     check(cone_hit(tip, r, &h), "tmin between the two hits");
     check_equal(h.t, (real)4.5, "the way out");
-    r.tmin = (real)4.5, r.tmax = (real)4.5;
+    r.tmin = 4.5, r.tmax = 4.5;
     check(cone_hit(tip, r, &h), "the interval is closed");
-    r.tmin = r.tmax = (real)4.25;
+    r.tmin = r.tmax = 4.25;
     check(!cone_hit(tip, r, &h), "no hit in the middle");
 
     check(cone_hit(tube, ray_from((vec3){-4, 0, 0}, (vec3){1, 0, 0}), &h) && h.u == 0,
@@ -55,10 +55,10 @@ static void closed_forms(void)
           "through an open tube");
     check(!cone_hit(tube, ray_from((vec3){1, 0, 5}, (vec3){0, 0, -1}), &h),
           "along its wall: a miss, by rule");
-    check(cone_hit(glass, ray_from((vec3){-4, 0, (real)0.5}, (vec3){1, 0, 0}), &h)
+    check(cone_hit(glass, ray_from(vec(-4, 0, 0.5), (vec3){1, 0, 0}), &h)
               && h.t == (real)3.5,
           "upper half of two cones");
-    check(cone_hit(glass, ray_from((vec3){-4, 0, (real)-0.5}, (vec3){1, 0, 0}), &h)
+    check(cone_hit(glass, ray_from(vec(-4, 0, -0.5), (vec3){1, 0, 0}), &h)
               && h.t == (real)3.5,
           "lower half of two cones");
     cone inverse = {{0, 0, 0}, -1, {0, 0, 2}, 0};
@@ -167,7 +167,7 @@ static double off_side(cone c, ray r, real t)
  * of an end but for 1e-17: the ray passes between the ends' planes only 1e17 away. */
 static void tangent_planes(void)
 {
-    const real x = 1248, y = (real)511.25, z = (real)-895.75, o = (real)0.25;
+    const real x = 1248, y = 511.25, z = -895.75, o = 0.25;
     hit h;
     cone tube = {{x + 1, y, z}, 1, {x + 3 * o, y + 6 * o, z}, 1};
     ray r = ray_from((vec3){x - 1, y, z - 1}, (vec3){1 + o, 1, 0});
@@ -180,13 +180,13 @@ static void tangent_planes(void)
     r = (ray){{-9 * o, 0, 3 * o}, 2 * o, {1, 1, -1}, 1};
     check(!cone_hit(tip, r, &h), "parallel to a side, in its tangent plane: a miss");
     cone wide_end = {{-2 * o, 0, 1}, 2 * o, {6 * o, 2, 5 * o}, o};
-    r = ray_from((vec3){(real)-0.2225618484, (real)-1.1111835262, 1}, (vec3){-1, 1, -o});
+    r = ray_from(vec(-0.2225618484, -1.1111835262, 1), (vec3){-1, 1, -o});
     r.d.z *= real_epsilon;
     check(!cone_hit(wide_end, r, &h), "below the base, and parallel to it: a miss");
 
     /* Nearly along a side, in double: alpha and the discriminant lose most of their digits. */
-    cone cut = {{(real)0x1.7f928p+9, (real)-0x1.fe64p+7, (real)0x1.00048p+9}, (real)0.5,
-                {(real)0x1.7fcdp+9, (real)-0x1.ffecp+7, (real)0x1.ff57p+8}, (real)0.2};
+    cone cut = {{(real)0x1.7f928p+9, (real)-0x1.fe64p+7, (real)0x1.00048p+9}, 0.5,
+                {(real)0x1.7fcdp+9, (real)-0x1.ffecp+7, (real)0x1.ff57p+8}, 0.2};
     r = ray_from((vec3){(real)0x1.7f9db9368e43dp+9, (real)-0x1.ffba9d4d6d4eep+7,
                         (real)0x1.ffcd3b3e134e3p+8},
                  (vec3){(real)0x1.0a53889ad24p-1, (real)-0x1.df986ecf0c2ap-2,
@@ -199,7 +199,7 @@ static void tangent_planes(void)
     size_t hits = 0, along = 0;
     random_stream s = random_start(18, 0, 0);
     for (int i = 0; i < 20000; i++) {
-        real k = floor(ldexp(between(&s, (real)0.5, 1), real_is_float ? 18 : 47)),
+        real k = floor(ldexp(between(&s, 0.5, 1), real_is_float ? 18 : 47)),
              beside = ldexp(k, -(int)between(&s, 0, real_is_float ? 3 : 9));
         cone c = {{0, 0, 0}, 9 * k, vscale(x3, 4 * k), 0};
         vec3 d = vmadd(vscale(x1, -3 * k), x3, 4 * k);
@@ -275,7 +275,7 @@ static void normals_and_points(void)
                 "normal at the tip: along the axis");
     check_equal(cone_normal(tube, (vec3){0, -2, 1}).y, -1,
                 "normal of a tube points away from the axis");
-    check_close(cone_normal(tip, (vec3){(real)0.5, 0, 1}).z, 1 / sqrt((real)5), 2 * real_epsilon,
+    check_close(cone_normal(tip, vec(0.5, 0, 1)).z, 1 / sqrt((real)5), 2 * real_epsilon,
                 "slope 2: n = (2,0,1)/sqrt 5");
 }
 

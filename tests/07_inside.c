@@ -33,8 +33,8 @@ static void solid_angles(void)
                 "an octant is an eighth of 4 pi, whatever the lengths");
     check_close(solid_angle(y, x, z), -octant, 4 * eps, "the other way round: negative");
     check_equal(solid_angle(x, y, vadd(x, y)), 0, "edge-on: nothing");
-    check_close(solid_angle((vec3){1, 0, (real)1e-3}, (vec3){(real)-0.5, (real)0.75, (real)1e-3},
-                            (vec3){(real)-0.5, (real)-0.75, (real)1e-3}),
+    check_close(solid_angle(vec(1, 0, 1e-3), vec(-0.5, 0.75, 1e-3),
+                            vec(-0.5, -0.75, 1e-3)),
                 4 * octant, 0.02,
                 "just below a triangle it is nearly half of the sphere, not nearly 0");
     check_equal(solid_angle((vec3){0, 0, 0}, y, z), 0, "a corner at p");
@@ -43,7 +43,7 @@ static void solid_angles(void)
     check_close(solid_angle(a, b, c) + solid_angle(a, c, d), 4 * octant / 3, 8 * eps,
                 "a face of a cube");
     mesh m = torus_mesh(40);
-    check_close(winding_number(&m, (vec3){(real)0.75, 0, 0}), 1, 3200 * eps,
+    check_close(winding_number(&m, vec(0.75, 0, 0)), 1, 3200 * eps,
                 "in the ring: 1, n epsilon");
     check_close(winding_number(&m, (vec3){0, 0, 0}), 0, 3200 * eps, "in its hole: 0");
     check_close(winding_number(&m, (vec3){100, 0, 0}), 0, 3200 * eps, "far away: 0");
@@ -105,7 +105,7 @@ static void open_mesh(void)
 {
     mesh m = octahedron_mesh(4);
     triangle hole = mesh_triangle(&m, m.triangles - 1);
-    vec3 p = {(real)0.03125, (real)0.015625, (real)0.0078125};
+    vec3 p = {0.03125, 0.015625, 0.0078125};
     vec3 through = vsub(vscale(vadd(vadd(hole.a, hole.b), hole.c), 1 / (real)3), p);
     check(inside_parity(&m, p, through) && inside_parity_naive(&m, p, through), "closed: inside");
     vec3 outside = vmadd(vscale(vadd(vadd(hole.a, hole.b), hole.c), 1 / (real)3),

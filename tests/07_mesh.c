@@ -9,11 +9,11 @@ static shape some_shape(int kind, vec3 *corners)
 {
     vec3 a = in_cube(&numbers, 2), b = in_cube(&numbers, 1), c = in_cube(&numbers, 1);
     switch ((shape_kind)kind) {
-    case SHAPE_SPHERE: return shape_of_sphere((sphere){a, between(&numbers, (real)0.1, (real)0.5)});
+    case SHAPE_SPHERE: return shape_of_sphere((sphere){a, between(&numbers, 0.1, 0.5)});
     case SHAPE_TRIANGLE: return shape_of_triangle((triangle){a, vadd(a, b), vadd(a, c)});
     case SHAPE_CONE:
-        return shape_of_cone((cone){a, between(&numbers, 0, (real)0.5), vadd(a, b),
-                                    between(&numbers, 0, (real)0.5)});
+        return shape_of_cone((cone){a, between(&numbers, 0, 0.5), vadd(a, b),
+                                    between(&numbers, 0, 0.5)});
     case SHAPE_POLYGON: break;
     }
     corners[0] = a, corners[1] = vadd(a, b), corners[2] = vadd(vadd(a, b), c),
@@ -101,7 +101,7 @@ static void bounds(void)
         cone c = {a, between(&numbers, 0, 1), vadd(a, w), between(&numbers, 0, 1)};
         shape_bounds(shape_of_cone(c), &lo, &hi);
         vbasis(vunit(w), &s, &t);
-        vec3 middle = vscale(vadd(lo, hi), (real)0.5), half = vscale(vsub(hi, lo), (real)0.5);
+        vec3 middle = vscale(vadd(lo, hi), 0.5), half = vscale(vsub(hi, lo), 0.5);
         for (int k = 0; k < 2000; k++) {
             real angle = pi * (real)(k / 2) / 500, r = k % 2 ? c.rb : c.ra;
             vec3 p = vadd(k % 2 ? c.b : c.a,
@@ -134,7 +134,7 @@ static void ties(void)
                   shape_of_triangle((triangle){square[0], square[1], square[2]}),
                   shape_of_sphere((sphere){{1, 0, 2}, 1}),
                   shape_of_cone((cone){{1, -2, 2}, 1, {1, 2, 2}, 1})};
-    ray r = ray_from((vec3){1, 0, -1}, (vec3){0, 0, (real)0.5});
+    ray r = ray_from((vec3){1, 0, -1}, vec(0, 0, 0.5));
     for (int shift = 0; shift < 4; shift++) {
         shape order[4];
         hit h = hit_none;
@@ -145,7 +145,7 @@ static void ties(void)
     }
     scene one = {s, 1}, empty = {NULL, 0};
     hit h = {7, 8, 9, 10};
-    r.tmax = (real)3.5;
+    r.tmax = 3.5;
     check(!scene_hit(&one, r, &h) && !scene_occluded(&one, r) && h.t == 7 && h.shape == 10,
           "a miss leaves the hit alone");
     check(!scene_hit(&empty, r, &h) && !scene_occluded(&empty, r) && h.shape == 10,

@@ -65,12 +65,12 @@ static void degenerate(void)
     vec3 v[4] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
     const hit kept = {7, 8, 9, 10};
     hit h = kept;
-    ray r = ray_from((vec3){1, (real)0.5, -1}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(1, 0.5, -1), (vec3){0, 0, 1});
     check(polygon_hit(polygon_of(v, 4), r, &h) && h.t == 1, "a square");
     r.tmin = r.tmax = 1;
     check(polygon_hit(polygon_of(v, 4), r, &h), "the interval is closed");
     h = kept;
-    r.tmin = (real)1.5, r.tmax = 2;
+    r.tmin = 1.5, r.tmax = 2;
     check(!polygon_hit(polygon_of(v, 4), r, &h), "beyond the interval");
     r = ray_from((vec3){1, 0, -1}, (vec3){0, 0, 1});
     for (size_t n = 0; n < 3; n++) check(!polygon_hit(polygon_of(v, n), r, &h), "%zu corners", n);
@@ -113,8 +113,8 @@ static void against_the_oracle(void)
         random_stream numbers = random_start(11, 0, (uint64_t)j);
         for (size_t i = 0; i < check_count(6000); i++) {
             int teeth = (int)between(&numbers, 3, 37);
-            size_t n = gear(v, teeth, between(&numbers, (real)0.5, 2),
-                            between(&numbers, (real)0.1, (real)0.9));
+            size_t n = gear(v, teeth, between(&numbers, 0.5, 2),
+                            between(&numbers, 0.1, 0.9));
             vec3 axis = direction(&numbers), d = direction(&numbers),
                  offset = {between(&numbers, -1, 1), between(&numbers, -1, 1),
                            between(&numbers, -1, 1)};
@@ -126,7 +126,7 @@ static void against_the_oracle(void)
             aim = vadd(aim,
                        vscale(direction(&numbers), i % 2 ? (real)1e-3 : between(&numbers, 0, 2)));
             ray r = ray_from(vmadd(aim, d, -distances[j]),
-                             vscale(d, between(&numbers, (real)0.5, 2)));
+                             vscale(d, between(&numbers, 0.5, 2)));
             polygon_truth truth = polygon_exact(p, r);
             hit h = hit_none;
             bool is = polygon_hit(p, r, &h);
@@ -176,7 +176,7 @@ static void same_answers(void)
     random_stream numbers = random_start(13, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
         vec3 v[12], w[12], x[12];
-        size_t n = gear(v, 3, 1, (real)0.4), first = (size_t)between(&numbers, 0, 11);
+        size_t n = gear(v, 3, 1, 0.4), first = (size_t)between(&numbers, 0, 11);
         if (i % 2) n = 3;
         vec3 d = direction(&numbers), zero = {0, 0, 0};
         turn(v, n, direction(&numbers), zero);
@@ -211,13 +211,13 @@ static void nearly_edge_on(void)
     random_stream numbers = random_start(14, 0, 0);
     for (size_t i = 0; i < check_count(50000); i++) {
         vec3 v[12], normal = direction(&numbers), s, t;
-        size_t n = gear(v, 3, 1, (real)0.4);
+        size_t n = gear(v, 3, 1, 0.4);
         turn(v, n, normal, vscale(direction(&numbers), 3));
         vbasis(normal, &s, &t);
         real a = between(&numbers, -pi, pi);
         vec3 d = vmadd(vadd(vscale(s, cos(a)), vscale(t, sin(a))), normal,
                        real_epsilon * between(&numbers, -2, 2));
-        ray r = ray_from(vmadd(vscale(vadd(v[0], v[6]), (real)0.5), d, -4), d);
+        ray r = ray_from(vmadd(vscale(vadd(v[0], v[6]), 0.5), d, -4), d);
         ray_shear k = shear_of(r);
         real near = real_infinity, far = -real_infinity;
         for (size_t j = 0; j < n; j++) {
@@ -327,7 +327,7 @@ static void not_in_a_plane(void)
     random_stream s = random_start(17, 0, 0);
     for (size_t i = 0; i < check_count(100000); i++) {
         vec3 v[12], lo = {real_infinity, real_infinity, real_infinity}, hi = vneg(lo);
-        size_t n = gear(v, 3, 1, (real)0.4);
+        size_t n = gear(v, 3, 1, 0.4);
         turn(v, n, direction(&s), vscale(direction(&s), 3));
         real off = pow((real)10, between(&s, real_is_float ? -8 : -17, 0));
         for (size_t k = 0; k < n; k++) {

@@ -282,12 +282,12 @@ static void test_outwards(void)
     /* From (0,0,1) only the gap between lid and rim lets one look out: 1.3 < r < 1.4 at z = 2.4. */
     double gap = (1.4 / hypot(1.3, 1.4) - 1.4 / hypot(1.4, 1.4)) / 2;
     size_t handle = m.run[2].first, spout = m.run[3].first;
-    vec3 inside = {0, 0, 1}, above = {0, 0, 4}, grip = {(real)-2.85, 0, (real)1.8};
+    vec3 inside = {0, 0, 1}, above = {0, 0, 4}, grip = {-2.85, 0, 1.8};
     check_close(winding(&m, 0, handle, inside), 1 - gap, 2e-3, "body and lid from inside; their "
                 "rings are circles within 0.6 %%");
     check_close(winding(&m, 0, handle, above), 0, 0.02, "body and lid from outside");
     check_at_least(winding(&m, handle, spout, grip), 0.95, "handle from inside: its ends are far");
-    check_at_least(winding(&m, spout, m.triangles, (vec3){(real)2.4, 0, (real)1.5}), 0.6,
+    check_at_least(winding(&m, spout, m.triangles, vec(2.4, 0, 1.5)), 0.6,
                    "spout from inside: its ends are nearer");
 
     size_t bad = 0, poles = 0;
@@ -320,7 +320,7 @@ static void test_outwards(void)
     /* The limit at the axis is a limit: close by, the normal differs by about the distance. */
     bezier_patch lid = teapot_patch(&teapot_parts[1], 0, 0);
     for (real v = (real)0x1p-4; v > (real)0x1p-12; v /= 4) {
-        bezier_weights bu = bezier_at((real)0.5, (real)0.5), bv = bezier_at(1 - v, v);
+        bezier_weights bu = bezier_at(0.5, 0.5), bv = bezier_at(1 - v, v);
         vec3 normal;
         bezier_point(&lid, &bu, &bv, &normal);
         check_at_most(hypot(normal.x, normal.y), 2 * v, "towards the axis the normal turns up");

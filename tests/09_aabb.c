@@ -188,18 +188,18 @@ static void test_variants_fail(void)
 static void test_named_inputs(void)
 {
     real zero = 0;
-    ray in_plane = through(-5, (real)0.5, 0, 1, zero, zero);
-    ray minus = through(-5, (real)0.5, 0, 1, zero, -zero);
+    ray in_plane = through(-5, 0.5, 0, 1, zero, zero);
+    ray minus = through(-5, 0.5, 0, 1, zero, -zero);
     aabb flat = {{0, 0, 2}, {1, 1, 2}};
     check(!hits(aabb_hit_fmin, cube, in_plane) && hits(aabb_hit, cube, in_plane), "fmin, 0 * inf");
     check(!hits(aabb_hit_closed, cube, in_plane), "closed, 0/0");
-    minus.o.z = (real)0.5;
+    minus.o.z = 0.5;
     check(!hits(aabb_hit_closed, cube, minus) && hits(aabb_hit, cube, minus), "closed, -0.0");
     minus.o.z = 0;
     check(!hits(aabb_hit_pbrt, cube, minus) && hits(aabb_hit, cube, minus), "pbrt, -0.0");
-    ray ahead = through((real)0.5, (real)0.5, 0, 0, 0, 1);
+    ray ahead = through(0.5, 0.5, 0, 0, 0, 1);
     check(!hits(first_aabb_hit, flat, ahead) && hits(aabb_hit, flat, ahead), "a flat box");
-    ray away = through((real)0.5, (real)0.5, 1, 0, 0, 1);
+    ray away = through(0.5, 0.5, 1, 0, 0, 1);
     check(!hits(first_aabb_hit, cube, away) && hits(aabb_hit, cube, away), "contact at t = 0");
     ray beside = through(-1, 2, 2, 1, -zero, zero);
     check(!hits(aabb_hit, cube, beside) && !hits(aabb_hit, cube, through(-1, -1, 0, 1, 0, 0)),
@@ -275,7 +275,7 @@ static void test_infinities(void)
     check_equal(wrong_all, 0, "the whole space is always hit");
     check_equal(wrong_half, 0, "a half space: by a start inside or a way towards it");
     check_equal(wrong_empty, 0, "an empty box is never hit");
-    ray still = through((real)0.5, (real)0.5, (real)0.5, 0, 0, 0);
+    ray still = through(0.5, 0.5, 0.5, 0, 0, 0);
     check(hits(aabb_hit, cube, still), "a ray that stands still inside");
     still.o.x = 2;
     check(!hits(aabb_hit, cube, still), "a ray that stands still outside");
@@ -283,18 +283,18 @@ static void test_infinities(void)
 
 static void test_interval(void)
 {
-    ray r = through((real)0.5, (real)0.5, -4, 0, 0, 2);  /* in the cube for t in [2, 2.5] */
+    ray r = through(0.5, 0.5, -4, 0, 0, 2);  /* in the cube for t in [2, 2.5] */
     real eps = real_epsilon, t = 0;
     r.tmax = 2;
     check(hits(aabb_hit, cube, r), "tmax = entry: contact");
     r.tmax = 2 * (1 - 32 * eps);
     check(!hits(aabb_hit, cube, r), "tmax before the entry, by more than the padding");
     check(hits(first_aabb_hit, cube, r), "first looks beyond tmax");
-    r.tmin = (real)2.5, r.tmax = inf;
+    r.tmin = 2.5, r.tmax = inf;
     check(hits(aabb_hit, cube, r), "tmin = exit: contact");
     r.tmin = (real)2.5 * (1 + 32 * eps);
     check(!hits(aabb_hit, cube, r), "tmin behind the exit, by more than the padding");
-    r = through((real)0.5, (real)0.5, 4, 0, 0, 2);  /* the cube is behind, t in [-2, -1.5] */
+    r = through(0.5, 0.5, 4, 0, 0, 2);  /* the cube is behind, t in [-2, -1.5] */
     check(!hits(aabb_hit, cube, r), "behind");
     r.tmin = -inf;
     check(aabb_hit(cube, r, &t) && t <= -2 && t >= -2 * (1 + 32 * eps), "behind, and wanted");
@@ -304,7 +304,7 @@ static void test_interval(void)
     check(!hits(aabb_hit, (aabb){{-9, -9, -9}, {9, 9, 9}}, r), "an empty interval");
     t = -7;
     check(!aabb_hit(cube, through(3, 3, 3, 1, 0, 0), &t) && t == -7, "a miss leaves t_enter alone");
-    ray inside = through((real)0.5, (real)0.5, (real)0.5, 1, 1, 1);
+    ray inside = through(0.5, 0.5, 0.5, 1, 1, 1);
     check(aabb_hit(cube, inside, &t) && t <= 0 && t >= -2 * real_smallest, "inside: tmin");
 }
 

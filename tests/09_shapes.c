@@ -38,7 +38,7 @@ static void test_full_mantissa(void)
  * lose those triangles. In flat boxes a computed t may come a hair before the box, one in 10000. */
 static void test_triangle_in_its_box(void)
 {
-    const real width[] = {1, (real)0.001, (real)0.000001, (real)1e-9};
+    const real width[] = {1, 0.001, 0.000001, 1e-9};
     for (int k = 0; k < 8; k++) {
         own_box_count n = own_box_counted(2, check_count(150000), width[k / 2], k % 2);
         check_at_least(n.hits, check_count(150000) / 4, "most rays hit what they are aimed at");

@@ -151,11 +151,11 @@ static void test_early_is_wrong(void)
     set_triangle(&m, 0, (vec3){0, -1, 0}, (vec3){8, 1, 4}, (vec3){8, -1, 4});   /* a */
     set_triangle(&m, 1, (vec3){5, -1, 1}, (vec3){5, 1, 4}, (vec3){5, -1, 4});   /* b */
     for (size_t i = 2; i < 60; i++)  /* others, so that there are cells */
-        set_triangle(&m, i, (vec3){(real)(i % 8), 3, 0}, (vec3){(real)(i % 8), 3, 1},
-                     (vec3){(real)(i % 8), 4, (real)(i % 5)});
+        set_triangle(&m, i, vec((i % 8), 3, 0), vec((i % 8), 3, 1),
+                     vec((i % 8), 4, (i % 5)));
     items x = items_of_mesh(&m);
     if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
-    ray r = ray_from((vec3){-1, (real)-0.5, (real)3.25}, (vec3){1, 0, 0});
+    ray r = ray_from(vec(-1, -0.5, 3.25), (vec3){1, 0, 0});
     check(grid_hit(&g, r, &h) && h.shape == 1, "b is in front");
     size_t lost = 0;
     for (int i = 0; i < 64; i++) {
@@ -248,7 +248,7 @@ static void test_resolution(void)
                                      {1e-9, 1e-9, 1}, {0, 0, 0}, {1e9, 1, 1e-9}};
     for (size_t i = 0; i < sizeof side / sizeof *side; i++) {
         int n[3];
-        const real thin = (real)1e-12;  /* by the margin no box is flat */
+        const real thin = 1e-12;  /* by the margin no box is flat */
         vec3 hi = {(real)side[i][0] + thin, (real)side[i][1] + thin, (real)side[i][2] + thin};
         grid_resolution((aabb){{0, 0, 0}, hi}, 27000, thin / 1000000, n);
         double cells = (double)n[0] * n[1] * n[2], widest = 0, least = 1e300;
@@ -422,7 +422,7 @@ static void test_lengths_of_directions(const structure *s)
 /* The mailbox saves tests and changes no answer; exact marking leaves fewer references. */
 static void test_mailbox_and_marking(void)
 {
-    mesh m = needles(2000, (real)0.05);
+    mesh m = needles(2000, 0.05);
     items x = items_of_mesh(&m);
     failure f;
     grid g[3];

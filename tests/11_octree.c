@@ -182,7 +182,7 @@ static void test_ends_at_the_hit(void)
     hit h;
     how = (octree_options){16, 6, true, true, (size_t)1 << 26};
     check(octree_build(&x, how, &t, &f), "built");
-    check(octree_hit_counted(&t, ray_from((vec3){-3, (real)0.03, (real)0.07}, (vec3){1, 0, 0}), &h,
+    check(octree_hit_counted(&t, ray_from(vec(-3, 0.03, 0.07), (vec3){1, 0, 0}), &h,
                              &w) && h.t == 2, "the first plane");
     check_at_most(w.leaves, 4, "leaves asked: those at the first plane alone");
     octree_free(&t);
@@ -192,7 +192,7 @@ static void test_ends_at_the_hit(void)
 /* The same answers with and without counting; the mailbox saves tests, and no hit. */
 static void test_counted(size_t n)
 {
-    mesh m = needles(2000, (real)0.05);
+    mesh m = needles(2000, 0.05);
     items x = items_of_mesh(&m);
     octree with, without;
     failure f;

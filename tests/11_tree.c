@@ -92,7 +92,7 @@ static void test_tree(const char *name, mesh m, octree_options how, size_t point
         triangle q = mesh_triangle(&m, item);
         real u = random_next(&g), v = random_next(&g) * (1 - u);
         vec3 p = vmadd(vmadd(q.a, vsub(q.b, q.a), u), vsub(q.c, q.a), v);
-        vec3 at[5] = {q.a, q.b, q.c, p, vscale(vadd(q.a, q.b), (real)0.5)};
+        vec3 at[5] = {q.a, q.b, q.c, p, vscale(vadd(q.a, q.b), 0.5)};
         for (int k = 0; k < 5; k++) lost += leaves_without(&t, 0, root, at[k], item);
     }
     check_equal(lost, 0, "%s: points of triangles in leaves that do not have them", name);
@@ -110,8 +110,8 @@ static void test_trees(void)
     test_tree("planes, by boxes", floors_mesh(4), coarse, points);
     test_tree("planes, thirds", floors_mesh(3), fine, points);
     test_tree("torus", torus_mesh(24), fine, points);
-    test_tree("needles", needles(300, (real)1e-3), fine, points);
-    test_tree("needles, by boxes", needles(300, (real)1e-3), coarse, points);
+    test_tree("needles", needles(300, 1e-3), fine, points);
+    test_tree("needles, by boxes", needles(300, 1e-3), coarse, points);
     mesh far = torus_mesh(24);  /* as far from 0 as its own size / 1000 */
     for (size_t i = 0; i < far.vertices; i++) far.v[i] = vadd(far.v[i], (vec3){1000, 2000, -3000});
     test_tree("torus, moved", far, fine, points);
@@ -160,7 +160,7 @@ static void test_stop(void)
         real a = 2 * pi * (real)i / 1000, z = (real)0.7 * cos(3 * a);
         hit h;
         octree_hit_counted(&t, ray_from((vec3){(real)0.7 * cos(a), (real)0.7 * sin(a), z - 3},
-                                        (vec3){(real)0.01, (real)0.02, 1}), &h, &w);
+                                        vec(0.01, 0.02, 1)), &h, &w);
     }
     check_at_most(w.tests, 40 * 1000, "a fan of 1000: some forty tests a ray at most");
     octree_free(&t);
@@ -300,7 +300,7 @@ static void test_order(size_t n)
         octree_trail trail = {{0}, 0};
         hit h;
         if (i % 3) corner = vscale((vec3){rint(8 * corner.x), rint(8 * corner.y),
-                                          rint(8 * corner.z)}, (real)0.125);
+                                          rint(8 * corner.z)}, 0.125);
         if (i % 3 == 2) o = vscale((vec3){rint(o.x), rint(o.y), rint(o.z)}, 3);
         ray r = ray_from(o, vsub(corner, o));
         if (vzero(r.d)) continue;

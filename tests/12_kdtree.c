@@ -209,14 +209,14 @@ static void test_invariants(void)
     invariants_of("teapot, boxes", teapot_mesh(8), with(KD_SAH, 2, false, KD_THICK));
     invariants_of("planes", floors_mesh(5), kdtree_defaults);
     invariants_of("planes, one side", floors_mesh(4), with(KD_MIDDLE, 1, true, KD_ONE));
-    invariants_of("needles", needles(2000, (real)1e-5), kdtree_defaults);
+    invariants_of("needles", needles(2000, 1e-5), kdtree_defaults);
     invariants_of("stadium", stadium_mesh(8), kdtree_defaults);
 }
 
 /* Clipping only takes references away; what it leaves is tested less. */
 static void test_clip_pays(void)
 {
-    mesh m = needles(1000, (real)0.01);
+    mesh m = needles(1000, 0.01);
     items x = items_of_mesh(&m);
     failure f;
     kdtree with_clip, without;

@@ -62,10 +62,10 @@ static void test_deep(void)
     structure_mesh(&s, "torus, moved", torus_mesh(16), check_count(600), (vec3){1000, -2000, 3000},
                    1, 0);
     structure_mesh(&s, "planes", floors_mesh(4), check_count(600), (vec3){0, 0, 0}, 1, 0);
-    structure_mesh(&s, "needles", needles(100, (real)1e-3), check_count(600), (vec3){0, 0, 0}, 1,
+    structure_mesh(&s, "needles", needles(100, 1e-3), check_count(600), (vec3){0, 0, 0}, 1,
                    0);
     shared_options.rule = BSP_OWN;
-    structure_mesh(&s, "needles, own", needles(100, (real)1e-7), check_count(600),
+    structure_mesh(&s, "needles, own", needles(100, 1e-7), check_count(600),
                    (vec3){0, 0, 0}, 1, 0);
 }
 
@@ -113,7 +113,7 @@ static void test_naive(void)
     check_at_least(wrong_of(floors_mesh(4), o, 1, n), n / 100,
                    "planes without padding lose hits on planes, of %zu rays", n);
     shared_variant = 2;
-    check_at_least(wrong_of(needles(300, (real)0.1), o, 1, n), n / 100,
+    check_at_least(wrong_of(needles(300, 0.1), o, 1, n), n / 100,
                    "the first leaf's hit is not always the closest, of %zu rays", n);
     shared_variant = 0;
     for (int k = 0; k < bsp_rules; k++) {
@@ -127,10 +127,10 @@ static void test_naive(void)
     }
     shared_options = bsp_defaults;
     shared_options.sides = BSP_SIDES_FIXED;
-    size_t small = wrong_of(scaled(torus_mesh(16), (real)1e-3), o, (real)1e-3, n);
+    size_t small = wrong_of(scaled(torus_mesh(16), 1e-3), o, 1e-3, n);
     check_at_least(small, n / 100, "a fixed width loses what is small, of %zu rays", n);
     shared_options.sides = BSP_SIDES_SAFE;
-    check_equal(wrong_of(scaled(torus_mesh(16), (real)1e-3), o, (real)1e-3, n), 0,
+    check_equal(wrong_of(scaled(torus_mesh(16), 1e-3), o, 1e-3, n), 0,
                 "the width of side.h loses nothing of it");
 }
 
@@ -148,7 +148,7 @@ static void test_sides(void)
     for (size_t i = 0; i < check_count(200000); i++) {
         random_stream g = random_start(13, i, 0);
         vec3 a = random_vector(&g, 1), b = random_vector(&g, 1), q = random_vector(&g, 1);
-        vec3 c = vadd(vmadd(a, vsub(b, a), random_next(&g)), random_vector(&g, (real)1e-7));
+        vec3 c = vadd(vmadd(a, vsub(b, a), random_next(&g)), random_vector(&g, 1e-7));
         c = vmax((vec3){-1, -1, -1}, vmin((vec3){1, 1, 1}, c));
         split_plane p = plane_of_triangle(a, b, c), w = plane_of_triangle_naive(a, b, c);
         if (vzero(p.n)) continue;
@@ -216,7 +216,7 @@ static void test_cells(void)
     convex c = cell_box(&s, (vec3){1, 1, 1});
     check_equal(c.faces, 6, "faces of a box");
     check_equal(cell_area(&s, c), 24, "surface of a cube of 2");
-    split_plane x = plane_of_axis(0, (real)0.5), d = {vunit((vec3){1, 1, 1}), 0, 3};
+    split_plane x = plane_of_axis(0, 0.5), d = {vunit((vec3){1, 1, 1}), 0, 3};
     cell_areas(&s, c, &x, &back, &front);
     check_equal(back, 8 + 4 * 3, "box of 1.5 x 2 x 2");
     check_equal(front, 8 + 4 * 1, "box of 0.5 x 2 x 2");

@@ -93,7 +93,7 @@ static void test_order(void)
     test_scene("torus", torus_mesh(12), 1, true);
     test_scene("octahedron", octahedron_mesh(4), 1, false);
     test_scene("floors", floors_mesh(3), 1, false);
-    test_scene("needles", needles(60, (real)0.2), 1, true);
+    test_scene("needles", needles(60, 0.2), 1, true);
     test_scene("teapot", teapot_mesh(3), 4, true);
     test_scene("walls", crossing_mesh(6), 2, true);
 }
@@ -185,7 +185,7 @@ static void test_scale(void)
 /* Areas of the pieces of a triangle add up to its own, and no piece leaves its plane. */
 static void test_area(void)
 {
-    mesh m = needles(100, (real)0.3);
+    mesh m = needles(100, 0.3);
     painter p;
     failure f;
     painter_options how = painter_defaults;
@@ -225,7 +225,7 @@ static void test_sheet(void)
         vec3 q[4], axis = vunit((vec3){1, 2, 3});
         for (size_t k = 0; k < 4; k++) {
             real u = (real)(i % 4 + (k == 1 || k == 2)) / 2, v = (real)(i / 4 + k / 2) / 2;
-            q[k] = turned_about(axis, (real)0.6, (vec3){u - 1, v - 1, (real)0.3});
+            q[k] = turned_about(axis, 0.6, vec(u - 1, v - 1, 0.3));
         }
         set_triangle(&m, 2 * i, q[0], q[1], q[2]);
         set_triangle(&m, 2 * i + 1, q[0], q[2], q[3]);

@@ -70,7 +70,7 @@ static void test_mesh(const char *name, mesh m, vec3 move, real scale, bool exhi
 static void test_no_and_one(void)
 {
     mesh m = mesh_room(1);
-    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.25, 0.25, -1), (vec3){0, 0, 1});
     hit h = {7, 7, 7, 7};
     bvh b;
     m.triangles = 0;
@@ -96,7 +96,7 @@ static void test_no_and_one(void)
 static void test_coincident(size_t n)
 {
     mesh m = mesh_room(n);
-    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.25, 0.25, -1), (vec3){0, 0, 1});
     for (int front = 0; front < 2; front++) {
         for (size_t i = 0; i < n; i++) {
             real z = front && i % 3 == 2 ? 1 : 2;
@@ -125,7 +125,7 @@ static void test_coincident(size_t n)
 static void test_sick(void)
 {
     size_t n = 4000, sick = 0;
-    mesh m = needles(n, (real)0.1), well = needles(n, (real)0.1);
+    mesh m = needles(n, 0.1), well = needles(n, 0.1);
     for (size_t i = 0; i < n; i += 8) {
         vec3 *v = m.v + 3 * i;
         switch (i / 8 % 6) {
@@ -134,7 +134,7 @@ static void test_sick(void)
         case 2: v[2].z = -real_infinity; break;
         case 3: v[1] = v[2] = v[0]; break;
         case 4: v[2] = v[1]; break;
-        default: v[0] = v[1] = v[2] = (vec3){(real)NAN, (real)NAN, (real)NAN}; break;
+        default: v[0] = v[1] = v[2] = vec(NAN, NAN, NAN); break;
         }
         well.v[3 * i] = well.v[3 * i + 1] = well.v[3 * i + 2] = (vec3){0, 0, 0};
         sick++;
@@ -147,7 +147,7 @@ static void test_sick(void)
         check(s == BVH_SPATIAL ? b.tree.items >= fit : b.tree.items == fit,
               "%zu of %zu triangles are finite, the others stay out, %s", fit, n, strategy_name[s]);
         check(
-            vfinite((vec3){(real)b.tree.node[0].box.side[0], (real)b.tree.node[0].box.side[3], 0}),
+            vfinite(vec(b.tree.node[0].box.side[0], b.tree.node[0].box.side[3], 0)),
             "the root box is finite");
         verdict v = {0, 0, 0, 0, 0};
         size_t other = 0, hit_sick = 0;
@@ -238,13 +238,13 @@ static void test_shapes(void)
     shape *s = allocate(n, sizeof *s);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(8, i, 0);
-        vec3 a = random_vector(&g, 1), b = vadd(a, random_vector(&g, (real)0.2));
+        vec3 a = random_vector(&g, 1), b = vadd(a, random_vector(&g, 0.2));
         real r = (real)0.1 * random_next(&g);
         switch (i % 3) {
         case 0: s[i] = shape_of_sphere((sphere){a, r}); break;
         case 1: s[i] = shape_of_cone((cone){a, r, b, r / 2}); break;
         default:
-            s[i] = shape_of_triangle((triangle){a, b, vadd(a, random_vector(&g, (real)0.2))});
+            s[i] = shape_of_triangle((triangle){a, b, vadd(a, random_vector(&g, 0.2))});
             break;
         }
         if (i % 100 == 99) s[i] = shape_of_sphere((sphere){{(real)NAN, 0, 0}, 1});
@@ -306,12 +306,12 @@ int main(void)
               true); /* dyadic: ties, flat boxes */
     test_mesh("octahedron far out", octahedron_mesh(8), (vec3){1000000, -1000000, 1000000}, 1,
               true);
-    test_mesh("torus, thirds", torus_mesh(16), (vec3){1 / (real)3, -1 / (real)7, (real)0.1},
+    test_mesh("torus, thirds", torus_mesh(16), vec(1 / (real)3, -1 / (real)7, 0.1),
               1 / (real)3, true);
     test_mesh("tiny teapot", teapot_mesh(2), (vec3){0, 0, 0}, tiny, false);
     test_mesh("huge teapot", teapot_mesh(2), (vec3){0, 0, 0}, 1 / tiny, false);
-    test_mesh("needles 1e-3", needles(500, (real)1e-3), (vec3){0, 0, 0}, 1, true);
-    test_mesh("needles 1e-6", needles(500, (real)1e-6), (vec3){0, 0, 0}, 1, true);
+    test_mesh("needles 1e-3", needles(500, 1e-3), (vec3){0, 0, 0}, 1, true);
+    test_mesh("needles 1e-6", needles(500, 1e-6), (vec3){0, 0, 0}, 1, true);
     test_coincident(check_count(1000000));
     test_coincident(check_count(30000));
     test_coincident(7);

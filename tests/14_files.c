@@ -41,7 +41,7 @@ static void test_rays(void)
 
 static void test_hits(void)
 {
-    hit h[3] = {{(real)0.5, 0, 0, 0x01020304}, hit_none, {2, 0, 0, 7}};
+    hit h[3] = {{0.5, 0, 0, 0x01020304}, hit_none, {2, 0, 0, 7}};
     static const unsigned char closest[24] = {0, 0, 0, 0x3f, 4, 3, 2, 1, 0, 0, 0x80, 0x7f,
                                               255, 255, 255, 255, 0, 0, 0, 0x40, 7, 0, 0, 0};
     static const unsigned char any[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x80, 0x7f,
@@ -89,7 +89,7 @@ static void test_program(void)
                  (double)m.v[i].z);
         char *end = text;
         double x = strtod(end, &end), y = strtod(end, &end), z = strtod(end, &end);
-        m.v[i] = (vec3){(real)x, (real)y, (real)z};
+        m.v[i] = vec(x, y, z);
     }
     read = m;
     unsigned char *bytes = allocate(n, 32);

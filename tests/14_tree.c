@@ -33,8 +33,8 @@ static mesh soup(size_t n)
         random_stream g = random_start(11, i, 0);
         vec3 a = random_vector(&g, 1);
         m.v[3 * i] = a;
-        m.v[3 * i + 1] = vadd(a, random_vector(&g, (real)0.1));
-        m.v[3 * i + 2] = vadd(a, random_vector(&g, (real)0.1));
+        m.v[3 * i + 1] = vadd(a, random_vector(&g, 0.1));
+        m.v[3 * i + 2] = vadd(a, random_vector(&g, 0.1));
     }
     return m;
 }
@@ -47,7 +47,7 @@ static mesh spiral(size_t n)
     for (size_t i = 0; i < n; i++) {
         real x = ldexp((real)1, -(int)(i % (size_t)most));
         vec3 a = {x, i % 2 ? x : 0, i % 3 ? x : 0};
-        m.v[3 * i] = a, m.v[3 * i + 1] = vscale(a, (real)1.25);
+        m.v[3 * i] = a, m.v[3 * i + 1] = vscale(a, 1.25);
         m.v[3 * i + 2] = (vec3){a.x, a.y + x / 4, a.z};
     }
     return m;

@@ -27,7 +27,7 @@ static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) 
 /* Turned, scaled along three axes by up to `unlike` apart, mirrored every third time, moved. */
 static affine any_place(random_stream *g, real unlike, vec3 move, real spread)
 {
-    real size = between(g, (real)0.2, 1), angle = between(g, 0, 2 * pi);
+    real size = between(g, 0.2, 1), angle = between(g, 0, 2 * pi);
     vec3 axis = vunit(random_vector(g, 1)), scale = {size, size * between(g, 1 / unlike, 1), size};
     if (random_below(g, 3) == 0) scale.x = -scale.x;
     affine a = affine_of(affine_scaling(scale), affine_rotation(axis, angle));
@@ -40,7 +40,7 @@ typedef struct { mesh mesh[3]; instance list[64]; crowd c; } scene_of_three;
 /* Needles, faces on dyadic planes, and a teapot of 56 triangles; n instances of them. */
 static void scene_make(scene_of_three *s, size_t n, real unlike, vec3 move, uint64_t seed)
 {
-    s->mesh[0] = needles(12, (real)0.05), s->mesh[1] = floors_mesh(1), s->mesh[2] = teapot_mesh(1);
+    s->mesh[0] = needles(12, 0.05), s->mesh[1] = floors_mesh(1), s->mesh[2] = teapot_mesh(1);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 1);
         s->list[i] = (instance){any_place(&g, unlike, move, 2), (uint32_t)(i % 3)};
@@ -107,7 +107,7 @@ static void test_equals_every_instance_asked(void)
     for (int k = 0; k < 3; k++)
         for (int j = 0; j < 2; j++) {
             scene_of_three s;
-            vec3 move = vscale((vec3){1, (real)-0.7, (real)0.4}, far[k]);
+            vec3 move = vscale(vec(1, -0.7, 0.4), far[k]);
             scene_make(&s, 40, unlike[j], move, (uint64_t)(10 + k));
             for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_NAIVE; b++) {
                 instances x = built(&s.c, b);
@@ -139,7 +139,7 @@ static void test_known_hit(void)
     crowd c = {&m, 1, list, 2};
     instances x = built(&c, INSTANCES_POINTS);
     instance_hit h;
-    ray r = ray_from((vec3){(real)0.25, (real)-0.5, 0}, (vec3){0, 0, 4});
+    ray r = ray_from(vec(0.25, -0.5, 0), (vec3){0, 0, 4});
     check(instances_hit(&x, r, &h) && h.instance == 0, "the nearer instance is hit");
     check_equal(h.h.t, 2, "z = 10 - 2 with D four long: t = 8 / 4, of the world's ray");
     r.o.x = 16, r.o.z = 100, r.d.z = -1;
@@ -227,7 +227,7 @@ static void test_exact_transforms(bool odd, bool unlike)
         random_stream g = random_start(23, i, 0);
         triangle t = mesh_triangle(&flat, random_below(&g, flat.triangles));
         vec3 o = whole_vector(&g, 120);  /* at corners, middles of edges, anywhere: all exact */
-        vec3 at = i % 3 == 0 ? t.a : i % 3 == 1 ? vscale(vadd(t.a, t.b), (real)0.5)
+        vec3 at = i % 3 == 0 ? t.a : i % 3 == 1 ? vscale(vadd(t.a, t.b), 0.5)
                                                 : whole_vector(&g, 30);
         ray r = ray_from(o, vsub(at, o));
         if (!exact_for(&c, inverse, r.d)) continue;
@@ -356,14 +356,14 @@ static void test_flattened_within_bound(vec3 move, real unlike)
 static void test_normalised_rays_are_wrong(void)
 {
     mesh m = floors_mesh(1);
-    vec3 eighth = {(real)0.125, (real)0.125, (real)0.125};
+    vec3 eighth = {0.125, 0.125, 0.125};
     instance list[2] = {
         {affine_of(affine_scaling(eighth), affine_translation((vec3){0, 0, 10})), 0},
         {affine_translation((vec3){0, 0, 40}), 0}};
     crowd c = {&m, 1, list, 2};
     instances x = built(&c, INSTANCES_CORNERS);
     instance_hit h, naive;
-    ray r = ray_from((vec3){(real)0.0625, (real)0.03125, 0}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.0625, 0.03125, 0), (vec3){0, 0, 1});
     check(instances_hit(&x, r, &h) && h.instance == 0 && h.h.t == (real)9.875, "the small one");
     check(instances_hit_naive(&x, r, &naive) && naive.instance == 1 && naive.h.t == 39,
           "normalised: the large one behind it, as the small one is said to be at t = 79");
@@ -431,7 +431,7 @@ static void test_ties(void)
     enum { n = 30 };
     mesh m = floors_mesh(1);
     instance list[n];
-    ray r = ray_from((vec3){(real)0.25, (real)0.5, -9}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.25, 0.5, -9), (vec3){0, 0, 1});
     for (uint32_t first = 0; first < n; first += 7) {
         for (uint32_t i = 0; i < n; i++)  /* from `first` on, all on one place */
             list[i] = (instance){affine_translation((vec3){i < first ? 50 : 0, 0, 0}), 0};
@@ -512,10 +512,10 @@ static void test_sick_transforms(void)
  * flattened along two axes. */
 static affine plate(int e, bool wire)
 {
-    affine a = affine_rotation(vunit((vec3){3, 1, -2}), (real)1.1);
+    affine a = affine_rotation(vunit((vec3){3, 1, -2}), 1.1);
     real s = ldexp((real)1, -e);
     a = affine_of(a, affine_scaling((vec3){1, wire ? s : 1, s}));
-    return affine_of(a, affine_rotation(vunit((vec3){1, 2, 3}), (real)0.7));
+    return affine_of(a, affine_rotation(vunit((vec3){1, 2, 3}), 0.7));
 }
 
 /* Ever thinner: at last the inverse has no right digit. Till then all is as it should be, after
@@ -575,7 +575,7 @@ static void test_beyond_all_numbers(void)
     mesh m = floors_mesh(1);
     real huge = ldexp((real)1, real_is_float ? 123 : 1019), step = ldexp(huge, -25);
     for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], 64);
-    affine t = affine_of(affine_rotation(vunit((vec3){1, 2, 3}), (real)0.7),
+    affine t = affine_of(affine_rotation(vunit((vec3){1, 2, 3}), 0.7),
                          affine_scaling((vec3){huge, huge, huge}));
     instance list[2] = {{t, 0}, {affine_translation((vec3){1000, 0, 0}), 0}};
     crowd c = {&m, 1, list, 2};
@@ -645,7 +645,7 @@ static void test_none(void)
     mesh m = floors_mesh(1), empty = {0}, both[2] = {empty, m};
     instance list[2] = {{affine_translation((vec3){0, 0, 0}), 0},
                         {affine_translation((vec3){0, 0, 0}), 1}};
-    ray r = ray_from((vec3){(real)0.25, (real)0.5, -9}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.25, 0.5, -9), (vec3){0, 0, 1});
     instance_hit h = {{7, 7, 7, 7}, 7};
     instances x, zero = {0};
     failure f;
@@ -892,7 +892,7 @@ static void test_invariants(void)
     check_equal(st.upper_bytes + st.lower_bytes, x.bytes, "bytes add up");
     instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
     instance_hit h, same_h;
-    ray r = ray_from((vec3){0, 0, -9}, (vec3){(real)0.01, (real)0.02, 1});
+    ray r = ray_from((vec3){0, 0, -9}, vec(0.01, 0.02, 1));
     bool got = instances_hit(&x, r, &h);
     check(got && instances_hit_counted(&x, r, &same_h, &w) && same_h.h.t == h.h.t, "counted: same");
     check(w.upper.tests > 0 && w.upper.tests < 50 && w.lower.nodes > 0, "and counted");
@@ -981,7 +981,7 @@ static void test_flattened_normals(void)
     free(own->n), free(own->normal_index);
     own->n = allocate(own->normals = 5, sizeof *own->n);
     own->normal_index = allocate(3 * own->triangles, sizeof *own->normal_index);
-    for (uint32_t k = 0; k < 5; k++) own->n[k] = (vec3){1, (real)k, -2};
+    for (uint32_t k = 0; k < 5; k++) own->n[k] = vec(1, k, -2);
     for (uint32_t k = 0; k < 3 * own->triangles; k++)
         own->normal_index[k] = k % 7 == 6 ? mesh_none : k % 5;
     s.list[4].to_world.x = (vec3){0, 0, 0};  /* never hit: left out, and all numbers stay right */

@@ -212,7 +212,7 @@ static void test_kinds(void)
 static void test_aim(void)
 {
     double bound = real_is_float ? 1e-5 : 1e-13;
-    sphere s = {{1, 2, 3}, (real)0.5};
+    sphere s = {{1, 2, 3}, 0.5};
     vec3 o = {4, -3, 2}, corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     double off = 0;
     size_t poles = 0, corners = 0, edges = 0;
@@ -248,7 +248,7 @@ static void test_shrunk_box(const char *name)
     ray r = {{0, 0, 0}, 0, {0, 0, 0}, 0};
     hit due = hit_none;
     for (int k = 0; k < 100 && due.shape == no_shape; k++) {
-        r = world_ray(&w, (real)0.01 * (real)k, (real)-0.1);
+        r = world_ray(&w, (real)0.01 * (real)k, -0.1);
         items_hit(&x, r, &due);
     }
     check(due.shape != no_shape, "%s: a ray hits", name);
@@ -301,7 +301,7 @@ static void test_lost_way(const contender *c, bool any)
     else broken.hit = short_sighted_hit;
     entry e = {.c = &broken};
     e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
-    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    ray r = ray_from((vec3){0, -10, 1}, vec(0.01, 1, 0.02));
     hit due = hit_none;
     check(items_hit(&x, r, &due) && due.t > 4, "the ray hits beyond t = 4");
     FILE *out = tmpfile();
@@ -351,7 +351,7 @@ static void test_forgotten(const contender *c)
     failure f;
     entry e = {.c = c};
     e.s = contender_build(c, &x, (size_t)1 << 30, &f);
-    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    ray r = ray_from((vec3){0, -10, 1}, vec(0.01, 1, 0.02));
     hit due = hit_none;
     FILE *out = tmpfile();
     if (!out) abort();
@@ -392,7 +392,7 @@ static void test_tie(void)
     broken.hit = later_hit;
     entry e = {.c = &broken};
     e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
-    ray r = ray_from((vec3){0, -10, 1}, (vec3){(real)0.01, 1, (real)0.02});
+    ray r = ray_from((vec3){0, -10, 1}, vec(0.01, 1, 0.02));
     hit due = hit_none;
     FILE *out = tmpfile();
     if (!out) abort();

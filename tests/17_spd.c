@@ -386,15 +386,15 @@ static void test_published(void)
         check_at_most(fabs((double)hits - (double)spd_list[k].hits), 2, "published: %zu, %s",
                       spd_list[k].hits, w.name);
         if (!real_is_float) {
-            vec3 off = {(real)1e-9, (real)-1e-9, (real)1e-9};
+            vec3 off = {1e-9, -1e-9, 1e-9};
             world_look(&w, vadd(w.from, off), w.at, w.up, 45, &f);
             check_equal(count_hits(&w), here[k], "%s: as many with the eye 1e-9 off", w.name);
         }
         world_free(&w);
         left--;
     }
-    check_equal(six_digits((real)0.1234567), (real)0.123457, "six digits");
-    check_equal(six_digits((real)-173685.4), (real)-173685, "six digits of a large number");
+    check_equal(six_digits(0.1234567), (real)0.123457, "six digits");
+    check_equal(six_digits(-173685.4), (real)-173685, "six digits of a large number");
 }
 
 static void test_meshes(void)

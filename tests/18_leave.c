@@ -56,7 +56,7 @@ static void test_others_fail(void)
     size_t n = check_count(20000);
     n = n < 4000 ? 4000 : n;  /* the rarest failure here is one in a hundred */
     check_at_least(play(ways[0], DEPART_SPHERE, 1, 0, n).leak, 0.9, "eps 1e-3, gap 1e-6");
-    check_at_least(play(ways[1], DEPART_TRIANGLE, (real)1e-3, 0, n).leak, 0.9, "eps 1e-4, too");
+    check_at_least(play(ways[1], DEPART_TRIANGLE, 1e-3, 0, n).leak, 0.9, "eps 1e-4, too");
     check_at_least(play(ways[2], DEPART_SPHERE, 1, 100, n).self, 0.05, "eps in t: grazing rays");
     check_at_least(play(ways[3], DEPART_TRIANGLE, 1000, 0, n).self, 0.002, "eps |p|: large ones");
     check_equal(play(ways[3], DEPART_SPHERE, 1, 0, n).self, 0, "eps |p|: but not spheres");
@@ -66,7 +66,7 @@ static void test_others_fail(void)
         departure d;
         departure_make(&d, DEPART_NEEDLE, 1, 0, 7, i);
         bounds += departure_self(&d, ways[5]);
-        departure_make(&d, DEPART_TRIANGLE, (real)1e6, 0, 7, i / 2);
+        departure_make(&d, DEPART_TRIANGLE, 1e6, 0, 7, i / 2);
         if (i % 2) ulps += departure_self(&d, ways[4]);
     }
     if (!real_is_float) check_at_least(bounds, 1, "bounds of p alone: needles");
@@ -76,7 +76,7 @@ static void test_others_fail(void)
         departure d;
         departure_make(&d, DEPART_SPHERE, 1, 10000, 8, i);
         acne += (double)departure_self_f32(&d, 1e-3f) / (double)n;
-        leak += (double)departure_leak_f32(&d, 1e-3f, (real)1e-3) / (double)n;
+        leak += (double)departure_leak_f32(&d, 1e-3f, 1e-3) / (double)n;
     }
     check_at_least(acne, 0.1, "float, eps 1e-3 at 1e4: a tenth of the sphere is black");
     check_at_least(leak, 0.1, "and light comes through what is 1e-3 above it");
@@ -137,7 +137,7 @@ static void test_named(void)
     check_close(h.t, 2, 16 * (double)real_epsilon, "the south pole");
     check(!shape_hit(ball, leave(s, (vec3){1, 0, 0}), &h), "along the tangent: nothing");
     s.ns = (vec3){1, 0, 0};
-    check(leave(s, (vec3){-1, 0, (real)0.1}).o.z > 1, "the geometric normal tells the side");
+    check(leave(s, vec(-1, 0, 0.1)).o.z > 1, "the geometric normal tells the side");
     surface turned = surface_facing(s, (vec3){0, 0, 1});
     check(turned.n.z == -1 && turned.ns.x == -1, "seen from within, both normals turn");
     ball.sphere.r = -1;  /* a sphere turned inside out: n points inwards (03) */
@@ -197,7 +197,7 @@ static void test_skip(void)
         shape two[2] = {shape_of_triangle((triangle){a, b, d}),
                         shape_of_triangle((triangle){a, d, e})};
         scene floor = {two, 2};
-        vec3 from = vadd(c, vscale(z, 2)), w = departure_towards(z, (real)0.0015, &s);
+        vec3 from = vadd(c, vscale(z, 2)), w = departure_towards(z, 0.0015, &s);
         real on = random_next(&s) * 2 - 1;
         real across = (random_next(&s) - (real)0.5) * 10000 * real_epsilon;
         ray r = ray_between(from, vmadd(vmadd(c, x, on), y, across));
@@ -311,7 +311,7 @@ static void test_rooms(void)
             if (k == 2) x[2] = x[2] < 0 ? -1 : 1;
             x[k] *= 1 - 16 * real_epsilon * random_next(&g);
         }
-        vec3 from = vmadd(centre, departure_unit(&g), (real)0.5);
+        vec3 from = vmadd(centre, departure_unit(&g), 0.5);
         ray r = ray_from(from, vsub(room_point(axis, centre, x), from));
         hit h = hit_none, other = hit_none;
         if (!mesh_hit(&m, r, &h)) { eye++; continue; }

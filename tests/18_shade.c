@@ -129,7 +129,7 @@ static void test_trace(void)
     check_equal(later, 0, "candidates after ANY_HIT_END, or after the first");
 
     seen nothing = {.ignore = 3};
-    ray bad = ray_from((vec3){0, 0, 0}, (vec3){(real)NAN, 0, 1});
+    ray bad = ray_from((vec3){0, 0, 0}, vec(NAN, 0, 1));
     check(!trace(&t, RAY_CAMERA, bad, &nothing) && nothing.missed, "a NaN is a miss");
     check(trace(&t, RAY_SIGHT, ray_between((vec3){0, 0, 9}, (vec3){0, 0, 0}), NULL),
           "programs may all be NULL");
@@ -148,7 +148,7 @@ static void test_light(void)
 {
     const vec3 up = {0, 0, 1}, o = {0, 0, 0};
     light lamp = {LIGHT_POINT, {3, 0, 4}, {50, 100, 0}};
-    light sun = {LIGHT_DIRECTIONAL, {0, (real)0.6, (real)0.8}, {2, 3, 4}};
+    light sun = {LIGHT_DIRECTIONAL, {0, 0.6, 0.8}, {2, 3, 4}};
     light_sample x;
     real eps = 4 * real_epsilon;
     check(light_reaches(&lamp, o, up, up, &x), "above");
@@ -165,8 +165,8 @@ static void test_light(void)
     lamp.colour = o;
     check(!light_reaches(&lamp, o, up, up, &x), "a black light");
 
-    material m = {{(real)0.5, (real)0.25, 0}, {(real)0.5, 0, (real)0.125}, 2, o};
-    vec3 E = {(real)pi, 1, 8}, l = {(real)0.6, 0, (real)0.8}, v = {(real)-0.6, 0, (real)0.8};
+    material m = {{0.5, 0.25, 0}, {0.5, 0, 0.125}, 2, o};
+    vec3 E = {(real)pi, 1, 8}, l = {0.6, 0, 0.8}, v = {-0.6, 0, 0.8};
     vec3 c = blinn_phong(&m, up, l, v, E);  /* h = n: the lobe is 1 */
     check_close(c.x, 0.5 + 0.5 * (double)pi, 8 * eps, "Lambert kd E / pi, and ks E (18.3, 18.4)");
     check_close(c.y, 0.25 / (double)pi, eps, "Lambert alone");
@@ -175,7 +175,7 @@ static void test_light(void)
     check_close(c.z, 0.64, eps, "(n.h)^2");
     c = blinn_phong(&m, up, (vec3){1, 0, 0}, (vec3){-1, 0, 0}, E);
     check(vfinite(c), "l = -v: no half vector, and no NaN");
-    m.shine = (real)2.5;
+    m.shine = 2.5;
     c = blinn_phong(&m, up, (vec3){1, 0, 0}, (vec3){0, 0, -1}, E);
     check_equal(c.z, 0, "an eye below the shading normal: no highlight, and no NaN");
     lamp = (light){LIGHT_POINT, {0, 0, (real)(real_is_float ? 1e-20 : 1e-160)}, {1, 0, 0}};
@@ -225,7 +225,7 @@ static void test_contact(void)
                 double at = hypot((double)(p.x - c.x), (double)(p.y - c.y));
                 if (fabs(at - R) < 1e-3 + 64 * (double)(real_epsilon * T) || at < (double)least)
                     continue;
-                ray r = ray_between(vadd(p, (vec3){0, 0, (real)-0.5}), p);  /* from below */
+                ray r = ray_between(vadd(p, vec(0, 0, -0.5)), p);  /* from below */
                 r.tmax = real_infinity;
                 hit h;
                 missed += !shape_hit(two[0], r, &h);
@@ -235,7 +235,7 @@ static void test_contact(void)
                 wrong += lit != (at > R);
                 dark += !lit;
                 ray fixed = ray_from(f.p, (vec3){0, 0, 1});
-                fixed.tmin = (real)1e-3;
+                fixed.tmin = 1e-3;
                 lost += !lamp && at < R && shape_hit(two[1], fixed, &h) && h.t > 1;  /* far side */
             }
             world_part_free(&part);
@@ -252,7 +252,7 @@ static material shiny(const void *context, trace_hit x, const surface *s)
 {
     (void)context, (void)s;
     if (x.part == 1) return (material){{1, 1, 1}, {0, 0, 0}, 1, {0, 0, 0}};
-    return (material){{(real)0.5, (real)0.25, 0}, {0, (real)0.5, (real)0.125}, 3, {0, 0, 7}};
+    return (material){{0.5, 0.25, 0}, {0, 0.5, 0.125}, 3, {0, 0, 7}};
 }
 
 /* (18.8) at the north pole of a ball, seen from above, by a d that is not unit: sun from (0.6, 0,
@@ -267,7 +267,7 @@ static void test_shade(void)
     world_part part[2];
     world_part_of_scene(&s[0], MASK_ALL, &part[0]), world_part_of_scene(&s[1], MASK_ALL, &part[1]);
     trace_world w = {part, 1};
-    light L = {LIGHT_DIRECTIONAL, {(real)0.6, 0, (real)0.8}, {1, 2, 4}};
+    light L = {LIGHT_DIRECTIONAL, {0.6, 0, 0.8}, {1, 2, 4}};
     shading how = {.lights = &L, .n = 1, .material_of = shiny, .background = {3, 1, 4},
                    .ambient = {1, 2, 3}};
     tracer t = {.w = &w, .program = shade_programs, .user = &how};
@@ -297,7 +297,7 @@ static void test_smooth(void)
     mesh pot = teapot_mesh(4);
     size_t wrong = 0, apart = 0, flipped = 0;
     for (uint32_t i = 0; i < pot.triangles; i++) {
-        hit h = {1, (real)0.25, (real)0.5, i};
+        hit h = {1, 0.25, 0.5, i};
         surface s = surface_of_mesh(&pot, h);
         vec3 ns = mesh_normal(&pot, i, h.u, h.v);
         wrong += s.ns.x != ns.x || s.ns.y != ns.y || s.ns.z != ns.z || s.shape != i;
@@ -380,7 +380,7 @@ static void test_masks(void)
     vec3 bulb = g->bulb.sphere.c;
     vec3 c = shade_ray(&t, ray_between(vadd(bulb, (vec3){0, -5, 0}), bulb));
     check(c.z == 2, "the bulb is seen by its own light");
-    surface floor = {{-4, -1, 0}, {0, 0, 1}, {0, 0, 1}, (real)1e-5, 0, 0};
+    surface floor = {{-4, -1, 0}, {0, 0, 1}, {0, 0, 1}, 1e-5, 0, 0};
     shade_lit lit = {false};
     check(!trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && lit.lit, "it lets its lamp shine");
     g->part[2].mask = MASK_ALL, lit.lit = false;
@@ -397,7 +397,7 @@ static void test_printed(void)
     shape house[9];
     for (int k = 0; k < 9; k++) {
         for (int i = 0; i < 4; i++)
-            corner[k][i] = (vec3){i % 3 ? 99 : -99, i > 1 ? 99 : -99, (real)k};
+            corner[k][i] = vec(i % 3 ? 99 : -99, i > 1 ? 99 : -99, k);
         house[k] = shape_of_polygon(polygon_of(corner[k], 4));
     }
     scene sc = {house, 9};
@@ -405,12 +405,12 @@ static void test_printed(void)
     world_part_of_scene(&sc, MASK_ALL, &part);
     trace_world w = {&part, 1};
     light suns[2] = {{LIGHT_DIRECTIONAL, {0, 0, 1}, {1, 1, 1}},
-                     {LIGHT_DIRECTIONAL, {0, (real)0.6, (real)0.8}, {1, 1, 1}}};
+                     {LIGHT_DIRECTIONAL, {0, 0.6, 0.8}, {1, 1, 1}}};
     vec3 kd = {1, 1, 1};
     shading how = {.lights = suns, .n = 2, .material_of = matte, .context = &kd};
     tracer ours = {.w = &w, .program = shade_programs, .user = &how}, theirs = ours;
     theirs.program = printed_programs;
-    ray down = ray_from((vec3){0, 0, (real)0.5}, (vec3){(real)0.1, 0, -1});
+    ray down = ray_from(vec(0, 0, 0.5), vec(0.1, 0, -1));
     vec3 dark = shade_ray(&ours, down), bright = printed_ray(&theirs, down, 9);
     check(vzero(dark), "no sun inside");
     check_at_least((double)bright.x, 0.1, "as printed, they shine through ceilings");

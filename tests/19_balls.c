@@ -15,7 +15,7 @@ static vec3 anywhere(random_stream *s, real size)
 
 static vec3 any_direction(random_stream *s)
 {
-    return vunit(vadd(anywhere(s, 1), (vec3){0, 0, (real)1e-3}));
+    return vunit(vadd(anywhere(s, 1), vec(0, 0, 1e-3)));
 }
 
 /* A ray that matters: from anywhere, from the ball's own surface in and out, from inside; past its
@@ -75,7 +75,7 @@ static void test_lanes(void)
             b[k] = (sphere){vadd(middle, anywhere(&s, 8)), size};
             if (k % 8 == 7) b[k] = b[k - 1];
         }
-        if (i % 5 == 0) b[0] = (sphere){{0, 0, -(real)1e5}, (real)1e5};
+        if (i % 5 == 0) b[0] = (sphere){{0, 0, -(real)1e5}, 1e5};
         ball_lanes lanes;
         check(ball_lanes_fill(b, count, &lanes), "fits");
         for (size_t k = 0; k < 40; k++) {
@@ -109,7 +109,7 @@ static void test_suns(void)
         vec3 l = any_direction(&s), u, v;
         l.z = fabs(l.z);
         light sun = {LIGHT_DIRECTIONAL, l, {1, 1, 1}};
-        real part[4] = {(real)0.5, 0, (real)0.25, 0}, size = pow((real)10, spread(&s, 2));
+        real part[4] = {0.5, 0, 0.25, 0}, size = pow((real)10, spread(&s, 2));
         sphere b[4] = {{anywhere(&s, 3), size}, {{0, 0, -1010}, 1000}};
         vbasis(l, &u, &v);
         real off = 1 + spread(&s, (i % 3 ? 64 : 4096) * real_epsilon), r = size / 64;

@@ -65,13 +65,13 @@ static void test_reflect(void)
     check_at_most(off, 2 * eps, "unit again");
     check_at_most(turn, 16 * eps, "the angles are equal: n, d off by 2.25 eps each");
     check_at_most(plane, 16 * eps, "in one plane");
-    vec3 w = reflect((vec3){(real)0.6, (real)-0.8, 0}, (vec3){0, 1, 0});
+    vec3 w = reflect(vec(0.6, -0.8, 0), (vec3){0, 1, 0});
     check_close(w.x, 0.6, eps, "(0.6, -0.8) on a floor");
     check_close(w.y, 0.8, eps, "goes up");
 
     /* To and fro along n, which is not unit to the last bit: |w|^2 grows by the factor
      * 1 + 4 ((n.n)^2 - n.n) each time, if w is not made unit again. */
-    vec3 n = {(real)0.6, (real)0.8, 0}, a = n, b = n;
+    vec3 n = {0.6, 0.8, 0}, a = n, b = n;
     size_t bounces = 100000;
     if (vdot(n, n) == 1) n.x *= 1 + 2 * real_epsilon;
     for (size_t i = 0; i < bounces; i++) a = first_reflect(a, n), b = reflect(b, n);
@@ -127,14 +127,14 @@ static void test_normal_incidence(void)
     for (size_t i = 0; i < n; i++) {
         vec3 N = random_unit(&s), d = vneg(N);
         snell x, y;
-        snell_of_naive(d, N, 1, (real)1.5, &y);
+        snell_of_naive(d, N, 1, 1.5, &y);
         nan += isnan(y.ct) ? 1 : 0;
-        if (!snell_of(d, N, 1, (real)1.5, &x)) bad++;
+        if (!snell_of(d, N, 1, 1.5, &x)) bad++;
         ci = check_worse(ci, fabs(x.ci - 1));
         vec3 w = snell_refract(&x, d, N);
         bad += !(vlength(vsub(w, d)) <= 8 * real_epsilon);
         R = check_worse(R, fabs((double)fresnel(&x) - 0.04));
-        snell_of(d, N, (real)1.5, 1, &x);
+        snell_of(d, N, 1.5, 1, &x);
         R = check_worse(R, fabs((double)fresnel(&x) - 0.04));
     }
     check_equal(bad, 0, "straight through");
@@ -149,19 +149,19 @@ static void test_edges(void)
 {
     vec3 up = {0, 0, 1}, graze = {1, 0, 0}, down = {0, 0, -1}, w;
     snell x;
-    check(snell_of(graze, up, 1, (real)1.5, &x), "grazing into glass: goes in");
+    check(snell_of(graze, up, 1, 1.5, &x), "grazing into glass: goes in");
     check_close(fresnel(&x), 1, 2 * (double)real_epsilon, "and nothing of it");
     for (int k = 2; k < 40; k++) {  /* 1 + eps for some, but for the last line of fresnel */
         snell_of(graze, up, 1, (real)k, &x);
         check(fresnel(&x) <= 1, "not more than all");
     }
-    snell_of(graze, up, 1, (real)1.5, &x);
+    snell_of(graze, up, 1, 1.5, &x);
     check_equal(x.ci, 0, "ci");
     w = snell_refract(&x, graze, up);
     check_close(w.x, 1 / 1.5, 2 * (double)real_epsilon, "at the critical angle");
-    check(!snell_of(graze, up, (real)1.5, 1, &x) && fresnel(&x) == 1 && schlick(&x) == 1, "total");
+    check(!snell_of(graze, up, 1.5, 1, &x) && fresnel(&x) == 1 && schlick(&x) == 1, "total");
     check_equal(fresnel_through(&x), 0, "nothing through");
-    check(snell_of(graze, up, (real)1.25, (real)1.25, &x), "equal indices, grazing");
+    check(snell_of(graze, up, 1.25, 1.25, &x), "equal indices, grazing");
     check_equal(fresnel(&x), 0, "no interface, no reflection: not 0 / 0");
     check_equal(fresnel_through(&x), 1, "all through");
     w = snell_refract(&x, graze, up);
@@ -169,10 +169,10 @@ static void test_edges(void)
     check(snell_of(down, up, 1, 2, &x), "down");
     check_close(fresnel(&x), 1.0 / 9, (double)real_epsilon, "((2-1)/(2+1))^2");
     check_close(schlick(&x), 1.0 / 9, (double)real_epsilon, "Schlick is exact there");
-    check(!snell_of((vec3){(real)NAN, 0, 0}, up, 1, 2, &x) && fresnel(&x) == 1, "a NaN: total");
+    check(!snell_of(vec(NAN, 0, 0), up, 1, 2, &x) && fresnel(&x) == 1, "a NaN: total");
     /* Brewster: tan i = n2 / n1 = 4/3: sin = 0.8, cos = 0.6; what is refracted goes at right angles
      * to what is reflected: ct = 0.8. rp = 0, rs = (1.8 - 3.2) / (1.8 + 3.2) = -7/25. */
-    snell_of((vec3){(real)0.8, 0, (real)-0.6}, up, 3, 4, &x);
+    snell_of(vec(0.8, 0, -0.6), up, 3, 4, &x);
     check_close(x.ct, 0.8, 2 * (double)real_epsilon, "Brewster's angle");
     check_close(fresnel(&x), 0.0392, 2 * (double)real_epsilon, "one polarisation: (7/25)^2 / 2");
     check_close(fresnel_through(&x), 1 - 0.0392, 4 * (double)real_epsilon, "T");
@@ -237,8 +237,8 @@ static void test_schlick(void)
         snell x;
         vec3 d = {sin(a), 0, -cos(a)}, up = {0, 0, 1};
         if (i == 900) d = (vec3){1, 0, 0};
-        snell_of(d, up, 1, (real)1.5, &x);
-        double e = fabs((double)schlick(&x) - wide_fresnel(d, up, 1, (real)1.5));
+        snell_of(d, up, 1, 1.5, &x);
+        double e = fabs((double)schlick(&x) - wide_fresnel(d, up, 1, 1.5));
         most = fmax(most, e);
         if (i == 0 || i == 900) check_at_most(e, 4 * (double)real_epsilon, "exact at %d", i / 10);
         snell y = {x.n2, x.n1, x.ct, x.ci, false};  /* from inside it takes the outer cosine */
@@ -250,14 +250,14 @@ static void test_schlick(void)
 static void test_absorb(void)
 {
     double eps = (double)real_epsilon;
-    vec3 c = {(real)0.5, (real)0.25, 1}, a = absorption_of(c, 2);
+    vec3 c = {0.5, 0.25, 1}, a = absorption_of(c, 2);
     vec3 one = absorbed(a, 1), two = absorbed(a, 2), four = absorbed(a, 4);
     check_close(two.x, 0.5, 2 * eps, "the colour asked for, after the way asked for");
     check_close(two.y, 0.25, 2 * eps, "green");
     check_equal(two.z, 1, "blue is not absorbed");
     check_close(one.x * one.x, two.x, 4 * eps, "two ways behind one another");
     check_close(four.y, 0.0625, 2 * eps, "twice as deep: the square");
-    vec3 all = absorbed((vec3){1, 0, (real)1e-30}, real_infinity);
+    vec3 all = absorbed(vec(1, 0, 1e-30), real_infinity);
     check(all.x == 0 && all.y == 1 && all.z == 0, "an endless way: 0 or 1, no NaN");
     all = absorbed((vec3){1, 2, 3}, 0);
     check(all.x == 1 && all.y == 1 && all.z == 1, "no way");

@@ -82,9 +82,9 @@ static void test_counts(void)
 /* Inside glass that has no Ks: beyond the critical angle all goes with the reflection. */
 static void test_total(void)
 {
-    finish glass = {{1, 1, 1}, (real)0.2, 0, 0, (real)0.8, (real)1.5};
+    finish glass = {{1, 1, 1}, 0.2, 0, 0, 0.8, 1.5};
     surface s = {{0, 0, 0}, {0, 0, 1}, {0, 0, 1}, 0, 0, 0};
-    spd_branch out[2], b = {ray_from((vec3){0, 0, 1}, (vec3){(real)0.8, 0, (real)-0.6}), {1, 1, 1},
+    spd_branch out[2], b = {ray_from((vec3){0, 0, 1}, vec(0.8, 0, -0.6)), {1, 1, 1},
                             1, RAY_CAMERA};
     check_equal(spd_children(&b, &glass, &s, false, out), 1, "one ray");
     check(out[0].kind == RAY_REFLECTION && out[0].depth == 2, "reflected");

@@ -114,7 +114,7 @@ static void test_plate(void)
             real top = s.corner[0].z, thick = top - s.corner[4].z;
             tracer t = stage_begin(&s, 4);
             double i = k * 10 * (double)pi / 180, sine = sin(i), c = cos(i);
-            vec3 d = vunit((vec3){(real)sine, 0, (real)-c});
+            vec3 d = vunit(vec(sine, 0, -c));
             vec3 o = {T - 5 * h * d.x / -d.z, T, top + 5 * h};
             look(&t, ray_from(o, d), (media_set){0}, &x);
             int last = through(&x, 2);
@@ -239,7 +239,7 @@ static void test_hall(void)
     for (int depth = 1; depth <= whitted_most_depth; depth *= 2) {
         s.w.depth = depth;
         t.counts = (trace_counts){0};
-        vec3 c = whitted_ray(&t, ray_from((vec3){(real)0.3, (real)0.2, 1}, (vec3){0, 0, -5}),
+        vec3 c = whitted_ray(&t, ray_from(vec(0.3, 0.2, 1), (vec3){0, 0, -5}),
                              (media_set){0});
         int digits = real_is_float ? 23 : 52, levels = depth < digits ? depth : digits + 1;
         check_close(c.x, 2 - 2 * ldexp(1.0, -depth), levels > digits ? 2 * (double)real_epsilon : 0,
@@ -262,11 +262,11 @@ static void test_hall(void)
     for (size_t i = 0; i < check_count(100); i++) {
         random_stream q = random_start(8, i, 0);
         vec3 d = {random_next(&q) - (real)0.5, random_next(&q) - (real)0.5, random_next(&q)};
-        c = whitted_ray(&t, ray_from((vec3){5, (real)6.5, 8}, d), (media_set){0});
+        c = whitted_ray(&t, ray_from(vec(5, 6.5, 8), d), (media_set){0});
         check_close(c.x, 1 - pow(255.0 / 256, 256), 256 * (double)real_epsilon, "mirror ball");
     }
     b.w.depth = 1000;  /* no more than the stack has room for */
-    c = whitted_ray(&t, ray_from((vec3){5, (real)6.5, 8}, (vec3){1, 2, 3}), (media_set){0});
+    c = whitted_ray(&t, ray_from(vec(5, 6.5, 8), (vec3){1, 2, 3}), (media_set){0});
     check_close(c.x, 1 - pow(255.0 / 256, 256), 256 * (double)real_epsilon, "depth at most 256");
     stage_end(&b);
 }
@@ -297,7 +297,7 @@ static void test_furnace(void)
     check_at_least(mean / (double)n, 0.95, "and little less: what lies deeper than 13");
 
     stage s = {0};
-    s.media[1].ior = (real)1.5, s.w.background = (vec3){1, 1, 1};
+    s.media[1].ior = 1.5, s.w.background = (vec3){1, 1, 1};
     stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), whitted_clear(1, 1));
     t = stage_begin(&s, 64);
     double worst = 0;
@@ -332,7 +332,7 @@ static void test_touching(void)
                     stage_square(&s, (vec3){T, T, T + (real)face[f].z}, 2, face[f].up,
                                  whitted_clear((uint32_t)face[f].body, 1));
                 }
-                s.media[1].ior = s.media[3].ior = (real)1.5, s.media[2].ior = (real)1.25;
+                s.media[1].ior = s.media[3].ior = 1.5, s.media[2].ior = 1.25;
                 s.w.apart = apart;
                 tracer t = stage_begin(&s, 8);
                 vec3 eye = {T + (real)0.5, T + (real)0.25, T + 5};
@@ -402,7 +402,7 @@ static void test_on_table(void)
         stage s = {0};
         whitted_material table = whitted_paint(0, 0, 0);
         table.base.ke = (vec3){1, 2, 4};
-        s.media[1].ior = (real)1.5;
+        s.media[1].ior = 1.5;
         if (first) stage_square(&s, (vec3){0, 0, 0}, 9, true, table);
         stage_square(&s, (vec3){0, 0, 1}, 2, true, whitted_clear(1, 1));
         stage_square(&s, (vec3){0, 0, 0}, 2, false, whitted_clear(1, 1));
@@ -420,9 +420,9 @@ static void test_on_table(void)
     for (int p = -1; p <= 1; p++) {
         stage s = {0};
         rays_seen x;
-        s.media[1] = (medium){(real)1.5, {1, 0, 0}, 0}, s.media[2] = (medium){2, {0, 1, 0}, p};
-        stage_add(&s, shape_of_sphere((sphere){{0, 0, 1}, (real)1.5}), whitted_clear(1, 1));
-        stage_add(&s, shape_of_sphere((sphere){{0, 0, -1}, (real)1.5}), whitted_clear(2, 1));
+        s.media[1] = (medium){1.5, {1, 0, 0}, 0}, s.media[2] = (medium){2, {0, 1, 0}, p};
+        stage_add(&s, shape_of_sphere((sphere){{0, 0, 1}, 1.5}), whitted_clear(1, 1));
+        stage_add(&s, shape_of_sphere((sphere){{0, 0, -1}, 1.5}), whitted_clear(2, 1));
         tracer t = stage_begin(&s, 8);
         look(&t, ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1}), (media_set){0}, &x);
         int last = through(&x, 4);  /* four faces, one of which is passed */
@@ -451,7 +451,7 @@ static void test_touch(void)
         stage s = {0};
         whitted_material floor = whitted_paint(0, 0, 0);
         floor.base.ke = (vec3){1, 1, 1};
-        s.media[1].ior = (real)1.5;
+        s.media[1].ior = 1.5;
         for (int k = 0; k < 3; k++) {  /* floor, under side, upper side */
             real h = k ? 1 : size;
             vec3 *c = s.corner + 4 * k;
@@ -489,10 +489,10 @@ static void test_around(void)
     tank *k = tank_new();
     tracer t = tank_tracer(k);
     const struct { vec3 p; uint32_t n, a, b, c; } at[] = {
-        {{0, 0, 5}, 0, 0, 0, 0}, {{(real)1.45, 0, 1}, 1, 1, 0, 0},
-        {{-1, (real)-0.5, 1}, 1, 2, 0, 0},
-        {{(real)0.55, (real)0.35, (real)0.8}, 2, 2, 3, 0},
-        {{(real)0.55, (real)-0.1, (real)0.8}, 3, 2, 3, 4}, {{0, 0, (real)1.8}, 0, 0, 0, 0}};
+        {{0, 0, 5}, 0, 0, 0, 0}, {{1.45, 0, 1}, 1, 1, 0, 0},
+        {{-1, -0.5, 1}, 1, 2, 0, 0},
+        {{0.55, 0.35, 0.8}, 2, 2, 3, 0},
+        {{0.55, -0.1, 0.8}, 3, 2, 3, 4}, {{0, 0, 1.8}, 0, 0, 0, 0}};
     for (size_t i = 0; i < sizeof at / sizeof *at; i++) {
         media_set in = media_around(&t, at[i].p);
         check(set_is(in, at[i].n, at[i].a, at[i].b, at[i].c), "place %zu", i);
@@ -500,7 +500,7 @@ static void test_around(void)
     tank_free(k);
     /* An eye in a ball of glass: with the set, and without it the walk finds out at the exit. */
     stage s = {0};
-    s.media[1] = (medium){(real)1.5, {1, 2, 0}, 0}, s.w.background = (vec3){1, 1, 1};
+    s.media[1] = (medium){1.5, {1, 2, 0}, 0}, s.w.background = (vec3){1, 1, 1};
     stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 2}), whitted_clear(1, 1));
     t = stage_begin(&s, 2);
     ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, 3});
@@ -509,7 +509,7 @@ static void test_around(void)
     check(in.n == 1 && in.body[0] == 1, "in the ball");
     check_close(a.x, 0.96 * exp(-1), 8 * (double)real_epsilon, "a way of 1 in glass");
     check(a.x == b.x && a.y == b.y && a.z == b.z, "the same, unasked");
-    in = media_around(&t, (vec3){(real)-5.377, (real)-3.189, (real)-7.803});
+    in = media_around(&t, vec(-5.377, -3.189, -7.803));
     check_equal(in.n, 0, "outside, though the ball lies where the question goes");
     stage_end(&s);
 }
@@ -519,7 +519,7 @@ static void test_around(void)
 static vec3 looked_at(whitted_material m, whitted *w, vec3 o, vec3 d)
 {
     stage s = {.w = *w};
-    s.media[1] = (medium){(real)1.5, {1, 0, 0}, 0};
+    s.media[1] = (medium){1.5, {1, 0, 0}, 0};
     stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), m);
     tracer t = stage_begin(&s, w->depth);
     vec3 c = whitted_ray(&t, ray_from(o, d), (media_set){0});
@@ -539,7 +539,7 @@ static void test_looks(void)
     vec3 up = {0, 0, 5}, down = {0, 0, -1}, c;
     whitted w = {.sky = sky_above, .depth = 2};
     whitted_material m = whitted_clear(1, 1);
-    m.mirror = (vec3){(real)0.5, 1, 0}, m.through = (vec3){0, 0, 0};
+    m.mirror = vec(0.5, 1, 0), m.through = (vec3){0, 0, 0};
     c = looked_at(m, &w, up, down);  /* R = 0.04 of the sky above, times M */
     check_close(c.x, 0.02, 4 * eps, "M of glass");
     check(c.y == 0 && c.z == 0, "the sky in the direction of the ray; M black");
@@ -548,11 +548,11 @@ static void test_looks(void)
     check(c.x == 1 && c.y == 2 && c.z == 4, "glass shines, too");
     /* Schlick at 0.8 against the normal: cosine 0.6, R = 0.04 + 0.96 0.4^5 */
     w.depth = 2, m = whitted_clear(1, 1), m.through = (vec3){0, 0, 0}, w.fresnel = WHITTED_SCHLICK;
-    c = looked_at(m, &w, (vec3){(real)0.8, 0, 5}, down);
+    c = looked_at(m, &w, vec(0.8, 0, 5), down);
     check_close(c.z, 3 * (0.04 + 0.96 * pow(0.4, 5)), 64 * eps, "Schlick's form is used");
     /* A medium without end around everything keeps all back that it absorbs at all. */
     stage s = {.w = {.background = {1, 1, 1}}};
-    s.media[0].absorb = (vec3){0, (real)0.01, 1};
+    s.media[0].absorb = vec(0, 0.01, 1);
     stage_square(&s, (vec3){0, 0, 0}, 1, true, whitted_paint(0, 0, 0));
     tracer t = stage_begin(&s, 1);
     c = whitted_ray(&t, ray_from(up, up), (media_set){0});
@@ -562,8 +562,8 @@ static void test_looks(void)
     stage q = {.light = {LIGHT_DIRECTIONAL, {0, 0, 1}, {pi, pi, pi}}};
     q.w.lights = &q.light, q.w.n = 1;
     stage_square(&q, (vec3){0, 0, 0}, 9, true, whitted_paint(1, 1, 1));
-    stage_add(&q, shape_of_sphere((sphere){{0, 0, 2}, 1}), whitted_clear(1, (real)0.5));
-    stage_add(&q, shape_of_sphere((sphere){{0, 0, 5}, 1}), whitted_clear(2, (real)0.25));
+    stage_add(&q, shape_of_sphere((sphere){{0, 0, 2}, 1}), whitted_clear(1, 0.5));
+    stage_add(&q, shape_of_sphere((sphere){{0, 0, 5}, 1}), whitted_clear(2, 0.25));
     t = stage_begin(&q, 1);
     c = whitted_ray(&t, ray_from((vec3){5, 0, 5}, (vec3){-1, 0, -1}), (media_set){0});
     check_close(c.x, 0.125, 4 * eps, "both dim the light");
@@ -579,9 +579,9 @@ static trace_counts ball_counts(whitted_material m, real ior, int depth, real le
     stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), m);
     tracer t = stage_begin(&s, depth);
     for (int i = 0; i < 10; i++)  /* from inside: near the rim, nearly along it */
-        whitted_ray(&t, inside ? ray_from((vec3){0, (real)0.95, 0}, (vec3){1, (real)i / 100, 0})
+        whitted_ray(&t, inside ? ray_from(vec(0, 0.95, 0), (vec3){1, (real)i / 100, 0})
                                : ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}),
-                    inside ? media_around(&t, (vec3){0, (real)0.95, 0}) : (media_set){0});
+                    inside ? media_around(&t, vec(0, 0.95, 0)) : (media_set){0});
     stage_end(&s);
     return t.counts;
 }
@@ -598,9 +598,9 @@ static void test_called_for(void)
     check_equal(c.rays[RAY_REFRACTION], 0, "opaque");
     c = ball_counts(whitted_mirror(0.5), 1, 1, 0, false);
     check_equal(c.rays[RAY_REFLECTION], 0, "depth 1: eye rays alone");
-    c = ball_counts(whitted_mirror(0.5), 1, 8, (real)0.5, false);
+    c = ball_counts(whitted_mirror(0.5), 1, 8, 0.5, false);
     check_equal(c.rays[RAY_REFLECTION], 0, "a weight of 0.5 is not more than 0.5: cut");
-    c = ball_counts(whitted_clear(1, 1), (real)1.5, 2, 0, false);
+    c = ball_counts(whitted_clear(1, 1), 1.5, 2, 0, false);
     check_equal(c.rays[RAY_REFLECTION], 10, "glass, depth 2: both");
     check_equal(c.rays[RAY_REFRACTION], 10, "glass, depth 2: both");
     check_equal(c.rays[RAY_SIGHT], 20, "one contact ray a hit: at the ball, and at its far side");
@@ -608,13 +608,13 @@ static void test_called_for(void)
     check_equal(c.rays[RAY_REFLECTION], 0, "glass like the air around: R = 0, no reflection");
     check_equal(c.rays[RAY_REFRACTION], 20, "in and out");
     m = whitted_clear(1, 1), m.through = (vec3){0, 0, 0};
-    c = ball_counts(m, (real)1.5, 8, 0, false);
+    c = ball_counts(m, 1.5, 8, 0, false);
     check_equal(c.rays[RAY_REFRACTION], 0, "nothing is let through: no ray");
     check_equal(c.rays[RAY_REFLECTION], 10, "but reflected");
-    c = ball_counts(whitted_clear(1, 1), (real)1.5, 5, 0, true);
+    c = ball_counts(whitted_clear(1, 1), 1.5, 5, 0, true);
     check_equal(c.rays[RAY_REFRACTION], 0, "total reflection: no refraction");
     check_equal(c.rays[RAY_REFLECTION], 40, "but a reflection a level");
-    c = ball_counts(whitted_clear(1, 1), (real)1.5, 8, (real)0.05, false);
+    c = ball_counts(whitted_clear(1, 1), 1.5, 8, 0.05, false);
     check_equal(c.rays[RAY_REFLECTION], 0, "R = 0.04 is cut");
     check_equal(c.rays[RAY_REFRACTION], 20, "what goes through is not");
 }
@@ -694,7 +694,7 @@ static void test_cut(void)
         ray r = camera_ray(c, 100 * random_next(&s), 100 * random_next(&s), 100, 100);
         w->depth = 40, w->least = 0;
         vec3 all = whitted_ray(&t, r, (media_set){0});
-        w->least = (real)0.001;
+        w->least = 0.001;
         t.counts = (trace_counts){0};
         vec3 cut = whitted_ray(&t, r, (media_set){0});
         size_t branches = t.counts.rays[RAY_REFLECTION] + t.counts.rays[RAY_REFRACTION] + 1;
@@ -749,7 +749,7 @@ static void test_tree(void)
     two_spheres *s = two_spheres_new();
     tracer t = two_spheres_tracer(s);
     ray_tree *x = allocate(1, sizeof *x);
-    vec3 at = vadd(s->shape[two_glass].sphere.c, (vec3){(real)0.5, 0, (real)0.3});
+    vec3 at = vadd(s->shape[two_glass].sphere.c, vec(0.5, 0, 0.3));
     camera c = two_spheres_camera(1);
     check(ray_tree_trace(x, &t, ray_between(c.e, at), (media_set){0}), "fits");
     size_t count[ray_kinds] = {0}, bad = 0;
@@ -781,7 +781,7 @@ static void test_boxes(void)
         shape s[6];
         box_faces((vec3){1, 2, 3}, (vec3){2, 4, 7}, in, corner, s);
         for (int k = 0; k < 6; k++) {
-            vec3 n = s[k].polygon.normal, out = vsub(corner[4 * k], (vec3){(real)1.5, 3, 5});
+            vec3 n = s[k].polygon.normal, out = vsub(corner[4 * k], vec(1.5, 3, 5));
             check((vdot(n, out) > 0) == !in, "face %d", k);
             for (int i = 0; i < 4; i++)
                 check(vdot(n, vsub(corner[4 * k + i], corner[4 * k])) == 0, "flat");

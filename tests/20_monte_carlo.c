@@ -162,7 +162,7 @@ static void test_weights(void)
         vec3 cosine = sample_cosine(u, u);
         most[0] = check_worse(most[0], importance_weight(0, flat.z));
         most[1] = check_worse(most[1], (double)(cosine.z / pdf_cosine(cosine)));
-        most[2] = check_worse(most[2], importance_weight_mixed(20, (real)0.2, steep.z));
+        most[2] = check_worse(most[2], importance_weight_mixed(20, 0.2, steep.z));
         most[3] = check_worse(most[3], importance_weight(20, steep.z));
     }
     double p = (double)pi, slack = 1 + 16 * (double)real_epsilon;
@@ -170,11 +170,11 @@ static void test_weights(void)
     check_at_most(most[1], p * slack, "cosine: always pi");
     check_at_most(most[2], p / 0.2 * slack, "mixed with a fifth of cosine: at most 5 pi");
     check_at_least(most[3], 1000, "cos^20 alone: no bound");
-    vec3 w = {(real)0.8, 0, (real)0.6};
+    vec3 w = {0.8, 0, 0.6};
     double density = 0.75 * (double)pdf_lobe(4, w) + 0.25 * (double)pdf_cosine(w);
-    check_close(importance_weight_mixed(4, (real)0.25, w.z) * density, 0.6,
+    check_close(importance_weight_mixed(4, 0.25, w.z) * density, 0.6,
                 16 * (double)real_epsilon, "f / p, p being a mixture");
-    check_close(importance_weight_mixed(20, 0, (real)0.5), importance_weight(20, (real)0.5), 1e-9,
+    check_close(importance_weight_mixed(20, 0, 0.5), importance_weight(20, 0.5), 1e-9,
                 "nothing mixed in");
 }
 
@@ -188,7 +188,7 @@ static void test_fatal(void)
     if (runs < 100) runs = 100;
     for (uint64_t run = 0; run < runs; run++) {
         estimate e = importance_run(20, 0, 5, run, 1000);
-        estimate m = importance_run(20, (real)0.2, 6, run, 1000);
+        estimate m = importance_run(20, 0.2, 6, run, 1000);
         low += e.mean < (double)pi;
         missed += fabs(e.mean - (double)pi) > mean_interval(e, 0.95);
         alarms += t_test(e, (double)pi, 0) < alarm;

@@ -33,7 +33,7 @@ static vec3 s_cone(real u, real v, const void *c)
 static const triangle half = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};  /* barycentrics: area 1/2 */
 static real d_triangle(vec3 b, const void *c) { return (void)b, (void)c, pdf_triangle(half); }
 
-static const real n_zero = 0, n_one = 1, n_eight = 8, n_thousand = 1000, n_root = (real)0.5;
+static const real n_zero = 0, n_one = 1, n_eight = 8, n_thousand = 1000, n_root = 0.5;
 static direction_cone c_wide, c_half, c_all, c_sun;
 
 enum { none = -1 };
@@ -154,8 +154,8 @@ static void test_expectations(void)
 static void test_corners(void)
 {
     const real last = 1 - real_epsilon / 2, tiny = real_epsilon / 2;
-    const real at[] = {0, tiny, real_epsilon, (real)0.25, (real)0.5 - real_epsilon, (real)0.5,
-                       (real)0.5 + real_epsilon, (real)0.75, 1 - real_epsilon, last};
+    const real at[] = {0, tiny, real_epsilon, 0.25, (real)0.5 - real_epsilon, 0.5,
+                       (real)0.5 + real_epsilon, 0.75, 1 - real_epsilon, last};
     enum { points = sizeof at / sizeof *at };
     for (size_t k = 0; k < sizeof right / sizeof *right; k++) {
         const trial *t = &right[k];
@@ -185,8 +185,8 @@ static void test_corners(void)
     check_equal(pdf_cosine((vec3){1, 0, 0}), 0, "nothing at the horizon");
     check_equal(pdf_lobe(3, (vec3){0, 0, -1}), 0, "nothing below it");
     check_equal(pdf_hemisphere((vec3){0, 0, -1}), 0, "nothing below it");
-    check_equal(pdf_disk((vec3){1, (real)0.1, 0}), 0, "nothing outside the disk");
-    check_equal(pdf_cone(c_wide, (vec3){(real)0.8, 0, (real)0.6}) > 0, 1, "53 degrees in 60");
+    check_equal(pdf_disk(vec(1, 0.1, 0)), 0, "nothing outside the disk");
+    check_equal(pdf_cone(c_wide, vec(0.8, 0, 0.6)) > 0, 1, "53 degrees in 60");
     check_equal(pdf_cone(c_wide, (vec3){1, 0, 0}), 0, "90 degrees outside 60");
     check(pdf_cone(c_sun, (vec3){0, 0, 1}) > 1000, "a density may exceed 1");
 }
@@ -218,7 +218,7 @@ static void test_narrow(void)
     double worst = 0, naive = 0, lobe = 0, lobe_naive = 0;
     for (uint64_t i = 0; i < check_count(20000); i++) {
         double angle = pow(10, -1 - 4 * random_double_of(random_bits(5, i, 0, 0)));
-        real u = random_real(5, i, 1, 0), a = (real)angle, n = (real)1e6;
+        real u = random_real(5, i, 1, 0), a = (real)angle, n = 1e6;
         double s = sin((double)a / 2), q = (double)u * s * s, sine = 2 * sqrt(q * (1 - q));
         vec3 w = sample_cone(cone_of_angle(a), u, 0), b = sample_cone_naive(a, u, 0);
         worst = check_worse(worst, fabs((double)w.x / sine - 1));
@@ -252,7 +252,7 @@ static void test_stretch(void)
                                   s_sample_triangle_root, s_sample_disk_rejection};
     for (uint64_t i = 0; i < check_count(50000); i++) {
         random_stream s = random_start(6, 0, i);
-        real h = (real)1e-3, u = random_next(&s), v = random_next(&s);
+        real h = 1e-3, u = random_next(&s), v = random_next(&s);
         real du = h * (2 * random_next(&s) - 1), dv = h * (2 * random_next(&s) - 1);
         real u1 = real_clamp(u + du, 0, 1 - real_epsilon);
         real v1 = real_clamp(v + dv, 0, 1 - real_epsilon);
@@ -275,7 +275,7 @@ static void test_triangles_and_frames(void)
     triangle t = {{1, 0, 0}, {0, 2, 0}, {0, 0, 3}};  /* area: |(6, 3, 2)| / 2 = 3.5 */
     check_close((double)pdf_triangle(t), 1 / 3.5, eps, "pdf of a triangle");
     check(isinf(pdf_triangle((triangle){{1, 1, 1}, {2, 2, 2}, {3, 3, 3}})), "no area: 1 / pdf = 0");
-    vec3 p = triangle_at(t, (real)0.25, (real)0.25);
+    vec3 p = triangle_at(t, 0.25, 0.25);
     check(p.x == (real)0.5 && p.y == (real)0.5 && p.z == (real)0.75, "barycentrics in a triangle");
     for (uint64_t i = 0; i < check_count(2000); i++) {
         random_stream s = random_start(7, 0, i);
@@ -292,7 +292,7 @@ static void test_triangles_and_frames(void)
 static void test_choose(void)
 {
     enum { n = 7 };
-    const real weight[n] = {0, 3, 0, 1, (real)0.5, 0, 0};
+    const real weight[n] = {0, 3, 0, 1, 0.5, 0, 0};
     const double share[n] = {0, 3 / 4.5, 0, 1 / 4.5, 0.5 / 4.5, 0, 0};
     double seen[n] = {0}, due[n], parts[3][20] = {{0}}, even[20];
     choice c;
@@ -336,7 +336,7 @@ static void test_choose(void)
     choice_free(&c);
     real least[3] = {(real)ldexp(1.0, real_is_float ? -149 : -1074), 0, 0};
     check(choice_build(least, 3, &c), "the least weight there is");
-    check_equal(choice_sample(&c, (real)0.75, &p, &rest), 0, "nothing of weight 0 is met");
+    check_equal(choice_sample(&c, 0.75, &p, &rest), 0, "nothing of weight 0 is met");
     check(p == 1 && rest >= 0 && rest < 1, "and its p is 1");
     choice_free(&c);
 
@@ -357,7 +357,7 @@ static void test_choose(void)
 int main(void)
 {
     c_wide = cone_of_angle(pi / 3), c_half = cone_of_angle(pi / 2), c_all = cone_of_angle(pi);
-    c_wide.half_sine2 = (real)0.25, c_half.half_sine2 = (real)0.5, c_all.half_sine2 = 1;
+    c_wide.half_sine2 = 0.25, c_half.half_sine2 = 0.5, c_all.half_sine2 = 1;
     c_sun.half_sine2 = (real)0x1p-15;  /* 0.6 degrees; with focus 15 its side is at s = 1/2 */
     check_close((double)cone_of_angle(pi / 3).half_sine2, 0.25, 2 * eps, "60 degrees");
     test_chi_square();

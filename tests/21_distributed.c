@@ -230,7 +230,7 @@ static void furnace_free(furnace *f) { world_part_free(&f->part), free(f); }
  * degrees; a cosine lobe, so 3/4 are above; the rectangle of (21.12). */
 static void test_sum(void)
 {
-    vec3 kd = {(real)0.5, (real)0.25, (real)0.125}, ks = {(real)0.25, (real)0.5, (real)0.75};
+    vec3 kd = {0.5, 0.25, 0.125}, ks = {0.25, 0.5, 0.75};
     furnace *f = furnace_new(kd, ks, 1);
     trace_world world = {&f->part, 1};
     known k;
@@ -297,8 +297,8 @@ static void test_furnace(void)
     const real shines[3] = {real_infinity, 5, 1};
     for (int i = 0; i < 3; i++) {
         vec3 white = {1, 1, 1}, black = {0, 0, 0};
-        furnace *f = furnace_new(i == 1 ? black : vscale(white, (real)0.5),
-                                 i == 1 ? white : vscale(white, (real)0.5), shines[i]);
+        furnace *f = furnace_new(i == 1 ? black : vscale(white, 0.5),
+                                 i == 1 ? white : vscale(white, 0.5), shines[i]);
         trace_world world = {&f->part, 1};
         distributed how = {.n = 0, .material_of = furnace_material, .context = f,
                            .background = white, .ambient = white, .reach = real_infinity,
@@ -333,7 +333,7 @@ static void test_same(void)
                        .ambient = {1, 1, 1}, .depth = 1};
     distributed_view v = {.w = &world, .how = &how, .kind = SEQUENCE_RANDOM, .samples = 16};
     bool ok = frame_look_at((vec3){0, 0, 9}, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &why)
-           && camera_orthographic(frame, (camera_window){-1, (real)0.9, -1, 1}, &v.c, &why);
+           && camera_orthographic(frame, (camera_window){-1, 0.9, -1, 1}, &v.c, &why);
     image im = image_new(w, h);
     check(ok, "a camera");
     for (int same = 0; same < 2; same++) {
@@ -352,7 +352,7 @@ static void test_same(void)
 static void test_independent(void)
 {
     furnace *f = furnace_new((vec3){1, 1, 0}, (vec3){0, 0, 1}, 1);
-    vec3 wall[4] = {{(real)0.6, -9, 0}, {(real)0.6, 9, 0}, {(real)0.6, 9, 2}, {(real)0.6, -9, 2}};
+    vec3 wall[4] = {{0.6, -9, 0}, {0.6, 9, 0}, {0.6, 9, 2}, {0.6, -9, 2}};
     shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(wall, 4))};
     scene s = {both, 2};
     world_part part;
@@ -418,7 +418,7 @@ static void test_chain(void)
     size_t asked = 0, alike = 0;
     for (uint32_t i = 0; i < 500; i++) {
         c.n = 0;
-        distributed_ray(&d, ray_from((vec3){0, 0, (real)0.5}, (vec3){0, 0, -1}),
+        distributed_ray(&d, ray_from(vec(0, 0, 0.5), (vec3){0, 0, -1}),
                         (distributed_sample){SEQUENCE_RANDOM, 13, i, 0, 1});
         if (c.n < 3) continue;
         vec3 w1 = vunit(vsub(c.p[1], c.p[0])), w2 = vunit(vsub(c.p[2], c.p[1]));

@@ -124,7 +124,7 @@ static void test_point(void)
     for (size_t i = 0; i < n; i++) {
         vec3 p = vscale(direction(&s), number(&s, 0, 5));
         vec3 at = vscale(direction(&s), number(&s, 0, 5));
-        vec3 ng = direction(&s), ns = vunit(vmadd(ng, direction(&s), (real)0.3));
+        vec3 ng = direction(&s), ns = vunit(vmadd(ng, direction(&s), 0.3));
         vec3 colour = {number(&s, 0, 9), number(&s, 0, 9), i % 7 ? 1 : 0};
         if (i % 11 == 0) colour = (vec3){0, 0, 0};
         if (i % 13 == 0) p = at;
@@ -171,7 +171,7 @@ static void test_ball(void)
     check_at_most(far, 8 * sqrt((double)real_epsilon), "on its far side");
     area_light L = {AREA_BALL, {0, 0, 0}, .r = 1, .colour = {1, 1, 1}};
     area_sample x;
-    vec3 p = {0, 0, (real)0.5}, up = {0, 0, 1};
+    vec3 p = {0, 0, 0.5}, up = {0, 0, 1};
     check(!area_light_reaches(&L, p, vneg(up), vneg(up), (point2){0, 0}, &x), "from inside");
     check(vzero(x.E), "nothing");
 }
@@ -183,7 +183,7 @@ static void test_sunk_ball(void)
 {
     double s = 0.5, beta = asin(s), L = 1 / ((double)pi * s * s);  /* I = 1, R = .5, d = 1 */
     double truth = L * (beta - s * cos(beta));
-    area_light ball = {AREA_BALL, {1, 0, 0}, .r = (real)0.5, .colour = {1, 1, 1}};
+    area_light ball = {AREA_BALL, {1, 0, 0}, .r = 0.5, .colour = {1, 1, 1}};
     vec3 up = {0, 0, 1}, p = {0, 0, 0};
     estimate e = {0};
     size_t below = 0;
@@ -217,8 +217,8 @@ static void test_centre(void)
     /* far away all lights are points: (1 + 1/3 (a/d)^2) at most */
     L.at.z = 1000;
     area_sample x, y;
-    area_light_reaches(&L, p, up, up, (point2){(real)0.9, (real)0.1}, &x);
-    area_light_naive(&L, p, up, up, (point2){(real)0.9, (real)0.1}, &y);
+    area_light_reaches(&L, p, up, up, (point2){0.9, 0.1}, &x);
+    area_light_naive(&L, p, up, up, (point2){0.9, 0.1}, &y);
     check_close((double)x.E.x / (double)y.E.x, 1, 3e-6, "at 1000 times its size");
 }
 
@@ -227,7 +227,7 @@ static void test_no_light(void)
 {
     area_light L = {AREA_DISK, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0, {1, 1, 1}};
     vec3 up = {0, 0, 1}, down = {0, 0, -1}, p = {0, 0, 0}, nan = {(real)NAN, 0, 0};
-    point2 u = {(real)0.3, (real)0.6};
+    point2 u = {0.3, 0.6};
     area_sample x;
     check(area_light_reaches(&L, p, up, up, u, &x), "lit");
     check(!area_light_reaches(&L, p, down, up, u, &x) && vzero(x.E), "behind the surface");
@@ -303,7 +303,7 @@ static void test_mirror(void)
         vec3 r = vmadd(d, n, -2 * vdot(n, d));
         sent = glossy_ray(s, d, real_infinity, (point2){(real)NAN, 0}, &w) && sent;
         off = check_worse(off, (double)vlength(vsub(w.d, r)));
-        glossy_ray_naive(s, d, (real)1e12, (point2){(real)0.5, random_next(&q)}, &v);
+        glossy_ray_naive(s, d, 1e12, (point2){0.5, random_next(&q)}, &v);
         lobe = check_worse(lobe, (double)vlength(vsub(v.d, r)));
     }
     check(sent, "always");
@@ -324,7 +324,7 @@ static void test_leak(void)
     world_part_of_scene(&sheet, MASK_ALL, &part);
     trace_world w = {&part, 1};
     surface s = surface_on_polygon(shapes[0].polygon, 0, (vec3){0, 0, 0});
-    vec3 d = {(real)0.8, 0, (real)-0.6};
+    vec3 d = {0.8, 0, -0.6};
     size_t n = check_count(4000), leaks[2] = {0, 0};
     for (uint32_t i = 0; i < n; i++)
         for (int k = 0; k < 2; k++) {
@@ -348,7 +348,7 @@ static void test_silhouette(void)
     size_t below = 0, lifted = 0, into = 0;
     for (size_t i = 0; i < check_count(50000); i++) {
         vec3 n = direction(&q), d = direction(&q);
-        surface s = {{0, 0, 0}, n, vunit(vmadd(n, direction(&q), (real)0.7)), 0, 0, no_shape};
+        surface s = {{0, 0, 0}, n, vunit(vmadd(n, direction(&q), 0.7)), 0, 0, no_shape};
         s = surface_facing(s, d);
         vec3 r = vmadd(d, s.ns, -2 * vdot(d, s.ns));
         lifted += vdot(r, s.n) < 0;
@@ -371,12 +371,12 @@ static camera some_camera(int kind, random_stream *s)
     camera c;
     failure why;
     vec3 e = vscale(direction(s), 10), to = vadd(e, direction(s));
-    camera_window win = {-1, (real)1.5, (real)-0.7, (real)0.4};
+    camera_window win = {-1, 1.5, -0.7, 0.4};
     bool ok = frame_look_at(e, to, direction(s), &f, &why);
-    if (kind == 0) ok = ok && camera_perspective(f, 50, (real)1.5, &c, &why);
-    else if (kind == 1) ok = ok && camera_off_axis(f, win, (real)0.7, &c, &why);
+    if (kind == 0) ok = ok && camera_perspective(f, 50, 1.5, &c, &why);
+    else if (kind == 1) ok = ok && camera_off_axis(f, win, 0.7, &c, &why);
     else if (kind == 2) ok = ok && camera_orthographic(f, win, &c, &why);
-    else ok = ok && camera_oblique(f, win, vmadd(vneg(f.w), f.u, (real)0.4), &c, &why);
+    else ok = ok && camera_oblique(f, win, vmadd(vneg(f.w), f.u, 0.4), &c, &why);
     if (!ok) fail(why);
     return c;
 }
@@ -440,7 +440,7 @@ static void test_blur(void)
     }
     /* positions of up to 64 pixels, from coordinates of up to 60, seen from z - or F - >= 1 */
     check_at_most(off, 2e4 * (double)real_epsilon, "diameter of the circle in pixels");
-    thin_lens l = lens_of((real)0.05, 2, 3);
+    thin_lens l = lens_of(0.05, 2, 3);
     check_close((double)l.radius, 0.0125, 1e-8, "50 mm, f/2: 12.5 mm");
     check_equal((double)lens_blur(l, 3), 0, "no circle in focus");
     check_close((double)lens_blur(l, 6), 0.0125, 1e-8, "as wide as the lens at 2 F");

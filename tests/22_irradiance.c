@@ -186,7 +186,7 @@ static void test_known_polygons(void)
                                upright_corner(a, b, c)), 256 * eps + 8 * eps * (a + b) / a,
                       "wall, partly below");
     }
-    rectangle sky = {{-(real)1e6, -(real)1e6, 1}, {0, (real)2e6, 0}, {(real)2e6, 0, 0}};
+    rectangle sky = {{-(real)1e6, -(real)1e6, 1}, {0, 2e6, 0}, {2e6, 0, 0}};
     check_close((double)rectangle_irradiance(sky, seen_from, seen_up), PI, 1e-5,
                 "a white sky: pi L, not 2 pi");
     rectangle plate = {{-1, -1, 1}, {0, 2, 0}, {2, 0, 0}};
@@ -255,7 +255,7 @@ static void test_hard_cases(void)
 /* Light, and p, scaled by powers of two: the same irradiance, to the last bits. */
 static void test_scales(void)
 {
-    const sphere b = {{2, 0, (real)0.5}, 1};
+    const sphere b = {{2, 0, 0.5}, 1};
     const rectangle wall = {{2, -1, -1}, {0, 0, 3}, {0, 2, 0}};
     double sphere_one = (double)sphere_irradiance(b, seen_from, seen_up);
     double wall_one = (double)rectangle_irradiance(wall, seen_from, seen_up);
@@ -273,7 +273,7 @@ static void test_scales(void)
         double half = (double)fabs(triangle_solid_angle((triangle){v[0], v[1], v[2]}, seen_from));
         check_at_most(relative((double)k.omega, 2 * half), 0.5, "in view, scaled by 2^%d", e);
         check_at_most(relative((double)h.omega, half), 16 * eps, "half, scaled by 2^%d", e);
-        check_close(spherical_rectangle_sample(&k, (real)0.5, (real)0.5).y, 0.5, 64 * eps,
+        check_close(spherical_rectangle_sample(&k, 0.5, 0.5).y, 0.5, 64 * eps,
                     "the middle, scaled by 2^%d", e);
     }
 }

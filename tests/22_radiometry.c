@@ -34,7 +34,7 @@ static void test_closed(void)
     check_close((double)cap_solid_angle(pi / 6), 2 * PI * (1 - sqrt(0.75)), 8 * eps, "cap");
     /* over the middle of 2 x 2 at height 2: 4 atan(1 / (2 sqrt 6)) */
     check_close(panel_closed(), 4 * atan(1 / (2 * sqrt(6))), 8 * eps, "square");
-    check_equal(area_term(ceiling_pane, (vec3){0, 0, 3}, (vec3){0, 0, -1}, (real)0.5, (real)0.5), 0,
+    check_equal(area_term(ceiling_pane, (vec3){0, 0, 3}, (vec3){0, 0, -1}, 0.5, 0.5), 0,
                 "the back of the square is dark");
     check_close(ball_e(), PI / 4, 8 * eps, "irradiance of the ball");
     /* Phi of I = cos^n: 2 pi / (n+1), by the midpoint rule in cos theta */
@@ -102,7 +102,7 @@ static void test_view(void)
         }
     }
     vec3 w = {0, 0, 0};
-    check(!view_direction(VIEW_PROJECTED, 1, (real)0.1, &w), "outside of the hemisphere");
+    check(!view_direction(VIEW_PROJECTED, 1, 0.1, &w), "outside of the hemisphere");
     for (int i = 0; i < 100; i++) {
         real r = (real)i / 100;
         for (int m = 0; m < view_maps; m++) {

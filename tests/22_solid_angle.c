@@ -40,7 +40,7 @@ static void test_caps(void)
     check_close((double)cap_solid_angle(pi / 3) / PI, 1, 4 * eps, "60 degrees: pi");
     check_equal(cap_solid_angle(0), 0, "nothing");
     /* pi a^2 (1 - a^2 / 12 + a^4 / 360): the rest is below 1e-20 for angles up to 1e-3 */
-    for (real a = (real)1e-3; a > (real)1e-12; a /= 8) {
+    for (real a = 1e-3; a > (real)1e-12; a /= 8) {
         double q = (double)a * (double)a, small = PI * q * (1 - q / 12 + q * q / 360);
         check_at_most(relative((double)cap_solid_angle(a), small), 4 * eps, "cap of %g", (double)a);
     }
@@ -63,7 +63,7 @@ static void test_spheres(void)
     sphere unit = {{0, 0, 0}, 1};
     check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 0}), 4 * PI, 8 * eps,
                 "from its centre");
-    check_close((double)sphere_solid_angle(unit, (vec3){0, (real)0.5, 0}), 4 * PI, 8 * eps,
+    check_close((double)sphere_solid_angle(unit, vec(0, 0.5, 0)), 4 * PI, 8 * eps,
                 "inside");
     check_close((double)sphere_solid_angle(unit, (vec3){0, 1, 0}), 2 * PI, 8 * eps, "on it");
     /* at distance 2: 2 pi (1 - sqrt(3)/2) */
@@ -102,7 +102,7 @@ static void test_known_triangles(void)
                 4 * eps, "turned round: negative");
     /* L'Huilier: equilateral with sides of 60 degrees: 3 acos(1/3) - pi */
     real h = sqrt((real)3) / 2;
-    triangle sixty = {{1, 0, 0}, {(real)0.5, h, 0}, {(real)0.5, h / 3, sqrt((real)2 / 3)}};
+    triangle sixty = {{1, 0, 0}, {0.5, h, 0}, {0.5, h / 3, sqrt((real)2 / 3)}};
     check_close((double)triangle_solid_angle(sixty, o), 3 * acos(1.0 / 3) - PI, 8 * eps,
                 "tetrahedron");
     triangle flat = {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
@@ -179,7 +179,7 @@ static void test_near_corners(void)
 static void test_scales(void)
 {
     triangle t = {{1, 2, 3}, {2, -1, 2}, {0, 1, 4}};
-    vec3 p = {(real)0.5, 0, -1};
+    vec3 p = {0.5, 0, -1};
     double one = (double)triangle_solid_angle(t, p);
     for (int e = real_is_float ? -120 : -1000; e < (real_is_float ? 120 : 1000); e += 24) {
         real k = ldexp((real)1, e);

@@ -115,8 +115,8 @@ static void test_chi_square(void)
     check_at_least(r.p, alarm, "sail: samples follow the pdf");
     check_close(r.integral, 1, 0.01, "sail: pdf integrates to 1");
     static const rectangle list[] = {
-        {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}, {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}},
-        {{-3, -1, (real)0.01}, {4, 0, 0}, {0, 3, 0}}, {{1, 1, (real)0.25}, {0, 9, 0}, {9, 0, 0}}};
+        {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}, {{0.5, -1, 0.5}, {0, 0, 1}, {0, 2, 0}},
+        {{-3, -1, 0.01}, {4, 0, 0}, {0, 3, 0}}, {{1, 1, 0.25}, {0, 9, 0}, {9, 0, 0}}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         seen_r s = {list[i], spherical_rectangle_of(list[i], seen_from)};
         check_at_least(chi_square_directions(s_rectangle, d_rectangle, &s, 1, 3 + i, n).p, alarm,
@@ -134,7 +134,7 @@ static void test_expectations(void)
 {
     size_t n = check_count(20000);
     static const rectangle list[] = {
-        {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}, {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}},
+        {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}}, {{0.5, -1, 0.5}, {0, 0, 1}, {0, 2, 0}},
         {{2, -1, -1}, {0, 0, 3}, {0, 2, 0}}, {{-1, -1, (real)0x1p-10}, {0, 2, 0}, {2, 0, 0}},
         {{1, 1, 1}, {0, (real)0x1p-10, 0}, {(real)0x1p-10, 0, 0}},
         {{1, 1, 1}, {0, (real)0x1p-20, 0}, {(real)0x1p-20, 0, 0}},
@@ -169,7 +169,7 @@ static void test_expectations(void)
  * arc between them goes anywhere. Mean of cos Omega by a t-test; all weights are finite, >= 0. */
 static void test_near_edges(void)
 {
-    static const vec3 corner[3] = {{-1, 0, 0}, {1, 0, 0}, {(real)0.5, 2, 0}};
+    static const vec3 corner[3] = {{-1, 0, 0}, {1, 0, 0}, {0.5, 2, 0}};
     const real gap[] = {0, (real)0x1p-12, real_epsilon, -real_epsilon / 4, 0};
     const size_t n = check_count(4000);
     for (int edge = 0; edge < 3; edge++)
@@ -240,7 +240,7 @@ static void test_rectangle_shares(void)
         rectangle r = {{i ? 0 : -1, 0, tiny}, {2, 0, 0}, {0, 2, 0}};
         spherical_rectangle k = spherical_rectangle_of(r, seen_from);
         for (int j = 0; j <= 16; j++) {
-            vec3 q = spherical_rectangle_sample_urena(&k, (real)j / 16, (real)0.5);
+            vec3 q = spherical_rectangle_sample_urena(&k, (real)j / 16, 0.5);
             check(q.x >= 0 && q.x <= 1 && q.y >= 0 && q.y <= 1, "next to an edge: within");
         }
     }
@@ -255,7 +255,7 @@ static void test_urena_fails(void)
     double worst = 0;  /* points of the halves are right: test_expectations */
     for (int i = 0; i <= 16; i++) {
         real v = (real)i / 16;
-        vec3 a = spherical_rectangle_sample_urena(&k, (real)0.5, v);
+        vec3 a = spherical_rectangle_sample_urena(&k, 0.5, v);
         worst = check_worse(worst, fabs((double)(a.y - v)));
     }
     check_at_least(worst, 0.01, "small: y is noise");
@@ -287,8 +287,8 @@ static void test_sphere(void)
 /* Far, near, an ulp away, on it, from inside: mean of cos Omega. */
 static void test_sphere_cones(void)
 {
-    const real distance[] = {1000000, 10, 2, (real)1.0625, 1 + 4 * real_epsilon, 1,
-                             (real)0.5};
+    const real distance[] = {1000000, 10, 2, 1.0625, 1 + 4 * real_epsilon, 1,
+                             0.5};
     for (size_t k = 0; k < sizeof distance / sizeof *distance; k++) {
         sphere b = {{0, 0, distance[k]}, 1};
         direction_cone c = sphere_cone(b, seen_from);

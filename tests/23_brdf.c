@@ -17,7 +17,7 @@ static const vec3 white = {1, 1, 1}, black = {0, 0, 0}, up = {0, 0, 1};
 static vec3 at_angle(double cosine, double turn)
 {
     double s = sqrt((1 - cosine) * (1 + cosine));
-    return (vec3){(real)(s * cos(turn)), (real)(s * sin(turn)), (real)cosine};
+    return vec((s * cos(turn)), (s * sin(turn)), cosine);
 }
 
 static vec3 random_direction(uint64_t i, uint64_t which)
@@ -28,7 +28,7 @@ static vec3 random_direction(uint64_t i, uint64_t which)
 enum { specimens = 12 };
 static brdf specimen(int i)
 {
-    vec3 half = {(real)0.5, (real)0.5, (real)0.5}, f0 = {(real)1.0, (real)0.7, (real)0.3};
+    vec3 half = {0.5, 0.5, 0.5}, f0 = {1.0, 0.7, 0.3};
     static const double roughness[6] = {1, 0.7, 0.5, 0.3, 0.2, 0.1};
     static const double exponent[5] = {0, 1, 10, 100, 1000};
     if (i == 0) return brdf_lambert(half);
@@ -52,7 +52,7 @@ static void test_reciprocity(void)
     check_at_most(worst, 16 * eps, "reciprocity");
     /* in the world, about any normal: the frame's rounding, times how steep the lobe is */
     brdf b = specimen(2);
-    vec3 n = vunit((vec3){(real)0.3, (real)-0.7, (real)-0.6});
+    vec3 n = vunit(vec(0.3, -0.7, -0.6));
     vec3 wi = directed(n, random_direction(1, 0)), wo = directed(n, random_direction(1, 1));
     double local = (double)brdf_value_local(&b, random_direction(1, 0), random_direction(1, 1)).x;
     check_close(brdf_value(&b, n, wi, wo).x / (real)local, 1, 200 * eps, "any normal");
@@ -96,12 +96,12 @@ static double ggx_naive_of(const void *a, vec3 wi, vec3 wo)
 
 static void test_closed_forms(void)
 {
-    brdf lambert = brdf_lambert((vec3){(real)0.25, (real)0.5, 1});
+    brdf lambert = brdf_lambert(vec(0.25, 0.5, 1));
     vec3 wo = at_angle(0.4, 1);
     check_close(brdf_value_local(&lambert, up, wo).x, 0.25 / 3.14159265358979324, eps, "rho / pi");
     /* the midpoint rule is exact for f cos, which is linear in z */
     check_close(quadrature(value_of, &lambert, wo, 16), 0.25, 64 * eps, "albedo = rho");
-    check_equal(brdf_albedo(&lambert, (real)0.4).x, (real)0.25, "brdf_albedo, Lambert");
+    check_equal(brdf_albedo(&lambert, 0.4).x, (real)0.25, "brdf_albedo, Lambert");
 
     /* Blinn-Phong head-on: albedo 1 by (23.14). Midpoint error: O(e / k)^2 */
     static const double exponent[] = {0, 0.5, 1, 5, 20, 60};
@@ -115,18 +115,18 @@ static void test_closed_forms(void)
     /* GGX: the facets' projected area is 1, D z = 1 / pi at alpha 1; from all sides */
     vec3 m = at_angle(0.3, 2);
     check_close(ggx_d(1, m), 1 / (double)pi, 4 * eps, "alpha = 1: D is constant");
-    check_close(ggx_d((real)0.1, up), 100 / (double)pi, 1000 * eps, "D(n) = 1 / (pi a^2)");
+    check_close(ggx_d(0.1, up), 100 / (double)pi, 1000 * eps, "D(n) = 1 / (pi a^2)");
     /* wi = wo = n: F0 D(n) / 4, nothing hidden */
-    brdf gold = brdf_ggx((vec3){1, (real)0.5, (real)0.25}, sqrt((real)0.5));
+    brdf gold = brdf_ggx(vec(1, 0.5, 0.25), sqrt((real)0.5));
     check_close(brdf_value_local(&gold, up, up).y, 0.5 * 4 / (double)pi / 4, 16 * eps, "f(n, n)");
     check_at_least(brdf_value_local(&gold, up, up).x * pi * 2, 1, "a density, no fraction");
-    brdf sharp = brdf_ggx(white, (real)0.3);
+    brdf sharp = brdf_ggx(white, 0.3);
     check_at_least(brdf_value_local(&sharp, up, up).x, 5, "f = 9.8 / sr: no fraction");
-    check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, 0).x, 1, eps, "Schlick, grazing");
-    check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, 1).x, 0.04, eps, "Schlick, head-on");
-    check_close(fresnel_schlick((vec3){(real)0.04, 0, 1}, (real)0.5).x, 0.07, eps, "f0 + .96 / 32");
+    check_close(fresnel_schlick(vec(0.04, 0, 1), 0).x, 1, eps, "Schlick, grazing");
+    check_close(fresnel_schlick(vec(0.04, 0, 1), 1).x, 0.04, eps, "Schlick, head-on");
+    check_close(fresnel_schlick(vec(0.04, 0, 1), 0.5).x, 0.07, eps, "f0 + .96 / 32");
     check(vzero(fresnel_schlick(black, 0)), "no boundary, no reflection");
-    check_equal(fresnel_schlick((vec3){1, 1, 1}, (real)-0.5).x, 1, "a cosine out of range");
+    check_equal(fresnel_schlick((vec3){1, 1, 1}, -0.5).x, 1, "a cosine out of range");
 
     /* back to where it came from: m = wi = wo, so F = F0 at all angles. alpha 1/2, z = .6: the
      * bracket of D is .64 / .25 + .36 = 2.92, S^2 = .36 + .64 / 4 = .52, f = F0 D / (4 z S) */
@@ -134,18 +134,18 @@ static void test_closed_forms(void)
     double d = 1 / ((double)pi * 0.25 * 2.92 * 2.92);
     double due = 0.5 * d / (4 * 0.6 * sqrt(0.52));
     check_close((double)brdf_value_local(&gold, back, back).y / due, 1, 64 * eps, "back: F0");
-    brdf glass = brdf_mirror((vec3){(real)0.04, (real)0.04, (real)0.04});
+    brdf glass = brdf_mirror(vec(0.04, 0.04, 0.04));
     vec3 out, weight;
     real pdf;
     check(brdf_sample_local(&glass, at_angle(0.5, 1), 0, 0, &out, &pdf, &weight), "a mirror");
     check_close(weight.x, 0.07, 2 * eps, "Fresnel of a mirror at 60 degrees: .04 + .96 / 32");
-    check_close(brdf_albedo(&glass, (real)0.5).x, 0.07, 2 * eps, "and its albedo");
+    check_close(brdf_albedo(&glass, 0.5).x, 0.07, 2 * eps, "and its albedo");
     check_equal(brdf_albedo(&lambert, 0).x, 0, "seen from the horizon: nothing");
 
     /* tan = 2 at alpha 1/2: S = z sqrt(1 + 1) */
     vec3 w = at_angle(1 / sqrt(5.0), 0.5);
-    check_close(ggx_g1((real)0.5, w), 2 / (1 + sqrt(2.0)), 8 * eps, "G1, closed form");
-    check_close(ggx_g2((real)0.5, w, w), 1 / sqrt(2.0), 8 * eps, "G2 = 1 / (1 + 2 Lambda)");
+    check_close(ggx_g1(0.5, w), 2 / (1 + sqrt(2.0)), 8 * eps, "G1, closed form");
+    check_close(ggx_g2(0.5, w, w), 1 / sqrt(2.0), 8 * eps, "G2 = 1 / (1 + 2 Lambda)");
 }
 
 /* ---- (23.4) energy ---- */
@@ -230,7 +230,7 @@ static void test_sampling(void)
     }
     /* sharp lobes: seen by cells that grow finer towards +z, which is where wo = n reflects to */
     brdf sharp[] = {specimen(5), specimen(6), specimen(10), specimen(11),
-                    brdf_ggx(white, (real)0.05)};
+                    brdf_ggx(white, 0.05)};
     static const double focus[] = {3, 6, 3, 3, 8};
     for (int i = 0; i < 5; i++) {
         sampled s = {sharp[i], up, up, 0};
@@ -239,7 +239,7 @@ static void test_sampling(void)
         check_close(r.integral, 1, 0.003, "sharp lobe %d: integral", i);
     }
     /* about another normal: the same lobe, turned */
-    vec3 side = vunit((vec3){1, (real)-0.5, (real)-0.3});
+    vec3 side = vunit(vec(1, -0.5, -0.3));
     sampled turned = {specimen(2), side, directed(side, at_angle(0.5, 1)), 0};
     check_at_least(chi_square_directions(sample_of, pdf_of, &turned, 1, 5, n).p, alarm, "turned");
     /* without the 1 / (4 wo.h): found out at once, and its integral is not 1 */
@@ -315,7 +315,7 @@ static void test_estimates(void)
 
 /* A matte surface under a shining ball that is partly below the horizon: rho / pi times the
  * irradiance, in closed form (chapter 22). */
-static const sphere ball = {{1, (real)0.5, (real)0.4}, (real)0.7};
+static const sphere ball = {{1, 0.5, 0.4}, 0.7};
 static vec3 ball_light(vec3 wi)
 {
     hit h;
@@ -324,7 +324,7 @@ static vec3 ball_light(vec3 wi)
 
 static void test_ball(void)
 {
-    brdf b = brdf_lambert((vec3){(real)0.25, (real)0.5, 1});
+    brdf b = brdf_lambert(vec(0.25, 0.5, 1));
     vec3 origin = {0, 0, 0}, wo = at_angle(0.5, 0);
     double due = 0.5 / (double)pi * (double)sphere_irradiance(ball, origin, up);
     for (int c = 0; c < 3; c++) {
@@ -402,7 +402,7 @@ static void test_extremes(void)
     brdf below = brdf_ggx(white, -1), beyond = brdf_ggx(white, 7);
     check(brdf_is_delta(&below) && beyond.alpha == 1, "roughness is clamped to [0,1]");
     brdf blunt = brdf_blinn_phong(black, white, -3);
-    brdf sharpest = brdf_blinn_phong(black, white, (real)1e30);
+    brdf sharpest = brdf_blinn_phong(black, white, 1e30);
     check(blunt.exponent == 0 && sharpest.exponent == 1 / real_epsilon, "and exponents");
     brdf nan = brdf_ggx(white, (real)NAN);
     check(brdf_is_delta(&nan), "roughness NaN is taken for 0");
@@ -422,7 +422,7 @@ static void test_extremes(void)
     check_at_most(light, 100 * sqrt(eps), "and loses nothing");
 
     /* the mirror itself: exact direction, weight F0 head-on, no value anywhere */
-    brdf silver = brdf_mirror((vec3){(real)0.9, (real)0.5, (real)0.25});
+    brdf silver = brdf_mirror(vec(0.9, 0.5, 0.25));
     check(brdf_sample_local(&silver, up, 0, 0, &wi, &pdf, &weight) && vzero(vsub(wi, up)), "back");
     check_equal(weight.x, (real)0.9, "F0 head-on");
     check(isinf(pdf), "a delta");
@@ -446,7 +446,7 @@ static void test_nothing(void)
             check(vzero(brdf_value(&b, vneg(up), above, vneg(bad[k]))), "the other side");
             check_equal(brdf_pdf_local(&b, bad[k], above), 0, "pdf behind");
             check_equal(brdf_pdf_local(&b, above, bad[k]), 0, "pdf from behind");
-            check(!brdf_sample_local(&b, bad[k], (real)0.5, (real)0.5, &wi, &pdf, &weight),
+            check(!brdf_sample_local(&b, bad[k], 0.5, 0.5, &wi, &pdf, &weight),
                   "no sample from behind");
             check(wi.x == 7 && pdf == 7 && weight.x == 7, "and nothing is written");
         }
@@ -454,14 +454,14 @@ static void test_nothing(void)
     brdf matte = brdf_lambert(white);
     vec3 w = {7, 7, 7}, unused;
     real none;
-    check(!brdf_sample_local(&matte, above, 0, (real)0.5, &w, &none, &unused) && w.x == 7,
+    check(!brdf_sample_local(&matte, above, 0, 0.5, &w, &none, &unused) && w.x == 7,
           "the rim of the square is the horizon: no sample");
-    brdf dark[] = {brdf_lambert(black), brdf_ggx(black, (real)0.5), brdf_mirror(black),
+    brdf dark[] = {brdf_lambert(black), brdf_ggx(black, 0.5), brdf_mirror(black),
                    brdf_blinn_phong(black, black, 10)};
     for (int i = 0; i < 4; i++) {
         vec3 wi, weight;
         real pdf;
-        check(!brdf_sample_local(&dark[i], above, (real)0.5, (real)0.5, &wi, &pdf, &weight),
+        check(!brdf_sample_local(&dark[i], above, 0.5, 0.5, &wi, &pdf, &weight),
               "black: no sample");
         check(vzero(brdf_value_local(&dark[i], up, up)), "black: no value");
         check_equal(brdf_pdf_local(&dark[i], up, up), 0, "black: no pdf");
@@ -475,7 +475,7 @@ static vec3 light_above(vec3 wi) { return wi.z > 0 ? white : black; }
 static void test_only_what_is_called_for(void)
 {
     /* highlight black: the samples are the matte ones, bit for bit, and none goes to the lobe */
-    brdf matte = brdf_lambert((vec3){(real)0.5, (real)0.5, (real)0.5});
+    brdf matte = brdf_lambert(vec(0.5, 0.5, 0.5));
     brdf dull = brdf_blinn_phong(matte.diffuse, black, 50), glow = specimen(7);
     vec3 wo = at_angle(0.5, 0), a, b, weight;
     real pdf, q;
@@ -539,7 +539,7 @@ static void test_naive(void)
         check_close(albedo, exact, 2e-4, "Phong, e = %g: 2 pi / (e + 2)", exponent[i]);
         check(exponent[i] > 4.28 || albedo > 1, "Phong: makes light of nothing");
     }
-    real a = (real)0.5;
+    real a = 0.5;
     brdf b = brdf_ggx(white, sqrt(a));
     check_at_least(quadrature(ggx_naive_of, &a, at_angle(0.1, 0), 300), 1.5, "no Smith, grazing");
     check_at_least(quadrature(ggx_naive_of, &a, at_angle(0.001, 0), 300), 50, "no Smith: no limit");
@@ -573,12 +573,12 @@ static void test_naive(void)
     check_close(blinn_phong_power(3, h1), blinn_phong_power(3, h0), 32 * eps, "branches meet");
 
     vec3 flat = {1, 0, real_is_float ? (real)1e-12 : (real)1e-90};
-    check(isnan(beckmann_d_naive((real)0.5, flat)), "Beckmann, grazing: 0/0");
-    check_equal(beckmann_d((real)0.5, flat), 0, "Beckmann: 0");
+    check(isnan(beckmann_d_naive(0.5, flat)), "Beckmann, grazing: 0/0");
+    check_equal(beckmann_d(0.5, flat), 0, "Beckmann: 0");
     vec3 mid = at_angle(0.6, 0);
     double t2 = 0.64 / 0.36, bd = exp(-t2 / 0.25) / ((double)pi * 0.25 * 0.1296);
-    check_close((double)beckmann_d((real)0.5, mid) / bd, 1, 64 * eps, "Beckmann, closed form");
-    check_close((double)beckmann_d_naive((real)0.5, mid) / bd, 1, 64 * eps,
+    check_close((double)beckmann_d(0.5, mid) / bd, 1, 64 * eps, "Beckmann, closed form");
+    check_close((double)beckmann_d_naive(0.5, mid) / bd, 1, 64 * eps,
                 "naive, where it works");
 }
 

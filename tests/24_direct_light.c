@@ -153,7 +153,7 @@ static void test_closed_forms(void)
 static void test_glossy(void)
 {
     vec3 wo = vunit(v3(-.6, 0, .8)), f0 = v3(.9, .9, .9);
-    const brdf list[3] = {brdf_ggx(f0, (real).4), brdf_ggx(f0, (real).7),
+    const brdf list[3] = {brdf_ggx(f0, .4), brdf_ggx(f0, .7),
                           brdf_blinn_phong(v3(.2, .2, .2), v3(.6, .6, .6), 50)};
     size_t n = check_count(20000);
     setting all = setting_of(14), rect = setting_of(3), ball = setting_of(10);
@@ -256,7 +256,7 @@ static void test_several(void)
     for (int k = 0; k < 5; k++) {
         double L = k == 0 ? 60 : 1 + k;
         rectangle r = {v3(2 * k - 5, -1, 2), v3(0, 1, 0), v3(.6, 0, 0)};
-        sphere b = {v3(2 * k - 5, 2, 1), (real).3};
+        sphere b = {v3(2 * k - 5, 2, 1), .3};
         lit_add_rectangle(&x.s, r, lamp_of(&x.s, L));
         lit_add_shape(&x.s, shape_of_sphere(b), lamp_of(&x.s, L));
         truth += L * (double)(rectangle_irradiance(r, black, up) + sphere_irradiance(b, black, up));
@@ -363,7 +363,7 @@ static void test_called_for(void)
     }
     /* spent all the same: more rays, the same bits */
     const setting *list[] = {&overhead, &below, &ball, &hidden, &away};
-    const brdf kinds[] = {matte, dark, mirror, brdf_ggx(white, (real).3)};
+    const brdf kinds[] = {matte, dark, mirror, brdf_ggx(white, .3)};
     for (int i = 0; i < direct_ways; i++)
         for (int j = 0; j < 5; j++)
             for (int k = 0; k < 4; k++) {
@@ -483,7 +483,7 @@ static void test_far(void)
         rectangle wall = {vadd(at, v3(.25, -1, 0)), v3(0, 0, 2), v3(0, 2, 0)};
         lit_add_rectangle(&s, floor, grey);
         if (i < 2) lit_add_rectangle(&s, wall, lamp_of(&s, 1));
-        sphere b = {vadd(at, v3(0, 0, 1)), (real).875};
+        sphere b = {vadd(at, v3(0, 0, 1)), .875};
         if (i >= 2) lit_add_shape(&s, shape_of_sphere(b), lamp_of(&s, 1));
         lit_end(&s);
         lights l;

@@ -19,7 +19,7 @@ static mesh make(int kind, size_t n, random_stream *s)
     for (size_t i = 0; i < 3 * n; i++) {
         m.index[i] = (uint32_t)i;
         vec3 p = somewhere(s);
-        if (kind == 2 && i % 3 == 2) p = vmadd(m.v[i - 1], p, (real)1e-5);
+        if (kind == 2 && i % 3 == 2) p = vmadd(m.v[i - 1], p, 1e-5);
         if (kind == 3) p = (vec3){floor(p.x * 2), floor(p.y * 2), floor(p.z * 2)};
         if (kind == 4) p = vadd(p, (vec3){1000, -2000, 500});
         m.v[i] = p;
@@ -49,7 +49,7 @@ static ray aim(const mesh *m, int k, random_stream *s)
 {
     vec3 lo, hi;
     mesh_bounds(m, &lo, &hi);
-    vec3 c = vscale(vadd(lo, hi), (real)0.5), o = vmadd(c, somewhere(s), k % 3 == 0 ? 30 : 1);
+    vec3 c = vscale(vadd(lo, hi), 0.5), o = vmadd(c, somewhere(s), k % 3 == 0 ? 30 : 1);
     if (k % 2 == 0) return ray_from(o, somewhere(s));
     size_t i = (size_t)(random_next(s) * (real)m->triangles);
     triangle t = mesh_triangle(m, i);

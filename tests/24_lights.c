@@ -74,7 +74,7 @@ static lit_scene a_scene(void)
     lit_add_mesh(&s, &bare, lamp);
     mesh_free(&bare);
     lit_add_rectangle(&s, (rectangle){vec(-2, -2, -1), vec(1, 0, 0), vec(0, 2, 0)}, lamp);
-    lit_add_shape(&s, shape_of_cone((cone){vec(0, 0, 2), (real).5, vec(0, 1, 2), 0}), lamp);
+    lit_add_shape(&s, shape_of_cone((cone){vec(0, 0, 2), .5, vec(0, 1, 2), 0}), lamp);
     lit_end(&s);
     return s;
 }
@@ -132,8 +132,8 @@ static void test_joined(void)
     size_t wrong = 0, first = 1;
     for (int k = 0; k < 2; k++) {
         for (size_t i = 0; i < pot[k].triangles; i++) {
-            vec3 n = mesh_normal(&pot[k], i, (real).3, (real).4);
-            wrong += !same(n, mesh_normal(&s.m, first + i, (real).3, (real).4));
+            vec3 n = mesh_normal(&pot[k], i, .3, .4);
+            wrong += !same(n, mesh_normal(&s.m, first + i, .3, .4));
         }
         first += pot[k].triangles;
         mesh_free(&pot[k]);
@@ -163,7 +163,7 @@ static emitter specimen(int i)
     case 4: return emitter_of_sphere((sphere){vec(0, 0, 3), 1}, Le);
     case 5: return emitter_of_sphere((sphere){vec(0, 0, 1.001), 1}, Le);
     case 6: return emitter_of_sphere((sphere){vec(.2, .3, .1), -1}, Le);
-    default: return emitter_of_sphere((sphere){vec(3, 2, 100), (real).01}, Le);
+    default: return emitter_of_sphere((sphere){vec(3, 2, 100), .01}, Le);
     }
 }
 

@@ -36,7 +36,7 @@ static ray some_ray(vec3 from, uint64_t i)
 {
     vec3 d = sample_sphere(random_real(25, 1, i, 0), random_real(25, 1, i, 1));
     vec3 o = vmadd(from, sample_sphere(random_real(25, 1, i, 2), random_real(25, 1, i, 3)),
-                   (real)0.1);
+                   0.1);
     return (ray){o, 0, vscale(d, 1 + random_real(25, 1, i, 4)), real_infinity};
 }
 
@@ -51,7 +51,7 @@ static void furnace(int kind, lit_scene *s, vec3 E, vec3 rho)
 static void test_furnace_exact(void)
 {
     static const int depth[] = {0, 1, 2, 7, 40};
-    vec3 E = {1, 2, (real)0.5}, rho = {(real)0.2, (real)0.8, (real)0.99};
+    vec3 E = {1, 2, 0.5}, rho = {0.2, 0.8, 0.99};
     for (int kind = 0; kind < 2; kind++) {
         lit_scene s;
         furnace(kind, &s, E, rho);
@@ -82,7 +82,7 @@ static void test_furnace_exact(void)
 static void test_endless(void)
 {
     lit_scene s;
-    vec3 half = {(real)0.5, (real)0.5, (real)0.5};
+    vec3 half = {0.5, 0.5, 0.5};
     furnace_sphere(&s, one, half);
     naive_path p = {&s, DIRECTIONS_BRDF, naive_endless, false};
     naive_counts c = {{0}, 0, 0};
@@ -94,7 +94,7 @@ static void test_endless(void)
 
     /* .6 and .8: the smallest number of all, times these, rounds to itself */
     check((real)0.6 * nextafter((real)0, (real)1) > 0, "so at 0 no path would end");
-    furnace_box(&s, one, (vec3){(real)0.6, (real)0.8, (real)0.5});
+    furnace_box(&s, one, vec(0.6, 0.8, 0.5));
     c = (naive_counts){{0}, 0, 0}, r = second_pair(4, 0);
     L = naive_radiance(&p, some_ray(dark, 3), &r, &c);
     double hits = ceil(log((double)real_smallest) / log((double)(real)0.8));
@@ -118,13 +118,13 @@ static void test_endless(void)
     }
     lit_free(&s);
 
-    vec3 rho = {(real)0.999, (real)0.999, (real)0.999};
+    vec3 rho = {0.999, 0.999, 0.999};
     furnace_box(&s, one, rho);
     p.depth = 1000;
     naive_counts box = {{0}, 0, 0};
     r = second_pair(3, 0);
     L = naive_radiance(&p, some_ray(dark, 3), &r, &box);
-    double exact = (double)series_sum(1, (real)0.999, 1000);
+    double exact = (double)series_sum(1, 0.999, 1000);
     check_close((double)L.x / exact, 1, 1008 * eps, "rho = .999, 1000 bounces");
     check_equal(naive_rays(&box), 1001, "1001 rays in a box of twelve triangles, none lost");
     lit_free(&s);
@@ -134,7 +134,7 @@ static void test_endless(void)
 
 static void test_furnace_uniform(void)
 {
-    vec3 rho = {(real)0.3, (real)0.6, (real)0.9};
+    vec3 rho = {0.3, 0.6, 0.9};
     for (int kind = 0; kind < 2; kind++)
         for (int N = 1; N <= 4; N *= 2) {
             lit_scene s;
@@ -178,10 +178,10 @@ static void test_pair(void)
 {
     enum { depth = 7 };  /* a product of k weights 2 rho cos has the skewness 2^k / (4/3)^(3k/2) */
     static const direction_choice choice[] = {DIRECTIONS_UNIFORM, DIRECTIONS_COSINE};
-    vec3 E[2] = {{1, 0, 3}, {0, 1, (real)0.25}};
-    vec3 rho[2] = {{(real)0.9, (real)0.5, (real)0.2}, {(real)0.6, (real)0.8, 1}};
+    vec3 E[2] = {{1, 0, 3}, {0, 1, 0.25}};
+    vec3 rho[2] = {{0.9, 0.5, 0.2}, {0.6, 0.8, 1}};
     lit_scene s;
-    furnace_pair(&s, (real)0.5, E, rho);
+    furnace_pair(&s, 0.5, E, rho);
     for (int way = 0; way < 2; way++)
         for (int seen = 0; seen < 2; seen++) {
             naive_path p = {&s, choice[way], depth, false};
@@ -189,7 +189,7 @@ static void test_pair(void)
             memset(e, 0, sizeof e), memset(whole, 0, sizeof whole);
             bounce_counts c = {{{0}, 0, 0}, 0};
             for (size_t i = 0; i < count_from(2000, 8000); i++) {
-                vec3 o = {0, (real)0.7, 0}, d = {0, seen ? 1 : -1, 0}, term[depth + 1], L = dark;
+                vec3 o = {0, 0.7, 0}, d = {0, seen ? 1 : -1, 0}, term[depth + 1], L = dark;
                 sampler r = second_pair((uint64_t)seen, (uint32_t)i);
                 bounce_terms(&p, (ray){o, 0, d, real_infinity}, &r, term, &c);
                 for (int k = 0; k <= depth; k++) {
@@ -222,11 +222,11 @@ static void test_pair(void)
 /* Channel 1: radius of K < .75, so that 2^-60 of it is left after 145 bounces: the whole L. */
 static void test_pair_whole(void)
 {
-    vec3 E[2] = {{1, 0, 3}, {0, 1, 1}}, rho[2] = {{(real)0.5, (real)0.5, (real)0.5},
-                                                  {(real)0.75, (real)0.75, (real)0.75}};
+    vec3 E[2] = {{1, 0, 3}, {0, 1, 1}}, rho[2] = {{0.5, 0.5, 0.5},
+                                                  {0.75, 0.75, 0.75}};
     lit_scene s;
     double L[2];
-    furnace_pair(&s, (real)0.5, E, rho);
+    furnace_pair(&s, 0.5, E, rho);
     naive_path p = {&s, DIRECTIONS_BRDF, 145, false};
     for (int j = 0; j < 3; j++) {
         transport t = furnace_transport(0.5, E, rho, j);
@@ -236,7 +236,7 @@ static void test_pair_whole(void)
         check_at_most(transport_radius(&t, 100), 0.75, "radius below the largest albedo");
         for (size_t i = 0; i < count_from(500, 1500); i++) {
             sampler r = second_pair((uint64_t)(10 + j), (uint32_t)i);
-            ray eye = {{0, (real)0.7, 0}, 0, {0, -1, 0}, real_infinity};
+            ray eye = {{0, 0.7, 0}, 0, {0, -1, 0}, real_infinity};
             e = estimate_add(e, (double)vaxis(naive_radiance(&p, eye, &r, &c), j));
         }
         check_at_least(t_test(e, L[0], 200 * eps * L[0]), alarm, "(I - K)^-1 E: %g +- %g, exact %g",
@@ -259,7 +259,7 @@ static void test_terms_add_up(void)
     enum { depth = 6 };
     lit_scene s;
     lit_cornell(&s);
-    s.background = (vec3){(real)0.1, (real)0.2, (real)0.3};
+    s.background = vec(0.1, 0.2, 0.3);
     for (int choice = DIRECTIONS_UNIFORM; choice <= DIRECTIONS_BRDF; choice++) {
         size_t wrong = 0, cut = 0, branch = 0, n = check_count(3000);
         for (size_t i = 0; i < n; i++) {
@@ -332,11 +332,11 @@ static void test_terms_lit(void)
         lit_scene s;
         lit_cornell_begin(&s);
         uint16_t shine = lit_add_material(&s, (lit_material){
-            .f = brdf_mirror((vec3){(real)0.9, (real)0.8, (real)0.7})});
+            .f = brdf_mirror(vec(0.9, 0.8, 0.7))});
         uint16_t lamp = lit_add_material(&s, (lit_material){
-            .f = brdf_lambert((vec3){(real)0.1, (real)0.2, (real)0.3}), .Le = {3, 2, 1}});
+            .f = brdf_lambert(vec(0.1, 0.2, 0.3)), .Le = {3, 2, 1}});
         if (more) {
-            s.background = (vec3){(real)0.5, (real)0.25, 1};
+            s.background = vec(0.5, 0.25, 1);
             lit_add_rectangle(&s, (rectangle){{100, 1, 50}, {0, 0, 300}, {300, 0, 0}}, shine);
         }
         lit_add_shape(&s, shape_of_sphere((sphere){{300, 420, 250}, 90}), lamp);
@@ -379,15 +379,15 @@ static void test_notes(void)
 {
     lit_scene s;
     naive_counts c = {{0}, 0, 0};
-    vec3 half = {(real)0.5, (real)0.5, (real)0.5};
+    vec3 half = {0.5, 0.5, 0.5};
     furnace_sphere(&s, one, half);
     naive_path p = {&s, DIRECTIONS_BRDF, 100, false};
     sampler r = second_pair(9, 0);
     check_equal((double)notes_shade(&p, some_ray(dark, 9), &r, &c).x, 0.5, "rho E, not 2");
     lit_free(&s);
     /* the ball is no light: its one term is the sphere's E, and nothing that the sphere reflects */
-    furnace_pair(&s, (real)0.5, (vec3[]){dark, one}, (vec3[]){half, half});
-    ray down = {{0, (real)0.7, 0}, 0, {0, -1, 0}, real_infinity};
+    furnace_pair(&s, 0.5, (vec3[]){dark, one}, (vec3[]){half, half});
+    ray down = {{0, 0.7, 0}, 0, {0, -1, 0}, real_infinity};
     r = second_pair(9, 1);
     check_equal((double)notes_shade(&p, down, &r, &c).x, 0.5, "rho_0 E_1: the light's K is lost");
     transport t = furnace_transport(0.5, (vec3[]){dark, one}, (vec3[]){half, half}, 0);
@@ -396,7 +396,7 @@ static void test_notes(void)
     transport_free(&t), lit_free(&s);
     /* no emitter but the background, seen past a grey ball: there it is right */
     lit_begin(&s);
-    lit_add_shape(&s, shape_of_sphere((sphere){dark, (real)0.5}),
+    lit_add_shape(&s, shape_of_sphere((sphere){dark, 0.5}),
                   lit_add_material(&s, (lit_material){.f = brdf_lambert(half)}));
     lit_end(&s);
     s.background = one, r = second_pair(9, 2);
@@ -412,17 +412,17 @@ static void hard_scene(lit_scene *s, bool lamps)
 {
     lit_begin(s);
     uint16_t m[6], k = 0;
-    vec3 red = {(real)0.8, 0, 0}, grey = {(real)0.6, (real)0.6, (real)0.6};
+    vec3 red = {0.8, 0, 0}, grey = {0.6, 0.6, 0.6};
     m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(red)});
     m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(grey)});
     m[k++] = lit_add_material(s, (lit_material){.f = brdf_ggx(grey, 1)});
-    m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert((vec3){0, (real)0.8, 0})});
+    m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(vec(0, 0.8, 0))});
     m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(dark)});
     m[k++] = lit_add_material(s, (lit_material){.f = brdf_lambert(dark), .Le = {1, 2, 3}});
     for (int i = 0; i < 6; i++) lit_add_rectangle(s, furnace_wall(i), m[i % 4]);
-    lit_add_shape(s, shape_of_sphere((sphere){{(real)0.4, (real)0.4, (real)0.4}, (real)0.2}), m[4]);
+    lit_add_shape(s, shape_of_sphere((sphere){{0.4, 0.4, 0.4}, 0.2}), m[4]);
     if (lamps) {
-        sphere lamp = {{(real)-0.4, (real)-0.4, (real)0.4}, (real)0.3};
+        sphere lamp = {{-0.4, -0.4, 0.4}, 0.3};
         lit_add_shape(s, shape_of_sphere(lamp), m[5]);
     }
     lit_end(s);
@@ -431,7 +431,7 @@ static void hard_scene(lit_scene *s, bool lamps)
 static void test_called_for(void)
 {
     lit_scene s;
-    vec3 o = {0, (real)0.5, 0};
+    vec3 o = {0, 0.5, 0};
     for (int lamps = 0; lamps < 2; lamps++) {
         hard_scene(&s, lamps);
         for (int choice = DIRECTIONS_UNIFORM; choice <= DIRECTIONS_BRDF; choice++) {
@@ -473,9 +473,9 @@ static void test_counts(void)
     lit_scene s;
     vec3 red = {1, 0, 0}, green = {0, 1, 0};
     naive_counts c = {{0}, 0, 0};
-    ray eye = {{0, (real)0.7, 0}, 0, {0, -3, 0}, real_infinity};
+    ray eye = {{0, 0.7, 0}, 0, {0, -3, 0}, real_infinity};
     /* a shining black ball: what the eye sees of it, one ray, and no random number asked for */
-    furnace_pair(&s, (real)0.5, (vec3[]){{5, 6, 7}, dark}, (vec3[]){dark, one});
+    furnace_pair(&s, 0.5, (vec3[]){{5, 6, 7}, dark}, (vec3[]){dark, one});
     naive_path p = {&s, DIRECTIONS_BRDF, 50, false};
     sampler r = second_pair(0, 0);
     check(same(naive_radiance(&p, eye, &r, &c), (vec3){5, 6, 7}), "the eye's own view of a light");
@@ -487,7 +487,7 @@ static void test_counts(void)
     check_equal(naive_rays(&c), 1, "no branch from what is black");
     lit_free(&s);
     /* a red ball in a green sphere: nothing survives the second reflection */
-    furnace_pair(&s, (real)0.5, (vec3[]){one, one}, (vec3[]){red, green});
+    furnace_pair(&s, 0.5, (vec3[]){one, one}, (vec3[]){red, green});
     c = (naive_counts){{0}, 0, 0}, r = second_pair(0, 0);
     vec3 L = naive_radiance(&p, eye, &r, &c);
     check_equal(naive_rays(&c), 2, "red, then green: two rays, the third would bring nothing");
@@ -506,14 +506,14 @@ static void test_counts(void)
 static void test_shading_normals(void)
 {
     vec3 v[4] = {{-1, 0, -1}, {-1, 0, 1}, {1, 0, 1}, {1, 0, -1}};
-    vec3 n = vunit((vec3){1, (real)0.3, 0});
+    vec3 n = vunit(vec(1, 0.3, 0));
     uint32_t index[6] = {0, 1, 2, 0, 2, 3}, of[6] = {0, 0, 0, 0, 0, 0};
     mesh m = {.v = v, .vertices = 4, .index = index, .triangles = 2, .n = &n, .normals = 1,
               .normal_index = of};
     lit_scene s;
-    vec3 white = {(real)0.9, (real)0.9, (real)0.9};
+    vec3 white = {0.9, 0.9, 0.9};
     bounce_counts c = {{{0}, 0, 0}, 0};
-    ray eye = {{0, 1, 0}, 0, {(real)-0.1, -1, 0}, real_infinity};
+    ray eye = {{0, 1, 0}, 0, {-0.1, -1, 0}, real_infinity};
     lit_begin(&s);
     uint16_t wall = lit_add_material(&s, (lit_material){.f = brdf_lambert(white)});
     uint16_t lamp = lit_add_material(&s, (lit_material){.f = brdf_lambert(dark), .Le = one});
@@ -546,7 +546,7 @@ static void test_eye_length(void)
     naive_path p = {&s, DIRECTIONS_BRDF, 3, false};
     naive_counts c = {{0}, 0, 0};
     for (size_t i = 0; i < count_from(100, 500); i++) {
-        ray r = some_ray((vec3){0, (real)0.5, 0}, i), far = r;
+        ray r = some_ray(vec(0, 0.5, 0), i), far = r;
         far.d = vscale(r.d, 4);
         sampler a = second_pair(i, 2), b = a;
         vec3 L = naive_radiance(&p, r, &a, &c);

@@ -71,7 +71,7 @@ static void test_paths(void)
     for (int i = 0; i < 6 * m * m; i++) E[i] = fine.E[i];
     for (int i = 0; i < 3; i++) {
         vec3 p = {(real)x[i][0], -1, (real)x[i][1]};  /* wall 2, the floor */
-        ray eye = {{p.x, (real)-0.5, p.z}, 0, {0, -1, 0}, real_infinity};
+        ray eye = {{p.x, -0.5, p.z}, 0, {0, -1, 0}, real_infinity};
         double whole = radiosity_at(light, albedo, m, L, p, 2);
         double step = fabs(whole - radiosity_at(light, albedo, small, coarse, p, 2));
         double direct = radiosity_at(light, albedo, m, E, p, 2);

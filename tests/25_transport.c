@@ -39,9 +39,9 @@ static void test_series(void)
      * 2^-10 e^x - 1 multiplies the relative error of x = 1001 log rho by x / (1 - e^-x) < 2 */
     check_at_most(worst, 8 * eps, "series_sum");
     check_equal(series_sum(3, 1, 6), 21, "rho = 1: E (n + 1)");
-    check_equal((double)series_sum(1, (real)0.5, 3), 1.875, "1 + 1/2 + 1/4 + 1/8");
+    check_equal((double)series_sum(1, 0.5, 3), 1.875, "1 + 1/2 + 1/4 + 1/8");
     check_equal(series_sum(2, 0, 9), 2, "black: E");
-    check_equal(series_whole(1, (real)0.75), 4, "E / (1 - rho)");
+    check_equal(series_whole(1, 0.75), 4, "E / (1 - rho)");
     check(isinf(series_whole(1, 1)) && isinf(series_whole(1, 2)), "rho >= 1: diverges");
     check_equal(series_whole(0, 1), 0, "no light, no sum");
 }

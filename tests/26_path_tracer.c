@@ -31,7 +31,7 @@ static void test_closed_sphere(void)
                                    SEQUENCE_SOBOL_XOR, SEQUENCE_SOBOL};
     lit_scene s;
     lit_begin(&s);
-    lit_material m = {.f = brdf_lambert((vec3){(real)0.5, (real)0.25, 0}), .Le = {1, 2, 3}};
+    lit_material m = {.f = brdf_lambert(vec(0.5, 0.25, 0)), .Le = {1, 2, 3}};
     lit_add_shape(&s, shape_of_sphere((sphere){{1, 2, 3}, -2}), lit_add_material(&s, m));
     lit_end(&s);
     const double exact[3] = {2, 2 / 0.75, 3};
@@ -44,7 +44,7 @@ static void test_closed_sphere(void)
         estimate e[3];
         path_counts c = {0};
         path_tracer_of(&s, NULL, how, &t);
-        along(&t, ray_from((vec3){1, 2, (real)3.5}, (vec3){1, 2, 3}), check_count(200), 16, e, &c);
+        along(&t, ray_from(vec(1, 2, 3.5), (vec3){1, 2, 3}), check_count(200), 16, e, &c);
         for (int k = 0; k < 3; k++)
             check_at_least(t_test(e[k], exact[k], 200 * (double)real_epsilon), false_alarm,
                            "closed sphere, %s, option %d, channel %d: mean %.9g, exactly %.9g",
@@ -85,9 +85,9 @@ static void furnace_ball(const brdf *b, const environment *sky, real cosine, boo
 
 static void test_furnace(void)
 {
-    vec3 c = {(real)0.9, (real)0.5, (real)0.1}, d = {(real)0.3, (real)0.4, (real)0.5};
-    const brdf b[] = {brdf_lambert(c), brdf_blinn_phong(d, d, 30), brdf_ggx(c, (real)0.8),
-                      brdf_ggx(c, (real)0.3), brdf_mirror(c)};
+    vec3 c = {0.9, 0.5, 0.1}, d = {0.3, 0.4, 0.5};
+    const brdf b[] = {brdf_lambert(c), brdf_blinn_phong(d, d, 30), brdf_ggx(c, 0.8),
+                      brdf_ggx(c, 0.3), brdf_mirror(c)};
     image white = image_new(16, 8);
     environment sky;
     failure f;
@@ -117,7 +117,7 @@ static void test_glass(void)
         s.background = (vec3){1, 1, 1};
         lit_end(&s);
         path_tracer_of(&s, NULL, path_defaults, &t);
-        along(&t, ray_from((vec3){0, (real)0.6, 5}, (vec3){0, 0, -1}), check_count(500), 16, e, &c);
+        along(&t, ray_from(vec(0, 0.6, 5), (vec3){0, 0, -1}), check_count(500), 16, e, &c);
         check_at_least(t_test(e[2], 1, 1e-6), false_alarm, "a clear ball %d in white light: %.9g",
                        k, e[2].mean);
         check_at_least(c.refractions, c.paths, "each path meets the ball");
@@ -209,16 +209,16 @@ static void test_naive(void)
 static void crowded(lit_scene *s, bool glass)
 {
     lit_cornell_begin(s);
-    lit_material gloss = {.f = brdf_ggx((vec3){(real)0.9, (real)0.7, (real)0.4}, (real)0.4)};
-    lit_material lamp = {.f = brdf_lambert((vec3){(real)0.5, (real)0.5, (real)0.5}),
+    lit_material gloss = {.f = brdf_ggx(vec(0.9, 0.7, 0.4), 0.4)};
+    lit_material lamp = {.f = brdf_lambert(vec(0.5, 0.5, 0.5)),
                          .Le = {3, 4, 5}};
     lit_add_shape(s, shape_of_sphere((sphere){{420, 80, 150}, 80}), lit_add_material(s, gloss));
     lit_add_shape(s, shape_of_sphere((sphere){{100, 400, 300}, 60}), lit_add_material(s, lamp));
     if (glass) {
-        lit_material ball = {.ior = (real)1.5, .sigma = {(real)0.001, 0, (real)0.002}};
+        lit_material ball = {.ior = 1.5, .sigma = {0.001, 0, 0.002}};
         lit_add_shape(s, shape_of_sphere((sphere){{180, 235, 160}, 70}), lit_add_material(s, ball));
     }
-    s->background = (vec3){(real)0.2, (real)0.3, (real)0.4};
+    s->background = vec(0.2, 0.3, 0.4);
     lit_end(s);
 }
 
@@ -227,7 +227,7 @@ static void test_strategies_agree(void)
     lit_scene s;
     environment sky;
     estimate best[3], e[3];
-    environment_sky(32, 16, (vec3){0, (real)0.3, -1}, &sky);
+    environment_sky(32, 16, vec(0, 0.3, -1), &sky);
     crowded(&s, true);
     ray r = ray_between((vec3){278, 273, -800}, (vec3){330, 20, 60});
     for (int o = 0; o < 6; o++) {
@@ -268,8 +268,8 @@ static estimate received(bool swapped, size_t n)
     rectangle lamp = place[swapped], eye = place[!swapped];
     lit_cornell_begin(&s);
     for (size_t i = 0; i < s.emitters; i++) s.emitter[i].Le = (vec3){0, 0, 0};
-    lit_material glass = {.ior = (real)1.5, .sigma = {(real)0.002, 0, 0}};
-    lit_material gloss = {.f = brdf_ggx((vec3){1, (real)0.8, (real)0.6}, (real)0.5)};
+    lit_material glass = {.ior = 1.5, .sigma = {0.002, 0, 0}};
+    lit_material gloss = {.f = brdf_ggx(vec(1, 0.8, 0.6), 0.5)};
     lit_add_shape(&s, shape_of_sphere((sphere){{300, 260, 150}, 70}), lit_add_material(&s, glass));
     lit_add_shape(&s, shape_of_sphere((sphere){{150, 90, 400}, 90}), lit_add_material(&s, gloss));
     s.material[CORNELL_LIGHT].Le = (vec3){0, 0, 0};
@@ -285,7 +285,7 @@ static estimate received(bool swapped, size_t n)
         path_random r = path_start(&t.how, 9, i, 0, 1);
         point2 u = path_pair(&r), v = path_pair(&r);
         vec3 p = vadd(eye.o, vadd(vscale(eye.s, u.u), vscale(eye.t, u.v)));
-        ray d = leave((surface){p, normal, normal, (real)1e-3, 0, no_shape},
+        ray d = leave((surface){p, normal, normal, 1e-3, 0, no_shape},
                       directed(normal, sample_cosine(v.u, v.v)));
         e = estimate_add(e, (double)(path_radiance(&t, d, &r, &c).x * area / 1000));
     }
@@ -307,7 +307,7 @@ static void test_reciprocity(void)
 
 static void test_roulette(void)
 {
-    check_equal(roulette_survival((vec3){(real)0.125, (real)0.25, 0}), (real)0.5, "q of (26.9)");
+    check_equal(roulette_survival(vec(0.125, 0.25, 0)), (real)0.5, "q of (26.9)");
     check_equal(roulette_survival((vec3){2, 0, 0}), 1, "never above 1");
     vec3 cut = path_cut((vec3){4, 2, 1}, 2), whole = path_cut((vec3){4, 2, 1}, 0);
     check(cut.x == 2 && cut.y == 1 && cut.z == (real)0.5 && whole.x == 4, "--clamp keeps the hue");

@@ -314,9 +314,9 @@ static void test_dielectric(void)
     random_stream s = random_start(26, 3, 1);
     real e = real_epsilon, rs = (real)1.25 / (real)3.25;
     double length = 0, off = 0;
-    through_often((real)1.5, 1, 0.04), through_often(3, 1, 0.25), through_often(1, (real)0.3, 0);
-    through_often((real)1.5, 1 / sqrt((real)3.25), (double)(rs * rs / 2));  /* Brewster's angle */
-    through_often((real)0.5, (real)0.5, 1);  /* total */
+    through_often(1.5, 1, 0.04), through_often(3, 1, 0.25), through_often(1, 0.3, 0);
+    through_often(1.5, 1 / sqrt((real)3.25), (double)(rs * rs / 2));  /* Brewster's angle */
+    through_often(0.5, 0.5, 1);  /* total */
     for (size_t i = 0; i < check_count(20000); i++) {
         vec3 n = sample_sphere(random_next(&s), random_next(&s));
         vec3 wo = sample_sphere(random_next(&s), random_next(&s));

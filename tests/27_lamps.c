@@ -32,7 +32,7 @@ static void test_pdf(const studio_tree *t, const lamp_list *l)
 /* Below height s of a cone lies (2 ra + (rb - ra) s) s / (ra + rb) of its side: that is u. */
 static void test_cone(void)
 {
-    cone c = {.a = {1, 2, 3}, .b = {2, 4, 5}, .ra = (real)0.25, .rb = 1};
+    cone c = {.a = {1, 2, 3}, .b = {2, 4, 5}, .ra = 0.25, .rb = 1};
     lamp_list l = {.face = NULL};
     vec3 axis = vsub(c.b, c.a);
     double worst = 0, seen = 0;
@@ -55,12 +55,12 @@ static void test_cone(void)
 static void test_sky(void)
 {
     sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4), .up = {0, 1, 0},
-             .front = {(real)0.6, 0, (real)-0.8}, .right = {(real)0.8, 0, (real)0.6}};
+             .front = {0.6, 0, -0.8}, .right = {0.8, 0, 0.6}};
     failure f;
     sky_light l;
     size_t seen = 0, other = 0, likely = 0;
     for (int i = 0; i < 32; i++)
-        image_set(&s.picture, i % 8, i / 8, (vec3){(real)(1 + i), (real)(40 - i), 1});
+        image_set(&s.picture, i % 8, i / 8, vec((1 + i), (40 - i), 1));
     check(sky_light_build(&s, &l, &f), "%s", f.text);
     for (int i = 0; i < 4000; i++) {
         random_stream r = random_start(6, (uint64_t)i, 0);

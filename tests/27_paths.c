@@ -41,12 +41,12 @@ static void room_of_26(lit_scene *s, const studio *from)
     lit_begin(s);
     uint16_t white = matte(s, 0.7, 0.7, 0.7), red = matte(s, 0.6, 0.1, 0.1);
     uint16_t green = matte(s, 0.1, 0.5, 0.1);
-    vec3 Ke = {3, (real)2.5, 2}, all = {1, 1, 1}, sigma = {(real)0.3, 1, (real)1.5};
+    vec3 Ke = {3, 2.5, 2}, all = {1, 1, 1}, sigma = {0.3, 1, 1.5};
     for (int k = 0; k < 3; k++) add(s, from, k, white);
     add(s, from, 3, red), add(s, from, 4, green);
     add(s, from, 5, lit_add_material(s, (lit_material){.Le = Ke}));
     lit_add_shape(s, from->shape[6], lit_add_material(s, (lit_material){.f = brdf_mirror(all)}));
-    lit_material glass = {.f = brdf_mirror(all), .ior = (real)1.5, .sigma = sigma};
+    lit_material glass = {.f = brdf_mirror(all), .ior = 1.5, .sigma = sigma};
     lit_add_shape(s, from->shape[7], lit_add_material(s, glass));
     lit_end(s);
 }

@@ -222,7 +222,7 @@ static void test_flat_mesh(void)
                   .index = allocate(3, sizeof *m.index)};
         memcpy(m.v, corner, sizeof corner), m.index[1] = 1, m.index[2] = 2;
         studio_place(&s, studio_add_mesh(&s, m, NULL, 0, false),
-                     affine_translation((vec3){0, (real)y, 0}), 1, (cite){0, 0});
+                     affine_translation(vec(0, y, 0)), 1, (cite){0, 0});
         plan p = plan_of(&s);
         check(p.effects == (EFFECT_ENVIRONMENT | (y ? EFFECT_INDIRECT : 0u)), "moved by %d", y);
         plan_free(&p), studio_free(&s);
@@ -328,7 +328,7 @@ static void test_framing(void)
         studio_view v;
         camera c;
         failure f;
-        real aspect = (const real[]){1, 2, (real)0.25}[round / 3 % 3];
+        real aspect = (const real[]){1, 2, 0.25}[round / 3 % 3];
         if (!read_text(text, &s)) continue;
         bool ok = studio_camera(&s, aspect, &v, &c, &f);
         check(ok, "%s", f.text);
@@ -383,16 +383,16 @@ static void test_sky(void)
     sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4)};
     for (int y = 0; y < 4; y++)
         for (int x = 0; x < 8; x++)
-            image_set(&s.picture, x, y, (vec3){(real)x, (real)y, 1});
+            image_set(&s.picture, x, y, vec(x, y, 1));
     /* Up y: the middle of the picture is -z, its right half begins there, +x is at 3/4. */
     static const struct { int up; real turn; vec3 d; int x, y; } list[] = {
-        {1, 0, {(real)0.1, (real)0.1, -1}, 4, 1}, {1, 0, {(real)-0.1, (real)-0.1, -1}, 3, 2},
-        {1, 0, {1, (real)0.1, (real)-0.1}, 5, 1}, {1, 0, {-1, (real)-0.1, (real)-0.1}, 2, 2},
-        {1, 0, {(real)0.1, 5, (real)-0.2}, 4, 0}, {1, 0, {(real)-0.1, -9, (real)-0.2}, 3, 3},
-        {1, 0, {(real)0.1, (real)-0.1, 9}, 7, 2}, {1, 0, {(real)-0.1, (real)0.1, 9}, 0, 1},
-        {2, 0, {(real)0.1, 1, (real)0.1}, 4, 1},            /* z up: the middle is +y, then +x */
-        {1, 90, {-1, (real)0.1, (real)-0.1}, 4, 1},         /* turned about y: the middle is -x */
-        {0, 0, {(real)0.1, 1, (real)-0.1}, 4, 1}};          /* x up: right = y x x = -z */
+        {1, 0, {0.1, 0.1, -1}, 4, 1}, {1, 0, {-0.1, -0.1, -1}, 3, 2},
+        {1, 0, {1, 0.1, -0.1}, 5, 1}, {1, 0, {-1, -0.1, -0.1}, 2, 2},
+        {1, 0, {0.1, 5, -0.2}, 4, 0}, {1, 0, {-0.1, -9, -0.2}, 3, 3},
+        {1, 0, {0.1, -0.1, 9}, 7, 2}, {1, 0, {-0.1, 0.1, 9}, 0, 1},
+        {2, 0, {0.1, 1, 0.1}, 4, 1},            /* z up: the middle is +y, then +x */
+        {1, 90, {-1, 0.1, -0.1}, 4, 1},         /* turned about y: the middle is -x */
+        {0, 0, {0.1, 1, -0.1}, 4, 1}};          /* x up: right = y x x = -z */
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         sky_aim(&s, list[i].up, list[i].turn);
         vec3 c = sky_radiance(&s, vscale(list[i].d, 3));

@@ -328,7 +328,7 @@ static void test_ends(void)
         random_stream s = random_start(28, i, 0);
         real x = (real)some(&s, -9, 9), tilt = (real)some(&s, 0, 1e-3);
         vec3 o = {x, (real)-0.164628 + tilt * (real)some(&s, 0, 1), (real)some(&s, -9, -8)};
-        ray r = ray_from(o, vunit((vec3){(real)0.37, -tilt, (real)-0.93}));
+        ray r = ray_from(o, vunit(vec(0.37, -tilt, -0.93)));
         effects_general(&q.e, r, (media_set){0}, &d, &c);
     }
     check_at_least(c.rays[RAY_OF_EYE], check_count(20000), "rays");

@@ -74,8 +74,8 @@ static void test_mtl_random(void)
                  x[3], x[4], x[5], end, x[6], 0.5, end, 1000 * x[7], end, 1 + x[8], end, x[9], end,
                  i % 11, end);
         studio_material m = mtl_material(text, "m");
-        bool ok = same(m.kd, (vec3){(real)x[0], (real)x[1], (real)x[2]})
-            && same(m.ks, (vec3){(real)x[3], (real)x[4], (real)x[5]}) && m.ke.x == (real)x[6]
+        bool ok = same(m.kd, vec(x[0], x[1], x[2]))
+            && same(m.ks, vec(x[3], x[4], x[5])) && m.ke.x == (real)x[6]
             && m.ns == (real)(1000 * x[7]) && m.ni == (real)(1 + x[8]) && m.d == (real)x[9]
             && m.illum == (int)(i % 11);
         if (!ok) check(false, "%s", text);
@@ -364,7 +364,7 @@ static void test_nff_rest(void)
     check(s.lights == 2 && !s.view.given, "lights, no view");
     const mesh *m = &s.mesh[0];
     check(m->triangles == 4 && m->n, "two triangles and a concave patch of two: %zu", m->triangles);
-    check(same(mesh_normal(m, 1, (real)0.25, (real)0.25), (vec3){0, 0, 1}),
+    check(same(mesh_normal(m, 1, 0.25, 0.25), (vec3){0, 0, 1}),
           "a triangle without normals keeps its own");
     vec3 n = mesh_normal(m, 0, 1, 0);
     check_close(n.y, sqrt(0.5), 4 * (double)real_epsilon, "the normal of a corner");
@@ -375,7 +375,7 @@ static void test_nff_rest(void)
     ok = read_scene("n.scene", &s, &f);
     check(ok, "%s", f.text);
     if (!ok) return;
-    n = mesh_normal(&s.mesh[0], 0, (real)0.25, (real)0.25);
+    n = mesh_normal(&s.mesh[0], 0, 0.25, 0.25);
     check_close(n.y / n.z, 0.5, 8 * (double)real_epsilon, "normals go by the inverse transposed");
     studio_free(&s);
 }

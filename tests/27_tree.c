@@ -28,7 +28,7 @@ static mesh ball_mesh(int levels)
 
 static affine random_place(void)
 {
-    affine a = affine_scaling((vec3){(real)0.3 + random_next(&rng), (real)0.5, (real)-0.7});
+    affine a = affine_scaling(vec((real)0.3 + random_next(&rng), 0.5, -0.7));
     a = affine_of(a, affine_rotation(vunit(in_cube(1)), 6 * uniform()));
     return affine_of(a, affine_translation(in_cube(4)));
 }
@@ -151,7 +151,7 @@ static void test_equal(void)
         studio_place(&s, k, moved, 0, (cite){0, 0});
         if (first < 2) studio_place(&s, k, one, 0, (cite){0, 0});
         if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) abort();
-        ray r = ray_from((vec3){(real)0.75, (real)0.25, 4}, (vec3){0, 0, -1});
+        ray r = ray_from(vec(0.75, 0.25, 4), (vec3){0, 0, -1});
         studio_hit x = {hit_none, 7};
         check(studio_tree_hit(&t, r, &x) && x.h.t == 4, "it is hit");
         check(x.place == expected[first],
@@ -177,7 +177,7 @@ static void test_leaving(void)
         for (size_t i = 0; i < ball.vertices; i++) ball.v[i] = vadd(ball.v[i], offset);
         studio_begin(&s);
         uint32_t m = studio_add_mesh(&s, ball, allocate(1, 4), 0, false);
-        affine a = affine_scaling((vec3){2, (real)0.5, -1});
+        affine a = affine_scaling(vec(2, 0.5, -1));
         a = affine_of(a, affine_rotation(vunit((vec3){1, 2, 3}), 1));
         vec3 at = {far, far / 3, -far / 7};
         a.o = vsub(at, affine_vector(a, offset));
@@ -186,7 +186,7 @@ static void test_leaving(void)
         for (size_t i = 0; i < rays; i++) {
             vec3 o = vadd(at, vscale(vunit(in_cube(1)), 5));
             studio_hit x = {hit_none, 0};
-            ray r = ray_from(o, vsub(vadd(at, in_cube((real)0.3)), o));
+            ray r = ray_from(o, vsub(vadd(at, in_cube(0.3)), o));
             if (!studio_tree_hit(&t, r, &x)) continue;
             surface q = surface_facing(studio_surface(&t, r, x), r.d);
             vec3 w = vunit(in_cube(1));

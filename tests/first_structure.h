@@ -68,7 +68,7 @@ static inline mesh first_board(int n)
     mesh m = mesh_room((size_t)(2 * n * n));
     for (int i = 0; i < n * n; i++) {
         real x = 2 * (real)(i % n) / (real)n - 1, y = 2 * (real)(i / n) / (real)n - 1;
-        real e = 2 / (real)n, z = (real)0.3;
+        real e = 2 / (real)n, z = 0.3;
         vec3 a = {x, y, z}, b = {x + e, y, z}, c = {x + e, y + e, z}, d = {x, y + e, z};
         set_triangle(&m, 2 * (size_t)i, a, b, c);
         set_triangle(&m, 2 * (size_t)i + 1, a, c, d);
@@ -137,18 +137,18 @@ static inline void first_structure_mesh(const first_structure *s, const structur
 
 static inline void first_structure_meshes(const first_structure *s, const structure *full)
 {
-    const vec3 home = {0, 0, 0}, off = {30, -20, 10}, beside = {(real)0.1, (real)0.2, (real)0.3};
+    const vec3 home = {0, 0, 0}, off = {30, -20, 10}, beside = {0.1, 0.2, 0.3};
     first_structure_mesh(s, full, "knot", first_knot_mesh(60, 10), home, 1);
     first_structure_mesh(s, full, "knot, moved", first_knot_mesh(60, 10), off, 1);
-    first_structure_mesh(s, full, "knot, tiny", first_knot_mesh(30, 6), home, (real)1e-6);
-    first_structure_mesh(s, full, "knot, huge", first_knot_mesh(30, 6), home, (real)1e6);
-    first_structure_mesh(s, full, "soup", first_soup(1000, (real)0.2), home, 1);
+    first_structure_mesh(s, full, "knot, tiny", first_knot_mesh(30, 6), home, 1e-6);
+    first_structure_mesh(s, full, "knot, huge", first_knot_mesh(30, 6), home, 1e6);
+    first_structure_mesh(s, full, "soup", first_soup(1000, 0.2), home, 1);
     first_structure_mesh(s, full, "board", first_board(20), home, 1);
     first_structure_mesh(s, full, "box", floors_mesh(1), home, 1);
     first_structure_mesh(s, full, "corners on walls", floors_mesh(4), home, 1);
     first_structure_mesh(s, full, "octahedron", octahedron_mesh(8), home, 1);
     first_structure_mesh(s, full, "corners an ulp beside", octahedron_mesh(8), beside, 1 / (real)3);
-    first_structure_mesh(s, full, "needles", needles(1000, (real)1e-2), home, 1);
+    first_structure_mesh(s, full, "needles", needles(1000, 1e-2), home, 1);
 }
 
 /* Memory and depth, and answers, on what is hard to cut. Frees m. */
@@ -185,17 +185,17 @@ static inline mesh first_copies(size_t n, vec3 a, vec3 b, vec3 c, double grow)
 
 static inline void first_structure_hard(const first_structure *s)
 {
-    const vec3 home = {0, 0, 0}, far = {(real)1e4, (real)1e4, (real)1e4};
+    const vec3 home = {0, 0, 0}, far = {1e4, 1e4, 1e4};
     size_t n = check_count(10000);
     first_structure_bounds(s, "long triangles", first_soup(n, 1), home);
     first_structure_bounds(s, "longer ones", first_soup(n, 2), home);
-    first_structure_bounds(s, "middling ones", first_soup(n, (real)0.3), home);
-    first_structure_bounds(s, "long needles", needles(n, (real)1e-3), home);
-    first_structure_bounds(s, "far from the origin", first_soup(n, (real)0.1), far);
+    first_structure_bounds(s, "middling ones", first_soup(n, 0.3), home);
+    first_structure_bounds(s, "long needles", needles(n, 1e-3), home);
+    first_structure_bounds(s, "far from the origin", first_soup(n, 0.1), far);
     first_structure_bounds(s, "one needle, often", first_copies(n, (vec3){-1, 0, 0},
-                           (vec3){1, 0, 0}, (vec3){1, (real)1e-4, (real)1e-4}, 1), home);
+                           (vec3){1, 0, 0}, vec(1, 1e-4, 1e-4), 1), home);
     first_structure_bounds(s, "one across, often", first_copies(n, (vec3){-1, -1, -1},
-                           (vec3){1, 1, 1}, (vec3){1, 1, (real)0.9}, 1), home);
+                           (vec3){1, 1, 1}, vec(1, 1, 0.9), 1), home);
     first_structure_bounds(s, "2^-60 to 1", first_copies(n, (vec3){-1, 0, 0}, (vec3){-1, 1, 0},
                            (vec3){-1, 0, 1}, exp(-60 * log(2) / (double)n)), home);
     first_structure_bounds(s, "nothing", mesh_room(0), home);
@@ -205,7 +205,7 @@ static inline void first_structure_hard(const first_structure *s)
 static inline void first_structure_sick(const first_structure *s)
 {
     real nan = (real)NAN, inf = real_infinity;
-    mesh m = needles(2000, (real)0.1);
+    mesh m = needles(2000, 0.1);
     for (size_t i = 0; i < m.triangles; i += 5) {
         vec3 *v = m.v + 3 * i;
         switch (i / 5 % 4) {
@@ -246,7 +246,7 @@ static inline void first_structure_sick(const first_structure *s)
 static inline void first_structure_few(const first_structure *s)
 {
     mesh m = mesh_room(2000);
-    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.25, 0.25, -1), (vec3){0, 0, 1});
     for (size_t i = 0; i < 2000; i++)
         set_triangle(&m, i, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, 1});
     for (size_t n = 0; n <= 2000; n = n ? n * 2000 : 1) {

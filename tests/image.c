@@ -145,7 +145,7 @@ static void write_odd(void *context)
 {
     failure f;
     image im = image_new(3, 1);
-    image_set(&im, 0, 0, (vec3){(real)NAN, 1, 1});
+    image_set(&im, 0, 0, vec(NAN, 1, 1));
     image_set(&im, 1, 0, (vec3){real_infinity, 0, 0});
     if (!image_write(context, &im, &f)) fail(f);
     image_free(&im);

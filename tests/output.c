@@ -107,7 +107,7 @@ static void preview(void *context)
 {
     const int *size = context;
     image im = image_new(size[0], size[1]);
-    for (int x = 0; x < size[0]; x++) image_set(&im, x, 0, (vec3){1, 0, (real)NAN});
+    for (int x = 0; x < size[0]; x++) image_set(&im, x, 0, vec(1, 0, NAN));
     output_preview(&im);
     image_free(&im);
 }

@@ -89,20 +89,20 @@ static inline void structure_meshes(const structure *s, size_t rays)
     structure_mesh(s, "octahedron, dyadic size", octahedron_mesh(4), rays, home, 0x1p-10, 0);
     structure_mesh(s, "torus", torus_mesh(24), rays, home, 1, 0);
     structure_mesh(s, "torus, moved", torus_mesh(24), rays, off, 1, 0);
-    structure_mesh(s, "torus, tiny", torus_mesh(24), rays, home, (real)1e-12, 0);
+    structure_mesh(s, "torus, tiny", torus_mesh(24), rays, home, 1e-12, 0);
     structure_mesh(s, "torus, of subnormal numbers", torus_mesh(24), rays, home,
                    8 * real_smallest * real_epsilon * 1000, 0);
-    structure_mesh(s, "torus, huge", torus_mesh(24), rays, home, (real)1e6, 0);
+    structure_mesh(s, "torus, huge", torus_mesh(24), rays, home, 1e6, 0);
     structure_mesh(s, "torus, flat", torus_mesh(16), rays, home, 0x1p-70, 0);
     structure_mesh(s, "torus, from 100 away", torus_mesh(24), rays, home, 1, 100);
-    structure_mesh(s, "torus, from 1e6 away", torus_mesh(24), rays, home, 1, (real)1e6);
+    structure_mesh(s, "torus, from 1e6 away", torus_mesh(24), rays, home, 1, 1e6);
     structure_mesh(s, "torus, from afar", torus_mesh(24), rays, home, 1,
                    real_is_float ? (real)1e7 : (real)1e13);
     structure_mesh(s, "planes", floors_mesh(4), rays, home, 1, 0);
     structure_mesh(s, "planes, thirds", floors_mesh(3), rays, home, 1, 0);
-    structure_mesh(s, "planes, moved", floors_mesh(4), rays, off, (real)0.1, 0);
-    structure_mesh(s, "needles", needles(300, (real)1e-3), rays, home, 1, 0);
-    structure_mesh(s, "thin needles", needles(300, (real)1e-7), rays, home, 1, 0);
+    structure_mesh(s, "planes, moved", floors_mesh(4), rays, off, 0.1, 0);
+    structure_mesh(s, "needles", needles(300, 1e-3), rays, home, 1, 0);
+    structure_mesh(s, "thin needles", needles(300, 1e-7), rays, home, 1, 0);
     structure_mesh(s, "teapot", teapot_mesh(4), rays, home, 3, 0);
     structure_mesh(s, "stadium", stadium_mesh(4), rays, home, 3, 0);
 }
@@ -112,7 +112,7 @@ static inline void structure_flat(const structure *s, size_t rays)
 {
     for (int k = 0; k < 3; k++) {
         mesh m = torus_mesh(16);
-        for (size_t i = 0; i < m.vertices; i++) ((real *)&m.v[i])[k] = (real)0.3;
+        for (size_t i = 0; i < m.vertices; i++) ((real *)&m.v[i])[k] = 0.3;
         structure_mesh(s, "flat", m, rays, (vec3){0, 0, 0}, 1, 0);
     }
 }
@@ -120,7 +120,7 @@ static inline void structure_flat(const structure *s, size_t rays)
 static inline void structure_none(const structure *s)
 {
     mesh m = mesh_room(1);
-    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.25, 0.25, -1), (vec3){0, 0, 1});
     hit h = {7, 7, 7, 7};
     set_triangle(&m, 0, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, 1});
     for (size_t n = 0; n < 2; n++) {
@@ -144,7 +144,7 @@ static inline void structure_none(const structure *s)
 static inline void structure_ties(const structure *s, size_t n)
 {
     mesh m = mesh_room(n);
-    ray r = ray_from((vec3){(real)0.25, (real)0.25, -1}, (vec3){0, 0, 1});
+    ray r = ray_from(vec(0.25, 0.25, -1), (vec3){0, 0, 1});
     for (int front = 0; front < 2; front++) {
         for (size_t i = 0; i < n; i++) {
             real z = front && i % 3 == 2 ? 1 : 2;
@@ -165,7 +165,7 @@ static inline void structure_ties(const structure *s, size_t n)
 static inline void structure_sick(const structure *s, size_t rays)
 {
     size_t n = 600;
-    mesh m = needles(n, (real)0.1);
+    mesh m = needles(n, 0.1);
     real nan = (real)NAN, inf = real_infinity;
     for (size_t i = 0; i < n; i += 8) {
         vec3 *v = m.v + 3 * i;
@@ -237,8 +237,8 @@ static inline void structure_shapes(const structure *s, size_t rays)
     vec3 *corner = allocate(4 * n, sizeof *corner);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(8, i, 0);
-        vec3 a = random_vector(&g, 1), e = random_vector(&g, (real)0.2), b = vadd(a, e);
-        vec3 f = random_vector(&g, (real)0.2), *q = corner + 4 * i;
+        vec3 a = random_vector(&g, 1), e = random_vector(&g, 0.2), b = vadd(a, e);
+        vec3 f = random_vector(&g, 0.2), *q = corner + 4 * i;
         real r = (real)0.1 * random_next(&g);
         q[0] = a, q[1] = b, q[2] = vadd(b, f), q[3] = vadd(a, f);
         switch (i % 4) {

@@ -28,10 +28,10 @@ static void test_plain(void)
     check(vaxis(b, 0) == 4 && vaxis(b, 1) == 5 && vaxis(b, 2) == -6, "axes");
     check(vlongest((vec3){1, -3, 2}) == 1 && vlongest((vec3){-3, 3, 2}) == 0
           && vlongest((vec3){0, 1, -1}) == 1 && vlongest((vec3){0, 0, 1}) == 2, "longest axis");
-    check(vzero((vec3){0, (real)-0.0, 0}) && !vzero(a), "zero");
-    check(vfinite(a) && !vfinite((vec3){0, (real)NAN, 0}) && !vfinite((vec3){0, 0, real_infinity}),
+    check(vzero(vec(0, -0.0, 0)) && !vzero(a), "zero");
+    check(vfinite(a) && !vfinite(vec(0, NAN, 0)) && !vfinite((vec3){0, 0, real_infinity}),
           "finite");
-    check(real_clamp(2, 0, 1) == 1 && real_clamp(-2, 0, 1) == 0 && real_clamp((real)0.5, 0, 1)
+    check(real_clamp(2, 0, 1) == 1 && real_clamp(-2, 0, 1) == 0 && real_clamp(0.5, 0, 1)
           == (real)0.5, "clamp");
     check(real_min((real)NAN, 3) == 3 && real_max((real)NAN, 3) == 3,
           "a NaN gives the second argument");
@@ -103,7 +103,7 @@ static double basis_error(vec3 n)
 
 static void test_basis(void)
 {
-    const real zeros[] = {0, (real)-0.0};
+    const real zeros[] = {0, -0.0};
     double worst = 0;
     for (int k = 0; k < 3; k++)
         for (int bits = 0; bits < 8; bits++) {

@@ -106,7 +106,7 @@ static void staircase_pixel(int x, int y, void *context)
 {
     staircase *s = context;
     int k = x / (s->panel + gap);
-    real scale = (real)s->panel / 64, half = (real)0.5;  /* pixels a unit */
+    real scale = (real)s->panel / 64, half = 0.5;  /* pixels a unit */
     real u = ((real)(x - k * (s->panel + gap)) + half) / scale;
     real v = ((real)(s->im->height - y) - half) / scale;
     if (u > 64 || k >= panels) { image_set(s->im, x, y, (vec3){1, 1, 1}); return; }
@@ -121,7 +121,7 @@ static void staircase_pixel(int x, int y, void *context)
     real dot = real_clamp(3 - sqrt(nearest) * scale, 0, 1);
     real thin = real_clamp((real)1.2 - off, 0, 1);
     vec3 c = vscale((vec3){1, 1, 1}, (real)0.93 - (real)0.75 * thin);
-    c = vadd(vscale(c, 1 - dot), vscale((vec3){(real)0.67, (real)0.11, 0}, dot));
+    c = vadd(vscale(c, 1 - dot), vscale(vec(0.67, 0.11, 0), dot));
     image_set(s->im, x, y, c);
 }
 

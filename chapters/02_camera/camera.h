@@ -133,7 +133,7 @@ static inline vec3 camera_direction_naive_f32(vec3 e, vec3 D)
 {
     float ex = (float)e.x, ey = (float)e.y, ez = (float)e.z;
     float sx = ex + (float)D.x, sy = ey + (float)D.y, sz = ez + (float)D.z;
-    return (vec3){(real)(sx - ex), (real)(sy - ey), (real)(sz - ez)};
+    return vec((sx - ex), (sy - ey), (sz - ez));
 }
 
 /* D never meets e: its error is a few epsilon of |D|, wherever the camera stands. */

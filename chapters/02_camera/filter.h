@@ -34,9 +34,9 @@ typedef struct {
 } filter;
 typedef struct { vec3 colour; real weight; } filter_sum;
 
-#define filter_box ((filter){FILTER_BOX, (real)0.5, 0})
+#define filter_box ((filter){FILTER_BOX, 0.5, 0})
 #define filter_tent ((filter){FILTER_TENT, 1, 0})
-#define filter_gaussian ((filter){FILTER_GAUSSIAN, 2, (real)0.5})
+#define filter_gaussian ((filter){FILTER_GAUSSIAN, 2, 0.5})
 
 /* ---------------------------------------------------------------------------------------------- */
 

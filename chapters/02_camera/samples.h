@@ -32,7 +32,7 @@ static inline void samples_place(sample_placement how, int k, int n, real radius
                                  real *x, real *y)
 {
     real i = (real)(k % n), j = (real)(k / n), cells = (real)n;
-    real a = (real)0.5, b = (real)0.5;
+    real a = 0.5, b = 0.5;
     if (how != SAMPLES_REGULAR) {
         a = random_next(s);
         b = random_next(s);

@@ -139,7 +139,7 @@ static void measure_wrong_tests(const options *o)
             vec3 a = random_vec3(&g, size), b = random_vec3(&g, size), c = random_vec3(&g, size);
             triangle tri = {a, b, c};
             vec3 from = vscale(vunit(random_vec3(&g, 1)), size);
-            ray r = ray_from(from, vunit(vsub(triangle_at(tri, (real)0.3, (real)0.3), from)));
+            ray r = ray_from(from, vunit(vsub(triangle_at(tri, 0.3, 0.3), from)));
             hit h;
             lost += !triangle_hit_absolute(tri, r, &h), missed += !triangle_hit(tri, r, &h);
         }
@@ -151,7 +151,7 @@ static void measure_wrong_tests(const options *o)
     random_stream g = random_start(o->seed, 11, 0);
     size_t sum_is_one = 0, inside = 0;
     for (size_t i = 0; i < n; i++) {
-        triangle tri = {{0, 0, 0}, {1, 0, (real)0.5}, {0, 1, (real)-0.5}};
+        triangle tri = {{0, 0, 0}, {1, 0, 0.5}, {0, 1, -0.5}};
         real u = slip_between(&g, -2, 2), v = slip_between(&g, -2, 2);
         barycentrics k = barycentrics_of(tri, triangle_at(tri, u, v));
         sum_is_one += fabs(barycentrics_sum(k) - 1) < 64 * real_epsilon;

@@ -88,7 +88,7 @@ static vec3 triangle_cross_exactly(vec3 a, vec3 b, vec3 c)
     for (int i = 0; i < 9; i++) p[i / 3][i % 3] = ldexp(p[i / 3][i % 3], -most);
     for (int i = 0; i < 3; i++) n[i] = triangle_area_exactly(p[(i + 1) % 3], p[(i + 2) % 3]);
     (void)frexp(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), &e);  /* in float n could vanish */
-    return (vec3){(real)ldexp(n[0], -e), (real)ldexp(n[1], -e), (real)ldexp(n[2], -e)};
+    return vec(ldexp(n[0], -e), ldexp(n[1], -e), ldexp(n[2], -e));
 }
 
 /* (b - a) x (c - a), scaled by some power of two; 0 only if the corners are on a line. Rounding the

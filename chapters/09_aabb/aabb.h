@@ -54,7 +54,7 @@ static inline aabb aabb_overlap(aabb a, aabb b)
     return aabb_is_empty(c) ? aabb_empty() : c;
 }
 
-static inline vec3 aabb_center(aabb b) { return vmadd(vscale(b.lo, (real)0.5), b.hi, (real)0.5); }
+static inline vec3 aabb_center(aabb b) { return vmadd(vscale(b.lo, 0.5), b.hi, 0.5); }
 
 static inline bool aabb_contains(aabb b, vec3 p)
 {

@@ -76,7 +76,7 @@ static workload *workload_new(uint64_t seed)
     for (uint64_t i = 0; i < boxes; i++) {
         random_stream s = random_start(seed, i, 99);
         vec3 c = random_in_cube(&s), e = random_in_cube(&s), half = {1, 1, 1};
-        e = vscale(vadd(e, half), (real)0.3);
+        e = vscale(vadd(e, half), 0.3);
         w->b[i] = (aabb){vsub(c, e), vadd(c, e)};
         w->r[i] = line_through((aabb){{-1, -1, -1}, {1, 1, 1}}, seed, i);
         w->order[i] = (int)(i * 37 % boxes);

@@ -67,7 +67,7 @@ static inline aabb nested_box(const nested *x, const uint32_t *item, size_t k, a
                               size_t *small)
 {
     vec3 m = {x->g.margin, x->g.margin, x->g.margin};
-    vec3 half = vscale(vsub(cell.hi, cell.lo), (real)0.5);
+    vec3 half = vscale(vsub(cell.hi, cell.lo), 0.5);
     aabb wide_cell = {vsub(cell.lo, m), vadd(cell.hi, m)}, all = aabb_empty();
     *small = 0;
     for (size_t i = 0; i < k; i++) {

@@ -111,7 +111,7 @@ int main(int argc, char **argv)
         return 0;
     }
     draw_flat(&o);
-    subject_init(&s, m, view_of_mesh(&m, (real)1.6), o.quick ? 40 : 160, o.quick ? 50 : 1000,
+    subject_init(&s, m, view_of_mesh(&m, 1.6), o.quick ? 40 : 160, o.quick ? 50 : 1000,
                  o.seed);
     table_of_strategies(&o, &s);
     table_of_planes(&o);

@@ -72,7 +72,7 @@ static inline vec3 polygon_area(const vec3 *q, size_t n)
     vec3 sum = {0, 0, 0};
     for (size_t i = 2; i < n; i++)
         sum = vadd(sum, vcross(vsub(q[i - 1], q[0]), vsub(q[i], q[0])));
-    return vscale(sum, (real)0.5);
+    return vscale(sum, 0.5);
 }
 
 static inline real length_of(vec3 a) { return sqrt(vdot(a, a)); }

@@ -142,7 +142,7 @@ static inline void fragment_range(const workshop *w, const split_plane *p, const
         side_range(p, q, f->corners ? f->corners : 2, lo, hi);
         return;
     }
-    vec3 half = vscale(vsub(q[1], q[0]), (real)0.5);
+    vec3 half = vscale(vsub(q[1], q[0]), 0.5);
     real s = side_of(p, vadd(q[0], half)), a, b;
     real reach = fabs(p->n.x) * half.x + fabs(p->n.y) * half.y + fabs(p->n.z) * half.z;
     shape_range(w, p, &w->x->s->shapes[f->item], &a, &b);

@@ -208,7 +208,7 @@ static inline void painter_begin(painter_builder *b)
     const mesh *m = b->m;
     vec3 lo, hi;
     if (!mesh_bounds(m, &lo, &hi)) return;
-    out->middle = vmadd(vscale(lo, (real)0.5), hi, (real)0.5);
+    out->middle = vmadd(vscale(lo, 0.5), hi, 0.5);
     real size = vaxis(vsub(hi, lo), vlongest(vsub(hi, lo)));
     b->e = 64 * real_epsilon * size, b->scale = power_above(size);
     for (size_t i = 0; i < m->triangles; i++) {

@@ -76,7 +76,7 @@ static inline vec3 affine_residual(affine m, vec3 v, vec3 minus)
     r = wide3_madd(r, wide3_of(m.x), wide_of((double)v.x));
     r = wide3_madd(r, wide3_of(m.y), wide_of((double)v.y));
     r = wide3_madd(r, wide3_of(m.z), wide_of((double)v.z));
-    return (vec3){(real)wide_value(r.x), (real)wide_value(r.y), (real)wide_value(r.z)};
+    return vec(wide_value(r.x), wide_value(r.y), wide_value(r.z));
 }
 
 /* M A - 1 and M a + m. */

@@ -152,7 +152,7 @@ static inline vec3 somewhere(const world *w, vec3 lo, vec3 hi, random_stream *g)
     vec3 q = vmul((vec3){x, y, z}, vsub(hi, lo));
     if (pick == 0) return w->from;
     if (pick == 1) return aim_at(w, random_next_bits(g) % world_size(w), w->from, g);
-    return vadd(vmadd(lo, vsub(hi, lo), -(real)0.25), vscale(q, (real)1.5));
+    return vadd(vmadd(lo, vsub(hi, lo), -(real)0.25), vscale(q, 1.5));
 }
 
 static inline ray_set rays_aimed(const world *w, size_t n, uint64_t seed)

@@ -96,7 +96,7 @@ static inline media_set media_around(tracer *t, vec3 p)
     media_set in = {0};
     tracer own = {.w = t->w, .program = programs, .user = t->user};
     /* a direction that no edge of a model is likely to lie in */
-    trace(&own, RAY_SIGHT, ray_from(p, (vec3){(real)0.5377, (real)0.3189, (real)0.7803}), &notes);
+    trace(&own, RAY_SIGHT, ray_from(p, vec(0.5377, 0.3189, 0.7803)), &notes);
     for (uint32_t least = 0, k; notes.n > 0; least = notes.body[k]) {
         k = (uint32_t)notes.n;
         for (uint32_t j = 0; j < (uint32_t)notes.n; j++)

@@ -78,7 +78,7 @@ int main(int argc, char **argv)
     if (o.out) return 0;
     draw_tank(&o);
     draw_depths(&o);
-    draw_ray_tree(&o, (real)345.5, (real)140.5);
+    draw_ray_tree(&o, 345.5, 140.5);
     table_of_knobs(&o);
     table_of_fresnel(&o);
     table_of_speed(&o);

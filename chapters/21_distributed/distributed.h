@@ -196,7 +196,7 @@ static inline vec3 distributed_camera(const distributed_view *v, distributor *d,
     uint64_t pixel = (uint64_t)y * (uint64_t)v->im->width + (uint64_t)x;
     distributed_sample q = {v->kind, v->seed, v->same ? 0 : pixel, k, v->samples};
     point2 film = distributed_pair(d, q, DRAWN_FILM, PAIR_FILM, 0, 1), lens = {0, 0};
-    if (v->samples == 1) film = (point2){(real)0.5, (real)0.5};
+    if (v->samples == 1) film = (point2){0.5, 0.5};
     if (v->lens.radius != 0 || d->how->spend_all)
         lens = distributed_pair(d, q, DRAWN_LENS, PAIR_LENS, 0, 1);
     ray r = lens_ray(v->c, v->lens, (real)x + film.u, (real)y + film.v, v->im->width,

@@ -147,7 +147,7 @@ static inline real triangle_in_pieces(seen_triangle k, vec3 n, int depth)
     }
     if (longest == ss) a = vadd(a, t), s = vneg(t), t = vneg(u);  /* c, a, b become a, b, c */
     else if (longest == tt) a = vadd(a, s), t = vneg(s), s = u;   /* b, c, a become a, b, c */
-    vec3 half = vscale(vadd(s, t), (real)0.5);  /* of the edge opposite a, now the longest */
+    vec3 half = vscale(vadd(s, t), 0.5);  /* of the edge opposite a, now the longest */
     return triangle_in_pieces((seen_triangle){a, s, half, k.volume / 2}, n, depth - 1)
          + triangle_in_pieces((seen_triangle){a, half, t, k.volume / 2}, n, depth - 1);
 }

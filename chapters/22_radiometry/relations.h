@@ -31,8 +31,8 @@ typedef struct {
 /* ---------------------------------------------------------------------------------------------- */
 
 /* The things that are looked at, from the origin; z is up. */
-static const sphere ball = {{0, 0, 2}, 1}, sunk_ball = {{(real)1.5, 0, (real)-0.25}, 1};
-static const triangle sail = {{1, -1, (real)0.5}, {1, 1, (real)0.5}, {(real)0.5, 0, 2}};
+static const sphere ball = {{0, 0, 2}, 1}, sunk_ball = {{1.5, 0, -0.25}, 1};
+static const triangle sail = {{1, -1, 0.5}, {1, 1, 0.5}, {0.5, 0, 2}};
 static const rectangle ceiling_pane = {{-1, -1, 2}, {0, 2, 0}, {2, 0, 0}};  /* faces down */
 static const rectangle sunk_panel = {{2, -1, -1}, {0, 0, 3}, {0, 2, 0}}; /* upright, faces -x */
 static const vec3 seen_from = {0, 0, 0}, seen_up = {0, 0, 1};
@@ -138,7 +138,7 @@ static inline real caught_10(random_stream *s) { return caught(s, 10); }
 static inline double half(void) { return 0.5; }
 static inline real tilted_sample(random_stream *s)
 {
-    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, cosine = (real)0.5;
+    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, cosine = 0.5;
     bool met = fabs(x) <= (real)0.5 && fabs(y / cosine) <= (real)0.5;
     return met ? 4 : 0;
 }
@@ -151,7 +151,7 @@ static inline real tilted_sample(random_stream *s)
  */
 static inline real meter(random_stream *s, real d)
 {
-    const real a = (real)0.1, tube = (real)0.1;
+    const real a = 0.1, tube = 0.1;
     real spot = a + d * tan(tube), sine = sin(tube);
     real u = random_next(s), v = random_next(s), u2 = random_next(s), v2 = random_next(s);
     vec3 x = vscale(sample_disk(u, v), a), y = vscale(sample_disk(u2, v2), spot), w;

@@ -92,7 +92,7 @@ static inline real direct_weight(direct_way way, real own, real other)
     switch (way) {
     case DIRECT_BALANCE: return mis_balance(own, other);
     case DIRECT_POWER: return mis_power(own, other);
-    case DIRECT_HALF: return (real)0.5;
+    case DIRECT_HALF: return 0.5;
     default: return 1;
     }
 }

@@ -161,7 +161,7 @@ static inline bool few_build(const mesh *m, few *out)
     *out = (few){.lanes = 0};
     if (m->triangles > few_most || !mesh_bounds(m, &lo, &hi) || !vfinite(lo) || !vfinite(hi))
         return false;
-    vec3 half = vscale(vsub(hi, lo), (real)0.5);
+    vec3 half = vscale(vsub(hi, lo), 0.5);
     real size = vaxis(half, vlongest(half));
     if (!(size > real_smallest / real_epsilon && size < real_largest * real_epsilon)) return false;
     (void)frexp(size, &e);

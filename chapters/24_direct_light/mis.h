@@ -36,14 +36,14 @@ static inline real mis_power_naive(real a, real b) { return a * a / (a * a + b *
 static inline real mis_balance(real a, real b)
 {
     if (!(a > 0)) return 0;
-    if (a > real_largest && b > real_largest) return (real)0.5;
+    if (a > real_largest && b > real_largest) return 0.5;
     return 1 / (1 + b / a);
 }
 
 static inline real mis_power(real a, real b)
 {
     if (!(a > 0)) return 0;
-    if (a > real_largest && b > real_largest) return (real)0.5;
+    if (a > real_largest && b > real_largest) return 0.5;
     real q = b / a;
     return 1 / (1 + q * q);
 }

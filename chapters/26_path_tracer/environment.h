@@ -90,7 +90,7 @@ static inline size_t environment_texel(const environment *e, vec3 d)
 static inline vec3 environment_radiance(const environment *e, vec3 d)
 {
     const float *c = e->im.rgb + 3 * environment_texel(e, d);
-    return (vec3){(real)c[0], (real)c[1], (real)c[2]};
+    return vec(c[0], c[1], c[2]);
 }
 
 static inline real environment_density(const environment *e, size_t k)
@@ -116,7 +116,7 @@ static inline void environment_sample(const environment *e, point2 u, vec3 *wi, 
     *wi = (vec3){r * cos(phi), 1 - 2 * q, r * sin(phi)};
     *pdf = environment_density(e, k);
     const float *c = e->im.rgb + 3 * k;
-    *L = (vec3){(real)c[0], (real)c[1], (real)c[2]};
+    *L = vec(c[0], c[1], c[2]);
 }
 
 /* A sky to look at: paler towards the horizon, grey below it; the sun is a disk 3 degrees wide,
@@ -125,8 +125,8 @@ static inline void environment_sky(int width, int height, vec3 to_sun, environme
 {
     image im = image_new(width, height);
     failure f;
-    vec3 zenith = {(real)0.18, (real)0.32, (real)0.65}, pale = {(real)0.75, (real)0.82, (real)0.9};
-    vec3 ground = {(real)0.22, (real)0.2, (real)0.18}, gold = {1, (real)0.86, (real)0.65};
+    vec3 zenith = {0.18, 0.32, 0.65}, pale = {0.75, 0.82, 0.9};
+    vec3 ground = {0.22, 0.2, 0.18}, gold = {1, 0.86, 0.65};
     to_sun = vunit(to_sun);
     for (int j = 0; j < height; j++)
         for (int i = 0; i < width; i++) {

@@ -27,7 +27,7 @@ typedef enum { ROULETTE_NONE, ROULETTE_FIXED, ROULETTE_THROUGHPUT } roulette_rul
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real roulette_fixed(vec3 beta) { return (void)beta, (real)0.8; }
+static inline real roulette_fixed(vec3 beta) { return (void)beta, 0.8; }
 
 static inline real roulette_within(vec3 beta, real keep)
 {

@@ -76,12 +76,12 @@ static inline bool framing_find(const studio *s, real aspect, studio_view *out, 
     vec3 lo, hi, ups[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     vec3 fronts[3] = {{0, 1, 0}, {0, 0, 1}, {0, -1, 0}};
     vec3 up = ups[s->up], front = fronts[s->up], right = vcross(up, front);
-    vec3 towards = vmadd(vmadd(vscale(front, (real)0.8), right, (real)0.55), up, (real)0.4);
+    vec3 towards = vmadd(vmadd(vscale(front, 0.8), right, 0.55), up, 0.4);
     camera_frame c;
     framing g = {.aspect = aspect, .tangent = half_tangent(40)};
     *out = (studio_view){.from = towards, .up = up, .angle = 40};
     if (!studio_bounds(s, &lo, &hi)) return true;  /* nothing there: look at the origin */
-    g.middle = vmadd(vscale(lo, (real)0.5), hi, (real)0.5);
+    g.middle = vmadd(vscale(lo, 0.5), hi, 0.5);
     if (!frame_look_at(towards, (vec3){0, 0, 0}, up, &c, f)) return false;
     g.u = c.u, g.v = c.v, g.w = c.w;
     framing_measure(&g, s, real_infinity);

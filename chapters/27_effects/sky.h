@@ -52,7 +52,7 @@ static inline void sky_aim(sky *s, int up, real degrees)
     static const int axis[3][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, 0, -1}},
                                       {{0, 0, 1}, {0, 1, 0}}};
     const int (*a)[3] = axis[up];
-    s->up = (vec3){(real)a[0][0], (real)a[0][1], (real)a[0][2]};
+    s->up = vec(a[0][0], a[0][1], a[0][2]);
     vec3 front = {(real)a[1][0], (real)a[1][1], (real)a[1][2]};
     s->front = degrees == 0 ? front : vturned(front, s->up, degrees * (pi / 180));
     s->right = vcross(s->front, s->up);

@@ -24,7 +24,7 @@ static inline uint32_t studio_add_material(studio *s, const char *name, cite at)
 {
     studio_grow(s, material, s->materials);
     s->material[s->materials] = (studio_material){
-        .name = name_add(&s->names, name), .kd = {(real)0.8, (real)0.8, (real)0.8},
+        .name = name_add(&s->names, name), .kd = {0.8, 0.8, 0.8},
         .tf = {1, 1, 1}, .ns = 1000, .ni = 1, .d = 1, .illum = -1, .at = at};
     return (uint32_t)s->materials++;
 }

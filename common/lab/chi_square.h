@@ -91,10 +91,10 @@ static inline vec3 chi_square_point(chi_square_chart c, double s, double t)
 {
     double turn = 2 * (double)pi * t, z = 1 - 2 * pow(s, c.focus);
     if (c.shape == DOMAIN_TRIANGLE)
-        return (vec3){(real)(1 - sqrt(s)), (real)(sqrt(s) * (1 - t)), (real)(sqrt(s) * t)};
+        return vec((1 - sqrt(s)), (sqrt(s) * (1 - t)), (sqrt(s) * t));
     double r = c.shape == DOMAIN_DISK ? sqrt(s) : sqrt(4 * pow(s, c.focus) * (1 + z) / 2);
     if (c.shape == DOMAIN_DISK) z = 0;
-    return (vec3){(real)(r * cos(turn)), (real)(r * sin(turn)), (real)z};
+    return vec((r * cos(turn)), (r * sin(turn)), z);
 }
 
 /* Area between s0 and s1, for all t: of 1/2 (triangle), pi (disk), 4 pi (directions). */

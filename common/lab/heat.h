@@ -17,9 +17,9 @@
 static inline vec3 work_colour(real x)
 {
     static const vec3 scale[5] = {{0, 0, 0},
-                                  {(real)0.05, (real)0.06, (real)0.45},
-                                  {(real)0.5, (real)0.07, (real)0.4},
-                                  {(real)0.95, (real)0.45, (real)0.05},
+                                  {0.05, 0.06, 0.45},
+                                  {0.5, 0.07, 0.4},
+                                  {0.95, 0.45, 0.05},
                                   {1, 1, 1}};
     x = real_clamp(x, 0, 1) * 4;
     int i = x < 3 ? (int)x : 3;

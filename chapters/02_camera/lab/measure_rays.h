@@ -87,7 +87,7 @@ static inline vec3 measure_float(vec3 a)
 static inline void measure_rays(table *t, plot *p, int rounds)
 {
     random_stream s = random_start(1, 0, 0);
-    real h = (real)0.0125;
+    real h = 0.0125;
     const char *precision = real_is_float ? "float" : "double";
     int series[4];
     for (int i = 0; i < (real_is_float ? 2 : 4); i++) {
@@ -105,7 +105,7 @@ static inline void measure_rays(table *t, plot *p, int rounds)
             vec3 e = vscale(measure_direction(&s), (real)far);
             vec3 target = vadd(e, vscale(measure_direction(&s), real_max(1, (real)far)));
             if (!frame_look_at(e, target, measure_direction(&s), &f, NULL)) continue;
-            if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, (real)0.035, &c, NULL)) continue;
+            if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, 0.035, &c, NULL)) continue;
             real x = 512 * random_next(&s), y = 512 * random_next(&s);
             vec3 d = camera_ray(c, x, y, 512, 512).d;
             vec3 way[] = {camera_ray_naive(c, x, y, 512, 512).d, d,

@@ -49,7 +49,7 @@ static inline vec3 room_colour(const room *s, ray r)
             r.tmax = t;
         }
     }
-    if (!first) return (vec3){(real)0.86, (real)0.89, (real)0.93};
+    if (!first) return vec(0.86, 0.89, 0.93);
     vec3 p = vsub(ray_at(r, r.tmax), first->low);
     int a = (first->axis + 1) % 3, b = (first->axis + 2) % 3;
     long squares = (long)floor(vaxis(p, a) / first->cell) + (long)floor(vaxis(p, b) / first->cell);
@@ -65,9 +65,9 @@ static inline void room_add(room *s, int axis, real at, vec3 low, vec3 high, vec
 /* Six faces, painted darker on the sides, so that edges show where the headlight shows none. */
 static inline void room_block(room *s, vec3 low, vec3 high, vec3 colour, real cell)
 {
-    static const real paint[] = {(real)0.55, (real)0.8, 1};
+    static const real paint[] = {0.55, 0.8, 1};
     for (int k = 0; k < 3; k++) {
-        vec3 a = vscale(colour, paint[k]), b = vscale(a, (real)0.8);
+        vec3 a = vscale(colour, paint[k]), b = vscale(a, 0.8);
         room_add(s, k, vaxis(low, k), low, high, a, b, cell);
         room_add(s, k, vaxis(high, k), low, high, a, b, cell);
     }
@@ -76,17 +76,17 @@ static inline void room_block(room *s, vec3 low, vec3 high, vec3 colour, real ce
 static inline room room_corner(void)
 {
     room s = {.n = 0};
-    vec3 o = {0, 0, 0}, end = {4, 4, 4}, size = {(real)0.8, (real)0.8, (real)0.8};
-    vec3 orange = {1, (real)0.5, (real)0.08};
-    room_add(&s, 2, 0, o, end, (vec3){(real)0.85, (real)0.8, (real)0.7},
-             (vec3){(real)0.42, (real)0.36, (real)0.3}, (real)0.5);
-    room_add(&s, 0, 0, o, end, (vec3){(real)0.3, (real)0.48, (real)0.75},
-             (vec3){(real)0.17, (real)0.3, (real)0.55}, (real)0.5);
-    room_add(&s, 1, 0, o, end, (vec3){(real)0.5, (real)0.72, (real)0.62},
-             (vec3){(real)0.3, (real)0.52, (real)0.43}, (real)0.5);
+    vec3 o = {0, 0, 0}, end = {4, 4, 4}, size = {0.8, 0.8, 0.8};
+    vec3 orange = {1, 0.5, 0.08};
+    room_add(&s, 2, 0, o, end, vec(0.85, 0.8, 0.7),
+             vec(0.42, 0.36, 0.3), 0.5);
+    room_add(&s, 0, 0, o, end, vec(0.3, 0.48, 0.75),
+             vec(0.17, 0.3, 0.55), 0.5);
+    room_add(&s, 1, 0, o, end, vec(0.5, 0.72, 0.62),
+             vec(0.3, 0.52, 0.43), 0.5);
     for (int i = 0; i < 3; i++) {  /* three blocks of one size, one behind the other */
         vec3 low = {2, (real)0.5 + (real)1.2 * (real)i, 0};
-        room_block(&s, low, vadd(low, size), orange, (real)0.4);
+        room_block(&s, low, vadd(low, size), orange, 0.4);
     }
     return s;
 }

@@ -24,8 +24,8 @@ static inline void sphere_draw_map(const options *o);
 
 typedef struct { image *im; int columns, rows; sphere_hit_function *const *X_hit; } sphere_panels;
 
-static const vec3 sphere_red = {(real)0.8, (real)0.1, (real)0.05};
-static const vec3 sphere_blue = {(real)0.05, (real)0.25, (real)0.8};
+static const vec3 sphere_red = {0.8, 0.1, 0.05};
+static const vec3 sphere_blue = {0.05, 0.25, 0.8};
 
 /* From o = far u to the point x, y of the plane through the centre. */
 static inline ray sphere_view(real far, real x, real y)
@@ -45,14 +45,14 @@ static inline void sphere_draw_pixel(int x, int y, void *context)
     if (h == 0) h = 1;
     int column = x / w < p->columns ? x / w : p->columns - 1;
     int row = y / h < p->rows ? y / h : p->rows - 1;
-    real half = (real)0.5, scale = (real)2.3 / (real)(w < h ? w : h);
+    real half = 0.5, scale = (real)2.3 / (real)(w < h ? w : h);
     real across = (real)(x - column * w) + half - (real)w / 2;
     real up = (real)h / 2 - (real)(y - row * h) - half;
     ray r = sphere_view(distance[column], across * scale, up * scale);
     sphere ball = {{0, 0, 0}, 1};
     hit found;
     bool is = p->X_hit[row](ball, r, &found), due = sphere_clearance(ball, r) <= 0;
-    vec3 c = {(real)0.02, (real)0.02, (real)0.03};
+    vec3 c = {0.02, 0.02, 0.03};
     if (is != due) c = due ? sphere_red : sphere_blue;
     else if (is) {
         /* The textbook divides by R and trusts that the point is on the surface. */
@@ -78,7 +78,7 @@ static inline void sphere_map_pixel(int x, int y, void *context)
     int width = p->im->width / p->columns;
     int column = x / width < p->columns ? x / width : p->columns - 1;
     if (column && x % width < 4) { image_set(p->im, x, y, (vec3){1, 1, 1}); return; }
-    real half = (real)0.5;
+    real half = 0.5;
     real far = pow((real)10, 6 * ((real)(x - column * width) + half) / (real)width);
     real pass = (real)1.2 * ((real)(p->im->height - y) - half) / (real)p->im->height;
     ray r = sphere_view(far, pass, pass / 3);
@@ -86,7 +86,7 @@ static inline void sphere_map_pixel(int x, int y, void *context)
     hit h;
     r.tmin = -real_infinity;
     bool is = p->X_hit[column](ball, r, &h), due = sphere_clearance(ball, r) <= 0;
-    vec3 c = {(real)0.93, (real)0.93, (real)0.93};
+    vec3 c = {0.93, 0.93, 0.93};
     if (is != due) c = due ? sphere_red : sphere_blue;
     else if (is) {
         double digits = -log10(sphere_residual(ball, r, h.t) + 1e-30);

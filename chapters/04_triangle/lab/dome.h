@@ -34,7 +34,7 @@ typedef struct {
 /* ---------------------------------------------------------------------------------------------- */
 
 /* No round numbers: nothing is exact by chance. */
-static const vec3 dome_eye = {(real)0.1, (real)0.2, (real)0.3};
+static const vec3 dome_eye = {0.1, 0.2, 0.3};
 
 static inline vec3 dome_direction(const dome *s, int x, int y)  /* x, y: pixels of one panel */
 {
@@ -92,9 +92,9 @@ static inline void dome_pixel(int x, int y, void *context)
                 hits++, h.shape = (uint32_t)index;
                 if (hit_before(h, best)) best = h;
             }
-    vec3 c = {1, (real)0.2, 0};
-    if (hits) c = vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), (real)0.6);
-    if (hits > 1) c = (vec3){0, (real)0.2, (real)0.8};
+    vec3 c = {1, 0.2, 0};
+    if (hits) c = vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), 0.6);
+    if (hits > 1) c = vec(0, 0.2, 0.8);
     image_set(s->im, x, y, c);
 }
 

@@ -39,7 +39,7 @@ static inline triangle needle(random_stream *g, real width, ray *r)
     triangle tri = {a, vadd(a, along),
                     vadd(vmadd(a, along, random_next(g)), vscale(across, width))};
     vec3 o = random_vec3(g, 3);
-    real u = slip_between(g, (real)0.2, (real)0.4), v = slip_between(g, (real)0.2, (real)0.4);
+    real u = slip_between(g, 0.2, 0.4), v = slip_between(g, 0.2, 0.4);
     *r = ray_from(o, vsub(triangle_at(tri, u, v), o));
     return tri;
 }

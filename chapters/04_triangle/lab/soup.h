@@ -43,8 +43,8 @@ static inline soup *soup_new(int rays, uint64_t seed)
     random_stream g = random_start(seed, 9, 0);
     s->rays = rays;
     for (int i = 0; i < soup_triangles; i++) {
-        vec3 m = random_vec3(&g, 1), a = random_vec3(&g, (real)0.5), b = random_vec3(&g, (real)0.5);
-        s->tri[i] = (triangle){vadd(m, a), vadd(m, b), vadd(m, random_vec3(&g, (real)0.5))};
+        vec3 m = random_vec3(&g, 1), a = random_vec3(&g, 0.5), b = random_vec3(&g, 0.5);
+        s->tri[i] = (triangle){vadd(m, a), vadd(m, b), vadd(m, random_vec3(&g, 0.5))};
     }
     for (int i = 0; i < rays; i++) {
         vec3 from = random_vec3(&g, 2);

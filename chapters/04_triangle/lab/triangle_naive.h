@@ -94,13 +94,13 @@ static inline bool triangle_hit_patched(triangle tri, ray r, real margin, real l
 
 static inline bool triangle_hit_tolerant(triangle tri, ray r, hit *out)
 {
-    const real margin = (real)1e-5;  /* of the barycentrics: a hundred float roundings */
+    const real margin = 1e-5;  /* of the barycentrics: a hundred float roundings */
     return triangle_hit_patched(tri, r, margin, 0, out);
 }
 
 static inline bool triangle_hit_absolute(triangle tri, ray r, hit *out)
 {
-    const real least = (real)1e-8;  /* square scene units: nobody knows how large a scene is */
+    const real least = 1e-8;  /* square scene units: nobody knows how large a scene is */
     return triangle_hit_patched(tri, r, 0, least, out);
 }
 

@@ -227,7 +227,7 @@ static inline table measure_cost(const mesh *m, uint64_t seed, size_t tests, plo
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     vec3 lo, hi;
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
-    vec3 size = vsub(hi, lo), centre = vmadd(lo, size, (real)0.5);
+    vec3 size = vsub(hi, lo), centre = vmadd(lo, size, 0.5);
     first_mesh soup = mesh_soup(m);
     for (int k = 5; k >= 0; k--) {
         mesh part = *m;

@@ -21,7 +21,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const vec3 background = {(real)0.015, (real)0.02, (real)0.03};
+static const vec3 background = {0.015, 0.02, 0.03};
 
 /* What the pixels need. Just one of m and s is not NULL. */
 typedef struct {
@@ -52,7 +52,7 @@ static inline void view_pixel(int x, int y, void *context)
     int n = w->cells * w->cells;
     for (int k = 0; k < n; k++) {
         real dx, dy;
-        samples_place(SAMPLES_REGULAR, k, w->cells, (real)0.5, NULL, &dx, &dy);
+        samples_place(SAMPLES_REGULAR, k, w->cells, 0.5, NULL, &dx, &dy);
         ray r = camera_ray(w->c, (real)x + (real)0.5 + dx, (real)y + (real)0.5 + dy, w->im->width,
                            w->im->height);
         sum = vadd(sum, view_colour(w, r));
@@ -75,11 +75,11 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     camera_frame f;
     vec3 lo, hi, away = {0, 0, 0}, above = {0, 0, 0};
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = away;
-    vec3 centre = vmadd(lo, vsub(hi, lo), (real)0.5);
+    vec3 centre = vmadd(lo, vsub(hi, lo), 0.5);
     int right = up == 2 ? 0 : up == 1 ? 0 : 2, front = 3 - up - right;
     ((real *)&above)[up] = 1;
-    ((real *)&away)[up] = (real)0.45;
-    ((real *)&away)[right] = (real)0.3;
+    ((real *)&away)[up] = 0.45;
+    ((real *)&away)[right] = 0.3;
     ((real *)&away)[front] = up == 2 ? -1 : 1;  /* right x up points to the eye */
     real radius = vlength(vsub(hi, lo)) / 2;
     if (!(radius > 0)) radius = 1;
@@ -91,7 +91,7 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
         n = (camera_window){real_min(n.l, x), real_max(n.r, x), real_min(n.b, y), real_max(n.t, y)};
     }
     if (!(n.l < n.r && n.b < n.t))
-        n = (camera_window){(real)-0.3, (real)0.3, (real)-0.3, (real)0.3};
+        n = (camera_window){-0.3, 0.3, -0.3, 0.3};
     real x = (n.l + n.r) / 2, y = (n.b + n.t) / 2, a = (real)width / (real)height;
     real half = (real)0.52 * real_max(n.t - n.b, (n.r - n.l) / a);
     if (!camera_off_axis(f, (camera_window){x - a * half, x + a * half, y - half, y + half}, 1,
@@ -108,29 +108,29 @@ static inline bool draw_mesh(const mesh *m, camera c, int samples, int threads, 
 static inline bool draw_shapes(int samples, int threads, image *im)
 {
     static vec3 wheel[96], floor_corners[4] = {{-5, -2, 0}, {5, -2, 0}, {5, 3, 0}, {-5, 3, 0}};
-    size_t n = gear(wheel, 24, (real)1.1, (real)0.8);
+    size_t n = gear(wheel, 24, 1.1, 0.8);
     for (size_t i = 0; i < n; i++)
-        wheel[i] = (vec3){(real)2.9 + wheel[i].x, (real)0.8, (real)1.1 + wheel[i].y};
+        wheel[i] = vec((real)2.9 + wheel[i].x, 0.8, (real)1.1 + wheel[i].y);
     const shape shapes[] = {
         shape_of_polygon(polygon_of(floor_corners, 4)),
         shape_of_polygon(polygon_of(wheel, n)),
-        shape_of_sphere((sphere){{-3, (real)0.5, (real)0.8}, (real)0.8}),
+        shape_of_sphere((sphere){{-3, 0.5, 0.8}, 0.8}),
         shape_of_cone(
-            (cone){{(real)-1.3, (real)0.3, 0}, (real)0.8, {(real)-1.3, (real)0.3, (real)1.9}, 0}),
-        shape_of_cone((cone){{(real)0.1, (real)0.9, (real)0.6},
-                             (real)0.6,
-                             {(real)1.1, (real)-0.6, (real)0.6},
-                             (real)0.6}),
-        shape_of_triangle((triangle){{-2, 2, 0}, {2, 2, 0}, {0, (real)1.8, (real)2.6}})};
+            (cone){{-1.3, 0.3, 0}, 0.8, {-1.3, 0.3, 1.9}, 0}),
+        shape_of_cone((cone){{0.1, 0.9, 0.6},
+                             0.6,
+                             {1.1, -0.6, 0.6},
+                             0.6}),
+        shape_of_triangle((triangle){{-2, 2, 0}, {2, 2, 0}, {0, 1.8, 2.6}})};
     static const vec3 tint[] = {
-        {(real)0.45, (real)0.45, (real)0.45}, {(real)0.9, (real)0.6, (real)0.05},
-        {(real)0.1, (real)0.6, (real)0.9},    {(real)0.85, (real)0.35, (real)0.05},
-        {(real)0.1, (real)0.7, (real)0.5},    {(real)0.8, (real)0.5, (real)0.65}};
+        {0.45, 0.45, 0.45}, {0.9, 0.6, 0.05},
+        {0.1, 0.6, 0.9},    {0.85, 0.35, 0.05},
+        {0.1, 0.7, 0.5},    {0.8, 0.5, 0.65}};
     const scene s = {shapes, sizeof shapes / sizeof *shapes};
     camera c;
     camera_frame f;
     failure why;
-    if (!frame_look_at((vec3){(real)-1.5, -9, 5}, (vec3){0, 0, (real)0.85}, (vec3){0, 0, 1}, &f,
+    if (!frame_look_at(vec(-1.5, -9, 5), vec(0, 0, 0.85), (vec3){0, 0, 1}, &f,
                        &why)
         || !camera_perspective(f, 28, (real)im->width / (real)im->height, &c, &why))
         fail(why);
@@ -147,9 +147,9 @@ typedef struct { mesh torus, teapot; image *im; int side; } slices;
 /* Blue inside, pale outside; where the truth is known, wrong answers are vermilion. */
 static inline vec3 slice_colour(double w, bool wrong)
 {
-    const vec3 in = {0, (real)0.17, (real)0.45}, out = {(real)0.8, (real)0.85, (real)0.9};
+    const vec3 in = {0, 0.17, 0.45}, out = {0.8, 0.85, 0.9};
     real k = (real)(w < 0 ? 0 : w > 1 ? 1 : w);
-    return wrong ? (vec3){(real)0.67, (real)0.11, 0} : vmadd(vscale(out, 1 - k), in, k);
+    return wrong ? vec(0.67, 0.11, 0) : vmadd(vscale(out, 1 - k), in, k);
 }
 
 static inline void slice_pixel(int x, int y, void *context)

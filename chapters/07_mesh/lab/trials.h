@@ -40,15 +40,15 @@ enum { cone_kind_count = 7 };
 typedef enum { AIM_RANDOM, AIM_GRAZING, AIM_ALONG_AXIS, AIM_ALONG_SIDE, aim_count } cone_aim;
 
 static const cone_kind cone_kinds[cone_kind_count] = {
-    {"cylinder", (real)0.5, (real)0.5}, {"cone", (real)0.5, 0}, {"cone, tip first", 0, (real)0.75},
-    {"truncated cone", (real)0.5, (real)0.2}, {"tip to tip", (real)0.5, (real)-0.3},
-    {"needle", (real)1e-3, (real)1e-3}, {"thin needle", (real)1e-6, (real)1e-6}};
+    {"cylinder", 0.5, 0.5}, {"cone", 0.5, 0}, {"cone, tip first", 0, 0.75},
+    {"truncated cone", 0.5, 0.2}, {"tip to tip", 0.5, -0.3},
+    {"needle", 1e-3, 1e-3}, {"thin needle", 1e-6, 1e-6}};
 
 /* Ends on a lattice of 2^-8, so that b - a is exact, and the tested cone is the oracle's. */
 static inline cone some_cone(random_stream *s, int kind)
 {
     const real k = 256;
-    vec3 a = in_cube(s, 1), d = direction(s), b = vmadd(a, d, between(s, (real)0.5, (real)1.5));
+    vec3 a = in_cube(s, 1), d = direction(s), b = vmadd(a, d, between(s, 0.5, 1.5));
     a = (vec3){round(k * a.x) / k, round(k * a.y) / k, round(k * a.z) / k};
     b = (vec3){round(k * b.x) / k, round(k * b.y) / k, round(k * b.z) / k};
     return (cone){a, cone_kinds[kind].ra, b, cone_kinds[kind].rb};
@@ -140,12 +140,12 @@ static inline void gear_box_turn(vec3 *v, real z, vec3 axis, vec3 offset)
  * instead. */
 static inline void gear_box_fill(gear_box *b, random_stream *s, real translation, bool triangles)
 {
-    vec3 offset = vscale((vec3){1, (real)0.7, (real)-0.3}, translation), axis = direction(s);
-    gear(b->top, box_corners / 4, 1, (real)0.9);
-    gear(b->bottom, box_corners / 4, 1, (real)0.9);
-    gear_box_turn(b->top, (real)0.25, axis, offset);
-    gear_box_turn(b->bottom, (real)-0.25, axis, offset);
-    b->n = 0, b->inner = vscale(vadd(b->top[0], b->bottom[box_corners / 2]), (real)0.5);
+    vec3 offset = vscale(vec(1, 0.7, -0.3), translation), axis = direction(s);
+    gear(b->top, box_corners / 4, 1, 0.9);
+    gear(b->bottom, box_corners / 4, 1, 0.9);
+    gear_box_turn(b->top, 0.25, axis, offset);
+    gear_box_turn(b->bottom, -0.25, axis, offset);
+    b->n = 0, b->inner = vscale(vadd(b->top[0], b->bottom[box_corners / 2]), 0.5);
     b->shapes[b->n++] = shape_of_polygon(polygon_of(b->top, box_corners));
     b->shapes[b->n++] = shape_of_polygon(polygon_of(b->bottom, box_corners));
     for (int i = 0; i < box_corners; i++) {
@@ -164,7 +164,7 @@ static inline ray gear_box_ray(const gear_box *b, random_stream *s, size_t i)
 {
     const vec3 *q = b->side[(size_t)between(s, 0, box_corners - 1)];
     vec3 aim = i % 4 < 2 ? q[2] : vmadd(q[2], vsub(i % 2 ? q[1] : q[3], q[2]), between(s, 0, 1));
-    vec3 o = vmadd(b->inner, direction(s), (real)0.1);
+    vec3 o = vmadd(b->inner, direction(s), 0.1);
     return ray_from(o, vsub(aim, o));
 }
 
@@ -213,7 +213,7 @@ static inline bool inside_question(const mesh *torus, random_stream *s, inside_a
 {
     real ring;
     do {
-        *p = vmul(in_cube(s, 1), (vec3){1, 1, (real)0.3});
+        *p = vmul(in_cube(s, 1), vec(1, 1, 0.3));
         ring = hypot(hypot(p->x, p->y) - (real)0.75, p->z);
     } while (ring > (real)0.235 && ring < (real)0.255);
     triangle t = mesh_triangle(torus, (size_t)between(s, 0, (real)torus->triangles - 1));

@@ -48,14 +48,14 @@ static inline bool spd_balls(int scale, world *w, failure *f)
     for (int k = 0; k < scale; k++) shapes += n *= 9;
     world_room(w, shapes, 4, 2);
     balls_directions(d);
-    world_paint(w, (finish){{1, (real)0.75, (real)0.33}, (real)0.8, 0, 0, 0, 1});
-    world_add_square(w, (vec3){0, 0, (real)-0.5}, 12);
-    world_paint(w, (finish){{1, (real)0.9, (real)0.7}, (real)0.5, (real)0.5, (real)3.0827, 0, 1});
-    balls_add(w, d, (sphere){{0, 0, 0}, (real)0.5}, (vec3){0, 0, 1}, scale);
+    world_paint(w, (finish){{1, 0.75, 0.33}, 0.8, 0, 0, 0, 1});
+    world_add_square(w, vec(0, 0, -0.5), 12);
+    world_paint(w, (finish){{1, 0.9, 0.7}, 0.5, 0.5, 3.0827, 0, 1});
+    balls_add(w, d, (sphere){{0, 0, 0}, 0.5}, (vec3){0, 0, 1}, scale);
     world_light(w, (vec3){4, 3, 2});
     world_light(w, (vec3){1, -4, 4});
     world_light(w, (vec3){-3, 1, 5});
-    return world_look(w, (vec3){(real)2.1, (real)1.3, (real)1.7}, (vec3){0, 0, 0}, (vec3){0, 0, 1},
+    return world_look(w, vec(2.1, 1.3, 1.7), (vec3){0, 0, 0}, (vec3){0, 0, 1},
                       45, f);
 }
 

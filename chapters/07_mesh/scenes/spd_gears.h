@@ -53,7 +53,7 @@ static inline finish gear_finish(int x, int y, int z)
               gear_shade(3 * z + 2 * x + y + 1, 2)};
     c = vscale(c, 1 / vaxis(c, vlongest(c)));
     if ((4 * x + 2 * y + z) % 5 == 0)
-        return (finish){c, (real)0.2, 0, 0, (real)0.8, (real)1.1};
+        return (finish){c, 0.2, 0, 0, 0.8, 1.1};
     return (finish){c, 1, 0, 0, 0, 0};
 }
 
@@ -61,9 +61,9 @@ static inline bool spd_gears(int scale, world *w, failure *f)
 {
     size_t gears = (size_t)scale * (size_t)scale * (size_t)scale;
     real R = 1 / ((real)scale - (real)0.05 * (real)(scale - 1)), step = (real)1.9 * R;
-    real thickness = real_min((real)0.1, (real)0.5 / (real)scale);
+    real thickness = real_min(0.1, (real)0.5 / (real)scale);
     world_room(w, 1 + gears * (gear_corners + 2), 4 + gears * 6 * gear_corners, gears + 1);
-    world_paint(w, (finish){{1, (real)0.85, (real)0.7}, (real)0.3, (real)0.6, (real)3.0827, 0, 0});
+    world_paint(w, (finish){{1, 0.85, 0.7}, 0.3, 0.6, 3.0827, 0, 0});
     world_add_square(w, (vec3){0, 0, 0}, 2);
     for (int z = 0; z < scale; z++)
         for (int y = 0; y < scale; y++)
@@ -75,10 +75,10 @@ static inline bool spd_gears(int scale, world *w, failure *f)
             }
     world_light(w, (vec3){2, 4, 4});
     world_light(w, (vec3){-2, 4, 3});
-    world_light(w, (vec3){2, (real)-2.5, (real)2.5});
+    world_light(w, vec(2, -2.5, 2.5));
     world_light(w, (vec3){-1, -4, 2});
-    world_light(w, (vec3){(real)-1.111, (real)-2.121, (real)2.626});
-    return world_look(w, (vec3){(real)-1.1, (real)-2.1, (real)2.6}, (vec3){0, 0, 0},
+    world_light(w, vec(-1.111, -2.121, 2.626));
+    return world_look(w, vec(-1.1, -2.1, 2.6), (vec3){0, 0, 0},
                       (vec3){0, 0, 1}, 45, f);
 }
 

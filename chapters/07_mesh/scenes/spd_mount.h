@@ -94,11 +94,11 @@ static inline void mount_triangles(world *w, mount_heights *h, size_t x, size_t 
 /* The corners of a regular tetrahedron about (-.8, .8, 1). */
 static inline void mount_balls(world *w)
 {
-    real r = (real)0.17, distance = r * sqrt((real)1.5), h = sqrt((real)0.5);
+    real r = 0.17, distance = r * sqrt((real)1.5), h = sqrt((real)0.5);
     vec3 z = {0, 0, 1}, down = turned(z, (vec3){h, h, 0}, acos(-1 / (real)3));
     for (int k = 0; k < 4; k++) {
         vec3 d = k == 0 ? z : turned(down, z, (real)(k - 1) * (2 * pi / 3));
-        vec3 c = vmadd((vec3){(real)-0.8, (real)0.8, 1}, d, distance);
+        vec3 c = vmadd(vec(-0.8, 0.8, 1), d, distance);
         world_add(w, shape_of_sphere((sphere){c, r}));
     }
 }
@@ -108,13 +108,13 @@ static inline bool spd_mount(int scale, world *w, failure *f)
     mount_heights h = mount_raise(scale);
     size_t n = (size_t)1 << scale;
     world_room(w, 4 + 2 * n * n, 0, 2);
-    world_paint(w, (finish){{1, 1, 1}, (real)0.1, (real)0.1, (real)101.148, (real)0.9, (real)1.5});
+    world_paint(w, (finish){{1, 1, 1}, 0.1, 0.1, 101.148, 0.9, 1.5});
     mount_balls(w);
-    world_paint(w, (finish){{(real)0.5, (real)0.45, (real)0.35}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{0.5, 0.45, 0.35}, 1, 0, 0, 0, 0});
     mount_triangles(w, &h, 0, 0, n);
     free(h.z);
     world_light(w, (vec3){-100, -100, 100});
-    return world_look(w, (vec3){(real)-1.6, (real)1.6, (real)1.7}, (vec3){0, 0, 0}, (vec3){0, 0, 1},
+    return world_look(w, vec(-1.6, 1.6, 1.7), (vec3){0, 0, 0}, (vec3){0, 0, 1},
                       45, f);
 }
 

@@ -26,8 +26,8 @@ static inline finish rings_finish(int k)
 {
     static const double c[ring_count][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1},
                                             {0, 1, 1}, {1, 0, 1}, {1, 1, 0}};
-    return (finish){{(real)c[k][0], (real)c[k][1], (real)c[k][2]}, (real)0.5, (real)0.2,
-                     (real)3.0827, 0, 0};
+    return (finish){{(real)c[k][0], (real)c[k][1], (real)c[k][2]}, 0.5, 0.2,
+                     3.0827, 0, 0};
 }
 
 static inline void rings_directions(vec3 out[ring_count][ring_points])
@@ -43,7 +43,7 @@ static inline void rings_directions(vec3 out[ring_count][ring_points])
 
 static inline void rings_copy(world *w, vec3 d[ring_count][ring_points], vec3 centre)
 {
-    real r = (real)0.07412, reach = 1 / (1 + r);
+    real r = 0.07412, reach = 1 / (1 + r);
     for (int k = 0; k < ring_count; k++) {
         world_paint(w, rings_finish(k));
         for (int i = 0; i < ring_points; i++) {
@@ -59,7 +59,7 @@ static inline bool spd_rings(int scale, world *w, failure *f)
 {
     size_t n = (size_t)scale, copies = n * (n + 1) * (2 * n + 1) / 6;
     real s = 1 / sin(pi / 8), far = s * (real)(scale + 1), half = (real)1.01 * (far + s);
-    vec3 d[ring_count][ring_points], eye = {-1, -s, (real)0.5}, c[4];
+    vec3 d[ring_count][ring_points], eye = {-1, -s, 0.5}, c[4];
     half *= tan(pi / 8);
     world_room(w, 1 + 2 * ring_points * ring_count * copies, 4, 1 + ring_count * copies);
     rings_directions(d);
@@ -71,8 +71,8 @@ static inline bool spd_rings(int scale, world *w, failure *f)
     for (int layer = 0; layer < scale; layer++)
         for (int i = 0; i <= layer; i++)
             for (int j = 0; j <= layer; j++)
-                rings_copy(w, d, (vec3){(real)(2 * i - layer), s * (real)(layer + 1),
-                                        (real)(2 * j - layer)});
+                rings_copy(w, d, vec((2 * i - layer), s * (real)(layer + 1),
+                                        (2 * j - layer)));
     world_light(w, (vec3){3, -s, 3});
     world_light(w, (vec3){-4, -s, 1});
     world_light(w, (vec3){2, -s, -4});

@@ -13,7 +13,7 @@ static inline void teapot_board(world *w, int n)
     real side = 8 / (real)n;
     for (int black = 0; black < 2; black++) {
         real grey = black ? (real)0.5 : 1;
-        world_paint(w, (finish){{grey, grey, grey}, (real)0.5, (real)0.5, (real)4.81884, 0, 0});
+        world_paint(w, (finish){{grey, grey, grey}, 0.5, 0.5, 4.81884, 0, 0});
         for (int y = 0; y < n; y++)
             for (int x = 0; x < n; x++)
                 if ((x + y) % 2 == black)
@@ -27,15 +27,15 @@ static inline bool spd_teapot(int scale, world *w, failure *f)
     mesh pot = teapot_mesh(scale);
     size_t squares = (size_t)scale * (size_t)scale;
     world_room(w, pot.triangles + squares, 4 * squares, 3);
-    world_paint(w, (finish){{1, (real)0.5, (real)0.1}, (real)0.75, (real)0.25, (real)3.0827, 0,
+    world_paint(w, (finish){{1, 0.5, 0.1}, 0.75, 0.25, 3.0827, 0,
                              0});
     for (size_t i = 0; i < pot.triangles; i++)
         world_add(w, shape_of_triangle(mesh_triangle(&pot, i)));
     teapot_board(w, scale);
     mesh_free(&pot);
-    world_light(w, (vec3){(real)-3.1, (real)9.8, (real)12.1});
-    world_light(w, (vec3){(real)11.3, (real)5.1, (real)8.8});
-    return world_look(w, (vec3){(real)4.86, (real)7.2, (real)5.4}, (vec3){0, 0, 0}, (vec3){0, 0, 1},
+    world_light(w, vec(-3.1, 9.8, 12.1));
+    world_light(w, vec(11.3, 5.1, 8.8));
+    return world_look(w, vec(4.86, 7.2, 5.4), (vec3){0, 0, 0}, (vec3){0, 0, 1},
                       45, f);
 }
 

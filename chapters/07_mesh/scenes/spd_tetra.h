@@ -33,13 +33,13 @@ static inline void tetra_add(world *w, vec3 centre, real reach, int depth)
 
 static inline bool spd_tetra(int scale, world *w, failure *f)
 {
-    real up = (real)0.816497, at = (real)-0.004103;
+    real up = 0.816497, at = -0.004103;
     world_room(w, (size_t)1 << 2 * scale, 0, 1);
-    world_paint(w, (finish){{1, (real)0.2, (real)0.2}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{1, 0.2, 0.2}, 1, 0, 0, 0, 0});
     tetra_add(w, (vec3){0, 0, 0}, 1, scale);
     world_light(w, (vec3){2, -18, -5});
-    return world_look(w, (vec3){(real)1.022846, (real)-3.177154, (real)-2.174512},
-                      (vec3){at, at, (real)0.216539}, (vec3){-up, -up, up}, 45, f);
+    return world_look(w, vec(1.022846, -3.177154, -2.174512),
+                      vec(at, at, 0.216539), (vec3){-up, -up, up}, 45, f);
 }
 
 #endif

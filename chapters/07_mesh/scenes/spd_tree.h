@@ -48,13 +48,13 @@ static inline bool spd_tree(int scale, world *w, failure *f)
                                        {-30, 40, 10}, {50, 25, 20},  {-10, -60, 30}};
     tree_frame root = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
     world_room(w, 1 + 2 * (((size_t)2 << scale) - 1), 4, 2);
-    world_paint(w, (finish){{(real)0.2, (real)0.7, (real)0.2}, 1, 0, 0, 0, 0});
+    world_paint(w, (finish){{0.2, 0.7, 0.2}, 1, 0, 0, 0, 0});
     world_add_square(w, (vec3){0, 0, 0}, 50);
-    world_paint(w, (finish){{(real)0.55, (real)0.4, (real)0.2}, 1, 0, 0, 0, 0});
-    tree_add(w, root, (real)0.15, scale);
+    world_paint(w, (finish){{0.55, 0.4, 0.2}, 1, 0, 0, 0, 0});
+    tree_add(w, root, 0.15, scale);
     for (int k = 0; k < 7; k++)
-        world_light(w, (vec3){(real)lamp[k][0], (real)lamp[k][1], (real)lamp[k][2]});
-    return world_look(w, (vec3){(real)4.5, (real)0.4, 2}, (vec3){0, 0, (real)1.5}, (vec3){0, 0, 1},
+        world_light(w, vec(lamp[k][0], lamp[k][1], lamp[k][2]));
+    return world_look(w, vec(4.5, 0.4, 2), vec(0, 0, 1.5), (vec3){0, 0, 1},
                       45, f);
 }
 

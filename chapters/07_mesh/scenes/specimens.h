@@ -22,7 +22,7 @@
  * 0.7. */
 static inline size_t gear(vec3 *v, int teeth, real r, real notch)
 {
-    const real part[4] = {(real)-0.19, (real)0.19, (real)0.3, (real)0.7};
+    const real part[4] = {-0.19, 0.19, 0.3, 0.7};
     for (int i = 0; i < 4 * teeth; i++) {
         real a = 2 * pi * ((real)(i / 4) + part[i % 4]) / (real)teeth;
         real q = i % 4 < 2 ? r : notch * r;

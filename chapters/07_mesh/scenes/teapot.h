@@ -169,7 +169,7 @@ static inline bezier_patch teapot_patch(const teapot_part *part, int ring, int c
         for (int i = 0; i < 4; i++) {
             int row = part->base[ring] == teapot_bottom ? 3 - j : j, column = copy % 2 ? 3 - i : i;
             const double *p = teapot_points[teapot_base[part->base[ring]][4 * row + column]];
-            c.p[j][i] = (vec3){sx * (real)p[0], sy * (real)p[1], (real)p[2]};
+            c.p[j][i] = vec(sx * (real)p[0], sy * (real)p[1], p[2]);
         }
     return c;
 }

@@ -130,7 +130,7 @@ static inline bool world_make(const generator *g, int scale, world *out, failure
                       g->name, g->least, g->most);
     if (!g->make(scale, out, f)) return false;
     out->name = g->name;
-    out->background = (vec3){(real)0.078, (real)0.361, (real)0.753};
+    out->background = vec(0.078, 0.361, 0.753);
     out->light_each = sqrt((real)out->lights) / (2 * (real)out->lights);
     return true;
 }

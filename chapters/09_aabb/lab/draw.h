@@ -42,7 +42,7 @@ static inline void room_furnish(painted_box *p)
         p[i].b = (aabb){{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
         p[i].colour = i < 3 ? rgb(0.75, 0.72, 0.66) : rgb(warm, 0.55, cold);
     }
-    p[15].b.lo.y = p[15].b.hi.y = (real)0.125;  /* a picture, a little before its wall */
+    p[15].b.lo.y = p[15].b.hi.y = 0.125;  /* a picture, a little before its wall */
 }
 
 /* The axis of the face that p lies on. */
@@ -78,7 +78,7 @@ static inline void room_pixel(int x, int y, void *context)
     for (int i = 0; i < 4; i++) {
         real u = px + (real)(1 + 2 * (i % 2)) / 4, v = (real)y + (real)(1 + 2 * (i / 2)) / 4;
         ray r = camera_ray(s->view, u, v, s->panel, s->im->height);
-        sum = vmadd(sum, room_colour(s, right ? aabb_hit : first_aabb_hit, r), (real)0.25);
+        sum = vmadd(sum, room_colour(s, right ? aabb_hit : first_aabb_hit, r), 0.25);
     }
     image_set(s->im, x, y, sum);
 }
@@ -89,7 +89,7 @@ static inline void draw_room(const options *o)
     camera_frame f;
     failure why;
     image im = image_new(o->width, o->height);
-    vec3 e = {13, 15, 8}, target = {(real)2.4, (real)2.4, (real)0.9}, up = {0, 0, 1};
+    vec3 e = {13, 15, 8}, target = {2.4, 2.4, 0.9}, up = {0, 0, 1};
     s.im = &im, s.panel = o->width > 2 * room_gap ? (o->width - room_gap) / 2 : o->width;
     room_furnish(s.box);
     if (!frame_look_at(e, target, up, &f, &why)
@@ -145,12 +145,12 @@ static inline int ask_aligned(int i, int j, aabb *box, ray *r, bool *truth)
     static const int b[4][6] = {{4, 4, 0, 14, 14, 5}, {18, 4, 3, 28, 14, 3},
                                 {4, 20, 0, 28, 20, 5}, {16, 26, 0, 16, 26, 5}};
     int half = cell_count / 2, x = i / half * half, y = j / half * half;
-    r->o = (vec3){(real)i, (real)j, 9}, r->tmin = 0, r->tmax = real_infinity;
+    r->o = vec(i, j, 9), r->tmin = 0, r->tmax = real_infinity;
     r->d = (vec3){i < half ? (real)0.0 : (real)-0.0, j < half ? (real)0.0 : (real)-0.0, -1};
     *truth = false;
     for (int k = 0; k < 4; k++) {
-        box[k].lo = (vec3){(real)(x + b[k][0]), (real)(y + b[k][1]), (real)b[k][2]};
-        box[k].hi = (vec3){(real)(x + b[k][3]), (real)(y + b[k][4]), (real)b[k][5]};
+        box[k].lo = vec((x + b[k][0]), (y + b[k][1]), b[k][2]);
+        box[k].hi = vec((x + b[k][3]), (y + b[k][4]), b[k][5]);
         *truth |= exact_aabb(box[k], *r).hit;
     }
     return 4;
@@ -161,7 +161,7 @@ static inline int ask_aligned(int i, int j, aabb *box, ray *r, bool *truth)
 static inline int ask_silhouette(int i, int j, aabb *box, ray *r, bool *truth)
 {
     vec3 corner = rgb(0.78213, 0.71971, 0.13457), d = rgb(1.17312, 0.91973, -0.83719);
-    real step = real_epsilon / 4, t = (real)0.38711;
+    real step = real_epsilon / 4, t = 0.38711;
     *box = (aabb){{corner.x, -1, -1}, {2, corner.y, corner.z}};
     *r = ray_from(vmadd(corner, d, -t), d);
     r->o.x += (real)(i - cell_count / 2) * step;

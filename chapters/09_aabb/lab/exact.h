@@ -86,7 +86,7 @@ static inline int random_integer(random_stream *s, int lowest, int highest)
 static inline vec3 random_point(random_stream *s, int lowest, int highest)
 {
     int x = random_integer(s, lowest, highest), y = random_integer(s, lowest, highest);
-    return (vec3){(real)x, (real)y, (real)random_integer(s, lowest, highest)};
+    return vec(x, y, random_integer(s, lowest, highest));
 }
 
 static inline void set_axis(vec3 *a, int k, real value) { ((real *)a)[k] = value; }

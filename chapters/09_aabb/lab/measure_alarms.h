@@ -49,7 +49,7 @@ static inline boxed boxed_ball(int levels)
 
 static inline boxed specimen(int k)
 {
-    static const triangle t[] = {{{0, 0, 0}, {1, 1, 1}, {(real)0.51, (real)0.49, (real)0.5}},
+    static const triangle t[] = {{{0, 0, 0}, {1, 1, 1}, {0.51, 0.49, 0.5}},
                                  {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                  {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}};
     if (k < 3) return boxed_new(&t[k], 1);
@@ -143,7 +143,7 @@ static inline void measure_teapot(const options *o)
 
 static inline void count_own_boxes(const options *o)
 {
-    const real width[] = {1, (real)0.001, (real)0.000001};
+    const real width[] = {1, 0.001, 0.000001};
     table t = table_new("Triangles that are hit, and their own boxes",
                         "width|box|hits|lost, inclusive [%]|lost, aabb_hit [%]|before t_enter [%]");
     for (int k = 0; k < 6; k++) {

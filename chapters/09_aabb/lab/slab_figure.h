@@ -39,7 +39,7 @@ static inline vec3 figure_paint(int i)
 {
     static const double c[5][3] = {{1, 1, 1}, {0.02, 0.3, 0.72}, {0.85, 0.35, 0.0},
                                    {0, 0, 0}, {0.55, 0.55, 0.55}};
-    return (vec3){(real)c[i][0], (real)c[i][1], (real)c[i][2]};
+    return vec(c[i][0], c[i][1], c[i][2]);
 }
 
 static inline vec3 figure_mix(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
@@ -52,9 +52,9 @@ static inline vec3 figure_plane(const slab_figure *f, ray r, real x, real y)
     t_interval tx = slab_interval(f->b.lo.x, f->b.hi.x, r.o.x, r.d.x);
     t_interval ty = slab_interval(f->b.lo.y, f->b.hi.y, r.o.y, r.d.y);
     real along = p.x * r.d.x + p.y * r.d.y, across = p.x * r.d.y - p.y * r.d.x;
-    real eighth = (real)0.125;
-    if (in_x) c = figure_mix(c, figure_paint(1), (real)0.2);
-    if (in_y) c = figure_mix(c, figure_paint(2), (real)0.2);
+    real eighth = 0.125;
+    if (in_x) c = figure_mix(c, figure_paint(1), 0.2);
+    if (in_y) c = figure_mix(c, figure_paint(2), 0.2);
     if (fabs(across) <= 2 * eighth) {
         if (across < -eighth / 2 && t_within(tx, along)) c = figure_paint(1);
         if (across > eighth / 2 && t_within(ty, along)) c = figure_paint(2);
@@ -100,9 +100,9 @@ static inline void draw_slabs(const options *o)
     image im = image_new(figure_panels * (figure_panel + figure_gap) - figure_gap,
                          figure_panel + figure_bars);
     slab_figure f = {.im = &im, .b = {{4, 4, 0}, {7, 6, 0}}};
-    f.r[0] = ray_unit(ray_from((vec3){1, (real)2.5, 0}, (vec3){7, 4, 0}));
+    f.r[0] = ray_unit(ray_from(vec(1, 2.5, 0), (vec3){7, 4, 0}));
     f.r[1] = ray_unit(ray_from((vec3){1, 3, 0}, (vec3){5, 6, 0}));
-    f.r[2] = ray_unit(ray_from((vec3){5, (real)4.6, 0}, (vec3){4, 1, 0}));
+    f.r[2] = ray_unit(ray_from(vec(5, 4.6, 0), (vec3){4, 1, 0}));
     bool whole = parallel_pixels(im.width, im.height, o->threads, "slabs", figure_pixel, &f);
     output_picture(o, &im, "09_aabb_slabs.png", false, whole);
     image_free(&im);

@@ -30,9 +30,9 @@ static inline view view_of(vec3 lo, vec3 hi, bool z_up, real aspect)
 {
     failure f;
     view v = {.size = vlength(vsub(hi, lo)) / 2};
-    vec3 centre = vscale(vadd(lo, hi), (real)0.5), up = {0, !z_up, z_up};
-    vec3 toward = vunit(z_up ? (vec3){(real)0.45, -1, (real)0.55}
-                             : (vec3){(real)0.45, (real)0.55, 1});
+    vec3 centre = vscale(vadd(lo, hi), 0.5), up = {0, !z_up, z_up};
+    vec3 toward = vunit(z_up ? vec(0.45, -1, 0.55)
+                             : vec(0.45, 0.55, 1));
     camera_frame frame;
     if (!frame_look_at(vmadd(centre, toward, 3 * v.size), centre, up, &frame, &f)
         || !camera_perspective(frame, aspect > 1 ? 26 : 38, aspect, &v.camera, &f)) fail(f);

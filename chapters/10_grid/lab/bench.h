@@ -38,7 +38,7 @@ static inline mesh bench_soup(size_t n, uint64_t seed)
     m.v = allocate(3 * n, sizeof *m.v), m.index = allocate(3 * n, sizeof *m.index);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 0);
-        vec3 c = bench_vector(&g, (real)0.5);
+        vec3 c = bench_vector(&g, 0.5);
         for (size_t k = 0; k < 3; k++) {
             m.v[3 * i + k] = vadd(c, bench_vector(&g, size));
             m.index[3 * i + k] = (uint32_t)(3 * i + k);
@@ -64,7 +64,7 @@ static inline shape *bench_spheres(size_t n, uint64_t seed)
     real r = (real)(0.3 * cbrt(1 / (double)n));
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 1);
-        s[i] = shape_of_sphere((sphere){bench_vector(&g, (real)0.5), r});
+        s[i] = shape_of_sphere((sphere){bench_vector(&g, 0.5), r});
     }
     return s;
 }

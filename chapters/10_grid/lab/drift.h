@@ -49,8 +49,8 @@ static inline whole_walk whole_walk_of(uint64_t seed, uint64_t i)
 
 static inline ray whole_ray(const whole_walk *w)
 {
-    const real half = (real)0.5;
-    return ray_from((vec3){half, half, half}, (vec3){(real)w->d[0], (real)w->d[1], (real)w->d[2]});
+    const real half = 0.5;
+    return ray_from((vec3){half, half, half}, vec(w->d[0], w->d[1], w->d[2]));
 }
 
 /* Distance, along axis k, of the next wall from where t says that it is [cells]. */

@@ -34,7 +34,7 @@ struct panel {
 
 static inline vec3 rgb(double r, double g, double b) { return (vec3){(real)r, (real)g, (real)b}; }
 static inline vec3 mix(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
-static const vec3 paper = {(real)0.93, (real)0.93, (real)0.93};
+static const vec3 paper = {0.93, 0.93, 0.93};
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -27,10 +27,10 @@ typedef struct {
 /* ---------------------------------------------------------------------------------------------- */
 
 static const real figure_lines[][4] = {  /* x, y from and to */
-    {(real)3.2, (real)4.6, (real)5.7, (real)5.6}, {(real)5.7, (real)5.6, (real)6.6, (real)3.7},
-    {(real)6.6, (real)3.7, (real)4.3, (real)3.4}, {(real)4.3, (real)3.4, (real)3.2, (real)4.6},
-    {(real)8.2, (real)0.4, (real)11.8, (real)3.4}, {(real)1.4, (real)0.7, (real)4.6, (real)1.3},
-    {(real)11.8, (real)3.4, (real)12.4, (real)5.6}};
+    {3.2, 4.6, 5.7, 5.6}, {5.7, 5.6, 6.6, 3.7},
+    {6.6, 3.7, 4.3, 3.4}, {4.3, 3.4, 3.2, 4.6},
+    {8.2, 0.4, 11.8, 3.4}, {1.4, 0.7, 4.6, 1.3},
+    {11.8, 3.4, 12.4, 5.6}};
 enum { figure_segments = sizeof figure_lines / sizeof *figure_lines };
 
 /* One triangle a segment, standing on it: within the layer 0 <= z <= 1. */
@@ -47,7 +47,7 @@ static inline mesh figure_mesh(void)
 
 static inline void figure_mark(const walk_figure *f, const items *x, bool exact, cell_lists *l)
 {
-    marking mark = {x, f->cells, (real)1e-4, exact};
+    marking mark = {x, f->cells, 1e-4, exact};
     failure why;
     if (!lists_begin(lattice_cells(&f->cells), (size_t)1 << 20, l, &why)) fail(why);
     for (size_t i = 0; i < x->n; i++)
@@ -93,7 +93,7 @@ static inline void figure_pixel(int px, int py, void *context)
     vec3 c = cell_marked(&f->touched, cell)  ? rgb(1, 0.68, 0.25)
              : cell_marked(&f->bounds, cell) ? rgb(1, 0.93, 0.75)
                                              : rgb(1, 1, 1);
-    if (f->passed[cell]) c = mix(c, rgb(0.1, 0.4, 0.9), (real)0.35);
+    if (f->passed[cell]) c = mix(c, rgb(0.1, 0.4, 0.9), 0.35);
     real wall = real_min(fabs(x - floor(x + (real)0.5)), fabs(y - floor(y + (real)0.5)));
     figure_ink(&c, wall, 1, rgb(0.45, 0.45, 0.45));
     for (int i = 0; i < figure_segments; i++) {
@@ -120,7 +120,7 @@ static inline void draw_walk(const options *o)
     walk_figure f = {.im = &im, .m = &m, .h = hit_none};
     aabb layer = {{0, 0, 0}, {figure_x, figure_y, 1}};
     f.cells = lattice_of(layer, (int[3]){figure_x, figure_y, 1});
-    f.r = ray_from((vec3){(real)0.3, (real)1.75, (real)0.5}, (vec3){1, (real)0.105, 0});
+    f.r = ray_from(vec(0.3, 1.75, 0.5), vec(1, 0.105, 0));
     figure_mark(&f, &x, true, &f.touched), figure_mark(&f, &x, false, &f.bounds);
     items_hit(&x, f.r, &f.h);
     figure_walk(&f);

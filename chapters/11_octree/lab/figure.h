@@ -92,7 +92,7 @@ static inline void draw_quadtree(const options *o)
     const char *path = output_path(o, "11_octree_quadtree.svg", false, room);
     if (!path) { mesh_free(&m); return; }
     if (!octree_build(&x, (octree_options){4, 5, true, true, (size_t)1 << 20}, &t, &f)) fail(f);
-    ray r = ray_from((vec3){(real)0.425, (real)0.6, 0}, (vec3){(real)0.4, -1, 0});
+    ray r = ray_from(vec(0.425, 0.6, 0), vec(0.4, -1, 0));
     bool found = octree_walk(&t, r, false, 1, &h, NULL, &trail);
     if (!file_begin(&w, path, &f)) fail(f);
     fprintf(w.stream, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-4 -4 %d %d\" "

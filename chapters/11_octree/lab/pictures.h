@@ -46,10 +46,10 @@ static inline aabb octree_leaf_at(const octree *t, vec3 p, int *depth)
 static inline vec3 depth_colour(int depth)
 {
     static const real c[8][3] = {
-        {(real)0.5, (real)0.4, (real)0.75}, {(real)0.25, (real)0.45, (real)0.85},
-        {(real)0.25, (real)0.7, (real)0.85}, {(real)0.25, (real)0.75, (real)0.45},
-        {(real)0.6, (real)0.8, (real)0.3}, {(real)0.95, (real)0.85, (real)0.3},
-        {(real)0.95, (real)0.55, (real)0.2}, {(real)0.85, (real)0.25, (real)0.2}};
+        {0.5, 0.4, 0.75}, {0.25, 0.45, 0.85},
+        {0.25, 0.7, 0.85}, {0.25, 0.75, 0.45},
+        {0.6, 0.8, 0.3}, {0.95, 0.85, 0.3},
+        {0.95, 0.55, 0.2}, {0.85, 0.25, 0.2}};
     const real *k = c[depth % 8];
     return (vec3){k[0], k[1], k[2]};
 }
@@ -59,7 +59,7 @@ static inline real side_distance(aabb b, vec3 p, vec3 n)
 {
     real d = real_infinity;
     for (int k = 0; k < 3; k++) {
-        real slope = sqrt(real_max(1 - vaxis(n, k) * vaxis(n, k), (real)1e-4));
+        real slope = sqrt(real_max(1 - vaxis(n, k) * vaxis(n, k), 1e-4));
         real side = real_min(vaxis(p, k) - vaxis(b.lo, k), vaxis(b.hi, k) - vaxis(p, k));
         d = real_min(side / slope, d);
     }
@@ -81,7 +81,7 @@ static inline void cells_pixel(int x, int y, void *context)
     for (int k = 0; k < s * s; k++) {
         ray r = octree_picture_ray(p, (real)x + ((real)(k % s) + (real)0.5) / (real)s,
                                    (real)y + ((real)(k / s) + (real)0.5) / (real)s);
-        vec3 c = {(real)0.93, (real)0.93, (real)0.93};
+        vec3 c = {0.93, 0.93, 0.93};
         hit h;
         int depth;
         if (octree_hit(p->t, r, &h)) {
@@ -89,9 +89,9 @@ static inline void cells_pixel(int x, int y, void *context)
             aabb leaf = octree_leaf_at(p->t, at, &depth);
             bool line = side_distance(leaf, at, n) < (real)0.5 * pixel * h.t;
             c = headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
-            c = vmul(vadd(vscale(c, (real)0.8), (vec3){(real)0.2, (real)0.2, (real)0.2}),
+            c = vmul(vadd(vscale(c, 0.8), vec(0.2, 0.2, 0.2)),
                      depth_colour(depth));
-            if (line) c = vscale(c, (real)0.35);
+            if (line) c = vscale(c, 0.35);
         }
         sum = vmadd(sum, c, 1 / (real)(s * s));
     }
@@ -125,14 +125,14 @@ typedef struct { octree_picture p; octree_search *search; } faulty_picture;
 static inline void fault_pixel(int x, int y, void *context)
 {
     const faulty_picture *f = context;
-    const vec3 background = {(real)0.93, (real)0.93, (real)0.93};
-    const vec3 wrong = {(real)0.85, (real)0.25, 0};
+    const vec3 background = {0.93, 0.93, 0.93};
+    const vec3 wrong = {0.85, 0.25, 0};
     ray r = octree_picture_ray(&f->p, (real)x, (real)y);
     hit h = hit_none, truth = hit_none;
     f->search(f->p.t, r, &h), octree_hit(f->p.t, r, &truth);
     vec3 c = background;
     if (h.shape != no_shape) c = headlight(triangle_normal(mesh_triangle(f->p.m, h.shape)), r.d);
-    if (h.shape != truth.shape || h.t != truth.t) c = vmadd(vscale(c, (real)0.3), wrong, (real)0.8);
+    if (h.shape != truth.shape || h.t != truth.t) c = vmadd(vscale(c, 0.3), wrong, 0.8);
     image_set(f->p.im, x, y, c);
 }
 
@@ -149,10 +149,10 @@ static inline void draw_faults(const options *o)
     camera_frame frame;
     failure f;
     bool whole = true;
-    c[0] = view_of((vec3){0, 0, 0}, (vec3){4, 4, 4}, true, (real)1.5).camera;
-    if (!frame_look_at((vec3){0, -10, (real)1.5}, (vec3){0, 0, (real)1.5}, (vec3){0, 0, 1}, &frame,
+    c[0] = view_of((vec3){0, 0, 0}, (vec3){4, 4, 4}, true, 1.5).camera;
+    if (!frame_look_at(vec(0, -10, 1.5), vec(0, 0, 1.5), (vec3){0, 0, 1}, &frame,
                        &f)
-        || !camera_orthographic(frame, (camera_window){-4, 4, (real)-2.5, (real)2.83}, &c[1], &f))
+        || !camera_orthographic(frame, (camera_window){-4, 4, -2.5, 2.83}, &c[1], &f))
         fail(f);
     for (int y = 0; y < all.height; y++)
         for (int i = 0; i < all.width; i++) image_set(&all, i, y, (vec3){1, 1, 1});

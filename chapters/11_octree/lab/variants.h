@@ -90,7 +90,7 @@ static inline bool textbook_cell(textbook_walk *s, octree_node n, vec3 t0, vec3 
 {
     if (t1.x < 0 || t1.y < 0 || t1.z < 0 || n.kind == 0) return false;
     if (n.kind & octree_is_leaf) return octree_leaf(s->t, n, &s->q, &s->seen, false, NULL);
-    vec3 tm = vscale(vadd(t0, t1), (real)0.5);
+    vec3 tm = vscale(vadd(t0, t1), 0.5);
     for (unsigned c = textbook_first(t0, tm); c < 8;) {
         vec3 c0 = {c & 1 ? tm.x : t0.x, c & 2 ? tm.y : t0.y, c & 4 ? tm.z : t0.z};
         vec3 c1 = {c & 1 ? t1.x : tm.x, c & 2 ? t1.y : tm.y, c & 4 ? t1.z : tm.z};

@@ -37,7 +37,7 @@ typedef struct { const flat_figure *panel[2]; image *im; } flat_picture;
 /* Ends of wall i in [0,10]^2: a round house, a small one full of pillars, two long walls. */
 static inline void flat_ends(int i, real end[4])
 {
-    real x = (real)7.1, y = (real)6.9, radius = (real)1.7;
+    real x = 7.1, y = 6.9, radius = 1.7;
     if (i >= 16) x = (real)(i % 4) * (real)0.42 + (real)1.2, y = (real)(i / 4) * (real)0.42;
     if (i < 16)
         for (int k = 0; k < 2; k++) {
@@ -92,7 +92,7 @@ static inline void flat_init(flat_figure *f, kdtree_strategy strategy, real heig
     flat_walls_of(f, height);
     items x = items_of_scene(&f->world);
     if (!kdtree_build(&x, how, &f->t, &why)) fail(why);
-    f->r = ray_from((vec3){(real)0.45, (real)0.2, height / 2}, (vec3){1, (real)0.775, 0});
+    f->r = ray_from(vec(0.45, 0.2, height / 2), vec(1, 0.775, 0));
     f->r.d = vunit(f->r.d);
     kdtree_hit(&f->t, f->r, &f->h);
     flat_visit(f, 0, 0, 20);
@@ -110,13 +110,13 @@ static inline real flat_segment(real x, real y, const real e[4])
 static inline vec3 flat_rank(int i, int n)
 {
     real s = n > 1 ? (real)i / (real)(n - 1) : 0;
-    vec3 first = {1, (real)0.85, (real)0.25}, last = {(real)0.45, (real)0.3, (real)0.8};
+    vec3 first = {1, 0.85, 0.25}, last = {0.45, 0.3, 0.8};
     return vmadd(vscale(first, 1 - s), last, s);
 }
 
 static inline vec3 flat_colour(const flat_figure *f, real x, real y)
 {
-    vec3 c = {1, 1, 1}, grey = {(real)0.25, (real)0.3, (real)0.35}, black = {0, 0, 0};
+    vec3 c = {1, 1, 1}, grey = {0.25, 0.3, 0.35}, black = {0, 0, 0};
     uint32_t at = 0;
     const kd_box *b = &f->t.box;
     if (x < (real)b->lo[0] || x > (real)b->hi[0] || y < (real)b->lo[1] || y > (real)b->hi[1])
@@ -130,10 +130,10 @@ static inline vec3 flat_colour(const flat_figure *f, real x, real y)
     }
     for (int i = 0; i < f->cells; i++)
         if (f->cell[i] == at) c = flat_rank(i, f->cells);
-    if (line) c = vadd(vscale(c, (real)0.4), vscale(grey, (real)0.6));
+    if (line) c = vadd(vscale(c, 0.4), vscale(grey, 0.6));
     vec3 end = ray_at(f->r, f->h.shape == no_shape ? 10 : f->h.t);
     real way[4] = {f->r.o.x, f->r.o.y, end.x, end.y};
-    if (flat_segment(x, y, way) < (real)0.035) c = (vec3){(real)0.8, 0, 0};
+    if (flat_segment(x, y, way) < (real)0.035) c = vec(0.8, 0, 0);
     for (int i = 0; i < flat_walls; i++) {
         vec3 one = f->corner[i][0], two = f->corner[i][1];
         real e[4] = {one.x, one.y, two.x, two.y};
@@ -162,7 +162,7 @@ static inline void draw_flat(const options *o)
 {
     static flat_figure middle, sah;
     image im = image_new(2 * flat_panel + flat_gap, flat_panel);
-    flat_init(&middle, KD_MIDDLE, (real)1e-3), flat_init(&sah, KD_SAH, 1000);
+    flat_init(&middle, KD_MIDDLE, 1e-3), flat_init(&sah, KD_SAH, 1000);
     flat_picture p = {{&middle, &sah}, &im};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "flat", flat_pixel, &p);
     printf("# in the plane: the ray passes %d cells cut in the middle, %d by SAH\n", middle.cells,

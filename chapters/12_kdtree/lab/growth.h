@@ -99,7 +99,7 @@ static inline void growth(const options *o)
     for (int i = 0; i < n; i++) {
         subject s;
         mesh m = teapot_mesh(fine[i]);
-        subject_init(&s, m, view_of_mesh(&m, (real)1.6), 160, fine[i] < 32 ? 40 : 10, o->seed);
+        subject_init(&s, m, view_of_mesh(&m, 1.6), 160, fine[i] < 32 ? 40 : 10, o->seed);
         trial t = {&s, &candidate_list[4], &s.diffuse, {0}};
         double triangles = (double)s.m.triangles, seconds;
         if (fine[i] < 16) time_trials(&t, 1, run_build, 5, &build[i]);

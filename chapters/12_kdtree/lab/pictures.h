@@ -22,7 +22,7 @@ static inline void mesh_pixel(int x, int y, void *context)
 {
     enum { n = 3 };
     const picture *p = context;
-    vec3 sum = {0, 0, 0}, background = {(real)0.93, (real)0.93, (real)0.93};
+    vec3 sum = {0, 0, 0}, background = {0.93, 0.93, 0.93};
     for (int k = 0; k < n * n; k++) {
         ray r = camera_ray(p->v.camera, (real)x + ((real)(k % n) + (real)0.5) / n,
                            (real)y + ((real)(k / n) + (real)0.5) / n, p->im->width, p->im->height);

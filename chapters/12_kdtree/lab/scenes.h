@@ -93,7 +93,7 @@ static inline void table_of_stadium(const options *o)
     table out = table_new("The teapot in a stadium: diffuse rays from the teapot",
                           "structure|depth|references/tri|empty leaves [%]|nodes/ray|leaves/ray|"
                           "tests/ray|ray [ns]");
-    subject_init(&s, stadium_mesh(o->quick ? 4 : 16), view_of_mesh(&pot, (real)1.6),
+    subject_init(&s, stadium_mesh(o->quick ? 4 : 16), view_of_mesh(&pot, 1.6),
                  o->quick ? 40 : 160, 0, o->seed);
     for (int i = 0; i < structures; i++) {
         t[i] = (trial){&s, &candidate_list[i], &s.diffuse, {0}};

@@ -78,7 +78,7 @@ static inline bool digit_dot(int digit, int x, int y)
 /* Dots of 0.085 of the plane's units. */
 static inline bool label_covers(const flat_label *l, real x, real y)
 {
-    real dot = (real)0.085, w = l->number < 10 ? 3 : 7;
+    real dot = 0.085, w = l->number < 10 ? 3 : 7;
     real u = (x - l->x) / dot + w / 2, v = (l->y - y) / dot + (real)2.5;
     if (u < 0 || v < 0 || v >= 5) return false;
     int i = (int)u, tens = l->number / 10;
@@ -90,24 +90,24 @@ static inline vec3 flat_mix(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 -
 
 static inline vec3 flat_colour(const flat_figure *f, real x, real y)
 {
-    const vec3 black = {0, 0, 0}, red = {(real)0.75, (real)0.05, (real)0.02};
-    const vec3 blue = {(real)0.05, (real)0.3, (real)0.7}, pale = {(real)0.9, (real)0.9, (real)0.88};
+    const vec3 black = {0, 0, 0}, red = {0.75, 0.05, 0.02};
+    const vec3 blue = {0.05, 0.3, 0.7}, pale = {0.9, 0.9, 0.88};
     vec3 at = {x, y, 0}, c = pale;
     uint32_t cell = flat_cell(f->p, at), last = (uint32_t)f->labels;
     if (!f->painting && f->rank[cell])
-        c = flat_mix(vscale(blue, (real)1.1), (vec3){1, 1, 1},
+        c = flat_mix(vscale(blue, 1.1), (vec3){1, 1, 1},
                      (real)0.25 + (real)0.6 * (real)f->rank[cell] / (real)last);
     for (int k = 0; k < 4; k++) {
         vec3 near = {x + (k == 0 ? (real)0.022 : k == 1 ? -(real)0.022 : 0),
                      y + (k == 2 ? (real)0.022 : k == 3 ? -(real)0.022 : 0), 0};
-        if (flat_cell(f->p, near) != cell) c = (vec3){(real)0.45, (real)0.45, (real)0.45};
+        if (flat_cell(f->p, near) != cell) c = vec(0.45, 0.45, 0.45);
     }
     for (int k = 0; k < f->feet; k++) {
         vec3 a = f->foot[k].a, b = f->foot[k].b;
         if (segment_distance(a, b, x, y) > (real)0.07) continue;
         c = black;
         if (f->painting)
-            c = flat_mix((vec3){0, (real)0.03, (real)0.25}, (vec3){(real)0.9, (real)0.3, 0},
+            c = flat_mix(vec(0, 0.03, 0.25), vec(0.9, 0.3, 0),
                          (real)f->rank[f->foot[k].piece] / (real)last);
         real ends = real_min(hypot(x - a.x, y - a.y), hypot(x - b.x, y - b.y));
         if (ends < (real)0.06) c = black;
@@ -143,7 +143,7 @@ static inline void flat_along_ray(flat_figure *f)
         if ((now != before || i == steps) && f->labels < flat_most) {
             if (i > 0) {
                 vec3 q = vmadd(vmadd(f->from, d, (real)(began + i) / (2 * steps)), across,
-                               (real)0.36);
+                               0.36);
                 f->label[f->labels] = (flat_label){q.x, q.y, f->labels + 1};
                 f->rank[before] = (uint32_t)++f->labels;
             }
@@ -159,7 +159,7 @@ static inline void flat_for_eye(flat_figure *f)
     for (size_t i = 0; i < n && f->labels < flat_most; i++) {
         vec3 a, b;
         if (!flat_foot(f->p, order[i], &a, &b)) continue;
-        vec3 e = vunit(vsub(b, a)), q = vscale(vadd(a, b), (real)0.5);
+        vec3 e = vunit(vsub(b, a)), q = vscale(vadd(a, b), 0.5);
         q = vadd(q, vscale((vec3){-e.y, e.x, 0}, e.x < 0 ? -(real)0.36 : (real)0.36));
         f->label[f->labels] = (flat_label){q.x, q.y, f->labels + 1};
         f->rank[order[i]] = (uint32_t)++f->labels;
@@ -180,8 +180,8 @@ static inline bool draw_flat(int threads, image *all)
         image im = image_new((all->width - 8) / 2, all->height);
         flat_figure *g = allocate(1, sizeof *g);
         *g = (flat_figure){.p = &p, .im = &im, .painting = k == 1};
-        g->from = k ? (vec3){(real)8.6, (real)0.6, 0} : (vec3){(real)0.4, (real)4.6, 0};
-        g->to = (vec3){(real)9.9, (real)6.2, 0};
+        g->from = k ? vec(8.6, 0.6, 0) : vec(0.4, 4.6, 0);
+        g->to = vec(9.9, 6.2, 0);
         for (uint32_t i = 0; i < p.pieces && g->feet < flat_most; i++)
             if (flat_foot(&p, i, &g->foot[g->feet].a, &g->foot[g->feet].b))
                 g->foot[g->feet++].piece = i;

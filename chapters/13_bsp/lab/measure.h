@@ -131,7 +131,7 @@ static inline survey survey_of(const options *o, const mesh *m, const items *x)
     trial t = trial_of("", BSP_COST, 8, x);
     int width = o->quick ? 40 : 160;
     mesh_bounds(m, &lo, &hi);
-    view v = view_of(lo, hi, true, (real)1.6);
+    view v = view_of(lo, hi, true, 1.6);
     s.primary = rays_primary(v, width, width * 5 / 8);
     hit *h = allocate(s.primary.n, sizeof *h);
     run_build(&t);

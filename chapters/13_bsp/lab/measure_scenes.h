@@ -46,7 +46,7 @@ static inline mesh scene_of(int k, bool quick, const char **name)
     case 0: *name = "teapot"; return teapot_mesh(16 / s);
     case 1: *name = "torus"; return torus_mesh(100 / s);
     case 2: *name = "town"; return town_mesh((size_t)(30 / s), 0);
-    case 3: *name = "town, turned"; return town_mesh((size_t)(30 / s), (real)0.6);
+    case 3: *name = "town, turned"; return town_mesh((size_t)(30 / s), 0.6);
     case 4: *name = "soup"; return soup((size_t)(8000 / s));
     case 5: *name = "splinters"; return splinters((size_t)(2000 / s));
     default: *name = "stadium"; return stadium_mesh(14 / s);
@@ -124,7 +124,7 @@ static inline void table_of_losses(const options *o)
     table out = table_new("Wrong hits of 6000 rays at corners, edges and along axes",
                           "variant|error town|error torus|error torus of 0.001|error splinters");
     mesh m[4] = {town_mesh(8, 0), torus_mesh(24), torus_mesh(24), splinters(500)};
-    for (size_t i = 0; i < m[2].vertices; i++) m[2].v[i] = vscale(m[2].v[i], (real)0.001);
+    for (size_t i = 0; i < m[2].vertices; i++) m[2].v[i] = vscale(m[2].v[i], 0.001);
     size_t wrong[5][4];
     for (int k = 0; k < 4; k++) {
         items x = items_of_mesh(&m[k]);

@@ -90,7 +90,7 @@ static inline void draw_cyclic(image *all)
     if (!painter_build(&m, painter_defaults, &cut, &f)) fail(f);
     camera_frame frame;
     camera c;
-    vec3 eye = {(real)0.7, (real)-1.3, 3};
+    vec3 eye = {0.7, -1.3, 3};
     int side = (all->width - 8) / 3;
     image_fill(all, (vec3){1, 1, 1});
     if (!frame_look_at(eye, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &f)
@@ -100,7 +100,7 @@ static inline void draw_cyclic(image *all)
         uint32_t *order = allocate(p->pieces, sizeof *order);
         size_t n = k ? painter_order(p, eye, order) : painter_order_naive(p, eye, order);
         image big = image_new(3 * side, 3 * all->height);
-        image_fill(&big, (vec3){(real)0.93, (real)0.93, (real)0.93});
+        image_fill(&big, vec(0.93, 0.93, 0.93));
         painting_draw(p, order, n, c, k == 2, &big);
         image im = image_third(&big);
         image_place(all, k * (side + 4), 0, &im);

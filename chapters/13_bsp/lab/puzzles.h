@@ -40,8 +40,8 @@ static inline mesh cyclic_mesh(void)
     mesh m = puzzle_new(3);
     for (size_t i = 0; i < 3; i++) {
         real a = 2 * pi * (real)i / 3, c = cos(a), s = sin(a);
-        const vec3 q[3] = {{(real)-1.1, (real)-0.8, (real)-0.3}, {(real)1.3, (real)-0.5, (real)0.3},
-                           {(real)-1.1, (real)-0.1, (real)-0.3}};
+        const vec3 q[3] = {{-1.1, -0.8, -0.3}, {1.3, -0.5, 0.3},
+                           {-1.1, -0.1, -0.3}};
         for (size_t k = 0; k < 3; k++)
             m.v[3 * i + k] = (vec3){c * q[k].x - s * q[k].y, s * q[k].x + c * q[k].y, q[k].z};
     }
@@ -125,7 +125,7 @@ static inline mesh segments_mesh(size_t n, uint64_t seed)
         bool free_place = a.x > 1 && a.x < 9 && a.y > 1 && a.y < 9 && b.x > 1 && b.x < 9
                           && b.y > 1 && b.y < 9;
         for (size_t k = 0; k < i; k++)
-            free_place = free_place && !segments_meet(a, b, m.v[3 * k], m.v[3 * k + 1], (real)0.3);
+            free_place = free_place && !segments_meet(a, b, m.v[3 * k], m.v[3 * k + 1], 0.3);
         if (free_place) puzzle_wall(&m, i++, a.x, a.y, b.x, b.y);
     }
     return m;

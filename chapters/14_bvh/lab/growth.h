@@ -22,7 +22,7 @@ static inline void table_of_stadium(const options *o)
         "The teapot in a stadium: diffuse rays from the teapot",
         "structure|depth|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)|in both (14.8)");
     mesh_bounds(&pot, &lo, &hi);
-    subject s = {.m = m, .v = view_of(lo, hi, true, (real)1.6)};
+    subject s = {.m = m, .v = view_of(lo, hi, true, 1.6)};
     s.primary = rays_primary(s.v, o->quick ? 40 : 160, o->quick ? 25 : 100);
     bvh_build(&m, bvh_defaults, &b);
     s.diffuse = rays_on(&b, &m, &s.primary, o->seed);

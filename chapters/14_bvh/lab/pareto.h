@@ -63,7 +63,7 @@ static inline void table_of_slivers(const options *o)
         "4000 slivers round an axis at an odd angle: primary rays",
         "structure|build [ms]|references|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)");
     mesh_bounds(&s.m, &lo, &hi);
-    s.v = view_of(lo, hi, true, (real)1.6);
+    s.v = view_of(lo, hi, true, 1.6);
     s.primary = rays_primary(s.v, o->quick ? 20 : 80, o->quick ? 13 : 50);
     pareto_times(o, &s, &s.primary, t, build, search);
     for (int i = 0; i < pareto_candidates; i++) {

@@ -24,7 +24,7 @@ static inline ray picture_ray(const picture *p, real x, real y)
 static inline void mesh_pixel(int x, int y, void *context)
 {
     const picture *p = context;
-    vec3 sum = {0, 0, 0}, background = {(real)0.93, (real)0.93, (real)0.93};
+    vec3 sum = {0, 0, 0}, background = {0.93, 0.93, 0.93};
     int n = p->samples;
     for (int k = 0; k < n * n; k++) {
         ray r = picture_ray(p, (real)x + ((real)(k % n) + (real)0.5) / (real)n,

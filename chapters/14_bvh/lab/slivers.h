@@ -13,7 +13,7 @@
 static inline mesh slivers_mesh(size_t n, vec3 move)
 {
     mesh m = {.vertices = 3 * n, .triangles = n};
-    vec3 w = vunit((vec3){1, (real)0.8, (real)0.6}), u, v;
+    vec3 w = vunit(vec(1, 0.8, 0.6)), u, v;
     vbasis(w, &u, &v);
     m.v = allocate(m.vertices, sizeof *m.v), m.index = allocate(m.vertices, sizeof *m.index);
     for (size_t i = 0; i < n; i++) {

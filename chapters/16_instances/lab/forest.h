@@ -85,15 +85,15 @@ static inline plant ground_of(real depth)
             *k++ = a, *k++ = b, *k++ = d, *k++ = a, *k++ = d, *k++ = c;
         }
     mesh_smooth_normals(&p.m);
-    p.leaf = p.bark = (vec3){(real)0.20, (real)0.24, (real)0.07};
-    p.leaf_too = (vec3){(real)0.20, (real)0.24, (real)0.07};
+    p.leaf = p.bark = vec(0.20, 0.24, 0.07);
+    p.leaf_too = vec(0.20, 0.24, 0.07);
     return p;
 }
 
 /* Density 1 / 20: n = integral of 2 half_width / 20. */
 static inline real forest_depth(size_t n)
 {
-    real area = 20 * (real)n, a = (real)0.75, b = 50;
+    real area = 20 * (real)n, a = 0.75, b = 50;
     return (-b + sqrt(b * b + 4 * a * area)) / (2 * a);
 }
 
@@ -112,13 +112,13 @@ static inline vec3 forest_place(random_stream *g, real depth, bool low)
 static inline affine forest_stand(random_stream *g, vec3 at, real low, real high)
 {
     real height = plant_between(g, low, high);
-    real width = height * plant_between(g, (real)0.75, (real)1.3);
+    real width = height * plant_between(g, 0.75, 1.3);
     affine a = affine_scaling((vec3){random_next_bits(g) & 1 ? width : -width, width, height});
     a = affine_of(a, affine_rotation((vec3){0, 0, 1}, plant_between(g, 0, 2 * pi)));
     return affine_of(a, affine_translation(at));
 }
 
-static const real forest_sizes[forest_most_kinds] = {1, 9, 9, 7, 8, 8, (real)0.8, (real)0.45};
+static const real forest_sizes[forest_most_kinds] = {1, 9, 9, 7, 8, 8, 0.8, 0.45};
 
 /* Firs on the heights, birches along the path, and what is low in between. */
 static inline uint32_t forest_kind(vec3 at, real pick, bool low, uint32_t odd)
@@ -172,15 +172,15 @@ static inline camera forest_camera(real aspect)
 
 static inline vec3 sun_direction(void)
 {
-    return vunit((vec3){(real)-0.75, (real)0.35, (real)0.62});
+    return vunit(vec(-0.75, 0.35, 0.62));
 }
 
 static inline vec3 blend(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
 
 static inline vec3 sky_colour(vec3 d)
 {
-    vec3 horizon = {(real)0.72, (real)0.80, (real)0.86}, u = vunit(d);
-    vec3 zenith = {(real)0.20, (real)0.40, (real)0.72}, warm = {(real)0.30, (real)0.20, (real)0.08};
+    vec3 horizon = {0.72, 0.80, 0.86}, u = vunit(d);
+    vec3 zenith = {0.20, 0.40, 0.72}, warm = {0.30, 0.20, 0.08};
     real glow = real_max(vdot(u, sun_direction()), 0);
     return vmadd(blend(horizon, zenith, real_clamp(2 * u.z, 0, 1)), warm, glow * glow * glow);
 }
@@ -191,7 +191,7 @@ static inline vec3 forest_colour(const forest *w, instance_hit h)
     if (h.h.shape < p->wood) return p->bark;
     random_stream g = random_start(3, h.instance, 0);
     vec3 own = blend(p->leaf, p->leaf_too, random_next(&g));
-    return vscale(own, plant_between(&g, (real)0.8, (real)1.2));
+    return vscale(own, plant_between(&g, 0.8, 1.2));
 }
 
 static inline vec3 forest_light(const forest_picture *p, ray r)
@@ -203,10 +203,10 @@ static inline vec3 forest_light(const forest_picture *p, ray r)
     real far = h.h.t * vlength(r.d);
     ray shadow = ray_from(at, sun);
     shadow.tmin = (real)1e-4 * far + (real)0.01;
-    vec3 light = vscale(headlight(n, r.d), (real)0.55);
-    light = vmadd(light, (vec3){(real)0.15, (real)0.2, (real)0.3}, 1);
+    vec3 light = vscale(headlight(n, r.d), 0.55);
+    light = vmadd(light, vec(0.15, 0.2, 0.3), 1);
     if (!instances_occluded(p->x, shadow))
-        light = vadd(light, vmul(headlight(n, sun), (vec3){(real)2.3, (real)2.0, (real)1.5}));
+        light = vadd(light, vmul(headlight(n, sun), vec(2.3, 2.0, 1.5)));
     vec3 seen = vmul(forest_colour(p->w, h), light);
     return blend(sky_colour((vec3){r.d.x, r.d.y, 0}), seen, exp(-far / 1000));
 }

@@ -50,7 +50,7 @@ static inline void survey_make(survey *s, size_t n, int width, int height, uint6
         s->eye[s->eyes++] = camera_ray(c, px, py, width, height);
         if (!instances_hit(&s->x, s->eye[i], &h)) continue;
         s->shadow[s->shadows] = ray_from(ray_at(s->eye[i], h.h.t), sun_direction());
-        s->shadow[s->shadows++].tmin = (real)0.05;
+        s->shadow[s->shadows++].tmin = 0.05;
     }
 }
 
@@ -192,7 +192,7 @@ static inline void table_of_methods(const options *o)
     double build[5], eye[5], shadow[5];
     size_t wrong[2][5], corners = o->quick ? 20 : 500;
     survey s;
-    vec3 far = {(real)4e7, (real)4e7, 0};  /* once round the earth, in metres */
+    vec3 far = {4e7, 4e7, 0};  /* once round the earth, in metres */
     survey_make(&s, o->quick ? 20 : 500, o->quick ? 40 : 160, o->quick ? 25 : 100, o->seed);
     for (int i = 0; i < 5; i++)
         m[i] = (method){.name = list[i].name, .boxes = list[i].boxes, .flat = list[i].flat,

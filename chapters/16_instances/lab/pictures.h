@@ -62,7 +62,7 @@ typedef struct {
 static inline vec3 pot_light(const pot_row *p, ray r)
 {
     instance_hit h;
-    vec3 background = {(real)0.93, (real)0.93, (real)0.93};
+    vec3 background = {0.93, 0.93, 0.93};
     if (!instances_hit(p->x, r, &h)) return p->row < 2 ? background : (vec3){0, 0, 0};
     const placed *at = &p->x->place[p->x->where[h.instance]];
     vec3 object = mesh_normal(&p->x->mesh[at->mesh], h.h.shape, h.h.u, h.h.v);
@@ -91,9 +91,9 @@ static inline camera pot_camera(real aspect)
     camera_frame frame;
     camera c;
     failure f;
-    real half = (real)14.2;
+    real half = 14.2;
     camera_window win = {-half, half, -half / aspect, half / aspect};
-    if (!frame_look_at((vec3){0, -30, 12}, (vec3){0, 0, (real)1.9}, (vec3){0, 0, 1}, &frame, &f)
+    if (!frame_look_at((vec3){0, -30, 12}, vec(0, 0, 1.9), (vec3){0, 0, 1}, &frame, &f)
         || !camera_orthographic(frame, win, &c, &f)) fail(f);
     return c;
 }
@@ -101,8 +101,8 @@ static inline camera pot_camera(real aspect)
 /* Three rows: right, M n, the angle between. */
 static inline void draw_normals(const options *o)
 {
-    static const vec3 scale[pots] = {{1, 1, 1}, {1, 1, (real)0.3}, {(real)0.3, 1, 1},
-                                     {(real)0.75, (real)0.75, (real)1.45}};
+    static const vec3 scale[pots] = {{1, 1, 1}, {1, 1, 0.3}, {0.3, 1, 1},
+                                     {0.75, 0.75, 1.45}};
     mesh m = teapot_mesh(o->quick ? 4 : 12);
     instance list[pots];
     instances x;
@@ -110,7 +110,7 @@ static inline void draw_normals(const options *o)
     bool whole = true;
     for (int i = 0; i < pots; i++) {
         vec3 to = {(real)-10.2 + (real)i * (real)6.9 + (i > 2 ? (real)-1.4 : 0), 0, 0};
-        affine turn = affine_rotation((vec3){0, 0, 1}, (real)-0.5);
+        affine turn = affine_rotation((vec3){0, 0, 1}, -0.5);
         affine a = affine_of(affine_scaling(scale[i]), turn);
         list[i] = (instance){affine_of(a, affine_translation(to)), 0};
     }

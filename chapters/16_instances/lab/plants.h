@@ -107,24 +107,24 @@ static inline plant plant_fir(uint64_t seed)
     enum { rings = 17, most = 11 };
     plant p = plant_room(12 + rings * most * 8);
     random_stream g = random_start(seed, 1, 0);
-    plant_stem(&p, (vec3){0, 0, (real)-0.05}, (real)0.022, (vec3){0, 0, 1}, (real)0.002);
+    plant_stem(&p, vec(0, 0, -0.05), 0.022, (vec3){0, 0, 1}, 0.002);
     p.wood = (uint32_t)p.m.triangles;
     for (int i = 0; i < rings; i++) {
         real x = (real)i / rings, z = (real)0.1 + (real)0.9 * x;
         real turn = plant_between(&g, 0, 2 * pi);
         int n = most - i / 3;
         for (int k = 0; k < n; k++) {
-            real angle = turn + 2 * pi * ((real)k + plant_between(&g, 0, (real)0.5)) / (real)n;
-            real length = (real)0.235 * pow(1 - x, (real)0.85) * plant_between(&g, (real)0.8, 1)
+            real angle = turn + 2 * pi * ((real)k + plant_between(&g, 0, 0.5)) / (real)n;
+            real length = (real)0.235 * pow(1 - x, (real)0.85) * plant_between(&g, 0.8, 1)
                 + (real)0.02;
-            vec3 foot = {0, 0, z + plant_between(&g, (real)-0.02, (real)0.02)};
+            vec3 foot = {0, 0, z + plant_between(&g, -0.02, 0.02)};
             plant_fir_branch(&p, foot, (vec3){cos(angle), sin(angle), 0}, length,
-                             plant_between(&g, (real)0.35, (real)0.6));
+                             plant_between(&g, 0.35, 0.6));
         }
     }
-    p.bark = (vec3){(real)0.16, (real)0.10, (real)0.07};
-    p.leaf = (vec3){(real)0.045, (real)0.13, (real)0.06};
-    p.leaf_too = (vec3){(real)0.08, (real)0.20, (real)0.07};
+    p.bark = vec(0.16, 0.10, 0.07);
+    p.leaf = vec(0.045, 0.13, 0.06);
+    p.leaf_too = vec(0.08, 0.20, 0.07);
     return p;
 }
 
@@ -141,7 +141,7 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
     if (!leaves) plant_stem(p, a, radius, b, radius * (real)0.62);
     if (leaves && level >= h->levels - 2)
         for (int k = 0; k < h->leaves; k++) {
-            vec3 at = vmadd(vmadd(a, d, length * plant_between(g, (real)0.3, (real)1.1)),
+            vec3 at = vmadd(vmadd(a, d, length * plant_between(g, 0.3, 1.1)),
                             plant_direction(g), length * (real)0.55 * random_next(g));
             vec3 x = plant_direction(g), y = vcross(x, plant_direction(g));
             plant_leaf(p, at, vmadd(at, x, h->leaf), vmadd(vmadd(at, x, h->leaf / 2), y, h->leaf),
@@ -152,11 +152,11 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
         random_stream own = random_start(random_next_bits(g), 0, 0);  /* the same in both passes */
         vec3 s, t;
         vbasis(d, &s, &t);
-        real angle = 2 * pi * ((real)k + plant_between(&own, 0, (real)0.8)) / (real)h->children;
+        real angle = 2 * pi * ((real)k + plant_between(&own, 0, 0.8)) / (real)h->children;
         vec3 e = vmadd(vmadd(d, s, h->spread * cos(angle)), t, h->spread * sin(angle));
         e.z += h->up;
-        plant_branch(p, &own, h, vmadd(a, d, length * plant_between(&own, (real)0.75, 1)), vunit(e),
-                     length * plant_between(&own, (real)0.62, (real)0.8), radius * (real)0.6,
+        plant_branch(p, &own, h, vmadd(a, d, length * plant_between(&own, 0.75, 1)), vunit(e),
+                     length * plant_between(&own, 0.62, 0.8), radius * (real)0.6,
                      level + 1, leaves);
     }
 }
@@ -169,7 +169,7 @@ static inline plant plant_grown(uint64_t seed, plant_habit h, real stem, real ra
     plant p = plant_room(branches * (12 + (size_t)h.leaves));
     for (int pass = 0; pass < 2; pass++) {
         random_stream g = random_start(seed, 2, 0);
-        plant_branch(&p, &g, &h, (vec3){0, 0, (real)-0.03}, (vec3){0, 0, 1}, stem, radius, 0, pass);
+        plant_branch(&p, &g, &h, vec(0, 0, -0.03), (vec3){0, 0, 1}, stem, radius, 0, pass);
         if (!pass) p.wood = (uint32_t)p.m.triangles;
     }
     return p;
@@ -177,31 +177,31 @@ static inline plant plant_grown(uint64_t seed, plant_habit h, real stem, real ra
 
 static inline plant plant_oak(uint64_t seed)
 {
-    plant p = plant_grown(seed, (plant_habit){{0, 0, (real)0.62}, (real)0.036, (real)0.85,
-                                              (real)0.12, 5, 3, 14}, (real)0.34, (real)0.03);
-    p.bark = (vec3){(real)0.20, (real)0.15, (real)0.11};
-    p.leaf = (vec3){(real)0.13, (real)0.26, (real)0.05};
-    p.leaf_too = (vec3){(real)0.32, (real)0.30, (real)0.05};
+    plant p = plant_grown(seed, (plant_habit){{0, 0, 0.62}, 0.036, 0.85,
+                                              0.12, 5, 3, 14}, 0.34, 0.03);
+    p.bark = vec(0.20, 0.15, 0.11);
+    p.leaf = vec(0.13, 0.26, 0.05);
+    p.leaf_too = vec(0.32, 0.30, 0.05);
     return p;
 }
 
 static inline plant plant_birch(uint64_t seed)
 {
-    plant p = plant_grown(seed, (plant_habit){{0, 0, (real)0.65}, (real)0.026, (real)0.5,
-                                              (real)0.3, 6, 2, 22}, (real)0.38, (real)0.016);
-    p.bark = (vec3){(real)0.75, (real)0.73, (real)0.68};
-    p.leaf = (vec3){(real)0.55, (real)0.42, (real)0.06};
-    p.leaf_too = (vec3){(real)0.70, (real)0.30, (real)0.05};
+    plant p = plant_grown(seed, (plant_habit){{0, 0, 0.65}, 0.026, 0.5,
+                                              0.3, 6, 2, 22}, 0.38, 0.016);
+    p.bark = vec(0.75, 0.73, 0.68);
+    p.leaf = vec(0.55, 0.42, 0.06);
+    p.leaf_too = vec(0.70, 0.30, 0.05);
     return p;
 }
 
 static inline plant plant_bush(uint64_t seed)
 {
-    plant p = plant_grown(seed, (plant_habit){{0, 0, (real)0.1}, (real)0.11, (real)1.1,
-                                              (real)0.05, 4, 3, 12}, (real)0.25, (real)0.02);
-    p.bark = (vec3){(real)0.18, (real)0.13, (real)0.10};
-    p.leaf = (vec3){(real)0.14, (real)0.22, (real)0.07};
-    p.leaf_too = (vec3){(real)0.26, (real)0.25, (real)0.08};
+    plant p = plant_grown(seed, (plant_habit){{0, 0, 0.1}, 0.11, 1.1,
+                                              0.05, 4, 3, 12}, 0.25, 0.02);
+    p.bark = vec(0.18, 0.13, 0.10);
+    p.leaf = vec(0.14, 0.22, 0.07);
+    p.leaf_too = vec(0.26, 0.25, 0.08);
     return p;
 }
 
@@ -213,17 +213,17 @@ static inline plant plant_grass(uint64_t seed)
     random_stream g = random_start(seed, 5, 0);
     for (int k = 0; k < blades; k++) {
         real angle = plant_between(&g, 0, 2 * pi), far = (real)0.9 * sqrt(random_next(&g));
-        real height = plant_between(&g, (real)0.4, 1), turn = plant_between(&g, 0, 2 * pi);
+        real height = plant_between(&g, 0.4, 1), turn = plant_between(&g, 0, 2 * pi);
         vec3 out = {cos(angle), sin(angle), 0}, side = {cos(turn), sin(turn), 0};
-        vec3 a = vscale(out, far), b = vmadd(a, side, (real)0.09);
+        vec3 a = vscale(out, far), b = vmadd(a, side, 0.09);
         vec3 tip = vmadd(a, out, (real)0.5 * height);
-        vec3 c = vmadd(vmadd(a, out, (real)0.12 * height), side, (real)0.08), up = {0, 0, 1};
+        vec3 c = vmadd(vmadd(a, out, (real)0.12 * height), side, 0.08), up = {0, 0, 1};
         c.z = (real)0.6 * height, tip.z = height;
         plant_triangle(&p, a, b, c, up, up, up);
         plant_triangle(&p, a, c, tip, up, up, up);
     }
-    p.leaf = p.bark = (vec3){(real)0.24, (real)0.30, (real)0.07};
-    p.leaf_too = (vec3){(real)0.38, (real)0.36, (real)0.12};
+    p.leaf = p.bark = vec(0.24, 0.30, 0.07);
+    p.leaf_too = vec(0.38, 0.36, 0.12);
     return p;
 }
 
@@ -233,10 +233,10 @@ static inline plant plant_of_mesh(mesh m)
 {
     vec3 lo, hi;
     plant p = {.m = m};
-    p.bark = p.leaf = (vec3){(real)0.62, (real)0.55, (real)0.45};
-    p.leaf_too = (vec3){(real)0.72, (real)0.45, (real)0.30};
+    p.bark = p.leaf = vec(0.62, 0.55, 0.45);
+    p.leaf_too = vec(0.72, 0.45, 0.30);
     if (!mesh_bounds(&m, &lo, &hi)) return p;
-    vec3 middle = vscale(vadd(lo, hi), (real)0.5);
+    vec3 middle = vscale(vadd(lo, hi), 0.5);
     real height = hi.y - lo.y, widest = real_max(hi.x - lo.x, hi.z - lo.z);
     real s = 1 / (real_max(height, widest) > 0 ? real_max(height, widest) : 1);
     for (size_t i = 0; i < m.vertices; i++) {

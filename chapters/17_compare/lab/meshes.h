@@ -65,7 +65,7 @@ static inline mesh thin_mesh(size_t n)
         random_stream g = random_start(1702, i, 0);
         vec3 *v = m.v + 3 * i;
         v[0] = cube_point(&g, 1), v[1] = cube_point(&g, 1);
-        v[2] = vadd(v[0], cube_point(&g, (real)1e-3));
+        v[2] = vadd(v[0], cube_point(&g, 1e-3));
     }
     return m;
 }
@@ -75,15 +75,15 @@ static inline mesh thin_mesh(size_t n)
 static inline bool mesh_world(world *w, const char *name, mesh m, bool z_up, failure *f)
 {
     vec3 lo, hi;
-    *w = (world){.name = name, .mesh = m, .background = {(real)0.078, (real)0.361, (real)0.753}};
+    *w = (world){.name = name, .mesh = m, .background = {0.078, 0.361, 0.753}};
     if (!mesh_bounds(&m, &lo, &hi)) return failed(f, 2, "%.300s: no triangles in it", name);
     real size = vlength(vsub(hi, lo)) / 2;
-    vec3 centre = vscale(vadd(lo, hi), (real)0.5), up = {0, !z_up, z_up};
-    vec3 toward = vunit(z_up ? (vec3){(real)0.45, -1, (real)0.55}
-                             : (vec3){(real)0.45, (real)0.55, 1});
+    vec3 centre = vscale(vadd(lo, hi), 0.5), up = {0, !z_up, z_up};
+    vec3 toward = vunit(z_up ? vec(0.45, -1, 0.55)
+                             : vec(0.45, 0.55, 1));
     w->group = allocate(1, sizeof *w->group);
     w->group[w->groups++].finish = (finish){{1, 1, 1}, 1, 0, 0, 0, 0};
-    w->light_each = (real)0.5;
+    w->light_each = 0.5;
     world_light(w, vmadd(vmadd(centre, toward, 3 * size), up, 2 * size));
     return world_look(w, vmadd(centre, toward, (real)2.4 * size), centre, up, 45, f);
 }
@@ -96,7 +96,7 @@ static inline bool make_stadium(int fine, world *w, failure *f)
     mesh_bounds(&pot, &lo, &hi);
     mesh_free(&pot);
     if (!mesh_world(w, "stadium", stadium_mesh(fine), true, f)) return false;
-    vec3 centre = vscale(vadd(lo, hi), (real)0.5);
+    vec3 centre = vscale(vadd(lo, hi), 0.5);
     w->light[0] = vadd(centre, (vec3){4, -6, 8});
     return world_look(w, vadd(centre, (vec3){4, -8, 5}), centre, (vec3){0, 0, 1}, 45, f);
 }

@@ -131,7 +131,7 @@ static inline void departure_make(departure *x, departure_kind kind, real size, 
         bool round = kind == DEPART_SPHERE || kind == DEPART_CONE;
         if (round && vdot(x->n, at.n) < 0) continue;  /* from inside w meets the other wall */
         real grazing = i % 3 == 0 ? (real)0.001 : i % 3 == 1 ? (real)0.01 : 1;
-        real least = (real)1.1e-3;
+        real least = 1.1e-3;
         x->w = departure_towards(x->n, least + (1 - least) * grazing * random_next(&s), &s);
         x->steep = departure_towards(x->n, (real)0.1 + (real)0.9 * random_next(&s), &s);
         return;

@@ -36,7 +36,7 @@ typedef struct {
 
 static inline vec3 gallery_at(const gallery *g, double x, double y, double z)
 {
-    return vadd(g->T, (vec3){(real)x, (real)y, (real)z});
+    return vadd(g->T, vec(x, y, z));
 }
 
 static inline shape gallery_ball(const gallery *g, double x, double y, double r)
@@ -60,9 +60,9 @@ static inline void gallery_fill(gallery *g)
                                         gallery_at(g, -5, 0.4, 2.6), 0});
     g->shapes[7] = gallery_ball(g, 1.88, -4.14, 0.02);              /* beside the card's corner */
     g->shapes[8] = gallery_ball(g, -4.6, -2.3, 0.35);
-    g->bulb = shape_of_sphere((sphere){gallery_at(g, -4.4, -1.6, 4.1), (real)0.16});
-    g->lights[0] = (light){LIGHT_DIRECTIONAL, vunit((vec3){(real)0.55, (real)-0.5, (real)0.62}),
-                           {(real)2.1, (real)1.95, (real)1.7}};
+    g->bulb = shape_of_sphere((sphere){gallery_at(g, -4.4, -1.6, 4.1), 0.16});
+    g->lights[0] = (light){LIGHT_DIRECTIONAL, vunit(vec(0.55, -0.5, 0.62)),
+                           {2.1, 1.95, 1.7}};
     g->lights[1] = (light){LIGHT_POINT, g->bulb.sphere.c, {13, 15, 19}};
 }
 
@@ -95,22 +95,22 @@ static inline material gallery_material(const void *context, trace_hit x, const 
         {0.1, 0.28, 0.5, 0.4, 60},    {0.1, 0.42, 0.12, 0.4, 40},   {0.75, 0.45, 0.06, 0.6, 200},
         {0.5, 0.2, 0.42, 0.12, 12},   {0.9, 0.9, 0.9, 0, 1},        {0.03, 0.03, 0.03, 0.9, 400}};
     const gallery *g = context;
-    if (x.part == 2) return (material){.shine = 1, .ke = {(real)1.6, (real)1.7, 2}};
+    if (x.part == 2) return (material){.shine = 1, .ke = {1.6, 1.7, 2}};
     if (x.part == 1)
-        return (material){{(real)0.58, (real)0.52, (real)0.45}, {(real)0.5, (real)0.5, (real)0.5},
+        return (material){{0.58, 0.52, 0.45}, {0.5, 0.5, 0.5},
                           90, {0, 0, 0}};
     const double *l = look[x.h.shape];
     vec3 p = vsub(s->p, g->T), kd = {(real)l[0], (real)l[1], (real)l[2]};
     bool odd = ((int)floor((double)p.x / 1.5) + (int)floor((double)p.y / 1.5)) & 1;
-    if (x.h.shape == 0 && odd) kd = vscale(kd, (real)0.45);
+    if (x.h.shape == 0 && odd) kd = vscale(kd, 0.45);
     return (material){kd, {(real)l[3], (real)l[3], (real)l[3]}, (real)l[4], {0, 0, 0}};
 }
 
 static inline shading gallery_shading(const gallery *g)
 {
     return (shading){.lights = g->lights, .n = 2, .material_of = gallery_material, .context = g,
-                     .background = {(real)0.09, (real)0.13, (real)0.2},
-                     .ambient = {(real)0.1, (real)0.12, (real)0.15}};
+                     .background = {0.09, 0.13, 0.2},
+                     .ambient = {0.1, 0.12, 0.15}};
 }
 
 static inline camera gallery_look(real T, vec3 from, vec3 to, real degrees, real aspect)
@@ -126,14 +126,14 @@ static inline camera gallery_look(real T, vec3 from, vec3 to, real degrees, real
 
 static inline camera gallery_camera(real T, real aspect)
 {
-    return gallery_look(T, (vec3){(real)-1.5, -15, (real)5.2}, (vec3){0, (real)-0.9, (real)1.25},
+    return gallery_look(T, vec(-1.5, -15, 5.2), vec(0, -0.9, 1.25),
                         27, aspect);
 }
 
 static inline camera gallery_close_up(real T, real aspect)
 {
-    return gallery_look(T, (vec3){(real)1.25, (real)-4.85, (real)0.26},
-                        (vec3){(real)1.955, (real)-4.1, (real)0.022}, 7, aspect);
+    return gallery_look(T, vec(1.25, -4.85, 0.26),
+                        vec(1.955, -4.1, 0.022), 7, aspect);
 }
 
 /* ---------------------------------------------------------------------------------------------- */

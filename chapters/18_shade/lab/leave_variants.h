@@ -23,12 +23,12 @@
 /* w of length 1 or not: tmin counts in lengths of w, as in most programs that do this. */
 static inline ray leave_fixed_1e3(surface s, vec3 w)
 {
-    return (ray){s.p, (real)1e-3, w, real_infinity};
+    return (ray){s.p, 1e-3, w, real_infinity};
 }
 
 static inline ray leave_first(surface s, vec3 w)
 {
-    return (ray){s.p, (real)1e-4, w, real_infinity};
+    return (ray){s.p, 1e-4, w, real_infinity};
 }
 
 static inline real leave_scale(surface s)

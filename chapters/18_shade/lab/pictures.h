@@ -41,7 +41,7 @@ static inline surface surface_f32(const tracer *t, ray r, trace_hit x)
     float at = (float)x.h.t;
     float px = (float)r.o.x + at * (float)r.d.x, py = (float)r.o.y + at * (float)r.d.y;
     float pz = (float)r.o.z + at * (float)r.d.z;
-    s.p = (vec3){(real)px, (real)py, (real)pz}, s.error = s.noise = 0;
+    s.p = vec(px, py, pz), s.error = s.noise = 0;
     return s;
 }
 
@@ -79,7 +79,7 @@ enum { sight_posts = 9 };
 /* A point in the air, at knee height over (x, y). */
 static inline surface sight_post(double x, double y)
 {
-    return (surface){{(real)x, (real)y, (real)0.5}, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
+    return (surface){{(real)x, (real)y, 0.5}, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
 }
 
 typedef struct { const gallery *g; image *im; } sight_map;
@@ -94,9 +94,9 @@ static inline void sight_pixel(int x, int y, void *context)
     tracer t = {.w = &m->g->w, .program = shade_programs};
     surface from[2] = {sight_post(-0.6, -5.8), sight_post(6.4, -2.6)};
     bool a = sight_free(&t, from[0], at), b = sight_free(&t, from[1], at);
-    vec3 dark = {(real)0.035, (real)0.04, (real)0.06};
-    vec3 c = vadd(dark, vadd(a ? (vec3){(real)0.55, (real)0.28, 0} : (vec3){0, 0, 0},
-                             b ? (vec3){0, (real)0.2, (real)0.6} : (vec3){0, 0, 0}));
+    vec3 dark = {0.035, 0.04, 0.06};
+    vec3 c = vadd(dark, vadd(a ? vec(0.55, 0.28, 0) : (vec3){0, 0, 0},
+                             b ? vec(0, 0.2, 0.6) : (vec3){0, 0, 0}));
     image_set(m->im, x, y, c);
 }
 
@@ -120,8 +120,8 @@ static inline void draw_sight(const options *o)
             printf(" %c", i == j ? '.' : sees ? '1' : '0');
             real x0 = (a.p.x + 7) * s, y0 = (4 - a.p.y) * s;
             real x1 = (b.p.x + 7) * s, y1 = (4 - b.p.y) * s;
-            vec3 white = {1, 1, 1}, grey = vscale(white, (real)0.8);
-            if (i < j && sees) draw_stroke(&im, x0, y0, x1, y1, (real)0.3, grey);
+            vec3 white = {1, 1, 1}, grey = vscale(white, 0.8);
+            if (i < j && sees) draw_stroke(&im, x0, y0, x1, y1, 0.3, grey);
             if (i == j) draw_stroke(&im, x0, y0, x0, y0, s / 5, white);
         }
         printf("\n");

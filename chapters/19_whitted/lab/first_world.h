@@ -37,7 +37,7 @@ static inline const whitted_material *first_world_look(const void *context, trac
     int odd = (int)(vdot(t->ua, q) * n) + (int)(vdot(t->vb, q) * n);
     if (odd % 2 == 0) return &w->look[x.h.shape];
     *room = w->look[x.h.shape];
-    room->base.kd = vscale(room->base.kd, (real)0.15);
+    room->base.kd = vscale(room->base.kd, 0.15);
     return room;
 }
 

@@ -69,7 +69,7 @@ static inline void table_of_knobs(const options *o)
     int by_depth = plot_series(&p, "depth 1, 2 .. 12, no cut"), by_cut;
     by_cut = plot_series(&p, "cut 0.5 .. 0.0001");
     balls_view(&f->fast.b, &v.c, w, h);
-    f->fast.w.depth = 64, f->fast.w.least = (real)1e-10;
+    f->fast.w.depth = 64, f->fast.w.least = 1e-10;
     measured_draw(&v, o->threads);
     v.im = &im;
     for (size_t k = 0; k < sizeof depth / sizeof *depth; k++) {
@@ -122,14 +122,14 @@ static inline void table_of_fresnel(const options *o)
     int within = plot_series(&p, "exact, from inside");
     int close = plot_series(&p, "Schlick, from inside");
     for (int i = 0; i <= 90; i += 2) {
-        snell s = snell_at((real)i, 1, (real)1.5), in = snell_at((real)i, (real)1.5, 1);
+        snell s = snell_at((real)i, 1, 1.5), in = snell_at((real)i, 1.5, 1);
         plot_add(&p, exact, i, (double)fresnel(&s)), plot_add(&p, cheap, i, (double)schlick(&s));
         plot_add(&p, within, i, (double)fresnel(&in)), plot_add(&p, close, i, (double)schlick(&in));
     }
     for (int k = 0; k < 3; k++) {
         b[k].form = form[k];
         for (int i = 0; i < fresnel_batch; i++)
-            b[k].s[i] = snell_at((real)i * 90 / fresnel_batch, 1, (real)1.5);
+            b[k].s[i] = snell_at((real)i * 90 / fresnel_batch, 1, 1.5);
         c[k] = (clock_variant){names[k], fresnel_seconds, &b[k], 0};
     }
     clock_compare(c, 3, o->quick ? 3 : 15);

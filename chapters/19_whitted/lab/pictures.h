@@ -122,7 +122,7 @@ static inline void draw_ray_tree(const options *o, real x, real y)
     char room[512];
     failure f;
     file_writer out;
-    s->w.depth = 6, s->w.least = (real)0.002;
+    s->w.depth = 6, s->w.least = 0.002;
     ray_tree_trace(tree, &t, camera_ray(c, x, y, 640, 480), (media_set){0});
     printf("# the tree of rays of pixel (%g, %g) of 640 x 480, depth 6\n", (double)x, (double)y);
     ray_tree_print(tree, stdout);

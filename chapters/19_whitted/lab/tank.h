@@ -52,36 +52,36 @@ static inline tank *tank_new(void)
     for (int i = 0; i < 4; i++)
         k->corner[72 + i] = (vec3){i == 1 || i == 2 ? 9 : -9, i > 1 ? 9 : -9, 0};
     k->shape[tank_table] = shape_of_polygon(polygon_of(k->corner + 72, 4));
-    vec3 lo = {(real)-1.5, -1, 0}, hi = {(real)1.5, 1, 2};
-    vec3 in_lo = {(real)-1.375, (real)-0.875, (real)0.125}, in_hi = {(real)1.375, (real)0.875, 2};
-    vec3 full = {in_hi.x, in_hi.y, (real)1.625};
+    vec3 lo = {-1.5, -1, 0}, hi = {1.5, 1, 2};
+    vec3 in_lo = {-1.375, -0.875, 0.125}, in_hi = {1.375, 0.875, 2};
+    vec3 full = {in_hi.x, in_hi.y, 1.625};
     box_faces(lo, hi, false, k->corner, k->shape + tank_outer);
     box_faces(in_lo, in_hi, true, k->corner + 24, k->shape + tank_cavity);
     box_faces(in_lo, full, false, k->corner + 48, k->shape + tank_water);
-    vec3 c = {(real)0.55, (real)-0.1, (real)0.8};
-    k->shape[tank_ball] = shape_of_sphere((sphere){c, (real)0.55});
-    k->shape[tank_bubble] = shape_of_sphere((sphere){c, (real)0.35});
-    vec3 stone = {(real)-0.7, (real)0.2, (real)0.525};
-    k->shape[tank_stone] = shape_of_sphere((sphere){stone, (real)0.4});
+    vec3 c = {0.55, -0.1, 0.8};
+    k->shape[tank_ball] = shape_of_sphere((sphere){c, 0.55});
+    k->shape[tank_bubble] = shape_of_sphere((sphere){c, 0.35});
+    vec3 stone = {-0.7, 0.2, 0.525};
+    k->shape[tank_stone] = shape_of_sphere((sphere){stone, 0.4});
     for (int i = 0; i < 6; i++) {
-        k->look[tank_outer + i] = k->look[tank_cavity + i] = whitted_clear(1, (real)0.95);
-        k->look[tank_water + i] = whitted_clear(2, (real)0.95);
+        k->look[tank_outer + i] = k->look[tank_cavity + i] = whitted_clear(1, 0.95);
+        k->look[tank_water + i] = whitted_clear(2, 0.95);
     }
-    k->look[tank_ball] = whitted_clear(3, (real)0.8);
-    k->look[tank_bubble] = whitted_clear(4, (real)0.9);
+    k->look[tank_ball] = whitted_clear(3, 0.8);
+    k->look[tank_bubble] = whitted_clear(4, 0.9);
     k->look[tank_stone] = whitted_paint(0.75, 0.2, 0.05);
     k->look[tank_table] = whitted_paint(0.75, 0.72, 0.66), k->dark = whitted_paint(0.3, 0.26, 0.22);
     k->media[0] = k->media[4] = (medium){1, {0, 0, 0}, 0};
-    k->media[1] = k->media[3] = (medium){(real)1.5, {(real)0.18, (real)0.03, (real)0.1}, 0};
-    k->media[2] = (medium){(real)1.33, {(real)0.25, (real)0.06, (real)0.02}, 0};
-    k->lights[0] = (light){LIGHT_DIRECTIONAL, vunit((vec3){-1, (real)-1.2, 3}), {3, 3, 3}};
+    k->media[1] = k->media[3] = (medium){1.5, {0.18, 0.03, 0.1}, 0};
+    k->media[2] = (medium){1.33, {0.25, 0.06, 0.02}, 0};
+    k->lights[0] = (light){LIGHT_DIRECTIONAL, vunit(vec(-1, -1.2, 3)), {3, 3, 3}};
     k->scene = (scene){k->shape, tank_shapes};
     world_part_of_scene(&k->scene, MASK_ALL, &k->part);
     k->world = (trace_world){&k->part, 1};
     k->w = (whitted){.lights = k->lights, .n = 1, .material_of = tank_material, .context = k,
-                     .media = k->media, .background = {(real)0.55, (real)0.66, (real)0.8},
+                     .media = k->media, .background = {0.55, 0.66, 0.8},
                      .depth = 12, .least = (real)1 / 256,
-                     .ambient = {(real)0.2, (real)0.2, (real)0.2}};
+                     .ambient = {0.2, 0.2, 0.2}};
     return k;
 }
 
@@ -101,7 +101,7 @@ static inline camera tank_camera(real aspect)
     failure why;
     camera_frame f;
     camera c;
-    const vec3 eye = {-2, -7, (real)3.1}, to = {0, 0, (real)0.9}, up = {0, 0, 1};
+    const vec3 eye = {-2, -7, 3.1}, to = {0, 0, 0.9}, up = {0, 0, 1};
     if (!frame_look_at(eye, to, up, &f, &why) || !camera_perspective(f, 30, aspect, &c, &why))
         fail(why);
     return c;

@@ -79,7 +79,7 @@ static inline void forty_fill(forty *f)
     f->look[0] = whitted_paint(0.3, 0.3, 0.3), f->light_ground = whitted_paint(0.8, 0.8, 0.8);
     for (int k = 0; k < 3; k++) {
         const double *s = sun[k];
-        f->suns[k] = (light){LIGHT_DIRECTIONAL, vunit((vec3){(real)s[0], (real)s[1], (real)s[2]}),
+        f->suns[k] = (light){LIGHT_DIRECTIONAL, vunit(vec(s[0], s[1], s[2])),
                              {(real)s[3], (real)s[3], (real)s[3]}};
     }
     f->part = (world_part){.s = &f->scene, .mask = MASK_ALL};
@@ -87,8 +87,8 @@ static inline void forty_fill(forty *f)
     f->world = (trace_world){&f->part, 1};
     f->fast.w = (whitted){.lights = f->suns, .n = 3, .material_of = forty_material, .context = f,
                           .media = f->media, .depth = 8, .least = (real)1 / 256, .apart = true,
-                          .background = {(real)0.35, (real)0.55, (real)0.85},
-                          .ambient = {(real)0.1, (real)0.1, (real)0.1}};
+                          .background = {0.35, 0.55, 0.85},
+                          .ambient = {0.1, 0.1, 0.1}};
     balls_build(f->ball, forty_balls, f->shadow, f->suns, 3, &f->fast.b);
     f->fast.shadow = f->shadow;
 }
@@ -109,7 +109,7 @@ static inline camera forty_camera(real aspect)
     failure why;
     camera_frame f;
     camera c;
-    const vec3 eye = {0, -11, (real)4.5}, to = {0, (real)0.4, (real)0.9}, up = {0, 0, 1};
+    const vec3 eye = {0, -11, 4.5}, to = {0, 0.4, 0.9}, up = {0, 0, 1};
     if (!frame_look_at(eye, to, up, &f, &why)) fail(why);
     if (!camera_perspective(f, 31, aspect, &c, &why)) fail(why);
     return c;

@@ -21,7 +21,7 @@ static inline whitted_material whitted_paint(double r, double g, double b)
 static inline whitted_material whitted_mirror(double m)
 {
     whitted_material x = whitted_paint(0, 0, 0);
-    x.mirror = (vec3){(real)m, (real)m, (real)m};
+    x.mirror = vec(m, m, m);
     return x;
 }
 

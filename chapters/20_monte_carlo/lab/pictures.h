@@ -44,8 +44,8 @@ static inline void panel_fill(const panels *p, panel_place at, vec3 (*colour)(re
 static inline void panel_dot(const panels *p, panel_place at, real x, real y)
 {
     real cx = x * (real)at.side, cy = (1 - y) * (real)at.side, r = (real)at.side / 80;
-    vec3 ink = {(real)0.0, (real)0.09, (real)0.3};
-    if (r < (real)0.7) r = (real)0.7;
+    vec3 ink = {0.0, 0.09, 0.3};
+    if (r < (real)0.7) r = 0.7;
     for (int j = (int)(cy - r - 1); j <= (int)(cy + r + 1); j++)
         for (int i = (int)(cx - r - 1); i <= (int)(cx + r + 1); i++) {
             if (i < 0 || j < 0 || i >= at.side || j >= at.side) continue;
@@ -63,7 +63,7 @@ enum { square_0, square_7, disk_row, hemisphere_row, triangle_row, point_rows };
 static inline vec3 point_ground(real x, real y)
 {
     (void)x, (void)y;
-    return (vec3){(real)0.92, (real)0.92, (real)0.92};
+    return vec(0.92, 0.92, 0.92);
 }
 
 static inline vec3 point_ground_disk(real x, real y)
@@ -158,7 +158,7 @@ static inline vec3 heat_colour(double ratio)
 {
     double t = ratio > 0 ? log2(ratio) / 2 : -1;
     t = t < -1 ? -1 : t > 1 ? 1 : t;
-    vec3 full = t < 0 ? (vec3){0, (real)0.17, (real)0.45} : (vec3){(real)0.67, (real)0.11, 0};
+    vec3 full = t < 0 ? vec(0, 0.17, 0.45) : vec(0.67, 0.11, 0);
     real part = (real)fabs(t);
     return vmadd((vec3){1 - part, 1 - part, 1 - part}, full, part);
 }

@@ -56,8 +56,8 @@ static inline box_room *box_new(bool sized, vec3 ambient, real reach)
     world_part_of_mesh(&b->walls, MASK_ALL, &b->part[0]);
     world_part_of_mesh(&b->square, MASK_SEEN, &b->part[1]);
     b->w = (trace_world){b->part, 2};
-    b->light = (area_light){AREA_RECTANGLE, vmadd(vmadd(cornell_corner, s, (real)0.5), t,
-                                                  (real)0.5), s, t, vunit(normal), 0,
+    b->light = (area_light){AREA_RECTANGLE, vmadd(vmadd(cornell_corner, s, 0.5), t,
+                                                  0.5), s, t, vunit(normal), 0,
                             vscale(cornell_radiance, A)};
     if (!sized) b->light.a = b->light.b = (vec3){0, 0, 0};
     b->how = (distributed){.light = &b->light, .n = 1, .material_of = box_material, .context = b,

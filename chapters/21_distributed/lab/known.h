@@ -92,21 +92,21 @@ static inline void known_lights(known *k)
 {
     vec3 down = {0, 0, -1};
     if (k->kind == KNOWN_SQUARE) {
-        k->light = (area_light){AREA_RECTANGLE, {(real)0.5, (real)0.25, 1}, {2, 0, 0},
-                                {0, (real)1.5, 0}, down, 0, {3, 3, 3}};
+        k->light = (area_light){AREA_RECTANGLE, {0.5, 0.25, 1}, {2, 0, 0},
+                                {0, 1.5, 0}, down, 0, {3, 3, 3}};
         k->truth = (double)pi * known_rectangle(-0.5, 1.5, -0.5, 1);
     } else if (k->kind == KNOWN_DISK) {
-        k->light = (area_light){AREA_DISK, {0, 0, 1}, {(real)0.75, 0, 0}, {0, (real)0.75, 0}, down,
+        k->light = (area_light){AREA_DISK, {0, 0, 1}, {0.75, 0, 0}, {0, 0.75, 0}, down,
                                 0, {1, 1, 1}};
         k->truth = 1 / (1 + 0.75 * 0.75);  /* L = 1 / (pi R^2) */
     } else if (k->kind == KNOWN_BALL) {
-        k->light = (area_light){AREA_BALL, {(real)1.5, 0, 2}, .r = 1, .colour = {1, 1, 1}};
+        k->light = (area_light){AREA_BALL, {1.5, 0, 2}, .r = 1, .colour = {1, 1, 1}};
         k->truth = 2 / 2.5 / (2.5 * 2.5);
     } else {
         /* The square [-1,1]^2 at z = 2; at z = 1 a plane that begins at the line c x + s y = .13,
          * (c, s) = (12, 5) / 13: on the light c x + s y = .26, from its lower to its upper side. */
         vec3 across = {(real)48 / 13, (real)20 / 13, 0}, along = {(real)-20 / 13, (real)48 / 13, 0};
-        vec3 edge = {(real)0.12, (real)0.05, 1};
+        vec3 edge = {0.12, 0.05, 1};
         k->light = (area_light){AREA_RECTANGLE, {0, 0, 2}, {2, 0, 0}, {0, 2, 0}, down, 0,
                                 {1, 1, 1}};
         k->shapes[0] = known_sheet(k, 0, edge, along, across);
@@ -121,11 +121,11 @@ static inline void known_skies(known *k)
     k->s.n = 1;
     switch (k->kind) {
     case KNOWN_SKY_DISK:  /* a cone whose base it is, apex up: open below, and not to be missed */
-        k->shapes[0] = shape_of_cone((cone){{0, 0, (real)0.5}, (real)0.75, {0, 0, 1}, 0});
+        k->shapes[0] = shape_of_cone((cone){{0, 0, 0.5}, 0.75, {0, 0, 1}, 0});
         k->truth = 0.25 / (0.25 + 0.5625);
         break;
     case KNOWN_SKY_BALL:
-        k->shapes[0] = shape_of_sphere((sphere){{0, 0, (real)1.8}, 1});
+        k->shapes[0] = shape_of_sphere((sphere){{0, 0, 1.8}, 1});
         k->truth = 1 - 1 / (1.8 * 1.8);
         break;
     case KNOWN_SKY_WALL:  /* 2 high, 1 away; the sheet goes down, from its upper edge */
@@ -139,15 +139,15 @@ static inline void known_skies(known *k)
         break;
     case KNOWN_SKY_REACH:
         k->shapes[0] = known_sheet(k, 0, (vec3){1, 0, -1}, aside, up);
-        k->reach = (real)2.5, k->truth = 1 - known_segment(0.4);
+        k->reach = 2.5, k->truth = 1 - known_segment(0.4);
         break;
     case KNOWN_LOBE:  /* a ceiling at z = 1 for x > .2 */
-        k->shapes[0] = known_sheet(k, 0, (vec3){(real)0.2, 0, 1}, aside, out);
+        k->shapes[0] = known_sheet(k, 0, vec(0.2, 0, 1), aside, out);
         k->truth = glossy_above(0.2 / sqrt(1.04), 20);
         break;
     case KNOWN_LENS:   /* R = .3, F = 2: at z = 4 the lens is as wide again, upside down */
     case KNOWN_SHARP:
-        k->shapes[0] = known_sheet(k, 0, (vec3){(real)0.09, 0, k->kind == KNOWN_LENS ? 4 : 2},
+        k->shapes[0] = known_sheet(k, 0, vec(0.09, 0, k->kind == KNOWN_LENS ? 4 : 2),
                                    aside, out);
         k->truth = k->kind == KNOWN_LENS ? 1 - known_segment(0.3) : 1;
         break;
@@ -178,7 +178,7 @@ static inline ray known_eye(point2 u)
 {
     static const camera c = {CAMERA_PERSPECTIVE, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1},
                              -1, 1, -1, 1, 1, {0, 0, 0}};
-    return lens_ray(c, (thin_lens){(real)0.3, 2}, (real)0.5, (real)0.5, 1, 1, u);
+    return lens_ray(c, (thin_lens){0.3, 2}, 0.5, 0.5, 1, 1, u);
 }
 
 static inline double known_passes(tracer *t, ray_kind kind, ray r)
@@ -209,7 +209,7 @@ static inline double known_sample(const known *k, point2 u)
         return known_passes(&t, RAY_SHADOW, leave_to(*s, x.to));
     case KNOWN_LOBE:
         return glossy_ray(*s, down, 20, u, &r) ? known_passes(&t, RAY_REFLECTION, r) : 0;
-    case KNOWN_HORIZON: return glossy_ray(*s, (vec3){sqrt((real)0.75), 0, (real)-0.5}, 1, u, &r);
+    case KNOWN_HORIZON: return glossy_ray(*s, vec(sqrt((real)0.75), 0, -0.5), 1, u, &r);
     case KNOWN_LENS: case KNOWN_SHARP: return known_passes(&t, RAY_CAMERA, known_eye(u));
     default: return ambient_open(&t, *s, u, k->reach);
     }

@@ -93,7 +93,7 @@ static inline void highlight_pixel(int x, int y, void *context)
         real py = (real)y + ((real)(k / 2) + (real)0.5) / 2;
         sum = vadd(sum, shade_ray(&t, camera_ray(p->c, px, py, p->im->width, p->im->height)));
     }
-    image_set(p->im, x, y, vscale(sum, (real)0.25));
+    image_set(p->im, x, y, vscale(sum, 0.25));
 }
 
 static inline bool draw_highlight(const showroom_look *k, camera c, image *im, int threads)
@@ -136,7 +136,7 @@ static inline void draw_box(const options *o)
     image sheet = pictures_sheet(4, 1, w, w), one = image_new(w, w);
     bool whole = true;
     for (int i = 0; i < 4 && whole; i++) {
-        vec3 ambient = {(real)0.26, (real)0.2, (real)0.11};
+        vec3 ambient = {0.26, 0.2, 0.11};
         box_room *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
         distributed_view v = box_view(b, 1);
         v.samples = o->quick ? 2 : 8, v.seed = o->seed, b->how.split = 4;

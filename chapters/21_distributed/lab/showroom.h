@@ -45,7 +45,7 @@ typedef struct {
 
 static inline vec3 showroom_vec(double x, double y, double z)
 {
-    return (vec3){(real)x, (real)y, (real)z};
+    return vec(x, y, z);
 }
 
 static inline shape showroom_ball(double x, double y, double r)
@@ -79,7 +79,7 @@ static inline void showroom_fill(showroom *g)
     g->light[0] = showroom_softbox(showroom_vec(-6, -5, 9), showroom_vec(0, 0, 1), 11,
                                    showroom_vec(430, 400, 350), g->corner + 4);
     vec3 lamp = showroom_vec(8.5, 0.6, 6.5);
-    g->light[1] = (area_light){AREA_BALL, lamp, .r = (real)1.4, .colour = showroom_vec(24, 31, 44)};
+    g->light[1] = (area_light){AREA_BALL, lamp, .r = 1.4, .colour = showroom_vec(24, 31, 44)};
     g->lamps[0] = shape_of_polygon(polygon_of(g->corner + 4, 4));
     g->lamps[1] = shape_of_sphere((sphere){lamp, g->light[1].r});
 }
@@ -137,7 +137,7 @@ static inline material showroom_material(const void *context, trace_hit x, const
 
 static inline void showroom_set(showroom_look *k, const showroom *g, int effects)
 {
-    vec3 sky = {(real)0.27, (real)0.34, (real)0.46};
+    vec3 sky = {0.27, 0.34, 0.46};
     k->g = g, k->effects = effects, k->pot_shine = 0;
     k->w = (trace_world){g->part, effects & EFFECT_SOFT ? 3 : 2};  /* no size: not to be seen */
     for (int i = 0; i < 2; i++) k->light[i] = g->light[i];

@@ -29,10 +29,10 @@ typedef enum {
 enum { cornell_triangles = 38 };
 
 static const vec3 cornell_reflectance[cornell_parts] = {
-    {(real)0.725, (real)0.71, (real)0.68}, {(real)0.63, (real)0.065, (real)0.05},
-    {(real)0.14, (real)0.45, (real)0.091}, {(real)0.78, (real)0.78, (real)0.78}};
+    {0.725, 0.71, 0.68}, {0.63, 0.065, 0.05},
+    {0.14, 0.45, 0.091}, {0.78, 0.78, 0.78}};
 static const vec3 cornell_radiance = {17, 12, 4};
-static const vec3 cornell_corner = {343, (real)548.8, 227};
+static const vec3 cornell_corner = {343, 548.8, 227};
 static const vec3 cornell_side_s = {0, 0, 105}, cornell_side_t = {-130, 0, 0};  /* s x t: down */
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -75,7 +75,7 @@ static inline mesh cornell_mesh(void)
               .index = allocate(cornell_triangles, 3 * sizeof *m.index)};
     for (int i = 0; i < n; i++) {
         const double *p = cornell_points[i];
-        m.v[i] = (vec3){(real)p[0], (real)p[1], (real)p[2]};
+        m.v[i] = vec(p[0], p[1], p[2]);
     }
     for (int i = 0; i < cornell_triangles; i++) {
         const uint8_t *c = cornell_quad[i / 2].corner;

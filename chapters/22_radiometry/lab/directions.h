@@ -27,7 +27,7 @@ static const char *const way_name[ways] = {"uniform hemisphere", "cosine", "area
 /* ---------------------------------------------------------------------------------------------- */
 
 static const sphere lamp = {{1, 0, 2}, 1};
-static const rectangle pane = {{(real)0.5, -1, (real)0.5}, {0, 0, 1}, {0, 2, 0}};  /* faces -x */
+static const rectangle pane = {{0.5, -1, 0.5}, {0, 0, 1}, {0, 2, 0}};  /* faces -x */
 
 typedef struct { direction_cone cone; vec3 axis; spherical_rectangle square; } light_view;
 

@@ -34,8 +34,8 @@ static inline vec3 heat(double e)
     int i = (int)t;
     const double *a = stop[i], *b = stop[i + 1];
     t -= i;
-    return (vec3){(real)(a[0] + t * (b[0] - a[0])), (real)(a[1] + t * (b[1] - a[1])),
-                  (real)(a[2] + t * (b[2] - a[2]))};
+    return vec((a[0] + t * (b[0] - a[0])), (a[1] + t * (b[1] - a[1])),
+                  (a[2] + t * (b[2] - a[2])));
 }
 
 /* z = -4 full blue, 0 white, 4 full orange. */
@@ -43,7 +43,7 @@ static inline vec3 z_colour(double z)
 {
     double t = z / 4;
     t = t < -1 ? -1 : t > 1 ? 1 : t;
-    vec3 full = t < 0 ? (vec3){0, (real)0.17, (real)0.45} : (vec3){(real)0.67, (real)0.11, 0};
+    vec3 full = t < 0 ? vec(0, 0.17, 0.45) : vec(0.67, 0.11, 0);
     real part = (real)fabs(t);
     return vmadd((vec3){1 - part, 1 - part, 1 - part}, full, part);
 }
@@ -92,14 +92,14 @@ static inline vec3 floor_colour(const floor_picture *f, int light, int row, real
     double expected = f->expected[light * floor_cells * floor_cells + cell];
     if (row == 1) return heat(counted / floor_expected((floor_light)light, 1, n));
     if (row == 2)
-        return expected < 5 ? (vec3){(real)0.6, (real)0.6, (real)0.6}
+        return expected < 5 ? vec(0.6, 0.6, 0.6)
                             : z_colour((counted - expected) / sqrt(expected));
     double e = (double)floor_exact((floor_light)light, x, y), last = e, below = e;
     last = (double)floor_exact((floor_light)light, x + px, y);
     below = (double)floor_exact((floor_light)light, x, y + px);
     double level = floor(log2(e));
     bool line = e > 1.0 / 1024 && (floor(log2(last)) != level || floor(log2(below)) != level);
-    return line ? (vec3){(real)0.9, (real)0.9, (real)0.9} : heat(e);
+    return line ? vec(0.9, 0.9, 0.9) : heat(e);
 }
 
 static inline void floor_pixel(int x, int y, void *context)
@@ -139,9 +139,9 @@ static inline void draw_floor(const options *o)
 static inline vec3 view_colour(view_map m, real x, real y, real px)
 {
     static const vec3 colour[view_things] = {
-        {(real)0.9, (real)0.35, (real)0.02}, {(real)0.65, (real)0.1, (real)0.05},
-        {(real)0.05, (real)0.25, (real)0.6}, {(real)0.02, (real)0.4, (real)0.2}};
-    vec3 w, right, down, none = {1, 1, 1}, sky = {(real)0.85, (real)0.88, (real)0.92};
+        {0.9, 0.35, 0.02}, {0.65, 0.1, 0.05},
+        {0.05, 0.25, 0.6}, {0.02, 0.4, 0.2}};
+    vec3 w, right, down, none = {1, 1, 1}, sky = {0.85, 0.88, 0.92};
     if (!view_direction(m, x, y, &w)) return none;
     int k = view_met(w);
     vec3 c = k < 0 ? sky : colour[k];
@@ -151,7 +151,7 @@ static inline vec3 view_colour(view_map m, real x, real y, real px)
              || floor(acos(w.z) / step) != floor(acos(down.z) / step);
     bool spoke = floor(atan2(w.y, w.x) / step) != floor(atan2(right.y, right.x) / step)
               || floor(atan2(w.y, w.x) / step) != floor(atan2(down.y, down.x) / step);
-    return ring || spoke ? vscale(c, (real)0.72) : c;
+    return ring || spoke ? vscale(c, 0.72) : c;
 }
 
 static inline void view_pixel(int x, int y, void *context)

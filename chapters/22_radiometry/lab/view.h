@@ -23,12 +23,12 @@ static const char *const view_name[view_things] = {"sphere", "sphere, partly bel
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const sphere view_sphere[2] = {{{1, (real)1.2, 2}, (real)0.9},
-                                      {{(real)-0.3, 2, (real)-0.25}, 1}};
-static const rectangle view_square = {{(real)-1.5, -1, (real)0.3}, {0, (real)1.6, 0},
-                                      {0, 0, (real)1.6}};
-static const triangle view_triangle = {{(real)0.4, (real)-1.6, (real)0.3},
-                                       {2, (real)-0.6, (real)0.3}, {1, (real)-1.2, 3}};
+static const sphere view_sphere[2] = {{{1, 1.2, 2}, 0.9},
+                                      {{-0.3, 2, -0.25}, 1}};
+static const rectangle view_square = {{-1.5, -1, 0.3}, {0, 1.6, 0},
+                                      {0, 0, 1.6}};
+static const triangle view_triangle = {{0.4, -1.6, 0.3},
+                                       {2, -0.6, 0.3}, {1, -1.2, 3}};
 
 static inline real view_scale(view_map m) { return m == VIEW_EQUAL_AREA ? sqrt((real)2) : 1; }
 

@@ -48,7 +48,7 @@ static inline uint32_t level_samples(int level) { return (uint32_t)16 << 2 * lev
 /* A sky without edges: brighter overhead, with a glow 40 degrees wide. */
 static inline vec3 glowing_sky(vec3 w)
 {
-    real c = vdot(w, vunit((vec3){(real)0.5, (real)0.5, 1}));
+    real c = vdot(w, vunit(vec(0.5, 0.5, 1)));
     real l = (1 + w.z) / 2 + 4 * exp(20 * (c - 1));
     return (vec3){l, l, l};
 }
@@ -298,7 +298,7 @@ static inline void measure_naive(const options *o)
     }
     vec3 flat = {1, 0, real_is_float ? (real)1e-12 : (real)1e-90};
     naive_row(&t, "Beckmann as it is: D", real_is_float ? "m.z = 1e-12" : "m.z = 1e-90",
-              (double)beckmann_d_naive((real)0.5, flat), (double)beckmann_d((real)0.5, flat));
+              (double)beckmann_d_naive(0.5, flat), (double)beckmann_d(0.5, flat));
     output_extra_table(o, &t);
 }
 

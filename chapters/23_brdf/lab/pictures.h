@@ -20,20 +20,20 @@ static inline vec3 chequered_ground(vec3 w)
 {
     real x = w.x / -w.z, y = w.y / -w.z, fog = exp(-(x * x + y * y) / 60);
     bool dark = ((int)floor(x * (real)0.8) + (int)floor(y * (real)0.8)) % 2;
-    vec3 tile = dark ? (vec3){(real)0.07, (real)0.05, (real)0.04}
-                     : (vec3){(real)0.42, (real)0.36, (real)0.28};
-    vec3 far = {(real)0.35, (real)0.36, (real)0.38};
+    vec3 tile = dark ? vec(0.07, 0.05, 0.04)
+                     : vec(0.42, 0.36, 0.28);
+    vec3 far = {0.35, 0.36, 0.38};
     return vmadd(vscale(far, 1 - fog), tile, fog);
 }
 
 static inline vec3 sky_and_ground(vec3 w)
 {
-    static const vec3 horizon = {(real)0.75, (real)0.80, (real)0.85};
-    static const vec3 zenith = {(real)0.10, (real)0.22, (real)0.52};
+    static const vec3 horizon = {0.75, 0.80, 0.85};
+    static const vec3 zenith = {0.10, 0.22, 0.52};
     if (w.z < 0) return chequered_ground(w);
-    real sun = vdot(w, vunit((vec3){(real)-0.55, (real)-0.55, (real)0.65})), t = sqrt(w.z);
+    real sun = vdot(w, vunit(vec(-0.55, -0.55, 0.65))), t = sqrt(w.z);
     vec3 sky = vmadd(vscale(horizon, 1 - t), zenith, t);
-    return vmadd(sky, (vec3){1, (real)0.9, (real)0.75}, 10 * exp(60 * (sun - 1)));
+    return vmadd(sky, vec(1, 0.9, 0.75), 10 * exp(60 * (sun - 1)));
 }
 
 /* ---- spheres ---- */
@@ -51,7 +51,7 @@ static inline void sphere_pixel(int x, int y, void *context)
     const sphere_sheet *sheet = context;
     int across = sheet->im->width / sphere_columns, down = sheet->im->height / sphere_rows;
     int column = across ? x / across : sphere_columns, row = down ? y / down : sphere_rows;
-    vec3 sum = {(real)0.9, (real)0.9, (real)0.9}, f0 = {(real)0.95, (real)0.85, (real)0.7};
+    vec3 sum = {0.9, 0.9, 0.9}, f0 = {0.95, 0.85, 0.7};
     if (column < sphere_columns && row < sphere_rows) {
         brdf b = brdf_ggx(f0, (real)column / (sphere_columns - 1));
         uint32_t n = row == 3 ? sheet->converged : sheet->samples;
@@ -93,7 +93,7 @@ static const char *const lobe_name[lobe_columns] = {"Lambert", "Blinn-Phong 30",
 
 static inline brdf lobe_brdf(int column)
 {
-    vec3 white = {1, 1, 1}, half = {(real)0.5, (real)0.5, (real)0.5};
+    vec3 white = {1, 1, 1}, half = {0.5, 0.5, 0.5};
     if (column == 0) return brdf_lambert(white);
     if (column == 1) return brdf_blinn_phong(half, half, 30);
     return brdf_ggx(white, column == 2 ? 1 : column == 3 ? (real)0.6 : (real)0.4);
@@ -150,7 +150,7 @@ static inline bool lobe_hit(const lobe *l, vec3 o, vec3 d, real t0, real t1, rea
 
 static inline vec3 lobe_normal(const lobe *l, vec3 p)
 {
-    real h = (real)1e-3, g = lobe_beyond(l, p);
+    real h = 1e-3, g = lobe_beyond(l, p);
     return vunit((vec3){lobe_beyond(l, (vec3){p.x + h, p.y, p.z}) - g,
                         lobe_beyond(l, (vec3){p.x, p.y + h, p.z}) - g,
                         lobe_beyond(l, (vec3){p.x, p.y, p.z + h}) - g});
@@ -161,7 +161,7 @@ static inline real stick_distance(vec3 o, vec3 d, vec3 wo, real *t)
 {
     real dw = vdot(d, wo), q = 1 - dw * dw;
     real s = q > 0 ? (vdot(o, wo) - dw * vdot(o, d)) / q : 0;
-    s = real_clamp(s, 0, (real)1.1);
+    s = real_clamp(s, 0, 1.1);
     *t = s * dw - vdot(o, d);
     return vlength(vsub(vmadd(o, d, *t), vscale(wo, s)));
 }
@@ -176,15 +176,15 @@ static inline vec3 lobe_ray(const lobe *l, vec3 o, vec3 d)
         nearest = disk, c = vscale(c, ring ? (real)0.45 : (real)0.78);
     }
     if (stick_distance(o, d, l->wo, &t) < (real)0.022 && t < nearest)
-        nearest = t, c = (vec3){(real)0.67, (real)0.11, 0};
+        nearest = t, c = vec(0.67, 0.11, 0);
     real inside = od * od - vdot(o, o) + (real)1.02;
     if (inside <= 0) return c;
     real t0 = -od - sqrt(inside), t1 = real_min(-od + sqrt(inside), nearest);
     if (t1 > t0 && lobe_hit(l, o, d, t0, t1, &t)) {
         vec3 n = lobe_normal(l, vmadd(o, d, t));
-        vec3 lamp = vunit((vec3){(real)-0.2, (real)-0.7, (real)0.7});
+        vec3 lamp = vunit(vec(-0.2, -0.7, 0.7));
         real shade = (real)0.25 + (real)0.75 * real_max(vdot(n, lamp), 0);
-        c = vscale((vec3){(real)0.05, (real)0.35, (real)0.75}, shade);
+        c = vscale(vec(0.05, 0.35, 0.75), shade);
     }
     return c;
 }
@@ -197,7 +197,7 @@ static inline void lobe_pixel(int x, int y, void *context)
     const lobe_sheet *sheet = context;
     int side = sheet->im->width / lobe_columns;
     const lobe *l = &sheet->lobes[y / side][x / side];
-    vec3 d = vunit((vec3){0, 1, (real)-0.42}), right = {1, 0, 0}, up = vcross(right, d);
+    vec3 d = vunit(vec(0, 1, -0.42)), right = {1, 0, 0}, up = vcross(right, d);
     vec3 sum = {0, 0, 0};
     for (int k = 0; k < fine * fine; k++) {
         real px = ((real)(x % side) + ((real)(k % fine) + (real)0.5) / fine) / (real)side;

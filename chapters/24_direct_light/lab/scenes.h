@@ -28,7 +28,7 @@ static const double plate_radius[plate_lights] = {0.033, 0.1, 0.3, 0.9};
 
 static inline vec3 of_doubles(double x, double y, double z)
 {
-    return (vec3){(real)x, (real)y, (real)z};
+    return vec(x, y, z);
 }
 
 static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
@@ -72,7 +72,7 @@ static inline void stage_plate(lit_scene *s, vec3 c, vec3 eye, real half, uint16
 {
     vec3 n = vunit(vadd(vunit(vsub(eye, c)), vunit(vneg(c)))), across = {8, 0, 0};
     vec3 t = vscale(vcross(n, (vec3){1, 0, 0}), 2 * half);
-    vec3 o = vsub(vsub(c, vscale(across, (real)0.5)), vscale(t, (real)0.5));
+    vec3 o = vsub(vsub(c, vscale(across, 0.5)), vscale(t, 0.5));
     lit_add_rectangle(s, (rectangle){o, across, t}, material);
 }
 
@@ -80,18 +80,18 @@ static inline void stage_plates(stage *g)
 {
     static const double place[plates][2] = {{-2.4, -0.13}, {-3.06, 0.92}, {-3.58, 2.22},
                                             {-3.91, 3.57}};
-    static const vec3 tint[plate_lights] = {{(real)1.5, (real)0.75, (real)0.75},
-                                            {(real)1.2, 1, (real)0.5},
-                                            {(real)0.7, (real)1.2, (real)0.7},
-                                            {(real)0.7, (real)0.95, (real)1.6}};
-    vec3 f0 = {(real)0.85, (real)0.85, (real)0.85};
+    static const vec3 tint[plate_lights] = {{1.5, 0.75, 0.75},
+                                            {1.2, 1, 0.5},
+                                            {0.7, 1.2, 0.7},
+                                            {0.7, 0.95, 1.6}};
+    vec3 f0 = {0.85, 0.85, 0.85};
     uint16_t grey = stage_matte(&g->s, .3, .3, .3);
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, 20), {60, 0, 0}, {0, 0, -22}}, grey);
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, -2), {60, 0, 0}, {0, 30, 0}}, grey);
     for (int k = 0; k < plates; k++) {
         lit_material m = {.f = brdf_ggx(f0, (real)plate_roughness[k])};
         uint16_t metal = lit_add_material(&g->s, m);
-        stage_plate(&g->s, of_doubles(0, place[k][0], place[k][1]), plate_eye, (real)0.5,
+        stage_plate(&g->s, of_doubles(0, place[k][0], place[k][1]), plate_eye, 0.5,
                     metal);
     }
     for (int k = 0; k < plate_lights; k++) {  /* flux 4 pi^2 r^2 L, the same for all */
@@ -99,7 +99,7 @@ static inline void stage_plates(stage *g)
         sphere ball = {of_doubles(-3.75 + 2.5 * k, 0, 0), r};
         lit_add_shape(&g->s, shape_of_sphere(ball), stage_lamp(&g->s, vscale(tint[k], L)));
     }
-    g->exposure = (real)1.2;
+    g->exposure = 1.2;
 }
 
 static inline void stage_strip(stage *g)
@@ -108,8 +108,8 @@ static inline void stage_strip(stage *g)
     uint16_t lamp = stage_lamp(&g->s, of_doubles(2, 1.7, 1.2));
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-6, 0, 6), {12, 0, 0}, {0, 0, -12}}, grey);
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-3, 0, -2), {6, 0, 0}, {0, 1, 0}}, lamp);
-    lit_add_shape(&g->s, shape_of_sphere((sphere){of_doubles(1.2, .5, -1.3), (real).5}), dark);
-    g->exposure = (real)1.5;
+    lit_add_shape(&g->s, shape_of_sphere((sphere){of_doubles(1.2, .5, -1.3), .5}), dark);
+    g->exposure = 1.5;
 }
 
 static inline void stage_hall(stage *g)
@@ -121,17 +121,17 @@ static inline void stage_hall(stage *g)
         double x = -6 + 4 * (k % 4), z = -6 + 4 * (k / 4), L = k == 2 || k == 9 || k == 15 ? 60 : 2;
         vec3 tint = k % 3 ? of_doubles(1, .8, .6) : of_doubles(.7, .9, 1);
         uint16_t lamp = stage_lamp(&g->s, vscale(tint, (real)L));
-        rectangle r = {of_doubles(x, 3.5, z), {(real)0.5, 0, 0}, {0, 0, (real)0.5}};
+        rectangle r = {of_doubles(x, 3.5, z), {0.5, 0, 0}, {0, 0, 0.5}};
         lit_add_rectangle(&g->s, r, lamp);
-        sphere ball = {of_doubles(x + 1, .6, z + .8), (real)0.6};
+        sphere ball = {of_doubles(x + 1, .6, z + .8), 0.6};
         lit_add_shape(&g->s, shape_of_sphere(ball), grey);
     }
-    g->exposure = (real)1.6;
+    g->exposure = 1.6;
 }
 
 static inline void stage_open(stage_name name, stage *g)
 {
-    *g = (stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = (real)1.4};
+    *g = (stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = 1.4};
     if (name == STAGE_BOX) lit_cornell_begin(&g->s);
     else lit_begin(&g->s);
     switch (name) {

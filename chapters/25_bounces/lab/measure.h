@@ -23,7 +23,7 @@ static inline estimate furnace_estimate(const options *o, const lit_scene *s, di
     naive_path path = {s, how, depth, false};
     naive_counts c = {{0}, 0, 0};
     estimate e = {0, 0, 0};
-    ray eye = {{0, 0, 0}, 0, {1, (real)0.2, (real)0.3}, real_infinity};
+    ray eye = {{0, 0, 0}, 0, {1, 0.2, 0.3}, real_infinity};
     for (uint32_t i = 0; i < n; i++) {
         sampler r = sampler_start(SEQUENCE_RANDOM, o->seed, (uint64_t)depth, i, 1);
         e = estimate_add(e, (double)vaxis(naive_radiance(&path, eye, &r, &c), channel));
@@ -35,7 +35,7 @@ static inline void measure_furnace(const options *o)
 {
     static const int depth[] = {0, 1, 3, 10, 30, 100};
     static const char *const name[] = {"rho = .5", "rho = .9", "rho = .99", "rho = 1"};
-    vec3 rho[2] = {{(real)0.5, (real)0.9, (real)0.99}, {1, 1, 1}};
+    vec3 rho[2] = {{0.5, 0.9, 0.99}, {1, 1, 1}};
     table t = table_new("Closed box, all walls shining with 1: E + KE + ... + K^n E by paths",
                         "rho|n|exact|cosine|error cosine [1]|uniform|its -+|-+ by (25.12)");
     plot p = plot_new("Furnace: bounces 0 to n, by uniform directions", "n + 1", "radiance",

@@ -40,9 +40,9 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const vec3 pair_light[2] = {{2, 2, 2}, {(real)0.25, (real)0.25, (real)0.25}};
-static const vec3 pair_albedo[2] = {{(real)0.5, (real)0.5, (real)0.5},
-                                    {(real)0.8, (real)0.8, (real)0.8}};
+static const vec3 pair_light[2] = {{2, 2, 2}, {0.25, 0.25, 0.25}};
+static const vec3 pair_albedo[2] = {{0.5, 0.5, 0.5},
+                                    {0.8, 0.8, 0.8}};
 static const double pair_radius = 0.4;
 
 /* trial = (room * trial_depths + d) * branch_kinds + n, N = 2^n */
@@ -54,7 +54,7 @@ static inline int trial_N(int trial) { return 1 << trial % branch_kinds; }
 static inline ray trial_ray(int room, size_t pixel, point2 u)
 {
     if (room == 0)
-        return (ray){{0, (real)0.7, 0}, 0, {0, pixel % 2 ? 1 : -1, 0}, real_infinity};
+        return (ray){{0, 0.7, 0}, 0, {0, pixel % 2 ? 1 : -1, 0}, real_infinity};
     real x = (real)(pixel % trial_side) + u.u, y = (real)(pixel / trial_side) + u.v;
     return camera_ray(cornell_camera(1), x, 3 + y * 5 / trial_side, trial_side, trial_side);
 }
@@ -238,7 +238,7 @@ static inline void measure_rays(const options *o)
     table t = table_new("Rays of one sample, by depth: a closed room, and the Cornell box",
                         "N|bounces|(N^(d+1)-1)/(N-1)|closed|Cornell box");
     plot p = plot_new("Rays of one sample", "bounces", "rays", PLOT_LOG_Y);
-    furnace_sphere(&s[0], (vec3){1, 1, 1}, (vec3){(real)0.5, (real)0.5, (real)0.5});
+    furnace_sphere(&s[0], (vec3){1, 1, 1}, vec(0.5, 0.5, 0.5));
     lit_cornell(&s[1]);
     for (int n = 0; n < branch_kinds; n++) {
         char name[64];

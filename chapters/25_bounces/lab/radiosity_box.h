@@ -46,7 +46,7 @@ static inline transport radiosity_box(const double E[6], const double rho[6], in
     for (int i = 0; i < n; i++) {
         int k = i / (m * m);
         rectangle r = radiosity_square(m, i);
-        vec3 p = vmadd(vmadd(r.o, r.s, (real)0.5), r.t, (real)0.5);
+        vec3 p = vmadd(vmadd(r.o, r.s, 0.5), r.t, 0.5);
         t.E[i] = E[k];
         for (int j = 0; j < n; j++) t.K[i * n + j] = rho[k] * radiosity_share(m, p, k, j);
     }

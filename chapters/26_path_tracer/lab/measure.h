@@ -89,7 +89,7 @@ static inline void measure_box(measure_place *m, bool first)
     first_camera c = first_cornell_camera(1, 1);
     m->first = first_cornell();
     lit_first(&m->first, &m->c.s);
-    m->c.eye = showcase_eye(c.e, vsub(c.e, c.w), (real)39.3077, 1);
+    m->c.eye = showcase_eye(c.e, vsub(c.e, c.w), 39.3077, 1);
 }
 
 /* Of a reference whose own error is known to be some part of what is measured. */

@@ -46,7 +46,7 @@ static inline void draw_others(const options *o)
                false);
     draw_scene(o, "teapot", 360 / q, 240 / q, o->quick ? 4 : 16, 1, "26_path_tracer_teapot.png",
                false);
-    draw_scene(o, "furnace", 360 / q, 240 / q, o->quick ? 4 : 16, (real)0.8,
+    draw_scene(o, "furnace", 360 / q, 240 / q, o->quick ? 4 : 16, 0.8,
                "26_path_tracer_furnace.png", false);
 }
 

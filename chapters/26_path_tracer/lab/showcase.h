@@ -78,15 +78,15 @@ static inline void showcase_spheres(lit_scene *s)
     mesh_free(&m);
     real r = 100;
     showcase_ball(s, (vec3){390, r, 350}, r,
-                  (lit_material){.f = brdf_mirror((vec3){(real)0.95, (real)0.93, (real)0.88})});
+                  (lit_material){.f = brdf_mirror(vec(0.95, 0.93, 0.88))});
     showcase_ball(s, (vec3){170, r, 200}, r,
-                  (lit_material){.ior = (real)1.5,
-                                 .sigma = {(real)0.0016, (real)0.0004, (real)0.0012}});
+                  (lit_material){.ior = 1.5,
+                                 .sigma = {0.0016, 0.0004, 0.0012}});
 }
 
 static inline void showcase_outdoors(showcase *c)
 {
-    environment_sky(512, 256, (vec3){(real)-0.5, (real)0.75, (real)0.6}, &c->sky);
+    environment_sky(512, 256, vec(-0.5, 0.75, 0.6), &c->sky);
     c->has_sky = true;
 }
 
@@ -96,26 +96,26 @@ static inline void showcase_teapot(showcase *c, real aspect)
     for (size_t i = 0; i < m.vertices; i++) m.v[i] = (vec3){m.v[i].x, m.v[i].z, -m.v[i].y};
     for (size_t i = 0; i < m.normals; i++) m.n[i] = (vec3){m.n[i].x, m.n[i].z, -m.n[i].y};
     lit_begin(&c->s);
-    vec3 copper = {(real)0.95, (real)0.64, (real)0.54};
-    uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, (real)0.35)});
+    vec3 copper = {0.95, 0.64, 0.54};
+    uint16_t pot = lit_add_material(&c->s, (lit_material){.f = brdf_ggx(copper, 0.35)});
     lit_add_mesh(&c->s, &m, pot);
     mesh_free(&m);
-    showcase_floor(&c->s, (vec3){0, 0, 0}, 60, (vec3){(real)0.48, (real)0.42, (real)0.36});
+    showcase_floor(&c->s, (vec3){0, 0, 0}, 60, vec(0.48, 0.42, 0.36));
     showcase_outdoors(c);
-    c->eye = showcase_eye((vec3){(real)2.5, (real)6.5, 13}, (vec3){(real)0.25, (real)1.3, 0}, 24,
+    c->eye = showcase_eye(vec(2.5, 6.5, 13), vec(0.25, 1.3, 0), 24,
                           aspect);
 }
 
 static inline void showcase_furnace(lit_scene *s)
 {
-    vec3 grey = {(real)0.8, (real)0.8, (real)0.8},
-         half = {(real)0.5, (real)0.5, (real)0.5}, white = {1, 1, 1};
+    vec3 grey = {0.8, 0.8, 0.8},
+         half = {0.5, 0.5, 0.5}, white = {1, 1, 1};
     const brdf b[] = {brdf_lambert(grey), brdf_blinn_phong(half, half, 50),
-                      brdf_ggx(white, (real)0.7), brdf_ggx(white, (real)0.2), brdf_mirror(white)};
+                      brdf_ggx(white, 0.7), brdf_ggx(white, 0.2), brdf_mirror(white)};
     lit_begin(s);
     for (int i = 0; i < 6; i++) {
         vec3 at = {(real)(i % 3) * (real)2.3, (real)(1 - i / 3) * (real)2.3, 0};
-        lit_material m = {.ior = (real)1.5};
+        lit_material m = {.ior = 1.5};
         if (i < 5) m = (lit_material){.f = b[i]};
         showcase_ball(s, at, 1, m);
     }
@@ -133,7 +133,7 @@ static inline bool showcase_of(const char *name, real aspect, showcase *c, failu
         showcase_teapot(c, aspect);
     } else if (strcmp(name, "furnace") == 0) {
         showcase_furnace(&c->s);
-        c->eye = showcase_eye((vec3){(real)2.3, (real)1.15, 14}, (vec3){(real)2.3, (real)1.15, 0},
+        c->eye = showcase_eye(vec(2.3, 1.15, 14), vec(2.3, 1.15, 0),
                               22, aspect);
     } else {
         return failed(f, 2, "--scene %.200s: allowed are cornell, spheres, teapot, furnace", name);
@@ -145,7 +145,7 @@ static inline bool showcase_of(const char *name, real aspect, showcase *c, failu
 /* The nearest eye along `from` that sees all corners of the box, with a margin: by halving. */
 static inline camera showcase_framed(vec3 lo, vec3 hi, vec3 from, real fov, real aspect)
 {
-    vec3 half = vscale(vsub(hi, lo), (real)0.5), middle = vadd(lo, half);
+    vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
     real near = vlength(half), far = near * 100 / real_min(aspect, 1);
     for (int k = 0; k < 40; k++) {
         real away = (near + far) / 2, x, y;
@@ -170,20 +170,20 @@ static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, f
     *c = (showcase){.has_sky = false};
     if (!obj_read(path, &m, f)) return false;
     bool some = mesh_bounds(&m, &lo, &hi);
-    vec3 half = vscale(vsub(hi, lo), (real)0.5), middle = vadd(lo, half);
+    vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
     real r = vlength(half), fov = 30;
     if (!some || !(r > 0) || !isfinite(r)) {
         mesh_free(&m);
         return failed(f, 2, "%.300s: no triangles of any size to draw", path);
     }
     lit_begin(&c->s);
-    vec3 grey = {(real)0.72, (real)0.7, (real)0.66};
+    vec3 grey = {0.72, 0.7, 0.66};
     uint16_t clay = lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)});
     lit_add_mesh(&c->s, &m, clay);
     mesh_free(&m);
-    showcase_floor(&c->s, (vec3){middle.x, lo.y, middle.z}, 30 * r, vscale(grey, (real)0.6));
+    showcase_floor(&c->s, (vec3){middle.x, lo.y, middle.z}, 30 * r, vscale(grey, 0.6));
     showcase_outdoors(c);
-    c->eye = showcase_framed(lo, hi, vunit((vec3){(real)0.45, (real)0.4, 1}), fov, aspect);
+    c->eye = showcase_framed(lo, hi, vunit(vec(0.45, 0.4, 1)), fov, aspect);
     lit_end(&c->s);
     return true;
 }

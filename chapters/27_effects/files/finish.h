@@ -90,7 +90,7 @@ static inline bool finish_classic_lights(studio *s, failure *f)
     char said[300];
     vec3 lo, hi, middle = s->view.at;
     if (!s->view.given && studio_bounds(s, &lo, &hi))
-        middle = vmadd(vscale(lo, (real)0.5), hi, (real)0.5);
+        middle = vmadd(vscale(lo, 0.5), hi, 0.5);
     for (size_t i = 0; i < s->lights; i++) {
         light *l = &s->light[i].light;
         real D = vlength(vsub(l->at, middle));

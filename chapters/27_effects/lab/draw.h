@@ -40,7 +40,7 @@ __attribute__((always_inline))
 static inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
 {
     const stage *e = j->e;
-    point2 at = {(real)0.5, (real)0.5}, on = {0, 0};
+    point2 at = {0.5, 0.5}, on = {0, 0};
     bool lens = (e->mask & EFFECT_DEPTH_OF_FIELD) != 0;
     if (j->samples > 1 || e->chance) at = dice_eye(d, DICE_PIXEL);
     if (lens) on = dice_eye(d, DICE_LENS);
