@@ -9,6 +9,12 @@
  *   fprintf(w.stream, ...);                           errors stay in the stream
  *   if (!file_commit(&w, &f)) fail(f);                disk full, device gone: nothing was replaced
  *
+ *   FILE *in = file_open("in.obj", &f);               NULL: no such file, a directory, a device
+ *   die(2, "--leaf %d: ...", leaf);                   says so, and ends the program
+ *
+ * What this run has read no output replaces: file_begin refuses it, by device and inode. A state that
+ * goes on in the same file says file_forget(path) first.
+ *
  * Exit codes: 0 done, 1 could not (no such file, full disk), 2 misuse or broken input, 130 Ctrl-C.
  */
 #ifndef FILE_H
@@ -53,12 +59,15 @@ static inline _Noreturn void fail(failure f)
     exit(f.exit_code);
 }
 
+/* Both at once, where there is nobody to decide what the error means. */
+#define die(exit_code, ...) \
+    do { failure die_; failed(&die_, exit_code, __VA_ARGS__), fail(die_); } while (0)
+
 /* count * size bytes, all zero, for free(); or the end of the program. Never NULL. */
 static inline void *allocate(size_t count, size_t size)
 {
     void *p = calloc(count ? count : 1, size ? size : 1);  /* calloc sees an overflow itself */
-    failure f;
-    if (!p) failed(&f, 1, "no memory for %zu times %zu bytes", count, size), fail(f);
+    if (!p) die(1, "no memory for %zu times %zu bytes", count, size);
     return p;
 }
 
@@ -70,6 +79,45 @@ static inline void *grown(void *p, size_t n, size_t *room, size_t size)
     if (p) memcpy(more, p, n * size);
     free(p);
     return more;
+}
+
+/* The files that this run has read. */
+enum { file_most_read = 256 };
+static struct { dev_t device; ino_t inode; } file_read_list[file_most_read];
+static int files_read;
+
+/* The number of an open or a named file in the list; -1: not in it. */
+static inline int file_read_number(const struct stat *s)
+{
+    int i = files_read - 1;
+    while (i >= 0 && (file_read_list[i].device != s->st_dev || file_read_list[i].inode != s->st_ino)) i--;
+    return i;
+}
+
+static inline void file_forget(const char *path)
+{
+    struct stat s;
+    int i = stat(path, &s) == 0 ? file_read_number(&s) : -1;
+    if (i >= 0) file_read_list[i] = file_read_list[--files_read];
+}
+
+/* Opens a file to read. NULL: none, a directory, or a device, which may never end. */
+static inline FILE *file_open(const char *path, failure *f)
+{
+    struct stat s;
+    FILE *in = NULL;
+    bool there = stat(path, &s) == 0;
+    if (there && S_ISDIR(s.st_mode)) errno = EISDIR;
+    else if (there && !S_ISREG(s.st_mode) && !S_ISFIFO(s.st_mode) && strcmp(path, "/dev/null")) {
+        failed(f, 1, "%.300s: cannot read: a device, not a file", path);
+        return NULL;
+    } else in = fopen(path, "rb");
+    if (in && there && S_ISREG(s.st_mode) && files_read < file_most_read && file_read_number(&s) < 0) {
+        file_read_list[files_read].device = s.st_dev;
+        file_read_list[files_read++].inode = s.st_ino;
+    }
+    if (!in) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno));
+    return in;
 }
 
 /* Closes and removes what file_begin began. */
@@ -89,7 +137,10 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
     struct stat old;
     bool shell = strncmp(path, "/dev/std", 8) == 0 || strncmp(path, "/dev/fd/", 8) == 0;
     bool exists = stat(path, &old) == 0, direct = exists && (shell || !S_ISREG(old.st_mode));
-    *w = (file_writer){NULL, exists && !direct ? realpath(path, NULL) : strdup(path), NULL};
+    *w = (file_writer){NULL, NULL, NULL};
+    if (exists && file_read_number(&old) >= 0)
+        return failed(f, 2, "%.300s: not replaced: this run has read it", path);
+    w->path = exists && !direct ? realpath(path, NULL) : strdup(path);
     bool may = !exists || access(path, W_OK) == 0;  /* rename would not ask */
     if (may && direct) {
         bool out = strcmp(path, "/dev/stdout") == 0;  /* shares its place in the file with stdout */
@@ -135,7 +186,7 @@ static inline bool file_try(const char *path, failure *f)
 /* The whole file, with a 0 behind its last byte; NULL if it can't be read. The caller frees. */
 static inline char *file_read(const char *path, size_t *size, failure *f)
 {
-    FILE *in = fopen(path, "rb");
+    FILE *in = file_open(path, f);
     size_t room = 0, n = 0, got = 1;
     char *text = NULL;
     while (in && got > 0) {  /* a pipe does not tell its size */
@@ -143,7 +194,7 @@ static inline char *file_read(const char *path, size_t *size, failure *f)
         n += got = fread(text + n, 1, room - 1 - n, in);
     }
     bool ok = in && !ferror(in);
-    if (!ok) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno)), free(text);
+    if (in && !ok) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno)), free(text);
     if (in) fclose(in);
     *size = n;
     return ok ? text : NULL;

@@ -6,7 +6,9 @@
  *                            (options){.width = 640, .height = 480}, own);
  *
  * `--name value` and `--name=value` are the same, but a value that begins with -- needs the second
- * form; of a repeated option the last one counts. Numbers are decimal (1e3, +5.0). Misuse ends the
+ * form; of a repeated option the last one counts. A word without dashes is the file of the first
+ * OPTION_INPUT of the list: `14_bvh knot.obj` is `14_bvh --mesh knot.obj`. An output that is an input,
+ * or another output, is refused before anything is drawn. Numbers are decimal (1e3, +5.0). Misuse ends the
  * program with exit 2 and a message that names the option, the value and what is allowed.
  */
 #ifndef OPTIONS_H
@@ -21,10 +23,14 @@ typedef struct {
     int samples;               /* a pixel; 0 in the defaults: the program takes no --samples */
     int threads;               /* 0: all cores */
     uint64_t seed;
-    bool preview, quick;
+    bool preview, quick, full;
+    bool own;                  /* set by the program: drawn is not the book's scene: see output.h */
 } options;
 
-typedef enum { OPTION_FLAG, OPTION_INT, OPTION_REAL, OPTION_TEXT, OPTION_SIZE } option_kind;
+typedef enum {
+    OPTION_FLAG, OPTION_INT, OPTION_REAL, OPTION_TEXT, OPTION_SIZE,
+    OPTION_INPUT, OPTION_OUTPUT   /* files to read and to write */
+} option_kind;
 typedef struct {
     const char *name;
     option_kind kind;
@@ -37,7 +43,7 @@ typedef struct {
 /* What kind of value an option wants: in --help, and in words. */
 static const struct { const char *value, *allowed; } option_kinds[] = {
     {"", ""}, {" N", "whole numbers"}, {" X", "numbers"}, {" TEXT", "texts that are not empty"},
-    {" WxH", "sizes WxH, each side"}};
+    {" WxH", "sizes WxH, each side"}, {" FILE", "names of files"}, {" FILE", "names of files"}};
 
 /* Prints "  --name N          what [1 to 64], default 8". */
 static inline void option_help(const option *o)
@@ -67,7 +73,8 @@ static inline double option_number(const char *text, const char **end)
 /* Stores the value of one option; false if it can't be read or is out of range. */
 static inline bool option_store(const option *o, const char *text)
 {
-    if (o->kind == OPTION_TEXT) { *(const char **)o->value = text; return *text != 0; }
+    if (o->kind == OPTION_TEXT || o->kind >= OPTION_INPUT)
+        return *(const char **)o->value = text, *text != 0;
     const char *end;
     double x[2] = {option_number(text, &end), 0};
     int n = o->kind == OPTION_SIZE ? 2 : 1;
@@ -98,10 +105,17 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
     const char *word = argv[i], *value = strchr(word, '=');
     const option *o = option_find(lists, word);
     char range[64] = "";
-    failure f;
-    if (!o) failed(&f, 2, "unknown option %.200s (see --help)", word), fail(f);
+    if (!o && strncmp(word, "--", 2) != 0)
+        for (o = lists[0]; o && o->kind != OPTION_INPUT;) o = o->name ? o + 1 : NULL;
+    else if (!o) die(2, "unknown option %.200s (see --help)", word);
+    if (!o) die(2, "%.200s: this program reads no file (see --help)", word);
+    if (o->kind == OPTION_INPUT && word[0] != '-' && access(word, F_OK) != 0)
+        die(2, "%.300s: no such file, and options begin with -- (see --help)", word);
+    if (word[0] != '-' && *(const char **)o->value)
+        die(2, "%.200s and %.200s: one file at a time", *(const char **)o->value, word);
+    if (word[0] != '-') return *(const char **)o->value = word, i;
     if (o->kind == OPTION_FLAG) {
-        if (value) failed(&f, 2, "--%s takes no value: %.200s", o->name, word), fail(f);
+        if (value) die(2, "--%s takes no value: %.200s", o->name, word);
         return *(bool *)o->value = true, i;
     }
     if (value) value++;
@@ -109,9 +123,37 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
     if (value && option_store(o, value)) return i;
     if (o->lowest < o->highest)
         snprintf(range, sizeof range, " from %.16g to %.16g", o->lowest, o->highest);
-    failed(&f, 2, "--%s %.200s: allowed are %s%s", o->name, !value ? "needs a value" : *value
-           ? value : "''", option_kinds[o->kind].allowed, range);
-    fail(f);
+    die(2, "--%s %.200s: allowed are %s%s", o->name, !value ? "needs a value" : *value
+        ? value : "''", option_kinds[o->kind].allowed, range);
+}
+
+/* Whether two names lead to one file: the same name, or the same file on a disk. */
+static inline bool option_same_file(const char *a, const char *b)
+{
+    struct stat s, t;
+    return strcmp(a, b) == 0
+           || (stat(a, &s) == 0 && stat(b, &t) == 0 && S_ISREG(s.st_mode) && s.st_dev == t.st_dev
+               && s.st_ino == t.st_ino);
+}
+
+/* Each output is tried at once, so that no work is lost in the end, and is no other file's name. */
+static inline void options_check_files(const option *lists[2])
+{
+    const option *all[64];
+    int n = 0;
+    failure f;
+    for (int l = 0; l < 2; l++)
+        for (const option *o = lists[l]; o && o->name && n < 64; o++)
+            if (o->kind >= OPTION_INPUT && *(const char **)o->value) all[n++] = o;
+    for (int i = 0; i < n; i++) {
+        const char *path = *(const char **)all[i]->value;
+        if (all[i]->kind != OPTION_OUTPUT) continue;
+        for (int k = 0; k < n; k++)
+            if (k != i && option_same_file(path, *(const char **)all[k]->value)
+                && strncmp(path, "/dev/", 5) != 0)
+                die(2, "--%s %.200s: is the file of --%s", all[i]->name, path, all[k]->name);
+        if (!file_try(path, &f)) fail(f);
+    }
 }
 
 /* At the end of the program: what a full disk did not take was not said. */
@@ -121,8 +163,7 @@ static inline void options_check_stdout(void)
         fprintf(stderr, "%s: standard output: cannot write\n", program_name), _exit(1);
 }
 
-/* Reads the command line. `own` ends with {0} and may be NULL; values not given stay as they are.
- * Files of --out and --csv are tried at once, so that no work is lost in the end. */
+/* Reads the command line. `own` ends with {0} and may be NULL; values not given stay as they are. */
 static inline options options_read(int argc, char **argv, const char *name, const char *about,
                                    options defaults, const option *own)
 {
@@ -130,13 +171,14 @@ static inline options options_read(int argc, char **argv, const char *name, cons
     bool help = false;
     int size[2] = {o.width, o.height}, seed = (int)o.seed;
     const option common[] = {
-        {"out", OPTION_TEXT, &o.out, 0, 0, "main picture to this .png, .ppm, .p3.ppm or .pfm"},
+        {"out", OPTION_OUTPUT, &o.out, 0, 0, "main picture to this .png, .ppm, .p3.ppm or .pfm"},
         {"size", OPTION_SIZE, size, 1, 16384, "of the main picture, pixels"},
         {"threads", OPTION_INT, &o.threads, 1, 256, "at work at once, default all cores"},
         {"seed", OPTION_INT, &seed, 0, INT_MAX, "of the random numbers"},
-        {"csv", OPTION_TEXT, &o.csv, 0, 0, "table to this file"},
+        {"csv", OPTION_OUTPUT, &o.csv, 0, 0, "table to this file"},
         {"preview", OPTION_FLAG, &o.preview, 0, 0, "show the main picture in the terminal"},
         {"quick", OPTION_FLAG, &o.quick, 0, 0, "under a second; pictures to build/quick/"},
+        {"full", OPTION_FLAG, &o.full, 0, 0, "everything: all tables and plots of the page"},
         {"help", OPTION_FLAG, &help, 0, 0, "this text"},
         {o.samples ? "samples" : NULL, OPTION_INT, &o.samples, 1, 1 << 20, "rays a pixel"}, {0}};
     const option *lists[2] = {own, common};
@@ -151,8 +193,9 @@ static inline options options_read(int argc, char **argv, const char *name, cons
         exit(0);
     }
     for (int i = 1; i < argc; i++) i = option_read(lists, argc, argv, i);
-    if (o.out && (!image_can_write(o.out, &f) || !file_try(o.out, &f))) fail(f);
-    if (o.csv && !file_try(o.csv, &f)) fail(f);
+    if (o.out && !image_can_write(o.out, &f)) fail(f);
+    options_check_files(lists);
+    if (o.quick && o.full) die(2, "--quick and --full: one of them");
     o.width = size[0], o.height = size[1], o.seed = (uint64_t)seed;
     return o;
 }

@@ -7,6 +7,11 @@
  *   *_time.svg      build/             build/quick/    (not drawn)      they differ from run to run
  *   table           stdout, and the file of --csv
  *
+ * images/ is for the pictures of the book: with o.own, which a program sets where its reader draws a
+ * model or a scene of their own, the main picture goes to build/, and no other is drawn.
+ *
+ *   return output_done(&o);    the last line of main: says what was drawn, and where its page is
+ *
  * What can't be written ends the program with exit 1; what was finished before stays.
  */
 #ifndef OUTPUT_H
@@ -20,12 +25,40 @@
 static inline const char *output_path(const options *o, const char *name, bool is_main,
                                       char path[512])
 {
-    bool build = o->quick || ends_with(name, "_time.svg");
+    bool build = o->quick || o->own || ends_with(name, "_time.svg");
     if (o->out) return is_main ? o->out : NULL;
+    if (o->own && !is_main) return NULL;
     mkdir(build ? "build" : "images", 0777);  /* if that fails, writing the file says why */
     if (o->quick) mkdir("build/quick", 0777);
     snprintf(path, 512, "%s/%s", o->quick ? "build/quick" : build ? "build" : "images", name);
     return path;
+}
+
+/* The pictures that this run has drawn, for its last line. */
+static char output_drawn[2048];
+
+static inline void output_note(const char *path)
+{
+    size_t n = strlen(output_drawn);
+    snprintf(output_drawn + n, sizeof output_drawn - n, " %s", path);
+}
+
+/* "14_bvh.png", "dir/bunny.obj" -> "14_bvh_bunny.png"; without a model the name as it is. */
+static inline const char *picture_name(const char *name, const char *model, char room[512])
+{
+    if (!model) return name;
+    const char *slash = strrchr(model, '/'), *base = slash ? slash + 1 : model;
+    const char *dot = strrchr(base, '.'), *ending = strrchr(name, '.');
+    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
+    snprintf(room, 512, "%.*s_%.*s%s", (int)(ending - name), name, length, base, ending);
+    return room;
+}
+
+static inline int output_done(const options *o)
+{
+    if (*output_drawn) printf("-> %s\n", output_drawn + 1);
+    if (!o->out && !o->own) printf("   the page: chapters/%s/README.md\n", program_name);
+    return 0;
 }
 
 /* Shows a picture with at most 80 x 25 characters of a terminal, each an upper half block: its
@@ -53,12 +86,13 @@ static inline void output_picture(const options *o, const image *im, const char 
     failure f;
     sigset_t interrupt, before;
     const char *path = output_path(o, name, is_main, room);
-    sigemptyset(&interrupt), sigaddset(&interrupt, SIGINT);
+    sigemptyset(&interrupt), sigaddset(&interrupt, SIGINT), sigaddset(&interrupt, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &interrupt, &before);  /* Ctrl-C waits until the file is whole */
     if (path && !image_write(path, im, &f)) fail(f);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
+    if (path) output_note(path);
     if (o->preview && is_main) output_preview(im);
-    if (!whole) failed(&f, 130, "stopped; %s holds what there was", path ? path : "-"), fail(f);
+    if (!whole) die(130, "stopped; %s holds what there was", path ? path : "-");
 }
 
 #endif

@@ -4,7 +4,7 @@
  * its index alone and writes only where no other one does, so the result is the same byte for byte
  * whoever does what when. Progress and the time left go to stderr, if that is a terminal.
  *
- * Ctrl-C ends the work after the pieces in hand, and the caller keeps what there is. A second one
+ * Ctrl-C (or SIGTERM) ends the work after the pieces in hand, and the caller keeps what there is. A second one
  * kills. Where Ctrl-C is ignored (nohup), it stays ignored.
  */
 #ifndef PARALLEL_H
@@ -73,18 +73,19 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     pthread_t others[most];
     int started = 0, wanted = threads > 0 ? threads : parallel_cores();
     parallel_work w = {.job = job, .context = context, .what = what, .n = n};
-    struct sigaction before, during = {.sa_handler = parallel_on_interrupt,
+    struct sigaction before, before_term, during = {.sa_handler = parallel_on_interrupt,
                                        .sa_flags = (int)SA_RESETHAND | SA_RESTART};
     w.start = clock_seconds();
     atomic_store(&parallel_stop, 0);
-    sigaction(SIGINT, NULL, &before);
+    sigaction(SIGINT, NULL, &before), sigaction(SIGTERM, NULL, &before_term);
     if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &during, NULL);
+    if (before_term.sa_handler != SIG_IGN) sigaction(SIGTERM, &during, NULL);
     while (started + 1 < wanted && started < most && (size_t)started + 1 < n
            && pthread_create(&others[started], NULL, parallel_thread, &w) == 0)
         started++;  /* with fewer threads than wanted it only takes longer */
     parallel_run(&w, isatty(STDERR_FILENO));
     while (started > 0) pthread_join(others[--started], NULL);
-    sigaction(SIGINT, &before, NULL);
+    sigaction(SIGINT, &before, NULL), sigaction(SIGTERM, &before_term, NULL);
     if (w.shown > 0) fprintf(stderr, "\r\033[K");
     return atomic_load(&w.next) >= n && !atomic_load(&parallel_stop);
 }

@@ -86,7 +86,7 @@ for main in "$root"/chapters/*/main.c; do
         if grep -q -e "^  --${option}[ 	]" out; then ok; else no "--help lacks --$option"; fi
     done
     misuse "unknown option --bogus" "--help" --bogus
-    misuse "unknown option stray" "--help" stray
+    misuse "stray: " "--help" stray
     misuse "--size 4:" "from 1 to 16384" --size 4
     misuse "--size 0x5" "WxH" --size=0x5
     misuse "--threads 257" "from 1 to 256" --threads 257
@@ -98,8 +98,9 @@ for main in "$root"/chapters/*/main.c; do
     run 1 --csv no/such.csv; says "no/such.csv: cannot write: No such file"
     run 1 --csv .; says "cannot write: Is a directory"
     # Options of a program that name a file to read: missing, a directory, not of that kind.
-    for option in $("$program" --help | sed -n 's/^  --\([a-z]*\) TEXT .*FILE.*/\1/p'); do
-        [ "$option" = out ] || [ "$option" = csv ] && continue
+    for option in $("$program" --help | sed -n -e 's/^  --\([a-z]*\) FILE .*/\1/p' \
+            -e 's/^  --\([a-z]*\) TEXT .*FILE.*/\1/p'); do
+        case $option in out | csv | hits | save) continue ;; esac
         run 1 --quick "--$option" no/such.file; says "no/such.file: cannot read: No such file"
         run 1 --quick "--$option" .; says "cannot read: Is a directory"
         head -c 1000 "$program" >garbage
@@ -116,6 +117,8 @@ for main in "$root"/chapters/*/main.c; do
         continue
     fi
 
+    "$program" --help >help
+
     # One thread or three, the same bytes; the CSV has a header and rows of the same width.
     run 0 --quick --threads 1 --csv table.csv
     if awk -F'"' '{ gsub(",", ";", $2); n = gsub(",", ",", $0) } NR == 1 { m = n }
@@ -130,13 +133,28 @@ for main in "$root"/chapters/*/main.c; do
     done
     if [ ! -d images ]; then ok; else no "--quick writes into images/"; fi
 
+    # An output that is an input or another output is refused; so is a device that never ends.
+    run 2 --quick --out one.ppm --csv one.ppm; says "--csv one.ppm: is the file of --out"
+    if grep -q '^  --mesh FILE' help; then
+        printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
+        cp one.obj kept.obj
+        for option in csv out; do
+            ln -s one.obj one.ppm
+            run 2 --quick one.obj --$option one.ppm; says "--$option one.ppm: is the file of --mesh"
+            if cmp -s one.obj kept.obj; then ok; else no "the model is gone"; fi
+            rm one.ppm
+        done
+        run 1 --quick --mesh /dev/zero; says "a device"
+        run 0 --quick --size 48x36 one.obj
+        if [ ! -d images ]; then ok; else no "a picture of a model of one's own is in images/"; fi
+    fi
+
     # A picture, and a mesh, with a table.
-    "$program" --help >help
     table_or_misuse --out tiny.ppm
     sizes='1x300 300x1'
     if [ -e tiny.csv ]; then whole tiny.ppm; else sizes="1x1 $sizes"; fi
-    for option in mesh obj; do
-        grep -q "^  --$option TEXT" help || continue
+    for option in mesh; do
+        grep -q "^  --$option FILE" help || continue
         printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
         table_or_misuse "--$option" one.obj
     done

@@ -190,5 +190,5 @@ int main(int argc, char **argv)
     }
     output_extra_table(&o, &u);
     free(l), free(job.out), free(job.out_f32);
-    return 0;
+    return output_done(&o);
 }

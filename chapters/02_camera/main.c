@@ -153,5 +153,5 @@ int main(int argc, char **argv)
         draw_pairs(&o, v, o.quick ? 100 : 400);
     }
     measure(&o);
-    return 0;
+    return output_done(&o);
 }

@@ -100,5 +100,5 @@ int main(int argc, char **argv)
         table_text(&u, "%s", kind[k].name), table_number(&u, ns[4]), table_number(&u, ns[7]);
     }
     output_extra_table(&o, &u);
-    return 0;
+    return output_done(&o);
 }

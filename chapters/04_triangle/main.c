@@ -173,5 +173,5 @@ int main(int argc, char **argv)
     draw(&o);
     measure(&o);
     measure_wrong_tests(&o);
-    return 0;
+    return output_done(&o);
 }

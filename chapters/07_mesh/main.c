@@ -26,18 +26,6 @@ static void choose_size(options *o, int *samples, const mesh *m, double tests)
            o->width, o->height, *samples, m->triangles, tests);
 }
 
-/* "dir/bunny.obj" -> build/07_mesh_bunny.png (--quick: build/quick/): images/ is for the text. */
-static const char *picture_of(const char *path, bool quick, char name[512])
-{
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
-    mkdir("build", 0777);
-    if (quick) mkdir("build/quick", 0777);
-    snprintf(name, 512, "build/%s07_mesh_%.*s.png", quick ? "quick/" : "", length, base);
-    return name;
-}
-
 static void chapter_pictures(const options *o)
 {
     image shapes = image_new(o->quick ? 160 : 640, o->quick ? 90 : 360);
@@ -75,7 +63,7 @@ int main(int argc, char **argv)
     bool smooth = false, flat = false;
     int fineness = 6, samples = 0;
     option own[] = {
-        {"mesh", OPTION_TEXT, &path, 0, 0, "an OBJ file: draw it, and measure on it"},
+        {"mesh", OPTION_INPUT, &path, 0, 0, "an OBJ file: draw it, and measure on it"},
         {"up", OPTION_TEXT, &up, 0, 0,
          "axis that points upwards: x, y or z; default y, of the teapot z"},
         {"smooth", OPTION_FLAG, &smooth, 0, 0, "normals from the triangles around each vertex"},
@@ -89,17 +77,15 @@ int main(int argc, char **argv)
                      (options){.seed = 1}, own);
     failure f;
     char name[512];
-    if (up && (strlen(up) != 1 || !strchr("xyz", *up))) {
-        failed(&f, 2, "bad value --up %s: allowed are x, y, z", up);
-        fail(f);
-    }
+    if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
+        die(2, "bad value --up %s: allowed are x, y, z", up);
     mesh m = {0};
     if (!path) m = teapot_mesh(fineness);
     else if (!obj_read(path, &m, &f)) fail(f);
     if (path) printf("# %s: %zu points, %zu triangles\n", path, m.vertices, m.triangles);
     if (smooth) mesh_smooth_normals(&m);
     if (flat) free(m.n), m.n = NULL;
-    if (path && !o.out) o.out = picture_of(path, o.quick, name);
+    o.own = path != NULL;
 
     choose_size(&o, &samples, &m, o.quick ? 2e7 : 2e9);
     image im = image_new(o.width, o.height);
@@ -107,11 +93,10 @@ int main(int argc, char **argv)
     double start = clock_seconds();
     bool whole = draw_mesh(&m, c, samples, o.threads, &im);
     printf("# drawn in %.2f s\n", clock_seconds() - start);
-    output_picture(&o, &im, "07_mesh.png", true, whole);
-    if (o.out) printf("# -> %s\n", o.out);
+    output_picture(&o, &im, picture_name("07_mesh.png", path, name), true, whole);
     image_free(&im);
 
-    if (!o.out) chapter_pictures(&o);
+    if (!o.out && !path) chapter_pictures(&o);
     if (!path) chapter_tables(&o);
     double exponent;
     plot time = plot_new("Closest hit by brute force", "triangles", "time a ray [us]",
@@ -124,5 +109,5 @@ int main(int argc, char **argv)
     output_plot(&o, &time, "07_mesh_time.svg");
     if (!path) mesh_free(&fine);
     mesh_free(&m);
-    return 0;
+    return output_done(&o);
 }

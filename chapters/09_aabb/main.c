@@ -132,5 +132,5 @@ int main(int argc, char **argv)
     count_alarms(&o);
     measure_teapot(&o);
     count_own_boxes(&o);
-    return 0;
+    return output_done(&o);
 }

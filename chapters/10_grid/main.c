@@ -7,17 +7,6 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 10_grid chapters/10
 #include "lab/measure.h"
 #include "lab/walk_figure.h"
 
-/* "dir/bunny.obj" -> build/10_grid_bunny.png: images/ is for the pictures of the text. */
-static const char *picture_name(const char *path, char name[512])
-{
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
-    mkdir("build", 0777);
-    snprintf(name, 512, "build/10_grid_%.*s.png", length, base);
-    return name;
-}
-
 int main(int argc, char **argv)
 {
     const char *path = NULL;
@@ -27,20 +16,20 @@ int main(int argc, char **argv)
         {"density", OPTION_REAL, &how.density, 1e-3, 1e4, "cells a shape, 1e-3 to 1e4"},
         {"bounds", OPTION_FLAG, &bounds, 0, 0, "shapes in all cells that their bounds overlap"},
         {"no-mailbox", OPTION_FLAG, &no_mailbox, 0, 0, "test a shape in every cell again"},
-        {"mesh", OPTION_TEXT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and no table"}, {0}};
+        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and no table"}, {0}};
     options o = options_read(argc, argv, "10_grid", "A uniform grid: cells, walks, errors, time.",
                              (options){.width = 960, .height = 330, .seed = 1}, own);
     how.exact = !bounds, how.mailbox = !no_mailbox;
     failure f;
-    if (path && o.csv) failed(&f, 2, "--csv: no table with --mesh"), fail(f);
+    if (path && o.csv) die(2, "--csv: no table with --mesh");
     if (path) {
         char name[512];
         mesh m;
         if (!obj_read(path, &m, &f)) fail(f);
-        if (!o.out) o.out = picture_name(path, name);
-        draw_mesh(&o, &m, how, name);
+        o.own = true;
+        draw_mesh(&o, &m, how, picture_name("10_grid.png", path, name));
         mesh_free(&m);
-        return 0;
+        return output_done(&o);
     }
     draw_grid(&o, how);
     if (!o.out) draw_walk(&o), draw_stadium(&o);
@@ -48,5 +37,5 @@ int main(int argc, char **argv)
     measure_density(&o);
     measure_stadium(&o);
     measure_drift(&o);
-    return 0;
+    return output_done(&o);
 }

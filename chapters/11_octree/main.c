@@ -11,17 +11,6 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 11_octree chapters/
 
 typedef struct { const char *mesh; int depth, leaf; bool boxes; } own_options;
 
-/* "dir/bunny.obj" -> build/11_octree_bunny.png: images/ is for the pictures of the text. */
-static const char *picture_name(const char *path, char name[512])
-{
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
-    mkdir("build", 0777);
-    snprintf(name, 512, "build/11_octree_%.*s.png", length, base);
-    return name;
-}
-
 static void draw(options *o, const own_options *own, const mesh *m)
 {
     vec3 lo, hi;
@@ -37,16 +26,15 @@ static void draw(options *o, const own_options *own, const mesh *m)
     mesh_bounds(m, &lo, &hi);
     view v = view_of(lo, hi, !own->mesh, (real)o->width / (real)o->height);
     octree_picture p = {&t, m, v.camera, &cells, o->quick ? 1 : 3, 60};
-    if (own->mesh && !o->out) o->out = picture_name(own->mesh, name);
     bool whole = draw_cells(p, o->threads);
     structure_stats s = octree_stats(&t);
     printf("# %zu triangles: octree of depth %d in %.3f s, %zu leaves, %.1f %% of them empty, "
            "%.2f references an item, %.1f bytes\n", m->triangles, s.depth, built - start, s.leaves,
            100 * (double)s.empty / (double)s.leaves,
            octree_per((double)s.references, s.items), octree_per((double)s.bytes, s.items));
-    output_picture(o, &cells, "11_octree.png", true, whole);
+    output_picture(o, &cells, picture_name("11_octree.png", own->mesh, name), true, whole);
     p.im = &work;
-    whole = o->out || draw_work(p, o->threads);
+    whole = o->out || o->own || draw_work(p, o->threads);
     output_picture(o, &work, "11_octree_work.png", false, whole);
     octree_free(&t);
     image_free(&cells), image_free(&work);
@@ -56,7 +44,7 @@ int main(int argc, char **argv)
 {
     own_options own = {.depth = octree_defaults.depth, .leaf = octree_defaults.leaf};
     const option list[] = {
-        {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: draw this mesh, y up, and its cells"},
+        {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: draw this mesh, y up, and its cells"},
         {"depth", OPTION_INT, &own.depth, 0, octree_most_depth,
          "most cuts from the root to a leaf"},
         {"leaf", OPTION_INT, &own.leaf, 1, 65535, "most triangles in a leaf"},
@@ -66,18 +54,19 @@ int main(int argc, char **argv)
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
     mesh m = {0};
-    if (own.mesh && o.csv) failed(&f, 2, "--csv: no table with --mesh"), fail(f);
-    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
+    if (own.mesh && o.csv) die(2, "--csv: no table with --mesh");
+    if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 8 : 12);
+    o.own = own.mesh != NULL;
     draw(&o, &own, &m);
     mesh_free(&m);
-    if (own.mesh || o.out) return 0;
+    if (own.mesh || o.out) return output_done(&o);
     draw_quadtree(&o);
     draw_faults(&o);
     table_of_knobs(&o, teapot_mesh(o.quick ? 6 : 40));
     table_of_faults(&o);
     table_of_stadium(&o);
     plots_of_depth(&o);
-    return 0;
+    return output_done(&o);
 }

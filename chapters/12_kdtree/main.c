@@ -21,27 +21,15 @@ static kdtree_options build_options(const own_options *own)
 {
     static const char *const name[kdtree_strategies] = {"middle", "median", "sah"};
     kdtree_options how = kdtree_defaults;
-    failure f;
     how.leaf = own->leaf, how.depth = own->depth, how.clip = !own->boxes;
     how.item_cost = own->item_cost, how.empty_bonus = own->bonus;
     for (int k = 0; own->strategy; k++) {
         if (k == kdtree_strategies)
-            failed(&f, 2, "--strategy %s: allowed are middle, median, sah", own->strategy), fail(f);
+            die(2, "--strategy %s: allowed are middle, median, sah", own->strategy);
         how.strategy = (kdtree_strategy)k;
         if (strcmp(own->strategy, name[k]) == 0) break;
     }
     return how;
-}
-
-/* "dir/bunny.obj", or "sah" -> build/12_kdtree_bunny.png: images/ is for those of the text. */
-static const char *picture_name(const char *path, char name[512])
-{
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
-    mkdir("build", 0777);
-    snprintf(name, 512, "build/12_kdtree_%.*s.png", length, base);
-    return name;
 }
 
 /* The mesh, and what its pixels take, side by side. */
@@ -75,9 +63,8 @@ static void draw(options *o, const own_options *own, kdtree_options how, const m
     image all = image_new(o->width, o->height);
     bool whole = own->strategy ? draw_one(o, m, how, !own->mesh, &all)
                                : draw_strategies(m, !own->mesh, o->threads, &all);
-    if ((own->mesh || own->strategy) && !o->out)
-        o->out = picture_name(own->mesh ? own->mesh : own->strategy, name);
-    output_picture(o, &all, "12_kdtree.png", true, whole);
+    output_picture(o, &all, picture_name("12_kdtree.png", own->mesh ? own->mesh : own->strategy, name),
+                   true, whole);
     image_free(&all);
 }
 
@@ -86,7 +73,7 @@ int main(int argc, char **argv)
     own_options own = {.leaf = kdtree_defaults.leaf, .item_cost = kdtree_defaults.item_cost,
                        .bonus = kdtree_defaults.empty_bonus};
     const option list[] = {
-        {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: draw this mesh, y up"},
+        {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: draw this mesh, y up"},
         {"strategy", OPTION_TEXT, &own.strategy, 0, 0,
          "middle, median or sah: that tree alone, beside the mesh"},
         {"leaf", OPTION_INT, &own.leaf, 1, 255, "with middle, median: most triangles in a leaf"},
@@ -101,14 +88,15 @@ int main(int argc, char **argv)
     mesh m = {0};
     subject s;
     if ((own.mesh || own.strategy) && o.csv)
-        failed(&f, 2, "--csv: no table with --mesh, --strategy"), fail(f);
-    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
+        die(2, "--csv: no table with --mesh, --strategy");
+    if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 6 : 32);
+    o.own = own.mesh || own.strategy;
     draw(&o, &own, how, &m);
     if (own.mesh || own.strategy || o.out) {
         mesh_free(&m);
-        return 0;
+        return output_done(&o);
     }
     draw_flat(&o);
     subject_init(&s, m, view_of_mesh(&m, 1.6), o.quick ? 40 : 160, o.quick ? 50 : 1000,
@@ -119,5 +107,5 @@ int main(int argc, char **argv)
     if (!o.quick) plots_of_cost(&o, &s), plot_of_bonus(&o, &s);
     growth(&o);
     subject_free(&s);
-    return 0;
+    return output_done(&o);
 }

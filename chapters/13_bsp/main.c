@@ -16,24 +16,12 @@ static const char *const rule_names[bsp_rules] = {"random", "fewest", "axis", "o
 static bsp_options build_options(const own_options *own)
 {
     bsp_options how = bsp_defaults;
-    failure f;
     int k = 0;
     while (k < bsp_rules && strcmp(own->rule, rule_names[k]) != 0) k++;
     if (k == bsp_rules)
-        failed(&f, 2, "--rule %s: allowed are random, fewest, axis, own, cost", own->rule), fail(f);
+        die(2, "--rule %s: allowed are random, fewest, axis, own, cost", own->rule);
     how.rule = (bsp_rule)k, how.candidates = own->candidates;
     return how;
-}
-
-/* "dir/bunny.obj" -> build/13_bsp_bunny.png: images/ is for the pictures of the text. */
-static const char *picture_name(const char *path, char name[512])
-{
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
-    mkdir("build", 0777);
-    snprintf(name, 512, "build/13_bsp_%.*s.png", length, base);
-    return name;
 }
 
 /* Left: planes across the axes, right: `how`. The default mesh is finer in the tables. */
@@ -45,9 +33,8 @@ static void draw_cells(options *o, const own_options *own, const mesh *m, bsp_op
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
     if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
         lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
-    if (own->mesh && !o->out) o->out = picture_name(own->mesh, name);
     bool whole = draw_trees(m, lo, hi, !own->mesh, how, o->threads, &im);
-    output_picture(o, &im, "13_bsp.png", true, whole);
+    output_picture(o, &im, picture_name("13_bsp.png", own->mesh, name), true, whole);
     image_free(&im);
 }
 
@@ -80,7 +67,7 @@ int main(int argc, char **argv)
 {
     own_options own = {.rule = "cost", .candidates = bsp_defaults.candidates};
     const option list[] = {
-        {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: the cells of this mesh instead, y up"},
+        {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: the cells of this mesh instead, y up"},
         {"rule", OPTION_TEXT, &own.rule, 0, 0, "random, fewest, axis, own or cost: right panels"},
         {"candidates", OPTION_INT, &own.candidates, 1, 10000, "slanted planes tried for a cell"},
         {0}};
@@ -89,14 +76,15 @@ int main(int argc, char **argv)
     bsp_options how = build_options(&own);
     failure f;
     mesh m = {0};
-    if (own.mesh && o.csv) failed(&f, 2, "--csv: no table with --mesh"), fail(f);
-    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
+    if (own.mesh && o.csv) die(2, "--csv: no table with --mesh");
+    if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 4 : 12);
+    o.own = own.mesh != NULL;
     draw_cells(&o, &own, &m, how);
     if (own.mesh) tell(&m, how);
     mesh_free(&m);
-    if (own.mesh || o.out) return 0;
+    if (own.mesh || o.out) return output_done(&o);
     draw_painter(&o);
     m = teapot_mesh(o.quick ? 3 : 14);
     table_of_rules(&o, &m);
@@ -104,5 +92,5 @@ int main(int argc, char **argv)
     table_of_losses(&o);
     table_of_pieces(&o);
     mesh_free(&m);
-    return 0;
+    return output_done(&o);
 }

@@ -86,11 +86,10 @@ static inline void bvh_free(bvh *b)
  * places and nodes are counted in 32 bits. O(n log n). */
 static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
 {
-    failure f;
     bool cuts = how.strategy == BVH_SPATIAL;
     int most = cuts ? 28 : 31;
     if (m->triangles >> most)
-        failed(&f, 2, "%zu triangles: fewer than 2^%d fit", m->triangles, most), fail(f);
+        die(2, "%zu triangles: fewer than 2^%d fit", m->triangles, most);
     size_t n = 0, room = cuts ? spatial_most * m->triangles : m->triangles;
     bvh_item *item = allocate(room, sizeof *item);
     for (size_t i = 0; i < m->triangles; i++) n += triangle_item(m, i, &item[n]);

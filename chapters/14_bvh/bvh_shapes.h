@@ -26,9 +26,8 @@ static inline void bvh_shapes_free(bvh_shapes *b)
 /* A shape whose box is not a number is never hit. */
 static inline void bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes *out)
 {
-    failure f;
     size_t n = 0;
-    if (s->n >> 31) failed(&f, 2, "%zu shapes: fewer than 2^31 fit", s->n), fail(f);
+    if (s->n >> 31) die(2, "%zu shapes: fewer than 2^31 fit", s->n);
     bvh_item *item = allocate(s->n, sizeof *item);
     for (size_t i = 0; i < s->n; i++) {
         vec3 lo, hi;

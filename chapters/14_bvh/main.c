@@ -10,7 +10,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
 #include "lab/pictures.h"
 #include "../07_mesh/files/ray_file.h"
 
-typedef struct { const char *mesh, *rays, *hits, *strategy; bool any, full; int leaf; } own_options;
+typedef struct { const char *mesh, *rays, *hits, *strategy; bool any; int leaf; } own_options;
 
 static const char *const strategy_names[bvh_strategies] = {"cycle", "longest", "median", "sah",
                                                            "sweep", "morton",
@@ -19,29 +19,17 @@ static const char *const strategy_names[bvh_strategies] = {"cycle", "longest", "
 static bvh_options build_options(const own_options *own)
 {
     bvh_options b = bvh_defaults;
-    failure f;
     for (int k = 0; k <= bvh_strategies; k++) {
         if (k == bvh_strategies)
-            failed(&f, 2, "--strategy %s: allowed are cycle, longest, median, sah, sweep, "
+            die(2, "--strategy %s: allowed are cycle, longest, median, sah, sweep, "
                           "morton, spatial",
-                   own->strategy), fail(f);
+                   own->strategy);
         b.strategy = (bvh_strategy)k;
         if (strcmp(own->strategy, strategy_names[k]) == 0) break;
     }
     b.leaf = own->leaf;
     if (own->leaf == 1) b.item_cost = 1;
     return b;
-}
-
-/* "dir/bunny.obj" -> build/14_bvh_bunny.png: images/ is for the pictures of the text. */
-static const char *picture_name(const char *path, char name[512])
-{
-    const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path;
-    const char *dot = strrchr(base, '.');
-    int length = dot && dot > base ? (int)(dot - base) : (int)strlen(base);
-    mkdir("build", 0777);
-    snprintf(name, 512, "build/14_bvh_%.*s.png", length, base);
-    return name;
 }
 
 static void draw(options *o, const mesh *m, bvh_options build, bool z_up, const char *mesh_path)
@@ -56,11 +44,10 @@ static void draw(options *o, const mesh *m, bvh_options build, bool z_up, const 
     image im = image_new(o->width, o->height);
     view v = view_of(lo, hi, z_up, (real)o->width / (real)o->height);
     picture p = {&b, m, v, &im, o->quick ? 1 : 3, 120};
-    if (mesh_path && !o->out) o->out = picture_name(mesh_path, name);
     bool whole = draw_mesh(p, o->threads);
     printf("# %zu triangles: built in %.3f s, %d x %d pixels of %d rays in %.3f s\n", m->triangles,
            built - start, o->width, o->height, p.samples * p.samples, clock_seconds() - built);
-    output_picture(o, &im, "14_bvh.png", true, whole);
+    output_picture(o, &im, picture_name("14_bvh.png", mesh_path, name), true, whole);
     bvh_free(&b);
     image_free(&im);
 }
@@ -112,16 +99,16 @@ int main(int argc, char **argv)
 {
     own_options own = {.strategy = "sah", .leaf = bvh_defaults.leaf};
     const option list[] = {
-        {"mesh", OPTION_TEXT, &own.mesh, 0, 0,
+        {"mesh", OPTION_INPUT, &own.mesh, 0, 0,
          "FILE.obj: draw this mesh, y up, or search it (--rays)"},
-        {"rays", OPTION_TEXT, &own.rays, 0, 0,
+        {"rays", OPTION_INPUT, &own.rays, 0, 0,
          "search these rays: ox oy oz tmin dx dy dz tmax, float32"},
-        {"hits", OPTION_TEXT, &own.hits, 0, 0, "with --rays: their t and triangle to this file"},
+        {"hits", OPTION_OUTPUT, &own.hits, 0, 0, "with --rays: their t and triangle to this file"},
         {"any-hit", OPTION_FLAG, &own.any, 0, 0, "with --rays: is there any hit at all?"},
         {"strategy", OPTION_TEXT, &own.strategy, 0, 0,
          "cycle, longest, median, sah, sweep, morton or spatial"},
         {"leaf", OPTION_INT, &own.leaf, 1, 255, "most triangles in a leaf"},
-        {"full", OPTION_FLAG, &own.full, 0, 0, "growth up to 2e6 triangles instead of 1e6"}, {0}};
+        {0}};
     options o = options_read(argc, argv, "14_bvh",
                              "Bounding volume hierarchies of triangle meshes.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
@@ -129,13 +116,13 @@ int main(int argc, char **argv)
     failure f;
     mesh m = {0};
     if (!own.rays && (own.hits || own.any))
-        failed(&f, 2, "--hits and --any-hit need --rays FILE"), fail(f);
-    if (own.rays && o.out) failed(&f, 2, "--out: no picture with --rays"), fail(f);
+        die(2, "--hits and --any-hit need --rays FILE");
+    if (own.rays && o.out) die(2, "--out: no picture with --rays");
     if (!own.rays && o.csv && (own.mesh || o.out))
-        failed(&f, 2, "--csv: no table with --mesh, --out, but with --rays"), fail(f);
-    if (own.hits && !file_try(own.hits, &f)) fail(f);
+        die(2, "--csv: no table with --mesh, --out, but with --rays");
     if (own.mesh && !obj_read(own.mesh, &m, &f)) fail(f);
     if (!own.mesh) m = teapot_mesh(o.quick ? 8 : 40);
+    o.own = own.mesh || own.rays;
     if (own.rays) search_file(&o, &own, &m, build);
     else draw(&o, &m, build, !own.mesh, own.mesh);
     if (!own.rays && !own.mesh && !o.out) {
@@ -151,8 +138,8 @@ int main(int argc, char **argv)
         table_of_paying(&o, &s);
         table_of_slivers(&o);
         if (!o.quick) plot_of_pareto(&o, &s);
-        growth(&o, own.full);
+        growth(&o, o.full);
         subject_free(&s);
     } else mesh_free(&m);
-    return 0;
+    return output_done(&o);
 }

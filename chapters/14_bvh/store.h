@@ -50,10 +50,9 @@ static inline void tree_free(bvh_tree *t)
 /* Nodes from the beginning of a line of the cache. */
 static inline bvh_node *tree_nodes(bvh_tree *t, size_t n)
 {
-    failure f;
     size_t bytes = (n + n % 2) * sizeof(bvh_node);
     void *p = n > SIZE_MAX / 64 ? NULL : aligned_alloc(64, bytes);
-    if (!p) failed(&f, 1, "no memory for %zu nodes", n), fail(f);
+    if (!p) die(1, "no memory for %zu nodes", n);
     tree_takes(t, bytes);
     return p;
 }

@@ -97,13 +97,12 @@ static inline mesh crowd_flattened(const crowd *c)
 {
     size_t v = 0, t = 0, n = 0;
     mesh m = {0};
-    failure f;
     for (size_t i = 0; i < c->n; i++) {
         const mesh *part = &c->mesh[c->list[i].mesh];
         v += part->vertices, t += part->triangles, n += part->n ? part->normals : 0;
     }
     if (v >= mesh_none || n >= mesh_none || t >> 31)
-        failed(&f, 2, "%zu triangles flattened: fewer than 2^31 fit", t), fail(f);
+        die(2, "%zu triangles flattened: fewer than 2^31 fit", t);
     m.v = allocate(v, sizeof *m.v);
     m.index = allocate(3 * t, sizeof *m.index);
     if (n) m.n = allocate(n, sizeof *m.n), m.normal_index = allocate(3 * t, sizeof *m.index);

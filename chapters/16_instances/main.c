@@ -14,7 +14,7 @@ int main(int argc, char **argv)
     const char *path = NULL;
     const option list[] = {
         {"instances", OPTION_INT, &plants, 1, 1000000, "plants in the picture; 9000 if not given"},
-        {"mesh", OPTION_TEXT, &path, 0, 0,
+        {"mesh", OPTION_INPUT, &path, 0, 0,
          "FILE.obj: a crowd of this mesh, y up, instead of plants"},
         {0}};
     options o = options_read(argc, argv, "16_instances",
@@ -25,20 +25,19 @@ int main(int argc, char **argv)
     mesh m = {0};
     bool own_picture = plants || path, picture_only = own_picture || o.out;
     if (own_picture && o.csv)
-        failed(&f, 2, "--csv: no table with --instances, --mesh"), fail(f);
-    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
+        die(2, "--csv: no table with --instances, --mesh");
+    if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     if (path && !obj_read(path, &m, &f)) fail(f);
     if (path) own = plant_of_mesh(m);
-    if (own_picture && !o.out)  /* images/ is for the pictures of the text */
-        o.out = "build/16_instances_own.png", mkdir("build", 0777);
+    o.own = own_picture;
     if (!plants) plants = o.quick ? 300 : 9000;
     draw_forest(&o, (size_t)plants, path ? &own : NULL);
-    if (picture_only) return 0;
+    if (picture_only) return output_done(&o);
     draw_unit(&o);
     draw_normals(&o);
     table_of_methods(&o);
     table_of_growth(&o);
     table_of_way(&o);
     table_of_normals(&o);
-    return 0;
+    return output_done(&o);
 }

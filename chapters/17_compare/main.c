@@ -146,11 +146,11 @@ int main(int argc, char **argv)
         {"scene", OPTION_TEXT, &own.scene, 0, 0,
          "balls gears mount rings teapot tetra tree stadium soup or needles, alone"},
         {"scale", OPTION_INT, &own.scale, 0, 10000, "its size, see README"},
-        {"mesh", OPTION_TEXT, &own.mesh, 0, 0, "FILE.obj: this mesh, y up"},
-        {"rays", OPTION_TEXT, &own.files.rays, 0, 0,
+        {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: this mesh, y up"},
+        {"rays", OPTION_INPUT, &own.files.rays, 0, 0,
          "FILE of rays: ox oy oz tmin dx dy dz tmax, float32"},
         {"any-hit", OPTION_FLAG, &own.files.any, 0, 0, "with --rays: is there any hit at all?"},
-        {"hits", OPTION_TEXT, &own.files.hits, 0, 0, "with --rays: their t and shape go here"},
+        {"hits", OPTION_OUTPUT, &own.files.hits, 0, 0, "with --rays: their t and shape go here"},
         {"only", OPTION_TEXT, &own.only, 0, 0, "these structures, with commas between"},
         {"protocol", OPTION_TEXT, &own.protocol, 0, 0, "spd: counts as they were published"},
         {"verify", OPTION_FLAG, &own.verify, 0, 0,
@@ -159,16 +159,16 @@ int main(int argc, char **argv)
          "with --verify: X0,Y0,X1,Y1 of the view, -1 to 1"},
         {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
          "MB that all structures may hold together"},
-        {"full", OPTION_FLAG, &own.full, 0, 0, "large scenes, more rays, growth to 2e6"}, {0}};
+        {0}};
     options o = options_read(argc, argv, "17_compare",
                              "Every structure on the same scenes and the same rays.",
                              (options){.width = 1000, .height = 400, .seed = 1}, list);
     common_settings c = {&o, chosen_of(own.only), (size_t)own.megabytes << 20, {-1, -1, 1, 1},
-                         own.full};
+                         o.full};
     check_options(&o, &own);
     read_region(own.region, c.region);
     const generator *g = own.scene ? scene_find(own.scene) : NULL;
     if (own.protocol) protocol_run(c, own.only, g, own.scale);
     else run(&o, &own, &c);
-    return 0;
+    return output_done(&o);
 }

@@ -17,8 +17,7 @@ int main(int argc, char **argv)
         {0}};
     options o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.",
                              (options){.width = 800, .height = 450, .seed = 1, .samples = 9}, own);
-    failure f;
-    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
+    if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     if (!teapot) teapot = o.quick ? 6 : 24;
     if (o.quick && o.samples == 9) o.samples = 1;  /* what was asked for stays */
     if (o.quick && o.width == 800 && o.height == 450) o.width = 240, o.height = 135;
@@ -29,5 +28,5 @@ int main(int argc, char **argv)
     table_of_leaving(&o);
     table_of_sizes(&o);
     table_of_rays(&o);
-    return 0;
+    return output_done(&o);
 }

@@ -11,8 +11,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters
 
 static void usage(const char *text)
 {
-    failure f;
-    failed(&f, 2, "%s", text), fail(f);
+    die(2, "%s", text);
 }
 
 /* --scene, or all of them with published results; --scale, or the usual. */
@@ -38,7 +37,7 @@ static void protocol(const options *o, const char *name, int scale)
         if (o->out) output_picture(o, &im, "19_whitted_spd.png", true, whole);
         image_free(&im);
         world_free(&w);
-        if (!whole) failed(&f, 130, "stopped"), fail(f);
+        if (!whole) die(130, "stopped");
     }
 }
 
@@ -83,5 +82,5 @@ int main(int argc, char **argv)
     table_of_fresnel(&o);
     table_of_speed(&o);
     table_of_first(&o);
-    return 0;
+    return output_done(&o);
 }

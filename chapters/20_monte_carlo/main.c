@@ -89,5 +89,5 @@ int main(int argc, char **argv)
     measure_importance(&o);
     measure_maps(&o), measure_scrambles(&o);
     measure_sums(&o), measure_variances(&o);
-    return 0;
+    return output_done(&o);
 }

@@ -17,14 +17,13 @@ int main(int argc, char **argv)
         {0}};
     options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
                              (options){.width = 512, .height = 288, .seed = 1, .samples = 16}, own);
-    failure f;
-    if (o.out && o.csv) failed(&f, 2, "--out draws, --csv measures: one of them"), fail(f);
+    if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     static const char letters[] = "sgol";
     bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
     int chosen = every ? EFFECT_ALL : 0;
     for (const char *c = effects; *c && !named; c++) {
         const char *at = strchr(letters, *c);
-        if (!at) failed(&f, 2, "--effects %s: all, none, or letters of s g o l", effects), fail(f);
+        if (!at) die(2, "--effects %s: all, none, or letters of s g o l", effects);
         chosen |= 1 << (at - letters);
     }
     if (o.quick && o.samples == 16) o.samples = 2;
@@ -39,5 +38,5 @@ int main(int argc, char **argv)
     draw_whitted(&o), draw_teapot(&o), draw_box(&o), draw_effects(&o);
     table_of_pictures(&o);
     table_of_known(&o), table_of_first(&o), table_of_rays(&o), table_of_lobes(&o);
-    return 0;
+    return output_done(&o);
 }

@@ -16,5 +16,5 @@ int main(int argc, char **argv)
     measure_ways(&o);
     measure_hard(&o), plot_hard(&o);
     measure_photometry(&o);
-    return 0;
+    return output_done(&o);
 }

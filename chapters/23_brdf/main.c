@@ -17,5 +17,5 @@ int main(int argc, char **argv)
     measure_methods(&o);
     measure_furnace(&o);
     measure_naive(&o);
-    return 0;
+    return output_done(&o);
 }

@@ -94,8 +94,7 @@ static inline void lit_begin(lit_scene *s) { *s = (lit_scene){.background = {0, 
 
 static inline uint16_t lit_add_material(lit_scene *s, lit_material m)
 {
-    failure f;
-    if (s->materials >= UINT16_MAX) failed(&f, 2, "more than 65535 materials"), fail(f);
+    if (s->materials >= UINT16_MAX) die(2, "more than 65535 materials");
     s->material = lit_grow(s->material, s->materials, 1, sizeof m, &s->room.materials);
     s->material[s->materials] = m;
     return (uint16_t)s->materials++;

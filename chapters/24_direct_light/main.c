@@ -34,9 +34,8 @@ int main(int argc, char **argv)
                              "Direct light by directions, by lights and by both.",
                              (options){.width = 420, .height = 420, .samples = 16, .seed = 1}, own);
     bool only = scene_name || way_name;
-    failure f;
     if (o.quick && o.samples == 16) o.samples = 1;  /* what was asked for stays */
-    if (only && o.csv) failed(&f, 2, "--csv: no table with --scene, --way"), fail(f);
+    if (only && o.csv) die(2, "--csv: no table with --scene, --way");
     stage_name which = scene_name ? (stage_name)place_of(scene_name, stage_names, stages, "scene")
                                   : STAGE_BOX;
     direct_way way = way_name ? (direct_way)place_of(way_name, way_names, direct_ways, "way")
@@ -54,5 +53,5 @@ int main(int argc, char **argv)
     measure_closed(&o);
     measure_near(&o);
     measure_called(&o);
-    return 0;
+    return output_done(&o);
 }

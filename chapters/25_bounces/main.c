@@ -20,5 +20,5 @@ int main(int argc, char **argv)
     measure_branches(&o), measure_rays(&o);
     measure_furnace(&o), measure_pair(&o), measure_norms(&o);
     measure_cornell(&o), measure_notes(&o), measure_sums(&o);
-    return 0;
+    return output_done(&o);
 }

@@ -11,11 +11,11 @@ int main(int argc, char **argv)
     options defaults = {.width = 320, .height = 320, .samples = -1, .seed = 1};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, furnace"},
-        {"obj", OPTION_TEXT, &c.obj, 0, 0, "FILE.obj: this mesh, on a floor, under a sky"},
-        {"environment", OPTION_TEXT, &c.sky, 0, 0, "FILE.pfm or FILE.ppm: light all round"},
+        {"mesh", OPTION_INPUT, &c.obj, 0, 0, "OBJ: this mesh, on a floor, under a sky"},
+        {"environment", OPTION_INPUT, &c.sky, 0, 0, "PFM or PPM: light all round"},
         {"error", OPTION_REAL, &c.error, 1e-9, 1e9, "until the RMSE is no larger, in radiance"},
         {"time", OPTION_REAL, &c.seconds, 1e-3, 1e7, "the best picture in so many seconds"},
-        {"save", OPTION_TEXT, &c.save, 0, 0, "keep the state here, after every pass"},
+        {"save", OPTION_OUTPUT, &c.save, 0, 0, "keep the state here, after every pass"},
         {"resume", OPTION_TEXT, &c.resume, 0, 0, "FILE: go on from this state"},
         {"range", OPTION_TEXT, &c.range, 0, 0, "A:B, samples A to B - 1 only, for --merge"},
         {"merge", OPTION_TEXT, &c.merge, 0, 0, "FILE FILE ...: the picture of all these states"},
@@ -27,11 +27,12 @@ int main(int argc, char **argv)
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
     if (c.bounces == path_endless) c.bounces = -1;
     if (command_given(&c, &o)) {
+        o.own = true;
         command_run(&c, &o);
-        return 0;
+        return output_done(&o);
     }
     draw_cornell(&o), draw_others(&o), draw_strategies(&o);
     measure_strategies(&o);
     measure_speed(&o);
-    return 0;
+    return output_done(&o);
 }

@@ -78,7 +78,7 @@ static void show(const options *o, const request *q, stage *e)
 {
     draw_window w = window_of(o, q->region);
     image im = image_new(w.width, w.height);
-    bool demo = !o->out;
+    bool demo = !o->out && !o->own;
     int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 32 : 16;
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
@@ -106,38 +106,14 @@ static void show(const options *o, const request *q, stage *e)
         image_free(&none);
     }
     image_free(&im);
-    failure f;
-    if (!whole) failed(&f, 130, "stopped; the picture was whole before"), fail(f);
-}
-
-/* room.scene alone stands for --scene=room.scene, but not behind an option that takes a value. */
-static void options_of_files(int argc, char **argv)
-{
-    static const char *const flags[] = {"--explain", "--price", "--preview", "--quick", "--help"};
-    const char *first = NULL;
-    failure f;
-    for (int i = 1; i < argc; i++) {
-        const char *word = argv[i], *before = argv[i - 1];
-        bool value = i > 1 && strncmp(before, "--", 2) == 0 && !strchr(before, '=');
-        for (int k = 0; k < 5; k++) value = value && strcmp(before, flags[k]) != 0;
-        if (value || word[0] == '-' || !(scene_ends(word, ".scene") || scene_ends(word, ".obj")
-                                         || scene_ends(word, ".nff"))) continue;
-        if (first) {
-            program_name = "27_effects";
-            failed(&f, 2, "%.200s and %.200s: one scene at a time; a scene file can include others",
-                   first, word), fail(f);
-        }
-        size_t room = strlen(word) + 16;
-        first = word, argv[i] = allocate(room, 1);
-        snprintf(argv[i], room, "--scene=%s", word);
-    }
+    if (!whole) die(130, "stopped; the picture was whole before");
 }
 
 int main(int argc, char **argv)
 {
     request q = {.path = NULL};
     const option own[] = {
-        {"scene", OPTION_TEXT, &q.path, 0, 0, "FILE to draw: .obj, .nff, else a scene file"},
+        {"scene", OPTION_INPUT, &q.path, 0, 0, "FILE to draw: .obj, .nff, else a scene file"},
         {"effects", OPTION_TEXT, &q.effects, 0, 0, "LIST simulate: all, none, called, -soft .."},
         {"explain", OPTION_FLAG, &q.told, 0, 0, "say what the scene calls for, and why"},
         {"price", OPTION_FLAG, &q.priced, 0, 0, "leave out each effect in turn: time and error"},
@@ -150,7 +126,6 @@ int main(int argc, char **argv)
         {"background", OPTION_TEXT, &q.words.background, 0, 0, "C"},
         {"up", OPTION_TEXT, &q.words.up, 0, 0, "x, y or z: where no camera says it"},
         {0}};
-    options_of_files(argc, argv);
     options o = options_read(argc, argv, "27_effects", "Draws scene files.",
                              (options){.width = 400, .height = 300, .samples = -1}, own);
     if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;
@@ -169,11 +144,8 @@ int main(int argc, char **argv)
     if (!stage_build(&s, &p, &e, &f)) fail(f);
     stage_view(&e, &view, c);
     stage_effects(&e, mask, q.effects && mask == EFFECTS_ALL);
-    if (!o.out && request_own(&q)) {  /* images/ is for the text */
-        mkdir("build", 0777);
-        o.out = "build/27_effects_render.png";
-    }
+    o.own = request_own(&q);
     show(&o, &q, &e);
     stage_free(&e), plan_free(&p), studio_free(&s);
-    return 0;
+    return output_done(&o);
 }

@@ -28,6 +28,7 @@ static inline void output_plot(const options *o, plot *p, const char *name)
     if (path && !file_begin(&w, path, &f)) fail(f);
     if (path) plot_write(p, w.stream);
     if (path && !file_commit(&w, &f)) fail(f);
+    if (path) output_note(path);
     plot_free(p);
 }
 

@@ -281,9 +281,9 @@ static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh
 
 static inline bool obj_read(const char *path, mesh *out, failure *f)
 {
-    FILE *in = fopen(path, "rb");
+    FILE *in = file_open(path, f);
     *out = (mesh){0};
-    if (!in) return failed(f, 1, "%s: cannot read: %s", path, strerror(errno));
+    if (!in) return false;
     bool ok = obj_read_stream(in, path, UINT32_MAX, out, f);
     fclose(in);
     return ok;

@@ -22,7 +22,6 @@ typedef struct {
 static inline unsigned chosen_of(const char *only)
 {
     unsigned chosen = 0;
-    failure f;
     if (!only) return (1u << usual_contenders) - 1;
     for (const char *at = only + strspn(only, ","); *at; at += strspn(at, ",")) {
         int length = (int)strcspn(at, ","), k = 0;
@@ -35,11 +34,11 @@ static inline unsigned chosen_of(const char *only)
             for (k = 0; k < contenders; k++)
                 snprintf(all + strlen(all), sizeof all - strlen(all), " %s",
                          contender_list[k]->name);
-            failed(&f, 2, "--only %.100s: allowed are, with commas between:%s", only, all), fail(f);
+            die(2, "--only %.100s: allowed are, with commas between:%s", only, all);
         }
         at += length;
     }
-    if (!chosen) failed(&f, 2, "--only %.100s: names no structure", only), fail(f);
+    if (!chosen) die(2, "--only %.100s: names no structure", only);
     return chosen;
 }
 

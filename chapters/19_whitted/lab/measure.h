@@ -18,8 +18,7 @@
 /* Of a picture that is not whole no row can tell: Ctrl-C ends the program. */
 static inline void measured_draw(whitted_view *v, int threads)
 {
-    failure f;
-    if (!whitted_draw(v, threads)) failed(&f, 130, "stopped"), fail(f);
+    if (!whitted_draw(v, threads)) die(130, "stopped");
 }
 
 static inline double knob_time(whitted_view *v, int rounds)

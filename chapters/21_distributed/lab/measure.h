@@ -31,8 +31,7 @@ typedef struct { distributed_view v; image im; } picture_run;
 /* Ctrl-C: half a picture must not be measured. */
 static inline void measure_unless(bool stopped)
 {
-    failure f;
-    if (stopped) failed(&f, 130, "stopped"), fail(f);
+    if (stopped) die(130, "stopped");
 }
 
 static inline void measure_draw(distributed_view *v, image *im, int threads)

@@ -25,9 +25,8 @@ typedef struct {
 
 static inline void command_part(command *c, const char *path)
 {
-    failure f;
     if (c->parts == command_most_parts)
-        failed(&f, 2, "--merge takes at most %d files", command_most_parts), fail(f);
+        die(2, "--merge takes at most %d files", command_most_parts);
     c->part[c->parts++] = path;
 }
 
@@ -58,11 +57,10 @@ static inline bool command_given(const command *c, const options *o)
 static inline path_options command_options(const command *c)
 {
     path_options p = path_defaults;
-    failure f;
     const char *s = c->strategy ? c->strategy : "mis";
     p.mis = strcmp(s, "mis") == 0, p.light_sampling = strcmp(s, "directions") != 0;
     if (!p.mis && p.light_sampling && strcmp(s, "lights") != 0)
-        failed(&f, 2, "--strategy %.200s: allowed are mis, lights, directions", s), fail(f);
+        die(2, "--strategy %.200s: allowed are mis, lights, directions", s);
     if (c->bounces >= 0) p.bounces = c->bounces;
     p.clamp = (real)c->clamp;
     return p;
@@ -125,7 +123,9 @@ static inline void command_report(const options *o, const film *f, const render_
 static inline void command_save(const command *c, const film *f, const char *settings)
 {
     failure why;
-    if (c->save && !state_write(c->save, f, settings, &why)) fail(why);
+    if (!c->save) return;
+    file_forget(c->save);  /* --resume a --save a: goes on in the same file */
+    if (!state_write(c->save, f, settings, &why)) fail(why);
 }
 
 /* In a terminal command_shown has shown it already, if all of it was done. */
@@ -149,7 +149,7 @@ static inline void command_run_merge(const command *c, const options *o)
         if (!state_read(c->part[i], &part, settings, &f)) fail(f);
         if (!film_join(&all, &part, &f)) {
             failure with = f;
-            failed(&f, 2, "%.200s: %.200s", c->part[i], with.text), fail(f);
+            die(2, "%.200s: %.200s", c->part[i], with.text);
         }
         film_free(&part);
     }
@@ -200,14 +200,13 @@ static inline void command_check(const command *c, const options *o)
 {
     failure f;
     bool goal = o->samples > 0 || c->error > 0 || c->seconds > 0;
-    if (c->scene && c->obj) failed(&f, 2, "--scene and --obj: one of them"), fail(f);
+    if (c->scene && c->obj) die(2, "--scene and --mesh: one of them");
     if (c->range && (goal || c->resume))
         failed(&f, 2, "--range does those samples alone: no --samples, --error, --time, --resume"),
             fail(f);
     if (c->merge && (c->range || goal || c->resume || c->scene || c->obj || c->sky || c->strategy
                      || c->clamp > 0 || c->bounces >= 0))
-        failed(&f, 2, "--merge puts states together: it takes --save and --out only"), fail(f);
-    if (c->save && !file_try(c->save, &f)) fail(f);
+        die(2, "--merge puts states together: it takes --save and --out only");
 }
 
 static inline film command_film(const command *c, const options *o, char *settings)
@@ -218,8 +217,8 @@ static inline film command_film(const command *c, const options *o, char *settin
     if (!state_read(c->resume, &m, settings, &f)) fail(f);
     bool from_zero = m.ranges == 1 && m.range[0].begin == 0;
     if (m.width != o->width || m.height != o->height)
-        failed(&f, 2, "%.200s: of another picture: it has %dx%d pixels, not %dx%d", c->resume,
-               m.width, m.height, o->width, o->height), fail(f);
+        die(2, "%.200s: of another picture: it has %dx%d pixels, not %dx%d", c->resume,
+               m.width, m.height, o->width, o->height);
     if (!from_zero)
         failed(&f, 2, "%.200s: holds parts, not samples 0 to n: merge them first", c->resume),
             fail(f);

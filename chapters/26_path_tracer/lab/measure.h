@@ -95,7 +95,6 @@ static inline void measure_box(measure_place *m, bool first)
 /* Of a reference whose own error is known to be some part of what is measured. */
 static inline void measure_place_of(const options *o, bool first, measure_place *m)
 {
-    failure f;
     *m = (measure_place){.side = o->quick ? 12 : 32};
     measure_box(m, first);
     path_tracer t;
@@ -103,7 +102,7 @@ static inline void measure_place_of(const options *o, bool first, measure_place 
     render_job j = {.tracer = &t, .eye = m->c.eye, .seed = 77, .threads = o->threads};
     film all = film_new(m->side, m->side);
     if (!render_range(&j, &all, 0, o->quick ? 256 : 1500))
-        failed(&f, 130, "stopped"), fail(f);
+        die(130, "stopped");
     m->reference = film_picture(&all);
     m->dark = allocate((size_t)(m->side * m->side), sizeof *m->dark);
     for (int i = 0; i < m->side * m->side; i++) {

@@ -97,15 +97,9 @@ static inline bool word_path(const char *base, const char *name, char path[word_
 static inline FILE *word_open(const char *path, bool any, failure *f)
 {
     struct stat what;
-    bool there = stat(path, &what) == 0, folder = there && S_ISDIR(what.st_mode);
-    if (there && !any && !folder && !S_ISREG(what.st_mode)) {
-        failed(f, 1, "%.300s: cannot read: not a file on a disk", path);
-        return NULL;
-    }
-    FILE *in = folder ? NULL : fopen(path, "rb");
-    if (folder) errno = EISDIR;
-    if (!in) failed(f, 1, "%.300s: cannot read: %s", path, strerror(errno));
-    return in;
+    if (any || stat(path, &what) != 0 || !S_ISFIFO(what.st_mode)) return file_open(path, f);
+    failed(f, 1, "%.300s: cannot read: not a file on a disk", path);
+    return NULL;
 }
 
 #endif
