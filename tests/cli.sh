@@ -74,7 +74,7 @@ interrupt() {
 }
 
 turn=0 count=0
-for main in "$root"/chapters/*/main.c; do
+for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     name=$(basename "$(dirname "$main")")
     program=$BUILD/$name
     if [ ! -x "$program" ]; then no "not built"; continue; fi
