@@ -28,9 +28,9 @@ typedef struct {
     hit h;
     uint32_t cell[flat_most_cells];  /* leaves, in the order of visits */
     int cells;
-} flat_figure;
+} kdtree_flat;
 
-typedef struct { const flat_figure *panel[2]; image *im; } flat_picture;
+typedef struct { const kdtree_flat *panel[2]; image *im; } kdtree_flat_picture;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -54,7 +54,7 @@ static inline void flat_ends(int i, real end[4])
     }
 }
 
-static inline void flat_walls_of(flat_figure *f, real height)
+static inline void flat_walls_of(kdtree_flat *f, real height)
 {
     for (int i = 0; i < flat_walls; i++) {
         real e[4];
@@ -68,7 +68,7 @@ static inline void flat_walls_of(flat_figure *f, real height)
 }
 
 /* The leaves whose cells the part [enter, exit] of the ray passes, in order, up to the hit. */
-static inline void flat_visit(flat_figure *f, uint32_t at, real enter, real exit)
+static inline void flat_visit(kdtree_flat *f, uint32_t at, real enter, real exit)
 {
     kd_node n = f->t.node[at];
     if (enter > exit || enter > f->h.t) return;
@@ -83,11 +83,11 @@ static inline void flat_visit(flat_figure *f, uint32_t at, real enter, real exit
     flat_visit(f, near ^ 1, real_max(t, enter), exit);
 }
 
-static inline void flat_init(flat_figure *f, kdtree_strategy strategy, real height)
+static inline void flat_init(kdtree_flat *f, kdtree_strategy strategy, real height)
 {
     kdtree_options how = kdtree_defaults;
     failure why;
-    *f = (flat_figure){.h = hit_none};
+    *f = (kdtree_flat){.h = hit_none};
     how.strategy = strategy, how.leaf = 2, how.item_cost = 2;
     flat_walls_of(f, height);
     items x = items_of_scene(&f->world);
@@ -114,7 +114,7 @@ static inline vec3 flat_rank(int i, int n)
     return vmadd(vscale(first, 1 - s), last, s);
 }
 
-static inline vec3 flat_colour(const flat_figure *f, real x, real y)
+static inline vec3 flat_colour(const kdtree_flat *f, real x, real y)
 {
     vec3 c = {1, 1, 1}, grey = {0.25, 0.3, 0.35}, black = {0, 0, 0};
     uint32_t at = 0;
@@ -145,7 +145,7 @@ static inline vec3 flat_colour(const flat_figure *f, real x, real y)
 
 static inline void flat_pixel(int x, int y, void *context)
 {
-    const flat_picture *p = context;
+    const kdtree_flat_picture *p = context;
     int panel = x / (flat_panel + flat_gap), left = x - panel * (flat_panel + flat_gap);
     vec3 sum = {0, 0, 0};
     for (int i = 0; i < 16; i++) {
@@ -160,10 +160,10 @@ static inline void flat_pixel(int x, int y, void *context)
 
 static inline void draw_flat(const options *o)
 {
-    static flat_figure middle, sah;
+    static kdtree_flat middle, sah;
     image im = image_new(2 * flat_panel + flat_gap, flat_panel);
     flat_init(&middle, KD_MIDDLE, 1e-3), flat_init(&sah, KD_SAH, 1000);
-    flat_picture p = {{&middle, &sah}, &im};
+    kdtree_flat_picture p = {{&middle, &sah}, &im};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "flat", flat_pixel, &p);
     printf("# in the plane: the ray passes %d cells cut in the middle, %d by SAH\n", middle.cells,
            sah.cells);
