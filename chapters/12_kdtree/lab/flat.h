@@ -100,11 +100,14 @@ static inline void flat_init(kdtree_flat *f, kdtree_strategy strategy, real heig
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real flat_segment(real x, real y, const real e[4])
+/* Is (x, y) nearer to the segment than `far`? Most are beside its box. */
+static inline bool flat_near(real x, real y, const real e[4], real far)
 {
+    if (x < real_min(e[0], e[2]) - far || x > real_max(e[0], e[2]) + far) return false;
+    if (y < real_min(e[1], e[3]) - far || y > real_max(e[1], e[3]) + far) return false;
     real dx = e[2] - e[0], dy = e[3] - e[1], px = x - e[0], py = y - e[1];
     real s = real_clamp((px * dx + py * dy) / (dx * dx + dy * dy), 0, 1);
-    return sqrt((px - s * dx) * (px - s * dx) + (py - s * dy) * (py - s * dy));
+    return sqrt((px - s * dx) * (px - s * dx) + (py - s * dy) * (py - s * dy)) < far;
 }
 
 static inline vec3 flat_rank(int i, int n)
@@ -133,11 +136,11 @@ static inline vec3 flat_colour(const kdtree_flat *f, real x, real y)
     if (line) c = vadd(vscale(c, 0.4), vscale(grey, 0.6));
     vec3 end = ray_at(f->r, f->h.shape == no_shape ? 10 : f->h.t);
     real way[4] = {f->r.o.x, f->r.o.y, end.x, end.y};
-    if (flat_segment(x, y, way) < (real)0.035) c = vec(0.8, 0, 0);
+    if (flat_near(x, y, way, (real)0.035)) c = vec(0.8, 0, 0);
     for (int i = 0; i < flat_walls; i++) {
         vec3 one = f->corner[i][0], two = f->corner[i][1];
         real e[4] = {one.x, one.y, two.x, two.y};
-        if (flat_segment(x, y, e) < (real)0.045) c = black;
+        if (flat_near(x, y, e, (real)0.045)) c = black;
     }
     real dot = (x - end.x) * (x - end.x) + (y - end.y) * (y - end.y);
     return f->h.shape != no_shape && dot < (real)0.015 ? black : c;
