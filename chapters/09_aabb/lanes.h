@@ -1,22 +1,24 @@
 /* lanes.h: one ray against four or eight boxes at once (单指令多数据, SIMD).
  *
- *      side        box 0   1   2   3   4   5   6   7       A processor adds eight floats in the time
- *   0  lo.x          .   .   .   .   .   .   .   .         that one takes. So the boxes lie side by
- *   1  lo.y          .   .   .   .   .   .   .   .         side, a row for each plane (structure of
- *   2  lo.z          .   .   .   .   .   .   .   .         arrays), and the slab test becomes a loop
- *   3  hi.x          .   .   .   .   .   .   .   .         over a row without a branch: plain C, of
- *   ...                                                    which compilers make vector instructions.
+ *      side     box 0   1   2   3   4   5   6   7     A processor adds eight floats in the time that
+ *   0  lo.x       .   .   .   .   .   .   .   .       one takes. So the boxes lie side by side, a row
+ *   1  lo.y       .   .   .   .   .   .   .   .       for each plane (structure of arrays), and the
+ *   2  lo.z       .   .   .   .   .   .   .   .       slab test becomes a loop along the rows without
+ *   3  hi.x       .   .   .   .   .   .   .   .       a branch: plain C, of which compilers make
+ *   ...                                               vector instructions.
  *
- *   aabb8 group = aabb8_empty();                eight boxes that no ray meets
- *   aabb8_put(&group, k, b);                    box k [0..7]: rounded outwards to float
- *   aabb_lanes i = aabb_lanes_of(r);            once a ray
- *   unsigned hit = aabb8_hit(&group, &i, tmin, tmax, t_enter);   bit k: box k is hit [reals]
- *   aabb4_empty, aabb4_put, aabb4_hit           four boxes; the boxes of both take 24 bytes each
+ *   aabb8 group = aabb8_empty();            eight boxes that no ray meets
+ *   aabb8_put(&group, k, b);                box k [0..7], rounded outwards to float
+ *   aabb_lanes l = aabb_lanes_of(r);        once a ray
+ *   unsigned hit = aabb8_hit(&group, &l, t_enter);     bit k: box k is hit, at float t_enter[k] if
+ *                                           not before; where it is not hit, t_enter[k] says nothing
+ *   l.tmax = float_above(t);                once something was hit at t
+ *   aabb4_empty, aabb4_put, aabb4_hit       four boxes; 24 bytes a box in both
  *
- * As in aabb.h: never a false negative, and t_enter[k] of a box that is hit is never behind the
- * exact one; other t_enter[k] mean nothing. A float has 24 bits, so rays that pass a box by some
- * 1e-6 of their distance, or of the distance of o from the origin, may be reported. Coordinates of
- * o and boxes up to 1e38; a component of d whose inverse is no normal float says nothing.
+ * As in aabb.h: never a false negative, and t_enter[k] is never behind the exact one. A float has
+ * 24 bits: what passes a box by some 1e-6 of its distance, or of the coordinates, may be reported.
+ * Coordinates up to 1e38. A component of d whose inverse is no normal float says nothing; if none
+ * of the three says anything, even empty boxes are hit.
  *
  * Source: I. Wald, C. Benthin, S. Boulos, "Getting Rid of Packets", IRT 2008 (boxes side by side).
  */
@@ -30,10 +32,10 @@ typedef struct { float side[6][4]; } aabb4;
 typedef struct { float side[6][8]; } aabb8;
 
 typedef struct {
-    float inverse[3];        /* 1 / d_k; +-infinity for 0; NaN: this axis says nothing */
+    float inverse[3];              /* 1 / d_k; +-infinity for 0; NaN: this axis says nothing */
     float enter_o[3], leave_o[3];  /* o_k, rounded so that entries come early, and exits late */
-    int enter[3], leave[3];  /* rows of `side` */
-    float tmin, tmax;        /* after a hit at t: tmax = float_above(t) */
+    int enter[3], leave[3];        /* rows of `side` */
+    float tmin, tmax;
 } aabb_lanes;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -56,12 +58,12 @@ static inline aabb_lanes aabb_lanes_of(ray r)
     return l;
 }
 
-/* As in aabb_hit_inverse, row by row, with u = 2^-24. Differences are rounded, the inverse, the
- * product: 3 u on each side, and 1 u for the product that pads: 7 u < pad = 8 u. A NaN, the first
- * argument, loses. n is a constant wherever this is called. */
+/* As aabb_hit_inverse, for a row at a time, with u = 2^-24. Rounded are the difference, the inverse
+ * and the product: 3 u for each t, and one more u for the product that pads: 7 u < pad = 8 u. A NaN
+ * comes as the first argument, and loses. n is a constant where this is inlined; gcc would unroll
+ * so short a loop before it looks for vectors. */
 __attribute__((always_inline))
-static inline unsigned lanes_hit(const float *side, int n, aabb_lanes l,
-                                 float *restrict t_enter)
+static inline unsigned lanes_hit(const float *side, int n, aabb_lanes l, float *restrict t_enter)
 {
     const float pad = 4 * FLT_EPSILON;
     const float *ax = side + n * l.enter[0], *bx = side + n * l.leave[0];
