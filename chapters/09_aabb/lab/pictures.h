@@ -113,22 +113,18 @@ static const vec3 cell_colour[4] = {{0, 0.168f, 0.445f}, {0.8f, 0.8f, 0.8f}, {0.
 typedef int aabb_question(int i, int j, aabb *box, ray *r, bool *truth);
 typedef struct { image *im; aabb_question *ask; } aabb_cells;
 
-static inline void cell_pixel(int x, int y, void *context)
+/* Cell x, y of all panels side by side. */
+static inline void cell_ask(int x, int y, void *context)
 {
     const aabb_cells *p = context;
-    int panel = x / cell_panel + cell_columns * (y / cell_panel), i = x % cell_panel / cell_size;
-    int j = y % cell_panel / cell_size;
-    vec3 c = {1, 1, 1};
-    if (i < cell_count && j < cell_count) {
-        aabb box[8];
-        ray r;
-        real t;
-        bool truth, answer = false;
-        int n = p->ask(i, j, box, &r, &truth);
-        for (int k = 0; k < n; k++) answer |= aabb_method[cell_method[panel]].hit(box[k], r, &t);
-        c = cell_colour[truth == answer ? !truth : truth ? 2 : 3];
-    }
-    image_set(p->im, x, y, c);
+    int panel = x / cell_count + cell_columns * (y / cell_count);
+    aabb box[8];
+    ray r;
+    real t;
+    bool truth, answer = false;
+    int n = p->ask(x % cell_count, y % cell_count, box, &r, &truth);
+    for (int k = 0; k < n; k++) answer |= aabb_method[cell_method[panel]].hit(box[k], r, &t);
+    image_set(p->im, x, y, cell_colour[truth == answer ? !truth : truth ? 2 : 3]);
 }
 
 static inline void draw_cells(const options *o, const char *name, const char *axes,
@@ -137,9 +133,15 @@ static inline void draw_cells(const options *o, const char *name, const char *ax
     static const char *const key[] = {"hit", "miss", "a hit that is lost", "a false alarm"};
     const char *title[cell_columns * cell_rows];
     for (int k = 0; k < cell_columns * cell_rows; k++) title[k] = aabb_method[cell_method[k]].name;
+    image cells = image_new(cell_columns * cell_count, cell_rows * cell_count);
+    aabb_cells p = {&cells, ask};
+    bool whole = parallel_pixels(cells.width, cells.height, o->threads, name, cell_ask, &p);
     image im = image_new(cell_columns * cell_panel - 10, cell_rows * cell_panel - 10);
-    aabb_cells p = {&im, ask};
-    bool whole = parallel_pixels(im.width, im.height, o->threads, name, cell_pixel, &p);
+    for (int y = 0; y < cells.height; y++)
+        for (int x = 0; x < cells.width; x++)
+            label_fill(&im, x / cell_count * cell_panel + x % cell_count * cell_size,
+                       y / cell_count * cell_panel + y % cell_count * cell_size, cell_size,
+                       cell_size, image_get(&cells, x, y));
     image panels = label_panels(&im, cell_columns, cell_rows, 10, title);
     image sheet = image_new(panels.width, panels.height + 62);
     label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
@@ -151,7 +153,7 @@ static inline void draw_cells(const options *o, const char *name, const char *ax
         label_text(&sheet, x + 24, y + 51, 11, 0, vec(0, 0, 0), key[k]);
     }
     output_picture(o, &sheet, name, false, whole);
-    image_free(&im), image_free(&panels), image_free(&sheet);
+    image_free(&cells), image_free(&im), image_free(&panels), image_free(&sheet);
 }
 
 /* Along -z, d.x = +0.0 on the left and -0.0 on the right, d.y = +0.0 above and -0.0 below: four

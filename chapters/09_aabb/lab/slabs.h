@@ -17,6 +17,8 @@
  * nearest, so it may lie an ulp or two behind the exact one.
  *
  *   aabb_method[m].name, .hit      all of them, for tables and tests; aabb8_hit is among them
+ *   X_with(&b, &i, r, &t_enter)    the same with i = aabb_plain_inverse(r), once a ray; not of the
+ *                                  first two, which divide
  *
  * Sources: L. Yan, GAMES101, lecture 13, 2020 (first); T. Barnes, "Fast, branchless ray/bounding
  * box intersections, part 3", 2022 (inclusive); M. Pharr, W. Jakob, G. Humphreys, "Physically Based
@@ -46,45 +48,61 @@ static inline bool aabb_hit_closed(aabb b, ray r, real *t_enter)
     return true;
 }
 
-/* Sorts by fmin and fmax, which need no sign of d; but fmin(NaN, infinity) is infinity, so the ray
- * above enters the slab never. A call of libm each, unless the compiler knows better. */
-static inline bool aabb_hit_fmin(aabb b, ray r, real *t_enter)
+/* The others multiply by 1/d, once a ray, and take it from here: as it comes, without the care of
+ * aabb_inverse_of for tiny and huge d. */
+static inline aabb_inverse aabb_plain_inverse(ray r)
 {
     vec3 i = {1 / r.d.x, 1 / r.d.y, 1 / r.d.z};
-    vec3 p = vmul(vsub(b.lo, r.o), i), q = vmul(vsub(b.hi, r.o), i);
+    return (aabb_inverse){i, i.x < 0 ? 3 : 0, i.y < 0 ? 4 : 1, i.z < 0 ? 5 : 2};
+}
+#define AABB_UNPREPARED(name)                                                                  \
+    static inline bool name(aabb b, ray r, real *t_enter)                                      \
+    {                                                                                          \
+        aabb_inverse i = aabb_plain_inverse(r);                                                \
+        return name##_with(&b, &i, r, t_enter);                                                \
+    }
+
+/* Sorts by fmin and fmax, which need no sign of d; but fmin(NaN, infinity) is infinity, so the ray
+ * above enters the slab never. A call of libm each, unless the compiler knows better. */
+static inline bool aabb_hit_fmin_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
+{
+    vec3 p = vmul(vsub(b->lo, r.o), i->inverse), q = vmul(vsub(b->hi, r.o), i->inverse);
     real t0 = fmax(fmax(fmin(p.x, q.x), fmin(p.y, q.y)), fmax(fmin(p.z, q.z), r.tmin));
     real t1 = fmin(fmin(fmax(p.x, q.x), fmax(p.y, q.y)), fmin(fmax(p.z, q.z), r.tmax));
     if (!(t0 <= t1)) return false;
     *t_enter = t0;
     return true;
 }
+AABB_UNPREPARED(aabb_hit_fmin)
 
 /* Needs neither the sign of d nor of 1/d: each plane is compared with what is known so far, and a
  * NaN, always the first argument, leaves it as it is. An empty box (lo > hi) looks full to it. */
-static inline void slab_narrow(real lo, real hi, real o, real d, real *t0, real *t1)
+static inline void slab_narrow(real lo, real hi, real o, real i, real *t0, real *t1)
 {
-    real i = 1 / d, a = (lo - o) * i, b = (hi - o) * i;
+    real a = (lo - o) * i, b = (hi - o) * i;
     real enter = real_min(real_max(a, *t0), real_max(b, *t0));
     *t1 = real_max(real_min(a, *t1), real_min(b, *t1));
     *t0 = enter;
 }
 
-static inline bool aabb_hit_inclusive(aabb b, ray r, real *t_enter)
+static inline bool aabb_hit_inclusive_with(const aabb *b, const aabb_inverse *i, ray r,
+                                           real *t_enter)
 {
     real t0 = r.tmin, t1 = r.tmax;
-    slab_narrow(b.lo.x, b.hi.x, r.o.x, r.d.x, &t0, &t1);
-    slab_narrow(b.lo.y, b.hi.y, r.o.y, r.d.y, &t0, &t1);
-    slab_narrow(b.lo.z, b.hi.z, r.o.z, r.d.z, &t0, &t1);
+    slab_narrow(b->lo.x, b->hi.x, r.o.x, i->inverse.x, &t0, &t1);
+    slab_narrow(b->lo.y, b->hi.y, r.o.y, i->inverse.y, &t0, &t1);
+    slab_narrow(b->lo.z, b->hi.z, r.o.z, i->inverse.z, &t0, &t1);
     if (!(t0 <= t1)) return false;
     *t_enter = t0;
     return true;
 }
+AABB_UNPREPARED(aabb_hit_inclusive)
 
 /* Axis by axis; the planes change places if their t are out of order, which a NaN never is. */
-static inline bool slab_narrow_pbrt(real lo, real hi, real o, real d, real *t0, real *t1)
+static inline bool slab_narrow_pbrt(real lo, real hi, real o, real i, real *t0, real *t1)
 {
     const real u = real_epsilon / 2, gamma = 3 * u / (1 - 3 * u);
-    real i = 1 / d, near = (lo - o) * i, far = (hi - o) * i;
+    real near = (lo - o) * i, far = (hi - o) * i;
     if (near > far) { real swap = near; near = far; far = swap; }
     far *= 1 + 2 * gamma;
     *t0 = near > *t0 ? near : *t0;
@@ -92,30 +110,33 @@ static inline bool slab_narrow_pbrt(real lo, real hi, real o, real d, real *t0, 
     return !(*t0 > *t1);
 }
 
-static inline bool aabb_hit_pbrt(aabb b, ray r, real *t_enter)
+static inline bool aabb_hit_pbrt_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
 {
     real t0 = r.tmin, t1 = r.tmax;
-    if (!slab_narrow_pbrt(b.lo.x, b.hi.x, r.o.x, r.d.x, &t0, &t1)) return false;
-    if (!slab_narrow_pbrt(b.lo.y, b.hi.y, r.o.y, r.d.y, &t0, &t1)) return false;
-    if (!slab_narrow_pbrt(b.lo.z, b.hi.z, r.o.z, r.d.z, &t0, &t1)) return false;
+    if (!slab_narrow_pbrt(b->lo.x, b->hi.x, r.o.x, i->inverse.x, &t0, &t1)
+        || !slab_narrow_pbrt(b->lo.y, b->hi.y, r.o.y, i->inverse.y, &t0, &t1)
+        || !slab_narrow_pbrt(b->lo.z, b->hi.z, r.o.z, i->inverse.z, &t0, &t1)) return false;
     *t_enter = t0;
     return true;
 }
+AABB_UNPREPARED(aabb_hit_pbrt)
 
-/* As aabb_hit_inverse without its care for tiny and huge d, and padded at the other end. */
-static inline bool aabb_hit_ize(aabb b, ray r, real *t_enter)
+/* As aabb_hit_inverse, but padded at the other end. */
+static inline bool aabb_hit_ize_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
 {
-    vec3 i = {1 / r.d.x, 1 / r.d.y, 1 / r.d.z};
+    const real *face = &b->lo.x;
     real t0 = r.tmin, t1 = r.tmax;
-    for (int k = 0; k < 3; k++) {
-        real inverse = vaxis(i, k), o = vaxis(r.o, k), lo = vaxis(b.lo, k), hi = vaxis(b.hi, k);
-        t0 = real_max(((inverse < 0 ? hi : lo) - o) * inverse, t0);
-        t1 = real_min(((inverse < 0 ? lo : hi) - o) * inverse, t1);
-    }
+    t0 = real_max((face[i->near_x] - r.o.x) * i->inverse.x, t0);
+    t0 = real_max((face[i->near_y] - r.o.y) * i->inverse.y, t0);
+    t0 = real_max((face[i->near_z] - r.o.z) * i->inverse.z, t0);
+    t1 = real_min((face[3 - i->near_x] - r.o.x) * i->inverse.x, t1);
+    t1 = real_min((face[5 - i->near_y] - r.o.y) * i->inverse.y, t1);
+    t1 = real_min((face[7 - i->near_z] - r.o.z) * i->inverse.z, t1);
     if (!(t0 <= t1 * (1 + 2 * real_epsilon))) return false;
     *t_enter = t0;
     return true;
 }
+AABB_UNPREPARED(aabb_hit_ize)
 
 /* One box of eight; the others are empty. */
 static inline bool aabb_hit_lanes(aabb b, ray r, real *t_enter)
