@@ -323,7 +323,9 @@ static void test_nan(void)
         switch (i % 4) {
         case 0: bad.r.d = vwith(bad.r.d, k, nan_real); break;
         case 1: bad.r.o = vwith(bad.r.o, k, nan_real); break;
-        case 2: bad.b.lo = vwith(bad.b.lo, k, nan_real), bad.b.hi = vwith(bad.b.hi, k, nan_real); break;
+        case 2:
+            bad.b.lo = vwith(bad.b.lo, k, nan_real), bad.b.hi = vwith(bad.b.hi, k, nan_real);
+            break;
         default: bad.r.d = vwith(bad.r.d, k, inf);
         }
         wrong += hits(aabb_hit, bad.b, bad.r) != hits(aabb_hit, open.b, open.r);

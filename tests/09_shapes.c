@@ -41,8 +41,8 @@ static void test_full_mantissa(void)
 typedef struct { triangle t; ray r; } own_box_case;
 typedef struct { size_t hits, lost, lost_inclusive, early; } own_box_count;
 
-/* A triangle, and a ray at a corner of it, an edge or the inside; width 1: any shape, small: a needle;
- * flat: in a plane z = constant, and so its box. */
+/* A triangle, and a ray at a corner of it, an edge or the inside; width 1: any shape, small: a
+ * needle; flat: in a plane z = constant, and so its box. */
 static own_box_case own_box_case_of(uint64_t seed, uint64_t i, real width, bool flat)
 {
     random_stream s = random_start(seed, i, 0);
@@ -136,7 +136,7 @@ static void test_volumes(void)
                                       (double)turned_area(&c.turned)}, vain[content_kinds];
         check_at_most(area[2], area[1], "shape %d: the turned box is not larger", s);
         aabb room = content_room(&c);
-        double whole = pi * (double)vdot(vsub(room.hi, room.lo), vsub(room.hi, room.lo));
+        double whole = (double)pi * (double)vdot(vsub(room.hi, room.lo), vsub(room.hi, room.lo));
         for (int k = 0; k < content_kinds; k++) {
             size_t hits = 0;
             real t;
@@ -149,7 +149,7 @@ static void test_volumes(void)
         for (int k = 0; s < 3 && k < content_kinds; k++) {
             double p = convex_area(&c) / area[k];
             double of = (double)lines * area[k] / whole;  /* so many lines hit it */
-            check_close(vain[k], 100 * (1 - p), 100 * allowed(p, of) + 1, "in vain: %d in %d", s, k);
+            check_close(vain[k], 100 * (1 - p), 100 * allowed(p, of) + 1, "vain: %d in %d", s, k);
         }
         free(c.t);
     }

@@ -9,9 +9,9 @@
  *
  *   bool aabb_hit(aabb b, ray r, real *t_enter)        hit: the closed box and the closed interval
  *                                                      [tmin, tmax] have a point in common (9.4)
- *   aabb_inverse i = aabb_inverse_of(r);                     once a ray, for many boxes: same answers;
- *   bool aabb_hit_inverse(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)   r's interval
- *                                                      may shrink meanwhile
+ *   aabb_inverse i = aabb_inverse_of(r);               once a ray, for many boxes: same answers;
+ *   bool aabb_hit_inverse(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
+ *                                                      r's interval may shrink meanwhile
  *
  *   aabb_empty()           lo = inf, hi = -inf            aabb_is_empty(b)    lo > hi on an axis
  *   aabb_grow_point(b, p)  smallest that holds b and p    aabb_area(b)        surface; empty: 0

@@ -1,17 +1,17 @@
 /* lanes.h: one ray against four or eight boxes at once (单指令多数据, SIMD).
  *
- *      side     box 0   1   2   3   4   5   6   7     A processor adds eight floats in the time that
- *   0  lo.x       .   .   .   .   .   .   .   .       one takes. So the boxes lie side by side, a row
- *   1  lo.y       .   .   .   .   .   .   .   .       for each plane (structure of arrays), and the
- *   2  lo.z       .   .   .   .   .   .   .   .       slab test becomes a loop along the rows without
- *   3  hi.x       .   .   .   .   .   .   .   .       a branch: plain C, of which compilers make
+ *      side     box 0   1   2   3   4   5   6   7     A processor adds eight floats in the time
+ *   0  lo.x       .   .   .   .   .   .   .   .       that one takes. So boxes lie side by side, a
+ *   1  lo.y       .   .   .   .   .   .   .   .       row for each plane (structure of arrays), and
+ *   2  lo.z       .   .   .   .   .   .   .   .       the slab test is a loop along the rows, no
+ *   3  hi.x       .   .   .   .   .   .   .   .       branches: plain C, of which compilers make
  *   ...                                               vector instructions.
  *
  *   aabb8 group = aabb8_empty();            eight boxes that no ray meets
  *   aabb8_put(&group, k, b);                box k [0..7], rounded outwards to float
  *   aabb_lanes l = aabb_lanes_of(r);        once a ray
- *   unsigned hit = aabb8_hit(&group, &l, t_enter);     bit k: box k is hit, at float t_enter[k] if
- *                                           not before; where it is not hit, t_enter[k] says nothing
+ *   unsigned mask = aabb8_hit(&group, &l, t_enter);    bit k: box k is hit, not before the float
+ *                                           t_enter[k]; that of a box that is missed says nothing
  *   l.tmax = float_above(t);                once something was hit at t
  *   aabb4_empty, aabb4_put, aabb4_hit       four boxes; 24 bytes a box in both
  *

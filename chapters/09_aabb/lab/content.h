@@ -3,8 +3,8 @@
  *   aabb_content c = content_of(k);   shape k [0..4]: needle, triangle, ball, ring, teapot, and the
  *                                     volumes round it; the caller frees c.t
  *   content_hit(&c, kind, r, &t)      is the volume hit? 0: sphere, 1: box, 2: turned box
- *   content_in_vain(&c, seed, n, vain)   of n lines: those that hit a volume and nothing inside [%];
- *                                     returns how many hit something whose volume they miss: 0
+ *   content_in_vain(&c, seed, n, vain)   of n lines that hit a volume: those that hit nothing
+ *                                     inside [%]; returns how many hit something and not its volume
  *   measure_volumes(&o)               all of them in a table, with the time of a test
  *
  * For a convex shape and lines from everywhere alike, P(shape hit | volume hit) = area of the shape
@@ -44,7 +44,7 @@ static inline triangle *content_triangles(mesh m, size_t *n)
 
 static inline triangle *content_shape(int k, size_t *n)
 {
-    static const triangle one[] = {{{0, 0, 0}, {1, 1, 1}, {0.51f, 0.49f, 0.5f}},
+    static const triangle one[] = {{{0, 0, 0}, {1, 1, 1}, {0.51, 0.49, 0.5}},
                                    {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     if (k > 2) return content_triangles(k == 3 ? torus_mesh(20) : teapot_mesh(5), n);
     icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
@@ -71,7 +71,7 @@ static inline aabb_content content_of(int k)
 
 static inline bool content_hit(const aabb_content *c, int kind, ray r, real *t)
 {
-    if (kind == 0) return ball_hit(&c->ball, 1 / vdot(r.d, r.d), r, t);
+    if (kind == 0) return bounding_ball_hit(&c->ball, 1 / vdot(r.d, r.d), r, t);
     return kind == 1 ? aabb_hit(c->box, r, t) : turned_hit(&c->turned, r, t);
 }
 

@@ -126,9 +126,11 @@ static inline void draw_slabs(const options *o)
         figure_text(&g, 0, 0, 0, 22, FIGURE_MIDDLE, slabs_colour[k], text);
     }
     figure_origin(&g, 50, 424, 78);
-    slabs_bars(&g, (const real (*)[2])t[0], "this ray: in all three slabs from _t_~enter~ to _t_~exit~");
+    slabs_bars(&g, (const real (*)[2])t[0],
+               "this ray: in all three slabs from _t_~enter~ to _t_~exit~");
     figure_origin(&g, 490, 424, 78);
-    slabs_bars(&g, (const real (*)[2])t[1], "a steeper ray leaves _y_ before it enters _z_: a miss");
+    slabs_bars(&g, (const real (*)[2])t[1],
+               "a steeper ray leaves _y_ before it enters _z_: a miss");
     figure_end(&g);
 }
 

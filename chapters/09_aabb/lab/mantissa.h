@@ -4,7 +4,8 @@
  * full mantissa (尾数), so that they round, too, and a ray aimed at a corner passes it on this or on
  * that side: some such rays truly miss the box, by 1e-16 of the distance.
  *
- *   aabb_trial c = aabb_full_trial_of(kind, seed, i)   TRIAL_PARALLEL, TRIAL_FLAT, TRIAL_EDGE or TRIAL_CORNER
+ *   aabb_trial c = aabb_full_trial_of(kind, seed, i)   kind: TRIAL_PARALLEL, TRIAL_FLAT, TRIAL_EDGE
+ *                                            or TRIAL_CORNER
  *   aabb_wide w = wide_aabb(c.b, c.r)      is it hit, at which t, and by how much
  *
  * wide.h is off by some 1e-31: only a gap below that is undecided, and counts as a hit.

@@ -118,7 +118,7 @@ AABB_PASS(pass_default, aabb_inverse v = aabb_inverse_of(r), 1,
           AABB_ONE(aabb_hit_inverse(&w->b[k], &v, r, &t)))
 AABB_PASS(pass_unprepared, , 1, AABB_ONE(aabb_hit(w->b[k], r, &t)))
 AABB_PASS(pass_ball, real dd = 1 / vdot(r.d, r.d), 1,
-          AABB_ONE(ball_hit(&w->ball[k], dd, r, &t)))
+          AABB_ONE(bounding_ball_hit(&w->ball[k], dd, r, &t)))
 AABB_PASS(pass_turned, , 1, AABB_ONE(turned_hit(&w->turned[k], r, &t)))
 AABB_PASS(pass_lanes4, aabb_lanes v = aabb_lanes_of(r), 4,
           AABB_LANES(4, aabb4_hit(&w->b4[k], &v, t)))
@@ -221,7 +221,7 @@ static inline void measure_lanes(const options *o)
                         "test|boxes at once|bytes a box|time of a box [ns]");
     time_passes(o, 4, pass, ns);
     for (size_t k = 0; k < 4; k++) {
-        table_text(&t, "%s", name[k]), table_count(&t, k < 2 ? 1 : 4 << (k - 2));
+        table_text(&t, "%s", name[k]), table_count(&t, k < 2 ? 1 : 4 * (k - 1));
         table_count(&t, bytes[k]), table_number(&t, ns[k]);
     }
     output_extra_table(o, &t);

@@ -106,8 +106,8 @@ enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10,
 static const int cell_method[] = {aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_pbrt,
                                   aabb_of_inclusive, aabb_of_default};
 /* Hit, miss, a hit that is lost, a false alarm: linear light of blue, grey, red, yellow. */
-static const vec3 cell_colour[4] = {{0, 0.168f, 0.445f}, {0.8f, 0.8f, 0.8f}, {0.665f, 0.112f, 0},
-                                    {0.871f, 0.776f, 0.054f}};
+static const vec3 cell_colour[4] = {{0, 0.168, 0.445}, {0.8, 0.8, 0.8}, {0.665, 0.112, 0},
+                                    {0.871, 0.776, 0.054}};
 
 /* What cell (i, j) asks: is any of the boxes hit? Returns their number; *truth is the answer. */
 typedef int aabb_question(int i, int j, aabb *box, ray *r, bool *truth);

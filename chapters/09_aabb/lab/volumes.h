@@ -2,13 +2,13 @@
  * (包围球) and the oriented box (有向包围盒, OBB), a box that may be turned.
  *
  *   aabb_ball b = ball_round(p, n);        a sphere, its radius within 0.2 % of the smallest
- *   aabb_turned u = turned_round(p, n);    a turned box, of less surface than the aabb has: the best
- *                                          of 3000 small turns; a search, not the optimum
- *   ball_hit(&b, 1 / d.d, r, &t_enter)     as aabb_hit: never a false negative, t_enter not late
+ *   aabb_turned u = turned_round(p, n);    a turned box, of less surface than the aabb has: by 3000
+ *                                          small turns; a search, not the optimum
+ *   bounding_ball_hit(&b, 1 / d.d, r, &t_enter)   as aabb_hit: never a false negative, nor t_enter late
  *   turned_hit(&u, r, &t_enter)
  *   ball_area(&b), turned_area(&u)         surface, for (9.6)
- *   ray r = line_through(b, seed, i)       the i-th of lines that come from everywhere alike, through
- *                                          the sphere round the box b
+ *   ray r = line_through(b, seed, i)       the i-th of lines that come from everywhere alike,
+ *                                          through the sphere round the box b
  *
  * Both have room for rounding: what passes within 32 epsilon of the distance counts as a hit.
  * Sources: M. Bădoiu, K. Clarkson, "Smaller core-sets for balls", SODA 2003 (the sphere: go 1/i of
@@ -60,7 +60,7 @@ static inline aabb_ball ball_round(const vec3 *p, size_t n)
 }
 
 /* l is the way from the ray, where it is nearest, to the centre: a hit if |l| <= R. */
-static inline bool ball_hit(const aabb_ball *b, real inverse_dd, ray r, real *t_enter)
+static inline bool bounding_ball_hit(const aabb_ball *b, real inverse_dd, ray r, real *t_enter)
 {
     vec3 f = vsub(b->c, r.o);
     real middle = vdot(f, r.d) * inverse_dd, rr = b->r * b->r;
