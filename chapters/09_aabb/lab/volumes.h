@@ -4,7 +4,7 @@
  *   aabb_ball b = ball_round(p, n);        a sphere, its radius within 0.2 % of the smallest
  *   aabb_turned u = turned_round(p, n);    a turned box, of less surface than the aabb has: by 3000
  *                                          small turns; a search, not the optimum
- *   bounding_ball_hit(&b, 1 / d.d, r, &t_enter)   as aabb_hit: never a false negative, nor t_enter late
+ *   bounding_ball_hit(&b, 1 / d.d, r, &t_enter)   as aabb_hit: no false negative, t_enter not late
  *   turned_hit(&u, r, &t_enter)
  *   ball_area(&b), turned_area(&u)         surface, for (9.6)
  *   ray r = line_through(b, seed, i)       the i-th of lines that come from everywhere alike,
