@@ -67,14 +67,15 @@ static inline triangle mesh_triangle(const mesh *m, size_t i)
     return (triangle){m->v[k[0]], m->v[k[1]], m->v[k[2]]};
 }
 
-/* Only points that a triangle uses count: files often hold stray ones. O(triangles). */
+/* Only points that a triangle uses count: files often hold stray ones. A NaN is passed over: vmin and
+ * vmax keep their second argument then. O(triangles). */
 static inline bool mesh_bounds(const mesh *m, vec3 *lo, vec3 *hi)
 {
     *lo = (vec3){real_infinity, real_infinity, real_infinity};
     *hi = vneg(*lo);
     for (size_t i = 0; i < 3 * m->triangles; i++) {
-        *lo = vmin(*lo, m->v[m->index[i]]);
-        *hi = vmax(*hi, m->v[m->index[i]]);
+        *lo = vmin(m->v[m->index[i]], *lo);
+        *hi = vmax(m->v[m->index[i]], *hi);
     }
     return m->triangles > 0;
 }
