@@ -15,8 +15,8 @@
  * depend on the order of the search. (In first.h the last one wins at equal t.) An empty scene is
  * never hit. `out` is untouched on a miss.
  */
-#ifndef CLOSEST_H
-#define CLOSEST_H
+#ifndef MESH_CLOSEST_H
+#define MESH_CLOSEST_H
 
 #include "first.h"
 #include "mesh.h"

@@ -27,8 +27,8 @@
  * Inside-Outside Segmentation using Generalized Winding Numbers", ACM Trans. Graphics 32(4),
  * 2013.
  */
-#ifndef INSIDE_H
-#define INSIDE_H
+#ifndef MESH_INSIDE_H
+#define MESH_INSIDE_H
 
 #include "closest.h"
 

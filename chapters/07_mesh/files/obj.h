@@ -32,8 +32,8 @@
  *
  * Source: Wavefront, "Object files (.obj)", Advanced Visualizer manual, app. B1, 1995.
  */
-#ifndef OBJ_H
-#define OBJ_H
+#ifndef MESH_OBJ_H
+#define MESH_OBJ_H
 
 #include "../mesh.h"
 #include "../../../common/numbers/text.h"

@@ -7,8 +7,8 @@
  * digits, as many as give the same float32 back: what obj_read makes of the file is the mesh again,
  * so rounded. Files are written whole or not at all.
  */
-#ifndef OBJ_WRITE_H
-#define OBJ_WRITE_H
+#ifndef MESH_OBJ_WRITE_H
+#define MESH_OBJ_WRITE_H
 
 #include "../mesh.h"
 

@@ -6,8 +6,8 @@
  *
  * Errors are those of trials.h, times medians of interleaved rounds.
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef MESH_LAB_MEASURE_H
+#define MESH_LAB_MEASURE_H
 
 #include "../../../common/clock.h"
 #include "../../../common/lab/plot.h"

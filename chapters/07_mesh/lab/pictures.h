@@ -7,8 +7,8 @@
  *
  * False: stopped by Ctrl-C; the picture holds what there was.
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef MESH_LAB_PICTURES_H
+#define MESH_LAB_PICTURES_H
 
 #include "../../../common/image.h"
 #include "../../../common/parallel.h"

@@ -34,8 +34,8 @@
  * Sources: M. Newell, 1975; F. Crow, "The Origins of the Teapot", IEEE CG&A 7(1), 1987; J. Blinn,
  * "What, Teapots Again?", IEEE CG&A 7(9), 1987; G. Farin, Curves and Surfaces for CAGD, ch. 4, 14.
  */
-#ifndef TEAPOT_H
-#define TEAPOT_H
+#ifndef MESH_TEAPOT_H
+#define MESH_TEAPOT_H
 
 #include "../mesh.h"
 
