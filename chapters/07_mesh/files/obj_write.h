@@ -3,6 +3,8 @@
  *   if (!obj_write("pot.obj", &m, &f)) fail(f);   points, texture coordinates, normals, triangles
  *   if (!mtl_write("pot.mtl", &m, &f)) fail(f);   a colour (Kd) for each name that usemtl has
  *
+ *   mesh_write(&m, "pot.obj");                    both
+ *
  * pot.obj names pot.mtl where the mesh has names; both go to one folder. Numbers have 6 to 9
  * digits, as many as give the same float32 back: what obj_read makes of the file is the mesh again,
  * so rounded. Files are written whole or not at all.
@@ -10,6 +12,7 @@
 #ifndef MESH_OBJ_WRITE_H
 #define MESH_OBJ_WRITE_H
 
+#include "../../../common/output.h"
 #include "../mesh.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -76,6 +79,18 @@ static inline bool mtl_write(const char *path, const mesh *m, failure *f)
         if (k == i && *name) fprintf(w.stream, "newmtl %s\nKd %s\n", name, colour[n++ % 5]);
     }
     return file_commit(&w, f);
+}
+
+/* Both, the materials beside the mesh, said in the program's last line. Ends the program on failure. */
+static inline void mesh_write(const mesh *m, const char *path)
+{
+    failure f;
+    char *beside = allocate(strlen(path) + 1, 1);
+    strcpy(beside, path), strcpy(beside + strlen(path) - 4, ".mtl");
+    if (!obj_write(path, m, &f) || (m->runs && !mtl_write(beside, m, &f))) fail(f);
+    output_note(path);
+    if (m->runs) output_note(beside);
+    free(beside);
 }
 
 #endif
