@@ -1,7 +1,7 @@
 /* measure.h: the tables and plots of this chapter. Errors are those of trials.h, times medians of
  * interleaved rounds.
  *
- *   inside_report(&o);                 five answers to "inside?": wrong answers, time; the main table
+ *   inside_report(&o);                 answers to "inside?": errors and times; the main table
  *   cost_report(&o, &m, is_main);      the closest hit in parts of a mesh: O(n)
  *   shapes_report(&o);                 cones and polygons, the textbook's and ours
  *   files_report(&o);                  reading OBJ files: megabytes a second
@@ -302,18 +302,19 @@ static inline double files_run(void *context)
     return n;
 }
 
-/* The teapot as a file of points, normals and faces i//n, read back from memory of the disk. */
+/* The teapot as a file of points, normals and faces i//n. */
 static inline void files_report(const options *o)
 {
     const char *const path = "build/07_mesh_teapot.obj";
     failure f;
     struct stat file;
-    mesh m = teapot_mesh(o->quick ? 8 : 50);
+    mesh m = teapot_mesh(50);
     mkdir("build", 0777);  /* if that fails, writing the file says why */
     if (!obj_write(path, &m, &f)) fail(f);
     stat(path, &file);
     files_batch b[2] = {{path, true}, {path, false}};
-    clock_variant v[2] = {{"first_obj_read", files_run, &b[0], 0}, {"obj_read", files_run, &b[1], 0}};
+    clock_variant v[2] = {{"first_obj_read", files_run, &b[0], 0},
+                          {"obj_read", files_run, &b[1], 0}};
     clock_compare(v, 2, rounds);
     table t = table_new("Reading an OBJ file", "method|triangles|bytes|time [MB/s]");
     for (int k = 0; k < 2; k++) {
