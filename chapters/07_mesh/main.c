@@ -43,8 +43,7 @@ int main(int argc, char **argv)
     int fineness = 6, samples = 0;
     option own[] = {
         {"mesh", OPTION_INPUT, &path, 0, 0, "an OBJ file: draw it, and measure on it"},
-        {"up", OPTION_TEXT, &up, 0, 0,
-         "axis that points upwards: x, y or z; default y, of the teapot z"},
+        {"up", OPTION_TEXT, &up, 0, 0, "axis upwards: x, y or z; default y, of the teapot z"},
         {"smooth", OPTION_FLAG, &smooth, 0, 0, "normals from the triangles around each vertex"},
         {"flat", OPTION_FLAG, &flat, 0, 0, "one normal a triangle, whatever the file gives"},
         {"teapot", OPTION_INT, &fineness, 1, 500, "cells along each side of its patches"},
