@@ -105,7 +105,7 @@ static void test_inside(void)
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(2, i, 0);
         vec3 p, d;
-        (void)inside_question(&m, &s, AT_RANDOM, &p, &d);
+        (void)inside_question(&m, &s, AT_RANDOM, 0, &p, &d);
         bool is = first_mesh_inside(&soup, p, d);
         inside += is, wrong += is != inside_winding(&m, p);
     }
@@ -329,10 +329,11 @@ static void test_program(void)
     check_equal(run("07_mesh_first", arguments), 0, "an empty file: an empty picture");
 }
 
-/* The commands of the pages that name files of the repository, as they stand there; with --quick. */
+/* The commands of the pages, as they stand there, with files of the repository; and --quick. */
 static void test_commands(void)
 {
-    static const char *const page[] = {"chapters/07_mesh/README.md", "chapters/07_mesh/MEASURED.md"};
+    static const char *const page[] = {"chapters/07_mesh/README.md",
+                                       "chapters/07_mesh/MEASURED.md"};
     int tried = 0;
     mkdir("build", 0777);
     for (int k = 0; k < 2; k++) {
