@@ -674,7 +674,7 @@ static void test_writing(void)
     close(file);
     for (size_t i = 0; i < n; i++) {
         string s = random_file(6 + below(200));
-        mesh m, o;
+        mesh m, o = {0};
         if (!read_bytes(s.p, s.n, UINT32_MAX, &m, &f)) abort();
         file_forget(path);
         bool ok = obj_write(path, &m, &f) && obj_read(path, &o, &f);
