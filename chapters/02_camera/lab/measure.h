@@ -185,10 +185,10 @@ static inline camera_means camera_stripe_means(int n, int trials)
 static inline void camera_measure_means(const options *o)
 {
     table t = table_new("A stripe under a tent, exactly 3/4: what two ways to divide make of it",
-                        "random rays|by their weights: bias|spread|by the expected weight: bias|"
-                        "spread");
+                        "random rays|bias, own weights|spread, own|bias, expected weight|"
+                        "spread, expected");
     for (int n = 1; n <= 64; n *= 4) {
-        camera_means m = camera_stripe_means(n, 400000 / n);
+        camera_means m = camera_stripe_means(n, 2000000 / n);
         table_count(&t, (size_t)n);
         for (int k = 0; k < 2; k++) table_number(&t, m.bias[k]), table_number(&t, m.spread[k]);
     }
@@ -250,7 +250,7 @@ static inline void camera_measure_far(const options *o)
     plot p = plot_new("A ray far from the origin", "|e| [m]", "largest error [pixels]",
                       PLOT_LOG_X | PLOT_LOG_Y);
     table t = table_new("A ray far from the origin, largest error of 2000 [pixels]",
-                        "|e| [m]|error of s - e|error of (2.5)|time s - e [ns]|time (2.5) [ns]");
+                        "distance of e [m]|error of s - e|error of (2.5)|time s - e [ns]|time (2.5) [ns]");
     for (int i = 0; i < ways; i++) {
         char text[64];
         snprintf(text, sizeof text, "%s, %s", name[i % 2],
