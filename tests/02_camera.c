@@ -341,7 +341,7 @@ static void test_wide_view(void)
 /* What the picture of a camera far away is drawn with: each operation in float, both times. */
 static void test_float_directions(void)
 {
-    const double eps_f32 = FLT_EPSILON;
+    const double eps_f32 = (double)FLT_EPSILON;
     double direct = 0, lost = 0;
     for (int i = 0; i < 2000; i++) {
         camera c = any_camera(2, 0);
