@@ -209,8 +209,8 @@ static void test_pixels_exactly(void)
     if (!camera_off_axis(f, (camera_window){-1, 3, -2, 2}, 2, &c, &why)) fail(why);
     ray top_left = camera_ray(c, 0, 0, 64, 64), bottom_right = camera_ray(c, 64, 64, 64, 64);
     check(top_left.d.x == -1 && top_left.d.y == 2 && top_left.d.z == -2,
-          "(0, 0) is the corner (l, t)");
-    check(bottom_right.d.x == 3 && bottom_right.d.y == -2, "(nx, ny) is the corner (r, b)");
+          "(0, 0) is the corner (left, top)");
+    check(bottom_right.d.x == 3 && bottom_right.d.y == -2, "(nx, ny) is the corner (right, bottom)");
     check(top_left.o.z == 8 && top_left.tmin == 0 && top_left.tmax == real_infinity,
           "from e, forward");
     /* FCG: pixel (i, j), j counting upward: u = l + (r-l)(i + .5)/nx, v = b + (t-b)(j + .5)/ny */
@@ -334,7 +334,7 @@ static void test_wide_view(void)
             worst = worse(worst, ray_error(c, d, x, y, 512, 512) * 2 * (double)half / 512);
         }
         check_at_most(worst, 4 * eps * (double)half, "angle: 4 epsilon tan(phi / 2) at the most");
-        check_at_least(worst, 0.1 * eps * (double)half, "and no less than a tenth of epsilon of it");
+        check_at_least(worst, 0.1 * eps * (double)half, "and no less than a tenth");
     }
 }
 

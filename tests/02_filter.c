@@ -216,9 +216,9 @@ static void test_convergence(void)
     }
 }
 
-/* Dividing by the weights that came is biased: with one ray the mean is the colour of that ray, and
- * its weight drops out, so the tent becomes a box of its size, 1/2 instead of 3/4. The bias falls as
- * 1 / N, the spread as 1 / sqrt(N). Dividing by the expected weight has no bias, and spreads more. */
+/* Dividing by the weights that came is biased: with one ray the mean is the colour of that ray, its
+ * weight drops out, and the tent becomes a box of its size, 1/2 instead of 3/4. The bias falls as
+ * 1/N, the spread as 1/sqrt(N). Dividing by the expected weight has no bias, and spreads more. */
 static void test_bias(void)
 {
     const int n = (int)check_count(400000);

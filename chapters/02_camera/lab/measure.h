@@ -250,7 +250,8 @@ static inline void camera_measure_far(const options *o)
     plot p = plot_new("A ray far from the origin", "|e| [m]", "largest error [pixels]",
                       PLOT_LOG_X | PLOT_LOG_Y);
     table t = table_new("A ray far from the origin, largest error of 2000 [pixels]",
-                        "distance of e [m]|error of s - e|error of (2.5)|time s - e [ns]|time (2.5) [ns]");
+                        "distance of e [m]|error of s - e|error of (2.5)|time s - e [ns]|"
+                        "time (2.5) [ns]");
     for (int i = 0; i < ways; i++) {
         char text[64];
         snprintf(text, sizeof text, "%s, %s", name[i % 2],
