@@ -1,0 +1,149 @@
+#!/bin/sh
+# shellcheck disable=SC2016
+# The tables in the pages are what the programs print: for each block of README.md and MEASURED.md that
+# begins with a title "# ..." and a line "# ...; real = ..", the program of the chapter must print a table
+# of that title and precision, with the same header, the same rows and the same cells, but for those that
+# are times. FULL=1: the programs run with --full, and every table must be found; otherwise those that
+# the default run prints are compared. BUILD names the directory of the programs, JOBS how many at a time.
+passed=0 failed=0
+ok() { passed=$((passed + 1)); }
+no() { failed=$((failed + 1)); echo "pages.sh: FAILED: $1"; }
+root=$PWD
+case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+
+# tables FILE: each line "title<TAB>real<TAB>header<TAB>row<TAB>row..", cells divided by |, timed ones as *
+tables() {
+    tr -d '\r' <"$1" | awk -v page="${2:-}" '
+        function cells(line) { gsub(/^ +| +$/, "", line); gsub(/   */, "|", line); return line }
+        # A column of times, or of what follows from them; in a table of times all but the first.
+        function timed(name) {
+            return name ~ /time|\[(n|u|m)?s[] \/]|\/s$|ns\/|per second|ratio|efficiency|pays|front|\[time/ }
+        function mask(line,   n, c, i, out) {
+            n = split(line, c, "|"); out = c[1]
+            for (i = 2; i <= n; i++)
+                out = out "|" (hidden[i] || (all && i > 1) ? (c[i] == "-" ? "-" : "*") : c[i])
+            return out }
+        function flush() { if (title != "" && body != "") print title "\t" real "\t" body
+                           title = ""; body = ""; state = 0 }
+        { line = $0; sub(/^    /, "", line) }
+        state == 2 && line ~ /^#|^ *$|^```/ { flush() }
+        state == 2 { body = body "\t" mask(cells(line)); next }
+        state == 1 && line ~ /^# .*real = / {
+            real = line; sub(/.*real = /, "", real); sub(/[^a-z].*/, "", real); state = 3; next }
+        state == 3 { header = cells(line); n = split(header, h, "|"); delete hidden
+                     for (i = 1; i <= n; i++) hidden[i] = timed(h[i])
+                     all = title ~ /\[ns\]|[Nn]anoseconds|[Mm]illiseconds|[Ss]econds|: time/
+                     body = header; state = 2; next }
+        line ~ /^# / { title = line; state = 1; next }
+        { state = 0 }
+        END { flush() }'
+}
+
+# differ PAGE OUTPUT: what the page says and the output does not; with FULL also what is not printed
+differ() {
+    tables "$1" >"$scratch/said"; tables "$2" >"$scratch/printed"
+    awk -F'\t' -v full="${FULL:-}" -v real="${REAL:-double}" '
+        NR == FNR { seen[$1, $2] = seen[$1, $2] $0 "\n"; next }
+        $2 != real { next }
+        !(($1, $2) in seen) { if (full) print "MISSING\t" $1; next }
+        index(seen[$1, $2], $0 "\n") { print "SAME\t" $1; next }
+        { split(seen[$1, $2], p, "\n"); n = split($0, a, "\t"); m = split(p[1], b, "\t"); why = ""
+          for (i = 3; i <= n && why == ""; i++) if (a[i] != b[i]) why = a[i] "  <>  " b[i]
+          if (why == "") why = (m - 2) " lines printed, " (n - 2) " said"
+          print "OTHER\t" $1 ": " why }' "$scratch/printed" "$scratch/said"
+}
+
+# The comparison sees what it is there to see.
+printf '    # A\n    # x; real = double\n    method  error  time [ns]\n    naive     0.5       12\n' >"$scratch/page"
+printf '# A\n# y; real = double\nmethod  error  time [ns]\nnaive     0.5       99\n\n' >"$scratch/same"
+sed 's/0\.5/0.6/' "$scratch/same" >"$scratch/other"
+sed 's/naive/robust/' "$scratch/same" >"$scratch/row"
+seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" | cut -f1; done | tr '\n' ' ')
+if [ "$seen" = "SAME OTHER OTHER " ]; then ok; else no "two planted differences, seen: $seen"; fi
+
+# A page in the form of a lecture (it has a part "The idea"): its parts in order, its code word for word in
+# first.h or first.c, the numbers of its formulas rising, nothing in them that a renderer would drop, no
+# more words than a sitting takes, and every file that it links to or shows is there.
+lecture() {  # lecture FOLDER: a line for each fault
+    awk -v folder="$1" '
+        function slurp(file,   text, line) { text = ""
+            while ((getline line < file) > 0) text = text line "\n"
+            close(file); return text }
+        BEGIN { board = slurp(folder "/first.h") "\n" slurp(folder "/first.c")
+                n = split("The idea|The formulas|The code|Try it|Where it breaks|What accuracy costs|" \
+                          "Only what is called for|What the notes say|Exercises|Going on", part, "|")
+                for (i = 1; i <= n; i++) place[part[i]] = i }
+        function compare() { if (code != "" && kind == "c" && !index(board, code))
+                                 print "not in first.h: " substr(code, 1, index(code, "\n") - 1)
+                             code = "" }
+        /^```/ { compare()
+                 kind = kind == "" ? (/^```c$/ ? "c" : "other") : ""; code = ""; next }
+        kind != "" && /^ *$/ { compare() }  # what stands between may be left out
+        kind != "" { code = code ($0 ~ /^ *$/ ? "" : $0 "\n"); next }
+        /^    / { next }
+        /^## / { name = substr($0, 4)
+                 if (!(name in place)) print "no part of a lecture: " name
+                 else if (place[name] <= last) print "out of order: " name
+                 else last = place[name]
+                 have[name] = 1 }
+        /\$\$/ && /\\(tag|,|;|!)/ { print "a formula that some renderers drop: " $0 }
+        /\$\$.*\([0-9]+\.[0-9]+\)/ { number = $0; sub(/.*\(/, "", number); sub(/\).*/, "", number)
+                 split(number, at, "."); if (at[2] + 0 <= risen) print "numbers do not rise: " number
+                 risen = at[2] + 0 }
+        { words += NF }
+        END { split("The idea|The formulas|The code|Try it|Exercises|Going on", must, "|")
+              for (i in must) if (!(must[i] in have)) print "lacks: " must[i]
+              if (words > 1450) print words " words: at most 1450 beside code and tables" }' "$1/README.md"
+}
+links() {  # links FILE: files that it shows or leads to and that are not there
+    page_folder=$(dirname "$1")
+    tr ')' '\n' <"$1" | sed -n 's/.*](\([^#: ]*\)\(#.*\)\{0,1\}$/\1/p' | sort -u | while read -r to; do
+        [ -z "$to" ] || [ -e "$page_folder/$to" ] || echo "leads nowhere: $to"
+    done
+}
+for page in README.md chapters/README.md chapters/*/*.md; do
+    faults=$(links "$page"; grep -q '^## The idea' "$page" && lecture "$(dirname "$page")")
+    if [ -z "$faults" ]; then ok; else no "$page: $faults"; fi
+done
+mkdir -p "$scratch/page_of" && printf '# A\n## The code\n```c\nint x;\n```\n## The idea\n[a](b.h)\n$$x \\, (1.2)$$\n$$y (1.1)$$\n' \
+    >"$scratch/page_of/README.md"
+printf 'int y;\n' | tee "$scratch/page_of/first.h" >"$scratch/page_of/first.c"
+seen=$( (lecture "$scratch/page_of"; links "$scratch/page_of/README.md") | wc -l)
+if [ "$seen" -eq 9 ]; then ok; else no "9 planted faults of a page, $seen seen"; fi
+
+# Programs cut short, or with another compiler's libm, would print other numbers.
+if [ -n "${CHECK_DIVISOR:-}" ]; then echo "pages.sh: $passed passed, $failed failed"; exit $failed; fi
+
+names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
+[ -n "${ONLY:-}" ] && names=$ONLY
+run_one() {
+    mkdir -p "$scratch/run/$1" && cd "$scratch/run/$1" || return
+    "$BUILD/$1" ${FULL:+--full} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
+        echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
+}
+mkdir "$scratch/run"; : >"$scratch/run/failed"
+at_work=0
+for name in $names; do
+    [ -x "$BUILD/$name" ] || { no "$name is not built"; continue; }
+    cat "$root/chapters/$name"/*.md | grep -q "real = ${REAL:-double}" || continue
+    run_one "$name" &
+    at_work=$((at_work + 1))
+    if [ $at_work -ge "${JOBS:-2}" ]; then wait; at_work=0; fi
+done
+wait
+[ -s "$scratch/run/failed" ] && no "$(cat "$scratch/run/failed")"
+for name in $names; do
+    for page in README.md MEASURED.md; do
+        if ! [ -f "$root/chapters/$name/$page" ] || ! [ -f "$scratch/run/$name.out" ]; then continue; fi
+        differ "$root/chapters/$name/$page" "$scratch/run/$name.out" >"$scratch/found"
+        passed=$((passed + $(grep -c '^SAME' "$scratch/found")))
+        while IFS='	' read -r verdict text; do
+            [ "$verdict" = SAME ] || no "$name/$page: $verdict: $text"
+        done <"$scratch/found"
+        # A table without its line "real = .." could not be compared: none may stand there.
+    done
+done
+echo "pages.sh: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
