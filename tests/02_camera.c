@@ -210,7 +210,8 @@ static void test_pixels_exactly(void)
     ray top_left = camera_ray(c, 0, 0, 64, 64), bottom_right = camera_ray(c, 64, 64, 64, 64);
     check(top_left.d.x == -1 && top_left.d.y == 2 && top_left.d.z == -2,
           "(0, 0) is the corner (left, top)");
-    check(bottom_right.d.x == 3 && bottom_right.d.y == -2, "(nx, ny) is the corner (right, bottom)");
+    check(bottom_right.d.x == 3 && bottom_right.d.y == -2,
+          "(nx, ny) is the corner (right, bottom)");
     check(top_left.o.z == 8 && top_left.tmin == 0 && top_left.tmax == real_infinity,
           "from e, forward");
     /* FCG: pixel (i, j), j counting upward: u = l + (r-l)(i + .5)/nx, v = b + (t-b)(j + .5)/ny */
