@@ -40,7 +40,7 @@ static void test_places(void)
     has(s, "stroke=\"none\"");
     has(s, "M90.0,200.0A30,30 0 0 0 60.0,170.0");
     g = sheet();
-    figure_arrow(&g, 0, 0, 1, 0, FIGURE_BLACK, 2);  /* a head of 10 x 8 pixels, its shaft ends inside */
+    figure_arrow(&g, 0, 0, 1, 0, FIGURE_BLACK, 2);  /* a head of 10 x 8 pixels, shaft inside */
     has(drawn(&g), "M60.0,200.0L152.0,200.0\"");
     has(svg, "M160.0,200.0L150.0,204.0L150.0,196.0Z");
     g = sheet();
