@@ -369,6 +369,41 @@ static void test_extreme_sizes(void)
           "nor is one beyond its negative, in an interval without beginning");
 }
 
+/* A ray along x that passes the centre at y, |o - c| about 1, and radii
+ * from 0 to 2 y. The squares of R and y are beyond the smallest double long before they are. */
+static void test_passes_nearby(void)
+{
+    size_t wrong = 0, off = 0;
+    int least = real_is_float ? 140 : 680;
+    for (int k = 1; k < least; k++) {
+        real y = (real)1.5 * exp2((real)-k), e = real_epsilon;
+        const real R[] = {0, y / 2, y * (1 - e), y, y * (1 + e), 2 * y};
+        for (int turn = 0; turn < 3; turn++)
+            for (int i = 0; i < 6; i++) {
+                vec3 o = vec(turn == 0 ? 0 : y, turn == 1 ? 0 : y, turn == 2 ? 0 : y);
+                sphere ball = {vwith(vwith(o, (turn + 1) % 3, 0), turn, 1), R[i]};
+                real t0 = 0, t1 = 0;
+                bool is = sphere_roots(ball, ray_from(o, vwith(vec(0, 0, 0), turn, 1)), &t0, &t1);
+                wrong += is != (R[i] >= y);
+                off += is && k > 60 && (t0 != 1 || t1 != 1);
+            }
+    }
+    check_equal(wrong, 0, "hit or miss of spheres as small as the distance they are passed at");
+    check_equal(off, 0, "t of those hits");
+    real y = (real)1e-30;
+    check(!sphere_hit((sphere){{1, 0, 0}, 0}, ray_from(vec(0, y, 0), vec(1, 0, 0)), &(hit){0}),
+          "R = 0, passed at 1e-30");
+    if (!real_is_float)
+        check(!sphere_hit((sphere){{1, 0, 0}, 0}, ray_from(vec(0, 1e-170, 0), vec(1, 0, 0)),
+                          &(hit){0}), "R = 0, passed at 1e-170");
+    real big = real_largest / 2;
+    check(sphere_hit((sphere){{big, 0, 0}, big / 4}, ray_from(vec(-big, 0, 0), vec(big, 0, 0)),
+                     &(hit){0}), "o - c of the size of the largest real");
+    big = real_largest;
+    check(sphere_hit((sphere){{big, 0, 0}, big / 4}, ray_from(vec(-big, 0, 0), vec(big, 0, 0)),
+                     &(hit){0}), "o - c beyond the largest real");
+}
+
 static void test_degenerate(void)
 {
     real t0 = 5, t1 = 5, nan = (real)NAN, inf = real_infinity;
@@ -443,6 +478,7 @@ int main(void)
     test_tiny_and_far();
     test_on_the_surface();
     test_extreme_sizes();
+    test_passes_nearby();
     test_degenerate();
     test_invariants();
     return check_report("03_sphere");
