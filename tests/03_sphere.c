@@ -409,11 +409,15 @@ static void test_degenerate(void)
     real t0 = 5, t1 = 5, nan = (real)NAN, inf = real_infinity;
     hit h = hit_none;
     sphere unit = {{0, 0, 0}, 1}, point = {{1, 2, 3}, 0}, inner = {{1, 2, 3}, -5};
+    size_t doubts = sphere_doubts;
+    check(sphere_roots(unit, ray_from((vec3){0, 0, 3}, (vec3){0, 0, 1}), &t0, &t1)
+              && sphere_doubts == doubts, "a clear ray is looked at once");
     check(sphere_roots(unit, ray_from((vec3){1, 0, 0}, (vec3){0, 3, 0}), &t0, &t1),
           "touches where it starts");
     check(t0 == 0 && t1 == 0, "and there alone: no 0 / 0");
     check(sphere_roots(unit, ray_from((vec3){1, -2, 0}, (vec3){0, 2, 0}), &t0, &t1), "tangent");
     check(t0 == 1 && t1 == 1, "a tangent has one root");
+    check_equal(sphere_doubts, doubts + 2, "tangents are looked at twice, and counted");
     check(sphere_hit(point, ray_from((vec3){1, 2, 13}, (vec3){0, 0, -4}), &h),
           "R = 0: a ray through the point");
     check_equal(h.t, (real)2.5, "R = 0: the point");

@@ -42,6 +42,7 @@
 #include "../../common/numbers/wide.h"
 #include "plane.h"
 #include <limits.h>
+#include <stddef.h>
 
 /* A ray, ready for (4.9): axis kz is the longest of D; o the origin in the order kx, ky, kz. */
 typedef struct { int kx, ky, kz; vec3 o; real sx, sy, sz; } ray_shear;
@@ -161,6 +162,9 @@ static inline bool signs_differ(real x, real y, real z)
     return real_min(real_min(x, y), z) < 0 && real_max(real_max(x, y), z) > 0;
 }
 
+/* How often this thread computed edge functions a second time: for whoever wants to count. */
+static _Thread_local size_t triangle_doubts;
+
 /* The edge functions of a, b, c with their exact signs: each axis is scaled by its own power of
  * two, so that nothing over- or underflows, and the rounding of the products is given back. All
  * three change by one factor, which t does not see. Zero only if two corners and the ray are
@@ -170,6 +174,7 @@ static bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
 {
     vec3 x = {a.x, b.x, c.x}, y = {a.y, b.y, c.y};
     int up;
+    triangle_doubts++;
     if (!vfinite(x) || !vfinite(y)) return false;
     x = vscaled(x, &up), y = vscaled(y, &up);
     e->x = difference_of_products(x.z, y.y, y.z, x.y);

@@ -16,8 +16,9 @@ static inline void sphere_measure(const options *o);
 
 enum { sphere_timed = 1024, sphere_repeats = 20 };
 
-/* Each method in a loop of its own, so that it can be inlined. */
+/* Each method in a loop of its own, and inlined there. */
 #define SPHERE_TIMED(name, X_hit)                                                                  \
+    __attribute__((flatten))                                                                       \
     static double name(void *context)                                                              \
     {                                                                                              \
         const sphere_shot *s = context;                                                            \
