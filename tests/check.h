@@ -7,8 +7,8 @@
  *       return check_report("03_sphere");          prints "03_sphere: 12 passed, 0 failed"
  *   }
  *
- * check_count(n) is a quarter of n, so that `make test` is quick; with CHECK_SOAK=1 in the environment
- * (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind), n / d.
+ * check_count(n) is a quarter of n, so that `make test` is quick; with CHECK_SOAK=1 in the
+ * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind), n / d.
  */
 #ifndef CHECK_H
 #define CHECK_H

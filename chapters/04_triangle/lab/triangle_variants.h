@@ -29,38 +29,19 @@
 #ifndef TRIANGLE_VARIANTS_H
 #define TRIANGLE_VARIANTS_H
 
+#include "../../../common/lab/vec3_f32.h"
 #include "../triangle.h"
-
-typedef struct { float x, y, z; } triangle_vec_f32;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline triangle_vec_f32 f32_of(vec3 a)
-{
-    return (triangle_vec_f32){(float)a.x, (float)a.y, (float)a.z};
-}
-static inline triangle_vec_f32 f32_sub(triangle_vec_f32 a, triangle_vec_f32 b)
-{
-    return (triangle_vec_f32){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-static inline float f32_dot(triangle_vec_f32 a, triangle_vec_f32 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static inline triangle_vec_f32 f32_cross(triangle_vec_f32 a, triangle_vec_f32 b)
-{
-    return (triangle_vec_f32){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 static inline bool triangle_hit_plane_f32(triangle tri, ray r, hit *out)
 {
-    triangle_vec_f32 a = f32_of(tri.a), b = f32_of(tri.b), c = f32_of(tri.c);
-    triangle_vec_f32 o = f32_of(r.o), d = f32_of(r.d);
-    triangle_vec_f32 n = f32_cross(f32_sub(b, a), f32_sub(c, a));
+    vec3_f32 a = f32_of(tri.a), b = f32_of(tri.b), c = f32_of(tri.c);
+    vec3_f32 o = f32_of(r.o), d = f32_of(r.d);
+    vec3_f32 n = f32_cross(f32_sub(b, a), f32_sub(c, a));
     float t = f32_dot(f32_sub(a, o), n) / f32_dot(d, n);
     if (!isfinite(t) || !ray_covers(r, (real)t)) return false;
-    triangle_vec_f32 p = {o.x + t * d.x, o.y + t * d.y, o.z + t * d.z};
+    vec3_f32 p = {o.x + t * d.x, o.y + t * d.y, o.z + t * d.z};
     float wa = f32_dot(n, f32_cross(f32_sub(c, b), f32_sub(p, b)));
     float wb = f32_dot(n, f32_cross(f32_sub(a, c), f32_sub(p, c)));
     float wc = f32_dot(n, f32_cross(f32_sub(b, a), f32_sub(p, a)));
@@ -72,9 +53,9 @@ static inline bool triangle_hit_plane_f32(triangle tri, ray r, hit *out)
 
 static inline bool triangle_hit_moller_trumbore_f32(triangle tri, ray r, hit *out)
 {
-    triangle_vec_f32 a = f32_of(tri.a), d = f32_of(r.d), s = f32_sub(f32_of(r.o), a);
-    triangle_vec_f32 e1 = f32_sub(f32_of(tri.b), a), e2 = f32_sub(f32_of(tri.c), a);
-    triangle_vec_f32 p = f32_cross(d, e2), q = f32_cross(s, e1);
+    vec3_f32 a = f32_of(tri.a), d = f32_of(r.d), s = f32_sub(f32_of(r.o), a);
+    vec3_f32 e1 = f32_sub(f32_of(tri.b), a), e2 = f32_sub(f32_of(tri.c), a);
+    vec3_f32 p = f32_cross(d, e2), q = f32_cross(s, e1);
     float det = f32_dot(e1, p), inverse = 1 / det;
     float u = f32_dot(s, p) * inverse, v = f32_dot(d, q) * inverse, t = f32_dot(e2, q) * inverse;
     float least = u < v ? u : v;
