@@ -1,7 +1,7 @@
 /* slips.h: the experiment of this chapter. Stand inside a closed mesh, aim at an edge or a vertex:
  * the ray must hit something. If it hits nothing, it slipped through (漏缝).
  *
- *       q------            Aimed: D = point - O, rounded to real; the point is a corner of the mesh
+ *       q------            Aimed: d = point - o, rounded to real; the point is a corner of the mesh
  *      / \    /            or, rounded too, a point of the edge p q. Such a ray does not meet the
  *     /   x<-/------- O    edge exactly, and that is what matters: it passes where the rounding
  *    /     \/              errors of the neighbours decide which of them it hits, if any.
