@@ -70,8 +70,8 @@ static inline void sphere_main_table(const options *o)
     double ns[sphere_methods];
     table t = table_new("Ray and sphere: how near the limb rays are misclassified, seen from 1e2 to"
                         " 1e6 R; time of a test",
-                        "method|error edge, 1e2 R|error edge, 1e4 R|error edge, 1e6 R|"
-                        "error grazing wrong, 1e6 R [%]|time [ns]");
+                        "method|error edge 1e2 R|error edge 1e4 R|error edge 1e6 R|"
+                        "error grazing wrong 1e6 R [%]|time [ns]");
     sphere_time(o, SPHERE_ANYWHERE, 100, ns);
     for (int m = 0; m < sphere_methods; m++) {
         table_text(&t, "%s", sphere_method_name[m]);

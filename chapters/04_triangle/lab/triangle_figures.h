@@ -108,7 +108,8 @@ static inline void triangle_draw_edges(const options *o)
         figure_origin(&g, k ? 404 : 396, 190, 150);  /* a little apart */
         figure_polygon(&g, 3, xy, colour, 0.15, NULL);
         figure_edge(&g, v[0], v[1], e[0], k ? 10 : -10, k ? -40 : 46,
-                    k ? FIGURE_LEFT : FIGURE_RIGHT, colour, k ? "_E_(*b*, *a*) = " : "_E_(*a*, *b*) = ");
+                    k ? FIGURE_LEFT : FIGURE_RIGHT, colour,
+                    k ? "_E_(*b*, *a*) = " : "_E_(*a*, *b*) = ");
         figure_edge(&g, v[1], v[2], e[1], k ? 0 : -6, k ? 22 : -10, FIGURE_MIDDLE, colour, "");
         figure_edge(&g, v[2], v[0], e[2], k ? 20 : -6, k ? -10 : 22, FIGURE_MIDDLE, colour, "");
         figure_text(&g, (xy[0] + xy[2] + xy[4]) / 3, (xy[1] + xy[3] + xy[5]) / 3, k ? 20 : -40,
