@@ -389,6 +389,14 @@ static void test_passes_nearby(void)
             }
     }
     check_equal(wrong, 0, "hit or miss of spheres as small as the distance they are passed at");
+    size_t askew = 0;
+    for (int k = 1; k < least; k++) {
+        real y = exp2((real)-k), t0, t1;
+        ray r = ray_from(vec(0, 0, 0), vec(1, y, 0));  /* passes (1, 2 y) at y cos, cos >= 0.89 */
+        askew += sphere_roots((sphere){{1, 2 * y, 0}, (real)0.88 * y}, r, &t0, &t1)
+                 || !sphere_roots((sphere){{1, 2 * y, 0}, y}, r, &t0, &t1);
+    }
+    check_equal(askew, 0, "and of those that a ray passes which climbs as little");
     check_equal(off, 0, "t of those hits");
     real y = (real)1e-30;
     check(!sphere_hit((sphere){{1, 0, 0}, 0}, ray_from(vec(0, y, 0), vec(1, 0, 0)), &(hit){0}),

@@ -23,7 +23,7 @@
  *   R = 0                        the point c: hit by a ray exactly through it; normal 0
  *   d = 0, a NaN, an infinity    a miss
  *   extreme sizes                right as long as the points and t can be written as reals, and
- *                                no component of d, or of o - c, is 1e-200 of another or less
+ *                                no component of d, or of o - c, but 0 is 1e-200 of another
  *
  * Sources: A. Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 2; E. Haines et al.,
  * "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, ch. 7; J. Shewchuk,

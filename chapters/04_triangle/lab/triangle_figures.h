@@ -107,7 +107,7 @@ static inline void triangle_draw_edges(const options *o)
                              (double)v[2].x, (double)v[2].y};
         figure_origin(&g, k ? 404 : 396, 190, 150);  /* a little apart */
         figure_polygon(&g, 3, xy, colour, 0.15, NULL);
-        figure_edge(&g, v[0], v[1], e[0], k ? 10 : -10, k ? -40 : 46,
+        figure_edge(&g, v[0], v[1], e[0], k ? 10 : -10, k ? -12 : 46,
                     k ? FIGURE_LEFT : FIGURE_RIGHT, colour,
                     k ? "_E_(*b*, *a*) = " : "_E_(*a*, *b*) = ");
         figure_edge(&g, v[1], v[2], e[1], k ? 0 : -6, k ? 22 : -10, FIGURE_MIDDLE, colour, "");
