@@ -175,11 +175,10 @@ static void test_random_rays_show_nothing(void)
     icosphere_free(&m);
 }
 
-/* Bounds are about a third of the rates in the README: they do not come from the seed. */
+/* Bounds are about a third of the measured rates: they do not come from the seed. */
 static void test_naive_forms_slip(void)
 {
     const struct { const char *name; triangle_method *hit; double vertex, edge; } naive[] = {
-        {"plane + inside, float", triangle_hit_plane_f32, 0.02, 0.03},
         {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, 0.03, 0.03},
         {"plane + inside", triangle_hit_plane, 0.03, 0.03},
         {"first: Möller-Trumbore", first_triangle_hit, 0.03, 0.03},
@@ -189,9 +188,9 @@ static void test_naive_forms_slip(void)
     icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1), f = icosphere_new(4, (vec3){0, 0, 0}, 1);
     icosphere_f32(&f);
     size_t n = check_count(10000) > 2000 ? check_count(10000) : 2000;
-    for (int k = 0; k < 7; k++)
+    for (int k = 0; k < 6; k++)
         for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
-            triangle_slip_count c = slips(k < 2 ? &f : &m, naive[k].hit, at_vertex, n, 80);
+            triangle_slip_count c = slips(k < 1 ? &f : &m, naive[k].hit, at_vertex, n, 80);
             check_at_least((double)c.slips / (double)n, at_vertex ? naive[k].vertex : naive[k].edge,
                            "%s slips %s", naive[k].name, at_vertex ? "at vertices" : "at edges");
         }

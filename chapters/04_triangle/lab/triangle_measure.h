@@ -13,7 +13,6 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-SOUP_TIMED(run_plane_f32, (void)0, triangle_hit_plane_f32(*k, r, &h))
 SOUP_TIMED(run_mt_f32, (void)0, triangle_hit_moller_trumbore_f32(*k, r, &h))
 SOUP_TIMED(run_plane, (void)0, triangle_hit_plane(*k, r, &h))
 SOUP_TIMED(run_first, (void)0, first_triangle_hit(*k, r, &h))
@@ -33,14 +32,13 @@ static bool hit_sheared(triangle tri, ray r, hit *out)
     return triangle_hit_sheared(tri, &s, r, out);
 }
 
-enum { triangle_methods = 11 };
+enum { triangle_methods = 10 };
 static const struct {
     const char *name;
     triangle_method *hit;
     double (*run)(void *);
     bool f32, page, plotted, timed;  /* corners are floats; in the main table; in the plots */
 } method[triangle_methods] = {
-    {"plane + inside, float", triangle_hit_plane_f32, run_plane_f32, 1, 0, 0, 0},
     {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, run_mt_f32, 1, 0, 1, 0},
     {"plane + inside", triangle_hit_plane, run_plane, 0, 1, 1, 1},
     {"first: Möller-Trumbore", first_triangle_hit, run_first, 0, 1, 1, 1},

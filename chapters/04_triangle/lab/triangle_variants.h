@@ -1,8 +1,7 @@
 /* triangle_variants.h: other ways to meet a triangle, to be measured beside triangle.h, whose
- * signature they have. The first two compute in float, whatever real is.
+ * signature they have.
  *
- *   triangle_hit_plane_f32             (4.7) in float
- *   triangle_hit_moller_trumbore_f32   (4.8) in float
+ *   triangle_hit_moller_trumbore_f32   (4.8) in float, whatever real is
  *   triangle_hit_one_branch            first.h to the last bit, but with one branch for u and v
  *   triangle_hit_moller_trumbore       (4.8) as a good programmer writes it: nothing is divided
  *                                      before the signs are known
@@ -33,23 +32,6 @@
 #include "../triangle.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline bool triangle_hit_plane_f32(triangle tri, ray r, hit *out)
-{
-    vec3_f32 a = f32_of(tri.a), b = f32_of(tri.b), c = f32_of(tri.c);
-    vec3_f32 o = f32_of(r.o), d = f32_of(r.d);
-    vec3_f32 n = f32_cross(f32_sub(b, a), f32_sub(c, a));
-    float t = f32_dot(f32_sub(a, o), n) / f32_dot(d, n);
-    if (!isfinite(t) || !ray_covers(r, (real)t)) return false;
-    vec3_f32 p = {o.x + t * d.x, o.y + t * d.y, o.z + t * d.z};
-    float wa = f32_dot(n, f32_cross(f32_sub(c, b), f32_sub(p, b)));
-    float wb = f32_dot(n, f32_cross(f32_sub(a, c), f32_sub(p, c)));
-    float wc = f32_dot(n, f32_cross(f32_sub(b, a), f32_sub(p, a)));
-    float least = wa < wb ? wa : wb;
-    if (!(least >= 0 && wc >= 0)) return false;
-    *out = (hit){(real)t, (real)(wb / f32_dot(n, n)), (real)(wc / f32_dot(n, n)), 0};
-    return true;
-}
 
 static inline bool triangle_hit_moller_trumbore_f32(triangle tri, ray r, hit *out)
 {
