@@ -21,8 +21,8 @@
  *
  * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, 2.7.
  */
-#ifndef BARYCENTRICS_H
-#define BARYCENTRICS_H
+#ifndef TRIANGLE_BARYCENTRICS_H
+#define TRIANGLE_BARYCENTRICS_H
 
 #include "triangle.h"
 

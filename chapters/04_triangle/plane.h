@@ -22,8 +22,8 @@
  * Sources: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, 2.5.3;
  * GAMES101, lecture 13, "Ray-Surface Intersection".
  */
-#ifndef PLANE_H
-#define PLANE_H
+#ifndef TRIANGLE_PLANE_H
+#define TRIANGLE_PLANE_H
 
 #include "../01_ray/hit.h"
 #include "first.h"
