@@ -1,18 +1,66 @@
-/* measure.h: tables about points and rays.
+/* measure.h: tables and plots of errors, of rays, of points through maps and hashes.
  *
- *   measure_slopes(o, c)      slopes, beside the theory
- *   measure_rays(o)           twice, four times the rays: what halves, what quarters
- *   measure_maps(o)           well-spread points through three maps to the disk
- *   measure_scrambles(o)      two hashes for Owen's scrambling against the exact variance
+ *   measure_methods(&o)    error and time of seven ways to integrate; with --full at all N, with
+ *                          plots, and their slopes beside the theory
+ *   measure_rays(&o)       twice, four times the rays: what halves, what quarters
+ *   measure_maps(&o)       well-spread points through three maps to the disk
+ *   measure_scrambles(&o)  two hashes for Owen's scrambling against the exact variance
+ *   measure_variances(&o)  E[x^2] - E[x]^2 of first.h against estimate.h
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef MONTE_CARLO_MEASURE_H
+#define MONTE_CARLO_MEASURE_H
 
 #include "../../../common/lab/report.h"
 #include "convergence.h"
 #include "sampling_naive.h"
 
-/* ---------------------------------------------------------------------------------------------- */
+/* ---- seven ways ------------------------------------------------------------------------------ */
+
+typedef struct { int method; uint64_t seed; uint32_t n; } timed_estimate;
+
+static inline double run_estimate(void *context)
+{
+    const timed_estimate *e = context;
+    double error[integrands];
+    convergence_errors(e->method, e->seed, 0, e->n, error);
+    return error[SMOOTH] + error[EDGE];
+}
+
+static inline void number_or_dash(table *t, double x)
+{
+    if (isnan(x)) table_text(t, "-");
+    else table_number(t, x);
+}
+
+/* ns a sample, at 1024 samples: it hardly depends on their number. */
+static inline void measure_time(const options *o, double ns[convergence_methods])
+{
+    timed_estimate e[convergence_methods];
+    clock_variant v[convergence_methods];
+    for (int k = 0; k < convergence_methods; k++) {
+        e[k] = (timed_estimate){k, o->seed, 1024};
+        v[k] = (clock_variant){convergence_name(k), run_estimate, &e[k], 0};
+    }
+    clock_compare(v, convergence_methods, o->full ? 99 : o->quick ? 5 : 31);
+    for (int k = 0; k < convergence_methods; k++) ns[k] = v[k].seconds / 1024 * 1e9;
+}
+
+static inline void methods_plot(const options *o, const convergence *c, integrand f,
+                                const double *ns, const char *title, const char *name)
+{
+    plot p = plot_new(title, ns ? "time of an estimate [us]" : "N", "error",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    for (int k = 0; k < convergence_methods; k++) {
+        if (!ns && k == CONVERGENCE_FIRST) continue;  /* its errors lie on those of random */
+        int series = plot_series(&p, convergence_name(k));
+        for (int l = 0; l < c->levels; l++)
+            plot_add(&p, series, convergence_n(l) * (ns ? ns[k] / 1000 : 1),
+                     convergence_rms(c, k, f, l));
+    }
+    plot_slope(&p, -0.5, "slope -1/2");
+    if (!ns) plot_slope(&p, f == SMOOTH ? -1.5 : -0.75, f == SMOOTH ? "slope -3/2" : "slope -3/4");
+    output_plot(o, &p, name);
+}
 
 static inline void measure_slopes(const options *o, const convergence *c)
 {
@@ -32,6 +80,39 @@ static inline void measure_slopes(const options *o, const convergence *c)
         }
     output_extra_table(o, &t);
 }
+
+static inline void measure_methods(const options *o)
+{
+    double ns[convergence_methods];
+    int from = o->full ? 0 : 3;
+    convergence *c = convergence_measure(from, o->full ? 6 : 4, o->quick ? 48 : 480, o->seed,
+                                         o->threads);
+    table t = table_new(o->full ? "Root mean square error of two integrals, its exact value, and time"
+                                : "Root mean square error of two integrals by 1024 samples, its "
+                                  "exact value, and time",
+                        "method|N|exact smooth|error smooth|exact edge|error edge|time [us]");
+    measure_time(o, ns);
+    for (int k = 0; k < convergence_methods; k++)
+        for (int l = from; l < c->levels; l++) {
+            table_text(&t, "%s", convergence_name(k)), table_count(&t, convergence_n(l));
+            for (int f = 0; f < integrands; f++) {
+                number_or_dash(&t, convergence_exact(k, (integrand)f, l));
+                table_number(&t, convergence_rms(c, k, (integrand)f, l));
+            }
+            table_number(&t, convergence_n(l) * ns[k] / 1000);
+        }
+    output_table(o, &t);
+    if (o->full) {
+        methods_plot(o, c, SMOOTH, NULL, "Error of a smooth integral", "20_monte_carlo_error.svg");
+        methods_plot(o, c, EDGE, NULL, "Error of a pixel with an edge", "20_monte_carlo_edge.svg");
+        methods_plot(o, c, SMOOTH, ns, "Error of a smooth integral, and time",
+                     "20_monte_carlo_time.svg");
+        measure_slopes(o, c);
+    }
+    free(c);
+}
+
+/* ---- rays, maps, hashes ---------------------------------------------------------------------- */
 
 /* A pixel that a silhouette crosses, by random samples: variance over many runs. */
 static inline estimate rays_variance(uint64_t seed, uint32_t n, int runs)
@@ -65,8 +146,6 @@ static inline void measure_rays(const options *o)
     }
     output_extra_table(o, &t);
 }
-
-/* ---- maps, hashes ---- */
 
 typedef vec3 disk_map(real u, real v);
 
@@ -140,6 +219,56 @@ static inline void measure_scrambles(const options *o)
             double exact = deviation_sobol(m) * deviation_sobol(m);
             estimate e = scramble_squares(row[k].how, o->seed, m, o->quick ? 100 : 2000);
             table_number(&t, e.mean / exact), table_number(&t, t_test(e, exact, 0));
+        }
+    }
+    output_extra_table(o, &t);
+}
+
+/* ---- what float forgets ----------------------------------------------------------------------- */
+
+/* 1000 numbers, uniform about `mean`, deviation 1; steps of 1/1024, which floats of 1e4 have.
+ * `out`: the variance three ways, in parts of the true one; first.h's as real has digits. */
+static inline void variances_of(double mean, uint64_t seed, uint64_t set, double out[3])
+{
+    enum { n = 1000 };
+    moments_f32 m = {0, 0};
+    first_samples s = {0, 0, 0};
+    estimate e = {0}, centred = {0};
+    for (uint64_t i = 0; i < n; i++) {
+        double u = random_double_of(random_bits(seed, set, i, 0));
+        double off = floor((2 * u - 1) * sqrt(3.0) * 1024) / 1024, x = mean + off;
+        m = moments_add_f32(m, (float)x), first_sample(&s, (real)x);
+        e = estimate_add(e, x), centred = estimate_add(centred, off);
+    }
+    double v = estimate_variance(centred);
+    out[0] = (double)moments_variance_f32(m, n) / v;
+    out[1] = (double)first_variance(s) / v;
+    out[2] = estimate_variance(e) / v;
+}
+
+static inline void measure_variances(const options *o)
+{
+    static const double means[5] = {1, 100, 1000, 1e4, 1e8};
+    int sets = o->quick ? 40 : 1000;
+    table t = table_new("Variance of 1000 numbers of deviation 1 by E[x^2] - E[x]^2, and by "
+                        "estimate.h: worst relative error", "mean|error float|negative [%]|"
+                        "error first|negative [%]|error estimate|negative [%]");
+    for (int k = 0; k < 5; k++) {
+        double negative[3] = {0}, worst[3] = {0}, v[3];
+        for (int set = 0; set < sets; set++) {
+            variances_of(means[k], o->seed, (uint64_t)set, v);
+            for (int way = 0; way < 3; way++) {
+                double off = fabs(v[way] - 1);
+                negative[way] += 100.0 * (v[way] < 0) / sets;
+                worst[way] = off > worst[way] ? off : worst[way];
+            }
+        }
+        table_number(&t, means[k]);
+        for (int way = 0; way < 3; way++) {
+            /* Beyond 1e5 floats lie 8 apart. */
+            bool known = means[k] < 1e5 || way == 2 || (way == 1 && !real_is_float);
+            if (known) table_number(&t, worst[way]), table_number(&t, negative[way]);
+            else table_text(&t, "-"), table_text(&t, "-");
         }
     }
     output_extra_table(o, &t);

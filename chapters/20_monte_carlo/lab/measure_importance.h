@@ -3,8 +3,8 @@
  *   measure_importance(o)   table and plot: variance, slope of the error, and how often the
  *                           interval that the samples themselves report holds the truth
  */
-#ifndef MEASURE_IMPORTANCE_H
-#define MEASURE_IMPORTANCE_H
+#ifndef MONTE_CARLO_MEASURE_IMPORTANCE_H
+#define MONTE_CARLO_MEASURE_IMPORTANCE_H
 
 #include "../../../common/lab/report.h"
 #include "../importance.h"
