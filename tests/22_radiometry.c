@@ -3,7 +3,10 @@
  * seeds; each random test alarms falsely once in 1e8 seeds, and there are fewer than 100. */
 #include "../common/lab/chi_square.h"
 #include "../chapters/22_radiometry/lab/floors.h"
-#include "../chapters/22_radiometry/lab/measure.h"
+#include "../chapters/22_radiometry/lab/view.h"
+#include "../chapters/22_radiometry/lab/directions.h"
+#include "../chapters/22_radiometry/photometry.h"
+#include "../common/file.h"
 #include "check.h"
 
 #define alarm 1e-8
@@ -117,29 +120,29 @@ static void test_view(void)
 static void test_ways(void)
 {
     size_t n = check_count(100000);
-    double variance[lights][ways];
-    light_view k = light_view_of(seen_from);
-    for (int l = 0; l < lights; l++)
-        for (int b = 0; b < ways; b++) {
+    double variance[radiometry_lights][direction_ways];
+    radiometry_seen k = radiometry_seen_of(seen_from);
+    for (int l = 0; l < radiometry_lights; l++)
+        for (int b = 0; b < direction_ways; b++) {
             estimate e = {0};
             for (size_t i = 0; i < n; i++) {
-                random_stream s = random_start(9, (uint64_t)(l * ways + b), i);
+                random_stream s = random_start(9, (uint64_t)(l * direction_ways + b), i);
                 real u = random_next(&s), v = random_next(&s);
-                e = estimate_add(e, (double)direction_sample((light_kind)l, (way)b, &k, u, v));
+                e = estimate_add(e, (double)direction_sample((radiometry_light)l, (direction_way)b, &k, u, v));
             }
-            double exact = direction_exact((light_kind)l);
-            check_at_least(t_test(e, exact, 16 * eps), alarm, "%s by %s", light_name[l],
-                           way_name[b]);
+            double exact = direction_exact((radiometry_light)l);
+            check_at_least(t_test(e, exact, 16 * eps), alarm, "%s by %s", radiometry_light_name[l],
+                           direction_name[b]);
             variance[l][b] = estimate_variance(e) / (exact * exact);
         }
-    for (int l = 0; l < lights; l++) {
+    for (int l = 0; l < radiometry_lights; l++) {
         check_at_most(variance[l][BY_COSINE], 0.8 * variance[l][BY_HEMISPHERE], "cosine helps");
         check_at_most(variance[l][BY_SOLID_ANGLE], 0.1 * variance[l][BY_AREA],
-                      "%s: solid angle beats area tenfold", light_name[l]);
+                      "%s: solid angle beats area tenfold", radiometry_light_name[l]);
     }
     /* by cosine: hits of probability E/pi, weight pi: variance / E^2 = pi / E - 1 */
-    for (int l = 0; l < lights; l++)
-        check_close(variance[l][BY_COSINE] / (PI / direction_exact((light_kind)l) - 1), 1, 0.1,
+    for (int l = 0; l < radiometry_lights; l++)
+        check_close(variance[l][BY_COSINE] / (PI / direction_exact((radiometry_light)l) - 1), 1, 0.1,
                     "variance by cosine, in closed form");
 }
 

@@ -271,7 +271,7 @@ static void test_urena_fails(void)
 /* The sphere of chapter 20's cone, as the direct way to a sphere: E of a sphere by its cone. */
 static void test_sphere(void)
 {
-    light_view k = light_view_of(seen_from);
+    radiometry_seen k = radiometry_seen_of(seen_from);
     for (int run = 0; run < 2; run++) {
         estimate e = {0};
         for (uint64_t i = 0; i < check_count(20000); i++) {

@@ -26,8 +26,8 @@
  * the angles at the corners); C. Ureña, M. Fajardo, A. King, "An Area-Preserving Parametrization
  * for Spherical Rectangles", Computer Graphics Forum 32(4), 2013.
  */
-#ifndef SPHERICAL_SAMPLING_H
-#define SPHERICAL_SAMPLING_H
+#ifndef RADIOMETRY_SPHERICAL_SAMPLING_H
+#define RADIOMETRY_SPHERICAL_SAMPLING_H
 
 #include "solid_angle.h"
 

@@ -6,8 +6,8 @@
  *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
  *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1 and 32 a pixel
  */
-#ifndef DISTRIBUTED_PICTURES_H
-#define DISTRIBUTED_PICTURES_H
+#ifndef DISTRIBUTED_LAB_PICTURES_H
+#define DISTRIBUTED_LAB_PICTURES_H
 
 #include "../../../common/output.h"
 #include "box.h"
@@ -137,7 +137,7 @@ static inline void draw_box(const options *o)
     bool whole = true;
     for (int i = 0; i < 4 && whole; i++) {
         vec3 ambient = {0.26, 0.2, 0.11};
-        box_room *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
+        distributed_box *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
         distributed_view v = box_view(b, 1);
         v.samples = o->quick ? 2 : 8, v.seed = o->seed, b->how.split = 4;
         whole = pictures_panel(&sheet, i, 0, &one, &v, o->threads);

@@ -12,8 +12,8 @@
  * Ambient light and background are the same even sky, so what EFFECT_SKY makes of it is right but
  * for the light that shapes reflect on each other.
  */
-#ifndef SHOWROOM_H
-#define SHOWROOM_H
+#ifndef DISTRIBUTED_SHOWROOM_H
+#define DISTRIBUTED_SHOWROOM_H
 
 #include "../../07_mesh/scenes/teapot.h"
 #include "../distributed.h"

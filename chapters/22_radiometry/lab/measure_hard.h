@@ -7,8 +7,8 @@
  * error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres only),
  * naive, the formula of chapter 07 as it stands (triangles only), the default.
  */
-#ifndef MEASURE_HARD_H
-#define MEASURE_HARD_H
+#ifndef RADIOMETRY_MEASURE_HARD_H
+#define RADIOMETRY_MEASURE_HARD_H
 
 #include "../../../common/lab/report.h"
 #include "../../07_mesh/inside.h"

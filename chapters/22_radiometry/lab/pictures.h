@@ -5,8 +5,8 @@
  *                    too many, blue too few
  *   draw_view(o)     what a point sees (view.h): areas are solid angles, and irradiances
  */
-#ifndef PICTURES_22_H
-#define PICTURES_22_H
+#ifndef RADIOMETRY_LAB_PICTURES_H
+#define RADIOMETRY_LAB_PICTURES_H
 
 #include "../../../common/output.h"
 #include "floors.h"

@@ -11,8 +11,8 @@
  * Source: W. Nusselt, "Graphische Bestimmung des Winkelverhaeltnisses bei der Waermestrahlung",
  * Zeitschrift des VDI 72, 1928.
  */
-#ifndef VIEW_H
-#define VIEW_H
+#ifndef RADIOMETRY_VIEW_H
+#define RADIOMETRY_VIEW_H
 
 #include "../relations.h"
 

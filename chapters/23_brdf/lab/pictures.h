@@ -7,8 +7,8 @@
  *                     degrees
  *   plot_lobes(o)     the same in the plane of n and wo, 45 degrees
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef BRDF_LAB_PICTURES_H
+#define BRDF_LAB_PICTURES_H
 
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
