@@ -128,7 +128,8 @@ static void test_ways(void)
             for (size_t i = 0; i < n; i++) {
                 random_stream s = random_start(9, (uint64_t)(l * direction_ways + b), i);
                 real u = random_next(&s), v = random_next(&s);
-                e = estimate_add(e, (double)direction_sample((radiometry_light)l, (direction_way)b, &k, u, v));
+                e = estimate_add(e, (double)direction_sample((radiometry_light)l, (direction_way)b,
+                                                             &k, u, v));
             }
             double exact = direction_exact((radiometry_light)l);
             check_at_least(t_test(e, exact, 16 * eps), alarm, "%s by %s", radiometry_light_name[l],
@@ -142,8 +143,8 @@ static void test_ways(void)
     }
     /* by cosine: hits of probability E/pi, weight pi: variance / E^2 = pi / E - 1 */
     for (int l = 0; l < radiometry_lights; l++)
-        check_close(variance[l][BY_COSINE] / (PI / direction_exact((radiometry_light)l) - 1), 1, 0.1,
-                    "variance by cosine, in closed form");
+        check_close(variance[l][BY_COSINE] / (PI / direction_exact((radiometry_light)l) - 1), 1,
+                    0.1, "variance by cosine, in closed form");
 }
 
 /* ---- watts and lumens ---- */

@@ -1,18 +1,16 @@
-/* measure.h: tables and plots of errors, of rays, of points through maps and hashes.
+/* measure.h: tables and plots: errors against N and time; more rays; what float forgets.
  *
  *   measure_methods(&o)    error and time of seven ways to integrate; with --full at all N, with
  *                          plots, and their slopes beside the theory
  *   measure_rays(&o)       twice, four times the rays: what halves, what quarters
- *   measure_maps(&o)       well-spread points through three maps to the disk
- *   measure_scrambles(&o)  two hashes for Owen's scrambling against the exact variance
  *   measure_variances(&o)  E[x^2] - E[x]^2 of first.h against estimate.h
  */
 #ifndef MONTE_CARLO_MEASURE_H
 #define MONTE_CARLO_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "convergence.h"
-#include "sampling_naive.h"
 
 /* ---- seven ways ------------------------------------------------------------------------------ */
 
@@ -36,12 +34,12 @@ static inline void number_or_dash(table *t, double x)
 static inline void measure_time(const options *o, double ns[convergence_methods])
 {
     timed_estimate e[convergence_methods];
-    clock_variant v[convergence_methods];
+    bench_candidate v[convergence_methods];
     for (int k = 0; k < convergence_methods; k++) {
         e[k] = (timed_estimate){k, o->seed, 1024};
-        v[k] = (clock_variant){convergence_name(k), run_estimate, &e[k], 0};
+        v[k] = (bench_candidate){.run = run_estimate, .context = &e[k]};
     }
-    clock_compare(v, convergence_methods, o->full ? 99 : o->quick ? 5 : 31);
+    bench_time(v, convergence_methods, o->full ? 99 : o->quick ? 5 : 31);
     for (int k = 0; k < convergence_methods; k++) ns[k] = v[k].seconds / 1024 * 1e9;
 }
 
@@ -87,7 +85,8 @@ static inline void measure_methods(const options *o)
     int from = o->full ? 0 : 3;
     convergence *c = convergence_measure(from, o->full ? 6 : 4, o->quick ? 48 : 480, o->seed,
                                          o->threads);
-    table t = table_new(o->full ? "Root mean square error of two integrals, its exact value, and time"
+    table t = table_new(o->full ? "Root mean square error of two integrals, its exact value, and "
+                                  "time"
                                 : "Root mean square error of two integrals by 1024 samples, its "
                                   "exact value, and time",
                         "method|N|exact smooth|error smooth|exact edge|error edge|time [us]");
@@ -112,7 +111,7 @@ static inline void measure_methods(const options *o)
     free(c);
 }
 
-/* ---- rays, maps, hashes ---------------------------------------------------------------------- */
+/* ---- more rays ------------------------------------------------------------------------------- */
 
 /* A pixel that a silhouette crosses, by random samples: variance over many runs. */
 static inline estimate rays_variance(uint64_t seed, uint32_t n, int runs)
@@ -147,84 +146,7 @@ static inline void measure_rays(const options *o)
     output_extra_table(o, &t);
 }
 
-typedef vec3 disk_map(real u, real v);
-
-/* The mean of x^2 over the disk is 1/4. */
-static inline double map_error(disk_map *map, uint64_t seed, uint64_t run, uint32_t n)
-{
-    double sum = 0;
-    for (uint32_t i = 0; i < n; i++) {
-        sampler s = sampler_start(SEQUENCE_SOBOL, seed, run, i, n);
-        point2 p = sampler_pair(&s);
-        double x = (double)map(p.u, p.v).x;
-        sum += x * x;
-    }
-    return sum / n - 0.25;
-}
-
-static inline void measure_maps(const options *o)
-{
-    static const struct { const char *name; disk_map *map; } row[3] = {
-        {"sample_disk", sample_disk}, {"sample_disk_polar", sample_disk_polar},
-        {"sample_disk_rejection", sample_disk_rejection}};
-    table t = table_new("The mean of x^2 over a disk by Sobol' points (Owen) through three maps",
-                        "map|error N = 64|error N = 1024|error slope");
-    for (int k = 0; k < 3; k++) {
-        double rms[2];
-        for (int l = 0; l < 2; l++) {
-            estimate e = {0};
-            for (uint64_t run = 0; run < (o->quick ? 30 : 300); run++) {
-                double x = map_error(row[k].map, o->seed, run, l ? 1024 : 64);
-                e = estimate_add(e, x * x);
-            }
-            rms[l] = sqrt(e.mean);
-        }
-        table_text(&t, "%s", row[k].name), table_number(&t, rms[0]), table_number(&t, rms[1]);
-        table_number(&t, log(rms[1] / rms[0]) / log(16.0));
-    }
-    output_extra_table(o, &t);
-}
-
-typedef uint32_t scramble(uint32_t x, uint32_t seed);
-
-/* The squared error of e^(x+y) over 2^m points, scrambled by `how`. */
-static inline estimate scramble_squares(scramble *how, uint64_t seed, int m, int runs)
-{
-    estimate e = {0};
-    for (int run = 0; run < runs; run++) {
-        uint64_t axes = random_bits(seed, (uint64_t)run, 0, 0);
-        uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32);
-        double sum = 0, n = ldexp(1, m);
-        for (uint32_t i = 0; i < (uint32_t)1 << m; i++) {
-            uint32_t x = how(sobol_x(i), a), y = how(sobol_y(i), b);
-            point2 p = {real_of_fraction(x, a), real_of_fraction(y, b)};
-            sum += integrand_value(SMOOTH, p);
-        }
-        double error = sum / n - integrand_integral(SMOOTH);
-        e = estimate_add(e, error * error);
-    }
-    return e;
-}
-
-static inline void measure_scrambles(const options *o)
-{
-    static const struct { const char *name; scramble *how; } row[3] = {
-        {"owen_scramble_exact", owen_scramble_exact}, {"owen_scramble_2020", owen_scramble_2020},
-        {"owen_scramble", owen_scramble}};
-    table t = table_new("Hashes for Owen's scrambling: variance of e^(x+y), 1 is right; p of a "
-                        "t-test", "hash|N = 16|p|N = 32|p|N = 64|p|N = 256|p");
-    for (int k = 0; k < 3; k++) {
-        table_text(&t, "%s", row[k].name);
-        for (int m = 4; m <= 8; m += m < 6 ? 1 : 2) {
-            double exact = deviation_sobol(m) * deviation_sobol(m);
-            estimate e = scramble_squares(row[k].how, o->seed, m, o->quick ? 100 : 2000);
-            table_number(&t, e.mean / exact), table_number(&t, t_test(e, exact, 0));
-        }
-    }
-    output_extra_table(o, &t);
-}
-
-/* ---- what float forgets ----------------------------------------------------------------------- */
+/* ---- what float forgets ---------------------------------------------------------------------- */
 
 /* 1000 numbers, uniform about `mean`, deviation 1; steps of 1/1024, which floats of 1e4 have.
  * `out`: the variance three ways, in parts of the true one; first.h's as real has digits. */

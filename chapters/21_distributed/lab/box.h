@@ -1,7 +1,7 @@
 /* box.h: the Cornell box (cornell.h) as a world for distributed.h.
  *
- *   distributed_box *b = box_new(sized, ambient, reach);   sized: the light is the square that it is; else
- *                                                   all of its intensity comes from the middle
+ *   distributed_box *b = box_new(sized, ambient, reach);    sized: the light is the square that it
+ *                                      is; else all of its intensity comes from the middle
  *   distributed_view v = box_view(b, aspect);       box_free(b)
  *
  * The light is a part of its own, seen by camera rays and by no others: it hides nothing that it

@@ -1,7 +1,7 @@
 /* measure.h: tables and plots: pictures against converged ones, estimates against closed forms.
  *
- *   table_of_pictures(&o)   the main one: error and time of pictures, by effect and way of sampling;
- *                           with --full of each effect, otherwise of soft shadows and of all
+ *   table_of_pictures(&o)   the main one: error and time of pictures, by effect and way of
+ *                           sampling; with --full each effect, otherwise soft shadows and all
  *   table_of_known(&o)      questions of known.h: estimates, t-tests, slopes
  *   table_of_first(&o)      three of them by first.h: its error and its time
  *   table_of_rays(&o)       rays and random numbers, only what is called for and all
@@ -9,6 +9,7 @@
 #ifndef DISTRIBUTED_MEASURE_H
 #define DISTRIBUTED_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "known_first.h"
 #include "pictures.h"
@@ -56,7 +57,7 @@ static inline picture_study picture_measure(const options *o, const showroom *g,
     distributed_view v = showroom_effect_view(&k, g, effect, true, (real)w / (real)h);
     picture_study p = {.seconds = {0}};
     picture_run run[measure_methods];
-    clock_variant variant[measure_methods];
+    bench_candidate clock[measure_methods];
     v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
     picture_draw(o, &v, &reference), v.seed = o->seed;
     for (int m = 0; m < measure_methods; m++) {
@@ -67,10 +68,10 @@ static inline picture_study picture_measure(const options *o, const showroom *g,
             p.error[m][l] = image_compare(&im, &reference).rmse;
         }
         run[m] = (picture_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
-        variant[m] = (clock_variant){sequence_name[v.kind], picture_seconds, &run[m], 0};
+        clock[m] = (bench_candidate){.run = picture_seconds, .context = &run[m]};
     }
-    clock_compare(variant, measure_methods, o->quick ? 1 : 3);
-    for (int m = 0; m < measure_methods; m++) p.seconds[m] = variant[m].seconds / 16;
+    bench_time(clock, measure_methods, o->quick ? 1 : 3);
+    for (int m = 0; m < measure_methods; m++) p.seconds[m] = clock[m].seconds / 16;
     image_free(&im), image_free(&reference);
     return p;
 }
@@ -98,10 +99,10 @@ static inline void table_of_pictures(const options *o)
 {
     int levels = measure_levels - o->quick;
     showroom *g = showroom_new(o->quick ? 4 : 8);
-    table t = table_new(o->full ? "Error of a picture against a converged one; time of 64 samples a "
-                                  "pixel"
-                                : "Error of two pictures against converged ones; time of 64 samples "
-                                  "a pixel",
+    table t = table_new(o->full ? "Error of a picture against a converged one; time of 64 samples "
+                                  "a pixel"
+                                : "Error of two pictures against converged ones; time of 64 "
+                                  "samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|"
                         "time [ms]");
     plot time = plot_new("Error of a picture, and time", "time of a picture [ms]", "error (rmse)",
@@ -258,13 +259,13 @@ static inline void table_of_first(const options *o)
     table t = table_new(title, "question|samples|answer|error mean|error +-|error rms|time [ns]");
     for (int i = 0; i < 3; i++) {
         known_ask *a = allocate(2, sizeof *a);
-        clock_variant v[2];
+        bench_candidate v[2];
         for (int k = 0; k < 2; k++) {
             known_make(kinds[i], &a[k].full);
             a[k].first = known_first_of(kinds[i]), a[k].is_first = k == 0, a[k].seed = o->seed;
-            v[k] = (clock_variant){"", known_ask_run, &a[k], 0};
+            v[k] = (bench_candidate){.run = known_ask_run, .context = &a[k]};
         }
-        clock_compare(v, 2, o->quick ? 3 : 51);
+        bench_time(v, 2, o->quick ? 3 : 51);
         for (int k = 0; k < 2; k++)
             first_row(o, &t, &a[k], v[k].seconds), known_free(&a[k].full);
         free(a);

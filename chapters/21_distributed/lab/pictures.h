@@ -9,6 +9,7 @@
 #ifndef DISTRIBUTED_LAB_PICTURES_H
 #define DISTRIBUTED_LAB_PICTURES_H
 
+#include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "box.h"
 #include "showroom.h"
@@ -78,32 +79,27 @@ static inline void draw_whitted(const options *o)
 typedef struct {
     const showroom_look *k;
     camera c;
-    image *im;
+    int width, height;
     light lights[2];
     shading how;
 } highlight_view;
 
-static inline void highlight_pixel(int x, int y, void *context)
+static inline vec3 highlight_colour(const void *context, real x, real y)
 {
     const highlight_view *p = context;
     tracer t = {.w = &p->k->w, .program = shade_programs, .user = &p->how};
-    vec3 sum = {0, 0, 0};
-    for (int k = 0; k < 4; k++) {
-        real px = (real)x + ((real)(k % 2) + (real)0.5) / 2;
-        real py = (real)y + ((real)(k / 2) + (real)0.5) / 2;
-        sum = vadd(sum, shade_ray(&t, camera_ray(p->c, px, py, p->im->width, p->im->height)));
-    }
-    image_set(p->im, x, y, vscale(sum, 0.25));
+    return shade_ray(&t, camera_ray(p->c, x, y, p->width, p->height));
 }
 
 static inline bool draw_highlight(const showroom_look *k, camera c, image *im, int threads)
 {
-    highlight_view p = {k, c, im, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}}, {.lights = NULL}};
+    highlight_view p = {k, c, im->width, im->height, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}},
+                        {.lights = NULL}};
     for (int i = 0; i < 2; i++)
         p.lights[i] = (light){LIGHT_POINT, k->light[i].at, k->light[i].colour};
     p.how = (shading){.lights = p.lights, .n = 2, .material_of = showroom_material, .context = k,
                       .background = k->how.background, .ambient = k->how.ambient};
-    return parallel_pixels(im->width, im->height, threads, "drawing", highlight_pixel, &p);
+    return pixels_draw(im, 2, threads, "drawing", highlight_colour, &p);
 }
 
 static inline void draw_teapot(const options *o)

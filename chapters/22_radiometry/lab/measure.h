@@ -7,6 +7,7 @@
 #ifndef RADIOMETRY_MEASURE_H
 #define RADIOMETRY_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "directions.h"
 #include "../photometry.h"
@@ -77,7 +78,7 @@ static inline timed_way way_of_row(int k, sequence_kind kind, uint64_t seed)
 }
 
 /* Of the square, each way by random numbers, then by Sobol's; with `clock` against time. */
-static inline void ways_plot(const options *o, const way_errors *e, const clock_variant *clock,
+static inline void ways_plot(const options *o, const way_errors *e, const bench_candidate *clock,
                              const char *title, const char *file)
 {
     plot p = plot_new(title, clock ? "time [us]" : "N", "relative error", PLOT_LOG_X | PLOT_LOG_Y);
@@ -96,18 +97,17 @@ static inline void ways_plot(const options *o, const way_errors *e, const clock_
 
 static inline void measure_ways(const options *o)
 {
-    enum { all = 2 * way_rows, square = 2 * sphere_rows };
+    enum { all = 2 * way_rows };
     int runs = o->quick ? 2 : 64;
     way_errors e[all];
-    clock_variant clock[all];
+    bench_candidate clock[all];
     for (int i = 0; i < all; i++) {
         e[i] = (way_errors){way_of_row(i / 2, i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, o->seed),
                             runs, {0}};
-        clock[i] = (clock_variant){"", run_way, &e[i].what, 0};
+        clock[i] = (bench_candidate){.run = run_way, .context = &e[i].what};
     }
     parallel_for(all, o->threads, "estimates", way_job, e);
-    clock_compare(clock, square, o->quick ? 3 : o->full ? 51 : 15);
-    clock_compare(clock + square, all - square, o->quick ? 3 : o->full ? 51 : 15);
+    bench_time(clock, all, o->quick ? 3 : o->full ? 51 : 15);
     char title[120];
     snprintf(title, sizeof title, "Irradiance of two lights%s: error (root mean square over %d "
              "runs, relative) and time", o->full ? "" : " by 4096 samples", runs);
@@ -145,7 +145,11 @@ static inline void measure_photometry(const options *o)
     black_body_light platinum = black_body(2041.4);
     double at_555 = lumens_per_watt * luminous_efficiency(555);
     double at_650 = lumens_per_watt * luminous_efficiency(650);
-    const struct { const char *what; double efficacy, watts; const char *unit, *photometric; } row[] =
+    const struct {
+        const char *what;
+        double efficacy, watts;
+        const char *unit, *photometric;
+    } row[] =
         {{"1 W at 555 nm", at_555, 1, "W", "lm"}, {"1 W at 650 nm", at_650, 1, "W", "lm"},
          {"glowing wire, 2800 K: flux", wire.efficacy, 60, "W", "lm"},
          {"- intensity, the same all round", wire.efficacy, around, "W/sr", "cd"},
@@ -158,8 +162,8 @@ static inline void measure_photometry(const options *o)
          {"best black body, 6640 K: radiance", best.efficacy, best.radiance,  /* see the tests */
           "W/(m^2 sr)", "nit"}};
     char title[160];
-    snprintf(title, sizeof title, "The same light in watts and in lumens (the fit of V is off by at "
-             "most %.4f)", worst);
+    snprintf(title, sizeof title, "The same light in watts and in lumens (the fit of V is off by "
+             "at most %.4f)", worst);
     table t = table_new(title, "light|efficacy [lm/W]|radiometric|unit|photometric|unit ");
     for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
         table_text(&t, "%s", row[k].what), table_number(&t, row[k].efficacy);

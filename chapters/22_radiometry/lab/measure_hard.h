@@ -10,6 +10,7 @@
 #ifndef RADIOMETRY_MEASURE_HARD_H
 #define RADIOMETRY_MEASURE_HARD_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../07_mesh/inside.h"
 #include "oracle.h"
@@ -169,12 +170,12 @@ static inline void measure_hard(const options *o)
     hard_run *r = allocate(most_variants, sizeof *r);
     for (int k = 0; k < hard_cases; k++) {
         const hard_case *c = &hard_list[k];
-        clock_variant v[most_variants];
+        bench_candidate v[most_variants];
         for (int i = 0; i < most_variants; i++) {
             hard_fill(&r[i], c, o->seed), r[i].variant = i;
-            v[i] = (clock_variant){"", run_hard, &r[i], 0};
+            v[i] = (bench_candidate){.run = run_hard, .context = &r[i]};
         }
-        clock_compare(v, most_variants, o->quick ? 3 : 21);
+        bench_time(v, most_variants, o->quick ? 3 : 21);
         table_text(&t, "%s", c->name), table_text(&t, "%s", c->input);
         for (int i = 0; i < 2 * most_variants; i++) {
             if (!hard_has(c->kind, i % most_variants)) table_text(&t, "-");

@@ -8,7 +8,7 @@
 #ifndef BRDF_MEASURE_H
 #define BRDF_MEASURE_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../../20_monte_carlo/t_test.h"
@@ -135,14 +135,14 @@ static inline double timed_run(void *context)
 static inline void measure_times(const options *o, int surface, double ns[methods])
 {
     timed_method m[methods];
-    clock_variant v[methods];
+    bench_candidate v[methods];
     int n = surface == WINDOW ? methods : FIRST;
     if (!method_suits(o, 0, surface)) return;
     for (int k = 0; k < n; k++) {
         m[k] = (timed_method){surface, k};
-        v[k] = (clock_variant){method_name[k], timed_run, &m[k], 0};
+        v[k] = (bench_candidate){.run = timed_run, .context = &m[k]};
     }
-    clock_compare(v, n, o->quick ? 3 : 31);
+    bench_time(v, n, o->quick ? 3 : 31);
     for (int k = 0; k < n; k++) ns[k] = v[k].seconds / level_samples(3) * 1e9;
 }
 

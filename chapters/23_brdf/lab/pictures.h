@@ -10,6 +10,7 @@
 #ifndef BRDF_LAB_PICTURES_H
 #define BRDF_LAB_PICTURES_H
 
+#include "../../../common/lab/pixels.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../reflection.h"
@@ -189,24 +190,17 @@ static inline vec3 lobe_ray(const lobe *l, vec3 o, vec3 d)
     return c;
 }
 
-typedef struct { image *im; lobe lobes[lobe_rows][lobe_columns]; } lobe_sheet;
+typedef struct { int side; lobe lobes[lobe_rows][lobe_columns]; } lobe_sheet;
 
-static inline void lobe_pixel(int x, int y, void *context)
+static inline vec3 lobe_colour(const void *context, real x, real y)
 {
-    enum { fine = 2 };
     const lobe_sheet *sheet = context;
-    int side = sheet->im->width / lobe_columns;
-    const lobe *l = &sheet->lobes[y / side][x / side];
+    int side = sheet->side, column = (int)x / side, row = (int)y / side;
     vec3 d = vunit(vec(0, 1, -0.42)), right = {1, 0, 0}, up = vcross(right, d);
-    vec3 sum = {0, 0, 0};
-    for (int k = 0; k < fine * fine; k++) {
-        real px = ((real)(x % side) + ((real)(k % fine) + (real)0.5) / fine) / (real)side;
-        real py = ((real)(y % side) + ((real)(k / fine) + (real)0.5) / fine) / (real)side;
-        vec3 o = vscale(right, (2 * px - 1) * (real)1.2);
-        o = vmadd(o, up, (1 - 2 * py) * (real)1.2 + (real)0.35);
-        sum = vadd(sum, lobe_ray(l, vmadd(o, d, -4), d));
-    }
-    image_set(sheet->im, x, y, vscale(sum, (real)1 / (fine * fine)));
+    real px = (x - (real)(column * side)) / (real)side, py = (y - (real)(row * side)) / (real)side;
+    vec3 o = vscale(right, (2 * px - 1) * (real)1.2);
+    o = vmadd(o, up, (1 - 2 * py) * (real)1.2 + (real)0.35);
+    return lobe_ray(&sheet->lobes[row][column], vmadd(o, d, -4), d);
 }
 
 static inline void draw_lobes(const options *o)
@@ -214,14 +208,14 @@ static inline void draw_lobes(const options *o)
     if (o->out) return;
     int side = o->quick ? 24 : 180;
     image im = image_new(lobe_columns * side, lobe_rows * side);
-    lobe_sheet sheet = {.im = &im};
+    lobe_sheet sheet = {.side = side};
     for (int row = 0; row < lobe_rows; row++)
         for (int column = 0; column < lobe_columns; column++) {
             lobe *l = &sheet.lobes[row][column];
             *l = (lobe){lobe_brdf(column), lobe_view(row == 0 ? 30 : row == 1 ? 60 : 80), 0};
             l->scale = lobe_scale(l);
         }
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "lobes", lobe_pixel, &sheet);
+    bool whole = pixels_draw(&im, 2, o->threads, "lobes", lobe_colour, &sheet);
     output_picture(o, &im, "23_brdf_lobes.png", false, whole);
     image_free(&im);
 }
