@@ -127,8 +127,7 @@ static inline estimate rays_variance(uint64_t seed, uint32_t n, int runs)
 
 static inline void measure_rays(const options *o)
 {
-    enum { n = 64 };
-    int runs = o->quick ? 1000 : 8000;
+    enum { n = 64, runs = 8000 };
     estimate one = rays_variance(o->seed, n, runs);
     table t = table_new("What more rays do to a pixel at a silhouette", "rays|error variance|"
                         "of the first|error deviation|of the first|p, variance halved|"
@@ -171,7 +170,7 @@ static inline void variances_of(double mean, uint64_t seed, uint64_t set, double
 static inline void measure_variances(const options *o)
 {
     static const double means[5] = {1, 100, 1000, 1e4, 1e8};
-    int sets = o->quick ? 40 : 1000;
+    enum { sets = 1000 };
     table t = table_new("Variance of 1000 numbers of deviation 1 by E[x^2] - E[x]^2, and by "
                         "estimate.h: worst relative error", "mean|error float|negative [%]|"
                         "error first|negative [%]|error estimate|negative [%]");

@@ -134,10 +134,11 @@ static inline void table_of_pictures(const options *o)
 
 /* ---- closed forms ---------------------------------------------------------------------------- */
 
+enum { known_runs = 64 };
+
 typedef struct {
     known k[known_kinds];
     uint64_t seed;
-    int runs;
     estimate mean[known_kinds][measure_methods][measure_levels];    /* of the runs' means */
     estimate square[known_kinds][measure_methods][measure_levels];  /* of their squared errors */
 } known_study;
@@ -149,7 +150,7 @@ static inline void known_job(size_t i, void *context)
     known_study *s = context;
     size_t level = measure_levels - 1 - i / (known_kinds * measure_methods);
     size_t kind = i / measure_methods % known_kinds, method = i % measure_methods;
-    for (int run = 0; run < s->runs; run++) {
+    for (int run = 0; run < known_runs; run++) {
         estimate e = known_mean(&s->k[kind], measure_method[method], s->seed + level * 100,
                                 (uint64_t)run, known_samples((int)level));
         double off = e.mean - s->k[kind].truth;
@@ -195,7 +196,7 @@ static inline void known_plot(const options *o, const known_study *s)
 static inline void table_of_known(const options *o)
 {
     known_study *s = allocate(1, sizeof *s);
-    s->seed = o->seed, s->runs = o->quick ? 8 : 64;
+    s->seed = o->seed;
     for (int i = 0; i < known_kinds; i++) known_make((known_kind)i, &s->k[i]);
     measure_unless(!parallel_for(known_kinds * measure_methods * measure_levels, o->threads,
                                  "closed forms", known_job, s));
@@ -235,14 +236,13 @@ static inline estimate known_asked(const known_ask *a, uint64_t run)
 
 static inline double known_ask_run(void *context) { return known_asked(context, 0).mean; }
 
-static inline void first_row(const options *o, table *t, const known_ask *a, double seconds)
+static inline void first_row(table *t, const known_ask *a, double seconds)
 {
     estimate mean = {0};
     double square = 0;
-    int runs = o->quick ? 8 : 64;
-    for (int run = 0; run < runs; run++) {
+    for (int run = 0; run < known_runs; run++) {
         double off = known_asked(a, (uint64_t)run).mean - a->full.truth;
-        mean = estimate_add(mean, off + a->full.truth), square += off * off / runs;
+        mean = estimate_add(mean, off + a->full.truth), square += off * off / known_runs;
     }
     table_text(t, "%s", a->full.name), table_text(t, a->is_first ? "first" : "random");
     table_text(t, "%.6f", a->full.truth), table_text(t, "%.6f", mean.mean);
@@ -265,9 +265,9 @@ static inline void table_of_first(const options *o)
             a[k].first = known_first_of(kinds[i]), a[k].is_first = k == 0, a[k].seed = o->seed;
             v[k] = (bench_candidate){.run = known_ask_run, .context = &a[k]};
         }
-        bench_time(v, 2, o->quick ? 3 : 51);
+        bench_time(v, 2, 51);
         for (int k = 0; k < 2; k++)
-            first_row(o, &t, &a[k], v[k].seconds), known_free(&a[k].full);
+            first_row(&t, &a[k], v[k].seconds), known_free(&a[k].full);
         free(a);
     }
     output_extra_table(o, &t);
@@ -303,7 +303,7 @@ static inline void rays_row(const options *o, table *t, const showroom *g, int e
 
 static inline void table_of_rays(const options *o)
 {
-    showroom *g = showroom_new(o->quick ? 4 : 8);
+    showroom *g = showroom_new(8);
     table t = table_new("Rays and pairs of random numbers, 96 x 54 pixels, 4 samples each",
                         "effects|camera|shadow|reflection|sky|lens numbers|light|sky|lobe|"
                         "pictures differ [pixels]");

@@ -105,7 +105,7 @@ static inline bool draw_highlight(const showroom_look *k, camera c, image *im, i
 static inline void draw_teapot(const options *o)
 {
     static const int shine[4] = {0, 0, 600, 40};
-    int w = o->quick ? 80 : 232, h = w * 9 / 16;
+    enum { w = 232, h = w * 9 / 16 };
     showroom *g = showroom_new(pictures_cells(o));
     image sheet = pictures_sheet(2, 2, w, h), one = image_new(w, h);
     bool whole = true;
@@ -114,7 +114,7 @@ static inline void draw_teapot(const options *o)
         showroom_set(&k, g, (i == 1 ? 0 : EFFECT_SOFT) | (i == 0 ? 0 : EFFECT_GLOSSY));
         if (i > 1) k.pot_shine = (real)shine[i];
         distributed_view v = showroom_view(&k, SHOWROOM_GLOSSY, (real)w / (real)h);
-        v.samples = o->quick ? 2 : i > 2 ? 32 : i ? 16 : 8, v.seed = o->seed;
+        v.samples = i > 2 ? 32 : i ? 16 : 8, v.seed = o->seed;
         if (i == 1) {
             whole = draw_highlight(&k, v.c, &one, o->threads);
             image_place(&sheet, w + pictures_gap, 0, &one);
@@ -128,14 +128,14 @@ static inline void draw_teapot(const options *o)
 static inline void draw_box(const options *o)
 {
     static const real reach[4] = {0, 0, 0, 250};
-    int w = o->quick ? 48 : 180;
+    enum { w = 180 };
     image sheet = pictures_sheet(4, 1, w, w), one = image_new(w, w);
     bool whole = true;
     for (int i = 0; i < 4 && whole; i++) {
         vec3 ambient = {0.26, 0.2, 0.11};
         distributed_box *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
         distributed_view v = box_view(b, 1);
-        v.samples = o->quick ? 2 : 8, v.seed = o->seed, b->how.split = 4;
+        v.samples = 8, v.seed = o->seed, b->how.split = 4;
         whole = pictures_panel(&sheet, i, 0, &one, &v, o->threads);
         box_free(b);
     }
@@ -173,15 +173,14 @@ static inline distributed_view showroom_effect_view(showroom_look *k, const show
 static inline void draw_effects(const options *o)
 {
     static const uint32_t samples[4] = {4, 16, 1, 32};
-    int w = o->quick ? 32 : 140, h = w * 3 / 4;
+    enum { w = 140, h = w * 3 / 4 };
     showroom *g = showroom_new(pictures_cells(o));
     image sheet = pictures_sheet(4, 4, w, h), one = image_new(w, h);
     bool whole = true;
     for (int i = 0; i < 16 && whole; i++) {
         showroom_look k;
         distributed_view v = showroom_effect_view(&k, g, i / 4, i % 4 > 0, (real)w / (real)h);
-        v.samples = o->quick ? 1 + samples[i % 4] / 16 : samples[i % 4];
-        v.same = i % 4 == 1, v.seed = o->seed;
+        v.samples = samples[i % 4], v.same = i % 4 == 1, v.seed = o->seed;
         whole = pictures_panel(&sheet, i % 4, i / 4, &one, &v, o->threads);
     }
     output_picture(o, &sheet, "21_distributed_effects.png", false, whole);

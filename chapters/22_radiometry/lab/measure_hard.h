@@ -175,7 +175,7 @@ static inline void measure_hard(const options *o)
             hard_fill(&r[i], c, o->seed), r[i].variant = i;
             v[i] = (bench_candidate){.run = run_hard, .context = &r[i]};
         }
-        bench_time(v, most_variants, o->quick ? 3 : 21);
+        bench_time(v, most_variants, 21);
         table_text(&t, "%s", c->name), table_text(&t, "%s", c->input);
         for (int i = 0; i < 2 * most_variants; i++) {
             if (!hard_has(c->kind, i % most_variants)) table_text(&t, "-");
@@ -203,7 +203,7 @@ static inline void plot_hard(const options *o)
     hard_run *r = allocate(1, sizeof *r);
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         int series = plot_series(&p, lines[k].name);
-        for (int e = 0; e <= (real_is_float ? 12 : 24); e += o->quick ? 6 : 1) {
+        for (int e = 0; e <= (real_is_float ? 12 : 24); e++) {
             hard_case c = {"", "", lines[k].kind, pow(10, -0.25 * e), SHAPE_ANY};
             for (int i = 0; i < hard_inputs; i++) {
                 random_stream s = random_start(o->seed, 99, (uint64_t)i);

@@ -206,7 +206,7 @@ static inline vec3 lobe_colour(const void *context, real x, real y)
 static inline void draw_lobes(const options *o)
 {
     if (o->out) return;
-    int side = o->quick ? 24 : 180;
+    const int side = 180;
     image im = image_new(lobe_columns * side, lobe_rows * side);
     lobe_sheet sheet = {.side = side};
     for (int row = 0; row < lobe_rows; row++)
