@@ -95,10 +95,10 @@ static void test_view(void)
     enum { n = 400 };
     double area[view_things];
     for (int m = 0; m < view_maps; m++) {
-        view_count((view_map)m, n, area);
-        double pixel = 2 * (double)view_scale((view_map)m) / n;
+        view_count((radiometry_map)m, n, area);
+        double pixel = 2 * (double)view_scale((radiometry_map)m) / n;
         for (int k = 0; k < view_things; k++) {
-            double closed = view_closed((view_map)m, k);
+            double closed = view_closed((radiometry_map)m, k);
             if (isnan(closed)) continue;
             check_close(area[k], closed, 3 * sqrt(5.0 * n) * pixel * pixel, "%s, map %d",
                         view_name[k], m);
@@ -109,7 +109,7 @@ static void test_view(void)
     for (int i = 0; i < 100; i++) {
         real r = (real)i / 100;
         for (int m = 0; m < view_maps; m++) {
-            check(view_direction((view_map)m, 0, r, &w), "inside");
+            check(view_direction((radiometry_map)m, 0, r, &w), "inside");
             check_close((double)vlength(w), 1, 4 * eps, "unit length");
         }
     }

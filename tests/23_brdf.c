@@ -518,7 +518,7 @@ static void test_picture_unchanged(void)
 {
     image thrifty = image_new(70, 40), lavish = image_new(70, 40);
     options o = {.seed = 3};
-    sphere_sheet sheet[2] = {{&thrifty, &o, 4, 16, false}, {&lavish, &o, 4, 16, true}};
+    brdf_spheres sheet[2] = {{&thrifty, &o, 4, 16, false}, {&lavish, &o, 4, 16, true}};
     for (int i = 0; i < 70 * 40; i++)
         for (int k = 0; k < 2; k++) sphere_pixel(i % 70, i / 70, &sheet[k]);
     check(memcmp(thrifty.rgb, lavish.rgb, 70 * 40 * 3 * sizeof(float)) == 0, "the same picture");

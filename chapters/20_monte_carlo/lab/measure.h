@@ -14,11 +14,11 @@
 
 /* ---- seven ways ------------------------------------------------------------------------------ */
 
-typedef struct { int method; uint64_t seed; uint32_t n; } timed_estimate;
+typedef struct { int method; uint64_t seed; uint32_t n; } monte_carlo_timed;
 
 static inline double run_estimate(void *context)
 {
-    const timed_estimate *e = context;
+    const monte_carlo_timed *e = context;
     double error[integrands];
     convergence_errors(e->method, e->seed, 0, e->n, error);
     return error[SMOOTH] + error[EDGE];
@@ -33,10 +33,10 @@ static inline void number_or_dash(table *t, double x)
 /* ns a sample, at 1024 samples: it hardly depends on their number. */
 static inline void measure_time(const options *o, double ns[convergence_methods])
 {
-    timed_estimate e[convergence_methods];
+    monte_carlo_timed e[convergence_methods];
     bench_candidate v[convergence_methods];
     for (int k = 0; k < convergence_methods; k++) {
-        e[k] = (timed_estimate){k, o->seed, 1024};
+        e[k] = (monte_carlo_timed){k, o->seed, 1024};
         v[k] = (bench_candidate){.run = run_estimate, .context = &e[k]};
     }
     bench_time(v, convergence_methods, o->full ? 99 : o->quick ? 5 : 31);

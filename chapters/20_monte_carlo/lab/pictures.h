@@ -18,15 +18,15 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { panel_gap = 6 };
-typedef struct { image *im; int across, down; uint64_t seed; size_t samples; } panel_sheet;
-typedef struct { int x, y, side; } panel_place;
+typedef struct { image *im; int across, down; uint64_t seed; size_t samples; } monte_carlo_panels;
+typedef struct { int x, y, side; } monte_carlo_place;
 
 /* Panel i of across x down, square, in the upper left of its share; side 0 if there is no room. */
-static inline panel_place panel_of(const panel_sheet *p, int i)
+static inline monte_carlo_place panel_of(const monte_carlo_panels *p, int i)
 {
     int w = (p->im->width + panel_gap) / p->across, h = (p->im->height + panel_gap) / p->down;
     int side = (w < h ? w : h) - panel_gap;
-    return (panel_place){i % p->across * w, i / p->across * h, side > 0 ? side : 0};
+    return (monte_carlo_place){i % p->across * w, i / p->across * h, side > 0 ? side : 0};
 }
 
 static inline void panel_paint(image *im, vec3 colour)
@@ -40,12 +40,12 @@ enum { points_columns = 4, points_rows = 3, shadow_cells = 48 };
 static const sequence_kind points_kind[points_columns] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
                                                           SEQUENCE_HALTON, SEQUENCE_SOBOL};
 typedef struct {
-    panel_sheet sheet;
+    monte_carlo_panels sheet;
     double truth[shadow_cells * shadow_cells], error[points_columns];
-} points_picture;
+} monte_carlo_points;
 
 /* A dot at (x, y) of the panel, y upwards, darkening what is there. */
-static inline void panel_dot(const panel_sheet *p, panel_place at, real x, real y)
+static inline void panel_dot(const monte_carlo_panels *p, monte_carlo_place at, real x, real y)
 {
     real cx = x * (real)at.side, cy = (1 - y) * (real)at.side, r = (real)at.side / 80;
     vec3 ink = {0.0, 0.09, 0.3};
@@ -77,12 +77,12 @@ static inline double shadow_seen(sequence_kind kind, uint64_t seed, int cell, ui
 
 static inline void truth_row(size_t j, void *context)
 {
-    points_picture *p = context;
+    monte_carlo_points *p = context;
     for (int cell = (int)j * shadow_cells; cell < (int)(j + 1) * shadow_cells; cell++)
         p->truth[cell] = shadow_seen(SEQUENCE_SOBOL, p->sheet.seed + 1, cell, 1024);
 }
 
-static inline void shadow_panel(points_picture *p, panel_place at, int column)
+static inline void shadow_panel(monte_carlo_points *p, monte_carlo_place at, int column)
 {
     double square = 0, seen[shadow_cells * shadow_cells];
     for (int c = 0; c < shadow_cells * shadow_cells; c++) {
@@ -100,8 +100,8 @@ static inline void shadow_panel(points_picture *p, panel_place at, int column)
 
 static inline void points_panel(size_t i, void *context)
 {
-    points_picture *p = context;
-    panel_place at = panel_of(&p->sheet, (int)i);
+    monte_carlo_points *p = context;
+    monte_carlo_place at = panel_of(&p->sheet, (int)i);
     int row = (int)i / points_columns, column = (int)i % points_columns;
     if (row == 2) { shadow_panel(p, at, column); return; }
     label_fill(p->sheet.im, at.x, at.y, at.side, at.side, vec(0.92, 0.92, 0.92));
@@ -119,10 +119,10 @@ static inline void draw_points(const options *o)
 {
     bool words = o->width >= 800 && o->height >= 600;
     image im = image_new(o->width, o->height - (words ? 26 * points_rows : 0)), sheet = im;
-    points_picture *p = allocate(1, sizeof *p);
+    monte_carlo_points *p = allocate(1, sizeof *p);
     const char *title[points_columns * points_rows];
     char text[points_columns][32];
-    p->sheet = (panel_sheet){&im, points_columns, points_rows, o->seed, 256};
+    p->sheet = (monte_carlo_panels){&im, points_columns, points_rows, o->seed, 256};
     panel_paint(&im, vec(1, 1, 1));
     bool whole = parallel_for(shadow_cells, o->threads, "shadow", truth_row, p)
               && parallel_for(points_columns * points_rows, o->threads, "points", points_panel, p);
@@ -186,8 +186,8 @@ static inline vec3 heat_colour(double ratio)
 
 static inline void wrong_panel(size_t index, void *context)
 {
-    const panel_sheet *p = context;
-    panel_place at = panel_of(p, (int)index);
+    const monte_carlo_panels *p = context;
+    monte_carlo_place at = panel_of(p, (int)index);
     int column = (int)index % wrong_columns;
     bool right = index >= wrong_columns;
     double count[heat_cells * heat_cells] = {0};
@@ -217,7 +217,7 @@ static inline void draw_wrong(const options *o)
     if (o->out) return;
     image im = image_new(wrong_columns * 150 - panel_gap, 2 * 150 - panel_gap);
     panel_paint(&im, vec(0.8f, 0.8f, 0.8f));
-    panel_sheet p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
+    monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
     bool whole = parallel_for(2 * wrong_columns, o->threads, "densities", wrong_panel, &p);
     output_picture(o, &im, "20_monte_carlo_wrong.png", false, whole);
     image_free(&im);

@@ -20,9 +20,9 @@ static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, S
 
 /* ---- pictures -------------------------------------------------------------------------------- */
 
-typedef struct { distributed_view v; image im; } picture_run;
+typedef struct { distributed_view v; image im; } distributed_run;
 typedef struct { double error[measure_methods][measure_levels], seconds[measure_methods]; }
-    picture_study;
+    distributed_study;
 
 /* Ctrl-C: half a picture must not be measured. */
 static inline void measure_unless(bool stopped)
@@ -32,7 +32,7 @@ static inline void measure_unless(bool stopped)
 
 static inline double picture_seconds(void *context)  /* on one thread */
 {
-    picture_run *r = context;
+    distributed_run *r = context;
     measure_unless(!distributed_draw(&r->v, &r->im, 1));
     return (double)r->im.rgb[0];
 }
@@ -48,15 +48,15 @@ static inline void picture_draw(const options *o, distributed_view *v, image *im
 /* The reference has another seed, 8 times as many samples as the best picture, and so an error of
  * 1/4.8 of its, if that falls as N^-3/4: what it adds to the measured one is 2 %. The time is that
  * of 16 samples a pixel: it is proportional to their number. */
-static inline picture_study picture_measure(const options *o, const showroom *g, int effect,
+static inline distributed_study picture_measure(const options *o, const showroom *g, int effect,
                                             int levels)
 {
     int w = o->quick ? 12 : 20, h = w * 3 / 4;
     image im = image_new(w, h), reference = image_new(w, h);
     showroom_look k;
     distributed_view v = showroom_effect_view(&k, g, effect, true, (real)w / (real)h);
-    picture_study p = {.seconds = {0}};
-    picture_run run[measure_methods];
+    distributed_study p = {.seconds = {0}};
+    distributed_run run[measure_methods];
     bench_candidate clock[measure_methods];
     v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
     picture_draw(o, &v, &reference), v.seed = o->seed;
@@ -67,7 +67,7 @@ static inline picture_study picture_measure(const options *o, const showroom *g,
             picture_draw(o, &v, &im);
             p.error[m][l] = image_compare(&im, &reference).rmse;
         }
-        run[m] = (picture_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
+        run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
         clock[m] = (bench_candidate){.run = picture_seconds, .context = &run[m]};
     }
     bench_time(clock, measure_methods, o->quick ? 1 : 3);
@@ -84,8 +84,8 @@ static inline double picture_slope(const double *error, int levels)
     return fit_line(x + 1, y + 1, (size_t)levels - 1).slope;
 }
 
-static inline void picture_series(plot *p, const picture_study *s, int effect, int m, int levels,
-                                  bool time)
+static inline void picture_series(plot *p, const distributed_study *s, int effect, int m,
+                                  int levels, bool time)
 {
     char name[64];
     snprintf(name, sizeof name, "%s, %s", showroom_effect[effect].name,
@@ -110,7 +110,7 @@ static inline void table_of_pictures(const options *o)
     plot n = plot_new("Error of a picture", "samples a pixel", "error (rmse)",
                       PLOT_LOG_X | PLOT_LOG_Y);
     for (int e = 0; e < 5; e += o->full ? 1 : 4) {
-        picture_study p = picture_measure(o, g, e, levels);
+        distributed_study p = picture_measure(o, g, e, levels);
         for (int m = 0; m < measure_methods; m++) {
             if (e == 0 || e == 4) picture_series(&time, &p, e, m, levels, true);
             if (e == 0 || e == 3) picture_series(&n, &p, e, m, levels, false);

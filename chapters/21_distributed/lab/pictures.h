@@ -82,18 +82,18 @@ typedef struct {
     int width, height;
     light lights[2];
     shading how;
-} highlight_view;
+} distributed_highlight;
 
 static inline vec3 highlight_colour(const void *context, real x, real y)
 {
-    const highlight_view *p = context;
+    const distributed_highlight *p = context;
     tracer t = {.w = &p->k->w, .program = shade_programs, .user = &p->how};
     return shade_ray(&t, camera_ray(p->c, x, y, p->width, p->height));
 }
 
 static inline bool draw_highlight(const showroom_look *k, camera c, image *im, int threads)
 {
-    highlight_view p = {k, c, im->width, im->height, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}},
+    distributed_highlight p = {k, c, im->width, im->height, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}},
                         {.lights = NULL}};
     for (int i = 0; i < 2; i++)
         p.lights[i] = (light){LIGHT_POINT, k->light[i].at, k->light[i].colour};

@@ -38,12 +38,12 @@ typedef struct {
     direction_way by;           /* direction_ways: as first.h does, of the sphere, at random */
     sequence_kind kind;
     uint64_t seed;
-} timed_way;
-typedef struct { timed_way what; int runs; double rms[way_levels]; } way_errors;
+} radiometry_timed;
+typedef struct { radiometry_timed what; int runs; double rms[way_levels]; } radiometry_errors;
 
 static inline uint32_t way_samples(int l) { return (uint32_t)16 << (2 * l); }
 
-static inline double way_estimate(const timed_way *w, uint64_t run, uint32_t n)
+static inline double way_estimate(const radiometry_timed *w, uint64_t run, uint32_t n)
 {
     if (w->by != direction_ways)
         return direction_estimate(w->light, w->by, w->kind, w->seed, run, n);
@@ -54,7 +54,7 @@ static inline double way_estimate(const timed_way *w, uint64_t run, uint32_t n)
 
 static inline void way_job(size_t i, void *context)
 {
-    way_errors *e = (way_errors *)context + i;
+    radiometry_errors *e = (radiometry_errors *)context + i;
     double exact = direction_exact(e->what.light);
     for (int l = 0; l < way_levels; l++) {
         double square = 0;
@@ -70,16 +70,16 @@ static inline double run_way(void *context) { return way_estimate(context, 0, 10
 
 /* Row k of the table: the sphere's ways and first.h's, then those of the square. */
 enum { sphere_rows = direction_ways + 1, way_rows = sphere_rows + direction_ways };
-static inline timed_way way_of_row(int k, sequence_kind kind, uint64_t seed)
+static inline radiometry_timed way_of_row(int k, sequence_kind kind, uint64_t seed)
 {
     bool square = k >= sphere_rows;
-    return (timed_way){square ? LIGHT_SQUARE : LIGHT_SPHERE,
+    return (radiometry_timed){square ? LIGHT_SQUARE : LIGHT_SPHERE,
                        (direction_way)(square ? k - sphere_rows : k), kind, seed};
 }
 
 /* Of the square, each way by random numbers, then by Sobol's; with `clock` against time. */
-static inline void ways_plot(const options *o, const way_errors *e, const bench_candidate *clock,
-                             const char *title, const char *file)
+static inline void ways_plot(const options *o, const radiometry_errors *e,
+                             const bench_candidate *clock, const char *title, const char *file)
 {
     plot p = plot_new(title, clock ? "time [us]" : "N", "relative error", PLOT_LOG_X | PLOT_LOG_Y);
     for (int i = 2 * sphere_rows; i < 2 * way_rows; i++) {
@@ -99,11 +99,11 @@ static inline void measure_ways(const options *o)
 {
     enum { all = 2 * way_rows };
     int runs = o->quick ? 2 : 64;
-    way_errors e[all];
+    radiometry_errors e[all];
     bench_candidate clock[all];
     for (int i = 0; i < all; i++) {
-        e[i] = (way_errors){way_of_row(i / 2, i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, o->seed),
-                            runs, {0}};
+        sequence_kind kind = i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM;
+        e[i] = (radiometry_errors){way_of_row(i / 2, kind, o->seed), runs, {0}};
         clock[i] = (bench_candidate){.run = run_way, .context = &e[i].what};
     }
     parallel_for(all, o->threads, "estimates", way_job, e);

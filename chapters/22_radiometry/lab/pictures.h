@@ -23,7 +23,7 @@ typedef struct {
     int parts;            /* floor_cell's */
     uint32_t *count;      /* of each light, of each chunk, of each cell */
     double *expected, *e; /* of each light, of each cell */
-} floor_picture;
+} radiometry_floors;
 
 /* Black below 1/256, then blue, red, yellow; pi is white. A dark line at each factor of 2. */
 static inline vec3 heat(double e)
@@ -57,7 +57,7 @@ static inline size_t floor_index(int light, int chunk, int cell)
 
 static inline void photon_job(size_t i, void *context)
 {
-    floor_picture *f = context;
+    radiometry_floors *f = context;
     size_t chunk = i % floor_chunks, n = f->photons / floor_chunks;
     int light = (int)(i / floor_chunks);
     floor_photons((floor_light)light, f->seed, chunk * n, n,
@@ -66,7 +66,7 @@ static inline void photon_job(size_t i, void *context)
 
 static inline void cells_job(size_t i, void *context)
 {
-    floor_picture *f = context;
+    radiometry_floors *f = context;
     int light = (int)i / floor_cells, j = (int)i % floor_cells;
     double n = (double)(f->photons / floor_chunks * floor_chunks);
     for (int k = 0; k < floor_cells; k++) {
@@ -77,14 +77,15 @@ static inline void cells_job(size_t i, void *context)
 }
 
 /* All chunks of a cell, over what one W/m^2 would bring. */
-static inline double floor_counted(const floor_picture *f, int light, int cell)
+static inline double floor_counted(const radiometry_floors *f, int light, int cell)
 {
     double sum = 0;
     for (int c = 0; c < floor_chunks; c++) sum += f->count[floor_index(light, c, cell)];
     return sum;
 }
 
-static inline vec3 floor_colour(const floor_picture *f, int light, int row, real x, real y, real px)
+static inline vec3 floor_colour(const radiometry_floors *f, int light, int row, real x, real y,
+                                real px)
 {
     int i = (int)((x + floor_half) / (2 * floor_half) * floor_cells);
     int j = (int)((y + floor_half) / (2 * floor_half) * floor_cells), cell = j * floor_cells + i;
@@ -105,7 +106,7 @@ static inline vec3 floor_colour(const floor_picture *f, int light, int row, real
 
 static inline vec3 floor_place(const void *context, real x, real y)
 {
-    const floor_picture *f = context;
+    const radiometry_floors *f = context;
     int w = (f->im->width + floor_gap) / floor_lights, h = (f->im->height + floor_gap) / floor_rows;
     int light = (int)x / w, row = (int)y / h, sw = w - floor_gap, sh = h - floor_gap;
     int side = sw < sh ? sw : sh;  /* square, in the middle */
@@ -120,7 +121,7 @@ static inline void draw_floor(const options *o)
 {
     enum { cells = floor_cells * floor_cells };
     image im = image_new(o->width, o->height);
-    floor_picture f = {&im, o->seed, o->quick ? 100000 : 3000000,
+    radiometry_floors f = {&im, o->seed, o->quick ? 100000 : 3000000,
                        o->quick ? 2 : 8, NULL, NULL, NULL};
     f.count = allocate((size_t)floor_lights * floor_chunks * cells, sizeof *f.count);
     f.expected = allocate((size_t)floor_lights * cells, sizeof *f.expected);
@@ -135,7 +136,7 @@ static inline void draw_floor(const options *o)
 
 /* ---- what a point sees ---- */
 
-static inline vec3 view_colour(view_map m, real x, real y, real px)
+static inline vec3 view_colour(radiometry_map m, real x, real y, real px)
 {
     static const vec3 colour[view_things] = {
         {0.9, 0.35, 0.02}, {0.65, 0.1, 0.05},

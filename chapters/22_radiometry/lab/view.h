@@ -16,7 +16,7 @@
 
 #include "../relations.h"
 
-typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } view_map;
+typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } radiometry_map;
 enum { view_things = 4 };
 static const char *const view_name[view_things] = {"sphere", "sphere, partly below", "square",
                                                    "triangle"};
@@ -30,9 +30,9 @@ static const rectangle view_square = {{-1.5, -1, 0.3}, {0, 1.6, 0},
 static const triangle view_triangle = {{0.4, -1.6, 0.3},
                                        {2, -0.6, 0.3}, {1, -1.2, 3}};
 
-static inline real view_scale(view_map m) { return m == VIEW_EQUAL_AREA ? sqrt((real)2) : 1; }
+static inline real view_scale(radiometry_map m) { return m == VIEW_EQUAL_AREA ? sqrt((real)2) : 1; }
 
-static inline bool view_direction(view_map m, real x, real y, vec3 *w)
+static inline bool view_direction(radiometry_map m, real x, real y, vec3 *w)
 {
     real k = view_scale(m), rr = k * k * (x * x + y * y);
     if (x * x + y * y >= 1) return false;
@@ -55,7 +55,7 @@ static inline int view_met(vec3 w)
 }
 
 /* The part of a sphere below the horizon: no closed form here for its solid angle, NaN. */
-static inline double view_closed(view_map m, int k)
+static inline double view_closed(radiometry_map m, int k)
 {
     vec3 v[3] = {view_triangle.a, view_triangle.b, view_triangle.c};
     vec3 back[3] = {v[0], v[2], v[1]};
@@ -72,7 +72,7 @@ static inline double view_closed(view_map m, int k)
                     polygon_irradiance(back, 3, seen_from, seen_up));
 }
 
-static inline void view_count(view_map m, int n, double area[view_things])
+static inline void view_count(radiometry_map m, int n, double area[view_things])
 {
     double side = 2 * (double)view_scale(m) / n;
     for (int k = 0; k < view_things; k++) area[k] = 0;

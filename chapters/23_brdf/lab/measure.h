@@ -122,11 +122,11 @@ static inline void survey_job(size_t i, void *context)
     s->asked[surface][method][level] = (double)r.asked / runs;
 }
 
-typedef struct { int surface, method; } timed_method;
+typedef struct { int surface, method; } brdf_timed;
 
 static inline double timed_run(void *context)
 {
-    const timed_method *m = context;
+    const brdf_timed *m = context;
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
     return method_run(&r, m->surface, m->method, 3, 1, 1);
 }
@@ -134,12 +134,12 @@ static inline double timed_run(void *context)
 /* The methods of one surface in turn. */
 static inline void measure_times(const options *o, int surface, double ns[methods])
 {
-    timed_method m[methods];
+    brdf_timed m[methods];
     bench_candidate v[methods];
     int n = surface == WINDOW ? methods : FIRST;
     if (!method_suits(o, 0, surface)) return;
     for (int k = 0; k < n; k++) {
-        m[k] = (timed_method){surface, k};
+        m[k] = (brdf_timed){surface, k};
         v[k] = (bench_candidate){.run = timed_run, .context = &m[k]};
     }
     bench_time(v, n, o->quick ? 3 : 31);
