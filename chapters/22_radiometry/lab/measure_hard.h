@@ -3,9 +3,9 @@
  *   measure_hard(o)   a table: the largest relative error in 256 inputs, ns of one
  *   plot_hard(o)      the same against size/distance
  *
- * A case of hard_list fills a hard_run with random inputs of its kind; hard_error is the largest
- * error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres only),
- * naive, the formula of chapter 07 as it stands (triangles only), the default.
+ * A case of hard_list fills a radiometry_hard_run with random inputs of its kind; hard_error is the
+ * largest error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres
+ * only), naive, the formula of chapter 07 as it stands (triangles only), the default.
  */
 #ifndef RADIOMETRY_MEASURE_HARD_H
 #define RADIOMETRY_MEASURE_HARD_H
