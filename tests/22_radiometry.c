@@ -49,7 +49,7 @@ static void test_closed(void)
 /* ---- photons ---- */
 
 /* Counts in all cells against the closed form at once, by chi-square. Cells through which the
- * border of the sphere or of the light's plane passes have a mean that 8 x 8 points know to a
+ * border of the sphere or of the light's plane passes have a mean that 4 x 4 points know to some
  * percent: left out. */
 static void test_floors(void)
 {
@@ -63,7 +63,7 @@ static void test_floors(void)
         for (int k = 0; k < cells; k++) {
             int i = k % floor_cells, j = k / floor_cells;
             double x = (i + 0.5) / floor_cells * 8 - 4, y = (j + 0.5) / floor_cells * 8 - 4;
-            double r = sqrt(x * x + y * y), fill = floor_cell((floor_light)light, i, j, 8);
+            double r = sqrt(x * x + y * y), fill = floor_cell((floor_light)light, i, j, 4);
             bool border = light == FLOOR_SPHERE ? fabs(r - 0.8) < 0.1
                         : light == FLOOR_RECTANGLE && x < -1.8 && x > -2.2;
             if (border) continue;
