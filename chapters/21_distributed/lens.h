@@ -26,8 +26,8 @@
  * Sources: M. Potmesil, I. Chakravarty, "A lens and aperture camera model for synthetic image
  * generation", SIGGRAPH 1981 (the circle); R. Cook, T. Porter, L. Carpenter, 1984 (the rays).
  */
-#ifndef LENS_H
-#define LENS_H
+#ifndef DISTRIBUTED_LENS_H
+#define DISTRIBUTED_LENS_H
 
 #include "../02_camera/camera.h"
 #include "../20_monte_carlo/sampler.h"
@@ -62,7 +62,7 @@ static inline real lens_blur(thin_lens l, real z)
 /* The picture's height is (t - b) z / d at depth z. */
 static inline real lens_blur_pixels(camera c, thin_lens l, real z, int ny)
 {
-    real height = c.kind == CAMERA_PERSPECTIVE ? (c.t - c.b) * z / c.d : c.t - c.b;
+    real height = c.kind == CAMERA_PERSPECTIVE ? (c.top - c.bottom) * z / c.d : c.top - c.bottom;
     return 2 * lens_blur(l, z) * (real)ny / height;
 }
 
