@@ -181,7 +181,7 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     }
     for (unsigned c = 0; c < 8; c++) sum += count[c], filled |= (unsigned)(count[c] > 0) << c;
     bool helps = sum + 4 * octree_cut_cost < 4 * n;  /* (11.2) */
-    if ((!helps && vain) || (double)sum > room)
+    if ((!helps && vain) || structure_is_full(t->items, t->references, (double)sum, room))
         return octree_make_leaf(b, node, begin, n, cell.depth);
 
     /* A block of eight nodes, and each child in turn */

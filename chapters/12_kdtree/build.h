@@ -120,7 +120,8 @@ static inline bool kd_wants(kd_builder *b, size_t begin, size_t n, const kd_box 
 {
     const kdtree_options *how = &b->how;
     bool by_cost = how->strategy == KD_SAH;
-    if (depth >= how->depth || n == 0 || 2 * (double)n > room) return false;
+    if (depth >= how->depth || n == 0) return false;
+    if (structure_is_full(b->t->items, b->t->references, 2 * (double)n, room)) return false;
     if (!by_cost && (n <= (size_t)how->leaf || doubled > kd_most_doubled)) return false;
     *c = kd_choose(&b->split, b->item + begin, n, cell);
     return c->cost < (by_cost ? how->item_cost * (double)n : HUGE_VAL);

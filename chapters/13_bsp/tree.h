@@ -139,7 +139,9 @@ static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of al
     double n = (double)(all.end - all.begin);
     plane_choice x;
     if (!bsp_fits(b)) return;
-    if (depth >= b->c.how.depth || 2 * n > room || !choose_plane(&b->c, all, c, &x)) {
+    if (depth >= b->c.how.depth
+        || structure_is_full(b->tree->in_tree, b->tree->references, 2 * n, room)
+        || !choose_plane(&b->c, all, c, &x)) {
         bsp_make_leaf(b, at, all, depth);
         return;
     }
