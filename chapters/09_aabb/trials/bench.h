@@ -295,7 +295,7 @@ static inline void trial_time_build(trial_row *r, const trial_scene *s, int most
     r->build = clock_median(seconds, done);
 }
 
-/* rounds [at least 1; from 5 on they build again, too]. Trees stay in row[i].built until the end. */
+/* rounds [at least 1; from 5 on they build again, too]. What is built stays until trial_end. */
 static inline void trials_run(trial_row *row, int n, const trial_scene *s, int rounds)
 {
     for (int i = 0; i < n; i++) {
