@@ -297,7 +297,8 @@ static inline mesh structure_fan(size_t n)
     return m;
 }
 
-/* Builds X of the fan: it names items no more often than `most`, and finds what brute force does. * \
+/* Builds X of the fan: it names items no more often than `most`, and finds what brute force
+ * does. */
 #define structure_piled(X, options, most)                                                        \
     do {                                                                                         \
         mesh fan = structure_fan(10000);                                                         \

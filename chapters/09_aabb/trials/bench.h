@@ -3,15 +3,15 @@
  *   trial_scene s;                                        must stay where it is: s.x points into it
  *   trial_scene_of(teapot_mesh(8), &s);                   takes the mesh; no rays yet
  *   s.rays[TRIAL_PRIMARY] = rays_primary(camera, 160, 100);                rays of your own, or:
- *   trial_rays(&s, camera, 160, 100, 1000, seed, &v, &how);    primary ones; diffuse ones from where
- *                                     they hit, as v finds it; 1000 at corners and where they are due
+ *   trial_rays(&s, camera, 160, 100, 1000, seed, &v, &how);   primary ones; diffuse ones from where
+ *                                     they hit, as v finds it; 1000 at corners, and what is due
  *   trial_row row[] = {{.name = "middle", .verbs = &v, .how = &how}, ..};
- *   trials_run(row, n, &s, 5);         builds, counts, compares with brute force; then all of them in
+ *   trials_run(row, n, &s, 5);        builds, counts, compares with brute force; then all in
  *                                     turn, 5 rounds and one to warm up, for each kind of rays
  *   table t = trial_table("..", row, n, &s, o.full, NULL);     a row each, and one of brute force
  *   trial_end(row, n), trial_scene_free(&s);
  *
- *   TRIAL_VERBS(kdtree, kdtree, kdtree_hit, kdtree_hit_counted)    makes kdtree_trial, the trial_verbs
+ *   TRIAL_VERBS(kdtree, kdtree, kdtree_hit, kdtree_hit_counted)   makes kdtree_trial, trial_verbs
  *                                     of a structure that has the verbs of structure.h
  *   TRIAL_OTHER(naive, kdtree, kdtree, kdtree_hit_naive)           makes naive_trial, of another
  *                                     search of the same structure; its work is not counted
@@ -31,7 +31,8 @@
 #include "../items.h"
 #include "survey.h"
 
-typedef enum { TRIAL_PRIMARY, TRIAL_DIFFUSE, TRIAL_UNIFORM, TRIAL_CORNERS, trial_kinds } trial_rays_kind;
+typedef enum { TRIAL_PRIMARY, TRIAL_DIFFUSE, TRIAL_UNIFORM, TRIAL_CORNERS, trial_kinds }
+    trial_rays_kind;
 static const char *const trial_kind_name[trial_kinds] = {"primary", "diffuse", "uniform",
                                                          "corners"};
 
@@ -50,7 +51,7 @@ typedef struct {
     bool (*build)(const trial_scene *s, const void *how, void *out, failure *f);
     bool (*hit)(const void *b, ray r, hit *out);
     bool (*hit_counted)(const void *b, ray r, hit *out, search_work *w);  /* NULL: nobody counts */
-    size_t (*search)(const void *b, const ray_set *rays, size_t step);  /* hits; its search inlined */
+    size_t (*search)(const void *b, const ray_set *rays, size_t step);  /* hits; inlined */
     structure_stats (*stats)(const void *b);                              /* NULL: likewise */
     void (*free)(void *b);
     bool first;                  /* of a first.h: counts tests only, and rounds otherwise */
@@ -388,7 +389,7 @@ static inline table trial_table(const char *title, const trial_row *row, int n,
     snprintf(names + at, sizeof names - (size_t)at, "%s", full ? "|time spread [%]" : "");
     table t = table_new(title, names);
     for (int i = 0; i < n; i++) trial_cells(&t, &row[i], s, full, own);
-    if (!s->brute) return t;
+    if (s->brute <= 0) return t;
     size_t before = 0;  /* columns between the name and the tests */
     while (strncmp(t.cell[before], "tests", 5) != 0) before++;
     table_text(&t, "brute force");
