@@ -91,7 +91,7 @@ static inline affine inverse_residual(affine m, affine a)
 /* k of (16.3): by how much rounding of 1 in the inverse can grow on the way back. */
 static inline real affine_growth(affine m, affine a)
 {
-    return affine_norm(affine_of(affine_abs(a), affine_abs(m)));
+    return affine_norm(affine_then(affine_abs(a), affine_abs(m)));
 }
 
 /* g of (16.3). */

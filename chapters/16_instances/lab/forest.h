@@ -114,8 +114,8 @@ static inline affine forest_stand(random_stream *g, vec3 at, real low, real high
     real height = plant_between(g, low, high);
     real width = height * plant_between(g, 0.75, 1.3);
     affine a = affine_scaling((vec3){random_next_bits(g) & 1 ? width : -width, width, height});
-    a = affine_of(a, affine_rotation((vec3){0, 0, 1}, plant_between(g, 0, 2 * pi)));
-    return affine_of(a, affine_translation(at));
+    a = affine_then(a, affine_rotation((vec3){0, 0, 1}, plant_between(g, 0, 2 * pi)));
+    return affine_then(a, affine_translation(at));
 }
 
 static const real forest_sizes[forest_most_kinds] = {1, 9, 9, 7, 8, 8, 0.8, 0.45};

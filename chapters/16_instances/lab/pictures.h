@@ -111,8 +111,8 @@ static inline void draw_normals(const options *o)
     for (int i = 0; i < pots; i++) {
         vec3 to = {(real)-10.2 + (real)i * (real)6.9 + (i > 2 ? (real)-1.4 : 0), 0, 0};
         affine turn = affine_rotation((vec3){0, 0, 1}, -0.5);
-        affine a = affine_of(affine_scaling(scale[i]), turn);
-        list[i] = (instance){affine_of(a, affine_translation(to)), 0};
+        affine a = affine_then(affine_scaling(scale[i]), turn);
+        list[i] = (instance){affine_then(a, affine_translation(to)), 0};
     }
     crowd c = {&m, 1, list, pots};
     if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);

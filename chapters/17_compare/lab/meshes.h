@@ -2,20 +2,18 @@
  *
  *   world w;
  *   world_make(generator_find(mesh_list, mesh_scenes, "soup"), scale, &w, &f)
- *   mesh_world(&w, "soup", soup_mesh(n), z_up, &f)    view and light from the size of the mesh,
+ *   mesh_world(&w, "knot", m, z_up, &f)               view and light from the size of the mesh,
  *                                                     which w then owns; false: nothing in it
  *
- *   soup_mesh(n)       n small triangles anywhere in a cube: no surface, no order         [1, 2^24]
- *   thin_mesh(n)       n triangles as long as the cube and 1/1000 as wide, at odd angles: their
- *                      boxes are empty but for a line, and overlap all over               [1, 2^24]
- *   stadium_mesh(k)    10_grid/stadium.h: the teapot in a stadium
- *
- *   scale: of stadium, k; of soup, thousands of triangles; of needles, hundreds
+ *   stadium   the teapot in a stadium; scale k: stadium_mesh(k)
+ *   soup      1000 k small triangles anywhere in a cube, corners within 1 / cbrt(n) of a point: about
+ *             as many rays pass through as are stopped
+ *   needles   100 k triangles as long as the cube and 1/1000 as wide, at odd angles
  */
 #ifndef MESHES_H
 #define MESHES_H
 
-#include "../../../common/random.h"
+#include "../../07_mesh/scenes/soup.h"
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../07_mesh/scenes/world.h"
 
@@ -29,46 +27,6 @@ static const generator mesh_list[mesh_scenes] = {{"stadium", 32, 1, 150, make_st
                                                  {"needles", 50, 1, 10000, make_needles, 0}};
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline mesh loose_mesh(size_t n)  /* room for n triangles that share no corner */
-{
-    mesh m = {.vertices = 3 * n, .triangles = n};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
-    return m;
-}
-
-static inline vec3 cube_point(random_stream *g, real half)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, half);
-}
-
-/* Corners within 1 / cbrt(n) of a point: about as many rays pass through as are stopped. */
-static inline mesh soup_mesh(size_t n)
-{
-    mesh m = loose_mesh(n);
-    real size = 1 / cbrt((real)n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(1701, i, 0);
-        vec3 c = cube_point(&g, 1);
-        for (size_t k = 0; k < 3; k++) m.v[3 * i + k] = vadd(c, cube_point(&g, size));
-    }
-    return m;
-}
-
-static inline mesh thin_mesh(size_t n)
-{
-    mesh m = loose_mesh(n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(1702, i, 0);
-        vec3 *v = m.v + 3 * i;
-        v[0] = cube_point(&g, 1), v[1] = cube_point(&g, 1);
-        v[2] = vadd(v[0], cube_point(&g, 1e-3));
-    }
-    return m;
-}
 
 /* From in front, to the right and above, so near that the scene fills the view; one light, higher
  * up. */
@@ -103,12 +61,13 @@ static inline bool make_stadium(int fine, world *w, failure *f)
 
 static inline bool make_soup(int thousands, world *w, failure *f)
 {
-    return mesh_world(w, "soup", soup_mesh(1000 * (size_t)thousands), true, f);
+    size_t n = 1000 * (size_t)thousands;
+    return mesh_world(w, "soup", soup_mesh(n, 1, 1 / cbrt((real)n), 1701), true, f);
 }
 
 static inline bool make_needles(int hundreds, world *w, failure *f)
 {
-    return mesh_world(w, "needles", thin_mesh(100 * (size_t)hundreds), true, f);
+    return mesh_world(w, "needles", needle_mesh(100 * (size_t)hundreds, 1e-3, 1702), true, f);
 }
 
 #endif

@@ -31,7 +31,7 @@ static inline void world_to_mesh(world *w)
     for (size_t i = 0; i < w->n; i++)
         if (w->shape[i].kind != SHAPE_TRIANGLE) return;
     if (w->n == 0) return;
-    w->mesh = loose_mesh(w->n);
+    w->mesh = mesh_room(w->n);
     for (size_t i = 0; i < w->n; i++)
         memcpy(w->mesh.v + 3 * i, &w->shape[i].triangle, 3 * sizeof(vec3));
     free(w->shape);
