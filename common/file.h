@@ -12,8 +12,8 @@
  *   FILE *in = file_open("in.obj", &f);               NULL: no such file, a directory, a device
  *   die(2, "--leaf %d: ...", leaf);                   says so, and ends the program
  *
- * What this run has read no output replaces: file_begin refuses it, by device and inode. A state that
- * goes on in the same file says file_forget(path) first.
+ * What this run has read no output replaces: file_begin refuses it, by device and inode. A state
+ * that goes on in the same file says file_forget(path) first.
  *
  * Exit codes: 0 done, 1 could not (no such file, full disk), 2 misuse or broken input, 130 Ctrl-C.
  */
@@ -89,9 +89,9 @@ static int files_read;
 /* The number of an open or a named file in the list; -1: not in it. */
 static inline int file_read_number(const struct stat *s)
 {
-    int i = files_read - 1;
-    while (i >= 0 && (file_read_list[i].device != s->st_dev || file_read_list[i].inode != s->st_ino)) i--;
-    return i;
+    for (int i = 0; i < files_read; i++)
+        if (file_read_list[i].device == s->st_dev && file_read_list[i].inode == s->st_ino) return i;
+    return -1;
 }
 
 static inline void file_forget(const char *path)
@@ -112,7 +112,8 @@ static inline FILE *file_open(const char *path, failure *f)
         failed(f, 1, "%.300s: cannot read: a device, not a file", path);
         return NULL;
     } else in = fopen(path, "rb");
-    if (in && there && S_ISREG(s.st_mode) && files_read < file_most_read && file_read_number(&s) < 0) {
+    bool note = in && there && S_ISREG(s.st_mode) && file_read_number(&s) < 0;
+    if (note && files_read < file_most_read) {
         file_read_list[files_read].device = s.st_dev;
         file_read_list[files_read++].inode = s.st_ino;
     }

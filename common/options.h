@@ -7,9 +7,10 @@
  *
  * `--name value` and `--name=value` are the same, but a value that begins with -- needs the second
  * form; of a repeated option the last one counts. A word without dashes is the file of the first
- * OPTION_INPUT of the list: `14_bvh knot.obj` is `14_bvh --mesh knot.obj`. An output that is an input,
- * or another output, is refused before anything is drawn. Numbers are decimal (1e3, +5.0). Misuse ends the
- * program with exit 2 and a message that names the option, the value and what is allowed.
+ * OPTION_INPUT of the list: `14_bvh knot.obj` is `14_bvh --mesh knot.obj`. An output that is an
+ * input, or another output, is refused before anything is drawn. Numbers are decimal (1e3, +5.0).
+ * Misuse ends the program with exit 2 and a message that names the option, the value and what is
+ * allowed.
  */
 #ifndef OPTIONS_H
 #define OPTIONS_H
@@ -163,7 +164,7 @@ static inline void options_check_stdout(void)
         fprintf(stderr, "%s: standard output: cannot write\n", program_name), _exit(1);
 }
 
-/* Reads the command line. `own` ends with {0} and may be NULL; values not given stay as they are. */
+/* Reads the command line. `own` ends with {0} and may be NULL; what is not given stays as it is. */
 static inline options options_read(int argc, char **argv, const char *name, const char *about,
                                    options defaults, const option *own)
 {

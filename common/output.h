@@ -7,8 +7,8 @@
  *   *_time.svg      build/             build/quick/    (not drawn)      they differ from run to run
  *   table           stdout, and the file of --csv
  *
- * images/ is for the pictures of the book: with o.own, which a program sets where its reader draws a
- * model or a scene of their own, the main picture goes to build/, and no other is drawn.
+ * images/ is for the pictures of the book: with o.own, which a program sets where its reader draws
+ * a model or a scene of their own, the main picture goes to build/, and no other is drawn.
  *
  *   return output_done(&o);    the last line of main: says what was drawn, and where its page is
  *

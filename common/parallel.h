@@ -4,8 +4,8 @@
  * its index alone and writes only where no other one does, so the result is the same byte for byte
  * whoever does what when. Progress and the time left go to stderr, if that is a terminal.
  *
- * Ctrl-C (or SIGTERM) ends the work after the pieces in hand, and the caller keeps what there is. A second one
- * kills. Where Ctrl-C is ignored (nohup), it stays ignored.
+ * Ctrl-C (or SIGTERM) ends the work after the pieces in hand, and the caller keeps what there is. A
+ * second one kills. Where Ctrl-C is ignored (nohup), it stays ignored.
  */
 #ifndef PARALLEL_H
 #define PARALLEL_H

@@ -86,9 +86,9 @@ done
 
 # In float the Makefile leaves two warnings out, for first.h (see there): here all other files get them.
 if [ "${REAL:-double}" = float ]; then
-    literals="-Wno-float-conversion -Wno-implicit-float-conversion"  # half = 0.1 may round
     for c in chapters/*/main.c tests/*.c; do
-        ${CC:-cc} -std=c11 -fsyntax-only -Wconversion -Wdouble-promotion $literals -DREAL=float "$c" 2>&1
+        ${CC:-cc} -std=c11 -fsyntax-only -Wconversion -Wdouble-promotion \
+            -Wno-float-conversion -Wno-implicit-float-conversion -DREAL=float "$c" 2>&1  # x = 0.1 may round
     done | grep 'warning:' | grep -v '/first\.h:' >"$scratch/widened"
     if [ -s "$scratch/widened" ]; then no "float: $(head -n 5 "$scratch/widened")"; else ok; fi
 fi
@@ -104,9 +104,8 @@ cap common/lab 1000
 lines=$(wc -l < common/vec3.h)
 if [ "$lines" -lt 150 ]; then ok; else no "vec3.h has $lines lines, fewer than 150 are wanted"; fi
 # Characters, not bytes; line 2 of a main.c or first.c is a command and may be longer.
-long=$(LC_ALL=C awk '{ gsub(/[\200-\277]/, "") }
-    length > 100 && !(FNR == 2 && FILENAME ~ /(main|first)\.c$/) { print FILENAME ":" FNR }' \
-    $(find common chapters tests -name '*.[hc]'))
+long=$(LC_ALL=C find common chapters tests -name '*.[hc]' -exec awk '{ gsub(/[\200-\277]/, "") }
+    length > 100 && !(FNR == 2 && FILENAME ~ /(main|first)\.c$/) { print FILENAME ":" FNR }' {} +)
 if [ -z "$long" ]; then ok; else no "lines longer than 100 columns: $long"; fi
 
 echo "rules.sh: $passed passed, $failed failed"
