@@ -42,8 +42,8 @@
  * G. Schulz, "Iterative Berechnung der reziproken Matrix", ZAMM 13, 1933 (Newton's step);
  * N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3, 14 (inverses).
  */
-#ifndef PLACING_H
-#define PLACING_H
+#ifndef INSTANCES_PLACING_H
+#define INSTANCES_PLACING_H
 
 #include "../01_ray/affine.h"
 #include "../09_aabb/aabb.h"

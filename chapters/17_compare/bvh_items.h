@@ -7,8 +7,8 @@
  * The rest as items.h has it. nodes: pairs of boxes tested; a leaf is never empty. References are
  * more than items where cuts go through items (BVH_SPATIAL).
  */
-#ifndef BVH_ITEMS_H
-#define BVH_ITEMS_H
+#ifndef COMPARE_BVH_ITEMS_H
+#define COMPARE_BVH_ITEMS_H
 
 #include "../09_aabb/structure.h"
 #include "../14_bvh/bvh.h"

@@ -17,8 +17,8 @@
  *                                                      hits[i] has t = 0, shape 0 where occluded
  *   contender_free(c, s)
  */
-#ifndef CONTENDERS_H
-#define CONTENDERS_H
+#ifndef COMPARE_CONTENDERS_H
+#define COMPARE_CONTENDERS_H
 
 #include "brute.h"
 #include "bvh_items.h"
@@ -125,7 +125,7 @@ CONTENDER(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), SIZE_MA
 CONTENDER(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), SIZE_MAX,
           explain_octree)
 
-/* Of the short book: they may be wrong (stage.h). */
+/* Of the short book: they may be wrong (compare.h). */
 CONTENDER(first_grid, "first-grid", first_items, ((first_items_options){first_use_grid, 0}),
           SIZE_MAX, NULL)
 CONTENDER(first_octree, "first-octree", first_items, ((first_items_options){first_use_octree, 0}),

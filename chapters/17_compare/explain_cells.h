@@ -6,8 +6,8 @@
  * building left it out. If so, the search did not ask that cell, or lost the answer: brute force
  * tests the shape in the same way.
  */
-#ifndef EXPLAIN_CELLS_H
-#define EXPLAIN_CELLS_H
+#ifndef COMPARE_EXPLAIN_CELLS_H
+#define COMPARE_EXPLAIN_CELLS_H
 
 #include "../10_grid/nested.h"
 #include "../11_octree/octree.h"

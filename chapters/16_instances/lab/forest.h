@@ -12,8 +12,8 @@
  * Light is the headlight of 02, and another one from the direction of the sun where nothing is in
  * between (instances_occluded). Far away all fades into the sky.
  */
-#ifndef FOREST_H
-#define FOREST_H
+#ifndef INSTANCES_LAB_FOREST_H
+#define INSTANCES_LAB_FOREST_H
 
 #include "../../../common/image.h"
 #include "../../../common/parallel.h"

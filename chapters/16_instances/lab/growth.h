@@ -5,8 +5,8 @@
  *   table_of_way(&o)         ns from a ray in the world to one ready for the tree of a mesh
  *   table_of_normals(&o)     angle by which M n is off
  */
-#ifndef INSTANCES_GROWTH_H
-#define INSTANCES_GROWTH_H
+#ifndef INSTANCES_LAB_GROWTH_H
+#define INSTANCES_LAB_GROWTH_H
 
 #include "measure.h"
 

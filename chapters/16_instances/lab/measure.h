@@ -2,8 +2,8 @@
  *
  *   table_of_methods(&o)       the main table
  */
-#ifndef INSTANCES_MEASURE_H
-#define INSTANCES_MEASURE_H
+#ifndef INSTANCES_LAB_MEASURE_H
+#define INSTANCES_LAB_MEASURE_H
 
 #include "../../../common/lab/report.h"
 #include "forest.h"

@@ -4,8 +4,8 @@
  *   draw_normals(&o)                   teapots scaled: A^T n, M n, and the angle between them
  *   draw_unit(&o)                      the forest by rays normalised in object space
  */
-#ifndef INSTANCES_PICTURES_H
-#define INSTANCES_PICTURES_H
+#ifndef INSTANCES_LAB_PICTURES_H
+#define INSTANCES_LAB_PICTURES_H
 
 #include "../../../common/output.h"
 #include "../../07_mesh/scenes/teapot.h"

@@ -4,8 +4,8 @@
  *   table_of_sizes(&o)       against the size of the shapes
  *   table_of_rays(&o)        shadow rays, only what is called for and all
  */
-#ifndef SHADE_MEASURE_H
-#define SHADE_MEASURE_H
+#ifndef SHADE_LAB_MEASURE_H
+#define SHADE_LAB_MEASURE_H
 
 #include "../../../common/lab/report.h"
 #include "departures.h"

@@ -4,8 +4,8 @@
  *   draw_acne(&o)                      two views at T = 1e4: naive, mended
  *   draw_sight(&o)                     a plan of the gallery: which points see each other
  */
-#ifndef SHADE_PICTURES_H
-#define SHADE_PICTURES_H
+#ifndef SHADE_LAB_PICTURES_H
+#define SHADE_LAB_PICTURES_H
 
 #include "../../../common/lab/stroke.h"
 #include "../../../common/output.h"

@@ -6,8 +6,8 @@
  *   table_of_speed(&o)      pixels per second of forty.h, one thread
  *   table_of_first(&o)      first.h on its two balls: time, and what differs
  */
-#ifndef WHITTED_MEASURE_H
-#define WHITTED_MEASURE_H
+#ifndef WHITTED_LAB_MEASURE_H
+#define WHITTED_LAB_MEASURE_H
 
 #include "../../../common/lab/report.h"
 #include "first_world.h"

@@ -5,8 +5,8 @@
  *   draw_depths(&o)           forty balls: depth 1, 2, 3, 8
  *   draw_ray_tree(&o, x, y)   of the pixel (x, y) of the main picture: as text, and as a picture
  */
-#ifndef WHITTED_PICTURES_H
-#define WHITTED_PICTURES_H
+#ifndef WHITTED_LAB_PICTURES_H
+#define WHITTED_LAB_PICTURES_H
 
 #include "../../../common/output.h"
 #include "../scenes/forty.h"

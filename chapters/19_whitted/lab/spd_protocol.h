@@ -17,8 +17,8 @@
  * Sources: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and
  * the documentation of its programs.
  */
-#ifndef SPD_PROTOCOL_H
-#define SPD_PROTOCOL_H
+#ifndef WHITTED_LAB_SPD_PROTOCOL_H
+#define WHITTED_LAB_SPD_PROTOCOL_H
 
 #include "../../../common/parallel.h"
 #include "../../07_mesh/scenes/spd.h"
