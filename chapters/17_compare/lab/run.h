@@ -139,7 +139,7 @@ static inline void compare_run(compare_settings settings, const compare_options 
     bool all = !own->scene && !own->mesh, rays = own->files.rays;
     bool measured = !rays && !own->verify, alone = !all || o->full || c->large;
     world w;
-    if (all && measured && !(o->csv && !o->full)) draw_pictures(c);
+    if (all && measured) draw_pictures(c);
     if (measured && !alone && !own->only)  /* eight rows: bvh-morton is the one that nobody misses */
         settings.chosen &= ~(1u << contender_number(&bvh_morton_contender));
     compare_results r = {table_new("17_compare", cost_columns), {.chosen = c->chosen},
