@@ -19,6 +19,7 @@
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../compare.h"
 

@@ -84,9 +84,9 @@ static inline void growth_fit(const growth_curve *c, const char *name)
         build[i] = log2(c->build[i] + 1e-12), search[i] = log2(c->ray[i]);
     if (c->n < 2) return;
     printf("# %-11s a ray ~ n^%.2f, %.3g more steps a doubling", name,
-           slope_of(c->x, search, c->n), slope_of(c->x, c->steps, c->n));
+           bench_slope(c->x, search, c->n), bench_slope(c->x, c->steps, c->n));
     if (strcmp(name, brute_contender.name) == 0) printf("\n");
-    else printf("; building ~ n^%.2f\n", slope_of(c->x, build, c->n));
+    else printf("; building ~ n^%.2f\n", bench_slope(c->x, build, c->n));
 }
 
 static inline void growth_plots(const options *o, const growth_curve *c, unsigned chosen)

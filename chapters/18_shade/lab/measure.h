@@ -8,6 +8,7 @@
 #ifndef SHADE_LAB_MEASURE_H
 #define SHADE_LAB_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "departures.h"
 #include "gallery.h"
@@ -55,14 +56,14 @@ static inline double leaving_seconds(void *context)
 static inline void leaving_time(departure_kind kind, uint64_t seed, double ns[leavings])
 {
     leaving_run *b = allocate(leavings, sizeof *b);
-    clock_variant v[leavings];
+    bench_candidate v[leavings];
     for (int k = 0; k < leavings; k++) {
         for (int i = 0; i < leaving_batch; i++)
             departure_make(&b[k].x[i], kind, 1, 1, seed, (uint64_t)i);
         b[k].way = ways[k];
-        v[k] = (clock_variant){ways[k].name, leaving_seconds, &b[k], 0};
+        v[k] = (bench_candidate){ways[k].name, leaving_seconds, &b[k], 0, 0};
     }
-    clock_compare(v, leavings, 31);
+    bench_time(v, leavings, 31);
     for (int k = 0; k < leavings; k++) ns[k] = 1e9 * v[k].seconds / leaving_batch;
     free(b);
 }

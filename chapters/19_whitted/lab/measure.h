@@ -10,6 +10,7 @@
 #ifndef WHITTED_LAB_MEASURE_H
 #define WHITTED_LAB_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "first_world.h"
 #include "pictures.h"
@@ -134,7 +135,7 @@ static inline void draw_fresnel(const options *o)
 static inline void table_of_fresnel(const options *o)
 {
     static const double ior[] = {1.1, 1.33, 1.5, 2.4};
-    clock_variant c[3];
+    bench_candidate c[3];
     fresnel_run *b = allocate(3, sizeof *b);
     real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_first};
     static const char *const names[3] = {"exact", "Schlick", "first"};
@@ -142,9 +143,9 @@ static inline void table_of_fresnel(const options *o)
         b[k].form = form[k];
         for (int i = 0; i < fresnel_batch; i++)
             b[k].s[i] = snell_at((real)i * 90 / fresnel_batch, 1, 1.5);
-        c[k] = (clock_variant){names[k], fresnel_seconds, &b[k], 0};
+        c[k] = (bench_candidate){names[k], fresnel_seconds, &b[k], 0, 0};
     }
-    clock_compare(c, 3, o->quick ? 3 : 15);
+    bench_time(c, 3, o->quick ? 3 : 15);
     table t = table_new("R of Schlick's form, against Fresnel's, over all angles from outside",
                         "form|off at n=1.1|n=1.33|n=1.5|n=2.4|time [ns]");
     for (int k = 0; k < 3; k++) {
@@ -225,9 +226,9 @@ static inline void table_of_first(const options *o)
     first_world *x = first_world_new(&s, 8);
     int w = o->quick ? 64 : 480, h = w * 5 / 8;
     first_picture p[2] = {{image_new(w, h), &s, NULL}, {image_new(w, h), &s, x}};
-    clock_variant v[2] = {{"first", first_picture_draw, &p[0], 0},
-                          {"whitted", first_picture_draw, &p[1], 0}};
-    clock_compare(v, 2, o->quick ? 1 : 5);
+    bench_candidate v[2] = {{"first", first_picture_draw, &p[0], 0, 0},
+                            {"whitted", first_picture_draw, &p[1], 0, 0}};
+    bench_time(v, 2, o->quick ? 1 : 5);
     table t = table_new("Two balls over a board, one thread, one ray a pixel, depth 8",
                         "method|pixels off by 1e-6|error: rmse|error: most|time [ns/pixel]");
     for (int k = 0; k < 2; k++) {
