@@ -1,6 +1,6 @@
 /* explain_cells.h: the same for the structures that cut space: grids, octree, k-d tree, BSP tree.
  *
- *   explain_grid, explain_nested, explain_octree, explain_kdtree, explain_bsp(s, &w, out)
+ *   explain_grid, explain_nested, explain_octree, explain_kdtree, explain_bsp
  *
  * go to the cell that holds the point of the hit and see whether the shape is listed there. If not,
  * building left it out. If so, the search did not ask that cell, or lost the answer: brute force

@@ -1,9 +1,9 @@
 /* costs.h: what each structure costs on a scene: build, memory, work and time a ray.
  *
  *   cost_measure(&s, rounds)        each kind of rays, all structures in turn, medians, one thread
- *   cost_table(&o, &s, title)        a table of the scene, and who is cheapest for how many rays
- *   cost_csv_row(&csv, &s)           a row a structure and kind of rays: the columns cost_columns
- *   cost_total(e, rays)              seconds for so many rays of this mix, building included
+ *   cost_table(&o, &s, title)       a table of the scene, and who is cheapest for how many rays
+ *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
+ *   cost_total(&s, e, rays)         seconds for so many rays of this mix, building included
  *
  * The columns are those in which the literature compares (Havran 2000), in short names:
  *
