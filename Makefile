@@ -15,12 +15,12 @@
 # Example: make clean test CC=clang REAL=float CFLAGS=-O2
 
 NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null && echo -march=native)
-# First programs: -O1 halves the compiler's time, and theirs is the same. CFLAGS, if given, goes before.
+# First programs and tests: -O1 halves the compiler's time, and theirs is the same. CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
-FIRST_CFLAGS ?= -O1
+QUICK_CFLAGS ?= -O1
 endif
 CFLAGS ?= -O2 $(NATIVE)
-FIRST_CFLAGS ?= $(CFLAGS)
+QUICK_CFLAGS ?= $(CFLAGS)
 LDLIBS ?= -lm -lpthread
 REAL ?= double
 # first.h and first.c say 0.5 where real may be float: there two warnings would be noise. Where it is
@@ -57,22 +57,18 @@ $(BUILD)/%: chapters/%/main.c $(STAMP)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
-	$(Q)$(CC) -std=c11 $(FIRST_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
-
-$(BUILD)/test_%_first: tests/%_first.c $(STAMP)
-	$(if $(V),,@echo "CC tests/$*_first")
-	$(Q)$(CC) $(ALL_CFLAGS) $(FIRST_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) -std=c11 $(QUICK_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
 
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 -include $(wildcard $(BUILD)/*.d)
 
 $(STAMP): FORCE
 	@mkdir -p $(BUILD)
-	@echo '$(CC) $(ALL_CFLAGS) $(FIRST_CFLAGS) $(LDLIBS)' | cmp -s - $@ || \
-	  echo '$(CC) $(ALL_CFLAGS) $(FIRST_CFLAGS) $(LDLIBS)' > $@
+	@echo '$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(LDLIBS)' | cmp -s - $@ || \
+	  echo '$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(LDLIBS)' > $@
 FORCE:
 
 # Two at a time, or as many as there are cores; 17 measures time, and runs alone.
@@ -122,8 +118,8 @@ test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)
 endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
-soak:
-	$(Q)CHECK_SOAK=1 $(MAKE) --no-print-directory -j$(JOBS) test
+soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
+	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 sh tests/run.sh $(TESTS)
 
 precision:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double all

@@ -88,12 +88,13 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     for (size_t i = 0; i < 3 * m->triangles; i++) {
         vec3 q = vsub(m->v[m->index[i]], f.e);
         real x = vdot(q, f.u) / -vdot(q, f.w), y = vdot(q, f.v) / -vdot(q, f.w);
-        n = (camera_window){real_min(n.l, x), real_max(n.r, x), real_min(n.b, y), real_max(n.t, y)};
+        n = (camera_window){real_min(n.left, x), real_max(n.right, x), real_min(n.bottom, y),
+                            real_max(n.top, y)};
     }
-    if (!(n.l < n.r && n.b < n.t))
+    if (!(n.left < n.right && n.bottom < n.top))
         n = (camera_window){-0.3, 0.3, -0.3, 0.3};
-    real x = (n.l + n.r) / 2, y = (n.b + n.t) / 2, a = (real)width / (real)height;
-    real half = (real)0.52 * real_max(n.t - n.b, (n.r - n.l) / a);
+    real x = (n.left + n.right) / 2, y = (n.bottom + n.top) / 2, a = (real)width / (real)height;
+    real half = (real)0.52 * real_max(n.top - n.bottom, (n.right - n.left) / a);
     if (!camera_off_axis(f, (camera_window){x - a * half, x + a * half, y - half, y + half}, 1,
                          &c, &why))
         fail(why);
