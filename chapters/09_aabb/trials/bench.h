@@ -12,8 +12,9 @@
  *   trial_end(row, n), trial_scene_free(&s);
  *
  *   TRIAL_VERBS(kdtree, kdtree, kdtree_hit, kdtree_hit_counted)    makes kdtree_trial, the trial_verbs
- *                                     of a structure that has the verbs of structure.h; another
- *                                     search of the same structure: TRIAL_SEARCH(name, X, search)
+ *                                     of a structure that has the verbs of structure.h
+ *   TRIAL_OTHER(naive, kdtree, kdtree, kdtree_hit_naive)           makes naive_trial, of another
+ *                                     search of the same structure; its work is not counted
  *   TRIAL_FIRST(first_bvh, build)     makes first_bvh_trial, of a first.h; its hits count as wrong
  *                                     where first_is_wrong (07) says so
  *
@@ -103,6 +104,13 @@ typedef struct { const char *names; void (*cells)(table *t, const trial_row *r);
     static const trial_verbs id##_trial = {sizeof(X), id##_trial_build, id##_trial_hit,          \
                                            id##_trial_counted, id##_trial_search,                \
                                            id##_trial_stats, id##_trial_free, false};
+
+/* The structure of `base`, searched in another way. */
+#define TRIAL_OTHER(id, base, X, search)                                                         \
+    TRIAL_SEARCH(id, X, search)                                                                  \
+    static const trial_verbs id##_trial = {sizeof(X), base##_trial_build, id##_trial_hit, NULL,  \
+                                           id##_trial_search, base##_trial_stats,                \
+                                           base##_trial_free, false};
 
 /* build: statements that build b->s from b->m, in the way that *(const bool *)how may choose. */
 #define TRIAL_FIRST(X, building)                                                                 \
@@ -287,12 +295,12 @@ static inline void trial_time_build(trial_row *r, const trial_scene *s, int most
     r->build = clock_median(seconds, done);
 }
 
-/* rounds [at least 1]. What is built stays in row[i].built until trial_end. */
+/* rounds [at least 1; from 5 on they build again, too]. What is built stays in row[i].built until trial_end. */
 static inline void trial_run(trial_row *row, int n, const trial_scene *s, int rounds)
 {
     for (int i = 0; i < n; i++) {
         if (i > 0 && row[i].again) row[i].built = row[i - 1].built, row[i].build = row[i - 1].build;
-        else trial_time_build(&row[i], s, rounds);
+        else trial_time_build(&row[i], s, rounds < 5 ? 1 : rounds);
         if (row[i].verbs->stats) row[i].stats = row[i].verbs->stats(row[i].built);
         if (s->due) row[i].wrong = trial_wrong(&row[i], s);
     }
