@@ -1,5 +1,5 @@
 /* contenders.h: the structures that are compared. A new one is one line below, if it has the verbs
- * of 10_grid/items.h, and one in the list.
+ * of 09_aabb/structure.h, and one in the list.
  *
  *   CONTENDER(id, "name", X, options, most, explain)     makes id_contender:
  *      id        several may share a structure

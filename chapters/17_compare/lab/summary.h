@@ -77,7 +77,7 @@ static inline void summary_winners(const options *o, const compare_summary *m)
 {
     int kd = contender_number(&kdtree_contender), boxes = contender_number(&bvh_contender);
     bool chosen = m->chosen >> kd & m->chosen >> boxes & 1;
-    table t = table_new("Who wins", "scene|a ray|build and 1e6 rays|ray: kdtree / bvh");
+    table t = table_new("Who wins", "scene|least time a ray|least time in all|ratio kdtree / bvh");
     for (int i = 0; i < m->rows; i++) {
         const summary_row *r = &m->row[i];
         bool both = chosen && r->ray[kd] >= 0 && r->ray[boxes] > 0;
