@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 16_instances chapters/16_instances/main.c -lm -lpthread
  *
  * Without options: the forest, what goes wrong with normals and with normalised rays, a table of
- * methods. --full: four tables, three plots. --instances N: so many plants, the picture only. --mesh
- * FILE.obj: a crowd of that mesh, y up, the picture only. */
+ * methods. --full: four tables, three plots. --instances N: so many plants, the picture only.
+ * --mesh FILE.obj: a crowd of that mesh, y up, the picture only. */
 #include "../07_mesh/files/obj.h"
 #include "lab/growth.h"
 #include "lab/pictures.h"

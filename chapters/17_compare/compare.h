@@ -1,13 +1,13 @@
 /* compare.h: the structures on one scene: built, and proved to give the same answers.
  *
  *   comparison s;
- *   compare_begin(&s, &w, chosen, most_bytes, rounds)    builds all that are chosen (bit k: number k
- *                                                      of contender_list), each up to `rounds`
- *                                                      times, until a quarter of a second has
- *                                                      passed; all together hold at most most_bytes
- *   compare_rays(&s, whole_view, edge, seed)             the four kinds of rays: kinds.h
+ *   compare_begin(&s, &w, chosen, most_bytes, rounds)  builds all that are chosen (bit k: number k
+ *                                                     of contender_list), each up to `rounds`
+ *                                                     times, until a quarter of a second has
+ *                                                     passed; all together hold at most most_bytes
+ *   compare_rays(&s, whole_view, edge, seed)          the four kinds of rays: kinds.h
  *   if (!compare_prove(&s, brute_rays, seed, stdout)) exit(1);
- *   compare_end(&s)                                      the world stays the caller's
+ *   compare_end(&s)                                   the world stays the caller's
  *
  * A proof (证明) by trial: every structure gives the same hit, t, u, v and shape, for every ray of
  * every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few more of
@@ -70,7 +70,7 @@ static inline void entry_build(compare_entry *e, const items *x, size_t most_byt
     if (e->s) e->stats = e->c->stats(e->s);
 }
 
-/* On a terminal: who is at work, and on what. A later line takes its place; what NULL: erases it. */
+/* On a terminal: who is at work, and on what. A later line takes its place; what NULL: erases. */
 static inline void compare_progress(const char *where, const char *what, const char *who)
 {
     if (!isatty(STDERR_FILENO)) return;
@@ -143,7 +143,8 @@ static inline void print_hit(FILE *out, const char *who, hit h)
 }
 
 /* due: of `oracle`. */
-static inline void explain_ray(const compare_entry *e, const char *oracle, const wrong_ray *w, FILE *out)
+static inline void explain_ray(const compare_entry *e, const char *oracle, const wrong_ray *w,
+                               FILE *out)
 {
     const ray *r = &w->r;
     fprintf(out, "%s: wrong ray: o = (%.17g, %.17g, %.17g), d = (%.17g, %.17g, %.17g), "

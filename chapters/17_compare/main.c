@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 17_compare chapters/17_compare/main.c -lm -lpthread
  *
  * Without options: two pictures, four small scenes in one table. --full: ten scenes, four kinds of
- * rays, a table each; growth with n; a chart, three plots. --scene or --mesh: one scene. --rays: the
- * rays of a file. --verify: all rays by brute force, too. --protocol spd: the published counts. */
+ * rays, a table each; growth with n; a chart, three plots. --scene or --mesh: one scene. --rays:
+ * those of a file. --verify: all rays by brute force, too. --protocol spd: the published counts. */
 #include "lab/run.h"
 
 int main(int argc, char **argv)

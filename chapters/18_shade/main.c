@@ -2,7 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
  * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, a table of
- * ways to leave a surface. --full: all tables, three plots. --samples N is rounded down to a square. */
+ * ways to leave a surface. --full: all tables, three plots. --samples N: down to a square. */
 #include "../../common/lab/report.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"

@@ -1,8 +1,8 @@
 /* soup.h: triangles without order: each anywhere, none joined to another.
  *
  *   mesh m = mesh_room(n)                    room for n triangles that share no corner: v to be set
- *   mesh m = soup_mesh(n, half, size, seed)  n triangles anywhere in the cube [-half, half]^3, their
- *                                            corners within `size` of a point, along each axis
+ *   mesh m = soup_mesh(n, half, size, seed)  n triangles anywhere in the cube [-half, half]^3,
+ *                                            their corners within `size` of a point, by each axis
  *   mesh m = needle_mesh(n, width, seed)     n needles (狭长三角形) as long as the cube [-1, 1]^3 and
  *                                            `width` wide, at odd angles: their boxes are empty but
  *                                            for a line, and overlap all over

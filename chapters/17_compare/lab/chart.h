@@ -35,7 +35,8 @@ static inline int chart_panel(compare_chart *c, const char *name)  /* at most 16
     return c->panels++;
 }
 
-static inline void chart_bar(compare_chart *c, int panel, const char *name, double ray, double build)
+static inline void chart_bar(compare_chart *c, int panel, const char *name, double ray,
+                             double build)
 {
     c->value = grown(c->value, c->n, &c->room, sizeof *c->value);
     chart_value *v = &c->value[c->n++];

@@ -139,7 +139,8 @@ static inline void cost_cheapest(const comparison *s)
     printf("\n");
 }
 
-static inline void cost_row(table *t, const comparison *s, const compare_entry *e, const compare_entry *slow)
+static inline void cost_row(table *t, const comparison *s, const compare_entry *e,
+                            const compare_entry *slow)
 {
     structure_stats st = e->stats;
     size_t rays;
@@ -192,8 +193,9 @@ static inline void cost_table(const options *o, const comparison *s, const char 
     cost_cheapest(s);
 }
 
-static inline void cost_csv_row(table *t, const comparison *s, const compare_entry *e, const char *kind,
-                                 size_t rays, size_t hits, search_work w, double seconds)
+static inline void cost_csv_row(table *t, const comparison *s, const compare_entry *e,
+                                const char *kind, size_t rays, size_t hits, search_work w,
+                                double seconds)
 {
     structure_stats st = e->stats;
     size_t cells = 0;

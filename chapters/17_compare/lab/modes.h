@@ -1,6 +1,6 @@
 /* modes.h: what the program does beside its tables: the protocol of the SPD, verifying, files.
  *
- *   protocol_run(c, only, scene, scale)         --protocol spd: lines that begin with `primary` and end
+ *   protocol_run(c, only, scene, scale)   --protocol spd: lines that begin with `primary` and end
  *                                         with the number of hits
  *   verify_world(c, w)                    --verify: all rays by brute force, too
  *   file_run(c, w, files)                 --rays: rays of a file, and their hits to another

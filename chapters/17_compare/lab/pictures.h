@@ -19,7 +19,12 @@ enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_rows = 2, v
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const world *w; const contender *c; const void *s; int width, height; } sheet_panel;
+typedef struct {
+    const world *w;
+    const contender *c;
+    const void *s;
+    int width, height;
+} sheet_panel;
 
 /* Square pixels; the shorter side of the panel sees the whole view. */
 static inline ray sheet_ray(const sheet_panel *p, real x, real y)

@@ -140,7 +140,7 @@ static inline void compare_run(compare_settings settings, const compare_options 
     bool measured = !rays && !own->verify, alone = !all || o->full || c->large;
     world w;
     if (all && measured) draw_pictures(c);
-    if (measured && !alone && !own->only)  /* eight rows: bvh-morton is the one that nobody misses */
+    if (measured && !alone && !own->only)  /* eight rows; least missed is bvh-morton */
         settings.chosen &= ~(1u << contender_number(&bvh_morton_contender));
     compare_results r = {table_new("17_compare", cost_columns), {.chosen = c->chosen},
                          chart_new("What a ray costs, and what building costs")};

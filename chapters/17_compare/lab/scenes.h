@@ -2,12 +2,12 @@
  *
  *   const generator *g = scene_find("soup");    NULL: no such name
  *   scene_world(g, scale, &w, &f)               as world_make; scenes of triangles alone as a mesh
- *   mesh_world(&w, "knot", m, z_up, &f)         any mesh, which w then owns: view and light from its
- *                                               size; false: nothing in it
+ *   mesh_world(&w, "knot", m, z_up, &f)         any mesh, which w then owns: view and light from
+ *                                               its size; false: nothing in it
  *
  *   stadium   the teapot in a stadium; scale k: stadium_mesh(k)
- *   soup      1000 k small triangles anywhere in a cube, corners within 1 / cbrt(n) of a point: about
- *             as many rays pass through as are stopped
+ *   soup      1000 k small triangles anywhere in a cube, corners within 1 / cbrt(n) of a point:
+ *             about as many rays pass through as are stopped
  *   needles   100 k triangles as long as the cube and 1/1000 as wide, at odd angles
  */
 #ifndef COMPARE_LAB_SCENES_H

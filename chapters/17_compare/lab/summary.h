@@ -60,8 +60,8 @@ static inline void summary_table(const options *o, const compare_summary *m, con
 
 /* The fastest, of_ray and of_build as above; "-": none fits. Three percent are noise: within them
  * the earlier in the list wins. */
-static inline const char *summary_fastest(const compare_summary *m, const summary_row *r, double of_ray,
-                                          double of_build)
+static inline const char *summary_fastest(const compare_summary *m, const summary_row *r,
+                                          double of_ray, double of_build)
 {
     const char *name = "-";
     double least = HUGE_VAL;
