@@ -123,9 +123,13 @@ static inline uint8_t *image_bytes(const image *im, size_t *bad)
     for (size_t i = 0; i < 3 * n; i += 3) {
         const float *p = im->rgb + i;
         bool nan = isnan(p[0]) || isnan(p[1]) || isnan(p[2]);
+        *bad += !(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]));
+        if (i && memcmp(p, p - 3, 3 * sizeof *p) == 0) {
+            memcpy(rgb + i, rgb + i - 3, 3);  /* as its neighbour: spares three powers */
+            continue;
+        }
         for (size_t k = 0; k < 3; k++)
             rgb[i + k] = nan ? (k == 1 ? 0 : 255) : srgb_byte((double)p[k]);
-        *bad += !(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]));
     }
     return rgb;
 }
@@ -217,7 +221,7 @@ static inline bool read_pixels(scanner s, bool text, int bytes, bool little, lon
 /* A new image in *out, for image_free. Unreadable: exit code 1; broken or not a known format: 2. */
 static inline bool image_read(const char *path, image *out, failure *f)
 {
-    enum { side = 65535 };
+    const long side = INT32_MAX / 3;  /* an int counts the floats of a row; any picture fits */
     size_t n;
     char *text = file_read(path, &n, f), *end;
     if (!text) return false;
@@ -238,6 +242,6 @@ static inline bool image_read(const char *path, image *out, failure *f)
         else image_free(&im);
     } else ok = false;
     free(text);
-    return ok || failed(f, 2, "%.300s: no whole P3, P6 or PF picture up to %d wide", path, side);
+    return ok || failed(f, 2, "%.300s: no whole P3, P6 or PF picture", path);
 }
 #endif
