@@ -121,7 +121,7 @@ static inline void measure_variants(const options *o)
           "error boards [%]|error specks [%]|time [ns]"
         : "variant|cells|tests a ray|error boards [%]|error specks [%]|time [ns]");
     for (int i = 0; i < n; i++) row[i] = grid_row(&grid_candidate_list[i]);
-    trial_run(row, n, &pot, o->quick ? 3 : o->full ? 25 : 4);
+    trials_run(row, n, &pot, o->quick ? 3 : o->full ? 25 : 4);
     for (int i = 0; i < n; i++) {
         const structure_stats *st = &row[i].stats;
         const first_grid *g = &((const first_grid_trial_of *)row[i].built)->s;
@@ -162,7 +162,7 @@ static inline void plot_wrong(const options *o)
             row[i] = grid_row(&c[i]);
         }
         grid_speck_scene(o, c[0].how, &specks);
-        trial_run(row, shown, &pot, 9);
+        trials_run(row, shown, &pot, 9);
         for (int i = 0; i < shown; i++)
             plot_add(&p, i, grid_ns(&row[i]),
                      fmax(grid_wrong(row[i], &boards), grid_wrong(row[i], &specks)));
@@ -191,7 +191,7 @@ static inline void measure_scene(const options *o, grid_scene kind, table *t, pl
         bool notes = k < density_first;  /* 27 first */
         grid_options how = GRID_HOW(notes ? 27 : ldexp(1.0, k), true, true);
         trial_row r = {.name = "", .verbs = &grid_trial, .how = &how};
-        trial_run(&r, 1, &s, 9);
+        trials_run(&r, 1, &s, 9);
         double ns = trial_ns(&r, TRIAL_UNIFORM);
         search_work w = r.ray[TRIAL_UNIFORM].work;
         size_t rays = r.ray[TRIAL_UNIFORM].n;
@@ -203,7 +203,7 @@ static inline void measure_scene(const options *o, grid_scene kind, table *t, pl
         plot_add(work, cells, how.density, trial_per((double)w.nodes, rays));
     }
     trial_row two = grid_row(&grid_candidate_list[6]);
-    trial_run(&two, 1, &s, 9);
+    trials_run(&two, 1, &s, 9);
     table_text(t, "%s", scene_name), table_count(t, s.x.n), table_number(t, best);
     table_number(t, best_time), table_number(t, at_27), table_number(t, at_27 / best_time);
     table_number(t, trial_ns(&two, TRIAL_UNIFORM));
@@ -242,7 +242,7 @@ static inline void measure_stadium(const options *o)
         trial_row row[4];
         grid_scene_of(kind, o->seed, &s);
         for (int i = 0; i < 4; i++) row[i] = grid_row(&list[i]);
-        trial_run(row, 4, &s, 9);
+        trials_run(row, 4, &s, 9);
         for (int i = 0; i < 4; i++) {
             const structure_stats *st = &row[i].stats;
             search_work w = row[i].ray[TRIAL_UNIFORM].work;

@@ -84,7 +84,7 @@ static inline void table_of_knobs(const options *o)
     s.rays[TRIAL_CORNERS] = octree_hard_rays(&s.m, c.e, 2 * vlength(vsub(hi, lo)),
                                              o->quick ? 60 : 1000, o->seed);
     trial_due(&s, true);
-    trial_run(row, n, &s, o->quick ? 1 : o->full ? 9 : 3);
+    trials_run(row, n, &s, o->quick ? 1 : o->full ? 9 : 3);
     snprintf(title, sizeof title, "%s and along axes", trial_title(&s, rays));
     table out = trial_table(title, row, n, &s, o->full, NULL);
     output_table(o, &out);
@@ -150,7 +150,7 @@ static inline void table_of_faults(const options *o)
         trial_due(&s, false);
         for (int i = 0; i < 4; i++)
             row[i] = (trial_row){.verbs = way[i].verbs, .how = &how, .again = i > 0};
-        trial_run(row, 4, &s, 1);
+        trials_run(row, 4, &s, 1);
         for (int i = 0; i < 4; i++) wrong[i][k] = row[i].wrong;
         trial_end(row, 4), trial_scene_free(&s);
     }
@@ -186,7 +186,7 @@ static inline void table_of_stadium(const options *o)
             {.name = "octree", .verbs = &octree_trial, .how = &octree_defaults}};
         trial_scene_of(k ? stadium_mesh(24) : teapot_mesh(24), &s);
         octree_pot_rays(&s, true, 80, o->seed);
-        trial_run(row, 2, &s, 3);
+        trials_run(row, 2, &s, 3);
         for (int i = 0; i < 2; i++) {
             structure_stats *st = &row[i].stats;
             search_work w = row[i].ray[TRIAL_DIFFUSE].work;
@@ -223,7 +223,7 @@ static inline void plots_of_depth(const options *o)
         for (int depth = 1; depth <= 16; depth++) {
             octree_options how = OCTREE_HOW(8, depth, true, true);
             trial_row r = {.name = name[k], .verbs = &octree_trial, .how = &how};
-            trial_run(&r, 1, &s, depth < 3 ? 1 : 3);
+            trials_run(&r, 1, &s, depth < 3 ? 1 : 3);
             search_work w = r.ray[TRIAL_DIFFUSE].work;
             plot_add(&work, by_work, depth,
                      trial_per((double)(w.nodes + w.tests), r.ray[TRIAL_DIFFUSE].n));

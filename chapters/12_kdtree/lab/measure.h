@@ -58,7 +58,7 @@ static inline void table_of_strategies(const options *o, const trial_scene *s)
         row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &c->how,
                              .again = c->again};
     }
-    trial_run(row, n, s, o->quick ? 1 : 3);
+    trials_run(row, n, s, o->quick ? 1 : 3);
     table t = trial_table(trial_title(s, title), row, n, s, o->full, &own);
     output_table(o, &t);
     trial_end(row, n);
@@ -120,7 +120,7 @@ static inline void table_of_planes(const options *o)
         trial_due(&s, false);
         for (int i = 0; i < 4; i++) {
             trial_row r = {.verbs = verbs[i], .how = &how};
-            trial_run(&r, 1, &s, 1);
+            trials_run(&r, 1, &s, 1);
             wrong[i][k] = r.wrong;
             trial_end(&r, 1);
         }
@@ -163,7 +163,7 @@ static inline void plots_of_cost(const options *o, const trial_scene *s)
         how[i] = kdtree_defaults, how[i].item_cost = ldexp(1.0, i - 4);
         row[i] = (trial_row){.name = "", .verbs = &kdtree_trial, .how = &how[i]};
     }
-    trial_run(row, most, s, 5);
+    trials_run(row, most, s, 5);
     for (int i = 0; i < most; i++) {
         search_work w = row[i].ray[TRIAL_DIFFUSE].work;
         double at = how[i].item_cost;

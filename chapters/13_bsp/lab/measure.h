@@ -49,7 +49,7 @@ static const bsp_candidate bsp_candidate_list[bsp_candidates] = {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bsp_options bsp_how(bsp_rule rule, int candidates, bsp_sides sides)
+static inline bsp_options bsp_with(bsp_rule rule, int candidates, bsp_sides sides)
 {
     bsp_options how = bsp_defaults;
     how.rule = rule, how.candidates = candidates, how.sides = sides;
@@ -90,7 +90,7 @@ static inline void table_of_rules(const options *o)
     bsp_options how[bsp_candidates];
     for (int i = 0; i < n; i++) {
         const bsp_candidate *c = &bsp_candidate_list[i];
-        how[i] = bsp_how(c->rule, c->candidates, c->sides);
+        how[i] = bsp_with(c->rule, c->candidates, c->sides);
         row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &how[i],
                              .again = c->again};
         if (!c->verbs->first && !rule_by_cost(c->rule)) row[i].step = 64;  /* slow */
@@ -98,7 +98,7 @@ static inline void table_of_rules(const options *o)
     trial_scene_of(teapot_mesh(o->quick ? 3 : o->full ? 14 : 7), &s);
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 2000, o->seed,
                &bsp_trial, &how[2]);
-    trial_run(row, n, &s, o->quick ? 1 : o->full ? 15 : 3);
+    trials_run(row, n, &s, o->quick ? 1 : o->full ? 15 : 3);
     table out = trial_table(trial_title(&s, title), row, n, &s, o->full, &own);
     output_table(o, &out);
     if (o->full) plot_of_rules(o, row, how);
@@ -151,8 +151,8 @@ static inline void table_of_scenes(const options *o)
     table out = table_new("Planes across the axes, and of any direction: lines through the box",
                           "scene|triangles|rule|time build [ms]|memory [B/tri]|slanted [%]|"
                           "names/tri|nodes/ray|tests/ray|error [wrong]|time [ns]|time gained [%]");
-    bsp_options how[2] = {bsp_how(BSP_AXIS, 1, BSP_SIDES_SAFE),
-                          bsp_how(BSP_COST, 16, BSP_SIDES_SAFE)};
+    bsp_options how[2] = {bsp_with(BSP_AXIS, 1, BSP_SIDES_SAFE),
+                          bsp_with(BSP_COST, 16, BSP_SIDES_SAFE)};
     for (int k = 0; k < 7; k++) {
         trial_scene s;
         failure f;
@@ -164,7 +164,7 @@ static inline void table_of_scenes(const options *o)
         s.rays[TRIAL_UNIFORM] = rays_uniform(box, 4000, o->seed);
         s.rays[TRIAL_CORNERS] = rays_uniform(box, 200, o->seed);
         trial_due(&s, false);
-        trial_run(row, 2, &s, 21);
+        trials_run(row, 2, &s, 21);
         for (int i = 0; i < 2; i++) {
             structure_stats *st = &row[i].stats;
             search_work w = row[i].ray[TRIAL_UNIFORM].work;
@@ -225,12 +225,12 @@ static inline void table_of_losses(const options *o)
         s.rays[TRIAL_CORNERS] = rays_at(&s.m, 6000, o->seed);
         trial_due(&s, false);
         for (int i = 0; i < 5; i++) {
-            how[i] = bsp_how(BSP_COST, 16, list[i].sides);
+            how[i] = bsp_with(BSP_COST, 16, list[i].sides);
             how[i].axis_cost = how[i].slanted_cost = 0.5;  /* many planes */
             row[i] = (trial_row){.name = list[i].name, .verbs = list[i].verbs, .how = &how[i],
                                  .again = list[i].again};
         }
-        trial_run(row, 5, &s, 1);
+        trials_run(row, 5, &s, 1);
         for (int i = 0; i < 5; i++) wrong[i][k] = row[i].wrong;
         trial_end(row, 5), trial_scene_free(&s);
     }
