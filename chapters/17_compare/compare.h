@@ -196,8 +196,10 @@ static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool 
             e->c->search(e->s, r, n, false, due);
         }
         first = first ? first : e;
+        compare_progress(s->w->name, "proving", e->c->name);
         ok = prove_entry(e, r, due, n, oracle, out);
     }
+    compare_progress(s->w->name, NULL, NULL);
     free(due);
     return ok;
 }

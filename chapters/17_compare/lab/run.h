@@ -27,9 +27,7 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
     bool quick = c->o->quick;
     compare_begin(s, w, chosen, c->most_bytes, quick || world_size(w) > 30000 ? 1 : rounds);
     compare_rays(s, whole_view, quick ? 12 : edge, c->o->seed);
-    compare_progress(w->name, "proving", "that all agree");
     end_if_wrong(compare_prove(s, quick ? 200 : by_brute, c->o->seed, stdout));
-    compare_progress(w->name, NULL, NULL);
     cost_measure(s, quick ? 1 : rounds);
 }
 
