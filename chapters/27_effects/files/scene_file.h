@@ -72,7 +72,7 @@ static inline bool scene_placing(statement *q, affine *out)
                 return text_bad(t, t->p, "scaled to nothing before", "scale X Y Z, none 0");
             next = affine_scaling(v);
         } else return text_bad(t, t->p, "what is", "move, turn, scale");
-        *out = affine_of(*out, next);
+        *out = affine_then(*out, next);
         if (!vfinite(out->x) || !vfinite(out->y) || !vfinite(out->z) || !vfinite(out->o))
             return text_bad(t, t->p, "beyond what numbers hold, before", "smaller places");
     }
