@@ -308,7 +308,8 @@ static inline mesh structure_fan(size_t n)
         check(X##_build(&in, options, &built, &why), #X " of a fan: %s", why.text);              \
         check_at_most((double)X##_stats(&built).references, most, #X " of a fan: references");   \
         for (int i = 0; i < 100; i++) {                                                          \
-            vec3 at = vec(0.17 * (i % 10) - 0.8, 0.17 * (i / 10) - 0.8, 3), to = {0.01, 0.02, -1}; \
+            vec3 at = vec(0.17 * (i % 10) - 0.8, 0.17 * (i / 10) - 0.8, 3);                     \
+            vec3 to = vec(0.01, 0.02, -1);                                                       \
             hit a = hit_none, b = hit_none;                                                      \
             bool ga = items_hit(&in, ray_from(at, to), &a);                                      \
             wrong += !same(ga, a, X##_hit(&built, ray_from(at, to), &b), b);                     \

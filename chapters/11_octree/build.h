@@ -19,8 +19,9 @@
  *
  * A cut that does not help is made, but a second one below it is not. (The first is: around a
  * corner where many triangles meet, all eight hold all, and yet their parts do not.) Without this,
- * n triangles on one place would be in 4^depth n leaves (structure_room ends what this lets pass); and the six that meet at a corner of a
- * mesh would be cut, with leaves of 4, until the depth ends it.
+ * n triangles on one place would be in 4^depth n leaves; and the six that meet at a corner of a
+ * mesh would be cut, with leaves of 4, until the depth ends it. What this lets
+ * pass ends with structure_room.
  */
 #ifndef OCTREE_BUILD_H
 #define OCTREE_BUILD_H
@@ -180,7 +181,8 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     }
     for (unsigned c = 0; c < 8; c++) sum += count[c], filled |= (unsigned)(count[c] > 0) << c;
     bool helps = sum + 4 * octree_cut_cost < 4 * n;  /* (11.2) */
-    if ((!helps && vain) || (double)sum > room) return octree_make_leaf(b, node, begin, n, cell.depth);
+    if ((!helps && vain) || (double)sum > room)
+        return octree_make_leaf(b, node, begin, n, cell.depth);
 
     /* A block of eight nodes, and each child in turn */
     if (!octree_grow(b, (void **)&t->node, &b->node_room, first + 8, sizeof *t->node)) return false;

@@ -16,7 +16,8 @@ int main(int argc, char **argv)
     bool boxes = false;
     const option list[] = {
         {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and its cells"},
-        {"depth", OPTION_INT, &how.depth, 0, octree_most_depth, "most cuts from the root to a leaf"},
+        {"depth", OPTION_INT, &how.depth, 0, octree_most_depth,
+         "most cuts from the root to a leaf"},
         {"leaf", OPTION_INT, &how.leaf, 1, 65535, "most triangles in a leaf"},
         {"boxes", OPTION_FLAG, &boxes, 0, 0, "boxes of triangles against cells, not triangles"},
         {0}};

@@ -66,7 +66,7 @@ typedef struct {
     double build;                /* seconds */
     structure_stats stats;
     size_t wrong;                /* hits at corners that are not due */
-    struct { search_work work; size_t n; double seconds, spread; } ray[trial_kinds];  /* of n rays */
+    struct { search_work work; size_t n; double seconds, spread; } ray[trial_kinds];  /* n rays */
 } trial_row;
 
 /* Columns of a chapter's own, behind those of size: names with | before each, and their cells. */
@@ -295,7 +295,7 @@ static inline void trial_time_build(trial_row *r, const trial_scene *s, int most
     r->build = clock_median(seconds, done);
 }
 
-/* rounds [at least 1; from 5 on they build again, too]. What is built stays in row[i].built until trial_end. */
+/* rounds [at least 1; from 5 on they build again, too]. Trees stay in row[i].built until the end. */
 static inline void trials_run(trial_row *row, int n, const trial_scene *s, int rounds)
 {
     for (int i = 0; i < n; i++) {
