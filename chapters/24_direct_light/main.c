@@ -36,7 +36,7 @@ int main(int argc, char **argv)
     bool only = scene_name || way_name;
     if (o.quick && o.samples == 16) o.samples = 1;  /* what was asked for stays */
     if (only && o.csv) die(2, "--csv: no table with --scene, --way");
-    stage_name which = scene_name ? (stage_name)place_of(scene_name, stage_names, stages, "scene")
+    direct_stage_name which = scene_name ? (direct_stage_name)place_of(scene_name, stage_names, stages, "scene")
                                   : STAGE_BOX;
     direct_way way = way_name ? (direct_way)place_of(way_name, way_names, direct_ways, "way")
                    : only ? DIRECT_POWER : DIRECT_ANGLE;

@@ -33,8 +33,8 @@
  *
  * Source: J. Kajiya, "The Rendering Equation", SIGGRAPH 1986, section 4.
  */
-#ifndef NAIVE_PATH_H
-#define NAIVE_PATH_H
+#ifndef BOUNCES_NAIVE_PATH_H
+#define BOUNCES_NAIVE_PATH_H
 
 #include "../18_shade/leave.h"
 #include "../23_brdf/reflection.h"

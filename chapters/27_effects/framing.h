@@ -21,8 +21,8 @@
  * taken again. `up` says which way is up: s.up. Up by y: the front is +z, up by z: -y, as Blender
  * has it. False, exit code 2: the scene is so large or small that no camera has numbers for it.
  */
-#ifndef FRAMING_H
-#define FRAMING_H
+#ifndef EFFECTS_FRAMING_H
+#define EFFECTS_FRAMING_H
 
 #include "../02_camera/camera.h"
 #include "studio.h"

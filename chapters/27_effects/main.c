@@ -53,12 +53,12 @@ static draw_window window_to_price(draw_window w, const request *q)
 
 /* All at every hit was drawn: what the plan draws, and whether that is the same picture. False:
  * stopped. */
-static bool compare_with_plan(drawing *j, stage *e, int threads)
+static bool compare_with_plan(drawing *j, effects_stage *e, int threads)
 {
     image im = image_new(j->im->width, j->im->height);
     drawing plain = *j;
     size_t n = 3 * (size_t)im.width * (size_t)im.height;
-    stage_effects(e, e->p->effects, false);
+    effects_stage_effects(e, e->p->effects, false);
     bool whole = draw_region(&plain, &im, j->x0, j->y0, threads);
     if (whole) {
         bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
@@ -67,14 +67,14 @@ static bool compare_with_plan(drawing *j, stage *e, int threads)
                same ? "the same picture byte for byte" : "ANOTHER PICTURE", j->seconds,
                plain.seconds, (1 - plain.seconds / j->seconds) * 100);
     }
-    stage_effects(e, EFFECTS_ALL, true);
+    effects_stage_effects(e, EFFECTS_ALL, true);
     image_free(&im);
     return whole;
 }
 
 /* The default run: the picture, its strip, the price list, and what being general costs. The
  * picture is saved before all else: Ctrl-C later on loses none of it. */
-static void show(const options *o, const request *q, stage *e)
+static void show(const options *o, const request *q, effects_stage *e)
 {
     draw_window w = window_of(o, q->region);
     image im = image_new(w.width, w.height);
@@ -132,7 +132,7 @@ int main(int argc, char **argv)
     studio s;
     studio_view view;
     camera c;
-    stage e;
+    effects_stage e;
     failure f;
     if (q.path ? !studio_read(q.path, &q.words, &s, &f)
                : !studio_read_text(demo_scene, "demo.scene", &q.words, &s, &f)) fail(f);
@@ -141,11 +141,11 @@ int main(int argc, char **argv)
     if (q.effects && !effects_read(q.effects, &mask, &f)) fail(f);
     if (!studio_camera(&s, (real)o.width / (real)o.height, &view, &c, &f)) fail(f);
     if (q.told) explain(stdout, &s, &p, &view);
-    if (!stage_build(&s, &p, &e, &f)) fail(f);
-    stage_view(&e, &view, c);
-    stage_effects(&e, mask, q.effects && mask == EFFECTS_ALL);
+    if (!effects_stage_build(&s, &p, &e, &f)) fail(f);
+    effects_stage_view(&e, &view, c);
+    effects_stage_effects(&e, mask, q.effects && mask == EFFECTS_ALL);
     o.own = request_own(&q);
     show(&o, &q, &e);
-    stage_free(&e), plan_free(&p), studio_free(&s);
+    effects_stage_free(&e), plan_free(&p), studio_free(&s);
     return output_done(&o);
 }

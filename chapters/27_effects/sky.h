@@ -21,8 +21,8 @@
  *
  * Source: P. Debevec, "Rendering Synthetic Objects into Real Scenes", SIGGRAPH 1998.
  */
-#ifndef SKY_H
-#define SKY_H
+#ifndef EFFECTS_SKY_H
+#define EFFECTS_SKY_H
 
 #include "../../common/image.h"
 #include "../01_ray/affine.h"

@@ -10,8 +10,8 @@
  *   picture                as its luminance (26.7), by 26's environment, whose pole is +y and whose
  *                          first column looks along +x: d' = (-d.front, d.up, -d.right)    (27.7)
  */
-#ifndef SKY_LIGHT_H
-#define SKY_LIGHT_H
+#ifndef EFFECTS_SKY_LIGHT_H
+#define EFFECTS_SKY_LIGHT_H
 
 #include "../23_brdf/shading_frame.h"
 #include "../26_path_tracer/environment.h"

@@ -27,8 +27,8 @@
  * studio_finish so that E is pi times what the file says where the camera looks at (without a
  * camera: in the middle of the scene), so that a matte white surface there is as bright as it says.
  */
-#ifndef STUDIO_H
-#define STUDIO_H
+#ifndef EFFECTS_STUDIO_H
+#define EFFECTS_STUDIO_H
 
 #include "../16_instances/crowd.h"
 #include "../18_shade/leave.h"

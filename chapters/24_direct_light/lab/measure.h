@@ -6,8 +6,8 @@
  *   measure_near(o)     a light closer and closer: second moment by area, and what one sees of it
  *   measure_called(o)   rays that were traced, and rays that could not have brought anything
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef DIRECT_MEASURE_H
+#define DIRECT_MEASURE_H
 
 #include "../../20_monte_carlo/t_test.h"
 #include "../../22_radiometry/polygon_irradiance.h"
@@ -18,7 +18,7 @@
 
 /* ---- eight ways ---- */
 
-static inline void survey_plots(const survey *s, const options *o, const char *title,
+static inline void survey_plots(const direct_survey *s, const options *o, const char *title,
                                 const char *by_time, const char *by_samples)
 {
     int flags = PLOT_LOG_X | PLOT_LOG_Y;
@@ -37,9 +37,9 @@ static inline void survey_plots(const survey *s, const options *o, const char *t
     output_plot(o, &t, by_time), output_plot(o, &n, by_samples);
 }
 
-static inline void measure_stage(const options *o, stage_name which, table *t)
+static inline void measure_stage(const options *o, direct_stage_name which, table *t)
 {
-    survey s;
+    direct_survey s;
     bool box = which == STAGE_BOX;
     survey_open(&s, o, which, survey_points, box ? 2048 : 1024);
     s.entries = direct_ways + 1;
@@ -67,7 +67,7 @@ static inline void measure_first(const options *o, table *t)
         {DIRECT_COSINE, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
         {WAY_FIRST_LAMP, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
         {DIRECT_AREA, LIGHTS_UNIFORM, SEQUENCE_RANDOM}};
-    survey s;
+    direct_survey s;
     survey_open_first(&s, o, survey_points, 2048);
     s.entries = sizeof entry / sizeof *entry;
     memcpy(s.entry, entry, sizeof entry);
@@ -96,11 +96,11 @@ static inline void measure_ways(const options *o)
 static inline void measure_lights(const options *o)
 {
     static const char *const name[] = {"all", "one by 1/n", "one by flux"};
-    survey s;
+    direct_survey s;
     survey_open(&s, o, STAGE_HALL, 12, 1024);
     s.entries = 6;
     for (int k = 0; k < 6; k++)
-        s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER, (lights_kind)(k % 3),
+        s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER, (direct_lights_kind)(k % 3),
                                     SEQUENCE_RANDOM};
     survey_measure(&s, o);
     table t = table_new("Sixteen lamps, three of them bright",
@@ -126,8 +126,8 @@ static inline estimate lone_point(const emitter *e, direct_way way, uint32_t n, 
     if (e->kind == EMITTER_SPHERE) lit_add_shape(&s, shape_of_sphere(e->sphere), lamp);
     else lit_add_rectangle(&s, e->rectangle, lamp);
     lit_end(&s);
-    lights l;
-    lights_build(&s, LIGHTS_ALL, &l);
+    direct_lights l;
+    direct_lights_build(&s, LIGHTS_ALL, &l);
     direct_work work = {0, 0, 0};
     direct d = {&s, way, &l, &work, false};
     vec3 n_up = {0, 0, 1};
@@ -137,7 +137,7 @@ static inline estimate lone_point(const emitter *e, direct_way way, uint32_t n, 
         sampler q = sampler_start(SEQUENCE_RANDOM, seed, 0, k, n);
         x = estimate_add(x, grey(direct_light(&d, &h, n_up, &q)));
     }
-    lights_free(&l), lit_free(&s);
+    direct_lights_free(&l), lit_free(&s);
     return x;
 }
 
@@ -198,8 +198,8 @@ static inline void measure_called(const options *o)
     table t = table_new("Rays of one sample a point: what is called for, and all",
                         "scene|way|points|shadow|of|directions|of|same bits");
     for (int which = 0; which < 3; which++) {
-        survey s;
-        survey_open(&s, o, (stage_name)which, survey_points, 1);
+        direct_survey s;
+        survey_open(&s, o, (direct_stage_name)which, survey_points, 1);
         for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
             direct_work work[2] = {{0, 0, 0}, {0, 0, 0}};
             bool same = true;

@@ -9,8 +9,8 @@
  *   draw_strip(o)    a light that touches the floor, by area and by angle
  *   draw_hall(o)     one of sixteen lights, or all
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef DIRECT_PICTURES_H
+#define DIRECT_PICTURES_H
 
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
@@ -18,9 +18,9 @@
 #include "scenes.h"
 
 typedef struct {
-    const stage *g;
+    const direct_stage *g;
     direct_way way;
-    lights_kind kind;
+    direct_lights_kind kind;
     sequence_kind sequence;
     uint32_t n;
     uint64_t seed;
@@ -28,7 +28,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const direct_view *v; const lights *l; image *im; } direct_sheet;
+typedef struct { const direct_view *v; const direct_lights *l; image *im; } direct_sheet;
 
 static inline void direct_pixel(int x, int y, void *context)
 {
@@ -52,11 +52,11 @@ static inline void direct_pixel(int x, int y, void *context)
 
 static inline bool direct_render(const direct_view *v, image *im, int threads)
 {
-    lights l;
-    lights_build(&v->g->s, v->kind, &l);
+    direct_lights l;
+    direct_lights_build(&v->g->s, v->kind, &l);
     direct_sheet k = {v, &l, im};
     bool whole = parallel_pixels(im->width, im->height, threads, "direct light", direct_pixel, &k);
-    lights_free(&l);
+    direct_lights_free(&l);
     return whole;
 }
 
@@ -85,9 +85,9 @@ static inline bool draw_panels(const options *o, const direct_view *v, int n, in
 }
 
 /* The main picture: one stage, one way. */
-static inline void draw_stage(const options *o, stage_name name, direct_way way)
+static inline void draw_stage(const options *o, direct_stage_name name, direct_way way)
 {
-    stage g;
+    direct_stage g;
     stage_open(name, &g);
     image im = image_new(o->width, o->height);
     g.c = stage_camera_of(name, (real)o->width / (real)o->height);
@@ -122,7 +122,7 @@ static inline void draw_equal(const options *o)
     static const struct { direct_way way; uint32_t samples; } panel[n] = {
         {DIRECT_UNIFORM, 16}, {DIRECT_COSINE, 16}, {DIRECT_AREA, 16}, {DIRECT_ANGLE, 10},
         {DIRECT_POWER, 7}};
-    stage g;
+    direct_stage g;
     direct_view v[n], best;
     double seconds[n];
     image im[n];
@@ -151,7 +151,7 @@ static inline void draw_equal(const options *o)
 /* One ray for a sample by directions or by one light, two for both: half the samples. */
 static inline void draw_plates(const options *o)
 {
-    stage g;
+    direct_stage g;
     stage_open(STAGE_PLATES, &g);
     direct_view v[3];
     for (int k = 0; k < 3; k++) {
@@ -164,7 +164,7 @@ static inline void draw_plates(const options *o)
 
 static inline void draw_strip(const options *o)
 {
-    stage g;
+    direct_stage g;
     stage_open(STAGE_STRIP, &g);
     direct_view v[2];
     for (int k = 0; k < 2; k++)
@@ -176,7 +176,7 @@ static inline void draw_strip(const options *o)
 
 static inline void draw_hall(const options *o)
 {
-    stage g;
+    direct_stage g;
     stage_open(STAGE_HALL, &g);
     direct_view v[3];
     for (int k = 0; k < 3; k++)

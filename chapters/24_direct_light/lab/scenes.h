@@ -1,6 +1,6 @@
 /* scenes.h: what this chapter draws and measures.
  *
- *   stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
+ *   direct_stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
  *
  *   STAGE_BOX      the Cornell box (21): one rectangle, matte walls
  *   STAGE_PLATES   E. Veach's: four metal plates, smooth to rough (top to bottom), each tilted so
@@ -16,8 +16,8 @@
 
 #include "../scenes/lit_cornell.h"
 
-typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_HALL, stages } stage_name;
-typedef struct { lit_scene s; camera c; real aspect, exposure; } stage;
+typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_HALL, stages } direct_stage_name;
+typedef struct { lit_scene s; camera c; real aspect, exposure; } direct_stage;
 static const char *const stage_names[stages] = {"box", "plates", "strip", "hall"};
 
 enum { plates = 4, plate_lights = 4 };
@@ -44,7 +44,7 @@ static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
 
 static const vec3 plate_eye = {0, 2, 15};
 
-static inline camera stage_camera_of(stage_name name, real aspect)
+static inline camera stage_camera_of(direct_stage_name name, real aspect)
 {
     switch (name) {
     case STAGE_PLATES: return stage_camera(plate_eye, of_doubles(0, -2, 2.5), 28, aspect);
@@ -76,7 +76,7 @@ static inline void stage_plate(lit_scene *s, vec3 c, vec3 eye, real half, uint16
     lit_add_rectangle(s, (rectangle){o, across, t}, material);
 }
 
-static inline void stage_plates(stage *g)
+static inline void stage_plates(direct_stage *g)
 {
     static const double place[plates][2] = {{-2.4, -0.13}, {-3.06, 0.92}, {-3.58, 2.22},
                                             {-3.91, 3.57}};
@@ -102,7 +102,7 @@ static inline void stage_plates(stage *g)
     g->exposure = 1.2;
 }
 
-static inline void stage_strip(stage *g)
+static inline void stage_strip(direct_stage *g)
 {
     uint16_t grey = stage_matte(&g->s, .7, .7, .7), dark = stage_matte(&g->s, .3, .15, .1);
     uint16_t lamp = stage_lamp(&g->s, of_doubles(2, 1.7, 1.2));
@@ -112,7 +112,7 @@ static inline void stage_strip(stage *g)
     g->exposure = 1.5;
 }
 
-static inline void stage_hall(stage *g)
+static inline void stage_hall(direct_stage *g)
 {
     uint16_t grey = stage_matte(&g->s, .6, .6, .6), blue = stage_matte(&g->s, .3, .4, .6);
     lit_add_rectangle(&g->s, (rectangle){of_doubles(-9, 0, 9), {18, 0, 0}, {0, 0, -18}}, grey);
@@ -129,9 +129,9 @@ static inline void stage_hall(stage *g)
     g->exposure = 1.6;
 }
 
-static inline void stage_open(stage_name name, stage *g)
+static inline void stage_open(direct_stage_name name, direct_stage *g)
 {
-    *g = (stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = 1.4};
+    *g = (direct_stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = 1.4};
     if (name == STAGE_BOX) lit_cornell_begin(&g->s);
     else lit_begin(&g->s);
     switch (name) {
@@ -144,6 +144,6 @@ static inline void stage_open(stage_name name, stage *g)
     g->c = stage_camera_of(name, g->aspect);
 }
 
-static inline void stage_close(stage *g) { lit_free(&g->s); }
+static inline void stage_close(direct_stage *g) { lit_free(&g->s); }
 
 #endif

@@ -7,8 +7,8 @@
  * system's. The Cornell box, directions as the surface reflects, pixels that do not see the light
  * itself: the truth is estimated by (25.10), some 100 times closer than what is measured.
  */
-#ifndef MEASURE_BRANCHES_H
-#define MEASURE_BRANCHES_H
+#ifndef BOUNCES_MEASURE_BRANCHES_H
+#define BOUNCES_MEASURE_BRANCHES_H
 
 #include "../../../common/clock.h"
 #include "../../../common/lab/report.h"

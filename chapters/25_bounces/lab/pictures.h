@@ -7,8 +7,8 @@
  *   draw_branches(o)              up to three bounces, by N = 1, 2, 4, 8 directions a
  *                                 hit, from left to right, with the same number of rays a pixel
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef BOUNCES_PICTURES_H
+#define BOUNCES_PICTURES_H
 
 #include "../../../common/output.h"
 #include "../../../common/parallel.h"

@@ -4,8 +4,8 @@
  *   option own[] = {...};  argc = command_merge(argc, argv, &c);  options o = options_read(...)
  *   if (command_given(&c, &o)) command_run(&c, &o);
  */
-#ifndef COMMAND_H
-#define COMMAND_H
+#ifndef PATH_COMMAND_H
+#define PATH_COMMAND_H
 
 #include "../../../common/lab/report.h"
 #include "../render.h"

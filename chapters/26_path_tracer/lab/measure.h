@@ -7,8 +7,8 @@
  * worth twice as much. Errors: RMSE against a reference of many samples, over the pixels that do
  * not see the light, where nothing is left to do.
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef PATH_MEASURE_H
+#define PATH_MEASURE_H
 
 #include "../../../common/lab/report.h"
 #include "../../24_direct_light/scenes/lit_first.h"

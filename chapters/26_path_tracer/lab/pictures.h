@@ -1,16 +1,14 @@
 /* pictures.h: the committed pictures of the chapter.
  *
  *   draw_cornell(o)     the box: the main picture
- *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
- *   draw_teapot(o)      rough copper under a sky
- *   draw_furnace(o)     balls of every BRDF under a white sky
+ *   draw_others(o)      mirror and glass in the box; rough copper under a sky; furnace
  *   draw_strategies(o)  the box, 16 samples a pixel: naive, lights, both, Sobol' points
  *
  * Each with so many samples as a few seconds make; fixed, so that the bytes are. Powers of two: two
  * halves (film.h) of 2^k Sobol' points each are spread best (20).
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef PATH_PICTURES_H
+#define PATH_PICTURES_H
 
 #include "measure.h"
 

@@ -11,8 +11,8 @@
  *   furnace   balls of all BRDFs of 23, and of glass, in a white world: they show what they lose
  *   OBJ       matte grey, on a floor, under the same sky
  */
-#ifndef SHOWCASE_H
-#define SHOWCASE_H
+#ifndef PATH_SHOWCASE_H
+#define PATH_SHOWCASE_H
 
 #include "../../07_mesh/files/obj.h"
 #include "../../07_mesh/scenes/teapot.h"

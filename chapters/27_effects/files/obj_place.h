@@ -13,8 +13,8 @@
  *
  * smooth: normals of the file are replaced by those of mesh_smooth_normals.
  */
-#ifndef OBJ_PLACE_H
-#define OBJ_PLACE_H
+#ifndef EFFECTS_OBJ_PLACE_H
+#define EFFECTS_OBJ_PLACE_H
 
 #include "../../07_mesh/files/obj.h"
 #include "mtl.h"

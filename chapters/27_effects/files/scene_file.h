@@ -19,8 +19,8 @@
  * be read: 1. What is not of its own material gets the one that was current where the statement
  * stands.
  */
-#ifndef SCENE_FILE_H
-#define SCENE_FILE_H
+#ifndef EFFECTS_SCENE_FILE_H
+#define EFFECTS_SCENE_FILE_H
 
 #include "nff.h"
 #include "obj_place.h"

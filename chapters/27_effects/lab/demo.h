@@ -1,6 +1,6 @@
 /* demo.h: the scene that 27 draws if it is given none: a table with one thing of each kind. */
-#ifndef DEMO_H
-#define DEMO_H
+#ifndef EFFECTS_DEMO_H
+#define EFFECTS_DEMO_H
 
 static const char demo_scene[] =
     "camera from 0 2.6 6.4 at 0 0.7 0 angle 38\n"

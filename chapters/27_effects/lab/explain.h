@@ -10,8 +10,8 @@
  *   materials    each with its line, its illum and the effects that a hit of it has a part in
  *   notes        what was read but not understood
  */
-#ifndef EXPLAIN_H
-#define EXPLAIN_H
+#ifndef EFFECTS_EXPLAIN_H
+#define EFFECTS_EXPLAIN_H
 
 #include "../framing.h"
 #include "../plan.h"

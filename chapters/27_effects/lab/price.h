@@ -8,8 +8,8 @@
  * (dice.h), so that what an effect does not touch is the same in both pictures, noise included: the
  * error is what it adds, not what chance does.
  */
-#ifndef PRICE_H
-#define PRICE_H
+#ifndef EFFECTS_PRICE_H
+#define EFFECTS_PRICE_H
 
 #include "../../../common/lab/report.h"
 #include "draw.h"
@@ -31,7 +31,7 @@ static inline double price_share(const effects_counts *timed, int k)
 
 static inline void table_of_effects(const options *o, const drawing *j, const effects_counts *timed)
 {
-    const stage *e = j->e;
+    const effects_stage *e = j->e;
     table t = table_new("What the picture took, by effect: rays, and the time of these rays",
                         "effect|called|simulated|rays|rays a sample|time [ms]");
     double samples = (double)j->pixels * j->samples;
@@ -56,9 +56,9 @@ typedef struct {
     unsigned mask;
 } price_run;
 
-static inline bool price_draw(price_run *k, stage *e, int rounds, int round, int threads)
+static inline bool price_draw(price_run *k, effects_stage *e, int rounds, int round, int threads)
 {
-    stage_effects(e, k->mask, false);
+    effects_stage_effects(e, k->mask, false);
     e->mask |= EFFECTS_GENERAL;  /* else some sets would have a copy made for them, others not */
     if (round >= rounds) return true;
     bool whole = draw_region(&k->j, &k->im, k->x, k->y, threads);
@@ -83,7 +83,7 @@ static inline void price_row(table *t, plot *p, const char *name, const price_ru
     plot_add(p, plot_series(p, text), b / pixels * 1e6, error);
 }
 
-static inline bool table_of_price(const options *o, stage *e, draw_window w, int samples)
+static inline bool table_of_price(const options *o, effects_stage *e, draw_window w, int samples)
 {
     int rounds = o->quick ? 1 : 3, n = 1;
     unsigned before = e->mask, called = e->p->effects & before;  /* --effects may leave some out */
@@ -113,12 +113,12 @@ static inline bool table_of_price(const options *o, stage *e, draw_window w, int
     if (whole) output_table(o, &t), output_plot(&beside, &p, "27_effects_price_time.svg");
     else table_free(&t), plot_free(&p);
     for (int i = 0; i < n; i++) image_free(&run[i].im);
-    stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
+    effects_stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
     return whole;
 }
 
 /* Three panels in a row, two rows: each has one effect more (absorption goes with refraction). */
-static inline bool draw_strip(const options *o, stage *e, int w, int h, int samples)
+static inline bool draw_strip(const options *o, effects_stage *e, int w, int h, int samples)
 {
     static const unsigned mask[6] = {
         EFFECTS_LIT | EFFECT_DEPTH_OF_FIELD, EFFECT_MIRROR, EFFECT_GLOSSY, EFFECT_REFRACTION,
@@ -128,13 +128,13 @@ static inline bool draw_strip(const options *o, stage *e, int w, int h, int samp
     bool whole = true;
     for (int k = 0; k < 6 && whole; k++) {
         image im = image_new(w, h);
-        stage_effects(e, (sum |= mask[k]) & e->p->effects, false);
+        effects_stage_effects(e, (sum |= mask[k]) & e->p->effects, false);
         drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = w, .height = h};
         whole = draw_region(&j, &im, 0, 0, o->threads);
         image_place(&all, k % 3 * w, k / 3 * h, &im);
         image_free(&im);
     }
-    stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
+    effects_stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
     output_picture(o, &all, "27_effects_strip.png", false, whole);
     image_free(&all);
     return whole;
