@@ -119,7 +119,7 @@ static estimate sampled(const setting *t, bool by_lamp, size_t n, uint64_t seed)
  * is nearly normal after so many samples. */
 static void test_closed_forms(void)
 {
-    size_t lamps = check_count(400), n = 4000, tests = 0;
+    size_t lamps = check_count(200), n = 4000, tests = 0;
     double least[2] = {1, 1}, dark = 0;
     for (size_t i = 0; i < lamps; i++) {
         random_stream q = random_start(2, i, 0);
@@ -169,13 +169,13 @@ static estimate by_both(const setting *t, size_t n)
  * its variance is q (1 - q), and its error over the mean sqrt((1 - q) / q) = 2 sqrt pi / a. */
 static void test_small_lamp(void)
 {
-    size_t n = check_count(400000);
+    size_t n = check_count(100000);
     for (int k = 0; k < 3; k++) {
         real a = k == 0 ? 1 : k == 1 ? (real)0.25 : (real)0.0625;
         setting t = setting_of((rectangle){{-a / 2, -a / 2, 2}, {0, a, 0}, {a, 0, 0}});
         double q = t.truth, expected = sqrt((1 - q) / q);
         estimate d = sampled(&t, false, n, 4), l = sampled(&t, true, n, 4), both = by_both(&t, n);
-check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, "a = %g",
+        check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, "a = %g",
                     (double)a);
         check_close(sqrt(estimate_variance(d)) / q, expected, expected * 6 / sqrt(q * (double)n),
                     "by directions: error of one over the mean, lamp of side %g", (double)a);
@@ -190,7 +190,7 @@ check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, 
  * of the two. */
 static void test_close_to_a_lamp(void)
 {
-    size_t n = check_count(400000);
+    size_t n = check_count(100000);
     double before = 0;
     for (int k = 0; k < 3; k++) {
         real h = k == 0 ? 1 : k == 1 ? (real)0.1 : (real)0.01;
@@ -200,7 +200,7 @@ static void test_close_to_a_lamp(void)
         double l = estimate_variance(sampled(&t, true, n, 5));
         check_at_most(d, 0.26, "by directions, at %g", (double)h);
         check_at_most(both, 1.5 * (d < l ? d : l), "mis.h, at %g", (double)h);
-if (k) check_at_least(l, 20 * before, "by the lamp, at %g: near 1 / h^2", (double)h);
+        if (k) check_at_least(l, 20 * before, "by the lamp, at %g: near 1 / h^2", (double)h);
         before = l;
     }
     check_at_least(before, 400, "by the lamp, at a hundredth: a thousand times 1/4, and more");
