@@ -1,24 +1,26 @@
 # make            builds every chapter into build/
 # make first      the short book: builds and runs the first program of every chapter  first-NN  only one
-# make run        runs every chapter: draws into images/, prints every table     run-NN  only one
+# make run        the short book, then every chapter: draws into images/, a screen of text each    run-NN  only one
+# make full       every chapter with --full: all tables and plots of the pages   full-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
+# make soak       all tests with four times the counts
 # make precision  every chapter in float and in double: error and time side by side
-# make images     copies the plots of measured times from build/ into images/
+# make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
 #
-# Variables: CC (cc), CFLAGS (-O3, and -march=native where it works), REAL (double or float),
+# Variables: CC (cc), CFLAGS (-O2, and -march=native where it works), REAL (double or float),
 # LDLIBS, V=1 shows the commands, JOBS (compilers and tests at a time, all cores).
 # Example: make clean test CC=clang REAL=float CFLAGS=-O2
 
 NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null && echo -march=native)
-# First programs: -O1 halves the compiler's time, and theirs is the same. CFLAGS, if given, goes before.
+# First programs and tests: -O1 halves the compiler's time, and theirs is the same. CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
-FIRST_CFLAGS ?= -O1
+QUICK_CFLAGS ?= -O1
 endif
-CFLAGS ?= -O3 $(NATIVE)
-FIRST_CFLAGS ?= $(CFLAGS)
+CFLAGS ?= -O2 $(NATIVE)
+QUICK_CFLAGS ?= $(CFLAGS)
 LDLIBS ?= -lm -lpthread
 REAL ?= double
 # first.h and first.c say 0.5 where real may be float: there two warnings would be noise. Where it is
@@ -42,11 +44,11 @@ TEST_NUMBERS := $(sort $(foreach t,$(TESTS),$(firstword $(subst _, ,$(t)))))
 Q := $(if $(V),,@)
 # What only builds and tests takes all cores; make's own -j goes before. Programs run one by one.
 JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
-ifeq ($(MAKELEVEL)$(filter-out all test test-% sanitize precision,$(MAKECMDGOALS)),0)
+ifeq ($(MAKELEVEL)$(filter-out all test test-% soak sanitize precision,$(MAKECMDGOALS)),0)
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run images test precision graph sanitize clean help FORCE
+.PHONY: all run full images test soak precision graph sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -55,22 +57,18 @@ $(BUILD)/%: chapters/%/main.c $(STAMP)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
-	$(Q)$(CC) -std=c11 $(FIRST_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
-
-$(BUILD)/test_%_first: tests/%_first.c $(STAMP)
-	$(if $(V),,@echo "CC tests/$*_first")
-	$(Q)$(CC) $(ALL_CFLAGS) $(FIRST_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) -std=c11 $(QUICK_CFLAGS) $(EXACT) $(WARN_FIRST) -DREAL=$(REAL) -MMD -MP -MF $@.d -MT $@ -o $@ $< -lm
 
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 -include $(wildcard $(BUILD)/*.d)
 
 $(STAMP): FORCE
 	@mkdir -p $(BUILD)
-	@echo '$(CC) $(ALL_CFLAGS) $(FIRST_CFLAGS) $(LDLIBS)' | cmp -s - $@ || \
-	  echo '$(CC) $(ALL_CFLAGS) $(FIRST_CFLAGS) $(LDLIBS)' > $@
+	@echo '$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(LDLIBS)' | cmp -s - $@ || \
+	  echo '$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(LDLIBS)' > $@
 FORCE:
 
 # Two at a time, or as many as there are cores; 17 measures time, and runs alone.
@@ -87,18 +85,28 @@ endef
 $(foreach n,$(FIRST_NUMBERS),$(eval $(call first_number,$(n))))
 .PHONY: first $(FIRSTS:%=first-%)
 
-run: first $(CHAPTERS:%=run-%)
+# All cores build, then the programs run one by one: they measure time.
+run: first
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) all
+	$(Q)$(MAKE) --no-print-directory -j1 $(CHAPTERS:%=run-%)
+full:
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) all
+	$(Q)$(MAKE) --no-print-directory -j1 $(CHAPTERS:%=full-%)
 $(CHAPTERS:%=run-%): run-%: $(BUILD)/%
 	@echo; echo "== $*"
 	$(Q)$(BUILD)/$*
+$(CHAPTERS:%=full-%): full-%: $(BUILD)/%
+	@echo; echo "== $* --full"
+	$(Q)$(BUILD)/$* --full
 define run_number
-.PHONY: run-$(1)
+.PHONY: run-$(1) full-$(1)
 run-$(1): $(addprefix run-,$(filter $(1)_%,$(CHAPTERS)))
+full-$(1): $(addprefix full-,$(filter $(1)_%,$(CHAPTERS)))
 endef
 $(foreach n,$(NUMBERS),$(eval $(call run_number,$(n))))
-.PHONY: $(CHAPTERS:%=run-%)
+.PHONY: $(CHAPTERS:%=run-%) $(CHAPTERS:%=full-%)
 
-images: run
+images: full
 	cp $(BUILD)/*_time.svg images/
 
 test: all $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
@@ -110,9 +118,12 @@ test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)
 endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
+soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
+	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 sh tests/run.sh $(TESTS)
+
 precision:
-	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/double REAL=double all
-	$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/float REAL=float all
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double all
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float all
 	@BUILD="$(BUILD)" sh tests/precision.sh $(CHAPTERS)
 
 graph:

@@ -26,7 +26,7 @@ static double off(real computed, real a, real b, real t)
 static void test_easy(void)
 {
     double at = 0, between = 0, unit = 0;
-    size_t interval = 0, n = check_count(100000);
+    size_t interval = 0, depth = 0, n = check_count(100000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
         vec3 a = random_vec3(&s, 1), b = random_vec3(&s, 1);
@@ -37,20 +37,23 @@ static void test_easy(void)
         interval += r.tmin != 0 || r.tmax != 1 || whole.tmin != 0 || whole.tmax != real_infinity;
         r.tmin = tmin, r.tmax = tmax;
         interval += ray_covers(r, t) != !(t < tmin || t > tmax);
+        vec3 eye = vec(0, a.y, 0);
+        depth += ray_at(ray_between(eye, vec(b.x, b.y, -1)), 9 * t).z != -(9 * t);
         ray u = first_ray_unit(r), v = ray_unit(r);
         unit = check_worse(unit, apart(u.d, v.d) + apart(u.o, v.o));
         interval += u.tmin != v.tmin || u.tmax != v.tmax;
     }
-    check_at_most(at, 4 * eps, "O + t D against the fused step, of %zu", n);
-    check_at_most(between, 2 * eps, "(1 - t) A + t B against wide numbers");
+    check_at_most(at, 4 * eps, "o + t d against the fused step, of %zu", n);
+    check_at_most(between, 2 * eps, "(1 - t) a + t b against wide numbers");
     check_at_most(unit, 4 * eps, "first_ray_unit against ray_unit");
+    check_equal(depth, 0, "d.z = -1, as in first.c: t is the depth, exactly");
     check_equal(interval, 0, "intervals, of %zu", n);
     ray r = ray_from((vec3){0, 0, 0}, (vec3){1, 0, 0});
     check(ray_covers(r, 0) && ray_covers(r, real_infinity) && !ray_covers(r, (real)NAN),
           "closed at both ends; a NaN is in no interval");
 }
 
-/* "(1.1) loses digits as t grows": from |A| = 1e4, ten times t is ten times the error, until it is
+/* "(1.1) loses digits as t grows": from |a| = 1e4, ten times t is ten times the error, until it is
  * a factor of 1e4 above that of (1.2). */
 static void test_between_fails_far_out(void)
 {
@@ -72,7 +75,7 @@ static void test_between_fails_far_out(void)
     check_at_least(worst[4], 1e3 * plain[4], "(1.1) against (1.2) at t = 1e4");
 }
 
-/* "far from the origin (1.2) has steps as O has": where neighbouring reals are 8 apart, a ray knows
+/* "far from the origin (1.2) has steps as o has": where neighbouring reals are 8 apart, a ray knows
  * 8 points on a way of 64; its far end is off by up to 4. */
 static void test_steps_far_from_the_origin(void)
 {

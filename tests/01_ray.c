@@ -1,7 +1,7 @@
 /* 01_ray: both forms against exact arithmetic, intervals, units of t, transforms, field order. */
 #include "../chapters/01_ray/affine.h"
 #include "../chapters/01_ray/hit.h"
-#include "../chapters/01_ray/ray_f32.h"
+#include "../chapters/01_ray/lab/points.h"
 #include "../common/numbers/wide.h"
 #include "../common/random.h"
 #include "check.h"
@@ -23,7 +23,7 @@ static double off(real computed, wide a, wide d, real t)
     return fabs(wide_value(wide_sub(wide_of((double)computed), exact)));
 }
 
-/* The bounds that ray.h states, over |O| and t from 1 to 1e8. The worst ratio of error to bound
+/* The bounds that ray.h states, over |o| and t from 1 to 1e8. The worst ratio of error to bound
  * shows that the bound is close, too: a bound that nothing comes near to would be idle. */
 static void test_error_bounds(void)
 {
@@ -44,12 +44,12 @@ static void test_error_bounds(void)
         between = check_worse(between, off(q, wo, wide_sub(wb, wo), t) / (1.5 * epsilon * size));
     }
     /* 1 + 4 eps: second order terms, which the stated bounds leave out */
-    check_at_most(plain, 1 + 4 * epsilon, "O + t D is within epsilon (|O| + |t D|)");
-    check_at_least(plain, 0.5, "the bound of O + t D is not idle");
-    check_at_most(fused, 0.5 + 4 * epsilon, "a fused step is within half an epsilon of |P|");
+    check_at_most(plain, 1 + 4 * epsilon, "o + t d is within epsilon (|o| + |t d|)");
+    check_at_least(plain, 0.5, "the bound of o + t d is not idle");
+    check_at_most(fused, 0.5 + 4 * epsilon, "a fused step is within half an epsilon of |p|");
     check_at_least(fused, 0.25, "the bound of the fused step is not idle");
-    check_at_most(between, 1 + 4 * epsilon, "(1-t) A + t B is within its bound");
-    check_at_least(between, 0.4, "the bound of (1-t) A + t B is not idle");
+    check_at_most(between, 1 + 4 * epsilon, "(1-t) a + t b is within its bound");
+    check_at_least(between, 0.4, "the bound of (1-t) a + t b is not idle");
 }
 
 static void test_ends(void)
@@ -64,12 +64,40 @@ static void test_ends(void)
         wrong_b += q.x != b.x || q.y != b.y || q.z != b.z;
         missed += r.x != b.x || r.y != b.y || r.z != b.z;
     }
-    check_equal(wrong_a, 0, "(1-t) A + t B is A at t = 0");
-    check_equal(wrong_b, 0, "(1-t) A + t B is B at t = 1");
-    check_at_least(missed, 100, "O + t D, D = B - A rounded, misses B in the last bits");
+    check_equal(wrong_a, 0, "(1-t) a + t b is a at t = 0");
+    check_equal(wrong_b, 0, "(1-t) a + t b is b at t = 1");
+    check_at_least(missed, 100, "o + t d, d = b - a rounded, misses b in the last bits");
 }
 
-/* Far behind B the two products of (1.1) are t |A| and cancel: the error grows with t and |A|, that
+/* The lines of the page's table use all digits of a number, so (1.2) rounds at t = 1, too. Where o
+ * and d are multiples of 2^-10, as random numbers are of 2^-53, it is exact there, by accident. */
+static vec3 on_grid(vec3 a)
+{
+    return vec(floor(a.x * 1024) / 1024, floor(a.y * 1024) / 1024, floor(a.z * 1024) / 1024);
+}
+
+static void test_error_at_one(void)
+{
+    ray_line l[100], coarse[100];
+    const real far[] = {1, 10000, 100000000};
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 100; i++) {
+            l[i] = ray_line_at(1, (uint64_t)i, far[k]);
+            vec3 o = l[i].o, d = l[i].d;
+            coarse[i] = l[i];
+            coarse[i].o = on_grid(o), coarse[i].d = on_grid(d);
+            check_close(vlength(o) / far[k], 1, 4 * epsilon, "|o| = %g", (double)far[k]);
+            check_close(vlength(d), 1, 4 * epsilon, "|d| = 1");
+        }
+        double e = ray_error_rms(l, 100, 1, RAY_FIRST, 1);
+        check_at_least(e, 0.1 * epsilon * (double)far[k], "(1.2) rounds at t = 1");
+        check_at_most(e, epsilon * (double)far[k], "by less than an epsilon of |o|");
+        check_equal(ray_error_rms(l, 100, 1, RAY_BETWEEN, 1), 0, "(1.1) is exact there");
+        if (k == 0) check_equal(ray_error_rms(coarse, 100, 1, RAY_FIRST, 1), 0, "by accident");
+    }
+}
+
+/* Far behind b the two products of (1.1) are t |a| and cancel: the error grows with t and |a|, that
  * of (1.2) with the larger of them. */
 static void test_form_far_out(void)
 {
@@ -82,8 +110,8 @@ static void test_form_far_out(void)
         robust = check_worse(robust, off(ray_at(ray_between(a, b), t).x, wa, d, t));
     }
     /* each product is off by up to epsilon/2 t |A|: of a hundred the worst by a fifth of that */
-    check_at_least(naive, 0.1 * epsilon * 12345 * 10000, "(1-t) A + t B loses a factor of t or so");
-    check_at_most(robust, epsilon * 2e4, "O + t D stays within epsilon (|O| + |t D|)");
+    check_at_least(naive, 0.1 * epsilon * 12345 * 10000, "(1-t) a + t b loses a factor of t or so");
+    check_at_most(robust, epsilon * 2e4, "o + t d stays within epsilon (|o| + |t d|)");
 }
 
 static void test_float_staircase(void)
@@ -101,7 +129,7 @@ static void test_float_staircase(void)
         float b = random_float_of(random_bits(5, i, 0, 1));
         missed += between_f32(a, b, 1) != b;
     }
-    check_equal(missed, 0, "(1.1) reaches B in float");
+    check_equal(missed, 0, "(1.1) reaches b in float");
 }
 
 static void test_interval(void)
@@ -114,13 +142,13 @@ static void test_interval(void)
     r.tmin = 3;
     check(!ray_covers(r, 2.5), "an empty interval covers nothing");
     ray segment = ray_between((vec3){1, 2, 3}, (vec3){2, 2, 3});
-    check(segment.tmin == 0 && segment.tmax == 1, "from A to B: [0, 1]");
+    check(segment.tmin == 0 && segment.tmax == 1, "from a to b: [0, 1]");
     ray all = ray_from((vec3){1, 2, 3}, (vec3){0, 0, 5});
     check(ray_covers(all, 0) && ray_covers(all, real_infinity) && !ray_covers(all, -real_smallest),
           "[0, infinity] begins at the origin and has no end");
 }
 
-/* (1.3): with a unit D, differences of t are distances; else they are |D| times less. */
+/* (1.3): with a unit d, differences of t are distances; else they are |d| times less. */
 static void test_unit(void)
 {
     double worst = 0;
@@ -135,10 +163,10 @@ static void test_unit(void)
         worst = check_worse(worst, (double)(vlength(same) / (1 + length)));
     }
     /* points of size 2: each is off by 2 epsilon in each of three coordinates, D by 2 epsilon */
-    check_at_most(worst, 16 * epsilon, "|P(t1) - P(t2)| = |t1 - t2|, and t |D| is the same point");
+    check_at_most(worst, 16 * epsilon, "|p(t1) - p(t2)| = |t1 - t2|, and t |d| is the same point");
     ray r = {{0, 0, 0}, 1, {0, 3, 4}, 2}, u = ray_unit(r);
-    check_equal(u.tmin, 5, "the interval is rescaled by |D|");
-    check_equal(u.tmax, 10, "the interval is rescaled by |D|");
+    check_equal(u.tmin, 5, "the interval is rescaled by |d|");
+    check_equal(u.tmax, 10, "the interval is rescaled by |d|");
 }
 
 /* [eps, 1 - eps] leaves out a fraction of the way, [eps, |L - P| - eps] a distance. */
@@ -172,10 +200,11 @@ static void test_closest(void)
         hit best = hit_none, h;
         for (uint32_t k = 0; k < 6; k++) {
             uint32_t i = order ? 5 - k : k;
-            if (plane_x(plane[i], r, &h) && (h.shape = i, hit_before(h, best))) {
-                best = h;
-                r.tmax = h.t;
-            }
+            if (!plane_x(plane[i], r, &h)) continue;
+            h.shape = i;
+            if (!hit_before(h, best)) continue;
+            best = h;
+            r.tmax = h.t;
         }
         check_equal(best.t, 3, "the nearest plane in front");
         check_equal(best.shape, 1, "of two at the same t the lower index, in either order");
@@ -259,6 +288,7 @@ int main(void)
 {
     test_error_bounds();
     test_ends();
+    test_error_at_one();
     test_form_far_out();
     test_float_staircase();
     test_interval();

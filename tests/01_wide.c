@@ -1,4 +1,4 @@
-/* Tests of chapters/01_ray/wide.h against 128-bit integers, where sums and products of integers are
+/* Tests of common/numbers/wide.h against 128-bit integers, where sums and products of integers are
  * exact, and against 113-bit floats, as far as the compiler has them. */
 #include "check.h"
 #include "../common/numbers/wide.h"
@@ -56,8 +56,9 @@ static void test_exact_parts(void)
     check_equal(wrong, 0, "sums and products of doubles that were not exact");
 }
 
-/* Joldes et al. 2017: add 3 u^2 + 13 u^3 (theorem 3.1), mul below 5 u^2 (theorem 5.2 and the like),
- * u = 2^-53. 1e-31 is 8.1 u^2, what the header promises for all. */
+/* Joldes et al. 2017: a sum is off by 3 u^2 + 13 u^3 at most (algorithm 6), u = 2^-53. A product by
+ * algorithm 10 with one more term was below 5 u^2 wherever it was tried; proved, without the term,
+ * is 7 u^2. 1e-31 is 8.1 u^2, what the header promises for all. */
 static void test_operations(void)
 {
     const double u2 = ldexp(1, -106);

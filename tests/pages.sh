@@ -1,4 +1,5 @@
 #!/bin/sh
+# shellcheck disable=SC2016
 # The tables in the pages are what the programs print: for each block of README.md and MEASURED.md that
 # begins with a title "# ..." and a line "# ...; real = ..", the program of the chapter must print a table
 # of that title and precision, with the same header, the same rows and the same cells, but for those that
@@ -61,6 +62,56 @@ sed 's/0\.5/0.6/' "$scratch/same" >"$scratch/other"
 sed 's/naive/robust/' "$scratch/same" >"$scratch/row"
 seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" | cut -f1; done | tr '\n' ' ')
 if [ "$seen" = "SAME OTHER OTHER " ]; then ok; else no "two planted differences, seen: $seen"; fi
+
+# A page in the form of a lecture (it has a part "The idea"): its parts in order, its code word for word in
+# first.h or first.c, the numbers of its formulas rising, nothing in them that a renderer would drop, no
+# more words than a sitting takes, and every file that it links to or shows is there.
+lecture() {  # lecture FOLDER: a line for each fault
+    awk -v folder="$1" '
+        function slurp(file,   text, line) { text = ""
+            while ((getline line < file) > 0) text = text line "\n"
+            close(file); return text }
+        BEGIN { board = slurp(folder "/first.h") "\n" slurp(folder "/first.c")
+                n = split("The idea|The formulas|The code|Try it|Where it breaks|What accuracy costs|" \
+                          "Only what is called for|What the notes say|Exercises|Going on", part, "|")
+                for (i = 1; i <= n; i++) place[part[i]] = i }
+        function compare() { if (code != "" && kind == "c" && !index(board, code))
+                                 print "not in first.h: " substr(code, 1, index(code, "\n") - 1)
+                             code = "" }
+        /^```/ { compare()
+                 kind = kind == "" ? (/^```c$/ ? "c" : "other") : ""; code = ""; next }
+        kind != "" && /^ *$/ { compare() }  # what stands between may be left out
+        kind != "" { code = code ($0 ~ /^ *$/ ? "" : $0 "\n"); next }
+        /^    / { next }
+        /^## / { name = substr($0, 4)
+                 if (!(name in place)) print "no part of a lecture: " name
+                 else if (place[name] <= last) print "out of order: " name
+                 else last = place[name]
+                 have[name] = 1 }
+        /\$\$/ && /\\(tag|,|;|!)/ { print "a formula that some renderers drop: " $0 }
+        /\$\$.*\([0-9]+\.[0-9]+\)/ { number = $0; sub(/.*\(/, "", number); sub(/\).*/, "", number)
+                 split(number, at, "."); if (at[2] + 0 <= risen) print "numbers do not rise: " number
+                 risen = at[2] + 0 }
+        { words += NF }
+        END { split("The idea|The formulas|The code|Try it|Exercises|Going on", must, "|")
+              for (i in must) if (!(must[i] in have)) print "lacks: " must[i]
+              if (words > 1450) print words " words: at most 1450 beside code and tables" }' "$1/README.md"
+}
+links() {  # links FILE: files that it shows or leads to and that are not there
+    page_folder=$(dirname "$1")
+    tr ')' '\n' <"$1" | sed -n 's/.*](\([^#: ]*\)\(#.*\)\{0,1\}$/\1/p' | sort -u | while read -r to; do
+        [ -z "$to" ] || [ -e "$page_folder/$to" ] || echo "leads nowhere: $to"
+    done
+}
+for page in README.md chapters/README.md chapters/*/*.md; do
+    faults=$(links "$page"; grep -q '^## The idea' "$page" && lecture "$(dirname "$page")")
+    if [ -z "$faults" ]; then ok; else no "$page: $faults"; fi
+done
+mkdir -p "$scratch/page_of" && printf '# A\n## The code\n```c\nint x;\n```\n## The idea\n[a](b.h)\n$$x \\, (1.2)$$\n$$y (1.1)$$\n' \
+    >"$scratch/page_of/README.md"
+printf 'int y;\n' | tee "$scratch/page_of/first.h" >"$scratch/page_of/first.c"
+seen=$( (lecture "$scratch/page_of"; links "$scratch/page_of/README.md") | wc -l)
+if [ "$seen" -eq 9 ]; then ok; else no "9 planted faults of a page, $seen seen"; fi
 
 # Programs cut short, or with another compiler's libm, would print other numbers.
 if [ -n "${CHECK_DIVISOR:-}" ]; then echo "pages.sh: $passed passed, $failed failed"; exit $failed; fi

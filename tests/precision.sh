@@ -1,13 +1,13 @@
 #!/bin/sh
 # Sets the tables of $BUILD/float/NAME and $BUILD/double/NAME side by side: the columns whose names
 # begin with "error" or "time", or tell a time by their unit (build_s, ns_per_ray), behind the
-# columns that say of what.
+# columns that say of what. The programs run as they are, not --quick: their times are medians.
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 for name in "$@"; do
     echo; echo "== $name"
     for real in float double; do
-        (cd "$scratch" && "$OLDPWD/$BUILD/$real/$name" --quick --csv "$scratch/$real.csv" >/dev/null) || exit 1
+        (cd "$scratch" && "$OLDPWD/$BUILD/$real/$name" --csv "$scratch/$real.csv" >/dev/null) || exit 1
         sed 's/"\([^",]*\),\([^"]*\)"/\1;\2/g' "$scratch/$real.csv" > "$scratch/$real.plain"
     done
     awk -F, '

@@ -5,11 +5,13 @@
  * interval:
  *
  *   hit best = hit_none, h;
- *   for (i = 0; i < n; i++)
- *       if (X_hit(x[i], r, &h) && (h.shape = i, hit_before(h, best))) {
- *           best = h;
- *           r.tmax = h.t;                    what lies beyond cannot be the closest
- *       }
+ *   for (i = 0; i < n; i++) {
+ *       if (!X_hit(x[i], r, &h)) continue;
+ *       h.shape = i;
+ *       if (!hit_before(h, best)) continue;
+ *       best = h;
+ *       r.tmax = h.t;                        what lies beyond cannot be the closest
+ *   }
  *
  * The interval is closed, so a later shape at the very same t is reported too; then the lower index
  * wins. That rule makes the answer independent of the order of the search: every acceleration

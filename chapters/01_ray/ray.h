@@ -1,20 +1,20 @@
 /* ray.h: a ray (光线) and its interval (光线间隔).
  *
- *        tmin                 tmax          P(t) = O + t D                          (1.2)
- *    O ---[=====================]--->       only hits with tmin <= t <= tmax count  (1.4)
- *    t = 0                      D
+ *        tmin                 tmax          p(t) = o + t d                          (1.2)
+ *    o ---[=====================]--->       only hits with tmin <= t <= tmax count  (1.4)
+ *    t = 0                      d
  *
- * D need not have unit length. t counts in lengths of D: with D = B - A, t = 0 is A and t = 1 is B;
- * with a unit D, t is a distance. Rescaling D by s divides every t by s, and changes no point.
+ * d need not have unit length. t counts in lengths of d: with d = b - a, t = 0 is a and t = 1 is b;
+ * with a unit d, t is a distance. Rescaling d by s divides every t by s, and changes no point.
  *
- *   ray r = ray_between(a, b);           from a to b, D = b - a, interval [0, 1]
+ *   ray r = ray_between(a, b);           from a to b, d = b - a, interval [0, 1]
  *   ray r = ray_from(o, d);              everything in front of o, interval [0, infinity]
  *   vec3 p = ray_at(r, t);               the point; ray_at_fused: the same, rounded once
  *   vec3 p = ray_at_between(a, b, t);    (1 - t) a + t b: exact at both ends, poor far beyond
  *   if (ray_covers(r, t)) ...            the closed interval; a NaN is never in it
- *   ray u = ray_unit(r);                 the same points, D of length 1, t and interval times |D|
+ *   ray u = ray_unit(r);                 the same points, d of length 1, t and interval times |d|
  *   ray s = ray_shadow(p, light, eps);   from p to a light without its ends; eps in [0, 1/2)
- *   ray s = ray_shadow_unit(p, light, eps);        the same with a unit D; eps is a distance
+ *   ray s = ray_shadow_unit(p, light, eps);        the same with a unit d; eps is a distance
  *
  * A search for the closest hit keeps the nearest t found so far in r.tmax: see hit.h.
  *
@@ -32,24 +32,24 @@
 
 /* `ray`, ray_at and what asks for no bound stand in first.h. The bounds:
  *
- *   ray_at          (1.2): each component is off by at most epsilon (|O| + |t D|): half an epsilon
+ *   ray_at          (1.2): each component is off by at most epsilon (|o| + |t d|): half an epsilon
  *                   for the product and half for the sum
- *   ray_at_between  (1.1): exact at t = 0 and at t = 1, where ray_at reaches B only within
- *                   rounding. Beyond B the two products grow with t and cancel: off by up to 3/2
- *                   epsilon (|(1 - t) A| + |t B|), for a far A and a large t worse than (1.2) by
+ *   ray_at_between  (1.1): exact at t = 0 and at t = 1, where ray_at reaches b only within
+ *                   rounding. Beyond b the two products grow with t and cancel: off by up to 3/2
+ *                   epsilon (|(1 - t) a| + |t b|), for a far a and a large t worse than (1.2) by
  *                   the factor t
  *   ray_covers      (1.4), with >= and <=, so that a NaN t is outside */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* P(t) = O + t D with one rounding instead of two: off by half an epsilon |P|. One instruction a
+/* p(t) = o + t d with one rounding instead of two: off by half an epsilon |p|. One instruction a
  * component on a machine with a fused multiply-add; a call of libm, and slow, on others. */
 static inline vec3 ray_at_fused(ray r, real t)
 {
     return (vec3){fma(t, r.d.x, r.o.x), fma(t, r.d.y, r.o.y), fma(t, r.d.z, r.o.z)};
 }
 
-/* The same points and the same interval with a unit D: t becomes t |D|, a distance (1.3). */
+/* The same points and the same interval with a unit d: t becomes t |d|, a distance (1.3). */
 static inline ray ray_unit(ray r)
 {
     real length = vlength(r.d);
@@ -62,7 +62,7 @@ static inline ray ray_shadow(vec3 p, vec3 light, real eps)
     return (ray){p, eps, vsub(light, p), 1 - eps};
 }
 
-/* The same with a unit D: [eps, |L - p| - eps] (1.6). Now eps is a distance in scene units: the
+/* The same with a unit d: [eps, |l - p| - eps] (1.6). Now eps is a distance in scene units: the
  * same number leaves out something else. Costs two square roots and a division more. */
 static inline ray ray_shadow_unit(vec3 p, vec3 light, real eps)
 {

@@ -16,7 +16,9 @@
  * Needs -ffp-contract=off: a contracted product would change the error terms. Sources: Dekker, "A
  * floating-point technique for extending the available precision", Numer. Math. 18, 1971; Joldes,
  * Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
- * arithmetic", ACM TOMS 44(2), 2017, algorithms 6, 12, 17.
+ * arithmetic", ACM TOMS 44(2), 2017: wide_add is algorithm 6, wide_mul is algorithm 10 and adds the
+ * product of the low parts, too; Hida, Li, Bailey, "Algorithms for quad-double precision floating
+ * point arithmetic", ARITH-15, 2001: wide_div.
  */
 #ifndef WIDE_H
 #define WIDE_H

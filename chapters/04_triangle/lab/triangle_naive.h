@@ -19,22 +19,10 @@
 #ifndef TRIANGLE_NAIVE_H
 #define TRIANGLE_NAIVE_H
 
-#include "../../01_ray/ray_f32.h"
+#include "../../../common/lab/vec3_f32.h"
 #include "../triangle.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline vec3_f32 f32_of(vec3 a) { return (vec3_f32){(float)a.x, (float)a.y, (float)a.z}; }
-static inline vec3_f32 f32_sub(vec3_f32 a, vec3_f32 b)
-{
-    return (vec3_f32){a.x - b.x, a.y - b.y, a.z - b.z};
-}
-static inline float f32_dot(vec3_f32 a, vec3_f32 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-static inline vec3_f32 f32_cross(vec3_f32 a, vec3_f32 b)
-{
-    return (vec3_f32){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 static inline bool triangle_hit_plane_f32(triangle tri, ray r, hit *out)
 {

@@ -1,11 +1,10 @@
 /* ray_f32.h: both forms of a point on a ray in float, whatever real is. Exhibits: what 24 bits do
  * far from the origin. At 1e8 neighbouring floats are 8 apart, and a ray becomes a staircase. */
-#ifndef RAY_F32_H
-#define RAY_F32_H
+#ifndef RAY_LAB_F32_H
+#define RAY_LAB_F32_H
 
-#include "ray.h"
-
-typedef struct { float x, y, z; } vec3_f32;
+#include "../../../common/lab/vec3_f32.h"
+#include "../ray.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
