@@ -217,7 +217,7 @@ static inline bool read_pixels(scanner s, bool text, int bytes, bool little, lon
 /* A new image in *out, for image_free. Unreadable: exit code 1; broken or not a known format: 2. */
 static inline bool image_read(const char *path, image *out, failure *f)
 {
-    enum { side = 65535 };
+    const long side = INT32_MAX / 3;  /* so that a row's floats can be counted; no picture is larger */
     size_t n;
     char *text = file_read(path, &n, f), *end;
     if (!text) return false;
@@ -238,6 +238,6 @@ static inline bool image_read(const char *path, image *out, failure *f)
         else image_free(&im);
     } else ok = false;
     free(text);
-    return ok || failed(f, 2, "%.300s: no whole P3, P6 or PF picture up to %d wide", path, side);
+    return ok || failed(f, 2, "%.300s: no whole P3, P6 or PF picture", path);
 }
 #endif

@@ -125,6 +125,78 @@ static void bounds(void)
                 "a negative radius has the bounds of the positive one");
 }
 
+/* A shape of quarters, or of anything: cones that touch, lie along axes, are two tip to tip. */
+static shape odd_shape(size_t i, vec3 far, vec3 *q)
+{
+    static const int comb[7][2] = {{0, 0}, {8, 0}, {8, 4}, {6, 1}, {4, 4}, {2, 1}, {0, 4}};
+    real x[12];
+    for (int k = 0; k < 12; k++) {
+        x[k] = between(&numbers, -1, 1);
+        if (i % 4) x[k] = round(4 * x[k]) / 4;
+    }
+    vec3 a = vadd(far, (vec3){2 * x[0], 2 * x[1], 2 * x[2]}), e = {x[3], x[4], x[5]},
+         f = {x[6], x[7], x[8]};
+    real rb = i % 5 == 0 ? x[9] : i % 5 == 1 ? 0 : i % 5 == 2 ? -x[9] : x[10];
+    if (i % 3 == 0) return shape_of_sphere((sphere){a, fabs(x[9])});
+    if (i % 3 == 1) return shape_of_cone((cone){a, fabs(x[9]), vadd(a, e), rb});
+    for (int k = 0; k < 7; k++)
+        q[k] = vadd(a, vadd(vscale(e, (real)comb[k][0] / 8), vscale(f, (real)comb[k][1] / 4)));
+    return shape_of_polygon(polygon_of(q, 7));
+}
+
+/* Rays that touch a shape, or see it edge-on, but for a tilt of 1 to 1e-18. */
+static ray odd_ray(shape x, const vec3 *q, size_t i)
+{
+    real tilt = pow((real)10, between(&numbers, real_is_float ? -9 : -18, 0));
+    real u = random_next(&numbers);
+    vec3 d = in_cube(&numbers, 1), n = direction(&numbers), s, t, at = {0, 0, 0};
+    if (x.kind == SHAPE_SPHERE)
+        vbasis(n, &s, &d), at = vmadd(x.sphere.c, n, x.sphere.r);
+    if (x.kind == SHAPE_CONE) {
+        at = point_of_side(x.cone, u, between(&numbers, -pi, pi), &s, &t);
+        d = vmadd(s, vcross(s, t), i % 2 ? 0 : round(between(&numbers, -2, 2)));
+    }
+    if (x.kind == SHAPE_POLYGON) {
+        vec3 e = vsub(q[1], q[0]), f = vsub(q[2], q[1]);
+        d = vadd(vscale(e, d.x), vscale(f, d.y));
+        at = vmadd(vmadd(q[0], e, u), f, random_next(&numbers));
+    }
+    d = vmadd(d, direction(&numbers), tilt);
+    return ray_from(vmadd(at, d, -pow((real)10, between(&numbers, -3, i % 4 ? 1 : 6))), d);
+}
+
+/* What every structure of 09 to 17 trusts: a hit lies in the bounds of its shape, but for 256
+ * epsilon D, D the way along an axis from o to the farthest side of the scene. A shape that reports
+ * one elsewhere is asked by brute force, and not by a search that has left its cell behind. */
+static void hits_are_within_bounds(void)
+{
+    double worst = 0;
+    size_t hits = 0, n = check_count(400000);
+    numbers = random_start(34, 0, 0);
+    for (size_t i = 0; i < n; i++) {
+        vec3 q[7], lo, hi, far = {0, 0, 0};
+        if (i % 7 == 0) far = vec(1248, 511.25, -895.75);
+        shape x = odd_shape(i, far, q);
+        ray r = odd_ray(x, q, i);
+        if (i % 2) r.d = vec(round(4 * r.d.x) / 4, round(4 * r.d.y) / 4, round(4 * r.d.z) / 4);
+        hit h;
+        if (!shape_hit(x, r, &h)) continue;
+        hits++;
+        shape_bounds(x, &lo, &hi);
+        vec3 a = vsub(r.o, lo), b = vsub(hi, r.o);
+        a = vmax(vmax(a, vneg(a)), vmax(b, vneg(b)));
+        wide3 p = wide3_madd(wide3_of(r.o), wide3_of(r.d), wide_of((double)h.t));
+        const wide at[3] = {p.x, p.y, p.z};
+        for (int k = 0; k < 3; k++) {
+            double off = fmax(wide_value(wide_sub(wide_of((double)vaxis(lo, k)), at[k])),
+                              wide_value(wide_sub(at[k], wide_of((double)vaxis(hi, k)))));
+            worst = check_worse(worst, off / (double)(real_epsilon * vaxis(a, vlongest(a))));
+        }
+    }
+    check_at_most(worst, 256, "hits off the bounds, in epsilon D, of %zu", hits);
+    check_at_least((double)hits, (double)n / 8, "some are hit");
+}
+
 /* A plane of exact coordinates, once as each kind that can: all hits have the very same t, so the
  * lowest index wins, in any order. */
 static void ties(void)
@@ -194,6 +266,7 @@ int main(void)
 {
     closest_of_many();
     bounds();
+    hits_are_within_bounds();
     ties();
     meshes();
     return check_report("07_mesh");

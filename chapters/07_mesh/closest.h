@@ -9,14 +9,14 @@
  *   first_mesh s = mesh_soup(&m)              its triangles, by the same numbers, for what first.h
  *                                             asks of them; first_mesh_free(&s) [< 2^31 triangles]
  *
- *   t = min { t_i : shape i is hit at t_i, tmin <= t_i <= tmax }, the lowest i at equal t     (7.4)
+ *   t = min { t_i : shape i is hit at t_i, tmin <= t_i <= tmax }, the lowest i at equal t     (7.1)
  *
  * The interval shrinks to the best hit so far, and is closed: see hit.h. The answer does not
  * depend on the order of the search. (In first.h the last one wins at equal t.) An empty scene is
  * never hit. `out` is untouched on a miss.
  */
-#ifndef CLOSEST_H
-#define CLOSEST_H
+#ifndef MESH_CLOSEST_H
+#define MESH_CLOSEST_H
 
 #include "first.h"
 #include "mesh.h"

@@ -30,8 +30,8 @@
  * Intersection", Ray Tracing Gems, 2019, ch. 7 (the discriminant from near the shape, here by
  * Lagrange's identity for a cone); T. Dekker, Numer. Math. 18, 1971 (exact sums and products).
  */
-#ifndef CONE_H
-#define CONE_H
+#ifndef MESH_CONE_H
+#define MESH_CONE_H
 
 #include "../01_ray/hit.h"
 #include "../../common/numbers/wide.h"

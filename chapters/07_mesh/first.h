@@ -1,5 +1,5 @@
 /* first.h: a mesh of triangles, from a file or made here; its closest hit by asking every triangle.
- * Wrong: a ray through an edge or a corner counts no triangle or several, so that parity (7.11)
+ * Wrong: a ray through an edge or a corner counts no triangle or several, so that parity (7.2)
  * misclassifies points. inside.h mends it. At most 2^31 - 1 triangles; O(n) a ray: 09 to 14. */
 #ifndef FIRST_MESH_H
 #define FIRST_MESH_H
@@ -23,7 +23,7 @@ static inline bool first_mesh_test(const first_mesh *m, int i, ray *r, hit *best
     return true;
 }
 
-/* t = the smallest t_i in [tmin, tmax]                                                    (7.4) */
+/* t = the smallest t_i in [tmin, tmax]                                                    (7.1) */
 static inline bool first_mesh_hit(const first_mesh *m, ray r, hit *out)
 {
     bool found = false;
@@ -32,7 +32,7 @@ static inline bool first_mesh_hit(const first_mesh *m, ray r, hit *out)
     return found;
 }
 
-/* Parity (奇偶性): from inside a closed mesh any way out crosses it an odd number of times. (7.11) */
+/* Parity (奇偶性): from inside a closed mesh any way out crosses it an odd number of times. (7.2) */
 static inline bool first_mesh_inside(const first_mesh *m, vec3 p, vec3 d)
 {
     int hits = 0;

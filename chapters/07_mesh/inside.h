@@ -27,8 +27,8 @@
  * Inside-Outside Segmentation using Generalized Winding Numbers", ACM Trans. Graphics 32(4),
  * 2013.
  */
-#ifndef INSIDE_H
-#define INSIDE_H
+#ifndef MESH_INSIDE_H
+#define MESH_INSIDE_H
 
 #include "closest.h"
 
@@ -59,7 +59,7 @@ static inline bool edge_crosses(vec3 a, vec3 b)
  * the origin if an odd number of its edges cross the half axis y = 0, x > 0. Two triangles give
  * their shared edge the same answer, so over a closed mesh all of them cancel: the whole line has
  * an even number of crossings whatever the rounding did, and those in front of p tell where p is.
- *                                                                                         (7.11) */
+ *                                                                                          (7.2) */
 static inline bool inside_parity(const mesh *m, vec3 p, vec3 d)
 {
     ray_shear s = shear_of(ray_from(p, d));
@@ -92,7 +92,7 @@ static inline bool inside_vote(const mesh *m, vec3 p, int k)
 }
 
 /* Signed solid angle Omega of a triangle seen from the origin:
- *     tan(Omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|)            (7.12)
+ *     tan(Omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|)             (7.3)
  * atan2 keeps the quadrant where the denominator is negative, and gives 0 for 0 / 0, a corner at
  * p. */
 static inline double solid_angle(vec3 a, vec3 b, vec3 c)
@@ -102,7 +102,7 @@ static inline double solid_angle(vec3 a, vec3 b, vec3 c)
                      (double)(la * lb * lc + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb));
 }
 
-/* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.     (7.13) */
+/* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.      (7.4) */
 static inline double winding_number(const mesh *m, vec3 p)
 {
     double sum = 0;

@@ -8,6 +8,7 @@
  *
  *   triangle mesh_triangle(&m, i)           its three corners
  *   vec3     mesh_normal(&m, i, u, v)       unit shading normal at barycentrics u of b, v of c
+ *   bool     mesh_texture(&m, i, u, v, &t)  texture coordinates there; false: a corner has none
  *   bool     mesh_bounds(&m, &lo, &hi)      box around all triangles; false if there is none
  *   void     mesh_smooth_normals(&m)        one normal a vertex, triangles weighted by angle
  *   void     mesh_smooth_normals_area(&m)   ... by area: cheaper, but depends on the slicing
@@ -41,6 +42,9 @@ typedef struct {
     vec3 *n;                 /* [normals] not always unit, zero: none; NULL: the mesh is faceted */
     size_t normals;
     uint32_t *normal_index;  /* [3 triangles] < normals, or mesh_none; NULL: the same as index */
+    vec3 *t;                 /* [textures] texture coordinates (纹理坐标) u, v and sometimes w */
+    size_t textures;
+    uint32_t *texture_index; /* [3 triangles] < textures, or mesh_none; NULL: there are none */
     mesh_run *run;           /* [runs] by rising `first`; run[k].name is an offset into names */
     size_t runs;
     char *names;             /* material names, each ended by a 0 */
@@ -55,6 +59,8 @@ static inline void mesh_free(mesh *m)
     free(m->index);
     free(m->n);
     free(m->normal_index);
+    free(m->t);
+    free(m->texture_index);
     free(m->run);
     free(m->names);
     free(m->libraries);
@@ -67,14 +73,15 @@ static inline triangle mesh_triangle(const mesh *m, size_t i)
     return (triangle){m->v[k[0]], m->v[k[1]], m->v[k[2]]};
 }
 
-/* Only points that a triangle uses count: files often hold stray ones. O(triangles). */
+/* Only points that a triangle uses count: files often hold stray ones. A NaN is passed over, as vmin
+ * and vmax keep their second argument then. O(triangles). */
 static inline bool mesh_bounds(const mesh *m, vec3 *lo, vec3 *hi)
 {
     *lo = (vec3){real_infinity, real_infinity, real_infinity};
     *hi = vneg(*lo);
     for (size_t i = 0; i < 3 * m->triangles; i++) {
-        *lo = vmin(*lo, m->v[m->index[i]]);
-        *hi = vmax(*hi, m->v[m->index[i]]);
+        *lo = vmin(m->v[m->index[i]], *lo);
+        *hi = vmax(m->v[m->index[i]], *hi);
     }
     return m->triangles > 0;
 }
@@ -107,6 +114,17 @@ static inline vec3 mesh_normal(const mesh *m, size_t i, real u, real v)
     if (!vzero(a) && !vzero(b) && !vzero(c))
         n = vunit(vmadd(vmadd(vscale(a, 1 - u - v), b, u), c, v));
     return vzero(n) ? triangle_normal(mesh_triangle(m, i)) : n;
+}
+
+/* (1-u-v) ta + u tb + v tc: where to look in a picture that is wrapped round the mesh. Untouched if a
+ * corner has none. */
+static inline bool mesh_texture(const mesh *m, size_t i, real u, real v, vec3 *out)
+{
+    const uint32_t *k = m->texture_index + 3 * i;
+    if (!m->texture_index || k[0] == mesh_none || k[1] == mesh_none || k[2] == mesh_none)
+        return false;
+    *out = vmadd(vmadd(vscale(m->t[k[0]], 1 - u - v), m->t[k[1]], u), m->t[k[2]], v);
+    return true;
 }
 
 /* Angle between two unit vectors, or 0 if one is zero. atan2 keeps its digits at all angles; acos

@@ -30,8 +30,8 @@
  * Algorithms", ACM Computing Surveys 6(1), 1974 (Newell's normal); E. Haines, "Point in Polygon
  * Strategies", Graphics Gems IV, 1994; S. Woop, C. Benthin, I. Wald, JCGT 2(1), 2013 (the shear).
  */
-#ifndef POLYGON_H
-#define POLYGON_H
+#ifndef MESH_POLYGON_H
+#define MESH_POLYGON_H
 
 #include "../04_triangle/triangle.h"
 

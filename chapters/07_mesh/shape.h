@@ -10,8 +10,8 @@
  * add. The ends of a cone are open and a triangle has two sides, so a normal may face either way:
  * compare it with the direction of the ray.
  */
-#ifndef SHAPE_H
-#define SHAPE_H
+#ifndef MESH_SHAPE_H
+#define MESH_SHAPE_H
 
 #include "../03_sphere/sphere.h"
 #include "../04_triangle/triangle.h"

@@ -66,7 +66,7 @@ static inline bool first_thing_hit(const first_thing *x, ray r, hit *out)
     return true;
 }
 
-/* trace(), first half: the closest of all hits.                                           (7.4) */
+/* trace(), first half: the closest of all hits.                                           (7.1) */
 static inline bool first_scene_hit(const first_scene *s, ray r, hit *out)
 {
     hit h, best = {0, 0, 0, first_most_things};

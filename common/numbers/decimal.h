@@ -9,18 +9,10 @@
  *   "0x1p3"                             0, stop is at the x: no hexadecimal numbers
  *   1e400                               infinity
  *   1e-400                              0
- *   up to 19 digits, 10^-22 to 10^22    one or two roundings, proved right below
- *   the rest                            strtod; it obeys the locale, so a program that sets one
+ *   w 10^e, w up to 2^53, |e| <= 22     one rounding: w and 10^|e| are doubles without error, and so
+ *                                       their product or quotient is the nearest (Clinger)
+ *   the rest, as numbers of 17 digits   strtod; it obeys the locale, so a program that sets one
  *                                       with a decimal comma gets NULL for these, no wrong number
- *
- * What one operation does, for w 10^e with an integer w up to 2^53 and |e| <= 22: w and 10^|e| are
- * doubles without error, so their quotient or product is rounded once (Clinger).
- *
- * With up to 19 digits, w = a + b exactly, a the nearest double. With q = a / 10^k, k = -e, what is
- * missing is N / 10^k, where N = w - q 10^k = (a - q 10^k) + b. fma finds the bracket exactly, and
- * N has at most 53 bits. Its quotient is rounded by up to 2^-53 of itself; but unless q + N / 10^k
- * lies right in the middle of two doubles, the quotient keeps 5^-22 > 2^-52 of itself away from
- * there. So the sum rounds to the right side.
  *
  * Source: Clinger, "How to read floating point numbers accurately", PLDI 1990.
  */
@@ -31,9 +23,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* *out = the double nearest to w 10^e, w < 10^19; false: that takes a longer look. */
-static inline bool decimal_nearest(uint64_t w, long e, double *out);
-
 /* The end of the number at `text`, a string; NULL if there is none. */
 static inline const char *decimal_read(const char *text, double *out);
 
@@ -41,22 +30,10 @@ static inline const char *decimal_read(const char *text, double *out);
 
 static inline bool decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
-static inline bool decimal_nearest(uint64_t w, long e, double *out)
+static inline const char *decimal_read(const char *text, double *out)
 {
     static const double ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    double a = (double)w;
-    if (e < -22 || e > 22 || (e > 0 && w > (uint64_t)1 << 53)) return false;
-    *out = e < 0 ? a / ten[-e] : a * ten[e];
-    if (w > (uint64_t)1 << 53 && e < 0) {
-        double q = *out, b = (double)(int64_t)(w - (uint64_t)a);
-        *out = q + (fma(-q, ten[-e], a) + b) / ten[-e];
-    }
-    return true;
-}
-
-static inline const char *decimal_read(const char *text, double *out)
-{
     const char *p = text;
     bool negative = *p == '-';
     if (*p == '-' || *p == '+') p++;
@@ -79,8 +56,9 @@ static inline const char *decimal_read(const char *text, double *out)
         e += sign * x;
     }
     if (!complete) return NULL;
-    if (digits <= 19 && decimal_nearest(w, e, out)) {
-        if (negative) *out = -*out;
+    if (digits <= 19 && w <= (uint64_t)1 << 53 && e >= -22 && e <= 22) {
+        double a = negative ? -(double)w : (double)w;
+        *out = e < 0 ? a / ten[-e] : a * ten[e];
         return p;
     }
     char *stop;

@@ -2,7 +2,7 @@
  *
  *   v 0 0 0              a point; more columns (weight, colour) are checked and dropped
  *   vn 0 0 1             a normal, of any length
- *   vt 0 0               a texture coordinate: checked and counted
+ *   vt 0 0               texture coordinates u, v, w; what is missing is 0
  *   f 1 2 3              a polygon of three or more corners  i  i/j  i//k  i/j/k
  *   f -4/1/1 -3/1 -2 -1  from 1 up in the order of the file; -1 is the last one so far
  *   f 1/ 2// 3/1/        a slash with no index behind it counts for nothing
@@ -32,8 +32,8 @@
  *
  * Source: Wavefront, "Object files (.obj)", Advanced Visualizer manual, app. B1, 1995.
  */
-#ifndef OBJ_H
-#define OBJ_H
+#ifndef MESH_OBJ_H
+#define MESH_OBJ_H
 
 #include "../mesh.h"
 #include "../../../common/numbers/text.h"
@@ -45,6 +45,9 @@ static inline bool obj_read(const char *path, mesh *out, failure *f);
  * kind [<= 2^32 - 1]. */
 static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh *out, failure *f);
 
+/* Says on stderr which files named by mtllib are not beside the file at `path`; how many they are. */
+static inline int obj_libraries_missing(const mesh *m, const char *path);
+
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
@@ -53,13 +56,14 @@ typedef struct {
     size_t greatest, line;  /* greatest index that was named before its item came, and where */
 } obj_kind;
 
-typedef struct { uint32_t v, n; } obj_corner;
+typedef struct { uint32_t v, t, n; } obj_corner;
 
 typedef struct {
     text_reader text;
     size_t most;
     obj_kind v, t, n;
-    size_t index_room, normal_room, run_room, names, names_room, libraries, libraries_room;
+    size_t index_room, texture_room, normal_room, run_room;
+    size_t names, names_room, libraries, libraries_room;
     mesh m;
 } obj_reader;
 
@@ -85,7 +89,7 @@ static inline bool obj_full(obj_reader *r)
     return text_bad(&r->text, r->text.p, "too many items, this one before", allowed);
 }
 
-/* A line of `least` to `most` [<= 8] numbers. Three of them go to *array, which may be NULL. */
+/* A line of `least` to `most` [<= 8] numbers. Three of them are kept. */
 static inline bool obj_point(obj_reader *r, obj_kind *kind, vec3 **array, int least, int most)
 {
     real x[8] = {0};
@@ -99,13 +103,10 @@ static inline bool obj_point(obj_reader *r, obj_kind *kind, vec3 **array, int le
                         n < least ? "too few numbers before" : "too many numbers:", range);
     }
     if (kind->count == r->most) return obj_full(r);
-    if (array) {
-        vec3 *grown = text_grow(&r->text, *array, &kind->room, kind->count, 1, sizeof **array);
-        if (!grown) return false;
-        *array = grown;
-        grown[kind->count] = (vec3){x[0], x[1], x[2]};
-    }
-    kind->count++;
+    vec3 *grown = text_grow(&r->text, *array, &kind->room, kind->count, 1, sizeof **array);
+    if (!grown) return false;
+    *array = grown;
+    grown[kind->count++] = (vec3){x[0], x[1], x[2]};
     return true;
 }
 
@@ -144,44 +145,45 @@ static inline bool obj_corner_read(obj_reader *r, obj_corner *c)
 {
     text_reader *t = &r->text;
     const char *start = t->p;
-    uint32_t unused;
     if (!obj_index(r, &r->v, &c->v)) return false;
     if (*t->p == '/' && *++t->p != '/' && !text_ends_token(*t->p)
-        && !obj_index(r, &r->t, &unused)) return false;
+        && !obj_index(r, &r->t, &c->t)) return false;
     if (*t->p == '/' && !text_ends_token(*++t->p) && !obj_index(r, &r->n, &c->n)) return false;
     if (t->p - start >= text_token) return text_bad(t, start, "corner too long:", text_longest);
     return text_ends_token(*t->p) || text_bad(t, start, "not a corner:", obj_corner_form);
 }
 
-/* Appends a triangle. Normal indices are kept from the first corner on that has one. */
+/* Appends three indices to an array that begins with the first corner that has one. */
+static inline bool obj_indices(obj_reader *r, uint32_t **array, size_t *room, const uint32_t i[3])
+{
+    size_t k = 3 * r->m.triangles, had = *array ? k : 0;
+    if (!*array && (i[0] & i[1] & i[2]) == mesh_none) return true;
+    uint32_t *index = text_grow(&r->text, *array, room, had, k + 3 - had, sizeof *index);
+    if (!index) return false;
+    *array = index;
+    for (; had < k; had++) index[had] = mesh_none;
+    memcpy(index + k, i, 3 * sizeof *i);
+    return true;
+}
+
 static inline bool obj_triangle(obj_reader *r, obj_corner a, obj_corner b, obj_corner c)
 {
     mesh *m = &r->m;
-    size_t k = 3 * m->triangles;
     if (m->triangles == r->most) return obj_full(r);
-    uint32_t *index = text_grow(&r->text, m->index, &r->index_room, k, 3, sizeof *index);
-    if (!index) return false;
-    m->index = index;
-    index[k] = a.v, index[k + 1] = b.v, index[k + 2] = c.v;
-    if (m->normal_index || (a.n & b.n & c.n) != mesh_none) {
-        size_t had = m->normal_index ? k : 0;
-        index = text_grow(&r->text, m->normal_index, &r->normal_room, had, k + 3 - had,
-                          sizeof *index);
-        if (!index) return false;
-        m->normal_index = index;
-        for (; had < k; had++) index[had] = mesh_none;
-        index[k] = a.n, index[k + 1] = b.n, index[k + 2] = c.n;
-    }
+    if (!obj_indices(r, &m->index, &r->index_room, (uint32_t[3]){a.v, b.v, c.v})
+        || !obj_indices(r, &m->texture_index, &r->texture_room, (uint32_t[3]){a.t, b.t, c.t})
+        || !obj_indices(r, &m->normal_index, &r->normal_room, (uint32_t[3]){a.n, b.n, c.n}))
+        return false;
     m->triangles++;
     return true;
 }
 
 static inline bool obj_face(obj_reader *r)
 {
-    obj_corner first = {0, mesh_none}, last = first;
+    obj_corner first = {0, mesh_none, mesh_none}, last = first;
     size_t corners = 0;
     for (; text_more(&r->text); corners++) {
-        obj_corner c = {0, mesh_none};
+        obj_corner c = {0, mesh_none, mesh_none};
         if (!obj_corner_read(r, &c)) return false;
         if (corners == 0) first = c;
         if (corners >= 2 && !obj_triangle(r, first, last, c)) return false;
@@ -217,7 +219,7 @@ static inline bool obj_statement(obj_reader *r)
     case 0: return obj_point(r, &r->v, &m->v, 3, 7);  /* x y z, then w, or r g b, or both */
     case 1: return obj_face(r);
     case 2: return obj_point(r, &r->n, &m->n, 3, 3);
-    case 3: return obj_point(r, &r->t, NULL, 1, 3);
+    case 3: return obj_point(r, &r->t, &m->t, 1, 3);
     case 4: return obj_material(r);
     case 5: return obj_name(r, &m->libraries, &r->libraries, &r->libraries_room, '\n');
     }
@@ -253,11 +255,14 @@ static inline void obj_fit_all(obj_reader *r)
     mesh *m = &r->m;
     m->vertices = r->v.count;
     m->normals = m->normal_index ? r->n.count : 0;  /* 0: no face asks for them */
+    m->textures = m->texture_index ? r->t.count : 0;
     m->v = obj_fit(m->v, m->vertices * sizeof *m->v);
     m->n = obj_fit(m->n, m->normals * sizeof *m->n);
     size_t bytes = 3 * m->triangles * sizeof *m->index;
     m->index = obj_fit(m->index, bytes);
     m->normal_index = obj_fit(m->normal_index, m->normals ? bytes : 0);
+    m->t = obj_fit(m->t, m->textures * sizeof *m->t);
+    m->texture_index = obj_fit(m->texture_index, m->textures ? bytes : 0);
     m->run = obj_fit(m->run, m->runs * sizeof *m->run);
     m->names = obj_fit(m->names, m->runs ? r->names : 0);
     m->libraries = obj_fit(m->libraries, r->libraries ? r->libraries + 1 : 0);
@@ -287,6 +292,35 @@ static inline bool obj_read(const char *path, mesh *out, failure *f)
     bool ok = obj_read_stream(in, path, UINT32_MAX, out, f);
     fclose(in);
     return ok;
+}
+
+/* Is there a file of this name [n bytes] in the folder of `path`? */
+static inline bool obj_beside(const char *path, const char *name, size_t n)
+{
+    char file[4096];
+    const char *slash = strrchr(path, '/');
+    int folder = slash && *name != '/' ? (int)(slash + 1 - path) : 0;
+    snprintf(file, sizeof file, "%.*s%.*s", folder, path, (int)n, name);
+    return access(file, R_OK) == 0;
+}
+
+/* A line of mtllib is one name, blanks and all, or else several; of C:\old\pot.mtl the last part. */
+static inline int obj_libraries_missing(const mesh *m, const char *path)
+{
+    int missing = 0;
+    for (const char *p = m->libraries; p && *p; p += strcspn(p, "\n") + 1) {
+        size_t line = strcspn(p, "\n"), word, last = line;
+        while (last > 0 && p[last - 1] != '/' && p[last - 1] != '\\') last--;
+        if (obj_beside(path, p, line) || obj_beside(path, p + last, line - last)) continue;
+        for (const char *q = p; q < p + line; q += word + strspn(q + word, " \t")) {
+            word = strcspn(q, " \t\n");
+            if (obj_beside(path, q, word)) continue;
+            fprintf(stderr, "%s: %.200s: mtllib %.*s: no such file beside it\n", program_name, path,
+                    (int)word, q);
+            missing++;
+        }
+    }
+    return missing;
 }
 
 #endif

@@ -12,8 +12,8 @@
  *   empty, or its size no multiple of 32        exit code 2, with the size
  *   a record with NaN, or a direction 0         read as it is: such a ray hits nothing
  */
-#ifndef BVH_RAY_FILE_H
-#define BVH_RAY_FILE_H
+#ifndef MESH_RAY_FILE_H
+#define MESH_RAY_FILE_H
 
 #include "../../../common/file.h"
 #include "../../01_ray/hit.h"

@@ -7,8 +7,8 @@
  * real is a wide without error, so the answers are right for the very numbers that the tested
  * code was given.
  */
-#ifndef SHAPE_ORACLE_H
-#define SHAPE_ORACLE_H
+#ifndef MESH_LAB_ORACLE_H
+#define MESH_LAB_ORACLE_H
 
 #include "../../../common/numbers/wide.h"
 #include "../cone.h"

@@ -1,27 +1,25 @@
 /* pictures.h: a mesh in a frame that fits it, one shape of each kind, and slices through meshes.
  *
- *   camera c = camera_fit(&m, up, width, height)          sees the whole mesh, from front above
- *   bool whole = draw_mesh(&m, c, samples, threads, &im)  brute force, under the headlight of 02
- *   bool whole = draw_shapes(samples, threads, &im)       one of each kind
- *   bool whole = draw_slices(side, threads, &im)          3 x 2 panels, each side x side pixels
- *
+ *   bool whole = draw_mesh(&m, up, samples, threads, &im)  by brute force, `up` the axis upwards
+ *                                                          [0,3); it sees all from front above
+ *   bool whole = draw_shapes(samples, threads, &im)        one of each kind
+ *   bool whole = draw_slices(side, threads, &im)           3 x 2 panels, each side x side pixels,
+ *                                                          titled; a new image
  * False: stopped by Ctrl-C; the picture holds what there was.
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef MESH_LAB_PICTURES_H
+#define MESH_LAB_PICTURES_H
 
-#include "../../../common/image.h"
+#include "../../../common/headlight.h"
+#include "../../../common/lab/label.h"
 #include "../../../common/parallel.h"
 #include "../../02_camera/camera.h"
-#include "../../../common/headlight.h"
 #include "../../02_camera/samples.h"
-#include "../scenes/specimens.h"
 #include "../inside.h"
+#include "../scenes/specimens.h"
 #include "../scenes/teapot.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static const vec3 background = {0.015, 0.02, 0.03};
 
 /* What the pixels need. Just one of m and s is not NULL. */
 typedef struct {
@@ -31,39 +29,38 @@ typedef struct {
     const scene *s;
     const vec3 *tint;
     int cells;
-} view;
+} mesh_view;
 
-static inline vec3 view_colour(const view *w, ray r)
+static inline vec3 mesh_view_colour(const mesh_view *w, ray r)
 {
     hit h;
-    if (w->m) {
-        if (!mesh_hit(w->m, r, &h)) return background;
-        return headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d);
-    }
-    if (!scene_hit(w->s, r, &h)) return background;
+    if (w->m ? !mesh_hit(w->m, r, &h) : !scene_hit(w->s, r, &h)) return vec(0.015, 0.02, 0.03);
+    if (w->m) return headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d);
     return vmul(w->tint[h.shape],
                 headlight(shape_normal(w->s->shapes[h.shape], ray_at(r, h.t)), r.d));
 }
 
-static inline void view_pixel(int x, int y, void *context)
+/* A ray may take a tenth of a second, a tile of pixels half a minute: Ctrl-C ends it between rays. */
+static inline void mesh_view_pixel(int x, int y, void *context)
 {
-    const view *w = context;
+    const mesh_view *w = context;
     vec3 sum = {0, 0, 0};
     int n = w->cells * w->cells;
     for (int k = 0; k < n; k++) {
         real dx, dy;
+        if (atomic_load(&parallel_stop)) return;
         samples_place(SAMPLES_REGULAR, k, w->cells, 0.5, NULL, &dx, &dy);
         ray r = camera_ray(w->c, (real)x + (real)0.5 + dx, (real)y + (real)0.5 + dy, w->im->width,
                            w->im->height);
-        sum = vadd(sum, view_colour(w, r));
+        sum = vadd(sum, mesh_view_colour(w, r));
     }
     image_set(w->im, x, y, vscale(sum, 1 / (real)n));
 }
 
-static inline bool view_draw(view w, int samples, int threads)
+static inline bool mesh_view_draw(mesh_view w, int samples, int threads)
 {
     for (w.cells = 1; (w.cells + 1) * (w.cells + 1) <= samples;) w.cells++;
-    return parallel_pixels(w.im->width, w.im->height, threads, "picture", view_pixel, &w);
+    return parallel_pixels(w.im->width, w.im->height, threads, "picture", mesh_view_pixel, &w);
 }
 
 /* Axis `up` [0,3) upwards, the one before it to the right. Eye at three radii of the sphere round
@@ -73,14 +70,13 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     failure why;
     camera c;
     camera_frame f;
-    vec3 lo, hi, away = {0, 0, 0}, above = {0, 0, 0};
+    vec3 lo, hi, away = {0, 0, 0};
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = away;
     vec3 centre = vmadd(lo, vsub(hi, lo), 0.5);
     int right = up == 2 ? 0 : up == 1 ? 0 : 2, front = 3 - up - right;
-    ((real *)&above)[up] = 1;
-    ((real *)&away)[up] = 0.45;
-    ((real *)&away)[right] = 0.3;
-    ((real *)&away)[front] = up == 2 ? -1 : 1;  /* right x up points to the eye */
+    vec3 above = vwith(away, up, 1);
+    /* right x up points to the eye */
+    away = vwith(vwith(vwith(away, up, (real)0.45), right, (real)0.3), front, up == 2 ? -1 : 1);
     real radius = vlength(vsub(hi, lo)) / 2;
     if (!(radius > 0)) radius = 1;
     if (!frame_look_at(vmadd(centre, vunit(away), 3 * radius), centre, above, &f, &why)) fail(why);
@@ -90,8 +86,7 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
         real x = vdot(q, f.u) / -vdot(q, f.w), y = vdot(q, f.v) / -vdot(q, f.w);
         n = (camera_window){real_min(n.l, x), real_max(n.r, x), real_min(n.b, y), real_max(n.t, y)};
     }
-    if (!(n.l < n.r && n.b < n.t))
-        n = (camera_window){-0.3, 0.3, -0.3, 0.3};
+    if (!(n.l < n.r && n.b < n.t)) n = (camera_window){-0.3, 0.3, -0.3, 0.3};
     real x = (n.l + n.r) / 2, y = (n.b + n.t) / 2, a = (real)width / (real)height;
     real half = (real)0.52 * real_max(n.t - n.b, (n.r - n.l) / a);
     if (!camera_off_axis(f, (camera_window){x - a * half, x + a * half, y - half, y + half}, 1,
@@ -100,9 +95,10 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     return c;
 }
 
-static inline bool draw_mesh(const mesh *m, camera c, int samples, int threads, image *im)
+static inline bool draw_mesh(const mesh *m, int up, int samples, int threads, image *im)
 {
-    return view_draw((view){c, im, m, NULL, NULL, 1}, samples, threads);
+    camera c = camera_fit(m, up, im->width, im->height);
+    return mesh_view_draw((mesh_view){c, im, m, NULL, NULL, 1}, samples, threads);
 }
 
 static inline bool draw_shapes(int samples, int threads, image *im)
@@ -115,68 +111,65 @@ static inline bool draw_shapes(int samples, int threads, image *im)
         shape_of_polygon(polygon_of(floor_corners, 4)),
         shape_of_polygon(polygon_of(wheel, n)),
         shape_of_sphere((sphere){{-3, 0.5, 0.8}, 0.8}),
-        shape_of_cone(
-            (cone){{-1.3, 0.3, 0}, 0.8, {-1.3, 0.3, 1.9}, 0}),
-        shape_of_cone((cone){{0.1, 0.9, 0.6},
-                             0.6,
-                             {1.1, -0.6, 0.6},
-                             0.6}),
+        shape_of_cone((cone){{-1.3, 0.3, 0}, 0.8, {-1.3, 0.3, 1.9}, 0}),
+        shape_of_cone((cone){{0.1, 0.9, 0.6}, 0.6, {1.1, -0.6, 0.6}, 0.6}),
         shape_of_triangle((triangle){{-2, 2, 0}, {2, 2, 0}, {0, 1.8, 2.6}})};
-    static const vec3 tint[] = {
-        {0.45, 0.45, 0.45}, {0.9, 0.6, 0.05},
-        {0.1, 0.6, 0.9},    {0.85, 0.35, 0.05},
-        {0.1, 0.7, 0.5},    {0.8, 0.5, 0.65}};
+    static const vec3 tint[] = {{0.45, 0.45, 0.45}, {0.9, 0.6, 0.05}, {0.1, 0.6, 0.9},
+                                {0.85, 0.35, 0.05}, {0.1, 0.7, 0.5},  {0.8, 0.5, 0.65}};
     const scene s = {shapes, sizeof shapes / sizeof *shapes};
     camera c;
     camera_frame f;
     failure why;
-    if (!frame_look_at(vec(-1.5, -9, 5), vec(0, 0, 0.85), (vec3){0, 0, 1}, &f,
-                       &why)
+    if (!frame_look_at(vec(-1.5, -9, 5), vec(0, 0, 0.85), (vec3){0, 0, 1}, &f, &why)
         || !camera_perspective(f, 28, (real)im->width / (real)im->height, &c, &why))
         fail(why);
-    return view_draw((view){c, im, NULL, &s, tint, 1}, samples, threads);
+    return mesh_view_draw((mesh_view){c, im, NULL, &s, tint, 1}, samples, threads);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Columns: parity of hits, parity of crossings, winding number. Rows: a closed torus in the plane
- * z = 0, which holds vertices and edges; the teapot, an open mesh, in its plane of symmetry y =
- * 0. */
-typedef struct { mesh torus, teapot; image *im; int side; } slices;
+/* Columns: parity of hits, parity of crossings, winding number. Rows: a closed ring in the plane
+ * z = 0, which holds vertices and edges; the teapot, an open mesh, in its plane of symmetry y = 0,
+ * which holds edges. The truth: of the ring, its own distance; of the teapot, the winding number. */
+enum { slice_gap = 6 };
+typedef struct { mesh ring, teapot; image *im; int side; } mesh_slices;
 
-/* Blue inside, pale outside; where the truth is known, wrong answers are vermilion. */
+/* Blue inside, pale outside, between them a winding number between 0 and 1; orange: wrong. */
 static inline vec3 slice_colour(double w, bool wrong)
 {
     const vec3 in = {0, 0.17, 0.45}, out = {0.8, 0.85, 0.9};
-    real k = (real)(w < 0 ? 0 : w > 1 ? 1 : w);
-    return wrong ? vec(0.67, 0.11, 0) : vmadd(vscale(out, 1 - k), in, k);
+    return wrong ? vec(0.67, 0.11, 0)
+                 : vmadd(out, vsub(in, out), (real)(w < 0 ? 0 : w > 1 ? 1 : w));
 }
 
 static inline void slice_pixel(int x, int y, void *context)
 {
-    const slices *s = context;
-    int column = x / s->side, row = y / s->side;
-    real a = 2 * ((real)(x % s->side) + (real)0.5) / (real)s->side - 1;
-    real b = 1 - 2 * ((real)(y % s->side) + (real)0.5) / (real)s->side;
-    const mesh *m = row ? &s->teapot : &s->torus;
-    vec3 p = row ? (vec3){(real)3.4 * a + (real)0.2, 0, (real)3.4 * b + (real)1.6}
-                 : (vec3){(real)1.1 * a, (real)1.1 * b, 0}, d = {1, 0, 0};
-    double w = column == 0   ? inside_parity_naive(m, p, d)
-               : column == 1 ? inside_parity(m, p, d)
-                             : winding_number(m, p);
+    const mesh_slices *s = context;
+    int step = s->side + slice_gap, row = y / s->side, j = y % s->side;
+    real a = 2 * ((real)x + (real)0.5) / (real)s->side - 1;
+    real b = 1 - 2 * ((real)j + (real)0.5) / (real)s->side;
+    const mesh *m = row ? &s->teapot : &s->ring;
+    vec3 p = row ? vec((real)3.4 * a + (real)0.2, 0, (real)3.4 * b + (real)1.6)
+                 : vec((real)1.1 * a, (real)1.1 * b, 0), d = {1, 0, 0};
+    double w[3] = {inside_parity_naive(m, p, d), inside_parity(m, p, d), winding_number(m, p)};
     real ring = fabs(hypot(p.x, p.y) - (real)0.75);
-    bool sure = row == 0 && !(ring > (real)0.235 && ring < (real)0.255);
-    bool edge = x % s->side == 0 || y % s->side == 0;
-    image_set(s->im, x, y,
-              edge ? (vec3){1, 1, 1} : slice_colour(w, sure && (w > 0.5) != (ring < (real)0.25)));
+    bool sure = row || !(ring > (real)0.22 && ring < (real)0.265);
+    bool due = row ? w[2] > 0.5 : ring < (real)0.25;
+    for (int k = 0; k < 3; k++)
+        image_set(s->im, k * step + x, row * step + j,
+                  slice_colour(w[k], sure && (w[k] > 0.5) != due));
 }
 
 static inline bool draw_slices(int side, int threads, image *im)
 {
-    slices s = {torus_mesh(24), teapot_mesh(3), im, side};
-    bool whole = parallel_pixels(3 * side, 2 * side, threads, "slices", slice_pixel, &s);
-    mesh_free(&s.torus);
-    mesh_free(&s.teapot);
+    static const char *const title[] = {
+        "parity of hits", "parity of crossings", "winding number",
+        "parity of hits", "parity of crossings", "winding number"};
+    image panels = image_new(3 * side + 2 * slice_gap, 2 * side + slice_gap);
+    mesh_slices s = {torus_mesh(16), teapot_mesh(3), &panels, side};
+    bool whole = parallel_pixels(side, 2 * side, threads, "slices", slice_pixel, &s);
+    *im = label_panels(&panels, 3, 2, slice_gap, title);
+    image_free(&panels), mesh_free(&s.ring), mesh_free(&s.teapot);
     return whole;
 }
 

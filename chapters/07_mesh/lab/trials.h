@@ -8,8 +8,8 @@
  *
  * The tests demand 0 wrong answers of the default methods; main.c prints what all of them reach.
  */
-#ifndef TRIALS_H
-#define TRIALS_H
+#ifndef MESH_LAB_TRIALS_H
+#define MESH_LAB_TRIALS_H
 
 #include "../../../common/random.h"
 #include "../inside.h"
@@ -191,6 +191,9 @@ enum { inside_methods = 6, inside_of_hits = 2 };  /* the first two count hits, n
 static const char *const inside_names[inside_methods] = {
     "first", "parity of hits", "parity of crossings", "vote of 3", "vote of 5", "winding number"};
 
+/* How many rays method k casts in directions of its own; 0: in the one it is given, or none. */
+static inline int inside_votes(int method) { return method == 3 ? 3 : method == 4 ? 5 : 0; }
+
 /* `soup` has the triangles of m. */
 static inline bool inside_ask(int method, const mesh *m, const first_mesh *soup, vec3 p, vec3 d)
 {
@@ -198,43 +201,50 @@ static inline bool inside_ask(int method, const mesh *m, const first_mesh *soup,
     case 0: return first_mesh_inside(soup, p, d);
     case 1: return inside_parity_naive(m, p, d);
     case 2: return inside_parity(m, p, d);
-    case 3: return inside_vote(m, p, 3);
-    case 4: return inside_vote(m, p, 5);
+    case 3: case 4: return inside_vote(m, p, inside_votes(method));
     default: return inside_winding(m, p);
     }
 }
 
 typedef enum { AT_RANDOM, AT_EDGE, AT_VERTEX } inside_aim;
 
-/* A point of torus_mesh(24) that is surely inside or surely outside, and a direction: the flat
- * triangles lie up to 0.011 within and 0.005 without the round ring. */
-static inline bool inside_question(const mesh *torus, random_stream *s, inside_aim at, vec3 *p,
-                                   vec3 *d)
+/* A point of torus_mesh(24) that is surely inside or surely outside, and a direction, so that the
+ * ray is aimed: the flat triangles lie up to 0.011 within and 0.005 without the round ring. A vote
+ * of `votes` looks along directions of its own: there the point is put so that one of them is d. */
+static inline bool inside_question(const mesh *torus, random_stream *s, inside_aim at, int votes,
+                                   vec3 *p, vec3 *d)
 {
     real ring;
     do {
+        triangle t = mesh_triangle(torus, (size_t)between(s, 0, (real)torus->triangles - 1));
+        vec3 aim = at == AT_EDGE ? vmadd(t.a, vsub(t.b, t.a), between(s, 0, 1)) : t.a;
         *p = vmul(in_cube(s, 1), vec(1, 1, 0.3));
+        *d = at == AT_RANDOM ? direction(s) : vsub(aim, *p);
+        if (votes && at != AT_RANDOM) {
+            *d = inside_direction((int)between(s, 0, (real)votes), votes);
+            *p = vmadd(aim, *d, -between(s, 0, 1));
+        }
         ring = hypot(hypot(p->x, p->y) - (real)0.75, p->z);
     } while (ring > (real)0.235 && ring < (real)0.255);
-    triangle t = mesh_triangle(torus, (size_t)between(s, 0, (real)torus->triangles - 1));
-    *d = direction(s);
-    if (at == AT_VERTEX) *d = vsub(t.a, *p);
-    if (at == AT_EDGE) *d = vsub(vmadd(t.a, vsub(t.b, t.a), between(s, 0, 1)), *p);
     return ring < (real)0.25;
 }
 
 typedef struct { size_t asked, wrong[inside_methods]; } inside_score;
 
+/* The winding number casts no ray that could be aimed: it is asked at random points alone. */
 static inline inside_score inside_play(const mesh *torus, random_stream *s, inside_aim at,
                                        size_t points)
 {
     inside_score score = {points, {0}};
     first_mesh soup = mesh_soup(torus);
-    for (size_t i = 0; i < points; i++) {
-        vec3 p, d;
-        bool inside = inside_question(torus, s, at, &p, &d);
-        for (int k = 0; k < inside_methods; k++)
+    random_stream before = *s;
+    for (int k = 0; k < inside_methods - (at != AT_RANDOM); k++) {
+        *s = before;
+        for (size_t i = 0; i < points; i++) {
+            vec3 p, d;
+            bool inside = inside_question(torus, s, at, inside_votes(k), &p, &d);
             score.wrong[k] += inside_ask(k, torus, &soup, p, d) != inside;
+        }
     }
     first_mesh_free(&soup);
     return score;

@@ -9,8 +9,8 @@
  * there is none, none where there is one, or another t: by more than 1e-3 of it in float, 1e-8 in
  * double. A slip through a seam (04) is wrong, too: who calls them gets both faults.
  */
-#ifndef AS_FIRST_H
-#define AS_FIRST_H
+#ifndef MESH_AS_FIRST_H
+#define MESH_AS_FIRST_H
 
 #include "../../01_ray/hit.h"
 #include "../first.h"

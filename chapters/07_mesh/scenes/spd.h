@@ -30,8 +30,8 @@
  * the documentation of its programs; V. Havran, "Heuristic Ray Shooting Algorithms", PhD thesis,
  * Prague 2000 (the columns that comparisons print).
  */
-#ifndef SPD_H
-#define SPD_H
+#ifndef MESH_SPD_H
+#define MESH_SPD_H
 
 #include "spd_balls.h"
 #include "spd_gears.h"

@@ -6,8 +6,8 @@
  *        o(_)o                 the parent itself was set on its own parent.            (17.1)
  *    ----------------
  */
-#ifndef SPD_BALLS_H
-#define SPD_BALLS_H
+#ifndef MESH_SPD_BALLS_H
+#define MESH_SPD_BALLS_H
 
 #include "world.h"
 

@@ -5,8 +5,8 @@
  *      _/ \_/ \_               -+ .19 tau on .995 R, at .3 tau and .7 tau on .9 R        (17.2)
  *     \         /
  */
-#ifndef SPD_GEARS_H
-#define SPD_GEARS_H
+#ifndef MESH_SPD_GEARS_H
+#define MESH_SPD_GEARS_H
 
 #include "world.h"
 

@@ -6,8 +6,8 @@
  *    |     |     |      neighbours agree. rise = half the side * sqrt(k^2 - 1)          (17.3)
  *    c --- m --- c
  */
-#ifndef SPD_MOUNT_H
-#define SPD_MOUNT_H
+#ifndef MESH_SPD_MOUNT_H
+#define MESH_SPD_MOUNT_H
 
 #include "world.h"
 

@@ -13,8 +13,8 @@
  * .0102, 14 % of r. So do rings of copies that are neighbours in x; in z and between layers there
  * is room.
  */
-#ifndef SPD_RINGS_H
-#define SPD_RINGS_H
+#ifndef MESH_SPD_RINGS_H
+#define MESH_SPD_RINGS_H
 
 #include "world.h"
 

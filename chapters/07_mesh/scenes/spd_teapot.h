@@ -1,6 +1,6 @@
 /* spd_teapot.h: the Utah teapot, 64 n^2 - 8 n triangles, on a checkerboard of n x n squares. */
-#ifndef SPD_TEAPOT_H
-#define SPD_TEAPOT_H
+#ifndef MESH_SPD_TEAPOT_H
+#define MESH_SPD_TEAPOT_H
 
 #include "teapot.h"
 #include "world.h"

@@ -3,8 +3,8 @@
  *
  *    corners of a cube whose product of signs is +1: (- - +) (- + -) (+ - -) (+ + +)     (17.5)
  */
-#ifndef SPD_TETRA_H
-#define SPD_TETRA_H
+#ifndef MESH_SPD_TETRA_H
+#define MESH_SPD_TETRA_H
 
 #include "world.h"
 

@@ -7,8 +7,8 @@
  *      | o           radius at the base .15, at the end .67 of that, which is the child's base
  *      |/
  */
-#ifndef SPD_TREE_H
-#define SPD_TREE_H
+#ifndef MESH_SPD_TREE_H
+#define MESH_SPD_TREE_H
 
 #include "world.h"
 

@@ -11,8 +11,8 @@
  * Triangles are counter-clockwise seen from outside. mesh_free releases a mesh. Source of the
  * gear: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987.
  */
-#ifndef SPECIMENS_H
-#define SPECIMENS_H
+#ifndef MESH_SPECIMENS_H
+#define MESH_SPECIMENS_H
 
 #include "../mesh.h"
 

@@ -7,8 +7,8 @@
  * the whole teapot in one. Source of the name: E. Haines, "Spline Surface Rendering, and What's
  * Wrong with Octrees", Ray Tracing News 1(2), 1988.
  */
-#ifndef STADIUM_H
-#define STADIUM_H
+#ifndef MESH_STADIUM_H
+#define MESH_STADIUM_H
 
 #include "teapot.h"
 

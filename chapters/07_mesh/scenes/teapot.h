@@ -18,9 +18,9 @@
  *
  * A patch is a sum of its 16 control points, weighted by Bernstein polynomials:
  *
- *   P(u,v) = sum_j sum_i  B_j(v) B_i(u) p[j][i]                                              (7.1)
- *   P_u    = 3 sum_j sum_i  B_j(v) D_i(u) (p[j][i+1] - p[j][i])                              (7.2)
- *   n      = P_u x P_v, made unit                                                            (7.3)
+ *   P(u,v) = sum_j sum_i  B_j(v) B_i(u) p[j][i]                                             (7.11)
+ *   P_u    = 3 sum_j sum_i  B_j(v) D_i(u) (p[j][i+1] - p[j][i])                             (7.12)
+ *   n      = P_u x P_v, made unit                                                           (7.13)
  *   B(t) = (1-t)^3, 3 (1-t)^2 t, 3 (1-t) t^2, t^3;   D(t) = (1-t)^2, 2 (1-t) t, t^2
  *
  * No weight is negative, so nothing cancels: the error is a few epsilon of the largest coordinate,
@@ -34,13 +34,13 @@
  * Sources: M. Newell, 1975; F. Crow, "The Origins of the Teapot", IEEE CG&A 7(1), 1987; J. Blinn,
  * "What, Teapots Again?", IEEE CG&A 7(9), 1987; G. Farin, Curves and Surfaces for CAGD, ch. 4, 14.
  */
-#ifndef TEAPOT_H
-#define TEAPOT_H
+#ifndef MESH_TEAPOT_H
+#define MESH_TEAPOT_H
 
 #include "../mesh.h"
 
 typedef struct { vec3 p[4][4]; } bezier_patch;  /* p[j][i]: row j along v, column i along u */
-typedef struct { real b[4], d[3]; } bezier_weights;  /* B and D of (7.1), (7.2) */
+typedef struct { real b[4], d[3]; } bezier_weights;  /* B and D of (7.11), (7.12) */
 
 /* t [0,1], given as the pair s = 1 - t and t. */
 static inline bezier_weights bezier_at(real s, real t);

@@ -20,8 +20,8 @@
  *   const generator *g = generator_find(list, n, "balls");   NULL: no such name
  *   if (!world_make(g, scale, &w, &f)) fail(f);              exit code 2: no such scale
  */
-#ifndef WORLD_H
-#define WORLD_H
+#ifndef MESH_WORLD_H
+#define MESH_WORLD_H
 
 #include "../../02_camera/frame.h"
 #include "../closest.h"
