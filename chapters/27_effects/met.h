@@ -33,7 +33,7 @@ static inline real effects_found(const effects_stage *e, const unsigned mask, co
 __attribute__((always_inline))
 static inline vec3 effects_nothing(const effects_stage *e, const unsigned mask, const branch *b)
 {
-    const sky *s = e->sky.s;
+    const effects_sky *s = e->sky.s;
     vec3 L = sky_radiance(s, b->r.d);
     if (s->kind == SKY_NONE) {
         if (b->bounced) return (vec3){0, 0, 0};

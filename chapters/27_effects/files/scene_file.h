@@ -144,7 +144,7 @@ static inline bool scene_instance(statement *q)
     return true;
 }
 
-static inline bool scene_picture(statement *q, sky *out)
+static inline bool scene_picture(statement *q, effects_sky *out)
 {
     char path[word_longest_path];
     real turn = 0;
@@ -175,7 +175,7 @@ static inline bool scene_picture(statement *q, sky *out)
 
 static inline bool scene_environment(statement *q)
 {
-    sky now = {.background = q->s->sky.background};
+    effects_sky now = {.background = q->s->sky.background};
     real c[6];
     int n = 0;
     if (!text_more(q->t)) return say_missing(q, "a colour, two, or a picture");

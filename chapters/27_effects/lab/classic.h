@@ -213,7 +213,7 @@ static inline bool table_of_tax(const options *o)
 {
     table t = table_new("The general program against the chapters' own, in turn, one thread",
                         "scene|chapter|rays a pixel|difference: most|its own [ns/ray]|"
-                        "here [ns/ray]|speed here / there");
+                        "here [ns/ray]|ratio of speeds");
     bool whole = tax_row(o, &t, false) && tax_row(o, &t, true);
     if (whole) output_extra_table(o, &t);
     else table_free(&t);

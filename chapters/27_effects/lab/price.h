@@ -11,6 +11,7 @@
 #ifndef EFFECTS_PRICE_H
 #define EFFECTS_PRICE_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
 #include "draw.h"
 
@@ -85,7 +86,7 @@ static inline void price_row(table *t, plot *p, const char *name, const price_ru
 
 static inline bool table_of_price(const options *o, effects_stage *e, draw_window w, int samples)
 {
-    int rounds = o->quick ? 1 : 3, n = 1;
+    int rounds = o->full || (o->own && !o->quick) ? 3 : 1, n = 1;
     unsigned before = e->mask, called = e->p->effects & before;  /* --effects may leave some out */
     price_run run[effect_kinds + 1] = {{.mask = called}};
     int effect[effect_kinds + 1] = {-1};
@@ -102,7 +103,7 @@ static inline bool table_of_price(const options *o, effects_stage *e, draw_windo
         for (int i = 0; i < n && whole; i++)
             whole = price_draw(&run[i], e, rounds, round, o->threads);
     table t = table_new("Each effect left out in turn: the error that makes, the time it saves",
-                        "left out|its rays|error: rmse|saves [%]|time [us/pixel]");
+                        "left out|its rays|error: rmse|time saved [%]|time [us/pixel]");
     plot p = plot_new("What is left out, and what that saves", "time [us/pixel]", "error, rmse",
                       PLOT_LOG_Y);
     for (int i = 0; i < n && whole; i++)
@@ -117,12 +118,14 @@ static inline bool table_of_price(const options *o, effects_stage *e, draw_windo
     return whole;
 }
 
-/* Three panels in a row, two rows: each has one effect more (absorption goes with refraction). */
+/* Three panels in a row, two rows: each has one effect more. */
 static inline bool draw_strip(const options *o, effects_stage *e, int w, int h, int samples)
 {
     static const unsigned mask[6] = {
         EFFECTS_LIT | EFFECT_DEPTH_OF_FIELD, EFFECT_MIRROR, EFFECT_GLOSSY, EFFECT_REFRACTION,
         EFFECT_ABSORPTION, EFFECT_INDIRECT};
+    static const char *const title[6] = {"soft shadows alone", "with mirrors", "with glossy",
+                                         "with refraction", "with absorption", "with indirect light"};
     image all = image_new(3 * w, 2 * h);
     unsigned sum = 0, before = e->mask;
     bool whole = true;
@@ -135,8 +138,9 @@ static inline bool draw_strip(const options *o, effects_stage *e, int w, int h, 
         image_free(&im);
     }
     effects_stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
-    output_picture(o, &all, "27_effects_strip.png", false, whole);
-    image_free(&all);
+    image titled = label_panels(&all, 3, 2, 0, title);
+    output_picture(o, &titled, "27_effects_strip.png", false, whole);
+    image_free(&all), image_free(&titled);
     return whole;
 }
 
