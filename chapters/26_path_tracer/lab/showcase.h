@@ -176,6 +176,10 @@ static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, f
         mesh_free(&m);
         return failed(f, 2, "%.300s: no triangles of any size to draw", path);
     }
+    if (!isfinite(1000 * r) || !vfinite(vscale(middle, 1000))) {
+        mesh_free(&m);
+        return failed(f, 2, "%.300s: too large to be seen from anywhere", path);
+    }
     lit_begin(&c->s);
     vec3 grey = {0.72, 0.7, 0.66};
     uint16_t clay = lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)});
