@@ -58,7 +58,7 @@ static inline void draw_spheres(const options *o)
 
 static inline void draw_teapot(const options *o)
 {
-    draw_scene(o, "teapot", 720, 480, 256, 1, "26_path_tracer_teapot.png", false);
+    draw_scene(o, "teapot", 720, 480, 512, 1, "26_path_tracer_teapot.png", false);
 }
 
 /* Of light 1 from everywhere, what is missing: up to 40 %, left as seen, right in colours. */
