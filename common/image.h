@@ -217,7 +217,7 @@ static inline bool read_pixels(scanner s, bool text, int bytes, bool little, lon
 /* A new image in *out, for image_free. Unreadable: exit code 1; broken or not a known format: 2. */
 static inline bool image_read(const char *path, image *out, failure *f)
 {
-    const long side = INT32_MAX / 3;  /* so that a row's floats can be counted; no picture is larger */
+    const long side = INT32_MAX / 3;  /* an int counts the floats of a row; any picture fits */
     size_t n;
     char *text = file_read(path, &n, f), *end;
     if (!text) return false;

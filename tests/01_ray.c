@@ -90,7 +90,7 @@ static void test_error_at_one(void)
             check_close(vlength(d), 1, 4 * epsilon, "|d| = 1");
         }
         double e = ray_error_rms(l, 100, 1, RAY_FIRST, 1);
-        check_at_least(e, 0.1 * epsilon * (double)far[k], "(1.2) rounds at t = 1");
+        check_at_least(e, 0.05 * epsilon * (double)far[k], "(1.2) rounds at t = 1");
         check_at_most(e, epsilon * (double)far[k], "by less than an epsilon of |o|");
         check_equal(ray_error_rms(l, 100, 1, RAY_BETWEEN, 1), 0, "(1.1) is exact there");
         if (k == 0) check_equal(ray_error_rms(coarse, 100, 1, RAY_FIRST, 1), 0, "by accident");

@@ -179,9 +179,9 @@ static void test_refusals(void)
     refused(camera_off_axis(f, w, 0, &c, &why), why, "d = 0", "zero distance");
     refused(camera_off_axis(f, w, -1, &c, &why), why, "d = -1", "negative distance");
     refused(camera_off_axis(f, w, nan_, &c, &why), why, "d = ", "NaN distance");
-    refused(camera_off_axis(f, (camera_window){1, 1, -1, 1}, 1, &c, &why), why, "l < r",
+    refused(camera_off_axis(f, (camera_window){1, 1, -1, 1}, 1, &c, &why), why, "left < right",
             "empty window");
-    refused(camera_orthographic(f, (camera_window){-1, 1, 1, -1}, &c, &why), why, "b < t",
+    refused(camera_orthographic(f, (camera_window){-1, 1, 1, -1}, &c, &why), why, "bottom < top",
             "window upside down");
     refused(camera_orthographic(f, (camera_window){-1, nan_, -1, 1}, &c, &why), why, "window",
             "NaN window");
@@ -209,8 +209,9 @@ static void test_pixels_exactly(void)
     if (!camera_off_axis(f, (camera_window){-1, 3, -2, 2}, 2, &c, &why)) fail(why);
     ray top_left = camera_ray(c, 0, 0, 64, 64), bottom_right = camera_ray(c, 64, 64, 64, 64);
     check(top_left.d.x == -1 && top_left.d.y == 2 && top_left.d.z == -2,
-          "(0, 0) is the corner (l, t)");
-    check(bottom_right.d.x == 3 && bottom_right.d.y == -2, "(nx, ny) is the corner (r, b)");
+          "(0, 0) is the corner (left, top)");
+    check(bottom_right.d.x == 3 && bottom_right.d.y == -2,
+          "(nx, ny) is the corner (right, bottom)");
     check(top_left.o.z == 8 && top_left.tmin == 0 && top_left.tmax == real_infinity,
           "from e, forward");
     /* FCG: pixel (i, j), j counting upward: u = l + (r-l)(i + .5)/nx, v = b + (t-b)(j + .5)/ny */
@@ -227,8 +228,8 @@ static void test_pixels_exactly(void)
     check(camera_project(c, (vec3){0, 1, 8}, 64, 64, &x, &y) && x == 16 && y == 16,
           "in the plane of e: t = 0 counts");
     if (!camera_perspective(f, 90, 2, &c, &why)) fail(why);
-    check_close(c.t, 1, eps, "phi = 90: half height 1");
-    check_close(c.r, 2, 2 * eps, "a = 2: half width 2");
+    check_close(c.top, 1, eps, "phi = 90: half height 1");
+    check_close(c.right, 2, 2 * eps, "a = 2: half width 2");
     check(!camera_project(c, f.e, 64, 64, &x, &y), "e itself shows nowhere");
     check(!camera_project(c, vec(0, 0, 8.5), 64, 64, &x, &y), "behind e: not in front");
     check(!camera_project(c, vec(0, 0, NAN), 64, 64, &x, &y), "NaN: not in front");
@@ -271,8 +272,9 @@ static void test_there_and_back(void)
             double scale = c.kind == CAMERA_PERSPECTIVE ? (double)c.d / depth : 1;
             double slant = c.kind == CAMERA_PERSPECTIVE ? 1 + (double)vlength(q) / depth : 2;
             double reach = scale * (2 * size + 8 * (double)vlength(q)) * slant;
-            double wide_x = (double)(c.r - c.l), sides = (double)(fabs(c.l) + fabs(c.r));
-            double wide_y = (double)(c.t - c.b), edges = (double)(fabs(c.b) + fabs(c.t));
+            double wide_x = (double)(c.right - c.left), wide_y = (double)(c.top - c.bottom);
+            double sides = (double)(fabs(c.left) + fabs(c.right));
+            double edges = (double)(fabs(c.bottom) + fabs(c.top));
             double bx = eps * nx / wide_x * (4 * sides + reach);
             double by = eps * ny / wide_y * (4 * edges + reach);
             double alone = eps * nx * (4 + 4 * slant * scale * (double)vlength(q) / wide_x);
@@ -316,6 +318,48 @@ static void test_far_away(void)
     }
 }
 
+/* The direction of camera_ray in the middle of a wide picture, where |d| = 1: off by epsilon times
+ * the size of the window, tan(phi / 2), and not by epsilon |d|. */
+static void test_wide_view(void)
+{
+    for (int k = 0; k <= 2; k++) {
+        real phi = 180 - pow((real)10, (real)-k), half = half_tangent(phi);
+        double worst = 0;
+        camera c;
+        failure why;
+        for (int i = 0; i < 2000; i++) {
+            if (!camera_perspective(any_frame(0), phi, 1, &c, &why)) fail(why);
+            real x = 256 + uniform(-1, 1) / half, y = 256 + uniform(-1, 1) / half;
+            vec3 d = camera_ray(c, x, y, 512, 512).d;
+            check_close(vlength(d), 1, 1e-2, "the middle of the picture");
+            worst = worse(worst, ray_error(c, d, x, y, 512, 512) * 2 * (double)half / 512);
+        }
+        check_at_most(worst, 4 * eps * (double)half, "angle: 4 epsilon tan(phi / 2) at the most");
+        check_at_least(worst, 0.1 * eps * (double)half, "and no less than a tenth");
+    }
+}
+
+/* What the picture of a camera far away is drawn with: each operation in float, both times. */
+static void test_float_directions(void)
+{
+    const double eps_f32 = (double)FLT_EPSILON;
+    double direct = 0, lost = 0;
+    for (int i = 0; i < 2000; i++) {
+        camera c = any_camera(2, 0);
+        real x = uniform(0, nx), y = uniform(0, ny);
+        vec3 d = camera_direction_f32(c, x, y, nx, ny), e = {120000, 96000, 128000};
+        check_equal(distance(d, vec((float)d.x, (float)d.y, (float)d.z)), 0, "three floats");
+        direct = worse(direct, ray_error(c, d, x, y, nx, ny));
+        vec3 far = camera_direction_naive_f32(e, d);
+        check_equal(fmod((double)far.x * 128, 1), 0, "200 km away floats are 1/128 apart");
+        lost = worse(lost, distance(far, d));
+    }
+    check_at_most(direct, 16 * eps_f32 * nx, "(2.5) in float, pixels");
+    check_at_least(direct, eps_f32, "which is float, not double");
+    check_at_least(lost, 0.004, "s - e is off by half of 1/128");
+    check_at_most(lost, 0.016, "and by no more than a step in each of three coordinates");
+}
+
 static void test_half_tangent(void)
 {
     real angles[] = {179, 179.9, 179.99, 179.999};
@@ -352,7 +396,7 @@ static void test_rtr(void)
         ray a = rtr_camera_ray(q, x, y, nx, ny);
         ray b = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, nx, ny);
         /* some 6 roundings each, of numbers up to |r| + |t| + 1, in a D that is at least 1 long */
-        double bound = 8 * eps * (double)(c.r + c.t + 1);
+        double bound = 8 * eps * (double)(c.right + c.top + 1);
         check_at_most(angle(a.d, b.d), bound, "FCG and RTR at pixel (%d, %d)", x, y);
         check_equal(distance(a.o, b.o), 0, "both begin at the viewpoint");
         check_close(vlength(a.d), 1, 4 * eps, "RTR's direction has length 1");
@@ -385,10 +429,10 @@ static void test_vanishing_points(void)
               "and of the line the other way");
         check(bx == vx && by == vy, "is the same point");
         ray r = camera_ray(c, vx, vy, nx, ny);
-        double reach = (double)c.d / D_w / (double)(c.r - c.l);
-        double reach_y = (double)c.d / D_w / (double)(c.t - c.b);
-        double big = 8 + 8 * (double)(fabs(c.l) + fabs(c.r)) / (double)(c.r - c.l)
-                   + 8 * (double)(fabs(c.b) + fabs(c.t)) / (double)(c.t - c.b);
+        double reach = (double)c.d / D_w / (double)(c.right - c.left);
+        double reach_y = (double)c.d / D_w / (double)(c.top - c.bottom);
+        double big = 8 + 8 * (double)(fabs(c.left) + fabs(c.right)) / (double)(c.right - c.left)
+                   + 8 * (double)(fabs(c.bottom) + fabs(c.top)) / (double)(c.top - c.bottom);
         check_at_most(angle(r.d, D), eps * (8 * big + 16 * (reach + reach_y)) * 4,
                       "the ray through it runs along D");
         for (int j = 0; j < 2; j++) {  /* two lines */
@@ -397,7 +441,7 @@ static void test_vanishing_points(void)
             double t = real_is_float ? 300 : 1e6;
             if (!camera_project(c, vmadd(vadd(c.e, q), D, (real)t), nx, ny, &x, &y)) continue;
             double gap = nx * (double)c.d * (q_u * D_w - q_w * D_u)
-                       / (D_w * (q_w + t * D_w) * (double)(c.r - c.l));
+                       / (D_w * (q_w + t * D_w) * (double)(c.right - c.left));
             double rounding = 64 * eps * nx * (big + reach);
             check_close((double)x - (double)vx, gap, 0.01 * fabs(gap) + rounding,
                         "a line tends to its vanishing point");
@@ -432,13 +476,13 @@ static void test_three_point_perspective(void)
                  && camera_vanishing_point(c, a[i], nx, ny, &x[i], &y[i]);
         if (!ok || !camera_vanishing_point(c, c.w, nx, ny, &x[3], &y[3])) continue;
         /* pixels need not be square */
-        double sx = (double)(c.r - c.l) / nx, sy = (double)(c.t - c.b) / ny;
+        double sx = (double)(c.right - c.left) / nx, sy = (double)(c.top - c.bottom) / ny;
         for (int i = 0; i < 3; i++) {
             int j = (i + 1) % 3, m = (i + 2) % 3;
             double hx = sx * (double)(x[3] - x[i]), hy = sy * (double)(y[3] - y[i]);
             double ex = sx * (double)(x[m] - x[j]), ey = sy * (double)(y[m] - y[j]);
             /* lengths up to d / 0.2 of either; positions rounded to eps of themselves */
-            double window = (double)(fabs(c.l) + fabs(c.r) + fabs(c.b) + fabs(c.t));
+            double window = (double)(fabs(c.left) + fabs(c.right) + fabs(c.bottom) + fabs(c.top));
             double reach = 10 * (double)c.d + window;
             check_close(hx * ex + hy * ey, 0, 64 * eps * reach * reach,
                         "an altitude passes through the principal point");
@@ -553,6 +597,8 @@ int main(void)
     test_pixels_exactly();
     test_there_and_back();
     test_far_away();
+    test_wide_view();
+    test_float_directions();
     test_half_tangent();
     test_rtr();
     test_vanishing_points();

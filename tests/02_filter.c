@@ -1,6 +1,6 @@
 /* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
 #include "check.h"
-#include "../chapters/02_camera/lab/pattern.h"
+#include "../chapters/02_camera/lab/measure.h"
 #include "../chapters/02_camera/samples.h"
 
 #define eps ((double)real_epsilon)
@@ -216,6 +216,25 @@ static void test_convergence(void)
     }
 }
 
+/* Dividing by the weights that came is biased: with one ray the mean is the colour of that ray, its
+ * weight drops out, and the tent becomes a box of its size, 1/2 instead of 3/4. The bias falls as
+ * 1/N, the spread as 1/sqrt(N). Dividing by the expected weight has no bias, and spreads more. */
+static void test_bias(void)
+{
+    const int n = (int)check_count(400000);
+    camera_means one = camera_stripe_means(1, n), m[3];
+    check_close(one.bias[0], -0.25, 4 * 0.5 / sqrt(n), "one ray: 1/2 - 3/4");
+    for (int k = 0; k < 3; k++) m[k] = camera_stripe_means(4 << 2 * k, n / 4);
+    for (int k = 0; k < 3; k++) {
+        double sigma = m[k].spread[1] / sqrt(n / 4);
+        check_at_most(fabs(m[k].bias[1]), 4 * sigma, "by the expected weight: no bias");
+        check_at_least(m[k].spread[1], 1.5 * m[k].spread[0], "but more spread");
+        if (k < 2) check_at_least(-m[k].bias[0], 10 * sigma, "by their own weights: too dark");
+        if (k) check_close(m[k - 1].spread[0] / m[k].spread[0], 2, 0.3, "spread as 1 / sqrt(N)");
+    }
+    check_close(m[0].bias[0] / m[1].bias[0], 4.5, 1, "bias as 1 / N, or a little faster at first");
+}
+
 int main(void)
 {
     s = random_start(2, 1, 0);
@@ -225,5 +244,6 @@ int main(void)
     test_positions();
     test_white_wall();
     test_convergence();
+    test_bias();
     return check_report("02_filter");
 }

@@ -38,8 +38,8 @@ static void test_views(void)
         first_camera c = first_camera_at(e, target, up, phi, nx, ny);
         seen++;
         frame = check_worse(frame, apart(c.u, f.u) + apart(c.v, f.v) + apart(c.w, f.w));
-        double off = fabs((double)(c.r / full.r - 1)) + fabs((double)(c.t / full.t - 1))
-            + fabs((double)(c.l / full.l - 1)) + fabs((double)(c.b / full.b - 1));
+        double off = fabs((double)(c.right / full.right - 1)) + fabs((double)(c.top / full.top - 1))
+            + fabs((double)(c.left / full.left - 1)) + fabs((double)(c.bottom / full.bottom - 1));
         window = check_worse(window, off);
     }
     check_at_least((double)seen, 0.8 * (double)n, "the test sees views");
@@ -55,10 +55,10 @@ static void test_rays(void)
         random_stream s = random_start(2, i, 0);
         first_camera c = first_camera_at(vscale(random_vec3(&s), 100), random_vec3(&s),
                                          (vec3){0, 1, 0}, 1 + 178 * random_next(&s), 640, 480);
-        if (i % 2) c.l *= 2, c.b = -c.t / 3, c.d = 1 + random_next(&s);  /* off-axis */
+        if (i % 2) c.left *= 2, c.bottom = -c.top / 3, c.d = 1 + random_next(&s);  /* off-axis */
         real x = 640 * random_next(&s), y = 480 * random_next(&s);
         camera_frame f = {c.e, c.u, c.v, c.w};
-        camera_window w = {c.l, c.r, c.b, c.t};
+        camera_window w = {c.left, c.right, c.bottom, c.top};
         camera eye, plan;
         failure why;
         if (!camera_off_axis(f, w, c.d, &eye, &why)) fail(why);

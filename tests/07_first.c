@@ -105,7 +105,7 @@ static void test_inside(void)
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(2, i, 0);
         vec3 p, d;
-        (void)inside_question(&m, &s, AT_RANDOM, &p, &d);
+        (void)inside_question(&m, &s, AT_RANDOM, 0, &p, &d);
         bool is = first_mesh_inside(&soup, p, d);
         inside += is, wrong += is != inside_winding(&m, p);
     }
@@ -329,6 +329,35 @@ static void test_program(void)
     check_equal(run("07_mesh_first", arguments), 0, "an empty file: an empty picture");
 }
 
+/* The commands of the pages, as they stand there, with files of the repository; and --quick. */
+static void test_commands(void)
+{
+    static const char *const page[] = {"chapters/07_mesh/README.md",
+                                       "chapters/07_mesh/MEASURED.md"};
+    int tried = 0;
+    mkdir("build", 0777);
+    for (int k = 0; k < 2; k++) {
+        size_t n;
+        failure f;
+        char *text = file_read(page[k], &n, &f), *p = text;
+        check(text, "%s", page[k]);
+        while (p && (p = strstr(p, "build/07_mesh ")) != NULL) {
+            char arguments[200];
+            p += strlen("build/07_mesh ");
+            size_t length = strcspn(p, "`\n"), two = length;
+            for (size_t i = 0; i + 1 < length && two == length; i++)
+                if (p[i] == ' ' && p[i + 1] == ' ') two = i;
+            snprintf(arguments, sizeof arguments, "%.*s --quick", (int)two, p);
+            if (strstr(arguments, "FILE") || strstr(arguments, "--full")) continue;
+            check(run("07_mesh", arguments) == 0 && printed("out", "-> build/"), "%s", arguments);
+            check(!printed("err", "07_mesh"), "%s: nothing to warn of", arguments);
+            tried++;
+        }
+        free(text);
+    }
+    check_at_least(tried, 3, "commands of the pages");
+}
+
 int main(void)
 {
     if (!mkdtemp(directory)) abort();
@@ -344,6 +373,7 @@ int main(void)
     test_broken_files();
     test_limits();
     test_program();
+    test_commands();
     const char *const files[] = {"t.obj", "t.png", "out", "err"};
     for (int i = 0; i < 4; i++) (void)remove(in_directory(files[i]));
     check(rmdir(directory) == 0, "no file is left");

@@ -1,5 +1,7 @@
 /* 07_mesh: shapes behind one tag, and the closest hit by brute force. */
 #include "check.h"
+#include "child.h"
+#include "../chapters/07_mesh/lab/pictures.h"
 #include "../chapters/07_mesh/lab/trials.h"
 
 static random_stream numbers;
@@ -262,6 +264,22 @@ static void meshes(void)
           "an empty mesh is never hit");
 }
 
+/* After Ctrl-C no more rays are cast: a single one may take a tenth of a second. Here there is
+ * nothing to ask. */
+static void ask_nobody(void *context)
+{
+    mesh_view w = {.cells = 4};
+    (void)context;
+    atomic_store(&parallel_stop, SIGINT);
+    mesh_view_pixel(0, 0, &w);
+}
+
+static void stops_between_rays(void)
+{
+    child_result r = child_run(ask_nobody, NULL);
+    check_equal(r.status, 0, "a pixel after Ctrl-C asks nobody");
+}
+
 int main(void)
 {
     closest_of_many();
@@ -269,5 +287,6 @@ int main(void)
     hits_are_within_bounds();
     ties();
     meshes();
+    stops_between_rays();
     return check_report("07_mesh");
 }

@@ -674,7 +674,7 @@ static void test_writing(void)
     close(file);
     for (size_t i = 0; i < n; i++) {
         string s = random_file(6 + below(200));
-        mesh m, o;
+        mesh m, o = {0};
         if (!read_bytes(s.p, s.n, UINT32_MAX, &m, &f)) abort();
         file_forget(path);
         bool ok = obj_write(path, &m, &f) && obj_read(path, &o, &f);
@@ -698,7 +698,7 @@ static void test_writing(void)
     mesh_free(&teapot);
 }
 
-/* scenes/teapot.obj and .mtl are what `07_mesh --teapot 4 --write FILE.obj` writes. */
+/* scenes/teapot.obj and .mtl are what `07_mesh --teapot 4 --save teapot.obj` writes. */
 static void test_shipped(void)
 {
     const char *const shipped = "chapters/07_mesh/scenes/teapot";
@@ -805,7 +805,7 @@ static void test_normals(void)
                                                 m.index[3 * k + i] = kept[3 + i];
         m.v[4] = (vec3){2, 0, 0};
         check(mesh_bounds(&m, &lo, &hi) && lo.x == 0 && hi.x == (real)1e6 && hi.y == (real)1e6
-              && lo.z == 0, "a NaN forgets nothing of the others, place %d: to %g", k, (double)hi.x);
+              && lo.z == 0, "a NaN forgets nothing, place %d: to %g", k, (double)hi.x);
         memcpy(m.index, kept, sizeof kept);
     }
     mesh_free(&m);

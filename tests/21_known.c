@@ -432,7 +432,7 @@ static void test_blur(void)
         vec3 P = vmadd(o, vsub(p, o), l.focus / z);
         bool seen = camera_project(c, p, 64, 48, &x0, &y0)
                  && camera_project(c, P, 64, 48, &x1, &y1);
-        real pixel_x = (c.r - c.l) / 64, pixel_y = (c.t - c.b) / 48;
+        real pixel_x = (c.right - c.left) / 64, pixel_y = (c.top - c.bottom) / 48;
         real dx = (x1 - x0) * pixel_x / pixel_y, dy = y1 - y0;
         double diameter = (double)lens_blur_pixels(c, l, z, 48);
         double radius = (double)sqrt(dx * dx + dy * dy);

@@ -169,6 +169,11 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     if grep -q '^  --samples N' help; then  # --quick takes few, unless it is told how many
         run 0 --quick --size 96x72 --out "many$1" --seed 3 --samples 25
         if cmp -s "many$1" "picture$1"; then no "--samples is not heeded"; else ok; fi
+        if [ "$name" = 02_camera ]; then  # squares only, and it says so
+            if [ ! -s err ]; then ok; else no "--samples 25: $(cat err)"; fi
+            run 0 --quick --size 9x7 --out "many$1" --samples 15
+            if grep -q -e "--samples 15: 9" err; then ok; else no "--samples 15 becomes 9, unannounced"; fi
+        fi
     fi
     if [ -c /dev/full ]; then  # Linux alone has it
         ln -s /dev/full full.ppm

@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 01_ray_first chapte
 
 enum { panel = 360, gap = 6 };
 
-/* The floor y = 0: o.y + t d.y = 0. Striped by t, a little by the squares of the floor itself. */
+/* The floor y = 0: o.y + t d.y = 0. Striped by t, and a little by squares of the floor. */
 static vec3 floor_colour(ray r)
 {
     real t = -r.o.y / r.d.y;

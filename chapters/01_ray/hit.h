@@ -17,8 +17,8 @@
  * wins. That rule makes the answer independent of the order of the search: every acceleration
  * structure gives the same hit as this loop. `hit` itself stands in first.h.
  */
-#ifndef HIT_H
-#define HIT_H
+#ifndef RAY_HIT_H
+#define RAY_HIT_H
 
 #include "ray.h"
 

@@ -1,17 +1,20 @@
 /* camera.h: the ray through a point of the picture, for four kinds of camera.
  *
- *   (0,0)---------- x ->  nx        u = l + (r - l) x / nx                    (2.2)
- *     |  v = t                      v = t + (b - t) y / ny                    (2.3)
+ *   (0,0)---------- x ->  nx        u = left + (right - left) x / nx          (2.2)
+ *     |  v = top                    v = top + (bottom - top) y / ny           (2.3)
  *     y   . u = v = 0
- *     |          u = r              parallel:     O = e + u u + v v, D fixed  (2.4)
- *     ny --------------             perspective:  O = e, D = -d w + u u + v v (2.5)
+ *     |          u = right          parallel:     o = e + u u + v v, d fixed  (2.4)
+ *     ny --------------             perspective:  o = e, d = -d w + u u + v v (2.5)
+ *
+ * Vectors are bold in print: in (2.4) and (2.5) each first u, v and the d before w are numbers.
+ * FCG calls the window l, r, b, t; here t is a ray's parameter alone.
  *
  * (x, y) are pixel coordinates (像素坐标): x from 0 at the left edge to nx at the right edge, y from 0
  * at the top edge to ny at the bottom edge, fractions allowed. Pixel (i, j) of an image covers
  * [i, i+1] x [j, j+1]; its centre is (i + 0.5, j + 0.5).
  *
- * The window {l, r, b, t} is measured from e along u and v, l < r, b < t; d > 0 is the distance
- * from e to its plane. All rays have tmin = 0 and tmax = infinity.
+ * The window {left, right, bottom, top} is measured from e along u and v; left < right, and
+ * bottom < top; d > 0 is the distance from e to its plane. All rays have tmin = 0, tmax = infinity.
  *
  *   builder (false and *why if it cannot)   rays                              t counts
  *   camera_orthographic(f, win, ..)         parallel, along -w (正交)         units from the plane
@@ -20,7 +23,7 @@
  *   camera_off_axis(f, win, d, ..)          from e, window anywhere (离轴)    t = 1 on the plane
  *       phi: vertical field of view in degrees (0, 180); a: width / height
  *
- *   ray r = camera_ray(c, x, y, nx, ny);    D has length 1 in parallel views only: see ray_unit
+ *   ray r = camera_ray(c, x, y, nx, ny);    d has length 1 in parallel views only: see ray_unit
  *   camera_project(c, p, nx, ny, &x, &y)    the inverse: where p shows; false if p is not in front
  *   camera_vanishing_point(c, D, nx, ny, &x, &y)  where lines along D meet (消失点); false if nowhere
  *
@@ -37,11 +40,11 @@
 #include "frame.h"
 
 typedef enum { CAMERA_PARALLEL, CAMERA_PERSPECTIVE } camera_kind;
-typedef struct { real l, r, b, t; } camera_window;  /* left, right, bottom, top */
+typedef struct { real left, right, bottom, top; } camera_window;
 typedef struct {
     camera_kind kind;
     vec3 e, u, v, w;
-    real l, r, b, t;
+    real left, right, bottom, top;
     real d;          /* perspective: distance from e to the image plane */
     vec3 direction;  /* parallel: of all rays, unit length */
 } camera;
@@ -50,10 +53,11 @@ typedef struct {
 
 static inline bool camera_window_is_usable(camera_window n, failure *why)
 {
-    if (n.l < n.r && n.b < n.t && isfinite(n.r - n.l) && isfinite(n.t - n.b)) return true;
+    real width = n.right - n.left, height = n.top - n.bottom;
+    if (width > 0 && height > 0 && isfinite(width) && isfinite(height)) return true;
     return camera_refused(
-        why, "window l = %g, r = %g, b = %g, t = %g: it takes l < r and b < t, finite",
-        (double)n.l, (double)n.r, (double)n.b, (double)n.t);
+        why, "window left %g, right %g, bottom %g, top %g: left < right, bottom < top",
+        (double)n.left, (double)n.right, (double)n.bottom, (double)n.top);
 }
 
 static inline bool camera_oblique(camera_frame f, camera_window n, vec3 direction, camera *out,
@@ -65,7 +69,8 @@ static inline bool camera_oblique(camera_frame f, camera_window n, vec3 directio
         return camera_refused(
             why, "direction (%g, %g, %g): it must lead forward, direction . w < 0",
             (double)direction.x, (double)direction.y, (double)direction.z);
-    *out = (camera){CAMERA_PARALLEL, f.e, f.u, f.v, f.w, n.l, n.r, n.b, n.t, 0, unit};
+    *out = (camera){CAMERA_PARALLEL, f.e, f.u, f.v, f.w, n.left, n.right, n.bottom, n.top, 0,
+                    unit};
     return true;
 }
 
@@ -83,7 +88,8 @@ static inline bool camera_off_axis(camera_frame f, camera_window n, real d, came
     if (!(d > 0 && isfinite(d)))
         return camera_refused(why, "image plane at distance d = %g: it takes d > 0, finite",
                               (double)d);
-    *out = (camera){CAMERA_PERSPECTIVE, f.e, f.u, f.v, f.w, n.l, n.r, n.b, n.t, d, {0, 0, 0}};
+    *out = (camera){CAMERA_PERSPECTIVE, f.e, f.u, f.v, f.w, n.left, n.right, n.bottom, n.top, d,
+                    {0, 0, 0}};
     return true;
 }
 
@@ -105,12 +111,19 @@ static inline bool camera_perspective(camera_frame f, real phi, real a, camera *
                               (double)phi);
     if (!(a > 0 && isfinite(a)))
         return camera_refused(why, "width / height %g: it takes a positive number", (double)a);
-    real t = half_tangent(phi);
-    return camera_off_axis(f, (camera_window){-a * t, a * t, -t, t}, 1, out, why);
+    real top = half_tangent(phi);
+    return camera_off_axis(f, (camera_window){-a * top, a * top, -top, top}, 1, out, why);
 }
 
-static inline real camera_u(camera c, real x, int nx) { return c.l + (c.r - c.l) * x / (real)nx; }
-static inline real camera_v(camera c, real y, int ny) { return c.t + (c.b - c.t) * y / (real)ny; }
+static inline real camera_u(camera c, real x, int nx)
+{
+    return c.left + (c.right - c.left) * x / (real)nx;
+}
+
+static inline real camera_v(camera c, real y, int ny)
+{
+    return c.top + (c.bottom - c.top) * y / (real)ny;
+}
 
 static inline vec3 camera_in_plane(camera c, real u, real v)
 {
@@ -128,15 +141,9 @@ static inline ray camera_ray_naive(camera c, real x, real y, int nx, int ny)
     return ray_from(c.e, vsub(s, c.e));
 }
 
-/* The same in float, whatever real is, to show it: D is the direction, s = e + D. */
-static inline vec3 camera_direction_naive_f32(vec3 e, vec3 D)
-{
-    float ex = (float)e.x, ey = (float)e.y, ez = (float)e.z;
-    float sx = ex + (float)D.x, sy = ey + (float)D.y, sz = ez + (float)D.z;
-    return vec((sx - ex), (sy - ey), (sz - ez));
-}
-
-/* D never meets e: its error is a few epsilon of |D|, wherever the camera stands. */
+/* d never meets e: wherever the camera stands, d is off by a few epsilon of the window's size, since
+ * u and v are differences of numbers of that size. In the middle of the picture, where |d| = 1, that
+ * is an angle of a few epsilon tan(phi / 2); everywhere it is a few epsilon nx pixels. */
 static inline ray camera_ray(camera c, real x, real y, int nx, int ny)
 {
     vec3 in_plane = camera_in_plane(c, camera_u(c, x, nx), camera_v(c, y, ny));
@@ -159,8 +166,8 @@ static inline bool camera_project(camera c, vec3 p, int nx, int ny, real *x, rea
         if (!(depth > 0)) return false;
         s = c.d / depth;
     }
-    *x = (s * vdot(q, c.u) - c.l) / (c.r - c.l) * (real)nx;
-    *y = (s * vdot(q, c.v) - c.t) / (c.b - c.t) * (real)ny;
+    *x = (s * vdot(q, c.u) - c.left) / (c.right - c.left) * (real)nx;
+    *y = (s * vdot(q, c.v) - c.top) / (c.bottom - c.top) * (real)ny;
     return true;
 }
 
@@ -171,8 +178,8 @@ static inline bool camera_vanishing_point(camera c, vec3 D, int nx, int ny, real
 {
     real forward = -vdot(D, c.w);
     if (c.kind == CAMERA_PARALLEL) return false;
-    *x = (c.d * vdot(D, c.u) / forward - c.l) / (c.r - c.l) * (real)nx;
-    *y = (c.d * vdot(D, c.v) / forward - c.t) / (c.b - c.t) * (real)ny;
+    *x = (c.d * vdot(D, c.u) / forward - c.left) / (c.right - c.left) * (real)nx;
+    *y = (c.d * vdot(D, c.v) / forward - c.top) / (c.bottom - c.top) * (real)ny;
     return isfinite(*x) && isfinite(*y);  /* forward = 0, or too small */
 }
 

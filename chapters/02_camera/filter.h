@@ -21,8 +21,8 @@
  * section 26.1 (weighted mean of several rays); M. Pharr, W. Jakob, G. Humphreys, "Physically Based
  * Rendering", 3rd ed., 2016, section 7.8.
  */
-#ifndef FILTER_H
-#define FILTER_H
+#ifndef CAMERA_FILTER_H
+#define CAMERA_FILTER_H
 
 #include "../../common/vec3.h"
 

@@ -51,7 +51,8 @@ int main(int argc, char **argv)
                                        width, height);
     first_camera far = first_camera_at(vec(6, 6, 7), vec(0, 1.1, 0), vec(0, 1, 0), 90,
                                        width, height);
-    far.t = 3, far.b = -3, far.r = 3.6, far.l = -3.6;  /* a window as large as the room */
+    far.top = 3, far.bottom = -3;
+    far.right = 3.6, far.left = -3.6;  /* a window as large as the room */
     for (int row = 0; row < 2; row++) {
         image left = look(far, true, row ? 4 : 1), right = look(eye, false, row ? 4 : 1);
         image_place(&im, 0, row * height, &left);

@@ -8,7 +8,7 @@
 typedef struct {
     vec3 e;           /* the eye, or viewpoint (视点) */
     vec3 u, v, w;     /* right, up, backward: the camera frame (相机坐标系), right-handed */
-    real l, r, b, t;  /* left, right, bottom, top of the window, along u and v */
+    real left, right, bottom, top;  /* of the window, along u and v */
     real d;           /* from the eye to the window: the focal length (焦距) */
     int nx, ny;       /* pixels across and down */
 } first_camera;
@@ -21,19 +21,19 @@ static inline first_camera first_camera_at(vec3 e, vec3 target, vec3 up, real ph
     vec3 u = vunit(vcross(up, w));
     vec3 v = vcross(w, u);
 
-    /* t = -b = tan(phi / 2),  r = -l = t nx / ny,  d = 1                                  (2.6) */
-    real t = tan(phi / 2 * pi / 180), r = t * nx / ny;
-    return (first_camera){e, u, v, w, -r, r, -t, t, 1, nx, ny};
+    /* top = -bottom = tan(phi / 2),  right = -left = top nx / ny,  d = 1                  (2.6) */
+    real top = tan(phi / 2 * pi / 180), right = top * nx / ny;
+    return (first_camera){e, u, v, w, -right, right, -top, top, 1, nx, ny};
 }
 
 /* The point of the window that pixel coordinates x, y stand for: x + 0.5, y + 0.5 is the middle of
  * a pixel, and y grows downward, as the rows of a picture do.
- *     u = l + (r - l) x / nx                                                              (2.2)
- *     v = t + (b - t) y / ny                                                              (2.3) */
+ *     u = left + (right - left) x / nx                                                    (2.2)
+ *     v = top + (bottom - top) y / ny                                                     (2.3) */
 static inline vec3 first_camera_window(first_camera c, real x, real y)
 {
-    real u = c.l + (c.r - c.l) * x / c.nx;
-    real v = c.t + (c.b - c.t) * y / c.ny;
+    real u = c.left + (c.right - c.left) * x / c.nx;
+    real v = c.top + (c.bottom - c.top) * y / c.ny;
     return vadd(vscale(c.u, u), vscale(c.v, v));
 }
 
@@ -43,7 +43,7 @@ static inline ray first_orthographic_ray(first_camera c, real x, real y)
     return ray_from(vadd(c.e, first_camera_window(c, x, y)), vneg(c.w));
 }
 
-/* Perspective (透视): all rays begin at e, D = -d w + u u + v v.                          (2.5) */
+/* Perspective (透视): all rays begin at e, with d = -d w + u u + v v.                     (2.5) */
 static inline ray first_camera_ray(first_camera c, real x, real y)
 {
     return ray_from(c.e, vsub(first_camera_window(c, x, y), vscale(c.w, c.d)));

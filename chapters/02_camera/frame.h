@@ -22,8 +22,8 @@
  * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, sections
  * 2.4.7 and 4.3.
  */
-#ifndef FRAME_H
-#define FRAME_H
+#ifndef CAMERA_FRAME_H
+#define CAMERA_FRAME_H
 
 #include "../../common/file.h"
 #include "../../common/vec3.h"

@@ -8,9 +8,10 @@
  * r, u, v are left-handed: r x u = -v. (x, y) are whole pixel numbers, y counts downward from the
  * top row; the 0.5 leads to the pixel's centre. D has length 1, so t is a distance.
  *
- * As printed (equation 26.2), the second term has a plus: y grows downward and u points up, so the
- * first row of the picture looks down and the picture stands on its head. rtr_camera_ray_printed
- * keeps the plus; rtr_camera_ray has the minus. (The plus is right where y counts upward.)
+ * The notes' translation of (26.2) has a plus in the second term: y grows downward and u points up,
+ * so the first row of the picture looks down and the picture stands on its head.
+ * rtr_camera_ray_printed keeps the plus; rtr_camera_ray has the minus. (The plus is right where y
+ * counts upward; the sign of the original was not looked up.)
  *
  *   rtr_camera k;
  *   if (!rtr_look_at(c, target, up, phi_degrees, &k, &why)) fail(why);

@@ -19,8 +19,8 @@
  * Source: R. Cook, "Stochastic sampling in computer graphics", ACM Transactions on Graphics 5(1),
  * 1986.
  */
-#ifndef SAMPLES_H
-#define SAMPLES_H
+#ifndef CAMERA_SAMPLES_H
+#define CAMERA_SAMPLES_H
 
 #include "../../common/random.h"
 

@@ -1,6 +1,6 @@
 /* 07_mesh: shapes, meshes from files, the closest hit by brute force, and what is inside.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 07_mesh chapters/07_mesh/main.c -lm -lpthread
- * With a file.obj: that mesh in a picture, and what brute force costs on it. */
+ * With a FILE.obj: that mesh in a picture, and what brute force costs on it. */
 #include "lab/drawing.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
@@ -30,7 +30,7 @@ static void other_pictures(const options *o)
     image shapes = image_new(o->quick ? 160 : 640, o->quick ? 90 : 360), slices;
     bool whole = draw_shapes(o->quick ? 1 : 9, o->threads, &shapes);
     output_picture(o, &shapes, "07_mesh_shapes.png", false, whole);
-    whole = draw_slices(o->quick ? 32 : 200, o->threads, &slices);
+    whole = draw_slices(o->quick ? 32 : 180, o->threads, &slices);
     output_picture(o, &slices, "07_mesh_inside.png", false, whole);
     image_free(&shapes), image_free(&slices);
     draw_arrays(o, "07_mesh_arrays.svg");
@@ -38,34 +38,33 @@ static void other_pictures(const options *o)
 
 int main(int argc, char **argv)
 {
-    const char *path = NULL, *up = NULL, *write = NULL;
+    const char *path = NULL, *up = NULL, *save = NULL;
     bool smooth = false, flat = false;
     int fineness = 6, samples = 0;
     option own[] = {
         {"mesh", OPTION_INPUT, &path, 0, 0, "an OBJ file: draw it, and measure on it"},
-        {"up", OPTION_TEXT, &up, 0, 0,
-         "axis that points upwards: x, y or z; default y, of the teapot z"},
+        {"up", OPTION_TEXT, &up, 0, 0, "axis upwards: x, y or z; default y, of the teapot z"},
         {"smooth", OPTION_FLAG, &smooth, 0, 0, "normals from the triangles around each vertex"},
         {"flat", OPTION_FLAG, &flat, 0, 0, "one normal a triangle, whatever the file gives"},
         {"teapot", OPTION_INT, &fineness, 1, 500, "cells along each side of its patches"},
         {"samples", OPTION_INT, &samples, 1, 4096, "rays a pixel, rounded down to a square"},
-        {"write", OPTION_OUTPUT, &write, 0, 0, "the mesh to this .obj, its materials to a .mtl"},
+        {"save", OPTION_OUTPUT, &save, 0, 0, "the mesh to this .obj, its materials to a .mtl"},
         {0}};
-    options o = options_read(argc, argv, "07_mesh", "Meshes, shapes, brute force, and what is inside.",
+    options o = options_read(argc, argv, "07_mesh", "Meshes, brute force, and what is inside.",
                              (options){.seed = 1}, own);
     failure f;
     mesh m;
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         die(2, "bad value --up %s: allowed are x, y, z", up);
-    if (write && !ends_with(write, ".obj")) die(2, "--write %.300s: its name ends in .obj", write);
+    if (save && !ends_with(save, ".obj")) die(2, "--save %.300s: its name ends in .obj", save);
     if (!path) m = teapot_mesh(fineness);
     else if (!obj_read(path, &m, &f)) fail(f);
     if (path) printf("# %s: %zu points, %zu triangles\n", path, m.vertices, m.triangles);
     if (path) (void)obj_libraries_missing(&m, path);
     if (smooth) mesh_smooth_normals(&m);
     if (flat) free(m.n), free(m.normal_index), m.n = NULL, m.normal_index = NULL;
-    o.own = path || write || fineness != 6;
-    if (write) return mesh_write(&m, write), mesh_free(&m), output_done(&o);
+    o.own = path || save || fineness != 6;
+    if (save) return mesh_write(&m, save), mesh_free(&m), output_done(&o);
     if (o.own || o.full || o.quick || o.out || o.preview || o.width)
         main_picture(&o, &m, up ? *up - 'x' : path ? 1 : 2, samples, path);
     else printf("# the teapot, 2e9 tests, some seconds: --full draws it, or --preview\n");
@@ -73,7 +72,8 @@ int main(int argc, char **argv)
     if (!path) inside_report(&o);
     mesh fine = path ? m : teapot_mesh(o.quick ? 8 : 32);
     cost_report(&o, &fine, path != NULL);
-    if (!path && (o.full || o.quick)) shapes_report(&o), files_report(&o);
+    if (!path && (o.full || o.quick)) shapes_report(&o);
+    if (!path && o.full) files_report(&o);
     if (!path) mesh_free(&fine);
     mesh_free(&m);
     return output_done(&o);

@@ -73,8 +73,8 @@ static inline triangle mesh_triangle(const mesh *m, size_t i)
     return (triangle){m->v[k[0]], m->v[k[1]], m->v[k[2]]};
 }
 
-/* Only points that a triangle uses count: files often hold stray ones. A NaN is passed over, as vmin
- * and vmax keep their second argument then. O(triangles). */
+/* Only points that a triangle uses count: files often hold stray ones. A NaN is passed over, as
+ * vmin and vmax keep their second argument then. O(triangles). */
 static inline bool mesh_bounds(const mesh *m, vec3 *lo, vec3 *hi)
 {
     *lo = (vec3){real_infinity, real_infinity, real_infinity};
@@ -116,8 +116,8 @@ static inline vec3 mesh_normal(const mesh *m, size_t i, real u, real v)
     return vzero(n) ? triangle_normal(mesh_triangle(m, i)) : n;
 }
 
-/* (1-u-v) ta + u tb + v tc: where to look in a picture that is wrapped round the mesh. Untouched if a
- * corner has none. */
+/* (1-u-v) ta + u tb + v tc: where to look in a picture that is wrapped round the mesh. *out stays
+ * as it is if a corner has none. */
 static inline bool mesh_texture(const mesh *m, size_t i, real u, real v, vec3 *out)
 {
     const uint32_t *k = m->texture_index + 3 * i;

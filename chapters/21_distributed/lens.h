@@ -62,7 +62,7 @@ static inline real lens_blur(thin_lens l, real z)
 /* The picture's height is (t - b) z / d at depth z. */
 static inline real lens_blur_pixels(camera c, thin_lens l, real z, int ny)
 {
-    real height = c.kind == CAMERA_PERSPECTIVE ? (c.t - c.b) * z / c.d : c.t - c.b;
+    real height = c.kind == CAMERA_PERSPECTIVE ? (c.top - c.bottom) * z / c.d : c.top - c.bottom;
     return 2 * lens_blur(l, z) * (real)ny / height;
 }
 

@@ -9,8 +9,8 @@
  *   "0x1p3"                             0, stop is at the x: no hexadecimal numbers
  *   1e400                               infinity
  *   1e-400                              0
- *   w 10^e, w up to 2^53, |e| <= 22     one rounding: w and 10^|e| are doubles without error, and so
- *                                       their product or quotient is the nearest (Clinger)
+ *   w 10^e, w up to 2^53, |e| <= 22     one rounding: w and 10^|e| are doubles without error, so
+ *                                       their product or quotient is the nearest one (Clinger)
  *   the rest, as numbers of 17 digits   strtod; it obeys the locale, so a program that sets one
  *                                       with a decimal comma gets NULL for these, no wrong number
  *

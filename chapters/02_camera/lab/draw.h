@@ -5,40 +5,41 @@
  *       c = see(view, r)                      the colour that this ray meets
  *   pixel = sum w(dx, dy) c / sum w(dx, dy)   (2.10)
  *
- *   view v = {.c = c, .scene = &scene, .f = filter_box, .n = 4, .how = SAMPLES_JITTERED};
- *   bool whole = draw(&v, &im, threads);      false: stopped by Ctrl-C
- *   draw_panels(&o, v, 4, 2, w, h, name, is_main);        four views, two in a row, as a file
+ *   camera_view v = {.c = c, .scene = &scene, .f = filter_box, .n = 4, .how = SAMPLES_JITTERED};
+ *   bool whole = camera_draw(&v, &im, threads);            false: stopped by Ctrl-C
+ *   camera_draw_panels(&o, v, 4, 2, w, h, name, is_main);  four views, two in a row, as a file
  *
  * The random numbers of a pixel depend on (seed, pixel) alone.
  */
-#ifndef DRAW_H
-#define DRAW_H
+#ifndef CAMERA_LAB_DRAW_H
+#define CAMERA_LAB_DRAW_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
-#include "../../../common/lab/stroke.h"
 #include "../../../common/parallel.h"
 #include "../camera.h"
 #include "../filter.h"
-#include "room.h"
 #include "../samples.h"
+#include "room.h"
 
-typedef struct view view;
-struct view {
+typedef struct camera_view camera_view;
+struct camera_view {
     camera c;
-    const room *scene;
+    const camera_room *scene;
     filter f;
     int n;                                         /* n x n rays a pixel */
     sample_placement how;
     uint64_t seed;
-    ray (*aim)(const view *v, real x, real y);     /* NULL: camera_ray */
-    vec3 (*see)(const view *v, ray r);             /* NULL: room_colour */
+    ray (*aim)(const camera_view *v, real x, real y);     /* NULL: camera_ray */
+    vec3 (*see)(const camera_view *v, ray r);             /* NULL: room_colour */
     const void *own;                               /* for aim and see */
+    const char *tag;                               /* a name, drawn into a panel */
     image *out;                                    /* set by draw */
 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 view_pixel(const view *v, int x, int y)
+static inline vec3 camera_view_pixel(const camera_view *v, int x, int y)
 {
     int nx = v->out->width, ny = v->out->height;
     random_stream s = random_start(v->seed, (uint64_t)y * (uint64_t)nx + (uint64_t)x, 0);
@@ -54,35 +55,36 @@ static inline vec3 view_pixel(const view *v, int x, int y)
     return filter_mean(sum);
 }
 
-static inline void draw_pixel(int x, int y, void *context)
+static inline void camera_draw_pixel(int x, int y, void *context)
 {
-    const view *v = context;
-    image_set(v->out, x, y, view_pixel(v, x, y));
+    const camera_view *v = context;
+    image_set(v->out, x, y, camera_view_pixel(v, x, y));
 }
 
-static inline bool draw(view *v, image *out, int threads)
+static inline bool camera_draw(camera_view *v, image *out, int threads)
 {
     v->out = out;
-    return parallel_pixels(out->width, out->height, threads, "drawing", draw_pixel, v);
+    return parallel_pixels(out->width, out->height, threads, "drawing", camera_draw_pixel, v);
 }
 
 /* n views, `columns` in a row, with a thin white gap, as one picture of w x h pixels. */
-static inline void draw_panels(const options *o, view *v, int n, int columns, int w, int h,
-                               const char *name, bool is_main)
+static inline void camera_draw_panels(const options *o, camera_view *v, int n, int columns, int w,
+                                      int h, const char *name, bool is_main)
 {
     int gap = w >= 64 && h >= 64 ? 6 : 0, rows = n / columns;
     bool whole = true;
     image all = image_new(w, h);
-    for (size_t i = 0; i < 3 * (size_t)w * (size_t)h; i++) all.rgb[i] = 1;
+    label_fill(&all, 0, 0, w, h, vec(1, 1, 1));
     for (int i = 0; i < n && whole; i++) {
         int column = i % columns, row = i / columns;
         int x = column * (w + gap) / columns, x1 = (column + 1) * (w + gap) / columns - gap;
         int y = row * (h + gap) / rows, y1 = (row + 1) * (h + gap) / rows - gap;
         if (x1 <= x || y1 <= y) continue;  /* a picture of one pixel has no room for four */
         image one = image_new(x1 - x, y1 - y);
-        whole = draw(&v[i], &one, o->threads);
+        whole = camera_draw(&v[i], &one, o->threads);
         image_place(&all, x, y, &one);
         image_free(&one);
+        if (v[i].tag && x1 - x > 200) label_tag(&all, x + 6, y + 6, 11, v[i].tag);
     }
     output_picture(o, &all, name, is_main, whole);
     image_free(&all);

@@ -7,9 +7,11 @@
  *   double frame_error(f, target, up)       |u - exact u|: radians, if small
  *   camera_frame frame_first(e, target, up) that of first.h
  *   double half_tangent_exact(phi)          tan(phi / 2), phi in degrees [178, 180), to 1e-16
+ *   vec3 camera_direction_f32(c, x, y, nx, ny)    (2.5), every operation in float
+ *   vec3 camera_direction_naive_f32(e, d)   (e + d) - e in float: what is left of d
  */
-#ifndef CAMERA_ORACLE_H
-#define CAMERA_ORACLE_H
+#ifndef CAMERA_LAB_ORACLE_H
+#define CAMERA_LAB_ORACLE_H
 
 #include "../../../common/numbers/wide.h"
 #include "../camera.h"
@@ -24,6 +26,23 @@ static inline camera_frame frame_first(vec3 e, vec3 target, vec3 up)
     return (camera_frame){c.e, c.u, c.v, c.w};
 }
 
+static inline vec3 camera_direction_f32(camera c, real x, real y, int nx, int ny)
+{
+    float l = (float)c.left, r = (float)c.right, b = (float)c.bottom, t = (float)c.top;
+    float u = l + (r - l) * (float)x / (float)nx, v = t + (b - t) * (float)y / (float)ny, d[3];
+    for (int k = 0; k < 3; k++)
+        d[k] = u * (float)vaxis(c.u, k) + v * (float)vaxis(c.v, k)
+             - (float)c.d * (float)vaxis(c.w, k);
+    return vec(d[0], d[1], d[2]);
+}
+
+static inline vec3 camera_direction_naive_f32(vec3 e, vec3 d)
+{
+    float ex = (float)e.x, ey = (float)e.y, ez = (float)e.z;
+    float sx = ex + (float)d.x, sy = ey + (float)d.y, sz = ez + (float)d.z;
+    return vec((sx - ex), (sy - ey), (sz - ez));
+}
+
 static inline wide wide_ratio(wide a, double b, double n)
 {
     return wide_div(wide_mul(a, wide_of(b)), wide_of(n));
@@ -33,10 +52,10 @@ static inline wide wide_ratio(wide a, double b, double n)
  * are taken as they are, so that rounding the frame does not count here. */
 static inline double ray_error(camera c, vec3 D, real x, real y, int nx, int ny)
 {
-    wide width = wide_sub(wide_of((double)c.r), wide_of((double)c.l));
-    wide height = wide_sub(wide_of((double)c.b), wide_of((double)c.t));
-    wide u = wide_add(wide_of((double)c.l), wide_ratio(width, (double)x, nx));
-    wide v = wide_add(wide_of((double)c.t), wide_ratio(height, (double)y, ny));
+    wide width = wide_sub(wide_of((double)c.right), wide_of((double)c.left));
+    wide height = wide_sub(wide_of((double)c.bottom), wide_of((double)c.top));
+    wide u = wide_add(wide_of((double)c.left), wide_ratio(width, (double)x, nx));
+    wide v = wide_add(wide_of((double)c.top), wide_ratio(height, (double)y, ny));
     wide3 U = wide3_of(c.u), V = wide3_of(c.v), W = wide3_of(c.w), zero = wide3_of((vec3){0, 0, 0});
     wide3 plane = wide3_madd(wide3_madd(zero, U, u), V, v), given = wide3_of(D);
     wide3 exact = wide3_madd(plane, W, wide_of(-(double)c.d));

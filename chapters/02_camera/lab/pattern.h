@@ -18,8 +18,8 @@
  * These are oracles: always in double, right to 1e-12 for |x|, |y| up to 1000, and the
  * zone plate itself, unfiltered, to an epsilon of its phase a (x^2 + y^2).
  */
-#ifndef PATTERN_H
-#define PATTERN_H
+#ifndef CAMERA_LAB_PATTERN_H
+#define CAMERA_LAB_PATTERN_H
 
 #include "../filter.h"
 

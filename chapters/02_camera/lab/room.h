@@ -4,12 +4,12 @@
  *   |  ____           the ray meets its plane at t = (at - o.x) / d.x, and two comparisons tell
  *   | /   /|          whether it is met inside.
  *   |/___/ |__ y
- *   |    |/           room s = room_corner()             floor z = 0, walls x = 0, y = 0, blocks
+ *   |    |/           camera_room s = room_corner()      floor z = 0, walls x = 0, y = 0, blocks
  *   |____|            vec3 colour = room_colour(&s, r)   of what the ray meets first
  *   x
  */
-#ifndef ROOM_H
-#define ROOM_H
+#ifndef CAMERA_LAB_ROOM_H
+#define CAMERA_LAB_ROOM_H
 
 #include "../../01_ray/hit.h"
 #include "../../../common/headlight.h"
@@ -20,13 +20,17 @@ typedef struct {
     vec3 low, high;      /* its extent on the two others */
     vec3 colour, check;  /* of the squares, in turn */
     real cell;           /* side of a square */
-} room_rectangle;
+} camera_rectangle;
 
-typedef struct { room_rectangle r[24]; int n; } room;
+typedef struct {
+    camera_rectangle r[24];
+    int n, walls;        /* what comes behind the walls lies in the box, and well inside of it */
+    vec3 low, high;
+} camera_room;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool room_rectangle_hit(const room_rectangle *q, ray r, real *t)
+static inline bool room_rectangle_hit(const camera_rectangle *q, ray r, real *t)
 {
     real tq = (q->at - vaxis(r.o, q->axis)) / vaxis(r.d, q->axis);
     if (!ray_covers(r, tq) || isinf(tq)) return false;  /* parallel: tq is infinite or NaN */
@@ -38,11 +42,25 @@ static inline bool room_rectangle_hit(const room_rectangle *q, ray r, real *t)
     return true;
 }
 
-static inline vec3 room_colour(const room *s, ray r)
+/* False only if the ray misses the box, which most rays do. */
+static inline bool room_box_is_met(vec3 low, vec3 high, ray r)
+{
+    real t0 = -real_infinity, t1 = real_infinity;
+    for (int k = 0; k < 3; k++) {
+        real o = vaxis(r.o, k), over = 1 / vaxis(r.d, k);
+        if (isinf(over)) continue;
+        real a = (vaxis(low, k) - o) * over, b = (vaxis(high, k) - o) * over;
+        t0 = real_max(t0, real_min(a, b)), t1 = real_min(t1, real_max(a, b));
+    }
+    return !(t0 > t1);
+}
+
+static inline vec3 room_colour(const camera_room *s, ray r)
 {
     static const vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    const room_rectangle *first = NULL;
-    for (int i = 0; i < s->n; i++) {
+    const camera_rectangle *first = NULL;
+    int n = s->walls && !room_box_is_met(s->low, s->high, r) ? s->walls : s->n;
+    for (int i = 0; i < n; i++) {
         real t;
         if (room_rectangle_hit(&s->r[i], r, &t) && (t < r.tmax || !first)) {
             first = &s->r[i];
@@ -56,14 +74,14 @@ static inline vec3 room_colour(const room *s, ray r)
     return vmul(squares % 2 ? first->check : first->colour, headlight(axes[first->axis], r.d));
 }
 
-static inline void room_add(room *s, int axis, real at, vec3 low, vec3 high, vec3 colour,
+static inline void room_add(camera_room *s, int axis, real at, vec3 low, vec3 high, vec3 colour,
                             vec3 check, real cell)
 {
-    s->r[s->n++] = (room_rectangle){axis, at, low, high, colour, check, cell};
+    s->r[s->n++] = (camera_rectangle){axis, at, low, high, colour, check, cell};
 }
 
 /* Six faces, painted darker on the sides, so that edges show where the headlight shows none. */
-static inline void room_block(room *s, vec3 low, vec3 high, vec3 colour, real cell)
+static inline void room_block(camera_room *s, vec3 low, vec3 high, vec3 colour, real cell)
 {
     static const real paint[] = {0.55, 0.8, 1};
     for (int k = 0; k < 3; k++) {
@@ -73,17 +91,15 @@ static inline void room_block(room *s, vec3 low, vec3 high, vec3 colour, real ce
     }
 }
 
-static inline room room_corner(void)
+static inline camera_room room_corner(void)
 {
-    room s = {.n = 0};
+    camera_room s = {.n = 0};
     vec3 o = {0, 0, 0}, end = {4, 4, 4}, size = {0.8, 0.8, 0.8};
     vec3 orange = {1, 0.5, 0.08};
-    room_add(&s, 2, 0, o, end, vec(0.85, 0.8, 0.7),
-             vec(0.42, 0.36, 0.3), 0.5);
-    room_add(&s, 0, 0, o, end, vec(0.3, 0.48, 0.75),
-             vec(0.17, 0.3, 0.55), 0.5);
-    room_add(&s, 1, 0, o, end, vec(0.5, 0.72, 0.62),
-             vec(0.3, 0.52, 0.43), 0.5);
+    room_add(&s, 2, 0, o, end, vec(0.85, 0.8, 0.7), vec(0.42, 0.36, 0.3), 0.5);
+    room_add(&s, 0, 0, o, end, vec(0.3, 0.48, 0.75), vec(0.17, 0.3, 0.55), 0.5);
+    room_add(&s, 1, 0, o, end, vec(0.5, 0.72, 0.62), vec(0.3, 0.52, 0.43), 0.5);
+    s.walls = s.n, s.low = vec(1.9, 0.4, -0.1), s.high = vec(2.9, 3.8, 0.9);
     for (int i = 0; i < 3; i++) {  /* three blocks of one size, one behind the other */
         vec3 low = {2, (real)0.5 + (real)1.2 * (real)i, 0};
         room_block(&s, low, vadd(low, size), orange, 0.4);

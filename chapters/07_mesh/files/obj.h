@@ -45,7 +45,7 @@ static inline bool obj_read(const char *path, mesh *out, failure *f);
  * kind [<= 2^32 - 1]. */
 static inline bool obj_read_stream(FILE *in, const char *name, size_t most, mesh *out, failure *f);
 
-/* Says on stderr which files named by mtllib are not beside the file at `path`; how many they are. */
+/* Says on stderr which files named by mtllib are not beside the file at `path`; how many. */
 static inline int obj_libraries_missing(const mesh *m, const char *path);
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -304,7 +304,7 @@ static inline bool obj_beside(const char *path, const char *name, size_t n)
     return access(file, R_OK) == 0;
 }
 
-/* A line of mtllib is one name, blanks and all, or else several; of C:\old\pot.mtl the last part. */
+/* A line of mtllib is one name, blanks and all, or several; of C:\old\pot.mtl the last part. */
 static inline int obj_libraries_missing(const mesh *m, const char *path)
 {
     int missing = 0;

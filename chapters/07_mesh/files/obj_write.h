@@ -81,7 +81,7 @@ static inline bool mtl_write(const char *path, const mesh *m, failure *f)
     return file_commit(&w, f);
 }
 
-/* Both, the materials beside the mesh, said in the program's last line. Ends the program on failure. */
+/* Both, said in the program's last line; ends the program on failure. */
 static inline void mesh_write(const mesh *m, const char *path)
 {
     failure f;

@@ -1,7 +1,7 @@
 /* measure.h: the tables and plots of this chapter. Errors are those of trials.h, times medians of
  * interleaved rounds.
  *
- *   inside_report(&o);                 five answers to "inside?": wrong answers, time; the main table
+ *   inside_report(&o);                 answers to "inside?": errors and times; the main table
  *   cost_report(&o, &m, is_main);      the closest hit in parts of a mesh: O(n)
  *   shapes_report(&o);                 cones and polygons, the textbook's and ours
  *   files_report(&o);                  reading OBJ files: megabytes a second
@@ -18,20 +18,20 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { cones_at_once = 1024, rounds = 7, questions = 32 };
+enum { cones_at_once = 1024, mesh_rounds = 7, inside_questions = 32 };
 
 typedef struct {
     const mesh *m;
     const first_mesh *soup;
     int method;
-    vec3 p[questions], d[questions];
+    vec3 p[inside_questions], d[inside_questions];
 } inside_batch;
 
 static inline double inside_run(void *context)
 {
     const inside_batch *b = context;
     int sum = 0;
-    for (int i = 0; i < questions; i++)
+    for (int i = 0; i < inside_questions; i++)
         sum += inside_ask(b->method, b->m, b->soup, b->p[i], b->d[i]);
     return sum;
 }
@@ -57,12 +57,12 @@ static inline void inside_report(const options *o)
         random_stream s = random_start(o->seed, 0, 74);
         b[k].m = &m, b[k].soup = &soup, b[k].method = k;
         v[k] = (clock_variant){inside_names[k], inside_run, &b[k], 0};
-        for (int i = 0; i < questions; i++)
+        for (int i = 0; i < inside_questions; i++)
             (void)inside_question(&m, &s, AT_VERTEX, 0, &b[k].p[i], &b[k].d[i]);
     }
-    clock_compare(v, inside_methods, rounds);
+    clock_compare(v, inside_methods, mesh_rounds);
     for (int k = 0; k < inside_methods; k++) {
-        double ns = 1e9 * v[k].seconds / questions / (double)m.triangles;
+        double ns = 1e9 * v[k].seconds / inside_questions / (double)m.triangles;
         bool casts = k + 1 < inside_methods;
         table_text(&t, "%s", inside_names[k]);
         for (int at = 0; at < 3; at++)
@@ -206,7 +206,7 @@ static inline void cone_rows(uint64_t seed, size_t rays, table *t, plot *wrong, 
             b[0].r[i] = b[1].r[i] = ray_at_cone(&s, b[0].c[i], AIM_RANDOM, distance);
         }
         b[0].hit = cone_hit_naive, b[1].hit = cone_hit;
-        clock_compare(v, 2, rounds);
+        clock_compare(v, 2, mesh_rounds);
         for (int k = 0; k < 2; k++) {
             double percent = 100 * (double)sum.wrong[k] / (double)sum.decided;
             plot_add(wrong, in_wrong[k], (double)distance, percent);
@@ -252,7 +252,7 @@ static inline void polygon_rows(uint64_t seed, size_t rays, table *t)
                     b[c][k].r[i] = gear_box_ray(&box, &s, (size_t)i);
             }
         }
-        for (int c = 0; c < 2; c++) clock_compare(v[c], 2, rounds);
+        for (int c = 0; c < 2; c++) clock_compare(v[c], 2, mesh_rounds);
         for (int c = 0; c < 2; c++)
             for (int k = 0; k < 2; k++) {
                 table_text(t, k ? "polygon_hit" : "polygon_hit_naive");
@@ -302,19 +302,20 @@ static inline double files_run(void *context)
     return n;
 }
 
-/* The teapot as a file of points, normals and faces i//n, read back from memory of the disk. */
+/* The teapot as a file of points, normals and faces i//n. */
 static inline void files_report(const options *o)
 {
     const char *const path = "build/07_mesh_teapot.obj";
     failure f;
     struct stat file;
-    mesh m = teapot_mesh(o->quick ? 8 : 50);
+    mesh m = teapot_mesh(50);
     mkdir("build", 0777);  /* if that fails, writing the file says why */
     if (!obj_write(path, &m, &f)) fail(f);
     stat(path, &file);
     files_batch b[2] = {{path, true}, {path, false}};
-    clock_variant v[2] = {{"first_obj_read", files_run, &b[0], 0}, {"obj_read", files_run, &b[1], 0}};
-    clock_compare(v, 2, rounds);
+    clock_variant v[2] = {{"first_obj_read", files_run, &b[0], 0},
+                          {"obj_read", files_run, &b[1], 0}};
+    clock_compare(v, 2, mesh_rounds);
     table t = table_new("Reading an OBJ file", "method|triangles|bytes|time [MB/s]");
     for (int k = 0; k < 2; k++) {
         table_text(&t, "%s", v[k].name), table_count(&t, m.triangles);

@@ -40,7 +40,7 @@ static inline vec3 mesh_view_colour(const mesh_view *w, ray r)
                 headlight(shape_normal(w->s->shapes[h.shape], ray_at(r, h.t)), r.d));
 }
 
-/* A ray may take a tenth of a second, a tile of pixels half a minute: Ctrl-C ends it between rays. */
+/* A ray may take a tenth of a second, a tile of pixels half a minute: Ctrl-C works between rays. */
 static inline void mesh_view_pixel(int x, int y, void *context)
 {
     const mesh_view *w = context;
@@ -84,11 +84,13 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
     for (size_t i = 0; i < 3 * m->triangles; i++) {
         vec3 q = vsub(m->v[m->index[i]], f.e);
         real x = vdot(q, f.u) / -vdot(q, f.w), y = vdot(q, f.v) / -vdot(q, f.w);
-        n = (camera_window){real_min(n.l, x), real_max(n.r, x), real_min(n.b, y), real_max(n.t, y)};
+        n = (camera_window){real_min(n.left, x), real_max(n.right, x), real_min(n.bottom, y),
+                            real_max(n.top, y)};
     }
-    if (!(n.l < n.r && n.b < n.t)) n = (camera_window){-0.3, 0.3, -0.3, 0.3};
-    real x = (n.l + n.r) / 2, y = (n.b + n.t) / 2, a = (real)width / (real)height;
-    real half = (real)0.52 * real_max(n.t - n.b, (n.r - n.l) / a);
+    if (!(n.left < n.right && n.bottom < n.top))
+        n = (camera_window){-0.3, 0.3, -0.3, 0.3};
+    real x = (n.left + n.right) / 2, y = (n.bottom + n.top) / 2, a = (real)width / (real)height;
+    real half = (real)0.52 * real_max(n.top - n.bottom, (n.right - n.left) / a);
     if (!camera_off_axis(f, (camera_window){x - a * half, x + a * half, y - half, y + half}, 1,
                          &c, &why))
         fail(why);
@@ -130,7 +132,7 @@ static inline bool draw_shapes(int samples, int threads, image *im)
 
 /* Columns: parity of hits, parity of crossings, winding number. Rows: a closed ring in the plane
  * z = 0, which holds vertices and edges; the teapot, an open mesh, in its plane of symmetry y = 0,
- * which holds edges. The truth: of the ring, its own distance; of the teapot, the winding number. */
+ * which holds edges. True is: of the ring, its own distance; of the teapot, the winding number. */
 enum { slice_gap = 6 };
 typedef struct { mesh ring, teapot; image *im; int side; } mesh_slices;
 
@@ -153,7 +155,7 @@ static inline void slice_pixel(int x, int y, void *context)
                  : vec((real)1.1 * a, (real)1.1 * b, 0), d = {1, 0, 0};
     double w[3] = {inside_parity_naive(m, p, d), inside_parity(m, p, d), winding_number(m, p)};
     real ring = fabs(hypot(p.x, p.y) - (real)0.75);
-    bool sure = row || !(ring > (real)0.22 && ring < (real)0.265);
+    bool sure = row || !(ring > (real)0.21 && ring < (real)0.27);
     bool due = row ? w[2] > 0.5 : ring < (real)0.25;
     for (int k = 0; k < 3; k++)
         image_set(s->im, k * step + x, row * step + j,
@@ -166,7 +168,7 @@ static inline bool draw_slices(int side, int threads, image *im)
         "parity of hits", "parity of crossings", "winding number",
         "parity of hits", "parity of crossings", "winding number"};
     image panels = image_new(3 * side + 2 * slice_gap, 2 * side + slice_gap);
-    mesh_slices s = {torus_mesh(16), teapot_mesh(3), &panels, side};
+    mesh_slices s = {torus_mesh(12), teapot_mesh(3), &panels, side};
     bool whole = parallel_pixels(side, 2 * side, threads, "slices", slice_pixel, &s);
     *im = label_panels(&panels, 3, 2, slice_gap, title);
     image_free(&panels), mesh_free(&s.ring), mesh_free(&s.teapot);

@@ -13,16 +13,13 @@
 #define MESH_AS_FIRST_H
 
 #include "../../01_ray/hit.h"
-#include "../first.h"
-#include "../mesh.h"
+#include "../closest.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline first_mesh first_mesh_of(const mesh *m)
 {
-    first_mesh f = {allocate(m->triangles, sizeof *f.tri), (int)m->triangles};
-    for (size_t i = 0; i < m->triangles; i++) f.tri[i] = mesh_triangle(m, i);
-    return f;
+    return mesh_soup(m);
 }
 
 /* Both are hit_none where there is no hit; infinity - infinity is no number, and not wrong. */

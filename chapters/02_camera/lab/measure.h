@@ -1,0 +1,314 @@
+/* measure.h: error and time of a pixel, of a ray, and of a frame.
+ *
+ *   camera_measure_filters(&o)  box, tent, Gaussian; regular, jittered, random; 4, 16, 256 rays a
+ *                               pixel, on patterns whose filtered value pattern.h knows: the main
+ *                               table; with --full plots of 1 to 1024 rays
+ *   camera_measure_far(&o)      s - e against (2.5), |e| from 1 to 1e8 m: plot, table with --full
+ *   camera_measure_up(&o)       up nearly along the view: first.h against frame_look_at
+ *   camera_measure_means(&o)    two ways to divide a weighted sum: bias and spread
+ *
+ * Errors of pixels are root mean squares over 32 x 32, each against the exact value of its own
+ * filter; of rays and frames the largest of 256 to 2000, against wide arithmetic.
+ */
+#ifndef CAMERA_LAB_MEASURE_H
+#define CAMERA_LAB_MEASURE_H
+
+#include "../../../common/clock.h"
+#include "../../../common/lab/report.h"
+#include "draw.h"
+#include "oracle.h"
+#include "pattern.h"
+
+enum { camera_side = 32, camera_pixels = camera_side * camera_side };
+
+typedef struct { camera_view v; const double *exact; } camera_trial;
+
+/* ---- pixels ---- */
+
+/* Root mean square error of camera_side^2 pixels. */
+static inline double camera_run_pixels(void *context)
+{
+    const camera_trial *m = context;
+    double square = 0;
+    for (int i = 0; i < camera_pixels; i++) {
+        vec3 c = camera_view_pixel(&m->v, i % camera_side, i / camera_side);
+        square += ((double)c.x - m->exact[i]) * ((double)c.x - m->exact[i]);
+    }
+    return sqrt(square / camera_pixels);
+}
+
+/* What a ray meets in the plane z = 0, seen by camera_grid: one unit a pixel. */
+static inline vec3 see_pattern(ray r, double (*pattern)(double x, double y, double knob),
+                               double knob)
+{
+    vec3 p = ray_at(r, -r.o.z / r.d.z);
+    real c = (real)pattern((double)p.x, (double)p.y, knob);
+    return (vec3){c, c, c};
+}
+static inline vec3 see_zone_plate(const camera_view *v, ray r)
+{
+    return see_pattern(r, zone_plate, *(const double *)v->own);
+}
+static inline vec3 see_checkerboard(const camera_view *v, ray r)
+{
+    return see_pattern(r, checkerboard, *(const double *)v->own);
+}
+
+/* Orthographic, looking down on z = 0; the picture of side x side pixels is as many units wide. */
+static inline camera camera_grid(int side)
+{
+    camera_frame f = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    real h = (real)side / 2;
+    camera c;
+    failure why;
+    if (!camera_orthographic(f, (camera_window){-h, h, -h, h}, &c, &why)) fail(why);
+    return c;
+}
+
+typedef struct { const char *name; filter f; sample_placement how; bool zone; } camera_way;
+static const camera_way camera_ways[] = {
+    {"box jittered", {FILTER_BOX, 0.5, 0}, SAMPLES_JITTERED, false},
+    {"tent jittered", {FILTER_TENT, 1, 0}, SAMPLES_JITTERED, false},
+    {"Gaussian jittered", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_JITTERED, false},
+    {"tent regular", {FILTER_TENT, 1, 0}, SAMPLES_REGULAR, false},
+    {"tent random", {FILTER_TENT, 1, 0}, SAMPLES_RANDOM, false},
+    {"Gaussian random", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_RANDOM, true},
+    {"Gaussian jittered", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_JITTERED, true},
+    {"Gaussian regular", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_REGULAR, true}};
+enum { camera_way_count = sizeof camera_ways / sizeof camera_ways[0] };
+
+/* Trials with n x n rays a pixel; exact values are found once. */
+static inline void camera_trials(camera_trial m[camera_way_count], int n)
+{
+    static const double cell = 1.37, rings = 0.03;  /* no whole numbers of pixels; 2.4 rings */
+    static double exact[camera_way_count][camera_pixels];
+    static image grid = {camera_side, camera_side, NULL};  /* only its size is asked for */
+    for (int j = 0; j < camera_way_count; j++) {
+        const camera_way *k = &camera_ways[j];
+        for (int i = 0; i < camera_pixels; i++) {
+            double x = i % camera_side + 0.5 - camera_side / 2;
+            double y = camera_side / 2 - 0.5 - i / camera_side;
+            exact[j][i] = k->zone ? zone_plate_filtered(x, y, rings, (double)k->f.sigma)
+                                  : checkerboard_filtered(x, y, cell, k->f);
+        }
+        m[j] = (camera_trial){{.c = camera_grid(camera_side), .f = k->f, .n = n, .how = k->how,
+            .seed = 1, .own = k->zone ? &rings : &cell, .out = &grid,
+            .see = k->zone ? see_zone_plate : see_checkerboard}, exact[j]};
+    }
+}
+
+static inline void camera_filter_plots(const options *o)
+{
+    int log = PLOT_LOG_X | PLOT_LOG_Y, series[camera_way_count], timed[camera_way_count];
+    plot board = plot_new("Checkerboard", "rays a pixel", "rms error [white = 1]", log);
+    plot zone = plot_new("Zone plate", "rays a pixel", "rms error [white = 1]", log);
+    plot time = plot_new("Checkerboard", "time a pixel [ns]", "rms error [white = 1]", log);
+    for (int j = 0; j < camera_way_count; j++) {
+        series[j] = plot_series(camera_ways[j].zone ? &zone : &board, camera_ways[j].name);
+        if (!camera_ways[j].zone) timed[j] = plot_series(&time, camera_ways[j].name);
+    }
+    for (int n = 1; n <= 32; n *= 2) {
+        camera_trial m[camera_way_count];
+        camera_trials(m, n);
+        for (int j = 0; j < camera_way_count; j++) {
+            clock_variant v = {NULL, camera_run_pixels, &m[j], 0};
+            double error = camera_run_pixels(&m[j]);
+            plot_add(camera_ways[j].zone ? &zone : &board, series[j], n * n, error);
+            if (camera_ways[j].zone) continue;
+            clock_compare(&v, 1, n < 16 ? 5 : 1);
+            plot_add(&time, timed[j], 1e9 * v.seconds / camera_pixels, error);
+        }
+    }
+    plot_slope(&board, -0.5, "slope -1/2");
+    plot_slope(&board, -0.75, "slope -3/4");
+    plot_slope(&zone, -0.5, "slope -1/2");
+    plot_slope(&zone, -1, "slope -1");
+    output_plot(o, &board, "02_camera_checkerboard.svg");
+    output_plot(o, &zone, "02_camera_zone_plate.svg");
+    output_plot(o, &time, "02_camera_time.svg");
+}
+
+static inline void camera_measure_filters(const options *o)
+{
+    camera_trial m[camera_way_count];
+    clock_variant v[camera_way_count];
+    double error[3][camera_way_count];
+    const int side[] = {2, 16, 4};  /* the last one is timed */
+    for (int k = 0; k < 3; k++) {
+        camera_trials(m, side[k]);
+        for (int j = 0; j < camera_way_count; j++) error[k][j] = camera_run_pixels(&m[j]);
+    }
+    for (int j = 0; j < camera_way_count; j++)
+        v[j] = (clock_variant){NULL, camera_run_pixels, &m[j], 0};
+    clock_compare(v, camera_way_count, o->quick ? 1 : o->full ? 9 : 3);
+    table t = table_new("A pixel of several rays: rms error [white = 1] of 32 x 32, time of one",
+                        "pattern|filter, positions|error 4 rays|error 16 rays|error 256 rays|"
+                        "time 16 rays [ns]");
+    for (int j = 0; j < camera_way_count; j++) {
+        table_text(&t, "%s", camera_ways[j].zone ? "zone plate" : "checkerboard");
+        table_text(&t, "%s", camera_ways[j].name);
+        table_number(&t, error[0][j]), table_number(&t, error[2][j]);
+        table_number(&t, error[1][j]), table_number(&t, 1e9 * v[j].seconds / camera_pixels);
+    }
+    output_table(o, &t);
+    if (o->full) camera_filter_plots(o);
+}
+
+/* ---- two means of the same rays: a white stripe, 1 where |x| < 1/2, under a tent: 3/4 ---- */
+
+typedef struct { double bias[2], spread[2]; } camera_means;  /* [0]: by the weights that came */
+
+static inline camera_means camera_stripe_means(int n, int trials)
+{
+    double sum[2] = {0, 0}, square[2] = {0, 0};
+    camera_means m;
+    for (int i = 0; i < trials; i++) {
+        random_stream s = random_start(7, (uint64_t)i, (uint64_t)n);
+        filter_sum f = {{0, 0, 0}, 0};
+        for (int k = 0; k < n; k++) {
+            real x, y, c;
+            samples_place(SAMPLES_RANDOM, k, 1, 1, &s, &x, &y);
+            c = fabs(x) < (real)0.5;
+            f = filter_add(f, filter_weight(filter_tent, x, y), (vec3){c, c, c});
+        }
+        double e[] = {(double)filter_mean(f).x - 0.75,
+                      (double)filter_mean_naive(f, filter_tent, n).x - 0.75};
+        for (int k = 0; k < 2; k++) sum[k] += e[k], square[k] += e[k] * e[k];
+    }
+    for (int k = 0; k < 2; k++) {
+        m.bias[k] = sum[k] / trials;
+        m.spread[k] = sqrt(square[k] / trials - m.bias[k] * m.bias[k]);
+    }
+    return m;
+}
+
+static inline void camera_measure_means(const options *o)
+{
+    table t = table_new("A stripe under a tent, exactly 3/4: what two ways to divide make of it",
+                        "random rays|bias, own weights|spread, own|bias, expected weight|"
+                        "spread, expected");
+    for (int n = 1; n <= 64; n *= 4) {
+        camera_means m = camera_stripe_means(n, 2000000 / n);
+        table_count(&t, (size_t)n);
+        for (int k = 0; k < 2; k++) table_number(&t, m.bias[k]), table_number(&t, m.spread[k]);
+    }
+    output_extra_table(o, &t);
+}
+
+/* ---- rays and frames ---- */
+
+enum { camera_calls = 1 << 14 };
+typedef struct { camera c; vec3 target[256], up[256]; } camera_input;
+
+/* A function for clock_compare: sums what the body adds for i = 0 ... camera_calls - 1. */
+#define CAMERA_TIMED(name, body) \
+    static inline double name(void *context) \
+    { \
+        const camera_input *m = context; \
+        double sum = 0; \
+        for (int i = 0; i < camera_calls; i++) { \
+            body; \
+        } \
+        return sum; \
+    }
+#define CAMERA_AT ((real)(i % 512)), ((real)(i / 32)), 512, 512
+CAMERA_TIMED(camera_run_ray, vec3 d = camera_ray(m->c, CAMERA_AT).d;
+             sum += (double)(d.x + d.y + d.z))
+CAMERA_TIMED(camera_run_naive, vec3 d = camera_ray_naive(m->c, CAMERA_AT).d;
+             sum += (double)(d.x + d.y + d.z))
+CAMERA_TIMED(camera_run_frame, camera_frame f; int k = i % 256;
+             if (frame_look_at(m->c.e, m->target[k], m->up[k], &f, NULL)) sum += (double)f.v.x)
+CAMERA_TIMED(camera_run_first, int k = i % 256;
+             sum += (double)frame_first(m->c.e, m->target[k], m->up[k]).v.x)
+
+/* A row: the setting, the errors of two ways, their times. */
+static inline void camera_row(table *t, double setting, double naive_error, double error,
+                              camera_input *m, double (*naive)(void *), double (*run)(void *))
+{
+    clock_variant v[] = {{NULL, naive, m, 0}, {NULL, run, m, 0}};
+    clock_compare(v, 2, 9);
+    table_number(t, setting), table_number(t, naive_error), table_number(t, error);
+    for (int k = 0; k < 2; k++) table_number(t, 1e9 * v[k].seconds / camera_calls);
+}
+
+static inline double camera_worst(double a, double b) { return isnan(a) || b <= a ? a : b; }
+
+static inline vec3 camera_any_direction(random_stream *s)
+{
+    vec3 d = {random_next(s) - (real)0.5, random_next(s) - (real)0.5, random_next(s) - (real)0.5};
+    bool fair = vdot(d, d) > (real)0.01 && vdot(d, d) < (real)0.25;
+    return fair ? vunit(d) : camera_any_direction(s);
+}
+
+/* The camera of the Cornell box (d = 0.035, window 0.025 wide, in metres) far from the origin. */
+static inline void camera_measure_far(const options *o)
+{
+    static const char *const name[] = {"s - e", "-d w + u u + v v"};
+    random_stream s = random_start(1, 0, 0);
+    real h = 0.0125;
+    int series[4], ways = real_is_float ? 2 : 4;
+    plot p = plot_new("A ray far from the origin", "|e| [m]", "largest error [pixels]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    table t = table_new("A ray far from the origin, largest error of 2000 [pixels]",
+                        "distance of e [m]|error of s - e|error of (2.5)|time s - e [ns]|"
+                        "time (2.5) [ns]");
+    for (int i = 0; i < ways; i++) {
+        char text[64];
+        snprintf(text, sizeof text, "%s, %s", name[i % 2],
+                 i < 2 && !real_is_float ? "double" : "float");
+        series[i] = plot_series(&p, text);
+    }
+    for (int k = 0; k <= 8; k++) {
+        double error[4] = {0, 0, 0, 0}, far = pow(10.0, k);
+        camera_input m;
+        for (int i = 0; i < 2000; i++) {
+            camera_frame f;
+            camera c;
+            vec3 e = vscale(camera_any_direction(&s), (real)far);
+            vec3 to = vadd(e, vscale(camera_any_direction(&s), real_max(1, (real)far)));
+            if (!frame_look_at(e, to, camera_any_direction(&s), &f, NULL)) continue;
+            if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, 0.035, &c, NULL)) continue;
+            real x = 512 * random_next(&s), y = 512 * random_next(&s);
+            vec3 d = camera_ray(c, x, y, 512, 512).d;
+            vec3 d_f32 = camera_direction_f32(c, x, y, 512, 512);
+            vec3 way[] = {camera_ray_naive(c, x, y, 512, 512).d, d,
+                          camera_direction_naive_f32(e, d_f32), d_f32};
+            for (int j = 0; j < ways; j++)
+                error[j] = camera_worst(error[j], ray_error(c, way[j], x, y, 512, 512));
+            m.c = c;
+        }
+        for (int j = 0; j < ways; j++) plot_add(&p, series[j], far, error[j]);
+        if (o->full && k % 2 == 0)
+            camera_row(&t, far, error[0], error[1], &m, camera_run_naive, camera_run_ray);
+    }
+    output_plot(o, &p, "02_camera_far.svg");
+    if (o->full) output_extra_table(o, &t);
+    else table_free(&t);
+}
+
+/* 256 views with up turned away from the view by a small angle. */
+static inline void camera_measure_up(const options *o)
+{
+    random_stream s = random_start(2, 0, 0);
+    table t = table_new("up at a small angle to the view, largest error of u, of 256 [radians]",
+                        "angle|error of first.h|error of frame_look_at|time first [ns]|"
+                        "time frame_look_at [ns]");
+    for (int k = 1; k <= 5; k += 2) {
+        double first = 0, robust = 0, small = pow(10.0, -k);
+        camera_input m = {.c = {.d = 0}};
+        for (int i = 0; i < 256; i++) {
+            vec3 n = camera_any_direction(&s), a, b;
+            camera_frame f;
+            vbasis(n, &a, &b);
+            m.target[i] = vscale(n, 1 + random_next(&s));
+            m.up[i] = vmadd(n, a, (real)small);
+            f = frame_first(m.c.e, m.target[i], m.up[i]);
+            first = camera_worst(first, frame_error(f, m.target[i], m.up[i]));
+            if (frame_look_at(m.c.e, m.target[i], m.up[i], &f, NULL))
+                robust = camera_worst(robust, frame_error(f, m.target[i], m.up[i]));
+        }
+        camera_row(&t, small, first, robust, &m, camera_run_first, camera_run_frame);
+    }
+    output_extra_table(o, &t);
+}
+#endif

@@ -1,0 +1,152 @@
+/* pictures.h: what the page of 02 shows.
+ *
+ *   camera_draw_four(&o, v)        one room through four cameras: the main picture
+ *   camera_draw_vanishing(&o, v)   a block, its edges carried on to three points
+ *   camera_draw_slips(&o, v)       RTR's sign; s - e far from the origin
+ *   camera_draw_more(&o, v)        behind a parallel camera; a zone plate under three filters
+ *
+ * v says which scene, and how many rays a pixel.
+ */
+#ifndef CAMERA_LAB_PICTURES_H
+#define CAMERA_LAB_PICTURES_H
+
+#include "../../../common/lab/stroke.h"
+#include "../rtr_camera.h"
+#include "draw.h"
+#include "measure.h"
+
+static const vec3 camera_eye = {9, 7.5, 7}, camera_target = {1.7, 1.9, 1.6}, camera_up = {0, 0, 1};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void camera_must(bool ok, failure why) { if (!ok) fail(why); }
+
+/* Above: parallel; below: perspective. Left: into the corner; right: level with the wall y = 0. */
+static inline void camera_draw_four(const options *o, camera_view v)
+{
+    camera_view four[4] = {v, v, v, v};
+    static const char *const tag[] = {"orthographic", "oblique", "perspective", "off-axis"};
+    camera_frame corner, level, near_level;
+    failure why;
+    real s = 3.6, a = (real)o->width / (real)o->height, half = 0.5, k = sqrt(half) / 2;
+    bool ok = frame_look_at(camera_eye, camera_target, camera_up, &corner, &why)
+        && frame_look_at(vec(2, 5, 2), vec(2, 0, 2), camera_up, &level, &why)
+        && frame_look_at(vec(6, 11, 6.2), vec(6, 0, 6.2), camera_up, &near_level, &why);
+    camera_must(ok, why);
+    /* the cabinet view: depth halved, at 45 degrees */
+    vec3 cabinet = vadd(vneg(level.w), vadd(vscale(level.u, k), vscale(level.v, -k)));
+    camera_window square = {-a * s, a * s, -s, s};
+    camera_window beside = {a * -4, a * (real)2.3, -2.2, 4.1};
+    camera_window above = {(real)3.95 - a * (real)2.85, (real)3.95 + a * (real)2.85, -6.6, -0.9};
+    ok = camera_orthographic(corner, square, &four[0].c, &why)
+        && camera_oblique(level, beside, cabinet, &four[1].c, &why)
+        && camera_perspective(corner, 38, a, &four[2].c, &why)
+        && camera_off_axis(near_level, above, 7, &four[3].c, &why);
+    camera_must(ok, why);
+    for (int i = 0; i < 4; i++) four[i].tag = tag[i];
+    camera_draw_panels(o, four, 4, 2, o->width, o->height, "02_camera.png", true);
+}
+
+static inline void camera_draw_vanishing(const options *o, camera_view v)
+{
+    int w = o->quick ? 202 : 806, h = o->quick ? 169 : 676;
+    camera_room block = {.n = 0};
+    camera_frame f;
+    failure why;
+    real s = 0.7, vx[3] = {0, 0, 0}, vy[3] = {0, 0, 0};
+    vec3 ink[] = {{0.7, 0.05, 0}, {0, 0.3, 0.15}, {0, 0.12, 0.65}};
+    room_block(&block, vec(-s, -s, -s), vec(s, s, s), vec(1, 0.85, 0.5), s);
+    camera_must(frame_look_at(vec(2.15, 1.35, 1.6), vec(0, 0, 0), camera_up, &f, &why), why);
+    camera_must(camera_off_axis(f, (camera_window){-2.05, 1.05, -1.75, 0.85}, 1, &v.c, &why), why);
+    v.scene = &block;
+    image im = image_new(w, h);
+    bool whole = camera_draw(&v, &im, o->threads);
+    for (int k = 0; k < 3; k++) {
+        vec3 axis = vwith(vec(0, 0, 0), k, 1);
+        if (!camera_vanishing_point(v.c, axis, w, h, &vx[k], &vy[k])) abort();
+        for (int i = 0; i < 4; i++) {  /* the four edges along axis k, from their near ends */
+            real a = i & 1 ? s : -s, b = i & 2 ? s : -s, x = 0, y = 0;
+            vec3 end = k == 0 ? vec(s, a, b) : k == 1 ? vec(a, s, b) : vec(a, b, s);
+            if (!camera_project(v.c, end, w, h, &x, &y)) abort();
+            draw_stroke(&im, x, y, vx[k], vy[k], 1.2, ink[k]);
+        }
+    }
+    draw_stroke(&im, vx[0], vy[0], vx[1], vy[1], 2, vec(0, 0, 0));  /* the horizon */
+    for (int k = 0; k < 3; k++) draw_stroke(&im, vx[k], vy[k], vx[k], vy[k], 13, ink[k]);
+    output_picture(o, &im, "02_camera_vanishing.png", false, whole);
+    image_free(&im);
+}
+
+static inline ray camera_aim_rtr(const camera_view *v, real x, real y)  /* at any point */
+{
+    const rtr_camera *k = v->own;
+    return ray_from(k->c, rtr_s(*k, x, y, v->out->width, v->out->height, -1));
+}
+static inline ray camera_aim_printed(const camera_view *v, real x, real y)
+{
+    const rtr_camera *k = v->own;
+    return ray_from(k->c, rtr_s(*k, x, y, v->out->width, v->out->height, 1));
+}
+static inline ray camera_aim_f32(const camera_view *v, real x, real y)
+{
+    return ray_from(v->c.e, camera_direction_f32(v->c, x, y, v->out->width, v->out->height));
+}
+static inline ray camera_aim_far(const camera_view *v, real x, real y)  /* as if 200 km away */
+{
+    ray r = camera_aim_f32(v, x, y);
+    return ray_from(r.o, camera_direction_naive_f32(vec(120000, 96000, 128000), r.d));
+}
+static inline ray camera_aim_line(const camera_view *v, real x, real y)
+{
+    ray r = camera_ray(v->c, x, y, v->out->width, v->out->height);
+    r.tmin = -real_infinity;
+    return r;
+}
+
+static inline void camera_draw_pair(const options *o, camera_view v[2], const char *tag0,
+                                    const char *tag1, const char *name)
+{
+    int side = o->quick ? 100 : 400;
+    v[0].tag = tag0, v[1].tag = tag1;
+    camera_draw_panels(o, v, 2, 2, 2 * side + 6, side, name, false);
+}
+
+static inline void camera_draw_slips(const options *o, camera_view v)
+{
+    camera_frame f;
+    failure why;
+    rtr_camera k;
+    camera_view p[2] = {v, v};
+    camera_must(rtr_look_at(camera_eye, camera_target, camera_up, 38, &k, &why), why);
+    p[0].aim = camera_aim_printed, p[1].aim = camera_aim_rtr, p[0].own = p[1].own = &k;
+    camera_draw_pair(o, p, "as printed", "mended", "02_camera_rtr.png");
+
+    camera_must(frame_look_at(camera_eye, camera_target, camera_up, &f, &why), why);
+    camera_must(camera_perspective(f, 38, 1, &p[0].c, &why), why);
+    p[0].aim = camera_aim_far, p[1].aim = camera_aim_f32, p[1].c = p[0].c;
+    camera_draw_pair(o, p, "float, s - e", "float, (2.5)", "02_camera_far.png");
+}
+
+static inline void camera_draw_more(const options *o, camera_view v)
+{
+    static const double rings = 0.0131;  /* finer than the pixels beyond a radius of 120 of them */
+    static const char *const tag[] = {"1 ray", "64, box", "64, Gaussian"};
+    camera_frame f;
+    failure why;
+    camera_view p[3] = {v, v, v};
+    real s = 3.8;
+    camera_must(frame_look_at(camera_eye, camera_target, camera_up, &f, &why), why);
+    f.e = vec(2.15, 2.2, 1.7);  /* in the middle of the room */
+    camera_must(camera_orthographic(f, (camera_window){-s, s, -s, s}, &p[0].c, &why), why);
+    p[1].aim = camera_aim_line, p[1].c = p[0].c;
+    camera_draw_pair(o, p, "tmin = 0", "tmin = -infinity", "02_camera_behind.png");
+
+    int zone = o->quick ? 80 : 320;
+    v.c = camera_grid(zone);
+    v.see = see_zone_plate, v.own = &rings, v.how = SAMPLES_REGULAR, v.f = filter_box;
+    p[0] = p[1] = p[2] = v;
+    p[0].n = 1, p[1].n = p[2].n = 8, p[2].f = filter_gaussian;
+    for (int i = 0; i < 3; i++) p[i].tag = tag[i];
+    camera_draw_panels(o, p, 3, 3, 3 * zone + 12, zone, "02_camera_zone_plate.png", false);
+}
+#endif
