@@ -119,7 +119,7 @@ static estimate sampled(const setting *t, bool by_lamp, size_t n, uint64_t seed)
  * is nearly normal after so many samples. */
 static void test_closed_forms(void)
 {
-    size_t lamps = check_count(200), n = 4000, tests = 0;
+    size_t lamps = check_count(400), n = 4000, tests = 0;
     double least[2] = {1, 1}, dark = 0;
     for (size_t i = 0; i < lamps; i++) {
         random_stream q = random_start(2, i, 0);
@@ -169,7 +169,7 @@ static estimate by_both(const setting *t, size_t n)
  * its variance is q (1 - q), and its error over the mean sqrt((1 - q) / q) = 2 sqrt pi / a. */
 static void test_small_lamp(void)
 {
-    size_t n = check_count(100000);
+    size_t n = check_count(400000);
     for (int k = 0; k < 3; k++) {
         real a = k == 0 ? 1 : k == 1 ? (real)0.25 : (real)0.0625;
         setting t = setting_of((rectangle){{-a / 2, -a / 2, 2}, {0, a, 0}, {a, 0, 0}});
@@ -190,7 +190,7 @@ static void test_small_lamp(void)
  * of the two. */
 static void test_close_to_a_lamp(void)
 {
-    size_t n = check_count(100000);
+    size_t n = check_count(400000);
     double before = 0;
     for (int k = 0; k < 3; k++) {
         real h = k == 0 ? 1 : k == 1 ? (real)0.1 : (real)0.01;

@@ -134,7 +134,7 @@ __attribute__((always_inline))
 static inline bool naive_next(const naive_path *p, naive_walk *w, sampler *s, naive_counts *c)
 {
     if (w->ended) return false;
-    lit_hit x;
+    lit_hit x = {.m = NULL};
     vec3 weight;
     bool met;
     vec3 Le = naive_find(p, w->r, ++w->bounces, &x, &met, c);

@@ -287,8 +287,8 @@ static inline void measure_speed(const options *o)
         }
     double rays = (double)path_rays(&j.counts);
     table s = table_new("The Cornell box, one sample a pixel, endless depth; best of some runs",
-                        "threads|pixels|rays|rays a path|time [s]|rays [M/s]|gain|"
-                        "gain of arithmetic alone");
+                        "threads|pixels|rays|rays a path|time [s]|rays per second [M]|"
+                        "ratio: gain|ratio: gain of arithmetic");
     for (int two = 0; two < 2; two++) {
         table_count(&s, 1 + (size_t)two), table_text(&s, "%dx%d", side, side);
         table_count(&s, (size_t)rays), table_number(&s, rays / ((double)side * side));
