@@ -84,7 +84,7 @@ static inline void measure_ways(const options *o)
     for (int i = 0; i < 2 && o->full; i++)
         for (int k = 0; k < s[i].entries; k++) {
             table_text(&all, i ? "plates" : "box");
-            table_text(&all, k < direct_ways ? "%s" : "power, Sobol'", direct_name[k % direct_ways]);
+            table_text(&all, "%s", k < direct_ways ? direct_name[k] : "power, Sobol'");
             survey_row(&s[i], k, &all);
         }
     if (o->full) {
