@@ -123,9 +123,13 @@ static inline uint8_t *image_bytes(const image *im, size_t *bad)
     for (size_t i = 0; i < 3 * n; i += 3) {
         const float *p = im->rgb + i;
         bool nan = isnan(p[0]) || isnan(p[1]) || isnan(p[2]);
+        *bad += !(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]));
+        if (i && memcmp(p, p - 3, 3 * sizeof *p) == 0) {
+            memcpy(rgb + i, rgb + i - 3, 3);  /* as its neighbour: spares three powers */
+            continue;
+        }
         for (size_t k = 0; k < 3; k++)
             rgb[i + k] = nan ? (k == 1 ? 0 : 255) : srgb_byte((double)p[k]);
-        *bad += !(isfinite(p[0]) && isfinite(p[1]) && isfinite(p[2]));
     }
     return rgb;
 }

@@ -369,16 +369,63 @@ static void test_extreme_sizes(void)
           "nor is one beyond its negative, in an interval without beginning");
 }
 
+/* A ray along x that passes the centre at y, |o - c| about 1, and radii
+ * from 0 to 2 y. The squares of R and y are beyond the smallest double long before they are. */
+static void test_passes_nearby(void)
+{
+    size_t wrong = 0, off = 0;
+    int least = real_is_float ? 140 : 680;
+    for (int k = 1; k < least; k++) {
+        real y = (real)1.5 * exp2((real)-k), e = real_epsilon;
+        const real R[] = {0, y / 2, y * (1 - e), y, y * (1 + e), 2 * y};
+        for (int turn = 0; turn < 3; turn++)
+            for (int i = 0; i < 6; i++) {
+                vec3 o = vec(turn == 0 ? 0 : y, turn == 1 ? 0 : y, turn == 2 ? 0 : y);
+                sphere ball = {vwith(vwith(o, (turn + 1) % 3, 0), turn, 1), R[i]};
+                real t0 = 0, t1 = 0;
+                bool is = sphere_roots(ball, ray_from(o, vwith(vec(0, 0, 0), turn, 1)), &t0, &t1);
+                wrong += is != (R[i] >= y);
+                off += is && k > 60 && (t0 != 1 || t1 != 1);
+            }
+    }
+    check_equal(wrong, 0, "hit or miss of spheres as small as the distance they are passed at");
+    size_t askew = 0;
+    for (int k = 1; k < least; k++) {
+        real y = exp2((real)-k), t0, t1;
+        ray r = ray_from(vec(0, 0, 0), vec(1, y, 0));  /* passes (1, 2 y) at y cos, cos >= 0.89 */
+        askew += sphere_roots((sphere){{1, 2 * y, 0}, (real)0.88 * y}, r, &t0, &t1)
+                 || !sphere_roots((sphere){{1, 2 * y, 0}, y}, r, &t0, &t1);
+    }
+    check_equal(askew, 0, "and of those that a ray passes which climbs as little");
+    check_equal(off, 0, "t of those hits");
+    real y = (real)1e-30;
+    check(!sphere_hit((sphere){{1, 0, 0}, 0}, ray_from(vec(0, y, 0), vec(1, 0, 0)), &(hit){0}),
+          "R = 0, passed at 1e-30");
+    if (!real_is_float)
+        check(!sphere_hit((sphere){{1, 0, 0}, 0}, ray_from(vec(0, 1e-170, 0), vec(1, 0, 0)),
+                          &(hit){0}), "R = 0, passed at 1e-170");
+    real big = real_largest / 2;
+    check(sphere_hit((sphere){{big, 0, 0}, big / 4}, ray_from(vec(-big, 0, 0), vec(big, 0, 0)),
+                     &(hit){0}), "o - c of the size of the largest real");
+    big = real_largest;
+    check(sphere_hit((sphere){{big, 0, 0}, big / 4}, ray_from(vec(-big, 0, 0), vec(big, 0, 0)),
+                     &(hit){0}), "o - c beyond the largest real");
+}
+
 static void test_degenerate(void)
 {
     real t0 = 5, t1 = 5, nan = (real)NAN, inf = real_infinity;
     hit h = hit_none;
     sphere unit = {{0, 0, 0}, 1}, point = {{1, 2, 3}, 0}, inner = {{1, 2, 3}, -5};
+    size_t doubts = sphere_doubts;
+    check(sphere_roots(unit, ray_from((vec3){0, 0, 3}, (vec3){0, 0, 1}), &t0, &t1)
+              && sphere_doubts == doubts, "a clear ray is looked at once");
     check(sphere_roots(unit, ray_from((vec3){1, 0, 0}, (vec3){0, 3, 0}), &t0, &t1),
           "touches where it starts");
     check(t0 == 0 && t1 == 0, "and there alone: no 0 / 0");
     check(sphere_roots(unit, ray_from((vec3){1, -2, 0}, (vec3){0, 2, 0}), &t0, &t1), "tangent");
     check(t0 == 1 && t1 == 1, "a tangent has one root");
+    check_equal(sphere_doubts, doubts + 2, "tangents are looked at twice, and counted");
     check(sphere_hit(point, ray_from((vec3){1, 2, 13}, (vec3){0, 0, -4}), &h),
           "R = 0: a ray through the point");
     check_equal(h.t, (real)2.5, "R = 0: the point");
@@ -443,6 +490,7 @@ int main(void)
     test_tiny_and_far();
     test_on_the_surface();
     test_extreme_sizes();
+    test_passes_nearby();
     test_degenerate();
     test_invariants();
     return check_report("03_sphere");

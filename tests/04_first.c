@@ -92,7 +92,7 @@ static void test_seams(void)
     size_t n = check_count(20000) > 5000 ? check_count(20000) : 5000;
     for (int at_vertex = 0; at_vertex < 2; at_vertex++) {
         const char *where = at_vertex ? "corners" : "edges";
-        slip_count c = slips(&m, first_triangle_hit, at_vertex, n, 80);
+        triangle_slip_count c = slips(&m, first_triangle_hit, at_vertex, n, 80);
         /* 1.5 % more or less: more than three standard deviations of 5000 rays */
         check_at_least((double)c.slips / (double)n, 0.085, "share that slips at %s", where);
         check_at_most((double)c.slips / (double)n, 0.135, "share that slips at %s", where);

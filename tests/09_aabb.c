@@ -3,13 +3,11 @@
 #include "../chapters/09_aabb/lab/slabs.h"
 #include "check.h"
 
-typedef bool box_test(aabb b, ray r, real *t_enter);
-
 static const real inf = real_infinity, nan_real = (real)NAN;
 static const aabb cube = {{0, 0, 0}, {1, 1, 1}};
 
 /* *t_enter of a miss must stay -7. */
-static bool hits(box_test *test, aabb b, ray r)
+static bool hits(aabb_test *test, aabb b, ray r)
 {
     real t = -7;
     return test(b, r, &t);
@@ -60,7 +58,7 @@ static void test_boxes(void)
 /* The oracle against the definition: at t = n/d the point o + t dir, times d, is a whole number,
  * and must lie in the box. For a miss: neither a t of a fine grid nor a plane's t gives a point
  * inside. */
-static bool point_inside(trial c, fraction t)
+static bool point_inside(aabb_trial c, aabb_fraction t)
 {
     if (t.d == 0) return false;
     for (int k = 0; k < 3; k++) {
@@ -71,10 +69,10 @@ static bool point_inside(trial c, fraction t)
     return !fraction_less(t, fraction_of(c.r.tmin)) && !fraction_less(fraction_of(c.r.tmax), t);
 }
 
-static bool any_point_inside(trial c)
+static bool any_point_inside(aabb_trial c)
 {
     for (int64_t n = -64 * 20; n < 64 * 20; n++)
-        if (point_inside(c, (fraction){n, 64})) return true;
+        if (point_inside(c, (aabb_fraction){n, 64})) return true;
     for (int k = 0; k < 3; k++)
         for (int side = 0; side < 2; side++) {
             int64_t d = (int64_t)vaxis(c.r.d, k), o = (int64_t)vaxis(c.r.o, k);
@@ -88,30 +86,30 @@ static void test_oracle(void)
 {
     size_t wrong = 0, hit_count = 0;
     for (size_t i = 0; i < check_count(6000); i++) {
-        trial c = trial_of((trial_kind)(i % trial_kinds), 5, i);
-        exact_answer e = exact_aabb(c.b, c.r);
+        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 5, i);
+        aabb_exact e = exact_aabb(c.b, c.r);
         hit_count += e.hit;
         if (e.hit && e.enter.d) wrong += !point_inside(c, e.enter);
         else wrong += e.hit != any_point_inside(c);
     }
     check_equal(wrong, 0, "the oracle says what the definition says");
     check(hit_count > check_count(6000) / 2, "most trials are hits: %zu", hit_count);
-    fraction third = {1, 3};
+    aabb_fraction third = {1, 3};
     check(not_after((real)1 / 3, third) == (sizeof(real) == sizeof(double)),
           "the double next to 1/3 is below it, the float above");
-    check(not_after(-inf, third) && !not_after(inf, third) && not_after(5, (fraction){1, 0}),
+    check(not_after(-inf, third) && !not_after(inf, third) && not_after(5, (aabb_fraction){1, 0}),
           "infinities have their place");
 }
 
 /* How a test answers n trials of each kind. */
 typedef struct { size_t hit, missed, late, miss, wrong_alarm; } score;
 
-static score score_of(box_test *test, trial_kind kind, size_t n)
+static score score_of(aabb_test *test, aabb_trial_kind kind, size_t n)
 {
     score s = {0};
     for (size_t i = 0; i < n; i++) {
-        trial c = trial_of(kind, 1, i);
-        exact_answer e = exact_aabb(c.b, c.r);
+        aabb_trial c = aabb_trial_of(kind, 1, i);
+        aabb_exact e = exact_aabb(c.b, c.r);
         real t = -7;
         bool h = test(c.b, c.r, &t);
         s.hit += e.hit, s.miss += !e.hit;
@@ -129,7 +127,7 @@ static void test_ten_million(void)
 {
     size_t n = check_count(10000000 / trial_kinds + 1), missed = 0, late = 0, alarms = 0;
     for (int kind = 0; kind < trial_kinds; kind++) {
-        score s = score_of(aabb_hit, (trial_kind)kind, n);
+        score s = score_of(aabb_hit, (aabb_trial_kind)kind, n);
         check_equal(s.missed, 0, "%s: false negatives of %zu", trial_name[kind], s.hit);
         check_equal(s.late, 0, "%s: t_enter behind the exact one", trial_name[kind]);
         missed += s.missed, late += s.late, alarms += s.wrong_alarm;
@@ -142,8 +140,8 @@ static void test_prepared(void)
 {
     size_t differ = 0;
     for (size_t i = 0; i < check_count(300000); i++) {
-        trial c = trial_of((trial_kind)(i % trial_kinds), 2, i);
-        ray_inverse inverse = inverse_of(c.r);
+        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 2, i);
+        aabb_inverse inverse = aabb_inverse_of(c.r);
         real t = -7, u = -7;
         differ += aabb_hit(c.b, c.r, &t) != aabb_hit_inverse(&c.b, &inverse, c.r, &u);
         differ += t != u;
@@ -165,19 +163,21 @@ static void test_variants_fail(void)
                    "first: so has a touch of an edge");
     check_at_least((double)score_of(aabb_hit_closed, TRIAL_PARALLEL, n).missed * per, 0.5,
                    "closed: 0/0, and -0.0, in a plane of the box");
-    check_at_least((double)score_of(aabb_hit_closed_f32, TRIAL_PARALLEL, n).missed * per, 0.5,
-                   "closed in float: as in double");
     check_equal(score_of(aabb_hit_fmin, TRIAL_PARALLEL, n).missed, n,
                 "fmin: every ray in a plane of the box");
     check_at_least((double)score_of(aabb_hit_pbrt, TRIAL_PARALLEL, n).missed * per, 0.5,
                    "pbrt: d = -0.0, one half of the rays and more");
-    box_test *inverses[] = {aabb_hit_fmin, aabb_hit_pbrt, aabb_hit_inclusive};
-    for (int k = 0; k < 3; k++) {
-        check_at_least((double)score_of(inverses[k], TRIAL_CORNER, n).missed * per, 0.05,
-                       "n (1/d) at a corner: equal t that round apart");
+    aabb_test *inverses[] = {aabb_hit_fmin, aabb_hit_inclusive, aabb_hit_pbrt, aabb_hit_ize};
+    for (int k = 0; k < 4; k++) {
+        if (k < 2)
+            check_at_least((double)score_of(inverses[k], TRIAL_CORNER, n).missed * per, 0.05,
+                           "n (1/d) at a corner: equal t that round apart");
         check_at_least((double)score_of(inverses[k], TRIAL_EDGE, n).late * per, 0.1,
                        "t_enter rounded to nearest is late for many");
     }
+    for (int kind = 0; kind < trial_kinds; kind++)
+        check_equal(score_of(aabb_hit_ize, (aabb_trial_kind)kind, n).missed, 0,
+                    "an exit widened by 2 ulp loses none of %s", trial_name[kind]);
     check(hits(aabb_hit_inclusive, aabb_empty(), through(0, 0, 0, 1, 2, 3)),
           "inclusive: an empty box looks full");
     size_t ignored = score_of(first_aabb_hit, TRIAL_ANY, n).wrong_alarm;
@@ -209,12 +209,12 @@ static void test_named_inputs(void)
 /* Each axis scaled by its own power of two, t by another: no answer changes, as long as coordinates
  * and t stay below half the largest real. Directions may be subnormal, so that 1/d overflows, or so
  * large that 1/d is subnormal and loses two bits; coordinates and t may underflow. */
-static trial scaled_trial(size_t i, int *t_exponent)
+static aabb_trial scaled_trial(size_t i, int *t_exponent)
 {
     const int low = real_is_float ? -149 : -1074, high = real_is_float ? 117 : 1013;
     random_stream s = random_start(3, i, 0);
-    trial_kind kind = (trial_kind)(i % trial_kinds);
-    trial c = trial_of(kind, 3, i);
+    aabb_trial_kind kind = (aabb_trial_kind)(i % trial_kinds);
+    aabb_trial c = aabb_trial_of(kind, 3, i);
     bool has_interval = kind == TRIAL_CONTACT || kind == TRIAL_ANY;
     int least = has_interval ? low + 6 : 3 * low / 2, most = high - 3;
     int e = random_integer(&s, least, most);
@@ -222,10 +222,10 @@ static trial scaled_trial(size_t i, int *t_exponent)
         int least_a = e < 0 ? low : low + e, most_a = e < -2 ? high + 2 + e : high;
         int a = random_integer(&s, least_a, most_a);
         if (chance(&s, 3)) a = chance(&s, 2) ? least_a : most_a;
-        set_axis(&c.b.lo, k, ldexp(vaxis(c.b.lo, k), a));
-        set_axis(&c.b.hi, k, ldexp(vaxis(c.b.hi, k), a));
-        set_axis(&c.r.o, k, ldexp(vaxis(c.r.o, k), a));
-        set_axis(&c.r.d, k, ldexp(vaxis(c.r.d, k), a - e));
+        c.b.lo = vwith(c.b.lo, k, ldexp(vaxis(c.b.lo, k), a));
+        c.b.hi = vwith(c.b.hi, k, ldexp(vaxis(c.b.hi, k), a));
+        c.r.o = vwith(c.r.o, k, ldexp(vaxis(c.r.o, k), a));
+        c.r.d = vwith(c.r.d, k, ldexp(vaxis(c.r.d, k), a - e));
     }
     c.r.tmin = ldexp(c.r.tmin, e), c.r.tmax = ldexp(c.r.tmax, e);
     *t_exponent = e;
@@ -234,19 +234,22 @@ static trial scaled_trial(size_t i, int *t_exponent)
 
 static void test_scales(void)
 {
-    size_t missed = 0, late = 0, overflowed = 0, subnormal = 0, closed_missed = 0;
+    size_t missed = 0, late = 0, overflowed = 0, subnormal = 0, closed_missed = 0,
+           ize_missed = 0;
     for (size_t i = 0; i < check_count(1000000); i++) {
         int e;
-        trial c = scaled_trial(i, &e), plain = trial_of((trial_kind)(i % trial_kinds), 3, i);
-        exact_answer exact = exact_aabb(plain.b, plain.r);
+        aabb_trial c = scaled_trial(i, &e);
+        aabb_trial plain = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 3, i);
+        aabb_exact exact = exact_aabb(plain.b, plain.r);
         real t = -7;
         if (!exact.hit) continue;
         bool h = aabb_hit(c.b, c.r, &t);
         missed += !h;
         late += h && !not_after(ldexp(t, -e), exact.enter);
         closed_missed += !hits(aabb_hit_inclusive, c.b, c.r);
-        overflowed += isnan(inverse_of(c.r).inverse.x) != 0;
-        real inverse = inverse_of(c.r).inverse.x;
+        ize_missed += !hits(aabb_hit_ize, c.b, c.r);
+        overflowed += isnan(aabb_inverse_of(c.r).inverse.x) != 0;
+        real inverse = aabb_inverse_of(c.r).inverse.x;
         subnormal += isfinite(inverse) && inverse != 0 && !isnormal(inverse);
     }
     check_equal(missed, 0, "false negatives from the smallest to half the largest number");
@@ -254,6 +257,7 @@ static void test_scales(void)
     check_at_least(overflowed, check_count(1000), "directions whose 1/d overflows are among them");
     check_at_least(subnormal, check_count(1000), "and those whose 1/d is subnormal");
     check_at_least(closed_missed, check_count(100000), "and the inclusive form loses many");
+    check_at_least(ize_missed, check_count(10000), "2 ulp are not enough where 1/d is off by more");
 }
 
 static void test_infinities(void)
@@ -261,7 +265,7 @@ static void test_infinities(void)
     aabb all = {{-inf, -inf, -inf}, {inf, inf, inf}}, half = {{-inf, -inf, 0}, {inf, inf, inf}};
     size_t wrong_all = 0, wrong_half = 0, wrong_empty = 0;
     for (size_t i = 0; i < check_count(300000); i++) {
-        trial c = trial_of((trial_kind)(i % trial_kinds), 4, i);
+        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 4, i);
         c.r.tmin = 0, c.r.tmax = i % 2 ? inf : 1000000;
         wrong_all += !hits(aabb_hit, all, c.r);
         if (c.r.d.z == 0) c.r.tmax = 1000000;  /* or it is met at t = infinity, as aabb.h says */
@@ -313,14 +317,16 @@ static void test_nan(void)
 {
     size_t wrong = 0, in_interval = 0;
     for (size_t i = 0; i < check_count(300000); i++) {
-        trial c = trial_of(i % 2 ? TRIAL_ANY : TRIAL_CORNER, 6, i), open = c, bad = c;
+        aabb_trial c = aabb_trial_of(i % 2 ? TRIAL_ANY : TRIAL_CORNER, 6, i), open = c, bad = c;
         int k = (int)(i % 3);
-        set_axis(&open.b.lo, k, -inf), set_axis(&open.b.hi, k, inf);
+        open.b.lo = vwith(open.b.lo, k, -inf), open.b.hi = vwith(open.b.hi, k, inf);
         switch (i % 4) {
-        case 0: set_axis(&bad.r.d, k, nan_real); break;
-        case 1: set_axis(&bad.r.o, k, nan_real); break;
-        case 2: set_axis(&bad.b.lo, k, nan_real), set_axis(&bad.b.hi, k, nan_real); break;
-        default: set_axis(&bad.r.d, k, inf);
+        case 0: bad.r.d = vwith(bad.r.d, k, nan_real); break;
+        case 1: bad.r.o = vwith(bad.r.o, k, nan_real); break;
+        case 2:
+            bad.b.lo = vwith(bad.b.lo, k, nan_real), bad.b.hi = vwith(bad.b.hi, k, nan_real);
+            break;
+        default: bad.r.d = vwith(bad.r.d, k, inf);
         }
         wrong += hits(aabb_hit, bad.b, bad.r) != hits(aabb_hit, open.b, open.r);
         c.r.tmin = i % 2 ? nan_real : 0, c.r.tmax = i % 2 ? inf : nan_real;
@@ -331,6 +337,75 @@ static void test_nan(void)
     aabb one_side = {{nan_real, 0, 0}, {1, 1, 1}};
     check(hits(aabb_hit, one_side, through(-9, 0, 0, 1, 0, 0)), "NaN for lo: hi still counts");
     check(!hits(aabb_hit, one_side, through(9, 0, 0, 1, 0, 0)), "NaN for lo: behind hi");
+}
+
+/* A box in each of eight lanes, and in four of them: none lost, none late, whatever the lane. */
+static void test_lanes(void)
+{
+    size_t missed = 0, late = 0, differ = 0, empty = 0, shrunk = 0, n = check_count(1000000);
+    for (size_t i = 0; i < n; i++) {
+        aabb_trial_kind kind = (aabb_trial_kind)(i % trial_kinds);
+        aabb8 eight = aabb8_empty();
+        aabb4 four = aabb4_empty();
+        aabb_trial c = aabb_trial_of(kind, 7, i);
+        aabb_lanes l = aabb_lanes_of(c.r);
+        float t[8], u[4];
+        empty += aabb8_hit(&eight, &l, t) | aabb4_hit(&four, &l, u);
+        for (int k = 0; k < 8; k++) {
+            aabb b = aabb_trial_of(kind, 7, i + (size_t)k * 6).b;
+            if (k != 5) aabb8_put(&eight, k, b);
+            if (k < 4) aabb4_put(&four, k, b);
+        }
+        unsigned mask = aabb8_hit(&eight, &l, t), mask4 = aabb4_hit(&four, &l, u);
+        differ += (mask & 15) != mask4 || mask & 32;
+        for (int k = 0; k < 8; k++) {
+            aabb_exact e = exact_aabb(aabb_trial_of(kind, 7, i + (size_t)k * 6).b, c.r);
+            if (k == 5 || !e.hit) continue;
+            missed += !(mask >> k & 1);
+            late += !not_after((real)t[k], e.enter);
+            differ += k < 4 && t[k] != u[k];
+            l.tmax = t[k];
+            shrunk += !(aabb8_hit(&eight, &l, t) >> k & 1);
+            l.tmax = float_above(c.r.tmax);
+        }
+    }
+    check_equal(missed, 0, "four and eight at once: false negatives");
+    check_equal(late, 0, "t_enter behind the exact one");
+    check_equal(differ, 0, "four as eight, and no lane stands for another");
+    check_equal(empty, 0, "empty lanes are never hit");
+    check_equal(shrunk, 0, "tmax = t_enter: still hit");
+}
+
+/* Each axis scaled by its own power of two, and t by another: all stay below 1e38, and 1/d is often
+ * no normal float, so that this axis says nothing. */
+static void test_lanes_scales(void)
+{
+    const int most = real_is_float ? 55 : 100;
+    size_t missed = 0, late = 0, met = 0, silent = 0;
+    for (size_t i = 0; i < check_count(600000); i++) {
+        random_stream s = random_start(8, i, 0);
+        aabb_trial c = aabb_trial_of((aabb_trial_kind)(i % trial_kinds), 8, i);
+        aabb_exact exact = exact_aabb(c.b, c.r);
+        int e = random_integer(&s, -most, most);
+        for (int k = 0; k < 3; k++) {
+            int a = random_integer(&s, -most, most);
+            c.b.lo = vwith(c.b.lo, k, ldexp(vaxis(c.b.lo, k), a));
+            c.b.hi = vwith(c.b.hi, k, ldexp(vaxis(c.b.hi, k), a));
+            c.r.o = vwith(c.r.o, k, ldexp(vaxis(c.r.o, k), a));
+            c.r.d = vwith(c.r.d, k, ldexp(vaxis(c.r.d, k), a - e));
+        }
+        c.r.tmin = ldexp(c.r.tmin, e), c.r.tmax = ldexp(c.r.tmax, e);
+        real t = 0;
+        met += exact.hit, silent += isnan(aabb_lanes_of(c.r).inverse[0]) != 0;
+        bool h = aabb_hit_lanes(c.b, c.r, &t);
+        missed += exact.hit && !h;
+        late += exact.hit && h && !not_after(ldexp(t, -e), exact.enter);
+    }
+    check_at_least(met, check_count(300000), "most are hit");
+    check_equal(missed, 0, "eight at once: false negatives, coordinates from 2^-%d to 2^%d", most,
+                most + 8);
+    check_equal(late, 0, "t_enter behind the exact one");
+    if (!real_is_float) check_at_least(silent, check_count(30000), "many have no inverse in float");
 }
 
 int main(void)
@@ -345,5 +420,7 @@ int main(void)
     test_infinities();
     test_interval();
     test_nan();
+    test_lanes();
+    test_lanes_scales();
     return check_report("09_aabb");
 }

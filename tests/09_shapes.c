@@ -1,9 +1,7 @@
 /* 09_aabb with full mantissas and with something in the box: what is hit has its box hit, and how
- * often the converse is wrong. */
+ * often the converse is wrong; bounding spheres and turned boxes likewise. */
 #include "../chapters/03_sphere/sphere.h"
-#include "../chapters/07_mesh/scenes/teapot.h"
-#include "../chapters/09_aabb/lab/alarms.h"
-#include "../chapters/09_aabb/lab/own_box.h"
+#include "../chapters/09_aabb/lab/content.h"
 #include "check.h"
 
 /* What is reported in error passes the box by little: the padding 16 u, 3 u for the entry and 3 u
@@ -11,26 +9,69 @@
  * by some epsilon, so that they pass at all such distances. */
 static void test_full_mantissa(void)
 {
-    size_t missed = 0, late = 0, alarms = 0, others = 0, misses = 0;
+    size_t missed = 0, late = 0, alarms = 0, others = 0, misses = 0, lanes = 0, lanes_late = 0;
     double worst = 0;
     for (size_t i = 0; i < check_count(1000000); i++) {
-        trial c = full_trial_of((trial_kind)(i % 4), 1, i);
+        aabb_trial c = aabb_full_trial_of((aabb_trial_kind)(i % 4), 1, i);
         if (i & 4) c.r.d.x *= 1 + real_epsilon * (real)((int)(i / 8 % 80) - 40);
-        wide_answer w = wide_aabb(c.b, c.r);
+        aabb_wide w = wide_aabb(c.b, c.r);
         real t, u;
         bool h = aabb_hit(c.b, c.r, &t);
         missed += w.hit && !h, misses += !w.hit;
         others += w.hit && !aabb_hit_inclusive(c.b, c.r, &u);
+        bool g = aabb_hit_lanes(c.b, c.r, &u);
+        lanes += w.hit && !g;
+        lanes_late += w.hit && g && wide_sign(wide_sub(wide_of((double)u), w.enter)) > 0;
         late += w.hit && h && wide_sign(wide_sub(wide_of((double)t), w.enter)) > 0;
         alarms += h && !w.hit;
         if (h && !w.hit) worst = fmax(worst, -w.gap);
     }
     check_equal(missed, 0, "false negatives, all digits random");
     check_equal(late, 0, "t_enter behind the exact one");
+    check_equal(lanes, 0, "aabb8_hit: false negatives");
+    check_equal(lanes_late, 0, "aabb8_hit: t_enter behind the exact one");
     check_at_least(others, check_count(1000000) / 100, "the inclusive form loses some of them");
     check_at_most(worst, 12 * (double)real_epsilon, "how far a ray may pass and still be reported");
     check_at_least(worst, 8 * (double)real_epsilon, "that bound is not idle");
     check(alarms > 0 && alarms < misses, "some of the misses are reported, others are not");
+}
+
+/* ---- what a triangle test calls a hit, against the box of that very triangle ---- */
+
+typedef struct { triangle t; ray r; } own_box_case;
+typedef struct { size_t hits, lost, lost_inclusive, early; } own_box_count;
+
+/* A triangle, and a ray at a corner of it, an edge or the inside; width 1: any shape, small: a
+ * needle; flat: in a plane z = constant, and so its box. */
+static own_box_case own_box_case_of(uint64_t seed, uint64_t i, real width, bool flat)
+{
+    random_stream s = random_start(seed, i, 0);
+    vec3 a = random_in_cube(&s), e = random_in_cube(&s), f = random_in_cube(&s);
+    triangle t = {a, vadd(a, e), vadd(vmadd(a, e, random_next(&s)), vscale(f, width))};
+    if (flat) t.b.z = t.c.z = t.a.z;
+    int aim = random_integer(&s, 0, 2);  /* 0: a corner, 1: an edge, 2: inside */
+    real u = aim > 0 ? random_next(&s) : 0, v = aim > 1 ? (1 - u) * random_next(&s) : 0;
+    vec3 p = vmadd(vmadd(vscale(t.a, 1 - u - v), t.b, u), t.c, v);
+    real far = pow((real)100, 2 * random_next(&s) - 1);
+    vec3 o = vscale(random_in_cube(&s), far);
+    return (own_box_case){t, ray_from(o, vsub(p, o))};
+}
+
+static own_box_count own_box_counted(uint64_t seed, size_t cases, real width, bool flat)
+{
+    own_box_count n = {0};
+    for (size_t i = 0; i < cases; i++) {
+        own_box_case c = own_box_case_of(seed, i, width, flat);
+        aabb b = first_triangle_box(c.t);
+        real t, u;
+        hit h;
+        if (!triangle_hit(c.t, c.r, &h)) continue;
+        n.hits++;
+        n.lost_inclusive += !aabb_hit_inclusive(b, c.r, &u);
+        if (!aabb_hit(b, c.r, &t)) n.lost++;
+        else n.early += h.t < t;
+    }
+    return n;
 }
 
 /* What a triangle test calls a hit, its box must call one, too: corners, edges, inside, needles,
@@ -73,55 +114,85 @@ static void test_ball(void)
                 allowed(q, (double)check_count(1000000)), "(9.6) for the cube, too");
 }
 
-static void test_triangles(void)
+/* Surface of the hull of a convex shape; a triangle has two sides. */
+static double convex_area(const aabb_content *c)
 {
-    triangle slanted = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, flat = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
-    double side = sqrt(3.0) / 2;  /* area; counted twice; the cube has 6, the rectangle 2 * 2 */
-    const triangle t[] = {slanted, flat};
-    const double expected[] = {2 * side / 6, 2 * 1.0 / 4};
-    for (int k = 0; k < 2; k++) {
-        boxed b = boxed_new(&t[k], 1);
-        alarm_count c = boxed_count(&b, 4, check_count(300000));
-        check_close((double)c.any_triangle / (double)c.any_box, expected[k],
-                    allowed(expected[k], (double)c.any_box), "triangle %d in its box", k);
-        check_equal(c.vain, c.any_box - c.any_triangle, "one box: vain is hit, but not inside");
-        boxed_free(&b);
+    double area = 0;
+    for (size_t i = 0; i < c->n; i++) {
+        triangle t = c->t[i];
+        area += (double)vlength(vcross(vsub(t.b, t.a), vsub(t.c, t.a))) / (c->n == 1 ? 1 : 2);
+    }
+    return area;
+}
+
+/* (9.6) for a needle, a triangle and a ball in each of their volumes, and nothing is lost; for the
+ * volumes of all shapes in the sphere from which the lines come. */
+static void test_volumes(void)
+{
+    size_t n = check_count(60000);
+    for (int s = 0; s < content_shapes; s++) {
+        aabb_content c = content_of(s);
+        double area[content_kinds] = {(double)ball_area(&c.ball), (double)aabb_area(c.box),
+                                      (double)turned_area(&c.turned)}, vain[content_kinds];
+        check_at_most(area[2], area[1], "shape %d: the turned box is not larger", s);
+        aabb room = content_room(&c);
+        double whole = (double)pi * (double)vdot(vsub(room.hi, room.lo), vsub(room.hi, room.lo));
+        for (int k = 0; k < content_kinds; k++) {
+            size_t hits = 0;
+            real t;
+            for (size_t i = 0; i < n; i++) hits += content_hit(&c, k, line_through(room, 6, i), &t);
+            check_close((double)hits / (double)n, area[k] / whole,
+                        allowed(area[k] / whole, (double)n), "(9.6) for volume %d of %d", k, s);
+        }
+        size_t lines = s > 2 ? check_count(3000) : n;
+        check_equal(content_in_vain(&c, 4, lines, vain), 0, "shape %d: lost", s);
+        for (int k = 0; s < 3 && k < content_kinds; k++) {
+            double p = convex_area(&c) / area[k];
+            double of = (double)lines * area[k] / whole;  /* so many lines hit it */
+            check_close(vain[k], 100 * (1 - p), 100 * allowed(p, of) + 1, "vain: %d in %d", s, k);
+        }
+        free(c.t);
     }
 }
 
-/* In more boxes: the same hits, fewer tests of triangles. */
-static void test_teapot(void)
+/* Known ones: the sphere round a ball, and the turned box round a turned square. */
+static void test_known_volumes(void)
 {
-    mesh m = teapot_mesh(3);
-    triangle *t = allocate(m.triangles, sizeof *t);
-    for (size_t i = 0; i < m.triangles; i++) t[i] = mesh_triangle(&m, i);
-    boxed whole = boxed_new(t, m.triangles), parts = boxed_new(t, m.triangles);
-    size_t rays = check_count(3000), before = SIZE_MAX, differ = 0;
-    aabb all = boxed_bounds(&whole, 0, whole.n);
-    for (size_t n = 1; n <= 64; n *= 4) {
-        boxed_split(&parts, n);
-        check_equal(parts.parts, n, "as many boxes as asked for");
-        size_t held = 0;
-        for (size_t k = 0; k < parts.parts; k++) held += parts.part[k].n;
-        check_equal(held, m.triangles, "every triangle is in one box");
-        alarm_count c = boxed_count(&parts, 5, rays);
-        check(c.triangle_tests < before, "more boxes, fewer tests of triangles");
-        check_equal(c.box_tests, n * rays, "every box is tested");
-        before = c.triangle_tests;
-        for (size_t i = 0; i < rays; i++) {
-            ray r = line_through(all, 5, i);
-            hit h = hit_none, g = hit_none;
-            boxed_hit(&whole, r, &h), boxed_hit(&parts, r, &g);
-            differ += h.t != g.t;
+    aabb_content ball = content_of(2);
+    check_close(ball.ball.r, 1, 0.002, "a sphere round a ball");
+    check_at_most((double)vlength(ball.ball.c), 0.002, "its centre");
+    free(ball.t);
+    const vec3 square[] = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+    aabb_turned u = turned_round(square, 4);
+    check_close(turned_area(&u), 4, 0.05, "a square on its corner: sides of sqrt 2, twice");
+    check_close(ball_round(square, 4).r, 1, 0.002, "half its diagonal");
+}
+
+/* Rays aimed at corners, from near and far, touch the volumes or pass within rounding: none lost,
+ * and none entered behind the corner. */
+static void test_volumes_touched(void)
+{
+    for (int s = 0; s < content_shapes; s++) {
+        aabb_content c = content_of(s);
+        size_t lost[content_kinds] = {0}, late[content_kinds] = {0};
+        for (size_t i = 0; i < check_count(100000); i++) {
+            random_stream g = random_start(9, i, 0);
+            triangle t = c.t[random_next_bits(&g) % c.n];
+            vec3 p = i % 3 == 0 ? t.a : i % 3 == 1 ? t.b : t.c;
+            vec3 o = vadd(p, vscale(random_in_cube(&g), pow((real)1000, random_next(&g))));
+            ray r = ray_from(o, vsub(p, o));
+            for (int k = 0; k < content_kinds; k++) {
+                real enter = 0;
+                lost[k] += !content_hit(&c, k, r, &enter);
+                late[k] += enter > 1 + 4 * real_epsilon;
+            }
         }
+        for (int k = 0; k < content_kinds; k++) {
+            check_equal(lost[k], 0, "shape %d, volume %d: corners aimed at and lost", s, k);
+            check_equal(late[k], 0, "shape %d, volume %d: entered behind the corner", s, k);
+        }
+        free(c.t);
     }
-    check_equal(differ, 0, "the same closest t, whatever the boxes");
-    boxed none = boxed_new(t, 0);
-    hit h = {.t = -7};
-    check(!boxed_hit(&none, ray_from(all.lo, (vec3){1, 1, 1}), &h) && h.t == -7, "no triangles");
-    boxed_free(&whole), boxed_free(&parts), boxed_free(&none), boxed_free(&none);
-    free(t);
-    mesh_free(&m);
 }
 
 int main(void)
@@ -129,7 +200,8 @@ int main(void)
     test_full_mantissa();
     test_triangle_in_its_box();
     test_ball();
-    test_triangles();
-    test_teapot();
+    test_volumes();
+    test_known_volumes();
+    test_volumes_touched();
     return check_report("09_shapes");
 }

@@ -1,7 +1,7 @@
 /* The tree itself: roundings, selection, invariants, depth, memory, the heuristic's prediction. */
 #include "../chapters/14_bvh/bvh.h"
 #include "../chapters/14_bvh/stats.h"
-#include "../chapters/14_bvh/lab/survey.h"
+#include "../chapters/09_aabb/trials/survey.h"
 #include "../chapters/07_mesh/scenes/specimens.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
@@ -273,7 +273,9 @@ static void test_heuristic(void)
         bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
         bvh_stats st = bvh_stats_of(&b.tree);
         size_t n = check_count(40000);
-        ray_set lines = rays_lines(&b, n, 21);
+        const float *c = b.tree.node[0].box.side;
+        aabb box = {{(real)c[0], (real)c[1], (real)c[2]}, {(real)c[3], (real)c[4], (real)c[5]}};
+        ray_set lines = rays_uniform(box, n, 21);
         double sum[2] = {0, 0}, square[2] = {0, 0}, formula[2] = {st.nodes, st.tests};
         for (size_t i = 0; i < n; i++) {
             bvh_work w = {0, 0, 0, 0, 0};

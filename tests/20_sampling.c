@@ -3,7 +3,6 @@
  * are fewer than 100. What is wrong must fail at 1e-8, too. */
 #include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/discrete.h"
-#include "../chapters/20_monte_carlo/first.h"
 #include "../chapters/20_monte_carlo/lab/sampling_naive.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../common/numbers/wide.h"
@@ -21,7 +20,6 @@ PLAIN(sample_triangle) PLAIN(sample_triangle_root) PLAIN(sample_triangle_naive)
 PLAIN(sample_triangle_sums) PLAIN(sample_triangle_fold)
 PLAIN(sample_sphere) PLAIN(sample_sphere_naive) PLAIN(sample_hemisphere)
 PLAIN(sample_hemisphere_naive) PLAIN(sample_cosine)
-PLAIN(first_cosine_direction)
 DENSITY(pdf_disk) DENSITY(pdf_sphere) DENSITY(pdf_hemisphere) DENSITY(pdf_cosine)
 static vec3 s_lobe(real u, real v, const void *c) { return sample_lobe(*(const real *)c, u, v); }
 static real d_lobe(vec3 w, const void *c) { return pdf_lobe(*(const real *)c, w); }
@@ -56,7 +54,6 @@ static const trial right[] = {
     {"sphere", s_sample_sphere, d_pdf_sphere, NULL, none, 1, 1.0 / 3},
     {"hemisphere", s_sample_hemisphere, d_pdf_hemisphere, NULL, none, 1, 1.0 / 3},
     {"cosine", s_sample_cosine, d_pdf_cosine, NULL, none, 1, 0.5},
-    {"cosine, first", s_first_cosine_direction, d_pdf_cosine, NULL, none, 1, 0.5},
     /* the mean of z^2 under (n+1) z^n is (n+1) / (n+3) */
     {"lobe, n = 0", s_lobe, d_lobe, &n_zero, none, 1, 1.0 / 3},
     {"lobe, n = 1/2", s_lobe, d_lobe, &n_root, none, 1, 1.5 / 3.5},

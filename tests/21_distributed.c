@@ -459,7 +459,7 @@ static void test_cornell(void)
 static void test_box(void)
 {
     vec3 black = {0, 0, 0};
-    box_room *b = box_new(true, black, 0);
+    distributed_box *b = box_new(true, black, 0);
     distributor d = distributor_of(&b->w, &b->how);
     estimate e = {0};
     ray down = ray_from((vec3){450, 100, 100}, (vec3){0, -100, 0});

@@ -230,9 +230,9 @@ static void test_known_polygons(void)
 /* Those of the table of hard cases, and seeds of their own. */
 static void test_hard_cases(void)
 {
-    hard_run *r = allocate(1, sizeof *r);
+    radiometry_hard_run *r = allocate(1, sizeof *r);
     for (int k = 0; k < hard_cases; k++) {
-        const hard_case *c = &hard_list[k];
+        const radiometry_hard_case *c = &hard_list[k];
         bool fits = !real_is_float || c->size > 1e-6;  /* 1e-6: below what float's inputs resolve */
         if (!fits && c->kind != HARD_SPHERE_E && c->shape != SHAPE_ANY) continue;
         for (uint64_t seed = 20; seed < 20 + check_count(8); seed++) {
@@ -243,7 +243,7 @@ static void test_hard_cases(void)
     const struct { int k; double least; } naive_fails[] = {  /* where no digit, or few, are left */
         {1, real_is_float ? 0.9 : 1e-6}, {5, 1}, {9, real_is_float ? 1 : 1e-3}, {14, 1}, {15, 1}};
     for (int i = 0; i < 5; i++) {
-        const hard_case *c = &hard_list[naive_fails[i].k];
+        const radiometry_hard_case *c = &hard_list[naive_fails[i].k];
         hard_fill(r, c, 20);
         double off = hard_error(r, hard_has(c->kind, HARD_NAIVE) ? HARD_NAIVE : HARD_FIRST);
         check(isnan(off) || off >= naive_fails[i].least, "naive, %s, %s: only off by %g", c->name,

@@ -268,22 +268,6 @@ static void test_urena_fails(void)
     check_close((double)k.omega, 2.09439510239319549, 8 * eps, "side of a cube");
 }
 
-/* The sphere of chapter 20's cone, as the direct way to a sphere: E of a sphere by its cone. */
-static void test_sphere(void)
-{
-    light_view k = light_view_of(seen_from);
-    for (int run = 0; run < 2; run++) {
-        estimate e = {0};
-        for (uint64_t i = 0; i < check_count(20000); i++) {
-            random_stream s = random_start(8, (uint64_t)run, i);
-            real u = random_next(&s), v = random_next(&s);
-            e = estimate_add(e, (double)direction_sample(
-                                    LIGHT_SPHERE, run ? BY_AREA : BY_SOLID_ANGLE, &k, u, v));
-        }
-        check_at_least(t_test(e, direction_exact(LIGHT_SPHERE), 64 * eps), alarm, "sphere %d", run);
-    }
-}
-
 /* Far, near, an ulp away, on it, from inside: mean of cos Omega. */
 static void test_sphere_cones(void)
 {
@@ -315,7 +299,6 @@ int main(void)
     test_near_edges();
     test_rectangle_shares();
     test_urena_fails();
-    test_sphere();
     test_sphere_cones();
     return check_report("22_spherical_sampling");
 }

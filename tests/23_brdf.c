@@ -2,7 +2,6 @@
  * and the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8
  * seeds. */
 #include "../chapters/23_brdf/lab/brdf_naive.h"
-#include "../chapters/23_brdf/first.h"
 #include "../chapters/23_brdf/lab/pictures.h"
 #include "../chapters/23_brdf/reflection.h"
 #include "../common/lab/chi_square.h"
@@ -154,19 +153,19 @@ static vec3 white_light(vec3 wi) { (void)wi; return white; }
 
 static void test_energy(void)
 {
-    for (int r = 0; r <= 20; r++) {
-        brdf b = brdf_ggx(white, (real)r / 20);
-        for (int i = 0; i <= 20; i++) {
-            double cosine = i == 0 ? 1e-3 : i / 20.0, a = (double)brdf_albedo(&b, (real)cosine).x;
-            check_at_most(a, 1 + 100 * eps, "GGX, roughness %g, cos %g: energy", r / 20.0, cosine);
+    for (int r = 0; r <= 10; r++) {
+        brdf b = brdf_ggx(white, (real)r / 10);
+        for (int i = 0; i <= 10; i++) {
+            double cosine = i == 0 ? 1e-3 : i / 10.0, a = (double)brdf_albedo(&b, (real)cosine).x;
+            check_at_most(a, 1 + 100 * eps, "GGX, roughness %g, cos %g: energy", r / 10.0, cosine);
             check_at_least(a, 0.3, "and 1 - ln 2 of it at the least");
             if (r == 0) check_close(a, 1, 4 * eps, "a mirror keeps all");
         }
     }
     for (int e = 0; e <= 12; e++) {
         brdf b = brdf_blinn_phong(black, white, e ? (real)pow(4, e - 3) : 0);
-        for (int i = 1; i <= 20; i++)
-            check_at_most((double)brdf_albedo(&b, (real)i / 20).x, 1.0002,
+        for (int i = 1; i <= 10; i++)
+            check_at_most((double)brdf_albedo(&b, (real)i / 10).x, 1.0002,
                           "Blinn-Phong %d: energy", e);
     }
     /* brdf_albedo is within 2e-4. By quadrature that knows no sampler, cells of 1/300 against lobes
@@ -519,7 +518,7 @@ static void test_picture_unchanged(void)
 {
     image thrifty = image_new(70, 40), lavish = image_new(70, 40);
     options o = {.seed = 3};
-    sphere_sheet sheet[2] = {{&thrifty, &o, 4, 16, false}, {&lavish, &o, 4, 16, true}};
+    brdf_spheres sheet[2] = {{&thrifty, &o, 4, 16, false}, {&lavish, &o, 4, 16, true}};
     for (int i = 0; i < 70 * 40; i++)
         for (int k = 0; k < 2; k++) sphere_pixel(i % 70, i / 70, &sheet[k]);
     check(memcmp(thrifty.rgb, lavish.rgb, 70 * 40 * 3 * sizeof(float)) == 0, "the same picture");
@@ -560,14 +559,6 @@ static void test_naive(void)
     check_close((double)ggx_d(s, m) / due, 1, 32 * eps, "D at tan = alpha");
     check_at_least(fabs((double)ggx_d_naive(s, m) / due - 1), 1e-4, "textbook D: off");
 
-    /* cos^e from the sine against e log cos = e/2 log1p(-sin^2), in double whatever real is */
-    real e = 1 / (16 * real_epsilon), sine = 4 * sqrt(real_epsilon) * (real)0.9;
-    vec3 h = {sine, 0, sqrt((1 - sine) * (1 + sine))};
-    double power = exp((double)e / 2 * log1p(-(double)sine * (double)sine));
-    check_close((double)blinn_phong_power(e, h) / power, 1, 32 * eps, "cos^e, large e");
-    first_brdf sharp = {black, white, e};  /* wi = wo = h */
-    double naive = (double)(first_brdf_value(sharp, h, h).x / first_brdf_scale(e));
-    check_at_least(fabs(naive / power - 1), 1e-3, "pow of n.h: off");
     /* both branches of blinn_phong_power where they meet */
     vec3 h1 = at_angle(0.5 + 4 * eps, 0), h0 = at_angle(0.5, 0);
     check_close(blinn_phong_power(3, h1), blinn_phong_power(3, h0), 32 * eps, "branches meet");

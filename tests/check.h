@@ -8,7 +8,8 @@
  *   }
  *
  * check_count(n) is a quarter of n, so that `make test` is quick; with CHECK_SOAK=1 in the
- * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind), n / d.
+ * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind),
+ * n / d.
  */
 #ifndef CHECK_H
 #define CHECK_H

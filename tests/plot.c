@@ -163,6 +163,19 @@ static void nine(void *context)
     for (int s = 0; s < 9; s++) plot_series(&p, context);
 }
 
+/* Eight colours, the eight of Okabe and Ito. */
+static void test_colours(void)
+{
+    static const char *const theirs[] = {"#000000", "#e69f00", "#56b4e9", "#009e73",
+                                         "#f0e442", "#0072b2", "#d55e00", "#cc79a7"};
+    for (int k = 0; k < plot_most_series; k++) {
+        int found = 0;
+        for (int i = 0; i < plot_most_series; i++) found += !strcmp(plot_colour[i], theirs[k]);
+        check_equal(found, 1, "the colour %s", theirs[k]);
+    }
+    check(strcmp(plot_colour[plot_yellow], "#f0e442") == 0, "yellow, pale on white, is told apart");
+}
+
 int main(void)
 {
     test_places();
@@ -170,5 +183,6 @@ int main(void)
     test_degenerate();
     test_labels();
     check(child_run(nine, "").status != 0, "nine series are a mistake of the program");
+    test_colours();
     return check_report("plot");
 }

@@ -6,11 +6,11 @@
  *
  * build returns what hit and occluded take, or NULL with the failure filled in.
  */
-#ifndef STRUCTURE_H
-#define STRUCTURE_H
+#ifndef TESTS_STRUCTURE_H
+#define TESTS_STRUCTURE_H
 
 #include "../chapters/07_mesh/scenes/specimens.h"
-#include "../chapters/09_aabb/structure.h"
+#include "../chapters/09_aabb/items.h"
 #include "../chapters/07_mesh/scenes/stadium.h"
 #include "aimed.h"
 #include "check.h"

@@ -141,9 +141,9 @@ static inline ray camera_ray_naive(camera c, real x, real y, int nx, int ny)
     return ray_from(c.e, vsub(s, c.e));
 }
 
-/* d never meets e: wherever the camera stands, d is off by a few epsilon of the window's size, since
- * u and v are differences of numbers of that size. In the middle of the picture, where |d| = 1, that
- * is an angle of a few epsilon tan(phi / 2); everywhere it is a few epsilon nx pixels. */
+/* d never meets e: wherever the camera stands, d is off by a few epsilon of the window's size,
+ * since u and v are differences of numbers of that size. In the middle of the picture, where
+ * |d| = 1, that is an angle of a few epsilon tan(phi / 2); everywhere a few epsilon nx pixels. */
 static inline ray camera_ray(camera c, real x, real y, int nx, int ny)
 {
     vec3 in_plane = camera_in_plane(c, camera_u(c, x, nx), camera_v(c, y, ny));

@@ -8,7 +8,7 @@
 typedef struct { vec3 c; real r; } sphere;  /* centre and radius */
 
 /* |o + t d - c|^2 - R^2 = 0                                                               (3.1)
- * is a quadratic in t, a t^2 + b t + c = 0                                                (3.7) */
+ * is a quadratic in t, a t^2 + b t + c = 0                                                (3.2) */
 static inline bool first_sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
     vec3 f = vsub(r.o, s.c);
@@ -16,7 +16,7 @@ static inline bool first_sphere_roots(sphere s, ray r, real *t0, real *t1)
     real b = 2 * vdot(r.d, f);
     real c = vdot(f, f) - s.r * s.r;
 
-    /* t = (-b -+ sqrt(b^2 - 4 a c)) / 2a; no real root: the ray passes beside the sphere  (3.8) */
+    /* t = (-b -+ sqrt(b^2 - 4 a c)) / 2a; no real root: the ray passes beside the sphere  (3.3) */
     real D = b * b - 4 * a * c;
     if (!(D >= 0)) return false;
     *t0 = (-b - sqrt(D)) / (2 * a);

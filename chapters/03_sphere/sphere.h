@@ -1,17 +1,14 @@
 /* sphere.h: where a ray meets a sphere (球), whatever the distance and the size.
  *
- *                  . - ~ - .              |o + t d - c|^2 = R^2                               (3.1)
- *       o ---->--x'- - - - -'x-->         a t^2 - 2 b t + k = 0,                              (3.2)
- *               entry  c  exit              f = o - c,  a = d.d,  b = -d.f,  k = f.f - R^2
- *                t0 ' . _ . ' t1          t = (b -+ sqrt(D)) / a,  D = b^2 - a k              (3.3)
- *                                           D = a R^2 - |d x f|^2                             (3.5)
+ *             . - ~ - .             |o + t d - c|^2 = R^2,  f = o - c,  a = d.d               (3.1)
+ *   o ->--x'- - -|- - -'x-->        t_ca = -d.f / a        where the ray is nearest to c      (3.4)
+ *      entry    q|    exit          D = a R^2 - |d x f|^2,  |d x f| = |d| q                   (3.5)
+ *       t0  ' .  c  . '  t1         t = t_ca -+ t_hc,  t_hc = sqrt(D) / a: half the chord     (3.6)
  *
- * (3.3) as it stands is the textbook: far from the sphere b^2 and a k are huge and nearly equal,
- * and their difference is noise: R = 1 seen from 1e4 in float, or a ray from 1e6 that passes at
- * 1.0001 R in double. (3.5) is the same number by Lagrange's identity, with terms of the
- * size of what is asked for: R, and how far the ray passes from c. Where D still is smaller than
- * its own rounding error could be, it is computed again in twice the precision: few rays in 1e9
- * from 1e6 R.
+ * D is a quarter of the textbook's b^2 - 4ac (3.3), which is noise far from the sphere: two huge
+ * numbers that nearly cancel. Here the terms are of the size of what is asked for, R and q. Where D
+ * still is smaller than its own rounding error could be, it is computed again in twice the
+ * precision: few rays in 1e9 from 1e6 R.
  *
  *   sphere_hit(s, r, &h)         the first root in [tmin, tmax]; from inside that is the exit
  *   sphere_roots(s, r, &t0, &t1) both roots, entry t0 <= exit t1, behind o, too
@@ -25,7 +22,8 @@
  *   R < 0                        the same points; the normal points inwards (seen from inside)
  *   R = 0                        the point c: hit by a ray exactly through it; normal 0
  *   d = 0, a NaN, an infinity    a miss
- *   extreme sizes                right as long as the points and t can be written as reals
+ *   extreme sizes                right as long as the points and t can be written as reals, and
+ *                                no component of d, or of o - c, but 0 is 1e-200 of another
  *
  * Sources: A. Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 2; E. Haines et al.,
  * "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019, ch. 7; J. Shewchuk,
@@ -38,6 +36,7 @@
 #include "../01_ray/hit.h"
 #include "../../common/numbers/wide.h"
 #include "first.h"
+#include <stddef.h>
 
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1);
 static inline bool sphere_hit(sphere s, ray r, hit *out);
@@ -63,40 +62,60 @@ static inline wide sphere_power(wide3 f, double R)
     return wide_sub(wide3_dot(f, f), wide_product(R, R));
 }
 
-static inline wide3 wide3_ldexp(vec3 a, int e)
+/* a 2^e; in two steps, since 2^e itself may be no double. */
+static inline wide3 wide3_ldexp(wide3 a, int e)
 {
-    double x = ldexp((double)a.x, e), y = ldexp((double)a.y, e), z = ldexp((double)a.z, e);
-    return (wide3){wide_of(x), wide_of(y), wide_of(z)};
+    double p = ldexp(1, e / 2), q = ldexp(1, e - e / 2);
+    return (wide3){{a.x.hi * p * q, a.x.lo * p * q}, {a.y.hi * p * q, a.y.lo * p * q},
+                   {a.z.hi * p * q, a.z.lo * p * q}};
 }
 
+/* a times the power of two that brings its longest component, or `beside` if that is larger, into
+ * [1/2, 1): exact, and squares stay in range. *exponent undoes it. */
+static inline wide3 wide3_scaled(wide3 a, double beside, int *exponent)
+{
+    double xy = fmax(fabs(a.x.hi), fabs(a.y.hi)), most = fmax(xy, fabs(a.z.hi));
+    (void)frexp(fmax(most, fabs(beside)), exponent);
+    return wide3_ldexp(a, -*exponent);
+}
+
+/* How many rays of this thread took the slow way: for whoever wants to count. */
+static _Thread_local size_t sphere_doubts;
+
 /* The roots in numbers of twice the precision of double, for the few rays that sphere_roots cannot
- * tell. Scaling d, and all lengths, by powers of two is exact, and keeps every square in range. */
+ * tell. Scaling d, all lengths, and then what D is made of, is exact. Without the last step the
+ * squares of R and d x f vanish for: R = 0 at (1,0,0), a ray along x that passes it at 1e-170. */
 __attribute__((noinline, cold))
 static bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
 {
+    sphere_doubts++;
     if (!vfinite(r.o) || !vfinite(s.c) || !isfinite(s.r)) return false;
     if (!vfinite(r.d) || vzero(r.d)) return false;
     vec3 most = vmax(vmax(r.o, vneg(r.o)), vmax(s.c, vneg(s.c)));
-    int ed, el;
-    (void)frexp(vaxis(r.d, vlongest(r.d)), &ed);
-    (void)frexp(real_max(fabs(s.r), vaxis(most, vlongest(most))), &el);
-    wide3 d = wide3_ldexp(r.d, -ed), f = wide3_sub(wide3_ldexp(r.o, -el), wide3_ldexp(s.c, -el));
+    int ed, el, ex, down = vaxis(most, vlongest(most)) > real_largest / 8 ? 3 : 0;
+    wide3 o = wide3_of(r.o), c = wide3_of(s.c), d = wide3_scaled(wide3_of(r.d), 0, &ed);
+    if (down) o = wide3_ldexp(o, -down), c = wide3_ldexp(c, -down);  /* else o - c may overflow */
+    wide3 f = wide3_scaled(wide3_sub(o, c), ldexp((double)s.r, -down), &el);
+    el += down;
     double R = ldexp((double)s.r, -el);
 
-    wide3 x = wide3_cross(d, f);
-    wide a = wide3_dot(d, d), b = wide_neg(wide3_dot(d, f)), k = sphere_power(f, R);
-    wide D = wide_sub(wide_mul(a, wide_product(R, R)), wide3_dot(x, x));                 /* (3.5) */
+    wide3 x = wide3_scaled(wide3_cross(d, f), R, &ex);
+    double Rx = ldexp(R, -ex);
+    wide a = wide3_dot(d, d), ca = wide_neg(wide3_dot(d, f)), k = sphere_power(f, R);
+    wide D = wide_sub(wide_mul(a, wide_product(Rx, Rx)), wide3_dot(x, x));               /* (3.5) */
     if (wide_sign(D) < 0) return false;
-    wide h = wide_sqrt(D), q = wide_sign(b) < 0 ? wide_sub(b, h) : wide_add(b, h);       /* (3.4) */
-    real far = (real)ldexp(wide_value(wide_div(q, a)), el - ed);
-    real near = (real)ldexp(wide_value(wide_div(k, q)), el - ed);
+    wide hc = wide_mul(wide_sqrt(D), wide_of(ldexp(1, ex)));
+    wide q = wide_sign(ca) < 0 ? wide_sub(ca, hc) : wide_add(ca, hc);
+    real far = (real)ldexp(wide_value(wide_div(q, a)), el - ed);                         /* (3.6) */
+    real near = (real)ldexp(wide_value(wide_div(k, q)), el - ed);                        /* (3.7) */
     *t0 = real_min(near, far);  /* if o is the tangent point, near is 0 / 0, and far, 0, wins */
     *t1 = real_max(near, far);
     return true;
 }
 
 /* In double, whatever real is: in float far too many rays would be in doubt. The rounding errors of
- * D stay below 6 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see README; noise leaves room. */
+ * D stay below 5.4 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see MEASURED.md; 10 leaves
+ * room. */
 static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 {
     const double noise = 10 * DBL_EPSILON, tiny = DBL_MIN / (DBL_EPSILON * DBL_EPSILON);
@@ -104,19 +123,19 @@ static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
     double dy = (double)r.d.y, fy = (double)r.o.y - (double)s.c.y;
     double dz = (double)r.d.z, fz = (double)r.o.z - (double)s.c.z;
     double x = dy * fz - dz * fy, y = dz * fx - dx * fz, z = dx * fy - dy * fx;
-    double a = dx * dx + dy * dy + dz * dz, b = -(dx * fx + dy * fy + dz * fz);
+    double a = dx * dx + dy * dy + dz * dz, ca = -(dx * fx + dy * fy + dz * fz);  /* (3.4) */
     double ff = fx * fx + fy * fy + fz * fz, rr = R * R, size = ff + rr;
     double arr = a * rr, xx = x * x + y * y + z * z, D = arr - xx;                       /* (3.5) */
     if (!(a > tiny && size > tiny && D * D > noise * noise * (arr + xx) * (a * size)))
         return sphere_roots_in_doubt(s, r, t0, t1);                       /* a NaN comes here too */
     if (D < 0) return false;
-    double h = sqrt(D), near = b - h, far = b + h;
-    *t0 = (real)(near / a);                                                              /* (3.3) */
+    double hc = sqrt(D), near = ca - hc, far = ca + hc;                /* each times a    (3.6) */
+    *t0 = (real)(near / a);
     *t1 = (real)(far / a);
     if (fabs(ff - rr) < noise * size) {  /* o is on the surface: near or far is mere rounding */
         wide3 f = wide3_sub(wide3_of(r.o), wide3_of(s.c));
         double k = wide_value(sphere_power(f, R));
-        if (b < 0) *t1 = (real)(k / near);                                               /* (3.4) */
+        if (ca < 0) *t1 = (real)(k / near);                                              /* (3.7) */
         else *t0 = (real)(k / far);
     }
     return true;
@@ -133,7 +152,7 @@ static inline vec3 sphere_normal(sphere s, vec3 p)
     return vscale(vunit(vsub(p, s.c)), s.r < 0 ? (real)-1 : (real)1);
 }
 
-/* c + |R| (p - c) / |p - c| (3.6): off by 4 epsilon of R, and by the rounding of the result. */
+/* c + |R| (p - c) / |p - c| (3.8): off by 4 epsilon of R, and by the rounding of the result. */
 static inline vec3 sphere_point(sphere s, vec3 p)
 {
     return vmadd(s.c, vunit(vsub(p, s.c)), fabs(s.r));

@@ -1,11 +1,11 @@
 /* barycentrics.h: where a point lies in a triangle, as three weights (重心坐标).
  *
- *             c            P = w a + u b + v c,  w + u + v = 1                            (4.6)
+ *             c            p = w a + u b + v c,  w + u + v = 1                            (4.6)
  *            /|\
  *           / | \          Each weight is the signed area opposite its corner, over the whole:
- *          / u|  \             u = area(c, a, P) / area(a, b, c)                          (4.11)
- *         / _-P-_ \        measured along the normal n of the triangle, so that the sign tells on
- *        a---------b       which side of the edge P lies (v belongs to a b, w to b c, u to c a).
+ *          / u|  \             u = area(c, a, p) / area(a, b, c)                          (4.11)
+ *         / _-p-_ \        measured along the normal n of the triangle, so that the sign tells on
+ *        a---------b       which side of the edge p lies (v belongs to a b, w to b c, u to c a).
  *
  *   barycentrics k = barycentrics_of(tri, p);   three areas; p off the plane: of its foot
  *   if (barycentrics_inside(k)) ...             no weight is negative
@@ -21,8 +21,8 @@
  *
  * Source: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, 2.7.
  */
-#ifndef BARYCENTRICS_H
-#define BARYCENTRICS_H
+#ifndef TRIANGLE_BARYCENTRICS_H
+#define TRIANGLE_BARYCENTRICS_H
 
 #include "triangle.h"
 

@@ -5,12 +5,12 @@
 #define FIRST_TRIANGLE_H
 #include "../01_ray/first.h"
 
-typedef struct { vec3 p, n; } plane;        /* a point, and a normal of any length but 0 */
+typedef struct { vec3 p, n; } plane;        /* a point p', and a normal of any length but 0 */
 typedef struct { vec3 a, b, c; } triangle;  /* three corners, counter-clockwise seen from outside */
 
 static inline bool first_plane_hit(plane s, ray r, hit *out)
 {
-    /* (x - p) . n = 0, with x = o + t d, gives t = (p - o) . n / (d . n)            (4.1), (4.4) */
+    /* (p - p') . n = 0, with p = o + t d, gives t = (p' - o) . n / (d . n)          (4.1), (4.4) */
     real across = vdot(r.d, s.n);
     if (across == 0) return false;  /* the ray runs along the plane */
     real t = vdot(vsub(s.p, r.o), s.n) / across;

@@ -1,10 +1,10 @@
 /* plane.h: the plane (平面) in both of its forms, and the ray that meets it.
  *
- *         n                      (x - p) . n = 0             a point p and a normal n   (4.1)
- *         |    ray               a x + b y + c z + d = 0     four numbers               (4.2)
- *     ____p___/_______           the same plane if (a,b,c) = n and d = -n . p           (4.3)
- *            /                   t = (p - o) . n / (ray d . n)                          (4.4)
- *                                t = -(n . o + d) / (ray d . n)                         (4.5)
+ *         n                      (p - p') . n = 0            a point p' and a normal n  (4.1)
+ *         |    ray               e.a x + e.b y + e.c z + e.d = 0    four numbers        (4.2)
+ *     ____p'__p_______           the same plane if (e.a, e.b, e.c) = n, e.d = -n . p'   (4.3)
+ *            /                   t = (p' - o) . n / (d . n)                             (4.4)
+ *                                t = -(n . o + e.d) / (d . n)                           (4.5)
  *
  *   plane p = {point, normal};                  n: any length but 0
  *   plane p = plane_through(a, b, c);           n = (b - a) x (c - a); 0 if a, b, c lie on a line
@@ -15,15 +15,15 @@
  *
  * Never hit: a ray parallel to the plane, in it or not (no single t); n = 0; NaN or infinite input.
  *
- * (4.5) adds n . o and d: two large numbers with a small sum when the scene lies far from the
+ * (4.5) adds n . o and e.d: two large numbers with a small sum when the scene lies far from the
  * origin. (4.4) subtracts the points first, which is exact when they are close. At a distance of
  * 1e4 from the origin (4.5) has lost more than three digits of t, (4.4) none.
  *
  * Sources: S. Marschner, P. Shirley, "Fundamentals of Computer Graphics", 4th ed., 2015, 2.5.3;
  * GAMES101, lecture 13, "Ray-Surface Intersection".
  */
-#ifndef PLANE_H
-#define PLANE_H
+#ifndef TRIANGLE_PLANE_H
+#define TRIANGLE_PLANE_H
 
 #include "../01_ray/hit.h"
 #include "first.h"

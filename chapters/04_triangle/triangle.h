@@ -1,8 +1,8 @@
 /* triangle.h: ray against triangle, three ways with one signature.
  *
  *             c                  u, v of a hit: the barycentric coordinates (重心坐标) of b and c,
- *            / \                 P = (1 - u - v) a + u b + v c                          (4.6)
- *           / P \
+ *            / \                 p = (1 - u - v) a + u b + v c                          (4.6)
+ *           / p \
  *          a --- b               true if t is in the ray's interval; both sides count
  *
  *   triangle_hit_plane(tri, r, &h)             meets the plane, then three inside tests      (4.7)
@@ -42,8 +42,9 @@
 #include "../../common/numbers/wide.h"
 #include "plane.h"
 #include <limits.h>
+#include <stddef.h>
 
-/* A ray, ready for (4.9): axis kz is the longest of D; o the origin in the order kx, ky, kz. */
+/* A ray, ready for (4.9): axis kz is the longest of d; o the origin in the order kx, ky, kz. */
 typedef struct { int kx, ky, kz; vec3 o; real sx, sy, sz; } ray_shear;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -134,7 +135,7 @@ static inline vec3 shear_turn(vec3 p, int kz)
     return kz == 0 ? (vec3){p.y, p.z, p.x} : kz == 1 ? (vec3){p.z, p.x, p.y} : p;
 }
 
-/* Seen along the ray: the shear x - (Dx/Dz) z, y - (Dy/Dz) z takes the ray to the z axis (4.9). kz
+/* Seen along the ray: the shear x - (dx/dz) z, y - (dy/dz) z takes the ray to the z axis (4.9). kz
  * is the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN. */
 static inline ray_shear shear_of(ray r)
 {
@@ -161,6 +162,9 @@ static inline bool signs_differ(real x, real y, real z)
     return real_min(real_min(x, y), z) < 0 && real_max(real_max(x, y), z) > 0;
 }
 
+/* How often this thread computed edge functions a second time: for whoever wants to count. */
+static _Thread_local size_t triangle_doubts;
+
 /* The edge functions of a, b, c with their exact signs: each axis is scaled by its own power of
  * two, so that nothing over- or underflows, and the rounding of the products is given back. All
  * three change by one factor, which t does not see. Zero only if two corners and the ray are
@@ -170,6 +174,7 @@ static bool edges_exactly(vec3 a, vec3 b, vec3 c, vec3 *e)
 {
     vec3 x = {a.x, b.x, c.x}, y = {a.y, b.y, c.y};
     int up;
+    triangle_doubts++;
     if (!vfinite(x) || !vfinite(y)) return false;
     x = vscaled(x, &up), y = vscaled(y, &up);
     e->x = difference_of_products(x.z, y.y, y.z, x.y);
@@ -211,11 +216,11 @@ static inline bool shear_distance(vec3 a, vec3 b, vec3 c, vec3 e, const vec3 *co
 }
 
 /* The ray is now the z axis and passes inside if the origin (0,0) lies on the same side of all
- * three edges. Edge P Q has the function Px Qy - Py Qx (4.10): twice the area of (0,0) P Q.
+ * three edges. Edge a b has the function ax by - ay bx (4.10): twice the area of (0,0) a b.
  *
  * Why no ray slips between triangles:
- * 1. The neighbour computes Qx Py - Qy Px: the same two rounded products, so exactly the negative.
- * 2. If Px Qy >= Py Qx, the rounded products are in the same order. So a computed sign may be 0 but
+ * 1. The neighbour computes bx ay - by ax: the same two rounded products, so exactly the negative.
+ * 2. If ax by >= ay bx, the rounded products are in the same order. So a computed sign may be 0 but
  *    is never wrong, and 0 counts as inside: every triangle whose image contains (0,0) passes.
  * 3. The images are a mesh with exactly shared corners. If it covers (0,0), one of them
  *    has area and contains (0,0), edges included. Only a determinant of 0, three zeros, refuses

@@ -8,10 +8,10 @@
  *           o                       t_enter = the largest entry, t_exit = the smallest exit (9.2)
  *
  *   bool aabb_hit(aabb b, ray r, real *t_enter)        hit: the closed box and the closed interval
- *                                                      [tmin, tmax] have a point in common (9.3)
- *   ray_inverse i = inverse_of(r);                     once a ray, for many boxes: same answers;
- *   bool aabb_hit_inverse(const aabb *b, const ray_inverse *i, ray r, real *t_enter)   r's interval
- *                                                      may shrink meanwhile
+ *                                                      [tmin, tmax] have a point in common (9.4)
+ *   aabb_inverse i = aabb_inverse_of(r);               once a ray, for many boxes: same answers;
+ *   bool aabb_hit_inverse(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
+ *                                                      r's interval may shrink meanwhile
  *
  *   aabb_empty()           lo = inf, hi = -inf            aabb_is_empty(b)    lo > hi on an axis
  *   aabb_grow_point(b, p)  smallest that holds b and p    aabb_area(b)        surface; empty: 0
@@ -42,7 +42,7 @@ typedef struct {
     vec3 inverse;             /* 1 / d_k; +-infinity for d_k = +-0; NaN: this axis says nothing */
     int near_x, near_y, near_z;  /* number of the plane that is entered first, of the six reals of
                                     an aabb: 0, 1, 2, or 3, 4, 5 where the inverse is negative */
-} ray_inverse;
+} aabb_inverse;
 
 _Static_assert(sizeof(aabb) == 6 * sizeof(real), "aabb_hit_inverse reads six reals in a row");
 
@@ -70,10 +70,10 @@ static inline real inverse_component(real d)
 }
 
 /* The sign of the inverse tells near from far: -0.0 < 0 is false, 1/-0.0 < 0 is true. */
-static inline ray_inverse inverse_of(ray r)
+static inline aabb_inverse aabb_inverse_of(ray r)
 {
     vec3 i = {inverse_component(r.d.x), inverse_component(r.d.y), inverse_component(r.d.z)};
-    return (ray_inverse){i, i.x < 0 ? 3 : 0, i.y < 0 ? 4 : 1, i.z < 0 ? 5 : 2};
+    return (aabb_inverse){i, i.x < 0 ? 3 : 0, i.y < 0 ? 4 : 1, i.z < 0 ? 5 : 2};
 }
 
 /* A ray in a plane of the box and parallel to it gives 0 * inf = NaN; real_max(NaN, t0) is t0 and
@@ -83,8 +83,10 @@ static inline ray_inverse inverse_of(ray r)
  * if the inverse is below the smallest normal real and so has lost two bits. Entry against exit:
  * twice that, and one more for the product that pads: 13 u < pad = 16 u (9.4). Of the two products
  * the smaller one is the earlier t, on either side of 0. Where a product underflows it is off by
- * less than real_smallest. */
-static inline bool aabb_hit_inverse(const aabb *b, const ray_inverse *i, ray r, real *t_enter)
+ * less than real_smallest. (Ize widens the exit by 2 ulp = 4 u, pbrt by 2 gamma(3) = 6 u: that
+ * finds every box whose 1/d is normal, but leaves *t_enter where rounding put it.)
+ */
+static inline bool aabb_hit_inverse(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
 {
     const real *face = &b->lo.x, pad = 8 * real_epsilon;
     real t0 = r.tmin, t1 = r.tmax;
@@ -102,7 +104,7 @@ static inline bool aabb_hit_inverse(const aabb *b, const ray_inverse *i, ray r, 
 
 static inline bool aabb_hit(aabb b, ray r, real *t_enter)
 {
-    ray_inverse i = inverse_of(r);
+    aabb_inverse i = aabb_inverse_of(r);
     return aabb_hit_inverse(&b, &i, r, t_enter);
 }
 

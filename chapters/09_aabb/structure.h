@@ -1,21 +1,16 @@
-/* items.h: what an acceleration structure (加速结构) holds, and what all searches share.
- *
- *   items x = items_of_mesh(&m);        the triangles of a mesh, or
- *   items x = items_of_scene(&s);       the shapes of a scene (07); either must outlive x
- *   bool items_bounds(&x, i, &box)      false: item i can never be hit; leave it out
- *   bool items_all_bounds(&x, &all, &f) around all that can be hit; false: too large, see below
- *   bool items_hit(&x, r, &h)           brute force: the answer that every structure must give
- *   bool items_occluded(&x, r)
+/* structure.h: what all acceleration structures (加速结构) share: verbs, and care.
  *
  * Every structure X of the next chapters has the same verbs, in the same order:
  *
  *   bool X_build(&x, how, &s, &f)       false: it does not fit into how.most_bytes, and f says so
- *   bool X_hit(&s, r, &h)               the very hit (t, u, v, shape) of items_hit
- *   bool X_occluded(&s, r)              the answer of items_occluded
+ *   bool X_hit(&s, r, &h)               the very hit (t, u, v, shape) that brute force (07) finds
+ *   bool X_occluded(&s, r)              is there any?
  *   bool X_hit_counted(&s, r, &h, &w)   the same, and adds what it took to the search_work w
  *   bool X_occluded_counted(&s, r, &w)
  *   structure_stats X_stats(&s)
  *   void X_free(&s)                     a zeroed one may be freed
+ *
+ * x: what it holds; items.h.
  *
  * A search cuts space into cells, asks the items of each cell that the ray passes, and ends when
  * the next cell begins beyond the best hit. Two things must not go wrong:
@@ -32,16 +27,12 @@
  *      4 eps D. The rest is for the building of cells.
  *      (One kind is left out: a polygon whose corners are farther off their plane than 32 eps of
  *      its size, seen edge-on. Its picture may cross itself, and the hit is only within its hull.)
- *
- * Coordinates up to items_most, 1e75 (1e9 in float), are taken: areas and volumes stay finite.
  */
-#ifndef ITEMS_H
-#define ITEMS_H
+#ifndef STRUCTURE_H
+#define STRUCTURE_H
 
-#include "../07_mesh/closest.h"
+#include "../04_triangle/triangle.h"
 #include "aabb.h"
-
-typedef struct { const mesh *m; const scene *s; size_t n; } items;  /* m or s; the other is NULL */
 
 /* State of a search: r.tmax is the t of `best`. */
 typedef struct { ray r; ray_shear shear; hit best; } query;
@@ -60,57 +51,6 @@ typedef struct {
     int depth;                    /* of the deepest leaf; 0: the root is one */
     size_t bytes, peak;           /* held now; the most held while it was built */
 } structure_stats;
-
-#define items_most (real_is_float ? (real)1e9 : (real)1e75)
-
-/* ---------------------------------------------------------------------------------------------- */
-
-static inline items items_of_mesh(const mesh *m) { return (items){m, NULL, m->triangles}; }
-static inline items items_of_scene(const scene *s) { return (items){NULL, s, s->n}; }
-
-static inline bool items_bounds(const items *x, size_t i, aabb *out)
-{
-    aabb b;
-    if (x->m) {
-        triangle t = mesh_triangle(x->m, i);
-        if (!vfinite(t.a) || !vfinite(t.b) || !vfinite(t.c)) return false;  /* as in 04 */
-        b = (aabb){vmin(vmin(t.a, t.b), t.c), vmax(vmax(t.a, t.b), t.c)};
-    } else {
-        shape_bounds(x->s->shapes[i], &b.lo, &b.hi);
-        if (!(b.lo.x <= b.hi.x && b.lo.y <= b.hi.y && b.lo.z <= b.hi.z)) return false;
-    }
-    *out = b;
-    return true;
-}
-
-/* Empty (aabb_empty) if nothing can be hit. */
-static inline bool items_all_bounds(const items *x, aabb *all, failure *f)
-{
-    *all = aabb_empty();
-    if (x->n >= UINT32_MAX)
-        return failed(f, 2, "%zu items: fewer than %u fit", x->n, (unsigned)UINT32_MAX);
-    for (size_t i = 0; i < x->n; i++) {
-        aabb b;
-        if (!items_bounds(x, i, &b)) continue;
-        *all = aabb_union(*all, b);
-        vec3 far = vmax(vmax(b.hi, vneg(b.hi)), vmax(b.lo, vneg(b.lo)));
-        real size = vaxis(far, vlongest(far));
-        if (!(size <= items_most))
-            return failed(f, 2, "item %zu reaches to %g: coordinates up to %g are allowed", i,
-                          (double)size, (double)items_most);
-    }
-    return true;
-}
-
-static inline bool items_hit(const items *x, ray r, hit *out)
-{
-    return x->m ? mesh_hit(x->m, r, out) : scene_hit(x->s, r, out);
-}
-
-static inline bool items_occluded(const items *x, ray r)
-{
-    return x->m ? mesh_occluded(x->m, r) : scene_occluded(x->s, r);
-}
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -135,17 +75,6 @@ static inline bool query_improves(query *q, hit h)
     q->best = h;
     q->r.tmax = h.t;
     return true;
-}
-
-/* Asks item i. True if it is closer than the best so far (any: if it is hit at all). */
-__attribute__((always_inline))
-static inline bool query_ask(query *q, const items *x, uint32_t i, bool any)
-{
-    hit h;
-    if (x->m ? !mesh_triangle_hit(x->m, i, &q->shear, q->r, &h)
-             : !shape_hit_sheared(&x->s->shapes[i], &q->shear, q->r, &h)) return false;
-    h.shape = i;
-    return any || query_improves(q, h);
 }
 
 static inline bool query_answer(const query *q, hit *out)

@@ -5,7 +5,7 @@
  *     |           |  +-+-+-+  |     it. A ray passes empty space in large steps, and the teapot in
  *     |           |  +-+-+-+  |     the stadium has cells of its own size.
  *     |           |  |  |  |  |
- *     +-----------+-----------+     nested_build, nested_hit, ..: the verbs of items.h
+ *     +-----------+-----------+     nested_build, nested_hit, ..: the verbs of structure.h
  *
  * Cells of the outer grid: outer n; of a cell with k items: inner k, at most 255 on an axis; both
  * by (10.4). Items that span more than half of the outer cell cannot be cut apart: for them alone

@@ -35,7 +35,7 @@
 #ifndef WALK_H
 #define WALK_H
 
-#include "../09_aabb/structure.h"
+#include "../09_aabb/items.h"
 #include <stddef.h>
 
 typedef struct {

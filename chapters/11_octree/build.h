@@ -25,7 +25,7 @@
 #ifndef OCTREE_BUILD_H
 #define OCTREE_BUILD_H
 
-#include "../09_aabb/structure.h"
+#include "../09_aabb/items.h"
 #include "../10_grid/mailbox.h"
 #include "../10_grid/overlap.h"
 

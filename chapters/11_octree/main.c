@@ -24,8 +24,8 @@ static void draw(options *o, const own_options *own, const mesh *m)
     if (!octree_build(&x, how, &t, &f)) fail(f);
     double built = clock_seconds();
     mesh_bounds(m, &lo, &hi);
-    view v = view_of(lo, hi, !own->mesh, (real)o->width / (real)o->height);
-    octree_picture p = {&t, m, v.camera, &cells, o->quick ? 1 : 3, 60};
+    camera v = camera_of(lo, hi, !own->mesh, (real)o->width / (real)o->height);
+    octree_picture p = {&t, m, v, &cells, o->quick ? 1 : 3, 60};
     bool whole = draw_cells(p, o->threads);
     structure_stats s = octree_stats(&t);
     printf("# %zu triangles: octree of depth %d in %.3f s, %zu leaves, %.1f %% of them empty, "

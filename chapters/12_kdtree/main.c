@@ -44,7 +44,7 @@ static bool draw_one(const options *o, const mesh *m, kdtree_options how, bool z
     structure_stats s = kdtree_stats(&t);
     image im = image_new(o->width > 1 ? o->width / 2 : 1, o->height);
     mesh_bounds(m, &lo, &hi);
-    picture p = {&t, m, view_of(lo, hi, z_up, (real)im.width / (real)im.height), &im, 120};
+    picture p = {&t, m, camera_of(lo, hi, z_up, (real)im.width / (real)im.height), &im, 120};
     printf("# %zu triangles: built in %.3f s; %zu inner nodes, %zu leaves, %zu of them empty, "
            "%zu references, depth %d, %zu bytes\n", m->triangles, built, s.inner, s.leaves,
            s.empty, s.references, s.depth, s.bytes);

@@ -35,7 +35,7 @@
 #ifndef KDTREE_NODE_H
 #define KDTREE_NODE_H
 
-#include "../09_aabb/structure.h"
+#include "../09_aabb/items.h"
 
 typedef struct { union { float plane; uint32_t first; }; uint32_t bits; } kd_node;
 typedef struct { float lo[3], hi[3]; } kd_box;

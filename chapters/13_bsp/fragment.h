@@ -16,7 +16,7 @@
 #ifndef FRAGMENT_H
 #define FRAGMENT_H
 
-#include "../09_aabb/structure.h"
+#include "../09_aabb/items.h"
 #include "cell.h"
 
 /* Which rule places what is near a plane: side.h, and two that lose hits. */

@@ -10,7 +10,7 @@
 #ifndef BVH_ITEMS_H
 #define BVH_ITEMS_H
 
-#include "../09_aabb/structure.h"
+#include "../09_aabb/items.h"
 #include "../14_bvh/bvh.h"
 #include "../14_bvh/bvh_shapes.h"
 #include "../14_bvh/stats.h"

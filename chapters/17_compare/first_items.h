@@ -11,7 +11,7 @@
 #define FIRST_ITEMS_H
 
 #include "../07_mesh/scenes/as_first.h"
-#include "../09_aabb/structure.h"
+#include "../09_aabb/items.h"
 #include "first.h"
 
 typedef struct { int which; size_t most_bytes; } first_items_options;

@@ -17,8 +17,8 @@
  *   call                 cannot do                                          so
  *   choice_sample_naive  the sum may round to less than 1, and u be above   n: no such thing
  */
-#ifndef DISCRETE_H
-#define DISCRETE_H
+#ifndef MONTE_CARLO_DISCRETE_H
+#define MONTE_CARLO_DISCRETE_H
 
 #include "../../common/file.h"
 #include "../../common/vec3.h"

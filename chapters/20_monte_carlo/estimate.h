@@ -22,8 +22,8 @@
  * Technometrics 4(3), 1962; T. Chan, G. Golub, R. LeVeque, "Algorithms for computing the sample
  * variance", The American Statistician 37(3), 1983 (merging, and how the naive form fails).
  */
-#ifndef ESTIMATE_H
-#define ESTIMATE_H
+#ifndef MONTE_CARLO_ESTIMATE_H
+#define MONTE_CARLO_ESTIMATE_H
 
 #include "../../common/vec3.h"
 #include <stddef.h>

@@ -18,8 +18,8 @@
  * 2, 1960; A. Owen, "A randomized Halton algorithm in R", 2017; J. Matousek, "On the L2-discrepancy
  * for anchored boxes", J. Complexity 14, 1998 (a d + c as cheaper permutations).
  */
-#ifndef HALTON_H
-#define HALTON_H
+#ifndef MONTE_CARLO_HALTON_H
+#define MONTE_CARLO_HALTON_H
 
 #include "jitter.h"
 

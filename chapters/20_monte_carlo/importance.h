@@ -26,8 +26,8 @@
  * mixture distributions", Technometrics 37(2), 1995; W. Feller, An Introduction to Probability
  * Theory 2, section XVII.5 (sums of infinite variance).
  */
-#ifndef IMPORTANCE_H
-#define IMPORTANCE_H
+#ifndef MONTE_CARLO_IMPORTANCE_H
+#define MONTE_CARLO_IMPORTANCE_H
 
 #include "../../common/random.h"
 #include "estimate.h"

@@ -16,8 +16,8 @@
  * Sources: R. Cook, "Stochastic sampling in computer graphics", ACM Trans. Graphics 5(1), 1986;
  * A. Kensler, "Correlated multi-jittered sampling", Pixar 13-01, 2013 (permuting by hash and walk).
  */
-#ifndef JITTER_H
-#define JITTER_H
+#ifndef MONTE_CARLO_JITTER_H
+#define MONTE_CARLO_JITTER_H
 
 #include "../../common/random.h"
 

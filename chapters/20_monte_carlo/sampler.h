@@ -28,8 +28,8 @@
  * (padding); B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020, section 5 (order
  * by scrambling).
  */
-#ifndef SAMPLER_H
-#define SAMPLER_H
+#ifndef MONTE_CARLO_SAMPLER_H
+#define MONTE_CARLO_SAMPLER_H
 
 #include "halton.h"
 #include "jitter.h"

@@ -30,8 +30,8 @@
  * "Generating random points in triangles", Graphics Gems, 1990; M. Pharr, W. Jakob, G. Humphreys,
  * "Physically Based Rendering", 3rd ed., 2016, section 13.6; T. Malley (the lifted disk), 1988.
  */
-#ifndef SAMPLING_H
-#define SAMPLING_H
+#ifndef MONTE_CARLO_SAMPLING_H
+#define MONTE_CARLO_SAMPLING_H
 
 #include "../04_triangle/barycentrics.h"
 #include "first.h"

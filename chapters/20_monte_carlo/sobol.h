@@ -31,8 +31,8 @@
  * EGSR 2011; B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020
  * (owen_scramble_2020); N. Vegdahl, "Building a better LK hash", 2021 (owen_scramble).
  */
-#ifndef SOBOL_H
-#define SOBOL_H
+#ifndef MONTE_CARLO_SOBOL_H
+#define MONTE_CARLO_SOBOL_H
 
 #include "../../common/random.h"
 

@@ -27,8 +27,8 @@
  * Arvo, "Statistical hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics
  * 2007.
  */
-#ifndef T_TEST_H
-#define T_TEST_H
+#ifndef MONTE_CARLO_T_TEST_H
+#define MONTE_CARLO_T_TEST_H
 
 #include "estimate.h"
 #include "../../common/numbers/incomplete.h"

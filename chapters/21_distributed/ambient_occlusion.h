@@ -23,8 +23,8 @@
  * Landis, "Production-ready global illumination", SIGGRAPH course 2002; RTR, 4th ed., section 26.1
  * (ray casting for occlusion).
  */
-#ifndef AMBIENT_OCCLUSION_H
-#define AMBIENT_OCCLUSION_H
+#ifndef DISTRIBUTED_AMBIENT_OCCLUSION_H
+#define DISTRIBUTED_AMBIENT_OCCLUSION_H
 
 #include "../18_shade/shade.h"
 #include "../20_monte_carlo/sampler.h"

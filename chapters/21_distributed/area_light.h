@@ -32,8 +32,8 @@
  * P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo techniques for direct lighting calculations", ACM
  * Trans. Graphics 15(1), 1996 (by area, by cone).
  */
-#ifndef AREA_LIGHT_H
-#define AREA_LIGHT_H
+#ifndef DISTRIBUTED_AREA_LIGHT_H
+#define DISTRIBUTED_AREA_LIGHT_H
 
 #include "../20_monte_carlo/sampler.h"
 #include "../20_monte_carlo/sampling.h"

@@ -28,8 +28,8 @@
  * Phong, CACM 18(6), 1975 (the lobe); E. Lafortune, Y. Willems, "Using the modified Phong
  * reflectance model for physically based rendering", 1994 (its normalisation).
  */
-#ifndef GLOSSY_H
-#define GLOSSY_H
+#ifndef DISTRIBUTED_GLOSSY_H
+#define DISTRIBUTED_GLOSSY_H
 
 #include "../18_shade/leave.h"
 #include "../20_monte_carlo/sampler.h"

@@ -26,8 +26,8 @@
  * Sources: M. Potmesil, I. Chakravarty, "A lens and aperture camera model for synthetic image
  * generation", SIGGRAPH 1981 (the circle); R. Cook, T. Porter, L. Carpenter, 1984 (the rays).
  */
-#ifndef LENS_H
-#define LENS_H
+#ifndef DISTRIBUTED_LENS_H
+#define DISTRIBUTED_LENS_H
 
 #include "../02_camera/camera.h"
 #include "../20_monte_carlo/sampler.h"

@@ -1,8 +1,9 @@
 /* 21_distributed: what Whitted's way cannot do: soft shadows, gloss, open skies, lenses.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chapters/21_distributed/main.c -lm -lpthread
  *
- * Without options: a showroom with all effects and with none, the two failures and their mends, a
- * row of panels an effect; the error of pictures against time; closed forms; rays spent. */
+ * Without options: a showroom with all effects and with none, and the error of pictures against
+ * time. With --full also the two failures and their mends, a row of panels an effect; closed forms;
+ * rays spent. */
 #include "../../common/output.h"
 #include "lab/measure.h"
 
@@ -34,9 +35,10 @@ int main(int argc, char **argv)
         o.out = path;
     }
     draw_showroom(&o, chosen, all);
-    if (o.out) return 0;
-    draw_whitted(&o), draw_teapot(&o), draw_box(&o), draw_effects(&o);
+    if (o.out) return output_done(&o);
+    draw_whitted(&o);
+    if (o.full) draw_teapot(&o), draw_box(&o), draw_effects(&o);
     table_of_pictures(&o);
-    table_of_known(&o), table_of_first(&o), table_of_rays(&o), table_of_lobes(&o);
+    if (o.full) table_of_known(&o), table_of_first(&o), table_of_rays(&o);
     return output_done(&o);
 }

@@ -12,9 +12,11 @@ int main(int argc, char **argv)
                              "Light as something measured: irradiance of three lights.", defaults,
                              NULL);
     draw_floor(&o), draw_view(&o);
-    measure_relations(&o), measure_view(&o);
     measure_ways(&o);
-    measure_hard(&o), plot_hard(&o);
-    measure_photometry(&o);
+    if (o.full) {
+        measure_relations(&o);
+        measure_hard(&o), plot_hard(&o);
+        measure_photometry(&o);
+    }
     return output_done(&o);
 }

@@ -25,8 +25,8 @@
  * Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions", JCGT 2(2),
  * 2013, table 1; BIPM, "The International System of Units", 9th ed., 2019, section 2.3.1.
  */
-#ifndef PHOTOMETRY_H
-#define PHOTOMETRY_H
+#ifndef RADIOMETRY_PHOTOMETRY_H
+#define RADIOMETRY_PHOTOMETRY_H
 
 #include "../../common/vec3.h"
 

@@ -32,8 +32,8 @@
  * Sources: J. H. Lambert, "Photometria", 1760; D. Baum, H. Rushmeier, J. Winget, "Improving
  * Radiosity Solutions through the Use of Analytically Determined Form-Factors", SIGGRAPH 1989.
  */
-#ifndef POLYGON_IRRADIANCE_H
-#define POLYGON_IRRADIANCE_H
+#ifndef RADIOMETRY_POLYGON_IRRADIANCE_H
+#define RADIOMETRY_POLYGON_IRRADIANCE_H
 
 #include "../../common/numbers/gauss.h"
 #include "solid_angle.h"

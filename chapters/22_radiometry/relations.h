@@ -12,8 +12,8 @@
  * Sources: F. Nicodemus et al., "Geometrical Considerations and Nomenclature for Reflectance", NBS
  * Monograph 160, 1977; Marschner, Shirley, "Fundamentals of Computer Graphics", 2015, 18.1.
  */
-#ifndef RELATIONS_H
-#define RELATIONS_H
+#ifndef RADIOMETRY_RELATIONS_H
+#define RADIOMETRY_RELATIONS_H
 
 #include "../20_monte_carlo/t_test.h"
 #include "../../common/random.h"

@@ -30,8 +30,8 @@
  * Eng. 30(2), 1983, eq. 8; A. Girard, "Invention nouvelle en l'algebre", 1629; J. Shewchuk,
  * "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
  */
-#ifndef SOLID_ANGLE_H
-#define SOLID_ANGLE_H
+#ifndef RADIOMETRY_SOLID_ANGLE_H
+#define RADIOMETRY_SOLID_ANGLE_H
 
 #include "../03_sphere/sphere.h"
 #include "../20_monte_carlo/sampling.h"

@@ -25,8 +25,8 @@
  * Sources: J. Snyder, "Area Light Sources for Real-Time Graphics", Microsoft TR 96-11, 1996; S.
  * Lagarde, C. de Rousiers, "Moving Frostbite to Physically Based Rendering 3.0", 2014, listing 7.
  */
-#ifndef SPHERE_IRRADIANCE_H
-#define SPHERE_IRRADIANCE_H
+#ifndef RADIOMETRY_SPHERE_IRRADIANCE_H
+#define RADIOMETRY_SPHERE_IRRADIANCE_H
 
 #include "../../common/numbers/gauss.h"
 #include "solid_angle.h"

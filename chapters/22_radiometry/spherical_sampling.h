@@ -15,7 +15,7 @@
  *
  * A rectangle is sampled by the map of Ureña et al., whose neighbours stay neighbours, unless its
  * solid angle is below 2^20 epsilon (0.125 in float), where that map knows less than 6 digits; then
- * by its two halves. No cosine and no 1/pdf is included. A sphere: sample_cone(sphere_cone(s, p)).
+ * by its two halves. No cosine and no 1/pdf is included. A sphere: sphere_cone(s, p) and sample_cone.
  *
  * Points, not directions: a unit vector of float knows a light of 1e-6 as two or three places only,
  * barycentrics know it to an epsilon of its size. Those of a triangle are computed as weights, from
@@ -26,8 +26,8 @@
  * the angles at the corners); C. Ureña, M. Fajardo, A. King, "An Area-Preserving Parametrization
  * for Spherical Rectangles", Computer Graphics Forum 32(4), 2013.
  */
-#ifndef SPHERICAL_SAMPLING_H
-#define SPHERICAL_SAMPLING_H
+#ifndef RADIOMETRY_SPHERICAL_SAMPLING_H
+#define RADIOMETRY_SPHERICAL_SAMPLING_H
 
 #include "solid_angle.h"
 

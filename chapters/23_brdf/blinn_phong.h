@@ -22,8 +22,8 @@
  * F. Giesen, "Derivation of the Phong and Blinn-Phong normalization factors", 2009 (C); E.
  * Lafortune, Y. Willems, "Using the modified Phong reflectance model", report CW 197, 1994.
  */
-#ifndef BLINN_PHONG_H
-#define BLINN_PHONG_H
+#ifndef BRDF_BLINN_PHONG_H
+#define BRDF_BLINN_PHONG_H
 
 #include "../20_monte_carlo/sampling.h"
 #include "shading_frame.h"

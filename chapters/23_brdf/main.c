@@ -12,10 +12,11 @@ int main(int argc, char **argv)
                              "BRDFs, and the reflection equation: error against time.", defaults,
                              NULL);
     if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
-    draw_spheres(&o);
-    draw_lobes(&o), plot_lobes(&o);
+    draw_spheres(&o), plot_lobes(&o);
     measure_methods(&o);
-    measure_furnace(&o);
-    measure_naive(&o);
+    if (o.full) {
+        draw_lobes(&o);
+        measure_furnace(&o), measure_naive(&o);
+    }
     return output_done(&o);
 }

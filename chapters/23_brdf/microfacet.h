@@ -34,8 +34,8 @@
  * Graphics Forum 42(8), 2023 (ggx_visible); C. Schlick, "An inexpensive BRDF model for
  * physically-based rendering", Eurographics 1994.
  */
-#ifndef MICROFACET_H
-#define MICROFACET_H
+#ifndef BRDF_MICROFACET_H
+#define BRDF_MICROFACET_H
 
 #include "../20_monte_carlo/sampling.h"
 #include "shading_frame.h"

@@ -17,8 +17,8 @@
  * f cos > 0; r.asked counts how often. With r.ask_all it is asked always, and the answer is the
  * same.
  */
-#ifndef REFLECTION_H
-#define REFLECTION_H
+#ifndef BRDF_REFLECTION_H
+#define BRDF_REFLECTION_H
 
 #include "../20_monte_carlo/sampler.h"
 #include "brdf.h"

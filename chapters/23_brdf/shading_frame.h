@@ -13,8 +13,8 @@
  *   mirrored(wo, m)          wo on the other side of m, at the same angle
  *   unit_of(a)               a / |a| [a^2 neither over- nor underflows]
  */
-#ifndef SHADING_FRAME_H
-#define SHADING_FRAME_H
+#ifndef BRDF_SHADING_FRAME_H
+#define BRDF_SHADING_FRAME_H
 
 #include "../../common/vec3.h"
 

@@ -87,12 +87,17 @@ enum { chi_square_down = 32, chi_square_across = 32, chi_square_cells = 32 * 32 
 typedef struct { int shape; double focus; } chi_square_chart;
 enum { chart_directions = -1 };
 
+static inline double chi_square_focus(chi_square_chart c, double s)
+{
+    return c.focus == 1 ? s : pow(s, c.focus);
+}
+
 static inline vec3 chi_square_point(chi_square_chart c, double s, double t)
 {
-    double turn = 2 * (double)pi * t, z = 1 - 2 * pow(s, c.focus);
+    double turn = 2 * (double)pi * t, q = chi_square_focus(c, s), z = 1 - 2 * q;
     if (c.shape == DOMAIN_TRIANGLE)
         return vec((1 - sqrt(s)), (sqrt(s) * (1 - t)), (sqrt(s) * t));
-    double r = c.shape == DOMAIN_DISK ? sqrt(s) : sqrt(4 * pow(s, c.focus) * (1 + z) / 2);
+    double r = c.shape == DOMAIN_DISK ? sqrt(s) : sqrt(4 * q * (1 + z) / 2);
     if (c.shape == DOMAIN_DISK) z = 0;
     return vec((r * cos(turn)), (r * sin(turn)), z);
 }
@@ -102,7 +107,7 @@ static inline double chi_square_area(chi_square_chart c, double s0, double s1)
 {
     if (c.shape == DOMAIN_TRIANGLE) return (s1 - s0) / 2;
     if (c.shape == DOMAIN_DISK) return (double)pi * (s1 - s0);
-    return 4 * (double)pi * (pow(s1, c.focus) - pow(s0, c.focus));
+    return 4 * (double)pi * (chi_square_focus(c, s1) - chi_square_focus(c, s0));
 }
 
 /* The cell of a point; -1 for one outside the domain by more than rounding. */

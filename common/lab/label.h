@@ -9,7 +9,7 @@
  *                       each panel, row by row; im holds columns x rows panels of one size, `gap`
  *                       pixels apart; image_free both
  *   label_bar(&im, x, y, width, size, colour_of, low, high, "tests a ray")   false colours, from
- *                       colour_of(0) at `low` to colour_of(1) at `high`; with numbers 4.5 size high
+ *                       the colour of 0 at `low` to that of 1 at `high`; with numbers 4.5 size high
  *
  * ASCII only; what is not is left out. Letters are strokes, smooth at every size, drawn for this
  * book: a point is a letter (a to i: 0 to 4 units right) and a digit (units up; 2 is the line, 8

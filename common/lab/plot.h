@@ -16,6 +16,7 @@
 #include <math.h>
 
 enum { PLOT_LOG_X = 1, PLOT_LOG_Y = 2, plot_most_series = 8, plot_most_slopes = 2 };
+enum { plot_yellow = 7 };  /* this series has wide lines, and marks with a black edge */
 typedef struct { int series; double x, y; } plot_point;
 typedef struct {
     const char *title, *x_label, *y_label;
@@ -98,7 +99,7 @@ static inline plot_axis plot_range(const plot *p, bool y, double from, double to
 }
 
 static const char *const plot_colour[plot_most_series] = {
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#888800"};
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#f0e442"};
 
 static inline void plot_mark(FILE *out, int series, double x, double y, bool hollow)
 {
@@ -107,7 +108,8 @@ static inline void plot_mark(FILE *out, int series, double x, double y, bool hol
         "M0,-5L5,0L0,5L-5,0Z", "M-5,-2H-2V-5H2V-2H5V2H2V5H-2V2H-5Z", "M-5,-4L0,-1L5,-4V4L0,1L-5,4Z",
         "M-5,-2H5V2H-5Z"};
     fprintf(out, "<path d=\"%s\" transform=\"translate(%.1f,%.1f)\" fill=\"%s\" stroke=\"%s\"/>\n",
-            mark[series], x, y, hollow ? "white" : plot_colour[series], plot_colour[series]);
+            mark[series], x, y, hollow ? "white" : plot_colour[series],
+            plot_colour[series == plot_yellow ? plot_yellow - 1 : series]);
 }
 
 static inline void plot_line(FILE *out, double x, double y, double x1, double y1, const char *style)
@@ -147,7 +149,8 @@ static inline void plot_curve(const plot *p, FILE *out, int s, plot_axis ax, plo
     double px = 0, py = 0, legend = 62 + 20 * s;
     bool pen = false;
     char style[64];
-    snprintf(style, sizeof style, "stroke-width=\"1.5\" stroke=\"%s\"", plot_colour[s]);
+    snprintf(style, sizeof style, "stroke-width=\"%s\" stroke=\"%s\"",
+             s == plot_yellow ? "3" : "1.5", plot_colour[s]);
     for (size_t i = 0; i < p->n; i++) {
         if (p->points[i].series != s) continue;
         bool off = ay.log && p->points[i].y <= 0;

@@ -1,12 +1,13 @@
-/* sphere_draw.h: the two pictures of this chapter.
+/* sphere_draw.h: the pictures of this chapter.
  *
- *   sphere_draw(&o)      a sphere through a long lens from 500, 1000, 2000 and 5000 radii: above by
- *                        first.h in float, below by sphere_hit; |n.d|, red where a ray through
- *                        the disc misses, blue where a ray beside it hits
- *   sphere_draw_map(&o)  across: the distance, 1 to 1e6 radii; up: how far the ray passes from the
- *                        centre, 0 to 1.2 radii; red and blue as above, grey where the answer is
- *                        right: the darker, the farther the hit is off the surface (light 1e-9 R,
- *                        black R); left first.h in float, then first.h, then sphere_hit
+ *   sphere_draw(&o)           a sphere through a long lens from 500, 1000, 2000 and 5000 radii:
+ *                             above by first.h in float, below by sphere_hit; |n.d|, red where a
+ *                             ray through the disc misses, blue where a ray beside it hits
+ *   sphere_draw_map(&o)       across: the distance, 1 to 1e6 radii; up: how far the ray passes from
+ *                             the centre, 0 to 1.2 radii; red and blue as above, grey where the
+ *                             answer is right: the darker, the farther the hit is off the surface;
+ *                             left first.h in float, then first.h, then sphere_hit
+ *   sphere_draw_geometry(&o)  t_ca, t_hc, q and R: (3.4) to (3.6), where sphere_roots finds them
  */
 #ifndef SPHERE_DRAW_H
 #define SPHERE_DRAW_H
@@ -14,11 +15,14 @@
 #include "../../../common/output.h"
 #include "../../../common/parallel.h"
 #include "../../../common/headlight.h"
+#include "../../../common/lab/figure.h"
+#include "../../../common/lab/label.h"
 #include "sphere_oracle.h"
 #include "sphere_variants.h"
 
 static inline void sphere_draw(const options *o);
 static inline void sphere_draw_map(const options *o);
+static inline void sphere_draw_geometry(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -72,40 +76,132 @@ static inline void sphere_draw(const options *o)
     image_free(&im);
 }
 
+static inline vec3 sphere_map_grey(real digits_lost)  /* 0: off by 1e-9 R at most; 1: by R */
+{
+    real grey = (real)0.85 * real_clamp(1 - digits_lost, 0, 1);
+    return (vec3){grey, grey, grey};
+}
+
+typedef struct { image *im; sphere_hit_function *X_hit; } sphere_map_panel;
+
 static inline void sphere_map_pixel(int x, int y, void *context)
 {
-    const sphere_panels *p = context;
-    int width = p->im->width / p->columns;
-    int column = x / width < p->columns ? x / width : p->columns - 1;
-    if (column && x % width < 4) { image_set(p->im, x, y, (vec3){1, 1, 1}); return; }
-    real half = 0.5;
-    real far = pow((real)10, 6 * ((real)(x - column * width) + half) / (real)width);
+    const sphere_map_panel *p = context;
+    real half = 0.5, far = pow((real)10, 6 * ((real)x + half) / (real)p->im->width);
     real pass = (real)1.2 * ((real)(p->im->height - y) - half) / (real)p->im->height;
     ray r = sphere_view(far, pass, pass / 3);
     sphere ball = {{0, 0, 0}, vlength((vec3){1, (real)1 / 3, 0})};
     hit h;
     r.tmin = -real_infinity;
-    bool is = p->X_hit[column](ball, r, &h), due = sphere_clearance(ball, r) <= 0;
-    vec3 c = {0.93, 0.93, 0.93};
+    bool is = p->X_hit(ball, r, &h), due = sphere_clearance(ball, r) <= 0;
+    vec3 c = {1, 1, 1};
     if (is != due) c = due ? sphere_red : sphere_blue;
-    else if (is) {
-        double digits = -log10(sphere_residual(ball, r, h.t) + 1e-30);
-        real grey = (real)0.85 * real_clamp((real)(digits / 9), 0, 1);
-        c = (vec3){grey, grey, grey};
-    }
+    else if (is)
+        c = sphere_map_grey((real)(1 + log10(sphere_residual(ball, r, h.t) + 1e-30) / 9));
     image_set(p->im, x, y, c);
+}
+
+enum { sphere_map_width = 282, sphere_map_height = 200, sphere_map_left = 44, sphere_map_top = 56 };
+
+static inline void sphere_map_axes(image *sheet, int x, const char *title)
+{
+    static const char *const across[4] = {"1", "100", "1e4", "1e6"};
+    static const char *const up[3] = {"0", ".5", "1"};
+    const vec3 black = {0, 0, 0};
+    int w = sphere_map_width, h = sphere_map_height, top = sphere_map_top;
+    label_text(sheet, x + w / 2.0, top - 10, 12, 0.5, black, title);
+    label_fill(sheet, x - 1, top, 1, h, black), label_fill(sheet, x - 1, top + h, w + 1, 1, black);
+    for (int k = 0; k < 4; k++) {
+        label_fill(sheet, x + k * (w - 1) / 3, top + h, 1, 5, black);
+        label_text(sheet, x + k * w / 3.0, top + h + 18, 10, k == 3 ? 1 : 0.5, black, across[k]);
+    }
+    for (int k = 0; k < 3; k++) {
+        int y = top + h - k * h * 5 / 12;
+        label_fill(sheet, x - 6, y, 5, 1, black);
+        label_text(sheet, x - 9, y + 5, 10, 1, black, up[k]);
+    }
+}
+
+static inline void sphere_map_key(image *sheet, int y)
+{
+    const vec3 black = {0, 0, 0};
+    label_fill(sheet, 44, y, 20, 20, sphere_red);
+    label_text(sheet, 72, y + 15, 11, 0, black, "misses, but should hit");
+    label_fill(sheet, 310, y, 20, 20, sphere_blue);
+    label_text(sheet, 338, y + 15, 11, 0, black, "hits, but should miss");
+    label_bar(sheet, 570, y, 370, 10, sphere_map_grey, 1e-9, 1, "hits, off the surface by [R]");
 }
 
 static inline void sphere_draw_map(const options *o)
 {
-    static sphere_hit_function *const X_hit[3] = {sphere_hit_first_f32, first_sphere_hit,
-                                                  sphere_hit};
+    static const struct { const char *title; sphere_hit_function *X_hit; } panel[3] = {
+        {"first.h, in float", sphere_hit_first_f32}, {"first.h", first_sphere_hit},
+        {"sphere_hit", sphere_hit}};
     if (o->out) return;
-    image im = image_new(960, 200);
-    sphere_panels p = {&im, 3, 1, X_hit};
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "map", sphere_map_pixel, &p);
-    output_picture(o, &im, "03_sphere_map.png", false, whole);
-    image_free(&im);
+    const vec3 black = {0, 0, 0};
+    image sheet = image_new(960, sphere_map_top + sphere_map_height + 100);
+    bool whole = true;
+    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
+    for (int k = 0; k < 3; k++) {
+        image im = image_new(sphere_map_width, sphere_map_height);
+        sphere_map_panel p = {&im, panel[k].X_hit};
+        int x = sphere_map_left + k * (sphere_map_width + 34);
+        if (whole)
+            whole = parallel_pixels(im.width, im.height, o->threads, "map", sphere_map_pixel, &p);
+        image_place(&sheet, x, sphere_map_top, &im);
+        sphere_map_axes(&sheet, x, panel[k].title);
+        image_free(&im);
+    }
+    label_text(&sheet, 6, 18, 11, 0, black, "up: how far the ray passes from the centre [R]");
+    label_text(&sheet, 954, 18, 11, 1, black, "across: distance of the eye [R]");
+    sphere_map_key(&sheet, sphere_map_top + sphere_map_height + 42);
+    output_picture(o, &sheet, "03_sphere_map.png", false, whole);
+    image_free(&sheet);
+}
+
+/* A length between two arrow heads, and its name. */
+static inline void sphere_measured(figure *g, double x0, double x1, double y, double down,
+                                   const char *colour, const char *name)
+{
+    double middle = (x0 + x1) / 2;
+    figure_arrow(g, middle, y, x0, y, colour, 1), figure_arrow(g, middle, y, x1, y, colour, 1);
+    figure_text(g, middle, y, 0, down, FIGURE_MIDDLE, colour, name);
+}
+
+static inline void sphere_draw_geometry(const options *o)
+{
+    const sphere ball = {{0, 0, 0}, 1};
+    const ray r = ray_from(vec(-2.9, 0.55, 0), vec(0.8, 0, 0));
+    real t0 = 0, t1 = 0, tca = -vdot(r.d, r.o) / vdot(r.d, r.d);  /* (3.4); c is the origin */
+    figure g = figure_begin(o, "03_sphere_geometry.svg", 820, 390);
+    if (!sphere_roots(ball, r, &t0, &t1)) abort();
+    double y = (double)r.o.y, ox = (double)r.o.x, in = (double)ray_at(r, t0).x;
+    double foot = (double)ray_at(r, tca).x, out = (double)ray_at(r, t1).x;
+    const double half[] = {0, 0, foot, y, in, y};
+    figure_origin(&g, 500, 225, 150);
+    figure_polygon(&g, 3, half, FIGURE_SKY, 0.3, NULL);
+    for (int k = 0; k < 3; k++) figure_arc(&g, 0, 0, 150, 120 * k, 120 * k + 120, FIGURE_BLACK, 2);
+    figure_line(&g, ox, y, 2.05, y, FIGURE_BLUE, 1.5, FIGURE_WHOLE);
+    figure_arrow(&g, ox, y, ox + (double)r.d.x, y, FIGURE_BLUE, 2.5);
+    figure_line(&g, 0, 0, in, y, FIGURE_BLACK, 1.5, FIGURE_WHOLE);
+    figure_line(&g, 0, 0, foot, y, FIGURE_RED, 1.5, FIGURE_WHOLE);
+    figure_line(&g, foot - 0.08, y, foot - 0.08, y - 0.08, FIGURE_BLACK, 1, FIGURE_WHOLE);
+    figure_line(&g, foot - 0.08, y - 0.08, foot, y - 0.08, FIGURE_BLACK, 1, FIGURE_WHOLE);
+    figure_line(&g, ox, y, ox, 1.2, FIGURE_GREEN, 1, FIGURE_DASHED);
+    figure_line(&g, foot, y, foot, 1.2, FIGURE_GREEN, 1, FIGURE_DASHED);
+    sphere_measured(&g, ox, foot, 1.17, -8, FIGURE_GREEN, "_t_~ca~");
+    sphere_measured(&g, in, foot, y + 0.09, -8, FIGURE_PURPLE, "_t_~hc~");
+    sphere_measured(&g, foot, out, y + 0.09, -8, FIGURE_PURPLE, "_t_~hc~");
+    figure_dot(&g, ox, y, 4, FIGURE_BLACK), figure_dot(&g, 0, 0, 4, FIGURE_BLACK);
+    figure_dot(&g, in, y, 4, FIGURE_BLUE), figure_dot(&g, out, y, 4, FIGURE_BLUE);
+    figure_text(&g, ox, y, -4, 22, FIGURE_MIDDLE, FIGURE_BLACK, "*o*");
+    figure_text(&g, ox + (double)r.d.x / 2, y, 0, 22, FIGURE_MIDDLE, FIGURE_BLUE, "*d*");
+    figure_text(&g, 0, 0, 12, 12, FIGURE_LEFT, FIGURE_BLACK, "*c*");
+    figure_text(&g, in / 2, y / 2, -10, 12, FIGURE_RIGHT, FIGURE_BLACK, "_R_");
+    figure_text(&g, foot, y / 2, 8, 12, FIGURE_LEFT, FIGURE_RED, "_q_");
+    figure_text(&g, in, y, -12, -9, FIGURE_RIGHT, FIGURE_BLUE, "_t_~0~: in");
+    figure_text(&g, out, y, 12, -9, FIGURE_LEFT, FIGURE_BLUE, "_t_~1~: out");
+    figure_end(&g);
 }
 
 #endif

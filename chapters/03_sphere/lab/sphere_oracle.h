@@ -7,8 +7,8 @@
  *   sphere_pass(ball, r)                         how far the line passes from the centre
  *   sphere_residual(ball, r, t)                  how far o + t d is off the surface, over R
  *
- * Computed in wide numbers from the textbook's b^2 - a k, which sphere.h does not use: off by some
- * 1e-31 (l/R)^2 at the distance l, which is 1e-19 for l = 1e6 R.
+ * Computed in wide numbers from the textbook's b^2 - 4ac (3.3), which sphere.h does not use: off by
+ * some 1e-31 (l/R)^2 at the distance l, which is 1e-19 for l = 1e6 R.
  */
 #ifndef SPHERE_ORACLE_H
 #define SPHERE_ORACLE_H

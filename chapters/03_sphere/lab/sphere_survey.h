@@ -1,18 +1,19 @@
-/* sphere_survey.h: which rays each of eight ways gets wrong, at thirteen distances.
+/* sphere_survey.h: which rays each of eight ways gets wrong, at some distances.
  *
- *   shot_at(seed, how, far, i)   ray i from about far R away, and its sphere, aimed
- *       anywhere                 uniformly over a disc of 1.2 R around the centre
- *       grazing                  to pass within 0.1 % of R
- *       edge                     at a sphere cut to the ray, from far too large or small to the
- *                                last bit
- *       limb                     the same, to the last bit: the nearest to a tangent that R can be
- *       surface                  anywhere, but from the surface of the sphere itself
- *   survey_at(k, &surveys)       fills surveys.at[k], whose .far is given: for parallel_for
+ *   sphere_shot_at(seed, how, far, i)   ray i from about far R away, and its sphere, aimed
+ *       SPHERE_ANYWHERE       uniformly over a disc of 1.2 R around the centre
+ *       SPHERE_GRAZING        to pass within 0.1 % of R
+ *       SPHERE_EDGE           at a sphere cut to the ray, from far too large or small to the last
+ *                             bit
+ *       SPHERE_LIMB           the same, to the last bit: the nearest to a tangent that R can be
+ *       SPHERE_SURFACE        anywhere, but from the surface of the sphere itself
+ *   sphere_survey_at(k, &surveys)       fills surveys.at[k], whose .far is given: for parallel_for
  *
- *   missed, grazing_missed       of the rays that should hit, how many miss, percent
- *   grazing_untrue               of the rays that should miss, how many hit, percent
- *   edge                         the largest | pass / R - 1 | of a ray that was told wrong
- *   residual                     how far a hit is off the surface at most, over R
+ *   missed, grazing_missed    of the rays that should hit, how many miss, percent
+ *   grazing_untrue            of the rays that should miss, how many hit, percent
+ *   grazing_wrong             of all grazing rays, how many are misclassified, percent
+ *   edge                      the largest | pass / R - 1 | of a ray that was misclassified
+ *   residual                  how far a hit is off the surface at most, over R
  */
 #ifndef SPHERE_SURVEY_H
 #define SPHERE_SURVEY_H
@@ -20,78 +21,91 @@
 #include "sphere_oracle.h"
 #include "sphere_variants.h"
 
-enum { methods = 8, distances = 13 };
-static const char *const method_name[methods] = {
+enum { sphere_methods = 8, sphere_distances = 13 };
+static const char *const sphere_method_name[sphere_methods] = {
     "first, in float", "first", "first, in double", "stable root",
     "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit"};
-static sphere_hit_function *const method_hit[methods] = {
+static sphere_hit_function *const sphere_method[sphere_methods] = {
     sphere_hit_first_f32, first_sphere_hit, sphere_hit_in_double, sphere_hit_stable_root,
     sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit};
 
-typedef struct { sphere ball; ray r; } shot;
-typedef enum { anywhere, grazing, edge, limb, surface } aim;
-typedef struct { double missed, grazing_missed, grazing_untrue, edge, residual; } errors;
-typedef struct { real far; errors of[methods]; } survey;
-typedef struct { survey at[distances]; size_t n; uint64_t seed; } surveys;
+typedef struct { sphere ball; ray r; } sphere_shot;
+typedef enum {
+    SPHERE_ANYWHERE, SPHERE_GRAZING, SPHERE_EDGE, SPHERE_LIMB, SPHERE_SURFACE
+} sphere_how;
+typedef struct {
+    double missed, grazing_missed, grazing_untrue, grazing_wrong, edge, residual;
+} sphere_errors;
+typedef struct { real far; sphere_errors of[sphere_methods]; } sphere_survey;
+typedef struct { sphere_survey at[sphere_distances]; size_t n; uint64_t seed; } sphere_surveys;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 narrow(vec3 a)
+static inline vec3 sphere_narrow(vec3 a)
 {
     return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z};
 }
 
 /* What the float exhibit is given: its errors then are its own, not those of its input. */
-static inline shot narrowed(shot s)
+static inline sphere_shot sphere_narrowed(sphere_shot s)
 {
-    return (shot){{narrow(s.ball.c), (real)(float)s.ball.r},
-                  ray_from(narrow(s.r.o), narrow(s.r.d))};
+    return (sphere_shot){{sphere_narrow(s.ball.c), (real)(float)s.ball.r},
+                         ray_from(sphere_narrow(s.r.o), sphere_narrow(s.r.d))};
 }
 
 /* R from 1e-3 to 1e5, every other centre not 0. */
-static inline shot shot_at(uint64_t seed, aim how, real far, size_t i)
+static inline sphere_shot sphere_shot_at(uint64_t seed, sphere_how how, real far, size_t i)
 {
     random_stream s = random_start(seed, i, (uint64_t)how);
     real R = pow((real)10, 8 * random_next(&s) - 3);
     real u = random_next(&s), v = 2 * random_next(&s) - 1;
-    real pass = how == grazing ? 1 + v / 1000 : (real)1.2 * sqrt(u);
-    if (how == edge || how == limb) pass = 1;
-    shot t;
-    t.r = sphere_aim(&s, R, far, pass, i % 2, &t.ball);
-    double apart = how == edge ? (double)copysign(pow((real)10, -17 * u), v) : 0;
-    if (how == edge || how == limb) t.ball.r = (real)(sphere_pass(t.ball, t.r) / (1 + apart));
-    if (how == surface) t.r.o = sphere_point(t.ball, t.r.o);
+    real pass = how == SPHERE_GRAZING ? 1 + v / 1000 : (real)1.2 * sqrt(u);
+    bool cut = how == SPHERE_EDGE || how == SPHERE_LIMB;
+    sphere_shot t;
+    t.r = sphere_aim(&s, R, far, cut ? 1 : pass, i % 2, &t.ball);
+    double apart = how == SPHERE_EDGE ? (double)copysign(pow((real)10, -17 * u), v) : 0;
+    if (cut) t.ball.r = (real)(sphere_pass(t.ball, t.r) / (1 + apart));
+    if (how == SPHERE_SURFACE) t.r.o = sphere_point(t.ball, t.r.o);
     return t;
 }
 
-static inline void survey_at(size_t k, void *context)
+/* One answer of one method: wrong[1] counts those that miss, wrong[0] those that hit untruly. */
+static inline void sphere_judge(const sphere_shot *s, sphere_how how, size_t i, double clear,
+                                sphere_hit_function *X_hit, sphere_errors *e, double wrong[2])
 {
-    surveys *all = context;
-    survey *y = &all->at[k];
-    for (int how = anywhere; how <= edge; how++) {
-        double due[2] = {0, 0}, wrong[methods][2] = {{0}};
+    hit h;
+    ray r = s->r;
+    r.tmin = -real_infinity;
+    bool is = X_hit(s->ball, r, &h), right = is == (clear <= 0);
+    if (!right) wrong[clear <= 0]++;
+    if (!right && how == SPHERE_EDGE) e->edge = fmax(e->edge, fabs(clear));
+    if (!(is && right && how == SPHERE_ANYWHERE && i % 8 == 0)) return;
+    double residual = sphere_residual(s->ball, r, h.t);
+    if (!(residual <= e->residual)) e->residual = residual;
+}
+
+static inline void sphere_survey_at(size_t k, void *context)
+{
+    sphere_surveys *all = context;
+    sphere_survey *y = &all->at[k];
+    for (int how = SPHERE_ANYWHERE; how <= SPHERE_EDGE; how++) {
+        double due[2] = {0, 0}, wrong[sphere_methods][2] = {{0}};
         for (size_t i = 0; i < all->n; i++) {
-            shot own = shot_at(all->seed, (aim)how, y->far, i), own_f32 = narrowed(own);
+            sphere_shot own = sphere_shot_at(all->seed, (sphere_how)how, y->far, i);
+            sphere_shot f32 = sphere_narrowed(own);
             double clear = sphere_clearance(own.ball, own.r);
-            double clear_f32 = sphere_clearance(own_f32.ball, own_f32.r);
+            double clear_f32 = sphere_clearance(f32.ball, f32.r);
             due[clear <= 0]++;
-            for (int m = 0; m < methods; m++) {
-                shot s = m ? own : own_f32;
-                double c = m ? clear : clear_f32;
-                hit h;
-                s.r.tmin = -real_infinity;
-                bool is = method_hit[m](s.ball, s.r, &h), right = is == (c <= 0);
-                if (!right) wrong[m][c <= 0]++;
-                if (!right && how == edge) y->of[m].edge = fmax(y->of[m].edge, fabs(c));
-                if (!(is && right && how == anywhere && i % 8 == 0)) continue;
-                double residual = sphere_residual(s.ball, s.r, h.t);
-                if (!(residual <= y->of[m].residual)) y->of[m].residual = residual;
-            }
+            for (int m = 0; m < sphere_methods; m++)
+                sphere_judge(m ? &own : &f32, (sphere_how)how, i, m ? clear : clear_f32,
+                             sphere_method[m], &y->of[m], wrong[m]);
         }
-        for (int m = 0; m < methods; m++) {
+        for (int m = 0; m < sphere_methods; m++) {
             double missed = 100 * wrong[m][1] / due[1], untrue = 100 * wrong[m][0] / due[0];
-            if (how == anywhere) y->of[m].missed = missed;
-            if (how == grazing) y->of[m].grazing_missed = missed, y->of[m].grazing_untrue = untrue;
+            if (how == SPHERE_ANYWHERE) y->of[m].missed = missed;
+            if (how != SPHERE_GRAZING) continue;
+            y->of[m].grazing_missed = missed, y->of[m].grazing_untrue = untrue;
+            y->of[m].grazing_wrong = 100 * (wrong[m][0] + wrong[m][1]) / (double)all->n;
         }
     }
 }

@@ -6,20 +6,19 @@
  *    . .|. /. |. .      tiles sees the same, or any picture of something built on its grid.
  *    . .o-----o. .
  *
- *   image im = image_new(960, 320);
- *   dome s = dome_new(&im, method1, method2, method3);       three panels, 2 x 2 pixels a ray
- *   parallel_pixels(im.width, im.height, 0, "dome", dome_pixel, &s);
- *   dome_free(&s);
+ *   dome_draw(&o);       three panels, 2 x 2 pixels a ray: first.h, with a tolerance, watertight
  *
  * Grey: hit once. Blue: twice or more. Orange: not at all, the light behind the wall glares
  * through.
  */
-#ifndef DOME_H
-#define DOME_H
+#ifndef TRIANGLE_DOME_H
+#define TRIANGLE_DOME_H
 
 #include "../../../common/image.h"
 #include "../../../common/headlight.h"
+#include "../../../common/output.h"
 #include "slips.h"
+#include "triangle_variants.h"
 
 enum { dome_cell = 10, dome_zoom = 2, dome_panels = 3 };
 typedef struct {
@@ -29,21 +28,21 @@ typedef struct {
     int columns, rows;       /* of cells */
     triangle *tri;           /* two a cell, row by row */
     vec3 right, up, back;    /* camera frame, turned so that no axis is along an axis */
-} dome;
+} triangle_dome;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* No round numbers: nothing is exact by chance. */
 static const vec3 dome_eye = {0.1, 0.2, 0.3};
 
-static inline vec3 dome_direction(const dome *s, int x, int y)  /* x, y: pixels of one panel */
+static inline vec3 dome_direction(const triangle_dome *s, int x, int y)  /* of one panel */
 {
     real scale = (real)1.2 / (real)s->height, right = ((real)x - (real)s->width / 2) * scale;
     return vsub(vmadd(vscale(s->right, right), s->up, ((real)s->height / 2 - (real)y) * scale),
                 s->back);
 }
 
-static inline vec3 dome_corner(const dome *s, int i, int j)
+static inline vec3 dome_corner(const triangle_dome *s, int i, int j)
 {
     /* from one cell beyond the picture */
     vec3 d = dome_direction(s, dome_cell * (i - 1), dome_cell * (j - 1));
@@ -51,10 +50,10 @@ static inline vec3 dome_corner(const dome *s, int i, int j)
     return vmadd(dome_eye, d, 4 - 2 * sqrt(real_max(rest, 0)));
 }
 
-static inline dome dome_new(image *im, triangle_method *first, triangle_method *second,
+static inline triangle_dome dome_new(image *im, triangle_method *first, triangle_method *second,
                             triangle_method *third)
 {
-    dome s = {.im = im, .method = {first, second, third}, .back = vunit((vec3){1, 2, 5})};
+    triangle_dome s = {.im = im, .method = {first, second, third}, .back = vunit((vec3){1, 2, 5})};
     vbasis(s.back, &s.right, &s.up);
     s.width = (im->width + dome_panels * dome_zoom - 1) / (dome_panels * dome_zoom);
     s.height = (im->height + dome_zoom - 1) / dome_zoom;
@@ -70,7 +69,7 @@ static inline dome dome_new(image *im, triangle_method *first, triangle_method *
     return s;
 }
 
-static inline void dome_free(dome *s)
+static inline void dome_free(triangle_dome *s)
 {
     free(s->tri);
     s->tri = NULL;
@@ -78,7 +77,7 @@ static inline void dome_free(dome *s)
 
 static inline void dome_pixel(int x, int y, void *context)
 {
-    const dome *s = context;
+    const triangle_dome *s = context;
     int px = x / dome_zoom % s->width, py = y / dome_zoom, panel = x / dome_zoom / s->width;
     ray r = ray_from(dome_eye, dome_direction(s, px, py));
     hit h, best = hit_none;
@@ -96,6 +95,16 @@ static inline void dome_pixel(int x, int y, void *context)
     if (hits) c = vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), 0.6);
     if (hits > 1) c = vec(0, 0.2, 0.8);
     image_set(s->im, x, y, c);
+}
+
+static inline void dome_draw(const options *o)
+{
+    image im = image_new(o->width, o->height);
+    triangle_dome s = dome_new(&im, first_triangle_hit, triangle_hit_tolerant, triangle_hit);
+    bool whole = parallel_pixels(im.width, im.height, o->threads, "dome", dome_pixel, &s);
+    output_picture(o, &im, "04_triangle.png", true, whole);
+    image_free(&im);
+    dome_free(&s);
 }
 
 #endif

@@ -4,8 +4,8 @@
  *           c                    pointing anywhere; rays from within 3
  *
  *   triangle tri = needle(&g, width, &r);       draws one, and a ray
- *   exact_hit x = triangle_exactly(tri, r);     (4.8) in double-double: 30 digits
- *   needle_count n = needles(triangle_hit, 1e-6, 10000, seed);
+ *   triangle_exact_hit x = triangle_exactly(tri, r);     (4.8) in double-double: 30 digits
+ *   triangle_needle_count n = needles(triangle_hit, 1e-6, 10000, seed);
  *   n.due      rays that do pass inside (by the exact answer; weights > 0.1, cosine > 0.1)
  *   n.missed   of those: no hit
  *   n.error    largest relative error of t of the hits
@@ -14,15 +14,15 @@
  * error of t of some epsilon / width is in the nature of the thing, unless one computes in more
  * digits.
  */
-#ifndef NEEDLES_H
-#define NEEDLES_H
+#ifndef TRIANGLE_NEEDLES_H
+#define TRIANGLE_NEEDLES_H
 
 #include "../../../common/numbers/wide.h"
 #include "../barycentrics.h"
 #include "slips.h"
 
-typedef struct { double t, u, v, w, cosine; } exact_hit;  /* of ray and normal: |cosine| */
-typedef struct { size_t due, missed; double error; } needle_count;
+typedef struct { double t, u, v, w, cosine; } triangle_exact_hit;  /* of ray and normal: |cosine| */
+typedef struct { size_t due, missed; double error; } triangle_needle_count;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -44,7 +44,7 @@ static inline triangle needle(random_stream *g, real width, ray *r)
     return tri;
 }
 
-static inline exact_hit triangle_exactly(triangle tri, ray r)
+static inline triangle_exact_hit triangle_exactly(triangle tri, ray r)
 {
     wide3 a = wide3_of(tri.a), d = wide3_of(r.d), s = wide3_sub(wide3_of(r.o), a);
     wide3 e1 = wide3_sub(wide3_of(tri.b), a), e2 = wide3_sub(wide3_of(tri.c), a);
@@ -53,19 +53,20 @@ static inline exact_hit triangle_exactly(triangle tri, ray r)
     wide u = wide_div(wide3_dot(s, p), det), v = wide_div(wide3_dot(d, q), det);
     double area = wide_value(wide3_length(wide3_cross(e1, e2)));
     double length = wide_value(wide3_length(d));
-    return (exact_hit){wide_value(t), wide_value(u), wide_value(v),
+    return (triangle_exact_hit){wide_value(t), wide_value(u), wide_value(v),
                        wide_value(wide_sub(wide_sub(wide_of(1), u), v)),
                        fabs(wide_value(det)) / (area * length)};
 }
 
-static inline needle_count needles(triangle_method *method, double width, size_t n, uint64_t seed)
+static inline triangle_needle_count needles(triangle_method *method, double width, size_t n,
+                                            uint64_t seed)
 {
-    needle_count count = {0, 0, 0};
+    triangle_needle_count count = {0, 0, 0};
     random_stream g = random_start(seed, 0, 0);
     for (size_t i = 0; i < n; i++) {
         ray r;
         triangle tri = needle(&g, (real)width, &r);
-        exact_hit x = triangle_exactly(tri, r);
+        triangle_exact_hit x = triangle_exactly(tri, r);
         if (!(x.u > 0.1 && x.v > 0.1 && x.w > 0.1 && x.cosine > 0.1)) continue;
         hit h;
         count.due++;

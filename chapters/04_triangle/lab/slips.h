@@ -1,13 +1,13 @@
 /* slips.h: the experiment of this chapter. Stand inside a closed mesh, aim at an edge or a vertex:
  * the ray must hit something. If it hits nothing, it slipped through (漏缝).
  *
- *       q------            Aimed: D = point - O, rounded to real; the point is a corner of the mesh
+ *       q------            Aimed: d = point - o, rounded to real; the point is a corner of the mesh
  *      / \    /            or, rounded too, a point of the edge p q. Such a ray does not meet the
  *     /   x<-/------- O    edge exactly, and that is what matters: it passes where the rounding
  *    /     \/              errors of the neighbours decide which of them it hits, if any.
  *    ------p
  *
- *   slip_count n = slips(&mesh, triangle_hit, true, 100000, seed);
+ *   triangle_slip_count n = slips(&mesh, triangle_hit, true, 100000, seed);
  *   n.slips   rays that hit none of all the triangles of the mesh
  *   n.error   largest |t - 1| of the hits, where t = 1 is the aimed point
  *   slip_hits(&mesh, triangle_hit, true, 100000, seed)   hits a ray: 2 at an edge means both
@@ -17,14 +17,14 @@
  *
  * Random rays show nothing: test_random_rays_show_nothing in tests/04_watertight.c.
  */
-#ifndef SLIPS_H
-#define SLIPS_H
+#ifndef TRIANGLE_SLIPS_H
+#define TRIANGLE_SLIPS_H
 
 #include "../../../common/random.h"
 #include "../scenes/icosphere.h"
 
 typedef bool triangle_method(triangle tri, ray r, hit *out);
-typedef struct { size_t rays, slips; double error; } slip_count;
+typedef struct { size_t rays, slips; double error; } triangle_slip_count;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -42,11 +42,11 @@ static inline vec3 slip_origin(random_stream *g, vec3 centre, real radius)
 }
 
 /* One aimed ray, and the triangles that it should hit: round the vertex, or beside the edge. */
-typedef struct { ray r; const uint32_t *near; uint32_t count; } slip_ray;
+typedef struct { ray r; const uint32_t *near; uint32_t count; } triangle_slip_ray;
 
-static inline slip_ray slip_aim(const icosphere *m, bool at_vertex, random_stream *g)
+static inline triangle_slip_ray slip_aim(const icosphere *m, bool at_vertex, random_stream *g)
 {
-    slip_ray s;
+    triangle_slip_ray s;
     vec3 o = slip_origin(g, m->centre, m->radius), aim;
     uint32_t k = (uint32_t)(random_next_bits(g) >> 32);
     if (at_vertex) {
@@ -72,13 +72,13 @@ static inline bool slip_misses_all(const icosphere *m, triangle_method *method, 
 
 /* n rays from random points near the centre. The triangles that should be hit are tried first,
  * because that is quick, and only then all others. */
-static inline slip_count slips(const icosphere *m, triangle_method *method, bool at_vertex,
+static inline triangle_slip_count slips(const icosphere *m, triangle_method *method, bool at_vertex,
                                size_t n, uint64_t seed)
 {
-    slip_count count = {n, 0, 0};
+    triangle_slip_count count = {n, 0, 0};
     random_stream g = random_start(seed, at_vertex, 0);
     for (size_t i = 0; i < n; i++) {
-        slip_ray s = slip_aim(m, at_vertex, &g);
+        triangle_slip_ray s = slip_aim(m, at_vertex, &g);
         hit h = hit_none;
         for (uint32_t j = 0; j < s.count && h.t > real_largest; j++)
             method(icosphere_triangle(m, s.near[j]), s.r, &h);
@@ -96,7 +96,7 @@ static inline double slip_hits(const icosphere *m, triangle_method *method, bool
     random_stream g = random_start(seed, at_vertex, 0);
     size_t hits = 0;
     for (size_t i = 0; i < n; i++) {
-        slip_ray s = slip_aim(m, at_vertex, &g);
+        triangle_slip_ray s = slip_aim(m, at_vertex, &g);
         hit h;
         for (uint32_t j = 0; j < s.count; j++)
             hits += method(icosphere_triangle(m, s.near[j]), s.r, &h);

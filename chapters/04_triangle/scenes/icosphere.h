@@ -12,8 +12,8 @@
  *   m.edge[e]          corners p < q, its triangles
  *   m.fan[v]           the triangles round vertex v
  */
-#ifndef ICOSPHERE_H
-#define ICOSPHERE_H
+#ifndef TRIANGLE_ICOSPHERE_H
+#define TRIANGLE_ICOSPHERE_H
 
 #include "../../../common/file.h"
 #include "../triangle.h"

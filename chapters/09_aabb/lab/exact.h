@@ -4,8 +4,8 @@
  * multiples of 1/64 below 2^10, or infinite: all of them floats. A plane is then met at t = n / d
  * with |n| < 2^11, 0 < d < 2^10, and n d' < n' d compares two such fractions without rounding.
  *
- *   trial c = trial_of(kind, seed, i)      the i-th box and ray of a kind
- *   exact_answer e = exact_aabb(c.b, c.r)   is it hit, and at which t
+ *   aabb_trial c = aabb_trial_of(kind, seed, i)      the i-th box and ray of a kind
+ *   aabb_exact e = exact_aabb(c.b, c.r)   is it hit, and at which t
  *   not_after(t, e.enter)                  t <= e.enter, exactly
  *
  *   TRIAL_PARALLEL   the ray runs in a plane of the box: d_k = +-0.0 on one axis or more
@@ -15,60 +15,60 @@
  *   TRIAL_CONTACT    the interval ends where the ray enters, or begins where it leaves; or at o
  *   TRIAL_ANY        o anywhere, also inside; aimed anywhere, also away; any interval
  */
-#ifndef EXACT_H
-#define EXACT_H
+#ifndef AABB_EXACT_H
+#define AABB_EXACT_H
 
 #include "../../../common/random.h"
 #include "../aabb.h"
 
 typedef enum {
     TRIAL_PARALLEL, TRIAL_FLAT, TRIAL_EDGE, TRIAL_CORNER, TRIAL_CONTACT, TRIAL_ANY, trial_kinds
-} trial_kind;
+} aabb_trial_kind;
 
 static const char *const trial_name[trial_kinds] = {
     "in a plane", "flat box", "edge", "corner", "interval ends there", "any"};
 
-typedef struct { aabb b; ray r; } trial;
-typedef struct { int64_t n, d; } fraction;  /* n / d, d > 0; or -1/0, 1/0: infinite */
-typedef struct { bool hit; fraction enter; } exact_answer;
+typedef struct { aabb b; ray r; } aabb_trial;
+typedef struct { int64_t n, d; } aabb_fraction;  /* n / d, d > 0; or -1/0, 1/0: infinite */
+typedef struct { bool hit; aabb_fraction enter; } aabb_exact;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool fraction_less(fraction a, fraction b)
+static inline bool fraction_less(aabb_fraction a, aabb_fraction b)
 {
     return a.d == 0 && b.d == 0 ? a.n < b.n : a.n * b.d < b.n * a.d;
 }
 
 /* Of a multiple of 1/64, or of an infinity. */
-static inline fraction fraction_of(real t)
+static inline aabb_fraction fraction_of(real t)
 {
-    return isinf(t) ? (fraction){t < 0 ? -1 : 1, 0} : (fraction){(int64_t)(64 * t), 64};
+    return isinf(t) ? (aabb_fraction){t < 0 ? -1 : 1, 0} : (aabb_fraction){(int64_t)(64 * t), 64};
 }
 
-static inline fraction fraction_quotient(int64_t n, int64_t d)
+static inline aabb_fraction fraction_quotient(int64_t n, int64_t d)
 {
-    return d < 0 ? (fraction){-n, -d} : (fraction){n, d};
+    return d < 0 ? (aabb_fraction){-n, -d} : (aabb_fraction){n, d};
 }
 
-static inline exact_answer exact_aabb(aabb b, ray r)
+static inline aabb_exact exact_aabb(aabb b, ray r)
 {
-    fraction enter = fraction_of(r.tmin), leave = fraction_of(r.tmax);
+    aabb_fraction enter = fraction_of(r.tmin), leave = fraction_of(r.tmax);
     bool inside = true;  /* the slabs that the ray is parallel to */
     for (int k = 0; k < 3; k++) {
         int64_t o = (int64_t)vaxis(r.o, k), d = (int64_t)vaxis(r.d, k);
         int64_t lo = (int64_t)vaxis(b.lo, k) - o, hi = (int64_t)vaxis(b.hi, k) - o;
         if (d == 0) { inside = inside && lo <= 0 && hi >= 0; continue; }
-        fraction near = fraction_quotient(d < 0 ? hi : lo, d);
-        fraction far = fraction_quotient(d < 0 ? lo : hi, d);
+        aabb_fraction near = fraction_quotient(d < 0 ? hi : lo, d);
+        aabb_fraction far = fraction_quotient(d < 0 ? lo : hi, d);
         if (fraction_less(enter, near)) enter = near;
         if (fraction_less(far, leave)) leave = far;
     }
-    return (exact_answer){inside && !fraction_less(leave, enter), enter};
+    return (aabb_exact){inside && !fraction_less(leave, enter), enter};
 }
 
 /* True if t <= f, exactly: the product of a real and an integer below 2^10 needs 11 bits more than
  * a real has, so it is formed as a sum of two. */
-static inline bool not_after(real t, fraction f)
+static inline bool not_after(real t, aabb_fraction f)
 {
     if (isinf(t) || f.d == 0) return t == -real_infinity || (f.d == 0 && f.n > 0);
     double high = (double)t * (double)f.d, low = fma((double)t, (double)f.d, -high);
@@ -89,14 +89,13 @@ static inline vec3 random_point(random_stream *s, int lowest, int highest)
     return vec(x, y, random_integer(s, lowest, highest));
 }
 
-static inline void set_axis(vec3 *a, int k, real value) { ((real *)a)[k] = value; }
 static inline bool chance(random_stream *s, int in) { return random_integer(s, 1, in) == 1; }
 
 static inline vec3 point_in(aabb b, random_stream *s)
 {
     vec3 p = b.lo;
     for (int k = 0; k < 3; k++)
-        set_axis(&p, k, (real)random_integer(s, (int)vaxis(b.lo, k), (int)vaxis(b.hi, k)));
+        p = vwith(p, k, (real)random_integer(s, (int)vaxis(b.lo, k), (int)vaxis(b.hi, k)));
     return p;
 }
 
@@ -107,7 +106,7 @@ static inline ray ray_reaching(vec3 p, vec3 w, int m, int q, random_stream *s)
 {
     ray r = ray_from(vmadd(p, w, (real)-m), vscale(w, (real)q));
     for (int k = 0; k < 3; k++)
-        if (vaxis(r.d, k) == 0) set_axis(&r.d, k, chance(s, 2) ? (real)0.0 : (real)-0.0);
+        if (vaxis(r.d, k) == 0) r.d = vwith(r.d, k, chance(s, 2) ? (real)0.0 : (real)-0.0);
     return r;
 }
 
@@ -118,9 +117,9 @@ static inline void aim_past_edge(aabb b, int k, vec3 *p, vec3 *w, random_stream 
     int i = (k + 1) % 3, j = (k + 2) % 3;
     bool ui = chance(s, 2), uj = chance(s, 2);
     real wi = 1 + fabs(vaxis(*w, i)), wj = 1 + fabs(vaxis(*w, j));
-    set_axis(p, i, face_of(b, i, ui)), set_axis(p, j, face_of(b, j, uj));
-    set_axis(w, i, ui ? wi : -wi);
-    set_axis(w, j, uj ? -wj : wj);
+    *p = vwith(*p, i, face_of(b, i, ui)), *p = vwith(*p, j, face_of(b, j, uj));
+    *w = vwith(*w, i, ui ? wi : -wi);
+    *w = vwith(*w, j, uj ? -wj : wj);
 }
 
 /* p moves to a face, and the interval to one side of it: it ends where the ray enters, or begins
@@ -129,8 +128,8 @@ static inline ray ray_in_contact(aabb b, int k, vec3 p, vec3 w, random_stream *s
 {
     bool upper = chance(s, 2), enters = chance(s, 2);
     real wk = 1 + fabs(vaxis(w, k));
-    set_axis(&p, k, face_of(b, k, upper));
-    set_axis(&w, k, upper == enters ? -wk : wk);
+    p = vwith(p, k, face_of(b, k, upper));
+    w = vwith(w, k, upper == enters ? -wk : wk);
     int m = random_integer(s, 0, 15), q = 1 << random_integer(s, 0, 3);
     ray r = ray_reaching(p, w, m, q, s);
     if (enters) r.tmax = (real)m / (real)q;
@@ -147,7 +146,7 @@ static inline ray ray_anywhere(vec3 p, vec3 w, int m, int q, random_stream *s)
     return r;
 }
 
-static inline trial trial_of(trial_kind kind, uint64_t seed, uint64_t i)
+static inline aabb_trial aabb_trial_of(aabb_trial_kind kind, uint64_t seed, uint64_t i)
 {
     random_stream s = random_start(seed, i, kind);
     int k = random_integer(&s, 0, 2), m = random_integer(&s, 1, 15), q = random_integer(&s, 1, 15);
@@ -155,19 +154,19 @@ static inline trial trial_of(trial_kind kind, uint64_t seed, uint64_t i)
     aabb b = {lo, vadd(lo, random_point(&s, 1, 127))};
     if (kind == TRIAL_FLAT)
         for (int n = 0; n < 3; n++)
-            if (n == k || chance(&s, 3)) set_axis(&b.hi, n, vaxis(b.lo, n));
+            if (n == k || chance(&s, 3)) b.hi = vwith(b.hi, n, vaxis(b.lo, n));
     vec3 p = point_in(b, &s);
     for (int n = 0; n < 3; n++) {
         bool upper = chance(&s, 2);
-        if (kind == TRIAL_CORNER) set_axis(&p, n, face_of(b, n, upper));
+        if (kind == TRIAL_CORNER) p = vwith(p, n, face_of(b, n, upper));
         if (kind == TRIAL_PARALLEL && (n == k || chance(&s, 4)))
-            set_axis(&p, n, face_of(b, n, upper)), set_axis(&w, n, 0);
+            p = vwith(p, n, face_of(b, n, upper)), w = vwith(w, n, 0);
     }
     if (kind == TRIAL_EDGE) aim_past_edge(b, k, &p, &w, &s);
-    if (vzero(w)) set_axis(&w, (k + 1) % 3, 1);
-    if (kind == TRIAL_CONTACT) return (trial){b, ray_in_contact(b, k, p, w, &s)};
-    if (kind == TRIAL_ANY) return (trial){b, ray_anywhere(p, w, m, q, &s)};
-    return (trial){b, ray_reaching(p, w, m, q, &s)};
+    if (vzero(w)) w = vwith(w, (k + 1) % 3, 1);
+    if (kind == TRIAL_CONTACT) return (aabb_trial){b, ray_in_contact(b, k, p, w, &s)};
+    if (kind == TRIAL_ANY) return (aabb_trial){b, ray_anywhere(p, w, m, q, &s)};
+    return (aabb_trial){b, ray_reaching(p, w, m, q, &s)};
 }
 
 #endif

@@ -1,20 +1,230 @@
-/* methods.h: the slab tests of slabs.h and aabb.h in one list, for tables and pictures. */
-#ifndef METHODS_H
-#define METHODS_H
+/* methods.h: what each slab test of slabs.h loses, case by case, and what it takes: the main table.
+ *
+ *   measure_methods(&o)   the table of the page, the same by all cases with --full, loss against
+ *                         time, and 09_aabb_lost.svg; whoever looks for false negatives: exact.h
+ *   measure_lanes(&o)     one ray against 1, 4 and 8 boxes at once
+ */
+#ifndef AABB_METHODS_H
+#define AABB_METHODS_H
 
+#include "../../../common/clock.h"
+#include "../../../common/lab/figure.h"
+#include "../../../common/lab/report.h"
 #include "slabs.h"
+#include "volumes.h"
 
-typedef bool box_method(aabb b, ray r, real *t_enter);
+/* The kinds of exact.h, and the corner with all digits of mantissa.h. */
+enum { aabb_cases = trial_kinds + 1, aabb_digits = trial_kinds };
+typedef struct { double missed[aabb_cases], late, alarms; } aabb_losses;  /* per cent */
 
-enum { method_first, method_closed_f32, method_closed, method_fmin, method_pbrt,
-       method_inclusive, method_default, methods };
+/* ---------------------------------------------------------------------------------------------- */
 
-static const char *const method_name[methods] = {
-    "first", "closed, float", "closed, <=", "fmin, fmax", "pbrt's order", "inclusive",
-    "aabb_hit"};
+static inline double per_cent(size_t part, size_t whole)
+{
+    return whole ? 100 * (double)part / (double)whole : 0;
+}
 
-static box_method *const method[methods] = {
-    first_aabb_hit, aabb_hit_closed_f32, aabb_hit_closed, aabb_hit_fmin, aabb_hit_pbrt,
-    aabb_hit_inclusive, aabb_hit};
+/* n trials of a case. One oracle serves all methods. */
+static inline void losses_of_case(int kind, uint64_t seed, size_t n, aabb_losses out[aabb_methods])
+{
+    size_t hits = 0, missed[aabb_methods] = {0}, alarms[aabb_methods] = {0};
+    size_t late[aabb_methods] = {0};
+    for (size_t i = 0; i < n; i++) {
+        bool full = kind == aabb_digits;
+        aabb_trial c = full ? aabb_full_trial_of(TRIAL_CORNER, seed, i)
+                            : aabb_trial_of((aabb_trial_kind)kind, seed, i);
+        aabb_wide w = {.hit = false};
+        if (full) w = wide_aabb(c.b, c.r);
+        bool exact = full ? w.hit : exact_aabb(c.b, c.r).hit;
+        hits += exact;
+        for (int m = 0; m < aabb_methods; m++) {
+            real t;
+            bool answer = aabb_method[m].hit(c.b, c.r, &t);
+            missed[m] += exact && !answer, alarms[m] += answer && !exact;
+            if (full && exact && answer)
+                late[m] += wide_sign(wide_sub(wide_of((double)t), w.enter)) > 0;
+        }
+    }
+    for (int m = 0; m < aabb_methods; m++) {
+        out[m].missed[kind] = per_cent(missed[m], hits);
+        if (kind == TRIAL_ANY) out[m].alarms = per_cent(alarms[m], n - hits);
+        if (kind == aabb_digits) out[m].late = per_cent(late[m], hits - missed[m]);
+    }
+}
+
+/* ---- time: each ray against each box, in no order, as in a tree ---- */
+
+enum { work_boxes = 256, work_rays = 256 };
+typedef struct {
+    aabb b[work_boxes];
+    aabb4 b4[work_boxes / 4];
+    aabb8 b8[work_boxes / 8];
+    aabb_ball ball[work_boxes];      /* round the same boxes, and boxes of the same sides, turned */
+    aabb_turned turned[work_boxes];
+    ray r[work_rays];
+    int order[work_boxes];  /* order[i] % n for i < n, too, is an order of n, if n is 2^k */
+} aabb_work;
+
+static inline aabb_work *work_new(uint64_t seed)
+{
+    aabb_work *w = allocate(1, sizeof *w);
+    for (int i = 0; i < work_boxes; i++) {
+        random_stream s = random_start(seed, (uint64_t)i, 99);
+        vec3 c = random_in_cube(&s), e = vadd(random_in_cube(&s), vec(1, 1, 1));
+        e = vscale(e, (real)0.3);
+        w->b[i] = (aabb){vsub(c, e), vadd(c, e)};
+        aabb4_put(&w->b4[i / 4], i % 4, w->b[i]), aabb8_put(&w->b8[i / 8], i % 8, w->b[i]);
+        w->ball[i] = (aabb_ball){c, vlength(e)};
+        w->turned[i] = (aabb_turned){.c = c, .half = e, .axis = {vunit(random_in_cube(&s))}};
+        vbasis(w->turned[i].axis[0], &w->turned[i].axis[1], &w->turned[i].axis[2]);
+        w->r[i] = line_through((aabb){{-1, -1, -1}, {1, 1, 1}}, seed, (uint64_t)i);
+        w->order[i] = i * 37 % work_boxes;
+    }
+    return w;
+}
+
+/* A pass over all rays r and boxes k, `lanes` at a time; `test` adds to sum. */
+#define AABB_PASS(name, prepare, lanes, test)                                                  \
+    static double name(void *context)                                                          \
+    {                                                                                          \
+        const aabb_work *w = context;                                                          \
+        double sum = 0;                                                                        \
+        for (int i = 0; i < work_rays; i++) {                                                  \
+            ray r = w->r[i];                                                                   \
+            prepare;                                                                           \
+            for (int j = 0; j < work_boxes / lanes; j++) {                                     \
+                int k = w->order[j] % (work_boxes / lanes);                                    \
+                test                                                                           \
+            }                                                                                  \
+        }                                                                                      \
+        return sum;                                                                            \
+    }
+#define AABB_ONE(hit) { real t; if (hit) sum += (double)t; }
+/* All boxes of a group that are hit, lowest bit first. */
+#define AABB_LANES(n, hit)                                                                     \
+    {                                                                                          \
+        float t[n];                                                                            \
+        unsigned m = hit;                                                                      \
+        for (int c = 0; c < n && m; c++, m >>= 1) if (m & 1) sum += (double)t[c];              \
+    }
+#define AABB_PREPARE aabb_inverse v = aabb_plain_inverse(r)
+AABB_PASS(pass_first, , 1, AABB_ONE(first_aabb_hit(w->b[k], r, &t)))
+AABB_PASS(pass_closed, , 1, AABB_ONE(aabb_hit_closed(w->b[k], r, &t)))
+AABB_PASS(pass_fmin, AABB_PREPARE, 1, AABB_ONE(aabb_hit_fmin_with(&w->b[k], &v, r, &t)))
+AABB_PASS(pass_inclusive, AABB_PREPARE, 1, AABB_ONE(aabb_hit_inclusive_with(&w->b[k], &v, r, &t)))
+AABB_PASS(pass_pbrt, AABB_PREPARE, 1, AABB_ONE(aabb_hit_pbrt_with(&w->b[k], &v, r, &t)))
+AABB_PASS(pass_ize, AABB_PREPARE, 1, AABB_ONE(aabb_hit_ize_with(&w->b[k], &v, r, &t)))
+AABB_PASS(pass_default, aabb_inverse v = aabb_inverse_of(r), 1,
+          AABB_ONE(aabb_hit_inverse(&w->b[k], &v, r, &t)))
+AABB_PASS(pass_unprepared, , 1, AABB_ONE(aabb_hit(w->b[k], r, &t)))
+AABB_PASS(pass_ball, real dd = 1 / vdot(r.d, r.d), 1,
+          AABB_ONE(bounding_ball_hit(&w->ball[k], dd, r, &t)))
+AABB_PASS(pass_turned, , 1, AABB_ONE(turned_hit(&w->turned[k], r, &t)))
+AABB_PASS(pass_lanes4, aabb_lanes v = aabb_lanes_of(r), 4,
+          AABB_LANES(4, aabb4_hit(&w->b4[k], &v, t)))
+AABB_PASS(pass_lanes8, aabb_lanes v = aabb_lanes_of(r), 8,
+          AABB_LANES(8, aabb8_hit(&w->b8[k], &v, t)))
+
+/* Nanoseconds a box of n passes. */
+static inline void time_passes(const options *o, int n, double (*const pass[])(void *), double *ns)
+{
+    clock_variant v[aabb_methods];
+    aabb_work *w = work_new(o->seed);
+    for (int m = 0; m < n; m++) v[m] = (clock_variant){"", pass[m], w, 0};
+    clock_compare(v, n, o->quick ? 3 : o->full ? 61 : 15);
+    for (int m = 0; m < n; m++) ns[m] = v[m].seconds / ((double)work_boxes * work_rays) * 1e9;
+    free(w);
+}
+
+/* ---- tables ---- */
+
+/* Bars on a logarithmic scale from 0.001 to 100 per cent; what loses nothing has no
+ * bar, and aabb_hit has none at all. */
+static inline void draw_losses(const options *o, const aabb_losses loss[aabb_methods])
+{
+    static const char *const name[] = {"in a plane", "flat box", "edge", "corner", "at tmin, tmax",
+                                       "any", "corner, digits"};
+    static const char *const colour[] = {FIGURE_GREY, FIGURE_SKY, FIGURE_PURPLE, FIGURE_BLUE,
+                                         FIGURE_ORANGE, FIGURE_GREEN};
+    figure g = figure_begin(o, "09_aabb_lost.svg", 860, 380);
+    figure_origin(&g, 70, 310, 1);
+    figure_text(&g, 0, 0, 0, -282, FIGURE_LEFT, FIGURE_BLACK, "Hits that are lost [%]");
+    for (int e = -3; e <= 2; e++) {
+        char text[16];
+        snprintf(text, sizeof text, "%g", pow(10, e));
+        figure_line(&g, 0, 50 * (e + 3), 770, 50 * (e + 3), "#dddddd", 1, FIGURE_WHOLE);
+        figure_text(&g, 0, 50 * (e + 3), -8, 5, FIGURE_RIGHT, FIGURE_BLACK, text);
+    }
+    for (int m = 0; m < aabb_of_default; m++) {
+        for (int k = 0; k < aabb_cases; k++) {
+            double y = fmax(50 * (log10(loss[m].missed[k]) + 3), 0), x = 110 * k + 10 + 15 * m;
+            const double box[] = {x, 0, x + 13, 0, x + 13, y, x, y};
+            if (loss[m].missed[k] > 0) figure_polygon(&g, 4, box, colour[m], 1, NULL);
+        }
+        double at = 120 * m + 45 * (m == aabb_of_ize);
+        const double key[] = {at, -54, at + 12, -54, at + 12, -42, at, -42};
+        figure_polygon(&g, 4, key, colour[m], 1, NULL);
+        figure_text(&g, at, -54, 17, 0, FIGURE_LEFT, FIGURE_BLACK, aabb_method[m].name);
+    }
+    for (int k = 0; k < aabb_cases; k++)
+        figure_text(&g, 110 * k + 55, 0, 0, 20, FIGURE_MIDDLE, FIGURE_BLACK, name[k]);
+    figure_line(&g, 0, 0, 770, 0, FIGURE_BLACK, 1, FIGURE_WHOLE);
+    figure_end(&g);
+}
+
+static inline void measure_methods(const options *o)
+{
+    static double (*const pass[])(void *) = {pass_first, pass_closed, pass_fmin, pass_inclusive,
+                                             pass_pbrt, pass_ize, pass_default, pass_lanes8};
+    const size_t n = o->quick ? 4000 : 50000;
+    aabb_losses loss[aabb_methods];
+    double ns[aabb_methods];
+    for (int k = 0; k < aabb_cases; k++) losses_of_case(k, o->seed, n, loss);
+    time_passes(o, aabb_methods, pass, ns);
+    table t = table_new("Boxes that are hit and reported as missed; the time of one test",
+                        "method|error plane [%]|error flat [%]|error corner [%]|error late [%]|"
+                        "time [ns]");
+    table all = table_new("Boxes that are hit and reported as missed, by all cases",
+                          "method|error plane [%]|error flat [%]|error edge [%]|error corner [%]|"
+                          "error interval [%]|error any [%]|error digits [%]|error alarms [%]");
+    plot q = plot_new("Hits that are lost, mean of the cases, and time", "time of one test [ns]",
+                      "lost [%]", PLOT_LOG_Y);
+    for (int m = 0; m < aabb_methods; m++) {
+        double sum = 0;
+        table_text(&t, "%s", aabb_method[m].name), table_text(&all, "%s", aabb_method[m].name);
+        table_number(&t, loss[m].missed[TRIAL_PARALLEL]);
+        table_number(&t, loss[m].missed[TRIAL_FLAT]);
+        table_number(&t, loss[m].missed[aabb_digits]);
+        table_number(&t, loss[m].late), table_number(&t, ns[m]);
+        for (int k = 0; k < aabb_cases; k++) {
+            table_number(&all, loss[m].missed[k]);
+            sum += loss[m].missed[k] / aabb_cases;
+        }
+        table_number(&all, loss[m].alarms);
+        plot_add(&q, plot_series(&q, aabb_method[m].name), ns[m], sum);
+    }
+    output_table(o, &t);
+    if (o->full) output_extra_table(o, &all);
+    else table_free(&all);
+    draw_losses(o, loss);
+    output_plot(o, &q, "09_aabb_time.svg");
+}
+
+static inline void measure_lanes(const options *o)
+{
+    static double (*const pass[])(void *) = {pass_unprepared, pass_default, pass_lanes4,
+                                             pass_lanes8};
+    static const char *const name[] = {"aabb_hit", "aabb_hit_inverse", "aabb4_hit", "aabb8_hit"};
+    const size_t bytes[] = {sizeof(aabb), sizeof(aabb), sizeof(aabb4) / 4, sizeof(aabb8) / 8};
+    double ns[4];
+    table t = table_new("One ray against several boxes at once",
+                        "test|boxes at once|bytes a box|time of a box [ns]");
+    time_passes(o, 4, pass, ns);
+    for (size_t k = 0; k < 4; k++) {
+        table_text(&t, "%s", name[k]), table_count(&t, k < 2 ? 1 : 4 * (k - 1));
+        table_count(&t, bytes[k]), table_number(&t, ns[k]);
+    }
+    output_extra_table(o, &t);
+}
 
 #endif

@@ -6,23 +6,34 @@
  *                             knows no interval but [0, infinity]
  *   aabb_hit_closed           axis-parallel ray in a plane of the box: 0/0; d = -0.0
  *   aabb_hit_fmin             the same ray: fmin forgets the NaN and keeps the +-infinity beside it
- *   aabb_hit_pbrt             the same ray, if d = -0.0
  *   aabb_hit_inclusive        none of these; at corners and flat boxes entry and exit are the
  *                             same t and round apart
- *   aabb_hit                  none
+ *   aabb_hit_pbrt             as aabb_hit_closed, if d = -0.0; the exit is widened by 2 gamma(3),
+ *                             gamma(3) = 3 u / (1 - 3 u), u = epsilon/2: no corner is lost
+ *   aabb_hit_ize              none but at t < 0: it widens the exit by 2 ulp = 4 u
+ *   aabb_hit                  none; widens the entry by 16 u, towards -infinity
  *
- *   aabb_hit_closed_f32       aabb_hit_closed in float, whatever real is: an exhibit
+ * t_enter as in aabb.h, but only aabb_hit and lanes.h pad it; that of the others is rounded to
+ * nearest, so it may lie an ulp or two behind the exact one.
  *
- * t_enter as in aabb.h, but rounded to nearest: it may lie an ulp or two behind the exact one.
+ *   aabb_method[m].name, .hit      all of them, for tables and tests; aabb8_hit is among them
+ *   X_with(&b, &i, r, &t_enter)    the same with i = aabb_plain_inverse(r), once a ray; not of the
+ *                                  first two, which divide
  *
- * Sources: L. Yan, GAMES101, lecture 13, 2020 (first); M. Pharr, G. Humphreys, "Physically Based
- * Rendering", 2nd ed., 2010, section 4.2.1 (pbrt; the 3rd edition pads the exit by 2 gamma(3));
- * T. Barnes, "Fast, branchless ray/bounding box intersections, part 3", 2022 (inclusive).
+ * Sources: L. Yan, GAMES101, lecture 13, 2020 (first); T. Barnes, "Fast, branchless ray/bounding
+ * box intersections, part 3", 2022 (inclusive); M. Pharr, W. Jakob, G. Humphreys, "Physically Based
+ * Rendering", 3rd ed., 2016, section 3.9.2 (pbrt); T. Ize, "Robust BVH ray traversal", JCGT 2(2),
+ * 2013 (ize).
  */
-#ifndef SLABS_H
-#define SLABS_H
+#ifndef AABB_SLABS_H
+#define AABB_SLABS_H
 
-#include "../aabb.h"
+#include "../lanes.h"
+
+typedef bool aabb_test(aabb b, ray r, real *t_enter);
+
+enum { aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_inclusive, aabb_of_pbrt, aabb_of_ize,
+       aabb_of_default, aabb_of_lanes, aabb_methods };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -37,74 +48,111 @@ static inline bool aabb_hit_closed(aabb b, ray r, real *t_enter)
     return true;
 }
 
-/* Sorts by fmin and fmax, which need no sign of d; but fmin(NaN, infinity) is infinity, so the ray
- * above enters the slab never. A call of libm each, unless the compiler knows better. */
-static inline bool aabb_hit_fmin(aabb b, ray r, real *t_enter)
+/* The others multiply by 1/d, once a ray, and take it from here: as it comes, without the care of
+ * aabb_inverse_of for tiny and huge d. */
+static inline aabb_inverse aabb_plain_inverse(ray r)
 {
     vec3 i = {1 / r.d.x, 1 / r.d.y, 1 / r.d.z};
-    vec3 p = vmul(vsub(b.lo, r.o), i), q = vmul(vsub(b.hi, r.o), i);
+    return (aabb_inverse){i, i.x < 0 ? 3 : 0, i.y < 0 ? 4 : 1, i.z < 0 ? 5 : 2};
+}
+#define AABB_UNPREPARED(name)                                                                  \
+    static inline bool name(aabb b, ray r, real *t_enter)                                      \
+    {                                                                                          \
+        aabb_inverse i = aabb_plain_inverse(r);                                                \
+        return name##_with(&b, &i, r, t_enter);                                                \
+    }
+
+/* Sorts by fmin and fmax, which need no sign of d; but fmin(NaN, infinity) is infinity, so the ray
+ * above enters the slab never. A call of libm each, unless the compiler knows better. */
+static inline bool aabb_hit_fmin_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
+{
+    vec3 p = vmul(vsub(b->lo, r.o), i->inverse), q = vmul(vsub(b->hi, r.o), i->inverse);
     real t0 = fmax(fmax(fmin(p.x, q.x), fmin(p.y, q.y)), fmax(fmin(p.z, q.z), r.tmin));
     real t1 = fmin(fmin(fmax(p.x, q.x), fmax(p.y, q.y)), fmin(fmax(p.z, q.z), r.tmax));
     if (!(t0 <= t1)) return false;
     *t_enter = t0;
     return true;
 }
-
-/* Axis by axis; the planes change places if their t are out of order, which a NaN never is. */
-static inline bool slab_narrow_pbrt(real lo, real hi, real o, real d, real *t0, real *t1)
-{
-    real i = 1 / d, near = (lo - o) * i, far = (hi - o) * i;
-    if (near > far) { real swap = near; near = far; far = swap; }
-    *t0 = near > *t0 ? near : *t0;
-    *t1 = far < *t1 ? far : *t1;
-    return !(*t0 > *t1);
-}
-
-static inline bool aabb_hit_pbrt(aabb b, ray r, real *t_enter)
-{
-    real t0 = r.tmin, t1 = r.tmax;
-    if (!slab_narrow_pbrt(b.lo.x, b.hi.x, r.o.x, r.d.x, &t0, &t1)) return false;
-    if (!slab_narrow_pbrt(b.lo.y, b.hi.y, r.o.y, r.d.y, &t0, &t1)) return false;
-    if (!slab_narrow_pbrt(b.lo.z, b.hi.z, r.o.z, r.d.z, &t0, &t1)) return false;
-    *t_enter = t0;
-    return true;
-}
+AABB_UNPREPARED(aabb_hit_fmin)
 
 /* Needs neither the sign of d nor of 1/d: each plane is compared with what is known so far, and a
  * NaN, always the first argument, leaves it as it is. An empty box (lo > hi) looks full to it. */
-static inline void slab_narrow(real lo, real hi, real o, real d, real *t0, real *t1)
+static inline void slab_narrow(real lo, real hi, real o, real i, real *t0, real *t1)
 {
-    real i = 1 / d, a = (lo - o) * i, b = (hi - o) * i;
+    real a = (lo - o) * i, b = (hi - o) * i;
     real enter = real_min(real_max(a, *t0), real_max(b, *t0));
     *t1 = real_max(real_min(a, *t1), real_min(b, *t1));
     *t0 = enter;
 }
 
-static inline bool aabb_hit_inclusive(aabb b, ray r, real *t_enter)
+static inline bool aabb_hit_inclusive_with(const aabb *b, const aabb_inverse *i, ray r,
+                                           real *t_enter)
 {
     real t0 = r.tmin, t1 = r.tmax;
-    slab_narrow(b.lo.x, b.hi.x, r.o.x, r.d.x, &t0, &t1);
-    slab_narrow(b.lo.y, b.hi.y, r.o.y, r.d.y, &t0, &t1);
-    slab_narrow(b.lo.z, b.hi.z, r.o.z, r.d.z, &t0, &t1);
+    slab_narrow(b->lo.x, b->hi.x, r.o.x, i->inverse.x, &t0, &t1);
+    slab_narrow(b->lo.y, b->hi.y, r.o.y, i->inverse.y, &t0, &t1);
+    slab_narrow(b->lo.z, b->hi.z, r.o.z, i->inverse.z, &t0, &t1);
     if (!(t0 <= t1)) return false;
     *t_enter = t0;
     return true;
 }
+AABB_UNPREPARED(aabb_hit_inclusive)
 
-/* (9.1) to (9.3) with every operation rounded to float. */
-static inline bool aabb_hit_closed_f32(aabb b, ray r, real *t_enter)
+/* Axis by axis; the planes change places if their t are out of order, which a NaN never is. */
+static inline bool slab_narrow_pbrt(real lo, real hi, real o, real i, real *t0, real *t1)
 {
-    float t0 = (float)r.tmin, t1 = (float)r.tmax;
-    for (int k = 0; k < 3; k++) {
-        float o = (float)vaxis(r.o, k), d = (float)vaxis(r.d, k);
-        float p = ((float)vaxis(b.lo, k) - o) / d, q = ((float)vaxis(b.hi, k) - o) / d;
-        float near = d < 0 ? q : p, far = d < 0 ? p : q;
-        t0 = t0 > near ? t0 : near;
-        t1 = t1 < far ? t1 : far;
-    }
-    if (!(t0 <= t1)) return false;
-    *t_enter = (real)t0;
+    const real u = real_epsilon / 2, gamma = 3 * u / (1 - 3 * u);
+    real near = (lo - o) * i, far = (hi - o) * i;
+    if (near > far) { real swap = near; near = far; far = swap; }
+    far *= 1 + 2 * gamma;
+    *t0 = near > *t0 ? near : *t0;
+    *t1 = far < *t1 ? far : *t1;
+    return !(*t0 > *t1);
+}
+
+static inline bool aabb_hit_pbrt_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
+{
+    real t0 = r.tmin, t1 = r.tmax;
+    if (!slab_narrow_pbrt(b->lo.x, b->hi.x, r.o.x, i->inverse.x, &t0, &t1)
+        || !slab_narrow_pbrt(b->lo.y, b->hi.y, r.o.y, i->inverse.y, &t0, &t1)
+        || !slab_narrow_pbrt(b->lo.z, b->hi.z, r.o.z, i->inverse.z, &t0, &t1)) return false;
+    *t_enter = t0;
     return true;
 }
+AABB_UNPREPARED(aabb_hit_pbrt)
+
+/* As aabb_hit_inverse, but padded at the other end. */
+static inline bool aabb_hit_ize_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
+{
+    const real *face = &b->lo.x;
+    real t0 = r.tmin, t1 = r.tmax;
+    t0 = real_max((face[i->near_x] - r.o.x) * i->inverse.x, t0);
+    t0 = real_max((face[i->near_y] - r.o.y) * i->inverse.y, t0);
+    t0 = real_max((face[i->near_z] - r.o.z) * i->inverse.z, t0);
+    t1 = real_min((face[3 - i->near_x] - r.o.x) * i->inverse.x, t1);
+    t1 = real_min((face[5 - i->near_y] - r.o.y) * i->inverse.y, t1);
+    t1 = real_min((face[7 - i->near_z] - r.o.z) * i->inverse.z, t1);
+    if (!(t0 <= t1 * (1 + 2 * real_epsilon))) return false;
+    *t_enter = t0;
+    return true;
+}
+AABB_UNPREPARED(aabb_hit_ize)
+
+/* One box of eight; the others are empty. */
+static inline bool aabb_hit_lanes(aabb b, ray r, real *t_enter)
+{
+    aabb8 group = aabb8_empty();
+    aabb_lanes l = aabb_lanes_of(r);
+    float t[8];
+    aabb8_put(&group, 5, b);
+    if (!(aabb8_hit(&group, &l, t) & 32)) return false;
+    *t_enter = (real)t[5];
+    return true;
+}
+
+static const struct { const char *name; aabb_test *hit; } aabb_method[aabb_methods] = {
+    {"first", first_aabb_hit}, {"closed, <=", aabb_hit_closed}, {"fmin, fmax", aabb_hit_fmin},
+    {"inclusive", aabb_hit_inclusive}, {"pbrt, 2 gamma(3)", aabb_hit_pbrt},
+    {"Ize, 2 ulp", aabb_hit_ize}, {"aabb_hit", aabb_hit}, {"aabb8_hit, float", aabb_hit_lanes}};
 
 #endif

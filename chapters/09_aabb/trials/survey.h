@@ -1,7 +1,6 @@
 /* survey.h: the rays with which the structures are measured.
  *
- *   view v = view_of(lo, hi, z_up, aspect);        a camera in front of a box and above it
- *   ray_set s = rays_primary(v, width, height);    one ray a pixel (主光线)
+ *   ray_set s = rays_primary(c, width, height);    one ray a pixel of camera c (主光线)
  *   ray_set d = rays_diffuse(&m, &s, hits, seed);  one on from each of their hits: cosine law
  *   ray_set c = rays_corners(&m, eye, n, seed);    at corners of triangles, all from one point
  *   ray_set u = rays_uniform(box, n, seed);        lines through a box, uniformly distributed:
@@ -18,26 +17,13 @@
 #include "../../../common/random.h"
 #include "../../02_camera/camera.h"
 #include "../../07_mesh/mesh.h"
+#include "../../07_mesh/scenes/camera_of.h"
 #include "../aabb.h"
 #include "../../01_ray/hit.h"
 
-typedef struct { camera camera; real size; } view;
 typedef struct { ray *r; size_t n; } ray_set;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline view view_of(vec3 lo, vec3 hi, bool z_up, real aspect)
-{
-    failure f;
-    view v = {.size = vlength(vsub(hi, lo)) / 2};
-    vec3 centre = vscale(vadd(lo, hi), 0.5), up = {0, !z_up, z_up};
-    vec3 toward = vunit(z_up ? vec(0.45, -1, 0.55)
-                             : vec(0.45, 0.55, 1));
-    camera_frame frame;
-    if (!frame_look_at(vmadd(centre, toward, 3 * v.size), centre, up, &frame, &f)
-        || !camera_perspective(frame, aspect > 1 ? 26 : 38, aspect, &v.camera, &f)) fail(f);
-    return v;
-}
 
 static inline void rays_free(ray_set *s)
 {
@@ -45,12 +31,12 @@ static inline void rays_free(ray_set *s)
     *s = (ray_set){NULL, 0};
 }
 
-static inline ray_set rays_primary(view v, int width, int height)
+static inline ray_set rays_primary(camera c, int width, int height)
 {
     ray_set s = {allocate((size_t)width * (size_t)height, sizeof(ray)), 0};
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++)
-            s.r[s.n++] = camera_ray(v.camera, (real)x + (real)0.5, (real)y + (real)0.5, width,
+            s.r[s.n++] = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, width,
                                     height);
     return s;
 }

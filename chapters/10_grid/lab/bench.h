@@ -13,7 +13,7 @@
 #ifndef BENCH_H
 #define BENCH_H
 
-#include "../../09_aabb/structure.h"
+#include "../../09_aabb/items.h"
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/survey.h"
 
@@ -70,13 +70,13 @@ static inline shape *bench_spheres(size_t n, uint64_t seed)
 }
 
 /* A view from so near to the small teapot that it fills the picture. */
-static inline view bench_stadium_view(real aspect)
+static inline camera bench_stadium_view(real aspect)
 {
     vec3 lo, hi;
     mesh pot = teapot_mesh(4);
     mesh_bounds(&pot, &lo, &hi);
     mesh_free(&pot);
-    return view_of(lo, hi, true, aspect);
+    return camera_of(lo, hi, true, aspect);
 }
 
 /* b->x points into *b: it must stay where it is. */

@@ -168,7 +168,7 @@ static inline ray_set teapot_rays(const mesh *m, int width, int height, uint64_t
     vec3 lo, hi;
     mesh_bounds(m, &lo, &hi);
     items x = items_of_mesh(m);
-    ray_set p = rays_primary(view_of(lo, hi, true, (real)width / (real)height), width, height);
+    ray_set p = rays_primary(camera_of(lo, hi, true, (real)width / (real)height), width, height);
     hit *h = brute_hits(&x, &p, threads);
     for (size_t i = 0; i < p.n; i++) if (h[i].t == 0) h[i] = hit_none;
     ray_set d = rays_diffuse(m, &p, h, seed), all = {allocate(p.n + d.n, sizeof(ray)), p.n + d.n};

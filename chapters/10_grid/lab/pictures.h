@@ -131,19 +131,19 @@ static inline vec3 see_cells(const panel *p, ray r)
     return shown;
 }
 
-static inline void panel_mesh(panel *p, const mesh *m, grid *g, grid_options how, view v)
+static inline void panel_mesh(panel *p, const mesh *m, grid *g, grid_options how, camera v)
 {
     items x = items_of_mesh(m);
     failure f;
     if (!grid_build(&x, how, g, &f)) fail(f);
-    p->m = m, p->g = g, p->n = NULL, p->eye = v.camera;
+    p->m = m, p->g = g, p->n = NULL, p->eye = v;
 }
 
-static inline view panel_view(const panel *p, const mesh *m, bool z_up)
+static inline camera panel_view(const panel *p, const mesh *m, bool z_up)
 {
     vec3 lo, hi;
     mesh_bounds(m, &lo, &hi);
-    return view_of(lo, hi, z_up, (real)p->width / (real)p->im->height);
+    return camera_of(lo, hi, z_up, (real)p->width / (real)p->im->height);
 }
 
 static inline void draw_grid(const options *o, grid_options how)

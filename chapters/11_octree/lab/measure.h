@@ -143,9 +143,9 @@ static inline void table_of_knobs(const options *o, mesh m)
     items x = items_of_mesh(&m);
     mesh_bounds(&m, &lo, &hi);
     int width = o->quick ? 40 : 160;
-    view look = view_of(lo, hi, true, 1.6);
+    camera look = camera_of(lo, hi, true, 1.6);
     ray_set p = rays_primary(look, width, width * 5 / 8);
-    ray_set hard = octree_hard_rays(&m, look.camera.e, 4 * look.size, o->quick ? 60 : 1000,
+    ray_set hard = octree_hard_rays(&m, look.e, 2 * vlength(vsub(hi, lo)), o->quick ? 60 : 1000,
                                     o->seed);
     double start = clock_seconds();
     hit *brute = octree_brute(&x, &hard);

@@ -149,7 +149,7 @@ static inline void draw_faults(const options *o)
     camera_frame frame;
     failure f;
     bool whole = true;
-    c[0] = view_of((vec3){0, 0, 0}, (vec3){4, 4, 4}, true, 1.5).camera;
+    c[0] = camera_of((vec3){0, 0, 0}, (vec3){4, 4, 4}, true, 1.5);
     if (!frame_look_at(vec(0, -10, 1.5), vec(0, 0, 1.5), (vec3){0, 0, 1}, &frame,
                        &f)
         || !camera_orthographic(frame, (camera_window){-4, 4, -2.5, 2.83}, &c[1], &f))

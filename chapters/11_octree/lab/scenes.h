@@ -62,7 +62,7 @@ static inline void table_of_stadium(const options *o)
         start = clock_seconds();
         if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
         double grid_built = clock_seconds() - start;
-        ray_set p = rays_primary(view_of(lo, hi, true, 1.6), o->quick ? 24 : 80,
+        ray_set p = rays_primary(camera_of(lo, hi, true, 1.6), o->quick ? 24 : 80,
                                  o->quick ? 15 : 50);
         ray_set d = octree_rays_on(&t, &m, &p, o->seed);
         grid_trial by_grid = {&g, &d};
@@ -102,7 +102,7 @@ static inline void plots_of_depth(const options *o)
         failure f;
         ray_set d = {NULL, 0};
         mesh_bounds(k == 1 ? &pot : &m, &lo, &hi);
-        ray_set p = rays_primary(view_of(lo, hi, true, 1.6), o->quick ? 24 : 72,
+        ray_set p = rays_primary(camera_of(lo, hi, true, 1.6), o->quick ? 24 : 72,
                                  o->quick ? 15 : 45);
         int by_work = plot_series(&work, name[k]), by_memory = plot_series(&memory, name[k]);
         int by_time = plot_series(&seconds, name[k]);

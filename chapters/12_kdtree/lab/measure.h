@@ -31,13 +31,13 @@ static const candidate candidate_list[candidates] = {
 typedef struct {
     mesh m;
     items x;
-    view v;
+    camera v;
     ray_set primary, diffuse, corners;
     hit *brute;                /* of `corners` */
     double brute_seconds;      /* a ray */
 } subject;
 
-static inline void subject_init(subject *s, mesh m, view v, int width, size_t corners,
+static inline void subject_init(subject *s, mesh m, camera v, int width, size_t corners,
                                 uint64_t seed);
 static inline void subject_free(subject *s);
 static inline void table_of_strategies(const options *o, const subject *s);
@@ -50,14 +50,14 @@ static inline void build_or_fail(const items *x, kdtree_options how, kdtree *t)
     if (!kdtree_build(x, how, t, &f)) fail(f);
 }
 
-static inline view view_of_mesh(const mesh *m, real aspect)
+static inline camera view_of_mesh(const mesh *m, real aspect)
 {
     vec3 lo, hi;
     mesh_bounds(m, &lo, &hi);
-    return view_of(lo, hi, true, aspect);
+    return camera_of(lo, hi, true, aspect);
 }
 
-static inline void subject_init(subject *s, mesh m, view v, int width, size_t corners,
+static inline void subject_init(subject *s, mesh m, camera v, int width, size_t corners,
                                 uint64_t seed)
 {
     kdtree t;
@@ -70,7 +70,7 @@ static inline void subject_init(subject *s, mesh m, view v, int width, size_t co
     s->diffuse = rays_diffuse(&s->m, &s->primary, h, seed);
     free(h);
     kdtree_free(&t);
-    s->corners = rays_corners(&s->m, v.camera.e, corners, seed);
+    s->corners = rays_corners(&s->m, v.e, corners, seed);
     s->brute = allocate(corners, sizeof *s->brute);
     double start = clock_seconds();
     for (size_t i = 0; i < corners; i++)

@@ -14,7 +14,7 @@
 #include "../../../common/lab/heat.h"
 #include "measure.h"
 
-typedef struct { const kdtree *t; const mesh *m; view v; image *im; real most; } picture;
+typedef struct { const kdtree *t; const mesh *m; camera v; image *im; real most; } picture;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -24,7 +24,7 @@ static inline void mesh_pixel(int x, int y, void *context)
     const picture *p = context;
     vec3 sum = {0, 0, 0}, background = {0.93, 0.93, 0.93};
     for (int k = 0; k < n * n; k++) {
-        ray r = camera_ray(p->v.camera, (real)x + ((real)(k % n) + (real)0.5) / n,
+        ray r = camera_ray(p->v, (real)x + ((real)(k % n) + (real)0.5) / n,
                            (real)y + ((real)(k / n) + (real)0.5) / n, p->im->width, p->im->height);
         hit h;
         bool found = kdtree_hit(p->t, r, &h);
@@ -38,7 +38,7 @@ static inline void visits_pixel(int x, int y, void *context)
     const picture *p = context;
     search_work w = {0, 0, 0, 0};
     hit h;
-    kdtree_hit_counted(p->t, camera_ray(p->v.camera, (real)x + (real)0.5, (real)y + (real)0.5,
+    kdtree_hit_counted(p->t, camera_ray(p->v, (real)x + (real)0.5, (real)y + (real)0.5,
                                         p->im->width, p->im->height), &h, &w);
     image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / p->most));
 }
@@ -64,7 +64,7 @@ static inline bool draw_strategies(const mesh *m, bool z_up, int threads, image 
         image im = image_new(all->width > 1 ? all->width / 2 : 1,
                              all->height > 1 ? all->height / 2 : 1);
         build_or_fail(&x, candidate_list[k].options, &t);
-        view v = view_of(lo, hi, z_up, (real)im.width / (real)im.height);
+        camera v = camera_of(lo, hi, z_up, (real)im.width / (real)im.height);
         whole = draw_visits((picture){&t, m, v, &im, 120}, threads) && whole;
         image_place(all, k % 2 * im.width, k / 2 * im.height, &im);
         kdtree_free(&t), image_free(&im);

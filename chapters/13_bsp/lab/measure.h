@@ -131,14 +131,14 @@ static inline survey survey_of(const options *o, const mesh *m, const items *x)
     trial t = trial_of("", BSP_COST, 8, x);
     int width = o->quick ? 40 : 160;
     mesh_bounds(m, &lo, &hi);
-    view v = view_of(lo, hi, true, 1.6);
+    camera v = camera_of(lo, hi, true, 1.6);
     s.primary = rays_primary(v, width, width * 5 / 8);
     hit *h = allocate(s.primary.n, sizeof *h);
     run_build(&t);
     for (size_t i = 0; i < s.primary.n; i++)
         if (!bsp_hit(&t.b, s.primary.r[i], &h[i])) h[i] = hit_none;
     s.diffuse = rays_diffuse(m, &s.primary, h, o->seed);
-    s.corners = rays_corners(m, v.camera.e, o->quick ? 50 : 2000, o->seed);
+    s.corners = rays_corners(m, v.e, o->quick ? 50 : 2000, o->seed);
     double start = clock_seconds();
     s.brute = rays_brute(x, &s.corners);
     s.brute_seconds = (clock_seconds() - start) / (double)s.corners.n;

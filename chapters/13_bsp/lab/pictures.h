@@ -18,7 +18,7 @@
 
 typedef struct {
     const bsp *b;
-    view v;
+    camera v;
     image *im;
     int up;                  /* axis: 1 or 2 */
     real x0, x1, up0, up1;   /* of the slice */
@@ -74,7 +74,7 @@ static inline void work_pixel(int x, int y, void *context)
     const tree_picture *p = context;
     search_work w = {0, 0, 0, 0};
     hit h;
-    ray r = camera_ray(p->v.camera, (real)x + (real)0.5, (real)y + (real)0.5, p->im->width,
+    ray r = camera_ray(p->v, (real)x + (real)0.5, (real)y + (real)0.5, p->im->width,
                        p->im->height);
     bsp_hit_counted(p->b, r, &h, &w);
     image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / 90));
@@ -99,7 +99,7 @@ static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bool z_up, bsp_op
         real aspect = (real)im.width / (real)im.height;
         real tall = vaxis(hi, up) - vaxis(lo, up), low = (vaxis(hi, up) + vaxis(lo, up)) / 2;
         real half = (real)0.51 * real_max(hi.x - lo.x, tall * aspect), left = (lo.x + hi.x) / 2;
-        tree_picture p = {&b, view_of(lo, hi, z_up, aspect), &im, up, left - half, left + half,
+        tree_picture p = {&b, camera_of(lo, hi, z_up, aspect), &im, up, left - half, left + half,
                           low - half / aspect, low + half / aspect};
         whole = parallel_pixels(im.width, im.height, threads, "cells", slice_pixel, &p) && whole;
         image_place(all, k * (all->width - im.width), 0, &im);

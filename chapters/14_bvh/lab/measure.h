@@ -1,200 +1,154 @@
-/* measure.h: the strategies on one mesh: time, memory, work, wrong hits; and what overlap costs. */
+/* measure.h: the strategies measured.
+ *
+ *   table_of_strategies(o, &s)    time, memory, work, wrong hits; the main table
+ *   table_of_overlap(o, &s)       the formulas of stats.h, and counting
+ *   table_of_paying(o, &s)        build + k rays, for k from 1e4 to 1e7; the Pareto front (帕累托前沿):
+ *                                 those for which no other is built faster and searched faster
+ *   table_of_slivers(o)           where triangles fill little of their boxes: cuts through them
+ *   plot_of_pareto(o, &s)         each strategy a curve, leaf sizes 16, 8, 4, 2 its points
+ *   bvh_grow(o)                   against the number of triangles, up to a million
+ */
 #ifndef BVH_MEASURE_H
 #define BVH_MEASURE_H
 
-#include "../../../common/lab/report.h"
-#include "../../07_mesh/closest.h"
-#include "../../07_mesh/scenes/teapot.h"
-#include "../../09_aabb/trials/first_row.h"
-#include "../first.h"
-#include "../stats.h"
-#include "survey.h"
-
-typedef struct { const char *name; bvh_options options; bool naive; } candidate;
-
-enum { candidates = 11 };
-static const candidate candidate_list[candidates] = {
-    {"cycling axis", {BVH_CYCLE, 4, 1}, false}, {"longest axis", {BVH_LONGEST, 4, 1}, false},
-    {"median", {BVH_MEDIAN, 4, 1}, false}, {"SAH, bins", {BVH_SAH, 1, 1}, false},
-    {"SAH, bins", {BVH_SAH, 4, 0.3}, false}, {"SAH, bins", {BVH_SAH, 8, 0.3}, false},
-    {"SAH, bins", {BVH_SAH, 16, 0.1}, false}, {"SAH, sweep", {BVH_SAH_SWEEP, 8, 0.3}, false},
-    {"SAH, boxes naive", {BVH_SAH, 8, 0.3}, true}, {"SAH, spatial", {BVH_SPATIAL, 8, 0.3}, false},
-    {"Morton", {BVH_MORTON, 8, 0.3}, false}};
-
-/* What the surveys share: the mesh, rays at it, and the hits of brute force for some of them. */
-typedef struct {
-    mesh m;
-    view v;
-    ray_set primary, diffuse, corners;
-    hit *brute;                /* of `corners` */
-    double brute_seconds;      /* a ray */
-} subject;
-
-static inline subject subject_of(mesh m, int width, int height, size_t corners, uint64_t seed);
-static inline void subject_free(subject *s);
-static inline void table_of_strategies(const options *o, const subject *s);
-static inline void table_of_overlap(const options *o, const subject *s);
+#include "../../09_aabb/trials/growth.h"
+#include "candidates.h"
+#include "slivers.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline subject subject_of(mesh m, int width, int height, size_t corners, uint64_t seed)
+static inline void table_of_strategies(const options *o, const trial_scene *s)
 {
-    subject s = {.m = m};
-    vec3 lo, hi;
-    bvh b;
-    mesh_bounds(&m, &lo, &hi);
-    s.v = view_of(lo, hi, true, (real)width / (real)height);
-    s.primary = rays_primary(s.v, width, height);
-    bvh_build(&m, bvh_defaults, &b);
-    s.diffuse = rays_on(&b, &m, &s.primary, seed);
-    bvh_free(&b);
-    s.corners = rays_corners(&m, s.v.camera.e, corners, seed);
-    s.brute = allocate(corners, sizeof *s.brute);
-    double start = clock_seconds();
-    for (size_t i = 0; i < corners; i++)
-        if (!mesh_hit(&m, s.corners.r[i], &s.brute[i])) s.brute[i] = hit_none;
-    s.brute_seconds = (clock_seconds() - start) / (double)(corners ? corners : 1);
-    return s;
-}
-
-static inline void subject_free(subject *s)
-{
-    rays_free(&s->primary), rays_free(&s->diffuse), rays_free(&s->corners);
-    mesh_free(&s->m);
-    free(s->brute);
-    s->brute = NULL;
-}
-
-typedef struct { const subject *s; const candidate *c; const ray_set *rays; bvh b; } trial;
-
-static inline double run_build(void *context)
-{
-    trial *t = context;
-    bvh_free(&t->b);
-    bvh_build(&t->s->m, t->c->options, &t->b);
-    return (double)t->b.tree.nodes;
-}
-
-static inline double run_search(void *context)
-{
-    const trial *t = context;
-    size_t hits = 0;
-    hit h;
-    if (t->c->naive)
-        for (size_t i = 0; i < t->rays->n; i++) hits += bvh_hit_naive(&t->b, t->rays->r[i], &h);
-    else
-        for (size_t i = 0; i < t->rays->n; i++) hits += bvh_hit(&t->b, t->rays->r[i], &h);
-    return (double)hits;
-}
-
-/* Median seconds of each trial, taken in turn. */
-static inline void time_trials(trial *t, int n, double (*run)(void *), int rounds, double *seconds)
-{
-    clock_variant v[16];
-    for (int i = 0; i < n; i++) v[i] = (clock_variant){t[i].c->name, run, &t[i], 0};
-    clock_compare(v, n, rounds);
-    for (int i = 0; i < n; i++) seconds[i] = v[i].seconds;
-}
-
-/* Seconds of one run that nothing has warmed up. For building: its memory is new each time. */
-static inline double time_once(trial *t, double (*run)(void *))
-{
-    double start = clock_seconds();
-    clock_kept = run(t);
-    return clock_seconds() - start;
-}
-
-static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
-
-static inline bool first_bvh_search(const void *b, ray r, hit *out)
-{
-    return first_bvh_hit(b, r, out);
-}
-
-static inline void first_strategy_row(table *out, const subject *s, bool sah, int rounds)
-{
-    first_mesh f = first_mesh_of(&s->m);
-    double start = clock_seconds(), rays = (double)(s->primary.n + s->diffuse.n);
-    first_bvh b = first_bvh_build(&f, sah);
-    double build = clock_seconds() - start;
-    table_text(out, sah ? "first, SAH" : "first, middle"), table_count(out, first_bvh_leaf);
-    table_number(out, build * 1e3);
-    for (int k = 0; k < 4; k++) table_text(out, "-");
-    double seconds = first_cells(out, (first_search){&b, first_bvh_search}, &s->primary,
-                                 &s->diffuse, &s->corners, s->brute, rounds);
-    table_number(out, rays / seconds * 1e-6);
-    first_bvh_free(&b), first_mesh_free(&f);
-}
-
-static inline void table_of_strategies(const options *o, const subject *s)
-{
-    trial t[candidates];
-    double build[candidates], primary[candidates], diffuse[candidates];
+    int n = o->full ? bvh_candidates : bvh_short;
     char title[160];
-    snprintf(title, sizeof title,
-             "%zu triangles: %zu primary and %zu diffuse rays, one thread; wrong of %zu at corners",
-             s->m.triangles, s->primary.n, s->diffuse.n, s->corners.n);
-    table out = table_new(
-        title, "structure|leaf|time build [ms]|memory [B/tri]|peak [B/tri]|depth|nodes/ray|"
-               "tests/ray|error [wrong]|time primary [ns]|time diffuse [ns]|Mrays/s");
-    for (int i = 0; i < candidates; i++)
-        t[i] = (trial){s, &candidate_list[i], &s->primary, {{0}, NULL}};
-    time_trials(t, candidates, run_build, o->quick ? 1 : 3, build);
-    time_trials(t, candidates, run_search, o->quick ? 1 : 5, primary);
-    for (int i = 0; i < candidates; i++) t[i].rays = &s->diffuse;
-    time_trials(t, candidates, run_search, o->quick ? 1 : 5, diffuse);
-    for (int sah = 0; sah < 2; sah++) first_strategy_row(&out, s, sah != 0, o->quick ? 1 : 5);
-    for (int i = 0; i < candidates; i++) {
-        bvh_stats st = bvh_stats_of(&t[i].b.tree);
-        bvh_work p = rays_count(&t[i].b, &s->primary), d = rays_count(&t[i].b, &s->diffuse);
-        size_t rays = s->primary.n + s->diffuse.n;
-        table_text(&out, "%s", t[i].c->name), table_count(&out, (size_t)t[i].c->options.leaf);
-        table_number(&out, build[i] * 1e3);
-        table_number(&out, per((double)st.bytes, st.items));
-        table_number(&out, per((double)st.peak, st.items));
-        table_count(&out, (size_t)st.depth);
-        table_number(&out, per((double)(p.nodes + d.nodes), rays));
-        table_number(&out, per((double)(p.tests + d.tests), rays));
-        table_count(&out, rays_wrong(&t[i].b, &s->corners, s->brute, t[i].c->naive));
-        table_number(&out, per(primary[i] * 1e9, s->primary.n));
-        table_number(&out, per(diffuse[i] * 1e9, s->diffuse.n));
-        table_number(&out, (double)rays / (primary[i] + diffuse[i]) * 1e-6);
-        bvh_free(&t[i].b);
-    }
-    table_text(&out, "brute force");
-    for (int k = 0; k < 5; k++) table_text(&out, "-");
-    table_number(&out, 0);
-    table_number(&out, (double)s->m.triangles), table_count(&out, 0);
-    table_number(&out, s->brute_seconds * 1e9), table_number(&out, s->brute_seconds * 1e9);
-    table_number(&out, 1e-6 / s->brute_seconds);
-    output_table(o, &out);
+    trial_row row[bvh_candidates];
+    bvh_rows(bvh_candidate_list, n, row);
+    trial_run(row, n, s, o->quick ? 1 : o->full ? 5 : 3);
+    table t = trial_table(trial_title(s, title), row, n, s, o->full, NULL);
+    output_table(o, &t);
+    trial_end(row, n);
 }
 
-/* The same trees, by the formulas and by counting. */
-static inline void table_of_overlap(const options *o, const subject *s)
+/* Seven curves, of leaves that are best for each. */
+enum { bvh_paying = 7 };
+static const bvh_candidate bvh_paying_list[bvh_paying] = {
+    {"Morton", &bvh_trial, {BVH_MORTON, 8, 0.3}, false},
+    {"cycling axis", &bvh_trial, {BVH_CYCLE, 4, 1}, false},
+    {"longest axis", &bvh_trial, {BVH_LONGEST, 4, 1}, false},
+    {"median", &bvh_trial, {BVH_MEDIAN, 4, 1}, false},
+    {"SAH, bins", &bvh_trial, {BVH_SAH, 8, 0.3}, false},
+    {"SAH, sweep", &bvh_trial, {BVH_SAH_SWEEP, 8, 0.3}, false},
+    {"SAH, spatial", &bvh_trial, {BVH_SPATIAL, 8, 0.3}, false}};
+
+/* The same trees, by the formulas and by counting lines as the heuristic assumes them. */
+static inline void table_of_overlap(const options *o, const trial_scene *s)
 {
-    static const int shown[5] = {0, 1, 2, 5, 7};
+    const ray_set *diffuse = &s->rays[TRIAL_DIFFUSE];
     table out = table_new(
         "Overlap: random lines through the box of the mesh, and diffuse rays",
         "structure|nodes (14.7)|nodes, lines|tests (14.7)|tests, lines|in both (14.8)|"
         "both, rays [%]|barren leaves, rays [%]");
-    for (int i = 0; i < 5; i++) {
+    for (int i = 1; i < bvh_paying - 1; i++) {
         bvh b;
-        bvh_build(&s->m, candidate_list[shown[i]].options, &b);
+        bvh_work w = {0, 0, 0, 0, 0}, d = {0, 0, 0, 0, 0};
+        hit h;
+        bvh_build(&s->m, bvh_paying_list[i].how, &b);
         bvh_stats st = bvh_stats_of(&b.tree);
-        ray_set lines = rays_lines(&b, o->quick ? 2000 : 50000, o->seed);
-        bvh_work w = {0, 0, 0, 0, 0}, d = rays_count(&b, &s->diffuse);
+        const float *c = b.tree.node[0].box.side;
+        aabb box = {{(real)c[0], (real)c[1], (real)c[2]}, {(real)c[3], (real)c[4], (real)c[5]}};
+        ray_set lines = rays_uniform(box, 50000, o->seed);
         for (size_t k = 0; k < lines.n; k++) tree_pierced(&b.tree, lines.r[k], &w);
-        table_text(&out, "%s", candidate_list[shown[i]].name);
-        table_number(&out, st.nodes), table_number(&out, per((double)w.nodes, lines.n));
-        table_number(&out, st.tests), table_number(&out, per((double)w.tests, lines.n));
+        for (size_t k = 0; k < diffuse->n; k++) bvh_hit_counted(&b, diffuse->r[k], &h, &d);
+        table_text(&out, "%s", bvh_paying_list[i].name);
+        table_number(&out, st.nodes), table_number(&out, trial_per((double)w.nodes, lines.n));
+        table_number(&out, st.tests), table_number(&out, trial_per((double)w.tests, lines.n));
         table_number(&out, st.overlap);
-        table_number(&out, 100 * per((double)d.both, d.nodes));
-        table_number(&out, 100 * per((double)d.barren, d.leaves));
+        table_number(&out, 100 * trial_per((double)d.both, d.nodes));
+        table_number(&out, 100 * trial_per((double)d.barren, d.leaves));
         rays_free(&lines);
         bvh_free(&b);
     }
     output_extra_table(o, &out);
+}
+
+static inline void table_of_paying(const options *o, const trial_scene *s)
+{
+    enum { n = bvh_paying };
+    trial_row row[n];
+    double build[n], search[n];
+    table out = table_new("Build and k diffuse rays together, one thread; front: none is faster in both",
+                          "structure|build [ms]|ray [ns]|front|1e4 rays [ms]|1e5 rays [ms]|"
+                          "1e6 rays [ms]|1e7 rays [ms]");
+    bvh_rows(bvh_paying_list, n, row);
+    trial_run(row, n, s, 5);
+    for (int i = 0; i < n; i++)
+        build[i] = row[i].build, search[i] = trial_ns(&row[i], TRIAL_DIFFUSE) * 1e-9;
+    for (int i = 0; i < n; i++) {
+        bool front = true;
+        for (int j = 0; j < n; j++) front &= !(build[j] < build[i] && search[j] < search[i]);
+        table_text(&out, "%s", row[i].name);
+        table_number(&out, build[i] * 1e3), table_number(&out, search[i] * 1e9);
+        table_text(&out, front ? "yes" : "-");
+        for (double k = 1e4; k < 2e7; k *= 10) table_number(&out, (build[i] + k * search[i]) * 1e3);
+    }
+    output_extra_table(o, &out);
+    trial_end(row, n);
+}
+
+static inline void table_of_slivers(const options *o)
+{
+    trial_row row[bvh_paying];
+    trial_scene s;
+    table out = table_new(
+        "4000 slivers round an axis at an odd angle: primary rays",
+        "structure|build [ms]|references|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)");
+    trial_scene_of(slivers_mesh(4000, (vec3){0, 0, 0}), &s);
+    s.rays[TRIAL_PRIMARY] = rays_primary(trial_camera(&s.m, 1.6), 80, 50);
+    bvh_rows(bvh_paying_list, bvh_paying, row);
+    trial_run(row, bvh_paying, &s, 5);
+    for (int i = 0; i < bvh_paying; i++) {
+        bvh_stats st = bvh_stats_of(&((const bvh *)row[i].built)->tree);
+        search_work w = row[i].ray[TRIAL_PRIMARY].work;
+        size_t rays = row[i].ray[TRIAL_PRIMARY].n;
+        table_text(&out, "%s", row[i].name), table_number(&out, row[i].build * 1e3);
+        table_number(&out, trial_per((double)st.items, s.m.triangles));
+        table_number(&out, trial_per((double)w.nodes, rays));
+        table_number(&out, trial_per((double)w.tests, rays));
+        table_number(&out, trial_ns(&row[i], TRIAL_PRIMARY));
+        table_number(&out, st.nodes), table_number(&out, st.tests);
+    }
+    output_extra_table(o, &out);
+    trial_end(row, bvh_paying), trial_scene_free(&s);
+}
+
+static inline void plot_of_pareto(const options *o, const trial_scene *s)
+{
+    plot p = plot_new("Leaves of 16, 8, 4, 2", "build [ns a triangle]", "diffuse ray [ns]",
+                      PLOT_LOG_X);
+    for (int k = 0; k < bvh_paying; k++) {
+        int series = plot_series(&p, bvh_paying_list[k].name);
+        for (int leaf = 16; leaf > 1; leaf /= 2) {
+            bvh_options how = {bvh_paying_list[k].how.strategy, leaf, 0.8 / leaf};
+            trial_row r = {.name = "", .verbs = &bvh_trial, .how = &how};
+            trial_time_build(&r, s, 1);
+            trial_search(&r, 1, s, TRIAL_DIFFUSE, 3);
+            plot_add(&p, series, trial_per(r.build * 1e9, s->m.triangles),
+                     trial_ns(&r, TRIAL_DIFFUSE));
+            trial_end(&r, 1);
+        }
+    }
+    output_plot(o, &p, "14_bvh_pareto_time.svg");
+}
+
+static inline void bvh_grow(const options *o)
+{
+    static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 125};
+    static const bvh_options how = {BVH_SAH, 8, 0.3};
+    const trial_growth g = {.title = "Growth with n, SAH, bins, leaves of 8; one thread",
+                            .plots = {"14_bvh_n_time.svg", "14_bvh_n.svg"}, .name = "BVH",
+                            .work = {"pairs of boxes", NULL, "triangles"}, .verbs = &bvh_trial,
+                            .how = &how, .fine = fine, .sizes = 8, .width = 200, .brute = 64};
+    trial_grow(o, &g);
 }
 
 #endif

@@ -3,8 +3,8 @@
  *   mesh m = slivers_mesh(n, move)    n triangles, 4 long and 2 pi / n wide, round the axis
  *                                     (1, 0.8, 0.6) at distance 1, moved by `move`; mesh_free
  */
-#ifndef SLIVERS_H
-#define SLIVERS_H
+#ifndef BVH_SLIVERS_H
+#define BVH_SLIVERS_H
 
 #include "../../07_mesh/mesh.h"
 

@@ -40,13 +40,13 @@ static inline bool ball_hit(const sphere *s, const ray *r, hit *out)
     ball_look q = ball_look_at(s, r);
     if (!(q.sure & (q.k > q.size))) return sphere_hit(*s, *r, out);
     if ((q.D < 0) | (q.b < 0)) return false;
-    real t = (real)((q.b - sqrt(q.D)) / q.a);                                            /* (3.3) */
+    real t = (real)((q.b - sqrt(q.D)) / q.a);                                            /* (3.6) */
     if (!(t <= real_min(real_largest, r->tmax))) return false;
     *out = (hit){t, 0, 0, 0};
     return true;
 }
 
-/* From inside, k < 0, also by rounding: the far root is the one (3.3), and no noise if b >= 0. */
+/* From inside, k < 0, also by rounding: the far root is the one (3.6), and no noise if b >= 0. */
 __attribute__((always_inline))
 static inline bool ball_exit(const sphere *s, const ray *r, hit *out)
 {

@@ -1,6 +1,7 @@
 /* convergence.h: how fast errors fall, measured.
  *
- *   convergence *c = convergence_measure(levels, runs, seed, threads);  all methods; free(c)
+ *   convergence *c = convergence_measure(from, levels, runs, seed, threads);  all methods, the
+ *                                        levels from `from` to levels - 1; free(c)
  *   convergence_rms(c, method, f, level) root of the mean square error of the runs, N = 16 4^level
  *   convergence_slope(c, method, f)      of its logarithm against log N, with its uncertainty
  *
@@ -10,8 +11,8 @@
  * points without scrambling have none: all runs are the same, and its error is that of one set of
  * points.
  */
-#ifndef CONVERGENCE_H
-#define CONVERGENCE_H
+#ifndef MONTE_CARLO_CONVERGENCE_H
+#define MONTE_CARLO_CONVERGENCE_H
 
 #include "../../../common/parallel.h"
 #include "integrands.h"
@@ -20,7 +21,7 @@
 enum { CONVERGENCE_FIRST = sequence_kinds, convergence_methods };
 enum { convergence_levels = 6, convergence_blocks = 16 };
 typedef struct {
-    int levels, runs;
+    int from, levels, runs;
     uint64_t seed;
     estimate square[convergence_methods][convergence_levels][integrands];   /* of squared errors */
     estimate part[convergence_methods][convergence_levels][convergence_blocks][integrands];
@@ -59,14 +60,15 @@ static inline void convergence_job(size_t i, void *context)
     }
 }
 
-static inline convergence *convergence_measure(int levels, int runs, uint64_t seed, int threads)
+static inline convergence *convergence_measure(int from, int levels, int runs, uint64_t seed,
+                                               int threads)
 {
     convergence *c = allocate(1, sizeof *c);
-    c->levels = levels, c->runs = runs, c->seed = seed;
-    parallel_for((size_t)levels * convergence_methods * convergence_blocks, threads, "convergence",
-                 convergence_job, c);
+    c->from = from, c->levels = levels, c->runs = runs, c->seed = seed;
+    parallel_for((size_t)(levels - from) * convergence_methods * convergence_blocks, threads,
+                 "convergence", convergence_job, c);
     for (int k = 0; k < convergence_methods; k++)
-        for (int l = 0; l < levels; l++)
+        for (int l = from; l < levels; l++)
             for (int f = 0; f < integrands; f++)
                 for (int b = 0; b < convergence_blocks; b++)
                     c->square[k][l][f] = estimate_merge(c->square[k][l][f], c->part[k][l][b][f]);

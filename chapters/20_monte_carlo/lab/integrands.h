@@ -27,8 +27,8 @@
  * "Scrambled net variance for integrals of smooth functions", Ann. Stat. 25(4), 1997, and "Monte
  * Carlo variance of scrambled net quadrature", SIAM J. Numer. Anal. 34(5), 1997 (gains).
  */
-#ifndef INTEGRANDS_H
-#define INTEGRANDS_H
+#ifndef MONTE_CARLO_INTEGRANDS_H
+#define MONTE_CARLO_INTEGRANDS_H
 
 #include "../first.h"
 #include "../sampler.h"

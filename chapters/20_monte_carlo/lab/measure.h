@@ -1,18 +1,64 @@
-/* measure.h: tables about points and rays.
+/* measure.h: tables and plots: errors against N and time; more rays; what float forgets.
  *
- *   measure_slopes(o, c)      slopes, beside the theory
- *   measure_rays(o)           twice, four times the rays: what halves, what quarters
- *   measure_maps(o)           well-spread points through three maps to the disk
- *   measure_scrambles(o)      two hashes for Owen's scrambling against the exact variance
+ *   measure_methods(&o)    error and time of seven ways to integrate; with --full at all N, with
+ *                          plots, and their slopes beside the theory
+ *   measure_rays(&o)       twice, four times the rays: what halves, what quarters
+ *   measure_variances(&o)  E[x^2] - E[x]^2 of first.h against estimate.h
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef MONTE_CARLO_MEASURE_H
+#define MONTE_CARLO_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "convergence.h"
-#include "sampling_naive.h"
 
-/* ---------------------------------------------------------------------------------------------- */
+/* ---- seven ways ------------------------------------------------------------------------------ */
+
+typedef struct { int method; uint64_t seed; uint32_t n; } monte_carlo_timed;
+
+static inline double run_estimate(void *context)
+{
+    const monte_carlo_timed *e = context;
+    double error[integrands];
+    convergence_errors(e->method, e->seed, 0, e->n, error);
+    return error[SMOOTH] + error[EDGE];
+}
+
+static inline void number_or_dash(table *t, double x)
+{
+    if (isnan(x)) table_text(t, "-");
+    else table_number(t, x);
+}
+
+/* ns a sample, at 1024 samples: it hardly depends on their number. */
+static inline void measure_time(const options *o, double ns[convergence_methods])
+{
+    monte_carlo_timed e[convergence_methods];
+    bench_candidate v[convergence_methods];
+    for (int k = 0; k < convergence_methods; k++) {
+        e[k] = (monte_carlo_timed){k, o->seed, 1024};
+        v[k] = (bench_candidate){.run = run_estimate, .context = &e[k]};
+    }
+    bench_time(v, convergence_methods, o->full ? 99 : o->quick ? 5 : 31);
+    for (int k = 0; k < convergence_methods; k++) ns[k] = v[k].seconds / 1024 * 1e9;
+}
+
+static inline void methods_plot(const options *o, const convergence *c, integrand f,
+                                const double *ns, const char *title, const char *name)
+{
+    plot p = plot_new(title, ns ? "time of an estimate [us]" : "N", "error",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    for (int k = 0; k < convergence_methods; k++) {
+        if (!ns && k == CONVERGENCE_FIRST) continue;  /* its errors lie on those of random */
+        int series = plot_series(&p, convergence_name(k));
+        for (int l = 0; l < c->levels; l++)
+            plot_add(&p, series, convergence_n(l) * (ns ? ns[k] / 1000 : 1),
+                     convergence_rms(c, k, f, l));
+    }
+    plot_slope(&p, -0.5, "slope -1/2");
+    if (!ns) plot_slope(&p, f == SMOOTH ? -1.5 : -0.75, f == SMOOTH ? "slope -3/2" : "slope -3/4");
+    output_plot(o, &p, name);
+}
 
 static inline void measure_slopes(const options *o, const convergence *c)
 {
@@ -33,6 +79,40 @@ static inline void measure_slopes(const options *o, const convergence *c)
     output_extra_table(o, &t);
 }
 
+static inline void measure_methods(const options *o)
+{
+    double ns[convergence_methods];
+    int from = o->full ? 0 : 3;
+    convergence *c = convergence_measure(from, o->full ? 6 : 4, o->quick ? 48 : 480, o->seed,
+                                         o->threads);
+    table t = table_new(o->full ? "Root mean square error of two integrals, its exact value, and "
+                                  "time"
+                                : "Root mean square error of two integrals by 1024 samples, its "
+                                  "exact value, and time",
+                        "method|N|exact smooth|error smooth|exact edge|error edge|time [us]");
+    measure_time(o, ns);
+    for (int k = 0; k < convergence_methods; k++)
+        for (int l = from; l < c->levels; l++) {
+            table_text(&t, "%s", convergence_name(k)), table_count(&t, convergence_n(l));
+            for (int f = 0; f < integrands; f++) {
+                number_or_dash(&t, convergence_exact(k, (integrand)f, l));
+                table_number(&t, convergence_rms(c, k, (integrand)f, l));
+            }
+            table_number(&t, convergence_n(l) * ns[k] / 1000);
+        }
+    output_table(o, &t);
+    if (o->full) {
+        methods_plot(o, c, SMOOTH, NULL, "Error of a smooth integral", "20_monte_carlo_error.svg");
+        methods_plot(o, c, EDGE, NULL, "Error of a pixel with an edge", "20_monte_carlo_edge.svg");
+        methods_plot(o, c, SMOOTH, ns, "Error of a smooth integral, and time",
+                     "20_monte_carlo_time.svg");
+        measure_slopes(o, c);
+    }
+    free(c);
+}
+
+/* ---- more rays ------------------------------------------------------------------------------- */
+
 /* A pixel that a silhouette crosses, by random samples: variance over many runs. */
 static inline estimate rays_variance(uint64_t seed, uint32_t n, int runs)
 {
@@ -47,8 +127,7 @@ static inline estimate rays_variance(uint64_t seed, uint32_t n, int runs)
 
 static inline void measure_rays(const options *o)
 {
-    enum { n = 64 };
-    int runs = o->quick ? 1000 : 8000;
+    enum { n = 64, runs = 8000 };
     estimate one = rays_variance(o->seed, n, runs);
     table t = table_new("What more rays do to a pixel at a silhouette", "rays|error variance|"
                         "of the first|error deviation|of the first|p, variance halved|"
@@ -66,80 +145,51 @@ static inline void measure_rays(const options *o)
     output_extra_table(o, &t);
 }
 
-/* ---- maps, hashes ---- */
+/* ---- what float forgets ---------------------------------------------------------------------- */
 
-typedef vec3 disk_map(real u, real v);
-
-/* The mean of x^2 over the disk is 1/4. */
-static inline double map_error(disk_map *map, uint64_t seed, uint64_t run, uint32_t n)
+/* 1000 numbers, uniform about `mean`, deviation 1; steps of 1/1024, which floats of 1e4 have.
+ * `out`: the variance three ways, in parts of the true one; first.h's as real has digits. */
+static inline void variances_of(double mean, uint64_t seed, uint64_t set, double out[3])
 {
-    double sum = 0;
-    for (uint32_t i = 0; i < n; i++) {
-        sampler s = sampler_start(SEQUENCE_SOBOL, seed, run, i, n);
-        point2 p = sampler_pair(&s);
-        double x = (double)map(p.u, p.v).x;
-        sum += x * x;
+    enum { n = 1000 };
+    moments_f32 m = {0, 0};
+    first_samples s = {0, 0, 0};
+    estimate e = {0}, centred = {0};
+    for (uint64_t i = 0; i < n; i++) {
+        double u = random_double_of(random_bits(seed, set, i, 0));
+        double off = floor((2 * u - 1) * sqrt(3.0) * 1024) / 1024, x = mean + off;
+        m = moments_add_f32(m, (float)x), first_sample(&s, (real)x);
+        e = estimate_add(e, x), centred = estimate_add(centred, off);
     }
-    return sum / n - 0.25;
+    double v = estimate_variance(centred);
+    out[0] = (double)moments_variance_f32(m, n) / v;
+    out[1] = (double)first_variance(s) / v;
+    out[2] = estimate_variance(e) / v;
 }
 
-static inline void measure_maps(const options *o)
+static inline void measure_variances(const options *o)
 {
-    static const struct { const char *name; disk_map *map; } row[3] = {
-        {"sample_disk", sample_disk}, {"sample_disk_polar", sample_disk_polar},
-        {"sample_disk_rejection", sample_disk_rejection}};
-    table t = table_new("The mean of x^2 over a disk by Sobol' points (Owen) through three maps",
-                        "map|error N = 64|error N = 1024|error slope");
-    for (int k = 0; k < 3; k++) {
-        double rms[2];
-        for (int l = 0; l < 2; l++) {
-            estimate e = {0};
-            for (uint64_t run = 0; run < (o->quick ? 30 : 300); run++) {
-                double x = map_error(row[k].map, o->seed, run, l ? 1024 : 64);
-                e = estimate_add(e, x * x);
+    static const double means[5] = {1, 100, 1000, 1e4, 1e8};
+    enum { sets = 1000 };
+    table t = table_new("Variance of 1000 numbers of deviation 1 by E[x^2] - E[x]^2, and by "
+                        "estimate.h: worst relative error", "mean|error float|negative [%]|"
+                        "error first|negative [%]|error estimate|negative [%]");
+    for (int k = 0; k < 5; k++) {
+        double negative[3] = {0}, worst[3] = {0}, v[3];
+        for (int set = 0; set < sets; set++) {
+            variances_of(means[k], o->seed, (uint64_t)set, v);
+            for (int way = 0; way < 3; way++) {
+                double off = fabs(v[way] - 1);
+                negative[way] += 100.0 * (v[way] < 0) / sets;
+                worst[way] = off > worst[way] ? off : worst[way];
             }
-            rms[l] = sqrt(e.mean);
         }
-        table_text(&t, "%s", row[k].name), table_number(&t, rms[0]), table_number(&t, rms[1]);
-        table_number(&t, log(rms[1] / rms[0]) / log(16.0));
-    }
-    output_extra_table(o, &t);
-}
-
-typedef uint32_t scramble(uint32_t x, uint32_t seed);
-
-/* The squared error of e^(x+y) over 2^m points, scrambled by `how`. */
-static inline estimate scramble_squares(scramble *how, uint64_t seed, int m, int runs)
-{
-    estimate e = {0};
-    for (int run = 0; run < runs; run++) {
-        uint64_t axes = random_bits(seed, (uint64_t)run, 0, 0);
-        uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32);
-        double sum = 0, n = ldexp(1, m);
-        for (uint32_t i = 0; i < (uint32_t)1 << m; i++) {
-            uint32_t x = how(sobol_x(i), a), y = how(sobol_y(i), b);
-            point2 p = {real_of_fraction(x, a), real_of_fraction(y, b)};
-            sum += integrand_value(SMOOTH, p);
-        }
-        double error = sum / n - integrand_integral(SMOOTH);
-        e = estimate_add(e, error * error);
-    }
-    return e;
-}
-
-static inline void measure_scrambles(const options *o)
-{
-    static const struct { const char *name; scramble *how; } row[3] = {
-        {"owen_scramble_exact", owen_scramble_exact}, {"owen_scramble_2020", owen_scramble_2020},
-        {"owen_scramble", owen_scramble}};
-    table t = table_new("Hashes for Owen's scrambling: variance of e^(x+y), 1 is right; p of a "
-                        "t-test", "hash|N = 16|p|N = 32|p|N = 64|p|N = 256|p");
-    for (int k = 0; k < 3; k++) {
-        table_text(&t, "%s", row[k].name);
-        for (int m = 4; m <= 8; m += m < 6 ? 1 : 2) {
-            double exact = deviation_sobol(m) * deviation_sobol(m);
-            estimate e = scramble_squares(row[k].how, o->seed, m, o->quick ? 100 : 2000);
-            table_number(&t, e.mean / exact), table_number(&t, t_test(e, exact, 0));
+        table_number(&t, means[k]);
+        for (int way = 0; way < 3; way++) {
+            /* Beyond 1e5 floats lie 8 apart. */
+            bool known = means[k] < 1e5 || way == 2 || (way == 1 && !real_is_float);
+            if (known) table_number(&t, worst[way]), table_number(&t, negative[way]);
+            else table_text(&t, "-"), table_text(&t, "-");
         }
     }
     output_extra_table(o, &t);

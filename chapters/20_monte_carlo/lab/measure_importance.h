@@ -3,8 +3,8 @@
  *   measure_importance(o)   table and plot: variance, slope of the error, and how often the
  *                           interval that the samples themselves report holds the truth
  */
-#ifndef MEASURE_IMPORTANCE_H
-#define MEASURE_IMPORTANCE_H
+#ifndef MONTE_CARLO_MEASURE_IMPORTANCE_H
+#define MONTE_CARLO_MEASURE_IMPORTANCE_H
 
 #include "../../../common/lab/report.h"
 #include "../importance.h"
@@ -12,7 +12,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { importance_rows = 8, importance_levels = 5 };
+enum { importance_rows = 8, importance_levels = 5, importance_most_runs = 400 };
 static const struct { const char *name; double n, a; } importance_row[importance_rows] = {
     {"n = 0, uniform", 0, 0}, {"n = 1, cosine", 1, 0}, {"n = 2", 2, 0}, {"n = 4", 4, 0},
     {"n = 8", 8, 0}, {"n = 20", 20, 0}, {"n = 20, mixed", 20, 0.2}, {"cone of 60 degrees", -1, 0}};
@@ -20,9 +20,9 @@ static const struct { const char *name; double n, a; } importance_row[importance
 typedef struct {
     uint64_t seed;
     int runs;
-    double *error[importance_rows][importance_levels];   /* of each run */
-    bool *holds[importance_rows];                        /* the interval, of the last level */
-    double variance[importance_rows], largest[importance_rows];
+    double error[importance_rows][importance_levels][importance_most_runs];
+    int holds[importance_rows];         /* runs whose interval holds the truth, of the last level */
+    double variance[importance_rows];
 } importance_survey;
 
 static inline size_t importance_n(int level) { return (size_t)16 << 2 * level; }
@@ -39,17 +39,10 @@ static inline void importance_job(size_t i, void *context)
                            : importance_run(n, a, s->seed, r, importance_n(level));
         s->error[row][level][run] = fabs(e.mean - (double)pi);
         if (level < importance_levels - 1) continue;
-        s->holds[row][run] = t_test(e, (double)pi, 1e-6) >= 0.05;
+        s->holds[row] += t_test(e, (double)pi, 1e-6) >= 0.05;
         all = estimate_add(all, estimate_variance(e));
     }
     if (level == importance_levels - 1) s->variance[row] = all.mean;
-}
-
-static inline double importance_holds(const importance_survey *s, int row)
-{
-    int n = 0;
-    for (int run = 0; run < s->runs; run++) n += s->holds[row][run];
-    return 100.0 * n / s->runs;
 }
 
 static inline double importance_largest(int row)
@@ -74,19 +67,15 @@ static inline void measure_importance(const options *o)
                         "error slope|error median|error interval holds pi [%]");
     plot p = plot_new("The irradiance under a white sky", "N", "error, median of the runs",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    importance_survey s = {.seed = o->seed, .runs = o->quick ? 40 : 400};
-    for (int r = 0; r < importance_rows; r++) {
-        s.holds[r] = allocate((size_t)s.runs, sizeof *s.holds[r]);
-        for (int l = 0; l < importance_levels; l++)
-            s.error[r][l] = allocate((size_t)s.runs, sizeof *s.error[r][l]);
-    }
-    parallel_for(importance_rows * importance_levels, o->threads, "importance", importance_job, &s);
+    importance_survey *s = allocate(1, sizeof *s);
+    s->seed = o->seed, s->runs = o->quick ? 40 : importance_most_runs;
+    parallel_for(importance_rows * importance_levels, o->threads, "importance", importance_job, s);
     for (int r = 0; r < importance_rows; r++) {
         double x[importance_levels], y[importance_levels], median = 0, n = importance_row[r].n;
         bool exact = n == 1;
         plot_series(&p, importance_row[r].name);
         for (int l = 0; l < importance_levels; l++) {
-            median = clock_median(s.error[r][l], s.runs);
+            median = clock_median(s->error[r][l], s->runs);
             x[l] = log((double)importance_n(l)), y[l] = log(median);
             plot_add(&p, r, (double)importance_n(l), median > 1e-6 ? median : 0);
         }
@@ -94,14 +83,13 @@ static inline void measure_importance(const options *o)
         table_number(&t, importance_largest(r));
         if (importance_row[r].a > 0) table_text(&t, "-");
         else table_number(&t, importance_exact(r));
-        table_number(&t, exact ? 0 : s.variance[r]);
+        table_number(&t, exact ? 0 : s->variance[r]);
         if (exact) table_text(&t, "-"), table_text(&t, "-");
         else table_number(&t, n < 0 ? 0 : importance_row[r].a > 0 ? -0.5 : importance_slope(n)),
              table_number(&t, fit_line(x, y, importance_levels).slope);
-        table_number(&t, exact ? 0 : median), table_number(&t, importance_holds(&s, r));
-        for (int l = 0; l < importance_levels; l++) free(s.error[r][l]);
-        free(s.holds[r]);
+        table_number(&t, exact ? 0 : median), table_number(&t, 100.0 * s->holds[r] / s->runs);
     }
+    free(s);
     output_extra_table(o, &t);
     output_plot(o, &p, "20_monte_carlo_importance.svg");
 }

@@ -1,14 +1,15 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_points(o)   256 points by each method of sampler.h (a column each), from the top: pair 0
- *                    of the square; pair 7; sample_disk, which is also sample_cosine from above;
- *                    sample_hemisphere from above; sample_triangle
- *   draw_wrong(o)    where the samples of sampling_naive.h fall, and below those of sampling.h:
+ *   draw_points(&o)  four ways to place points, a column each. 256 points in their first two
+ *                    dimensions; in the 15th and 16th; a soft shadow by 16 points a pixel, and
+ *                    how far off it is
+ *   draw_wrong(&o)   where the samples of sampling_naive.h fall, and below those of sampling.h:
  *                    white as many as there should be, orange too many, blue too few
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef MONTE_CARLO_LAB_PICTURES_H
+#define MONTE_CARLO_LAB_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../../common/parallel.h"
 #include "../sampler.h"
@@ -17,31 +18,34 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { panel_gap = 6 };
-typedef struct { image *im; int across, down; uint64_t seed; size_t samples; } panels;
-typedef struct { int x, y, side; } panel_place;
+typedef struct { image *im; int across, down; uint64_t seed; size_t samples; } monte_carlo_panels;
+typedef struct { int x, y, side; } monte_carlo_place;
 
-/* Panel i of across x down, square, centred in its share of the picture. Side 0 if there is no
- * room. */
-static inline panel_place panel_of(const panels *p, int i)
+/* Panel i of across x down, square, in the upper left of its share; side 0 if there is no room. */
+static inline monte_carlo_place panel_of(const monte_carlo_panels *p, int i)
 {
     int w = (p->im->width + panel_gap) / p->across, h = (p->im->height + panel_gap) / p->down;
     int side = (w < h ? w : h) - panel_gap;
-    if (side < 1) return (panel_place){0, 0, 0};
-    return (panel_place){i % p->across * w + (w - panel_gap - side) / 2,
-                         i / p->across * h + (h - panel_gap - side) / 2, side};
+    return (monte_carlo_place){i % p->across * w, i / p->across * h, side > 0 ? side : 0};
 }
 
-static inline void panel_fill(const panels *p, panel_place at, vec3 (*colour)(real x, real y))
+static inline void panel_paint(image *im, vec3 colour)
 {
-    for (int j = 0; j < at.side; j++)
-        for (int i = 0; i < at.side; i++)
-            image_set(p->im, at.x + i, at.y + j,
-                      colour(((real)i + (real)0.5) / (real)at.side,
-                             1 - ((real)j + (real)0.5) / (real)at.side));
+    label_fill(im, 0, 0, im->width, im->height, colour);
 }
+
+/* ---- points ---- */
+
+enum { points_columns = 4, points_rows = 3, shadow_cells = 48 };
+static const sequence_kind points_kind[points_columns] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
+                                                          SEQUENCE_HALTON, SEQUENCE_SOBOL};
+typedef struct {
+    monte_carlo_panels sheet;
+    double truth[shadow_cells * shadow_cells], error[points_columns];
+} monte_carlo_points;
 
 /* A dot at (x, y) of the panel, y upwards, darkening what is there. */
-static inline void panel_dot(const panels *p, panel_place at, real x, real y)
+static inline void panel_dot(const monte_carlo_panels *p, monte_carlo_place at, real x, real y)
 {
     real cx = x * (real)at.side, cy = (1 - y) * (real)at.side, r = (real)at.side / 80;
     vec3 ink = {0.0, 0.09, 0.3};
@@ -56,64 +60,81 @@ static inline void panel_dot(const panels *p, panel_place at, real x, real y)
         }
 }
 
-/* ---- point sets ---- */
-
-enum { square_0, square_7, disk_row, hemisphere_row, triangle_row, point_rows };
-
-static inline vec3 point_ground(real x, real y)
+/* What a cell of the floor, 3 m wide, sees of a square lamp of 1 m at height 2 past a disk of 45 cm
+ * at height 1: the part of n points of the lamp. */
+static inline double shadow_seen(sequence_kind kind, uint64_t seed, int cell, uint32_t n)
 {
-    (void)x, (void)y;
-    return vec(0.92, 0.92, 0.92);
+    double x = ((cell % shadow_cells + 0.5) / shadow_cells - 0.5) * 3, seen = 0;
+    double y = ((cell / shadow_cells + 0.5) / shadow_cells - 0.5) * 3;
+    for (uint32_t k = 0; k < n; k++) {
+        sampler s = sampler_start(kind, seed, (uint64_t)cell, k, n);
+        point2 q = sampler_pair(&s);
+        double a = (x + (double)q.u - 0.5) / 2, b = (y + (double)q.v - 0.5) / 2;
+        seen += a * a + b * b > 0.45 * 0.45;
+    }
+    return seen / n;
 }
 
-static inline vec3 point_ground_disk(real x, real y)
+static inline void truth_row(size_t j, void *context)
 {
-    real a = 2 * x - 1, b = 2 * y - 1;
-    return a * a + b * b <= 1 ? point_ground(x, y) : (vec3){1, 1, 1};
+    monte_carlo_points *p = context;
+    for (int cell = (int)j * shadow_cells; cell < (int)(j + 1) * shadow_cells; cell++)
+        p->truth[cell] = shadow_seen(SEQUENCE_SOBOL, p->sheet.seed + 1, cell, 1024);
 }
 
-/* The triangle (0,0), (1,0), (1/2, sqrt(3)/2), drawn in the lower part of the panel. */
-static inline vec3 point_ground_triangle(real x, real y)
+static inline void shadow_panel(monte_carlo_points *p, monte_carlo_place at, int column)
 {
-    real s = sqrt((real)3);
-    return y <= s * x && y <= s * (1 - x) ? point_ground(x, y) : (vec3){1, 1, 1};
+    double square = 0, seen[shadow_cells * shadow_cells];
+    for (int c = 0; c < shadow_cells * shadow_cells; c++) {
+        seen[c] = shadow_seen(points_kind[column], p->sheet.seed, c, 16);
+        square += (seen[c] - p->truth[c]) * (seen[c] - p->truth[c]);
+    }
+    p->error[column] = sqrt(square) / shadow_cells;
+    for (int j = 0; j < at.side; j++)
+        for (int i = 0; i < at.side; i++) {
+            int c = j * shadow_cells / at.side * shadow_cells + i * shadow_cells / at.side;
+            vec3 light = vec(0.03 + 0.82 * seen[c], 0.04 + 0.76 * seen[c], 0.07 + 0.6 * seen[c]);
+            image_set(p->sheet.im, at.x + i, at.y + j, light);
+        }
 }
 
 static inline void points_panel(size_t i, void *context)
 {
-    const panels *p = context;
-    panel_place at = panel_of(p, (int)i);
-    int row = (int)i / sequence_kinds;
-    panel_fill(p, at, row <= square_7 ? point_ground
-                    : row == triangle_row ? point_ground_triangle : point_ground_disk);
-    for (uint32_t k = 0; k < p->samples && at.side; k++) {
-        sampler s = sampler_start((sequence_kind)(i % sequence_kinds), p->seed, 0, k,
-                                  (uint32_t)p->samples);
-        if (row == square_7) s.pair = 7;
+    monte_carlo_points *p = context;
+    monte_carlo_place at = panel_of(&p->sheet, (int)i);
+    int row = (int)i / points_columns, column = (int)i % points_columns;
+    if (row == 2) { shadow_panel(p, at, column); return; }
+    label_fill(p->sheet.im, at.x, at.y, at.side, at.side, vec(0.92, 0.92, 0.92));
+    for (uint32_t k = 0; k < p->sheet.samples && at.side; k++) {
+        sampler s = sampler_start(points_kind[column], p->sheet.seed, 0, k,
+                                  (uint32_t)p->sheet.samples);
+        s.pair = row ? 7 : 0;
         point2 q = sampler_pair(&s);
-        vec3 w = row == disk_row ? sample_disk(q.u, q.v) : sample_hemisphere(q.u, q.v);
-        vec3 b = sample_triangle(q.u, q.v);
-        if (row == disk_row || row == hemisphere_row) q = (point2){(w.x + 1) / 2, (w.y + 1) / 2};
-        if (row == triangle_row) q = (point2){b.y + b.z / 2, b.z * sqrt((real)3) / 2};
-        panel_dot(p, at, q.u, q.v);
+        panel_dot(&p->sheet, at, q.u, q.v);
     }
 }
 
-static inline image white_image(int width, int height)
-{
-    image im = image_new(width, height);
-    for (int y = 0; y < height; y++)
-        for (int x = 0; x < width; x++) image_set(&im, x, y, (vec3){1, 1, 1});
-    return im;
-}
-
+/* Small pictures have no room for words. */
 static inline void draw_points(const options *o)
 {
-    image im = white_image(o->width, o->height);
-    panels p = {&im, sequence_kinds, point_rows, o->seed, 256};
-    bool whole = parallel_for(sequence_kinds * point_rows, o->threads, "points", points_panel, &p);
-    output_picture(o, &im, "20_monte_carlo.png", true, whole);
-    image_free(&im);
+    bool words = o->width >= 800 && o->height >= 600;
+    image im = image_new(o->width, o->height - (words ? 26 * points_rows : 0)), sheet = im;
+    monte_carlo_points *p = allocate(1, sizeof *p);
+    const char *title[points_columns * points_rows];
+    char text[points_columns][32];
+    p->sheet = (monte_carlo_panels){&im, points_columns, points_rows, o->seed, 256};
+    panel_paint(&im, vec(1, 1, 1));
+    bool whole = parallel_for(shadow_cells, o->threads, "shadow", truth_row, p)
+              && parallel_for(points_columns * points_rows, o->threads, "points", points_panel, p);
+    for (int k = 0; k < points_columns; k++) {
+        snprintf(text[k], sizeof text[k], "soft shadow: error %.3f", p->error[k]);
+        title[k] = sequence_name[points_kind[k]], title[points_columns + k] = "dimensions 15, 16";
+        title[2 * points_columns + k] = text[k];
+    }
+    if (words) sheet = label_panels(&im, points_columns, points_rows, panel_gap, title);
+    output_picture(o, &sheet, "20_monte_carlo.png", true, whole);
+    if (words) image_free(&sheet);
+    image_free(&im), free(p);
 }
 
 /* ---- wrong densities ---- */
@@ -165,8 +186,8 @@ static inline vec3 heat_colour(double ratio)
 
 static inline void wrong_panel(size_t index, void *context)
 {
-    const panels *p = context;
-    panel_place at = panel_of(p, (int)index);
+    const monte_carlo_panels *p = context;
+    monte_carlo_place at = panel_of(p, (int)index);
     int column = (int)index % wrong_columns;
     bool right = index >= wrong_columns;
     double count[heat_cells * heat_cells] = {0};
@@ -194,9 +215,9 @@ static inline void wrong_panel(size_t index, void *context)
 static inline void draw_wrong(const options *o)
 {
     if (o->out) return;
-    image im = white_image(wrong_columns * 150 - panel_gap, 2 * 150 - panel_gap);
-    for (int i = 0; i < im.width * im.height * 3; i++) im.rgb[i] = 0.8f;
-    panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
+    image im = image_new(wrong_columns * 150 - panel_gap, 2 * 150 - panel_gap);
+    panel_paint(&im, vec(0.8f, 0.8f, 0.8f));
+    monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
     bool whole = parallel_for(2 * wrong_columns, o->threads, "densities", wrong_panel, &p);
     output_picture(o, &im, "20_monte_carlo_wrong.png", false, whole);
     image_free(&im);

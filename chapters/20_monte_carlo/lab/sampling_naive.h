@@ -20,8 +20,8 @@
  *
  * Right, but inexact: sample_cone_naive, sample_lobe_naive lose the digits of 1 - z.
  */
-#ifndef SAMPLING_NAIVE_H
-#define SAMPLING_NAIVE_H
+#ifndef MONTE_CARLO_SAMPLING_NAIVE_H
+#define MONTE_CARLO_SAMPLING_NAIVE_H
 
 #include "../../../common/random.h"
 #include "../sampling.h"

@@ -1,14 +1,14 @@
 /* box.h: the Cornell box (cornell.h) as a world for distributed.h.
  *
- *   box_room *b = box_new(sized, ambient, reach);   sized: the light is the square that it is; else
- *                                                   all of its intensity comes from the middle
+ *   distributed_box *b = box_new(sized, ambient, reach);    sized: the light is the square that it
+ *                                      is; else all of its intensity comes from the middle
  *   distributed_view v = box_view(b, aspect);       box_free(b)
  *
  * The light is a part of its own, seen by camera rays and by no others: it hides nothing that it
  * lights.
  */
-#ifndef BOX_H
-#define BOX_H
+#ifndef DISTRIBUTED_BOX_H
+#define DISTRIBUTED_BOX_H
 
 #include "../scenes/cornell.h"
 #include "../distributed.h"
@@ -20,13 +20,13 @@ typedef struct {
     trace_world w;
     area_light light;
     distributed how;
-} box_room;
+} distributed_box;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline material box_material(const void *context, trace_hit x, const surface *s)
 {
-    const box_room *b = context;
+    const distributed_box *b = context;
     vec3 ke = s->n.y < 0 ? area_light_radiance(&b->light) : (vec3){0, 0, 0};
     if (x.part == 1) return (material){.kd = cornell_reflectance[CORNELL_LIGHT], .ke = ke};
     return (material){.kd = cornell_reflectance[b->part_of[x.h.shape]]};
@@ -46,9 +46,9 @@ static inline mesh box_mesh(bool shining, uint8_t part_of[cornell_triangles])
     return m;
 }
 
-static inline box_room *box_new(bool sized, vec3 ambient, real reach)
+static inline distributed_box *box_new(bool sized, vec3 ambient, real reach)
 {
-    box_room *b = allocate(1, sizeof *b);
+    distributed_box *b = allocate(1, sizeof *b);
     uint8_t part_of_light[cornell_triangles];
     vec3 s = cornell_side_s, t = cornell_side_t, normal = vcross(s, t);
     real A = vlength(normal);
@@ -65,14 +65,14 @@ static inline box_room *box_new(bool sized, vec3 ambient, real reach)
     return b;
 }
 
-static inline void box_free(box_room *b)
+static inline void box_free(distributed_box *b)
 {
     world_part_free(&b->part[0]), world_part_free(&b->part[1]);
     mesh_free(&b->walls), mesh_free(&b->square);
     free(b);
 }
 
-static inline distributed_view box_view(const box_room *b, real aspect)
+static inline distributed_view box_view(const distributed_box *b, real aspect)
 {
     return (distributed_view){.w = &b->w, .how = &b->how, .c = cornell_camera(aspect),
                               .kind = SEQUENCE_SOBOL, .seed = 1};

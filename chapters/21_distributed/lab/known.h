@@ -26,8 +26,8 @@
  * Sources: J. Howell, "A Catalog of Radiation Configuration Factors", 1982, B-3, B-4, B-13 (21.12,
  * disk, wall).
  */
-#ifndef KNOWN_H
-#define KNOWN_H
+#ifndef DISTRIBUTED_KNOWN_H
+#define DISTRIBUTED_KNOWN_H
 
 #include "../../20_monte_carlo/t_test.h"
 #include "../distributed.h"

@@ -4,8 +4,8 @@
  *   double x = known_first_sample(&k, &random)          its expectation is that of known_sample
  *   estimate e = known_first_mean(&k, seed, run, n)     of n samples
  */
-#ifndef KNOWN_FIRST_H
-#define KNOWN_FIRST_H
+#ifndef DISTRIBUTED_KNOWN_FIRST_H
+#define DISTRIBUTED_KNOWN_FIRST_H
 
 #include "../first.h"
 #include "known.h"

@@ -1,18 +1,18 @@
 /* measure.h: tables and plots: pictures against converged ones, estimates against closed forms.
  *
- *   table_of_pictures(&o)   the main one: error of a picture, per effect and way of sampling, time
+ *   table_of_pictures(&o)   the main one: error and time of pictures, by effect and way of
+ *                           sampling; with --full each effect, otherwise soft shadows and all
  *   table_of_known(&o)      questions of known.h: estimates, t-tests, slopes
  *   table_of_first(&o)      three of them by first.h: its error and its time
  *   table_of_rays(&o)       rays and random numbers, only what is called for and all
- *   table_of_lobes(&o)      what a lobe loses below the surface
  */
 #ifndef DISTRIBUTED_MEASURE_H
 #define DISTRIBUTED_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "pictures.h"
-#include "known.h"
 #include "known_first.h"
+#include "pictures.h"
 
 enum { measure_methods = 3, measure_levels = 4 };
 static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
@@ -20,13 +20,9 @@ static const sequence_kind measure_method[measure_methods] = {SEQUENCE_RANDOM, S
 
 /* ---- pictures -------------------------------------------------------------------------------- */
 
-typedef struct {
-    showroom *g;
-    image im, reference;
-    double error[5][measure_methods][measure_levels], seconds[5][measure_methods];
-} picture_study;
-
-typedef struct { distributed_view v; image im; } picture_run;
+typedef struct { distributed_view v; image im; } distributed_run;
+typedef struct { double error[measure_methods][measure_levels], seconds[measure_methods]; }
+    distributed_study;
 
 /* Ctrl-C: half a picture must not be measured. */
 static inline void measure_unless(bool stopped)
@@ -34,57 +30,50 @@ static inline void measure_unless(bool stopped)
     if (stopped) die(130, "stopped");
 }
 
-static inline void measure_draw(distributed_view *v, image *im, int threads)
+static inline double picture_seconds(void *context)  /* on one thread */
 {
-    measure_unless(!distributed_draw(v, im, threads));
-}
-
-/* On one thread. */
-static inline double picture_seconds(void *context)
-{
-    picture_run *r = context;
-    measure_draw(&r->v, &r->im, 1);
+    distributed_run *r = context;
+    measure_unless(!distributed_draw(&r->v, &r->im, 1));
     return (double)r->im.rgb[0];
 }
 
-/* Time of 16 samples a pixel; it is proportional to their number. */
-static inline void picture_time(const options *o, picture_study *p, int effect, real aspect)
-{
-    showroom_look k;
-    picture_run run[measure_methods];
-    clock_variant variant[measure_methods];
-    for (int m = 0; m < measure_methods; m++) {
-        run[m] = (picture_run){showroom_effect_view(&k, p->g, effect, true, aspect), p->im};
-        run[m].v.kind = measure_method[m], run[m].v.samples = 16;
-        variant[m] = (clock_variant){sequence_name[run[m].v.kind], picture_seconds, &run[m], 0};
-    }
-    clock_compare(variant, measure_methods, o->quick ? 1 : 3);
-    for (int m = 0; m < measure_methods; m++) p->seconds[effect][m] = variant[m].seconds / 16;
-}
-
 /* As a screen shows it: white is white. Else a few reflections of lamps would be all the error. */
-static inline void picture_clip(image *im)
+static inline void picture_draw(const options *o, distributed_view *v, image *im)
 {
+    measure_unless(!distributed_draw(v, im, o->threads));
     for (size_t i = 0; i < 3 * (size_t)im->width * (size_t)im->height; i++)
         im->rgb[i] = im->rgb[i] < 1 ? im->rgb[i] : 1;
 }
 
 /* The reference has another seed, 8 times as many samples as the best picture, and so an error of
- * 1/4.8 of its, if that falls as N^-3/4: what it adds to the measured one is 2 %. */
-static inline void picture_errors(const options *o, picture_study *p, int effect)
+ * 1/4.8 of its, if that falls as N^-3/4: what it adds to the measured one is 2 %. The time is that
+ * of 16 samples a pixel: it is proportional to their number. */
+static inline distributed_study picture_measure(const options *o, const showroom *g, int effect,
+                                            int levels)
 {
-    real aspect = (real)p->im.width / (real)p->im.height;
+    int w = o->quick ? 12 : 20, h = w * 3 / 4;
+    image im = image_new(w, h), reference = image_new(w, h);
     showroom_look k;
-    distributed_view v = showroom_effect_view(&k, p->g, effect, true, aspect);
+    distributed_view v = showroom_effect_view(&k, g, effect, true, (real)w / (real)h);
+    distributed_study p = {.seconds = {0}};
+    distributed_run run[measure_methods];
+    bench_candidate clock[measure_methods];
     v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
-    measure_draw(&v, &p->reference, o->threads), picture_clip(&p->reference);
-    for (int m = 0; m < measure_methods; m++)
-        for (int l = 0; l < measure_levels - o->quick; l++) {
-            v.kind = measure_method[m], v.seed = o->seed, v.samples = (uint32_t)1 << 2 * l;
-            measure_draw(&v, &p->im, o->threads), picture_clip(&p->im);
-            p->error[effect][m][l] = image_compare(&p->im, &p->reference).rmse;
+    picture_draw(o, &v, &reference), v.seed = o->seed;
+    for (int m = 0; m < measure_methods; m++) {
+        v.kind = measure_method[m];
+        for (int l = 0; l < levels; l++) {
+            v.samples = (uint32_t)1 << 2 * l;
+            picture_draw(o, &v, &im);
+            p.error[m][l] = image_compare(&im, &reference).rmse;
         }
-    picture_time(o, p, effect, aspect);
+        run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
+        clock[m] = (bench_candidate){.run = picture_seconds, .context = &run[m]};
+    }
+    bench_time(clock, measure_methods, o->quick ? 1 : 3);
+    for (int m = 0; m < measure_methods; m++) p.seconds[m] = clock[m].seconds / 16;
+    image_free(&im), image_free(&reference);
+    return p;
 }
 
 /* From 4 samples on: one alone is taken in the middle of its pixel. */
@@ -95,56 +84,61 @@ static inline double picture_slope(const double *error, int levels)
     return fit_line(x + 1, y + 1, (size_t)levels - 1).slope;
 }
 
+static inline void picture_series(plot *p, const distributed_study *s, int effect, int m,
+                                  int levels, bool time)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s, %s", showroom_effect[effect].name,
+             sequence_name[measure_method[m]]);
+    int series = plot_series(p, name);
+    for (int l = 0; l < levels; l++)
+        plot_add(p, series, (1 << 2 * l) * (time ? 1e3 * s->seconds[m] : 1), s->error[m][l]);
+}
+
 static inline void table_of_pictures(const options *o)
 {
-    int levels = measure_levels - o->quick, w = o->quick ? 12 : 20, h = w * 3 / 4;
-    picture_study p = {.g = showroom_new(o->quick ? 4 : 8), .im = image_new(w, h),
-                       .reference = image_new(w, h)};
-    table t = table_new("Error of a picture against a converged one; time of 64 samples a pixel",
+    int levels = measure_levels - o->quick;
+    showroom *g = showroom_new(o->quick ? 4 : 8);
+    table t = table_new(o->full ? "Error of a picture against a converged one; time of 64 samples "
+                                  "a pixel"
+                                : "Error of two pictures against converged ones; time of 64 "
+                                  "samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|"
                         "time [ms]");
     plot time = plot_new("Error of a picture, and time", "time of a picture [ms]", "error (rmse)",
                          PLOT_LOG_X | PLOT_LOG_Y);
     plot n = plot_new("Error of a picture", "samples a pixel", "error (rmse)",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int e = 0; e < 5; e++) {
-        picture_errors(o, &p, e);
+    for (int e = 0; e < 5; e += o->full ? 1 : 4) {
+        distributed_study p = picture_measure(o, g, e, levels);
         for (int m = 0; m < measure_methods; m++) {
-            char name[64];
-            snprintf(name, sizeof name, "%s, %s", showroom_effect[e].name,
-                     sequence_name[measure_method[m]]);
-            int in_time = e == 0 || e == 4 ? plot_series(&time, name) : -1;
-            int in_n = e == 0 || e == 3 ? plot_series(&n, name) : -1;
+            if (e == 0 || e == 4) picture_series(&time, &p, e, m, levels, true);
+            if (e == 0 || e == 3) picture_series(&n, &p, e, m, levels, false);
             table_text(&t, "%s", showroom_effect[e].name);
             table_text(&t, "%s", sequence_name[measure_method[m]]);
-            for (int l = 0; l < measure_levels; l++) {
-                double error = p.error[e][m][l], N = 1 << 2 * l;
-                if (l >= levels) {
-                    table_text(&t, "-");
-                    continue;
-                }
-                table_number(&t, error);
-                if (in_time >= 0) plot_add(&time, in_time, 1e3 * N * p.seconds[e][m], error);
-                if (in_n >= 0) plot_add(&n, in_n, N, error);
-            }
-            table_number(&t, picture_slope(p.error[e][m], levels));
-            table_number(&t, 64e3 * p.seconds[e][m]);
+            for (int l = 0; l < measure_levels; l++)
+                if (l < levels) table_number(&t, p.error[m][l]);
+                else table_text(&t, "-");
+            table_number(&t, picture_slope(p.error[m], levels));
+            table_number(&t, 64e3 * p.seconds[m]);
         }
     }
     plot_slope(&n, -0.5, "slope -1/2"), plot_slope(&n, -0.75, "slope -3/4");
     plot_slope(&time, -0.5, "slope -1/2"), plot_slope(&time, -0.75, "slope -3/4");
     output_table(o, &t);
-    output_plot(o, &n, "21_distributed_pictures.svg");
     output_plot(o, &time, "21_distributed_time.svg");
-    image_free(&p.im), image_free(&p.reference), showroom_free(p.g);
+    if (o->full) output_plot(o, &n, "21_distributed_pictures.svg");
+    else plot_free(&n);
+    showroom_free(g);
 }
 
 /* ---- closed forms ---------------------------------------------------------------------------- */
 
+enum { known_runs = 64 };
+
 typedef struct {
     known k[known_kinds];
     uint64_t seed;
-    int runs;
     estimate mean[known_kinds][measure_methods][measure_levels];    /* of the runs' means */
     estimate square[known_kinds][measure_methods][measure_levels];  /* of their squared errors */
 } known_study;
@@ -156,7 +150,7 @@ static inline void known_job(size_t i, void *context)
     known_study *s = context;
     size_t level = measure_levels - 1 - i / (known_kinds * measure_methods);
     size_t kind = i / measure_methods % known_kinds, method = i % measure_methods;
-    for (int run = 0; run < s->runs; run++) {
+    for (int run = 0; run < known_runs; run++) {
         estimate e = known_mean(&s->k[kind], measure_method[method], s->seed + level * 100,
                                 (uint64_t)run, known_samples((int)level));
         double off = e.mean - s->k[kind].truth;
@@ -202,7 +196,7 @@ static inline void known_plot(const options *o, const known_study *s)
 static inline void table_of_known(const options *o)
 {
     known_study *s = allocate(1, sizeof *s);
-    s->seed = o->seed, s->runs = o->quick ? 8 : 64;
+    s->seed = o->seed;
     for (int i = 0; i < known_kinds; i++) known_make((known_kind)i, &s->k[i]);
     measure_unless(!parallel_for(known_kinds * measure_methods * measure_levels, o->threads,
                                  "closed forms", known_job, s));
@@ -242,14 +236,13 @@ static inline estimate known_asked(const known_ask *a, uint64_t run)
 
 static inline double known_ask_run(void *context) { return known_asked(context, 0).mean; }
 
-static inline void first_row(const options *o, table *t, const known_ask *a, double seconds)
+static inline void first_row(table *t, const known_ask *a, double seconds)
 {
     estimate mean = {0};
     double square = 0;
-    int runs = o->quick ? 8 : 64;
-    for (int run = 0; run < runs; run++) {
+    for (int run = 0; run < known_runs; run++) {
         double off = known_asked(a, (uint64_t)run).mean - a->full.truth;
-        mean = estimate_add(mean, off + a->full.truth), square += off * off / runs;
+        mean = estimate_add(mean, off + a->full.truth), square += off * off / known_runs;
     }
     table_text(t, "%s", a->full.name), table_text(t, a->is_first ? "first" : "random");
     table_text(t, "%.6f", a->full.truth), table_text(t, "%.6f", mean.mean);
@@ -266,15 +259,15 @@ static inline void table_of_first(const options *o)
     table t = table_new(title, "question|samples|answer|error mean|error +-|error rms|time [ns]");
     for (int i = 0; i < 3; i++) {
         known_ask *a = allocate(2, sizeof *a);
-        clock_variant v[2];
+        bench_candidate v[2];
         for (int k = 0; k < 2; k++) {
             known_make(kinds[i], &a[k].full);
             a[k].first = known_first_of(kinds[i]), a[k].is_first = k == 0, a[k].seed = o->seed;
-            v[k] = (clock_variant){"", known_ask_run, &a[k], 0};
+            v[k] = (bench_candidate){.run = known_ask_run, .context = &a[k]};
         }
-        clock_compare(v, 2, o->quick ? 3 : 51);
+        bench_time(v, 2, 51);
         for (int k = 0; k < 2; k++)
-            first_row(o, &t, &a[k], v[k].seconds), known_free(&a[k].full);
+            first_row(&t, &a[k], v[k].seconds), known_free(&a[k].full);
         free(a);
     }
     output_extra_table(o, &t);
@@ -293,7 +286,7 @@ static inline void rays_row(const options *o, table *t, const showroom *g, int e
         k.how.spend_all = all;
         distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)w / h);
         v.samples = 4;
-        measure_draw(&v, all ? &b : &a, o->threads);
+        measure_unless(!distributed_draw(&v, all ? &b : &a, o->threads));
         table_text(t, "%s%s", name, all ? ", all the same" : "");
         const size_t *n = v.spent.rays.rays, *d = v.spent.drawn;
         table_count(t, n[RAY_CAMERA]), table_count(t, n[RAY_SHADOW]);
@@ -310,7 +303,7 @@ static inline void rays_row(const options *o, table *t, const showroom *g, int e
 
 static inline void table_of_rays(const options *o)
 {
-    showroom *g = showroom_new(o->quick ? 4 : 8);
+    showroom *g = showroom_new(8);
     table t = table_new("Rays and pairs of random numbers, 96 x 54 pixels, 4 samples each",
                         "effects|camera|shadow|reflection|sky|lens numbers|light|sky|lobe|"
                         "pictures differ [pixels]");
@@ -319,44 +312,6 @@ static inline void table_of_rays(const options *o)
     rays_row(o, &t, g, EFFECT_LENS, "lens"), rays_row(o, &t, g, EFFECT_ALL, "all");
     output_extra_table(o, &t);
     showroom_free(g);
-}
-
-/* ---- lobes ----------------------------------------------------------------------------------- */
-
-static inline double lobe_lost(const options *o, double degrees, real shine)
-{
-    enum { n = 4096 };
-    vec3 up = {0, 0, 1};
-    surface s = {{0, 0, 0}, up, up, 0, 0, no_shape};
-    double a = degrees * (double)pi / 180, lost = 0;
-    vec3 d = {(real)sin(a), 0, (real)-cos(a)};
-    for (uint32_t i = 0; i < n; i++) {
-        sampler q = sampler_start(SEQUENCE_SOBOL, o->seed, 0, i, n);
-        ray r;
-        lost += !glossy_ray(s, d, shine, sampler_pair(&q), &r);
-    }
-    return 100 * lost / n;
-}
-
-static inline void table_of_lobes(const options *o)
-{
-    static const double degrees[5] = {0, 30, 60, 80, 89.9};
-    static const int shine[4] = {1, 10, 100, 1000};
-    table t = table_new("What of a lobe leads below the surface, by the angle of its axis",
-                        "shine|0 deg [%]|30 deg|60 deg|80 deg|89.9 deg|largest error");
-    for (int i = 0; i < 4; i++) {
-        double worst = 0;
-        table_count(&t, (size_t)shine[i]);
-        for (int k = 0; k < 5; k++) {
-            double c = cos(degrees[k] * (double)pi / 180);
-            double lost = lobe_lost(o, degrees[k], (real)shine[i]);
-            double off = fabs(lost - 100 * (1 - glossy_above(c, shine[i])));
-            table_number(&t, lost);
-            worst = off > worst ? off : worst;
-        }
-        table_number(&t, worst);
-    }
-    output_extra_table(o, &t);
 }
 
 #endif

@@ -6,9 +6,10 @@
  *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
  *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1 and 32 a pixel
  */
-#ifndef DISTRIBUTED_PICTURES_H
-#define DISTRIBUTED_PICTURES_H
+#ifndef DISTRIBUTED_LAB_PICTURES_H
+#define DISTRIBUTED_LAB_PICTURES_H
 
+#include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "box.h"
 #include "showroom.h"
@@ -78,38 +79,33 @@ static inline void draw_whitted(const options *o)
 typedef struct {
     const showroom_look *k;
     camera c;
-    image *im;
+    int width, height;
     light lights[2];
     shading how;
-} highlight_view;
+} distributed_highlight;
 
-static inline void highlight_pixel(int x, int y, void *context)
+static inline vec3 highlight_colour(const void *context, real x, real y)
 {
-    const highlight_view *p = context;
+    const distributed_highlight *p = context;
     tracer t = {.w = &p->k->w, .program = shade_programs, .user = &p->how};
-    vec3 sum = {0, 0, 0};
-    for (int k = 0; k < 4; k++) {
-        real px = (real)x + ((real)(k % 2) + (real)0.5) / 2;
-        real py = (real)y + ((real)(k / 2) + (real)0.5) / 2;
-        sum = vadd(sum, shade_ray(&t, camera_ray(p->c, px, py, p->im->width, p->im->height)));
-    }
-    image_set(p->im, x, y, vscale(sum, 0.25));
+    return shade_ray(&t, camera_ray(p->c, x, y, p->width, p->height));
 }
 
 static inline bool draw_highlight(const showroom_look *k, camera c, image *im, int threads)
 {
-    highlight_view p = {k, c, im, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}}, {.lights = NULL}};
+    distributed_highlight p = {k, c, im->width, im->height, {{LIGHT_POINT, {0, 0, 0}, {0, 0, 0}}},
+                        {.lights = NULL}};
     for (int i = 0; i < 2; i++)
         p.lights[i] = (light){LIGHT_POINT, k->light[i].at, k->light[i].colour};
     p.how = (shading){.lights = p.lights, .n = 2, .material_of = showroom_material, .context = k,
                       .background = k->how.background, .ambient = k->how.ambient};
-    return parallel_pixels(im->width, im->height, threads, "drawing", highlight_pixel, &p);
+    return pixels_draw(im, 2, threads, "drawing", highlight_colour, &p);
 }
 
 static inline void draw_teapot(const options *o)
 {
     static const int shine[4] = {0, 0, 600, 40};
-    int w = o->quick ? 80 : 232, h = w * 9 / 16;
+    enum { w = 232, h = w * 9 / 16 };
     showroom *g = showroom_new(pictures_cells(o));
     image sheet = pictures_sheet(2, 2, w, h), one = image_new(w, h);
     bool whole = true;
@@ -118,7 +114,7 @@ static inline void draw_teapot(const options *o)
         showroom_set(&k, g, (i == 1 ? 0 : EFFECT_SOFT) | (i == 0 ? 0 : EFFECT_GLOSSY));
         if (i > 1) k.pot_shine = (real)shine[i];
         distributed_view v = showroom_view(&k, SHOWROOM_GLOSSY, (real)w / (real)h);
-        v.samples = o->quick ? 2 : i > 2 ? 32 : i ? 16 : 8, v.seed = o->seed;
+        v.samples = i > 2 ? 32 : i ? 16 : 8, v.seed = o->seed;
         if (i == 1) {
             whole = draw_highlight(&k, v.c, &one, o->threads);
             image_place(&sheet, w + pictures_gap, 0, &one);
@@ -132,14 +128,14 @@ static inline void draw_teapot(const options *o)
 static inline void draw_box(const options *o)
 {
     static const real reach[4] = {0, 0, 0, 250};
-    int w = o->quick ? 48 : 180;
+    enum { w = 180 };
     image sheet = pictures_sheet(4, 1, w, w), one = image_new(w, w);
     bool whole = true;
     for (int i = 0; i < 4 && whole; i++) {
         vec3 ambient = {0.26, 0.2, 0.11};
-        box_room *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
+        distributed_box *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
         distributed_view v = box_view(b, 1);
-        v.samples = o->quick ? 2 : 8, v.seed = o->seed, b->how.split = 4;
+        v.samples = 8, v.seed = o->seed, b->how.split = 4;
         whole = pictures_panel(&sheet, i, 0, &one, &v, o->threads);
         box_free(b);
     }
@@ -177,15 +173,14 @@ static inline distributed_view showroom_effect_view(showroom_look *k, const show
 static inline void draw_effects(const options *o)
 {
     static const uint32_t samples[4] = {4, 16, 1, 32};
-    int w = o->quick ? 32 : 140, h = w * 3 / 4;
+    enum { w = 140, h = w * 3 / 4 };
     showroom *g = showroom_new(pictures_cells(o));
     image sheet = pictures_sheet(4, 4, w, h), one = image_new(w, h);
     bool whole = true;
     for (int i = 0; i < 16 && whole; i++) {
         showroom_look k;
         distributed_view v = showroom_effect_view(&k, g, i / 4, i % 4 > 0, (real)w / (real)h);
-        v.samples = o->quick ? 1 + samples[i % 4] / 16 : samples[i % 4];
-        v.same = i % 4 == 1, v.seed = o->seed;
+        v.samples = samples[i % 4], v.same = i % 4 == 1, v.seed = o->seed;
         whole = pictures_panel(&sheet, i % 4, i / 4, &one, &v, o->threads);
     }
     output_picture(o, &sheet, "21_distributed_effects.png", false, whole);

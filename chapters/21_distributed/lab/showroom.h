@@ -12,8 +12,8 @@
  * Ambient light and background are the same even sky, so what EFFECT_SKY makes of it is right but
  * for the light that shapes reflect on each other.
  */
-#ifndef SHOWROOM_H
-#define SHOWROOM_H
+#ifndef DISTRIBUTED_SHOWROOM_H
+#define DISTRIBUTED_SHOWROOM_H
 
 #include "../../07_mesh/scenes/teapot.h"
 #include "../distributed.h"
@@ -43,14 +43,9 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 showroom_vec(double x, double y, double z)
-{
-    return vec(x, y, z);
-}
-
 static inline shape showroom_ball(double x, double y, double r)
 {
-    return shape_of_sphere((sphere){showroom_vec(x, y, r), (real)r});
+    return shape_of_sphere((sphere){vec(x, y, r), (real)r});
 }
 
 /* A square softbox of this side, turned towards `to`; its corners go to v[4]. */
@@ -68,18 +63,18 @@ static inline area_light showroom_softbox(vec3 at, vec3 to, real side, vec3 colo
 static inline void showroom_fill(showroom *g)
 {
     const double f = 60;
-    g->corner[0] = showroom_vec(-f, -f, 0), g->corner[1] = showroom_vec(f, -f, 0);
-    g->corner[2] = showroom_vec(f, f, 0), g->corner[3] = showroom_vec(-f, f, 0);
+    g->corner[0] = vec(-f, -f, 0), g->corner[1] = vec(f, -f, 0);
+    g->corner[2] = vec(f, f, 0), g->corner[3] = vec(-f, f, 0);
     g->shapes[0] = shape_of_polygon(polygon_of(g->corner, 4));
     g->shapes[1] = showroom_ball(4.7, 2.6, 1.5);
     g->shapes[2] = showroom_ball(4.2, -3.2, 0.8);
     g->shapes[3] = showroom_ball(1.7, -4.4, 0.5);
     for (int i = 0; i < showroom_row; i++)  /* a row that leads away from the camera */
         g->shapes[4 + i] = showroom_ball(-1.0 - 1.15 * i, -5.6 + 2.3 * i, 0.42);
-    g->light[0] = showroom_softbox(showroom_vec(-6, -5, 9), showroom_vec(0, 0, 1), 11,
-                                   showroom_vec(430, 400, 350), g->corner + 4);
-    vec3 lamp = showroom_vec(8.5, 0.6, 6.5);
-    g->light[1] = (area_light){AREA_BALL, lamp, .r = 1.4, .colour = showroom_vec(24, 31, 44)};
+    g->light[0] = showroom_softbox(vec(-6, -5, 9), vec(0, 0, 1), 11,
+                                   vec(430, 400, 350), g->corner + 4);
+    vec3 lamp = vec(8.5, 0.6, 6.5);
+    g->light[1] = (area_light){AREA_BALL, lamp, .r = 1.4, .colour = vec(24, 31, 44)};
     g->lamps[0] = shape_of_polygon(polygon_of(g->corner + 4, 4));
     g->lamps[1] = shape_of_sphere((sphere){lamp, g->light[1].r});
 }
@@ -131,7 +126,7 @@ static inline material showroom_material(const void *context, trace_hit x, const
         for (int i = 0; i < 3; i++) a[i] *= 0.35;
     real shine = k->effects & EFFECT_GLOSSY ? (real)a[6] : real_infinity;
     if (x.part == 1 && k->pot_shine != 0) shine = k->pot_shine;
-    return (material){showroom_vec(a[0], a[1], a[2]), showroom_vec(a[3], a[4], a[5]), shine,
+    return (material){vec(a[0], a[1], a[2]), vec(a[3], a[4], a[5]), shine,
                       {0, 0, 0}};
 }
 
@@ -159,7 +154,7 @@ static inline distributed_view showroom_view(const showroom_look *k, showroom_sh
     failure why;
     camera_frame f;
     distributed_view v = {.w = &k->w, .how = &k->how, .kind = SEQUENCE_SOBOL, .seed = 1};
-    if (!frame_look_at(showroom_vec(l[0], l[1], l[2]), showroom_vec(l[3], l[4], l[5]),
+    if (!frame_look_at(vec(l[0], l[1], l[2]), vec(l[3], l[4], l[5]),
                        (vec3){0, 0, 1}, &f, &why)
         || !camera_perspective(f, (real)l[6], aspect, &v.c, &why))
         fail(why);

@@ -17,8 +17,8 @@
  * The three numbers a colour are the usual simplification of the measured spectra (M. McGuire,
  * Computer Graphics Archive, 2017); the reflectance of the light is the measured one.
  */
-#ifndef CORNELL_H
-#define CORNELL_H
+#ifndef DISTRIBUTED_CORNELL_H
+#define DISTRIBUTED_CORNELL_H
 
 #include "../../02_camera/camera.h"
 #include "../../07_mesh/mesh.h"

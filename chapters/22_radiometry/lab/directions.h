@@ -9,35 +9,36 @@
  * cos': at the light. The first two go where the light is not; the area of a sphere is half hidden,
  * and near a light cos' / r^2 varies. What is left in the last is cos theta alone.
  *
- *   light_view k = light_view_of(p);                                once a point p
+ *   radiometry_seen k = radiometry_seen_of(p);                                once a point p
  *   real x = direction_sample(LIGHT_SPHERE, BY_AREA, &k, u, v);     u, v in [0, 1); radiance 1
  *   direction_exact(LIGHT_SPHERE)                                   closed form
  */
-#ifndef DIRECTIONS_H
-#define DIRECTIONS_H
+#ifndef RADIOMETRY_DIRECTIONS_H
+#define RADIOMETRY_DIRECTIONS_H
 
 #include "../../20_monte_carlo/sampler.h"
 #include "../relations.h"
 
-typedef enum { LIGHT_SPHERE, LIGHT_SQUARE, lights } light_kind;
-typedef enum { BY_HEMISPHERE, BY_COSINE, BY_AREA, BY_SOLID_ANGLE, ways } way;
-static const char *const light_name[lights] = {"sphere", "square"};
-static const char *const way_name[ways] = {"uniform hemisphere", "cosine", "area", "solid angle"};
+typedef enum { LIGHT_SPHERE, LIGHT_SQUARE, radiometry_lights } radiometry_light;
+typedef enum { BY_HEMISPHERE, BY_COSINE, BY_AREA, BY_SOLID_ANGLE, direction_ways } direction_way;
+static const char *const radiometry_light_name[radiometry_lights] = {"sphere", "square"};
+static const char *const direction_name[direction_ways] = {"uniform hemisphere", "cosine", "area",
+                                                           "solid angle"};
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static const sphere lamp = {{1, 0, 2}, 1};
 static const rectangle pane = {{0.5, -1, 0.5}, {0, 0, 1}, {0, 2, 0}};  /* faces -x */
 
-typedef struct { direction_cone cone; vec3 axis; spherical_rectangle square; } light_view;
+typedef struct { direction_cone cone; vec3 axis; spherical_rectangle square; } radiometry_seen;
 
-static inline double direction_exact(light_kind l)
+static inline double direction_exact(radiometry_light l)
 {
     return (double)(l == LIGHT_SPHERE ? sphere_irradiance(lamp, seen_from, seen_up)
                                       : rectangle_irradiance(pane, seen_from, seen_up));
 }
 
-static inline bool light_met(light_kind l, vec3 w)
+static inline bool light_met(radiometry_light l, vec3 w)
 {
     hit h;
     return l == LIGHT_SPHERE ? sphere_hit(lamp, ray_from(seen_from, w), &h)
@@ -51,26 +52,27 @@ static inline real sphere_area_term(real u, real v)
     return 4 * pi * lamp.r * lamp.r * real_max(y.z, 0) * real_max(facing, 0) / (r2 * r2);
 }
 
-static inline light_view light_view_of(vec3 p)
+static inline radiometry_seen radiometry_seen_of(vec3 p)
 {
-    return (light_view){sphere_cone(lamp, p), vunit(vsub(lamp.c, p)),
+    return (radiometry_seen){sphere_cone(lamp, p), vunit(vsub(lamp.c, p)),
                         spherical_rectangle_of(pane, p)};
 }
 
-static inline real sphere_angle_term(const light_view *k, real u, real v)
+static inline real sphere_angle_term(const radiometry_seen *k, real u, real v)
 {
     return real_max(directed(k->axis, sample_cone(k->cone, u, v)).z, 0) * 4 * pi
          * k->cone.half_sine2;
 }
 
-static inline real pane_angle_term(const light_view *k, real u, real v)
+static inline real pane_angle_term(const radiometry_seen *k, real u, real v)
 {
     vec3 y = rectangle_at(pane, spherical_rectangle_sample(&k->square, u, v));
     return real_max(vunit(y).z, 0) * k->square.omega;
 }
 
 /* k: for BY_SOLID_ANGLE, prepared once a point. */
-static inline real direction_sample(light_kind l, way by, const light_view *k, real u, real v)
+static inline real direction_sample(radiometry_light l, direction_way by,
+                                    const radiometry_seen *k, real u, real v)
 {
     vec3 w;
     switch (by) {
@@ -81,16 +83,16 @@ static inline real direction_sample(light_kind l, way by, const light_view *k, r
                                  : area_term(pane, seen_from, seen_up, u, v);
     case BY_SOLID_ANGLE:
         return l == LIGHT_SPHERE ? sphere_angle_term(k, u, v) : pane_angle_term(k, u, v);
-    case ways: break;
+    case direction_ways: break;
     }
     return 0;
 }
 
 /* The mean of n samples. */
-static inline double direction_estimate(light_kind l, way by, sequence_kind kind, uint64_t seed,
-                                        uint64_t run, uint32_t n)
+static inline double direction_estimate(radiometry_light l, direction_way by, sequence_kind kind,
+                                        uint64_t seed, uint64_t run, uint32_t n)
 {
-    light_view k = light_view_of(seen_from);
+    radiometry_seen k = radiometry_seen_of(seen_from);
     double sum = 0;
     for (uint32_t i = 0; i < n; i++) {
         sampler s = sampler_start(kind, seed, run, i, n);

@@ -11,8 +11,8 @@
  *
  * L = 1 W/(m^2 sr), I = 1 W/sr along the axis. The floor: |x|, |y| < 4, floor_cells^2 cells.
  */
-#ifndef FLOORS_H
-#define FLOORS_H
+#ifndef RADIOMETRY_FLOORS_H
+#define RADIOMETRY_FLOORS_H
 
 #include "../relations.h"
 

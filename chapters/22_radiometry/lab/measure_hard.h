@@ -3,13 +3,14 @@
  *   measure_hard(o)   a table: the largest relative error in 256 inputs, ns of one
  *   plot_hard(o)      the same against size/distance
  *
- * A case of hard_list fills a hard_run with random inputs of its kind; hard_error is the largest
- * error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres only),
- * naive, the formula of chapter 07 as it stands (triangles only), the default.
+ * A case of hard_list fills a radiometry_hard_run with random inputs of its kind; hard_error is the
+ * largest error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres
+ * only), naive, the formula of chapter 07 as it stands (triangles only), the default.
  */
-#ifndef MEASURE_HARD_H
-#define MEASURE_HARD_H
+#ifndef RADIOMETRY_MEASURE_HARD_H
+#define RADIOMETRY_MEASURE_HARD_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../07_mesh/inside.h"
 #include "oracle.h"
@@ -18,12 +19,19 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { HARD_FIRST, HARD_NAIVE, HARD_AS_IN_07, HARD_DEFAULT, most_variants, hard_inputs = 256 };
-typedef enum { HARD_SPHERE_ANGLE, HARD_TRIANGLE_ANGLE, HARD_SPHERE_E, HARD_SQUARE_E } hard_kind;
-typedef struct { hard_kind kind; sphere s; triangle t; vec3 p; vec3 v[4]; } hard_input;
-typedef struct { const char *name, *input; hard_kind kind; double size; int shape; } hard_case;
+typedef enum {
+    HARD_SPHERE_ANGLE, HARD_TRIANGLE_ANGLE, HARD_SPHERE_E, HARD_SQUARE_E
+} radiometry_hard;
+typedef struct { radiometry_hard kind; sphere s; triangle t; vec3 v[4]; } radiometry_hard_input;
+typedef struct {
+    const char *name, *input;
+    radiometry_hard kind;
+    double size;
+    int shape;
+} radiometry_hard_case;
 enum { SHAPE_ANY, SHAPE_GRAZING, SHAPE_TOUCHING };
 
-static const hard_case hard_list[] = {
+static const radiometry_hard_case hard_list[] = {
     {"solid angle, sphere", "R/d = 1e-2", HARD_SPHERE_ANGLE, 1e-2, SHAPE_ANY},
     {"solid angle, sphere", "R/d = 1e-6", HARD_SPHERE_ANGLE, 1e-6, SHAPE_ANY},
     {"solid angle, sphere", "gap 1e-6 R", HARD_SPHERE_ANGLE, 1e-6, SHAPE_TOUCHING},
@@ -56,9 +64,9 @@ static inline vec3 hard_point(random_stream *s, double size)
 }
 
 /* Seen from the origin, the surface being the plane z = 0. */
-static inline hard_input hard_make(const hard_case *c, random_stream *s)
+static inline radiometry_hard_input hard_make(const radiometry_hard_case *c, random_stream *s)
 {
-    hard_input h = {.kind = c->kind, .s.r = 1};
+    radiometry_hard_input h = {.kind = c->kind, .s.r = 1};
     real d = (real)(1 / c->size), gap = (real)c->size;
     real turn = hard_between(s, 0, 6), spread = hard_between(s, 0.5, 1);
     if (c->shape != SHAPE_ANY) d = c->shape == SHAPE_TOUCHING ? 1 + gap * spread : 10 * spread;
@@ -84,7 +92,7 @@ static inline hard_input hard_make(const hard_case *c, random_stream *s)
     return h;
 }
 
-static inline double hard_exact(const hard_input *h)
+static inline double hard_exact(const radiometry_hard_input *h)
 {
     switch (h->kind) {
     case HARD_SPHERE_ANGLE: {  /* 2 pi sin^2 / (1 + cos) */
@@ -101,7 +109,7 @@ static inline double hard_exact(const hard_input *h)
     return 0;
 }
 
-static inline real hard_value(const hard_input *h, int variant)
+static inline real hard_value(const radiometry_hard_input *h, int variant)
 {
     const triangle *t = &h->t;
     bool good = variant == HARD_DEFAULT;
@@ -124,25 +132,25 @@ static inline real hard_value(const hard_input *h, int variant)
     return 0;
 }
 
-static inline bool hard_has(hard_kind k, int variant)
+static inline bool hard_has(radiometry_hard k, int variant)
 {
     if (variant == HARD_FIRST) return k == HARD_SPHERE_ANGLE || k == HARD_SPHERE_E;
     if (variant == HARD_NAIVE) return k != HARD_SPHERE_ANGLE;
     return variant != HARD_AS_IN_07 || k == HARD_TRIANGLE_ANGLE;
 }
 
-typedef struct { hard_input in[hard_inputs]; int variant; } hard_run;
+typedef struct { radiometry_hard_input in[hard_inputs]; int variant; } radiometry_hard_run;
 
 static inline double run_hard(void *context)
 {
-    const hard_run *r = context;
+    const radiometry_hard_run *r = context;
     real sum = 0;
     for (int i = 0; i < hard_inputs; i++) sum += hard_value(&r->in[i], r->variant);
     return (double)sum;
 }
 
 /* The largest relative error of a variant over the inputs; a NaN stays. */
-static inline double hard_error(const hard_run *r, int variant)
+static inline double hard_error(const radiometry_hard_run *r, int variant)
 {
     double worst = 0;
     for (int i = 0; i < hard_inputs; i++) {
@@ -153,7 +161,7 @@ static inline double hard_error(const hard_run *r, int variant)
     return worst;
 }
 
-static inline void hard_fill(hard_run *r, const hard_case *c, uint64_t seed)
+static inline void hard_fill(radiometry_hard_run *r, const radiometry_hard_case *c, uint64_t seed)
 {
     for (int i = 0; i < hard_inputs; i++) {
         random_stream s = random_start(seed, (uint64_t)(c - hard_list), (uint64_t)i);
@@ -166,15 +174,15 @@ static inline void measure_hard(const options *o)
     table t = table_new("Hard cases: largest relative error in 256 inputs, and time of one",
                         "quantity|case|error first|error naive|error as in 07|error default|"
                         "time first [ns]|time naive [ns]|time as in 07 [ns]|time default [ns]");
-    hard_run *r = allocate(most_variants, sizeof *r);
+    radiometry_hard_run *r = allocate(most_variants, sizeof *r);
     for (int k = 0; k < hard_cases; k++) {
-        const hard_case *c = &hard_list[k];
-        clock_variant v[most_variants];
+        const radiometry_hard_case *c = &hard_list[k];
+        bench_candidate v[most_variants];
         for (int i = 0; i < most_variants; i++) {
             hard_fill(&r[i], c, o->seed), r[i].variant = i;
-            v[i] = (clock_variant){"", run_hard, &r[i], 0};
+            v[i] = (bench_candidate){.run = run_hard, .context = &r[i]};
         }
-        clock_compare(v, most_variants, o->quick ? 3 : 21);
+        bench_time(v, most_variants, 21);
         table_text(&t, "%s", c->name), table_text(&t, "%s", c->input);
         for (int i = 0; i < 2 * most_variants; i++) {
             if (!hard_has(c->kind, i % most_variants)) table_text(&t, "-");
@@ -189,7 +197,7 @@ static inline void measure_hard(const options *o)
 /* Error against size, for the naive forms and the defaults. */
 static inline void plot_hard(const options *o)
 {
-    static const struct { const char *name; hard_kind kind; int variant;
+    static const struct { const char *name; radiometry_hard kind; int variant;
     } lines[] = {{"triangle, Girard", HARD_TRIANGLE_ANGLE, HARD_NAIVE},
                  {"triangle, as in 07", HARD_TRIANGLE_ANGLE, HARD_AS_IN_07},
                  {"triangle, default", HARD_TRIANGLE_ANGLE, HARD_DEFAULT},
@@ -199,11 +207,11 @@ static inline void plot_hard(const options *o)
                  {"square, default", HARD_SQUARE_E, HARD_DEFAULT}};
     plot p = plot_new("Solid angle of a triangle, irradiance of a sphere and a square",
                       "size/distance", "largest relative error", PLOT_LOG_X | PLOT_LOG_Y);
-    hard_run *r = allocate(1, sizeof *r);
+    radiometry_hard_run *r = allocate(1, sizeof *r);
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         int series = plot_series(&p, lines[k].name);
-        for (int e = 0; e <= (real_is_float ? 12 : 24); e += o->quick ? 6 : 1) {
-            hard_case c = {"", "", lines[k].kind, pow(10, -0.25 * e), SHAPE_ANY};
+        for (int e = 0; e <= (real_is_float ? 12 : 24); e++) {
+            radiometry_hard_case c = {"", "", lines[k].kind, pow(10, -0.25 * e), SHAPE_ANY};
             for (int i = 0; i < hard_inputs; i++) {
                 random_stream s = random_start(o->seed, 99, (uint64_t)i);
                 r->in[i] = hard_make(&c, &s);

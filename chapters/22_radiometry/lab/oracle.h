@@ -8,8 +8,8 @@
  * Their formulas cancel like the naive ones, but of 32 digits enough is left: a result that is
  * 1e-15 of its terms is right to 1e-16.
  */
-#ifndef ORACLE_22_H
-#define ORACLE_22_H
+#ifndef RADIOMETRY_ORACLE_H
+#define RADIOMETRY_ORACLE_H
 
 #include "../solid_angle.h"
 

@@ -5,9 +5,10 @@
  *                    too many, blue too few
  *   draw_view(o)     what a point sees (view.h): areas are solid angles, and irradiances
  */
-#ifndef PICTURES_22_H
-#define PICTURES_22_H
+#ifndef RADIOMETRY_LAB_PICTURES_H
+#define RADIOMETRY_LAB_PICTURES_H
 
+#include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "floors.h"
 #include "view.h"
@@ -22,7 +23,7 @@ typedef struct {
     int parts;            /* floor_cell's */
     uint32_t *count;      /* of each light, of each chunk, of each cell */
     double *expected, *e; /* of each light, of each cell */
-} floor_picture;
+} radiometry_floors;
 
 /* Black below 1/256, then blue, red, yellow; pi is white. A dark line at each factor of 2. */
 static inline vec3 heat(double e)
@@ -56,7 +57,7 @@ static inline size_t floor_index(int light, int chunk, int cell)
 
 static inline void photon_job(size_t i, void *context)
 {
-    floor_picture *f = context;
+    radiometry_floors *f = context;
     size_t chunk = i % floor_chunks, n = f->photons / floor_chunks;
     int light = (int)(i / floor_chunks);
     floor_photons((floor_light)light, f->seed, chunk * n, n,
@@ -65,7 +66,7 @@ static inline void photon_job(size_t i, void *context)
 
 static inline void cells_job(size_t i, void *context)
 {
-    floor_picture *f = context;
+    radiometry_floors *f = context;
     int light = (int)i / floor_cells, j = (int)i % floor_cells;
     double n = (double)(f->photons / floor_chunks * floor_chunks);
     for (int k = 0; k < floor_cells; k++) {
@@ -76,14 +77,15 @@ static inline void cells_job(size_t i, void *context)
 }
 
 /* All chunks of a cell, over what one W/m^2 would bring. */
-static inline double floor_counted(const floor_picture *f, int light, int cell)
+static inline double floor_counted(const radiometry_floors *f, int light, int cell)
 {
     double sum = 0;
     for (int c = 0; c < floor_chunks; c++) sum += f->count[floor_index(light, c, cell)];
     return sum;
 }
 
-static inline vec3 floor_colour(const floor_picture *f, int light, int row, real x, real y, real px)
+static inline vec3 floor_colour(const radiometry_floors *f, int light, int row, real x, real y,
+                                real px)
 {
     int i = (int)((x + floor_half) / (2 * floor_half) * floor_cells);
     int j = (int)((y + floor_half) / (2 * floor_half) * floor_cells), cell = j * floor_cells + i;
@@ -102,33 +104,31 @@ static inline vec3 floor_colour(const floor_picture *f, int light, int row, real
     return line ? vec(0.9, 0.9, 0.9) : heat(e);
 }
 
-static inline void floor_pixel(int x, int y, void *context)
+static inline vec3 floor_place(const void *context, real x, real y)
 {
-    const floor_picture *f = context;
+    const radiometry_floors *f = context;
     int w = (f->im->width + floor_gap) / floor_lights, h = (f->im->height + floor_gap) / floor_rows;
-    int i = x % w, j = y % h, light = x / w, row = y / h, sw = w - floor_gap, sh = h - floor_gap;
-    image_set(f->im, x, y, (vec3){1, 1, 1});
-    if (i >= sw || j >= sh || light >= floor_lights || row >= floor_rows) return;
+    int light = (int)x / w, row = (int)y / h, sw = w - floor_gap, sh = h - floor_gap;
     int side = sw < sh ? sw : sh;  /* square, in the middle */
-    i -= (sw - side) / 2, j -= (sh - side) / 2;
-    if (i < 0 || j < 0 || i >= side || j >= side) return;
+    real i = x - (real)(light * w + (sw - side) / 2), j = y - (real)(row * h + (sh - side) / 2);
+    if (light >= floor_lights || row >= floor_rows || i < 0 || j < 0 || i >= (real)side
+        || j >= (real)side) return (vec3){1, 1, 1};
     real px = 2 * floor_half / (real)side;
-    real u = ((real)i + (real)0.5) * px - floor_half, v = floor_half - ((real)j + (real)0.5) * px;
-    image_set(f->im, x, y, floor_colour(f, light, row, u, v, px));
+    return floor_colour(f, light, row, i * px - floor_half, floor_half - j * px, px);
 }
 
 static inline void draw_floor(const options *o)
 {
     enum { cells = floor_cells * floor_cells };
     image im = image_new(o->width, o->height);
-    floor_picture f = {&im, o->seed, o->quick ? 100000 : 3000000,
+    radiometry_floors f = {&im, o->seed, o->quick ? 100000 : 3000000,
                        o->quick ? 2 : 8, NULL, NULL, NULL};
     f.count = allocate((size_t)floor_lights * floor_chunks * cells, sizeof *f.count);
     f.expected = allocate((size_t)floor_lights * cells, sizeof *f.expected);
     f.e = allocate((size_t)floor_lights * cells, sizeof *f.e);
     bool whole = parallel_for(floor_lights * floor_chunks, o->threads, "photons", photon_job, &f)
               && parallel_for(floor_lights * floor_cells, o->threads, "cells", cells_job, &f)
-              && parallel_pixels(im.width, im.height, o->threads, "floor", floor_pixel, &f);
+              && pixels_draw(&im, 1, o->threads, "floor", floor_place, &f);
     output_picture(o, &im, "22_radiometry.png", true, whole);
     free(f.count), free(f.expected), free(f.e);
     image_free(&im);
@@ -136,7 +136,7 @@ static inline void draw_floor(const options *o)
 
 /* ---- what a point sees ---- */
 
-static inline vec3 view_colour(view_map m, real x, real y, real px)
+static inline vec3 view_colour(radiometry_map m, real x, real y, real px)
 {
     static const vec3 colour[view_things] = {
         {0.9, 0.35, 0.02}, {0.65, 0.1, 0.05},
@@ -154,27 +154,20 @@ static inline vec3 view_colour(view_map m, real x, real y, real px)
     return ring || spoke ? vscale(c, 0.72) : c;
 }
 
-static inline void view_pixel(int x, int y, void *context)
+static inline vec3 view_place(const void *context, real x, real y)
 {
-    image *im = context;
-    int side = (im->width - floor_gap) / 2, i = x % (side + floor_gap);
-    view_map map = x < side + floor_gap ? VIEW_EQUAL_AREA : VIEW_PROJECTED;
-    real px = 2 / (real)side, u = ((real)i + (real)0.5) * px - 1, sum_px = px / 3;
-    real v = 1 - ((real)y + (real)0.5) * px;
-    vec3 c = {0, 0, 0};
-    image_set(im, x, y, (vec3){1, 1, 1});
-    if (i >= side || x / (side + floor_gap) > 1) return;
-    for (int k = 0; k < 9; k++)  /* 3 x 3 points: smooth edges */
-        c = vadd(c, view_colour(map, u + (real)(k % 3 - 1) * sum_px,
-                                v + (real)(k / 3 - 1) * sum_px, px));
-    image_set(im, x, y, vscale(c, (real)1 / 9));
+    int side = *(const int *)context, left = (int)x < side + floor_gap ? 0 : side + floor_gap;
+    real px = 2 / (real)side, u = (x - (real)left) * px - 1;
+    if (u >= 1) return (vec3){1, 1, 1};
+    return view_colour(left ? VIEW_PROJECTED : VIEW_EQUAL_AREA, u, 1 - y * px, px);
 }
 
 static inline void draw_view(const options *o)
 {
     if (o->out) return;
     image im = o->quick ? image_new(306, 150) : image_new(906, 450);
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "view", view_pixel, &im);
+    int side = (im.width - floor_gap) / 2;
+    bool whole = pixels_draw(&im, 3, o->threads, "view", view_place, &side);
     output_picture(o, &im, "22_radiometry_view.png", false, whole);
     image_free(&im);
 }

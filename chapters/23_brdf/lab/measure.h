@@ -1,13 +1,14 @@
 /* measure.h: the reflection equation, error against samples against time.
  *
- *   measure_methods(o)   main table, plots, slopes: four surfaces, six ways to integrate
- *   measure_furnace(o)   what GGX keeps of a white sky: roughness against angle
- *   measure_naive(o)     the formulas of brdf_naive.h beside the right ones
+ *   measure_methods(&o)  main table and plots of a glossy surface, five ways to integrate; with
+ *                        --full of four surfaces, six ways, and slopes
+ *   measure_furnace(&o)  what GGX keeps of a white sky: roughness against angle
+ *   measure_naive(&o)    the formulas of brdf_naive.h beside the right ones
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef BRDF_MEASURE_H
+#define BRDF_MEASURE_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../../20_monte_carlo/t_test.h"
@@ -15,7 +16,7 @@
 #include "../first.h"
 #include "../reflection.h"
 
-enum { WINDOW = 3, surfaces };  /* the last one reflects the window of first.h, not the sky */
+enum { GLOSSY = 2, WINDOW, surfaces };  /* the last reflects the window of first.h, not the sky */
 enum { FIRST = 5, methods, levels = 5 };
 static const char *const surface_name[surfaces] = {"Lambert", "GGX .7", "GGX .25", "window"};
 static const char *const method_name[methods] = {"grid", "uniform", "cosine", "BRDF",
@@ -37,10 +38,10 @@ static inline brdf surface_brdf(int surface)
     return brdf_ggx(white, surface == 1 ? (real)0.7 : (real)0.25);
 }
 
-/* first.h knows no light but its own. */
-static inline bool method_suits(int method, int surface)
+/* Of the surfaces only what is asked for; and first.h knows no light but its own. */
+static inline bool method_suits(const options *o, int method, int surface)
 {
-    return method != FIRST || surface == WINDOW;
+    return (o->full || surface == GLOSSY) && (method != FIRST || surface == WINDOW);
 }
 
 static inline uint32_t level_samples(int level) { return (uint32_t)16 << 2 * level; }
@@ -66,11 +67,11 @@ static inline vec3 surface_view(int surface)
 }
 
 /* Within 1e-6, that of the window within 1e-5. */
-static inline double surface_exact(int surface, bool quick)
+static inline double surface_exact(int surface)
 {
     brdf b = surface_brdf(surface);
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
-    int k = (quick ? 200 : 1000) * (surface == WINDOW ? 4 : 1);
+    int k = surface == WINDOW ? 4000 : 1000;
     vec3 wo = surface_view(surface);
     incident_light *light = surface_light(surface);
     return (double)(b.kind == BRDF_GGX ? reflection_reference(&b, upright, wo, light)
@@ -98,34 +99,34 @@ static inline double method_run(reflection *r, int surface, int method, int leve
 }
 
 typedef struct {
-    uint64_t seed;
+    const options *o;
     int runs;
     double exact[surfaces], error[surfaces][methods][levels], asked[surfaces][methods][levels];
-} survey;
+} brdf_survey;
 
 /* Long ones first. The grid is not random: one run is all. */
 static inline void survey_job(size_t i, void *context)
 {
-    survey *s = context;
+    brdf_survey *s = context;
     int level = levels - 1 - (int)(i / (surfaces * methods));
     int surface = (int)(i % surfaces), method = (int)(i / surfaces) % methods;
     int runs = method == 0 ? 1 : s->runs;
-    if (!method_suits(method, surface)) return;
+    if (!method_suits(s->o, method, surface)) return;
     double square = 0, exact = s->exact[surface];
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
     for (int k = 0; k < runs; k++) {
-        double e = method_run(&r, surface, method, level, s->seed, (uint64_t)k) / exact - 1;
+        double e = method_run(&r, surface, method, level, s->o->seed, (uint64_t)k) / exact - 1;
         square += e * e / runs;
     }
     s->error[surface][method][level] = sqrt(square);
     s->asked[surface][method][level] = (double)r.asked / runs;
 }
 
-typedef struct { int surface, method; } timed_method;
+typedef struct { int surface, method; } brdf_timed;
 
 static inline double timed_run(void *context)
 {
-    const timed_method *m = context;
+    const brdf_timed *m = context;
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
     return method_run(&r, m->surface, m->method, 3, 1, 1);
 }
@@ -133,24 +134,25 @@ static inline double timed_run(void *context)
 /* The methods of one surface in turn. */
 static inline void measure_times(const options *o, int surface, double ns[methods])
 {
-    timed_method m[methods];
-    clock_variant v[methods];
+    brdf_timed m[methods];
+    bench_candidate v[methods];
     int n = surface == WINDOW ? methods : FIRST;
+    if (!method_suits(o, 0, surface)) return;
     for (int k = 0; k < n; k++) {
-        m[k] = (timed_method){surface, k};
-        v[k] = (clock_variant){method_name[k], timed_run, &m[k], 0};
+        m[k] = (brdf_timed){surface, k};
+        v[k] = (bench_candidate){.run = timed_run, .context = &m[k]};
     }
-    clock_compare(v, n, o->quick ? 3 : 31);
+    bench_time(v, n, o->quick ? 3 : 31);
     for (int k = 0; k < n; k++) ns[k] = v[k].seconds / level_samples(3) * 1e9;
 }
 
-static inline void measure_slopes(const options *o, const survey *s)
+static inline void measure_slopes(const options *o, const brdf_survey *s)
 {
     table t = table_new("Slope of the error against N", "surface|method|error slope|error -+");
     for (int f = 0; f < surfaces; f++)
         for (int m = 0; m < methods; m++) {
             double x[levels], y[levels];
-            if (!method_suits(m, f)) continue;
+            if (!method_suits(o, m, f)) continue;
             for (int l = 0; l < levels; l++)
                 x[l] = log(level_samples(l)), y[l] = log(s->error[f][m][l]);
             line_fit fit = fit_line(x, y, levels);
@@ -160,12 +162,12 @@ static inline void measure_slopes(const options *o, const survey *s)
     output_extra_table(o, &t);
 }
 
-static inline void plot_survey(const options *o, const survey *s, double ns[surfaces][methods],
+static inline void plot_survey(const options *o, const brdf_survey *s, double ns[surfaces][methods],
                                int f, bool time, const char *title, const char *name)
 {
     plot p = plot_new(title, time ? "time of an estimate [us]" : "N", "relative error",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int m = 0; m < methods && method_suits(m, f); m++) {
+    for (int m = 0; m < methods && method_suits(o, m, f); m++) {
         plot_series(&p, method_name[m]);
         for (int l = 0; l < levels; l++)
             plot_add(&p, m, level_samples(l) * (time ? ns[f][m] / 1000 : 1), s->error[f][m][l]);
@@ -176,26 +178,32 @@ static inline void plot_survey(const options *o, const survey *s, double ns[surf
 
 static inline void measure_methods(const options *o)
 {
-    survey s = {.seed = o->seed, .runs = o->quick ? 10 : 200};
+    brdf_survey s = {.o = o, .runs = o->quick ? 10 : 200};
     double ns[surfaces][methods];
-    for (int f = 0; f < surfaces; f++) s.exact[f] = surface_exact(f, o->quick);
+    for (int f = 0; f < surfaces; f++)
+        if (method_suits(o, 0, f)) s.exact[f] = surface_exact(f);
     parallel_for(surfaces * methods * levels, o->threads, "estimates", survey_job, &s);
     for (int f = 0; f < surfaces; f++) measure_times(o, f, ns[f]);
-    table t = table_new("The reflection equation: relative error (rms), light asked for, time",
+    table t = table_new(o->full ? "The reflection equation: relative error (rms), light asked for, "
+                                  "time"
+                                : "A glossy surface by 256 directions: relative error (rms), light "
+                                  "asked for, time",
                         "surface|method|N|asked|error [1]|time [us]");
     for (int f = 0; f < surfaces; f++)
         for (int m = 0; m < methods; m++)
-            for (int l = 0; l < levels && method_suits(m, f); l += 2) {
+            for (int l = o->full ? 0 : 2; l < (o->full ? levels : 3) && method_suits(o, m, f);
+                 l += 2) {
                 table_text(&t, "%s", surface_name[f]), table_text(&t, "%s", method_name[m]);
                 table_count(&t, level_samples(l)), table_number(&t, s.asked[f][m][l]);
                 table_number(&t, s.error[f][m][l]);
                 table_number(&t, level_samples(l) * ns[f][m] / 1000);
             }
     output_table(o, &t);
-    measure_slopes(o, &s);
-    plot_survey(o, &s, ns, 0, false, "A matte surface", "23_brdf_matte.svg");
-    plot_survey(o, &s, ns, 2, false, "A glossy surface, roughness .25", "23_brdf_error.svg");
-    plot_survey(o, &s, ns, 2, true, "A glossy surface, roughness .25", "23_brdf_time.svg");
+    const char *glossy = "A glossy surface, roughness .25";
+    plot_survey(o, &s, ns, GLOSSY, false, glossy, "23_brdf_error.svg");
+    plot_survey(o, &s, ns, GLOSSY, true, glossy, "23_brdf_time.svg");
+    if (o->full) plot_survey(o, &s, ns, 0, false, "A matte surface", "23_brdf_matte.svg");
+    if (o->full) measure_slopes(o, &s);
 }
 
 /* ---- white furnace ---- */

@@ -7,9 +7,10 @@
  *                     degrees
  *   plot_lobes(o)     the same in the plane of n and wo, 45 degrees
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef BRDF_LAB_PICTURES_H
+#define BRDF_LAB_PICTURES_H
 
+#include "../../../common/lab/pixels.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../reflection.h"
@@ -44,11 +45,11 @@ typedef struct {
     const options *o;
     uint32_t samples, converged;
     bool ask_all;  /* the light from directions that bring nothing, too: the same picture */
-} sphere_sheet;
+} brdf_spheres;
 
 static inline void sphere_pixel(int x, int y, void *context)
 {
-    const sphere_sheet *sheet = context;
+    const brdf_spheres *sheet = context;
     int across = sheet->im->width / sphere_columns, down = sheet->im->height / sphere_rows;
     int column = across ? x / across : sphere_columns, row = down ? y / down : sphere_rows;
     vec3 sum = {0.9, 0.9, 0.9}, f0 = {0.95, 0.85, 0.7};
@@ -79,7 +80,7 @@ static inline void sphere_pixel(int x, int y, void *context)
 static inline void draw_spheres(const options *o)
 {
     image im = image_new(o->width, o->height);
-    sphere_sheet sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 256, false};
+    brdf_spheres sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 256, false};
     bool whole = parallel_pixels(o->width, o->height, o->threads, "spheres", sphere_pixel, &sheet);
     output_picture(o, &im, "23_brdf.png", true, whole);
     image_free(&im);
@@ -105,10 +106,10 @@ static inline vec3 lobe_view(int degrees)
     return (vec3){-sin(a), 0, cos(a)};
 }
 
-typedef struct { brdf b; vec3 wo; real scale; } lobe;
+typedef struct { brdf b; vec3 wo; real scale; } brdf_lobe;
 
 /* Negative inside: how far p lies beyond the surface. */
-static inline real lobe_beyond(const lobe *l, vec3 p)
+static inline real lobe_beyond(const brdf_lobe *l, vec3 p)
 {
     real r = vlength(p);
     if (p.z <= 0) return r;
@@ -117,7 +118,7 @@ static inline real lobe_beyond(const lobe *l, vec3 p)
 }
 
 /* The largest f cos in the plane of incidence, so that every lobe reaches as far as 1. */
-static inline real lobe_scale(const lobe *l)
+static inline real lobe_scale(const brdf_lobe *l)
 {
     real most = 0;
     for (int i = 1; i < 900; i++) {
@@ -128,7 +129,7 @@ static inline real lobe_scale(const lobe *l)
     return 1 / most;
 }
 
-static inline bool lobe_hit(const lobe *l, vec3 o, vec3 d, real t0, real t1, real *t)
+static inline bool lobe_hit(const brdf_lobe *l, vec3 o, vec3 d, real t0, real t1, real *t)
 {
     enum { steps = 60 };
     real before = t0;
@@ -148,7 +149,7 @@ static inline bool lobe_hit(const lobe *l, vec3 o, vec3 d, real t0, real t1, rea
     return false;
 }
 
-static inline vec3 lobe_normal(const lobe *l, vec3 p)
+static inline vec3 lobe_normal(const brdf_lobe *l, vec3 p)
 {
     real h = 1e-3, g = lobe_beyond(l, p);
     return vunit((vec3){lobe_beyond(l, (vec3){p.x + h, p.y, p.z}) - g,
@@ -166,7 +167,7 @@ static inline real stick_distance(vec3 o, vec3 d, vec3 wo, real *t)
     return vlength(vsub(vmadd(o, d, *t), vscale(wo, s)));
 }
 
-static inline vec3 lobe_ray(const lobe *l, vec3 o, vec3 d)
+static inline vec3 lobe_ray(const brdf_lobe *l, vec3 o, vec3 d)
 {
     vec3 c = {1, 1, 1};
     real nearest = real_infinity, t, disk = -o.z / d.z, od = vdot(o, d);
@@ -189,39 +190,32 @@ static inline vec3 lobe_ray(const lobe *l, vec3 o, vec3 d)
     return c;
 }
 
-typedef struct { image *im; lobe lobes[lobe_rows][lobe_columns]; } lobe_sheet;
+typedef struct { int side; brdf_lobe lobes[lobe_rows][lobe_columns]; } brdf_lobes;
 
-static inline void lobe_pixel(int x, int y, void *context)
+static inline vec3 lobe_colour(const void *context, real x, real y)
 {
-    enum { fine = 2 };
-    const lobe_sheet *sheet = context;
-    int side = sheet->im->width / lobe_columns;
-    const lobe *l = &sheet->lobes[y / side][x / side];
+    const brdf_lobes *sheet = context;
+    int side = sheet->side, column = (int)x / side, row = (int)y / side;
     vec3 d = vunit(vec(0, 1, -0.42)), right = {1, 0, 0}, up = vcross(right, d);
-    vec3 sum = {0, 0, 0};
-    for (int k = 0; k < fine * fine; k++) {
-        real px = ((real)(x % side) + ((real)(k % fine) + (real)0.5) / fine) / (real)side;
-        real py = ((real)(y % side) + ((real)(k / fine) + (real)0.5) / fine) / (real)side;
-        vec3 o = vscale(right, (2 * px - 1) * (real)1.2);
-        o = vmadd(o, up, (1 - 2 * py) * (real)1.2 + (real)0.35);
-        sum = vadd(sum, lobe_ray(l, vmadd(o, d, -4), d));
-    }
-    image_set(sheet->im, x, y, vscale(sum, (real)1 / (fine * fine)));
+    real px = (x - (real)(column * side)) / (real)side, py = (y - (real)(row * side)) / (real)side;
+    vec3 o = vscale(right, (2 * px - 1) * (real)1.2);
+    o = vmadd(o, up, (1 - 2 * py) * (real)1.2 + (real)0.35);
+    return lobe_ray(&sheet->lobes[row][column], vmadd(o, d, -4), d);
 }
 
 static inline void draw_lobes(const options *o)
 {
     if (o->out) return;
-    int side = o->quick ? 24 : 180;
+    const int side = 180;
     image im = image_new(lobe_columns * side, lobe_rows * side);
-    lobe_sheet sheet = {.im = &im};
+    brdf_lobes sheet = {.side = side};
     for (int row = 0; row < lobe_rows; row++)
         for (int column = 0; column < lobe_columns; column++) {
-            lobe *l = &sheet.lobes[row][column];
-            *l = (lobe){lobe_brdf(column), lobe_view(row == 0 ? 30 : row == 1 ? 60 : 80), 0};
+            brdf_lobe *l = &sheet.lobes[row][column];
+            *l = (brdf_lobe){lobe_brdf(column), lobe_view(row == 0 ? 30 : row == 1 ? 60 : 80), 0};
             l->scale = lobe_scale(l);
         }
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "lobes", lobe_pixel, &sheet);
+    bool whole = pixels_draw(&im, 2, o->threads, "lobes", lobe_colour, &sheet);
     output_picture(o, &im, "23_brdf_lobes.png", false, whole);
     image_free(&im);
 }
@@ -231,7 +225,7 @@ static inline void plot_lobes(const options *o)
     plot p = plot_new("f cos over its largest; light at 45 degrees from the left",
                       "along the surface", "along n", 0);
     for (int k = 0; k < lobe_columns; k++) {
-        lobe l = {lobe_brdf(k), lobe_view(45), 0};
+        brdf_lobe l = {lobe_brdf(k), lobe_view(45), 0};
         char name[48];
         l.scale = lobe_scale(&l);
         snprintf(name, sizeof name, "%s, up to %.2f / sr", lobe_name[k], 1 / (double)l.scale);

@@ -109,5 +109,5 @@ int main(void)
     test_ends();
     test_nearest_is_not_enough();
     test_keys();
-    return check_report("09_float_round");
+    return check_report("float_round");
 }

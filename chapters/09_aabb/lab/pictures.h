@@ -1,32 +1,27 @@
-/* draw.h: the pictures of this chapter.
+/* pictures.h: the rendered pictures of this chapter.
  *
- *   draw_room(o)         boxes, and walls and boards of no thickness: first beside aabb_hit
- *   draw_aligned(o)      rays along an axis at whole numbers, as from an orthographic camera: what
- *                        each method loses in the planes of the boxes
- *   draw_silhouette(o)   around a corner, one cell a neighbouring real of the origin
- *
- * Cells: blue hit, white miss, both right; orange a hit that is lost; yellow a false alarm.
+ *   draw_room(&o)         boxes, and walls and boards of no thickness: first beside aabb_hit
+ *   draw_aligned(&o)      rays along an axis at whole numbers, as from an orthographic camera: what
+ *                         each method loses in the planes of the boxes
+ *   draw_silhouette(&o)   around a corner, one cell a neighbouring real of the origin
  */
-#ifndef DRAW_H
-#define DRAW_H
+#ifndef AABB_PICTURES_H
+#define AABB_PICTURES_H
 
-#include "../../../common/lab/report.h"
+#include "../../../common/headlight.h"
+#include "../../../common/lab/label.h"
 #include "../../../common/parallel.h"
 #include "../../02_camera/camera.h"
-#include "../../../common/headlight.h"
 #include "mantissa.h"
-#include "methods.h"
-
-static inline vec3 rgb(double r, double g, double b) { return (vec3){(real)r, (real)g, (real)b}; }
-static inline vec3 mix(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
+#include "slabs.h"
 
 /* ---- the room ---- */
 
 enum { room_gap = 6, room_boxes = 17 };
-typedef struct { aabb b; vec3 colour; } painted_box;
-typedef struct { image *im; int panel; camera view; painted_box box[room_boxes]; } box_room;
+typedef struct { aabb b; vec3 colour; } aabb_painted;
+typedef struct { image *im; int panel; camera view; aabb_painted box[room_boxes]; } aabb_room;
 
-static inline void room_furnish(painted_box *p)
+static inline void room_furnish(aabb_painted *p)
 {
     static const signed char box[][6] = {  /* in quarters */
         {0, 0, 0, 24, 24, 0}, {0, 0, 0, 0, 24, 16}, {0, 0, 0, 24, 0, 16},     /* floor, walls */
@@ -40,7 +35,7 @@ static inline void room_furnish(painted_box *p)
         for (int k = 0; k < 6; k++) q[k] = (real)box[i][k] / 4;
         double warm = i % 3 == 0 ? 0.85 : 0.45, cold = i % 3 == 2 ? 0.85 : 0.5;
         p[i].b = (aabb){{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
-        p[i].colour = i < 3 ? rgb(0.75, 0.72, 0.66) : rgb(warm, 0.55, cold);
+        p[i].colour = i < 3 ? vec(0.75, 0.72, 0.66) : vec(warm, 0.55, cold);
     }
     p[15].b.lo.y = p[15].b.hi.y = 0.125;  /* a picture, a little before its wall */
 }
@@ -54,10 +49,10 @@ static inline int face_axis(aabb b, vec3 p)
     return x <= y && x <= z ? 0 : y <= z ? 1 : 2;
 }
 
-static inline vec3 room_colour(const box_room *s, box_method *test, ray r)
+static inline vec3 room_colour(const aabb_room *s, aabb_test *test, ray r)
 {
     static const vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    vec3 c = rgb(0.03, 0.04, 0.07);
+    vec3 c = vec(0.03, 0.04, 0.07);
     for (int i = 0; i < room_boxes; i++) {
         real t;
         if (!test(s->box[i].b, r, &t) || t > r.tmax) continue;
@@ -70,7 +65,7 @@ static inline vec3 room_colour(const box_room *s, box_method *test, ray r)
 
 static inline void room_pixel(int x, int y, void *context)
 {
-    const box_room *s = context;
+    const aabb_room *s = context;
     bool right = x >= s->panel + room_gap;
     vec3 sum = {0, 0, 0};
     real px = (real)(right ? x - s->panel - room_gap : x);
@@ -85,57 +80,80 @@ static inline void room_pixel(int x, int y, void *context)
 
 static inline void draw_room(const options *o)
 {
-    box_room s;
+    aabb_room s;
     camera_frame f;
     failure why;
     image im = image_new(o->width, o->height);
-    vec3 e = {13, 15, 8}, target = {2.4, 2.4, 0.9}, up = {0, 0, 1};
+    vec3 e = {13, 15, 8}, target = vec(2.4, 2.4, 0.9), up = {0, 0, 1};
     s.im = &im, s.panel = o->width > 2 * room_gap ? (o->width - room_gap) / 2 : o->width;
     room_furnish(s.box);
     if (!frame_look_at(e, target, up, &f, &why)
         || !camera_perspective(f, 27, (real)s.panel / (real)im.height, &s.view, &why))
         fail(why);
     bool whole = parallel_pixels(im.width, im.height, o->threads, "room", room_pixel, &s);
+    if (o->width >= 400 && o->height >= 100) {
+        label_tag(&im, 10, 10, 12, "first_aabb_hit");
+        label_tag(&im, s.panel + room_gap + 10, 10, 12, "aabb_hit");
+    }
     output_picture(o, &im, "09_aabb.png", true, whole);
     image_free(&im);
 }
 
 /* ---- cells: one panel a method ---- */
 
-enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 6, cell_columns = 3 };
-static const int cell_methods[6] = {method_first, method_closed, method_fmin,
-                                    method_pbrt, method_inclusive, method_default};
+enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10, cell_columns = 3,
+       cell_rows = 2 };
+static const int cell_method[] = {aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_pbrt,
+                                  aabb_of_inclusive, aabb_of_default};
+/* Hit, miss, a hit that is lost, a false alarm: linear light of blue, grey, red, yellow. */
+static const vec3 cell_colour[4] = {{0, 0.168, 0.445}, {0.8, 0.8, 0.8}, {0.665, 0.112, 0},
+                                    {0.871, 0.776, 0.054}};
 
 /* What cell (i, j) asks: is any of the boxes hit? Returns their number; *truth is the answer. */
-typedef int cell_question(int i, int j, aabb *box, ray *r, bool *truth);
-typedef struct { image *im; cell_question *ask; } cell_picture;
+typedef int aabb_question(int i, int j, aabb *box, ray *r, bool *truth);
+typedef struct { image *im; aabb_question *ask; } aabb_cells;
 
-static inline void cell_pixel(int x, int y, void *context)
+/* Cell x, y of all panels side by side. */
+static inline void cell_ask(int x, int y, void *context)
 {
-    const cell_picture *p = context;
-    int panel = x / cell_panel + cell_columns * (y / cell_panel), i = x % cell_panel / cell_size;
-    int j = y % cell_panel / cell_size;
-    vec3 c = {1, 1, 1};
-    if (i < cell_count && j < cell_count) {
-        aabb box[8];
-        ray r;
-        real t;
-        bool truth, answer = false;
-        int n = p->ask(i, j, box, &r, &truth);
-        for (int k = 0; k < n; k++) answer |= method[cell_methods[panel]](box[k], r, &t);
-        c = truth == answer ? (truth ? rgb(0.3, 0.5, 0.72) : rgb(0.88, 0.88, 0.88))
-                            : (truth ? rgb(0.75, 0.14, 0) : rgb(0.9, 0.75, 0.05));
-    }
-    image_set(p->im, x, y, c);
+    const aabb_cells *p = context;
+    int panel = x / cell_count + cell_columns * (y / cell_count);
+    aabb box[8];
+    ray r;
+    real t;
+    bool truth, answer = false;
+    int n = p->ask(x % cell_count, y % cell_count, box, &r, &truth);
+    for (int k = 0; k < n; k++) answer |= aabb_method[cell_method[panel]].hit(box[k], r, &t);
+    image_set(p->im, x, y, cell_colour[truth == answer ? !truth : truth ? 2 : 3]);
 }
 
-static inline void draw_cells(const options *o, const char *name, cell_question *ask)
+static inline void draw_cells(const options *o, const char *name, const char *axes,
+                              aabb_question *ask)
 {
-    image im = image_new(cell_columns * cell_panel - 6, 2 * cell_panel - 6);
-    cell_picture p = {&im, ask};
-    bool whole = parallel_pixels(im.width, im.height, o->threads, name, cell_pixel, &p);
-    output_picture(o, &im, name, false, whole);
-    image_free(&im);
+    static const char *const key[] = {"hit", "miss", "a hit that is lost", "a false alarm"};
+    const char *title[cell_columns * cell_rows];
+    for (int k = 0; k < cell_columns * cell_rows; k++) title[k] = aabb_method[cell_method[k]].name;
+    image cells = image_new(cell_columns * cell_count, cell_rows * cell_count);
+    aabb_cells p = {&cells, ask};
+    bool whole = parallel_pixels(cells.width, cells.height, o->threads, name, cell_ask, &p);
+    image im = image_new(cell_columns * cell_panel - 10, cell_rows * cell_panel - 10);
+    for (int y = 0; y < cells.height; y++)
+        for (int x = 0; x < cells.width; x++)
+            label_fill(&im, x / cell_count * cell_panel + x % cell_count * cell_size,
+                       y / cell_count * cell_panel + y % cell_count * cell_size, cell_size,
+                       cell_size, image_get(&cells, x, y));
+    image panels = label_panels(&im, cell_columns, cell_rows, 10, title);
+    image sheet = image_new(panels.width, panels.height + 62);
+    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
+    image_place(&sheet, 0, 0, &panels);
+    int y = panels.height, x = 20;
+    label_text(&sheet, sheet.width / 2.0, y + 22, 10, 0.5, vec(0, 0, 0), axes);
+    for (int k = 0; k < 4; k++, x += 195) {
+        label_fill(&sheet, x, y + 38, 16, 16, cell_colour[k]);
+        label_text(&sheet, x + 24, y + 51, 11, 0, vec(0, 0, 0), key[k]);
+    }
+    output_picture(o, &sheet, name, false, whole);
+    image_free(&cells), image_free(&im), image_free(&panels), image_free(&sheet);
 }
 
 /* Along -z, d.x = +0.0 on the left and -0.0 on the right, d.y = +0.0 above and -0.0 below: four
@@ -146,7 +164,7 @@ static inline int ask_aligned(int i, int j, aabb *box, ray *r, bool *truth)
                                 {4, 20, 0, 28, 20, 5}, {16, 26, 0, 16, 26, 5}};
     int half = cell_count / 2, x = i / half * half, y = j / half * half;
     r->o = vec(i, j, 9), r->tmin = 0, r->tmax = real_infinity;
-    r->d = (vec3){i < half ? (real)0.0 : (real)-0.0, j < half ? (real)0.0 : (real)-0.0, -1};
+    r->d = vec(i < half ? 0.0 : -0.0, j < half ? 0.0 : -0.0, -1);
     *truth = false;
     for (int k = 0; k < 4; k++) {
         box[k].lo = vec((x + b[k][0]), (y + b[k][1]), b[k][2]);
@@ -160,8 +178,8 @@ static inline int ask_aligned(int i, int j, aabb *box, ray *r, bool *truth)
  * other, as reals between 1/4 and 1/2 are. They enter by lo.x and hi.z, and leave by hi.y. */
 static inline int ask_silhouette(int i, int j, aabb *box, ray *r, bool *truth)
 {
-    vec3 corner = rgb(0.78213, 0.71971, 0.13457), d = rgb(1.17312, 0.91973, -0.83719);
-    real step = real_epsilon / 4, t = 0.38711;
+    vec3 corner = vec(0.78213, 0.71971, 0.13457), d = vec(1.17312, 0.91973, -0.83719);
+    real step = real_epsilon / 4, t = (real)0.38711;
     *box = (aabb){{corner.x, -1, -1}, {2, corner.y, corner.z}};
     *r = ray_from(vmadd(corner, d, -t), d);
     r->o.x += (real)(i - cell_count / 2) * step;
@@ -172,12 +190,14 @@ static inline int ask_silhouette(int i, int j, aabb *box, ray *r, bool *truth)
 
 static inline void draw_aligned(const options *o)
 {
-    draw_cells(o, "09_aabb_aligned.png", ask_aligned);
+    draw_cells(o, "09_aabb_aligned.png",
+               "left half d.x = +0.0, right -0.0; upper half d.y = +0.0, lower -0.0", ask_aligned);
 }
 
 static inline void draw_silhouette(const options *o)
 {
-    draw_cells(o, "09_aabb_silhouette.png", ask_silhouette);
+    draw_cells(o, "09_aabb_silhouette.png",
+               "right and down: the next real number of o.x and of o.y", ask_silhouette);
 }
 
 #endif

@@ -1,0 +1,176 @@
+/* sphere_measure.h: the tables and plots of this chapter.
+ *
+ *   sphere_measure(&o)   the main table; with --full all others, and the plots
+ */
+#ifndef SPHERE_MEASURE_H
+#define SPHERE_MEASURE_H
+
+#include "../../../common/clock.h"
+#include "../../../common/lab/report.h"
+#include "../../../common/parallel.h"
+#include "sphere_survey.h"
+
+static inline void sphere_measure(const options *o);
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { sphere_timed = 1024, sphere_repeats = 20 };
+
+/* Each method in a loop of its own, and inlined there. */
+#define SPHERE_TIMED(name, X_hit)                                                                  \
+    __attribute__((flatten))                                                                       \
+    static double name(void *context)                                                              \
+    {                                                                                              \
+        const sphere_shot *s = context;                                                            \
+        size_t hits = 0;                                                                           \
+        hit h;                                                                                     \
+        for (int k = 0; k < sphere_repeats * sphere_timed; k++)                                    \
+            hits += X_hit(s[k % sphere_timed].ball, s[k % sphere_timed].r, &h);                    \
+        return (double)hits;                                                                       \
+    }
+SPHERE_TIMED(sphere_run_first_f32, sphere_hit_first_f32)
+SPHERE_TIMED(sphere_run_first, first_sphere_hit)
+SPHERE_TIMED(sphere_run_in_double, sphere_hit_in_double)
+SPHERE_TIMED(sphere_run_stable_root, sphere_hit_stable_root)
+SPHERE_TIMED(sphere_run_haines, sphere_hit_haines)
+SPHERE_TIMED(sphere_run_lagrange, sphere_hit_lagrange)
+SPHERE_TIMED(sphere_run_kahan, sphere_hit_kahan)
+SPHERE_TIMED(sphere_run_hit, sphere_hit)
+static double (*const sphere_run[sphere_methods])(void *) = {
+    sphere_run_first_f32, sphere_run_first, sphere_run_in_double, sphere_run_stable_root,
+    sphere_run_haines, sphere_run_lagrange, sphere_run_kahan, sphere_run_hit};
+
+static inline void sphere_time(const options *o, sphere_how how, real far,
+                               double ns[sphere_methods])
+{
+    static sphere_shot s[sphere_timed];
+    clock_variant v[sphere_methods];
+    for (size_t i = 0; i < sphere_timed; i++) s[i] = sphere_shot_at(o->seed, how, far, i);
+    for (int m = 0; m < sphere_methods; m++)
+        v[m] = (clock_variant){sphere_method_name[m], sphere_run[m], s, 0};
+    clock_compare(v, sphere_methods, o->quick ? 3 : 25);
+    for (int m = 0; m < sphere_methods; m++)
+        ns[m] = v[m].seconds / (sphere_repeats * sphere_timed) * 1e9;
+}
+
+/* `count` distances from 1e0, 1e1/2, .. (step 1) or every step-th of them; for free(). */
+static inline sphere_surveys *sphere_survey_all(const options *o, int from, int step, int count,
+                                                size_t n)
+{
+    sphere_surveys *all = allocate(1, sizeof *all);
+    all->n = o->quick ? 2000 : n, all->seed = o->seed;
+    for (int k = 0; k < count; k++) all->at[k].far = pow((real)10, (real)(from + step * k) / 2);
+    if (!parallel_for((size_t)count, o->threads, "rays", sphere_survey_at, all)) exit(130);
+    return all;
+}
+
+static inline void sphere_main_table(const options *o)
+{
+    sphere_surveys *all = sphere_survey_all(o, 4, 4, 3, 20000);  /* 1e2, 1e4, 1e6 R */
+    double ns[sphere_methods];
+    table t = table_new("Ray and sphere: how near the limb rays are misclassified, seen from 1e2 to"
+                        " 1e6 R; time of a test",
+                        "method|error edge 1e2 R|error edge 1e4 R|error edge 1e6 R|"
+                        "error grazing wrong 1e6 R [%]|time [ns]");
+    sphere_time(o, SPHERE_ANYWHERE, 100, ns);
+    for (int m = 0; m < sphere_methods; m++) {
+        table_text(&t, "%s", sphere_method_name[m]);
+        for (int k = 0; k < 3; k++) table_number(&t, all->at[k].of[m].edge);
+        table_number(&t, all->at[2].of[m].grazing_wrong);
+        table_number(&t, ns[m]);
+    }
+    output_table(o, &t);
+    free(all);
+}
+
+static inline void sphere_full_table(const options *o, const sphere_surveys *all)
+{
+    table t = table_new("Ray and sphere, from 1e2 to 1e6 radii: wrong answers, worst errors, time",
+        "method|distance [R]|error missed [%]|error grazing missed [%]|error grazing false [%]"
+        "|error edge [R]|error residual [R]|time [ns]|time grazing [ns]");
+    plot w = plot_new("Error against time, from 1e4 R", "time [ns]", "edge [R]", PLOT_LOG_Y);
+    for (int k = 4; k < sphere_distances; k += k == 8 ? 4 : 2) {
+        double ns[sphere_methods], grazing_ns[sphere_methods];
+        sphere_time(o, SPHERE_ANYWHERE, all->at[k].far, ns);
+        sphere_time(o, SPHERE_GRAZING, all->at[k].far, grazing_ns);
+        for (int m = 0; m < sphere_methods; m++) {
+            const sphere_errors *e = &all->at[k].of[m];
+            const double x[] = {e->missed, e->grazing_missed, e->grazing_untrue, e->edge,
+                                e->residual, ns[m], grazing_ns[m]};
+            table_text(&t, "%s", sphere_method_name[m]);
+            table_text(&t, "%.0e", (double)all->at[k].far);
+            for (size_t i = 0; i < sizeof x / sizeof *x; i++) table_number(&t, x[i]);
+            if (k != 8 || sphere_method[m] == sphere_hit_in_double) continue;
+            plot_add(&w, plot_series(&w, sphere_method_name[m]), ns[m], e->edge);
+        }
+    }
+    output_extra_table(o, &t);
+    output_plot(o, &w, "03_sphere_time.svg");
+}
+
+/* "first, in double" is left out: in double it is "first", in float it lies below it. */
+static inline void sphere_plots(const options *o, const sphere_surveys *all)
+{
+    const int logs = PLOT_LOG_X | PLOT_LOG_Y;
+    plot p = plot_new("How near the limb a ray is misclassified", "distance [R]", "edge [R]", logs);
+    plot q = plot_new("How far a hit is off the surface", "distance [R]", "residual [R]", logs);
+    for (int m = 0; m < sphere_methods; m++) {
+        if (sphere_method[m] == sphere_hit_in_double) continue;
+        int series = plot_series(&p, sphere_method_name[m]);
+        int same = plot_series(&q, sphere_method_name[m]);
+        for (int k = 0; k < sphere_distances; k++) {
+            plot_add(&p, series, (double)all->at[k].far, all->at[k].of[m].edge);
+            if (k == 0) continue;  /* o is on the surface: the residual is that of o */
+            plot_add(&q, same, (double)all->at[k].far, all->at[k].of[m].residual);
+        }
+    }
+    plot_slope(&p, 2, "slope 2"), plot_slope(&q, 2, "slope 2");
+    output_plot(o, &p, "03_sphere_edge.svg");
+    output_plot(o, &q, "03_sphere_residual.svg");
+}
+
+/* Of n rays, those whose D sphere_roots computes a second time. */
+static inline size_t sphere_twice(const options *o, sphere_how how, real far, size_t n)
+{
+    real t0, t1;
+    size_t before = sphere_doubts;
+    for (size_t i = 0; i < n; i++) {
+        sphere_shot s = sphere_shot_at(o->seed, how, far, i);
+        (void)sphere_roots(s.ball, s.r, &t0, &t1);
+    }
+    return sphere_doubts - before;
+}
+
+static inline void sphere_doubt_table(const options *o)
+{
+    const struct { const char *name; sphere_how how; real far; } kind[] = {
+        {"anywhere, from 1e2 R", SPHERE_ANYWHERE, 100},
+        {"anywhere, from 1e6 R", SPHERE_ANYWHERE, 1000000},
+        {"within 0.1 % of the limb, from 1e2 R", SPHERE_GRAZING, 100},
+        {"within 0.1 % of the limb, from 1e6 R", SPHERE_GRAZING, 1000000},
+        {"at the last bit of the limb", SPHERE_LIMB, 100},
+        {"from the surface", SPHERE_SURFACE, 2}};
+    table t = table_new("Rays that sphere_hit looks at twice",
+                        "rays|D twice, of 1e6|Haines et al. time [ns]|sphere_hit time [ns]");
+    for (size_t k = 0; k < sizeof kind / sizeof *kind; k++) {
+        double ns[sphere_methods];
+        sphere_time(o, kind[k].how, kind[k].far, ns);
+        table_text(&t, "%s", kind[k].name);
+        table_count(&t, sphere_twice(o, kind[k].how, kind[k].far, 1000000));
+        table_number(&t, ns[4]), table_number(&t, ns[7]);
+    }
+    output_extra_table(o, &t);
+}
+
+static inline void sphere_measure(const options *o)
+{
+    sphere_main_table(o);
+    if (!o->full) return;
+    sphere_surveys *all = sphere_survey_all(o, 0, 1, sphere_distances, 100000);
+    sphere_full_table(o, all);
+    sphere_plots(o, all);
+    sphere_doubt_table(o);
+    free(all);
+}
+
+#endif

@@ -1,0 +1,126 @@
+/* volumes.h: two other volumes round the same points, to compare with the box: the bounding sphere
+ * (包围球) and the oriented box (有向包围盒, OBB), a box that may be turned.
+ *
+ *   aabb_ball b = ball_round(p, n);        a sphere, its radius within 0.2 % of the smallest
+ *   aabb_turned u = turned_round(p, n);    a turned box, of less surface than the aabb has: by 3000
+ *                                          small turns; a search, not the optimum
+ *   bounding_ball_hit(&b, 1 / d.d, r, &t_enter)   as aabb_hit: no false negative, t_enter not late
+ *   turned_hit(&u, r, &t_enter)
+ *   ball_area(&b), turned_area(&u)         surface, for (9.6)
+ *   ray r = line_through(b, seed, i)       the i-th of lines that come from everywhere alike,
+ *                                          through the sphere round the box b
+ *
+ * Both have room for rounding: what passes within 32 epsilon of the distance counts as a hit.
+ * Sources: M. Bădoiu, K. Clarkson, "Smaller core-sets for balls", SODA 2003 (the sphere: go 1/i of
+ * the way to the farthest point, in step i); S. Gottschalk, M. Lin, D. Manocha, "OBBTree", SIGGRAPH
+ * 1996 (turned boxes).
+ */
+#ifndef AABB_VOLUMES_H
+#define AABB_VOLUMES_H
+
+#include "mantissa.h"
+
+typedef struct { vec3 c; real r; } aabb_ball;
+typedef struct { vec3 c, axis[3], half; } aabb_turned;  /* axes: unit, at right angles */
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* A direction from all alike, and a point from all alike in the disc across it that covers the
+ * sphere round the box: each line through that sphere is as likely as any other. */
+static inline ray line_through(aabb b, uint64_t seed, uint64_t i)
+{
+    random_stream s = random_start(seed, i, 0);
+    real z = 2 * random_next(&s) - 1, a = 2 * pi * random_next(&s), flat = sqrt(1 - z * z);
+    vec3 d = {flat * cos(a), flat * sin(a), z}, u, v;
+    real reach = vlength(vsub(b.hi, b.lo)) / 2, r = reach * sqrt(random_next(&s));
+    a = 2 * pi * random_next(&s);
+    vbasis(d, &u, &v);
+    vec3 o = vmadd(vmadd(aabb_center(b), u, r * cos(a)), v, r * sin(a));
+    return ray_from(vmadd(o, d, -2 * reach), d);
+}
+
+static inline size_t farthest_from(vec3 c, const vec3 *p, size_t n)
+{
+    size_t best = 0;
+    real most = -1;
+    for (size_t i = 0; i < n; i++) {
+        vec3 w = vsub(p[i], c);
+        if (vdot(w, w) > most) most = vdot(w, w), best = i;
+    }
+    return best;
+}
+
+static inline aabb_ball ball_round(const vec3 *p, size_t n)
+{
+    aabb_ball b = {p[0], 0};
+    for (int i = 1; i <= 1000; i++)
+        b.c = vmadd(b.c, vsub(p[farthest_from(b.c, p, n)], b.c), 1 / (real)(i + 1));
+    b.r = vlength(vsub(p[farthest_from(b.c, p, n)], b.c)) * (1 + 4 * real_epsilon);
+    return b;
+}
+
+/* l is the way from the ray, where it is nearest, to the centre: a hit if |l| <= R. */
+static inline bool bounding_ball_hit(const aabb_ball *b, real inverse_dd, ray r, real *t_enter)
+{
+    vec3 f = vsub(b->c, r.o);
+    real middle = vdot(f, r.d) * inverse_dd, rr = b->r * b->r;
+    vec3 l = vmadd(f, r.d, -middle);
+    real in = rr - vdot(l, l) + 32 * real_epsilon * (rr + vdot(f, f));
+    if (!(in >= 0)) return false;
+    real half = sqrt(in * inverse_dd);
+    if (!(middle + half >= r.tmin && middle - half <= r.tmax)) return false;
+    *t_enter = real_max(middle - half, r.tmin);
+    return true;
+}
+
+static inline vec3 turned_into(const aabb_turned *u, vec3 v)
+{
+    return (vec3){vdot(u->axis[0], v), vdot(u->axis[1], v), vdot(u->axis[2], v)};
+}
+
+static inline bool turned_hit(const aabb_turned *u, ray r, real *t_enter)
+{
+    vec3 o = turned_into(u, vsub(r.o, u->c));
+    real room = fabs(o.x) + fabs(o.y) + fabs(o.z) + u->half.x + u->half.y + u->half.z;
+    room *= 32 * real_epsilon;
+    vec3 half = vadd(u->half, (vec3){room, room, room});
+    r.o = o, r.d = turned_into(u, r.d);
+    return aabb_hit((aabb){vneg(half), half}, r, t_enter);
+}
+
+static inline real ball_area(const aabb_ball *b) { return 4 * pi * b->r * b->r; }
+static inline real turned_area(const aabb_turned *u)
+{
+    return aabb_area((aabb){vneg(u->half), u->half});
+}
+
+/* Centre and sides, for the axes that u has. */
+static inline void turned_fit(aabb_turned *u, const vec3 *p, size_t n)
+{
+    aabb b = aabb_empty();
+    u->c = (vec3){0, 0, 0};
+    for (size_t i = 0; i < n; i++) b = aabb_grow_point(b, turned_into(u, p[i]));
+    vec3 c = aabb_center(b);
+    u->half = vsub(b.hi, c);
+    for (int k = 0; k < 3; k++) u->c = vmadd(u->c, u->axis[k], vaxis(c, k));
+}
+
+static inline aabb_turned turned_round(const vec3 *p, size_t n)
+{
+    aabb_turned best = {.axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    turned_fit(&best, p, n);
+    for (uint64_t i = 0; i < 3000; i++) {  /* turns of up to 90 degrees, then ever smaller ones */
+        random_stream s = random_start(1, i, 7);
+        aabb_turned u = best;
+        real step = pow((real)0.997, (real)i);
+        u.axis[0] = vunit(vmadd(u.axis[0], random_in_cube(&s), step));
+        u.axis[1] = vmadd(u.axis[1], random_in_cube(&s), step);
+        u.axis[2] = vunit(vcross(u.axis[0], u.axis[1]));
+        u.axis[1] = vcross(u.axis[2], u.axis[0]);
+        turned_fit(&u, p, n);
+        if (!vzero(u.axis[2]) && turned_area(&u) < turned_area(&best)) best = u;
+    }
+    return best;
+}
+
+#endif

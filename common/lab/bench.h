@@ -1,0 +1,60 @@
+/* bench.h: candidates timed side by side, on a machine that has other things to do.
+ *
+ *   bench_candidate c[] = {{.name = "naive", .run = run_naive, .context = &data}, ...};
+ *   bench_time(c, 2, 7);           7 rounds A B A B .., after one that only warms up
+ *   c[0].seconds                   the median of its rounds
+ *   c[0].spread                    half the way between its quartiles, over the median: 0.02 is a
+ *                                  calm machine; two that differ by less than that don't differ
+ *   bench_once(&c[0])              one run that nothing has warmed up, seconds alone
+ *   bench_slope(x, y, n)           of y over x, by least squares; of logarithms: the exponent
+ *
+ * Compare within one run, never the seconds of two.
+ */
+#ifndef COMMON_BENCH_H
+#define COMMON_BENCH_H
+
+#include "../clock.h"
+#include "../file.h"
+
+typedef struct {
+    const char *name;
+    double (*run)(void *context);  /* does the work; returns something that depends on all of it */
+    void *context;
+    double seconds, spread;        /* out */
+} bench_candidate;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline double bench_once(const bench_candidate *c)
+{
+    double start = clock_seconds();
+    clock_kept = c->run(c->context);
+    return clock_seconds() - start;
+}
+
+/* Any number of candidates and rounds, both at least 1. */
+static inline void bench_time(bench_candidate *c, int n, int rounds)
+{
+    double *all = allocate((size_t)n * (size_t)rounds, sizeof *all);
+    for (int i = -1; i < rounds; i++)
+        for (int k = 0; k < n; k++) {
+            double seconds = bench_once(&c[k]);
+            if (i >= 0) all[k * rounds + i] = seconds;
+        }
+    for (int k = 0; k < n; k++) {
+        double *one = all + k * rounds;
+        c[k].seconds = clock_median(one, rounds);  /* sorts them */
+        double quartiles = one[rounds - 1 - rounds / 4] - one[rounds / 4];
+        c[k].spread = c[k].seconds > 0 ? quartiles / 2 / c[k].seconds : 0;
+    }
+    free(all);
+}
+
+static inline double bench_slope(const double *x, const double *y, int n)
+{
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (int i = 0; i < n; i++) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
+    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+#endif
