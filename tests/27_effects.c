@@ -71,7 +71,7 @@ static void test_warnings(void)
          "grey.obj: no file '/c/none.mtl': what it describes stays grey", 0},
         {"empty.scene", "# nothing yet\n", "empty.scene: no shape and no mesh", 0},
         {"far.scene", "sphere 1e308 1e308 1e308 1e307\nsphere -1e308 -1e308 -1e308 1e307\n",
-         "far.scene: ", 2}};
+         "far.scene:", 2}};
     for (int k = 0; k < 3; k++) {
         put(file[k].name, file[k].text);
         snprintf(args, sizeof args, "%s --quick --out %s", in_directory(file[k].name),

@@ -149,7 +149,7 @@ static inline void trial_times(branch_trial *b, const options *o)
         b->us[t[i].trial] = v[i].seconds / (double)t[i].rays * b->rays[t[i].trial] * 1e6;
 }
 
-static inline void trial_run(branch_trial *b, const options *o)
+static inline void branches_run(branch_trial *b, const options *o)
 {
     furnace_pair(&b->scene[0], (real)pair_radius, pair_light, pair_albedo);
     lit_cornell(&b->scene[1]);
@@ -233,7 +233,7 @@ static inline void measure_branches(const options *o)
                           "time: error over that of N = 1");
     options short_run = *o;
     short_run.full = false;
-    trial_run(b, o);
+    branches_run(b, o);
     for (int i = 0; i < trials; i++)
         if (trial_wanted(&short_run, i)) trial_row(b, i, false, &t);
     output_table(o, &t);
