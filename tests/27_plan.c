@@ -380,7 +380,7 @@ static void test_odd_cameras(void)
 
 static void test_sky(void)
 {
-    sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4)};
+    effects_sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4)};
     for (int y = 0; y < 4; y++)
         for (int x = 0; x < 8; x++)
             image_set(&s.picture, x, y, vec(x, y, 1));

@@ -13,8 +13,8 @@
  *
  * P: three numbers; C: one (grey) or three, not negative. More in scene_file.h.
  */
-#ifndef STATEMENTS_H
-#define STATEMENTS_H
+#ifndef EFFECTS_STATEMENTS_H
+#define EFFECTS_STATEMENTS_H
 
 #include "mtl.h"
 
