@@ -33,7 +33,7 @@ int main(int argc, char **argv)
     }
     draw_cornell(&o);
     if (!o.out) draw_strategies(&o);
-    if (!o.out && o.full) draw_spheres(&o), draw_teapot(&o), draw_furnace(&o);
+    if (!o.out && o.full) draw_spheres(&o), draw_furnace(&o);
     measure_strategies(&o);
     if (o.full) measure_speed(&o);
     return output_done(&o);

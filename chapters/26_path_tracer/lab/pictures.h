@@ -3,7 +3,6 @@
  *   draw_cornell(o)     the box: the main picture
  *   draw_strategies(o)  the box, 16 samples a pixel: naive, lights, both, Sobol' points
  *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
- *   draw_teapot(o)      rough copper under a sky
  *   draw_furnace(o)     balls of every BRDF in a white world: what they lose, in false colours
  *
  * The numbers of samples are fixed, so that the bytes are. Powers of two: two halves (film.h) of
@@ -54,11 +53,6 @@ static inline void draw_cornell(const options *o)
 static inline void draw_spheres(const options *o)
 {
     draw_scene(o, "spheres", 288, 288, 32, 2, "26_path_tracer_spheres.png", false);
-}
-
-static inline void draw_teapot(const options *o)
-{
-    draw_scene(o, "teapot", 720, 480, 512, 1, "26_path_tracer_teapot.png", false);
 }
 
 /* Of light 1 from everywhere, what is missing: up to 40 %, left as seen, right in colours. */
