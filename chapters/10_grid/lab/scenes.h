@@ -15,6 +15,7 @@
 #ifndef GRID_SCENES_H
 #define GRID_SCENES_H
 
+#include "../../07_mesh/scenes/soup.h"
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/bench.h"
 
@@ -24,27 +25,10 @@ static const char *const grid_scene_name[grid_scenes] = {"teapot", "triangles", 
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 grid_random(random_stream *g, real size)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
 /* Edges about half as long as the triangles are apart. */
 static inline mesh grid_soup(size_t n, uint64_t seed)
 {
-    mesh m = {.vertices = 3 * n, .triangles = n};
-    real size = (real)cbrt(1 / (double)n) / 2;
-    m.v = allocate(3 * n, sizeof *m.v), m.index = allocate(3 * n, sizeof *m.index);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(seed, i, 0);
-        vec3 c = grid_random(&g, 0.5);
-        for (size_t k = 0; k < 3; k++) {
-            m.v[3 * i + k] = vadd(c, grid_random(&g, size));
-            m.index[3 * i + k] = (uint32_t)(3 * i + k);
-        }
-    }
-    return m;
+    return soup_mesh(n, 0.5, (real)cbrt(1 / (double)n) / 2, seed);
 }
 
 /* Across the cube of side 2: each passes through many cells, and through many others. */
@@ -53,7 +37,7 @@ static inline mesh grid_boards(size_t n, uint64_t seed)
     mesh m = grid_soup(n, seed);
     for (size_t i = 0; i < 3 * n; i++) {
         random_stream g = random_start(seed, i, 4);
-        m.v[i] = grid_random(&g, 1);
+        m.v[i] = cube_point(&g, 1);
     }
     return m;
 }
@@ -64,7 +48,7 @@ static inline shape *grid_spheres(size_t n, uint64_t seed)
     real r = (real)(0.3 * cbrt(1 / (double)n));
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 1);
-        s[i] = shape_of_sphere((sphere){grid_random(&g, 0.5), r});
+        s[i] = shape_of_sphere((sphere){cube_point(&g, 0.5), r});
     }
     return s;
 }
