@@ -4,7 +4,7 @@
  *   bool whole = pixels_draw(&im, 3, threads, "picture", trial_mesh_colour, &p);   headlight
  *   bool whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p);      black nothing,
  *                                                   white p.most nodes and tests together
- *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all);  n panels of the mesh of s,
+ *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all); n panels of the mesh of s,
  *                                     two in a row, each with its structure, built as how[k] says
  */
 #ifndef TRIALS_PICTURES_H
