@@ -56,10 +56,11 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* How often n items may be named in all leaves. Items that lie on top of each other (10^5 copies of a
- * triangle, the fan of a star with 10^4 corners) can be cut for ever, and each cut names most of
- * them once more. Trees share this room out: who is cut gives its parts what it has, in proportion
- * to what they name, and who has no room for that becomes a leaf, once half of it is gone: models don't get there. */
+/* How often n items may be named in all leaves. Items that lie on top of each other (10^5 copies
+ * of a triangle, the fan of a star with 10^4 corners) can be cut for ever, and each cut names most
+ * of them once more. Trees share this room out: a cell that is cut gives its parts what it has, in
+ * proportion to what they name; one that has no room for that becomes a leaf, once half of all room
+ * is gone. Models don't get there. */
 static inline double structure_room(size_t n) { return 64 * (double)n + 0x1p22; }
 
 /* named: so far, by all leaves; wanted: what a cut would name, of its cell's room. */

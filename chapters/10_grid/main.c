@@ -1,7 +1,7 @@
 /* 10_grid: a box cut into equal cells: built, walked through, and where it fails.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 10_grid chapters/10_grid/main.c -lm -lpthread
  *
- * Without options: the teapot in its cells, a walk in the plane, what a stadium takes, a short table.
+ * Without options: the teapot in its cells, a walk in the plane, a stadium's work, a short table.
  * --full: all tables and plots. --mesh FILE.obj: that mesh instead, one picture. */
 #include "../07_mesh/files/obj.h"
 #include "lab/measure.h"

@@ -55,7 +55,7 @@ int main(int argc, char **argv)
         {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: draw this mesh, y up"},
         {"strategy", OPTION_TEXT, &own.strategy, 0, 0,
          "middle, median or sah: that tree alone, beside the mesh"},
-        {"leaf", OPTION_INT, &own.how.leaf, 1, 255, "with middle, median: most triangles in a leaf"},
+        {"leaf", OPTION_INT, &own.how.leaf, 1, 255, "with middle, median: most items in a leaf"},
         {"depth", OPTION_INT, &own.how.depth, 0, kdtree_most_depth,
          "of leaves; 0: 8 + 1.3 log2 n"},
         {"item-cost", OPTION_REAL, &own.how.item_cost, 1e-3, 1e3, "of a test; a step costs 1"},

@@ -1,7 +1,7 @@
 /* 13_bsp: space cut by planes of any direction: rays front to back, the painter back to front.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 13_bsp chapters/13_bsp/main.c -lm -lpthread
  *
- * Without options: three pictures, a short table. --full: all tables and plots. --mesh FILE.obj: that
+ * Without options: three pictures, a short table. --full: all tables and plots. FILE.obj: that
  * mesh instead, its cells and the work of each pixel, and one line about the tree of --rule. */
 #include "../07_mesh/files/obj.h"
 #include "lab/flat_figure.h"

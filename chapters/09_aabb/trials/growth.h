@@ -78,7 +78,8 @@ static inline void trial_grow(const options *o, const trial_growth *g)
     output_extra_table(o, &out);
     printf("# fitted: build ~ n^%.2f; build / (n log2 n) within a factor %.2f from 1e3 on\n",
            bench_slope(x, build, g->sizes), greatest / least);
-    printf("# fitted: a diffuse ray passes %.2f more nodes for each doubling of n; time ~ n^%.2f\n\n",
+    printf("# fitted: a diffuse ray passes %.2f more nodes for each doubling of n; "
+           "time ~ n^%.2f\n\n",
            bench_slope(x, nodes, g->sizes), bench_slope(x, search, g->sizes));
     plot_slope(&p, 1, "slope 1");
     output_plot(o, &p, g->plots[0]);

@@ -114,7 +114,8 @@ static inline void measure_variants(const options *o)
     trial_row row[grid_candidates];
     grid_teapot(o, &pot), grid_board_scene(o, &boards);
     grid_speck_scene(o, grid_candidate_list[3].how, &specks);
-    snprintf(title, sizeof title, "Wrong hits on three scenes; work and time a ray on the teapot of "
+    snprintf(title, sizeof title,
+             "Wrong hits on three scenes; work and time a ray on the teapot of "
              "%zu triangles", pot.m.triangles);
     table t = table_new(title, o->full
         ? "variant|cells|references a shape|cells a ray|tests a ray|error teapot [%]|"
@@ -136,7 +137,8 @@ static inline void measure_variants(const options *o)
         }
         trial_cell(&t, counted, trial_per((double)w.tests, rays));
         if (o->full) table_number(&t, 100 * trial_per((double)row[i].wrong, rays));
-        table_number(&t, grid_wrong(row[i], &boards)), table_number(&t, grid_wrong(row[i], &specks));
+        table_number(&t, grid_wrong(row[i], &boards));
+        table_number(&t, grid_wrong(row[i], &specks));
         table_number(&t, grid_ns(&row[i]));
     }
     output_table(o, &t);
@@ -177,7 +179,8 @@ static inline void plot_wrong(const options *o)
 enum { density_first = -3, density_last = 9 };
 
 /* One scene: a point a density in both plots; the row of the table. */
-static inline void measure_scene(const options *o, grid_scene kind, table *t, plot *time, plot *work)
+static inline void measure_scene(const options *o, grid_scene kind, table *t, plot *time,
+                                 plot *work)
 {
     trial_scene s;
     const char *scene_name = grid_scene_name[kind];

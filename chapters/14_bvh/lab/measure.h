@@ -76,7 +76,8 @@ static inline void table_of_paying(const options *o, const trial_scene *s)
     enum { n = bvh_paying };
     trial_row row[n];
     double build[n], search[n];
-    table out = table_new("Build and k diffuse rays together, one thread; front: none is faster in both",
+    table out = table_new("Build and k diffuse rays together, one thread; "
+                          "front: none is faster in both",
                           "structure|build [ms]|ray [ns]|front|1e4 rays [ms]|1e5 rays [ms]|"
                           "1e6 rays [ms]|1e7 rays [ms]");
     bvh_rows(bvh_paying_list, n, row);

@@ -210,8 +210,9 @@ static inline void measure_strategies(const options *o)
     measure_place m;
     strategy s[strategies];
     measured naive[strategy_levels], x[strategy_levels];
-    table last = table_new(o->quick ? "Pixels that do not see the light, 16 samples each; one thread"
-                           : "Pixels that do not see the light, 64 samples each; one thread",
+    table last = table_new(o->quick
+                               ? "Pixels that do not see the light, 16 samples each; one thread"
+                               : "Pixels that do not see the light, 64 samples each; one thread",
                            "strategy|error RMSE|rays a path|time [ms]|efficiency|"
                            "time for the naive error [x less]");
     table t = table_new("Error of pixels that do not see the light, and what it costs; one thread",

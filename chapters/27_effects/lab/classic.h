@@ -187,7 +187,8 @@ static inline bool tax_row(const options *o, table *t, bool glass)
     char *text = forty_text(!glass);
     if (!studio_read_text(text, "forty.scene", NULL, &s, &f)) fail(f);
     plan p = plan_of(&s);
-    if (!effects_stage_build(&s, &p, &e, &f) || !studio_camera(&s, 4 / (real)3, &v, &c, &f)) fail(f);
+    if (!effects_stage_build(&s, &p, &e, &f) || !studio_camera(&s, 4 / (real)3, &v, &c, &f))
+        fail(f);
     effects_stage_view(&e, &v, c);
     tax_run run[2] = {{.e = &e, .whitted = glass, .im = image_new(w, h)},
                       {.e = &e, .im = image_new(w, h)}};

@@ -1,5 +1,5 @@
-/* demo.h: the scene that 27 draws if it is given none: a table with one thing of each kind. The same
- * text is in scenes/demo.scene, to be changed; here it needs no file. */
+/* demo.h: the scene that 27 draws if it is given none: a table with one thing of each kind. The
+ * same text is in scenes/demo.scene, to be changed; here it needs no file. */
 #ifndef EFFECTS_DEMO_H
 #define EFFECTS_DEMO_H
 

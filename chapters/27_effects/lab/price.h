@@ -125,7 +125,8 @@ static inline bool draw_strip(const options *o, effects_stage *e, int w, int h, 
         EFFECTS_LIT | EFFECT_DEPTH_OF_FIELD, EFFECT_MIRROR, EFFECT_GLOSSY, EFFECT_REFRACTION,
         EFFECT_ABSORPTION, EFFECT_INDIRECT};
     static const char *const title[6] = {"soft shadows alone", "with mirrors", "with glossy",
-                                         "with refraction", "with absorption", "with indirect light"};
+                                         "with refraction", "with absorption",
+                                         "with indirect light"};
     image all = image_new(3 * w, 2 * h);
     unsigned sum = 0, before = e->mask;
     bool whole = true;
