@@ -59,7 +59,7 @@ static inline void trial_grow(const options *o, const trial_growth *g)
         trial_rays(&s, trial_camera(&s.m, 1.6), g->width, g->width * 5 / 8, corners, o->seed,
                    g->verbs, g->how);
         rays_free(&s.rays[TRIAL_PRIMARY]);
-        trial_run(&r, 1, &s, s.m.triangles < 500000 ? 3 : 1);
+        trials_run(&r, 1, &s, s.m.triangles < 500000 ? 3 : 1);
         search_work w = r.ray[TRIAL_DIFFUSE].work;
         size_t rays = r.ray[TRIAL_DIFFUSE].n;
         double n = (double)s.m.triangles, ns = trial_ns(&r, TRIAL_DIFFUSE);
