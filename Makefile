@@ -108,6 +108,7 @@ $(foreach n,$(NUMBERS),$(eval $(call run_number,$(n))))
 
 images: full
 	cp $(BUILD)/*_time.svg images/
+	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
 
 test: all $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh $(TESTS)

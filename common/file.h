@@ -63,11 +63,14 @@ static inline _Noreturn void fail(failure f)
 #define die(exit_code, ...) \
     do { failure die_; failed(&die_, exit_code, __VA_ARGS__), fail(die_); } while (0)
 
+static char file_last[256];  /* the last file that was opened to be read */
+
 /* count * size bytes, all zero, for free(); or the end of the program. Never NULL. */
 static inline void *allocate(size_t count, size_t size)
 {
     void *p = calloc(count ? count : 1, size ? size : 1);  /* calloc sees an overflow itself */
-    if (!p) die(1, "no memory for %zu times %zu bytes", count, size);
+    if (!p) die(1, "no memory for %zu times %zu bytes%s%s", count, size,
+                *file_last ? ", last read: " : "", file_last);
     return p;
 }
 
@@ -107,6 +110,7 @@ static inline FILE *file_open(const char *path, failure *f)
     struct stat s;
     FILE *in = NULL;
     bool there = stat(path, &s) == 0;
+    snprintf(file_last, sizeof file_last, "%s", path);
     if (there && S_ISDIR(s.st_mode)) errno = EISDIR;
     else if (there && !S_ISREG(s.st_mode) && !S_ISFIFO(s.st_mode) && strcmp(path, "/dev/null")) {
         failed(f, 1, "%.300s: cannot read: a device, not a file", path);

@@ -106,9 +106,9 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
     const char *word = argv[i], *value = strchr(word, '=');
     const option *o = option_find(lists, word);
     char range[64] = "";
-    if (!o && strncmp(word, "--", 2) != 0)
+    if (!o && word[0] == '-') die(2, "unknown option %.200s (see --help)", word);
+    if (!o)
         for (o = lists[0]; o && o->kind != OPTION_INPUT;) o = o->name ? o + 1 : NULL;
-    else if (!o) die(2, "unknown option %.200s (see --help)", word);
     if (!o) die(2, "%.200s: this program reads no file (see --help)", word);
     if (o->kind == OPTION_INPUT && word[0] != '-' && access(word, F_OK) != 0)
         die(2, "%.300s: no such file, and options begin with -- (see --help)", word);
@@ -128,13 +128,25 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
         ? value : "''", option_kinds[o->kind].allowed, range);
 }
 
-/* Whether two names lead to one file: the same name, or the same file on a disk. */
+/* What is behind the last / of a name; *folder [PATH_MAX] is what is before it, "." if nothing. */
+static inline const char *option_base(const char *path, char *folder)
+{
+    const char *slash = strrchr(path, '/');
+    int n = !slash ? 0 : slash > path ? (int)(slash - path) : 1;
+    snprintf(folder, PATH_MAX, "%.*s", slash ? n : 1, slash ? path : ".");
+    return slash ? slash + 1 : path;
+}
+
+/* Whether two names lead to one file; if it is not there yet, they are one name in one folder. */
 static inline bool option_same_file(const char *a, const char *b)
 {
     struct stat s, t;
-    return strcmp(a, b) == 0
-           || (stat(a, &s) == 0 && stat(b, &t) == 0 && S_ISREG(s.st_mode) && s.st_dev == t.st_dev
-               && s.st_ino == t.st_ino);
+    char folder_a[PATH_MAX], folder_b[PATH_MAX];
+    if (stat(a, &s) != 0 && stat(b, &t) != 0) {
+        bool same = strcmp(option_base(a, folder_a), option_base(b, folder_b)) == 0;
+        if (!same || stat(folder_a, &s) != 0 || stat(folder_b, &t) != 0) return false;
+    } else if (stat(a, &s) != 0 || stat(b, &t) != 0 || !S_ISREG(s.st_mode)) return false;
+    return s.st_dev == t.st_dev && s.st_ino == t.st_ino;
 }
 
 /* Each output is tried at once, so that no work is lost in the end, and is no other file's name. */

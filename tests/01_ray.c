@@ -225,8 +225,8 @@ static void test_affine(void)
         random_stream s = random_start(4, i, 0);
         vec3 axis = vunit(random_vec3(&s, 1)), size = vadd((vec3){2, 2, 2}, random_vec3(&s, 1));
         size.x = -size.x;  /* mirrored */
-        affine m = affine_of(affine_scaling(size), affine_rotation(axis, 6 * random_next(&s)));
-        m = affine_of(m, affine_translation(random_vec3(&s, 10)));
+        affine m = affine_then(affine_scaling(size), affine_rotation(axis, 6 * random_next(&s)));
+        m = affine_then(m, affine_translation(random_vec3(&s, 10)));
         ray r = ray_from(random_vec3(&s, 10), random_vec3(&s, 1));
         real t = 10 * random_next(&s);
         vec3 p = ray_at(affine_ray(m, r), t), q = along(m, r, t);
@@ -248,7 +248,7 @@ static void test_affine(void)
           "nor what only an infinite number would undo");
     for (int k = -1; k <= 1; k++) {  /* their cubes over- and underflow */
         real s = ldexp((real)1, k * (real_is_float ? 100 : 900));
-        affine m = affine_of(affine_scaling((vec3){s, 2 * s, 1 / s}),
+        affine m = affine_then(affine_scaling((vec3){s, 2 * s, 1 / s}),
                              affine_translation((vec3){s, s, 0}));
         bool is = affine_inverse(m, &out);
         check(is && out.x.x == 1 / s && out.y.y == 1 / (2 * s) && out.z.z == s,
@@ -264,7 +264,7 @@ static void test_affine(void)
 static void test_instance_keeps_t(void)
 {
     affine scaled = affine_scaling((vec3){4, 1, 1}), to_object;
-    affine to_world = affine_of(scaled, affine_translation((vec3){3, 0, 0}));
+    affine to_world = affine_then(scaled, affine_translation((vec3){3, 0, 0}));
     check(affine_inverse(to_world, &to_object), "the instance can be inverted");
     ray r = ray_from((vec3){-5, 1, 2}, (vec3){2, 1, 0});
     hit world = hit_none, object = hit_none, unit = hit_none;

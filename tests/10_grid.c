@@ -482,5 +482,6 @@ int main(void)
     test_far_rays_are_cheap();
     test_far_rays_are_right();
     test_mailbox_and_marking();
+    structure_piled(grid, grid_defaults, structure_room(10000) + 0x1p24);
     return check_report("10_grid");
 }

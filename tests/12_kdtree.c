@@ -414,5 +414,6 @@ int main(void)
     test_counts();
     test_no_more();
     test_beyond();
+    structure_piled(kdtree, kdtree_defaults, 1.5 * structure_room(10000));
     return check_report("12_kdtree");
 }

@@ -382,5 +382,6 @@ int main(void)
     test_deep();
     test_tiny();
     test_rules();
+    structure_piled(bsp, bsp_defaults, 1.5 * structure_room(10000));
     return check_report("13_bsp");
 }

@@ -35,9 +35,9 @@ static affine any_place(random_stream *g)
     vec3 axis = vunit(random_vec3(g, 1));
     real p = between(g, -1, 1) / 2, q = between(g, -1, 1) / 2;
     affine shear = {{1, p, 0}, {0, 1, q}, {0, 0, 1}, {0, 0, 0}};
-    affine m = affine_of(affine_scaling((vec3){a, b, c}), shear);
-    m = affine_of(m, affine_rotation(axis, between(g, 0, 2 * pi)));
-    return affine_of(m, affine_translation(random_vec3(g, 8)));
+    affine m = affine_then(affine_scaling((vec3){a, b, c}), shear);
+    m = affine_then(m, affine_rotation(axis, between(g, 0, 2 * pi)));
+    return affine_then(m, affine_translation(random_vec3(g, 8)));
 }
 
 static mesh mesh_of_knot(const first_mesh *f)

@@ -33,19 +33,19 @@ static const unsigned everybody = (1u << full_contenders) - 1;
 static void test_equality(void)
 {
     for (int k = 0; k < scenes; k++) {
-        stage s;
+        comparison s;
         world w = tiny(scene_list[k].name);
         FILE *out = tmpfile();
         if (!out) abort();
-        stage_begin(&s, &w, everybody, (size_t)1 << 30, 1);
-        stage_rays(&s, whole_view, 16, 7);
-        check(stage_prove(&s, check_count(2000), 7, out), "%s: all structures agree", w.name);
+        compare_begin(&s, &w, everybody, (size_t)1 << 30, 1);
+        compare_rays(&s, whole_view, 16, 7);
+        check(compare_prove(&s, check_count(2000), 7, out), "%s: all structures agree", w.name);
         char *text = written(out);
         check(text[0] == 0, "%s: nothing to explain, but: %s", w.name, text);
         check_at_least(s.by_brute, check_count(2000) * 3 / 4, "%s: so many by brute force", w.name);
         check_at_least(s.proved, s.by_brute, "%s: and more by each other", w.name);
         for (int i = 0; i < s.entries; i++) {
-            const entry *e = &s.entry[i];
+            const compare_entry *e = &s.entry[i];
             check(e->s != NULL, "%s fits: %s", e->c->name, e->s ? "" : e->why.text);
             if (!e->s) continue;
             check_at_least(e->stats.references, e->stats.items, "%s %s: every shape is somewhere",
@@ -55,7 +55,7 @@ static void test_equality(void)
                   e->c->name);
         }
         free(text), fclose(out);
-        stage_end(&s);
+        compare_end(&s);
         world_free(&w);
     }
 }
@@ -64,18 +64,18 @@ static void test_equality(void)
 static void test_counted(void)
 {
     world w = tiny("stadium");
-    stage s;
-    stage_begin(&s, &w, everybody, (size_t)1 << 30, 1);
-    stage_rays(&s, whole_view, 16, 7);
+    comparison s;
+    compare_begin(&s, &w, everybody, (size_t)1 << 30, 1);
+    compare_rays(&s, whole_view, 16, 7);
     for (int i = 0; i < s.entries; i++) {
-        const entry *e = &s.entry[i];
+        const compare_entry *e = &s.entry[i];
         size_t wrong = 0, hits = 0;
         search_work sum = {0, 0, 0, 0}, any = {0, 0, 0, 0};
         for (size_t k = 0; k < s.rays[KIND_DIFFUSE].n; k++) {
             ray r = s.rays[KIND_DIFFUSE].r[k];
             hit a = hit_none, b = hit_none;
             bool found = e->c->hit(e->s, r, &a);
-            wrong += e->c->hit_counted(e->s, r, &b, &sum) != found || !hits_equal(a, b);
+            wrong += e->c->hit_counted(e->s, r, &b, &sum) != found || !hits_same(a, b);
             wrong += e->c->occluded_counted(e->s, r, &any) != found;
             hits += found;
         }
@@ -86,7 +86,7 @@ static void test_counted(void)
                                        : sum.tests < s.x.n * s.rays[KIND_DIFFUSE].n / 4,
               "%s: %zu tests", e->c->name, sum.tests);
     }
-    stage_end(&s);
+    compare_end(&s);
     world_free(&w);
 }
 
@@ -94,21 +94,21 @@ static void test_counted(void)
 static void test_memory(void)
 {
     world w = tiny("soup");
-    stage s;
+    comparison s;
     FILE *out = tmpfile();
     if (!out) abort();
-    stage_begin(&s, &w, everybody, 1000, 1);
+    compare_begin(&s, &w, everybody, 1000, 1);
     size_t fit = 0;
     for (int i = 0; i < s.entries; i++) {
-        const entry *e = &s.entry[i];
+        const compare_entry *e = &s.entry[i];
         fit += e->s != NULL;
         check(e->s || strlen(e->why.text) > 5, "%s says why", e->c->name);
     }
     check(fit == 1 && s.entry[0].s && s.entry[0].c == &brute_contender,
           "in 1000 bytes only brute force has room");
-    stage_rays(&s, whole_view, 8, 1);
-    check(stage_prove(&s, 40, 1, out), "and agrees with itself");
-    bench_measure(&s, 1);
+    compare_rays(&s, whole_view, 8, 1);
+    check(compare_prove(&s, 40, 1, out), "and agrees with itself");
+    cost_measure(&s, 1);
     check(s.entry[0].seconds[KIND_PRIMARY] > 0 && s.entry[s.entries - 1].seconds[KIND_PRIMARY] == 0,
           "what does not fit is not timed");
     search_work any = {0, 0, 0, 0};
@@ -120,7 +120,7 @@ static void test_memory(void)
     check_equal(s.entry[0].hits[KIND_SHADOW], hits, "as many as were measured");
     check_equal(s.entry[0].work[KIND_SHADOW].tests, any.tests, "with so many tests");
     fclose(out);
-    stage_end(&s);
+    compare_end(&s);
     world_free(&w);
 }
 
@@ -128,28 +128,28 @@ static void test_memory(void)
 static void test_memory_together(void)
 {
     world w = tiny("teapot");
-    stage s;
+    comparison s;
     size_t all = 0, most = 0, fit[3];
-    stage_begin(&s, &w, everybody, (size_t)1 << 30, 1);
+    compare_begin(&s, &w, everybody, (size_t)1 << 30, 1);
     for (int i = 0; i < s.entries; i++) {
         structure_stats st = s.entry[i].stats;
         most = all + st.peak > most ? all + st.peak : most;
         all += st.bytes;
     }
-    stage_end(&s);
+    compare_end(&s);
     for (int part = 0; part < 3; part++) {
         size_t limit = most * (size_t)(part + 1) / 3, held = 0;
-        stage_begin(&s, &w, everybody, limit, 2);
+        compare_begin(&s, &w, everybody, limit, 2);
         fit[part] = 0;
         for (int i = 0; i < s.entries; i++) {
-            const entry *e = &s.entry[i];
+            const compare_entry *e = &s.entry[i];
             if (!e->s) continue;
             check_at_most((double)(held + e->stats.peak), (double)limit, "%s: within what is left",
                           e->c->name);
             held += e->stats.bytes;
             fit[part]++;
         }
-        stage_end(&s);
+        compare_end(&s);
     }
     check(fit[0] > 1 && fit[0] < fit[2], "%zu, %zu, %zu fit", fit[0], fit[1], fit[2]);
     world_free(&w);
@@ -243,7 +243,7 @@ static void test_shrunk_box(const char *name)
     scene all = world_scene(&w);
     items x = w.n ? items_of_scene(&all) : items_of_mesh(&w.mesh);
     failure f;
-    entry e = {.c = &bvh_contender};
+    compare_entry e = {.c = &bvh_contender};
     e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
     ray r = {{0, 0, 0}, 0, {0, 0, 0}, 0};
     hit due = hit_none;
@@ -273,6 +273,41 @@ static void test_shrunk_box(const char *name)
     world_free(&w);
 }
 
+/* A structure over a teapot, one of whose verbs may be broken; a ray, and what brute force says. */
+typedef struct { mesh m; items x; contender c; compare_entry e; ray r; hit due; } patient;
+
+static patient *patient_new(const contender *c, ray r)
+{
+    patient *p = allocate(1, sizeof *p);
+    failure f;
+    p->m = teapot_mesh(4), p->x = items_of_mesh(&p->m), p->c = *c, p->r = r;
+    p->e = (compare_entry){.c = &p->c, .s = contender_build(c, &p->x, (size_t)1 << 30, &f)};
+    if (!p->e.s) fail(f);
+    p->due = hit_none;
+    items_hit(&p->x, r, &p->due);
+    return p;
+}
+
+/* What the proof says of it: that it is wrong, and why. For free. */
+static char *patient_said(const patient *p)
+{
+    FILE *out = tmpfile();
+    if (!out) abort();
+    check(!prove_entry(&p->e, &p->r, &p->due, 1, "brute force", out), "%s: found out", p->c.name);
+    char *text = written(out);
+    fclose(out);
+    return text;
+}
+
+static void patient_free(patient *p)
+{
+    contender_free(p->e.c, p->e.s);
+    mesh_free(&p->m);
+    free(p);
+}
+
+static const ray through_pot = {{0, -10, 1}, 0, {0.01, 1, 0.02}, real_infinity};
+
 /* Searches that lose what is more than 3 beyond their beginning; of any structure. */
 static const contender *sighted;
 
@@ -292,35 +327,24 @@ static bool short_sighted_occluded(const void *s, ray r)
 
 static void test_lost_way(const contender *c, bool any)
 {
-    mesh m = teapot_mesh(4);
-    items x = items_of_mesh(&m);
-    failure f;
-    contender broken = *c;
+    patient *p = patient_new(c, through_pot);
     sighted = c;
-    if (any) broken.occluded = short_sighted_occluded;
-    else broken.hit = short_sighted_hit;
-    entry e = {.c = &broken};
-    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
-    ray r = ray_from((vec3){0, -10, 1}, vec(0.01, 1, 0.02));
-    hit due = hit_none;
-    check(items_hit(&x, r, &due) && due.t > 4, "the ray hits beyond t = 4");
-    FILE *out = tmpfile();
-    if (!out) abort();
-    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "%s: found out", c->name);
-    char *text = written(out), answer[64];
+    if (any) p->c.occluded = short_sighted_occluded;
+    else p->c.hit = short_sighted_hit;
+    check(p->due.shape != no_shape && p->due.t > 4, "the ray hits beyond t = 4");
+    char *text = patient_said(p), answer[64];
     snprintf(answer, sizeof answer, "%s: %s", c->name, any ? "occluded: no" : "no hit");
     check(strstr(text, answer), "what it answers: %s", text);
     check(strstr(text, "found on the interval [t, t] alone"), "found from near by: %s", text);
     const char *at = strstr(text, "begins at t = ");
     double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
-    check_close(begins, (double)due.t - 3, 1e-5, "%s: lost from more than 3 away: %s", c->name,
+    check_close(begins, (double)p->due.t - 3, 1e-5, "%s: lost from more than 3 away: %s", c->name,
                 text);
     check(strstr(text, c->explain == explain_bvh ? "all these boxes hold the point"
                                                  : "the search skips"),
           "%s: its cells are right: %s", c->name, text);
-    free(text), fclose(out);
-    contender_free(e.c, e.s);
-    mesh_free(&m);
+    free(text);
+    patient_free(p);
 }
 
 static void scrub(uint32_t *item, size_t n, uint32_t lost, uint32_t other)
@@ -346,26 +370,16 @@ static void forget(const contender *c, void *s, uint32_t lost, uint32_t other)
 
 static void test_forgotten(const contender *c)
 {
-    mesh m = teapot_mesh(4);
-    items x = items_of_mesh(&m);
-    failure f;
-    entry e = {.c = c};
-    e.s = contender_build(c, &x, (size_t)1 << 30, &f);
-    ray r = ray_from((vec3){0, -10, 1}, vec(0.01, 1, 0.02));
-    hit due = hit_none;
-    FILE *out = tmpfile();
-    if (!out) abort();
-    check(items_hit(&x, r, &due), "the ray hits");
-    forget(c, e.s, due.shape, due.shape ? 0 : 1);
-    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "%s: forgot a shape", c->name);
-    char *text = written(out), expected[80];
+    patient *p = patient_new(c, through_pot);
+    check(p->due.shape != no_shape, "the ray hits");
+    forget(c, p->e.s, p->due.shape, p->due.shape ? 0 : 1);
+    char *text = patient_said(p), expected[80];
     snprintf(expected, sizeof expected, "but not shape %u, which is listed 0 times in all",
-             due.shape);
+             p->due.shape);
     check(strstr(text, expected), "%s: %s: %s", c->name, expected, text);
     check(strstr(text, "building left it out"), "%s: and whose fault it is", c->name);
-    free(text), fclose(out);
-    contender_free(c, e.s);
-    mesh_free(&m);
+    free(text);
+    patient_free(p);
 }
 
 static bool dreaming_hit(const void *s, ray r, hit *out)
@@ -383,62 +397,40 @@ static bool later_hit(const void *s, ray r, hit *out)
     return true;
 }
 
-static void test_tie(void)
+static void test_wrong_answers(void)
 {
-    mesh m = teapot_mesh(4);
-    items x = items_of_mesh(&m);
-    failure f;
-    contender broken = bvh_contender;
-    broken.hit = later_hit;
-    entry e = {.c = &broken};
-    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
-    ray r = ray_from((vec3){0, -10, 1}, vec(0.01, 1, 0.02));
-    hit due = hit_none;
-    FILE *out = tmpfile();
-    if (!out) abort();
-    check(items_hit(&x, r, &due), "the ray hits");
-    check(!prove_entry(&e, &r, &due, 1, "brute force", out), "the wrong index is found out");
-    char *text = written(out);
-    check(strstr(text, "the lower index must win"), "and explained: %s", text);
-    free(text), fclose(out);
-    contender_free(e.c, e.s);
-    mesh_free(&m);
-}
-
-static void test_dream(void)
-{
-    mesh m = teapot_mesh(1);
-    items x = items_of_mesh(&m);
-    failure f;
-    contender broken = bvh_contender;
-    broken.hit = dreaming_hit;
-    entry e = {.c = &broken};
-    e.s = contender_build(e.c, &x, (size_t)1 << 30, &f);
-    ray r = ray_from((vec3){9, 9, 9}, (vec3){1, 0, 0});
-    hit none = hit_none;
-    FILE *out = tmpfile();
-    if (!out) abort();
-    check(!prove_entry(&e, &r, &none, 1, "brute force", out), "a hit in empty space is found out");
-    char *text = written(out);
-    check(strstr(text, "a hit that does not exist"), "and explained: %s", text);
-    free(text), fclose(out);
-    contender_free(e.c, e.s);
-    mesh_free(&m);
+    static const ray past = {{9, 9, 9}, 0, {1, 0, 0}, real_infinity};
+    static const struct {
+        bool (*search)(const void *s, ray r, hit *out);
+        const ray *r;
+        bool hits;
+        const char *says;
+    } wrong[] = {{later_hit, &through_pot, true, "the lower index must win"},
+                 {dreaming_hit, &past, false, "a hit that does not exist"}};
+    for (int k = 0; k < 2; k++) {
+        patient *p = patient_new(&bvh_contender, *wrong[k].r);
+        p->c.hit = wrong[k].search;
+        check((p->due.shape != no_shape) == wrong[k].hits, "what brute force says");
+        char *text = patient_said(p);
+        check(strstr(text, wrong[k].says), "explained: %s: %s", wrong[k].says, text);
+        free(text);
+        patient_free(p);
+    }
 }
 
 /* A structure alone is proved by brute force alone, and nothing proves nothing. */
 static void test_alone(void)
 {
     world w = tiny("tetra");
-    stage s;
+    comparison s;
     unsigned alone = 1u << contender_number(&bvh_contender);
     for (int k = 0; k < 3; k++) {
-        stage_begin(&s, &w, k == 0 ? 0 : k == 1 ? alone : alone | 2, (size_t)1 << 30, 1);
-        stage_rays(&s, whole_view, 16, 7);
-        check(stage_prove(&s, 80, 7, stdout), "all right");
+        compare_begin(&s, &w, k == 0 ? 0 : k == 1 ? alone : alone | 2, (size_t)1 << 30, 1);
+        compare_rays(&s, whole_view, 16, 7);
+        check(compare_prove(&s, 80, 7, stdout), "all right");
         check((s.by_brute > 0) == (k > 0) && (s.proved > s.by_brute) == (k == 2),
               "%d structures: %zu proved, %zu by brute force", k, s.proved, s.by_brute);
-        stage_end(&s);
+        compare_end(&s);
     }
     world_free(&w);
 }
@@ -447,24 +439,24 @@ static void test_alone(void)
 
 static void test_costs(void)
 {
-    stage s = {.entries = 2};
-    for (int k = 0; k < ray_kinds; k++) s.rays[k].n = k < 2 ? 100 : 0;
-    entry *a = &s.entry[0], *b = &s.entry[1];
-    *a = (entry){.c = &brute_contender, .s = &s, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
-    *b = (entry){.c = &bvh_contender, .s = &s, .rays = {100, 100}, .build = 0.5,
+    comparison s = {.entries = 2};
+    for (int k = 0; k < compare_kinds; k++) s.rays[k].n = k < 2 ? 100 : 0;
+    compare_entry *a = &s.entry[0], *b = &s.entry[1];
+    *a = (compare_entry){.c = &brute_contender, .s = &s, .rays = {10, 20}, .seconds = {1e-5, 6e-5}};
+    *b = (compare_entry){.c = &bvh_contender, .s = &s, .rays = {100, 100}, .build = 0.5,
                  .seconds = {1e-5, 3e-5}};
-    check_close(bench_ns(a, KIND_SHADOW), 3000, 1e-6, "6e-5 s for 20 rays");
-    check_close(bench_mean(&s, a), 2e-6, 1e-15, "1000 and 3000 ns, as many of each");
-    check_close(bench_mean(&s, b), 2e-7, 1e-15, "100 and 300");
-    check_close(bench_total(&s, b, 1e6), 0.7, 1e-9, "building and a million rays");
-    check_close(b->build / (bench_mean(&s, a) - bench_mean(&s, b)), 277778, 1, "pays after");
-    check_equal(bench_ns(a, KIND_MIRROR), 0, "no rays, no time");
+    check_close(cost_ns(a, KIND_SHADOW), 3000, 1e-6, "6e-5 s for 20 rays");
+    check_close(cost_mean(&s, a), 2e-6, 1e-15, "1000 and 3000 ns, as many of each");
+    check_close(cost_mean(&s, b), 2e-7, 1e-15, "100 and 300");
+    check_close(cost_total(&s, b, 1e6), 0.7, 1e-9, "building and a million rays");
+    check_close(b->build / (cost_mean(&s, a) - cost_mean(&s, b)), 277778, 1, "pays after");
+    check_equal(cost_ns(a, KIND_MIRROR), 0, "no rays, no time");
 }
 
 static void test_winners(void)
 {
-    summary m = {.chosen = 1u | 2 | 4};
-    summary_row r = {"x", {3e-6, 1e-6, 2e-6, 1e-9}, {0, 5, 0.5, 0}};
+    compare_summary m = {.chosen = 1u | 2 | 4};
+    summary_row r = {"x", 1, {3e-6, 1e-6, 2e-6, 1e-9}, {0, 5, 0.5, 0}};
     check(strcmp(summary_fastest(&m, &r, 1, 0), "grid") == 0, "1 us a ray, of those chosen");
     check(strcmp(summary_fastest(&m, &r, 1e6, 1), "nested") == 0, "2.5 s against 6 and 3");
     r.ray[2] = 0.98e-6;
@@ -479,7 +471,7 @@ static void test_growth(void)
     for (int i = 0; i < 5; i++, c.n++) c.x[i] = 2 * i, c.ray[i] = 100 * exp2(i);
     double y[5];
     for (int i = 0; i < 5; i++) y[i] = log2(c.ray[i]);
-    check_close(slope_of(c.x, y, 5), 0.5, 1e-12, "time ~ n^0.5");
+    check_close(bench_slope(c.x, y, 5), 0.5, 1e-12, "time ~ n^0.5");
 }
 
 /* From outside. -------------------------------------------------------------------------------- */
@@ -616,13 +608,8 @@ int main(void)
     test_shrunk_box("gears");
     for (int k = 1; k < full_contenders; k++)
         for (int any = 0; any < 2; any++) test_lost_way(contender_list[k], any);
-    test_forgotten(&grid_contender);
-    test_forgotten(&nested_contender);
-    test_forgotten(&octree_contender);
-    test_forgotten(&kdtree_contender);
-    test_forgotten(&bsp_contender);
-    test_tie();
-    test_dream();
+    for (int k = 1; k <= 5; k++) test_forgotten(contender_list[k]);  /* those that cut space */
+    test_wrong_answers();
     test_costs();
     test_growth();
     if (run("17_compare", "--help") == 0) {

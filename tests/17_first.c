@@ -4,7 +4,7 @@
 #include "../common/random.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/17_compare/lab/scenes.h"
-#include "../chapters/17_compare/stage.h"
+#include "../chapters/17_compare/compare.h"
 
 static vec3 random_vec3(random_stream *g, real size)
 {
@@ -103,20 +103,20 @@ static void test_contenders(void)
 /* Where they are wrong they are counted; the proof of the others goes on, and holds. */
 static void test_wrong_is_counted(void)
 {
-    stage s;
+    comparison s;
     world w;
     failure f;
     if (!scene_world(scene_find("soup"), 1, &w, &f)) fail(f);
-    stage_begin(&s, &w, ((1u << contenders) - 1) & ~1u, (size_t)1 << 30, 1);
-    stage_rays(&s, whole_view, 24, 7);
-    check(stage_prove(&s, 400, 7, stdout), "the full versions are right");
+    compare_begin(&s, &w, ((1u << contenders) - 1) & ~1u, (size_t)1 << 30, 1);
+    compare_rays(&s, whole_view, 24, 7);
+    check(compare_prove(&s, 400, 7, stdout), "the full versions are right");
     for (int k = 0; k < s.entries; k++) {
-        const entry *e = &s.entry[k];
+        const compare_entry *e = &s.entry[k];
         if (!contender_is_first(e->c)) check_equal(e->held[0] + e->held[1], 0, "%s", e->c->name);
         else check(e->wrong[0] > 10 && e->wrong[0] < e->held[0] / 2 && e->wrong[1] <= 1,
                    "%s: wrong at borders: %zu, else %zu", e->c->name, e->wrong[0], e->wrong[1]);
     }
-    stage_end(&s), world_free(&w);
+    compare_end(&s), world_free(&w);
 }
 
 int main(void)

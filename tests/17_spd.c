@@ -410,7 +410,7 @@ static void test_meshes(void)
         world_free(&w);
         check(!world_make(g, g->most + 1, &w, &f) && f.exit_code == 2, "%s: too large", g->name);
     }
-    mesh m = thin_mesh(1000), soup = soup_mesh(1000);
+    mesh m = needle_mesh(1000, 1e-3, 1702), soup = soup_mesh(1000, 1, (real)0.1, 1701);
     double widest = 0, longest = 0;
     for (size_t i = 0; i < m.triangles; i++) {
         widest = check_worse(widest, (double)vlength(vsub(m.v[3 * i + 2], m.v[3 * i])));

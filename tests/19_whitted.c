@@ -572,51 +572,53 @@ static void test_looks(void)
 
 /* ---- only what is called for ----------------------------------------------------------------- */
 
-static trace_counts ball_counts(whitted_material m, real ior, int depth, real least, bool inside)
+typedef struct {
+    const char *what;
+    whitted_material m;
+    double ior, least;
+    int depth;
+    bool inside;
+    size_t reflections, refractions, contacts;
+} called_for;
+
+/* Ten rays at a ball; from inside: near the rim, nearly along it. */
+static trace_counts ball_counts(const called_for *x)
 {
     stage s = {0};
-    s.media[1].ior = ior, s.w.least = least;
-    stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), m);
-    tracer t = stage_begin(&s, depth);
-    for (int i = 0; i < 10; i++)  /* from inside: near the rim, nearly along it */
-        whitted_ray(&t, inside ? ray_from(vec(0, 0.95, 0), (vec3){1, (real)i / 100, 0})
-                               : ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}),
-                    inside ? media_around(&t, vec(0, 0.95, 0)) : (media_set){0});
+    s.media[1].ior = (real)x->ior, s.w.least = (real)x->least;
+    stage_add(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), x->m);
+    tracer t = stage_begin(&s, x->depth);
+    for (int i = 0; i < 10; i++)
+        whitted_ray(&t, x->inside ? ray_from(vec(0, 0.95, 0), (vec3){1, (real)i / 100, 0})
+                                  : ray_from((vec3){(real)i / 20, 0, 5}, (vec3){0, 0, -1}),
+                    x->inside ? media_around(&t, vec(0, 0.95, 0)) : (media_set){0});
     stage_end(&s);
     return t.counts;
 }
 
 static void test_called_for(void)
 {
-    whitted_material m = whitted_paint(0.5, 0.5, 0.5);
-    trace_counts c = ball_counts(m, 1, 8, 0, false);
-    check_equal(c.hits[RAY_CAMERA], 10, "all hit");
-    check_equal(c.rays[RAY_REFLECTION] + c.rays[RAY_REFRACTION], 0, "black mirror, opaque: no ray");
-    check_equal(c.rays[RAY_SIGHT], 0, "opaque: no contact ray");
-    c = ball_counts(whitted_mirror(0.5), 1, 8, 0, false);
-    check_equal(c.rays[RAY_REFLECTION], 10, "a mirror: one each; away from it");
-    check_equal(c.rays[RAY_REFRACTION], 0, "opaque");
-    c = ball_counts(whitted_mirror(0.5), 1, 1, 0, false);
-    check_equal(c.rays[RAY_REFLECTION], 0, "depth 1: eye rays alone");
-    c = ball_counts(whitted_mirror(0.5), 1, 8, 0.5, false);
-    check_equal(c.rays[RAY_REFLECTION], 0, "a weight of 0.5 is not more than 0.5: cut");
-    c = ball_counts(whitted_clear(1, 1), 1.5, 2, 0, false);
-    check_equal(c.rays[RAY_REFLECTION], 10, "glass, depth 2: both");
-    check_equal(c.rays[RAY_REFRACTION], 10, "glass, depth 2: both");
-    check_equal(c.rays[RAY_SIGHT], 20, "one contact ray a hit: at the ball, and at its far side");
-    c = ball_counts(whitted_clear(1, 1), 1, 8, 0, false);
-    check_equal(c.rays[RAY_REFLECTION], 0, "glass like the air around: R = 0, no reflection");
-    check_equal(c.rays[RAY_REFRACTION], 20, "in and out");
-    m = whitted_clear(1, 1), m.through = (vec3){0, 0, 0};
-    c = ball_counts(m, 1.5, 8, 0, false);
-    check_equal(c.rays[RAY_REFRACTION], 0, "nothing is let through: no ray");
-    check_equal(c.rays[RAY_REFLECTION], 10, "but reflected");
-    c = ball_counts(whitted_clear(1, 1), 1.5, 5, 0, true);
-    check_equal(c.rays[RAY_REFRACTION], 0, "total reflection: no refraction");
-    check_equal(c.rays[RAY_REFLECTION], 40, "but a reflection a level");
-    c = ball_counts(whitted_clear(1, 1), 1.5, 8, 0.05, false);
-    check_equal(c.rays[RAY_REFLECTION], 0, "R = 0.04 is cut");
-    check_equal(c.rays[RAY_REFRACTION], 20, "what goes through is not");
+    whitted_material paint = whitted_paint(0.5, 0.5, 0.5), half = whitted_mirror(0.5);
+    whitted_material glass = whitted_clear(1, 1), shut = glass;
+    shut.through = (vec3){0, 0, 0};
+    const called_for list[] = {
+        {"opaque, and no mirror", paint, 1, 0, 8, false, 0, 0, 0},
+        {"a mirror: one each, away from it", half, 1, 0, 8, false, 10, 0, 0},
+        {"depth 1: eye rays alone", half, 1, 0, 1, false, 0, 0, 0},
+        {"a weight of 0.5 is not more than 0.5: cut", half, 1, 0.5, 8, false, 0, 0, 0},
+        {"glass, depth 2: both; a contact ray a hit", glass, 1.5, 0, 2, false, 10, 10, 20},
+        {"like the air around: R = 0", glass, 1, 0, 8, false, 0, 20, 20},
+        {"nothing is let through, but reflected", shut, 1.5, 0, 8, false, 10, 0, 10},
+        {"total reflection: one a level", glass, 1.5, 0, 5, true, 40, 0, 50},
+        {"R = 0.04 is cut, what goes through is not", glass, 1.5, 0.05, 8, false, 0, 20, 20}};
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++) {
+        const called_for *x = &list[k];
+        trace_counts c = ball_counts(x);
+        check_equal(c.hits[RAY_CAMERA], 10, "%s: all hit", x->what);
+        check_equal(c.rays[RAY_REFLECTION], x->reflections, "%s: reflections", x->what);
+        check_equal(c.rays[RAY_REFRACTION], x->refractions, "%s: refractions", x->what);
+        check_equal(c.rays[RAY_SIGHT], x->contacts, "%s: contact rays", x->what);
+    }
 }
 
 /* A light behind: no shadow ray; in front: one a hit. */

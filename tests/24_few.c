@@ -125,7 +125,7 @@ static void test_leaving(void)
     lit_cornell(&s);
     for (int i = 0; i < (int)check_count(4000); i++) {
         ray r = ray_from((vec3){278, 273, 10}, somewhere(&at));
-        lit_hit h, x, y;
+        lit_hit h, x = {.m = NULL}, y = x;
         for (int k = 0; k < 5 && lit_trace(&s, r, &h); k++) {
             emitter_point e;
             point2 u = {random_next(&at), random_next(&at)};

@@ -149,9 +149,9 @@ static void test_closed_forms(void)
 static estimate by_both(const setting *t, size_t n)
 {
     lit_scene s;
-    lights l;
+    direct_lights l;
     lit_first(&t->s, &s);
-    lights_build(&s, LIGHTS_ALL, &l);
+    direct_lights_build(&s, LIGHTS_ALL, &l);
     direct_work work = {0, 0, 0};
     direct d = {&s, DIRECT_POWER, &l, &work, false};
     lit_material white = {.f = brdf_lambert((vec3){1, 1, 1})};
@@ -161,7 +161,7 @@ static estimate by_both(const setting *t, size_t n)
         sampler q = sampler_start(SEQUENCE_RANDOM, 3, 0, (uint32_t)i, (uint32_t)n);
         e = estimate_add(e, green(direct_light(&d, &h, up, &q)));
     }
-    lights_free(&l), lit_free(&s);
+    direct_lights_free(&l), lit_free(&s);
     return e;
 }
 
@@ -175,7 +175,7 @@ static void test_small_lamp(void)
         setting t = setting_of((rectangle){{-a / 2, -a / 2, 2}, {0, a, 0}, {a, 0, 0}});
         double q = t.truth, expected = sqrt((1 - q) / q);
         estimate d = sampled(&t, false, n, 4), l = sampled(&t, true, n, 4), both = by_both(&t, n);
-check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, "a = %g",
+        check_close(expected * (double)a, 2 * sqrt((double)pi), 0.2 * (double)a + 1e-3, "a = %g",
                     (double)a);
         check_close(sqrt(estimate_variance(d)) / q, expected, expected * 6 / sqrt(q * (double)n),
                     "by directions: error of one over the mean, lamp of side %g", (double)a);
@@ -200,7 +200,7 @@ static void test_close_to_a_lamp(void)
         double l = estimate_variance(sampled(&t, true, n, 5));
         check_at_most(d, 0.26, "by directions, at %g", (double)h);
         check_at_most(both, 1.5 * (d < l ? d : l), "mis.h, at %g", (double)h);
-if (k) check_at_least(l, 20 * before, "by the lamp, at %g: near 1 / h^2", (double)h);
+        if (k) check_at_least(l, 20 * before, "by the lamp, at %g: near 1 / h^2", (double)h);
         before = l;
     }
     check_at_least(before, 400, "by the lamp, at a hundredth: a thousand times 1/4, and more");

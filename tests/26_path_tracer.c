@@ -329,13 +329,13 @@ static void test_roulette(void)
     }
 }
 
-/* ---- which light: as often as lights_chance says, and as its pdf says ---- */
+/* ---- which light: as often as path_lights_chance says, and as its pdf says ---- */
 
 static void test_choice_of_light(void)
 {
     lit_scene s;
     environment sky;
-    lights l;
+    path_lights l;
     estimate often[3] = {{0}, {0}, {0}};
     random_stream from = random_start(26, 8, 1);
     size_t wrong = 0;
@@ -346,22 +346,22 @@ static void test_choice_of_light(void)
         lit_add_shape(&s, shape_of_sphere((sphere){{(real)(3 * i), 0, 0}, 1}),
                       lit_add_material(&s, m));
     }
-    lit_end(&s), lights_of(&s, &sky, &l);
+    lit_end(&s), path_lights_of(&s, &sky, &l);
     for (size_t k = 0; k < check_count(20000); k++) {
         light_draw x;
         vec3 p = {2, 5, 1};
         point2 u = {random_next(&from), random_next(&from)};
-        bool some = lights_sample(&l, p, u, &x);
+        bool some = path_lights_sample(&l, p, u, &x);
         for (uint32_t i = 0; i < 3; i++) often[i] = estimate_add(often[i], some && x.emitter == i);
         if (!some || x.emitter == lit_dark) continue;
-        real q = lights_pdf(&l, x.emitter, p, vlength(vsub(x.s.p, p)), 1);
+        real q = path_lights_pdf(&l, x.emitter, p, vlength(vsub(x.s.p, p)), 1);
         wrong += !(fabs(q / x.pdf - 1) < 64 * real_epsilon);
     }
-    check_equal(wrong, 0, "pdfs that are not what lights_pdf says");
+    check_equal(wrong, 0, "pdfs that are not what path_lights_pdf says");
     for (int i = 0; i < 3; i++)  /* radiances 3, 5, 7 of 15, and half of all to the sky */
         check_at_least(t_test(often[i], (3 + 2 * i) / 30.0, 1e-6), false_alarm,
                        "light %d: drawn %g of the times", i, often[i].mean);
-    lights_free(&l), lit_free(&s), environment_free(&sky);
+    path_lights_free(&l), lit_free(&s), environment_free(&sky);
 }
 
 /* ---- only what is called for ---- */

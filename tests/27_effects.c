@@ -1,6 +1,7 @@
 /* Tests of the program 27_effects, from outside: what it prints, refuses, draws, and needs. */
 static char directory[] = "/tmp/27_effects_XXXXXX";
 #include "27_files.h"
+#include "../chapters/27_effects/lab/demo.h"
 #include <sys/resource.h>
 
 static void ends(int status, const char *arguments, const char *stream, const char *text)
@@ -55,9 +56,66 @@ static void test_misuse(void)
     ends(2, "--quick --up w", "err", "--up:1: up: no axis: 'w'");
     ends(1, "--quick --environment no.obj", "err", "no.obj: cannot read: No such file");
     ends(2, "--quick --out no.obj", "err", "no.obj");
-    ends(1, "--quick no.scene --explain", "err", "no.scene: cannot read: No such file");
-    ends(1, "--explain no.scene", "err", "no.scene: cannot read: No such file");
-    ends(2, "a.scene --quick b.obj", "err", "a.scene and b.obj: one scene at a time");
+    ends(2, "--quick no.scene --explain", "err", "no.scene: no such file");
+    snprintf(args, sizeof args, "%s --quick %s", in_directory("broken.scene"),
+             in_directory("broken.obj"));
+    ends(2, args, "err", "broken.obj: one file at a time");
+}
+
+/* What is drawn all the same, but not as it was meant: one line each. */
+static void test_warnings(void)
+{
+    char args[900];
+    static const struct { const char *name, *text, *said; int status; } file[] = {
+        {"grey.obj", "mtllib /c/none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n",
+         "grey.obj: no file '/c/none.mtl': what it describes stays grey", 0},
+        {"empty.scene", "# nothing yet\n", "empty.scene: no shape and no mesh", 0},
+        {"far.scene", "sphere 1e308 1e308 1e308 1e307\nsphere -1e308 -1e308 -1e308 1e307\n",
+         "far.scene:", 2}};
+    for (int k = 0; k < 3; k++) {
+        put(file[k].name, file[k].text);
+        snprintf(args, sizeof args, "%s --quick --out %s", in_directory(file[k].name),
+                 in_directory("o.pfm"));
+        ends(file[k].status, args, "err", file[k].said);
+        check(printed("err", "warning: ") == !file[k].status, "%s: a warning", file[k].name);
+    }
+}
+
+/* The commands of the page, as they stand there, in a directory that has build/ and chapters/. */
+static void test_page(void)
+{
+    char command[1200], here[512], *build = getenv("BUILD");
+    size_t n;
+    failure f;
+    int found = 0;
+    char *page = file_read("chapters/27_effects/README.md", &n, &f);
+    if (!page || !getcwd(here, sizeof here)) abort();
+    if (!build) build = "build";
+    snprintf(command, sizeof command, "cd %s && mkdir build && ln -s %s/chapters chapters && "
+             "cp %s/%s/27_effects build", directory, here, *build == '/' ? "" : here, build);
+    if (system(command) != 0) abort();
+    for (char *line = page, *end; (end = strchr(line, '\n')); line = end + 1) {
+        *end = 0;
+        if (strncmp(line, "    build/27_effects ", 21) != 0) continue;
+        char *said = strstr(line + 4, "  ");
+        if (said) *said = 0;
+        snprintf(command, sizeof command, "cd %s && %s >out 2>err", directory, line + 4);
+        check(system(command) == 0, "%s", line);
+        check(printed("out", "\n-> ") && !printed("err", "warning"), "%s: its picture", line);
+        found++;
+    }
+    check_equal(found, 7, "commands of the page");
+    free(page);
+}
+
+/* What the program draws without a file is the file that ships with it. */
+static void test_demo(void)
+{
+    size_t n;
+    failure f;
+    char *text = file_read("chapters/27_effects/scenes/demo.scene", &n, &f);
+    check(text && strcmp(text, demo_scene) == 0, "demo.scene and demo.h");
+    free(text);
 }
 
 /* Two million triangles are to be read, built and drawn within 1 GiB: two hundred thousand within a
@@ -130,6 +188,8 @@ int main(void)
     if (!mkdtemp(directory)) abort();
     test_explain();
     test_misuse();
+    test_warnings();
+    test_demo(), test_page();
     test_region();
     test_memory();
     remove_all();

@@ -54,7 +54,7 @@ static void test_cone(void)
 /* A direction drawn by the picture has the light and the pdf that a ray there finds. */
 static void test_sky(void)
 {
-    sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4), .up = {0, 1, 0},
+    effects_sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4), .up = {0, 1, 0},
              .front = {0.6, 0, -0.8}, .right = {0.8, 0, 0.6}};
     failure f;
     sky_light l;

@@ -57,7 +57,7 @@ int main(void)
     studio s;
     studio_view v;
     camera c;
-    stage e;
+    effects_stage e;
     lit_scene lit;
     path_tracer t;
     char *text = allocate(sizeof room, 1);
@@ -65,8 +65,9 @@ int main(void)
     memcpy(strstr(text, "Ks 0.9 0.8 0.7"), "Ks 1.0 1.0 1.0", 14);
     if (!studio_read_text(text, "room", NULL, &s, &f)) fail(f);
     plan p = plan_of(&s);
-    if (!studio_camera(&s, 4 / (real)3, &v, &c, &f) || !stage_build(&s, &p, &e, &f)) fail(f);
-    stage_view(&e, &v, c);
+    if (!studio_camera(&s, 4 / (real)3, &v, &c, &f)) fail(f);
+    if (!effects_stage_build(&s, &p, &e, &f)) fail(f);
+    effects_stage_view(&e, &v, c);
     room_of_26(&lit, &s);
     path_tracer_of(&lit, NULL, path_defaults, &t);
     check(p.effects == (EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED),
@@ -94,6 +95,6 @@ int main(void)
     /* false alarms: 144 tests, 1e-7 each */
     check_at_least(worst, 1e-7, "the room's light is not 26's: least p of 144 t-tests");
     path_tracer_free(&t), lit_free(&lit);
-    stage_free(&e), plan_free(&p), studio_free(&s), free(text);
+    effects_stage_free(&e), plan_free(&p), studio_free(&s), free(text);
     return check_report("27_paths");
 }

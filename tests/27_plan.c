@@ -235,7 +235,7 @@ static void test_finish(void)
     const vec3 corner[3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 4}};
     const uint32_t index[6] = {0, 1, 2, 2, 1, 0};
     const mesh_run run[2] = {{1, 0}, {2, 0}};
-    affine at = affine_of(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){1, 2, 3}));
+    affine at = affine_then(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){1, 2, 3}));
     studio s;
     failure f;
     vec3 lo, hi;
@@ -380,7 +380,7 @@ static void test_odd_cameras(void)
 
 static void test_sky(void)
 {
-    sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4)};
+    effects_sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4)};
     for (int y = 0; y < 4; y++)
         for (int x = 0; x < 8; x++)
             image_set(&s.picture, x, y, vec(x, y, 1));

@@ -6,7 +6,7 @@
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"
 
-typedef struct { studio s; plan p; stage e; } set;
+typedef struct { studio s; plan p; effects_stage e; } set;
 
 static void set_up(set *q, const char *text)
 {
@@ -16,15 +16,15 @@ static void set_up(set *q, const char *text)
     if (!studio_read_text(text, "test.scene", NULL, &q->s, &f)) fail(f);
     q->p = plan_of(&q->s);
     if (!studio_camera(&q->s, 4 / (real)3, &v, &c, &f)) fail(f);
-    if (!stage_build(&q->s, &q->p, &q->e, &f)) fail(f);
-    stage_view(&q->e, &v, c);
+    if (!effects_stage_build(&q->s, &q->p, &q->e, &f)) fail(f);
+    effects_stage_view(&q->e, &v, c);
 }
 
-static void tear_down(set *q) { stage_free(&q->e), plan_free(&q->p), studio_free(&q->s); }
+static void tear_down(set *q) { effects_stage_free(&q->e), plan_free(&q->p), studio_free(&q->s); }
 
 enum { across = 16, down = 12 };
 
-static drawing draw(const stage *e, image *im, int samples)
+static drawing draw(const effects_stage *e, image *im, int samples)
 {
     drawing j = {.e = e, .samples = samples, .seed = 5, .width = across, .height = down};
     draw_region(&j, im, 0, 0, 1);
@@ -77,7 +77,7 @@ static void test_set(unsigned mask)
         if (!(called >> k & 1))
             check(a.counts.rays[k] == 0, "ingredients %x: %zu rays for %s, not called for", mask,
                   a.counts.rays[k], effect_names[k].name);
-    stage_effects(&q.e, EFFECTS_ALL, true);
+    effects_stage_effects(&q.e, EFFECTS_ALL, true);
     drawing b = draw(&q.e, &full, 4);
     check(memcmp(lean.rgb, full.rgb, 3 * across * down * sizeof *lean.rgb) == 0,
           "ingredients %x, called %x: simulating everything gives another picture, rmse %g", mask,
@@ -175,7 +175,7 @@ static void test_random_scenes(void)
         image lean = image_new(across, down), full = image_new(across, down);
         draw(&q.e, &lean, 2);
         seen |= q.p.effects;
-        stage_effects(&q.e, EFFECTS_ALL, true);
+        effects_stage_effects(&q.e, EFFECTS_ALL, true);
         draw(&q.e, &full, 2);
         check(memcmp(lean.rgb, full.rgb, 3 * across * down * sizeof *lean.rgb) == 0,
               "scene %zu calls for %x; simulating everything gives another picture:\n%s", i,
@@ -199,7 +199,7 @@ static void test_special(void)
     set_up(&q, text);
     for (size_t k = 0; k < sizeof masks / sizeof *masks; k++) {
         size_t bad = 0;
-        stage_effects(&q.e, masks[k], false);
+        effects_stage_effects(&q.e, masks[k], false);
         effects_function *own = effects_made_for(masks[k]);
         check(own != effects_general, "mask %x has no copy of its own", masks[k]);
         for (int i = 0; i < 300; i++) {
@@ -323,7 +323,7 @@ static void test_ends(void)
     set_up(&q, "camera from 0 1 4 at 0 0.8 0 angle 45\nenvironment 0.4 0.5 0.6\n"
            "material m\nKd 0\nKs 0.3\nNi 1.75825\nTf 0.5\nillum 7\n"
            "polygon -9 -0.164628 9  9 -0.164628 9  9 -0.164628 -9  -9 -0.164628 -9\n");
-    stage_effects(&q.e, EFFECTS_ALL, true);
+    effects_stage_effects(&q.e, EFFECTS_ALL, true);
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream s = random_start(28, i, 0);
         real x = (real)some(&s, -9, 9), tilt = (real)some(&s, 0, 1e-3);
@@ -341,7 +341,7 @@ static void test_left_out(void)
     set q;
     set_up(&q, "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial m\nNi 1.5\nKd 0.5\nTf 0.5\n"
            "illum 7\nsphere 0 0 0 1\n");
-    stage_effects(&q.e, q.p.effects & ~(unsigned)EFFECT_REFRACTION, false);
+    effects_stage_effects(&q.e, q.p.effects & ~(unsigned)EFFECT_REFRACTION, false);
     check(q.e.mask == EFFECT_MIRROR, "%x", q.e.mask);
     for (int k = 0; k < 2; k++) {
         double cosine = k ? 0.5 : 1, R = 0.04 + 0.96 * pow(1 - cosine, 5);
@@ -363,7 +363,7 @@ static void test_left_out(void)
 /* ---- light: closed forms ---- */
 
 /* The mean along the ray through the middle of the picture, of n independent estimates. */
-static void along(const stage *e, size_t n, estimate out[3])
+static void along(const effects_stage *e, size_t n, estimate out[3])
 {
     effects_function *f = effects_made_for(e->mask);
     for (int k = 0; k < 3; k++) out[k] = (estimate){0};
@@ -382,7 +382,7 @@ static void expect(const char *what, const char *text, const double exact[3], do
     set q;
     estimate e[3];
     set_up(&q, text);
-    if (mask) stage_effects(&q.e, mask, false);
+    if (mask) effects_stage_effects(&q.e, mask, false);
     along(&q.e, check_count(20000), e);
     for (int k = 0; k < 3; k++)  /* false alarms: 1e-7 each, 12 of them */
         check_at_least(t_test(e[k], exact[k], rounding * (double)real_epsilon), 1e-7,
@@ -432,9 +432,9 @@ static void test_ways(void)
             effects_counts c = {.now = 0};
             ray r = camera_ray(q.e.eye, 8, 6, 16, 12);
             dice d = dice_start(9, i, 0), other = dice_start(10 + (uint64_t)k, i, 0);
-            stage_effects(&q.e, EFFECT_GLOSSY, false);
+            effects_stage_effects(&q.e, EFFECT_GLOSSY, false);
             vec3 a = effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &d, &c);
-            stage_effects(&q.e, by[k], false);
+            effects_stage_effects(&q.e, by[k], false);
             vec3 b = effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &other, &c);
             off = estimate_add(off, (double)(a.x - b.x));
         }

@@ -585,7 +585,7 @@ static void test_scene_broken(void)
     refused("x.scene", "\n\nobj no.obj\n", "x.scene", 1, "no.obj: cannot read: No such",
             "/x.scene:3: ");
     refused("x.scene", "include .\n", "x.scene", 1, "cannot read: Is a directory", "");
-    refused("x.scene", "include /dev/zero\n", "x.scene", 1, "/dev/zero: cannot read: not", "");
+    refused("x.scene", "include /dev/zero\n", "x.scene", 1, "/dev/zero: cannot read: a device", "");
     refused("x.scene", "environment /dev/zero\n", "x.scene", 1, "/dev/zero: cannot read: not", "");
     refused("x.scene", "environment no.pfm\n", "x.scene", 1, "no.pfm: cannot read", "");
     refused("x.scene", "obj empty.obj\n", "x.scene", 1, "empty.obj", "");

@@ -29,8 +29,8 @@ static mesh ball_mesh(int levels)
 static affine random_place(void)
 {
     affine a = affine_scaling(vec((real)0.3 + random_next(&rng), 0.5, -0.7));
-    a = affine_of(a, affine_rotation(vunit(in_cube(1)), 6 * uniform()));
-    return affine_of(a, affine_translation(in_cube(4)));
+    a = affine_then(a, affine_rotation(vunit(in_cube(1)), 6 * uniform()));
+    return affine_then(a, affine_translation(in_cube(4)));
 }
 
 /* Shapes, meshes that stand, one of them twice, and others that are moved. */
@@ -178,7 +178,7 @@ static void test_leaving(void)
         studio_begin(&s);
         uint32_t m = studio_add_mesh(&s, ball, allocate(1, 4), 0, false);
         affine a = affine_scaling(vec(2, 0.5, -1));
-        a = affine_of(a, affine_rotation(vunit((vec3){1, 2, 3}), 1));
+        a = affine_then(a, affine_rotation(vunit((vec3){1, 2, 3}), 1));
         vec3 at = {far, far / 3, -far / 7};
         a.o = vsub(at, affine_vector(a, offset));
         studio_place(&s, m, a, 0, (cite){0, 0});

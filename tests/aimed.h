@@ -4,7 +4,6 @@
  *                                 in planes of faces, along axes, with odd intervals; the mesh lies
  *                                 within `size` of `centre`
  *   bool same(got_a, a, got_b, b)               the same answer, bit for bit
- *   mesh m = mesh_room(n)                       n triangles to be set; mesh_free
  *   mesh m = needles(n, width)                  n, 1 long, `width` wide, within a cube of side 2
  *   mesh m = floors_mesh(n)                     squares in the planes x, y, z = -1 + 2 i / n:
  *                                 faces, edges and corners on each other and on dyadic planes
@@ -13,7 +12,7 @@
 #define AIMED_H
 
 #include "../chapters/07_mesh/closest.h"
-#include "../common/random.h"
+#include "../chapters/07_mesh/scenes/soup.h"
 
 enum { aimed_kinds = 12 };
 
@@ -24,11 +23,7 @@ static inline bool same(bool ga, hit a, bool gb, hit b)
     return ga == gb && (!ga || (a.t == b.t && a.u == b.u && a.v == b.v && a.shape == b.shape));
 }
 
-static inline vec3 random_vector(random_stream *g, real size)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
+static inline vec3 random_vector(random_stream *g, real size) { return cube_point(g, size); }
 
 static inline size_t random_below(random_stream *g, size_t n)
 {
@@ -63,15 +58,6 @@ static inline ray aimed(const mesh *m, random_stream *g, int kind, vec3 centre, 
     return r;
 }
 
-static inline mesh mesh_room(size_t triangles)
-{
-    mesh m = {.vertices = 3 * triangles, .triangles = triangles};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
-    return m;
-}
-
 static inline void set_triangle(mesh *m, size_t i, vec3 a, vec3 b, vec3 c)
 {
     m->v[3 * i] = a, m->v[3 * i + 1] = b, m->v[3 * i + 2] = c;
@@ -79,16 +65,7 @@ static inline void set_triangle(mesh *m, size_t i, vec3 a, vec3 b, vec3 c)
 
 /* A bundle of needles through the unit cube, 1 long and `width` wide: seen along their length or
  * edge-on, their t is as far off as it can be. */
-static inline mesh needles(size_t n, real width)
-{
-    mesh m = mesh_room(n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(77, i, 0);
-        vec3 a = random_vector(&g, 1), b = random_vector(&g, 1);
-        set_triangle(&m, i, a, b, vadd(a, random_vector(&g, width)));
-    }
-    return m;
-}
+static inline mesh needles(size_t n, real width) { return needle_mesh(n, width, 77); }
 
 /* 3 (n + 1) planes of n x n squares each, cut in two: 6 n^2 (n + 1) triangles. */
 static inline mesh floors_mesh(int n)

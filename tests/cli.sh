@@ -135,6 +135,8 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
 
     # An output that is an input or another output is refused; so is a device that never ends.
     run 2 --quick --out one.ppm --csv one.ppm; says "--out one.ppm: is the file of --csv"
+    run 2 --quick --out one.ppm --csv ./one.ppm; says "is the file of --csv"
+    misuse "unknown option -x" "--help" -x
     if grep -q '^  --mesh FILE' help; then
         printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
         cp one.obj kept.obj

@@ -110,19 +110,19 @@ static void test_messages(void)
     refuses(LINE("--mesh", "--quick"), "--mesh needs a value", "texts");
     refuses(LINE("--quick=1"), "--quick takes no value", "--quick=1");
     refuses(LINE("--bogus"), "unknown option --bogus", "--help");
-    refuses(LINE("file.obj"), "unknown option file.obj", "--help");
+    refuses(LINE("file.obj"), "file.obj: this program reads no file", "--help");
     refuses(LINE("--"), "unknown option --", "--help");
     refuses(LINE("-"), "unknown option -", "--help");
     refuses(LINE("--=5"), "unknown option --=5", "--help");
     refuses(LINE("-edge", "5"), "unknown option -edge", "--help");
     refuses(LINE("--edg", "5"), "unknown option --edg", "--help");
     refuses(LINE("--edges", "5"), "unknown option --edges", "--help");
-    refuses(LINE(""), "unknown option ", "--help");
+    refuses(LINE(""), "this program reads no file", "--help");
     refuses(LINE("--out", "x.jpg"), "x.jpg", ".png, .ppm, .p3.ppm or .pfm");
     char longest[3000];
     memset(longest, 'y', sizeof longest), longest[sizeof longest - 1] = 0;
     refuses(LINE("--edge", longest), "--edge yyy", "whole numbers from -5 to 64");
-    refuses(LINE(longest), "unknown option yyy", "--help");
+    refuses(LINE(longest), "yyy: this program reads no file", "--help");
 }
 
 static void test_files(void)
@@ -142,6 +142,63 @@ static void to_full(void *context)
 {
     if (!freopen("/dev/full", "wb", stdout)) return;
     program(context);
+}
+
+/* Prints the model and the table of a program that reads two files and writes one more. */
+static void reader(void *context)
+{
+    line *l = context;
+    char *argv[most + 1] = {(char[]){"program"}};
+    int argc = 1;
+    const char *model = NULL, *rays = NULL, *hits = NULL;
+    const option own[] = {{"mesh", OPTION_INPUT, &model, 0, 0, "a model"},
+                          {"rays", OPTION_INPUT, &rays, 0, 0, "rays"},
+                          {"hits", OPTION_OUTPUT, &hits, 0, 0, "hits"}, {0}};
+    for (int i = 0; i < most && l->argument[i]; i++)
+        argv[argc++] = (char *)(size_t)l->argument[i];
+    options o = options_read(argc, argv, "test_program", "About it.", (options){.width = 4}, own);
+    printf("%s %s %s %s%s", model ? model : "-", rays ? rays : "-", hits ? hits : "-",
+           o.csv ? o.csv : "-", o.full ? " full" : "");
+}
+
+static void touch(const char *path)
+{
+    FILE *f = fopen(path, "w");
+    if (!f || fclose(f) != 0) abort();
+}
+
+/* A file without dashes is the first input. No output is an input, nor another output: by name, by
+ * folder and name where it is not there yet, by device and inode where it is. */
+static void test_inputs_and_outputs(void)
+{
+    static const struct { line given; const char *out, *err; } list[] = {
+        {{{"model.obj"}}, "model.obj - - -", ""},
+        {{{"--full", "model.obj", "--rays", "rays"}}, "model.obj rays - - full", ""},
+        {{{"--hits", "h", "model.obj"}}, "model.obj - h -", ""},
+        {{{"--hits", "/dev/null", "--csv", "/dev/null"}}, "- - /dev/null /dev/null", ""},
+        {{{"none.obj"}}, "", "none.obj: no such file"},
+        {{{"model.obj", "rays"}}, "", "model.obj and rays: one file at a time"},
+        {{{"--quick", "--full"}}, "", "--quick and --full"},
+        {{{"model.obj", "--csv", "model.obj"}}, "", "--csv model.obj: is the file of --mesh"},
+        {{{"model.obj", "--csv", "./model.obj"}}, "", "is the file of --mesh"},
+        {{{"model.obj", "--csv", "link"}}, "", "--csv link: is the file of --mesh"},
+        {{{"--rays", "rays", "--hits", "rays"}}, "", "--hits rays: is the file of --rays"},
+        {{{"--hits", "new", "--csv", "./new"}}, "", "--hits new: is the file of --csv"},
+        {{{"--hits", "/tmp/new.ppm", "--out", "/tmp/../tmp/new.ppm"}}, "", "is the file of --out"},
+    };
+    char folder[] = "/tmp/options_XXXXXX", before[4096];
+    if (!getcwd(before, sizeof before) || !mkdtemp(folder) || chdir(folder) != 0) abort();
+    touch("model.obj"), touch("rays");
+    if (symlink("model.obj", "link") != 0) abort();
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        line l = list[i].given;
+        child_result r = child_run(reader, &l);
+        check_text(r.out, list[i].out, "of line %zu", i);
+        check(*list[i].err ? r.status == 2 && strstr(r.err, list[i].err) : r.status == 0,
+              "line %zu: %d, %s", i, r.status, r.err);
+    }
+    unlink("model.obj"), unlink("rays"), unlink("link");
+    if (chdir(before) != 0 || rmdir(folder) != 0) check(false, "a file is left in %s", folder);
 }
 
 static void test_help(void)
@@ -171,6 +228,7 @@ int main(void)
     test_numbers();
     test_messages();
     test_files();
+    test_inputs_and_outputs();
     test_help();
     return check_report("options");
 }

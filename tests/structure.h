@@ -4,6 +4,8 @@
  *   structure s = {"octree", build, hit, occluded, destroy};
  *   structure_tests(&s, rays);      some 40 checks; `rays` of them a mesh; 600 take about a second
  *
+ *   structure_piled(octree, octree_defaults, most);      triangles upon triangles: see below
+ *
  * build returns what hit and occluded take, or NULL with the failure filled in.
  */
 #ifndef TESTS_STRUCTURE_H
@@ -278,6 +280,44 @@ static inline void structure_too_large(const structure *s)
           "%s: a coordinate of %g is refused", s->name, 3 * (double)items_most);
     mesh_free(&m);
 }
+
+/* The fan of a star with n corners (an OBJ file's, if the star is one face): each triangle lies on
+ * hundreds of others, and no cut parts them. */
+static inline mesh structure_fan(size_t n)
+{
+    mesh m = mesh_room(n - 2);
+    for (size_t i = 0; i + 2 < n; i++) {
+        vec3 p[2];
+        for (size_t k = 0; k < 2; k++) {
+            real a = 2 * pi * (real)(i + k + 1) / (real)n, far = (i + k) % 2 ? 1 : (real)0.5;
+            p[k] = (vec3){far * cos(a), far * sin(a), 0};
+        }
+        set_triangle(&m, i, (vec3){1, 0, 0}, p[0], p[1]);
+    }
+    return m;
+}
+
+/* Builds X of the fan: it names items no more often than `most`, and finds what brute force
+ * does. */
+#define structure_piled(X, options, most)                                                        \
+    do {                                                                                         \
+        mesh fan = structure_fan(10000);                                                         \
+        items in = items_of_mesh(&fan);                                                          \
+        failure why = {0, ""};                                                                   \
+        X built;                                                                                 \
+        size_t wrong = 0;                                                                        \
+        check(X##_build(&in, options, &built, &why), #X " of a fan: %s", why.text);              \
+        check_at_most((double)X##_stats(&built).references, most, #X " of a fan: references");   \
+        for (int i = 0; i < 100; i++) {                                                          \
+            vec3 at = vec(0.17 * (i % 10) - 0.8, 0.17 * (i / 10) - 0.8, 3);                     \
+            vec3 to = vec(0.01, 0.02, -1);                                                       \
+            hit a = hit_none, b = hit_none;                                                      \
+            bool ga = items_hit(&in, ray_from(at, to), &a);                                      \
+            wrong += !same(ga, a, X##_hit(&built, ray_from(at, to), &b), b);                     \
+        }                                                                                        \
+        check_equal(wrong, 0, #X " of a fan");                                                   \
+        X##_free(&built), mesh_free(&fan);                                                       \
+    } while (0)
 
 static inline void structure_tests(const structure *s, size_t rays)
 {

@@ -8,7 +8,8 @@
  * So a ray under T keeps its t and its interval, as long as D is not normalised on the way: that
  * would rescale t, by another factor for each instance, and their hits could not be compared.
  *
- *   affine t = affine_of(affine_scaling((vec3){2, 2, 2}), affine_translation((vec3){1, 0, 0}));
+ *   affine t = affine_then(big, right);             first `big`, then `right`: p -> right(big(p))
+ *   affine_scaling(by), affine_translation(by)      along the axes; moved
  *   affine_rotation(axis, angle)                    about a unit axis, radians, right-handed
  *   if (affine_inverse(t, &to_object)) ...          false if t flattens space
  *   ray inside = affine_ray(to_object, r);          affine_point, affine_vector: M p + o, M d
@@ -38,8 +39,8 @@ static inline ray affine_ray(affine m, ray r)
     return (ray){affine_point(m, r.o), r.tmin, affine_vector(m, r.d), r.tmax};
 }
 
-/* First a, then b. */
-static inline affine affine_of(affine a, affine b)
+/* First a, then b: p -> b(a(p)), the product B A of their matrices. */
+static inline affine affine_then(affine a, affine b)
 {
     return (affine){affine_vector(b, a.x), affine_vector(b, a.y), affine_vector(b, a.z),
                     affine_point(b, a.o)};

@@ -17,10 +17,10 @@ static inline bool first_sphere_roots(sphere s, ray r, real *t0, real *t1)
     real c = vdot(f, f) - s.r * s.r;
 
     /* t = (-b -+ sqrt(b^2 - 4 a c)) / 2a; no real root: the ray passes beside the sphere  (3.3) */
-    real D = b * b - 4 * a * c;
-    if (!(D >= 0)) return false;
-    *t0 = (-b - sqrt(D)) / (2 * a);
-    *t1 = (-b + sqrt(D)) / (2 * a);
+    real disc = b * b - 4 * a * c;  /* the discriminant (判别式) */
+    if (!(disc >= 0)) return false;
+    *t0 = (-b - sqrt(disc)) / (2 * a);
+    *t1 = (-b + sqrt(disc)) / (2 * a);
     return true;
 }
 

@@ -6,7 +6,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = 960, .height = 480, .seed = 1};
+    options defaults = {.width = 960, .height = 566, .seed = 1};
     const char *about = "A ray meets a sphere: error and time.";
     options o = options_read(argc, argv, "03_sphere", about, defaults, NULL);
     sphere_draw(&o);

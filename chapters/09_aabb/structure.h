@@ -10,6 +10,8 @@
  *   structure_stats X_stats(&s)
  *   void X_free(&s)                     a zeroed one may be freed
  *
+ *   double structure_room(n)            where cuts part nothing: see there
+ *
  * x: what it holds; items.h.
  *
  * A search cuts space into cells, asks the items of each cell that the ray passes, and ends when
@@ -53,6 +55,19 @@ typedef struct {
 } structure_stats;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* How often n items may be named in all leaves. Items that lie on top of each other (10^5 copies
+ * of a triangle, the fan of a star with 10^4 corners) can be cut for ever, and each cut names most
+ * of them once more. Trees share this room out: a cell that is cut gives its parts what it has, in
+ * proportion to what they name; one that has no room for that becomes a leaf, once half of all room
+ * is gone. Models don't get there. */
+static inline double structure_room(size_t n) { return 64 * (double)n + 0x1p22; }
+
+/* named: so far, by all leaves; wanted: what a cut would name, of its cell's room. */
+static inline bool structure_is_full(size_t n, size_t named, double wanted, double room)
+{
+    return wanted > room && 2 * (double)named > structure_room(n);
+}
 
 /* A NaN, an infinite origin or no direction: such a ray hits nothing, and no search begins. */
 static inline bool ray_is_usable(ray r) { return vfinite(r.o) && vfinite(r.d) && !vzero(r.d); }

@@ -100,6 +100,25 @@ static inline bool grid_mark(grid *g, grid_options how, failure *f)
     return true;
 }
 
+/* Cells an item touches, on average, of a sample of at most 64 items. */
+static inline double grid_sample(const grid *g, grid_options how)
+{
+    marking mark = {&g->x, g->cells, g->margin, how.exact};
+    size_t step = g->x.n / 64 + 1, asked = 0;
+    cell_lists l = {.counting = true};
+    for (size_t i = 0; i < g->x.n; i += step) lists_enter(&l, &mark, i, 0), asked++;
+    return asked ? (double)l.references / (double)asked : 0;
+}
+
+/* Items that lie on top of each other touch many cells each: then cells are taken larger, so that
+ * lists hold some 64 an item (references grow with the area of the items, as cells^(2/3)). */
+static inline double grid_density(const grid *g, grid_options how)
+{
+    double each = grid_sample(g, how), n = (double)g->entered;
+    return each * n > structure_room(g->entered) + 0x1p24 ? how.density * pow(64 / each, 1.5)
+                                                          : how.density;
+}
+
 static inline bool grid_build(const items *x, grid_options how, grid *out, failure *f)
 {
     int n[3];
@@ -113,6 +132,11 @@ static inline bool grid_build(const items *x, grid_options how, grid *out, failu
     out->entered = entered;
     grid_resolution(out->box, how.density * (double)entered, out->margin, n);
     out->cells = lattice_of(out->box, n);
+    double fit = grid_density(out, how);
+    if (fit < how.density) {
+        grid_resolution(out->box, fit * (double)entered, out->margin, n);
+        out->cells = lattice_of(out->box, n);
+    }
     if (grid_mark(out, how, f)) return true;
     grid_free(out);
     return false;

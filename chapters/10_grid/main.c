@@ -1,10 +1,11 @@
 /* 10_grid: a box cut into equal cells: built, walked through, and where it fails.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 10_grid chapters/10_grid/main.c -lm -lpthread
  *
- * Without options: the teapot in its cells, a walk in the plane, what a stadium takes, four tables
- * and their plots. --mesh FILE.obj: that mesh instead, one picture. */
+ * Without options: the teapot in its cells, a walk in the plane, a stadium's work, a short table.
+ * --full: all tables and plots. --mesh FILE.obj: that mesh instead, one picture. */
 #include "../07_mesh/files/obj.h"
 #include "lab/measure.h"
+#include "lab/pictures.h"
 #include "lab/walk_figure.h"
 
 int main(int argc, char **argv)
@@ -23,19 +24,19 @@ int main(int argc, char **argv)
     failure f;
     if (path && o.csv) die(2, "--csv: no table with --mesh");
     if (path) {
-        char name[512];
         mesh m;
+        trial_scene s;
         if (!obj_read(path, &m, &f)) fail(f);
         o.own = true;
-        draw_mesh(&o, &m, how, picture_name("10_grid.png", path, name));
-        mesh_free(&m);
+        trial_scene_of(m, &s);
+        draw_model(&o, &s, how, path);
+        trial_scene_free(&s);
         return output_done(&o);
     }
     draw_grid(&o, how);
     if (!o.out) draw_walk(&o), draw_stadium(&o);
     measure_variants(&o);
-    measure_density(&o);
-    measure_stadium(&o);
-    measure_drift(&o);
+    if (o.full)
+        plot_wrong(&o), measure_density(&o), measure_stadium(&o), measure_drift(&o);
     return output_done(&o);
 }

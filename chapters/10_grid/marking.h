@@ -36,6 +36,7 @@ typedef struct {
     uint32_t *item;     /* [references]; NULL in the first pass */
     uint64_t *marked;   /* one bit a cell */
     size_t cells, references, marked_cells, most_bytes;
+    bool counting;      /* references only, into no list */
 } cell_lists;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -43,7 +44,7 @@ typedef struct {
 static inline void lists_free(cell_lists *l)
 {
     free(l->first), free(l->item), free(l->marked);
-    *l = (cell_lists){NULL, NULL, NULL, 0, 0, 0, 0};
+    *l = (cell_lists){.first = NULL};
 }
 
 static inline size_t lists_bytes(const cell_lists *l)
@@ -71,7 +72,8 @@ static inline bool lists_begin(size_t cells, size_t most_bytes, cell_lists *l, f
 __attribute__((always_inline))
 static inline void lists_take(cell_lists *l, size_t cell, uint32_t i)
 {
-    if (l->item) l->item[--l->first[cell]] = i;
+    if (l->counting) l->references++;
+    else if (l->item) l->item[--l->first[cell]] = i;
     else l->first[cell]++, l->references++;
 }
 

@@ -20,7 +20,8 @@
  * A cut that does not help is made, but a second one below it is not. (The first is: around a
  * corner where many triangles meet, all eight hold all, and yet their parts do not.) Without this,
  * n triangles on one place would be in 4^depth n leaves; and the six that meet at a corner of a
- * mesh would be cut, with leaves of 4, until the depth ends it.
+ * mesh would be cut, with leaves of 4, until the depth ends it. What this lets
+ * pass ends with structure_room.
  */
 #ifndef OCTREE_BUILD_H
 #define OCTREE_BUILD_H
@@ -158,9 +159,10 @@ static inline bool octree_make_leaf(octree_builder *b, size_t node, size_t begin
     return true;
 }
 
-/* Cuts the cell of `node`; its n items begin at list[begin]. `vain`: the cut above did not help. */
+/* Cuts the cell of `node`; its n items begin at list[begin]. `vain`: the cut above did not help.
+ * room: how often leaves below may name them. */
 static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, size_t begin,
-                              size_t n, bool vain)
+                              size_t n, bool vain, double room)
 {
     octree *t = b->t;
     aabb child[8];
@@ -179,7 +181,8 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
     }
     for (unsigned c = 0; c < 8; c++) sum += count[c], filled |= (unsigned)(count[c] > 0) << c;
     bool helps = sum + 4 * octree_cut_cost < 4 * n;  /* (11.2) */
-    if (!helps && vain) return octree_make_leaf(b, node, begin, n, cell.depth);
+    if ((!helps && vain) || structure_is_full(t->items, t->references, (double)sum, room))
+        return octree_make_leaf(b, node, begin, n, cell.depth);
 
     /* A block of eight nodes, and each child in turn */
     if (!octree_grow(b, (void **)&t->node, &b->node_room, first + 8, sizeof *t->node)) return false;
@@ -194,7 +197,8 @@ static inline bool octree_cut(octree_builder *b, size_t node, octree_cell cell, 
             b->list[at] = b->list[i];
             at += b->within[i] >> c & 1;
         }
-        if (!octree_cut(b, first + c, octree_child_cell(cell, c), end, count[c], !helps))
+        double part = room * (double)count[c] / (double)sum;
+        if (!octree_cut(b, first + c, octree_child_cell(cell, c), end, count[c], !helps, part))
             return false;
     }
     return true;
@@ -237,7 +241,8 @@ static inline bool octree_build(const items *x, octree_options how, octree *out,
             b.list[t.items] = (uint32_t)i;
             t.items += items_bounds(x, i, &box);
         }
-        ok = octree_cut(&b, 0, (octree_cell){0, 0, 0, 0}, 0, t.items, false);
+        ok = octree_cut(&b, 0, (octree_cell){0, 0, 0, 0}, 0, t.items, false,
+                        structure_room(t.items));
     }
     free(b.list), free(b.within);
     t.bytes -= b.room * (sizeof *b.list + 1);

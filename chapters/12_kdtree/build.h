@@ -11,7 +11,8 @@
  *
  * When to stop. KD_MIDDLE and KD_MEDIAN: at how.leaf items, or after kd_most_doubled cuts of one
  * path that left more than half of the items on both sides. KD_SAH: when the best cut costs more
- * than the leaf. Whatever the strategy: at depth 8 + 1.3 log2 n (12.6).
+ * than the leaf. Whatever the strategy: at depth 8 + 1.3 log2 n (12.6), and
+ * where there is no room (structure_room) to name the items once more.
  *
  * Sources: V. Havran, J. Bittner, "On Improving KD-Trees for Ray Shooting", WSCG 2002 (cuts that
  * fail, depth); M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 2016, 4.4.
@@ -115,24 +116,25 @@ static inline bool kd_leaf(kd_builder *b, size_t at, size_t begin, size_t n)
 
 /* The cut of this cell; false: it becomes a leaf. */
 static inline bool kd_wants(kd_builder *b, size_t begin, size_t n, const kd_box *cell, int depth,
-                            int doubled, kd_choice *c)
+                            int doubled, double room, kd_choice *c)
 {
     const kdtree_options *how = &b->how;
     bool by_cost = how->strategy == KD_SAH;
     if (depth >= how->depth || n == 0) return false;
+    if (structure_is_full(b->t->items, b->t->references, 2 * (double)n, room)) return false;
     if (!by_cost && (n <= (size_t)how->leaf || doubled > kd_most_doubled)) return false;
     *c = kd_choose(&b->split, b->item + begin, n, cell);
     return c->cost < (by_cost ? how->item_cost * (double)n : HUGE_VAL);
 }
 
 static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, const kd_box *cell,
-                           int depth, int doubled)
+                           int depth, int doubled, double room)
 {
     kdtree *t = b->t;
     kd_choice c;
     size_t below, above, first = t->nodes;
     if (depth > t->depth) t->depth = depth;
-    if (!kd_wants(b, begin, n, cell, depth, doubled, &c)) return kd_leaf(b, at, begin, n);
+    if (!kd_wants(b, begin, n, cell, depth, doubled, room, &c)) return kd_leaf(b, at, begin, n);
     if (!kd_partition(b, begin, n, c, &below, &above)) return false;
     if (below + above > n + n / 2) doubled++;
     if (first + 2 > (size_t)1 << 29) return failed(b->f, 2, "k-d tree: more than 2^29 nodes");
@@ -141,8 +143,10 @@ static inline bool kd_cell(kd_builder *b, size_t at, size_t begin, size_t n, con
     t->node[at] = kd_inner(c.plane, c.axis, first, below > 0, above > 0);
     kd_box lower = *cell, upper = *cell;
     lower.hi[c.axis] = upper.lo[c.axis] = c.plane;
-    return kd_cell(b, first + 1, begin + n, above, &upper, depth + 1, doubled)
-           && kd_cell(b, first, begin, below, &lower, depth + 1, doubled);
+    double share = below + above ? room / (double)(below + above) : 0;
+    return kd_cell(b, first + 1, begin + n, above, &upper, depth + 1, doubled,
+                   share * (double)above)
+           && kd_cell(b, first, begin, below, &lower, depth + 1, doubled, share * (double)below);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -215,7 +219,7 @@ static inline bool kd_grow(kd_builder *b, const aabb *all)
     if (done) {
         t->nodes = 2;
         t->node[0] = t->node[1] = kd_leaf_node(0, 0);
-        done = kd_cell(b, 0, 0, n, &t->box, 0, 0);
+        done = kd_cell(b, 0, 0, n, &t->box, 0, 0, structure_room(n));
     }
     kd_give_back(b, &b->item, b->item_room, sizeof *b->item);
     kd_give_back(b, &b->split.begin, r0, 4), kd_give_back(b, &b->split.end, r1, 4);

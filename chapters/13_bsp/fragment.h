@@ -1,9 +1,9 @@
 /* fragment.h: what a builder of BSP trees knows of the items in a cell: the part of each that is in
  * it.
  *
- *   bool fragment_of(&w, &x, i, &f)      item i as a fragment on top of the store; false: never hit
+ *   bool fragment_of(&w, i, &f)          item i as a fragment on top of the store; false: never hit
  *   plane_side fragment_side(&w, p, &f)        where it lies (13.1)
- *   fragment_half(&w, p, sign, &f, out)  its part with sign * s <= e, on top of the store
+ *   fragment_half(&w, p, sign, f)       its part with sign * s <= e, on top of the store
  *   bool fragment_plane(&w, &f, edge, &p)   its own plane (edge = 3) or one through an edge [0..2]
  *
  *   a triangle         a convex polygon, cut as the cells are cut

@@ -131,13 +131,17 @@ static inline void bsp_set_plane(bsp_builder *b, size_t at, const split_plane *p
     t->normal[t->normals++] = p->n;
 }
 
+/* room: how often leaves below may name what is here (structure_room). */
 static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of all, convex c,
-                                 int depth)
+                                 int depth, double room)
 {
     workshop *w = &b->c.w;
+    double n = (double)(all.end - all.begin);
     plane_choice x;
     if (!bsp_fits(b)) return;
-    if (depth >= b->c.how.depth || !choose_plane(&b->c, all, c, &x)) {
+    if (depth >= b->c.how.depth
+        || structure_is_full(b->tree->in_tree, b->tree->references, 2 * n, room)
+        || !choose_plane(&b->c, all, c, &x)) {
         bsp_make_leaf(b, at, all, depth);
         return;
     }
@@ -154,10 +158,13 @@ static inline void bsp_make_node(bsp_builder *b, size_t at, fragment_range_of al
     size_t corners_back = w->corners, fragments_back = w->fragments;
     convex front = areas ? cell_cut(&b->c.cells, c, &x.p, -1) : c;
     fragment_range_of before = bsp_collect(b, all, &x, SIDE_FRONT);
-    if (!b->full) bsp_make_node(b, first + 1, before, front, depth + 1);
+    double n_before = (double)(before.end - before.begin);
+    double n_behind = (double)(behind.end - behind.begin);
+    double share = n_before + n_behind > 0 ? room / (n_before + n_behind) : 0;
+    if (!b->full) bsp_make_node(b, first + 1, before, front, depth + 1, share * n_before);
     w->corners = corners_back, w->fragments = fragments_back;
     cells_back_to(&b->c.cells, mark_back);
-    if (!b->full) bsp_make_node(b, first, behind, back, depth + 1);
+    if (!b->full) bsp_make_node(b, first, behind, back, depth + 1, share * n_behind);
     w->corners = corners, w->fragments = fragments;
     cells_back_to(&b->c.cells, mark);
 }
@@ -210,7 +217,8 @@ static inline bool bsp_build(const items *x, bsp_options how, bsp *out, failure 
     out->node = grown(NULL, 0, &b.node_room, sizeof(bsp_node));
     out->nodes = 1;
     convex c = cell_box(&b.c.cells, vscale(out->half, 1 / b.c.w.scale));
-    bsp_make_node(&b, 0, (fragment_range_of){0, out->in_tree}, c, 0);
+    bsp_make_node(&b, 0, (fragment_range_of){0, out->in_tree}, c, 0,
+                  structure_room(out->in_tree));
     free(b.c.w.corner), free(b.c.w.f), cells_free(&b.c.cells);
     if (b.full) {
         size_t references = out->references;

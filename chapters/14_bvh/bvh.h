@@ -4,7 +4,7 @@
  *   bvh_build(&m, bvh_defaults, &b);       the tree copies what it needs of the mesh
  *   bool bvh_hit(&b, r, &h)                the very hit (t, u, v, shape) that mesh_hit of 07 gives
  *   bool bvh_occluded(&b, r)               is there any? the answer that mesh_occluded gives
- *   bvh_stats(&b)                          size, depth, cost by the heuristic, overlap: stats.h
+ *   bvh_stats s = bvh_stats_of(&b.tree)    size, depth, cost by the heuristic, overlap: stats.h
  *   bvh_free(&b);                          a zeroed bvh may be freed
  *   bvh_hit_naive(&b, r, &h)               without the care of node.h: loses hits
  *   bvh_hit_counted(&b, r, &h, &work)      the same hits; adds what they took to `work`

@@ -2,7 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_bvh/main.c -lm -lpthread
  *
  * Without options: the teapot of 102080 triangles, what each pixel took, a short table. --full: all
- * tables and plots. --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these rays. */
+ * tables and plots. --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
 #include "../07_mesh/files/obj.h"
 #include "lab/measure.h"
 #include "lab/runs.h"

@@ -15,8 +15,8 @@
  * instance that is never hit (placing.h) is left out. Corners keep their order, so that u and v
  * mean the same; in a mirrored instance they then go clockwise seen from outside.
  */
-#ifndef CROWD_H
-#define CROWD_H
+#ifndef INSTANCES_CROWD_H
+#define INSTANCES_CROWD_H
 
 #include "../07_mesh/closest.h"
 #include "normals.h"

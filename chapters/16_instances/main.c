@@ -1,9 +1,9 @@
 /* 16_instances: a forest of two firs, an oak, two birches, many times; normals that stay right.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 16_instances chapters/16_instances/main.c -lm -lpthread
  *
- * Without options: the forest, what goes wrong with normals and with normalised rays, four tables,
- * three plots. --instances N: so many plants, the picture only. --mesh FILE.obj: a crowd of that
- * mesh, y up, the picture only. */
+ * Without options: the forest, what goes wrong with normals and with normalised rays, a table of
+ * methods. --full: four tables, three plots. --instances N: so many plants, the picture only.
+ * --mesh FILE.obj: a crowd of that mesh, y up, the picture only. */
 #include "../07_mesh/files/obj.h"
 #include "lab/growth.h"
 #include "lab/pictures.h"
@@ -36,8 +36,10 @@ int main(int argc, char **argv)
     draw_unit(&o);
     draw_normals(&o);
     table_of_methods(&o);
-    table_of_growth(&o);
-    table_of_way(&o);
-    table_of_normals(&o);
+    if (o.full) {
+        table_of_growth(&o);
+        table_of_way(&o);
+        table_of_normals(&o);
+    }
     return output_done(&o);
 }

@@ -21,8 +21,8 @@
  *
  * Source: K. Turkowski, "Properties of surface-normal transformations", Graphics Gems, 1990.
  */
-#ifndef NORMALS_H
-#define NORMALS_H
+#ifndef INSTANCES_NORMALS_H
+#define INSTANCES_NORMALS_H
 
 #include "../01_ray/affine.h"
 

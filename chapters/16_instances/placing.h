@@ -42,8 +42,8 @@
  * G. Schulz, "Iterative Berechnung der reziproken Matrix", ZAMM 13, 1933 (Newton's step);
  * N. Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3, 14 (inverses).
  */
-#ifndef PLACING_H
-#define PLACING_H
+#ifndef INSTANCES_PLACING_H
+#define INSTANCES_PLACING_H
 
 #include "../01_ray/affine.h"
 #include "../09_aabb/aabb.h"
@@ -91,7 +91,7 @@ static inline affine inverse_residual(affine m, affine a)
 /* k of (16.3): by how much rounding of 1 in the inverse can grow on the way back. */
 static inline real affine_growth(affine m, affine a)
 {
-    return affine_norm(affine_of(affine_abs(a), affine_abs(m)));
+    return affine_norm(affine_then(affine_abs(a), affine_abs(m)));
 }
 
 /* g of (16.3). */

@@ -1,6 +1,6 @@
 /* brute.h: no structure at all (暴力求交), with the verbs of all structures. It is the oracle. */
-#ifndef BRUTE_H
-#define BRUTE_H
+#ifndef COMPARE_BRUTE_H
+#define COMPARE_BRUTE_H
 
 #include "../09_aabb/items.h"
 

@@ -1,5 +1,5 @@
-/* bvh_items.h: the tree of 14 with the verbs that all structures share (10_grid/items.h): one type
- * for a mesh and for a scene of shapes.
+/* bvh_items.h: the tree of 14 with the verbs that all structures share (09_aabb/structure.h): one
+ * type for a mesh and for a scene of shapes.
  *
  *   bvh_items b;
  *   bvh_items_build(&x, how, &b, &f)    how.tree: options of 14; how.most_bytes: what it may hold
@@ -7,8 +7,8 @@
  * The rest as items.h has it. nodes: pairs of boxes tested; a leaf is never empty. References are
  * more than items where cuts go through items (BVH_SPATIAL).
  */
-#ifndef BVH_ITEMS_H
-#define BVH_ITEMS_H
+#ifndef COMPARE_BVH_ITEMS_H
+#define COMPARE_BVH_ITEMS_H
 
 #include "../09_aabb/items.h"
 #include "../14_bvh/bvh.h"

@@ -1,5 +1,5 @@
 /* contenders.h: the structures that are compared. A new one is one line below, if it has the verbs
- * of 10_grid/items.h, and one in the list.
+ * of 09_aabb/structure.h, and one in the list.
  *
  *   CONTENDER(id, "name", X, options, most, explain)     makes id_contender:
  *      id        several may share a structure
@@ -17,8 +17,8 @@
  *                                                      hits[i] has t = 0, shape 0 where occluded
  *   contender_free(c, s)
  */
-#ifndef CONTENDERS_H
-#define CONTENDERS_H
+#ifndef COMPARE_CONTENDERS_H
+#define COMPARE_CONTENDERS_H
 
 #include "brute.h"
 #include "bvh_items.h"
@@ -47,28 +47,28 @@ typedef struct {
  * finer. Measured on balls, gears, mount, rings and tree: rays take up to half the time less. */
 enum { shape_cost = 4 };
 
-static inline octree_options octree_how(const items *x)
+static inline octree_options octree_how_for(const items *x)
 {
     octree_options how = octree_defaults;
     if (x->s) how.leaf /= shape_cost;
     return how;
 }
 
-static inline kdtree_options kdtree_how(const items *x)
+static inline kdtree_options kdtree_how_for(const items *x)
 {
     kdtree_options how = kdtree_defaults;
     if (x->s) how.item_cost *= shape_cost;
     return how;
 }
 
-static inline bsp_options bsp_how(const items *x)
+static inline bsp_options bsp_how_for(const items *x)
 {
     bsp_options how = bsp_defaults;
     if (x->s) how.axis_cost /= shape_cost, how.slanted_cost /= shape_cost;
     return how;
 }
 
-static inline bvh_items_options bvh_how(const items *x, bvh_strategy strategy)
+static inline bvh_items_options bvh_how_for(const items *x, bvh_strategy strategy)
 {
     bvh_items_options how = {bvh_defaults, 0};
     how.tree.strategy = strategy;
@@ -112,12 +112,12 @@ static inline bvh_items_options bvh_how(const items *x, bvh_strategy strategy)
 CONTENDER(brute, "brute", brute, ((brute_options){0}), SIZE_MAX, NULL)
 CONTENDER(grid, "grid", grid, grid_defaults, SIZE_MAX, explain_grid)
 CONTENDER(nested, "nested", nested, nested_defaults, SIZE_MAX, explain_nested)
-CONTENDER(octree, "octree", octree, octree_how(x), SIZE_MAX, explain_octree)
-CONTENDER(kdtree, "kdtree", kdtree, kdtree_how(x), 300000, explain_kdtree)
-CONTENDER(bsp, "bsp", bsp, bsp_how(x), 70000, explain_bsp)
-CONTENDER(bvh, "bvh", bvh_items, bvh_how(x, BVH_SAH), SIZE_MAX, explain_bvh)
-CONTENDER(bvh_morton, "bvh-morton", bvh_items, bvh_how(x, BVH_MORTON), SIZE_MAX, explain_bvh)
-CONTENDER(bvh_spatial, "bvh-spatial", bvh_items, bvh_how(x, BVH_SPATIAL), SIZE_MAX, explain_bvh)
+CONTENDER(octree, "octree", octree, octree_how_for(x), SIZE_MAX, explain_octree)
+CONTENDER(kdtree, "kdtree", kdtree, kdtree_how_for(x), 300000, explain_kdtree)
+CONTENDER(bsp, "bsp", bsp, bsp_how_for(x), 70000, explain_bsp)
+CONTENDER(bvh, "bvh", bvh_items, bvh_how_for(x, BVH_SAH), SIZE_MAX, explain_bvh)
+CONTENDER(bvh_morton, "bvh-morton", bvh_items, bvh_how_for(x, BVH_MORTON), SIZE_MAX, explain_bvh)
+CONTENDER(bvh_spatial, "bvh-spatial", bvh_items, bvh_how_for(x, BVH_SPATIAL), SIZE_MAX, explain_bvh)
 
 /* As in the published results of the SPD: so many cells an item, so deep. */
 CONTENDER(grid_1, "grid-1", grid, ((grid_options){1, true, true, 0}), SIZE_MAX, explain_grid)
@@ -125,7 +125,7 @@ CONTENDER(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), SIZE_MA
 CONTENDER(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), SIZE_MAX,
           explain_octree)
 
-/* Of the short book: they may be wrong (stage.h). */
+/* Of the short book: they may be wrong (compare.h). */
 CONTENDER(first_grid, "first-grid", first_items, ((first_items_options){first_use_grid, 0}),
           SIZE_MAX, NULL)
 CONTENDER(first_octree, "first-octree", first_items, ((first_items_options){first_use_octree, 0}),

@@ -14,8 +14,8 @@
  *
  * Both write a few lines to `out`.
  */
-#ifndef EXPLAIN_H
-#define EXPLAIN_H
+#ifndef COMPARE_EXPLAIN_H
+#define COMPARE_EXPLAIN_H
 
 #include "bvh_items.h"
 #include <stdio.h>
@@ -30,7 +30,7 @@ typedef void explainer(const void *s, const wrong_ray *w, FILE *out);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool hits_equal(hit a, hit b)
+static inline bool hits_same(hit a, hit b)
 {
     return a.shape == b.shape
            && (a.shape == no_shape || (a.t == b.t && a.u == b.u && a.v == b.v));
@@ -44,7 +44,7 @@ static inline bool window_finds(const void *s, const wrong_ray *w, real a, real 
     r.tmin = a, r.tmax = b;
     if (w->occluded) return w->occluded(s, r);
     w->hit(s, r, &h);
-    return hits_equal(h, w->due);
+    return hits_same(h, w->due);
 }
 
 /* Halves between `found`, an end with which the hit is found, and `lost`. The other end stays at

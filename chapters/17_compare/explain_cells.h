@@ -1,13 +1,13 @@
 /* explain_cells.h: the same for the structures that cut space: grids, octree, k-d tree, BSP tree.
  *
- *   explain_grid, explain_nested, explain_octree, explain_kdtree, explain_bsp(s, &w, out)
+ *   explain_grid, explain_nested, explain_octree, explain_kdtree, explain_bsp
  *
  * go to the cell that holds the point of the hit and see whether the shape is listed there. If not,
  * building left it out. If so, the search did not ask that cell, or lost the answer: brute force
  * tests the shape in the same way.
  */
-#ifndef EXPLAIN_CELLS_H
-#define EXPLAIN_CELLS_H
+#ifndef COMPARE_EXPLAIN_CELLS_H
+#define COMPARE_EXPLAIN_CELLS_H
 
 #include "../10_grid/nested.h"
 #include "../11_octree/octree.h"

@@ -1,5 +1,5 @@
 /* first_items.h: the structures of first.h with the verbs that all structures share (items.h of
- * 10): what the notes' own algorithms cost beside the full versions. They may be wrong: stage.h
+ * 10): what the notes' own algorithms cost beside the full versions. They may be wrong: compare.h
  * holds them against brute force, marks them, and goes on.
  *
  *   first_items_options{which}     first_use_grid .. first_use_bvh: one of them is built
@@ -7,8 +7,8 @@
  * Triangles only; a BSP tree of more than first_bsp_most is not built: it takes too long. They do
  * not say what they hold, and count tests, not steps.
  */
-#ifndef FIRST_ITEMS_H
-#define FIRST_ITEMS_H
+#ifndef COMPARE_FIRST_ITEMS_H
+#define COMPARE_FIRST_ITEMS_H
 
 #include "../07_mesh/scenes/as_first.h"
 #include "../09_aabb/items.h"

@@ -15,14 +15,14 @@
  * hits[i] belongs to p.r[i]. Rays that leave a surface begin off it, by 1e-4 of their distance from
  * the eye, on the side that the eye sees.
  */
-#ifndef KINDS_H
-#define KINDS_H
+#ifndef COMPARE_KINDS_H
+#define COMPARE_KINDS_H
 
 #include "../09_aabb/trials/survey.h"
 #include "../07_mesh/scenes/world.h"
 
-typedef enum { KIND_PRIMARY, KIND_SHADOW, KIND_DIFFUSE, KIND_MIRROR, ray_kinds } ray_kind;
-static const char *const kind_name[ray_kinds] = {"primary", "shadow", "diffuse", "mirror"};
+typedef enum { KIND_PRIMARY, KIND_SHADOW, KIND_DIFFUSE, KIND_MIRROR, compare_kinds } compare_kind;
+static const char *const kind_name[compare_kinds] = {"primary", "shadow", "diffuse", "mirror"};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -41,7 +41,7 @@ static inline ray_set rays_view(const world *w, const double part[4], int edge)
 }
 
 /* Where a ray leaves the surface it hit: a point off it, and the normal on that side. */
-static inline vec3 leaving(const world *w, ray r, hit h, vec3 *n)
+static inline vec3 leave_surface(const world *w, ray r, hit h, vec3 *n)
 {
     vec3 p = ray_at(r, h.t);
     *n = world_normal(w, h, p);
@@ -54,7 +54,7 @@ static inline ray_set rays_to_lights(const world *w, const ray_set *eye, const h
     ray_set s = {allocate(eye->n * (size_t)w->lights, sizeof(ray)), 0};
     for (size_t i = 0; i < eye->n; i++)
         for (int k = 0; k < w->lights && hits[i].shape != no_shape; k++) {
-            vec3 n, p = leaving(w, eye->r[i], hits[i], &n);
+            vec3 n, p = leave_surface(w, eye->r[i], hits[i], &n);
             if (vdot(n, vsub(w->light[k], p)) > 0) s.r[s.n++] = ray_between(p, w->light[k]);
         }
     return s;
@@ -67,7 +67,7 @@ static inline ray_set rays_scattered(const world *w, const ray_set *eye, const h
     for (size_t i = 0; i < eye->n; i++) {
         random_stream g = random_start(seed, i, 0);
         if (hits[i].shape == no_shape) continue;
-        vec3 n, p = leaving(w, eye->r[i], hits[i], &n);
+        vec3 n, p = leave_surface(w, eye->r[i], hits[i], &n);
         s.r[s.n++] = ray_from(p, diffuse_direction(n, &g));
     }
     return s;
@@ -78,7 +78,7 @@ static inline ray_set rays_mirrored(const world *w, const ray_set *eye, const hi
     ray_set s = {allocate(eye->n, sizeof(ray)), 0};
     for (size_t i = 0; i < eye->n; i++) {
         if (hits[i].shape == no_shape) continue;
-        vec3 n, p = leaving(w, eye->r[i], hits[i], &n), d = eye->r[i].d;
+        vec3 n, p = leave_surface(w, eye->r[i], hits[i], &n), d = eye->r[i].d;
         s.r[s.n++] = ray_from(p, vmadd(d, n, -2 * vdot(d, n)));
     }
     return s;

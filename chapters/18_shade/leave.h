@@ -21,8 +21,8 @@
  * refracted ray enters, a reflected one leaves. n.w = 0, in the surface: O on the side of n.
  * Costs a dot product and a few sums. What other ways cost and miss: leave_variants.h, README.
  */
-#ifndef LEAVE_H
-#define LEAVE_H
+#ifndef SHADE_LEAVE_H
+#define SHADE_LEAVE_H
 
 #include "surface.h"
 

@@ -21,14 +21,14 @@
  * Pictures", CACM 18(6), 1975; J. Blinn, "Models of Light Reflection for Computer Synthesized
  * Pictures", SIGGRAPH 1977.
  */
-#ifndef LIGHT_H
-#define LIGHT_H
+#ifndef SHADE_LIGHT_H
+#define SHADE_LIGHT_H
 
 #include "../../common/vec3.h"
 
-typedef enum { LIGHT_POINT, LIGHT_DIRECTIONAL } light_kind;
+typedef enum { LIGHT_POINT, LIGHT_DIRECTIONAL } shade_light_kind;
 typedef struct {
-    light_kind kind;
+    shade_light_kind kind;
     vec3 at;      /* point: where it is. directional: unit vector towards it */
     vec3 colour;  /* point: intensity I. directional: irradiance E0 at normal incidence */
 } light;

@@ -7,8 +7,8 @@
  * is in between. The same answer for a, b and b, a: one ray serves both, so a table takes at most
  * n (n - 1) / 2 of them. Used for who can see whom in a game, antennas, view factors, guards.
  */
-#ifndef SIGHT_H
-#define SIGHT_H
+#ifndef SHADE_SIGHT_H
+#define SHADE_SIGHT_H
 
 #include "shade.h"
 

@@ -35,8 +35,8 @@
  * Tracing Gems, 2019, ch. 6 (the barycentric point); M. Pharr, W. Jakob, G. Humphreys, "Physically
  * Based Rendering", 3rd ed., 2016, section 3.9.4 (reprojection, bounds).
  */
-#ifndef SURFACE_H
-#define SURFACE_H
+#ifndef SHADE_SURFACE_H
+#define SHADE_SURFACE_H
 
 #include "../07_mesh/closest.h"
 

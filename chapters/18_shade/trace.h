@@ -33,8 +33,8 @@
  * DirectX Raytracing functional specification (TraceRay, ray flags, instance masks); S. Parker et
  * al., "OptiX: A General Purpose Ray Tracing Engine", SIGGRAPH 2010.
  */
-#ifndef TRACE_H
-#define TRACE_H
+#ifndef SHADE_TRACE_H
+#define SHADE_TRACE_H
 
 #include "../14_bvh/bvh.h"
 #include "../14_bvh/bvh_shapes.h"

@@ -11,8 +11,8 @@
  *
  * Sources: P. Bouguer 1729, J. Lambert 1760, A. Beer 1852.
  */
-#ifndef ABSORB_H
-#define ABSORB_H
+#ifndef WHITTED_ABSORB_H
+#define WHITTED_ABSORB_H
 
 #include "../../common/vec3.h"
 

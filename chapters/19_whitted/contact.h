@@ -20,8 +20,8 @@
  * met up to some epsilon of its own size off (18.6), of which the glass knows nothing: say touch =
  * 32 epsilon times the larger size.
  */
-#ifndef CONTACT_H
-#define CONTACT_H
+#ifndef WHITTED_CONTACT_H
+#define WHITTED_CONTACT_H
 
 #include "whitted_scene.h"
 

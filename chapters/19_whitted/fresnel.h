@@ -21,8 +21,8 @@
  * Sources: M. Born, E. Wolf, "Principles of Optics", 7th ed., 1999, section 1.5.2; C. Schlick, "An
  * Inexpensive BRDF Model for Physically-based Rendering", Eurographics 1994.
  */
-#ifndef FRESNEL_H
-#define FRESNEL_H
+#ifndef WHITTED_FRESNEL_H
+#define WHITTED_FRESNEL_H
 
 #include "refract.h"
 

@@ -1,45 +1,12 @@
 /* 19_whitted: recursion: mirrors, glass, total reflection, Fresnel, absorption, nested bodies.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
- * Without options: the two spheres of 1980, a tank, four depths, the tree of one pixel, tables of
- * error against time, of Fresnel's forms, of speed. --protocol spd: rays counted as in published
- * results. --samples N is rounded down to a square. */
-#include "../../common/output.h"
-#include "lab/spd_protocol.h"
+ * Without options: the two spheres of 1980, a tank, four depths, the tree of one pixel, a table of
+ * error against time. --full: all tables: also of Fresnel's forms, of speed. --protocol spd: rays
+ * counted as in published results. --samples N is rounded down to a square. */
 #include "lab/measure.h"
 #include "lab/pictures.h"
-
-static void usage(const char *text)
-{
-    die(2, "%s", text);
-}
-
-/* --scene, or all of them with published results; --scale, or the usual. */
-static void protocol(const options *o, const char *name, int scale)
-{
-    if (name && !generator_find(spd_list, spd_scenes, name))
-        usage("--scene: allowed are balls, gears, mount, rings, teapot, tetra, tree");
-    for (int k = 0; k < spd_scenes; k++) {
-        const generator *g = &spd_list[k];
-        int edge = o->quick ? 32 : spd_edge, size = scale >= 0 ? scale : g->scale;
-        world w;
-        failure f;
-        spd_count c;
-        if (name ? strcmp(name, g->name) != 0 : !g->hits) continue;
-        if (!spd_world(g->name, size, &w, &f) || !spd_print_digits(&w, &f)) fail(f);
-        image im = image_new(edge + 1, edge + 1);
-        double start = clock_seconds();
-        bool whole = spd_count_scene(&w, edge, o->threads, im.rgb, &c);
-        spd_print(&w, size, &c, clock_seconds() - start);
-        if (g->hits && size == g->scale && edge == spd_edge)
-            printf("# published primary hits for %s %d: %zu\n", g->name, size, g->hits);
-        fflush(stdout);
-        if (o->out) output_picture(o, &im, "19_whitted_spd.png", true, whole);
-        image_free(&im);
-        world_free(&w);
-        if (!whole) die(130, "stopped");
-    }
-}
+#include "lab/spd_protocol.h"
 
 int main(int argc, char **argv)
 {
@@ -55,32 +22,34 @@ int main(int argc, char **argv)
         {"spend-all", OPTION_FLAG, &all, 0, 0, "trace what cannot contribute, too"}, {0}};
     options o = options_read(argc, argv, "19_whitted", "Whitted's ray tracing.",
                              (options){.width = 640, .height = 480, .seed = 1, .samples = 9}, own);
-    if (how && strcmp(how, "spd") != 0) usage("--protocol: allowed is spd");
-    if (!how && (name || scale >= 0)) usage("--scene, --scale: allowed with --protocol spd");
-    if (how && pixel[0]) usage("--tree: not allowed with --protocol");
-    if (pixel[1] > 479) usage("--tree: allowed are columns from 1 to 639, rows from 1 to 479");
-    if (pixel[0] && o.out) usage("--out: not allowed with --tree");
-    if ((how || pixel[0]) && o.csv) usage("--csv: not allowed with --protocol, --tree");
-    if ((how || pixel[0]) && all) usage("--spend-all: not allowed with --protocol, --tree");
-    if (o.out && o.csv) usage("--out draws, --csv measures: one of them");
-    if (how) {
-        protocol(&o, name, scale);
-        return 0;
-    }
-    if (pixel[0]) {
-        draw_ray_tree(&o, (real)pixel[0] + (real)0.5, (real)pixel[1] + (real)0.5);
-        return 0;
-    }
+    const struct { bool wrong; const char *text; } misuse[] = {
+        {how && strcmp(how, "spd") != 0, "--protocol: allowed is spd"},
+        {!how && (name || scale >= 0), "--scene, --scale: allowed with --protocol spd"},
+        {how && pixel[0], "--tree: not allowed with --protocol"},
+        {pixel[1] > 479, "--tree: allowed are columns from 1 to 639, rows from 1 to 479"},
+        {pixel[0] && o.out, "--out: not allowed with --tree"},
+        {(how || pixel[0]) && o.csv, "--csv: not allowed with --protocol, --tree"},
+        {(how || pixel[0]) && all, "--spend-all: not allowed with --protocol, --tree"},
+        {o.out && o.csv, "--out draws, --csv measures: one of them"}};
+    for (size_t i = 0; i < sizeof misuse / sizeof *misuse; i++)
+        if (misuse[i].wrong) die(2, "%s", misuse[i].text);
+    o.own = how || pixel[0];
+    if (how) spd_protocol(&o, name, scale);
+    if (pixel[0]) draw_ray_tree(&o, (real)pixel[0] + (real)0.5, (real)pixel[1] + (real)0.5);
+    if (o.own) return output_done(&o);
     if (o.quick && o.samples == 9) o.samples = 1;
     if (o.quick && o.width == 640 && o.height == 480) o.width = 160, o.height = 120;
     draw_two_spheres(&o, all);
-    if (o.out) return 0;
+    if (o.out) return output_done(&o);
     draw_tank(&o);
     draw_depths(&o);
     draw_ray_tree(&o, 345.5, 140.5);
+    draw_fresnel(&o);
     table_of_knobs(&o);
-    table_of_fresnel(&o);
-    table_of_speed(&o);
-    table_of_first(&o);
+    if (o.full) {
+        table_of_fresnel(&o);
+        table_of_speed(&o);
+        table_of_first(&o);
+    }
     return output_done(&o);
 }

@@ -28,8 +28,8 @@
  * Source: C. Schmidt, B. Budge, "Simple Nested Dielectrics in Ray Traced Images", journal of
  * graphics tools 7(2), 2002 (priorities).
  */
-#ifndef MEDIA_H
-#define MEDIA_H
+#ifndef WHITTED_MEDIA_H
+#define WHITTED_MEDIA_H
 
 #include "../../common/vec3.h"
 #include <stdint.h>

@@ -19,8 +19,8 @@
  *
  * Source: T. Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
  */
-#ifndef REFLECT_H
-#define REFLECT_H
+#ifndef WHITTED_REFLECT_H
+#define WHITTED_REFLECT_H
 
 #include "first.h"
 

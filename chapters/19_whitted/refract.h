@@ -29,8 +29,8 @@
  * Sources: A. Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 4, 5; T. Akenine-Möller
  * et al., "Real-Time Rendering", 4th ed., 2018, section 14.5.2.
  */
-#ifndef REFRACT_H
-#define REFRACT_H
+#ifndef WHITTED_REFRACT_H
+#define WHITTED_REFRACT_H
 
 #include "reflect.h"
 

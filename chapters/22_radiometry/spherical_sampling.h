@@ -15,7 +15,7 @@
  *
  * A rectangle is sampled by the map of Ureña et al., whose neighbours stay neighbours, unless its
  * solid angle is below 2^20 epsilon (0.125 in float), where that map knows less than 6 digits; then
- * by its two halves. No cosine and no 1/pdf is included. A sphere: sphere_cone(s, p) and sample_cone.
+ * by its two halves. No cosine and no 1/pdf is included. A sphere: sphere_cone(s, p), sample_cone.
  *
  * Points, not directions: a unit vector of float knows a light of 1e-6 as two or three places only,
  * barycentrics know it to an epsilon of its size. Those of a triangle are computed as weights, from

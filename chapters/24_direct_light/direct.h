@@ -7,7 +7,7 @@
  *   by both:        each of the two times its weight, see mis.h; two rays                   (24.7)
  *
  *   direct d = {.s = &scene, .way = DIRECT_POWER, .lights = &l, .work = &w};
- *   lights l; lights_build(&scene, LIGHTS_ALL, &l); .. lights_free(&l);
+ *   direct_lights l; direct_lights_build(&scene, LIGHTS_ALL, &l); .. direct_lights_free(&l);
  *   vec3 L = direct_light(&d, &h, wo, &sampler);     h from lit_trace, wo unit, away from h.s
  *
  *   way               draws wi by                  does well                  does badly
@@ -46,25 +46,26 @@ static const char *const direct_name[direct_ways] = {
     "uniform directions", "cosine", "BRDF", "light by area", "light by angle", "balance heuristic",
     "power heuristic", "half and half"};
 
-typedef enum { LIGHTS_ALL, LIGHTS_UNIFORM, LIGHTS_FLUX } lights_kind;
-typedef struct { lights_kind kind; choice pick; } lights;
+typedef enum { LIGHTS_ALL, LIGHTS_UNIFORM, LIGHTS_FLUX } direct_lights_kind;
+typedef struct { direct_lights_kind kind; choice pick; } direct_lights;
 typedef struct { size_t samples, direction, shadow; } direct_work;
 
 typedef struct {
     const lit_scene *s;
     direct_way way;
-    const lights *lights;
+    const direct_lights *lights;
     direct_work *work;     /* a thread's own */
     bool spend_all;
 } direct;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void lights_free(lights *l) { choice_free(&l->pick); }
+static inline void direct_lights_free(direct_lights *l) { choice_free(&l->pick); }
 
-static inline void lights_build(const lit_scene *s, lights_kind kind, lights *out)
+static inline void direct_lights_build(const lit_scene *s, direct_lights_kind kind,
+                                       direct_lights *out)
 {
-    *out = (lights){.kind = kind};
+    *out = (direct_lights){.kind = kind};
     if (kind == LIGHTS_ALL || s->emitters == 0) return;
     real *weight = allocate(s->emitters, sizeof *weight);
     for (size_t k = 0; k < s->emitters; k++) {
@@ -76,7 +77,7 @@ static inline void lights_build(const lit_scene *s, lights_kind kind, lights *ou
 }
 
 /* The probability with which light k is drawn at all. */
-static inline real lights_chance(const lights *l, size_t k)
+static inline real direct_lights_chance(const direct_lights *l, size_t k)
 {
     return l->kind == LIGHTS_ALL ? 1 : choice_probability(&l->pick, k);
 }
@@ -140,7 +141,7 @@ static inline vec3 direct_along(const direct *d, const direct_point *x, point2 u
     vec3 Le = lit_emitted(&y);
     if (vzero(Le) || vzero(weight)) return (vec3){0, 0, 0};
     if (both) {
-        real chance = lights_chance(d->lights, y.emitter);
+        real chance = direct_lights_chance(d->lights, y.emitter);
         real other = emitter_pdf_angle(&d->s->emitter[y.emitter], x->h->s.p);
         share = direct_weight(d->way, pdf, chance * other);
     }

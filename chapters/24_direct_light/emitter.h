@@ -32,8 +32,8 @@
  * Source: P. Shirley, C. Wang, K. Zimmerman, "Monte Carlo Techniques for Direct Lighting
  * Calculations", ACM TOG 15(1), 1996.
  */
-#ifndef EMITTER_H
-#define EMITTER_H
+#ifndef DIRECT_EMITTER_H
+#define DIRECT_EMITTER_H
 
 #include "../18_shade/surface.h"
 #include "../20_monte_carlo/sampler.h"

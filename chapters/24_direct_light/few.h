@@ -29,8 +29,8 @@
  * for the test of 04 itself, as in (14.3), and 16 eps times the largest coordinate for taking the
  * middle away: of weight in float only, and far from the origin.
  */
-#ifndef FEW_H
-#define FEW_H
+#ifndef DIRECT_FEW_H
+#define DIRECT_FEW_H
 
 #include "../14_bvh/bvh.h"
 

@@ -25,8 +25,8 @@
  * Nothing else can shine; Le of a cone or polygon is ignored. At equal t a triangle wins against a
  * shape, else the lower index. At most 65535 materials; no memory, or more: the program ends.
  */
-#ifndef LIT_SCENE_H
-#define LIT_SCENE_H
+#ifndef DIRECT_LIT_SCENE_H
+#define DIRECT_LIT_SCENE_H
 
 #include "../14_bvh/bvh.h"
 #include "../14_bvh/bvh_shapes.h"

@@ -23,8 +23,8 @@
  * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
  * SIGGRAPH 1995, sections 3.2 and 3.3.
  */
-#ifndef MIS_H
-#define MIS_H
+#ifndef DIRECT_MIS_H
+#define DIRECT_MIS_H
 
 #include "../../common/vec3.h"
 

@@ -22,8 +22,8 @@
  * No recursion: a stack of one node a generation, depth at most branching_most (else it is cut
  * there). The memory is that of one path; only time explodes.
  */
-#ifndef BRANCHING_H
-#define BRANCHING_H
+#ifndef BOUNCES_BRANCHING_H
+#define BOUNCES_BRANCHING_H
 
 #include "first.h"
 #include "naive_path.h"

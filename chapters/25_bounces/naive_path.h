@@ -33,8 +33,8 @@
  *
  * Source: J. Kajiya, "The Rendering Equation", SIGGRAPH 1986, section 4.
  */
-#ifndef NAIVE_PATH_H
-#define NAIVE_PATH_H
+#ifndef BOUNCES_NAIVE_PATH_H
+#define BOUNCES_NAIVE_PATH_H
 
 #include "../18_shade/leave.h"
 #include "../23_brdf/reflection.h"
@@ -134,7 +134,7 @@ __attribute__((always_inline))
 static inline bool naive_next(const naive_path *p, naive_walk *w, sampler *s, naive_counts *c)
 {
     if (w->ended) return false;
-    lit_hit x;
+    lit_hit x = {.m = NULL};
     vec3 weight;
     bool met;
     vec3 Le = naive_find(p, w->r, ++w->bounces, &x, &met, c);

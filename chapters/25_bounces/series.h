@@ -25,8 +25,8 @@
  *   bounces_forward_double           b is a float, the sum a double
  *   bounces_backward_f32             L = E + rho L, as the notes' recursion returns
  */
-#ifndef SERIES_H
-#define SERIES_H
+#ifndef BOUNCES_SERIES_H
+#define BOUNCES_SERIES_H
 
 #include "../../common/numbers/sum.h"
 

@@ -16,8 +16,8 @@
  * counts->sight counts rays of sight: none without emitters, to lights behind the surface, or from
  * what is black.
  */
-#ifndef TERMS_H
-#define TERMS_H
+#ifndef BOUNCES_TERMS_H
+#define BOUNCES_TERMS_H
 
 #include "naive_path.h"
 

@@ -31,8 +31,8 @@
  * Equation", SIGGRAPH 1986; J. Arvo, "Analytic Methods for Simulated Light Transport", PhD thesis,
  * Yale, 1995 (norms of K); C. Goral et al., SIGGRAPH 1984 (radiosity, 辐射度方法).
  */
-#ifndef TRANSPORT_H
-#define TRANSPORT_H
+#ifndef BOUNCES_TRANSPORT_H
+#define BOUNCES_TRANSPORT_H
 
 #include "../../common/file.h"
 #include "../../common/vec3.h"

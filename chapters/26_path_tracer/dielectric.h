@@ -16,8 +16,8 @@
  *
  * Source: E. Veach, thesis, Stanford, 1997, section 5.2 (the factor (26.2)).
  */
-#ifndef DIELECTRIC_H
-#define DIELECTRIC_H
+#ifndef PATH_DIELECTRIC_H
+#define PATH_DIELECTRIC_H
 
 #include "../19_whitted/absorb.h"
 #include "../19_whitted/fresnel.h"

@@ -19,8 +19,8 @@
  * A texel has one colour all over, so L / pdf of a grey one is the same for every sample: against a
  * surface that reflects evenly, the only noise is that of its cosine and of shadows.
  */
-#ifndef ENVIRONMENT_H
-#define ENVIRONMENT_H
+#ifndef PATH_ENVIRONMENT_H
+#define PATH_ENVIRONMENT_H
 
 #include "../../common/image.h"
 #include "../20_monte_carlo/discrete.h"

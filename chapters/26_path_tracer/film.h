@@ -23,8 +23,8 @@
  * Price: two halves of N/2 points, not one set of N: what stratification gains beyond 1/N grows a
  * little later.
  */
-#ifndef FILM_H
-#define FILM_H
+#ifndef PATH_FILM_H
+#define PATH_FILM_H
 
 #include "../../common/image.h"
 #include "tally.h"

@@ -1,11 +1,11 @@
 /* lights.h: one of a scene's lights, the brighter the more often, and a point of it.
  *
- *   lights l;
- *   lights_of(&scene, sky, &l);                       sky: NULL, or an environment
- *   lights_sample(&l, p, u, &x)                       false: this sample brings nothing
- *   real q = lights_pdf(&l, emitter, p, t, cosine)   of drawing a point of it, t away
- *   real q = lights_pdf_sky(&l, d)                    ... of drawing d, which meets nothing
- *   lights_free(&l)
+ *   path_lights l;
+ *   path_lights_of(&scene, sky, &l);                       sky: NULL, or an environment
+ *   path_lights_sample(&l, p, u, &x)                       false: this sample brings nothing
+ *   real q = path_lights_pdf(&l, emitter, p, t, cosine)   of drawing a point of it, t away
+ *   real q = path_lights_pdf_sky(&l, d)                    ... of drawing d, which meets nothing
+ *   path_lights_free(&l)
  *
  *   P(light) ~ area x radiance: the power that it gives off, but for a factor pi           (26.10)
  *   pdf(wi) = P(light) pdf of the point seen from p (24.4), (24.5)                          [1/sr]
@@ -16,8 +16,8 @@
  *
  * A constant background is no light here: BRDF directions find it at no cost.
  */
-#ifndef LIGHTS_H
-#define LIGHTS_H
+#ifndef PATH_LIGHTS_H
+#define PATH_LIGHTS_H
 
 #include "../20_monte_carlo/sampling.h"
 #include "../18_shade/leave.h"
@@ -29,7 +29,7 @@ typedef struct {
     const environment *sky;
     choice of;              /* emitters by power; empty if there is one or none */
     real emitters, skies;   /* probability of either kind */
-} lights;
+} path_lights;
 
 typedef struct {
     vec3 wi, Le;
@@ -40,12 +40,12 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void lights_free(lights *l) { choice_free(&l->of); }
+static inline void path_lights_free(path_lights *l) { choice_free(&l->of); }
 
-static inline void lights_of(const lit_scene *s, const environment *sky, lights *out)
+static inline void path_lights_of(const lit_scene *s, const environment *sky, path_lights *out)
 {
     size_t n = s->emitters;
-    *out = (lights){.scene = s, .sky = sky};
+    *out = (path_lights){.scene = s, .sky = sky};
     out->emitters = n == 0 ? 0 : sky ? (real)0.5 : 1;
     out->skies = sky ? 1 - out->emitters : 0;
     if (n < 2) return;
@@ -58,15 +58,15 @@ static inline void lights_of(const lit_scene *s, const environment *sky, lights 
     free(power);
 }
 
-static inline bool lights_some(const lights *l) { return l->emitters + l->skies > 0; }
+static inline bool path_lights_some(const path_lights *l) { return l->emitters + l->skies > 0; }
 
-static inline real lights_chance(const lights *l, uint32_t i)
+static inline real path_lights_chance(const path_lights *l, uint32_t i)
 {
     return l->of.n ? l->emitters * choice_probability(&l->of, i) : l->emitters;
 }
 
 __attribute__((always_inline))
-static inline bool lights_sample(const lights *l, vec3 p, point2 u, light_draw *out)
+static inline bool path_lights_sample(const path_lights *l, vec3 p, point2 u, light_draw *out)
 {
     emitter_point x;
     out->emitter = 0;
@@ -96,14 +96,14 @@ static inline bool lights_sample(const lights *l, vec3 p, point2 u, light_draw *
 
 /* Of x, at distance t from p, where the emitter is met at this cosine [> 0]. */
 __attribute__((always_inline))
-static inline real lights_pdf(const lights *l, uint32_t i, vec3 p, real t, real cosine)
+static inline real path_lights_pdf(const path_lights *l, uint32_t i, vec3 p, real t, real cosine)
 {
     const emitter *e = &l->scene->emitter[i];
     real pdf = e->kind == EMITTER_SPHERE ? emitter_pdf_angle(e, p) : t * t / (e->area * cosine);
-    return lights_chance(l, i) * pdf;
+    return path_lights_chance(l, i) * pdf;
 }
 
-static inline real lights_pdf_sky(const lights *l, vec3 d)
+static inline real path_lights_pdf_sky(const path_lights *l, vec3 d)
 {
     return l->skies > 0 ? l->skies * environment_pdf(l->sky, d) : 0;
 }

@@ -1,8 +1,8 @@
 /* 26_path_tracer: the whole: light sampling, BRDF sampling, roulette, glass; states that add up.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chapters/26_path_tracer/main.c -lm -lpthread
- * Without options: pictures, and error against time for every strategy. With --scene, --samples,
- * --error, --time ...: one picture. Errors are measured against a reference of many samples, which
- * a test compares with the naive path of 25. */
+ * Without options: two pictures, and error and time of every strategy; --full: all pictures, plots
+ * and tables. With a model, --scene, --samples, --error, --time ...: one picture. Errors are
+ * measured against a reference of many samples, which a test compares with the naive path of 25. */
 #include "lab/pictures.h"
 
 int main(int argc, char **argv)
@@ -31,8 +31,10 @@ int main(int argc, char **argv)
         command_run(&c, &o);
         return output_done(&o);
     }
-    draw_cornell(&o), draw_others(&o), draw_strategies(&o);
+    draw_cornell(&o);
+    if (!o.out) draw_strategies(&o);
+    if (!o.out && o.full) draw_spheres(&o), draw_furnace(&o);
     measure_strategies(&o);
-    measure_speed(&o);
+    if (o.full) measure_speed(&o);
     return output_done(&o);
 }

@@ -63,7 +63,7 @@ typedef struct {
 typedef struct {
     const lit_scene *scene;
     const environment *sky;
-    lights light;
+    path_lights light;
     path_options how;
     bool glass, plain;       /* plain: flat matte triangles, no sky, defaults: see path_radiance */
 } path_tracer;
@@ -81,13 +81,13 @@ static inline void path_counts_add(path_counts *to, const path_counts *c)
     to->refractions += c->refractions, to->spent += c->spent;
 }
 
-static inline void path_tracer_free(path_tracer *t) { lights_free(&t->light); }
+static inline void path_tracer_free(path_tracer *t) { path_lights_free(&t->light); }
 
 static inline void path_tracer_of(const lit_scene *s, const environment *sky, path_options how,
                                   path_tracer *out)
 {
     *out = (path_tracer){.scene = s, .sky = sky, .how = how};
-    lights_of(s, sky, &out->light);
+    path_lights_of(s, sky, &out->light);
     bool matte = true;
     for (size_t i = 0; i < s->materials; i++) {
         out->glass = out->glass || s->material[i].ior > 0;
@@ -139,7 +139,7 @@ static inline vec3 path_found(const path_tracer *t, const path_walk *w, const li
     vec3 Le = x->m->Le;
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return Le;
     if (!t->how.mis) return (vec3){0, 0, 0};
-    real q = lights_pdf(&t->light, x->emitter, w->from.p, x->t, fabs(vdot(x->s.n, w->r.d)));
+    real q = path_lights_pdf(&t->light, x->emitter, w->from.p, x->t, fabs(vdot(x->s.n, w->r.d)));
     return vscale(Le, mis_power(w->pdf, q));
 }
 
@@ -150,7 +150,7 @@ static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
     vec3 L = environment_radiance(t->sky, d);
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return L;
     if (!t->how.mis) return (vec3){0, 0, 0};
-    return vscale(L, mis_power(w->pdf, lights_pdf_sky(&t->light, d)));
+    return vscale(L, mis_power(w->pdf, path_lights_pdf_sky(&t->light, d)));
 }
 
 /* (26.11), first half. wo is local to f. */
@@ -160,7 +160,7 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
 {
     light_draw l;
     c->light_draws++;
-    if (!lights_sample(&t->light, x->s.p, u, &l)) return;
+    if (!path_lights_sample(&t->light, x->s.p, u, &l)) return;
     vec3 wi = to_local(f, l.wi);
     bool lit = vdot(x->s.n, l.wi) > 0 && !brdf_behind(wi);
     if (!lit && !t->how.spend_all) return;
@@ -220,7 +220,7 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
     shading_frame f = shading_frame_of(x->s.ns);
     vec3 local = to_local(f, wo);
     point2 for_light = path_pair(s), for_brdf = path_pair(s);
-    if (t->how.light_sampling && lights_some(&t->light) && !brdf_is_delta(b))
+    if (t->how.light_sampling && path_lights_some(&t->light) && !brdf_is_delta(b))
         path_light(t, w, x, f, local, for_light, c);
     if (!brdf_sample_local(b, local, for_brdf.u, for_brdf.v, &wi, &w->pdf, &weight)) return false;
     wi = to_world(f, wi);

@@ -17,8 +17,8 @@
  *
  * The sample k of pixel i uses the random numbers of (seed, i, k) alone (film.h: halves).
  */
-#ifndef RENDER_H
-#define RENDER_H
+#ifndef PATH_RENDER_H
+#define PATH_RENDER_H
 
 #include "../02_camera/camera.h"
 #include "../../common/parallel.h"

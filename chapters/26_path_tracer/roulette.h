@@ -18,8 +18,8 @@
  *
  * Source: J. Arvo, D. Kirk, "Particle Transport and Image Synthesis", SIGGRAPH 1990.
  */
-#ifndef ROULETTE_H
-#define ROULETTE_H
+#ifndef PATH_ROULETTE_H
+#define PATH_ROULETTE_H
 
 #include "../../common/vec3.h"
 

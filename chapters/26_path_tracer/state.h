@@ -19,8 +19,8 @@
  *
  * Source of FNV-1a: G. Fowler, L. Noll, P. Vo, 1991. It finds accidents, not forgers.
  */
-#ifndef STATE_H
-#define STATE_H
+#ifndef PATH_STATE_H
+#define PATH_STATE_H
 
 #include "film.h"
 

@@ -15,8 +15,8 @@
  * 2^5 samples of 2^60 overflow: 32 times 1e18. What rounding takes from a mean is below 2^-62,
  * 2e-19.
  */
-#ifndef TALLY_H
-#define TALLY_H
+#ifndef PATH_TALLY_H
+#define PATH_TALLY_H
 
 #include "../../common/vec3.h"
 #include <stdint.h>

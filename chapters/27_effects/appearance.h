@@ -32,8 +32,8 @@
  * illum 8 and 9 have reflection maps in MTL, 10 catches shadows only: neither is simulated, they
  * are drawn as above. Ke emits whatever illum is.
  */
-#ifndef APPEARANCE_H
-#define APPEARANCE_H
+#ifndef EFFECTS_APPEARANCE_H
+#define EFFECTS_APPEARANCE_H
 
 #include "studio.h"
 

@@ -15,8 +15,8 @@
  * As in 26, samples k and k + 1 belong to halves that share nothing, so that their difference tells
  * the error (26.12). Down to depth dice_depth pairs are Sobol's, further ones are independent.
  */
-#ifndef DICE_H
-#define DICE_H
+#ifndef EFFECTS_DICE_H
+#define EFFECTS_DICE_H
 
 #include "../20_monte_carlo/sampler.h"
 

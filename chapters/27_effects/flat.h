@@ -7,8 +7,8 @@
  * or z = constant, exactly: then a ray that leaves it never meets it again. Lamps are taken for
  * what they reflect, not for what they emit. Nothing at all is flat.
  */
-#ifndef FLAT_H
-#define FLAT_H
+#ifndef EFFECTS_FLAT_H
+#define EFFECTS_FLAT_H
 
 #include "appearance.h"
 

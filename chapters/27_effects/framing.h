@@ -21,8 +21,8 @@
  * taken again. `up` says which way is up: s.up. Up by y: the front is +z, up by z: -y, as Blender
  * has it. False, exit code 2: the scene is so large or small that no camera has numbers for it.
  */
-#ifndef FRAMING_H
-#define FRAMING_H
+#ifndef EFFECTS_FRAMING_H
+#define EFFECTS_FRAMING_H
 
 #include "../02_camera/camera.h"
 #include "studio.h"
@@ -109,7 +109,8 @@ static inline bool studio_camera(const studio *s, real aspect, studio_view *view
     camera_frame c;
     failure why;
     *view = s->view, *out = (camera){.kind = CAMERA_PERSPECTIVE};
-    if (!view->given && !framing_find(s, aspect, view, f)) return false;
+    if (!view->given && !framing_find(s, aspect, view, &why))
+        return failed(f, 2, "%.300s: %.150s", name_text(&s->files, s->files.n > 1), why.text);
     if (frame_look_at(view->from, view->at, view->up, &c, &why)
         && camera_perspective(c, view->angle, aspect, out, &why)) return true;
     return failed(f, 2, "%.300s: camera: %.150s", studio_said(s, view->said, said, sizeof said),

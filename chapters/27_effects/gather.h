@@ -1,6 +1,6 @@
 /* gather.h: light that reaches a surface straight from lights, lamps and sky: shadow rays.
  *
- *   gather_share k = gather_shares(a, cosine, ..)    what the surface does with light, by part
+ *   gather_share k                what the surface does with light, by part: radiance.h fills it in
  *   vec3 L = gather(e, mask, b, &s, &k, lobe, dice, counts)
  *
  *   hard shadows   each point light and sun (18.1), (18.2)
@@ -13,8 +13,8 @@
  *
  * No ray: a light that is behind the surface, black, or one for which nothing is reflected.
  */
-#ifndef GATHER_H
-#define GATHER_H
+#ifndef EFFECTS_GATHER_H
+#define EFFECTS_GATHER_H
 
 #include "stage.h"
 #include "../24_direct_light/mis.h"
@@ -50,7 +50,7 @@ static inline void effects_clock(const unsigned mask, effects_counts *c, int kin
 
 /* surface_of_shape of 18, and of balls 19's, which takes no root. */
 __attribute__((always_inline))
-static inline surface effects_surface(const stage *e, ray r, studio_hit x)
+static inline surface effects_surface(const effects_stage *e, ray r, studio_hit x)
 {
     const shape *s = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
     if (!s || s->kind != SHAPE_SPHERE) return studio_surface(&e->t, r, x);
@@ -87,7 +87,7 @@ static inline bool effects_shapes_alone(const studio_tree *t)
 }
 
 __attribute__((always_inline))
-static inline bool effects_hit(const stage *e, ray r, uint32_t from, studio_hit *x)
+static inline bool effects_hit(const effects_stage *e, ray r, uint32_t from, studio_hit *x)
 {
     const studio_tree *t = &e->t;
     if (!effects_shapes_alone(t)) return studio_tree_hit(t, r, x);
@@ -97,7 +97,7 @@ static inline bool effects_hit(const stage *e, ray r, uint32_t from, studio_hit 
 }
 
 __attribute__((always_inline))
-static inline bool effects_occluded(const stage *e, ray r, uint32_t from)
+static inline bool effects_occluded(const effects_stage *e, ray r, uint32_t from)
 {
     const studio_tree *t = &e->t;
     if (!effects_shapes_alone(t)) return studio_tree_occluded(t, r);
@@ -106,7 +106,7 @@ static inline bool effects_occluded(const stage *e, ray r, uint32_t from)
 }
 
 /* What of the light comes through where materials are clear: those that do not bend. */
-static inline vec3 gather_clear(const stage *e, ray r)
+static inline vec3 gather_clear(const effects_stage *e, ray r)
 {
     vec3 left = {1, 1, 1}, end = ray_at(r, r.tmax);
     for (int k = 0; k < stage_most_depth; k++) {
@@ -126,7 +126,7 @@ static inline vec3 gather_clear(const stage *e, ray r)
 
 /* False: nothing arrives. */
 __attribute__((always_inline))
-static inline bool gather_passes(const stage *e, const unsigned mask, ray r, uint32_t from,
+static inline bool gather_passes(const effects_stage *e, const unsigned mask, ray r, uint32_t from,
                                  int kind, int then, effects_counts *c, vec3 *left)
 {
     bool passes;
@@ -143,7 +143,8 @@ static inline bool gather_passes(const stage *e, const unsigned mask, ray r, uin
 
 /* f cos w of all parts, for light from wi that was drawn with this pdf. */
 __attribute__((always_inline))
-static inline vec3 gather_reflects(const stage *e, const unsigned mask, const gather_share *k,
+static inline vec3 gather_reflects(const effects_stage *e, const unsigned mask,
+                                   const gather_share *k,
                                    const brdf *lobe, const surface *s, vec3 wi, vec3 wo, real pdf)
 {
     real c = vdot(s->ns, wi);
@@ -163,7 +164,7 @@ static inline vec3 gather_reflects(const stage *e, const unsigned mask, const ga
 }
 
 __attribute__((always_inline))
-static inline vec3 gather_lights(const stage *e, const unsigned mask, const branch *b,
+static inline vec3 gather_lights(const effects_stage *e, const unsigned mask, const branch *b,
                                  const surface *s, const gather_share *k, const brdf *lobe,
                                  bool lit, effects_counts *c)
 {
@@ -191,7 +192,7 @@ static inline vec3 gather_lights(const stage *e, const unsigned mask, const bran
 
 /* (27.8), of a lamp or of the sky: `at` is where the light comes from, NULL: from infinity. */
 __attribute__((always_inline))
-static inline vec3 gather_sample(const stage *e, const unsigned mask, const branch *b,
+static inline vec3 gather_sample(const effects_stage *e, const unsigned mask, const branch *b,
                                  const surface *s, const gather_share *k, const brdf *lobe,
                                  bool lit, int kind, vec3 wi, vec3 Le, real pdf, const surface *at,
                                  effects_counts *c)
@@ -207,7 +208,8 @@ static inline vec3 gather_sample(const stage *e, const unsigned mask, const bran
 }
 
 __attribute__((always_inline))
-static inline vec3 gather(const stage *e, const unsigned mask, const branch *b, const surface *s,
+static inline vec3 gather(const effects_stage *e, const unsigned mask, const branch *b,
+                          const surface *s,
                           const gather_share *k, const brdf *lobe, const dice *d, effects_counts *c)
 {
     vec3 sum = {0, 0, 0};

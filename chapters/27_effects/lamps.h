@@ -15,8 +15,8 @@
  * MTL says nothing of a front: faces emit to both sides, and p draws from the side that it is on.
  * Spheres emit to both sides, too, and are drawn from the side of their normal alone.
  */
-#ifndef LAMPS_H
-#define LAMPS_H
+#ifndef EFFECTS_LAMPS_H
+#define EFFECTS_LAMPS_H
 
 #include "../20_monte_carlo/discrete.h"
 #include "../24_direct_light/emitter.h"

@@ -11,8 +11,8 @@
  *
  * A background is for the eye, also in mirrors; after a matte bounce it is black: it lights nobody.
  */
-#ifndef MET_H
-#define MET_H
+#ifndef EFFECTS_MET_H
+#define EFFECTS_MET_H
 
 #include "gather.h"
 
@@ -21,8 +21,8 @@
 /* Light that the ray itself has met; q: the pdf with which a shadow ray would have. `by`: the
  * effect whose shadow rays these are. */
 __attribute__((always_inline))
-static inline real effects_found(const stage *e, const unsigned mask, const branch *b, unsigned by,
-                                 real q)
+static inline real effects_found(const effects_stage *e, const unsigned mask, const branch *b,
+                                 unsigned by, real q)
 {
     if (!(b->pdf < real_infinity)) return 1;
     if (b->kind == 6 && (!(mask & by) || !(e->counted & EFFECT_INDIRECT))) return 0;
@@ -31,9 +31,9 @@ static inline real effects_found(const stage *e, const unsigned mask, const bran
 
 /* Nothing is met. After a bounce a background is no light. */
 __attribute__((always_inline))
-static inline vec3 effects_nothing(const stage *e, const unsigned mask, const branch *b)
+static inline vec3 effects_nothing(const effects_stage *e, const unsigned mask, const branch *b)
 {
-    const sky *s = e->sky.s;
+    const effects_sky *s = e->sky.s;
     vec3 L = sky_radiance(s, b->r.d);
     if (s->kind == SKY_NONE) {
         if (b->bounced) return (vec3){0, 0, 0};
@@ -47,7 +47,7 @@ static inline vec3 effects_nothing(const stage *e, const unsigned mask, const br
 }
 
 __attribute__((always_inline))
-static inline vec3 effects_emitted(const stage *e, const unsigned mask, const branch *b,
+static inline vec3 effects_emitted(const effects_stage *e, const unsigned mask, const branch *b,
                                    const appearance *a, studio_hit x, const surface *s)
 {
     vec3 L = a->emits;

@@ -11,8 +11,8 @@
  *
  * Source: G. Fowler, L. Noll, K. Vo, FNV hash, 1991.
  */
-#ifndef NAME_TABLE_H
-#define NAME_TABLE_H
+#ifndef EFFECTS_NAME_TABLE_H
+#define EFFECTS_NAME_TABLE_H
 
 #include "../../common/file.h"
 

@@ -19,8 +19,8 @@
  *
  * Source: G. Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975.
  */
-#ifndef PATCH_H
-#define PATCH_H
+#ifndef EFFECTS_PATCH_H
+#define EFFECTS_PATCH_H
 
 #include "../07_mesh/polygon.h"
 

@@ -31,8 +31,8 @@
  * black: then each ray carries a lamp of its own, a matte surface at angle theta shows
  * (matte + highlight + glossy) |cos theta|, and no shadow is there to be seen, so none is traced.
  */
-#ifndef PLAN_H
-#define PLAN_H
+#ifndef EFFECTS_PLAN_H
+#define EFFECTS_PLAN_H
 
 #include "effect.h"
 #include "flat.h"

@@ -25,8 +25,8 @@
  * Not simulated: shadow rays are stopped by what bends light, so that caustics (焦散) come from
  * indirect light alone; faces of glass that touch other faces are taken one by one (19: contact.h).
  */
-#ifndef RADIANCE_H
-#define RADIANCE_H
+#ifndef EFFECTS_RADIANCE_H
+#define EFFECTS_RADIANCE_H
 
 #include "met.h"
 #include "../../common/headlight.h"
@@ -36,7 +36,7 @@
 
 /* Is a branch of this weight worth a ray? By chance: then what survives stands for the rest. */
 __attribute__((always_inline))
-static inline bool effects_follows(const stage *e, const unsigned mask, const branch *b,
+static inline bool effects_follows(const effects_stage *e, const unsigned mask, const branch *b,
                                    dice_purpose purpose, const dice *d, vec3 *weight)
 {
     vec3 w = *weight;
@@ -67,7 +67,7 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
 
 /* Rays about the mirror direction (kind 3) or anywhere (6). */
 __attribute__((always_inline))
-static inline int effects_spread(const stage *e, const unsigned mask, const branch *b,
+static inline int effects_spread(const effects_stage *e, const unsigned mask, const branch *b,
                                  const surface *s, int kind, vec3 colour, const brdf *lobe,
                                  const dice *d, branch *c)
 {
@@ -93,7 +93,7 @@ static inline int effects_spread(const stage *e, const unsigned mask, const bran
 
 /* Through the surface; back where all is reflected. Media: `after` lies behind it. */
 __attribute__((always_inline))
-static inline int effects_through(const stage *e, const unsigned mask, const branch *b,
+static inline int effects_through(const effects_stage *e, const unsigned mask, const branch *b,
                                   const surface *s, vec3 colour, const snell *x, bool bends,
                                   const media_set *after, const dice *d, branch *c)
 {
@@ -134,7 +134,7 @@ static inline gather_share effects_shares(const unsigned mask, const appearance 
 
 /* Its children, the one to be traced first last. */
 __attribute__((always_inline))
-static inline int effects_children(const stage *e, const unsigned mask, const branch *b,
+static inline int effects_children(const effects_stage *e, const unsigned mask, const branch *b,
                                    const surface *s, const gather_share *k, const brdf *lobe,
                                    const snell *x, bool bends, const media_set *after,
                                    const dice *d, branch child[4])
@@ -163,7 +163,7 @@ static inline int effects_children(const stage *e, const unsigned mask, const br
  *
  * A call, since it is for few hits, and nine copies would be compiled. */
 __attribute__((noinline))
-static uint32_t effects_crosses(const stage *e, uint32_t body, bool inwards, media_set *in,
+static uint32_t effects_crosses(const effects_stage *e, uint32_t body, bool inwards, media_set *in,
                                 media_set *after)
 {
     uint32_t k = in->n;
@@ -182,7 +182,7 @@ static uint32_t effects_crosses(const stage *e, uint32_t body, bool inwards, med
 
 /* One ray: adds what it brings to *sum; how many children. */
 __attribute__((always_inline))
-static inline int effects_step(const stage *e, const unsigned mask, branch *b, vec3 *sum,
+static inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
                                branch child[4], const dice *d, effects_counts *c)
 {
     studio_hit x;
@@ -233,8 +233,8 @@ static inline int effects_step(const stage *e, const unsigned mask, branch *b, v
 /* The children of a hit are written beside it, so that the next is at hand without being copied; of
  * each level at most three wait. */
 __attribute__((always_inline))
-static inline vec3 effects_radiance(const stage *e, ray eye, media_set in, const unsigned mask,
-                                    const dice *d, effects_counts *c)
+static inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
+                                    const unsigned mask, const dice *d, effects_counts *c)
 {
     branch stack[3 * stage_most_depth + 4], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};

@@ -21,8 +21,8 @@
  *
  * Source: P. Debevec, "Rendering Synthetic Objects into Real Scenes", SIGGRAPH 1998.
  */
-#ifndef SKY_H
-#define SKY_H
+#ifndef EFFECTS_SKY_H
+#define EFFECTS_SKY_H
 
 #include "../../common/image.h"
 #include "../01_ray/affine.h"
@@ -35,19 +35,19 @@ typedef struct {
     vec3 up, front, right;  /* unit, at right angles */
     real scale;             /* of the picture */
     image picture;          /* owned; rgb is finite and not negative (see sky_check) */
-} sky;
+} effects_sky;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void sky_free(sky *s)
+static inline void sky_free(effects_sky *s)
 {
     image_free(&s->picture);
-    *s = (sky){.kind = SKY_NONE};
+    *s = (effects_sky){.kind = SKY_NONE};
 }
 
 /* Unturned, the middle of the picture is seen along the first axis that is not up, backwards:
  * -z with y up, as a camera looks that was not turned; +y with z up. */
-static inline void sky_aim(sky *s, int up, real degrees)
+static inline void sky_aim(effects_sky *s, int up, real degrees)
 {
     static const int axis[3][2][3] = {{{1, 0, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, 0, -1}},
                                       {{0, 0, 1}, {0, 1, 0}}};
@@ -59,7 +59,7 @@ static inline void sky_aim(sky *s, int up, real degrees)
 }
 
 /* (27.2). The comparisons come before the conversion, and a NaN becomes pixel 0. */
-static inline vec3 sky_pixel(const sky *s, vec3 d)
+static inline vec3 sky_pixel(const effects_sky *s, vec3 d)
 {
     const image *im = &s->picture;
     d = vunit(d);
@@ -71,7 +71,7 @@ static inline vec3 sky_pixel(const sky *s, vec3 d)
     return image_get(im, i, j);
 }
 
-static inline vec3 sky_radiance(const sky *s, vec3 d)
+static inline vec3 sky_radiance(const effects_sky *s, vec3 d)
 {
     switch (s->kind) {
     case SKY_NONE: return s->background;
@@ -86,7 +86,7 @@ static inline vec3 sky_radiance(const sky *s, vec3 d)
 }
 
 /* Black or not: of a picture, whether any pixel is. O(pixels). */
-static inline bool sky_lights(const sky *s)
+static inline bool sky_lights(const effects_sky *s)
 {
     size_t n = 3 * (size_t)s->picture.width * (size_t)s->picture.height;
     switch (s->kind) {

@@ -10,14 +10,14 @@
  *   picture                as its luminance (26.7), by 26's environment, whose pole is +y and whose
  *                          first column looks along +x: d' = (-d.front, d.up, -d.right)    (27.7)
  */
-#ifndef SKY_LIGHT_H
-#define SKY_LIGHT_H
+#ifndef EFFECTS_SKY_LIGHT_H
+#define EFFECTS_SKY_LIGHT_H
 
 #include "../23_brdf/shading_frame.h"
 #include "../26_path_tracer/environment.h"
 #include "sky.h"
 
-typedef struct { const sky *s; environment picture; bool by_picture; } sky_light;
+typedef struct { const effects_sky *s; environment picture; bool by_picture; } sky_light;
 typedef struct { vec3 wi, L; real pdf; } sky_draw;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -28,7 +28,7 @@ static inline void sky_light_free(sky_light *l)
     *l = (sky_light){.s = NULL};
 }
 
-static inline bool sky_light_build(const sky *s, sky_light *out, failure *f)
+static inline bool sky_light_build(const effects_sky *s, sky_light *out, failure *f)
 {
     *out = (sky_light){.s = s, .by_picture = s->kind == SKY_IMAGE && sky_lights(s)};
     if (!out->by_picture || environment_of_image(&s->picture, &out->picture, f)) return true;
@@ -37,14 +37,14 @@ static inline bool sky_light_build(const sky *s, sky_light *out, failure *f)
 }
 
 /* (27.7) */
-static inline vec3 sky_light_local(const sky *s, vec3 d)
+static inline vec3 sky_light_local(const effects_sky *s, vec3 d)
 {
     return (vec3){-vdot(d, s->front), vdot(d, s->up), -vdot(d, s->right)};
 }
 
 static inline bool sky_light_sample(const sky_light *l, vec3 n, point2 u, sky_draw *out)
 {
-    const sky *s = l->s;
+    const effects_sky *s = l->s;
     if (l->by_picture) {
         vec3 d;
         environment_sample(&l->picture, u, &d, &out->pdf, &out->L);

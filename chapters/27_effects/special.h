@@ -6,18 +6,19 @@
  * Each line below is a copy of the function in which the compiler knows the mask: no test of it is
  * left at run time, no code, no registers for what the scene does not call for.
  */
-#ifndef SPECIAL_H
-#define SPECIAL_H
+#ifndef EFFECTS_SPECIAL_H
+#define EFFECTS_SPECIAL_H
 
 #include "radiance.h"
 
-typedef vec3 effects_function(const stage *e, ray r, media_set in, const dice *d,
+typedef vec3 effects_function(const effects_stage *e, ray r, media_set in, const dice *d,
                               effects_counts *c);
 
 /* ---------------------------------------------------------------------------------------------- */
 
 #define EFFECTS_COMPILED(name, mask)                                                             \
-    static vec3 name(const stage *e, ray r, media_set in, const dice *d, effects_counts *c)      \
+    static vec3 name(const effects_stage *e, ray r, media_set in, const dice *d,                 \
+                     effects_counts *c)                                                          \
     {                                                                                            \
         return effects_radiance(e, r, in, mask, d, c);                                           \
     }

@@ -1,10 +1,10 @@
 /* stage.h: a scene made ready for light: trees, lamps, sky, lobes, media; and what is to be done.
  *
- *   stage e;
- *   if (!stage_build(&s, &p, &e, &f)) fail(f);      s, p must outlive it
- *   stage_effects(&e, mask, spend)                  what to simulate from now on; see below
- *   e.eye = camera; e.lens, e.hither                stage_view(&e, &view, camera) sets them
- *   stage_free(&e);
+ *   effects_stage e;
+ *   if (!effects_stage_build(&s, &p, &e, &f)) fail(f);      s, p must outlive it
+ *   effects_stage_effects(&e, mask, spend)                  what to simulate from now on; see below
+ *   e.eye = camera; e.lens, e.hither                effects_stage_view(&e, &view, camera) sets them
+ *   effects_stage_free(&e);
  *
  *   mask     effects that are simulated (effect.h)
  *   spend    all of them at every hit, whether it has a part in them or not: what a renderer does
@@ -16,8 +16,8 @@
  *
  *   effects_counts c = {0};           rays by effect; absorption: segments; depth: rays of the eye
  */
-#ifndef STAGE_H
-#define STAGE_H
+#ifndef EFFECTS_STAGE_H
+#define EFFECTS_STAGE_H
 
 #include "../19_whitted/whitted.h"  /* before sky.h: it has a `sky` of its own */
 #include "../21_distributed/lens.h"
@@ -61,20 +61,20 @@ typedef struct {
     camera eye;
     thin_lens lens;
     real hither;
-} stage;
+} effects_stage;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void stage_free(stage *e)
+static inline void effects_stage_free(effects_stage *e)
 {
     studio_tree_free(&e->t);
     lamps_free(&e->lamp);
     sky_light_free(&e->sky);
     free(e->lobe), free(e->media), free(e->light);
-    *e = (stage){.s = NULL};
+    *e = (effects_stage){.s = NULL};
 }
 
-static inline void stage_effects(stage *e, unsigned mask, bool spend)
+static inline void effects_stage_effects(effects_stage *e, unsigned mask, bool spend)
 {
     e->counted = spend ? mask & e->p->effects : mask;
     e->mask = mask | (spend ? EFFECTS_SPEND : 0);
@@ -82,7 +82,7 @@ static inline void stage_effects(stage *e, unsigned mask, bool spend)
     e->depth = e->chance ? stage_most_depth : 12;
 }
 
-static inline void stage_materials(stage *e)
+static inline void effects_stage_materials(effects_stage *e)
 {
     const studio *s = e->s;
     const vec3 black = {0, 0, 0}, white = {1, 1, 1};
@@ -97,24 +97,25 @@ static inline void stage_materials(stage *e)
     }
 }
 
-static inline bool stage_build(const studio *s, const plan *p, stage *out, failure *f)
+static inline bool effects_stage_build(const studio *s, const plan *p, effects_stage *out,
+                                       failure *f)
 {
-    *out = (stage){.s = s, .p = p, .look = p->look, .least = (real)1 / 512};
+    *out = (effects_stage){.s = s, .p = p, .look = p->look, .least = (real)1 / 512};
     if (!studio_tree_build(s, &out->t, f)) return false;
     if (!sky_light_build(&s->sky, &out->sky, f)) {
         studio_tree_free(&out->t);
         return false;
     }
     lamps_build(&out->t, &out->lamp);
-    stage_materials(out);
+    effects_stage_materials(out);
     out->lights = (int)s->lights;
     out->light = allocate(s->lights, sizeof *out->light);
     for (size_t i = 0; i < s->lights; i++) out->light[i] = s->light[i].light;
-    stage_effects(out, p->effects, false);
+    effects_stage_effects(out, p->effects, false);
     return true;
 }
 
-static inline void stage_view(stage *e, const studio_view *v, camera c)
+static inline void effects_stage_view(effects_stage *e, const studio_view *v, camera c)
 {
     e->eye = c;
     e->lens = (thin_lens){e->s->lens.radius, studio_focus(e->s, v)};

@@ -27,8 +27,8 @@
  * studio_finish so that E is pi times what the file says where the camera looks at (without a
  * camera: in the middle of the scene), so that a matte white surface there is as bright as it says.
  */
-#ifndef STUDIO_H
-#define STUDIO_H
+#ifndef EFFECTS_STUDIO_H
+#define EFFECTS_STUDIO_H
 
 #include "../16_instances/crowd.h"
 #include "../18_shade/leave.h"
@@ -90,11 +90,12 @@ typedef struct {
         corner_room, mesh_room, paint_room, placed_room, placing_room, light_room, emitter_room;
     studio_view view;
     studio_lens lens;
-    sky sky;
+    effects_sky sky;
     cite sky_said, background_said;
     int up;                    /* 0, 1, 2: x, y, z is upwards, where nothing else says so; y */
     char *notes;               /* a line each: what was read but not understood */
     size_t note_count, note_size, note_room;
+    uint32_t warned;           /* a bit for each of these lines that nobody should miss */
     size_t files_read;
 } studio;
 
@@ -144,6 +145,12 @@ static inline void studio_note(studio *s, const char *format, ...)
     for (const char *p = text; *p; p++)
         s->notes[s->note_size++] = (unsigned char)*p < ' ' || *p == 127 ? '?' : *p;
     s->notes[s->note_size++] = '\n', s->notes[s->note_size] = 0;
+}
+
+/* The note just made is more than that: something will not look as it was meant to. */
+static inline void studio_warns(studio *s)
+{
+    if (s->note_count <= studio_most_notes) s->warned |= (uint32_t)1 << (s->note_count - 1);
 }
 
 static inline const char *studio_said(const studio *s, cite c, char *text, size_t room)

@@ -10,8 +10,8 @@
  *
  * Then studio_finish (finish.h), once.
  */
-#ifndef STUDIO_ADD_H
-#define STUDIO_ADD_H
+#ifndef EFFECTS_STUDIO_ADD_H
+#define EFFECTS_STUDIO_ADD_H
 
 #include "studio.h"
 

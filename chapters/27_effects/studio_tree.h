@@ -18,8 +18,8 @@
  * The surface of an instance: its triangle with the corners taken to the world. What rounding moves
  * on the way there and back is the pad of (16.3); it goes on top of `error` and of `noise`.
  */
-#ifndef STUDIO_TREE_H
-#define STUDIO_TREE_H
+#ifndef EFFECTS_STUDIO_TREE_H
+#define EFFECTS_STUDIO_TREE_H
 
 #include "../14_bvh/bvh_shapes.h"
 #include "../16_instances/instances.h"

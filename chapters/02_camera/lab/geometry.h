@@ -76,7 +76,7 @@ static inline void camera_draw_window(camera_sheet *s, first_camera c)
                     i % c.ny ? 0.6 : 2, FIGURE_WHOLE);
     camera_edge(s, r.o, ray_at(r, 1), FIGURE_BLUE, 2.5, FIGURE_WHOLE);
     camera_name(s, ray_at(r, 2.6), 4, -8, FIGURE_BLUE, "*o* + _t_ *d*");
-    camera_name(s, vscale(vadd(c.e, middle), (real)0.5), -4, 18, FIGURE_BLACK, "_d_");
+    camera_name(s, vscale(vadd(c.e, middle), (real)0.5), 24, 5, FIGURE_BLACK, "_d_");
     camera_name(s, camera_window_at(c, 0, c.ny / 2.0), -21, -6, FIGURE_BLACK, "left");
     camera_name(s, camera_window_at(c, c.nx, c.ny / 2.0), 22, 4, FIGURE_BLACK, "right");
     camera_name(s, camera_window_at(c, c.nx / 2.0, 0), 0, -8, FIGURE_BLACK, "top");
@@ -99,8 +99,8 @@ static inline void camera_draw_side(figure *g, first_camera c, bool parallel)
                      -(double)vdot(to, c.w), (double)vdot(to, c.v), FIGURE_BLUE, 1.2);
     }
     figure_line(g, d, -top, d, top, FIGURE_BLACK, 3, FIGURE_WHOLE);
-    figure_dot(g, 0, 0, 6, FIGURE_RED);
-    figure_text(g, 0, 0, -12, 5, FIGURE_RIGHT, FIGURE_RED, "*e*");
+    figure_dot(g, 0, 0, 6, FIGURE_BLACK);
+    figure_text(g, 0, 0, -12, 5, FIGURE_RIGHT, FIGURE_BLACK, "*e*");
     if (parallel) figure_text(g, d, top, 0, -8, FIGURE_MIDDLE, FIGURE_BLACK, "top");
     else figure_text(g, d, top, -8, -12, FIGURE_RIGHT, FIGURE_BLACK, "top = tan(\xcf\x86/2)");
 }

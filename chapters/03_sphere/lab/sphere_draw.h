@@ -1,8 +1,9 @@
 /* sphere_draw.h: the pictures of this chapter.
  *
- *   sphere_draw(&o)           a sphere through a long lens from 500, 1000, 2000 and 5000 radii:
- *                             above by first.h in float, below by sphere_hit; |n.d|, red where a
- *                             ray through the disc misses, blue where a ray beside it hits
+ *   sphere_draw(&o)           a sphere through a long lens from 1e7, 2e7, 5e7 and 1e8 radii, in
+ *                             float from 500, 1000, 2000 and 5000: above by first.h, below by
+ *                             sphere_hit; |n.d|, red where a ray through the disc misses, blue
+ *                             where a ray beside it hits
  *   sphere_draw_map(&o)       across: the distance, 1 to 1e6 radii; up: how far the ray passes from
  *                             the centre, 0 to 1.2 radii; red and blue as above, grey where the
  *                             answer is right: the darker, the farther the hit is off the surface;
@@ -26,7 +27,9 @@ static inline void sphere_draw_geometry(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { image *im; int columns, rows; sphere_hit_function *const *X_hit; } sphere_panels;
+enum { sphere_columns = 4, sphere_rows = 2 };
+/* title: of the strip above each panel; key: of the one below all; gap: right of each [pixels]. */
+typedef struct { image *im; int title, key, gap; } sphere_panels;
 
 static const vec3 sphere_red = {0.8, 0.1, 0.05};
 static const vec3 sphere_blue = {0.05, 0.25, 0.8};
@@ -40,38 +43,72 @@ static inline ray sphere_view(real far, real x, real y)
     return ray_from(o, vsub(vadd(vscale(right, x), vscale(up, y)), o));
 }
 
+static inline real sphere_panel_far(int column)
+{
+    static const real near[sphere_columns] = {500, 1000, 2000, 5000};
+    static const real far[sphere_columns] = {10000000, 20000000, 50000000, 100000000};
+    return real_is_float ? near[column] : far[column];
+}
+
+/* Both rows compute in the precision of this build. */
 static inline void sphere_draw_pixel(int x, int y, void *context)
 {
+    static sphere_hit_function *const X_hit[sphere_rows] = {first_sphere_hit, sphere_hit};
     const sphere_panels *p = context;
-    static const real distance[4] = {500, 1000, 2000, 5000};
-    int w = p->im->width / p->columns, h = p->im->height / p->rows;
+    int w = p->im->width / sphere_columns, strip = (p->im->height - p->key) / sphere_rows;
     if (w == 0) w = 1;  /* a picture smaller than its panels shows only some */
-    if (h == 0) h = 1;
-    int column = x / w < p->columns ? x / w : p->columns - 1;
-    int row = y / h < p->rows ? y / h : p->rows - 1;
+    if (strip == 0) strip = 1;
+    int column = x / w, row = y / strip, h = strip - p->title, down = y - row * strip - p->title;
+    vec3 c = {1, 1, 1};
+    int right = x - column * w;
+    if (column >= sphere_columns || row >= sphere_rows || down < 0 || right >= w - p->gap) {
+        image_set(p->im, x, y, c);
+        return;
+    }
     real half = 0.5, scale = (real)2.3 / (real)(w < h ? w : h);
-    real across = (real)(x - column * w) + half - (real)w / 2;
-    real up = (real)h / 2 - (real)(y - row * h) - half;
-    ray r = sphere_view(distance[column], across * scale, up * scale);
+    real across = (real)right + half - (real)(w - p->gap) / 2;
+    real up = (real)h / 2 - (real)down - half;
+    ray r = sphere_view(sphere_panel_far(column), across * scale, up * scale);
     sphere ball = {{0, 0, 0}, 1};
     hit found;
-    bool is = p->X_hit[row](ball, r, &found), due = sphere_clearance(ball, r) <= 0;
-    vec3 c = {0.02, 0.02, 0.03};
+    bool is = X_hit[row](ball, r, &found), due = sphere_clearance(ball, r) <= 0;
     if (is != due) c = due ? sphere_red : sphere_blue;
     else if (is) {
         /* The textbook divides by R and trusts that the point is on the surface. */
         vec3 at = ray_at(r, found.t), n = row ? sphere_normal(ball, sphere_point(ball, at)) : at;
-        c = headlight(n, r.d);
+        c = vscale(headlight(n, r.d), (real)0.8);
     }
     image_set(p->im, x, y, c);
 }
 
+static inline void sphere_key(image *im, int x, int y, vec3 colour, const char *text)
+{
+    label_fill(im, x, y, 18, 18, colour);
+    label_text(im, x + 26, y + 14, 11, 0, vec(0, 0, 0), text);
+}
+
 static inline void sphere_draw(const options *o)
 {
-    static sphere_hit_function *const X_hit[2] = {sphere_hit_first_f32, sphere_hit};
+    static const char *const near[sphere_columns] = {"500", "1000", "2000", "5000"};
+    static const char *const far[sphere_columns] = {"1e7", "2e7", "5e7", "1e8"};
+    bool room = o->width >= 880 && o->height >= 400;  /* for words */
     image im = image_new(o->width, o->height);
-    sphere_panels p = {&im, 4, 2, X_hit};
+    sphere_panels p = {&im, room ? 26 : 0, room ? 34 : 0, room ? 6 : 0};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "sphere", sphere_draw_pixel, &p);
+    for (int k = 0; room && k < sphere_rows * sphere_columns; k++) {
+        int column = k % sphere_columns, y = k / sphere_columns * ((im.height - p.key) / 2);
+        char title[64];
+        snprintf(title, sizeof title, "%sfrom %s R", column ? "" :
+                 k ? "sphere_hit, " : real_is_float ? "first.h, float, " : "first.h, double, ",
+                 (real_is_float ? near : far)[column]);
+        double middle = column * (im.width / 4) + (im.width / 4 - p.gap) / 2.0;
+        label_text(&im, middle, y + 18, 12, 0.5, vec(0, 0, 0), title);
+    }
+    if (room) {
+        sphere_key(&im, 30, im.height - 26, sphere_red, "misses, but should hit");
+        sphere_key(&im, 290, im.height - 26, sphere_blue, "hits, but should miss");
+        sphere_key(&im, 540, im.height - 26, vec(0, 0, 0), "hits, but b^2 - 4ac came out as 0");
+    }
     output_picture(o, &im, "03_sphere.png", true, whole);
     image_free(&im);
 }
@@ -124,11 +161,8 @@ static inline void sphere_map_axes(image *sheet, int x, const char *title)
 
 static inline void sphere_map_key(image *sheet, int y)
 {
-    const vec3 black = {0, 0, 0};
-    label_fill(sheet, 44, y, 20, 20, sphere_red);
-    label_text(sheet, 72, y + 15, 11, 0, black, "misses, but should hit");
-    label_fill(sheet, 310, y, 20, 20, sphere_blue);
-    label_text(sheet, 338, y + 15, 11, 0, black, "hits, but should miss");
+    sphere_key(sheet, 44, y, sphere_red, "misses, but should hit");
+    sphere_key(sheet, 310, y, sphere_blue, "hits, but should miss");
     label_bar(sheet, 570, y, 370, 10, sphere_map_grey, 1e-9, 1, "hits, off the surface by [R]");
 }
 

@@ -33,10 +33,10 @@ static inline bool sphere_roots_first_f32(sphere s, ray r, real *t0, real *t1)
     float fy = (float)r.o.y - (float)s.c.y, dy = (float)r.d.y;
     float fz = (float)r.o.z - (float)s.c.z, dz = (float)r.d.z;
     float a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
-    float D = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
-    if (!(D >= 0)) return false;
-    *t0 = (real)((-b - sqrtf(D)) / (2 * a));
-    *t1 = (real)((-b + sqrtf(D)) / (2 * a));
+    float disc = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
+    if (!(disc >= 0)) return false;
+    *t0 = (real)((-b - sqrtf(disc)) / (2 * a));
+    *t1 = (real)((-b + sqrtf(disc)) / (2 * a));
     return true;
 }
 
@@ -46,10 +46,10 @@ static inline bool sphere_roots_in_double(sphere s, ray r, real *t0, real *t1)
     double fy = (double)r.o.y - (double)s.c.y, dy = (double)r.d.y;
     double fz = (double)r.o.z - (double)s.c.z, dz = (double)r.d.z;
     double a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
-    double D = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
-    if (!(D >= 0)) return false;
-    *t0 = (real)((-b - sqrt(D)) / (2 * a));
-    *t1 = (real)((-b + sqrt(D)) / (2 * a));
+    double disc = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
+    if (!(disc >= 0)) return false;
+    *t0 = (real)((-b - sqrt(disc)) / (2 * a));
+    *t1 = (real)((-b + sqrt(disc)) / (2 * a));
     return true;
 }
 

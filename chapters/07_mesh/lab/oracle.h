@@ -1,7 +1,7 @@
 /* oracle.h: the hits of cone.h and polygon.h with 32 digits, to measure errors against.
  *
  *   cone_truth x = cone_exact(c, r);      x.hit, x.t: first hit of the side in the interval
- *   polygon_truth y = polygon_exact(p, n, r);
+ *   polygon_truth y = polygon_exact(p, r);
  *
  * Both also tell how close the call was, in `margin`: 0 on the border between hit and miss. Every
  * real is a wide without error, so the answers are right for the very numbers that the tested

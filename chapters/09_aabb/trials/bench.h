@@ -3,17 +3,18 @@
  *   trial_scene s;                                        must stay where it is: s.x points into it
  *   trial_scene_of(teapot_mesh(8), &s);                   takes the mesh; no rays yet
  *   s.rays[TRIAL_PRIMARY] = rays_primary(camera, 160, 100);                rays of your own, or:
- *   trial_rays(&s, camera, 160, 100, 1000, seed, &v, &how);    primary ones; diffuse ones from where
- *                                     they hit, as v finds it; 1000 at corners and where they are due
+ *   trial_rays(&s, camera, 160, 100, 1000, seed, &v, &how);   primary ones; diffuse ones from where
+ *                                     they hit, as v finds it; 1000 at corners, and what is due
  *   trial_row row[] = {{.name = "middle", .verbs = &v, .how = &how}, ..};
- *   trial_run(row, n, &s, 5);         builds, counts, compares with brute force; then all of them in
+ *   trials_run(row, n, &s, 5);        builds, counts, compares with brute force; then all in
  *                                     turn, 5 rounds and one to warm up, for each kind of rays
  *   table t = trial_table("..", row, n, &s, o.full, NULL);     a row each, and one of brute force
  *   trial_end(row, n), trial_scene_free(&s);
  *
- *   TRIAL_VERBS(kdtree, kdtree, kdtree_hit, kdtree_hit_counted)    makes kdtree_trial, the trial_verbs
- *                                     of a structure that has the verbs of structure.h; another
- *                                     search of the same structure: TRIAL_SEARCH(name, X, search)
+ *   TRIAL_VERBS(kdtree, kdtree, kdtree_hit, kdtree_hit_counted)   makes kdtree_trial, trial_verbs
+ *                                     of a structure that has the verbs of structure.h
+ *   TRIAL_OTHER(naive, kdtree, kdtree, kdtree_hit_naive)           makes naive_trial, of another
+ *                                     search of the same structure; its work is not counted
  *   TRIAL_FIRST(first_bvh, build)     makes first_bvh_trial, of a first.h; its hits count as wrong
  *                                     where first_is_wrong (07) says so
  *
@@ -30,7 +31,8 @@
 #include "../items.h"
 #include "survey.h"
 
-typedef enum { TRIAL_PRIMARY, TRIAL_DIFFUSE, TRIAL_UNIFORM, TRIAL_CORNERS, trial_kinds } trial_kind;
+typedef enum { TRIAL_PRIMARY, TRIAL_DIFFUSE, TRIAL_UNIFORM, TRIAL_CORNERS, trial_kinds }
+    trial_rays_kind;
 static const char *const trial_kind_name[trial_kinds] = {"primary", "diffuse", "uniform",
                                                          "corners"};
 
@@ -49,7 +51,7 @@ typedef struct {
     bool (*build)(const trial_scene *s, const void *how, void *out, failure *f);
     bool (*hit)(const void *b, ray r, hit *out);
     bool (*hit_counted)(const void *b, ray r, hit *out, search_work *w);  /* NULL: nobody counts */
-    size_t (*search)(const void *b, const ray_set *rays, size_t step);  /* hits; its search inlined */
+    size_t (*search)(const void *b, const ray_set *rays, size_t step);  /* hits; inlined */
     structure_stats (*stats)(const void *b);                              /* NULL: likewise */
     void (*free)(void *b);
     bool first;                  /* of a first.h: counts tests only, and rounds otherwise */
@@ -65,7 +67,7 @@ typedef struct {
     double build;                /* seconds */
     structure_stats stats;
     size_t wrong;                /* hits at corners that are not due */
-    struct { search_work work; size_t n; double seconds, spread; } ray[trial_kinds];  /* of n rays */
+    struct { search_work work; size_t n; double seconds, spread; } ray[trial_kinds];  /* n rays */
 } trial_row;
 
 /* Columns of a chapter's own, behind those of size: names with | before each, and their cells. */
@@ -103,6 +105,13 @@ typedef struct { const char *names; void (*cells)(table *t, const trial_row *r);
     static const trial_verbs id##_trial = {sizeof(X), id##_trial_build, id##_trial_hit,          \
                                            id##_trial_counted, id##_trial_search,                \
                                            id##_trial_stats, id##_trial_free, false};
+
+/* The structure of `base`, searched in another way. */
+#define TRIAL_OTHER(id, base, X, search)                                                         \
+    TRIAL_SEARCH(id, X, search)                                                                  \
+    static const trial_verbs id##_trial = {sizeof(X), base##_trial_build, id##_trial_hit, NULL,  \
+                                           id##_trial_search, base##_trial_stats,                \
+                                           base##_trial_free, false};
 
 /* build: statements that build b->s from b->m, in the way that *(const bool *)how may choose. */
 #define TRIAL_FIRST(X, building)                                                                 \
@@ -254,7 +263,7 @@ static inline double trial_pass_run(void *pass)
     return (double)p->r->verbs->search(p->r->built, p->rays, p->r->step ? p->r->step : 1);
 }
 
-static inline void trial_search(trial_row *row, int n, const trial_scene *s, trial_kind kind,
+static inline void trial_search(trial_row *row, int n, const trial_scene *s, trial_rays_kind kind,
                                 int rounds)
 {
     const ray_set *rays = &s->rays[kind];
@@ -287,17 +296,17 @@ static inline void trial_time_build(trial_row *r, const trial_scene *s, int most
     r->build = clock_median(seconds, done);
 }
 
-/* rounds [at least 1]. What is built stays in row[i].built until trial_end. */
-static inline void trial_run(trial_row *row, int n, const trial_scene *s, int rounds)
+/* rounds [at least 1; from 5 on they build again, too]. What is built stays until trial_end. */
+static inline void trials_run(trial_row *row, int n, const trial_scene *s, int rounds)
 {
     for (int i = 0; i < n; i++) {
         if (i > 0 && row[i].again) row[i].built = row[i - 1].built, row[i].build = row[i - 1].build;
-        else trial_time_build(&row[i], s, rounds);
+        else trial_time_build(&row[i], s, rounds < 5 ? 1 : rounds);
         if (row[i].verbs->stats) row[i].stats = row[i].verbs->stats(row[i].built);
         if (s->due) row[i].wrong = trial_wrong(&row[i], s);
     }
     for (int k = 0; k < TRIAL_CORNERS; k++)
-        if (s->rays[k].n) trial_search(row, n, s, (trial_kind)k, rounds);
+        if (s->rays[k].n) trial_search(row, n, s, (trial_rays_kind)k, rounds);
 }
 
 static inline void trial_end(trial_row *row, int n)
@@ -317,7 +326,7 @@ static inline search_work trial_sum(const trial_row *r, size_t *rays)
     return w;
 }
 
-static inline double trial_ns(const trial_row *r, trial_kind k)
+static inline double trial_ns(const trial_row *r, trial_rays_kind k)
 {
     return trial_per(r->ray[k].seconds * 1e9, r->ray[k].n);
 }
@@ -359,7 +368,7 @@ static inline void trial_cells(table *t, const trial_row *r, const trial_scene *
     table_count(t, r->wrong);
     for (int k = 0; k < TRIAL_CORNERS; k++) {
         if (!trial_shown(s, k, full)) continue;
-        table_number(t, trial_ns(r, (trial_kind)k));
+        table_number(t, trial_ns(r, (trial_rays_kind)k));
         spread = fmax(spread, r->ray[k].spread);
     }
     if (full) table_number(t, 100 * spread);
@@ -380,7 +389,7 @@ static inline table trial_table(const char *title, const trial_row *row, int n,
     snprintf(names + at, sizeof names - (size_t)at, "%s", full ? "|time spread [%]" : "");
     table t = table_new(title, names);
     for (int i = 0; i < n; i++) trial_cells(&t, &row[i], s, full, own);
-    if (!s->brute) return t;
+    if (s->brute <= 0) return t;
     size_t before = 0;  /* columns between the name and the tests */
     while (strncmp(t.cell[before], "tests", 5) != 0) before++;
     table_text(&t, "brute force");

@@ -59,7 +59,7 @@ static inline void trial_grow(const options *o, const trial_growth *g)
         trial_rays(&s, trial_camera(&s.m, 1.6), g->width, g->width * 5 / 8, corners, o->seed,
                    g->verbs, g->how);
         rays_free(&s.rays[TRIAL_PRIMARY]);
-        trial_run(&r, 1, &s, s.m.triangles < 500000 ? 3 : 1);
+        trials_run(&r, 1, &s, s.m.triangles < 500000 ? 3 : 1);
         search_work w = r.ray[TRIAL_DIFFUSE].work;
         size_t rays = r.ray[TRIAL_DIFFUSE].n;
         double n = (double)s.m.triangles, ns = trial_ns(&r, TRIAL_DIFFUSE);
@@ -78,7 +78,8 @@ static inline void trial_grow(const options *o, const trial_growth *g)
     output_extra_table(o, &out);
     printf("# fitted: build ~ n^%.2f; build / (n log2 n) within a factor %.2f from 1e3 on\n",
            bench_slope(x, build, g->sizes), greatest / least);
-    printf("# fitted: a diffuse ray passes %.2f more nodes for each doubling of n; time ~ n^%.2f\n\n",
+    printf("# fitted: a diffuse ray passes %.2f more nodes for each doubling of n; "
+           "time ~ n^%.2f\n\n",
            bench_slope(x, nodes, g->sizes), bench_slope(x, search, g->sizes));
     plot_slope(&p, 1, "slope 1");
     output_plot(o, &p, g->plots[0]);

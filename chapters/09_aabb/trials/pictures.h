@@ -4,7 +4,7 @@
  *   bool whole = pixels_draw(&im, 3, threads, "picture", trial_mesh_colour, &p);   headlight
  *   bool whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p);      black nothing,
  *                                                   white p.most nodes and tests together
- *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all);   n panels of the mesh of s,
+ *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all); n panels of the mesh of s,
  *                                     two in a row, each with its structure, built as how[k] says
  */
 #ifndef TRIALS_PICTURES_H
@@ -49,7 +49,15 @@ static inline vec3 trial_work_colour(const void *picture, real x, real y)
     return work_colour((real)(w.nodes + w.tests) / p->most);
 }
 
-/* verbs, most: of p; the mesh of s; camera: z up or y. */
+typedef struct { trial_row *row; const trial_scene *s; } trial_builds;
+
+static inline void trial_build_one(size_t i, void *builds)
+{
+    trial_builds *b = builds;
+    trial_build(&b->row[i], b->s);
+}
+
+/* verbs, most: of p; the mesh of s; camera: z up or y; n [1, 16]. */
 static inline bool trial_draw_work(const trial_scene *s, trial_picture p, bool z_up, int across,
                                    const void *const *how, int n, int threads, image *all)
 {
@@ -57,16 +65,19 @@ static inline bool trial_draw_work(const trial_scene *s, trial_picture p, bool z
     vec3 lo, hi;
     int down = (n + across - 1) / across;
     mesh_bounds(&s->m, &lo, &hi);
+    trial_row row[16];
+    trial_builds builds = {row, s};
+    for (int k = 0; k < n; k++) row[k] = (trial_row){.verbs = p.verbs, .how = how[k]};
+    parallel_for((size_t)n, threads, "building", trial_build_one, &builds);
     for (int k = 0; k < n; k++) {
-        trial_row r = {.verbs = p.verbs, .how = how[k]};
+        if (!row[k].built) return false;
         image im = image_new(all->width > across ? all->width / across : 1,
                              all->height > down ? all->height / down : 1);
-        trial_build(&r, s);
-        p.built = r.built, p.m = &s->m, p.width = im.width, p.height = im.height;
+        p.built = row[k].built, p.m = &s->m, p.width = im.width, p.height = im.height;
         p.camera = camera_of(lo, hi, z_up, (real)im.width / (real)im.height);
         whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p) && whole;
         image_place(all, k % across * im.width, k / across * im.height, &im);
-        trial_unbuild(&r), image_free(&im);
+        trial_unbuild(&row[k]), image_free(&im);
     }
     return whole;
 }

@@ -6,7 +6,6 @@
  *   ray_set u = rays_uniform(box, n, seed);        lines through a box, uniformly distributed:
  *                              origin uniform on its surface, direction by the cosine law
  *   rays_free(&s);
- *   slope_of(x, y, n)                              of y over x, by least squares
  *
  * hits: one for each ray of s, hit_none where there is none; any structure may have found them.
  */
@@ -94,14 +93,6 @@ static inline ray_set rays_uniform(aabb box, size_t n, uint64_t seed)
         s.r[i] = ray_from(o, diffuse_direction(n_in, &g));
     }
     return s;
-}
-
-/* Slope of y over x by least squares. */
-static inline double slope_of(const double *x, const double *y, int n)
-{
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int i = 0; i < n; i++) sx += x[i], sy += y[i], sxx += x[i] * x[i], sxy += x[i] * y[i];
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
 #endif

@@ -9,8 +9,8 @@
  *   d.error     how far the walls that they are about to pass are from where they think; the
  *               largest of all [cells]
  */
-#ifndef DRIFT_H
-#define DRIFT_H
+#ifndef GRID_DRIFT_H
+#define GRID_DRIFT_H
 
 #include "../../../common/random.h"
 #include "../walk.h"

@@ -1,6 +1,7 @@
-/* measure.h: the tables and plots of this chapter.
+/* measure.h: the tables and plots of this chapter (09_aabb/trials/bench.h).
  *
- *   measure_variants(o)          wrong hits against time
+ *   measure_variants(o)          wrong hits and time; the main table
+ *   plot_wrong(o)                wrong hits against time, for 1 to 243 cells a shape
  *   measure_density(o)           time against cells an item, on four scenes
  *   measure_stadium(o)           one level and two, where cells of one size cannot serve
  *   measure_drift(o)             how far a walk of up to 1e5 cells goes astray
@@ -9,308 +10,218 @@
 #define GRID_MEASURE_H
 
 #include "../../../common/lab/report.h"
-#include "../../../common/parallel.h"
-#include "bench.h"
-#include "drift.h"
 #include "../first.h"
-#include "../../09_aabb/trials/first_row.h"
-#include "naive.h"
 #include "../nested.h"
+#include "drift.h"
+#include "naive.h"
+#include "scenes.h"
 #include "specks.h"
+
+TRIAL_VERBS(grid, grid, grid_hit, grid_hit_counted)
+TRIAL_VERBS(nested, nested, nested_hit, nested_hit_counted)
+TRIAL_OTHER(grid_early, grid, grid, grid_hit_early)
+TRIAL_OTHER(grid_naive, grid, grid, grid_hit_naive)
+TRIAL_FIRST(first_grid, b->s = first_grid_build(&b->m))
+
+typedef struct { const char *name; const trial_verbs *verbs; grid_options how; } grid_candidate;
+
+#define GRID_HOW(density, exact, mailbox) {density, exact, mailbox, (size_t)1 << 30}
+
+/* The first seven are the short table. */
+enum { grid_short = 7, grid_candidates = 11 };
+static const grid_candidate grid_candidate_list[grid_candidates] = {
+    {"first", &first_grid_trial, GRID_HOW(27, false, false)},
+    {"t added up, float", &grid_naive_trial, GRID_HOW(27, true, true)},
+    {"first hit accepted", &grid_early_trial, GRID_HOW(27, true, true)},
+    {"grid_hit", &grid_trial, GRID_HOW(27, true, true)},
+    {"marked by bounds", &grid_trial, GRID_HOW(27, false, true)},
+    {"1 cell a shape", &grid_trial, GRID_HOW(1, true, true)},
+    {"two levels", &nested_trial, GRID_HOW(27, true, true)},
+    {"no mailbox", &grid_trial, GRID_HOW(27, true, false)},
+    {"by bounds, no mailbox", &grid_trial, GRID_HOW(27, false, false)},
+    {"10 cells a shape", &grid_trial, GRID_HOW(10, true, true)},
+    {"100 cells a shape", &grid_trial, GRID_HOW(100, true, true)}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Searches every ray; returns a sum that depends on all hits. */
-#define GRID_RUN(name, type, hit_of)                                                           \
-    static double name(void *context)                                                          \
-    {                                                                                          \
-        const grid_run *c = context;                                                           \
-        double sum = 0;                                                                        \
-        for (size_t i = 0; i < c->rays->n; i++) {                                              \
-            hit h = {0, 0, 0, 0};                                                              \
-            hit_of((const type *)c->built, c->rays->r[i], &h);                                 \
-            sum += (double)h.t;                                                                \
-            if (c->hits) c->hits[i] = h;                                                       \
-        }                                                                                      \
-        return sum;                                                                            \
-    }
-
-typedef struct { const void *built; const ray_set *rays; hit *hits; } grid_run;
-GRID_RUN(run_default, grid, grid_hit)
-GRID_RUN(run_early, grid, grid_hit_early)
-GRID_RUN(run_naive, grid, grid_hit_naive)
-GRID_RUN(run_nested, nested, nested_hit)
-
-static inline double per_ray(size_t count, const ray_set *rays)
+static inline trial_row grid_row(const grid_candidate *c)
 {
-    return rays->n ? (double)count / (double)rays->n : 0;
-}
-
-static inline search_work grid_work(const grid *g, const ray_set *rays)
-{
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    for (size_t i = 0; i < rays->n; i++) grid_hit_counted(g, rays->r[i], &h, &w);
-    return w;
-}
-
-static inline search_work nested_work(const nested *x, const ray_set *rays)
-{
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    for (size_t i = 0; i < rays->n; i++) nested_hit_counted(x, rays->r[i], &h, &w);
-    return w;
+    static nested_options two;
+    two = nested_defaults;
+    bool nest = c->verbs == &nested_trial;
+    return (trial_row){.name = c->name, .verbs = c->verbs,
+                       .how = nest ? (const void *)&two : (const void *)&c->how};
 }
 
 /* ---- wrong hits against time ---- */
 
-typedef struct { const items *x; const ray_set *rays; hit *h; } brute_job;
-
-static void brute_one(size_t i, void *context)
+/* Eye rays, and one on from each of their hits; all of them are judged, too. */
+static inline void grid_teapot(const options *o, trial_scene *s)
 {
-    const brute_job *j = context;
-    j->h[i] = (hit){0, 0, 0, 0};
-    items_hit(j->x, j->rays->r[i], &j->h[i]);
-}
-
-/* Per cent of the rays whose hit is not that of brute force. */
-static inline double wrong_hits(double (*run)(void *), const void *built, const ray_set *rays,
-                                const hit *expected)
-{
-    size_t wrong = 0;
-    hit *h = allocate(rays->n, sizeof *h);
-    grid_run c = {built, rays, h};
-    run(&c);
-    for (size_t i = 0; i < rays->n; i++)
-        wrong += h[i].t != expected[i].t || h[i].shape != expected[i].shape;
-    free(h);
-    return 100 * per_ray(wrong, rays);
-}
-
-static inline hit *brute_hits(const items *x, const ray_set *rays, int threads)
-{
-    hit *h = allocate(rays->n, sizeof *h);
-    brute_job job = {x, rays, h};
-    parallel_for(rays->n, threads, "brute force", brute_one, &job);
-    return h;
-}
-
-/* What the rows of the table are built and searched with. */
-typedef struct { const char *name; double density; bool exact, mailbox; } variant;
-enum { variants = 10, first_naive = 0, first_early = 1, two_levels = 9 };
-static const variant variant_list[variants] = {
-    {"t added up, float", 27, true, true}, {"first hit accepted", 27, true, true},
-    {"grid_hit", 27, true, true},          {"marked by bounds", 27, false, true},
-    {"no mailbox", 27, true, false},       {"by bounds, no mailbox", 27, false, false},
-    {"1 cell a shape", 1, true, true},     {"10 cells a shape", 10, true, true},
-    {"100 cells a shape", 100, true, true}, {"two levels", 0, true, true}};
-
-typedef struct { grid g; nested n; double (*run)(void *); } built_variant;
-
-static inline const void *variant_built(const built_variant *b, int k)
-{
-    return k == two_levels ? (const void *)&b->n : (const void *)&b->g;
-}
-
-static inline void variant_build(int k, const items *x, built_variant *b)
-{
-    const variant *v = &variant_list[k];
-    grid_options how = {v->density, v->exact, v->mailbox, grid_defaults.most_bytes};
-    failure f;
-    *b = (built_variant){.run = k == first_naive   ? run_naive
-                                : k == first_early ? run_early
-                                : k == two_levels  ? run_nested
-                                                   : run_default};
-    if (k == two_levels ? !nested_build(x, nested_defaults, &b->n, &f)
-                        : !grid_build(x, how, &b->g, &f)) fail(f);
-}
-
-static inline void variant_free(built_variant *b) { grid_free(&b->g), nested_free(&b->n); }
-
-/* A mesh, rays and their hits by brute force; each variant builds it anew. */
-typedef struct { mesh m; items x; ray_set rays; hit *h; } side_scene;
-
-static inline double side_wrong(int k, const side_scene *s)
-{
-    built_variant b;
-    variant_build(k, &s->x, &b);
-    double wrong = wrong_hits(b.run, variant_built(&b, k), &s->rays, s->h);
-    variant_free(&b);
-    return wrong;
-}
-
-static inline void side_free(side_scene *s)
-{
-    mesh_free(&s->m), rays_free(&s->rays), free(s->h);
+    int width = o->quick ? 40 : o->full ? 130 : 60, height = width * 8 / 13;
+    trial_scene_of(teapot_mesh(o->full ? 10 : 4), s);
+    trial_rays(s, trial_camera(&s->m, (real)width / (real)height), width, height, 0, o->seed,
+               &grid_trial, &grid_candidate_list[3].how);
+    ray_set *p = &s->rays[TRIAL_PRIMARY], *d = &s->rays[TRIAL_DIFFUSE];
+    ray_set all = {allocate(p->n + d->n, sizeof(ray)), p->n + d->n};
+    memcpy(all.r, p->r, p->n * sizeof(ray)), memcpy(all.r + p->n, d->r, d->n * sizeof(ray));
+    s->rays[TRIAL_CORNERS] = all;
+    trial_due(s, false);
 }
 
 /* Lines through large triangles: each is in many cells. */
-static inline void boards_make(const options *o, side_scene *s)
+static inline void grid_board_scene(const options *o, trial_scene *s)
 {
-    s->m = bench_boards(o->quick ? 50 : 200, o->seed), s->x = items_of_mesh(&s->m);
-    s->rays = rays_uniform((aabb){{-1, -1, -1}, {1, 1, 1}}, o->quick ? 500 : 10000, o->seed);
-    s->h = brute_hits(&s->x, &s->rays, o->threads);
+    trial_scene_of(grid_boards(o->full ? 200 : 100, o->seed), s);
+    s->rays[TRIAL_CORNERS] = rays_uniform((aabb){{-1, -1, -1}, {1, 1, 1}}, o->full ? 10000 : 2000,
+                                          o->seed);
+    trial_due(s, false);
 }
 
-static inline void specks_make(const options *o, side_scene *s)
+/* Specks beside the walls of a grid that is built with `how`, rays aimed at them. */
+static inline void grid_speck_scene(const options *o, grid_options how, trial_scene *s)
 {
-    size_t n = o->quick ? 1000 : 20000;
-    s->m = specks_mesh(o->quick ? 300 : 2000, grid_defaults, o->seed);
-    s->x = items_of_mesh(&s->m);
-    s->rays = (ray_set){allocate(n, sizeof(ray)), n};
-    for (size_t i = 0; i < n; i++) s->rays.r[i] = specks_ray(&s->m, o->seed, i);
-    s->h = brute_hits(&s->x, &s->rays, o->threads);
+    size_t n = o->full ? 20000 : 5000;
+    trial_scene_of(specks_mesh(o->full ? 2000 : 1000, how, o->seed), s);
+    s->rays[TRIAL_CORNERS] = (ray_set){allocate(n, sizeof(ray)), n};
+    for (size_t i = 0; i < n; i++)
+        s->rays[TRIAL_CORNERS].r[i] = specks_ray(&s->m, o->seed, i);
+    trial_due(s, false);
 }
 
-/* Eye rays, and one on from each of their hits. */
-static inline ray_set teapot_rays(const mesh *m, int width, int height, uint64_t seed, int threads)
+/* Per cent of the judged rays of s whose hit is not that of brute force. */
+static inline double grid_wrong(trial_row r, const trial_scene *s)
 {
-    vec3 lo, hi;
-    mesh_bounds(m, &lo, &hi);
-    items x = items_of_mesh(m);
-    ray_set p = rays_primary(camera_of(lo, hi, true, (real)width / (real)height), width, height);
-    hit *h = brute_hits(&x, &p, threads);
-    for (size_t i = 0; i < p.n; i++) if (h[i].t == 0) h[i] = hit_none;
-    ray_set d = rays_diffuse(m, &p, h, seed), all = {allocate(p.n + d.n, sizeof(ray)), p.n + d.n};
-    memcpy(all.r, p.r, p.n * sizeof(ray)), memcpy(all.r + p.n, d.r, d.n * sizeof(ray));
-    free(h), rays_free(&p), rays_free(&d);
-    return all;
+    r.built = NULL;
+    trial_build(&r, s);
+    double wrong = 100 * trial_per((double)trial_wrong(&r, s), s->rays[TRIAL_CORNERS].n);
+    trial_unbuild(&r);
+    return wrong;
 }
 
-static inline bool first_grid_search(const void *g, ray r, hit *out)
+/* Of primary and diffuse rays together [ns]. */
+static inline double grid_ns(const trial_row *r)
 {
-    return first_grid_hit(g, r, out);
-}
-
-/* Per cent of wrong hits. */
-static inline double first_side_wrong(const mesh *m, const ray_set *rays, const hit *brute)
-{
-    first_mesh f = first_mesh_of(m);
-    first_grid g = first_grid_build(&f);
-    size_t wrong = first_wrong((first_search){&g, first_grid_search}, rays, brute);
-    first_grid_free(&g), first_mesh_free(&f);
-    return 100 * per_ray(wrong, rays);
-}
-
-static inline void first_row(table *t, const mesh *m, const ray_set *rays, const hit *brute,
-                             const side_scene *boards, const side_scene *specks, int rounds)
-{
-    first_mesh f = first_mesh_of(m);
-    first_grid g = first_grid_build(&f);
-    first_search s = {&g, first_grid_search};
-    table_text(t, "first"), table_count(t, (size_t)(g.n[0] * g.n[1] * g.n[2]));
-    table_number(t, (double)g.items / (double)f.n), table_text(t, "-");
-    table_number(t, first_tests_a_ray(s, rays));
-    table_number(t, first_side_wrong(m, rays, brute));
-    table_number(t, first_side_wrong(&boards->m, &boards->rays, boards->h));
-    table_number(t, first_side_wrong(&specks->m, &specks->rays, specks->h));
-    table_number(t, first_seconds(s, rays, rounds) * 1e9 / (double)rays->n);
-    first_grid_free(&g), first_mesh_free(&f);
+    return trial_per((r->ray[TRIAL_PRIMARY].seconds + r->ray[TRIAL_DIFFUSE].seconds) * 1e9,
+                     r->ray[TRIAL_PRIMARY].n + r->ray[TRIAL_DIFFUSE].n);
 }
 
 static inline void measure_variants(const options *o)
 {
-    table t = table_new("Wrong hits on three scenes; work and time a ray on the teapot",
-                        "variant|cells|references a shape|cells a ray|tests a ray|"
-                        "error teapot [%]|error boards [%]|error specks [%]|time [ns]");
-    plot p = plot_new("Wrong hits: the worst of three scenes; time: teapot", "time a ray [ns]",
-                      "wrong [%]", PLOT_LOG_Y);
-    mesh m = teapot_mesh(o->quick ? 4 : 10);
-    side_scene boards, specks;
-    boards_make(o, &boards), specks_make(o, &specks);
-    items x = items_of_mesh(&m);
-    ray_set rays = teapot_rays(&m, o->quick ? 40 : 130, o->quick ? 25 : 80, o->seed, o->threads);
-    hit *h = brute_hits(&x, &rays, o->threads);
-    built_variant b[variants];
-    grid_run run[variants];
-    clock_variant v[variants];
-    for (int i = 0; i < variants; i++) {
-        variant_build(i, &x, &b[i]);
-        run[i] = (grid_run){variant_built(&b[i], i), &rays, NULL};
-        v[i] = (clock_variant){variant_list[i].name, b[i].run, &run[i], 0};
+    int n = o->full ? grid_candidates : grid_short;
+    char title[160];
+    trial_scene pot, boards, specks;
+    trial_row row[grid_candidates];
+    grid_teapot(o, &pot), grid_board_scene(o, &boards);
+    grid_speck_scene(o, grid_candidate_list[3].how, &specks);
+    snprintf(title, sizeof title,
+             "Wrong hits on three scenes; work and time a ray on the teapot of "
+             "%zu triangles", pot.m.triangles);
+    table t = table_new(title, o->full
+        ? "variant|cells|references a shape|cells a ray|tests a ray|error teapot [%]|"
+          "error boards [%]|error specks [%]|time [ns]"
+        : "variant|cells|tests a ray|error boards [%]|error specks [%]|time [ns]");
+    for (int i = 0; i < n; i++) row[i] = grid_row(&grid_candidate_list[i]);
+    trials_run(row, n, &pot, o->quick ? 3 : o->full ? 25 : 4);
+    for (int i = 0; i < n; i++) {
+        const structure_stats *st = &row[i].stats;
+        const first_grid *g = &((const first_grid_trial_of *)row[i].built)->s;
+        bool first = row[i].verbs->first, counted = row[i].verbs->hit_counted != NULL;
+        size_t rays, cells = first ? (size_t)(g->n[0] * g->n[1] * g->n[2]) : st->leaves;
+        double references = first ? (double)g->items : (double)st->references;
+        search_work w = trial_sum(&row[i], &rays);
+        table_text(&t, "%s", row[i].name), table_count(&t, cells);
+        if (o->full) {
+            table_number(&t, references / (double)pot.m.triangles);
+            trial_cell(&t, counted && !first, trial_per((double)w.nodes, rays));
+        }
+        trial_cell(&t, counted, trial_per((double)w.tests, rays));
+        if (o->full) table_number(&t, 100 * trial_per((double)row[i].wrong, rays));
+        table_number(&t, grid_wrong(row[i], &boards));
+        table_number(&t, grid_wrong(row[i], &specks));
+        table_number(&t, grid_ns(&row[i]));
     }
-    clock_compare(v, variants, o->quick ? 3 : 25);
-    first_row(&t, &m, &rays, h, &boards, &specks, o->quick ? 3 : 25);
-    for (int i = 0; i < variants; i++) {
-        bool nest = i == two_levels;
-        structure_stats st = nest ? nested_stats(&b[i].n) : grid_stats(&b[i].g);
-        search_work w = nest ? nested_work(&b[i].n, &rays) : grid_work(&b[i].g, &rays);
-        double wrong = wrong_hits(b[i].run, variant_built(&b[i], i), &rays, h);
-        double time = v[i].seconds * 1e9 / (double)rays.n;
-        table_text(&t, "%s", variant_list[i].name), table_count(&t, st.leaves);
-        table_number(&t, (double)st.references / (double)st.items);
-        if (i == first_naive || i == first_early) table_text(&t, "-"), table_text(&t, "-");
-        else table_number(&t, per_ray(w.nodes, &rays)), table_number(&t, per_ray(w.tests, &rays));
-        double boards_wrong = side_wrong(i, &boards), specks_wrong = side_wrong(i, &specks);
-        double worst = fmax(wrong, fmax(boards_wrong, specks_wrong));
-        table_number(&t, wrong), table_number(&t, boards_wrong), table_number(&t, specks_wrong);
-        table_number(&t, time);
-        if (i != 4 && i != 5) plot_add(&p, plot_series(&p, variant_list[i].name), time, worst);
-    }
-    for (int i = 0; i < variants; i++) variant_free(&b[i]);
     output_table(o, &t);
+    trial_end(row, n);
+    trial_scene_free(&pot), trial_scene_free(&boards), trial_scene_free(&specks);
+}
+
+/* Each variant a curve through 1, 3, .. 243 cells a shape: the worse of boards and specks. */
+static inline void plot_wrong(const options *o)
+{
+    enum { shown = 3 };
+    plot p = plot_new("Wrong hits against time, 1, 3, 9 .. 243 cells a shape",
+                      "time a ray, teapot [ns]", "wrong, boards or specks [%]", 0);
+    trial_scene pot, boards;
+    grid_teapot(o, &pot), grid_board_scene(o, &boards);
+    for (int i = 1; i <= shown; i++) plot_series(&p, grid_candidate_list[i].name);
+    for (double density = 1; density < 300; density *= 3) {
+        trial_scene specks;
+        trial_row row[shown];
+        grid_candidate c[shown];
+        for (int i = 0; i < shown; i++) {
+            c[i] = grid_candidate_list[i + 1], c[i].how.density = density;
+            row[i] = grid_row(&c[i]);
+        }
+        grid_speck_scene(o, c[0].how, &specks);
+        trials_run(row, shown, &pot, 9);
+        for (int i = 0; i < shown; i++)
+            plot_add(&p, i, grid_ns(&row[i]),
+                     fmax(grid_wrong(row[i], &boards), grid_wrong(row[i], &specks)));
+        trial_end(row, shown), trial_scene_free(&specks);
+    }
     output_plot(o, &p, "10_grid_wrong_time.svg");
-    free(h), rays_free(&rays), mesh_free(&m), side_free(&boards), side_free(&specks);
+    trial_scene_free(&pot), trial_scene_free(&boards);
 }
 
 /* ---- how many cells ---- */
 
-/* Median of nine passes. */
-static inline double time_of(double (*run)(void *), const void *built, const ray_set *rays)
-{
-    grid_run c = {built, rays, NULL};
-    clock_variant v = {"", run, &c, 0};
-    clock_compare(&v, 1, 9);
-    return v.seconds * 1e9 / (double)rays->n;
-}
-
-enum { density_first = -3, density_last = 9, densities = density_last - density_first + 1 };
+enum { density_first = -3, density_last = 9 };
 
 /* One scene: a point a density in both plots; the row of the table. */
-static inline void measure_scene(const options *o, bench_kind kind, table *t, plot *time,
+static inline void measure_scene(const options *o, grid_scene kind, table *t, plot *time,
                                  plot *work)
 {
-    bench b;
-    nested n;
-    failure f;
-    bench_make(kind, o->quick, o->seed, &b);
-    int series = plot_series(time, bench_name[kind]), tests, cells;
+    trial_scene s;
+    const char *scene_name = grid_scene_name[kind];
     char name[64];
-    snprintf(name, sizeof name, "%s: tests", bench_name[kind]), tests = plot_series(work, name);
-    snprintf(name, sizeof name, "%s: cells", bench_name[kind]), cells = plot_series(work, name);
     double best = 0, best_time = 0, at_27 = 0;
-    for (int k = density_first - 1; k <= (o->quick ? 4 : density_last); k++) {
-        grid g;
-        grid_options how = grid_defaults;
+    int series = plot_series(time, scene_name), tests, cells;
+    snprintf(name, sizeof name, "%s: tests", scene_name), tests = plot_series(work, name);
+    snprintf(name, sizeof name, "%s: cells", scene_name), cells = plot_series(work, name);
+    grid_scene_of(kind, o->seed, &s);
+    for (int k = density_first - 1; k <= density_last; k++) {
         bool notes = k < density_first;  /* 27 first */
-        how.density = notes ? 27 : ldexp(1.0, k);
-        if (!grid_build(&b.x, how, &g, &f)) break;
-        search_work w = grid_work(&g, &b.rays);
-        double ns = time_of(run_default, &g, &b.rays);
-        grid_free(&g);
+        grid_options how = GRID_HOW(notes ? 27 : ldexp(1.0, k), true, true);
+        trial_row r = {.name = "", .verbs = &grid_trial, .how = &how};
+        trials_run(&r, 1, &s, 9);
+        double ns = trial_ns(&r, TRIAL_UNIFORM);
+        search_work w = r.ray[TRIAL_UNIFORM].work;
+        size_t rays = r.ray[TRIAL_UNIFORM].n;
+        trial_end(&r, 1);
         if (notes) { at_27 = ns; continue; }
         if (best == 0 || ns < best_time) best = how.density, best_time = ns;
         plot_add(time, series, how.density, ns);
-        plot_add(work, tests, how.density, per_ray(w.tests, &b.rays));
-        plot_add(work, cells, how.density, per_ray(w.nodes, &b.rays));
+        plot_add(work, tests, how.density, trial_per((double)w.tests, rays));
+        plot_add(work, cells, how.density, trial_per((double)w.nodes, rays));
     }
-    if (!nested_build(&b.x, nested_defaults, &n, &f)) fail(f);
-    double two = time_of(run_nested, &n, &b.rays);
-    table_text(t, "%s", bench_name[kind]), table_count(t, b.x.n), table_number(t, best);
+    trial_row two = grid_row(&grid_candidate_list[6]);
+    trials_run(&two, 1, &s, 9);
+    table_text(t, "%s", scene_name), table_count(t, s.x.n), table_number(t, best);
     table_number(t, best_time), table_number(t, at_27), table_number(t, at_27 / best_time);
-    table_number(t, two);
-    nested_free(&n), bench_free(&b);
+    table_number(t, trial_ns(&two, TRIAL_UNIFORM));
+    trial_end(&two, 1), trial_scene_free(&s);
 }
 
 static inline void measure_density(const options *o)
 {
     table t = table_new("How many cells a shape are best? Lines from everywhere; stadium: eye rays",
-                        "scene|shapes|best|time best [ns]|time at 27 [ns]|27 / best|"
-                        "time two levels [ns]");
+                        "scene|shapes|best of times|time best [ns]|time at 27 [ns]|"
+                        "time 27 / best|time two levels [ns]");
     plot time = plot_new("Time against cells", "cells a shape", "time a ray [ns]",
                          PLOT_LOG_X | PLOT_LOG_Y);
     plot work = plot_new("Work against cells", "cells a shape", "a ray", PLOT_LOG_X | PLOT_LOG_Y);
-    for (int k = 0; k < benches; k++) measure_scene(o, (bench_kind)k, &t, &time, &work);
+    for (int k = 0; k < grid_scenes; k++) measure_scene(o, (grid_scene)k, &t, &time, &work);
     output_extra_table(o, &t);
     output_plot(o, &time, "10_grid_time.svg");
     output_plot(o, &work, "10_grid_density.svg");
@@ -318,47 +229,35 @@ static inline void measure_density(const options *o)
 
 /* ---- one level and two ---- */
 
-static inline void stadium_row(table *t, const char *place, const char *name, double seconds,
-                               structure_stats s, search_work w, double ns, const ray_set *rays)
-{
-    table_text(t, "%s", place), table_text(t, "%s", name), table_number(t, 1e3 * seconds);
-    table_number(t, (double)s.bytes / (double)s.items);
-    table_number(t, per_ray(w.nodes, rays)), table_number(t, per_ray(w.tests, rays));
-    table_number(t, ns);
-}
-
 static inline void measure_stadium(const options *o)
 {
     table t = table_new("One level and two: the teapot alone, and in a stadium",
                         "scene|structure|build [ms]|bytes a shape|cells a ray|tests a ray|"
                         "time [ns]");
-    static const double density[] = {1, 27, 512};
+    static const grid_candidate list[4] = {
+        {"grid, 1 cells a shape", &grid_trial, GRID_HOW(1, true, true)},
+        {"grid, 27 cells a shape", &grid_trial, GRID_HOW(27, true, true)},
+        {"grid, 512 cells a shape", &grid_trial, GRID_HOW(512, true, true)},
+        {"two levels", &nested_trial, GRID_HOW(27, true, true)}};
     for (int both = 0; both < 2; both++) {
-        bench b;
-        failure f;
-        char name[64];
-        bench_make(both ? BENCH_STADIUM : BENCH_TEAPOT, o->quick, o->seed, &b);
-        for (int k = 0; k < (o->quick ? 2 : 3); k++) {
-            grid g;
-            grid_options how = grid_defaults;
-            how.density = density[k];
-            double start = clock_seconds();
-            if (!grid_build(&b.x, how, &g, &f)) fail(f);
-            double built = clock_seconds() - start;
-            snprintf(name, sizeof name, "grid, %g cells a shape", density[k]);
-            stadium_row(&t, bench_name[both ? BENCH_STADIUM : BENCH_TEAPOT], name, built,
-                        grid_stats(&g), grid_work(&g, &b.rays), time_of(run_default, &g, &b.rays),
-                        &b.rays);
-            grid_free(&g);
+        grid_scene kind = both ? GRID_STADIUM : GRID_TEAPOT;
+        trial_scene s;
+        trial_row row[4];
+        grid_scene_of(kind, o->seed, &s);
+        for (int i = 0; i < 4; i++) row[i] = grid_row(&list[i]);
+        trials_run(row, 4, &s, 9);
+        for (int i = 0; i < 4; i++) {
+            const structure_stats *st = &row[i].stats;
+            search_work w = row[i].ray[TRIAL_UNIFORM].work;
+            size_t rays = row[i].ray[TRIAL_UNIFORM].n;
+            table_text(&t, "%s", grid_scene_name[kind]), table_text(&t, "%s", row[i].name);
+            table_number(&t, row[i].build * 1e3);
+            table_number(&t, trial_per((double)st->bytes, st->items));
+            table_number(&t, trial_per((double)w.nodes, rays));
+            table_number(&t, trial_per((double)w.tests, rays));
+            table_number(&t, trial_ns(&row[i], TRIAL_UNIFORM));
         }
-        nested n;
-        double start = clock_seconds();
-        if (!nested_build(&b.x, nested_defaults, &n, &f)) fail(f);
-        double built = clock_seconds() - start;
-        stadium_row(&t, bench_name[both ? BENCH_STADIUM : BENCH_TEAPOT], "two levels", built,
-                    nested_stats(&n), nested_work(&n, &b.rays), time_of(run_nested, &n, &b.rays),
-                    &b.rays);
-        nested_free(&n), bench_free(&b);
+        trial_end(row, 4), trial_scene_free(&s);
     }
     output_extra_table(o, &t);
 }
@@ -374,10 +273,10 @@ static inline void measure_drift(const options *o)
                       PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < drift_kinds; k++) plot_series(&p, drift_name[k]);
     plot_slope(&p, 2, "slope 2"), plot_slope(&p, 1, "slope 1");
-    for (size_t n = 10; n <= (o->quick ? 1000 : 100000); n *= 10) {
+    for (size_t n = 10; n <= 100000; n *= 10) {
         table_count(&t, n);
         for (int k = 0; k < drift_kinds; k++) {
-            drift d = drift_after((drift_kind)k, n, o->quick ? 50 : 200, o->seed);
+            drift d = drift_after((drift_kind)k, n, 200, o->seed);
             table_number(&t, 100 * d.wrong), table_number(&t, d.error);
             plot_add(&p, k, (double)n, d.error);
         }

@@ -5,8 +5,8 @@
  *                                          walls, between 1e-7 and 1e-3 cells beside each of them
  *   ray r = specks_ray(&m, seed, i)        aimed at one of them
  */
-#ifndef SPECKS_H
-#define SPECKS_H
+#ifndef GRID_SPECKS_H
+#define GRID_SPECKS_H
 
 #include "../../../common/random.h"
 #include "../grid.h"

@@ -1,84 +1,57 @@
-/* measure.h: what each knob costs: time, memory, work, wrong hits; and which rays find them.
+/* measure.h: what each knob costs: time, memory, work, wrong hits; and which rays find them
+ * (09_aabb/trials/bench.h).
  *
- *   table_of_knobs(o, m)      the main table; frees m
+ *   table_of_knobs(o)         the main table
  *   table_of_faults(o)        wrong hits by kind of ray, on a mesh whose corners lie on the walls
+ *   table_of_stadium(o)       the teapot, and the teapot in a stadium: grid and octree
+ *   plots_of_depth(o)         work, time and memory against depth, on three scenes
  */
 #ifndef OCTREE_MEASURE_H
 #define OCTREE_MEASURE_H
 
 #include "../../../common/lab/report.h"
 #include "../../07_mesh/scenes/specimens.h"
-#include "../../07_mesh/scenes/teapot.h"
-#include "../../09_aabb/trials/first_row.h"
+#include "../../07_mesh/scenes/stadium.h"
+#include "../../09_aabb/trials/bench.h"
+#include "../../10_grid/grid.h"
 #include "../first.h"
 #include "../octree.h"
 #include "variants.h"
 
-static inline void table_of_knobs(const options *o, mesh m);
-static inline void table_of_faults(const options *o);
+TRIAL_VERBS(octree, octree, octree_hit, octree_hit_counted)
+TRIAL_OTHER(octree_textbook, octree, octree, octree_hit_textbook)
+TRIAL_OTHER(octree_unpadded, octree, octree, octree_hit_unpadded)
+TRIAL_OTHER(octree_slabs, octree, octree, octree_hit_slabs)
+TRIAL_FIRST(first_octree, first_octree_build(&b->m, &b->s))
+TRIAL_VERBS(octree_rival, grid, grid_hit, grid_hit_counted)
+
+typedef struct { const char *name; const trial_verbs *verbs; octree_options how; bool again; }
+    octree_candidate;
+
+#define OCTREE_HOW(leaf, depth, mailbox, exact) {leaf, depth, mailbox, exact, (size_t)1 << 30}
+
+/* The first seven are the short table. */
+enum { octree_short = 7, octree_candidates = 17 };
+static const octree_candidate octree_candidate_list[octree_candidates] = {
+    {"first", &first_octree_trial, OCTREE_HOW(8, 16, true, true), false},
+    {"octree", &octree_trial, OCTREE_HOW(16, 16, true, true), false},
+    {"textbook", &octree_textbook_trial, OCTREE_HOW(16, 16, true, true), true},
+    {"no delta", &octree_unpadded_trial, OCTREE_HOW(16, 16, true, true), true},
+    {"slab tests", &octree_slabs_trial, OCTREE_HOW(16, 16, true, true), true},
+    {"by boxes", &octree_trial, OCTREE_HOW(16, 16, true, false), false},
+    {"depth 4", &octree_trial, OCTREE_HOW(16, 4, true, true), false},
+    {"depth 6", &octree_trial, OCTREE_HOW(16, 6, true, true), false},
+    {"depth 8", &octree_trial, OCTREE_HOW(16, 8, true, true), false},
+    {"depth 10", &octree_trial, OCTREE_HOW(16, 10, true, true), false},
+    {"depth 12", &octree_trial, OCTREE_HOW(16, 12, true, true), false},
+    {"no mailbox", &octree_trial, OCTREE_HOW(16, 16, false, true), false},
+    {"leaf 1", &octree_trial, OCTREE_HOW(1, 16, true, true), false},
+    {"leaf 4", &octree_trial, OCTREE_HOW(4, 16, true, true), false},
+    {"leaf 8", &octree_trial, OCTREE_HOW(8, 16, true, true), false},
+    {"leaf 32", &octree_trial, OCTREE_HOW(32, 16, true, true), false},
+    {"leaf 64", &octree_trial, OCTREE_HOW(64, 16, true, true), false}};
 
 /* ---------------------------------------------------------------------------------------------- */
-
-typedef bool octree_search(const octree *t, ray r, hit *out);
-typedef struct {
-    const char *name;
-    octree_search *hit;
-    octree_options how;
-} octree_candidate;
-
-typedef struct { octree t; octree_search *hit; const ray_set *rays; } octree_trial;
-
-static inline double octree_run(void *context)
-{
-    const octree_trial *t = context;
-    size_t hits = 0;
-    hit h;
-    for (size_t i = 0; i < t->rays->n; i++) hits += t->hit(&t->t, t->rays->r[i], &h);
-    return (double)hits;
-}
-
-static inline double octree_per(double x, size_t n) { return n ? x / (double)n : 0; }
-
-static inline search_work octree_count(const octree *t, const ray_set *s)
-{
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    for (size_t i = 0; i < s->n; i++) octree_hit_counted(t, s->r[i], &h, &w);
-    return w;
-}
-
-/* Diffuse rays from the hits of the rays s. */
-static inline ray_set octree_rays_on(const octree *t, const mesh *m, const ray_set *s,
-                                     uint64_t seed)
-{
-    hit *h = allocate(s->n, sizeof *h);
-    for (size_t i = 0; i < s->n; i++)
-        if (!octree_hit(t, s->r[i], &h[i])) h[i] = hit_none;
-    ray_set d = rays_diffuse(m, s, h, seed);
-    free(h);
-    return d;
-}
-
-static inline size_t octree_wrong(const octree *t, octree_search *search, const ray_set *s,
-                                  const hit *brute)
-{
-    size_t wrong = 0;
-    for (size_t i = 0; i < s->n; i++) {
-        hit h = hit_none;
-        search(t, s->r[i], &h);
-        wrong += h.t != brute[i].t || h.shape != brute[i].shape || h.u != brute[i].u
-                 || h.v != brute[i].v;
-    }
-    return wrong;
-}
-
-static inline hit *octree_brute(const items *x, const ray_set *s)
-{
-    hit *h = allocate(s->n, sizeof *h);
-    for (size_t i = 0; i < s->n; i++)
-        if (!items_hit(x, s->r[i], &h[i])) h[i] = hit_none;
-    return h;
-}
 
 /* Half at corners from the eye, half along the axes through corners. */
 static inline ray_set octree_hard_rays(const mesh *m, vec3 eye, real far, size_t n, uint64_t seed)
@@ -92,115 +65,33 @@ static inline ray_set octree_hard_rays(const mesh *m, vec3 eye, real far, size_t
     return s;
 }
 
-static inline bool first_octree_search(const void *t, ray r, hit *out)
+static inline void table_of_knobs(const options *o)
 {
-    return first_octree_hit(t, r, out);
-}
-
-static inline void first_octree_row(table *out, const mesh *m, const ray_set *primary,
-                                    const ray_set *diffuse, const ray_set *hard,
-                                    const hit *brute, int rounds)
-{
-    first_octree t;
-    first_mesh f = first_mesh_of(m);
-    double start = clock_seconds();
-    first_octree_build(&f, &t);
-    double build = clock_seconds() - start;
-    table_text(out, "first"), table_count(out, first_octree_leaf), table_text(out, "-");
-    table_number(out, build * 1e3);
-    for (int k = 0; k < 5; k++) table_text(out, "-");
-    first_cells(out, (first_search){&t, first_octree_search}, primary, diffuse, hard, brute,
-                rounds);
-    first_octree_free(&t), first_mesh_free(&f);
-}
-
-static inline void table_of_knobs(const options *o, mesh m)
-{
-    enum { n = 16 };
-    const size_t most = (size_t)1 << 30;
-    const octree_candidate c[n] = {
-        {"textbook", octree_hit_textbook, {16, 16, true, true, most}},
-        {"no delta", octree_hit_unpadded, {16, 16, true, true, most}},
-        {"slab tests", octree_hit_slabs, {16, 16, true, true, most}},
-        {"octree", octree_hit, {16, 16, true, true, most}},
-        {"no mailbox", octree_hit, {16, 16, false, true, most}},
-        {"by boxes", octree_hit, {16, 16, true, false, most}},
-        {"leaf 1", octree_hit, {1, 16, true, true, most}},
-        {"leaf 4", octree_hit, {4, 16, true, true, most}},
-        {"leaf 8", octree_hit, {8, 16, true, true, most}},
-        {"leaf 32", octree_hit, {32, 16, true, true, most}},
-        {"leaf 64", octree_hit, {64, 16, true, true, most}},
-        {"depth 4", octree_hit, {16, 4, true, true, most}},
-        {"depth 6", octree_hit, {16, 6, true, true, most}},
-        {"depth 8", octree_hit, {16, 8, true, true, most}},
-        {"depth 10", octree_hit, {16, 10, true, true, most}},
-        {"depth 12", octree_hit, {16, 12, true, true, most}}};
-    octree_trial t[n];
-    clock_variant v[n];
-    double build[n], primary[n];
-    failure f;
+    int n = o->full ? octree_candidates : octree_short, width = o->quick ? 40 : o->full ? 160 : 80;
+    char title[200], rays[160];
     vec3 lo, hi;
-    items x = items_of_mesh(&m);
-    mesh_bounds(&m, &lo, &hi);
-    int width = o->quick ? 40 : 160;
-    camera look = camera_of(lo, hi, true, 1.6);
-    ray_set p = rays_primary(look, width, width * 5 / 8);
-    ray_set hard = octree_hard_rays(&m, look.e, 2 * vlength(vsub(hi, lo)), o->quick ? 60 : 1000,
-                                    o->seed);
-    double start = clock_seconds();
-    hit *brute = octree_brute(&x, &hard);
-    double brute_seconds = (clock_seconds() - start) / (double)hard.n;
+    trial_scene s;
+    trial_row row[octree_candidates];
     for (int i = 0; i < n; i++) {
-        start = clock_seconds();
-        t[i] = (octree_trial){.hit = c[i].hit, .rays = &p};
-        if (!octree_build(&x, c[i].how, &t[i].t, &f)) fail(f);
-        build[i] = clock_seconds() - start;
-        v[i] = (clock_variant){c[i].name, octree_run, &t[i], 0};
+        const octree_candidate *c = &octree_candidate_list[i];
+        row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &c->how,
+                             .again = c->again};
     }
-    ray_set d = octree_rays_on(&t[3].t, &m, &p, o->seed);
-    clock_compare(v, n, o->quick ? 1 : 9);
-    for (int i = 0; i < n; i++) primary[i] = v[i].seconds, t[i].rays = &d;
-    clock_compare(v, n, o->quick ? 1 : 9);
-
-    char title[160];
-    snprintf(title, sizeof title, "%zu triangles: %zu primary and %zu diffuse rays, one thread; "
-             "wrong of %zu at corners and along axes", m.triangles, p.n, d.n, hard.n);
-    table out = table_new(title, "structure|leaf|depth|time build [ms]|memory [B/item]|"
-                          "peak [B/item]|refs/item|nodes/ray|leaves/ray|tests/ray|error [wrong]|"
-                          "time primary [ns]|time diffuse [ns]");
-    first_octree_row(&out, &m, &p, &d, &hard, brute, o->quick ? 1 : 9);
-    for (int i = 0; i < n; i++) {
-        structure_stats s = octree_stats(&t[i].t);
-        search_work w = octree_count(&t[i].t, &p), e = octree_count(&t[i].t, &d);
-        bool counted = c[i].hit == octree_hit;
-        size_t rays = p.n + d.n;
-        table_text(&out, "%s", c[i].name), table_count(&out, (size_t)c[i].how.leaf);
-        table_count(&out, (size_t)s.depth), table_number(&out, build[i] * 1e3);
-        table_number(&out, octree_per((double)s.bytes, s.items));
-        table_number(&out, octree_per((double)s.peak, s.items));
-        table_number(&out, octree_per((double)s.references, s.items));
-        if (!counted) table_text(&out, "-"), table_text(&out, "-"), table_text(&out, "-");
-        else {
-            table_number(&out, octree_per((double)(w.nodes + e.nodes), rays));
-            table_number(&out, octree_per((double)(w.leaves + e.leaves), rays));
-            table_number(&out, octree_per((double)(w.tests + e.tests), rays));
-        }
-        table_count(&out, octree_wrong(&t[i].t, c[i].hit, &hard, brute));
-        table_number(&out, octree_per(primary[i] * 1e9, p.n));
-        table_number(&out, octree_per(v[i].seconds * 1e9, d.n));
-        octree_free(&t[i].t);
-    }
-    table_text(&out, "brute force");
-    for (int k = 0; k < 8; k++) table_text(&out, "-");
-    table_number(&out, (double)m.triangles), table_count(&out, 0);
-    table_number(&out, brute_seconds * 1e9), table_number(&out, brute_seconds * 1e9);
+    trial_scene_of(teapot_mesh(o->quick ? 6 : o->full ? 40 : 12), &s);
+    mesh_bounds(&s.m, &lo, &hi);
+    camera c = trial_camera(&s.m, 1.6);
+    trial_rays(&s, c, width, width * 5 / 8, 0, o->seed, &octree_trial, row[1].how);
+    s.rays[TRIAL_CORNERS] = octree_hard_rays(&s.m, c.e, 2 * vlength(vsub(hi, lo)),
+                                             o->quick ? 60 : 1000, o->seed);
+    trial_due(&s, true);
+    trials_run(row, n, &s, o->quick ? 1 : o->full ? 9 : 3);
+    snprintf(title, sizeof title, "%s and along axes", trial_title(&s, rays));
+    table out = trial_table(title, row, n, &s, o->full, NULL);
     output_table(o, &out);
-    free(brute);
-    rays_free(&p), rays_free(&d), rays_free(&hard);
-    mesh_free(&m);
+    trial_end(row, n), trial_scene_free(&s);
 }
 
-/* ---------------------------------------------------------------------------------------------- */
+/* ---- what fails ---- */
 
 /* n small triangles anywhere in a cube of side 2, `size` [scene units] or less. */
 static inline mesh octree_soup(size_t n, real size, uint64_t seed)
@@ -216,8 +107,6 @@ static inline mesh octree_soup(size_t n, real size, uint64_t seed)
     }
     return m;
 }
-
-enum { fault_kinds = 5 };
 
 /* Kinds: anywhere, at corners, corner to corner, along axes through corners, ... between them. */
 static inline ray_set fault_rays(const mesh *m, int kind, size_t n, uint64_t seed)
@@ -243,35 +132,110 @@ static inline ray_set fault_rays(const mesh *m, int kind, size_t n, uint64_t see
 
 static inline void table_of_faults(const options *o)
 {
-    static const struct { const char *name; octree_search *hit; } way[4] = {
-        {"textbook", octree_hit_textbook}, {"no delta", octree_hit_unpadded},
-        {"slab tests", octree_hit_slabs}, {"octree_hit", octree_hit}};
-    static const int kind[fault_kinds + 1] = {0, 0, 1, 2, 4, 3};
-    const octree_options how = {4, 6, true, true, (size_t)1 << 26};
-    size_t n = o->quick ? 200 : 2000;
-    mesh m[2] = {octree_soup(500, 1, 3), octahedron_mesh(8)};
-    items x[2] = {items_of_mesh(&m[0]), items_of_mesh(&m[1])};
-    octree t[2];
-    failure f;
-    char title[120];
-    snprintf(title, sizeof title, "Wrong hits of %zu rays each; octahedron of 512 triangles with "
-             "corners on the walls", n);
-    table out = table_new(title, "search|soup, anywhere|anywhere|at corners|corner to corner|"
-                          "along axes|... through corners");
-    for (int k = 0; k < 2; k++)
-        if (!octree_build(&x[k], how, &t[k], &f)) fail(f);
+    static const octree_options how = {4, 6, true, true, (size_t)1 << 26};
+    static const struct { const char *name; const trial_verbs *verbs; } way[4] = {
+        {"textbook", &octree_textbook_trial}, {"no delta", &octree_unpadded_trial},
+        {"slab tests", &octree_slabs_trial}, {"octree_hit", &octree_trial}};
+    static const int kind[6] = {0, 0, 1, 2, 4, 3};
+    const size_t n = 2000;
+    size_t wrong[4][6];
+    table out = table_new("Wrong hits of 2000 rays each; octahedron of 512 triangles with corners "
+                          "on the walls", "search|soup, anywhere|anywhere|at corners|"
+                          "corner to corner|along axes|... through corners");
+    for (int k = 0; k < 6; k++) {
+        trial_scene s;
+        trial_row row[4];
+        trial_scene_of(k ? octahedron_mesh(8) : octree_soup(500, 1, 3), &s);
+        s.rays[TRIAL_CORNERS] = fault_rays(&s.m, kind[k], n, o->seed);
+        trial_due(&s, false);
+        for (int i = 0; i < 4; i++)
+            row[i] = (trial_row){.verbs = way[i].verbs, .how = &how, .again = i > 0};
+        trials_run(row, 4, &s, 1);
+        for (int i = 0; i < 4; i++) wrong[i][k] = row[i].wrong;
+        trial_end(row, 4), trial_scene_free(&s);
+    }
     for (int i = 0; i < 4; i++) {
         table_text(&out, "%s", way[i].name);
-        for (int k = 0; k <= fault_kinds; k++) {
-            ray_set s = fault_rays(&m[k > 0], kind[k], n, o->seed);
-            hit *brute = octree_brute(&x[k > 0], &s);
-            table_count(&out, octree_wrong(&t[k > 0], way[i].hit, &s, brute));
-            free(brute);
-            rays_free(&s);
-        }
+        for (int k = 0; k < 6; k++) table_count(&out, wrong[i][k]);
     }
     output_extra_table(o, &out);
-    for (int k = 0; k < 2; k++) octree_free(&t[k]), mesh_free(&m[k]);
+}
+
+/* ---- where triangles are not alike ---- */
+
+/* Diffuse rays from the teapot, as a camera before it sees it. */
+static inline void octree_pot_rays(trial_scene *s, bool in_stadium, int width, uint64_t seed)
+{
+    mesh pot = teapot_mesh(1);
+    trial_rays(s, trial_camera(in_stadium ? &pot : &s->m, 1.6), width, width * 5 / 8, 0, seed,
+               &octree_trial, &octree_defaults);
+    rays_free(&s->rays[TRIAL_PRIMARY]);
+    mesh_free(&pot);
+}
+
+/* The same rays, with and without a stadium of 4032 triangles round it. */
+static inline void table_of_stadium(const options *o)
+{
+    table out = table_new("The teapot and the teapot in a stadium: diffuse rays from the teapot",
+                          "scene|structure|build [ms]|memory [B/item]|refs/item|cells or nodes/ray|"
+                          "tests/ray|ray [ns]");
+    for (int k = 0; k < 2; k++) {
+        trial_scene s;
+        trial_row row[2] = {
+            {.name = "grid, 27 n", .verbs = &octree_rival_trial, .how = &grid_defaults},
+            {.name = "octree", .verbs = &octree_trial, .how = &octree_defaults}};
+        trial_scene_of(k ? stadium_mesh(24) : teapot_mesh(24), &s);
+        octree_pot_rays(&s, true, 80, o->seed);
+        trials_run(row, 2, &s, 3);
+        for (int i = 0; i < 2; i++) {
+            structure_stats *st = &row[i].stats;
+            search_work w = row[i].ray[TRIAL_DIFFUSE].work;
+            size_t rays = row[i].ray[TRIAL_DIFFUSE].n;
+            table_text(&out, k ? "stadium" : "teapot"), table_text(&out, "%s", row[i].name);
+            table_number(&out, row[i].build * 1e3);
+            table_number(&out, trial_per((double)st->bytes, st->items));
+            table_number(&out, trial_per((double)st->references, st->items));
+            table_number(&out, trial_per((double)w.nodes, rays));
+            table_number(&out, trial_per((double)w.tests, rays));
+            table_number(&out, trial_ns(&row[i], TRIAL_DIFFUSE));
+        }
+        trial_end(row, 2), trial_scene_free(&s);
+    }
+    output_extra_table(o, &out);
+}
+
+static inline void plots_of_depth(const options *o)
+{
+    static const char *const name[3] = {"teapot", "teapot in a stadium", "soup"};
+    plot work = plot_new("Work a ray against depth, leaves of 8", "depth", "nodes and tests a ray",
+                         PLOT_LOG_Y);
+    plot memory = plot_new("Memory against depth, leaves of 8", "depth", "bytes an item",
+                           PLOT_LOG_Y);
+    plot seconds = plot_new("Time of a diffuse ray against depth, leaves of 8", "depth",
+                            "time [ns]", PLOT_LOG_Y);
+    for (int k = 0; k < 3; k++) {
+        trial_scene s;
+        trial_scene_of(k == 0 ? teapot_mesh(16) : k == 1 ? stadium_mesh(16)
+                                                        : octree_soup(64 * 16 * 16, 0.1, 3), &s);
+        octree_pot_rays(&s, k == 1, 72, o->seed);
+        int by_work = plot_series(&work, name[k]), by_memory = plot_series(&memory, name[k]);
+        int by_time = plot_series(&seconds, name[k]);
+        for (int depth = 1; depth <= 16; depth++) {
+            octree_options how = OCTREE_HOW(8, depth, true, true);
+            trial_row r = {.name = name[k], .verbs = &octree_trial, .how = &how};
+            trials_run(&r, 1, &s, depth < 3 ? 1 : 3);
+            search_work w = r.ray[TRIAL_DIFFUSE].work;
+            plot_add(&work, by_work, depth,
+                     trial_per((double)(w.nodes + w.tests), r.ray[TRIAL_DIFFUSE].n));
+            plot_add(&memory, by_memory, depth, trial_per((double)r.stats.bytes, r.stats.items));
+            plot_add(&seconds, by_time, depth, trial_ns(&r, TRIAL_DIFFUSE));
+            trial_end(&r, 1);
+        }
+        trial_scene_free(&s);
+    }
+    output_plot(o, &work, "11_octree_depth.svg");
+    output_plot(o, &memory, "11_octree_memory.svg");
+    output_plot(o, &seconds, "11_octree_time.svg");
 }
 
 #endif

@@ -1,29 +1,15 @@
 /* pictures.h: a mesh with the cells of its octree upon it, the work a pixel, and what goes wrong.
  *
- *   draw_cells(p, threads)      the colour of a point: how deep its leaf is; lines: its sides
- *   draw_work(p, threads)       black nothing, white p.most nodes and tests of items
- *   draw_faults(o)              the textbook's walk beside octree_hit; orange where it is wrong
+ *   draw_octree(o, &s, how, path)   the colour of a point: how deep its leaf is; lines: its sides.
+ *                                   The book's own scene (path NULL): the work of each pixel, too
+ *   draw_faults(o)                  the textbook's walk beside octree_hit; orange where it is wrong
  */
 #ifndef OCTREE_PICTURES_H
 #define OCTREE_PICTURES_H
 
-#include "../../../common/parallel.h"
-#include "../../../common/headlight.h"
-#include "../../../common/lab/heat.h"
+#include "../../../common/output.h"
+#include "../../09_aabb/trials/pictures.h"
 #include "measure.h"
-
-typedef struct {
-    const octree *t;
-    const mesh *m;
-    camera camera;
-    image *im;
-    int samples;  /* a pixel, along each side */
-    real most;
-} octree_picture;
-
-static inline bool draw_cells(octree_picture p, int threads);
-static inline bool draw_work(octree_picture p, int threads);
-static inline void draw_faults(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -66,74 +52,62 @@ static inline real side_distance(aabb b, vec3 p, vec3 n)
     return d;
 }
 
-static inline ray octree_picture_ray(const octree_picture *p, real x, real y)
+/* With lines, a pixel wide, where a side of a cell meets the surface. */
+static inline vec3 cells_colour(const void *picture, real x, real y)
 {
-    return camera_ray(p->camera, x, y, p->im->width, p->im->height);
-}
-
-static inline void cells_pixel(int x, int y, void *context)
-{
-    const octree_picture *p = context;
-    vec3 sum = {0, 0, 0};
-    int s = p->samples;
-    real pixel = vlength(vsub(octree_picture_ray(p, (real)x + 1, (real)y).d,
-                              octree_picture_ray(p, (real)x, (real)y).d));
-    for (int k = 0; k < s * s; k++) {
-        ray r = octree_picture_ray(p, (real)x + ((real)(k % s) + (real)0.5) / (real)s,
-                                   (real)y + ((real)(k / s) + (real)0.5) / (real)s);
-        vec3 c = {0.93, 0.93, 0.93};
-        hit h;
-        int depth;
-        if (octree_hit(p->t, r, &h)) {
-            vec3 at = ray_at(r, h.t), n = triangle_normal(mesh_triangle(p->m, h.shape));
-            aabb leaf = octree_leaf_at(p->t, at, &depth);
-            bool line = side_distance(leaf, at, n) < (real)0.5 * pixel * h.t;
-            c = headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
-            c = vmul(vadd(vscale(c, 0.8), vec(0.2, 0.2, 0.2)),
-                     depth_colour(depth));
-            if (line) c = vscale(c, 0.35);
-        }
-        sum = vmadd(sum, c, 1 / (real)(s * s));
-    }
-    image_set(p->im, x, y, sum);
-}
-
-static inline bool draw_cells(octree_picture p, int threads)
-{
-    return parallel_pixels(p.im->width, p.im->height, threads, "cells", cells_pixel, &p);
-}
-
-static inline void work_pixel(int x, int y, void *context)
-{
-    const octree_picture *p = context;
-    search_work w = {0, 0, 0, 0};
+    const trial_picture *p = picture;
+    const octree *t = p->built;
+    real left = floor(x), top = floor(y);
+    ray r = trial_eye_ray(p, x, y);
     hit h;
-    octree_hit_counted(p->t, octree_picture_ray(p, (real)x + (real)0.5, (real)y + (real)0.5), &h,
-                       &w);
-    image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / p->most));
+    int depth;
+    if (!octree_hit(t, r, &h)) return vec(0.93, 0.93, 0.93);
+    real pixel = vlength(vsub(trial_eye_ray(p, left + 1, top).d, trial_eye_ray(p, left, top).d));
+    vec3 at = ray_at(r, h.t), n = triangle_normal(mesh_triangle(p->m, h.shape));
+    aabb leaf = octree_leaf_at(t, at, &depth);
+    vec3 c = headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
+    c = vmul(vadd(vscale(c, 0.8), vec(0.2, 0.2, 0.2)), depth_colour(depth));
+    return side_distance(leaf, at, n) < (real)0.5 * pixel * h.t ? vscale(c, 0.35) : c;
 }
 
-static inline bool draw_work(octree_picture p, int threads)
+static inline void draw_octree(const options *o, const trial_scene *s, octree_options how,
+                               const char *path)
 {
-    return parallel_pixels(p.im->width, p.im->height, threads, "work", work_pixel, &p);
+    vec3 lo, hi;
+    char name[512];
+    trial_row r = {.verbs = &octree_trial, .how = &how};
+    image im = image_new(o->width, o->height);
+    trial_time_build(&r, s, 1);
+    mesh_bounds(&s->m, &lo, &hi);
+    camera c = camera_of(lo, hi, !path, (real)o->width / (real)o->height);
+    trial_picture p = {&octree_trial, r.built, &s->m, c, im.width, im.height, 60};
+    bool whole = pixels_draw(&im, o->quick ? 1 : 3, o->threads, "cells", cells_colour, &p);
+    structure_stats st = octree_stats(r.built);
+    printf("# %zu triangles: octree of depth %d in %.3f s, %zu leaves, %.1f %% of them empty, "
+           "%.2f references an item, %.1f bytes\n", s->m.triangles, st.depth, r.build, st.leaves,
+           100 * (double)st.empty / (double)st.leaves,
+           trial_per((double)st.references, st.items), trial_per((double)st.bytes, st.items));
+    output_picture(o, &im, picture_name("11_octree.png", path, name), true, whole);
+    if (!o->out && !o->own) {
+        whole = pixels_draw(&im, 1, o->threads, "work", trial_work_colour, &p);
+        output_picture(o, &im, "11_octree_work.png", false, whole);
+    }
+    trial_unbuild(&r), image_free(&im);
 }
 
 /* ---- textbook beside octree_hit ---- */
 
-typedef struct { octree_picture p; octree_search *search; } faulty_picture;
-
-static inline void fault_pixel(int x, int y, void *context)
+/* Through the upper left corners of the pixels, where rays meet corners of the mesh. */
+static inline vec3 fault_colour(const void *picture, real x, real y)
 {
-    const faulty_picture *f = context;
-    const vec3 background = {0.93, 0.93, 0.93};
-    const vec3 wrong = {0.85, 0.25, 0};
-    ray r = octree_picture_ray(&f->p, (real)x, (real)y);
+    const trial_picture *p = picture;
+    ray r = trial_eye_ray(p, floor(x), floor(y));
     hit h = hit_none, truth = hit_none;
-    f->search(f->p.t, r, &h), octree_hit(f->p.t, r, &truth);
-    vec3 c = background;
-    if (h.shape != no_shape) c = headlight(triangle_normal(mesh_triangle(f->p.m, h.shape)), r.d);
-    if (h.shape != truth.shape || h.t != truth.t) c = vmadd(vscale(c, 0.3), wrong, 0.8);
-    image_set(f->p.im, x, y, c);
+    vec3 c = {0.93, 0.93, 0.93};
+    p->verbs->hit(p->built, r, &h), octree_hit(p->built, r, &truth);
+    if (h.shape != no_shape) c = headlight(triangle_normal(mesh_triangle(p->m, h.shape)), r.d);
+    return h.shape != truth.shape || h.t != truth.t ? vmadd(vscale(c, 0.3), vec(0.85, 0.25, 0), 0.8)
+                                                    : c;
 }
 
 /* Above 60 large triangles in perspective, below the teapot along an axis, by orthographic rays:
@@ -141,33 +115,30 @@ static inline void fault_pixel(int x, int y, void *context)
 static inline void draw_faults(const options *o)
 {
     enum { panel_width = 384, panel_height = 256, gap = 6 };
-    octree_search *search[2] = {octree_hit_textbook, octree_hit};
+    static const octree_options how = {4, 6, true, true, (size_t)1 << 28};
+    const trial_verbs *const verbs[2] = {&octree_textbook_trial, &octree_trial};
     image all = image_new(2 * panel_width + gap, 2 * panel_height + gap);
     image im = image_new(panel_width, panel_height);
-    mesh m[2] = {octree_soup(60, 2, 5), teapot_mesh(10)};
     camera c[2];
     camera_frame frame;
     failure f;
     bool whole = true;
     c[0] = camera_of((vec3){0, 0, 0}, (vec3){4, 4, 4}, true, 1.5);
-    if (!frame_look_at(vec(0, -10, 1.5), vec(0, 0, 1.5), (vec3){0, 0, 1}, &frame,
-                       &f)
-        || !camera_orthographic(frame, (camera_window){-4, 4, -2.5, 2.83}, &c[1], &f))
-        fail(f);
-    for (int y = 0; y < all.height; y++)
-        for (int i = 0; i < all.width; i++) image_set(&all, i, y, (vec3){1, 1, 1});
+    if (!frame_look_at(vec(0, -10, 1.5), vec(0, 0, 1.5), (vec3){0, 0, 1}, &frame, &f)
+        || !camera_orthographic(frame, (camera_window){-4, 4, -2.5, 2.83}, &c[1], &f)) fail(f);
+    for (int i = 0; i < all.width * all.height; i++)
+        image_set(&all, i % all.width, i / all.width, (vec3){1, 1, 1});
     for (int row = 0; row < 2; row++) {
-        items x = items_of_mesh(&m[row]);
-        octree t;
-        if (!octree_build(&x, (octree_options){4, 6, true, true, (size_t)1 << 28}, &t, &f)) fail(f);
+        trial_scene s;
+        trial_row r = {.verbs = &octree_trial, .how = &how};
+        trial_scene_of(row ? teapot_mesh(10) : octree_soup(60, 2, 5), &s);
+        trial_build(&r, &s);
         for (int k = 0; k < 2; k++) {
-            faulty_picture p = {{&t, &m[row], c[row], &im, 1, 0}, search[k]};
-            whole = parallel_pixels(panel_width, panel_height, o->threads, "faults", fault_pixel,
-                                    &p) && whole;
+            trial_picture p = {verbs[k], r.built, &s.m, c[row], panel_width, panel_height, 0};
+            whole = pixels_draw(&im, 1, o->threads, "faults", fault_colour, &p) && whole;
             image_place(&all, k * (panel_width + gap), row * (panel_height + gap), &im);
         }
-        octree_free(&t);
-        mesh_free(&m[row]);
+        trial_unbuild(&r), trial_scene_free(&s);
     }
     output_picture(o, &all, "11_octree_faults.png", false, whole);
     image_free(&all), image_free(&im);

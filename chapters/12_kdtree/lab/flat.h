@@ -28,9 +28,9 @@ typedef struct {
     hit h;
     uint32_t cell[flat_most_cells];  /* leaves, in the order of visits */
     int cells;
-} flat_figure;
+} kdtree_flat;
 
-typedef struct { const flat_figure *panel[2]; image *im; } flat_picture;
+typedef struct { const kdtree_flat *panel[2]; image *im; } kdtree_flat_picture;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -54,7 +54,7 @@ static inline void flat_ends(int i, real end[4])
     }
 }
 
-static inline void flat_walls_of(flat_figure *f, real height)
+static inline void flat_walls_of(kdtree_flat *f, real height)
 {
     for (int i = 0; i < flat_walls; i++) {
         real e[4];
@@ -68,7 +68,7 @@ static inline void flat_walls_of(flat_figure *f, real height)
 }
 
 /* The leaves whose cells the part [enter, exit] of the ray passes, in order, up to the hit. */
-static inline void flat_visit(flat_figure *f, uint32_t at, real enter, real exit)
+static inline void flat_visit(kdtree_flat *f, uint32_t at, real enter, real exit)
 {
     kd_node n = f->t.node[at];
     if (enter > exit || enter > f->h.t) return;
@@ -83,11 +83,11 @@ static inline void flat_visit(flat_figure *f, uint32_t at, real enter, real exit
     flat_visit(f, near ^ 1, real_max(t, enter), exit);
 }
 
-static inline void flat_init(flat_figure *f, kdtree_strategy strategy, real height)
+static inline void flat_init(kdtree_flat *f, kdtree_strategy strategy, real height)
 {
     kdtree_options how = kdtree_defaults;
     failure why;
-    *f = (flat_figure){.h = hit_none};
+    *f = (kdtree_flat){.h = hit_none};
     how.strategy = strategy, how.leaf = 2, how.item_cost = 2;
     flat_walls_of(f, height);
     items x = items_of_scene(&f->world);
@@ -100,11 +100,14 @@ static inline void flat_init(flat_figure *f, kdtree_strategy strategy, real heig
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real flat_segment(real x, real y, const real e[4])
+/* Is (x, y) nearer to the segment than `far`? Most are beside its box. */
+static inline bool flat_near(real x, real y, const real e[4], real far)
 {
+    if (x < real_min(e[0], e[2]) - far || x > real_max(e[0], e[2]) + far) return false;
+    if (y < real_min(e[1], e[3]) - far || y > real_max(e[1], e[3]) + far) return false;
     real dx = e[2] - e[0], dy = e[3] - e[1], px = x - e[0], py = y - e[1];
     real s = real_clamp((px * dx + py * dy) / (dx * dx + dy * dy), 0, 1);
-    return sqrt((px - s * dx) * (px - s * dx) + (py - s * dy) * (py - s * dy));
+    return sqrt((px - s * dx) * (px - s * dx) + (py - s * dy) * (py - s * dy)) < far;
 }
 
 static inline vec3 flat_rank(int i, int n)
@@ -114,7 +117,7 @@ static inline vec3 flat_rank(int i, int n)
     return vmadd(vscale(first, 1 - s), last, s);
 }
 
-static inline vec3 flat_colour(const flat_figure *f, real x, real y)
+static inline vec3 flat_colour(const kdtree_flat *f, real x, real y)
 {
     vec3 c = {1, 1, 1}, grey = {0.25, 0.3, 0.35}, black = {0, 0, 0};
     uint32_t at = 0;
@@ -133,11 +136,11 @@ static inline vec3 flat_colour(const flat_figure *f, real x, real y)
     if (line) c = vadd(vscale(c, 0.4), vscale(grey, 0.6));
     vec3 end = ray_at(f->r, f->h.shape == no_shape ? 10 : f->h.t);
     real way[4] = {f->r.o.x, f->r.o.y, end.x, end.y};
-    if (flat_segment(x, y, way) < (real)0.035) c = vec(0.8, 0, 0);
+    if (flat_near(x, y, way, (real)0.035)) c = vec(0.8, 0, 0);
     for (int i = 0; i < flat_walls; i++) {
         vec3 one = f->corner[i][0], two = f->corner[i][1];
         real e[4] = {one.x, one.y, two.x, two.y};
-        if (flat_segment(x, y, e) < (real)0.045) c = black;
+        if (flat_near(x, y, e, (real)0.045)) c = black;
     }
     real dot = (x - end.x) * (x - end.x) + (y - end.y) * (y - end.y);
     return f->h.shape != no_shape && dot < (real)0.015 ? black : c;
@@ -145,7 +148,7 @@ static inline vec3 flat_colour(const flat_figure *f, real x, real y)
 
 static inline void flat_pixel(int x, int y, void *context)
 {
-    const flat_picture *p = context;
+    const kdtree_flat_picture *p = context;
     int panel = x / (flat_panel + flat_gap), left = x - panel * (flat_panel + flat_gap);
     vec3 sum = {0, 0, 0};
     for (int i = 0; i < 16; i++) {
@@ -160,10 +163,10 @@ static inline void flat_pixel(int x, int y, void *context)
 
 static inline void draw_flat(const options *o)
 {
-    static flat_figure middle, sah;
+    static kdtree_flat middle, sah;
     image im = image_new(2 * flat_panel + flat_gap, flat_panel);
     flat_init(&middle, KD_MIDDLE, 1e-3), flat_init(&sah, KD_SAH, 1000);
-    flat_picture p = {{&middle, &sah}, &im};
+    kdtree_flat_picture p = {{&middle, &sah}, &im};
     bool whole = parallel_pixels(im.width, im.height, o->threads, "flat", flat_pixel, &p);
     printf("# in the plane: the ray passes %d cells cut in the middle, %d by SAH\n", middle.cells,
            sah.cells);

@@ -1,225 +1,217 @@
-/* measure.h: the strategies on one mesh: time, memory, work, wrong hits. */
+/* measure.h: the strategies and the searches measured (09_aabb/trials/bench.h).
+ *
+ *   table_of_strategies(o, &s)    time, memory, work, wrong hits; the main table
+ *   table_of_planes(o)            squares in dyadic planes, where textbook searches lose hits
+ *   plots_of_cost(o, &s)          work and time against the cost of a test
+ *   plot_of_bonus(o, &s)          work against the bonus for cutting off empty space
+ *   kdtree_grow(o)                against the number of triangles
+ */
 #ifndef KDTREE_MEASURE_H
 #define KDTREE_MEASURE_H
 
-#include "../../../common/lab/report.h"
-#include "../../07_mesh/scenes/teapot.h"
-#include "../../09_aabb/trials/first_row.h"
+#include "../../09_aabb/trials/growth.h"
 #include "../first.h"
 #include "textbook.h"
 
-typedef bool kd_searcher(const kdtree *t, ray r, hit *out);
-typedef struct { const char *name; kdtree_options options; kd_searcher *search; } candidate;
+typedef struct { const char *name; const trial_verbs *verbs; kdtree_options how; bool again; }
+    kdtree_candidate;
 
-#define KD_HOW(strategy, bonus, clip, planar) \
+TRIAL_VERBS(kdtree, kdtree, kdtree_hit, kdtree_hit_counted)
+TRIAL_OTHER(kdtree_textbook, kdtree, kdtree, kdtree_hit_textbook)
+TRIAL_OTHER(kdtree_final, kdtree, kdtree, kdtree_hit_naive_final)
+TRIAL_OTHER(kdtree_strict, kdtree, kdtree, kdtree_hit_naive_strict)
+TRIAL_FIRST(first_kdtree, first_kdtree_build(&b->m, &b->s))
+
+#define KDTREE_HOW(strategy, bonus, clip, planar) \
     {strategy, 4, 0, 1, kdtree_item_cost, bonus, clip, planar, SIZE_MAX / 4}
 
-enum { candidates = 10, structures = 6 };  /* the first six are trees, the others other searches */
-static const candidate candidate_list[candidates] = {
-    {"middle", KD_HOW(KD_MIDDLE, 0, true, KD_THICK), kdtree_hit},
-    {"median", KD_HOW(KD_MEDIAN, 0, true, KD_THICK), kdtree_hit},
-    {"SAH, boxes", KD_HOW(KD_SAH, 0, false, KD_THICK), kdtree_hit},
-    {"SAH, clipped", KD_HOW(KD_SAH, 0, true, KD_THICK), kdtree_hit},
-    {"SAH, bonus 0.1", KD_HOW(KD_SAH, 0.1, true, KD_THICK), kdtree_hit},
-    {"SAH, bonus 0.5", KD_HOW(KD_SAH, 0.5, true, KD_THICK), kdtree_hit},
-    {"textbook search", KD_HOW(KD_SAH, 0.1, true, KD_BOTH), kdtree_hit_textbook},
-    {"naive: first hit final", KD_HOW(KD_SAH, 0.1, true, KD_BOTH), kdtree_hit_naive_final},
-    {"naive: strict", KD_HOW(KD_SAH, 0.1, true, KD_BOTH), kdtree_hit_naive_strict},
-    {"naive: strict, one side", KD_HOW(KD_SAH, 0.1, true, KD_ONE), kdtree_hit_naive_strict}};
-
-/* What the surveys share: the mesh, rays at it, and the hits of brute force for some of them. */
-typedef struct {
-    mesh m;
-    items x;
-    camera v;
-    ray_set primary, diffuse, corners;
-    hit *brute;                /* of `corners` */
-    double brute_seconds;      /* a ray */
-} subject;
-
-static inline void subject_init(subject *s, mesh m, camera v, int width, size_t corners,
-                                uint64_t seed);
-static inline void subject_free(subject *s);
-static inline void table_of_strategies(const options *o, const subject *s);
+/* The first seven are the short table, 1 to 4 the picture. */
+enum { kdtree_short = 7, kdtree_candidates = 11 };
+static const kdtree_candidate kdtree_candidate_list[kdtree_candidates] = {
+    {"first", &first_kdtree_trial, KDTREE_HOW(KD_MIDDLE, 0, false, KD_BOTH), false},
+    {"middle", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 0, true, KD_THICK), false},
+    {"median", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 0, true, KD_THICK), false},
+    {"SAH, boxes", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, false, KD_THICK), false},
+    {"SAH, clipped", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, true, KD_THICK), false},
+    {"textbook search", &kdtree_textbook_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_BOTH), false},
+    {"naive: first hit final", &kdtree_final_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_BOTH), true},
+    {"naive: strict", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_BOTH), true},
+    {"naive: strict, one side", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_ONE), false},
+    {"SAH, bonus 0.1", &kdtree_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_THICK), false},
+    {"SAH, bonus 0.5", &kdtree_trial, KDTREE_HOW(KD_SAH, 0.5, true, KD_THICK), false}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void build_or_fail(const items *x, kdtree_options how, kdtree *t)
+static inline void kdtree_cells(table *t, const trial_row *r)
 {
-    failure f;
-    if (!kdtree_build(x, how, t, &f)) fail(f);
+    table_number(t, 100 * trial_per((double)r->stats.empty, r->stats.leaves));
 }
 
-static inline camera view_of_mesh(const mesh *m, real aspect)
+static inline void table_of_strategies(const options *o, const trial_scene *s)
 {
-    vec3 lo, hi;
-    mesh_bounds(m, &lo, &hi);
-    return camera_of(lo, hi, true, aspect);
-}
-
-static inline void subject_init(subject *s, mesh m, camera v, int width, size_t corners,
-                                uint64_t seed)
-{
-    kdtree t;
-    *s = (subject){.m = m, .v = v, .primary = rays_primary(v, width, width * 5 / 8)};
-    s->x = items_of_mesh(&s->m);
-    build_or_fail(&s->x, kdtree_defaults, &t);
-    hit *h = allocate(s->primary.n, sizeof *h);
-    for (size_t i = 0; i < s->primary.n; i++)
-        if (!kdtree_hit(&t, s->primary.r[i], &h[i])) h[i] = hit_none;
-    s->diffuse = rays_diffuse(&s->m, &s->primary, h, seed);
-    free(h);
-    kdtree_free(&t);
-    s->corners = rays_corners(&s->m, v.e, corners, seed);
-    s->brute = allocate(corners, sizeof *s->brute);
-    double start = clock_seconds();
-    for (size_t i = 0; i < corners; i++)
-        if (!mesh_hit(&s->m, s->corners.r[i], &s->brute[i])) s->brute[i] = hit_none;
-    s->brute_seconds = (clock_seconds() - start) / (double)(corners ? corners : 1);
-}
-
-static inline void subject_free(subject *s)
-{
-    rays_free(&s->primary), rays_free(&s->diffuse), rays_free(&s->corners);
-    mesh_free(&s->m);
-    free(s->brute);
-    s->brute = NULL;
-}
-
-static inline bool hits_equal(hit a, hit b)
-{
-    return a.t == b.t && a.u == b.u && a.v == b.v && a.shape == b.shape;
-}
-
-static inline size_t rays_wrong(const kdtree *t, kd_searcher *search, const ray_set *s,
-                                const hit *brute)
-{
-    size_t wrong = 0;
-    for (size_t i = 0; i < s->n; i++) {
-        hit h = hit_none;
-        search(t, s->r[i], &h);
-        wrong += !hits_equal(h, brute[i]);
-    }
-    return wrong;
-}
-
-static inline search_work rays_count(const kdtree *t, const ray_set *s)
-{
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    for (size_t i = 0; i < s->n; i++) kdtree_hit_counted(t, s->r[i], &h, &w);
-    return w;
-}
-
-typedef struct { const subject *s; const candidate *c; const ray_set *rays; kdtree t; } trial;
-
-static inline double run_build(void *context)
-{
-    trial *t = context;
-    kdtree_free(&t->t);
-    build_or_fail(&t->s->x, t->c->options, &t->t);
-    return (double)t->t.nodes;
-}
-
-static inline double run_search(void *context)
-{
-    const trial *t = context;
-    size_t hits = 0;
-    hit h;
-    if (t->c->search == kdtree_hit)  /* known here, so that it is no call */
-        for (size_t i = 0; i < t->rays->n; i++) hits += kdtree_hit(&t->t, t->rays->r[i], &h);
-    else
-        for (size_t i = 0; i < t->rays->n; i++) hits += t->c->search(&t->t, t->rays->r[i], &h);
-    return (double)hits;
-}
-
-/* Median seconds of each trial, taken in turn. */
-static inline void time_trials(trial *t, int n, double (*run)(void *), int rounds, double *seconds)
-{
-    clock_variant v[16];
-    for (int i = 0; i < n; i++) v[i] = (clock_variant){t[i].c->name, run, &t[i], 0};
-    clock_compare(v, n, rounds);
-    for (int i = 0; i < n; i++) seconds[i] = v[i].seconds;
-}
-
-static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
-
-/* Work of the padded search. The textbook's rows have it too: it is their tree that is measured. */
-static inline void row_of_work(table *out, const kdtree *t, search_work w, size_t rays)
-{
-    structure_stats st = kdtree_stats(t);
-    table_count(out, (size_t)st.depth);
-    table_number(out, per((double)st.references, st.items));
-    table_number(out, 100 * per((double)st.empty, st.leaves));
-    table_number(out, per((double)w.nodes, rays)), table_number(out, per((double)w.leaves, rays));
-    table_number(out, per((double)w.tests, rays));
-}
-
-static inline void row_of_brute(table *out, const subject *s)
-{
-    table_text(out, "brute force");
-    for (int k = 0; k < 8; k++) table_text(out, "-");
-    table_number(out, (double)s->m.triangles), table_count(out, 0);
-    table_number(out, s->brute_seconds * 1e9), table_number(out, s->brute_seconds * 1e9);
-}
-
-static inline bool first_kdtree_search(const void *t, ray r, hit *out)
-{
-    return first_kdtree_hit(t, r, out);
-}
-
-static inline void row_of_first(table *out, const subject *s, int rounds)
-{
-    first_kdtree t;
-    first_mesh f = first_mesh_of(&s->m);
-    double start = clock_seconds();
-    first_kdtree_build(&f, &t);
-    double build = clock_seconds() - start;
-    table_text(out, "first"), table_number(out, build * 1e3);
-    for (int k = 0; k < 7; k++) table_text(out, "-");
-    first_cells(out, (first_search){&t, first_kdtree_search}, &s->primary, &s->diffuse,
-                &s->corners, s->brute, rounds);
-    first_kdtree_free(&t), first_mesh_free(&f);
-}
-
-static inline void table_of_strategies(const options *o, const subject *s)
-{
-    trial t[candidates];
-    double build[candidates], primary[candidates], diffuse[candidates];
+    static const trial_columns own = {"|empty leaves [%]", kdtree_cells};
+    int n = o->full ? kdtree_candidates : kdtree_short;
     char title[160];
-    snprintf(title, sizeof title,
-             "%zu triangles: %zu primary and %zu diffuse rays, one thread; wrong of %zu at corners",
-             s->m.triangles, s->primary.n, s->diffuse.n, s->corners.n);
-    table out = table_new(
-        title, "structure|time build [ms]|memory [B/tri]|peak [B/tri]|depth|references/tri|"
-               "empty leaves [%]|nodes/ray|leaves/ray|tests/ray|error [wrong]|time primary [ns]|"
-               "time diffuse [ns]");
-    for (int i = 0; i < candidates; i++)
-        t[i] = (trial){s, &candidate_list[i], &s->primary, {0}};
-    for (int i = 0; i < candidates; i++) {
-        bool again = i > structures && i + 1 < candidates;  /* the tree of the row before */
-        double start = clock_seconds();
-        if (again) t[i].t = t[i - 1].t, build[i] = build[i - 1];
-        else run_build(&t[i]), build[i] = clock_seconds() - start;
+    trial_row row[kdtree_candidates];
+    for (int i = 0; i < n; i++) {
+        const kdtree_candidate *c = &kdtree_candidate_list[i];
+        row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &c->how,
+                             .again = c->again};
     }
-    time_trials(t, candidates, run_search, o->quick ? 1 : 3, primary);
-    for (int i = 0; i < candidates; i++) t[i].rays = &s->diffuse;
-    time_trials(t, candidates, run_search, o->quick ? 1 : 3, diffuse);
-    row_of_first(&out, s, o->quick ? 1 : 3);
-    for (int i = 0; i < candidates; i++) {
-        search_work w = rays_count(&t[i].t, &s->primary), d = rays_count(&t[i].t, &s->diffuse);
-        w.nodes += d.nodes, w.leaves += d.leaves, w.tests += d.tests;
-        table_text(&out, "%s", t[i].c->name), table_number(&out, build[i] * 1e3);
-        table_number(&out, per((double)t[i].t.bytes, t[i].t.items));
-        table_number(&out, per((double)t[i].t.peak, t[i].t.items));
-        row_of_work(&out, &t[i].t, w, s->primary.n + s->diffuse.n);
-        table_count(&out, rays_wrong(&t[i].t, t[i].c->search, &s->corners, s->brute));
-        table_number(&out, per(primary[i] * 1e9, s->primary.n));
-        table_number(&out, per(diffuse[i] * 1e9, s->diffuse.n));
-        if (i < structures || i + 2 >= candidates) kdtree_free(&t[i].t);
+    trials_run(row, n, s, o->quick ? 1 : 3);
+    table t = trial_table(trial_title(s, title), row, n, s, o->full, &own);
+    output_table(o, &t);
+    trial_end(row, n);
+}
+
+/* ---- where textbook searches lose hits ---- */
+
+/* Three planes x, y, z = -1, -1/2, .. 1, of 4 x 4 squares each, cut in two. */
+static inline mesh planes_mesh(void)
+{
+    mesh m = {.vertices = 125, .triangles = 480};
+    m.v = allocate(m.vertices, sizeof *m.v);
+    m.index = allocate(3 * m.triangles, sizeof *m.index);
+    for (int i = 0; i < 125; i++)
+        m.v[i] = (vec3){(real)(i % 5) / 2 - 1, (real)(i / 5 % 5) / 2 - 1, (real)(i / 25) / 2 - 1};
+    static const uint32_t step[3] = {1, 5, 25};
+    uint32_t *at = m.index;
+    for (int k = 0; k < 3; k++)
+        for (uint32_t i = 0; i < 80; i++) {
+            uint32_t u = step[(k + 1) % 3], v = step[(k + 2) % 3];
+            uint32_t a = i / 16 * step[k] + i % 4 * u + i / 4 % 4 * v;
+            uint32_t corner[6] = {a, a + u, a + u + v, a, a + u + v, a + v};
+            memcpy(at, corner, sizeof corner), at += 6;
+        }
+    return m;
+}
+
+/* Rays on which nothing is rounded, or rays from anywhere at corners. */
+static inline ray_set rays_at_planes(const mesh *m, size_t n, bool dyadic, uint64_t seed)
+{
+    ray_set s = {allocate(n, sizeof(ray)), n};
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(seed, i, 4);
+        vec3 at = m->v[random_next_bits(&g) % m->vertices];
+        vec3 o = {4 * random_next(&g) - 2, 4 * random_next(&g) - 2, 4 * random_next(&g) - 2};
+        s.r[i] = dyadic ? kd_dyadic_ray(&g) : ray_from(o, vsub(at, o));
     }
-    row_of_brute(&out, s);
-    output_table(o, &out);
+    return s;
+}
+
+static inline void table_of_planes(const options *o)
+{
+    static const trial_verbs *const verbs[4] = {&kdtree_final_trial, &kdtree_strict_trial,
+                                                &kdtree_textbook_trial, &kdtree_trial};
+    static const char *const name[4] = {"first hit final", "strict", "textbook", "padded"};
+    const size_t n = 20000;
+    char title[100];
+    snprintf(title, sizeof title, "Squares in dyadic planes, cut in the middle: wrong of %zu rays",
+             n);
+    table out = table_new(title, "search|dyadic rays, both sides|dyadic rays, one side|"
+                                 "rays at corners, both sides|rays at corners, one side");
+    size_t wrong[4][4];
+    for (int k = 0; k < 4; k++) {
+        trial_scene s;
+        kdtree_options how = KDTREE_HOW(KD_MIDDLE, 0, true, k % 2 ? KD_ONE : KD_BOTH);
+        how.leaf = 1;
+        trial_scene_of(planes_mesh(), &s);
+        s.rays[TRIAL_CORNERS] = rays_at_planes(&s.m, n, k < 2, o->seed);
+        trial_due(&s, false);
+        for (int i = 0; i < 4; i++) {
+            trial_row r = {.verbs = verbs[i], .how = &how};
+            trials_run(&r, 1, &s, 1);
+            wrong[i][k] = r.wrong;
+            trial_end(&r, 1);
+        }
+        trial_scene_free(&s);
+    }
+    for (int i = 0; i < 4; i++) {
+        table_text(&out, "%s", name[i]);
+        for (int k = 0; k < 4; k++) table_count(&out, wrong[i][k]);
+    }
+    output_extra_table(o, &out);
+}
+
+/* ---- knobs ---- */
+
+/* b and c of ns = b nodes + c tests, by least squares: two normal equations. */
+static inline void fit_costs(const double (*row)[3], int n, double *b, double *c)
+{
+    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+    for (int i = 0; i < n; i++) {
+        double x = row[i][0], y = row[i][1], z = row[i][2];
+        xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z;
+    }
+    *b = (xz * yy - yz * xy) / (xx * yy - xy * xy);
+    *c = (yz * xx - xz * xy) / (xx * yy - xy * xy);
+}
+
+/* c_i from 1/16 to 2: the trees go from coarse to fine; c_t is 1 throughout. */
+static inline void plots_of_cost(const options *o, const trial_scene *s)
+{
+    enum { most = 6 };
+    plot p = plot_new("Cost of a test: work", "c_i / c_t", "a diffuse ray", PLOT_LOG_X);
+    plot q = plot_new("Cost of a test: time", "c_i / c_t", "[ns], [B/tri]", PLOT_LOG_X);
+    int nodes = plot_series(&p, "nodes"), tests = plot_series(&p, "tests");
+    int leaves = plot_series(&p, "leaves"), primary = plot_series(&q, "primary ray [ns]");
+    int diffuse = plot_series(&q, "diffuse ray [ns]"), bytes = plot_series(&q, "memory [B/tri]");
+    double fit[most][3], node, test, rays = (double)s->rays[TRIAL_DIFFUSE].n;
+    kdtree_options how[most];
+    trial_row row[most];
+    for (int i = 0; i < most; i++) {
+        how[i] = kdtree_defaults, how[i].item_cost = ldexp(1.0, i - 4);
+        row[i] = (trial_row){.name = "", .verbs = &kdtree_trial, .how = &how[i]};
+    }
+    trials_run(row, most, s, 5);
+    for (int i = 0; i < most; i++) {
+        search_work w = row[i].ray[TRIAL_DIFFUSE].work;
+        double at = how[i].item_cost;
+        fit[i][0] = (double)w.nodes / rays, fit[i][1] = (double)w.tests / rays;
+        fit[i][2] = trial_ns(&row[i], TRIAL_DIFFUSE);
+        plot_add(&p, nodes, at, fit[i][0]), plot_add(&p, tests, at, fit[i][1]);
+        plot_add(&p, leaves, at, (double)w.leaves / rays);
+        plot_add(&q, primary, at, trial_ns(&row[i], TRIAL_PRIMARY));
+        plot_add(&q, diffuse, at, fit[i][2]);
+        plot_add(&q, bytes, at, trial_per((double)row[i].stats.bytes, row[i].stats.items));
+    }
+    trial_end(row, most);
+    fit_costs((const double (*)[3])fit, most, &node, &test);
+    printf("# fitted: a diffuse ray takes %.1f ns a node and %.1f ns a test\n\n", node, test);
+    output_plot(o, &p, "12_kdtree_cost.svg");
+    output_plot(o, &q, "12_kdtree_cost_time.svg");
+}
+
+static inline void plot_of_bonus(const options *o, const trial_scene *s)
+{
+    plot p = plot_new("Bonus for cutting off empty space", "bonus", "a diffuse ray", 0);
+    int nodes = plot_series(&p, "nodes"), leaves = plot_series(&p, "leaves");
+    int tests = plot_series(&p, "tests");
+    static const double bonus[6] = {0, 0.1, 0.2, 0.3, 0.5, 0.8};
+    for (int i = 0; i < 6; i++) {
+        kdtree_options how = kdtree_defaults;
+        trial_row r = {.verbs = &kdtree_trial, .how = &how};
+        const ray_set *rays = &s->rays[TRIAL_DIFFUSE];
+        how.empty_bonus = bonus[i];
+        trial_build(&r, s);
+        search_work w = trial_work(&r, rays, 1);
+        plot_add(&p, nodes, how.empty_bonus, trial_per((double)w.nodes, rays->n));
+        plot_add(&p, leaves, how.empty_bonus, trial_per((double)w.leaves, rays->n));
+        plot_add(&p, tests, how.empty_bonus, trial_per((double)w.tests, rays->n));
+        trial_unbuild(&r);
+    }
+    output_plot(o, &p, "12_kdtree_bonus.svg");
+}
+
+static inline void kdtree_grow(const options *o)
+{
+    static const int fine[] = {1, 2, 4, 8, 16, 32, 50};
+    const trial_growth g = {.title = "Growth with n, SAH, one thread",
+                            .plots = {"12_kdtree_n_time.svg", "12_kdtree_n.svg"},
+                            .name = "k-d tree", .work = {"nodes", "leaves", "tests"},
+                            .verbs = &kdtree_trial, .how = &kdtree_defaults, .fine = fine,
+                            .sizes = 7, .width = 160, .brute = 50};
+    trial_grow(o, &g);
 }
 
 #endif

@@ -7,8 +7,8 @@
  * The segments are the feet of upright walls (puzzles.h), the tree is that of painter.h, seen from
  * above. Thin lines are where its planes cut the cells.
  */
-#ifndef FLAT_FIGURE_H
-#define FLAT_FIGURE_H
+#ifndef BSP_FLAT_FIGURE_H
+#define BSP_FLAT_FIGURE_H
 
 #include "../../../common/image.h"
 #include "../../../common/parallel.h"
@@ -17,18 +17,18 @@
 
 enum { flat_most = 64 };
 
-typedef struct { real x, y; int number; } flat_label;
+typedef struct { real x, y; int number; } bsp_label;
 typedef struct {
     const painter *p;
     image *im;
     bool painting;             /* the right panel */
     vec3 from, to;             /* the ray; the eye is `from` */
     uint32_t rank[4096];       /* of a cell: when the ray passes it; of a piece: when drawn */
-    flat_label label[flat_most];
+    bsp_label label[flat_most];
     int labels;
     struct { vec3 a, b; uint32_t piece; } foot[flat_most];
     int feet;
-} flat_figure;
+} bsp_flat;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -76,7 +76,7 @@ static inline bool digit_dot(int digit, int x, int y)
 }
 
 /* Dots of 0.085 of the plane's units. */
-static inline bool label_covers(const flat_label *l, real x, real y)
+static inline bool label_covers(const bsp_label *l, real x, real y)
 {
     real dot = 0.085, w = l->number < 10 ? 3 : 7;
     real u = (x - l->x) / dot + w / 2, v = (l->y - y) / dot + (real)2.5;
@@ -88,7 +88,7 @@ static inline bool label_covers(const flat_label *l, real x, real y)
 
 static inline vec3 flat_mix(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
 
-static inline vec3 flat_colour(const flat_figure *f, real x, real y)
+static inline vec3 flat_colour(const bsp_flat *f, real x, real y)
 {
     const vec3 black = {0, 0, 0}, red = {0.75, 0.05, 0.02};
     const vec3 blue = {0.05, 0.3, 0.7}, pale = {0.9, 0.9, 0.88};
@@ -121,7 +121,7 @@ static inline vec3 flat_colour(const flat_figure *f, real x, real y)
 
 static inline void flat_pixel(int x, int y, void *context)
 {
-    const flat_figure *f = context;
+    const bsp_flat *f = context;
     vec3 sum = {0, 0, 0};
     for (int k = 0; k < 9; k++) {
         real u = ((real)x + ((real)(k % 3) + (real)0.5) / 3) / (real)f->im->width;
@@ -132,7 +132,7 @@ static inline void flat_pixel(int x, int y, void *context)
 }
 
 /* Walks along the ray in small steps; a label in the middle of each cell's part. */
-static inline void flat_along_ray(flat_figure *f)
+static inline void flat_along_ray(bsp_flat *f)
 {
     enum { steps = 4000 };
     uint32_t before = UINT32_MAX;
@@ -144,7 +144,7 @@ static inline void flat_along_ray(flat_figure *f)
             if (i > 0) {
                 vec3 q = vmadd(vmadd(f->from, d, (real)(began + i) / (2 * steps)), across,
                                0.36);
-                f->label[f->labels] = (flat_label){q.x, q.y, f->labels + 1};
+                f->label[f->labels] = (bsp_label){q.x, q.y, f->labels + 1};
                 f->rank[before] = (uint32_t)++f->labels;
             }
             began = i, before = now;
@@ -152,7 +152,7 @@ static inline void flat_along_ray(flat_figure *f)
     }
 }
 
-static inline void flat_for_eye(flat_figure *f)
+static inline void flat_for_eye(bsp_flat *f)
 {
     uint32_t *order = allocate(f->p->pieces, sizeof *order);
     size_t n = painter_order(f->p, f->from, order);
@@ -161,7 +161,7 @@ static inline void flat_for_eye(flat_figure *f)
         if (!flat_foot(f->p, order[i], &a, &b)) continue;
         vec3 e = vunit(vsub(b, a)), q = vscale(vadd(a, b), 0.5);
         q = vadd(q, vscale((vec3){-e.y, e.x, 0}, e.x < 0 ? -(real)0.36 : (real)0.36));
-        f->label[f->labels] = (flat_label){q.x, q.y, f->labels + 1};
+        f->label[f->labels] = (bsp_label){q.x, q.y, f->labels + 1};
         f->rank[order[i]] = (uint32_t)++f->labels;
     }
     free(order);
@@ -178,8 +178,8 @@ static inline bool draw_flat(int threads, image *all)
     if (!painter_build(&m, how, &p, &f)) fail(f);
     for (int k = 0; k < 2; k++) {
         image im = image_new((all->width - 8) / 2, all->height);
-        flat_figure *g = allocate(1, sizeof *g);
-        *g = (flat_figure){.p = &p, .im = &im, .painting = k == 1};
+        bsp_flat *g = allocate(1, sizeof *g);
+        *g = (bsp_flat){.p = &p, .im = &im, .painting = k == 1};
         g->from = k ? vec(8.6, 0.6, 0) : vec(0.4, 4.6, 0);
         g->to = vec(9.9, 6.2, 0);
         for (uint32_t i = 0; i < p.pieces && g->feet < flat_most; i++)

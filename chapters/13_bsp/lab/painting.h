@@ -4,8 +4,8 @@
  *                                                        tint of its own
  *   draw_cyclic(&im)     three panels: sorted by distance; BSP; the same, by pieces
  */
-#ifndef PAINTING_H
-#define PAINTING_H
+#ifndef BSP_PAINTING_H
+#define BSP_PAINTING_H
 
 #include "../../../common/image.h"
 #include "../../../common/parallel.h"

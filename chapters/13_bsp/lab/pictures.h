@@ -1,8 +1,8 @@
 /* pictures.h: a slice through a tree's cells, and what each pixel's ray took.
  *
- *   bool draw_trees(&m, lo, hi, z_up, how, threads, &im)   four panels: cells across the axes, and
- *                                                    as `how` says (left, right); below, nodes and
- *                                                    tests of each pixel's ray, black 0, white 90
+ *   bool draw_trees(&s, z_up, how, threads, &im)   four panels: cells across the axes, and as `how`
+ *                                                  says (left, right); below, nodes and tests of
+ *                                                  each pixel's ray, black 0, white 90
  *
  * Slice: upright, through the middle. Each cell has its own tint, darker the more triangles
  * it names; white cells name none.
@@ -10,22 +10,14 @@
 #ifndef BSP_PICTURES_H
 #define BSP_PICTURES_H
 
-#include "../bsp.h"
-#include "../../../common/lab/heat.h"
-#include "../../09_aabb/trials/survey.h"
-#include "../../../common/image.h"
-#include "../../../common/parallel.h"
+#include "../../09_aabb/trials/pictures.h"
+#include "measure.h"
 
 typedef struct {
     const bsp *b;
-    camera v;
-    image *im;
-    int up;                  /* axis: 1 or 2 */
+    int width, height, up;   /* of the panel; axis: 1 or 2 */
     real x0, x1, up0, up1;   /* of the slice */
-} tree_picture;
-
-static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bool z_up, bsp_options how,
-                              int threads, image *all);
+} bsp_slice;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -53,60 +45,47 @@ static inline vec3 cell_tint(const bsp *b, uint32_t leaf)
     return (vec3){tint[0], tint[1], tint[2]};
 }
 
-static inline void slice_pixel(int x, int y, void *context)
+static inline vec3 slice_colour(const void *slice, real x, real y)
 {
-    const tree_picture *p = context;
-    vec3 sum = {0, 0, 0};
-    for (int k = 0; k < 9; k++) {
-        real u = ((real)x + ((real)(k % 3) + (real)0.5) / 3) / (real)p->im->width;
-        real v = ((real)y + ((real)(k / 3) + (real)0.5) / 3) / (real)p->im->height;
-        vec3 at = aabb_center(p->b->all);
-        at.x = p->x0 + u * (p->x1 - p->x0);
-        *(p->up == 1 ? &at.y : &at.z) = p->up1 - v * (p->up1 - p->up0);
-        if (!aabb_contains(p->b->all, at)) continue;
-        sum = vmadd(sum, cell_tint(p->b, leaf_of(p->b, vsub(at, p->b->middle))), (real)1 / 9);
-    }
-    image_set(p->im, x, y, sum);
-}
-
-static inline void work_pixel(int x, int y, void *context)
-{
-    const tree_picture *p = context;
-    search_work w = {0, 0, 0, 0};
-    hit h;
-    ray r = camera_ray(p->v, (real)x + (real)0.5, (real)y + (real)0.5, p->im->width,
-                       p->im->height);
-    bsp_hit_counted(p->b, r, &h, &w);
-    image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / 90));
+    const bsp_slice *p = slice;
+    vec3 at = aabb_center(p->b->all);
+    at.x = p->x0 + x / (real)p->width * (p->x1 - p->x0);
+    at = vwith(at, p->up, p->up1 - y / (real)p->height * (p->up1 - p->up0));
+    if (!aabb_contains(p->b->all, at)) return (vec3){0, 0, 0};
+    return cell_tint(p->b, leaf_of(p->b, vsub(at, p->b->middle)));
 }
 
 /* Two panels and four pixels between them; in a tiny picture they touch, or the last one covers. */
 static inline int panel_side(int side) { return side > 32 ? side / 2 - 2 : (side + 1) / 2; }
 
-static inline bool draw_trees(const mesh *m, vec3 lo, vec3 hi, bool z_up, bsp_options how,
-                              int threads, image *all)
+static inline bool draw_trees(const trial_scene *s, bool z_up, bsp_options how, int threads,
+                              image *all)
 {
     bool whole = true;
+    vec3 lo, hi;
     int up = z_up ? 2 : 1;
-    items x = items_of_mesh(m);
-    failure f;
+    if (!mesh_bounds(&s->m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
+    if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
+        lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
     for (int k = 0; k < 2; k++) {
-        bsp b;
         bsp_options across = how;
         across.rule = BSP_AXIS;
-        if (!bsp_build(&x, k ? how : across, &b, &f)) fail(f);
+        trial_row r = {.verbs = &bsp_trial, .how = k ? &how : &across};
+        trial_build(&r, s);
         image im = image_new(panel_side(all->width), panel_side(all->height));
         real aspect = (real)im.width / (real)im.height;
         real tall = vaxis(hi, up) - vaxis(lo, up), low = (vaxis(hi, up) + vaxis(lo, up)) / 2;
         real half = (real)0.51 * real_max(hi.x - lo.x, tall * aspect), left = (lo.x + hi.x) / 2;
-        tree_picture p = {&b, camera_of(lo, hi, z_up, aspect), &im, up, left - half, left + half,
-                          low - half / aspect, low + half / aspect};
-        whole = parallel_pixels(im.width, im.height, threads, "cells", slice_pixel, &p) && whole;
+        bsp_slice slice = {r.built, im.width, im.height, up, left - half, left + half,
+                           low - half / aspect, low + half / aspect};
+        camera c = camera_of(lo, hi, z_up, aspect);
+        trial_picture p = {&bsp_trial, r.built, &s->m, c, im.width, im.height, 90};
+        whole = pixels_draw(&im, 3, threads, "cells", slice_colour, &slice) && whole;
         image_place(all, k * (all->width - im.width), 0, &im);
-        whole = parallel_pixels(im.width, im.height, threads, "work", work_pixel, &p) && whole;
+        whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p) && whole;
         image_place(all, k * (all->width - im.width), all->height - im.height, &im);
         image_free(&im);
-        bsp_free(&b);
+        trial_unbuild(&r);
     }
     return whole;
 }

@@ -11,8 +11,8 @@
  * A wall stands on a segment of the plane z = 0: a triangle with its third corner above the middle.
  * mesh_free releases them all.
  */
-#ifndef PUZZLES_H
-#define PUZZLES_H
+#ifndef BSP_PUZZLES_H
+#define BSP_PUZZLES_H
 
 #include "../../07_mesh/mesh.h"
 #include "../../../common/random.h"

@@ -23,7 +23,7 @@ static inline void table_of_strategies(const options *o, const trial_scene *s)
     char title[160];
     trial_row row[bvh_candidates];
     bvh_rows(bvh_candidate_list, n, row);
-    trial_run(row, n, s, o->quick ? 1 : o->full ? 5 : 3);
+    trials_run(row, n, s, o->quick ? 1 : o->full ? 5 : 3);
     table t = trial_table(trial_title(s, title), row, n, s, o->full, NULL);
     output_table(o, &t);
     trial_end(row, n);
@@ -76,11 +76,12 @@ static inline void table_of_paying(const options *o, const trial_scene *s)
     enum { n = bvh_paying };
     trial_row row[n];
     double build[n], search[n];
-    table out = table_new("Build and k diffuse rays together, one thread; front: none is faster in both",
+    table out = table_new("Build and k diffuse rays together, one thread; "
+                          "front: none is faster in both",
                           "structure|build [ms]|ray [ns]|front|1e4 rays [ms]|1e5 rays [ms]|"
                           "1e6 rays [ms]|1e7 rays [ms]");
     bvh_rows(bvh_paying_list, n, row);
-    trial_run(row, n, s, 5);
+    trials_run(row, n, s, 5);
     for (int i = 0; i < n; i++)
         build[i] = row[i].build, search[i] = trial_ns(&row[i], TRIAL_DIFFUSE) * 1e-9;
     for (int i = 0; i < n; i++) {
@@ -105,7 +106,7 @@ static inline void table_of_slivers(const options *o)
     trial_scene_of(slivers_mesh(4000, (vec3){0, 0, 0}), &s);
     s.rays[TRIAL_PRIMARY] = rays_primary(trial_camera(&s.m, 1.6), 80, 50);
     bvh_rows(bvh_paying_list, bvh_paying, row);
-    trial_run(row, bvh_paying, &s, 5);
+    trials_run(row, bvh_paying, &s, 5);
     for (int i = 0; i < bvh_paying; i++) {
         bvh_stats st = bvh_stats_of(&((const bvh *)row[i].built)->tree);
         search_work w = row[i].ray[TRIAL_PRIMARY].work;

@@ -3,7 +3,8 @@
  *   forest w;
  *   forest_plant(&w, n, &own, seed)     n plants; own: this plant instead of ours, or NULL
  *   camera c = forest_camera(aspect)
- *   forest_picture p = {&w, &x, c, &im, samples, naive}; forest_draw(p, threads)
+ *   forest_view v = {&w, &x, c, width, height, naive};
+ *   pixels_draw(&im, 3, threads, "forest", forest_colour, &v)
  *   forest_free(&w)
  *
  * Kind 0 is the ground, instance 0. The others are turned, scaled unlike in height and width, and
@@ -12,13 +13,12 @@
  * Light is the headlight of 02, and another one from the direction of the sun where nothing is in
  * between (instances_occluded). Far away all fades into the sky.
  */
-#ifndef FOREST_H
-#define FOREST_H
+#ifndef INSTANCES_LAB_FOREST_H
+#define INSTANCES_LAB_FOREST_H
 
-#include "../../../common/image.h"
-#include "../../../common/parallel.h"
-#include "../../02_camera/camera.h"
 #include "../../../common/headlight.h"
+#include "../../../common/lab/pixels.h"
+#include "../../02_camera/camera.h"
 #include "../instances.h"
 #include "plants.h"
 
@@ -34,13 +34,11 @@ typedef struct {
     const forest *w;
     const instances *x;
     camera c;
-    image *im;
-    int samples;                   /* samples x samples rays a pixel */
+    int width, height;
     bool naive;                    /* rays normalised: instances_hit_naive */
-} forest_picture;
+} forest_view;
 
 static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed);
-static inline bool forest_draw(forest_picture p, int threads);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -114,8 +112,8 @@ static inline affine forest_stand(random_stream *g, vec3 at, real low, real high
     real height = plant_between(g, low, high);
     real width = height * plant_between(g, 0.75, 1.3);
     affine a = affine_scaling((vec3){random_next_bits(g) & 1 ? width : -width, width, height});
-    a = affine_of(a, affine_rotation((vec3){0, 0, 1}, plant_between(g, 0, 2 * pi)));
-    return affine_of(a, affine_translation(at));
+    a = affine_then(a, affine_rotation((vec3){0, 0, 1}, plant_between(g, 0, 2 * pi)));
+    return affine_then(a, affine_translation(at));
 }
 
 static const real forest_sizes[forest_most_kinds] = {1, 9, 9, 7, 8, 8, 0.8, 0.45};
@@ -185,7 +183,7 @@ static inline vec3 sky_colour(vec3 d)
     return vmadd(blend(horizon, zenith, real_clamp(2 * u.z, 0, 1)), warm, glow * glow * glow);
 }
 
-static inline vec3 forest_colour(const forest *w, instance_hit h)
+static inline vec3 forest_paint(const forest *w, instance_hit h)
 {
     const plant *p = &w->kind[w->list[h.instance].mesh];
     if (h.h.shape < p->wood) return p->bark;
@@ -194,8 +192,10 @@ static inline vec3 forest_colour(const forest *w, instance_hit h)
     return vscale(own, plant_between(&g, 0.8, 1.2));
 }
 
-static inline vec3 forest_light(const forest_picture *p, ray r)
+static inline vec3 forest_colour(const void *context, real x, real y)
 {
+    const forest_view *p = context;
+    ray r = camera_ray(p->c, x, y, p->width, p->height);
     instance_hit h;
     if (!(p->naive ? instances_hit_naive(p->x, r, &h) : instances_hit(p->x, r, &h)))
         return sky_colour(r.d);
@@ -207,26 +207,8 @@ static inline vec3 forest_light(const forest_picture *p, ray r)
     light = vmadd(light, vec(0.15, 0.2, 0.3), 1);
     if (!instances_occluded(p->x, shadow))
         light = vadd(light, vmul(headlight(n, sun), vec(2.3, 2.0, 1.5)));
-    vec3 seen = vmul(forest_colour(p->w, h), light);
+    vec3 seen = vmul(forest_paint(p->w, h), light);
     return blend(sky_colour((vec3){r.d.x, r.d.y, 0}), seen, exp(-far / 1000));
-}
-
-static inline void forest_pixel(int x, int y, void *context)
-{
-    const forest_picture *p = context;
-    vec3 sum = {0, 0, 0};
-    int n = p->samples;
-    for (int k = 0; k < n * n; k++) {
-        real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
-        real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
-        sum = vadd(sum, forest_light(p, camera_ray(p->c, px, py, p->im->width, p->im->height)));
-    }
-    image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
-}
-
-static inline bool forest_draw(forest_picture p, int threads)
-{
-    return parallel_pixels(p.im->width, p.im->height, threads, "forest", forest_pixel, &p);
 }
 
 #endif

@@ -5,14 +5,10 @@
  *   table_of_way(&o)         ns from a ray in the world to one ready for the tree of a mesh
  *   table_of_normals(&o)     angle by which M n is off
  */
-#ifndef INSTANCES_GROWTH_H
-#define INSTANCES_GROWTH_H
+#ifndef INSTANCES_LAB_GROWTH_H
+#define INSTANCES_LAB_GROWTH_H
 
 #include "measure.h"
-
-static inline void table_of_growth(const options *o);
-static inline void table_of_way(const options *o);
-static inline void table_of_normals(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -21,7 +17,7 @@ static inline void table_of_growth(const options *o)
 {
     static const size_t number[] = {1, 10, 100, 300, 1000, 10000, 100000};
     int n = o->quick ? 2 : 7, built = o->quick ? 2 : 4;  /* flattened: while it fits */
-    double bytes_a_triangle = 0;
+    double mb_a_triangle = 0;
     table out = table_new(
         "Growth with the number of instances; flattened: memory from its bytes a triangle where "
         "it was not built",
@@ -33,35 +29,30 @@ static inline void table_of_growth(const options *o)
     int guess = plot_series(&p, "flattened, computed");
     int two_time = plot_series(&q, "two levels"), flat_time = plot_series(&q, "flattened");
     for (int i = 0; i < n; i++) {
-        survey s;
+        instances_survey s;
+        bool with = i < built;
+        double x = (double)number[i], eye[2] = {0, 0};
         survey_make(&s, number[i], o->quick ? 40 : 120, o->quick ? 25 : 75, o->seed);
-        method m[2] = {{.name = "two", .x = s.x, .s = &s}, {.name = "flat", .flat = true, .s = &s}};
-        int with = i < built ? 2 : 1;
-        double flat_build = with == 2 ? method_build(&m[1], &s.c) : 0, eye[2] = {0, 0};
-        time_methods(m, with, run_method_eye, o->quick ? 1 : 7, eye);
+        instances_method m[2] = {{.name = "two", .x = s.x, .s = &s},
+                                 {.name = "flat", .flat = true, .s = &s}};
+        double flat_build = with ? method_build(&m[1], &s.c) : 0;
+        methods_time(m, 1 + with, false, o->quick ? 1 : 7, eye);
         instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
         instance_hit h;
-        for (size_t k = 0; k < s.eyes; k++) instances_hit_counted(&s.x, s.eye[k], &h, &w);
-        instance_stats st = instances_stats(&s.x);
-        double mb = (double)(s.x.bytes + st.mesh_bytes) * 0x1p-20;
-        if (with == 2)
-            bytes_a_triangle = (double)(mesh_bytes(&m[1].m) + m[1].b.tree.bytes) / st.triangles;
-        double flat_mb = bytes_a_triangle * st.triangles * 0x1p-20;
-        table_count(&out, number[i]), table_number(&out, st.triangles);
-        table_number(&out, mb), table_number(&out, flat_mb);
-        table_number(&out, s.build * 1e3);
-        if (with == 2) table_number(&out, flat_build * 1e3);
-        else table_text(&out, "-");
-        table_number(&out, per((double)w.upper.tests, s.eyes));
-        table_number(&out, per(eye[0] * 1e9, s.eyes));
-        if (with == 2) table_number(&out, per(eye[1] * 1e9, s.eyes));
-        if (with == 2) table_number(&out, eye[0] / eye[1]);
-        else table_text(&out, "-"), table_text(&out, "-");
-        plot_add(&p, two, (double)number[i], mb);
-        if (with == 2) plot_add(&p, flat, (double)number[i], flat_mb);
-        if (i + 1 >= built) plot_add(&p, guess, (double)number[i], flat_mb);  /* from the last on */
-        plot_add(&q, two_time, (double)number[i], per(eye[0] * 1e9, s.eyes));
-        if (with == 2) plot_add(&q, flat_time, (double)number[i], per(eye[1] * 1e9, s.eyes));
+        for (size_t k = 0; k < s.eye.n; k++) instances_hit_counted(&s.x, s.eye.r[k], &h, &w);
+        double triangles = instances_stats(&s.x).triangles, mb = method_megabytes(&m[0]);
+        if (with) mb_a_triangle = method_megabytes(&m[1]) / triangles;
+        double flat_mb = mb_a_triangle * triangles;
+        const double cell[] = {mb, flat_mb, s.build * 1e3, with ? flat_build * 1e3 : -1,
+                               per((double)w.upper.tests, s.eye.n), eye[0], with ? eye[1] : -1,
+                               with ? eye[0] / eye[1] : -1};
+        table_count(&out, number[i]), table_number(&out, triangles);
+        for (size_t k = 0; k < sizeof cell / sizeof *cell; k++)
+            if (cell[k] < 0) table_text(&out, "-");
+            else table_number(&out, cell[k]);
+        plot_add(&p, two, x, mb), plot_add(&q, two_time, x, eye[0]);
+        if (with) plot_add(&p, flat, x, flat_mb), plot_add(&q, flat_time, x, eye[1]);
+        if (i + 1 >= built) plot_add(&p, guess, x, flat_mb);  /* from the last on */
         bvh_free(&m[1].b), mesh_free(&m[1].m);
         survey_free(&s);
     }
@@ -71,11 +62,16 @@ static inline void table_of_growth(const options *o)
 }
 
 enum { way_transforms = 1024 };
-typedef struct { affine to_object[way_transforms]; ray r; bvh_box box; int step; } way;
+typedef struct {
+    affine to_object[way_transforms];
+    ray r;
+    bvh_box box;
+    int step;
+} instances_way;
 
-static inline double run_way(void *context)
+static inline double instances_way_run(void *context)
 {
-    const way *w = context;
+    const instances_way *w = context;
     double sum = 0;
     for (size_t i = 0; i < way_transforms; i++) {
         ray in = w->r;
@@ -93,8 +89,8 @@ static inline void table_of_way(const options *o)
     static const char *const name[3] = {"tree made ready for the ray, as without instances",
                                         "and the ray transformed, (16.1)",
                                         "and normalised, which is wrong"};
-    way *w = allocate(3, sizeof *w);
-    clock_variant v[3];
+    instances_way *w = allocate(3, sizeof *w);
+    bench_candidate v[3];
     table out = table_new("The way into an instance", "step|a ray and instance [ns]");
     for (int k = 0; k < 3; k++) {
         for (uint64_t i = 0; i < way_transforms; i++) {
@@ -104,9 +100,9 @@ static inline void table_of_way(const options *o)
         }
         w[k].r = ray_from((vec3){1, 2, 3}, (vec3){3, 2, 1}), w[k].step = k;
         w[k].box = (bvh_box){{-1, -1, -1, 1, 1, 1}};
-        v[k] = (clock_variant){name[k], run_way, &w[k], 0};
+        v[k] = (bench_candidate){name[k], instances_way_run, &w[k], 0, 0};
     }
-    clock_compare(v, 3, o->quick ? 9 : 99);
+    bench_time(v, 3, o->quick ? 9 : 99);
     for (int k = 0; k < 3; k++)
         table_text(&out, "%s", name[k]), table_number(&out, v[k].seconds * 1e9 / way_transforms);
     output_extra_table(o, &out);

@@ -4,8 +4,8 @@
  *   draw_normals(&o)                   teapots scaled: A^T n, M n, and the angle between them
  *   draw_unit(&o)                      the forest by rays normalised in object space
  */
-#ifndef INSTANCES_PICTURES_H
-#define INSTANCES_PICTURES_H
+#ifndef INSTANCES_LAB_PICTURES_H
+#define INSTANCES_LAB_PICTURES_H
 
 #include "../../../common/output.h"
 #include "../../07_mesh/scenes/teapot.h"
@@ -27,7 +27,8 @@ static inline void draw_plants(const options *o, size_t n, plant *own, bool naiv
     image im = image_new(o->width, o->height);
     camera eye = forest_camera((real)o->width / (real)o->height);
     int samples = o->quick || naive ? 1 : 3;
-    bool whole = forest_draw((forest_picture){&w, &x, eye, &im, samples, naive}, o->threads);
+    forest_view v = {&w, &x, eye, o->width, o->height, naive};
+    bool whole = pixels_draw(&im, samples, o->threads, "forest", forest_colour, &v);
     instance_stats s = instances_stats(&x);
     if (is_main)
         printf("# %zu instances of %zu meshes, %.4g triangles, in %.3g MB: grown and built in "
@@ -55,12 +56,13 @@ typedef struct {
     const instances *x;
     const instance *list;
     camera c;
-    image *im;
-    int row, samples;
+    int width, height, row;
 } pot_row;
 
-static inline vec3 pot_light(const pot_row *p, ray r)
+static inline vec3 pot_colour(const void *context, real px, real py)
 {
+    const pot_row *p = context;
+    ray r = camera_ray(p->c, px, py, p->width, p->height);
     instance_hit h;
     vec3 background = {0.93, 0.93, 0.93};
     if (!instances_hit(p->x, r, &h)) return p->row < 2 ? background : (vec3){0, 0, 0};
@@ -71,19 +73,6 @@ static inline vec3 pot_light(const pot_row *p, ray r)
     if (p->row < 2) return headlight(p->row ? naive : n, r.d);
     real off = mesh_angle(n, naive) / (pi / 3);  /* white at 60 degrees */
     return (vec3){real_min(2 * off, 1), off, real_max(2 * off - 1, 0)};
-}
-
-static inline void pot_pixel(int x, int y, void *context)
-{
-    const pot_row *p = context;
-    vec3 sum = {0, 0, 0};
-    int n = p->samples;
-    for (int k = 0; k < n * n; k++) {
-        real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
-        real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
-        sum = vadd(sum, pot_light(p, camera_ray(p->c, px, py, p->im->width, p->im->height)));
-    }
-    image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
 }
 
 static inline camera pot_camera(real aspect)
@@ -111,8 +100,8 @@ static inline void draw_normals(const options *o)
     for (int i = 0; i < pots; i++) {
         vec3 to = {(real)-10.2 + (real)i * (real)6.9 + (i > 2 ? (real)-1.4 : 0), 0, 0};
         affine turn = affine_rotation((vec3){0, 0, 1}, -0.5);
-        affine a = affine_of(affine_scaling(scale[i]), turn);
-        list[i] = (instance){affine_of(a, affine_translation(to)), 0};
+        affine a = affine_then(affine_scaling(scale[i]), turn);
+        list[i] = (instance){affine_then(a, affine_translation(to)), 0};
     }
     crowd c = {&m, 1, list, pots};
     if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
@@ -122,8 +111,8 @@ static inline void draw_normals(const options *o)
         if (bottom == top) continue;
         image im = image_new(o->width, bottom - top);
         camera eye = pot_camera((real)im.width / (real)im.height);
-        pot_row p = {&x, list, eye, &im, row, o->quick ? 1 : 3};
-        whole &= parallel_pixels(im.width, im.height, o->threads, "normals", pot_pixel, &p);
+        pot_row p = {&x, list, eye, im.width, im.height, row};
+        whole &= pixels_draw(&im, o->quick ? 1 : 3, o->threads, "normals", pot_colour, &p);
         image_place(&all, 0, top, &im);
         image_free(&im);
     }

@@ -8,8 +8,8 @@
  * Stems are rings of quadrilaterals, leaves single triangles. Leaves have normals that lean half
  * outwards from the middle of the crown: it looks round, though its leaves are flat.
  */
-#ifndef PLANTS_H
-#define PLANTS_H
+#ifndef INSTANCES_LAB_PLANTS_H
+#define INSTANCES_LAB_PLANTS_H
 
 #include "../../../common/random.h"
 #include "../../07_mesh/mesh.h"

@@ -1,6 +1,6 @@
 /* chart.h: bars (柱状图), a panel a scene: what a ray costs, and what building costs, by structure.
  *
- *   chart c = chart_new("A ray and its share of building");
+ *   compare_chart c = chart_new("A ray and its share of building");
  *   int p = chart_panel(&c, "balls");
  *   chart_bar(&c, p, "bvh", 212, 300);    ns a ray, ns of building a shape; 0 or less: does not fit
  *   output_chart(&o, &c, "17_compare_time.svg");       frees it
@@ -8,8 +8,8 @@
  * Each kind of bar has its own scale in each panel, linear from 0 to the longest; brute force, a
  * hundred times as long, is left to the tables. Colours as in plot.h.
  */
-#ifndef CHART_H
-#define CHART_H
+#ifndef COMPARE_LAB_CHART_H
+#define COMPARE_LAB_CHART_H
 
 #include "../../../common/lab/report.h"
 
@@ -20,22 +20,23 @@ typedef struct {
     char name[16][32];
     chart_value *value;
     size_t n, room;
-} chart;
+} compare_chart;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { chart_columns = 2, chart_wide = 430, chart_row = 24, chart_bar_most = 190 };
 
-static inline chart chart_new(const char *title) { return (chart){.title = title}; }
+static inline compare_chart chart_new(const char *title) { return (compare_chart){.title = title}; }
 
-static inline int chart_panel(chart *c, const char *name)  /* at most 16 */
+static inline int chart_panel(compare_chart *c, const char *name)  /* at most 16 */
 {
     if (c->panels == 16) abort();
     snprintf(c->name[c->panels], sizeof c->name[0], "%.31s", name);
     return c->panels++;
 }
 
-static inline void chart_bar(chart *c, int panel, const char *name, double ray, double build)
+static inline void chart_bar(compare_chart *c, int panel, const char *name, double ray,
+                             double build)
 {
     c->value = grown(c->value, c->n, &c->room, sizeof *c->value);
     chart_value *v = &c->value[c->n++];
@@ -79,7 +80,7 @@ static inline void chart_row_of(FILE *out, const chart_value *v, int x, int y, d
     chart_text(out, x + 96 + (ray > build ? ray : build), y + 15, 11, "start", text);
 }
 
-static inline void chart_draw_panel(FILE *out, const chart *c, int panel, int x, int y)
+static inline void chart_draw_panel(FILE *out, const compare_chart *c, int panel, int x, int y)
 {
     double most_ray = 0, most_build = 0;
     for (size_t i = 0; i < c->n; i++) {
@@ -97,7 +98,7 @@ static inline void chart_draw_panel(FILE *out, const chart *c, int panel, int x,
     }
 }
 
-static inline void chart_write(const chart *c, FILE *out)
+static inline void chart_write(const compare_chart *c, FILE *out)
 {
     int rows = 0, high, lines = (c->panels + chart_columns - 1) / chart_columns;
     for (int p = 0; p < c->panels; p++) {
@@ -119,7 +120,7 @@ static inline void chart_write(const chart *c, FILE *out)
     fprintf(out, "</svg>\n");
 }
 
-static inline void output_chart(const options *o, chart *c, const char *name)
+static inline void output_chart(const options *o, compare_chart *c, const char *name)
 {
     char room[512];
     failure f;
@@ -128,8 +129,9 @@ static inline void output_chart(const options *o, chart *c, const char *name)
     if (path && !file_begin(&w, path, &f)) fail(f);
     if (path) chart_write(c, w.stream);
     if (path && !file_commit(&w, &f)) fail(f);
+    if (path) output_note(path);
     free(c->value);
-    *c = (chart){0};
+    *c = (compare_chart){0};
 }
 
 #endif

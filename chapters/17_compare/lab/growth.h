@@ -1,17 +1,17 @@
 /* growth.h: time, work and building against n: teapots of 56 to 2e6 triangles, diffuse rays.
  *
- *   growth_run(&o, chosen, most_bytes, full)    tables, fitted exponents, three plots
+ *   growth_run(&o, chosen, most_bytes, large)    tables, fitted exponents, three plots
  *
- * Without `full`, structures whose building takes long are left out of the larger ones.
+ * Without `large`, structures whose building takes long are left out of the larger ones.
  *
  * time ~ n^a (17.9): 1 for brute force. A tree that does log n steps has an a that falls with n;
  * how many more steps a doubling of n takes is the better number. Least squares against log n.
  */
-#ifndef COMPARE_GROWTH_H
-#define COMPARE_GROWTH_H
+#ifndef COMPARE_LAB_GROWTH_H
+#define COMPARE_LAB_GROWTH_H
 
-#include "bench.h"
-#include "meshes.h"
+#include "costs.h"
+#include "scenes.h"
 
 enum { growth_sizes = 9 };  /* 64 n^2 - 8 n triangles each */
 static const int growth_fine[growth_sizes] = {1, 2, 4, 8, 16, 32, 64, 125, 177};
@@ -21,12 +21,12 @@ static const int growth_fine[growth_sizes] = {1, 2, 4, 8, 16, 32, 64, 125, 177};
 typedef struct { int n; double x[growth_sizes], build[growth_sizes], ray[growth_sizes],
                  steps[growth_sizes]; } growth_curve;
 
-static inline void growth_note(growth_curve *c, const stage *s, const entry *e)
+static inline void growth_note(growth_curve *c, const comparison *s, const compare_entry *e)
 {
     int i = c->n++;
     c->x[i] = log2((double)s->x.n);
     c->build[i] = e->build;
-    c->ray[i] = bench_ns(e, KIND_DIFFUSE);
+    c->ray[i] = cost_ns(e, KIND_DIFFUSE);
     c->steps[i] = per((double)(e->work[KIND_DIFFUSE].nodes + e->work[KIND_DIFFUSE].tests),
                       e->rays[KIND_DIFFUSE]);
 }
@@ -35,19 +35,19 @@ static inline bool growth_step(growth_curve *c, int fine, int edge, const option
                                unsigned chosen, size_t most_bytes)
 {
     world w;
-    stage s;
+    comparison s;
     failure f;
     if (!mesh_world(&w, "teapot", teapot_mesh(fine), true, &f)) fail(f);
-    stage_begin(&s, &w, chosen, most_bytes, o->quick ? 1 : 3);
-    stage_rays(&s, whole_view, edge, o->seed);
+    compare_begin(&s, &w, chosen, most_bytes, o->quick ? 1 : 3);
+    compare_rays(&s, whole_view, edge, o->seed);
     bool ok = prove_rays(&s, s.rays[KIND_DIFFUSE].r, s.rays[KIND_DIFFUSE].n, false, stdout);
-    bench_kind(&s, KIND_DIFFUSE, o->quick ? 1 : 3);
+    cost_kind(&s, KIND_DIFFUSE, o->quick ? 1 : 3);
     for (int k = 0, i = 0; k < contenders; k++) {
         if (!(chosen >> k & 1)) continue;
-        const entry *e = &s.entry[i++];
+        const compare_entry *e = &s.entry[i++];
         if (e->s) growth_note(&c[k], &s, e);
     }
-    stage_end(&s);
+    compare_end(&s);
     world_free(&w);
     return ok;
 }
@@ -84,9 +84,9 @@ static inline void growth_fit(const growth_curve *c, const char *name)
         build[i] = log2(c->build[i] + 1e-12), search[i] = log2(c->ray[i]);
     if (c->n < 2) return;
     printf("# %-11s a ray ~ n^%.2f, %.3g more steps a doubling", name,
-           slope_of(c->x, search, c->n), slope_of(c->x, c->steps, c->n));
+           bench_slope(c->x, search, c->n), bench_slope(c->x, c->steps, c->n));
     if (strcmp(name, brute_contender.name) == 0) printf("\n");
-    else printf("; building ~ n^%.2f\n", slope_of(c->x, build, c->n));
+    else printf("; building ~ n^%.2f\n", bench_slope(c->x, build, c->n));
 }
 
 static inline void growth_plots(const options *o, const growth_curve *c, unsigned chosen)
@@ -117,19 +117,17 @@ static inline void growth_plots(const options *o, const growth_curve *c, unsigne
 }
 
 /* False: a difference was found, and explained. */
-static inline bool growth_run(const options *o, unsigned chosen, size_t most_bytes, bool full)
+static inline bool growth_run(const options *o, unsigned chosen, size_t most_bytes, bool large)
 {
     growth_curve c[contenders] = {{0}};
-    int sizes = o->quick ? 3 : full ? growth_sizes : growth_sizes - 1;
+    int sizes = o->quick ? 3 : large ? growth_sizes : growth_sizes - 1;
     for (int i = 0; i < sizes; i++) {
         size_t fine = (size_t)growth_fine[i], n = 64 * fine * fine - 8 * fine;
         unsigned now = 0;
         for (int k = 0; k < contenders; k++)  /* and who did not fit is out */
-            if ((full || contender_list[k]->most >= n) && c[k].n == i) now |= chosen & 1u << k;
-        progress("growth", (size_t)i, (size_t)sizes);
+            if ((large || contender_list[k]->most >= n) && c[k].n == i) now |= chosen & 1u << k;
         if (!growth_step(c, (int)fine, o->quick ? 16 : 96, o, now, most_bytes)) return false;
     }
-    progress("growth", 1, 1);
     growth_table(o, c, chosen);
     for (int k = 0; k < contenders; k++) growth_fit(&c[k], contender_list[k]->name);
     printf("\n");

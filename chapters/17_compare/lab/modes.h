@@ -1,17 +1,17 @@
 /* modes.h: what the program does beside its tables: the protocol of the SPD, verifying, files.
  *
- *   protocol_run(c, scene, scale)         --protocol spd: lines that begin with `primary` and end
+ *   protocol_run(c, only, scene, scale)   --protocol spd: lines that begin with `primary` and end
  *                                         with the number of hits
  *   verify_world(c, w)                    --verify: all rays by brute force, too
  *   file_run(c, w, files)                 --rays: rays of a file, and their hits to another
  * c: what is common to all runs. A difference between two structures ends the program with exit 1.
  */
-#ifndef MODES_H
-#define MODES_H
+#ifndef COMPARE_LAB_MODES_H
+#define COMPARE_LAB_MODES_H
 
 #include "../../07_mesh/files/obj.h"
 #include "../../07_mesh/files/ray_file.h"
-#include "bench.h"
+#include "costs.h"
 #include "scenes.h"
 
 typedef struct {
@@ -19,10 +19,10 @@ typedef struct {
     unsigned chosen;       /* bit k: contender_list[k] */
     size_t most_bytes;     /* that all structures may hold together, while they are built, too */
     double region[4];      /* of the view */
-    bool full;
-} common_settings;
+    bool large;
+} compare_settings;
 
-typedef struct { const char *rays, *hits; bool any; } ray_files;
+typedef struct { const char *rays, *hits; bool any; } compare_files;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -31,26 +31,27 @@ static inline void end_if_wrong(bool ok)
     if (!ok) die(1, "a structure differs from brute force: see above");
 }
 
-static inline void protocol_scene(const common_settings *c, const generator *g, int scale)
+static inline void protocol_scene(const compare_settings *c, const generator *g, int scale)
 {
     world w;
-    stage s;
+    comparison s;
     failure f;
     if (!world_make(g, scale, &w, &f) || !spd_print_digits(&w, &f)) fail(f);
     world_to_mesh(&w);
-    stage_begin(&s, &w, c->chosen, c->most_bytes, 1);
+    compare_begin(&s, &w, c->chosen, c->most_bytes, 1);
     for (int k = 0; k < s.entries; k++) {
-        const entry *e = &s.entry[k];
+        const compare_entry *e = &s.entry[k];
         size_t hits = 0;
         search_work work = {0, 0, 0, 0};
         hit h;
         if (!e->s) printf("# %s %s does not fit: %s\n", w.name, e->c->name, e->why.text);
         if (!e->s) continue;
+        compare_progress(w.name, "asking", e->c->name);
         for (int j = 0; j <= spd_edge; j++) {
-            progress(w.name, (size_t)j, spd_edge);
             for (int i = 0; i <= spd_edge; i++)
                 hits += e->c->hit_counted(e->s, spd_ray(&w, i, j), &h, &work);
         }
+        compare_progress(w.name, NULL, NULL);
         printf("primary %s %d %s: build %.4f s, nodes/ray %.3g, tests/ray %.3g, rays %d, "
                "hits %zu\n", w.name, scale, e->c->name, e->build, (double)work.nodes / spd_rays,
                (double)work.tests / spd_rays, spd_rays, hits);
@@ -58,13 +59,13 @@ static inline void protocol_scene(const common_settings *c, const generator *g, 
     }
     if (g->hits && scale == g->scale)
         printf("# published for %s %d: %zu\n", g->name, scale, g->hits);
-    stage_end(&s);
+    compare_end(&s);
     world_free(&w);
 }
 
 /* Without --only, and if brute force is not asked for by name, all but that: 263169 rays take it
  * most of an hour. */
-static inline void protocol_run(common_settings c, bool only, const generator *g, int scale)
+static inline void protocol_run(compare_settings c, bool only, const generator *g, int scale)
 {
     if (!only) c.chosen &= ~1u;
     for (int k = 0; k < spd_scenes; k++)
@@ -72,71 +73,74 @@ static inline void protocol_run(common_settings c, bool only, const generator *g
             protocol_scene(&c, &spd_list[k], g && scale >= 0 ? scale : spd_list[k].scale);
 }
 
-static inline void verify_world(const common_settings *c, const world *w)
+static inline void verify_world(const compare_settings *c, const world *w)
 {
-    stage s;
+    comparison s;
     double edge = sqrt(1e8 / (double)(world_size(w) + 1));
-    stage_begin(&s, w, c->chosen, c->most_bytes, 1);
-    stage_rays(&s, c->region, edge < 8 ? 8 : edge > 64 ? 64 : (int)edge, c->o->seed);
+    compare_begin(&s, w, c->chosen, c->most_bytes, 1);
+    compare_rays(&s, c->region, edge < 8 ? 8 : edge > 64 ? 64 : (int)edge, c->o->seed);
     ray_set aimed = rays_aimed(w, 2000, c->o->seed);
     bool ok = prove_rays(&s, aimed.r, aimed.n, true, stdout);
-    for (int k = 0; ok && k < ray_kinds; k++)
+    for (int k = 0; ok && k < compare_kinds; k++) {
+        compare_progress(w->name, "by brute force, rays", kind_name[k]);
         ok = prove_rays(&s, s.rays[k].r, s.rays[k].n, true, stdout);
+    }
+    compare_progress(w->name, NULL, NULL);
     end_if_wrong(ok);
-    stage_count_wrong(&s, aimed.r, aimed.n, true);
-    for (int k = 0; k < ray_kinds; k++) 
-        stage_count_wrong(&s, s.rays[k].r, s.rays[k].n, false);
+    compare_count_wrong(&s, aimed.r, aimed.n, true);
+    for (int k = 0; k < compare_kinds; k++) 
+        compare_count_wrong(&s, s.rays[k].r, s.rays[k].n, false);
     for (int k = 0; k < s.entries; k++)
         if (!s.entry[k].s)
             printf("%s %s: does not fit: %s\n", w->name, s.entry[k].c->name, s.entry[k].why.text);
         else if (contender_is_first(s.entry[k].c))
-            bench_print_wrong(&s.entry[k]);
+            cost_print_wrong(&s.entry[k]);
         else if (s.entry[k].c != &brute_contender)
             printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays: as "
                    "brute force\n", w->name, s.entry[k].c->name, s.rays[KIND_PRIMARY].n,
                    s.rays[KIND_SHADOW].n, s.rays[KIND_DIFFUSE].n, s.rays[KIND_MIRROR].n, aimed.n);
     fflush(stdout);
     rays_free(&aimed);
-    stage_end(&s);
+    compare_end(&s);
 }
 
 /* Hits of the first structure that fits, for the file: the others have been proved to agree. */
-static inline void file_hits(const stage *s, const ray_files *f, const ray *r, size_t n)
+static inline void file_hits(const comparison *s, const compare_files *f, const ray *r, size_t n)
 {
     failure why;
-    const entry *e = stage_any(s);
+    const compare_entry *e = compare_any(s);
     hit *h = allocate(n, sizeof *h);
     if (e) e->c->search(e->s, r, n, f->any, h);
     if (f->hits && !hits_write(f->hits, h, n, f->any, &why)) fail(why);
     free(h);
 }
 
-static inline void file_run(const common_settings *c, const world *w, const ray_files *file)
+static inline void file_run(const compare_settings *c, const world *w, const compare_files *file)
 {
     failure f;
-    stage s;
-    ray_kind kind = file->any ? KIND_SHADOW : KIND_PRIMARY;
+    comparison s;
+    compare_kind kind = file->any ? KIND_SHADOW : KIND_PRIMARY;
     ray_set all = {NULL, 0};
     all.r = rays_read(file->rays, &all.n, &f);
     if (!all.r) fail(f);
-    stage_begin(&s, w, c->chosen, c->most_bytes, 3);
-    if (!stage_any(&s)) f = s.entry[0].why, fail(f);
+    compare_begin(&s, w, c->chosen, c->most_bytes, 3);
+    if (!compare_any(&s)) f = s.entry[0].why, fail(f);
     ray_set some = rays_some(&all, 2000);
     bool ok = prove_rays(&s, some.r, some.n, true, stdout)
               && prove_rays(&s, all.r, all.n, false, stdout);
     end_if_wrong(ok);
     s.rays[kind] = all;
-    bench_kind(&s, kind, 7);
-    table t = table_new("Rays from a file, one thread", bench_columns);
+    cost_kind(&s, kind, 7);
+    table t = table_new("Rays from a file, one thread", cost_columns);
     for (int k = 0; k < s.entries; k++) {
-        const entry *e = &s.entry[k];
-        bench_csv_row(&t, &s, e, file->any ? "any" : "closest", e->s ? e->rays[kind] : 0,
+        const compare_entry *e = &s.entry[k];
+        cost_csv_row(&t, &s, e, file->any ? "any" : "closest", e->s ? e->rays[kind] : 0,
                       e->hits[kind], e->work[kind], e->seconds[kind]);
     }
     output_table(c->o, &t);
     file_hits(&s, file, all.r, all.n);
     rays_free(&some);
-    stage_end(&s);
+    compare_end(&s);
 }
 
 #endif

@@ -5,65 +5,61 @@
  *                                               primary ray, black none, white visits_most or more
  * Both return false if Ctrl-C stopped them; then the picture is what there is.
  */
-#ifndef COMPARE_PICTURES_H
-#define COMPARE_PICTURES_H
+#ifndef COMPARE_LAB_PICTURES_H
+#define COMPARE_LAB_PICTURES_H
 
-#include "../../../common/output.h"
 #include "../../../common/headlight.h"
 #include "../../../common/lab/heat.h"
+#include "../../../common/lab/pixels.h"
+#include "../../../common/output.h"
+#include "../compare.h"
 #include "scenes.h"
-#include "../stage.h"
 
 enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_rows = 2, visits_most = 100 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const world *w; const contender *c; const void *s; image *im; int samples; } panel;
+typedef struct {
+    const world *w;
+    const contender *c;
+    const void *s;
+    int width, height;
+} sheet_panel;
 
 /* Square pixels; the shorter side of the panel sees the whole view. */
-static inline ray panel_ray(const panel *p, real x, real y)
+static inline ray sheet_ray(const sheet_panel *p, real x, real y)
 {
-    real across = (real)p->im->width, down = (real)p->im->height, side = real_min(across, down);
+    real across = (real)p->width, down = (real)p->height, side = real_min(across, down);
     return world_ray(p->w, (2 * x - across) / side, (down - 2 * y) / side);
 }
 
-static inline vec3 panel_colour(const panel *p, ray r)
+static inline vec3 sheet_colour(const void *context, real x, real y)
 {
+    const sheet_panel *p = context;
+    ray r = sheet_ray(p, x, y);
     hit h;
     if (!p->c->hit(p->s, r, &h)) return p->w->background;
     vec3 n = world_normal(p->w, h, ray_at(r, h.t));
     return vmul(world_finish(p->w, h.shape).colour, headlight(n, r.d));
 }
 
-static inline void panel_pixel(int x, int y, void *context)
+static inline vec3 sheet_visits(const void *context, real x, real y)
 {
-    const panel *p = context;
-    vec3 sum = {0, 0, 0};
-    int n = p->samples;
-    for (int k = 0; k < n * n; k++) {
-        real i = ((real)(k % n) + (real)0.5) / (real)n, j = ((real)(k / n) + (real)0.5) / (real)n;
-        sum = vadd(sum, panel_colour(p, panel_ray(p, (real)x + i, (real)y + j)));
-    }
-    image_set(p->im, x, y, vscale(sum, 1 / (real)(n * n)));
-}
-
-static inline void visits_pixel(int x, int y, void *context)
-{
-    const panel *p = context;
+    const sheet_panel *p = context;
     search_work w = {0, 0, 0, 0};
     hit h;
-    p->c->hit_counted(p->s, panel_ray(p, (real)x + (real)0.5, (real)y + (real)0.5), &h, &w);
-    image_set(p->im, x, y, work_colour((real)(w.nodes + w.tests) / visits_most));
+    p->c->hit_counted(p->s, sheet_ray(p, x, y), &h, &w);
+    return work_colour((real)(w.nodes + w.tests) / visits_most);
 }
 
 /* Draws a panel as number k of columns x rows of the picture; panels are at least a pixel large. */
-static inline bool panel_draw(panel p, pixel_job *job, int k, int columns, int rows, int threads,
-                              image *all)
+static inline bool sheet_place(sheet_panel p, pixels_colour *colour, int samples, int k,
+                               int columns, int rows, int threads, image *all)
 {
     int across = all->width / columns, down = all->height / rows;
     image im = image_new(across > 0 ? across : 1, down > 0 ? down : 1);
-    p.im = &im;
-    bool whole = parallel_pixels(im.width, im.height, threads, p.w->name, job, &p);
+    p.width = im.width, p.height = im.height;
+    bool whole = pixels_draw(&im, samples, threads, p.w->name, colour, &p);
     image_place(all, k % columns * across, k / columns * down, &im);
     image_free(&im);
     return whole;
@@ -74,17 +70,18 @@ static inline bool sheet_draw(const options *o, image *im)
     bool whole = true;
     for (int k = 0; whole && k < scenes; k++) {
         world w;
-        stage s;
+        comparison s;
         failure f;
         const generator *g = scene_find(scene_list[k].name);
         bool thousands = strcmp(g->name, "soup") == 0;  /* a fine soup is a grey cube */
         int scale = o->quick || thousands ? scene_list[k].quick : g->scale;
         if (!scene_world(g, scale, &w, &f)) fail(f);
-        stage_begin(&s, &w, 1u << contender_number(&bvh_contender), SIZE_MAX, 1);
-        const entry *e = stage_any(&s);
-        panel p = {&w, e->c, e->s, NULL, o->quick ? 1 : 3};
-        whole = panel_draw(p, panel_pixel, k, sheet_columns, sheet_rows, o->threads, im);
-        stage_end(&s);
+        compare_begin(&s, &w, 1u << contender_number(&bvh_contender), SIZE_MAX, 1);
+        const compare_entry *e = compare_any(&s);
+        sheet_panel p = {&w, e->c, e->s, 0, 0};
+        whole = sheet_place(p, sheet_colour, o->quick ? 1 : 3, k, sheet_columns, sheet_rows,
+                            o->threads, im);
+        compare_end(&s);
         world_free(&w);
     }
     return whole;
@@ -94,18 +91,20 @@ static inline bool visits_draw(const options *o, const world *w, unsigned chosen
                                image *im)
 {
     bool whole = true;
-    stage s;
-    stage_begin(&s, w, chosen, most_bytes, 1);
+    comparison s;
+    compare_begin(&s, w, chosen, most_bytes, 1);
     for (int k = 0; whole && k < s.entries && k + 1 < visits_columns * visits_rows; k++) {
         if (!s.entry[k].s) continue;
-        panel p = {w, s.entry[k].c, s.entry[k].s, NULL, 1};
-        whole = panel_draw(p, visits_pixel, k + 1, visits_columns, visits_rows, o->threads, im);
+        sheet_panel p = {w, s.entry[k].c, s.entry[k].s, 0, 0};
+        whole = sheet_place(p, sheet_visits, 1, k + 1, visits_columns, visits_rows, o->threads,
+                            im);
     }
-    const entry *e = stage_any(&s);
-    panel p = {w, e ? e->c : NULL, e ? e->s : NULL, NULL, o->quick ? 1 : 3};
+    const compare_entry *e = compare_any(&s);
+    sheet_panel p = {w, e ? e->c : NULL, e ? e->s : NULL, 0, 0};
     if (whole && e)
-        whole = panel_draw(p, panel_pixel, 0, visits_columns, visits_rows, o->threads, im);
-    stage_end(&s);
+        whole = sheet_place(p, sheet_colour, o->quick ? 1 : 3, 0, visits_columns, visits_rows,
+                            o->threads, im);
+    compare_end(&s);
     return whole;
 }
 

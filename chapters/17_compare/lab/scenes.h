@@ -1,23 +1,78 @@
-/* scenes.h: all the scenes of this chapter by name, and which of them a run shows.
+/* scenes.h: all the scenes of this chapter by name: those of spd.h, and three of triangles alone.
  *
- *   const generator *g = scene_find("soup");    of spd.h or meshes.h; NULL: no such name
+ *   const generator *g = scene_find("soup");    NULL: no such name
  *   scene_world(g, scale, &w, &f)               as world_make; scenes of triangles alone as a mesh
+ *   mesh_world(&w, "knot", m, z_up, &f)         any mesh, which w then owns: view and light from
+ *                                               its size; false: nothing in it
+ *
+ *   stadium   the teapot in a stadium; scale k: stadium_mesh(k)
+ *   soup      1000 k small triangles anywhere in a cube, corners within 1 / cbrt(n) of a point:
+ *             about as many rays pass through as are stopped
+ *   needles   100 k triangles as long as the cube and 1/1000 as wide, at odd angles
  */
-#ifndef SCENES_H
-#define SCENES_H
+#ifndef COMPARE_LAB_SCENES_H
+#define COMPARE_LAB_SCENES_H
 
-#include "meshes.h"
+#include "../../07_mesh/scenes/soup.h"
 #include "../../07_mesh/scenes/spd.h"
+#include "../../07_mesh/scenes/stadium.h"
 
-typedef struct { const char *name; int quick, full; } scene_sizes;  /* scales beside the usual */
+/* Scales beside the usual. shown: of the table that is printed without --full; 0: not there */
+typedef struct { const char *name; int quick, shown, large; } compare_sizes;
 
-enum { scenes = spd_scenes + mesh_scenes };
-static const scene_sizes scene_list[scenes] = {
-    {"balls", 2, 5},  {"gears", 1, 9},    {"mount", 3, 8},    {"rings", 2, 17},
-    {"teapot", 3, 40}, {"tetra", 3, 8},   {"tree", 5, 15},    {"stadium", 4, 64},
-    {"soup", 1, 1000}, {"needles", 2, 100}};
+enum { mesh_scenes = 3, scenes = spd_scenes + mesh_scenes };
+static const compare_sizes scene_list[scenes] = {
+    {"balls", 2, 3, 5},   {"gears", 1, 0, 9},   {"mount", 3, 0, 8},     {"rings", 2, 0, 17},
+    {"teapot", 3, 6, 40}, {"tetra", 3, 0, 8},   {"tree", 5, 0, 15},     {"stadium", 4, 8, 64},
+    {"soup", 1, 0, 1000}, {"needles", 2, 10, 100}};
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* From in front, to the right and above, so near that the scene fills the view; one light, higher
+ * up. */
+static inline bool mesh_world(world *w, const char *name, mesh m, bool z_up, failure *f)
+{
+    vec3 lo, hi;
+    *w = (world){.name = name, .mesh = m, .background = {0.078, 0.361, 0.753}};
+    if (!mesh_bounds(&m, &lo, &hi)) return failed(f, 2, "%.300s: no triangles in it", name);
+    real size = vlength(vsub(hi, lo)) / 2;
+    vec3 centre = vscale(vadd(lo, hi), 0.5), up = {0, !z_up, z_up};
+    vec3 toward = vunit(z_up ? vec(0.45, -1, 0.55)
+                             : vec(0.45, 0.55, 1));
+    w->group = allocate(1, sizeof *w->group);
+    w->group[w->groups++].finish = (finish){{1, 1, 1}, 1, 0, 0, 0, 0};
+    w->light_each = 0.5;
+    world_light(w, vmadd(vmadd(centre, toward, 3 * size), up, 2 * size));
+    return world_look(w, vmadd(centre, toward, (real)2.4 * size), centre, up, 45, f);
+}
+
+/* One looks at the teapot, not at the hall. */
+static inline bool make_stadium(int fine, world *w, failure *f)
+{
+    vec3 lo, hi;
+    mesh pot = teapot_mesh(1);
+    mesh_bounds(&pot, &lo, &hi);
+    mesh_free(&pot);
+    if (!mesh_world(w, "stadium", stadium_mesh(fine), true, f)) return false;
+    vec3 centre = vscale(vadd(lo, hi), 0.5);
+    w->light[0] = vadd(centre, (vec3){4, -6, 8});
+    return world_look(w, vadd(centre, (vec3){4, -8, 5}), centre, (vec3){0, 0, 1}, 45, f);
+}
+
+static inline bool make_soup(int thousands, world *w, failure *f)
+{
+    size_t n = 1000 * (size_t)thousands;
+    return mesh_world(w, "soup", soup_mesh(n, 1, 1 / cbrt((real)n), 1701), true, f);
+}
+
+static inline bool make_needles(int hundreds, world *w, failure *f)
+{
+    return mesh_world(w, "needles", needle_mesh(100 * (size_t)hundreds, 1e-3, 1702), true, f);
+}
+
+static const generator mesh_list[mesh_scenes] = {{"stadium", 32, 1, 150, make_stadium, 0},
+                                                 {"soup", 100, 1, 4000, make_soup, 0},
+                                                 {"needles", 50, 1, 10000, make_needles, 0}};
 
 static inline const generator *scene_find(const char *name)
 {
@@ -31,7 +86,7 @@ static inline void world_to_mesh(world *w)
     for (size_t i = 0; i < w->n; i++)
         if (w->shape[i].kind != SHAPE_TRIANGLE) return;
     if (w->n == 0) return;
-    w->mesh = loose_mesh(w->n);
+    w->mesh = mesh_room(w->n);
     for (size_t i = 0; i < w->n; i++)
         memcpy(w->mesh.v + 3 * i, &w->shape[i].triangle, 3 * sizeof(vec3));
     free(w->shape);

@@ -5,17 +5,17 @@
  *   check_options(&o, &own)     what does not exist, or does not go together
  * Misuse ends the program with exit 2 and a message.
  */
-#ifndef SETTINGS_H
-#define SETTINGS_H
+#ifndef COMPARE_LAB_SETTINGS_H
+#define COMPARE_LAB_SETTINGS_H
 
 #include "modes.h"
 
 typedef struct {
     const char *scene, *mesh, *only, *protocol, *region;
     int scale, megabytes;
-    bool verify, full;
-    ray_files files;
-} own_options;
+    bool verify, large;
+    compare_files files;
+} compare_options;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -55,7 +55,7 @@ static inline void read_region(const char *text, double region[4])
 }
 
 /* What does not go together. */
-static inline void check_options(const options *o, const own_options *own)
+static inline void check_options(const options *o, const compare_options *own)
 {
     failure f = {0, ""};
     const generator *g = own->scene ? scene_find(own->scene) : NULL;

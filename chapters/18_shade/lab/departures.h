@@ -13,8 +13,8 @@
  * the shape's size, n.w > 0.1: a miss is wrong. Half of the hits come from near, half from the
  * origin, T away.
  */
-#ifndef DEPARTURES_H
-#define DEPARTURES_H
+#ifndef SHADE_LAB_DEPARTURES_H
+#define SHADE_LAB_DEPARTURES_H
 
 #include "../../../common/random.h"
 #include "../../04_triangle/first.h"

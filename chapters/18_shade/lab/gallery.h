@@ -10,8 +10,8 @@
  * The lamp's bulb has a mask of its own: seen by camera rays, passed by shadow rays; so the lamp,
  * in its middle, shines.
  */
-#ifndef GALLERY_H
-#define GALLERY_H
+#ifndef SHADE_LAB_GALLERY_H
+#define SHADE_LAB_GALLERY_H
 
 #include "../../../common/image.h"
 #include "../../../common/parallel.h"

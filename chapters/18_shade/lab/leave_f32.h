@@ -1,7 +1,7 @@
 /* leave_f32.h: what most first ray tracers do, in float whatever real is: textbook tests, p = o + t
  * d, and a fixed eps for tmin. Exhibits, to be counted beside the others. */
-#ifndef LEAVE_F32_H
-#define LEAVE_F32_H
+#ifndef SHADE_LAB_LEAVE_F32_H
+#define SHADE_LAB_LEAVE_F32_H
 
 #include "../../../common/lab/vec3_f32.h"
 #include "departures.h"

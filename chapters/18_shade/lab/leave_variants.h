@@ -12,8 +12,8 @@
  * Sources: C. Wächter, N. Binder, Ray Tracing Gems, 2019, ch. 6 (ulps); M. Pharr, W. Jakob, G.
  * Humphreys, "Physically Based Rendering", 3rd ed., 2016, section 3.9.5 (bounds).
  */
-#ifndef LEAVE_VARIANTS_H
-#define LEAVE_VARIANTS_H
+#ifndef SHADE_LAB_LEAVE_VARIANTS_H
+#define SHADE_LAB_LEAVE_VARIANTS_H
 
 #include "../leave.h"
 #include <string.h>

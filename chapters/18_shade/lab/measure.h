@@ -1,12 +1,14 @@
 /* measure.h: the tables: ways to leave a surface against position and size; rays spent.
  *
- *   table_of_leaving(&o)     acne and leaks against T, with time: the main table, two plots
+ *   table_of_spheres(&o)     acne and leaks of spheres near and far, with time: the short table
+ *   table_of_leaving(&o)     also of triangles, against T, with two plots
  *   table_of_sizes(&o)       against the size of the shapes
  *   table_of_rays(&o)        shadow rays, only what is called for and all
  */
-#ifndef SHADE_MEASURE_H
-#define SHADE_MEASURE_H
+#ifndef SHADE_LAB_MEASURE_H
+#define SHADE_LAB_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "departures.h"
 #include "gallery.h"
@@ -54,14 +56,14 @@ static inline double leaving_seconds(void *context)
 static inline void leaving_time(departure_kind kind, uint64_t seed, double ns[leavings])
 {
     leaving_run *b = allocate(leavings, sizeof *b);
-    clock_variant v[leavings];
+    bench_candidate v[leavings];
     for (int k = 0; k < leavings; k++) {
         for (int i = 0; i < leaving_batch; i++)
             departure_make(&b[k].x[i], kind, 1, 1, seed, (uint64_t)i);
         b[k].way = ways[k];
-        v[k] = (clock_variant){ways[k].name, leaving_seconds, &b[k], 0};
+        v[k] = (bench_candidate){ways[k].name, leaving_seconds, &b[k], 0, 0};
     }
-    clock_compare(v, leavings, 31);
+    bench_time(v, leavings, 31);
     for (int k = 0; k < leavings; k++) ns[k] = 1e9 * v[k].seconds / leaving_batch;
     free(b);
 }
@@ -113,6 +115,28 @@ static inline void table_of_leaving(const options *o)
     output_table(o, &t);
     output_plot(o, &p, "18_shade_error.svg");
     output_plot(o, &against_time, "18_shade_time.svg");
+}
+
+/* Of spheres alone, with a tenth of the rays. */
+static inline void table_of_spheres(const options *o)
+{
+    size_t n = o->quick ? 300 : 2000;
+    leaving_score near[leavings + 1], far[leavings + 1];
+    double ns[leavings];
+    table t = table_new("Leaving a sphere of radius 1 at the origin, and T = 1e6 away",
+                        "method|error: acne T=0 [%]|error: acne 1e6|error: leak T=0 [%]|"
+                        "error: leak 1e6|time [ns]");
+    leaving_play(DEPART_SPHERE, 1, 0, o->seed, n, near);
+    leaving_play(DEPART_SPHERE, 1, 1e6, o->seed, n, far);
+    leaving_time(DEPART_SPHERE, o->seed, ns);
+    for (int k = 0; k <= leavings; k++) {
+        table_text(&t, "%s", leaving_name(k));
+        table_number(&t, near[k].self), table_number(&t, far[k].self);
+        table_number(&t, near[k].leak), table_number(&t, far[k].leak);
+        if (k < leavings) table_number(&t, ns[k]);
+        else table_text(&t, "-");
+    }
+    output_table(o, &t);
 }
 
 static inline void table_of_sizes(const options *o)

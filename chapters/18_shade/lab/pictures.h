@@ -2,10 +2,11 @@
  *
  *   draw_gallery(&o, n, spend_all)     the main picture, and what rays it took
  *   draw_acne(&o)                      two views at T = 1e4: naive, mended
- *   draw_sight(&o)                     a plan of the gallery: which points see each other
+ *   draw_sight(&o)                     a plan of the gallery: which points see each other; with
+ *                                      --full as a list, too
  */
-#ifndef SHADE_PICTURES_H
-#define SHADE_PICTURES_H
+#ifndef SHADE_LAB_PICTURES_H
+#define SHADE_LAB_PICTURES_H
 
 #include "../../../common/lab/stroke.h"
 #include "../../../common/output.h"
@@ -111,23 +112,24 @@ static inline void draw_sight(const options *o)
     bool whole = parallel_pixels(im.width, im.height, o->threads, "sight", sight_pixel, &m);
     real s = (real)im.width / 14;
     tracer t = {.w = &g->w, .program = shade_programs};
-    printf("# who sees whom, half a unit above the floor\n");
+    bool list = o->full;
+    if (list) printf("# who sees whom, half a unit above the floor\n");
     for (int i = 0; i < sight_posts; i++) {
-        printf("(%4.1f, %4.1f) ", at[i][0], at[i][1]);
+        if (list) printf("(%4.1f, %4.1f) ", at[i][0], at[i][1]);
         for (int j = 0; j < sight_posts; j++) {
             surface a = sight_post(at[i][0], at[i][1]), b = sight_post(at[j][0], at[j][1]);
             bool sees = i == j || sight_free(&t, a, b);
-            printf(" %c", i == j ? '.' : sees ? '1' : '0');
+            if (list) printf(" %c", i == j ? '.' : sees ? '1' : '0');
             real x0 = (a.p.x + 7) * s, y0 = (4 - a.p.y) * s;
             real x1 = (b.p.x + 7) * s, y1 = (4 - b.p.y) * s;
             vec3 white = {1, 1, 1}, grey = vscale(white, 0.8);
             if (i < j && sees) draw_stroke(&im, x0, y0, x1, y1, 0.3, grey);
             if (i == j) draw_stroke(&im, x0, y0, x0, y0, s / 5, white);
         }
-        printf("\n");
+        if (list) printf("\n");
     }
-    printf("# %zu rays for %d pairs\n\n", t.counts.rays[RAY_SIGHT],
-           sight_posts * (sight_posts - 1) / 2);
+    if (list) printf("# %zu rays for %d pairs\n\n", t.counts.rays[RAY_SIGHT],
+                     sight_posts * (sight_posts - 1) / 2);
     output_picture(o, &im, "18_shade_sight.png", false, whole);
     image_free(&im), gallery_free(g);
 }

@@ -9,8 +9,8 @@
  * The notes' reflection and refraction rays are left out: nothing here is a mirror.
  * Source: T. Akenine-Möller et al., "Real-Time Rendering", 4th ed., 2018, section 26.1.
  */
-#ifndef PRINTED_H
-#define PRINTED_H
+#ifndef SHADE_LAB_PRINTED_H
+#define SHADE_LAB_PRINTED_H
 
 #include "../shade.h"
 

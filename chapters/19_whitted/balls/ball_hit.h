@@ -9,8 +9,8 @@
  * Clear is k = |f|^2 - R^2 > 64 epsilon (|f|^2 + R^2): the signs of k, and of the roots, are then
  * beyond the rounding of all that is computed. The rest asks 03.
  */
-#ifndef BALL_HIT_H
-#define BALL_HIT_H
+#ifndef WHITTED_BALL_HIT_H
+#define WHITTED_BALL_HIT_H
 
 #include "../../03_sphere/sphere.h"
 

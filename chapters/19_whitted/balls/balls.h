@@ -29,8 +29,8 @@
  * 6(9), 1986; H. Weghorst, G. Hooper, D. Greenberg, "Improved Computational Methods for Ray
  * Tracing", ACM TOG 3(1), 1984 (item buffer).
  */
-#ifndef BALLS_H
-#define BALLS_H
+#ifndef WHITTED_BALLS_H
+#define WHITTED_BALLS_H
 
 #include "../../02_camera/camera.h"
 #include "balls_lanes.h"

@@ -19,8 +19,8 @@
  * b^2 by 45 U S^2; d, unit within 5 U where real is float, makes 30 U S^2 more; sums 10: m = 256 U
  * S^2 for k and D, e = 16 U S for b. What overflows is a NaN, and stays in.
  */
-#ifndef BALLS_LANES_H
-#define BALLS_LANES_H
+#ifndef WHITTED_BALLS_LANES_H
+#define WHITTED_BALLS_LANES_H
 
 #include "ball_hit.h"
 

@@ -16,8 +16,8 @@
  * What does not fit, or does not go by levels (a face between two places of the same medium, glass
  * that touches, spend_all), is left to balls_ray.
  */
-#ifndef BALLS_RAYS_H
-#define BALLS_RAYS_H
+#ifndef WHITTED_BALLS_RAYS_H
+#define WHITTED_BALLS_RAYS_H
 
 #include "../../../common/image.h"
 #include "balls_search.h"

@@ -9,8 +9,8 @@
  * No ball is asked that a list leaves out; whether one is hit decides 03, through ball_hit.h.
  * Towards a sun every ball is a disc: what is clear there needs no root.
  */
-#ifndef BALLS_SEARCH_H
-#define BALLS_SEARCH_H
+#ifndef WHITTED_BALLS_SEARCH_H
+#define WHITTED_BALLS_SEARCH_H
 
 #include "balls.h"
 

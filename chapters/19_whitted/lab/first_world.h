@@ -5,8 +5,8 @@
  *
  * Each glass ball is a body of its own, around everything is air; shadow rays end at glass, too.
  */
-#ifndef FIRST_WORLD_H
-#define FIRST_WORLD_H
+#ifndef WHITTED_LAB_FIRST_WORLD_H
+#define WHITTED_LAB_FIRST_WORLD_H
 
 #include "../first.h"
 #include "../whitted.h"

@@ -1,14 +1,16 @@
 /* measure.h: the tables: error against time over depth and over the cut; Fresnel exact and cheap;
  * forty balls by tree and by lists.
  *
- *   table_of_knobs(&o)      the main table, and its plot
- *   table_of_fresnel(&o)    plot of R, error and time of Schlick's form
+ *   table_of_knobs(&o)      the main table; with --full larger, and its plot
+ *   draw_fresnel(&o)        a plot of R
+ *   table_of_fresnel(&o)    error and time of Schlick's form
  *   table_of_speed(&o)      pixels per second of forty.h, one thread
  *   table_of_first(&o)      first.h on its two balls: time, and what differs
  */
-#ifndef WHITTED_MEASURE_H
-#define WHITTED_MEASURE_H
+#ifndef WHITTED_LAB_MEASURE_H
+#define WHITTED_LAB_MEASURE_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "first_world.h"
 #include "pictures.h"
@@ -32,55 +34,62 @@ static inline double knob_time(whitted_view *v, int rounds)
     return clock_median(seconds, rounds);
 }
 
-static inline void knob_row(const options *o, table *t, plot *p, int series, const char *name,
-                            forty *f, whitted_view *v, const image *deep)
+/* Without --full only those that are shown, in fewer columns. */
+static const struct { int depth; double least; bool shown; } knobs[] = {
+    {1, 0, false},   {2, 0, true},    {3, 0, false},     {4, 0, true},     {5, 0, false},
+    {6, 0, true},    {8, 0, true},    {12, 0, false},    {64, 0.5, false}, {64, 0.1, true},
+    {64, 0.03, true}, {64, 0.01, true}, {64, 0.001, true}, {64, 0.0001, false}};
+
+static inline void knob_row(const options *o, table *t, const whitted_view *v, size_t k,
+                            double seconds, image_difference d)
 {
-    double seconds = knob_time(v, o->quick ? 1 : 3);
-    image_difference d = image_compare(v->im, deep);
-    size_t pixels = (size_t)v->im->width * (size_t)v->im->height;
-    table_text(t, "%s", name);
-    table_count(t, (size_t)f->fast.w.depth);
-    table_number(t, (double)f->fast.w.least);
-    for (int k = RAY_SHADOW; k <= RAY_REFRACTION; k++)
-        table_number(t, (double)v->counts.rays[k] / (double)pixels);
+    double pixels = (double)v->im->width * (double)v->im->height, rays = 0;
+    table_text(t, knobs[k].least > 0 ? "cut" : "depth");
+    if (o->full) table_count(t, (size_t)knobs[k].depth), table_number(t, knobs[k].least);
+    else table_number(t, knobs[k].least > 0 ? knobs[k].least : knobs[k].depth);
+    for (int i = RAY_SHADOW; i <= RAY_REFRACTION; i++) {
+        if (o->full) table_number(t, (double)v->counts.rays[i] / pixels);
+        rays += (double)v->counts.rays[i];
+    }
+    if (!o->full) table_number(t, rays / pixels);
     table_number(t, d.rmse), table_number(t, d.maximum);
-    table_number(t, seconds / (double)pixels * 1e9);
-    plot_add(p, series, seconds / (double)pixels * 1e9, d.rmse);
+    table_number(t, seconds / pixels * 1e9);
 }
 
 /* Against depth 64 and a cut of 1e-10: what that leaves out does not show in a picture of floats,
  * and without any cut depth 64 takes more than a hundred times as long. */
 static inline void table_of_knobs(const options *o)
 {
-    static const int depth[] = {1, 2, 3, 4, 5, 6, 8, 12};
-    static const double least[] = {0.5, 0.1, 0.03, 0.01, 0.001, 0.0001};
     forty *f = allocate(1, sizeof *f);
     forty_fill(f);
     int w = o->quick ? 48 : 240, h = w * 3 / 4;
     image im = image_new(w, h), deep = image_new(w, h);
     whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
                       .across = 1, .balls = true};
-    table t = table_new("Forty balls: error against depth 64 and a cut of 1e-10; rays a pixel",
-                        "knob|depth|cut|shadow|reflection|refraction|error: rmse|error: most|"
-                        "time [ns/pixel]");
+    table t = table_new(o->full ? "Forty balls: error against depth 64 and a cut of 1e-10; rays a "
+                                  "pixel" : "Forty balls: what depth and cut leave out",
+                        o->full ? "knob|depth|cut|shadow|reflection|refraction|error: rmse|"
+                                  "error: most|time [ns/pixel]"
+                                : "knob|at|rays a pixel|error: rmse|error: most|time [ns/pixel]");
     plot p = plot_new("What is left out, against time", "time [ns/pixel]", "error, rmse",
                       PLOT_LOG_Y);
-    int by_depth = plot_series(&p, "depth 1, 2 .. 12, no cut"), by_cut;
-    by_cut = plot_series(&p, "cut 0.5 .. 0.0001");
+    int series[2] = {plot_series(&p, "depth 1, 2 .. 12, no cut"), 0};
+    series[1] = plot_series(&p, "cut 0.5 .. 0.0001");
     balls_view(&f->fast.b, &v.c, w, h);
     f->fast.w.depth = 64, f->fast.w.least = 1e-10;
     measured_draw(&v, o->threads);
     v.im = &im;
-    for (size_t k = 0; k < sizeof depth / sizeof *depth; k++) {
-        f->fast.w.depth = depth[k], f->fast.w.least = 0;
-        knob_row(o, &t, &p, by_depth, "depth", f, &v, &deep);
-    }
-    for (size_t k = 0; k < sizeof least / sizeof *least; k++) {
-        f->fast.w.depth = 64, f->fast.w.least = (real)least[k];
-        knob_row(o, &t, &p, by_cut, "cut", f, &v, &deep);
+    for (size_t k = 0; k < sizeof knobs / sizeof *knobs; k++) {
+        if (!o->full && !knobs[k].shown) continue;
+        f->fast.w.depth = knobs[k].depth, f->fast.w.least = (real)knobs[k].least;
+        double seconds = knob_time(&v, o->quick || !o->full ? 1 : 3);
+        image_difference d = image_compare(&im, &deep);
+        knob_row(o, &t, &v, k, seconds, d);
+        plot_add(&p, series[knobs[k].least > 0], seconds / ((double)w * h) * 1e9, d.rmse);
     }
     output_table(o, &t);
-    output_plot(o, &p, "19_whitted_time.svg");
+    if (o->full) output_plot(o, &p, "19_whitted_time.svg");
+    else plot_free(&p);
     image_free(&im), image_free(&deep), forty_free(f), free(f);
 }
 
@@ -107,14 +116,9 @@ static inline snell snell_at(real degrees, real n1, real n2)
     return s;
 }
 
-/* Fresnel's exact equations and Schlick's form; then what the cheap one changes in a picture. */
-static inline void table_of_fresnel(const options *o)
+/* Fresnel's exact equations and Schlick's form. */
+static inline void draw_fresnel(const options *o)
 {
-    static const double ior[] = {1.1, 1.33, 1.5, 2.4};
-    clock_variant c[3];
-    fresnel_run *b = allocate(3, sizeof *b);
-    real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_first};
-    static const char *const names[3] = {"exact", "Schlick", "first"};
     plot p = plot_new("Fresnel: glass, n = 1.5", "angle [degrees]", "R", 0);
     int exact = plot_series(&p, "exact, from outside");
     int cheap = plot_series(&p, "Schlick, from outside");
@@ -125,13 +129,23 @@ static inline void table_of_fresnel(const options *o)
         plot_add(&p, exact, i, (double)fresnel(&s)), plot_add(&p, cheap, i, (double)schlick(&s));
         plot_add(&p, within, i, (double)fresnel(&in)), plot_add(&p, close, i, (double)schlick(&in));
     }
+    output_plot(o, &p, "19_whitted_fresnel.svg");
+}
+
+static inline void table_of_fresnel(const options *o)
+{
+    static const double ior[] = {1.1, 1.33, 1.5, 2.4};
+    bench_candidate c[3];
+    fresnel_run *b = allocate(3, sizeof *b);
+    real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_first};
+    static const char *const names[3] = {"exact", "Schlick", "first"};
     for (int k = 0; k < 3; k++) {
         b[k].form = form[k];
         for (int i = 0; i < fresnel_batch; i++)
             b[k].s[i] = snell_at((real)i * 90 / fresnel_batch, 1, 1.5);
-        c[k] = (clock_variant){names[k], fresnel_seconds, &b[k], 0};
+        c[k] = (bench_candidate){names[k], fresnel_seconds, &b[k], 0, 0};
     }
-    clock_compare(c, 3, o->quick ? 3 : 15);
+    bench_time(c, 3, o->quick ? 3 : 15);
     table t = table_new("R of Schlick's form, against Fresnel's, over all angles from outside",
                         "form|off at n=1.1|n=1.33|n=1.5|n=2.4|time [ns]");
     for (int k = 0; k < 3; k++) {
@@ -148,7 +162,6 @@ static inline void table_of_fresnel(const options *o)
         table_number(&t, c[k].seconds * 1e9 / (64 * fresnel_batch));
     }
     output_extra_table(o, &t);
-    output_plot(o, &p, "19_whitted_fresnel.svg");
     free(b);
 }
 
@@ -213,9 +226,9 @@ static inline void table_of_first(const options *o)
     first_world *x = first_world_new(&s, 8);
     int w = o->quick ? 64 : 480, h = w * 5 / 8;
     first_picture p[2] = {{image_new(w, h), &s, NULL}, {image_new(w, h), &s, x}};
-    clock_variant v[2] = {{"first", first_picture_draw, &p[0], 0},
-                          {"whitted", first_picture_draw, &p[1], 0}};
-    clock_compare(v, 2, o->quick ? 1 : 5);
+    bench_candidate v[2] = {{"first", first_picture_draw, &p[0], 0, 0},
+                            {"whitted", first_picture_draw, &p[1], 0, 0}};
+    bench_time(v, 2, o->quick ? 1 : 5);
     table t = table_new("Two balls over a board, one thread, one ray a pixel, depth 8",
                         "method|pixels off by 1e-6|error: rmse|error: most|time [ns/pixel]");
     for (int k = 0; k < 2; k++) {

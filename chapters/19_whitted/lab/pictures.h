@@ -1,12 +1,13 @@
 /* pictures.h: the two spheres; the tank, naively and well; the tree of one pixel; depths.
  *
- *   draw_two_spheres(&o)      the main picture, and what rays it took
+ *   draw_two_spheres(&o, all) the main picture, and what rays it took
  *   draw_tank(&o)             left: faces that touch taken one by one; right: as one
  *   draw_depths(&o)           forty balls: depth 1, 2, 3, 8
- *   draw_ray_tree(&o, x, y)   of the pixel (x, y) of the main picture: as text, and as a picture
+ *   draw_ray_tree(&o, x, y)   of the pixel (x, y) of the main picture: as a picture; as text, too,
+ *                             with --full, and where the pixel is the reader's own
  */
-#ifndef WHITTED_PICTURES_H
-#define WHITTED_PICTURES_H
+#ifndef WHITTED_LAB_PICTURES_H
+#define WHITTED_LAB_PICTURES_H
 
 #include "../../../common/output.h"
 #include "../scenes/forty.h"
@@ -124,13 +125,17 @@ static inline void draw_ray_tree(const options *o, real x, real y)
     file_writer out;
     s->w.depth = 6, s->w.least = 0.002;
     ray_tree_trace(tree, &t, camera_ray(c, x, y, 640, 480), (media_set){0});
-    printf("# the tree of rays of pixel (%g, %g) of 640 x 480, depth 6\n", (double)x, (double)y);
-    ray_tree_print(tree, stdout);
-    printf("\n");
-    const char *path = output_path(o, "19_whitted_tree.svg", false, room);
+    if (o->full || o->own) {
+        printf("# the tree of rays of pixel (%g, %g) of 640 x 480, depth 6\n", (double)x,
+               (double)y);
+        ray_tree_print(tree, stdout);
+        printf("\n");
+    }
+    const char *path = output_path(o, "19_whitted_tree.svg", o->own, room);
     if (path && !file_begin(&out, path, &f)) fail(f);
     if (path) ray_tree_svg(tree, out.stream);
     if (path && !file_commit(&out, &f)) fail(f);
+    if (path) output_note(path);
     free(tree), two_spheres_free(s);
 }
 

@@ -9,8 +9,8 @@
  *     reflection 2                          t     where it ended; infinity: in the sky
  *     refraction 2                          lit   of a shadow ray: part of the light that arrives
  */
-#ifndef RAY_TREE_H
-#define RAY_TREE_H
+#ifndef WHITTED_LAB_RAY_TREE_H
+#define WHITTED_LAB_RAY_TREE_H
 
 #include "../whitted.h"
 

@@ -4,6 +4,7 @@
  *   spd_count_scene(&w, edge, threads, rgb, &c)  (edge + 1)^2 eye rays, through corners of pixels;
  *                                               rgb: NULL, or the picture
  *   spd_print(&w, scale, &c, seconds)           lines beginning primary, shadow, secondary
+ *   spd_protocol(&o, name, scale)               all scenes with published results, or that one
  *
  * The protocol: 512^2 pixels, 513^2 rays through their corners (17.7); depth at most 5, the eye ray
  * being 1; a shadow ray to each light that is in front of the surface, and none to one behind it; a
@@ -17,10 +18,10 @@
  * Sources: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and
  * the documentation of its programs.
  */
-#ifndef SPD_PROTOCOL_H
-#define SPD_PROTOCOL_H
+#ifndef WHITTED_LAB_SPD_PROTOCOL_H
+#define WHITTED_LAB_SPD_PROTOCOL_H
 
-#include "../../../common/parallel.h"
+#include "../../../common/output.h"
 #include "../../07_mesh/scenes/spd.h"
 #include "../reflect.h"
 #include "../refract.h"
@@ -164,6 +165,33 @@ static inline void spd_print(const world *w, int scale, const spd_count *c, doub
            n->rays[RAY_REFLECTION] + n->rays[RAY_REFRACTION],
            n->hits[RAY_REFLECTION] + n->hits[RAY_REFRACTION]);
     printf("# %.2f s\n", seconds);
+}
+
+/* name NULL: all of them with published results; scale < 0: the usual. */
+static inline void spd_protocol(const options *o, const char *name, int scale)
+{
+    if (name && !generator_find(spd_list, spd_scenes, name))
+        die(2, "--scene: allowed are balls, gears, mount, rings, teapot, tetra, tree");
+    for (int k = 0; k < spd_scenes; k++) {
+        const generator *g = &spd_list[k];
+        int edge = o->quick ? 32 : spd_edge, size = scale >= 0 ? scale : g->scale;
+        world w;
+        failure f;
+        spd_count c;
+        if (name ? strcmp(name, g->name) != 0 : !g->hits) continue;
+        if (!spd_world(g->name, size, &w, &f) || !spd_print_digits(&w, &f)) fail(f);
+        image im = image_new(edge + 1, edge + 1);
+        double start = clock_seconds();
+        bool whole = spd_count_scene(&w, edge, o->threads, im.rgb, &c);
+        spd_print(&w, size, &c, clock_seconds() - start);
+        if (g->hits && size == g->scale && edge == spd_edge)
+            printf("# published primary hits for %s %d: %zu\n", g->name, size, g->hits);
+        fflush(stdout);
+        if (o->out) output_picture(o, &im, "19_whitted_spd.png", true, whole);
+        image_free(&im);
+        world_free(&w);
+        if (!whole) die(130, "stopped");
+    }
 }
 
 #endif

@@ -13,8 +13,8 @@
  * k->w.apart = true is the naive way: faces that touch are taken one by one, and the second one is
  * passed unseen.
  */
-#ifndef TANK_H
-#define TANK_H
+#ifndef WHITTED_LAB_TANK_H
+#define WHITTED_LAB_TANK_H
 
 #include "../../02_camera/camera.h"
 #include "../scenes/looks.h"

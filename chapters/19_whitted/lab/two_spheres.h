@@ -8,8 +8,8 @@
  * The glass ball is hollow: a ball of air in it, nested. So the floor is seen through it upright,
  * but for a rim.
  */
-#ifndef TWO_SPHERES_H
-#define TWO_SPHERES_H
+#ifndef WHITTED_LAB_TWO_SPHERES_H
+#define WHITTED_LAB_TWO_SPHERES_H
 
 #include "../../02_camera/camera.h"
 #include "../scenes/looks.h"

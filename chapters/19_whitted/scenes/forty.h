@@ -9,8 +9,8 @@
  *
  * Glass casts no shadow here.
  */
-#ifndef FORTY_H
-#define FORTY_H
+#ifndef WHITTED_SCENES_FORTY_H
+#define WHITTED_SCENES_FORTY_H
 
 #include "../balls/balls_rays.h"
 #include "looks.h"

@@ -5,8 +5,8 @@
  *   whitted_clear(body, keep)   clear glass that bounds `body`; shadow rays keep this part of light
  *   box_faces(lo, hi, in, corner, shape)     the six squares of a box; normals outwards, or inwards
  */
-#ifndef LOOKS_H
-#define LOOKS_H
+#ifndef WHITTED_SCENES_LOOKS_H
+#define WHITTED_SCENES_LOOKS_H
 
 #include "../whitted_scene.h"
 

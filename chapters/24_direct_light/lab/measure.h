@@ -1,24 +1,22 @@
-/* measure.h: error against time for every way of drawing, against references and closed forms.
+/* measure.h: error against time for every way of drawing.
  *
- *   measure_ways(o)     main table, plots: box and plates, eight ways
+ *   measure_ways(o)     main table: eight ways, box and plates; with --full all of them, and plots
  *   measure_lights(o)   sixteen lamps: all of them, or one
- *   measure_closed(o)   estimates beside closed forms of 22, with the t-test's p
  *   measure_near(o)     a light closer and closer: second moment by area, and what one sees of it
  *   measure_called(o)   rays that were traced, and rays that could not have brought anything
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef DIRECT_MEASURE_H
+#define DIRECT_MEASURE_H
 
-#include "../../20_monte_carlo/t_test.h"
+#include "../../20_monte_carlo/estimate.h"
 #include "../../22_radiometry/polygon_irradiance.h"
-#include "../../22_radiometry/sphere_irradiance.h"
 #include "survey.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* ---- eight ways ---- */
 
-static inline void survey_plots(const survey *s, const options *o, const char *title,
+static inline void survey_plots(const direct_survey *s, const options *o, const char *title,
                                 const char *by_time, const char *by_samples)
 {
     int flags = PLOT_LOG_X | PLOT_LOG_Y;
@@ -37,46 +35,30 @@ static inline void survey_plots(const survey *s, const options *o, const char *t
     output_plot(o, &t, by_time), output_plot(o, &n, by_samples);
 }
 
-static inline void measure_stage(const options *o, stage_name which, table *t)
+/* The eight ways, and the last one by Sobol' points. */
+static inline void survey_ways(direct_survey *s, const options *o, direct_stage_name which)
 {
-    survey s;
-    bool box = which == STAGE_BOX;
-    survey_open(&s, o, which, survey_points, box ? 2048 : 1024);
-    s.entries = direct_ways + 1;
+    survey_open(s, o, which, survey_points, which == STAGE_PLATES ? 1024 : 2048);
     for (int k = 0; k < direct_ways; k++)
-        s.entry[k] = (survey_entry){k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
-    s.entry[direct_ways] = (survey_entry){DIRECT_POWER, LIGHTS_UNIFORM, SEQUENCE_SOBOL};
-    survey_measure(&s, o);
-    for (int k = 0; k < s.entries; k++) {
-        table_text(t, box ? "box" : "plates");
-        table_text(t, k < direct_ways ? "%s" : "power, Sobol'", direct_name[k % direct_ways]);
-        survey_row(&s, k, t);
-    }
-    if (box) survey_plots(&s, o, "Cornell box, direct light", "24_direct_light_time.svg",
-                          "24_direct_light_error.svg");
-    else survey_plots(&s, o, "Four plates, four spheres", "24_direct_light_plates_time.svg",
-                      "24_direct_light_plates_error.svg");
-    survey_close(&s);
+        s->entry[k] = (survey_entry){k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
+    s->entry[direct_ways] = (survey_entry){DIRECT_POWER, LIGHTS_UNIFORM, SEQUENCE_SOBOL};
+    s->entries = direct_ways + o->full;
+    survey_measure(s, o, o->full ? 0 : survey_time_level);
 }
 
 /* first.h in its own box, whose walls are parallelograms, beside the two that do the same there. */
-static inline void measure_first(const options *o, table *t)
+static inline void rows_of_first(const options *o, table *t)
 {
-    static const survey_entry entry[] = {
-        {WAY_FIRST_DIRECTION, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
-        {DIRECT_COSINE, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
-        {WAY_FIRST_LAMP, LIGHTS_UNIFORM, SEQUENCE_RANDOM},
-        {DIRECT_AREA, LIGHTS_UNIFORM, SEQUENCE_RANDOM}};
-    survey s;
-    survey_open_first(&s, o, survey_points, 2048);
-    s.entries = sizeof entry / sizeof *entry;
-    memcpy(s.entry, entry, sizeof entry);
-    survey_measure(&s, o);
+    static const int way[] = {WAY_FIRST_DIRECTION, DIRECT_COSINE, WAY_FIRST_LAMP, DIRECT_AREA};
+    direct_survey s;
+    survey_open(&s, o, STAGE_FIRST, survey_points, 2048);
+    for (s.entries = 0; s.entries < 4; s.entries++)
+        s.entry[s.entries] = (survey_entry){way[s.entries], LIGHTS_UNIFORM, SEQUENCE_RANDOM};
+    survey_measure(&s, o, 0);
     for (int k = 0; k < s.entries; k++) {
-        int way = entry[k].way;
         table_text(t, "first's box");
-        table_text(t, "%s", way == WAY_FIRST_DIRECTION ? "first, direction"
-                          : way == WAY_FIRST_LAMP ? "first, lamp" : direct_name[way]);
+        table_text(t, "%s", k == 0 ? "first, direction" : k == 2 ? "first, lamp"
+                          : direct_name[way[k]]);
         survey_row(&s, k, t);
     }
     survey_close(&s);
@@ -84,25 +66,48 @@ static inline void measure_first(const options *o, table *t)
 
 static inline void measure_ways(const options *o)
 {
-    table t = table_new("Direct light: error, time, efficiency",
-                        "scene|way|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
-                        "|time efficiency [1/us]");
-    measure_stage(o, STAGE_BOX, &t);
-    measure_stage(o, STAGE_PLATES, &t);
-    measure_first(o, &t);
+    table t = table_new("Eight ways, 64 samples a point", "way|rays|error in the box [1]|time [us]|"
+                        "error at the plates [1]|time [us]");
+    table all = table_new("Direct light: error, time, efficiency",
+                          "scene|way|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
+                          "|time efficiency [1/us]");
+    direct_survey s[2];
+    for (int k = 0; k < 2; k++) survey_ways(&s[k], o, k ? STAGE_PLATES : STAGE_BOX);
+    for (int k = 0; k < direct_ways; k++) {
+        table_text(&t, "%s", direct_name[k]), table_number(&t, survey_rays(&s[0], k));
+        for (int i = 0; i < 2; i++) {
+            table_number(&t, s[i].error[k][survey_time_level]);
+            table_number(&t, 1e6 * s[i].seconds[k]);
+        }
+    }
     output_table(o, &t);
+    for (int i = 0; i < 2 && o->full; i++)
+        for (int k = 0; k < s[i].entries; k++) {
+            table_text(&all, i ? "plates" : "box");
+            table_text(&all, "%s", k < direct_ways ? direct_name[k] : "power, Sobol'");
+            survey_row(&s[i], k, &all);
+        }
+    if (o->full) {
+        rows_of_first(o, &all);
+        output_extra_table(o, &all);
+        survey_plots(&s[0], o, "Cornell box, direct light", "24_direct_light_time.svg",
+                     "24_direct_light_error.svg");
+        survey_plots(&s[1], o, "Four plates, four spheres", "24_direct_light_plates_time.svg",
+                     "24_direct_light_plates_error.svg");
+    } else table_free(&all);
+    survey_close(&s[0]), survey_close(&s[1]);
 }
 
 static inline void measure_lights(const options *o)
 {
     static const char *const name[] = {"all", "one by 1/n", "one by flux"};
-    survey s;
+    direct_survey s;
     survey_open(&s, o, STAGE_HALL, 12, 1024);
     s.entries = 6;
     for (int k = 0; k < 6; k++)
-        s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER, (lights_kind)(k % 3),
-                                    SEQUENCE_RANDOM};
-    survey_measure(&s, o);
+        s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER,
+                                    (direct_lights_kind)(k % 3), SEQUENCE_RANDOM};
+    survey_measure(&s, o, 2);
     table t = table_new("Sixteen lamps, three of them bright",
                         "way|lights|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
                         "|time efficiency [1/us]");
@@ -114,53 +119,29 @@ static inline void measure_lights(const options *o)
     survey_close(&s);
 }
 
-/* ---- a single point ---- */
+/* ---- a light closer and closer ---- */
 
-/* One light, one matte white point at the origin, facing +z. */
-static inline estimate lone_point(const emitter *e, direct_way way, uint32_t n, uint64_t seed)
+/* The variance that n samples show: one light, a matte white point at the origin, facing +z. */
+static inline double variance_seen(const emitter *e, direct_way way, uint32_t n, uint64_t seed)
 {
     lit_scene s;
     lit_begin(&s);
-    uint16_t lamp = lit_add_material(&s, (lit_material){.Le = e->Le});
     lit_material matte = {.f = brdf_lambert((vec3){1, 1, 1})};
-    if (e->kind == EMITTER_SPHERE) lit_add_shape(&s, shape_of_sphere(e->sphere), lamp);
-    else lit_add_rectangle(&s, e->rectangle, lamp);
+    lit_add_rectangle(&s, e->rectangle, lit_add_material(&s, (lit_material){.Le = e->Le}));
     lit_end(&s);
-    lights l;
-    lights_build(&s, LIGHTS_ALL, &l);
+    direct_lights l;
+    direct_lights_build(&s, LIGHTS_ALL, &l);
     direct_work work = {0, 0, 0};
     direct d = {&s, way, &l, &work, false};
-    vec3 n_up = {0, 0, 1};
-    lit_hit h = {{{0, 0, 0}, n_up, n_up, 0, 0, no_shape}, &matte, lit_dark, 1, true};
+    vec3 up = {0, 0, 1};
+    lit_hit h = {{{0, 0, 0}, up, up, 0, 0, no_shape}, &matte, lit_dark, 1, true};
     estimate x = {0};
     for (uint32_t k = 0; k < n; k++) {
         sampler q = sampler_start(SEQUENCE_RANDOM, seed, 0, k, n);
-        x = estimate_add(x, grey(direct_light(&d, &h, n_up, &q)));
+        x = estimate_add(x, grey(direct_light(&d, &h, up, &q)));
     }
-    lights_free(&l), lit_free(&s);
-    return x;
-}
-
-static inline void measure_closed(const options *o)
-{
-    const vec3 white = {1, 1, 1}, p = {0, 0, 0}, up = {0, 0, 1};
-    table t = table_new("Estimates of 20000 samples beside closed forms",
-                        "light|way|exact|estimate|error standard|p");
-    for (int i = 0; i < 3; i++) {
-        rectangle r = {of_doubles(-1, -1, 2), of_doubles(0, 2, 0), of_doubles(2, 0, 0)};
-        sphere b = {of_doubles(2, 0, i == 2 ? 0 : .5), 1};
-        emitter e = i == 0 ? emitter_of_rectangle(r, white) : emitter_of_sphere(b, white);
-        real E = i == 0 ? rectangle_irradiance(r, p, up) : sphere_irradiance(b, p, up);
-        for (int way = 0; way < direct_ways; way++) {
-            if (way == DIRECT_COSINE) continue;  /* the same as BRDF on what is matte */
-            estimate x = lone_point(&e, (direct_way)way, o->quick ? 1000 : 20000, o->seed);
-            table_text(&t, i == 0 ? "rectangle overhead" : i == 1 ? "sphere" : "sphere half below");
-            table_text(&t, "%s", direct_name[way]), table_text(&t, "%.5f", (double)(E / pi));
-            table_text(&t, "%.5f", x.mean), table_number(&t, estimate_error(x));
-            table_number(&t, t_test(x, (double)(E / pi), 1e-6));
-        }
-    }
-    output_extra_table(o, &t);
+    direct_lights_free(&l), lit_free(&s);
+    return estimate_variance(x);
 }
 
 /* A wall that shines, on the floor at the distance h. E[X^2] of samples by area = integral of
@@ -172,21 +153,20 @@ static inline void measure_near(const options *o)
                         "distance|mean|by area|by area as seen in 20000|by angle");
     for (int i = 0; i < 5; i++) {
         double h = pow(10, -i);
-        rectangle r = {of_doubles(h, -1, 0), {0, 0, 2}, {0, 2, 0}};
-        emitter e = emitter_of_rectangle(r, white), *q = &e;
+        rectangle r = {vec(h, -1, 0), {0, 0, 2}, {0, 2, 0}};
+        emitter e = emitter_of_rectangle(r, white);
         double second = 0, mean = (double)(rectangle_irradiance(r, p, (vec3){0, 0, 1}) / pi);
-        uint32_t n = o->quick ? 1000 : 100000;
+        uint32_t n = o->quick ? 1000 : 100000, seen = o->quick ? 1000 : 20000;
         for (uint32_t k = 0; k < n; k++) {
             sampler s = sampler_start(SEQUENCE_SOBOL, o->seed, 0, k, n);
             emitter_point x;
-            if (!emitter_by_angle(q, p, sampler_pair(&s), &x)) continue;
+            if (!emitter_by_angle(&e, p, sampler_pair(&s), &x)) continue;
             double c = (double)(x.wi.z / pi);
-            second += c * c / (double)(emitter_pdf_area(q, p, x.s.p) * x.pdf) / n;
+            second += c * c / (double)(emitter_pdf_area(&e, p, x.s.p) * x.pdf) / n;
         }
-        uint32_t seen = o->quick ? 1000 : 20000;
         table_number(&t, h), table_number(&t, mean), table_number(&t, second - mean * mean);
-        table_number(&t, estimate_variance(lone_point(q, DIRECT_AREA, seen, o->seed)));
-        table_number(&t, estimate_variance(lone_point(q, DIRECT_ANGLE, seen, o->seed)));
+        table_number(&t, variance_seen(&e, DIRECT_AREA, seen, o->seed));
+        table_number(&t, variance_seen(&e, DIRECT_ANGLE, seen, o->seed));
     }
     output_extra_table(o, &t);
 }
@@ -197,9 +177,9 @@ static inline void measure_called(const options *o)
 {
     table t = table_new("Rays of one sample a point: what is called for, and all",
                         "scene|way|points|shadow|of|directions|of|same bits");
-    for (int which = 0; which < 3; which++) {
-        survey s;
-        survey_open(&s, o, (stage_name)which, survey_points, 1);
+    for (int which = STAGE_BOX; which <= STAGE_STRIP; which++) {
+        direct_survey s;
+        survey_open(&s, o, (direct_stage_name)which, survey_points, 1);
         for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
             direct_work work[2] = {{0, 0, 0}, {0, 0, 0}};
             bool same = true;

@@ -3,24 +3,25 @@
  *   direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, n, seed};
  *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with a camera ray
  *
- *   draw_stage(o, name, way)   the main picture
- *   draw_equal(o)    table and pictures: five ways in the same time
+ *   draw_stage(o, name, way, file)   the main picture
  *   draw_plates(o)   BRDF, lights, both: the same number of rays
+ *   draw_equal(o)    table and pictures: five ways in the same time
  *   draw_strip(o)    a light that touches the floor, by area and by angle
  *   draw_hall(o)     one of sixteen lights, or all
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef DIRECT_PICTURES_H
+#define DIRECT_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../direct.h"
 #include "scenes.h"
 
 typedef struct {
-    const stage *g;
+    const direct_stage *g;
     direct_way way;
-    lights_kind kind;
+    direct_lights_kind kind;
     sequence_kind sequence;
     uint32_t n;
     uint64_t seed;
@@ -28,7 +29,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const direct_view *v; const lights *l; image *im; } direct_sheet;
+typedef struct { const direct_view *v; const direct_lights *l; image *im; } direct_sheet;
 
 static inline void direct_pixel(int x, int y, void *context)
 {
@@ -52,23 +53,22 @@ static inline void direct_pixel(int x, int y, void *context)
 
 static inline bool direct_render(const direct_view *v, image *im, int threads)
 {
-    lights l;
-    lights_build(&v->g->s, v->kind, &l);
+    direct_lights l;
+    direct_lights_build(&v->g->s, v->kind, &l);
     direct_sheet k = {v, &l, im};
     bool whole = parallel_pixels(im->width, im->height, threads, "direct light", direct_pixel, &k);
-    lights_free(&l);
+    direct_lights_free(&l);
     return whole;
 }
 
-/* Panels of one height, 4 pixels of white between them. */
+/* Panels of one height, 4 pixels of white between them, each with its title. */
 static inline bool draw_panels(const options *o, const direct_view *v, int n, int width,
-                               const char *name, double *seconds, image *panels)
+                               const char *name, const char *const *title, double *seconds,
+                               image *panels)
 {
     int across = o->quick ? width / 10 : width, gap = o->quick ? 1 : 4;
     int down = (int)((real)across / v->g->aspect);
     image sheet = image_new(n * across + (n - 1) * gap, down);
-    for (int i = 0; i < sheet.width * sheet.height; i++)
-        for (int c = 0; c < 3; c++) sheet.rgb[3 * i + c] = 1;
     bool whole = true;
     for (int k = 0; k < n && whole; k++) {
         image im = image_new(across, down);
@@ -79,21 +79,23 @@ static inline bool draw_panels(const options *o, const direct_view *v, int n, in
         if (panels) panels[k] = im;
         else image_free(&im);
     }
-    output_picture(o, &sheet, name, false, whole);
-    image_free(&sheet);
+    image titled = label_panels(&sheet, n, 1, gap, title);
+    output_picture(o, &titled, name, false, whole);
+    image_free(&sheet), image_free(&titled);
     return whole;
 }
 
 /* The main picture: one stage, one way. */
-static inline void draw_stage(const options *o, stage_name name, direct_way way)
+static inline void draw_stage(const options *o, direct_stage_name name, direct_way way,
+                              const char *file)
 {
-    stage g;
+    direct_stage g;
     stage_open(name, &g);
     image im = image_new(o->width, o->height);
     g.c = stage_camera_of(name, (real)o->width / (real)o->height);
     direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
     bool whole = direct_render(&v, &im, o->threads);
-    output_picture(o, &im, "24_direct_light.png", true, whole);
+    output_picture(o, &im, file, true, whole);
     image_free(&im), stage_close(&g);
 }
 
@@ -119,26 +121,27 @@ static inline double unlit_error(const image *im, const image *reference)
 static inline void draw_equal(const options *o)
 {
     enum { n = 5 };
-    static const struct { direct_way way; uint32_t samples; } panel[n] = {
-        {DIRECT_UNIFORM, 16}, {DIRECT_COSINE, 16}, {DIRECT_AREA, 16}, {DIRECT_ANGLE, 10},
-        {DIRECT_POWER, 7}};
-    stage g;
-    direct_view v[n], best;
+    static const direct_way way[n] = {DIRECT_UNIFORM, DIRECT_COSINE, DIRECT_AREA, DIRECT_ANGLE,
+                                      DIRECT_POWER};
+    static const uint32_t samples[n] = {16, 16, 16, 10, 7};
+    static const char *const title[n] = {"uniform, 16", "cosine, 16", "by area, 16",
+                                         "by angle, 10", "power, 7"};
+    direct_stage g;
+    direct_view v[n];
     double seconds[n];
     image im[n];
     stage_open(STAGE_BOX, &g);
     for (int k = 0; k < n; k++)
-        v[k] = (direct_view){&g, panel[k].way, LIGHTS_ALL, SEQUENCE_RANDOM, panel[k].samples,
-                             o->seed};
-    if (draw_panels(o, v, n, 192, "24_direct_light_equal.png", seconds, im)) {
+        v[k] = (direct_view){&g, way[k], LIGHTS_ALL, SEQUENCE_RANDOM, samples[k], o->seed};
+    if (draw_panels(o, v, n, 192, "24_direct_light_equal.png", title, seconds, im)) {
         image reference = image_new(im[0].width, im[0].height);
-        best = (direct_view){&g, DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL, o->quick ? 16 : 128,
-                             o->seed + 1};
+        direct_view best = {&g, DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL, o->quick ? 16 : 128,
+                            o->seed + 1};
         direct_render(&best, &reference, o->threads);
         table t = table_new("The box in the same time (panels from left to right)",
                             "way|samples a pixel|time [s]|error RMSE");
         for (int k = 0; k < n; k++) {
-            table_text(&t, "%s", direct_name[panel[k].way]), table_count(&t, panel[k].samples);
+            table_text(&t, "%s", direct_name[way[k]]), table_count(&t, samples[k]);
             table_number(&t, seconds[k]), table_number(&t, unlit_error(&im[k], &reference));
             image_free(&im[k]);
         }
@@ -148,42 +151,44 @@ static inline void draw_equal(const options *o)
     stage_close(&g);
 }
 
+/* One stage, several ways, one kind of choice among the lights each. */
+static inline void draw_ways(const options *o, direct_stage_name name, direct_view *v, int n,
+                             int width, const char *file, const char *const *title)
+{
+    direct_stage g;
+    stage_open(name, &g);
+    for (int k = 0; k < n; k++) v[k].g = &g, v[k].seed = o->seed;
+    draw_panels(o, v, n, width, file, title, NULL, NULL);
+    stage_close(&g);
+}
+
 /* One ray for a sample by directions or by one light, two for both: half the samples. */
 static inline void draw_plates(const options *o)
 {
-    stage g;
-    stage_open(STAGE_PLATES, &g);
-    direct_view v[3];
-    for (int k = 0; k < 3; k++) {
-        direct_way way = k == 0 ? DIRECT_BRDF : k == 1 ? DIRECT_ANGLE : DIRECT_POWER;
-        v[k] = (direct_view){&g, way, LIGHTS_UNIFORM, SEQUENCE_SOBOL, k == 2 ? 8 : 16, o->seed};
-    }
-    draw_panels(o, v, 3, 400, "24_direct_light_plates.png", NULL, NULL);
-    stage_close(&g);
+    direct_view v[] = {{.way = DIRECT_BRDF, .kind = LIGHTS_UNIFORM, SEQUENCE_SOBOL, 16, 0},
+                       {.way = DIRECT_ANGLE, .kind = LIGHTS_UNIFORM, SEQUENCE_SOBOL, 16, 0},
+                       {.way = DIRECT_POWER, .kind = LIGHTS_UNIFORM, SEQUENCE_SOBOL, 8, 0}};
+    static const char *const title[] = {"directions of the BRDF, 16", "points of a light, 16",
+                                        "both, power heuristic, 8"};
+    draw_ways(o, STAGE_PLATES, v, 3, 400, "24_direct_light_plates.png", title);
 }
 
 static inline void draw_strip(const options *o)
 {
-    stage g;
-    stage_open(STAGE_STRIP, &g);
-    direct_view v[2];
-    for (int k = 0; k < 2; k++)
-        v[k] = (direct_view){&g, k ? DIRECT_ANGLE : DIRECT_AREA, LIGHTS_ALL, SEQUENCE_RANDOM,
-                             k ? 10 : 16, o->seed};
-    draw_panels(o, v, 2, 480, "24_direct_light_strip.png", NULL, NULL);
-    stage_close(&g);
+    direct_view v[] = {{.way = DIRECT_AREA, .kind = LIGHTS_ALL, SEQUENCE_RANDOM, 16, 0},
+                       {.way = DIRECT_ANGLE, .kind = LIGHTS_ALL, SEQUENCE_RANDOM, 10, 0}};
+    static const char *const title[] = {"by area, 16 samples", "by solid angle, 10 samples"};
+    draw_ways(o, STAGE_STRIP, v, 2, 480, "24_direct_light_strip.png", title);
 }
 
 static inline void draw_hall(const options *o)
 {
-    stage g;
-    stage_open(STAGE_HALL, &g);
-    direct_view v[3];
-    for (int k = 0; k < 3; k++)
-        v[k] = (direct_view){&g, DIRECT_AREA, k == 0 ? LIGHTS_ALL : k == 1 ? LIGHTS_UNIFORM
-                             : LIGHTS_FLUX, SEQUENCE_RANDOM, k == 0 ? 1 : 9, o->seed};
-    draw_panels(o, v, 3, 320, "24_direct_light_hall.png", NULL, NULL);
-    stage_close(&g);
+    direct_view v[] = {{.way = DIRECT_AREA, .kind = LIGHTS_ALL, SEQUENCE_RANDOM, 1, 0},
+                       {.way = DIRECT_AREA, .kind = LIGHTS_UNIFORM, SEQUENCE_RANDOM, 9, 0},
+                       {.way = DIRECT_AREA, .kind = LIGHTS_FLUX, SEQUENCE_RANDOM, 9, 0}};
+    static const char *const title[] = {"all lamps, 1 sample", "one lamp by 1/n, 9",
+                                        "one lamp by flux, 9"};
+    draw_ways(o, STAGE_HALL, v, 3, 320, "24_direct_light_hall.png", title);
 }
 
 #endif

@@ -1,12 +1,13 @@
 /* scenes.h: what this chapter draws and measures.
  *
- *   stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
+ *   direct_stage g; stage_open(STAGE_BOX, &g);   g.s a lit scene, g.c the camera; stage_close(&g)
  *
  *   STAGE_BOX      the Cornell box (21): one rectangle, matte walls
  *   STAGE_PLATES   E. Veach's: four metal plates, smooth to rough (top to bottom), each tilted so
  *                  that it mirrors four spheres of the same flux, small to large (left to right)
  *   STAGE_STRIP    a shining wall, low and long, that stands on the floor and touches it
  *   STAGE_HALL     sixteen lamps, of which three are bright
+ *   STAGE_FIRST    the box of first.h, all of whose walls are parallelograms; g.first holds it
  *
  * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
  * SIGGRAPH 1995, figure 2.
@@ -15,21 +16,18 @@
 #define DIRECT_SCENES_H
 
 #include "../scenes/lit_cornell.h"
+#include "../scenes/lit_first.h"
 
-typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_HALL, stages } stage_name;
-typedef struct { lit_scene s; camera c; real aspect, exposure; } stage;
-static const char *const stage_names[stages] = {"box", "plates", "strip", "hall"};
+typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_HALL, STAGE_FIRST, stages }
+    direct_stage_name;
+typedef struct { lit_scene s; camera c; real aspect, exposure; first_scene first; } direct_stage;
+static const char *const stage_names[stages] = {"box", "plates", "strip", "hall", "first"};
 
 enum { plates = 4, plate_lights = 4 };
 static const double plate_roughness[plates] = {0.07, 0.14, 0.22, 0.32};  /* top to bottom */
 static const double plate_radius[plate_lights] = {0.033, 0.1, 0.3, 0.9};
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline vec3 of_doubles(double x, double y, double z)
-{
-    return vec(x, y, z);
-}
 
 static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
 {
@@ -44,14 +42,14 @@ static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
 
 static const vec3 plate_eye = {0, 2, 15};
 
-static inline camera stage_camera_of(stage_name name, real aspect)
+static inline camera stage_camera_of(direct_stage_name name, real aspect)
 {
+    first_camera c = first_cornell_camera(1, 1);
     switch (name) {
-    case STAGE_PLATES: return stage_camera(plate_eye, of_doubles(0, -2, 2.5), 28, aspect);
-    case STAGE_STRIP:
-        return stage_camera(of_doubles(0, 2.2, 3), of_doubles(0, .05, -1), 36, aspect);
-    case STAGE_HALL:
-        return stage_camera(of_doubles(0, 9, 13), of_doubles(0, 0, -.5), 34, aspect);
+    case STAGE_FIRST: return stage_camera(c.e, vsub(c.e, c.w), 39.3077, aspect);
+    case STAGE_PLATES: return stage_camera(plate_eye, vec(0, -2, 2.5), 28, aspect);
+    case STAGE_STRIP: return stage_camera(vec(0, 2.2, 3), vec(0, .05, -1), 36, aspect);
+    case STAGE_HALL: return stage_camera(vec(0, 9, 13), vec(0, 0, -.5), 34, aspect);
     case STAGE_BOX: case stages: break;
     }
     return cornell_camera(aspect);
@@ -59,7 +57,7 @@ static inline camera stage_camera_of(stage_name name, real aspect)
 
 static inline uint16_t stage_matte(lit_scene *s, double r, double g, double b)
 {
-    return lit_add_material(s, (lit_material){.f = brdf_lambert(of_doubles(r, g, b))});
+    return lit_add_material(s, (lit_material){.f = brdf_lambert(vec(r, g, b))});
 }
 
 static inline uint16_t stage_lamp(lit_scene *s, vec3 Le)
@@ -76,7 +74,7 @@ static inline void stage_plate(lit_scene *s, vec3 c, vec3 eye, real half, uint16
     lit_add_rectangle(s, (rectangle){o, across, t}, material);
 }
 
-static inline void stage_plates(stage *g)
+static inline void stage_plates(direct_stage *g)
 {
     static const double place[plates][2] = {{-2.4, -0.13}, {-3.06, 0.92}, {-3.58, 2.22},
                                             {-3.91, 3.57}};
@@ -86,64 +84,65 @@ static inline void stage_plates(stage *g)
                                             {0.7, 0.95, 1.6}};
     vec3 f0 = {0.85, 0.85, 0.85};
     uint16_t grey = stage_matte(&g->s, .3, .3, .3);
-    lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, 20), {60, 0, 0}, {0, 0, -22}}, grey);
-    lit_add_rectangle(&g->s, (rectangle){of_doubles(-30, -4.2, -2), {60, 0, 0}, {0, 30, 0}}, grey);
+    lit_add_rectangle(&g->s, (rectangle){vec(-30, -4.2, 20), {60, 0, 0}, {0, 0, -22}}, grey);
+    lit_add_rectangle(&g->s, (rectangle){vec(-30, -4.2, -2), {60, 0, 0}, {0, 30, 0}}, grey);
     for (int k = 0; k < plates; k++) {
         lit_material m = {.f = brdf_ggx(f0, (real)plate_roughness[k])};
         uint16_t metal = lit_add_material(&g->s, m);
-        stage_plate(&g->s, of_doubles(0, place[k][0], place[k][1]), plate_eye, 0.5,
-                    metal);
+        stage_plate(&g->s, vec(0, place[k][0], place[k][1]), plate_eye, 0.5, metal);
     }
     for (int k = 0; k < plate_lights; k++) {  /* flux 4 pi^2 r^2 L, the same for all */
         real r = (real)plate_radius[k], L = 1 / (r * r);
-        sphere ball = {of_doubles(-3.75 + 2.5 * k, 0, 0), r};
+        sphere ball = {vec(-3.75 + 2.5 * k, 0, 0), r};
         lit_add_shape(&g->s, shape_of_sphere(ball), stage_lamp(&g->s, vscale(tint[k], L)));
     }
     g->exposure = 1.2;
 }
 
-static inline void stage_strip(stage *g)
+static inline void stage_strip(direct_stage *g)
 {
     uint16_t grey = stage_matte(&g->s, .7, .7, .7), dark = stage_matte(&g->s, .3, .15, .1);
-    uint16_t lamp = stage_lamp(&g->s, of_doubles(2, 1.7, 1.2));
-    lit_add_rectangle(&g->s, (rectangle){of_doubles(-6, 0, 6), {12, 0, 0}, {0, 0, -12}}, grey);
-    lit_add_rectangle(&g->s, (rectangle){of_doubles(-3, 0, -2), {6, 0, 0}, {0, 1, 0}}, lamp);
-    lit_add_shape(&g->s, shape_of_sphere((sphere){of_doubles(1.2, .5, -1.3), .5}), dark);
+    uint16_t lamp = stage_lamp(&g->s, vec(2, 1.7, 1.2));
+    lit_add_rectangle(&g->s, (rectangle){vec(-6, 0, 6), {12, 0, 0}, {0, 0, -12}}, grey);
+    lit_add_rectangle(&g->s, (rectangle){vec(-3, 0, -2), {6, 0, 0}, {0, 1, 0}}, lamp);
+    lit_add_shape(&g->s, shape_of_sphere((sphere){vec(1.2, .5, -1.3), .5}), dark);
     g->exposure = 1.5;
 }
 
-static inline void stage_hall(stage *g)
+static inline void stage_hall(direct_stage *g)
 {
     uint16_t grey = stage_matte(&g->s, .6, .6, .6), blue = stage_matte(&g->s, .3, .4, .6);
-    lit_add_rectangle(&g->s, (rectangle){of_doubles(-9, 0, 9), {18, 0, 0}, {0, 0, -18}}, grey);
-    lit_add_rectangle(&g->s, (rectangle){of_doubles(-9, 0, -9), {18, 0, 0}, {0, 6, 0}}, blue);
+    lit_add_rectangle(&g->s, (rectangle){vec(-9, 0, 9), {18, 0, 0}, {0, 0, -18}}, grey);
+    lit_add_rectangle(&g->s, (rectangle){vec(-9, 0, -9), {18, 0, 0}, {0, 6, 0}}, blue);
     for (int k = 0; k < 16; k++) {
         double x = -6 + 4 * (k % 4), z = -6 + 4 * (k / 4), L = k == 2 || k == 9 || k == 15 ? 60 : 2;
-        vec3 tint = k % 3 ? of_doubles(1, .8, .6) : of_doubles(.7, .9, 1);
+        vec3 tint = k % 3 ? vec(1, .8, .6) : vec(.7, .9, 1);
         uint16_t lamp = stage_lamp(&g->s, vscale(tint, (real)L));
-        rectangle r = {of_doubles(x, 3.5, z), {0.5, 0, 0}, {0, 0, 0.5}};
+        rectangle r = {vec(x, 3.5, z), {0.5, 0, 0}, {0, 0, 0.5}};
         lit_add_rectangle(&g->s, r, lamp);
-        sphere ball = {of_doubles(x + 1, .6, z + .8), 0.6};
+        sphere ball = {vec(x + 1, .6, z + .8), 0.6};
         lit_add_shape(&g->s, shape_of_sphere(ball), grey);
     }
     g->exposure = 1.6;
 }
 
-static inline void stage_open(stage_name name, stage *g)
+static inline void stage_open(direct_stage_name name, direct_stage *g)
 {
-    *g = (stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = 1.4};
+    bool box = name == STAGE_BOX || name == STAGE_FIRST;
+    *g = (direct_stage){.aspect = box ? 1 : (real)1.4, .exposure = 1.4};
     if (name == STAGE_BOX) lit_cornell_begin(&g->s);
     else lit_begin(&g->s);
     switch (name) {
     case STAGE_PLATES: stage_plates(g); break;
     case STAGE_STRIP: stage_strip(g); break;
     case STAGE_HALL: stage_hall(g); break;
+    case STAGE_FIRST: g->first = first_cornell(), lit_first(&g->first, &g->s); break;
     case STAGE_BOX: case stages: break;
     }
-    lit_end(&g->s);
+    if (name != STAGE_FIRST) lit_end(&g->s);
     g->c = stage_camera_of(name, g->aspect);
 }
 
-static inline void stage_close(stage *g) { lit_free(&g->s); }
+static inline void stage_close(direct_stage *g) { lit_free(&g->s); }
 
 #endif

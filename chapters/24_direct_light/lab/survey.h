@@ -1,13 +1,12 @@
 /* survey.h: several ways of drawing at many points: error, rays, time, efficiency.
  *
- *   survey s;
+ *   direct_survey s;
  *   survey_open(&s, o, STAGE_BOX, across, reference);    points, and the truth at each
- *   s.entries = 2, s.entry[0] = ...;                     the ways
- *   survey_measure(&s, o);                               error at 1, 4, 16, 64, 256 samples; time
+ *   s.entries = 2, s.entry[0] = ...;                     the ways; those of first.h: STAGE_FIRST
+ *   survey_measure(&s, o, least);     error at 1, 4, 16, 64, 256 samples, from level `least` on to
+ *                                     64, of least 0 to 256; time of one sample
  *   survey_row(&s, k, &table), s.error[k][level], s.seconds[k]
  *   survey_close(&s);
- *   survey_open_first(&s, o, across, reference);   the same with first.h's box, where also
- *                                                  WAY_FIRST_.. can be an entry's way
  *
  *   efficiency = 1 / (variance of one sample * its time)                                  (24.11)
  *
@@ -21,46 +20,44 @@
 
 #include "../../../common/clock.h"
 #include "pictures.h"
-#include "../scenes/lit_first.h"
 
 enum { WAY_FIRST_DIRECTION = direct_ways, WAY_FIRST_LAMP };
 enum { survey_levels = 5, survey_most = 9, survey_points = 20, survey_time_level = 3 };
 static inline uint32_t survey_samples(int level) { return (uint32_t)1 << 2 * level; }
 
 typedef struct { lit_hit h; vec3 wo; double truth; } seen_point;
-typedef struct { int way; lights_kind kind; sequence_kind sequence; } survey_entry;
+typedef struct { int way; direct_lights_kind kind; sequence_kind sequence; } survey_entry;
 
 typedef struct {
-    stage g;
-    first_scene first;
+    direct_stage g;
     seen_point *point;
     size_t points;
     double mean;
     uint64_t seed;
     uint32_t reference;
     survey_entry best, entry[survey_most];
-    int entries;
-    lights choice[LIGHTS_FLUX + 1];
+    int entries, levels;
+    direct_lights choice[LIGHTS_FLUX + 1];
     double error[survey_most][survey_levels], seconds[survey_most];  /* of one sample */
     direct_work work[survey_most][survey_levels];
-} survey;
+} direct_survey;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline double grey(vec3 c) { return (double)(c.x + c.y + c.z) / 3; }
 
 /* By first.h. It has no counters: a shadow ray is one that brings something from a lamp alone. */
-static inline double survey_first(const survey *s, int way, const seen_point *p, uint64_t pixel,
-                                  uint32_t n, uint64_t seed, direct_work *work)
+static inline double survey_first(const first_scene *f, int way, const seen_point *p,
+                                  uint64_t pixel, uint32_t n, uint64_t seed, direct_work *work)
 {
     static const first_material none;
     first_point x = {p->h.s.p, p->h.s.n, p->wo, false, &none, brdf_albedo(&p->h.m->f, 1)};
-    first_scene alone = {.thing = {s->first.thing[0]}, .things = 1, .eps = s->first.eps};
+    first_scene alone = {.thing = {f->thing[0]}, .things = 1, .eps = f->eps};
     double sum = 0;
     for (uint32_t k = 0; k < n; k++) {
         random_stream a = random_start(seed, pixel, k), b = a;
-        if (way == WAY_FIRST_LAMP) sum += grey(first_direct_by_lamp(&s->first, 0, x, &a));
-        else sum += grey(first_direct_by_direction(&s->first, x, &a));
+        if (way == WAY_FIRST_LAMP) sum += grey(first_direct_by_lamp(f, 0, x, &a));
+        else sum += grey(first_direct_by_direction(f, x, &a));
         if (!work) continue;
         work->samples++;
         if (way != WAY_FIRST_LAMP) work->direction++;
@@ -70,10 +67,11 @@ static inline double survey_first(const survey *s, int way, const seen_point *p,
 }
 
 /* work may be NULL in the ways of first.h. */
-static inline double survey_estimate(const survey *s, survey_entry e, const seen_point *p,
+static inline double survey_estimate(const direct_survey *s, survey_entry e, const seen_point *p,
                                      uint64_t pixel, uint32_t n, uint64_t seed, direct_work *work)
 {
-    if (e.way >= (int)direct_ways) return survey_first(s, e.way, p, pixel, n, seed, work);
+    if (e.way >= (int)direct_ways)
+        return survey_first(&s->g.first, e.way, p, pixel, n, seed, work);
     direct d = {&s->g.s, (direct_way)e.way, &s->choice[e.kind], work, false};
     double sum = 0;
     for (uint32_t k = 0; k < n; k++) {
@@ -85,7 +83,7 @@ static inline double survey_estimate(const survey *s, survey_entry e, const seen
 
 static inline void survey_reference(size_t i, void *context)
 {
-    survey *s = context;
+    direct_survey *s = context;
     direct_work work = {0, 0, 0};
     seen_point *p = &s->point[i];
     p->truth = survey_estimate(s, s->best, p, i, s->reference, s->seed + 1, &work);
@@ -93,8 +91,8 @@ static inline void survey_reference(size_t i, void *context)
 
 static inline void survey_job(size_t job, void *context)
 {
-    survey *s = context;
-    int level = survey_levels - 1 - (int)job / s->entries, k = (int)job % s->entries;
+    direct_survey *s = context;
+    int level = s->levels - 1 - (int)job / s->entries, k = (int)job % s->entries;
     double square = 0;
     size_t runs = level < survey_time_level ? 8 : level == survey_time_level ? 2 : 1;
     for (size_t i = 0; i < runs * s->points; i++) {
@@ -107,7 +105,7 @@ static inline void survey_job(size_t job, void *context)
     s->error[k][level] = sqrt(square / (double)(runs * s->points));
 }
 
-typedef struct { survey *s; int k; } survey_run;
+typedef struct { direct_survey *s; int k; } survey_run;
 static inline double survey_timed(void *context)
 {
     survey_run *r = context;
@@ -121,8 +119,14 @@ static inline double survey_timed(void *context)
 }
 
 /* What the camera sees at the middle of across x down pixels, but for lights; and the truth. */
-static inline void survey_see(survey *s, const options *o, int across)
+static inline void survey_open(direct_survey *s, const options *o, direct_stage_name name,
+                               int across, uint32_t reference)
 {
+    *s = (direct_survey){.seed = o->seed, .reference = o->quick ? 64 : reference};
+    s->best = (survey_entry){DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL};
+    if (name == STAGE_PLATES) s->best.way = DIRECT_POWER;
+    if (name == STAGE_HALL) s->best.way = DIRECT_AREA;  /* all its lamps are small and far */
+    stage_open(name, &s->g);
     if (o->quick) across = 6;
     int down = (int)((real)across / s->g.aspect);
     s->point = allocate((size_t)(across * down), sizeof *s->point);
@@ -134,40 +138,18 @@ static inline void survey_see(survey *s, const options *o, int across)
         p->wo = vneg(vunit(r.d));
         s->points++;
     }
-    for (int k = 0; k <= LIGHTS_FLUX; k++) lights_build(&s->g.s, (lights_kind)k, &s->choice[k]);
+    for (int k = 0; k <= LIGHTS_FLUX; k++)
+        direct_lights_build(&s->g.s, (direct_lights_kind)k, &s->choice[k]);
     parallel_for(s->points, o->threads, "reference", survey_reference, s);
     for (size_t i = 0; i < s->points; i++) s->mean += s->point[i].truth / (double)s->points;
 }
 
-static inline void survey_open(survey *s, const options *o, stage_name name, int across,
-                               uint32_t reference)
-{
-    *s = (survey){.seed = o->seed, .reference = o->quick ? 64 : reference};
-    s->best = (survey_entry){DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL};
-    if (name == STAGE_PLATES) s->best.way = DIRECT_POWER;
-    if (name == STAGE_HALL) s->best.way = DIRECT_AREA;  /* all its lamps are small and far */
-    stage_open(name, &s->g);
-    survey_see(s, o, across);
-}
-
-static inline void survey_open_first(survey *s, const options *o, int across, uint32_t reference)
-{
-    *s = (survey){.seed = o->seed, .reference = o->quick ? 64 : reference};
-    s->best = (survey_entry){DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL};
-    s->first = first_cornell();
-    lit_first(&s->first, &s->g.s);
-    s->g.aspect = 1;
-    first_camera c = first_cornell_camera(1, 1);
-    s->g.c = stage_camera(c.e, vsub(c.e, c.w), 39.3077, 1);
-    survey_see(s, o, across);
-}
-
-static inline void survey_measure(survey *s, const options *o)
+static inline void survey_measure(direct_survey *s, const options *o, int least)
 {
     clock_variant v[survey_most];
     survey_run run[survey_most];
-    size_t jobs = (size_t)(s->entries * survey_levels);
-    parallel_for(jobs, o->threads, "samples", survey_job, s);
+    s->levels = least ? survey_time_level + 1 : survey_levels;
+    parallel_for((size_t)(s->entries * (s->levels - least)), o->threads, "samples", survey_job, s);
     for (int k = 0; k < s->entries; k++) {
         run[k] = (survey_run){s, k};
         v[k] = (clock_variant){"", survey_timed, &run[k], 0};
@@ -177,20 +159,25 @@ static inline void survey_measure(survey *s, const options *o)
     for (int k = 0; k < s->entries; k++) s->seconds[k] = v[k].seconds / samples;
 }
 
-static inline void survey_close(survey *s)
+static inline void survey_close(direct_survey *s)
 {
-    for (int k = 0; k <= LIGHTS_FLUX; k++) lights_free(&s->choice[k]);
+    for (int k = 0; k <= LIGHTS_FLUX; k++) direct_lights_free(&s->choice[k]);
     free(s->point);
     stage_close(&s->g);
 }
 
-/* Error of 64 samples, rays and time of one; efficiency (24.11). */
-static inline void survey_row(const survey *s, int k, table *t)
+/* Rays of one sample. */
+static inline double survey_rays(const direct_survey *s, int k)
 {
     direct_work w = s->work[k][survey_time_level];
+    return (double)(w.shadow + w.direction) / (double)w.samples;
+}
+
+/* Rays, errors of 16 and of 64 samples, time of one; efficiency (24.11). */
+static inline void survey_row(const direct_survey *s, int k, table *t)
+{
     double n = survey_samples(survey_time_level), error = s->error[k][survey_time_level];
-    double rays = (double)(w.shadow + w.direction) / (double)w.samples;
-    table_number(t, rays), table_number(t, s->error[k][2]), table_number(t, error);
+    table_number(t, survey_rays(s, k)), table_number(t, s->error[k][2]), table_number(t, error);
     table_number(t, 1e6 * s->seconds[k]);
     table_number(t, 1 / (error * error * n * 1e6 * s->seconds[k]));
 }

@@ -7,8 +7,8 @@
  * The light is ONE rectangle emitter, number 0, though rays meet it as two triangles. The order of
  * the triangles is that of cornell_mesh; materials are in the order of cornell_part.
  */
-#ifndef LIT_CORNELL_H
-#define LIT_CORNELL_H
+#ifndef DIRECT_LIT_CORNELL_H
+#define DIRECT_LIT_CORNELL_H
 
 #include "../../21_distributed/scenes/cornell.h"
 #include "../lit_scene.h"

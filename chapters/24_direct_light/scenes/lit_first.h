@@ -7,8 +7,8 @@
  * Thing i is a rectangle emitter of its own if it shines; thing 0 is the first of the emitters. Two
  * triangles for each flat thing, so that the last bits of what rays meet may differ from first.h's.
  */
-#ifndef LIT_FIRST_H
-#define LIT_FIRST_H
+#ifndef DIRECT_LIT_FIRST_H
+#define DIRECT_LIT_FIRST_H
 
 #include "../first.h"
 #include "../lit_scene.h"

@@ -26,8 +26,8 @@
  * one uniform direction only for rho < .866: beyond, deep terms are rare and huge products of
  * weights, which a run of any length that one can afford does not meet. Cosine: w = rho, V_n = 0.
  */
-#ifndef FURNACE_H
-#define FURNACE_H
+#ifndef BOUNCES_FURNACE_H
+#define BOUNCES_FURNACE_H
 
 #include "../../24_direct_light/lit_scene.h"
 #include "../series.h"

@@ -7,8 +7,8 @@
  *   measure_notes(o)     what shade() of the notes leaves out
  *   measure_sums(o)      a thousand bounces in float
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef BOUNCES_MEASURE_H
+#define BOUNCES_MEASURE_H
 
 #include "../../20_monte_carlo/t_test.h"
 #include "measure_branches.h"

@@ -7,8 +7,8 @@
  * system's. The Cornell box, directions as the surface reflects, pixels that do not see the light
  * itself: the truth is estimated by (25.10), some 100 times closer than what is measured.
  */
-#ifndef MEASURE_BRANCHES_H
-#define MEASURE_BRANCHES_H
+#ifndef BOUNCES_MEASURE_BRANCHES_H
+#define BOUNCES_MEASURE_BRANCHES_H
 
 #include "../../../common/clock.h"
 #include "../../../common/lab/report.h"
@@ -35,6 +35,7 @@ typedef struct {
     size_t pixels, stride;                           /* used: 0, stride, 2 stride, ..; odd */
     double exact[rooms][trial_pixels][trial_depths];
     trial_part part[trials][trial_pixels];
+    int wanted[trials], wants;                       /* which are measured */
     double error[trials], rays[trials], us[trials];  /* of one sample */
 } branch_trial;
 
@@ -100,7 +101,7 @@ static inline double trial_sample(const branch_trial *b, int trial, size_t pixel
 static inline void trial_job(size_t job, void *context)
 {
     branch_trial *b = context;
-    int trial = trials - 1 - (int)(job / b->pixels);
+    int trial = b->wanted[b->wants - 1 - (int)(job / b->pixels)];
     size_t pixel = job % b->pixels * b->stride;
     trial_part *part = &b->part[trial][pixel];
     double exact = b->exact[trial_room(trial)][pixel][trial_d(trial)];
@@ -125,19 +126,30 @@ static inline double timed_run(void *context)
     return sum;
 }
 
-static inline void trial_times(branch_trial *b, bool quick)
+/* Those of the table without --full: the Cornell box with the fewest and the most bounces. */
+static inline bool trial_wanted(const options *o, int trial)
+{
+    int d = trial_d(trial);
+    return o->full || (trial_room(trial) == 1 && (d == 0 || d == trial_depths - 1));
+}
+
+static inline void trial_times(branch_trial *b, const options *o)
 {
     timed_trial t[trials];
     clock_variant v[trials];
+    int n = 0;
     for (int i = 0; i < trials; i++) {
-        t[i] = (timed_trial){b, i, quick ? 500 : 3000, 0};
-        v[i] = (clock_variant){branch_name[i % branch_kinds], timed_run, &t[i], 0};
+        if (!trial_wanted(o, i)) continue;
+        t[n] = (timed_trial){b, i, o->quick ? 500 : 3000, 0};
+        v[n] = (clock_variant){branch_name[i % branch_kinds], timed_run, &t[n], 0};
+        n++;
     }
-    for (int i = 0; i < trials; i += 16) clock_compare(v + i, 16, quick ? 1 : 15);
-    for (int i = 0; i < trials; i++) b->us[i] = v[i].seconds / (double)t[i].rays * b->rays[i] * 1e6;
+    for (int i = 0; i < n; i += 8) clock_compare(v + i, 8, o->quick ? 1 : 15);
+    for (int i = 0; i < n; i++)
+        b->us[t[i].trial] = v[i].seconds / (double)t[i].rays * b->rays[t[i].trial] * 1e6;
 }
 
-static inline void trial_run(branch_trial *b, const options *o)
+static inline void branches_run(branch_trial *b, const options *o)
 {
     furnace_pair(&b->scene[0], (real)pair_radius, pair_light, pair_albedo);
     lit_cornell(&b->scene[1]);
@@ -145,20 +157,23 @@ static inline void trial_run(branch_trial *b, const options *o)
     b->pixels = o->quick ? 8 : trial_pixels, b->stride = o->quick ? 7 : 1;
     trial_exact(b);
     parallel_for(trial_pixels, o->threads, "reference", trial_reference, b);
-    parallel_for(trials * b->pixels, o->threads, "N directions", trial_job, b);
-    for (int i = 0; i < trials; i++) {
+    for (int i = 0; i < trials; i++)
+        if (trial_wanted(o, i)) b->wanted[b->wants++] = i;
+    parallel_for((size_t)b->wants * b->pixels, o->threads, "N directions", trial_job, b);
+    for (int k = 0; k < b->wants; k++) {
+        int i = b->wanted[k];
         double rays = 0, samples = 0, exact = 0, used = 0;
         estimate square = {0, 0, 0};
-        for (size_t k = 0; k < trial_pixels; k += b->stride) {
-            const trial_part *p = &b->part[i][k];
+        for (size_t at = 0; at < trial_pixels; at += b->stride) {
+            const trial_part *p = &b->part[i][at];
             if (p->square.n == 0) continue;
             used++, rays += (double)naive_rays(&p->c), samples += (double)p->square.n;
             square = estimate_merge(square, p->square);
-            exact += b->exact[trial_room(i)][k][trial_d(i)];
+            exact += b->exact[trial_room(i)][at][trial_d(i)];
         }
         b->rays[i] = rays / samples, b->error[i] = sqrt(square.mean) / exact * used;
     }
-    trial_times(b, o->quick);
+    trial_times(b, o);
     lit_free(&b->scene[0]), lit_free(&b->scene[1]);
 }
 
@@ -193,26 +208,41 @@ static inline void plot_time(const options *o, const branch_trial *b)
     output_plot(o, &p, "25_bounces_time.svg");
 }
 
+/* Room, bounces, N, rays, error and time of a sample, error in 1 ms over that of N = 1. */
+static inline void trial_row(const branch_trial *b, int i, bool full, table *t)
+{
+    double in_time = b->error[i] * sqrt(b->us[i] / 1000);
+    int one = i - i % branch_kinds, d = trial_depth[trial_d(i)];
+    if (full) table_text(t, "%s", room_name[trial_room(i)]);
+    table_count(t, (size_t)d), table_count(t, (size_t)trial_N(i));
+    if (full) table_count(t, (size_t)first_rays_of_branching(trial_N(i), d));
+    table_number(t, b->rays[i]), table_number(t, b->error[i]), table_number(t, b->us[i]);
+    if (full) table_number(t, in_time);
+    table_number(t, in_time / (b->error[one] * sqrt(b->us[one] / 1000)));
+}
+
 static inline void measure_branches(const options *o)
 {
     branch_trial *b = allocate(1, sizeof *b);
-    table t = table_new("N directions a hit: relative error (rms) of a sample, and in 1 ms",
-                        "room|bounces|N|rays if closed|rays|error of a sample [1]|"
-                        "time of a sample [us]|error in 1 ms [1]|error over that of N = 1");
-    trial_run(b, o);
-    for (int i = 0; i < trials; i++) {
-        double in_time = b->error[i] * sqrt(b->us[i] / 1000);
-        int one = i - i % branch_kinds, d = trial_depth[trial_d(i)];
-        table_text(&t, "%s", room_name[trial_room(i)]), table_count(&t, (size_t)d);
-        table_count(&t, (size_t)trial_N(i));
-        table_count(&t, (size_t)first_rays_of_branching(trial_N(i), d));
-        table_number(&t, b->rays[i]);
-        table_number(&t, b->error[i]), table_number(&t, b->us[i]), table_number(&t, in_time);
-        table_number(&t, in_time / (b->error[one] * sqrt(b->us[one] / 1000)));
-    }
-    first_rows(o, &t);
+    table t = table_new("Cornell box, N directions a hit: relative error (rms) of a sample, and in "
+                        "the same time", "bounces|N|rays|error of a sample [1]|"
+                        "time of a sample [us]|time: error over that of N = 1");
+    table all = table_new("N directions a hit: relative error (rms) of a sample, and in 1 ms",
+                          "room|bounces|N|rays if closed|rays|error of a sample [1]|"
+                          "time of a sample [us]|time: error in 1 ms [1]|"
+                          "time: error over that of N = 1");
+    options short_run = *o;
+    short_run.full = false;
+    branches_run(b, o);
+    for (int i = 0; i < trials; i++)
+        if (trial_wanted(&short_run, i)) trial_row(b, i, false, &t);
     output_table(o, &t);
-    plot_branches(o, b), plot_time(o, b);
+    if (o->full) {
+        for (int i = 0; i < trials; i++) trial_row(b, i, true, &all);
+        first_rows(o, &all);
+        output_extra_table(o, &all);
+        plot_branches(o, b), plot_time(o, b);
+    } else table_free(&all);
     free(b);
 }
 

@@ -6,8 +6,8 @@
  * The box of first.h has walls of parallelograms: the truth is that of terms.h in the same box. The
  * same pixels, errors and times as in measure_branches.h.
  */
-#ifndef MEASURE_FIRST_H
-#define MEASURE_FIRST_H
+#ifndef BOUNCES_MEASURE_FIRST_H
+#define BOUNCES_MEASURE_FIRST_H
 
 #include "../../../common/clock.h"
 #include "../../../common/lab/report.h"

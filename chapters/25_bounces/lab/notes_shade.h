@@ -14,8 +14,8 @@
  * Its expectation is K' E + K'^2 E + ..: E is missing, and K' is K without the rows of what shines,
  * but for the first hit. In a furnace, where all walls shine: rho E instead of E / (1 - rho).
  */
-#ifndef NOTES_SHADE_H
-#define NOTES_SHADE_H
+#ifndef BOUNCES_NOTES_SHADE_H
+#define BOUNCES_NOTES_SHADE_H
 
 #include "../naive_path.h"
 

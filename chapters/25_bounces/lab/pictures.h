@@ -7,9 +7,10 @@
  *   draw_branches(o)              up to three bounces, by N = 1, 2, 4, 8 directions a
  *                                 hit, from left to right, with the same number of rays a pixel
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef BOUNCES_PICTURES_H
+#define BOUNCES_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../../common/parallel.h"
 #include "../../24_direct_light/scenes/lit_cornell.h"
@@ -20,6 +21,9 @@
 
 enum { term_columns = 5, term_most = 60 };
 static const real term_gain[term_columns] = {1, 1, 2, 4, 4};
+static const char *const term_tag[2 * term_columns] = {
+    "E", "K E", "K^2 E, x 2", "K^3 E, x 4", "the rest, x 4",
+    "E", "E + K E", ".. + K^2 E", ".. + K^3 E", "all of it"};
 typedef struct {
     naive_path path;
     camera view;
@@ -71,6 +75,8 @@ static inline void draw_terms(const options *o, int depth, bool naive)
         image_place(&sheet, k * w, 0, &t.term[k]), image_place(&sheet, k * w, h, &t.sum[k]);
         image_free(&t.term[k]), image_free(&t.sum[k]);
     }
+    for (int k = 0; k < 2 * term_columns && w >= 150; k++)
+        label_tag(&sheet, k % term_columns * w + 6, k / term_columns * h + 6, 11, term_tag[k]);
     output_picture(o, &sheet, "25_bounces.png", true, whole);
     image_free(&sheet);
     lit_free(&s);
@@ -110,6 +116,8 @@ static inline void branch_pixel(int x, int y, void *context)
 
 static inline void draw_branches(const options *o)
 {
+    static const char *const title[branch_columns] = {"N = 1, 146 samples", "N = 2, 39", "N = 4, 6",
+                                                      "N = 8, 1 sample"};
     lit_scene s;
     lit_cornell(&s);
     int side = o->quick ? 20 : 120;
@@ -122,8 +130,9 @@ static inline void draw_branches(const options *o)
         image_place(&sheet, 2 * k * side, 0, &b.panel);
         image_free(&b.panel);
     }
-    output_picture(o, &sheet, "25_bounces_branches.png", false, whole);
-    image_free(&sheet);
+    image titled = label_panels(&sheet, branch_columns, 1, 0, title);
+    output_picture(o, &titled, "25_bounces_branches.png", false, whole);
+    image_free(&sheet), image_free(&titled);
     lit_free(&s);
 }
 

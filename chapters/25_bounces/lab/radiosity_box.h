@@ -14,8 +14,8 @@
  * m^2, and the step from m to 2 m tells how large it still is. Where furnaces have one number a
  * room, here K E is a picture: brighter in the middle, darker in the corners.
  */
-#ifndef RADIOSITY_BOX_H
-#define RADIOSITY_BOX_H
+#ifndef BOUNCES_RADIOSITY_BOX_H
+#define BOUNCES_RADIOSITY_BOX_H
 
 #include "../../22_radiometry/polygon_irradiance.h"
 #include "furnace.h"

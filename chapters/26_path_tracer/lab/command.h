@@ -4,8 +4,8 @@
  *   option own[] = {...};  argc = command_merge(argc, argv, &c);  options o = options_read(...)
  *   if (command_given(&c, &o)) command_run(&c, &o);
  */
-#ifndef COMMAND_H
-#define COMMAND_H
+#ifndef PATH_COMMAND_H
+#define PATH_COMMAND_H
 
 #include "../../../common/lab/report.h"
 #include "../render.h"
@@ -186,24 +186,19 @@ static inline void command_shown(const film *f, void *user)
 
 static inline film_range command_range(const command *c)
 {
-    failure f;
     int a, b, used = 0;
     bool ok = sscanf(c->range, "%9d:%9d%n", &a, &b, &used) == 2 && !c->range[used];
     if (!ok || a < 0 || a >= b)
-        failed(&f, 2, "--range %.100s: allowed are A:B, whole numbers 0 <= A < B < 10^9",
-               c->range),
-            fail(f);
+        die(2, "--range %.100s: allowed are A:B, whole numbers 0 <= A < B < 10^9", c->range);
     return (film_range){(uint32_t)a, (uint32_t)b};
 }
 
 static inline void command_check(const command *c, const options *o)
 {
-    failure f;
     bool goal = o->samples > 0 || c->error > 0 || c->seconds > 0;
     if (c->scene && c->obj) die(2, "--scene and --mesh: one of them");
     if (c->range && (goal || c->resume))
-        failed(&f, 2, "--range does those samples alone: no --samples, --error, --time, --resume"),
-            fail(f);
+        die(2, "--range does those samples alone: no --samples, --error, --time, --resume");
     if (c->merge && (c->range || goal || c->resume || c->scene || c->obj || c->sky || c->strategy
                      || c->clamp > 0 || c->bounces >= 0))
         die(2, "--merge puts states together: it takes --save and --out only");
@@ -217,11 +212,10 @@ static inline film command_film(const command *c, const options *o, char *settin
     if (!state_read(c->resume, &m, settings, &f)) fail(f);
     bool from_zero = m.ranges == 1 && m.range[0].begin == 0;
     if (m.width != o->width || m.height != o->height)
-        die(2, "%.200s: of another picture: it has %dx%d pixels, not %dx%d", c->resume,
-               m.width, m.height, o->width, o->height);
+        die(2, "%.200s: of another picture: it has %dx%d pixels, not %dx%d", c->resume, m.width,
+            m.height, o->width, o->height);
     if (!from_zero)
-        failed(&f, 2, "%.200s: holds parts, not samples 0 to n: merge them first", c->resume),
-            fail(f);
+        die(2, "%.200s: holds parts, not samples 0 to n: merge them first", c->resume);
     return m;
 }
 

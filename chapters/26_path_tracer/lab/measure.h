@@ -1,14 +1,14 @@
 /* measure.h: what each idea of the chapter is worth, in the Cornell box.
  *
- *   measure_strategies(o)   error against time and rays, one table and two plots
+ *   measure_strategies(o)   every strategy at 64 samples; --full: at 4, 16 and 64, and two plots
  *   measure_speed(o)        rays a second, one thread and two
  *
  * Efficiency (效率) = 1 / (error^2 x time): samples twice as fast, or with half the variance, are
  * worth twice as much. Errors: RMSE against a reference of many samples, over the pixels that do
  * not see the light, where nothing is left to do.
  */
-#ifndef MEASURE_H
-#define MEASURE_H
+#ifndef PATH_MEASURE_H
+#define PATH_MEASURE_H
 
 #include "../../../common/lab/report.h"
 #include "../../24_direct_light/scenes/lit_first.h"
@@ -155,32 +155,44 @@ static inline measured measure_strategy(const measure_place *m, const strategy *
 
 enum { strategy_levels = 3 };
 static inline uint32_t strategy_samples(int level) { return 4u << 2 * level; }
+static inline int strategy_to(const options *o) { return o->quick ? 2 : strategy_levels; }
+
+/* The levels that are measured: all, or the last, which --quick takes for 16 samples. */
+static inline int strategy_from(const options *o) { return o->full ? 0 : strategy_to(o) - 1; }
 
 static inline void strategy_measure(const options *o, const measure_place *m, const strategy *s,
                                     measured x[strategy_levels])
 {
-    for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++)
+    for (int l = strategy_from(o); l < strategy_to(o); l++)
         x[l] = measure_strategy(m, s, strategy_samples(l), o->quick ? 1 : l < 2 ? 3 : 1);
 }
 
 /* Nobody counts the rays of first.h. */
-static inline void strategy_rows(const options *o, const measure_place *m, const strategy *s,
-                                 const measured *x, const measured *naive, table *t)
+static inline void strategy_row(const measure_place *m, const strategy *s, int level,
+                                const measured *x, const measured *naive, bool samples, table *t)
 {
-    for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++) {
-        double paths = (double)m->side * m->side * strategy_samples(l);
-        double efficiency = 1 / (x[l].error * x[l].error * x[l].seconds);
-        table_text(t, "%s", s->name), table_count(t, strategy_samples(l));
-        table_number(t, x[l].error);
-        if (s->by == BY_FIRST) table_text(t, "-");
-        else table_number(t, x[l].rays / paths);
-        table_number(t, x[l].seconds * 1e3), table_number(t, efficiency);
-        table_number(t, efficiency * naive[l].error * naive[l].error * naive[l].seconds);
-    }
+    double paths = (double)m->side * m->side * strategy_samples(level);
+    double efficiency = 1 / (x->error * x->error * x->seconds);
+    table_text(t, "%s", s->name);
+    if (samples) table_count(t, strategy_samples(level));
+    table_number(t, x->error);
+    if (s->by == BY_FIRST) table_text(t, "-");
+    else table_number(t, x->rays / paths);
+    table_number(t, x->seconds * 1e3), table_number(t, efficiency);
+    table_number(t, efficiency * naive->error * naive->error * naive->seconds);
+}
+
+/* The table of all levels, and with them the rows of the last. */
+static inline void strategy_rows(const options *o, const measure_place *m, const strategy *s,
+                                 const measured *x, const measured *naive, table *last, table *all)
+{
+    int end = strategy_to(o) - 1;
+    strategy_row(m, s, end, &x[end], &naive[end], false, last);
+    for (int l = 0; l <= end && o->full; l++) strategy_row(m, s, l, &x[l], &naive[l], true, all);
 }
 
 /* first.h in its own box, beside the naive path there. */
-static inline void measure_first(const options *o, table *t)
+static inline void measure_first(const options *o, table *last, table *all)
 {
     strategy s[strategies], first = {.name = "first, in its own box", .by = BY_FIRST};
     measure_place m;
@@ -189,7 +201,7 @@ static inline void measure_first(const options *o, table *t)
     first.how = s[2].how;
     measure_place_of(o, true, &m);
     strategy_measure(o, &m, &s[0], naive), strategy_measure(o, &m, &first, x);
-    strategy_rows(o, &m, &first, x, naive, t);
+    strategy_rows(o, &m, &first, x, naive, last, all);
     measure_place_free(&m);
 }
 
@@ -198,6 +210,11 @@ static inline void measure_strategies(const options *o)
     measure_place m;
     strategy s[strategies];
     measured naive[strategy_levels], x[strategy_levels];
+    table last = table_new(o->quick
+                               ? "Pixels that do not see the light, 16 samples each; one thread"
+                               : "Pixels that do not see the light, 64 samples each; one thread",
+                           "strategy|error RMSE|rays a path|time [ms]|efficiency|"
+                           "time for the naive error [x less]");
     table t = table_new("Error of pixels that do not see the light, and what it costs; one thread",
                         "strategy|samples|error RMSE|rays a path|time [ms]|efficiency|"
                         "time for the naive error [x less]");
@@ -208,18 +225,21 @@ static inline void measure_strategies(const options *o)
     for (int k = 0; k < strategies; k++) {
         strategy_measure(o, &m, &s[k], x);
         if (k == 0) memcpy(naive, x, sizeof naive);
-        strategy_rows(o, &m, &s[k], x, naive, &t);
+        strategy_rows(o, &m, &s[k], x, naive, &last, &t);
         plot_series(&error, s[k].name), plot_series(&time, s[k].name);
-        for (int l = 0; l < (o->quick ? 2 : strategy_levels); l++) {
+        for (int l = strategy_from(o); l < strategy_to(o); l++) {
             plot_add(&error, k, x[l].rays / ((double)m.side * m.side), x[l].error);
             plot_add(&time, k, x[l].seconds, x[l].error);
         }
     }
-    measure_first(o, &t);
+    measure_first(o, &last, &t);
     plot_slope(&error, -0.5, "slope -1/2"), plot_slope(&time, -0.5, "slope -1/2");
-    output_table(o, &t);
-    output_plot(o, &error, "26_path_tracer_error.svg");
-    output_plot(o, &time, "26_path_tracer_time.svg");
+    output_table(o, &last);
+    if (o->full) {
+        output_extra_table(o, &t);
+        output_plot(o, &error, "26_path_tracer_error.svg");
+        output_plot(o, &time, "26_path_tracer_time.svg");
+    } else table_free(&t), plot_free(&error), plot_free(&time);
     measure_place_free(&m);
 }
 
@@ -268,8 +288,8 @@ static inline void measure_speed(const options *o)
         }
     double rays = (double)path_rays(&j.counts);
     table s = table_new("The Cornell box, one sample a pixel, endless depth; best of some runs",
-                        "threads|pixels|rays|rays a path|time [s]|rays [M/s]|gain|"
-                        "gain of arithmetic alone");
+                        "threads|pixels|rays|rays a path|time [s]|rays per second [M]|"
+                        "ratio: gain|ratio: gain of arithmetic");
     for (int two = 0; two < 2; two++) {
         table_count(&s, 1 + (size_t)two), table_text(&s, "%dx%d", side, side);
         table_count(&s, (size_t)rays), table_number(&s, rays / ((double)side * side));

@@ -1,23 +1,25 @@
 /* pictures.h: the committed pictures of the chapter.
  *
  *   draw_cornell(o)     the box: the main picture
- *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
- *   draw_teapot(o)      rough copper under a sky
- *   draw_furnace(o)     balls of every BRDF under a white sky
  *   draw_strategies(o)  the box, 16 samples a pixel: naive, lights, both, Sobol' points
+ *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
+ *   draw_furnace(o)     balls of every BRDF in a white world: what they lose, in false colours
  *
- * Each with so many samples as a few seconds make; fixed, so that the bytes are. Powers of two: two
- * halves (film.h) of 2^k Sobol' points each are spread best (20).
+ * The numbers of samples are fixed, so that the bytes are. Powers of two: two halves (film.h) of
+ * 2^k Sobol' points each are spread best (20).
  */
-#ifndef PICTURES_H
-#define PICTURES_H
+#ifndef PATH_PICTURES_H
+#define PATH_PICTURES_H
 
+#include "../../../common/lab/heat.h"
+#include "../../../common/lab/label.h"
 #include "measure.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void draw_scene(const options *o, const char *scene_name, int w, int h,
-                              uint32_t samples, real exposure, const char *file, bool is_main)
+/* The picture of a scene; *whole: not stopped. */
+static inline image picture_of(const options *o, const char *scene_name, int w, int h,
+                               uint32_t samples, real exposure, bool *whole)
 {
     showcase c;
     failure why;
@@ -26,39 +28,73 @@ static inline void draw_scene(const options *o, const char *scene_name, int w, i
     path_tracer_of(&c.s, showcase_sky(&c), path_defaults, &t);
     render_job j = {.tracer = &t, .eye = c.eye, .seed = o->seed, .threads = o->threads};
     film f = film_new(w, h);
-    bool whole = render_range(&j, &f, 0, samples);
+    *whole = render_range(&j, &f, 0, samples);
     image im = film_picture(&f);
     for (size_t i = 0; i < 3 * (size_t)w * (size_t)h; i++) im.rgb[i] *= (float)exposure;
+    film_free(&f), path_tracer_free(&t), showcase_free(&c);
+    return im;
+}
+
+static inline void draw_scene(const options *o, const char *scene_name, int w, int h,
+                              uint32_t samples, real exposure, const char *file, bool is_main)
+{
+    bool whole;
+    int q = o->quick && !is_main ? 6 : 1;
+    image im = picture_of(o, scene_name, w / q, h / q, o->quick ? 4 : samples, exposure, &whole);
     output_picture(o, &im, file, is_main, whole);
-    image_free(&im), film_free(&f), path_tracer_free(&t), showcase_free(&c);
+    image_free(&im);
 }
 
 static inline void draw_cornell(const options *o)
 {
-    draw_scene(o, "cornell", o->width, o->height, o->quick ? 4 : 64, 2, "26_path_tracer.png", true);
+    draw_scene(o, "cornell", o->width, o->height, 64, 2, "26_path_tracer.png", true);
 }
 
-static inline void draw_others(const options *o)
+static inline void draw_spheres(const options *o)
 {
-    int q = o->quick ? 4 : 1;
-    if (o->out) return;
-    draw_scene(o, "spheres", 288 / q, 288 / q, o->quick ? 4 : 32, 2, "26_path_tracer_spheres.png",
-               false);
-    draw_scene(o, "teapot", 360 / q, 240 / q, o->quick ? 4 : 16, 1, "26_path_tracer_teapot.png",
-               false);
-    draw_scene(o, "furnace", 360 / q, 240 / q, o->quick ? 4 : 16, 0.8,
-               "26_path_tracer_furnace.png", false);
+    draw_scene(o, "spheres", 288, 288, 32, 2, "26_path_tracer_spheres.png", false);
+}
+
+/* Of light 1 from everywhere, what is missing: up to 40 %, left as seen, right in colours. */
+static inline void draw_furnace(const options *o)
+{
+    enum { most_lost = 40, size = 12 };
+    static const char *const ball[6] = {"matte, .8", "Blinn-Phong", "rough metal",
+                                        "smooth metal", "mirror", "glass"};
+    int w = o->quick ? 90 : 450, h = o->quick ? 66 : 330;
+    bool whole;
+    image seen = picture_of(o, "furnace", w, h, o->quick ? 4 : 64, 1, &whole);
+    image all = image_new(2 * w, h + (o->quick ? 0 : 60));
+    const vec3 black = {0, 0, 0};
+    label_fill(&all, 0, 0, all.width, all.height, vec(1, 1, 1));
+    for (int y = 0; y < h; y++)
+        for (int x = 0; x < w; x++) {
+            vec3 L = image_get(&seen, x, y);
+            image_set(&all, x, y, vscale(L, (real)0.8));
+            image_set(&all, w + x, y, work_colour((1 - L.y) * 100 / most_lost));
+        }
+    for (int k = 0; k < 6 && !o->quick; k++)
+        for (int side = 0; side < 2; side++)
+            label_text(&all, side * w + w * (0.189 + 0.311 * (k % 3)), k < 3 ? 18 : h - 8, size,
+                       0.5, side ? vec(1, 1, 1) : black, ball[k]);
+    if (!o->quick) {
+        label_text(&all, w / 2, h + 34, size, 0.5, black, "as seen in a white world");
+        label_bar(&all, w + w / 6, h + 8, 2 * w / 3, size, work_colour, 0, most_lost,
+                  "light lost [%]");
+    }
+    output_picture(o, &all, "26_path_tracer_furnace.png", false, whole);
+    image_free(&seen), image_free(&all);
 }
 
 /* Panels side by side, the same number of samples. */
 static inline void draw_strategies(const options *o)
 {
+    static const char *const title[4] = {"naive (25)", "lights", "lights + MIS", "and Sobol'"};
     strategy s[strategies];
     const int shown[4] = {0, 2, 5, 6};
     int side = o->quick ? 24 : 160;
     measure_place m = {.side = side};
     failure f;
-    if (o->out) return;
     if (!showcase_of("cornell", 1, &m.c, &f)) fail(f);
     strategy_list(s);
     image all = image_new(4 * side, side);
@@ -70,8 +106,9 @@ static inline void draw_strategies(const options *o)
         image_place(&all, k * side, 0, &im);
         image_free(&im);
     }
-    output_picture(o, &all, "26_path_tracer_strategies.png", false, true);
-    image_free(&all), showcase_free(&m.c);
+    image titled = label_panels(&all, 4, 1, 0, title);
+    output_picture(o, &titled, "26_path_tracer_strategies.png", false, true);
+    image_free(&all), image_free(&titled), showcase_free(&m.c);
 }
 
 #endif

@@ -11,8 +11,8 @@
  *   furnace   balls of all BRDFs of 23, and of glass, in a white world: they show what they lose
  *   OBJ       matte grey, on a floor, under the same sky
  */
-#ifndef SHOWCASE_H
-#define SHOWCASE_H
+#ifndef PATH_SHOWCASE_H
+#define PATH_SHOWCASE_H
 
 #include "../../07_mesh/files/obj.h"
 #include "../../07_mesh/scenes/teapot.h"
@@ -175,6 +175,10 @@ static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, f
     if (!some || !(r > 0) || !isfinite(r)) {
         mesh_free(&m);
         return failed(f, 2, "%.300s: no triangles of any size to draw", path);
+    }
+    if (!isfinite(1000 * r) || !vfinite(vscale(middle, 1000))) {
+        mesh_free(&m);
+        return failed(f, 2, "%.300s: too large to be seen from anywhere", path);
     }
     lit_begin(&c->s);
     vec3 grey = {0.72, 0.7, 0.66};

@@ -11,8 +11,8 @@
  * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows;
  * a light of NFF so far away that no number holds its intensity.
  */
-#ifndef FINISH_H
-#define FINISH_H
+#ifndef EFFECTS_FINISH_H
+#define EFFECTS_FINISH_H
 
 #include "../studio_add.h"
 

@@ -19,8 +19,8 @@
  *
  * Source: Wavefront, "Material library file (.mtl)", Advanced Visualizer manual, 1995.
  */
-#ifndef MTL_H
-#define MTL_H
+#ifndef EFFECTS_MTL_H
+#define EFFECTS_MTL_H
 
 #include "../studio_add.h"
 #include "words.h"

@@ -28,8 +28,8 @@
  *
  * Source: E. Haines, Standard Procedural Databases, 1987 to 2004: NFF.TXT.
  */
-#ifndef NFF_H
-#define NFF_H
+#ifndef EFFECTS_NFF_H
+#define EFFECTS_NFF_H
 
 #include "nff_faces.h"
 

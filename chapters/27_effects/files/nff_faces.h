@@ -8,8 +8,8 @@
  * run begins where the material changes. Polygons of more corners become shapes: exact, concave or
  * not.
  */
-#ifndef NFF_FACES_H
-#define NFF_FACES_H
+#ifndef EFFECTS_NFF_FACES_H
+#define EFFECTS_NFF_FACES_H
 
 #include "mtl.h"
 #include "../patch.h"

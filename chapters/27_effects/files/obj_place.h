@@ -13,8 +13,8 @@
  *
  * smooth: normals of the file are replaced by those of mesh_smooth_normals.
  */
-#ifndef OBJ_PLACE_H
-#define OBJ_PLACE_H
+#ifndef EFFECTS_OBJ_PLACE_H
+#define EFFECTS_OBJ_PLACE_H
 
 #include "../../07_mesh/files/obj.h"
 #include "mtl.h"
@@ -57,8 +57,9 @@ static inline bool obj_library_line(studio *s, const char *base, char *line, obj
         for (char *save = NULL, *word = strtok_r(line, " \t", &save); word;
              word = strtok_r(NULL, " \t", &save)) {
             if (!obj_try_library(s, base, word, found, &there, f)) return false;
-            if (!there) studio_note(s, "%.200s: no file '%.100s': what it describes stays grey",
-                                    base, word);
+            if (there) continue;
+            studio_note(s, "%.200s: no file '%.100s': what it describes stays grey", base, word);
+            studio_warns(s);
         }
     return true;
 }

@@ -19,8 +19,8 @@
  * be read: 1. What is not of its own material gets the one that was current where the statement
  * stands.
  */
-#ifndef SCENE_FILE_H
-#define SCENE_FILE_H
+#ifndef EFFECTS_SCENE_FILE_H
+#define EFFECTS_SCENE_FILE_H
 
 #include "nff.h"
 #include "obj_place.h"
@@ -72,7 +72,7 @@ static inline bool scene_placing(statement *q, affine *out)
                 return text_bad(t, t->p, "scaled to nothing before", "scale X Y Z, none 0");
             next = affine_scaling(v);
         } else return text_bad(t, t->p, "what is", "move, turn, scale");
-        *out = affine_of(*out, next);
+        *out = affine_then(*out, next);
         if (!vfinite(out->x) || !vfinite(out->y) || !vfinite(out->z) || !vfinite(out->o))
             return text_bad(t, t->p, "beyond what numbers hold, before", "smaller places");
     }
@@ -144,7 +144,7 @@ static inline bool scene_instance(statement *q)
     return true;
 }
 
-static inline bool scene_picture(statement *q, sky *out)
+static inline bool scene_picture(statement *q, effects_sky *out)
 {
     char path[word_longest_path];
     real turn = 0;
@@ -175,7 +175,7 @@ static inline bool scene_picture(statement *q, sky *out)
 
 static inline bool scene_environment(statement *q)
 {
-    sky now = {.background = q->s->sky.background};
+    effects_sky now = {.background = q->s->sky.background};
     real c[6];
     int n = 0;
     if (!text_more(q->t)) return say_missing(q, "a colour, two, or a picture");

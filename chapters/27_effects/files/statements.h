@@ -13,8 +13,8 @@
  *
  * P: three numbers; C: one (grey) or three, not negative. More in scene_file.h.
  */
-#ifndef STATEMENTS_H
-#define STATEMENTS_H
+#ifndef EFFECTS_STATEMENTS_H
+#define EFFECTS_STATEMENTS_H
 
 #include "mtl.h"
 
@@ -87,7 +87,7 @@ static inline bool say_lens(statement *q)
 }
 
 /* light at P colour C, sun to P colour C. */
-static inline bool say_lamp(statement *q, light_kind kind)
+static inline bool say_lamp(statement *q, shade_light_kind kind)
 {
     text_reader *t = q->t;
     const char *where = kind == LIGHT_POINT ? "at" : "to";

@@ -12,8 +12,8 @@
  * A file that includes itself, on whatever way round, files nested more than 16 deep, more than 256
  * files in all: exit code 2, and the line of the include.
  */
-#ifndef STUDIO_READ_H
-#define STUDIO_READ_H
+#ifndef EFFECTS_STUDIO_READ_H
+#define EFFECTS_STUDIO_READ_H
 
 #include "finish.h"
 #include "scene_file.h"

@@ -12,8 +12,8 @@
  *
  * What fails sets the failure of the reader, with file, line and keyword.
  */
-#ifndef WORDS_H
-#define WORDS_H
+#ifndef EFFECTS_WORDS_H
+#define EFFECTS_WORDS_H
 
 #include "../../../common/numbers/text.h"
 

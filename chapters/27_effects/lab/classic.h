@@ -12,8 +12,8 @@
  *   table_of_tax(&o)                prints 27 against 18 and 19, in turn, one thread: medians;
  *                                   false: stopped by Ctrl-C, nothing is printed
  */
-#ifndef CLASSIC_H
-#define CLASSIC_H
+#ifndef EFFECTS_CLASSIC_H
+#define EFFECTS_CLASSIC_H
 
 #include "../../../common/lab/report.h"  /* before shape.h, whose name it uses for its own */
 #include "draw.h"
@@ -21,7 +21,7 @@
 #include "../files/studio_read.h"
 
 typedef struct {
-    const stage *e;
+    const effects_stage *e;
     scene all;
     world_part *part;       /* [world.parts] */
     uint32_t *place;        /* of the part; no_shape: the shapes */
@@ -53,7 +53,7 @@ static inline material classic_material(const void *context, trace_hit x, const 
     return c->look[classic_number(c, x)].base;
 }
 
-static inline bool classic_can(const stage *e)
+static inline bool classic_can(const effects_stage *e)
 {
     bool can = !(e->p->effects & EFFECTS_OF_CHANCE) && !e->t.moved.n && !e->clear
         && !e->p->headlight && e->sky.s->kind == SKY_NONE;
@@ -65,7 +65,7 @@ static inline bool classic_can(const stage *e)
     return can;
 }
 
-static inline void classic_build(const stage *e, classic *c)
+static inline void classic_build(const effects_stage *e, classic *c)
 {
     const studio *s = e->s;
     const studio_tree *t = &e->t;
@@ -119,7 +119,7 @@ static inline vec3 classic_shade(const classic *c, ray r)
 /* ---- how fast ---- */
 
 typedef struct {
-    const stage *e;
+    const effects_stage *e;
     classic c;
     bool whitted;
     image im;
@@ -179,7 +179,7 @@ static inline char *forty_text(bool plain)
 static inline bool tax_row(const options *o, table *t, bool glass)
 {
     studio s;
-    stage e;
+    effects_stage e;
     failure f;
     studio_view v;
     camera c;
@@ -187,8 +187,9 @@ static inline bool tax_row(const options *o, table *t, bool glass)
     char *text = forty_text(!glass);
     if (!studio_read_text(text, "forty.scene", NULL, &s, &f)) fail(f);
     plan p = plan_of(&s);
-    if (!stage_build(&s, &p, &e, &f) || !studio_camera(&s, 4 / (real)3, &v, &c, &f)) fail(f);
-    stage_view(&e, &v, c);
+    if (!effects_stage_build(&s, &p, &e, &f) || !studio_camera(&s, 4 / (real)3, &v, &c, &f))
+        fail(f);
+    effects_stage_view(&e, &v, c);
     tax_run run[2] = {{.e = &e, .whitted = glass, .im = image_new(w, h)},
                       {.e = &e, .im = image_new(w, h)}};
     classic_build(&e, &run[0].c);
@@ -205,7 +206,7 @@ static inline bool tax_row(const options *o, table *t, bool glass)
     table_number(t, k[0].seconds / k[1].seconds);
     classic_free(&run[0].c);
     image_free(&run[0].im), image_free(&run[1].im);
-    stage_free(&e), plan_free(&p), studio_free(&s), free(text);
+    effects_stage_free(&e), plan_free(&p), studio_free(&s), free(text);
     return !run[0].stopped && !run[1].stopped;
 }
 
@@ -213,7 +214,7 @@ static inline bool table_of_tax(const options *o)
 {
     table t = table_new("The general program against the chapters' own, in turn, one thread",
                         "scene|chapter|rays a pixel|difference: most|its own [ns/ray]|"
-                        "here [ns/ray]|speed here / there");
+                        "here [ns/ray]|ratio of speeds");
     bool whole = tax_row(o, &t, false) && tax_row(o, &t, true);
     if (whole) output_extra_table(o, &t);
     else table_free(&t);

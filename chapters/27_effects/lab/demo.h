@@ -1,6 +1,7 @@
-/* demo.h: the scene that 27 draws if it is given none: a table with one thing of each kind. */
-#ifndef DEMO_H
-#define DEMO_H
+/* demo.h: the scene that 27 draws if it is given none: a table with one thing of each kind. The
+ * same text is in scenes/demo.scene, to be changed; here it needs no file. */
+#ifndef EFFECTS_DEMO_H
+#define EFFECTS_DEMO_H
 
 static const char demo_scene[] =
     "camera from 0 2.6 6.4 at 0 0.7 0 angle 38\n"

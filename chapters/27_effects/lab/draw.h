@@ -11,14 +11,14 @@
  *
  * Samples lie in the pixel by Sobol'; one alone, of a scene without chance, in its middle.
  */
-#ifndef DRAW_H
-#define DRAW_H
+#ifndef EFFECTS_DRAW_H
+#define EFFECTS_DRAW_H
 
 #include "../special.h"
 #include "../../../common/parallel.h"
 
 typedef struct {
-    const stage *e;
+    const effects_stage *e;
     int samples;              /* of a pixel */
     uint64_t seed;
     int width, height;        /* of the whole picture */
@@ -39,7 +39,7 @@ enum { draw_side = 16, draw_timed_every = 37 };
 __attribute__((always_inline))
 static inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
 {
-    const stage *e = j->e;
+    const effects_stage *e = j->e;
     point2 at = {0.5, 0.5}, on = {0, 0};
     bool lens = (e->mask & EFFECT_DEPTH_OF_FIELD) != 0;
     if (j->samples > 1 || e->chance) at = dice_eye(d, DICE_PIXEL);
@@ -124,7 +124,7 @@ static inline double draw_error(const drawing *j)
  * a ray, of each kind alike. */
 static inline bool draw_timed(const drawing *of, int threads, effects_counts *counts)
 {
-    stage clocked = *of->e;
+    effects_stage clocked = *of->e;
     drawing j = *of;
     clocked.mask |= EFFECTS_TIMED;
     j.e = &clocked;

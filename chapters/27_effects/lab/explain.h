@@ -1,6 +1,7 @@
 /* explain.h: the plan in words: --explain.
  *
  *   explain(stdout, &s, &p, &view)
+ *   explain_warnings(stderr, &s)     what nobody should miss: a library that is not there, no thing
  *
  *   scene        what there is, and from where
  *   camera, lens, light   by file and line, or how they were found
@@ -10,8 +11,8 @@
  *   materials    each with its line, its illum and the effects that a hit of it has a part in
  *   notes        what was read but not understood
  */
-#ifndef EXPLAIN_H
-#define EXPLAIN_H
+#ifndef EFFECTS_EXPLAIN_H
+#define EFFECTS_EXPLAIN_H
 
 #include "../framing.h"
 #include "../plan.h"
@@ -97,6 +98,19 @@ static inline void explain_material(FILE *out, const studio *s, const plan *p, u
     if (x->illum == 8 || x->illum == 9 || x->illum == 10)
         fprintf(out, "; what illum %d means is not all simulated", x->illum);
     fprintf(out, "\n");
+}
+
+static inline void explain_warnings(FILE *out, const studio *s)
+{
+    uint32_t bit = 1;
+    for (const char *n = s->notes, *end; n && *n; n = end + 1, bit <<= 1) {
+        end = strchr(n, '\n');
+        if (s->warned & bit) fprintf(out, "%s: warning: %.*s\n", program_name, (int)(end - n), n);
+    }
+    if (s->shapes || s->places) return;
+    fprintf(out, "%s: warning: ", program_name);
+    explain_text(out, name_text(&s->files, s->files.n > 1));
+    fprintf(out, ": no shape and no mesh: there is nothing to see\n");
 }
 
 static inline void explain(FILE *out, const studio *s, const plan *p, const studio_view *v)

@@ -8,9 +8,10 @@
  * (dice.h), so that what an effect does not touch is the same in both pictures, noise included: the
  * error is what it adds, not what chance does.
  */
-#ifndef PRICE_H
-#define PRICE_H
+#ifndef EFFECTS_PRICE_H
+#define EFFECTS_PRICE_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
 #include "draw.h"
 
@@ -31,7 +32,7 @@ static inline double price_share(const effects_counts *timed, int k)
 
 static inline void table_of_effects(const options *o, const drawing *j, const effects_counts *timed)
 {
-    const stage *e = j->e;
+    const effects_stage *e = j->e;
     table t = table_new("What the picture took, by effect: rays, and the time of these rays",
                         "effect|called|simulated|rays|rays a sample|time [ms]");
     double samples = (double)j->pixels * j->samples;
@@ -56,9 +57,9 @@ typedef struct {
     unsigned mask;
 } price_run;
 
-static inline bool price_draw(price_run *k, stage *e, int rounds, int round, int threads)
+static inline bool price_draw(price_run *k, effects_stage *e, int rounds, int round, int threads)
 {
-    stage_effects(e, k->mask, false);
+    effects_stage_effects(e, k->mask, false);
     e->mask |= EFFECTS_GENERAL;  /* else some sets would have a copy made for them, others not */
     if (round >= rounds) return true;
     bool whole = draw_region(&k->j, &k->im, k->x, k->y, threads);
@@ -83,9 +84,9 @@ static inline void price_row(table *t, plot *p, const char *name, const price_ru
     plot_add(p, plot_series(p, text), b / pixels * 1e6, error);
 }
 
-static inline bool table_of_price(const options *o, stage *e, draw_window w, int samples)
+static inline bool table_of_price(const options *o, effects_stage *e, draw_window w, int samples)
 {
-    int rounds = o->quick ? 1 : 3, n = 1;
+    int rounds = o->full || (o->own && !o->quick) ? 3 : 1, n = 1;
     unsigned before = e->mask, called = e->p->effects & before;  /* --effects may leave some out */
     price_run run[effect_kinds + 1] = {{.mask = called}};
     int effect[effect_kinds + 1] = {-1};
@@ -102,7 +103,7 @@ static inline bool table_of_price(const options *o, stage *e, draw_window w, int
         for (int i = 0; i < n && whole; i++)
             whole = price_draw(&run[i], e, rounds, round, o->threads);
     table t = table_new("Each effect left out in turn: the error that makes, the time it saves",
-                        "left out|its rays|error: rmse|saves [%]|time [us/pixel]");
+                        "left out|its rays|error: rmse|time saved [%]|time [us/pixel]");
     plot p = plot_new("What is left out, and what that saves", "time [us/pixel]", "error, rmse",
                       PLOT_LOG_Y);
     for (int i = 0; i < n && whole; i++)
@@ -113,30 +114,34 @@ static inline bool table_of_price(const options *o, stage *e, draw_window w, int
     if (whole) output_table(o, &t), output_plot(&beside, &p, "27_effects_price_time.svg");
     else table_free(&t), plot_free(&p);
     for (int i = 0; i < n; i++) image_free(&run[i].im);
-    stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
+    effects_stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
     return whole;
 }
 
-/* Three panels in a row, two rows: each has one effect more (absorption goes with refraction). */
-static inline bool draw_strip(const options *o, stage *e, int w, int h, int samples)
+/* Three panels in a row, two rows: each has one effect more. */
+static inline bool draw_strip(const options *o, effects_stage *e, int w, int h, int samples)
 {
     static const unsigned mask[6] = {
         EFFECTS_LIT | EFFECT_DEPTH_OF_FIELD, EFFECT_MIRROR, EFFECT_GLOSSY, EFFECT_REFRACTION,
         EFFECT_ABSORPTION, EFFECT_INDIRECT};
+    static const char *const title[6] = {"soft shadows alone", "with mirrors", "with glossy",
+                                         "with refraction", "with absorption",
+                                         "with indirect light"};
     image all = image_new(3 * w, 2 * h);
     unsigned sum = 0, before = e->mask;
     bool whole = true;
     for (int k = 0; k < 6 && whole; k++) {
         image im = image_new(w, h);
-        stage_effects(e, (sum |= mask[k]) & e->p->effects, false);
+        effects_stage_effects(e, (sum |= mask[k]) & e->p->effects, false);
         drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = w, .height = h};
         whole = draw_region(&j, &im, 0, 0, o->threads);
         image_place(&all, k % 3 * w, k / 3 * h, &im);
         image_free(&im);
     }
-    stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
-    output_picture(o, &all, "27_effects_strip.png", false, whole);
-    image_free(&all);
+    effects_stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
+    image titled = label_panels(&all, 3, 2, 0, title);
+    output_picture(o, &titled, "27_effects_strip.png", false, whole);
+    image_free(&all), image_free(&titled);
     return whole;
 }
 

@@ -1,9 +1,9 @@
-/* bench.h: what each structure costs on a scene: build, memory, work and time a ray.
+/* costs.h: what each structure costs on a scene: build, memory, work and time a ray.
  *
- *   bench_measure(&s, rounds)        each kind of rays, all structures in turn, medians, one thread
- *   bench_table(&o, &s, title)        a table of the scene, and who is cheapest for how many rays
- *   bench_csv_row(&csv, &s)           a row a structure and kind of rays: the columns bench_columns
- *   bench_total(e, rays)              seconds for so many rays of this mix, building included
+ *   cost_measure(&s, rounds)        each kind of rays, all structures in turn, medians, one thread
+ *   cost_table(&o, &s, title)       a table of the scene, and who is cheapest for how many rays
+ *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
+ *   cost_total(&s, e, rays)         seconds for so many rays of this mix, building included
  *
  * The columns are those in which the literature compares (Havran 2000), in short names:
  *
@@ -16,29 +16,22 @@
  *
  * Brute force is timed with a part of the rays, so many as 5e6 tests allow.
  */
-#ifndef BENCH_H
-#define BENCH_H
+#ifndef COMPARE_LAB_COSTS_H
+#define COMPARE_LAB_COSTS_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "../stage.h"
+#include "../compare.h"
 
-#define bench_columns                                                                            \
+#define cost_columns                                                                            \
     "scene|structure|kind|rays|hits|build_s|bytes|peak_bytes|inner|leaves|empty|references|depth|" \
     "nodes_per_ray|tests_per_ray|ns_per_ray"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* On a terminal: how far a long piece of work is. done = all erases the line. */
-static inline void progress(const char *what, size_t done, size_t all)
-{
-    if (!isatty(STDERR_FILENO)) return;
-    if (done == all) fprintf(stderr, "\r\033[K");
-    else fprintf(stderr, "\r%s: %s, %zu of %zu \033[K", program_name, what, done + 1, all);
-}
-
 static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
 
-static inline void bench_count(entry *e, ray_kind kind, const ray_set *some)
+static inline void cost_count(compare_entry *e, compare_kind kind, const ray_set *some)
 {
     search_work w = {0, 0, 0, 0};
     hit h;
@@ -48,22 +41,23 @@ static inline void bench_count(entry *e, ray_kind kind, const ray_set *some)
     e->work[kind] = w;
 }
 
-static inline void bench_kind(stage *s, ray_kind kind, int rounds)
+static inline void cost_kind(comparison *s, compare_kind kind, int rounds)
 {
     double seconds[contenders][9];
     hit *out = allocate(s->rays[kind].n, sizeof *out);
     for (int k = 0; k < s->entries; k++) {
-        entry *e = &s->entry[k];
+        compare_entry *e = &s->entry[k];
         bool slow = e->c == &brute_contender;
         size_t most = slow ? 5000000 / (s->x.n + 1) / (size_t)rounds + 4 : SIZE_MAX;
         ray_set some = rays_some(&s->rays[kind], most);
-        if (e->s) bench_count(e, kind, &some);
+        if (e->s) cost_count(e, kind, &some);
         e->rays[kind] = some.n;
         rays_free(&some);
     }
     for (int round = -1; round < rounds; round++)
         for (int k = 0; k < s->entries; k++) {
-            entry *e = &s->entry[k];
+            compare_entry *e = &s->entry[k];
+            compare_progress(s->w->name, "timing", e->c->name);
             if (!e->s || (round < 0 && e->c == &brute_contender)) continue;
             ray_set some = rays_some(&s->rays[kind], e->rays[kind]);
             double start = work_seconds();
@@ -73,41 +67,42 @@ static inline void bench_kind(stage *s, ray_kind kind, int rounds)
         }
     for (int k = 0; k < s->entries; k++)
         s->entry[k].seconds[kind] = s->entry[k].s ? clock_median(seconds[k], rounds) : 0;
+    compare_progress(s->w->name, NULL, NULL);
     free(out);
 }
 
-static inline void bench_measure(stage *s, int rounds)  /* [1, 9] */
+static inline void cost_measure(comparison *s, int rounds)  /* [1, 9] */
 {
-    for (int kind = 0; kind < ray_kinds; kind++) bench_kind(s, (ray_kind)kind, rounds);
+    for (int kind = 0; kind < compare_kinds; kind++) cost_kind(s, (compare_kind)kind, rounds);
 }
 
-static inline double bench_ns(const entry *e, int kind)
+static inline double cost_ns(const compare_entry *e, int kind)
 {
     return per(e->seconds[kind] * 1e9, e->rays[kind]);
 }
 
 /* Seconds a ray, every kind counting by how many of it the scene has. */
-static inline double bench_mean(const stage *s, const entry *e)
+static inline double cost_mean(const comparison *s, const compare_entry *e)
 {
     double sum = 0;
     size_t n = 0;
-    for (int k = 0; k < ray_kinds; k++) {
-        sum += bench_ns(e, k) * 1e-9 * (double)s->rays[k].n;
+    for (int k = 0; k < compare_kinds; k++) {
+        sum += cost_ns(e, k) * 1e-9 * (double)s->rays[k].n;
         n += s->rays[k].n;
     }
     return per(sum, n);
 }
 
-static inline double bench_total(const stage *s, const entry *e, double rays)
+static inline double cost_total(const comparison *s, const compare_entry *e, double rays)
 {
-    return e->build + rays * bench_mean(s, e);
+    return e->build + rays * cost_mean(s, e);
 }
 
-static inline search_work bench_work(const entry *e, size_t *rays)
+static inline search_work cost_work(const compare_entry *e, size_t *rays)
 {
     search_work w = {0, 0, 0, 0};
     *rays = 0;
-    for (int k = 0; k < ray_kinds; k++) {
+    for (int k = 0; k < compare_kinds; k++) {
         w.nodes += e->work[k].nodes, w.leaves += e->work[k].leaves;
         w.empty += e->work[k].empty, w.tests += e->work[k].tests;
         *rays += e->rays[k];
@@ -117,25 +112,25 @@ static inline search_work bench_work(const entry *e, size_t *rays)
 
 /* The lines build + k * ns (17.8): which is the lowest, from few rays to many? Three percent faster
  * is no faster, ten percent sooner no sooner: the earlier in the list is named. */
-static inline void bench_cheapest(const stage *s)
+static inline void cost_cheapest(const comparison *s)
 {
-    const entry *now = NULL;
+    const compare_entry *now = NULL;
     for (int k = 0; k < s->entries; k++) {
-        const entry *e = &s->entry[k];
+        const compare_entry *e = &s->entry[k];
         if (!e->s || contender_is_first(e->c)) continue;
-        if (!now || bench_total(s, e, 1) < bench_total(s, now, 1)) now = e;
+        if (!now || cost_total(s, e, 1) < cost_total(s, now, 1)) now = e;
     }
     if (!now) return;
     printf("# cheapest in all: %s", now->c->name);
     for (;;) {
-        const entry *next = NULL;
+        const compare_entry *next = NULL;
         double from = HUGE_VAL;
         for (int k = 0; k < s->entries; k++) {
-            const entry *e = &s->entry[k];
-            double gain = bench_mean(s, now) - bench_mean(s, e);
+            const compare_entry *e = &s->entry[k];
+            double gain = cost_mean(s, now) - cost_mean(s, e);
             double at = (e->build - now->build) / gain;
             if (!e->s || contender_is_first(e->c)) continue;
-            if (gain > 0.03 * bench_mean(s, now) && at < 0.9 * from) from = at, next = e;
+            if (gain > 0.03 * cost_mean(s, now) && at < 0.9 * from) from = at, next = e;
         }
         if (!next) break;
         printf(", from %.2g rays on %s", from, next->c->name);
@@ -144,11 +139,12 @@ static inline void bench_cheapest(const stage *s)
     printf("\n");
 }
 
-static inline void bench_row(table *t, const stage *s, const entry *e, const entry *slow)
+static inline void cost_row(table *t, const comparison *s, const compare_entry *e,
+                            const compare_entry *slow)
 {
     structure_stats st = e->stats;
     size_t rays;
-    search_work w = bench_work(e, &rays);
+    search_work w = cost_work(e, &rays);
     table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->c->name);
     if (!e->s) {
         table_text(t, "does not fit");
@@ -165,40 +161,41 @@ static inline void bench_row(table *t, const stage *s, const entry *e, const ent
         table_number(t, per((double)w.nodes, rays));
     }
     table_number(t, per((double)w.tests, rays));
-    for (int k = 0; k < ray_kinds; k++) table_number(t, bench_ns(e, k));
-    double gain = slow && slow->s ? bench_mean(s, slow) - bench_mean(s, e) : 0;
+    for (int k = 0; k < compare_kinds; k++) table_number(t, cost_ns(e, k));
+    double gain = slow && slow->s ? cost_mean(s, slow) - cost_mean(s, e) : 0;
     if (gain > 0) table_number(t, ceil(e->build / gain));
     else table_text(t, "-");
 }
 
 /* They go on where they are wrong: at edges their triangles slip (04). */
-static inline void bench_print_wrong(const entry *e)
+static inline void cost_print_wrong(const compare_entry *e)
 {
     printf("# %s: wrong at %zu of %zu rays from or to borders, at %zu of %zu others\n",
            e->c->name, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
 }
 
-static inline void bench_table(const options *o, const stage *s, const char *title)
+static inline void cost_table(const options *o, const comparison *s, const char *title)
 {
     table t = table_new(title,
                         "structure|build [ms]|B/shape|peak [MB]|inner|leaves|empty|refs/shape|"
                         "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|mirror [ns]|"
                         "pays after");
-    const entry *slow = NULL;
+    const compare_entry *slow = NULL;
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].c == &brute_contender) slow = &s->entry[k];
-    for (int k = 0; k < s->entries; k++) bench_row(&t, s, &s->entry[k], slow);
+    for (int k = 0; k < s->entries; k++) cost_row(&t, s, &s->entry[k], slow);
     output_extra_table(o, &t);
     for (int k = 0; k < s->entries; k++)
-        if (s->entry[k].s && contender_is_first(s->entry[k].c)) bench_print_wrong(&s->entry[k]);
+        if (s->entry[k].s && contender_is_first(s->entry[k].c)) cost_print_wrong(&s->entry[k]);
     for (int k = 0; k < s->entries; k++)
         if (!s->entry[k].s)
             printf("# %s does not fit: %s\n", s->entry[k].c->name, s->entry[k].why.text);
-    bench_cheapest(s);
+    cost_cheapest(s);
 }
 
-static inline void bench_csv_row(table *t, const stage *s, const entry *e, const char *kind,
-                                 size_t rays, size_t hits, search_work w, double seconds)
+static inline void cost_csv_row(table *t, const comparison *s, const compare_entry *e,
+                                const char *kind, size_t rays, size_t hits, search_work w,
+                                double seconds)
 {
     structure_stats st = e->stats;
     size_t cells = 0;
@@ -213,18 +210,18 @@ static inline void bench_csv_row(table *t, const stage *s, const entry *e, const
 }
 
 /* A structure that does not fit has a row, too: no rays, no numbers. */
-static inline void bench_csv(table *t, const stage *s)
+static inline void cost_csv(table *t, const comparison *s)
 {
     for (int i = 0; i < s->entries; i++)
-        for (int k = 0; k < ray_kinds; k++) {
-            const entry *e = &s->entry[i];
-            bench_csv_row(t, s, e, kind_name[k], e->s ? e->rays[k] : 0, e->hits[k], e->work[k],
+        for (int k = 0; k < compare_kinds; k++) {
+            const compare_entry *e = &s->entry[i];
+            cost_csv_row(t, s, e, kind_name[k], e->s ? e->rays[k] : 0, e->hits[k], e->work[k],
                           e->seconds[k]);
         }
 }
 
 /* The file of --csv; the tables on the screen have other columns. */
-static inline void bench_write_csv(const options *o, table *t)
+static inline void cost_write_csv(const options *o, table *t)
 {
     failure f;
     file_writer w;
