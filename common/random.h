@@ -62,4 +62,11 @@ static inline real random_real(uint64_t seed, uint64_t pixel, uint64_t sample, u
 {
     return random_real_of(random_bits(seed, pixel, sample, dimension));
 }
+
+/* A point of the cube [-half, half)^3, each as likely; three numbers of the stream, x first. */
+static inline vec3 random_in_cube(random_stream *s, real half)
+{
+    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, z = 2 * random_next(s) - 1;
+    return vscale((vec3){x, y, z}, half);
+}
 #endif

@@ -11,9 +11,6 @@ enum { nx = 640, ny = 480 };
 static const vec3 axis_z = {0, 0, 1};
 static random_stream s;
 
-/* The larger of two, a NaN being the largest. */
-static double worse(double a, double b) { return isnan(a) || b <= a ? a : b; }
-
 static real uniform(real a, real b) { return a + (b - a) * random_next(&s); }
 static vec3 any_direction(void)
 {
@@ -102,9 +99,9 @@ static void test_frames_near_parallel(void)
             if (!frame_look_at(e, view, up, &f, &why)) fail(why);
             g = frame_first(e, view, up);
             check_frame(f, "near parallel");
-            robust = worse(robust, frame_error(f, view, up));
-            naive = worse(naive, frame_error(g, view, up));
-            leans = worse(leans, fabs((double)vdot(g.u, g.w)));
+            robust = check_worse(robust, frame_error(f, view, up));
+            naive = check_worse(naive, frame_error(g, view, up));
+            leans = check_worse(leans, fabs((double)vdot(g.u, g.w)));
         }
         check_at_most(robust, 6 * eps, "frame_look_at at angle %g", (double)small);
         check_at_least(naive, 0.1 * eps / (double)small,
@@ -278,9 +275,9 @@ static void test_there_and_back(void)
             double bx = eps * nx / wide_x * (4 * sides + reach);
             double by = eps * ny / wide_y * (4 * edges + reach);
             double alone = eps * nx * (4 + 4 * slant * scale * (double)vlength(q) / wide_x);
-            double off = worse(fabs((double)(x2 - x)) / bx, fabs((double)(y2 - y)) / by);
-            worst = worse(worst, off);
-            if (vzero(c.e)) near = worse(near, fabs((double)(x2 - x)) / alone);
+            double off = check_worse(fabs((double)(x2 - x)) / bx, fabs((double)(y2 - y)) / by);
+            worst = check_worse(worst, off);
+            if (vzero(c.e)) near = check_worse(near, fabs((double)(x2 - x)) / alone);
         }
         check_at_most(worst, 1, "kind %d: a ray passes through its pixel (1 = the bound above)",
                       kind);
@@ -303,8 +300,9 @@ static void test_far_away(void)
             camera c;
             if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, d, &c, NULL)) abort();
             real x = uniform(0, 512), y = uniform(0, 512);
-            direct = worse(direct, ray_error(c, camera_ray(c, x, y, 512, 512).d, x, y, 512, 512));
-            naive = worse(naive,
+            vec3 seen = camera_ray(c, x, y, 512, 512).d;
+            direct = check_worse(direct, ray_error(c, seen, x, y, 512, 512));
+            naive = check_worse(naive,
                          ray_error(c, camera_ray_naive(c, x, y, 512, 512).d, x, y, 512, 512));
         }
         check_at_most(direct, 8 * eps * 512, "camera_ray at |e| = %g: off by pixels", far);
@@ -332,7 +330,7 @@ static void test_wide_view(void)
             real x = 256 + uniform(-1, 1) / half, y = 256 + uniform(-1, 1) / half;
             vec3 d = camera_ray(c, x, y, 512, 512).d;
             check_close(vlength(d), 1, 1e-2, "the middle of the picture");
-            worst = worse(worst, ray_error(c, d, x, y, 512, 512) * 2 * (double)half / 512);
+            worst = check_worse(worst, ray_error(c, d, x, y, 512, 512) * 2 * (double)half / 512);
         }
         check_at_most(worst, 4 * eps * (double)half, "angle: 4 epsilon tan(phi / 2) at the most");
         check_at_least(worst, 0.1 * eps * (double)half, "and no less than a tenth");
@@ -349,10 +347,10 @@ static void test_float_directions(void)
         real x = uniform(0, nx), y = uniform(0, ny);
         vec3 d = camera_direction_f32(c, x, y, nx, ny), e = {120000, 96000, 128000};
         check_equal(distance(d, vec((float)d.x, (float)d.y, (float)d.z)), 0, "three floats");
-        direct = worse(direct, ray_error(c, d, x, y, nx, ny));
+        direct = check_worse(direct, ray_error(c, d, x, y, nx, ny));
         vec3 far = camera_direction_naive_f32(e, d);
         check_equal(fmod((double)far.x * 128, 1), 0, "200 km away floats are 1/128 apart");
-        lost = worse(lost, distance(far, d));
+        lost = check_worse(lost, distance(far, d));
     }
     check_at_most(direct, 16 * eps_f32 * nx, "(2.5) in float, pixels");
     check_at_least(direct, eps_f32, "which is float, not double");

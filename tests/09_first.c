@@ -3,15 +3,10 @@
 #include "../common/random.h"
 #include "check.h"
 
-static vec3 in_cube(random_stream *g, real size)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
 static aabb random_box(random_stream *g, real size)
 {
-    return aabb_grow_point(aabb_grow_point(aabb_empty(), in_cube(g, size)), in_cube(g, size));
+    aabb b = aabb_grow_point(aabb_empty(), random_in_cube(g, size));
+    return aabb_grow_point(b, random_in_cube(g, size));
 }
 
 /* Boxes with a volume, rays in no special place: the same answers; t_enter but for rounding. */
@@ -22,8 +17,8 @@ static void test_easy(void)
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(1, i, 0);
         aabb b = random_box(&g, 1);
-        vec3 o = in_cube(&g, 3);
-        ray r = ray_from(o, vsub(in_cube(&g, 1), o));
+        vec3 o = random_in_cube(&g, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
         real t = 0, expected = 0;
         bool got = first_aabb_hit(b, r, &t), due = aabb_hit(b, r, &expected);
         wrong += got != due, hits += due;
@@ -42,7 +37,7 @@ static void test_slabs(void)
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(2, i, 0);
         aabb b = random_box(&g, 1);
-        ray r = ray_from(in_cube(&g, 3), in_cube(&g, 1));
+        ray r = ray_from(random_in_cube(&g, 3), random_in_cube(&g, 1));
         real t[2];
         first_slabs(b, r, &t[0], &t[1]);
         for (int e = 0; e < 2; e++) {
@@ -66,7 +61,7 @@ static void test_boxes(void)
     size_t n = check_count(20000), wrong = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(3, i, 0);
-        triangle t = {in_cube(&g, 9), in_cube(&g, 9), in_cube(&g, 9)};
+        triangle t = {random_in_cube(&g, 9), random_in_cube(&g, 9), random_in_cube(&g, 9)};
         aabb a = first_triangle_box(t), b = random_box(&g, 9), c = aabb_union(a, b);
         aabb same = aabb_grow_point(aabb_grow_point(aabb_grow_point(aabb_empty(), t.a), t.b), t.c);
         real hair = (real)0.25;
@@ -108,13 +103,13 @@ static void test_hard(void)
         int k = (int)(i % 3);
         real t;
         ((real *)&flat.hi)[k] = vaxis(flat.lo, k);
-        vec3 o = in_cube(&g, 3), at = vscale(vadd(flat.lo, flat.hi), (real)0.5);
+        vec3 o = random_in_cube(&g, 3), at = vscale(vadd(flat.lo, flat.hi), (real)0.5);
         ray r = ray_from(o, vsub(at, o));
         if (aabb_hit(flat, r, &t)) due++, lost[0] += !first_aabb_hit(flat, r, &t);
         hair_lost += !first_aabb_hit(first_aabb_pad(flat, (real)1e-5), r, &t);
 
         /* In a face of the cube, down another axis. */
-        r.o = in_cube(&g, 1), r.d = (vec3){0, 0, 0};
+        r.o = random_in_cube(&g, 1), r.d = (vec3){0, 0, 0};
         int along = (k + 1 + (int)(i / 3 % 2)) % 3;
         real way = i / 6 % 2 ? 1 : -1;
         ((real *)&r.o)[k] = i / 12 % 2 ? 1 : -1;

@@ -46,14 +46,14 @@ typedef struct { size_t hits, lost, lost_inclusive, early; } own_box_count;
 static own_box_case own_box_case_of(uint64_t seed, uint64_t i, real width, bool flat)
 {
     random_stream s = random_start(seed, i, 0);
-    vec3 a = random_in_cube(&s), e = random_in_cube(&s), f = random_in_cube(&s);
+    vec3 a = random_in_cube(&s, 1), e = random_in_cube(&s, 1), f = random_in_cube(&s, 1);
     triangle t = {a, vadd(a, e), vadd(vmadd(a, e, random_next(&s)), vscale(f, width))};
     if (flat) t.b.z = t.c.z = t.a.z;
     int aim = random_integer(&s, 0, 2);  /* 0: a corner, 1: an edge, 2: inside */
     real u = aim > 0 ? random_next(&s) : 0, v = aim > 1 ? (1 - u) * random_next(&s) : 0;
     vec3 p = vmadd(vmadd(vscale(t.a, 1 - u - v), t.b, u), t.c, v);
     real far = pow((real)100, 2 * random_next(&s) - 1);
-    vec3 o = vscale(random_in_cube(&s), far);
+    vec3 o = vscale(random_in_cube(&s, 1), far);
     return (own_box_case){t, ray_from(o, vsub(p, o))};
 }
 
@@ -179,7 +179,7 @@ static void test_volumes_touched(void)
             random_stream g = random_start(9, i, 0);
             triangle t = c.t[random_next_bits(&g) % c.n];
             vec3 p = i % 3 == 0 ? t.a : i % 3 == 1 ? t.b : t.c;
-            vec3 o = vadd(p, vscale(random_in_cube(&g), pow((real)1000, random_next(&g))));
+            vec3 o = vadd(p, vscale(random_in_cube(&g, 1), pow((real)1000, random_next(&g))));
             ray r = ray_from(o, vsub(p, o));
             for (int k = 0; k < content_kinds; k++) {
                 real enter = 0;

@@ -96,13 +96,13 @@ static void test_walk_keeps_its_promise(void)
     double worst = 0;
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(12, i, 0);
-        vec3 lo = random_vector(&g, ldexp((real)1, (int)random_below(&g, 20) - 10));
-        vec3 e = random_vector(&g, 1), o = random_vector(&g, ldexp((real)1, (int)(i % 9) - 3));
+        vec3 lo = random_in_cube(&g, ldexp((real)1, (int)random_below(&g, 20) - 10));
+        vec3 e = random_in_cube(&g, 1), o = random_in_cube(&g, ldexp((real)1, (int)(i % 9) - 3));
         int n[3];
         for (int k = 0; k < 3; k++) n[k] = 1 + (int)random_below(&g, i % 2 ? 7 : 100);
         aabb box = {lo, vadd(lo, vmax(e, vneg(e)))};
         lattice l = lattice_of(box, n);
-        ray r = ray_from(vadd(lo, o), vsub(random_vector(&g, 1), o));
+        ray r = ray_from(vadd(lo, o), vsub(random_in_cube(&g, 1), o));
         if (i % 7 == 0) ((real *)&r.d)[i % 3] = 0;
         if (i % 11 == 0) ((real *)&r.d)[i % 3] *= real_epsilon;
         if (i % 13 == 0) r.d = vscale(r.d, ldexp((real)1, real_is_float ? -100 : -900));
@@ -351,7 +351,7 @@ static void test_far_rays_are_cheap(void)
         size_t rays = 200, wrong = 0;
         for (size_t i = 0; i < rays; i++) {
             random_stream s = random_start(15, i, 0);
-            vec3 o = vscale(vunit(random_vector(&s, 1)), (real)(6.4 * away[k]));
+            vec3 o = vscale(vunit(random_in_cube(&s, 1)), (real)(6.4 * away[k]));
             ray r = ray_from(o, vsub(m.v[random_below(&s, m.vertices)], o));
             hit a = hit_none, b = hit_none, c = hit_none;
             bool ga = i % 10 == 0 && items_hit(&x, r, &a);
@@ -380,7 +380,7 @@ static void test_far_rays_are_right(void)
     for (size_t i = 0; i < rays; i++) {
         random_stream s = random_start(18, i, 0);
         int power = (int)(i % 8) + (real_is_float ? 1 : 6);
-        vec3 o = random_vector(&s, pow((real)10, (real)power));
+        vec3 o = random_in_cube(&s, pow((real)10, (real)power));
         ray r = ray_from(o, vsub(m.v[random_below(&s, m.vertices)], o));
         hit a = hit_none, b = hit_none, c = hit_none, d = hit_none;
         bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = nested_hit(&two, r, &c);
@@ -406,7 +406,7 @@ static void test_lengths_of_directions(const structure *s)
     void *built = structure_build(s, &x, "long and short directions");
     for (size_t i = 0; built && i < check_count(2000); i++) {
         random_stream g = random_start(21, i, 0);
-        vec3 o = random_vector(&g, 2), at = m.v[random_below(&g, m.vertices)];
+        vec3 o = random_in_cube(&g, 2), at = m.v[random_below(&g, m.vertices)];
         int e = most - (int)random_below(&g, 12);
         if (i % 2) e = -e;
         vec3 d = vsub(at, o);
@@ -435,8 +435,8 @@ static void test_mailbox_and_marking(void)
     }
     for (size_t i = 0; i < check_count(1000); i++) {
         random_stream s = random_start(16, i, 0);
-        vec3 o = random_vector(&s, 3);
-        ray r = ray_from(o, vsub(random_vector(&s, 1), o));
+        vec3 o = random_in_cube(&s, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&s, 1), o));
         hit a = hit_none, b = hit_none, c = hit_none;
         bool ga = grid_hit_counted(&g[0], r, &a, &w[0]);
         bool gb = grid_hit_counted(&g[1], r, &b, &w[1]);

@@ -149,7 +149,7 @@ static void test_equals_exact(void)
         aabb b = aabb_empty();
         real small = i % 2 ? size : 8;  /* small numbers touch often */
         for (int k = 0; k < 3; k++) {
-            vec3 v = random_vector(&g, small), c = random_vector(&g, small);
+            vec3 v = random_in_cube(&g, small), c = random_in_cube(&g, small);
             m.v[k] = (vec3){trunc(v.x), trunc(v.y), trunc(v.z)};
             if (k < 2) b = aabb_grow_point(b, (vec3){trunc(c.x), trunc(c.y), trunc(c.z)});
         }

@@ -161,7 +161,7 @@ static void test_few_digits(size_t n)
     check(octree_build(&x, how, &t, &f), "built");
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(31, i, 0);
-        vec3 o = random_vector(&g, 2), d = {0, 0, 0};
+        vec3 o = random_in_cube(&g, 2), d = {0, 0, 0};
         ((real *)&d)[i % 3] = ldexp(1 + random_next(&g), real_is_float ? 125 : 1021);
         structure_ray(&s, &t, &x, ray_from(vscale(o, small), d), &v);
     }

@@ -296,7 +296,7 @@ static void test_order(size_t n)
     for (size_t i = 0; i < 3 * 512; i++) m.index[i] = 0;  /* no triangle is hit: all points */
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(61, i, 0);
-        vec3 o = random_vector(&g, 3), corner = random_vector(&g, 1);
+        vec3 o = random_in_cube(&g, 3), corner = random_in_cube(&g, 1);
         octree_trail trail = {{0}, 0};
         hit h;
         if (i % 3) corner = vscale((vec3){rint(8 * corner.x), rint(8 * corner.y),

@@ -226,8 +226,8 @@ static void test_clip_pays(void)
     for (size_t i = 0; i < check_count(5000); i++) {
         random_stream g = random_start(51, i, 0);
         hit h;
-        vec3 o = random_vector(&g, 3);
-        ray r = ray_from(o, vsub(random_vector(&g, 1), o));
+        vec3 o = random_in_cube(&g, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
         kdtree_hit_counted(&with_clip, r, &h, &a), kdtree_hit_counted(&without, r, &h, &b);
     }
     check_at_most(2 * a.tests, b.tests, "needles: clipping saves more than half of the tests");
@@ -336,8 +336,8 @@ static void test_no_more(void)
     check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
     for (size_t i = 0; i < check_count(3000); i++) {
         random_stream g = random_start(91, i, 0);
-        vec3 o = vscale(random_vector(&g, 1), 8);
-        ray r = ray_from(o, vsub(random_vector(&g, 3), o));
+        vec3 o = vscale(random_in_cube(&g, 1), 8);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 3), o));
         hit h = hit_none;
         search_work w = {0, 0, 0, 0};
         real until = kdtree_hit_counted(&t, r, &h, &w) ? h.t * (1 + (real)0x1p-20) : r.tmax;

@@ -147,8 +147,8 @@ static void test_sides(void)
     double worst = 0, own = 0, naive = 0;
     for (size_t i = 0; i < check_count(200000); i++) {
         random_stream g = random_start(13, i, 0);
-        vec3 a = random_vector(&g, 1), b = random_vector(&g, 1), q = random_vector(&g, 1);
-        vec3 c = vadd(vmadd(a, vsub(b, a), random_next(&g)), random_vector(&g, 1e-7));
+        vec3 a = random_in_cube(&g, 1), b = random_in_cube(&g, 1), q = random_in_cube(&g, 1);
+        vec3 c = vadd(vmadd(a, vsub(b, a), random_next(&g)), random_in_cube(&g, 1e-7));
         c = vmax((vec3){-1, -1, -1}, vmin((vec3){1, 1, 1}, c));
         split_plane p = plane_of_triangle(a, b, c), w = plane_of_triangle_naive(a, b, c);
         if (vzero(p.n)) continue;
@@ -176,7 +176,7 @@ static void test_clip(void)
         vec3 q[2][200], x[20];
         size_t n = 3, at = 0;
         bool in[20];
-        for (int k = 0; k < 3; k++) q[0][k] = random_vector(&g, 1);
+        for (int k = 0; k < 3; k++) q[0][k] = random_in_cube(&g, 1);
         split_plane face = plane_of_triangle(q[0][0], q[0][1], q[0][2]);
         for (int k = 0; k < 20; k++) {
             real u = random_next(&g), v = random_next(&g) * (1 - u);
@@ -184,7 +184,7 @@ static void test_clip(void)
             in[k] = true;
         }
         for (int cut = 0; cut < 64 && n; cut++) {  /* near x[0], which stays */
-            split_plane p = {vunit(random_vector(&g, 1)), 0, 3};
+            split_plane p = {vunit(random_in_cube(&g, 1)), 0, 3};
             p.at = vdot(p.n, x[0]) + random_next(&g) * (real)0.3;
             for (int k = 0; k < 20; k++) in[k] = in[k] && wide_sign(side_exactly(p, x[k])) <= 0;
             n = clip(&p, 1, side_width, q[at], n, q[1 - at]);
@@ -231,10 +231,10 @@ static void test_cells(void)
     for (size_t i = 0; i < check_count(500); i++) {
         cell_mark mark = cells_mark(&s);
         random_stream g = random_start(3, i, 0);
-        vec3 inside = random_vector(&g, 1);
+        vec3 inside = random_in_cube(&g, 1);
         convex whole = c;
         for (int k = 0; k < 12; k++) {
-            split_plane p = {vunit(random_vector(&g, 1)), 0, 3};
+            split_plane p = {vunit(random_in_cube(&g, 1)), 0, 3};
             p.at = vdot(p.n, inside) + random_next(&g) * (real)0.2 + (real)0.1;
             cell_areas(&s, whole, &p, &back, &front);
             convex part = cell_cut(&s, whole, &p, 1), rest = cell_cut(&s, whole, &p, -1);

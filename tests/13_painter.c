@@ -42,14 +42,14 @@ static verdict look(const mesh *m, const painter *p, bool naive, real reach, siz
     uint32_t *order = allocate(p->pieces, sizeof *order);
     for (size_t e = 0; e < eyes; e++) {
         random_stream g = random_start(23, e, 0);
-        vec3 eye = random_vector(&g, e % 4 ? 3 * reach : reach);
+        vec3 eye = random_in_cube(&g, e % 4 ? 3 * reach : reach);
         size_t n = naive ? painter_order_naive(p, eye, order) : painter_order(p, eye, order);
         check_equal(n, p->pieces, "all pieces are drawn");
         for (size_t i = 0; i < rays; i++) {
             triangle t = mesh_triangle(m, random_below(&g, m->triangles));
             real a = random_next(&g), b = random_next(&g) * (1 - a);
             vec3 to = vmadd(vmadd(t.a, vsub(t.b, t.a), a), vsub(t.c, t.a), b);
-            ray r = ray_from(eye, vsub(vadd(to, random_vector(&g, reach / 50)), eye));
+            ray r = ray_from(eye, vsub(vadd(to, random_in_cube(&g, reach / 50)), eye));
             hit h = hit_none;
             bool hits = mesh_hit(m, r, &h);
             real edge = real_min(real_min(h.u, h.v), 1 - h.u - h.v);
@@ -85,8 +85,8 @@ static void test_order(void)
     mesh soup = mesh_room(80);
     for (size_t i = 0; i < soup.triangles; i++) {
         random_stream g = random_start(1, i, 0);
-        vec3 a = random_vector(&g, 1);
-        set_triangle(&soup, i, a, vadd(a, random_vector(&g, 1)), vadd(a, random_vector(&g, 1)));
+        vec3 a = random_in_cube(&g, 1);
+        set_triangle(&soup, i, a, vadd(a, random_in_cube(&g, 1)), vadd(a, random_in_cube(&g, 1)));
     }
     test_scene("cyclic", cyclic_mesh(), 1, true);
     test_scene("soup", soup, 1, true);
@@ -112,7 +112,7 @@ static void test_naive(void)
         size_t wrong = 0;
         for (size_t i = 0; i < 3000; i++) {
             random_stream g = random_start(2, i, 0);
-            vec3 to = vmul(random_vector(&g, 1), (vec3){1, 1, 0});
+            vec3 to = vmul(random_in_cube(&g, 1), (vec3){1, 1, 0});
             ray r = ray_from((vec3){0, 0, 4}, vsub(to, (vec3){0, 0, 4}));
             hit h = hit_none;
             mesh_hit(&m, r, &h);

@@ -7,12 +7,6 @@
 #include "../common/random.h"
 #include "check.h"
 
-static vec3 random_vector(random_stream *g, real size)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Bit by bit, as (14.9) says. */
@@ -264,8 +258,8 @@ static void test_clip_rounding(void)
     size_t outside = 0;
     for (size_t i = 0; i < check_count(200000); i++) {
         random_stream g = random_start(6, i, 0);
-        vec3 v[3] = {random_vector(&g, 1), random_vector(&g, 1), random_vector(&g, 1)};
-        vec3 move = vscale(random_vector(&g, 1), i % 2 ? 100 : 0);
+        vec3 v[3] = {random_in_cube(&g, 1), random_in_cube(&g, 1), random_in_cube(&g, 1)};
+        vec3 move = vscale(random_in_cube(&g, 1), i % 2 ? 100 : 0);
         for (int k = 0; k < 3; k++) v[k] = vadd(v[k], move);
         uint32_t index[3] = {0, 1, 2};
         mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
@@ -299,7 +293,8 @@ static void test_worth(void)
     bvh_build(&m, (bvh_options){BVH_SPATIAL, 8, 0.3}, &b);
     for (size_t i = 0; i < check_count(2000); i++) {
         random_stream g = random_start(5, i, 0);
-        vec3 o = random_vector(&g, 6), at = vmadd(random_vector(&g, 1), vunit((vec3){5, 4, 3}), 2);
+        vec3 o = random_in_cube(&g, 6);
+        vec3 at = vmadd(random_in_cube(&g, 1), vunit((vec3){5, 4, 3}), 2);
         hit x = hit_none, y = hit_none;
         hits += bvh_hit_counted(&a, ray_between(o, at), &x, &wa);
         bvh_hit_counted(&b, ray_between(o, at), &y, &wb);

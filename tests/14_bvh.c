@@ -154,8 +154,8 @@ static void test_sick(void)
         for (size_t i = 0; i < check_count(1500); i++) {
             random_stream g = random_start(5, i, 0);
             hit x = hit_none, y = hit_none;
-            vec3 o = random_vector(&g, 3);
-            ray r = ray_from(o, vsub(random_vector(&g, 1), o));
+            vec3 o = random_in_cube(&g, 3);
+            ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
             compare(&m, &b, r, &v);
             bool gx = bvh_hit(&b, r, &x), gy = bvh_hit(&w, r, &y);
             other += !same(gx, x, gy, y), hit_sick += gx && x.shape % 8 == 0;
@@ -238,13 +238,13 @@ static void test_shapes(void)
     shape *s = allocate(n, sizeof *s);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(8, i, 0);
-        vec3 a = random_vector(&g, 1), b = vadd(a, random_vector(&g, 0.2));
+        vec3 a = random_in_cube(&g, 1), b = vadd(a, random_in_cube(&g, 0.2));
         real r = (real)0.1 * random_next(&g);
         switch (i % 3) {
         case 0: s[i] = shape_of_sphere((sphere){a, r}); break;
         case 1: s[i] = shape_of_cone((cone){a, r, b, r / 2}); break;
         default:
-            s[i] = shape_of_triangle((triangle){a, b, vadd(a, random_vector(&g, 0.2))});
+            s[i] = shape_of_triangle((triangle){a, b, vadd(a, random_in_cube(&g, 0.2))});
             break;
         }
         if (i % 100 == 99) s[i] = shape_of_sphere((sphere){{(real)NAN, 0, 0}, 1});
@@ -257,8 +257,8 @@ static void test_shapes(void)
         bvh_shapes_build(&all, (bvh_options){(bvh_strategy)k, 4, 1}, &b);
         for (size_t i = 0; i < rays; i++) {
             random_stream g = random_start(9, i, 0);
-            vec3 o = random_vector(&g, i % 2 ? 2 : 100);
-            ray r = ray_from(o, vsub(random_vector(&g, 1), o));
+            vec3 o = random_in_cube(&g, i % 2 ? 2 : 100);
+            ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
             hit x = hit_none, y = hit_none;
             bool gx = scene_hit(&all, r, &x), gy = bvh_shapes_hit(&b, r, &y);
             hits += gx, wrong += !same(gx, x, gy, y) || (bvh_shapes_occluded(&b, r) != gx);
@@ -286,8 +286,8 @@ static void test_random_rays_show_nothing(void)
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(10, i, 0);
         hit x = hit_none, y = hit_none;
-        vec3 o = random_vector(&g, 8);
-        ray r = ray_from(o, vsub(random_vector(&g, 2), o));
+        vec3 o = random_in_cube(&g, 8);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 2), o));
         bool gx = bvh_hit(&b, r, &x), gy = bvh_hit_naive(&b, r, &y);
         hits += gx, differ += !same(gx, x, gy, y);
     }

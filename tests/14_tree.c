@@ -19,22 +19,16 @@ static mesh mesh_room(size_t triangles)
     return m;
 }
 
-static vec3 random_vector(random_stream *g, real size)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
 /* Triangles of size 1/10 in a cube of half side 1. */
 static mesh soup(size_t n)
 {
     mesh m = mesh_room(n);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(11, i, 0);
-        vec3 a = random_vector(&g, 1);
+        vec3 a = random_in_cube(&g, 1);
         m.v[3 * i] = a;
-        m.v[3 * i + 1] = vadd(a, random_vector(&g, 0.1));
-        m.v[3 * i + 2] = vadd(a, random_vector(&g, 0.1));
+        m.v[3 * i + 1] = vadd(a, random_in_cube(&g, 0.1));
+        m.v[3 * i + 2] = vadd(a, random_in_cube(&g, 0.1));
     }
     return m;
 }

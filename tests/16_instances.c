@@ -28,11 +28,11 @@ static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) 
 static affine any_place(random_stream *g, real unlike, vec3 move, real spread)
 {
     real size = between(g, 0.2, 1), angle = between(g, 0, 2 * pi);
-    vec3 axis = vunit(random_vector(g, 1)), scale = {size, size * between(g, 1 / unlike, 1), size};
+    vec3 axis = vunit(random_in_cube(g, 1)), scale = {size, size * between(g, 1 / unlike, 1), size};
     if (random_below(g, 3) == 0) scale.x = -scale.x;
     affine a = affine_then(affine_scaling(scale), affine_rotation(axis, angle));
-    a = affine_then(affine_rotation(vunit(random_vector(g, 1)), angle / 3), a);
-    return affine_then(a, affine_translation(vadd(move, random_vector(g, spread))));
+    a = affine_then(affine_rotation(vunit(random_in_cube(g, 1)), angle / 3), a);
+    return affine_then(a, affine_translation(vadd(move, random_in_cube(g, spread))));
 }
 
 typedef struct { mesh mesh[3]; instance list[64]; crowd c; } scene_of_three;
@@ -105,8 +105,8 @@ static verdict compare_anywhere(const crowd *c, const instances *x, size_t n, ui
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 0);
         real t;
-        vec3 o = random_vector(&g, 5);
-        compare(c, inverse, x, ray_from(o, vsub(random_vector(&g, 2), o)), &v, &t);
+        vec3 o = random_in_cube(&g, 5);
+        compare(c, inverse, x, ray_from(o, vsub(random_in_cube(&g, 2), o)), &v, &t);
     }
     free(inverse);
     return v;
@@ -390,8 +390,8 @@ static void test_normalised_rays_are_wrong(void)
     x = built(&s.c, INSTANCES_POINTS);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(42, i, 0);
-        vec3 o = random_vector(&g, 6);
-        r = ray_from(o, vsub(random_vector(&g, 2), o));
+        vec3 o = random_in_cube(&g, 6);
+        r = ray_from(o, vsub(random_in_cube(&g, 2), o));
         if (!instances_hit(&x, r, &h)) continue;
         hits++;
         wrong += !instances_hit_naive(&x, r, &naive) || naive.instance != h.instance
@@ -506,8 +506,8 @@ static void test_sick_transforms(void)
     verdict v = compare_anywhere(&s.c, &x, n, 52);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(52, i, 0);
-        vec3 o = random_vector(&g, 5);
-        ray r = ray_from(o, vsub(random_vector(&g, 2), o));
+        vec3 o = random_in_cube(&g, 5);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 2), o));
         instance_hit a = {hit_none, 0}, b = {hit_none, 0};
         bool ga = instances_hit(&x, r, &a), gb = instances_hit(&y, r, &b);
         differ += !same_place(ga, a, gb, b.h, b.instance);
@@ -568,9 +568,9 @@ static void test_refined(void)
     for (size_t i = 0; i < 200; i++) {
         random_stream g = random_start(54, i, 0);
         affine raw = {.o = {0, 0, 0}}, a = raw, m;
-        m = affine_rotation(vunit(random_vector(&g, 1)), between(&g, 0, 6));
+        m = affine_rotation(vunit(random_in_cube(&g, 1)), between(&g, 0, 6));
         m = affine_then(m, affine_scaling((vec3){1, s, s}));
-        m = affine_then(m, affine_rotation(vunit(random_vector(&g, 1)), between(&g, 0, 6)));
+        m = affine_then(m, affine_rotation(vunit(random_in_cube(&g, 1)), between(&g, 0, 6)));
         check(affine_inverse(m, &raw) && instance_inverse(m, &a), "a wire has an inverse");
         before = real_max(affine_norm(inverse_residual(m, raw)), before);
         after = real_max(affine_norm(inverse_residual(m, a)), after);
@@ -597,8 +597,9 @@ static void test_beyond_all_numbers(void)
         for (size_t i = 0; i < 200; i++) {
             random_stream g = random_start(63, i, 0);
             real at;
-            vec3 d = i % 2 ? random_vector(&g, step) : vadd(random_vector(&g, 1), (vec3){9, 0, 0});
-            compare(&c, inverse, &x, ray_from(random_vector(&g, 1), d), &v, &at);
+            vec3 d = i % 2 ? random_in_cube(&g, step)
+                           : vadd(random_in_cube(&g, 1), (vec3){9, 0, 0});
+            compare(&c, inverse, &x, ray_from(random_in_cube(&g, 1), d), &v, &at);
         }
         check_equal(v.wrong + v.wrong_any, 0, "points beyond all numbers, boxes by %s",
                     boxes_name[b]);
@@ -817,9 +818,9 @@ static void test_pad_is_needed(bool fixed)
         for (size_t i = 0; i < 2000; i++) {
             random_stream g = random_start(93, i, (uint64_t)e);
             real far = fixed ? (real)0.001 : 3000;
-            vec3 at = flat.v[random_below(&g, flat.vertices)], o = random_vector(&g, far);
+            vec3 at = flat.v[random_below(&g, flat.vertices)], o = random_in_cube(&g, far);
             real off = real_epsilon * ldexp(real_max(far, move.x), e);
-            at = vadd(at, random_vector(&g, real_min(off, 1)));
+            at = vadd(at, random_in_cube(&g, real_min(off, 1)));
             ray r = ray_from(o, vsub(at, o));
             hit h;
             uint32_t k;
@@ -915,7 +916,7 @@ static void test_normals(void)
     check(instance_inverse(t, &a), "inverse");
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream g = random_start(96, i, 0);
-        vec3 n = vunit(random_vector(&g, 1)), p = affine_point(t, n);
+        vec3 n = vunit(random_in_cube(&g, 1)), p = affine_point(t, n);
         if (vzero(n)) continue;
         vec3 due = vunit((vec3){p.x / (s.x * s.x), p.y / (s.y * s.y), p.z / (s.z * s.z)});
         vec3 naive = normal_naive(&t, n);
@@ -1030,7 +1031,7 @@ static void test_outside_of_mirrored(void)
         crowd c = {&m, 1, &one, 1};
         instances x = built(&c, INSTANCES_POINTS);
         mesh flat = crowd_flattened(&c);
-        vec3 o = random_vector(&g, 9);
+        vec3 o = random_in_cube(&g, 9);
         instance_hit h;
         ray r = ray_from(o, vsub(t.o, o));
         bool mirror = vdot(t.x, vcross(t.y, t.z)) < 0;

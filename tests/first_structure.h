@@ -56,8 +56,8 @@ static inline mesh first_soup(size_t n, real size)
     mesh m = mesh_room(n);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(3, i, 0);
-        vec3 a = random_vector(&g, 1), b = vadd(a, random_vector(&g, size));
-        set_triangle(&m, i, a, b, vadd(a, random_vector(&g, size)));
+        vec3 a = random_in_cube(&g, 1), b = vadd(a, random_in_cube(&g, size));
+        set_triangle(&m, i, a, b, vadd(a, random_in_cube(&g, size)));
     }
     return m;
 }
@@ -97,7 +97,7 @@ static inline ray first_aimed(const mesh *m, random_stream *g, int kind, vec3 ce
     if (kind < aimed_kinds) return aimed(m, g, kind, centre, size);
     triangle t = mesh_triangle(m, random_below(g, m->triangles));
     vec3 p = vscale(vadd(t.a, vadd(t.b, t.c)), 1 / (real)3), axis = vneg((vec3){0, 0, 0});
-    if (kind == aimed_kinds) return ray_from(p, random_vector(g, 1));
+    if (kind == aimed_kinds) return ray_from(p, random_in_cube(g, 1));
     ((real *)&axis)[random_below(g, 3)] = -1;
     return ray_from(vmadd(p, axis, -4 * size), axis);
 }
@@ -231,8 +231,8 @@ static inline void first_structure_sick(const first_structure *s)
         void *built = s->build(&f);
         for (size_t i = 0; i < check_count(1000); i++) {
             random_stream g = random_start(5, i, 0);
-            vec3 o = random_vector(&g, 3);
-            first_compare(s, built, &f, ray_from(o, vsub(random_vector(&g, 1), o)), &v);
+            vec3 o = random_in_cube(&g, 3);
+            first_compare(s, built, &f, ray_from(o, vsub(random_in_cube(&g, 1), o)), &v);
         }
         for (size_t i = 0; i < sizeof sick / sizeof *sick; i++)
             first_compare(s, built, &f, sick[i], &v);
@@ -279,7 +279,7 @@ static inline first_verdict first_structure_from(const first_structure *s, const
         random_stream g = random_start(17, i, 0);
         triangle t = f.tri[random_below(&g, (size_t)f.n)];
         real a = random_next(&g), b = (1 - a) * random_next(&g);
-        vec3 o = vscale(vunit(random_vector(&g, 1)), 7 * away);
+        vec3 o = vscale(vunit(random_in_cube(&g, 1)), 7 * away);
         ray r = ray_from(o, vsub(barycentric_mix(t.a, t.b, t.c, a, b), o));
         first_compare(s, built, &f, r, &v);
         if (i % 10 == 0) structure_compare(full, other, &x, r, &w);

@@ -73,7 +73,7 @@ static inline void structure_mesh(const structure *s, const char *what, mesh m, 
         ray r = aimed(&m, &g, (int)(i % aimed_kinds), move, scale);
         if (away > 0) {
             vec3 at = m.v[m.index[random_below(&g, 3 * m.triangles)]];
-            r.o = vadd(move, random_vector(&g, away * scale)), r.d = vsub(at, r.o);
+            r.o = vadd(move, random_in_cube(&g, away * scale)), r.d = vsub(at, r.o);
         }
         structure_ray(s, built, &x, r, &v);
     }
@@ -186,8 +186,8 @@ static inline void structure_sick(const structure *s, size_t rays)
     if (!built) return;
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(5, i, 0);
-        vec3 o = random_vector(&g, 3);
-        structure_compare(s, built, &x, ray_from(o, vsub(random_vector(&g, 1), o)), &v);
+        vec3 o = random_in_cube(&g, 3);
+        structure_compare(s, built, &x, ray_from(o, vsub(random_in_cube(&g, 1), o)), &v);
     }
     ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
                   ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
@@ -239,8 +239,8 @@ static inline void structure_shapes(const structure *s, size_t rays)
     vec3 *corner = allocate(4 * n, sizeof *corner);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(8, i, 0);
-        vec3 a = random_vector(&g, 1), e = random_vector(&g, 0.2), b = vadd(a, e);
-        vec3 f = random_vector(&g, 0.2), *q = corner + 4 * i;
+        vec3 a = random_in_cube(&g, 1), e = random_in_cube(&g, 0.2), b = vadd(a, e);
+        vec3 f = random_in_cube(&g, 0.2), *q = corner + 4 * i;
         real r = (real)0.1 * random_next(&g);
         q[0] = a, q[1] = b, q[2] = vadd(b, f), q[3] = vadd(a, f);
         switch (i % 4) {
@@ -259,8 +259,8 @@ static inline void structure_shapes(const structure *s, size_t rays)
     void *built = structure_build(s, &x, "shapes of all kinds");
     for (size_t i = 0; built && i < rays; i++) {
         random_stream g = random_start(9, i, 0);
-        vec3 o = random_vector(&g, i % 2 ? 2 : 100);
-        structure_ray(s, built, &x, ray_from(o, vsub(random_vector(&g, 1), o)), &v);
+        vec3 o = random_in_cube(&g, i % 2 ? 2 : 100);
+        structure_ray(s, built, &x, ray_from(o, vsub(random_in_cube(&g, 1), o)), &v);
     }
     check_equal(v.wrong + v.wrong_any, 0, "%s: shapes of all kinds", s->name);
     check_at_least(v.hits, v.rays / 4, "%s: rays at shapes hit them", s->name);

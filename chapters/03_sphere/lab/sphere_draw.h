@@ -4,7 +4,7 @@
  *                             float from 500, 1000, 2000 and 5000: above by first.h, below by
  *                             sphere_hit; |n.d|, red where a ray through the disc misses, blue
  *                             where a ray beside it hits
- *   sphere_draw_map(&o)       across: the distance, 1 to 1e6 radii; up: how far the ray passes from
+ *   sphere_draw_map(&o)       across: the distance, 1 to 1e9 radii; up: how far the ray passes from
  *                             the centre, 0 to 1.2 radii; red and blue as above, grey where the
  *                             answer is right: the darker, the farther the hit is off the surface;
  *                             left first.h in float, then first.h, then sphere_hit
@@ -124,7 +124,7 @@ typedef struct { image *im; sphere_hit_function *X_hit; } sphere_map_panel;
 static inline void sphere_map_pixel(int x, int y, void *context)
 {
     const sphere_map_panel *p = context;
-    real half = 0.5, far = pow((real)10, 6 * ((real)x + half) / (real)p->im->width);
+    real half = 0.5, far = pow((real)10, 9 * ((real)x + half) / (real)p->im->width);
     real pass = (real)1.2 * ((real)(p->im->height - y) - half) / (real)p->im->height;
     ray r = sphere_view(far, pass, pass / 3);
     sphere ball = {{0, 0, 0}, vlength((vec3){1, (real)1 / 3, 0})};
@@ -142,7 +142,7 @@ enum { sphere_map_width = 282, sphere_map_height = 200, sphere_map_left = 44, sp
 
 static inline void sphere_map_axes(image *sheet, int x, const char *title)
 {
-    static const char *const across[4] = {"1", "100", "1e4", "1e6"};
+    static const char *const across[4] = {"1", "1e3", "1e6", "1e9"};
     static const char *const up[3] = {"0", ".5", "1"};
     const vec3 black = {0, 0, 0};
     int w = sphere_map_width, h = sphere_map_height, top = sphere_map_top;
@@ -169,7 +169,8 @@ static inline void sphere_map_key(image *sheet, int y)
 static inline void sphere_draw_map(const options *o)
 {
     static const struct { const char *title; sphere_hit_function *X_hit; } panel[3] = {
-        {"first.h, in float", sphere_hit_first_f32}, {"first.h", first_sphere_hit},
+        {"first.h, in float", sphere_hit_first_f32},
+        {real_is_float ? "first.h" : "first.h, in double", first_sphere_hit},
         {"sphere_hit", sphere_hit}};
     if (o->out) return;
     const vec3 black = {0, 0, 0};

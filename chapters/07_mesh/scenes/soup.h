@@ -6,7 +6,6 @@
  *   mesh m = needle_mesh(n, width, seed)     n needles (狭长三角形) as long as the cube [-1, 1]^3 and
  *                                            `width` wide, at odd angles: their boxes are empty but
  *                                            for a line, and overlap all over
- *   vec3 p = cube_point(&g, half)            uniformly in the cube [-half, half]^3
  *
  * The same seed gives the same mesh. mesh_free when done.
  */
@@ -27,19 +26,13 @@ static inline mesh mesh_room(size_t n)
     return m;
 }
 
-static inline vec3 cube_point(random_stream *g, real half)
-{
-    real x = 2 * random_next(g) - 1, y = 2 * random_next(g) - 1, z = 2 * random_next(g) - 1;
-    return vscale((vec3){x, y, z}, half);
-}
-
 static inline mesh soup_mesh(size_t n, real half, real size, uint64_t seed)
 {
     mesh m = mesh_room(n);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 0);
-        vec3 c = cube_point(&g, half);
-        for (size_t k = 0; k < 3; k++) m.v[3 * i + k] = vadd(c, cube_point(&g, size));
+        vec3 c = random_in_cube(&g, half);
+        for (size_t k = 0; k < 3; k++) m.v[3 * i + k] = vadd(c, random_in_cube(&g, size));
     }
     return m;
 }
@@ -50,8 +43,8 @@ static inline mesh needle_mesh(size_t n, real width, uint64_t seed)
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 0);
         vec3 *v = m.v + 3 * i;
-        v[0] = cube_point(&g, 1), v[1] = cube_point(&g, 1);
-        v[2] = vadd(v[0], cube_point(&g, width));
+        v[0] = random_in_cube(&g, 1), v[1] = random_in_cube(&g, 1);
+        v[2] = vadd(v[0], random_in_cube(&g, width));
     }
     return m;
 }

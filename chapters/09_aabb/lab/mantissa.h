@@ -48,19 +48,13 @@ static inline aabb_wide wide_aabb(aabb b, ray r)
 }
 
 /* In [-1, 1]. */
-static inline vec3 random_in_cube(random_stream *s)
-{
-    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1;
-    return (vec3){x, y, 2 * random_next(s) - 1};
-}
-
 static inline aabb_trial aabb_full_trial_of(aabb_trial_kind kind, uint64_t seed, uint64_t i)
 {
     random_stream s = random_start(seed, i, 16 + kind);
     real size = pow((real)1000, 2 * random_next(&s) - 1);  /* the whole from 1/1000 to 1000 */
-    vec3 lo = vscale(random_in_cube(&s), size), side = vscale(random_in_cube(&s), size / 2);
+    vec3 lo = vscale(random_in_cube(&s, 1), size), side = vscale(random_in_cube(&s, 1), size / 2);
     aabb b = {lo, vadd(lo, (vec3){fabs(side.x), fabs(side.y), fabs(side.z)})};
-    vec3 o = vscale(random_in_cube(&s), 4 * size), p = lo;
+    vec3 o = vscale(random_in_cube(&s, 1), 4 * size), p = lo;
     int k = random_integer(&s, 0, 2);
     if (kind == TRIAL_FLAT) b.hi = vwith(b.hi, k, vaxis(b.lo, k));
     for (int n = 0; n < 3; n++) {

@@ -71,12 +71,12 @@ static inline aabb_work *work_new(uint64_t seed)
     aabb_work *w = allocate(1, sizeof *w);
     for (int i = 0; i < work_boxes; i++) {
         random_stream s = random_start(seed, (uint64_t)i, 99);
-        vec3 c = random_in_cube(&s), e = vadd(random_in_cube(&s), vec(1, 1, 1));
+        vec3 c = random_in_cube(&s, 1), e = vadd(random_in_cube(&s, 1), vec(1, 1, 1));
         e = vscale(e, (real)0.3);
         w->b[i] = (aabb){vsub(c, e), vadd(c, e)};
         aabb4_put(&w->b4[i / 4], i % 4, w->b[i]), aabb8_put(&w->b8[i / 8], i % 8, w->b[i]);
         w->ball[i] = (aabb_ball){c, vlength(e)};
-        w->turned[i] = (aabb_turned){.c = c, .half = e, .axis = {vunit(random_in_cube(&s))}};
+        w->turned[i] = (aabb_turned){.c = c, .half = e, .axis = {vunit(random_in_cube(&s, 1))}};
         vbasis(w->turned[i].axis[0], &w->turned[i].axis[1], &w->turned[i].axis[2]);
         w->r[i] = line_through((aabb){{-1, -1, -1}, {1, 1, 1}}, seed, (uint64_t)i);
         w->order[i] = i * 37 % work_boxes;

@@ -113,8 +113,8 @@ static inline aabb_turned turned_round(const vec3 *p, size_t n)
         random_stream s = random_start(1, i, 7);
         aabb_turned u = best;
         real step = pow((real)0.997, (real)i);
-        u.axis[0] = vunit(vmadd(u.axis[0], random_in_cube(&s), step));
-        u.axis[1] = vmadd(u.axis[1], random_in_cube(&s), step);
+        u.axis[0] = vunit(vmadd(u.axis[0], random_in_cube(&s, 1), step));
+        u.axis[1] = vmadd(u.axis[1], random_in_cube(&s, 1), step);
         u.axis[2] = vunit(vcross(u.axis[0], u.axis[1]));
         u.axis[1] = vcross(u.axis[2], u.axis[0]);
         turned_fit(&u, p, n);

@@ -37,7 +37,7 @@ static inline mesh grid_boards(size_t n, uint64_t seed)
     mesh m = grid_soup(n, seed);
     for (size_t i = 0; i < 3 * n; i++) {
         random_stream g = random_start(seed, i, 4);
-        m.v[i] = cube_point(&g, 1);
+        m.v[i] = random_in_cube(&g, 1);
     }
     return m;
 }
@@ -48,7 +48,7 @@ static inline shape *grid_spheres(size_t n, uint64_t seed)
     real r = (real)(0.3 * cbrt(1 / (double)n));
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 1);
-        s[i] = shape_of_sphere((sphere){cube_point(&g, 0.5), r});
+        s[i] = shape_of_sphere((sphere){random_in_cube(&g, 0.5), r});
     }
     return s;
 }
