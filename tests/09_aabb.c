@@ -191,7 +191,8 @@ static void test_kept_is_first(void)
     size_t differ = 0, met = 0;
     for (size_t i = 0, n = check_count(100000); i < n; i++) {
         random_stream s = random_start(12, i, 0);
-        vec3 c = random_in_cube(&s, 1), e = vadd(random_in_cube(&s, 1), vec(1, 1, 1)), d = {0, 0, 0};
+        vec3 c = random_in_cube(&s, 1), e = vadd(random_in_cube(&s, 1), vec(1, 1, 1));
+        vec3 d = {0, 0, 0};
         for (int k = 0; k < 3; k++) {
             uint64_t bits = random_next_bits(&s) >> 32;
             real size = ldexp((real)1, (int)(bits % 8) - 4);
