@@ -184,6 +184,31 @@ static void test_variants_fail(void)
     check_at_least((double)ignored * per, 0.1, "first: knows no interval");
 }
 
+/* first_aabb_hit with 1/d kept is the same test: where d is made of powers of two, quotient and
+ * product are the same number, and so are all answers. */
+static void test_kept_is_first(void)
+{
+    size_t differ = 0, met = 0;
+    for (size_t i = 0, n = check_count(100000); i < n; i++) {
+        random_stream s = random_start(12, i, 0);
+        vec3 c = random_in_cube(&s, 1), e = vadd(random_in_cube(&s, 1), vec(1, 1, 1));
+        vec3 d = {0, 0, 0};
+        for (int k = 0; k < 3; k++) {
+            uint64_t bits = random_next_bits(&s) >> 32;
+            real size = ldexp((real)1, (int)(bits % 8) - 4);
+            d = vwith(d, k, bits & 8 ? size : -size);
+        }
+        aabb b = {vsub(c, e), vadd(c, e)};
+        ray r = ray_from(vscale(random_in_cube(&s, 1), 4), d);
+        real t[2] = {0, 0};
+        bool first = first_aabb_hit(b, r, &t[0]), kept = aabb_hit_kept(b, r, &t[1]);
+        differ += first != kept || !(t[0] == t[1]);
+        met += first;
+    }
+    check_equal(differ, 0, "first with 1/d kept answers as first");
+    check_at_least(met, check_count(100000) / 100, "and often enough says hit");
+}
+
 /* The inputs that the headers name. */
 static void test_named_inputs(void)
 {
@@ -416,6 +441,7 @@ int main(void)
     test_ten_million();
     test_prepared();
     test_variants_fail();
+    test_kept_is_first();
     test_scales();
     test_infinities();
     test_interval();

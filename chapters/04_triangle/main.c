@@ -7,7 +7,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 04_triangle chapter
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = 960, .height = 320, .seed = 1};
+    options defaults = {.width = 966, .height = 318, .seed = 1};
     const char *about = "Rays against triangles: who slips between two of them.";
     options o = options_read(argc, argv, "04_triangle", about, defaults, NULL);
     dome_draw(&o);

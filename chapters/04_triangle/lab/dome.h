@@ -6,7 +6,7 @@
  *    . .|. /. |. .      tiles sees the same, or any picture of something built on its grid.
  *    . .o-----o. .
  *
- *   dome_draw(&o);       three panels, 2 x 2 pixels a ray: first.h, with a tolerance, watertight
+ *   dome_draw(&o);       three panels, 3 x 3 pixels a ray: first.h, with a tolerance, watertight
  *
  * Grey: hit once. Blue: twice or more. Orange: not at all, the light behind the wall glares
  * through.
@@ -16,14 +16,16 @@
 
 #include "../../../common/image.h"
 #include "../../../common/headlight.h"
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "slips.h"
 #include "triangle_variants.h"
 
-enum { dome_cell = 10, dome_zoom = 2, dome_panels = 3 };
+enum { dome_cell = 10, dome_zoom = 3, dome_panels = 3 };
 typedef struct {
     image *im;
     triangle_method *method[dome_panels];
+    int panel, gap;          /* width of one panel, and of the white between two [pixels] */
     int width, height;       /* of one panel, rays */
     int columns, rows;       /* of cells */
     triangle *tri;           /* two a cell, row by row */
@@ -55,7 +57,9 @@ static inline triangle_dome dome_new(image *im, triangle_method *first, triangle
 {
     triangle_dome s = {.im = im, .method = {first, second, third}, .back = vunit((vec3){1, 2, 5})};
     vbasis(s.back, &s.right, &s.up);
-    s.width = (im->width + dome_panels * dome_zoom - 1) / (dome_panels * dome_zoom);
+    s.gap = im->width >= 400 ? 6 : 0;
+    s.panel = (im->width + s.gap + dome_panels - 1) / dome_panels - s.gap;
+    s.width = (s.panel + dome_zoom - 1) / dome_zoom;
     s.height = (im->height + dome_zoom - 1) / dome_zoom;
     s.columns = s.width / dome_cell + 3, s.rows = s.height / dome_cell + 3;
     triangle *next = s.tri = allocate(2 * (size_t)s.columns * (size_t)s.rows, sizeof *s.tri);
@@ -78,7 +82,9 @@ static inline void dome_free(triangle_dome *s)
 static inline void dome_pixel(int x, int y, void *context)
 {
     const triangle_dome *s = context;
-    int px = x / dome_zoom % s->width, py = y / dome_zoom, panel = x / dome_zoom / s->width;
+    int panel = x / (s->panel + s->gap), in = x % (s->panel + s->gap);
+    int px = in / dome_zoom, py = y / dome_zoom;
+    if (in >= s->panel) { image_set(s->im, x, y, vec(1, 1, 1)); return; }
     ray r = ray_from(dome_eye, dome_direction(s, px, py));
     hit h, best = hit_none;
     int hits = 0;
@@ -102,6 +108,10 @@ static inline void dome_draw(const options *o)
     image im = image_new(o->width, o->height);
     triangle_dome s = dome_new(&im, first_triangle_hit, triangle_hit_tolerant, triangle_hit);
     bool whole = parallel_pixels(im.width, im.height, o->threads, "dome", dome_pixel, &s);
+    static const char *const name[dome_panels] = {"first: Moller-Trumbore", "with a tolerance",
+                                                  "triangle_hit, watertight"};
+    for (int k = 0; k < dome_panels && im.width >= 800 && im.height >= 100; k++)
+        label_tag(&im, k * (s.panel + s.gap) + 8, 8, 12, name[k]);
     output_picture(o, &im, "04_triangle.png", true, whole);
     image_free(&im);
     dome_free(&s);

@@ -37,8 +37,13 @@ static inline void figure_area(figure *g, vec3 p, vec3 from, vec3 to, const char
     for (int k = 0; weight < 0 && k < 3; k++)
         figure_line(g, xy[2 * k], xy[2 * k + 1], xy[(2 * k + 2) % 6], xy[(2 * k + 3) % 6], colour,
                     3, FIGURE_WHOLE);
-    figure_number(g, (double)m.x, (double)m.y, 0, weight < 0 ? -12 : 5, FIGURE_MIDDLE,
-                  weight < 0 ? colour : FIGURE_BLACK, "_%s_ = %s%.2f", name,
+    /* w stands outside, beside its part: inside, a line would cross it. */
+    bool beside = *name == 'w';
+    vec3 other = weight < 0 ? p : from;
+    if (beside) m = vscale(vadd(to, other), (real)0.5);
+    figure_number(g, (double)m.x, (double)m.y, beside ? 12 : *name == 'u' && weight < 0.5 ? 11 : 0,
+                  beside ? -8 : 5, beside ? FIGURE_LEFT : FIGURE_MIDDLE,
+                  beside ? colour : FIGURE_BLACK, "_%s_ = %s%.2f", name,
                   weight < 0 ? "\u2212" : "", fabs((double)weight));
 }
 
@@ -115,7 +120,10 @@ static inline void triangle_draw_edges(const options *o)
         figure_text(&g, (xy[0] + xy[2] + xy[4]) / 3, (xy[1] + xy[3] + xy[5]) / 3, k ? 20 : -40,
                     k ? 12 : 10, FIGURE_MIDDLE, colour, triangle_hit(t, r, &h) ? "one sign: hit"
                                                                   : "two signs: no hit");
-        if (k) continue;
+        if (k) {
+            figure_text(&g, xy[4], xy[5], 10, 5, FIGURE_LEFT, FIGURE_BLACK, "*c*\u2032");
+            continue;
+        }
         figure_text(&g, xy[0], xy[1], 4, 20, FIGURE_MIDDLE, FIGURE_BLACK, "*a*");
         figure_text(&g, xy[2], xy[3], 4, -9, FIGURE_MIDDLE, FIGURE_BLACK, "*b*");
         figure_text(&g, xy[4], xy[5], -10, 5, FIGURE_RIGHT, FIGURE_BLACK, "*c*");

@@ -46,9 +46,9 @@ static inline void draw_arrays(const options *o, const char *name)
     fclose(in);
 
     figure g = figure_begin(o, name, 760, 330);
-    arrays_text(&g, 30, -1, FIGURE_GREY, "the file");
+    arrays_text(&g, 30, -1, FIGURE_GREY, "file, from 1");
     for (int i = 0; i < lines; i++) arrays_text(&g, 30, i, FIGURE_BLACK, line[i]);
-    arrays_text(&g, 180, -1, FIGURE_GREY, "index: 3 a triangle");
+    arrays_text(&g, 180, -1, FIGURE_GREY, "index, from 0");
     for (size_t i = 0; i < m.triangles; i++) {
         const uint32_t *k = m.index + 3 * i;
         snprintf(cell, sizeof cell, "triangle %zu:   %u  %u  %u", i, k[0], k[1], k[2]);

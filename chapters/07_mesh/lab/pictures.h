@@ -132,7 +132,8 @@ static inline bool draw_shapes(int samples, int threads, image *im)
 
 /* Columns: parity of hits, parity of crossings, winding number. Rows: a closed ring in the plane
  * z = 0, which holds vertices and edges; the teapot, an open mesh, in its plane of symmetry y = 0,
- * which holds edges. True is: of the ring, its own distance; of the teapot, the winding number. */
+ * which holds edges. True is: of the ring, parity along a ray that leaves the plane; the teapot is
+ * open, so nothing is true, and what differs from the winding number counts as wrong. */
 enum { slice_gap = 6 };
 typedef struct { mesh ring, teapot; image *im; int side; } mesh_slices;
 
@@ -154,12 +155,10 @@ static inline void slice_pixel(int x, int y, void *context)
     vec3 p = row ? vec((real)3.4 * a + (real)0.2, 0, (real)3.4 * b + (real)1.6)
                  : vec((real)1.1 * a, (real)1.1 * b, 0), d = {1, 0, 0};
     double w[3] = {inside_parity_naive(m, p, d), inside_parity(m, p, d), winding_number(m, p)};
-    real ring = fabs(hypot(p.x, p.y) - (real)0.75);
-    bool sure = row || !(ring > (real)0.21 && ring < (real)0.27);
-    bool due = row ? w[2] > 0.5 : ring < (real)0.25;
+    bool due = row ? w[2] > 0.5 : inside_parity(m, p, vec(0.36, 0.48, 0.8));
     for (int k = 0; k < 3; k++)
         image_set(s->im, k * step + x, row * step + j,
-                  slice_colour(w[k], sure && (w[k] > 0.5) != due));
+                  slice_colour(w[k], (w[k] > 0.5) != due));
 }
 
 static inline bool draw_slices(int side, int threads, image *im)

@@ -114,7 +114,8 @@ static inline size_t content_in_vain(const aabb_content *c, uint64_t seed, size_
 static inline void measure_volumes(const options *o)
 {
     static double (*const pass[])(void *) = {pass_ball, pass_default, pass_turned};
-    static const char *const name[content_kinds] = {"sphere", "box", "turned box"};
+    static const char *const name[content_kinds] = {
+        "sphere, d.d kept", "box, 1/d kept", "turned box, divides"};
     double vain[content_shapes][content_kinds], ns[content_kinds];
     for (int s = 0; s < content_shapes; s++) {
         aabb_content c = content_of(s);

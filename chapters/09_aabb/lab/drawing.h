@@ -75,7 +75,7 @@ static inline void slabs_panel(figure *g, int k, ray r, const real t[2])
     snprintf(text[0], sizeof text[0], "_t_~min,%s~", slabs_name[k]);
     snprintf(text[1], sizeof text[1], "_t_~max,%s~", slabs_name[k]);
     slabs_dot(g, r, 0, FIGURE_BLACK, -4, 22, "*o*");
-    slabs_dot(g, r, t[0], slabs_colour[k], -44, -12, text[0]);
+    slabs_dot(g, r, t[0], slabs_colour[k], k == 2 ? -88 : -54, k == 2 ? 2 : -12, text[0]);
     slabs_dot(g, r, t[1], slabs_colour[k], 2, 22, text[1]);
     figure_text(g, tip_x, tip_y, 4, -10, FIGURE_RIGHT, FIGURE_BLACK, "*o* + _t_ *d*");
 }

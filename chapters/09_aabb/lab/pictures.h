@@ -101,17 +101,19 @@ static inline void draw_room(const options *o)
 
 /* ---- cells: one panel a method ---- */
 
-enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10, cell_columns = 3,
-       cell_rows = 2 };
-static const int cell_method[] = {aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_pbrt,
-                                  aabb_of_inclusive, aabb_of_default};
+enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10, cell_columns = 3 };
+/* The methods of a picture of one row of panels, and of one of two rows. */
+static const int cell_method[2][2 * cell_columns] = {
+    {aabb_of_first, aabb_of_closed, aabb_of_default},
+    {aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_pbrt, aabb_of_inclusive,
+     aabb_of_default}};
 /* Hit, miss, a hit that is lost, a false alarm: linear light of blue, grey, red, yellow. */
 static const vec3 cell_colour[4] = {{0, 0.168, 0.445}, {0.8, 0.8, 0.8}, {0.665, 0.112, 0},
                                     {0.871, 0.776, 0.054}};
 
 /* What cell (i, j) asks: is any of the boxes hit? Returns their number; *truth is the answer. */
 typedef int aabb_question(int i, int j, aabb *box, ray *r, bool *truth);
-typedef struct { image *im; aabb_question *ask; } aabb_cells;
+typedef struct { image *im; aabb_question *ask; const int *method; } aabb_cells;
 
 /* Cell x, y of all panels side by side. */
 static inline void cell_ask(int x, int y, void *context)
@@ -123,34 +125,38 @@ static inline void cell_ask(int x, int y, void *context)
     real t;
     bool truth, answer = false;
     int n = p->ask(x % cell_count, y % cell_count, box, &r, &truth);
-    for (int k = 0; k < n; k++) answer |= aabb_method[cell_method[panel]].hit(box[k], r, &t);
+    for (int k = 0; k < n; k++) answer |= aabb_method[p->method[panel]].hit(box[k], r, &t);
     image_set(p->im, x, y, cell_colour[truth == answer ? !truth : truth ? 2 : 3]);
 }
 
-static inline void draw_cells(const options *o, const char *name, const char *axes,
-                              aabb_question *ask)
+/* `rows` of panels, and below them up to two lines of text. */
+static inline void draw_cells(const options *o, const char *name, int rows, const char *axes,
+                              const char *more, aabb_question *ask)
 {
+    const int *method = cell_method[rows - 1], text = more ? 84 : 62;  /* [pixels] */
     static const char *const key[] = {"hit", "miss", "a hit that is lost", "a false alarm"};
-    const char *title[cell_columns * cell_rows];
-    for (int k = 0; k < cell_columns * cell_rows; k++) title[k] = aabb_method[cell_method[k]].name;
-    image cells = image_new(cell_columns * cell_count, cell_rows * cell_count);
-    aabb_cells p = {&cells, ask};
+    const char *title[2 * cell_columns];
+    for (int k = 0; k < cell_columns * rows; k++) title[k] = aabb_method[method[k]].name;
+    image cells = image_new(cell_columns * cell_count, rows * cell_count);
+    aabb_cells p = {&cells, ask, method};
     bool whole = parallel_pixels(cells.width, cells.height, o->threads, name, cell_ask, &p);
-    image im = image_new(cell_columns * cell_panel - 10, cell_rows * cell_panel - 10);
+    image im = image_new(cell_columns * cell_panel - 10, rows * cell_panel - 10);
     for (int y = 0; y < cells.height; y++)
         for (int x = 0; x < cells.width; x++)
             label_fill(&im, x / cell_count * cell_panel + x % cell_count * cell_size,
                        y / cell_count * cell_panel + y % cell_count * cell_size, cell_size,
                        cell_size, image_get(&cells, x, y));
-    image panels = label_panels(&im, cell_columns, cell_rows, 10, title);
-    image sheet = image_new(panels.width, panels.height + 62);
+    image panels = label_panels(&im, cell_columns, rows, 10, title);
+    image sheet = image_new(panels.width, panels.height + text);
     label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
     image_place(&sheet, 0, 0, &panels);
     int y = panels.height, x = 20;
     label_text(&sheet, sheet.width / 2.0, y + 22, 10, 0.5, vec(0, 0, 0), axes);
+    if (more) label_text(&sheet, sheet.width / 2.0, y + 44, 10, 0.5, vec(0, 0, 0), more);
+    y += text;
     for (int k = 0; k < 4; k++, x += 195) {
-        label_fill(&sheet, x, y + 38, 16, 16, cell_colour[k]);
-        label_text(&sheet, x + 24, y + 51, 11, 0, vec(0, 0, 0), key[k]);
+        label_fill(&sheet, x, y - 24, 16, 16, cell_colour[k]);
+        label_text(&sheet, x + 24, y - 11, 11, 0, vec(0, 0, 0), key[k]);
     }
     output_picture(o, &sheet, name, false, whole);
     image_free(&cells), image_free(&im), image_free(&panels), image_free(&sheet);
@@ -190,14 +196,16 @@ static inline int ask_silhouette(int i, int j, aabb *box, ray *r, bool *truth)
 
 static inline void draw_aligned(const options *o)
 {
-    draw_cells(o, "09_aabb_aligned.png",
-               "left half d.x = +0.0, right -0.0; upper half d.y = +0.0, lower -0.0", ask_aligned);
+    draw_cells(o, "09_aabb_aligned.png", 1,
+               "left half d.x = +0.0, right -0.0; upper half d.y = +0.0, lower -0.0",
+               "each quarter: a block, a flat plate; a sheet seen edge-on; a rod seen end-on",
+               ask_aligned);
 }
 
 static inline void draw_silhouette(const options *o)
 {
-    draw_cells(o, "09_aabb_silhouette.png",
-               "right and down: the next real number of o.x and of o.y", ask_silhouette);
+    draw_cells(o, "09_aabb_silhouette.png", 2,
+               "right and down: the next real number of o.x and of o.y", NULL, ask_silhouette);
 }
 
 #endif

@@ -4,6 +4,8 @@
  *                             input where it misses a box that the ray meets
  *   first_aabb_hit (first.h)  flat box: t_enter = t_exit; contact at t = 0; and the next line. It
  *                             knows no interval but [0, infinity]
+ *   aabb_hit_kept             as first_aabb_hit, but with products n (1/d) for quotients n/d: equal
+ *                             quotients stay equal when rounded, such products need not
  *   aabb_hit_closed           axis-parallel ray in a plane of the box: 0/0; d = -0.0
  *   aabb_hit_fmin             the same ray: fmin forgets the NaN and keeps the +-infinity beside it
  *   aabb_hit_inclusive        none of these; at corners and flat boxes entry and exit are the
@@ -33,7 +35,7 @@
 typedef bool aabb_test(aabb b, ray r, real *t_enter);
 
 enum { aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_inclusive, aabb_of_pbrt, aabb_of_ize,
-       aabb_of_default, aabb_of_lanes, aabb_methods };
+       aabb_of_default, aabb_of_lanes, aabb_of_kept, aabb_methods };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -61,6 +63,28 @@ static inline aabb_inverse aabb_plain_inverse(ray r)
         aabb_inverse i = aabb_plain_inverse(r);                                                \
         return name##_with(&b, &i, r, t_enter);                                                \
     }
+
+/* first_aabb_hit with 1/d kept for all boxes of a ray; still the sign of d tells near from far. */
+static inline void slab_kept(real lo, real hi, real o, real d, real i, real *t_min, real *t_max)
+{
+    real a = (lo - o) * i, b = (hi - o) * i;
+    *t_min = d < 0 ? b : a;
+    *t_max = d < 0 ? a : b;
+}
+
+static inline bool aabb_hit_kept_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
+{
+    vec3 t_min, t_max;
+    slab_kept(b->lo.x, b->hi.x, r.o.x, r.d.x, i->inverse.x, &t_min.x, &t_max.x);
+    slab_kept(b->lo.y, b->hi.y, r.o.y, r.d.y, i->inverse.y, &t_min.y, &t_max.y);
+    slab_kept(b->lo.z, b->hi.z, r.o.z, r.d.z, i->inverse.z, &t_min.z, &t_max.z);
+    real t0 = real_max(real_max(t_min.x, t_min.y), t_min.z);
+    real t1 = real_min(real_min(t_max.x, t_max.y), t_max.z);
+    if (!(t0 < t1 && t1 > 0)) return false;
+    *t_enter = t0;
+    return true;
+}
+AABB_UNPREPARED(aabb_hit_kept)
 
 /* Sorts by fmin and fmax, which need no sign of d; but fmin(NaN, infinity) is infinity, so the ray
  * above enters the slab never. A call of libm each, unless the compiler knows better. */
@@ -153,6 +177,7 @@ static inline bool aabb_hit_lanes(aabb b, ray r, real *t_enter)
 static const struct { const char *name; aabb_test *hit; } aabb_method[aabb_methods] = {
     {"first", first_aabb_hit}, {"closed, <=", aabb_hit_closed}, {"fmin, fmax", aabb_hit_fmin},
     {"inclusive", aabb_hit_inclusive}, {"pbrt, 2 gamma(3)", aabb_hit_pbrt},
-    {"Ize, 2 ulp", aabb_hit_ize}, {"aabb_hit", aabb_hit}, {"aabb8_hit, float", aabb_hit_lanes}};
+    {"Ize, 2 ulp", aabb_hit_ize}, {"aabb_hit", aabb_hit}, {"aabb8_hit, float", aabb_hit_lanes},
+    {"first, 1/d kept", aabb_hit_kept}};
 
 #endif
