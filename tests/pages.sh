@@ -23,7 +23,7 @@ tables() {
         function mask(line,   n, c, i, out) {
             n = split(line, c, "|"); out = c[1]
             for (i = 2; i <= n; i++)
-                out = out "|" (hidden[i] || (all && i > 1) ? (c[i] == "-" ? "-" : "*") : c[i])
+                out = out "|" (hidden[i] || (all && i > 1) ? "*" : c[i])
             return out }
         function flush() { if (title != "" && body != "") print title "\t" real "\t" body
                            title = ""; body = ""; state = 0 }
@@ -41,10 +41,10 @@ tables() {
         END { flush() }'
 }
 
-# differ PAGE OUTPUT: what the page says and the output does not; with FULL also what is not printed
+# differ PAGE OUTPUT [REAL]: what the page says and the output does not; with FULL also what is not printed
 differ() {
     tables "$1" >"$scratch/said"; tables "$2" >"$scratch/printed"
-    awk -F'\t' -v full="${FULL:-}" -v real="${REAL:-double}" '
+    awk -F'\t' -v full="${FULL:-}" -v real="${3:-${REAL:-double}}" '
         NR == FNR { seen[$1, $2] = seen[$1, $2] $0 "\n"; next }
         $2 != real { next }
         !(($1, $2) in seen) { if (full) print "MISSING\t" $1; next }
@@ -60,7 +60,8 @@ printf '    # A\n    # x; real = double\n    method  error  time [ns]\n    naive
 printf '# A\n# y; real = double\nmethod  error  time [ns]\nnaive     0.5       99\n\n' >"$scratch/same"
 sed 's/0\.5/0.6/' "$scratch/same" >"$scratch/other"
 sed 's/naive/robust/' "$scratch/same" >"$scratch/row"
-seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" | cut -f1; done | tr '\n' ' ')
+seen=$(for f in same other row; do differ "$scratch/page" "$scratch/$f" double | cut -f1; done |
+    tr '\n' ' ')
 if [ "$seen" = "SAME OTHER OTHER " ]; then ok; else no "two planted differences, seen: $seen"; fi
 
 # A page in the form of a lecture (it has a part "The idea"): its parts in order, its code word for word in

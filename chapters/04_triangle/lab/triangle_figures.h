@@ -41,9 +41,9 @@ static inline void figure_area(figure *g, vec3 p, vec3 from, vec3 to, const char
     bool beside = *name == 'w';
     vec3 other = weight < 0 ? p : from;
     if (beside) m = vscale(vadd(to, other), (real)0.5);
-    figure_number(g, (double)m.x, (double)m.y, beside ? 12 : *name == 'u' && weight < 0.5 ? 11 : 0,
-                  beside ? -8 : 5, beside ? FIGURE_LEFT : FIGURE_MIDDLE,
-                  beside ? colour : FIGURE_BLACK, "_%s_ = %s%.2f", name,
+    double right = beside ? 12 : *name == 'u' && 2 * weight < 1 ? 11 : 0;
+    figure_number(g, (double)m.x, (double)m.y, right, beside ? -8 : 5,
+                  beside ? FIGURE_LEFT : FIGURE_MIDDLE, beside ? colour : FIGURE_BLACK, "_%s_ = %s%.2f", name,
                   weight < 0 ? "\u2212" : "", fabs((double)weight));
 }
 
