@@ -43,8 +43,8 @@ static inline void figure_area(figure *g, vec3 p, vec3 from, vec3 to, const char
     if (beside) m = vscale(vadd(to, other), (real)0.5);
     double right = beside ? 12 : *name == 'u' && 2 * weight < 1 ? 11 : 0;
     figure_number(g, (double)m.x, (double)m.y, right, beside ? -8 : 5,
-                  beside ? FIGURE_LEFT : FIGURE_MIDDLE, beside ? colour : FIGURE_BLACK, "_%s_ = %s%.2f", name,
-                  weight < 0 ? "\u2212" : "", fabs((double)weight));
+                  beside ? FIGURE_LEFT : FIGURE_MIDDLE, beside ? colour : FIGURE_BLACK,
+                  "_%s_ = %s%.2f", name, weight < 0 ? "\u2212" : "", fabs((double)weight));
 }
 
 static inline void figure_corners(figure *g, triangle t)
