@@ -65,6 +65,7 @@ static inline void grid_teapot(const options *o, trial_scene *s)
     ray_set *p = &s->rays[TRIAL_PRIMARY], *d = &s->rays[TRIAL_DIFFUSE];
     ray_set all = {allocate(p->n + d->n, sizeof(ray)), p->n + d->n};
     memcpy(all.r, p->r, p->n * sizeof(ray)), memcpy(all.r + p->n, d->r, d->n * sizeof(ray));
+    rays_free(&s->rays[TRIAL_CORNERS]);
     s->rays[TRIAL_CORNERS] = all;
     trial_due(s, false);
 }

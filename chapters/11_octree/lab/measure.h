@@ -81,6 +81,7 @@ static inline void table_of_knobs(const options *o)
     mesh_bounds(&s.m, &lo, &hi);
     camera c = trial_camera(&s.m, 1.6);
     trial_rays(&s, c, width, width * 5 / 8, 0, o->seed, &octree_trial, row[1].how);
+    rays_free(&s.rays[TRIAL_CORNERS]);
     s.rays[TRIAL_CORNERS] = octree_hard_rays(&s.m, c.e, 2 * vlength(vsub(hi, lo)),
                                              o->quick ? 60 : 1000, o->seed);
     trial_due(&s, true);
