@@ -52,11 +52,8 @@ static inline void structure_ray(const structure *s, const void *built, const it
                                  structure_verdict *v)
 {
     hit h = structure_compare(s, built, x, r, v);
-    if (h.shape == no_shape) return;
-    r.tmax = h.t;
-    structure_compare(s, built, x, r, v);
-    r.tmin = h.t;
-    structure_compare(s, built, x, r, v);
+    for (int way = 1; way < aimed_ways && h.shape != no_shape; way++)
+        structure_compare(s, built, x, aimed_way(r, h.t, way), v);
 }
 
 /* `away` > 0: the rays begin that many times farther away. */
