@@ -35,6 +35,10 @@ int main(int argc, char **argv)
         {"hits", OPTION_OUTPUT, &own.files.hits, 0, 0, "with --rays: their t and shape go here"},
         {"costs", OPTION_OUTPUT, &own.files.costs, 0, 0,
          "with --rays: a CSV of each ray's hit, steps and tests"},
+        {"torture", OPTION_TEXT, &own.torture, 0, 0,
+         "FOLDER: rays with exact answers go there, and all structures answer"},
+        {"score", OPTION_TEXT, &own.score, 0, 0,
+         "NAME: with --torture: judges FOLDER/CLASS.NAME.hits of another renderer"},
         {"protocol", OPTION_TEXT, &own.protocol, 0, 0, "spd: counts as they were published"},
         {"large", OPTION_FLAG, &own.large, 0, 0, "scenes of 1e4 to 1e6 shapes, growth to 2e6"},
         {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
@@ -49,7 +53,8 @@ int main(int argc, char **argv)
     check_options(&o, &own);
     read_region(own.region, c.region);
     o.own = own.mesh[0] != NULL;
-    if (own.protocol) protocol_run(c, own.only, g, own.scale);
+    if (own.torture) torture_run(&c, own.torture, own.score);
+    else if (own.protocol) protocol_run(c, own.only, g, own.scale);
     else compare_run(&c, &own);
     return output_done(&o);
 }

@@ -15,6 +15,7 @@
 #include "settings.h"
 #include "summary.h"
 #include "sweep.h"
+#include "torture_run.h"
 #include <sys/resource.h>
 
 typedef struct {

@@ -18,6 +18,7 @@ typedef struct {
     const char *report;
     int scale, megabytes;
     double angle;
+    const char *torture, *score;
     bool verify, large;
     compare_files files;
 } compare_options;
@@ -109,6 +110,9 @@ static inline void check_options(const options *o, const compare_options *own)
         {rays && own->verify, "--rays and --verify: one of them"},
         {rays && own->mesh[1], "--rays goes with one --mesh"},
         {own->sweep && (own->only || !measured), "--sweep goes with tables, and not with --only"},
+        {own->score && !own->torture, "--score needs --torture FOLDER"},
+        {own->torture && (own->scene || own->mesh[0] || !measured || own->sweep || own->report
+                          || o->out), "--torture has meshes and rays of its own"},
         {own->region && !own->verify, "--region needs --verify"},
         {o->csv && (own->verify || own->protocol || own->sweep),
          "--csv goes with tables: not with --verify, not with --protocol, not with --sweep"},
