@@ -26,8 +26,8 @@
 #define BVH_SPLIT_H
 
 #include "../../common/file.h"
+#include "../../common/numbers/radix.h"
 #include "select.h"
-#include "sort.h"
 
 typedef enum {
     BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, BVH_MORTON,
@@ -39,7 +39,7 @@ typedef struct {
     double item_cost;         /* of testing an item, where testing a pair of boxes costs 1 */
     bvh_box box, centres;     /* in: box of the items, box of their centres */
     double cost;              /* out: of the best split, HUGE_VAL if there is none */
-    sort_pair *pairs, *spare; /* [n] each, for the sweep alone; NULL otherwise */
+    radix_pair *pairs, *spare; /* [n] each, for the sweep alone; NULL otherwise */
     float *areas;             /* [n] */
 } splitter;
 
@@ -162,8 +162,8 @@ static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
 static inline void sort_along(splitter *s, const bvh_item *item, size_t n, int axis)
 {
     for (size_t i = 0; i < n; i++)
-        s->pairs[i] = (sort_pair){float_key(item_centre(&item[i], axis)), (uint32_t)i};
-    sort_pairs(s->pairs, s->spare, n);
+        s->pairs[i] = (radix_pair){float_key(item_centre(&item[i], axis)), (uint32_t)i};
+    radix_sort_pairs(s->pairs, s->spare, n);
 }
 
 static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)

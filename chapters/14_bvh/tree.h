@@ -67,7 +67,7 @@ static inline void tree_node(tree_builder *b, size_t at, size_t begin, size_t n,
 static inline void tree_by_cuts(bvh_item *item, size_t n, bvh_options how, bvh_tree *out)
 {
     bool sweep = how.strategy == BVH_SAH_SWEEP;
-    size_t extra = sweep ? n * (2 * sizeof(sort_pair) + sizeof(float)) : 0;
+    size_t extra = sweep ? n * (2 * sizeof(radix_pair) + sizeof(float)) : 0;
     tree_takes(out, extra);
     tree_room(out, 2 * n + 2);
     tree_builder b = {out, item, how, {.strategy = how.strategy, .item_cost = how.item_cost}};
