@@ -21,7 +21,7 @@
  *                    [------]               n(R) = n - how many end at or before p
  *    end        |       |   |   |        and both lists are walked through once, side by side.
  *
- * O(n) for each cell, since floats are sorted in O(n) by their bits (radix.h); O(n log n) for the tree.
+ * O(n) for each cell, since floats are sorted in O(n) by their bits (radix.h); O(n log n) for all.
  *
  * Sources: J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", The
  * Visual Computer 6, 1990; V. Havran, "Heuristic Ray Shooting Algorithms", PhD thesis, Prague 2000

@@ -1,6 +1,6 @@
 /* morton.h: the tree in linear time, from numbers: no area is compared, nothing is searched for.
  *
- *   tree_morton(item, n, how, &t)     as tree_build of tree.h: reorders the items; O(n)
+ *   tree_morton(&in, how, &t)         in.item[in.n] is reordered; O(n)
  *   morton_code(x, y, z)              the 63 bits  x20 y20 z20 x19 y19 z19 ... x0 y0 z0      (14.9)
  *
  * A Morton code (莫顿码) interleaves the digits of three coordinates. Read from the front, its bits
@@ -145,19 +145,21 @@ static inline double morton_node(morton_builder *b, size_t at, size_t begin, siz
     return built;
 }
 
-static inline void tree_morton(bvh_item *item, size_t n, bvh_options how, bvh_tree *t)
+static inline void tree_morton(const bvh_input *in, bvh_options how, bvh_tree *t)
 {
-    size_t size = n * sizeof(radix_code);
-    radix_code *pair = allocate(n, sizeof *pair), *spare = allocate(n, sizeof *spare);
-    tree_takes(t, 2 * size);
-    morton_codes(item, n, pair);
-    radix_sort_codes(pair, spare, n);
-    free(spare), tree_gives(t, size);
-    morton_reorder(item, pair, n);
-    tree_room(t, 2 * n + 2);
-    morton_builder b = {t, item, pair, how};
-    if (n) morton_node(&b, 0, 0, n, 0);
-    free(pair), tree_gives(t, size);
+    size_t n = in->n, size = sizeof(radix_code);
+    radix_code *pair = tree_array(t, n, size), *spare = tree_array(t, n, size);
+    if (!t->full) {
+        morton_codes(in->item, n, pair);
+        radix_sort_codes(pair, spare, n);
+    }
+    tree_drop(t, spare, n, size);
+    if (!t->full && tree_begin(t, 2 * n + 2)) {
+        morton_reorder(in->item, pair, n);
+        morton_builder b = {t, in->item, pair, how};
+        if (n) morton_node(&b, 0, 0, n, 0);
+    }
+    tree_drop(t, pair, n, size);
 }
 
 #endif
