@@ -20,7 +20,7 @@
  * within some percent; of 2,000 that come after ten other structures a third is waiting for memory.
  * Who takes more than cost_patience seconds a turn has fewer turns, one at least. Brute force is
  * timed with a part of the rays, so many as 5e6 tests allow; first versions, where there are few
- * turns, with 2,500.
+ * turns, with 2,500, once.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
@@ -81,6 +81,7 @@ static inline void cost_kind(comparison *s, compare_kind kind, int turns)
             compare_entry *e = &s->entry[k];
             bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
             const ray_set *all = slow ? &few : contender_is_first(e->c) ? &some : &s->rays[kind];
+            if (turn > 0 && all == &some && turns < cost_many_turns) continue;
             if (!e->s || (turn > 0 && turn * seconds[k][0] > turns * cost_patience)) continue;
             compare_progress(s->w->name, "timing", e->choice->label);
             ray_set warm = rays_some(all, all->n / 4 + 1);

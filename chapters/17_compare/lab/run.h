@@ -130,7 +130,7 @@ static inline void compare_all(const compare_settings *c, const compare_options 
               "one thread, each structure warmed before its turn.", r->proved, r->by_brute);
     if (!o->full && !c->large && !own->mesh[0] && !own->scene) {
         summary_few(o, &r->summary, r->html);
-    } else if (r->html || several || !own->mesh[0]) summary_print(o, &r->summary, r->html);
+    } else if (r->html || several || (!own->mesh[0] && !own->scene)) summary_print(o, &r->summary, r->html);
     if (r->html) {
         html_heading(r->html, "What a ray costs, and what building costs");
         html_svg_begin(r->html);
