@@ -49,7 +49,8 @@ static void test_equality(void)
         if (!out) abort();
         compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
         compare_rays(&s, whole_view, 256, 7);
-        check(compare_prove(&s, SIZE_MAX, check_count(2000), 7, out), "%s: all structures agree", w.name);
+        check(compare_prove(&s, SIZE_MAX, check_count(2000), 7, out),
+              "%s: all structures agree", w.name);
         char *text = written(out);
         check(text[0] == 0, "%s: nothing to explain, but: %s", w.name, text);
         check_at_least(s.by_brute, check_count(2000) * 3 / 4, "%s: so many by brute force", w.name);
@@ -278,10 +279,12 @@ static void test_shrunk_box(const char *name)
     check(depth > 0, "%s: its leaf is found", name);
     FILE *out = tmpfile();
     if (!out) abort();
-    check(prove_entry(&e, &x, &r, &due, 1, true, "brute force", out) && ftell(out) == 0, "the tree is right");
+    check(prove_entry(&e, &x, &r, &due, 1, true, "brute force", out) && ftell(out) == 0,
+          "the tree is right");
     bvh_box *box = &t->node[path[depth]].box;
     for (int k = 0; k < 3; k++) box->side[3 + k] = box->side[k];
-    check(!prove_entry(&e, &x, &r, &due, 1, true, "brute force", out), "%s: broken, and found out", name);
+    check(!prove_entry(&e, &x, &r, &due, 1, true, "brute force", out),
+          "%s: broken, and found out", name);
     char *text = written(out), expected[64];
     snprintf(expected, sizeof expected, "node %u is skipped", path[depth]);
     check(strstr(text, expected), "%s: names %s: %s", name, expected, text);
@@ -300,7 +303,8 @@ static patient *patient_new(const contender *c, ray r)
     patient *p = allocate(1, sizeof *p);
     failure f;
     p->m = teapot_mesh(4), p->x = items_of_mesh(&p->m), p->c = *c, p->r = r;
-    p->e = (compare_entry){.c = &p->c, .s = contender_build(c, &as_it_is, &p->x, (size_t)1 << 30, &f)};
+    p->e.c = &p->c;
+    p->e.s = contender_build(c, &as_it_is, &p->x, (size_t)1 << 30, &f);
     if (!p->e.s) fail(f);
     p->due = hit_none;
     items_hit(&p->x, r, &p->due);
@@ -670,7 +674,8 @@ static void test_front(void)
                                      .rays = {1}, .seconds = {seconds[k]}};
     }
     s.rays[0].n = 1;
-    check(sweep_on_front(&s, &s.entry[0]) && sweep_on_front(&s, &s.entry[2]), "each is best at one");
+    check(sweep_on_front(&s, &s.entry[0]) && sweep_on_front(&s, &s.entry[2]),
+          "each is best at one");
     check(!sweep_on_front(&s, &s.entry[1]), "slower than the first at both");
 }
 
@@ -699,8 +704,8 @@ static void test_own(void)
     if (!out || fputs("s 0 0 0 1\nq 1\n", out) < 0 || fclose(out) != 0) abort();
     check(!nff_world(in_directory("c.nff"), &w, &f) && f.exit_code == 2 && strstr(f.text, ":2:"),
           "which line is broken: %s", f.text);
-    snprintf(arguments, sizeof arguments, "%s/a.nff %s/b.obj --up z --quick --only grid,bvh,example "
-             "--report %s/r.html", directory, directory, directory);
+    snprintf(arguments, sizeof arguments, "%s/a.nff %s/b.obj --up z --quick "
+             "--only grid,bvh,example --report %s/r.html", directory, directory, directory);
     check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
     check(printed("out", "a.nff: 4 shapes") && printed("out", "b.obj: 1 shapes")
               && printed("out", "structure  a.nff  b.obj"), "both scenes, in one table");

@@ -2,7 +2,7 @@
  *
  *   cost_measure(&s, turns)         each kind of rays, all structures in turn, medians, one thread
  *   cost_kind(&s, kind, turns)      one kind
- *   cost_table(&o, &s, title)       a table of the scene, and who is cheapest for how many rays
+ *   cost_table(&o, &s, title, to)   a table of the scene, and who is cheapest for how many rays
  *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
  *   cost_total(&s, e, rays)         seconds for so many rays of this mix, building included
  *
@@ -237,7 +237,8 @@ static inline void cost_csv_row(table *t, const comparison *s, const compare_ent
     size_t cells = 0, rays = e->s ? e->rays[kind] : 0, counted = e->counted[kind];
     search_work w = e->work[kind];
     size_t count[] = {st.inner, st.leaves, st.empty, st.references, (size_t)st.depth};
-    table_text(t, "%s", s->w->name), table_text(t, "%s", e->choice->label), table_text(t, "%s", name);
+    table_text(t, "%s", s->w->name), table_text(t, "%s", e->choice->label);
+    table_text(t, "%s", name);
     table_count(t, rays), table_count(t, e->hits[kind]);
     table_text(t, "%.9f", e->build), table_count(t, st.bytes), table_count(t, st.peak);
     for (; cells < sizeof count / sizeof *count; cells++) table_count(t, count[cells]);

@@ -9,13 +9,13 @@
  *                    a           b           interval must begin and end to lose it: there, on
  *                                            the ray, the search takes the wrong turn
  *
- *   explain_shape(&x, &w, out)         how far the point of the hit lies out of the shape's own box:
- *                                      boxes that are not widened by that lose it
+ *   explain_shape(&x, &w, out)         how far the point of the hit lies out of the shape's own
+ *                                      box: boxes that are not widened by that lose it
  *   an explainer                       of structures that explain_cells.h knows: which box or cell
  *                                      holds the point, and whether the shape is listed there
  *
- * All write a few lines to `out`. explain_bvh walks from the root to the leaf that has the shape, and
- * names the first node that keeps the ray out.
+ * All write a few lines to `out`. explain_bvh walks from the root to the leaf that has the shape,
+ * and names the first node that keeps the ray out.
  */
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
@@ -98,8 +98,8 @@ static inline void explain_shape(const items *x, const wrong_answer *w, FILE *ou
     vec3 p = ray_at(w->r, w->due.t), under = vsub(b.lo, p), over = vsub(p, b.hi);
     vec3 outside = vmax(vmax(under, over), (vec3){0, 0, 0});
     real far = vaxis(outside, vlongest(outside));
-    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the hit "
-                 "is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
+    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the "
+                 "hit is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
             (double)b.hi.y, (double)b.lo.z, (double)b.hi.z);
     if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
     else fprintf(out, "inside\n");

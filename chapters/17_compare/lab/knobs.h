@@ -1,8 +1,8 @@
 /* knobs.h: structures and their options, from a text.
  *
  *   line_up all = chosen_of("bvh:leaf=8:cost=1,kdtree:bonus=0")      NULL: the usual
- *   line_up all = swept_of("bvh:leaf=1..32")     the usual, and the BVH with leaves of 1, 2, 4 .. 32;
- *                                                up to 17 values, whole ones one by one or doubling
+ *   line_up all = swept_of("bvh:leaf=1..32")     the usual, and the BVH with leaves of 1, 2, 4 ..
+ *                                                32; up to 17 values, one by one or doubling
  *
  * Which options there are says the list below: a line for each. Misuse ends the program, exit 2.
  */
