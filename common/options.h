@@ -167,8 +167,10 @@ static inline void options_check_files(const option *lists[2])
     failure f;
     for (int l = 0; l < 2; l++)
         for (const option *o = lists[l]; o && o->name && n < 64; o++)
-            for (int k = 0; o->kind >= OPTION_INPUT && (k == 0 || k < o->highest) && n < 64; k++)
-                if (((const char **)o->value)[k]) all[n] = o, path[n++] = ((const char **)o->value)[k];
+            for (int k = 0; o->kind >= OPTION_INPUT && (k == 0 || k < o->highest) && n < 64; k++) {
+                const char *name = ((const char **)o->value)[k];
+                if (name) all[n] = o, path[n++] = name;
+            }
     for (int i = 0; i < n; i++) {
         if (all[i]->kind != OPTION_OUTPUT) continue;
         for (int k = 0; k < n; k++)

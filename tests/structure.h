@@ -250,8 +250,8 @@ static inline void structure_shapes(const structure *s, size_t rays)
         if (i % 100 == 98) all[i] = all[i - 1];  /* a tie: the lower index wins */
         if (i == 50) all[i] = shape_of_sphere((sphere){{0, 0, -30}, 29});  /* much larger */
     }
-    scene world = {all, n};
-    items x = items_of_scene(&world);
+    scene shapes = {all, n};
+    items x = items_of_scene(&shapes);
     structure_verdict v = {0, 0, 0, 0};
     void *built = structure_build(s, &x, "shapes of all kinds");
     for (size_t i = 0; built && i < rays; i++) {

@@ -23,7 +23,7 @@
 #ifndef COMPARE_CONTENDERS_H
 #define COMPARE_CONTENDERS_H
 
-#include "bvh_items.h"
+#include "../14_bvh/bvh.h"
 #include "../10_grid/nested.h"
 #include "../11_octree/octree.h"
 #include "../12_kdtree/kdtree.h"
@@ -44,9 +44,9 @@
     LINE(octree, "octree", octree, octree_how_for(x), CONTENDER_USUAL)                            \
     LINE(kdtree, "kdtree", kdtree, kdtree_how_for(x), CONTENDER_USUAL)                            \
     LINE(bsp, "bsp", bsp, bsp_how_for(x), CONTENDER_USUAL)                                        \
-    LINE(bvh, "bvh", bvh_items, bvh_how_for(x, BVH_SAH), CONTENDER_USUAL)                         \
-    LINE(bvh_morton, "bvh-morton", bvh_items, bvh_how_for(x, BVH_MORTON), CONTENDER_USUAL)        \
-    LINE(bvh_spatial, "bvh-spatial", bvh_items, bvh_how_for(x, BVH_SPATIAL), CONTENDER_USUAL)     \
+    LINE(bvh, "bvh", bvh, bvh_how_for(x, "sah"), CONTENDER_USUAL)                                  \
+    LINE(bvh_morton, "bvh-morton", bvh, bvh_how_for(x, "morton"), CONTENDER_USUAL)                 \
+    LINE(bvh_spatial, "bvh-spatial", bvh, bvh_how_for(x, "spatial"), CONTENDER_USUAL)             \
     LINE(example, "example", example, ((example_options){0}), CONTENDER_USUAL)                    \
     LINE(first_mesh, "first-mesh", first_items, first_items_how(brute), CONTENDER_FIRST)          \
     LINE(first_grid, "first-grid", first_items, first_items_how(grid), CONTENDER_FIRST)           \
@@ -62,8 +62,8 @@
 typedef enum { CONTENDER_USUAL, CONTENDER_FIRST, CONTENDER_NAMED } contender_role;
 
 /* A member of X_options: how far from its beginning, of which type, and its value. */
-typedef enum { KNOB_INT, KNOB_DOUBLE, KNOB_FLAG } knob_type;
-typedef struct { size_t offset; knob_type type; double value; } contender_setting;
+typedef enum { KNOB_INT, KNOB_DOUBLE, KNOB_FLAG, KNOB_NAME } knob_type;
+typedef struct { size_t offset; knob_type type; double value; const char *name; } contender_setting;
 typedef struct { contender_setting set[8]; int n; } contender_settings;
 
 typedef struct {
@@ -104,11 +104,11 @@ static inline bsp_options bsp_how_for(const items *x)
     return how;
 }
 
-static inline bvh_items_options bvh_how_for(const items *x, bvh_strategy strategy)
+static inline bvh_options bvh_how_for(const items *x, const char *rule)
 {
-    bvh_items_options how = {bvh_defaults, 0};
-    how.tree.strategy = strategy;
-    how.tree.item_cost *= shape_cost(x);
+    bvh_options how = bvh_defaults;
+    how.rule = rule;
+    how.item_cost *= shape_cost(x);
     return how;
 }
 
@@ -120,6 +120,7 @@ static inline void contender_set(void *members, const contender_settings *how)
         if (s->type == KNOB_INT) *(int *)at = (int)s->value;
         if (s->type == KNOB_DOUBLE) *(double *)at = s->value;
         if (s->type == KNOB_FLAG) *(bool *)at = s->value != 0;
+        if (s->type == KNOB_NAME) *(const char **)at = s->name;
     }
 }
 

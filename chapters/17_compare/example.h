@@ -12,7 +12,7 @@ static int example_axis;  /* that qsort compares along */
 static int example_order(const void *a, const void *b)
 {
     const example_item *p = a, *q = b;
-    real x = vaxis(vsub(aabb_center(p->box), aabb_center(q->box)), example_axis);
+    real x = vaxis(vsub(aabb_centre(p->box), aabb_centre(q->box)), example_axis);
     return (x > 0) - (x < 0);
 }
 static inline void example_node(example *e, size_t k, size_t first, size_t n)

@@ -1,5 +1,5 @@
-/* nff_world.h: reads a scene in NFF, the Neutral File Format of the Standard Procedural Databases, as
- * a world: its view, lights, colours and shapes. (27 reads the same format with all that a picture
+/* nff_world.h: reads a scene in NFF, the Neutral File Format of the Standard Procedural Databases,
+ * as a world: its view, lights, colours and shapes. (27 reads the same format with all that a picture
  * takes: materials, patches with normals, scenes of many files.)
  *
  *   v  from x y z  at x y z  up x y z  angle a  hither h  resolution w h       the view

@@ -113,7 +113,8 @@ static inline void chart_write(const compare_chart *c, FILE *out)
     }
     high = (rows + 1) * chart_row + 16;
     fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' "
-                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n<rect width='100%%' height='100%%' fill='white'/>\n",
+                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n"
+                 "<rect width='100%%' height='100%%' fill='white'/>\n",
             chart_columns * chart_wide, 60 + lines * high, chart_columns * chart_wide,
             60 + lines * high);
     chart_text(out, chart_columns * chart_wide / 2, 22, 15, "middle", c->title);

@@ -5,8 +5,8 @@
  *                                                     `rounds` times, until a quarter of a second
  *                                                     has passed; all together hold at most
  *                                                     most_bytes
- *   compare_rays(&s, whole_view, n, seed)             the four kinds of rays, n of each if there are
- *                                                     so many: kinds.h
+ *   compare_rays(&s, whole_view, n, seed)             the four kinds of rays, n of each if there
+ *                                                     are so many: kinds.h
  *   if (!compare_prove(&s, most, brute_rays, seed, stdout)) exit(1);
  *   compare_end(&s)                                   the world stays the caller's
  *

@@ -2,7 +2,7 @@
  *
  *   cost_measure(&s, turns)         each kind of rays, all structures in turn, medians, one thread
  *   cost_kind(&s, kind, turns)      one kind
- *   cost_table(&o, &s, title)       a table of the scene, and who is cheapest for how many rays
+ *   cost_table(&o, &s, title, to)   a table of the scene, and who is cheapest for how many rays
  *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
  *   cost_total(&s, e, rays)         seconds for so many rays of this mix, building included
  *
@@ -20,7 +20,7 @@
  * within some percent; of 2,000 that come after ten other structures a third is waiting for memory.
  * Who takes more than cost_patience seconds a turn has fewer turns, one at least. Brute force is
  * timed with a part of the rays, so many as 5e6 tests allow; first versions, where there are few
- * turns, with 2,500.
+ * turns, with 2,500, once.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
@@ -81,6 +81,7 @@ static inline void cost_kind(comparison *s, compare_kind kind, int turns)
             compare_entry *e = &s->entry[k];
             bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
             const ray_set *all = slow ? &few : contender_is_first(e->c) ? &some : &s->rays[kind];
+            if (turn > 0 && all == &some && turns < cost_many_turns) continue;
             if (!e->s || (turn > 0 && turn * seconds[k][0] > turns * cost_patience)) continue;
             compare_progress(s->w->name, "timing", e->choice->label);
             ray_set warm = rays_some(all, all->n / 4 + 1);
@@ -236,7 +237,8 @@ static inline void cost_csv_row(table *t, const comparison *s, const compare_ent
     size_t cells = 0, rays = e->s ? e->rays[kind] : 0, counted = e->counted[kind];
     search_work w = e->work[kind];
     size_t count[] = {st.inner, st.leaves, st.empty, st.references, (size_t)st.depth};
-    table_text(t, "%s", s->w->name), table_text(t, "%s", e->choice->label), table_text(t, "%s", name);
+    table_text(t, "%s", s->w->name), table_text(t, "%s", e->choice->label);
+    table_text(t, "%s", name);
     table_count(t, rays), table_count(t, e->hits[kind]);
     table_text(t, "%.9f", e->build), table_count(t, st.bytes), table_count(t, st.peak);
     for (; cells < sizeof count / sizeof *count; cells++) table_count(t, count[cells]);

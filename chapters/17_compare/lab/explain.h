@@ -9,13 +9,13 @@
  *                    a           b           interval must begin and end to lose it: there, on
  *                                            the ray, the search takes the wrong turn
  *
- *   explain_shape(&x, &w, out)         how far the point of the hit lies out of the shape's own box:
- *                                      boxes that are not widened by that lose it
+ *   explain_shape(&x, &w, out)         how far the point of the hit lies out of the shape's own
+ *                                      box: boxes that are not widened by that lose it
  *   an explainer                       of structures that explain_cells.h knows: which box or cell
  *                                      holds the point, and whether the shape is listed there
  *
- * All write a few lines to `out`. explain_bvh walks from the root to the leaf that has the shape, and
- * names the first node that keeps the ray out.
+ * All write a few lines to `out`. explain_bvh walks from the root to the leaf that has the shape,
+ * and names the first node that keeps the ray out.
  */
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
@@ -98,8 +98,8 @@ static inline void explain_shape(const items *x, const wrong_answer *w, FILE *ou
     vec3 p = ray_at(w->r, w->due.t), under = vsub(b.lo, p), over = vsub(p, b.hi);
     vec3 outside = vmax(vmax(under, over), (vec3){0, 0, 0});
     real far = vaxis(outside, vlongest(outside));
-    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the hit "
-                 "is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
+    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the "
+                 "hit is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
             (double)b.hi.y, (double)b.lo.z, (double)b.hi.z);
     if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
     else fprintf(out, "inside\n");
@@ -132,19 +132,14 @@ static inline real bvh_outside(const bvh_box *b, vec3 p)
     return out;
 }
 
-static inline uint32_t bvh_listed(const bvh_items *b, size_t k)
-{
-    return b->of_mesh ? b->mesh.triangle[k].index : b->shapes.index[k];
-}
-
 /* The way to the leaf that lists the shape, of several the first whose box holds p; -1: none. */
-static inline int bvh_leaf_of(const bvh_items *b, uint32_t wanted, vec3 p, real delta,
+static inline int bvh_leaf_of(const bvh *b, uint32_t wanted, vec3 p, real delta,
                               uint32_t *path)
 {
-    const bvh_tree *t = bvh_items_tree(b);
+    const bvh_tree *t = bvh_tree_of(b);
     int depth = -1;
     for (size_t k = 0; k < t->items; k++) {
-        if (bvh_listed(b, k) != wanted) continue;
+        if (bvh_item_at(b, k) != wanted) continue;
         depth = bvh_path(t, 0, k, 0, path);
         if (depth >= 0 && bvh_outside(&t->node[path[depth]].box, p) <= delta) return depth;
     }
@@ -164,8 +159,8 @@ static inline void explain_box(uint32_t node, const bvh_box *box, vec3 p, bool h
 
 static inline void explain_bvh(const void *s, const wrong_answer *w, FILE *out)
 {
-    const bvh_items *b = s;
-    const bvh_tree *t = bvh_items_tree(b);
+    const bvh *b = s;
+    const bvh_tree *t = bvh_tree_of(b);
     uint32_t path[bvh_most_depth + 1];
     if (t->items == 0) return;
     box_ray q = box_ray_of(w->r, &t->node[0].box, NULL);

@@ -1,11 +1,11 @@
 /* html.h: a report in one file that needs nothing else: tables, charts as SVG, pictures within.
  *
- *   html_report *r = html_begin("report.html", "Title");   path NULL: NULL, and all that follows does
- *                                                          nothing
+ *   html_report *r = html_begin("report.html", "Title");   path NULL: NULL, and all that follows
+ *                                                          does nothing
  *   html_heading(r, "Verdict"), html_text(r, "%zu rays ..", n)
  *   html_table(r, &t)                  beside output_table, which prints it
  *   html_plot(r, &p)                   beside output_plot, which saves it
- *   html_svg(r), write to html_file(r) any other SVG
+ *   html_svg_begin(r), then any SVG to html_file(r), html_svg_end(r)
  *   html_picture(r, &im, "caption")
  *   html_end(r)                        writes the file
  */

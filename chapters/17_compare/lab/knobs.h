@@ -1,8 +1,8 @@
 /* knobs.h: structures and their options, from a text.
  *
  *   line_up all = chosen_of("bvh:leaf=8:cost=1,kdtree:bonus=0")      NULL: the usual
- *   line_up all = swept_of("bvh:leaf=1..32")     the usual, and the BVH with leaves of 1, 2, 4 .. 32;
- *                                                up to 17 values, whole ones one by one or doubling
+ *   line_up all = swept_of("bvh:leaf=1..32")     the usual, and the BVH with leaves of 1, 2, 4 ..
+ *                                                32; up to 17 values, one by one or doubling
  *
  * Which options there are says the list below: a line for each. Misuse ends the program, exit 2.
  */
@@ -38,9 +38,9 @@ static const knob knobs[] = {
     {"bsp", "leaf", KNOB_AT(bsp, leaf), KNOB_INT, 1, 1e6},
     {"bsp", "depth", KNOB_AT(bsp, depth), KNOB_INT, 0, 60},
     {"bsp", "candidates", KNOB_AT(bsp, candidates), KNOB_INT, 1, 1e3},
-    {"bvh_items", "rule", KNOB_AT(bvh_items, tree.strategy), KNOB_INT, 0, BVH_SPATIAL},
-    {"bvh_items", "leaf", KNOB_AT(bvh_items, tree.leaf), KNOB_INT, 1, 255},
-    {"bvh_items", "cost", KNOB_AT(bvh_items, tree.item_cost), KNOB_DOUBLE, 1e-3, 1e3}};
+    {"bvh", "rule", KNOB_AT(bvh, rule), KNOB_NAME, 0, 0},  /* a name of bvh_rules */
+    {"bvh", "leaf", KNOB_AT(bvh, leaf), KNOB_INT, 1, 255},
+    {"bvh", "cost", KNOB_AT(bvh, item_cost), KNOB_DOUBLE, 1e-3, 1e3}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -80,12 +80,31 @@ static inline const char *knob_value(const knob *k, const char *text, double *x)
 static inline void choice_set(compare_choice *p, const knob *k, double x)
 {
     if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
-    p->how.set[p->how.n++] = (contender_setting){k->offset, k->kind, x};
+    p->how.set[p->how.n++] = (contender_setting){k->offset, k->kind, x, NULL};
     size_t n = strlen(p->label);
     snprintf(p->label + n, sizeof p->label - n, ":%s=%.6g", k->name, x);
 }
 
-/* "bvh:leaf=8", of which the last value may be a range, which is then left to the caller. */
+/* The one option that is a name. Past it. */
+static inline const char *choice_rule(compare_choice *p, const knob *k, const char *text)
+{
+    char name[24];
+    size_t length = strcspn(text, ":,"), n = strlen(p->label);
+    snprintf(name, sizeof name, "%.*s", (int)(length < 23 ? length : 23), text);
+    const bvh_rule *rule = bvh_rule_find(name);
+    if (!rule) {
+        char all[256] = "";
+        for (int i = 0; i < bvh_rule_count; i++)
+            snprintf(all + strlen(all), sizeof all - strlen(all), " %s", bvh_rules[i].name);
+        die(2, "%s=%s: allowed are%s", k->name, name, all);
+    }
+    if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
+    p->how.set[p->how.n++] = (contender_setting){k->offset, KNOB_NAME, 0, rule->name};
+    snprintf(p->label + n, sizeof p->label - n, ":%s=%s", k->name, rule->name);
+    return text + length;
+}
+
+/* "bvh:leaf=8". */
 static inline void choose_text(line_up *all, const char *text, size_t length, const char *where)
 {
     const char *end = text + length, *at = text + strcspn(text, ":,");
@@ -102,6 +121,10 @@ static inline void choose_text(line_up *all, const char *text, size_t length, co
         if (!k || word[n] != '=')
             die(2, "%s %.100s: options of %s, as in %s:%s=1: %s", where, text, name, name,
                 "NAME", knob_names(c) + 1);
+        if (k->kind == KNOB_NAME) {
+            at = choice_rule(&all->of[all->n - 1], k, word + n + 1);
+            continue;
+        }
         at = knob_value(k, word + n + 1, &x);
         if (*at && *at != ':' && *at != ',')
             die(2, "%s %.100s: a number ends before '%.10s'", where, text, at);
@@ -144,8 +167,11 @@ static inline line_up swept_of(const char *text)
     snprintf(front, sizeof front, "%.*s", (int)(colon - text), text);
     choose_text(&one, front, strlen(front), "--sweep");
     const knob *k = knob_find(one.of[0].c, colon + 1, (size_t)(equals - colon - 1));
-    if (!k) die(2, "--sweep %.100s: options of %s:%s", text, front, knob_names(one.of[0].c));
-    if (knob_value(k, equals + 1, &from) != dots || *knob_value(k, dots + 2, &to) || !(from < to))
+    if (!k || k->kind == KNOB_NAME)
+        die(2, "--sweep %.100s: options of %s:%s", text, front, knob_names(one.of[0].c));
+    char first[32];  /* alone: a number may end with a dot */
+    snprintf(first, sizeof first, "%.*s", (int)(dots - equals - 1), equals + 1);
+    if (*knob_value(k, first, &from) || *knob_value(k, dots + 2, &to) || !(from < to))
         die(2, "--sweep %.100s: a range is FROM..TO", text);
     for (double x = from; x <= to; x = sweep_next(k, x, from, to)) {
         choose(&all, one.of[0].c);

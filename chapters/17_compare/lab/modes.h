@@ -3,8 +3,8 @@
  *   protocol_run(c, only, scene, scale)   --protocol spd: lines that begin with `primary` and end
  *                                         with the number of hits
  *   verify_world(c, w)                    --verify: all rays by brute force, too
- *   file_run(c, w, files)                 --rays: rays of a file, and their hits to another; what each
- *                                         of them took to a third, --costs
+ *   file_run(c, w, files)                 --rays: rays of a file, and their hits to another; what
+ *                                         each of them took to a third, --costs
  * c: what is common to all runs. A difference between two structures ends the program with exit 1.
  */
 #ifndef COMPARE_LAB_MODES_H
@@ -53,8 +53,8 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
         }
         compare_progress(w.name, NULL, NULL);
         printf("primary %s %d %s: build %.4f s, nodes/ray %.3g, tests/ray %.3g, rays %d, "
-               "hits %zu\n", w.name, scale, e->choice->label, e->build, (double)work.nodes / spd_rays,
-               (double)work.tests / spd_rays, spd_rays, hits);
+               "hits %zu\n", w.name, scale, e->choice->label, e->build,
+               (double)work.nodes / spd_rays, (double)work.tests / spd_rays, spd_rays, hits);
         fflush(stdout);
     }
     if (g->hits && scale == g->scale)
@@ -101,8 +101,8 @@ static inline void verify_world(const compare_settings *c, const world *w)
         else if (contender_is_first(s.entry[k].c))
             cost_print_wrong(&s.entry[k]);
         else if (s.entry[k].c != &brute_contender)
-            printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays, and "
-                   "those that end at their hits: as brute force\n", w->name,
+            printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays, "
+                   "and those that end at their hits: as brute force\n", w->name,
                    s.entry[k].choice->label, s.rays[KIND_PRIMARY].n, s.rays[KIND_SHADOW].n,
                    s.rays[KIND_DIFFUSE].n, s.rays[KIND_MIRROR].n, aimed.n);
     fflush(stdout);

@@ -84,7 +84,7 @@ static inline bool sheet_draw(const options *o, image *im)
         compare_begin(&s, &w, &one, SIZE_MAX, 1);
         const compare_entry *e = compare_any(&s);
         sheet_panel p = {&w, e->c, e->s, 0, 0, w.name};
-        whole = sheet_place(p, sheet_colour, o->quick ? 1 : 3, k, sheet_columns, sheet_rows,
+        whole = sheet_place(p, sheet_colour, o->quick ? 1 : 2, k, sheet_columns, sheet_rows,
                             o->threads, im);
         compare_end(&s);
         world_free(&w);
@@ -106,7 +106,7 @@ static inline image visits_draw(const options *o, const world *w, const line_up 
     image im = image_new(o->width, rows * (across > 0 ? across : 1));
     const compare_entry *e = compare_any(&s);
     sheet_panel p = {w, e ? e->c : NULL, e ? e->s : NULL, 0, 0, w->name};
-    *whole = !e || sheet_place(p, sheet_colour, o->quick ? 1 : 3, 0, visits_columns, rows,
+    *whole = !e || sheet_place(p, sheet_colour, o->quick ? 1 : 2, 0, visits_columns, rows,
                                o->threads, &im);
     for (int k = 0; *whole && k < s.entries; k++) {
         if (!s.entry[k].s) continue;

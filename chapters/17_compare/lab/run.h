@@ -2,8 +2,8 @@
  *
  *   compare_run(&settings, &own)
  *
- * Without --full: both pictures, and one table of four small scenes, diffuse rays. With it: a table a
- * scene, all of them in four tables, growth with n, chart and plots. --scene, --mesh: the tables of
+ * Without --full: both pictures, and one table of four small scenes, diffuse rays. With it: a table
+ * a scene, all of them in four tables, growth with n, chart and plots. --scene, --mesh: the tables of
  * those. --large: scenes of 1e4 to 1e6 shapes.
  */
 #ifndef COMPARE_LAB_RUN_H
@@ -126,12 +126,14 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     const options *o = c->o;
     bool several = own->mesh[1];
     html_heading(r->html, "Verdict");
-    html_text(r->html, "%zu rays were proved to have the same hits in all structures, %zu of them by "
-              "brute force, before anything was timed. Each time is the median of several turns on "
+    html_text(r->html, "%zu rays were proved to have the same hits in all structures, %zu of them "
+              "by brute force, before anything was timed. Each time is the median of several turns on "
               "one thread, each structure warmed before its turn.", r->proved, r->by_brute);
     if (!o->full && !c->large && !own->mesh[0] && !own->scene) {
         summary_few(o, &r->summary, r->html);
-    } else if (r->html || several || !own->mesh[0]) summary_print(o, &r->summary, r->html);
+    } else if (r->html || several || (!own->mesh[0] && !own->scene)) {
+        summary_print(o, &r->summary, r->html);
+    }
     if (r->html) {
         html_heading(r->html, "What a ray costs, and what building costs");
         html_svg_begin(r->html);

@@ -32,7 +32,8 @@ static inline bool read_numbers(const char *name, const char *text, int n, doubl
         char *after;
         x[k] = strtod(at, &after);
         bool wrong = after == at || !isfinite(x[k]) || *after != (k + 1 < n ? ',' : 0);
-        if (wrong) die(2, "--%s %.100s: allowed are %d numbers with commas between", name, text, n);
+        if (wrong) die(2, "--%s %.100s: allowed are %s", name, text,
+                       n == 3 ? "X,Y,Z" : "X0,Y0,X1,Y1 from -1 to 1");
         at = after + 1;
     }
     return text != NULL;

@@ -1,12 +1,12 @@
-/* summary.h: all scenes in four tables. A row a structure, a column a scene: nanoseconds a ray, mean of
- * the kinds of rays as the scene has them; milliseconds to build; seconds in all for building and a
- * million rays. And who wins: who is fastest, and how many times as long a ray takes in the k-d tree
- * as in the BVH.
+/* summary.h: all scenes in four tables. A row a structure, a column a scene: nanoseconds a ray, mean
+ * of the kinds of rays as the scene has them; milliseconds to build; seconds in all for building and
+ * a million rays. And who wins: who is fastest, and how many times as long a ray takes in the k-d
+ * tree as in the BVH.
  *
  *   compare_summary m = {.chosen = &chosen};
  *   summary_add(&m, &s)                 a scene that was measured
  *   summary_print(&o, &m, report)       the four
- *   summary_few(&o, &m, report)         one: building in all scenes, diffuse rays in each, wrong hits
+ *   summary_few(&o, &m, report)         one: wrong hits, building in all scenes, diffuse rays
  */
 #ifndef COMPARE_LAB_SUMMARY_H
 #define COMPARE_LAB_SUMMARY_H
