@@ -525,7 +525,7 @@ static void test_misuse(void)
         {"--only example:leaf=1", "none"}, {"--only bvh:rule=best", "morton"},
         {"--sweep bvh", "bvh:leaf=1..32"}, {"--sweep bvh:leaf=9..8", "FROM..TO"},
         {"--sweep bvh:leaf=1..4 --verify", "--sweep"}, {"--up z", "--mesh"},
-        {"--costs x", "--rays"}, {"--report r.html --verify", "--report"}};
+        {"--costs x", "--rays"}, {"--score x", "--torture"}, {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         check_equal(run("17_compare", wrong[i].arguments), 2, "%s", wrong[i].arguments);
         check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
@@ -723,6 +723,29 @@ static void test_own(void)
     check(printed("out", "bvh:leaf=3") && printed("out", "yes"), "somebody is on the front");
 }
 
+/* Files of --torture, given back as another renderer's: all that are right, then some shifted. */
+static void test_torture(void)
+{
+    char arguments[600], command[600];
+    snprintf(arguments, sizeof arguments, "--quick --only bvh,first-mesh --torture %s/t", directory);
+    check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
+    check(printed("out", "Wrong answers of 200 a class"), "a table");
+    snprintf(arguments, sizeof arguments, "--quick --torture %s/t --score x", directory);
+    check_equal(run("17_compare", arguments), 1, "no such hits");
+    check(printed("err", "inside.x.hits"), "says which file");
+    snprintf(command, sizeof command, "cd %s/t && for f in *.hits; do cp $f ${f%%.hits}.x.hits; done",
+             directory);
+    check_equal(system(command), 0, "hits of another renderer");
+    check_equal(run("17_compare", arguments), 0, "all of them right");
+    snprintf(command, sizeof command, "cd %s/t && { tail -c +9 edges.hits; head -c 8 edges.hits; } "
+             ">edges.x.hits", directory);
+    check_equal(system(command), 0, "hits, each of the next ray");
+    check_equal(run("17_compare", arguments), 1, "wrong ones");
+    check(printed("err", "answers are wrong"), "says how many");
+    snprintf(arguments, sizeof arguments, "--quick --torture %s/t --score x --seed 5", directory);
+    check_equal(run("17_compare", arguments), 2, "rays of another seed");
+}
+
 int main(void)
 {
     if (!mkdtemp(directory)) abort();
@@ -752,6 +775,7 @@ int main(void)
         test_files();
         test_program();
         test_own();
+        test_torture();
     } else printf("17_compare: the program is not built (make), so it is not tested\n");
     char command[64];
     snprintf(command, sizeof command, "rm -r %s", directory);

@@ -46,7 +46,9 @@ static void test_meet(void)
     mesh_free(&m);
 }
 
-static size_t faults_of(const torture *t, bool (*ask)(const void *s, ray r, hit *h), const void *s)
+typedef bool asked(const void *s, ray r, hit *h);
+
+static size_t faults_of(const torture *t, asked *ask, const void *s)
 {
     size_t faults = 0;
     double error;
