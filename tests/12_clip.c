@@ -249,7 +249,7 @@ static void test_sort(void)
     check(float_key(-0.0f) == float_key(0.0f), "-0 and 0 are one plane");
 }
 
-/* (12.4) by definition: every side of every box, counted anew. */
+/* (12.1) by definition: every side of every box, counted anew. */
 static double cost_by_counting(const kd_splitter *s, const kd_item *item, size_t n,
                                const kd_box *cell, int k, float at)
 {
@@ -298,7 +298,7 @@ static void test_sweep(void)
         worst = check_worse(worst, fabs(found.cost - least) / least);
         worst = check_worse(worst, fabs(there - least) / least);
     }
-    check_at_most(worst, 16 * DBL_EPSILON, "the sweep finds the cheapest of all planes (12.4)");
+    check_at_most(worst, 16 * DBL_EPSILON, "the sweep finds the cheapest of all planes (12.1)");
     check_at_most(none, rounds / 10, "most sets can be cut");
 }
 
