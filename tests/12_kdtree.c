@@ -235,6 +235,46 @@ static void test_clip_pays(void)
     mesh_free(&m);
 }
 
+/* References to items that do not touch the cell of their leaf. */
+static size_t listed_in_vain(const kdtree *t, uint32_t at, kd_box cell)
+{
+    kd_node n = t->node[at];
+    size_t vain = 0;
+    if (kd_is_leaf(n)) {
+        aabb box = {vec(cell.lo[0], cell.lo[1], cell.lo[2]),
+                    vec(cell.hi[0], cell.hi[1], cell.hi[2])};
+        for (uint32_t k = 0; k < kd_count(n); k++)
+            vain += !items_overlap_box(&t->x, t->index[n.first + k], box);
+        return vain;
+    }
+    kd_box lower = cell, upper = cell;
+    lower.hi[kd_axis(n)] = upper.lo[kd_axis(n)] = n.plane;
+    return listed_in_vain(t, kd_lower(n), lower) + listed_in_vain(t, kd_lower(n) + 1, upper);
+}
+
+/* Balls and rods at all angles: a leaf lists only what touches its cell. That nothing is missing,
+ * structure_tests asks of scenes with round shapes. */
+static void test_round(void)
+{
+    enum { n = 2000 };
+    shape *s = allocate(n, sizeof *s);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(53, i, 0);
+        vec3 p = random_in_cube(&g, 1), q = vadd(p, random_in_cube(&g, 0.3));
+        real r = (real)0.2 * random_next(&g);
+        s[i] = i % 2 ? shape_of_sphere((sphere){p, r})
+                     : shape_of_cone((cone){.a = p, .b = q, .ra = r / 10, .rb = r / 10});
+    }
+    scene all = {s, n};
+    items x = items_of_scene(&all);
+    failure f;
+    kdtree t;
+    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
+    check_equal(listed_in_vain(&t, 0, t.box), 0, "round shapes that miss the cell of their leaf");
+    kdtree_free(&t);
+    free(s);
+}
+
 static void test_limits(void)
 {
     mesh m = teapot_mesh(6);
@@ -409,6 +449,7 @@ int main(void)
     test_pad();
     test_invariants();
     test_clip_pays();
+    test_round();
     test_limits();
     test_frame();
     test_counts();
