@@ -65,12 +65,13 @@ static inline ray plane_ray(real height)
     return ray_from((vec3){(real)0.45, (real)0.6, height / 2}, vunit(vec(1, 0.775, 0)));
 }
 
-/* Where the ray enters the cell, if it passes it before its hit: the line against each side. */
+/* Where the ray enters the cell, if it is there before its hit or just behind it (a hit may lie in
+ * the side of a cell): the line against each side. */
 static inline void plane_add(plane_tree *p, const vec3 *q, int n, bool full)
 {
     if (p->cells == plane_most || n > plane_corners) return;
     plane_cell *c = &p->cell[p->cells++];
-    real enter = 0, exit = p->h.t, turn = 0;
+    real enter = 0, exit = p->h.t + (real)1e-3, turn = 0;
     *c = (plane_cell){.n = n, .full = full};
     for (int i = 0; i < n; i++) {
         vec3 a = q[i], b = q[(i + 1) % n];
@@ -85,7 +86,7 @@ static inline void plane_add(plane_tree *p, const vec3 *q, int n, bool full)
         else if (c1 < 0) exit = real_min(exit, t);
         else if (s < 0) exit = -1;
     }
-    c->enter = enter, c->rank = exit - enter > (real)1e-6 ? 1 : 0;
+    c->enter = enter, c->rank = exit - enter > (real)1e-5 ? 1 : 0;
 }
 
 static inline void plane_order(plane_tree *p)

@@ -72,19 +72,21 @@ static inline void plot_of_rules(const options *o, const trial_row *row, const b
                       PLOT_LOG_X);
     int across = plot_series(&p, "across the axes"), own = plot_series(&p, "any only");
     int any = plot_series(&p, "both, by candidates");
-    for (int i = 0; i < bsp_candidates; i++)
-        if (row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE
-            && rule_by_cost(how[i].rule))
-            plot_add(&p, how[i].rule == BSP_AXIS ? across : how[i].rule == BSP_OWN ? own : any,
-                     row[i].build * 1e3, trial_ns(&row[i], TRIAL_DIFFUSE));
+    for (int tries = 1; tries <= 64; tries *= 4)
+        for (int i = 0; i < bsp_candidates; i++) {
+            bool safe = row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE;
+            int series = how[i].rule == BSP_AXIS ? across : how[i].rule == BSP_OWN ? own : any;
+            if (safe && rule_by_cost(how[i].rule) && how[i].candidates == tries)
+                plot_add(&p, series, row[i].build * 1e3, trial_ns(&row[i], TRIAL_DIFFUSE));
+        }
     output_plot(o, &p, "13_bsp_time.svg");
 }
 
 static inline void table_of_rules(const options *o)
 {
-    static const trial_columns own = {"|planes/tri|slanted [%]|empty [%]", bsp_cells};
+    static const trial_columns own = {"|planes/item|slanted [%]|empty [%]", bsp_cells};
     int n = o->full ? bsp_candidates : bsp_short, width = o->quick ? 40 : o->full ? 160 : 80;
-    char title[160];
+    char title[160], brief[200];
     trial_scene s;
     trial_row row[bsp_candidates];
     bsp_options how[bsp_candidates];
@@ -99,9 +101,14 @@ static inline void table_of_rules(const options *o)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 2000, o->seed,
                &bsp_trial, &how[2]);
     trials_run(row, n, &s, o->quick ? 1 : o->full ? 15 : 3);
-    table out = trial_table(trial_title(&s, title), row, n, &s, o->full, &own);
+    snprintf(brief, sizeof brief, "Which plane: %s", trial_title(&s, title));
+    table out = trial_table(brief, row, bsp_short, &s, false, NULL);
     output_table(o, &out);
-    if (o->full) plot_of_rules(o, row, how);
+    if (o->full) {
+        out = trial_table(trial_title(&s, title), row, n, &s, true, &own);
+        output_extra_table(o, &out);
+        plot_of_rules(o, row, how);
+    }
     trial_end(row, n), trial_scene_free(&s);
 }
 
@@ -149,8 +156,8 @@ static inline void table_of_scenes(const options *o)
     static const char *const name[7] = {"teapot", "torus", "town", "town, turned", "soup",
                                         "splinters", "stadium"};
     table out = table_new("Planes across the axes, and of any direction: lines through the box",
-                          "scene|triangles|rule|time build [ms]|memory [B/tri]|slanted [%]|"
-                          "names/tri|nodes/ray|tests/ray|error [wrong]|time [ns]|time gained [%]");
+                          "scene|triangles|rule|time build [ms]|memory [B/item]|slanted [%]|"
+                          "refs/item|nodes/ray|tests/ray|error [wrong]|time [ns]|time gained [%]");
     bsp_options how[2] = {bsp_with(BSP_AXIS, 1, BSP_SIDES_SAFE),
                           bsp_with(BSP_COST, 16, BSP_SIDES_SAFE)};
     for (int k = 0; k < 7; k++) {
@@ -266,7 +273,7 @@ static inline void table_of_pieces(const options *o)
                      plot_series(&p, "comb, fewest"), plot_series(&p, "crossing, fewest"),
                      plot_series(&p, "teapot, random"), plot_series(&p, "teapot, fewest")};
     for (int k = 0; k < 4; k++)
-        for (int n = 4; n <= (k == 0 ? 256 : 64); n *= k == 0 ? 4 : 2) {
+        for (int n = 4; n <= (k == 0 ? 256 : 64); n *= 4) {
             if (k >= 2 && n > 16) continue;
             size_t s = (size_t)n;
             mesh m = k == 0 ? comb_mesh(s) : k == 1 ? crossing_mesh(s)
