@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
  * Without options: the teapot of 102080 triangles, what each pixel took, a short table. --full: all
  * tables and plots. --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
 #include "../07_mesh/files/obj.h"
-#include "lab/nested.h"
+#include "lab/boxes_figure.h"
 #include "lab/runs.h"
 
 static bvh_options build_options(const char *strategy, int leaf)
