@@ -35,10 +35,10 @@ typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, quer
 typedef struct { uint32_t first, count; float enter; } tree_waiting;
 
 /* nearest: the child that is entered first is next; false: always the first, for comparison.
- * `leaf`, `any` and `nearest` are known where this is called: each call becomes a loop of its own. Which
- * child is nearer is chosen by branches: half of the guesses are wrong, but with the others the
- * processor is already in the next node. Without them (an index from the comparison) it has to wait
- * at every node, and a ray takes a third longer. */
+ * `leaf`, `any`, `nearest` are known where this is called: each call becomes a loop of its own.
+ * Which child is nearer is chosen by branches: half of the guesses are wrong, but with the others
+ * the processor is already in the next node. Without them (an index from the comparison) it has to
+ * wait at every node, and a ray takes a third longer. */
 __attribute__((always_inline))
 static inline bool tree_search_by(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
                                   const void *context, bool any, bool nearest, hit *out,

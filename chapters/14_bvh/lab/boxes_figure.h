@@ -21,11 +21,11 @@ typedef enum { BOXES_UNSEEN, BOXES_MISSED, BOXES_DROPPED, BOXES_ENTERED } boxes_
 
 typedef struct {
     const bvh_shapes *b;
-    uint32_t asked[boxes_most];     /* first item of each leaf, as the search comes to it */
+    uint32_t asked[boxes_most];     /* of each leaf, as the search comes to it: its first item */
     int n;
     boxes_state state[boxes_most];  /* [node] */
-    int turn[boxes_most];            /* [node] a leaf's place in that order, from 1; 0: not asked */
-    double column[boxes_most];       /* [node] */
+    int turn[boxes_most];           /* [node] a leaf's place in that order, from 1; 0: not asked */
+    double column[boxes_most];      /* [node] */
     int depth[boxes_most];
     char name[boxes_most];
 } boxes_figure;
@@ -33,7 +33,7 @@ typedef struct {
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline bool boxes_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                               bool any)
+                              bool any)
 {
     boxes_figure *x = *(boxes_figure *const *)context;
     x->asked[x->n++] = first;
