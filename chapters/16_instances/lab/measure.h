@@ -27,7 +27,7 @@ typedef struct {
     const instances_survey *s;
     instances x;                 /* or, flattened: */
     mesh m;
-    bvh b;
+    bvh_mesh b;
 } instances_method;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -70,14 +70,14 @@ static inline double method_build(instances_method *m, const crowd *c)
     double start = clock_seconds();
     if (m->flat) {
         m->m = crowd_flattened(c);
-        bvh_build(&m->m, bvh_defaults, &m->b);
+        if (!bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)) fail(f);
     } else if (!instances_build(c, how, &m->x, &f)) fail(f);
     return clock_seconds() - start;
 }
 
 static inline void method_free(instances_method *m)
 {
-    instances_free(&m->x), bvh_free(&m->b), mesh_free(&m->m);
+    instances_free(&m->x), bvh_mesh_free(&m->b), mesh_free(&m->m);
 }
 
 /* Without the caller's meshes, if it is flattened. */
@@ -91,7 +91,7 @@ static inline double method_megabytes(const instances_method *m)
 /* The hit as an instance and its triangle; flattened: h.shape counts all triangles. */
 static inline bool method_hit(const instances_method *m, ray r, instance_hit *h)
 {
-    if (m->flat) return bvh_hit(&m->b, r, &h->h);
+    if (m->flat) return bvh_mesh_hit(&m->b, r, &h->h);
     return m->unit ? instances_hit_naive(&m->x, r, h) : instances_hit(&m->x, r, h);
 }
 
@@ -110,7 +110,7 @@ static inline double method_run_shadow(void *context)
     const ray_set *s = &m->s->shadow;
     size_t hits = 0;
     for (size_t i = 0; i < s->n; i++)
-        hits += m->flat ? bvh_occluded(&m->b, s->r[i]) : instances_occluded(&m->x, s->r[i]);
+        hits += m->flat ? bvh_mesh_occluded(&m->b, s->r[i]) : instances_occluded(&m->x, s->r[i]);
     return (double)hits;
 }
 
@@ -165,11 +165,11 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
 /* How far both levels are searched for a ray from the eye: instances looked into, triangles. */
 static inline void method_work(const instances_method *m, double *entered, double *tests)
 {
-    instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
+    instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     instance_hit h;
     const ray_set *s = &m->s->eye;
     for (size_t i = 0; i < s->n; i++) {
-        if (m->flat) bvh_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
+        if (m->flat) bvh_mesh_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
         else instances_hit_counted(&m->x, s->r[i], &h, &w);
     }
     *entered = per((double)w.upper.tests, s->n), *tests = per((double)w.lower.tests, s->n);
@@ -256,7 +256,7 @@ static inline void table_of_growth(const options *o)
         plot_add(&p, two, x, mb);
         if (with) plot_add(&p, flat, x, flat_mb);
         if (i + 1 >= built) plot_add(&p, guess, x, flat_mb);  /* from the last on */
-        bvh_free(&m[1].b), mesh_free(&m[1].m);
+        bvh_mesh_free(&m[1].b), mesh_free(&m[1].m);
         survey_free(&s);
     }
     output_extra_table(o, &out);

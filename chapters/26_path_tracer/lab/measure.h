@@ -232,7 +232,7 @@ static inline void measure_strategies(const options *o)
             plot_add(&time, k, x[l].seconds, x[l].error);
         }
     }
-    measure_first(o, &last, &t);
+    if (o->full) measure_first(o, &last, &t);
     plot_slope(&error, -0.5, "slope -1/2"), plot_slope(&time, -0.5, "slope -1/2");
     output_table(o, &last);
     if (o->full) {
