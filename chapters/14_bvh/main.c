@@ -9,15 +9,14 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
 
 static bvh_options build_options(const char *strategy, int leaf)
 {
-    static const char *const name[bvh_strategies] = {"cycle", "longest", "median", "sah", "sweep",
-                                                     "morton", "spatial"};
     bvh_options b = bvh_defaults;
-    int k = 0;
-    while (k < bvh_strategies && strcmp(strategy, name[k]) != 0) k++;
-    if (k == bvh_strategies)
-        die(2, "--strategy %s: allowed are cycle, longest, median, sah, sweep, morton, spatial",
-            strategy);
-    b.strategy = (bvh_strategy)k, b.leaf = leaf;
+    char names[160] = "";
+    for (int k = 0; k < bvh_rule_count; k++) {
+        strcat(names, k ? ", " : "");
+        strcat(names, bvh_rules[k].name);
+    }
+    if (!bvh_rule_find(strategy)) die(2, "--strategy %s: allowed are %s", strategy, names);
+    b.rule = strategy, b.leaf = leaf;
     if (leaf == 1) b.item_cost = 1;
     return b;
 }

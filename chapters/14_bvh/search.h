@@ -4,7 +4,7 @@
  *       leaf      tests the items of a leaf: see below
  *       context   handed to box_ray_of, which has no use for it, and to leaf
  *       any       true: ends at the first hit (遮挡); h is not touched
- *       work      counts what was done; NULL: does not count
+ *       work      counts what was done, a pair of boxes as a node; NULL: does not count
  *
  * Both children of a node are tested at once. If the ray meets both, the one that it enters first
  * is next, and the other waits on the stack with its t of entry: by the time it comes up a hit may
@@ -22,14 +22,6 @@
 
 #include "../09_aabb/structure.h"
 #include "tree.h"
-
-typedef struct {
-    size_t nodes;   /* pairs of boxes tested */
-    size_t both;    /* of these: the ray met both, and must look into both unless it finds a hit */
-    size_t leaves;  /* leaves looked into */
-    size_t barren;  /* of these: nothing closer was found in them */
-    size_t tests;   /* items tested */
-} bvh_work;
 
 /* box_ray_of; box_ray_naive, which loses hits; or what pays for more errors than node.h counts. */
 typedef box_ray tree_prepare(ray r, const bvh_box *all, const void *context);
@@ -49,7 +41,7 @@ typedef struct { uint32_t first, count; float enter; } tree_waiting;
  * node, and a ray takes a third longer. */
 __attribute__((always_inline))
 static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
-                               const void *context, bool any, hit *out, bvh_work *work)
+                               const void *context, bool any, hit *out, search_work *work)
 {
     tree_waiting stack[bvh_most_depth];
     int top = 0;
@@ -67,7 +59,7 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
             float enter0 = box_enter(&c[0].box, &b, limit, &exit0);
             float enter1 = box_enter(&c[1].box, &b, limit, &exit1);
             bool in0 = !(enter0 > exit0), in1 = !(enter1 > exit1);
-            if (work) work->nodes++, work->both += in0 & in1;
+            if (work) work->nodes++;
             if (in0) {
                 if (in1 && enter1 < enter0) {
                     stack[top++] = (tree_waiting){c[0].first, c[0].count, enter0};
@@ -84,7 +76,7 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
             }
         } else {
             bool found = leaf(context, first, count, &q, any);
-            if (work) work->leaves++, work->barren += !found, work->tests += count;
+            if (work) work->leaves++, work->tests += count;
             if (found && any) return true;
             if (found) limit = box_ray_limit(&b, q.r.tmax);
         }

@@ -1,9 +1,10 @@
 /* stats.h: what a tree looks like, what the heuristic says it costs, how much boxes overlap.
  *
- *   bvh_stats s = bvh_stats_of(&t);
- *   s.nodes, s.tests    pairs of boxes and items that a random line through the root tests, if
+ *   structure_stats s = tree_stats(&t);     s.items: references, too: a tree knows no triangles
+ *   tree_cost c = tree_cost_of(&t);
+ *   c.nodes, c.tests    pairs of boxes and items that a random line through the root tests, if
  *                       no hit ends the search                                            (14.7)
- *   s.overlap           of these pairs: how often the line meets what both boxes cover    (14.8)
+ *   c.overlap           of these pairs: how often the line meets what both boxes cover    (14.8)
  *   tree_pierced(&t, r, &work)    counts both for one line: tests no item, stops at no hit
  *
  *      nodes   = sum over inner nodes of  area(node) / area(root)
@@ -22,34 +23,38 @@
 
 #include "search.h"
 
-typedef struct {
-    size_t inner, leaves, items;
-    int depth;
-    double nodes, tests, overlap;
-    size_t bytes, peak;  /* memory now, and the most while it was built */
-} bvh_stats;
+typedef struct { double nodes, tests, overlap; } tree_cost;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bvh_stats bvh_stats_of(const bvh_tree *t)
+static inline structure_stats tree_stats(const bvh_tree *t)
 {
-    bvh_stats s = {.items = t->items, .depth = t->depth, .bytes = t->bytes, .peak = t->peak};
+    structure_stats s = {.references = t->items, .items = t->items, .depth = t->depth,
+                         .bytes = t->bytes, .peak = t->peak};
+    for (size_t i = 0; t->items && i < t->nodes; i++) s.leaves += i != 1 && t->node[i].count > 0;
+    s.inner = s.leaves ? s.leaves - 1 : 0;
+    return s;
+}
+
+static inline tree_cost tree_cost_of(const bvh_tree *t)
+{
+    tree_cost c = {0, 0, 0};
     double root = t->items ? box_area(&t->node[0].box) : 1;
     for (size_t i = 0; t->items && i < t->nodes; i++) {
         const bvh_node *n = &t->node[i];
         if (i == 1) continue;
         double part = box_area(&n->box) / root;
-        if (n->count) s.leaves++, s.tests += part * n->count;
+        if (n->count) c.tests += part * n->count;
         else {
-            s.inner++, s.nodes += part;
-            s.overlap += box_shared_area(&t->node[n->first].box, &t->node[n->first + 1].box) / root;
+            c.nodes += part;
+            c.overlap += box_shared_area(&t->node[n->first].box, &t->node[n->first + 1].box) / root;
         }
     }
-    return s;
+    return c;
 }
 
 static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const box_ray *q,
-                                   bvh_work *w)
+                                   search_work *w)
 {
     float exit;
     if (box_enter(&n->box, q, INFINITY, &exit) > exit) return;
@@ -62,7 +67,7 @@ static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const b
     tree_pierced_at(t, t->node + n->first + 1, q, w);
 }
 
-static inline void tree_pierced(const bvh_tree *t, ray r, bvh_work *work)
+static inline void tree_pierced(const bvh_tree *t, ray r, search_work *work)
 {
     if (t->items == 0 || !ray_is_usable(r)) return;
     box_ray q = box_ray_of(r, &t->node[0].box, NULL);

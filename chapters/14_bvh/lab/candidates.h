@@ -10,70 +10,37 @@
 #include "../../09_aabb/trials/bench.h"
 #include "../bvh.h"
 #include "../first.h"
-#include "../stats.h"
 
 typedef struct { const char *name; const trial_verbs *verbs; bvh_options how; bool sah; }
     bvh_candidate;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool bvh_trial_build(const trial_scene *s, const void *how, void *out, failure *f)
+static inline bool bvh_hit_naive(const bvh *b, ray r, hit *out)
 {
-    (void)f;
-    bvh_build(&s->m, *(const bvh_options *)how, out);
-    return true;
+    return bvh_mesh_hit_naive(&b->mesh, r, out);
 }
 
-static inline bool bvh_trial_counted(const void *b, ray r, hit *out, search_work *w)
-{
-    bvh_work k = {0, 0, 0, 0, 0};
-    bool found = bvh_hit_counted(b, r, out, &k);
-    w->nodes += k.nodes, w->leaves += k.leaves, w->tests += k.tests;
-    return found;
-}
-
-static inline structure_stats bvh_trial_stats(const void *built)
-{
-    const bvh *b = built;
-    bvh_stats s = bvh_stats_of(&b->tree);
-    uint32_t most = 0;
-    size_t distinct = 0;  /* spatial splits name some triangles twice */
-    for (size_t i = 0; i < s.items; i++)
-        if (b->triangle[i].index > most) most = b->triangle[i].index;
-    bool *seen = allocate((size_t)most + 1, sizeof *seen);
-    for (size_t i = 0; i < s.items; i++)
-        distinct += !seen[b->triangle[i].index], seen[b->triangle[i].index] = true;
-    free(seen);
-    return (structure_stats){.inner = s.inner, .leaves = s.leaves, .references = s.items,
-                             .items = distinct, .depth = s.depth, .bytes = s.bytes,
-                             .peak = s.peak};
-}
-
-static inline void bvh_trial_free(void *b) { bvh_free(b); }
-
-TRIAL_SEARCH(bvh, bvh, bvh_hit)
-static const trial_verbs bvh_trial = {sizeof(bvh), bvh_trial_build, bvh_trial_hit,
-                                      bvh_trial_counted, bvh_trial_search, bvh_trial_stats,
-                                      bvh_trial_free, false};
+TRIAL_VERBS(bvh, bvh, bvh_hit, bvh_hit_counted)
 TRIAL_OTHER(bvh_naive, bvh, bvh, bvh_hit_naive)
 TRIAL_FIRST(first_bvh, b->s = first_bvh_build(&b->m, *(const bool *)how))
 
 /* The first seven are the short table. */
 enum { bvh_short = 7, bvh_candidates = 13 };
 static const bvh_candidate bvh_candidate_list[bvh_candidates] = {
-    {"first, SAH", &first_bvh_trial, {BVH_SAH, 0, 0}, true},
-    {"cycling axis", &bvh_trial, {BVH_CYCLE, 4, 1}, false},
-    {"median", &bvh_trial, {BVH_MEDIAN, 4, 1}, false},
-    {"SAH, bins", &bvh_trial, {BVH_SAH, 8, 0.3}, false},
-    {"SAH, boxes naive", &bvh_naive_trial, {BVH_SAH, 8, 0.3}, false},
-    {"SAH, spatial", &bvh_trial, {BVH_SPATIAL, 8, 0.3}, false},
-    {"Morton", &bvh_trial, {BVH_MORTON, 8, 0.3}, false},
-    {"longest axis", &bvh_trial, {BVH_LONGEST, 4, 1}, false},
-    {"SAH, sweep", &bvh_trial, {BVH_SAH_SWEEP, 8, 0.3}, false},
-    {"bins, leaf 1", &bvh_trial, {BVH_SAH, 1, 1}, false},
-    {"bins, leaf 4", &bvh_trial, {BVH_SAH, 4, 0.3}, false},
-    {"bins, leaf 16", &bvh_trial, {BVH_SAH, 16, 0.1}, false},
-    {"first, middle", &first_bvh_trial, {BVH_SAH, 0, 0}, false}};
+    {"first, SAH", &first_bvh_trial, {"sah", 0, 0, SIZE_MAX}, true},
+    {"cycling axis", &bvh_trial, {"cycle", 4, 1, SIZE_MAX}, false},
+    {"median", &bvh_trial, {"median", 4, 1, SIZE_MAX}, false},
+    {"SAH, bins", &bvh_trial, {"sah", 8, 0.3, SIZE_MAX}, false},
+    {"SAH, boxes naive", &bvh_naive_trial, {"sah", 8, 0.3, SIZE_MAX}, false},
+    {"SAH, spatial", &bvh_trial, {"spatial", 8, 0.3, SIZE_MAX}, false},
+    {"Morton", &bvh_trial, {"morton", 8, 0.3, SIZE_MAX}, false},
+    {"longest axis", &bvh_trial, {"longest", 4, 1, SIZE_MAX}, false},
+    {"SAH, sweep", &bvh_trial, {"sweep", 8, 0.3, SIZE_MAX}, false},
+    {"bins, leaf 1", &bvh_trial, {"sah", 1, 1, SIZE_MAX}, false},
+    {"bins, leaf 4", &bvh_trial, {"sah", 4, 0.3, SIZE_MAX}, false},
+    {"bins, leaf 16", &bvh_trial, {"sah", 16, 0.1, SIZE_MAX}, false},
+    {"first, middle", &first_bvh_trial, {"sah", 0, 0, SIZE_MAX}, false}};
 
 static inline void bvh_rows(const bvh_candidate *list, int n, trial_row *row)
 {

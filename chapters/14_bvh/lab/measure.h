@@ -32,39 +32,34 @@ static inline void table_of_strategies(const options *o, const trial_scene *s)
 /* Seven curves, of leaves that are best for each. */
 enum { bvh_paying = 7 };
 static const bvh_candidate bvh_paying_list[bvh_paying] = {
-    {"Morton", &bvh_trial, {BVH_MORTON, 8, 0.3}, false},
-    {"cycling axis", &bvh_trial, {BVH_CYCLE, 4, 1}, false},
-    {"longest axis", &bvh_trial, {BVH_LONGEST, 4, 1}, false},
-    {"median", &bvh_trial, {BVH_MEDIAN, 4, 1}, false},
-    {"SAH, bins", &bvh_trial, {BVH_SAH, 8, 0.3}, false},
-    {"SAH, sweep", &bvh_trial, {BVH_SAH_SWEEP, 8, 0.3}, false},
-    {"SAH, spatial", &bvh_trial, {BVH_SPATIAL, 8, 0.3}, false}};
+    {"Morton", &bvh_trial, {"morton", 8, 0.3, SIZE_MAX}, false},
+    {"cycling axis", &bvh_trial, {"cycle", 4, 1, SIZE_MAX}, false},
+    {"longest axis", &bvh_trial, {"longest", 4, 1, SIZE_MAX}, false},
+    {"median", &bvh_trial, {"median", 4, 1, SIZE_MAX}, false},
+    {"SAH, bins", &bvh_trial, {"sah", 8, 0.3, SIZE_MAX}, false},
+    {"SAH, sweep", &bvh_trial, {"sweep", 8, 0.3, SIZE_MAX}, false},
+    {"SAH, spatial", &bvh_trial, {"spatial", 8, 0.3, SIZE_MAX}, false}};
 
 /* The same trees, by the formulas and by counting lines as the heuristic assumes them. */
 static inline void table_of_overlap(const options *o, const trial_scene *s)
 {
-    const ray_set *diffuse = &s->rays[TRIAL_DIFFUSE];
     table out = table_new(
-        "Overlap: random lines through the box of the mesh, and diffuse rays",
-        "structure|nodes (14.7)|nodes, lines|tests (14.7)|tests, lines|in both (14.8)|"
-        "both, rays [%]|barren leaves, rays [%]");
+        "Overlap: random lines through the box of the mesh",
+        "structure|nodes (14.7)|nodes, lines|tests (14.7)|tests, lines|in both (14.8)");
     for (int i = 1; i < bvh_paying - 1; i++) {
         bvh b;
-        bvh_work w = {0, 0, 0, 0, 0}, d = {0, 0, 0, 0, 0};
-        hit h;
-        bvh_build(&s->m, bvh_paying_list[i].how, &b);
-        bvh_stats st = bvh_stats_of(&b.tree);
-        const float *c = b.tree.node[0].box.side;
+        search_work w = {0, 0, 0, 0};
+        failure f;
+        if (!bvh_build(&s->x, bvh_paying_list[i].how, &b, &f)) fail(f);
+        tree_cost st = tree_cost_of(bvh_tree_of(&b));
+        const float *c = bvh_tree_of(&b)->node[0].box.side;
         aabb box = {{(real)c[0], (real)c[1], (real)c[2]}, {(real)c[3], (real)c[4], (real)c[5]}};
         ray_set lines = rays_uniform(box, 50000, o->seed);
-        for (size_t k = 0; k < lines.n; k++) tree_pierced(&b.tree, lines.r[k], &w);
-        for (size_t k = 0; k < diffuse->n; k++) bvh_hit_counted(&b, diffuse->r[k], &h, &d);
+        for (size_t k = 0; k < lines.n; k++) tree_pierced(bvh_tree_of(&b), lines.r[k], &w);
         table_text(&out, "%s", bvh_paying_list[i].name);
         table_number(&out, st.nodes), table_number(&out, trial_per((double)w.nodes, lines.n));
         table_number(&out, st.tests), table_number(&out, trial_per((double)w.tests, lines.n));
         table_number(&out, st.overlap);
-        table_number(&out, 100 * trial_per((double)d.both, d.nodes));
-        table_number(&out, 100 * trial_per((double)d.barren, d.leaves));
         rays_free(&lines);
         bvh_free(&b);
     }
@@ -108,11 +103,12 @@ static inline void table_of_slivers(const options *o)
     bvh_rows(bvh_paying_list, bvh_paying, row);
     trials_run(row, bvh_paying, &s, 5);
     for (int i = 0; i < bvh_paying; i++) {
-        bvh_stats st = bvh_stats_of(&((const bvh *)row[i].built)->tree);
+        const bvh_tree *t = bvh_tree_of(row[i].built);
+        tree_cost st = tree_cost_of(t);
         search_work w = row[i].ray[TRIAL_PRIMARY].work;
         size_t rays = row[i].ray[TRIAL_PRIMARY].n;
         table_text(&out, "%s", row[i].name), table_number(&out, row[i].build * 1e3);
-        table_number(&out, trial_per((double)st.items, s.m.triangles));
+        table_number(&out, trial_per((double)t->items, s.m.triangles));
         table_number(&out, trial_per((double)w.nodes, rays));
         table_number(&out, trial_per((double)w.tests, rays));
         table_number(&out, trial_ns(&row[i], TRIAL_PRIMARY));
@@ -129,7 +125,7 @@ static inline void plot_of_pareto(const options *o, const trial_scene *s)
     for (int k = 0; k < bvh_paying; k++) {
         int series = plot_series(&p, bvh_paying_list[k].name);
         for (int leaf = 16; leaf > 1; leaf /= 2) {
-            bvh_options how = {bvh_paying_list[k].how.strategy, leaf, 0.8 / leaf};
+            bvh_options how = {bvh_paying_list[k].how.rule, leaf, 0.8 / leaf, SIZE_MAX};
             trial_row r = {.name = "", .verbs = &bvh_trial, .how = &how};
             trial_time_build(&r, s, 1);
             trial_search(&r, 1, s, TRIAL_DIFFUSE, 3);
@@ -144,7 +140,7 @@ static inline void plot_of_pareto(const options *o, const trial_scene *s)
 static inline void bvh_grow(const options *o)
 {
     static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 125};
-    static const bvh_options how = {BVH_SAH, 8, 0.3};
+    static const bvh_options how = {"sah", 8, 0.3, SIZE_MAX};
     const trial_growth g = {.title = "Growth with n, SAH, bins, leaves of 8; one thread",
                             .plots = {"14_bvh_n_time.svg", "14_bvh_n.svg"}, .name = "BVH",
                             .work = {"pairs of boxes", NULL, "triangles"}, .verbs = &bvh_trial,

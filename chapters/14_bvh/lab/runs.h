@@ -25,9 +25,11 @@ static inline void draw_mesh(const options *o, const mesh *m, bvh_options how, b
     vec3 lo, hi;
     char name[512];
     bvh b;
+    failure f;
+    items x = items_of_mesh(m);
     int samples = o->quick ? 1 : 3;
     double start = clock_seconds();
-    bvh_build(m, how, &b);
+    if (!bvh_build(&x, how, &b, &f)) fail(f);
     double built = clock_seconds();
     mesh_bounds(m, &lo, &hi);
     image im = image_new(o->width, o->height);
@@ -44,7 +46,8 @@ static inline void draw_mesh(const options *o, const mesh *m, bvh_options how, b
 static inline void draw_visits(const options *o, const trial_scene *s)
 {
     static const bvh_options how[4] = {
-        {BVH_CYCLE, 4, 1}, {BVH_LONGEST, 4, 1}, {BVH_MEDIAN, 4, 1}, {BVH_SAH, 4, 1}};
+        {"cycle", 4, 1, SIZE_MAX}, {"longest", 4, 1, SIZE_MAX},
+        {"median", 4, 1, SIZE_MAX}, {"sah", 4, 1, SIZE_MAX}};
     const void *list[4] = {&how[0], &how[1], &how[2], &how[3]};
     image im = image_new(o->width, o->height);
     trial_picture p = {.verbs = &bvh_trial, .most = 160};
@@ -58,14 +61,15 @@ static inline void search_file(const options *o, const bvh_ray_file *file, const
 {
     failure f;
     size_t n, hits = 0;
-    bvh_work w = {0, 0, 0, 0, 0};
+    search_work w = {0, 0, 0, 0};
     double seconds[7];
     ray *r = rays_read(file->rays, &n, &f);
     if (!r) fail(f);
     hit *h = allocate(n, sizeof *h), again;
     bvh b;
+    items x = items_of_mesh(m);
     double start = clock_seconds();
-    bvh_build(m, how, &b);
+    if (!bvh_build(&x, how, &b, &f)) fail(f);
     double built = clock_seconds() - start;
     for (int pass = -1; pass < 7; pass++) {
         start = clock_seconds();
@@ -84,7 +88,7 @@ static inline void search_file(const options *o, const bvh_ray_file *file, const
                         "tests_per_ray|ns_per_ray");
     table_text(&t, "%s", file->scene), table_text(&t, "bvh %s", strategy);
     table_text(&t, file->any ? "any" : "closest"), table_count(&t, n), table_count(&t, hits);
-    table_text(&t, "%.6f", built), table_count(&t, b.tree.bytes);
+    table_text(&t, "%.6f", built), table_count(&t, bvh_tree_of(&b)->bytes);
     table_number(&t, trial_per((double)w.nodes, n));
     table_number(&t, trial_per((double)w.tests, n));
     table_number(&t, clock_median(seconds, 7) * 1e9 / (double)n);

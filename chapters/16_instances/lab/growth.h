@@ -37,7 +37,7 @@ static inline void table_of_growth(const options *o)
                                  {.name = "flat", .flat = true, .s = &s}};
         double flat_build = with ? method_build(&m[1], &s.c) : 0;
         methods_time(m, 1 + with, false, o->quick ? 1 : 7, eye);
-        instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
+        instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
         instance_hit h;
         for (size_t k = 0; k < s.eye.n; k++) instances_hit_counted(&s.x, s.eye.r[k], &h, &w);
         double triangles = instances_stats(&s.x).triangles, mb = method_megabytes(&m[0]);
@@ -53,7 +53,7 @@ static inline void table_of_growth(const options *o)
         plot_add(&p, two, x, mb), plot_add(&q, two_time, x, eye[0]);
         if (with) plot_add(&p, flat, x, flat_mb), plot_add(&q, flat_time, x, eye[1]);
         if (i + 1 >= built) plot_add(&p, guess, x, flat_mb);  /* from the last on */
-        bvh_free(&m[1].b), mesh_free(&m[1].m);
+        bvh_mesh_free(&m[1].b), mesh_free(&m[1].m);
         survey_free(&s);
     }
     output_extra_table(o, &out);

@@ -26,7 +26,7 @@ typedef struct {
     const instances_survey *s;
     instances x;                 /* or, flattened: */
     mesh m;
-    bvh b;
+    bvh_mesh b;
 } instances_method;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -69,14 +69,14 @@ static inline double method_build(instances_method *m, const crowd *c)
     double start = clock_seconds();
     if (m->flat) {
         m->m = crowd_flattened(c);
-        bvh_build(&m->m, bvh_defaults, &m->b);
+        if (!bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)) fail(f);
     } else if (!instances_build(c, how, &m->x, &f)) fail(f);
     return clock_seconds() - start;
 }
 
 static inline void method_free(instances_method *m)
 {
-    instances_free(&m->x), bvh_free(&m->b), mesh_free(&m->m);
+    instances_free(&m->x), bvh_mesh_free(&m->b), mesh_free(&m->m);
 }
 
 /* Without the caller's meshes, if it is flattened. */
@@ -90,7 +90,7 @@ static inline double method_megabytes(const instances_method *m)
 /* The hit as an instance and its triangle; flattened: h.shape counts all triangles. */
 static inline bool method_hit(const instances_method *m, ray r, instance_hit *h)
 {
-    if (m->flat) return bvh_hit(&m->b, r, &h->h);
+    if (m->flat) return bvh_mesh_hit(&m->b, r, &h->h);
     return m->unit ? instances_hit_naive(&m->x, r, h) : instances_hit(&m->x, r, h);
 }
 
@@ -109,7 +109,7 @@ static inline double method_run_shadow(void *context)
     const ray_set *s = &m->s->shadow;
     size_t hits = 0;
     for (size_t i = 0; i < s->n; i++)
-        hits += m->flat ? bvh_occluded(&m->b, s->r[i]) : instances_occluded(&m->x, s->r[i]);
+        hits += m->flat ? bvh_mesh_occluded(&m->b, s->r[i]) : instances_occluded(&m->x, s->r[i]);
     return (double)hits;
 }
 
@@ -164,11 +164,11 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
 /* How far both levels are searched for a ray from the eye. */
 static inline void method_work(table *out, const instances_method *m)
 {
-    instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
+    instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     instance_hit h;
     const ray_set *s = &m->s->eye;
     for (size_t i = 0; i < s->n; i++) {
-        if (m->flat) bvh_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
+        if (m->flat) bvh_mesh_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
         else instances_hit_counted(&m->x, s->r[i], &h, &w);
     }
     table_number(out, per((double)w.upper.nodes, s->n));

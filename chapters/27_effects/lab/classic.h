@@ -74,8 +74,7 @@ static inline void classic_build(const effects_stage *e, classic *c)
     c->place = allocate(t->standing + 1, sizeof *c->place);
     size_t n = 0;
     if (s->shapes) {
-        c->part[n] = (world_part){.s = &c->all, .mask = MASK_ALL};
-        bvh_shapes_build(&c->all, (bvh_options){BVH_SAH, 2, 1.5}, &c->part[n].of_scene);  /* 19's */
+        world_part_cut(&c->all, bvh_leaves(2, 1.5), MASK_ALL, &c->part[n]);  /* as 19 */
         c->place[n++] = no_shape;
     }
     for (size_t k = 0; k < t->standing; k++) {
