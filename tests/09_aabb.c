@@ -49,10 +49,10 @@ static void test_boxes(void)
           "corners belong to the box");
     check(!aabb_contains(b, (vec3){0, 3, 8}) && !aabb_contains(b, (vec3){0, nan_real, 1}),
           "outside, and nowhere");
-    vec3 m = aabb_center(b);
-    check(m.x == 1 && m.y == (real)3.5 && m.z == (real)3.5, "center");
-    check(vfinite(aabb_center((aabb){{real_largest, 0, 0}, {real_largest, 1, 1}})),
-          "the center of a far box does not overflow");
+    vec3 m = aabb_centre(b);
+    check(m.x == 1 && m.y == (real)3.5 && m.z == (real)3.5, "centre");
+    check(vfinite(aabb_centre((aabb){{real_largest, 0, 0}, {real_largest, 1, 1}})),
+          "the centre of a far box does not overflow");
 }
 
 /* The oracle against the definition: at t = n/d the point o + t dir, times d, is a whole number,

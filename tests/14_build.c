@@ -1,8 +1,8 @@
 /* The two builders that are not cuts between items: Morton codes (morton.h) and cuts through items
  * (spatial.h). Codes and topology by an independent definition; parts of triangles cover them. */
-#include "../chapters/14_bvh/bvh.h"
+#include "../chapters/14_bvh/bvh_mesh.h"
 #include "../chapters/14_bvh/lab/slivers.h"
-#include "../chapters/14_bvh/stats.h"
+#include "../chapters/14_bvh/lab/cost.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
 #include "check.h"
@@ -37,27 +37,21 @@ static void test_codes(void)
     check_equal(morton_code(0x1fffff, 0x1fffff, 0x1fffff), (uint64_t)-1 >> 1, "63 ones");
 }
 
-static void test_sort(void)
+static void test_reorder(void)
 {
     for (size_t n = 0; n <= check_count(100000); n = n < 4 ? n + 1 : 5 * n) {
-        morton_pair *a = allocate(n, sizeof *a), *b = allocate(n, sizeof *b);
+        radix_code *a = allocate(n, sizeof *a), *b = allocate(n, sizeof *b);
         bvh_item *item = allocate(n, sizeof *item);
-        size_t wrong = 0, moved = 0;
+        uint32_t *place = allocate(n, sizeof *place);
+        size_t moved = 0;
         for (size_t i = 0; i < n; i++) {
-            uint64_t r = random_bits(2, i, n, 0);  /* many equal codes, and many digits equal */
-            a[i] = (morton_pair){(r & 7) << 60 | (r >> 3 & 15) << 30 | (r >> 7 & 15),
-                                 (uint32_t)i};
+            a[i] = (radix_code){random_bits(2, i, n, 0) & 4095, (uint32_t)i};
             item[i].index = (uint32_t)i;
         }
-        morton_pair *s = morton_sort(a, b, n);
-        for (size_t i = 1; i < n; i++)
-            wrong += !(s[i - 1].code < s[i].code
-                       || (s[i - 1].code == s[i].code && s[i - 1].place < s[i].place));
-        check_equal(wrong, 0, "%zu codes in order, equal ones as they were", n);
-        uint32_t *place = allocate(n, sizeof *place);
-        for (size_t i = 0; i < n; i++) place[i] = s[i].place;
-        morton_reorder(item, s, n);
-        for (size_t i = 0; i < n; i++) moved += item[i].index != place[i] || s[i].place != i;
+        radix_sort_codes(a, b, n);
+        for (size_t i = 0; i < n; i++) place[i] = a[i].place;
+        morton_reorder(item, a, n);
+        for (size_t i = 0; i < n; i++) moved += item[i].index != place[i] || a[i].place != i;
         check_equal(moved, 0, "%zu items follow their codes", n);
         free(a), free(b), free(item), free(place);
     }
@@ -69,22 +63,22 @@ static void test_cut(void)
     size_t wrong = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream g = random_start(3, i, 0);
-        morton_pair p[40];
+        radix_code p[40];
         size_t n = 2 + (size_t)(random_next_bits(&g) % 39);
         int bits = 1 + (int)(random_next_bits(&g) % 63);
         uint64_t code = random_next_bits(&g) >> 1 & ~(((uint64_t)1 << bits) - 1);
         for (size_t k = 0; k < n; k++) {
             uint64_t x = random_next_bits(&g) & (((uint64_t)1 << bits) - 1);
-            p[k].code = code | (i % 3 ? x : x & 3);
-            for (size_t j = k; j > 0 && p[j - 1].code > p[j].code; j--) {
-                morton_pair swap = p[j];
+            p[k].key = code | (i % 3 ? x : x & 3);
+            for (size_t j = k; j > 0 && p[j - 1].key > p[j].key; j--) {
+                radix_code swap = p[j];
                 p[j] = p[j - 1], p[j - 1] = swap;
             }
         }
         size_t cut = morton_cut(p, 0, n), expected = n / 2;
-        for (int bit = 62; bit >= 0 && p[0].code != p[n - 1].code; bit--) {
-            if ((p[0].code >> bit & 1) == (p[n - 1].code >> bit & 1)) continue;
-            for (expected = 0; (p[expected].code >> bit & 1) == 0; ) expected++;
+        for (int bit = 62; bit >= 0 && p[0].key != p[n - 1].key; bit--) {
+            if ((p[0].key >> bit & 1) == (p[n - 1].key >> bit & 1)) continue;
+            for (expected = 0; (p[expected].key >> bit & 1) == 0; ) expected++;
             break;
         }
         wrong += cut != expected || cut == 0 || cut == n;
@@ -93,8 +87,8 @@ static void test_cut(void)
 }
 
 /* What is below each inner node shares its first bits, and the next one parts left from right. */
-static void topology(const bvh *b, size_t at, const uint64_t *code, uint64_t *all, uint64_t *any,
-                     size_t *wrong)
+static void topology(const bvh_mesh *b, size_t at, const uint64_t *code, uint64_t *all,
+                     uint64_t *any, size_t *wrong)
 {
     const bvh_node *n = &b->tree.node[at];
     *all = ~(uint64_t)0, *any = 0;
@@ -114,9 +108,9 @@ static void test_topology(void)
 {
     mesh m = teapot_mesh(12);
     vec3 lo, hi;
-    bvh b;
+    bvh_mesh b;
     bvh_item *item = allocate(m.triangles, sizeof *item);
-    morton_pair *pair = allocate(m.triangles, sizeof *pair);
+    radix_code *pair = allocate(m.triangles, sizeof *pair);
     uint64_t *code = allocate(m.triangles, sizeof *code), all, any;
     size_t wrong = 0, off = 0;
     for (size_t i = 0; i < m.triangles; i++) triangle_item(&m, i, &item[i]);
@@ -131,7 +125,7 @@ static void test_topology(void)
     }
     double cell = (double)vaxis(vsub(hi, lo), vlongest(vsub(hi, lo))) / 2097151;
     for (size_t i = 0; i < m.triangles; i++) {
-        code[i] = pair[i].code;
+        code[i] = pair[i].key;
         for (int k = 0; k < 3; k++) {
             uint32_t x = 0;
             for (int bit = 0; bit < 21; bit++)
@@ -142,11 +136,11 @@ static void test_topology(void)
     }
     check_equal(off, 0, "the code of a triangle is the cell of its centre");
     for (int leaf = 1; leaf <= 8; leaf *= 8) {
-        bvh_build(&m, (bvh_options){BVH_MORTON, leaf, 0.3}, &b);
+        check(bvh_mesh_build(&m, (bvh_options){"morton", leaf, 0.3, SIZE_MAX}, &b, NULL), "built");
         topology(&b, 0, code, &all, &any, &wrong);
         check_equal(wrong, 0, "leaves of %d: each node is cut where its codes first differ", leaf);
         check_at_least(b.tree.nodes, m.triangles / 8, "it is a tree");
-        bvh_free(&b);
+        bvh_mesh_free(&b);
     }
     free(item), free(pair), free(code);
     mesh_free(&m);
@@ -156,21 +150,22 @@ static void test_topology(void)
 static void test_morton_leaves(void)
 {
     mesh m = teapot_mesh(8);
-    bvh one, eight;
-    bvh_build(&m, (bvh_options){BVH_MORTON, 1, 0.3}, &one);
-    bvh_build(&m, (bvh_options){BVH_MORTON, 8, 0.3}, &eight);
-    bvh_stats a = bvh_stats_of(&one.tree), b = bvh_stats_of(&eight.tree);
+    bvh_mesh one, eight;
+    check(bvh_mesh_build(&m, (bvh_options){"morton", 1, 0.3, SIZE_MAX}, &one, NULL), "built");
+    check(bvh_mesh_build(&m, (bvh_options){"morton", 8, 0.3, SIZE_MAX}, &eight, NULL), "built");
+    tree_cost a = tree_cost_of(&one.tree), b = tree_cost_of(&eight.tree);
     check_at_most(b.nodes + 0.3 * b.tests, a.nodes + 0.3 * a.tests,
                   "joining items into leaves never raises the cost");
-    check(b.leaves < a.leaves && a.leaves == m.triangles, "and some are joined");
-    bvh_free(&one), bvh_free(&eight);
+    check(tree_stats(&eight.tree).leaves < m.triangles
+              && tree_stats(&one.tree).leaves == m.triangles, "and some are joined");
+    bvh_mesh_free(&one), bvh_mesh_free(&eight);
     mesh_free(&m);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Points of triangles: of the leaves that name the triangle, one has the point in its box. */
-typedef struct { const bvh *b; vec3 p; uint32_t index; real slack; bool found; } finder;
+typedef struct { const bvh_mesh *b; vec3 p; uint32_t index; real slack; bool found; } finder;
 
 static void find_point(finder *f, size_t at)
 {
@@ -185,12 +180,12 @@ static void find_point(finder *f, size_t at)
 
 static void test_cover(const char *name, const mesh *m, real size, bool cut)
 {
-    bvh b;
+    bvh_mesh b;
     size_t lost = 0, points = check_count(40000);
-    bvh_build(m, (bvh_options){BVH_SPATIAL, 4, 0.3}, &b);
+    check(bvh_mesh_build(m, (bvh_options){"spatial", 4, 0.3, SIZE_MAX}, &b, NULL), "built");
     check(!cut || b.tree.items > m->triangles + m->triangles / 4, "%s: %zu references to %zu", name,
           b.tree.items, m->triangles);
-    check_at_most(b.tree.items, spatial_most * m->triangles, "%s: no more than there is room",
+    check_at_most(b.tree.items, bvh_most_cuts * m->triangles, "%s: no more than there is room",
                   name);
     for (size_t i = 0; i < points; i++) {
         random_stream g = random_start(4, i, 0);
@@ -206,7 +201,7 @@ static void test_cover(const char *name, const mesh *m, real size, bool cut)
     }
     check_equal(lost, 0, "%s: points of triangles, 4 eps of the coordinates off, are in no leaf",
                 name);
-    bvh_free(&b);
+    bvh_mesh_free(&b);
 }
 
 /* A part's box against the closed form: the triangle (0,0) (8,0) (0,8) in the plane z = 1. */
@@ -286,28 +281,28 @@ static void test_clip_rounding(void)
 static void test_worth(void)
 {
     mesh m = slivers_mesh(4000, (vec3){0, 0, 0}), pot = teapot_mesh(8);
-    bvh a, b;
-    bvh_work wa = {0, 0, 0, 0, 0}, wb = {0, 0, 0, 0, 0};
+    bvh_mesh a, b;
+    search_work wa = {0, 0, 0, 0}, wb = {0, 0, 0, 0};
     size_t differ = 0, hits = 0;
-    bvh_build(&m, bvh_defaults, &a);
-    bvh_build(&m, (bvh_options){BVH_SPATIAL, 8, 0.3}, &b);
+    check(bvh_mesh_build(&m, bvh_defaults, &a, NULL), "built");
+    check(bvh_mesh_build(&m, (bvh_options){"spatial", 8, 0.3, SIZE_MAX}, &b, NULL), "built");
     for (size_t i = 0; i < check_count(2000); i++) {
         random_stream g = random_start(5, i, 0);
         vec3 o = random_in_cube(&g, 6);
         vec3 at = vmadd(random_in_cube(&g, 1), vunit((vec3){5, 4, 3}), 2);
         hit x = hit_none, y = hit_none;
-        hits += bvh_hit_counted(&a, ray_between(o, at), &x, &wa);
-        bvh_hit_counted(&b, ray_between(o, at), &y, &wb);
+        hits += bvh_mesh_hit_counted(&a, ray_between(o, at), &x, &wa);
+        bvh_mesh_hit_counted(&b, ray_between(o, at), &y, &wb);
         differ += x.t != y.t || x.shape != y.shape || x.u != y.u || x.v != y.v;
     }
     check_equal(differ, 0, "slivers: the same hits with and without cuts");
     check_at_least(hits, check_count(2000) / 4, "and there are some");
     check_at_most((double)wb.tests, (double)wa.tests / 3, "a third of the tests");
     check_at_most((double)wb.nodes, (double)wa.nodes / 2, "and half of the nodes");
-    bvh_free(&a), bvh_free(&b);
-    bvh_build(&pot, (bvh_options){BVH_SPATIAL, 8, 0.3}, &b);
+    bvh_mesh_free(&a), bvh_mesh_free(&b);
+    check(bvh_mesh_build(&pot, (bvh_options){"spatial", 8, 0.3, SIZE_MAX}, &b, NULL), "built");
     check_at_most((double)b.tree.items, 1.1 * (double)pot.triangles, "the teapot's are left alone");
-    bvh_free(&b);
+    bvh_mesh_free(&b);
     mesh_free(&m), mesh_free(&pot);
 }
 
@@ -317,7 +312,7 @@ int main(void)
     mesh far = slivers_mesh(600, (vec3){1000, -1000, 3000});
     mesh pot = teapot_mesh(6);
     test_codes();
-    test_sort();
+    test_reorder();
     test_cut();
     test_topology();
     test_morton_leaves();

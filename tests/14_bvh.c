@@ -1,32 +1,35 @@
 /* Every hit of the tree equals brute force: t, u, v and triangle, bit for bit, and so does
  * "occluded". Rays are aimed where boxes and triangles end: corners, edges, planes of faces,
  * axes. */
-#include "../chapters/14_bvh/bvh.h"
+#include "../chapters/14_bvh/bvh_mesh.h"
 #include "../chapters/14_bvh/bvh_shapes.h"
 #include "../chapters/07_mesh/scenes/specimens.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "aimed.h"
 #include "check.h"
 
-static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
-                                                          "sweep", "Morton", "spatial"};
+static bvh_options by_rule(int k, int leaf, double item_cost)
+{
+    return (bvh_options){bvh_rules[k].name, leaf, item_cost, SIZE_MAX};
+}
+
 
 typedef struct { size_t rays, hits, wrong, wrong_naive, wrong_any; } verdict;
 
 /* Returns the hit of brute force, t = infinity on a miss. */
-static hit compare(const mesh *m, const bvh *b, ray r, verdict *v)
+static hit compare(const mesh *m, const bvh_mesh *b, ray r, verdict *v)
 {
     hit brute = hit_none, tree = hit_none, naive = hit_none;
-    bool expected = mesh_hit(m, r, &brute), got = bvh_hit(b, r, &tree);
-    bool got_naive = bvh_hit_naive(b, r, &naive);
+    bool expected = mesh_hit(m, r, &brute), got = bvh_mesh_hit(b, r, &tree);
+    bool got_naive = bvh_mesh_hit_naive(b, r, &naive);
     v->rays++, v->hits += expected;
     v->wrong += !same(expected, brute, got, tree);
     v->wrong_naive += !same(expected, brute, got_naive, naive);
-    v->wrong_any += bvh_occluded(b, r) != expected;
+    v->wrong_any += bvh_mesh_occluded(b, r) != expected;
     return brute;
 }
 
-static verdict compare_kinds(const mesh *m, const bvh *b, size_t n, uint64_t seed, vec3 centre,
+static verdict compare_kinds(const mesh *m, const bvh_mesh *b, size_t n, uint64_t seed, vec3 centre,
                              real size)
 {
     verdict v = {0, 0, 0, 0, 0};
@@ -48,19 +51,19 @@ static void test_mesh(const char *name, mesh m, vec3 move, real scale, bool exhi
 {
     size_t naive = 0;
     for (size_t i = 0; i < m.vertices; i++) m.v[i] = vadd(vscale(m.v[i], scale), move);
-    for (int s = 0; s < bvh_strategies; s++)
+    for (int s = 0; s < bvh_rule_count; s++)
         for (int leaf = 1; leaf <= 16; leaf *= 4) {
-            bvh b;
-            bvh_build(&m, (bvh_options){(bvh_strategy)s, leaf, 1}, &b);
+            bvh_mesh b;
+            check(bvh_mesh_build(&m, by_rule(s, leaf, 1), &b, NULL), "built");
             verdict v = compare_kinds(&m, &b, check_count(720), (uint64_t)(s * 100 + leaf), move,
                                       scale);
             check_equal(v.wrong, 0, "%s, %s, leaves of %d: %zu of %zu rays hit; wrong", name,
-                        strategy_name[s], leaf, v.hits, v.rays);
+                        bvh_rules[s].name, leaf, v.hits, v.rays);
             check_equal(v.wrong_any, 0, "%s, %s: occluded, yet no hit, or the reverse", name,
-                        strategy_name[s]);
+                        bvh_rules[s].name);
             check_at_least(v.hits, v.rays / 4, "%s: rays aimed at it hit it", name);
             naive += v.wrong_naive;
-            bvh_free(&b);
+            bvh_mesh_free(&b);
         }
     check(naive > 0 || !exhibit,
           "%s: boxes rounded to nearest lose no hit: the exhibit shows nothing", name);
@@ -72,22 +75,23 @@ static void test_no_and_one(void)
     mesh m = mesh_room(1);
     ray r = ray_from(vec(0.25, 0.25, -1), (vec3){0, 0, 1});
     hit h = {7, 7, 7, 7};
-    bvh b;
+    bvh_mesh b;
     m.triangles = 0;
-    bvh_build(&m, bvh_defaults, &b);
-    check(!bvh_hit(&b, r, &h) && h.t == 7 && !bvh_occluded(&b, r), "no triangles are never hit");
-    bvh_free(&b);
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
+    check(!bvh_mesh_hit(&b, r, &h) && h.t == 7 && !bvh_mesh_occluded(&b, r),
+          "no triangles are never hit");
+    bvh_mesh_free(&b);
     m.triangles = 1;
     set_triangle(&m, 0, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, 1});
-    for (int s = 0; s < bvh_strategies; s++) {
-        bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
-        check(bvh_hit(&b, r, &h) && h.t == 2 && h.u == (real)0.25 && h.v == (real)0.25
+    for (int s = 0; s < bvh_rule_count; s++) {
+        check(bvh_mesh_build(&m, by_rule(s, 1, 1), &b, NULL), "built");
+        check(bvh_mesh_hit(&b, r, &h) && h.t == 2 && h.u == (real)0.25 && h.v == (real)0.25
                   && h.shape == 0,
-              "one triangle, by %s: hit at t = 2", strategy_name[s]);
+              "one triangle, by %s: hit at t = 2", bvh_rules[s].name);
         check(b.tree.nodes == 2 && b.tree.depth == 0, "one triangle makes one leaf");
-        bvh_free(&b);
+        bvh_mesh_free(&b);
     }
-    bvh_free(&b);  /* again */
+    bvh_mesh_free(&b);  /* again */
     mesh_free(&m);
 }
 
@@ -102,19 +106,20 @@ static void test_coincident(size_t n)
             real z = front && i % 3 == 2 ? 1 : 2;
             set_triangle(&m, i, (vec3){0, 0, z}, (vec3){1, 0, z}, (vec3){0, 1, z});
         }
-        for (int s = 0; s < bvh_strategies; s++) {
-            bvh b;
+        for (int s = 0; s < bvh_rule_count; s++) {
+            bvh_mesh b;
             hit h = hit_none;
-            if (n > 50000 && s != BVH_SAH) continue;  /* BVH_SPATIAL alone would take 10 s */
-            bvh_build(&m, (bvh_options){(bvh_strategy)s, 2, 1}, &b);
-            check(bvh_hit(&b, r, &h), "%zu coincident triangles are hit, %s", n, strategy_name[s]);
+            if (n > 50000 && bvh_rules[s].split != split_binned) continue;  /* "spatial": 10 s */
+            check(bvh_mesh_build(&m, by_rule(s, 2, 1), &b, NULL), "built");
+            check(bvh_mesh_hit(&b, r, &h), "%zu coincident triangles are hit, %s", n,
+                  bvh_rules[s].name);
             check_equal(h.shape, front ? 2 : 0, "lowest index of the nearest, %s",
-                        strategy_name[s]);
-            check(bvh_occluded(&b, r), "and occlude");
-            /* A triangle fills half of its box, so BVH_SPATIAL cuts: 8 references are 3 more. */
-            check_at_most(b.tree.depth, log2_above(n) + (s == BVH_SPATIAL ? 4 : 1),
-                          "halves of halves: depth log2(n), %s", strategy_name[s]);
-            bvh_free(&b);
+                        bvh_rules[s].name);
+            check(bvh_mesh_occluded(&b, r), "and occlude");
+            /* A triangle fills half of its box, so "spatial" cuts: 8 references are 3 more. */
+            check_at_most(b.tree.depth, log2_above(n) + (bvh_rules[s].through ? 4 : 1),
+                          "halves of halves: depth log2(n), %s", bvh_rules[s].name);
+            bvh_mesh_free(&b);
         }
     }
     mesh_free(&m);
@@ -139,13 +144,14 @@ static void test_sick(void)
         well.v[3 * i] = well.v[3 * i + 1] = well.v[3 * i + 2] = (vec3){0, 0, 0};
         sick++;
     }
-    for (int s = 0; s < bvh_strategies; s++) {
-        bvh b, w;
-        bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
-        bvh_build(&well, (bvh_options){(bvh_strategy)s, 4, 1}, &w);
+    for (int s = 0; s < bvh_rule_count; s++) {
+        bvh_mesh b, w;
+        check(bvh_mesh_build(&m, by_rule(s, 4, 1), &b, NULL), "built");
+        check(bvh_mesh_build(&well, by_rule(s, 4, 1), &w, NULL), "built");
         size_t fit = n - (sick + 5) / 6 - (sick + 4) / 6 - (sick + 3) / 6 - sick / 6;
-        check(s == BVH_SPATIAL ? b.tree.items >= fit : b.tree.items == fit,
-              "%zu of %zu triangles are finite, the others stay out, %s", fit, n, strategy_name[s]);
+        check(bvh_rules[s].through ? b.tree.items >= fit : b.tree.items == fit,
+              "%zu of %zu triangles are finite, the others stay out, %s", fit, n,
+              bvh_rules[s].name);
         check(
             vfinite(vec(b.tree.node[0].box.side[0], b.tree.node[0].box.side[3], 0)),
             "the root box is finite");
@@ -157,15 +163,15 @@ static void test_sick(void)
             vec3 o = random_in_cube(&g, 3);
             ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
             compare(&m, &b, r, &v);
-            bool gx = bvh_hit(&b, r, &x), gy = bvh_hit(&w, r, &y);
+            bool gx = bvh_mesh_hit(&b, r, &x), gy = bvh_mesh_hit(&w, r, &y);
             other += !same(gx, x, gy, y), hit_sick += gx && x.shape % 8 == 0;
         }
         check_equal(v.wrong + v.wrong_any, 0, "sick triangles, %s: as brute force",
-                    strategy_name[s]);
-        check_equal(other, 0, "sick triangles, %s: as without them", strategy_name[s]);
+                    bvh_rules[s].name);
+        check_equal(other, 0, "sick triangles, %s: as without them", bvh_rules[s].name);
         check_equal(hit_sick, 0, "sick triangles are not hit");
         check(v.hits > v.rays / 4, "enough rays hit something: %zu of %zu", v.hits, v.rays);
-        bvh_free(&b), bvh_free(&w);
+        bvh_mesh_free(&b), bvh_mesh_free(&w);
     }
     mesh_free(&m), mesh_free(&well);
 }
@@ -174,9 +180,9 @@ static void test_sick(void)
 static void test_sick_rays(void)
 {
     mesh m = teapot_mesh(3);
-    bvh b;
+    bvh_mesh b;
     hit h;
-    bvh_build(&m, bvh_defaults, &b);
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
     real nan = (real)NAN, inf = real_infinity;
     ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
                   ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
@@ -188,13 +194,13 @@ static void test_sick_rays(void)
                   {{0, 0, -9}, 5, {0, 0, 1}, 4}};
     for (size_t i = 0; i < sizeof sick / sizeof *sick; i++) {
         check(!mesh_hit(&m, sick[i], &h), "brute force has no hit for sick ray %zu", i);
-        check(!bvh_hit(&b, sick[i], &h) && !bvh_occluded(&b, sick[i]),
+        check(!bvh_mesh_hit(&b, sick[i], &h) && !bvh_mesh_occluded(&b, sick[i]),
               "nor has the tree: sick ray %zu", i);
-        bvh_work w = {0, 0, 0, 0, 0};
-        bvh_hit_counted(&b, sick[i], &h, &w);
+        search_work w = {0, 0, 0, 0};
+        bvh_mesh_hit_counted(&b, sick[i], &h, &w);
         check(w.nodes == 0 || i > 4, "what is no ray at all is not searched for: sick ray %zu", i);
     }
-    bvh_free(&b);
+    bvh_mesh_free(&b);
     mesh_free(&m);
 }
 
@@ -208,12 +214,12 @@ static void test_exponential(void)
         real x = ldexp((real)1, (int)i - most / 2);
         set_triangle(&m, i, (vec3){x, 0, 0}, (vec3){x, x / 8, 0}, (vec3){x, 0, x / 8});
     }
-    for (int s = 0; s < bvh_strategies; s++) {
-        bvh b;
+    for (int s = 0; s < bvh_rule_count; s++) {
+        bvh_mesh b;
         size_t wrong = 0, hits = 0;
-        bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
+        check(bvh_mesh_build(&m, by_rule(s, 1, 1), &b, NULL), "built");
         check_at_most(b.tree.depth, bvh_most_depth, "depth of exponentially spaced triangles, %s",
-                      strategy_name[s]);
+                      bvh_rules[s].name);
         for (size_t i = 0; i < rays; i++) {
             random_stream g = random_start(6, i, 0);
             triangle t = mesh_triangle(&m, random_below(&g, n));
@@ -221,13 +227,13 @@ static void test_exponential(void)
             vec3 at = vadd(t.a, vscale((vec3){0, random_next(&g), random_next(&g)}, t.b.y / 2));
             ray r = ray_from(o, vsub(at, o));
             hit x = hit_none, y = hit_none;
-            bool gx = mesh_hit(&m, r, &x), gy = bvh_hit(&b, r, &y);
-            hits += gx, wrong += !same(gx, x, gy, y) || (bvh_occluded(&b, r) != gx);
+            bool gx = mesh_hit(&m, r, &x), gy = bvh_mesh_hit(&b, r, &y);
+            hits += gx, wrong += !same(gx, x, gy, y) || (bvh_mesh_occluded(&b, r) != gx);
         }
-        check_equal(wrong, 0, "exponentially spaced triangles, %s: %zu hits", strategy_name[s],
+        check_equal(wrong, 0, "exponentially spaced triangles, %s: %zu hits", bvh_rules[s].name,
                     hits);
         check(hits > rays / 4, "they are hit: %zu", hits);
-        bvh_free(&b);
+        bvh_mesh_free(&b);
     }
     mesh_free(&m);
 }
@@ -251,10 +257,10 @@ static void test_shapes(void)
         if (i % 100 == 98) s[i] = s[i - 1];  /* a tie: the lower index wins */
     }
     scene all = {s, n};
-    for (int k = 0; k < bvh_strategies; k++) {
+    for (int k = 0; k < bvh_rule_count; k++) {
         bvh_shapes b;
         size_t wrong = 0, hits = 0, rays = check_count(10000);
-        bvh_shapes_build(&all, (bvh_options){(bvh_strategy)k, 4, 1}, &b);
+        check(bvh_shapes_build(&all, by_rule(k, 4, 1), &b, NULL), "built");
         for (size_t i = 0; i < rays; i++) {
             random_stream g = random_start(9, i, 0);
             vec3 o = random_in_cube(&g, i % 2 ? 2 : 100);
@@ -263,13 +269,14 @@ static void test_shapes(void)
             bool gx = scene_hit(&all, r, &x), gy = bvh_shapes_hit(&b, r, &y);
             hits += gx, wrong += !same(gx, x, gy, y) || (bvh_shapes_occluded(&b, r) != gx);
         }
-        check_equal(wrong, 0, "spheres, cones, triangles, by %s: as brute force", strategy_name[k]);
+        check_equal(wrong, 0, "spheres, cones, triangles, by %s: as brute force",
+                    bvh_rules[k].name);
         check(hits > rays / 4, "they are hit: %zu of %zu", hits, rays);
         bvh_shapes_free(&b);
     }
     bvh_shapes none;
     hit h;
-    bvh_shapes_build(&(scene){s, 0}, bvh_defaults, &none);
+    check(bvh_shapes_build(&(scene){s, 0}, bvh_defaults, &none, NULL), "built");
     check(!bvh_shapes_hit(&none, ray_from((vec3){0, 0, 0}, (vec3){1, 0, 0}), &h),
           "no shapes are never hit");
     bvh_shapes_free(&none);
@@ -280,20 +287,20 @@ static void test_shapes(void)
 static void test_random_rays_show_nothing(void)
 {
     mesh m = teapot_mesh(8);
-    bvh b;
+    bvh_mesh b;
     size_t rays = check_count(300000), hits = 0, differ = 0;
-    bvh_build(&m, bvh_defaults, &b);
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(10, i, 0);
         hit x = hit_none, y = hit_none;
         vec3 o = random_in_cube(&g, 8);
         ray r = ray_from(o, vsub(random_in_cube(&g, 2), o));
-        bool gx = bvh_hit(&b, r, &x), gy = bvh_hit_naive(&b, r, &y);
+        bool gx = bvh_mesh_hit(&b, r, &x), gy = bvh_mesh_hit_naive(&b, r, &y);
         hits += gx, differ += !same(gx, x, gy, y);
     }
     check(hits > rays / 4, "they hit: %zu of %zu", hits, rays);
     check_at_most(differ, rays / 100000, "naive boxes are wrong for random rays, in double never");
-    bvh_free(&b);
+    bvh_mesh_free(&b);
     mesh_free(&m);
 }
 

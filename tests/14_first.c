@@ -6,8 +6,9 @@
 static void *full_build(const items *x, failure *f)
 {
     bvh *b = allocate(1, sizeof *b);
-    bvh_build(x->m, bvh_defaults, b);
-    return (void)f, b;
+    if (bvh_build(x, bvh_defaults, b, f)) return b;
+    free(b);
+    return NULL;
 }
 
 static bool full_hit(const void *s, ray r, hit *out) { return bvh_hit(s, r, out); }

@@ -1,14 +1,21 @@
 /* The tree itself: roundings, selection, invariants, depth, memory, the heuristic's prediction. */
-#include "../chapters/14_bvh/bvh.h"
-#include "../chapters/14_bvh/stats.h"
+#include "../chapters/14_bvh/bvh_mesh.h"
+#include "../chapters/14_bvh/lab/cost.h"
 #include "../chapters/09_aabb/trials/survey.h"
 #include "../chapters/07_mesh/scenes/specimens.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
 #include "check.h"
+#include "child.h"
+#include <sys/resource.h>
 
-static const char *const strategy_name[bvh_strategies] = {"cycle", "longest", "median", "SAH",
-                                                          "sweep", "Morton", "spatial"};
+static int rule(const char *name) { return (int)(bvh_rule_find(name) - bvh_rules); }
+
+static bvh_options by_rule(int k, int leaf, double item_cost)
+{
+    return (bvh_options){bvh_rules[k].name, leaf, item_cost, SIZE_MAX};
+}
+
 
 static mesh mesh_room(size_t triangles)
 {
@@ -125,11 +132,11 @@ static void test_select(void)
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
-    const bvh *b;
+    const bvh_mesh *b;
     const mesh *m;
     unsigned char *seen, *node_seen;
     size_t outside, overfull, odd, deepest;
-    bool cut;  /* by BVH_SPATIAL: boxes hold parts of triangles; see 14_build */
+    bool cut;  /* by "spatial": boxes hold parts of triangles; see 14_build */
 } inspection;
 
 static void inspect(inspection *x, size_t at, size_t depth, size_t leaf)
@@ -166,40 +173,40 @@ static void inspect(inspection *x, size_t at, size_t depth, size_t leaf)
 static void test_invariants(const char *name, const mesh *m)
 {
     static const int leaves[] = {1, 2, 8, 255};
-    for (int s = 0; s < bvh_strategies; s++)
+    for (int s = 0; s < bvh_rule_count; s++)
         for (int l = 0; l < 4; l++) {
-            bvh b, again;
-            bvh_options how = {(bvh_strategy)s, leaves[l], 1};
-            bvh_build(m, how, &b);
-            bvh_build(m, how, &again);
+            bvh_mesh b, again;
+            bvh_options how = by_rule(s, leaves[l], 1);
+            check(bvh_mesh_build(m, how, &b, NULL), "built");
+            check(bvh_mesh_build(m, how, &again, NULL), "built");
             size_t n = b.tree.nodes, missed = 0, unused = 0;
             inspection x = {&b, m, allocate(m->triangles, 1), allocate(n, 1), 0, 0, 0, 0,
-                            s == BVH_SPATIAL};
+                            bvh_rules[s].through};
             inspect(&x, 0, 0, (size_t)leaves[l]);
             for (size_t i = 0; i < m->triangles; i++)
                 missed += x.cut ? x.seen[i] < 1 : x.seen[i] != 1;
             for (size_t i = 0; i < n; i++) unused += x.node_seen[i] != (i != 1);
             check_equal(missed, 0, "%s, %s, %d: each triangle in a leaf, uncut in one only",
-                        name, strategy_name[s], leaves[l]);
-            check_equal(unused, 0, "%s, %s, %d: each node reached once", name, strategy_name[s],
+                        name, bvh_rules[s].name, leaves[l]);
+            check_equal(unused, 0, "%s, %s, %d: each node reached once", name, bvh_rules[s].name,
                         leaves[l]);
             check_equal(x.outside, 0, "%s, %s, %d: boxes hold their children and triangles", name,
-                        strategy_name[s], leaves[l]);
+                        bvh_rules[s].name, leaves[l]);
             check_equal(x.overfull + x.odd, 0, "%s, %s, %d: leaves not too full, pairs in place",
-                        name, strategy_name[s], leaves[l]);
+                        name, bvh_rules[s].name, leaves[l]);
             check_equal(x.deepest, (size_t)b.tree.depth, "%s: depth as it is", name);
-            check_at_most(b.tree.depth, bvh_most_depth, "%s, %s: depth", name, strategy_name[s]);
+            check_at_most(b.tree.depth, bvh_most_depth, "%s, %s: depth", name, bvh_rules[s].name);
             check((uintptr_t)b.tree.node % 64 == 0, "a pair of nodes fills one line of the cache");
             check(n == again.tree.nodes
                   && memcmp(b.tree.node + 2, again.tree.node + 2, (n - 2) * sizeof(bvh_node)) == 0
                   && memcmp(b.triangle, again.triangle, b.tree.items * sizeof *b.triangle) == 0,
-                  "%s, %s: built twice, the same bytes", name, strategy_name[s]);
+                  "%s, %s: built twice, the same bytes", name, bvh_rules[s].name);
             /* An item 28, a record 80, two nodes 64, and 64 for growing; references 8 times 28. */
             size_t most = x.cut ? 224 * m->triangles + 272 * b.tree.items : 172 * m->triangles;
             check_at_most(b.tree.peak, most + 4096, "%s, %s, %d: peak memory", name,
-                          strategy_name[s], leaves[l]);
+                          bvh_rules[s].name, leaves[l]);
             free(x.seen), free(x.node_seen);
-            bvh_free(&b), bvh_free(&again);
+            bvh_mesh_free(&b), bvh_mesh_free(&again);
         }
 }
 
@@ -216,44 +223,105 @@ static mesh comb(void)
     return m;
 }
 
-/* Who is left without halving: the depth that cuts in the middle would reach by themselves. */
+/* However bad the input: no leaf deeper than the stack of a search. Who gets how deep is the rule's
+ * affair; that one of them would go on is what makes the input bad. */
 static void test_depth(void)
 {
-    mesh m = spiral(2000), by_axes = comb();
-    bvh b;
-    for (int s = 0; s < bvh_strategies; s++) {
-        bvh_build(&by_axes, (bvh_options){(bvh_strategy)s, 1, 0.01}, &b);
-        check_at_most(b.tree.depth, 64, "powers of two on three axes, %s", strategy_name[s]);
-        if (s != BVH_MEDIAN)
-            check_at_least(b.tree.depth, 40, "they make deep trees, %s", strategy_name[s]);
-        bvh_free(&b);
-        bvh_build(&m, (bvh_options){(bvh_strategy)s, 1, 1}, &b);
-        check_at_most(b.tree.depth, 64, "a million binary digits deep, %s", strategy_name[s]);
-        if (s == BVH_LONGEST)
-            check_at_least(b.tree.depth, 40, "the input is as bad as it is meant to be");
-        bvh_free(&b);
+    mesh input[2] = {spiral(2000), comb()};
+    for (int i = 0; i < 2; i++) {
+        int deepest = 0;
+        for (int s = 0; s < bvh_rule_count; s++) {
+            bvh_mesh b;
+            check(bvh_mesh_build(&input[i], by_rule(s, 1, 0.01), &b, NULL), "built");
+            check_at_most(b.tree.depth, bvh_most_depth, "powers of two, %s", bvh_rules[s].name);
+            deepest = b.tree.depth > deepest ? b.tree.depth : deepest;
+            bvh_mesh_free(&b);
+        }
+        check_at_least(deepest, 60, "input %d is as bad as it is meant to be", i);
+        mesh_free(&input[i]);
     }
-    mesh_free(&m), mesh_free(&by_axes);
 }
 
-/* Memory as the system sees it: the resident set of this process may not grow by more than the
- * count says. (Freed memory may be used again, so this bounds from one side; the counted peak is
- * tested to be at most 128 bytes a triangle above.) */
+typedef struct { const mesh *m; int rule; } measured_build;
+
+/* In a process of its own: by how much the most that the system has ever held for it grows. */
+static void print_growth(void *context)
+{
+    const measured_build *k = context;
+    struct rusage before, after;
+    bvh_mesh b;
+    getrusage(RUSAGE_SELF, &before);
+    bool built = bvh_mesh_build(k->m, by_rule(k->rule, 8, 0.3), &b, NULL);
+    getrusage(RUSAGE_SELF, &after);
+    printf("%ld %zu", built ? after.ru_maxrss - before.ru_maxrss : -1, b.tree.peak);
+    bvh_mesh_free(&b);
+}
+
+/* The system's count against the tree's own. Memory that was never touched is in the second only,
+ * so this bounds from one side. */
+static void test_resident(void)
+{
+#if !defined(__SANITIZE_ADDRESS__)
+    mesh m = soup(60000);
+    for (int s = 0; s < bvh_rule_count; s++) {
+        measured_build k = {&m, s};
+        child_result r = child_run(print_growth, &k);
+        double grown = 0, peak = 0;
+        check(sscanf(r.out, "%lf %lf", &grown, &peak) == 2 && grown > 0, "%s: measured",
+              bvh_rules[s].name);
+        check_at_most(1024 * grown, 1.02 * peak + 512 * 1024, "%s: grown by bytes, peak as counted",
+                      bvh_rules[s].name);
+        check_at_least(1024 * grown, 0.3 * peak, "%s: and not far from it", bvh_rules[s].name);
+    }
+    mesh_free(&m);
+#endif
+}
+
 static void test_memory(void)
 {
     size_t n = check_count(1000000);
     mesh m = soup(n);
-    bvh b;
-    bvh_build(&m, bvh_defaults, &b);
-    bvh_stats s = bvh_stats_of(&b.tree);
-    check_at_most((double)s.peak / (double)n, 128, "peak bytes a triangle of %zu", n);
+    bvh_mesh b, no;
+    failure f;
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
+    structure_stats s = tree_stats(&b.tree);
+    check_at_most((double)s.peak / (double)n, 172, "peak bytes a triangle of %zu", n);
     check_at_least((double)s.peak, (double)(n * (sizeof(bvh_item) + sizeof *b.triangle)),
                    "items and triangles are held at the same time");
     check_equal(s.bytes, n * sizeof *b.triangle + (b.tree.nodes + b.tree.nodes % 2) * 32,
                 "what is held now: 80 bytes a triangle, 32 a node");
     check_equal(s.inner + s.leaves, b.tree.nodes - 1, "a binary tree: all nodes but number 1");
     check_equal(s.leaves, s.inner + 1, "one leaf more than inner nodes");
-    bvh_free(&b);
+    bvh_mesh_free(&b);
+    m.triangles = n = 4000;
+    for (int k = 0; k < bvh_rule_count; k++) {  /* each limit: built within it, or refused */
+        bvh_options how = by_rule(k, 2, 0.3);
+        check(bvh_mesh_build(&m, how, &b, NULL), "built");
+        size_t peak = b.tree.peak, over = 0, wrong = 0;
+        bvh_mesh_free(&b);
+        for (how.most_bytes = 1; how.most_bytes < 2 * peak; how.most_bytes += peak / 97) {
+            bool built = bvh_mesh_build(&m, how, &no, &f);
+            wrong += !built && (how.most_bytes >= peak || f.exit_code != 1 || no.tree.node
+                                || no.triangle || no.tree.items);
+            over += built && no.tree.peak > how.most_bytes;
+            bvh_mesh_free(&no);
+        }
+        check_equal(over + wrong, 0, "%s: most_bytes is kept (%zu over), or refused cleanly (%zu)",
+                    bvh_rules[k].name, over, wrong);
+    }
+    mesh_free(&m);
+}
+
+static void test_refusals(void)
+{
+    mesh m = soup(2), huge = {.triangles = (size_t)1 << 31};
+    bvh_mesh b;
+    failure f;
+    check(!bvh_mesh_build(&m, (bvh_options){"best", 4, 1, SIZE_MAX}, &b, &f) && f.exit_code == 2
+              && strstr(f.text, "best"), "no such rule");
+    bvh_options small = bvh_defaults;
+    small.most_bytes = 1 << 20;
+    check(!bvh_mesh_build(&huge, small, &b, &f) && f.exit_code == 1, "2^31 triangles in a MB");
     mesh_free(&m);
 }
 
@@ -261,18 +329,18 @@ static void test_memory(void)
 static void test_heuristic(void)
 {
     mesh m = soup(2000);
-    double cost[bvh_strategies];
-    for (int s = 0; s < bvh_strategies; s++) {
-        bvh b;
-        bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 1}, &b);
-        bvh_stats st = bvh_stats_of(&b.tree);
+    double cost[bvh_rule_count];
+    for (int s = 0; s < bvh_rule_count; s++) {
+        bvh_mesh b;
+        check(bvh_mesh_build(&m, by_rule(s, 4, 1), &b, NULL), "built");
+        tree_cost st = tree_cost_of(&b.tree);
         size_t n = check_count(40000);
         const float *c = b.tree.node[0].box.side;
         aabb box = {{(real)c[0], (real)c[1], (real)c[2]}, {(real)c[3], (real)c[4], (real)c[5]}};
         ray_set lines = rays_uniform(box, n, 21);
         double sum[2] = {0, 0}, square[2] = {0, 0}, formula[2] = {st.nodes, st.tests};
         for (size_t i = 0; i < n; i++) {
-            bvh_work w = {0, 0, 0, 0, 0};
+            search_work w = {0, 0, 0, 0};
             tree_pierced(&b.tree, lines.r[i], &w);
             double x[2] = {(double)w.nodes, (double)w.tests};
             for (int k = 0; k < 2; k++)
@@ -282,17 +350,18 @@ static void test_heuristic(void)
             double sigma = sqrt((square[k] - sum[k] * sum[k]) / (double)n);
             check_close(sum[k], formula[k], 4.5 * sigma + 1e-3 * formula[k],  /* 1e-3: delta */
                         "%s: %s a random line, counted and by (14.7), 4.5 standard errors",
-                        strategy_name[s], k ? "tests" : "nodes");
+                        bvh_rules[s].name, k ? "tests" : "nodes");
         }
         cost[s] = st.nodes + st.tests;
         check(st.overlap > 0 && st.overlap < st.nodes, "boxes of a soup overlap, by part");
         rays_free(&lines);
-        bvh_free(&b);
+        bvh_mesh_free(&b);
     }
     mesh_free(&m);
     /* What minimises the cost at each cut need not have the least in the end, but not much more. */
-    check_at_most(cost[BVH_SAH_SWEEP], 1.02 * cost[BVH_SAH], "the sweep is as good as the bins");
-    check_at_most(cost[BVH_SAH], 0.99 * cost[BVH_MEDIAN], "the bins are better than the median");
+    double sah = cost[rule("sah")];
+    check_at_most(cost[rule("sweep")], 1.02 * sah, "the sweep is as good as the bins");
+    check_at_most(sah, 0.99 * cost[rule("median")], "the bins are better than the median");
 }
 
 static void test_shared_area(void)
@@ -315,17 +384,17 @@ static void test_closed_form(void)
         m.v[3 * i] = (vec3){x, 0, z}, m.v[3 * i + 1] = (vec3){x + 1, 0, z};
         m.v[3 * i + 2] = (vec3){x, 1, z};
     }
-    for (int s = BVH_CYCLE; s < bvh_strategies; s++) {
-        bvh b;
-        bvh_build(&m, (bvh_options){(bvh_strategy)s, 4, 0.01}, &b);
-        check_equal(b.tree.nodes, 4, "two leaves of four, %s", strategy_name[s]);
+    for (int s = 0; s < bvh_rule_count; s++) {
+        bvh_mesh b;
+        check(bvh_mesh_build(&m, by_rule(s, 4, 0.01), &b, NULL), "built");
+        check_equal(b.tree.nodes, 4, "two leaves of four, %s", bvh_rules[s].name);
         check(b.tree.node[2].count == 4 && b.tree.node[3].count == 4, "four and four");
-        bvh_stats st = bvh_stats_of(&b.tree);
+        tree_cost st = tree_cost_of(&b.tree);
         /* root 16 x 1 x 1: half surface 33; a leaf 1 x 1 x 1: 3; tests 2 * 4 * 3 / 33 */
-        check_close(st.tests, 24.0 / 33, 1e-6, "tests by (14.7), %s", strategy_name[s]);
+        check_close(st.tests, 24.0 / 33, 1e-6, "tests by (14.7), %s", bvh_rules[s].name);
         check_equal(st.nodes, 1, "one inner node, the root");
         check_equal(st.overlap, 0, "the two boxes do not meet");
-        bvh_free(&b);
+        bvh_mesh_free(&b);
     }
     mesh_free(&m);
 }
@@ -342,11 +411,13 @@ int main(void)
         mesh_free(&meshes[i]);
     }
     test_depth();
+    test_resident();
     test_memory();
+    test_refusals();
     test_heuristic();
     test_closed_form();
     test_shared_area();
-    bvh none = {{0}, NULL};
-    bvh_free(&none);
+    bvh_mesh none = {.triangle = NULL};
+    bvh_mesh_free(&none);
     return check_report("14_tree");
 }

@@ -231,8 +231,8 @@ static void test_exact_transforms(bool odd, bool unlike)
     instances x = built(&c, INSTANCES_POINTS);
     affine *inverse = crowd_inverses(&c);
     mesh flat = crowd_flattened(&c);
-    bvh b;
-    bvh_build(&flat, bvh_defaults, &b);
+    bvh_mesh b;
+    check(bvh_mesh_build(&flat, bvh_defaults, &b, NULL), "built");
     for (size_t i = 0; i < n; i++) {
         affine one = affine_then(list[i].to_world, inverse[i]);
         check(one.x.x == 1 && one.y.y == 1 && one.z.z == 1 && one.x.y == 0 && one.y.z == 0
@@ -249,7 +249,7 @@ static void test_exact_transforms(bool odd, bool unlike)
         hit h = hit_none, brute = hit_none;
         instance_hit s = {hit_none, 0};
         uint32_t where = 0, k = 0;
-        bool got = bvh_hit(&b, r, &h), two = instances_hit(&x, r, &s);
+        bool got = bvh_mesh_hit(&b, r, &h), two = instances_hit(&x, r, &s);
         if (got) flat_place(&c, inverse, h.shape, &where, &k), h.shape = k;
         bool differs = !same_place(two, s, got, h, where);
         rays++, hits += got, wrong += differs;
@@ -266,7 +266,7 @@ static void test_exact_transforms(bool odd, bool unlike)
     else check_equal(wrong, 0, "exact transforms (%s): differences from the flattened mesh, of %zu "
                      "hits", unlike ? "scales unlike" : "scales alike", hits);
     check_equal(far_off, 0, "and those within 8 epsilon");
-    bvh_free(&b), mesh_free(&flat), mesh_free(&m), instances_free(&x);
+    bvh_mesh_free(&b), mesh_free(&flat), mesh_free(&m), instances_free(&x);
     free(inverse);
 }
 
@@ -325,8 +325,8 @@ static void test_flattened_within_bound(vec3 move, real unlike)
     instances x = built(&s.c, INSTANCES_POINTS);
     affine *inverse = crowd_inverses(&s.c);
     mesh flat = crowd_flattened(&s.c);
-    bvh b;
-    bvh_build(&flat, bvh_defaults, &b);
+    bvh_mesh b;
+    check(bvh_mesh_build(&flat, bvh_defaults, &b, NULL), "built");
     double worst = 0, worst_border = 0;
     size_t others = 0, hits = 0, n = check_count(20000);
     for (size_t i = 0; i < n; i++) {
@@ -335,7 +335,7 @@ static void test_flattened_within_bound(vec3 move, real unlike)
         hit h = hit_none;
         instance_hit two = {hit_none, 0};
         uint32_t where = 0, k = 0;
-        if (bvh_hit(&b, r, &h)) flat_place(&s.c, inverse, h.shape, &where, &k), h.shape = k;
+        if (bvh_mesh_hit(&b, r, &h)) flat_place(&s.c, inverse, h.shape, &where, &k), h.shape = k;
         if (!instances_hit(&x, r, &two) && h.shape == no_shape) continue;
         bool same_one = h.shape == two.h.shape && where == two.instance;
         bool mine = same_one || two.h.t < h.t;
@@ -357,11 +357,13 @@ static void test_flattened_within_bound(vec3 move, real unlike)
                                         border_distance(corner, r) / (sqrt(3.0) * bound));
     }
     check_at_least(hits, n / 2, "enough rays hit");
-    check_at_most(worst, 1, "same triangle: across its plane, in units of the bound");
+    /* A bound for the worst needle and the worst transform: what is met here is a thousandth of it,
+     * and would show if errors grew tenfold. */
+    check_at_most(worst, 0.02, "same triangle: across its plane, in units of the bound");
     check(worst > 1e-6, "the bound is not a million times too large: %g of it was seen", worst);
-    check_at_most(worst_border, 1, "another triangle: only near the border of the nearer one");
+    check_at_most(worst_border, 0.02, "another triangle: only near the border of the nearer one");
     check_at_most(others, hits / 2, "others: %zu of %zu", others, hits);
-    bvh_free(&b), mesh_free(&flat), instances_free(&x), scene_free(&s);
+    bvh_mesh_free(&b), mesh_free(&flat), instances_free(&x), scene_free(&s);
     free(inverse);
 }
 
@@ -719,8 +721,8 @@ static void test_boxes(void)
     mesh m = teapot_mesh(2);
     double outside = 0;
     size_t larger = 0;
-    bvh b;
-    bvh_build(&m, bvh_defaults, &b);
+    bvh_mesh b;
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
     const bvh_box *root = &b.tree.node[0].box;
     for (size_t i = 0; i < check_count(300); i++) {
         random_stream g = random_start(81, i, 0);
@@ -763,7 +765,7 @@ static void test_boxes(void)
     }
     check_equal(outside, 0, "no exact corner is outside of a box");
     check_at_least(larger, check_count(300) / 4, "the loose box is larger by a fifth, often");
-    bvh_free(&b), mesh_free(&m);
+    bvh_mesh_free(&b), mesh_free(&m);
 }
 
 /* The pad is more than what it is for: the distance of a hit's point, on the exact ray, from the
@@ -790,7 +792,7 @@ static void test_pad_holds_every_hit(void)
         double one = fabs(wide_value(n.x)) + fabs(wide_value(n.y)) + fabs(wide_value(n.z));
         worst = check_worse(worst, off / one / (double)placing_pad(&pad, r.o));
     }
-    check_at_most(worst, 1, "distance of a hit from the plane of its triangle, in pads");
+    check_at_most(worst, 0.02, "distance of a hit from the plane of its triangle, in pads");
     check(worst > 1e-5, "the pad is not 1e5 times too large: %g of it was seen", worst);
     mesh_free(&flat), instances_free(&x), scene_free(&s);
 }
@@ -893,7 +895,7 @@ static void test_invariants(void)
     check_at_most(st.upper_bytes, 50 * (sizeof(placed) + 4 + 64) + 64,
                   "memory: a place, a number, and two nodes an instance");
     check_equal(st.upper_bytes + st.lower_bytes, x.bytes, "bytes add up");
-    instances_work w = {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}};
+    instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     instance_hit h, same_h;
     ray r = ray_from((vec3){0, 0, -9}, vec(0.01, 0.02, 1));
     bool got = instances_hit(&x, r, &h);
@@ -967,7 +969,7 @@ static void test_normals_of_instances(void)
         }
     }
     check_at_least(mirrored, 10, "some are mirrored");
-    check_at_most(worst, 1000 * (double)real_epsilon,
+    check_at_most(worst, 16 * (double)real_epsilon,
                   "normals at right angles to edges: scales 10 unlike, twice turned");
     check_equal(inward, 0, "(M e) x (M f) turns round in a mirror, the normal does not");
     instances_free(&x), scene_free(&s);

@@ -252,8 +252,8 @@ static void test_shrunk_box(const char *name)
         items_hit(&x, r, &due);
     }
     check(due.shape != no_shape, "%s: a ray hits", name);
-    bvh_items *b = e.s;
-    const bvh_tree *t = bvh_items_tree(b);
+    bvh *b = e.s;
+    const bvh_tree *t = bvh_tree_of(b);
     uint32_t path[bvh_most_depth + 1];
     int depth = bvh_leaf_of(b, due.shape, ray_at(r, due.t), 1, path);
     check(depth > 0, "%s: its leaf is found", name);
@@ -392,7 +392,7 @@ static bool dreaming_hit(const void *s, ray r, hit *out)
 /* A tie that the wrong one wins. */
 static bool later_hit(const void *s, ray r, hit *out)
 {
-    if (!bvh_items_hit(s, r, out)) return false;
+    if (!bvh_hit(s, r, out)) return false;
     out->shape++;
     return true;
 }

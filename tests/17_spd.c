@@ -361,7 +361,7 @@ static size_t count_hits(const world *w)
     bvh_shapes b;
     size_t hits = 0;
     hit h;
-    bvh_shapes_build(&s, bvh_defaults, &b);
+    check(bvh_shapes_build(&s, bvh_defaults, &b, NULL), "built");
     for (int j = 0; j <= spd_edge; j++)
         for (int i = 0; i <= spd_edge; i++) hits += bvh_shapes_hit(&b, spd_ray(w, i, j), &h);
     bvh_shapes_free(&b);

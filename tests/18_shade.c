@@ -352,10 +352,11 @@ static void test_spent(void)
         trace_counts spent[3];
         for (int k = 0; k < 3; k++) {
             im[k] = image_new(96, 54);
-            shading how = gallery_shading(g);
-            how.spend_all = k == 1;
-            camera view = gallery_camera(g->T.x, (real)96 / 54);
-            check(gallery_draw(g, how, view, 1, k == 2 ? 3 : 1, &im[k], &spent[k]), "drawn");
+            gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im[k],
+                              .c = gallery_camera(g->T.x, (real)96 / 54)};
+            v.how.spend_all = k == 1;
+            check(gallery_draw(&v, k == 2 ? 3 : 1), "drawn");
+            spent[k] = v.counts;
         }
         size_t bytes = 96 * 54 * 3 * sizeof(float);
         check(memcmp(im[0].rgb, im[1].rgb, bytes) == 0, "all rays spent: the same picture");

@@ -175,6 +175,27 @@ static void test_near_corners(void)
     check_at_most(worst, 16 * eps, "near a corner: what the header promises");
 }
 
+/* Rectangles seen edge-on: p all but in their plane, far and near. s.t = 0 to the last bit. */
+static void test_edge_on_rectangles(void)
+{
+    const double lo = real_is_float ? -6 : -14;
+    double worst = 0, plain = 0;
+    for (size_t i = 0; i < check_count(8000); i++) {
+        random_stream s = random_start(6, 0, i);
+        real a = between(&s, -1, 1), b = between(&s, -1, 1), c = between(&s, -1, 1);
+        rectangle r = {point(&s, 1), {a, b, 0}, {-b, a, c}};
+        vec3 in = vmadd(vmadd(r.o, r.s, between(&s, -3, 3)), r.t, between(&s, -3, 3));
+        vec3 p = vmadd(in, vcross(r.s, r.t), size_between(&s, lo, 0));
+        wide3 o = wide3_between(p, r.o, 0);
+        double exact = wide_value(wide3_dot(o, wide3_cross(wide3_of(r.s), wide3_of(r.t))));
+        if (fabs(exact) < 1e-30) continue;
+        worst = check_worse(worst, relative((double)rectangle_volume(r, p), exact));
+        plain = check_worse(plain, relative((double)vdot(vsub(r.o, p), vcross(r.s, r.t)), exact));
+    }
+    check_at_most(worst, 16 * eps, "volume of a rectangle seen edge-on: what the header promises");
+    check_at_least(plain, 1e4 * eps, "in plain arithmetic digits are lost");
+}
+
 /* The same triangle, scaled by powers of two: the same solid angle. */
 static void test_scales(void)
 {
@@ -237,6 +258,7 @@ int main(void)
     test_known_triangles();
     test_hard_triangles();
     test_near_corners();
+    test_edge_on_rectangles();
     test_scales();
     test_sums();
     return check_report("22_solid_angle");

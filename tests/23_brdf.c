@@ -190,7 +190,7 @@ static void test_energy(void)
     /* alpha = 1 head-on: D = 1/pi, S = 1, f zi = zi / (2 pi (1 + zi)), so the albedo is
      * integral from 0 to 1 of z / (1 + z) dz = 1 - ln 2: more than two thirds are lost */
     brdf rough = brdf_ggx(white, 1);
-    check_close(brdf_albedo(&rough, 1).x, 1 - log(2.0), 2e-4, "alpha = 1, head-on: 1 - ln 2");
+    check_close(brdf_albedo(&rough, 1).x, 1 - log(2.0), 1e-6, "alpha = 1, head-on: 1 - ln 2");
 }
 
 /* ---- samples against pdf ---- */
@@ -275,7 +275,7 @@ static void test_weights(void)
     }
     check_at_most(worst, 0, "weights are bounded");
     /* the lobe's steepness times rounding; alpha = .01, and grazing half vectors */
-    check_at_most(off, 1e6 * eps, "weight = f cos / pdf, and pdf is brdf_pdf");
+    check_at_most(off, 2e4 * eps, "weight = f cos / pdf, and pdf is brdf_pdf");
 }
 
 /* ---- t-tests: estimates with a known answer ---- */
@@ -418,7 +418,7 @@ static void test_extremes(void)
         light = check_worse(light, fabs((double)weight.x - 1));
     }
     check_at_most(far, 100 * sqrt(eps), "the lobe closes around the mirror's direction");
-    check_at_most(light, 100 * sqrt(eps), "and loses nothing");
+    check_at_most(light, 16 * eps, "and loses nothing");
 
     /* the mirror itself: exact direction, weight F0 head-on, no value anywhere */
     brdf silver = brdf_mirror(vec(0.9, 0.5, 0.25));

@@ -68,21 +68,21 @@ static void test_same_as_tree(void)
         int kind = round % 6;
         mesh m = make(kind, 1 + (size_t)(random_next(&s) * few_most), &s);
         few f;
-        bvh b;
+        bvh_mesh b;
         check(few_build(&m, &f), "up to 64 triangles are taken");
-        bvh_build(&m, bvh_defaults, &b);
+        check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
         for (int k = 0; k < 1000; k++) {
             ray r = aim(&m, k, &s);
             hit a = hit_none, h = hit_none;
             int known = few_hit(&f, &m, r, few_skip_none, &h);
-            bool met = bvh_hit(&b, r, &a);
+            bool met = bvh_mesh_hit(&b, r, &a);
             asked += known < 0 && !vzero(r.d), hits += met;
             if (known < 0) continue;
             different += known != met || a.t != h.t || a.u != h.u || a.v != h.v
                 || a.shape != h.shape;
-            different += few_occluded(&f, &m, r, few_skip_none) != bvh_occluded(&b, r);
+            different += few_occluded(&f, &m, r, few_skip_none) != bvh_mesh_occluded(&b, r);
         }
-        few_free(&f), bvh_free(&b), mesh_free(&m);
+        few_free(&f), bvh_mesh_free(&b), mesh_free(&m);
     }
     check_equal(different, 0, "hits that are not the tree's, bit by bit");
     check_equal(asked, 0, "rays of usual size that were left to the tree");
@@ -131,7 +131,7 @@ static void test_leaving(void)
             point2 u = {random_next(&at), random_next(&at)};
             if (emitter_by_area(&s.emitter[0], h.s.p, u, &e) && vdot(h.s.n, e.wi) > 0) {
                 ray b = leave_between(h.s, e.s);
-                bool dark = bvh_occluded(&s.tree, b);
+                bool dark = bvh_mesh_occluded(&s.tree, b);
                 shadows += dark;
                 different += dark != lit_occluded(&s, b)
                     || dark != lit_occluded_from(&s, b, h.s.shape, 0);

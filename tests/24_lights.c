@@ -214,10 +214,11 @@ static void test_emitter(int i)
     }
     check_equal(others, 0, "light %d: the short cut to 22's own points, to the bit", i);
     check_at_most(off, 1, "light %d: points off it, in their own bounds", i);
-    /* (24.6) at the limb: an error of eps D goes as its root into x. Else some eps. */
-    double round = e.kind == EMITTER_SPHERE ? 8 * sqrt(eps) : 64 * eps;
+    /* (24.6) near the limb an error of eps D grows as 1 / cos: some 500 eps in so many points; of
+     * the limb itself, which they do not meet, it would be the root. Else nothing to speak of. */
+    double round = e.kind == EMITTER_SPHERE ? 1e4 * eps : 4 * eps;
     check_at_most(astray, round, "light %d: wi leads to the point", i);
-    check_at_most(pdfs, 16 * eps, "light %d: pdf of a point, with and without", i);
+    check_at_most(pdfs, eps, "light %d: pdf of a point, with and without", i);
     if (i == 5) return;  /* near: by area its mean is not normal in any number of samples */
     check_at_least(t_test(all, omega, 64 * eps * omega), alarm, "light %d: mean of 1/pdf", i);
     estimate both = {by_area.n, by_area.mean - by_angle.mean,

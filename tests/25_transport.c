@@ -53,14 +53,16 @@ static void test_series_naive(void)
     /* rho^11 = 1 - 11 kept + 55 kept^2 - ..: below half an ulp of rho^11 the third term is dropped,
      * and the sum is off by 5 kept of itself */
     double lost = off((double)series_sum_naive(1, 1 - kept, 10), exact_sum(1 - (double)kept, 10));
-    check_close(lost / (double)kept, 5, 0.1, "naive: half of the digits lost near 1");
+    check_close(lost / (double)kept, 5, real_is_float ? 1e-3 : 1e-6,
+                "naive: half of the digits lost near 1");
     check_at_least(lost, 100 * eps, "and that is a lot");
 }
 
 /* rho = .999 as a float, 1000 bounces. b = rho^k is off by k/2 eps at most, so the sum of exact
  * additions by sum k rho^k / sum rho^k eps/2 < 1000 eps/2. Plain additions: eps/2 of the sum each,
  * 1000 more. Backward: each step's eps/2 of L shrinks by rho later on, 1000 eps/2 in all, and half
- * of that again for the product. */
+ * of that again for the product. But these are bounds. Of errors with either sign, which cancel,
+ * much less is left, and floats are the same everywhere: 3.7, 1.1, 1.2 and 5.3 eps/2. */
 static void test_float_sums(void)
 {
     float rho = 0.999f;
@@ -70,10 +72,10 @@ static void test_float_sums(void)
     double kahan = off((double)bounces_forward_kahan_f32(1, rho, 1000), exact);
     double wider = off(bounces_forward_double(1, rho, 1000), exact);
     double back = off((double)bounces_backward_f32(1, rho, 1000), exact);
-    check_at_most(naive, 2000 * half, "forward");
-    check_at_most(kahan, 1000 * half, "forward, Kahan");
-    check_at_most(wider, 1000 * half, "forward, double");
-    check_at_most(back, 2000 * half, "backward");
+    check_at_most(naive, 8 * half, "forward");
+    check_at_most(kahan, 2 * half, "forward, Kahan");
+    check_at_most(wider, 2 * half, "forward, double");
+    check_at_most(back, 8 * half, "backward");
     check_close(kahan, wider, 2 * half, "Kahan's sum and double's see the same summands");
     check_at_least(naive, 3 * kahan, "the plain sum is the larger error");
     /* the albedo itself: what rounds .999 to a float moves the whole by 1 / (1 - rho) times that */
@@ -124,7 +126,7 @@ static void test_convergence(void)
     /* one white, one half black, each seeing the other alone: norm 1, radius sqrt(1/2) */
     transport t = two(0, 1, 0.5, 0, 1, 1);
     check_equal(transport_norm(&t), 1, "norm 1");
-    check_close(transport_radius(&t, 400), sqrt(0.5), 1e-12, "to and fro: -radius, too");
+    check_close(transport_radius(&t, 400), sqrt(0.5), 1e-15, "to and fro: -radius, too");
     check(transport_solve(&t, L), "regular all the same");
     check_close(L[0], 4, 1e-14, "L0 = (1 + 1) / (1 - 1/2)");
     transport_sum(&t, 100, S);  /* 2^-50 of it is left */
@@ -170,8 +172,8 @@ static void test_dense(void)
     for (int i = 0; i < n; i++) t.E[i] = x[i] - t.E[i];
     check(transport_solve(&t, L), "regular");
     for (int i = 0; i < n; i++) worst = check_worse(worst, fabs(L[i] - x[i]));
-    check_at_most(worst, 20 * n * DBL_EPSILON, "the L that E was made from");
-    check_close(transport_radius(&t, 300), 0.9, 1e-13, "equal rows: radius = row");
+    check_at_most(worst, n * DBL_EPSILON, "the L that E was made from");
+    check_close(transport_radius(&t, 300), 0.9, 2e-15, "equal rows: radius = row");
     transport_free(&t);
     /* pivots: a zero on the diagonal of I - K */
     double M[2];

@@ -56,14 +56,16 @@ static void test_closed_sphere(void)
 
 /* ---- furnace: one ball, white light from all sides, L = albedo(cos) ---- */
 
-static void furnace_ball(const brdf *b, const environment *sky, real cosine, bool light)
+typedef enum { FURNACE_DIRECTIONS, FURNACE_LIGHTS, FURNACE_BOTH } furnace_way;
+
+static void furnace_ball(const brdf *b, const environment *sky, real cosine, furnace_way way)
 {
     lit_scene s;
     path_tracer t;
     estimate e[3];
     path_counts c = {0};
     path_options how = path_defaults;
-    how.light_sampling = how.mis = light;
+    how.light_sampling = way != FURNACE_DIRECTIONS, how.mis = way == FURNACE_BOTH;
     how.roulette = ROULETTE_NONE, how.bounces = 3;
     lit_begin(&s);
     lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}),
@@ -76,8 +78,8 @@ static void furnace_ball(const brdf *b, const environment *sky, real cosine, boo
     vec3 a = brdf_albedo(b, cosine);
     for (int k = 0; k < 3; k++)  /* brdf_albedo is right to 3e-3; 2e-6: maps are in float */
         check_at_least(t_test(e[k], (double)vaxis(a, k), 3e-3 + 2e-6), false_alarm,
-                       "furnace, kind %d, cos %g, channel %d: mean %.6g, albedo %.6g", (int)b->kind,
-                       (double)cosine, k, e[k].mean, (double)vaxis(a, k));
+                       "furnace, kind %d, cos %g, way %d, channel %d: mean %.6g, albedo %.6g",
+                       (int)b->kind, (double)cosine, (int)way, k, e[k].mean, (double)vaxis(a, k));
     if (!sky) check_equal(c.light_draws + c.shadow, 0, "no light, no light samples");
     check_equal(c.dice + c.refractions, 0, "no dice without roulette, no glass");
     path_tracer_free(&t), lit_free(&s);
@@ -95,11 +97,43 @@ static void test_furnace(void)
     check(environment_of_image(&white, &sky, &f), "a white map");
     for (int i = 0; i < 5; i++)
         for (int k = 0; k < 2; k++) {
-            furnace_ball(&b[i], NULL, k ? (real)0.9 : (real)0.4, true);
-            furnace_ball(&b[i], &sky, k ? (real)0.9 : (real)0.4, true);
-            furnace_ball(&b[i], &sky, k ? (real)0.9 : (real)0.4, false);
+            real cosine = k ? (real)0.9 : (real)0.4;
+            furnace_ball(&b[i], NULL, cosine, FURNACE_BOTH);
+            for (furnace_way way = FURNACE_DIRECTIONS; way <= FURNACE_BOTH; way++)
+                furnace_ball(&b[i], &sky, cosine, way);
         }
     image_free(&white), environment_free(&sky);
+}
+
+/* A floor whose shading normals lean over, a lamp below it that shines up, an eye above: what a
+ * direction on the wrong side of the floor would bring is light from below. Not one sample may. */
+static void test_leaning_normals(void)
+{
+    vec3 corner[] = {{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}, leans = vunit(vec(0.9, 0, 0.3));
+    vec3 normal[] = {leans, leans, leans};
+    uint32_t index[] = {0, 1, 2};
+    mesh floor = {.v = corner, .vertices = 3, .n = normal, .normals = 3, .index = index,
+                  .triangles = 1};
+    const brdf b[] = {brdf_lambert(vec(0.9, 0.9, 0.9)), brdf_ggx(vec(0.9, 0.9, 0.9), 0.7)};
+    for (int o = 0; o < 6; o++) {
+        lit_scene s;
+        path_tracer t;
+        estimate e[3];
+        path_counts c = {0};
+        path_options how = path_defaults;
+        how.light_sampling = o / 2 > 0, how.mis = o / 2 > 1;
+        lit_begin(&s);
+        lit_add_mesh(&s, &floor, lit_add_material(&s, (lit_material){.f = b[o % 2]}));
+        lit_add_rectangle(&s, (rectangle){{-99, -99, -1}, {198, 0, 0}, {0, 198, 0}},
+                          lit_add_material(&s, (lit_material){.Le = {1, 1, 1}}));
+        lit_end(&s);
+        path_tracer_of(&s, NULL, how, &t);
+        along(&t, ray_from((vec3){3, 0, 2}, vunit((vec3){-3, 0, -2})), check_count(400), 4, e, &c);
+        check_equal(e[0].mean, 0, "way %d: light through the floor", o);
+        check_at_least(c.bounce, c.paths / 4, "way %d: some directions stay above", o);
+        check_at_most(c.bounce, c.paths - c.paths / 20, "way %d: others would have gone below", o);
+        path_tracer_free(&t), lit_free(&s);
+    }
 }
 
 /* Glass keeps nothing back: L = 1 behind any ball of it; with absorption less. */
@@ -338,7 +372,7 @@ static void test_choice_of_light(void)
     path_lights l;
     estimate often[3] = {{0}, {0}, {0}};
     random_stream from = random_start(26, 8, 1);
-    size_t wrong = 0;
+    size_t wrong = 0, skies = 0, rim = 0;
     environment_sky(16, 8, (vec3){0, 1, 0}, &sky);
     lit_begin(&s);
     for (int i = 0; i < 3; i++) {
@@ -353,11 +387,25 @@ static void test_choice_of_light(void)
         point2 u = {random_next(&from), random_next(&from)};
         bool some = path_lights_sample(&l, p, u, &x);
         for (uint32_t i = 0; i < 3; i++) often[i] = estimate_add(often[i], some && x.emitter == i);
-        if (!some || x.emitter == lit_dark) continue;
-        real q = path_lights_pdf(&l, x.emitter, p, vlength(vsub(x.s.p, p)), 1);
+        if (!some) continue;
+        bool dark = x.emitter == lit_dark;
+        skies += dark;
+        if (dark && !vzero(vsub(environment_radiance(&sky, x.wi), x.Le))) {
+            rim++;  /* drawn so near to a texel's edge that x.wi is in the next one */
+            continue;
+        }
+        real q = dark ? path_lights_pdf_sky(&l, x.wi)
+                      : path_lights_pdf(&l, x.emitter, p, vlength(vsub(x.s.p, p)), 1);
         wrong += !(fabs(q / x.pdf - 1) < 64 * real_epsilon);
     }
     check_equal(wrong, 0, "pdfs that are not what path_lights_pdf says");
+    check_at_most(rim, 2 + skies / 1000, "draws at the edge of a texel, of %zu", skies);
+    estimate whole = {0};  /* 4 pi times the mean pdf of a uniform direction is 1 */
+    for (size_t k = 0; k < check_count(40000); k++) {
+        vec3 d = sample_sphere(random_next(&from), random_next(&from));
+        whole = estimate_add(whole, 4 * (double)pi * (double)environment_pdf(&sky, d));
+    }
+    check_at_least(t_test(whole, 1, 1e-6), false_alarm, "the sky's pdf sums to %g", whole.mean);
     for (int i = 0; i < 3; i++)  /* radiances 3, 5, 7 of 15, and half of all to the sky */
         check_at_least(t_test(often[i], (3 + 2 * i) / 30.0, 1e-6), false_alarm,
                        "light %d: drawn %g of the times", i, often[i].mean);
@@ -416,6 +464,7 @@ int main(void)
     test_roulette();
     test_closed_sphere();
     test_furnace();
+    test_leaning_normals();
     test_glass();
     test_called_for();
     test_choice_of_light();

@@ -30,12 +30,11 @@ int main(int argc, char **argv)
     camera_draw_four(&o, v);
     if (!o.out) {
         camera_draw_geometry(&o);
-        camera_draw_vanishing(&o, v);
         camera_draw_slips(&o, v);
-        if (o.full || o.quick) camera_draw_more(&o, v);
+        if (o.full || o.quick) camera_draw_vanishing(&o, v), camera_draw_zone_plate(&o, v);
     }
     camera_measure_filters(&o);
     camera_measure_far(&o);
-    if (o.full) camera_measure_up(&o), camera_measure_means(&o);
+    if (o.full) camera_measure_means(&o);
     return output_done(&o);
 }

@@ -16,7 +16,7 @@
  *   aabb_empty()           lo = inf, hi = -inf            aabb_is_empty(b)    lo > hi on an axis
  *   aabb_grow_point(b, p)  smallest that holds b and p    aabb_area(b)        surface; empty: 0
  *   aabb_union(a, b)       smallest that holds both       aabb_contains(b, p) faces belong to it
- *   aabb_overlap(a, b)     what they share, or empty      aabb_center(b)
+ *   aabb_overlap(a, b)     what they share, or empty      aabb_centre(b)
  *   A NaN coordinate of p does not grow the box. The type, and what is not below, are in first.h.
  *
  * Never a false negative, whatever the rounding: a ray that meets the box in exact arithmetic is
@@ -54,7 +54,7 @@ static inline aabb aabb_overlap(aabb a, aabb b)
     return aabb_is_empty(c) ? aabb_empty() : c;
 }
 
-static inline vec3 aabb_center(aabb b) { return vmadd(vscale(b.lo, 0.5), b.hi, 0.5); }
+static inline vec3 aabb_centre(aabb b) { return vmadd(vscale(b.lo, 0.5), b.hi, 0.5); }
 
 static inline bool aabb_contains(aabb b, vec3 p)
 {

@@ -10,7 +10,7 @@ int main(int argc, char **argv)
     options defaults = {.width = 846, .height = 360, .seed = 1};
     options o = options_read(argc, argv, "09_aabb", "A ray and a box: errors, time, false alarms.",
                              defaults, NULL);
-    draw_room(&o), draw_slabs(&o), draw_aligned(&o), draw_silhouette(&o);
+    draw_room(&o), draw_slabs(&o), draw_aligned(&o);
     measure_methods(&o);
     if (o.full) {
         measure_lanes(&o);

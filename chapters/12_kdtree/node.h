@@ -98,7 +98,7 @@ static inline kd_frame kd_frame_of(aabb all)
 {
     kd_frame f = {{0, 0, 0}, 1};
     int e, most = real_is_float ? 60 : 260;
-    vec3 half = vscale(vsub(all.hi, all.lo), 0.5), c = aabb_center(all);
+    vec3 half = vscale(vsub(all.hi, all.lo), 0.5), c = aabb_centre(all);
     real size = vaxis(half, vlongest(half));
     if (fabs(vaxis(c, vlongest(c))) > 2 * size) f.centre = c;
     (void)frexp(size, &e);

@@ -21,10 +21,10 @@
  *                    [------]               n(R) = n - how many end at or before p
  *    end        |       |   |   |        and both lists are walked through once, side by side.
  *
- * O(n) for each cell, since floats are sorted in O(n) by their bits; O(n log n) for the tree. In a
- * cell of more than kd_bins_from items not all planes are tried, but two for each of 127 borders
- * between 128 equal bins: the last side of an item before the border, and the first behind it.
- * A tree of a million triangles is built in two thirds of the time, and its rays notice nothing.
+ * O(n) for each cell, since floats are sorted in O(n) by their bits (radix.h); O(n log n) for all.
+ * In a cell of more than kd_bins_from items not all planes are tried, but two for each of 127
+ * borders between 128 equal bins: the last side of an item before the border, and the first behind
+ * it. A tree of a million triangles is built in less time, and its rays notice nothing.
  *
  * Sources: J. D. MacDonald, K. S. Booth, "Heuristics for ray tracing using space subdivision", The
  * Visual Computer 6, 1990; V. Havran, "Heuristic Ray Shooting Algorithms", PhD thesis, Prague 2000
@@ -35,6 +35,7 @@
 #define KDTREE_SPLIT_H
 
 #include "../../common/numbers/float_round.h"
+#include "../../common/numbers/radix.h"
 #include "clip.h"
 
 typedef enum { KD_MIDDLE, KD_MEDIAN, KD_SAH, kdtree_strategies } kdtree_strategy;
@@ -61,37 +62,6 @@ static inline float kd_unkey(uint32_t key)
     return x;
 }
 
-/* One pass: by eight bits from `shift` on. False: they all agree there, nothing was moved. */
-static inline bool kd_sort_pass(const uint32_t *from, uint32_t *to, size_t n, int shift)
-{
-    size_t start[257] = {0};
-    for (size_t i = 0; i < n; i++) start[(from[i] >> shift & 255) + 1]++;
-    if (start[(from[0] >> shift & 255) + 1] == n) return false;
-    for (int i = 0; i < 256; i++) start[i + 1] += start[i];
-    for (size_t i = 0; i < n; i++) to[start[from[i] >> shift & 255]++] = from[i];
-    return true;
-}
-
-/* O(n): at most four passes of 256 drawers; few by insertion. */
-static inline void kd_sort(uint32_t *key, uint32_t *spare, size_t n)
-{
-    uint32_t *at = key;
-    if (n <= 48) {
-        for (size_t i = 1; i < n; i++) {
-            uint32_t k = key[i];
-            size_t j = i;
-            for (; j > 0 && key[j - 1] > k; j--) key[j] = key[j - 1];
-            key[j] = k;
-        }
-        return;
-    }
-    for (int shift = 0; shift < 32; shift += 8)
-        if (kd_sort_pass(at, at == key ? spare : key, n, shift)) at = at == key ? spare : key;
-    if (at != key) memcpy(key, at, n * sizeof *key);
-}
-
-/* ---------------------------------------------------------------------------------------------- */
-
 static inline int kd_longest(const kd_box *b)
 {
     float x = b->hi[0] - b->lo[0], y = b->hi[1] - b->lo[1], z = b->hi[2] - b->lo[2];
@@ -117,7 +87,7 @@ static inline kd_choice kd_median(kd_splitter *s, const kd_item *item, size_t n,
     int k = kd_longest(cell);
     for (size_t i = 0; i < n; i++)
         s->begin[i] = float_key(0.5f * item[i].box.lo[k] + 0.5f * item[i].box.hi[k]);
-    kd_sort(s->begin, s->spare, n);
+    radix_sort_keys(s->begin, s->spare, n);
     float p = kd_unkey(s->begin[n / 2]);
     return kd_cuts(cell, k, p) ? (kd_choice){0, k, p} : kd_middle(cell);
 }
@@ -155,7 +125,7 @@ static inline void kd_sweep_axis(kd_splitter *s, const kd_item *item, size_t n,
         s->begin[i] = float_key(item[i].box.lo[k]);
         s->end[i] = float_key(item[i].box.hi[k]);
     }
-    kd_sort(s->begin, s->spare, n), kd_sort(s->end, s->spare, n);
+    radix_sort_keys(s->begin, s->spare, n), radix_sort_keys(s->end, s->spare, n);
     for (size_t i = 0, j = 0; j < n; ) {
         uint32_t key = i < n && s->begin[i] < s->end[j] ? s->begin[i] : s->end[j];
         float p = kd_unkey(key);

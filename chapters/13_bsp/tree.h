@@ -180,7 +180,7 @@ static inline void *bsp_trim(void *p, size_t n, size_t size)
 static inline void bsp_frame(bsp *t, workshop *w)
 {
     bool none = aabb_is_empty(t->all);
-    t->middle = none ? (vec3){0, 0, 0} : aabb_center(t->all);
+    t->middle = none ? (vec3){0, 0, 0} : aabb_centre(t->all);
     t->half = none ? (vec3){-1, -1, -1}
                    : vmax(vsub(t->all.hi, t->middle), vsub(t->middle, t->all.lo));
     t->half = vscale(t->half, 1 + 2 * real_epsilon);

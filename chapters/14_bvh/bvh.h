@@ -1,153 +1,92 @@
-/* bvh.h: the bounding volume hierarchy (层次包围盒, BVH) of a mesh, and of a scene of shapes.
+/* bvh.h: the bounding volume hierarchy (层次包围盒, BVH): the set of items is cut in two, and each part
+ * again; each part has a box, and a ray that misses the box misses everything in it.
  *
  *   bvh b;
- *   bvh_build(&m, bvh_defaults, &b);       the tree copies what it needs of the mesh
- *   bool bvh_hit(&b, r, &h)                the very hit (t, u, v, shape) that mesh_hit of 07 gives
- *   bool bvh_occluded(&b, r)               is there any? the answer that mesh_occluded gives
- *   bvh_stats s = bvh_stats_of(&b.tree)    size, depth, cost by the heuristic, overlap: stats.h
- *   bvh_free(&b);                          a zeroed bvh may be freed
- *   bvh_hit_naive(&b, r, &h)               without the care of node.h: loses hits
- *   bvh_hit_counted(&b, r, &h, &work)      the same hits; adds what they took to `work`
+ *   bool bvh_build(&x, bvh_defaults, &b, &f)    false: f says why; x as for all structures: items.h
+ *   bool bvh_hit(&b, r, &h)                     the very hit of items_hit
+ *   bool bvh_occluded(&b, r)                    is there any?
+ *   bvh_hit_counted(&b, r, &h, &w), bvh_occluded_counted(&b, r, &w)
+ *   structure_stats s = bvh_stats(&b)
+ *   bvh_free(&b)                                a zeroed one may be freed
  *
- * The tree does not cut space but the set of triangles: each triangle is in one leaf. Its boxes may
- * overlap; what is in one leaf may lie in the boxes of others, and a ray may have to look into
- * several boxes at the same place. (BVH_SPATIAL does cut: there a triangle may be in several.)
+ * Not space is cut but the set: each item is in one leaf. Its boxes may overlap; what is in one
+ * leaf may lie in the boxes of others, and a ray may have to look into several boxes at the same
+ * place. (The rule "spatial" does cut: there a triangle may be in several leaves.)
  *
- *   input                                      answer
- *   no triangles                               never hit
- *   a corner with NaN or infinity              never hit, as in 04; not in the tree, spoils no box
- *   no area                                    never hit, as in 04
- *   a million triangles on one place           depth 20, the lowest index wins
- *
- * Leaves copy the corners, 80 bytes a triangle (40 in float), in the order of the leaves. Indices
- * into the mesh would take 16, but where the mesh is larger than the cache each corner is then
- * waited for: a million triangles take a quarter longer to search. Nodes: some 14 bytes a triangle.
+ * how: tree.h, with the rules by which it is cut. Of a mesh it is a bvh_mesh, of a scene of shapes
+ * a bvh_shapes; who knows which takes that, and a program of triangles alone is spared the rest.
  */
 #ifndef BVH_H
 #define BVH_H
 
-#include "../07_mesh/mesh.h"
-#include "search.h"
+#include "../09_aabb/items.h"
+#include "bvh_mesh.h"
+#include "bvh_shapes.h"
 
-typedef struct { vec3 corner[3]; uint32_t index; } bvh_triangle;
-typedef struct { bvh_tree tree; bvh_triangle *triangle; } bvh;
+typedef struct { items x; bvh_mesh mesh; bvh_shapes shapes; } bvh;  /* one of the two, as x says */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* False for a triangle that cannot be hit because a corner is not finite. */
-static inline bool triangle_item(const mesh *m, size_t i, bvh_item *out)
+static inline const bvh_tree *bvh_tree_of(const bvh *b)
 {
-    triangle t = mesh_triangle(m, i);
-    if (!vfinite(t.a) || !vfinite(t.b) || !vfinite(t.c)) return false;
-    out->box = box_between(vmin(vmin(t.a, t.b), t.c), vmax(vmax(t.a, t.b), t.c));
-    out->index = (uint32_t)i;
-    return true;
+    return b->x.m ? &b->mesh.tree : &b->shapes.tree;
 }
 
-/* For tree_spatial. The triangle's part in a slab: its corners there, and the points a + (b - a) s
- * where its edges cross the two sides. |b - a| <= 2 M, M the largest coordinate. b - a, the three
- * roundings of s and the product are off by 5 eps / 2 of 2 M, the sum by eps / 2 of M: 5.5 eps M.
- * The box gets 6 eps M more all round. Where b - a might overflow, it stays what it was. */
-static inline bool triangle_clip(const void *context, const bvh_item *item, int axis, float lo,
-                                 float hi, bvh_box *out)
+/* Which item the k-th of the leaves, from left to right, is. */
+static inline uint32_t bvh_item_at(const bvh *b, size_t k)
 {
-    triangle t = mesh_triangle(context, item->index);
-    vec3 p[3] = {t.a, t.b, t.c}, most = {-real_infinity, -real_infinity, -real_infinity};
-    vec3 least = vneg(most), all = vmax(vmax(vmax(t.a, t.b), t.c), vneg(vmin(vmin(t.a, t.b), t.c)));
-    real side[2] = {(real)lo, (real)hi}, far = vaxis(all, vlongest(all));  /* M */
-    *out = item->box;
-    if (far > real_largest / 4) return true;
-    for (int i = 0; i < 3; i++) {
-        vec3 a = p[i], b = p[i < 2 ? i + 1 : 0];
-        real from = vaxis(a, axis), to = vaxis(b, axis);
-        if (from >= side[0] && from <= side[1]) least = vmin(a, least), most = vmax(a, most);
-        for (int j = 0; j < 2; j++) {
-            if ((from < side[j]) == (to < side[j])) continue;
-            vec3 c = vmadd(a, vsub(b, a), (side[j] - from) / (to - from));
-            least = vmin(c, least), most = vmax(c, most);
-        }
-    }
-    real more = 6 * real_epsilon * far;
-    vec3 pad = {more, more, more};
-    bvh_box part = box_between(vsub(least, pad), vadd(most, pad));
-    part.side[axis] = float_max(part.side[axis], lo);
-    part.side[3 + axis] = float_min(part.side[3 + axis], hi);
-    return box_shared(&part, &item->box, out);
+    return b->x.m ? b->mesh.triangle[k].index : b->shapes.index[k];
+}
+
+static inline bool bvh_build(const items *x, bvh_options how, bvh *out, failure *f)
+{
+    *out = (bvh){.x = *x};
+    return x->m ? bvh_mesh_build(x->m, how, &out->mesh, f)
+                : bvh_shapes_build(x->s, how, &out->shapes, f);
 }
 
 static inline void bvh_free(bvh *b)
 {
-    tree_free(&b->tree);
-    free(b->triangle);
-    b->triangle = NULL;
-}
-
-/* The program ends if there is no memory, and if there are 2^31 triangles, with BVH_SPATIAL 2^28:
- * places and nodes are counted in 32 bits. O(n log n). */
-static inline void bvh_build(const mesh *m, bvh_options how, bvh *out)
-{
-    bool cuts = how.strategy == BVH_SPATIAL;
-    int most = cuts ? 28 : 31;
-    if (m->triangles >> most)
-        die(2, "%zu triangles: fewer than 2^%d fit", m->triangles, most);
-    size_t n = 0, room = cuts ? spatial_most * m->triangles : m->triangles;
-    bvh_item *item = allocate(room, sizeof *item);
-    for (size_t i = 0; i < m->triangles; i++) n += triangle_item(m, i, &item[n]);
-    if (cuts) tree_spatial(item, n, room, how, triangle_clip, m, &out->tree);
-    else tree_build(item, n, how, &out->tree);
-    n = out->tree.items;
-    out->triangle = allocate(n, sizeof *out->triangle);
-    tree_takes(&out->tree, n * sizeof *out->triangle);
-    for (size_t i = 0; i < n; i++) {
-        triangle t = mesh_triangle(m, item[i].index);
-        out->triangle[i] = (bvh_triangle){{t.a, t.b, t.c}, item[i].index};
-    }
-    free(item);
-    tree_gives(&out->tree, room * sizeof *item);
-}
-
-__attribute__((always_inline))
-static inline bool bvh_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                            bool any)
-{
-    const bvh *b = context;
-    const bvh_triangle *t = b->triangle + first, *end = t + count;
-    bool found = false;
-    hit h;
-    for (; t < end; t++) {
-        const vec3 *c = t->corner;
-        if (!triangle_hit_corners(&c[0], &c[1], &c[2], &q->shear, q->r, &h)) continue;
-        if (any) return true;
-        h.shape = t->index;
-        found |= query_improves(q, h);
-    }
-    return found;
+    bvh_mesh_free(&b->mesh);
+    bvh_shapes_free(&b->shapes);
+    *b = (bvh){.x = {NULL, NULL, 0}};
 }
 
 static inline bool bvh_hit(const bvh *b, ray r, hit *out)
 {
-    return tree_search(&b->tree, r, box_ray_of, bvh_leaf, b, false, out, NULL);
-}
-
-/* With boxes tested as they come: see box_ray_naive. */
-static inline bool bvh_hit_naive(const bvh *b, ray r, hit *out)
-{
-    return tree_search(&b->tree, r, box_ray_naive, bvh_leaf, b, false, out, NULL);
+    return b->x.m ? bvh_mesh_hit(&b->mesh, r, out) : bvh_shapes_hit(&b->shapes, r, out);
 }
 
 static inline bool bvh_occluded(const bvh *b, ray r)
 {
-    return tree_search(&b->tree, r, box_ray_of, bvh_leaf, b, true, NULL, NULL);
+    return b->x.m ? bvh_mesh_occluded(&b->mesh, r) : bvh_shapes_occluded(&b->shapes, r);
 }
 
-static inline bool bvh_hit_counted(const bvh *b, ray r, hit *out, bvh_work *work)
+static inline bool bvh_counted(const bvh *b, ray r, bool any, hit *out, search_work *w)
 {
-    return tree_search(&b->tree, r, box_ray_of, bvh_leaf, b, false, out, work);
+    return b->x.m
+        ? tree_search(&b->mesh.tree, r, box_ray_of, bvh_mesh_leaf, &b->mesh, any, out, w)
+        : tree_search(&b->shapes.tree, r, box_ray_of, bvh_shapes_leaf, &b->shapes, any, out, w);
 }
 
-static inline bool bvh_occluded_counted(const bvh *b, ray r, bvh_work *work)
+static inline bool bvh_hit_counted(const bvh *b, ray r, hit *out, search_work *w)
 {
-    return tree_search(&b->tree, r, box_ray_of, bvh_leaf, b, true, NULL, work);
+    return bvh_counted(b, r, false, out, w);
+}
+
+static inline bool bvh_occluded_counted(const bvh *b, ray r, search_work *w)
+{
+    return bvh_counted(b, r, true, NULL, w);
+}
+
+/* A leaf is never empty. References are more than items where cuts go through items. */
+static inline structure_stats bvh_stats(const bvh *b)
+{
+    structure_stats s = tree_stats(bvh_tree_of(b));
+    aabb box;
+    s.items = 0;
+    for (size_t i = 0; i < b->x.n; i++) s.items += items_bounds(&b->x, i, &box);
+    return s;
 }
 
 #endif

@@ -1,8 +1,8 @@
 /* bvh_shapes.h: the same tree over a scene of shapes of any kind (07): spheres, cones, polygons ...
  *
  *   bvh_shapes b;
- *   bvh_shapes_build(&s, bvh_defaults, &b);   the shapes must outlive the tree
- *   bool bvh_shapes_hit(&b, r, &h)            the very hit that scene_hit gives
+ *   bool bvh_shapes_build(&s, bvh_defaults, &b, &f)   the shapes must outlive the tree
+ *   bool bvh_shapes_hit(&b, r, &h)                    the very hit that scene_hit gives
  *   bool bvh_shapes_occluded(&b, r)
  *   bvh_shapes_free(&b);
  */
@@ -23,25 +23,35 @@ static inline void bvh_shapes_free(bvh_shapes *b)
     b->index = NULL, b->shapes = NULL;
 }
 
-/* A shape whose box is not a number is never hit. */
-static inline void bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes *out)
+static inline bool bvh_shapes_take(const scene *s, bvh_options how, bvh_item *item,
+                                   bvh_shapes *out, failure *f)
 {
     size_t n = 0;
-    if (s->n >> 31) die(2, "%zu shapes: fewer than 2^31 fit", s->n);
-    bvh_item *item = allocate(s->n, sizeof *item);
     for (size_t i = 0; i < s->n; i++) {
         vec3 lo, hi;
         shape_bounds(s->shapes[i], &lo, &hi);
         item[n] = (bvh_item){box_between(lo, hi), (uint32_t)i};
         n += lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z;
     }
-    tree_build(item, n, how, &out->tree);
+    if (!tree_build(item, n, how, &out->tree, f)) return false;
     out->shapes = s->shapes;
-    out->index = allocate(n, sizeof *out->index);
-    tree_takes(&out->tree, n * sizeof *out->index);
+    out->index = tree_array(&out->tree, n, sizeof *out->index);
+    if (!out->index) return failed(f, 1, "BVH: no memory for %zu shapes", n);
     for (size_t i = 0; i < n; i++) out->index[i] = item[i].index;
+    tree_gives(&out->tree, n, sizeof *item);
+    return true;
+}
+
+/* A shape whose box is not a number is never hit. */
+static inline bool bvh_shapes_build(const scene *s, bvh_options how, bvh_shapes *out, failure *f)
+{
+    *out = (bvh_shapes){.index = NULL};
+    bvh_item *item = s->n <= how.most_bytes / sizeof *item ? calloc(s->n + 1, sizeof *item) : NULL;
+    if (!item) return failed(f, 1, "BVH: no memory for %zu items", s->n);
+    bool built = bvh_shapes_take(s, how, item, out, f);
     free(item);
-    tree_gives(&out->tree, n * sizeof *item);
+    if (!built) bvh_shapes_free(out);
+    return built;
 }
 
 __attribute__((always_inline))

@@ -4,7 +4,7 @@
  *       leaf      tests the items of a leaf: see below
  *       context   handed to box_ray_of, which has no use for it, and to leaf
  *       any       true: ends at the first hit (遮挡); h is not touched
- *       work      counts what was done; NULL: does not count
+ *       work      counts what was done, a pair of boxes as a node; NULL: does not count
  *
  * Both children of a node are tested at once. If the ray meets both, the one that it enters first
  * is next, and the other waits on the stack with its t of entry: by the time it comes up a hit may
@@ -20,16 +20,7 @@
 #ifndef BVH_SEARCH_H
 #define BVH_SEARCH_H
 
-#include "../09_aabb/structure.h"
 #include "tree.h"
-
-typedef struct {
-    size_t nodes;   /* pairs of boxes tested */
-    size_t both;    /* of these: the ray met both, and must look into both unless it finds a hit */
-    size_t leaves;  /* leaves looked into */
-    size_t barren;  /* of these: nothing closer was found in them */
-    size_t tests;   /* items tested */
-} bvh_work;
 
 /* box_ray_of; box_ray_naive, which loses hits; or what pays for more errors than node.h counts. */
 typedef box_ray tree_prepare(ray r, const bvh_box *all, const void *context);
@@ -43,13 +34,15 @@ typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, quer
 
 typedef struct { uint32_t first, count; float enter; } tree_waiting;
 
-/* `leaf` and `any` are known where this is called: each call becomes a loop of its own. Which child
- * is nearer is chosen by branches: half of the guesses are wrong, but with the others the processor
- * is already in the next node. Without them (an index from the comparison) it has to wait at every
- * node, and a ray takes a third longer. */
+/* nearest: the child that is entered first is next; false: always the first, for comparison.
+ * `leaf`, `any`, `nearest` are known where this is called: each call becomes a loop of its own.
+ * Which child is nearer is chosen by branches: half of the guesses are wrong, but with the others
+ * the processor is already in the next node. Without them (an index from the comparison) it has to
+ * wait at every node, and a ray takes a third longer. */
 __attribute__((always_inline))
-static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
-                               const void *context, bool any, hit *out, bvh_work *work)
+static inline bool tree_search_by(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
+                                  const void *context, bool any, bool nearest, hit *out,
+                                  search_work *work)
 {
     tree_waiting stack[bvh_most_depth];
     int top = 0;
@@ -67,9 +60,9 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
             float enter0 = box_enter(&c[0].box, &b, limit, &exit0);
             float enter1 = box_enter(&c[1].box, &b, limit, &exit1);
             bool in0 = !(enter0 > exit0), in1 = !(enter1 > exit1);
-            if (work) work->nodes++, work->both += in0 & in1;
+            if (work) work->nodes++;
             if (in0) {
-                if (in1 && enter1 < enter0) {
+                if (in1 && nearest && enter1 < enter0) {
                     stack[top++] = (tree_waiting){c[0].first, c[0].count, enter0};
                     first = c[1].first, count = c[1].count;
                     continue;
@@ -84,7 +77,7 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
             }
         } else {
             bool found = leaf(context, first, count, &q, any);
-            if (work) work->leaves++, work->barren += !found, work->tests += count;
+            if (work) work->leaves++, work->tests += count;
             if (found && any) return true;
             if (found) limit = box_ray_limit(&b, q.r.tmax);
         }
@@ -94,6 +87,13 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
         } while (stack[top].enter > limit);
         first = stack[top].first, count = stack[top].count;
     }
+}
+
+__attribute__((always_inline))
+static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
+                               const void *context, bool any, hit *out, search_work *work)
+{
+    return tree_search_by(t, r, prepare, leaf, context, any, true, out, work);
 }
 
 #endif

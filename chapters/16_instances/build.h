@@ -11,7 +11,7 @@
 #ifndef INSTANCES_BUILD_H
 #define INSTANCES_BUILD_H
 
-#include "../14_bvh/bvh.h"
+#include "../14_bvh/bvh_mesh.h"
 #include "crowd.h"
 
 typedef enum {
@@ -26,7 +26,7 @@ typedef struct {
 } instances_options;
 
 #define instances_defaults \
-    ((instances_options){INSTANCES_POINTS, {BVH_SAH, 1, 4}, bvh_defaults})
+    ((instances_options){INSTANCES_POINTS, bvh_leaves(1, 4), bvh_defaults})
 
 typedef struct { affine to_object; uint32_t mesh, index; } placed;  /* in the order of the leaves */
 
@@ -37,7 +37,7 @@ typedef struct {
     real by_origin;       /* of (16.3), the largest: what each ray pays for its |O|; -1: naive */
     size_t n, meshes;
     const mesh *mesh;     /* [meshes] the caller's */
-    bvh *lower;           /* [meshes] */
+    bvh_mesh *lower;      /* [meshes] */
     size_t bytes, peak;   /* of both levels, without the meshes themselves */
 } instances;
 
@@ -52,14 +52,14 @@ typedef struct {
 
 static inline void instances_free(instances *x)
 {
-    for (size_t i = 0; i < x->meshes && x->lower; i++) bvh_free(&x->lower[i]);
+    for (size_t i = 0; i < x->meshes && x->lower; i++) bvh_mesh_free(&x->lower[i]);
     tree_free(&x->tree);
     free(x->lower), free(x->place), free(x->where);
     *x = (instances){0};
 }
 
 /* The points that triangles of the tree use, each once; *n of them. */
-static inline vec3 *mesh_points(const mesh *m, const bvh *b, size_t *n)
+static inline vec3 *mesh_points(const mesh *m, const bvh_mesh *b, size_t *n)
 {
     vec3 *p = allocate(m->vertices, sizeof *p);
     bool *used = allocate(m->vertices, sizeof *used);
@@ -136,7 +136,10 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
     out->n = c->n, out->meshes = c->meshes, out->mesh = c->mesh;
     out->lower = allocate(c->meshes, sizeof *out->lower);
     for (size_t k = 0; k < c->meshes; k++) {
-        bvh_build(&c->mesh[k], how.lower, &out->lower[k]);
+        if (!bvh_mesh_build(&c->mesh[k], how.lower, &out->lower[k], f)) {
+            instances_free(out);
+            return false;
+        }
         size_t peak = out->bytes + out->lower[k].tree.peak;
         out->peak = peak > out->peak ? peak : out->peak;
         out->bytes += out->lower[k].tree.bytes;
@@ -145,7 +148,10 @@ static inline bool instances_build(const crowd *c, instances_options how, instan
     placed *all = allocate(c->n, sizeof *all);
     instances_items(out, c, how.boxes, item, all);
     size_t n = out->tree.items;
-    tree_build(item, n, how.upper, &out->tree);
+    if (!tree_build(item, n, how.upper, &out->tree, f)) {
+        free(item), free(all), instances_free(out);
+        return false;
+    }
     out->place = allocate(n, sizeof *out->place);
     out->where = allocate(c->n, sizeof *out->where);
     for (size_t i = 0; i < c->n; i++) out->where[i] = no_shape;

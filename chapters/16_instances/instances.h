@@ -40,13 +40,13 @@
 
 typedef struct { hit h; uint32_t instance; } instance_hit;
 
-typedef struct { bvh_work upper, lower; } instances_work;  /* upper.tests: instances looked into */
+typedef struct { search_work upper, lower; } instances_work;  /* upper.tests: instances */
 
 /* ---------------------------------------------------------------------------------------------- */
 typedef struct {
     const instances *x;
     uint32_t *triangle;     /* of the best hit so far */
-    bvh_work *lower;        /* NULL: does not count */
+    search_work *lower;     /* NULL: does not count */
     bool naive;             /* normalises */
 } instances_context;
 
@@ -72,16 +72,18 @@ static inline bool instances_leaf(const void *context, uint32_t first, uint32_t 
     const instances_context *c = context;
     bool found = false;
     for (const placed *p = c->x->place + first, *end = p + count; p < end; p++) {
-        const bvh *b = &c->x->lower[p->mesh];
+        const bvh_mesh *b = &c->x->lower[p->mesh];
         ray r;
         hit h;
         if (!instance_ray(&p->to_object, q->r, &r)) continue;
         if (c->naive) r.d = vunit(r.d);
         if (any) {
-            if (c->lower ? bvh_occluded_counted(b, r, c->lower) : bvh_occluded(b, r)) return true;
+            if (c->lower ? bvh_mesh_occluded_counted(b, r, c->lower)
+                         : bvh_mesh_occluded(b, r)) return true;
             continue;
         }
-        if (!(c->lower ? bvh_hit_counted(b, r, &h, c->lower) : bvh_hit(b, r, &h))) continue;
+        if (!(c->lower ? bvh_mesh_hit_counted(b, r, &h, c->lower)
+                       : bvh_mesh_hit(b, r, &h))) continue;
         uint32_t k = h.shape;
         h.shape = p->index;  /* at equal t the lowest instance */
         if (!query_improves(q, h)) continue;

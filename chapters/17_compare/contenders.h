@@ -20,8 +20,8 @@
 #ifndef COMPARE_CONTENDERS_H
 #define COMPARE_CONTENDERS_H
 
+#include "../14_bvh/bvh.h"
 #include "brute.h"
-#include "bvh_items.h"
 #include "explain_cells.h"
 #include "first_items.h"
 
@@ -68,11 +68,11 @@ static inline bsp_options bsp_how_for(const items *x)
     return how;
 }
 
-static inline bvh_items_options bvh_how_for(const items *x, bvh_strategy strategy)
+static inline bvh_options bvh_how_for(const items *x, const char *rule)
 {
-    bvh_items_options how = {bvh_defaults, 0};
-    how.tree.strategy = strategy;
-    if (x->s) how.tree.item_cost *= shape_cost;
+    bvh_options how = bvh_defaults;
+    how.rule = rule;
+    if (x->s) how.item_cost *= shape_cost;
     return how;
 }
 
@@ -115,9 +115,9 @@ CONTENDER(nested, "nested", nested, nested_defaults, SIZE_MAX, explain_nested)
 CONTENDER(octree, "octree", octree, octree_how_for(x), SIZE_MAX, explain_octree)
 CONTENDER(kdtree, "kdtree", kdtree, kdtree_how_for(x), SIZE_MAX, explain_kdtree)
 CONTENDER(bsp, "bsp", bsp, bsp_how_for(x), 70000, explain_bsp)
-CONTENDER(bvh, "bvh", bvh_items, bvh_how_for(x, BVH_SAH), SIZE_MAX, explain_bvh)
-CONTENDER(bvh_morton, "bvh-morton", bvh_items, bvh_how_for(x, BVH_MORTON), SIZE_MAX, explain_bvh)
-CONTENDER(bvh_spatial, "bvh-spatial", bvh_items, bvh_how_for(x, BVH_SPATIAL), SIZE_MAX, explain_bvh)
+CONTENDER(bvh, "bvh", bvh, bvh_how_for(x, "sah"), SIZE_MAX, explain_bvh)
+CONTENDER(bvh_morton, "bvh-morton", bvh, bvh_how_for(x, "morton"), SIZE_MAX, explain_bvh)
+CONTENDER(bvh_spatial, "bvh-spatial", bvh, bvh_how_for(x, "spatial"), SIZE_MAX, explain_bvh)
 
 /* As in the published results of the SPD: so many cells an item, so deep. */
 CONTENDER(grid_1, "grid-1", grid, ((grid_options){1, true, true, 0}), SIZE_MAX, explain_grid)

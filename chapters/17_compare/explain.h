@@ -17,7 +17,7 @@
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
 
-#include "bvh_items.h"
+#include "../14_bvh/bvh.h"
 #include <stdio.h>
 
 typedef struct {
@@ -125,19 +125,14 @@ static inline real bvh_outside(const bvh_box *b, vec3 p)
     return out;
 }
 
-static inline uint32_t bvh_listed(const bvh_items *b, size_t k)
-{
-    return b->of_mesh ? b->mesh.triangle[k].index : b->shapes.index[k];
-}
-
 /* The way to the leaf that lists the shape, of several the first whose box holds p; -1: none. */
-static inline int bvh_leaf_of(const bvh_items *b, uint32_t wanted, vec3 p, real delta,
+static inline int bvh_leaf_of(const bvh *b, uint32_t wanted, vec3 p, real delta,
                               uint32_t *path)
 {
-    const bvh_tree *t = bvh_items_tree(b);
+    const bvh_tree *t = bvh_tree_of(b);
     int depth = -1;
     for (size_t k = 0; k < t->items; k++) {
-        if (bvh_listed(b, k) != wanted) continue;
+        if (bvh_item_at(b, k) != wanted) continue;
         depth = bvh_path(t, 0, k, 0, path);
         if (depth >= 0 && bvh_outside(&t->node[path[depth]].box, p) <= delta) return depth;
     }
@@ -157,8 +152,8 @@ static inline void explain_box(uint32_t node, const bvh_box *box, vec3 p, bool h
 
 static inline void explain_bvh(const void *s, const wrong_ray *w, FILE *out)
 {
-    const bvh_items *b = s;
-    const bvh_tree *t = bvh_items_tree(b);
+    const bvh *b = s;
+    const bvh_tree *t = bvh_tree_of(b);
     uint32_t path[bvh_most_depth + 1];
     if (t->items == 0) return;
     box_ray q = box_ray_of(w->r, &t->node[0].box, NULL);

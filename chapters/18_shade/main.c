@@ -2,7 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
  * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, a table of
- * ways to leave a surface. --full: all tables, three plots. --samples N: down to a square. */
+ * ways to leave a surface. --full: another table, two plots. --samples N: down to a square. */
 #include "../../common/lab/report.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
@@ -16,20 +16,17 @@ int main(int argc, char **argv)
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send the shadow rays that cannot contribute, too"},
         {0}};
     options o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.",
-                             (options){.width = 800, .height = 450, .seed = 1, .samples = 9}, own);
+                             (options){.width = 800, .height = 450, .seed = 1, .samples = 4}, own);
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     o.own = teapot;
     if (!teapot) teapot = o.quick ? 6 : 24;
-    if (o.quick && o.samples == 9) o.samples = 1;  /* what was asked for stays */
+    if (o.quick && o.samples == 4) o.samples = 1;  /* what was asked for stays */
     if (o.quick && o.width == 800 && o.height == 450) o.width = 240, o.height = 135;
     draw_gallery(&o, teapot, all);
     if (o.out || o.own) return output_done(&o);
     draw_acne(&o);
     draw_sight(&o);
-    if (o.full) {
-        table_of_leaving(&o);
-        table_of_sizes(&o);
-        table_of_rays(&o);
-    } else table_of_spheres(&o);
+    table_of_leaving(&o);
+    if (o.full) plots_of_leaving(&o), table_of_rays(&o);
     return output_done(&o);
 }

@@ -36,7 +36,7 @@
 #ifndef SHADE_TRACE_H
 #define SHADE_TRACE_H
 
-#include "../14_bvh/bvh.h"
+#include "../14_bvh/bvh_mesh.h"
 #include "../14_bvh/bvh_shapes.h"
 #include "surface.h"
 
@@ -48,7 +48,7 @@ typedef enum { ANY_HIT_ACCEPT, ANY_HIT_IGNORE, ANY_HIT_END } any_hit_answer;
 typedef struct {
     const mesh *m;       /* this, */
     const scene *s;      /* or this; the other is NULL */
-    bvh of_mesh;
+    bvh_mesh of_mesh;
     bvh_shapes of_scene;
     uint8_t mask;        /* seen by kinds whose mask shares a bit */
 } world_part;
@@ -81,22 +81,29 @@ static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The mesh must outlive the part. O(n log n). */
+/* Mesh and scene must outlive the part. No memory: the program ends. O(n log n). */
 static inline void world_part_of_mesh(const mesh *m, uint8_t mask, world_part *out)
 {
+    failure f;
     *out = (world_part){.m = m, .mask = mask};
-    bvh_build(m, bvh_defaults, &out->of_mesh);
+    if (!bvh_mesh_build(m, bvh_defaults, &out->of_mesh, &f)) fail(f);
+}
+
+static inline void world_part_cut(const scene *s, bvh_options how, uint8_t mask, world_part *out)
+{
+    failure f;
+    *out = (world_part){.s = s, .mask = mask};
+    if (!bvh_shapes_build(s, how, &out->of_scene, &f)) fail(f);
 }
 
 static inline void world_part_of_scene(const scene *s, uint8_t mask, world_part *out)
 {
-    *out = (world_part){.s = s, .mask = mask};
-    bvh_shapes_build(s, bvh_defaults, &out->of_scene);
+    world_part_cut(s, bvh_defaults, mask, out);
 }
 
 static inline void world_part_free(world_part *p)
 {
-    if (p->m) bvh_free(&p->of_mesh);
+    if (p->m) bvh_mesh_free(&p->of_mesh);
     if (p->s) bvh_shapes_free(&p->of_scene);
     *p = (world_part){.mask = 0};
 }
@@ -128,7 +135,7 @@ static inline bool trace_leaf(const void *context, uint32_t first, uint32_t coun
     bool found = false;
     for (uint32_t i = first; i < first + count; i++) {
         query one = *q;
-        bool closer = a->part->m ? bvh_leaf(&a->part->of_mesh, i, 1, &one, false)
+        bool closer = a->part->m ? bvh_mesh_leaf(&a->part->of_mesh, i, 1, &one, false)
                                  : bvh_shapes_leaf(&a->part->of_scene, i, 1, &one, false);
         if (!closer) continue;
         trace_hit x = {one.best, a->index};
@@ -148,9 +155,9 @@ static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k,
 {
     const world_part *p = &t->w->part[k];
     if (!g->any_hit) {
-        if (g->first && p->m) return bvh_occluded(&p->of_mesh, r);
+        if (g->first && p->m) return bvh_mesh_occluded(&p->of_mesh, r);
         if (g->first) return bvh_shapes_occluded(&p->of_scene, r);
-        return p->m ? bvh_hit(&p->of_mesh, r, h) : bvh_shapes_hit(&p->of_scene, r, h);
+        return p->m ? bvh_mesh_hit(&p->of_mesh, r, h) : bvh_shapes_hit(&p->of_scene, r, h);
     }
     const bvh_tree *tree = p->m ? &p->of_mesh.tree : &p->of_scene.tree;
     trace_asking a = {t, g, p, k, r, payload, end};

@@ -1,9 +1,9 @@
 /* 19_whitted: recursion: mirrors, glass, total reflection, Fresnel, absorption, nested bodies.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
- * Without options: the two spheres of 1980, a tank, four depths, the tree of one pixel, a table of
- * error against time. --full: all tables: also of Fresnel's forms, of speed. --protocol spd: rays
- * counted as in published results. --samples N is rounded down to a square. */
+ * Without options: the two spheres of 1980, a tank, the tree of one pixel, a table of error against
+ * time. --full: four depths; speed; first.h. --protocol spd: rays counted as in published results.
+ * --samples N is rounded down to a square. */
 #include "lab/measure.h"
 #include "lab/pictures.h"
 #include "lab/spd_protocol.h"
@@ -21,7 +21,7 @@ int main(int argc, char **argv)
         {"tree", OPTION_SIZE, pixel, 1, 639, "XxY: the tree of rays of this pixel of 640x480"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "trace what cannot contribute, too"}, {0}};
     options o = options_read(argc, argv, "19_whitted", "Whitted's ray tracing.",
-                             (options){.width = 640, .height = 480, .seed = 1, .samples = 9}, own);
+                             (options){.width = 640, .height = 480, .seed = 1, .samples = 4}, own);
     const struct { bool wrong; const char *text; } misuse[] = {
         {how && strcmp(how, "spd") != 0, "--protocol: allowed is spd"},
         {!how && (name || scale >= 0), "--scene, --scale: allowed with --protocol spd"},
@@ -37,17 +37,16 @@ int main(int argc, char **argv)
     if (how) spd_protocol(&o, name, scale);
     if (pixel[0]) draw_ray_tree(&o, (real)pixel[0] + (real)0.5, (real)pixel[1] + (real)0.5);
     if (o.own) return output_done(&o);
-    if (o.quick && o.samples == 9) o.samples = 1;
+    if (o.quick && o.samples == 4) o.samples = 1;
     if (o.quick && o.width == 640 && o.height == 480) o.width = 160, o.height = 120;
     draw_two_spheres(&o, all);
     if (o.out) return output_done(&o);
     draw_tank(&o);
-    draw_depths(&o);
     draw_ray_tree(&o, 345.5, 140.5);
     draw_fresnel(&o);
     table_of_knobs(&o);
     if (o.full) {
-        table_of_fresnel(&o);
+        draw_depths(&o);
         table_of_speed(&o);
         table_of_first(&o);
     }

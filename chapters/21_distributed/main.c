@@ -17,7 +17,7 @@ int main(int argc, char **argv)
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send rays that cannot contribute, too"},
         {0}};
     options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
-                             (options){.width = 512, .height = 288, .seed = 1, .samples = 16}, own);
+                             (options){.width = 512, .height = 288, .seed = 1, .samples = 8}, own);
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     static const char letters[] = "sgol";
     bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
@@ -27,7 +27,7 @@ int main(int argc, char **argv)
         if (!at) die(2, "--effects %s: all, none, or letters of s g o l", effects);
         chosen |= 1 << (at - letters);
     }
-    if (o.quick && o.samples == 16) o.samples = 2;
+    if (o.quick && o.samples == 8) o.samples = 2;
     if (o.quick && o.width == 512 && o.height == 288) o.width = 160, o.height = 90;
     if (!every && !o.out) {  /* images/ is for the text */
         snprintf(path, sizeof path, "build/21_distributed_%.20s.png", effects);

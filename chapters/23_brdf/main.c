@@ -15,7 +15,6 @@ int main(int argc, char **argv)
     draw_spheres(&o), plot_lobes(&o);
     measure_methods(&o);
     if (o.full) {
-        draw_lobes(&o);
         measure_furnace(&o), measure_naive(&o);
     }
     return output_done(&o);

@@ -32,7 +32,7 @@
 #ifndef DIRECT_FEW_H
 #define DIRECT_FEW_H
 
-#include "../14_bvh/bvh.h"
+#include "../14_bvh/bvh_mesh.h"
 
 enum { few_most = 64, few_wide = 8, few_line = 16 };
 enum { FEW_U, FEW_V, FEW_N };  /* axes, each x, y, z and -axis.c; then a, b */

@@ -28,7 +28,7 @@
 #ifndef DIRECT_LIT_SCENE_H
 #define DIRECT_LIT_SCENE_H
 
-#include "../14_bvh/bvh.h"
+#include "../14_bvh/bvh_mesh.h"
 #include "../14_bvh/bvh_shapes.h"
 #include "../18_shade/leave.h"
 #include "../23_brdf/brdf.h"
@@ -60,7 +60,7 @@ typedef struct {
     uint32_t *emitter_of;     /* [m.triangles + shapes]; lit_dark: does not shine */
     vec3 background;          /* radiance from where nothing is */
     lit_face *face;           /* [m.triangles] */
-    bvh tree;
+    bvh_mesh tree;
     bvh_shapes shape_tree;
     int32_t *first, *last;    /* [emitters] its lanes in `few`; -1: none, a sphere */
     few few;                  /* of up to 64 triangles: in place of the tree */
@@ -211,6 +211,7 @@ static inline void lit_split(lit_scene *s)
 static inline void lit_end(lit_scene *s)
 {
     bvh_options how = bvh_defaults;
+    failure f;
     scene shapes = {s->shape, s->shapes};
     lit_split(s);
     for (size_t i = 0; i < s->shapes; i++) {
@@ -222,7 +223,7 @@ static inline void lit_end(lit_scene *s)
     s->first = allocate(s->emitters, sizeof *s->first);
     s->last = allocate(s->emitters, sizeof *s->last);
     for (size_t e = 0; e < s->emitters; e++) s->first[e] = s->last[e] = -1;
-    bvh_build(&s->m, how, &s->tree);
+    if (!bvh_mesh_build(&s->m, how, &s->tree, &f)) fail(f);
     few_build(&s->m, &s->few);
     for (size_t i = s->few.lanes ? s->m.triangles : 0; i-- > 0;) {
         uint32_t e = s->emitter_of[i];
@@ -231,13 +232,13 @@ static inline void lit_end(lit_scene *s)
         if (s->last[e] < 0) s->last[e] = s->few.lane[i];
     }
     how.item_cost = 1.5;  /* a shape's test costs more than a triangle's */
-    bvh_shapes_build(&shapes, how, &s->shape_tree);
+    if (!bvh_shapes_build(&shapes, how, &s->shape_tree, &f)) fail(f);
 }
 
 static inline void lit_free(lit_scene *s)
 {
     mesh_free(&s->m);
-    bvh_free(&s->tree), bvh_shapes_free(&s->shape_tree), few_free(&s->few);
+    bvh_mesh_free(&s->tree), bvh_shapes_free(&s->shape_tree), few_free(&s->few);
     free(s->first), free(s->last);
     free(s->of_triangle), free(s->shape), free(s->of_shape), free(s->material);
     free(s->emitter), free(s->emitter_of), free(s->face), free(s->part);
@@ -271,7 +272,7 @@ __attribute__((always_inline))
 static inline bool lit_closest(const lit_scene *s, ray r, uint32_t from, hit *h)
 {
     int known = few_hit(&s->few, &s->m, r, lit_skip(s, from, lit_dark), h);
-    return known >= 0 ? known : bvh_hit(&s->tree, r, h);
+    return known >= 0 ? known : bvh_mesh_hit(&s->tree, r, h);
 }
 
 /* Fields one by one: a struct that is copied as a whole right after its fields were written waits
@@ -321,7 +322,7 @@ __attribute__((always_inline))
 static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, uint32_t e)
 {
     int known = few_occluded(&s->few, &s->m, r, lit_skip(s, from, e));
-    if (known < 0) known = bvh_occluded(&s->tree, r);
+    if (known < 0) known = bvh_mesh_occluded(&s->tree, r);
     return known || (s->shapes && bvh_shapes_occluded(&s->shape_tree, r));
 }
 

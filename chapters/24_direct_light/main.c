@@ -1,6 +1,6 @@
 /* 24_direct_light: light straight from the lights, drawn by directions, by lights, and by both.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light chapters/24_direct_light/main.c -lm -lpthread
- * Without options: two pictures, the main table. --full: five pictures, five tables, four plots.
+ * Without options: a picture, the main table. --full: three pictures, five tables, two plots.
  * --scene or --way: that picture only. Errors are measured against a long run with well-spread
  * points, which a test compares with closed forms. */
 #include "lab/measure.h"
@@ -42,10 +42,9 @@ int main(int argc, char **argv)
     if (o.own) snprintf(file, sizeof file, "24_direct_light_%s.png", stage_names[which]);
     draw_stage(&o, which, way, file);
     if (o.own) return output_done(&o);
-    if (!o.out) draw_plates(&o);
     measure_ways(&o);
     if (o.full) {
-        if (!o.out) draw_equal(&o), draw_strip(&o), draw_hall(&o);
+        if (!o.out) draw_exhibit(&o, &exhibit_plates), draw_exhibit(&o, &exhibit_strip);
         measure_lights(&o);
         measure_near(&o);
         measure_called(&o);

@@ -7,8 +7,8 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
  *   27_effects room.scene --price --region 40x30+160+120     for these pixels, at (160, 120)
  *
- * Without options: the scene of demo.h and the price list; --full: the strip, and what being
- * general costs, too. With some the picture goes to build/, if --out names no other. What the
+ * Without options: the scene of demo.h, and what it took; --full: the strip, the price list, and
+ * what being general costs. With some the picture goes to build/, if --out names no other. What the
  * command line says of camera, lens, lights and surroundings replaces what the files say; the words
  * are those of scene files. */
 #include "lab/command.h"

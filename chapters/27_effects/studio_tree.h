@@ -31,7 +31,7 @@ typedef struct { hit h; uint32_t place; } studio_hit;  /* place no_shape: h.shap
 typedef struct {
     const studio *s;
     bvh_shapes shapes;
-    bvh *mesh;                /* [standing] */
+    bvh_mesh *mesh;           /* [standing] */
     uint32_t *mesh_place;     /* [standing] */
     instances moved;
     instance *moved_list;     /* [moved.n] */
@@ -45,14 +45,14 @@ typedef struct {
 static inline void studio_tree_free(studio_tree *t)
 {
     bvh_shapes_free(&t->shapes);
-    for (size_t k = 0; k < t->standing; k++) bvh_free(&t->mesh[k]);
+    for (size_t k = 0; k < t->standing; k++) bvh_mesh_free(&t->mesh[k]);
     instances_free(&t->moved);
     free(t->mesh), free(t->mesh_place), free(t->moved_list), free(t->moved_place), free(t->pad);
     *t = (studio_tree){.s = NULL};
 }
 
 /* Which places stand: the first of each mesh that is not moved. */
-static inline void studio_tree_sort(const studio *s, studio_tree *t)
+static inline bool studio_tree_sort(const studio *s, studio_tree *t, failure *f)
 {
     bool *has = allocate(s->meshes, sizeof *has);
     t->mesh = allocate(s->meshes, sizeof *t->mesh);
@@ -60,11 +60,12 @@ static inline void studio_tree_sort(const studio *s, studio_tree *t)
     t->moved_list = allocate(s->places, sizeof *t->moved_list);
     t->moved_place = allocate(s->places, sizeof *t->moved_place);
     size_t moved = 0;
-    for (uint32_t i = 0; i < s->places; i++) {
+    bool ok = true;
+    for (uint32_t i = 0; ok && i < s->places; i++) {
         uint32_t m = s->placed[i].mesh;
         if (!has[m] && studio_stands(s, i)) {
             has[m] = true;
-            bvh_build(&s->mesh[m], bvh_defaults, &t->mesh[t->standing]);
+            ok = bvh_mesh_build(&s->mesh[m], bvh_defaults, &t->mesh[t->standing], f);
             t->mesh_place[t->standing++] = i;
         } else {
             t->moved_list[moved] = s->placed[i];
@@ -73,6 +74,7 @@ static inline void studio_tree_sort(const studio *s, studio_tree *t)
     }
     t->moved.n = moved;
     free(has);
+    return ok;
 }
 
 /* Trees only for meshes that are moved: the others get an empty one, from an empty mesh. */
@@ -112,10 +114,8 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
     *out = (studio_tree){.s = s};
     bvh_options how = bvh_defaults;
     how.item_cost = 2;  /* spheres, cones, polygons: a test costs more than a triangle's */
-    if (s->shapes >> 31) return failed(f, 2, "%zu shapes: fewer than 2^31 fit", s->shapes);
-    if (all.n) bvh_shapes_build(&all, how, &out->shapes);
-    studio_tree_sort(s, out);
-    if (studio_tree_moved(s, out, f)) return true;
+    if ((!all.n || bvh_shapes_build(&all, how, &out->shapes, f)) && studio_tree_sort(s, out, f)
+        && studio_tree_moved(s, out, f)) return true;
     studio_tree_free(out);
     return false;
 }
@@ -131,7 +131,7 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
         found = true, r.tmax = h.t;
     }
     for (size_t k = 0; k < t->standing; k++)  /* nearer, not as near: the first keeps it */
-        if (bvh_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
+        if (bvh_mesh_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
             *out = (studio_hit){h, t->mesh_place[k]};
             found = true, r.tmax = h.t;
         }
@@ -147,7 +147,7 @@ static inline bool studio_tree_occluded(const studio_tree *t, ray r)
 {
     if (t->shapes.tree.items && bvh_shapes_occluded(&t->shapes, r)) return true;
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh_occluded(&t->mesh[k], r)) return true;
+        if (bvh_mesh_occluded(&t->mesh[k], r)) return true;
     return t->moved.n && instances_occluded(&t->moved, r);
 }
 

@@ -1,14 +1,13 @@
-/* measure.h: error and time of a pixel, of a ray, and of a frame.
+/* measure.h: error and time of a pixel, error of a ray.
  *
  *   camera_measure_filters(&o)  box, tent, Gaussian; regular, jittered, random; 4, 16, 256 rays a
  *                               pixel, on patterns whose filtered value pattern.h knows: the main
  *                               table; with --full plots of 1 to 1024 rays
- *   camera_measure_far(&o)      s - e against (2.5), |e| from 1 to 1e8 m: plot, table with --full
- *   camera_measure_up(&o)       up nearly along the view: first.h against frame_look_at
+ *   camera_measure_far(&o)      s - e against (2.5), |e| from 1 to 1e8 m: a plot
  *   camera_measure_means(&o)    two ways to divide a weighted sum: bias and spread
  *
  * Errors of pixels are root mean squares over 32 x 32, each against the exact value of its own
- * filter; of rays and frames the largest of 256 to 2000, against wide arithmetic.
+ * filter; of rays the largest of 2000, against wide arithmetic.
  */
 #ifndef CAMERA_LAB_MEASURE_H
 #define CAMERA_LAB_MEASURE_H
@@ -195,41 +194,7 @@ static inline void camera_measure_means(const options *o)
     output_extra_table(o, &t);
 }
 
-/* ---- rays and frames ---- */
-
-enum { camera_calls = 1 << 14 };
-typedef struct { camera c; vec3 target[256], up[256]; } camera_input;
-
-/* A function for clock_compare: sums what the body adds for i = 0 ... camera_calls - 1. */
-#define CAMERA_TIMED(name, body) \
-    static inline double name(void *context) \
-    { \
-        const camera_input *m = context; \
-        double sum = 0; \
-        for (int i = 0; i < camera_calls; i++) { \
-            body; \
-        } \
-        return sum; \
-    }
-#define CAMERA_AT ((real)(i % 512)), ((real)(i / 32)), 512, 512
-CAMERA_TIMED(camera_run_ray, vec3 d = camera_ray(m->c, CAMERA_AT).d;
-             sum += (double)(d.x + d.y + d.z))
-CAMERA_TIMED(camera_run_naive, vec3 d = camera_ray_naive(m->c, CAMERA_AT).d;
-             sum += (double)(d.x + d.y + d.z))
-CAMERA_TIMED(camera_run_frame, camera_frame f; int k = i % 256;
-             if (frame_look_at(m->c.e, m->target[k], m->up[k], &f, NULL)) sum += (double)f.v.x)
-CAMERA_TIMED(camera_run_first, int k = i % 256;
-             sum += (double)frame_first(m->c.e, m->target[k], m->up[k]).v.x)
-
-/* A row: the setting, the errors of two ways, their times. */
-static inline void camera_row(table *t, double setting, double naive_error, double error,
-                              camera_input *m, double (*naive)(void *), double (*run)(void *))
-{
-    clock_variant v[] = {{NULL, naive, m, 0}, {NULL, run, m, 0}};
-    clock_compare(v, 2, 9);
-    table_number(t, setting), table_number(t, naive_error), table_number(t, error);
-    for (int k = 0; k < 2; k++) table_number(t, 1e9 * v[k].seconds / camera_calls);
-}
+/* ---- rays ---- */
 
 static inline double camera_worst(double a, double b) { return isnan(a) || b <= a ? a : b; }
 
@@ -249,9 +214,6 @@ static inline void camera_measure_far(const options *o)
     int series[4], ways = real_is_float ? 2 : 4;
     plot p = plot_new("A ray far from the origin", "|e| [m]", "largest error [pixels]",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    table t = table_new("A ray far from the origin, largest error of 2000 [pixels]",
-                        "distance of e [m]|error of s - e|error of (2.5)|time s - e [ns]|"
-                        "time (2.5) [ns]");
     for (int i = 0; i < ways; i++) {
         char text[64];
         snprintf(text, sizeof text, "%s, %s", name[i % 2],
@@ -260,7 +222,6 @@ static inline void camera_measure_far(const options *o)
     }
     for (int k = 0; k <= 8; k++) {
         double error[4] = {0, 0, 0, 0}, far = pow(10.0, k);
-        camera_input m;
         for (int i = 0; i < 2000; i++) {
             camera_frame f;
             camera c;
@@ -275,40 +236,10 @@ static inline void camera_measure_far(const options *o)
                           camera_direction_naive_f32(e, d_f32), d_f32};
             for (int j = 0; j < ways; j++)
                 error[j] = camera_worst(error[j], ray_error(c, way[j], x, y, 512, 512));
-            m.c = c;
         }
         for (int j = 0; j < ways; j++) plot_add(&p, series[j], far, error[j]);
-        if (o->full && k % 2 == 0)
-            camera_row(&t, far, error[0], error[1], &m, camera_run_naive, camera_run_ray);
     }
     output_plot(o, &p, "02_camera_far.svg");
-    if (o->full) output_extra_table(o, &t);
-    else table_free(&t);
 }
 
-/* 256 views with up turned away from the view by a small angle. */
-static inline void camera_measure_up(const options *o)
-{
-    random_stream s = random_start(2, 0, 0);
-    table t = table_new("up at a small angle to the view, largest error of u, of 256 [radians]",
-                        "angle|error of first.h|error of frame_look_at|time first [ns]|"
-                        "time frame_look_at [ns]");
-    for (int k = 1; k <= 5; k += 2) {
-        double first = 0, robust = 0, small = pow(10.0, -k);
-        camera_input m = {.c = {.d = 0}};
-        for (int i = 0; i < 256; i++) {
-            vec3 n = camera_any_direction(&s), a, b;
-            camera_frame f;
-            vbasis(n, &a, &b);
-            m.target[i] = vscale(n, 1 + random_next(&s));
-            m.up[i] = vmadd(n, a, (real)small);
-            f = frame_first(m.c.e, m.target[i], m.up[i]);
-            first = camera_worst(first, frame_error(f, m.target[i], m.up[i]));
-            if (frame_look_at(m.c.e, m.target[i], m.up[i], &f, NULL))
-                robust = camera_worst(robust, frame_error(f, m.target[i], m.up[i]));
-        }
-        camera_row(&t, small, first, robust, &m, camera_run_first, camera_run_frame);
-    }
-    output_extra_table(o, &t);
-}
 #endif

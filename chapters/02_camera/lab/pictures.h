@@ -3,7 +3,7 @@
  *   camera_draw_four(&o, v)        one room through four cameras: the main picture
  *   camera_draw_vanishing(&o, v)   a block, its edges carried on to three points
  *   camera_draw_slips(&o, v)       RTR's sign; s - e far from the origin
- *   camera_draw_more(&o, v)        behind a parallel camera; a zone plate under three filters
+ *   camera_draw_zone_plate(&o, v)  one ray a pixel, and 64 under two filters
  *
  * v says which scene, and how many rays a pixel.
  */
@@ -96,13 +96,6 @@ static inline ray camera_aim_far(const camera_view *v, real x, real y)  /* as if
     ray r = camera_aim_f32(v, x, y);
     return ray_from(r.o, camera_direction_naive_f32(vec(120000, 96000, 128000), r.d));
 }
-static inline ray camera_aim_line(const camera_view *v, real x, real y)
-{
-    ray r = camera_ray(v->c, x, y, v->out->width, v->out->height);
-    r.tmin = -real_infinity;
-    return r;
-}
-
 static inline void camera_draw_pair(const options *o, camera_view v[2], const char *tag0,
                                     const char *tag1, const char *name)
 {
@@ -127,20 +120,11 @@ static inline void camera_draw_slips(const options *o, camera_view v)
     camera_draw_pair(o, p, "float, s - e", "float, (2.5)", "02_camera_far.png");
 }
 
-static inline void camera_draw_more(const options *o, camera_view v)
+static inline void camera_draw_zone_plate(const options *o, camera_view v)
 {
     static const double rings = 0.0131;  /* finer than the pixels beyond a radius of 120 of them */
     static const char *const tag[] = {"1 ray", "64, box", "64, Gaussian"};
-    camera_frame f;
-    failure why;
-    camera_view p[3] = {v, v, v};
-    real s = 3.8;
-    camera_must(frame_look_at(camera_eye, camera_target, camera_up, &f, &why), why);
-    f.e = vec(2.15, 2.2, 1.7);  /* in the middle of the room */
-    camera_must(camera_orthographic(f, (camera_window){-s, s, -s, s}, &p[0].c, &why), why);
-    p[1].aim = camera_aim_line, p[1].c = p[0].c;
-    camera_draw_pair(o, p, "tmin = 0", "tmin = -infinity", "02_camera_behind.png");
-
+    camera_view p[3];
     int zone = o->quick ? 80 : 320;
     v.c = camera_grid(zone);
     v.see = see_zone_plate, v.own = &rings, v.how = SAMPLES_REGULAR, v.f = filter_box;

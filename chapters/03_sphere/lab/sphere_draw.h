@@ -14,22 +14,16 @@
 #define SPHERE_DRAW_H
 
 #include "../../../common/output.h"
-#include "../../../common/parallel.h"
 #include "../../../common/headlight.h"
 #include "../../../common/lab/figure.h"
 #include "../../../common/lab/label.h"
+#include "../../../common/lab/pixels.h"
 #include "sphere_oracle.h"
 #include "sphere_variants.h"
-
-static inline void sphere_draw(const options *o);
-static inline void sphere_draw_map(const options *o);
-static inline void sphere_draw_geometry(const options *o);
 
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { sphere_columns = 4, sphere_rows = 2 };
-/* title: of the strip above each panel; key: of the one below all; gap: right of each [pixels]. */
-typedef struct { image *im; int title, key, gap; } sphere_panels;
 
 static const vec3 sphere_red = {0.8, 0.1, 0.05};
 static const vec3 sphere_blue = {0.05, 0.25, 0.8};
@@ -50,35 +44,22 @@ static inline real sphere_panel_far(int column)
     return real_is_float ? near[column] : far[column];
 }
 
-/* Both rows compute in the precision of this build. */
-static inline void sphere_draw_pixel(int x, int y, void *context)
+/* Of a panel; all compute in the precision of this build. */
+typedef struct { sphere_hit_function *X_hit; real far, width, height, scale; } sphere_panel;
+
+static vec3 sphere_panel_colour(const void *context, real x, real y)
 {
-    static sphere_hit_function *const X_hit[sphere_rows] = {first_sphere_hit, sphere_hit};
-    const sphere_panels *p = context;
-    int w = p->im->width / sphere_columns, strip = (p->im->height - p->key) / sphere_rows;
-    if (w == 0) w = 1;  /* a picture smaller than its panels shows only some */
-    if (strip == 0) strip = 1;
-    int column = x / w, row = y / strip, h = strip - p->title, down = y - row * strip - p->title;
-    vec3 c = {1, 1, 1};
-    int right = x - column * w;
-    if (column >= sphere_columns || row >= sphere_rows || down < 0 || right >= w - p->gap) {
-        image_set(p->im, x, y, c);
-        return;
-    }
-    real half = 0.5, scale = (real)2.3 / (real)(w < h ? w : h);
-    real across = (real)right + half - (real)(w - p->gap) / 2;
-    real up = (real)h / 2 - (real)down - half;
-    ray r = sphere_view(sphere_panel_far(column), across * scale, up * scale);
+    const sphere_panel *p = context;
+    ray r = sphere_view(p->far, (x - p->width / 2) * p->scale, (p->height / 2 - y) * p->scale);
     sphere ball = {{0, 0, 0}, 1};
     hit found;
-    bool is = X_hit[row](ball, r, &found), due = sphere_clearance(ball, r) <= 0;
-    if (is != due) c = due ? sphere_red : sphere_blue;
-    else if (is) {
-        /* The textbook divides by R and trusts that the point is on the surface. */
-        vec3 at = ray_at(r, found.t), n = row ? sphere_normal(ball, sphere_point(ball, at)) : at;
-        c = vscale(headlight(n, r.d), (real)0.8);
-    }
-    image_set(p->im, x, y, c);
+    bool is = p->X_hit(ball, r, &found), due = sphere_clearance(ball, r) <= 0;
+    if (is != due) return due ? sphere_red : sphere_blue;
+    if (!is) return vec(1, 1, 1);
+    /* The textbook divides by R and trusts that the point is on the surface. */
+    vec3 n = ray_at(r, found.t);
+    if (p->X_hit == sphere_hit) n = sphere_normal(ball, sphere_point(ball, n));
+    return vscale(headlight(n, r.d), (real)0.8);
 }
 
 static inline void sphere_key(image *im, int x, int y, vec3 colour, const char *text)
@@ -91,20 +72,31 @@ static inline void sphere_draw(const options *o)
 {
     static const char *const near[sphere_columns] = {"500", "1000", "2000", "5000"};
     static const char *const far[sphere_columns] = {"1e7", "2e7", "5e7", "1e8"};
-    bool room = o->width >= 880 && o->height >= 400;  /* for words */
+    bool words = o->width >= 880 && o->height >= 400, whole = true;
+    int title = words ? 26 : 0, key = words ? 34 : 0, gap = words ? 6 : 0;  /* [pixels] */
+    int w = o->width / sphere_columns, strip = (o->height - key) / sphere_rows;
     image im = image_new(o->width, o->height);
-    sphere_panels p = {&im, room ? 26 : 0, room ? 34 : 0, room ? 6 : 0};
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "sphere", sphere_draw_pixel, &p);
-    for (int k = 0; room && k < sphere_rows * sphere_columns; k++) {
-        int column = k % sphere_columns, y = k / sphere_columns * ((im.height - p.key) / 2);
-        char title[64];
-        snprintf(title, sizeof title, "%sfrom %s R", column ? "" :
-                 k ? "sphere_hit, " : real_is_float ? "first.h, float, " : "first.h, double, ",
-                 (real_is_float ? near : far)[column]);
-        double middle = column * (im.width / 4) + (im.width / 4 - p.gap) / 2.0;
-        label_text(&im, middle, y + 18, 12, 0.5, vec(0, 0, 0), title);
+    label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
+    if (w == 0) w = 1;  /* a picture smaller than its panels shows only some */
+    if (strip == 0) strip = 1;
+    int least = w < strip - title ? w : strip - title;
+    for (int k = 0; k < sphere_rows * sphere_columns && whole; k++) {
+        int column = k % sphere_columns, row = k / sphere_columns;
+        image one = image_new(w - gap, strip - title);
+        const char *from = (real_is_float ? near : far)[column];
+        sphere_panel p = {row ? sphere_hit : first_sphere_hit, (real)atof(from), (real)one.width,
+                          (real)one.height, (real)2.3 / (real)least};
+        whole = pixels_draw(&one, 1, o->threads, "sphere", sphere_panel_colour, &p);
+        image_place(&im, column * w, row * strip + title, &one);
+        image_free(&one);
+        char text[64];
+        snprintf(text, sizeof text, "%sfrom %s R", column ? "" : row ? "sphere_hit, "
+                 : real_is_float ? "first.h, float, " : "first.h, double, ", from);
+        if (words)
+            label_text(&im, column * w + (w - gap) / 2.0, row * strip + 18, 12, 0.5, vec(0, 0, 0),
+                       text);
     }
-    if (room) {
+    if (words) {
         sphere_key(&im, 30, im.height - 26, sphere_red, "misses, but should hit");
         sphere_key(&im, 290, im.height - 26, sphere_blue, "hits, but should miss");
         sphere_key(&im, 540, im.height - 26, vec(0, 0, 0), "hits, but b^2 - 4ac came out as 0");
@@ -119,26 +111,21 @@ static inline vec3 sphere_map_grey(real digits_lost)  /* 0: off by 1e-9 R at mos
     return (vec3){grey, grey, grey};
 }
 
-typedef struct { image *im; sphere_hit_function *X_hit; } sphere_map_panel;
+enum { sphere_map_width = 282, sphere_map_height = 200, sphere_map_left = 44, sphere_map_top = 56 };
 
-static inline void sphere_map_pixel(int x, int y, void *context)
+static vec3 sphere_map_colour(const void *context, real x, real y)
 {
-    const sphere_map_panel *p = context;
-    real half = 0.5, far = pow((real)10, 9 * ((real)x + half) / (real)p->im->width);
-    real pass = (real)1.2 * ((real)(p->im->height - y) - half) / (real)p->im->height;
-    ray r = sphere_view(far, pass, pass / 3);
+    sphere_hit_function *const *X_hit = context;
+    real pass = (real)1.2 * (sphere_map_height - y) / sphere_map_height;
+    ray r = sphere_view(pow((real)10, 9 * x / sphere_map_width), pass, pass / 3);
     sphere ball = {{0, 0, 0}, vlength((vec3){1, (real)1 / 3, 0})};
     hit h;
     r.tmin = -real_infinity;
-    bool is = p->X_hit(ball, r, &h), due = sphere_clearance(ball, r) <= 0;
-    vec3 c = {1, 1, 1};
-    if (is != due) c = due ? sphere_red : sphere_blue;
-    else if (is)
-        c = sphere_map_grey((real)(1 + log10(sphere_residual(ball, r, h.t) + 1e-30) / 9));
-    image_set(p->im, x, y, c);
+    bool is = (*X_hit)(ball, r, &h), due = sphere_clearance(ball, r) <= 0;
+    if (is != due) return due ? sphere_red : sphere_blue;
+    if (!is) return vec(1, 1, 1);
+    return sphere_map_grey((real)(1 + log10(sphere_residual(ball, r, h.t) + 1e-30) / 9));
 }
-
-enum { sphere_map_width = 282, sphere_map_height = 200, sphere_map_left = 44, sphere_map_top = 56 };
 
 static inline void sphere_map_axes(image *sheet, int x, const char *title)
 {
@@ -159,13 +146,6 @@ static inline void sphere_map_axes(image *sheet, int x, const char *title)
     }
 }
 
-static inline void sphere_map_key(image *sheet, int y)
-{
-    sphere_key(sheet, 44, y, sphere_red, "misses, but should hit");
-    sphere_key(sheet, 310, y, sphere_blue, "hits, but should miss");
-    label_bar(sheet, 570, y, 370, 10, sphere_map_grey, 1e-9, 1, "hits, off the surface by [R]");
-}
-
 static inline void sphere_draw_map(const options *o)
 {
     static const struct { const char *title; sphere_hit_function *X_hit; } panel[3] = {
@@ -179,17 +159,19 @@ static inline void sphere_draw_map(const options *o)
     label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
     for (int k = 0; k < 3; k++) {
         image im = image_new(sphere_map_width, sphere_map_height);
-        sphere_map_panel p = {&im, panel[k].X_hit};
         int x = sphere_map_left + k * (sphere_map_width + 34);
         if (whole)
-            whole = parallel_pixels(im.width, im.height, o->threads, "map", sphere_map_pixel, &p);
+            whole = pixels_draw(&im, 1, o->threads, "map", sphere_map_colour, &panel[k].X_hit);
         image_place(&sheet, x, sphere_map_top, &im);
         sphere_map_axes(&sheet, x, panel[k].title);
         image_free(&im);
     }
     label_text(&sheet, 6, 18, 11, 0, black, "up: how far the ray passes from the centre [R]");
     label_text(&sheet, 954, 18, 11, 1, black, "across: distance of the eye [R]");
-    sphere_map_key(&sheet, sphere_map_top + sphere_map_height + 42);
+    int y = sphere_map_top + sphere_map_height + 42;
+    sphere_key(&sheet, 44, y, sphere_red, "misses, but should hit");
+    sphere_key(&sheet, 310, y, sphere_blue, "hits, but should miss");
+    label_bar(&sheet, 570, y, 370, 10, sphere_map_grey, 1e-9, 1, "hits, off the surface by [R]");
     output_picture(o, &sheet, "03_sphere_map.png", false, whole);
     image_free(&sheet);
 }

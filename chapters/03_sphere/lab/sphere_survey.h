@@ -9,11 +9,9 @@
  *       SPHERE_SURFACE        anywhere, but from the surface of the sphere itself
  *   sphere_survey_at(k, &surveys)       fills surveys.at[k], whose .far is given: for parallel_for
  *
- *   missed, grazing_missed    of the rays that should hit, how many miss, percent
- *   grazing_untrue            of the rays that should miss, how many hit, percent
- *   grazing_wrong             of all grazing rays, how many are misclassified, percent
- *   edge                      the largest | pass / R - 1 | of a ray that was misclassified
- *   residual                  how far a hit is off the surface at most, over R
+ *   grazing_wrong    of all grazing rays, how many are misclassified, percent
+ *   edge             the largest | pass / R - 1 | of a ray that was misclassified
+ *   residual         how far a hit is off the surface at most, over R
  */
 #ifndef SPHERE_SURVEY_H
 #define SPHERE_SURVEY_H
@@ -33,9 +31,7 @@ typedef struct { sphere ball; ray r; } sphere_shot;
 typedef enum {
     SPHERE_ANYWHERE, SPHERE_GRAZING, SPHERE_EDGE, SPHERE_LIMB, SPHERE_SURFACE
 } sphere_how;
-typedef struct {
-    double missed, grazing_missed, grazing_untrue, grazing_wrong, edge, residual;
-} sphere_errors;
+typedef struct { double grazing_wrong, edge, residual; } sphere_errors;
 typedef struct { real far; sphere_errors of[sphere_methods]; } sphere_survey;
 typedef struct { sphere_survey at[sphere_distances]; size_t n; uint64_t seed; } sphere_surveys;
 
@@ -69,15 +65,15 @@ static inline sphere_shot sphere_shot_at(uint64_t seed, sphere_how how, real far
     return t;
 }
 
-/* One answer of one method: wrong[1] counts those that miss, wrong[0] those that hit untruly. */
+/* One answer of one method; clear as sphere_clearance. */
 static inline void sphere_judge(const sphere_shot *s, sphere_how how, size_t i, double clear,
-                                sphere_hit_function *X_hit, sphere_errors *e, double wrong[2])
+                                sphere_hit_function *X_hit, sphere_errors *e)
 {
     hit h;
     ray r = s->r;
     r.tmin = -real_infinity;
     bool is = X_hit(s->ball, r, &h), right = is == (clear <= 0);
-    if (!right) wrong[clear <= 0]++;
+    if (!right && how == SPHERE_GRAZING) e->grazing_wrong++;
     if (!right && how == SPHERE_EDGE) e->edge = fmax(e->edge, fabs(clear));
     if (!(is && right && how == SPHERE_ANYWHERE && i % 8 == 0)) return;
     double residual = sphere_residual(s->ball, r, h.t);
@@ -88,26 +84,17 @@ static inline void sphere_survey_at(size_t k, void *context)
 {
     sphere_surveys *all = context;
     sphere_survey *y = &all->at[k];
-    for (int how = SPHERE_ANYWHERE; how <= SPHERE_EDGE; how++) {
-        double due[2] = {0, 0}, wrong[sphere_methods][2] = {{0}};
+    for (int how = SPHERE_ANYWHERE; how <= SPHERE_EDGE; how++)
         for (size_t i = 0; i < all->n; i++) {
             sphere_shot own = sphere_shot_at(all->seed, (sphere_how)how, y->far, i);
             sphere_shot f32 = sphere_narrowed(own);
             double clear = sphere_clearance(own.ball, own.r);
             double clear_f32 = sphere_clearance(f32.ball, f32.r);
-            due[clear <= 0]++;
             for (int m = 0; m < sphere_methods; m++)
                 sphere_judge(m ? &own : &f32, (sphere_how)how, i, m ? clear : clear_f32,
-                             sphere_method[m], &y->of[m], wrong[m]);
+                             sphere_method[m], &y->of[m]);
         }
-        for (int m = 0; m < sphere_methods; m++) {
-            double missed = 100 * wrong[m][1] / due[1], untrue = 100 * wrong[m][0] / due[0];
-            if (how == SPHERE_ANYWHERE) y->of[m].missed = missed;
-            if (how != SPHERE_GRAZING) continue;
-            y->of[m].grazing_missed = missed, y->of[m].grazing_untrue = untrue;
-            y->of[m].grazing_wrong = 100 * (wrong[m][0] + wrong[m][1]) / (double)all->n;
-        }
-    }
+    for (int m = 0; m < sphere_methods; m++) y->of[m].grazing_wrong *= 100 / (double)all->n;
 }
 
 #endif

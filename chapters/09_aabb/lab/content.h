@@ -125,19 +125,12 @@ static inline void measure_volumes(const options *o)
     time_passes(o, content_kinds, pass, ns);
     table t = table_new("Of the lines that hit a volume, how many hit nothing in it",
                         "volume|needle [%]|triangle [%]|ball [%]|ring [%]|teapot [%]|time [ns]");
-    plot p = plot_new("Hits of the volume in vain, and time", "time of one test [ns]",
-                      "in vain [%]", 0);
     for (int k = 0; k < content_kinds; k++) {
-        int series = plot_series(&p, name[k]);
         table_text(&t, "%s", name[k]);
-        for (int s = 0; s < content_shapes; s++) {
-            table_number(&t, vain[s][k]);
-            plot_add(&p, series, ns[k], vain[s][k]);
-        }
+        for (int s = 0; s < content_shapes; s++) table_number(&t, vain[s][k]);
         table_number(&t, ns[k]);
     }
     output_extra_table(o, &t);
-    output_plot(o, &p, "09_aabb_volumes_time.svg");
 }
 
 #endif

@@ -1,14 +1,13 @@
 /* methods.h: what each slab test of slabs.h loses, case by case, and what it takes: the main table.
  *
  *   measure_methods(&o)   the table of the page, the same by all cases with --full, loss against
- *                         time, and 09_aabb_lost.svg; whoever looks for false negatives: exact.h
+ *                         time; whoever looks for false negatives: exact.h
  *   measure_lanes(&o)     one ray against 1, 4 and 8 boxes at once
  */
 #ifndef AABB_METHODS_H
 #define AABB_METHODS_H
 
 #include "../../../common/clock.h"
-#include "../../../common/lab/figure.h"
 #include "../../../common/lab/report.h"
 #include "slabs.h"
 #include "volumes.h"
@@ -140,40 +139,6 @@ static inline void time_passes(const options *o, int n, double (*const pass[])(v
 
 /* ---- tables ---- */
 
-/* Bars on a logarithmic scale from 0.001 to 100 per cent; what loses nothing has no
- * bar, and aabb_hit has none at all. */
-static inline void draw_losses(const options *o, const aabb_losses loss[aabb_methods])
-{
-    static const char *const name[] = {"in a plane", "flat box", "edge", "corner", "at tmin, tmax",
-                                       "any", "corner, digits"};
-    static const char *const colour[] = {FIGURE_GREY, FIGURE_SKY, FIGURE_PURPLE, FIGURE_BLUE,
-                                         FIGURE_ORANGE, FIGURE_GREEN};
-    figure g = figure_begin(o, "09_aabb_lost.svg", 860, 380);
-    figure_origin(&g, 70, 310, 1);
-    figure_text(&g, 0, 0, 0, -282, FIGURE_LEFT, FIGURE_BLACK, "Hits that are lost [%]");
-    for (int e = -3; e <= 2; e++) {
-        char text[16];
-        snprintf(text, sizeof text, "%g", pow(10, e));
-        figure_line(&g, 0, 50 * (e + 3), 770, 50 * (e + 3), "#dddddd", 1, FIGURE_WHOLE);
-        figure_text(&g, 0, 50 * (e + 3), -8, 5, FIGURE_RIGHT, FIGURE_BLACK, text);
-    }
-    for (int m = 0; m < aabb_of_default; m++) {
-        for (int k = 0; k < aabb_cases; k++) {
-            double y = fmax(50 * (log10(loss[m].missed[k]) + 3), 0), x = 110 * k + 10 + 15 * m;
-            const double box[] = {x, 0, x + 13, 0, x + 13, y, x, y};
-            if (loss[m].missed[k] > 0) figure_polygon(&g, 4, box, colour[m], 1, NULL);
-        }
-        double at = 120 * m + 45 * (m == aabb_of_ize);
-        const double key[] = {at, -54, at + 12, -54, at + 12, -42, at, -42};
-        figure_polygon(&g, 4, key, colour[m], 1, NULL);
-        figure_text(&g, at, -54, 17, 0, FIGURE_LEFT, FIGURE_BLACK, aabb_method[m].name);
-    }
-    for (int k = 0; k < aabb_cases; k++)
-        figure_text(&g, 110 * k + 55, 0, 0, 20, FIGURE_MIDDLE, FIGURE_BLACK, name[k]);
-    figure_line(&g, 0, 0, 770, 0, FIGURE_BLACK, 1, FIGURE_WHOLE);
-    figure_end(&g);
-}
-
 /* The rows of the tables. Like is timed with like: a test either computes 1/d, or divides, for each
  * box, or it gets 1/d once a ray; the name says so. Only the first two know no kept 1/d. */
 typedef struct { const char *name; int method; double (*pass)(void *); bool on_page; } aabb_row;
@@ -228,7 +193,6 @@ static inline void measure_methods(const options *o)
     output_table(o, &t);
     if (o->full) output_extra_table(o, &all);
     else table_free(&all);
-    draw_losses(o, loss);
     output_plot(o, &q, "09_aabb_time.svg");
 }
 

@@ -19,6 +19,7 @@
 #define AABB_VOLUMES_H
 
 #include "mantissa.h"
+#include <stddef.h>
 
 typedef struct { vec3 c; real r; } aabb_ball;
 typedef struct { vec3 c, axis[3], half; } aabb_turned;  /* axes: unit, at right angles */
@@ -35,7 +36,7 @@ static inline ray line_through(aabb b, uint64_t seed, uint64_t i)
     real reach = vlength(vsub(b.hi, b.lo)) / 2, r = reach * sqrt(random_next(&s));
     a = 2 * pi * random_next(&s);
     vbasis(d, &u, &v);
-    vec3 o = vmadd(vmadd(aabb_center(b), u, r * cos(a)), v, r * sin(a));
+    vec3 o = vmadd(vmadd(aabb_centre(b), u, r * cos(a)), v, r * sin(a));
     return ray_from(vmadd(o, d, -2 * reach), d);
 }
 
@@ -100,7 +101,7 @@ static inline void turned_fit(aabb_turned *u, const vec3 *p, size_t n)
     aabb b = aabb_empty();
     u->c = (vec3){0, 0, 0};
     for (size_t i = 0; i < n; i++) b = aabb_grow_point(b, turned_into(u, p[i]));
-    vec3 c = aabb_center(b);
+    vec3 c = aabb_centre(b);
     u->half = vsub(b.hi, c);
     for (int k = 0; k < 3; k++) u->c = vmadd(u->c, u->axis[k], vaxis(c, k));
 }

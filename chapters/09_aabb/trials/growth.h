@@ -42,8 +42,9 @@ static inline void trial_grow_row(table *t, const trial_row *r, const trial_scen
 static inline void trial_grow(const options *o, const trial_growth *g)
 {
     double x[16], build[16], search[16], nodes[16], least = HUGE_VAL, greatest = 0;
-    table out = table_new(g->title, "triangles|build [ms]|build / (n log2 n) [ns]|refs/item|"
-                          "nodes/ray|leaves/ray|tests/ray|ray [ns]|brute force [ns]|peak [B/item]");
+    table out = table_new(g->title, "triangles|build [ms]|build / (n log2 n) [ns]|"
+                          "references a shape|nodes a ray|leaves a ray|tests a ray|ray [ns]|"
+                          "brute force [ns]|peak bytes a shape");
     plot p = plot_new("Time against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
     plot q = plot_new("Diffuse rays: work against n", "triangles", "a ray", PLOT_LOG_X);
     char name[64];

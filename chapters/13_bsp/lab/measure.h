@@ -84,7 +84,7 @@ static inline void plot_of_rules(const options *o, const trial_row *row, const b
 
 static inline void table_of_rules(const options *o)
 {
-    static const trial_columns own = {"|planes/item|slanted [%]|empty [%]", bsp_cells};
+    static const trial_columns own = {"|planes a shape|slanted [%]|empty [%]", bsp_cells};
     int n = o->full ? bsp_candidates : bsp_short, width = o->quick ? 40 : o->full ? 160 : 80;
     char title[160], brief[200];
     trial_scene s;
@@ -156,8 +156,9 @@ static inline void table_of_scenes(const options *o)
     static const char *const name[7] = {"teapot", "torus", "town", "town, turned", "soup",
                                         "splinters", "stadium"};
     table out = table_new("Planes across the axes, and of any direction: lines through the box",
-                          "scene|triangles|rule|time build [ms]|memory [B/item]|slanted [%]|"
-                          "refs/item|nodes/ray|tests/ray|error [wrong]|time [ns]|time gained [%]");
+                          "scene|triangles|rule|time build [ms]|bytes a shape|slanted [%]|"
+                          "references a shape|nodes a ray|tests a ray|error [wrong]|time [ns]|"
+                          "time gained [%]");
     bsp_options how[2] = {bsp_with(BSP_AXIS, 1, BSP_SIDES_SAFE),
                           bsp_with(BSP_COST, 16, BSP_SIDES_SAFE)};
     for (int k = 0; k < 7; k++) {

@@ -48,7 +48,7 @@ static inline vec3 cell_tint(const bsp *b, uint32_t leaf)
 static inline vec3 slice_colour(const void *slice, real x, real y)
 {
     const bsp_slice *p = slice;
-    vec3 at = aabb_center(p->b->all);
+    vec3 at = aabb_centre(p->b->all);
     at.x = p->x0 + x / (real)p->width * (p->x1 - p->x0);
     at = vwith(at, p->up, p->up1 - y / (real)p->height * (p->up1 - p->up0));
     if (!aabb_contains(p->b->all, at)) return (vec3){0, 0, 0};

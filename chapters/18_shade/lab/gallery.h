@@ -5,7 +5,8 @@
  *                                            each axis; gallery_free
  *   camera c = gallery_camera(T, aspect);    of all; gallery_close_up: of the card's lower edge
  *   shading how = gallery_shading(g);
- *   bool whole = gallery_draw(g, how, c, samples, threads, &im, &counts)     samples^2 rays a pixel
+ *   gallery_view v = {.g = g, .how = how, .c = c, .samples = n, .im = &im};      n^2 rays a pixel
+ *   bool whole = gallery_draw(&v, threads)   v.counts: the rays; .printed = depth: by printed.h
  *
  * The lamp's bulb has a mask of its own: seen by camera rays, passed by shadow rays; so the lamp,
  * in its middle, shines.
@@ -168,33 +169,13 @@ static inline void gallery_pixel(int x, int y, void *context)
     pthread_mutex_unlock(&v->lock);
 }
 
-/* Sets v->counts. */
-static inline bool gallery_draw_view(gallery_view *v, int threads)
+/* Sets v->counts; its other members are the caller's. */
+static inline bool gallery_draw(gallery_view *v, int threads)
 {
     image *im = v->im;
     pthread_mutex_init(&v->lock, NULL);
     bool whole = parallel_pixels(im->width, im->height, threads, "drawing", gallery_pixel, v);
     pthread_mutex_destroy(&v->lock);
-    return whole;
-}
-
-static inline bool gallery_draw(const gallery *g, shading how, camera c, int samples, int threads,
-                                image *im, trace_counts *counts)
-{
-    gallery_view v = {.g = g, .how = how, .c = c, .samples = samples, .im = im};
-    bool whole = gallery_draw_view(&v, threads);
-    if (counts) *counts = v.counts;
-    return whole;
-}
-
-/* By printed.h, to this depth; one ray a pixel. */
-static inline bool gallery_draw_printed(const gallery *g, camera c, int depth, int threads,
-                                        image *im, trace_counts *counts)
-{
-    gallery_view v = {.g = g, .how = gallery_shading(g), .c = c, .samples = 1, .im = im};
-    v.printed = depth;
-    bool whole = gallery_draw_view(&v, threads);
-    *counts = v.counts;
     return whole;
 }
 

@@ -16,7 +16,6 @@
 #define SHADE_LAB_LEAVE_VARIANTS_H
 
 #include "../leave.h"
-#include <string.h>
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -50,28 +49,15 @@ static inline ray leave_normal(surface s, vec3 w)
     return (ray){vmadd(s.p, s.n, vdot(s.n, w) < 0 ? -off : off), 0, w, real_infinity};
 }
 
-/* x moved by n * 256 of its units in the last place: reals of one sign, read as integers, are in
- * order. Near zero these units vanish: there by n * 2^-16 in float, as published, and as many
- * digits later in double. */
+/* x moved by n * 256 of its units in the last place. Near zero these vanish: there by n * 2^-16 in
+ * float, as published, and as many digits later in double. */
 static inline real leave_ulps_axis(real x, real n)
 {
     const real near = (real)1 / 32, step = real_is_float ? (real)0x1p-16 : (real)0x1p-45;
+    int e;
     if (fabs(x) < near) return x + step * n;
-    int32_t i = (int32_t)(256 * n);
-    if (real_is_float) {
-        float f = (float)x;
-        int32_t bits;
-        memcpy(&bits, &f, sizeof bits);
-        bits += x < 0 ? -i : i;
-        memcpy(&f, &bits, sizeof f);
-        return (real)f;
-    }
-    double f = (double)x;
-    int64_t bits;
-    memcpy(&bits, &f, sizeof bits);
-    bits += x < 0 ? -i : i;
-    memcpy(&f, &bits, sizeof f);
-    return (real)f;
+    (void)frexp(x, &e);
+    return x + trunc(256 * n) * ldexp(real_epsilon, e - 1);
 }
 
 static inline ray leave_ulps(surface s, vec3 w)

@@ -1,8 +1,7 @@
-/* measure.h: the tables: ways to leave a surface against position and size; rays spent.
+/* measure.h: the tables: ways to leave a surface, near and far; rays spent.
  *
- *   table_of_spheres(&o)     acne and leaks of spheres near and far, with time: the short table
- *   table_of_leaving(&o)     also of triangles, against T, with two plots
- *   table_of_sizes(&o)       against the size of the shapes
+ *   table_of_leaving(&o)     acne and leaks of spheres and triangles, with time
+ *   plots_of_leaving(&o)     the same against the distance and against time
  *   table_of_rays(&o)        shadow rays, only what is called for and all
  */
 #ifndef SHADE_LAB_MEASURE_H
@@ -12,29 +11,25 @@
 #include "../../../common/lab/report.h"
 #include "departures.h"
 #include "gallery.h"
-#include "leave_f32.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct { double self, leak; } leaving_score;  /* per cent */
 
-/* One score for each of `ways`, and one behind them for float with a fixed eps of 1e-4. */
-static inline void leaving_play(departure_kind kind, real size, real T, uint64_t seed, size_t n,
-                                leaving_score score[leavings + 1])
+static inline void leaving_play(departure_kind kind, real size, real T, const options *o,
+                                leaving_score score[leavings])
 {
     departure x;
+    size_t n = o->quick ? 300 : 2000;
     double one = 100 / (double)n;
-    for (int k = 0; k <= leavings; k++) score[k] = (leaving_score){0, 0};
+    for (int k = 0; k < leavings; k++) score[k] = (leaving_score){0, 0};
     for (size_t i = 0; i < n; i++) {
-        departure_make(&x, kind, size, T, seed, i);
+        departure_make(&x, kind, size, T, o->seed, i);
         real gap = departure_gap(&x);
         for (int k = 0; k < leavings; k++) {
             score[k].self += one * departure_self(&x, ways[k]);
             score[k].leak += one * departure_leak(&x, ways[k], gap);
         }
-        if (kind != DEPART_SPHERE && kind != DEPART_TRIANGLE) continue;
-        score[leavings].self += one * departure_self_f32(&x, 1e-4f);
-        score[leavings].leak += one * departure_leak_f32(&x, 1e-4f, gap);
     }
 }
 
@@ -68,105 +63,48 @@ static inline void leaving_time(departure_kind kind, uint64_t seed, double ns[le
     free(b);
 }
 
-static inline const char *leaving_name(int k)
-{
-    return k < leavings ? ways[k].name : "float, eps 1e-4";
-}
-
-/* Every step-th of the scores. */
-static inline void leaving_cells(table *t, leaving_score score[][leavings + 1], int k, int step)
-{
-    for (int e = 0; e < 4; e++) table_number(t, score[e * step][k].self);
-    for (int e = 0; e < 4; e++) table_number(t, score[e * step][k].leak);
-}
-
 static inline void table_of_leaving(const options *o)
 {
-    static const departure_kind kinds[] = {DEPART_SPHERE, DEPART_TRIANGLE};
-    size_t n = o->quick ? 300 : 20000;
-    plot p = plot_new("Acne and leaks, spheres of radius 1", "distance T from the origin",
-                      "acne + leak [%]", PLOT_LOG_X);
-    plot against_time = plot_new("Acne and leaks, triangles of size 100, against time",
-                                 "time of hit point and ray [ns]", "acne + leak [%]", PLOT_LOG_Y);
-    table t = table_new("Leaving a surface of size 1, by its distance T from the origin",
-                        "method|shape|error: acne T=0 [%]|error: acne 1e2|error: acne 1e4|"
-                        "error: acne 1e6|error: leak T=0 [%]|error: leak 1e2|error: leak 1e4|"
+    static const char *const names[] = {"sphere", "triangle"};
+    table t = table_new("Leaving a surface of size 1 at the origin, and T = 1e6 away",
+                        "method|shape|error: acne T=0 [%]|error: acne 1e6|error: leak T=0 [%]|"
                         "error: leak 1e6|time [ns]");
     for (int s = 0; s < 2; s++) {
-        leaving_score score[7][leavings + 1], large[leavings + 1];
+        leaving_score near[leavings], far[leavings];
         double ns[leavings];
-        for (int e = 0; e <= 6; e++)
-            leaving_play(kinds[s], 1, e ? pow((real)10, (real)e) : 0, o->seed, n, score[e]);
-        leaving_play(kinds[s], 100, 0, o->seed, n, large);
-        leaving_time(kinds[s], o->seed, ns);
-        for (int k = 0; k <= leavings; k++) {
-            table_text(&t, "%s", leaving_name(k)), table_text(&t, s ? "triangle" : "sphere");
-            leaving_cells(&t, score, k, 2);
-            if (k < leavings) table_number(&t, ns[k]);
-            else table_text(&t, "-");
-            int all = s ? -1 : plot_series(&p, leaving_name(k));
-            for (int e = 0; e <= 6 && !s; e++)
-                plot_add(&p, all, e ? pow(10, e) : 1, score[e][k].self + score[e][k].leak);
-            if (s && k < leavings)
-                plot_add(&against_time, plot_series(&against_time, ways[k].name), ns[k],
-                         large[k].self + large[k].leak);
+        leaving_play((departure_kind)s, 1, 0, o, near);
+        leaving_play((departure_kind)s, 1, 1e6, o, far);
+        leaving_time((departure_kind)s, o->seed, ns);
+        for (int k = 0; k < leavings; k++) {
+            table_text(&t, "%s", ways[k].name), table_text(&t, "%s", names[s]);
+            table_number(&t, near[k].self), table_number(&t, far[k].self);
+            table_number(&t, near[k].leak), table_number(&t, far[k].leak);
+            table_number(&t, ns[k]);
         }
     }
     output_table(o, &t);
-    output_plot(o, &p, "18_shade_error.svg");
-    output_plot(o, &against_time, "18_shade_time.svg");
 }
 
-/* Of spheres alone, with a tenth of the rays. */
-static inline void table_of_spheres(const options *o)
+static inline void plots_of_leaving(const options *o)
 {
-    size_t n = o->quick ? 300 : 2000;
-    leaving_score near[leavings + 1], far[leavings + 1];
+    plot p = plot_new("Acne and leaks, spheres of radius 1", "distance T from the origin",
+                      "acne + leak [%]", PLOT_LOG_X);
+    plot time = plot_new("Acne and leaks, triangles of size 100, against time",
+                         "time of hit point and ray [ns]", "acne + leak [%]", PLOT_LOG_Y);
+    leaving_score score[leavings];
     double ns[leavings];
-    table t = table_new("Leaving a sphere of radius 1 at the origin, and T = 1e6 away",
-                        "method|error: acne T=0 [%]|error: acne 1e6|error: leak T=0 [%]|"
-                        "error: leak 1e6|time [ns]");
-    leaving_play(DEPART_SPHERE, 1, 0, o->seed, n, near);
-    leaving_play(DEPART_SPHERE, 1, 1e6, o->seed, n, far);
-    leaving_time(DEPART_SPHERE, o->seed, ns);
-    for (int k = 0; k <= leavings; k++) {
-        table_text(&t, "%s", leaving_name(k));
-        table_number(&t, near[k].self), table_number(&t, far[k].self);
-        table_number(&t, near[k].leak), table_number(&t, far[k].leak);
-        if (k < leavings) table_number(&t, ns[k]);
-        else table_text(&t, "-");
+    for (int e = 0; e <= 6; e++) {
+        leaving_play(DEPART_SPHERE, 1, e ? pow((real)10, (real)e) : 0, o, score);
+        for (int k = 0; k < leavings; k++)
+            plot_add(&p, e ? k : plot_series(&p, ways[k].name), e ? pow(10, e) : 1,
+                     score[k].self + score[k].leak);
     }
-    output_table(o, &t);
-}
-
-static inline void table_of_sizes(const options *o)
-{
-    static const char *const names[departure_kinds] = {"sphere", "triangle", "needle", "cone",
-                                                       "polygon"};
-    size_t n = o->quick ? 100 : 5000;
-    plot p = plot_new("Acne and leaks, triangles at the origin", "size of the triangle",
-                      "acne + leak [%]", PLOT_LOG_X | PLOT_LOG_Y);
-    table t = table_new("Leaving a surface at the origin, by its size",
-                        "method|shape|acne 1e-3 [%]|acne 1|acne 1e3|acne 1e6|"
-                        "leak 1e-3 [%]|leak 1|leak 1e3|leak 1e6");
-    for (int kind = 0; kind < departure_kinds; kind++) {
-        leaving_score score[10][leavings + 1];
-        bool drawn = kind == DEPART_TRIANGLE, all = drawn || kind == DEPART_SPHERE;
-        for (int e = 0; e < 10; e++)
-            if (e % 3 == 0 || drawn)
-                leaving_play((departure_kind)kind, pow((real)10, (real)(e - 3)), 0, o->seed, n,
-                             score[e]);
-        for (int k = 0; k <= leavings; k++) {
-            int series = drawn ? plot_series(&p, leaving_name(k)) : -1;
-            for (int e = 0; e < 10 && drawn; e++)
-                plot_add(&p, series, pow(10, e - 3), score[e][k].self + score[e][k].leak);
-            if (!all && (k < leavings - 2 || k == leavings)) continue;
-            table_text(&t, "%s", leaving_name(k)), table_text(&t, "%s", names[kind]);
-            leaving_cells(&t, score, k, 3);
-        }
-    }
-    output_extra_table(o, &t);
-    output_plot(o, &p, "18_shade_size.svg");
+    leaving_play(DEPART_TRIANGLE, 100, 0, o, score);
+    leaving_time(DEPART_TRIANGLE, o->seed, ns);
+    for (int k = 0; k < leavings; k++)
+        plot_add(&time, plot_series(&time, ways[k].name), ns[k], score[k].self + score[k].leak);
+    output_plot(o, &p, "18_shade_error.svg");
+    output_plot(o, &time, "18_shade_time.svg");
 }
 
 /* One ray a pixel: ours, ours with all shadow rays, and shade() as printed. */
@@ -182,11 +120,12 @@ static inline void table_of_rays(const options *o)
                         "shadow rays|camera|hits|shadow|stopped|pictures differ [pixels]|time [s]");
     for (int k = 0; k < 4; k++) {
         shading how = gallery_shading(g);
-        trace_counts c;
         how.spend_all = k == 1;
         double start = clock_seconds();
-        if (k < 2) gallery_draw(g, how, view, 1, o->threads, k ? &im : &ours, &c);
-        else gallery_draw_printed(g, view, k == 2 ? 2 : 8, o->threads, &im, &c);
+        gallery_view v = {.g = g, .how = how, .c = view, .samples = 1, .im = k ? &im : &ours,
+                          .printed = k < 2 ? 0 : k == 2 ? 2 : 8};
+        gallery_draw(&v, o->threads);
+        trace_counts c = v.counts;
         double spent = clock_seconds() - start;
         size_t differ = 0;
         for (size_t i = 0; k && i < pixels; i++)

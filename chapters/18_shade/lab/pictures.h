@@ -2,8 +2,7 @@
  *
  *   draw_gallery(&o, n, spend_all)     the main picture, and what rays it took
  *   draw_acne(&o)                      two views at T = 1e4: naive, mended
- *   draw_sight(&o)                     a plan of the gallery: which points see each other; with
- *                                      --full as a list, too
+ *   draw_sight(&o)                     a plan of the gallery: which points see each other
  */
 #ifndef SHADE_LAB_PICTURES_H
 #define SHADE_LAB_PICTURES_H
@@ -19,18 +18,16 @@
 static inline void draw_gallery(const options *o, int n, bool spend_all)
 {
     gallery *g = gallery_new(n, 0);
-    trace_counts counts;
     image im = image_new(o->width, o->height);
-    shading how = gallery_shading(g);
-    int across = 1;
-    while ((across + 1) * (across + 1) <= o->samples) across++;
-    how.spend_all = spend_all;
-    camera c = gallery_camera(0, (real)o->width / (real)o->height);
+    gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im,
+                      .c = gallery_camera(0, (real)o->width / (real)o->height)};
+    while ((v.samples + 1) * (v.samples + 1) <= o->samples) v.samples++;
+    v.how.spend_all = spend_all;
     double start = clock_seconds();
-    bool whole = gallery_draw(g, how, c, across, o->threads, &im, &counts);
+    bool whole = gallery_draw(&v, o->threads);
     printf("# %zu camera rays, %zu hits; %zu shadow rays, %zu of them stopped; %.2f s\n",
-           counts.rays[RAY_CAMERA], counts.hits[RAY_CAMERA], counts.rays[RAY_SHADOW],
-           counts.hits[RAY_SHADOW], clock_seconds() - start);
+           v.counts.rays[RAY_CAMERA], v.counts.hits[RAY_CAMERA], v.counts.rays[RAY_SHADOW],
+           v.counts.hits[RAY_SHADOW], clock_seconds() - start);
     output_picture(o, &im, "18_shade.png", true, whole);
     image_free(&im), gallery_free(g);
 }
@@ -62,11 +59,12 @@ static inline void draw_acne(const options *o)
     bool whole = true;
     for (size_t i = 0; i < 3 * (size_t)all.width * (size_t)all.height; i++) all.rgb[i] = 1;
     for (int k = 0; k < 4 && whole; k++) {
-        shading how = gallery_shading(g);
-        if (k % 2 == 0) how.surface_of = surface_f32;
-        if (k % 2 == 0) how.leave = k ? leave_fixed_3e2 : leave_first;
-        camera c = (k < 2 ? gallery_camera : gallery_close_up)(T, (real)w / (real)h);
-        whole = gallery_draw(g, how, c, o->quick ? 1 : 2, o->threads, &im, NULL);
+        gallery_view v = {.g = g, .how = gallery_shading(g), .samples = o->quick ? 1 : 2,
+                          .im = &im};
+        if (k % 2 == 0) v.how.surface_of = surface_f32;
+        if (k % 2 == 0) v.how.leave = k ? leave_fixed_3e2 : leave_first;
+        v.c = (k < 2 ? gallery_camera : gallery_close_up)(T, (real)w / (real)h);
+        whole = gallery_draw(&v, o->threads);
         image_place(&all, k % 2 * (w + 6), k / 2 * (h + 6), &im);
     }
     output_picture(o, &all, "18_shade_acne.png", false, whole);
@@ -112,24 +110,15 @@ static inline void draw_sight(const options *o)
     bool whole = parallel_pixels(im.width, im.height, o->threads, "sight", sight_pixel, &m);
     real s = (real)im.width / 14;
     tracer t = {.w = &g->w, .program = shade_programs};
-    bool list = o->full;
-    if (list) printf("# who sees whom, half a unit above the floor\n");
-    for (int i = 0; i < sight_posts; i++) {
-        if (list) printf("(%4.1f, %4.1f) ", at[i][0], at[i][1]);
-        for (int j = 0; j < sight_posts; j++) {
+    for (int i = 0; i < sight_posts; i++)
+        for (int j = i; j < sight_posts; j++) {
             surface a = sight_post(at[i][0], at[i][1]), b = sight_post(at[j][0], at[j][1]);
-            bool sees = i == j || sight_free(&t, a, b);
-            if (list) printf(" %c", i == j ? '.' : sees ? '1' : '0');
             real x0 = (a.p.x + 7) * s, y0 = (4 - a.p.y) * s;
             real x1 = (b.p.x + 7) * s, y1 = (4 - b.p.y) * s;
             vec3 white = {1, 1, 1}, grey = vscale(white, 0.8);
-            if (i < j && sees) draw_stroke(&im, x0, y0, x1, y1, 0.3, grey);
             if (i == j) draw_stroke(&im, x0, y0, x0, y0, s / 5, white);
+            else if (sight_free(&t, a, b)) draw_stroke(&im, x0, y0, x1, y1, 0.3, grey);
         }
-        if (list) printf("\n");
-    }
-    if (list) printf("# %zu rays for %d pairs\n\n", t.counts.rays[RAY_SIGHT],
-                     sight_posts * (sight_posts - 1) / 2);
     output_picture(o, &im, "18_shade_sight.png", false, whole);
     image_free(&im), gallery_free(g);
 }

@@ -161,13 +161,14 @@ static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_b
 
 static inline void balls_tree(balls *b)
 {
+    failure f;
     bvh_item *item = allocate(b->n, sizeof *item);
     for (size_t i = 0; i < b->n; i++) {
         vec3 lo, hi;
         shape_bounds(shape_of_sphere(b->s[i]), &lo, &hi);
         item[i] = (bvh_item){box_between(lo, hi), (uint32_t)i};
     }
-    tree_build(item, b->n, (bvh_options){BVH_SAH, 2, 2}, &b->tree);
+    if (!tree_build(item, b->n, bvh_leaves(2, 2), &b->tree, &f)) fail(f);
     b->leaf = allocate(b->n, sizeof *b->leaf);
     for (size_t i = 0; i < b->n; i++)
         b->leaf[i] = (ball_item){b->s[item[i].index], item[i].index};

@@ -1,9 +1,8 @@
 /* measure.h: the tables: error against time over depth and over the cut; Fresnel exact and cheap;
  * forty balls by tree and by lists.
  *
- *   table_of_knobs(&o)      the main table; with --full larger, and its plot
+ *   table_of_knobs(&o)      the main table, and its plot
  *   draw_fresnel(&o)        a plot of R
- *   table_of_fresnel(&o)    error and time of Schlick's form
  *   table_of_speed(&o)      pixels per second of forty.h, one thread
  *   table_of_first(&o)      first.h on its two balls: time, and what differs
  */
@@ -34,26 +33,18 @@ static inline double knob_time(whitted_view *v, int rounds)
     return clock_median(seconds, rounds);
 }
 
-/* Without --full only those that are shown, in fewer columns. */
-static const struct { int depth; double least; bool shown; } knobs[] = {
-    {1, 0, false},   {2, 0, true},    {3, 0, false},     {4, 0, true},     {5, 0, false},
-    {6, 0, true},    {8, 0, true},    {12, 0, false},    {64, 0.5, false}, {64, 0.1, true},
-    {64, 0.03, true}, {64, 0.01, true}, {64, 0.001, true}, {64, 0.0001, false}};
+static const struct { int depth; double least; } knobs[] = {
+    {1, 0},    {2, 0},    {3, 0},     {4, 0},     {5, 0},      {6, 0},      {8, 0},
+    {12, 0},   {64, 0.5}, {64, 0.1},  {64, 0.03}, {64, 0.01},  {64, 0.001}, {64, 0.0001}};
 
-static inline void knob_row(const options *o, table *t, const whitted_view *v, size_t k,
-                            double seconds, image_difference d)
+static inline void knob_row(table *t, const whitted_view *v, size_t k, double ns,
+                            image_difference d)
 {
-    double pixels = (double)v->im->width * (double)v->im->height, rays = 0;
     table_text(t, knobs[k].least > 0 ? "cut" : "depth");
-    if (o->full) table_count(t, (size_t)knobs[k].depth), table_number(t, knobs[k].least);
-    else table_number(t, knobs[k].least > 0 ? knobs[k].least : knobs[k].depth);
-    for (int i = RAY_SHADOW; i <= RAY_REFRACTION; i++) {
-        if (o->full) table_number(t, (double)v->counts.rays[i] / pixels);
-        rays += (double)v->counts.rays[i];
-    }
-    if (!o->full) table_number(t, rays / pixels);
-    table_number(t, d.rmse), table_number(t, d.maximum);
-    table_number(t, seconds / pixels * 1e9);
+    table_count(t, (size_t)knobs[k].depth), table_number(t, knobs[k].least);
+    for (int i = RAY_SHADOW; i <= RAY_REFRACTION; i++)
+        table_number(t, (double)v->counts.rays[i] / (v->im->width * v->im->height));
+    table_number(t, d.rmse), table_number(t, d.maximum), table_number(t, ns);
 }
 
 /* Against depth 64 and a cut of 1e-10: what that leaves out does not show in a picture of floats,
@@ -66,11 +57,9 @@ static inline void table_of_knobs(const options *o)
     image im = image_new(w, h), deep = image_new(w, h);
     whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
                       .across = 1, .balls = true};
-    table t = table_new(o->full ? "Forty balls: error against depth 64 and a cut of 1e-10; rays a "
-                                  "pixel" : "Forty balls: what depth and cut leave out",
-                        o->full ? "knob|depth|cut|shadow|reflection|refraction|error: rmse|"
-                                  "error: most|time [ns/pixel]"
-                                : "knob|at|rays a pixel|error: rmse|error: most|time [ns/pixel]");
+    table t = table_new("Forty balls: error against depth 64 and a cut of 1e-10; rays a pixel",
+                        "knob|depth|cut|shadow|reflection|refraction|error: rmse|error: most|"
+                        "time [ns/pixel]");
     plot p = plot_new("What is left out, against time", "time [ns/pixel]", "error, rmse",
                       PLOT_LOG_Y);
     int series[2] = {plot_series(&p, "depth 1, 2 .. 12, no cut"), 0};
@@ -80,33 +69,16 @@ static inline void table_of_knobs(const options *o)
     measured_draw(&v, o->threads);
     v.im = &im;
     for (size_t k = 0; k < sizeof knobs / sizeof *knobs; k++) {
-        if (!o->full && !knobs[k].shown) continue;
         f->fast.w.depth = knobs[k].depth, f->fast.w.least = (real)knobs[k].least;
-        double seconds = knob_time(&v, o->quick || !o->full ? 1 : 3);
+        double ns = knob_time(&v, o->full ? 3 : 1) / ((double)w * h) * 1e9;
         image_difference d = image_compare(&im, &deep);
-        knob_row(o, &t, &v, k, seconds, d);
-        plot_add(&p, series[knobs[k].least > 0], seconds / ((double)w * h) * 1e9, d.rmse);
+        knob_row(&t, &v, k, ns, d);
+        plot_add(&p, series[knobs[k].least > 0], ns, d.rmse);
     }
     output_table(o, &t);
-    if (o->full) output_plot(o, &p, "19_whitted_time.svg");
-    else plot_free(&p);
+    output_plot(o, &p, "19_whitted_time.svg");
     image_free(&im), image_free(&deep), forty_free(f), free(f);
 }
-
-enum { fresnel_batch = 1024 };
-typedef struct { snell s[fresnel_batch]; real (*form)(const snell *s); } fresnel_run;
-
-static inline double fresnel_seconds(void *context)
-{
-    const fresnel_run *b = context;
-    double sum = 0;
-    for (int k = 0; k < 64; k++)
-        for (int i = 0; i < fresnel_batch; i++) sum += (double)b->form(&b->s[i]);
-    return sum;
-}
-
-static inline real fresnel_called(const snell *s) { return fresnel(s); }
-static inline real schlick_called(const snell *s) { return schlick(s); }
 
 static inline snell snell_at(real degrees, real n1, real n2)
 {
@@ -130,39 +102,6 @@ static inline void draw_fresnel(const options *o)
         plot_add(&p, within, i, (double)fresnel(&in)), plot_add(&p, close, i, (double)schlick(&in));
     }
     output_plot(o, &p, "19_whitted_fresnel.svg");
-}
-
-static inline void table_of_fresnel(const options *o)
-{
-    static const double ior[] = {1.1, 1.33, 1.5, 2.4};
-    bench_candidate c[3];
-    fresnel_run *b = allocate(3, sizeof *b);
-    real (*const form[3])(const snell *) = {fresnel_called, schlick_called, fresnel_first};
-    static const char *const names[3] = {"exact", "Schlick", "first"};
-    for (int k = 0; k < 3; k++) {
-        b[k].form = form[k];
-        for (int i = 0; i < fresnel_batch; i++)
-            b[k].s[i] = snell_at((real)i * 90 / fresnel_batch, 1, 1.5);
-        c[k] = (bench_candidate){names[k], fresnel_seconds, &b[k], 0, 0};
-    }
-    bench_time(c, 3, o->quick ? 3 : 15);
-    table t = table_new("R of Schlick's form, against Fresnel's, over all angles from outside",
-                        "form|off at n=1.1|n=1.33|n=1.5|n=2.4|time [ns]");
-    for (int k = 0; k < 3; k++) {
-        table_text(&t, "%s", names[k]);
-        for (int j = 0; j < 4; j++) {
-            double most = 0;
-            for (int i = 0; i < 900; i++) {
-                snell s = snell_at((real)i / 10, 1, (real)ior[j]);
-                double off = fabs((double)form[k](&s) - (double)fresnel(&s));
-                most = off > most ? off : most;
-            }
-            table_number(&t, most);
-        }
-        table_number(&t, c[k].seconds * 1e9 / (64 * fresnel_batch));
-    }
-    output_extra_table(o, &t);
-    free(b);
 }
 
 static inline void table_of_speed(const options *o)

@@ -139,10 +139,8 @@ static inline bool spd_count_scene(const world *w, int edge, int threads, float 
     scene s = world_scene(w);
     world_part part;
     spd_work k = {.w = w, .edge = edge, .rgb = rgb};
-    if (w->n) {
-        part = (world_part){.s = &s, .mask = MASK_ALL};
-        bvh_shapes_build(&s, (bvh_options){BVH_SAH, 4, 1}, &part.of_scene);
-    } else world_part_of_mesh(&w->mesh, MASK_ALL, &part);
+    if (w->n) world_part_cut(&s, bvh_leaves(4, 1), MASK_ALL, &part);
+    else world_part_of_mesh(&w->mesh, MASK_ALL, &part);
     k.world = (trace_world){&part, 1};
     k.row = allocate((size_t)edge + 1, sizeof *k.row);
     bool whole = parallel_for((size_t)edge + 1, threads, w->name, spd_row, &k);

@@ -82,8 +82,7 @@ static inline void forty_fill(forty *f)
         f->suns[k] = (light){LIGHT_DIRECTIONAL, vunit(vec(s[0], s[1], s[2])),
                              {(real)s[3], (real)s[3], (real)s[3]}};
     }
-    f->part = (world_part){.s = &f->scene, .mask = MASK_ALL};
-    bvh_shapes_build(&f->scene, (bvh_options){BVH_SAH, 2, 1.5}, &f->part.of_scene);
+    world_part_cut(&f->scene, bvh_leaves(2, 1.5), MASK_ALL, &f->part);
     f->world = (trace_world){&f->part, 1};
     f->fast.w = (whitted){.lights = f->suns, .n = 3, .material_of = forty_material, .context = f,
                           .media = f->media, .depth = 8, .least = (real)1 / 256, .apart = true,

@@ -1,7 +1,7 @@
-/* measure.h: tables and plots: pictures against converged ones, estimates against closed forms.
+/* measure.h: tables and a plot: pictures against converged ones, estimates against closed forms.
  *
- *   table_of_pictures(&o)   the main one: error and time of pictures, by effect and way of
- *                           sampling; with --full each effect, otherwise soft shadows and all
+ *   table_of_pictures(&o)   the main one: error and time of pictures of soft shadows and of all
+ *                           effects, by way of sampling; its plot
  *   table_of_known(&o)      questions of known.h: estimates, t-tests, slopes
  *   table_of_first(&o)      three of them by first.h: its error and its time
  *   table_of_rays(&o)       rays and random numbers, only what is called for and all
@@ -84,51 +84,37 @@ static inline double picture_slope(const double *error, int levels)
     return fit_line(x + 1, y + 1, (size_t)levels - 1).slope;
 }
 
-static inline void picture_series(plot *p, const distributed_study *s, int effect, int m,
-                                  int levels, bool time)
-{
-    char name[64];
-    snprintf(name, sizeof name, "%s, %s", showroom_effect[effect].name,
-             sequence_name[measure_method[m]]);
-    int series = plot_series(p, name);
-    for (int l = 0; l < levels; l++)
-        plot_add(p, series, (1 << 2 * l) * (time ? 1e3 * s->seconds[m] : 1), s->error[m][l]);
-}
-
 static inline void table_of_pictures(const options *o)
 {
+    static const int effects[2] = {0, 4};  /* soft shadows, all */
     int levels = measure_levels - o->quick;
     showroom *g = showroom_new(o->quick ? 4 : 8);
-    table t = table_new(o->full ? "Error of a picture against a converged one; time of 64 samples "
-                                  "a pixel"
-                                : "Error of two pictures against converged ones; time of 64 "
-                                  "samples a pixel",
+    table t = table_new("Error of two pictures against converged ones; time of 64 samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|"
                         "time [ms]");
     plot time = plot_new("Error of a picture, and time", "time of a picture [ms]", "error (rmse)",
                          PLOT_LOG_X | PLOT_LOG_Y);
-    plot n = plot_new("Error of a picture", "samples a pixel", "error (rmse)",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int e = 0; e < 5; e += o->full ? 1 : 4) {
-        distributed_study p = picture_measure(o, g, e, levels);
+    for (int e = 0; e < 2; e++) {
+        distributed_study p = picture_measure(o, g, effects[e], levels);
+        const char *name = showroom_effect[effects[e]].name;
         for (int m = 0; m < measure_methods; m++) {
-            if (e == 0 || e == 4) picture_series(&time, &p, e, m, levels, true);
-            if (e == 0 || e == 3) picture_series(&n, &p, e, m, levels, false);
-            table_text(&t, "%s", showroom_effect[e].name);
-            table_text(&t, "%s", sequence_name[measure_method[m]]);
+            const char *method = sequence_name[measure_method[m]];
+            char both[64];
+            snprintf(both, sizeof both, "%s, %s", name, method);
+            int series = plot_series(&time, both);
+            table_text(&t, "%s", name), table_text(&t, "%s", method);
             for (int l = 0; l < measure_levels; l++)
-                if (l < levels) table_number(&t, p.error[m][l]);
-                else table_text(&t, "-");
+                if (l < levels) {
+                    table_number(&t, p.error[m][l]);
+                    plot_add(&time, series, (1 << 2 * l) * 1e3 * p.seconds[m], p.error[m][l]);
+                } else table_text(&t, "-");
             table_number(&t, picture_slope(p.error[m], levels));
             table_number(&t, 64e3 * p.seconds[m]);
         }
     }
-    plot_slope(&n, -0.5, "slope -1/2"), plot_slope(&n, -0.75, "slope -3/4");
     plot_slope(&time, -0.5, "slope -1/2"), plot_slope(&time, -0.75, "slope -3/4");
     output_table(o, &t);
     output_plot(o, &time, "21_distributed_time.svg");
-    if (o->full) output_plot(o, &n, "21_distributed_pictures.svg");
-    else plot_free(&n);
     showroom_free(g);
 }
 
@@ -175,24 +161,6 @@ static inline double known_slope(const known_study *s, int kind, int method)
     return fit_line(x, y, measure_levels).slope;
 }
 
-static inline void known_plot(const options *o, const known_study *s)
-{
-    static const int kinds[2] = {KNOWN_SQUARE, KNOWN_PENUMBRA};
-    plot p = plot_new("Irradiance without and with an edge", "samples", "error (rms)",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int k = 0; k < 2; k++)
-        for (int m = 0; m < measure_methods; m++) {
-            char name[64];
-            snprintf(name, sizeof name, "%s, %s", k ? "penumbra" : "no edge",
-                     sequence_name[measure_method[m]]);
-            int series = plot_series(&p, name);
-            for (int l = 0; l < measure_levels; l++)
-                plot_add(&p, series, known_samples(l), sqrt(s->square[kinds[k]][m][l].mean));
-        }
-    plot_slope(&p, -0.75, "slope -3/4"), plot_slope(&p, -1.5, "slope -3/2");
-    output_plot(o, &p, "21_distributed_error.svg");
-}
-
 static inline void table_of_known(const options *o)
 {
     known_study *s = allocate(1, sizeof *s);
@@ -218,7 +186,6 @@ static inline void table_of_known(const options *o)
         }
     }
     output_extra_table(o, &t);
-    known_plot(o, s);
     for (int i = 0; i < known_kinds; i++) known_free(&s->k[i]);
     free(s);
 }

@@ -1,7 +1,7 @@
 /* measure.h: the reflection equation, error against samples against time.
  *
- *   measure_methods(&o)  main table and plots of a glossy surface, five ways to integrate; with
- *                        --full of four surfaces, six ways, and slopes
+ *   measure_methods(&o)  main table of a glossy surface, five ways to integrate; with --full of
+ *                        four surfaces, six ways, and plots
  *   measure_furnace(&o)  what GGX keeps of a white sky: roughness against angle
  *   measure_naive(&o)    the formulas of brdf_naive.h beside the right ones
  */
@@ -11,13 +11,12 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
-#include "../../20_monte_carlo/t_test.h"
 #include "brdf_naive.h"
 #include "../first.h"
 #include "../reflection.h"
 
 enum { GLOSSY = 2, WINDOW, surfaces };  /* the last reflects the window of first.h, not the sky */
-enum { FIRST = 5, methods, levels = 5 };
+enum { FIRST = 5, methods, levels = 5, brief_level = 2 };  /* without --full that one */
 static const char *const surface_name[surfaces] = {"Lambert", "GGX .7", "GGX .25", "window"};
 static const char *const method_name[methods] = {"grid", "uniform", "cosine", "BRDF",
                                                  "BRDF, Sobol'", "first"};
@@ -111,7 +110,7 @@ static inline void survey_job(size_t i, void *context)
     int level = levels - 1 - (int)(i / (surfaces * methods));
     int surface = (int)(i % surfaces), method = (int)(i / surfaces) % methods;
     int runs = method == 0 ? 1 : s->runs;
-    if (!method_suits(s->o, method, surface)) return;
+    if (!method_suits(s->o, method, surface) || (level != brief_level && !s->o->full)) return;
     double square = 0, exact = s->exact[surface];
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
     for (int k = 0; k < runs; k++) {
@@ -146,22 +145,6 @@ static inline void measure_times(const options *o, int surface, double ns[method
     for (int k = 0; k < n; k++) ns[k] = v[k].seconds / level_samples(3) * 1e9;
 }
 
-static inline void measure_slopes(const options *o, const brdf_survey *s)
-{
-    table t = table_new("Slope of the error against N", "surface|method|error slope|error -+");
-    for (int f = 0; f < surfaces; f++)
-        for (int m = 0; m < methods; m++) {
-            double x[levels], y[levels];
-            if (!method_suits(o, m, f)) continue;
-            for (int l = 0; l < levels; l++)
-                x[l] = log(level_samples(l)), y[l] = log(s->error[f][m][l]);
-            line_fit fit = fit_line(x, y, levels);
-            table_text(&t, "%s", surface_name[f]), table_text(&t, "%s", method_name[m]);
-            table_number(&t, fit.slope), table_number(&t, slope_interval(fit, 0.95));
-        }
-    output_extra_table(o, &t);
-}
-
 static inline void plot_survey(const options *o, const brdf_survey *s, double ns[surfaces][methods],
                                int f, bool time, const char *title, const char *name)
 {
@@ -180,6 +163,7 @@ static inline void measure_methods(const options *o)
 {
     brdf_survey s = {.o = o, .runs = o->quick ? 10 : 200};
     double ns[surfaces][methods];
+    int from = o->full ? 0 : brief_level, to = o->full ? levels : brief_level + 1;
     for (int f = 0; f < surfaces; f++)
         if (method_suits(o, 0, f)) s.exact[f] = surface_exact(f);
     parallel_for(surfaces * methods * levels, o->threads, "estimates", survey_job, &s);
@@ -191,19 +175,18 @@ static inline void measure_methods(const options *o)
                         "surface|method|N|asked|error [1]|time [us]");
     for (int f = 0; f < surfaces; f++)
         for (int m = 0; m < methods; m++)
-            for (int l = o->full ? 0 : 2; l < (o->full ? levels : 3) && method_suits(o, m, f);
-                 l += 2) {
+            for (int l = from; l < to && method_suits(o, m, f); l += 2) {
                 table_text(&t, "%s", surface_name[f]), table_text(&t, "%s", method_name[m]);
                 table_count(&t, level_samples(l)), table_number(&t, s.asked[f][m][l]);
                 table_number(&t, s.error[f][m][l]);
                 table_number(&t, level_samples(l) * ns[f][m] / 1000);
             }
     output_table(o, &t);
+    if (!o->full) return;
     const char *glossy = "A glossy surface, roughness .25";
     plot_survey(o, &s, ns, GLOSSY, false, glossy, "23_brdf_error.svg");
     plot_survey(o, &s, ns, GLOSSY, true, glossy, "23_brdf_time.svg");
-    if (o->full) plot_survey(o, &s, ns, 0, false, "A matte surface", "23_brdf_matte.svg");
-    if (o->full) measure_slopes(o, &s);
+    plot_survey(o, &s, ns, 0, false, "A matte surface", "23_brdf_matte.svg");
 }
 
 /* ---- white furnace ---- */

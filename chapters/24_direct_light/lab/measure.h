@@ -16,23 +16,17 @@
 
 /* ---- eight ways ---- */
 
-static inline void survey_plots(const direct_survey *s, const options *o, const char *title,
-                                const char *by_time, const char *by_samples)
+static inline void survey_plot(const direct_survey *s, const options *o, const char *title,
+                               const char *file)
 {
-    int flags = PLOT_LOG_X | PLOT_LOG_Y;
-    plot t = plot_new(title, "time a point [us]", "error RMSE [1]", flags);
-    plot n = plot_new(title, "samples a point", "error RMSE [1]", flags);
+    plot p = plot_new(title, "time a point [us]", "error RMSE [1]", PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < direct_ways; k++) {
-        const char *name = direct_name[s->entry[k].way];
-        int a = plot_series(&t, name), b = plot_series(&n, name);
-        for (int level = 0; level < survey_levels; level++) {
-            double samples = survey_samples(level);
-            plot_add(&t, a, 1e6 * s->seconds[k] * samples, s->error[k][level]);
-            plot_add(&n, b, samples, s->error[k][level]);
-        }
+        int a = plot_series(&p, direct_name[s->entry[k].way]);
+        for (int level = 0; level < survey_levels; level++)
+            plot_add(&p, a, 1e6 * s->seconds[k] * survey_samples(level), s->error[k][level]);
     }
-    plot_slope(&t, -0.5, "slope -1/2"), plot_slope(&n, -0.5, "slope -1/2");
-    output_plot(o, &t, by_time), output_plot(o, &n, by_samples);
+    plot_slope(&p, -0.5, "slope -1/2");
+    output_plot(o, &p, file);
 }
 
 /* The eight ways, and the last one by Sobol' points. */
@@ -90,10 +84,8 @@ static inline void measure_ways(const options *o)
     if (o->full) {
         rows_of_first(o, &all);
         output_extra_table(o, &all);
-        survey_plots(&s[0], o, "Cornell box, direct light", "24_direct_light_time.svg",
-                     "24_direct_light_error.svg");
-        survey_plots(&s[1], o, "Four plates, four spheres", "24_direct_light_plates_time.svg",
-                     "24_direct_light_plates_error.svg");
+        survey_plot(&s[0], o, "Cornell box, direct light", "24_direct_light_time.svg");
+        survey_plot(&s[1], o, "Four plates, four spheres", "24_direct_light_plates_time.svg");
     } else table_free(&all);
     survey_close(&s[0]), survey_close(&s[1]);
 }

@@ -74,8 +74,7 @@ static inline void classic_build(const effects_stage *e, classic *c)
     c->place = allocate(t->standing + 1, sizeof *c->place);
     size_t n = 0;
     if (s->shapes) {
-        c->part[n] = (world_part){.s = &c->all, .mask = MASK_ALL};
-        bvh_shapes_build(&c->all, (bvh_options){BVH_SAH, 2, 1.5}, &c->part[n].of_scene);  /* 19's */
+        world_part_cut(&c->all, bvh_leaves(2, 1.5), MASK_ALL, &c->part[n]);  /* as 19 */
         c->place[n++] = no_shape;
     }
     for (size_t k = 0; k < t->standing; k++) {
@@ -196,7 +195,8 @@ static inline bool tax_row(const options *o, table *t, bool glass)
     clock_variant k[2] = {{"chapter", tax_before, &run[0], 0}, {"general", tax_now, &run[1], 0}};
     clock_compare(k, 2, o->quick ? 3 : 7);
     size_t rays = run[1].counts.rays[RAY_OF_EYE];
-    for (int i = 0; i < effect_kinds; i++) rays += i == 5 || i == 8 ? 0 : run[1].counts.rays[i];
+    for (int i = 0; i < effect_kinds; i++)
+        rays += i == RAY_ABSORBED || i == RAY_OF_LENS ? 0 : run[1].counts.rays[i];
     table_text(t, "%s", glass ? "forty balls: mirrors and glass" : "forty balls: painted");
     table_text(t, "%s", glass ? "19 whitted" : "18 shade");
     table_number(t, (double)rays / ((double)w * h));

@@ -100,7 +100,7 @@ static inline void request_show(const options *o, const request *q, effects_stag
     char room[512];
     image im = image_new(w.width, w.height);
     bool demo = !o->out && !o->own;
-    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 32 : 16;
+    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : 16;
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
     bool whole = draw_region(&j, &im, w.x, w.y, o->threads);
@@ -110,11 +110,11 @@ static inline void request_show(const options *o, const request *q, effects_stag
         small.width = small.across = w.across / 4 > 0 ? w.across / 4 : 1;
         small.height = small.down = w.down / 4 > 0 ? w.down / 4 : 1;
     }
-    if (whole && (demo || q->priced))
+    if (whole && ((demo && o->full) || q->priced))
         whole = table_of_price(o, e, small, samples > 16 ? 16 : samples);
     else if (whole) whole = request_count(o, &j);
     if (whole && demo && o->full)
-        whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1, samples)
+        whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1, 2 * samples)
              && table_of_tax(o) && request_all(o, e);
     image_free(&im);
     if (!whole) die(130, "stopped; the picture was whole before");

@@ -1,14 +1,17 @@
-/* split.h: where to cut a set of items in two. Five ways, one signature.
+/* split.h: where to cut a set of items in two: a rule is one function.
  *
- *   BVH_CYCLE        axis x, y, z, x, ... by depth; in the middle of the centres       (14.4)
- *   BVH_LONGEST      the axis along which the centres extend longest; in the middle
- *   BVH_MEDIAN       that axis; as many items left as right, by selection in O(n)
- *   BVH_SAH          surface area heuristic (表面积启发式): the best of 15 planes an axis  (14.6)
- *   BVH_SAH_SWEEP    the same: the best of all places between two items, along all axes
+ *   split_cycle            axis x, y, z, x, ... by depth; in the middle of the centres      (14.4)
+ *   split_longest          the axis along which the centres extend longest; in the middle
+ *   split_cycle_median     axis by depth; as many items left as right, by selection in O(n)
+ *   split_median           the longest axis; as many left as right
+ *   split_binned           surface area heuristic (表面积启发式): the best of 15 planes an axis (14.6)
+ *   split_sweep            the same: the best of all places between two items, along all axes
  *
- *   size_t left = split_items(&s, item, n, depth)
+ *   size_t left = split_median(&s, item, n)
  *       reorders the items: the first `left` of them, 1 .. n-1, go left
- *       s.cost: of that split by the heuristic; a leaf costs n * s.item_cost
+ *       s.cost: of that split by the heuristic, if the rule knows it; a leaf costs n * s.item_cost
+ *
+ * A new rule is such a function and a line in the table of tree.h.
  *
  * The heuristic. A line that meets a convex box meets a box inside it with probability
  * area(inside) / area(box), so a cut into L and R costs (14.5)
@@ -25,21 +28,16 @@
 #ifndef BVH_SPLIT_H
 #define BVH_SPLIT_H
 
-#include "../../common/file.h"
+#include "../../../common/file.h"
+#include "../../../common/numbers/radix.h"
 #include "select.h"
-#include "sort.h"
-
-typedef enum {
-    BVH_CYCLE, BVH_LONGEST, BVH_MEDIAN, BVH_SAH, BVH_SAH_SWEEP, BVH_MORTON,
-    BVH_SPATIAL, bvh_strategies
-} bvh_strategy;
 
 typedef struct {
-    bvh_strategy strategy;
     double item_cost;         /* of testing an item, where testing a pair of boxes costs 1 */
     bvh_box box, centres;     /* in: box of the items, box of their centres */
+    int depth;                /* in: of the node; 0: the root */
     double cost;              /* out: of the best split, HUGE_VAL if there is none */
-    sort_pair *pairs, *spare; /* [n] each, for the sweep alone; NULL otherwise */
+    radix_pair *pairs, *spare; /* [n] each, for the sweep alone; NULL otherwise */
     float *areas;             /* [n] */
 } splitter;
 
@@ -74,6 +72,26 @@ static inline size_t split_middle(const splitter *s, bvh_item *item, size_t n, i
     float lo = s->centres.side[axis], hi = s->centres.side[3 + axis];
     size_t left = split_at_plane(item, n, axis, 0.5f * lo + 0.5f * hi);
     return left == 0 || left == n ? split_by_number(item, n, box_longest(&s->centres)) : left;
+}
+
+static inline size_t split_cycle(splitter *s, bvh_item *item, size_t n)
+{
+    return split_middle(s, item, n, s->depth % 3);
+}
+
+static inline size_t split_longest(splitter *s, bvh_item *item, size_t n)
+{
+    return split_middle(s, item, n, box_longest(&s->centres));
+}
+
+static inline size_t split_cycle_median(splitter *s, bvh_item *item, size_t n)
+{
+    return split_by_number(item, n, s->depth % 3);
+}
+
+static inline size_t split_median(splitter *s, bvh_item *item, size_t n)
+{
+    return split_by_number(item, n, box_longest(&s->centres));
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -162,8 +180,8 @@ static inline size_t split_binned(splitter *s, bvh_item *item, size_t n)
 static inline void sort_along(splitter *s, const bvh_item *item, size_t n, int axis)
 {
     for (size_t i = 0; i < n; i++)
-        s->pairs[i] = (sort_pair){float_key(item_centre(&item[i], axis)), (uint32_t)i};
-    sort_pairs(s->pairs, s->spare, n);
+        s->pairs[i] = (radix_pair){float_key(item_centre(&item[i], axis)), (uint32_t)i};
+    radix_sort_pairs(s->pairs, s->spare, n);
 }
 
 static inline size_t split_sweep(splitter *s, bvh_item *item, size_t n)
@@ -210,18 +228,6 @@ static inline void split_measure(splitter *s, const bvh_item *item, size_t n)
             s->centres.side[k] = float_min(c, s->centres.side[k]);
             s->centres.side[3 + k] = float_max(c, s->centres.side[3 + k]);
         }
-    }
-}
-
-static inline size_t split_items(splitter *s, bvh_item *item, size_t n, int depth)
-{
-    s->cost = HUGE_VAL;
-    switch (s->strategy) {
-    case BVH_CYCLE: return split_middle(s, item, n, depth % 3);
-    case BVH_LONGEST: return split_middle(s, item, n, box_longest(&s->centres));
-    case BVH_SAH: return split_binned(s, item, n);
-    case BVH_SAH_SWEEP: return split_sweep(s, item, n);
-    default: return split_by_number(item, n, box_longest(&s->centres));
     }
 }
 

@@ -7,12 +7,9 @@
  *      |/      |       |---+
  *      +-------+
  *
- *   tree_spatial(item, n, room, how, clip, context, &t)
- *       item[room], of which n are filled: references are added until there is no room left.
- *       Afterwards t.items of them are in use, in the order of the leaves.
- *   bool clip(context, &item, axis, lo, hi, &box)
- *       box of what of the item is in item.box and in the slab [lo, hi]; false if that is nothing.
- *       It may be too large, never too small: a search must find every point of the item.
+ *   tree_spatial(&in, how, &t)
+ *       in.item[in.room], of which in.n are filled: references are added until there is no room
+ *       left. Afterwards t.items of them are in use, in the order of the leaves.
  *
  * At each node the best cut between items is known (split.h). If the boxes of its two sides share
  * more than 0.3 of the node's area, 15 planes an axis are weighed too, by the same (14.6): n(L)
@@ -33,14 +30,9 @@
 
 #include "store.h"
 
-enum { spatial_most = 8 };  /* references an item, on average: no more room is given */
-
 /* Of the node's area: from where on cuts through items are weighed. At 0.1 the teapot takes five
  * times as long to build, and its rays test one pair of boxes in seventy less. */
 #define spatial_least_overlap 0.3
-
-typedef bool spatial_clip(const void *context, const bvh_item *item, int axis, float lo, float hi,
-                          bvh_box *out);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -49,7 +41,7 @@ typedef struct {
     bvh_item *item;
     bvh_options options;
     splitter split;
-    spatial_clip *clip;
+    bvh_clip *clip;
     const void *context;
 } spatial_builder;
 
@@ -198,36 +190,32 @@ static inline void spatial_node(spatial_builder *b, size_t at, size_t begin, siz
     size_t left = 0;
     if (n > 1 && deep && !fits) left = split_by_number(item, n, box_longest(&s->centres));
     if (n > 1 && !deep) {
-        left = split_items(s, item, n, depth);
+        left = split_binned(s, item, n);
         if (room > n && !fits && spatial_overlap(s, item, n, left) > spatial_least_overlap)
             cut = spatial_find(b, item, n);
         if (cut.cost < s->cost && cut.cost < all) left = spatial_apply(b, &cut, item, &n, room);
         else if (fits && s->cost >= all) left = 0;
     }
-    if (left == 0) {
+    size_t first = t->nodes;
+    if (left == 0 || !tree_pair(t)) {
         memmove(b->item + t->items, item, n * sizeof *item);
         t->items += n;
         return;
     }
-    size_t first = t->nodes, right = n - left, spare = room - n;
+    size_t right = n - left, spare = room - n;
     size_t left_room = left + (size_t)((double)spare * ((double)left / (double)n));
     memmove(item + left_room, item + left, right * sizeof *item);
     t->node[at].first = (uint32_t)first, t->node[at].count = 0;
-    tree_pair(t);
     spatial_node(b, first, begin, left, left_room, depth + 1);
     spatial_node(b, first + 1, begin + left_room, right, room - left_room, depth + 1);
 }
 
-static inline void tree_spatial(bvh_item *item, size_t n, size_t room, bvh_options how,
-                                spatial_clip *clip, const void *context, bvh_tree *out)
+static inline void tree_spatial(const bvh_input *in, bvh_options how, bvh_tree *out)
 {
-    *out = (bvh_tree){0};
-    tree_takes(out, room * sizeof *item);
-    tree_room(out, 2 * n + 2);
-    spatial_builder b = {out, item, how, {.strategy = BVH_SAH, .item_cost = how.item_cost}, clip,
-                         context};
-    if (n) spatial_node(&b, 0, 0, n, room, 0);
-    tree_trim(out);
+    if (!tree_begin(out, 2 * in->n + 2)) return;
+    spatial_builder b = {out, in->item, how, {.item_cost = how.item_cost}, in->clip, in->context};
+    out->items = 0;
+    if (in->n) spatial_node(&b, 0, 0, in->n, in->room, 0);
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* morton.h: the tree in linear time, from numbers: no area is compared, nothing is searched for.
  *
- *   tree_morton(item, n, how, &t)     as tree_build of tree.h: reorders the items; O(n)
+ *   tree_morton(&in, how, &t)         in.item[in.n] is reordered; O(n)
  *   morton_code(x, y, z)              the 63 bits  x20 y20 z20 x19 y19 z19 ... x0 y0 z0      (14.9)
  *
  * A Morton code (莫顿码) interleaves the digits of three coordinates. Read from the front, its bits
@@ -13,7 +13,7 @@
  *                                                                | then the next ones
  *
  *   1. codes         of the centres of the boxes, 21 bits an axis, cubes of the longest side / 2^21
- *   2. sorting       by drawers, six passes of 11 bits: O(n); the items follow
+ *   2. sorting       by digits (radix.h): O(n); the items follow
  *   3. topology      a range of the sorted codes; the highest bit in which its first and last
  *                    differ says where it is cut, by bisection                              (14.10)
  *   4. boxes         from the leaves up, on the way back
@@ -30,11 +30,10 @@
 #ifndef BVH_MORTON_H
 #define BVH_MORTON_H
 
+#include "../../../common/numbers/radix.h"
 #include "store.h"
 
-enum { morton_bits = 21, morton_digit = 11, morton_passes = 6 };
-
-typedef struct { uint64_t code; uint32_t place; } morton_pair;
+enum { morton_bits = 21 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -56,7 +55,7 @@ static inline uint64_t morton_code(uint32_t x, uint32_t y, uint32_t z)
 
 /* Codes of n items. All axes have the same scale, so that cells are cubes; a set without extent, or
  * nearly, has the code 0 throughout. */
-static inline void morton_codes(const bvh_item *item, size_t n, morton_pair *pair)
+static inline void morton_codes(const bvh_item *item, size_t n, radix_code *pair)
 {
     float lo[3] = {INFINITY, INFINITY, INFINITY}, extent = 0;
     float hi[3] = {-INFINITY, -INFINITY, -INFINITY};
@@ -72,38 +71,13 @@ static inline void morton_codes(const bvh_item *item, size_t n, morton_pair *pai
         uint32_t x[3];
         for (int k = 0; k < 3; k++)
             x[k] = (uint32_t)float_min((item_centre(&item[i], k) - lo[k]) * scale, most);
-        pair[i] = (morton_pair){morton_code(x[0], x[1], x[2]), (uint32_t)i};
+        pair[i] = (radix_code){morton_code(x[0], x[1], x[2]), (uint32_t)i};
     }
-}
-
-/* By code; equal codes keep their order. Returns the one of the two arrays that holds the result.
- * A pass in which all lie in one drawer is left out. */
-static inline morton_pair *morton_sort(morton_pair *pair, morton_pair *spare, size_t n)
-{
-    enum { drawers = 1 << morton_digit };
-    uint32_t (*start)[drawers] = allocate(morton_passes, sizeof *start);
-    for (size_t i = 0; i < n; i++)
-        for (int p = 0; p < morton_passes; p++)
-            start[p][pair[i].code >> (morton_digit * p) & (drawers - 1)]++;
-    for (int p = 0; p < morton_passes; p++) {
-        uint32_t sum = 0, shift = (uint32_t)(morton_digit * p);
-        if (n && start[p][pair[0].code >> shift & (drawers - 1)] == n) continue;
-        for (int i = 0; i < drawers; i++) {
-            uint32_t here = start[p][i];
-            start[p][i] = sum, sum += here;
-        }
-        for (size_t i = 0; i < n; i++)
-            spare[start[p][pair[i].code >> shift & (drawers - 1)]++] = pair[i];
-        morton_pair *other = pair;
-        pair = spare, spare = other;
-    }
-    free(start);
-    return pair;
 }
 
 /* item[i] becomes what item[pair[i].place] was, in place: each cycle of the permutation is walked
  * round once. Afterwards place = i. */
-static inline void morton_reorder(bvh_item *item, morton_pair *pair, size_t n)
+static inline void morton_reorder(bvh_item *item, radix_code *pair, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         bvh_item first = item[i];
@@ -121,15 +95,15 @@ static inline void morton_reorder(bvh_item *item, morton_pair *pair, size_t n)
 
 /* The first of the sorted codes [begin, end) that has the highest bit in which the first and the
  * last differ (14.10); the middle, if they are the same. Before it that bit is 0, behind it 1. */
-static inline size_t morton_cut(const morton_pair *pair, size_t begin, size_t end)
+static inline size_t morton_cut(const radix_code *pair, size_t begin, size_t end)
 {
-    uint64_t below = (pair[begin].code ^ pair[end - 1].code) >> 1;
-    if (pair[begin].code == pair[end - 1].code) return begin + (end - begin) / 2;
+    uint64_t below = (pair[begin].key ^ pair[end - 1].key) >> 1;
+    if (pair[begin].key == pair[end - 1].key) return begin + (end - begin) / 2;
     for (int shift = 1; shift < 64; shift *= 2) below |= below >> shift;  /* all bits behind it */
-    uint64_t least = pair[end - 1].code & ~below;
+    uint64_t least = pair[end - 1].key & ~below;
     while (begin < end) {
         size_t middle = begin + (end - begin) / 2;
-        if (pair[middle].code < least) begin = middle + 1;
+        if (pair[middle].key < least) begin = middle + 1;
         else end = middle;
     }
     return begin;
@@ -138,7 +112,7 @@ static inline size_t morton_cut(const morton_pair *pair, size_t begin, size_t en
 typedef struct {
     bvh_tree *tree;
     const bvh_item *item;
-    const morton_pair *pair;
+    const radix_code *pair;
     bvh_options options;
 } morton_builder;
 
@@ -171,22 +145,21 @@ static inline double morton_node(morton_builder *b, size_t at, size_t begin, siz
     return built;
 }
 
-static inline void tree_morton(bvh_item *item, size_t n, bvh_options how, bvh_tree *t)
+static inline void tree_morton(const bvh_input *in, bvh_options how, bvh_tree *t)
 {
-    size_t size = n * sizeof(morton_pair);
-    morton_pair *pair = allocate(n, sizeof *pair), *spare = allocate(n, sizeof *spare);
-    tree_takes(t, 2 * size);
-    morton_codes(item, n, pair);
-    if (morton_sort(pair, spare, n) == spare) {
-        morton_pair *sorted = spare;
-        spare = pair, pair = sorted;
+    size_t n = in->n, size = sizeof(radix_code);
+    radix_code *pair = tree_array(t, n, size), *spare = tree_array(t, n, size);
+    if (!t->full) {
+        morton_codes(in->item, n, pair);
+        radix_sort_codes(pair, spare, n);
     }
-    free(spare), tree_gives(t, size);
-    morton_reorder(item, pair, n);
-    tree_room(t, 2 * n + 2);
-    morton_builder b = {t, item, pair, how};
-    if (n) morton_node(&b, 0, 0, n, 0);
-    free(pair), tree_gives(t, size);
+    tree_drop(t, spare, n, size);
+    if (!t->full && tree_begin(t, 2 * n + 2)) {
+        morton_reorder(in->item, pair, n);
+        morton_builder b = {t, in->item, pair, how};
+        if (n) morton_node(&b, 0, 0, n, 0);
+    }
+    tree_drop(t, pair, n, size);
 }
 
 #endif

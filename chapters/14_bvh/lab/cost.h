@@ -1,9 +1,9 @@
-/* stats.h: what a tree looks like, what the heuristic says it costs, how much boxes overlap.
+/* cost.h: what the heuristic says a tree costs, and how much its boxes overlap.
  *
- *   bvh_stats s = bvh_stats_of(&t);
- *   s.nodes, s.tests    pairs of boxes and items that a random line through the root tests, if
+ *   tree_cost c = tree_cost_of(&t);
+ *   c.nodes, c.tests    pairs of boxes and items that a random line through the root tests, if
  *                       no hit ends the search                                            (14.7)
- *   s.overlap           of these pairs: how often the line meets what both boxes cover    (14.8)
+ *   c.overlap           of these pairs: how often the line meets what both boxes cover    (14.8)
  *   tree_pierced(&t, r, &work)    counts both for one line: tests no item, stops at no hit
  *
  *      nodes   = sum over inner nodes of  area(node) / area(root)
@@ -17,39 +17,34 @@
  * meet convex bodies); T. Aila, T. Karras, S. Laine, "On Quality Metrics of Bounding Volume
  * Hierarchies", HPG 2013 (what the heuristic misses: overlap).
  */
-#ifndef BVH_STATS_H
-#define BVH_STATS_H
+#ifndef BVH_COST_H
+#define BVH_COST_H
 
-#include "search.h"
+#include "../search.h"
 
-typedef struct {
-    size_t inner, leaves, items;
-    int depth;
-    double nodes, tests, overlap;
-    size_t bytes, peak;  /* memory now, and the most while it was built */
-} bvh_stats;
+typedef struct { double nodes, tests, overlap; } tree_cost;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bvh_stats bvh_stats_of(const bvh_tree *t)
+static inline tree_cost tree_cost_of(const bvh_tree *t)
 {
-    bvh_stats s = {.items = t->items, .depth = t->depth, .bytes = t->bytes, .peak = t->peak};
+    tree_cost c = {0, 0, 0};
     double root = t->items ? box_area(&t->node[0].box) : 1;
     for (size_t i = 0; t->items && i < t->nodes; i++) {
         const bvh_node *n = &t->node[i];
         if (i == 1) continue;
         double part = box_area(&n->box) / root;
-        if (n->count) s.leaves++, s.tests += part * n->count;
+        if (n->count) c.tests += part * n->count;
         else {
-            s.inner++, s.nodes += part;
-            s.overlap += box_shared_area(&t->node[n->first].box, &t->node[n->first + 1].box) / root;
+            c.nodes += part;
+            c.overlap += box_shared_area(&t->node[n->first].box, &t->node[n->first + 1].box) / root;
         }
     }
-    return s;
+    return c;
 }
 
 static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const box_ray *q,
-                                   bvh_work *w)
+                                   search_work *w)
 {
     float exit;
     if (box_enter(&n->box, q, INFINITY, &exit) > exit) return;
@@ -62,7 +57,7 @@ static inline void tree_pierced_at(const bvh_tree *t, const bvh_node *n, const b
     tree_pierced_at(t, t->node + n->first + 1, q, w);
 }
 
-static inline void tree_pierced(const bvh_tree *t, ray r, bvh_work *work)
+static inline void tree_pierced(const bvh_tree *t, ray r, search_work *work)
 {
     if (t->items == 0 || !ray_is_usable(r)) return;
     box_ray q = box_ray_of(r, &t->node[0].box, NULL);
