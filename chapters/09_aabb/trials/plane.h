@@ -34,13 +34,13 @@ static inline void plane_ends(int i, vec3 end[2])
         real a = (real)i;
         if (i < plane_house) {
             a = 2 * pi * (real)(i + k) / plane_house;
-            end[k] = vec(7 + 1.9 * cos(a), 6.7 + 1.9 * sin(a), 0);
+            end[k] = vmadd(vec(7, 6.7, 0), (vec3){cos(a), sin(a), 0}, (real)1.9);
         } else if (i < plane_house + plane_pillars) {
             const real *p = pillar[i - plane_house];
-            end[k] = vec(p[0] + 0.32 * k * cos(a), p[1] + 0.32 * k * sin(a), 0);
+            end[k] = vmadd((vec3){p[0], p[1], 0}, (vec3){cos(a), sin(a), 0}, (real)0.32 * (real)k);
         } else {
             const real *w = wall[i - plane_house - plane_pillars];
-            end[k] = vec(w[2 * k], w[2 * k + 1], 0);
+            end[k] = (vec3){w[2 * k], w[2 * k + 1], 0};
         }
     }
 }
