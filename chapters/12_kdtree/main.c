@@ -74,6 +74,6 @@ int main(int argc, char **argv)
     o.own = own.mesh || own.strategy;
     draw(&o, &own, &s);
     trial_scene_free(&s);
-    if (!o.own && !o.out) draw_figure(&o), measure(&o);
+    if (!o.own && !o.out) draw_figure(&o), draw_final(&o), measure(&o);
     return output_done(&o);
 }
