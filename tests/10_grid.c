@@ -422,7 +422,8 @@ static void test_far_rays_are_right(void)
     check_equal(wrong, 0, "planes from afar: wrong of %zu, %zu hits", rays, hits);
     check_equal(wrong_two, 0, "planes from afar, two levels");
     check_at_least(hits, rays / 2, "they are hit");
-    if (rays >= 200) check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
+    if (rays >= 200)
+        check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
     grid_free(&g), nested_free(&two), mesh_free(&m);
 }
 
