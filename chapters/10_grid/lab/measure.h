@@ -122,7 +122,8 @@ static inline grid_cost grid_cost_of(trial_row r, const trial_scene *s)
 static inline void measure_density(const options *o)
 {
     table t = table_new("How many cells a shape are best? Lines from everywhere; stadium: eye rays",
-                        "scene|cells a shape|bytes a shape|cells a ray|tests a ray|time [ns a ray]");
+                        "scene|cells a shape|bytes a shape|cells a ray|tests a ray|"
+                        "time [ns a ray]");
     plot time = plot_new("Time against cells", "cells a shape", "time [ns a ray]",
                          PLOT_LOG_X | PLOT_LOG_Y);
     plot work = plot_new("Work against cells", "cells a shape", "a ray", PLOT_LOG_X | PLOT_LOG_Y);

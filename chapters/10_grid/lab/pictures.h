@@ -1,6 +1,6 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_grid(o, &s, how, path)   a mesh, half of it in its cells; how many of them each ray passes;
+ *   draw_grid(o, &s, how, path)   a mesh, half of it in its cells; what each ray takes;
  *                                 path: where the mesh is from, y up; NULL: the book's, z up
  *   draw_early(o)         large triangles, where the first hit found is not the first hit
  *   draw_stadium(o)       what the teapot in the stadium takes: one level, two levels
@@ -106,9 +106,10 @@ static inline void grid_label(image *im, int n, const char *const *title, int ba
     *im = image_new(sheet.width, sheet.height + (bars ? bar : 0));
     label_fill(im, 0, 0, im->width, im->height, vec(1, 1, 1));
     image_place(im, 0, 0, &sheet);
+    bool log = most > 1000;
     if (bars)
-        label_bar(im, im->width - w, sheet.height + 6, w, 9, work_colour, most < 1000 ? 0 : 1,
-                  (double)most, most < 1000 ? "cells and tests" : "cells and tests, logarithmic");
+        label_bar(im, im->width - w + 4, sheet.height + 6, w - 8, 9, work_colour, log, (double)most,
+                  log ? "cells and tests, logarithmic" : "cells and tests");
     image_free(&sheet);
 }
 
