@@ -50,7 +50,7 @@ static double wide_variance(const double *x, size_t n)
 }
 
 /* Chan, Golub, LeVeque: Welford's relative error is at most about n kappa eps, with kappa = mean /
- * deviation. */
+ * deviation; roundings of random numbers cancel, and some eps kappa are left. */
 static void test_against_wide(void)
 {
     enum { n = 200 };
@@ -63,7 +63,7 @@ static void test_against_wide(void)
             double right = wide_variance(x, n);
             worst = check_worse(worst, fabs(estimate_variance(of(x, n)) / right - 1));
         }
-        check_at_most(worst, n * (1 + mean * sqrt(12.0)) * eps, "variance, mean 1e%d", k);
+        check_at_most(worst, 4 * (1 + mean * sqrt(12.0)) * eps, "variance, mean 1e%d", k);
     }
 }
 
@@ -122,8 +122,8 @@ static void test_merge(void)
     for (size_t k = 0; k <= n; k += 25) {
         estimate e = estimate_merge(of(x, k), of(x + k, n - k));
         check_equal(e.n, n, "numbers merged at %zu", k);
-        check_close(e.mean, whole.mean, 4 * n * 1e6 * eps, "mean merged at %zu", k);
-        check_close(e.squares / whole.squares, 1, 8 * n * 1e6 * eps, "squares merged at %zu", k);
+        check_close(e.mean, whole.mean, 4 * 1e6 * eps, "mean merged at %zu", k);
+        check_close(e.squares / whole.squares, 1, 8 * 1e6 * eps, "squares merged at %zu", k);
     }
     check_equal(estimate_merge(none, none).n, 0, "nothing and nothing");
     check_equal(estimate_merge(whole, none).squares, whole.squares, "nothing added");

@@ -34,9 +34,9 @@ int main(int argc, char **argv)
         return output_done(&o);
     }
     draw_grid(&o, how);
-    if (!o.out) draw_walk(&o), draw_stadium(&o);
+    if (!o.out) draw_walk(&o), draw_early(&o), draw_stadium(&o);
     measure_variants(&o);
     if (o.full)
-        plot_wrong(&o), measure_density(&o), measure_stadium(&o), measure_drift(&o);
+        measure_density(&o), measure_stadium(&o), measure_drift(&o);
     return output_done(&o);
 }

@@ -1,8 +1,7 @@
 /* measure.h: the tables and plots of this chapter (09_aabb/trials/bench.h).
  *
- *   measure_variants(o)          wrong hits and time; the main table
- *   plot_wrong(o)                wrong hits against time, for 1 to 243 cells a shape
- *   measure_density(o)           time against cells an item, on four scenes
+ *   measure_variants(o)          wrong hits, memory and time; the main table, and all of it
+ *   measure_density(o)           time against cells a shape, on four scenes
  *   measure_stadium(o)           one level and two, where cells of one size cannot serve
  *   measure_drift(o)             how far a walk of up to 1e5 cells goes astray
  */
@@ -13,47 +12,40 @@
 #include "../first.h"
 #include "../nested.h"
 #include "drift.h"
-#include "naive.h"
 #include "scenes.h"
 #include "specks.h"
 
 TRIAL_VERBS(grid, grid, grid_hit, grid_hit_counted)
 TRIAL_VERBS(nested, nested, nested_hit, nested_hit_counted)
 TRIAL_OTHER(grid_early, grid, grid, grid_hit_early)
-TRIAL_OTHER(grid_naive, grid, grid, grid_hit_naive)
+TRIAL_OTHER(grid_added, grid, grid, grid_hit_added)
 TRIAL_FIRST(first_grid, b->s = first_grid_build(&b->m))
-
-typedef struct { const char *name; const trial_verbs *verbs; grid_options how; } grid_candidate;
 
 #define GRID_HOW(density, exact, mailbox) {density, exact, mailbox, (size_t)1 << 30}
 
-/* The first seven are the short table. */
-enum { grid_short = 7, grid_candidates = 11 };
-static const grid_candidate grid_candidate_list[grid_candidates] = {
-    {"first", &first_grid_trial, GRID_HOW(27, false, false)},
-    {"t added up, float", &grid_naive_trial, GRID_HOW(27, true, true)},
-    {"first hit accepted", &grid_early_trial, GRID_HOW(27, true, true)},
-    {"grid_hit", &grid_trial, GRID_HOW(27, true, true)},
-    {"marked by bounds", &grid_trial, GRID_HOW(27, false, true)},
-    {"1 cell a shape", &grid_trial, GRID_HOW(1, true, true)},
-    {"two levels", &nested_trial, GRID_HOW(27, true, true)},
-    {"no mailbox", &grid_trial, GRID_HOW(27, true, false)},
-    {"by bounds, no mailbox", &grid_trial, GRID_HOW(27, false, false)},
-    {"10 cells a shape", &grid_trial, GRID_HOW(10, true, true)},
-    {"100 cells a shape", &grid_trial, GRID_HOW(100, true, true)}};
+static const grid_options grid_by_27 = GRID_HOW(27, true, true);
+static const grid_options grid_by_2 = GRID_HOW(2, true, true);
+static const grid_options grid_by_512 = GRID_HOW(512, true, true);
+static const grid_options grid_by_bounds = GRID_HOW(27, false, true);
+static const grid_options grid_unposted = GRID_HOW(27, true, false);
+static const nested_options grid_two_levels = {0.1, 4, true, true, (size_t)1 << 30};
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline trial_row grid_row(const grid_candidate *c)
-{
-    static nested_options two;
-    two = nested_defaults;
-    bool nest = c->verbs == &nested_trial;
-    return (trial_row){.name = c->name, .verbs = c->verbs,
-                       .how = nest ? (const void *)&two : (const void *)&c->how};
-}
+/* ---- wrong hits, memory and time ---- */
 
-/* ---- wrong hits against time ---- */
+/* The first of them are the short table. */
+enum { grid_short = 7, grid_rows = 9 };
+static const trial_row grid_row_list[grid_rows] = {
+    {.name = "first-grid", .verbs = &first_grid_trial},
+    {.name = "t added up", .verbs = &grid_added_trial, .how = &grid_by_27},
+    {.name = "first hit accepted", .verbs = &grid_early_trial, .how = &grid_by_27},
+    {.name = "grid_hit, 27 cells a shape", .verbs = &grid_trial, .how = &grid_by_27},
+    {.name = "grid_hit, 2 cells a shape", .verbs = &grid_trial, .how = &grid_by_2},
+    {.name = "marked by bounds", .verbs = &grid_trial, .how = &grid_by_bounds},
+    {.name = "two levels", .verbs = &nested_trial, .how = &grid_two_levels},
+    {.name = "no mailbox", .verbs = &grid_trial, .how = &grid_unposted},
+    {.name = "512 cells a shape", .verbs = &grid_trial, .how = &grid_by_512}};
 
 /* Eye rays, and one on from each of their hits; all of them are judged, too. */
 static inline void grid_teapot(const options *o, trial_scene *s)
@@ -61,7 +53,7 @@ static inline void grid_teapot(const options *o, trial_scene *s)
     int width = o->quick ? 40 : o->full ? 130 : 60, height = width * 8 / 13;
     trial_scene_of(teapot_mesh(o->full ? 10 : 4), s);
     trial_rays(s, trial_camera(&s->m, (real)width / (real)height), width, height, 0, o->seed,
-               &grid_trial, &grid_candidate_list[3].how);
+               &grid_trial, &grid_by_27);
     ray_set *p = &s->rays[TRIAL_PRIMARY], *d = &s->rays[TRIAL_DIFFUSE];
     ray_set all = {allocate(p->n + d->n, sizeof(ray)), p->n + d->n};
     memcpy(all.r, p->r, p->n * sizeof(ray)), memcpy(all.r + p->n, d->r, d->n * sizeof(ray));
@@ -79,11 +71,11 @@ static inline void grid_board_scene(const options *o, trial_scene *s)
     trial_due(s, false);
 }
 
-/* Specks beside the walls of a grid that is built with `how`, rays aimed at them. */
-static inline void grid_speck_scene(const options *o, grid_options how, trial_scene *s)
+/* Specks beside the walls of a grid of 27 cells a shape, rays aimed at them. */
+static inline void grid_speck_scene(const options *o, trial_scene *s)
 {
     size_t n = o->full ? 20000 : 5000;
-    trial_scene_of(specks_mesh(o->full ? 2000 : 1000, how, o->seed), s);
+    trial_scene_of(specks_mesh(o->full ? 2000 : 1000, grid_by_27, o->seed), s);
     s->rays[TRIAL_CORNERS] = (ray_set){allocate(n, sizeof(ray)), n};
     for (size_t i = 0; i < n; i++)
         s->rays[TRIAL_CORNERS].r[i] = specks_ray(&s->m, o->seed, i);
@@ -107,72 +99,60 @@ static inline double grid_ns(const trial_row *r)
                      r->ray[TRIAL_PRIMARY].n + r->ray[TRIAL_DIFFUSE].n);
 }
 
-static inline void measure_variants(const options *o)
+/* Short: of the first rows, six columns. */
+static inline void grid_table(const options *o, const char *title, const trial_row *row, int n,
+                              bool at_length, const trial_scene *pot, double wrong[][2])
 {
-    int n = o->full ? grid_candidates : grid_short;
-    char title[160];
-    trial_scene pot, boards, specks;
-    trial_row row[grid_candidates];
-    grid_teapot(o, &pot), grid_board_scene(o, &boards);
-    grid_speck_scene(o, grid_candidate_list[3].how, &specks);
-    snprintf(title, sizeof title,
-             "Wrong hits on three scenes; work and time a ray on the teapot of "
-             "%zu triangles", pot.m.triangles);
-    table t = table_new(title, o->full
+    table t = table_new(title, at_length
         ? "variant|cells|references a shape|cells a ray|tests a ray|error teapot [%]|"
-          "error boards [%]|error specks [%]|time [ns]"
-        : "variant|cells|tests a ray|error boards [%]|error specks [%]|time [ns]");
-    for (int i = 0; i < n; i++) row[i] = grid_row(&grid_candidate_list[i]);
-    trials_run(row, n, &pot, o->quick ? 3 : o->full ? 25 : 4);
+          "error boards [%]|error specks [%]|time [ns a ray]"
+        : "variant|bytes a shape|tests a ray|error teapot [%]|error boards [%]|time [ns a ray]");
     for (int i = 0; i < n; i++) {
-        const structure_stats *st = &row[i].stats;
-        const first_grid *g = &((const first_grid_trial_of *)row[i].built)->s;
+        structure_stats st = row[i].stats;
         bool first = row[i].verbs->first, counted = row[i].verbs->hit_counted != NULL;
-        size_t rays, cells = first ? (size_t)(g->n[0] * g->n[1] * g->n[2]) : st->leaves;
-        double references = first ? (double)g->items : (double)st->references;
+        size_t rays;
         search_work w = trial_sum(&row[i], &rays);
-        table_text(&t, "%s", row[i].name), table_count(&t, cells);
-        if (o->full) {
-            table_number(&t, references / (double)pot.m.triangles);
-            trial_cell(&t, counted && !first, trial_per((double)w.nodes, rays));
+        if (first) {
+            const first_grid *g = &((const first_grid_trial_of *)row[i].built)->s;
+            st = (structure_stats){.leaves = (size_t)(g->n[0] * g->n[1] * g->n[2]),
+                                   .references = g->items, .items = pot->m.triangles};
+            st.bytes = st.leaves * sizeof *g->head + g->items * sizeof *g->item;
         }
+        table_text(&t, "%s", row[i].name);
+        if (at_length) {
+            table_count(&t, st.leaves);
+            table_number(&t, trial_per((double)st.references, st.items));
+            trial_cell(&t, counted && !first, trial_per((double)w.nodes, rays));
+        } else table_number(&t, trial_per((double)st.bytes, st.items));
         trial_cell(&t, counted, trial_per((double)w.tests, rays));
-        if (o->full) table_number(&t, 100 * trial_per((double)row[i].wrong, rays));
-        table_number(&t, grid_wrong(row[i], &boards));
-        table_number(&t, grid_wrong(row[i], &specks));
+        table_number(&t, 100 * trial_per((double)row[i].wrong, rays));
+        table_number(&t, wrong[i][0]);
+        if (at_length) table_number(&t, wrong[i][1]);
         table_number(&t, grid_ns(&row[i]));
     }
-    output_table(o, &t);
-    trial_end(row, n);
-    trial_scene_free(&pot), trial_scene_free(&boards), trial_scene_free(&specks);
+    if (at_length) output_extra_table(o, &t);
+    else output_table(o, &t);
 }
 
-/* Each variant a curve through 1, 3, .. 243 cells a shape: the worse of boards and specks. */
-static inline void plot_wrong(const options *o)
+static inline void measure_variants(const options *o)
 {
-    enum { shown = 3 };
-    plot p = plot_new("Wrong hits against time, 1, 3, 9 .. 243 cells a shape",
-                      "time a ray, teapot [ns]", "wrong, boards or specks [%]", 0);
-    trial_scene pot, boards;
-    grid_teapot(o, &pot), grid_board_scene(o, &boards);
-    for (int i = 1; i <= shown; i++) plot_series(&p, grid_candidate_list[i].name);
-    for (double density = 1; density < 300; density *= 3) {
-        trial_scene specks;
-        trial_row row[shown];
-        grid_candidate c[shown];
-        for (int i = 0; i < shown; i++) {
-            c[i] = grid_candidate_list[i + 1], c[i].how.density = density;
-            row[i] = grid_row(&c[i]);
-        }
-        grid_speck_scene(o, c[0].how, &specks);
-        trials_run(row, shown, &pot, 9);
-        for (int i = 0; i < shown; i++)
-            plot_add(&p, i, grid_ns(&row[i]),
-                     fmax(grid_wrong(row[i], &boards), grid_wrong(row[i], &specks)));
-        trial_end(row, shown), trial_scene_free(&specks);
-    }
-    output_plot(o, &p, "10_grid_wrong_time.svg");
-    trial_scene_free(&pot), trial_scene_free(&boards);
+    int n = o->full ? grid_rows : grid_short;
+    char title[160];
+    double wrong[grid_rows][2];
+    trial_scene pot, boards, specks;
+    trial_row row[grid_rows];
+    memcpy(row, grid_row_list, sizeof row);
+    grid_teapot(o, &pot), grid_board_scene(o, &boards), grid_speck_scene(o, &specks);
+    trials_run(row, n, &pot, o->quick ? 3 : o->full ? 25 : 3);
+    for (int i = 0; i < n; i++)
+        wrong[i][0] = grid_wrong(row[i], &boards), wrong[i][1] = grid_wrong(row[i], &specks);
+    snprintf(title, sizeof title, "A teapot of %zu triangles, and boards: wrong hits, work, time",
+             pot.m.triangles);
+    grid_table(o, title, row, grid_short, false, &pot, wrong);
+    snprintf(title, sizeof title, "The same of %zu triangles, at length; specks", pot.m.triangles);
+    if (o->full) grid_table(o, title, row, n, true, &pot, wrong);
+    trial_end(row, n);
+    trial_scene_free(&pot), trial_scene_free(&boards), trial_scene_free(&specks);
 }
 
 /* ---- how many cells ---- */
@@ -206,7 +186,7 @@ static inline void measure_scene(const options *o, grid_scene kind, table *t, pl
         plot_add(work, tests, how.density, trial_per((double)w.tests, rays));
         plot_add(work, cells, how.density, trial_per((double)w.nodes, rays));
     }
-    trial_row two = grid_row(&grid_candidate_list[6]);
+    trial_row two = grid_row_list[6];
     trials_run(&two, 1, &s, 9);
     table_text(t, "%s", scene_name), table_count(t, s.x.n), table_number(t, best);
     table_number(t, best_time), table_number(t, at_27), table_number(t, at_27 / best_time);
@@ -235,17 +215,17 @@ static inline void measure_stadium(const options *o)
     table t = table_new("One level and two: the teapot alone, and in a stadium",
                         "scene|structure|build [ms]|bytes a shape|cells a ray|tests a ray|"
                         "time [ns]");
-    static const grid_candidate list[4] = {
-        {"grid, 1 cells a shape", &grid_trial, GRID_HOW(1, true, true)},
-        {"grid, 27 cells a shape", &grid_trial, GRID_HOW(27, true, true)},
-        {"grid, 512 cells a shape", &grid_trial, GRID_HOW(512, true, true)},
-        {"two levels", &nested_trial, GRID_HOW(27, true, true)}};
+    static const trial_row list[4] = {
+        {.name = "grid, 2 cells a shape", .verbs = &grid_trial, .how = &grid_by_2},
+        {.name = "grid, 27 cells a shape", .verbs = &grid_trial, .how = &grid_by_27},
+        {.name = "grid, 512 cells a shape", .verbs = &grid_trial, .how = &grid_by_512},
+        {.name = "two levels", .verbs = &nested_trial, .how = &grid_two_levels}};
     for (int both = 0; both < 2; both++) {
         grid_scene kind = both ? GRID_STADIUM : GRID_TEAPOT;
         trial_scene s;
         trial_row row[4];
         grid_scene_of(kind, o->seed, &s);
-        for (int i = 0; i < 4; i++) row[i] = grid_row(&list[i]);
+        memcpy(row, list, sizeof row);
         trials_run(row, 4, &s, 9);
         for (int i = 0; i < 4; i++) {
             const structure_stats *st = &row[i].stats;
@@ -267,20 +247,23 @@ static inline void measure_stadium(const options *o)
 
 static inline void measure_drift(const options *o)
 {
-    table t = table_new("Walks in a wrong cell, and how far off the next wall is",
-                        "cells passed|float, added: wrong [%]|off [cells]|added: wrong [%]|"
-                        "off [cells]|counted: wrong [%]|off [cells]");
+    static const char *const name[3] = {"t added up", "walls counted", "the margin of the lists"};
+    table t = table_new("1000 walks past an edge: which miss a cell, and how far off the next "
+                        "wall is", "cells passed|error added [% of walks]|error added [cells]|"
+                        "error counted [% of walks]|error counted [cells]|margin [cells]");
     plot p = plot_new("How far off is the next wall?", "cells passed", "error [cells]",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    for (int k = 0; k < drift_kinds; k++) plot_series(&p, drift_name[k]);
+    for (int k = 0; k < 3; k++) plot_series(&p, name[k]);
     plot_slope(&p, 2, "slope 2"), plot_slope(&p, 1, "slope 1");
     for (size_t n = 10; n <= 100000; n *= 10) {
+        drift added = drift_after(walk_step_naive, n, 1000, o->seed);
+        drift counted = drift_after(walk_step, n, 1000, o->seed);
         table_count(&t, n);
-        for (int k = 0; k < drift_kinds; k++) {
-            drift d = drift_after((drift_kind)k, n, 200, o->seed);
-            table_number(&t, 100 * d.wrong), table_number(&t, d.error);
-            plot_add(&p, k, (double)n, d.error);
-        }
+        table_number(&t, 100 * added.missed), table_number(&t, added.error);
+        table_number(&t, 100 * counted.missed), table_number(&t, counted.error);
+        table_number(&t, drift_margin(n));
+        plot_add(&p, 0, (double)n, added.error), plot_add(&p, 1, (double)n, counted.error);
+        plot_add(&p, 2, (double)n, drift_margin(n));
     }
     output_extra_table(o, &t);
     output_plot(o, &p, "10_grid_drift.svg");
