@@ -76,6 +76,7 @@ static inline void measure_variants(const options *o)
     trial_rays(&pot, trial_camera(&pot.m, 1.625), width, width * 8 / 13, 0, o->seed, &grid_trial,
                &grid_by_27);
     trials_run(row, grid_rows, &pot, o->quick ? 3 : o->full ? 25 : 3);
+    rays_free(&pot.rays[TRIAL_CORNERS]);
     pot.rays[TRIAL_CORNERS] = pot.rays[TRIAL_DIFFUSE], pot.rays[TRIAL_DIFFUSE] = (ray_set){0};
     trial_due(&pot, false), grid_judge(&pot, wrong[0]);
 
