@@ -3,7 +3,6 @@
 #include "../chapters/10_grid/lab/drift.h"
 #include "../chapters/10_grid/lab/naive.h"
 #include "../chapters/10_grid/nested.h"
-#include "../chapters/10_grid/lab/specks.h"
 #include "structure.h"
 
 static grid_options how;
@@ -53,7 +52,7 @@ static void test_walk_equals_whole_numbers(void)
     size_t walks = check_count(40), steps = 100000, wrong = 0, ties = 0;
     lattice l = whole_lattice();
     for (size_t i = 0; i < walks; i++) {
-        whole_walk e = whole_walk_of(11, i);
+        whole_walk e = whole_walk_aimed(11, i, steps);
         grid_line a = line_of(whole_ray(&e));
         grid_walk w = walk_from(&l, &a, 0);
         for (size_t s = 0; s < steps; s++) {
@@ -160,11 +159,52 @@ static void test_early_is_wrong(void)
     grid_free(&g), mesh_free(&m);
 }
 
+/* n tiny triangles a hair beside the edges of cells, 1e-7 to 1e-3 of a cell: where a walk that
+ * drifts goes wrong. (Beside one wall would not do: the cells on both sides are passed.) Two
+ * corners of the unit cube fix the box, and so the walls: built once to see where they are. */
+static mesh specks_mesh(size_t n, uint64_t seed)
+{
+    mesh m = mesh_room(n);
+    failure f;
+    grid g;
+    m.v[1] = m.v[2] = (vec3){1, 1, 1};
+    items x = items_of_mesh(&m);
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    for (size_t i = 1; i < n; i++) {
+        random_stream s = random_start(seed, i, 0);
+        vec3 c = {random_next(&s), random_next(&s), random_next(&s)};
+        int free_axis = (int)(random_next_bits(&s) % 3);
+        real beside = pow((real)10, -3 - 4 * random_next(&s));
+        for (int k = 0; k < 3; k++) {
+            int wall = 1 + (int)(random_next_bits(&s) % 1024);
+            real off = random_next_bits(&s) & 1 ? beside : -beside;
+            if (k == free_axis) continue;
+            ((real *)&c)[k] = vaxis(g.cells.lo, k)
+                              + ((real)(wall % g.cells.n[k]) + off) * vaxis(g.cells.size, k);
+        }
+        c = vmax(vmin(c, (vec3){1, 1, 1}), (vec3){0, 0, 0});
+        vec3 e = vscale(g.cells.size, beside / 4);
+        set_triangle(&m, i, c, vadd(c, (vec3){e.x, -e.y, 0}), vadd(c, (vec3){0, e.y, -e.z}));
+    }
+    grid_free(&g);
+    return m;
+}
+
+/* From beyond a corner of the cube, at the middle of a triangle. */
+static ray specks_ray(const mesh *m, uint64_t seed, uint64_t i)
+{
+    random_stream s = random_start(seed, i, 1);
+    triangle t = mesh_triangle(m, 1 + random_next_bits(&s) % (m->triangles - 1));
+    vec3 o = {-random_next(&s), -random_next(&s), -random_next(&s)};
+    vec3 p = vscale(vadd(vadd(t.a, t.b), t.c), 1 / (real)3);
+    return ray_from(o, vsub(p, o));
+}
+
 /* Specks beside edges of cells: found by any walk that drifts by less than the margin. */
 static void test_specks(void)
 {
     size_t n = 2000, rays = check_count(2000), wrong = 0, wrong_added = 0, hits = 0;
-    mesh m = specks_mesh(n, grid_defaults, 1);
+    mesh m = specks_mesh(n, 1);
     items x = items_of_mesh(&m);
     failure f;
     grid g;
@@ -382,7 +422,8 @@ static void test_far_rays_are_right(void)
     check_equal(wrong, 0, "planes from afar: wrong of %zu, %zu hits", rays, hits);
     check_equal(wrong_two, 0, "planes from afar, two levels");
     check_at_least(hits, rays / 2, "they are hit");
-    check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
+    if (rays >= 200)
+        check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
     grid_free(&g), nested_free(&two), mesh_free(&m);
 }
 

@@ -12,7 +12,6 @@
  *   grid_walk w = walk_from(&l, &a, t)         the cell at t; the cell's number is w.cell
  *   real t = walk_next_t(&w)                   where the ray leaves it; infinity: no wall ahead
  *   walk_step(&w, t)                           into the next one, if t is not infinite
- *   walk_step_naive(&w, t)                     t_k += step_k: drifts
  *   int i = walk_index(&l, &w, k)              which cell on axis k
  *
  * Outer cells reach to infinity: the walk never leaves the lattice. t counts in lengths of a.d, in
@@ -30,7 +29,7 @@
  *
  * Sources: J. Cleary, G. Wyvill, "Analysis of an algorithm for fast ray tracing using uniform
  * space subdivision", The Visual Computer 4, 1988; J. Amanatides, A. Woo, "A Fast Voxel Traversal
- * Algorithm for Ray Tracing", Eurographics 1987 (both add; here it is counted).
+ * Algorithm for Ray Tracing", Eurographics 1987 (both add, as lab/naive.h; here it is counted).
  */
 #ifndef WALK_H
 #define WALK_H
@@ -172,17 +171,6 @@ static inline void walk_step(grid_walk *w, real t)
     else if (w->t.y == t)
         walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, w->first.y, w->step.y);
     else walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, w->first.z, w->step.z);
-}
-
-/* As published: t += step. */
-__attribute__((always_inline))
-static inline void walk_step_naive(grid_walk *w, real t)
-{
-    if (w->t.x == t)
-        walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, t + w->step.x, 0);
-    else if (w->t.y == t)
-        walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, t + w->step.y, 0);
-    else walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, t + w->step.z, 0);
 }
 
 static inline int walk_index(const lattice *l, const grid_walk *w, int k)

@@ -42,14 +42,6 @@ static inline lattice whole_lattice(void)
     return lattice_of((aabb){{0, 0, 0}, {side, side, side}}, (int[3]){1 << 20, 1 << 20, 1 << 20});
 }
 
-static inline whole_walk whole_walk_of(uint64_t seed, uint64_t i)
-{
-    random_stream g = random_start(seed, i, 3);
-    whole_walk w = {{0, 0, 0}, {0, 0, 0}};
-    for (int k = 0; k < 3; k++) w.d[k] = 1 + (int64_t)(random_next_bits(&g) % 1000000);
-    return w;
-}
-
 /* Past an edge of a cell, before so many steps are made, by 1 / (2 M) of a cell: where walls x and
  * y are met in the wrong order, a cell is missed. */
 static inline whole_walk whole_walk_aimed(uint64_t seed, uint64_t i, size_t steps)

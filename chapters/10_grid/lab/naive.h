@@ -21,6 +21,17 @@ typedef void grid_step(grid_walk *w, real t);
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* As published: t += step. */
+__attribute__((always_inline))
+static inline void walk_step_naive(grid_walk *w, real t)
+{
+    if (w->t.x == t)
+        walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, t + w->step.x, 0);
+    else if (w->t.y == t)
+        walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, t + w->step.y, 0);
+    else walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, t + w->step.z, 0);
+}
+
 /* grid_search for rays that begin near. early: the first cell with a hit ends the search. */
 __attribute__((always_inline))
 static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool early, hit *out)

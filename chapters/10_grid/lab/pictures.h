@@ -1,9 +1,9 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_grid(o, how)     the teapot in its cells; how many of them each ray passes
+ *   draw_grid(o, &s, how, path)   a mesh, half of it in its cells; what each ray takes;
+ *                                 path: where the mesh is from, y up; NULL: the book's, z up
  *   draw_early(o)         large triangles, where the first hit found is not the first hit
  *   draw_stadium(o)       what the teapot in the stadium takes: one level, two levels
- *   draw_model(o, &s, how, path)   any mesh, and how many cells each ray passes
  */
 #ifndef GRID_PICTURES_H
 #define GRID_PICTURES_H
@@ -65,7 +65,7 @@ typedef struct {
     const trial_verbs *verbs;
     const void *how;
     const camera *from;          /* NULL: camera_of */
-    bool y_up;
+    const char *path;            /* NULL: z is up, else y */
     real most;
     int samples;
     pixels_colour *colour;
@@ -83,7 +83,7 @@ static inline bool grid_panels(const options *o, image *all, const grid_panel *p
         vec3 lo, hi;
         int left = k * (im.width + gap) < all->width ? k * (im.width + gap) : all->width - 1;
         mesh_bounds(&p->s->m, &lo, &hi);
-        camera c = camera_of(lo, hi, !p->y_up, (real)im.width / (real)im.height);
+        camera c = camera_of(lo, hi, !p->path, (real)im.width / (real)im.height);
         trial_build(&r, p->s);
         trial_picture place = {p->verbs, r.built, &p->s->m, p->from ? *p->from : c, im.width,
                                im.height, p->most};
@@ -106,28 +106,30 @@ static inline void grid_label(image *im, int n, const char *const *title, int ba
     *im = image_new(sheet.width, sheet.height + (bars ? bar : 0));
     label_fill(im, 0, 0, im->width, im->height, vec(1, 1, 1));
     image_place(im, 0, 0, &sheet);
+    bool log = most > 1000;
     if (bars)
-        label_bar(im, im->width - w, sheet.height + 6, w, 9, work_colour, most < 1000 ? 0 : 1,
-                  (double)most, most < 1000 ? "cells and tests" : "cells and tests, logarithmic");
+        label_bar(im, im->width - w + 4, sheet.height + 6, w - 8, 9, work_colour, log, (double)most,
+                  log ? "cells and tests, logarithmic" : "cells and tests");
     image_free(&sheet);
 }
 
-static inline void draw_grid(const options *o, grid_options how)
+static inline void draw_grid(const options *o, const trial_scene *s, grid_options how,
+                             const char *path)
 {
     static const char *const title[2] = {"cells that triangles touch, half of them taken off",
                                          "what each ray takes"};
+    const real most = 160;
+    char name[512];
     image im = image_new(o->width, o->height);
-    trial_scene s;
     int n = o->quick ? 1 : 2;
     grid_options coarse = how;
-    trial_scene_of(teapot_mesh(o->quick ? 4 : 16), &s);
-    coarse.density = how.density / 27;
-    const grid_panel panel[2] = {{&s, &grid_trial, &coarse, NULL, false, 1, n, see_cells},
-                                 {&s, &grid_trial, &how, NULL, false, 160, n, trial_work_colour}};
+    coarse.density = real_max((real)how.density / 27, (real)1e-3);
+    const grid_panel panel[2] = {{s, &grid_trial, &coarse, NULL, path, 1, n, see_cells},
+                                 {s, &grid_trial, &how, NULL, path, most, n, trial_work_colour}};
     bool whole = grid_panels(o, &im, panel, 2);
-    grid_label(&im, 2, title, 1, 160);
-    output_picture(o, &im, "10_grid.png", true, whole);
-    trial_scene_free(&s), image_free(&im);
+    grid_label(&im, 2, title, 1, most);
+    output_picture(o, &im, picture_name("10_grid.png", path, name), true, whole);
+    image_free(&im);
 }
 
 static inline void draw_early(const options *o)
@@ -137,31 +139,13 @@ static inline void draw_early(const options *o)
     trial_scene s;
     int n = o->quick ? 1 : 2;
     trial_scene_of(grid_boards(60, o->seed), &s);
-    const grid_panel panel[2] = {{&s, &grid_trial, &grid_by_27, NULL, false, 1, n, see_early},
-                                 {&s, &grid_trial, &grid_by_27, NULL, false, 1, n,
+    const grid_panel panel[2] = {{&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n, see_early},
+                                 {&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n,
                                   trial_mesh_colour}};
     bool whole = grid_panels(o, &im, panel, 2);
     grid_label(&im, 2, title, 0, 1);
     output_picture(o, &im, "10_grid_early.png", false, whole);
     trial_scene_free(&s), image_free(&im);
-}
-
-static inline void draw_model(const options *o, const trial_scene *s, grid_options how,
-                              const char *path)
-{
-    char name[512];
-    image im = image_new(o->width, o->height);
-    trial_row r = {.verbs = &grid_trial, .how = &how};
-    trial_time_build(&r, s, 1);
-    structure_stats st = grid_stats(r.built);
-    printf("# %zu triangles, %zu cells, %zu references: built in %.3f s\n", s->m.triangles,
-           st.leaves, st.references, r.build);
-    trial_unbuild(&r);
-    const grid_panel panel[2] = {{s, &grid_trial, &how, NULL, true, 1, 2, trial_mesh_colour},
-                                 {s, &grid_trial, &how, NULL, true, 120, 2, trial_work_colour}};
-    bool whole = grid_panels(o, &im, panel, 2);
-    output_picture(o, &im, picture_name("10_grid.png", path, name), true, whole);
-    image_free(&im);
 }
 
 /* Cells and tests, of which p.most is white, on a logarithmic scale. */
@@ -179,15 +163,15 @@ static inline void draw_stadium(const options *o)
     static const char *const title[3] = {"the small teapot, near", "one level: work a ray",
                                          "two levels: work a ray"};
     const real most = 1e5;
-    int side = o->quick ? 60 : 300;
+    int side = o->quick ? 60 : 240;
     image im = image_new(3 * side + 12, side);
     trial_scene s;
-    trial_scene_of(stadium_mesh(o->quick ? 4 : 6), &s);
+    trial_scene_of(stadium_mesh(o->quick ? 4 : 5), &s);
     const camera c = grid_stadium_camera(1);
     const grid_panel panel[3] = {
-        {&s, &nested_trial, &grid_two_levels, &c, false, most, 2, trial_mesh_colour},
-        {&s, &grid_trial, &grid_by_27, &c, false, most, 1, see_work_log},
-        {&s, &nested_trial, &grid_two_levels, &c, false, most, 1, see_work_log}};
+        {&s, &nested_trial, &grid_two_levels, &c, NULL, most, 2, trial_mesh_colour},
+        {&s, &grid_trial, &grid_by_27, &c, NULL, most, 1, see_work_log},
+        {&s, &nested_trial, &grid_two_levels, &c, NULL, most, 1, see_work_log}};
     bool whole = grid_panels(o, &im, panel, 3);
     grid_label(&im, 3, title, 2, most);
     output_picture(o, &im, "10_grid_stadium.png", false, whole);

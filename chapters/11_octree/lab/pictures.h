@@ -12,6 +12,8 @@
 #include "../../09_aabb/trials/pictures.h"
 #include "measure.h"
 
+enum { octree_most_work = 100 };  /* nodes and tests: white */
+
 /* ---------------------------------------------------------------------------------------------- */
 
 /* The leaf in which p lies, and its depth; p on a wall: the upper one. */
@@ -69,15 +71,19 @@ static inline vec3 cells_colour(const void *picture, real x, real y)
     return side_distance(leaf, at, n) < (real)0.5 * pixel * h.t ? vscale(c, 0.35) : c;
 }
 
-/* What the colours mean, below the picture, where there is room for words. */
-static inline void depth_legend(image *im)
+/* What the colours mean, below the picture, where there is room for words: of depths, of work. */
+static inline image octree_legend(const image *im, bool depths)
 {
-    enum { strip = 30, first = 3, last = 10 };
-    if (im->width < 400) return;
-    image sheet = image_new(im->width, im->height + strip);
+    enum { first = 3, last = 10 };
+    bool room = im->width >= 400;
+    image sheet = image_new(im->width, im->height + (room ? 40 : 0));
     label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
     image_place(&sheet, 0, 0, im);
     double x = 20, y = im->height + 20;
+    if (room && !depths)
+        label_bar(&sheet, 20, im->height + 4, im->width - 40, 9, work_colour, 0, octree_most_work,
+                  "nodes and tests of a ray");
+    if (!room || !depths) return sheet;
     label_text(&sheet, x, y, 10, 0, vec(0, 0, 0), "cuts to the leaf:");
     x += label_width("cuts to the leaf:", 10) + 20;
     for (int d = first; d <= last; d++, x += 45) {
@@ -86,8 +92,7 @@ static inline void depth_legend(image *im)
         label_fill(&sheet, (int)x, (int)y - 11, 16, 14, depth_colour(d));
         label_text(&sheet, x + 21, y, 10, 0, vec(0, 0, 0), text);
     }
-    image_free(im);
-    *im = sheet;
+    return sheet;
 }
 
 static inline void draw_octree(const options *o, const trial_scene *s, octree_options how,
@@ -100,29 +105,22 @@ static inline void draw_octree(const options *o, const trial_scene *s, octree_op
     trial_time_build(&r, s, 1);
     mesh_bounds(&s->m, &lo, &hi);
     camera c = camera_of(lo, hi, !path, (real)o->width / (real)o->height);
-    trial_picture p = {&octree_trial, r.built, &s->m, c, im.width, im.height, 100};
+    trial_picture p = {&octree_trial, r.built, &s->m, c, im.width, im.height,
+                       octree_most_work};
     bool whole = pixels_draw(&im, o->quick ? 1 : 3, o->threads, "cells", cells_colour, &p);
     structure_stats st = octree_stats(r.built);
     printf("# %zu triangles: octree of depth %d in %.3f s, %zu leaves, %.1f %% of them empty, "
            "%.2f references a shape, %.1f bytes\n", s->m.triangles, st.depth, r.build, st.leaves,
            100 * (double)st.empty / (double)st.leaves,
            trial_per((double)st.references, st.items), trial_per((double)st.bytes, st.items));
-    image all = image_new(im.width, im.height);
-    image_place(&all, 0, 0, &im);
-    depth_legend(&all);
-    output_picture(o, &all, picture_name("11_octree.png", path, name), true, whole);
-    image_free(&all);
+    image sheet = octree_legend(&im, true);
+    output_picture(o, &sheet, picture_name("11_octree.png", path, name), true, whole);
     if (!o->out && !o->own) {
         whole = pixels_draw(&im, 1, o->threads, "work", trial_work_colour, &p);
-        image sheet = image_new(im.width, im.height + 40);
-        label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
-        image_place(&sheet, 0, 0, &im);
-        label_bar(&sheet, 20, im.height + 4, im.width - 40, 9, work_colour, 0, 100,
-                  "nodes and tests of a ray");
+        image_free(&sheet), sheet = octree_legend(&im, false);
         output_picture(o, &sheet, "11_octree_work.png", false, whole);
-        image_free(&sheet);
     }
-    trial_unbuild(&r), image_free(&im);
+    trial_unbuild(&r), image_free(&im), image_free(&sheet);
 }
 
 /* ---- textbook beside octree_hit ---- */

@@ -46,44 +46,55 @@ BVH_ORDER(bvh_any_ordered, true, true)
 BVH_ORDER(bvh_any_as_stored, true, false)
 
 /* All rules with the same leaves and the same price of a test. */
-enum { bvh_trial_leaf = 8, bvh_rows_most = bvh_rule_count + 6 };
+enum { bvh_rows_most = bvh_rule_count + 6 };
 static bvh_options bvh_rule_how[bvh_rule_count];
 
-static inline int rows_of_rules(trial_row *row, bool full)
+/* Those of the page (it has no room for more than eight rows), or the others. */
+static inline int rows_of_rules(trial_row *row, bool of_page)
 {
     int n = 0;
     for (int k = 0; k < bvh_rule_count; k++) {
-        if (!full && (!bvh_rules[k].split || bvh_rules[k].sorts)) continue;
+        if (of_page != (bvh_rules[k].split && !bvh_rules[k].sorts)) continue;
         bvh_rule_how[k] = bvh_defaults;
-        bvh_rule_how[k].rule = bvh_rules[k].name, bvh_rule_how[k].leaf = bvh_trial_leaf;
+        bvh_rule_how[k].rule = bvh_rules[k].name;
         row[n++] = (trial_row){.name = bvh_rules[k].name, .verbs = &bvh_trial,
                                .how = &bvh_rule_how[k]};
     }
     return n;
 }
 
+static inline int rows_of_all_rules(trial_row *row)
+{
+    int n = rows_of_rules(row, true);
+    return n + rows_of_rules(row + n, false);
+}
+
 static inline void table_of_rules(const options *o, const trial_scene *s)
 {
     static const bool yes = true, no = false;
-    static bvh_options defaults, leaf[3];
-    static const char *const named[3] = {"sah, leaf 1", "sah, leaf 4", "sah, leaf 16"};
+    static const char *const named[4] = {"sah, boxes naive", "sah, leaf 1", "sah, leaf 4",
+                                         "sah, leaf 16"};
+    bvh_options how[4] = {bvh_defaults, bvh_leaves(1, 0.3), bvh_leaves(4, 0.3),
+                          bvh_leaves(16, 0.3)};
     char title[160];
     trial_row row[bvh_rows_most];
     row[0] = (trial_row){.name = "first, SAH", .verbs = &first_bvh_trial, .how = &yes};
-    int n = 1 + rows_of_rules(row + 1, o->full);
-    defaults = bvh_defaults;
-    row[n++] = (trial_row){.name = "sah, boxes naive", .verbs = &bvh_naive_trial,
-                           .how = &defaults};
+    int n = 1 + rows_of_rules(row + 1, true);
+    row[n++] = (trial_row){.name = named[0], .verbs = &bvh_naive_trial, .how = &how[0]};
+    int of_page = n;
     if (o->full) {
-        for (int k = 0; k < 3; k++) {
-            leaf[k] = bvh_defaults, leaf[k].leaf = k == 0 ? 1 : k == 1 ? 4 : 16;
-            row[n++] = (trial_row){.name = named[k], .verbs = &bvh_trial, .how = &leaf[k]};
-        }
+        n += rows_of_rules(row + n, false);
+        for (int k = 1; k < 4; k++)
+            row[n++] = (trial_row){.name = named[k], .verbs = &bvh_trial, .how = &how[k]};
         row[n++] = (trial_row){.name = "first, middle", .verbs = &first_bvh_trial, .how = &no};
     }
     trials_run(row, n, s, o->quick ? 1 : o->full ? 5 : 3);
-    table t = trial_table(trial_title(s, title), row, n, s, o->full, NULL);
+    table t = trial_table(trial_title(s, title), row, of_page, s, false, NULL);
     output_table(o, &t);
+    if (o->full) {
+        t = trial_table(title, row, n, s, true, NULL);
+        output_extra_table(o, &t);
+    }
     trial_end(row, n);
 }
 
@@ -123,7 +134,7 @@ static inline void table_of_overlap(const options *o, const trial_scene *s)
     table out = table_new(
         "Overlap: random lines through the box of the mesh",
         "rule|nodes (14.7)|nodes, lines|tests (14.7)|tests, lines|in both (14.8)");
-    int n = rows_of_rules(row, true);
+    int n = rows_of_all_rules(row);
     for (int i = 0; i < n; i++) {
         bvh b;
         failure f;
@@ -153,7 +164,7 @@ static inline void table_of_paying(const options *o, const trial_scene *s)
                           "front: none is faster in both",
                           "rule|build [ms]|ray [ns]|front|1e4 rays [ms]|1e5 rays [ms]|"
                           "1e6 rays [ms]|1e7 rays [ms]");
-    int n = rows_of_rules(row, true);
+    int n = rows_of_all_rules(row);
     trials_run(row, n, s, 5);
     for (int i = 0; i < n; i++)
         build[i] = row[i].build, search[i] = trial_ns(&row[i], TRIAL_DIFFUSE) * 1e-9;
@@ -178,7 +189,7 @@ static inline void table_of_slivers(const options *o)
         "rule|build [ms]|references|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)");
     trial_scene_of(slivers_mesh(4000, (vec3){0, 0, 0}), &s);
     s.rays[TRIAL_PRIMARY] = rays_primary(trial_camera(&s.m, 1.6), 80, 50);
-    int n = rows_of_rules(row, true);
+    int n = rows_of_all_rules(row);
     trials_run(row, n, &s, 5);
     for (int i = 0; i < n; i++) {
         const bvh_tree *t = bvh_tree_of(row[i].built);

@@ -61,18 +61,14 @@ static inline void survey_free(instances_survey *s)
     forest_free(&s->w);
 }
 
-/* Seconds. */
-static inline double method_build(instances_method *m, const crowd *c)
+static inline void method_build(instances_method *m, const crowd *c)
 {
     failure f;
     instances_options how = instances_defaults;
     how.boxes = m->boxes;
-    double start = clock_seconds();
-    if (m->flat) {
-        m->m = crowd_flattened(c);
-        if (!bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)) fail(f);
-    } else if (!instances_build(c, how, &m->x, &f)) fail(f);
-    return clock_seconds() - start;
+    if (m->flat) m->m = crowd_flattened(c);
+    if (m->flat ? !bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)
+                : !instances_build(c, how, &m->x, &f)) fail(f);
 }
 
 static inline void method_free(instances_method *m)
@@ -95,35 +91,34 @@ static inline bool method_hit(const instances_method *m, ray r, instance_hit *h)
     return m->unit ? instances_hit_naive(&m->x, r, h) : instances_hit(&m->x, r, h);
 }
 
-static inline double method_run_eye(void *context)
+typedef struct { const instances_method *m; bool sun; } method_run;
+
+static inline double method_run_all(void *context)
 {
-    const instances_method *m = context;
+    const method_run *c = context;
+    const instances_method *m = c->m;
+    const ray_set *s = c->sun ? &m->s->shadow : &m->s->eye;
     size_t hits = 0;
     instance_hit h;
-    for (size_t i = 0; i < m->s->eye.n; i++) hits += method_hit(m, m->s->eye.r[i], &h);
-    return (double)hits;
-}
-
-static inline double method_run_shadow(void *context)
-{
-    const instances_method *m = context;
-    const ray_set *s = &m->s->shadow;
-    size_t hits = 0;
     for (size_t i = 0; i < s->n; i++)
-        hits += m->flat ? bvh_mesh_occluded(&m->b, s->r[i]) : instances_occluded(&m->x, s->r[i]);
+        if (!c->sun) hits += method_hit(m, s->r[i], &h);
+        else hits += m->flat ? bvh_mesh_occluded(&m->b, s->r[i])
+                             : instances_occluded(&m->x, s->r[i]);
     return (double)hits;
 }
 
 /* ns[k]: of a ray. */
-static inline void methods_time(instances_method *m, int n, bool shadow, int rounds, double *ns)
+static inline void methods_time(const instances_method *m, int n, bool sun, int rounds, double *ns)
 {
     bench_candidate c[8];
-    for (int k = 0; k < n; k++)
-        c[k] = (bench_candidate){m[k].name, shadow ? method_run_shadow : method_run_eye, &m[k],
-                                 0, 0};
+    method_run run[8];
+    for (int k = 0; k < n; k++) {
+        run[k] = (method_run){&m[k], sun};
+        c[k] = (bench_candidate){m[k].name, method_run_all, &run[k], 0, 0};
+    }
     bench_time(c, n, rounds);
     for (int k = 0; k < n; k++)
-        ns[k] = per(c[k].seconds * 1e9, shadow ? m->s->shadow.n : m->s->eye.n);
+        ns[k] = per(c[k].seconds * 1e9, sun ? m->s->shadow.n : m->s->eye.n);
 }
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
@@ -203,7 +198,7 @@ static inline void table_of_methods(const options *o)
     table out = table_new(title, "method|memory [MB]|instances a ray|triangles a ray|error near|"
                                  "error far|time eye [ns]|time sun [ns]");
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
-                      "wrong answers", PLOT_LOG_Y);
+                      "wrong answers of 100", PLOT_LOG_Y);
     for (int i = 0; i < n; i++) {
         double entered, tests;
         method_work(&m[i], &entered, &tests);
@@ -219,44 +214,36 @@ static inline void table_of_methods(const options *o)
     survey_free(&s);
 }
 
-/* Where it is not built, flattened memory is computed from the bytes a triangle of what was. */
+/* Flattened it is built up to a hundred; from there on its memory is that of as many triangles. */
 static inline void table_of_growth(const options *o)
 {
-    static const size_t number[] = {1, 10, 100, 300, 1000, 10000, 100000};
-    int n = o->quick ? 2 : 7, built = o->quick ? 2 : 4;  /* flattened: while it fits */
+    static const size_t number[] = {1, 10, 100, 1000, 10000, 100000};
+    int n = o->quick ? 2 : 6;
     double mb_a_triangle = 0;
-    table out = table_new(
-        "Growth with the number of instances; flattened: memory from its bytes a triangle where "
-        "it was not built",
-        "instances|triangles|memory [MB]|flattened [MB]|build [ms]|flattened [ms]|instances a ray|"
-        "eye [ns]|flattened [ns]|ratio");
+    table out = table_new("Growth with the number of instances; flattened: built up to 100",
+                          "instances|triangles|memory [MB]|flattened [MB]|build [ms]|"
+                          "instances a ray|eye [ns]");
     plot p = plot_new("Memory of a forest", "instances", "memory [MB]", PLOT_LOG_X | PLOT_LOG_Y);
-    int two = plot_series(&p, "two levels"), flat = plot_series(&p, "flattened, built");
-    int guess = plot_series(&p, "flattened, computed");
+    int two = plot_series(&p, "two levels"), flat = plot_series(&p, "flattened");
     for (int i = 0; i < n; i++) {
         instances_survey s;
-        bool with = i < built;
-        double x = (double)number[i], eye[2] = {0, 0}, entered, tests;
+        double ns, entered, tests;
         survey_make(&s, number[i], o->quick ? 40 : 160, o->quick ? 25 : 100, o->seed);
-        instances_method m[2] = {{.name = "two", .x = s.x, .s = &s},
-                                 {.name = "flat", .flat = true, .s = &s}};
-        double flat_build = with ? method_build(&m[1], &s.c) : 0;
-        methods_time(m, 1 + with, false, o->quick ? 1 : 5, eye);
+        instances_method m[2] = {{.name = "two", .x = s.x, .s = &s}, {.flat = true, .s = &s}};
+        methods_time(m, 1, false, o->quick ? 1 : 5, &ns);
         method_work(&m[0], &entered, &tests);
         double triangles = instances_stats(&s.x).triangles, mb = method_megabytes(&m[0]);
-        if (with) mb_a_triangle = method_megabytes(&m[1]) / triangles;
-        double flat_mb = mb_a_triangle * triangles;
-        const double cell[] = {mb, flat_mb, s.build * 1e3, with ? flat_build * 1e3 : -1,
-                               entered, eye[0], with ? eye[1] : -1,
-                               with ? eye[0] / eye[1] : -1};
-        table_count(&out, number[i]), table_number(&out, triangles);
-        for (size_t k = 0; k < sizeof cell / sizeof *cell; k++)
-            if (cell[k] < 0) table_text(&out, "-");
-            else table_number(&out, cell[k]);
-        plot_add(&p, two, x, mb);
-        if (with) plot_add(&p, flat, x, flat_mb);
-        if (i + 1 >= built) plot_add(&p, guess, x, flat_mb);  /* from the last on */
-        bvh_mesh_free(&m[1].b), mesh_free(&m[1].m);
+        if (number[i] <= 100) {
+            method_build(&m[1], &s.c);
+            mb_a_triangle = method_megabytes(&m[1]) / triangles;
+            bvh_mesh_free(&m[1].b), mesh_free(&m[1].m);
+        }
+        const double cell[] = {triangles, mb, mb_a_triangle * triangles, s.build * 1e3, entered,
+                               ns};
+        table_count(&out, number[i]);
+        for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
+        plot_add(&p, two, (double)number[i], mb);
+        plot_add(&p, flat, (double)number[i], mb_a_triangle * triangles);
         survey_free(&s);
     }
     output_extra_table(o, &out);

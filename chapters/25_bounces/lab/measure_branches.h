@@ -12,7 +12,7 @@
 #ifndef BOUNCES_MEASURE_BRANCHES_H
 #define BOUNCES_MEASURE_BRANCHES_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../../20_monte_carlo/estimate.h"
@@ -198,14 +198,14 @@ static inline double timed_run(void *context)
 static inline int trial_times(branch_survey *b, const options *o, int first)
 {
     timed_trial t[branch_kinds];
-    clock_variant v[branch_kinds];
+    bench_candidate v[branch_kinds];
     int n = 0;
     branch_trial *of = &b->trial[first];
     for (; first + n < b->trials && of[n].room == of->room && of[n].d == of->d; n++) {
         t[n] = (timed_trial){b, &of[n], o->quick ? 500 : 3000, 0};
-        v[n] = (clock_variant){"", timed_run, &t[n], 0};
+        v[n] = (bench_candidate){.run = timed_run, .context = &t[n]};
     }
-    clock_compare(v, n, o->quick ? 1 : 15);
+    bench_time(v, n, o->quick ? 1 : 15);
     for (int i = 0; i < n; i++) of[i].us = v[i].seconds / t[i].rays * of[i].rays * 1e6;
     return first + n;
 }
