@@ -1,8 +1,8 @@
 /* drawing.h: why the proof asks a ray three times: the boxes of example.h along a real ray.
  *
- *   closed_draw(&o)      17_compare_closed.svg: a row for each box on the way from the root to the leaf
- *                        that is hit, from where the ray enters it to where it leaves; below, the
- *                        three intervals (proof.h)
+ *   closed_draw(&o)      17_compare_closed.svg: a row for each box on the way from the root to the
+ *                        leaf that is hit, from where the ray enters it to where it leaves; below,
+ *                        the three intervals (proof.h)
  */
 #ifndef COMPARE_LAB_DRAWING_H
 #define COMPARE_LAB_DRAWING_H
