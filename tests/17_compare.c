@@ -654,7 +654,7 @@ static void test_knobs(void)
     compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
     check_equal(s.entries, 5, "five structures, three of them the same");
     check_equal(s.entry[0].stats.leaves, s.x.n, "a leaf a triangle");
-    check_at_most(s.entry[1].stats.leaves, 0.7 * (double)s.x.n, "leaves of up to eight");
+    check_at_most((double)s.entry[1].stats.leaves, 0.7 * (double)s.x.n, "leaves of up to eight");
     check(s.entry[2].stats.leaves != s.entry[1].stats.leaves, "another rule, another tree");
     check_at_most(s.entry[3].stats.depth, 2, "an octree of depth 2");
     check(strcmp(all.of[1].label, "bvh:leaf=8:cost=2") == 0, "its name: %s", all.of[1].label);

@@ -321,7 +321,7 @@ static inline void structure_tests(const structure *s, size_t rays)
     structure_meshes(s, rays);
     structure_flat(s, rays);
     structure_none(s);
-    structure_ties(s, 1000);
+    structure_ties(s, check_count(4000) < 1000 ? check_count(4000) : 1000);
     structure_sick(s, 2 * rays);
     structure_exponential(s, 2 * rays);
     structure_shapes(s, 4 * rays);

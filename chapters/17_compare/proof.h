@@ -3,7 +3,7 @@
  *
  *   bool prove_ray(c, s, r, due, &w)      due: brute force's hit, or hit_none. False: w says where
  *   bool prove_closed(c, s, r, due, &w)   the same, and again on [tmin, t] and on [t, t], t that of
- *                                         the hit: the interval is closed, so both find it
+ *                                         the hit: the interval is closed, so both find it (17.10)
  *
  * Rays that end exactly at their hit find out what others do not: a search that drops a box that is
  * entered at t = tmax, or whose tmax was rounded down on the way, passes all other rays.

@@ -1,6 +1,6 @@
 /* nff_world.h: reads a scene in NFF, the Neutral File Format of the Standard Procedural Databases,
- * as a world: its view, lights, colours and shapes. (27 reads the same format with all that a picture
- * takes: materials, patches with normals, scenes of many files.)
+ * as a world: its view, lights, colours and shapes. (27 reads the same format with all that a
+ * picture takes: materials, patches with normals, scenes of many files.)
  *
  *   v  from x y z  at x y z  up x y z  angle a  hither h  resolution w h       the view
  *   b  r g b                               background
@@ -95,7 +95,7 @@ static inline bool nff_world_polygon(nff_world_reader *r, bool normals)
     real number = 0, normal[3];
     vec3 p[3];
     if (!nff_world_numbers(r, &number, 1)) return false;
-    if (!(number >= 3 && number <= 1e6 && number == floor(number)))
+    if (!(number >= 3 && number <= 1000000 && number == floor(number)))
         return text_bad(&r->t, r->t.p, "no count of corners before", "whole numbers from 3");
     size_t n = (size_t)number;
     for (size_t k = 0; k < n; k++) {

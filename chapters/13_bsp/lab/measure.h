@@ -3,7 +3,7 @@
  *   table_of_rules(o)       the main table, and the plot of building against searching
  *   table_of_scenes(o)      planes across the axes and of any direction, scene by scene
  *   table_of_losses(o)      wrong hits of 6000 rays aimed where planes are
- *   table_of_pieces(o)      of the painter, and their plot
+ *   table_of_pieces(o)      of the painter
  */
 #ifndef BSP_MEASURE_H
 #define BSP_MEASURE_H
@@ -72,19 +72,21 @@ static inline void plot_of_rules(const options *o, const trial_row *row, const b
                       PLOT_LOG_X);
     int across = plot_series(&p, "across the axes"), own = plot_series(&p, "any only");
     int any = plot_series(&p, "both, by candidates");
-    for (int i = 0; i < bsp_candidates; i++)
-        if (row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE
-            && rule_by_cost(how[i].rule))
-            plot_add(&p, how[i].rule == BSP_AXIS ? across : how[i].rule == BSP_OWN ? own : any,
-                     row[i].build * 1e3, trial_ns(&row[i], TRIAL_DIFFUSE));
+    for (int tries = 1; tries <= 64; tries *= 4)
+        for (int i = 0; i < bsp_candidates; i++) {
+            bool safe = row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE;
+            int series = how[i].rule == BSP_AXIS ? across : how[i].rule == BSP_OWN ? own : any;
+            if (safe && rule_by_cost(how[i].rule) && how[i].candidates == tries)
+                plot_add(&p, series, row[i].build * 1e3, trial_ns(&row[i], TRIAL_DIFFUSE));
+        }
     output_plot(o, &p, "13_bsp_time.svg");
 }
 
 static inline void table_of_rules(const options *o)
 {
-    static const trial_columns own = {"|planes/tri|slanted [%]|empty [%]", bsp_cells};
+    static const trial_columns own = {"|planes a shape|slanted [%]|empty [%]", bsp_cells};
     int n = o->full ? bsp_candidates : bsp_short, width = o->quick ? 40 : o->full ? 160 : 80;
-    char title[160];
+    char title[160], brief[200];
     trial_scene s;
     trial_row row[bsp_candidates];
     bsp_options how[bsp_candidates];
@@ -99,9 +101,14 @@ static inline void table_of_rules(const options *o)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 2000, o->seed,
                &bsp_trial, &how[2]);
     trials_run(row, n, &s, o->quick ? 1 : o->full ? 15 : 3);
-    table out = trial_table(trial_title(&s, title), row, n, &s, o->full, &own);
+    snprintf(brief, sizeof brief, "Which plane: %s", trial_title(&s, title));
+    table out = trial_table(brief, row, bsp_short, &s, false, NULL);
     output_table(o, &out);
-    if (o->full) plot_of_rules(o, row, how);
+    if (o->full) {
+        out = trial_table(trial_title(&s, title), row, n, &s, true, &own);
+        output_extra_table(o, &out);
+        plot_of_rules(o, row, how);
+    }
     trial_end(row, n), trial_scene_free(&s);
 }
 
@@ -109,7 +116,7 @@ static inline void table_of_rules(const options *o)
 
 static inline mesh splinters(size_t n)  /* 1 long, 0.01 wide, at all angles */
 {
-    mesh m = puzzle_new(n);
+    mesh m = mesh_room(n);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(77, i, 0);
         real *v = (real *)&m.v[3 * i];
@@ -121,7 +128,7 @@ static inline mesh splinters(size_t n)  /* 1 long, 0.01 wide, at all angles */
 
 static inline mesh soup(size_t n)  /* 0.05 large, in a cube of 2 */
 {
-    mesh m = puzzle_new(n);
+    mesh m = mesh_room(n);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(78, i, 0);
         real *v = (real *)&m.v[3 * i];
@@ -149,8 +156,9 @@ static inline void table_of_scenes(const options *o)
     static const char *const name[7] = {"teapot", "torus", "town", "town, turned", "soup",
                                         "splinters", "stadium"};
     table out = table_new("Planes across the axes, and of any direction: lines through the box",
-                          "scene|triangles|rule|time build [ms]|memory [B/tri]|slanted [%]|"
-                          "names/tri|nodes/ray|tests/ray|error [wrong]|time [ns]|time gained [%]");
+                          "scene|triangles|rule|time build [ms]|bytes a shape|slanted [%]|"
+                          "references a shape|nodes a ray|tests a ray|error [wrong]|time [ns]|"
+                          "time gained [%]");
     bsp_options how[2] = {bsp_with(BSP_AXIS, 1, BSP_SIDES_SAFE),
                           bsp_with(BSP_COST, 16, BSP_SIDES_SAFE)};
     for (int k = 0; k < 7; k++) {
@@ -260,13 +268,8 @@ static inline void table_of_pieces(const options *o)
     static const char *const names[4] = {"comb", "crossing walls", "torus", "teapot"};
     table out = table_new("The painter's pieces, by the rule that picks planes",
                           "scene|triangles|first|random|fewest of 16|(13.8)|n^2 / 4");
-    plot p = plot_new("Triangles, and the pieces that they are cut into", "triangles", "pieces",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    int series[6] = {plot_series(&p, "comb, first"), plot_series(&p, "comb, random"),
-                     plot_series(&p, "comb, fewest"), plot_series(&p, "crossing, fewest"),
-                     plot_series(&p, "teapot, random"), plot_series(&p, "teapot, fewest")};
     for (int k = 0; k < 4; k++)
-        for (int n = 4; n <= (k == 0 ? 256 : 64); n *= k == 0 ? 4 : 2) {
+        for (int n = 4; n <= (k == 0 ? 256 : 64); n *= 4) {
             if (k >= 2 && n > 16) continue;
             size_t s = (size_t)n;
             mesh m = k == 0 ? comb_mesh(s) : k == 1 ? crossing_mesh(s)
@@ -278,14 +281,9 @@ static inline void table_of_pieces(const options *o)
             table_text(&out, "%s", names[k]), table_count(&out, m.triangles);
             table_count(&out, first), table_count(&out, random), table_count(&out, fewest);
             table_number(&out, all + 2 * all * log(all)), table_number(&out, all * all / 4);
-            if (k == 0) plot_add(&p, series[0], all, (double)first);
-            if (k == 0 || k == 3) plot_add(&p, series[k ? 4 : 1], all, (double)random);
-            if (k != 2) plot_add(&p, series[k == 0 ? 2 : k == 1 ? 3 : 5], all, (double)fewest);
             mesh_free(&m);
         }
-    plot_slope(&p, 1, "slope 1"), plot_slope(&p, 2, "slope 2");
     output_extra_table(o, &out);
-    output_plot(o, &p, "13_bsp_pieces.svg");
 }
 
 #endif

@@ -251,11 +251,16 @@ static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool 
 /* The first versions are allowed to be wrong: counted, not explained. */
 static inline void compare_count_wrong(comparison *s, const ray *r, size_t n, bool aimed)
 {
-    for (int k = 0; k < s->entries; k++) {
-        compare_entry *e = &s->entry[k];
-        for (size_t i = 0; e->s && contender_is_first(e->c) && i < n; i++) {
-            hit due = hit_none, h = hit_none;
-            items_hit(&s->x, r[i], &due);
+    int firsts = 0;
+    for (int k = 0; k < s->entries; k++)
+        firsts += s->entry[k].s && contender_is_first(s->entry[k].c);
+    for (size_t i = 0; firsts && i < n; i++) {
+        hit due = hit_none;
+        items_hit(&s->x, r[i], &due);
+        for (int k = 0; k < s->entries; k++) {
+            compare_entry *e = &s->entry[k];
+            hit h = hit_none;
+            if (!e->s || !contender_is_first(e->c)) continue;
             e->c->hit(e->s, r[i], &h);
             e->wrong[!aimed] += first_is_wrong(h, due), e->held[!aimed]++;
         }

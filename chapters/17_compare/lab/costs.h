@@ -19,8 +19,7 @@
  * them, timed; steps and tests are counted with that quarter. A median of 20,000 rays stands still
  * within some percent; of 2,000 that come after ten other structures a third is waiting for memory.
  * Who takes more than cost_patience seconds a turn has fewer turns, one at least. Brute force is
- * timed with a part of the rays, so many as 5e6 tests allow; first versions, where there are few
- * turns, with 2,500, once.
+ * timed with a part of the rays, so many as 5e6 tests allow; first versions with 2,500, once.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
@@ -48,7 +47,7 @@ static inline void cost_count(compare_entry *e, compare_kind kind, const ray_set
     e->work[kind] = w, e->counted[kind] = some->n;
 }
 
-enum { cost_most_turns = 9, cost_many_turns = 5 };
+enum { cost_most_turns = 9 };
 static const double cost_patience = 0.05;
 
 static inline double cost_turn(compare_entry *e, compare_kind kind, const ray_set *all,
@@ -74,14 +73,14 @@ static inline void cost_kind(comparison *s, compare_kind kind, int turns)
     double seconds[compare_most][cost_most_turns];
     int done[compare_most] = {0};
     ray_set few = rays_some(&s->rays[kind], 5000000 / (s->x.n + 1) / (size_t)turns + 4);
-    ray_set some = rays_some(&s->rays[kind], turns < cost_many_turns ? 2500 : SIZE_MAX);
+    ray_set some = rays_some(&s->rays[kind], 2500);
     hit *out = allocate(s->rays[kind].n, sizeof *out);
     for (int turn = 0; turn < turns; turn++)
         for (int k = 0; k < s->entries; k++) {
             compare_entry *e = &s->entry[k];
             bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
             const ray_set *all = slow ? &few : contender_is_first(e->c) ? &some : &s->rays[kind];
-            if (turn > 0 && all == &some && turns < cost_many_turns) continue;
+            if (turn > 0 && all == &some) continue;
             if (!e->s || (turn > 0 && turn * seconds[k][0] > turns * cost_patience)) continue;
             compare_progress(s->w->name, "timing", e->choice->label);
             ray_set warm = rays_some(all, all->n / 4 + 1);
@@ -219,13 +218,15 @@ static inline void cost_table(const options *o, const comparison *s, const char 
     const compare_entry *slow = NULL;
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].c == &brute_contender) slow = &s->entry[k];
-    for (int k = 0; k < s->entries; k++) cost_row(&t, s, &s->entry[k], slow);
+    for (int k = 0; k < s->entries; k++)
+        if (s->entry[k].s || !contender_is_first(s->entry[k].c))
+            cost_row(&t, s, &s->entry[k], slow);
     html_table(to, &t);
     output_extra_table(o, &t);
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].s && contender_is_first(s->entry[k].c)) cost_print_wrong(&s->entry[k]);
     for (int k = 0; k < s->entries; k++)
-        if (!s->entry[k].s)
+        if (!s->entry[k].s && !contender_is_first(s->entry[k].c))
             printf("# %s does not fit: %s\n", s->entry[k].choice->label, s->entry[k].why.text);
     cost_cheapest(s);
 }
@@ -251,9 +252,9 @@ static inline void cost_csv_row(table *t, const comparison *s, const compare_ent
 static inline void cost_csv(table *t, const comparison *s)
 {
     for (int i = 0; i < s->entries; i++)
-        for (int k = 0; k < compare_kinds; k++)
+        for (compare_kind k = 0; k < compare_kinds; k++)
             if (s->entry[i].rays[k] || !s->entry[i].s)
-                cost_csv_row(t, s, &s->entry[i], kind_name[k], (compare_kind)k);
+                cost_csv_row(t, s, &s->entry[i], kind_name[k], k);
 }
 
 /* The file of --csv; the tables on the screen have other columns. */

@@ -5,7 +5,7 @@
  * Without `large`, who took more than growth_patience seconds to build the size before, or for a
  * ray a hundred times as long as the fastest, is left out of the larger ones.
  *
- * time ~ n^a (17.2): 1 for brute force. A tree that does log n steps has an a that falls with n;
+ * time ~ n^a (17.9): 1 for brute force. A tree that does log n steps has an a that falls with n;
  * how many more steps a doubling of n takes is the better number. Least squares against log n.
  */
 #ifndef COMPARE_LAB_GROWTH_H

@@ -29,7 +29,7 @@ static const knob knobs[] = {
     {"octree", "depth", KNOB_AT(octree, depth), KNOB_INT, 0, octree_most_depth},
     {"octree", "mailbox", KNOB_AT(octree, mailbox), KNOB_FLAG, 0, 1},
     {"kdtree", "rule", KNOB_AT(kdtree, strategy), KNOB_INT, 0, kdtree_strategies - 1},
-    {"kdtree", "leaf", KNOB_AT(kdtree, leaf), KNOB_INT, 1, 1e6},
+    {"kdtree", "leaf", KNOB_AT(kdtree, leaf), KNOB_INT, 0, 1e6},
     {"kdtree", "depth", KNOB_AT(kdtree, depth), KNOB_INT, 0, kdtree_most_depth},
     {"kdtree", "cost", KNOB_AT(kdtree, item_cost), KNOB_DOUBLE, 1e-3, 1e3},
     {"kdtree", "bonus", KNOB_AT(kdtree, empty_bonus), KNOB_DOUBLE, 0, 0.99},

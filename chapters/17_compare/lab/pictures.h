@@ -104,6 +104,7 @@ static inline image visits_draw(const options *o, const world *w, const line_up 
     compare_begin(&s, w, &shown, most_bytes, 1);
     int rows = s.entries / visits_columns + 1, across = o->width / visits_columns;
     image im = image_new(o->width, rows * (across > 0 ? across : 1));
+    label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
     const compare_entry *e = compare_any(&s);
     sheet_panel p = {w, e ? e->c : NULL, e ? e->s : NULL, 0, 0, w->name};
     *whole = !e || sheet_place(p, sheet_colour, o->quick ? 1 : 2, 0, visits_columns, rows,

@@ -2,14 +2,15 @@
  *
  *   compare_run(&settings, &own)
  *
- * Without --full: both pictures, and one table of four small scenes, diffuse rays. With it: a table
- * a scene, all of them in four tables, growth with n, chart and plots. --scene, --mesh: the tables of
- * those. --large: scenes of 1e4 to 1e6 shapes.
+ * Without --full: the pictures, and one table of four small scenes, diffuse rays. With it: a table
+ * a scene, all of them in four tables, growth with n, chart and plots. --scene, --mesh: the tables
+ * of those. --large: scenes of 1e4 to 1e6 shapes.
  */
 #ifndef COMPARE_LAB_RUN_H
 #define COMPARE_LAB_RUN_H
 
 #include "chart.h"
+#include "drawing.h"
 #include "growth.h"
 #include "pictures.h"
 #include "settings.h"
@@ -83,6 +84,7 @@ static inline void draw_pictures(const compare_settings *c, compare_results *r)
     output_picture(o, &im, "17_compare_visits.png", false, whole);
     image_free(&im);
     world_free(&w);
+    closed_draw(o);
 }
 
 /* The picture of one's own scene, for the report. */
@@ -127,8 +129,8 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     bool several = own->mesh[1];
     html_heading(r->html, "Verdict");
     html_text(r->html, "%zu rays were proved to have the same hits in all structures, %zu of them "
-              "by brute force, before anything was timed. Each time is the median of several turns on "
-              "one thread, each structure warmed before its turn.", r->proved, r->by_brute);
+              "by brute force, before anything was timed. Each time is the median of several turns "
+              "on one thread, each structure warmed before its turn.", r->proved, r->by_brute);
     if (!o->full && !c->large && !own->mesh[0] && !own->scene) {
         summary_few(o, &r->summary, r->html);
     } else if (r->html || several || (!own->mesh[0] && !own->scene)) {

@@ -1,7 +1,7 @@
-/* summary.h: all scenes in four tables. A row a structure, a column a scene: nanoseconds a ray, mean
- * of the kinds of rays as the scene has them; milliseconds to build; seconds in all for building and
- * a million rays. And who wins: who is fastest, and how many times as long a ray takes in the k-d
- * tree as in the BVH.
+/* summary.h: all scenes in four tables. A row a structure, a column a scene: nanoseconds a ray,
+ * mean of the kinds of rays as the scene has them; milliseconds to build; seconds in all for
+ * building and a million rays. And who wins: who is fastest, and how many times as long a ray takes
+ * in the k-d tree as in the BVH.
  *
  *   compare_summary m = {.chosen = &chosen};
  *   summary_add(&m, &s)                 a scene that was measured
