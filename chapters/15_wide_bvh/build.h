@@ -4,13 +4,13 @@
  *
  *   1. Items: their boxes in the tree's frame. What can't be hit is left out.
  *   2. A binary tree (14), from the root down, by surface area, with one difference: a leaf costs
- *      as many tests as it has blocks, so a cut into L and R costs                        (15.1)
+ *      as many tests as it has blocks, so a cut into L and R costs                        (15.4)
  *
  *          area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)
  *
  *      which leaves blocks fuller than counting triangles does.
  *   3. Collapse (合并). Which of the binary tree's nodes remain? Of a subtree s that may take up to
- *      j places in the node above, the cheapest way costs                                 (15.2)
+ *      j places in the node above, the cheapest way costs                                 (15.5)
  *
  *          C(s, 1) = area(s) min(node_cost + .., leaf_cost)     it takes one place: a node or a leaf
  *          C(s, j) = min over k of C(left, k) + C(right, j - k), or C(s, j - 1)
@@ -43,7 +43,7 @@ typedef struct {
     bvh_item *item;
     size_t n;
     bvh_node *node;       /* [2 n] the binary tree; count: items below, of inner nodes, too */
-    uint8_t (*pick)[8];   /* [2 n] pick[s][j - 1]: the best k of (15.2); 0: C(s, j - 1), or a leaf */
+    uint8_t (*pick)[8];   /* [2 n] pick[s][j - 1]: the best k of (15.5); 0: C(s, j - 1), or a leaf */
     uint32_t *leaf;       /* [blocks] the binary node that becomes that block */
     bvh8_job *job;
     size_t jobs, job_size;
@@ -109,7 +109,7 @@ static inline double bvh8_blocks_of(const bvh_box *box, uint32_t n)
     return n ? box_area(box) * (double)((n + 7) / 8) : HUGE_VAL;
 }
 
-/* (15.1) for all planes between bins of an axis. */
+/* (15.4) for all planes between bins of an axis. */
 static inline void bvh8_sweep(const bvh8_bin *bin, int bins, int axis, bvh8_cut *best)
 {
     double right[bvh8_bins];
@@ -172,7 +172,7 @@ static inline float bvh8_leaf_price(const bvh8_builder *b, const bvh_node *n)
     return (float)box_area(&n->box) * tests;
 }
 
-/* (15.2) at an inner node, from its children's. */
+/* (15.5) at an inner node, from its children's. */
 static inline void bvh8_price(const bvh8_builder *b, uint32_t at, const bvh8_costs *l,
                               const bvh8_costs *r, bvh8_costs *out)
 {
@@ -187,7 +187,7 @@ static inline void bvh8_price(const bvh8_builder *b, uint32_t at, const bvh8_cos
         }
         if (pick[j - 1] == 0) pick[j - 1] = 1;  /* areas that overflowed */
     }
-    cost[0] = cost[7] + area, pick[0] = 1;
+    cost[0] = cost[b->how.width - 1] + area, pick[0] = 1;
     float leaf = bvh8_leaf_price(b, n);
     if (leaf <= cost[0]) cost[0] = leaf, pick[0] = 0;
     for (int j = 2; j <= 8; j++)
@@ -232,7 +232,7 @@ static inline void bvh8_grow_job(size_t i, void *context)
     bvh8_grow(b, j->at, j->begin, j->n, j->depth, false, &j->costs);
 }
 
-/* (15.2) for the top of the tree, when all jobs are done: they come up again in the same order. */
+/* (15.5) for the top of the tree, when all jobs are done: they come up again in the same order. */
 static inline void bvh8_price_top(bvh8_builder *b, uint32_t at, size_t n, size_t *job,
                                   bvh8_costs *out)
 {
@@ -250,7 +250,7 @@ static inline void bvh8_price_top(bvh8_builder *b, uint32_t at, size_t n, size_t
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Adds to list[] the nodes that take the `places` places that (15.2) gave to `at`. */
+/* Adds to list[] the nodes that take the `places` places that (15.5) gave to `at`. */
 static inline int bvh8_places(const bvh8_builder *b, uint32_t at, int places, uint32_t *list, int n)
 {
     const uint8_t *pick = b->pick[at];
@@ -279,7 +279,7 @@ static inline uint32_t bvh8_emit(bvh8_builder *b, uint32_t at, int depth, bool r
         return bvh8_leaf | (uint32_t)w->blocks++;
     }
     uint32_t me = (uint32_t)w->nodes++, list[8], first = b->node[at].first;
-    int n = 1, places = 8;
+    int n = 1, places = b->how.width;
     const uint8_t *pick = b->pick[at];
     list[0] = at;  /* the root is a leaf: a node with one child */
     if (pick[0]) {
@@ -363,6 +363,9 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
     if (x->n >> 30) return failed(f, 2, "%zu items: fewer than 2^30 fit", x->n);
     if (aabb_is_empty(all)) return true;
     bvh8_frame(w, all);
+    size_t need = x->n * (sizeof(bvh_item) + 2 * (sizeof(bvh_node) + 8) + 64);
+    if (need > how.most_bytes)
+        return failed(f, 1, "%zu items: more than the %zu bytes allowed", x->n, how.most_bytes);
     bvh8_builder b = {.w = w, .how = how, .item = allocate(x->n, sizeof(bvh_item))};
     parallel_for((x->n + bvh8_chunk - 1) / bvh8_chunk, how.threads, "items", bvh8_item_job, &b);
     for (size_t i = 0; i < x->n; i++)

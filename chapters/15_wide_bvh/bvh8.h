@@ -19,6 +19,8 @@
  *
  *   how.leaf_cost     of a block, where a node costs 1          how.shape_cost   of one shape
  *   how.cut           the binary tree below: down to so many items [1..8]
+ *   how.width         children a node [2..8]
+ *   how.most_bytes    while it is built, about; more: false
  *   how.threads       0: one a core; the tree is the same for any number
  *   how.dialect       EIGHT_PLAIN .. EIGHT_AVX512, at most what the machine has
  *

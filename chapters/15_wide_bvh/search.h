@@ -19,10 +19,9 @@
 #define EIGHT_TARGET_2(list) _Pragma(#list)
 #define EIGHT_TARGET_1(names) _Pragma("GCC push_options") EIGHT_TARGET_2(GCC target(names))
 #define EIGHT_TARGET_END _Pragma("GCC pop_options")
-/* It warns that functions of this file cannot be called from other compilers' files. */
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
 #endif
+/* Both warn that other compilers would hand over eight floats otherwise; nobody else is called. */
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 #define EIGHT_DIALECT 0
 #include "walk.h"
@@ -37,9 +36,5 @@ EIGHT_TARGET_1("avx2,fma,avx512f,avx512vl,avx512dq")
 #define EIGHT_DIALECT 2
 #include "walk.h"
 EIGHT_TARGET_END
-#endif
-
-#ifndef __clang__
-#pragma GCC diagnostic pop
 #endif
 #endif

@@ -27,11 +27,12 @@ typedef struct { uint32_t index[8]; } bvh8_list;
 
 typedef struct {
     float leaf_cost, shape_cost;
-    int cut, threads;
+    int cut, width, threads;
     eight_dialect dialect;
+    size_t most_bytes;
 } bvh8_options;
 
-#define bvh8_defaults ((bvh8_options){(float)0.7, 1, 4, 0, eight_best()})
+#define bvh8_defaults ((bvh8_options){(float)0.7, 1, 4, 8, 0, eight_best(), SIZE_MAX})
 
 typedef struct {
     items x;
@@ -45,7 +46,7 @@ typedef struct {
     size_t nodes, blocks;
     size_t held;          /* items in them */
     int depth;            /* of the deepest node; the root: 1 */
-    double cost;          /* by (15.2), as a part of the root's area */
+    double cost;          /* by (15.5), as a part of the root's area */
     size_t bytes, peak;   /* held now; the most while it was built */
 } bvh8;
 

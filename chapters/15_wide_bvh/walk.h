@@ -110,13 +110,13 @@ static inline bool bvh8_shapes(const bvh8 *w, const bvh8_list *l, const bvh8_ray
 
 /* The leaky search believes what it has computed. */
 __attribute__((always_inline))
-static inline void bvh8_keep(const bvh8_block *b, unsigned left, eight t, eight u, eight v,
-                             bvh8_state *s)
+static inline void bvh8_keep(const bvh8_block *b, unsigned left, const eight tuv[3], bvh8_state *s)
 {
     for (; left; left &= left - 1) {
         int k = __builtin_ctz(left);
-        if (b->index[k] == no_shape || t[k] > s->limit) continue;
-        s->limit = t[k], s->u = u[k], s->v = v[k], s->waiting = b, s->lane = k;
+        if (b->index[k] == no_shape || tuv[0][k] > s->limit) continue;
+        s->limit = tuv[0][k], s->u = tuv[1][k], s->v = tuv[2][k];
+        s->waiting = b, s->lane = k;
     }
 }
 
@@ -140,7 +140,7 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
     else {
         eight m = EIGHT_FAR(ax, bx), m1 = EIGHT_FAR(cx, ay), m2 = EIGHT_FAR(by, cy);
         m = EIGHT_FAR(m, m1), m = EIGHT_FAR(m, m2);
-        bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));      /* (15.5) */
+        bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));      /* (15.8) */
         bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
         left = ~(EIGHT_LE(lo, -bound) & EIGHT_LE(bound, hi)) & 255;
     }
@@ -155,7 +155,7 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
         eight deep = EIGHT_MAX(az, bz), flat = EIGHT_MIN(az, bz), size = EIGHT_FAR(det, det);
         deep = EIGHT_MAX(deep, cz), flat = EIGHT_MIN(flat, cz);
         eight steep = EIGHT_FAR(scaled * sz, zero);
-        eight error = EIGHT_FMA(steep, bound * 4 * (deep - flat), EIGHT_ALL(q->tail)); /* (15.6) */
+        eight error = EIGHT_FMA(steep, bound * 4 * (deep - flat), EIGHT_ALL(q->tail)); /* (15.9) */
         eight over = bound * EIGHT_ALL(1.01f), many = bound * EIGHT_ALL(16);
         sure = (EIGHT_LE(over, lo) | EIGHT_LE(hi, -over)) & EIGHT_LE(many, size);
         span[0] = t - error, span[1] = t + error;
@@ -163,7 +163,7 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
     left &= ~sure | (EIGHT_LE(span[0], EIGHT_ALL(s->limit)) & EIGHT_LE(EIGHT_ALL(q->tmin), span[1]));
     if (left == 0 || (leaky && any)) return left != 0;
     if (leaky) {
-        bvh8_keep(b, left, t, e1 * scaled, e2 * scaled, s);
+        bvh8_keep(b, left, (eight[]){t, e1 * scaled, e2 * scaled}, s);
         return false;
     }
     unsigned safe = sure & left & EIGHT_LE(EIGHT_ALL(q->sure_min), span[0])
@@ -179,11 +179,12 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
 
 /* The children of `mask` onto the stack, the nearest on top. Returns how many there are now. */
 __attribute__((always_inline))
-static inline int bvh8_push(const bvh8_node *n, unsigned mask, eight enter, uint64_t *stack, int top)
+static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *enter,
+                            uint64_t *stack, int top)
 {
     uint32_t bits[8];
-    enter = EIGHT_MAX(enter, EIGHT_ALL(0));
-    memcpy(bits, &enter, sizeof bits);
+    eight from = EIGHT_MAX(*enter, EIGHT_ALL(0));
+    memcpy(bits, &from, sizeof bits);
     for (int base = top; mask; mask &= mask - 1) {
         int k = __builtin_ctz(mask), j = top++;
         uint64_t key = (uint64_t)bits[k] << 32 | n->child[k];
@@ -213,7 +214,7 @@ static inline bool bvh8_walk(const bvh8 *w, ray r, hit *out, bool any, bool leak
             if (mask == 0) goto pop;
             at = n->child[__builtin_ctz(mask)];
             if ((mask & (mask - 1)) == 0) continue;
-            top = bvh8_push(n, mask, enter, stack, top);
+            top = bvh8_push(n, mask, &enter, stack, top);
             at = (uint32_t)stack[--top];
         }
         at &= ~bvh8_leaf;
@@ -236,7 +237,7 @@ static inline bool bvh8_walk(const bvh8 *w, ray r, hit *out, bool any, bool leak
     }
 end:
     if (leaky && s.waiting && !any) {
-        *out = (hit){(real)((double)s.limit / q.scale), (real)s.u, (real)s.v, s.waiting->index[s.lane]};
+        *out = (hit){(real)(((double)s.limit + q.shift) / q.scale), (real)s.u, (real)s.v, s.waiting->index[s.lane]};
         return true;
     }
     if (!any && s.waiting) bvh8_ask(w, s.waiting, s.lane, &s);
