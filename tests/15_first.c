@@ -50,7 +50,7 @@ static void test_collapse(void)
     for (int i = 0; i < w.nodes; i++)
         for (int c = 0; c < first_width; c++) leaves += w.node[i].child[c] < 0;
     check_equal(leaves, w.binary.nodes - inner, "every leaf of the binary tree is a child once");
-    check_at_most(w.nodes, 0.6 * inner, "four wide: a little more than half of the inner nodes remain");
+    check_at_most(w.nodes, 0.6 * inner, "four wide: about half of the inner nodes remain");
     first_wide_free(&w);
     first_mesh_free(&m);
 }

@@ -12,7 +12,7 @@
  *   3. Collapse (合并). Which of the binary tree's nodes remain? Of a subtree s that may take up to
  *      j places in the node above, the cheapest way costs                                 (15.5)
  *
- *          C(s, 1) = area(s) min(node_cost + .., leaf_cost)     it takes one place: a node or a leaf
+ *          C(s, 1) = min(area(s) + C(s, 8), area(s) leaf_cost)      one place: a node, or a leaf
  *          C(s, j) = min over k of C(left, k) + C(right, j - k), or C(s, j - 1)
  *
  *      from the leaves up: eight numbers a node, and no better collapse of this tree exists.
@@ -43,7 +43,7 @@ typedef struct {
     bvh_item *item;
     size_t n;
     bvh_node *node;       /* [2 n] the binary tree; count: items below, of inner nodes, too */
-    uint8_t (*pick)[8];   /* [2 n] pick[s][j - 1]: the best k of (15.5); 0: C(s, j - 1), or a leaf */
+    uint8_t (*pick)[8];   /* [2 n] [s][j - 1]: the best k of (15.5); 0: C(s, j - 1), or a leaf */
     uint32_t *leaf;       /* [blocks] the binary node that becomes that block */
     bvh8_job *job;
     size_t jobs, job_size;
@@ -52,7 +52,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Is the corner, as a float in the frame, the very corner? Then blocks hold all that `real` needs. */
+/* Is the corner, as a float in the frame, the very corner? Then a block holds what `real` needs. */
 static inline bool bvh8_is_exact(const bvh8 *w, vec3 p)
 {
     vec3 q = bvh8_into(w, p);
@@ -76,7 +76,8 @@ static inline void bvh8_item_job(size_t piece, void *context)
         if (w->x.m) {
             triangle t = mesh_triangle(w->x.m, i);
             if (vzero(triangle_cross(t.a, t.b, t.c))) continue;
-            exact = exact && bvh8_is_exact(w, t.a) && bvh8_is_exact(w, t.b) && bvh8_is_exact(w, t.c);
+            exact = exact && bvh8_is_exact(w, t.a) && bvh8_is_exact(w, t.b)
+                && bvh8_is_exact(w, t.c);
         }
         b->item[i].box = box_between(bvh8_into(w, box.lo), bvh8_into(w, box.hi));
         b->item[i].index = (uint32_t)i;
@@ -216,7 +217,8 @@ static inline void bvh8_grow(bvh8_builder *b, uint32_t at, size_t begin, size_t 
         bvh8_as_leaf(b, at, out);
         return;
     }
-    size_t left = bvh8_split(b->item + begin, n, &e.centres, depth + log2_above(n) >= bvh_most_depth);
+    bool deep = depth + log2_above(n) >= bvh_most_depth;  /* 14 says why */
+    size_t left = bvh8_split(b->item + begin, n, &e.centres, deep);
     uint32_t child = (uint32_t)(2 * (begin + left));
     bvh8_costs l, r;
     b->node[at].first = child;

@@ -1,13 +1,13 @@
 /* bvh8.h: the bounding volume hierarchy, eight wide (八叉 BVH): eight boxes, or eight triangles, at
  * once.
  *
- *        node                block            bvh8 w;
- *   low  x x x x x x x x   ax a a a a a a a a   if (!bvh8_build(&x, bvh8_defaults, &w, &f)) fail(f);
- *        y y y y y y y y   ay . . . . . . . .
- *        z z z z z z z z   ..                   bool bvh8_hit(&w, r, &h)    the very hit of items_hit
- *   high x x x x x x x x   bx . . . . . . . .   bool bvh8_occluded(&w, r)   is there any?
- *        y ..              ..                   bvh8_stats(&w)
- *   child 8 numbers        8 numbers            bvh8_free(&w)               a zeroed one may be freed
+ *        node                block               bvh8 w;
+ *   low  x x x x x x x x   ax a a a a a a a a    bvh8_build(&x, bvh8_defaults, &w, &f)
+ *        y y y y y y y y   ay . . . . . . . .                            false: f says why
+ *        z z z z z z z z   az . . . . . . . .    bvh8_hit(&w, r, &h)     the very hit of items_hit
+ *   high x x x x x x x x   bx . . . . . . . .    bvh8_occluded(&w, r)    is there any?
+ *        y ..              ..                    bvh8_stats(&w)
+ *   child 8 numbers        8 numbers             bvh8_free(&w)           a zeroed one may be freed
  *
  *   bvh8_hit_counted(&w, r, &h, &work), bvh8_occluded_counted(&w, r, &work)
  *   bvh8_hit_leaky(&w, r, &h), bvh8_occluded_leaky(&w, r)     all in float, nothing paid for: the

@@ -29,8 +29,9 @@
 #define EIGHT_X86 0
 #endif
 
-typedef float eight __attribute__((vector_size(32)));
-typedef int32_t eight_whole __attribute__((vector_size(32)));
+#define EIGHT_LANES __attribute__((vector_size(32)))
+typedef EIGHT_LANES float eight;
+typedef EIGHT_LANES int32_t eight_whole;
 typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dialect;
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -8,7 +8,7 @@
 enum { first_width = 4 };
 typedef struct {
     real lo[3][first_width], hi[3][first_width];  /* rows: the low x of all children, ..       */
-    int child[first_width];  /* a node of this tree; ~i: a leaf, node i of the binary tree; none: 0 */
+    int child[first_width];  /* a node; ~i: a leaf, node i of the binary tree; 0: none */
 } first_wide_node;
 
 typedef struct {
@@ -18,7 +18,8 @@ typedef struct {
 } first_wide;
 
 /* The children of a wide node: begin with the binary node; as long as there is room, replace the
- * largest that has children by them. A large box is met often: its step is the best to save. (15.1) */
+ * largest that has children by them. A large box is met often: its step is the best to save.
+ *     the one of them with the largest area                                               (15.1) */
 static inline int first_wide_gather(const first_bvh *b, int root, int *list)
 {
     int n = 1;
@@ -65,7 +66,7 @@ static inline first_wide first_wide_build(const first_mesh *m)
     return w;
 }
 
-/* One slab for four boxes: the loop along the rows is what a processor does at once.       (15.2) */
+/* One slab for four boxes: the loop along the rows is what a processor does at once.      (15.2) */
 static inline void first_wide_slab(const real *near, const real *far, real o, real d,
                                    real *enter, real *exit)
 {
@@ -95,15 +96,16 @@ static inline bool first_wide_visit(const first_wide *w, int at, ray *r, hit *ou
         first_wide_slab(down ? node->hi[k] : node->lo[k], down ? node->lo[k] : node->hi[k],
                         vaxis(r->o, k), vaxis(r->d, k), enter, exit);
     }
-    /* The nearest first: a hit in it shortens the ray, and may spare the others.           (15.3) */
+    /* The nearest first: a hit in it shortens the ray, and may spare the others.          (15.3) */
     for (int turn = 0; turn < first_width; turn++) {
         int best = 0;
         for (int i = 1; i < first_width; i++)
             if (enter[i] < enter[best]) best = i;
         int child = node->child[best];
         if (enter[best] > r->tmax) break;
-        if (enter[best] < exit[best] && child < 0 && first_wide_leaf(w, ~child, r, out)) found = true;
-        if (enter[best] < exit[best] && child > 0 && first_wide_visit(w, child, r, out)) found = true;
+        bool met = enter[best] < exit[best];
+        if (met && child < 0 && first_wide_leaf(w, ~child, r, out)) found = true;
+        if (met && child > 0 && first_wide_visit(w, child, r, out)) found = true;
         enter[best] = real_infinity;
     }
     return found;

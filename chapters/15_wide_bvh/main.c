@@ -1,8 +1,8 @@
 /* 15_wide_bvh: the tree of boxes, eight wide: rung by rung, and what watertight costs.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 15_wide_bvh chapters/15_wide_bvh/main.c -lm -lpthread
  *
- * Without options: the drawing, the ladder on the teapot, rays at cracks. --full: all tables.
- * --rays FILE: searches these, in the teapot or the mesh of --mesh. */
+ * Without options: the teapot, the drawing, the ladder, rays at cracks. --full: all tables.
+ * --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
 #include "../07_mesh/files/obj.h"
 #include "lab/figure.h"
 #include "lab/measure.h"
@@ -28,14 +28,14 @@ int main(int argc, char **argv)
     bool any = false;
     bvh8_options how = bvh8_defaults;
     const option list[] = {
-        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: with --rays: searches this mesh"},
+        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, or search it (--rays)"},
         {"rays", OPTION_INPUT, &rays, 0, 0,
          "search these rays: ox oy oz tmin dx dy dz tmax, float32"},
         {"hits", OPTION_OUTPUT, &hits, 0, 0, "with --rays: their t and triangle to this file"},
         {"any-hit", OPTION_FLAG, &any, 0, 0, "with --rays: is there any hit at all?"},
         {"dialect", OPTION_TEXT, &dialect, 0, 0, "with --rays: plain, avx2, avx512 or best"},
         {"width", OPTION_INT, &how.width, 2, 8, "with --rays: children a node"}, {0}};
-    options o = options_read(argc, argv, "15_wide_bvh", "The bounding volume hierarchy, eight wide.",
+    options o = options_read(argc, argv, "15_wide_bvh", "Boxes and triangles, eight at once.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
     mesh m;
@@ -45,17 +45,17 @@ int main(int argc, char **argv)
         die(2, "--dialect %s: allowed are plain, avx2, avx512, best", dialect);
     if (d < eight_dialects) how.dialect = (eight_dialect)d;
     if (how.dialect > eight_best()) die(2, "--dialect %s: this machine has it not", dialect);
-    if (!rays && (path || hits || any)) die(2, "--mesh, --hits and --any-hit need --rays FILE");
-    o.own = rays != NULL;
-    if (!rays) {
-        draw_lanes(&o);
-        measure(&o);
-        return output_done(&o);
-    }
-    if (!path) m = teapot_mesh(40);
-    else if (!obj_read(path, &m, &f)) fail(f);
+    if (!rays && (hits || any)) die(2, "--hits and --any-hit need --rays FILE");
+    if (rays && o.out) die(2, "--out: no picture with --rays");
+    if (!rays && o.csv && (path || o.out))
+        die(2, "--csv: no table with --mesh, --out, but with --rays");
+    if (path && !obj_read(path, &m, &f)) fail(f);
+    if (!path) m = teapot_mesh(o.quick ? 8 : 40);
+    o.own = path || rays;
     items x = items_of_mesh(&m);
-    search_file(&o, &x, path ? path : "teapot", rays, hits, any, how);
+    if (rays) search_file(&o, &x, path ? path : "teapot", rays, hits, any, how);
+    else draw_mesh(&o, &m, path);
+    if (!o.own && !o.out) draw_lanes(&o), measure(&o);
     mesh_free(&m);
     return output_done(&o);
 }

@@ -32,11 +32,11 @@
 
 typedef struct {
     float near_o[3], far_o[3], inverse[3], tmin;  /* t of a plane: plane inverse + near_o */
-    size_t near[3], far[3];                       /* rows of the sides it enters by, and leaves by */
+    size_t near[3], far[3];                       /* rows of the sides it enters and leaves by */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz;
     float around, tail;
-    float sure_min, sure_max, limit;              /* of the ray's interval; limit and tmin: outside */
+    float sure_min, sure_max, limit;              /* of the ray's interval, as limit and tmin */
     double scale, shift, slack;                   /* t in the frame: t scale - shift, +- slack */
 } bvh8_ray;
 

@@ -125,7 +125,8 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
                                   bvh8_state *s, bool any, bool leaky)
 {
     const eight *row = b->corner, zero = EIGHT_ALL(0);
-    eight sx = EIGHT_ALL(q->sx), sy = EIGHT_ALL(q->sy), ox = EIGHT_ALL(q->cx), oy = EIGHT_ALL(q->cy);
+    eight sx = EIGHT_ALL(q->sx), sy = EIGHT_ALL(q->sy);
+    eight ox = EIGHT_ALL(q->cx), oy = EIGHT_ALL(q->cy);
     eight az = row[q->kz], bz = row[3 + q->kz], cz = row[6 + q->kz], bound = zero;
     eight ax = EIGHT_FMA(az, sx, row[q->kx]) - ox, ay = EIGHT_FMA(az, sy, row[q->ky]) - oy;
     eight bx = EIGHT_FMA(bz, sx, row[3 + q->kx]) - ox, by = EIGHT_FMA(bz, sy, row[3 + q->ky]) - oy;
@@ -160,7 +161,8 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
         sure = (EIGHT_LE(over, lo) | EIGHT_LE(hi, -over)) & EIGHT_LE(many, size);
         span[0] = t - error, span[1] = t + error;
     }
-    left &= ~sure | (EIGHT_LE(span[0], EIGHT_ALL(s->limit)) & EIGHT_LE(EIGHT_ALL(q->tmin), span[1]));
+    left &= ~sure | (EIGHT_LE(span[0], EIGHT_ALL(s->limit))
+                     & EIGHT_LE(EIGHT_ALL(q->tmin), span[1]));
     if (left == 0 || (leaky && any)) return left != 0;
     if (leaky) {
         bvh8_keep(b, left, (eight[]){t, e1 * scaled, e2 * scaled}, s);
@@ -237,7 +239,8 @@ static inline bool bvh8_walk(const bvh8 *w, ray r, hit *out, bool any, bool leak
     }
 end:
     if (leaky && s.waiting && !any) {
-        *out = (hit){(real)(((double)s.limit + q.shift) / q.scale), (real)s.u, (real)s.v, s.waiting->index[s.lane]};
+        real t = (real)(((double)s.limit + q.shift) / q.scale);
+        *out = (hit){t, (real)s.u, (real)s.v, s.waiting->index[s.lane]};
         return true;
     }
     if (!any && s.waiting) bvh8_ask(w, s.waiting, s.lane, &s);

@@ -19,7 +19,7 @@ static inline mesh lanes_mesh(void)
     mesh m = mesh_room(n);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(4, i, 0);
-        real a = (real)i / n * 6, x = 2 * cos(a) * (1 + a / 6) / 2, y = sin(2 * a) * (1 + a / 9) / 2;
+        real a = (real)i / n * 6, x = cos(a) * (1 + a / 6), y = sin(2 * a) * (1 + a / 9) / 2;
         vec3 c = {x, y, 0};
         for (size_t k = 0; k < 3; k++) {
             vec3 e = random_in_cube(&g, (real)0.07);
@@ -38,7 +38,7 @@ static inline void lanes_box(figure *g, const bvh8 *w, const bvh8_node *n, int k
     char name[8];
     figure_polygon(g, 4, xy, met ? FIGURE_ORANGE : NULL, 0.18, met ? FIGURE_RED : FIGURE_GREY);
     snprintf(name, sizeof name, "%d", k);
-    figure_text(g, (double)lo.x, (double)hi.y, 4, 15, FIGURE_LEFT, met ? FIGURE_RED : FIGURE_GREY,
+    figure_text(g, (double)lo.x, (double)hi.y, 0, -5, FIGURE_LEFT, met ? FIGURE_RED : FIGURE_GREY,
                 name);
 }
 
