@@ -6,12 +6,6 @@
 
 static const double eps = (double)real_epsilon;
 
-static vec3 random_vec3(random_stream *s, real size)
-{
-    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, z = 2 * random_next(s) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
 static double apart(vec3 a, vec3 b) { return (double)vlength(vsub(a, b)); }
 
 /* |computed - ((1 - t) a + t b)|, exactly, along x */
@@ -29,7 +23,7 @@ static void test_easy(void)
     size_t interval = 0, depth = 0, n = check_count(100000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
-        vec3 a = random_vec3(&s, 1), b = random_vec3(&s, 1);
+        vec3 a = random_in_cube(&s, 1), b = random_in_cube(&s, 1);
         real t = random_next(&s), tmin = random_next(&s), tmax = random_next(&s);
         ray r = ray_between(a, b), whole = ray_from(a, b);
         at = check_worse(at, apart(ray_at(r, t), ray_at_fused(r, t)));

@@ -8,12 +8,6 @@
 
 static const double epsilon = (double)real_epsilon;
 
-static vec3 random_vec3(random_stream *s, real size)
-{
-    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, z = 2 * random_next(s) - 1;
-    return vscale((vec3){x, y, z}, size);
-}
-
 static real random_power(random_stream *s, real most) { return pow(most, random_next(s)); }
 
 /* |computed - (a + t d)|, exactly, in one coordinate */
@@ -30,7 +24,7 @@ static void test_error_bounds(void)
     double plain = 0, fused = 0, between = 0;
     for (size_t i = 0; i < check_count(1000000); i++) {
         random_stream s = random_start(1, i, 0);
-        vec3 o = random_vec3(&s, random_power(&s, 100000000)), d = random_vec3(&s, 1);
+        vec3 o = random_in_cube(&s, random_power(&s, 100000000)), d = random_in_cube(&s, 1);
         vec3 b = vadd(o, d);
         real t = random_power(&s, 100000000);
         ray r = ray_from(o, d);
@@ -57,7 +51,7 @@ static void test_ends(void)
     size_t missed = 0, wrong_a = 0, wrong_b = 0;
     for (size_t i = 0; i < 1000; i++) {
         random_stream s = random_start(2, i, 0);
-        vec3 a = random_vec3(&s, random_power(&s, 1000)), b = random_vec3(&s, 1);
+        vec3 a = random_in_cube(&s, random_power(&s, 1000)), b = random_in_cube(&s, 1);
         vec3 p = ray_at_between(a, b, 0), q = ray_at_between(a, b, 1);
         vec3 r = ray_at(ray_between(a, b), 1);
         wrong_a += p.x != a.x || p.y != a.y || p.z != a.z;
@@ -154,7 +148,7 @@ static void test_unit(void)
     double worst = 0;
     for (size_t i = 0; i < check_count(100000); i++) {
         random_stream s = random_start(3, i, 0);
-        ray r = ray_from(random_vec3(&s, 1), random_vec3(&s, random_power(&s, 1000)));
+        ray r = ray_from(random_in_cube(&s, 1), random_in_cube(&s, random_power(&s, 1000)));
         ray u = ray_unit(r);
         real t1 = random_next(&s), t2 = random_next(&s), length = vlength(r.d);
         real distance = vlength(vsub(ray_at(u, t1), ray_at(u, t2)));
@@ -223,11 +217,12 @@ static void test_affine(void)
     double worst = 0, undo = 0;
     for (size_t i = 0; i < check_count(100000); i++) {
         random_stream s = random_start(4, i, 0);
-        vec3 axis = vunit(random_vec3(&s, 1)), size = vadd((vec3){2, 2, 2}, random_vec3(&s, 1));
+        vec3 axis = vunit(random_in_cube(&s, 1));
+        vec3 size = vadd((vec3){2, 2, 2}, random_in_cube(&s, 1));
         size.x = -size.x;  /* mirrored */
         affine m = affine_then(affine_scaling(size), affine_rotation(axis, 6 * random_next(&s)));
-        m = affine_then(m, affine_translation(random_vec3(&s, 10)));
-        ray r = ray_from(random_vec3(&s, 10), random_vec3(&s, 1));
+        m = affine_then(m, affine_translation(random_in_cube(&s, 10)));
+        ray r = ray_from(random_in_cube(&s, 10), random_in_cube(&s, 1));
         real t = 10 * random_next(&s);
         vec3 p = ray_at(affine_ray(m, r), t), q = along(m, r, t);
         worst = check_worse(worst, (double)vlength(vsub(p, q)));

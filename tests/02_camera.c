@@ -140,18 +140,16 @@ static void test_refusals(void)
     failure why = {0, ""};
     real nan_ = (real)NAN, big = real_largest, inf = real_infinity;
     vec3 o = {0, 0, 0}, p = {1, 2, 3};
-#define look(e, t, up, needle) \
-    refused(frame_look_at(e, t, up, &f, &why), why, needle, "look-at: " needle)
-    look(p, p, axis_z, "equals the viewpoint");
-    look(o, p, o, "up (0, 0, 0):");
-    look(o, p, p, "parallel");
-    look(o, p, vscale(p, -(real)1e10), "parallel");
-    look(((vec3){0, 0, 2}), o, axis_z, "up (0, 0, 1) is parallel to the view (0, 0, -2)");
-    look(p, o, ((vec3){nan_, 0, 1}), "up (nan");
-    look(((vec3){0, inf, 0}), o, axis_z, "viewpoint (0, inf");
-    look(p, ((vec3){0, 0, nan_}), axis_z, "target");
-    look(((vec3){big, 0, 0}), ((vec3){-big, 0, 0}), axis_z, "overflows");
-    look(o, ((vec3){0, 0, -1}), ((vec3){2 * real_epsilon, 0, 1}), "parallel");
+    const struct { vec3 e, target, up; const char *needle; } look[] = {
+        {p, p, axis_z, "equals the viewpoint"}, {o, p, o, "up (0, 0, 0):"}, {o, p, p, "parallel"},
+        {o, p, vscale(p, -(real)1e10), "parallel"},
+        {{0, 0, 2}, o, axis_z, "up (0, 0, 1) is parallel to the view (0, 0, -2)"},
+        {p, o, {nan_, 0, 1}, "up (nan"}, {{0, inf, 0}, o, axis_z, "viewpoint (0, inf"},
+        {p, {0, 0, nan_}, axis_z, "target"}, {{big, 0, 0}, {-big, 0, 0}, axis_z, "overflows"},
+        {o, {0, 0, -1}, {2 * real_epsilon, 0, 1}, "parallel"}};
+    for (size_t i = 0; i < sizeof look / sizeof *look; i++)
+        refused(frame_look_at(look[i].e, look[i].target, look[i].up, &f, &why), why,
+                look[i].needle, look[i].needle);
     check(frame_look_at(o, (vec3){0, 0, -1}, (vec3){5 * real_epsilon, 0, 1}, &f, &why),
           "5 epsilon is an angle");
     check_frame(f, "5 epsilon");
@@ -163,33 +161,29 @@ static void test_refusals(void)
 
     check(frame_look_at(p, o, axis_z, &f, &why), "a frame");
     camera_window w = {-1, 1, -1, 1};
-#define angle_(phi) \
-    refused(camera_perspective(f, phi, 1, &c, &why), why, "field of view", "phi " #phi)
-    angle_(0);
-    angle_(180);
-    angle_(-30);
-    angle_(360);
-    angle_(nan_);
-    angle_(inf);
-    refused(camera_perspective(f, 60, 0, &c, &why), why, "width / height 0", "aspect 0");
-    refused(camera_perspective(f, 60, nan_, &c, &why), why, "width / height", "aspect NaN");
-    refused(camera_off_axis(f, w, 0, &c, &why), why, "d = 0", "zero distance");
-    refused(camera_off_axis(f, w, -1, &c, &why), why, "d = -1", "negative distance");
-    refused(camera_off_axis(f, w, nan_, &c, &why), why, "d = ", "NaN distance");
-    refused(camera_off_axis(f, (camera_window){1, 1, -1, 1}, 1, &c, &why), why, "left < right",
-            "empty window");
-    refused(camera_orthographic(f, (camera_window){-1, 1, 1, -1}, &c, &why), why, "bottom < top",
-            "window upside down");
-    refused(camera_orthographic(f, (camera_window){-1, nan_, -1, 1}, &c, &why), why, "window",
-            "NaN window");
-    refused(camera_orthographic(f, (camera_window){-big, big, -1, 1}, &c, &why), why, "window",
-            "r - l overflows");
-    refused(camera_oblique(f, w, f.u, &c, &why), why, "forward", "oblique along the image plane");
-    refused(camera_oblique(f, w, f.w, &c, &why), why, "forward", "oblique backward");
-    vec3 along = vmadd(f.u, f.w, -2 * real_epsilon);
-    refused(camera_oblique(f, w, along, &c, &why), why, "forward", "oblique, 2 epsilon forward");
-    refused(camera_oblique(f, w, o, &c, &why), why, "forward", "oblique, no direction");
-    refused(camera_oblique(f, w, (vec3){nan_, 0, 0}, &c, &why), why, "forward", "oblique NaN");
+    const real angles[] = {0, 180, -30, 360, nan_, inf}, none[] = {0, -1, nan_};
+    for (size_t i = 0; i < sizeof angles / sizeof *angles; i++)
+        refused(camera_perspective(f, angles[i], 1, &c, &why), why, "field of view", "an angle");
+    for (int i = 0; i < 3; i++) {
+        refused(camera_perspective(f, 60, none[i], &c, &why), why, "width / height", "an aspect");
+        refused(camera_off_axis(f, w, none[i], &c, &why), why, "d = ", "a distance");
+    }
+    const struct { camera_window w; const char *needle, *what; } windows[] = {
+        {{1, 1, -1, 1}, "left < right", "an empty window"},
+        {{-1, 1, 1, -1}, "bottom < top", "a window upside down"},
+        {{-1, nan_, -1, 1}, "window", "a NaN window"},
+        {{-big, big, -1, 1}, "window", "r - l overflows"}};
+    for (int i = 0; i < 4; i++) {
+        refused(camera_off_axis(f, windows[i].w, 1, &c, &why), why, windows[i].needle,
+                windows[i].what);
+        refused(camera_orthographic(f, windows[i].w, &c, &why), why, windows[i].needle,
+                windows[i].what);
+    }
+    const struct { vec3 d; const char *what; } oblique[] = {
+        {f.u, "along the image plane"}, {f.w, "backward"}, {o, "no direction"},
+        {vmadd(f.u, f.w, -2 * real_epsilon), "2 epsilon forward"}, {{nan_, 0, 0}, "NaN"}};
+    for (int i = 0; i < 5; i++)
+        refused(camera_oblique(f, w, oblique[i].d, &c, &why), why, "forward", oblique[i].what);
     refused(rtr_look_at(o, p, axis_z, 180, &rtr, &why), why, "field of view", "RTR, 180 degrees");
     refused(rtr_look_at(o, o, axis_z, 60, &rtr, &why), why, "equals", "RTR, zero distance");
     check(camera_perspective(f, 179.99, 1, &c, &why), "179.99 degrees is a field of view");

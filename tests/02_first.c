@@ -5,12 +5,6 @@
 
 static const double eps = (double)real_epsilon;
 
-static vec3 random_vec3(random_stream *s)
-{
-    real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, z = 2 * random_next(s) - 1;
-    return (vec3){x, y, z};
-}
-
 static double apart(vec3 a, vec3 b) { return (double)vlength(vsub(a, b)); }
 static bool same(vec3 a, vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 static bool same_ray(ray a, ray b)
@@ -26,7 +20,7 @@ static void test_views(void)
     size_t n = check_count(20000), seen = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
-        vec3 e = random_vec3(&s), target = random_vec3(&s), up = random_vec3(&s);
+        vec3 e = random_in_cube(&s, 1), target = random_in_cube(&s, 1), up = random_in_cube(&s, 1);
         real phi = 1 + 89 * random_next(&s);
         int nx = 1 + (int)(1000 * random_next(&s)), ny = 1 + (int)(1000 * random_next(&s));
         camera_frame f;
@@ -53,7 +47,7 @@ static void test_rays(void)
     size_t perspective = 0, parallel = 0, positions = 0, n = check_count(20000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(2, i, 0);
-        first_camera c = first_camera_at(vscale(random_vec3(&s), 100), random_vec3(&s),
+        first_camera c = first_camera_at(vscale(random_in_cube(&s, 1), 100), random_in_cube(&s, 1),
                                          (vec3){0, 1, 0}, 1 + 178 * random_next(&s), 640, 480);
         if (i % 2) c.left *= 2, c.bottom = -c.top / 3, c.d = 1 + random_next(&s);  /* off-axis */
         real x = 640 * random_next(&s), y = 480 * random_next(&s);
@@ -104,7 +98,7 @@ static void test_up_near_the_view(void)
         double leans = 0, first = 0, robust = 0;
         for (size_t i = 0; i < n; i++) {
             random_stream s = random_start(3, i, 0);
-            vec3 view = vscale(vunit(random_vec3(&s)), 1 + 99 * random_next(&s));
+            vec3 view = vscale(vunit(random_in_cube(&s, 1)), 1 + 99 * random_next(&s));
             vec3 e = {0, 0, 0}, a, b;
             vbasis(vunit(view), &a, &b);
             vec3 up = vmadd(vunit(view), a, angle);

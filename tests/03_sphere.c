@@ -26,12 +26,6 @@ static int3 random_int3(random_stream *s, int64_t most)
 }
 
 static real random_signed(random_stream *s) { return 2 * random_next(s) - 1; }
-static vec3 random_vec3(random_stream *s)
-{
-    real x = random_signed(s), y = random_signed(s), z = random_signed(s);
-    return (vec3){x, y, z};
-}
-
 /* An integer point p at an integer distance from the origin (a Pythagorean quadruple; Euler) of at
  * most 4 most^2, and an integer d at a right angle to it, of at most 24 most^2 a coordinate. */
 static void random_tangent(random_stream *s, int64_t most, int3 *p, int3 *d, int64_t *length)
@@ -47,27 +41,23 @@ static void random_tangent(random_stream *s, int64_t most, int3 *p, int3 *d, int
 
 static void test_closed_form(void)
 {
-    sphere s = {{1, 2, 3}, 5};
-    real t0 = 0, t1 = 0;
-    hit h = hit_none;
-    check(sphere_roots(s, ray_from((vec3){1, 2, 13}, (vec3){0, 0, -2}), &t0, &t1),
-          "straight at the centre");
-    check_equal(t0, (real)2.5, "enters at z = 8, in steps of 2");
-    check_equal(t1, (real)7.5, "leaves at z = -2");
-    check(sphere_roots(s, ray_from((vec3){4, 2, 13}, (vec3){0, 0, -1}), &t0, &t1),
-          "3 beside the centre");
-    check_equal(t0, 6, "3, 4, 5 triangle");
-    check_equal(t1, 14, "3, 4, 5 triangle");
-    check(sphere_roots(s, ray_from((vec3){1, 2, 13}, (vec3){0, 0, 1}), &t0, &t1),
-          "behind the origin, too");
-    check_equal(t0, -15, "roots behind the origin are given");
-    check_equal(t1, -5, "roots behind the origin are given");
-    check(!sphere_hit(s, ray_from((vec3){1, 2, 13}, (vec3){0, 0, 1}), &h), "but are no hit");
-    check(sphere_hit(s, ray_from((vec3){1, 2, 3}, (vec3){0, 4, 0}), &h), "from the centre");
-    check_equal(h.t, (real)1.25, "the exit");
-    check(sphere_hit(s, ray_from((vec3){1, 3, 3}, (vec3){0, 1, 0}), &h), "from inside");
-    check_equal(h.t, 4, "the exit");
-    check(!sphere_hit(s, ray_from((vec3){7, 2, 13}, (vec3){0, 0, -1}), &h), "passes beside");
+    const sphere s = {{1, 2, 3}, 5};
+    const struct { vec3 o, d; real t0, t1, t; const char *why; } list[] = {  /* t < 0: no hit */
+        {{1, 2, 13}, {0, 0, -2}, 2.5, 7.5, 2.5, "straight at the centre, in steps of 2"},
+        {{4, 2, 13}, {0, 0, -1}, 6, 14, 6, "3 beside the centre: a 3, 4, 5 triangle"},
+        {{1, 2, 13}, {0, 0, 1}, -15, -5, -1, "behind the origin: roots, but no hit"},
+        {{1, 2, 3}, {0, 4, 0}, -1.25, 1.25, 1.25, "from the centre: the exit"},
+        {{1, 3, 3}, {0, 1, 0}, -6, 4, 4, "from inside: the exit"}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        real t0 = 0, t1 = 0;
+        hit h = {.t = -1};
+        ray r = ray_from(list[i].o, list[i].d);
+        check(sphere_roots(s, r, &t0, &t1), "%s", list[i].why);
+        check_equal(t0, list[i].t0, "enters: %s", list[i].why);
+        check_equal(t1, list[i].t1, "leaves: %s", list[i].why);
+        check(sphere_hit(s, r, &h) == (list[i].t >= 0) && h.t == list[i].t, "%s", list[i].why);
+    }
+    check(!sphere_hit(s, ray_from((vec3){7, 2, 13}, (vec3){0, 0, -1}), &(hit){0}), "beside");
     vec3 n = sphere_normal(s, (vec3){1, 2, 8}), p = sphere_point(s, (vec3){1, 2, 4});
     check(n.x == 0 && n.y == 0 && n.z == 1, "the normal points outwards");
     check(p.x == 1 && p.y == 2 && p.z == 8, "a point moves away from the centre to the surface");
@@ -292,7 +282,7 @@ static void test_on_the_surface(void)
         int64_t length;
         random_tangent(&s, real_is_float ? 1000 : 1 << 21, &p, &side, &length);
         real R = (real)length, t0, t1;
-        vec3 o = vec3_of((int3){p.x + q.x, p.y + q.y, p.z + q.z}), d = random_vec3(&s);
+        vec3 o = vec3_of((int3){p.x + q.x, p.y + q.y, p.z + q.z}), d = random_in_cube(&s, 1);
         double cosine = (double)vdot(vscale(vec3_of(p), 1 / R), vunit(d));
         if (fabs(cosine) < 0.05) continue;
         if (cosine > 0) d = vneg(d);

@@ -21,8 +21,8 @@ static void test_closest(mesh m)
     first_tests = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
-        vec3 o = in_cube(&s, 2);
-        ray r = ray_from(o, vsub(in_cube(&s, 1), o));
+        vec3 o = random_in_cube(&s, 2);
+        ray r = ray_from(o, vsub(random_in_cube(&s, 1), o));
         if (i % 4 == 0) r.tmax = random_next(&s), r.tmin = r.tmax / 2;
         hit a = {7, 7, 7, 7}, b = {7, 7, 7, 7};
         bool is = first_mesh_hit(&soup, r, &a), due = mesh_hit(&m, r, &b);

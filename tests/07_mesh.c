@@ -9,7 +9,8 @@ static random_stream numbers;
 /* corners: [4] for a polygon, which keeps pointing there */
 static shape some_shape(int kind, vec3 *corners)
 {
-    vec3 a = in_cube(&numbers, 2), b = in_cube(&numbers, 1), c = in_cube(&numbers, 1);
+    vec3 a = random_in_cube(&numbers, 2), b = random_in_cube(&numbers, 1);
+    vec3 c = random_in_cube(&numbers, 1);
     switch ((shape_kind)kind) {
     case SHAPE_SPHERE: return shape_of_sphere((sphere){a, between(&numbers, 0.1, 0.5)});
     case SHAPE_TRIANGLE: return shape_of_triangle((triangle){a, vadd(a, b), vadd(a, c)});
@@ -63,7 +64,7 @@ static void closest_of_many(void)
     for (int i = 0; i < shape_count; i++) shapes[i] = some_shape(i % 4, corners[i]);
     scene s = {shapes, shape_count};
     for (size_t i = 0; i < check_count(20000); i++) {
-        ray r = ray_from(in_cube(&numbers, 4), in_cube(&numbers, 1));
+        ray r = ray_from(random_in_cube(&numbers, 4), random_in_cube(&numbers, 1));
         r.tmin = between(&numbers, 0, 2), r.tmax = i % 3 ? real_infinity : between(&numbers, 0, 8);
         hit h = hit_none, best = reference(shapes, shape_count, r);
         bool is = scene_hit(&s, r, &h);
@@ -99,7 +100,8 @@ static void bounds(void)
     numbers = random_start(32, 0, 0);
     size_t outside = 0, loose = 0;
     for (size_t i = 0; i < check_count(200); i++) {
-        vec3 lo, hi, s, t, w = in_cube(&numbers, 1), a = in_cube(&numbers, 1), most = {0, 0, 0};
+        vec3 w = random_in_cube(&numbers, 1), a = random_in_cube(&numbers, 1);
+        vec3 lo, hi, s, t, most = {0, 0, 0};
         cone c = {a, between(&numbers, 0, 1), vadd(a, w), between(&numbers, 0, 1)};
         shape_bounds(shape_of_cone(c), &lo, &hi);
         vbasis(vunit(w), &s, &t);
@@ -151,7 +153,7 @@ static ray odd_ray(shape x, const vec3 *q, size_t i)
 {
     real tilt = pow((real)10, between(&numbers, real_is_float ? -9 : -18, 0));
     real u = random_next(&numbers);
-    vec3 d = in_cube(&numbers, 1), n = direction(&numbers), s, t, at = {0, 0, 0};
+    vec3 d = random_in_cube(&numbers, 1), n = direction(&numbers), s, t, at = {0, 0, 0};
     if (x.kind == SHAPE_SPHERE)
         vbasis(n, &s, &d), at = vmadd(x.sphere.c, n, x.sphere.r);
     if (x.kind == SHAPE_CONE) {
@@ -232,8 +234,8 @@ static void meshes(void)
     size_t differ = 0, missed = 0, off = 0;
     numbers = random_start(33, 0, 0);
     for (size_t i = 0; i < check_count(3000); i++) {
-        vec3 o = in_cube(&numbers, i % 4 < 2 ? 2 : 1 / (real)3),
-             d = i % 2 ? in_cube(&numbers, 1)
+        vec3 o = random_in_cube(&numbers, i % 4 < 2 ? 2 : 1 / (real)3),
+             d = i % 2 ? random_in_cube(&numbers, 1)
                        : vsub(m.v[(size_t)between(&numbers, 0, (real)m.vertices - 1)], o);
         ray r = ray_from(o, d);
         hit h = hit_none, best = hit_none, g;

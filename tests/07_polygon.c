@@ -283,7 +283,8 @@ static void always_on_the_polygon(void)
     size_t hits = 0;
     random_stream s = random_start(16, 0, 0);
     for (size_t i = 0; i < check_count(100000); i++) {
-        vec3 v[7], e1 = in_cube(&s, 4), e2 = in_cube(&s, 4), base = in_cube(&s, 99);
+        vec3 v[7], e1 = random_in_cube(&s, 4), e2 = random_in_cube(&s, 4);
+        vec3 base = random_in_cube(&s, 99);
         e1 = (vec3){round(e1.x), round(e1.y), round(e1.z)};
         e2 = (vec3){round(e2.x), round(e2.y), round(e2.z)};
         base = (vec3){round(base.x), round(base.y), round(base.z)};

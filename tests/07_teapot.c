@@ -4,6 +4,7 @@
 #include "check.h"
 #include "../common/random.h"
 #include "../common/numbers/wide.h"
+#include "../chapters/07_mesh/inside.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 
 static int compare_edges(const void *a, const void *b)
@@ -258,21 +259,12 @@ static void test_seams(void)
 
 /* ---- normals and orientation ---- */
 
-/* Solid angle of the triangles [from, to) seen from p, as a part of 4 pi (van Oosterom, Strackee,
- * "The solid angle of a plane triangle", 1983): 1 inside a closed mesh that is turned outwards. */
+/* Of the triangles [from, to): 1 inside a closed mesh that is turned outwards. */
 static double winding(const mesh *m, size_t from, size_t to, vec3 p)
 {
-    double sum = 0;
-    for (size_t i = from; i < to; i++) {
-        triangle t = mesh_triangle(m, i);
-        vec3 a = vsub(t.a, p), b = vsub(t.b, p), c = vsub(t.c, p);
-        double la = (double)vlength(a), lb = (double)vlength(b), lc = (double)vlength(c);
-        double up = (double)vdot(a, vcross(b, c));
-        double down = la * lb * lc + (double)vdot(a, b) * lc + (double)vdot(b, c) * la
-                    + (double)vdot(c, a) * lb;
-        sum += 2 * atan2(up, down);
-    }
-    return sum / (4 * (double)pi);
+    mesh part = {.v = m->v, .vertices = m->vertices, .index = m->index + 3 * from,
+                 .triangles = to - from};
+    return winding_number(&part, p);
 }
 
 static void test_outwards(void)

@@ -3,7 +3,6 @@
 #include "../chapters/10_grid/lab/drift.h"
 #include "../chapters/10_grid/lab/naive.h"
 #include "../chapters/10_grid/nested.h"
-#include "../chapters/10_grid/lab/specks.h"
 #include "structure.h"
 
 static grid_options how;
@@ -53,20 +52,13 @@ static void test_walk_equals_whole_numbers(void)
     size_t walks = check_count(40), steps = 100000, wrong = 0, ties = 0;
     lattice l = whole_lattice();
     for (size_t i = 0; i < walks; i++) {
-        whole_walk e = whole_walk_of(11, i);
+        whole_walk e = whole_walk_aimed(11, i, steps);
         grid_line a = line_of(whole_ray(&e));
         grid_walk w = walk_from(&l, &a, 0);
         for (size_t s = 0; s < steps; s++) {
             walk_step(&w, walk_next_t(&w));
-            whole_step(&e);
-            bool same = true, tie = false;
-            for (int k = 0; k < 3; k++) {
-                int64_t j = (int64_t)vaxis(w.j, k), m = (2 * e.j[k] - 1) * e.d[(k + 1) % 3];
-                same &= j == e.j[k];
-                tie |= m == (2 * e.j[(k + 1) % 3] + 1) * e.d[k];
-                tie |= (2 * e.j[k] - 1) * e.d[(k + 2) % 3] == (2 * e.j[(k + 2) % 3] + 1) * e.d[k];
-            }
-            wrong += !same && !tie, ties += tie;
+            bool tie = whole_step(&e);
+            wrong += !tie && !whole_same(&e, &w), ties += tie;
         }
     }
     if (!real_is_float)
@@ -80,12 +72,11 @@ static void test_drift(void)
 {
     size_t walks = check_count(60);
     double most = 16 * (double)real_epsilon * (1 << 20);
-    drift f = drift_after(DRIFT_F32, 100000, walks, 1);
-    drift a = drift_after(DRIFT_ADDED, 100000, walks, 1);
-    drift c = drift_after(DRIFT_COUNTED, 100000, walks, 1);
+    drift a = drift_after(walk_step_naive, 100000, walks, 1);
+    drift c = drift_after(walk_step, 100000, walks, 1);
     check_at_most(c.error, most, "walls counted: off after 1e5 steps [cells]");
-    check_at_least(f.wrong, 0.5, "t added up in float is in a wrong cell after 1e5 steps");
     check_at_least(a.error, 100 * c.error, "adding up is worse than counting");
+    if (real_is_float) check_at_least(a.missed, 0.5, "t added up misses cells of 1e5");
 }
 
 /* Rays of any direction through any lattice: in each cell, at the t at which it is entered and
@@ -168,11 +159,52 @@ static void test_early_is_wrong(void)
     grid_free(&g), mesh_free(&m);
 }
 
-/* In float the margin is wider than the specks are beside the walls: nothing to lose there. */
-static void test_naive_is_wrong(void)
+/* n tiny triangles a hair beside the edges of cells, 1e-7 to 1e-3 of a cell: where a walk that
+ * drifts goes wrong. (Beside one wall would not do: the cells on both sides are passed.) Two
+ * corners of the unit cube fix the box, and so the walls: built once to see where they are. */
+static mesh specks_mesh(size_t n, uint64_t seed)
 {
-    size_t n = 2000, rays = check_count(2000), wrong = 0, wrong_naive = 0, hits = 0;
-    mesh m = specks_mesh(n, grid_defaults, 1);
+    mesh m = mesh_room(n);
+    failure f;
+    grid g;
+    m.v[1] = m.v[2] = (vec3){1, 1, 1};
+    items x = items_of_mesh(&m);
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    for (size_t i = 1; i < n; i++) {
+        random_stream s = random_start(seed, i, 0);
+        vec3 c = {random_next(&s), random_next(&s), random_next(&s)};
+        int free_axis = (int)(random_next_bits(&s) % 3);
+        real beside = pow((real)10, -3 - 4 * random_next(&s));
+        for (int k = 0; k < 3; k++) {
+            int wall = 1 + (int)(random_next_bits(&s) % 1024);
+            real off = random_next_bits(&s) & 1 ? beside : -beside;
+            if (k == free_axis) continue;
+            ((real *)&c)[k] = vaxis(g.cells.lo, k)
+                              + ((real)(wall % g.cells.n[k]) + off) * vaxis(g.cells.size, k);
+        }
+        c = vmax(vmin(c, (vec3){1, 1, 1}), (vec3){0, 0, 0});
+        vec3 e = vscale(g.cells.size, beside / 4);
+        set_triangle(&m, i, c, vadd(c, (vec3){e.x, -e.y, 0}), vadd(c, (vec3){0, e.y, -e.z}));
+    }
+    grid_free(&g);
+    return m;
+}
+
+/* From beyond a corner of the cube, at the middle of a triangle. */
+static ray specks_ray(const mesh *m, uint64_t seed, uint64_t i)
+{
+    random_stream s = random_start(seed, i, 1);
+    triangle t = mesh_triangle(m, 1 + random_next_bits(&s) % (m->triangles - 1));
+    vec3 o = {-random_next(&s), -random_next(&s), -random_next(&s)};
+    vec3 p = vscale(vadd(vadd(t.a, t.b), t.c), 1 / (real)3);
+    return ray_from(o, vsub(p, o));
+}
+
+/* Specks beside edges of cells: found by any walk that drifts by less than the margin. */
+static void test_specks(void)
+{
+    size_t n = 2000, rays = check_count(2000), wrong = 0, wrong_added = 0, hits = 0;
+    mesh m = specks_mesh(n, 1);
     items x = items_of_mesh(&m);
     failure f;
     grid g;
@@ -180,13 +212,12 @@ static void test_naive_is_wrong(void)
     for (size_t i = 0; i < rays; i++) {
         ray r = specks_ray(&m, 1, i);
         hit a = hit_none, b = hit_none, c = hit_none;
-        bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = grid_hit_naive(&g, r, &c);
-        hits += ga, wrong += !same(ga, a, gb, b), wrong_naive += !same(ga, a, gc, c);
+        bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = grid_hit_added(&g, r, &c);
+        hits += ga, wrong += !same(ga, a, gb, b), wrong_added += !same(ga, a, gc, c);
     }
     check_equal(wrong, 0, "specks: wrong of %zu", rays);
     check_at_least(hits, rays / (real_is_float ? 3 : 2), "specks are hit");
-    if (!real_is_float)
-        check_at_least(wrong_naive, rays / 500, "specks: t added up in float loses hits");
+    check_equal(wrong_added, 0, "specks: wrong with t added up, of %zu", rays);
     grid_free(&g), mesh_free(&m);
 }
 
@@ -241,7 +272,7 @@ static void test_lists(void)
     mesh_free(&m), mesh_free(&floors);
 }
 
-/* (10.4): 27 n cubes, whatever the proportions, as long as an axis is not thinner than a cell. */
+/* (10.3): 27 n cubes, whatever the proportions, as long as an axis is not thinner than a cell. */
 static void test_resolution(void)
 {
     static const double side[][3] = {{1, 1, 1}, {1, 2, 4}, {100, 1, 1}, {1, 1, 1e-3}, {1, 0, 1},
@@ -384,14 +415,15 @@ static void test_far_rays_are_right(void)
         ray r = ray_from(o, vsub(m.v[random_below(&s, m.vertices)], o));
         hit a = hit_none, b = hit_none, c = hit_none, d = hit_none;
         bool ga = items_hit(&x, r, &a), gb = grid_hit(&g, r, &b), gc = nested_hit(&two, r, &c);
-        bool gd = grid_search_plain(&g, r, walk_step, false, &d, NULL);
+        bool gd = grid_search_plain(&g, r, walk_step, false, &d);
         hits += ga, wrong += !same(ga, a, gb, b), wrong_two += !same(ga, a, gc, c);
         wrong_plain += !same(ga, a, gd, d);
     }
     check_equal(wrong, 0, "planes from afar: wrong of %zu, %zu hits", rays, hits);
     check_equal(wrong_two, 0, "planes from afar, two levels");
     check_at_least(hits, rays / 2, "they are hit");
-    check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
+    if (rays >= 200)
+        check_at_least(wrong_plain, 1, "a walk that does not care for the distance loses some");
     grid_free(&g), nested_free(&two), mesh_free(&m);
 }
 
@@ -474,7 +506,7 @@ int main(void)
     test_drift();
     test_walk_keeps_its_promise();
     test_early_is_wrong();
-    test_naive_is_wrong();
+    test_specks();
     test_lists();
     test_resolution();
     test_limits();

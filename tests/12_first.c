@@ -1,4 +1,4 @@
-/* The first k-d tree: brute force's hits; depth by (12.6), few items; wrong far away. */
+/* The first k-d tree: brute force's hits; depth by (12.2), few items; wrong far away. */
 #include "../chapters/12_kdtree/first.h"
 #include "../chapters/12_kdtree/kdtree.h"
 #include "first_structure.h"

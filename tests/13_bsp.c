@@ -9,38 +9,31 @@ static const char *const rule_name[bsp_rules] = {"random", "fewest", "axis", "ow
 
 static bsp_options shared_options;
 static int shared_variant;  /* 0; 1: bsp_hit_naive, 2: bsp_hit_first */
-typedef struct { items x; bsp b; } holder;
 
-static void *holder_build(const items *x, failure *f)
+/* The items are gone when the search begins: the tree has copied them. */
+static void *shared_build(const items *x, failure *f)
 {
-    holder *h = allocate(1, sizeof *h);
-    h->x = *x;
-    if (bsp_build(&h->x, shared_options, &h->b, f)) return h;
-    free(h);
+    items gone = *x;
+    bsp *b = allocate(1, sizeof *b);
+    bool built = bsp_build(&gone, shared_options, b, f);
+    gone = (items){.n = 0};
+    if (built && gone.n == 0) return b;
+    free(b);
     return NULL;
 }
 
-static bool holder_hit(const void *s, ray r, hit *out)
+static bool shared_hit(const void *b, ray r, hit *out)
 {
-    const bsp *b = &((const holder *)s)->b;
     return shared_variant == 1 ? bsp_hit_naive(b, r, out)
          : shared_variant == 2 ? bsp_hit_first(b, r, out) : bsp_hit(b, r, out);
 }
 
-static bool holder_occluded(const void *s, ray r)
-{
-    return bsp_occluded(&((const holder *)s)->b, r);
-}
-
-static void holder_destroy(void *s)
-{
-    bsp_free(&((holder *)s)->b);
-    free(s);
-}
+static bool shared_occluded(const void *b, ray r) { return bsp_occluded(b, r); }
+static void shared_destroy(void *b) { bsp_free(b), free(b); }
 
 static structure structure_of(const char *name)
 {
-    return (structure){name, holder_build, holder_hit, holder_occluded, holder_destroy};
+    return (structure){name, shared_build, shared_hit, shared_occluded, shared_destroy};
 }
 
 static void test_rules(void)
@@ -92,7 +85,7 @@ static size_t wrong_of(mesh m, vec3 centre, real size, size_t rays)
         ray r = aimed(&m, &g, (int)(i % aimed_kinds), centre, size);
         structure_compare(&s, built, &x, r, &v);
     }
-    holder_destroy(built);
+    shared_destroy(built);
     mesh_free(&m);
     return v.wrong;
 }

@@ -16,16 +16,33 @@ static bvh_options by_rule(int k, int leaf, double item_cost)
 
 typedef struct { size_t rays, hits, wrong, wrong_naive, wrong_any; } verdict;
 
+/* The first ray whose answer is wrong, with all its digits: enough to ask it again. */
+static void print_wrong(const char *what, ray r, bool expected, hit due, bool got, hit found)
+{
+    static size_t printed;
+    if (printed++) return;
+    printf("14_bvh: first wrong ray, %s: o %.17g %.17g %.17g,\n", what, (double)r.o.x,
+           (double)r.o.y, (double)r.o.z);
+    printf("    d %.17g %.17g %.17g, [%.17g, %.17g]\n", (double)r.d.x, (double)r.d.y, (double)r.d.z,
+           (double)r.tmin, (double)r.tmax);
+    if (expected) printf("    due: t %.17g, triangle %u;", (double)due.t, due.shape);
+    else printf("    due: none;");
+    if (got) printf(" the tree has: t %.17g, triangle %u\n", (double)found.t, found.shape);
+    else printf(" the tree has: none\n");
+}
+
 /* Returns the hit of brute force, t = infinity on a miss. */
 static hit compare(const mesh *m, const bvh_mesh *b, ray r, verdict *v)
 {
     hit brute = hit_none, tree = hit_none, naive = hit_none;
     bool expected = mesh_hit(m, r, &brute), got = bvh_mesh_hit(b, r, &tree);
-    bool got_naive = bvh_mesh_hit_naive(b, r, &naive);
+    bool got_naive = bvh_mesh_hit_naive(b, r, &naive), any = bvh_mesh_occluded(b, r);
+    bool wrong = !same(expected, brute, got, tree);
+    if (wrong) print_wrong("closest", r, expected, brute, got, tree);
+    else if (any != expected) print_wrong("any", r, expected, brute, any, hit_none);
     v->rays++, v->hits += expected;
-    v->wrong += !same(expected, brute, got, tree);
+    v->wrong += wrong, v->wrong_any += any != expected;
     v->wrong_naive += !same(expected, brute, got_naive, naive);
-    v->wrong_any += bvh_mesh_occluded(b, r) != expected;
     return brute;
 }
 

@@ -1,6 +1,7 @@
 /* The tree itself: roundings, selection, invariants, depth, memory, the heuristic's prediction. */
 #include "../chapters/14_bvh/bvh_mesh.h"
-#include "../chapters/14_bvh/stats.h"
+#include "../chapters/14_bvh/lab/cost.h"
+#include "../chapters/14_bvh/lab/greed.h"
 #include "../chapters/09_aabb/trials/survey.h"
 #include "../chapters/07_mesh/scenes/specimens.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
@@ -364,6 +365,46 @@ static void test_heuristic(void)
     check_at_most(sah, 0.99 * cost[rule("median")], "the bins are better than the median");
 }
 
+/* All trees of a set, one by one: two of its members become one, in every way. */
+static double every_tree(const bvh_box *box, int n)
+{
+    double least = n > 1 ? HUGE_VAL : 0;
+    for (int i = 0; i < n; i++)
+        for (int j = i + 1; j < n; j++) {
+            bvh_box rest[greed_items];
+            int k = 0;
+            for (int c = 0; c < n; c++)
+                if (c != j) rest[k++] = box[c];
+            box_add(&rest[i], &box[j]);
+            least = fmin(least, box_area(&rest[i]) + every_tree(rest, n - 1));
+        }
+    return least;
+}
+
+/* The best tree against all trees, and no rule below it. */
+static void test_greed(void)
+{
+    for (uint64_t seed = 0; seed < 20; seed++) {
+        mesh m = greed_mesh(seed);
+        bvh_item item[greed_items];
+        bvh_box box[greed_items], all = box_empty();
+        for (size_t i = 0; i < greed_items; i++) (void)triangle_item(&m, i, &item[i]);
+        for (int i = 0; i < 6; i++) box[i] = item[i].box, box_add(&all, &box[i]);
+        check_close(greed_best(item, 6), every_tree(box, 6) / box_area(&all), 1e-12,
+                    "the best of the 945 trees of six triangles");
+        double least = greed_best(item, greed_items);
+        for (int k = 0; k < bvh_rule_count; k++) {
+            bvh_mesh b;
+            if (bvh_rules[k].through) continue;
+            check(bvh_mesh_build(&m, by_rule(k, 1, 0.3), &b, NULL), "built");
+            check_at_least(tree_cost_of(&b.tree).nodes, least * (1 - 1e-12),
+                           "%s: not better than the best", bvh_rules[k].name);
+            bvh_mesh_free(&b);
+        }
+        mesh_free(&m);
+    }
+}
+
 static void test_shared_area(void)
 {
     bvh_box a = {{0, 0, 0, 2, 2, 2}}, b = {{1, 1, 0, 3, 3, 2}}, c = {{0, 0, 3, 2, 2, 4}};
@@ -416,6 +457,7 @@ int main(void)
     test_refusals();
     test_heuristic();
     test_closed_form();
+    test_greed();
     test_shared_area();
     bvh_mesh none = {.triangle = NULL};
     bvh_mesh_free(&none);

@@ -357,9 +357,11 @@ static void test_flattened_within_bound(vec3 move, real unlike)
                                         border_distance(corner, r) / (sqrt(3.0) * bound));
     }
     check_at_least(hits, n / 2, "enough rays hit");
-    check_at_most(worst, 1, "same triangle: across its plane, in units of the bound");
+    /* A bound for the worst needle and the worst transform: what is met here is a thousandth of it,
+     * and would show if errors grew tenfold. */
+    check_at_most(worst, 0.02, "same triangle: across its plane, in units of the bound");
     check(worst > 1e-6, "the bound is not a million times too large: %g of it was seen", worst);
-    check_at_most(worst_border, 1, "another triangle: only near the border of the nearer one");
+    check_at_most(worst_border, 0.02, "another triangle: only near the border of the nearer one");
     check_at_most(others, hits / 2, "others: %zu of %zu", others, hits);
     bvh_mesh_free(&b), mesh_free(&flat), instances_free(&x), scene_free(&s);
     free(inverse);
@@ -790,7 +792,7 @@ static void test_pad_holds_every_hit(void)
         double one = fabs(wide_value(n.x)) + fabs(wide_value(n.y)) + fabs(wide_value(n.z));
         worst = check_worse(worst, off / one / (double)placing_pad(&pad, r.o));
     }
-    check_at_most(worst, 1, "distance of a hit from the plane of its triangle, in pads");
+    check_at_most(worst, 0.02, "distance of a hit from the plane of its triangle, in pads");
     check(worst > 1e-5, "the pad is not 1e5 times too large: %g of it was seen", worst);
     mesh_free(&flat), instances_free(&x), scene_free(&s);
 }
@@ -967,7 +969,7 @@ static void test_normals_of_instances(void)
         }
     }
     check_at_least(mirrored, 10, "some are mirrored");
-    check_at_most(worst, 1000 * (double)real_epsilon,
+    check_at_most(worst, 16 * (double)real_epsilon,
                   "normals at right angles to edges: scales 10 unlike, twice turned");
     check_equal(inward, 0, "(M e) x (M f) turns round in a mirror, the normal does not");
     instances_free(&x), scene_free(&s);

@@ -1,5 +1,5 @@
-/* 19_whitted: the clear cases of ball_hit.h, the lanes, the suns' discs and many rays at once, each
- * against 03 or against the walk of one ray. All must be the same to the last bit. */
+/* 19_whitted: the clear cases of ball_hit.h, the lanes and the suns' discs, each
+ * against 03. All must be the same to the last bit. */
 #include "check.h"
 #include "child.h"
 #include "../common/random.h"
@@ -137,50 +137,6 @@ static void test_suns(void)
     check_at_least(shaded, 2 * n, "in shade among them");
 }
 
-/* 64 rays at once, or fewer; scenes in which they must be left to balls_ray. */
-static void test_rays(int which)
-{
-    static const char *const names[] = {"forty balls", "no cut", "depth 1", "not apart",
-                                        "spend all", "Schlick"};
-    forty *f = allocate(1, sizeof *f);
-    forty_fill(f);
-    whitted *w = &f->fast.w;
-    if (which == 1) w->least = 0, w->depth = 24;
-    if (which == 2) w->depth = 1;
-    if (which == 3) w->apart = false;
-    if (which == 4) w->spend_all = true;
-    if (which == 5) w->fresnel = WHITTED_SCHLICK;
-    camera c = forty_camera((real)4 / 3);
-    balls_view(&f->fast.b, &c, 400, 300);
-    tracer a = forty_tracer(f), b = a;
-    size_t wrong = 0, n = check_count(which == 1 || which > 2 ? 40 : 400);
-    for (size_t i = 0; i < n; i++) {
-        random_stream s = random_start(4, i, 0);
-        ray r[balls_batch];
-        real x[balls_batch], y[balls_batch];
-        vec3 u[balls_batch];
-        int m = i % 3 ? balls_batch : 1 + (int)(i % balls_batch);
-        real left = 360 * random_next(&s), top = 260 * random_next(&s);
-        for (int k = 0; k < m; k++) {
-            x[k] = left + 40 * random_next(&s), y[k] = top + 40 * random_next(&s);
-            r[k] = camera_ray(c, x[k], y[k], 400, 300);
-        }
-        balls_rays(&a, m, r, x, y, u);
-        for (int k = 0; k < m; k++) {
-            vec3 v = balls_ray(&b, r[k], x[k], y[k]);
-            wrong += !(u[k].x == v.x && u[k].y == v.y && u[k].z == v.z);
-        }
-    }
-    check_equal(wrong, 0, "%s: colours differ from those of one ray at a time", names[which]);
-    for (int k = 0; k < ray_kinds; k++) {
-        check_equal(a.counts.rays[k], b.counts.rays[k], "%s: %s rays", names[which],
-                    ray_kind_names[k]);
-        check_equal(a.counts.hits[k], b.counts.hits[k], "%s: %s hits", names[which],
-                    ray_kind_names[k]);
-    }
-    forty_free(f), free(f);
-}
-
 static void build_lit(void *lights)
 {
     const sphere s = {{0, 0, 0}, 1};
@@ -212,6 +168,5 @@ int main(void)
     test_ball_hit();
     test_lanes();
     test_suns();
-    for (int k = 0; k < 6; k++) test_rays(k);
     return check_report("19_balls");
 }

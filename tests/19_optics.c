@@ -212,7 +212,7 @@ static void test_fresnel(void)
     check_at_most(error, 16 * DBL_EPSILON + (real_is_float ? eps : 0), "error of R, times steep");
     check_at_most(usual, 1e-12 + (real_is_float ? eps : 0), "R, n2 / n1 >= 1 + 1e-6");
     check_at_most(sum, 8 * (double)real_epsilon, "R + T = 1, by two formulas");
-    check_at_most(back, 1e-6, "R is the same both ways");
+    check_at_most(back, real_is_float ? 8 * eps : 1e-12, "R is the same both ways");
     for (size_t i = 0; i < 1000; i++) {  /* nearly no interface, nearly grazing */
         real c = sqrt(real_epsilon) * (real)(1 + i) / 500, n2 = 1 + real_epsilon;
         vec3 N = {0, 0, 1}, d = {sqrt((1 - c) * (1 + c)), 0, -c};
@@ -222,14 +222,14 @@ static void test_fresnel(void)
         naive = fmax(naive, fabs((double)fresnel_first(&y) - exact));
         close = check_worse(close, fabs((double)fresnel(&x) - exact));
     }
-    check_at_most(close, real_is_float ? eps : 1e-7, "R at n2 = 1 + eps: steep is 2e-8 in double");
+    check_at_most(close, real_is_float ? eps : 16 * eps, "R at n2 = 1 + eps, where it is up to 1");
     check_at_least(naive, 0.02, "the textbook there");
     check_at_least(cheap, 0.02, "Schlick's R is not exact");
 }
 
-/* Between 0 and 90 degrees, glass: largest error of Schlick's form, found by ternary search in its
- * smooth error: some 0.02; exact only at both ends. */
-static void test_schlick(void)
+/* Between 0 and 90 degrees, from outside: the largest error of Schlick's form; it is exact only at
+ * both ends. */
+static void test_schlick(real n, double low, double high)
 {
     double most = 0;
     for (int i = 0; i <= 900; i++) {
@@ -237,14 +237,14 @@ static void test_schlick(void)
         snell x;
         vec3 d = {sin(a), 0, -cos(a)}, up = {0, 0, 1};
         if (i == 900) d = (vec3){1, 0, 0};
-        snell_of(d, up, 1, 1.5, &x);
-        double e = fabs((double)schlick(&x) - wide_fresnel(d, up, 1, 1.5));
+        snell_of(d, up, 1, n, &x);
+        double e = fabs((double)schlick(&x) - wide_fresnel(d, up, 1, n));
         most = fmax(most, e);
         if (i == 0 || i == 900) check_at_most(e, 4 * (double)real_epsilon, "exact at %d", i / 10);
         snell y = {x.n2, x.n1, x.ct, x.ci, false};  /* from inside it takes the outer cosine */
         check_close(schlick(&y), schlick(&x), 1e-6, "the same from the other side");
     }
-    check(most > 0.01 && most < 0.04, "Schlick is off by %g", most);
+    check(most > low && most < high, "n = %g: Schlick is off by %g", (double)n, most);
 }
 
 static void test_absorb(void)
@@ -327,7 +327,8 @@ int main(void)
     test_normal_incidence();
     test_edges();
     test_fresnel();
-    test_schlick();
+    test_schlick(1.1, 0.2, 0.22);
+    test_schlick(1.5, 0.03, 0.04);
     test_absorb();
     test_media();
     return check_report("19_optics");

@@ -50,7 +50,7 @@ static double wide_variance(const double *x, size_t n)
 }
 
 /* Chan, Golub, LeVeque: Welford's relative error is at most about n kappa eps, with kappa = mean /
- * deviation. */
+ * deviation; roundings of random numbers cancel, and some eps kappa are left. */
 static void test_against_wide(void)
 {
     enum { n = 200 };
@@ -63,7 +63,7 @@ static void test_against_wide(void)
             double right = wide_variance(x, n);
             worst = check_worse(worst, fabs(estimate_variance(of(x, n)) / right - 1));
         }
-        check_at_most(worst, n * (1 + mean * sqrt(12.0)) * eps, "variance, mean 1e%d", k);
+        check_at_most(worst, 4 * (1 + mean * sqrt(12.0)) * eps, "variance, mean 1e%d", k);
     }
 }
 
@@ -95,21 +95,18 @@ static void test_never_negative(void)
 /* From 1/sqrt(epsilon) on the difference is noise, of either sign. */
 static void test_naive_variance(void)
 {
-    size_t sets = check_count(1000), negative = 0, negative_f32 = 0, fine = 0;
+    size_t sets = check_count(1000), negative = 0, fine = 0;
     real mean = 4 / sqrt(real_epsilon);
     for (uint64_t set = 0; set < sets; set++) {
         first_samples m = {0, 0, 0}, small = {0, 0, 0};
-        moments_f32 f = {0, 0};
         for (uint64_t i = 0; i < 100; i++) {
             real x = 2 * random_real(3, set, i, 0) - 1;
             first_sample(&m, mean + x), first_sample(&small, x);
-            f = moments_add_f32(f, 4 / sqrt(FLT_EPSILON) + (float)x);
         }
-        negative += first_variance(m) < 0, negative_f32 += moments_variance_f32(f, 100) < 0;
+        negative += first_variance(m) < 0;
         fine += fabs(first_variance(small) - 1 / (real)3) < (real)0.2;
     }
     check_at_least(negative, sets / 5, "naive variances below 0, of %zu", sets);
-    check_at_least(negative_f32, sets / 5, "in float, of %zu", sets);
     check_equal(fine, sets, "around 0 the naive form does no harm");
 }
 
@@ -122,8 +119,8 @@ static void test_merge(void)
     for (size_t k = 0; k <= n; k += 25) {
         estimate e = estimate_merge(of(x, k), of(x + k, n - k));
         check_equal(e.n, n, "numbers merged at %zu", k);
-        check_close(e.mean, whole.mean, 4 * n * 1e6 * eps, "mean merged at %zu", k);
-        check_close(e.squares / whole.squares, 1, 8 * n * 1e6 * eps, "squares merged at %zu", k);
+        check_close(e.mean, whole.mean, 4 * 1e6 * eps, "mean merged at %zu", k);
+        check_close(e.squares / whole.squares, 1, 8 * 1e6 * eps, "squares merged at %zu", k);
     }
     check_equal(estimate_merge(none, none).n, 0, "nothing and nothing");
     check_equal(estimate_merge(whole, none).squares, whole.squares, "nothing added");

@@ -4,15 +4,10 @@
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
+#include "22_inputs.h"
 #include "check.h"
 
 #define alarm 1e-8
-static const double eps = (double)real_epsilon;
-
-static real between(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
 
 static vec3 any_direction(random_stream *s)
 {

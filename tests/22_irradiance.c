@@ -1,25 +1,8 @@
 /* Tests of 22_radiometry: irradiance of spheres and polygons against textbook form factors, against
  * 32 digits, and where the naive forms fail. */
 #include "../chapters/22_radiometry/lab/measure_hard.h"
+#include "22_inputs.h"
 #include "check.h"
-
-#define eps ((double)real_epsilon)
-#define PI 3.14159265358979324
-
-static real between(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
-static real size_between(random_stream *s, double lo, double hi)
-{
-    return (real)pow(10, (double)between(s, lo, hi));
-}
-
-static double relative(double value, double exact)
-{
-    return exact == 0 ? fabs(value) : fabs(value / exact - 1);
-}
 
 /* ---- the oracle itself, against digits of others ---- */
 
@@ -67,18 +50,19 @@ static double sphere_e(double r, double a, double h)
 
 static void test_known_spheres(void)
 {
-    check_close(sphere_e(1, 0, 2), PI / 4, 4 * eps, "above: pi (R/d)^2");
-    check_close(sphere_e(1, 3, 1), PI / 10 / sqrt(10), 4 * eps, "touching the horizon from above");
-    check_equal(sphere_e(1, 3, -1), 0, "touching it from below");
-    check_equal(sphere_e(1, 0, -5), 0, "behind the surface");
-    check_equal(sphere_e(1, 0.5, 0), (double)pi, "p inside: all directions shine");
-    check_close(sphere_e(1, 0, 1), PI, 8 * eps, "p on it, facing it");
-    check_equal(sphere_e(1, 0, -1), 0, "p on it, facing away");
     /* p on the sphere: a half of all directions, turned by the angle b: pi/2 (1 + cos b) */
-    check_close(sphere_e(1, 1, 0), PI / 2, 8 * eps, "p on it, facing along it");
-    check_close(sphere_e(5, 4, 3), PI / 2 * (1 + 0.6), 8 * eps, "p on it, oblique");
-    check_close(sphere_e(5, 4, -3), PI / 2 * (1 - 0.6), 8 * eps, "p on it, oblique, below");
-    check_equal(sphere_e(0, 1, 1), 0, "a point without a size");
+    const struct { double r, a, h, e; const char *where; } list[] = {
+        {1, 0, 2, PI / 4, "above: pi (R/d)^2"},
+        {1, 3, 1, PI / 10 / sqrt(10), "touching the horizon from above"},
+        {1, 3, -1, 0, "touching it from below"}, {1, 0, -5, 0, "behind the surface"},
+        {1, 0.5, 0, PI, "p inside: all directions shine"}, {1, 0, 1, PI, "p on it, facing it"},
+        {1, 0, -1, 0, "p on it, facing away"}, {1, 1, 0, PI / 2, "p on it, facing along it"},
+        {5, 4, 3, PI / 2 * (1 + 0.6), "p on it, oblique"},
+        {5, 4, -3, PI / 2 * (1 - 0.6), "p on it, oblique, below"},
+        {0, 1, 1, 0, "a point without a size"}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++)
+        check_close(sphere_e(list[i].r, list[i].a, list[i].h), list[i].e, 4 * eps * list[i].e, "%s",
+                    list[i].where);
     /* half below: asin s - s sqrt(1 - s^2), s = R/d: area of two segments, (22.8) with height 0 */
     double s = 0.5;
     check_close(sphere_e(1, 2, 0), asin(s) - s * sqrt(1 - s * s), 8 * eps, "half below");

@@ -4,31 +4,13 @@
 #include "../chapters/20_monte_carlo/sampler.h"
 #include "../chapters/22_radiometry/lab/oracle.h"
 #include "../chapters/22_radiometry/solid_angle.h"
+#include "22_inputs.h"
 #include "check.h"
-
-#define eps ((double)real_epsilon)
-#define PI 3.14159265358979324
-
-static real between(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
-/* 10^x, x uniform */
-static real size_between(random_stream *s, double lo, double hi)
-{
-    return (real)pow(10, (double)between(s, lo, hi));
-}
 
 static vec3 point(random_stream *s, real size)
 {
     real x = size * between(s, -1, 1), y = size * between(s, -1, 1);
     return (vec3){x, y, size * between(s, -1, 1)};
-}
-
-static double relative(double value, double exact)
-{
-    return exact == 0 ? fabs(value) : fabs(value / exact - 1);
 }
 
 /* ---- caps and spheres ---- */
@@ -60,20 +42,17 @@ static double sphere_exact(sphere s, vec3 p)
 
 static void test_spheres(void)
 {
-    sphere unit = {{0, 0, 0}, 1};
-    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 0}), 4 * PI, 8 * eps,
-                "from its centre");
-    check_close((double)sphere_solid_angle(unit, vec(0, 0.5, 0)), 4 * PI, 8 * eps,
-                "inside");
-    check_close((double)sphere_solid_angle(unit, (vec3){0, 1, 0}), 2 * PI, 8 * eps, "on it");
-    /* at distance 2: 2 pi (1 - sqrt(3)/2) */
-    check_close((double)sphere_solid_angle(unit, (vec3){0, 0, 2}), 2 * PI * (1 - sqrt(0.75)),
-                4 * eps, "from twice the radius");
-    check_equal(sphere_solid_angle((sphere){{0, 0, 0}, 0}, (vec3){1, 0, 0}), 0, "a point");
-    check_equal(sphere_solid_angle((sphere){{0, 0, 0}, 0}, (vec3){0, 0, 0}), 0,
-                "a point from itself");
-    real inward = sphere_solid_angle((sphere){{0, 0, 0}, -1}, (vec3){0, 0, 2});
-    check_equal(inward, sphere_solid_angle(unit, (vec3){0, 0, 2}), "R < 0: the same points");
+    const struct { real r, x, y, z; double omega; const char *from; } list[] = {
+        {1, 0, 0, 0, 4 * PI, "its centre"}, {1, 0, 0.5, 0, 4 * PI, "inside"},
+        {1, 0, 1, 0, 2 * PI, "on it"},
+        {1, 0, 0, 2, 2 * PI * (1 - sqrt(0.75)), "twice the radius"},
+        {-1, 0, 0, 2, 2 * PI * (1 - sqrt(0.75)), "the same, R < 0: the same points"},
+        {0, 1, 0, 0, 0, "beside a point"}, {0, 0, 0, 0, 0, "a point itself"}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        vec3 p = {list[i].x, list[i].y, list[i].z};
+        check_close(sphere_solid_angle((sphere){{0, 0, 0}, list[i].r}, p), list[i].omega,
+                    2 * eps * list[i].omega, "a sphere from %s", list[i].from);
+    }
     double worst = 0, first = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream s = random_start(1, 0, i);
@@ -105,13 +84,14 @@ static void test_known_triangles(void)
     triangle sixty = {{1, 0, 0}, {0.5, h, 0}, {0.5, h / 3, sqrt((real)2 / 3)}};
     check_close((double)triangle_solid_angle(sixty, o), 3 * acos(1.0 / 3) - PI, 8 * eps,
                 "tetrahedron");
-    triangle flat = {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
-    check_equal(triangle_solid_angle(flat, o), 2 * pi, "p within the triangle: 2 pi");
-    triangle turned = {flat.a, flat.c, flat.b};
-    check_equal(triangle_solid_angle(turned, o), 2 * pi, "turned round: 2 pi");
-    check_equal(triangle_solid_angle(flat, (vec3){3, 0, 0}), 0, "in its plane, outside: 0");
-    check_equal(triangle_solid_angle(flat, (vec3){-1, 0, 0}), 0, "on an edge: 0");
-    check_equal(triangle_solid_angle(flat, (vec3){1, 0, 0}), 0, "a corner: 0");
+    triangle flat = {{1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, turned = {flat.a, flat.c, flat.b};
+    const struct { triangle t; vec3 p; real omega; const char *where; } in_plane[] = {
+        {flat, o, 2 * pi, "within"}, {turned, o, 2 * pi, "within, turned round"},
+        {flat, {3, 0, 0}, 0, "outside"}, {flat, {-1, 0, 0}, 0, "on an edge"},
+        {flat, {1, 0, 0}, 0, "at a corner"}};
+    for (int i = 0; i < 5; i++)
+        check_equal(triangle_solid_angle(in_plane[i].t, in_plane[i].p), in_plane[i].omega,
+                    "p in the triangle's plane, %s", in_plane[i].where);
     check_equal(triangle_solid_angle((triangle){o, o, o}, (vec3){1, 0, 0}), 0, "no area: 0");
     check_close((double)triangle_solid_angle(flat, (vec3){0, 0, -(real)1e-9}), 2 * PI,
                 1e-8 + 8 * eps, "close to it, in front of its back: nearly 2 pi");

@@ -87,7 +87,7 @@ static void test_set(unsigned mask)
     for (int k = 0; k < effect_kinds; k++)
         check(b.counts.rays[k] >= a.counts.rays[k], "ingredients %x: fewer rays of %s with all",
               mask, effect_names[k].name);
-    for (int k = 2; k < 7; k++)  /* what needs a hit has one, and is spent on it */
+    for (int k = RAY_MIRRORED; k <= RAY_SCATTERED; k++)  /* what needs a hit has one: spent on it */
         if (q.s.shapes && !(called >> k & 1))
             check(b.counts.rays[k] > 0, "ingredients %x: all sends no rays for %s", mask,
                   effect_names[k].name);

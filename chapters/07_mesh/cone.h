@@ -34,6 +34,7 @@
 #define MESH_CONE_H
 
 #include "../01_ray/hit.h"
+#include "../../common/numbers/sum.h"
 #include "../../common/numbers/wide.h"
 
 typedef struct {
@@ -45,19 +46,12 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* What rounding took from s = a + b: exactly a + b - s (Knuth). */
-static inline real cone_lost(real a, real b, real s)
-{
-    real bb = s - a;
-    return (a - (s - bb)) + (b - bb);
-}
-
 /* (o - a) + t d, rounded as if computed with twice the digits: a point of the ray near a, however
  * far o is. */
 static inline real cone_near(real o, real a, real t, real d)
 {
     real f = o - a, p = t * d, q = f + p;
-    return q + (cone_lost(o, -a, f) + fma(t, d, -p) + cone_lost(f, p, q));
+    return q + (sum_error(o, -a, f) + fma(t, d, -p) + sum_error(f, p, q));
 }
 
 /* The first of two roots t[0..1] in the interval whose height z[0..1] along the axis is within

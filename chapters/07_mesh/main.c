@@ -28,10 +28,12 @@ static void main_picture(options *o, const mesh *m, int up, int samples, const c
 static void other_pictures(const options *o)
 {
     image shapes = image_new(o->quick ? 160 : 640, o->quick ? 90 : 360), slices;
-    bool whole = draw_shapes(o->quick ? 1 : 9, o->threads, &shapes);
-    output_picture(o, &shapes, "07_mesh_shapes.png", false, whole);
-    whole = draw_slices(o->quick ? 32 : 180, o->threads, &slices);
+    bool whole = draw_slices(o->quick ? 32 : 180, o->threads, &slices);
     output_picture(o, &slices, "07_mesh_inside.png", false, whole);
+    if (o->full || o->quick) {
+        whole = draw_shapes(o->quick ? 1 : 9, o->threads, &shapes);
+        output_picture(o, &shapes, "07_mesh_shapes.png", false, whole);
+    }
     image_free(&shapes), image_free(&slices);
     draw_arrays(o, "07_mesh_arrays.svg");
 }

@@ -2,7 +2,7 @@
  *
  *        |     |:   /:|     |     delta (10.1) is more than what was paid while building. All the
  *     ---+-----:+--/-:+-----+     cells within delta of the ray are asked, layer by layer along its
- *        |    :| /  :| |    |     longest direction: in each layer a block of cells.       (10.6)
+ *        |    :| /  :| |    |     longest direction: in each layer a block of cells.       (10.7)
  *     ---+---:-+/--:-+------+
  *        |  :  |  :  |      |     Where those are more cells than there are items, all the items
  *          <-delta->              are asked: an origin of 1e13 sizes away, in double.

@@ -62,7 +62,7 @@ static inline first_grid first_grid_build(const first_mesh *m)
     first_grid g = {.m = m, .box = first_triangles_box(m->tri, m->n, &hair)};
     if (m->n == 0) return g;
 
-    /* Cubes, 27 for each triangle: n_k = s_k (27 n / (sx sy sz))^(1/3)                   (10.4) */
+    /* Cubes, 27 for each triangle: n_k = s_k (27 n / (sx sy sz))^(1/3)                   (10.3) */
     vec3 s = vsub(g.box.hi, g.box.lo);
     real per_unit = cbrt(27.0 * m->n / (s.x * s.y * s.z));
     for (int k = 0; k < 3; k++) g.n[k] = (int)real_clamp(vaxis(s, k) * per_unit, 1, 256);
@@ -100,7 +100,7 @@ static inline bool first_grid_hit(const first_grid *g, ray r, hit *out)
     t = real_max(t, r.tmin);
     if (!(t <= real_min(t_exit, r.tmax))) return false;
 
-    /* The cell where the ray enters, and t at the walls: next + j delta for the j-th.    (10.3) */
+    /* The cell where the ray enters, and t at the walls: next + j delta for the j-th.    (10.4) */
     vec3 p = ray_at(r, t);
     for (int k = 0; k < 3; k++) {
         real d = vaxis(r.d, k);

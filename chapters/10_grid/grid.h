@@ -17,7 +17,7 @@
  *                                  empty cells reads one bit each, and these bits stay in the cache
  *
  * Cells: n_k = s_k (density n / (sx sy sz))^(1/3), so that they are cubes; an axis on which the box
- * is thinner than a cell is not cut, and the others share the cells.                     (10.4)
+ * is thinner than a cell is not cut, and the others share the cells.                     (10.3)
  *
  * A hit may lie beyond the cell that is asked: the item reaches into several. It is kept, but the
  * walk ends only when the next cell begins beyond it (grid_hit_early of naive.h does not wait).

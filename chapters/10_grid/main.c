@@ -22,21 +22,17 @@ int main(int argc, char **argv)
                              (options){.width = 960, .height = 330, .seed = 1}, own);
     how.exact = !bounds, how.mailbox = !no_mailbox;
     failure f;
+    mesh m = {0};
+    trial_scene s;
     if (path && o.csv) die(2, "--csv: no table with --mesh");
-    if (path) {
-        mesh m;
-        trial_scene s;
-        if (!obj_read(path, &m, &f)) fail(f);
-        o.own = true;
-        trial_scene_of(m, &s);
-        draw_model(&o, &s, how, path);
-        trial_scene_free(&s);
-        return output_done(&o);
-    }
-    draw_grid(&o, how);
-    if (!o.out) draw_walk(&o), draw_stadium(&o);
+    if (path && !obj_read(path, &m, &f)) fail(f);
+    trial_scene_of(path ? m : teapot_mesh(o.quick ? 4 : 16), &s);
+    o.own = path != NULL;
+    draw_grid(&o, &s, how, path);
+    trial_scene_free(&s);
+    if (path) return output_done(&o);
+    if (!o.out) draw_walk(&o), draw_early(&o), draw_stadium(&o);
     measure_variants(&o);
-    if (o.full)
-        plot_wrong(&o), measure_density(&o), measure_stadium(&o), measure_drift(&o);
+    if (o.full) measure_density(&o), measure_drift(&o);
     return output_done(&o);
 }

@@ -16,7 +16,7 @@
  *
  * An item that spans many cells is not tested against each of them: the block of cells that its
  * bounds overlap is halved until a block is not touched, or is one cell. So the cost is about that
- * of the cells that are touched, not of the block.                                       (10.5)
+ * of the cells that are touched, not of the block.                                       (10.6)
  */
 #ifndef MARKING_H
 #define MARKING_H
@@ -77,7 +77,7 @@ static inline void lists_take(cell_lists *l, size_t cell, uint32_t i)
     else l->first[cell]++, l->references++;
 }
 
-/* Cells i to j on each axis, (10.5). Not called for more cells than there are: depth < 64. */
+/* Cells i to j on each axis, (10.6). Not called for more cells than there are: depth < 64. */
 static inline void lists_take_block(cell_lists *l, const marking *m, const overlap_plan *p,
                                     const int i[3], const int j[3], size_t base, uint32_t item)
 {

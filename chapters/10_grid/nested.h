@@ -8,7 +8,7 @@
  *     +-----------+-----------+     nested_build, nested_hit, ..: the verbs of structure.h
  *
  * Cells of the outer grid: outer n; of a cell with k items: inner k, at most 255 on an axis; both
- * by (10.4). Items that span more than half of the outer cell cannot be cut apart: for them alone
+ * by (10.3). Items that span more than half of the outer cell cannot be cut apart: for them alone
  * it is cut into 27 at most. All inner cells of all outer ones share the two arrays of marking.h.
  *
  * The inner walk takes over at the t at which the outer cell begins, and ends where it ends. Every

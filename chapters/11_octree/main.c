@@ -5,9 +5,9 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 11_octree chapters/
  * textbook's walk gets wrong, a short table. --full: all tables and plots. --mesh FILE.obj: that
  * mesh, its cells. */
 #include "../07_mesh/files/obj.h"
-#include "lab/figure.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
+#include "lab/quadtree.h"
 
 int main(int argc, char **argv)
 {

@@ -15,7 +15,7 @@
  *   void octree_free(&t)                      a zeroed one may be freed
  *
  * The mesh or the scene of x must outlive the tree. How the search goes: walk.h.
- * In the plane it is a quadtree (四叉树): figure.h draws one.
+ * In the plane it is a quadtree (四叉树): quadtree.h draws one.
  *
  * Sources: A. Glassner, "Space Subdivision for Fast Ray Tracing", IEEE CG&A 4(10), 1984;
  * J. Revelles, C. Ureña, M. Lastra, "An Efficient Parametric Algorithm for Octree Traversal", WSCG

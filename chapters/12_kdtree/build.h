@@ -9,10 +9,10 @@
  *    +---------+--------+          An item that the plane cuts is in both, each time with the box
  *                                  of its part.
  *
- * When to stop. KD_MIDDLE and KD_MEDIAN: at how.leaf items, or after kd_most_doubled cuts of one
- * path that left more than half of the items on both sides. KD_SAH: when the best cut costs more
- * than the leaf. Whatever the strategy: at depth 8 + 1.3 log2 n (12.6), and
- * where there is no room (structure_room) to name the items once more.
+ * When to stop. By number: at how.leaf items, or after kd_most_doubled cuts of one path that left
+ * more than half of the items on both sides. By cost (KD_SAH, how.leaf = 0): when the best cut
+ * costs more than the leaf. Either way: at depth 8 + 1.3 log2 n (12.2), and where there is
+ * no room (structure_room) to name the items once more.
  *
  * Sources: V. Havran, J. Bittner, "On Improving KD-Trees for Ray Shooting", WSCG 2002 (cuts that
  * fail, depth); M. Pharr, W. Jakob, G. Humphreys, "Physically Based Rendering", 3rd ed., 2016, 4.4.
@@ -20,6 +20,7 @@
 #ifndef KDTREE_BUILD_H
 #define KDTREE_BUILD_H
 
+#include "../10_grid/overlap.h"
 #include "tree.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -55,8 +56,27 @@ static inline void kd_cut_polygon(const kd_builder *b, const polygon *p, int axi
     kd_cut_end(&c, b->how.planar == KD_THICK, below, above);
 }
 
-/* The boxes of an item's two parts. A round shape keeps the two parts of its box; a polygon is cut
- * by the plane alone. */
+/* A box of the tree as one of the scene, a little larger where coordinates were moved. */
+static inline aabb kd_in_scene(const kd_frame *f, const kd_box *b)
+{
+    vec3 lo = vec(b->lo[0], b->lo[1], b->lo[2]), hi = vec(b->hi[0], b->hi[1], b->hi[2]);
+    vec3 c = f->centre;
+    real spare = vzero(c) ? 0 : 4 * real_epsilon * fabs(vaxis(c, vlongest(c)));
+    vec3 more = vec(spare, spare, spare);
+    lo = vadd(vscale(lo, 1 / f->scale), c), hi = vadd(vscale(hi, 1 / f->scale), c);
+    return (aabb){vsub(lo, more), vadd(hi, more)};
+}
+
+/* A round shape keeps of its two half boxes those that it touches (10.2). */
+static inline void kd_cut_round(const kd_builder *b, uint32_t i, kd_box *below, kd_box *above)
+{
+    overlap_plan p;
+    if (!overlap_plan_of(&b->t->x, i, &p)) return;
+    if (!overlap_box(&p, kd_in_scene(&b->t->frame, below))) *below = kd_nothing;
+    if (!overlap_box(&p, kd_in_scene(&b->t->frame, above))) *above = kd_nothing;
+}
+
+/* The boxes of an item's two parts. A polygon is cut by the plane alone. */
 static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, float at,
                                kd_box *below, kd_box *above)
 {
@@ -70,6 +90,7 @@ static inline void kd_cut_item(const kd_builder *b, const kd_item *i, int axis, 
         kd_cut_triangle(b, &tri, &i->box, axis, at, below, above);
     } else if (s->kind == SHAPE_POLYGON)
         kd_cut_polygon(b, &s->polygon, axis, at, below, above);
+    else kd_cut_round(b, i->index, below, above);
 }
 
 static inline bool kd_is_empty(const kd_box *b)
@@ -119,7 +140,7 @@ static inline bool kd_wants(kd_builder *b, size_t begin, size_t n, const kd_box 
                             int doubled, double room, kd_choice *c)
 {
     const kdtree_options *how = &b->how;
-    bool by_cost = how->strategy == KD_SAH;
+    bool by_cost = how->leaf == 0;
     if (depth >= how->depth || n == 0) return false;
     if (structure_is_full(b->t->items, b->t->references, 2 * (double)n, room)) return false;
     if (!by_cost && (n <= (size_t)how->leaf || doubled > kd_most_doubled)) return false;
@@ -211,6 +232,7 @@ static inline bool kd_grow(kd_builder *b, const aabb *all)
     size_t r0 = 0, r1 = 0, r2 = 0;
     if (!kd_gather(b, all)) return false;
     size_t n = t->items;
+    if (b->how.strategy != KD_SAH && b->how.leaf == 0) b->how.leaf = 4;
     if (b->how.depth <= 0 || b->how.depth > kdtree_most_depth) b->how.depth = kd_default_depth(n);
     bool done = kd_room(b, &b->split.begin, 0, n + 1, &r0, sizeof(uint32_t))
                 && kd_room(b, &b->split.end, 0, n + 1, &r1, sizeof(uint32_t))

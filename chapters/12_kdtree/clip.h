@@ -2,7 +2,7 @@
  *
  *            +-----------+         The box of a triangle reaches into cells that the triangle does
  *            |       . ' |\        not touch. So where a plane cuts it, the part on each side gets
- *            |   . '  |  | \       the box of that part (12.5): the triangle is cut by the six
+ *            |   . '  |  | \       the box of that part (12.3): the triangle is cut by the six
  *            +-'------+--+--\      sides of its present box, and then by the plane.
  *          .'     plane     .'
  *
@@ -142,7 +142,7 @@ static inline kd_box kd_cut_box(const double lo[3], const double hi[3], const kd
     return b;
 }
 
-/* (12.5). `below` and `above` hold the present box when this begins. */
+/* (12.3). `below` and `above` hold the present box when this begins. */
 static inline void kd_cut_end(const kd_cut *c, bool thick, kd_box *below, kd_box *above)
 {
     int k = c->axis;

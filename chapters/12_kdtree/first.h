@@ -65,7 +65,7 @@ static inline void first_kd_split(first_kdtree *t, first_kd_node *node, aabb box
     first_kd_split(t, &child[1], above, depth + 1);
 }
 
-/* In place, since the root is part of it: it must not move. Depth: 8 + 1.3 log2 n.       (12.6) */
+/* In place, since the root is part of it: it must not move. Depth: 8 + 1.3 log2 n.       (12.2) */
 static inline void first_kdtree_build(const first_mesh *m, first_kdtree *t)
 {
     *t = (first_kdtree){.m = m, .depth = (int)(8 + 1.3 * log2(m->n + 1.0))};
@@ -91,7 +91,7 @@ static inline bool first_kd_visit(const first_kdtree *t, const first_kd_node *no
     if (d == 0) return first_kd_visit(t, &node->child[o > node->plane], r, t0, t1, out);
     int near = d > 0 ? 0 : 1;
 
-    /* It crosses at t = (plane - o) / d: near in [t0, t], far in [t, t1].               (12.2) */
+    /* It crosses at t = (plane - o) / d: near in [t0, t], far in [t, t1].               (12.5) */
     real cross = (node->plane - o) / d;
     if (t0 <= cross
         && first_kd_visit(t, &node->child[near], r, t0, real_min(cross, t1), out)) found = true;

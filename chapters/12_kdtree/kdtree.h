@@ -13,9 +13,9 @@
  * price: an item that a plane cuts is in both parts.
  *
  *   how.strategy        KD_MIDDLE, KD_MEDIAN, KD_SAH: split.h
- *   how.leaf            most items in a leaf (KD_SAH stops by cost instead)
- *   how.depth           of the deepest leaf [1..64]; 0: 8 + 1.3 log2 n                      (12.6)
- *   how.traversal_cost, item_cost, empty_bonus     of the heuristic (12.4)
+ *   how.leaf            most items in a leaf; 0: where no cut pays (KD_SAH only; else 4): build.h
+ *   how.depth           of the deepest leaf [1..64]; 0: 8 + 1.3 log2 n                      (12.2)
+ *   how.traversal_cost, item_cost, empty_bonus     of the heuristic (12.1)
  *   how.clip            the box of a cut triangle is that of its part: clip.h
  *   how.planar          what lies in a plane: tree.h
  *   how.most_bytes      of memory while it is built; more: kdtree_build returns false
@@ -45,33 +45,33 @@
 #define kdtree_item_cost 0.25
 #define kdtree_empty_bonus 0.1
 #define kdtree_defaults \
-    ((kdtree_options){KD_SAH, 4, 0, 1, kdtree_item_cost, kdtree_empty_bonus, true, KD_THICK, \
+    ((kdtree_options){KD_SAH, 0, 0, 1, kdtree_item_cost, kdtree_empty_bonus, true, KD_THICK, \
                       SIZE_MAX / 4})
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline bool kdtree_hit(const kdtree *t, ray r, hit *out)
 {
-    return t->x.m ? kd_search(t, r, true, false, out, NULL)
-                  : kd_search(t, r, false, false, out, NULL);
+    return t->x.m ? kd_search(t, r, 1, true, false, out, NULL)
+                  : kd_search(t, r, 1, false, false, out, NULL);
 }
 
 static inline bool kdtree_occluded(const kdtree *t, ray r)
 {
-    return t->x.m ? kd_search(t, r, true, true, NULL, NULL)
-                  : kd_search(t, r, false, true, NULL, NULL);
+    return t->x.m ? kd_search(t, r, 1, true, true, NULL, NULL)
+                  : kd_search(t, r, 1, false, true, NULL, NULL);
 }
 
 static inline bool kdtree_hit_counted(const kdtree *t, ray r, hit *out, search_work *work)
 {
-    return t->x.m ? kd_search(t, r, true, false, out, work)
-                  : kd_search(t, r, false, false, out, work);
+    return t->x.m ? kd_search(t, r, 1, true, false, out, work)
+                  : kd_search(t, r, 1, false, false, out, work);
 }
 
 static inline bool kdtree_occluded_counted(const kdtree *t, ray r, search_work *work)
 {
-    return t->x.m ? kd_search(t, r, true, true, NULL, work)
-                  : kd_search(t, r, false, true, NULL, work);
+    return t->x.m ? kd_search(t, r, 1, true, true, NULL, work)
+                  : kd_search(t, r, 1, false, true, NULL, work);
 }
 
 static inline structure_stats kdtree_stats(const kdtree *t)

@@ -1,11 +1,11 @@
 /* 12_kdtree: space cut in two by planes across the axes, again and again: built, compared.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 12_kdtree chapters/12_kdtree/main.c -lm -lpthread
  *
- * Without options: what each pixel of the teapot took, by four strategies; the tree in the plane; a
+ * Without options: what each pixel of the teapot took, by four rules; the tree in the plane; a
  * short table. --full: all tables and plots. --mesh FILE.obj: the first picture of that mesh.
  * --strategy NAME: that tree alone, beside the mesh. */
 #include "../07_mesh/files/obj.h"
-#include "lab/flat.h"
+#include "lab/figure.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
@@ -44,7 +44,7 @@ static void measure(const options *o)
                &kdtree_trial, &kdtree_defaults);
     table_of_strategies(o, &s);
     if (o->full)
-        table_of_planes(o), plots_of_cost(o, &s), plot_of_bonus(o, &s), kdtree_grow(o);
+        table_of_planes(o), kdtree_grow(o);
     trial_scene_free(&s);
 }
 
@@ -55,7 +55,7 @@ int main(int argc, char **argv)
         {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: draw this mesh, y up"},
         {"strategy", OPTION_TEXT, &own.strategy, 0, 0,
          "middle, median or sah: that tree alone, beside the mesh"},
-        {"leaf", OPTION_INT, &own.how.leaf, 1, 255, "with middle, median: most items in a leaf"},
+        {"leaf", OPTION_INT, &own.how.leaf, 0, 255, "most items in a leaf; 0: by cost (sah)"},
         {"depth", OPTION_INT, &own.how.depth, 0, kdtree_most_depth,
          "of leaves; 0: 8 + 1.3 log2 n"},
         {"item-cost", OPTION_REAL, &own.how.item_cost, 1e-3, 1e3, "of a test; a step costs 1"},
@@ -74,6 +74,6 @@ int main(int argc, char **argv)
     o.own = own.mesh || own.strategy;
     draw(&o, &own, &s);
     trial_scene_free(&s);
-    if (!o.own && !o.out) draw_flat(&o), measure(&o);
+    if (!o.own && !o.out) draw_figure(&o), draw_final(&o), measure(&o);
     return output_done(&o);
 }

@@ -9,7 +9,7 @@
  *                            need not look into empty cells, and they are most of those it passes
  *
  *   kd_frame                 where the tree lives: x' = scale (x - centre), scale a power of two
- *   kd_ray_of(r, &frame, &box, &q)             prepares the ray once
+ *   kd_ray_of(r, &frame, &box, pads, &q)       prepares the ray once; pads: 1, or 0: no delta
  *   limit = kd_ray_limit(&q, t)                t as a float that is not less, in units of q
  *
  * Planes are floats whatever `real` is: each plane is chosen among floats, so it is the very plane
@@ -18,7 +18,7 @@
  * and not far from 0. Where it already is, they are those of the scene.
  *
  * The t of a plane, and why no rounding loses a hit. The plane is passed not at one t but within
- * [t0, t1]: t0 as seen from an origin moved forwards by delta, t1 from one moved back (12.3):
+ * [t0, t1]: t0 as seen from an origin moved forwards by delta, t1 from one moved back (12.6):
  *
  *         o - delta   o   o + delta             plane      t0 = (plane - (o + delta)) / d
  *        -----+-------+-------+-------- ... -----|---      t1 = (plane - (o - delta)) / d
@@ -134,7 +134,7 @@ static inline float kd_ray_limit(const kd_ray *q, real t)
  * Each comparison keeps its second argument against a NaN. Written where it is used: a copy of what
  * has just been stored number by number would wait for it, 15 ns a ray. */
 __attribute__((always_inline))
-static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, kd_ray *q)
+static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, int pads, kd_ray *q)
 {
     vec3 o = kd_place(frame, r.o);
     real reach = 0;
@@ -142,7 +142,7 @@ static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, kd
         reach = real_max(fabs((real)box->lo[k] - vaxis(o, k)), reach);
         reach = real_max(fabs((real)box->hi[k] - vaxis(o, k)), reach);
     }
-    real delta = reach * ((real)0x1p-21 + 512 * real_epsilon) + (real)0x1p-100;  /* (12.3) */
+    real delta = reach * ((real)0x1p-21 + 512 * real_epsilon) + (real)0x1p-100;  /* (12.6) */
     q->unit = kd_unit(fabs(vaxis(r.d, vlongest(r.d)))), q->scale = frame->scale;
     /* t of hits below real_smallest has fewer digits than eps says. 2^-100 keeps a tmin of 0 away
      * from the numbers below FLT_MIN, with which processors are slow. */
@@ -150,7 +150,8 @@ static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, kd
     float enter = -kd_ray_limit(q, -r.tmin), exit = kd_ray_limit(q, r.tmax);
     for (int k = 0; k < 3; k++) {
         float i = (float)(q->unit / vaxis(r.d, k));
-        float up = kd_beyond(vaxis(o, k) + delta), down = -kd_beyond(delta - vaxis(o, k));
+        float up = pads ? kd_beyond(vaxis(o, k) + delta) : (float)vaxis(o, k);
+        float down = pads ? -kd_beyond(delta - vaxis(o, k)) : up;
         float o_near = i < 0 ? down : up, o_far = i < 0 ? up : down;
         enter = kd_max(((i < 0 ? box->hi[k] : box->lo[k]) - o_near) * i, enter);
         exit = kd_min(((i < 0 ? box->lo[k] : box->hi[k]) - o_far) * i, exit);

@@ -1,15 +1,16 @@
 /* search.h: the search of the tree, front to back.
  *
- *   bool kd_search(&t, r, of_mesh, any, &h, &work)      of_mesh, any: known where this is called;
- *                                                       each call becomes a loop of its own
+ *   bool kd_search(&t, r, pads, of_mesh, any, &h, &work)   pads: 1; 0: no delta, loses hits. These
+ *                                 three are known where it is called: each call becomes a loop of
+ *                                 its own
  *
  *          |  near  :  far            At a cut the ray has the part [enter, exit] in the cell, and
- *      ----+--------:--------+---     passes the plane within [t0, t1] (12.3):
+ *      ----+--------:--------+---     passes the plane within [t0, t1] (12.6):
  *        enter   t0 : t1    exit
- *                                      exit < t0     near child only                       (12.1)
+ *                                      exit < t0     near child only                       (12.4)
  *                                      enter > t1    far child only
  *                                      else          near with [enter, t1], far with [t0, exit]
- *                                                                                          (12.2)
+ *                                                                                          (12.5)
  *
  * Both, also where the plane is passed just at enter or just at exit: a ray in a plane, or through
  * a corner of cells, looks into all cells that it touches. But not into an empty child: kd_full.
@@ -70,7 +71,7 @@ static inline bool kd_ask(const kdtree *t, kd_node n, query *q, bool of_mesh, bo
 /* Branches, although each is a coin toss: without them every step waits for the one before. The far
  * child is asked for first, since it is the rarer: one branch less for most steps. */
 __attribute__((always_inline))
-static inline bool kd_search(const kdtree *t, ray r, bool of_mesh, bool any, hit *out,
+static inline bool kd_search(const kdtree *t, ray r, int pads, bool of_mesh, bool any, hit *out,
                              search_work *w)
 {
     kd_waiting stack[kdtree_most_depth];
@@ -78,15 +79,15 @@ static inline bool kd_search(const kdtree *t, ray r, bool of_mesh, bool any, hit
     if (t->items == 0 || !ray_is_usable(r)) return false;
     query q = query_of(r);
     kd_ray k;
-    kd_ray_of(r, &t->frame, &t->box, &k);
+    kd_ray_of(r, &t->frame, &t->box, pads, &k);
     float enter = k.enter, exit = k.exit, limit = kd_ray_limit(&k, r.tmax);
     if (enter > exit) return false;
     kd_node n = t->node[0];
     for (;;) {
-        if (!kd_is_leaf(n)) {  /* (12.1); a NaN leads to both */
+        if (!kd_is_leaf(n)) {  /* (12.4); a NaN leads to both */
             size_t x = n.bits & 3, near = k.second[x], far = 1 - near;
             float t0 = (n.plane - k.o_near[x]) * k.inverse[x];
-            float t1 = (n.plane - k.o_far[x]) * k.inverse[x];
+            float t1 = pads ? (n.plane - k.o_far[x]) * k.inverse[x] : t0;
             const kd_node *child = t->node + kd_lower(n);
             if (w) w->nodes++;
             if (kd_full(n, far) && !(t0 > exit)) {

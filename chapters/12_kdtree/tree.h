@@ -21,9 +21,9 @@ typedef enum { KD_THICK, KD_BOTH, KD_ONE } kdtree_planar;
 
 typedef struct {
     kdtree_strategy strategy;
-    int leaf, depth;          /* most items in a leaf (not KD_SAH); deepest leaf, 0: (12.6) */
-    double traversal_cost, item_cost, empty_bonus;  /* (12.4) */
-    bool clip;                /* boxes of parts are those of the part (12.5), not cut boxes */
+    int leaf, depth;          /* most items in a leaf, 0: by cost; deepest leaf, 0: (12.2) */
+    double traversal_cost, item_cost, empty_bonus;  /* (12.1) */
+    bool clip;                /* boxes of parts are those of the part (12.3), not cut boxes */
     kdtree_planar planar;
     size_t most_bytes;        /* while it is built */
 } kdtree_options;

@@ -2,7 +2,7 @@
  * direction cut space into convex cells.
  *
  *   bsp b;
- *   bool bsp_build(&x, bsp_defaults, &b, &f)     x must outlive the tree; false: it does not fit
+ *   bool bsp_build(&x, bsp_defaults, &b, &f)     its mesh or scene must outlive the tree
  *   bool bsp_hit(&b, r, &h)                      the very hit (t, u, v, shape) of items_hit
  *   bool bsp_occluded(&b, r)
  *   bsp_hit_counted(&b, r, &h, &work), bsp_occluded_counted(&b, r, &work)
@@ -113,7 +113,7 @@ static inline bool bsp_search(const bsp *b, ray r, real pads, bool any, bool fir
         const uint32_t *item = b->reference + n->first, *end = item + count;
         if (work) work->leaves++, work->empty += count == 0, work->tests += count;
         for (; item < end; item++)
-            if (query_ask(&q, b->x, *item, any) && any) return true;
+            if (query_ask(&q, &b->x, *item, any) && any) return true;
         if (q.best.shape != no_shape) {
             if (first_leaf) break;
             limit = bsp_limit(&s, q.r.tmax);

@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 13_bsp chapters/13_
  * Without options: three pictures, a short table. --full: all tables and plots. FILE.obj: that
  * mesh instead, its cells and the work of each pixel, and one line about the tree of --rule. */
 #include "../07_mesh/files/obj.h"
-#include "lab/flat_figure.h"
+#include "lab/strip.h"
 #include "lab/measure.h"
 #include "lab/painting.h"
 #include "lab/pictures.h"
@@ -27,21 +27,10 @@ static void tell(const trial_scene *s, bsp_options how)
     trial_time_build(&r, s, 1);
     structure_stats st = bsp_stats(r.built);
     printf("# %zu triangles: built in %.3f s; %zu planes, %zu of them slanted; depth %d; "
-           "%.2f names a triangle; %zu bytes\n", s->m.triangles, r.build, st.inner,
+           "%.2f references a triangle; %zu bytes\n", s->m.triangles, r.build, st.inner,
            ((bsp *)r.built)->normals, st.depth, trial_per((double)st.references, st.items),
            st.bytes);
     trial_unbuild(&r);
-}
-
-static void draw_painter(const options *o)
-{
-    int k = o->quick ? 4 : 1;
-    image flat = image_new(836 / k, 414 / k), cyclic = image_new(848 / k, 280 / k);
-    bool whole = draw_flat(o->threads, &flat);
-    output_picture(o, &flat, "13_bsp_flat.png", false, whole);
-    draw_cyclic(&cyclic);
-    output_picture(o, &cyclic, "13_bsp_painter.png", false, true);
-    image_free(&flat), image_free(&cyclic);
 }
 
 int main(int argc, char **argv)
@@ -70,7 +59,7 @@ int main(int argc, char **argv)
     if (path) tell(&s, how);
     image_free(&im), trial_scene_free(&s);
     if (o.own || o.out) return output_done(&o);
-    draw_painter(&o);
+    draw_strip(&o), draw_cyclic(&o);
     table_of_rules(&o);
     if (o.full) table_of_scenes(&o), table_of_losses(&o), table_of_pieces(&o);
     return output_done(&o);

@@ -43,7 +43,7 @@ typedef struct {
 } bsp_node;
 
 typedef struct {
-    const items *x;
+    items x;
     aabb all;
     vec3 middle, half;
     bsp_node *node;
@@ -204,7 +204,7 @@ static inline bool bsp_options_valid(bsp_options how, failure *f)
 
 static inline bool bsp_build(const items *x, bsp_options how, bsp *out, failure *f)
 {
-    *out = (bsp){.x = x};
+    *out = (bsp){.x = *x};
     bsp_builder b = {.tree = out, .c = {.w = {.x = x, .sides = how.sides}, .how = how}};
     if (!bsp_options_valid(how, f)) return false;
     if (!items_all_bounds(x, &out->all, f)) return false;

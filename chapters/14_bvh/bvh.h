@@ -22,7 +22,6 @@
 #include "../09_aabb/items.h"
 #include "bvh_mesh.h"
 #include "bvh_shapes.h"
-#include "stats.h"
 
 typedef struct { items x; bvh_mesh mesh; bvh_shapes shapes; } bvh;  /* one of the two, as x says */
 

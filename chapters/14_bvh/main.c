@@ -4,7 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
  * Without options: the teapot of 102080 triangles, what each pixel took, a short table. --full: all
  * tables and plots. --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
 #include "../07_mesh/files/obj.h"
-#include "lab/measure.h"
+#include "lab/boxes_figure.h"
 #include "lab/runs.h"
 
 static bvh_options build_options(const char *strategy, int leaf)
@@ -17,21 +17,22 @@ static bvh_options build_options(const char *strategy, int leaf)
     }
     if (!bvh_rule_find(strategy)) die(2, "--strategy %s: allowed are %s", strategy, names);
     b.rule = strategy, b.leaf = leaf;
-    if (leaf == 1) b.item_cost = 1;
     return b;
 }
 
 /* The book's own scenes. */
 static void measure(const options *o)
 {
+    const bvh_options how = bvh_defaults;
     trial_scene s;
     int width = o->quick ? 40 : o->full ? 240 : 80;
     trial_scene_of(teapot_mesh(o->quick ? 6 : o->full ? 40 : 12), &s);
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
-               &bvh_trial, &bvh_candidate_list[3].how);
-    table_of_strategies(o, &s);
+               &bvh_trial, &how);
+    table_of_rules(o, &s);
     if (o->full) {
-        table_of_overlap(o, &s), table_of_paying(o, &s), table_of_slivers(o);
+        table_of_orders(o, &s), table_of_overlap(o, &s), table_of_greed(o);
+        table_of_paying(o, &s), table_of_slivers(o);
         plot_of_pareto(o, &s), bvh_grow(o);
     }
     trial_scene_free(&s);
@@ -63,11 +64,12 @@ int main(int argc, char **argv)
         die(2, "--csv: no table with --mesh, --out, but with --rays");
     if (path && !obj_read(path, &s.m, &f)) fail(f);
     if (!path) s.m = teapot_mesh(o.quick ? 8 : 40);
+    s.x = items_of_mesh(&s.m);
     if (path) file.scene = path;
     o.own = path || file.rays;
     if (file.rays) search_file(&o, &file, &s.m, how, strategy);
     else draw_mesh(&o, &s.m, how, !path, path);
-    if (!o.own && !o.out) draw_visits(&o, &s), measure(&o);
+    if (!o.own && !o.out) draw_nested(&o), draw_visits(&o, &s), measure(&o);
     trial_scene_free(&s);
     return output_done(&o);
 }

@@ -20,7 +20,6 @@
 #ifndef BVH_SEARCH_H
 #define BVH_SEARCH_H
 
-#include "../09_aabb/structure.h"
 #include "tree.h"
 
 /* box_ray_of; box_ray_naive, which loses hits; or what pays for more errors than node.h counts. */
@@ -35,13 +34,15 @@ typedef bool tree_leaf(const void *context, uint32_t first, uint32_t count, quer
 
 typedef struct { uint32_t first, count; float enter; } tree_waiting;
 
-/* `leaf` and `any` are known where this is called: each call becomes a loop of its own. Which child
- * is nearer is chosen by branches: half of the guesses are wrong, but with the others the processor
- * is already in the next node. Without them (an index from the comparison) it has to wait at every
- * node, and a ray takes a third longer. */
+/* nearest: the child that is entered first is next; false: always the first, for comparison.
+ * `leaf`, `any`, `nearest` are known where this is called: each call becomes a loop of its own.
+ * Which child is nearer is chosen by branches: half of the guesses are wrong, but with the others
+ * the processor is already in the next node. Without them (an index from the comparison) it has to
+ * wait at every node, and a ray takes a third longer. */
 __attribute__((always_inline))
-static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
-                               const void *context, bool any, hit *out, search_work *work)
+static inline bool tree_search_by(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
+                                  const void *context, bool any, bool nearest, hit *out,
+                                  search_work *work)
 {
     tree_waiting stack[bvh_most_depth];
     int top = 0;
@@ -61,7 +62,7 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
             bool in0 = !(enter0 > exit0), in1 = !(enter1 > exit1);
             if (work) work->nodes++;
             if (in0) {
-                if (in1 && enter1 < enter0) {
+                if (in1 && nearest && enter1 < enter0) {
                     stack[top++] = (tree_waiting){c[0].first, c[0].count, enter0};
                     first = c[1].first, count = c[1].count;
                     continue;
@@ -86,6 +87,13 @@ static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, 
         } while (stack[top].enter > limit);
         first = stack[top].first, count = stack[top].count;
     }
+}
+
+__attribute__((always_inline))
+static inline bool tree_search(const bvh_tree *t, ray r, tree_prepare *prepare, tree_leaf *leaf,
+                               const void *context, bool any, hit *out, search_work *work)
+{
+    return tree_search_by(t, r, prepare, leaf, context, any, true, out, work);
 }
 
 #endif

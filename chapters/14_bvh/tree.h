@@ -1,11 +1,12 @@
 /* tree.h: building the tree of boxes (层次包围盒, bounding volume hierarchy) over items of any kind.
  *
  *   bool tree_build(item, n, how, &t, &f)    reorders item[n], of boxes alone; false: f says why
- *   bool tree_build_input(&in, how, &t, &f)  the same of items that can be cut, too: store.h
- *   tree_free(&t)                            a zeroed tree may be freed
+ *   bool tree_build_input(&in, how, &t, &f)  the same of items that can be cut, too
+ *   tree_stats(&t)                           items: references, too; a tree knows no triangles
+ *   tree_free(&t)                            a zeroed tree may be freed: build/store.h
  *
  *   how.rule            one of bvh_rules, below, by its name
- *   how.leaf, how.item_cost, how.most_bytes: store.h
+ *   how.leaf, how.item_cost, how.most_bytes: build/store.h
  *
  * O(n log n). Depth: cuts by planes may peel off one item each: n items 1, 2, 4, 8 ... apart make a
  * tree n deep. So a set of n items at depth d is halved by number as soon as d + log2(n) reaches
@@ -19,8 +20,9 @@
 #ifndef BVH_TREE_H
 #define BVH_TREE_H
 
-#include "morton.h"
-#include "spatial.h"
+#include "../09_aabb/structure.h"
+#include "build/morton.h"
+#include "build/spatial.h"
 
 /* A leaf of most items, a test that costs so much of a pair of boxes. */
 #define bvh_leaves(most, cost) ((bvh_options){"sah", most, cost, SIZE_MAX})
@@ -133,6 +135,15 @@ static inline bool tree_build_input(const bvh_input *in, bvh_options how, bvh_tr
 static inline bool tree_build(bvh_item *item, size_t n, bvh_options how, bvh_tree *t, failure *f)
 {
     return tree_build_input(&(bvh_input){item, n, n, NULL, NULL}, how, t, f);
+}
+
+static inline structure_stats tree_stats(const bvh_tree *t)
+{
+    structure_stats s = {.references = t->items, .items = t->items, .depth = t->depth,
+                         .bytes = t->bytes, .peak = t->peak};
+    for (size_t i = 0; t->items && i < t->nodes; i++) s.leaves += i != 1 && t->node[i].count > 0;
+    s.inner = s.leaves ? s.leaves - 1 : 0;
+    return s;
 }
 
 #endif

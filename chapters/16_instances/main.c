@@ -1,12 +1,13 @@
 /* 16_instances: a forest of two firs, an oak, two birches, many times; normals that stay right.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 16_instances chapters/16_instances/main.c -lm -lpthread
  *
- * Without options: the forest, what goes wrong with normals and with normalised rays, a table of
- * methods. --full: four tables, three plots. --instances N: so many plants, the picture only.
+ * Without options: the forest, a drawing of both levels, a table of methods. --full: what goes
+ * wrong with normals and with normalised rays; growth. --instances N: so many plants, no table.
  * --mesh FILE.obj: a crowd of that mesh, y up, the picture only. */
 #include "../07_mesh/files/obj.h"
-#include "lab/growth.h"
+#include "lab/measure.h"
 #include "lab/pictures.h"
+#include "lab/two_levels.h"
 
 int main(int argc, char **argv)
 {
@@ -19,7 +20,7 @@ int main(int argc, char **argv)
         {0}};
     options o = options_read(argc, argv, "16_instances",
                              "Instances: one mesh in many places, a tree of two levels.",
-                             (options){.width = 640, .height = 400, .seed = 1}, list);
+                             (options){.width = 560, .height = 350, .seed = 1}, list);
     failure f;
     plant own = {.wood = 0};
     mesh m = {0};
@@ -33,13 +34,8 @@ int main(int argc, char **argv)
     if (!plants) plants = o.quick ? 300 : 9000;
     draw_forest(&o, (size_t)plants, path ? &own : NULL);
     if (picture_only) return output_done(&o);
-    draw_unit(&o);
-    draw_normals(&o);
+    draw_two_levels(&o);
     table_of_methods(&o);
-    if (o.full) {
-        table_of_growth(&o);
-        table_of_way(&o);
-        table_of_normals(&o);
-    }
+    if (o.full) draw_unit(&o), draw_normals(&o), table_of_growth(&o);
     return output_done(&o);
 }

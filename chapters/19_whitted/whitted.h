@@ -185,8 +185,8 @@ static inline void whitted_eye(ray r, const media_set *in, uint32_t from, whitte
     b->depth = 1, b->kind = RAY_CAMERA, b->from = from, b->number = -1;
 }
 
-/* Summed level by level: so whoever traces a level after the other gets the same, to the last bit.
- * A face that is none makes no new level. */
+/* Summed level by level, as a search that traces one level after the other would. A face that is
+ * none makes no new level. */
 __attribute__((always_inline))
 static inline vec3 whitted_walk(tracer *t, ray r, media_set in, uint32_t from,
                                 const whitted_search *search, whitted_log *log)

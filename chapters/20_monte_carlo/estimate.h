@@ -63,20 +63,4 @@ static inline double estimate_error(estimate e)
     return sqrt(estimate_variance(e) / (double)(e.n ? e.n : 1));
 }
 
-/* The textbook's shortcut V[X] = E[X^2] - E[X]^2, which is first_variance, but always in float.
- * Both terms are about mean^2, their difference is about s^2, and both have been rounded: with
- * mean/s beyond 1/sqrt(epsilon) (3000 in float, 1e8 in double) what is left is noise, and half of
- * the time negative. */
-typedef struct { float sum, squares; } moments_f32;
-
-static inline moments_f32 moments_add_f32(moments_f32 m, float x)
-{
-    return (moments_f32){m.sum + x, m.squares + x * x};
-}
-
-static inline float moments_variance_f32(moments_f32 m, float n)
-{
-    return (m.squares / n - m.sum / n * (m.sum / n)) * n / (n - 1);
-}
-
 #endif

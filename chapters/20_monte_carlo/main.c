@@ -13,6 +13,6 @@ int main(int argc, char **argv)
     draw_points(&o), draw_wrong(&o);
     measure_methods(&o);
     measure_importance(&o);
-    if (o.full) measure_rays(&o), measure_variances(&o);
+    if (o.full) measure_rays(&o);
     return output_done(&o);
 }

@@ -15,7 +15,7 @@ int main(int argc, char **argv)
     measure_ways(&o);
     if (o.full) {
         measure_relations(&o);
-        measure_hard(&o), plot_hard(&o);
+        measure_hard(&o);
         measure_photometry(&o);
     }
     return output_done(&o);

@@ -68,10 +68,8 @@ static inline void direct_lights_build(const lit_scene *s, direct_lights_kind ki
     *out = (direct_lights){.kind = kind};
     if (kind == LIGHTS_ALL || s->emitters == 0) return;
     real *weight = allocate(s->emitters, sizeof *weight);
-    for (size_t k = 0; k < s->emitters; k++) {
-        const emitter *e = &s->emitter[k];
-        weight[k] = kind == LIGHTS_FLUX ? e->area * (e->Le.x + e->Le.y + e->Le.z) : 1;
-    }
+    for (size_t k = 0; k < s->emitters; k++)
+        weight[k] = kind == LIGHTS_FLUX ? emitter_power(&s->emitter[k]) : 1;
     choice_build(weight, s->emitters, &out->pick);
     free(weight);
 }

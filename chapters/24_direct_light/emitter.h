@@ -12,6 +12,7 @@
  *       Le: radiance of the front [W/(m^2 sr)]; the back is dark. All that does not depend on p is
  *       computed here, once.
  *
+ *   emitter_power(&e)                area x radiance: what it gives off, but for a factor pi / 3
  *   emitter_by_area(&e, p, u, &x)    draws x.s (on the light, for leave_between), x.wi (unit, from
  *   emitter_by_angle(&e, p, u, &x)   p) and x.pdf [1/sr]; no cosine is included. false: p is
  *                                    behind it or in its plane, inside of a sphere, or the point
@@ -83,6 +84,11 @@ static inline emitter emitter_of_sphere(sphere s, vec3 Le)
 {
     return (emitter){.kind = EMITTER_SPHERE, .sphere = s, .area = 4 * pi * s.r * s.r, .Le = Le,
                      .reach = 4 * fabs(s.r)};
+}
+
+static inline real emitter_power(const emitter *e)
+{
+    return e->area * (e->Le.x + e->Le.y + e->Le.z);
 }
 
 static inline surface emitter_surface(const emitter *e, vec3 x, vec3 n)

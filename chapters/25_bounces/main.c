@@ -1,6 +1,6 @@
 /* 25_bounces: light sorted by its bounces, rooms where its sum is known, N rays a hit exploding.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters/25_bounces/main.c -lm -lpthread
- * Without options: the main picture and table; --full: two pictures, eight tables, four plots.
+ * Without options: the main picture and table; --full: eight tables, three plots.
  * Errors are measured against closed forms, linear systems, and an estimate that shares nothing
  * with the paths but their walk. */
 #include "lab/measure.h"
@@ -13,15 +13,14 @@ int main(int argc, char **argv)
     option own[] = {
         {"depth", OPTION_INT, &depth, 4, term_most, "bounces in the main picture"},
         {"naive", OPTION_FLAG, &naive, 0, 0, "main picture by paths that meet the light"}, {0}};
-    options defaults = {.width = 1000, .height = 400, .samples = 48, .seed = 1};
+    options defaults = {.width = 1000, .height = 400, .samples = 32, .seed = 1};
     options o = options_read(argc, argv, "25_bounces", "L = E + KE + K^2 E + ...", defaults, own);
     if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
     draw_terms(&o, depth, naive);
-    if (!o.out && o.full) draw_branches(&o);
     measure_branches(&o);
     if (o.full) {
         measure_rays(&o);
-        measure_furnace(&o), measure_pair(&o), measure_norms(&o);
+        measure_furnace(&o), measure_norms(&o);
         measure_cornell(&o), measure_notes(&o), measure_sums(&o);
     }
     return output_done(&o);

@@ -77,12 +77,6 @@ static inline size_t naive_rays(const naive_counts *c)
     return n;
 }
 
-static inline void naive_add(naive_counts *to, const naive_counts *c)
-{
-    for (int k = 0; k < naive_depths; k++) to->rays[k] += c->rays[k];
-    to->escaped += c->escaped, to->black += c->black;
-}
-
 /* Throughput after a hit of this weight, without what is too small to go on. */
 static inline vec3 naive_through(vec3 a, vec3 weight)
 {

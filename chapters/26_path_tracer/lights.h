@@ -50,10 +50,7 @@ static inline void path_lights_of(const lit_scene *s, const environment *sky, pa
     out->skies = sky ? 1 - out->emitters : 0;
     if (n < 2) return;
     real *power = allocate(n, sizeof *power);
-    for (size_t i = 0; i < n; i++) {
-        const emitter *e = &s->emitter[i];
-        power[i] = e->area * (e->Le.x + e->Le.y + e->Le.z);
-    }
+    for (size_t i = 0; i < n; i++) power[i] = emitter_power(&s->emitter[i]);
     if (!choice_build(power, n, &out->of)) out->emitters = 0, out->skies = sky ? 1 : 0;
     free(power);
 }

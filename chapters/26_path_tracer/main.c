@@ -34,6 +34,5 @@ int main(int argc, char **argv)
     draw_cornell(&o);
     if (!o.out && o.full) draw_strategies(&o), draw_spheres(&o), draw_furnace(&o);
     measure_strategies(&o);
-    if (o.full) measure_speed(&o);
     return output_done(&o);
 }

@@ -176,7 +176,7 @@ static inline vec3 gather_lights(const effects_stage *e, const unsigned mask, co
         bool counts = here && whitted_reaches(L, s, &x);
         if (!counts && !(mask & EFFECTS_SPEND)) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
-        bool passes = gather_passes(e, mask, r, s->shape, 0, b->kind, c, &left);
+        bool passes = gather_passes(e, mask, r, s->shape, RAY_TO_LIGHT, b->kind, c, &left);
         if (!counts || !passes) continue;
         vec3 v = vscale(vmul(x.E, k->matte), 1 / pi);
         if (!vzero(k->highlight)) {
@@ -219,14 +219,14 @@ static inline vec3 gather(const effects_stage *e, const unsigned mask, const bra
     if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
         lamp_draw x;
         if (lamps_sample(&e->lamp, s->p, dice_pair(d, b->node, b->depth, DICE_LAMP), &x))
-            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, 1, x.wi, x.Le, x.pdf, &x.s,
-                                          c));
+            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, RAY_TO_LAMP, x.wi, x.Le,
+                                          x.pdf, &x.s, c));
     }
     if (mask & EFFECT_ENVIRONMENT) {
         sky_draw x;
         if (sky_light_sample(&e->sky, s->ns, dice_pair(d, b->node, b->depth, DICE_SKY), &x))
-            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, 7, x.wi, x.L, x.pdf, NULL,
-                                          c));
+            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, RAY_TO_SKY, x.wi, x.L,
+                                          x.pdf, NULL, c));
     }
     return sum;
 }

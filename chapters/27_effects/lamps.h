@@ -115,7 +115,7 @@ static inline void lamps_build(const studio_tree *t, lamp_list *out)
     real *power = allocate(out->n + 1, sizeof *power);
     double sum = 0;
     for (size_t i = 0; i < out->n; i++) {
-        power[i] = out->face[i].e.area * lamps_bright(out->face[i].e.Le);
+        power[i] = emitter_power(&out->face[i].e);
         sum += (double)power[i];
     }
     if (!out->n || !choice_build(power, out->n, &out->of)) lamps_free(out);

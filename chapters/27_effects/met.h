@@ -25,7 +25,7 @@ static inline real effects_found(const effects_stage *e, const unsigned mask, co
                                  unsigned by, real q)
 {
     if (!(b->pdf < real_infinity)) return 1;
-    if (b->kind == 6 && (!(mask & by) || !(e->counted & EFFECT_INDIRECT))) return 0;
+    if (b->kind == RAY_SCATTERED && (!(mask & by) || !(e->counted & EFFECT_INDIRECT))) return 0;
     return mask & by ? mis_power(b->pdf, q) : 1;
 }
 

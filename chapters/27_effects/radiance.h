@@ -65,14 +65,14 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
 }
 
-/* Rays about the mirror direction (kind 3) or anywhere (6). */
+/* Rays about the mirror direction or anywhere: RAY_GLOSSY, RAY_SCATTERED. */
 __attribute__((always_inline))
 static inline int effects_spread(const effects_stage *e, const unsigned mask, const branch *b,
                                  const surface *s, int kind, vec3 colour, const brdf *lobe,
                                  const dice *d, branch *c)
 {
     vec3 weight = vmul(b->weight, colour), wi, part = {1, 1, 1};
-    bool glossy = kind == 3;
+    bool glossy = kind == RAY_GLOSSY;
     if (!effects_follows(e, mask, b, glossy ? DICE_SURVIVES_GLOSSY : DICE_SURVIVES_INDIRECT, d,
                          &weight)) return 0;
     shading_frame f = shading_frame_of(s->ns);
@@ -101,7 +101,7 @@ static inline int effects_through(const effects_stage *e, const unsigned mask, c
     bool back = bends && x->total;
     if (!effects_follows(e, mask, b, DICE_SURVIVES_REFRACTION, d, &weight)) return 0;
     if (bends) on = back ? reflect(b->r.d, s->ns) : snell_refract(x, b->r.d, s->ns);
-    effects_child(mask, b, s, 4, back ? s->n : vneg(s->n), on, weight, c);
+    effects_child(mask, b, s, RAY_REFRACTED, back ? s->n : vneg(s->n), on, weight, c);
     if (after && !back) c->in = *after;
     return 1;
 }
@@ -141,13 +141,14 @@ static inline int effects_children(const effects_stage *e, const unsigned mask, 
 {
     int n = 0;
     if (mask & EFFECT_INDIRECT)
-        n += effects_spread(e, mask, b, s, 6, k->matte, lobe, d, &child[n]);
+        n += effects_spread(e, mask, b, s, RAY_SCATTERED, k->matte, lobe, d, &child[n]);
     if (mask & EFFECT_GLOSSY)
-        n += effects_spread(e, mask, b, s, 3, k->glossy, lobe, d, &child[n]);
+        n += effects_spread(e, mask, b, s, RAY_GLOSSY, k->glossy, lobe, d, &child[n]);
     if (mask & EFFECT_MIRROR) {
         vec3 weight = vmul(b->weight, k->mirror);
         if (effects_follows(e, mask, b, DICE_SURVIVES_MIRROR, d, &weight))
-            effects_child(mask, b, s, 2, s->n, reflect(b->r.d, s->ns), weight, &child[n++]);
+            effects_child(mask, b, s, RAY_MIRRORED, s->n, reflect(b->r.d, s->ns), weight,
+                          &child[n++]);
     }
     if (mask & EFFECT_REFRACTION)
         n += effects_through(e, mask, b, s, k->through, x, bends, after, d, &child[n]);
@@ -201,7 +202,7 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
     if (body) to = effects_crosses(e, m + 1, vdot(s.n, b->r.d) < 0, &b->in, &after);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
-        c->rays[5]++;
+        c->rays[RAY_ABSORBED]++;
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, x.h.t));         /* (19.9) */
     }
     s = surface_facing(s, b->r.d);

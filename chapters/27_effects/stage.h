@@ -28,9 +28,9 @@
 #include "sky_light.h"
 
 enum {
-    EFFECTS_SPEND = 512,      /* bits beside those of effect.h */
-    EFFECTS_TIMED = 1024,
-    EFFECTS_GENERAL = 2048,   /* drawn by the general copy, whatever the set: special.h */
+    EFFECTS_SPEND = 1 << effect_kinds,  /* bits beside those of effect.h */
+    EFFECTS_TIMED = 2 << effect_kinds,
+    EFFECTS_GENERAL = 4 << effect_kinds,  /* drawn by the general copy of special.h, always */
     RAY_OF_EYE = effect_kinds, effects_rays,
     stage_most_depth = 128
 };

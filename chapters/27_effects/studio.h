@@ -14,7 +14,7 @@
  *   material number  m = s.shape_material[i]                         of a shape
  *                    m = studio_material_of(&s, place, triangle)     of a triangle: O(log runs)
  *   studio_bounds(&s, &lo, &hi)                  false: nothing there
- *   scene all = studio_shapes(&s);  crowd c = studio_crowd(&s);      for trees of 14 and 16
+ *   scene all = studio_shapes(&s)         for a tree of 14
  *   studio_stands(&s, place)                     placed as it is in its file, not moved
  *   studio_said(&s, cite, text, sizeof text)     "room.scene:7", "(default)", "--light"
  *   studio_free(&s);                             a zeroed one may be freed
@@ -167,11 +167,6 @@ static inline const char *studio_material_name(const studio *s, uint32_t m)
 }
 
 static inline scene studio_shapes(const studio *s) { return (scene){s->shape, s->shapes}; }
-
-static inline crowd studio_crowd(const studio *s)
-{
-    return (crowd){s->mesh, s->meshes, s->placed, s->places};
-}
 
 /* The last run that begins at or before the triangle, as mesh_material finds it. */
 static inline uint32_t studio_material_of(const studio *s, uint32_t place, uint32_t k)

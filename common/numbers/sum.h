@@ -2,6 +2,7 @@
  *
  *   real s = 0;  s = sum_add_naive(s, x);     what any program does
  *   running_sum s = {0};  s = sum_add(s, x);  s.sum is the result
+ *   sum_error(a, b, s)                        what rounding took from s = a + b
  *
  * A float holds 24 bits. When the sum has reached 2^24 the next 1 lies below the last bit: 2^24 + 1
  * rounds back to 2^24, and the sum stands still for ever. Long before that each addition drops up
@@ -24,12 +25,18 @@ typedef struct { real sum, lost; } running_sum;
 
 static inline real sum_add_naive(real s, real x) { return s + x; }
 
-/* a + b = s + lost exactly, whichever of the two is larger (needs rounding as IEEE 754 has it, so
- * neither -ffast-math nor contraction). */
+/* What rounding took from s = a + b, exactly a + b - s, whichever of the two is larger (needs
+ * rounding as IEEE 754 has it, so neither -ffast-math nor contraction). */
+static inline real sum_error(real a, real b, real s)
+{
+    real b_used = s - a;
+    return (a - (s - b_used)) + (b - b_used);
+}
+
 static inline running_sum sum_add(running_sum s, real x)
 {
-    real b = x + s.lost, sum = s.sum + b, b_used = sum - s.sum;
-    return (running_sum){sum, (s.sum - (sum - b_used)) + (b - b_used)};
+    real b = x + s.lost, sum = s.sum + b;
+    return (running_sum){sum, sum_error(s.sum, b, sum)};
 }
 
 /* The two, always in float. */

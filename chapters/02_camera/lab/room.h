@@ -13,6 +13,7 @@
 
 #include "../../01_ray/hit.h"
 #include "../../../common/headlight.h"
+#include <stddef.h>
 
 typedef struct {
     int axis;            /* 0, 1, 2: the one that it lies across */

@@ -19,6 +19,7 @@
 #ifndef SPHERE_VARIANTS_H
 #define SPHERE_VARIANTS_H
 
+#include "../../../common/numbers/sum.h"
 #include "../sphere.h"
 
 typedef bool sphere_hit_function(sphere s, ray r, hit *out);
@@ -85,13 +86,6 @@ static inline bool sphere_roots_lagrange(sphere s, ray r, real *t0, real *t1)
     vec3 f = vsub(r.o, s.c), x = vcross(r.d, f);
     real a = vdot(r.d, r.d), ca = -vdot(r.d, f), k = vdot(f, f) - s.r * s.r;
     return sphere_by_vieta(a, ca, k, a * (s.r * s.r) - vdot(x, x), t0, t1);  /* (3.5) */
-}
-
-/* What rounding took from the sum s = a + b: exactly a + b - s (Knuth). */
-static inline real sum_error(real a, real b, real s)
-{
-    real bb = s - a;
-    return (a - (s - bb)) + (b - bb);
 }
 
 /* Without branches and without a wider type; needs a machine that has fma, or it is slow. */

@@ -14,18 +14,16 @@
 #ifndef TRIANGLE_DOME_H
 #define TRIANGLE_DOME_H
 
-#include "../../../common/image.h"
 #include "../../../common/headlight.h"
 #include "../../../common/lab/label.h"
+#include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "slips.h"
 #include "triangle_variants.h"
 
 enum { dome_cell = 10, dome_zoom = 3, dome_panels = 3 };
 typedef struct {
-    image *im;
-    triangle_method *method[dome_panels];
-    int panel, gap;          /* width of one panel, and of the white between two [pixels] */
+    triangle_method *method;
     int width, height;       /* of one panel, rays */
     int columns, rows;       /* of cells */
     triangle *tri;           /* two a cell, row by row */
@@ -52,15 +50,12 @@ static inline vec3 dome_corner(const triangle_dome *s, int i, int j)
     return vmadd(dome_eye, d, 4 - 2 * sqrt(real_max(rest, 0)));
 }
 
-static inline triangle_dome dome_new(image *im, triangle_method *first, triangle_method *second,
-                            triangle_method *third)
+/* For panels of so many pixels. */
+static inline triangle_dome dome_new(int width, int height)
 {
-    triangle_dome s = {.im = im, .method = {first, second, third}, .back = vunit((vec3){1, 2, 5})};
+    triangle_dome s = {.back = vunit((vec3){1, 2, 5})};
     vbasis(s.back, &s.right, &s.up);
-    s.gap = im->width >= 400 ? 6 : 0;
-    s.panel = (im->width + s.gap + dome_panels - 1) / dome_panels - s.gap;
-    s.width = (s.panel + dome_zoom - 1) / dome_zoom;
-    s.height = (im->height + dome_zoom - 1) / dome_zoom;
+    s.width = (width + dome_zoom - 1) / dome_zoom, s.height = (height + dome_zoom - 1) / dome_zoom;
     s.columns = s.width / dome_cell + 3, s.rows = s.height / dome_cell + 3;
     triangle *next = s.tri = allocate(2 * (size_t)s.columns * (size_t)s.rows, sizeof *s.tri);
     for (int j = 0; j < s.rows; j++)
@@ -73,18 +68,10 @@ static inline triangle_dome dome_new(image *im, triangle_method *first, triangle
     return s;
 }
 
-static inline void dome_free(triangle_dome *s)
-{
-    free(s->tri);
-    s->tri = NULL;
-}
-
-static inline void dome_pixel(int x, int y, void *context)
+static vec3 dome_colour(const void *context, real x, real y)
 {
     const triangle_dome *s = context;
-    int panel = x / (s->panel + s->gap), in = x % (s->panel + s->gap);
-    int px = in / dome_zoom, py = y / dome_zoom;
-    if (in >= s->panel) { image_set(s->im, x, y, vec(1, 1, 1)); return; }
+    int px = (int)x / dome_zoom, py = (int)y / dome_zoom;
     ray r = ray_from(dome_eye, dome_direction(s, px, py));
     hit h, best = hit_none;
     int hits = 0;
@@ -93,28 +80,36 @@ static inline void dome_pixel(int x, int y, void *context)
         for (int i = i0; i < i0 + 3; i++)
             for (int k = 0; k < 2; k++) {
                 int index = 2 * (j * s->columns + i) + k;
-                if (!s->method[panel](s->tri[index], r, &h)) continue;
+                if (!s->method(s->tri[index], r, &h)) continue;
                 hits++, h.shape = (uint32_t)index;
                 if (hit_before(h, best)) best = h;
             }
-    vec3 c = {1, 0.2, 0};
-    if (hits) c = vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), 0.6);
-    if (hits > 1) c = vec(0, 0.2, 0.8);
-    image_set(s->im, x, y, c);
+    if (hits > 1) return vec(0, 0.2, 0.8);
+    if (!hits) return vec(1, 0.2, 0);
+    return vscale(headlight(triangle_normal(s->tri[best.shape]), r.d), 0.6);
 }
 
 static inline void dome_draw(const options *o)
 {
-    image im = image_new(o->width, o->height);
-    triangle_dome s = dome_new(&im, first_triangle_hit, triangle_hit_tolerant, triangle_hit);
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "dome", dome_pixel, &s);
-    static const char *const name[dome_panels] = {"first: Moller-Trumbore", "with a tolerance",
-                                                  "triangle_hit, watertight"};
-    for (int k = 0; k < dome_panels && im.width >= 800 && im.height >= 100; k++)
-        label_tag(&im, k * (s.panel + s.gap) + 8, 8, 12, name[k]);
+    static const struct { const char *name; triangle_method *method; } panel[dome_panels] = {
+        {"first: Moller-Trumbore", first_triangle_hit}, {"with a tolerance", triangle_hit_tolerant},
+        {"triangle_hit, watertight", triangle_hit}};
+    int gap = o->width >= 400 ? 6 : 0;  /* white, between two panels [pixels] */
+    int width = (o->width + gap + dome_panels - 1) / dome_panels - gap;
+    image im = image_new(o->width, o->height), one = image_new(width, o->height);
+    triangle_dome s = dome_new(width, o->height);
+    bool whole = true;
+    label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
+    for (int k = 0; k < dome_panels && whole; k++) {
+        s.method = panel[k].method;
+        whole = pixels_draw(&one, 1, o->threads, "dome", dome_colour, &s);
+        image_place(&im, k * (width + gap), 0, &one);
+        if (im.width >= 800 && im.height >= 100)
+            label_tag(&im, k * (width + gap) + 8, 8, 12, panel[k].name);
+    }
     output_picture(o, &im, "04_triangle.png", true, whole);
-    image_free(&im);
-    dome_free(&s);
+    image_free(&im), image_free(&one);
+    free(s.tri);
 }
 
 #endif

@@ -13,10 +13,8 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-SOUP_TIMED(run_mt_f32, (void)0, triangle_hit_moller_trumbore_f32(*k, r, &h))
 SOUP_TIMED(run_plane, (void)0, triangle_hit_plane(*k, r, &h))
 SOUP_TIMED(run_first, (void)0, first_triangle_hit(*k, r, &h))
-SOUP_TIMED(run_one_branch, (void)0, triangle_hit_one_branch(*k, r, &h))
 SOUP_TIMED(run_mt, (void)0, triangle_hit_moller_trumbore(*k, r, &h))
 SOUP_TIMED(run_tolerant, (void)0, triangle_hit_tolerant(*k, r, &h))
 SOUP_TIMED(run_planes, (void)0, triangle_hit_planes_of(&s->planes[k - s->tri], r, &h))
@@ -32,23 +30,22 @@ static bool hit_sheared(triangle tri, ray r, hit *out)
     return triangle_hit_sheared(tri, &s, r, out);
 }
 
-enum { triangle_methods = 10 };
+enum { triangle_methods = 9 };
 static const struct {
     const char *name;
     triangle_method *hit;
     double (*run)(void *);
-    bool f32, page, plotted, timed;  /* corners are floats; in the main table; in the plots */
+    bool f32, plotted, timed;  /* corners are floats, in a plot alone; which plots */
 } method[triangle_methods] = {
-    {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, run_mt_f32, 1, 0, 1, 0},
-    {"plane + inside", triangle_hit_plane, run_plane, 0, 1, 1, 1},
-    {"first: Möller-Trumbore", first_triangle_hit, run_first, 0, 1, 1, 1},
-    {"Möller-Trumbore, one branch", triangle_hit_one_branch, run_one_branch, 0, 0, 0, 0},
-    {"Möller-Trumbore, divides last", triangle_hit_moller_trumbore, run_mt, 0, 1, 0, 1},
-    {"Möller-Trumbore, edges +1e-5", triangle_hit_tolerant, run_tolerant, 0, 1, 1, 0},
-    {"planes computed beforehand", triangle_hit_planes, run_planes, 0, 1, 1, 1},
-    {"triple products", triangle_hit_triple, run_triple, 0, 1, 1, 1},
-    {"watertight", triangle_hit, run_watertight, 0, 1, 1, 1},
-    {"watertight, shear kept", hit_sheared, run_sheared, 0, 1, 0, 1}};
+    {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, NULL, 1, 1, 0},
+    {"plane + inside", triangle_hit_plane, run_plane, 0, 1, 1},
+    {"first: Möller-Trumbore", first_triangle_hit, run_first, 0, 1, 1},
+    {"Möller-Trumbore, divides last", triangle_hit_moller_trumbore, run_mt, 0, 0, 1},
+    {"Möller-Trumbore, edges +1e-5", triangle_hit_tolerant, run_tolerant, 0, 1, 0},
+    {"planes computed beforehand", triangle_hit_planes, run_planes, 0, 1, 1},
+    {"triple products", triangle_hit_triple, run_triple, 0, 1, 1},
+    {"watertight", triangle_hit, run_watertight, 0, 1, 1},
+    {"watertight, shear kept", hit_sheared, run_sheared, 0, 0, 1}};
 
 static inline icosphere sphere_at(int k, real translation)
 {
@@ -58,8 +55,8 @@ static inline icosphere sphere_at(int k, real translation)
 }
 
 typedef struct {
-    double slips[2][2];  /* [at the origin, moved by 1e5][at edges, at vertices], percent */
-    double at_edge;      /* hits a ray aimed at an edge */
+    double slips[2];  /* at edges, at vertices, percent */
+    double at_edge;   /* hits a ray aimed at an edge */
     triangle_needle_count needles;
     double ns;
 } triangle_row;
@@ -72,18 +69,15 @@ static inline void triangle_row_of(size_t k, void *context)
     const options *o = all->o;
     triangle_row *y = &all->row[k];
     bool tight = method[k].hit == triangle_hit || method[k].hit == hit_sheared;
-    if (!o->full && !method[k].page) return;
+    if (method[k].f32) return;
     size_t rays = o->quick ? 500 : tight ? 1000000 : 4000;
-    for (int at = 0; at < (o->full ? 2 : 1); at++) {
-        icosphere m = sphere_at((int)k, at ? (real)1e5 : 0);
-        for (int v = 0; v < 2; v++) {
-            triangle_slip_count n = slips(&m, method[k].hit, v, rays, o->seed);
-            y->slips[at][v] = 100 * (double)n.slips / (double)n.rays;
-        }
-        if (at == 0) y->at_edge = slip_hits(&m, method[k].hit, false, o->quick ? 500 : 10000,
-                                            o->seed);
-        icosphere_free(&m);
+    icosphere m = sphere_at((int)k, 0);
+    for (int v = 0; v < 2; v++) {
+        triangle_slip_count n = slips(&m, method[k].hit, v, rays, o->seed);
+        y->slips[v] = 100 * (double)n.slips / (double)n.rays;
     }
+    y->at_edge = slip_hits(&m, method[k].hit, false, o->quick ? 500 : 10000, o->seed);
+    icosphere_free(&m);
     y->needles = needles(method[k].hit, 1e-6, o->quick ? 500 : 10000, o->seed);
 }
 
@@ -93,7 +87,7 @@ static inline void triangle_times(const options *o, triangle_rows *all)
     clock_variant v[triangle_methods];
     int n = 0, of[triangle_methods];
     for (int k = 0; k < triangle_methods; k++)
-        if (o->full || method[k].page)
+        if (!method[k].f32)
             of[n] = k, v[n++] = (clock_variant){method[k].name, method[k].run, s, 0};
     clock_compare(v, n, o->quick ? 3 : 41);
     for (int i = 0; i < n; i++)
@@ -107,36 +101,18 @@ static inline void triangle_main_table(const options *o, const triangle_rows *al
                         " needles 1e-6 wide: t; a test's time",
                         "method|error at vertices [%]|error at edges [%]|error hits at an edge|"
                         "error needles t|time [ns]");
-    for (int k = 0; k < triangle_methods; k++) {
-        const triangle_row *y = &all->row[k];
-        if (!method[k].page) continue;
-        table_text(&t, "%s", method[k].name);
-        table_number(&t, y->slips[0][1]), table_number(&t, y->slips[0][0]);
-        table_number(&t, y->at_edge), table_number(&t, y->needles.error);
-        table_number(&t, y->ns);
-    }
-    output_table(o, &t);
-}
-
-static inline void triangle_full_table(const options *o, const triangle_rows *all)
-{
-    table t = table_new("The same sphere at 0 and moved by 1e5 R: slips; needles; a test's time",
-                        "method|error vertex 0 [%]|error edge 0 [%]|error vertex 1e5 [%]|"
-                        "error edge 1e5 [%]|error hits at edge|error needles missed [%]|"
-                        "error needles t|time [ns]");
     plot p = plot_new("Needles 1e-6 wide: error against time", "time [ns]",
                       "largest relative error of t", PLOT_LOG_Y);
     for (int k = 0; k < triangle_methods; k++) {
         const triangle_row *y = &all->row[k];
+        if (method[k].f32) continue;
         table_text(&t, "%s", method[k].name);
-        for (int at = 0; at < 2; at++)
-            table_number(&t, y->slips[at][1]), table_number(&t, y->slips[at][0]);
-        table_number(&t, y->at_edge);
-        table_number(&t, 100 * (double)y->needles.missed / (double)y->needles.due);
-        table_number(&t, y->needles.error), table_number(&t, y->ns);
+        table_number(&t, y->slips[1]), table_number(&t, y->slips[0]);
+        table_number(&t, y->at_edge), table_number(&t, y->needles.error);
+        table_number(&t, y->ns);
         if (method[k].timed) plot_add(&p, plot_series(&p, method[k].name), y->ns, y->needles.error);
     }
-    output_extra_table(o, &t);
+    output_table(o, &t);
     output_plot(o, &p, "04_triangle_time.svg");
 }
 
@@ -211,49 +187,6 @@ static inline void triangle_effort_table(const options *o)
     free(s);
 }
 
-/* ---- two wrong tests ---- */
-
-static inline void triangle_determinant_table(const options *o, size_t n)
-{
-    table t =
-        table_new("Small triangles, rays aimed at their middle: lost if |det| < 1e-8 counts as 0",
-                  "size|lost [%]|lost, compared with 0 [%]");
-    for (real size = 1; size > (real)5e-6; size /= 10) {
-        random_stream g = random_start(o->seed, 10, 0);
-        size_t lost = 0, missed = 0;
-        for (size_t i = 0; i < n; i++) {
-            vec3 a = random_vec3(&g, size), b = random_vec3(&g, size), c = random_vec3(&g, size);
-            triangle tri = {a, b, c};
-            vec3 from = vscale(vunit(random_vec3(&g, 1)), size);
-            ray r = ray_from(from, vunit(vsub(triangle_at(tri, 0.3, 0.3), from)));
-            hit h;
-            lost += !triangle_hit_absolute(tri, r, &h), missed += !triangle_hit(tri, r, &h);
-        }
-        table_number(&t, (double)size);
-        table_number(&t, 100 * (double)lost / (double)n);
-        table_number(&t, 100 * (double)missed / (double)n);
-    }
-    output_extra_table(o, &t);
-}
-
-static inline void triangle_sum_table(const options *o, size_t n)
-{
-    random_stream g = random_start(o->seed, 11, 0);
-    size_t sum_is_one = 0, inside = 0;
-    for (size_t i = 0; i < n; i++) {
-        triangle tri = {{0, 0, 0}, {1, 0, 0.5}, {0, 1, -0.5}};
-        real u = slip_between(&g, -2, 2), v = slip_between(&g, -2, 2);
-        barycentrics k = barycentrics_of(tri, triangle_at(tri, u, v));
-        sum_is_one += fabs(barycentrics_sum(k) - 1) < 64 * real_epsilon;
-        inside += barycentrics_inside(k);
-    }
-    table t = table_new("Points with u and v in [-2, 2]; 1 of 32 lies in the triangle",
-                        "test|passed [%]");
-    table_text(&t, "weights sum to one"), table_number(&t, 100 * (double)sum_is_one / (double)n);
-    table_text(&t, "no weight is negative"), table_number(&t, 100 * (double)inside / (double)n);
-    output_extra_table(o, &t);
-}
-
 static inline void triangle_measure(const options *o)
 {
     triangle_rows *all = allocate(1, sizeof *all);
@@ -262,11 +195,8 @@ static inline void triangle_measure(const options *o)
     triangle_times(o, all);
     triangle_main_table(o, all);
     if (o->full) {
-        triangle_full_table(o, all);
         triangle_plots(o);
         triangle_effort_table(o);
-        triangle_determinant_table(o, 100000);
-        triangle_sum_table(o, 100000);
     }
     free(all);
 }

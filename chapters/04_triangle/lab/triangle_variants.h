@@ -2,7 +2,6 @@
  * signature they have.
  *
  *   triangle_hit_moller_trumbore_f32   (4.8) in float, whatever real is
- *   triangle_hit_one_branch            first.h to the last bit, but with one branch for u and v
  *   triangle_hit_moller_trumbore       (4.8) as a good programmer writes it: nothing is divided
  *                                      before the signs are known
  *   triangle_hit_tolerant              the same with the edges moved out by 1e-5: no slips, but a
@@ -44,18 +43,6 @@ static inline bool triangle_hit_moller_trumbore_f32(triangle tri, ray r, hit *ou
     if (!(least >= 0 && u + v <= 1)) return false;
     if (!isfinite(t) || !ray_covers(r, (real)t)) return false;
     *out = (hit){(real)t, (real)u, (real)v, 0};
-    return true;
-}
-
-static inline bool triangle_hit_one_branch(triangle tri, ray r, hit *out)
-{
-    vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), s = vsub(r.o, tri.a);
-    vec3 p = vcross(r.d, e2), q = vcross(s, e1);
-    real det = vdot(e1, p), inverse = 1 / det;
-    real u = vdot(s, p) * inverse, v = vdot(r.d, q) * inverse, t = vdot(e2, q) * inverse;
-    if (!(real_min(u, v) >= 0 && u + v <= 1)) return false;  /* det = 0: u + v infinite or NaN */
-    if (!ray_covers(r, t) || !isfinite(t)) return false;
-    *out = (hit){t, u, v, 0};
     return true;
 }
 

@@ -27,12 +27,6 @@ static inline vec3 direction(random_stream *s)
     return (vec3){r * cos(a), r * sin(a), z};
 }
 
-static inline vec3 in_cube(random_stream *s, real half)
-{
-    real x = between(s, -half, half), y = between(s, -half, half), z = between(s, -half, half);
-    return (vec3){x, y, z};  /* not all in one list: C leaves open in which order it is evaluated */
-}
-
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct { const char *name; real ra, rb; } cone_kind;
@@ -48,7 +42,7 @@ static const cone_kind cone_kinds[cone_kind_count] = {
 static inline cone some_cone(random_stream *s, int kind)
 {
     const real k = 256;
-    vec3 a = in_cube(s, 1), d = direction(s), b = vmadd(a, d, between(s, 0.5, 1.5));
+    vec3 a = random_in_cube(s, 1), d = direction(s), b = vmadd(a, d, between(s, 0.5, 1.5));
     a = (vec3){round(k * a.x) / k, round(k * a.y) / k, round(k * a.z) / k};
     b = (vec3){round(k * b.x) / k, round(k * b.y) / k, round(k * b.z) / k};
     return (cone){a, cone_kinds[kind].ra, b, cone_kinds[kind].rb};
@@ -218,7 +212,7 @@ static inline bool inside_question(const mesh *torus, random_stream *s, inside_a
     do {
         triangle t = mesh_triangle(torus, (size_t)between(s, 0, (real)torus->triangles - 1));
         vec3 aim = at == AT_EDGE ? vmadd(t.a, vsub(t.b, t.a), between(s, 0, 1)) : t.a;
-        *p = vmul(in_cube(s, 1), vec(1, 1, 0.3));
+        *p = vmul(random_in_cube(s, 1), vec(1, 1, 0.3));
         *d = at == AT_RANDOM ? direction(s) : vsub(aim, *p);
         if (votes && at != AT_RANDOM) {
             *d = inside_direction((int)between(s, 0, (real)votes), votes);

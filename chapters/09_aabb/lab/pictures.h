@@ -10,6 +10,7 @@
 #include "../../../common/headlight.h"
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
+#include "../../../common/output.h"
 #include "../../02_camera/camera.h"
 #include "exact.h"
 #include "slabs.h"

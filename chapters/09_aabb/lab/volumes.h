@@ -19,6 +19,7 @@
 #define AABB_VOLUMES_H
 
 #include "mantissa.h"
+#include <stddef.h>
 
 typedef struct { vec3 c; real r; } aabb_ball;
 typedef struct { vec3 c, axis[3], half; } aabb_turned;  /* axes: unit, at right angles */

@@ -4,7 +4,8 @@
  *   grid_hit_early           what is nearer than a hit that lies beyond its cell: an item is in
  *                            several cells, and is hit in the first of them that the ray passes,
  *                            though the point lies in a later one, behind other items
- *   grid_hit_naive           t += step, in float: after many cells the walk is in a wrong one
+ *   grid_hit_added           nothing: t += step drifts, but by less than the margin of the lists
+ *                            allows for, in as many cells as grid.h makes (drift.h)
  *
  *        +-------+-------+   A ray from the left enters cell 1, which lists a (its end reaches into
  *    o---|-------|-b---a-|   it, above) and finds it hit: in cell 2. It stops: b, in front of a,
@@ -20,10 +21,20 @@ typedef void grid_step(grid_walk *w, real t);
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* As published: t += step. */
+__attribute__((always_inline))
+static inline void walk_step_naive(grid_walk *w, real t)
+{
+    if (w->t.x == t)
+        walk_step_axis(w, w->stride[0], &w->t.x, &w->j.x, w->last.x, t + w->step.x, 0);
+    else if (w->t.y == t)
+        walk_step_axis(w, w->stride[1], &w->t.y, &w->j.y, w->last.y, t + w->step.y, 0);
+    else walk_step_axis(w, w->stride[2], &w->t.z, &w->j.z, w->last.z, t + w->step.z, 0);
+}
+
 /* grid_search for rays that begin near. early: the first cell with a hit ends the search. */
 __attribute__((always_inline))
-static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool early, hit *out,
-                                     search_work *work)
+static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool early, hit *out)
 {
     if (g->entered == 0 || !ray_is_usable(r)) return false;
     grid_line a = line_of(r);
@@ -37,8 +48,7 @@ static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool
         size_t cell = (size_t)w.cell;
         t = walk_next_t(&w);
         step(&w, t);
-        if (work) work->nodes++;
-        if (!grid_ask(g, cell, &q, &seen, false, work)) continue;
+        if (!grid_ask(g, cell, &q, &seen, false, NULL)) continue;
         if (early) break;
         end = line_end(&a, q.r.tmax, to);
     } while (t <= end);
@@ -47,12 +57,12 @@ static inline bool grid_search_plain(const grid *g, ray r, grid_step *step, bool
 
 static inline bool grid_hit_early(const grid *g, ray r, hit *out)
 {
-    return grid_search_plain(g, r, walk_step, true, out, NULL);
+    return grid_search_plain(g, r, walk_step, true, out);
 }
 
-static inline bool grid_hit_naive(const grid *g, ray r, hit *out)
+static inline bool grid_hit_added(const grid *g, ray r, hit *out)
 {
-    return grid_search_plain(g, r, walk_step_f32, false, out, NULL);
+    return grid_search_plain(g, r, walk_step_naive, false, out);
 }
 
 #endif

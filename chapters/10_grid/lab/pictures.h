@@ -1,9 +1,9 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_grid(o, how)     the teapot in its cells; how many of them each ray passes; large
- *                         triangles, and where the first hit found is not the first hit
+ *   draw_grid(o, &s, how, path)   a mesh, half of it in its cells; what each ray takes;
+ *                                 path: where the mesh is from, y up; NULL: the book's, z up
+ *   draw_early(o)         large triangles, where the first hit found is not the first hit
  *   draw_stadium(o)       what the teapot in the stadium takes: one level, two levels
- *   draw_model(o, &s, how, path)   any mesh, and how many cells each ray passes
  */
 #ifndef GRID_PICTURES_H
 #define GRID_PICTURES_H
@@ -59,60 +59,93 @@ static inline vec3 see_cells(const void *picture, real x, real y)
     return shown;
 }
 
-/* Panel k of n in a row, a white gap to its right: a mesh in a grid, seen by `colour`. */
-static inline bool grid_panel(image *all, int k, int n, const trial_scene *s, grid_options how,
-                              bool z_up, real most, int samples, int threads,
-                              pixels_colour *colour)
+/* A picture of n panels in a row, from functions of the place; panel k of a mesh in a grid. */
+typedef struct {
+    const trial_scene *s;
+    const trial_verbs *verbs;
+    const void *how;
+    const camera *from;          /* NULL: camera_of */
+    const char *path;            /* NULL: z is up, else y */
+    real most;
+    int samples;
+    pixels_colour *colour;
+} grid_panel;
+
+static inline bool grid_panels(const options *o, image *all, const grid_panel *panel, int n)
 {
     int gap = all->width >= 12 * n ? 6 : 0, w = (all->width - (n - 1) * gap) / n;
-    trial_row r = {.verbs = &grid_trial, .how = &how};
-    vec3 lo, hi;
     image im = image_new(w > 1 ? w : 1, all->height);
-    int left = k * (im.width + gap) < all->width ? k * (im.width + gap) : all->width - 1;
-    mesh_bounds(&s->m, &lo, &hi);
-    trial_build(&r, s);
-    camera c = camera_of(lo, hi, z_up, (real)im.width / (real)im.height);
-    trial_picture p = {&grid_trial, r.built, &s->m, c, im.width, im.height, most};
-    bool whole = pixels_draw(&im, samples, threads, "picture", colour, &p);
-    image_place(all, left, 0, &im);
-    for (int y = 0; y < all->height; y++)
-        for (int x = left + im.width; x < all->width; x++)
-            image_set(all, x, y, (vec3){1, 1, 1});
-    trial_unbuild(&r), image_free(&im);
+    bool whole = true;
+    label_fill(all, 0, 0, all->width, all->height, vec(1, 1, 1));
+    for (int k = 0; k < n; k++) {
+        const grid_panel *p = &panel[k];
+        trial_row r = {.verbs = p->verbs, .how = p->how};
+        vec3 lo, hi;
+        int left = k * (im.width + gap) < all->width ? k * (im.width + gap) : all->width - 1;
+        mesh_bounds(&p->s->m, &lo, &hi);
+        camera c = camera_of(lo, hi, !p->path, (real)im.width / (real)im.height);
+        trial_build(&r, p->s);
+        trial_picture place = {p->verbs, r.built, &p->s->m, p->from ? *p->from : c, im.width,
+                               im.height, p->most};
+        whole = whole && pixels_draw(&im, p->samples, o->threads, "picture", p->colour, &place);
+        image_place(all, left, 0, &im);
+        trial_unbuild(&r);
+    }
+    image_free(&im);
     return whole;
 }
 
-static inline void draw_grid(const options *o, grid_options how)
+/* Titles above the panels, and below the last ones a bar of colours; where words find room. */
+static inline void grid_label(image *im, int n, const char *const *title, int bars, real most)
 {
-    image im = image_new(o->width, o->height);
-    trial_scene pot, many;
-    int n = o->quick ? 1 : 2;
-    grid_options coarse = how;
-    trial_scene_of(teapot_mesh(o->quick ? 4 : 16), &pot);
-    trial_scene_of(grid_boards(60, o->seed), &many);
-    coarse.density = how.density / 27;
-    bool whole = grid_panel(&im, 0, 3, &pot, coarse, true, 1, n, o->threads, see_cells)
-                 && grid_panel(&im, 1, 3, &pot, how, true, 160, n, o->threads, trial_work_colour)
-                 && grid_panel(&im, 2, 3, &many, how, true, 1, n, o->threads, see_early);
-    output_picture(o, &im, "10_grid.png", true, whole);
-    trial_scene_free(&pot), trial_scene_free(&many), image_free(&im);
+    enum { gap = 6, bar = 44 };
+    if (im->width < 200 * n) return;
+    image sheet = label_panels(im, n, 1, gap, title);
+    int w = (im->width + gap) / n * bars - gap;
+    image_free(im);
+    *im = image_new(sheet.width, sheet.height + (bars ? bar : 0));
+    label_fill(im, 0, 0, im->width, im->height, vec(1, 1, 1));
+    image_place(im, 0, 0, &sheet);
+    bool log = most > 1000;
+    if (bars)
+        label_bar(im, im->width - w + 4, sheet.height + 6, w - 8, 9, work_colour, log, (double)most,
+                  log ? "cells and tests, logarithmic" : "cells and tests");
+    image_free(&sheet);
 }
 
-static inline void draw_model(const options *o, const trial_scene *s, grid_options how,
-                              const char *path)
+static inline void draw_grid(const options *o, const trial_scene *s, grid_options how,
+                             const char *path)
 {
+    static const char *const title[2] = {"cells that triangles touch, half of them taken off",
+                                         "what each ray takes"};
+    const real most = 160;
     char name[512];
     image im = image_new(o->width, o->height);
-    trial_row r = {.verbs = &grid_trial, .how = &how};
-    trial_time_build(&r, s, 1);
-    structure_stats st = grid_stats(r.built);
-    printf("# %zu triangles, %zu cells, %zu references: built in %.3f s\n", s->m.triangles,
-           st.leaves, st.references, r.build);
-    trial_unbuild(&r);
-    bool whole = grid_panel(&im, 0, 2, s, how, false, 1, 2, o->threads, trial_mesh_colour)
-                 && grid_panel(&im, 1, 2, s, how, false, 120, 2, o->threads, trial_work_colour);
+    int n = o->quick ? 1 : 2;
+    grid_options coarse = how;
+    coarse.density = real_max((real)how.density / 27, (real)1e-3);
+    const grid_panel panel[2] = {{s, &grid_trial, &coarse, NULL, path, 1, n, see_cells},
+                                 {s, &grid_trial, &how, NULL, path, most, n, trial_work_colour}};
+    bool whole = grid_panels(o, &im, panel, 2);
+    grid_label(&im, 2, title, 1, most);
     output_picture(o, &im, picture_name("10_grid.png", path, name), true, whole);
     image_free(&im);
+}
+
+static inline void draw_early(const options *o)
+{
+    static const char *const title[2] = {"the first hit found: orange is wrong", "grid_hit"};
+    image im = image_new(o->quick ? 120 : 760, o->quick ? 60 : 330);
+    trial_scene s;
+    int n = o->quick ? 1 : 2;
+    trial_scene_of(grid_boards(60, o->seed), &s);
+    const grid_panel panel[2] = {{&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n, see_early},
+                                 {&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n,
+                                  trial_mesh_colour}};
+    bool whole = grid_panels(o, &im, panel, 2);
+    grid_label(&im, 2, title, 0, 1);
+    output_picture(o, &im, "10_grid_early.png", false, whole);
+    trial_scene_free(&s), image_free(&im);
 }
 
 /* Cells and tests, of which p.most is white, on a logarithmic scale. */
@@ -125,36 +158,24 @@ static inline vec3 see_work_log(const void *picture, real x, real y)
     return work_colour(log((real)(1 + w.nodes + w.tests)) / log(p->most));
 }
 
-/* Three panels, and below them the colours: the teapot; a grid; two levels. */
 static inline void draw_stadium(const options *o)
 {
-    enum { gap = 6, bar = 44 };
     static const char *const title[3] = {"the small teapot, near", "one level: work a ray",
                                          "two levels: work a ray"};
     const real most = 1e5;
-    int side = o->quick ? 60 : 300;
-    image im = image_new(3 * side + 2 * gap, side), panel = image_new(side, side);
+    int side = o->quick ? 60 : 240;
+    image im = image_new(3 * side + 12, side);
     trial_scene s;
-    trial_row row[2] = {grid_row(&grid_candidate_list[3]), grid_row(&grid_candidate_list[6])};
-    bool whole = true;
-    trial_scene_of(stadium_mesh(o->quick ? 4 : 6), &s);
-    for (int k = 0; k < 2; k++) trial_build(&row[k], &s);
-    for (int k = 0; k < 3; k++) {
-        const trial_row *r = &row[k != 1];
-        trial_picture p = {r->verbs, r->built, &s.m, grid_stadium_camera(1), side, side, most};
-        whole = pixels_draw(&panel, k ? 1 : 2, o->threads, "stadium",
-                            k ? see_work_log : trial_mesh_colour, &p) && whole;
-        image_place(&im, k * (side + gap), 0, &panel);
-    }
-    image sheet = label_panels(&im, 3, 1, gap, title);
-    image all = image_new(sheet.width, sheet.height + bar);
-    label_fill(&all, 0, 0, all.width, all.height, vec(1, 1, 1));
-    image_place(&all, 0, 0, &sheet);
-    label_bar(&all, side + gap, sheet.height + 6, 2 * side + gap, 9, work_colour, 1, (double)most,
-              "cells and tests, logarithmic");
-    output_picture(o, &all, "10_grid_stadium.png", false, whole);
-    for (int k = 0; k < 2; k++) trial_unbuild(&row[k]);
-    trial_scene_free(&s), image_free(&im), image_free(&panel), image_free(&sheet), image_free(&all);
+    trial_scene_of(stadium_mesh(o->quick ? 4 : 5), &s);
+    const camera c = grid_stadium_camera(1);
+    const grid_panel panel[3] = {
+        {&s, &nested_trial, &grid_two_levels, &c, NULL, most, 2, trial_mesh_colour},
+        {&s, &grid_trial, &grid_by_27, &c, NULL, most, 1, see_work_log},
+        {&s, &nested_trial, &grid_two_levels, &c, NULL, most, 1, see_work_log}};
+    bool whole = grid_panels(o, &im, panel, 3);
+    grid_label(&im, 3, title, 2, most);
+    output_picture(o, &im, "10_grid_stadium.png", false, whole);
+    trial_scene_free(&s), image_free(&im);
 }
 
 #endif

@@ -1,132 +1,167 @@
 /* walk_figure.h: a walk in the plane, drawn with the code of this chapter: cells of one layer,
- * triangles seen edge-on.
+ * triangles seen edge-on; below, the t at which the ray meets the walls of x and of y.
  *
- *   orange        cells that an item touches; pale: those that only its bounds overlap
- *   blue          cells that the ray passes
- *   dots          where it meets the walls: black of x, white of y; the large one: the hit
+ *   draw_walk(o)       images/10_grid_walk.svg
+ *
+ * d_x is 1, so each wall's t stands below the place where the ray meets it.
  */
 #ifndef GRID_WALK_FIGURE_H
 #define GRID_WALK_FIGURE_H
 
-#include "pictures.h"
+#include "../../../common/lab/figure.h"
+#include "../grid.h"
+#include "scenes.h"
 
-enum { figure_x = 13, figure_y = 6, figure_scale = 66, figure_most = 40 };
+enum { walk_wide = 13, walk_high = 6, walk_unit = 62, walk_most = 40 };
 
-typedef struct {
-    lattice cells;
-    cell_lists touched, bounds;
-    const mesh *m;
-    bool passed[figure_x * figure_y];
-    ray r;
-    hit h;
-    struct { vec3 p; int axis; } wall[figure_most];
-    int walls;
-} grid_figure;
+typedef struct { double t; int axis; size_t cell; } walk_wall;  /* the cell that ends there */
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const real figure_lines[][4] = {  /* x, y from and to */
-    {3.2, 4.6, 5.7, 5.6}, {5.7, 5.6, 6.6, 3.7},
-    {6.6, 3.7, 4.3, 3.4}, {4.3, 3.4, 3.2, 4.6},
-    {8.2, 0.4, 11.8, 3.4}, {1.4, 0.7, 4.6, 1.3},
-    {11.8, 3.4, 12.4, 5.6}};
-enum { figure_segments = sizeof figure_lines / sizeof *figure_lines };
+static const real walk_lines[][4] = {  /* x, y from and to; the first is a, the second b */
+    {9.3, 1.2, 12.3, 3.35}, {11.3, 2.72, 11.3, 3.45}, {3.2, 4.6, 5.7, 5.6}, {5.7, 5.6, 6.6, 3.7},
+    {6.6, 3.7, 4.3, 3.4}, {4.3, 3.4, 3.2, 4.6}, {1.4, 1.8, 4.6, 2.35}, {12.3, 3.35, 12.6, 5.4}};
+enum { walk_segments = sizeof walk_lines / sizeof *walk_lines };
 
 /* One triangle a segment, standing on it: within the layer 0 <= z <= 1. */
-static inline mesh figure_mesh(void)
+static inline mesh walk_mesh(void)
 {
-    mesh m = grid_soup(figure_segments, 1);
-    for (size_t i = 0; i < figure_segments; i++) {
-        const real *s = figure_lines[i];
+    mesh m = grid_soup(walk_segments, 1);
+    for (size_t i = 0; i < walk_segments; i++) {
+        const real *s = walk_lines[i];
         m.v[3 * i] = (vec3){s[0], s[1], -9}, m.v[3 * i + 1] = (vec3){s[2], s[3], -9};
         m.v[3 * i + 2] = (vec3){(s[0] + s[2]) / 2, (s[1] + s[3]) / 2, 9000};
     }
     return m;
 }
 
-static inline void figure_mark(const grid_figure *f, const items *x, bool exact, cell_lists *l)
+/* Cell c, filled. */
+static inline void walk_cell(figure *g, size_t c, const char *colour, double opacity)
 {
-    marking mark = {x, f->cells, 1e-4, exact};
-    failure why;
-    if (!lists_begin(lattice_cells(&f->cells), (size_t)1 << 20, l, &why)) fail(why);
-    for (size_t i = 0; i < x->n; i++)
-        if (!lists_count(l, &mark, i, 0, &why)) fail(why);
-    lists_sum(l);
-    for (size_t i = x->n; i-- > 0;) lists_enter(l, &mark, i, 0);
-    lists_finish(l);
+    double x = (double)(c % walk_wide), y = (double)(c / walk_wide);
+    figure_polygon(g, 4, (double[8]){x, y, x + 1, y, x + 1, y + 1, x, y + 1}, colour, opacity,
+                   NULL);
 }
 
-static inline void figure_walk(grid_figure *f)
+/* The cells that an item touches, and, paler, those that only its bounds overlap. */
+static inline void walk_marks(figure *g, const items *x, const lattice *l)
 {
-    grid_line a = line_of(f->r);
-    grid_walk w = walk_from(&f->cells, &a, 0);
-    for (real t = 0; f->walls < figure_most;) {
-        f->passed[w.cell] = true;
-        t = walk_next_t(&w);
-        if (!(t <= f->h.t)) break;
-        f->wall[f->walls].p = ray_at(f->r, t), f->wall[f->walls++].axis = w.t.x == t ? 0 : 1;
-        walk_step(&w, t);
+    for (int exact = 0; exact < 2; exact++) {
+        marking mark = {x, *l, 1e-4, exact};
+        cell_lists lists;
+        failure why;
+        if (!lists_begin(lattice_cells(l), (size_t)1 << 20, &lists, &why)) fail(why);
+        for (size_t i = 0; i < x->n; i++)
+            if (!lists_count(&lists, &mark, i, 0, &why)) fail(why);
+        for (size_t c = 0; c < lattice_cells(l); c++)
+            if (lists.first[c]) walk_cell(g, c, FIGURE_ORANGE, exact ? 0.45 : 0.18);
+        lists_free(&lists);
     }
 }
 
-static inline real figure_distance(real x, real y, real x0, real y0, real x1, real y1)
+/* Walls of x are black, those of y white. */
+static inline void walk_crossing(figure *g, double x, double y, int axis)
 {
-    real dx = x1 - x0, dy = y1 - y0;
-    real u = real_clamp(((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy), 0, 1);
-    return sqrt((x - x0 - u * dx) * (x - x0 - u * dx) + (y - y0 - u * dy) * (y - y0 - u * dy));
+    figure_dot(g, x, y, 5, FIGURE_BLACK);
+    if (axis == 1) figure_dot(g, x, y, 3.5, "white");
 }
 
-static inline vec3 grid_mix(vec3 a, vec3 b, real t) { return vmadd(vscale(a, 1 - t), b, t); }
-
-/* Colour c over what is there, where the distance [cells] is below half the width [pixels]. */
-static inline void figure_ink(vec3 *at, real distance, double width, vec3 c)
+/* One axis of t: its walls, and the way between two of them. */
+static inline void walk_t_axis(figure *g, const walk_wall *wall, int n, int axis, double o,
+                               double end)
 {
-    real cover = (real)(0.5 * width + 0.5) - distance * figure_scale;
-    *at = grid_mix(*at, c, real_clamp(cover, 0, 1));
+    static const char *const name[2] = {"walls of _x_", "walls of _y_"};
+    static const char *const step[2] = {"_step_~x~", "_step_~y~"};
+    double y = axis ? -1.3 : -0.75, last = -1;
+    bool drawn = false;
+    figure_arrow(g, o, y, end, y, FIGURE_GREY, 1);
+    figure_text(g, end, y, 8, 5, FIGURE_LEFT, FIGURE_BLACK, name[axis]);
+    for (int i = 0; i < n; i++) {
+        if (wall[i].axis != axis) continue;
+        double x = o + wall[i].t;
+        if (last > 2 && !drawn) {
+            figure_line(g, last, y, x, y, FIGURE_BLUE, 3, FIGURE_WHOLE);
+            figure_text(g, (last + x) / 2, y, 0, -8, FIGURE_MIDDLE, FIGURE_BLUE, step[axis]);
+            drawn = true;
+        }
+        last = x;
+    }
+    for (int i = 0; i < n; i++)
+        if (wall[i].axis == axis) walk_crossing(g, o + wall[i].t, y, axis);
 }
 
-static inline vec3 figure_colour(const void *figure, real px, real py)
+static inline void walk_legend(figure *g)
 {
-    const grid_figure *f = figure;
-    real x = px / figure_scale, y = figure_y - py / figure_scale;
-    size_t cell = (size_t)x + figure_x * (size_t)y;
-    vec3 c = cell_marked(&f->touched, cell)  ? vec(1, 0.68, 0.25)
-             : cell_marked(&f->bounds, cell) ? vec(1, 0.93, 0.75)
-                                             : vec(1, 1, 1);
-    if (f->passed[cell]) c = grid_mix(c, vec(0.1, 0.4, 0.9), 0.35);
-    real wall = real_min(fabs(x - floor(x + (real)0.5)), fabs(y - floor(y + (real)0.5)));
-    figure_ink(&c, wall, 1, vec(0.45, 0.45, 0.45));
-    for (int i = 0; i < figure_segments; i++) {
-        const real *s = figure_lines[i];
-        figure_ink(&c, figure_distance(x, y, s[0], s[1], s[2], s[3]), 4, vec(0.1, 0.08, 0.05));
+    static const char *const text[3] = {"touched by a shape", "only by the box around it",
+                                        "passed by the ray, in this order"};
+    static const double opacity[3] = {0.45, 0.18, 0.3};
+    for (int k = 0; k < 3; k++) {
+        double x = 4.1 * k, y = walk_high + 0.25;
+        figure_polygon(g, 4, (double[8]){x, y, x + 0.3, y, x + 0.3, y + 0.3, x, y + 0.3},
+                       k == 2 ? FIGURE_SKY : FIGURE_ORANGE, opacity[k], FIGURE_GREY);
+        figure_text(g, x + 0.4, y, 0, -4, FIGURE_LEFT, FIGURE_BLACK, text[k]);
     }
-    vec3 o = f->r.o, e = ray_at(f->r, f->h.t);
-    figure_ink(&c, figure_distance(x, y, o.x, o.y, e.x, e.y), 3, vec(0.02, 0.12, 0.6));
-    for (int i = 0; i <= f->walls; i++) {
-        vec3 p = i < f->walls ? f->wall[i].p : e;
-        real d = sqrt((x - p.x) * (x - p.x) + (y - p.y) * (y - p.y));
-        bool is_hit = i == f->walls, white = !is_hit && f->wall[i].axis == 1;
-        figure_ink(&c, d, is_hit ? 15 : 9, is_hit ? vec(0.8, 0.05, 0.02) : vec(0, 0, 0));
-        if (white) figure_ink(&c, d, 6, vec(1, 1, 1));
-    }
-    return c;
 }
 
 static inline void draw_walk(const options *o)
 {
-    mesh m = figure_mesh();
-    items x = items_of_mesh(&m);
-    image im = image_new(figure_x * figure_scale, figure_y * figure_scale);
-    grid_figure f = {.m = &m, .h = hit_none};
-    aabb layer = {{0, 0, 0}, {figure_x, figure_y, 1}};
-    f.cells = lattice_of(layer, (int[3]){figure_x, figure_y, 1});
-    f.r = ray_from(vec(0.3, 1.75, 0.5), vec(1, 0.105, 0));
-    figure_mark(&f, &x, true, &f.touched), figure_mark(&f, &x, false, &f.bounds);
-    items_hit(&x, f.r, &f.h);
-    figure_walk(&f);
-    bool whole = pixels_draw(&im, 1, o->threads, "walk", figure_colour, &f);
-    output_picture(o, &im, "10_grid_walk.png", false, whole);
-    lists_free(&f.touched), lists_free(&f.bounds), mesh_free(&m), image_free(&im);
+    figure g = figure_begin(o, "10_grid_walk.svg", walk_wide * walk_unit + 120,
+                            walk_high * walk_unit + 165);
+    mesh m = walk_mesh();
+    items all = items_of_mesh(&m);
+    lattice l = lattice_of((aabb){{0, 0, 0}, {walk_wide, walk_high, 1}},
+                           (int[3]){walk_wide, walk_high, 1});
+    ray r = ray_from(vec(0.3, 0.45, 0.5), vec(1, 0.22, 0));
+    walk_wall wall[walk_most];
+    int n = 0;
+    hit h = hit_none;
+    items_hit(&all, r, &h);
+    vec3 e = ray_at(r, h.t);
+    grid_line a = line_of(r);
+    for (grid_walk w = walk_from(&l, &a, 0); n < walk_most; n++) {
+        real t = walk_next_t(&w);
+        wall[n] = (walk_wall){(double)(t / a.scale), w.t.x == t ? 0 : 1, (size_t)w.cell};
+        if (!(t <= h.t * a.scale)) break;
+        walk_step(&w, t);
+    }
+
+    figure_origin(&g, 12, walk_high * walk_unit + 50, walk_unit);
+    walk_legend(&g);
+    walk_marks(&g, &all, &l);
+    for (int i = 0; i <= n; i++) {
+        char text[8];
+        snprintf(text, sizeof text, "%d", i + 1);
+        walk_cell(&g, wall[i].cell, FIGURE_SKY, 0.3);
+        double x = (double)(wall[i].cell % walk_wide), y = (double)(wall[i].cell / walk_wide);
+        double middle = i ? (wall[i - 1].t + fmin(wall[i].t, (double)h.t)) / 2 : wall[i].t / 2;
+        bool high = (double)ray_at(r, (real)middle).y > y + 0.5;  /* the ray: keep off it */
+        figure_text(&g, high ? x : x + 1, high ? y : y + 1, high ? 5 : -5, high ? -6 : 17,
+                    high ? FIGURE_LEFT : FIGURE_RIGHT, FIGURE_BLUE, text);
+    }
+    for (int i = 0; i <= walk_wide; i++)
+        figure_line(&g, i, 0, i, walk_high, FIGURE_GREY, 0.6, FIGURE_WHOLE);
+    for (int i = 0; i <= walk_high; i++)
+        figure_line(&g, 0, i, walk_wide, i, FIGURE_GREY, 0.6, FIGURE_WHOLE);
+    for (int i = 0; i < walk_segments; i++) {
+        const real *s = walk_lines[i];
+        figure_line(&g, (double)s[0], (double)s[1], (double)s[2], (double)s[3], FIGURE_BLACK, 3,
+                    FIGURE_WHOLE);
+    }
+    double ox = (double)r.o.x, oy = (double)r.o.y, ex = (double)e.x, ey = (double)e.y;
+    figure_line(&g, ox, oy, ex, ey, FIGURE_BLUE, 2, FIGURE_WHOLE);
+    for (int i = 0; i < n; i++) {
+        vec3 p = ray_at(r, (real)wall[i].t);
+        walk_crossing(&g, (double)p.x, (double)p.y, wall[i].axis);
+    }
+    figure_dot(&g, ox, oy, 4, FIGURE_BLUE), figure_dot(&g, ex, ey, 6, FIGURE_RED);
+    figure_text(&g, ox, oy, -4, -10, FIGURE_LEFT, FIGURE_BLUE, "*o*");
+    figure_text(&g, 9.9, 1.5, 8, 4, FIGURE_LEFT, FIGURE_BLACK, "a");
+    figure_text(&g, 11.3, 3.45, -4, -4, FIGURE_RIGHT, FIGURE_BLACK, "b");
+    figure_line(&g, ex, ey, ex, -1.5, FIGURE_RED, 1, FIGURE_DASHED);
+    figure_text(&g, ex, -1.5, 0, 15, FIGURE_MIDDLE, FIGURE_RED, "_t_ of the hit");
+    for (int axis = 0; axis < 2; axis++) walk_t_axis(&g, wall, n, axis, ox, 12.3);
+    figure_end(&g);
+    mesh_free(&m);
 }
 
 #endif

@@ -11,9 +11,10 @@
 
 #include "../../../common/lab/report.h"
 #include "../../07_mesh/scenes/specimens.h"
+#include "../../07_mesh/scenes/soup.h"
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/bench.h"
-#include "../../10_grid/grid.h"
+#include "../../10_grid/nested.h"
 #include "../first.h"
 #include "../octree.h"
 #include "variants.h"
@@ -24,32 +25,31 @@ TRIAL_OTHER(octree_unpadded, octree, octree, octree_hit_unpadded)
 TRIAL_OTHER(octree_slabs, octree, octree, octree_hit_slabs)
 TRIAL_FIRST(first_octree, first_octree_build(&b->m, &b->s))
 TRIAL_VERBS(octree_rival, grid, grid_hit, grid_hit_counted)
+TRIAL_VERBS(octree_rival_2, nested, nested_hit, nested_hit_counted)
 
-typedef struct { const char *name; const trial_verbs *verbs; octree_options how; bool again; }
-    octree_candidate;
+#define OCTREE_HOW(leaf, depth, mailbox, exact)                                                  \
+    (&(const octree_options){leaf, depth, mailbox, exact, (size_t)1 << 30})
 
-#define OCTREE_HOW(leaf, depth, mailbox, exact) {leaf, depth, mailbox, exact, (size_t)1 << 30}
+static const octree_options octree_usual = {16, 16, true, true, (size_t)1 << 30};
 
 /* The first seven are the short table. */
-enum { octree_short = 7, octree_candidates = 17 };
-static const octree_candidate octree_candidate_list[octree_candidates] = {
-    {"first", &first_octree_trial, OCTREE_HOW(8, 16, true, true), false},
-    {"octree", &octree_trial, OCTREE_HOW(16, 16, true, true), false},
-    {"textbook", &octree_textbook_trial, OCTREE_HOW(16, 16, true, true), true},
-    {"no delta", &octree_unpadded_trial, OCTREE_HOW(16, 16, true, true), true},
-    {"slab tests", &octree_slabs_trial, OCTREE_HOW(16, 16, true, true), true},
-    {"by boxes", &octree_trial, OCTREE_HOW(16, 16, true, false), false},
-    {"depth 4", &octree_trial, OCTREE_HOW(16, 4, true, true), false},
-    {"depth 6", &octree_trial, OCTREE_HOW(16, 6, true, true), false},
-    {"depth 8", &octree_trial, OCTREE_HOW(16, 8, true, true), false},
-    {"depth 10", &octree_trial, OCTREE_HOW(16, 10, true, true), false},
-    {"depth 12", &octree_trial, OCTREE_HOW(16, 12, true, true), false},
-    {"no mailbox", &octree_trial, OCTREE_HOW(16, 16, false, true), false},
-    {"leaf 1", &octree_trial, OCTREE_HOW(1, 16, true, true), false},
-    {"leaf 4", &octree_trial, OCTREE_HOW(4, 16, true, true), false},
-    {"leaf 8", &octree_trial, OCTREE_HOW(8, 16, true, true), false},
-    {"leaf 32", &octree_trial, OCTREE_HOW(32, 16, true, true), false},
-    {"leaf 64", &octree_trial, OCTREE_HOW(64, 16, true, true), false}};
+enum { octree_short = 7, octree_rows = 15 };
+static const trial_row octree_row_list[octree_rows] = {
+    {.name = "first-octree", .verbs = &first_octree_trial},
+    {.name = "octree", .verbs = &octree_trial, .how = &octree_usual},
+    {.name = "textbook", .verbs = &octree_textbook_trial, .again = true},
+    {.name = "no delta", .verbs = &octree_unpadded_trial, .again = true},
+    {.name = "slab tests", .verbs = &octree_slabs_trial, .again = true},
+    {.name = "by boxes", .verbs = &octree_trial, .how = OCTREE_HOW(16, 16, true, false)},
+    {.name = "depth 4", .verbs = &octree_trial, .how = OCTREE_HOW(16, 4, true, true)},
+    {.name = "depth 6", .verbs = &octree_trial, .how = OCTREE_HOW(16, 6, true, true)},
+    {.name = "depth 8", .verbs = &octree_trial, .how = OCTREE_HOW(16, 8, true, true)},
+    {.name = "depth 12", .verbs = &octree_trial, .how = OCTREE_HOW(16, 12, true, true)},
+    {.name = "no mailbox", .verbs = &octree_trial, .how = OCTREE_HOW(16, 16, false, true)},
+    {.name = "leaf 1", .verbs = &octree_trial, .how = OCTREE_HOW(1, 16, true, true)},
+    {.name = "leaf 4", .verbs = &octree_trial, .how = OCTREE_HOW(4, 16, true, true)},
+    {.name = "leaf 32", .verbs = &octree_trial, .how = OCTREE_HOW(32, 16, true, true)},
+    {.name = "leaf 64", .verbs = &octree_trial, .how = OCTREE_HOW(64, 16, true, true)}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -67,77 +67,58 @@ static inline ray_set octree_hard_rays(const mesh *m, vec3 eye, real far, size_t
 
 static inline void table_of_knobs(const options *o)
 {
-    int n = o->full ? octree_candidates : octree_short, width = o->quick ? 40 : o->full ? 160 : 80;
+    int n = o->full ? octree_rows : octree_short, width = o->quick ? 40 : o->full ? 160 : 60;
     char title[200], rays[160];
     vec3 lo, hi;
     trial_scene s;
-    trial_row row[octree_candidates];
-    for (int i = 0; i < n; i++) {
-        const octree_candidate *c = &octree_candidate_list[i];
-        row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &c->how,
-                             .again = c->again};
-    }
-    trial_scene_of(teapot_mesh(o->quick ? 6 : o->full ? 40 : 12), &s);
+    trial_row row[octree_rows];
+    memcpy(row, octree_row_list, sizeof row);
+    trial_scene_of(teapot_mesh(o->quick ? 6 : o->full ? 40 : 8), &s);
     mesh_bounds(&s.m, &lo, &hi);
     camera c = trial_camera(&s.m, 1.6);
     trial_rays(&s, c, width, width * 5 / 8, 0, o->seed, &octree_trial, row[1].how);
     rays_free(&s.rays[TRIAL_CORNERS]);
     s.rays[TRIAL_CORNERS] = octree_hard_rays(&s.m, c.e, 2 * vlength(vsub(hi, lo)),
-                                             o->quick ? 60 : 1000, o->seed);
+                                             o->full ? 1000 : 100, o->seed);
     trial_due(&s, true);
     trials_run(row, n, &s, o->quick ? 1 : o->full ? 9 : 3);
     snprintf(title, sizeof title, "%s and along axes", trial_title(&s, rays));
-    table out = trial_table(title, row, n, &s, o->full, NULL);
+    table out = trial_table(title, row, octree_short, &s, false, NULL);
     output_table(o, &out);
+    if (o->full) {
+        out = trial_table("The same rays, all variants and all columns", row, n, &s, true, NULL);
+        output_extra_table(o, &out);
+    }
     trial_end(row, n), trial_scene_free(&s);
 }
 
 /* ---- what fails ---- */
 
-/* n small triangles anywhere in a cube of side 2, `size` [scene units] or less. */
-static inline mesh octree_soup(size_t n, real size, uint64_t seed)
+/* Kinds: anywhere, at corners, corner to corner, along axes, along axes through corners. */
+static inline ray octree_fault_ray(const mesh *m, int kind, uint64_t seed, size_t i)
 {
-    mesh m = {.vertices = 3 * n, .triangles = n};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < 3 * n; i++) {
-        random_stream g = random_start(seed, i / 3, 0), h = random_start(seed, i, 1);
-        vec3 p = {2 * random_next(&g), 2 * random_next(&g), 2 * random_next(&g)};
-        m.v[i] = vadd(p, vscale((vec3){random_next(&h), random_next(&h), random_next(&h)}, size));
-        m.index[i] = (uint32_t)i;
+    random_stream g = random_start(seed, i, (uint64_t)kind);
+    vec3 a = m->v[random_next_bits(&g) % m->vertices];
+    vec3 b = m->v[random_next_bits(&g) % m->vertices];
+    vec3 o = vscale(diffuse_direction(vec(0, 0, 0), &g), 3), inside = random_in_cube(&g, 0.5);
+    vec3 axis = vwith(vec(0, 0, 0), (int)(i % 3), i & 1 ? 1 : -1);
+    switch (kind) {
+    case 0: return ray_from(o, vsub(inside, o));
+    case 1: return ray_from(o, vsub(a, o));
+    case 2: return ray_from(vadd(a, vscale(vsub(a, b), 3)), vsub(b, a));
+    case 3: return ray_from(vmadd(inside, axis, -4), axis);
+    default: return ray_from(vmadd(a, axis, -4), axis);
     }
-    return m;
-}
-
-/* Kinds: anywhere, at corners, corner to corner, along axes through corners, ... between them. */
-static inline ray_set fault_rays(const mesh *m, int kind, size_t n, uint64_t seed)
-{
-    ray_set s = {allocate(n, sizeof(ray)), n};
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(seed, i, (uint64_t)kind);
-        vec3 a = m->v[random_next_bits(&g) % m->vertices];
-        vec3 b = m->v[random_next_bits(&g) % m->vertices];
-        vec3 o = diffuse_direction((vec3){0, 0, 0}, &g), axis = {0, 0, 0};
-        ((real *)&axis)[i % 3] = i & 1 ? 1 : -1;
-        o = vscale(o, 3);
-        vec3 inside = {random_next(&g) - (real)0.5, random_next(&g) - (real)0.5,
-                       random_next(&g) - (real)0.5};
-        if (kind == 0) s.r[i] = ray_from(o, vsub(inside, o));
-        if (kind == 1) s.r[i] = ray_from(o, vsub(a, o));
-        if (kind == 2) s.r[i] = ray_from(vadd(a, vscale(vsub(a, b), 3)), vsub(b, a));
-        if (kind == 3) s.r[i] = ray_from(vmadd(a, axis, -4), axis);
-        if (kind == 4) s.r[i] = ray_from(vmadd(inside, axis, -4), axis);
-    }
-    return s;
 }
 
 static inline void table_of_faults(const options *o)
 {
     static const octree_options how = {4, 6, true, true, (size_t)1 << 26};
-    static const struct { const char *name; const trial_verbs *verbs; } way[4] = {
-        {"textbook", &octree_textbook_trial}, {"no delta", &octree_unpadded_trial},
-        {"slab tests", &octree_slabs_trial}, {"octree_hit", &octree_trial}};
-    static const int kind[6] = {0, 0, 1, 2, 4, 3};
+    static const trial_row list[4] = {
+        {.name = "textbook", .verbs = &octree_textbook_trial, .how = &how},
+        {.name = "no delta", .verbs = &octree_unpadded_trial, .again = true},
+        {.name = "slab tests", .verbs = &octree_slabs_trial, .again = true},
+        {.name = "octree_hit", .verbs = &octree_trial, .again = true}};
     const size_t n = 2000;
     size_t wrong[4][6];
     table out = table_new("Wrong hits of 2000 rays each; octahedron of 512 triangles with corners "
@@ -146,17 +127,18 @@ static inline void table_of_faults(const options *o)
     for (int k = 0; k < 6; k++) {
         trial_scene s;
         trial_row row[4];
-        trial_scene_of(k ? octahedron_mesh(8) : octree_soup(500, 1, 3), &s);
-        s.rays[TRIAL_CORNERS] = fault_rays(&s.m, kind[k], n, o->seed);
+        trial_scene_of(k ? octahedron_mesh(8) : soup_mesh(500, 1, 0.5, 3), &s);
+        s.rays[TRIAL_CORNERS] = (ray_set){allocate(n, sizeof(ray)), n};
+        for (size_t i = 0; i < n; i++)
+            s.rays[TRIAL_CORNERS].r[i] = octree_fault_ray(&s.m, k ? k - 1 : 0, o->seed, i);
         trial_due(&s, false);
-        for (int i = 0; i < 4; i++)
-            row[i] = (trial_row){.verbs = way[i].verbs, .how = &how, .again = i > 0};
+        memcpy(row, list, sizeof row);
         trials_run(row, 4, &s, 1);
         for (int i = 0; i < 4; i++) wrong[i][k] = row[i].wrong;
         trial_end(row, 4), trial_scene_free(&s);
     }
     for (int i = 0; i < 4; i++) {
-        table_text(&out, "%s", way[i].name);
+        table_text(&out, "%s", list[i].name);
         for (int k = 0; k < 6; k++) table_count(&out, wrong[i][k]);
     }
     output_extra_table(o, &out);
@@ -177,18 +159,28 @@ static inline void octree_pot_rays(trial_scene *s, bool in_stadium, int width, u
 /* The same rays, with and without a stadium of 4032 triangles round it. */
 static inline void table_of_stadium(const options *o)
 {
+    enum { rivals = 5 };
+    static const grid_options cells_2 = {2, true, true, (size_t)1 << 30};
+    static const grid_options cells_27 = {27, true, true, (size_t)1 << 30};
+    static const grid_options cells_512 = {512, true, true, (size_t)1 << 30};
+    static const nested_options two_levels = {0.1, 4, true, true, (size_t)1 << 30};
+    static const trial_row list[rivals] = {
+        {.name = "grid, 2 n", .verbs = &octree_rival_trial, .how = &cells_2},
+        {.name = "grid, 27 n", .verbs = &octree_rival_trial, .how = &cells_27},
+        {.name = "grid, 512 n", .verbs = &octree_rival_trial, .how = &cells_512},
+        {.name = "grid, two levels", .verbs = &octree_rival_2_trial, .how = &two_levels},
+        {.name = "octree", .verbs = &octree_trial, .how = &octree_usual}};
     table out = table_new("The teapot and the teapot in a stadium: diffuse rays from the teapot",
-                          "scene|structure|build [ms]|memory [B/item]|refs/item|cells or nodes/ray|"
-                          "tests/ray|ray [ns]");
+                          "scene|structure|build [ms]|bytes a shape|references a shape|"
+                          "cells or nodes a ray|tests a ray|time [ns a ray]");
     for (int k = 0; k < 2; k++) {
         trial_scene s;
-        trial_row row[2] = {
-            {.name = "grid, 27 n", .verbs = &octree_rival_trial, .how = &grid_defaults},
-            {.name = "octree", .verbs = &octree_trial, .how = &octree_defaults}};
+        trial_row row[rivals];
         trial_scene_of(k ? stadium_mesh(24) : teapot_mesh(24), &s);
         octree_pot_rays(&s, true, 80, o->seed);
-        trials_run(row, 2, &s, 3);
-        for (int i = 0; i < 2; i++) {
+        memcpy(row, list, sizeof row);
+        trials_run(row, rivals, &s, 3);
+        for (int i = 0; i < rivals; i++) {
             structure_stats *st = &row[i].stats;
             search_work w = row[i].ray[TRIAL_DIFFUSE].work;
             size_t rays = row[i].ray[TRIAL_DIFFUSE].n;
@@ -200,7 +192,7 @@ static inline void table_of_stadium(const options *o)
             table_number(&out, trial_per((double)w.tests, rays));
             table_number(&out, trial_ns(&row[i], TRIAL_DIFFUSE));
         }
-        trial_end(row, 2), trial_scene_free(&s);
+        trial_end(row, rivals), trial_scene_free(&s);
     }
     output_extra_table(o, &out);
 }
@@ -210,20 +202,20 @@ static inline void plots_of_depth(const options *o)
     static const char *const name[3] = {"teapot", "teapot in a stadium", "soup"};
     plot work = plot_new("Work a ray against depth, leaves of 8", "depth", "nodes and tests a ray",
                          PLOT_LOG_Y);
-    plot memory = plot_new("Memory against depth, leaves of 8", "depth", "bytes an item",
+    plot memory = plot_new("Memory against depth, leaves of 8", "depth", "bytes a shape",
                            PLOT_LOG_Y);
     plot seconds = plot_new("Time of a diffuse ray against depth, leaves of 8", "depth",
-                            "time [ns]", PLOT_LOG_Y);
+                            "time [ns a ray]", PLOT_LOG_Y);
     for (int k = 0; k < 3; k++) {
         trial_scene s;
         trial_scene_of(k == 0 ? teapot_mesh(16) : k == 1 ? stadium_mesh(16)
-                                                        : octree_soup(64 * 16 * 16, 0.1, 3), &s);
+                                                        : soup_mesh(64 * 16 * 16, 1, 0.05, 3), &s);
         octree_pot_rays(&s, k == 1, 72, o->seed);
         int by_work = plot_series(&work, name[k]), by_memory = plot_series(&memory, name[k]);
         int by_time = plot_series(&seconds, name[k]);
         for (int depth = 1; depth <= 16; depth++) {
-            octree_options how = OCTREE_HOW(8, depth, true, true);
-            trial_row r = {.name = name[k], .verbs = &octree_trial, .how = &how};
+            trial_row r = {.name = name[k], .verbs = &octree_trial,
+                           .how = OCTREE_HOW(8, depth, true, true)};
             trials_run(&r, 1, &s, depth < 3 ? 1 : 3);
             search_work w = r.ray[TRIAL_DIFFUSE].work;
             plot_add(&work, by_work, depth,

@@ -7,9 +7,12 @@
 #ifndef OCTREE_PICTURES_H
 #define OCTREE_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../09_aabb/trials/pictures.h"
 #include "measure.h"
+
+enum { octree_most_work = 100 };  /* nodes and tests: white */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -32,10 +35,8 @@ static inline aabb octree_leaf_at(const octree *t, vec3 p, int *depth)
 static inline vec3 depth_colour(int depth)
 {
     static const real c[8][3] = {
-        {0.5, 0.4, 0.75}, {0.25, 0.45, 0.85},
-        {0.25, 0.7, 0.85}, {0.25, 0.75, 0.45},
-        {0.6, 0.8, 0.3}, {0.95, 0.85, 0.3},
-        {0.95, 0.55, 0.2}, {0.85, 0.25, 0.2}};
+        {0.5, 0.4, 0.75}, {0.25, 0.45, 0.85}, {0.25, 0.7, 0.85}, {0.25, 0.75, 0.45},
+        {0.6, 0.8, 0.3}, {0.95, 0.85, 0.3}, {0.95, 0.55, 0.2}, {0.85, 0.25, 0.2}};
     const real *k = c[depth % 8];
     return (vec3){k[0], k[1], k[2]};
 }
@@ -70,6 +71,30 @@ static inline vec3 cells_colour(const void *picture, real x, real y)
     return side_distance(leaf, at, n) < (real)0.5 * pixel * h.t ? vscale(c, 0.35) : c;
 }
 
+/* What the colours mean, below the picture, where there is room for words: of depths, of work. */
+static inline image octree_legend(const image *im, bool depths)
+{
+    enum { first = 3, last = 10 };
+    bool room = im->width >= 400;
+    image sheet = image_new(im->width, im->height + (room ? 40 : 0));
+    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
+    image_place(&sheet, 0, 0, im);
+    double x = 20, y = im->height + 20;
+    if (room && !depths)
+        label_bar(&sheet, 20, im->height + 4, im->width - 40, 9, work_colour, 0, octree_most_work,
+                  "nodes and tests of a ray");
+    if (!room || !depths) return sheet;
+    label_text(&sheet, x, y, 10, 0, vec(0, 0, 0), "cuts to the leaf:");
+    x += label_width("cuts to the leaf:", 10) + 20;
+    for (int d = first; d <= last; d++, x += 45) {
+        char text[12];
+        snprintf(text, sizeof text, "%d", d);
+        label_fill(&sheet, (int)x, (int)y - 11, 16, 14, depth_colour(d));
+        label_text(&sheet, x + 21, y, 10, 0, vec(0, 0, 0), text);
+    }
+    return sheet;
+}
+
 static inline void draw_octree(const options *o, const trial_scene *s, octree_options how,
                                const char *path)
 {
@@ -80,19 +105,22 @@ static inline void draw_octree(const options *o, const trial_scene *s, octree_op
     trial_time_build(&r, s, 1);
     mesh_bounds(&s->m, &lo, &hi);
     camera c = camera_of(lo, hi, !path, (real)o->width / (real)o->height);
-    trial_picture p = {&octree_trial, r.built, &s->m, c, im.width, im.height, 60};
+    trial_picture p = {&octree_trial, r.built, &s->m, c, im.width, im.height,
+                       octree_most_work};
     bool whole = pixels_draw(&im, o->quick ? 1 : 3, o->threads, "cells", cells_colour, &p);
     structure_stats st = octree_stats(r.built);
     printf("# %zu triangles: octree of depth %d in %.3f s, %zu leaves, %.1f %% of them empty, "
-           "%.2f references an item, %.1f bytes\n", s->m.triangles, st.depth, r.build, st.leaves,
+           "%.2f references a shape, %.1f bytes\n", s->m.triangles, st.depth, r.build, st.leaves,
            100 * (double)st.empty / (double)st.leaves,
            trial_per((double)st.references, st.items), trial_per((double)st.bytes, st.items));
-    output_picture(o, &im, picture_name("11_octree.png", path, name), true, whole);
+    image sheet = octree_legend(&im, true);
+    output_picture(o, &sheet, picture_name("11_octree.png", path, name), true, whole);
     if (!o->out && !o->own) {
         whole = pixels_draw(&im, 1, o->threads, "work", trial_work_colour, &p);
-        output_picture(o, &im, "11_octree_work.png", false, whole);
+        image_free(&sheet), sheet = octree_legend(&im, false);
+        output_picture(o, &sheet, "11_octree_work.png", false, whole);
     }
-    trial_unbuild(&r), image_free(&im);
+    trial_unbuild(&r), image_free(&im), image_free(&sheet);
 }
 
 /* ---- textbook beside octree_hit ---- */
@@ -117,21 +145,22 @@ static inline void draw_faults(const options *o)
     enum { panel_width = 384, panel_height = 256, gap = 6 };
     static const octree_options how = {4, 6, true, true, (size_t)1 << 28};
     const trial_verbs *const verbs[2] = {&octree_textbook_trial, &octree_trial};
+    static const char *const title[4] = {
+        "large triangles, textbook: orange is wrong", "octree_hit",
+        "the teapot, rays along y, textbook", "octree_hit"};
     image all = image_new(2 * panel_width + gap, 2 * panel_height + gap);
     image im = image_new(panel_width, panel_height);
     camera c[2];
     camera_frame frame;
     failure f;
     bool whole = true;
-    c[0] = camera_of((vec3){0, 0, 0}, (vec3){4, 4, 4}, true, 1.5);
+    c[0] = camera_of((vec3){-1.4, -1.4, -1.4}, (vec3){1.4, 1.4, 1.4}, true, 1.5);
     if (!frame_look_at(vec(0, -10, 1.5), vec(0, 0, 1.5), (vec3){0, 0, 1}, &frame, &f)
         || !camera_orthographic(frame, (camera_window){-4, 4, -2.5, 2.83}, &c[1], &f)) fail(f);
-    for (int i = 0; i < all.width * all.height; i++)
-        image_set(&all, i % all.width, i / all.width, (vec3){1, 1, 1});
     for (int row = 0; row < 2; row++) {
         trial_scene s;
         trial_row r = {.verbs = &octree_trial, .how = &how};
-        trial_scene_of(row ? teapot_mesh(10) : octree_soup(60, 2, 5), &s);
+        trial_scene_of(row ? teapot_mesh(10) : soup_mesh(60, 1, 1, 5), &s);
         trial_build(&r, &s);
         for (int k = 0; k < 2; k++) {
             trial_picture p = {verbs[k], r.built, &s.m, c[row], panel_width, panel_height, 0};
@@ -140,8 +169,9 @@ static inline void draw_faults(const options *o)
         }
         trial_unbuild(&r), trial_scene_free(&s);
     }
-    output_picture(o, &all, "11_octree_faults.png", false, whole);
-    image_free(&all), image_free(&im);
+    image sheet = label_panels(&all, 2, 2, gap, title);
+    output_picture(o, &sheet, "11_octree_faults.png", false, whole);
+    image_free(&sheet), image_free(&all), image_free(&im);
 }
 
 #endif

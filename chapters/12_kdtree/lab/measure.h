@@ -1,9 +1,7 @@
 /* measure.h: the strategies and the searches measured (09_aabb/trials/bench.h).
  *
- *   table_of_strategies(o, &s)    time, memory, work, wrong hits; the main table
+ *   table_of_strategies(o, &s)    the page's table; --full: all columns and all rows as well
  *   table_of_planes(o)            squares in dyadic planes, where textbook searches lose hits
- *   plots_of_cost(o, &s)          work and time against the cost of a test
- *   plot_of_bonus(o, &s)          work against the bonus for cutting off empty space
  *   kdtree_grow(o)                against the number of triangles
  */
 #ifndef KDTREE_MEASURE_H
@@ -22,23 +20,31 @@ TRIAL_OTHER(kdtree_final, kdtree, kdtree, kdtree_hit_naive_final)
 TRIAL_OTHER(kdtree_strict, kdtree, kdtree, kdtree_hit_naive_strict)
 TRIAL_FIRST(first_kdtree, first_kdtree_build(&b->m, &b->s))
 
-#define KDTREE_HOW(strategy, bonus, clip, planar) \
-    {strategy, 4, 0, 1, kdtree_item_cost, bonus, clip, planar, SIZE_MAX / 4}
+TRIAL_OTHER(kdtree_no_delta, kdtree, kdtree, kdtree_hit_no_delta)
 
-/* The first seven are the short table, 1 to 4 the picture. */
-enum { kdtree_short = 7, kdtree_candidates = 11 };
+#define KDTREE_HOW(strategy, leaf, bonus, clip, planar) \
+    {strategy, leaf, 0, 1, kdtree_item_cost, bonus, clip, planar, SIZE_MAX / 4}
+
+/* The first seven are the page's table, 1 to 4 the picture. */
+enum { kdtree_short = 7, kdtree_candidates = 16 };
 static const kdtree_candidate kdtree_candidate_list[kdtree_candidates] = {
-    {"first", &first_kdtree_trial, KDTREE_HOW(KD_MIDDLE, 0, false, KD_BOTH), false},
-    {"middle", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 0, true, KD_THICK), false},
-    {"median", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 0, true, KD_THICK), false},
-    {"SAH, boxes", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, false, KD_THICK), false},
-    {"SAH, clipped", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, true, KD_THICK), false},
-    {"textbook search", &kdtree_textbook_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_BOTH), false},
-    {"naive: first hit final", &kdtree_final_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_BOTH), true},
-    {"naive: strict", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_BOTH), true},
-    {"naive: strict, one side", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_ONE), false},
-    {"SAH, bonus 0.1", &kdtree_trial, KDTREE_HOW(KD_SAH, 0.1, true, KD_THICK), false},
-    {"SAH, bonus 0.5", &kdtree_trial, KDTREE_HOW(KD_SAH, 0.5, true, KD_THICK), false}};
+    {"first", &first_kdtree_trial, KDTREE_HOW(KD_MIDDLE, 8, 0, false, KD_BOTH), false},
+    {"middle, 16", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 16, 0, true, KD_THICK), false},
+    {"median, 16", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 16, 0, true, KD_THICK), false},
+    {"SAH, 16", &kdtree_trial, KDTREE_HOW(KD_SAH, 16, 0.1, true, KD_THICK), false},
+    {"SAH, by cost", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_THICK), false},
+    {"no delta", &kdtree_no_delta_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_THICK), true},
+    {"textbook search", &kdtree_textbook_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_BOTH), false},
+    {"first hit final", &kdtree_final_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_BOTH), true},
+    {"strict", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_BOTH), true},
+    {"strict, one side", &kdtree_strict_trial, KDTREE_HOW(KD_SAH, 0, 0.1, true, KD_ONE), false},
+    {"middle, 4", &kdtree_trial, KDTREE_HOW(KD_MIDDLE, 4, 0, true, KD_THICK), false},
+    {"median, 4", &kdtree_trial, KDTREE_HOW(KD_MEDIAN, 4, 0, true, KD_THICK), false},
+    {"SAH, 4", &kdtree_trial, KDTREE_HOW(KD_SAH, 4, 0.1, true, KD_THICK), false},
+    {"by cost, boxes", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0.1, false, KD_THICK), false},
+    {"by cost, no bonus", &kdtree_trial, KDTREE_HOW(KD_SAH, 0, 0, true, KD_THICK), false},
+    {"20 : 15, bonus 0.2", &kdtree_trial,
+     {KD_SAH, 0, 0, 1, 4.0 / 3, 0.2, true, KD_THICK, SIZE_MAX / 4}, false}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -51,16 +57,21 @@ static inline void table_of_strategies(const options *o, const trial_scene *s)
 {
     static const trial_columns own = {"|empty leaves [%]", kdtree_cells};
     int n = o->full ? kdtree_candidates : kdtree_short;
-    char title[160];
+    char title[160], brief[200];
     trial_row row[kdtree_candidates];
     for (int i = 0; i < n; i++) {
         const kdtree_candidate *c = &kdtree_candidate_list[i];
         row[i] = (trial_row){.name = c->name, .verbs = c->verbs, .how = &c->how,
                              .again = c->again};
     }
-    trials_run(row, n, s, o->quick ? 1 : 3);
-    table t = trial_table(trial_title(s, title), row, n, s, o->full, &own);
+    trials_run(row, n, s, o->quick ? 1 : o->full ? 9 : 3);
+    snprintf(brief, sizeof brief, "Where to cut: %s", trial_title(s, title));
+    table t = trial_table(brief, row, kdtree_short, s, false, NULL);
     output_table(o, &t);
+    if (o->full) {
+        t = trial_table(trial_title(s, title), row, n, s, true, &own);
+        output_extra_table(o, &t);
+    }
     trial_end(row, n);
 }
 
@@ -113,8 +124,7 @@ static inline void table_of_planes(const options *o)
     size_t wrong[4][4];
     for (int k = 0; k < 4; k++) {
         trial_scene s;
-        kdtree_options how = KDTREE_HOW(KD_MIDDLE, 0, true, k % 2 ? KD_ONE : KD_BOTH);
-        how.leaf = 1;
+        kdtree_options how = KDTREE_HOW(KD_MIDDLE, 1, 0, true, k % 2 ? KD_ONE : KD_BOTH);
         trial_scene_of(planes_mesh(), &s);
         s.rays[TRIAL_CORNERS] = rays_at_planes(&s.m, n, k < 2, o->seed);
         trial_due(&s, false);
@@ -133,84 +143,14 @@ static inline void table_of_planes(const options *o)
     output_extra_table(o, &out);
 }
 
-/* ---- knobs ---- */
-
-/* b and c of ns = b nodes + c tests, by least squares: two normal equations. */
-static inline void fit_costs(const double (*row)[3], int n, double *b, double *c)
-{
-    double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
-    for (int i = 0; i < n; i++) {
-        double x = row[i][0], y = row[i][1], z = row[i][2];
-        xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z;
-    }
-    *b = (xz * yy - yz * xy) / (xx * yy - xy * xy);
-    *c = (yz * xx - xz * xy) / (xx * yy - xy * xy);
-}
-
-/* c_i from 1/16 to 2: the trees go from coarse to fine; c_t is 1 throughout. */
-static inline void plots_of_cost(const options *o, const trial_scene *s)
-{
-    enum { most = 6 };
-    plot p = plot_new("Cost of a test: work", "c_i / c_t", "a diffuse ray", PLOT_LOG_X);
-    plot q = plot_new("Cost of a test: time", "c_i / c_t", "[ns], [B/tri]", PLOT_LOG_X);
-    int nodes = plot_series(&p, "nodes"), tests = plot_series(&p, "tests");
-    int leaves = plot_series(&p, "leaves"), primary = plot_series(&q, "primary ray [ns]");
-    int diffuse = plot_series(&q, "diffuse ray [ns]"), bytes = plot_series(&q, "memory [B/tri]");
-    double fit[most][3], node, test, rays = (double)s->rays[TRIAL_DIFFUSE].n;
-    kdtree_options how[most];
-    trial_row row[most];
-    for (int i = 0; i < most; i++) {
-        how[i] = kdtree_defaults, how[i].item_cost = ldexp(1.0, i - 4);
-        row[i] = (trial_row){.name = "", .verbs = &kdtree_trial, .how = &how[i]};
-    }
-    trials_run(row, most, s, 5);
-    for (int i = 0; i < most; i++) {
-        search_work w = row[i].ray[TRIAL_DIFFUSE].work;
-        double at = how[i].item_cost;
-        fit[i][0] = (double)w.nodes / rays, fit[i][1] = (double)w.tests / rays;
-        fit[i][2] = trial_ns(&row[i], TRIAL_DIFFUSE);
-        plot_add(&p, nodes, at, fit[i][0]), plot_add(&p, tests, at, fit[i][1]);
-        plot_add(&p, leaves, at, (double)w.leaves / rays);
-        plot_add(&q, primary, at, trial_ns(&row[i], TRIAL_PRIMARY));
-        plot_add(&q, diffuse, at, fit[i][2]);
-        plot_add(&q, bytes, at, trial_per((double)row[i].stats.bytes, row[i].stats.items));
-    }
-    trial_end(row, most);
-    fit_costs((const double (*)[3])fit, most, &node, &test);
-    printf("# fitted: a diffuse ray takes %.1f ns a node and %.1f ns a test\n\n", node, test);
-    output_plot(o, &p, "12_kdtree_cost.svg");
-    output_plot(o, &q, "12_kdtree_cost_time.svg");
-}
-
-static inline void plot_of_bonus(const options *o, const trial_scene *s)
-{
-    plot p = plot_new("Bonus for cutting off empty space", "bonus", "a diffuse ray", 0);
-    int nodes = plot_series(&p, "nodes"), leaves = plot_series(&p, "leaves");
-    int tests = plot_series(&p, "tests");
-    static const double bonus[6] = {0, 0.1, 0.2, 0.3, 0.5, 0.8};
-    for (int i = 0; i < 6; i++) {
-        kdtree_options how = kdtree_defaults;
-        trial_row r = {.verbs = &kdtree_trial, .how = &how};
-        const ray_set *rays = &s->rays[TRIAL_DIFFUSE];
-        how.empty_bonus = bonus[i];
-        trial_build(&r, s);
-        search_work w = trial_work(&r, rays, 1);
-        plot_add(&p, nodes, how.empty_bonus, trial_per((double)w.nodes, rays->n));
-        plot_add(&p, leaves, how.empty_bonus, trial_per((double)w.leaves, rays->n));
-        plot_add(&p, tests, how.empty_bonus, trial_per((double)w.tests, rays->n));
-        trial_unbuild(&r);
-    }
-    output_plot(o, &p, "12_kdtree_bonus.svg");
-}
-
 static inline void kdtree_grow(const options *o)
 {
-    static const int fine[] = {1, 2, 4, 8, 16, 32, 50};
+    static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 126};
     const trial_growth g = {.title = "Growth with n, SAH, one thread",
                             .plots = {"12_kdtree_n_time.svg", "12_kdtree_n.svg"},
                             .name = "k-d tree", .work = {"nodes", "leaves", "tests"},
                             .verbs = &kdtree_trial, .how = &kdtree_defaults, .fine = fine,
-                            .sizes = 7, .width = 160, .brute = 50};
+                            .sizes = 8, .width = 160, .brute = 64};
     trial_grow(o, &g);
 }
 

@@ -1,12 +1,16 @@
 /* pictures.h: a mesh under the headlight, and what each pixel's ray took to find it.
  *
  *   draw_one(o, &m, how, z_up, &all)         the mesh, and what its pixels take, side by side
- *   draw_strategies(o, &s, z_up, &all)       four panels: middle, median; SAH by boxes, SAH clipped
+ *   draw_strategies(o, &s, z_up, &all)       four panels: middle, median, SAH at equal leaves;
+ *                                            SAH by cost; of the book: with titles
+ *   draw_final(o)                            what is lost if the first hit is taken for the closest
  */
 #ifndef KDTREE_PICTURES_H
 #define KDTREE_PICTURES_H
 
 #include "../../../common/output.h"
+#include "../../../common/lab/label.h"
+#include "../../07_mesh/scenes/soup.h"
 #include "../../09_aabb/trials/pictures.h"
 #include "measure.h"
 
@@ -39,12 +43,68 @@ static inline bool draw_one(const options *o, const mesh *m, kdtree_options how,
     return whole;
 }
 
+/* A title above each panel, and the colours below all. */
 static inline bool draw_strategies(const options *o, const trial_scene *s, bool z_up, image *all)
 {
+    static const char *const title[4] = {"middle, leaves of 16", "median, leaves of 16",
+                                         "SAH, leaves of 16", "SAH, as fine as the cost says"};
+    enum { bar = 46 };
     const void *how[4];
     trial_picture p = {.verbs = &kdtree_trial, .most = 120};
     for (int k = 0; k < 4; k++) how[k] = &kdtree_candidate_list[k + 1].how;
-    return trial_draw_work(s, p, z_up, 2, how, 4, o->threads, all);
+    bool whole = trial_draw_work(s, p, z_up, 2, how, 4, o->threads, all);
+    if (o->own || o->out || all->width < 400) return whole;
+    image sheet = label_panels(all, 2, 2, 0, title);
+    image_free(all);
+    *all = image_new(sheet.width, sheet.height + bar);
+    label_fill(all, 0, 0, all->width, all->height, vec(1, 1, 1));
+    image_place(all, 0, 0, &sheet);
+    label_bar(all, sheet.width / 4, sheet.height + 8, sheet.width / 2, 9, work_colour, 0,
+              (double)p.most, "steps and tests a ray");
+    image_free(&sheet);
+    return whole;
+}
+
+/* Each triangle in a colour of its own; only the middle of the picture. */
+static inline vec3 final_colour(const void *picture, real x, real y)
+{
+    static const vec3 tint[6] = {{0.9, 0.6, 0}, {0.34, 0.71, 0.91}, {0, 0.62, 0.45},
+                                 {0.84, 0.37, 0}, {0.8, 0.47, 0.65}, {0, 0.45, 0.7}};
+    const trial_picture *p = picture;
+    hit h;
+    real w = (real)p->width / 5;
+    ray r = trial_eye_ray(p, w + x * (real)0.6, w + y * (real)0.6);
+    if (!p->verbs->hit(p->built, r, &h)) return vec(1, 1, 1);
+    vec3 grey = headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
+    return vscale(tint[h.shape % 6], (real)0.35 + (real)0.65 * grey.x);
+}
+
+/* Large triangles through each other: the first hit of any leaf as the closest, and the closest. */
+static inline void draw_final(const options *o)
+{
+    enum { gap = 8 };
+    int side = o->quick ? 40 : 400;
+    kdtree_options how = kdtree_defaults;
+    trial_scene s;
+    bool whole = true;
+    image all = image_new(2 * side + gap, side), im = image_new(side, side);
+    how.leaf = 2;
+    trial_scene_of(soup_mesh(60, (real)0.6, (real)0.9, 5), &s);
+    label_fill(&all, 0, 0, all.width, all.height, vec(1, 1, 1));
+    for (int k = 0; k < 2; k++) {
+        trial_row r = {.verbs = k ? &kdtree_trial : &kdtree_final_trial, .how = &how};
+        trial_build(&r, &s);
+        trial_picture p = {r.verbs, r.built, &s.m, trial_camera(&s.m, 1), side, side, 1};
+        whole = pixels_draw(&im, 2, o->threads, "hits", final_colour, &p) && whole;
+        image_place(&all, k * (side + gap), 0, &im);
+        trial_unbuild(&r);
+    }
+    if (!o->quick) {
+        label_tag(&all, 8, 8, 11, "the first hit is final");
+        label_tag(&all, side + gap + 8, 8, 11, "kept until the next cell begins behind it");
+    }
+    output_picture(o, &all, "12_kdtree_final.png", false, whole);
+    image_free(&all), image_free(&im), trial_scene_free(&s);
 }
 
 #endif

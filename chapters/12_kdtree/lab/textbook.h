@@ -5,6 +5,9 @@
  *   kdtree_hit_naive_strict(&t, r, &h)    one child only where the plane is passed at t = enter or
  *                                         t = exit
  *
+ *   kdtree_hit_no_delta(&t, r, &h)        kdtree_hit itself with delta = 0: one t a plane, as it is
+ *                                         rounded; what robustness costs
+ *
  * and, with any of them, a tree built with KD_ONE: what lies in a plane is kept in one child only.
  *
  *   ray kd_dyadic_ray(&g)                 a ray for which no t of a dyadic plane is rounded
@@ -101,6 +104,12 @@ static inline bool kdtree_hit_naive_final(const kdtree *t, ray r, hit *out)
 static inline bool kdtree_hit_naive_strict(const kdtree *t, ray r, hit *out)
 {
     return kd_textbook(t, r, KD_STRICT, out);
+}
+
+static inline bool kdtree_hit_no_delta(const kdtree *t, ray r, hit *out)
+{
+    return t->x.m ? kd_search(t, r, 0, true, false, out, NULL)
+                  : kd_search(t, r, 0, false, false, out, NULL);
 }
 
 #endif

@@ -3,7 +3,7 @@
  *   table_of_rules(o)       the main table, and the plot of building against searching
  *   table_of_scenes(o)      planes across the axes and of any direction, scene by scene
  *   table_of_losses(o)      wrong hits of 6000 rays aimed where planes are
- *   table_of_pieces(o)      of the painter, and their plot
+ *   table_of_pieces(o)      of the painter
  */
 #ifndef BSP_MEASURE_H
 #define BSP_MEASURE_H
@@ -72,19 +72,21 @@ static inline void plot_of_rules(const options *o, const trial_row *row, const b
                       PLOT_LOG_X);
     int across = plot_series(&p, "across the axes"), own = plot_series(&p, "any only");
     int any = plot_series(&p, "both, by candidates");
-    for (int i = 0; i < bsp_candidates; i++)
-        if (row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE
-            && rule_by_cost(how[i].rule))
-            plot_add(&p, how[i].rule == BSP_AXIS ? across : how[i].rule == BSP_OWN ? own : any,
-                     row[i].build * 1e3, trial_ns(&row[i], TRIAL_DIFFUSE));
+    for (int tries = 1; tries <= 64; tries *= 4)
+        for (int i = 0; i < bsp_candidates; i++) {
+            bool safe = row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE;
+            int series = how[i].rule == BSP_AXIS ? across : how[i].rule == BSP_OWN ? own : any;
+            if (safe && rule_by_cost(how[i].rule) && how[i].candidates == tries)
+                plot_add(&p, series, row[i].build * 1e3, trial_ns(&row[i], TRIAL_DIFFUSE));
+        }
     output_plot(o, &p, "13_bsp_time.svg");
 }
 
 static inline void table_of_rules(const options *o)
 {
-    static const trial_columns own = {"|planes/tri|slanted [%]|empty [%]", bsp_cells};
+    static const trial_columns own = {"|planes a shape|slanted [%]|empty [%]", bsp_cells};
     int n = o->full ? bsp_candidates : bsp_short, width = o->quick ? 40 : o->full ? 160 : 80;
-    char title[160];
+    char title[160], brief[200];
     trial_scene s;
     trial_row row[bsp_candidates];
     bsp_options how[bsp_candidates];
@@ -99,37 +101,18 @@ static inline void table_of_rules(const options *o)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 2000, o->seed,
                &bsp_trial, &how[2]);
     trials_run(row, n, &s, o->quick ? 1 : o->full ? 15 : 3);
-    table out = trial_table(trial_title(&s, title), row, n, &s, o->full, &own);
+    snprintf(brief, sizeof brief, "Which plane: %s", trial_title(&s, title));
+    table out = trial_table(brief, row, bsp_short, &s, false, NULL);
     output_table(o, &out);
-    if (o->full) plot_of_rules(o, row, how);
+    if (o->full) {
+        out = trial_table(trial_title(&s, title), row, n, &s, true, &own);
+        output_extra_table(o, &out);
+        plot_of_rules(o, row, how);
+    }
     trial_end(row, n), trial_scene_free(&s);
 }
 
 /* ---- scenes ---- */
-
-static inline mesh splinters(size_t n)  /* 1 long, 0.01 wide, at all angles */
-{
-    mesh m = puzzle_new(n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(77, i, 0);
-        real *v = (real *)&m.v[3 * i];
-        for (int k = 0; k < 6; k++) v[k] = 2 * random_next(&g) - 1;
-        for (int k = 6; k < 9; k++) v[k] = v[k - 6] + (random_next(&g) - (real)0.5) / 50;
-    }
-    return m;
-}
-
-static inline mesh soup(size_t n)  /* 0.05 large, in a cube of 2 */
-{
-    mesh m = puzzle_new(n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(78, i, 0);
-        real *v = (real *)&m.v[3 * i];
-        for (int k = 0; k < 3; k++) v[k] = 2 * random_next(&g) - 1;
-        for (int k = 3; k < 9; k++) v[k] = v[k % 3] + (random_next(&g) - (real)0.5) / 20;
-    }
-    return m;
-}
 
 static inline mesh scene_of(int k)
 {
@@ -138,8 +121,8 @@ static inline mesh scene_of(int k)
     case 1: return torus_mesh(100);
     case 2: return town_mesh(30, 0);
     case 3: return town_mesh(30, 0.6);
-    case 4: return soup(8000);
-    case 5: return splinters(2000);
+    case 4: return soup_mesh(8000, 1, 0.025, 78);
+    case 5: return needle_mesh(2000, 0.01, 77);
     default: return stadium_mesh(14);
     }
 }
@@ -147,10 +130,11 @@ static inline mesh scene_of(int k)
 static inline void table_of_scenes(const options *o)
 {
     static const char *const name[7] = {"teapot", "torus", "town", "town, turned", "soup",
-                                        "splinters", "stadium"};
+                                        "needles", "stadium"};
     table out = table_new("Planes across the axes, and of any direction: lines through the box",
-                          "scene|triangles|rule|time build [ms]|memory [B/tri]|slanted [%]|"
-                          "names/tri|nodes/ray|tests/ray|error [wrong]|time [ns]|time gained [%]");
+                          "scene|triangles|rule|time build [ms]|bytes a shape|slanted [%]|"
+                          "references a shape|nodes a ray|tests a ray|error [wrong]|time [ns]|"
+                          "time gained [%]");
     bsp_options how[2] = {bsp_with(BSP_AXIS, 1, BSP_SIDES_SAFE),
                           bsp_with(BSP_COST, 16, BSP_SIDES_SAFE)};
     for (int k = 0; k < 7; k++) {
@@ -213,8 +197,8 @@ static inline void table_of_losses(const options *o)
         {"STRICT, e = 0", &bsp_trial, BSP_COST, 16, BSP_SIDES_STRICT, false},
         {"FIXED, e = 1e-4", &bsp_trial, BSP_COST, 16, BSP_SIDES_FIXED, false}};
     table out = table_new("Wrong hits of 6000 rays at corners, edges and along axes",
-                          "variant|error town|error torus|error torus of 0.001|error splinters");
-    mesh m[4] = {town_mesh(8, 0), torus_mesh(24), torus_mesh(24), splinters(500)};
+                          "variant|error town|error torus|error torus of 0.001|error needles");
+    mesh m[4] = {town_mesh(8, 0), torus_mesh(24), torus_mesh(24), needle_mesh(500, 0.01, 77)};
     for (size_t i = 0; i < m[2].vertices; i++) m[2].v[i] = vscale(m[2].v[i], 0.001);
     size_t wrong[5][4];
     for (int k = 0; k < 4; k++) {
@@ -260,13 +244,8 @@ static inline void table_of_pieces(const options *o)
     static const char *const names[4] = {"comb", "crossing walls", "torus", "teapot"};
     table out = table_new("The painter's pieces, by the rule that picks planes",
                           "scene|triangles|first|random|fewest of 16|(13.8)|n^2 / 4");
-    plot p = plot_new("Triangles, and the pieces that they are cut into", "triangles", "pieces",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    int series[6] = {plot_series(&p, "comb, first"), plot_series(&p, "comb, random"),
-                     plot_series(&p, "comb, fewest"), plot_series(&p, "crossing, fewest"),
-                     plot_series(&p, "teapot, random"), plot_series(&p, "teapot, fewest")};
     for (int k = 0; k < 4; k++)
-        for (int n = 4; n <= (k == 0 ? 256 : 64); n *= k == 0 ? 4 : 2) {
+        for (int n = 4; n <= (k == 0 ? 256 : 64); n *= 4) {
             if (k >= 2 && n > 16) continue;
             size_t s = (size_t)n;
             mesh m = k == 0 ? comb_mesh(s) : k == 1 ? crossing_mesh(s)
@@ -278,14 +257,9 @@ static inline void table_of_pieces(const options *o)
             table_text(&out, "%s", names[k]), table_count(&out, m.triangles);
             table_count(&out, first), table_count(&out, random), table_count(&out, fewest);
             table_number(&out, all + 2 * all * log(all)), table_number(&out, all * all / 4);
-            if (k == 0) plot_add(&p, series[0], all, (double)first);
-            if (k == 0 || k == 3) plot_add(&p, series[k ? 4 : 1], all, (double)random);
-            if (k != 2) plot_add(&p, series[k == 0 ? 2 : k == 1 ? 3 : 5], all, (double)fewest);
             mesh_free(&m);
         }
-    plot_slope(&p, 1, "slope 1"), plot_slope(&p, 2, "slope 2");
     output_extra_table(o, &out);
-    output_plot(o, &p, "13_bsp_pieces.svg");
 }
 
 #endif

@@ -1,112 +1,99 @@
-/* painting.h: painting the pieces of a mesh over each other.
+/* painting.h: three triangles, each over the next, painted over each other (画家算法).
  *
- *   painting_draw(&p, order, n, camera, by_piece, &im)   in that order; by_piece: each piece has a
- *                                                        tint of its own
- *   draw_cyclic(&im)     three panels: sorted by distance; BSP; the same, by pieces
+ *   draw_cyclic(o)     images/13_bsp_painter.svg: sorted by distance; in the order of the tree
+ *
+ * An SVG is itself a painter: what stands later in the file covers what stands before. Numbers say
+ * which was drawn first.
  */
 #ifndef BSP_PAINTING_H
 #define BSP_PAINTING_H
 
-#include "../../../common/image.h"
-#include "../../../common/parallel.h"
+#include "../../../common/lab/figure.h"
 #include "../../02_camera/camera.h"
 #include "../painter.h"
 #include "puzzles.h"
 
-enum { painting_corners = 64 };  /* a piece with more is not drawn */
+enum { painting_most = 16, painting_corners = 8 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 paint_colour(uint32_t k)
-{
-    static const double c[6][3] = {{0.85, 0.25, 0.08}, {0.02, 0.3, 0.72}, {0.95, 0.75, 0.1},
-                                   {0.1, 0.55, 0.3},   {0.5, 0.15, 0.5},  {0.3, 0.65, 0.8}};
-    return (vec3){(real)c[k % 6][0], (real)c[k % 6][1], (real)c[k % 6][2]};
-}
+typedef struct { uint32_t n; double x[painting_corners], y[painting_corners]; } painting_piece;
 
-/* A convex polygon, its corners in pixels, in either sense of rotation. */
-static inline void paint_polygon(const real *x, const real *y, size_t n, vec3 colour, image *im)
+static inline bool painting_covers(const painting_piece *p, double x, double y)
 {
-    real x0 = (real)im->width, x1 = 0, y0 = (real)im->height, y1 = 0;
-    for (size_t i = 0; i < n; i++) {
-        x0 = real_min(x[i], x0), x1 = real_max(x[i], x1);
-        y0 = real_min(y[i], y0), y1 = real_max(y[i], y1);
+    bool left = false, right = false;
+    for (uint32_t i = 0; i < p->n; i++) {
+        uint32_t k = (i + 1) % p->n;
+        double e = (p->x[k] - p->x[i]) * (y - p->y[i]) - (p->y[k] - p->y[i]) * (x - p->x[i]);
+        left |= e > 0, right |= e < 0;
     }
-    x0 = real_max(x0, 0), y0 = real_max(y0, 0);
-    x1 = real_min(x1, (real)(im->width - 1)), y1 = real_min(y1, (real)(im->height - 1));
-    for (int j = (int)y0; (real)j <= y1; j++)
-        for (int i = (int)x0; (real)i <= x1; i++) {
-            real px = (real)i + (real)0.5, py = (real)j + (real)0.5, least = 0, most = 0;
-            for (size_t k = 0; k < n; k++) {
-                size_t l = (k + 1) % n;
-                real e = (x[l] - x[k]) * (py - y[k]) - (y[l] - y[k]) * (px - x[k]);
-                least = real_min(e, least), most = real_max(e, most);
-            }
-            if (least >= 0 || most <= 0) image_set(im, i, j, colour);
-        }
+    return !(left && right);
 }
 
-/* All of it must lie before the eye. */
-static inline void painting_draw(const painter *p, const uint32_t *order, size_t n, camera c,
-                                 bool by_piece, image *im)
+/* The number of piece k of n: between its middle and a corner, where no later piece covers it. */
+static inline void painting_number(figure *g, const painting_piece *p, size_t n, size_t k)
 {
-    real x[painting_corners], y[painting_corners];
-    for (size_t k = 0; k < n; k++) {
+    double mx = 0, my = 0;
+    char text[24];
+    for (uint32_t i = 0; i < p[k].n; i++) mx += p[k].x[i] / p[k].n, my += p[k].y[i] / p[k].n;
+    for (uint32_t i = 0; i < 3 * p[k].n; i++) {
+        double part = 0.6 * (i / p[k].n) / 2, x = mx + part * (p[k].x[i % p[k].n] - mx);
+        double y = my + part * (p[k].y[i % p[k].n] - my);
+        bool hidden = false;
+        for (size_t j = k + 1; j < n; j++) hidden |= painting_covers(&p[j], x, y);
+        if (hidden) continue;
+        snprintf(text, sizeof text, "*%zu*", k + 1);
+        figure_dot(g, x, y, 10, "#ffffff");
+        figure_text(g, x, y, 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, text);
+        return;
+    }
+}
+
+/* The pieces in this order; all of them lie before the eye. */
+static inline void painting_draw(figure *g, const painter *p, const uint32_t *order, size_t n,
+                                 camera c)
+{
+    static const char *const colour[3] = {FIGURE_RED, FIGURE_SKY, FIGURE_ORANGE};
+    painting_piece piece[painting_most];
+    for (size_t k = 0; k < n && k < painting_most; k++) {
         const painter_piece *q = &p->piece[order[k]];
-        if (q->corners > painting_corners) continue;
-        for (uint32_t i = 0; i < q->corners; i++)
-            camera_project(c, vadd(p->corner[q->first + i], p->middle), im->width, im->height,
-                           &x[i], &y[i]);
-        paint_polygon(x, y, q->corners, paint_colour(by_piece ? order[k] : q->owner), im);
-    }
-}
-
-/* The mean of 3 x 3 pixels. */
-static inline image image_third(const image *big)
-{
-    image im = image_new(big->width / 3, big->height / 3);
-    for (int y = 0; y < im.height; y++)
-        for (int x = 0; x < im.width; x++) {
-            vec3 sum = {0, 0, 0};
-            for (int k = 0; k < 9; k++)
-                sum = vadd(sum, image_get(big, 3 * x + k % 3, 3 * y + k / 3));
-            image_set(&im, x, y, vscale(sum, (real)1 / 9));
+        double xy[2 * painting_corners];
+        piece[k].n = q->corners < painting_corners ? q->corners : painting_corners;
+        for (uint32_t i = 0; i < piece[k].n; i++) {
+            real x = 0, y = 0;
+            camera_project(c, vadd(p->corner[q->first + i], p->middle), 400, 400, &x, &y);
+            xy[2 * i] = piece[k].x[i] = (double)x, xy[2 * i + 1] = piece[k].y[i] = (double)-y;
         }
-    return im;
+        figure_polygon(g, (int)piece[k].n, xy, colour[q->owner % 3], 1, FIGURE_BLACK);
+    }
+    for (size_t k = 0; k < n && k < painting_most; k++)
+        painting_number(g, piece, n < painting_most ? n : painting_most, k);
 }
 
-static inline void image_fill(image *im, vec3 c)
+static inline void draw_cyclic(const options *o)
 {
-    for (int y = 0; y < im->height; y++)
-        for (int x = 0; x < im->width; x++) image_set(im, x, y, c);
-}
-
-static inline void draw_cyclic(image *all)
-{
+    static const char *const title[2] = {"sorted by distance: wrong", "in the order of the tree"};
+    figure g = figure_begin(o, "13_bsp_painter.svg", 840, 350);
     mesh m = cyclic_mesh();
     failure f;
     painter cut, uncut;
-    painter_uncut(&m, &uncut);
-    if (!painter_build(&m, painter_defaults, &cut, &f)) fail(f);
     camera_frame frame;
     camera c;
     vec3 eye = {0.7, -1.3, 3};
-    int side = (all->width - 8) / 3;
-    image_fill(all, (vec3){1, 1, 1});
-    if (!frame_look_at(eye, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &f)
+    painter_uncut(&m, &uncut);
+    if (!painter_build(&m, painter_defaults, &cut, &f)
+        || !frame_look_at(eye, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &f)
         || !camera_perspective(frame, 52, 1, &c, &f)) fail(f);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 2; k++) {
         const painter *p = k ? &cut : &uncut;
         uint32_t *order = allocate(p->pieces, sizeof *order);
         size_t n = k ? painter_order(p, eye, order) : painter_order_naive(p, eye, order);
-        image big = image_new(3 * side, 3 * all->height);
-        image_fill(&big, vec(0.93, 0.93, 0.93));
-        painting_draw(p, order, n, c, k == 2, &big);
-        image im = image_third(&big);
-        image_place(all, k * (side + 4), 0, &im);
-        image_free(&im), image_free(&big);
+        figure_origin(&g, 10 + 410 * k, 0, 1);
+        painting_draw(&g, p, order, n, c);
+        figure_text(&g, 200, 0, 0, 30, FIGURE_MIDDLE, FIGURE_BLACK, title[k]);
         free(order);
     }
+    figure_end(&g);
     painter_free(&cut), painter_free(&uncut);
     mesh_free(&m);
 }

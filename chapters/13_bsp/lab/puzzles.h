@@ -6,7 +6,6 @@
  *   mesh m = crossing_mesh(n)       n walls one way through n walls the other way: n^2 crossings
  *   mesh m = town_mesh(n, turn)     n x n blocks of 12 triangles on a square of 2, turned by `turn`
  *                                   [radians] about (1, 2, 3)
- *   mesh m = segments_mesh(n, seed) n short walls in the square [0, 10]^2 that do not cross
  *
  * A wall stands on a segment of the plane z = 0: a triangle with its third corner above the middle.
  * mesh_free releases them all.
@@ -14,19 +13,9 @@
 #ifndef BSP_PUZZLES_H
 #define BSP_PUZZLES_H
 
-#include "../../07_mesh/mesh.h"
-#include "../../../common/random.h"
+#include "../../07_mesh/scenes/soup.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline mesh puzzle_new(size_t n)
-{
-    mesh m = {.vertices = 3 * n, .triangles = n};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
-    return m;
-}
 
 static inline void puzzle_wall(mesh *m, size_t i, real x0, real y0, real x1, real y1)
 {
@@ -37,7 +26,7 @@ static inline void puzzle_wall(mesh *m, size_t i, real x0, real y0, real x1, rea
 /* The same triangle turned by thirds: it rises along its length, so each ends over the next. */
 static inline mesh cyclic_mesh(void)
 {
-    mesh m = puzzle_new(3);
+    mesh m = mesh_room(3);
     for (size_t i = 0; i < 3; i++) {
         real a = 2 * pi * (real)i / 3, c = cos(a), s = sin(a);
         const vec3 q[3] = {{-1.1, -0.8, -0.3}, {1.3, -0.5, 0.3},
@@ -50,7 +39,7 @@ static inline mesh cyclic_mesh(void)
 
 static inline mesh comb_mesh(size_t n)
 {
-    mesh m = puzzle_new(2 * n);
+    mesh m = mesh_room(2 * n);
     for (size_t i = 0; i < n; i++) {
         real x = ((real)i + (real)0.5) / (real)n;
         puzzle_wall(&m, i, x, -2, x, -1);
@@ -61,7 +50,7 @@ static inline mesh comb_mesh(size_t n)
 
 static inline mesh crossing_mesh(size_t n)
 {
-    mesh m = puzzle_new(2 * n);
+    mesh m = mesh_room(2 * n);
     for (size_t i = 0; i < n; i++) {
         real x = ((real)i + (real)0.5) / (real)n;
         puzzle_wall(&m, i, x, 0, x, 1);
@@ -81,7 +70,7 @@ static inline vec3 turned_about(vec3 k, real angle, vec3 p)
 
 static inline mesh town_mesh(size_t n, real turn)
 {
-    mesh m = puzzle_new(12 * n * n);
+    mesh m = mesh_room(12 * n * n);
     vec3 axis = vunit((vec3){1, 2, 3});
     for (size_t i = 0; i < n * n; i++) {
         random_stream g = random_start(7, i, 0);
@@ -99,34 +88,6 @@ static inline mesh town_mesh(size_t n, real turn)
             m.v[36 * i + 3 * k] = q[f[0]];
             m.v[36 * i + 3 * k + 1] = q[f[1 + k % 2]], m.v[36 * i + 3 * k + 2] = q[f[2 + k % 2]];
         }
-    }
-    return m;
-}
-
-/* Do the segments a b and c d, all in z = 0, come closer than `gap` to each other's line? */
-static inline bool segments_meet(vec3 a, vec3 b, vec3 c, vec3 d, real gap)
-{
-    vec3 u = vunit(vsub(b, a)), w = vunit(vsub(d, c));
-    real ac = vcross(u, vsub(c, a)).z, ad = vcross(u, vsub(d, a)).z;
-    real ca = vcross(w, vsub(a, c)).z, cb = vcross(w, vsub(b, c)).z;
-    return real_min(ac, ad) < gap && real_max(ac, ad) > -gap && real_min(ca, cb) < gap
-           && real_max(ca, cb) > -gap;
-}
-
-static inline mesh segments_mesh(size_t n, uint64_t seed)
-{
-    mesh m = puzzle_new(n);
-    random_stream g = random_start(seed, 0, 0);
-    for (size_t i = 0; i < n;) {
-        vec3 a = {10 * random_next(&g), 10 * random_next(&g), 0};
-        real angle = pi * random_next(&g), h = (real)0.9 + random_next(&g);
-        vec3 half = {h * cos(angle), h * sin(angle), 0}, b = vadd(a, half);
-        a = vsub(a, half);
-        bool free_place = a.x > 1 && a.x < 9 && a.y > 1 && a.y < 9 && b.x > 1 && b.x < 9
-                          && b.y > 1 && b.y < 9;
-        for (size_t k = 0; k < i; k++)
-            free_place = free_place && !segments_meet(a, b, m.v[3 * k], m.v[3 * k + 1], 0.3);
-        if (free_place) puzzle_wall(&m, i++, a.x, a.y, b.x, b.y);
     }
     return m;
 }

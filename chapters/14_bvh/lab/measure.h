@@ -1,65 +1,155 @@
-/* measure.h: the strategies measured.
+/* measure.h: the rules by which a set is cut, and the ways to search, measured (09_aabb/trials).
  *
- *   table_of_strategies(o, &s)    time, memory, work, wrong hits; the main table
- *   table_of_overlap(o, &s)       the formulas of stats.h, and counting
+ *   table_of_rules(o, &s)         time, memory, work, wrong hits: the main table. A rule of
+ *                                 bvh_rules is a row of it, and of most of the others
+ *   table_of_orders(o, &s)        the nearer child first, or always the first; the closest, or any
+ *   table_of_overlap(o, &s)       the formulas of cost.h, and counting
  *   table_of_paying(o, &s)        build + k rays, for k from 1e4 to 1e7; the Pareto front (帕累托前沿):
  *                                 those for which no other is built faster and searched faster
  *   table_of_slivers(o)           where triangles fill little of their boxes: cuts through them
- *   plot_of_pareto(o, &s)         each strategy a curve, leaf sizes 16, 8, 4, 2 its points
+ *   plot_of_pareto(o, &s)         each rule a curve, leaf sizes 16, 8, 4, 2 its points
  *   bvh_grow(o)                   against the number of triangles, up to a million
  */
 #ifndef BVH_MEASURE_H
 #define BVH_MEASURE_H
 
 #include "../../09_aabb/trials/growth.h"
-#include "candidates.h"
+#include "../bvh.h"
+#include "../first.h"
+#include "cost.h"
+#include "greed.h"
 #include "slivers.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void table_of_strategies(const options *o, const trial_scene *s)
+static inline bool bvh_hit_naive(const bvh *b, ray r, hit *out)
 {
-    int n = o->full ? bvh_candidates : bvh_short;
+    return bvh_mesh_hit_naive(&b->mesh, r, out);
+}
+
+/* Searches in another order, or of another kind: of the triangles alone. */
+#define BVH_ORDER(name, any, nearest)                                                            \
+    static bool name##_counted(const bvh *b, ray r, hit *out, search_work *w)                    \
+    {                                                                                            \
+        return tree_search_by(&b->mesh.tree, r, box_ray_of, bvh_mesh_leaf, &b->mesh, any,        \
+                              nearest, out, w);                                                  \
+    }                                                                                            \
+    static bool name(const bvh *b, ray r, hit *out) { return name##_counted(b, r, out, NULL); }  \
+    TRIAL_VERBS(name, bvh, name, name##_counted)
+
+TRIAL_VERBS(bvh, bvh, bvh_hit, bvh_hit_counted)
+TRIAL_OTHER(bvh_naive, bvh, bvh, bvh_hit_naive)
+TRIAL_FIRST(first_bvh, b->s = first_bvh_build(&b->m, *(const bool *)how))
+BVH_ORDER(bvh_ordered, false, true)
+BVH_ORDER(bvh_as_stored, false, false)
+BVH_ORDER(bvh_any_ordered, true, true)
+BVH_ORDER(bvh_any_as_stored, true, false)
+
+/* All rules with the same leaves and the same price of a test. */
+enum { bvh_rows_most = bvh_rule_count + 6 };
+static bvh_options bvh_rule_how[bvh_rule_count];
+
+/* Those of the page (it has no room for more than eight rows), or the others. */
+static inline int rows_of_rules(trial_row *row, bool of_page)
+{
+    int n = 0;
+    for (int k = 0; k < bvh_rule_count; k++) {
+        if (of_page != (bvh_rules[k].split && !bvh_rules[k].sorts)) continue;
+        bvh_rule_how[k] = bvh_defaults;
+        bvh_rule_how[k].rule = bvh_rules[k].name;
+        row[n++] = (trial_row){.name = bvh_rules[k].name, .verbs = &bvh_trial,
+                               .how = &bvh_rule_how[k]};
+    }
+    return n;
+}
+
+static inline int rows_of_all_rules(trial_row *row)
+{
+    int n = rows_of_rules(row, true);
+    return n + rows_of_rules(row + n, false);
+}
+
+static inline void table_of_rules(const options *o, const trial_scene *s)
+{
+    static const bool yes = true, no = false;
+    static const char *const named[4] = {"sah, boxes naive", "sah, leaf 1", "sah, leaf 4",
+                                         "sah, leaf 16"};
+    bvh_options how[4] = {bvh_defaults, bvh_leaves(1, 0.3), bvh_leaves(4, 0.3),
+                          bvh_leaves(16, 0.3)};
     char title[160];
-    trial_row row[bvh_candidates];
-    bvh_rows(bvh_candidate_list, n, row);
+    trial_row row[bvh_rows_most];
+    row[0] = (trial_row){.name = "first, SAH", .verbs = &first_bvh_trial, .how = &yes};
+    int n = 1 + rows_of_rules(row + 1, true);
+    row[n++] = (trial_row){.name = named[0], .verbs = &bvh_naive_trial, .how = &how[0]};
+    int of_page = n;
+    if (o->full) {
+        n += rows_of_rules(row + n, false);
+        for (int k = 1; k < 4; k++)
+            row[n++] = (trial_row){.name = named[k], .verbs = &bvh_trial, .how = &how[k]};
+        row[n++] = (trial_row){.name = "first, middle", .verbs = &first_bvh_trial, .how = &no};
+    }
     trials_run(row, n, s, o->quick ? 1 : o->full ? 5 : 3);
-    table t = trial_table(trial_title(s, title), row, n, s, o->full, NULL);
+    table t = trial_table(trial_title(s, title), row, of_page, s, false, NULL);
     output_table(o, &t);
+    if (o->full) {
+        t = trial_table(title, row, n, s, true, NULL);
+        output_extra_table(o, &t);
+    }
     trial_end(row, n);
 }
 
-/* Seven curves, of leaves that are best for each. */
-enum { bvh_paying = 7 };
-static const bvh_candidate bvh_paying_list[bvh_paying] = {
-    {"Morton", &bvh_trial, {"morton", 8, 0.3, SIZE_MAX}, false},
-    {"cycling axis", &bvh_trial, {"cycle", 4, 1, SIZE_MAX}, false},
-    {"longest axis", &bvh_trial, {"longest", 4, 1, SIZE_MAX}, false},
-    {"median", &bvh_trial, {"median", 4, 1, SIZE_MAX}, false},
-    {"SAH, bins", &bvh_trial, {"sah", 8, 0.3, SIZE_MAX}, false},
-    {"SAH, sweep", &bvh_trial, {"sweep", 8, 0.3, SIZE_MAX}, false},
-    {"SAH, spatial", &bvh_trial, {"spatial", 8, 0.3, SIZE_MAX}, false}};
+/* One tree, four searches. Any-hit: of each ray whether, not where. */
+static inline void table_of_orders(const options *o, const trial_scene *s)
+{
+    static const struct { const char *name; const trial_verbs *verbs; } list[4] = {
+        {"closest, nearer child first", &bvh_ordered_trial},
+        {"closest, first child first", &bvh_as_stored_trial},
+        {"any, nearer child first", &bvh_any_ordered_trial},
+        {"any, first child first", &bvh_any_as_stored_trial}};
+    const bvh_options how = bvh_defaults;
+    trial_row row[4];
+    table out = table_new("Order: one tree of the rule sah, searched in four ways",
+                          "search|nodes/ray, primary|tests/ray, primary|time primary [ns]|"
+                          "nodes/ray, diffuse|tests/ray, diffuse|time diffuse [ns]");
+    for (int i = 0; i < 4; i++)
+        row[i] = (trial_row){.name = list[i].name, .verbs = list[i].verbs, .how = &how,
+                             .again = i > 0};
+    trials_run(row, 4, s, 5);
+    for (int i = 0; i < 4; i++) {
+        table_text(&out, "%s", row[i].name);
+        for (trial_rays_kind k = TRIAL_PRIMARY; k <= TRIAL_DIFFUSE; k++) {
+            table_number(&out, trial_per((double)row[i].ray[k].work.nodes, row[i].ray[k].n));
+            table_number(&out, trial_per((double)row[i].ray[k].work.tests, row[i].ray[k].n));
+            table_number(&out, trial_ns(&row[i], k));
+        }
+    }
+    output_extra_table(o, &out);
+    trial_end(row, 4);
+}
 
 /* The same trees, by the formulas and by counting lines as the heuristic assumes them. */
 static inline void table_of_overlap(const options *o, const trial_scene *s)
 {
+    trial_row row[bvh_rule_count];
     table out = table_new(
         "Overlap: random lines through the box of the mesh",
-        "structure|nodes (14.7)|nodes, lines|tests (14.7)|tests, lines|in both (14.8)");
-    for (int i = 1; i < bvh_paying - 1; i++) {
+        "rule|nodes (14.7)|nodes, lines|tests (14.7)|tests, lines|in both (14.8)");
+    int n = rows_of_all_rules(row);
+    for (int i = 0; i < n; i++) {
         bvh b;
-        search_work w = {0, 0, 0, 0};
         failure f;
-        if (!bvh_build(&s->x, bvh_paying_list[i].how, &b, &f)) fail(f);
-        tree_cost st = tree_cost_of(bvh_tree_of(&b));
-        const float *c = bvh_tree_of(&b)->node[0].box.side;
-        aabb box = {{(real)c[0], (real)c[1], (real)c[2]}, {(real)c[3], (real)c[4], (real)c[5]}};
+        search_work w = {0, 0, 0, 0};
+        if (!bvh_build(&s->x, *(const bvh_options *)row[i].how, &b, &f)) fail(f);
+        tree_cost c = tree_cost_of(bvh_tree_of(&b));
+        const float *side = bvh_tree_of(&b)->node[0].box.side;
+        aabb box = {{(real)side[0], (real)side[1], (real)side[2]},
+                    {(real)side[3], (real)side[4], (real)side[5]}};
         ray_set lines = rays_uniform(box, 50000, o->seed);
         for (size_t k = 0; k < lines.n; k++) tree_pierced(bvh_tree_of(&b), lines.r[k], &w);
-        table_text(&out, "%s", bvh_paying_list[i].name);
-        table_number(&out, st.nodes), table_number(&out, trial_per((double)w.nodes, lines.n));
-        table_number(&out, st.tests), table_number(&out, trial_per((double)w.tests, lines.n));
-        table_number(&out, st.overlap);
+        table_text(&out, "%s", row[i].name);
+        table_number(&out, c.nodes), table_number(&out, trial_per((double)w.nodes, lines.n));
+        table_number(&out, c.tests), table_number(&out, trial_per((double)w.tests, lines.n));
+        table_number(&out, c.overlap);
         rays_free(&lines);
         bvh_free(&b);
     }
@@ -68,14 +158,13 @@ static inline void table_of_overlap(const options *o, const trial_scene *s)
 
 static inline void table_of_paying(const options *o, const trial_scene *s)
 {
-    enum { n = bvh_paying };
-    trial_row row[n];
-    double build[n], search[n];
+    trial_row row[bvh_rule_count];
+    double build[bvh_rule_count], search[bvh_rule_count];
     table out = table_new("Build and k diffuse rays together, one thread; "
                           "front: none is faster in both",
-                          "structure|build [ms]|ray [ns]|front|1e4 rays [ms]|1e5 rays [ms]|"
+                          "rule|build [ms]|ray [ns]|front|1e4 rays [ms]|1e5 rays [ms]|"
                           "1e6 rays [ms]|1e7 rays [ms]");
-    bvh_rows(bvh_paying_list, n, row);
+    int n = rows_of_all_rules(row);
     trials_run(row, n, s, 5);
     for (int i = 0; i < n; i++)
         build[i] = row[i].build, search[i] = trial_ns(&row[i], TRIAL_DIFFUSE) * 1e-9;
@@ -93,16 +182,16 @@ static inline void table_of_paying(const options *o, const trial_scene *s)
 
 static inline void table_of_slivers(const options *o)
 {
-    trial_row row[bvh_paying];
+    trial_row row[bvh_rule_count];
     trial_scene s;
     table out = table_new(
         "4000 slivers round an axis at an odd angle: primary rays",
-        "structure|build [ms]|references|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)");
+        "rule|build [ms]|references|nodes/ray|tests/ray|ray [ns]|nodes (14.7)|tests (14.7)");
     trial_scene_of(slivers_mesh(4000, (vec3){0, 0, 0}), &s);
     s.rays[TRIAL_PRIMARY] = rays_primary(trial_camera(&s.m, 1.6), 80, 50);
-    bvh_rows(bvh_paying_list, bvh_paying, row);
-    trials_run(row, bvh_paying, &s, 5);
-    for (int i = 0; i < bvh_paying; i++) {
+    int n = rows_of_all_rules(row);
+    trials_run(row, n, &s, 5);
+    for (int i = 0; i < n; i++) {
         const bvh_tree *t = bvh_tree_of(row[i].built);
         tree_cost st = tree_cost_of(t);
         search_work w = row[i].ray[TRIAL_PRIMARY].work;
@@ -115,17 +204,17 @@ static inline void table_of_slivers(const options *o)
         table_number(&out, st.nodes), table_number(&out, st.tests);
     }
     output_extra_table(o, &out);
-    trial_end(row, bvh_paying), trial_scene_free(&s);
+    trial_end(row, n), trial_scene_free(&s);
 }
 
 static inline void plot_of_pareto(const options *o, const trial_scene *s)
 {
     plot p = plot_new("Leaves of 16, 8, 4, 2", "build [ns a triangle]", "diffuse ray [ns]",
                       PLOT_LOG_X);
-    for (int k = 0; k < bvh_paying; k++) {
-        int series = plot_series(&p, bvh_paying_list[k].name);
+    for (int k = 0; k < bvh_rule_count; k++) {
+        int series = plot_series(&p, bvh_rules[k].name);
         for (int leaf = 16; leaf > 1; leaf /= 2) {
-            bvh_options how = {bvh_paying_list[k].how.rule, leaf, 0.8 / leaf, SIZE_MAX};
+            bvh_options how = {bvh_rules[k].name, leaf, 0.3, SIZE_MAX};
             trial_row r = {.name = "", .verbs = &bvh_trial, .how = &how};
             trial_time_build(&r, s, 1);
             trial_search(&r, 1, s, TRIAL_DIFFUSE, 3);
@@ -140,7 +229,7 @@ static inline void plot_of_pareto(const options *o, const trial_scene *s)
 static inline void bvh_grow(const options *o)
 {
     static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 125};
-    static const bvh_options how = {"sah", 8, 0.3, SIZE_MAX};
+    const bvh_options how = bvh_defaults;
     const trial_growth g = {.title = "Growth with n, SAH, bins, leaves of 8; one thread",
                             .plots = {"14_bvh_n_time.svg", "14_bvh_n.svg"}, .name = "BVH",
                             .work = {"pairs of boxes", NULL, "triangles"}, .verbs = &bvh_trial,

@@ -1,8 +1,7 @@
 /* runs.h: what main.c calls: pictures of a mesh, and rays from a file.
  *
  *   draw_mesh(o, &m, how, z_up, path)       the mesh under the headlight; path: its file, or NULL
- *   draw_visits(o, &m)                      what each pixel took: cycling and longest axis, median
- *                                           and heuristic, leaves of four
+ *   draw_visits(o, &m)                      what each pixel took, by four of the rules
  *   search_file(o, &f, &m, how, "sah")      the rays of f.rays, one thread, the median of seven
  *                                           passes; the columns are those of all programs that read
  *                                           such files
@@ -12,8 +11,9 @@
 
 #include "../../07_mesh/files/ray_file.h"
 #include "../../09_aabb/trials/pictures.h"
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
-#include "candidates.h"
+#include "measure.h"
 
 typedef struct { const char *scene, *rays, *hits; bool any; } bvh_ray_file;
 
@@ -45,15 +45,22 @@ static inline void draw_mesh(const options *o, const mesh *m, bvh_options how, b
 
 static inline void draw_visits(const options *o, const trial_scene *s)
 {
-    static const bvh_options how[4] = {
-        {"cycle", 4, 1, SIZE_MAX}, {"longest", 4, 1, SIZE_MAX},
-        {"median", 4, 1, SIZE_MAX}, {"sah", 4, 1, SIZE_MAX}};
-    const void *list[4] = {&how[0], &how[1], &how[2], &how[3]};
+    enum { most = 160, bar = 44 };
+    static const char *const rule[4] = {"cycle", "longest", "median", "sah"};
+    bvh_options how[4];
+    const void *list[4];
+    for (int k = 0; k < 4; k++) how[k] = bvh_defaults, how[k].rule = rule[k], list[k] = &how[k];
     image im = image_new(o->width, o->height);
-    trial_picture p = {.verbs = &bvh_trial, .most = 160};
+    trial_picture p = {.verbs = &bvh_trial, .most = most};
     bool whole = trial_draw_work(s, p, true, 2, list, 4, o->threads, &im);
-    output_picture(o, &im, "14_bvh_visits.png", false, whole);
-    image_free(&im);
+    image sheet = label_panels(&im, 2, 2, 0, rule);
+    image all = image_new(sheet.width, sheet.height + bar);
+    label_fill(&all, 0, 0, all.width, all.height, vec(1, 1, 1));
+    image_place(&all, 0, 0, &sheet);
+    label_bar(&all, all.width / 4, sheet.height + 6, all.width / 2, 9, work_colour, 0, most,
+              "pairs of boxes and triangles a ray");
+    output_picture(o, &all, "14_bvh_visits.png", false, whole);
+    image_free(&im), image_free(&sheet), image_free(&all);
 }
 
 static inline void search_file(const options *o, const bvh_ray_file *file, const mesh *m,

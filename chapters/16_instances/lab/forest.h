@@ -38,8 +38,6 @@ typedef struct {
     bool naive;                    /* rays normalised: instances_hit_naive */
 } forest_view;
 
-static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed);
-
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void forest_free(forest *w)
@@ -137,8 +135,8 @@ static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed)
     if (own) w->kind[1] = *own;
     else {
         w->kind[1] = plant_fir(seed), w->kind[2] = plant_fir(seed + 1);
-        w->kind[3] = plant_oak(seed), w->kind[4] = plant_birch(seed);
-        w->kind[5] = plant_birch(seed + 1), w->kind[6] = plant_bush(seed);
+        w->kind[3] = plant_grown(seed, plant_oak), w->kind[4] = plant_grown(seed, plant_birch);
+        w->kind[5] = plant_grown(seed + 1, plant_birch), w->kind[6] = plant_grown(seed, plant_bush);
         w->kind[7] = plant_grass(seed);
     }
     for (size_t k = 0; k < w->kinds; k++) w->mesh[k] = w->kind[k].m;

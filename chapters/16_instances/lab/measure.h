@@ -1,6 +1,7 @@
 /* measure.h: one forest, all ways to search it: time, memory, other answers.
  *
- *   table_of_methods(&o)       the main table; with --full a larger forest, all columns, a plot
+ *   table_of_methods(&o)       the main table, and its plot
+ *   table_of_growth(&o)        memory and time from 1 to 1e5 instances, and a plot of memory
  */
 #ifndef INSTANCES_LAB_MEASURE_H
 #define INSTANCES_LAB_MEASURE_H
@@ -60,18 +61,14 @@ static inline void survey_free(instances_survey *s)
     forest_free(&s->w);
 }
 
-/* Seconds. */
-static inline double method_build(instances_method *m, const crowd *c)
+static inline void method_build(instances_method *m, const crowd *c)
 {
     failure f;
     instances_options how = instances_defaults;
     how.boxes = m->boxes;
-    double start = clock_seconds();
-    if (m->flat) {
-        m->m = crowd_flattened(c);
-        if (!bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)) fail(f);
-    } else if (!instances_build(c, how, &m->x, &f)) fail(f);
-    return clock_seconds() - start;
+    if (m->flat) m->m = crowd_flattened(c);
+    if (m->flat ? !bvh_mesh_build(&m->m, bvh_defaults, &m->b, &f)
+                : !instances_build(c, how, &m->x, &f)) fail(f);
 }
 
 static inline void method_free(instances_method *m)
@@ -94,35 +91,34 @@ static inline bool method_hit(const instances_method *m, ray r, instance_hit *h)
     return m->unit ? instances_hit_naive(&m->x, r, h) : instances_hit(&m->x, r, h);
 }
 
-static inline double method_run_eye(void *context)
+typedef struct { const instances_method *m; bool sun; } method_run;
+
+static inline double method_run_all(void *context)
 {
-    const instances_method *m = context;
+    const method_run *c = context;
+    const instances_method *m = c->m;
+    const ray_set *s = c->sun ? &m->s->shadow : &m->s->eye;
     size_t hits = 0;
     instance_hit h;
-    for (size_t i = 0; i < m->s->eye.n; i++) hits += method_hit(m, m->s->eye.r[i], &h);
-    return (double)hits;
-}
-
-static inline double method_run_shadow(void *context)
-{
-    const instances_method *m = context;
-    const ray_set *s = &m->s->shadow;
-    size_t hits = 0;
     for (size_t i = 0; i < s->n; i++)
-        hits += m->flat ? bvh_mesh_occluded(&m->b, s->r[i]) : instances_occluded(&m->x, s->r[i]);
+        if (!c->sun) hits += method_hit(m, s->r[i], &h);
+        else hits += m->flat ? bvh_mesh_occluded(&m->b, s->r[i])
+                             : instances_occluded(&m->x, s->r[i]);
     return (double)hits;
 }
 
 /* ns[k]: of a ray. */
-static inline void methods_time(instances_method *m, int n, bool shadow, int rounds, double *ns)
+static inline void methods_time(const instances_method *m, int n, bool sun, int rounds, double *ns)
 {
     bench_candidate c[8];
-    for (int k = 0; k < n; k++)
-        c[k] = (bench_candidate){m[k].name, shadow ? method_run_shadow : method_run_eye, &m[k],
-                                 0, 0};
+    method_run run[8];
+    for (int k = 0; k < n; k++) {
+        run[k] = (method_run){&m[k], sun};
+        c[k] = (bench_candidate){m[k].name, method_run_all, &run[k], 0, 0};
+    }
     bench_time(c, n, rounds);
     for (int k = 0; k < n; k++)
-        ns[k] = per(c[k].seconds * 1e9, shadow ? m->s->shadow.n : m->s->eye.n);
+        ns[k] = per(c[k].seconds * 1e9, sun ? m->s->shadow.n : m->s->eye.n);
 }
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
@@ -161,8 +157,8 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
     forest_free(&w);
 }
 
-/* How far both levels are searched for a ray from the eye. */
-static inline void method_work(table *out, const instances_method *m)
+/* How far both levels are searched for a ray from the eye: instances looked into, triangles. */
+static inline void method_work(const instances_method *m, double *entered, double *tests)
 {
     instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
     instance_hit h;
@@ -171,63 +167,87 @@ static inline void method_work(table *out, const instances_method *m)
         if (m->flat) bvh_mesh_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
         else instances_hit_counted(&m->x, s->r[i], &h, &w);
     }
-    table_number(out, per((double)w.upper.nodes, s->n));
-    table_number(out, per((double)w.upper.tests, s->n));
-    table_number(out, per((double)w.lower.nodes, s->n));
-    table_number(out, per((double)w.lower.tests, s->n));
+    *entered = per((double)w.upper.tests, s->n), *tests = per((double)w.lower.tests, s->n);
 }
 
 static inline void table_of_methods(const options *o)
 {
     enum { n = 5 };
-    static const struct { const char *name; instances_boxes boxes; bool flat, unit; } list[n] = {
-        {"flattened, one tree", INSTANCES_POINTS, true, false},
-        {"boxes of points", INSTANCES_POINTS, false, false},
-        {"boxes of corners", INSTANCES_CORNERS, false, false},
-        {"boxes naive", INSTANCES_NAIVE, false, false},
-        {"rays normalised", INSTANCES_POINTS, false, true}};
-    instances_method m[n];
-    double build[n], eye[n], shadow[n];
-    size_t near[n], far[n], corners = o->quick ? 20 : o->full ? 500 : 200;
     instances_survey s;
+    const char *names[n] = {"flattened, one tree", "boxes of points", "boxes of corners",
+                            "boxes naive", "rays normalised"};
+    instances_method m[n] = {
+        {.boxes = INSTANCES_POINTS, .flat = true}, {.boxes = INSTANCES_POINTS},
+        {.boxes = INSTANCES_CORNERS}, {.boxes = INSTANCES_NAIVE},
+        {.boxes = INSTANCES_POINTS, .unit = true}};
+    double eye[n], sun[n];
+    size_t near[n], far[n], corners = o->quick ? 20 : 100;
     vec3 earth = {4e7, 4e7, 0};  /* once round the earth, in metres */
     int rounds = o->quick ? 1 : o->full ? 5 : 3;
-    survey_make(&s, o->quick ? 20 : o->full ? 500 : 100, o->quick ? 40 : o->full ? 160 : 80,
-                o->quick ? 25 : o->full ? 100 : 50, o->seed);
-    for (int i = 0; i < n; i++)
-        m[i] = (instances_method){.name = list[i].name, .boxes = list[i].boxes,
-                                  .flat = list[i].flat, .unit = list[i].unit, .s = &s};
+    survey_make(&s, o->quick ? 20 : 100, o->quick ? 40 : 160, o->quick ? 25 : 100, o->seed);
+    for (int i = 0; i < n; i++) m[i].name = names[i], m[i].s = &s;
     methods_wrong(m, n, (vec3){0, 0, 0}, corners, o->seed, near);
     methods_wrong(m, n, earth, corners, o->seed, far);
-    for (int i = 0; i < n; i++) build[i] = method_build(&m[i], &s.c);
+    for (int i = 0; i < n; i++) method_build(&m[i], &s.c);
     methods_time(m, n, false, rounds, eye);
-    methods_time(m, n, true, rounds, shadow);
-    char title[200], label[40];
+    methods_time(m, n, true, rounds, sun);
+    char title[200];
     snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye, %zu to "
-             "the sun, one thread; other answers of %zu at corners", s.c.n,
-             instances_stats(&s.x).triangles, s.eye.n, s.shadow.n, corners);
-    snprintf(label, sizeof label, "other answers [of %zu]", corners);
-    table out = table_new(title, o->full
-        ? "method|time build [ms]|memory [MB]|upper nodes|instances|lower nodes|tests|"
-          "error near|error far|time eye [ns]|time sun [ns]|time [flattened]"
-        : "method|memory [MB]|error near|error far|time eye [ns]|time sun [ns]");
+             "the sun; wrong answers of %zu at corners", s.c.n, instances_stats(&s.x).triangles,
+             s.eye.n, s.shadow.n, corners);
+    table out = table_new(title, "method|memory [MB]|instances a ray|triangles a ray|error near|"
+                                 "error far|time eye [ns]|time sun [ns]");
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
-                      label, PLOT_LOG_Y);
+                      "wrong answers of 100", PLOT_LOG_Y);
     for (int i = 0; i < n; i++) {
-        table_text(&out, "%s", m[i].name);
-        if (o->full) table_number(&out, build[i] * 1e3);
-        table_number(&out, method_megabytes(&m[i]));
-        if (o->full) method_work(&out, &m[i]);
+        double entered, tests;
+        method_work(&m[i], &entered, &tests);
+        table_text(&out, "%s", m[i].name), table_number(&out, method_megabytes(&m[i]));
+        table_number(&out, entered), table_number(&out, tests);
         table_count(&out, near[i]), table_count(&out, far[i]);
-        table_number(&out, eye[i]), table_number(&out, shadow[i]);
-        if (o->full) table_number(&out, eye[i] / eye[0]);
+        table_number(&out, eye[i]), table_number(&out, sun[i]);
         plot_add(&p, plot_series(&p, m[i].name), eye[i], (double)far[i]);
+        method_free(&m[i]);
     }
     output_table(o, &out);
-    if (o->full) output_plot(o, &p, "16_instances_wrong_time.svg");
-    else plot_free(&p);
-    for (int i = 0; i < n; i++) method_free(&m[i]);
+    output_plot(o, &p, "16_instances_wrong_time.svg");
     survey_free(&s);
+}
+
+/* Flattened it is built up to a hundred; from there on its memory is that of as many triangles. */
+static inline void table_of_growth(const options *o)
+{
+    static const size_t number[] = {1, 10, 100, 1000, 10000, 100000};
+    int n = o->quick ? 2 : 6;
+    double mb_a_triangle = 0;
+    table out = table_new("Growth with the number of instances; flattened: built up to 100",
+                          "instances|triangles|memory [MB]|flattened [MB]|build [ms]|"
+                          "instances a ray|eye [ns]");
+    plot p = plot_new("Memory of a forest", "instances", "memory [MB]", PLOT_LOG_X | PLOT_LOG_Y);
+    int two = plot_series(&p, "two levels"), flat = plot_series(&p, "flattened");
+    for (int i = 0; i < n; i++) {
+        instances_survey s;
+        double ns, entered, tests;
+        survey_make(&s, number[i], o->quick ? 40 : 160, o->quick ? 25 : 100, o->seed);
+        instances_method m[2] = {{.name = "two", .x = s.x, .s = &s}, {.flat = true, .s = &s}};
+        methods_time(m, 1, false, o->quick ? 1 : 5, &ns);
+        method_work(&m[0], &entered, &tests);
+        double triangles = instances_stats(&s.x).triangles, mb = method_megabytes(&m[0]);
+        if (number[i] <= 100) {
+            method_build(&m[1], &s.c);
+            mb_a_triangle = method_megabytes(&m[1]) / triangles;
+            bvh_mesh_free(&m[1].b), mesh_free(&m[1].m);
+        }
+        const double cell[] = {triangles, mb, mb_a_triangle * triangles, s.build * 1e3, entered,
+                               ns};
+        table_count(&out, number[i]);
+        for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
+        plot_add(&p, two, (double)number[i], mb);
+        plot_add(&p, flat, (double)number[i], mb_a_triangle * triangles);
+        survey_free(&s);
+    }
+    output_extra_table(o, &out);
+    output_plot(o, &p, "16_instances_memory.svg");
 }
 
 #endif

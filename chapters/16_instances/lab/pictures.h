@@ -7,6 +7,7 @@
 #ifndef INSTANCES_LAB_PICTURES_H
 #define INSTANCES_LAB_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "forest.h"
@@ -26,7 +27,7 @@ static inline void draw_plants(const options *o, size_t n, plant *own, bool naiv
     double built = clock_seconds();
     image im = image_new(o->width, o->height);
     camera eye = forest_camera((real)o->width / (real)o->height);
-    int samples = o->quick || naive ? 1 : 3;
+    int samples = o->quick || naive ? 1 : 2;
     forest_view v = {&w, &x, eye, o->width, o->height, naive};
     bool whole = pixels_draw(&im, samples, o->threads, "forest", forest_colour, &v);
     instance_stats s = instances_stats(&x);
@@ -114,6 +115,7 @@ static inline void draw_normals(const options *o)
         pot_row p = {&x, list, eye, im.width, im.height, row};
         whole &= pixels_draw(&im, o->quick ? 1 : 3, o->threads, "normals", pot_colour, &p);
         image_place(&all, 0, top, &im);
+        label_tag(&all, 0, top, 11, row == 0 ? "A^T n" : row == 1 ? "M n" : "angle, white: 60");
         image_free(&im);
     }
     output_picture(o, &all, "16_instances_normals.png", false, whole);

@@ -1,7 +1,7 @@
 /* plants.h: a few plants as meshes: z up, the foot of the stem at the origin, about 1 high.
  *
- *   plant p = plant_fir(seed), plant_oak(seed), plant_birch(seed), plant_bush(seed),
- *             plant_grass(seed)
+ *   plant p = plant_fir(seed), plant_grass(seed)
+ *   plant p = plant_grown(seed, plant_oak)     or plant_birch, plant_bush
  *   plant p = plant_of_mesh(m)          any mesh of others, y up: its longest side 1, on z = 0
  *   mesh_free(&p.m)
  *
@@ -130,9 +130,20 @@ static inline plant plant_fir(uint64_t seed)
 
 typedef struct {
     vec3 middle;          /* of the crown */
-    real leaf, spread, up;  /* size of leaves; how far branches turn away; how much they rise */
+    real leaf_size, spread, up;  /* how far branches turn away; how much they rise */
     int levels, children, leaves;
+    real stem, radius;
+    vec3 bark, leaf, leaf_too;
 } plant_habit;
+
+enum { plant_oak, plant_birch, plant_bush };
+static const plant_habit plant_habits[] = {
+    {{0, 0, 0.62}, 0.036, 0.85, 0.12, 5, 3, 14, 0.34, 0.03,
+     {0.20, 0.15, 0.11}, {0.13, 0.26, 0.05}, {0.32, 0.30, 0.05}},
+    {{0, 0, 0.65}, 0.026, 0.5, 0.3, 6, 2, 22, 0.38, 0.016,
+     {0.75, 0.73, 0.68}, {0.55, 0.42, 0.06}, {0.70, 0.30, 0.05}},
+    {{0, 0, 0.1}, 0.11, 1.1, 0.05, 4, 3, 12, 0.25, 0.02,
+     {0.18, 0.13, 0.10}, {0.14, 0.22, 0.07}, {0.26, 0.25, 0.08}}};
 
 static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h, vec3 a, vec3 d,
                                 real length, real radius, int level, bool leaves)
@@ -144,8 +155,8 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
             vec3 at = vmadd(vmadd(a, d, length * plant_between(g, 0.3, 1.1)),
                             plant_direction(g), length * (real)0.55 * random_next(g));
             vec3 x = plant_direction(g), y = vcross(x, plant_direction(g));
-            plant_leaf(p, at, vmadd(at, x, h->leaf), vmadd(vmadd(at, x, h->leaf / 2), y, h->leaf),
-                       h->middle);
+            plant_leaf(p, at, vmadd(at, x, h->leaf_size),
+                       vmadd(vmadd(at, x, h->leaf_size / 2), y, h->leaf_size), h->middle);
         }
     if (level + 1 >= h->levels) return;
     for (int k = 0; k < h->children; k++) {
@@ -162,46 +173,18 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
 }
 
 /* First all wood, then all leaves: the same random numbers in both passes. */
-static inline plant plant_grown(uint64_t seed, plant_habit h, real stem, real radius)
+static inline plant plant_grown(uint64_t seed, int kind)
 {
+    plant_habit h = plant_habits[kind];
     size_t branches = 0, at_level = 1;
     for (int k = 0; k < h.levels; k++) branches += at_level, at_level *= (size_t)h.children;
     plant p = plant_room(branches * (12 + (size_t)h.leaves));
+    p.bark = h.bark, p.leaf = h.leaf, p.leaf_too = h.leaf_too;
     for (int pass = 0; pass < 2; pass++) {
         random_stream g = random_start(seed, 2, 0);
-        plant_branch(&p, &g, &h, vec(0, 0, -0.03), (vec3){0, 0, 1}, stem, radius, 0, pass);
+        plant_branch(&p, &g, &h, vec(0, 0, -0.03), (vec3){0, 0, 1}, h.stem, h.radius, 0, pass);
         if (!pass) p.wood = (uint32_t)p.m.triangles;
     }
-    return p;
-}
-
-static inline plant plant_oak(uint64_t seed)
-{
-    plant p = plant_grown(seed, (plant_habit){{0, 0, 0.62}, 0.036, 0.85,
-                                              0.12, 5, 3, 14}, 0.34, 0.03);
-    p.bark = vec(0.20, 0.15, 0.11);
-    p.leaf = vec(0.13, 0.26, 0.05);
-    p.leaf_too = vec(0.32, 0.30, 0.05);
-    return p;
-}
-
-static inline plant plant_birch(uint64_t seed)
-{
-    plant p = plant_grown(seed, (plant_habit){{0, 0, 0.65}, 0.026, 0.5,
-                                              0.3, 6, 2, 22}, 0.38, 0.016);
-    p.bark = vec(0.75, 0.73, 0.68);
-    p.leaf = vec(0.55, 0.42, 0.06);
-    p.leaf_too = vec(0.70, 0.30, 0.05);
-    return p;
-}
-
-static inline plant plant_bush(uint64_t seed)
-{
-    plant p = plant_grown(seed, (plant_habit){{0, 0, 0.1}, 0.11, 1.1,
-                                              0.05, 4, 3, 12}, 0.25, 0.02);
-    p.bark = vec(0.18, 0.13, 0.10);
-    p.leaf = vec(0.14, 0.22, 0.07);
-    p.leaf_too = vec(0.26, 0.25, 0.08);
     return p;
 }
 

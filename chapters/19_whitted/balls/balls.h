@@ -16,7 +16,7 @@
  *   inside a ball, and nothing  that ball: it is left where the ray meets its far side
  *   else reaches into it
  *   reflected outwards          all but the ball it leaves: a ball is convex
- *   all others                  up to 64 balls: all at once, balls_lanes.h; more: a tree (14)
+ *   all others                  all balls at once, balls_lanes.h
  *
  *     \  \  \  light k         cell of its buffer     A shadow ray is asked for by its origin
  *      |  |( )| |              |  |  |  |            alone: rays to a sun are parallel, and a
@@ -38,8 +38,6 @@
 
 enum { balls_cells = 48, balls_tile = 8, balls_most_lights = 8 };
 
-typedef struct { sphere s; uint32_t index; } ball_item;
-
 /* Lists of numbers, one after another: list k is item[first[k]] .. item[first[k + 1] - 1]. */
 typedef struct { uint32_t *first, *item; size_t lists; } ball_lists;
 
@@ -57,9 +55,7 @@ typedef struct {
     sphere *s;                 /* [n] */
     bool *lone;                /* [n] nothing else reaches into it */
     size_t n;
-    ball_lanes lanes;          /* up to 64 balls; then there is no tree */
-    bvh_tree tree;
-    ball_item *leaf;           /* in the order of the tree's leaves */
+    ball_lanes lanes;
     ball_beam beam[balls_most_lights];
     int beams;
     ball_lists eye;
@@ -71,7 +67,7 @@ typedef struct {
 
 static inline void balls_free(balls *b)
 {
-    free(b->s), free(b->lone), free(b->leaf), tree_free(&b->tree);
+    free(b->s), free(b->lone);
     for (int k = 0; k < b->beams; k++)
         free(b->beam[k].lists.first), free(b->beam[k].lists.item), free(b->beam[k].disc);
     free(b->eye.first), free(b->eye.item), free(b->near);
@@ -159,23 +155,7 @@ static inline void beam_build(const balls *b, vec3 l, const real *shadow, ball_b
     free(pair);
 }
 
-static inline void balls_tree(balls *b)
-{
-    failure f;
-    bvh_item *item = allocate(b->n, sizeof *item);
-    for (size_t i = 0; i < b->n; i++) {
-        vec3 lo, hi;
-        shape_bounds(shape_of_sphere(b->s[i]), &lo, &hi);
-        item[i] = (bvh_item){box_between(lo, hi), (uint32_t)i};
-    }
-    if (!tree_build(item, b->n, bvh_leaves(2, 2), &b->tree, &f)) fail(f);
-    b->leaf = allocate(b->n, sizeof *b->leaf);
-    for (size_t i = 0; i < b->n; i++)
-        b->leaf[i] = (ball_item){b->s[item[i].index], item[i].index};
-    free(item);
-}
-
-/* O(n^2): for some thousand balls. Rounding may only make a lone one none. */
+/* O(n^2). Rounding may only make a lone one none. */
 static inline void balls_lone(balls *b)
 {
     for (size_t i = 0; i < b->n; i++) {
@@ -195,7 +175,7 @@ static inline void balls_build(const sphere *s, size_t n, const real *shadow, co
 {
     *out = (balls){.s = allocate(n, sizeof *s), .lone = allocate(n, sizeof(bool)), .n = n};
     memcpy(out->s, s, n * sizeof *s);
-    if (!ball_lanes_fill(s, n, &out->lanes)) balls_tree(out);
+    if (!ball_lanes_fill(s, n, &out->lanes)) die(2, "%zu balls: from 1 to 64 fit", n);
     balls_lone(out);
     for (failure f; out->beams < lights; out->beams++) {
         if (out->beams == balls_most_lights || L[out->beams].kind != LIGHT_DIRECTIONAL)

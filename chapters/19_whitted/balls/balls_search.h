@@ -16,25 +16,6 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const balls *b; uint32_t from; } balls_asking;  /* from: left outwards */
-
-__attribute__((always_inline))
-static inline bool balls_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                              bool any)
-{
-    const balls_asking *a = context;
-    const balls *b = a->b;
-    bool found = false;
-    hit h;
-    for (uint32_t i = first; i < first + count; i++) {
-        if (b->leaf[i].index == a->from || !ball_hit(&b->leaf[i].s, &q->r, &h)) continue;
-        if (any) return true;
-        h.shape = b->leaf[i].index;
-        found |= query_improves(q, h);
-    }
-    return found;
-}
-
 /* Of eye rays: k is the tile. The list is sorted by the nearest point of each ball. */
 __attribute__((always_inline))
 static inline bool balls_seen(const balls *b, ray r, size_t k, hit *best)
@@ -61,9 +42,7 @@ static inline bool balls_hit(const balls *b, ray r, uint32_t from, bool inside, 
         return true;
     }
     if (inside) from = no_shape;
-    if (b->lanes.n) return ball_lanes_hit(&b->lanes, b->s, r, from, best);
-    balls_asking a = {b, from};
-    return tree_search(&b->tree, r, box_ray_of, balls_leaf, &a, false, best, NULL);
+    return ball_lanes_hit(&b->lanes, b->s, r, from, best);
 }
 
 /* Does the ray from p to the sun meet this disc? Across, p lies D = R^2 - u^2 - v^2 inside; along,

@@ -12,7 +12,7 @@
 #ifndef WHITTED_SCENES_FORTY_H
 #define WHITTED_SCENES_FORTY_H
 
-#include "../balls/balls_rays.h"
+#include "../balls/balls_search.h"
 #include "looks.h"
 
 enum { forty_balls = 40 };

@@ -1,9 +1,8 @@
-/* measure.h: tables and plots: errors against N and time; more rays; what float forgets.
+/* measure.h: tables and plots: errors against N and time; more rays.
  *
- *   measure_methods(&o)    error and time of seven ways to integrate; with --full at all N, with
- *                          plots, and their slopes beside the theory
+ *   measure_methods(&o)    error and time of seven ways to integrate; with --full plots against N
+ *                          and time, and slopes beside the theory
  *   measure_rays(&o)       twice, four times the rays: what halves, what quarters
- *   measure_variances(&o)  E[x^2] - E[x]^2 of first.h against estimate.h
  */
 #ifndef MONTE_CARLO_MEASURE_H
 #define MONTE_CARLO_MEASURE_H
@@ -82,24 +81,20 @@ static inline void measure_slopes(const options *o, const convergence *c)
 static inline void measure_methods(const options *o)
 {
     double ns[convergence_methods];
-    int from = o->full ? 0 : 3;
-    convergence *c = convergence_measure(from, o->full ? 6 : 4, o->quick ? 48 : 480, o->seed,
-                                         o->threads);
-    table t = table_new(o->full ? "Root mean square error of two integrals, its exact value, and "
-                                  "time"
-                                : "Root mean square error of two integrals by 1024 samples, its "
-                                  "exact value, and time",
+    convergence *c = convergence_measure(o->full ? 0 : 3, o->full ? 6 : 4, o->quick ? 48 : 480,
+                                         o->seed, o->threads);
+    table t = table_new("Root mean square error of two integrals by 1024 samples, its exact "
+                        "value, and time",
                         "method|N|exact smooth|error smooth|exact edge|error edge|time [us]");
     measure_time(o, ns);
-    for (int k = 0; k < convergence_methods; k++)
-        for (int l = from; l < c->levels; l++) {
-            table_text(&t, "%s", convergence_name(k)), table_count(&t, convergence_n(l));
-            for (int f = 0; f < integrands; f++) {
-                number_or_dash(&t, convergence_exact(k, (integrand)f, l));
-                table_number(&t, convergence_rms(c, k, (integrand)f, l));
-            }
-            table_number(&t, convergence_n(l) * ns[k] / 1000);
+    for (int k = 0; k < convergence_methods; k++) {
+        table_text(&t, "%s", convergence_name(k)), table_count(&t, convergence_n(3));
+        for (int f = 0; f < integrands; f++) {
+            number_or_dash(&t, convergence_exact(k, (integrand)f, 3));
+            table_number(&t, convergence_rms(c, k, (integrand)f, 3));
         }
+        table_number(&t, convergence_n(3) * ns[k] / 1000);
+    }
     output_table(o, &t);
     if (o->full) {
         methods_plot(o, c, SMOOTH, NULL, "Error of a smooth integral", "20_monte_carlo_error.svg");
@@ -141,56 +136,6 @@ static inline void measure_rays(const options *o)
         if (times == 1) table_text(&t, "-"), table_text(&t, "-");
         else table_number(&t, variance_ratio_test(one, e, 0.5)),
              table_number(&t, variance_ratio_test(one, e, 1.0 / times));
-    }
-    output_extra_table(o, &t);
-}
-
-/* ---- what float forgets ---------------------------------------------------------------------- */
-
-/* 1000 numbers, uniform about `mean`, deviation 1; steps of 1/1024, which floats of 1e4 have.
- * `out`: the variance three ways, in parts of the true one; first.h's as real has digits. */
-static inline void variances_of(double mean, uint64_t seed, uint64_t set, double out[3])
-{
-    enum { n = 1000 };
-    moments_f32 m = {0, 0};
-    first_samples s = {0, 0, 0};
-    estimate e = {0}, centred = {0};
-    for (uint64_t i = 0; i < n; i++) {
-        double u = random_double_of(random_bits(seed, set, i, 0));
-        double off = floor((2 * u - 1) * sqrt(3.0) * 1024) / 1024, x = mean + off;
-        m = moments_add_f32(m, (float)x), first_sample(&s, (real)x);
-        e = estimate_add(e, x), centred = estimate_add(centred, off);
-    }
-    double v = estimate_variance(centred);
-    out[0] = (double)moments_variance_f32(m, n) / v;
-    out[1] = (double)first_variance(s) / v;
-    out[2] = estimate_variance(e) / v;
-}
-
-static inline void measure_variances(const options *o)
-{
-    static const double means[5] = {1, 100, 1000, 1e4, 1e8};
-    enum { sets = 1000 };
-    table t = table_new("Variance of 1000 numbers of deviation 1 by E[x^2] - E[x]^2, and by "
-                        "estimate.h: worst relative error", "mean|error float|negative [%]|"
-                        "error first|negative [%]|error estimate|negative [%]");
-    for (int k = 0; k < 5; k++) {
-        double negative[3] = {0}, worst[3] = {0}, v[3];
-        for (int set = 0; set < sets; set++) {
-            variances_of(means[k], o->seed, (uint64_t)set, v);
-            for (int way = 0; way < 3; way++) {
-                double off = fabs(v[way] - 1);
-                negative[way] += 100.0 * (v[way] < 0) / sets;
-                worst[way] = off > worst[way] ? off : worst[way];
-            }
-        }
-        table_number(&t, means[k]);
-        for (int way = 0; way < 3; way++) {
-            /* Beyond 1e5 floats lie 8 apart. */
-            bool known = means[k] < 1e5 || way == 2 || (way == 1 && !real_is_float);
-            if (known) table_number(&t, worst[way]), table_number(&t, negative[way]);
-            else table_text(&t, "-"), table_text(&t, "-");
-        }
     }
     output_extra_table(o, &t);
 }

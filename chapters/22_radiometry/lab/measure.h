@@ -1,7 +1,7 @@
 /* measure.h: the tables of this chapter.
  *
  *   measure_relations(o)    every relation: closed form, estimate, standard error, z
- *   measure_ways(o)         error of four estimators against samples and time; plots
+ *   measure_ways(o)         error of four estimators against samples and time; --full: plots
  *   measure_photometry(o)   lights in watts and in lumens
  */
 #ifndef RADIOMETRY_MEASURE_H
@@ -32,14 +32,19 @@ static inline void measure_relations(const options *o)
 
 /* ---- error against samples and time ---- */
 
-enum { way_levels = 6 };  /* 16, 64 .. 16384 samples; of these 16, 256, 4096 go to the table */
+enum { way_levels = 6, way_brief = 4 };  /* 16, 64 .. 16384 samples; without --full 4096 */
 typedef struct {
     radiometry_light light;
     direction_way by;           /* direction_ways: as first.h does, of the sphere, at random */
     sequence_kind kind;
     uint64_t seed;
 } radiometry_timed;
-typedef struct { radiometry_timed what; int runs; double rms[way_levels]; } radiometry_errors;
+typedef struct {
+    radiometry_timed what;
+    int runs;
+    bool full;
+    double rms[way_levels];
+} radiometry_errors;
 
 static inline uint32_t way_samples(int l) { return (uint32_t)16 << (2 * l); }
 
@@ -58,6 +63,7 @@ static inline void way_job(size_t i, void *context)
     double exact = direction_exact(e->what.light);
     for (int l = 0; l < way_levels; l++) {
         double square = 0;
+        if (!e->full && l != way_brief) continue;
         for (int run = 0; run < e->runs; run++) {
             double off = way_estimate(&e->what, (uint64_t)run, way_samples(l)) - exact;
             square += off * off;
@@ -103,7 +109,7 @@ static inline void measure_ways(const options *o)
     bench_candidate clock[all];
     for (int i = 0; i < all; i++) {
         sequence_kind kind = i % 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM;
-        e[i] = (radiometry_errors){way_of_row(i / 2, kind, o->seed), runs, {0}};
+        e[i] = (radiometry_errors){way_of_row(i / 2, kind, o->seed), runs, o->full, {0}};
         clock[i] = (bench_candidate){.run = run_way, .context = &e[i].what};
     }
     parallel_for(all, o->threads, "estimates", way_job, e);
@@ -114,7 +120,7 @@ static inline void measure_ways(const options *o)
     table t = table_new(title, "light|samples by|N|error random|time random [us]|error Sobol'|"
                                "time Sobol' [us]");
     for (int i = 0; i < all; i += 2)
-        for (int l = o->full ? 0 : 4; l < way_levels; l += 2) {
+        for (int l = o->full ? 0 : way_brief; l < way_levels; l += 2) {
             bool first = e[i].what.by == direction_ways;
             table_text(&t, "%s", radiometry_light_name[e[i].what.light]);
             table_text(&t, "%s", first ? "first" : direction_name[e[i].what.by]);
@@ -125,6 +131,7 @@ static inline void measure_ways(const options *o)
                      table_number(&t, clock[k].seconds / 1024 * way_samples(l) * 1e6);
         }
     output_table(o, &t);
+    if (!o->full) return;
     ways_plot(o, e, NULL, "Irradiance of the square: error against samples",
               "22_radiometry_error.svg");
     ways_plot(o, e, clock, "Irradiance of the square: error against time",

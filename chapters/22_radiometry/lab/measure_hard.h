@@ -1,7 +1,6 @@
 /* measure_hard.h: tiny, far, grazing, touching: how far off each variant is, and how long it takes.
  *
  *   measure_hard(o)   a table: the largest relative error in 256 inputs, ns of one
- *   plot_hard(o)      the same against size/distance
  *
  * A case of hard_list fills a radiometry_hard_run with random inputs of its kind; hard_error is the
  * largest error of a variant in them, against 32 digits (oracle.h). Variants: first.h (spheres
@@ -191,36 +190,6 @@ static inline void measure_hard(const options *o)
         }
     }
     output_extra_table(o, &t);
-    free(r);
-}
-
-/* Error against size, for the naive forms and the defaults. */
-static inline void plot_hard(const options *o)
-{
-    static const struct { const char *name; radiometry_hard kind; int variant;
-    } lines[] = {{"triangle, Girard", HARD_TRIANGLE_ANGLE, HARD_NAIVE},
-                 {"triangle, as in 07", HARD_TRIANGLE_ANGLE, HARD_AS_IN_07},
-                 {"triangle, default", HARD_TRIANGLE_ANGLE, HARD_DEFAULT},
-                 {"sunk sphere, naive", HARD_SPHERE_E, HARD_NAIVE},
-                 {"sunk sphere, default", HARD_SPHERE_E, HARD_DEFAULT},
-                 {"square, naive", HARD_SQUARE_E, HARD_NAIVE},
-                 {"square, default", HARD_SQUARE_E, HARD_DEFAULT}};
-    plot p = plot_new("Solid angle of a triangle, irradiance of a sphere and a square",
-                      "size/distance", "largest relative error", PLOT_LOG_X | PLOT_LOG_Y);
-    radiometry_hard_run *r = allocate(1, sizeof *r);
-    for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
-        int series = plot_series(&p, lines[k].name);
-        for (int e = 0; e <= (real_is_float ? 12 : 24); e++) {
-            radiometry_hard_case c = {"", "", lines[k].kind, pow(10, -0.25 * e), SHAPE_ANY};
-            for (int i = 0; i < hard_inputs; i++) {
-                random_stream s = random_start(o->seed, 99, (uint64_t)i);
-                r->in[i] = hard_make(&c, &s);
-            }
-            if (lines[k].kind == HARD_SPHERE_E && e < 1) continue;  /* d = R: touching */
-            plot_add(&p, series, c.size, hard_error(r, lines[k].variant));
-        }
-    }
-    output_plot(o, &p, "22_radiometry_hard.svg");
     free(r);
 }
 

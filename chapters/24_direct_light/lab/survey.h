@@ -13,12 +13,12 @@
  * Errors: root of the mean square of (estimate - truth) / (truth + mean truth), over a grid of
  * points that the camera sees; so neither the brightest nor the darkest points decide alone.
  * Variance: the same. Reference: by lights or both, on all lights, with many well-spread samples.
- * Times are those of one thread, ways in turn (clock.h).
+ * Times are those of one thread, ways in turn (bench.h).
  */
 #ifndef DIRECT_SURVEY_H
 #define DIRECT_SURVEY_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "pictures.h"
 
 enum { WAY_FIRST_DIRECTION = direct_ways, WAY_FIRST_LAMP };
@@ -146,15 +146,15 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
 
 static inline void survey_measure(direct_survey *s, const options *o, int least)
 {
-    clock_variant v[survey_most];
+    bench_candidate v[survey_most];
     survey_run run[survey_most];
     s->levels = least ? survey_time_level + 1 : survey_levels;
     parallel_for((size_t)(s->entries * (s->levels - least)), o->threads, "samples", survey_job, s);
     for (int k = 0; k < s->entries; k++) {
         run[k] = (survey_run){s, k};
-        v[k] = (clock_variant){"", survey_timed, &run[k], 0};
+        v[k] = (bench_candidate){.run = survey_timed, .context = &run[k]};
     }
-    clock_compare(v, s->entries, o->quick ? 1 : 3);
+    bench_time(v, s->entries, o->quick ? 1 : 3);
     double samples = (double)s->points * survey_samples(survey_time_level);
     for (int k = 0; k < s->entries; k++) s->seconds[k] = v[k].seconds / samples;
 }

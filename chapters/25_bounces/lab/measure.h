@@ -1,7 +1,6 @@
 /* measure.h: the series, where its sum is known and where it is not.
  *
  *   measure_furnace(o)   partial sums by paths against (25.5), their variance against (25.12); plot
- *   measure_pair(o)      two materials, term by term, against the linear system (25.11)
  *   measure_norms(o)     ||K||, spectral radius, and what the series does
  *   measure_cornell(o)   how much light each bounce brings to the picture, two ways
  *   measure_notes(o)     what shade() of the notes leaves out
@@ -10,7 +9,6 @@
 #ifndef BOUNCES_MEASURE_H
 #define BOUNCES_MEASURE_H
 
-#include "../../20_monte_carlo/t_test.h"
 #include "measure_branches.h"
 #include "notes_shade.h"
 
@@ -66,39 +64,6 @@ static inline void measure_furnace(const options *o)
     }
     output_extra_table(o, &t);
     output_plot(o, &p, "25_bounces_furnace.svg");
-}
-
-static inline void measure_pair(const options *o)
-{
-    enum { depth = 5 };
-    lit_scene s;
-    estimate e[2][depth + 1];
-    double T[2];
-    memset(e, 0, sizeof e);
-    furnace_pair(&s, (real)pair_radius, pair_light, pair_albedo);
-    transport exact = furnace_transport(pair_radius, pair_light, pair_albedo, 0);
-    table t = table_new("A ball in a sphere, two materials: K^n E by paths and by matrix",
-                        "n|ball exact|ball measured|p|sphere exact|sphere measured|p");
-    for (uint32_t i = 0; i < (o->quick ? 500u : 20000u); i++)
-        for (size_t seen = 0; seen < 2; seen++) {
-            naive_path path = {&s, DIRECTIONS_COSINE, depth, false};
-            bounce_counts c = {{{0}, 0, 0}, 0};
-            vec3 term[depth + 1];
-            sampler r = sampler_start(SEQUENCE_RANDOM, o->seed, seen, i, 1);
-            bounce_terms(&path, trial_ray(0, seen, sampler_pair(&r)), &r, term, &c);
-            for (int k = 0; k <= depth; k++)
-                e[seen][k] = estimate_add(e[seen][k], (double)term[k].x);
-        }
-    for (int k = 0; k <= depth; k++) {
-        transport_term(&exact, k, T);
-        table_count(&t, (size_t)k);
-        for (int seen = 0; seen < 2; seen++) {
-            table_number(&t, T[seen]), table_number(&t, e[seen][k].mean);
-            table_number(&t, t_test(e[seen][k], T[seen], 1e-5));
-        }
-    }
-    output_extra_table(o, &t);
-    transport_free(&exact), lit_free(&s);
 }
 
 /* Ball in a sphere, r = .4, both shining with 1. */

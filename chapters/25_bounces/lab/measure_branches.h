@@ -1,229 +1,286 @@
 /* measure_branches.h: why one direction is enough.
  *
- *   measure_branches(o)   main table: N directions a hit, error in equal time; plots
+ *   measure_branches(o)   main table: N directions a hit, error in equal time; plot
  *   measure_rays(o)       rays against depth in a closed and in an open room; plot
  *
- * Two rooms. Two spheres, one in the other (furnace.h), uniform directions: the truth is a linear
+ * Three rooms. Two spheres, one in the other (furnace.h), uniform directions: the truth is a linear
  * system's. The Cornell box, directions as the surface reflects, pixels that do not see the light
- * itself: the truth is estimated by (25.10), some 100 times closer than what is measured.
+ * itself; and first.h's box, by the terms of first.h, each by rays of its own, and by terms.h
+ * (N = 0), which has all of them from one path: in both the truth is estimated by (25.10), some 100
+ * times closer than what is measured.
  */
 #ifndef BOUNCES_MEASURE_BRANCHES_H
 #define BOUNCES_MEASURE_BRANCHES_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "../../20_monte_carlo/estimate.h"
 #include "../../24_direct_light/scenes/lit_cornell.h"
+#include "../../24_direct_light/scenes/lit_first.h"
 #include "../branching.h"
-#include "furnace.h"
-#include "measure_first.h"
+#include "../first.h"
 #include "../terms.h"
+#include "furnace.h"
 
-enum { branch_kinds = 4, rooms = 2, trial_depths = 4, trial_side = 8 };
-enum { trial_pixels = trial_side * trial_side, trials = rooms * trial_depths * branch_kinds };
+typedef enum { ROOM_SPHERES, ROOM_BOX, ROOM_FIRST, rooms } branch_room;
+enum { branch_kinds = 4, trial_depths = 4, trial_side = 8, trial_pixels = trial_side * trial_side };
+enum { most_trials = rooms * trial_depths * branch_kinds };
 static const int trial_depth[trial_depths] = {1, 2, 3, 5};
-static const char *const room_name[rooms] = {"two spheres", "Cornell box"};
 static const char *const branch_name[branch_kinds] = {"N = 1", "N = 2", "N = 4", "N = 8"};
 
-typedef struct { estimate square; naive_counts c; } trial_part;
+typedef struct { int room, d, N; double error, rays, us; } branch_trial;  /* of one sample */
+typedef struct { estimate square; bounce_counts c; } trial_part;
 typedef struct {
     lit_scene scene[rooms];
+    first_scene first;
     uint64_t seed;
-    double budget;                                   /* rays a pixel and trial, at least a sample */
-    uint32_t many;                                   /* samples a pixel of the reference */
-    size_t pixels, stride;                           /* used: 0, stride, 2 stride, ..; odd */
-    double exact[rooms][trial_pixels][trial_depths];
-    trial_part part[trials][trial_pixels];
-    int wanted[trials], wants;                       /* which are measured */
-    double error[trials], rays[trials], us[trials];  /* of one sample */
-} branch_trial;
+    double budget;                     /* rays a pixel and trial, at least a sample */
+    uint32_t many;                     /* samples a pixel of the reference */
+    size_t pixels, stride;             /* used: 0, stride, 2 stride, ..; odd */
+    double exact[rooms][trial_depths][trial_pixels];
+    branch_trial trial[most_trials];   /* those of one room and depth together, N = 1 first */
+    int trials;
+    trial_part part[most_trials][trial_pixels];
+} branch_survey;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static const vec3 pair_light[2] = {{2, 2, 2}, {0.25, 0.25, 0.25}};
-static const vec3 pair_albedo[2] = {{0.5, 0.5, 0.5},
-                                    {0.8, 0.8, 0.8}};
+static const vec3 pair_albedo[2] = {{0.5, 0.5, 0.5}, {0.8, 0.8, 0.8}};
 static const double pair_radius = 0.4;
 
-/* trial = (room * trial_depths + d) * branch_kinds + n, N = 2^n */
-static inline int trial_room(int trial) { return trial / (trial_depths * branch_kinds); }
-static inline int trial_d(int trial) { return trial / branch_kinds % trial_depths; }
-static inline int trial_N(int trial) { return 1 << trial % branch_kinds; }
-
-/* Spheres: straight up or down, to the outer one or the ball. Box: the lower 5/8 of its picture. */
+/* Spheres: straight up or down, to the outer one or the ball. Boxes: the lower 5/8 of them. */
 static inline ray trial_ray(int room, size_t pixel, point2 u)
 {
-    if (room == 0)
+    real x = (real)(pixel % trial_side) + u.u, y = 3 + ((real)(pixel / trial_side) + u.v) * 5 / 8;
+    if (room == ROOM_SPHERES)
         return (ray){{0, 0.7, 0}, 0, {0, pixel % 2 ? 1 : -1, 0}, real_infinity};
-    real x = (real)(pixel % trial_side) + u.u, y = (real)(pixel / trial_side) + u.v;
-    return camera_ray(cornell_camera(1), x, 3 + y * 5 / trial_side, trial_side, trial_side);
+    if (room == ROOM_FIRST)
+        return first_camera_ray(first_cornell_camera(trial_side, trial_side), x, y);
+    return camera_ray(cornell_camera(1), x, y, trial_side, trial_side);
 }
 
-static inline void trial_reference(size_t pixel, void *context)
+static inline double trial_all_rays(const bounce_counts *c)
 {
-    branch_trial *b = context;
-    naive_path p = {&b->scene[1], DIRECTIONS_BRDF, trial_depth[trial_depths - 1], false};
-    bounce_counts c = {{{0}, 0, 0}, 0};
+    return (double)(naive_rays(&c->walk) + c->sight);
+}
+
+/* E + KE + .. + K^depth E by (25.10): sum[k], all of them by the same path. */
+static inline void trial_lit(const branch_survey *b, int room, int depth, size_t pixel, sampler s,
+                             double *sum, bounce_counts *c)
+{
+    naive_path p = {&b->scene[room], DIRECTIONS_BRDF, depth, false};
     vec3 term[8];
+    ray eye = trial_ray(room, pixel, sampler_pair(&s));
+    bounce_terms_lit(&p, eye, &s, term, c);
+    sum[0] = (double)term[0].y;
+    for (int k = 1; k <= depth; k++) sum[k] = sum[k - 1] + (double)term[k].y;
+}
+
+static inline void trial_reference(size_t job, void *context)
+{
+    branch_survey *b = context;
+    size_t pixel = job % trial_pixels;
+    int room = ROOM_BOX + (int)(job / trial_pixels);
+    bounce_counts c = {{{0}, 0, 0}, 0};
+    double sum[8];
     for (uint32_t i = 0; i < b->many; i++) {
         sampler s = sampler_start(SEQUENCE_SOBOL, b->seed + 1, pixel, i, b->many);
-        ray eye = trial_ray(1, pixel, sampler_pair(&s));
-        bounce_terms_lit(&p, eye, &s, term, &c);
+        trial_lit(b, room, trial_depth[trial_depths - 1], pixel, s, sum, &c);
         for (int d = 0; d < trial_depths; d++)
-            for (int k = 0; k <= trial_depth[d]; k++)
-                b->exact[1][pixel][d] += (double)term[k].y / b->many;
+            b->exact[room][d][pixel] += sum[trial_depth[d]] / b->many;
     }
 }
 
-static inline void trial_exact(branch_trial *b)
+static inline void trial_exact(branch_survey *b)
 {
     transport t = furnace_transport(pair_radius, pair_light, pair_albedo, 1);
     for (int d = 0; d < trial_depths; d++) {
         double S[2];
         transport_sum(&t, trial_depth[d], S);
-        for (int i = 0; i < trial_pixels; i++) b->exact[0][i][d] = S[i % 2];
+        for (int i = 0; i < trial_pixels; i++) b->exact[ROOM_SPHERES][d][i] = S[i % 2];
     }
     transport_free(&t);
 }
 
-static inline double trial_sample(const branch_trial *b, int trial, size_t pixel, uint64_t i,
-                                  naive_counts *c)
+/* Each term of first.h by rays of its own. It counts them in a variable that all threads share. */
+static inline double trial_first(const branch_survey *b, const branch_trial *t, size_t pixel,
+                                 uint64_t i, bounce_counts *c)
 {
-    int room = trial_room(trial);
-    direction_choice choice = room ? DIRECTIONS_BRDF : DIRECTIONS_UNIFORM;
-    naive_path p = {&b->scene[room], choice, trial_depth[trial_d(trial)], false};
-    ray eye = trial_ray(room, pixel, branching_pair(b->seed, pixel, i, 0));
-    return (double)branching_radiance(&p, trial_N(trial), eye, b->seed, pixel, i, c).y;
+    random_stream random = random_start(b->seed, pixel, i);
+    real u = random_next(&random), v = random_next(&random);
+    ray eye = trial_ray(ROOM_FIRST, pixel, (point2){u, v});
+    long before = first_bounce_rays;
+    double sum = 0;
+    for (int k = 0; k <= trial_depth[t->d]; k++)
+        sum += (double)first_term(&b->first, eye, k, t->N, &random).y;
+    c->sight += (size_t)(first_bounce_rays - before);
+    return sum;
+}
+
+static inline double trial_sample(const branch_survey *b, const branch_trial *t, size_t pixel,
+                                  uint64_t i, bounce_counts *c)
+{
+    double sum[8];
+    int depth = trial_depth[t->d];
+    if (t->N == 0) {
+        sampler s = sampler_start(SEQUENCE_RANDOM, b->seed, pixel, (uint32_t)i, 1);
+        trial_lit(b, t->room, depth, pixel, s, sum, c);
+        return sum[depth];
+    }
+    if (t->room == ROOM_FIRST) return trial_first(b, t, pixel, i, c);
+    direction_choice choice = t->room == ROOM_BOX ? DIRECTIONS_BRDF : DIRECTIONS_UNIFORM;
+    naive_path p = {&b->scene[t->room], choice, depth, false};
+    ray eye = trial_ray(t->room, pixel, branching_pair(b->seed, pixel, i, 0));
+    return (double)branching_radiance(&p, t->N, eye, b->seed, pixel, i, &c->walk).y;
+}
+
+/* If nothing escapes: (25.9); of first.h for each term; by (25.10) d on the way, d to the lamp. */
+static inline double trial_rays_if_closed(const branch_trial *t)
+{
+    double rays = 0;
+    int d = trial_depth[t->d];
+    if (t->N == 0) return 2.0 * d;
+    for (int k = t->room == ROOM_FIRST ? 0 : d; k <= d; k++)
+        rays += first_rays_of_branching(t->N, k);
+    return rays;
+}
+
+static inline void trial_run(branch_survey *b, int trial, size_t pixel)
+{
+    const branch_trial *t = &b->trial[trial];
+    trial_part *part = &b->part[trial][pixel];
+    double exact = b->exact[t->room][t->d][pixel], n = b->budget / trial_rays_if_closed(t);
+    for (uint64_t i = 0; i == 0 || (double)i < n; i++) {
+        double e = trial_sample(b, t, pixel, i, &part->c) - exact;
+        part->square = estimate_add(part->square, e * e);
+    }
 }
 
 /* The long ones (N = 8) first, so that the threads end together. */
 static inline void trial_job(size_t job, void *context)
 {
-    branch_trial *b = context;
-    int trial = b->wanted[b->wants - 1 - (int)(job / b->pixels)];
-    size_t pixel = job % b->pixels * b->stride;
-    trial_part *part = &b->part[trial][pixel];
-    double exact = b->exact[trial_room(trial)][pixel][trial_d(trial)];
-    double n = b->budget / first_rays_of_branching(trial_N(trial), trial_depth[trial_d(trial)]);
-    for (uint64_t i = 0; i == 0 || (double)i < n; i++) {
-        double e = trial_sample(b, trial, pixel, i, &part->c) - exact;
-        part->square = estimate_add(part->square, e * e);
-    }
+    branch_survey *b = context;
+    int trial = b->trials - 1 - (int)(job / b->pixels);
+    if (b->trial[trial].room != ROOM_FIRST) trial_run(b, trial, job % b->pixels * b->stride);
 }
 
-typedef struct { const branch_trial *b; int trial; size_t least, rays; } timed_trial;
+/* Over all pixels used. */
+static inline void trial_result(const branch_survey *b, int trial, branch_trial *t)
+{
+    double rays = 0, exact = 0;
+    estimate square = {0, 0, 0};
+    for (size_t k = 0; k < b->pixels; k++) {
+        const trial_part *p = &b->part[trial][k * b->stride];
+        rays += trial_all_rays(&p->c), square = estimate_merge(square, p->square);
+        exact += b->exact[t->room][t->d][k * b->stride];
+    }
+    t->rays = rays / (double)square.n;
+    t->error = sqrt(square.mean) / exact * (double)b->pixels;
+}
+
+typedef struct { const branch_survey *b; const branch_trial *t; double least, rays; } timed_trial;
 
 /* Rays enough for the clock to see something. */
 static inline double timed_run(void *context)
 {
     timed_trial *t = context;
-    naive_counts c = {{0}, 0, 0};
+    bounce_counts c = {{{0}, 0, 0}, 0};
     double sum = 0;
-    for (uint64_t i = 0; naive_rays(&c) < t->least; i++)
-        sum += trial_sample(t->b, t->trial, i % trial_pixels, i, &c);
-    t->rays = naive_rays(&c);
+    for (uint64_t i = 0; trial_all_rays(&c) < t->least; i++)
+        sum += trial_sample(t->b, t->t, i % trial_pixels, i, &c);
+    t->rays = trial_all_rays(&c);
     return sum;
 }
 
-/* Those of the table without --full: the Cornell box with the fewest and the most bounces. */
-static inline bool trial_wanted(const options *o, int trial)
+/* Those of one room and depth in turn, from `first` on; the place of the next ones. */
+static inline int trial_times(branch_survey *b, const options *o, int first)
 {
-    int d = trial_d(trial);
-    return o->full || (trial_room(trial) == 1 && (d == 0 || d == trial_depths - 1));
-}
-
-static inline void trial_times(branch_trial *b, const options *o)
-{
-    timed_trial t[trials];
-    clock_variant v[trials];
+    timed_trial t[branch_kinds];
+    bench_candidate v[branch_kinds];
     int n = 0;
-    for (int i = 0; i < trials; i++) {
-        if (!trial_wanted(o, i)) continue;
-        t[n] = (timed_trial){b, i, o->quick ? 500 : 3000, 0};
-        v[n] = (clock_variant){branch_name[i % branch_kinds], timed_run, &t[n], 0};
-        n++;
+    branch_trial *of = &b->trial[first];
+    for (; first + n < b->trials && of[n].room == of->room && of[n].d == of->d; n++) {
+        t[n] = (timed_trial){b, &of[n], o->quick ? 500 : 3000, 0};
+        v[n] = (bench_candidate){.run = timed_run, .context = &t[n]};
     }
-    for (int i = 0; i < n; i += 8) clock_compare(v + i, 8, o->quick ? 1 : 15);
-    for (int i = 0; i < n; i++)
-        b->us[t[i].trial] = v[i].seconds / (double)t[i].rays * b->rays[t[i].trial] * 1e6;
+    bench_time(v, n, o->quick ? 1 : 15);
+    for (int i = 0; i < n; i++) of[i].us = v[i].seconds / t[i].rays * of[i].rays * 1e6;
+    return first + n;
 }
 
-static inline void branches_run(branch_trial *b, const options *o)
+/* Without --full: the Cornell box with the fewest and the most bounces. */
+static inline bool trial_wanted(const options *o, int room, int d)
 {
-    furnace_pair(&b->scene[0], (real)pair_radius, pair_light, pair_albedo);
-    lit_cornell(&b->scene[1]);
+    return o->full || (room == ROOM_BOX && (d == 0 || d == trial_depths - 1));
+}
+
+static inline void trial_list(branch_survey *b, const options *o)
+{
+    static const int of_room[] = {1, 2, 4, 8}, of_first[] = {1, 4, 0};
+    for (int room = 0; room < rooms; room++)
+        for (int d = 0; d < trial_depths; d++) {
+            bool first = room == ROOM_FIRST;
+            if (!trial_wanted(o, room, d) || (first && trial_depth[d] == 2)) continue;
+            for (int k = 0; k < (first ? 3 : branch_kinds); k++)
+                b->trial[b->trials++] = (branch_trial){room, d, first ? of_first[k] : of_room[k],
+                                                       0, 0, 0};
+        }
+}
+
+static inline void branches_run(branch_survey *b, const options *o)
+{
+    furnace_pair(&b->scene[ROOM_SPHERES], (real)pair_radius, pair_light, pair_albedo);
+    lit_cornell(&b->scene[ROOM_BOX]);
+    b->first = first_cornell(), lit_first(&b->first, &b->scene[ROOM_FIRST]);
     b->seed = o->seed, b->budget = o->quick ? 100 : 5000, b->many = o->quick ? 64 : 4096;
     b->pixels = o->quick ? 8 : trial_pixels, b->stride = o->quick ? 7 : 1;
-    trial_exact(b);
-    parallel_for(trial_pixels, o->threads, "reference", trial_reference, b);
-    for (int i = 0; i < trials; i++)
-        if (trial_wanted(o, i)) b->wanted[b->wants++] = i;
-    parallel_for((size_t)b->wants * b->pixels, o->threads, "N directions", trial_job, b);
-    for (int k = 0; k < b->wants; k++) {
-        int i = b->wanted[k];
-        double rays = 0, samples = 0, exact = 0, used = 0;
-        estimate square = {0, 0, 0};
-        for (size_t at = 0; at < trial_pixels; at += b->stride) {
-            const trial_part *p = &b->part[i][at];
-            if (p->square.n == 0) continue;
-            used++, rays += (double)naive_rays(&p->c), samples += (double)p->square.n;
-            square = estimate_merge(square, p->square);
-            exact += b->exact[trial_room(i)][at][trial_d(i)];
-        }
-        b->rays[i] = rays / samples, b->error[i] = sqrt(square.mean) / exact * used;
+    trial_list(b, o), trial_exact(b);
+    parallel_for((o->full ? 2 : 1) * trial_pixels, o->threads, "reference", trial_reference, b);
+    parallel_for((size_t)b->trials * b->pixels, o->threads, "N directions", trial_job, b);
+    for (int i = 0; i < b->trials; i++) {
+        for (size_t k = 0; k < b->pixels && b->trial[i].room == ROOM_FIRST; k++)
+            trial_run(b, i, k * b->stride);
+        trial_result(b, i, &b->trial[i]);
     }
-    trial_times(b, o);
-    lit_free(&b->scene[0]), lit_free(&b->scene[1]);
+    for (int i = 0; i < b->trials;) i = trial_times(b, o, i);
+    for (int room = 0; room < rooms; room++) lit_free(&b->scene[room]);
 }
 
-/* What an error costs in rays, a count that is the same everywhere. */
-static inline void plot_branches(const options *o, const branch_trial *b)
-{
-    plot p = plot_new("Cornell box: error with the same number of rays, over that of N = 1",
-                      "bounces", "error over that of N = 1", PLOT_LOG_Y);
-    for (int n = 0; n < branch_kinds; n++) {
-        plot_series(&p, branch_name[n]);
-        for (int d = 0; d < trial_depths; d++) {
-            int one = (trial_depths + d) * branch_kinds, i = one + n;
-            plot_add(&p, n, trial_depth[d],
-                     b->error[i] / b->error[one] * sqrt(b->rays[i] / b->rays[one]));
-        }
-    }
-    output_plot(o, &p, "25_bounces_error.svg");
-}
-
-/* At the largest depth: from one sample on, k independent ones divide the error by sqrt k. */
-static inline void plot_time(const options *o, const branch_trial *b)
+/* The box at the largest depth: from one sample on, k independent ones divide the error by sqrt k.
+ */
+static inline void plot_time(const options *o, const branch_survey *b)
 {
     plot p = plot_new("Cornell box, 5 bounces: relative error against time", "time of a pixel [ms]",
                       "relative error", PLOT_LOG_X | PLOT_LOG_Y);
-    int last = trials - branch_kinds;
+    const branch_trial *last = b->trial;
+    while (last->room != ROOM_BOX || last->d != trial_depths - 1) last++;
     for (int n = 0; n < branch_kinds; n++) {
         plot_series(&p, branch_name[n]);
-        for (double k = 1; k == 1 || k * b->us[last + n] < 4e5; k *= 4)
-            plot_add(&p, n, k * b->us[last + n] / 1000, b->error[last + n] / sqrt(k));
+        for (double k = 1; k == 1 || k * last[n].us < 4e5; k *= 4)
+            plot_add(&p, n, k * last[n].us / 1000, last[n].error / sqrt(k));
     }
     plot_slope(&p, -0.5, "slope -1/2");
     output_plot(o, &p, "25_bounces_time.svg");
 }
 
-/* Room, bounces, N, rays, error and time of a sample, error in 1 ms over that of N = 1. */
-static inline void trial_row(const branch_trial *b, int i, bool full, table *t)
+/* Room, bounces, N, rays, error and time of a sample, error in 1 ms over that of N = 1 (`one`). */
+static inline void trial_row(const branch_trial *a, const branch_trial *one, bool full, table *t)
 {
-    double in_time = b->error[i] * sqrt(b->us[i] / 1000);
-    int one = i - i % branch_kinds, d = trial_depth[trial_d(i)];
-    if (full) table_text(t, "%s", room_name[trial_room(i)]);
-    table_count(t, (size_t)d), table_count(t, (size_t)trial_N(i));
-    if (full) table_count(t, (size_t)first_rays_of_branching(trial_N(i), d));
-    table_number(t, b->rays[i]), table_number(t, b->error[i]), table_number(t, b->us[i]);
+    static const char *const name[rooms] = {"two spheres", "Cornell box", "first"};
+    double in_time = a->error * sqrt(a->us / 1000);
+    if (full) table_text(t, "%s", a->N ? name[a->room] : "first's box, terms.h");
+    table_count(t, (size_t)trial_depth[a->d]), table_count(t, a->N ? (size_t)a->N : 1);
+    if (full) table_count(t, (size_t)trial_rays_if_closed(a));
+    table_number(t, a->rays), table_number(t, a->error), table_number(t, a->us);
     if (full) table_number(t, in_time);
-    table_number(t, in_time / (b->error[one] * sqrt(b->us[one] / 1000)));
+    table_number(t, in_time / (one->error * sqrt(one->us / 1000)));
 }
 
 static inline void measure_branches(const options *o)
 {
-    branch_trial *b = allocate(1, sizeof *b);
+    branch_survey *b = allocate(1, sizeof *b);
     table t = table_new("Cornell box, N directions a hit: relative error (rms) of a sample, and in "
                         "the same time", "bounces|N|rays|error of a sample [1]|"
                         "time of a sample [us]|time: error over that of N = 1");
@@ -231,18 +288,18 @@ static inline void measure_branches(const options *o)
                           "room|bounces|N|rays if closed|rays|error of a sample [1]|"
                           "time of a sample [us]|time: error in 1 ms [1]|"
                           "time: error over that of N = 1");
-    options short_run = *o;
-    short_run.full = false;
+    options brief = *o;
+    brief.full = false;
     branches_run(b, o);
-    for (int i = 0; i < trials; i++)
-        if (trial_wanted(&short_run, i)) trial_row(b, i, false, &t);
+    const branch_trial *one = b->trial;
+    for (const branch_trial *a = b->trial; a < b->trial + b->trials; a++) {
+        if (a->room != one->room || a->d != one->d) one = a;
+        if (trial_wanted(&brief, a->room, a->d)) trial_row(a, one, false, &t);
+        if (o->full) trial_row(a, one, true, &all);
+    }
     output_table(o, &t);
-    if (o->full) {
-        for (int i = 0; i < trials; i++) trial_row(b, i, true, &all);
-        first_rows(o, &all);
-        output_extra_table(o, &all);
-        plot_branches(o, b), plot_time(o, b);
-    } else table_free(&all);
+    if (o->full) output_extra_table(o, &all), plot_time(o, b);
+    else table_free(&all);
     free(b);
 }
 

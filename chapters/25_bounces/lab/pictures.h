@@ -4,8 +4,6 @@
  *                                 K^depth E; lower row the running sums, the last is the whole. Of
  *                                 the upper row the last three are shown 2, 4, 4 times as bright.
  *                                 naive: by paths that meet the light, not by (25.10)
- *   draw_branches(o)              up to three bounces, by N = 1, 2, 4, 8 directions a
- *                                 hit, from left to right, with the same number of rays a pixel
  */
 #ifndef BOUNCES_PICTURES_H
 #define BOUNCES_PICTURES_H
@@ -14,7 +12,6 @@
 #include "../../../common/output.h"
 #include "../../../common/parallel.h"
 #include "../../24_direct_light/scenes/lit_cornell.h"
-#include "../branching.h"
 #include "../terms.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -79,60 +76,6 @@ static inline void draw_terms(const options *o, int depth, bool naive)
         label_tag(&sheet, k % term_columns * w + 6, k / term_columns * h + 6, 11, term_tag[k]);
     output_picture(o, &sheet, "25_bounces.png", true, whole);
     image_free(&sheet);
-    lit_free(&s);
-}
-
-/* ---- N directions with the same number of rays ---- */
-
-enum { branch_columns = 4, branch_depth = 3 };
-typedef struct {
-    naive_path path;
-    camera view;
-    size_t rays;      /* a pixel, at most, but for one sample that takes more */
-    uint64_t seed;
-    int N;
-    image panel;
-} branch_sheet;
-
-/* As many samples as (25.9) allows where nothing ends. The box is open, and rays that escape spare
- * all N alike some of it. */
-static inline void branch_pixel(int x, int y, void *context)
-{
-    const branch_sheet *b = context;
-    int w = b->panel.width / 2, h = b->panel.height / 2;
-    uint64_t pixel = (uint64_t)y * (uint64_t)w + (uint64_t)x, i = 0;
-    vec3 sum = {0, 0, 0};
-    naive_counts c = {{0}, 0, 0};
-    size_t samples = (size_t)((double)b->rays / first_rays_of_branching(b->N, b->path.depth));
-    for (; i < (samples ? samples : 1); i++) {
-        point2 u = branching_pair(b->seed, pixel, i, 0);
-        ray eye = camera_ray(b->view, (real)x + u.u, (real)y + u.v, w, h);
-        sum = vadd(sum, branching_radiance(&b->path, b->N, eye, b->seed, pixel, i, &c));
-    }
-    image panel = b->panel;
-    for (int k = 0; k < 4; k++)  /* each pixel drawn as four */
-        image_set(&panel, 2 * x + k % 2, 2 * y + k / 2, vscale(sum, 1 / (real)i));
-}
-
-static inline void draw_branches(const options *o)
-{
-    static const char *const title[branch_columns] = {"N = 1, 146 samples", "N = 2, 39", "N = 4, 6",
-                                                      "N = 8, 1 sample"};
-    lit_scene s;
-    lit_cornell(&s);
-    int side = o->quick ? 20 : 120;
-    bool whole = true;
-    image sheet = image_new(2 * branch_columns * side, 2 * side);
-    for (int k = 0; k < branch_columns && whole; k++) {
-        branch_sheet b = {{&s, DIRECTIONS_BRDF, branch_depth, false}, cornell_camera(1),
-                          o->quick ? 85 : 585, o->seed, 1 << k, image_new(2 * side, 2 * side)};
-        whole = parallel_pixels(side, side, o->threads, "branches", branch_pixel, &b);
-        image_place(&sheet, 2 * k * side, 0, &b.panel);
-        image_free(&b.panel);
-    }
-    image titled = label_panels(&sheet, branch_columns, 1, 0, title);
-    output_picture(o, &titled, "25_bounces_branches.png", false, whole);
-    image_free(&sheet), image_free(&titled);
     lit_free(&s);
 }
 

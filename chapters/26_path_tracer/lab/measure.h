@@ -1,7 +1,6 @@
 /* measure.h: what each idea of the chapter is worth, in the Cornell box.
  *
  *   measure_strategies(o)   every strategy at 64 samples; --full: at 4, 16 and 64, and two plots
- *   measure_speed(o)        rays a second, one thread and two
  *
  * Efficiency (效率) = 1 / (error^2 x time): samples twice as fast, or with half the variance, are
  * worth twice as much. Errors: RMSE against a reference of many samples, over the pixels that do
@@ -241,63 +240,6 @@ static inline void measure_strategies(const options *o)
         output_plot(o, &time, "26_path_tracer_time.svg");
     } else table_free(&t), plot_free(&error), plot_free(&time);
     measure_place_free(&m);
-}
-
-/* ---- speed ---- */
-
-/* Arithmetic and nothing else: what the machine's threads are good for. */
-static inline void measure_spin(size_t i, void *context)
-{
-    random_stream s = random_start(1, i, 0);
-    double x = 0;
-    for (int k = 0; k < 20000; k++) x += (double)random_next(&s);
-    if (x < 0) *(double *)context = x;
-}
-
-static inline double measure_seconds(int threads, render_job *j, int side)
-{
-    double start = clock_seconds(), nowhere = 0;
-    if (!j) {
-        parallel_for(400, threads, "arithmetic", measure_spin, &nowhere);
-        return clock_seconds() - start;
-    }
-    film f = film_new(side, side);
-    j->threads = threads, j->counts = (path_counts){0};
-    start = clock_seconds();
-    render_range(j, &f, 0, 1);
-    start = clock_seconds() - start;
-    film_free(&f);
-    return start;
-}
-
-static inline void measure_speed(const options *o)
-{
-    enum { runs = 2 };
-    showcase c;
-    path_tracer t;
-    failure f;
-    int side = o->quick ? 100 : 600;
-    if (!showcase_of("cornell", 1, &c, &f)) fail(f);
-    path_tracer_of(&c.s, NULL, path_defaults, &t);
-    render_job j = {.tracer = &t, .eye = c.eye, .seed = 1};
-    double best[2][2] = {{1e9, 1e9}, {1e9, 1e9}};
-    for (int k = 0; k < (o->quick ? 1 : runs); k++)
-        for (int two = 0; two < 2; two++) {
-            best[two][0] = fmin(best[two][0], measure_seconds(1 + two, &j, side));
-            best[two][1] = fmin(best[two][1], measure_seconds(1 + two, NULL, side));
-        }
-    double rays = (double)path_rays(&j.counts);
-    table s = table_new("The Cornell box, one sample a pixel, endless depth; best of some runs",
-                        "threads|pixels|rays|rays a path|time [s]|rays per second [M]|"
-                        "ratio: gain|ratio: gain of arithmetic");
-    for (int two = 0; two < 2; two++) {
-        table_count(&s, 1 + (size_t)two), table_text(&s, "%dx%d", side, side);
-        table_count(&s, (size_t)rays), table_number(&s, rays / ((double)side * side));
-        table_number(&s, best[two][0]), table_number(&s, rays / best[two][0] * 1e-6);
-        table_number(&s, best[0][0] / best[two][0]), table_number(&s, best[0][1] / best[two][1]);
-    }
-    output_extra_table(o, &s);
-    path_tracer_free(&t), showcase_free(&c);
 }
 
 #endif

@@ -15,6 +15,7 @@
 #ifndef EFFECTS_CLASSIC_H
 #define EFFECTS_CLASSIC_H
 
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"  /* before shape.h, whose name it uses for its own */
 #include "draw.h"
 #include "../../19_whitted/scenes/forty.h"
@@ -192,10 +193,12 @@ static inline bool tax_row(const options *o, table *t, bool glass)
     tax_run run[2] = {{.e = &e, .whitted = glass, .im = image_new(w, h)},
                       {.e = &e, .im = image_new(w, h)}};
     classic_build(&e, &run[0].c);
-    clock_variant k[2] = {{"chapter", tax_before, &run[0], 0}, {"general", tax_now, &run[1], 0}};
-    clock_compare(k, 2, o->quick ? 3 : 7);
+    bench_candidate k[2] = {{.run = tax_before, .context = &run[0]},
+                            {.run = tax_now, .context = &run[1]}};
+    bench_time(k, 2, o->quick ? 3 : 7);
     size_t rays = run[1].counts.rays[RAY_OF_EYE];
-    for (int i = 0; i < effect_kinds; i++) rays += i == 5 || i == 8 ? 0 : run[1].counts.rays[i];
+    for (int i = 0; i < effect_kinds; i++)
+        rays += i == RAY_ABSORBED || i == RAY_OF_LENS ? 0 : run[1].counts.rays[i];
     table_text(t, "%s", glass ? "forty balls: mirrors and glass" : "forty balls: painted");
     table_text(t, "%s", glass ? "19 whitted" : "18 shade");
     table_number(t, (double)rays / ((double)w * h));

@@ -62,7 +62,7 @@ static inline vec3 draw_pixel(const drawing *j, effects_function *f, int x, int 
         dice d = {.own = 0};
         if (rolled) d = dice_start(j->seed, i, (uint32_t)k);
         ray r = draw_ray(j, x, y, &d);
-        if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[8]++;
+        if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
         c->now = RAY_OF_EYE;
         if (timed) c->since = clock_seconds();
         half[k % 2] = vadd(half[k % 2], f(j->e, r, (media_set){0}, &d, c));

@@ -43,7 +43,7 @@ static inline void table_of_effects(const options *o, const drawing *j, const ef
         table_text(&t, "%s", k < 0 || e->mask >> k & 1 ? "yes" : "no");
         table_count(&t, j->counts.rays[at]);
         table_number(&t, samples > 0 ? (double)j->counts.rays[at] / samples : 0);
-        if (k == 5 || k == 8) table_text(&t, "-");  /* no rays of their own */
+        if (k == RAY_ABSORBED || k == RAY_OF_LENS) table_text(&t, "-");  /* no rays of their own */
         else table_number(&t, price_share(timed, at) * j->seconds * 1e3);
     }
     output_table(o, &t);

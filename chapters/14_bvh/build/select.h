@@ -18,7 +18,7 @@
 #ifndef BVH_SELECT_H
 #define BVH_SELECT_H
 
-#include "node.h"
+#include "../node.h"
 #include <stddef.h>
 
 typedef struct { bvh_box box; uint32_t index; } bvh_item;

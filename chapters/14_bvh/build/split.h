@@ -28,8 +28,8 @@
 #ifndef BVH_SPLIT_H
 #define BVH_SPLIT_H
 
-#include "../../common/file.h"
-#include "../../common/numbers/radix.h"
+#include "../../../common/file.h"
+#include "../../../common/numbers/radix.h"
 #include "select.h"
 
 typedef struct {

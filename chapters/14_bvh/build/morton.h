@@ -30,7 +30,7 @@
 #ifndef BVH_MORTON_H
 #define BVH_MORTON_H
 
-#include "../../common/numbers/radix.h"
+#include "../../../common/numbers/radix.h"
 #include "store.h"
 
 enum { morton_bits = 21 };

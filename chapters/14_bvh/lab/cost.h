@@ -1,6 +1,5 @@
-/* stats.h: what a tree looks like, what the heuristic says it costs, how much boxes overlap.
+/* cost.h: what the heuristic says a tree costs, and how much its boxes overlap.
  *
- *   structure_stats s = tree_stats(&t);     s.items: references, too: a tree knows no triangles
  *   tree_cost c = tree_cost_of(&t);
  *   c.nodes, c.tests    pairs of boxes and items that a random line through the root tests, if
  *                       no hit ends the search                                            (14.7)
@@ -18,23 +17,14 @@
  * meet convex bodies); T. Aila, T. Karras, S. Laine, "On Quality Metrics of Bounding Volume
  * Hierarchies", HPG 2013 (what the heuristic misses: overlap).
  */
-#ifndef BVH_STATS_H
-#define BVH_STATS_H
+#ifndef BVH_COST_H
+#define BVH_COST_H
 
-#include "search.h"
+#include "../search.h"
 
 typedef struct { double nodes, tests, overlap; } tree_cost;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline structure_stats tree_stats(const bvh_tree *t)
-{
-    structure_stats s = {.references = t->items, .items = t->items, .depth = t->depth,
-                         .bytes = t->bytes, .peak = t->peak};
-    for (size_t i = 0; t->items && i < t->nodes; i++) s.leaves += i != 1 && t->node[i].count > 0;
-    s.inner = s.leaves ? s.leaves - 1 : 0;
-    return s;
-}
 
 static inline tree_cost tree_cost_of(const bvh_tree *t)
 {
