@@ -161,7 +161,7 @@ static void test_leaks(void)
     check_equal(odd, 0, "counts that are possible");
     check_at_least(lost, rays / 2000, "the leaky search loses rays at edges and corners");
     check_at_least(lost_any, rays / 2000, "and so does its shadow");
-    check_at_most(far, rays / 100, "but where it hits, t is near the true one");
+    check_at_most(far, rays / 20, "but where it hits, t is near the true one, or on the far side");
     bvh8_free(&w);
     mesh_free(&m);
 }
