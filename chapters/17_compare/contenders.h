@@ -24,6 +24,7 @@
 #define COMPARE_CONTENDERS_H
 
 #include "../14_bvh/bvh.h"
+#include "../15_wide_bvh/bvh8.h"
 #include "../10_grid/nested.h"
 #include "../11_octree/octree.h"
 #include "../12_kdtree/kdtree.h"
@@ -47,6 +48,7 @@
     LINE(bvh, "bvh", bvh, bvh_how_for(x, "sah"), CONTENDER_USUAL)                                  \
     LINE(bvh_morton, "bvh-morton", bvh, bvh_how_for(x, "morton"), CONTENDER_USUAL)                 \
     LINE(bvh_spatial, "bvh-spatial", bvh, bvh_how_for(x, "spatial"), CONTENDER_USUAL)             \
+    LINE(wide, "wide", bvh8, bvh8_defaults, CONTENDER_USUAL)                                      \
     LINE(example, "example", example, ((example_options){0}), CONTENDER_USUAL)                    \
     LINE(first_mesh, "first-mesh", first_items, first_items_how(brute), CONTENDER_FIRST)          \
     LINE(first_grid, "first-grid", first_items, first_items_how(grid), CONTENDER_FIRST)           \
