@@ -364,7 +364,7 @@ static void test_lost_way(const contender *c, bool any)
     double begins = at ? strtod(at + strlen("begins at t = "), NULL) : 0;
     check_close(begins, (double)p->due.t - 3, 1e-5, "%s: lost from more than 3 away: %s", c->name,
                 text);
-    bool explains = c != &example_contender;
+    bool explains = c != &example_contender && c != &wide_contender;
     check(!explains || strstr(text, strcmp(c->type, "bvh") == 0 ? "all these boxes hold the point"
                                                                 : "the search skips"),
           "%s: its cells are right: %s", c->name, text);
@@ -525,7 +525,8 @@ static void test_misuse(void)
         {"--only example:leaf=1", "none"}, {"--only bvh:rule=best", "morton"},
         {"--sweep bvh", "bvh:leaf=1..32"}, {"--sweep bvh:leaf=9..8", "FROM..TO"},
         {"--sweep bvh:leaf=1..4 --verify", "--sweep"}, {"--up z", "--mesh"},
-        {"--costs x", "--rays"}, {"--score x", "--torture"}, {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"}};
+        {"--costs x", "--rays"}, {"--score x", "--torture"},
+        {"--torture d --verify", "of its own"}, {"--report r.html --verify", "--report"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         check_equal(run("17_compare", wrong[i].arguments), 2, "%s", wrong[i].arguments);
         check(printed("err", wrong[i].says), "%s: the message has %s", wrong[i].arguments,
@@ -727,14 +728,15 @@ static void test_own(void)
 static void test_torture(void)
 {
     char arguments[600], command[600];
-    snprintf(arguments, sizeof arguments, "--quick --only bvh,first-mesh --torture %s/t", directory);
+    snprintf(arguments, sizeof arguments, "--quick --only bvh,first-mesh --torture %s/t",
+             directory);
     check_equal(run("17_compare", arguments), 0, "17_compare %s", arguments);
     check(printed("out", "Wrong answers of 200 a class"), "a table");
     snprintf(arguments, sizeof arguments, "--quick --torture %s/t --score x", directory);
     check_equal(run("17_compare", arguments), 1, "no such hits");
     check(printed("err", "inside.x.hits"), "says which file");
-    snprintf(command, sizeof command, "cd %s/t && for f in *.hits; do cp $f ${f%%.hits}.x.hits; done",
-             directory);
+    snprintf(command, sizeof command,
+             "cd %s/t && for f in *.hits; do cp $f ${f%%.hits}.x.hits; done", directory);
     check_equal(system(command), 0, "hits of another renderer");
     check_equal(run("17_compare", arguments), 0, "all of them right");
     snprintf(command, sizeof command, "cd %s/t && { tail -c +9 edges.hits; head -c 8 edges.hits; } "

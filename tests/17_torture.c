@@ -63,7 +63,7 @@ static bool ask_brute(const void *s, ray r, hit *h) { return items_hit(s, r, h);
 static bool ask_bvh(const void *s, ray r, hit *h) { return bvh_hit(s, r, h); }
 static bool ask_first(const void *s, ray r, hit *h) { return first_mesh_hit(s, r, h); }
 
-/* The default is right in each class; the lecture's triangle loses edges, in double and in float. */
+/* The default is right in each class; the lecture's triangle loses edges, in double, too. */
 static void test_classes(void)
 {
     size_t first = 0, easy = 0;

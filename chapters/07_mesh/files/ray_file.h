@@ -42,8 +42,8 @@ static inline char *records_read(const char *path, size_t size, const char *what
     size_t bytes;
     char *all = file_read(path, &bytes, f);
     if (!all || (bytes > 0 && bytes % size == 0)) return *n = all ? bytes / size : 0, all;
-    failed(f, 2, "%s: %zu bytes: a file of %s has %zu for each, and at least one", path, bytes, what,
-           size);
+    failed(f, 2, "%s: %zu bytes: a file of %s has %zu for each, and at least one", path, bytes,
+           what, size);
     free(all);
     return NULL;
 }

@@ -143,6 +143,7 @@ static inline void compare_all(const compare_settings *c, const compare_options 
         html_svg_end(r->html);
     }
     if (own->mesh[0] || own->scene || (!o->full && !c->large)) return;
+    torture_run(c, NULL, NULL);
     html_heading(r->html, "Growth");
     end_if_wrong(growth_run(o, &c->chosen, c->most_bytes, c->large, r->html));
     output_chart(o, &r->bars, "17_compare_time.svg");

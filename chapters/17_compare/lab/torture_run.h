@@ -1,6 +1,6 @@
 /* torture_run.h: --torture FOLDER: the exact cases of torture.h in files, and who gets them wrong.
  *
- *   torture_run(&settings, folder, score)
+ *   torture_run(&settings, folder, score)   folder NULL: writes nothing
  *
  * Writes CLASS.obj, CLASS.rays and CLASS.hits (what is right) for each class, asks every structure,
  * and prints how many answers are wrong. score, not NULL: reads CLASS.SCORE.hits instead, which any
@@ -102,19 +102,19 @@ static inline size_t torture_row(table *out, const char *name, const torture_sco
 
 static inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
-    size_t n = c->o->quick ? 200 : c->o->full ? 10000 : 2000, faults = 0;
+    size_t n = c->o->quick ? 200 : 2000, faults = 0;
     int rows = who ? 1 : c->chosen.n;
     char columns[256] = "structure", title[160];
     torture_score *score = allocate((size_t)rows, sizeof *score);
     memset(score, 0, (size_t)rows * sizeof *score);
-    if (!who && mkdir(folder, 0777) != 0 && errno != EEXIST)
+    if (folder && !who && mkdir(folder, 0777) != 0 && errno != EEXIST)
         die(1, "%.200s: cannot be made: %s", folder, strerror(errno));
     for (int k = 0; k < torture_classes; k++) {
         snprintf(columns + strlen(columns), sizeof columns - strlen(columns), "|%s",
                  torture_list[k].name);
         compare_progress("torture", "asking about", torture_list[k].name);
         torture t = torture_make(k, n, c->o->seed);
-        if (!who) torture_write(&t, folder, k);
+        if (folder && !who) torture_write(&t, folder, k);
         for (int j = 0; j < rows; j++) {
             if (who) torture_read(folder, who, &t, k, score);
             else torture_ask(&c->chosen.of[j], c->most_bytes, &t, k, &score[j]);
@@ -129,10 +129,11 @@ static inline void torture_run(const compare_settings *c, const char *folder, co
         size_t wrong = torture_row(&out, who ? who : c->chosen.of[j].label, &score[j]);
         faults += who || !contender_is_first(c->chosen.of[j].c) ? wrong : 0;
     }
-    output_table(c->o, &out);
+    if (folder) output_table(c->o, &out);
+    else output_extra_table(c->o, &out);
     for (int k = 0; k < torture_classes; k++)
         printf("# %-8s %s\n", torture_list[k].name, torture_list[k].what);
-    if (!who) output_note(folder);
+    if (folder && !who) output_note(folder);
     free(score);
     if (faults) die(1, "%zu answers are wrong: see above", faults);
 }
