@@ -36,7 +36,8 @@ typedef struct {
     const char *name;
     option_kind kind;
     void *value;               /* bool, int, double, const char *, int[2] */
-    double lowest, highest;    /* allowed, both included; of a size: each side */
+    double lowest, highest;    /* allowed, both included; of a size: each side; of an input: both
+                                  the most files there may be, in an array; 0: one */
     const char *what;          /* for --help */
 } option;
 
@@ -71,11 +72,19 @@ static inline double option_number(const char *text, const char **end)
     return after > text && after <= text + n ? x : (double)NAN;
 }
 
+/* Where the name of a file goes: of several the first place that is free, or the last. */
+static inline const char **option_place(const option *o)
+{
+    const char **at = o->value;
+    for (int k = 1; o->kind == OPTION_INPUT && k < o->highest && *at; k++) at++;
+    return at;
+}
+
 /* Stores the value of one option; false if it can't be read or is out of range. */
 static inline bool option_store(const option *o, const char *text)
 {
     if (o->kind == OPTION_TEXT || o->kind >= OPTION_INPUT)
-        return *(const char **)o->value = text, *text != 0;
+        return *option_place(o) = text, *text != 0;
     const char *end;
     double x[2] = {option_number(text, &end), 0};
     int n = o->kind == OPTION_SIZE ? 2 : 1;
@@ -112,9 +121,9 @@ static inline int option_read(const option *lists[2], int argc, char **argv, int
     if (!o) die(2, "%.200s: this program reads no file (see --help)", word);
     if (o->kind == OPTION_INPUT && word[0] != '-' && access(word, F_OK) != 0)
         die(2, "%.300s: no such file, and options begin with -- (see --help)", word);
-    if (word[0] != '-' && *(const char **)o->value)
-        die(2, "%.200s and %.200s: one file at a time", *(const char **)o->value, word);
-    if (word[0] != '-') return *(const char **)o->value = word, i;
+    if (word[0] != '-' && *option_place(o))
+        die(2, "%.200s and %.200s: one file at a time", *option_place(o), word);
+    if (word[0] != '-') return *option_place(o) = word, i;
     if (o->kind == OPTION_FLAG) {
         if (value) die(2, "--%s takes no value: %.200s", o->name, word);
         return *(bool *)o->value = true, i;
@@ -153,19 +162,22 @@ static inline bool option_same_file(const char *a, const char *b)
 static inline void options_check_files(const option *lists[2])
 {
     const option *all[64];
+    const char *path[64];
     int n = 0;
     failure f;
     for (int l = 0; l < 2; l++)
         for (const option *o = lists[l]; o && o->name && n < 64; o++)
-            if (o->kind >= OPTION_INPUT && *(const char **)o->value) all[n++] = o;
+            for (int k = 0; o->kind >= OPTION_INPUT && (k == 0 || k < o->highest) && n < 64; k++) {
+                const char *name = ((const char **)o->value)[k];
+                if (name) all[n] = o, path[n++] = name;
+            }
     for (int i = 0; i < n; i++) {
-        const char *path = *(const char **)all[i]->value;
         if (all[i]->kind != OPTION_OUTPUT) continue;
         for (int k = 0; k < n; k++)
-            if (k != i && option_same_file(path, *(const char **)all[k]->value)
-                && strncmp(path, "/dev/", 5) != 0)
-                die(2, "--%s %.200s: is the file of --%s", all[i]->name, path, all[k]->name);
-        if (!file_try(path, &f)) fail(f);
+            if (k != i && option_same_file(path[i], path[k])
+                && strncmp(path[i], "/dev/", 5) != 0)
+                die(2, "--%s %.200s: is the file of --%s", all[i]->name, path[i], all[k]->name);
+        if (!file_try(path[i], &f)) fail(f);
     }
 }
 

@@ -262,7 +262,7 @@ static void check_lists(const char *what, const items *x, grid_options o)
 
 static void test_lists(void)
 {
-    mesh m = teapot_mesh(3), floors = floors_mesh(2);
+    mesh m = teapot_mesh(check_count(8) > 1 ? 3 : 2), floors = floors_mesh(2);
     items x = items_of_mesh(&m), y = items_of_mesh(&floors);
     grid_options o = grid_defaults;
     o.density = 4;

@@ -3,8 +3,8 @@
 #include "check.h"
 #include "../common/random.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
+#include "../chapters/17_compare/lab/compare.h"
 #include "../chapters/17_compare/lab/scenes.h"
-#include "../chapters/17_compare/compare.h"
 
 static vec3 random_vec3(random_stream *g, real size)
 {
@@ -86,16 +86,18 @@ static void test_contenders(void)
     scene s = {&ball, 1};
     items x = items_of_mesh(&pot), round = items_of_scene(&s);
     failure f;
-    for (int k = full_contenders; k < contenders; k++) {
+    const contender_settings none = {.n = 0};
+    for (int k = 0; k < contenders; k++) {
         const contender *c = contender_list[k];
-        void *built = contender_build(c, &x, (size_t)1 << 30, &f);
+        if (!contender_is_first(c)) continue;
+        void *built = contender_build(c, &none, &x, (size_t)1 << 30, &f);
         hit h, due;
         ray r = ray_from((vec3){(real)0.1, -9, 1}, (vec3){0, 1, 0});
         check(built && c->hit(built, r, &h) && mesh_hit(&pot, r, &due)
               && !first_is_wrong(h, due) && c->occluded(built, r), "%s", c->name);
         contender_free(c, built);
-        check(!contender_build(c, &round, (size_t)1 << 30, &f), "%s: a ball", c->name);
-        check(!contender_build(c, &x, 1000, &f), "%s: no room", c->name);
+        check(!contender_build(c, &none, &round, (size_t)1 << 30, &f), "%s: a ball", c->name);
+        check(!contender_build(c, &none, &x, 1000, &f), "%s: no room", c->name);
     }
     mesh_free(&pot);
 }
@@ -107,9 +109,10 @@ static void test_wrong_is_counted(void)
     world w;
     failure f;
     if (!scene_world(scene_find("soup"), 1, &w, &f)) fail(f);
-    compare_begin(&s, &w, ((1u << contenders) - 1) & ~1u, (size_t)1 << 30, 1);
-    compare_rays(&s, whole_view, 24, 7);
-    check(compare_prove(&s, 400, 7, stdout), "the full versions are right");
+    line_up all = choose_usual();
+    compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
+    compare_rays(&s, whole_view, 576, 7);
+    check(compare_prove(&s, SIZE_MAX, 400, 7, stdout), "the full versions are right");
     for (int k = 0; k < s.entries; k++) {
         const compare_entry *e = &s.entry[k];
         if (!contender_is_first(e->c)) check_equal(e->held[0] + e->held[1], 0, "%s", e->c->name);

@@ -100,7 +100,7 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     # Options of a program that name a file to read: missing, a directory, not of that kind.
     for option in $("$program" --help | sed -n -e 's/^  --\([a-z]*\) FILE .*/\1/p' \
             -e 's/^  --\([a-z]*\) TEXT .*FILE.*/\1/p'); do
-        case $option in out | csv | hits | save) continue ;; esac
+        case $option in out | csv | hits | save | costs | report) continue ;; esac
         run 1 --quick "--$option" no/such.file; says "no/such.file: cannot read: No such file"
         run 1 --quick "--$option" .; says "cannot read: Is a directory"
         head -c 1000 "$program" >garbage

@@ -10,6 +10,8 @@
  *   structure_stats X_stats(&s)
  *   void X_free(&s)                     a zeroed one may be freed
  *
+ *   STRUCTURE_VERBS(X)                  makes the four that search from one:
+ *                                       bool X_ask(&s, r, any, &h, &w)    any: h is not touched
  *   double structure_room(n)            where cuts part nothing: see there
  *
  * x: what it holds; items.h.
@@ -98,5 +100,25 @@ static inline bool query_answer(const query *q, hit *out)
     *out = q->best;
     return true;
 }
+
+#define STRUCTURE_VERBS(X)                                                                       \
+    static inline bool X##_hit_counted(const X *s, ray r, hit *out, search_work *w)              \
+    {                                                                                            \
+        return X##_ask(s, r, false, out, w);                                                     \
+    }                                                                                            \
+    static inline bool X##_occluded_counted(const X *s, ray r, search_work *w)                   \
+    {                                                                                            \
+        return X##_ask(s, r, true, NULL, w);                                                     \
+    }                                                                                            \
+    static inline bool X##_hit(const X *s, ray r, hit *out)                                      \
+    {                                                                                            \
+        search_work w = {0, 0, 0, 0};                                                            \
+        return X##_ask(s, r, false, out, &w);                                                    \
+    }                                                                                            \
+    static inline bool X##_occluded(const X *s, ray r)                                           \
+    {                                                                                            \
+        search_work w = {0, 0, 0, 0};                                                            \
+        return X##_ask(s, r, true, NULL, &w);                                                    \
+    }
 
 #endif

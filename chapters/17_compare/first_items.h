@@ -2,7 +2,7 @@
  * 10): what the notes' own algorithms cost beside the full versions. They may be wrong: compare.h
  * holds them against brute force, marks them, and goes on.
  *
- *   first_items_options{which}     first_use_grid .. first_use_bvh: one of them is built
+ *   first_items_how(bvh)     brute, grid .. bvh: one of them is built
  *
  * Triangles only; a BSP tree of more than first_bsp_most is not built: it takes too long. They do
  * not say what they hold, and count tests, not steps.
@@ -15,6 +15,7 @@
 #include "first.h"
 
 typedef struct { int which; size_t most_bytes; } first_items_options;
+#define first_items_how(which) ((first_items_options){first_use_##which, 0})
 typedef struct { first_mesh m; first_contest c; int which; } first_items;
 
 enum { first_bsp_most = 20000, first_bytes = 2000 };  /* a triangle, at a guess */
@@ -37,7 +38,8 @@ static inline bool first_items_build(const items *x, first_items_options how, fi
     case first_use_octree: first_octree_build(&out->m, &out->c.octree); break;
     case first_use_kdtree: first_kdtree_build(&out->m, &out->c.kdtree); break;
     case first_use_bsp: first_bsp_build(&out->m, &out->c.bsp); break;
-    default: out->c.bvh = first_bvh_build(&out->m, true);
+    case first_use_bvh: out->c.bvh = first_bvh_build(&out->m, true); break;
+    default: break;
     }
     return true;
 }

@@ -2,28 +2,44 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 17_compare chapters/17_compare/main.c -lm -lpthread
  *
  * Without options: two pictures, four small scenes in one table. --full: ten scenes, four kinds of
- * rays, a table each; growth with n; a chart, three plots. --scene or --mesh: one scene. --rays:
- * those of a file. --verify: all rays by brute force, too. --protocol spd: the published counts. */
+ * rays, a table each; growth with n; a chart, plots. --scene, --mesh: these scenes. --sweep: one
+ * option from end to end. --verify: all rays by brute force, too. --report: in one HTML file.
+ * --rays: those of a file. --protocol spd: the published counts. */
 #include "lab/run.h"
 
 int main(int argc, char **argv)
 {
     compare_options own = {.scale = -1, .megabytes = 2048};
     const option list[] = {
+        {"mesh", OPTION_INPUT, own.mesh, most_meshes, most_meshes,
+         "FILE.obj or .nff, several: these, and not the scenes of the book"},
+        {"up", OPTION_TEXT, &own.up, 0, 0, "y (default) or z points up in an OBJ file"},
+        {"from", OPTION_TEXT, &own.from, 0, 0, "X,Y,Z: the eye, for --mesh"},
+        {"at", OPTION_TEXT, &own.at, 0, 0, "X,Y,Z: where it looks"},
+        {"angle", OPTION_REAL, &own.angle, 1e-3, 179, "of the view, degrees"},
         {"scene", OPTION_TEXT, &own.scene, 0, 0,
          "balls gears mount rings teapot tetra tree stadium soup or needles, alone"},
         {"scale", OPTION_INT, &own.scale, 0, 10000, "its size, see README"},
-        {"mesh", OPTION_INPUT, &own.mesh, 0, 0, "FILE.obj: this mesh, y up"},
-        {"rays", OPTION_INPUT, &own.files.rays, 0, 0,
-         "FILE of rays: ox oy oz tmin dx dy dz tmax, float32"},
-        {"any-hit", OPTION_FLAG, &own.files.any, 0, 0, "with --rays: is there any hit at all?"},
-        {"hits", OPTION_OUTPUT, &own.files.hits, 0, 0, "with --rays: their t and shape go here"},
-        {"only", OPTION_TEXT, &own.only, 0, 0, "these structures, with commas between"},
-        {"protocol", OPTION_TEXT, &own.protocol, 0, 0, "spd: counts as they were published"},
+        {"only", OPTION_TEXT, &own.only, 0, 0,
+         "these structures, with options: bvh:leaf=8,kdtree:bonus=0"},
+        {"sweep", OPTION_TEXT, &own.sweep, 0, 0,
+         "bvh:leaf=1..32: building against searching, among all structures"},
+        {"report", OPTION_OUTPUT, &own.report, 0, 0, "all of it in one HTML file"},
         {"verify", OPTION_FLAG, &own.verify, 0, 0,
          "all rays by brute force, too; explain what differs"},
         {"region", OPTION_TEXT, &own.region, 0, 0,
          "with --verify: X0,Y0,X1,Y1 of the view, -1 to 1"},
+        {"rays", OPTION_INPUT, &own.files.rays, 0, 0,
+         "FILE of rays: ox oy oz tmin dx dy dz tmax, float32"},
+        {"any-hit", OPTION_FLAG, &own.files.any, 0, 0, "with --rays: is there any hit at all?"},
+        {"hits", OPTION_OUTPUT, &own.files.hits, 0, 0, "with --rays: their t and shape go here"},
+        {"costs", OPTION_OUTPUT, &own.files.costs, 0, 0,
+         "with --rays: a CSV of each ray's hit, steps and tests"},
+        {"torture", OPTION_TEXT, &own.torture, 0, 0,
+         "FOLDER: rays with exact answers go there, and all structures answer"},
+        {"score", OPTION_TEXT, &own.score, 0, 0,
+         "NAME: with --torture: judges FOLDER/CLASS.NAME.hits of another renderer"},
+        {"protocol", OPTION_TEXT, &own.protocol, 0, 0, "spd: counts as they were published"},
         {"large", OPTION_FLAG, &own.large, 0, 0, "scenes of 1e4 to 1e6 shapes, growth to 2e6"},
         {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
          "MB that all structures may hold together"},
@@ -31,12 +47,14 @@ int main(int argc, char **argv)
     options o = options_read(argc, argv, "17_compare",
                              "Every structure on the same scenes and the same rays.",
                              (options){.width = 1000, .height = 400, .seed = 1}, list);
-    compare_settings c = {&o, chosen_of(own.only), (size_t)own.megabytes << 20, {-1, -1, 1, 1},
-                          own.large};
+    compare_settings c = {&o, own.sweep ? swept_of(own.sweep) : chosen_of(own.only),
+                          (size_t)own.megabytes << 20, {-1, -1, 1, 1}, own.large};
     const generator *g = own.scene ? scene_find(own.scene) : NULL;
     check_options(&o, &own);
     read_region(own.region, c.region);
-    if (own.protocol) protocol_run(c, own.only, g, own.scale);
-    else compare_run(c, &own);
+    o.own = own.mesh[0] != NULL;
+    if (own.torture) torture_run(&c, own.torture, own.score);
+    else if (own.protocol) protocol_run(c, own.only, g, own.scale);
+    else compare_run(&c, &own);
     return output_done(&o);
 }

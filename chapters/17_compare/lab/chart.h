@@ -2,7 +2,8 @@
  *
  *   compare_chart c = chart_new("A ray and its share of building");
  *   int p = chart_panel(&c, "balls");
- *   chart_bar(&c, p, "bvh", 212, 300);    ns a ray, ns of building a shape; 0 or less: does not fit
+ *   chart_bar(&c, p, "bvh", 212, 0.02, 300);    ns a ray, half of what lies between its quartiles,
+ *                                relative; ns of building a shape; ns a ray 0 or less: does not fit
  *   output_chart(&o, &c, "17_compare_time.svg");       frees it
  *
  * Each kind of bar has its own scale in each panel, linear from 0 to the longest; brute force, a
@@ -13,7 +14,7 @@
 
 #include "../../../common/lab/report.h"
 
-typedef struct { int panel; char name[24]; double ray, build; } chart_value;
+typedef struct { int panel; char name[44]; double ray, spread, build; } chart_value;
 typedef struct {
     const char *title;
     int panels;
@@ -28,20 +29,20 @@ enum { chart_columns = 2, chart_wide = 430, chart_row = 24, chart_bar_most = 190
 
 static inline compare_chart chart_new(const char *title) { return (compare_chart){.title = title}; }
 
-static inline int chart_panel(compare_chart *c, const char *name)  /* at most 16 */
+static inline int chart_panel(compare_chart *c, const char *name)  /* -1: there are 16 */
 {
-    if (c->panels == 16) abort();
+    if (c->panels == 16) return -1;
     snprintf(c->name[c->panels], sizeof c->name[0], "%.31s", name);
     return c->panels++;
 }
 
 static inline void chart_bar(compare_chart *c, int panel, const char *name, double ray,
-                             double build)
+                             double spread, double build)
 {
     c->value = grown(c->value, c->n, &c->room, sizeof *c->value);
     chart_value *v = &c->value[c->n++];
-    *v = (chart_value){.panel = panel, .ray = ray, .build = build};
-    snprintf(v->name, sizeof v->name, "%.23s", name);
+    *v = (chart_value){panel, "", ray, spread, build};
+    snprintf(v->name, sizeof v->name, "%.43s", name);
 }
 
 static inline void chart_text(FILE *out, int x, int y, int size, const char *anchor,
@@ -64,7 +65,7 @@ static inline void chart_row_of(FILE *out, const chart_value *v, int x, int y, d
                                 double most_build)
 {
     char text[72] = "does not fit";
-    chart_text(out, x + 84, y + 15, 12, "end", v->name);
+    chart_text(out, x + 84, y + 15, strlen(v->name) > 12 ? 9 : 12, "end", v->name);
     int ray = 0, build = 0;
     if (v->ray > 0) {
         ray = (int)(chart_bar_most * v->ray / most_ray + 0.5);
@@ -77,6 +78,10 @@ static inline void chart_row_of(FILE *out, const chart_value *v, int x, int y, d
             ray);
     fprintf(out, "<rect x='%d' y='%d' width='%d' height='6' fill='#E69F00'/>\n", x + 90, y + 13,
             build);
+    double off = chart_bar_most * v->ray * v->spread / most_ray;
+    if (v->ray > 0)
+        fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n",
+                x + 90 + ray - off, y + 7, x + 90 + ray + off);
     chart_text(out, x + 96 + (ray > build ? ray : build), y + 15, 11, "start", text);
 }
 
@@ -108,13 +113,15 @@ static inline void chart_write(const compare_chart *c, FILE *out)
     }
     high = (rows + 1) * chart_row + 16;
     fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' "
-                 "font-family='sans-serif'>\n<rect width='100%%' height='100%%' fill='white'/>\n",
-            chart_columns * chart_wide, 60 + lines * high);
+                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n"
+                 "<rect width='100%%' height='100%%' fill='white'/>\n",
+            chart_columns * chart_wide, 60 + lines * high, chart_columns * chart_wide,
+            60 + lines * high);
     chart_text(out, chart_columns * chart_wide / 2, 22, 15, "middle", c->title);
     fprintf(out, "<rect x='94' y='34' width='20' height='9' fill='#0072B2'/>\n"
-                 "<rect x='254' y='35' width='20' height='6' fill='#E69F00'/>\n");
-    chart_text(out, 120, 43, 12, "start", "a ray [ns]");
-    chart_text(out, 280, 43, 12, "start", "building [ns a shape]");
+                 "<rect x='354' y='35' width='20' height='6' fill='#E69F00'/>\n");
+    chart_text(out, 120, 43, 12, "start", "a ray [ns], median and quartiles");
+    chart_text(out, 380, 43, 12, "start", "building [ns a shape]");
     for (int p = 0; p < c->panels; p++)
         chart_draw_panel(out, c, p, p % chart_columns * chart_wide, 56 + p / chart_columns * high);
     fprintf(out, "</svg>\n");

@@ -1,7 +1,8 @@
 /* costs.h: what each structure costs on a scene: build, memory, work and time a ray.
  *
- *   cost_measure(&s, rounds)        each kind of rays, all structures in turn, medians, one thread
- *   cost_table(&o, &s, title)       a table of the scene, and who is cheapest for how many rays
+ *   cost_measure(&s, turns)         each kind of rays, all structures in turn, medians, one thread
+ *   cost_kind(&s, kind, turns)      one kind
+ *   cost_table(&o, &s, title, to)   a table of the scene, and who is cheapest for how many rays
  *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
  *   cost_total(&s, e, rays)         seconds for so many rays of this mix, building included
  *
@@ -14,14 +15,19 @@
  *   build, and ns         T_B, T_R
  *   pays after            so many rays of the scene's mix take brute force as long as building
  *
- * Brute force is timed with a part of the rays, so many as 5e6 tests allow.
+ * A turn: a quarter of the rays, untimed, so that the structure is in the cache again; then all of
+ * them, timed; steps and tests are counted with that quarter. A median of 20,000 rays stands still
+ * within some percent; of 2,000 that come after ten other structures a third is waiting for memory.
+ * Who takes more than cost_patience seconds a turn has fewer turns, one at least. Brute force is
+ * timed with a part of the rays, so many as 5e6 tests allow; first versions with 2,500, once.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "../compare.h"
+#include "html.h"
+#include "knobs.h"
 
 #define cost_columns                                                                            \
     "scene|structure|kind|rays|hits|build_s|bytes|peak_bytes|inner|leaves|empty|references|depth|" \
@@ -38,42 +44,59 @@ static inline void cost_count(compare_entry *e, compare_kind kind, const ray_set
     for (size_t i = 0; i < some->n; i++)
         if (kind == KIND_SHADOW) e->c->occluded_counted(e->s, some->r[i], &w);
         else e->c->hit_counted(e->s, some->r[i], &h, &w);
-    e->work[kind] = w;
+    e->work[kind] = w, e->counted[kind] = some->n;
 }
 
-static inline void cost_kind(comparison *s, compare_kind kind, int rounds)
+enum { cost_most_turns = 9 };
+static const double cost_patience = 0.05;
+
+static inline double cost_turn(compare_entry *e, compare_kind kind, const ray_set *all,
+                               const ray_set *warm, hit *out)
 {
-    double seconds[contenders][9];
+    bool any = kind == KIND_SHADOW;
+    e->c->search(e->s, warm->r, warm->n, any, out);
+    double start = work_seconds();
+    e->hits[kind] = e->c->search(e->s, all->r, all->n, any, out);
+    return work_seconds() - start;
+}
+
+/* A sorted list; see bench.h. */
+static inline void cost_note(compare_entry *e, compare_kind kind, double *seconds, int n)
+{
+    e->seconds[kind] = n ? clock_median(seconds, n) : 0;
+    double quartiles = n ? seconds[n - 1 - n / 4] - seconds[n / 4] : 0;
+    e->spread[kind] = e->seconds[kind] > 0 ? quartiles / 2 / e->seconds[kind] : 0;
+}
+
+static inline void cost_kind(comparison *s, compare_kind kind, int turns)
+{
+    double seconds[compare_most][cost_most_turns];
+    int done[compare_most] = {0};
+    ray_set few = rays_some(&s->rays[kind], 5000000 / (s->x.n + 1) / (size_t)turns + 4);
+    ray_set some = rays_some(&s->rays[kind], 2500);
     hit *out = allocate(s->rays[kind].n, sizeof *out);
-    for (int k = 0; k < s->entries; k++) {
-        compare_entry *e = &s->entry[k];
-        bool slow = e->c == &brute_contender;
-        size_t most = slow ? 5000000 / (s->x.n + 1) / (size_t)rounds + 4 : SIZE_MAX;
-        ray_set some = rays_some(&s->rays[kind], most);
-        if (e->s) cost_count(e, kind, &some);
-        e->rays[kind] = some.n;
-        rays_free(&some);
-    }
-    for (int round = -1; round < rounds; round++)
+    for (int turn = 0; turn < turns; turn++)
         for (int k = 0; k < s->entries; k++) {
             compare_entry *e = &s->entry[k];
-            compare_progress(s->w->name, "timing", e->c->name);
-            if (!e->s || (round < 0 && e->c == &brute_contender)) continue;
-            ray_set some = rays_some(&s->rays[kind], e->rays[kind]);
-            double start = work_seconds();
-            e->hits[kind] = e->c->search(e->s, some.r, some.n, kind == KIND_SHADOW, out);
-            if (round >= 0) seconds[k][round] = work_seconds() - start;
-            rays_free(&some);
+            bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
+            const ray_set *all = slow ? &few : contender_is_first(e->c) ? &some : &s->rays[kind];
+            if (turn > 0 && all == &some) continue;
+            if (!e->s || (turn > 0 && turn * seconds[k][0] > turns * cost_patience)) continue;
+            compare_progress(s->w->name, "timing", e->choice->label);
+            ray_set warm = rays_some(all, all->n / 4 + 1);
+            if (turn == 0) cost_count(e, kind, &warm), e->rays[kind] = all->n;
+            seconds[k][done[k]++] = cost_turn(e, kind, all, &warm, out);
+            rays_free(&warm);
         }
-    for (int k = 0; k < s->entries; k++)
-        s->entry[k].seconds[kind] = s->entry[k].s ? clock_median(seconds[k], rounds) : 0;
+    for (int k = 0; k < s->entries; k++) cost_note(&s->entry[k], kind, seconds[k], done[k]);
     compare_progress(s->w->name, NULL, NULL);
+    rays_free(&few), rays_free(&some);
     free(out);
 }
 
-static inline void cost_measure(comparison *s, int rounds)  /* [1, 9] */
+static inline void cost_measure(comparison *s, int turns)  /* [1, 9] */
 {
-    for (int kind = 0; kind < compare_kinds; kind++) cost_kind(s, (compare_kind)kind, rounds);
+    for (int kind = 0; kind < compare_kinds; kind++) cost_kind(s, (compare_kind)kind, turns);
 }
 
 static inline double cost_ns(const compare_entry *e, int kind)
@@ -81,16 +104,27 @@ static inline double cost_ns(const compare_entry *e, int kind)
     return per(e->seconds[kind] * 1e9, e->rays[kind]);
 }
 
-/* Seconds a ray, every kind counting by how many of it the scene has. */
+/* Seconds a ray, every kind that was timed counting by how many of it the scene has. */
 static inline double cost_mean(const comparison *s, const compare_entry *e)
 {
     double sum = 0;
     size_t n = 0;
     for (int k = 0; k < compare_kinds; k++) {
+        if (e->rays[k] == 0) continue;
         sum += cost_ns(e, k) * 1e-9 * (double)s->rays[k].n;
         n += s->rays[k].n;
     }
     return per(sum, n);
+}
+
+/* The same of spreads. */
+static inline double cost_spread(const compare_entry *e)
+{
+    double sum = 0;
+    int n = 0;
+    for (int k = 0; k < compare_kinds; k++)
+        if (e->rays[k]) sum += e->spread[k], n++;
+    return n ? sum / n : 0;
 }
 
 static inline double cost_total(const comparison *s, const compare_entry *e, double rays)
@@ -105,7 +139,7 @@ static inline search_work cost_work(const compare_entry *e, size_t *rays)
     for (int k = 0; k < compare_kinds; k++) {
         w.nodes += e->work[k].nodes, w.leaves += e->work[k].leaves;
         w.empty += e->work[k].empty, w.tests += e->work[k].tests;
-        *rays += e->rays[k];
+        *rays += e->counted[k];
     }
     return w;
 }
@@ -121,7 +155,7 @@ static inline void cost_cheapest(const comparison *s)
         if (!now || cost_total(s, e, 1) < cost_total(s, now, 1)) now = e;
     }
     if (!now) return;
-    printf("# cheapest in all: %s", now->c->name);
+    printf("# cheapest in all: %s", now->choice->label);
     for (;;) {
         const compare_entry *next = NULL;
         double from = HUGE_VAL;
@@ -133,7 +167,7 @@ static inline void cost_cheapest(const comparison *s)
             if (gain > 0.03 * cost_mean(s, now) && at < 0.9 * from) from = at, next = e;
         }
         if (!next) break;
-        printf(", from %.2g rays on %s", from, next->c->name);
+        printf(", from %.2g rays on %s", from, next->choice->label);
         now = next;
     }
     printf("\n");
@@ -145,7 +179,7 @@ static inline void cost_row(table *t, const comparison *s, const compare_entry *
     structure_stats st = e->stats;
     size_t rays;
     search_work w = cost_work(e, &rays);
-    table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->c->name);
+    table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->choice->label);
     if (!e->s) {
         table_text(t, "does not fit");
         for (int k = 0; k < 13; k++) table_text(t, "-");
@@ -171,10 +205,11 @@ static inline void cost_row(table *t, const comparison *s, const compare_entry *
 static inline void cost_print_wrong(const compare_entry *e)
 {
     printf("# %s: wrong at %zu of %zu rays from or to borders, at %zu of %zu others\n",
-           e->c->name, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
+           e->choice->label, e->wrong[0], e->held[0], e->wrong[1], e->held[1]);
 }
 
-static inline void cost_table(const options *o, const comparison *s, const char *title)
+static inline void cost_table(const options *o, const comparison *s, const char *title,
+                              html_report *to)
 {
     table t = table_new(title,
                         "structure|build [ms]|B/shape|peak [MB]|inner|leaves|empty|refs/shape|"
@@ -183,41 +218,43 @@ static inline void cost_table(const options *o, const comparison *s, const char 
     const compare_entry *slow = NULL;
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].c == &brute_contender) slow = &s->entry[k];
-    for (int k = 0; k < s->entries; k++) cost_row(&t, s, &s->entry[k], slow);
+    for (int k = 0; k < s->entries; k++)
+        if (s->entry[k].s || !contender_is_first(s->entry[k].c))
+            cost_row(&t, s, &s->entry[k], slow);
+    html_table(to, &t);
     output_extra_table(o, &t);
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].s && contender_is_first(s->entry[k].c)) cost_print_wrong(&s->entry[k]);
     for (int k = 0; k < s->entries; k++)
-        if (!s->entry[k].s)
-            printf("# %s does not fit: %s\n", s->entry[k].c->name, s->entry[k].why.text);
+        if (!s->entry[k].s && !contender_is_first(s->entry[k].c))
+            printf("# %s does not fit: %s\n", s->entry[k].choice->label, s->entry[k].why.text);
     cost_cheapest(s);
 }
 
 static inline void cost_csv_row(table *t, const comparison *s, const compare_entry *e,
-                                const char *kind, size_t rays, size_t hits, search_work w,
-                                double seconds)
+                                const char *name, compare_kind kind)
 {
     structure_stats st = e->stats;
-    size_t cells = 0;
+    size_t cells = 0, rays = e->s ? e->rays[kind] : 0, counted = e->counted[kind];
+    search_work w = e->work[kind];
     size_t count[] = {st.inner, st.leaves, st.empty, st.references, (size_t)st.depth};
-    table_text(t, "%s", s->w->name), table_text(t, "%s", e->c->name), table_text(t, "%s", kind);
-    table_count(t, rays), table_count(t, hits);
+    table_text(t, "%s", s->w->name), table_text(t, "%s", e->choice->label);
+    table_text(t, "%s", name);
+    table_count(t, rays), table_count(t, e->hits[kind]);
     table_text(t, "%.9f", e->build), table_count(t, st.bytes), table_count(t, st.peak);
     for (; cells < sizeof count / sizeof *count; cells++) table_count(t, count[cells]);
-    table_text(t, "%.6g", per((double)w.nodes, rays));
-    table_text(t, "%.6g", per((double)w.tests, rays));
-    table_text(t, "%.6g", per(seconds * 1e9, rays));
+    table_text(t, "%.6g", per((double)w.nodes, counted));
+    table_text(t, "%.6g", per((double)w.tests, counted));
+    table_text(t, "%.6g", cost_ns(e, kind));
 }
 
 /* A structure that does not fit has a row, too: no rays, no numbers. */
 static inline void cost_csv(table *t, const comparison *s)
 {
     for (int i = 0; i < s->entries; i++)
-        for (int k = 0; k < compare_kinds; k++) {
-            const compare_entry *e = &s->entry[i];
-            cost_csv_row(t, s, e, kind_name[k], e->s ? e->rays[k] : 0, e->hits[k], e->work[k],
-                          e->seconds[k]);
-        }
+        for (compare_kind k = 0; k < compare_kinds; k++)
+            if (s->entry[i].rays[k] || !s->entry[i].s)
+                cost_csv_row(t, s, &s->entry[i], kind_name[k], k);
 }
 
 /* The file of --csv; the tables on the screen have other columns. */

@@ -1,8 +1,9 @@
 /* growth.h: time, work and building against n: teapots of 56 to 2e6 triangles, diffuse rays.
  *
- *   growth_run(&o, chosen, most_bytes, large)    tables, fitted exponents, three plots
+ *   growth_run(&o, &chosen, most_bytes, large, report)    tables, fitted exponents, three plots
  *
- * Without `large`, structures whose building takes long are left out of the larger ones.
+ * Without `large`, who took more than growth_patience seconds to build the size before, or for a
+ * ray a hundred times as long as the fastest, is left out of the larger ones.
  *
  * time ~ n^a (17.9): 1 for brute force. A tree that does log n steps has an a that falls with n;
  * how many more steps a doubling of n takes is the better number. Least squares against log n.
@@ -11,15 +12,19 @@
 #define COMPARE_LAB_GROWTH_H
 
 #include "costs.h"
+#include "html.h"
 #include "scenes.h"
 
 enum { growth_sizes = 9 };  /* 64 n^2 - 8 n triangles each */
 static const int growth_fine[growth_sizes] = {1, 2, 4, 8, 16, 32, 64, 125, 177};
+static const double growth_patience = 0.7;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { int n; double x[growth_sizes], build[growth_sizes], ray[growth_sizes],
-                 steps[growth_sizes]; } growth_curve;
+typedef struct {
+    int n;
+    double x[growth_sizes], build[growth_sizes], ray[growth_sizes], steps[growth_sizes];
+} growth_curve;
 
 static inline void growth_note(growth_curve *c, const comparison *s, const compare_entry *e)
 {
@@ -28,51 +33,51 @@ static inline void growth_note(growth_curve *c, const comparison *s, const compa
     c->build[i] = e->build;
     c->ray[i] = cost_ns(e, KIND_DIFFUSE);
     c->steps[i] = per((double)(e->work[KIND_DIFFUSE].nodes + e->work[KIND_DIFFUSE].tests),
-                      e->rays[KIND_DIFFUSE]);
+                      e->counted[KIND_DIFFUSE]);
 }
 
-static inline bool growth_step(growth_curve *c, int fine, int edge, const options *o,
-                               unsigned chosen, size_t most_bytes)
+/* who[k]: which of the curves entry k continues. */
+static inline bool growth_step(growth_curve *c, const int *who, const line_up *now, int fine,
+                               const options *o, size_t most_bytes)
 {
     world w;
     comparison s;
     failure f;
     if (!mesh_world(&w, "teapot", teapot_mesh(fine), true, &f)) fail(f);
-    compare_begin(&s, &w, chosen, most_bytes, o->quick ? 1 : 3);
-    compare_rays(&s, whole_view, edge, o->seed);
-    bool ok = prove_rays(&s, s.rays[KIND_DIFFUSE].r, s.rays[KIND_DIFFUSE].n, false, stdout);
-    cost_kind(&s, KIND_DIFFUSE, o->quick ? 1 : 3);
-    for (int k = 0, i = 0; k < contenders; k++) {
-        if (!(chosen >> k & 1)) continue;
-        const compare_entry *e = &s.entry[i++];
-        if (e->s) growth_note(&c[k], &s, e);
-    }
+    compare_begin(&s, &w, now, most_bytes, o->quick ? 1 : 3);
+    compare_rays(&s, whole_view, o->quick ? 200 : compare_usual_rays, o->seed);
+    ray_set some = rays_some(&s.rays[KIND_DIFFUSE], 4000);
+    bool ok = prove_rays(&s, some.r, some.n, false, stdout);
+    rays_free(&some);
+    cost_kind(&s, KIND_DIFFUSE, o->quick ? 1 : 5);
+    for (int k = 0; k < s.entries; k++)
+        if (s.entry[k].s) growth_note(&c[who[k]], &s, &s.entry[k]);
     compare_end(&s);
     world_free(&w);
     return ok;
 }
 
-static inline void growth_table(const options *o, const growth_curve *c, unsigned chosen)
+static inline void growth_table(const options *o, const growth_curve *c, const line_up *all,
+                                html_report *to)
 {
-    char columns[512] = "triangles";
-    size_t length = strlen(columns);
+    char columns[512] = "structure";
     int longest = 0;
-    for (int k = 0; k < contenders; k++) {
-        if (!(chosen >> k & 1)) continue;
-        length += (size_t)snprintf(columns + length, sizeof columns - length, "|%s",
-                                   contender_list[k]->name);
+    for (int k = 0; k < all->n; k++)
         if (c[k].n > c[longest].n) longest = k;
+    for (int i = 0; i < c[longest].n; i++) {
+        size_t n = strlen(columns);
+        snprintf(columns + n, sizeof columns - n, "|%.0f", floor(exp2(c[longest].x[i]) + 0.5));
     }
     for (int pass = 0; pass < 2; pass++) {
-        table t = table_new(pass ? "Growth: nanoseconds a diffuse ray"
-                                 : "Growth: milliseconds to build", columns);
-        for (int i = 0; i < c[longest].n; i++) {
-            table_count(&t, (size_t)(exp2(c[longest].x[i]) + 0.5));
-            for (int k = 0; k < contenders; k++)
-                if (!(chosen >> k & 1)) continue;
-                else if (i >= c[k].n) table_text(&t, "-");
+        table t = table_new(pass ? "Growth: nanoseconds a diffuse ray, by triangles"
+                                 : "Growth: milliseconds to build, by triangles", columns);
+        for (int k = 0; k < all->n; k++) {
+            table_text(&t, "%s", all->of[k].label);
+            for (int i = 0; i < c[longest].n; i++)
+                if (i >= c[k].n) table_text(&t, "-");
                 else table_number(&t, pass ? c[k].ray[i] : c[k].build[i] * 1e3);
         }
+        html_table(to, &t);
         output_extra_table(o, &t);
     }
 }
@@ -83,55 +88,63 @@ static inline void growth_fit(const growth_curve *c, const char *name)
     for (int i = 0; i < c->n; i++)
         build[i] = log2(c->build[i] + 1e-12), search[i] = log2(c->ray[i]);
     if (c->n < 2) return;
-    printf("# %-11s a ray ~ n^%.2f, %.3g more steps a doubling", name,
+    printf("# %-12s a ray ~ n^%.2f, %.3g more steps a doubling", name,
            bench_slope(c->x, search, c->n), bench_slope(c->x, c->steps, c->n));
     if (strcmp(name, brute_contender.name) == 0) printf("\n");
     else printf("; building ~ n^%.2f\n", bench_slope(c->x, build, c->n));
 }
 
-static inline void growth_plots(const options *o, const growth_curve *c, unsigned chosen)
+/* Brute force is off the scale of work and of building; the first versions don't count steps. */
+static inline void growth_plots(const options *o, const growth_curve *c, const line_up *all,
+                                html_report *to)
 {
     int log_log = PLOT_LOG_X | PLOT_LOG_Y;
     plot search = plot_new("A diffuse ray against n", "triangles", "time [ns]", log_log);
     plot build = plot_new("Building against n", "triangles", "time [ns a triangle]", log_log);
     plot steps = plot_new("Work against n", "triangles", "steps and tests, a ray", PLOT_LOG_X);
-    plot *all[3] = {&search, &steps, &build};
-    for (int j = 1; j <= contenders; j++) {  /* brute force last: one colour each in all plots */
-        int k = j % contenders;
-        bool slow = contender_list[k] == &brute_contender;  /* off the scale of the others */
-        for (int p = 0; p < (slow ? 1 : 3) && chosen >> k & 1; p++) {
-            bool keep = p == 0 && !slow && chosen & 1;  /* a place for brute force */
-            if (all[p]->series + keep == plot_most_series) continue;
-            int series = plot_series(all[p], contender_list[k]->name);
+    plot *each[3] = {&search, &steps, &build};
+    for (int p = 0; p < 3; p++) {
+        for (int k = 0; k < all->n; k++) {
+            const contender *x = all->of[k].c;
+            if (each[p]->series == plot_most_series || contender_is_first(x)) continue;
+            if (p > 0 && x == &brute_contender) continue;
+            int series = plot_series(each[p], all->of[k].label);
             for (int i = 0; i < c[k].n; i++) {
-                double x = exp2(c[k].x[i]), build_ns = c[k].build[i] * 1e9 / x;
-                plot_add(all[p], series, x, p == 0 ? c[k].ray[i] : p == 1 ? c[k].steps[i]
-                                                                           : build_ns);
+                double n = exp2(c[k].x[i]);
+                double y[3] = {c[k].ray[i], c[k].steps[i], c[k].build[i] * 1e9 / n};
+                plot_add(each[p], series, n, y[p]);
             }
         }
     }
     plot_slope(&search, 1, "slope 1");
+    for (int p = 0; p < 3; p++) html_plot(to, each[p]);
     output_plot(o, &search, "17_compare_n_time.svg");
-    output_plot(o, &build, "17_compare_build_time.svg");
+    plot_free(&build);
     output_plot(o, &steps, "17_compare_n.svg");
 }
 
-/* False: a difference was found, and explained. */
-static inline bool growth_run(const options *o, unsigned chosen, size_t most_bytes, bool large)
+static inline bool growth_run(const options *o, const line_up *all, size_t most_bytes, bool large,
+                              html_report *to)
 {
-    growth_curve c[contenders] = {{0}};
+    growth_curve c[compare_most] = {{0}};
     int sizes = o->quick ? 3 : large ? growth_sizes : growth_sizes - 1;
     for (int i = 0; i < sizes; i++) {
-        size_t fine = (size_t)growth_fine[i], n = 64 * fine * fine - 8 * fine;
-        unsigned now = 0;
-        for (int k = 0; k < contenders; k++)  /* and who did not fit is out */
-            if ((large || contender_list[k]->most >= n) && c[k].n == i) now |= chosen & 1u << k;
-        if (!growth_step(c, (int)fine, o->quick ? 16 : 96, o, now, most_bytes)) return false;
+        line_up now = {.n = 0};
+        int who[compare_most];
+        double least = HUGE_VAL;
+        for (int k = 0; k < all->n && i > 0; k++)
+            if (c[k].n == i && c[k].ray[i - 1] < least) least = c[k].ray[i - 1];
+        for (int k = 0; k < all->n; k++) {  /* and who did not fit is out */
+            bool slow = i > 0 && c[k].n == i && (c[k].build[i - 1] > growth_patience
+                || (c[k].ray[i - 1] > 100 * least && all->of[k].c != &brute_contender));
+            if (c[k].n == i && (large || !slow)) who[now.n] = k, now.of[now.n++] = all->of[k];
+        }
+        if (!growth_step(c, who, &now, growth_fine[i], o, most_bytes)) return false;
     }
-    growth_table(o, c, chosen);
-    for (int k = 0; k < contenders; k++) growth_fit(&c[k], contender_list[k]->name);
+    growth_table(o, c, all, to);
+    for (int k = 0; k < all->n; k++) growth_fit(&c[k], all->of[k].label);
     printf("\n");
-    growth_plots(o, c, chosen);
+    growth_plots(o, c, all, to);
     return true;
 }
 

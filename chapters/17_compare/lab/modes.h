@@ -3,26 +3,26 @@
  *   protocol_run(c, only, scene, scale)   --protocol spd: lines that begin with `primary` and end
  *                                         with the number of hits
  *   verify_world(c, w)                    --verify: all rays by brute force, too
- *   file_run(c, w, files)                 --rays: rays of a file, and their hits to another
+ *   file_run(c, w, files)                 --rays: rays of a file, and their hits to another; what
+ *                                         each of them took to a third, --costs
  * c: what is common to all runs. A difference between two structures ends the program with exit 1.
  */
 #ifndef COMPARE_LAB_MODES_H
 #define COMPARE_LAB_MODES_H
 
-#include "../../07_mesh/files/obj.h"
 #include "../../07_mesh/files/ray_file.h"
 #include "costs.h"
 #include "scenes.h"
 
 typedef struct {
     const options *o;
-    unsigned chosen;       /* bit k: contender_list[k] */
+    line_up chosen;
     size_t most_bytes;     /* that all structures may hold together, while they are built, too */
     double region[4];      /* of the view */
     bool large;
 } compare_settings;
 
-typedef struct { const char *rays, *hits; bool any; } compare_files;
+typedef struct { const char *rays, *hits, *costs; bool any; } compare_files;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -38,13 +38,13 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
     failure f;
     if (!world_make(g, scale, &w, &f) || !spd_print_digits(&w, &f)) fail(f);
     world_to_mesh(&w);
-    compare_begin(&s, &w, c->chosen, c->most_bytes, 1);
+    compare_begin(&s, &w, &c->chosen, c->most_bytes, 1);
     for (int k = 0; k < s.entries; k++) {
         const compare_entry *e = &s.entry[k];
         size_t hits = 0;
         search_work work = {0, 0, 0, 0};
         hit h;
-        if (!e->s) printf("# %s %s does not fit: %s\n", w.name, e->c->name, e->why.text);
+        if (!e->s) printf("# %s %s does not fit: %s\n", w.name, e->choice->label, e->why.text);
         if (!e->s) continue;
         compare_progress(w.name, "asking", e->c->name);
         for (int j = 0; j <= spd_edge; j++) {
@@ -53,8 +53,8 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
         }
         compare_progress(w.name, NULL, NULL);
         printf("primary %s %d %s: build %.4f s, nodes/ray %.3g, tests/ray %.3g, rays %d, "
-               "hits %zu\n", w.name, scale, e->c->name, e->build, (double)work.nodes / spd_rays,
-               (double)work.tests / spd_rays, spd_rays, hits);
+               "hits %zu\n", w.name, scale, e->choice->label, e->build,
+               (double)work.nodes / spd_rays, (double)work.tests / spd_rays, spd_rays, hits);
         fflush(stdout);
     }
     if (g->hits && scale == g->scale)
@@ -67,7 +67,11 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
  * most of an hour. */
 static inline void protocol_run(compare_settings c, bool only, const generator *g, int scale)
 {
-    if (!only) c.chosen &= ~1u;
+    for (int k = 0, n = only ? 0 : c.chosen.n; k < n; k++) {
+        if (k == 0) c.chosen.n = 0;
+        if (c.chosen.of[k].c != &brute_contender && !contender_is_first(c.chosen.of[k].c))
+            c.chosen.of[c.chosen.n++] = c.chosen.of[k];
+    }
     for (int k = 0; k < spd_scenes; k++)
         if (g ? g == &spd_list[k] : spd_list[k].hits > 0)
             protocol_scene(&c, &spd_list[k], g && scale >= 0 ? scale : spd_list[k].scale);
@@ -76,9 +80,9 @@ static inline void protocol_run(compare_settings c, bool only, const generator *
 static inline void verify_world(const compare_settings *c, const world *w)
 {
     comparison s;
-    double edge = sqrt(1e8 / (double)(world_size(w) + 1));
-    compare_begin(&s, w, c->chosen, c->most_bytes, 1);
-    compare_rays(&s, c->region, edge < 8 ? 8 : edge > 64 ? 64 : (int)edge, c->o->seed);
+    double n = 1e8 / (double)(world_size(w) + 1);
+    compare_begin(&s, w, &c->chosen, c->most_bytes, 1);
+    compare_rays(&s, c->region, n < 64 ? 64 : n > 4096 ? 4096 : (size_t)n, c->o->seed);
     ray_set aimed = rays_aimed(w, 2000, c->o->seed);
     bool ok = prove_rays(&s, aimed.r, aimed.n, true, stdout);
     for (int k = 0; ok && k < compare_kinds; k++) {
@@ -88,17 +92,19 @@ static inline void verify_world(const compare_settings *c, const world *w)
     compare_progress(w->name, NULL, NULL);
     end_if_wrong(ok);
     compare_count_wrong(&s, aimed.r, aimed.n, true);
-    for (int k = 0; k < compare_kinds; k++) 
+    for (int k = 0; k < compare_kinds; k++)
         compare_count_wrong(&s, s.rays[k].r, s.rays[k].n, false);
     for (int k = 0; k < s.entries; k++)
         if (!s.entry[k].s)
-            printf("%s %s: does not fit: %s\n", w->name, s.entry[k].c->name, s.entry[k].why.text);
+            printf("%s %s: does not fit: %s\n", w->name, s.entry[k].choice->label,
+                   s.entry[k].why.text);
         else if (contender_is_first(s.entry[k].c))
             cost_print_wrong(&s.entry[k]);
         else if (s.entry[k].c != &brute_contender)
-            printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays: as "
-                   "brute force\n", w->name, s.entry[k].c->name, s.rays[KIND_PRIMARY].n,
-                   s.rays[KIND_SHADOW].n, s.rays[KIND_DIFFUSE].n, s.rays[KIND_MIRROR].n, aimed.n);
+            printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays, "
+                   "and those that end at their hits: as brute force\n", w->name,
+                   s.entry[k].choice->label, s.rays[KIND_PRIMARY].n, s.rays[KIND_SHADOW].n,
+                   s.rays[KIND_DIFFUSE].n, s.rays[KIND_MIRROR].n, aimed.n);
     fflush(stdout);
     rays_free(&aimed);
     compare_end(&s);
@@ -115,6 +121,42 @@ static inline void file_hits(const comparison *s, const compare_files *f, const 
     free(h);
 }
 
+/* Brute force asks them all, and the first versions don't count steps. */
+static inline bool file_counts(const compare_entry *e)
+{
+    return e->s && e->c != &brute_contender && !contender_is_first(e->c);
+}
+
+/* A line a ray: its number, its hit, and steps and tests of every structure. */
+static inline void file_costs(const comparison *s, const compare_files *f, const ray *r, size_t n)
+{
+    failure why;
+    file_writer to;
+    const compare_entry *any = compare_any(s);
+    if (!file_begin(&to, f->costs, &why)) fail(why);
+    fprintf(to.stream, "ray,t,shape");
+    for (int k = 0; k < s->entries; k++)
+        if (file_counts(&s->entry[k]))
+            fprintf(to.stream, ",%s nodes,%s tests", s->entry[k].choice->label,
+                    s->entry[k].choice->label);
+    for (size_t i = 0; i < n; i++) {
+        hit h = hit_none;
+        any->c->search(any->s, &r[i], 1, f->any, &h);
+        fprintf(to.stream, "\n%zu,%.9g,%.0f", i, (double)h.t,
+                h.shape == no_shape ? -1.0 : (double)h.shape);
+        for (int k = 0; k < s->entries; k++) {
+            const compare_entry *e = &s->entry[k];
+            search_work w = {0, 0, 0, 0};
+            if (!file_counts(e)) continue;
+            if (f->any) e->c->occluded_counted(e->s, r[i], &w);
+            else e->c->hit_counted(e->s, r[i], &h, &w);
+            fprintf(to.stream, ",%zu,%zu", w.nodes, w.tests);
+        }
+    }
+    fprintf(to.stream, "\n");
+    if (!file_commit(&to, &why)) fail(why);
+}
+
 static inline void file_run(const compare_settings *c, const world *w, const compare_files *file)
 {
     failure f;
@@ -123,7 +165,7 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     ray_set all = {NULL, 0};
     all.r = rays_read(file->rays, &all.n, &f);
     if (!all.r) fail(f);
-    compare_begin(&s, w, c->chosen, c->most_bytes, 3);
+    compare_begin(&s, w, &c->chosen, c->most_bytes, 3);
     if (!compare_any(&s)) f = s.entry[0].why, fail(f);
     ray_set some = rays_some(&all, 2000);
     bool ok = prove_rays(&s, some.r, some.n, true, stdout)
@@ -134,11 +176,11 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     table t = table_new("Rays from a file, one thread", cost_columns);
     for (int k = 0; k < s.entries; k++) {
         const compare_entry *e = &s.entry[k];
-        cost_csv_row(&t, &s, e, file->any ? "any" : "closest", e->s ? e->rays[kind] : 0,
-                      e->hits[kind], e->work[kind], e->seconds[kind]);
+        cost_csv_row(&t, &s, e, file->any ? "any" : "closest", kind);
     }
     output_table(c->o, &t);
     file_hits(&s, file, all.r, all.n);
+    if (file->costs) file_costs(&s, file, all.r, all.n);
     rays_free(&some);
     compare_end(&s);
 }

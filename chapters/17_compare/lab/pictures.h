@@ -1,21 +1,23 @@
 /* pictures.h: all scenes on one sheet, and what each pixel took, structure by structure.
  *
  *   sheet_draw(&o, &im)                         5 x 2 panels, colours under the headlight of 02
- *   visits_draw(&o, &w, chosen, bytes, &im)     4 x 2 panels: the scene; nodes and tests of each
- *                                               primary ray, black none, white visits_most or more
- * Both return false if Ctrl-C stopped them; then the picture is what there is.
+ *   image v = visits_draw(&o, &w, &chosen, bytes, &whole)    4 panels a row: the scene; nodes and
+ *                                               tests of each primary ray, black none, white
+ *                                               visits_most or more; one for each structure
+ * Not whole: Ctrl-C stopped it, and the picture is what there is.
  */
 #ifndef COMPARE_LAB_PICTURES_H
 #define COMPARE_LAB_PICTURES_H
 
 #include "../../../common/headlight.h"
 #include "../../../common/lab/heat.h"
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
-#include "../compare.h"
+#include "compare.h"
 #include "scenes.h"
 
-enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_rows = 2, visits_most = 100 };
+enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_most = 100 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -24,6 +26,7 @@ typedef struct {
     const contender *c;
     const void *s;
     int width, height;
+    const char *label;
 } sheet_panel;
 
 /* Square pixels; the shorter side of the panel sees the whole view. */
@@ -60,6 +63,7 @@ static inline bool sheet_place(sheet_panel p, pixels_colour *colour, int samples
     image im = image_new(across > 0 ? across : 1, down > 0 ? down : 1);
     p.width = im.width, p.height = im.height;
     bool whole = pixels_draw(&im, samples, threads, p.w->name, colour, &p);
+    if (im.width >= 120) label_tag(&im, 4, 4, 10, p.label);
     image_place(all, k % columns * across, k / columns * down, &im);
     image_free(&im);
     return whole;
@@ -76,10 +80,11 @@ static inline bool sheet_draw(const options *o, image *im)
         bool thousands = strcmp(g->name, "soup") == 0;  /* a fine soup is a grey cube */
         int scale = o->quick || thousands ? scene_list[k].quick : g->scale;
         if (!scene_world(g, scale, &w, &f)) fail(f);
-        compare_begin(&s, &w, 1u << contender_number(&bvh_contender), SIZE_MAX, 1);
+        line_up one = choose_one(&bvh_contender);
+        compare_begin(&s, &w, &one, SIZE_MAX, 1);
         const compare_entry *e = compare_any(&s);
-        sheet_panel p = {&w, e->c, e->s, 0, 0};
-        whole = sheet_place(p, sheet_colour, o->quick ? 1 : 3, k, sheet_columns, sheet_rows,
+        sheet_panel p = {&w, e->c, e->s, 0, 0, w.name};
+        whole = sheet_place(p, sheet_colour, o->quick ? 1 : 2, k, sheet_columns, sheet_rows,
                             o->threads, im);
         compare_end(&s);
         world_free(&w);
@@ -87,25 +92,30 @@ static inline bool sheet_draw(const options *o, image *im)
     return whole;
 }
 
-static inline bool visits_draw(const options *o, const world *w, unsigned chosen, size_t most_bytes,
-                               image *im)
+/* Brute force would be white, and first versions don't count steps: these are left out. */
+static inline image visits_draw(const options *o, const world *w, const line_up *chosen,
+                                size_t most_bytes, bool *whole)
 {
-    bool whole = true;
     comparison s;
-    compare_begin(&s, w, chosen, most_bytes, 1);
-    for (int k = 0; whole && k < s.entries && k + 1 < visits_columns * visits_rows; k++) {
-        if (!s.entry[k].s) continue;
-        sheet_panel p = {w, s.entry[k].c, s.entry[k].s, 0, 0};
-        whole = sheet_place(p, sheet_visits, 1, k + 1, visits_columns, visits_rows, o->threads,
-                            im);
-    }
+    line_up shown = {.n = 0};
+    for (int k = 0; k < chosen->n; k++)
+        if (chosen->of[k].c != &brute_contender && !contender_is_first(chosen->of[k].c))
+            shown.of[shown.n++] = chosen->of[k];
+    compare_begin(&s, w, &shown, most_bytes, 1);
+    int rows = s.entries / visits_columns + 1, across = o->width / visits_columns;
+    image im = image_new(o->width, rows * (across > 0 ? across : 1));
+    label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
     const compare_entry *e = compare_any(&s);
-    sheet_panel p = {w, e ? e->c : NULL, e ? e->s : NULL, 0, 0};
-    if (whole && e)
-        whole = sheet_place(p, sheet_colour, o->quick ? 1 : 3, 0, visits_columns, visits_rows,
-                            o->threads, im);
+    sheet_panel p = {w, e ? e->c : NULL, e ? e->s : NULL, 0, 0, w->name};
+    *whole = !e || sheet_place(p, sheet_colour, o->quick ? 1 : 2, 0, visits_columns, rows,
+                               o->threads, &im);
+    for (int k = 0; *whole && k < s.entries; k++) {
+        if (!s.entry[k].s) continue;
+        p = (sheet_panel){w, s.entry[k].c, s.entry[k].s, 0, 0, s.entry[k].choice->label};
+        *whole = sheet_place(p, sheet_visits, 1, k + 1, visits_columns, rows, o->threads, &im);
+    }
     compare_end(&s);
-    return whole;
+    return im;
 }
 
 #endif

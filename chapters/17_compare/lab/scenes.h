@@ -24,7 +24,7 @@ enum { mesh_scenes = 3, scenes = spd_scenes + mesh_scenes };
 static const compare_sizes scene_list[scenes] = {
     {"balls", 2, 3, 5},   {"gears", 1, 0, 9},   {"mount", 3, 0, 8},     {"rings", 2, 0, 17},
     {"teapot", 3, 6, 40}, {"tetra", 3, 0, 8},   {"tree", 5, 0, 15},     {"stadium", 4, 8, 64},
-    {"soup", 1, 0, 1000}, {"needles", 2, 10, 100}};
+    {"soup", 1, 0, 1000}, {"needles", 2, 5, 100}};
 
 /* ---------------------------------------------------------------------------------------------- */
 

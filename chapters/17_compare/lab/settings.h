@@ -1,91 +1,129 @@
 /* settings.h: the options of this chapter, and what is wrong with them.
  *
- *   chosen_of("grid,bvh")       bit k: number k of contender_list; NULL: the usual
- *   read_region(text, part)     four numbers: a part of the view
- *   check_options(&o, &own)     what does not exist, or does not go together
+ *   read_numbers("region", text, n, x)   n numbers with commas between
+ *   own_world(&own, path, &w)            the scene of an OBJ or NFF file, with --up and the camera
+ *   check_options(&o, &own)              what does not exist, or does not go together
  * Misuse ends the program with exit 2 and a message.
  */
 #ifndef COMPARE_LAB_SETTINGS_H
 #define COMPARE_LAB_SETTINGS_H
 
+#include "../../07_mesh/files/nff_world.h"
+#include "../../07_mesh/files/obj.h"
 #include "modes.h"
 
+enum { most_meshes = 12 };
 typedef struct {
-    const char *scene, *mesh, *only, *protocol, *region;
+    const char *scene, *mesh[most_meshes], *only, *sweep, *protocol, *region, *up, *from, *at;
+    const char *report;
     int scale, megabytes;
+    double angle;
+    const char *torture, *score;
     bool verify, large;
     compare_files files;
 } compare_options;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline unsigned chosen_of(const char *only)
+static inline bool read_numbers(const char *name, const char *text, int n, double *x)
 {
-    unsigned chosen = 0;
-    if (!only) return (1u << usual_contenders) - 1;
-    for (const char *at = only + strspn(only, ","); *at; at += strspn(at, ",")) {
-        int length = (int)strcspn(at, ","), k = 0;
-        char name[32];
-        snprintf(name, sizeof name, "%.*s", length, at);
-        while (k < contenders && strcmp(contender_list[k]->name, name) != 0) k++;
-        if (k < contenders) chosen |= 1u << k;
-        else {
-            char all[256] = "";
-            for (k = 0; k < contenders; k++)
-                snprintf(all + strlen(all), sizeof all - strlen(all), " %s",
-                         contender_list[k]->name);
-            die(2, "--only %.100s: allowed are, with commas between:%s", only, all);
-        }
-        at += length;
+    const char *at = text;
+    for (int k = 0; text && k < n; k++) {
+        char *after;
+        x[k] = strtod(at, &after);
+        bool wrong = after == at || !isfinite(x[k]) || *after != (k + 1 < n ? ',' : 0);
+        if (wrong) die(2, "--%s %.100s: allowed are %s", name, text,
+                       n == 3 ? "X,Y,Z" : "X0,Y0,X1,Y1 from -1 to 1");
+        at = after + 1;
     }
-    if (!chosen) die(2, "--only %.100s: names no structure", only);
-    return chosen;
+    return text != NULL;
 }
 
 static inline void read_region(const char *text, double region[4])
 {
+    double x[4];
+    if (!read_numbers("region", text, 4, x)) return;
+    for (int k = 0; k < 4; k++)
+        if (!(fabs(x[k]) <= 1) || !(x[k % 2] < x[2 + k % 2]))
+            die(2, "--region %.100s: allowed are X0,Y0,X1,Y1 from -1 to 1, X0 < X1, Y0 < Y1", text);
+    memcpy(region, x, sizeof x);
+}
+
+/* View from outside: what is not given stays as it is. */
+static inline void own_view(const compare_options *own, world *w)
+{
     failure f;
-    char after;
-    if (!text) return;
-    if (sscanf(text, "%lf,%lf,%lf,%lf%c", &region[0], &region[1], &region[2], &region[3], &after)
-            == 4 && region[0] < region[2] && region[1] < region[3] && fabs(region[0]) <= 1
-        && fabs(region[1]) <= 1 && fabs(region[2]) <= 1 && fabs(region[3]) <= 1) return;
-    failed(&f, 2, "--region %.100s: allowed are X0,Y0,X1,Y1 from -1 to 1, X0 < X1, Y0 < Y1", text);
-    fail(f);
+    double from[3], at[3];
+    vec3 eye = w->from, target = w->at, up = w->up;
+    if (!own->from && !own->at && own->angle <= 0) return;
+    if (read_numbers("from", own->from, 3, from)) eye = vec(from[0], from[1], from[2]);
+    if (read_numbers("at", own->at, 3, at)) target = vec(at[0], at[1], at[2]);
+    if (!world_look(w, eye, target, up, own->angle > 0 ? (real)own->angle : w->angle, &f)) fail(f);
+}
+
+static inline void own_world(const compare_options *own, const char *path, world *w)
+{
+    failure f;
+    mesh m;
+    if (ends_with(path, ".nff")) {
+        if (!nff_world(path, w, &f)) fail(f);
+        world_to_mesh(w);
+    } else {
+        bool z_up = own->up && strcmp(own->up, "z") == 0;
+        if (!obj_read(path, &m, &f)) fail(f);
+        if (m.t) fprintf(stderr, "%s: %s: textures are ignored: only hits are compared\n",
+                         program_name, path);
+        if (!mesh_world(w, path, m, z_up, &f)) fail(f);
+    }
+    const char *slash = strrchr(path, '/');
+    w->name = slash ? slash + 1 : path;
 }
 
 /* What does not go together. */
 static inline void check_options(const options *o, const compare_options *own)
 {
-    failure f = {0, ""};
     const generator *g = own->scene ? scene_find(own->scene) : NULL;
+    bool view = own->from || own->at || own->angle > 0 || own->up, rays = own->files.rays;
     if (own->scene && !g) {
         char all[128] = "";
         for (int k = 0; k < scenes; k++)
             snprintf(all + strlen(all), sizeof all - strlen(all), " %s", scene_list[k].name);
-        failed(&f, 2, "--scene %.100s: allowed are%s", own->scene, all);
-    } else if (own->scene && own->mesh) failed(&f, 2, "--scene and --mesh: one of them");
-    else if (own->scale >= 0 && !own->scene) failed(&f, 2, "--scale needs --scene NAME");
-    else if (g && own->scale >= 0 && (own->scale < g->least || own->scale > g->most))
-        failed(&f, 2, "--scale %d: allowed for %s are whole numbers from %d to %d", own->scale,
-               g->name, g->least, g->most);
-    else if (own->protocol && strcmp(own->protocol, "spd") != 0)
-        failed(&f, 2, "--protocol %.100s: allowed is spd", own->protocol);
-    else if (own->protocol && (own->mesh || own->files.rays || own->verify
-                               || (g && !generator_find(spd_list, spd_scenes, g->name))))
-        failed(&f, 2, "--protocol spd: goes with --scene balls, gears, mount, rings, teapot, tetra "
-                      "or tree alone");
-    else if (!own->files.rays && (own->files.hits || own->files.any))
-        failed(&f, 2, "--hits and --any-hit need --rays FILE");
-    else if (own->files.rays && own->verify) failed(&f, 2, "--rays and --verify: one of them");
-    else if (own->region && !own->verify) failed(&f, 2, "--region needs --verify");
-    else if (o->csv && (own->verify || own->protocol))
-        failed(&f, 2, "--csv goes with tables: not with --verify, not with --protocol");
-    else if (o->out && (own->scene || own->mesh || own->verify || own->protocol || own->files.rays))
-        failed(&f, 2, "--out is for the picture of all scenes: it goes with no other work");
-    else if (o->out && o->csv) failed(&f, 2, "--out draws, --csv measures: one of them");
-    if (f.exit_code) fail(f);
-    if (own->files.hits && !file_try(own->files.hits, &f)) fail(f);
+        die(2, "--scene %.100s: allowed are%s", own->scene, all);
+    }
+    if (g && own->scale >= 0 && (own->scale < g->least || own->scale > g->most))
+        die(2, "--scale %d: allowed for %s are whole numbers from %d to %d", own->scale, g->name,
+            g->least, g->most);
+    if (own->protocol && strcmp(own->protocol, "spd") != 0)
+        die(2, "--protocol %.100s: allowed is spd", own->protocol);
+    if (own->up && strcmp(own->up, "y") != 0 && strcmp(own->up, "z") != 0)
+        die(2, "--up %.20s: allowed are y and z", own->up);
+    bool measured = !own->verify && !own->protocol && !rays;
+    bool spd = !own->mesh[0] && !rays && !own->verify && !own->sweep
+               && (!g || generator_find(spd_list, spd_scenes, g->name));
+    const struct { bool wrong; const char *says; } rules[] = {
+        {own->scene && own->mesh[0], "--scene and --mesh: one of them"},
+        {own->scale >= 0 && !own->scene, "--scale needs --scene NAME"},
+        {view && !own->mesh[0], "--up, --from, --at and --angle need --mesh FILE"},
+        {own->protocol && !spd, "--protocol spd: goes with --scene balls, gears, mount, rings, "
+                                "teapot, tetra or tree alone"},
+        {(own->files.hits || own->files.any || own->files.costs) && !rays,
+         "--hits, --costs and --any-hit need --rays FILE"},
+        {rays && own->verify, "--rays and --verify: one of them"},
+        {rays && own->mesh[1], "--rays goes with one --mesh"},
+        {own->sweep && (own->only || !measured), "--sweep goes with tables, and not with --only"},
+        {own->score && !own->torture, "--score needs --torture FOLDER"},
+        {own->torture && (own->scene || own->mesh[0] || !measured || own->sweep || own->report
+                          || o->out), "--torture has meshes and rays of its own"},
+        {own->region && !own->verify, "--region needs --verify"},
+        {o->csv && (own->verify || own->protocol || own->sweep),
+         "--csv goes with tables: not with --verify, not with --protocol, not with --sweep"},
+        {own->report && !measured, "--report goes with what is measured: not with --verify, "
+                                   "--protocol, --rays"},
+        {o->out && (own->scene || own->mesh[0] || !measured || own->sweep || own->report),
+         "--out is for the picture of all scenes: it goes with no other work"},
+        {o->out && o->csv, "--out draws, --csv measures: one of them"}};
+    for (size_t k = 0; k < sizeof rules / sizeof *rules; k++)
+        if (rules[k].wrong) die(2, "%s", rules[k].says);
 }
 
 #endif

@@ -1,60 +1,69 @@
-/* summary.h: all scenes in four tables. A row a scene, a column a structure: nanoseconds a ray,
- * mean of the four kinds as the scene has them; milliseconds to build; seconds in all for building
- * and a million rays. And who wins: who is fastest, and how many times as long a ray takes in the
- * k-d tree as in the BVH. Or in one: a row a structure, a column a scene.
+/* summary.h: all scenes in four tables. A row a structure, a column a scene: nanoseconds a ray,
+ * mean of the kinds of rays as the scene has them; milliseconds to build; seconds in all for
+ * building and a million rays. And who wins: who is fastest, and how many times as long a ray takes
+ * in the k-d tree as in the BVH.
  *
- *   compare_summary m = {.chosen = chosen};
- *   summary_add(&m, &s)                 a stage that was measured
- *   summary_print(&o, &m)               the four
- *   summary_few(&o, &m)                 the one
+ *   compare_summary m = {.chosen = &chosen};
+ *   summary_add(&m, &s)                 a scene that was measured
+ *   summary_print(&o, &m, report)       the four
+ *   summary_few(&o, &m, report)         one: wrong hits, building in all scenes, diffuse rays
  */
 #ifndef COMPARE_LAB_SUMMARY_H
 #define COMPARE_LAB_SUMMARY_H
 
 #include "costs.h"
+#include "html.h"
 #include "scenes.h"
 
 typedef struct {
     char name[32];
     size_t shapes;
-    double ray[contenders], build[contenders];
+    double ray[compare_most], build[compare_most];  /* seconds; ray < 0: does not fit */
+    size_t wrong[compare_most], held[compare_most];
 } summary_row;
-typedef struct { unsigned chosen; summary_row row[scenes]; int rows; } compare_summary;
+enum { summary_most = 15 };
+typedef struct { const line_up *chosen; summary_row row[summary_most]; int rows; } compare_summary;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void summary_add(compare_summary *m, const comparison *s)
 {
-    if (m->rows == scenes) return;
+    if (m->rows == summary_most) return;
     summary_row *r = &m->row[m->rows++];
     snprintf(r->name, sizeof r->name, "%.31s", s->w->name);
     r->shapes = s->x.n;
-    for (int k = 0, i = 0; k < contenders; k++) {
-        if (!(m->chosen >> k & 1)) continue;
-        const compare_entry *e = &s->entry[i++];
+    for (int k = 0; k < s->entries; k++) {
+        const compare_entry *e = &s->entry[k];
         r->ray[k] = e->s ? cost_mean(s, e) : -1;
-        r->build[k] = e->build;
+        r->build[k] = e->s ? e->build : 0;
+        r->wrong[k] = e->wrong[0] + e->wrong[1], r->held[k] = e->held[0] + e->held[1];
     }
 }
 
-static inline void summary_table(const options *o, const compare_summary *m, const char *title,
-                                 double of_ray, double of_build)
+static inline void summary_columns(const compare_summary *m, char *columns, size_t room,
+                                   const char *unit)
 {
-    char columns[512] = "scene";
-    for (int k = 0; k < contenders; k++)
-        if (m->chosen >> k & 1)
-            snprintf(columns + strlen(columns), sizeof columns - strlen(columns), "|%s",
-                     contender_list[k]->name);
-    table t = table_new(title, columns);
     for (int i = 0; i < m->rows; i++) {
-        table_text(&t, "%s", m->row[i].name);
-        for (int k = 0; k < contenders; k++) {
+        size_t at = strlen(columns);
+        snprintf(columns + at, room - at, "|%s%s", m->row[i].name, unit);
+    }
+}
+
+static inline void summary_table(const options *o, const compare_summary *m, html_report *to,
+                                 const char *title, double of_ray, double of_build)
+{
+    char columns[512] = "structure";
+    summary_columns(m, columns, sizeof columns, "");
+    table t = table_new(title, columns);
+    for (int k = 0; k < m->chosen->n; k++) {
+        table_text(&t, "%s", m->chosen->of[k].label);
+        for (int i = 0; i < m->rows; i++) {
             const summary_row *r = &m->row[i];
-            if (!(m->chosen >> k & 1)) continue;
-            if (r->ray[k] < 0) table_text(&t, "does not fit");
+            if (r->ray[k] < 0) table_text(&t, "-");
             else table_number(&t, of_ray * r->ray[k] + of_build * r->build[k]);
         }
     }
+    html_table(to, &t);
     output_extra_table(o, &t);
 }
 
@@ -65,59 +74,77 @@ static inline const char *summary_fastest(const compare_summary *m, const summar
 {
     const char *name = "-";
     double least = HUGE_VAL;
-    for (int k = 0; k < contenders; k++) {
+    for (int k = 0; k < m->chosen->n; k++) {
         double x = of_ray * r->ray[k] + of_build * r->build[k];
-        if (!(m->chosen >> k & 1) || r->ray[k] < 0 || !(x < 0.97 * least)) continue;
-        least = x, name = contender_list[k]->name;
+        if (contender_is_first(m->chosen->of[k].c)) continue;
+        if (r->ray[k] < 0 || !(x < 0.97 * least)) continue;
+        least = x, name = m->chosen->of[k].label;
     }
     return name;
 }
 
-static inline void summary_winners(const options *o, const compare_summary *m)
+/* Number of the first choice of c without options of its own; -1: none. */
+static inline int summary_place(const line_up *all, const contender *c)
 {
-    int kd = contender_number(&kdtree_contender), boxes = contender_number(&bvh_contender);
-    bool chosen = m->chosen >> kd & m->chosen >> boxes & 1;
-    table t = table_new("Who wins", "scene|least time a ray|least time in all|ratio kdtree / bvh");
+    for (int k = 0; k < all->n; k++)
+        if (all->of[k].c == c && all->of[k].how.n == 0) return k;
+    return -1;
+}
+
+static inline void summary_winners(const options *o, const compare_summary *m, html_report *to)
+{
+    int kd = summary_place(m->chosen, &kdtree_contender);
+    int boxes = summary_place(m->chosen, &bvh_contender);
+    table t = table_new("Who wins", "scene|shapes|least time a ray|least time in all|"
+                                    "ratio kdtree / bvh");
     for (int i = 0; i < m->rows; i++) {
         const summary_row *r = &m->row[i];
-        bool both = chosen && r->ray[kd] >= 0 && r->ray[boxes] > 0;
-        table_text(&t, "%s", r->name);
+        bool both = kd >= 0 && boxes >= 0 && r->ray[kd] >= 0 && r->ray[boxes] > 0;
+        table_text(&t, "%s", r->name), table_count(&t, r->shapes);
         table_text(&t, "%s", summary_fastest(m, r, 1, 0));
         table_text(&t, "%s", summary_fastest(m, r, 1e6, 1));
         if (both) table_number(&t, r->ray[kd] / r->ray[boxes]);
         else table_text(&t, "-");
     }
+    html_table(to, &t);
     output_extra_table(o, &t);
 }
 
-static inline void summary_print(const options *o, const compare_summary *m)
+static inline void summary_print(const options *o, const compare_summary *m, html_report *to)
 {
-    summary_table(o, m, "All scenes: nanoseconds a ray", 1e9, 0);
-    summary_table(o, m, "All scenes: milliseconds to build", 0, 1e3);
-    summary_table(o, m, "All scenes: seconds to build and to search for a million rays", 1e6, 1);
-    summary_winners(o, m);
+    summary_winners(o, m, to);
+    summary_table(o, m, to, "All scenes: nanoseconds a ray", 1e9, 0);
+    summary_table(o, m, to, "All scenes: milliseconds to build", 0, 1e3);
+    summary_table(o, m, to, "All scenes: seconds to build and to search for a million rays", 1e6,
+                  1);
 }
 
-/* Building counts in all scenes together. */
-static inline void summary_few(const options *o, const compare_summary *m)
+static inline void summary_few(const options *o, const compare_summary *m, html_report *to)
 {
-    char title[200] = "A ray, mean of four kinds:", columns[200] = "structure|build all [ms]";
+    char title[200] = "A diffuse ray:", columns[200] = "structure|wrong|build all [ms]";
     for (int i = 0; i < m->rows; i++) {
-        size_t at = strlen(title), to = strlen(columns);
+        size_t at = strlen(title);
         snprintf(title + at, sizeof title - at, "%s %s of %zu", i ? "," : "", m->row[i].name,
                  m->row[i].shapes);
-        snprintf(columns + to, sizeof columns - to, "|%s [ns]", m->row[i].name);
     }
+    summary_columns(m, columns, sizeof columns, " [ns]");
     table t = table_new(title, columns);
-    for (int k = 0; k < contenders; k++) {
+    for (int k = 0; k < m->chosen->n; k++) {
         double build = 0;
-        if (!(m->chosen >> k & 1)) continue;
-        for (int i = 0; i < m->rows; i++) build += m->row[i].build[k];
-        table_text(&t, "%s", contender_list[k]->name), table_number(&t, build * 1e3);
+        size_t wrong = 0, held = 0;
+        for (int i = 0; i < m->rows; i++) {
+            build += m->row[i].build[k];
+            wrong += m->row[i].wrong[k], held += m->row[i].held[k];
+        }
+        table_text(&t, "%s", m->chosen->of[k].label);
+        if (held) table_text(&t, "%zu of %zu", wrong, held);
+        else table_text(&t, "none");
+        table_number(&t, build * 1e3);
         for (int i = 0; i < m->rows; i++)
-            if (m->row[i].ray[k] < 0) table_text(&t, "does not fit");
+            if (m->row[i].ray[k] < 0) table_text(&t, "-");
             else table_number(&t, m->row[i].ray[k] * 1e9);
     }
+    html_table(to, &t);
     output_extra_table(o, &t);
 }
 

@@ -8,7 +8,8 @@
  *   ray_set d = rays_scattered(&w, &p, hits, seed)    diffuse (漫反射): one a hit, by the cosine law
  *   ray_set m = rays_mirrored(&w, &p, hits)       mirror (镜面反射): one a hit
  *   ray_set a = rays_aimed(&w, n, seed)           at corners and edges of triangles and polygons,
- *                                                 outlines, poles and rims of round shapes
+ *                                                 outlines, poles and rims of round shapes; in a
+ *                                                 mesh half of them as 09_aabb/trials/aimed.h does
  *   ray_set e = rays_everywhere(&w, n, seed)      from anywhere near to anywhere in it
  *   rays_free(&s)
  *
@@ -18,8 +19,9 @@
 #ifndef COMPARE_KINDS_H
 #define COMPARE_KINDS_H
 
-#include "../09_aabb/trials/survey.h"
-#include "../07_mesh/scenes/world.h"
+#include "../../09_aabb/trials/aimed.h"
+#include "../../09_aabb/trials/survey.h"
+#include "../../07_mesh/scenes/world.h"
 
 typedef enum { KIND_PRIMARY, KIND_SHADOW, KIND_DIFFUSE, KIND_MIRROR, compare_kinds } compare_kind;
 static const char *const kind_name[compare_kinds] = {"primary", "shadow", "diffuse", "mirror"};
@@ -160,8 +162,14 @@ static inline ray_set rays_aimed(const world *w, size_t n, uint64_t seed)
     ray_set s = {allocate(n, sizeof(ray)), n};
     vec3 lo, hi;
     world_bounds(w, &lo, &hi);
+    vec3 centre = vscale(vadd(lo, hi), (real)0.5);
+    real size = vlength(vsub(hi, lo)) / 2;
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(seed, i, 1);
+        if (w->n == 0 && i % 2) {
+            s.r[i] = aimed(&w->mesh, &g, (int)(i / 2 % aimed_kinds), centre, size);
+            continue;
+        }
         vec3 o = somewhere(w, lo, hi, &g);
         s.r[i] = ray_from(o, vsub(aim_at(w, random_next_bits(&g) % world_size(w), o, &g), o));
     }

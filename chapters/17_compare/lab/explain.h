@@ -1,101 +1,108 @@
 /* explain.h: why did a search not find a hit? For those who change a structure.
  *
- *   wrong_ray w = {r, due, got, X_hit, NULL}    brute force gave `due`, the structure `got`; for
- *                                               X_occluded: {r, due, got, NULL, X_occluded}
- *   explain_window(s, &w, out)                  any structure, knowing nothing of it but that verb:
+ *   explain_wrong(c, s, &x, &w, oracle, out)    the ray, what it should hit and what it did; and:
+ *
+ *   explain_window(c, s, &w, out)      any structure, knowing nothing of it but its verbs:
  *
  *        tmin                due.t           shortens the ray's interval (光线间隔) round the hit
  *          |---------[---------x-]-----|     until it is found, and finds by halving where the
  *                    a           b           interval must begin and end to lose it: there, on
  *                                            the ray, the search takes the wrong turn
  *
- *   explain_bvh(s, &w, out)                     walks from the root to the leaf that has the shape,
- *                                               and names the first node that keeps the ray out
+ *   explain_shape(&x, &w, out)         how far the point of the hit lies out of the shape's own
+ *                                      box: boxes that are not widened by that lose it
+ *   an explainer                       of structures that explain_cells.h knows: which box or cell
+ *                                      holds the point, and whether the shape is listed there
  *
- * Both write a few lines to `out`.
+ * All write a few lines to `out`. explain_bvh walks from the root to the leaf that has the shape,
+ * and names the first node that keeps the ray out.
  */
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
 
-#include "../14_bvh/bvh.h"
+#include "../proof.h"
 #include <stdio.h>
 
-typedef struct {
-    ray r;
-    hit due, got;
-    bool (*hit)(const void *s, ray r, hit *out);   /* one of the two */
-    bool (*occluded)(const void *s, ray r);
-} wrong_ray;
-typedef void explainer(const void *s, const wrong_ray *w, FILE *out);
+typedef void explainer(const void *s, const wrong_answer *w, FILE *out);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool hits_same(hit a, hit b)
-{
-    return a.shape == b.shape
-           && (a.shape == no_shape || (a.t == b.t && a.u == b.u && a.v == b.v));
-}
-
 /* On the interval [a, b]. */
-static inline bool window_finds(const void *s, const wrong_ray *w, real a, real b)
+static inline bool window_finds(const contender *c, const void *s, const wrong_answer *w, real a,
+                                real b)
 {
     ray r = w->r;
     hit h = hit_none;
     r.tmin = a, r.tmax = b;
-    if (w->occluded) return w->occluded(s, r);
-    w->hit(s, r, &h);
-    return hits_same(h, w->due);
+    return w->any ? c->occluded(s, r) : c->hit(s, r, &h) && hits_same(h, w->due);
 }
 
 /* Halves between `found`, an end with which the hit is found, and `lost`. The other end stays at
  * the hit. */
-static inline void window_halve(const void *s, const wrong_ray *w, real *found, real *lost)
+static inline void window_halve(const contender *c, const void *s,
+                                const wrong_answer *w, real *found, real *lost)
 {
     real t = w->due.t;
     for (int k = 0; k < 200; k++) {
         real middle = *found + (*lost - *found) / 2;
         if (middle == *found || middle == *lost) return;
-        bool ok = middle < t ? window_finds(s, w, middle, t) : window_finds(s, w, t, middle);
+        bool ok = middle < t ? window_finds(c, s, w, middle, t) : window_finds(c, s, w, t, middle);
         *(ok ? found : lost) = middle;
     }
 }
 
-static inline void explain_end(const void *s, const wrong_ray *w, real end, const char *which,
-                               FILE *out)
+static inline void explain_end(const contender *c, const void *s, const wrong_answer *w, real end,
+                               const char *which, FILE *out)
 {
     real found = w->due.t, lost = end;
     if (!(fabs(lost) <= real_largest)) lost = lost < 0 ? -4 * fabs(found) - 1 : 4 * fabs(found) + 1;
-    bool whole = end < w->due.t ? window_finds(s, w, lost, w->due.t)
-                                : window_finds(s, w, w->due.t, lost);
+    bool whole = end < w->due.t ? window_finds(c, s, w, lost, w->due.t)
+                                : window_finds(c, s, w, w->due.t, lost);
     if (whole) return;
-    window_halve(s, w, &found, &lost);
+    window_halve(c, s, w, &found, &lost);
     vec3 p = ray_at(w->r, lost);
     fprintf(out, "  found if the interval %s at t = %.17g, lost if at t = %.17g, which is at "
                  "(%.9g, %.9g, %.9g)\n", which, (double)found, (double)lost, (double)p.x,
             (double)p.y, (double)p.z);
 }
 
-static inline void explain_window(const void *s, const wrong_ray *w, FILE *out)
+static inline void explain_window(const contender *c, const void *s, const wrong_answer *w,
+                                  FILE *out)
 {
     real t = w->due.t;
     if (w->due.shape == no_shape) {
         fprintf(out, "  it reports a hit that does not exist: a test or its interval is wrong\n");
         return;
     }
-    if (w->hit && w->got.shape != no_shape && w->got.t <= t)
+    if (!w->any && w->got.shape != no_shape && w->got.t <= t)
         fprintf(out, w->got.t < t ? "  nearer than any shape is: its test or its number is wrong\n"
                                   : "  at the same t: there the lower index must win\n");
-    if (!window_finds(s, w, t, t)) {
+    if (!window_finds(c, s, w, t, t)) {
         fprintf(out, "  not found on the interval [t, t] either: the place of the hit is not "
                      "searched, or the shape is not listed there\n");
         return;
     }
     fprintf(out, "  found on the interval [t, t] alone: the shape is listed where it is hit, and "
                  "the way there is lost\n");
-    explain_end(s, w, w->r.tmin, "begins", out);
-    explain_end(s, w, w->r.tmax, "ends", out);
-    if (window_finds(s, w, w->r.tmin, t))
+    explain_end(c, s, w, w->r.tmin, "begins", out);
+    explain_end(c, s, w, w->r.tmax, "ends", out);
+    if (window_finds(c, s, w, w->r.tmin, t))
         fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
+}
+
+/* The shape's own box holds the point, but for rounding. */
+static inline void explain_shape(const items *x, const wrong_answer *w, FILE *out)
+{
+    aabb b;
+    if (w->due.shape == no_shape || !items_bounds(x, w->due.shape, &b)) return;
+    vec3 p = ray_at(w->r, w->due.t), under = vsub(b.lo, p), over = vsub(p, b.hi);
+    vec3 outside = vmax(vmax(under, over), (vec3){0, 0, 0});
+    real far = vaxis(outside, vlongest(outside));
+    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the "
+                 "hit is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
+            (double)b.hi.y, (double)b.lo.z, (double)b.hi.z);
+    if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
+    else fprintf(out, "inside\n");
 }
 
 /* The tree of boxes. --------------------------------------------------------------------------- */
@@ -150,7 +157,7 @@ static inline void explain_box(uint32_t node, const bvh_box *box, vec3 p, bool h
                  (double)bvh_outside(box, p));
 }
 
-static inline void explain_bvh(const void *s, const wrong_ray *w, FILE *out)
+static inline void explain_bvh(const void *s, const wrong_answer *w, FILE *out)
 {
     const bvh *b = s;
     const bvh_tree *t = bvh_tree_of(b);

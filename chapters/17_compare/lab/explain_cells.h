@@ -1,7 +1,8 @@
 /* explain_cells.h: the same for the structures that cut space: grids, octree, k-d tree, BSP tree.
  *
- *   explain_grid, explain_nested, explain_octree, explain_kdtree, explain_bsp
+ *   explain_wrong(c, s, &x, &w, "brute force", out)      all there is to say of a wrong answer
  *
+ * explain_grid, explain_nested, explain_octree, explain_kdtree, explain_bsp
  * go to the cell that holds the point of the hit and see whether the shape is listed there. If not,
  * building left it out. If so, the search did not ask that cell, or lost the answer: brute force
  * tests the shape in the same way.
@@ -9,10 +10,6 @@
 #ifndef COMPARE_EXPLAIN_CELLS_H
 #define COMPARE_EXPLAIN_CELLS_H
 
-#include "../10_grid/nested.h"
-#include "../11_octree/octree.h"
-#include "../12_kdtree/kdtree.h"
-#include "../13_bsp/bsp.h"
 #include "explain.h"
 
 enum { cell_most_depth = 79 };  /* no tree here is deeper; one that is broken may be */
@@ -128,7 +125,7 @@ static inline cell_place bsp_place(const bsp *b, vec3 p, uint32_t wanted)
     return c;
 }
 
-static inline void explain_place(const cell_place *c, const wrong_ray *w, const char *leaf,
+static inline void explain_place(const cell_place *c, const wrong_answer *w, const char *leaf,
                                  FILE *out)
 {
     fprintf(out, "  the point of the hit is in %s %u", leaf, c->path[c->depth]);
@@ -144,7 +141,7 @@ static inline void explain_place(const cell_place *c, const wrong_ray *w, const 
 }
 
 #define EXPLAIN_PLACE(X, leaf)                                                     \
-    static inline void explain_##X(const void *s, const wrong_ray *w, FILE *out)   \
+    static inline void explain_##X(const void *s, const wrong_answer *w, FILE *out)   \
     {                                                                              \
         cell_place c = X##_place(s, ray_at(w->r, w->due.t), w->due.shape);         \
         explain_place(&c, w, leaf, out);                                           \
@@ -154,5 +151,36 @@ EXPLAIN_PLACE(nested, "cell")
 EXPLAIN_PLACE(octree, "leaf")
 EXPLAIN_PLACE(kdtree, "leaf")
 EXPLAIN_PLACE(bsp, "leaf")
+
+/* A structure of one's own may have one here, and need not. */
+static const struct { const char *type; explainer *explain; } explainers[] = {
+    {"grid", explain_grid}, {"nested", explain_nested}, {"octree", explain_octree},
+    {"kdtree", explain_kdtree}, {"bsp", explain_bsp}, {"bvh", explain_bvh}};
+
+static inline void print_hit(FILE *out, const char *who, hit h)
+{
+    if (h.shape == no_shape) fprintf(out, "  %s: no hit\n", who);
+    else fprintf(out, "  %s: t = %.17g, u = %.17g, v = %.17g, shape %u\n", who, (double)h.t,
+                 (double)h.u, (double)h.v, h.shape);
+}
+
+static inline void explain_wrong(const contender *c, const void *s, const items *x,
+                                 const wrong_answer *w, const char *oracle, FILE *out)
+{
+    const ray *r = &w->r;
+    size_t n = sizeof explainers / sizeof *explainers, k = 0;
+    fprintf(out, "%s: wrong ray: o = (%.17g, %.17g, %.17g), d = (%.17g, %.17g, %.17g), "
+                 "interval [%.17g, %.17g]\n", c->name, (double)r->o.x, (double)r->o.y,
+            (double)r->o.z, (double)r->d.x, (double)r->d.y, (double)r->d.z, (double)r->tmin,
+            (double)r->tmax);
+    print_hit(out, oracle, w->due);
+    if (w->any) fprintf(out, "  %s: occluded: %s\n", c->name,
+                        w->got.shape == no_shape ? "no" : "yes");
+    else print_hit(out, c->name, w->got);
+    explain_window(c, s, w, out);
+    explain_shape(x, w, out);
+    while (k < n && strcmp(explainers[k].type, c->type) != 0) k++;
+    if (k < n && w->due.shape != no_shape) explainers[k].explain(s, w, out);
+}
 
 #endif

@@ -1,0 +1,110 @@
+/* figure.h: the drawing of this page: the root's eight boxes, one ray, and the rows of lanes.
+ *
+ *   draw_lanes(o)     a real tree of triangles on a plane, seen from above; the numbers are those
+ *                     that bvh8_boxes computes
+ */
+#ifndef WIDE_FIGURE_H
+#define WIDE_FIGURE_H
+
+#include "../../../common/lab/figure.h"
+#include "../../07_mesh/scenes/soup.h"
+#include "../bvh8.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Small triangles along three arcs: what a plane shows without covering itself. */
+static inline mesh lanes_mesh(void)
+{
+    enum { n = 120 };
+    mesh m = mesh_room(n);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(4, i, 0);
+        real a = (real)i / n * 6, x = cos(a) * (1 + a / 6), y = sin(2 * a) * (1 + a / 9) / 2;
+        vec3 c = {x, y, 0};
+        for (size_t k = 0; k < 3; k++) {
+            vec3 e = random_in_cube(&g, (real)0.07);
+            m.v[3 * i + k] = (vec3){c.x + e.x, c.y + e.y, e.z};
+        }
+    }
+    return m;
+}
+
+static inline void lanes_box(figure *g, const bvh8 *w, const bvh8_node *n, int k, bool met)
+{
+    vec3 lo = bvh8_back(w, n->side[0][k], n->side[1][k], 0);
+    vec3 hi = bvh8_back(w, n->side[3][k], n->side[4][k], 0);
+    double xy[8] = {(double)lo.x, (double)lo.y, (double)hi.x, (double)lo.y,
+                    (double)hi.x, (double)hi.y, (double)lo.x, (double)hi.y};
+    char name[8];
+    figure_polygon(g, 4, xy, met ? FIGURE_ORANGE : NULL, 0.18, met ? FIGURE_RED : FIGURE_GREY);
+    snprintf(name, sizeof name, "%d", k);
+    figure_text(g, (double)lo.x, (double)hi.y, 0, -5, FIGURE_LEFT, met ? FIGURE_RED : FIGURE_GREY,
+                name);
+}
+
+static inline void lanes_cells(figure *g, int row, const char *name, const eight *values,
+                               unsigned met, const char *colour)
+{
+    double y = 24 * row;
+    char text[16];
+    figure_text(g, 0, -y, -10, 16, FIGURE_RIGHT, FIGURE_BLACK, name);
+    for (int k = 0; k < 8; k++) {
+        double x = 62 * k, xy[8] = {x, -y, x + 60, -y, x + 60, -y - 22, x, -y - 22};
+        bool in = met >> k & 1;
+        figure_polygon(g, 4, xy, in ? FIGURE_ORANGE : colour, in ? 0.3 : 0.08, FIGURE_GREY);
+        if (values) snprintf(text, sizeof text, "%.2f", (double)(*values)[k]);
+        else snprintf(text, sizeof text, "%d", row ? in : k);
+        figure_text(g, x, -y, 30, 16, FIGURE_MIDDLE, FIGURE_BLACK, text);
+    }
+}
+
+static inline void draw_lanes(const options *o)
+{
+    static const char *const side[6] = {"low _x_", "low _y_", "low _z_", "high _x_", "high _y_",
+                                        "high _z_"};
+    figure g = figure_begin(o, "15_wide_bvh_lanes.svg", 640, 610);
+    mesh m = lanes_mesh();
+    items x = items_of_mesh(&m);
+    bvh8 w;
+    failure f;
+    if (!bvh8_build(&x, bvh8_defaults, &w, &f)) fail(f);
+    ray r = {{(real)-1.9, (real)-0.62, 0}, 0, {1, (real)0.4, 0}, 9};
+    bvh8_ray q;
+    bvh8_ray_of(&w, r, false, &q);
+    const bvh8_node *n = &w.node[0];
+    eight enter, exit;
+    for (int k = 0; k < 8; k++) {
+        float limit = INFINITY, end = limit;
+        for (int a = 0; a < 3; a++)
+            end = float_min(n->side[q.far[a]][k] * q.inverse[a] + q.far_o[a], end);
+        exit[k] = end;
+    }
+    unsigned met = bvh8_boxes_0(n, &q, INFINITY, &enter);
+    for (int k = 0; k < 8; k++)
+        enter[k] /= (float)q.scale, exit[k] /= (float)q.scale;
+    figure_origin(&g, 330, 165, 130);
+    for (size_t i = 0; i < m.triangles; i++) {
+        double xy[6];
+        for (size_t k = 0; k < 3; k++)
+            xy[2 * k] = (double)m.v[3 * i + k].x, xy[2 * k + 1] = (double)m.v[3 * i + k].y;
+        figure_polygon(&g, 3, xy, FIGURE_SKY, 0.6, FIGURE_BLUE);
+    }
+    for (int k = 0; k < 8; k++) lanes_box(&g, &w, n, k, met >> k & 1);
+    figure_arrow(&g, -1.9, -0.62, 2.2, 1.02, FIGURE_BLACK, 2);
+    figure_text(&g, -1.9, -0.62, 0, 18, FIGURE_LEFT, FIGURE_BLACK, "*o* + _t_ *d*");
+    figure_origin(&g, 110, 345, 1);
+    lanes_cells(&g, 0, "lane", NULL, 0, "#ffffff");
+    for (int s = 0; s < 6; s++) {
+        eight row = n->side[s];
+        for (int k = 0; k < 8; k++) row[k] /= (float)w.scale;
+        lanes_cells(&g, 1 + s, side[s], &row, 0, s < 3 ? FIGURE_BLUE : FIGURE_GREEN);
+    }
+    lanes_cells(&g, 8, "_t_~enter~", &enter, met, "#ffffff");
+    lanes_cells(&g, 9, "_t_~exit~", &exit, met, "#ffffff");
+    lanes_cells(&g, 10, "met", NULL, met, "#ffffff");
+    figure_end(&g);
+    bvh8_free(&w);
+    mesh_free(&m);
+}
+
+#endif

@@ -1,0 +1,252 @@
+/* measure.h: the ladder measured, and what watertight costs.
+ *
+ *   table_of_rungs(o, &s)      each rung: time, work, wrong hits; the main table
+ *   table_of_shadows(o, &s)    rays to a light: any hit
+ *   table_of_cracks(o)         a closed mesh, aimed at: lost rays and errors against time
+ *   table_of_doubts(o, &s)     how often `real` was asked
+ *   table_of_building(o, &s)   time and memory against 14's, by threads
+ */
+#ifndef WIDE_MEASURE_H
+#define WIDE_MEASURE_H
+
+#include "../../../common/lab/bench.h"
+#include "../../../common/lab/report.h"
+#include "../../07_mesh/scenes/specimens.h"
+#include "../../07_mesh/scenes/teapot.h"
+#include "../../09_aabb/trials/bench.h"
+#include "../../14_bvh/bvh.h"
+#include "../first.h"
+#include "rungs.h"
+
+TRIAL_FIRST(first_wide, b->s = first_wide_build(&b->m))
+TRIAL_VERBS(bvh, bvh, bvh_hit, bvh_hit_counted)
+TRIAL_VERBS(bvh8, bvh8, bvh8_hit, bvh8_hit_counted)
+TRIAL_OTHER(bvh8_one, bvh8, bvh8, bvh8_hit_one)
+TRIAL_OTHER(bvh8_any_order, bvh8, bvh8, bvh8_hit_any_order)
+TRIAL_OTHER(bvh8_boxes, bvh8, bvh8, bvh8_hit_boxes)
+TRIAL_OTHER(bvh8_leaky, bvh8, bvh8, bvh8_hit_leaky)
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* A dialect that this machine lacks is measured as the best that it has. */
+static inline void table_of_rungs(const options *o, const trial_scene *s)
+{
+    bvh_options binary = bvh_defaults;
+    bvh8_options four = bvh8_defaults, how[eight_dialects];
+    bool first = false;
+    trial_row row[12];
+    char title[160];
+    int n = 0, best = (int)eight_best();
+    four.width = 4, four.dialect = EIGHT_PLAIN;
+    for (int d = 0; d < eight_dialects; d++) {
+        how[d] = bvh8_defaults;
+        how[d].dialect = (eight_dialect)(d < best ? d : best);
+    }
+    row[n++] = (trial_row){.name = "first, four wide", .verbs = &first_wide_trial, .how = &first};
+    row[n++] = (trial_row){.name = "14: two wide", .verbs = &bvh_trial, .how = &binary};
+    row[n++] = (trial_row){.name = "four wide, one by one", .verbs = &bvh8_one_trial, .how = &four};
+    row[n++] = (trial_row){.name = "eight, one by one", .verbs = &bvh8_one_trial, .how = &how[0]};
+    row[n++] = (trial_row){.name = "eight boxes at once", .verbs = &bvh8_any_order_trial,
+                           .how = &how[0], .again = true};
+    row[n++] = (trial_row){.name = "+ nearest first", .verbs = &bvh8_boxes_trial, .how = &how[0],
+                           .again = true};
+    row[n++] = (trial_row){.name = "+ eight triangles", .verbs = &bvh8_trial, .how = &how[0],
+                           .again = true};
+    row[n++] = (trial_row){.name = "+ AVX2", .verbs = &bvh8_trial, .how = &how[1]};
+    row[n++] = (trial_row){.name = "+ AVX-512", .verbs = &bvh8_trial, .how = &how[2]};
+    row[n++] = (trial_row){.name = "leaky", .verbs = &bvh8_leaky_trial, .how = &how[2]};
+    trials_run(row, n, s, o->quick ? 1 : 15);
+    table t = trial_table(trial_title(s, title), row, n, s, o->full, NULL);
+    output_table(o, &t);
+    trial_end(row, n);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef bool shadow_ask(const bvh8 *w, ray r);
+typedef struct { shadow_ask *ask; const bvh8 *w; const bvh *b; const ray_set *rays; size_t hits; }
+    shadow_pass;
+
+static inline bool shadow_closest(const bvh8 *w, ray r)
+{
+    hit h;
+    return bvh8_hit(w, r, &h);
+}
+
+static inline double shadow_run(void *context)
+{
+    shadow_pass *p = context;
+    p->hits = 0;
+    for (size_t i = 0; i < p->rays->n; i++)
+        p->hits += p->ask ? p->ask(p->w, p->rays->r[i]) : bvh_occluded(p->b, p->rays->r[i]);
+    return (double)p->hits;
+}
+
+/* From where the primary rays hit to a light above. */
+static inline ray_set shadow_rays(const trial_scene *s, const bvh8 *w)
+{
+    const ray_set *eye = &s->rays[TRIAL_PRIMARY];
+    ray_set out = {allocate(eye->n, sizeof *out.r), 0};
+    vec3 lo, hi;
+    hit h;
+    mesh_bounds(&s->m, &lo, &hi);
+    vec3 light = vmadd(hi, vsub(hi, lo), 1);
+    for (size_t i = 0; i < eye->n; i++)
+        if (bvh8_hit(w, eye->r[i], &h))
+            out.r[out.n++] = ray_shadow(ray_at(eye->r[i], h.t), light, (real)1e-4);
+    return out;
+}
+
+static inline void table_of_shadows(const options *o, const trial_scene *s)
+{
+    static const struct { const char *name; shadow_ask *ask; } list[] = {
+        {"14: two wide", NULL}, {"the closest hit", shadow_closest},
+        {"any, boxes in any order", bvh8_any_order}, {"any, nearest box first", bvh8_any_boxes},
+        {"any, + eight triangles", bvh8_occluded}, {"leaky", bvh8_occluded_leaky}};
+    enum { n = sizeof list / sizeof *list };
+    bvh8 w;
+    bvh b;
+    failure f;
+    if (!bvh8_build(&s->x, bvh8_defaults, &w, &f)) fail(f);
+    if (!bvh_build(&s->x, bvh_defaults, &b, &f)) fail(f);
+    ray_set rays = shadow_rays(s, &w);
+    char title[120];
+    snprintf(title, sizeof title, "%zu triangles: %zu rays to a light, one thread",
+             s->m.triangles, rays.n);
+    table t = table_new(title, "search|rays in shadow|time [ns]");
+    shadow_pass pass[n];
+    bench_candidate v[n];
+    for (int i = 0; i < (int)n; i++) {
+        pass[i] = (shadow_pass){list[i].ask, &w, &b, &rays, 0};
+        v[i] = (bench_candidate){list[i].name, shadow_run, &pass[i], 0, 0};
+    }
+    bench_time(v, (int)n, o->quick ? 1 : 15);
+    for (int i = 0; i < (int)n; i++) {
+        table_text(&t, "%s", list[i].name), table_count(&t, pass[i].hits);
+        table_number(&t, trial_per(v[i].seconds * 1e9, rays.n));
+    }
+    output_extra_table(o, &t);
+    rays_free(&rays), bvh8_free(&w), bvh_free(&b);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef bool crack_search(const void *built, ray r, hit *out);
+typedef struct { crack_search *hit; const void *built; const ray_set *rays; } crack_pass;
+
+static inline double crack_run(void *context)
+{
+    crack_pass *p = context;
+    size_t hits = 0;
+    hit h;
+    for (size_t i = 0; i < p->rays->n; i++) hits += p->hit(p->built, p->rays->r[i], &h);
+    return (double)hits;
+}
+
+static inline bool crack_first(const void *w, ray r, hit *out) { return first_wide_hit(w, r, out); }
+static inline bool crack_bvh8(const void *w, ray r, hit *out) { return bvh8_hit(w, r, out); }
+static inline bool crack_leaky(const void *w, ray r, hit *out) { return bvh8_hit_leaky(w, r, out); }
+
+/* Into a closed mesh at its corners and edges, from `away` sizes: each ray must hit. */
+static inline void table_of_cracks(const options *o)
+{
+    static const struct { const char *name; crack_search *hit; } list[3] = {
+        {"first, four wide", crack_first}, {"leaky", crack_leaky}, {"watertight", crack_bvh8}};
+    table t = table_new("Into a closed mesh at its corners and edges, from so many sizes away",
+                        "search|distance|rays|error [lost]|error t, largest|time [ns]");
+    mesh m = octahedron_mesh(48);
+    items x = items_of_mesh(&m);
+    first_mesh soup = mesh_soup(&m);
+    first_wide w4 = first_wide_build(&soup);
+    bvh8 w;
+    failure f;
+    size_t n = o->quick ? 500 : 20000;
+    if (!bvh8_build(&x, bvh8_defaults, &w, &f)) fail(f);
+    for (double away = 4; away < 1e7; away *= 500) {
+        ray_set rays = rays_corners(&m, vec(0.6 * away, 0.5 * away, 0.7 * away), n, o->seed);
+        bench_candidate c[3];
+        crack_pass pass[3];
+        for (int i = 0; i < 3; i++) {
+            pass[i] = (crack_pass){list[i].hit, i ? (const void *)&w : (const void *)&w4, &rays};
+            c[i] = (bench_candidate){list[i].name, crack_run, &pass[i], 0, 0};
+        }
+        bench_time(c, 3, o->quick ? 1 : 5);
+        for (int i = 0; i < 3; i++) {
+            size_t due = 0, lost = 0;
+            double error = 0;
+            for (size_t k = 0; k < rays.n; k++) {
+                hit a, b;
+                if (!bvh8_hit(&w, rays.r[k], &a)) continue;
+                due++;
+                if (!list[i].hit(pass[i].built, rays.r[k], &b)) lost++;
+                else error = fmax(error, (double)(fabs(b.t - a.t) / a.t));
+            }
+            table_text(&t, "%s", list[i].name), table_number(&t, away), table_count(&t, due);
+            table_count(&t, lost), table_number(&t, error);
+            table_number(&t, trial_per(c[i].seconds * 1e9, rays.n));
+        }
+        rays_free(&rays);
+    }
+    output_table(o, &t);
+    bvh8_free(&w), first_wide_free(&w4), first_mesh_free(&soup), mesh_free(&m);
+}
+
+/* How often a ray asked `real`, by kinds. */
+static inline void table_of_doubts(const options *o, const trial_scene *s)
+{
+    table t = table_new("Tests of a ray: in float by eight, and in real one by one",
+                        "rays|number|nodes a ray|blocks a ray|triangles a ray|in real a ray|hits");
+    bvh8 w;
+    failure f;
+    if (!bvh8_build(&s->x, bvh8_defaults, &w, &f)) fail(f);
+    ray_set shadow = shadow_rays(s, &w);
+    for (int k = 0; k < 4; k++) {
+        const ray_set *rays = k < 2 ? &s->rays[k] : k == 2 ? &s->rays[TRIAL_CORNERS] : &shadow;
+        search_work work = {0, 0, 0, 0};
+        size_t before = bvh8_asked, hits = 0;
+        hit h;
+        for (size_t i = 0; i < rays->n; i++)
+            hits += k < 3 ? bvh8_hit_counted(&w, rays->r[i], &h, &work)
+                          : bvh8_occluded_counted(&w, rays->r[i], &work);
+        table_text(&t, k < 2 ? "%s" : k == 2 ? "at corners" : "shadow", trial_kind_name[k & 1]);
+        table_count(&t, rays->n), table_number(&t, trial_per((double)work.nodes, rays->n));
+        table_number(&t, trial_per((double)work.leaves, rays->n));
+        table_number(&t, trial_per((double)work.tests, rays->n));
+        table_number(&t, trial_per((double)(bvh8_asked - before), rays->n));
+        table_count(&t, hits);
+    }
+    output_extra_table(o, &t);
+    rays_free(&shadow), bvh8_free(&w);
+}
+
+/* Building, by threads, beside the binary tree of 14 by one. */
+static inline void table_of_building(const options *o, const trial_scene *s)
+{
+    table t = table_new("Building",
+                        "structure|threads|bytes a triangle|peak bytes a triangle|time [ms]");
+    failure f;
+    for (int i = 0; i < 4; i++) {
+        double seconds[5], start;
+        structure_stats st = {0};
+        bvh8_options how = bvh8_defaults;
+        how.threads = i;
+        for (int k = 0; k < 5; k++) {
+            bvh b;
+            bvh8 w;
+            start = clock_seconds();
+            if (i == 0 && !bvh_build(&s->x, bvh_defaults, &b, &f)) fail(f);
+            if (i > 0 && !bvh8_build(&s->x, how, &w, &f)) fail(f);
+            seconds[k] = clock_seconds() - start;
+            st = i == 0 ? bvh_stats(&b) : bvh8_stats(&w);
+            if (i == 0) bvh_free(&b);
+            else bvh8_free(&w);
+        }
+        table_text(&t, i ? "eight wide" : "14: two wide"), table_count(&t, i ? (size_t)i : 1);
+        table_number(&t, trial_per((double)st.bytes, st.items));
+        table_number(&t, trial_per((double)st.peak, st.items));
+        table_number(&t, clock_median(seconds, 5) * 1e3);
+    }
+    output_extra_table(o, &t);
+}
+
+#endif

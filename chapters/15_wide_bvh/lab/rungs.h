@@ -1,0 +1,112 @@
+/* rungs.h: what each step from 14's search to walk.h gains: searches of the same tree that do less
+ * at once. All are right: boxes are conservative, and triangles asked in `real`.
+ *
+ *   bool bvh8_hit_one(&w, r, &h)        box after box, triangle after triangle
+ *   bool bvh8_hit_any_order(&w, r, &h)  eight boxes at once; children in the order of the node
+ *   bool bvh8_hit_boxes(&w, r, &h)      the nearest child first
+ *   bool bvh8_any_order(&w, r), bvh8_any_boxes(&w, r)       the last two, for "is there any?"
+ */
+#ifndef WIDE_RUNGS_H
+#define WIDE_RUNGS_H
+
+#include "../bvh8.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* One box: what bvh8_boxes does in a lane. */
+static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float limit, float *enter)
+{
+    float begin = q->tmin, end = limit;
+    for (int a = 0; a < 3; a++) {
+        float t0 = ((const float *)&n->side[q->near[a]])[k] * q->inverse[a] + q->near_o[a];
+        float t1 = ((const float *)&n->side[q->far[a]])[k] * q->inverse[a] + q->far_o[a];
+        begin = float_max(t0, begin), end = float_min(t1, end);
+    }
+    *enter = begin;
+    return begin <= end;
+}
+
+static inline unsigned rung_boxes(const bvh8_node *n, const bvh8_ray *q, float limit, bool at_once,
+                                  float enter[8])
+{
+    unsigned mask = 0;
+    if (at_once) {
+        eight from;
+        mask = bvh8_boxes_0(n, q, limit, &from);
+        memcpy(enter, &from, sizeof from);
+    } else
+        for (int k = 0; k < 8; k++) mask |= (unsigned)rung_box(n, k, q, limit, &enter[k]) << k;
+    return mask;
+}
+
+/* The triangles of a block one by one, in `real`. */
+static inline bool rung_block(const bvh8 *w, const bvh8_block *b, query *q, bool any)
+{
+    bool found = false;
+    for (int k = 0; k < 8 && b->index[k] != no_shape; k++)
+        if (query_ask(q, &w->x, b->index[k], any)) {
+            if (any) return true;
+            found = true;
+        }
+    return found;
+}
+
+typedef struct { uint32_t child; float enter; } rung_waiting;
+
+__attribute__((always_inline))
+static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool nearest, bool any)
+{
+    rung_waiting stack[512];
+    int top = 1;
+    if (w->nodes == 0 || !ray_is_usable(r)) return false;
+    query ask = query_of(r);
+    bvh8_ray q;
+    bvh8_ray_of(w, r, false, &q);
+    float limit = q.limit, enter[8];
+    stack[0] = (rung_waiting){0, -INFINITY};
+    while (top > 0) {
+        rung_waiting now = stack[--top];
+        if (now.enter > limit) continue;
+        if (now.child & bvh8_leaf) {
+            if (rung_block(w, &w->block[now.child & ~bvh8_leaf], &ask, any) && any) return true;
+            limit = bvh8_limit(&q, ask.r.tmax);
+            continue;
+        }
+        const bvh8_node *n = &w->node[now.child];
+        unsigned mask = rung_boxes(n, &q, limit, at_once, enter);
+        for (int base = top; mask; mask &= mask - 1) {
+            int k = __builtin_ctz(mask), j = top++;
+            for (; nearest && j > base && stack[j - 1].enter < enter[k]; j--)
+                stack[j] = stack[j - 1];
+            stack[j] = (rung_waiting){n->child[k], enter[k]};
+        }
+    }
+    return !any && query_answer(&ask, out);
+}
+
+static inline bool bvh8_hit_one(const bvh8 *w, ray r, hit *out)
+{
+    return rung_walk(w, r, out, false, true, false);
+}
+
+static inline bool bvh8_hit_any_order(const bvh8 *w, ray r, hit *out)
+{
+    return rung_walk(w, r, out, true, false, false);
+}
+
+static inline bool bvh8_hit_boxes(const bvh8 *w, ray r, hit *out)
+{
+    return rung_walk(w, r, out, true, true, false);
+}
+
+static inline bool bvh8_any_order(const bvh8 *w, ray r)
+{
+    return rung_walk(w, r, NULL, true, false, true);
+}
+
+static inline bool bvh8_any_boxes(const bvh8 *w, ray r)
+{
+    return rung_walk(w, r, NULL, true, true, true);
+}
+
+#endif

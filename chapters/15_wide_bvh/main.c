@@ -1,0 +1,66 @@
+/* 15_wide_bvh: the tree of boxes, eight wide: rung by rung, and what watertight costs.
+cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 15_wide_bvh chapters/15_wide_bvh/main.c -lm -lpthread
+ *
+ * Without options: the teapot, the drawing, the ladder, rays at cracks. --full: all tables.
+ * --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
+#include "../07_mesh/files/obj.h"
+#include "lab/figure.h"
+#include "lab/measure.h"
+#include "lab/rays.h"
+
+static void measure(const options *o, bool large)
+{
+    trial_scene s;
+    bvh8_options how = bvh8_defaults;
+    options here = *o;
+    int width = o->quick ? 40 : large ? 320 : 160;
+    here.full = large;
+    trial_scene_of(teapot_mesh(o->quick ? 6 : large ? 40 : 12), &s);
+    trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
+               &bvh8_trial, &how);
+    table_of_rungs(&here, &s);
+    if (large) table_of_shadows(o, &s), table_of_doubts(o, &s), table_of_building(o, &s);
+    else table_of_cracks(o);
+    trial_scene_free(&s);
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const name[eight_dialects] = {"plain", "avx2", "avx512"};
+    const char *path = NULL, *rays = NULL, *hits = NULL, *dialect = "best";
+    bool any = false;
+    bvh8_options how = bvh8_defaults;
+    const option list[] = {
+        {"mesh", OPTION_INPUT, &path, 0, 0,
+         "FILE.obj: draw this mesh, y up, or search it (--rays)"},
+        {"rays", OPTION_INPUT, &rays, 0, 0,
+         "search these rays: ox oy oz tmin dx dy dz tmax, float32"},
+        {"hits", OPTION_OUTPUT, &hits, 0, 0, "with --rays: their t and triangle to this file"},
+        {"any-hit", OPTION_FLAG, &any, 0, 0, "with --rays: is there any hit at all?"},
+        {"dialect", OPTION_TEXT, &dialect, 0, 0, "with --rays: plain, avx2, avx512 or best"},
+        {"width", OPTION_INT, &how.width, 2, 8, "with --rays: children a node"}, {0}};
+    options o = options_read(argc, argv, "15_wide_bvh", "Boxes and triangles, eight at once.",
+                             (options){.width = 640, .height = 400, .seed = 1}, list);
+    failure f;
+    mesh m;
+    int d = 0;
+    while (d < eight_dialects && strcmp(dialect, name[d]) != 0) d++;
+    if (d == eight_dialects && strcmp(dialect, "best") != 0)
+        die(2, "--dialect %s: allowed are plain, avx2, avx512, best", dialect);
+    if (d < eight_dialects) how.dialect = (eight_dialect)d;
+    if (how.dialect > eight_best()) die(2, "--dialect %s: this machine has it not", dialect);
+    if (!rays && (hits || any)) die(2, "--hits and --any-hit need --rays FILE");
+    if (rays && o.out) die(2, "--out: no picture with --rays");
+    if (!rays && o.csv && (path || o.out))
+        die(2, "--csv: no table with --mesh, --out, but with --rays");
+    if (path && !obj_read(path, &m, &f)) fail(f);
+    if (!path) m = teapot_mesh(o.quick ? 8 : 40);
+    o.own = path || rays;
+    items x = items_of_mesh(&m);
+    if (rays) search_file(&o, &x, path ? path : "teapot", rays, hits, any, how);
+    else draw_mesh(&o, &m, path);
+    if (!o.own && !o.out) draw_lanes(&o), measure(&o, false);
+    if (!o.own && !o.out && o.full) measure(&o, true);
+    mesh_free(&m);
+    return output_done(&o);
+}

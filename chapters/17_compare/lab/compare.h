@@ -1,0 +1,306 @@
+/* compare.h: the structures on one scene: built, and proved to give the same answers.
+ *
+ *   comparison s;
+ *   compare_begin(&s, &w, &chosen, most_bytes, rounds) builds all that are chosen, each up to
+ *                                                     `rounds` times, until a quarter of a second
+ *                                                     has passed; all together hold at most
+ *                                                     most_bytes
+ *   compare_rays(&s, whole_view, n, seed)             the four kinds of rays, n of each if there
+ *                                                     are so many: kinds.h
+ *   if (!compare_prove(&s, most, brute_rays, seed, stdout)) exit(1);
+ *   compare_end(&s)                                   the world stays the caller's
+ *
+ * A proof (证明) by trial: every structure gives the same hit, t, u, v and shape, for up to `most`
+ * rays of every kind, and the same "occluded"; brute force gives it, too, for `brute_rays` or a few
+ * more of them, half of which are aimed where shapes end; those are asked again, ending exactly at
+ * their hits (proof.h). The first ray that differs is explained, and the answer is false.
+ *
+ * Times here are those that this thread had a processor for (work_seconds), so that other work of
+ * the machine counts little.
+ */
+#ifndef COMPARE_LAB_COMPARE_H
+#define COMPARE_LAB_COMPARE_H
+
+#include "explain_cells.h"
+#include "kinds.h"
+
+/* Structures with their options; label: what --only said, "bvh:leaf=8". */
+typedef struct { const contender *c; contender_settings how; char label[44]; } compare_choice;
+enum { compare_most = 48, compare_usual_rays = 20000 };
+typedef struct { compare_choice of[compare_most]; int n; } line_up;
+
+typedef struct {
+    const compare_choice *choice;
+    const contender *c;
+    void *s;                      /* NULL: it does not fit; */
+    failure why;                  /* and why */
+    double build;                 /* seconds, the median */
+    structure_stats stats;
+    search_work work[compare_kinds];
+    size_t counted[compare_kinds];    /* rays that this work is of */
+    size_t rays[compare_kinds], hits[compare_kinds];
+    double seconds[compare_kinds];    /* of so many rays: the median */
+    double spread[compare_kinds];     /* half the way between its quartiles, over the median */
+    size_t wrong[2], held[2];     /* of a first version: hits unlike brute force's, of so many: */
+                                  /* of rays aimed at borders, or begun there; of all others */
+} compare_entry;
+
+typedef struct {
+    const world *w;
+    scene scene;
+    items x;
+    compare_entry entry[compare_most];
+    int entries;
+    ray_set rays[compare_kinds];
+    size_t proved, by_brute;      /* rays */
+} comparison;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void choose(line_up *all, const contender *c)
+{
+    if (all->n == compare_most) die(2, "%d structures at once are the most", (int)compare_most);
+    compare_choice *p = &all->of[all->n++];
+    *p = (compare_choice){.c = c};
+    snprintf(p->label, sizeof p->label, "%.40s", c->name);
+}
+
+/* Those that take part without being asked for. */
+static inline line_up choose_usual(void)
+{
+    line_up all = {.n = 0};
+    for (int k = 0; k < contenders; k++)
+        if (contender_list[k]->role != CONTENDER_NAMED) choose(&all, contender_list[k]);
+    return all;
+}
+
+static inline line_up choose_one(const contender *c)
+{
+    line_up all = {.n = 0};
+    choose(&all, c);
+    return all;
+}
+
+/* Of this thread, on a processor. */
+static inline double work_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static inline void entry_build(compare_entry *e, const items *x, size_t most_bytes, int rounds)
+{
+    double seconds[9], begin = work_seconds();
+    int done = 0;
+    do {
+        contender_free(e->c, e->s);
+        double start = work_seconds();
+        e->s = contender_build(e->c, &e->choice->how, x, most_bytes, &e->why);
+        seconds[done++] = work_seconds() - start;
+    } while (e->s && done < rounds && work_seconds() - begin < 0.25);
+    e->build = clock_median(seconds, done);
+    if (e->s) e->stats = e->c->stats(e->s);
+}
+
+/* On a terminal: who is at work, and on what. A later line takes its place; what NULL: erases. */
+static inline void compare_progress(const char *where, const char *what, const char *who)
+{
+    if (!isatty(STDERR_FILENO)) return;
+    if (what) fprintf(stderr, "\r%s: %s: %s %s \033[K", program_name, where, what, who);
+    else fprintf(stderr, "\r\033[K");
+}
+
+/* One after the other: each may take what those before it have left. */
+static inline void compare_build(comparison *s, size_t most_bytes, int rounds)
+{
+    for (int k = 0; k < s->entries; k++) {
+        compare_progress(s->w->name, "building", s->entry[k].c->name);
+        entry_build(&s->entry[k], &s->x, most_bytes, rounds);
+        size_t bytes = s->entry[k].stats.bytes;
+        most_bytes -= bytes < most_bytes ? bytes : most_bytes;
+    }
+    compare_progress(s->w->name, NULL, NULL);
+}
+
+/* rounds [1, 9]. */
+static inline void compare_begin(comparison *s, const world *w, const line_up *chosen,
+                                 size_t most_bytes, int rounds)
+{
+    *s = (comparison){.w = w, .scene = world_scene(w)};
+    s->x = w->n ? items_of_scene(&s->scene) : items_of_mesh(&w->mesh);
+    for (int k = 0; k < chosen->n; k++) {
+        s->entry[k].choice = &chosen->of[k], s->entry[k].c = chosen->of[k].c;
+        s->entries++;
+    }
+    compare_build(s, most_bytes, rounds);
+}
+
+static inline void compare_end(comparison *s)
+{
+    for (int k = 0; k < s->entries; k++) contender_free(s->entry[k].c, s->entry[k].s);
+    for (int k = 0; k < compare_kinds; k++) rays_free(&s->rays[k]);
+    s->entries = 0;
+}
+
+/* For things on the way: the BVH; or the first that fits, brute force and the first versions last.
+ * NULL: none does. */
+static inline const compare_entry *compare_any(const comparison *s)
+{
+    const compare_entry *best = NULL;
+    int least = 4;
+    for (int k = 0; k < s->entries; k++) {
+        const compare_entry *e = &s->entry[k];
+        int rank = e->c == &bvh_contender ? 0 : e->c == &brute_contender ? 2
+                   : contender_is_first(e->c) ? 3 : 1;
+        if (e->s && rank < least) best = e, least = rank;
+    }
+    return best;
+}
+
+/* Every so manieth ray of a set. */
+static inline ray_set rays_some(const ray_set *all, size_t most)
+{
+    size_t n = all->n < most ? all->n : most;
+    ray_set s = {allocate(n, sizeof(ray)), n};
+    for (size_t i = 0; i < n; i++) s.r[i] = all->r[i * all->n / n];
+    return s;
+}
+
+/* The sets of rays that begin where primary ones end; the least of their numbers. */
+static inline size_t rays_on(comparison *s, ray_set *eye, uint64_t seed)
+{
+    const compare_entry *e = compare_any(s);
+    hit *h = allocate(eye->n, sizeof *h);
+    for (size_t i = 0; i < eye->n; i++) h[i] = hit_none;
+    if (e) e->c->search(e->s, eye->r, eye->n, false, h);
+    s->rays[KIND_SHADOW] = rays_to_lights(s->w, eye, h);
+    s->rays[KIND_DIFFUSE] = rays_scattered(s->w, eye, h, seed);
+    s->rays[KIND_MIRROR] = rays_mirrored(s->w, eye, h);
+    free(h);
+    size_t shadow = s->rays[KIND_SHADOW].n, diffuse = s->rays[KIND_DIFFUSE].n;
+    return shadow < diffuse ? shadow : diffuse;
+}
+
+/* The picture grows, up to four times each way, until enough of its rays hit. */
+static inline void compare_rays(comparison *s, const double part[4], size_t n, uint64_t seed)
+{
+    int edge = (int)ceil(sqrt((double)n)), across = edge;
+    for (;;) {
+        ray_set eye = rays_view(s->w, part, across);
+        size_t least = rays_on(s, &eye, seed);
+        rays_free(&eye);
+        if (least == 0 || least >= n || across >= 4 * edge) break;
+        int wider = (int)((double)across * sqrt((double)n / (double)least)) + 1;
+        across = wider < 4 * edge ? wider : 4 * edge;
+        for (int k = KIND_SHADOW; k < compare_kinds; k++) rays_free(&s->rays[k]);
+    }
+    s->rays[KIND_PRIMARY] = rays_view(s->w, part, edge);
+    for (int k = 0; k < compare_kinds; k++) {
+        ray_set some = rays_some(&s->rays[k], n);
+        rays_free(&s->rays[k]);
+        s->rays[k] = some;
+    }
+}
+
+/* The proof. ----------------------------------------------------------------------------------- */
+
+/* One entry against given hits of n rays. closed: rays that end at their hits, too. */
+static inline bool prove_entry(const compare_entry *e, const items *x, const ray *r,
+                               const hit *due, size_t n, bool closed, const char *oracle,
+                               FILE *out)
+{
+    wrong_answer w;
+    for (size_t i = 0; i < n; i++) {
+        if (closed ? prove_closed(e->c, e->s, r[i], due[i], &w)
+                   : prove_ray(e->c, e->s, r[i], due[i], &w)) continue;
+        explain_wrong(e->c, e->s, x, &w, oracle, out);
+        return false;
+    }
+    return true;
+}
+
+/* All entries on n rays. The first that fits gives the hits that the others are held against; brute
+ * force gives them if it is to. */
+static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool by_brute, FILE *out)
+{
+    const compare_entry *first = NULL;
+    const char *oracle = "brute force";
+    bool ok = true;
+    hit *due = allocate(n, sizeof *due);
+    for (size_t i = 0; i < n; i++) {
+        due[i] = hit_none;
+        if (by_brute) items_hit(&s->x, r[i], &due[i]);
+    }
+    for (int k = 0; ok && k < s->entries; k++) {
+        const compare_entry *e = &s->entry[k];
+        if (!e->s || e->c == &brute_contender || contender_is_first(e->c)) continue;
+        if (!first && !by_brute) {
+            oracle = e->c->name;
+            e->c->search(e->s, r, n, false, due);
+        }
+        first = first ? first : e;
+        compare_progress(s->w->name, "proving", e->c->name);
+        ok = prove_entry(e, &s->x, r, due, n, by_brute, oracle, out);
+    }
+    compare_progress(s->w->name, NULL, NULL);
+    free(due);
+    return ok;
+}
+
+/* The first versions are allowed to be wrong: counted, not explained. */
+static inline void compare_count_wrong(comparison *s, const ray *r, size_t n, bool aimed)
+{
+    int firsts = 0;
+    for (int k = 0; k < s->entries; k++)
+        firsts += s->entry[k].s && contender_is_first(s->entry[k].c);
+    for (size_t i = 0; firsts && i < n; i++) {
+        hit due = hit_none;
+        items_hit(&s->x, r[i], &due);
+        for (int k = 0; k < s->entries; k++) {
+            compare_entry *e = &s->entry[k];
+            hit h = hit_none;
+            if (!e->s || !contender_is_first(e->c)) continue;
+            e->c->hit(e->s, r[i], &h);
+            e->wrong[!aimed] += first_is_wrong(h, due), e->held[!aimed]++;
+        }
+    }
+}
+
+/* Those that fit, beside brute force: one alone has only that to agree with. */
+static inline int compare_fit(const comparison *s)
+{
+    int n = 0;
+    for (int k = 0; k < s->entries; k++) 
+        n += s->entry[k].s && s->entry[k].c != &brute_contender
+             && !contender_is_first(s->entry[k].c);
+    return n;
+}
+
+static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, uint64_t seed,
+                                 FILE *out)
+{
+    ray_set extra[2] = {rays_aimed(s->w, brute_rays / 2, seed),
+                        rays_everywhere(s->w, brute_rays / 4, seed)};
+    bool ok = true;
+    for (int k = 0; k < 2; k++) {
+        ok = ok && prove_rays(s, extra[k].r, extra[k].n, true, out);
+        compare_count_wrong(s, extra[k].r, extra[k].n, true);
+        s->proved += extra[k].n, s->by_brute += extra[k].n;
+        rays_free(&extra[k]);
+    }
+    int fit = compare_fit(s);
+    for (int k = 0; ok && k < compare_kinds; k++) {
+        ray_set some = rays_some(&s->rays[k], brute_rays / 4 / compare_kinds + 1);
+        ray_set more = rays_some(&s->rays[k], most);
+        ok = prove_rays(s, some.r, some.n, true, out)
+             && (some.n == s->rays[k].n || prove_rays(s, more.r, more.n, false, out));
+        compare_count_wrong(s, some.r, some.n, false);
+        s->proved += fit > 1 && more.n > some.n ? more.n : some.n, s->by_brute += some.n;
+        rays_free(&some), rays_free(&more);
+    }
+    if (fit == 0) s->proved = s->by_brute = 0;
+    return ok;
+}
+
+#endif

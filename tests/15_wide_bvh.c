@@ -1,0 +1,176 @@
+/* The tree eight wide against brute force, in every dialect that the machine has; that nothing is
+ * lost in it, the same tree for any number of threads, and what the leaky search loses. */
+#include "../chapters/15_wide_bvh/bvh8.h"
+#include "structure.h"
+
+static bvh8_options options_now;
+
+static void *build_now(const items *x, failure *f)
+{
+    bvh8 *w = allocate(1, sizeof *w);
+    if (bvh8_build(x, options_now, w, f)) return w;
+    free(w);
+    return NULL;
+}
+
+static bool hit_now(const void *s, ray r, hit *out) { return bvh8_hit(s, r, out); }
+static bool occluded_now(const void *s, ray r) { return bvh8_occluded(s, r); }
+static void destroy_now(void *s) { bvh8_free(s), free(s); }
+
+static const char *const dialect_name[eight_dialects] = {"plain C", "AVX2", "AVX-512"};
+
+static void test_structures(void)
+{
+    for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++)
+        for (int cut = 1; cut <= 8; cut *= 2) {
+            char name[40];
+            structure s = {name, build_now, hit_now, occluded_now, destroy_now};
+            options_now = bvh8_defaults;
+            options_now.dialect = (eight_dialect)d, options_now.cut = cut;
+            snprintf(name, sizeof name, "%s, cut to %d", dialect_name[d], cut);
+            structure_tests(&s, check_count(cut == 4 ? 1200 : 200));
+        }
+}
+
+/* Corners that are floats are taken from the blocks, others from the mesh. */
+static void test_floats(void)
+{
+    mesh m = teapot_mesh(6);
+    for (size_t i = 0; i < m.vertices; i++) {
+        vec3 p = m.v[i];
+        m.v[i] = (vec3){(real)(float)p.x, (real)(float)p.y, (real)(float)p.z};
+    }
+    items x = items_of_mesh(&m);
+    structure s = {"floats", build_now, hit_now, occluded_now, destroy_now};
+    structure_verdict v = {0, 0, 0, 0};
+    options_now = bvh8_defaults;
+    bvh8 *w = structure_build(&s, &x, "teapot");
+    for (size_t i = 0; i < check_count(6000); i++) {
+        random_stream g = random_start(12, i, 0);
+        structure_ray(&s, w, &x, aimed(&m, &g, (int)(i % aimed_kinds), (vec3){0, 0, 0}, 3), &v);
+    }
+    check(w->exact, "a mesh of floats: blocks hold its corners");
+    check_equal(v.wrong + v.wrong_any, 0, "a mesh of floats: as brute force, %zu hits", v.hits);
+    destroy_now(w);
+    mesh_free(&m);
+}
+
+/* Every item once; every box around what is below it; blocks hold what they name. */
+static void count_items(const bvh8 *w, uint32_t at, const float *box, size_t *seen, size_t *outside)
+{
+    if (at & bvh8_leaf) {
+        const bvh8_block *b = &w->block[at & ~bvh8_leaf];
+        for (int k = 0; k < 8; k++) {
+            if (b->index[k] == no_shape) continue;
+            seen[b->index[k]]++;
+            triangle t = mesh_triangle(w->x.m, b->index[k]);
+            const vec3 p[3] = {bvh8_into(w, t.a), bvh8_into(w, t.b), bvh8_into(w, t.c)};
+            for (int j = 0; j < 9; j++) {
+                real x = vaxis(p[j / 3], j % 3);
+                *outside += x < (real)box[j % 3] || x > (real)box[3 + j % 3];
+                *outside += b->corner[j][k] != (float)x;
+            }
+        }
+        return;
+    }
+    const bvh8_node *n = &w->node[at];
+    for (int k = 0; k < 8; k++) {
+        float part[6];
+        for (int s = 0; s < 6; s++) part[s] = n->side[s][k];
+        if (part[0] > part[3]) continue;
+        for (int s = 0; s < 3; s++) *outside += part[s] < box[s] || part[3 + s] > box[3 + s];
+        count_items(w, n->child[k], part, seen, outside);
+    }
+}
+
+static void invariants_of(const char *what, mesh m)
+{
+    items x = items_of_mesh(&m);
+    failure f;
+    bvh8 w, again;
+    bvh8_options how = bvh8_defaults;
+    how.threads = 1;
+    size_t *seen = allocate(m.triangles, sizeof *seen), outside = 0, wrong = 0, held = 0;
+    const float all[6] = {-INFINITY, -INFINITY, -INFINITY, INFINITY, INFINITY, INFINITY};
+    check(bvh8_build(&x, how, &w, &f), "%s: built", what);
+    count_items(&w, 0, all, seen, &outside);
+    for (size_t i = 0; i < m.triangles; i++) {
+        triangle t = mesh_triangle(&m, i);
+        bool due = !vzero(triangle_cross(t.a, t.b, t.c));
+        held += due, wrong += seen[i] != due;
+    }
+    check_equal(wrong, 0, "%s: every triangle of some area is in one leaf, others in none", what);
+    check_equal(outside, 0, "%s: boxes hold what is below them, and blocks their triangles", what);
+    structure_stats s = bvh8_stats(&w);
+    check_equal(s.items, held, "%s: counted", what);
+    check_at_most(s.depth, 64, "%s: depth", what);
+    for (how.threads = 2; how.threads < 8; how.threads += 3) {
+        check(bvh8_build(&x, how, &again, &f), "%s: built by %d threads", what, how.threads);
+        bool alike = again.nodes == w.nodes && again.blocks == w.blocks
+            && !memcmp(again.block, w.block, w.blocks * sizeof *w.block);
+        for (size_t i = 0; alike && i < w.nodes; i++)
+            alike = !memcmp(&again.node[i], &w.node[i], offsetof(bvh8_node, child) + 32);
+        check(alike, "%s: %d threads make the same tree, to the last byte", what, how.threads);
+        bvh8_free(&again);
+    }
+    bvh8_free(&w);
+    bvh8_free(&w);
+    free(seen);
+    mesh_free(&m);
+}
+
+static void test_invariants(void)
+{
+    invariants_of("teapot", teapot_mesh(8));
+    invariants_of("needles", needles(5000, 1e-4));
+    invariants_of("a fan", structure_fan(5000));
+    invariants_of("planes", floors_mesh(8));
+    invariants_of("one triangle", needles(1, 0.5));
+    mesh m = mesh_room(3000);
+    for (size_t i = 0; i < m.triangles; i++)
+        set_triangle(&m, i, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, i % 3 == 2 ? 2 : 1});
+    invariants_of("coincident triangles", m);
+}
+
+/* Into a closed mesh at its corners and edges: brute force hits always, the leaky search does not;
+ * where it hits, t is right to six digits or so. Counted searches give the same answers. */
+static void test_leaks(void)
+{
+    mesh m = octahedron_mesh(16);
+    items x = items_of_mesh(&m);
+    failure f;
+    bvh8 w;
+    size_t lost = 0, rays = check_count(20000), far = 0, wrong = 0, lost_any = 0, odd = 0;
+    check(bvh8_build(&x, bvh8_defaults, &w, &f), "built");
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(41, i, 0);
+        vec3 o = vscale(random_in_cube(&g, 1), 4);
+        triangle t = mesh_triangle(&m, random_below(&g, m.triangles));
+        vec3 at = vmadd(t.a, vsub(t.b, t.a), i % 2 ? random_next(&g) : 0);
+        ray r = ray_from(o, vsub(at, o));
+        hit a = hit_none, b = hit_none, c = hit_none;
+        search_work work = {0, 0, 0, 0};
+        bool due = mesh_hit(&m, r, &a), got = bvh8_hit_leaky(&w, r, &b);
+        lost += due && !got, lost_any += due && !bvh8_occluded_leaky(&w, r);
+        if (due && got) far += fabs(a.t - b.t) > (real)1e-3;
+        wrong += !same(due, a, bvh8_hit_counted(&w, r, &c, &work), c);
+        odd += work.leaves > work.tests || work.nodes == 0 || (due && work.tests == 0);
+        wrong += bvh8_occluded_counted(&w, r, &work) != due;
+    }
+    check_equal(wrong, 0, "counted or not: the same answers");
+    check_equal(odd, 0, "counts that are possible");
+    check_at_least(lost, rays / 2000, "the leaky search loses rays at edges and corners");
+    check_at_least(lost_any, rays / 2000, "and so does its shadow");
+    check_at_most(far, rays / 20, "but where it hits, t is near the true one, or on the far side");
+    bvh8_free(&w);
+    mesh_free(&m);
+}
+
+int main(void)
+{
+    test_structures();
+    test_floats();
+    test_invariants();
+    test_leaks();
+    return check_report("15_wide_bvh");
+}

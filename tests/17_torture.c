@@ -1,0 +1,154 @@
+/* The exact cases of --torture: is the oracle exact, and does it tell right from wrong? */
+#include "check.h"
+#include "../chapters/07_mesh/files/ray_file.h"
+#include "../chapters/07_mesh/scenes/as_first.h"
+#include "../chapters/14_bvh/bvh.h"
+#include "../chapters/17_compare/lab/torture.h"
+#include <unistd.h>
+
+/* All fractions of small whole numbers, against their cross products. */
+static void test_less(void)
+{
+    size_t wrong = 0;
+    for (int a = -7; a <= 7; a++)
+        for (int b = 1; b <= 9; b++)
+            for (int c = -7; c <= 7; c++)
+                for (int d = 1; d <= 9; d++)
+                    wrong += torture_less((torture_t){a, b}, (torture_t){c, d}) != (a * d < c * b);
+    check_equal(wrong, 0, "fractions compared by their quotients");
+    torture_int n = (torture_int)1 << (3 * torture_bits);  /* products of two would not fit */
+    check(torture_less((torture_t){n - 2, n - 1}, (torture_t){n - 1, n}), "1 - 1/(n-1) < 1 - 1/n");
+    check(!torture_less((torture_t){n - 1, n}, (torture_t){n - 2, n - 1}), "and not the reverse");
+    torture_t f = torture_fraction((real)-2.75);
+    check(f.num == -11 && f.den == 4, "-2.75 = -11 / 4");
+}
+
+/* One triangle, x y <= 4 in the plane z = 1, met from below where it is known by hand. */
+static void test_meet(void)
+{
+    static const struct { real x, y; int met, share; } list[] = {
+        {1, 1, true, 6}, {2, 0, true, 3}, {2, 2, true, 3}, {0, 0, true, 1}, {4, 0, true, 1},
+        {3, 2, false, 0}, {-1, 1, false, 0}, {1, -1, false, 0}};
+    mesh m = mesh_room(1);
+    m.v[0] = vec(0, 0, 1), m.v[1] = vec(4, 0, 1), m.v[2] = vec(0, 4, 1);
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        int share;
+        ray r = ray_from(vec(list[i].x - 3, list[i].y, -2), vec(2, 0, 2));  /* there at t = 3/2 */
+        torture_t t = torture_meet(&m, 0, r, &share);
+        check((t.den > 0) == list[i].met && (!list[i].met || 2 * t.num == 3 * t.den),
+              "triangle at %g, %g", (double)list[i].x, (double)list[i].y);
+        if (list[i].met) check_equal(abs(share), list[i].share, "its share there, in sixths");
+        r.tmax = (real)1.5;
+        check((torture_meet(&m, 0, r, &share).den > 0) == list[i].met, "tmax = t counts");
+        r.tmax = nextafterf(1.5F, 0);
+        check(torture_meet(&m, 0, r, &share).den == 0, "one float less does not");
+    }
+    mesh_free(&m);
+}
+
+typedef bool asked(const void *s, ray r, hit *h);
+
+static size_t faults_of(const torture *t, asked *ask, const void *s)
+{
+    size_t faults = 0;
+    double error;
+    for (size_t i = 0; i < t->n; i++) {
+        hit h = hit_none;
+        if (!ask(s, t->r[i], &h)) h = hit_none;
+        faults += torture_judge(t, i, h, &error) != TORTURE_RIGHT;
+    }
+    return faults;
+}
+static bool ask_brute(const void *s, ray r, hit *h) { return items_hit(s, r, h); }
+static bool ask_bvh(const void *s, ray r, hit *h) { return bvh_hit(s, r, h); }
+static bool ask_first(const void *s, ray r, hit *h) { return first_mesh_hit(s, r, h); }
+
+/* The default is right in each class; the lecture's triangle loses edges, in double and in float. */
+static void test_classes(void)
+{
+    size_t first = 0, easy = 0;
+    for (int k = 0; k < torture_classes; k++) {
+        failure f;
+        bvh b;
+        const char *name = torture_list[k].name;
+        torture t = torture_make(k, 2000, 1);
+        items x = items_of_mesh(&t.m);
+        first_mesh m = first_mesh_of(&t.m);
+        size_t none = 0, bounds = 0;
+        for (size_t i = 0; i < t.n; i++) {
+            none += t.due[i].shape == no_shape;
+            for (int axis = 0; axis < 3; axis++)
+                bounds += !(fabs((double)vaxis(t.r[i].o, axis)) <= (2 << torture_bits)
+                            && fabs((double)vaxis(t.r[i].d, axis)) <= (2 << torture_bits)
+                            && (real)(float)vaxis(t.r[i].d, axis) == vaxis(t.r[i].d, axis));
+        }
+        check_equal(bounds, 0, "%s: rays beyond what is exact", name);
+        bool some = strcmp(name, "plane") == 0 ? none == t.n : none < t.n;
+        check(some && (none == 0 || k >= 4), "%s: %zu of %zu meet nothing", name, none, t.n);
+        check_equal(faults_of(&t, ask_brute, &x), 0, "%s: brute force", name);
+        if (!bvh_build(&x, bvh_defaults, &b, &f)) fail(f);
+        check_equal(faults_of(&t, ask_bvh, &b), 0, "%s: BVH", name);
+        *(k == 0 ? &easy : &first) += faults_of(&t, ask_first, &m);
+        bvh_free(&b), first_mesh_free(&m), torture_free(&t);
+    }
+    check_equal(easy, 0, "first version, well inside");
+    check_at_least(first, real_is_float ? 500 : 20, "first version, edges and corners lost");
+}
+
+/* Each kind of fault, planted into right answers. */
+static void test_judge(void)
+{
+    torture t = torture_make(1, 100, 7);
+    torture none = torture_make(4, 100, 7);
+    size_t seen[4] = {0, 0, 0, 0};
+    double error, worst = 0;
+    for (size_t i = 0; i < t.n; i++) {
+        torture_hit due = t.due[i];
+        hit right = {(real)((double)due.t.num / (double)due.t.den), 0, 0, due.shape}, wrong = right;
+        seen[0] += torture_judge(&t, i, right, &error) == TORTURE_RIGHT;
+        worst = check_worse(worst, error);
+        seen[1] += torture_judge(&t, i, hit_none, &error) == TORTURE_LOST;
+        seen[2] += torture_judge(&none, i, right, &error) == TORTURE_INVENTED;
+        wrong.shape = (due.shape + 200) % (uint32_t)t.m.triangles;
+        seen[3] += torture_judge(&t, i, wrong, &error) == TORTURE_ASTRAY;
+        right.t *= 1 + (real)0x1p-16;
+        torture_judge(&t, i, right, &error);
+        check_at_least(error, 50, "t off by 2^-16 shows");
+    }
+    for (int k = 0; k < 4; k++) check_equal(seen[k], t.n, "answers judged, kind %d", k);
+    check_at_most(worst, 1, "a right t is off by a rounding of float at most");
+    torture_free(&t), torture_free(&none);
+}
+
+static void test_files(void)
+{
+    char path[] = "/tmp/tortureXXXXXX";
+    failure f;
+    size_t n, differ = 0;
+    torture t = torture_make(10, 50, 3);
+    close(mkstemp(path));
+    if (!rays_write(path, t.r, t.n, &f)) fail(f);
+    ray *r = rays_read(path, &n, &f);
+    check(r && n == t.n, "as many rays as were written");
+    for (size_t i = 0; r && i < n; i++) differ += memcmp(&r[i], &t.r[i], sizeof *r) != 0;
+    check_equal(differ, 0, "rays are floats, and come back as they were");
+    free(r), file_forget(path);
+    check(!hits_read(path, n, &f) && f.exit_code == 2, "a file of rays is not one of so many hits");
+    file_forget(path);
+    hit h[2] = {{(real)1.5, 0, 0, 7}, hit_none}, *back;
+    if (!hits_write(path, h, 2, false, &f)) fail(f);
+    back = hits_read(path, 2, &f);
+    check(back && back[0].t == h[0].t && back[0].shape == 7 && back[1].shape == no_shape,
+          "hits come back");
+    free(back), unlink(path), torture_free(&t);
+}
+
+int main(void)
+{
+    test_less();
+    test_meet();
+    test_classes();
+    test_judge();
+    test_files();
+    return check_report("17_torture");
+}
