@@ -83,7 +83,7 @@ static inline void boxes_boxes(figure *g, const boxes_figure *x, int deepest)
 
 static inline void boxes_node(figure *g, const boxes_figure *x, uint32_t i, double px, double py)
 {
-    static const char *const says[4] = {"never tested", "tested: missed", "met, but dropped",
+    static const char *const says[4] = {"never tested", "tested: missed", "met, dropped",
                                         "entered"};
     const bvh_node *n = &x->b->tree.node[i];
     double xy[8] = {px - 18, py - 16, px + 18, py - 16, px + 18, py + 16, px - 18, py + 16};

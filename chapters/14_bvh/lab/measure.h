@@ -209,15 +209,15 @@ static inline void table_of_slivers(const options *o)
 
 static inline void plot_of_pareto(const options *o, const trial_scene *s)
 {
-    plot p = plot_new("Leaves of 16, 8, 4, 2", "build [ns a triangle]", "diffuse ray [ns]",
-                      PLOT_LOG_X);
+    plot p = plot_new("Each rule with leaves of 16, 8, 4, 2", "build [ns a triangle]",
+                      "diffuse ray [ns]", PLOT_LOG_X);
     for (int k = 0; k < bvh_rule_count; k++) {
         int series = plot_series(&p, bvh_rules[k].name);
         for (int leaf = 16; leaf > 1; leaf /= 2) {
             bvh_options how = {bvh_rules[k].name, leaf, 0.3, SIZE_MAX};
             trial_row r = {.name = "", .verbs = &bvh_trial, .how = &how};
-            trial_time_build(&r, s, 1);
-            trial_search(&r, 1, s, TRIAL_DIFFUSE, 3);
+            trial_time_build(&r, s, 5);
+            trial_search(&r, 1, s, TRIAL_DIFFUSE, 9);
             plot_add(&p, series, trial_per(r.build * 1e9, s->m.triangles),
                      trial_ns(&r, TRIAL_DIFFUSE));
             trial_end(&r, 1);
