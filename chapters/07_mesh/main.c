@@ -12,11 +12,8 @@ static void main_picture(options *o, const mesh *m, int up, int samples, const c
     char name[512];
     double n = (double)m->triangles, rays = (o->quick ? 2e7 : o->full || !path ? 2e9 : 4e8) / n;
     if (samples == 0) samples = o->width == 0 && rays > 4 * 320 * 240 ? 4 : 1;
-    if (o->width == 0) {
-        double width = sqrt(rays / samples * 4 / 3);
-        o->width = width > 640 ? 640 : width < 16 ? 16 : (int)width / 4 * 4;
-        o->height = o->width * 3 / 4;
-    }
+    int width = (int)fmin(fmax(sqrt(rays / samples * 4 / 3), 16), 640) / 4 * 4;
+    if (o->width == 0) o->width = width, o->height = width * 3 / 4;
     printf("# picture %d x %d, %d rays a pixel, each against %zu triangles: %.3g tests\n",
            o->width, o->height, samples, m->triangles, o->width * n * o->height * samples);
     image im = image_new(o->width, o->height);
