@@ -152,6 +152,24 @@ static inline void compare_all(const compare_settings *c, const compare_options 
         printf("# most memory held by the program: %.0f MB\n", (double)u.ru_maxrss / 1024);
 }
 
+/* --full: the table of the run without options, too. */
+static inline void compare_few(const compare_settings *c)
+{
+    compare_results r = {.csv = table_new("17_compare", cost_columns),
+                         .summary = {.chosen = &c->chosen}, .bars = chart_new("")};
+    for (int k = 0; k < scenes; k++) {
+        const compare_sizes *s = &scene_list[k];
+        failure f;
+        world w;
+        if (!s->shown) continue;
+        if (!scene_world(scene_find(s->name), s->shown, &w, &f)) fail(f);
+        compare_world(c, &w, false, &r);
+        world_free(&w);
+    }
+    summary_few(c->o, &r.summary, NULL);
+    table_free(&r.csv), free(r.bars.value);
+}
+
 static inline void compare_run(const compare_settings *c, const compare_options *own)
 {
     const options *o = c->o;
@@ -164,6 +182,7 @@ static inline void compare_run(const compare_settings *c, const compare_options 
                          .bars = chart_new("What a ray costs, and what building costs")};
     r.html = html_begin(own->report, "17 compare: acceleration structures, side by side");
     if (all && measured) draw_pictures(c, &r);
+    if (all && measured && o->full && !o->out) compare_few(c);
     for (int k = 0; k < scenes + most_meshes && !(all && o->out); k++) {
         if (!world_wanted(c, own, k, &w)) continue;
         if (rays) file_run(c, &w, &own->files);

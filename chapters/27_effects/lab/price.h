@@ -33,7 +33,9 @@ static inline double price_share(const effects_counts *timed, int k)
 static inline void table_of_effects(const options *o, const drawing *j, const effects_counts *timed)
 {
     const effects_stage *e = j->e;
-    table t = table_new("What the picture took, by effect: rays, and the time of these rays",
+    table t = table_new(e->mask & EFFECTS_SPEND
+                            ? "What everything took, called for or not: rays, and their time"
+                            : "What the picture took, by effect: rays, and the time of these rays",
                         "effect|called|simulated|rays|rays a sample|time [ms]");
     double samples = (double)j->pixels * j->samples;
     for (int k = -1; k < effect_kinds; k++) {
