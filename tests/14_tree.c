@@ -249,7 +249,8 @@ static void test_depth(void)
 typedef struct { const mesh *m; int rule; } measured_build;
 
 /* In a process of its own: by how much the most that the system has ever held for it grows. glibc
- * learns from what was freed before to keep large arrays, with gaps between them; here it must not. */
+ * learns from what was freed before to keep large arrays, and gaps between them; here it must not.
+ */
 static void print_growth(void *context)
 {
 #ifdef __GLIBC__
