@@ -40,7 +40,7 @@ static void test_meet(void)
         if (list[i].met) check_equal(abs(share), list[i].share, "its share there, in sixths");
         r.tmax = (real)1.5;
         check((torture_meet(&m, 0, r, &share).den > 0) == list[i].met, "tmax = t counts");
-        r.tmax = nextafterf(1.5F, 0);
+        r.tmax = (real)nextafterf(1.5F, 0);
         check(torture_meet(&m, 0, r, &share).den == 0, "one float less does not");
     }
     mesh_free(&m);

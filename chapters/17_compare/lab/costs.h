@@ -245,7 +245,7 @@ static inline void cost_csv_row(table *t, const comparison *s, const compare_ent
     for (; cells < sizeof count / sizeof *count; cells++) table_count(t, count[cells]);
     table_text(t, "%.6g", per((double)w.nodes, counted));
     table_text(t, "%.6g", per((double)w.tests, counted));
-    table_text(t, "%.6g", cost_ns(e, kind));
+    table_text(t, "%.6g", cost_ns(e, (int)kind));
 }
 
 /* A structure that does not fit has a row, too: no rays, no numbers. */
