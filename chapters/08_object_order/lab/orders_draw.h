@@ -1,0 +1,238 @@
+/* orders_draw.h: the pictures of this chapter.
+ *
+ *   orders_draw(&o)         08_object_order.png: a third, two thirds, all, in both orders
+ *   orders_draw_flat(&o)    .._flat.png: tiles by first.h, by raster.h, and the pixels that differ
+ *   orders_draw_shadow(&o)  .._shadow.png: shadow rays and three shadow maps; orange: wrong
+ *   orders_draw_mirror(&o)  .._mirror.png: a wall that shows what the eye's image sees
+ *   orders_draw_edges(&o)   .._edges.svg: two triangles that share an edge, on a grid of pixels
+ */
+#ifndef ORDERS_DRAW_H
+#define ORDERS_DRAW_H
+
+#include "../../../common/lab/figure.h"
+#include "../../../common/lab/label.h"
+#include "../shadow_map.h"
+#include "orders.h"
+
+enum { orders_gap = 8 };
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline size_t orders_pot(const mesh *m, bool wall)
+{
+    return m->triangles - orders_floor - (wall ? 2 : 0);
+}
+
+/* The hits of s as a picture at (x0, y0) of im; where `wrong` [may be NULL] is set, orange. */
+static inline void orders_panel(image *im, int x0, int y0, const raster *s, const mesh *m,
+                                camera c, bool wall, const bool *dark, const bool *wrong)
+{
+    for (int k = 0; k < s->nx * s->ny; k++) {
+        int x = k % s->nx, y = k / s->nx;
+        vec3 d = camera_ray(c, (real)x + (real)0.5, (real)y + (real)0.5, s->nx, s->ny).d;
+        vec3 seen = orders_colour(m, orders_pot(m, wall), s->h[k], d, !dark || !dark[k]);
+        image_set(im, x0 + x, y0 + y, wrong && wrong[k] ? vec(1, 0.25, 0) : seen);
+    }
+}
+
+/* Upper row: after a third of the triangles, two thirds, all. Lower: after so many pixels. */
+static inline void orders_draw(const options *o)
+{
+    static const char *const title[6] = {
+        "for each triangle: a third done", "two thirds", "all",
+        "for each pixel: a third done", "two thirds", "all"};
+    int w = (o->width - 2 * orders_gap) / 3, h = (o->height - orders_gap) / 2;
+    if (w < 1 || h < 1) w = o->width, h = o->height;
+    bool small = w == o->width, whole;
+    image im = image_new(small ? w : 3 * w + 2 * orders_gap, small ? h : 2 * h + orders_gap);
+    mesh m = orders_scene(4, false);
+    camera c = orders_camera((real)w / (real)h);
+    raster drawn = raster_new(w, h), seen = raster_new(w, h), part = raster_new(w, h);
+    whole = orders_rays(&seen, &m, c, o->threads);
+    for (size_t k = 0; k < 3; k++) {
+        int column = (int)k * (w + orders_gap);
+        raster_part(&drawn, &m, k * m.triangles / 3, (k + 1) * m.triangles / 3, c, raster_default);
+        for (size_t i = 0; i < (k + 1) * (size_t)(w * h) / 3; i++) part.h[i] = seen.h[i];
+        if (small && k < 2) continue;
+        orders_panel(&im, small ? 0 : column, 0, &drawn, &m, c, false, NULL, NULL);
+        if (!small) orders_panel(&im, column, h + orders_gap, &part, &m, c, false, NULL, NULL);
+    }
+    image sheet = small || w < 200 ? im : label_panels(&im, 3, 2, orders_gap, title);
+    output_picture(o, &sheet, "08_object_order.png", true, whole);
+    if (sheet.rgb != im.rgb) image_free(&sheet);
+    image_free(&im), raster_free(&drawn), raster_free(&seen), raster_free(&part), mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* first.h in the types of raster.h. */
+static inline raster orders_first(const mesh *m, camera c, int nx, int ny)
+{
+    raster out = raster_new(nx, ny);
+    first_mesh soup = mesh_soup(m);
+    first_camera f = {c.e, c.u, c.v, c.w, c.left, c.right, c.bottom, c.top, c.d, nx, ny};
+    first_raster s = first_raster_new(nx, ny);
+    first_raster_mesh(&s, &soup, f);
+    for (int k = 0; k < nx * ny; k++) {
+        out.h[k] = s.h[k];
+        out.h[k].t /= c.d;
+    }
+    first_raster_free(&s), first_mesh_free(&soup);
+    return out;
+}
+
+/* The floor in front of the eye alone: with its corners behind, first.h would leave it out. */
+static inline void orders_draw_flat(const options *o)
+{
+    static const char *const title[3] = {"first.h", "raster.h", "other triangle or tile: orange"};
+    enum { w = 316, h = 300 };
+    image im = image_new(3 * w + 2 * orders_gap, h);
+    mesh m = orders_scene(6, false);
+    for (size_t i = m.vertices - 4; i < m.vertices; i++) m.v[i].y = real_max(m.v[i].y, -5);
+    camera c = orders_camera((real)w / h);
+    raster s = orders_first(&m, c, w, h), t = raster_new(w, h);
+    raster_mesh(&t, &m, c, raster_default);
+    bool *wrong = allocate((size_t)w * h, sizeof *wrong);
+    orders_panel(&im, 0, 0, &s, &m, c, false, NULL, NULL);
+    orders_panel(&im, w + orders_gap, 0, &t, &m, c, false, NULL, NULL);
+    for (int k = 0; k < w * h; k++)
+        wrong[k] = vlength(vsub(image_get(&im, k % w, k / w),  /* more than other shades */
+                                image_get(&im, w + orders_gap + k % w, k / w))) > (real)0.2;
+    orders_panel(&im, 2 * (w + orders_gap), 0, &t, &m, c, false, NULL, wrong);
+    image sheet = label_panels(&im, 3, 1, orders_gap, title);
+    output_picture(o, &sheet, "08_object_order_flat.png", false, true);
+    free(wrong), image_free(&sheet), image_free(&im), raster_free(&s), raster_free(&t);
+    mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Is the lamp hidden from what pixel k of s shows? The ray of (1.5), its ends left out. */
+static inline bool orders_dark(const raster *s, int k, const mesh *m, vec3 lamp)
+{
+    if (s->h[k].shape == no_shape) return false;
+    vec3 p = orders_point(m, s->h[k]);
+    return mesh_occluded(m, ray_shadow(p, lamp, (real)1e-4));
+}
+
+static inline void orders_draw_shadow(const options *o)
+{
+    static const char *const title[4] = {"shadow rays", "map of 128 x 128, no bias: acne",
+                                         "bias 0.04: loose from the foot",
+                                         "map of 1024 x 1024, 0.004"};
+    static const struct { int side; real bias; } map[4] = {{0, 0}, {128, 0}, {128, 0.04},
+                                                           {1024, 0.004}};
+    enum { w = 400, h = 300 };
+    image im = image_new(2 * w + orders_gap, 2 * h + orders_gap);
+    mesh m = orders_scene(4, false);
+    camera c = orders_camera((real)w / h), lamp = orders_lamp();
+    raster s = raster_new(w, h);
+    bool *dark = allocate((size_t)w * h, sizeof *dark), *wrong = allocate((size_t)w * h, 1);
+    bool *due = allocate((size_t)w * h, sizeof *due);
+    raster_mesh(&s, &m, c, raster_default);
+    for (int i = 0; i < 4; i++) {
+        shadow_map t = shadow_map_new(&m, lamp, i ? map[i].side : 1, raster_default);
+        for (int k = 0; k < w * h; k++) {
+            if (!i) due[k] = orders_dark(&s, k, &m, lamp.e);
+            dark[k] = i && s.h[k].shape != no_shape
+                ? shadow_map_dark(&t, orders_point(&m, s.h[k]), map[i].bias) : due[k];
+            wrong[k] = dark[k] != due[k];
+        }
+        orders_panel(&im, i % 2 * (w + orders_gap), i / 2 * (h + orders_gap), &s, &m, c, false,
+                     dark, wrong);
+        shadow_map_free(&t);
+    }
+    image sheet = label_panels(&im, 2, 2, orders_gap, title);
+    output_picture(o, &sheet, "08_object_order_shadow.png", false, true);
+    free(dark), free(wrong), free(due), image_free(&sheet), image_free(&im), raster_free(&s);
+    mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Pixels that show the mirror take what the mirrored camera sees there. */
+static inline raster orders_reflected(const mesh *m, camera c, const raster *s)
+{
+    raster t = raster_new(s->nx, s->ny);
+    raster_how how = raster_default;
+    mesh seen = *m;
+    seen.triangles -= 2;  /* not the mirror itself */
+    how.also = orders_mirror;
+    raster_mesh(&t, &seen, mirror_camera(c, orders_mirror), how);
+    return t;
+}
+
+static inline void orders_draw_mirror(const options *o)
+{
+    enum { w = 720, h = 400 };
+    image im = image_new(w, h);
+    mesh m = orders_scene(8, true);
+    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)w / h);
+    raster s = raster_new(w, h);
+    raster_mesh(&s, &m, c, raster_default);
+    raster t = orders_reflected(&m, c, &s);
+    size_t pot = orders_pot(&m, true);
+    camera c2 = mirror_camera(c, orders_mirror);
+    for (int k = 0; k < w * h; k++) {
+        bool glass = s.h[k].shape != no_shape && s.h[k].shape >= pot + orders_floor;
+        hit seen = glass ? t.h[k] : s.h[k];
+        vec3 d = camera_ray(glass ? c2 : c, (real)(k % w) + (real)0.5, (real)(k / w) + (real)0.5,
+                            w, h).d;
+        vec3 colour = orders_colour(&m, pot, seen, d, true);
+        image_set(&im, k % w, k / w, glass ? vmul(colour, vec(0.7, 0.78, 0.75)) : colour);
+    }
+    output_picture(o, &im, "08_object_order_mirror.png", false, true);
+    image_free(&im), raster_free(&s), raster_free(&t), mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Drawn by raster_mesh itself: a dot a pixel in the colour of the triangle that got it. The window
+ * is the picture: one pixel is one unit, y downwards. */
+static inline void orders_draw_edges(const options *o)
+{
+    enum { nx = 16, ny = 9 };
+    const double at[4][2] = {{1.2, 1.7}, {12.5, 0.5}, {15.6, 6.9}, {4.5, 8.5}};
+    const char *colour[2] = {FIGURE_BLUE, FIGURE_ORANGE};
+    vec3 v[4];
+    uint32_t index[6] = {0, 3, 1, 1, 3, 2};
+    camera c = {CAMERA_PERSPECTIVE, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, nx, 0, ny, 1,
+                {0, 0, 0}};
+    for (int k = 0; k < 4; k++) v[k] = vec((real)at[k][0], (real)(ny - at[k][1]), -1);
+    mesh m = {.v = v, .vertices = 4, .index = index, .triangles = 2};
+    raster s = raster_new(nx, ny);
+    raster_mesh(&s, &m, c, raster_default);
+    figure g = figure_begin(o, "08_object_order_edges.svg", 800, 500);
+    figure_origin(&g, 40, 430, 45);
+    for (int x = 0; x <= nx; x++)
+        figure_line(&g, x, 0, x, ny, "#cccccc", 1, FIGURE_WHOLE);
+    for (int y = 0; y <= ny; y++) figure_line(&g, 0, y, nx, y, "#cccccc", 1, FIGURE_WHOLE);
+    for (int k = 0; k < 2; k++) {
+        double xy[6];
+        for (int i = 0; i < 6; i++) {
+            const double *p = at[index[3 * k + i / 2]];
+            xy[i] = i % 2 ? ny - p[1] : p[0];
+        }
+        figure_polygon(&g, 3, xy, colour[k], 0.18, FIGURE_BLACK);
+    }
+    for (int k = 0; k < nx * ny; k++) {
+        uint32_t owner = s.h[k].shape;
+        figure_dot(&g, k % nx + 0.5, ny - k / nx - 0.5, owner == no_shape ? 2 : 6,
+                   owner == no_shape ? FIGURE_GREY : colour[owner]);
+    }
+    static const struct { double x, y; const char *text; } name[] = {
+        {1.2, 1.7, "*a*"}, {12.5, 0.5, "*b*"}, {4.5, 8.5, "*c*"}};
+    for (int k = 0; k < 3; k++)
+        figure_text(&g, name[k].x, ny - name[k].y, k == 1 ? 8 : -18, k == 2 ? -14 : 8, FIGURE_LEFT,
+                    FIGURE_BLACK, name[k].text);
+    figure_text(&g, 0, 0, 0, 24, FIGURE_LEFT, FIGURE_BLACK,
+                "dots: middles of pixels, in the colour of the triangle that got them. On the edge "
+                "*b* *c* _e_ = 0 for eight:");
+    figure_text(&g, 0, 0, 0, 44, FIGURE_LEFT, FIGURE_BLACK,
+                "it is a left edge of the orange triangle, a right edge of the blue one, so orange "
+                "has them all.");
+    figure_end(&g);
+    raster_free(&s);
+}
+
+#endif

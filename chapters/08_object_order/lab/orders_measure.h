@@ -1,0 +1,306 @@
+/* orders_measure.h: the tables and plots of this chapter. The oracle of what a pixel shows is 07's
+ * ray through its middle, which is watertight and rounds nothing to a grid.
+ *
+ *   orders_measure(&o)       the main table: pixels that differ, error of the depth, time
+ *   orders_times(&o)         both orders against the number of triangles and of pixels (--full)
+ *   orders_depths(&o)        the smallest gap that each depth format tells, against depth (--full)
+ *   orders_shadows(&o)       shadow maps against shadow rays (--full)
+ *   orders_mirror_table(&o)  a mirror by its own camera against reflected rays (--full)
+ */
+#ifndef ORDERS_MEASURE_H
+#define ORDERS_MEASURE_H
+
+#include "../../../common/lab/bench.h"
+#include "../../../common/lab/report.h"
+#include "orders_draw.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* One way to make the picture: bits > 0 raster.h, 0 first.h, -1 rays. */
+typedef struct { const mesh *m; camera c; int nx, ny, bits; size_t asked, covered; } orders_way;
+
+static inline raster orders_by(orders_way *k)
+{
+    raster_how how = raster_default;
+    how.bits = k->bits;
+    if (k->bits == 0) {
+        first_asked = first_covered = 0;
+        raster first = orders_first(k->m, k->c, k->nx, k->ny);
+        first.asked = (size_t)first_asked, first.covered = (size_t)first_covered;
+        return first;
+    }
+    raster s = raster_new(k->nx, k->ny);
+    if (k->bits > 0) raster_mesh(&s, k->m, k->c, how);
+    else (void)orders_rays(&s, k->m, k->c, 1);
+    return s;
+}
+
+static inline double orders_run(void *context)
+{
+    raster s = orders_by(context);
+    double sum = (double)s.h[s.nx * s.ny / 2].t;
+    raster_free(&s);
+    return sum;
+}
+
+enum { orders_ways = 6 };
+static inline void orders_measure(const options *o)
+{
+    static const int bits[orders_ways] = {0, 1, 4, 8, 16, -1};
+    static const char *const name[orders_ways] = {"first", "raster, 1 bit", "raster, 4 bits",
+        "raster, 8 bits", "raster, 16 bits", "rays, each triangle"};
+    int nx = o->quick ? 80 : o->full ? 320 : 160, ny = nx * 3 / 4;
+    mesh m = orders_scene(4, false);
+    camera c = orders_camera((real)4 / 3);
+    orders_way way[orders_ways];
+    bench_candidate bench[orders_ways];
+    raster due = raster_new(nx, ny);
+    char title[80];
+    (void)orders_rays(&due, &m, c, o->threads);
+    snprintf(title, sizeof title, "Two orders, %zu triangles, %d x %d pixels", m.triangles, nx, ny);
+    table t = table_new(title, "order|pixels asked|covered|error: another triangle [pixels]|"
+                               "error: unexplained|error: of t|time [ms]");
+    for (int k = 0; k < orders_ways; k++) {
+        way[k] = (orders_way){&m, c, nx, ny, bits[k], 0, 0};
+        bench[k] = (bench_candidate){.name = name[k], .run = orders_run, .context = &way[k]};
+    }
+    bench_time(bench, orders_ways, o->full ? 9 : 3);
+    for (int k = 0; k < orders_ways; k++) {
+        raster s = orders_by(&way[k]);
+        int step = bits[k] > 0 ? bits[k] : 8;
+        orders_difference d = orders_compare(&s, &due, &m, c, step);
+        table_text(&t, "%s", name[k]);
+        if (bits[k] < 0)
+            table_count(&t, (size_t)(nx * ny) * m.triangles), table_text(&t, "-");
+        else table_count(&t, s.asked), table_count(&t, s.covered);
+        table_count(&t, d.other), table_count(&t, d.unexplained), table_number(&t, d.depth);
+        table_number(&t, 1e3 * bench[k].seconds);
+        raster_free(&s);
+    }
+    output_table(o, &t);
+    raster_free(&due), mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* ns a pixel, so that pictures of different sizes stand in one table. Rays are few where triangles
+ * are many: each asks them all. */
+static inline void orders_times(const options *o)
+{
+    static const int cells[6] = {1, 2, 4, 8, 16, 32};
+    table t = table_new("Time of both orders", "triangles|pixels|pixels asked a triangle|"
+                        "covered a pixel|time: object order [ms]|time: rays [ms]|time: ratio");
+    plot p = plot_new("The two orders, no structure", "triangles", "time [ms]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    for (int size = 160; size <= 640; size *= 4) {
+        char label[64];
+        snprintf(label, sizeof label, "object order, %d x %d", size, size * 3 / 4);
+        int drawn = plot_series(&p, label);
+        snprintf(label, sizeof label, "rays, %d x %d", size, size * 3 / 4);
+        int rays = plot_series(&p, label);
+        for (int k = 0; k < 6; k++) {
+            mesh m = orders_scene(cells[k], false);
+            camera c = orders_camera((real)4 / 3);
+            int n = size * size * 3 / 4;
+            int less = (int)fmax(1, sqrt((double)n * (double)m.triangles / 4e6));
+            int few = size / less > 4 ? size / less : 4;
+            orders_way way[2] = {{&m, c, size, size * 3 / 4, 8, 0, 0},
+                                 {&m, c, few, few * 3 / 4, -1, 0, 0}};
+            bench_candidate b[2] = {{.name = "object", .run = orders_run, .context = &way[0]},
+                                    {.name = "rays", .run = orders_run, .context = &way[1]}};
+            bench_time(b, 2, 3);
+            raster s = orders_by(&way[0]);
+            double ms = 1e3 * b[0].seconds;
+            double by_rays = 1e3 * b[1].seconds * n / (few * (few * 3 / 4));
+            table_count(&t, m.triangles), table_count(&t, (size_t)n);
+            table_number(&t, (double)s.asked / (double)m.triangles);
+            table_number(&t, (double)s.covered / n);
+            table_number(&t, ms), table_number(&t, by_rays), table_number(&t, by_rays / ms);
+            plot_add(&p, drawn, (double)m.triangles, ms);
+            plot_add(&p, rays, (double)m.triangles, by_rays);
+            raster_free(&s), mesh_free(&m);
+        }
+    }
+    output_extra_table(o, &t);
+    output_plot(o, &p, "08_object_order_time.svg");
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Two walls across the view, at z and (1 + gap) z, the far one drawn first: does the near one win
+ * everywhere? */
+static inline bool orders_told(depth_format f, real near, real z, real gap)
+{
+    const real depth[2] = {z + gap * z, z};
+    vec3 v[6];
+    uint32_t index[6] = {0, 1, 2, 3, 4, 5};
+    camera c = {CAMERA_PERSPECTIVE, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -1, 1, -1, 1, 1,
+                {0, 0, 0}};
+    raster_how how = {8, f, near, {{0, 0, 0}, {0, 0, 0}}};
+    for (int k = 0; k < 2; k++) {
+        real s = depth[k];
+        v[3 * k] = (vec3){-4 * s, -2 * s, -s}, v[3 * k + 1] = (vec3){4 * s, -2 * s, -s};
+        v[3 * k + 2] = (vec3){0, 4 * s, -s};
+    }
+    mesh m = {.v = v, .vertices = 6, .index = index, .triangles = 2};
+    raster s = raster_new(8, 8);
+    bool won = true;
+    raster_mesh(&s, &m, c, how);
+    for (int k = 0; k < 64; k++) won = won && s.h[k].shape == 1;
+    raster_free(&s);
+    return won;
+}
+
+/* The least gap, a share of z, that is told: by halving, between 1e-9 and 1e9 times the format's
+ * spacing; infinity: none. Rises with noise near it, so the mean of several depths. */
+static inline double orders_gap_of(depth_format f, real near, double z)
+{
+    double sum = 0;
+    for (int i = 0; i < 5; i++) {
+        double at = z * (1 + 0.037 * i), lo = 1e-9, hi = 1;
+        if (!orders_told(f, near, (real)at, (real)hi)) return HUGE_VAL;
+        while (hi / lo > 1.02) {
+            double middle = sqrt(lo * hi);
+            if (orders_told(f, near, (real)at, (real)middle)) hi = middle;
+            else lo = middle;
+        }
+        sum += hi / 5;
+    }
+    return sum;
+}
+
+static inline void orders_depths(const options *o)
+{
+    const real near = (real)0.01;
+    table t = table_new("Least gap that a depth buffer tells, near = 0.01",
+                        "depth|format|error: gap [share of depth]|its spacing [share of depth]");
+    plot p = plot_new("Least gap that a depth buffer tells, near = 0.01", "depth z",
+                      "gap [share of z]", PLOT_LOG_X | PLOT_LOG_Y);
+    for (depth_format f = 0; f < depth_formats; f++) {
+        int series = plot_series(&p, depth_name[f]);
+        for (int e = -1; e <= 4; e++) {
+            double z = pow(10, e), gap = orders_gap_of(f, near, z);
+            plot_add(&p, series, z, gap);
+            if (e % 2 == 0 || !o->full) continue;
+            table_text(&t, "1e%d", e), table_text(&t, "%s", depth_name[f]);
+            table_number(&t, gap), table_number(&t, depth_step(f, (double)near, z) / z);
+        }
+    }
+    if (o->full) output_extra_table(o, &t);
+    else table_free(&t);
+    output_plot(o, &p, "08_object_order_depth.svg");
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+typedef struct { const mesh *m; const raster *s; camera lamp; int side; } orders_shadow;
+
+/* All pixels of s: by a map of side x side made anew, or (0) by rays. */
+static inline double orders_shadow_run(void *context)
+{
+    const orders_shadow *w = context;
+    shadow_map t = shadow_map_new(w->m, w->lamp, w->side ? w->side : 1, raster_default);
+    double dark = 0;
+    for (int k = 0; k < w->s->nx * w->s->ny; k++) {
+        if (w->s->h[k].shape == no_shape) continue;
+        vec3 p = orders_point(w->m, w->s->h[k]);
+        dark += w->side ? shadow_map_dark(&t, p, (real)0.004)
+                        : orders_dark(w->s, k, w->m, w->lamp.e);
+    }
+    shadow_map_free(&t);
+    return dark;
+}
+
+static inline void orders_shadows(const options *o)
+{
+    static const int sides[6] = {64, 128, 256, 512, 1024, 0};
+    static const double bias[3] = {0, 0.004, 0.04};
+    enum { nx = 320, ny = 240 };
+    mesh m = orders_scene(4, false);
+    camera lamp = orders_lamp();
+    raster s = raster_new(nx, ny);
+    raster_mesh(&s, &m, orders_camera((real)nx / ny), raster_default);
+    table t = table_new("Shadow maps against shadow rays", "texels|error: no bias [% of pixels]|"
+                        "error: bias 0.004|error: bias 0.04|time [ms]");
+    plot p = plot_new("Shadow maps: wrong pixels against their side", "side of the map [texels]",
+                      "wrong [% of pixels]", PLOT_LOG_X | PLOT_LOG_Y);
+    for (int i = 0; i < 3; i++) {
+        char label[32];
+        snprintf(label, sizeof label, "bias %g", bias[i]);
+        (void)plot_series(&p, label);
+    }
+    bench_candidate b[6];
+    orders_shadow w[6];
+    for (int k = 0; k < 6; k++) {
+        w[k] = (orders_shadow){&m, &s, lamp, sides[k]};
+        b[k] = (bench_candidate){.name = "", .run = orders_shadow_run, .context = &w[k]};
+    }
+    bench_time(b, 6, 3);
+    for (int k = 0; k < 6; k++) {
+        size_t wrong[3] = {0, 0, 0};
+        shadow_map map = shadow_map_new(&m, lamp, sides[k] ? sides[k] : 1, raster_default);
+        for (int i = 0; sides[k] && i < nx * ny; i++) {
+            if (s.h[i].shape == no_shape) continue;
+            bool due = orders_dark(&s, i, &m, lamp.e);
+            vec3 at = orders_point(&m, s.h[i]);
+            for (int j = 0; j < 3; j++) wrong[j] += shadow_map_dark(&map, at, (real)bias[j]) != due;
+        }
+        shadow_map_free(&map);
+        if (sides[k]) table_text(&t, "%d x %d", sides[k], sides[k]);
+        else table_text(&t, "rays");
+        for (int j = 0; j < 3; j++) {
+            double share = 100 * (double)wrong[j] / (nx * ny);
+            table_number(&t, share);
+            if (sides[k]) plot_add(&p, j, sides[k], share);
+        }
+        table_number(&t, 1e3 * b[k].seconds);
+    }
+    plot_slope(&p, -1, "slope -1");
+    output_extra_table(o, &t);
+    output_plot(o, &p, "08_object_order_shadow.svg");
+    raster_free(&s), mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Pixels that show the mirror: what its camera drew against the ray reflected at its plane. */
+static inline orders_difference orders_mirror_compare(int nx, int ny)
+{
+    mesh m = orders_scene(4, true), seen = m;
+    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)nx / (real)ny);
+    raster s = raster_new(nx, ny);
+    orders_difference d = {0, 0, 0, 0, 0};
+    raster_mesh(&s, &m, c, raster_default);
+    raster t = orders_reflected(&m, c, &s);
+    camera c2 = mirror_camera(c, orders_mirror);
+    seen.triangles -= 2;
+    for (int k = 0; k < nx * ny; k++) {
+        if (s.h[k].shape < seen.triangles || s.h[k].shape == no_shape) continue;
+        ray r = camera_ray(c, (real)(k % nx) + (real)0.5, (real)(k / nx) + (real)0.5, nx, ny);
+        hit at, due = hit_none;
+        if (!plane_hit(orders_mirror, r, &at)) continue;
+        ray back = ray_from(ray_at(r, at.t), mirror_direction(r.d, orders_mirror));
+        (void)mesh_hit(&seen, back, &due);
+        d.judged++, d.other += due.shape != t.h[k].shape;
+        if (due.shape == t.h[k].shape) {  /* t of the image counts the way to the mirror, too */
+            double off = due.shape == no_shape ? 0 : fabs((double)((due.t + at.t) / t.h[k].t) - 1);
+            d.depth = off > d.depth ? off : d.depth;
+        } else d.unexplained += !orders_explained(t.h[k], &seen, c2, k % nx, k / nx,
+                                                  (real)ldexp(1, -8), nx, ny);
+    }
+    raster_free(&s), raster_free(&t), mesh_free(&m);
+    return d;
+}
+
+static inline void orders_mirror_table(const options *o)
+{
+    orders_difference d = orders_mirror_compare(320, 180);
+    table t = table_new("A mirror by a second camera, against reflected rays",
+                        "pixels of the mirror|error: another triangle|error: unexplained|"
+                        "error: of t");
+    table_count(&t, d.judged), table_count(&t, d.other), table_count(&t, d.unexplained);
+    table_number(&t, d.depth);
+    output_extra_table(o, &t);
+}
+
+#endif

@@ -1,0 +1,388 @@
+/* Object order: every pixel of a mesh exactly once, the same triangle as its ray, near planes and
+ * mirrors, depths, shadows; and what first.h gets wrong of it. */
+#include "check.h"
+#include "../common/random.h"
+#include "../chapters/07_mesh/scenes/specimens.h"
+#include "../chapters/08_object_order/lab/orders_measure.h"
+
+static camera front(int nx, int ny)  /* window: a unit a pixel at distance 1 */
+{
+    return (camera){CAMERA_PERSPECTIVE, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, (real)nx, 0,
+                    (real)ny, 1, {0, 0, 0}};
+}
+
+static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) * random_next(g); }
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { side = 24, cells = 6 };
+
+/* A sheet over the whole picture and beyond, its corners on middles and borders of pixels half of
+ * the time; how often each pixel is covered, if every triangle has its own picture. */
+static void cover(random_stream *g, int bits, size_t *twice, size_t *never,
+                  size_t *first_twice)
+{
+    vec3 v[(cells + 1) * (cells + 1)];
+    uint32_t index[6 * cells * cells];
+    int at[side * side] = {0}, by_first[side * side] = {0}, n = 0;
+    camera c = front(side, side);
+    first_camera f = {c.e, c.u, c.v, c.w, c.left, c.right, c.bottom, c.top, c.d, side, side};
+    raster_how how = raster_default;
+    how.bits = bits;
+    for (int k = 0; k < (cells + 1) * (cells + 1); k++) {
+        real x = (real)(k % (cells + 1) * side) / cells, y = (real)(k / (cells + 1) * side) / cells;
+        bool round = random_next(g) < (real)0.5;
+        x += between(g, (real)-1.4, (real)1.4), y += between(g, (real)-1.4, (real)1.4);
+        if (round) x = floor(2 * x) / 2, y = floor(2 * y) / 2;
+        int i = k % (cells + 1), j = k / (cells + 1);
+        x = i == 0 ? -1 : i == cells ? side + 1 : x, y = j == 0 ? -1 : j == cells ? side + 1 : y;
+        real z = between(g, (real)0.5, 3);
+        v[k] = (vec3){x * z, y * z, -z};
+    }
+    for (int k = 0; k < cells * cells; k++) {
+        uint32_t a = (uint32_t)(k % cells + k / cells * (cells + 1)), b = a + 1,
+                 d = a + cells + 1, e = d + 1;
+        const uint32_t two[2][6] = {{a, b, e, a, e, d}, {a, b, d, e, b, d}};
+        memcpy(index + 6 * k, two[random_next(g) < (real)0.5], sizeof two[0]);
+    }
+    for (n = 0; n < 2 * cells * cells; n++) {
+        mesh one = {.v = v, .vertices = 1, .index = index + 3 * n, .triangles = 1};
+        triangle t = mesh_triangle(&one, 0);
+        raster s = raster_new(side, side);
+        first_raster q = first_raster_new(side, side);
+        raster_mesh(&s, &one, c, how);
+        first_raster_triangle(&q, first_project(f, t.a), first_project(f, t.b),
+                              first_project(f, t.c), 0);
+        for (int k = 0; k < side * side; k++)
+            at[k] += s.h[k].shape == 0, by_first[k] += q.h[k].shape == 0;
+        raster_free(&s), first_raster_free(&q);
+    }
+    for (int k = 0; k < side * side; k++)
+        *twice += at[k] > 1, *never += at[k] == 0, *first_twice += by_first[k] > 1;
+}
+
+static void test_cover(void)
+{
+    random_stream g = random_start(1, 0, 0);
+    size_t twice = 0, never = 0, first_twice = 0, n = check_count(200);
+    n = n < 20 ? 20 : n;  /* first.h fails in most of them, not in each */
+    for (size_t i = 0; i < n; i++) cover(&g, i % 2 ? 8 : 16, &twice, &never, &first_twice);
+    check_equal(twice, 0, "pixels that two triangles cover, of %zu sheets", n);
+    check_equal(never, 0, "pixels that none covers, of %zu sheets", n);
+    check_at_least((double)first_twice, (double)n, "first.h draws some twice");
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Triangles anywhere round the eye, also behind it; half of them share corners. */
+static mesh soup_around(random_stream *g, size_t n)
+{
+    mesh m = specimen_new(3 * n, n);
+    for (size_t i = 0; i < 3 * n; i++) {
+        bool far = random_next(g) < (real)0.3;
+        real r = far ? 40 : 5, x = between(g, -r, r), y = between(g, -r, r);
+        m.v[i] = (vec3){x, y, between(g, -r, r / 2)};
+    }
+    for (size_t i = 0; i < n; i++)
+        specimen_add(&m, 3 * i, 3 * i + 1, i % 2 && i > 1 ? 3 * i - 3 : 3 * i + 2);
+    return m;
+}
+
+/* Each pixel as its ray has it, or explained by the step; the order of drawing changes nothing. */
+static void test_rays(void)
+{
+    random_stream g = random_start(2, 0, 0);
+    enum { nx = 40, ny = 30 };
+    size_t n = check_count(60), other = 0, unexplained = 0, judged = 0, moved = 0, behind = 0;
+    camera c = orders_look((vec3){0, 0, 0}, (vec3){0, (real)0.1, -1}, 70, (real)nx / ny);
+    double depth = 0;
+    for (size_t i = 0; i < n; i++) {
+        mesh m = soup_around(&g, 8);
+        raster s = raster_new(nx, ny), due = raster_new(nx, ny), back = raster_new(nx, ny);
+        raster_how how = raster_default;
+        how.bits = 12;
+        raster_mesh(&s, &m, c, how);
+        for (size_t k = m.triangles; k-- > 0;) raster_part(&back, &m, k, k + 1, c, how);
+        (void)orders_rays(&due, &m, c, 1);
+        orders_difference d = orders_compare(&s, &due, &m, c, how.bits);
+        for (int k = 0; k < nx * ny; k++) {
+            moved += s.h[k].shape != back.h[k].shape;
+            if (due.h[k].shape == no_shape) continue;
+            triangle t = mesh_triangle(&m, due.h[k].shape);
+            behind += t.a.z > 0 || t.b.z > 0 || t.c.z > 0;
+        }
+        other += d.other, unexplained += d.unexplained, judged += d.judged;
+        depth = check_worse(depth, d.depth);
+        raster_free(&s), raster_free(&due), raster_free(&back), mesh_free(&m);
+    }
+    check_equal(unexplained, 0, "pixels unlike their ray, of %zu", judged);
+    /* an edge passes within 2^-12 of one middle in 2^11, and a pixel has some ten edges round it */
+    check_at_most((double)other, (double)judged / 200, "pixels that an edge explains");
+    check_equal(moved, 0, "pixels that depend on the order of drawing");
+    check_at_least((double)behind, (double)judged / 20, "triangles that reach behind are seen");
+    /* corners move by 2^-13 pixels; slopes of depth of some hundred a pixel near grazing planes */
+    check_at_most(depth, 0.2, "t, of planes at any angle");
+}
+
+/* Does r pass within 1 % of a weight from an edge of t? The volumes of (4.12). */
+static bool near_edge(triangle t, ray r)
+{
+    real e[3] = {vdot(r.d, vcross(t.a, t.b)), vdot(r.d, vcross(t.b, t.c)),
+                 vdot(r.d, vcross(t.c, t.a))};
+    real least = (real)0.01 * fabs(e[0] + e[1] + e[2]);
+    return fabs(e[0]) < least || fabs(e[1]) < least || fabs(e[2]) < least;
+}
+
+/* The near plane and the plane of one's own: what of a triangle lies before them is not drawn. The
+ * ray asks each triangle, and drops hits at the wrong side; pixels where one is within 1 % of a
+ * plane, or of an edge, are not judged. The eye is at the origin. */
+static void test_planes(void)
+{
+    random_stream g = random_start(8, 0, 0);
+    enum { nx = 40, ny = 30 };
+    size_t n = check_count(60), wrong = 0, judged = 0, dropped[2] = {0, 0};
+    double weights = 0;
+    camera c = orders_look((vec3){0, 0, 0}, (vec3){0, (real)0.01, -1}, 70, (real)nx / ny);
+    for (size_t i = 0; i < n; i++) {
+        mesh m = soup_around(&g, 8);
+        raster s = raster_new(nx, ny);
+        vec3 side_of = vunit((vec3){between(&g, -1, 1), between(&g, -1, 1), between(&g, -1, 1)});
+        raster_how how = {16, DEPTH_REVERSED, 1, {{0, 0, -3}, side_of}};
+        raster_mesh(&s, &m, c, how);
+        for (int k = 0; k < nx * ny; k++) {
+            ray r = camera_ray(c, (real)(k % nx) + (real)0.5, (real)(k / nx) + (real)0.5, nx, ny);
+            hit best = hit_none, h, is = s.h[k];
+            bool clear = true;
+            for (size_t j = 0; j < m.triangles; j++) {
+                triangle t = mesh_triangle(&m, j);
+                clear = clear && !near_edge(t, r);
+                if (!triangle_hit(t, r, &h)) continue;
+                real above = vdot(vsub(ray_at(r, h.t), how.also.p), side_of);
+                clear = clear && fabs(h.t - 1) > (real)0.01 && fabs(above) > (real)0.01;
+                dropped[0] += h.t < 1, dropped[1] += above < 0;
+                h.shape = (uint32_t)j;
+                if (h.t > 1 && above > 0 && hit_before(h, best)) best = h;
+            }
+            if (!clear) continue;
+            judged++, wrong += is.shape != best.shape;
+            if (is.shape == best.shape && best.shape != no_shape)
+                weights = check_worse(weights, fabs((double)(is.u - best.u))
+                                                   + fabs((double)(is.v - best.v)));
+        }
+        raster_free(&s), mesh_free(&m);
+    }
+    check_equal(wrong, 0, "clipped pixels unlike their ray, of %zu", judged);
+    check_at_least((double)judged, (double)(n * nx * ny) / 8, "most pixels are clear");
+    check_at_least((double)(dropped[0] < dropped[1] ? dropped[0] : dropped[1]),
+                   (double)(n * nx * ny) / 100, "both planes clip");
+    /* corners move by 2^-17 pixels, and a hundredth of a weight is left at each edge */
+    check_at_most(weights, 0.02, "u, v of clipped triangles");
+}
+
+static void test_scene(void)
+{
+    enum { nx = 120, ny = 90 };
+    mesh m = orders_scene(3, false);
+    camera c = orders_camera((real)nx / ny);
+    raster due = raster_new(nx, ny);
+    (void)orders_rays(&due, &m, c, 1);
+    size_t before = nx * ny;
+    for (int bits = 4; bits <= 16; bits += 6) {
+        raster s = raster_new(nx, ny);
+        raster_how how = raster_default;
+        how.bits = bits;
+        raster_mesh(&s, &m, c, how);
+        orders_difference d = orders_compare(&s, &due, &m, c, bits);
+        if (bits > 4) check_equal(d.unexplained, 0, "%d bits: unexplained", bits);
+        check_at_most((double)d.other, (double)before / 4, "%d bits against fewer", bits);
+        before = d.other > 1 ? d.other : 8;
+        raster_free(&s);
+    }
+    raster by_first = orders_first(&m, c, nx, ny);
+    orders_difference d = orders_compare(&by_first, &due, &m, c, 8);
+    size_t floor_seen = 0;
+    for (int k = 0; k < nx * ny; k++)
+        floor_seen += by_first.h[k].shape == orders_pot(&m, false);
+    check_equal(floor_seen, 0, "first.h leaves out the tiles that reach behind the eye");
+    check_at_least((double)d.unexplained, nx * ny / 10, "and so loses its pixels");
+    raster_free(&due), raster_free(&by_first), mesh_free(&m);
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static void test_clip(void)
+{
+    random_stream g = random_start(3, 0, 0);
+    size_t n = check_count(20000), behind = 0, differ = 0, cut = 0;
+    double off = 0;
+    for (size_t i = 0; i < n; i++) {
+        vec3 v[4];
+        for (int k = 0; k < 4; k++)
+            v[k] = (vec3){between(&g, -2, 2), between(&g, -2, 2), between(&g, -2, 2)};
+        plane s = {v[3], vunit((vec3){between(&g, -1, 1), between(&g, -1, 1), 1})};
+        raster_corner p[raster_most_corners] = {{v[0], 0, 0}, {v[1], 1, 0}, {v[2], 0, 1}};
+        raster_corner q[raster_most_corners] = {{v[1], 1, 0}, {v[0], 0, 0}, {v[3], 0, 1}};
+        int np = raster_clip(p, 3, s), nq = raster_clip(q, 3, s);
+        for (int k = 0; k < np; k++) {
+            behind += vdot(vsub(p[k].p, s.p), s.n) < -32 * real_epsilon;
+            vec3 mix = barycentric_mix(v[0], v[1], v[2], p[k].u, p[k].v);
+            off = check_worse(off, (double)vlength(vsub(mix, p[k].p)));
+        }
+        real h = vdot(vsub(v[0], s.p), s.n), k0 = vdot(vsub(v[1], s.p), s.n);
+        if (h * k0 >= 0) continue;
+        size_t same = 0;  /* the new corner of edge 0 1, seen by the neighbour */
+        for (int a = 0; a < np; a++)
+            for (int b = 0; b < nq; b++)
+                same += vzero(vsub(p[a].p, q[b].p)) && p[a].u > 0 && p[a].u < 1 && p[a].v == 0;
+        cut++, differ += same != 1;
+    }
+    check_equal(behind, 0, "corners behind the plane, of %zu triangles", n);
+    check_equal(differ, 0, "neighbours that cut their edge elsewhere, of %zu", cut);
+    check_at_most(off, 32 * (double)real_epsilon, "u, v of new corners");
+    check_at_least((double)cut, 0.1 * (double)n, "edges are cut");
+}
+
+static void test_depths(void)
+{
+    random_stream g = random_start(4, 0, 0);
+    size_t n = check_count(20000), wrong = 0;
+    for (size_t i = 0; i < n; i++) {
+        real x = random_next(&g), y = random_next(&g);
+        x *= x * x, y *= y * y;
+        for (depth_format f = 0; f < depth_formats; f++) {
+            uint32_t a = depth_key(f, x), b = depth_key(f, y);
+            wrong += x > y ? a > b : x < y ? a < b : a != b;
+            wrong += a >= depth_farthest;
+        }
+    }
+    check_equal(wrong, 0, "keys out of order, of %zu pairs", n);
+    check(depth_key(DEPTH_REVERSED, 0) < depth_farthest && depth_key(DEPTH_FLOAT, 2) == 0
+              && depth_key(DEPTH_24, 2) == 0, "at infinity, and before the near plane: defined");
+    for (depth_format f = 0; f < depth_formats; f++)
+        for (int e = -1; e <= 3; e++) {
+            double z = pow(10, e), step = depth_step(f, 0.01, z) / z;
+            double gap = orders_gap_of(f, (real)0.01, z);
+            /* 64 pixels in a row ask for a whole step; two roundings in real beside the format's */
+            check_at_most(gap, 2 * step + 16 * (double)real_epsilon, "%s: gap told at 1e%d",
+                          depth_name[f], e);
+            if (f == DEPTH_24 || f == DEPTH_FLOAT)
+                check_at_least(gap, step / 16, "%s: and none smaller, at 1e%d", depth_name[f], e);
+        }
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* A square of side 1 at height 1 under a lamp at height 3 darkens a square of side 3/2 below. */
+static void test_shadow(void)
+{
+    vec3 v[8] = {{-0.5, -0.5, 1}, {0.5, -0.5, 1}, {0.5, 0.5, 1}, {-0.5, 0.5, 1},
+                 {-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}};
+    uint32_t index[12] = {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7};
+    mesh m = {.v = v, .vertices = 8, .index = index, .triangles = 4};
+    real half = tan(pi / 6);  /* looks down, 60 degrees wide */
+    camera lamp = {CAMERA_PERSPECTIVE, {0, 0, 3}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, -half, half,
+                   -half, half, 1, {0, 0, 0}};
+    shadow_map s = shadow_map_new(&m, lamp, 256, raster_default);
+    random_stream g = random_start(5, 0, 0);
+    size_t n = check_count(20000), wrong = 0, dark = 0;
+    /* a texel is 3 tan(30 degrees) 2 / 256 = 0.0135 wide on the floor */
+    for (size_t i = 0; i < n; i++) {
+        real x = between(&g, -2, 2), y = between(&g, -2, 2), r = real_max(fabs(x), fabs(y));
+        if (fabs(r - (real)0.75) < (real)0.0136) continue;
+        bool is = shadow_map_dark(&s, (vec3){x, y, 0}, (real)0.01);
+        wrong += is != (r < (real)0.75), dark += is;
+    }
+    check_equal(wrong, 0, "points in the wrong light, of %zu", n);
+    check_at_least((double)dark, 0.1 * (double)n, "the test sees shadow");
+    check(!shadow_map_dark(&s, (vec3){0, 0, 4}, 0) && !shadow_map_dark(&s, (vec3){9, 0, 0}, 0),
+          "behind the lamp and beside its picture: lit");
+    shadow_map_free(&s);
+}
+
+/* What the image of the camera sees of x, the camera sees of the image of x. */
+static void test_mirror(void)
+{
+    random_stream g = random_start(6, 0, 0);
+    size_t n = check_count(10000), seen = 0, lost = 0;
+    double off = 0, turned = 0;
+    for (size_t i = 0; i < n; i++) {
+        vec3 p[4];
+        for (int k = 0; k < 4; k++)
+            p[k] = (vec3){between(&g, -3, 3), between(&g, -3, 3), between(&g, -3, 3)};
+        plane s = {p[0], vadd(p[1], (vec3){4, 0, 0})};
+        camera c = orders_look(p[2], vadd(p[2], (vec3){1, between(&g, -1, 1), 0}), 60, 1);
+        camera c2 = mirror_camera(c, s);
+        real x = 0, y = 0, x2 = 0, y2 = 0;
+        bool a = camera_project(c, mirror_point(p[3], s), 1, 1, &x, &y);
+        bool b = camera_project(c2, p[3], 1, 1, &x2, &y2);
+        turned = check_worse(turned, fabs((double)vdot(vcross(c2.u, c2.v), c2.w) + 1));
+        real depth = vdot(vsub(mirror_point(p[3], s), c.e), vneg(c.w));
+        if (fabs(depth) < (real)0.1) continue;
+        lost += a != b;
+        if (a) off = check_worse(off, hypot((double)(x - x2), (double)(y - y2))), seen++;
+    }
+    check_equal(lost, 0, "in front for one camera only");
+    check_at_most(off, 4e4 * (double)real_epsilon, "places, at depths from 0.1 to 20");
+    check_at_most(turned, 100 * (double)real_epsilon, "the frame is mirrored: u x v . w + 1");
+    check_at_least((double)seen, 0.2 * (double)n, "the test sees points");
+    orders_difference d = orders_mirror_compare(96, 54);
+    check_equal(d.unexplained, 0, "pixels of a mirror unlike reflected rays, of %zu", d.judged);
+    check_at_least((double)d.judged, 500, "the mirror is in the picture");
+    check_at_most(d.depth, 0.01, "way by the mirror");
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* What is not finite or has no area is not drawn, at any size no harm is done. */
+static void test_strange(void)
+{
+    random_stream g = random_start(7, 0, 0);
+    const real strange[] = {(real)NAN, real_infinity, -real_infinity, real_largest, -real_largest,
+                            real_smallest, 0, (real)1e30, (real)-1e30, (real)1e9};
+    size_t n = check_count(20000), bad = 0, drawn = 0;
+    camera c = orders_look((vec3){0, 0, 0}, (vec3){(real)0.2, (real)0.1, -1}, 60, 1);
+    raster s = raster_new(8, 8);
+    for (size_t i = 0; i < n; i++) {
+        vec3 v[3];
+        uint32_t index[3] = {0, 1, 2};
+        bool finite = true;
+        for (int k = 0; k < 3; k++)
+            v[k] = (vec3){between(&g, -2, 2), between(&g, -2, 2), between(&g, -3, 1)};
+        for (int k = 0; k < 2; k++)
+            v[random_next_bits(&g) % 3] = vwith(v[0], (int)(random_next_bits(&g) % 3),
+                                                strange[random_next_bits(&g) % 10]);
+        for (int k = 0; k < 3; k++) finite = finite && vfinite(v[k]);
+        mesh m = {.v = v, .vertices = 3, .index = index, .triangles = 1};
+        for (int k = 0; k < 64; k++) s.h[k] = hit_none, s.key[k] = depth_farthest;
+        raster_mesh(&s, &m, c, raster_default);
+        for (int k = 0; k < 64; k++) {
+            if (s.h[k].shape == no_shape) continue;
+            drawn++, bad += !finite || !(s.h[k].t > 0) || !isfinite(s.h[k].u + s.h[k].v);
+        }
+    }
+    check_equal(bad, 0, "hits that are not finite, of %zu", drawn);
+    check_at_least((double)drawn, (double)n, "the test sees pixels");
+    vec3 line[3] = {{-1, -1, -2}, {0, 0, -2}, {1, 1, -2}};
+    uint32_t index[3] = {0, 1, 2};
+    mesh m = {.v = line, .vertices = 3, .index = index, .triangles = 1};
+    s.covered = 0;
+    raster_mesh(&s, &m, c, raster_default);
+    m.triangles = 0;
+    raster_mesh(&s, &m, c, raster_default);
+    check_equal(s.covered, 0, "no area, no triangles: nothing is covered");
+    raster_free(&s), raster_free(&s);
+}
+
+int main(void)
+{
+    test_cover();
+    test_rays();
+    test_planes();
+    test_scene();
+    test_clip();
+    test_depths();
+    test_shadow();
+    test_mirror();
+    test_strange();
+    return check_report("08_object_order");
+}
