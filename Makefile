@@ -7,6 +7,7 @@
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
+# make notes      the ledger: what the lecture notes claim, and what the programs found
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
 #
@@ -48,7 +49,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak sanitize precision,$(MAKECMD
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak precision graph sanitize clean help FORCE
+.PHONY: all run full images test soak precision graph notes sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -111,7 +112,7 @@ images: full
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
 
 test: all $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh $(TESTS)
+	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh notes.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
@@ -129,6 +130,9 @@ precision:
 
 graph:
 	@sh tests/rules.sh graph
+
+notes:
+	@sh tests/notes.sh table
 
 sanitize:
 	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize test \

@@ -1,0 +1,73 @@
+#!/bin/sh
+# The pages beside the lecture notes: every link leads to a file that holds what the link says, a function by
+# name or a number; formulas that are cited stand in the chapter they name; every heading of the notes is
+# there; each row of the ledger has a verdict. `sh tests/notes.sh table` prints the ledger.
+passed=0 failed=0
+ok() { passed=$((passed + 1)); }
+no() { failed=$((failed + 1)); echo "notes.sh: FAILED: $1"; }
+pages=chapters/notes
+scratch=$(mktemp -d) || exit 1
+trap 'rm -rf "$scratch"' EXIT
+
+if [ "${1:-}" = table ]; then
+    cat $pages/*.md | awk -F'|' '/^\| / && $2 !~ /the notes/ {
+        gsub(/\[|\]\([^)]*\)|[*`]/, ""); printf "%s\n    %s%s\n", $2, $3, $4 ~ /[^ ]/ ? "  --" $4 : "" }'
+    exit
+fi
+
+# links DIR: "page<TAB>text<TAB>target" for each link of each page
+links() {
+    for page in "$1"/*.md; do
+        grep -oE '\[[^][]+\]\([^)]+\)' "$page" |
+            sed -E "s#^\[(.*)\]\((.*)\)\$#$page	\1	\2#"
+    done
+}
+# wrong DIR: links whose target lacks the file, or what the text promises of it
+wrong() {
+    links "$1" | while IFS='	' read -r page text target; do
+        file=$(dirname "$page")/$target
+        plain=$(printf '%s' "$text" | tr -d '`')
+        if [ ! -e "$file" ]; then echo "$page: no file $target"
+        elif [ "$plain" != "$text" ] && ! grep -qwF -e "$plain" "$file"; then echo "$page: $target lacks $plain"
+        elif printf '%s' "$plain" | grep -qE '^[0-9][0-9.,]*$' && expr "$target" : '.*\.md$' >/dev/null &&
+             ! printf '%s' "$plain" | grep -qE '^[0-9][0-9]$' && ! grep -qF -e "$plain" "$file"
+        then echo "$page: $target lacks the number $plain"
+        fi
+    done
+}
+wrong $pages >"$scratch/wrong"
+while read -r line; do no "$line"; done <"$scratch/wrong"
+n=$(links $pages | wc -l)
+if [ "$n" -ge 150 ]; then ok; else no "$n links, fewer than 150"; fi
+[ -s "$scratch/wrong" ] || ok
+
+# The rule sees what it is there to see: a lost file, a lost function, a lost number.
+mkdir -p "$scratch/chapters/notes" "$scratch/chapters/01_a"
+echo 'int here; 42.5' >"$scratch/chapters/01_a/a.md"
+# shellcheck disable=SC2016
+echo '[`here`](../01_a/a.md) [42.5](../01_a/a.md) [`there`](../01_a/a.md) [42.6](../01_a/a.md) [x](../02_b/b.h)' \
+    >"$scratch/chapters/notes/p.md"
+seen=$(wrong "$scratch/chapters/notes" | wc -l)
+if [ "$seen" -eq 3 ]; then ok; else no "3 broken links were planted, $seen were found"; fi
+
+# Formulas: (9.3) stands on a page of chapter 09.
+cat $pages/*.md | grep -oE '\([0-9]{1,2}\.[0-9]{1,2}\)' | sort -u >"$scratch/formulas"
+while read -r f; do
+    [ "$f" = "(26.2)" ] && continue  # the book's own number
+    chapter=$(printf '%02d' "$(printf '%s' "$f" | sed -E 's/\(([0-9]+)\..*/\1/')")
+    if cat chapters/"$chapter"_*/*.md | grep -qF -e "$f"; then ok; else no "formula $f stands on no page of its chapter"; fi
+done <"$scratch/formulas"
+
+# Headings and terms of the five notes, one page each.
+has() { page=$1; shift; for t in "$@"; do if grep -qF -e "$t" "$pages/$page"; then ok; else no "$page lacks $t"; fi; done; }
+has games101.md 光线追踪解决什么问题 光线投射 Whitted 求交点 隐式 三角形 Möller 包围盒 均匀网格 空间划分 八叉树 KD树 BSP \
+    物体划分 层次包围盒 辐射度量学 BRDF 反射方程 渲染方程 全局光照 概率论回顾
+has rtr.md 光线追踪基础 26.2 构造实体几何 'trace()' 'shade()' 光线投射 方差 Kajiya DXR
+has gems.md 2.1 2.2 2.3 2.4 光线间隔 实例化 RayDesc 有效载荷
+has fcg.md 物体顺序 图像顺序 透视 计算视线 正交视图 透视视图 焦距
+has path_tracing.md 问题 Direct Global 加速结构 'Monte Carlo' 除非
+# A ledger of forty claims at least, each judged.
+rows=$(cat $pages/*.md | grep -c '^| .*make run-')
+if [ "$rows" -ge 40 ]; then ok; else no "$rows rows that a program decides, fewer than 40"; fi
+echo "notes.sh: $passed passed, $failed failed"
+[ "$failed" -eq 0 ]
