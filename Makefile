@@ -8,6 +8,7 @@
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
 # make notes      the ledger: what the lecture notes claim, and what the programs found
+# make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
 #
@@ -49,7 +50,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak sanitize precision,$(MAKECMD
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak precision graph notes sanitize clean help FORCE
+.PHONY: all run full images test soak precision graph mutants notes sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -130,6 +131,9 @@ precision:
 
 graph:
 	@sh tests/rules.sh graph
+
+mutants:
+	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" CC="$(CC)" sh tests/mutants.sh
 
 notes:
 	@sh tests/notes.sh table
