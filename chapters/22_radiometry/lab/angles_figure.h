@@ -15,7 +15,7 @@ typedef struct { double x, y; } angles_point;
 /* The direction theta, phi [degrees] on the unit sphere, seen from front above. */
 static inline angles_point angles_place(double theta, double phi)
 {
-    double t = theta * pi / 180, p = phi * pi / 180;
+    double t = theta * (double)pi / 180, p = phi * (double)pi / 180;
     double x = sin(t) * cos(p), y = sin(t) * sin(p), z = cos(t);
     return (angles_point){y - 0.5 * x, z - 0.38 * x};
 }
@@ -67,7 +67,7 @@ static inline void angles_patch(figure *g)
 
 static inline void angles_beam(figure *g)
 {
-    const double tilt = 50 * pi / 180, dx = -sin(tilt), dy = cos(tilt), half = 0.55;
+    const double tilt = 50 * (double)pi / 180, dx = -sin(tilt), dy = cos(tilt), half = 0.55;
     double beam[8] = {-half, 0, half, 0, half + 1.35 * dx, 1.35 * dy, -half + 1.35 * dx, 1.35 * dy};
     double out = half * cos(tilt);  /* half the beam's width */
     figure_polygon(g, 4, beam, FIGURE_ORANGE, 0.35, NULL);

@@ -14,7 +14,7 @@
 static inline void vectors_arrow(figure *g, double degrees, double length, const char *colour,
                                  const char *name)
 {
-    double a = degrees * pi / 180, x = length * sin(a), y = length * cos(a);
+    double a = degrees * (double)pi / 180, x = length * sin(a), y = length * cos(a);
     figure_arrow(g, 0, 0, x, y, colour, 2);
     figure_text(g, x, y, degrees < 0 ? -8 : 8, 0, degrees < 0 ? FIGURE_RIGHT : FIGURE_LEFT, colour,
                 name);
@@ -45,13 +45,13 @@ static inline void vectors_facets(figure *g)
     enum { facets = sizeof tilt / sizeof *tilt };
     double x = -1.25, y = 0.05, width = 2.5 / facets;
     for (int k = 0; k < facets; k++) {
-        double a = tilt[k] * pi / 180, x1 = x + width, y1 = y - width * tan(a);
+        double a = tilt[k] * (double)pi / 180, x1 = x + width, y1 = y - width * tan(a);
         bool meets = fabs(tilt[k] - vectors_half) < 3;
         figure_line(g, x, y, x1, y1, meets ? FIGURE_GREEN : FIGURE_GREY, meets ? 4 : 2,
                     FIGURE_WHOLE);
         if (meets) {
             double mx = (x + x1) / 2, my = (y + y1) / 2;
-            double in = vectors_in * pi / 180, out = vectors_out * pi / 180;
+            double in = vectors_in * (double)pi / 180, out = vectors_out * (double)pi / 180;
             figure_arrow(g, mx + 0.75 * sin(in), my + 0.75 * cos(in), mx, my, FIGURE_ORANGE, 1.3);
             figure_arrow(g, mx, my, mx + 0.75 * sin(out), my + 0.75 * cos(out), FIGURE_BLUE, 1.3);
         }
