@@ -119,7 +119,7 @@ static void test_directions(void)
     }
 }
 
-/* A ball that lies half below: (22.7) takes away the lower part, or says nothing at all. */
+/* A ball that lies half below: (22.10) takes away the lower part, or says nothing at all. */
 static void test_sunk(void)
 {
     vec3 o = {0, 0, 0}, up = {0, 0, 1};
@@ -136,7 +136,7 @@ static void test_sunk(void)
     sphere low = {{2, 0, (real)0.5}, 1};
     double above = sphere_irradiance_exact(1, 2, 0.5), below = sphere_irradiance_exact(1, 2, -0.5);
     check_close(first_sphere_irradiance(low, 1, o, up), above - below, 64 * eps,
-                "(22.7) is what is above minus what is below");
+                "(22.10) is what is above minus what is below");
 }
 
 /* Nonsense ends: within the ball there is no cap; a direction of no length meets nothing. */

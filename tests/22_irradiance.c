@@ -6,7 +6,7 @@
 
 /* ---- the oracle itself, against digits of others ---- */
 
-/* Computed from (22.8) with 80 digits by another program: R = 1, across, height, E. */
+/* Computed from (22.13) with 80 digits by another program: R = 1, across, height, E. */
 static void test_oracle(void)
 {
     static const double list[][3] = {
@@ -63,7 +63,7 @@ static void test_known_spheres(void)
     for (size_t i = 0; i < sizeof list / sizeof *list; i++)
         check_close(sphere_e(list[i].r, list[i].a, list[i].h), list[i].e, 4 * eps * list[i].e, "%s",
                     list[i].where);
-    /* half below: asin s - s sqrt(1 - s^2), s = R/d: area of two segments, (22.8) with height 0 */
+    /* half below: asin s - s sqrt(1 - s^2), s = R/d: area of two segments, (22.13) with height 0 */
     double s = 0.5;
     check_close(sphere_e(1, 2, 0), asin(s) - s * sqrt(1 - s * s), 8 * eps, "half below");
     for (double far = 1e2; far < (real_is_float ? 1e6 : 1e40); far *= 10) {  /* -> 2/3 s^3 */

@@ -284,7 +284,7 @@ static void test_terms_add_up(void)
     lit_free(&s);
 }
 
-/* A point of the floor that sees all of the light: K E = rho / pi L times Lambert's (22.10). */
+/* A point of the floor that sees all of the light: K E = rho / pi L times Lambert's (22.15). */
 static void test_direct_closed_form(void)
 {
     lit_scene s;

@@ -1,6 +1,6 @@
 /* first.h: solid angle, and the irradiance of a shining ball: by its formula, and by directions.
  * Wrong: 1 - cos a is 0 for small caps (a < 0.0002 in float, 1e-8 in double), and what of the ball
- * is below the horizon (22.7) takes away. solid_angle.h and sphere_irradiance.h mend both. */
+ * is below the horizon (22.10) takes away. solid_angle.h and sphere_irradiance.h mend both. */
 #ifndef FIRST_RADIOMETRY_H
 #define FIRST_RADIOMETRY_H
 #include "../03_sphere/first.h"
@@ -18,7 +18,7 @@ static inline real first_sphere_solid_angle(sphere s, vec3 p)
 }
 
 /* Irradiance (辐射照度) at p, of unit normal n, under a ball of radiance (辐射亮度) L: the same as
- * of a point of intensity I = L pi R^2, E = I cos / d^2 (22.19). Wholly over the horizon. (22.7) */
+ * of a point of intensity I = L pi R^2, E = I cos / d^2 (22.7). Wholly over the horizon. (22.10) */
 static inline real first_sphere_irradiance(sphere s, real L, vec3 p, vec3 n)
 {
     vec3 d = vsub(s.c, p);
@@ -26,8 +26,8 @@ static inline real first_sphere_irradiance(sphere s, real L, vec3 p, vec3 n)
     return I * real_max(vdot(n, vunit(d)), 0) / vdot(d, d);
 }
 
-/* E = integral of L cos theta d omega over the hemisphere (22.6). One uniform direction, p = 1/2pi,
- * is worth L cos / p; if it misses the ball, nothing.                                   (22.21) */
+/* E = integral of L cos theta d omega over the hemisphere (22.9). One uniform direction, p = 1/2pi,
+ * is worth L cos / p; if it misses the ball, nothing.                                   (22.11) */
 static inline real first_irradiance_sample(sphere s, real L, vec3 p, vec3 n, real u, real v)
 {
     vec3 z = first_uniform_direction(u, v);

@@ -8,13 +8,13 @@
  *
  * They differ by a weight for each wavelength, V(lambda) (光视效率), and by a factor:
  *
- *   photometric = 683 lm/W  integral of V(lambda) radiometric(lambda) d lambda            (22.14)
+ *   photometric = 683 lm/W  integral of V(lambda) radiometric(lambda) d lambda            (22.19)
  *
  *   luminous_efficiency(nm)       V: CIE's table, every 10 nm, in between a parabola through its
  *                                 logarithms: off by at most 0.003
  *   luminous_efficiency_fit(nm)   two bell curves (Wyman, Sloan, Shirley): off by at most 0.01;
  *                                 in the far red, where V is small, by more than V itself
- *   planck_radiance(nm, kelvin)   a black body's, [W/(m^2 sr nm)]                         (22.15)
+ *   planck_radiance(nm, kelvin)   a black body's, [W/(m^2 sr nm)]                         (22.20)
  *   black_body(kelvin)            its radiance [W/(m^2 sr)] in all wavelengths, its luminance [nit]
  *                                 and luminous efficacy (光视效能) [lm/W]
  *

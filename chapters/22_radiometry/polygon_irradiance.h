@@ -1,6 +1,6 @@
 /* polygon_irradiance.h: how much light a flat polygon of radiance 1 sends onto a surface.
  *
- *        v1 ________ v0            E / L = -1/2 sum over the edges of theta_i n . g_i       (22.10)
+ *        v1 ________ v0            E / L = -1/2 sum over the edges of theta_i n . g_i       (22.15)
  *          /_______/               theta_i: the angle under which p sees edge i,
  *        v2      v3 front below    g_i: unit (v_i - p) x (v_i+1 - p)
  *
@@ -9,7 +9,7 @@
  *
  *   polygon_irradiance(v, count, p, n)         E / L [sr]: times L [W/(m^2 sr)] it is the
  *                                              irradiance [W/m^2]; count <= polygon_most, else NaN
- *   polygon_irradiance_naive(v, count, p, n)   (22.10) with acos, and without a cut
+ *   polygon_irradiance_naive(v, count, p, n)   (22.15) with acos, and without a cut
  *   rectangle_irradiance(r, p, n)              of its front, where r.s x r.t points
  *
  * The corners v lie in a plane and run around a convex polygon, counterclockwise as seen from its
@@ -22,10 +22,10 @@
  *   seen nearly edge-on                        the same                            integrated
  *   corner straight ahead of another: acos     loses half of the digits            atan2
  *
- * Where the terms of (22.10) cancel, what they stand for is integrated as it is, positive, in
+ * Where the terms of (22.15) cancel, what they stand for is integrated as it is, positive, in
  * pieces that are small compared with their distance:
  *     E / L = integral of (n.w)(m.w) / |w|^2 dA, w = unit (x - p), = h integral of n.x / |x|^4 dA,
- * h being the distance of p from the plane, right to the last bits.                        (22.11)
+ * h being the distance of p from the plane, right to the last bits.                        (22.16)
  * Error: some 16 epsilon (n along an axis), times size / distance where p is close to the border,
  * times size / height where the part above the horizon is low: edges are differences of corners.
  *
@@ -105,7 +105,7 @@ static inline vec3 edge_vector(vec3 a, vec3 e)
     return sine > 0 ? vscale(cross, atan2(sine, cosine) / sine) : (vec3){0, 0, 0};
 }
 
-/* (22.10) of some corners, and the sum of the sizes of its terms. */
+/* (22.15) of some corners, and the sum of the sizes of its terms. */
 static inline real lambert_sum(const seen_polygon *c, vec3 n, real *size)
 {
     real sum = 0;
@@ -117,7 +117,7 @@ static inline real lambert_sum(const seen_polygon *c, vec3 n, real *size)
     return sum / 2;
 }
 
-/* ---- (22.11) ---- */
+/* ---- (22.16) ---- */
 
 /* A square of points bent into the triangle, the side at a drawn together. */
 static inline real triangle_by_points(seen_triangle k, vec3 n)
@@ -134,7 +134,7 @@ static inline real triangle_by_points(seen_triangle k, vec3 n)
 }
 
 /* Halves the longest edge until it is a third of the distance. `depth` bounds the work: then the
- * piece goes right up to p, and (22.10) has to do. */
+ * piece goes right up to p, and (22.15) has to do. */
 static inline real triangle_in_pieces(seen_triangle k, vec3 n, int depth)
 {
     vec3 a = k.a, s = k.s, t = k.t, u = vsub(t, s), mid = vmadd(a, vadd(s, t), (real)1 / 3);

@@ -4,10 +4,10 @@
  * one call of `sample` is one ray or one photon (光子), weighted. relation_measure(k, seed, n) does
  * n of them. `holds` is false for those that are often believed, and wrong: there z must be huge.
  *
- *   Omega = A / r^2                       (22.1)    E = dPhi / dA                       (22.18)
- *   d omega = sin theta d theta d phi     (22.2)    E = I cos theta / r^2               (22.19)
- *   I = dPhi / d omega                    (22.16)   L = d^2 Phi / (dA cos theta d omega) (22.20)
- *   Phi = integral of I over all          (22.17)   E = integral of L cos theta d omega (22.6)
+ *   Omega = A / r^2                       (22.1)    E = dPhi / dA                       (22.6)
+ *   d omega = sin theta d theta d phi     (22.2)    E = I cos theta / r^2               (22.7)
+ *   I = dPhi / d omega                    (22.5)   L = d^2 Phi / (dA cos theta d omega) (22.8)
+ *   Phi = integral of I over all          (22.21)   E = integral of L cos theta d omega (22.9)
  *
  * Sources: F. Nicodemus et al., "Geometrical Considerations and Nomenclature for Reflectance", NBS
  * Monograph 160, 1977; Marschner, Shirley, "Fundamentals of Computer Graphics", 2015, 18.1.
@@ -256,7 +256,7 @@ static const relation relation_list[relations] = {
     {"- is it 2 pi L, without the cosine?", "W/m^2", two_pi, sky_sample, false},
     {"irradiance of the sphere", "W/m^2", ball_e, ball_e_sample, true},
     {"of one partly below the horizon", "W/m^2", sunk_ball_e, sunk_ball_e_sample, true},
-    {"- without the cut, (22.7)", "W/m^2", unclipped_e, sunk_ball_e_sample, false},
+    {"- without the cut, (22.10)", "W/m^2", unclipped_e, sunk_ball_e_sample, false},
     {"irradiance of the square", "W/m^2", panel_e, panel_e_sample, true},
     {"of one partly below the horizon", "W/m^2", sunk_panel_e, sunk_panel_e_sample, true},
 };

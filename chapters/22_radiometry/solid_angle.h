@@ -7,7 +7,7 @@
  *            \ /            cap_solid_angle(angle)        within [0, pi] of an axis         (22.3)
  *             p             sphere_solid_angle(s, p)      4 pi from inside                  (22.4)
  *                           sphere_cone(s, p)             its directions, for sample_cone
- *                           triangle_solid_angle(t, p)    signed, in [-2 pi, 2 pi]          (22.5)
+ *                           triangle_solid_angle(t, p)    signed, in [-2 pi, 2 pi]          (22.12)
  *                           rectangle_solid_angle(r, p)   the same
  *                           triangle_volume(t, p)         (a-p).((b-a)x(c-a)): its sign, too
  *
@@ -138,7 +138,7 @@ static inline wide wide_volume(wide_corners k)
     return wide3_dot(k.a, wide3_cross(wide3_sub(k.b, k.a), wide3_sub(k.c, k.a)));
 }
 
-/* (22.5) with 32 digits; only the arc tangent is a double's. */
+/* (22.12) with 32 digits; only the arc tangent is a double's. */
 static inline real wide_solid_angle(wide_corners k)
 {
     wide la = wide3_length(k.a), lb = wide3_length(k.b), lc = wide3_length(k.c);
@@ -157,7 +157,7 @@ static inline wide_corners corners_of_triangle(triangle t, vec3 p, int *e)
                           wide3_between(p, t.c, *e)};
 }
 
-/* tan(Omega / 2) = a.(s x t) / (|a||b||c| + a.b |c| + b.c |a| + c.a |b|),                   (22.5)
+/* tan(Omega / 2) = a.(s x t) / (|a||b||c| + a.b |c| + b.c |a| + c.a |b|),                   (22.12)
  * b = a + s, c = a + t.
  * The numerator is off by some epsilon |a||s||t|, the denominator by some epsilon |a||b||c|, and by
  * more if b or c is short: it is a + s or a + t, and off by an epsilon |a|. false: that may be more

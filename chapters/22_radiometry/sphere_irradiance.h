@@ -1,21 +1,21 @@
 /* sphere_irradiance.h: how much light a sphere of radiance 1 sends onto a surface, in closed form.
  *
- *            .-.  R             E = integral of L cos theta d omega                      (22.6)
- *           ( c )  |              = pi L (R/d)^2 cos beta, if all of it is above         (22.7)
+ *            .-.  R             E = integral of L cos theta d omega                      (22.9)
+ *           ( c )  |              = pi L (R/d)^2 cos beta, if all of it is above         (22.10)
  *      n     '-'   | height     the horizon (地平线) of the surface, height >= R. Partly below,
  *      |  d .'     |
- *   ___|_.'________|___         E / L = atan(w/k) - k w / d^2                            (22.8)
+ *   ___|_.'________|___         E / L = atan(w/k) - k w / d^2                            (22.13)
  *      p   across                       + R^2 height / d^3 acos(...)
  *                               k^2 = d^2 - R^2,  w^2 = R^2 - height^2
  *
  *   sphere_irradiance(s, p, n)       E / L [sr]: times L [W/(m^2 sr)] it is the irradiance [W/m^2]
- *   sphere_irradiance_naive(s, p, n) (22.8) as published
- *   sphere_irradiance_unclipped(..)  (22.7) for any height: counts what is below as negative; as
+ *   sphere_irradiance_naive(s, p, n) (22.13) as published
+ *   sphere_irradiance_unclipped(..)  (22.10) for any height: counts what is below as negative; as
  *                                    does first_sphere_irradiance, which stops at 0
  *
  *   case                                         naive                       so here
  *   far sphere (R/d = 1e-3 in float) on the      three terms of size R/d     positive numbers are
- *   horizon; or a sliver of one above it         leave (R/d)^3: noise, < 0   integrated (22.9)
+ *   horizon; or a sliver of one above it         leave (R/d)^3: noise, < 0   integrated (22.14)
  *   sphere touching the surface at p             sqrt(d^2 - R^2) is noise    d^2 - R^2 by wide.h
  *   p inside: all the light comes in             pi                          pi
  *
@@ -58,7 +58,7 @@ static inline real sphere_irradiance_naive(sphere s, vec3 p, vec3 n)
 
 /* The part above the horizon of a sphere whose centre is `depth` [0, R) below it, as slices of one
  * elevation theta, each two phi wide:
- *     E = integral of 2 phi sin theta cos theta,  0 < theta < top = sigma - e,              (22.9)
+ *     E = integral of 2 phi sin theta cos theta,  0 < theta < top = sigma - e,              (22.14)
  *     sin^2(phi / 2) = sin((sigma + e + theta) / 2) sin((top - theta) / 2) / (cos e cos theta)
  * e: depth as an angle, sigma: radius as an angle. theta = top (1 - x^2) makes phi smooth. */
 static inline real sphere_sliver(sphere_view v, real depth, real d)
@@ -76,7 +76,7 @@ static inline real sphere_sliver(sphere_view v, real depth, real d)
     return 2 * top * sum;
 }
 
-/* (22.8) for a centre below the horizon, or (22.9) where its terms cancel. */
+/* (22.13) for a centre below the horizon, or (22.14) where its terms cancel. */
 static inline real sphere_sunk(sphere_view v, real depth)
 {
     if (!(depth < v.radius) || v.across == 0) return 0;
@@ -86,7 +86,7 @@ static inline real sphere_sunk(sphere_view v, real depth)
     return 4 * e > first ? e : sphere_sliver(v, depth, d);
 }
 
-/* Above minus below is (22.7) whatever the height: a centre above the horizon needs only what is
+/* Above minus below is (22.10) whatever the height: a centre above the horizon needs only what is
  * below, and adds it. */
 static inline real sphere_view_irradiance(sphere_view v)
 {

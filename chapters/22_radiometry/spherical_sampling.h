@@ -46,7 +46,7 @@ static inline vec3 rectangle_at(rectangle r, vec3 y)
 }
 
 /* Two corners on opposite sides of p, nearly: the arc between them goes anywhere, and 1 + a.b is
- * noise. (22.12) follows the arcs a b and a c: the one nearest to pi has to be b c. */
+ * noise. (22.17) follows the arcs a b and a c: the one nearest to pi has to be b c. */
 static inline int first_corner(vec3 a, vec3 b, vec3 c)
 {
     real ab = vdot(a, b), bc = vdot(b, c), ca = vdot(c, a);
@@ -77,12 +77,12 @@ static inline spherical_triangle spherical_triangle_of(triangle t, vec3 p)
     return spherical_triangle_from(a, b, c, triangle_volume(t, p), triangle_solid_angle(t, p));
 }
 
-/* a b c' shall have the solid angle w = u omega. Let h be a multiple of a + c'. By (22.5)
+/* a b c' shall have the solid angle w = u omega. Let h be a multiple of a + c'. By (22.12)
  *     tan(w/2) = det(a, b, h) / (h.(a + b)),
  * and h = A a + B c gives B = sin(w/2) (1 + a.b), A = cos(w/2) det - sin(w/2) (a.c + b.c);
- *     c' = 2 (h.a) / (h.h) h - a                                                         (22.12)
+ *     c' = 2 (h.a) / (h.h) h - a                                                         (22.17)
  * Then 1 - cos of the angle between b and x is v times that between b and c': with q the quotient
- * of their sines, x = q c' + (cos - q b.c') b.                                           (22.13) */
+ * of their sines, x = q c' + (cos - q b.c') b.                                           (22.18) */
 static inline vec3 spherical_triangle_sample(const spherical_triangle *k, real u, real v)
 {
     real s = sin(u * k->omega / 2), ab = vdot(k->a, k->b);

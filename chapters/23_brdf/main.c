@@ -4,6 +4,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 23_brdf chapters/23
  * samplers. */
 #include "lab/measure.h"
 #include "lab/pictures.h"
+#include "lab/vectors_figure.h"
 
 int main(int argc, char **argv)
 {
@@ -12,7 +13,7 @@ int main(int argc, char **argv)
                              "BRDFs, and the reflection equation: error against time.", defaults,
                              NULL);
     if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
-    draw_spheres(&o), plot_lobes(&o);
+    draw_spheres(&o), plot_lobes(&o), draw_vectors(&o);
     measure_methods(&o);
     if (o.full) {
         measure_furnace(&o), measure_naive(&o);

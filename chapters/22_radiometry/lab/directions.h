@@ -1,7 +1,7 @@
 /* directions.h: one irradiance, estimated in four ways: what a sample is chosen by.
  *
  *   by                    pdf                  weight of a sample that meets the light
- *   uniform hemisphere    1 / (2 pi)           2 pi cos theta                             (22.21)
+ *   uniform hemisphere    1 / (2 pi)           2 pi cos theta                             (22.11)
  *   cosine                cos / pi             pi                                         (22.22)
  *   area of the light     1 / A, as area       cos cos' A / r^2                           (22.23)
  *   its solid angle       1 / Omega            cos theta Omega                            (22.24)

@@ -2,7 +2,7 @@
  *
  *   FLOOR_SPHERE      radius 1, partly buried: it touches the floor all round
  *   FLOOR_RECTANGLE   upright, standing on the floor, shining to +x
- *   FLOOR_SPOTLIGHT   a point, I = cos^8 of the angle off its axis: E = I cos theta / r^2  (22.19)
+ *   FLOOR_SPOTLIGHT   a point, I = cos^8 of the angle off its axis: E = I cos theta / r^2  (22.7)
  *
  *   floor_exact(light, x, y)                     E [W/m^2] at (x, y, 0), the surface facing up
  *   floor_photons(light, seed, first, n, count)  n photons (光子) leave the light, from a place and

@@ -101,6 +101,26 @@ static inline void ways_plot(const options *o, const radiometry_errors *e,
     output_plot(o, &p, file);
 }
 
+/* The rows of two lights from level `from` on. */
+static inline table ways_table(const char *title, const radiometry_errors *e,
+                               const bench_candidate *clock, int from)
+{
+    table t = table_new(title, "light|samples by|N|error random|time random [us]|error Sobol'|"
+                               "time Sobol' [us]");
+    for (int i = 0; i < 2 * way_rows; i += 2)
+        for (int l = from; l < way_levels; l += 2) {
+            bool first = e[i].what.by == direction_ways;
+            table_text(&t, "%s", radiometry_light_name[e[i].what.light]);
+            table_text(&t, "%s", first ? "first" : direction_name[e[i].what.by]);
+            table_count(&t, way_samples(l));
+            for (int k = i; k < i + 2; k++)
+                if (first && k > i) table_text(&t, "-"), table_text(&t, "-");
+                else table_number(&t, e[k].rms[l]),
+                     table_number(&t, clock[k].seconds / 1024 * way_samples(l) * 1e6);
+        }
+    return t;
+}
+
 static inline void measure_ways(const options *o)
 {
     enum { all = 2 * way_rows };
@@ -115,23 +135,14 @@ static inline void measure_ways(const options *o)
     parallel_for(all, o->threads, "estimates", way_job, e);
     bench_time(clock, all, o->quick ? 3 : o->full ? 51 : 15);
     char title[120];
-    snprintf(title, sizeof title, "Irradiance of two lights%s: error (root mean square over %d "
-             "runs, relative) and time", o->full ? "" : " by 4096 samples", runs);
-    table t = table_new(title, "light|samples by|N|error random|time random [us]|error Sobol'|"
-                               "time Sobol' [us]");
-    for (int i = 0; i < all; i += 2)
-        for (int l = o->full ? 0 : way_brief; l < way_levels; l += 2) {
-            bool first = e[i].what.by == direction_ways;
-            table_text(&t, "%s", radiometry_light_name[e[i].what.light]);
-            table_text(&t, "%s", first ? "first" : direction_name[e[i].what.by]);
-            table_count(&t, way_samples(l));
-            for (int k = i; k < i + 2; k++)
-                if (first && k > i) table_text(&t, "-"), table_text(&t, "-");
-                else table_number(&t, e[k].rms[l]),
-                     table_number(&t, clock[k].seconds / 1024 * way_samples(l) * 1e6);
-        }
+    snprintf(title, sizeof title, "Irradiance of two lights by 4096 samples: error (root mean "
+             "square over %d runs, relative) and time", runs);
+    table t = ways_table(title, e, clock, way_brief);
     output_table(o, &t);
     if (!o->full) return;
+    t = ways_table("Irradiance of two lights: error (root mean square, relative) and time", e,
+                   clock, 0);
+    output_extra_table(o, &t);
     ways_plot(o, e, NULL, "Irradiance of the square: error against samples",
               "22_radiometry_error.svg");
     ways_plot(o, e, clock, "Irradiance of the square: error against time",

@@ -1,9 +1,9 @@
 /* oracle.h: closed forms evaluated with 32 digits, to measure the others against.
  *
  *   wide_atan2(y, x)                        the angle of (x, y), y >= 0, off by 1e-30 relatively
- *   sphere_irradiance_exact(r, a, h)        (22.8): radius, across, height; d^2 > r^2
- *   polygon_irradiance_exact(v, count, p)   (22.10) with n = +z, cut at the horizon; 0 from behind
- *   triangle_solid_angle_exact(t, p)        (22.5)
+ *   sphere_irradiance_exact(r, a, h)        (22.13): radius, across, height; d^2 > r^2
+ *   polygon_irradiance_exact(v, count, p)   (22.15) with n = +z, cut at the horizon; 0 from behind
+ *   triangle_solid_angle_exact(t, p)        (22.12)
  *
  * Their formulas cancel like the naive ones, but of 32 digits enough is left: a result that is
  * 1e-15 of its terms is right to 1e-16.

@@ -8,6 +8,7 @@
 #ifndef RADIOMETRY_LAB_PICTURES_H
 #define RADIOMETRY_LAB_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "floors.h"
@@ -129,7 +130,14 @@ static inline void draw_floor(const options *o)
     bool whole = parallel_for(floor_lights * floor_chunks, o->threads, "photons", photon_job, &f)
               && parallel_for(floor_lights * floor_cells, o->threads, "cells", cells_job, &f)
               && pixels_draw(&im, 1, o->threads, "floor", floor_place, &f);
-    output_picture(o, &im, "22_radiometry.png", true, whole);
+    static const char *const title[9] = {
+        "ball: closed form", "square: closed form", "spotlight: closed form",
+        "photons counted", "photons counted", "photons counted",
+        "difference, in standard errors", "orange: too many", "blue: too few"};
+    bool labels = o->width >= 600 && o->height >= 300;  /* narrower, titles would run together */
+    image sheet = labels ? label_panels(&im, 3, 3, floor_gap, title) : im;
+    output_picture(o, &sheet, "22_radiometry.png", true, whole);
+    if (labels) image_free(&sheet);
     free(f.count), free(f.expected), free(f.e);
     image_free(&im);
 }

@@ -159,30 +159,37 @@ static inline void plot_survey(const options *o, const brdf_survey *s, double ns
     output_plot(o, &p, name);
 }
 
+/* Rows of the levels from .. to - 1; `surface` < 0: of all. */
+static inline table methods_table(const char *title, const brdf_survey *s,
+                                  double ns[surfaces][methods], int surface, int from, int to)
+{
+    table t = table_new(title, "surface|method|N|asked|error [1]|time [us]");
+    for (int f = 0; f < surfaces; f++)
+        for (int m = 0; m < methods && (surface < 0 || f == surface); m++)
+            for (int l = from; l < to && method_suits(s->o, m, f); l += 2) {
+                table_text(&t, "%s", surface_name[f]), table_text(&t, "%s", method_name[m]);
+                table_count(&t, level_samples(l)), table_number(&t, s->asked[f][m][l]);
+                table_number(&t, s->error[f][m][l]);
+                table_number(&t, level_samples(l) * ns[f][m] / 1000);
+            }
+    return t;
+}
+
 static inline void measure_methods(const options *o)
 {
     brdf_survey s = {.o = o, .runs = o->quick ? 10 : 200};
     double ns[surfaces][methods];
-    int from = o->full ? 0 : brief_level, to = o->full ? levels : brief_level + 1;
     for (int f = 0; f < surfaces; f++)
         if (method_suits(o, 0, f)) s.exact[f] = surface_exact(f);
     parallel_for(surfaces * methods * levels, o->threads, "estimates", survey_job, &s);
     for (int f = 0; f < surfaces; f++) measure_times(o, f, ns[f]);
-    table t = table_new(o->full ? "The reflection equation: relative error (rms), light asked for, "
-                                  "time"
-                                : "A glossy surface by 256 directions: relative error (rms), light "
-                                  "asked for, time",
-                        "surface|method|N|asked|error [1]|time [us]");
-    for (int f = 0; f < surfaces; f++)
-        for (int m = 0; m < methods; m++)
-            for (int l = from; l < to && method_suits(o, m, f); l += 2) {
-                table_text(&t, "%s", surface_name[f]), table_text(&t, "%s", method_name[m]);
-                table_count(&t, level_samples(l)), table_number(&t, s.asked[f][m][l]);
-                table_number(&t, s.error[f][m][l]);
-                table_number(&t, level_samples(l) * ns[f][m] / 1000);
-            }
+    table t = methods_table("A glossy surface by 256 directions: relative error (rms), light asked "
+                            "for, time", &s, ns, GLOSSY, brief_level, brief_level + 1);
     output_table(o, &t);
     if (!o->full) return;
+    t = methods_table("The reflection equation: relative error (rms), light asked for, time", &s,
+                      ns, -1, 0, levels);
+    output_extra_table(o, &t);
     const char *glossy = "A glossy surface, roughness .25";
     plot_survey(o, &s, ns, GLOSSY, false, glossy, "23_brdf_error.svg");
     plot_survey(o, &s, ns, GLOSSY, true, glossy, "23_brdf_time.svg");

@@ -8,8 +8,9 @@
 #ifndef BRDF_LAB_PICTURES_H
 #define BRDF_LAB_PICTURES_H
 
-#include "../../../common/output.h"
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
+#include "../../../common/output.h"
 #include "../../../common/parallel.h"
 #include "../reflection.h"
 
@@ -80,7 +81,17 @@ static inline void draw_spheres(const options *o)
     image im = image_new(o->width, o->height);
     brdf_spheres sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 64, false};
     bool whole = parallel_pixels(o->width, o->height, o->threads, "spheres", sphere_pixel, &sheet);
-    output_picture(o, &im, "23_brdf.png", true, whole);
+    char title[4][64];
+    snprintf(title[0], sizeof title[0], "%d directions a pixel, uniform; roughness 0 to 1",
+             o->samples);
+    snprintf(title[1], sizeof title[1], "%d by the cosine", o->samples);
+    snprintf(title[2], sizeof title[2], "%d as the surface reflects", o->samples);
+    snprintf(title[3], sizeof title[3], "the same, %d well spread", o->quick ? 4 : 64);
+    const char *const names[4] = {title[0], title[1], title[2], title[3]};
+    bool labels = o->width >= 600 && o->height >= 300 && o->height % 4 == 0;
+    image named = labels ? label_panels(&im, 1, 4, 0, names) : im;
+    output_picture(o, &named, "23_brdf.png", true, whole);
+    if (labels) image_free(&named);
     image_free(&im);
 }
 

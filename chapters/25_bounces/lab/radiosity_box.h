@@ -9,7 +9,7 @@
  *   transport t = radiosity_box(E, rho, m);        n = 6 m^2, (k m + row) m + column
  *   double v = radiosity_at(E, rho, m, L, p, k);   radiance at a point p of wall k, given all L_j
  *
- * F_ij, from a point to a square, is Lambert's closed form (22.10) over pi: exact, so that rows of
+ * F_ij, from a point to a square, is Lambert's closed form (22.15) over pi: exact, so that rows of
  * F sum to 1 to the last digits. What is left is that L varies over a square: the error falls with
  * m^2, and the step from m to 2 m tells how large it still is. Where furnaces have one number a
  * room, here K E is a picture: brighter in the middle, darker in the corners.
