@@ -28,8 +28,8 @@ static inline int first_crossings(const sphere ball[2], ray r, first_crossing at
 /* A point is in the difference (差集) if it is in A and not in B.                          (6.1) */
 static inline bool first_in_difference(const bool in[2]) { return in[0] && !in[1]; }
 
-/* Walk along the ray: each crossing takes us into its ball, or out of it (6.2). The surface of A - B
- * is where the answer to (6.1) changes. */
+/* Walk along the ray: each crossing takes us into its ball, or out of it.                   (6.2)
+ * The surface of A - B is where the answer to (6.1) changes. */
 static inline bool first_difference_hit(const sphere ball[2], ray r, hit *out)
 {
     first_crossing at[4];
