@@ -1,7 +1,7 @@
 /* 06_csg: spans of trees against the Boolean of their parts, faces that coincide, meshes through
  * their edges and corners, bounds that change nothing, depth, strange input, hostile texts. */
 #include "../chapters/06_csg/csg.h"
-#include "../chapters/06_csg/lab/csg_oracle.h"
+#include "../chapters/06_csg/lab/csg_survey.h"
 #include "../common/parallel.h"
 #include "check.h"
 
@@ -450,6 +450,34 @@ static void test_interval(void)
     csg_free(&c);
 }
 
+/* ---- the ways that csg.h does not take ---- */
+
+/* Each has its hard case, and csg_hit none of them. */
+static void test_ways(void)
+{
+    size_t n = check_count(2000);
+    double wrong[csg_sights], best[csg_sights];
+    csg_sight s[csg_sights];
+    csg_tolerance = (real)0.003;
+    for (int k = 0; k < csg_sights; k++) {
+        s[k] = csg_sight_of((csg_sight_kind)k, 1);
+        best[k] = csg_wrong(&s[k], csg_hit, n);
+        check_equal(best[k], 0, "csg_hit, sight %d", k);
+        check_equal(csg_wrong(&s[k], csg_hit_plain, n), 0, "without bounds, sight %d", k);
+        wrong[k] = csg_wrong(&s[k], k <= CSG_EYE_INSIDE ? csg_hit_front : k == CSG_FOILS
+                             ? csg_hit_tolerant : csg_hit_points, n);
+    }
+    check_equal(wrong[CSG_OUTSIDE], 0, "t > 0, seen from outside");
+    check_at_least(wrong[CSG_EYE_INSIDE], 50, "t > 0, seen from inside");
+    check_at_least(wrong[CSG_COINCIDENT], 5, "no rule for equal t: speckle");
+    check_at_least(wrong[CSG_FOILS], 50, "a tolerance of 0.003: two foils of three are gone");
+    csg_tolerance = (real)1e-9;
+    if (!real_is_float)  /* in float the planes are off by so much that the order is always one */
+        check_at_least(csg_wrong(&s[CSG_FAR_AWAY], csg_hit_tolerant, n), 2,
+                       "a tolerance of 1e-9, far away: speckle");
+    for (int k = 0; k < csg_sights; k++) csg_sight_free(&s[k]);
+}
+
 /* ---- strange input ---- */
 
 static void test_strange_solids(void)
@@ -707,6 +735,7 @@ int main(void)
     test_mesh_kinds();
     test_bounds();
     test_interval();
+    test_ways();
     test_strange_solids();
     test_strange_rays();
     test_refused_steps();

@@ -73,7 +73,7 @@ static inline void csg_draw(const options *o, const csg_scene *scene)
                                      o->width, o->height);
     real low = scene->c.nodes > 0 ? scene->c.node[0].bound.lo.y : 0;
     csg_stage s = {scene, c, isfinite(low) ? low : -real_infinity};
-    bool whole = pixels_draw(&im, 3, o->threads, "picture", csg_stage_colour, &s);
+    bool whole = pixels_draw(&im, o->quick ? 1 : 3, o->threads, "picture", csg_stage_colour, &s);
     output_picture(o, &im, "06_csg.png", true, whole);
     image_free(&im);
 }
@@ -99,7 +99,8 @@ static inline void csg_draw_panel(image *sheet, int x, int y, int w, int h, cons
                                   csg_panel p, const char *text, bool *whole)
 {
     image one = image_new(w, h);
-    if (*whole) *whole = pixels_draw(&one, 2, o->threads, "panel", csg_panel_colour, &p);
+    int side = o->quick ? 1 : 2;
+    if (*whole) *whole = pixels_draw(&one, side, o->threads, "panel", csg_panel_colour, &p);
     image_place(sheet, x, y + 26, &one);
     label_text(sheet, x + w / 2.0, y + 18, 11, 0.5, vec(0, 0, 0), text);
     image_free(&one);
@@ -145,11 +146,12 @@ static inline void csg_draw_inside(const options *o)
 static inline void csg_draw_pocket(const options *o)
 {
     static const struct { const char *text; csg_hit_function *X_hit; } way[3] = {
-        {"no rule for equal t", csg_hit_points}, {"crossings within 0.003 are one", csg_hit_tolerant},
+        {"no rule for equal t", csg_hit_points},
+        {"crossings within 0.003 are one", csg_hit_tolerant},
         {"csg.h: one plane, one t", csg_hit}};
     if (o->out || o->own) return;
     enum { w = 312, h = 300, gap = 12 };
-    csg_scene s = csg_scene_pocket(false);
+    csg_scene s = csg_scene_pocket(false, vec(0, 0, 0));
     image sheet = image_new(3 * w + 2 * gap, h + 26);
     bool whole = true;
     label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));

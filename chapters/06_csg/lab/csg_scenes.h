@@ -2,7 +2,7 @@
  *
  *   csg_scene s = csg_scene_of(text)            an expression; exit 2 where it says nothing
  *   csg_scene_text(name)                        the expression of a name, or NULL
- *   csg_scene_pocket(no_bounds)                 a turned block with pockets that are flush with its
+ *   csg_scene_pocket(no_bounds, shift)          a turned block with pockets that are flush with its
  *                                               faces: faces that coincide; beside it three foils
  *   csg_scene_free(&s)
  *   csg_scene_colour(&s, h)                     of the solid that was hit
@@ -58,7 +58,14 @@ static inline csg_solid csg_scene_block(const vec3 n[3], double x0, double y0, d
     return csg_box_turned(n, lo, hi);
 }
 
-/* From lo to hi along axis k, round whose middle (u, v) it is turned; w and h are half its sides. */
+/* Of the turned block: at right angles, of length 1, right-handed. */
+static inline void csg_scene_axes(vec3 n[3])
+{
+    n[0] = vunit(vec(0.9, 0.1, -0.42)), n[1] = vunit(vcross(vec(-0.1, 0.2, 1), n[0]));
+    n[2] = vcross(n[0], n[1]);
+}
+
+/* From lo to hi along axis k, turned round the place (u, v); w and h are half its sides. */
 static inline csg_solid csg_scene_cut(const vec3 n[3], int k, double lo, double hi, double u,
                                       double v, double w, double h, double degrees)
 {
@@ -70,16 +77,16 @@ static inline csg_solid csg_scene_cut(const vec3 n[3], int k, double lo, double 
     return csg_scene_block(axis, lo, x - w, y - h, hi, x + w, y + h);
 }
 
-static inline csg_scene csg_scene_pocket(bool no_bounds)
+static inline csg_scene csg_scene_pocket(bool no_bounds, vec3 shift)
 {
-    vec3 n[3] = {vunit(vec(0.9, 0.1, -0.42))};
-    n[1] = vunit(vcross(vec(-0.1, 0.2, 1), n[0])), n[2] = vcross(n[0], n[1]);
+    vec3 n[3];
+    csg_scene_axes(n);
     enum { solids = 8, steps = 2 * solids - 1 };
     csg_scene s = {.e = {.solids = solids, .steps = steps}};
     s.e.solid = allocate(solids, sizeof *s.e.solid), s.e.step = allocate(steps, sizeof *s.e.step);
     const csg_solid all[solids] = {
         csg_scene_block(n, -1, -1, -1, 1, 1, 1),
-        csg_scene_cut(n, 1, 0.3, 1, 0.2, -0.45, 0.55, 0.22, 25),  /* pockets, two in the upper face */
+        csg_scene_cut(n, 1, 0.3, 1, 0.2, -0.45, 0.55, 0.22, 25),  /* two in the upper face */
         csg_scene_cut(n, 1, 0.5, 1, -0.1, 0.45, 0.4, 0.3, -20),
         csg_scene_cut(n, 2, 0.4, 1, -0.3, 0.15, 0.45, 0.45, 35),  /* in the front */
         csg_scene_block(n, 0.4, -1, 0.3, 1, -0.2, 1),           /* at an edge: flush with three */
@@ -88,6 +95,10 @@ static inline csg_scene csg_scene_pocket(bool no_bounds)
         csg_scene_block(n, 1.3, -1, 0, 2.1, -0.4, 0.02)};
     for (uint32_t i = 0; i < solids; i++) {
         s.e.solid[i] = all[i];
+        for (int k = 0; k < 3; k++) {  /* one plane stays one: the same sum of the same numbers */
+            s.e.solid[i].box.lo[k] += vdot(all[i].box.n[k], shift);
+            s.e.solid[i].box.hi[k] += vdot(all[i].box.n[k], shift);
+        }
         s.e.step[i ? 2 * i - 1 : 0] = (csg_step){CSG_SOLID, i};
         if (i) s.e.step[2 * i] = (csg_step){i < 5 ? CSG_DIFFERENCE : CSG_UNION, 0};
     }
