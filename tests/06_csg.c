@@ -471,6 +471,8 @@ static void test_ways(void)
     check_at_least(wrong[CSG_EYE_INSIDE], 50, "t > 0, seen from inside");
     check_at_least(wrong[CSG_COINCIDENT], 5, "no rule for equal t: speckle");
     check_at_least(wrong[CSG_FOILS], 50, "a tolerance of 0.003: two foils of three are gone");
+    check_at_least(csg_wrong(&s[CSG_COINCIDENT], csg_hit_anew, n), 1,
+                   "planes computed twice are two planes: speckle, for spans, too");
     csg_tolerance = (real)1e-9;
     if (!real_is_float)  /* in float the planes are off by so much that the order is always one */
         check_at_least(csg_wrong(&s[CSG_FAR_AWAY], csg_hit_tolerant, n), 2,

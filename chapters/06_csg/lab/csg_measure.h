@@ -13,7 +13,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { csg_methods = 6, csg_timed = 1024, csg_columns = 4 };
+enum { csg_methods = 7, csg_timed = 1024 };
 
 static const struct {
     const char *name;
@@ -24,6 +24,7 @@ static const struct {
     {"planes by points, one by one", csg_hit_points, 0},
     {"the same, tolerance 1e-9", csg_hit_tolerant, 1e-9},
     {"the same, tolerance 0.003", csg_hit_tolerant, 0.003},
+    {"spans, planes computed anew", csg_hit_anew, 0},
     {"spans", csg_hit_plain, 0},
     {"spans, bounds: csg_hit", csg_hit, 0}};
 

@@ -1,10 +1,10 @@
 /* csg_survey.h: what each way to the first hit gets wrong, and the rays that show it.
  *
  *   csg_truth(m, &c, r, least, &t, &n)    the first place in [tmin, tmax] where the Boolean of the
- *                                    parts changes, and the normal there; false: nowhere. The crossings
- *                                    of single solids tell where to look; between each two of them
- *                                    oracle_contains is asked. What is shorter than `least` is
- *                                    rounding, and nothing
+ *                                    parts changes, and the normal there; false: nowhere. The
+ *                                    crossings of single solids tell where to look; between each
+ *                                    two of them oracle_contains is asked. What is shorter than
+ *                                    `least` is rounding, and nothing
  *   csg_sight_ray(&s, i)             ray i of a sight: a scene, and rays that try it
  *   csg_wrong(&s, X_hit, n)          of n rays, percent whose hit, t or normal is not the truth
  */

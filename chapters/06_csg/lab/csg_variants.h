@@ -1,4 +1,4 @@
-/* csg_variants.h: four other ways to find the first hit of a tree, with the signature of csg_hit.
+/* csg_variants.h: five other ways to find the first hit of a tree, with the signature of csg_hit.
  *
  *   csg_hit_front(&c, r, &h)      first.h's way for any tree: hits with t > 0 alone, begins outside
  *   csg_hit_points(&c, r, &h)     planes through a corner of their box, along two of its edges, t
@@ -6,6 +6,8 @@
  *                                 those that are rounding errors long
  *   csg_hit_tolerant(&c, r, &h)   the same planes; crossings within csg_tolerance [length] of each
  *                                 other happen at once
+ *   csg_hit_anew(&c, r, &h)       spans.h and (6.4), but each box computes the normals of planes
+ *                                 from those of its other planes: one plane, several numbers
  *   csg_hit_plain(&c, r, &h)      csg_hit, whether or not its tree was built with bounds
  */
 #ifndef CSG_VARIANTS_H
@@ -118,6 +120,22 @@ static inline bool csg_hit_tolerant(const csg *c, ray r, hit *out)
     csg_crossing *list = NULL;
     csg_tolerance_t = csg_tolerance / vlength(r.d);
     size_t n = csg_walk(c, r, &list, csg_tolerant_crossings, csg_merge_tolerant);
+    return csg_first(list, n, r, out);
+}
+
+static inline size_t csg_anew_crossings(const csg_solid *s, ray r, uint32_t first,
+                                        csg_crossing *out)
+{
+    csg_solid anew = *s;
+    for (int k = 0; s->kind == CSG_BOX && k < 3; k++)
+        anew.box.n[k] = vcross(s->box.n[(k + 1) % 3], s->box.n[(k + 2) % 3]);
+    return csg_solid_crossings(&anew, r, first, out);
+}
+
+static inline bool csg_hit_anew(const csg *c, ray r, hit *out)
+{
+    csg_crossing *list = NULL;
+    size_t n = csg_walk(c, r, &list, csg_anew_crossings, spans_merge);
     return csg_first(list, n, r, out);
 }
 
