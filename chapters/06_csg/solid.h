@@ -71,8 +71,11 @@ static inline csg_solid csg_box(vec3 lo, vec3 hi)
                                                 {lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}}};
 }
 
+/* The axis, of any length, is brought to some 1 by a power of two, so that no square overflows. */
 static inline csg_solid csg_cylinder(vec3 p, vec3 a, real r)
 {
+    int up;
+    if (vfinite(a)) a = vscaled(a, &up);
     return (csg_solid){.kind = CSG_CYLINDER, .cylinder = {p, a, r}};
 }
 
@@ -150,13 +153,12 @@ static inline size_t csg_box_crossings(const csg_solid *s, ray r, uint32_t first
  *      |x|^2 t^2 + 2 x.y t + |y|^2 - r^2 |a|^2 = 0                                     (6.5)
  *
  * Its discriminant, by Lagrange's identity, is |a|^2 (r^2 |x|^2 - q^2), q = a . (d x (o - p)): as
- * for the sphere (3.5), nothing huge cancels. In double whatever real is, and a of length 1. */
+ * for the sphere (3.5), nothing huge cancels. In double whatever real is. */
 static inline size_t csg_cylinder_crossings(const csg_solid *s, ray r, uint32_t first,
                                             csg_crossing *out)
 {
-    int up;
-    vec3 scaled = vscaled(s->cylinder.a, &up);
-    double a[3] = {(double)scaled.x, (double)scaled.y, (double)scaled.z}, f[3], d[3], x[3], y[3];
+    vec3 axis = s->cylinder.a;
+    double a[3] = {(double)axis.x, (double)axis.y, (double)axis.z}, f[3], d[3], x[3], y[3];
     double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2], R = (double)s->cylinder.r;
     double xx = 0, xy = 0, yy = 0, q = 0;
     for (int k = 0; k < 3; k++) {

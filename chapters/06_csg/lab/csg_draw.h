@@ -143,11 +143,17 @@ static inline void csg_draw_inside(const options *o)
     image_free(&sheet), csg_scene_free(&s);
 }
 
+static bool csg_hit_coarse(const csg *c, ray r, hit *out)
+{
+    csg_tolerance = (real)0.003;
+    return csg_hit_tolerant(c, r, out);
+}
+
 static inline void csg_draw_pocket(const options *o)
 {
     static const struct { const char *text; csg_hit_function *X_hit; } way[3] = {
         {"no rule for equal t", csg_hit_points},
-        {"crossings within 0.003 are one", csg_hit_tolerant},
+        {"crossings within 0.003 are one", csg_hit_coarse},
         {"csg.h: one plane, one t", csg_hit}};
     if (o->out || o->own) return;
     enum { w = 312, h = 300, gap = 12 };
@@ -155,7 +161,6 @@ static inline void csg_draw_pocket(const options *o)
     image sheet = image_new(3 * w + 2 * gap, h + 26);
     bool whole = true;
     label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
-    csg_tolerance = (real)0.003;
     for (int k = 0; k < 3; k++) {
         csg_panel p = {&s, way[k].X_hit, first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0),
                                                          vec(0, 1, 0), 42, w, h)};

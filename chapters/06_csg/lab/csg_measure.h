@@ -40,13 +40,25 @@ static double csg_time_run(void *context)
     return sum;
 }
 
-typedef struct { csg_sight sight[csg_sights]; int method; size_t n; double wrong[csg_sights]; }
-    csg_survey;
+typedef struct {
+    csg_sight sight[csg_sights];
+    size_t n;
+    double wrong[csg_sights][csg_methods];  /* percent */
+} csg_survey;
 
 static inline void csg_survey_sight(size_t k, void *context)
 {
     csg_survey *y = context;
-    y->wrong[k] = csg_wrong(&y->sight[k], csg_method[y->method].X_hit, y->n);
+    const csg_sight *s = &y->sight[k];
+    for (size_t i = 0; i < y->n; i++) {
+        csg_asked_ray x = csg_sight_asked(s, i);
+        for (int m = 0; m < csg_methods; m++) {
+            csg_tolerance = (real)csg_method[m].tolerance;
+            const csg *c = m == csg_methods - 1 ? &s->scene.c : &s->bare;
+            y->wrong[k][m] += csg_is_wrong(c, csg_method[m].X_hit, &x);
+        }
+    }
+    for (int m = 0; m < csg_methods; m++) y->wrong[k][m] *= 100 / (double)y->n;
 }
 
 static inline void csg_time_methods(const options *o, const csg_sight *s, double ns[csg_methods])
@@ -66,7 +78,7 @@ static inline void csg_time_methods(const options *o, const csg_sight *s, double
 
 static inline void csg_main_table(const options *o)
 {
-    csg_survey y = {.n = o->quick ? 50 : 1200};
+    csg_survey y = {.n = o->quick ? 100 : 2000};
     double ns[csg_methods];
     for (int k = 0; k < csg_sights; k++)
         y.sight[k] = csg_sight_of((csg_sight_kind)k, o->seed);
@@ -74,13 +86,12 @@ static inline void csg_main_table(const options *o)
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
                         "error foils [%]|time [ns]");
-    for (y.method = 0; y.method < csg_methods; y.method++) {
-        csg_tolerance = (real)csg_method[y.method].tolerance;
-        if (!parallel_for(csg_sights, o->threads, "rays", csg_survey_sight, &y)) exit(130);
-        table_text(&t, "%s", csg_method[y.method].name);
-        table_number(&t, y.wrong[CSG_OUTSIDE]), table_number(&t, y.wrong[CSG_EYE_INSIDE]);
-        table_number(&t, (y.wrong[CSG_COINCIDENT] + y.wrong[CSG_FAR_AWAY]) / 2);
-        table_number(&t, y.wrong[CSG_FOILS]), table_number(&t, ns[y.method]);
+    if (!parallel_for(csg_sights, o->threads, "rays", csg_survey_sight, &y)) exit(130);
+    for (int m = 0; m < csg_methods; m++) {
+        table_text(&t, "%s", csg_method[m].name);
+        table_number(&t, y.wrong[CSG_OUTSIDE][m]), table_number(&t, y.wrong[CSG_EYE_INSIDE][m]);
+        table_number(&t, (y.wrong[CSG_COINCIDENT][m] + y.wrong[CSG_FAR_AWAY][m]) / 2);
+        table_number(&t, y.wrong[CSG_FOILS][m]), table_number(&t, ns[m]);
     }
     output_table(o, &t);
     for (int k = 0; k < csg_sights; k++) csg_sight_free(&y.sight[k]);

@@ -17,7 +17,7 @@
 
 typedef bool csg_hit_function(const csg *, ray, hit *);
 
-static real csg_tolerance = (real)1e-9;  /* set before threads begin */
+static _Thread_local real csg_tolerance = (real)1e-9;
 
 /* ---------------------------------------------------------------------------------------------- */
 
