@@ -1,0 +1,157 @@
+/* csg_oracle.h: whether a point is in a solid, and in a tree of them, without any ray.
+ *
+ *   double m = oracle_margin(&s, p)         how far p is from the surface: negative inside; exact
+ *                                           but for 1e-30 of its size. Of a mesh only
+ *                                           its sign means something, by solid angles, in double
+ *   bool in = oracle_contains(model, p, &least)   the Boolean of its parts, and the least |margin|:
+ *                                           the answer is certain where that is well above 0
+ *   random_solid(&s, gems)                  some solid within some 2 of the origin; gems: of them
+ *                                           also octahedra, which oracle_random_free frees
+ *   random_model(&s, n, gems)               n random solids, joined by random operations, in a
+ *                                           random tree; for oracle_random_free
+ *
+ * Source of the solid angle: A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle",
+ * IEEE Transactions on Biomedical Engineering 30(2), 1983.
+ */
+#ifndef CSG_ORACLE_H
+#define CSG_ORACLE_H
+
+#include "../../../common/random.h"
+#include "../expression.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline wide3 oracle_on(ray r, double t)  /* o + t d, not rounded */
+{
+    return wide3_madd(wide3_of(r.o), wide3_of(r.d), wide_of(t));
+}
+
+static inline double oracle_plane(vec3 n, real h, wide3 p)
+{
+    wide3 w = wide3_of(n);
+    wide above = wide_sub(wide3_dot(w, p), wide_of((double)h));
+    return wide_value(wide_div(above, wide3_length(w)));
+}
+
+/* Full turns of the sphere of directions from p that the mesh covers, outwards counted 1. */
+static inline double oracle_winding(csg_closed m, wide3 p)
+{
+    double sum = 0;
+    for (size_t i = 0; i < m.n; i++) {
+        const vec3 corner[3] = {m.tri[i].a, m.tri[i].b, m.tri[i].c};
+        double v[3][3], length[3];
+        for (int k = 0; k < 3; k++) {
+            wide3 w = wide3_sub(wide3_of(corner[k]), p);
+            v[k][0] = wide_value(w.x), v[k][1] = wide_value(w.y), v[k][2] = wide_value(w.z);
+            length[k] = sqrt(v[k][0] * v[k][0] + v[k][1] * v[k][1] + v[k][2] * v[k][2]);
+        }
+        double det = 0, below = length[0] * length[1] * length[2];
+        for (int k = 0; k < 3; k++) {
+            int a = (k + 1) % 3, b = (k + 2) % 3;
+            det += v[0][k] * (v[1][a] * v[2][b] - v[1][b] * v[2][a]);
+            below += length[k] * (v[a][0] * v[b][0] + v[a][1] * v[b][1] + v[a][2] * v[b][2]);
+        }
+        sum += 2 * atan2(det, below);
+    }
+    return sum / (4 * 3.14159265358979323846);
+}
+
+static inline double oracle_margin(const csg_solid *s, wide3 p)
+{
+    double most = -HUGE_VAL;
+    if (!csg_solid_is_some(s)) return HUGE_VAL;
+    switch (s->kind) {
+    case CSG_SPHERE: {
+        wide3 f = wide3_sub(p, wide3_of(s->ball.c));
+        return wide_value(wide_sub(wide3_length(f), wide_of(fabs((double)s->ball.r))));
+    }
+    case CSG_CYLINDER: {
+        wide3 a = wide3_of(s->cylinder.a), f = wide3_sub(p, wide3_of(s->cylinder.p));
+        wide away = wide_div(wide3_length(wide3_cross(f, a)), wide3_length(a));
+        return wide_value(wide_sub(away, wide_of(fabs((double)s->cylinder.r))));
+    }
+    case CSG_HALF: return oracle_plane(s->box.n[0], s->box.hi[0], p);
+    case CSG_BOX:
+        for (int k = 0; k < 3; k++) {
+            most = fmax(most, oracle_plane(s->box.n[k], s->box.hi[k], p));
+            most = fmax(most, oracle_plane(vneg(s->box.n[k]), -s->box.lo[k], p));
+        }
+        return most;
+    case CSG_MESH: {
+        double turns = oracle_winding(s->mesh, p);
+        return fabs(turns - round(turns)) > 0.01 ? 0 : turns > 0.5 ? -1 : 1;  /* 0: on it */
+    }
+    }
+    return HUGE_VAL;
+}
+
+static inline bool oracle_contains(csg_model m, wide3 p, double *least)
+{
+    bool *waiting = allocate(m.steps + 1, 1);
+    size_t n = 0;
+    *least = HUGE_VAL;
+    for (size_t i = 0; i < m.steps; i++) {
+        csg_operation what = m.step[i].what;
+        if (what == CSG_SOLID) {
+            double margin = oracle_margin(&m.solid[m.step[i].solid], p);
+            *least = fmin(*least, fabs(margin));
+            waiting[n++] = margin < 0;
+            continue;
+        }
+        bool b = waiting[--n], a = waiting[n - 1];
+        waiting[n - 1] = what == CSG_UNION ? a | b : what == CSG_INTERSECTION ? a & b : a & !b;
+    }
+    bool in = n == 1 && waiting[0];
+    free(waiting);
+    return in;
+}
+
+static inline vec3 random_direction_of(random_stream *s)
+{
+    vec3 d = vunit(random_in_cube(s, 1));
+    return vzero(d) ? vec(0, 0, 1) : d;
+}
+
+static inline csg_solid random_solid(random_stream *s, bool gems)
+{
+    int kind = (int)(random_next(s) * (gems ? 6 : 5));
+    vec3 c = random_in_cube(s, 1), d = random_direction_of(s), n[3] = {d};
+    real r = (real)0.3 + (real)0.7 * random_next(s), lo[3], hi[3];
+    if (kind == 0) return csg_half(vscale(d, 3 * r), vdot(c, d));
+    if (kind == 1) return csg_box(vsub(c, vec(r, r / 2, r)), vadd(c, vec(r, r, r / 2)));
+    if (kind == 2) return csg_cylinder(c, vscale(d, 2 * r), r / 2);
+    if (kind == 3) {
+        vbasis(d, &n[1], &n[2]);
+        for (int k = 0; k < 3; k++) lo[k] = vdot(c, n[k]) - r, hi[k] = vdot(c, n[k]) + r / 2;
+        return csg_box_turned(n, lo, hi);
+    }
+    return kind == 5 ? csg_gem(c, r) : csg_sphere(c, r);
+}
+
+static inline csg_model random_model(random_stream *s, size_t n, bool gems)
+{
+    csg_solid *solid = allocate(n, sizeof *solid);
+    csg_step *step = allocate(2 * n, sizeof *step);
+    size_t steps = 0, waiting = 0, used = 0;
+    while (used < n || waiting > 1) {
+        bool join = waiting > 1 && (used == n || random_next(s) < (real)0.5);
+        if (join) {
+            step[steps++].what = (csg_operation)(1 + (int)(3 * random_next(s)));
+            waiting--;
+            continue;
+        }
+        solid[used] = random_solid(s, gems);
+        step[steps++] = (csg_step){CSG_SOLID, (uint32_t)used++};
+        waiting++;
+    }
+    return (csg_model){solid, n, step, steps};
+}
+
+static inline void oracle_random_free(csg_model m)
+{
+    csg_expression e = {.solid = (csg_solid *)(uintptr_t)m.solid,
+                        .step = (csg_step *)(uintptr_t)m.step, .solids = m.solids};
+    csg_expression_free(&e);
+}
+
+#endif

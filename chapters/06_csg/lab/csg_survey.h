@@ -1,0 +1,127 @@
+/* csg_survey.h: what each way to the first hit gets wrong, and the rays that show it.
+ *
+ *   csg_truth(m, &c, r, least, &t, &n)    the first place in [tmin, tmax] where the Boolean of the
+ *                                    parts changes, and the normal there; false: nowhere. The
+ *                                    crossings of single solids tell where to look; between each
+ *                                    two of them oracle_contains is asked. What is shorter than
+ *                                    `least` is rounding, and nothing
+ *   csg_sight_ray(&s, i)             ray i of a sight: a scene, and rays that try it
+ *   csg_wrong(&s, X_hit, n)          of n rays, percent whose hit, t or normal is not the truth
+ */
+#ifndef CSG_SURVEY_H
+#define CSG_SURVEY_H
+
+#include "csg_oracle.h"
+#include "csg_scenes.h"
+#include "csg_variants.h"
+
+typedef enum { CSG_OUTSIDE, CSG_EYE_INSIDE, CSG_COINCIDENT, CSG_FAR_AWAY, CSG_FOILS, csg_sights }
+    csg_sight_kind;
+typedef struct {
+    csg_sight_kind kind;
+    csg_scene scene;
+    csg bare;        /* the same tree without bounds */
+    vec3 shift;
+    uint64_t seed;
+} csg_sight;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool csg_truth(csg_model m, const csg *c, ray r, double least, double *t, vec3 *n)
+{
+    csg_crossing at[64];
+    size_t k = 0;
+    for (size_t i = 0; i < m.solids && k < 56; i++)
+        k += csg_solid_crossings(&m.solid[i], r, c->first[i], at + k);
+    csg_sort(at, k);
+    double last = (double)r.tmin, margin, scale = (double)vlength(r.d);
+    bool before = false, known = false;
+    for (size_t i = 0; i <= k; i++) {
+        double next = i < k ? (double)at[i].t : last + 2;
+        if (!((next - last) * scale > least)) continue;
+        double middle = isfinite(next) ? (last + next) / 2 : last + 1;
+        bool in = oracle_contains(m, oracle_on(r, middle), &margin);
+        if (known && in != before) {
+            *t = last;
+            hit h = {(real)last, 0, 0, 0};
+            for (size_t j = 0; j < k; j++)  /* the solid whose crossing is there */
+                if (fabs((double)at[j].t - last) * scale <= least) h.shape = at[j].surface;
+            vec3 out = csg_normal(c, r, h);
+            *n = (vdot(out, r.d) > 0) == in ? vneg(out) : out;  /* into it: against the ray */
+            return true;
+        }
+        before = in, known = true, last = next;
+    }
+    return false;
+}
+
+static inline csg_sight csg_sight_of(csg_sight_kind kind, uint64_t seed)
+{
+    double far = kind != CSG_FAR_AWAY ? 0 : real_is_float ? 1e2 : 1e7;
+    csg_sight s = {.kind = kind, .seed = seed, .shift = vec(far, 0.7 * far, -0.4 * far)};
+    failure f;
+    s.scene = kind >= CSG_COINCIDENT ? csg_scene_pocket(false, s.shift)
+        : csg_scene_of(csg_scene_text("classic"));
+    if (!csg_build(csg_expression_model(&s.scene.e), (csg_options){true}, &s.bare, &f)) fail(f);
+    return s;
+}
+
+static inline void csg_sight_free(csg_sight *s) { csg_free(&s->bare), csg_scene_free(&s->scene); }
+
+static inline ray csg_sight_ray(const csg_sight *s, size_t i)
+{
+    random_stream x = random_start(s->seed, i, (uint64_t)s->kind);
+    vec3 to = random_in_cube(&x, 1), jitter = random_in_cube(&x, (real)0.3), n[3];
+    if (s->kind == CSG_OUTSIDE) return ray_from(vadd(vec(2.9, 2.6, 4.4), jitter),
+                                                vsub(to, vec(2.9, 2.6, 4.4)));
+    if (s->kind == CSG_EYE_INSIDE)
+        return ray_from(vadd(i % 2 ? vec(0, 0, 0) : vec(0.7, 0.7, 0.7), vscale(jitter, (real)0.2)),
+                        random_direction_of(&x));
+    vec3 eye = vadd(s->shift, vadd(vec(2.0, 3.6, 4.4), jitter));
+    csg_scene_axes(n);
+    real u = to.x, v = to.y, w = to.z;  /* in the block's own frame: on two faces, or on a foil */
+    if (s->kind == CSG_FOILS)
+        w = 0, u = (real)1.7 + u * (real)0.39, v = (real)(i % 3) * (real)0.7 - (real)0.7 + v / 4;
+    else if (i % 2) v = 1;
+    else w = 1;
+    vec3 p = vadd(vadd(vscale(n[0], u), vscale(n[1], v)), vscale(n[2], w));
+    return ray_from(eye, vsub(vadd(p, s->shift), eye));
+}
+
+/* Above the rounding of the scene, below the thinnest foil. */
+static inline double csg_sight_least(const csg_sight *s)
+{
+    return s->kind == CSG_FAR_AWAY ? (real_is_float ? 1e-4 : 1e-6) : real_is_float ? 2e-5 : 1e-9;
+}
+
+typedef struct { ray r; bool due; double t, least; vec3 n; } csg_asked_ray;
+
+/* Ray i with the truth about it. */
+static inline csg_asked_ray csg_sight_asked(const csg_sight *s, size_t i)
+{
+    csg_asked_ray x = {.r = csg_sight_ray(s, i), .least = csg_sight_least(s)};
+    x.due = csg_truth(csg_expression_model(&s->scene.e), &s->bare, x.r, x.least, &x.t, &x.n);
+    return x;
+}
+
+static inline bool csg_is_wrong(const csg *c, csg_hit_function *X_hit, const csg_asked_ray *x)
+{
+    hit h;
+    bool is = X_hit(c, x->r, &h);
+    if (is != x->due || !is) return is != x->due;
+    double apart = fabs((double)h.t - x->t) * (double)vlength(x->r.d);
+    return !(apart <= x->least && vdot(csg_normal(c, x->r, h), x->n) > (real)0.99);
+}
+
+static inline double csg_wrong(const csg_sight *s, csg_hit_function *X_hit, size_t n)
+{
+    const csg *c = X_hit == csg_hit ? &s->scene.c : &s->bare;
+    size_t wrong = 0;
+    for (size_t i = 0; i < n; i++) {
+        csg_asked_ray x = csg_sight_asked(s, i);
+        wrong += csg_is_wrong(c, X_hit, &x);
+    }
+    return 100 * (double)wrong / (double)n;
+}
+
+#endif

@@ -1,0 +1,144 @@
+/* csg_variants.h: five other ways to find the first hit of a tree, with the signature of csg_hit.
+ *
+ *   csg_hit_front(&c, r, &h)      first.h's way for any tree: hits with t > 0 alone, begins outside
+ *   csg_hit_points(&c, r, &h)     planes through a corner of their box, along two of its edges, t
+ *                                 by (4.4); one crossing at a time: spans of length 0 stay, and
+ *                                 those that are rounding errors long
+ *   csg_hit_tolerant(&c, r, &h)   the same planes; crossings within csg_tolerance [length] of each
+ *                                 other happen at once
+ *   csg_hit_anew(&c, r, &h)       spans.h and (6.4), but each box computes the normals of planes
+ *                                 from those of its other planes: one plane, several numbers
+ *   csg_hit_plain(&c, r, &h)      csg_hit, whether or not its tree was built with bounds
+ */
+#ifndef CSG_VARIANTS_H
+#define CSG_VARIANTS_H
+
+#include "../csg.h"
+
+typedef bool csg_hit_function(const csg *, ray, hit *);
+
+static _Thread_local real csg_tolerance = (real)1e-9;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* What first.h keeps of a list. An odd rest never ends: the walk counts on from its beginning. */
+static inline size_t csg_front_crossings(const csg_solid *s, ray r, uint32_t first,
+                                         csg_crossing *out)
+{
+    size_t n = csg_solid_crossings(s, r, first, out), kept = 0;
+    for (size_t i = 0; i < n; i++)
+        if (out[i].t > 0 && isfinite(out[i].t)) out[kept++] = out[i];
+    return kept;
+}
+
+static inline bool csg_hit_front(const csg *c, ray r, hit *out)
+{
+    csg_crossing *list = NULL;
+    size_t n = csg_walk(c, r, &list, csg_front_crossings, spans_merge);
+    return csg_first(list, n, r, out);
+}
+
+/* Boxes by the planes through their own least or greatest corner; other solids as they are. */
+static inline size_t csg_point_crossings(const csg_solid *s, ray r, uint32_t first,
+                                         csg_crossing *out)
+{
+    real enter = -real_infinity, leave = real_infinity;
+    uint32_t in = first, from = first;
+    vec3 lo = {0, 0, 0}, hi = {0, 0, 0};
+    if (s->kind != CSG_BOX) return csg_solid_crossings(s, r, first, out);
+    for (int k = 0; k < 3; k++)  /* axes at right angles, of length 1, right-handed */
+        lo = vmadd(lo, s->box.n[k], s->box.lo[k]), hi = vmadd(hi, s->box.n[k], s->box.hi[k]);
+    for (uint32_t k = 0; k < 3; k++) {
+        vec3 n = vcross(s->box.n[(k + 1) % 3], s->box.n[(k + 2) % 3]);
+        real along = vdot(n, r.d);
+        bool back = along < 0;
+        real t0 = vdot(vsub(back ? hi : lo, r.o), n) / along;                        /* (4.4) */
+        real t1 = vdot(vsub(back ? lo : hi, r.o), n) / along;
+        if (t0 > enter) enter = t0, in = first + 2 * k + back;
+        if (t1 < leave) leave = t1, from = first + 2 * k + !back;
+    }
+    return csg_span(enter, in, leave, from, out);
+}
+
+/* One crossing at a time, those of a first. */
+static inline size_t csg_merge_singly(csg_operation what, const csg_crossing *a, size_t na,
+                                      const csg_crossing *b, size_t nb, csg_crossing *out)
+{
+    size_t i = 0, j = 0, n = 0;
+    while (i < na || j < nb) {
+        bool before = csg_inside(what, i % 2, j % 2);
+        bool of_a = j == nb || (i < na && a[i].t <= b[j].t);
+        csg_crossing here = of_a ? a[i++] : b[j++];
+        if (!of_a && what == CSG_DIFFERENCE) here.surface ^= 1;
+        if (csg_inside(what, i % 2, j % 2) != before) out[n++] = here;
+    }
+    return n;
+}
+
+static inline bool csg_hit_points(const csg *c, ray r, hit *out)
+{
+    csg_crossing *list = NULL;
+    size_t n = csg_walk(c, r, &list, csg_point_crossings, csg_merge_singly);
+    return csg_first(list, n, r, out);
+}
+
+/* In lengths of d; csg_walk hands no ray to a merge. */
+static _Thread_local real csg_tolerance_t;
+
+static inline size_t csg_merge_tolerant(csg_operation what, const csg_crossing *a, size_t na,
+                                        const csg_crossing *b, size_t nb, csg_crossing *out)
+{
+    size_t i = 0, j = 0, n = 0;
+    bool before = false;
+    while (i < na || j < nb) {
+        bool of_a = j == nb || (i < na && a[i].t <= b[j].t);
+        csg_crossing here = of_a ? a[i] : b[j];
+        real last = here.t + csg_tolerance_t;
+        if (!of_a && what == CSG_DIFFERENCE) here.surface ^= 1;
+        while (i < na && a[i].t <= last) i++;
+        while (j < nb && b[j].t <= last) j++;
+        bool after = csg_inside(what, i % 2, j % 2);
+        if (after != before) out[n++] = here;
+        before = after;
+    }
+    return n;
+}
+
+/* The tolerance holds for single solids, too: who drops short spans drops all of them. */
+static inline size_t csg_tolerant_crossings(const csg_solid *s, ray r, uint32_t first,
+                                            csg_crossing *out)
+{
+    size_t n = csg_point_crossings(s, r, first, out), kept = 0;
+    for (size_t i = 0; i + 1 < n; i += 2)
+        if (out[i + 1].t - out[i].t > csg_tolerance_t)
+            out[kept] = out[i], out[kept + 1] = out[i + 1], kept += 2;
+    return kept;
+}
+
+static inline bool csg_hit_tolerant(const csg *c, ray r, hit *out)
+{
+    csg_crossing *list = NULL;
+    csg_tolerance_t = csg_tolerance / vlength(r.d);
+    size_t n = csg_walk(c, r, &list, csg_tolerant_crossings, csg_merge_tolerant);
+    return csg_first(list, n, r, out);
+}
+
+static inline size_t csg_anew_crossings(const csg_solid *s, ray r, uint32_t first,
+                                        csg_crossing *out)
+{
+    csg_solid anew = *s;
+    for (int k = 0; s->kind == CSG_BOX && k < 3; k++)
+        anew.box.n[k] = vcross(s->box.n[(k + 1) % 3], s->box.n[(k + 2) % 3]);
+    return csg_solid_crossings(&anew, r, first, out);
+}
+
+static inline bool csg_hit_anew(const csg *c, ray r, hit *out)
+{
+    csg_crossing *list = NULL;
+    size_t n = csg_walk(c, r, &list, csg_anew_crossings, spans_merge);
+    return csg_first(list, n, r, out);
+}
+
+static inline bool csg_hit_plain(const csg *c, ray r, hit *out) { return csg_hit(c, r, out); }
+
+#endif

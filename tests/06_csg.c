@@ -1,0 +1,750 @@
+/* 06_csg: spans of trees against the Boolean of their parts, faces that coincide, meshes through
+ * their edges and corners, bounds that change nothing, depth, strange input, hostile texts. */
+#include "../chapters/06_csg/csg.h"
+#include "../chapters/06_csg/lab/csg_survey.h"
+#include "../common/parallel.h"
+#include "check.h"
+
+static const double eps = (double)real_epsilon;
+
+static csg built(csg_model m, bool no_bounds)
+{
+    csg c = {0};
+    failure why = {0, ""};
+    check(csg_build(m, (csg_options){no_bounds}, &c, &why), "csg_build: %s", why.text);
+    return c;
+}
+
+static size_t random_below(random_stream *s, size_t n) { return random_next_bits(s) % n; }
+
+/* A ray that crosses the neighbourhood of the origin; every fourth along an axis. */
+static ray random_line(random_stream *s)
+{
+    vec3 d = random_direction_of(s), to = random_in_cube(s, 1);
+    if (random_below(s, 4) == 0) {
+        int k = (int)random_below(s, 3);
+        d = vwith(vec(0, 0, 0), k, random_below(s, 2) ? 1 : -1);
+    }
+    ray r = ray_from(vmadd(to, d, -4 * random_next(s)), vscale(d, (real)0.25 + random_next(s)));
+    return r;
+}
+
+/* ---- lists ---- */
+
+/* Some of the numbers 0 .. 8, an even number of them, rising. */
+static size_t random_list(random_stream *s, csg_crossing *x, uint32_t surface)
+{
+    size_t n = 0;
+    for (int t = 0; t < 9; t++)
+        if (random_below(s, 2)) x[n++] = (csg_crossing){(real)t, 2 * surface};
+    return n & ~(size_t)1;
+}
+
+static bool list_holds(const csg_crossing *x, size_t n, real t)
+{
+    bool in = false;
+    for (size_t i = 0; i < n; i++) if (x[i].t < t) in = !in;
+    return in;
+}
+
+/* Between two whole numbers nothing happens: there the Boolean of both must be the answer. */
+static void test_merge(void)
+{
+    size_t wrong = 0, order = 0, surface = 0, turned = 0, n = check_count(200000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(1, i, 0);
+        csg_crossing a[9], b[9], out[18];
+        size_t na = random_list(&s, a, 3), nb = random_list(&s, b, 5);
+        for (int what = CSG_UNION; what <= CSG_DIFFERENCE; what++) {
+            size_t k = spans_merge((csg_operation)what, a, na, b, nb, out);
+            for (real t = (real)-0.5; t < 9; t += 1) {
+                bool in_a = list_holds(a, na, t), in_b = list_holds(b, nb, t);
+                bool due = what == CSG_UNION ? in_a || in_b : what == CSG_INTERSECTION
+                    ? in_a && in_b : in_a && !in_b;
+                wrong += list_holds(out, k, t) != due;
+            }
+            order += k % 2;
+            for (size_t j = 0; j < k; j++) {
+                bool of_a = false, of_b = false;
+                for (size_t q = 0; q < na; q++) of_a |= a[q].t == out[j].t;
+                for (size_t q = 0; q < nb; q++) of_b |= b[q].t == out[j].t;
+                order += j > 0 && !(out[j - 1].t < out[j].t);
+                surface += out[j].surface / 2 != (of_a ? 3u : 5u) || (!of_a && !of_b);
+                turned += out[j].surface % 2 != (!of_a && what == CSG_DIFFERENCE);
+            }
+        }
+    }
+    check_equal(wrong, 0, "between crossings: the Boolean of both, of %zu pairs", n);
+    check_equal(order, 0, "an even number of crossings, strictly rising: no span of length 0");
+    check_equal(surface, 0, "of two surfaces at one t the lower number");
+    check_equal(turned, 0, "surfaces from the right of a difference, and only they, are turned");
+}
+
+/* ---- trees against their parts ---- */
+
+typedef struct { size_t wrong, judged, spans, order; } tally;
+
+/* The middles of all spans, of the gaps between, and far out on either side. */
+static void judge_line(csg_model m, const csg *c, ray r, tally *y)
+{
+    csg_crossing *x = NULL;
+    size_t n = csg_spans(c, r, &x);
+    double scale = (double)vlength(r.d);
+    y->spans += n / 2, y->order += n % 2;
+    for (size_t i = 0; i <= n; i++) {
+        double t0 = i > 0 ? fmax((double)x[i - 1].t, -1e3) : -1e3;
+        double t1 = i < n ? fmin((double)x[i].t, 1e3) : 1e3, least;
+        y->order += i > 0 && i < n && !(x[i - 1].t < x[i].t);
+        if ((t1 - t0) * scale < 1e5 * eps) continue;
+        bool in = oracle_contains(m, oracle_on(r, (t0 + t1) / 2), &least);
+        if (least < 1e3 * eps) continue;  /* a span that runs along a surface */
+        y->judged++, y->wrong += in != (i % 2 == 1);
+    }
+}
+
+static void test_random_trees(void)
+{
+    tally y = {0};
+    size_t n = check_count(1600), lines = 60;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(2, i, 0);
+        csg_model m = random_model(&s, 1 + random_below(&s, 12), true);
+        csg c = built(m, i % 2);
+        for (size_t k = 0; k < lines; k++) judge_line(m, &c, random_line(&s), &y);
+        csg_free(&c), oracle_random_free(m);
+    }
+    check_equal(y.wrong, 0, "middles of spans and gaps, of %zu, against the parts", y.judged);
+    check_equal(y.order, 0, "lists rise, and are even");
+    check_at_least((double)y.spans, 0.3 * (double)(n * lines), "the test sees spans");
+}
+
+/* A random point is on a ray that begins there, at t = 0: is 0 in a span? */
+static void test_random_points(void)
+{
+    size_t wrong = 0, judged = 0, inside = 0, n = check_count(1000000), trees = 100;
+    for (size_t i = 0; i < trees; i++) {
+        random_stream s = random_start(3, i, 0);
+        csg_model m = random_model(&s, 2 + random_below(&s, 8), true);
+        csg c = built(m, false);
+        for (size_t k = 0; k < n / trees; k++) {
+            ray r = ray_from(random_in_cube(&s, (real)1.5), random_direction_of(&s));
+            csg_crossing *x = NULL;
+            size_t spans = csg_spans(&c, r, &x);
+            double least;
+            bool due = oracle_contains(m, wide3_of(r.o), &least);
+            if (least < 100 * eps) continue;
+            judged++, inside += due, wrong += list_holds(x, spans, 0) != due;
+        }
+        csg_free(&c), oracle_random_free(m);
+    }
+    check_equal(wrong, 0, "random points, of %zu, against the parts", judged);
+    check_at_least((double)inside, 0.05 * (double)n, "points inside are seen");
+    check_at_least((double)judged, 0.99 * (double)n, "nearly all are judged");
+}
+
+/* A step along the normal leads out of the whole, a step against it, into it. Gems have a test of
+ * their own: the oracle cannot tell how near their next edge is. */
+static void test_normals(void)
+{
+    size_t wrong = 0, unit = 0, turned = 0, judged = 0, n = check_count(2000);
+    double step = real_is_float ? 1e-4 : 1e-7;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(4, i, 0);
+        csg_model m = random_model(&s, 1 + random_below(&s, 8), false);
+        csg c = built(m, false);
+        for (int k = 0; k < 30; k++) {
+            ray r = random_line(&s);
+            hit h;
+            if (!csg_hit(&c, r, &h)) continue;
+            if (vlength(ray_at(r, h.t)) > 10) continue;  /* far: the step is lost in rounding */
+            vec3 normal = csg_normal(&c, r, h);
+            wide3 p = oracle_on(r, (double)h.t), w = wide3_of(normal);
+            double out, in;
+            unit += fabs((double)vlength(normal) - 1) > 8 * eps;
+            bool is_out = !oracle_contains(m, wide3_madd(p, w, wide_of(step)), &out);
+            bool is_in = oracle_contains(m, wide3_madd(p, w, wide_of(-step)), &in);
+            if (fmin(out, in) < step / 4) continue;  /* near an edge, where a step meets another */
+            judged++, turned += h.shape % 2, wrong += !is_out || !is_in;
+        }
+        csg_free(&c), oracle_random_free(m);
+    }
+    check_equal(wrong, 0, "normals lead out of the whole, of %zu", judged);
+    check_equal(unit, 0, "they have length 1");
+    check_at_least((double)turned, 0.05 * (double)judged, "turned ones are among them");
+    check_at_least((double)judged, (double)n, "the test sees normals");
+}
+
+/* ---- the same set, said in two ways ---- */
+
+/* Whether two expressions with A, B, C for solids 0, 1, 2 and + * - in postfix give the same list
+ * to the last bit; surfaces also, if `with`. */
+static size_t differ(const csg_solid *solid, ray r, const char *one, const char *other, bool with)
+{
+    csg_crossing x[2][64];
+    size_t n[2];
+    for (int k = 0; k < 2; k++) {
+        csg_step step[32];
+        size_t steps = 0;
+        for (const char *p = k ? other : one; *p; p++)
+            step[steps++] = *p >= 'A' ? (csg_step){CSG_SOLID, (uint32_t)(*p - 'A')}
+                : (csg_step){*p == '+' ? CSG_UNION : *p == '*' ? CSG_INTERSECTION
+                             : CSG_DIFFERENCE, 0};
+        csg c = built((csg_model){solid, 3, step, steps}, false);
+        csg_crossing *list = NULL;
+        n[k] = csg_spans(&c, r, &list);
+        for (size_t i = 0; i < n[k]; i++) x[k][i] = list[i];
+        csg_free(&c);
+    }
+    if (n[0] != n[1]) return 1;
+    for (size_t i = 0; i < n[0]; i++)
+        if (x[0][i].t != x[1][i].t || (with && x[0][i].surface != x[1][i].surface)) return 1;
+    return 0;
+}
+
+static void test_algebra(void)
+{
+    static const struct { const char *one, *other; bool with; } law[] = {
+        {"AA+", "A", true}, {"AA*", "A", true}, {"AA-", "", true},
+        {"AB+", "BA+", true}, {"AB*", "BA*", true},
+        {"AB+C+", "ABC++", true}, {"AB*C*", "ABC**", true},
+        {"AB-C-", "ABC+-", true}, {"AAB--", "AB*", true}, {"ABA--", "ABA--A*", true},
+        {"AB+C*", "AC*BC*+", true}, {"AB*C+", "AC+BC+*", false},
+        {"AB+A*", "A", true}, {"AB*A+", "A", true}, {"AB-B*", "", true},
+        /* where surfaces coincide, here the starts of half spaces at -inf, names may differ */
+        {"AB-B+", "AB+", false}, {"AB-AB*+", "A", false}, {"ABC--", "AB-AC*+", false}};
+    size_t n = check_count(8000);
+    for (size_t k = 0; k < sizeof law / sizeof *law; k++) {
+        size_t wrong = 0;
+        for (size_t i = 0; i < n / 20; i++) {
+            random_stream s = random_start(5, i, k);
+            csg_solid solid[3];
+            for (int j = 0; j < 3; j++) solid[j] = random_solid(&s, false);
+            for (int j = 0; j < 10; j++)
+                wrong += differ(solid, random_line(&s), law[k].one, law[k].other, law[k].with);
+        }
+        check_equal(wrong, 0, "%s = %s, to the last bit", law[k].one, law[k].other);
+    }
+}
+
+/* ---- faces that coincide ---- */
+
+/* A box turned in space, with corners in its own frame. */
+static csg_solid turned_box(const vec3 n[3], real x0, real y0, real z0, real x1, real y1, real z1)
+{
+    const real lo[3] = {x0, y0, z0}, hi[3] = {x1, y1, z1};
+    return csg_box_turned(n, lo, hi);
+}
+
+static void random_axes(random_stream *s, bool straight, vec3 n[3])
+{
+    n[0] = random_direction_of(s);
+    vbasis(n[0], &n[1], &n[2]);
+    for (int k = 0; straight && k < 3; k++) n[k] = vwith(vec(0, 0, 0), k, 1);
+}
+
+/* Two cubes with a common face, and a third that is both: the union is the third; the difference
+ * with a part that ends in A's own face leaves what the third cube says; the intersection is
+ * nothing. Whatever way the axes stand. */
+static void test_coincident_faces(void)
+{
+    size_t wrong[5] = {0}, seen = 0, n = check_count(40000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(6, i, 0);
+        vec3 axis[3];
+        random_axes(&s, i % 3 == 0, axis);
+        real a = (real)-0.7, b = random_next(&s) - (real)0.3, e = (real)0.8;
+        csg_solid left = turned_box(axis, a, a, a, b, e, e);
+        csg_solid right = turned_box(axis, b, a, a, e, e, e);
+        csg_solid both = turned_box(axis, a, a, a, e, e, e);
+        csg_solid part = turned_box(axis, a, -1, -1, b, 1, 1);  /* shares the plane a with both */
+        const csg_solid abc[3] = {left, right, both}, acd[3] = {both, part, right};
+        ray r = random_line(&s);
+        csg_crossing x[2];
+        seen += csg_solid_crossings(&both, r, 0, x) / 2;
+        wrong[0] += differ(abc, r, "AB+", "C", false);
+        wrong[1] += differ(abc, r, "AB*", "", true);
+        wrong[2] += differ(abc, r, "AB-", "A", true);
+        wrong[3] += differ(abc, r, "CB-", "A", false);
+        wrong[4] += differ(acd, r, "AB-", "C", false);  /* a face of A goes with the part */
+    }
+    check_at_least((double)seen, 0.3 * (double)n, "rays meet the cubes");
+    check_equal(wrong[0], 0, "union of two touching cubes: one cube, no seam");
+    check_equal(wrong[1], 0, "their intersection: empty");
+    check_equal(wrong[2], 0, "their difference: the first, with its face");
+    check_equal(wrong[3], 0, "the whole less one half: the other half");
+    check_equal(wrong[4], 0, "less a part that shares a face: no skin is left");
+}
+
+/* The plane of a half space, of its complement, of a box: one t (6.4). */
+static void test_one_plane(void)
+{
+    size_t wrong = 0, n = check_count(100000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(7, i, 0);
+        vec3 axis[3];
+        random_axes(&s, i % 2, axis);
+        real h = 2 * random_next(&s) - 1;
+        csg_solid one = csg_half(axis[0], h), other = csg_half(vneg(axis[0]), -h);
+        csg_solid four = csg_half(vscale(axis[0], 4), 4 * h);
+        csg_solid box = turned_box(axis, h, -9, -9, 9, 9, 9);
+        csg_crossing x[4][2];
+        ray r = random_line(&s);
+        if (vdot(r.d, axis[0]) == 0) continue;
+        bool along = vdot(r.d, axis[0]) > 0;
+        csg_solid_crossings(&one, r, 0, x[0]), csg_solid_crossings(&other, r, 0, x[1]);
+        csg_solid_crossings(&four, r, 0, x[2]);
+        real t = x[0][along].t;
+        wrong += x[1][!along].t != t || x[2][along].t != t;
+        if (csg_solid_crossings(&box, r, 0, x[3]) && x[3][!along].surface == 0)
+            wrong += x[3][!along].t != t;
+    }
+    check_equal(wrong, 0, "one plane, one t, of %zu", n);
+}
+
+/* ---- meshes ---- */
+
+/* Lines aimed at corners and edges of a gem: the middle of each span is inside, of each gap
+ * outside, and no list is without end. Counting the hits of 04 goes wrong there. */
+static void test_mesh_edges(void)
+{
+    size_t wrong = 0, ends = 0, parity = 0, spans = 0, n = check_count(100000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(8, i, 0);
+        csg_solid gem = csg_gem(i % 2 ? vec(0, 0, 0) : random_in_cube(&s, 1), 1);
+        const triangle *t = gem.mesh.tri;
+        triangle face = t[random_below(&s, 8)];
+        vec3 to = face.a;
+        if (i % 3 == 1) to = vscale(vadd(face.a, face.b), (real)0.5);
+        if (i % 3 == 2) to = vmadd(face.a, vsub(face.b, face.a), random_next(&s));
+        vec3 from = vmadd(to, random_direction_of(&s), 4);
+        if (i % 5 == 0) from = vadd(to, vwith(vec(0, 0, 0), (int)random_below(&s, 3), 4));
+        ray r = ray_from(from, vsub(to, from));
+        csg_crossing x[10];
+        size_t k = csg_solid_crossings(&gem, r, 0, x), hits = 0;
+        hit h;
+        for (int j = 0; j < 8; j++) hits += triangle_hit(t[j], r, &h);
+        ray back = ray_from(from, vneg(r.d));
+        for (int j = 0; j < 8; j++) hits += triangle_hit(t[j], back, &h);
+        parity += hits % 2;
+        ends += k % 2 || (k && !(fabs(x[k - 1].t) <= real_largest));
+        spans += k / 2;
+        for (size_t j = 0; j + 1 < k; j++) {
+            /* A line that grazes an edge at an angle of 1e-4 is in the rounding of the corners for
+             * 1e4 times their epsilons. */
+            if ((double)(x[j + 1].t - x[j].t) < 1e5 * eps) continue;
+            wide3 p = oracle_on(r, (double)(x[j].t + x[j + 1].t) / 2);
+            double margin = oracle_margin(&gem, p);
+            wrong += margin != 0 && (margin < 0) != (j % 2 == 0);
+        }
+        free((void *)(uintptr_t)t);
+    }
+    check_equal(wrong, 0, "middles of spans are inside");
+    check_equal(ends, 0, "every span has an end");
+    check_at_least((double)spans, 0.3 * (double)n, "the test sees spans");
+    check_at_least((double)parity, 0.05 * (double)n, "an odd number of hits: parity fails");
+}
+
+static void test_mesh_kinds(void)
+{
+    csg_solid gem = csg_gem(vec(0, 0, 0), 1);
+    triangle t[16], over[8];
+    csg_crossing x[20];
+    ray r = ray_from(vec(0.1, 0.2, 4), vec(0, 0, -2));
+    for (int i = 0; i < 8; i++) {
+        const triangle g = gem.mesh.tri[i];
+        t[i] = g, over[i] = (triangle){g.a, g.c, g.b};
+        t[8 + i] = (triangle){vscale(g.a, 2), vscale(g.b, 2), vscale(g.c, 2)};
+    }
+    check_equal(csg_closed_crossings(gem.mesh, r, 0, x), 2, "one span");
+    check_close(x[0].t, (4 - 0.7) / 2, 4 * eps, "|x| + |y| + |z| = 1: the way in");
+    check_close(x[1].t, (4 + 0.7) / 2, 4 * eps, "the way out");
+    for (size_t i = 0; i < 2; i++)
+        check(vdot(csg_solid_normal(&gem, x[i].surface / 2, vec(0, 0, 0)), ray_at(r, x[i].t)) > 0,
+              "the normal of a face leads away from the middle");
+    check_equal(csg_closed_crossings((csg_closed){over, 8}, r, 0, x), 0, "inside out: empty");
+    check_equal(csg_closed_crossings((csg_closed){t, 16}, r, 0, x), 2, "shell in shell: one span");
+    check_close(x[0].t, (4 - 1.7) / 2, 4 * eps, "that of the outer one");
+    check_equal(csg_closed_crossings((csg_closed){t, 7}, ray_from(vec(1, 1, 3), vec(-1, -1, -3)),
+                                     0, x), 2, "in through the opposite of a missing triangle");
+    check(x[1].t == real_infinity, "and never out");
+    check(csg_closed_crossings((csg_closed){t, 0}, r, 0, x) == 0, "no triangles: nothing");
+    for (int i = 0; i < 8; i++) t[8 + i] = (triangle){t[i].a, t[i].b, t[i].a};
+    check_equal(csg_closed_crossings((csg_closed){t, 16}, r, 0, x), 2, "no area counts nothing");
+    free((void *)(uintptr_t)gem.mesh.tri);
+}
+
+/* ---- bounds ---- */
+
+/* Rays at limbs, corners, faces of the bounds, with intervals that end there: the same hit. */
+static void test_bounds(void)
+{
+    size_t wrong = 0, hits = 0, fewer = 0, more = 0, n = check_count(2000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(9, i, 0);
+        csg_model m = random_model(&s, 1 + random_below(&s, 10), true);
+        csg with = built(m, false), without = built(m, true);
+        for (int k = 0; k < 40; k++) {
+            ray r = random_line(&s);
+            csg_bound b = with.node[random_below(&s, with.nodes)].bound;
+            vec3 at = b.lo;
+            for (int j = 0; j < 3; j++)
+                if (random_below(&s, 2)) at = vwith(at, j, vaxis(b.hi, j));
+            if (k % 2 && vfinite(at)) r.d = vsub(at, r.o);
+            hit h = hit_none, g = hit_none;
+            if (k % 4 == 3 && csg_hit(&without, r, &h))
+                r.tmin = k % 8 == 3 ? h.t : 0, r.tmax = k % 16 < 8 ? h.t : 2 * h.t;
+            h = hit_none;
+            csg_asked.solids = 0;
+            bool is = csg_hit(&with, r, &h);
+            size_t asked = csg_asked.solids;
+            csg_asked.solids = 0;
+            bool due = csg_hit(&without, r, &g);
+            fewer += asked < csg_asked.solids, more += asked > csg_asked.solids;
+            wrong += is != due || h.t != g.t || h.shape != g.shape;
+            hits += is;
+        }
+        csg_free(&with), csg_free(&without), oracle_random_free(m);
+    }
+    check_equal(wrong, 0, "bounds change no hit");
+    check_equal(more, 0, "nor do they ask more solids");
+    check_at_least((double)fewer, 0.1 * 40 * (double)n, "they spare some");
+    check_at_least((double)hits, 0.1 * 40 * (double)n, "the test sees hits");
+}
+
+/* ---- eyes inside, intervals ---- */
+
+static void test_interval(void)
+{
+    const csg_solid s[2] = {csg_sphere(vec(0, 0, 0), 2), csg_sphere(vec(0, 0, 0), 1)};
+    const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_DIFFERENCE, 0}};
+    csg c = built((csg_model){s, 2, step, 3}, false);  /* a hollow ball */
+    const real inf = real_infinity;
+    const struct { real tmin, tmax, t; uint32_t shape; } in[] = {
+        {0, inf, 1, 0}, {1, 1, 1, 0}, {(real)1.5, inf, 2, 3}, {2, 2, 2, 3}, {3, 9, 4, 3},
+        {(real)4.5, inf, 5, 0}, {-inf, inf, 1, 0}};
+    for (size_t i = 0; i < sizeof in / sizeof *in; i++) {
+        hit h = {7, 7, 7, 7};
+        ray r = {{0, 0, 3}, in[i].tmin, {0, 0, -1}, in[i].tmax};
+        check(csg_hit(&c, r, &h) && h.t == in[i].t && h.shape == in[i].shape, "interval %zu", i);
+        check(csg_occluded(&c, r), "occluded %zu", i);
+    }
+    const struct { real tmin, tmax; } out[] = {
+        {0, (real)0.5}, {(real)1.25, (real)1.75}, {6, inf}, {3, 1}, {(real)NAN, 9}, {0, (real)NAN},
+        {-inf, 0}};
+    for (size_t i = 0; i < sizeof out / sizeof *out; i++) {
+        hit h = {7, 7, 7, 7};
+        ray r = {{0, 0, 3}, out[i].tmin, {0, 0, -1}, out[i].tmax};
+        check(!csg_hit(&c, r, &h) && h.t == 7 && h.shape == 7, "outside %zu", i);
+        check(!csg_occluded(&c, r), "not occluded %zu", i);
+    }
+    hit h;
+    ray hollow = ray_from(vec(0, 0, 0), vec(0, 3, 0));
+    ray wall = ray_from(vec(0, 0, 1.5), vec(0, 0, 1));
+    check(csg_hit(&c, hollow, &h), "from the hollow: the inner wall");
+    check_close(h.t, 1 / 3.0, eps, "a third of d");
+    vec3 n = csg_normal(&c, hollow, h);
+    check(n.y == -1 && h.shape == 3 && csg_solid_of(&c, h) == 1, "its normal points to the eye");
+    check(csg_hit(&c, wall, &h) && h.t == (real)0.5, "from within the wall: the way out");
+    n = csg_normal(&c, wall, h);
+    check(n.z == 1 && csg_solid_of(&c, h) == 0, "its normal points away from the eye");
+    csg_free(&c);
+}
+
+/* ---- the ways that csg.h does not take ---- */
+
+/* Each has its hard case, and csg_hit none of them. */
+static void test_ways(void)
+{
+    size_t n = check_count(2000);
+    double wrong[csg_sights], best[csg_sights];
+    csg_sight s[csg_sights];
+    csg_tolerance = (real)0.003;
+    for (int k = 0; k < csg_sights; k++) {
+        s[k] = csg_sight_of((csg_sight_kind)k, 1);
+        best[k] = csg_wrong(&s[k], csg_hit, n);
+        check_equal(best[k], 0, "csg_hit, sight %d", k);
+        check_equal(csg_wrong(&s[k], csg_hit_plain, n), 0, "without bounds, sight %d", k);
+        wrong[k] = csg_wrong(&s[k], k <= CSG_EYE_INSIDE ? csg_hit_front : k == CSG_FOILS
+                             ? csg_hit_tolerant : csg_hit_points, n);
+    }
+    check_equal(wrong[CSG_OUTSIDE], 0, "t > 0, seen from outside");
+    check_at_least(wrong[CSG_EYE_INSIDE], 50, "t > 0, seen from inside");
+    check_at_least(wrong[CSG_COINCIDENT], 5, "no rule for equal t: speckle");
+    check_at_least(wrong[CSG_FOILS], 50, "a tolerance of 0.003: two foils of three are gone");
+    check_at_least(csg_wrong(&s[CSG_COINCIDENT], csg_hit_anew, n), 1,
+                   "planes computed twice are two planes: speckle, for spans, too");
+    csg_tolerance = (real)1e-9;
+    if (!real_is_float)  /* in float the planes are off by so much that the order is always one */
+        check_at_least(csg_wrong(&s[CSG_FAR_AWAY], csg_hit_tolerant, n), 2,
+                       "a tolerance of 1e-9, far away: speckle");
+    for (int k = 0; k < csg_sights; k++) csg_sight_free(&s[k]);
+}
+
+/* ---- strange input ---- */
+
+static void test_strange_solids(void)
+{
+    const real nan = (real)NAN, inf = real_infinity;
+    triangle bad[4] = {{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}};
+    const csg_solid strange[] = {
+        csg_sphere(vec(nan, 0, 0), 1), csg_sphere(vec(0, 0, 0), 0), csg_sphere(vec(0, 0, 0), inf),
+        csg_half(vec(0, 0, 0), 1), csg_half(vec(0, 1, 0), nan), csg_half(vec(0, inf, 0), 1),
+        csg_half(vec(0, 1, 0), inf), csg_box(vec(1, 0, 0), vec(1, 1, 1)),
+        csg_box(vec(1, 1, 1), vec(0, 0, 0)), csg_box(vec(0, 0, 0), vec(1, nan, 1)),
+        csg_box(vec(-inf, 0, 0), vec(1, 1, 1)), csg_cylinder(vec(0, 0, 0), vec(0, 0, 0), 1),
+        csg_cylinder(vec(0, 0, 0), vec(0, 0, 1), 0), csg_cylinder(vec(0, inf, 0), vec(0, 0, 1), 1),
+        csg_mesh(bad, 1), csg_mesh(NULL, 0)};
+    const ray r = {{(real)0.1, (real)0.2, 3}, -inf, {0, 0, -1}, inf};
+    csg_crossing *x = NULL;
+    for (size_t i = 0; i < sizeof strange / sizeof *strange; i++)
+        for (int no_bounds = 0; no_bounds < 2; no_bounds++) {
+            const csg_solid s[2] = {csg_sphere(vec(0, 0, 0), 1), strange[i]};
+            const csg_step just[1] = {{CSG_SOLID, 1}};
+            csg c = built((csg_model){s, 2, just, 1}, no_bounds);
+            check_equal(csg_spans(&c, r, &x), 0, "solid %zu is empty", i);
+            csg_free(&c);
+            for (int what = CSG_UNION; what <= CSG_DIFFERENCE; what++) {
+                const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {(csg_operation)what, 0}};
+                c = built((csg_model){s, 2, step, 3}, no_bounds);
+                check_equal(csg_spans(&c, r, &x), what == CSG_INTERSECTION ? 0 : 2,
+                            "a ball and the empty solid %zu, operation %d", i, what);
+                csg_free(&c);
+            }
+        }
+}
+
+static void test_strange_rays(void)
+{
+    const real strange[] = {(real)NAN, real_infinity, -real_infinity};
+    random_stream s = random_start(10, 0, 0);
+    csg_model m = random_model(&s, 12, true);
+    for (int no_bounds = 0; no_bounds < 2; no_bounds++) {
+        csg c = built(m, no_bounds), none = {0}, zero = {0};
+        hit h = {7, 7, 7, 7};
+        csg_crossing *x = NULL;
+        for (int k = 0; k < 6; k++)
+            for (int i = 0; i < 3; i++) {
+                real v[6] = {0, 0, 3, 0, 0, -1};
+                v[k] = strange[i];
+                ray r = ray_from(vec(v[0], v[1], v[2]), vec(v[3], v[4], v[5]));
+                check(!csg_hit(&c, r, &h) && csg_spans(&c, r, &x) == 0 && h.t == 7, "o or d %d", k);
+            }
+        check(!csg_hit(&c, ray_from(vec(0, 0, 0), vec(0, 0, 0)), &h) && h.t == 7, "d = 0");
+        check(csg_build((csg_model){NULL, 0, NULL, 0}, (csg_options){no_bounds}, &none, NULL)
+              && !csg_hit(&none, ray_from(vec(0, 0, 0), vec(0, 0, 1)), &h), "no steps: empty");
+        csg_free(&none), csg_free(&zero), csg_free(&c);
+    }
+    oracle_random_free(m);
+    const csg_solid half[2] = {csg_half(vec(0, 0, 1), 0), csg_half(vec(0, 0, -1), 0)};
+    const csg_step all[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_UNION, 0}};
+    csg c = built((csg_model){half, 2, all, 3}, false);
+    csg_crossing *x = NULL;
+    hit h;
+    check_equal(csg_spans(&c, ray_from(vec(0, 0, 3), vec(1, 0, -1)), &x), 2, "all of space");
+    check(x[0].t == -real_infinity && x[1].t == real_infinity, "without ends");
+    check(!csg_hit(&c, ray_from(vec(0, 0, 3), vec(1, 0, -1)), &h), "that nothing hits");
+    csg_free(&c);
+    csg_solid rod = csg_cylinder(vec(1, 2, 3), vec(0, 0, 5), 1);
+    csg_crossing y[2];
+    check(csg_solid_crossings(&rod, ray_from(vec(1.5, 2, 0), vec(0, 0, 2)), 0, y) == 2
+          && y[0].t == -real_infinity, "along a cylinder, within it");
+    check(csg_solid_crossings(&rod, ray_from(vec(2.5, 2, 0), vec(0, 0, 2)), 0, y) == 0,
+          "along a cylinder, beside it");
+    check(csg_solid_crossings(&rod, ray_from(vec(2, 0, 0), vec(0, 1, 0)), 0, y) == 0, "tangent");
+}
+
+static void test_refused_steps(void)
+{
+    const csg_solid s[1] = {csg_sphere(vec(0, 0, 0), 1)};
+    const struct { csg_step step[3]; size_t n; const char *says; } bad[] = {
+        {{{CSG_SOLID, 1}}, 1, "step 0: no solid 1"},
+        {{{CSG_SOLID, 0}, {CSG_SOLID, 0}}, 2, "2 operands, and nothing joins them"},
+        {{{CSG_SOLID, 0}, {CSG_UNION, 0}}, 2, "step 1: an operation lacks operands"},
+        {{{CSG_DIFFERENCE, 0}}, 1, "step 0: an operation lacks operands"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        csg c = {.depth = 77};
+        failure why = {0, ""};
+        check(!csg_build((csg_model){s, 1, bad[i].step, bad[i].n}, (csg_options){0}, &c, &why)
+              && c.depth == 77, "refused %zu", i);
+        check_text(why.text, bad[i].says, "why %zu", i);
+    }
+}
+
+/* ---- depth, and memory ---- */
+
+/* A block less n slots, as one chain to the left and one to the right: the same spans as counted by
+ * hand, at any depth. */
+static void test_depth(void)
+{
+    size_t n = check_count(200000);
+    csg_solid *s = allocate(n + 1, sizeof *s);
+    csg_step *left = allocate(2 * n + 1, sizeof *left), *right = allocate(2 * n + 1, sizeof *right);
+    size_t l = 0, r = 0, slots = n < 1000 ? n : 1000;
+    s[0] = csg_box(vec(0, -1, -1), vec(2 * (double)slots + 1, 1, 1));
+    left[l++] = right[r++] = (csg_step){CSG_SOLID, 0};
+    for (size_t i = 1; i <= n; i++) {  /* after `slots` of them the same again */
+        double x = 2 * (double)(i % slots) + 1;
+        s[i] = csg_box(vec(x, -2, -2), vec(x + 1, 2, 2));
+        left[l++] = right[r++] = (csg_step){CSG_SOLID, (uint32_t)i};
+        left[l++] = (csg_step){CSG_DIFFERENCE, 0};
+    }
+    for (size_t i = 1; i < n; i++) right[r++] = (csg_step){CSG_UNION, 0};
+    right[r++] = (csg_step){CSG_DIFFERENCE, 0};
+    for (int k = 0; k < 2; k++) {
+        csg c = built((csg_model){s, n + 1, k ? right : left, k ? r : l}, true);
+        csg_crossing *x = NULL;
+        check_equal(csg_stats(&c).depth, n, "a chain is as deep as it has cuts");
+        size_t spans = csg_spans(&c, ray_from(vec(-1, 0, 0), vec(1, 0, 0)), &x) / 2;
+        check_equal(spans, slots + 1, "spans between %zu slots", slots);
+        size_t grown_before = csg_arena_grown;
+        check(csg_spans(&c, ray_from(vec(-1, 0, 0), vec(1, 0, 0)), &x) == 2 * spans
+              && csg_arena_grown == grown_before, "a second ray takes no memory");
+        csg_free(&c);
+    }
+    free(s), free(left), free(right);
+}
+
+typedef struct { const csg *c; size_t *spans; } shared;
+static void count_spans(size_t i, void *context)
+{
+    shared *x = context;
+    for (size_t k = 0; k < 100; k++) {
+        random_stream s = random_start(11, i, k);
+        csg_crossing *list = NULL;
+        x->spans[i] += csg_spans(x->c, random_line(&s), &list);
+    }
+}
+
+static void test_threads(void)
+{
+    csg_expression e;
+    failure f;
+    const char *text = "difference(union(sphere 0 0 0 1, gem 1 0 0 1), cylinder 0 0 0 1 1 1 0.5)";
+    if (!csg_read(text, &e, &f)) abort();
+    csg c = built(csg_expression_model(&e), false);
+    size_t one[64] = {0}, many[64] = {0}, differ_in = 0, sum = 0;
+    check(parallel_for(64, 1, "one", count_spans, &(shared){&c, one}), "one thread");
+    check(parallel_for(64, 4, "many", count_spans, &(shared){&c, many}), "four threads");
+    for (int i = 0; i < 64; i++) differ_in += one[i] != many[i], sum += one[i];
+    check_equal(differ_in, 0, "each thread has its own arena");
+    check_at_least(sum, 100, "spans were counted");
+    csg_free(&c), csg_expression_free(&e);
+}
+
+/* ---- texts ---- */
+
+static void test_expressions(void)
+{
+    static const char *const good[] = {
+        "sphere 0 0 0 1", " difference( box -1 -1 -1 1 1 1,sphere 0 0 1 0.8 , gem 0 0 0 .5)\n",
+        "union(half 0 1 0 -1,intersection(cylinder 0 0 0 0 0 1 .5, sphere 1e-3 +1 -2 3))"};
+    static const struct { const char *text, *says; } bad[] = {
+        {"", "character 1: the end, allowed: sphere, box,"},
+        {"cube 1 2 3", "character 1: 'cube', allowed: sphere, box,"},
+        {"sphere 0 0 0", "character 13: the end, allowed: a decimal number"},
+        {"sphere 0 0 0 1x", "character 14: '1x', allowed: a decimal number"},
+        {"sphere 0 0 nan 1", "character 12: 'nan', allowed: a decimal number"},
+        {"sphere 0 0 0 1e31", "character 14: '1e31', allowed: numbers from -1e30 to 1e30"},
+        {"sphere 0 0 0 1 1", "character 16: '1', allowed: nothing more"},
+        {"union(sphere 0 0 0 1)", "character 21: ')', allowed: a comma, as an operation"},
+        {"union(sphere 0 0 0 1, sphere 0 0 0 2", "character 37: the end, allowed: a comma or )"},
+        {"union sphere 0 0 0 1", "character 1: 'union', allowed: sphere, box,"},
+        {"union()", "character 7: ')', allowed: sphere, box,"},
+        {"sphere 0 0 0 1)", "character 15: ')', allowed: nothing more"},
+        {"\x1b[31mboo", "character 1: byte 27, allowed: sphere"},
+        {"a\xff\xfe" "bcdefghijklmnopqrstuvwxyz", "character 1: 'a??bcdefghijklmnopqr.."}};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        csg_expression e;
+        failure f = {0, ""};
+        bool ok = csg_read(good[i], &e, &f);
+        check(ok, "good %zu: %s", i, f.text);
+        if (!ok) continue;
+        csg c = built(csg_expression_model(&e), false);
+        csg_free(&c), csg_expression_free(&e);
+    }
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        csg_expression e;
+        failure f = {0, ""};
+        check(!csg_read(bad[i].text, &e, &f), "bad %zu", i);
+        check(f.exit_code == 2 && strncmp(f.text, bad[i].says, strlen(bad[i].says)) == 0,
+              "bad %zu says: %s", i, f.text);
+    }
+}
+
+static void test_expression_means(void)
+{
+    csg_expression e;
+    failure f;
+    if (!csg_read("difference(sphere 0 0 0 3, sphere 0 0 0 2, half 0 0 1 0)", &e, &f)) abort();
+    csg c = built(csg_expression_model(&e), false);
+    csg_crossing *x = NULL;
+    size_t n = csg_spans(&c, ray_from(vec(0, 0, -5), vec(0, 0, 1)), &x);
+    check(n == 2 && x[0].t == 7 && x[1].t == 8, "(a - b) - c: the upper wall of a hollow ball");
+    csg_free(&c), csg_expression_free(&e);
+    size_t deep = check_count(400000);
+    char *text = allocate(deep, 64), *p = text;
+    for (size_t i = 0; i < deep; i++) p += sprintf(p, "union(");
+    p += sprintf(p, "sphere 0 0 0 1");
+    for (size_t i = 0; i < deep; i++) p += sprintf(p, ",sphere 0 0 0 1)");
+    check(csg_read(text, &e, &f), "nested %zu deep: %s", deep, f.text);
+    check_equal(e.solids, deep + 1, "all of them are read");
+    csg_expression_free(&e), free(text);
+}
+
+/* Words, numbers and bytes at random: an answer always, and a good one can be built and asked. */
+static void test_hostile_texts(void)
+{
+    static const char *const word[] = {"union(", "intersection(", "difference(", "sphere", "box",
+        "half", "cylinder", "gem", ",", ")", "(", "0", "1", "-1", ".5", "1e30", "1e-30", "1e999",
+        "nan", "-", "sphere 0 0 0 1", "gem 0 0 0 1", "box 0 0 0 1 1 1", ", ", ")", ","};
+    size_t read = 0, refused = 0, silent = 0, n = check_count(200000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(13, i, 0);
+        char text[400] = "";
+        size_t words = 1 + random_below(&s, 14);
+        for (size_t k = 0; k < words; k++) {
+            bool bytes = random_below(&s, 20) == 0;
+            char odd[2] = {(char)random_below(&s, 256), 0};
+            strcat(text, bytes ? odd : word[random_below(&s, sizeof word / sizeof *word)]);
+            if (random_below(&s, 2)) strcat(text, " ");
+        }
+        csg_expression e;
+        failure f = {0, ""};
+        if (!csg_read(text, &e, &f)) {
+            refused++, silent += f.exit_code != 2 || strncmp(f.text, "character ", 10) != 0;
+            continue;
+        }
+        csg c = built(csg_expression_model(&e), false);
+        csg_crossing *x = NULL;
+        (void)csg_spans(&c, random_line(&s), &x);
+        csg_free(&c), csg_expression_free(&e), read++;
+    }
+    check_equal(silent, 0, "each refusal says where");
+    check_at_least(read, 1, "some are good");
+    check_at_least(refused, n / 2, "most are not");
+}
+
+int main(void)
+{
+    test_merge();
+    test_random_trees();
+    test_random_points();
+    test_normals();
+    test_algebra();
+    test_coincident_faces();
+    test_one_plane();
+    test_mesh_edges();
+    test_mesh_kinds();
+    test_bounds();
+    test_interval();
+    test_ways();
+    test_strange_solids();
+    test_strange_rays();
+    test_refused_steps();
+    test_depth();
+    test_threads();
+    test_expressions();
+    test_expression_means();
+    test_hostile_texts();
+    return check_report("06_csg");
+}
