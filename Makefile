@@ -3,7 +3,8 @@
 # make run        the short book, then every chapter: draws into images/, a screen of text each    run-NN  only one
 # make full       every chapter with --full: all tables and plots of the pages   full-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
-# make soak       all tests with four times the counts
+# make soak       all tests with eight times the counts
+# make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
@@ -17,9 +18,13 @@
 # Example: make clean test CC=clang REAL=float CFLAGS=-O2
 
 NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null && echo -march=native)
-# First programs and tests: -O1 halves the compiler's time, and theirs is the same. CFLAGS, if given, goes before.
+# First programs, tests, and the programs that tests run: -O1 halves the compiler's time, and theirs is nearly
+# the same. Tests that compute little get -O0: what they take is the compiler's time. CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1
+LIGHT = 01_first 02_camera 02_first 07_obj 13_painter 18_shade 19_first 19_optics 19_spd 19_whitted \
+  21_known 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
+  27_corpus 27_lamps 27_paths 27_plan 27_radiance 27_readers
 endif
 CFLAGS ?= -O2 $(NATIVE)
 QUICK_CFLAGS ?= $(CFLAGS)
@@ -46,16 +51,21 @@ TEST_NUMBERS := $(sort $(foreach t,$(TESTS),$(firstword $(subst _, ,$(t)))))
 Q := $(if $(V),,@)
 # What only builds and tests takes all cores; make's own -j goes before. Programs run one by one.
 JOBS ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
-ifeq ($(MAKELEVEL)$(filter-out all test test-% soak sanitize precision,$(MAKECMDGOALS)),0)
+ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(MAKECMDGOALS)),0)
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak precision graph mutants notes sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants notes sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+
+# The same programs for `make test`, which needs them soon rather than fast.
+$(BUILD)/quick/%: chapters/%/main.c $(STAMP)
+	$(if $(V),,@echo "CC quick/$*")
+	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
@@ -63,12 +73,12 @@ $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(filter $*,$(LIGHT)),-O0,$(QUICK_CFLAGS)) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
--include $(wildcard $(BUILD)/*.d)
+-include $(wildcard $(BUILD)/*.d $(BUILD)/quick/*.d)
 
 $(STAMP): FORCE
-	@mkdir -p $(BUILD)
+	@mkdir -p $(BUILD)/quick
 	@echo '$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(LDLIBS)' | cmp -s - $@ || \
 	  echo '$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(LDLIBS)' > $@
 FORCE:
@@ -112,8 +122,9 @@ images: full
 	cp $(BUILD)/*_time.svg images/
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
 
-test: all $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh notes.sh $(TESTS)
+test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
+	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
+	  sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh notes.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
@@ -123,6 +134,10 @@ $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
 soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
 	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 sh tests/run.sh $(TESTS)
+
+# FULL=1: of what the programs print with --full. BENCH_ONCE: times, which nobody compares, are taken once.
+pages: all
+	@BENCH_ONCE=1 BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" FULL="$(FULL)" sh tests/pages.sh
 
 precision:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double all

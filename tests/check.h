@@ -7,7 +7,7 @@
  *       return check_report("03_sphere");          prints "03_sphere: 12 passed, 0 failed"
  *   }
  *
- * check_count(n) is a quarter of n, so that `make test` is quick; with CHECK_SOAK=1 in the
+ * check_count(n) is an eighth of n, so that `make test` is quick; with CHECK_SOAK=1 in the
  * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind),
  * n / d.
  */
@@ -68,7 +68,7 @@ static inline double check_worse(double a, double b) { return isnan(a) || b <= a
 static inline size_t check_count(size_t n)
 {
     const char *divisor = getenv("CHECK_DIVISOR");
-    size_t d = divisor ? (size_t)strtoul(divisor, NULL, 10) : getenv("CHECK_SOAK") ? 1 : 4;
+    size_t d = divisor ? (size_t)strtoul(divisor, NULL, 10) : getenv("CHECK_SOAK") ? 1 : 8;
     return d > 1 ? (n + d - 1) / d : n;
 }
 

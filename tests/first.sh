@@ -6,7 +6,8 @@ ok() { passed=$((passed + 1)); }
 no() { failed=$((failed + 1)); echo "first.sh: FAILED: $1"; }
 at_most() { if [ "$1" -le "$2" ]; then ok; else no "$3 has $1 lines, at most $2 are wanted"; fi; }
 root=$PWD
-case ${BUILD:=build} in /*) ;; *) BUILD=$root/$BUILD ;; esac
+BUILD=${TESTS:-${BUILD:-build}}
+case $BUILD in /*) ;; *) BUILD=$root/$BUILD ;; esac
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 
@@ -67,8 +68,9 @@ for f in chapters/*/first.h; do
     if [ -f "$dir/first.c" ]; then ok; else no "$dir has a first.h, and no first.c"; fi
 done
 
-# Each program: line 2 compiles it in a folder that holds only what it includes; it draws the same picture
-# as with other flags, byte for byte. With a part of the counts only the program of this build runs.
+# Each program: in a folder that holds only what it includes the compiler reads it by its line 2, and that of
+# this build runs; it draws the committed picture, byte for byte. With WHOLE=1 (.ci/run) line 2 compiles it for
+# good, and what it makes runs. With a part of the counts only the program of this build runs.
 flags='-std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize'
 [ "${CHECK_DIVISOR:-1}" -gt 1 ] && echo "first.sh: only the programs of this build"
 for main in chapters/*/first.c; do
@@ -85,8 +87,10 @@ for main in chapters/*/first.c; do
             f=$(echo "$f" | sed -e ':a' -e 's#[^/. ][^/ ]*/\.\./##' -e 'ta')
             mkdir -p "$alone/$(dirname "$f")" && cp "$f" "$alone/$f"
         done
-        if (cd "$alone" && sh -c "${CC:-cc}${line#cc} -DREAL=${REAL:-double}") 2>"$scratch/err"
+        only=-fsyntax-only; [ -n "${WHOLE:-}" ] && only=
+        if (cd "$alone" && sh -c "${CC:-cc}${line#cc} -DREAL=${REAL:-double} $only") 2>"$scratch/err"
         then ok; else no "$main does not compile alone: $(head -n 3 "$scratch/err")"; continue; fi
+        [ -n "${WHOLE:-}" ] || cp "$BUILD/$name" "$alone"
     fi
     if (cd "$alone" && "./$name" >out 2>err); then ok; else no "$name: $(head -n 3 "$alone/err")"; continue; fi
     folder=images; [ "${REAL:-double}" = float ] && folder=build

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the named tests (programs of $BUILD/test_NAME, or scripts), as many at a time as there are
+# Runs the named tests (programs test_NAME of $TESTS, or of $BUILD, or scripts), as many at a time as there are
 # cores, or $JOBS; shows what each prints, and adds up: the last line is "N passed, N failed". A test
 # that dies without its own count is one failure.
 scratch=$(mktemp -d) || exit 1
@@ -11,7 +11,7 @@ trap 'kill $workers 2>/dev/null; exit 130' INT TERM
 run_one() {
     case $1 in
     *.sh) sh "tests/$1" >"$scratch/$1.output" 2>&1; status=$? ;;
-    *)    "$BUILD/test_$1" >"$scratch/$1.output" 2>&1; status=$? ;;
+    *)    "${TESTS:-$BUILD}/test_$1" >"$scratch/$1.output" 2>&1; status=$? ;;
     esac
     line=$(tail -n 1 "$scratch/$1.output")
     p=$(printf '%s\n' "$line" | sed -n 's/.* \([0-9][0-9]*\) passed, [0-9][0-9]* failed$/\1/p')

@@ -5,6 +5,8 @@
  *   c[0].seconds                   the median of its rounds
  *   c[0].spread                    half the way between its quartiles, over the median: 0.02 is a
  *                                  calm machine; two that differ by less than that don't differ
+ *                                  With BENCH_ONCE in the environment one round, cold: for a test
+ *                                  that reads all but the times
  *   bench_once(&c[0])              one run that nothing has warmed up, seconds alone
  *   bench_slope(x, y, n)           of y over x, by least squares; of logarithms: the exponent
  *
@@ -35,8 +37,10 @@ static inline double bench_once(const bench_candidate *c)
 /* Any number of candidates and rounds, both at least 1. */
 static inline void bench_time(bench_candidate *c, int n, int rounds)
 {
+    int warm = getenv("BENCH_ONCE") ? 0 : 1;
+    if (!warm) rounds = 1;
     double *all = allocate((size_t)n * (size_t)rounds, sizeof *all);
-    for (int i = -1; i < rounds; i++)
+    for (int i = -warm; i < rounds; i++)
         for (int k = 0; k < n; k++) {
             double seconds = bench_once(&c[k]);
             if (i >= 0) all[k * rounds + i] = seconds;
