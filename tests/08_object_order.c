@@ -257,7 +257,8 @@ static void test_depths(void)
     }
     check_equal(wrong, 0, "keys out of order, of %zu pairs", n);
     for (depth_format f = 0; f < depth_formats; f++)
-        check(f == DEPTH_LINEAR || depth_key(f, 0) >= depth_key(f, (real)1e-30), "infinity is last");
+        check(f == DEPTH_LINEAR || depth_key(f, 0) >= depth_key(f, (real)1e-30),
+              "infinity is last");
     check(depth_key(DEPTH_REVERSED, 0) < depth_farthest && depth_key(DEPTH_FLOAT, 2) == 0
               && depth_key(DEPTH_24, 2) == 0, "at infinity, and before the near plane: defined");
     for (depth_format f = 0; f < depth_formats; f++)
