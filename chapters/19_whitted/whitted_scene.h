@@ -26,6 +26,15 @@ typedef struct {
 
 typedef enum { WHITTED_EXACT, WHITTED_SCHLICK } whitted_fresnel;
 
+/* Is told of each ray: its parent's number (-1: the eye ray), what it is worth, and t of its hit,
+ * infinity if none. Of a shadow ray: where it ends, and how much of the light arrives. Returns the
+ * number of this ray. */
+typedef struct whitted_log whitted_log;
+struct whitted_log {
+    int (*add)(whitted_log *log, ray_kind kind, int parent, int depth, ray r, real t, vec3 weight,
+               real lit);
+};
+
 typedef struct {
     const light *lights;
     int n;
@@ -41,6 +50,7 @@ typedef struct {
     whitted_fresnel fresnel;
     bool apart, spend_all;
     real touch;           /* faces nearer to each other than this touch [scene units]: contact.h */
+    whitted_log *log;     /* NULL, or to watch: lab/ray_tree.h */
 } whitted;
 
 enum { whitted_most_depth = 256 };

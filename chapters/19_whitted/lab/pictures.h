@@ -11,6 +11,7 @@
 
 #include "../../../common/output.h"
 #include "../scenes/forty.h"
+#include "../whitted_loop.h"
 #include "ray_tree.h"
 #include "tank.h"
 #include "two_spheres.h"
@@ -19,7 +20,7 @@ typedef struct {
     tracer t;              /* as it begins: copied for each pixel */
     camera c;
     int across;            /* across^2 rays a pixel */
-    bool balls;            /* by balls.h, which must know the view */
+    bool loop;             /* by whitted_loop.h */
     image *im;
     pthread_mutex_t lock;
     trace_counts counts;
@@ -37,7 +38,7 @@ static inline void whitted_pixel(int x, int y, void *context)
         real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
         real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
         ray r = camera_ray(v->c, px, py, v->im->width, v->im->height);
-        vec3 c = v->balls ? balls_ray(&t, r, px, py) : whitted_ray(&t, r, (media_set){0});
+        vec3 c = (v->loop ? whitted_ray_loop : whitted_ray)(&t, r, (media_set){0});
         sum = vadd(sum, vmin(c, (vec3){4, 4, 4}));  /* a highlight must not outshout its pixel */
     }
     image_set(v->im, x, y, vscale(sum, 1 / (real)(n * n)));
@@ -103,10 +104,9 @@ static inline void draw_depths(const options *o)
     image all = image_new(2 * w + 6, 2 * h + 6), im = image_new(w, h);
     for (size_t i = 0; i < 3 * (size_t)all.width * (size_t)all.height; i++) all.rgb[i] = 1;
     for (int i = 0; i < 4 && whole; i++) {
-        f->fast.w.depth = depth[i];
+        f->w.depth = depth[i];
         whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &im,
-                          .across = o->quick ? 1 : 2, .balls = true};
-        balls_view(&f->fast.b, &v.c, w, h);
+                          .across = o->quick ? 1 : 2};
         whole = whitted_draw(&v, o->threads);
         image_place(&all, i % 2 * (w + 6), i / 2 * (h + 6), &im);
     }
@@ -124,7 +124,7 @@ static inline void draw_ray_tree(const options *o, real x, real y)
     failure f;
     file_writer out;
     s->w.depth = 6, s->w.least = 0.002;
-    ray_tree_trace(tree, &t, camera_ray(c, x, y, 640, 480), (media_set){0});
+    ray_tree_trace(tree, &s->w, &t, camera_ray(c, x, y, 640, 480), (media_set){0});
     if (o->full || o->own) {
         printf("# the tree of rays of pixel (%g, %g) of 640 x 480, depth 6\n", (double)x,
                (double)y);
