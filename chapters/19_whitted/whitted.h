@@ -4,8 +4,8 @@
  *            \                                       L = shade (18.8) + M L(reflected)
  *   depth 2   o--- shadow rays                                 opaque: M, at every angle
  *            / \                                     L = e^(-a s) (shade + R M L(reflected)
- *   depth 3 o   o   reflected, refracted                 + (1 - R) T L(refracted))  glass  (19.10)
- *          / \   \                                 R: fresnel.h; a, s: absorb.h
+ *   depth 3 o   o   reflected, refracted                 + (1 - R) kt (n1/n2)^2 L(refracted))
+ *          / \   \                               glass  (19.10); R: fresnel.h; a, s: absorb.h
  *
  * Ray depth (光线深度) as the notes count it: the eye ray has depth 1, what it gives rise to 2, ...
  * Shadow rays have none. The recursion ends at a depth, or where a branch can no longer contribute:
@@ -62,17 +62,17 @@ static inline int whitted_children(const whitted *w, const whitted_branch *b,
         snell x;
         bool bends = snell_of(d, p->s.ns, w->media[p->inside].ior, w->media[p->beyond].ior, &x);
         real R = w->fresnel == WHITTED_EXACT ? fresnel(&x) : schlick(&x);
-        vec3 T = vscale(p->m->through, 1 - R);
+        vec3 kt = vscale(p->m->through, 1 - R), on = snell_refract(&x, d, p->s.ns);
         M = vscale(M, R);
-        if (bends && whitted_child(w, b, p, RAY_REFRACTION, down, snell_refract(&x, d, p->s.ns), T,
-                                   &child[n]))
+        if (bends && whitted_child(w, b, p, RAY_REFRACTION, down, lifted(on, down), kt, &child[n]))
             child[n++].in = p->after;
     } else if (w->spend_all)
         n += whitted_child(w, b, p, RAY_REFRACTION, down, d, (vec3){0, 0, 0}, &child[n]);
-    return n + whitted_child(w, b, p, RAY_REFLECTION, up, reflect(d, p->s.ns), M, &child[n]);
+    vec3 back = lifted(reflect(d, p->s.ns), up);
+    return n + whitted_child(w, b, p, RAY_REFLECTION, up, back, M, &child[n]);
 }
 
-/* What comes back along b. */
+/* What comes back along b, as L / n^2 (19.11). */
 static inline vec3 whitted_trace(tracer *t, whitted_branch *b)
 {
     whitted_branch child[2];
@@ -92,7 +92,8 @@ static inline whitted_branch whitted_eye(ray r, media_set in)
 static inline vec3 whitted_ray(tracer *t, ray r, media_set in)
 {
     whitted_branch eye = whitted_eye(r, in);
-    return whitted_trace(t, &eye);
+    vec3 L = whitted_trace(t, &eye);
+    return vscale(L, whitted_square(t->user, &eye.in));
 }
 
 #endif

@@ -23,16 +23,18 @@ static inline vec3 whitted_ray_loop(tracer *t, ray r, media_set in)
 {
     whitted_branch stack[whitted_most_depth + 1];
     vec3 sum = {0, 0, 0};
+    real square = 1;
     int top = 0;
     for (stack[top++] = whitted_eye(r, in); top > 0; ) {
         whitted_branch b = stack[--top];
         whitted_place p;
         bool met = whitted_find(t, &b, &p);
+        if (b.depth == 1) square = whitted_square(t->user, &b.in);                     /* (19.11) */
         vec3 L = met ? whitted_shade(t, &b, &p) : whitted_sky(t->user, &b);
         sum = vadd(sum, vmul(b.weight, vmul(p.left, L)));
         if (met) top += whitted_children(t->user, &b, &p, stack + top);
     }
-    return sum;
+    return vscale(sum, square);
 }
 
 #endif

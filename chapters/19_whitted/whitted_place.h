@@ -2,8 +2,14 @@
  *
  *   tracer t = {.w = &world, .program = whitted_programs, .user = &w};    w: a `whitted`
  *   whitted_find(&t, &b, &p)        the next face that matters. False: none, it ends in the sky
- *   vec3 L = whitted_sky(&w, &b)    what is seen there
- *   vec3 L = whitted_shade(&t, &b, &p)     (18.8), where glass dims shadow rays
+ *   vec3 L = whitted_sky(&w, &b)    what is seen there, as L / n^2
+ *   vec3 L = whitted_shade(&t, &b, &p)     (18.8), where glass dims shadow rays, as L / n^2
+ *   real nn = whitted_square(&w, &in)      n^2 of what fills the place
+ *
+ * Light that goes into glass is squeezed into a smaller solid angle, and its radiance becomes
+ * n2^2 / n1^2 of what it was; on the way out it becomes less again. So L / n^2, the basic radiance
+ * (基本辐亮度), is what refraction leaves as it is, and what the tree of rays adds up: n^2 is asked for
+ * only where light begins, and at the eye.                                                (19.11)
  *
  * A face with the same medium on both sides is none: whitted_find goes on through it. All that it
  * knows of glass that touches glass is in contact.h, all of nested bodies in media.h; p.left is
@@ -20,7 +26,7 @@ typedef struct {
     ray r;              /* d is unit */
     vec3 weight;        /* what its light is worth at the eye; */
     vec3 share;         /* at the hit that it came from */
-    media_set in;       /* the bodies that it begins in */
+    media_set in;       /* the bodies that it begins in; where it ends, as far as that tells */
     int depth;
     ray_kind kind;
     int number;         /* of this ray, for the log; before that, of the one that it came from */
@@ -62,11 +68,18 @@ static const ray_program whitted_programs[ray_kinds] = {
     [RAY_SIGHT] = {MASK_SEEN, false, contact_any, NULL, NULL},
 };
 
+static inline real whitted_square(const whitted *w, const media_set *in)
+{
+    real n = w->media[media_fills(w->media, in)].ior;
+    return n * n;
+}
+
 /* Through an endless medium: what it does not absorb. */
 static inline vec3 whitted_sky(const whitted *w, const whitted_branch *b)
 {
     vec3 sky = w->sky ? w->sky(w->context, b->r.d) : w->background;
-    return vmul(absorbed(w->media[media_fills(w->media, &b->in)].absorb, real_infinity), sky);
+    vec3 left = absorbed(w->media[media_fills(w->media, &b->in)].absorb, real_infinity);
+    return vscale(vmul(left, sky), 1 / whitted_square(w, &b->in));
 }
 
 /* (18.8), as shade() of 18; v is unit. */
@@ -89,7 +102,7 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
         if (counts && lit > 0)
             colour = vmadd(colour, blinn_phong(m, s->ns, x.l, vneg(b->r.d), x.E), lit);
     }
-    return colour;
+    return vscale(colour, 1 / whitted_square(w, &b->in));
 }
 
 /* The face that x is on, and all that lie there with it. Which side of a body the ray comes from is
