@@ -156,15 +156,15 @@ static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
 
 /* The first root alone, where it is clear which one that is. f is off by epsilon / 2 of itself,
  * its squares, their sums and R^2 are rounded: k = ff - rr is off by less than 2.5 epsilon
- * (ff + rr). So beyond 4 its sign is sure: outside with the centre behind, both roots are behind,
+ * (ff + rr). So beyond 3 its sign is sure: outside with the centre behind, both roots are behind,
  * and nothing is left to compute; inside, far is the one. All else as above, to the last bit. */
 static inline bool sphere_hit(sphere s, ray r, hit *out)
 {
     sphere_look q = sphere_look_at(s, r);
     double k = q.ff - q.rr, off = DBL_EPSILON * (q.ff + q.rr);
     bool sure = q.sure && r.tmin == 0, inside = k < 0 && q.ca >= 0;
-    if (sure && (q.D < 0 || (k > 4 * off && q.ca < 0))) return false;
-    if (!sure || !(fabs(k) > (inside ? 4 : 10) * off)) {
+    if (sure && (q.D < 0 || (k > 3 * off && q.ca < 0))) return false;
+    if (!sure || !(fabs(k) > (inside ? 3 : 10) * off)) {
         real t0, t1;
         return sphere_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
     }

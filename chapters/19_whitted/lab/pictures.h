@@ -9,6 +9,7 @@
 #ifndef WHITTED_LAB_PICTURES_H
 #define WHITTED_LAB_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../scenes/forty.h"
 #include "../whitted_loop.h"
@@ -90,8 +91,10 @@ static inline void draw_tank(const options *o)
         whole = whitted_draw(&v, o->threads);
         image_place(&all, i * (w + 6), 0, &im);
     }
-    output_picture(o, &all, "19_whitted_tank.png", false, whole);
-    image_free(&im), image_free(&all), tank_free(k);
+    static const char *const title[] = {"each face by itself", "faces at one place as one"};
+    image sheet = label_panels(&all, 2, 1, 6, title);
+    output_picture(o, &sheet, "19_whitted_tank.png", false, whole);
+    image_free(&im), image_free(&all), image_free(&sheet), tank_free(k);
 }
 
 static inline void draw_depths(const options *o)
@@ -110,8 +113,10 @@ static inline void draw_depths(const options *o)
         whole = whitted_draw(&v, o->threads);
         image_place(&all, i % 2 * (w + 6), i / 2 * (h + 6), &im);
     }
-    output_picture(o, &all, "19_whitted_depth.png", false, whole);
-    image_free(&im), image_free(&all), forty_free(f), free(f);
+    static const char *const title[] = {"depth 1", "depth 2: mirrors", "depth 3: glass", "depth 8"};
+    image sheet = label_panels(&all, 2, 2, 6, title);
+    output_picture(o, &sheet, "19_whitted_depth.png", false, whole);
+    image_free(&im), image_free(&all), image_free(&sheet), forty_free(f), free(f);
 }
 
 static inline void draw_ray_tree(const options *o, real x, real y)
