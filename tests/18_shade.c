@@ -129,6 +129,15 @@ static void test_trace(void)
     check_equal(hopeless, 0, "candidates behind the best so far, in this part or an earlier one");
     check_equal(later, 0, "candidates after ANY_HIT_END, or after the first");
 
+    /* Of a part that is opaque nobody asks, whatever any_hit would say. */
+    for (int k = 0; k < 3; k++) part[k].opaque = true;
+    ray down = ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1});
+    seen blind = {.ignore = 0}, all = {.met = false};
+    check(trace(&t, RAY_REFLECTION, down, &blind) && blind.asked == 0, "met, and nobody asked");
+    brute(&w, down, 3, 3, &all);
+    check(blind.h.t == all.h.t && blind.h.shape == all.h.shape, "the closest hit of all");
+    for (int k = 0; k < 3; k++) part[k].opaque = false;
+
     seen nothing = {.ignore = 3};
     ray bad = ray_from((vec3){0, 0, 0}, vec(NAN, 0, 1));
     check(!trace(&t, RAY_CAMERA, bad, &nothing) && nothing.missed, "a NaN is a miss");
