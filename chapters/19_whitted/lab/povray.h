@@ -2,16 +2,16 @@
  * lab/povray.sh runs both in turn.
  *
  *   povray_race(path)     writes the scene; draws 480 x 360, one ray a pixel, by one thread, and
- *                         prints the seconds
+ *                         prints the seconds of the processor
  *
  * The same rays, but for a few: depth 8, cut at 1/256, exact Fresnel, glass without shadow.
  */
 #ifndef WHITTED_LAB_POVRAY_H
 #define WHITTED_LAB_POVRAY_H
 
-#include "../../../common/clock.h"
 #include "../../../common/file.h"
 #include "../scenes/forty.h"
+#include <time.h>
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -62,13 +62,13 @@ static inline void povray_race(const char *path)
     camera c = forty_camera((real)width / height);
     tracer t = forty_tracer(w);
     vec3 sum = {0, 0, 0};
-    double start = clock_seconds();
+    clock_t start = clock();
     for (int k = 0; k < width * height; k++) {
         real x = (real)(k % width) + (real)0.5, y = (real)(k / width) + (real)0.5;
         sum = vadd(sum, whitted_ray(&t, camera_ray(c, x, y, width, height), (media_set){0}));
     }
-    double seconds = clock_seconds() - start;
-    printf("forty balls: %zu shadow rays, mean red %.4f, %.4f seconds\n",
+    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    printf("forty balls: %zu shadow rays, mean red %.4f, %.4f CPU-seconds\n",
            t.counts.rays[RAY_SHADOW], (double)sum.x / (width * height), seconds);
     forty_free(w), free(w);
 }
