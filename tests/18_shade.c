@@ -2,6 +2,7 @@
  * against geometry; no ray that cannot contribute; line of sight. */
 #include "check.h"
 #include "../common/random.h"
+#include "../chapters/18_shade/lab/edge_of_light.h"
 #include "../chapters/18_shade/lab/gallery.h"
 #include "../chapters/18_shade/lab/leave_variants.h"
 #include "../chapters/18_shade/sight.h"
@@ -127,6 +128,15 @@ static void test_trace(void)
     check_at_least(early, n / 100, "a kind that wants the first hit often asks once");
     check_equal(hopeless, 0, "candidates behind the best so far, in this part or an earlier one");
     check_equal(later, 0, "candidates after ANY_HIT_END, or after the first");
+
+    /* Of a part that is opaque nobody asks, whatever any_hit would say. */
+    for (int k = 0; k < 3; k++) part[k].opaque = true;
+    ray down = ray_from((vec3){0, 0, 9}, (vec3){0, 0, -1});
+    seen blind = {.ignore = 0}, all = {.met = false};
+    check(trace(&t, RAY_REFLECTION, down, &blind) && blind.asked == 0, "met, and nobody asked");
+    brute(&w, down, 3, 3, &all);
+    check(blind.h.t == all.h.t && blind.h.shape == all.h.shape, "the closest hit of all");
+    for (int k = 0; k < 3; k++) part[k].opaque = false;
 
     seen nothing = {.ignore = 3};
     ray bad = ray_from((vec3){0, 0, 0}, vec(NAN, 0, 1));
@@ -492,6 +502,60 @@ static void test_facing(void)
     check_equal(t.counts.rays[RAY_SIGHT], 2, "no ray where the surface itself is in between");
 }
 
+/* ---- the edge of light ----------------------------------------------------------------------- */
+
+/* The round ball is the truth. Its shading normals are exact here, so what is wrong is shadow. */
+static void test_terminator(void)
+{
+    const vec3 up = {0, 0, 1}, l = vunit(vec(1, 0, 0.25)), n = vunit(vec(0.5, 0, 1));
+    for (int rings = 4; rings <= 16; rings *= 2) {
+        double rmse[edge_ways], most[edge_ways], dark[edge_ways];
+        edge_ball b;
+        edge_ball_build(&b, rings);
+        for (int k = 0; k < edge_ways; k++) edge_errors(&b, 60, k, &rmse[k], &most[k], &dark[k]);
+        check_at_most(most[3], 16 * (double)real_epsilon, "lifted, %d rings", rings);
+        check_equal(dark[3], 0, "dark where it should be lit, lifted, %d rings", rings);
+        check_at_least(most[0], 1.0 / rings, "in shade by its own triangles, %d rings", rings);
+        check_at_least(dark[1], 1, "and so with ns alone, %d rings", rings);
+        edge_ball_free(&b);
+    }
+    check_equal(terminator_fade(up, up, l), 1, "one normal: nothing is taken away");
+    check_equal(terminator_fade(up, n, vunit(vec(1, 0, -0.1))), 0, "behind the triangle");
+    real last = 0;
+    for (int i = 1; i < 90; i++) {
+        real a = (real)i * pi / 180, f = terminator_fade(up, n, vec(cos(a), 0, sin(a)));
+        check(f >= last && f <= 1 && f > 0, "rises to 1, at %d degrees", i);
+        last = f;
+    }
+    /* From inside a ball bulges away: nothing to lift, and p stays. */
+    mesh m = edge_ball_mesh(8);
+    hit h = {1, (real)0.25, (real)0.5, 40};
+    surface s = surface_of_mesh(&m, h);
+    vec3 out = terminator_point(&m, h, s.p, 1), in = terminator_point(&m, h, s.p, -1);
+    check_at_least((double)vdot(vsub(out, s.p), s.n), 1e-3, "lifted");
+    check_at_most((double)vlength(vsub(in, s.p)), 4 * (double)real_epsilon, "not from inside");
+    mesh_free(&m);
+}
+
+/* How far rays begin above the middle of a square floor of two triangles: some ten epsilon of its
+ * side. What lies lower casts no shadow: a leaf at 2^-20 does on a floor of side 0.75 even in
+ * float, and in float not on one of 0.85. */
+static void test_floor(void)
+{
+    for (int k = 0; k < 2; k++) {
+        real side = k ? (real)0.85 : (real)0.75, x = side / 2, low = (real)ldexp(1, -20);
+        triangle t = {{-x, -x, 0}, {x, -x, 0}, {x, x, 0}};
+        surface s = surface_on_triangle(t, 0, (real)0.02, (real)0.49);
+        ray r = leave(s, (vec3){0, 0, 1});
+        triangle leaf = {{-x, -x, low}, {x, -x, low}, {0, x, low}};
+        hit h;
+        check_at_least((double)(r.o.z / side), 9 * (double)real_epsilon, "the offset of a floor");
+        check_at_most((double)(r.o.z / side), 11 * (double)real_epsilon, "as a part of its side");
+        check(triangle_hit(leaf, r, &h) == !(real_is_float && k), "the leaf, side %g",
+              (double)side);
+    }
+}
+
 int main(void)
 {
     test_facing();
@@ -504,5 +568,7 @@ int main(void)
     test_masks();
     test_printed();
     test_sight();
+    test_terminator();
+    test_floor();
     return check_report("18_shade");
 }

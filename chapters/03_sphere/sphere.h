@@ -113,10 +113,12 @@ static bool sphere_roots_in_doubt(sphere s, ray r, real *t0, real *t1)
     return true;
 }
 
-/* In double, whatever real is: in float far too many rays would be in doubt. The rounding errors of
- * D stay below 5.4 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 + R^2)), see MEASURED.md; 10 leaves
- * room. */
-static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
+/* What (3.5) and (3.6) are made of. In double, whatever real is: in float far too many rays would
+ * be in doubt. The rounding errors of D stay below 5.4 epsilon sqrt((a R^2 + |x|^2) a (|f|^2 +
+ * R^2)), see MEASURED.md; 10 leaves room. sure: the sign of D is; false for a NaN, too. */
+typedef struct { double a, ca, ff, rr, D; bool sure; } sphere_look;
+
+static inline sphere_look sphere_look_at(sphere s, ray r)
 {
     const double noise = 10 * DBL_EPSILON, tiny = DBL_MIN / (DBL_EPSILON * DBL_EPSILON);
     double dx = (double)r.d.x, fx = (double)r.o.x - (double)s.c.x, R = (double)s.r;
@@ -126,25 +128,51 @@ static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
     double a = dx * dx + dy * dy + dz * dz, ca = -(dx * fx + dy * fy + dz * fz);  /* (3.4) */
     double ff = fx * fx + fy * fy + fz * fz, rr = R * R, size = ff + rr;
     double arr = a * rr, xx = x * x + y * y + z * z, D = arr - xx;                       /* (3.5) */
-    if (!(a > tiny && size > tiny && D * D > noise * noise * (arr + xx) * (a * size)))
-        return sphere_roots_in_doubt(s, r, t0, t1);                       /* a NaN comes here too */
-    if (D < 0) return false;
-    double hc = sqrt(D), near = ca - hc, far = ca + hc;                /* each times a    (3.6) */
-    *t0 = (real)(near / a);
-    *t1 = (real)(far / a);
-    if (fabs(ff - rr) < noise * size) {  /* o is on the surface: near or far is mere rounding */
-        wide3 f = wide3_sub(wide3_of(r.o), wide3_of(s.c));
-        double k = wide_value(sphere_power(f, R));
-        if (ca < 0) *t1 = (real)(k / near);                                              /* (3.7) */
+    bool sure = a > tiny && size > tiny && D * D > noise * noise * (arr + xx) * (a * size);
+    return (sphere_look){a, ca, ff, rr, D, sure};
+}
+
+/* (3.7): o lies near the surface; k exactly. */
+static inline double sphere_power_exactly(sphere s, ray r)
+{
+    return wide_value(sphere_power(wide3_sub(wide3_of(r.o), wide3_of(s.c)), (double)s.r));
+}
+
+static inline bool sphere_roots(sphere s, ray r, real *t0, real *t1)
+{
+    sphere_look q = sphere_look_at(s, r);
+    if (!q.sure) return sphere_roots_in_doubt(s, r, t0, t1);
+    if (q.D < 0) return false;
+    double hc = sqrt(q.D), near = q.ca - hc, far = q.ca + hc;          /* each times a    (3.6) */
+    *t0 = (real)(near / q.a);
+    *t1 = (real)(far / q.a);
+    if (fabs(q.ff - q.rr) < 10 * DBL_EPSILON * (q.ff + q.rr)) {  /* near or far is mere rounding */
+        double k = sphere_power_exactly(s, r);
+        if (q.ca < 0) *t1 = (real)(k / near);                                            /* (3.7) */
         else *t0 = (real)(k / far);
     }
     return true;
 }
 
+/* The first root alone, where it is clear which one that is. f is off by epsilon / 2 of itself,
+ * its squares, their sums and R^2 are rounded: k = ff - rr is off by less than 2.5 epsilon
+ * (ff + rr). So beyond 3 its sign is sure: outside with the centre behind, both roots are behind,
+ * and nothing is left to compute; inside, far is the one. All else as above, to the last bit. */
 static inline bool sphere_hit(sphere s, ray r, hit *out)
 {
-    real t0, t1;
-    return sphere_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+    sphere_look q = sphere_look_at(s, r);
+    double k = q.ff - q.rr, off = DBL_EPSILON * (q.ff + q.rr);
+    bool sure = q.sure && r.tmin == 0, inside = k < 0 && q.ca >= 0;
+    if (sure && (q.D < 0 || (k > 3 * off && q.ca < 0))) return false;
+    if (!sure || !(fabs(k) > (inside ? 3 : 10) * off)) {
+        real t0, t1;
+        return sphere_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);
+    }
+    double hc = sqrt(q.D), near = q.ca - hc;
+    real t = (real)((!inside && near >= 0 ? near : q.ca + hc) / q.a);                    /* (3.6) */
+    if (!(t >= 0 && t <= real_min(real_largest, r.tmax))) return false;
+    *out = (hit){t, 0, 0, 0};
+    return true;
 }
 
 static inline vec3 sphere_normal(sphere s, vec3 p)

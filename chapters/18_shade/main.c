@@ -1,9 +1,12 @@
 /* 18_shade: trace and shade, kinds of ray, lights and hard shadows; how a ray leaves a surface.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
- * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, a table of
- * ways to leave a surface. --full: another table, two plots. --samples N: down to a square. */
+ * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, the edge
+ * of light on a mesh, a drawing, tables of ways to leave a surface and to light a mesh. --full: two
+ * tables more, two plots. --samples N: down to a square. */
 #include "../../common/lab/report.h"
+#include "lab/edge_of_light.h"
+#include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
@@ -26,7 +29,10 @@ int main(int argc, char **argv)
     if (o.out || o.own) return output_done(&o);
     draw_acne(&o);
     draw_sight(&o);
+    draw_terminator(&o);
+    draw_tilt(&o);
     table_of_leaving(&o);
-    if (o.full) plots_of_leaving(&o), table_of_rays(&o);
+    table_of_terminator(&o);
+    if (o.full) table_of_needles(&o), plots_of_leaving(&o), table_of_rays(&o);
     return output_done(&o);
 }

@@ -20,8 +20,9 @@
  *   RAY_REFRACTION    [0, inf] from leave(s, w)               closest
  *   RAY_SIGHT         [0, 1] from leave_between(a, b)         any: can the two see each other?
  *
- *   trace_world w = {part, n};           parts: a mesh or a scene of shapes, in a tree (14) each
+ *   trace_world w = {part, n};           parts: a mesh or a scene of shapes, in a tree (15) each
  *   world_part_of_mesh(&m, mask, &part); world_part_of_scene(&s, mask, &part); world_part_free(..)
+ *   part.opaque = true;                  its any_hit is never asked: whatever is met is accepted
  *   tracer t = {&w, programs, user};     one a thread: it counts the rays of each kind
  *   bool met = trace(&t, RAY_SHADOW, r, &payload);      is anything met that was not ignored?
  *
@@ -36,8 +37,7 @@
 #ifndef SHADE_TRACE_H
 #define SHADE_TRACE_H
 
-#include "../14_bvh/bvh_mesh.h"
-#include "../14_bvh/bvh_shapes.h"
+#include "../15_wide_bvh/bvh8.h"
 #include "surface.h"
 
 typedef enum {
@@ -48,9 +48,9 @@ typedef enum { ANY_HIT_ACCEPT, ANY_HIT_IGNORE, ANY_HIT_END } any_hit_answer;
 typedef struct {
     const mesh *m;       /* this, */
     const scene *s;      /* or this; the other is NULL */
-    bvh_mesh of_mesh;
-    bvh_shapes of_scene;
+    bvh8 tree;
     uint8_t mask;        /* seen by kinds whose mask shares a bit */
+    bool opaque;
 } world_part;
 
 typedef struct { const world_part *part; size_t parts; } trace_world;
@@ -81,30 +81,29 @@ static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Mesh and scene must outlive the part. No memory: the program ends. O(n log n). */
+/* Mesh and scene must outlive the part. No memory: the program ends. O(n log n). Shapes are tested
+ * one by one: a leaf for each. */
 static inline void world_part_of_mesh(const mesh *m, uint8_t mask, world_part *out)
 {
     failure f;
+    items x = items_of_mesh(m);
     *out = (world_part){.m = m, .mask = mask};
-    if (!bvh_mesh_build(m, bvh_defaults, &out->of_mesh, &f)) fail(f);
-}
-
-static inline void world_part_cut(const scene *s, bvh_options how, uint8_t mask, world_part *out)
-{
-    failure f;
-    *out = (world_part){.s = s, .mask = mask};
-    if (!bvh_shapes_build(s, how, &out->of_scene, &f)) fail(f);
+    if (!bvh8_build(&x, bvh8_defaults, &out->tree, &f)) fail(f);
 }
 
 static inline void world_part_of_scene(const scene *s, uint8_t mask, world_part *out)
 {
-    world_part_cut(s, bvh_defaults, mask, out);
+    failure f;
+    items x = items_of_scene(s);
+    bvh8_options how = bvh8_defaults;
+    how.shape_cost = 2, how.cut = 1;
+    *out = (world_part){.s = s, .mask = mask};
+    if (!bvh8_build(&x, how, &out->tree, &f)) fail(f);
 }
 
 static inline void world_part_free(world_part *p)
 {
-    if (p->m) bvh_mesh_free(&p->of_mesh);
-    if (p->s) bvh_shapes_free(&p->of_scene);
+    bvh8_free(&p->tree);
     *p = (world_part){.mask = 0};
 }
 
@@ -115,38 +114,58 @@ static inline surface surface_of_trace(const tracer *t, ray r, trace_hit x)
     return p->m ? surface_of_mesh(p->m, x.h) : surface_of_shape(&p->s->shapes[x.h.shape], r, x.h);
 }
 
-/* For kinds with an any_hit: the search of a leaf, one item at a time, with a question in between.
- * `one` is the search as it would be with this item: kept if the answer says so. */
+/* For kinds with an any_hit: a walk of its own, box by box, with a question at each candidate. */
 typedef struct {
     const tracer *t;
     const ray_program *program;
-    const world_part *part;
-    uint32_t index;
-    ray r;
+    uint32_t part;
+    ray r;               /* as it began: what any_hit is told */
     void *payload;
-    bool *end;
+    query q;             /* the rest of it, and the best hit so far */
+    bool met, end;
 } trace_asking;
 
-__attribute__((always_inline))
-static inline bool trace_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                              bool any)
+/* `one` is the search as it would be with this item: kept if the answer says so. */
+static inline void trace_ask_item(trace_asking *a, const items *x, uint32_t i)
 {
-    const trace_asking *a = context;
-    bool found = false;
-    for (uint32_t i = first; i < first + count; i++) {
-        query one = *q;
-        bool closer = a->part->m ? bvh_mesh_leaf(&a->part->of_mesh, i, 1, &one, false)
-                                 : bvh_shapes_leaf(&a->part->of_scene, i, 1, &one, false);
-        if (!closer) continue;
-        trace_hit x = {one.best, a->index};
-        any_hit_answer answer = a->program->any_hit(a->t, a->r, x, a->payload);
-        if (answer == ANY_HIT_IGNORE) continue;
-        *q = one;
-        found = true;
-        if (answer == ANY_HIT_END) *a->end = true, q->r.tmax = -real_infinity;  /* ends all */
-        if (any) return true;
+    query one = a->q;
+    if (i == no_shape || !query_ask(&one, x, i, false)) return;
+    trace_hit candidate = {one.best, a->part};
+    any_hit_answer answer = a->program->any_hit(a->t, a->r, candidate, a->payload);
+    if (answer == ANY_HIT_IGNORE) return;
+    a->q = one, a->met = true;
+    a->end = answer == ANY_HIT_END || a->program->first;
+}
+
+/* (15.2) of one child; in float, as ray8.h pays for. */
+static inline bool trace_meets_box(const bvh8_node *n, int k, const bvh8_ray *q, float limit)
+{
+    float enter = q->tmin, leave_at = limit;
+    for (int axis = 0; axis < 3; axis++) {
+        float near = n->side[q->near[axis]][k] * q->inverse[axis] + q->near_o[axis];
+        float far = n->side[q->far[axis]][k] * q->inverse[axis] + q->far_o[axis];
+        enter = near > enter ? near : enter, leave_at = far < leave_at ? far : leave_at;
     }
-    return found;
+    return enter <= leave_at;
+}
+
+static inline void trace_ask(trace_asking *a, const bvh8 *w)
+{
+    uint32_t stack[512];
+    int top = 0;
+    bvh8_ray q;
+    if (w->nodes == 0 || !ray_is_usable(a->q.r)) return;
+    bvh8_ray_of(w, a->q.r, false, &q);
+    for (stack[top++] = 0; top > 0 && !a->end; ) {
+        uint32_t at = stack[--top], leaf = at & ~bvh8_leaf;
+        float limit = bvh8_limit(&q, a->q.r.tmax);
+        for (int k = 0; k < 8 && !a->end; k++)
+            if (at & bvh8_leaf)
+                trace_ask_item(a, &w->x, w->block ? w->block[leaf].index[k]
+                                                  : w->list[leaf].index[k]);
+            else if (trace_meets_box(&w->node[at], k, &q, limit))
+                stack[top++] = w->node[at].child[k];
+    }
 }
 
 /* True: met, and *h says what (not if the kind asks for the first: then h is untouched). */
@@ -154,15 +173,13 @@ static inline bool trace_part(const tracer *t, const ray_program *g, uint32_t k,
                               void *payload, bool *end, hit *h)
 {
     const world_part *p = &t->w->part[k];
-    if (!g->any_hit) {
-        if (g->first && p->m) return bvh_mesh_occluded(&p->of_mesh, r);
-        if (g->first) return bvh_shapes_occluded(&p->of_scene, r);
-        return p->m ? bvh_mesh_hit(&p->of_mesh, r, h) : bvh_shapes_hit(&p->of_scene, r, h);
-    }
-    const bvh_tree *tree = p->m ? &p->of_mesh.tree : &p->of_scene.tree;
-    trace_asking a = {t, g, p, k, r, payload, end};
-    if (g->first) return tree_search(tree, r, box_ray_of, trace_leaf, &a, true, NULL, NULL);
-    return tree_search(tree, r, box_ray_of, trace_leaf, &a, false, h, NULL);
+    if (!g->any_hit || p->opaque)
+        return g->first ? bvh8_occluded(&p->tree, r) : bvh8_hit(&p->tree, r, h);
+    trace_asking a = {t, g, k, r, payload, query_of(r), false, false};
+    trace_ask(&a, &p->tree);
+    *end = a.end && !g->first;
+    if (a.met && !g->first) *h = a.q.best;
+    return a.met;
 }
 
 static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload)

@@ -1,6 +1,7 @@
 /* first.h: Whitted's ray tracer: shade() calls trace() again for what mirrors and glass show.
  * Wrong where n2 is nearly n1: (19.5) subtracts near equals, R is off by eps / (n2 - n1) of itself;
- * and where glass touches glass: one face goes unseen. fresnel.h and media.h mend it. */
+ * where glass touches glass: one face goes unseen; what is lit in glass is n^2 too bright, and an
+ * eye in glass sees the sky n^2 too dark. fresnel.h, media.h and whitted.h mend it. */
 #ifndef FIRST_WHITTED_H
 #define FIRST_WHITTED_H
 #include "../02_camera/first.h"

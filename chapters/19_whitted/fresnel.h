@@ -30,7 +30,6 @@
 
 /* One division for both: with a = (p + q)^2, b = n2^2 (u + v)^2, rs = x / a and rp = x y / b,
  * R = ((x b)^2 + (x y a)^2) / (2 (a b)^2). */
-__attribute__((always_inline))
 static inline real fresnel(const snell *s)
 {
     double n1 = s->n1, n2 = s->n2, ci = s->ci, ct = s->ct;
@@ -59,7 +58,6 @@ static inline real fresnel_through(const snell *s)
     return (real)(g / (pq * pq) + g / (uv * uv));                                       /* (19.6) */
 }
 
-__attribute__((always_inline))
 static inline real schlick(const snell *s)
 {
     double r = (s->n1 - s->n2) / (s->n1 + s->n2), R0 = r * r;

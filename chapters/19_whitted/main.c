@@ -1,16 +1,18 @@
 /* 19_whitted: recursion: mirrors, glass, total reflection, Fresnel, absorption, nested bodies.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
- * Without options: the two spheres of 1980, a tank, the tree of one pixel, a table of error against
- * time. --full: four depths; speed; first.h. --protocol spd: rays counted as in published results.
- * --samples N is rounded down to a square. */
+ * Without options: the two spheres of 1980, a tank, drawings, the tree of one pixel, a table of
+ * error against time. --full: four depths; speed; first.h. --protocol spd: rays counted as in
+ * published results. --samples N is rounded down to a square. */
+#include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
+#include "lab/povray.h"
 #include "lab/spd_protocol.h"
 
 int main(int argc, char **argv)
 {
-    const char *how = NULL, *name = NULL;
+    const char *how = NULL, *name = NULL, *pov = NULL;
     int scale = -1, pixel[2] = {0, 0};
     bool all = false;
     const option own[] = {
@@ -19,6 +21,8 @@ int main(int argc, char **argv)
          "with --protocol: balls gears mount rings teapot tetra or tree"},
         {"scale", OPTION_INT, &scale, 0, 100, "with --protocol: its size"},
         {"tree", OPTION_SIZE, pixel, 1, 639, "XxY: the tree of rays of this pixel of 640x480"},
+        {"povray", OPTION_TEXT, &pov, 0, 0,
+         "writes the forty balls for POV-Ray, and times them here, one thread"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "trace what cannot contribute, too"}, {0}};
     options o = options_read(argc, argv, "19_whitted", "Whitted's ray tracing.",
                              (options){.width = 640, .height = 480, .seed = 1, .samples = 4}, own);
@@ -27,14 +31,16 @@ int main(int argc, char **argv)
         {!how && (name || scale >= 0), "--scene, --scale: allowed with --protocol spd"},
         {how && pixel[0], "--tree: not allowed with --protocol"},
         {pixel[1] > 479, "--tree: allowed are columns from 1 to 639, rows from 1 to 479"},
+        {pov && (how || pixel[0] || all || o.out || o.csv), "--povray: allowed alone"},
         {pixel[0] && o.out, "--out: not allowed with --tree"},
         {(how || pixel[0]) && o.csv, "--csv: not allowed with --protocol, --tree"},
         {(how || pixel[0]) && all, "--spend-all: not allowed with --protocol, --tree"},
         {o.out && o.csv, "--out draws, --csv measures: one of them"}};
     for (size_t i = 0; i < sizeof misuse / sizeof *misuse; i++)
         if (misuse[i].wrong) die(2, "%s", misuse[i].text);
-    o.own = how || pixel[0];
+    o.own = how || pixel[0] || pov;
     if (how) spd_protocol(&o, name, scale);
+    if (pov) povray_race(pov);
     if (pixel[0]) draw_ray_tree(&o, (real)pixel[0] + (real)0.5, (real)pixel[1] + (real)0.5);
     if (o.own) return output_done(&o);
     if (o.quick && o.samples == 4) o.samples = 1;
@@ -43,6 +49,8 @@ int main(int argc, char **argv)
     if (o.out) return output_done(&o);
     draw_tank(&o);
     draw_ray_tree(&o, 345.5, 140.5);
+    draw_wavefronts(&o);
+    draw_critical(&o);
     draw_fresnel(&o);
     table_of_knobs(&o);
     if (o.full) {

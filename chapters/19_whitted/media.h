@@ -50,7 +50,6 @@ typedef struct { int n; media_face face[media_most_faces]; } media_crossing;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-__attribute__((always_inline))
 static inline uint32_t media_fills(const medium *m, const media_set *s)
 {
     if (s->n == 0) return 0;

@@ -2,8 +2,8 @@
  *
  *        d   n                n1 sin i = n2 sin t                             (19.2)
  *         \ i|                ct^2 = ((n2 - n1)(n2 + n1) + n1^2 ci^2) / n2^2  (19.3)
- *   n1     v |                w = (n1/n2) d + (n1 - n2)(n1 + n2) / (n2 q) n,
- *     -------p-------             q = n1 ci + n2 ct                           (19.4)
+ *   n1     v |                w = (n1/n2) d + (n1 - n2)(n1 + n2) / (n2 m) n,
+ *     -------p-------             m = n1 ci + n2 ct                           (19.4)
  *   n2       |\
  *            |t\              ci = -n.d, ct: the cosines of i and t
  *            |  w             ct^2 < 0: total reflection, sin i > n2 / n1
@@ -24,7 +24,7 @@
  *                                 even 1e-7 away from it           directions that they are
  *   w                             off by what d and n are          length 1 + x becomes 1 - 3/2 x^2
  *
- * (19.4): n1/n2 ci - ct cancels if n1 is nearly n2; times q / q it does not, with (19.3).
+ * (19.4): n1/n2 ci - ct cancels if n1 is nearly n2; times m / m it does not, with (19.3).
  *
  * Sources: A. Glassner (ed.), "An Introduction to Ray Tracing", 1989, ch. 4, 5; T. Akenine-Möller
  * et al., "Real-Time Rendering", 4th ed., 2018, section 14.5.2.
@@ -50,7 +50,6 @@ static inline double snell_dot(vec3 a, vec3 b)
 /* ci of the directions of d and n, whatever their lengths: n.d / (|n| |d|), |n|^2 |d|^2 = 1 + y, y
  * a few epsilon: 1/sqrt(1 + y) = 1 - y/2 + 3/8 y^2 within y^3. In double, whatever real is. n.d > 0
  * by rounding is a ray along the surface: ci = 0. */
-__attribute__((always_inline))
 static inline bool snell_of(vec3 d, vec3 n, real n1, real n2, snell *out)
 {
     double a = (double)n1, b = (double)n2, y = snell_dot(d, d) * snell_dot(n, n) - 1;
@@ -74,11 +73,10 @@ static inline bool snell_of_naive(vec3 d, vec3 n, real n1, real n2, snell *out)
     return true;
 }
 
-__attribute__((always_inline))
 static inline vec3 snell_refract(const snell *s, vec3 d, vec3 n)
 {
-    double q = s->n1 * s->ci + s->n2 * s->ct, eta = s->n1 / s->n2;
-    double along = (s->n1 - s->n2) * (s->n1 + s->n2) / (s->n2 * q);                     /* (19.4) */
+    double m = s->n1 * s->ci + s->n2 * s->ct, eta = s->n1 / s->n2;
+    double along = (s->n1 - s->n2) * (s->n1 + s->n2) / (s->n2 * m);                     /* (19.4) */
     if (s->n1 == s->n2) along = 0;  /* also at ci = 0, where it is 0 / 0 */
     return unit_again(vmadd(vscale(d, (real)eta), n, (real)along));
 }

@@ -1,9 +1,9 @@
 /* whitted_scene.h: what Whitted's ray tracing must know of a scene, beside where its surfaces are.
  *
  *   opaque surface (不透明)     kd, ks, ke of 18, and a mirror M on top: L = shade + M L(reflected)
- *   glass (透明介质)            bounds a body, filled with a medium; M and T, usually white, colour
- *                               what Fresnel's equations share out:
- *                               L = R M L(reflected) + (1 - R) T L(refracted)
+ *   glass (透明介质)            bounds a body, filled with a medium; M and kt, usually white,
+ *                               colour what Fresnel's equations share out:
+ *                               L = R M L(reflected) + (1 - R) kt (n1/n2)^2 L(refracted)
  *
  * A material is asked for at each hit. `through` black makes glass a varnish: it reflects by its
  * refractive index, and nothing goes in.
@@ -19,12 +19,21 @@
 typedef struct {
     material base;    /* what lights and sky do on it: 18 */
     vec3 mirror;      /* M: opaque: what is reflected; glass: a factor of R */
-    vec3 through;     /* T: glass: a factor of 1 - R. Black: no refraction */
+    vec3 through;     /* kt: glass: a factor of 1 - R. Black: no refraction */
     uint32_t body;    /* glass: the body that it bounds [1..]; opaque: 0 */
     real shadow;      /* part of the light that shadow rays keep at each shape of it [0, 1] */
 } whitted_material;
 
 typedef enum { WHITTED_EXACT, WHITTED_SCHLICK } whitted_fresnel;
+
+/* Is told of each ray: its parent's number (-1: the eye ray), what it is worth, and t of its hit,
+ * infinity if none. Of a shadow ray: where it ends, and how much of the light arrives. Returns the
+ * number of this ray. */
+typedef struct whitted_log whitted_log;
+struct whitted_log {
+    int (*add)(whitted_log *log, ray_kind kind, int parent, int depth, ray r, real t, vec3 weight,
+               real lit);
+};
 
 typedef struct {
     const light *lights;
@@ -41,6 +50,7 @@ typedef struct {
     whitted_fresnel fresnel;
     bool apart, spend_all;
     real touch;           /* faces nearer to each other than this touch [scene units]: contact.h */
+    whitted_log *log;     /* NULL, or to watch: lab/ray_tree.h */
 } whitted;
 
 enum { whitted_most_depth = 256 };

@@ -48,18 +48,16 @@ static inline void effects_clock(const unsigned mask, effects_counts *c, int kin
     c->now = kind, c->since = now;
 }
 
-/* surface_of_shape of 18, and of balls 19's, which takes no root. */
+/* surface_of_shape of 18, of balls without asking for the kind again. */
 __attribute__((always_inline))
 static inline surface effects_surface(const effects_stage *e, ray r, studio_hit x)
 {
     const shape *s = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
     if (!s || s->kind != SHAPE_SPHERE) return studio_surface(&e->t, r, x);
-    surface on;
-    whitted_on_ball(&s->sphere, x.h.shape, ray_at(r, x.h.t), &on);
-    return on;
+    return surface_on_sphere(s->sphere, x.h.shape, ray_at(r, x.h.t));
 }
 
-/* A leaf of a tree of shapes, as 19 searches it: rays that leave a ball do not meet it again. */
+/* A leaf of a tree of shapes. */
 typedef struct { const bvh_shapes *b; uint32_t from; } effects_asking;
 
 __attribute__((always_inline))
@@ -71,7 +69,7 @@ static inline bool effects_leaf(const void *context, uint32_t first, uint32_t co
     hit h;
     for (uint32_t i = first; i < first + count; i++) {
         uint32_t j = a->b->index[i];
-        if (!whitted_meets(&a->b->shapes[j], j == a->from, q, &h)) continue;
+        if (!shape_hit_sheared(&a->b->shapes[j], &q->shear, q->r, &h)) continue;
         if (any) return true;
         h.shape = j;
         found |= query_improves(q, h);
@@ -173,7 +171,7 @@ static inline vec3 gather_lights(const effects_stage *e, const unsigned mask, co
     for (int i = 0; i < e->lights; i++) {
         const light *L = &e->light[i];
         light_sample x = {{0, 0, 0}, {0, 0, 0}};
-        bool counts = here && whitted_reaches(L, s, &x);
+        bool counts = here && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !(mask & EFFECTS_SPEND)) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
         bool passes = gather_passes(e, mask, r, s->shape, RAY_TO_LIGHT, b->kind, c, &left);

@@ -240,7 +240,7 @@ static inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set i
     branch stack[3 * stage_most_depth + 4], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
-    *b = (branch){.r = whitted_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
+    *b = (branch){.r = ray_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
                   .cosine = 1, .kind = RAY_OF_EYE, .depth = 1, .from = no_shape};
     for (;;) {
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);

@@ -7,6 +7,7 @@
 #ifndef SHADE_LAB_PICTURES_H
 #define SHADE_LAB_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/stroke.h"
 #include "../../../common/output.h"
 #include "gallery.h"
@@ -67,8 +68,11 @@ static inline void draw_acne(const options *o)
         whole = gallery_draw(&v, o->threads);
         image_place(&all, k % 2 * (w + 6), k / 2 * (h + 6), &im);
     }
-    output_picture(o, &all, "18_shade_acne.png", false, whole);
-    image_free(&all), image_free(&im), gallery_free(g);
+    static const char *const title[] = {"float, tmin = 1e-4: acne", "leave", "tmin = 0.03: leaks",
+                                        "leave"};
+    image sheet = label_panels(&all, 2, 2, 6, title);
+    output_picture(o, &sheet, "18_shade_acne.png", false, whole);
+    image_free(&all), image_free(&im), image_free(&sheet), gallery_free(g);
 }
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -1,5 +1,6 @@
 /* measure.h: the tables: error against time over depth and over the cut; Fresnel exact and cheap;
- * forty balls by tree and by lists.
+ * forty balls by recursion and
+ * by the loop.
  *
  *   table_of_knobs(&o)      the main table, and its plot
  *   draw_fresnel(&o)        a plot of R
@@ -56,7 +57,7 @@ static inline void table_of_knobs(const options *o)
     int w = o->quick ? 48 : 240, h = w * 3 / 4;
     image im = image_new(w, h), deep = image_new(w, h);
     whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
-                      .across = 1, .balls = true};
+                      .across = 1};
     table t = table_new("Forty balls: error against depth 64 and a cut of 1e-10; rays a pixel",
                         "knob|depth|cut|shadow|reflection|refraction|error: rmse|error: most|"
                         "time [ns/pixel]");
@@ -64,12 +65,11 @@ static inline void table_of_knobs(const options *o)
                       PLOT_LOG_Y);
     int series[2] = {plot_series(&p, "depth 1, 2 .. 12, no cut"), 0};
     series[1] = plot_series(&p, "cut 0.5 .. 0.0001");
-    balls_view(&f->fast.b, &v.c, w, h);
-    f->fast.w.depth = 64, f->fast.w.least = 1e-10;
+    f->w.depth = 64, f->w.least = 1e-10;
     measured_draw(&v, o->threads);
     v.im = &im;
     for (size_t k = 0; k < sizeof knobs / sizeof *knobs; k++) {
-        f->fast.w.depth = knobs[k].depth, f->fast.w.least = (real)knobs[k].least;
+        f->w.depth = knobs[k].depth, f->w.least = (real)knobs[k].least;
         double ns = knob_time(&v, o->full ? 3 : 1) / ((double)w * h) * 1e9;
         image_difference d = image_compare(&im, &deep);
         knob_row(&t, &v, k, ns, d);
@@ -112,22 +112,21 @@ static inline void table_of_speed(const options *o)
     image a = image_new(w, h), b = image_new(w, h);
     enum { ways = 3 };
     double seconds[ways][9];
-    static const char *const names[ways] = {"tree", "lists", "lists, Schlick"};
+    static const char *const names[ways] = {"recursion", "loop", "recursion, Schlick"};
     whitted_view v[ways];
     image_difference off[ways] = {{0}};
     for (int i = 0; i < rounds; i++)
         for (int k = 0; k < ways; k++) {
-            f->fast.w.fresnel = k == 2 ? WHITTED_SCHLICK : WHITTED_EXACT;
+            f->w.fresnel = k == 2 ? WHITTED_SCHLICK : WHITTED_EXACT;
             v[k] = (whitted_view){.t = forty_tracer(f), .c = forty_camera((real)w / (real)h),
-                                  .im = k ? &b : &a, .across = 1, .balls = k > 0};
+                                  .im = k ? &b : &a, .across = 1, .loop = k == 1};
             double start = clock_seconds();
-            if (k) balls_view(&f->fast.b, &v[k].c, w, h);
             measured_draw(&v[k], 1);
             seconds[k][i] = clock_seconds() - start;
             if (k) off[k] = image_compare(&b, &a);
         }
     table t = table_new("Forty balls, one thread, one ray a pixel, depth 8, cut 1/256",
-                        "search|camera|shadow|reflection|refraction|off [rmse]|Mpixels/s|ns/ray");
+                        "method|camera|shadow|reflection|refraction|off [rmse]|Mpixels/s|ns/ray");
     for (int k = 0; k < ways; k++) {
         double s = clock_median(seconds[k], rounds), rays = 0;
         table_text(&t, "%s", names[k]);

@@ -9,8 +9,10 @@
 #ifndef WHITTED_LAB_PICTURES_H
 #define WHITTED_LAB_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../scenes/forty.h"
+#include "../whitted_loop.h"
 #include "ray_tree.h"
 #include "tank.h"
 #include "two_spheres.h"
@@ -19,7 +21,7 @@ typedef struct {
     tracer t;              /* as it begins: copied for each pixel */
     camera c;
     int across;            /* across^2 rays a pixel */
-    bool balls;            /* by balls.h, which must know the view */
+    bool loop;             /* by whitted_loop.h */
     image *im;
     pthread_mutex_t lock;
     trace_counts counts;
@@ -37,7 +39,7 @@ static inline void whitted_pixel(int x, int y, void *context)
         real px = (real)x + ((real)(k % n) + (real)0.5) / (real)n;
         real py = (real)y + ((real)(k / n) + (real)0.5) / (real)n;
         ray r = camera_ray(v->c, px, py, v->im->width, v->im->height);
-        vec3 c = v->balls ? balls_ray(&t, r, px, py) : whitted_ray(&t, r, (media_set){0});
+        vec3 c = (v->loop ? whitted_ray_loop : whitted_ray)(&t, r, (media_set){0});
         sum = vadd(sum, vmin(c, (vec3){4, 4, 4}));  /* a highlight must not outshout its pixel */
     }
     image_set(v->im, x, y, vscale(sum, 1 / (real)(n * n)));
@@ -89,8 +91,10 @@ static inline void draw_tank(const options *o)
         whole = whitted_draw(&v, o->threads);
         image_place(&all, i * (w + 6), 0, &im);
     }
-    output_picture(o, &all, "19_whitted_tank.png", false, whole);
-    image_free(&im), image_free(&all), tank_free(k);
+    static const char *const title[] = {"each face by itself", "faces at one place as one"};
+    image sheet = label_panels(&all, 2, 1, 6, title);
+    output_picture(o, &sheet, "19_whitted_tank.png", false, whole);
+    image_free(&im), image_free(&all), image_free(&sheet), tank_free(k);
 }
 
 static inline void draw_depths(const options *o)
@@ -103,15 +107,16 @@ static inline void draw_depths(const options *o)
     image all = image_new(2 * w + 6, 2 * h + 6), im = image_new(w, h);
     for (size_t i = 0; i < 3 * (size_t)all.width * (size_t)all.height; i++) all.rgb[i] = 1;
     for (int i = 0; i < 4 && whole; i++) {
-        f->fast.w.depth = depth[i];
+        f->w.depth = depth[i];
         whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &im,
-                          .across = o->quick ? 1 : 2, .balls = true};
-        balls_view(&f->fast.b, &v.c, w, h);
+                          .across = o->quick ? 1 : 2};
         whole = whitted_draw(&v, o->threads);
         image_place(&all, i % 2 * (w + 6), i / 2 * (h + 6), &im);
     }
-    output_picture(o, &all, "19_whitted_depth.png", false, whole);
-    image_free(&im), image_free(&all), forty_free(f), free(f);
+    static const char *const title[] = {"depth 1", "depth 2: mirrors", "depth 3: glass", "depth 8"};
+    image sheet = label_panels(&all, 2, 2, 6, title);
+    output_picture(o, &sheet, "19_whitted_depth.png", false, whole);
+    image_free(&im), image_free(&all), image_free(&sheet), forty_free(f), free(f);
 }
 
 static inline void draw_ray_tree(const options *o, real x, real y)
@@ -124,7 +129,7 @@ static inline void draw_ray_tree(const options *o, real x, real y)
     failure f;
     file_writer out;
     s->w.depth = 6, s->w.least = 0.002;
-    ray_tree_trace(tree, &t, camera_ray(c, x, y, 640, 480), (media_set){0});
+    ray_tree_trace(tree, &s->w, &t, camera_ray(c, x, y, 640, 480), (media_set){0});
     if (o->full || o->own) {
         printf("# the tree of rays of pixel (%g, %g) of 640 x 480, depth 6\n", (double)x,
                (double)y);

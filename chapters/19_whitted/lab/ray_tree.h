@@ -1,7 +1,8 @@
 /* ray_tree.h: the tree of rays (光线树) of one eye ray: noted, printed, drawn.
  *
  *   ray_tree t;
- *   ray_tree_trace(&t, &tracer, r, in)      follows r; false if there were more than 4096 rays
+ *   ray_tree_trace(&t, &w, &tracer, r, in)  follows r; false if there were more than 4096 rays;
+ *                                           w is the tracer's
  *   ray_tree_print(&t, stdout)              one line a ray, indented by depth
  *   ray_tree_svg(&t, file)                  depth downwards; width of a line: weight
  *
@@ -23,7 +24,7 @@ typedef struct {
 } ray_tree_node;
 
 typedef struct {
-    whitted_log log;       /* first: what whitted_walk calls */
+    whitted_log log;       /* first: what is told of each ray */
     ray_tree_node node[ray_tree_most];
     int n;
     bool full;
@@ -45,10 +46,12 @@ static inline int ray_tree_add(whitted_log *log, ray_kind kind, int from, int de
     return x->n++;
 }
 
-static inline bool ray_tree_trace(ray_tree *x, tracer *t, ray r, media_set in)
+static inline bool ray_tree_trace(ray_tree *x, whitted *w, tracer *t, ray r, media_set in)
 {
     x->log.add = ray_tree_add, x->n = 0, x->full = false;
-    whitted_walk(t, r, in, no_shape, &whitted_by_trace, &x->log);
+    w->log = &x->log;
+    whitted_ray(t, r, in);
+    w->log = NULL;
     return !x->full;
 }
 

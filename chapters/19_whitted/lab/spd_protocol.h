@@ -139,7 +139,7 @@ static inline bool spd_count_scene(const world *w, int edge, int threads, float 
     scene s = world_scene(w);
     world_part part;
     spd_work k = {.w = w, .edge = edge, .rgb = rgb};
-    if (w->n) world_part_cut(&s, bvh_leaves(4, 1), MASK_ALL, &part);
+    if (w->n) world_part_of_scene(&s, MASK_ALL, &part);
     else world_part_of_mesh(&w->mesh, MASK_ALL, &part);
     k.world = (trace_world){&part, 1};
     k.row = allocate((size_t)edge + 1, sizeof *k.row);

@@ -4,28 +4,28 @@
  *   forty f;
  *   forty_fill(&f)                  always the same balls; three suns
  *   camera c = forty_camera(aspect)
- *   tracer t = forty_tracer(&f);    for whitted_ray, and, after balls_view, for balls_ray
+ *   tracer t = forty_tracer(&f);    for whitted_ray
  *   forty_free(&f)
  *
- * Glass casts no shadow here.
+ * Glass casts no shadow here. So there are two parts: all balls, which are seen, and those that
+ * shadow rays ask for, of which nothing but a hit is asked.
  */
 #ifndef WHITTED_SCENES_FORTY_H
 #define WHITTED_SCENES_FORTY_H
 
-#include "../balls/balls_search.h"
+#include "../../02_camera/camera.h"
+#include "../whitted.h"
 #include "looks.h"
 
 enum { forty_balls = 40 };
 
 typedef struct {
-    balls_scene fast;                     /* first: its `w` is what whitted_ray asks */
-    sphere ball[forty_balls];
-    shape shape[forty_balls];
-    scene scene;
-    world_part part;
+    whitted w;
+    shape shape[forty_balls], caster[forty_balls];
+    scene scene[2];
+    world_part part[2];
     trace_world world;
     whitted_material look[forty_balls], light_ground;
-    real shadow[forty_balls];
     medium media[forty_balls];
     light suns[3];
 } forty;
@@ -61,20 +61,19 @@ static inline void forty_ball_fill(forty *f, int k)
 {
     const int *b = forty_ball[k];
     vec3 c = {(real)b[0] / 1000, (real)b[1] / 1000, (real)b[2] / 1000};
-    f->ball[k] = (sphere){c, (real)b[3] / 1000};
-    f->shape[k] = shape_of_sphere(f->ball[k]);
+    f->shape[k] = shape_of_sphere((sphere){c, (real)b[3] / 1000});
     f->media[k] = (medium){k % 3 == 2 ? (real)1.5 : 1, {0, 0, 0}, 0};
     if (k % 3 == 1) f->look[k] = whitted_mirror(0.9);
     else if (k % 3 == 2) f->look[k] = whitted_clear((uint32_t)k, 1);
     else f->look[k] = whitted_paint(0.3 + 0.15 * (k * 7 % 5), 0.3 + 0.15 * (k * 3 % 5),
                                     0.3 + 0.1 * (k * 11 % 7));
-    f->shadow[k] = f->look[k].shadow;
+    if (f->look[k].shadow == 0) f->caster[f->scene[1].n++] = f->shape[k];
 }
 
 static inline void forty_fill(forty *f)
 {
     static const double sun[3][4] = {{5, -6, 9, 2}, {-6, -4, 5, 0.7}, {1, 8, 6, 0.4}};
-    *f = (forty){.scene = {f->shape, forty_balls}};
+    *f = (forty){.scene = {{f->shape, forty_balls}, {f->caster, 0}}};
     for (int k = 0; k < forty_balls; k++) forty_ball_fill(f, k);
     f->look[0] = whitted_paint(0.3, 0.3, 0.3), f->light_ground = whitted_paint(0.8, 0.8, 0.8);
     for (int k = 0; k < 3; k++) {
@@ -82,25 +81,23 @@ static inline void forty_fill(forty *f)
         f->suns[k] = (light){LIGHT_DIRECTIONAL, vunit(vec(s[0], s[1], s[2])),
                              {(real)s[3], (real)s[3], (real)s[3]}};
     }
-    world_part_cut(&f->scene, bvh_leaves(2, 1.5), MASK_ALL, &f->part);
-    f->world = (trace_world){&f->part, 1};
-    f->fast.w = (whitted){.lights = f->suns, .n = 3, .material_of = forty_material, .context = f,
-                          .media = f->media, .depth = 8, .least = (real)1 / 256, .apart = true,
-                          .background = {0.35, 0.55, 0.85},
-                          .ambient = {0.1, 0.1, 0.1}};
-    balls_build(f->ball, forty_balls, f->shadow, f->suns, 3, &f->fast.b);
-    f->fast.shadow = f->shadow;
+    world_part_of_scene(&f->scene[0], MASK_SEEN, &f->part[0]);
+    world_part_of_scene(&f->scene[1], MASK_SHADOW, &f->part[1]);
+    f->part[1].opaque = true;
+    f->world = (trace_world){f->part, 2};
+    f->w = (whitted){.lights = f->suns, .n = 3, .material_of = forty_material, .context = f,
+                     .media = f->media, .depth = 8, .least = (real)1 / 256, .apart = true,
+                     .background = {0.35, 0.55, 0.85}, .ambient = {0.1, 0.1, 0.1}};
 }
 
 static inline void forty_free(forty *f)
 {
-    world_part_free(&f->part);
-    balls_free(&f->fast.b);
+    world_part_free(&f->part[0]), world_part_free(&f->part[1]);
 }
 
 static inline tracer forty_tracer(const forty *f)
 {
-    return (tracer){.w = &f->world, .program = whitted_programs, .user = &f->fast};
+    return (tracer){.w = &f->world, .program = whitted_programs, .user = &f->w};
 }
 
 static inline camera forty_camera(real aspect)

@@ -75,7 +75,7 @@ static inline void classic_build(const effects_stage *e, classic *c)
     c->place = allocate(t->standing + 1, sizeof *c->place);
     size_t n = 0;
     if (s->shapes) {
-        world_part_cut(&c->all, bvh_leaves(2, 1.5), MASK_ALL, &c->part[n]);  /* as 19 */
+        world_part_of_scene(&c->all, MASK_ALL, &c->part[n]);
         c->place[n++] = no_shape;
     }
     for (size_t k = 0; k < t->standing; k++) {

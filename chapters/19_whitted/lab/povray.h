@@ -1,0 +1,76 @@
+/* povray.h: the forty balls in the language of POV-Ray 3.7, and the time that they take here:
+ * lab/povray.sh runs both in turn.
+ *
+ *   povray_race(path)     writes the scene; draws 480 x 360, one ray a pixel, by one thread, and
+ *                         prints the seconds of the processor
+ *
+ * The same rays, but for a few: depth 8, cut at 1/256, exact Fresnel, glass without shadow.
+ */
+#ifndef WHITTED_LAB_POVRAY_H
+#define WHITTED_LAB_POVRAY_H
+
+#include "../../../common/file.h"
+#include "../scenes/forty.h"
+#include <time.h>
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void povray_ball(FILE *f, const forty *w, int k)
+{
+    sphere s = w->shape[k].sphere;
+    vec3 kd = w->look[k].base.kd;
+    fprintf(f, "sphere{<%.9g,%.9g,%.9g>,%.9g ", (double)s.c.x, (double)s.c.y, (double)s.c.z,
+            (double)s.r);
+    if (k == 0) fprintf(f, "pigment{checker rgb .3 rgb .8} finish{diffuse 1 ambient .1}}\n");
+    else if (k % 3 == 1)
+        fprintf(f, "pigment{rgb 0} finish{diffuse 0 ambient 0 reflection{.9}}}\n");
+    else if (k % 3 == 2)
+        fprintf(f, "pigment{rgbt 1} finish{diffuse 0 ambient 0 reflection{0,1 fresnel on} "
+                   "conserve_energy} interior{ior 1.5} no_shadow}\n");
+    else
+        fprintf(f, "pigment{rgb<%.9g,%.9g,%.9g>} finish{diffuse 1 ambient .1}}\n", (double)kd.x,
+                (double)kd.y, (double)kd.z);
+}
+
+/* The field of view is ours from top to bottom, theirs from left to right. */
+static inline void povray_write(const forty *w, FILE *f)
+{
+    const double half = 15.5 * 3.14159265358979 / 180;
+    fprintf(f, "#version 3.7; "
+               "global_settings{assumed_gamma 1 max_trace_level 8 adc_bailout 1/256}\n"
+               "background{rgb<.35,.55,.85>}\n"
+               "camera{location<0,-11,4.5> up z right -4/3*x sky z angle %.9g look_at<0,.4,.9>}\n",
+            2 * atan(tan(half) * 4 / 3) * 180 / 3.14159265358979);
+    for (int k = 0; k < 3; k++) {
+        vec3 at = w->suns[k].at;
+        fprintf(f, "light_source{<%.9g,%.9g,%.9g>*1e6 rgb %.9g/pi parallel point_at 0}\n",
+                (double)at.x, (double)at.y, (double)at.z, (double)w->suns[k].colour.x);
+    }
+    for (int k = 0; k < forty_balls; k++) povray_ball(f, w, k);
+}
+
+static inline void povray_race(const char *path)
+{
+    enum { width = 480, height = 360 };
+    forty *w = allocate(1, sizeof *w);
+    file_writer out;
+    failure f;
+    forty_fill(w);
+    if (!file_begin(&out, path, &f)) fail(f);
+    povray_write(w, out.stream);
+    if (!file_commit(&out, &f)) fail(f);
+    camera c = forty_camera((real)width / height);
+    tracer t = forty_tracer(w);
+    vec3 sum = {0, 0, 0};
+    clock_t start = clock();
+    for (int k = 0; k < width * height; k++) {
+        real x = (real)(k % width) + (real)0.5, y = (real)(k / width) + (real)0.5;
+        sum = vadd(sum, whitted_ray(&t, camera_ray(c, x, y, width, height), (media_set){0}));
+    }
+    double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+    printf("forty balls: %zu shadow rays, mean red %.4f, %.4f CPU-seconds\n",
+           t.counts.rays[RAY_SHADOW], (double)sum.x / (width * height), seconds);
+    forty_free(w), free(w);
+}
+
+#endif

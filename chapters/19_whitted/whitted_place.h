@@ -1,0 +1,146 @@
+/* whitted_place.h: where a ray of the tree ends: on what, inside of which bodies, in what light.
+ *
+ *   tracer t = {.w = &world, .program = whitted_programs, .user = &w};    w: a `whitted`
+ *   whitted_find(&t, &b, &p)        the next face that matters. False: none, it ends in the sky
+ *   vec3 L = whitted_sky(&w, &b)    what is seen there, as L / n^2
+ *   vec3 L = whitted_shade(&t, &b, &p)     (18.8), where glass dims shadow rays, as L / n^2
+ *   real nn = whitted_square(&w, &in)      n^2 of what fills the place
+ *
+ * Light that goes into glass is squeezed into a smaller solid angle, and its radiance becomes
+ * n2^2 / n1^2 of what it was; on the way out it becomes less again. So L / n^2, the basic radiance
+ * (基本辐亮度), is what refraction leaves as it is, and what the tree of rays adds up: n^2 is asked for
+ * only where light begins, and at the eye.                                                (19.11)
+ *
+ * A face with the same medium on both sides is none: whitted_find goes on through it. All that it
+ * knows of glass that touches glass is in contact.h, all of nested bodies in media.h; p.left is
+ * what the media on the way did not absorb (19.9).
+ */
+#ifndef WHITTED_PLACE_H
+#define WHITTED_PLACE_H
+
+#include "absorb.h"
+#include "contact.h"
+
+/* One ray of the tree. */
+typedef struct {
+    ray r;              /* d is unit */
+    vec3 weight;        /* what its light is worth at the eye; */
+    vec3 share;         /* at the hit that it came from */
+    media_set in;       /* the bodies that it begins in; where it ends, as far as that tells */
+    int depth;
+    ray_kind kind;
+    int number;         /* of this ray, for the log; before that, of the one that it came from */
+} whitted_branch;
+
+typedef struct {
+    surface s;                  /* faces the ray */
+    const whitted_material *m;  /* perhaps `room` */
+    whitted_material room;
+    uint32_t inside, beyond;    /* bodies that fill the place before and behind */
+    media_set after;            /* of glass: what is refracted is in there */
+    real more;                  /* contact.h */
+    vec3 left;                  /* share that the way here let through */
+} whitted_place;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void whitted_remember(tracer *t, ray r, trace_hit x, void *payload)
+{
+    (void)t, (void)r;
+    *(trace_hit *)payload = x;
+}
+
+/* Glass dims the light, and does not bend it: a shadow ray has no other way to go. */
+static inline any_hit_answer whitted_dims(const tracer *t, ray r, trace_hit x, void *payload)
+{
+    const whitted *w = t->user;
+    whitted_material room;
+    surface s = surface_of_trace(t, r, x);
+    *(real *)payload *= w->material_of(w->context, x, &s, &room)->shadow;
+    return *(real *)payload > 0 ? ANY_HIT_IGNORE : ANY_HIT_END;
+}
+
+static const ray_program whitted_programs[ray_kinds] = {
+    [RAY_CAMERA] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_SHADOW] = {MASK_SHADOW, true, whitted_dims, NULL, NULL},
+    [RAY_REFLECTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_REFRACTION] = {MASK_SEEN, false, NULL, whitted_remember, NULL},
+    [RAY_SIGHT] = {MASK_SEEN, false, contact_any, NULL, NULL},
+};
+
+static inline real whitted_square(const whitted *w, const media_set *in)
+{
+    real n = w->media[media_fills(w->media, in)].ior;
+    return n * n;
+}
+
+/* Through an endless medium: what it does not absorb. */
+static inline vec3 whitted_sky(const whitted *w, const whitted_branch *b)
+{
+    vec3 sky = w->sky ? w->sky(w->context, b->r.d) : w->background;
+    vec3 left = absorbed(w->media[media_fills(w->media, &b->in)].absorb, real_infinity);
+    return vscale(vmul(left, sky), 1 / whitted_square(w, &b->in));
+}
+
+/* (18.8), as shade() of 18; v is unit. */
+static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitted_place *p)
+{
+    const whitted *w = t->user;
+    const material *m = &p->m->base;
+    const surface *s = &p->s;
+    vec3 colour = vmadd(m->ke, vmul(w->ambient, m->kd), 1);
+    for (int i = 0; i < w->n; i++) {
+        const light *L = &w->lights[i];
+        light_sample x;
+        bool counts = material_reflects(m) && light_reaches(L, s->p, s->n, s->ns, &x);
+        if (!counts && !w->spend_all) continue;
+        ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
+        real lit = 1;
+        if (trace(t, RAY_SHADOW, r, &lit)) lit = 0;
+        if (w->log)
+            w->log->add(w->log, RAY_SHADOW, b->number, b->depth, r, r.tmax, b->weight, lit);
+        if (counts && lit > 0)
+            colour = vmadd(colour, blinn_phong(m, s->ns, x.l, vneg(b->r.d), x.E), lit);
+    }
+    return vscale(colour, 1 / whitted_square(w, &b->in));
+}
+
+/* The face that x is on, and all that lie there with it. Which side of a body the ray comes from is
+ * asked of the geometric normal, before it is turned to the ray. */
+static inline void whitted_arrive(tracer *t, whitted_branch *b, trace_hit x, whitted_place *p)
+{
+    const whitted *w = t->user;
+    p->s = surface_of_trace(t, b->r, x);
+    p->m = w->material_of(w->context, x, &p->s, &p->room);
+    p->more = 0;
+    if (p->m->body) {
+        media_crossing c = {0};
+        media_crossing_add(&c, p->m->body, vdot(p->s.n, b->r.d) < 0 ? 1 : -1);
+        if (!w->apart) p->more = contact_find(t, b->r, x, &p->s, &p->m, &p->room, &c);
+        if (p->m->body) {
+            b->in = media_before(b->in, &c), p->after = media_after(b->in, &c);
+            p->beyond = media_fills(w->media, &p->after);
+        }
+    }
+    p->inside = media_fills(w->media, &b->in);
+    p->s = surface_facing(p->s, b->r.d);
+}
+
+static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)
+{
+    const whitted *w = t->user;
+    for (p->left = (vec3){1, 1, 1};;) {
+        trace_hit x;
+        bool met = trace(t, b->kind, b->r, &x);
+        if (w->log) b->number = w->log->add(w->log, b->kind, b->number, b->depth, b->r,
+                                            met ? x.h.t : real_infinity,
+                                            vmul(b->weight, p->left), 0);
+        if (!met) return false;
+        whitted_arrive(t, b, x, p);
+        p->left = vmul(p->left, absorbed(w->media[p->inside].absorb, x.h.t));           /* (19.9) */
+        if (!p->m->body || p->beyond != p->inside) return true;
+        b->r.o = leave_point(p->s, vneg(p->s.n), p->more), b->in = p->after;  /* no interface */
+    }
+}
+
+#endif
