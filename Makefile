@@ -7,6 +7,7 @@
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
+# make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
 #
@@ -48,7 +49,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak sanitize precision,$(MAKECMD
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak precision graph sanitize clean help FORCE
+.PHONY: all run full images test soak precision graph embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -129,6 +130,13 @@ precision:
 
 graph:
 	@sh tests/rules.sh graph
+
+# The only program with a library of others: never part of what the other targets build.
+embree: $(STAMP)
+	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \
+	  { echo "embree: embree3/rtcore.h is missing: install Embree 3 (Debian: libembree-dev)" >&2; exit 2; }
+	$(Q)$(CC) $(ALL_CFLAGS) -o $(BUILD)/embree chapters/15_wide_bvh/lab/embree.c -lembree3 $(LDLIBS)
+	$(Q)$(BUILD)/embree $(if $(MESH),--mesh $(MESH))
 
 sanitize:
 	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize test \
