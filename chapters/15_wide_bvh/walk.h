@@ -48,12 +48,12 @@ static inline unsigned bvh8_boxes(const bvh8_node *n, const bvh8_ray *q, float l
 {
     eight ix = EIGHT_ALL(q->inverse[0]), iy = EIGHT_ALL(q->inverse[1]);
     eight iz = EIGHT_ALL(q->inverse[2]);
-    eight x0 = EIGHT_FMA(n->side[q->near[0]], ix, EIGHT_ALL(q->near_o[0]));
-    eight y0 = EIGHT_FMA(n->side[q->near[1]], iy, EIGHT_ALL(q->near_o[1]));
-    eight z0 = EIGHT_FMA(n->side[q->near[2]], iz, EIGHT_ALL(q->near_o[2]));
-    eight x1 = EIGHT_FMA(n->side[q->far[0]], ix, EIGHT_ALL(q->far_o[0]));
-    eight y1 = EIGHT_FMA(n->side[q->far[1]], iy, EIGHT_ALL(q->far_o[1]));
-    eight z1 = EIGHT_FMA(n->side[q->far[2]], iz, EIGHT_ALL(q->far_o[2]));
+    eight x0 = EIGHT_FMA(bvh8_row(n, q->near[0]), ix, EIGHT_ALL(q->near_o[0]));
+    eight y0 = EIGHT_FMA(bvh8_row(n, q->near[1]), iy, EIGHT_ALL(q->near_o[1]));
+    eight z0 = EIGHT_FMA(bvh8_row(n, q->near[2]), iz, EIGHT_ALL(q->near_o[2]));
+    eight x1 = EIGHT_FMA(bvh8_row(n, q->far[0]), ix, EIGHT_ALL(q->far_o[0]));
+    eight y1 = EIGHT_FMA(bvh8_row(n, q->far[1]), iy, EIGHT_ALL(q->far_o[1]));
+    eight z1 = EIGHT_FMA(bvh8_row(n, q->far[2]), iz, EIGHT_ALL(q->far_o[2]));
     eight end = EIGHT_MIN(z1, EIGHT_ALL(limit)), begin = EIGHT_MAX(z0, EIGHT_ALL(q->tmin));
     eight side = EIGHT_MIN(x1, y1), front = EIGHT_MAX(x0, y0);
     *enter = EIGHT_MAX(front, begin);
@@ -124,13 +124,13 @@ __attribute__((always_inline))
 static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8_ray *q,
                                   bvh8_state *s, bool any, bool leaky)
 {
-    const eight *row = b->corner, zero = EIGHT_ALL(0);
+    const eight *A = b->corner, *B = A + 3, *C = A + 6, zero = EIGHT_ALL(0);
     eight sx = EIGHT_ALL(q->sx), sy = EIGHT_ALL(q->sy);
     eight ox = EIGHT_ALL(q->cx), oy = EIGHT_ALL(q->cy);
-    eight az = row[q->kz], bz = row[3 + q->kz], cz = row[6 + q->kz], bound = zero;
-    eight ax = EIGHT_FMA(az, sx, row[q->kx]) - ox, ay = EIGHT_FMA(az, sy, row[q->ky]) - oy;
-    eight bx = EIGHT_FMA(bz, sx, row[3 + q->kx]) - ox, by = EIGHT_FMA(bz, sy, row[3 + q->ky]) - oy;
-    eight cx = EIGHT_FMA(cz, sx, row[6 + q->kx]) - ox, cy = EIGHT_FMA(cz, sy, row[6 + q->ky]) - oy;
+    eight az = bvh8_row(A, q->kz), bz = bvh8_row(B, q->kz), cz = bvh8_row(C, q->kz), bound = zero;
+    eight ax = EIGHT_FMA(az, sx, bvh8_row(A, q->kx)) - ox, ay = EIGHT_FMA(az, sy, bvh8_row(A, q->ky)) - oy;
+    eight bx = EIGHT_FMA(bz, sx, bvh8_row(B, q->kx)) - ox, by = EIGHT_FMA(bz, sy, bvh8_row(B, q->ky)) - oy;
+    eight cx = EIGHT_FMA(cz, sx, bvh8_row(C, q->kx)) - ox, cy = EIGHT_FMA(cz, sy, bvh8_row(C, q->ky)) - oy;
     eight e0 = EIGHT_FMA(cx, by, -(cy * bx));                                     /* (4.10) */
     eight e1 = EIGHT_FMA(ax, cy, -(ay * cx));
     eight e2 = EIGHT_FMA(bx, ay, -(by * ax));
@@ -205,7 +205,7 @@ static inline bool bvh8_walk(const bvh8 *w, ray r, hit *out, bool any, bool leak
     if (w->nodes == 0 || !ray_is_usable(r)) return false;
     bvh8_state s = {.r = r, .best = hit_none, .first = INFINITY};
     bvh8_ray q;
-    bvh8_ray_of(w, r, leaky, &q);
+    bvh8_ray_of(w, &s.r, leaky, &q);
     s.limit = q.limit;
     for (uint32_t at = 0;;) {
         while (!(at & bvh8_leaf)) {
