@@ -140,10 +140,10 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
     if (leaky) left = EIGHT_LE(zero, lo) | EIGHT_LE(hi, zero);
     else {
         eight m = EIGHT_FAR(ax, bx), m1 = EIGHT_FAR(cx, ay), m2 = EIGHT_FAR(by, cy);
-        m = EIGHT_FAR(m, m1), m = EIGHT_FAR(m, m2);
+        m = EIGHT_MAX(m, m1), m = EIGHT_MAX(m, m2);
         bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));      /* (15.8) */
         bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
-        left = ~(EIGHT_LE(lo, -bound) & EIGHT_LE(bound, hi)) & 255;
+        left = EIGHT_LE(bound, EIGHT_MIN(-lo, hi)) ^ 255;
     }
     if (left == 0) return false;
     eight det = e0 + e1 + e2, scaled = EIGHT_ALL(1) / det, sz = EIGHT_ALL(q->sz);
@@ -158,7 +158,7 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
         eight steep = EIGHT_FAR(scaled * sz, zero);
         eight error = EIGHT_FMA(steep, bound * 4 * (deep - flat), EIGHT_ALL(q->tail)); /* (15.9) */
         eight over = bound * EIGHT_ALL(1.01f), many = bound * EIGHT_ALL(16);
-        sure = (EIGHT_LE(over, lo) | EIGHT_LE(hi, -over)) & EIGHT_LE(many, size);
+        sure = EIGHT_LE(over, EIGHT_MAX(lo, -hi)) & EIGHT_LE(many, size);
         span[0] = t - error, span[1] = t + error;
     }
     left &= ~sure | (EIGHT_LE(span[0], EIGHT_ALL(s->limit))
