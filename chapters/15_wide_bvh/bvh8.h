@@ -54,26 +54,26 @@
 
 static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)
 {
-    BVH8_CALL(bvh8_closest, w, r, out)
+    BVH8_CALL(bvh8_closest, w, &r, out)
 }
 
-static inline bool bvh8_occluded(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any, w, r) }
+static inline bool bvh8_occluded(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any, w, &r) }
 
 static inline bool bvh8_hit_leaky(const bvh8 *w, ray r, hit *out)
 {
-    BVH8_CALL(bvh8_closest_leaky, w, r, out)
+    BVH8_CALL(bvh8_closest_leaky, w, &r, out)
 }
 
-static inline bool bvh8_occluded_leaky(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any_leaky, w, r) }
+static inline bool bvh8_occluded_leaky(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any_leaky, w, &r) }
 
 static inline bool bvh8_hit_counted(const bvh8 *w, ray r, hit *out, search_work *work)
 {
-    BVH8_CALL(bvh8_counted, w, r, out, false, work)
+    BVH8_CALL(bvh8_counted, w, &r, out, false, work)
 }
 
 static inline bool bvh8_occluded_counted(const bvh8 *w, ray r, search_work *work)
 {
-    BVH8_CALL(bvh8_counted, w, r, NULL, true, work)
+    BVH8_CALL(bvh8_counted, w, &r, NULL, true, work)
 }
 
 static inline structure_stats bvh8_stats(const bvh8 *w)

@@ -127,9 +127,10 @@ static inline void bvh8_ray_of(const bvh8 *w, const ray *r, bool leaky, bvh8_ray
 static _Thread_local size_t bvh8_asked;
 
 /* Building has asked for the area, so the second half of 04's test needn't. */
-static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, ray r, hit *out)
+static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, const ray *r,
+                                hit *out)
 {
-    ray_shear s = shear_of(r);
+    ray_shear s = shear_of(*r);
     triangle t;
     bvh8_asked++;
     if (w->exact) {
@@ -140,7 +141,7 @@ static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, r
     } else t = mesh_triangle(w->x.m, block->index[k]);
     vec3 a = shear_corner(&t.a, &s), b = shear_corner(&t.b, &s), c = shear_corner(&t.c, &s);
     vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
-    if (signs_differ(e.x, e.y, e.z) || !shear_meets(a, b, c, e, &s, r, out)) return false;
+    if (signs_differ(e.x, e.y, e.z) || !shear_meets(a, b, c, e, &s, *r, out)) return false;
     out->shape = block->index[k];
     return true;
 }

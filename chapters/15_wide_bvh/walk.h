@@ -1,7 +1,7 @@
 /* walk.h: the search of the tree, in the dialect EIGHT_DIALECT. Included once in each, by search.h:
  * no guard, and every name gets the dialect's number.
  *
- *   bool bvh8_closest(w, r, &h), bvh8_any(w, r)             the answers of brute force
+ *   bool bvh8_closest(w, &r, &h), bvh8_any(w, &r)           the answers of brute force
  *   bool bvh8_closest_leaky(w, r, &h), bvh8_any_leaky(w, r) in float, come what may
  *   bool bvh8_counted(w, r, &h, any, &work)                 the answers, and what they took
  *
@@ -34,8 +34,8 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
-    ray r;
-    hit best;                   /* computed in `real`; r.tmax is its t */
+    ray *r;
+    hit best;                   /* computed in `real`; r->tmax is its t */
     const bvh8_block *waiting;  /* nearer than that, and not computed yet: triangle `lane` */
     int lane;
     float first, limit;         /* t of the closest hit, in the frame: not before, not behind */
@@ -64,7 +64,7 @@ static inline unsigned bvh8_boxes(const bvh8_node *n, const bvh8_ray *q, float l
 static inline void bvh8_ask(const bvh8 *w, const bvh8_block *b, int k, bvh8_state *s)
 {
     hit h;
-    if (bvh8_exactly(w, b, k, s->r, &h) && hit_before(h, s->best)) s->best = h, s->r.tmax = h.t;
+    if (bvh8_exactly(w, b, k, s->r, &h) && hit_before(h, s->best)) s->best = h, s->r->tmax = h.t;
 }
 
 /* Triangles of a block of which `safe` are surely hit between first and last, the others perhaps.
@@ -90,8 +90,8 @@ static bool bvh8_ask_all(const bvh8 *w, const bvh8_block *b, const bvh8_ray *q, 
         if (s->waiting) bvh8_ask(w, s->waiting, s->lane, s), s->waiting = NULL;
         bvh8_ask(w, b, k, s);
         if (s->best.shape == no_shape) continue;
-        s->limit = bvh8_limit(q, s->r.tmax);
-        s->first = bvh8_before(q, s->r.tmax);
+        s->limit = bvh8_limit(q, s->r->tmax);
+        s->first = bvh8_before(q, s->r->tmax);
     }
     return false;
 }
@@ -100,11 +100,11 @@ static bool bvh8_ask_all(const bvh8 *w, const bvh8_block *b, const bvh8_ray *q, 
 static inline bool bvh8_shapes(const bvh8 *w, const bvh8_list *l, const bvh8_ray *q, bvh8_state *s,
                                bool any)
 {
-    query ask = {s->r, shear_of(s->r), s->best};
+    query ask = {*s->r, shear_of(*s->r), s->best};
     for (int k = 0; k < 8 && l->index[k] != no_shape; k++)
         if (query_ask(&ask, &w->x, l->index[k], any) && any) return true;
-    s->r = ask.r, s->best = ask.best;
-    s->limit = bvh8_limit(q, s->r.tmax);
+    *s->r = ask.r, s->best = ask.best;
+    s->limit = bvh8_limit(q, s->r->tmax);
     return false;
 }
 
@@ -197,15 +197,15 @@ static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *ente
 }
 
 __attribute__((always_inline))
-static inline bool bvh8_walk(const bvh8 *w, ray r, hit *out, bool any, bool leaky,
+static inline bool bvh8_walk(const bvh8 *w, ray *r, hit *out, bool any, bool leaky,
                              search_work *work)
 {
     uint64_t stack[512];
     int top = 0;
-    if (w->nodes == 0 || !ray_is_usable(r)) return false;
+    if (w->nodes == 0 || !ray_is_usable(*r)) return false;
     bvh8_state s = {.r = r, .best = hit_none, .first = INFINITY};
     bvh8_ray q;
-    bvh8_ray_of(w, &s.r, leaky, &q);
+    bvh8_ray_of(w, r, leaky, &q);
     s.limit = q.limit;
     for (uint32_t at = 0;;) {
         while (!(at & bvh8_leaf)) {
@@ -243,29 +243,32 @@ end:
         *out = (hit){t, (real)s.u, (real)s.v, s.waiting->index[s.lane]};
         return true;
     }
-    if (!any && s.waiting) bvh8_ask(w, s.waiting, s.lane, &s);
-    if (any || s.best.shape == no_shape) return false;
+    if (any) return false;
+    if (s.waiting && s.best.shape == no_shape)
+        return bvh8_exactly(w, s.waiting, s.lane, r, out);
+    if (s.waiting) bvh8_ask(w, s.waiting, s.lane, &s);
+    if (s.best.shape == no_shape) return false;
     *out = s.best;
     return true;
 }
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static bool bvh8_closest(const bvh8 *w, ray r, hit *out)
+static bool bvh8_closest(const bvh8 *w, ray *r, hit *out)
 {
     return bvh8_walk(w, r, out, false, false, NULL);
 }
 
-static bool bvh8_any(const bvh8 *w, ray r) { return bvh8_walk(w, r, NULL, true, false, NULL); }
+static bool bvh8_any(const bvh8 *w, ray *r) { return bvh8_walk(w, r, NULL, true, false, NULL); }
 
-static bool bvh8_closest_leaky(const bvh8 *w, ray r, hit *out)
+static bool bvh8_closest_leaky(const bvh8 *w, ray *r, hit *out)
 {
     return bvh8_walk(w, r, out, false, true, NULL);
 }
 
-static bool bvh8_any_leaky(const bvh8 *w, ray r) { return bvh8_walk(w, r, NULL, true, true, NULL); }
+static bool bvh8_any_leaky(const bvh8 *w, ray *r) { return bvh8_walk(w, r, NULL, true, true, NULL); }
 
-static bool bvh8_counted(const bvh8 *w, ray r, hit *out, bool any, search_work *work)
+static bool bvh8_counted(const bvh8 *w, ray *r, hit *out, bool any, search_work *work)
 {
     return any ? bvh8_walk(w, r, NULL, true, false, work)
                : bvh8_walk(w, r, out, false, false, work);
