@@ -22,13 +22,13 @@ static const char *const dialect_name[eight_dialects] = {"plain C", "AVX2", "AVX
 static void test_structures(void)
 {
     for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++)
-        for (int cut = 1; cut <= 8; cut *= 2) {
+        for (int leaf = 1; leaf <= 8; leaf *= 2) {
             char name[40];
             structure s = {name, build_now, hit_now, occluded_now, destroy_now};
             options_now = bvh8_defaults;
-            options_now.dialect = (eight_dialect)d, options_now.cut = cut;
-            snprintf(name, sizeof name, "%s, cut to %d", dialect_name[d], cut);
-            structure_tests(&s, check_count(cut == 4 ? 1200 : 200));
+            options_now.dialect = (eight_dialect)d, options_now.leaf = leaf;
+            snprintf(name, sizeof name, "%s, leaves of %d", dialect_name[d], leaf);
+            structure_tests(&s, check_count(leaf == 8 ? 1200 : 200));
         }
 }
 

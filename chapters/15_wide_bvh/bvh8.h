@@ -18,7 +18,9 @@
  * that is handed out, and what was in doubt, is computed in `real`: ray8.h says how sure is sure.
  *
  *   how.leaf_cost     of a block, where a node costs 1          how.shape_cost   of one shape
- *   how.cut           the binary tree below: down to so many items [1..8]
+ *                     [0.001..1000] both
+ *   how.leaf          the binary tree below: down to so many items [1..8]
+ *   how.bins          where it may be cut [4..32]
  *   how.width         children a node [2..8]
  *   how.most_bytes    while it is built, about; more: false
  *   how.threads       0: one a core; the tree is the same for any number
@@ -36,7 +38,7 @@
 #ifndef WIDE_BVH8_H
 #define WIDE_BVH8_H
 
-#include "build.h"
+#include "collapse.h"
 #include "search.h"
 
 /* ---------------------------------------------------------------------------------------------- */

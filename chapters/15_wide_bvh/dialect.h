@@ -14,42 +14,6 @@
 #define EIGHT_FAR(a, b) eight_far((const eight[]){a, b})
 #define EIGHT_LE(a, b) eight_le((const eight[]){a, b})
 
-/* Loops of one operation: gcc and clang make one instruction of each, with -O2. (A pointer: handed
- * over by value, eight floats take other ways on other processors, and compilers say so.) */
-#define EIGHT_LOOP(name, result)                        \
-    __attribute__((always_inline))                      \
-    static inline eight name(const eight *x)            \
-    {                                                   \
-        eight out;                                      \
-        for (int k = 0; k < 8; k++) {                   \
-            float a = x[0][k], b = x[1][k];             \
-            out[k] = result;                            \
-        }                                               \
-        return out;                                     \
-    }
-EIGHT_LOOP(eight_min, a < b ? a : b)
-EIGHT_LOOP(eight_max, a > b ? a : b)
-#ifdef FP_FAST_FMAF
-EIGHT_LOOP(eight_fma, fmaf(a, b, x[2][k]))
-#endif
-EIGHT_LOOP(eight_far, fabsf(a) > fabsf(b) ? fabsf(a) : fabsf(b))
-
-/* A bit a lane, and then all ORed. */
-__attribute__((always_inline))
-static inline unsigned eight_le(const eight *x)
-{
-    eight_whole lane;
-    uint64_t m[4];
-    for (int k = 0; k < 8; k++) {
-        float a = x[0][k], b = x[1][k];
-        lane[k] = a <= b ? -1 : 0;
-    }
-    lane &= (eight_whole){1, 2, 4, 8, 16, 32, 64, 128};
-    memcpy(m, &lane, sizeof m);
-    m[0] |= m[1] | m[2] | m[3];
-    return (unsigned)(m[0] | m[0] >> 32);
-}
-
 #else
 
 #define EIGHT_ALL(x) _mm256_set1_ps(x)

@@ -32,7 +32,7 @@
 
 typedef struct {
     float near_o[3], far_o[3], inverse[3], tmin;  /* t of a plane: plane inverse + near_o */
-    size_t near[3], far[3];                       /* rows, in bytes: sides it enters and leaves by */
+    size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz;
     float around, tail;

@@ -1,7 +1,8 @@
 /* embree.c: the tree eight wide against Embree 3, where that is installed (Debian: libembree-dev).
  *
  *   make embree                   teapots of 102,080 and 999,000 triangles, a soup of a million
- *   make embree MESH=FILE.obj     that mesh, too        build/embree --quick: the small teapot alone
+ *   make embree MESH=FILE.obj     that mesh, too
+ *   build/embree --quick          the small teapot alone
  *
  * Both get the same corners and rays, all floats, one thread; both in one program and in turn,
  * medians. Embree in its default settings. Primary rays fill the frame, diffuse and shadow rays
