@@ -31,8 +31,7 @@ typedef struct {
 
 static inline uint64_t bvh8_key(const uint32_t *enter, const bvh8_node *n, int k)
 {
-    uint32_t t = enter[k] >> 31 ? 0 : enter[k];
-    return (uint64_t)t << 32 | n->child[k];
+    return (uint64_t)enter[k] << 32 | n->child[k];
 }
 
 /* At least two. Returns how many there are now. */
@@ -42,7 +41,8 @@ static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *ente
 {
     uint32_t bits[8];
     int base = top, k = __builtin_ctz(mask);
-    memcpy(bits, enter, sizeof bits);
+    eight from = eight_max((const eight[]){*enter, {0}});
+    memcpy(bits, &from, sizeof bits);
     uint64_t one = bvh8_key(bits, n, k);
     mask &= mask - 1, k = __builtin_ctz(mask);
     uint64_t two = bvh8_key(bits, n, k);
