@@ -17,17 +17,17 @@ enum { bvh8_most_steps = 65 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool bvh8_lists(const bvh8 *w, uint32_t leaf, uint32_t shape)
+static inline bool bvh8_lists(const bvh8 *w, uint32_t leaf, uint32_t wanted)
 {
     const uint32_t *index = w->block ? w->block[leaf].index : w->list[leaf].index;
     for (int k = 0; k < 8; k++)
-        if (index[k] == shape) return true;
+        if (index[k] == wanted) return true;
     return false;
 }
 
 /* Fills path[0 .. depth - 1] with the way from node `at` to the leaf that lists the shape; returns
  * its length, 0: there is none. */
-static inline int bvh8_path(const bvh8 *w, uint32_t shape, uint32_t at, int depth, bvh8_step *path)
+static inline int bvh8_path(const bvh8 *w, uint32_t wanted, uint32_t at, int depth, bvh8_step *path)
 {
     const bvh8_node *n = &w->node[at];
     for (int k = 0; k < 8 && depth < bvh8_most_steps; k++) {
@@ -35,8 +35,8 @@ static inline int bvh8_path(const bvh8 *w, uint32_t shape, uint32_t at, int dept
         if (n->side[0][k] > n->side[3][k]) continue;
         path[depth] = (bvh8_step){at, k};
         int length = child & bvh8_leaf
-            ? bvh8_lists(w, child & ~bvh8_leaf, shape) ? depth + 1 : 0
-            : bvh8_path(w, shape, child, depth + 1, path);
+            ? bvh8_lists(w, child & ~bvh8_leaf, wanted) ? depth + 1 : 0
+            : bvh8_path(w, wanted, child, depth + 1, path);
         if (length) return length;
     }
     return 0;
