@@ -67,7 +67,9 @@ static inline void draw_lanes(const options *o)
     items x = items_of_mesh(&m);
     bvh8 w;
     failure f;
-    if (!bvh8_build(&x, bvh8_defaults, &w, &f)) fail(f);
+    bvh8_options how = bvh8_defaults;
+    how.leaf = 4;  /* a deeper tree: smaller boxes */
+    if (!bvh8_build(&x, how, &w, &f)) fail(f);
     ray r = {{(real)-1.9, (real)-0.62, 0}, 0, {1, (real)0.4, 0}, 9};
     bvh8_ray q;
     bvh8_ray_of(&w, &r, false, &q);
