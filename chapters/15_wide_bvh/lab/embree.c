@@ -6,8 +6,7 @@
  *
  * Both get the same corners and rays, all floats, one thread; both in one program and in turn, and
  * a ratio is the median of those of neighbours in time. Embree in its default settings. Primary
- * rays fill the frame, diffuse and shadow rays begin where these hit. Nothing else in the tree needs
- * this program.
+ * rays fill the frame, diffuse and shadow rays begin where these hit. Nothing else needs this.
  */
 #include "../../../common/posix.h"
 #include <embree3/rtcore.h>
