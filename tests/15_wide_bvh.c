@@ -166,6 +166,22 @@ static void test_leaks(void)
     mesh_free(&m);
 }
 
+static void test_options(void)
+{
+    mesh m = octahedron_mesh(2);
+    items x = items_of_mesh(&m);
+    failure f;
+    bvh8 w;
+    for (int i = 0; i < 6; i++) {
+        bvh8_options how = bvh8_defaults;
+        int *member = i < 2 ? &how.leaf : i < 4 ? &how.width : &how.bins;
+        *member = i % 2 ? 33 : i == 2 ? 1 : 0;
+        check(!bvh8_build(&x, how, &w, &f), "option %d out of range: refused", i);
+        bvh8_free(&w);
+    }
+    mesh_free(&m);
+}
+
 static bool explains(const bvh8 *w, ray r, hit due, const char *words)
 {
     char text[2000] = "";
@@ -211,6 +227,7 @@ static void test_explanations(void)
 
 int main(void)
 {
+    test_options();
     test_explanations();
     test_structures();
     test_floats();

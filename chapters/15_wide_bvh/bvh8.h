@@ -26,7 +26,7 @@
  *   how.threads       0: one a core; the tree is the same for any number
  *   how.dialect       EIGHT_PLAIN .. EIGHT_AVX512, at most what the machine has
  *
- * The items must outlive the tree. Some 60 bytes a triangle. What cannot be hit (a corner that is
+ * The items must outlive the tree. Some 50 bytes a triangle. What cannot be hit (a corner that is
  * NaN or infinite, no area) is not in it; coordinates beyond items_most are refused. A search needs
  * 512 places of a stack: 7 a level, and no tree is deeper than 64.
  *

@@ -1,6 +1,7 @@
 /* collapse.h: the wide tree, from a binary one (合并, collapse).
  *
- *   bool bvh8_build(&x, bvh8_defaults, &w, &f)      false: coordinates too large; says why
+ *   bool bvh8_build(&x, bvh8_defaults, &w, &f)      false: f says why: coordinates too large, too
+ *                                                   many items, options out of range
  *
  *   1. Items: their boxes in the tree's frame. What can't be hit is left out.
  *   2. A binary tree: build.h.
@@ -225,6 +226,10 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
 {
     aabb all;
     *w = (bvh8){.x = *x, .scale = 1, .dialect = how.dialect};
+    if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > 8 || how.bins < 4
+        || how.bins > bvh8_most_bins)
+        return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..8, bins %d of 4..%d", how.leaf,
+                      how.width, how.bins, bvh8_most_bins);
     if (!items_all_bounds(x, &all, f)) return false;
     if (x->n >> 30) return failed(f, 2, "%zu items: fewer than 2^30 fit", x->n);
     if (aabb_is_empty(all)) return true;

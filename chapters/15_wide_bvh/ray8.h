@@ -1,8 +1,8 @@
 /* ray8.h: a ray in float, and what float owes: the bounds that make eight triangles at once safe.
  *
- *   bvh8_ray_of(&w, r, leaky, &q)         the ray in the frame of the tree; once a ray
+ *   bvh8_ray_of(&w, &r, leaky, &q)        the ray in the frame of the tree; once a ray
  *   bvh8_before(&q, t), bvh8_limit(&q, t) t in the frame, rather too small, rather too large
- *   bvh8_exactly(&w, block, k, r, &h)     triangle k of a block in `real`, by the test of 04
+ *   bvh8_exactly(&w, block, k, &r, &h)    triangle k of a block in `real`, by the test of 04
  *
  * u = 2^-24; S is the largest of 1 and the origin's coordinates, all in the frame. Corners are at
  * most 1 there, distances to them at most 2 S. eps is that of `real`.
