@@ -10,6 +10,7 @@
 # make graph      which chapter includes which
 # make notes      the ledger: what the lecture notes claim, and what the programs found
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
+# make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
 #
@@ -55,7 +56,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants notes sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -152,6 +153,13 @@ mutants:
 
 notes:
 	@sh tests/notes.sh table
+
+# The only program with a library of others: never part of what the other targets build.
+embree: $(STAMP)
+	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \
+	  { echo "embree: embree3/rtcore.h is missing: install Embree 3 (Debian: libembree-dev)" >&2; exit 2; }
+	$(Q)$(CC) $(ALL_CFLAGS) -o $(BUILD)/embree chapters/15_wide_bvh/lab/embree.c -lembree3 $(LDLIBS)
+	$(Q)$(BUILD)/embree $(if $(MESH),--mesh $(MESH))
 
 sanitize:
 	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize test \

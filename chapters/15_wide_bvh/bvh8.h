@@ -18,13 +18,15 @@
  * that is handed out, and what was in doubt, is computed in `real`: ray8.h says how sure is sure.
  *
  *   how.leaf_cost     of a block, where a node costs 1          how.shape_cost   of one shape
- *   how.cut           the binary tree below: down to so many items [1..8]
+ *                     [0.001..1000] both
+ *   how.leaf          the binary tree below: down to so many items [1..8]
+ *   how.bins          where it may be cut [4..32]
  *   how.width         children a node [2..8]
  *   how.most_bytes    while it is built, about; more: false
  *   how.threads       0: one a core; the tree is the same for any number
  *   how.dialect       EIGHT_PLAIN .. EIGHT_AVX512, at most what the machine has
  *
- * The items must outlive the tree. Some 60 bytes a triangle. What cannot be hit (a corner that is
+ * The items must outlive the tree. Some 50 bytes a triangle. What cannot be hit (a corner that is
  * NaN or infinite, no area) is not in it; coordinates beyond items_most are refused. A search needs
  * 512 places of a stack: 7 a level, and no tree is deeper than 64.
  *
@@ -36,7 +38,7 @@
 #ifndef WIDE_BVH8_H
 #define WIDE_BVH8_H
 
-#include "build.h"
+#include "collapse.h"
 #include "search.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -54,26 +56,26 @@
 
 static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)
 {
-    BVH8_CALL(bvh8_closest, w, r, out)
+    BVH8_CALL(bvh8_closest, w, &r, out)
 }
 
-static inline bool bvh8_occluded(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any, w, r) }
+static inline bool bvh8_occluded(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any, w, &r) }
 
 static inline bool bvh8_hit_leaky(const bvh8 *w, ray r, hit *out)
 {
-    BVH8_CALL(bvh8_closest_leaky, w, r, out)
+    BVH8_CALL(bvh8_closest_leaky, w, &r, out)
 }
 
-static inline bool bvh8_occluded_leaky(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any_leaky, w, r) }
+static inline bool bvh8_occluded_leaky(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any_leaky, w, &r) }
 
 static inline bool bvh8_hit_counted(const bvh8 *w, ray r, hit *out, search_work *work)
 {
-    BVH8_CALL(bvh8_counted, w, r, out, false, work)
+    BVH8_CALL(bvh8_counted, w, &r, out, false, work)
 }
 
 static inline bool bvh8_occluded_counted(const bvh8 *w, ray r, search_work *work)
 {
-    BVH8_CALL(bvh8_counted, w, r, NULL, true, work)
+    BVH8_CALL(bvh8_counted, w, &r, NULL, true, work)
 }
 
 static inline structure_stats bvh8_stats(const bvh8 *w)

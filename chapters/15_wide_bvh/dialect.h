@@ -4,24 +4,15 @@
 #if EIGHT_DIALECT == 0
 
 #define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
+#ifdef FP_FAST_FMAF
+#define EIGHT_FMA(a, b, c) eight_fma((const eight[]){a, b, c})
+#else
 #define EIGHT_FMA(a, b, c) ((a) * (b) + (c))
-#define EIGHT_MIN(a, b) eight_choice((a) < (b), a, b)
-#define EIGHT_MAX(a, b) eight_choice((a) > (b), a, b)
-#define EIGHT_ABS(a) eight_choice((a) > -(a), a, -(a))
-#define EIGHT_FAR(a, b) EIGHT_MAX(EIGHT_ABS(a), EIGHT_ABS(b))
-#define EIGHT_LE(a, b) eight_mask((eight_whole[]){(a) <= (b)})
-
-#define eight_choice(mask, a, b) \
-    ((eight)(((mask) & (eight_whole)(a)) | (~(mask) & (eight_whole)(b))))
-
-/* Lanes are 0 or -1: each gives its bit to the sum. (A pointer: handed over by value, eight floats
- * take other ways on other processors, and compilers say so.) */
-__attribute__((always_inline))
-static inline unsigned eight_mask(const eight_whole *lanes)
-{
-    eight_whole m = *lanes & (eight_whole){1, 2, 4, 8, 16, 32, 64, 128};
-    return (unsigned)(m[0] | m[1] | m[2] | m[3] | m[4] | m[5] | m[6] | m[7]);
-}
+#endif
+#define EIGHT_MIN(a, b) eight_min((const eight[]){a, b})
+#define EIGHT_MAX(a, b) eight_max((const eight[]){a, b})
+#define EIGHT_FAR(a, b) eight_far((const eight[]){a, b})
+#define EIGHT_LE(a, b) eight_le((const eight[]){a, b})
 
 #else
 

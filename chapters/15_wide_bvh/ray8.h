@@ -1,8 +1,8 @@
 /* ray8.h: a ray in float, and what float owes: the bounds that make eight triangles at once safe.
  *
- *   bvh8_ray_of(&w, r, leaky, &q)         the ray in the frame of the tree; once a ray
+ *   bvh8_ray_of(&w, &r, leaky, &q)        the ray in the frame of the tree; once a ray
  *   bvh8_before(&q, t), bvh8_limit(&q, t) t in the frame, rather too small, rather too large
- *   bvh8_exactly(&w, block, k, r, &h)     triangle k of a block in `real`, by the test of 04
+ *   bvh8_exactly(&w, block, k, &r, &h)    triangle k of a block in `real`, by the test of 04
  *
  * u = 2^-24; S is the largest of 1 and the origin's coordinates, all in the frame. Corners are at
  * most 1 there, distances to them at most 2 S. eps is that of `real`.
@@ -32,7 +32,7 @@
 
 typedef struct {
     float near_o[3], far_o[3], inverse[3], tmin;  /* t of a plane: plane inverse + near_o */
-    size_t near[3], far[3];                       /* rows of the sides it enters and leaves by */
+    size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz;
     float around, tail;
@@ -42,56 +42,82 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+#define bvh8_row(rows, offset) (*(const eight *)((const char *)(rows) + (offset)))
+
 /* In double: in float the scale of a small tree may overflow. */
 static inline float bvh8_before(const bvh8_ray *q, real t)
 {
-    double x = (double)t * q->scale - q->shift;
-    double more = real_is_float && fabs(x) < HUGE_VAL ? fabs(x) * 0x1p-23 : 0;
-    return float_below((real)(x - q->slack - more));
+    double x = (double)t * q->scale - q->shift - q->slack;
+    float f = (float)(x < 1e38 ? x : 1e38);
+    return f - fabsf(f) * 0x1p-22f;  /* rounded once, twice in float, and this product */
 }
 
 static inline float bvh8_limit(const bvh8_ray *q, real t) { return -bvh8_before(q, -t); }
 
-/* d gets a length near 1 if it is beyond 2^+-20; t changes by that factor, and by the tree's. A far
- * origin moves along the ray to where it is nearest to 0: then S is small again, and what float can
- * tell apart with it. That place is off by 3 eps of the way, as is t. */
-__attribute__((always_inline))
-static inline void bvh8_ray_of(const bvh8 *w, ray r, bool leaky, bvh8_ray *q)
+/* As vlongest, without a branch: which axis it is is a toss. */
+static inline unsigned bvh8_longest(vec3 d)
 {
-    int kz = vlongest(r.d), kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
-    real s = box_ray_scale(fabs(vaxis(r.d, kz)));
-    float o[3], d[3], size = 1, most = 0x1p60f;
-    vec3 origin = bvh8_into(w, r.o);
-    real way = real_max(fabs(vaxis(origin, vlongest(origin))), 1);
-    q->scale = (double)w->scale, q->shift = 0;
-    if (s != 1) r.d = vscale(r.d, 1 / s), q->scale *= (double)s;
+    real x = fabs(d.x), y = fabs(d.y), z = fabs(d.z), most = x >= y ? x : y;
+    unsigned second = !(x >= y), third = !(most >= z);
+    return 2 * third | (second & ~third);
+}
+
+__attribute__((always_inline))
+static inline void bvh8_axis(bvh8_ray *q, unsigned k, float o, float d, float delta)
+{
+    uint32_t down;
+    float i = 1 / d;
+    i = i < 0x1p60f ? i : 0x1p60f, i = i > -0x1p60f ? i : -0x1p60f;
+    memcpy(&down, &i, sizeof down);
+    down = (down >> 31) * 3;
+    q->inverse[k] = i;
+    q->near[k] = (k + down) * sizeof(eight), q->far[k] = (k + 3 - down) * sizeof(eight);
+    delta = copysignf(delta, i);
+    q->near_o[k] = (o + delta) * -i;
+    q->far_o[k] = (o - delta) * -i;
+}
+
+/* What few rays need. d gets a length near 1 if it is beyond 2^+-20; t changes by that factor, and
+ * by the tree's. A far origin moves along the ray to where it is nearest to 0: then S is small
+ * again, and what float can tell apart with it. That place is off by 3 eps of the way, as is t. */
+__attribute__((noinline, cold))
+static void bvh8_ray_moved(bvh8_ray *q, vec3 *o, vec3 *d, real way)
+{
+    real s = box_ray_scale(fabs(vaxis(*d, vlongest(*d))));
+    *d = vscale(*d, 1 / s), q->scale *= (double)s;
     if (way > 8) {
-        real t = -vdot(origin, r.d) / vdot(r.d, r.d);
-        if (fabs(t) <= real_largest) origin = vmadd(origin, r.d, t), q->shift = (double)t;
+        real t = -vdot(*o, *d) / vdot(*d, *d);
+        if (fabs(t) <= real_largest) *o = vmadd(*o, *d, t), q->shift = (double)t;
     }
+}
+
+__attribute__((always_inline))
+static inline void bvh8_ray_of(const bvh8 *w, const ray *r, bool leaky, bvh8_ray *q)
+{
+    unsigned kz = bvh8_longest(r->d), kx = (0x09 >> 2 * kz) & 3, ky = (0x12 >> 2 * kz) & 3;
+    vec3 origin = bvh8_into(w, r->o), d = r->d;
+    real way = real_max(real_max(real_max(fabs(origin.x), fabs(origin.y)), fabs(origin.z)), 1);
+    real longest = real_max(real_max(fabs(d.x), fabs(d.y)), fabs(d.z));
+    q->scale = (double)w->scale, q->shift = 0;
+    if (way > 8 || longest < (real)0x1p-20 || longest > (real)0x1p20)
+        bvh8_ray_moved(q, &origin, &d, way);
+    float o[3] = {(float)origin.x, (float)origin.y, (float)origin.z};
+    float along[3] = {(float)d.x, (float)d.y, (float)d.z};
     float owed = (float)(way * real_epsilon);
-    for (int k = 0; k < 3; k++) {
-        o[k] = (float)vaxis(origin, k), d[k] = (float)vaxis(r.d, k);
-        size = float_max(fabsf(o[k]), size);
-    }
+    float size = float_max(float_max(fabsf(o[0]), fabsf(o[1])), float_max(fabsf(o[2]), 1));
     float delta = leaky ? 0 : size * 0x1p-20f + 512 * owed;                          /* (15.6) */
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);
-    q->tmin = bvh8_before(q, r.tmin);
-    q->limit = bvh8_limit(q, r.tmax);
-    q->sure_min = bvh8_limit(q, r.tmin);
-    q->sure_max = bvh8_before(q, r.tmax);
-    for (int k = 0; k < 3; k++) {
-        float i = float_max(float_min(1 / d[k], most), -most), shift = copysignf(delta, i);
-        size_t down = i < 0 ? 3 : 0;
-        q->inverse[k] = i;
-        q->near[k] = (size_t)k + down, q->far[k] = (size_t)k + 3 - down;
-        q->near_o[k] = (o[k] + shift) * -i;
-        q->far_o[k] = (o[k] - shift) * -i;
-    }
-    q->kx = (size_t)kx, q->ky = (size_t)ky, q->kz = (size_t)kz;
+    q->tmin = bvh8_before(q, r->tmin);
+    q->limit = bvh8_limit(q, r->tmax);
+    q->sure_min = bvh8_limit(q, r->tmin);
+    q->sure_max = bvh8_before(q, r->tmax);
+    bvh8_axis(q, 0, o[0], along[0], delta);
+    bvh8_axis(q, 1, o[1], along[1], delta);
+    bvh8_axis(q, 2, o[2], along[2], delta);
+    q->kx = kx * sizeof(eight), q->ky = ky * sizeof(eight), q->kz = kz * sizeof(eight);
     q->oz = o[kz], q->sz = q->inverse[kz];
-    q->sx = -d[kx] * q->sz, q->sy = -d[ky] * q->sz;
+    q->sx = -along[kx] * q->sz, q->sy = -along[ky] * q->sz;
     q->cx = o[kx] + q->sx * q->oz, q->cy = o[ky] + q->sy * q->oz;
     q->around = size * 0x1.8p-20f + 16 * owed;                                       /* (15.7) */
     q->tail = (size * 0x1p-19f + 300 * owed) * fabsf(q->sz);
@@ -101,9 +127,10 @@ static inline void bvh8_ray_of(const bvh8 *w, ray r, bool leaky, bvh8_ray *q)
 static _Thread_local size_t bvh8_asked;
 
 /* Building has asked for the area, so the second half of 04's test needn't. */
-static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, ray r, hit *out)
+static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, const ray *r,
+                                hit *out)
 {
-    ray_shear s = shear_of(r);
+    ray_shear s = shear_of(*r);
     triangle t;
     bvh8_asked++;
     if (w->exact) {
@@ -114,7 +141,7 @@ static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, r
     } else t = mesh_triangle(w->x.m, block->index[k]);
     vec3 a = shear_corner(&t.a, &s), b = shear_corner(&t.b, &s), c = shear_corner(&t.c, &s);
     vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
-    if (signs_differ(e.x, e.y, e.z) || !shear_meets(a, b, c, e, &s, r, out)) return false;
+    if (signs_differ(e.x, e.y, e.z) || !shear_meets(a, b, c, e, &s, *r, out)) return false;
     out->shape = block->index[k];
     return true;
 }

@@ -5,7 +5,7 @@
 #ifndef WIDE_SEARCH_H
 #define WIDE_SEARCH_H
 
-#include "ray8.h"
+#include "state8.h"
 
 #define EIGHT_PASTE(name, number) name##_##number
 #define EIGHT_NAME(name, number) EIGHT_PASTE(name, number)
@@ -20,8 +20,6 @@
 #define EIGHT_TARGET_1(names) _Pragma("GCC push_options") EIGHT_TARGET_2(GCC target(names))
 #define EIGHT_TARGET_END _Pragma("GCC pop_options")
 #endif
-/* Both warn that other compilers would hand over eight floats otherwise; nobody else is called. */
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 #define EIGHT_DIALECT 0
 #include "walk.h"

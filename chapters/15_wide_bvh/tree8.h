@@ -26,13 +26,13 @@ typedef struct { eight corner[9]; uint32_t index[8]; } __attribute__((aligned(64
 typedef struct { uint32_t index[8]; } bvh8_list;
 
 typedef struct {
-    float leaf_cost, shape_cost;
-    int cut, width, threads;
+    double leaf_cost, shape_cost;
+    int leaf, bins, width, threads;
     eight_dialect dialect;
     size_t most_bytes;
 } bvh8_options;
 
-#define bvh8_defaults ((bvh8_options){(float)0.7, 1, 4, 8, 0, eight_best(), SIZE_MAX})
+#define bvh8_defaults ((bvh8_options){0.7, 1, 8, 16, 8, 0, eight_best(), SIZE_MAX})
 
 typedef struct {
     items x;

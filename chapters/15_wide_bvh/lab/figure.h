@@ -67,16 +67,18 @@ static inline void draw_lanes(const options *o)
     items x = items_of_mesh(&m);
     bvh8 w;
     failure f;
-    if (!bvh8_build(&x, bvh8_defaults, &w, &f)) fail(f);
+    bvh8_options how = bvh8_defaults;
+    how.leaf = 4;  /* a deeper tree: smaller boxes */
+    if (!bvh8_build(&x, how, &w, &f)) fail(f);
     ray r = {{(real)-1.9, (real)-0.62, 0}, 0, {1, (real)0.4, 0}, 9};
     bvh8_ray q;
-    bvh8_ray_of(&w, r, false, &q);
+    bvh8_ray_of(&w, &r, false, &q);
     const bvh8_node *n = &w.node[0];
     eight enter, exit;
     for (int k = 0; k < 8; k++) {
         float limit = INFINITY, end = limit;
         for (int a = 0; a < 3; a++)
-            end = float_min(n->side[q.far[a]][k] * q.inverse[a] + q.far_o[a], end);
+            end = float_min(bvh8_row(n, q.far[a])[k] * q.inverse[a] + q.far_o[a], end);
         exit[k] = end;
     }
     unsigned met = bvh8_boxes_0(n, &q, INFINITY, &enter);

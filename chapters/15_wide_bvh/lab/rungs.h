@@ -18,8 +18,8 @@ static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float 
 {
     float begin = q->tmin, end = limit;
     for (int a = 0; a < 3; a++) {
-        float t0 = ((const float *)&n->side[q->near[a]])[k] * q->inverse[a] + q->near_o[a];
-        float t1 = ((const float *)&n->side[q->far[a]])[k] * q->inverse[a] + q->far_o[a];
+        float t0 = bvh8_row(n, q->near[a])[k] * q->inverse[a] + q->near_o[a];
+        float t1 = bvh8_row(n, q->far[a])[k] * q->inverse[a] + q->far_o[a];
         begin = float_max(t0, begin), end = float_min(t1, end);
     }
     *enter = begin;
@@ -61,7 +61,7 @@ static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool 
     if (w->nodes == 0 || !ray_is_usable(r)) return false;
     query ask = query_of(r);
     bvh8_ray q;
-    bvh8_ray_of(w, r, false, &q);
+    bvh8_ray_of(w, &r, false, &q);
     float limit = q.limit, enter[8];
     stack[0] = (rung_waiting){0, -INFINITY};
     while (top > 0) {

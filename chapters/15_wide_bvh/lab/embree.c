@@ -1,0 +1,228 @@
+/* embree.c: the tree eight wide against Embree 3, where that is installed (Debian: libembree-dev).
+ *
+ *   make embree                   teapots of 102,080 and 999,000 triangles, a soup of a million
+ *   make embree MESH=FILE.obj     that mesh, too
+ *   build/embree --quick          the small teapot alone
+ *
+ * Both get the same corners and rays, all floats, one thread; both in one program and in turn, and
+ * a ratio is the median of those of neighbours in time. Embree in its default settings. Primary
+ * rays fill the frame, diffuse and shadow rays begin where these hit. Nothing else needs this.
+ */
+#include "../../../common/posix.h"
+#include <embree3/rtcore.h>
+#include "../../07_mesh/files/obj.h"
+#include "../../07_mesh/scenes/soup.h"
+#include "../../07_mesh/scenes/teapot.h"
+#include "../../../common/lab/bench.h"
+#include "../../../common/lab/report.h"
+#include "../bvh8.h"
+
+enum { rays_a_kind = 50000, kinds = 3, rivals = 6, most_rounds = 21 };
+typedef bool search(const bvh8 *w, ray r, hit *out);
+typedef struct { RTCScene rtc; bvh8 *w; search *ask; const ray *r; bool any; size_t hits; } pass;
+typedef struct { float t; uint32_t shape; } answer;
+static answer answers[rays_a_kind];  /* both write them down */
+
+static bool shadow(const bvh8 *w, ray r, hit *out) { return *out = hit_none, bvh8_occluded(w, r); }
+static bool shadow_leaky(const bvh8 *w, ray r, hit *out)
+{
+    return *out = hit_none, bvh8_occluded_leaky(w, r);
+}
+
+static double run_ours(void *context)
+{
+    pass *p = context;
+    p->hits = 0;
+    for (size_t i = 0; i < rays_a_kind; i++) {
+        hit h = hit_none;
+        p->hits += p->ask(p->w, p->r[i], &h);
+        answers[i] = (answer){(float)h.t, h.shape};
+    }
+    return (double)p->hits;
+}
+
+static double run_embree(void *context)
+{
+    pass *p = context;
+    struct RTCIntersectContext c;
+    rtcInitIntersectContext(&c);
+    p->hits = 0;
+    for (size_t i = 0; i < rays_a_kind; i++) {
+        const ray r = p->r[i];
+        struct RTCRayHit q = {
+            .ray = {(float)r.o.x, (float)r.o.y, (float)r.o.z, (float)r.tmin, (float)r.d.x,
+                    (float)r.d.y, (float)r.d.z, 0, (float)r.tmax, ~0u, 0, 0},
+            .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .primID = ~0u}};
+        if (p->any) rtcOccluded1(p->rtc, &c, &q.ray);
+        else rtcIntersect1(p->rtc, &c, &q);
+        answers[i] = (answer){q.ray.tfar, q.hit.primID};
+        p->hits += p->any ? q.ray.tfar < 0 : q.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    }
+    return (double)p->hits;
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static bool count_bytes(void *sum, ssize_t bytes, bool after)
+{
+    (void)after;
+    *(ssize_t *)sum += bytes;
+    return true;
+}
+
+/* *bytes: of the tree, without the arrays of the mesh. */
+static RTCScene embree_build(RTCDevice device, const mesh *m, ssize_t *bytes, double *seconds)
+{
+    RTCScene rtc = rtcNewScene(device);
+    RTCGeometry g = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    float *v = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12,
+                                       m->vertices);
+    uint32_t *index = rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12,
+                                              m->triangles);
+    for (size_t i = 0; i < 3 * m->vertices; i++)
+        v[i] = (float)vaxis(m->v[i / 3], (int)(i % 3));
+    memcpy(index, m->index, 12 * m->triangles);
+    ssize_t before = *bytes;
+    double start = clock_seconds();
+    rtcCommitGeometry(g), rtcAttachGeometry(rtc, g), rtcCommitScene(rtc);
+    *seconds = clock_seconds() - start;
+    *bytes -= before;
+    rtcReleaseGeometry(g);
+    return rtc;
+}
+
+static vec3 floats(vec3 p) { return (vec3){(real)(float)p.x, (real)(float)p.y, (real)(float)p.z}; }
+
+/* Of all kinds, primary first; the others from where the primary ones hit. */
+static void make_rays(const mesh *m, const bvh8 *w, ray r[kinds][rays_a_kind])
+{
+    vec3 lo, hi;
+    mesh_bounds(m, &lo, &hi);
+    vec3 centre = vscale(vadd(lo, hi), (real)0.5), aim = vunit(vec(0.5, 0.35, 1));
+    real radius = vlength(vsub(hi, lo)) / 2;
+    vec3 eye = floats(vmadd(centre, aim, radius * (real)2.2));
+    vec3 u = vunit(vcross(vec(0, 1, 0), aim)), v = vcross(aim, u);
+    size_t side = (size_t)ceil(sqrt(rays_a_kind)), n = 0;
+    for (size_t i = 0; i < rays_a_kind || n < rays_a_kind; i++) {
+        random_stream g = random_start(15, i, 0);
+        real x = ((real)(2 * (i % side) + 1) / (real)side - 1) * (real)0.27;
+        real y = (1 - (real)(2 * (i / side % side) + 1) / (real)side) * (real)0.27;
+        ray p = ray_from(eye, floats(vunit(vsub(vadd(vscale(u, x), vscale(v, y)), aim))));
+        hit h;
+        if (i < rays_a_kind) r[0][i] = p;
+        if (n >= rays_a_kind || !bvh8_hit(w, p, &h)) continue;
+        vec3 normal = triangle_normal(mesh_triangle(m, h.shape));
+        vec3 ball = vunit(random_in_cube(&g, 1));
+        if (vdot(normal, p.d) > 0) normal = vneg(normal);
+        vec3 from = floats(vmadd(ray_at(p, h.t), normal, radius * (real)1e-4));
+        r[1][n] = ray_from(from, floats(vunit(vmadd(normal, ball, (real)0.9999))));
+        r[2][n] = ray_from(from, floats(vsub(vmadd(centre, ball, 3 * radius), from)));
+        r[2][n++].tmax = 1;
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static const char *const rival_name[rivals] = {"Embree", "AVX-512", "AVX2", "plain C",
+                                               "leaky AVX-512", "leaky AVX2"};
+static double product[kinds][rivals];  /* of logarithms */
+
+static void compare(const char *name, const mesh *m, bvh8 *w, RTCScene rtc, int rounds,
+                    table *t)
+{
+    static ray rays[kinds][rays_a_kind];
+    static const char *const kind[kinds] = {"primary", "diffuse", "shadow"};
+    static const eight_dialect dialect[rivals] = {EIGHT_PLAIN, EIGHT_AVX512, EIGHT_AVX2,
+                                                  EIGHT_PLAIN, EIGHT_AVX512, EIGHT_AVX2};
+    bvh8 as[rivals];
+    make_rays(m, w, rays);
+    for (int k = 0; k < kinds; k++) {
+        pass p[rivals];
+        bench_candidate c[rivals];
+        for (int i = 0; i < rivals; i++) {
+            as[i] = *w;
+            as[i].dialect = dialect[i] < w->dialect ? dialect[i] : w->dialect;
+            search *ask = i > 3 ? k == 2 ? shadow_leaky : bvh8_hit_leaky
+                                : k == 2 ? shadow : bvh8_hit;
+            p[i] = (pass){rtc, &as[i], ask, rays[k], k == 2, 0};
+            c[i] = (bench_candidate){rival_name[i], i ? run_ours : run_embree, &p[i], 0, 0};
+        }
+        double ratio[rivals][most_rounds], seconds = 0;
+        for (int round = -1; round < rounds; round++)
+            for (int i = 0; i < rivals; i++) {
+                double now = bench_once(&c[i]);
+                if (i == 0) seconds = now;
+                if (round >= 0) ratio[i][round] = i ? seconds / now : now;
+            }
+        table_text(t, "%s", name), table_text(t, "%s", kind[k]);
+        table_count(t, p[0].hits), table_count(t, p[1].hits);
+        table_number(t, clock_median(ratio[0], rounds) / rays_a_kind * 1e9);
+        for (int i = 1; i < rivals; i++) {
+            double median = clock_median(ratio[i], rounds);
+            table_text(t, "%.2f", median);
+            product[k][i] += log(median);
+        }
+    }
+}
+
+static void build_both(const char *name, mesh *m, int rounds, table *searches, table *builds)
+{
+    ssize_t bytes = 0;
+    double ours[9], theirs[9], start;
+    bvh8 w = {.nodes = 0};
+    RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
+    RTCScene rtc = NULL;
+    failure f;
+    bvh8_options how = bvh8_defaults;
+    how.threads = 1;
+    for (size_t i = 0; i < m->vertices; i++) m->v[i] = floats(m->v[i]);
+    items x = items_of_mesh(m);
+    rtcSetDeviceMemoryMonitorFunction(device, count_bytes, &bytes);
+    for (int k = 0; k < (rounds < 5 ? rounds : 5); k++) {
+        if (rtc) rtcReleaseScene(rtc);
+        rtc = embree_build(device, m, &bytes, &theirs[k]);
+        bvh8_free(&w);
+        start = clock_seconds();
+        if (!bvh8_build(&x, how, &w, &f)) fail(f);
+        ours[k] = clock_seconds() - start;
+    }
+    double mine = clock_median(ours, rounds < 5 ? rounds : 5);
+    double its = clock_median(theirs, rounds < 5 ? rounds : 5);
+    table_text(builds, "%s", name), table_count(builds, m->triangles);
+    table_number(builds, (double)w.bytes / (double)m->triangles);
+    table_number(builds, (double)bytes / (double)m->triangles);
+    table_number(builds, mine * 1e3), table_number(builds, its * 1e3);
+    table_text(builds, "%.2f", mine / its);
+    compare(name, m, &w, rtc, rounds, searches);
+    rtcReleaseScene(rtc), rtcReleaseDevice(device), bvh8_free(&w), mesh_free(m);
+}
+
+int main(int argc, char **argv)
+{
+    const char *path = NULL;
+    const option list[] = {{"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: this mesh, too"}, {0}};
+    options o = options_read(argc, argv, "embree", "The tree eight wide against Embree.",
+                             (options){.seed = 1}, list);
+    failure f;
+    mesh m;
+    int rounds = o.quick ? 5 : most_rounds, meshes = 0;
+    table searches = table_new("How many times as fast as Embree", "mesh|rays|hits Embree|hits|"
+        "time Embree [ns]|AVX-512|AVX2|plain C|leaky AVX-512|leaky AVX2");
+    table builds = table_new("Building, one thread", "mesh|triangles|bytes|bytes Embree|"
+        "time [ms]|time Embree [ms]|time ratio");
+    table means = table_new("Geometric means",
+                            "rays|AVX-512|AVX2|plain C|leaky AVX-512|leaky AVX2");
+    if (path && !obj_read(path, &m, &f)) fail(f);
+    if (path) build_both(strrchr(path, '/') ? strrchr(path, '/') + 1 : path, &m, rounds, &searches,
+                         &builds), meshes++;
+    for (int k = 0; k < (o.quick ? 1 : 3); k++, meshes++) {
+        m = k == 2 ? soup_mesh(1000000, 1, (real)0.01, 1) : teapot_mesh(k ? 125 : 40);
+        build_both(k == 2 ? "soup" : "teapot", &m, rounds, &searches, &builds);
+    }
+    for (int k = 0; k < kinds; k++) {
+        table_text(&means, "%s", k == 0 ? "primary" : k == 1 ? "diffuse" : "shadow");
+        for (int i = 1; i < rivals; i++) table_text(&means, "%.2f", exp(product[k][i] / meshes));
+    }
+    output_table(&o, &searches), output_table(&o, &builds), output_table(&o, &means);
+    return 0;
+}
