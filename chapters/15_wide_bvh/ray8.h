@@ -58,11 +58,12 @@ static inline float bvh8_limit(const bvh8_ray *q, real t) { return -bvh8_before(
 __attribute__((always_inline))
 static inline void bvh8_ray_of(const bvh8 *w, ray r, bool leaky, bvh8_ray *q)
 {
-    int kz = vlongest(r.d), kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
+    static const int8_t next[5] = {0, 1, 2, 0, 1};  /* which axis is longest is chance: no branch */
+    int kz = vlongest(r.d), kx = next[kz + 1], ky = next[kz + 2];
     real s = box_ray_scale(fabs(vaxis(r.d, kz)));
-    float o[3], d[3], size = 1, most = 0x1p60f;
+    float most = 0x1p60f;
     vec3 origin = bvh8_into(w, r.o);
-    real way = real_max(fabs(vaxis(origin, vlongest(origin))), 1);
+    real way = real_max(real_max(fabs(origin.x), fabs(origin.y)), real_max(fabs(origin.z), 1));
     q->scale = (double)w->scale, q->shift = 0;
     if (s != 1) r.d = vscale(r.d, 1 / s), q->scale *= (double)s;
     if (way > 8) {
@@ -70,10 +71,9 @@ static inline void bvh8_ray_of(const bvh8 *w, ray r, bool leaky, bvh8_ray *q)
         if (fabs(t) <= real_largest) origin = vmadd(origin, r.d, t), q->shift = (double)t;
     }
     float owed = (float)(way * real_epsilon);
-    for (int k = 0; k < 3; k++) {
-        o[k] = (float)vaxis(origin, k), d[k] = (float)vaxis(r.d, k);
-        size = float_max(fabsf(o[k]), size);
-    }
+    const float o[3] = {(float)origin.x, (float)origin.y, (float)origin.z};
+    const float d[3] = {(float)r.d.x, (float)r.d.y, (float)r.d.z};
+    float size = float_max(float_max(fabsf(o[0]), 1), float_max(fabsf(o[1]), fabsf(o[2])));
     float delta = leaky ? 0 : size * 0x1p-20f + 512 * owed;                          /* (15.6) */
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);

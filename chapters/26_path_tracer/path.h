@@ -237,9 +237,7 @@ __attribute__((always_inline))
 static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
     lit_hit x;
-    bool met = t->plain ? lit_trace_flat(t->scene, w->r, w->from.shape, &x)
-                        : lit_trace_from(t->scene, w->r, w->from.shape, &x);
-    if (!met) {
+    if (!lit_trace_from(t->scene, w->r, w->from.shape, &x)) {
         vec3 L = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
         return false;
