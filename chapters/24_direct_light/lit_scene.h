@@ -279,8 +279,9 @@ static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_
                   s->m.triangles + other.shape, s->of_shape[other.shape], other.t, out);
         return true;
     }
-    if (met) lit_found(s, r, lit_surface(s, h), h.shape, s->of_triangle[h.shape], h.t, out);
-    return met;
+    if (!met) return false;
+    lit_found(s, r, lit_surface(s, h), h.shape, s->of_triangle[h.shape], h.t, out);
+    return true;
 }
 
 static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
