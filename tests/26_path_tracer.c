@@ -442,7 +442,7 @@ static void test_choice_of_light(void)
     }
     lit_end(&s), lit_lights_of(&s, &sky, LIGHTS_FLUX, &l);
     for (size_t k = 0; k < check_count(20000); k++) {
-        lit_draw x;
+        lit_draw x = {.pdf = 0};
         vec3 p = {2, 5, 1};
         point2 u = {random_next(&from), random_next(&from)};
         bool some = lit_lights_sample(&l, POINTS_CHEAP, p, u, &x);

@@ -32,7 +32,8 @@ int main(int argc, char **argv)
         return output_done(&o);
     }
     draw_cornell(&o);
-    if (!o.out && o.full) draw_strategies(&o), draw_spheres(&o), draw_furnace(&o), draw_light(&o);
+    if (!o.out && o.full) draw_strategies(&o), draw_spheres(&o), draw_furnace(&o),
+        draw_light(&o), draw_ladder(&o);
     measure_strategies(&o);
     return output_done(&o);
 }
