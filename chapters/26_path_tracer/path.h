@@ -21,6 +21,7 @@
  * `bounces` and `clamp`, which leave light out. How large the noise is is all that differs.
  *
  * Only what is called for:
+ *   no ray at all       in scenes in which nothing shines
  *   no light sample     at mirrors, glass, black surfaces; in scenes without lights
  *   no shadow ray       where the light's back faces x, or f cos = 0
  *   no roulette         where nothing can follow: after the last bounce, black, absorbed; q = 1
