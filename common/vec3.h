@@ -74,7 +74,8 @@ static inline vec3 vwith(vec3 a, int k, real s) { return ((real *)&a)[k] = s, a;
 static inline int vlongest(vec3 a)
 {
     real x = fabs(a.x), y = fabs(a.y), z = fabs(a.z);
-    return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+    int first = x >= y;
+    return 2 - ((first ? x : y) >= z) * (1 + first);
 }
 
 static inline bool vzero(vec3 a) { return fabs(a.x) + fabs(a.y) + fabs(a.z) == 0; }

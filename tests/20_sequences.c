@@ -293,6 +293,13 @@ static void test_keys(void)
         check(p.u != q.u || p.v != q.v, "%s: another dimension", name);
         q = pair_of(k, 1, 2, 4, 16, 0);
         check(p.u != q.u || p.v != q.v, "%s: another sample", name);
+        sampler_keys of;
+        sampler_keys_of(k, 1, 2, &of);
+        sampler once = sampler_of_keys(&of, 3, 16), each = sampler_start(k, 1, 2, 3, 16);
+        for (int d = 0; d < 2 * sampler_hashed; d++) {  /* beyond what was hashed, too */
+            p = sampler_pair(&once), q = sampler_pair(&each);
+            check(p.u == q.u && p.v == q.v, "%s, pair %d: hashed once a pixel", name, d);
+        }
         if (k == SEQUENCE_HALTON) continue;
         q = pair_of(k, 1, 3, 3, 16, 0);
         check(p.u != q.u || p.v != q.v, "%s: another pixel", name);

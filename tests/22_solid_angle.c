@@ -192,6 +192,41 @@ static void test_scales(void)
     }
 }
 
+/* Far away and seen nearly edge-on, so that the fast form can't be trusted; at some of the sizes
+ * 16 times its bound overflows where the bound does not. A size says nothing about an angle: from
+ * 1e-20 to 1e30 all must agree, and that is the truth (32 digits; four of them here). */
+static void test_sizes_of_bounds(void)
+{
+    const vec3 b = {190000, 180000, -200000}, c = {190001, 180001, -199999};
+    const vec3 p = {91230000, 93400000, 77430000};
+    double flat[2] = {0, 0};
+    for (int e = real_is_float ? -60 : -800; e <= (real_is_float ? 95 : 990); e++) {
+        real k = ldexp((real)1, e);
+        triangle t = {{0, 0, 0}, vscale(b, k), vscale(c, k)};
+        rectangle r = {{0, 0, 0}, vscale(b, k), vscale(c, k)};
+        double one = fabs((double)triangle_solid_angle(t, vscale(p, k)));
+        double two = fabs((double)rectangle_solid_angle(r, vscale(p, k)));
+        if (flat[0] == 0) flat[0] = one, flat[1] = two;
+        check_at_most(relative(one, 1.409e-13), 5e-4, "triangle, scaled by 2^%d: %g", e, one);
+        check_at_most(relative(one, flat[0]), 32 * eps, "the same at 2^%d", e);
+        check_at_most(relative(two, flat[1]), 32 * eps, "rectangle, scaled by 2^%d", e);
+    }
+    random_stream s = random_start(22, 9, 1);
+    for (size_t i = 0; i < check_count(2000); i++) {  /* the same, at random, flatter and flatter */
+        vec3 q = point(&s, 1), from = point(&s, 500), side = point(&s, 1);
+        real thin = size_between(&s, real_is_float ? -6 : -15, -2);
+        triangle t = {{0, 0, 0}, q, vmadd(q, side, thin)};
+        int high = real_is_float ? 30 : 180;  /* sixth powers of lengths end about here */
+        double one = (double)triangle_solid_angle(t, from);
+        for (int e = high - 40; e < high; e++) {
+            real k = ldexp((real)1, e);
+            triangle big = {vscale(t.a, k), vscale(t.b, k), vscale(t.c, k)};
+            check_at_most(relative((double)triangle_solid_angle(big, vscale(from, k)), one),
+                          32 * eps, "triangle %zu, scaled by 2^%d", i, e);
+        }
+    }
+}
+
 /* A closed mesh adds up to 4 pi inside, to 0 outside, whichever way it is cut into triangles; a
  * rectangle to its four triangles round the middle, and to the closed form over its middle:
  * 4 asin(a b / sqrt((a^2 + h^2)(b^2 + h^2))), half sides a, b. */
@@ -240,6 +275,7 @@ int main(void)
     test_near_corners();
     test_edge_on_rectangles();
     test_scales();
+    test_sizes_of_bounds();
     test_sums();
     return check_report("22_solid_angle");
 }

@@ -149,9 +149,9 @@ static void test_closed_forms(void)
 static estimate by_both(const setting *t, size_t n)
 {
     lit_scene s;
-    direct_lights l;
+    lit_lights l;
     lit_first(&t->s, &s);
-    direct_lights_build(&s, LIGHTS_ALL, &l);
+    lit_lights_of(&s, NULL, LIGHTS_ALL, &l);
     direct_work work = {0, 0, 0};
     direct d = {&s, DIRECT_POWER, &l, &work, false};
     lit_material white = {.f = brdf_lambert((vec3){1, 1, 1})};
@@ -161,7 +161,7 @@ static estimate by_both(const setting *t, size_t n)
         sampler q = sampler_start(SEQUENCE_RANDOM, 3, 0, (uint32_t)i, (uint32_t)n);
         e = estimate_add(e, green(direct_light(&d, &h, up, &q)));
     }
-    direct_lights_free(&l), lit_free(&s);
+    lit_lights_free(&l), lit_free(&s);
     return e;
 }
 

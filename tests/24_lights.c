@@ -321,6 +321,63 @@ static void test_unseen(void)
     }
 }
 
+/* ---- what a ray need not ask ---- */
+
+/* A walk through the box: what a ray leaves, and the lamp it is sent to, are left out, and the
+ * answers stay those of brute force. */
+static void test_leaving(void)
+{
+    lit_scene s;
+    size_t different = 0, shadows = 0;
+    lit_cornell(&s);
+    items all = items_of_mesh(&s.m);
+    for (uint64_t i = 0; i < check_count(4000); i++) {
+        ray r = ray_from(vec(278, 273, 10), random_point(i, 40, 1));
+        lit_hit h, x;
+        for (uint64_t k = 0; k < 5 && lit_trace(&s, r, &h); k++) {
+            emitter_point e;
+            hit brute = hit_none;
+            point2 u = {random_real(3, i, 41, 2 * k), random_real(3, i, 41, 2 * k + 1)};
+            if (emitter_by_area(&s.emitter[0], h.s.p, u, &e) && vdot(h.s.n, e.wi) > 0) {
+                ray b = leave_between(h.s, e.s);
+                bool dark = items_occluded(&all, b);
+                shadows += dark;
+                different += dark != lit_occluded(&s, b)
+                    || dark != lit_occluded_from(&s, b, h.s.shape, 0);
+            }
+            r = leave(h.s, directed(h.s.n, sample_cosine(u.u, u.v)));
+            bool met = items_hit(&all, r, &brute), again = lit_trace_from(&s, r, h.s.shape, &x);
+            different += met != again || (met && (x.t != brute.t || x.s.shape != brute.shape));
+        }
+    }
+    check_equal(different, 0, "with what they leave left out: the answers of brute force");
+    check_at_least(shadows, check_count(4000) / 16, "rays in shadow: something to compare");
+    lit_free(&s);
+}
+
+/* Sixteen triangles round one vertex: a ray through it has all lanes for candidates. */
+static void test_fan(void)
+{
+    enum { n = 16 };
+    lit_scene s;
+    lit_hit h;
+    lit_begin(&s);
+    uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){1, 1, 1})});
+    for (int i = 0; i < n; i++) {
+        real a = 2 * pi * (real)i / n, b = 2 * pi * (real)(i + 1) / n;
+        triangle t = {{0, 0, 0}, {cos(a), sin(a), 0}, {cos(b), sin(b), 0}};
+        lit_add_triangle(&s, t, grey);
+    }
+    lit_end(&s);
+    ray r = {{0, 0, 5}, 0, {0, 0, -1}, real_infinity};
+    check(lit_trace(&s, r, &h) && h.t == 5 && h.s.shape == 0, "the first of all that share it");
+    check(lit_trace_from(&s, r, 0, &h) && h.s.shape == 1, "left out: the next one");
+    bvh8_skip most = {no_shape, 1, n - 1}, all = {0, 1, n - 1};
+    check(bvh8_occluded_but(&s.trees->of_mesh, r, most), "all but one left out");
+    check(!bvh8_occluded_but(&s.trees->of_mesh, r, all), "all left out: the ray is free");
+    lit_free(&s);
+}
+
 /* ---- mis ---- */
 
 static void test_weights(void)
@@ -354,6 +411,8 @@ int main(void)
     for (int i = 0; i < specimens; i++) test_emitter(i);
     test_bounds();
     test_unseen();
+    test_leaving();
+    test_fan();
     test_weights();
     return check_report("24_lights");
 }

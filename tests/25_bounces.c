@@ -177,14 +177,14 @@ static void test_furnace_uniform(void)
 static void test_pair(void)
 {
     enum { depth = 7 };  /* a product of k weights 2 rho cos has the skewness 2^k / (4/3)^(3k/2) */
-    static const direction_choice choice[] = {DIRECTIONS_UNIFORM, DIRECTIONS_COSINE};
+    static const direction_choice draws[] = {DIRECTIONS_UNIFORM, DIRECTIONS_COSINE};
     vec3 E[2] = {{1, 0, 3}, {0, 1, 0.25}};
     vec3 rho[2] = {{0.9, 0.5, 0.2}, {0.6, 0.8, 1}};
     lit_scene s;
     furnace_pair(&s, 0.5, E, rho);
     for (int way = 0; way < 2; way++)
         for (int seen = 0; seen < 2; seen++) {
-            naive_path p = {&s, choice[way], depth, false};
+            naive_path p = {&s, draws[way], depth, false};
             estimate e[3][depth + 1], whole[3];
             memset(e, 0, sizeof e), memset(whole, 0, sizeof whole);
             bounce_counts c = {{{0}, 0, 0}, 0};
@@ -210,7 +210,7 @@ static void test_pair(void)
                 transport_sum(&t, depth, S);
                 check_at_least(t_test(whole[j], S[seen], 100 * eps * S[seen]), alarm,
                                "%s, patch %d, channel %d: %g +- %g, exact %g",
-                               choice_name[choice[way]], seen, j, whole[j].mean,
+                               choice_name[draws[way]], seen, j, whole[j].mean,
                                estimate_error(whole[j]), S[seen]);
                 transport_free(&t);
             }
@@ -260,10 +260,10 @@ static void test_terms_add_up(void)
     lit_scene s;
     lit_cornell(&s);
     s.background = vec(0.1, 0.2, 0.3);
-    for (int choice = DIRECTIONS_UNIFORM; choice <= DIRECTIONS_BRDF; choice++) {
+    for (int way = DIRECTIONS_UNIFORM; way <= DIRECTIONS_BRDF; way++) {
         size_t wrong = 0, cut = 0, branch = 0, n = check_count(3000);
         for (size_t i = 0; i < n; i++) {
-            naive_path p = {&s, (direction_choice)choice, depth, false}, q = p;
+            naive_path p = {&s, (direction_choice)way, depth, false}, q = p;
             bounce_counts c = {{{0}, 0, 0}, 0};
             vec3 term[depth + 1], shorter[depth + 1], sum = dark;
             sampler a = second_pair(i, 0), b = a, d = a;
@@ -277,7 +277,7 @@ static void test_terms_add_up(void)
             for (int k = 0; k <= q.depth; k++) cut += !same(term[k], shorter[k]);
         }
         check_equal(wrong, 0, "E + KE + ... + K^6 E is the whole, bit by bit, %s",
-                    choice_name[choice]);
+                    choice_name[way]);
         check_equal(cut, 0, "a path that ends sooner has the same first terms");
         check_equal(branch, 0, "branching with N = 1 is the path, bit by bit");
     }
@@ -434,8 +434,8 @@ static void test_called_for(void)
     vec3 o = {0, 0.5, 0};
     for (int lamps = 0; lamps < 2; lamps++) {
         hard_scene(&s, lamps);
-        for (int choice = DIRECTIONS_UNIFORM; choice <= DIRECTIONS_BRDF; choice++) {
-            naive_path p = {&s, (direction_choice)choice, 5, false}, all = p;
+        for (int way = DIRECTIONS_UNIFORM; way <= DIRECTIONS_BRDF; way++) {
+            naive_path p = {&s, (direction_choice)way, 5, false}, all = p;
             naive_counts called = {{0}, 0, 0}, many = called;
             naive_counts tree_called = called, tree_many = called;
             size_t wrong = 0, wrong_tree = 0, light = 0, n = count_from(300, 1500);
@@ -450,8 +450,8 @@ static void test_called_for(void)
                 wrong_tree += !same(T, branching_radiance(&all, 3, some_ray(o, i), 25, i, 1,
                                                           &tree_many));
             }
-            check_equal(wrong, 0, "%s: the same with every ray spent", choice_name[choice]);
-            check_equal(wrong_tree, 0, "%s, N = 3: the same", choice_name[choice]);
+            check_equal(wrong, 0, "%s: the same with every ray spent", choice_name[way]);
+            check_equal(wrong_tree, 0, "%s, N = 3: the same", choice_name[way]);
             check_equal(naive_rays(&many), 6 * n, "spend_all: every ray, to the end");
             if (!lamps) check_equal(naive_rays(&called), 0, "no light, no ray");
             if (!lamps) check_equal(naive_rays(&tree_called), 0, "no light, no tree");
@@ -520,8 +520,8 @@ static void test_shading_normals(void)
     lit_add_mesh(&s, &m, wall);
     lit_add_rectangle(&s, (rectangle){{-9, -1, -9}, {0, 0, 18}, {18, 0, 0}}, lamp);
     lit_end(&s);
-    for (int choice = DIRECTIONS_UNIFORM; choice <= DIRECTIONS_BRDF; choice++) {
-        naive_path p = {&s, (direction_choice)choice, 2, false};
+    for (int way = DIRECTIONS_UNIFORM; way <= DIRECTIONS_BRDF; way++) {
+        naive_path p = {&s, (direction_choice)way, 2, false};
         size_t light = 0, k = count_from(100, 1000);
         for (size_t i = 0; i < k; i++) {
             vec3 term[3];
@@ -530,7 +530,7 @@ static void test_shading_normals(void)
             bounce_terms_lit(&p, eye, &b, term, &c);
             light += !vzero(term[1]);
         }
-        check_equal(light, 0, "%s: nothing shines through a wall", choice_name[choice]);
+        check_equal(light, 0, "%s: nothing shines through a wall", choice_name[way]);
     }
     check_at_least((double)c.walk.rays[1], 10, "though directions above it were taken");
     check_equal(c.sight, 0, "no ray of sight through it");

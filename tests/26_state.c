@@ -371,7 +371,7 @@ static void test_environment(void)
     check_at_most((double)wrong, (double)check_count(200000) * (real_is_float ? 1e-4 : 1e-5),
                   "sample and lookup");
     check_at_least(t_test(omega, lit, 1e-5 * lit), 1e-7, "E[1/pdf] is the solid angle that shines");
-    check_at_least(t_test(zz, lit_zz, 1e-5 * lit), 1e-7, "(26.5): even in cos theta, not in theta");
+    check_at_least(t_test(zz, lit_zz, 1e-5 * lit), 1e-7, "even in cos theta, not in theta");
     environment_free(&e);
     im.rgb[5] = -1;
     check(!environment_of_image(&im, &e, &f) && f.exit_code == 2, "a negative radiance");

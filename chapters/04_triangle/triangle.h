@@ -129,20 +129,15 @@ static inline bool triangle_hit_plane(triangle tri, ray r, hit *out)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* x, y, z in the order kx, ky, kz: the next two axes, cyclically, then kz. */
-static inline vec3 shear_turn(vec3 p, int kz)
-{
-    return kz == 0 ? (vec3){p.y, p.z, p.x} : kz == 1 ? (vec3){p.z, p.x, p.y} : p;
-}
-
 /* Seen along the ray: the shear x - (dx/dz) z, y - (dy/dz) z takes the ray to the z axis (4.9). kz
  * is the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN. */
 static inline ray_shear shear_of(ray r)
 {
-    int kz = vlongest(r.d), kx = kz == 2 ? 0 : kz + 1, ky = kx == 2 ? 0 : kx + 1;
-    vec3 d = shear_turn(r.d, kz);
-    if (!vfinite(d)) d.z = (real)NAN;
-    return (ray_shear){kx, ky, kz, shear_turn(r.o, kz), d.x / d.z, d.y / d.z, 1 / d.z};
+    static const int8_t next[5] = {0, 1, 2, 0, 1};  /* which axis is longest is chance: no branch */
+    int kz = vlongest(r.d), kx = next[kz + 1], ky = next[kz + 2];
+    real dz = vfinite(r.d) ? vaxis(r.d, kz) : (real)NAN;
+    vec3 o = {vaxis(r.o, kx), vaxis(r.o, ky), vaxis(r.o, kz)};
+    return (ray_shear){kx, ky, kz, o, vaxis(r.d, kx) / dz, vaxis(r.d, ky) / dz, 1 / dz};
 }
 
 /* A corner in the frame of the ray. It depends on the corner and the ray alone, so all triangles

@@ -9,6 +9,8 @@
  *        y ..              ..                    bvh8_stats(&w)
  *   child 8 numbers        8 numbers             bvh8_free(&w)           a zeroed one may be freed
  *
+ *   bvh8_hit_but(&w, r, skip, &h), bvh8_occluded_but(&w, r, skip)    the same answers, sooner,
+ *                                    where the caller knows triangles that r can't hit: tree8.h
  *   bvh8_hit_counted(&w, r, &h, &work), bvh8_occluded_counted(&w, r, &work)
  *   bvh8_hit_leaky(&w, r, &h), bvh8_occluded_leaky(&w, r)     all in float, nothing paid for: the
  *                                    speed of cracks. Triangles only; u, v, t have six digits
@@ -54,12 +56,25 @@
 #define BVH8_CALL(verb, ...) return verb##_0(__VA_ARGS__);
 #endif
 
-static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)
+static inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
 {
-    BVH8_CALL(bvh8_closest, w, &r, out)
+    BVH8_CALL(bvh8_closest, w, &r, skip, out)
 }
 
-static inline bool bvh8_occluded(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any, w, &r) }
+static inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
+{
+    BVH8_CALL(bvh8_any, w, &r, skip)
+}
+
+static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)
+{
+    return bvh8_hit_but(w, r, bvh8_skip_none, out);
+}
+
+static inline bool bvh8_occluded(const bvh8 *w, ray r)
+{
+    return bvh8_occluded_but(w, r, bvh8_skip_none);
+}
 
 static inline bool bvh8_hit_leaky(const bvh8 *w, ray r, hit *out)
 {

@@ -1,9 +1,9 @@
 /* walk.h: the search of the tree, in the dialect EIGHT_DIALECT. Included once in each, by search.h:
  * no guard, and every name gets the dialect's number.
  *
- *   bool bvh8_closest(w, &r, &h), bvh8_any(w, &r)           the answers of brute force
+ *   bool bvh8_closest(w, &r, skip, &h), bvh8_any(w, &r, skip)   the answers of brute force
  *   bool bvh8_closest_leaky(w, &r, &h), bvh8_any_leaky(w, &r)   in float, come what may
- *   bool bvh8_counted(w, &r, &h, any, &work)                the answers, and what they took
+ *   bool bvh8_counted(w, &r, &h, any, &work)                    the answers, and what they took
  *
  * A node's eight boxes are tested at once. Of those that the ray meets the nearest is next; the
  * others wait on the stack, farthest first. A block's eight triangles are tested at once, in float
@@ -93,8 +93,14 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
     }
     unsigned safe = sure & left & EIGHT_LE(EIGHT_ALL(q->sure_min), span[0])
         & EIGHT_LE(span[1], EIGHT_ALL(q->sure_max));
-    int k = __builtin_ctz(left);
     if (any && safe) return true;
+    for (unsigned doubt = left & ~safe; doubt; doubt &= doubt - 1) {
+        uint32_t k = (uint32_t)__builtin_ctz(doubt), i = b->index[k];
+        if (i == s->skip.from || i - s->skip.first <= s->skip.last - s->skip.first)
+            left &= ~(1u << k);
+    }
+    if (left == 0) return false;
+    int k = __builtin_ctz(left);
     if (!any && safe == left && (left & (left - 1)) == 0 && span[1][k] < s->first) {
         bvh8_wait(b, k, span[0][k], span[1][k], s);
         return false;
@@ -103,13 +109,13 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
 }
 
 __attribute__((always_inline))
-static inline bool bvh8_walk(const bvh8 *w, ray *r, hit *out, bool any, bool leaky,
-                             search_work *work)
+static inline bool bvh8_walk(const bvh8 *w, ray *r, bvh8_skip skip, hit *out, bool any,
+                             bool leaky, search_work *work)
 {
     uint64_t stack[512];
     int top = 0;
     if (w->nodes == 0 || !ray_is_usable(*r)) return false;
-    bvh8_state s = {.r = r, .best = hit_none, .first = INFINITY};
+    bvh8_state s = {.r = r, .best = hit_none, .first = INFINITY, .skip = skip};
     bvh8_ray q;
     bvh8_ray_of(w, r, leaky, &q);
     s.limit = q.limit;
@@ -140,27 +146,30 @@ static inline bool bvh8_walk(const bvh8 *w, ray *r, hit *out, bool any, bool lea
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static bool bvh8_closest(const bvh8 *w, ray *r, hit *out)
+static bool bvh8_closest(const bvh8 *w, ray *r, bvh8_skip skip, hit *out)
 {
-    return bvh8_walk(w, r, out, false, false, NULL);
+    return bvh8_walk(w, r, skip, out, false, false, NULL);
 }
 
-static bool bvh8_any(const bvh8 *w, ray *r) { return bvh8_walk(w, r, NULL, true, false, NULL); }
+static bool bvh8_any(const bvh8 *w, ray *r, bvh8_skip skip)
+{
+    return bvh8_walk(w, r, skip, NULL, true, false, NULL);
+}
 
 static bool bvh8_closest_leaky(const bvh8 *w, ray *r, hit *out)
 {
-    return bvh8_walk(w, r, out, false, true, NULL);
+    return bvh8_walk(w, r, bvh8_skip_none, out, false, true, NULL);
 }
 
 static bool bvh8_any_leaky(const bvh8 *w, ray *r)
 {
-    return bvh8_walk(w, r, NULL, true, true, NULL);
+    return bvh8_walk(w, r, bvh8_skip_none, NULL, true, true, NULL);
 }
 
 static bool bvh8_counted(const bvh8 *w, ray *r, hit *out, bool any, search_work *work)
 {
-    return any ? bvh8_walk(w, r, NULL, true, false, work)
-               : bvh8_walk(w, r, out, false, false, work);
+    return any ? bvh8_walk(w, r, bvh8_skip_none, NULL, true, false, work)
+               : bvh8_walk(w, r, bvh8_skip_none, out, false, false, work);
 }
 
 #undef bvh8_boxes

@@ -96,7 +96,7 @@ static inline void world_part_of_scene(const scene *s, uint8_t mask, world_part 
     failure f;
     items x = items_of_scene(s);
     bvh8_options how = bvh8_defaults;
-    how.shape_cost = 2, how.cut = 1;
+    how.shape_cost = 2, how.leaf = 1;
     *out = (world_part){.s = s, .mask = mask};
     if (!bvh8_build(&x, how, &out->tree, &f)) fail(f);
 }

@@ -5,6 +5,10 @@
  *   real   time  = sampler_number(&s);    the next pair's first
  *   point2 light = sampler_pair(&s);      ...
  *
+ *   sampler_keys of;                      where many samples of a pixel follow: what they share is
+ *   sampler_keys_of(kind, seed, pixel, &of);           hashed once; `of` must outlive the sampler
+ *   sampler s = sampler_of_keys(&of, k, n);            the same numbers
+ *
  *   SEQUENCE_RANDOM        independent numbers                  error N^-1/2
  *   SEQUENCE_JITTERED      a cell each (jitter.h)               N^-1 smooth, N^-3/4 at an edge
  *   SEQUENCE_HALTON        without scrambling (halton.h)        N^-1 but for logarithms; not random
@@ -40,11 +44,17 @@ typedef enum { SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON, SEQUENCE_HAL
                SEQUENCE_SOBOL_XOR, SEQUENCE_SOBOL, sequence_kinds } sequence_kind;
 static const char *const sequence_name[sequence_kinds] = {
     "random", "jittered", "Halton", "Halton, Owen", "Sobol', xor", "Sobol', Owen"};
+enum { sampler_hashed = 6 };
+typedef struct {
+    sequence_kind kind;
+    uint64_t seed, pixel, key, pair[sampler_hashed], axes[sampler_hashed];
+} sampler_keys;
 typedef struct {
     sequence_kind kind;
     uint32_t sample, samples, pair;  /* pair: the next one */
     uint64_t key;                    /* what all samples of the pixel share */
     random_stream own;               /* this sample's own numbers */
+    const sampler_keys *keys;        /* or NULL */
 } sampler;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -52,21 +62,47 @@ typedef struct {
 static inline sampler sampler_start(sequence_kind kind, uint64_t seed, uint64_t pixel,
                                     uint32_t sample, uint32_t samples)
 {
-    sampler s = {kind, sample, samples, 0, 0, {0, 0}};
+    sampler s = {kind, sample, samples, 0, 0, {0, 0}, NULL};
     if (kind <= SEQUENCE_HALTON_OWEN) s.own = random_start(seed, pixel, sample);
     if (kind != SEQUENCE_RANDOM) s.key = random_start(seed, pixel, UINT64_MAX - 1).key;
     return s;
 }
 
+static inline uint64_t sampler_key(const sampler *s)
+{
+    if (s->keys && s->pair < sampler_hashed) return s->keys->pair[s->pair];
+    return random_mix(s->key + random_step * (s->pair + (uint64_t)1));
+}
+
+static inline void sampler_keys_of(sequence_kind kind, uint64_t seed, uint64_t pixel,
+                                   sampler_keys *out)
+{
+    sampler s = sampler_start(kind, seed, pixel, 0, 1);
+    out->kind = kind, out->seed = seed, out->pixel = pixel, out->key = s.key;
+    for (s.pair = 0; s.pair < sampler_hashed; s.pair++) {
+        out->pair[s.pair] = sampler_key(&s);
+        out->axes[s.pair] = random_mix(out->pair[s.pair] + random_step);
+    }
+}
+
+static inline sampler sampler_of_keys(const sampler_keys *k, uint32_t sample, uint32_t samples)
+{
+    sampler s = {k->kind, sample, samples, 0, k->key, {0, 0}, k};
+    if (k->kind <= SEQUENCE_HALTON_OWEN) s.own = random_start(k->seed, k->pixel, sample);
+    return s;
+}
+
 /* Both coordinates of pair d: two seeds for the axes, one for the order of the points. The order of
  * a scrambled index keeps aligned blocks of 2^m together, so that the first 2^m are a net in any
- * pair. Pair 0 keeps its own order: only where two pairs meet does it matter. */
+ * pair. Pair 0 keeps its own order: only where two pairs meet does it matter. Scrambling reverses
+ * the bits, works, and reverses them back: what comes in pairs is left out. */
 static inline point2 sampler_sobol(const sampler *s, uint64_t key)
 {
-    uint64_t axes = random_mix(key + random_step);
-    uint32_t i = s->sample, a = (uint32_t)axes, b = (uint32_t)(axes >> 32);
-    if (s->pair > 0) i = owen_scramble(i, (uint32_t)key);
-    uint32_t x = sobol_x(i), y = sobol_y(i);
+    bool hashed = s->keys && s->pair < sampler_hashed;
+    uint64_t axes = hashed ? s->keys->axes[s->pair] : random_mix(key + random_step);
+    uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32), x = sobol_x(s->sample);
+    if (s->pair > 0) x = owen_reversed(x, (uint32_t)key);
+    uint32_t y = sobol_y_of_x(x);
     if (s->kind == SEQUENCE_SOBOL) x = owen_scramble(x, a), y = owen_scramble(y, b);
     else x = scramble_xor(x, a), y = scramble_xor(y, b);
     return (point2){real_of_fraction(x, a), real_of_fraction(y, b)};
@@ -90,7 +126,7 @@ static inline point2 sampler_halton(sampler *s, uint64_t key)
 
 static inline point2 sampler_pair(sampler *s)
 {
-    uint64_t key = random_mix(s->key + random_step * (s->pair + (uint64_t)1));
+    uint64_t key = sampler_key(s);
     point2 p = {0, 0};
     s->own.dimension = 2 * (uint64_t)s->pair;
     switch (s->kind) {
@@ -109,7 +145,7 @@ static inline point2 sampler_pair(sampler *s)
 static inline real sampler_number(sampler *s)
 {
     if (s->kind != SEQUENCE_JITTERED) return sampler_pair(s).u;
-    uint64_t key = random_mix(s->key + random_step * (s->pair + (uint64_t)1));
+    uint64_t key = sampler_key(s);
     s->own.dimension = 2 * (uint64_t)s->pair++;
     return jitter_line(s->sample, s->samples, key, &s->own);
 }

@@ -52,15 +52,16 @@ static inline uint32_t sobol_x(uint32_t i) { return reversed_bits(i); }
 /* f(X) = A(X) + X^16 B(X) gives f(X+1) = (A+B)(X+1) + X^16 B(X+1), since X^16 becomes (X+1)^16 =
  * X^16 + 1 where 1 + 1 = 0. So: add the upper half to the lower, then the same in each half. The
  * lower powers are the higher bits of the reversed word. */
-static inline uint32_t sobol_y(uint32_t i)
+static inline uint32_t sobol_y_of_x(uint32_t x)
 {
-    uint32_t x = reversed_bits(i);
     x ^= x << 16;
     x ^= (x & 0x00ff00ff) << 8;
     x ^= (x & 0x0f0f0f0f) << 4;
     x ^= (x & 0x33333333) << 2;
     return x ^ (x & 0x55555555) << 1;
 }
+
+static inline uint32_t sobol_y(uint32_t i) { return sobol_y_of_x(sobol_x(i)); }
 
 static inline uint32_t scramble_xor(uint32_t x, uint32_t seed)
 {
@@ -82,15 +83,18 @@ static inline uint32_t owen_scramble_exact(uint32_t x, uint32_t seed)
 /* On the reversed word additions and products carry upwards only, so a bit depends on itself and on
  * those below it: on those above it, once reversed back. x ^= x * even never changes the lowest bit
  * by itself: x * even has a 0 there. */
-static inline uint32_t owen_scramble(uint32_t x, uint32_t seed)
+static inline uint32_t owen_reversed(uint32_t x, uint32_t seed)
 {
-    x = reversed_bits(x);
     x ^= x * 0x3d20adeau;
     x += seed;
     x *= seed >> 16 | 1;
     x ^= x * 0x05526c56u;
-    x ^= x * 0x53a22864u;
-    return reversed_bits(x);
+    return x ^ x * 0x53a22864u;
+}
+
+static inline uint32_t owen_scramble(uint32_t x, uint32_t seed)
+{
+    return reversed_bits(owen_reversed(reversed_bits(x), seed));
 }
 
 static inline uint32_t owen_scramble_2020(uint32_t x, uint32_t seed)

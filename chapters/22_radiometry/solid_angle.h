@@ -172,7 +172,7 @@ static inline bool triangle_solid_angle_fast(vec3 a, vec3 s, vec3 t, real *omega
     real off_d = 2 * whole + la * la * (lb + lc) / 2;
     *omega = 2 * atan2(n, d);
     return fabs(d) * off + fabs(n) * off_d <= 16 * sure && square_is_safe(sure)
-        && square_is_safe(n * n);  /* a NaN: false */
+        && 16 * sure < real_largest && square_is_safe(n * n);  /* infinity, or a NaN: false */
 }
 
 static inline real triangle_solid_angle(triangle t, vec3 p)

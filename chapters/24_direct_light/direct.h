@@ -7,7 +7,7 @@
  *   by both:        each of the two times its weight, see mis.h; two rays                   (24.7)
  *
  *   direct d = {.s = &scene, .way = DIRECT_POWER, .lights = &l, .work = &w};
- *   direct_lights l; direct_lights_build(&scene, LIGHTS_ALL, &l); .. direct_lights_free(&l);
+ *   lit_lights l; lit_lights_of(&scene, NULL, LIGHTS_ALL, &l); .. lit_lights_free(&l);
  *   vec3 L = direct_light(&d, &h, wo, &sampler);     h from lit_trace, wo unit, away from h.s
  *
  *   way               draws wi by                  does well                  does badly
@@ -20,8 +20,8 @@
  *   DIRECT_POWER      both BRDF and ANGLE, 24.9    all of it
  *   DIRECT_HALF       both, each counts half: naive. The worse one's noise stays
  *
- * Which lights: LIGHTS_ALL, a point on each; or one of them with the probability P(k), and what it
- * brings divided by P(k): LIGHTS_UNIFORM, 1/n; LIGHTS_FLUX, as the flux that it sends out.  (24.10)
+ * Which lights (lights.h): LIGHTS_ALL, a point on each; or one of them with the probability P(k),
+ * and what it brings divided by P(k): LIGHTS_UNIFORM, LIGHTS_FLUX.                          (24.10)
  *
  * Called for: no shadow ray where n.wi <= 0, where f is 0 (black, mirror), to a light's back; no
  * ray at all without emitters, no light drawn for a mirror. w.shadow, w.direction count the rays.
@@ -36,9 +36,8 @@
 #define DIRECT_H
 
 #include "../23_brdf/reflection.h"
-#include "lit_scene.h"
+#include "lights.h"
 #include "mis.h"
-#include "../20_monte_carlo/discrete.h"  /* last: its type `choice` is a name of variables above */
 
 typedef enum { DIRECT_UNIFORM, DIRECT_COSINE, DIRECT_BRDF, DIRECT_AREA, DIRECT_ANGLE,
                DIRECT_BALANCE, DIRECT_POWER, DIRECT_HALF, direct_ways } direct_way;
@@ -46,39 +45,17 @@ static const char *const direct_name[direct_ways] = {
     "uniform directions", "cosine", "BRDF", "light by area", "light by angle", "balance heuristic",
     "power heuristic", "half and half"};
 
-typedef enum { LIGHTS_ALL, LIGHTS_UNIFORM, LIGHTS_FLUX } direct_lights_kind;
-typedef struct { direct_lights_kind kind; choice pick; } direct_lights;
 typedef struct { size_t samples, direction, shadow; } direct_work;
 
 typedef struct {
     const lit_scene *s;
     direct_way way;
-    const direct_lights *lights;
+    const lit_lights *lights;
     direct_work *work;     /* a thread's own */
     bool spend_all;
 } direct;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline void direct_lights_free(direct_lights *l) { choice_free(&l->pick); }
-
-static inline void direct_lights_build(const lit_scene *s, direct_lights_kind kind,
-                                       direct_lights *out)
-{
-    *out = (direct_lights){.kind = kind};
-    if (kind == LIGHTS_ALL || s->emitters == 0) return;
-    real *weight = allocate(s->emitters, sizeof *weight);
-    for (size_t k = 0; k < s->emitters; k++)
-        weight[k] = kind == LIGHTS_FLUX ? emitter_power(&s->emitter[k]) : 1;
-    choice_build(weight, s->emitters, &out->pick);
-    free(weight);
-}
-
-/* The probability with which light k is drawn at all. */
-static inline real direct_lights_chance(const direct_lights *l, size_t k)
-{
-    return l->kind == LIGHTS_ALL ? 1 : choice_probability(&l->pick, k);
-}
 
 /* What all samples at a point share. wo is local. */
 typedef struct { const lit_hit *h; shading_frame frame; vec3 wo; } direct_point;
@@ -101,12 +78,10 @@ static inline vec3 direct_from(const direct *d, const direct_point *x, size_t k,
                                point2 u)
 {
     const vec3 none = {0, 0, 0};
-    const emitter *e = &d->s->emitter[k];
     const brdf *b = &x->h->m->f;
-    emitter_point y;
-    bool seen = d->way == DIRECT_AREA ? emitter_by_area(e, x->h->s.p, u, &y)
-                                      : emitter_by_angle(e, x->h->s.p, u, &y);
-    if (!seen) return none;
+    lit_points points = d->way == DIRECT_AREA ? POINTS_BY_AREA : POINTS_BY_ANGLE;
+    lit_draw y;
+    if (!lit_lights_point(d->lights, points, k, chance, x->h->s.p, u, &y)) return none;
     vec3 wi = to_local(x->frame, y.wi), f = brdf_value_local(b, wi, x->wo);
     if (!(vdot(x->h->s.n, y.wi) > 0)) f = none;
     if (vzero(f) && !d->spend_all) return none;
@@ -114,9 +89,9 @@ static inline vec3 direct_from(const direct *d, const direct_point *x, size_t k,
     if (lit_occluded_from(d->s, leave_between(x->h->s, y.s), x->h->s.shape, (uint32_t)k))
         return none;
     if (vzero(f)) return none;
-    real pdf = chance * y.pdf, w = 1;
-    if (direct_both(d->way)) w = direct_weight(d->way, pdf, brdf_pdf_local(b, wi, x->wo));
-    return vscale(vmul(f, e->Le), w * wi.z / pdf);
+    real w = 1;
+    if (direct_both(d->way)) w = direct_weight(d->way, y.pdf, brdf_pdf_local(b, wi, x->wo));
+    return vscale(vmul(f, y.Le), w * wi.z / y.pdf);
 }
 
 /* (24.2): what is seen along a direction. When both ways are used, the light's own way would have
@@ -139,9 +114,8 @@ static inline vec3 direct_along(const direct *d, const direct_point *x, point2 u
     vec3 Le = lit_emitted(&y);
     if (vzero(Le) || vzero(weight)) return (vec3){0, 0, 0};
     if (both) {
-        real chance = direct_lights_chance(d->lights, y.emitter);
-        real other = emitter_pdf_angle(&d->s->emitter[y.emitter], x->h->s.p);
-        share = direct_weight(d->way, pdf, chance * other);
+        real other = lit_lights_pdf(d->lights, POINTS_BY_ANGLE, y.emitter, x->h->s.p, y.t, 1);
+        share = direct_weight(d->way, pdf, other);
     }
     return vmul(vscale(weight, share), Le);
 }
@@ -150,10 +124,10 @@ static inline vec3 direct_by_lights(const direct *d, const direct_point *x, samp
 {
     vec3 sum = {0, 0, 0};
     if (brdf_is_delta(&x->h->m->f) && !d->spend_all) return sum;
-    if (d->lights->kind != LIGHTS_ALL) {
+    if (d->lights->rule != LIGHTS_ALL) {
         real chance, rest;
         real u = d->s->emitters > 1 ? sampler_number(s) : 0;
-        size_t k = choice_sample(&d->lights->pick, u, &chance, &rest);
+        size_t k = lit_lights_choose(d->lights, u, &chance, &rest);
         return direct_from(d, x, k, chance, sampler_pair(s));
     }
     for (size_t k = 0; k < d->s->emitters; k++)

@@ -28,12 +28,10 @@
 #ifndef DIRECT_LIT_SCENE_H
 #define DIRECT_LIT_SCENE_H
 
-#include "../14_bvh/bvh_mesh.h"
-#include "../14_bvh/bvh_shapes.h"
+#include "../15_wide_bvh/bvh8.h"
 #include "../18_shade/leave.h"
 #include "../23_brdf/brdf.h"
 #include "emitter.h"
-#include "few.h"
 
 typedef struct {
     brdf f;         /* reflection, on both sides; brdf_is_black: none */
@@ -46,6 +44,9 @@ typedef struct {
 typedef struct { vec3 a, e, f, n; real reach, noise, margin; } lit_face;
 
 typedef struct { uint32_t corner[3], normal[3], emitter; uint16_t material; } lit_part;
+
+/* What is searched (15): the trees point at what they are made of. */
+typedef struct { mesh m; scene shapes; bvh8 of_mesh, of_shapes; } lit_trees;
 
 typedef struct {
     mesh m;                   /* triangles: owned */
@@ -60,10 +61,8 @@ typedef struct {
     uint32_t *emitter_of;     /* [m.triangles + shapes]; lit_dark: does not shine */
     vec3 background;          /* radiance from where nothing is */
     lit_face *face;           /* [m.triangles] */
-    bvh_mesh tree;
-    bvh_shapes shape_tree;
-    int32_t *first, *last;    /* [emitters] its lanes in `few`; -1: none, a sphere */
-    few few;                  /* of up to 64 triangles: in place of the tree */
+    bvh8_skip *skip;          /* [emitters] its triangles, as .first and .last; none: a sphere */
+    lit_trees *trees;         /* made by lit_end; in a place of their own: a scene may be copied */
     lit_part *part;           /* what was added, until lit_end */
     struct { size_t v, n, parts, shapes, of_shape, materials, emitters; } room;
 } lit_scene;
@@ -210,9 +209,7 @@ static inline void lit_split(lit_scene *s)
 
 static inline void lit_end(lit_scene *s)
 {
-    bvh_options how = bvh_defaults;
     failure f;
-    scene shapes = {s->shape, s->shapes};
     lit_split(s);
     for (size_t i = 0; i < s->shapes; i++) {
         bool ball = s->shape[i].kind == SHAPE_SPHERE;
@@ -220,26 +217,25 @@ static inline void lit_end(lit_scene *s)
         uint32_t e = ball ? lit_emitter(s, emitter_of_sphere(s->shape[i].sphere, Le)) : lit_dark;
         s->emitter_of[s->m.triangles + i] = e;
     }
-    s->first = allocate(s->emitters, sizeof *s->first);
-    s->last = allocate(s->emitters, sizeof *s->last);
-    for (size_t e = 0; e < s->emitters; e++) s->first[e] = s->last[e] = -1;
-    if (!bvh_mesh_build(&s->m, how, &s->tree, &f)) fail(f);
-    few_build(&s->m, &s->few);
-    for (size_t i = s->few.lanes ? s->m.triangles : 0; i-- > 0;) {
-        uint32_t e = s->emitter_of[i];
-        if (e == lit_dark) continue;
-        s->first[e] = s->few.lane[i];
-        if (s->last[e] < 0) s->last[e] = s->few.lane[i];
+    s->skip = allocate(s->emitters, sizeof *s->skip);
+    for (size_t e = 0; e < s->emitters; e++) s->skip[e] = bvh8_skip_none;
+    for (uint32_t i = (uint32_t)s->m.triangles; i-- > 0;) {
+        if (s->emitter_of[i] == lit_dark) continue;
+        bvh8_skip *k = &s->skip[s->emitter_of[i]];
+        k->first = i, k->last = k->last == no_shape ? i : k->last;
     }
-    how.item_cost = 1.5;  /* a shape's test costs more than a triangle's */
-    if (!bvh_shapes_build(&shapes, how, &s->shape_tree, &f)) fail(f);
+    lit_trees *t = s->trees = allocate(1, sizeof *t);
+    t->m = s->m, t->shapes = (scene){s->shape, s->shapes};
+    items triangles = items_of_mesh(&t->m), shapes = items_of_scene(&t->shapes);
+    if (!bvh8_build(&triangles, bvh8_defaults, &t->of_mesh, &f)) fail(f);
+    if (!bvh8_build(&shapes, bvh8_defaults, &t->of_shapes, &f)) fail(f);
 }
 
 static inline void lit_free(lit_scene *s)
 {
     mesh_free(&s->m);
-    bvh_mesh_free(&s->tree), bvh_shapes_free(&s->shape_tree), few_free(&s->few);
-    free(s->first), free(s->last);
+    if (s->trees) bvh8_free(&s->trees->of_mesh), bvh8_free(&s->trees->of_shapes);
+    free(s->trees), free(s->skip);
     free(s->of_triangle), free(s->shape), free(s->of_shape), free(s->material);
     free(s->emitter), free(s->emitter_of), free(s->face), free(s->part);
     lit_begin(s);
@@ -257,24 +253,6 @@ static inline surface lit_surface(const lit_scene *s, hit h)
     return (surface){p, k->n, ns, error, k->noise, h.shape};
 }
 
-/* A ray that leaves a triangle never meets it again (18.7); nor, up to its end, the emitter. */
-static inline few_skip lit_skip(const lit_scene *s, uint32_t from, uint32_t e)
-{
-    few_skip k = few_skip_none;
-    if (s->few.lanes == 0) return k;
-    if (from < few_most && from < s->m.triangles) k.other = s->few.lane[from];
-    if (e < s->emitters) k.first = s->first[e], k.last = s->last[e];
-    return k;
-}
-
-/* Among the triangles. */
-__attribute__((always_inline))
-static inline bool lit_closest(const lit_scene *s, ray r, uint32_t from, hit *h)
-{
-    int known = few_hit(&s->few, &s->m, r, lit_skip(s, from, lit_dark), h);
-    return known >= 0 ? known : bvh_mesh_hit(&s->tree, r, h);
-}
-
 /* Fields one by one: a struct that is copied as a whole right after its fields were written waits
  * for all of them. */
 __attribute__((always_inline))
@@ -288,28 +266,21 @@ static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place,
     out->t = t, out->front = side < 0;
 }
 
-/* In a scene without shapes. */
-__attribute__((always_inline))
-static inline bool lit_trace_flat(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
-{
-    hit h;
-    if (!lit_closest(s, r, from, &h)) return false;
-    lit_found(s, r, lit_surface(s, h), h.shape, s->of_triangle[h.shape], h.t, out);
-    return true;
-}
-
-/* out->s.shape: triangle, or m.triangles + shape. */
-__attribute__((always_inline))
+/* out->s.shape: triangle, or m.triangles + shape. A ray that leaves triangle `from` never meets it
+ * again (18.7): the search need not ask. */
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
-    hit other;
+    hit h = hit_none, other;
     ray rest = r;
-    bool met = lit_trace_flat(s, r, from, out);
-    if (!s->shapes) return met;
-    if (met) rest.tmax = out->t;
-    if (!bvh_shapes_hit(&s->shape_tree, rest, &other) || (met && !(other.t < out->t))) return met;
-    lit_found(s, r, surface_of_shape(&s->shape[other.shape], r, other),
-              s->m.triangles + other.shape, s->of_shape[other.shape], other.t, out);
+    bool met = bvh8_hit_but(&s->trees->of_mesh, r, (bvh8_skip){from, no_shape, no_shape}, &h);
+    if (met) rest.tmax = h.t;
+    if (s->shapes && bvh8_hit(&s->trees->of_shapes, rest, &other) && (!met || other.t < h.t)) {
+        lit_found(s, r, surface_of_shape(&s->shape[other.shape], r, other),
+                  s->m.triangles + other.shape, s->of_shape[other.shape], other.t, out);
+        return true;
+    }
+    if (!met) return false;
+    lit_found(s, r, lit_surface(s, h), h.shape, s->of_triangle[h.shape], h.t, out);
     return true;
 }
 
@@ -318,12 +289,13 @@ static inline bool lit_trace(const lit_scene *s, ray r, lit_hit *out)
     return lit_trace_from(s, r, no_shape, out);
 }
 
-__attribute__((always_inline))
+/* Nor does it, up to its end, meet the emitter e that it was sent to. */
 static inline bool lit_occluded_from(const lit_scene *s, ray r, uint32_t from, uint32_t e)
 {
-    int known = few_occluded(&s->few, &s->m, r, lit_skip(s, from, e));
-    if (known < 0) known = bvh_mesh_occluded(&s->tree, r);
-    return known || (s->shapes && bvh_shapes_occluded(&s->shape_tree, r));
+    bvh8_skip skip = e < s->emitters ? s->skip[e] : bvh8_skip_none;
+    skip.from = from;
+    return bvh8_occluded_but(&s->trees->of_mesh, r, skip)
+        || (s->shapes && bvh8_occluded(&s->trees->of_shapes, r));
 }
 
 static inline bool lit_occluded(const lit_scene *s, ray r)

@@ -1,7 +1,7 @@
 /* naive_path.h: one path (路径), one direction at each hit: the notes' shade() with N = 1.
  *
  *   eye ---> x0 ---> x1 ---> x2 ...    w_i = f cos / pdf of the direction drawn at x_i      (25.7)
- *        E     w0 E    w0 w1 E         throughput (通量权重) of k bounces: w_0 w_1 ... w_(k-1)
+ *        E     w0 E    w0 w1 E         throughput (路径吞吐量) of k bounces: w_0 w_1 ... w_(k-1)
  *
  *   naive_path p = {&scene, DIRECTIONS_BRDF, depth, false};
  *   vec3 L = naive_radiance(&p, eye, &s, &counts);   s: sampler (20), a pair a bounce; counts: {0}

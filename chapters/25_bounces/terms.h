@@ -19,6 +19,7 @@
 #ifndef BOUNCES_TERMS_H
 #define BOUNCES_TERMS_H
 
+#include "../24_direct_light/lights.h"
 #include "naive_path.h"
 
 typedef struct { naive_counts walk; size_t sight; } bounce_counts;
@@ -39,20 +40,22 @@ static inline void bounce_terms(const naive_path *p, ray eye, sampler *s, vec3 *
 }
 
 /* K E at x towards wo: one of the lights, each as likely as the others. */
-static inline vec3 bounce_direct(const lit_scene *s, const lit_hit *x, vec3 wo, real which,
+static inline vec3 bounce_direct(const lit_lights *l, const lit_hit *x, vec3 wo, real which,
                                  point2 u, bounce_counts *c)
 {
     vec3 black = {0, 0, 0};
-    emitter_point to;
-    if (!s->emitters || naive_black(x->m) || brdf_is_delta(&x->m->f)) return black;
-    size_t n = s->emitters, i = (size_t)(which * (real)n);
-    const emitter *e = &s->emitter[i < n ? i : n - 1];
-    if (!emitter_by_area(e, x->s.p, u, &to) || !(vdot(x->s.n, to.wi) > 0)) return black;
+    real chance, rest;
+    lit_draw to;
+    if (!lit_lights_some(l) || naive_black(x->m) || brdf_is_delta(&x->m->f)) return black;
+    size_t k = lit_lights_choose(l, which, &chance, &rest);
+    if (!lit_lights_point(l, POINTS_BY_AREA, k, chance, x->s.p, u, &to)) return black;
+    if (!(vdot(x->s.n, to.wi) > 0)) return black;
     vec3 f = vscale(brdf_value(&x->m->f, x->s.ns, to.wi, wo), vdot(x->s.ns, to.wi));
     if (vzero(f)) return black;
     c->sight++;
-    if (lit_occluded(s, leave_between(x->s, to.s))) return black;
-    return vscale(vmul(f, e->Le), (real)n / to.pdf);
+    ray r = leave_between(x->s, to.s);
+    if (lit_occluded_from(l->scene, r, x->s.shape, to.emitter)) return black;
+    return vscale(vmul(f, to.Le), 1 / to.pdf);
 }
 
 /* A hit of bounce k gives term[k + 1] by its light; what it shines itself is term[k] only if that
@@ -63,6 +66,8 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
     vec3 through = {1, 1, 1}, wo = vneg(vunit(eye.d)), weight;
     bool count_it = true, met;
     lit_hit x;
+    lit_lights lamps;
+    lit_lights_of(p->scene, NULL, LIGHTS_UNIFORM, &lamps);  /* nothing to be freed */
     bounce_clear(p, term);
     if (naive_dark(p->scene)) return;
     for (int k = 0;; k++) {
@@ -71,7 +76,7 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
         if (!met || k == p->depth) return;
         if (naive_black(x.m)) { c->walk.black++; return; }
         real which = sampler_number(s);
-        vec3 direct = bounce_direct(p->scene, &x, wo, which, sampler_pair(s), c);
+        vec3 direct = bounce_direct(&lamps, &x, wo, which, sampler_pair(s), c);
         term[k + 1] = vadd(term[k + 1], vmul(through, direct));
         if (k + 1 == p->depth && !brdf_is_delta(&x.m->f) && vzero(p->scene->background)) return;
         if (!naive_direction(p, &x, wo, sampler_pair(s), &eye, &weight)) return;

@@ -8,7 +8,9 @@
  *   RMSE^2 = mean over pixels and channels of (A - B)^2 nA nB / N^2                         (26.13)
  *
  *   film f = film_new(w, h);
- *   film_add(&f, i, k, L)                 sample k of pixel i = y w + x; once each
+ *   film_pixel p = {0};                   the sums of one pixel, while its samples are taken
+ *   film_pixel_add(&p, k, L)              sample k; false: not a number, nothing is added
+ *   film_gather(&f, i, &p)                to pixel i = y w + x; each sample once
  *   film_cover(&f, a, b, &why)            says that all pixels have samples a .. b-1; false: twice
  *   double e = film_error(&f)             the RMSE (26.13) of film_picture, of linear radiance, all
  *                                         pixels and channels; infinity with fewer than 2 samples
@@ -31,6 +33,7 @@
 
 enum { film_most_ranges = 256, film_side = 16 };
 typedef struct { tally of[3]; } film_sum;              /* of R, G, B */
+typedef struct { film_sum half[2]; } film_pixel;
 typedef struct { uint32_t begin, end; } film_range;   /* samples begin .. end - 1 */
 typedef struct {
     int width, height;
@@ -69,11 +72,16 @@ static inline void film_free(film *f)
     *f = (film){.width = 0};
 }
 
-static inline bool film_add(film *f, size_t i, uint32_t k, vec3 L)
+static inline bool film_pixel_add(film_pixel *p, uint32_t k, vec3 L)
 {
-    tally *t = f->half[k % 2][i].of;
+    tally *t = p->half[k % 2].of;
     bool x = tally_add(&t[0], (double)L.x), y = tally_add(&t[1], (double)L.y);
     return tally_add(&t[2], (double)L.z) && x && y;
+}
+
+static inline void film_gather(film *f, size_t i, const film_pixel *p)
+{
+    for (int k = 0; k < 6; k++) tally_join(&f->half[k / 3][i].of[k % 3], &p->half[k / 3].of[k % 3]);
 }
 
 /* How many of a range are in the half. */

@@ -3,7 +3,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
  * Without options: a picture, and error and time of every strategy; --full: all pictures, plots
  * and tables. With a model, --scene, --samples, --error, --time ...: one picture. Errors are
  * measured against a reference of many samples, which a test compares with the naive path of 25. */
-#include "lab/pictures.h"
+#include "lab/light_eye.h"
 
 int main(int argc, char **argv)
 {
@@ -32,7 +32,8 @@ int main(int argc, char **argv)
         return output_done(&o);
     }
     draw_cornell(&o);
-    if (!o.out && o.full) draw_strategies(&o), draw_spheres(&o), draw_furnace(&o);
+    if (!o.out && o.full) draw_strategies(&o), draw_spheres(&o), draw_furnace(&o),
+        draw_light(&o), draw_ladder(&o);
     measure_strategies(&o);
     return output_done(&o);
 }

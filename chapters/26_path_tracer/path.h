@@ -10,15 +10,18 @@
  *   light sample could have found: there w_B = 1. Roulette (26.8) ends the path.
  *
  *   path_tracer t;
- *   path_tracer_of(&scene, sky, path_defaults, &t);        sky: an environment (26.6) or NULL
+ *   path_tracer_of(&scene, sky, path_defaults, &t);        sky: an environment (24.12) or NULL
  *   vec3 L = path_radiance(&t, r, &s, &counts);            s: path_random; counts: {0} at first
- *   path_random s = path_start(&t.how, seed, pixel, k, n); sample k of n of a pixel
+ *   path_random s = path_start(&t.how, seed, pixel, k, n); sample k of n of a pixel; or, where many
+ *   path_pixel p; path_pixel_of(&t.how, seed, pixel, &p);  follow, hashed once a pixel:
+ *   path_random s = path_sample(&p, k, n);                 the same numbers
  *   path_tracer_free(&t)
  *
  * E[L] is the solution of the rendering equation (25.1) along r, whatever t.how says but for
  * `bounces` and `clamp`, which leave light out. How large the noise is is all that differs.
  *
  * Only what is called for:
+ *   no ray at all       in scenes in which nothing shines
  *   no light sample     at mirrors, glass, black surfaces; in scenes without lights
  *   no shadow ray       where the light's back faces x, or f cos = 0
  *   no roulette         where nothing can follow: after the last bounce, black, absorbed; q = 1
@@ -36,9 +39,9 @@
 #ifndef PATH_H
 #define PATH_H
 
+#include "../24_direct_light/lights.h"
 #include "../24_direct_light/mis.h"
 #include "dielectric.h"
-#include "lights.h"
 #include "roulette.h"
 
 typedef struct {
@@ -63,11 +66,12 @@ typedef struct {
 typedef struct {
     const lit_scene *scene;
     const environment *sky;
-    path_lights light;
+    lit_lights light;
     path_options how;
-    bool glass, plain;       /* plain: flat matte triangles, no sky, defaults: see path_radiance */
+    bool glass, dark;        /* dark: nothing shines */
 } path_tracer;
 
+typedef struct { sampler_keys keys; uint64_t seed, pixel; } path_pixel;
 typedef struct { sampler pairs; random_stream own; uint32_t left; } path_random;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -81,24 +85,31 @@ static inline void path_counts_add(path_counts *to, const path_counts *c)
     to->refractions += c->refractions, to->spent += c->spent;
 }
 
-static inline void path_tracer_free(path_tracer *t) { path_lights_free(&t->light); }
+static inline void path_tracer_free(path_tracer *t) { lit_lights_free(&t->light); }
 
 static inline void path_tracer_of(const lit_scene *s, const environment *sky, path_options how,
                                   path_tracer *out)
 {
     *out = (path_tracer){.scene = s, .sky = sky, .how = how};
-    path_lights_of(s, sky, &out->light);
-    bool matte = true;
-    for (size_t i = 0; i < s->materials; i++) {
-        out->glass = out->glass || s->material[i].ior > 0;
-        matte = matte && s->material[i].f.kind == BRDF_LAMBERT;
-    }
-    out->plain = matte && !out->glass && !sky && s->shapes == 0 && !s->m.n && !how.spend_all
-        && how.light_sampling && how.mis && how.roulette == ROULETTE_THROUGHPUT
-        && how.bounces == path_endless && s->emitters == 1;
+    lit_lights_of(s, sky, LIGHTS_FLUX, &out->light);
+    out->dark = !lit_lights_some(&out->light) && vzero(s->background) && !how.spend_all;
+    for (size_t i = 0; i < s->materials; i++) out->glass = out->glass || s->material[i].ior > 0;
 }
 
-__attribute__((always_inline))
+static inline void path_pixel_of(const path_options *how, uint64_t seed, uint64_t pixel,
+                                 path_pixel *out)
+{
+    sampler_keys_of(how->sequence, seed, pixel, &out->keys);
+    out->seed = seed, out->pixel = pixel;
+}
+
+static inline path_random path_sample(const path_pixel *p, uint32_t k, uint32_t n)
+{
+    path_random r = {.pairs = sampler_of_keys(&p->keys, k, n), .left = path_pairs};
+    r.own = random_start(p->seed ^ random_step, p->pixel, k);
+    return r;
+}
+
 static inline path_random path_start(const path_options *how, uint64_t seed, uint64_t pixel,
                                      uint32_t k, uint32_t n)
 {
@@ -139,7 +150,8 @@ static inline vec3 path_found(const path_tracer *t, const path_walk *w, const li
     vec3 Le = x->m->Le;
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return Le;
     if (!t->how.mis) return (vec3){0, 0, 0};
-    real q = path_lights_pdf(&t->light, x->emitter, w->from.p, x->t, fabs(vdot(x->s.n, w->r.d)));
+    real cosine = fabs(vdot(x->s.n, w->r.d));
+    real q = lit_lights_pdf(&t->light, POINTS_CHEAP, x->emitter, w->from.p, x->t, cosine);
     return vscale(Le, mis_power(w->pdf, q));
 }
 
@@ -150,7 +162,7 @@ static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
     vec3 L = environment_radiance(t->sky, d);
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return L;
     if (!t->how.mis) return (vec3){0, 0, 0};
-    return vscale(L, mis_power(w->pdf, path_lights_pdf_sky(&t->light, d)));
+    return vscale(L, mis_power(w->pdf, lit_lights_pdf_sky(&t->light, d)));
 }
 
 /* (26.11), first half. wo is local to f. */
@@ -158,9 +170,9 @@ __attribute__((always_inline))
 static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
                               shading_frame f, vec3 wo, point2 u, path_counts *c)
 {
-    light_draw l;
+    lit_draw l;
     c->light_draws++;
-    if (!path_lights_sample(&t->light, x->s.p, u, &l)) return;
+    if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, u, &l)) return;
     vec3 wi = to_local(f, l.wi);
     bool lit = vdot(x->s.n, l.wi) > 0 && !brdf_behind(wi);
     if (!lit && !t->how.spend_all) return;
@@ -175,6 +187,9 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
     if (lit_occluded_from(t->scene, r, x->s.shape, l.emitter)) return;
     real weight = t->how.mis ? mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, wo)) : 1;
     vec3 gain = vscale(brings, weight / l.pdf);
+    if (t->glass && w->medium)  /* no wall of it in between: all the way in the glass */
+        gain = vmul(gain, absorbed(w->medium->sigma, l.emitter == lit_dark ? real_infinity
+                                                     : vlength(vsub(l.s.p, x->s.p))));
     w->L = vadd(w->L, path_cut(gain, t->how.clamp));
 }
 
@@ -220,7 +235,7 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
     shading_frame f = shading_frame_of(x->s.ns);
     vec3 local = to_local(f, wo);
     point2 for_light = path_pair(s), for_brdf = path_pair(s);
-    if (t->how.light_sampling && path_lights_some(&t->light) && !brdf_is_delta(b))
+    if (t->how.light_sampling && lit_lights_some(&t->light) && !brdf_is_delta(b))
         path_light(t, w, x, f, local, for_light, c);
     if (!brdf_sample_local(b, local, for_brdf.u, for_brdf.v, &wi, &w->pdf, &weight)) return false;
     wi = to_world(f, wi);
@@ -231,15 +246,12 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
     return true;
 }
 
-/* One hit, and on. The flags of t.how, t.glass are known where this is inlined: what is not called
- * for is not even compiled in. */
+/* One hit, and on. */
 __attribute__((always_inline))
 static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
-    lit_hit x;
-    bool met = t->plain ? lit_trace_flat(t->scene, w->r, w->from.shape, &x)
-                        : lit_trace_from(t->scene, w->r, w->from.shape, &x);
-    if (!met) {
+    lit_hit x = {.m = NULL};
+    if (!lit_trace_from(t->scene, w->r, w->from.shape, &x)) {
         vec3 L = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
         return false;
@@ -260,29 +272,16 @@ static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s,
     return true;
 }
 
-__attribute__((always_inline))
-static inline vec3 path_run(const path_tracer *t, ray eye, path_random *s, path_counts *c)
+__attribute__((flatten))
+static inline vec3 path_radiance(const path_tracer *t, ray eye, path_random *s, path_counts *c)
 {
     path_walk w = {.beta = {1, 1, 1}, .r = eye, .from = {.shape = no_shape}, .pdf = real_infinity,
                    .squeezed = 1};
-    c->paths++, c->camera++;
+    c->paths++;
+    if (t->dark) return w.L;
+    c->camera++;
     while (path_step(t, &w, s, c)) {}
     return w.L;
-}
-
-__attribute__((flatten))
-static inline vec3 path_radiance_plain(const path_tracer *t, ray eye, path_random *s,
-                                       path_counts *c)
-{
-    path_tracer known = {.scene = t->scene, .light = t->light, .how = path_defaults, .plain = true};
-    known.how.clamp = t->how.clamp;
-    known.light.of.n = 0, known.light.emitters = 1, known.light.skies = 0;
-    return path_run(&known, eye, s, c);
-}
-
-static inline vec3 path_radiance(const path_tracer *t, ray eye, path_random *s, path_counts *c)
-{
-    return t->plain ? path_radiance_plain(t, eye, s, c) : path_run(t, eye, s, c);
 }
 
 #endif

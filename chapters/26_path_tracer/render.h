@@ -47,17 +47,21 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The samples of one pixel. */
-__attribute__((always_inline))
+/* The samples of one pixel. What they share is hashed once; their sums are local. */
 static inline size_t render_pixel(const render_job *j, film *f, int x, int y, path_counts *c)
 {
     size_t i = (size_t)y * (size_t)f->width + (size_t)x, refused = 0;
+    path_pixel half[2];
+    film_pixel sum = {{{{{0, 0}}}}};
+    for (uint64_t k = 0; k < 2; k++)
+        path_pixel_of(&j->tracer->how, j->seed, 2 * i + k, &half[k]);
     for (uint32_t k = j->now.begin; k < j->now.end; k++) {
-        path_random s = path_start(&j->tracer->how, j->seed, 2 * i + k % 2, k / 2, 1u << 31);
+        path_random s = path_sample(&half[k % 2], k / 2, 1u << 31);
         point2 u = path_pair(&s);
         ray eye = camera_ray(j->eye, (real)x + u.u, (real)y + u.v, f->width, f->height);
-        refused += !film_add(f, i, k, path_radiance(j->tracer, eye, &s, c));
+        refused += !film_pixel_add(&sum, k, path_radiance(j->tracer, eye, &s, c));
     }
+    film_gather(f, i, &sum);
     return refused;
 }
 

@@ -7,7 +7,7 @@
  *                                             meets at distance t, where it emits Ke; shape or NULL
  *   lamps_free(&l)
  *
- *   P(face) ~ area x radiance (26.10). Flat faces and cones are drawn by area (24.4), spheres by
+ *   P(face) ~ area x radiance (24.10). Flat faces and cones are drawn by area (24.4), spheres by
  *   angle (24.5). Then the density of a point by area, P(face) / area = (Ke.x + Ke.y + Ke.z) / sum,
  *   does not depend on which face it lies: no table from shapes to faces is needed.        (27.6)
  *

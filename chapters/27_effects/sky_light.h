@@ -7,14 +7,14 @@
  *   sky_light_free(&l)
  *
  *   one colour, gradient   as the cosine: pdf = n.wi / pi
- *   picture                as its luminance (26.7), by 26's environment, whose pole is +y and whose
+ *   picture                as its luminance (24.15), by that of 24, whose pole is +y and whose
  *                          first column looks along +x: d' = (-d.front, d.up, -d.right)    (27.7)
  */
 #ifndef EFFECTS_SKY_LIGHT_H
 #define EFFECTS_SKY_LIGHT_H
 
 #include "../23_brdf/shading_frame.h"
-#include "../26_path_tracer/environment.h"
+#include "../24_direct_light/environment.h"
 #include "sky.h"
 
 typedef struct { const effects_sky *s; environment picture; bool by_picture; } sky_light;

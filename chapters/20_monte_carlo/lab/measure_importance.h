@@ -48,7 +48,7 @@ static inline void importance_job(size_t i, void *context)
 static inline double importance_largest(int row)
 {
     double n = importance_row[row].n, a = importance_row[row].a;
-    if (n < 0) return (double)pi / 2;
+    if (n < 0) return (double)pi;  /* pi z, z in [1/2, 1] */
     if (n <= 1) return 2 * (double)pi / (n + 1);
     return a > 0 ? (double)pi / a : (double)INFINITY;
 }

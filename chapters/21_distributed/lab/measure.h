@@ -77,11 +77,11 @@ static inline distributed_study picture_measure(const options *o, const showroom
 }
 
 /* From 4 samples on: one alone is taken in the middle of its pixel. */
-static inline double picture_slope(const double *error, int levels)
+static inline line_fit picture_slope(const double *error, int levels)
 {
     double x[measure_levels] = {0}, y[measure_levels] = {0};
     for (int l = 1; l < levels; l++) x[l] = 2 * l * log(2.0), y[l] = log(error[l]);
-    return fit_line(x + 1, y + 1, (size_t)levels - 1).slope;
+    return fit_line(x + 1, y + 1, (size_t)levels - 1);
 }
 
 static inline void table_of_pictures(const options *o)
@@ -90,7 +90,7 @@ static inline void table_of_pictures(const options *o)
     int levels = measure_levels - o->quick;
     showroom *g = showroom_new(o->quick ? 4 : 8);
     table t = table_new("Error of two pictures against converged ones; time of 64 samples a pixel",
-                        "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|"
+                        "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|+-|"
                         "time [ms]");
     plot time = plot_new("Error of a picture, and time", "time of a picture [ms]", "error (rmse)",
                          PLOT_LOG_X | PLOT_LOG_Y);
@@ -108,7 +108,9 @@ static inline void table_of_pictures(const options *o)
                     table_number(&t, p.error[m][l]);
                     plot_add(&time, series, (1 << 2 * l) * 1e3 * p.seconds[m], p.error[m][l]);
                 } else table_text(&t, "-");
-            table_number(&t, picture_slope(p.error[m], levels));
+            line_fit slope = picture_slope(p.error[m], levels);
+            table_number(&t, slope.slope);
+            table_text(&t, slope.n > 2 ? "%.2f" : "-", slope.slope_error);
             table_number(&t, 64e3 * p.seconds[m]);
         }
     }
@@ -149,16 +151,24 @@ static inline void known_job(size_t i, void *context)
  * a thousand weights. */
 static inline double known_rounding(void) { return 2.0 / known_far + 4 * (double)real_epsilon; }
 
-/* NaN where the points are exact: from some N on there is no error. */
-static inline double known_slope(const known_study *s, int kind, int method)
+/* NaN where the points are exact: from some N on there is no error. Its own standard error follows
+ * from that of each mean square: log rms is off by half of the mean square's relative error. */
+static inline line_fit known_slope(const known_study *s, int kind, int method)
 {
-    double x[measure_levels] = {0}, y[measure_levels] = {0};
+    double x[measure_levels] = {0}, y[measure_levels] = {0}, off = 0, middle = 0, xx = 0;
     for (int l = 0; l < measure_levels; l++) {
         double rms = sqrt(s->square[kind][method][l].mean);
-        if (rms < known_rounding()) return (double)NAN;
-        x[l] = log((double)known_samples(l)), y[l] = log(rms);
+        if (rms < known_rounding()) return (line_fit){.slope = (double)NAN};
+        x[l] = log((double)known_samples(l)), y[l] = log(rms), middle += x[l] / measure_levels;
     }
-    return fit_line(x, y, measure_levels).slope;
+    for (int l = 0; l < measure_levels; l++) {
+        estimate square = s->square[kind][method][l];
+        double own = estimate_error(square) / square.mean / 2 * (x[l] - middle);
+        off += own * own, xx += (x[l] - middle) * (x[l] - middle);
+    }
+    line_fit f = fit_line(x, y, measure_levels);
+    f.slope_error = sqrt(off) / xx;
+    return f;
 }
 
 static inline void table_of_known(const options *o)
@@ -181,8 +191,9 @@ static inline void table_of_known(const options *o)
         for (int m = 0; m < measure_methods; m++)
             table_text(&t, "%.3f", t_test(s->mean[i][m][top], s->k[i].truth, known_rounding()));
         for (int m = 0; m < measure_methods; m++) {
-            double slope = known_slope(s, i, m);
-            table_text(&t, isnan(slope) ? "exact" : "%.2f", slope);
+            line_fit f = known_slope(s, i, m);
+            if (isnan(f.slope)) table_text(&t, "exact");
+            else table_text(&t, "%.2f +-%.2f", f.slope, f.slope_error);
         }
     }
     output_extra_table(o, &t);

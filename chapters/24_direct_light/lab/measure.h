@@ -98,7 +98,7 @@ static inline void measure_lights(const options *o)
     s.entries = 6;
     for (int k = 0; k < 6; k++)
         s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER,
-                                    (direct_lights_kind)(k % 3), SEQUENCE_RANDOM};
+                                    (lit_lights_rule)(k % 3), SEQUENCE_RANDOM};
     survey_measure(&s, o, 2);
     table t = table_new("Sixteen lamps, three of them bright",
                         "way|lights|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
@@ -121,8 +121,8 @@ static inline double variance_seen(const emitter *e, direct_way way, uint32_t n,
     lit_material matte = {.f = brdf_lambert((vec3){1, 1, 1})};
     lit_add_rectangle(&s, e->rectangle, lit_add_material(&s, (lit_material){.Le = e->Le}));
     lit_end(&s);
-    direct_lights l;
-    direct_lights_build(&s, LIGHTS_ALL, &l);
+    lit_lights l;
+    lit_lights_of(&s, NULL, LIGHTS_ALL, &l);
     direct_work work = {0, 0, 0};
     direct d = {&s, way, &l, &work, false};
     vec3 up = {0, 0, 1};
@@ -132,7 +132,7 @@ static inline double variance_seen(const emitter *e, direct_way way, uint32_t n,
         sampler q = sampler_start(SEQUENCE_RANDOM, seed, 0, k, n);
         x = estimate_add(x, grey(direct_light(&d, &h, up, &q)));
     }
-    direct_lights_free(&l), lit_free(&s);
+    lit_lights_free(&l), lit_free(&s);
     return estimate_variance(x);
 }
 

@@ -19,7 +19,7 @@
 typedef struct {
     const direct_stage *g;
     direct_way way;
-    direct_lights_kind kind;
+    lit_lights_rule kind;
     sequence_kind sequence;
     uint32_t n;
     uint64_t seed;
@@ -27,7 +27,7 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const direct_view *v; const direct_lights *l; image *im; } direct_sheet;
+typedef struct { const direct_view *v; const lit_lights *l; image *im; } direct_sheet;
 
 static inline void direct_pixel(int x, int y, void *context)
 {
@@ -51,11 +51,11 @@ static inline void direct_pixel(int x, int y, void *context)
 
 static inline bool direct_render(const direct_view *v, image *im, int threads)
 {
-    direct_lights l;
-    direct_lights_build(&v->g->s, v->kind, &l);
+    lit_lights l;
+    lit_lights_of(&v->g->s, NULL, v->kind, &l);
     direct_sheet k = {v, &l, im};
     bool whole = parallel_pixels(im->width, im->height, threads, "direct light", direct_pixel, &k);
-    direct_lights_free(&l);
+    lit_lights_free(&l);
     return whole;
 }
 

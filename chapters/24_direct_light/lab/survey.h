@@ -26,7 +26,7 @@ enum { survey_levels = 5, survey_most = 9, survey_points = 20, survey_time_level
 static inline uint32_t survey_samples(int level) { return (uint32_t)1 << 2 * level; }
 
 typedef struct { lit_hit h; vec3 wo; double truth; } seen_point;
-typedef struct { int way; direct_lights_kind kind; sequence_kind sequence; } survey_entry;
+typedef struct { int way; lit_lights_rule kind; sequence_kind sequence; } survey_entry;
 
 typedef struct {
     direct_stage g;
@@ -37,7 +37,7 @@ typedef struct {
     uint32_t reference;
     survey_entry best, entry[survey_most];
     int entries, levels;
-    direct_lights choice[LIGHTS_FLUX + 1];
+    lit_lights choice[LIGHTS_FLUX + 1];
     double error[survey_most][survey_levels], seconds[survey_most];  /* of one sample */
     direct_work work[survey_most][survey_levels];
 } direct_survey;
@@ -139,7 +139,7 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
         s->points++;
     }
     for (int k = 0; k <= LIGHTS_FLUX; k++)
-        direct_lights_build(&s->g.s, (direct_lights_kind)k, &s->choice[k]);
+        lit_lights_of(&s->g.s, NULL, (lit_lights_rule)k, &s->choice[k]);
     parallel_for(s->points, o->threads, "reference", survey_reference, s);
     for (size_t i = 0; i < s->points; i++) s->mean += s->point[i].truth / (double)s->points;
 }
@@ -161,7 +161,7 @@ static inline void survey_measure(direct_survey *s, const options *o, int least)
 
 static inline void survey_close(direct_survey *s)
 {
-    for (int k = 0; k <= LIGHTS_FLUX; k++) direct_lights_free(&s->choice[k]);
+    for (int k = 0; k <= LIGHTS_FLUX; k++) lit_lights_free(&s->choice[k]);
     free(s->point);
     stage_close(&s->g);
 }

@@ -130,8 +130,8 @@ static inline double trial_sample(const branch_survey *b, const branch_trial *t,
         return sum[depth];
     }
     if (t->room == ROOM_FIRST) return trial_first(b, t, pixel, i, c);
-    direction_choice choice = t->room == ROOM_BOX ? DIRECTIONS_BRDF : DIRECTIONS_UNIFORM;
-    naive_path p = {&b->scene[t->room], choice, depth, false};
+    direction_choice draw = t->room == ROOM_BOX ? DIRECTIONS_BRDF : DIRECTIONS_UNIFORM;
+    naive_path p = {&b->scene[t->room], draw, depth, false};
     ray eye = trial_ray(t->room, pixel, branching_pair(b->seed, pixel, i, 0));
     return (double)branching_radiance(&p, t->N, eye, b->seed, pixel, i, &c->walk).y;
 }

@@ -57,17 +57,23 @@ static inline image measure_render(const measure_place *m, const strategy *s, ui
     naive_counts n = {0};
     naive_path p = {&m->c.s, DIRECTIONS_BRDF, naive_endless, false};
     double start = clock_seconds();
-    for (int i = 0; i < m->side * m->side; i++)
+    for (int i = 0; i < m->side * m->side; i++) {
+        path_pixel half[2];
+        film_pixel sum = {{{{{0, 0}}}}};
+        for (uint64_t k = 0; k < 2; k++)
+            path_pixel_of(&s->how, seed, 2 * (uint64_t)i + k, &half[k]);
         for (uint32_t k = 0; k < samples; k++) {
             real x = (real)(i % m->side), y = (real)(i / m->side);
-            path_random r = path_start(&s->how, seed, 2 * (uint64_t)i + k % 2, k / 2, 1u << 31);
+            path_random r = path_sample(&half[k % 2], k / 2, 1u << 31);
             point2 u = path_pair(&r);
             ray eye = camera_ray(m->c.eye, x + u.u, y + u.v, m->side, m->side);
             vec3 L = s->by == BY_FIRST ? first_path(&m->first, eye, &r.own)
                    : s->by == BY_NAIVE ? naive_radiance(&p, eye, &r.pairs, &n)
                               : path_radiance(&t, eye, &r, &c);
-            film_add(&f, (size_t)i, k, L);
+            film_pixel_add(&sum, k, L);
         }
+        film_gather(&f, (size_t)i, &sum);
+    }
     *seconds = clock_seconds() - start;
     *rays = s->by == BY_NAIVE ? naive_rays(&n) : path_rays(&c);
     failure why;

@@ -2,6 +2,7 @@
  *
  *   draw_cornell(o)     the box: the main picture
  *   draw_strategies(o)  the box, 16 samples a pixel: naive, lights, both, Sobol' points
+ *   draw_ladder(o)      the box by 1, 4, 16 .. 4096 samples a pixel, and how far off each is
  *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
  *   draw_furnace(o)     balls of every BRDF in a white world: what they lose, in false colours
  *
@@ -48,6 +49,48 @@ static inline void draw_scene(const options *o, const char *scene_name, int w, i
 static inline void draw_cornell(const options *o)
 {
     draw_scene(o, "cornell", o->width, o->height, 64, 2, "26_path_tracer.png", true);
+}
+
+/* One film: each rung adds samples to the one before, and says itself how far off it is (26.13). */
+static inline void draw_ladder(const options *o)
+{
+    enum { rungs = 7, side = 64, larger = 2, size = side * larger };
+    static const char *const title[rungs] = {"1", "4", "16", "64", "256", "1024", "4096 samples"};
+    int n = o->quick ? 3 : rungs;
+    showcase c;
+    failure why;
+    path_tracer t;
+    double before = 0;
+    bool whole = true;
+    if (!showcase_of("cornell", 1, &c, &why)) fail(why);
+    path_tracer_of(&c.s, NULL, path_defaults, &t);
+    render_job j = {.tracer = &t, .eye = c.eye, .seed = o->seed, .threads = o->threads};
+    film f = film_new(side, side);
+    image all = image_new(n * size, size);
+    table rows = table_new("The ladder: the box by ever more samples, one film", "samples a pixel|"
+                           "error RMSE, estimated|of the rung before|rays a path|time [s]");
+    for (int k = 0; k < n && whole; k++) {
+        uint32_t samples = 1u << 2 * k;
+        whole = render_range(&j, &f, k ? samples / 4 : 0, samples);
+        double error = film_error(&f);
+        image im = film_picture(&f);
+        for (int i = 0; i < size * size; i++) {
+            int x = i % size, y = i / size;
+            image_set(&all, k * size + x, y, vscale(image_get(&im, x / larger, y / larger), 2));
+        }
+        image_free(&im);
+        table_count(&rows, samples);
+        table_text(&rows, k ? "%.3g" : "-", error);
+        table_text(&rows, k > 1 ? "1 / %.2f" : "-", before / error);
+        table_number(&rows, (double)path_rays(&j.counts) / (double)j.counts.paths);
+        table_number(&rows, j.seconds);
+        before = error;
+    }
+    output_extra_table(o, &rows);
+    image titled = label_panels(&all, n, 1, 0, title);
+    output_picture(o, &titled, "26_path_tracer_ladder.png", false, whole);
+    image_free(&all), image_free(&titled);
+    film_free(&f), path_tracer_free(&t), showcase_free(&c);
 }
 
 static inline void draw_spheres(const options *o)

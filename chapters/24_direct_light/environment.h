@@ -1,11 +1,11 @@
 /* environment.h: light from infinitely far away, a picture of the whole sphere of directions.
  *                                                            environment light (环境光)
- *   0 ___________ u ______________ 1      u = phi / 2 pi, v = theta / pi                    (26.4)
+ *   0 ___________ u ______________ 1      u = phi / 2 pi, v = theta / pi                   (24.12)
  *    |  +y: above                  |      theta: from +y, phi = atan2(z, x); w columns, h rows
- *  v |. . . . horizon . . . . . . .|      Omega_j = 2 pi/w (cos(pi j/h) - cos(pi (j+1)/h))  (26.6)
- *    |__-y: below__________________|      p(wi) = P(texel) / Omega, P ~ luminance x Omega   (26.7)
+ *  v |. . . . horizon . . . . . . .|      Omega_j = 2 pi/w (cos(pi j/h) - cos(pi (j+1)/h)) (24.14)
+ *    |__-y: below__________________|      p(wi) = P(texel) / Omega, P ~ luminance x Omega  (24.15)
  *
- *   in row j: cos theta = cos(pi j/h) - u' (cos(pi j/h) - cos(pi (j+1)/h)), phi evenly       (26.5)
+ *   in row j: cos theta = cos(pi j/h) - u' (cos(pi j/h) - cos(pi (j+1)/h)), phi evenly      (24.13)
  *
  *   environment e;
  *   if (!environment_of_image(&im, &e, &f)) fail(f);     im is copied; f: negative, NaN, all black
@@ -19,8 +19,8 @@
  * A texel has one colour all over, so L / pdf of a grey one is the same for every sample: against a
  * surface that reflects evenly, the only noise is that of its cosine and of shadows.
  */
-#ifndef PATH_ENVIRONMENT_H
-#define PATH_ENVIRONMENT_H
+#ifndef DIRECT_ENVIRONMENT_H
+#define DIRECT_ENVIRONMENT_H
 
 #include "../../common/image.h"
 #include "../20_monte_carlo/discrete.h"
@@ -35,7 +35,7 @@ static inline real environment_luminance(vec3 c)
     return (real)0.2126 * c.x + (real)0.7152 * c.y + (real)0.0722 * c.z;
 }
 
-/* (26.6), from half angles: near the poles a difference of cosines would lose its digits. */
+/* (24.14), from half angles: near the poles a difference of cosines would lose its digits. */
 static inline real environment_omega(const environment *e, int row)
 {
     real h = (real)e->im.height, middle = pi * ((real)row + (real)0.5) / h;
@@ -103,7 +103,7 @@ static inline real environment_pdf(const environment *e, vec3 d)
     return environment_density(e, environment_texel(e, d));
 }
 
-/* (26.5), by half angles. *L is what environment_radiance gives there. */
+/* (24.13), by half angles. *L is what environment_radiance gives there. */
 static inline void environment_sample(const environment *e, point2 u, vec3 *wi, real *pdf, vec3 *L)
 {
     real p, rest, w = (real)e->im.width, h = (real)e->im.height;

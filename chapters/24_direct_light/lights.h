@@ -1,0 +1,150 @@
+/* lights.h: the lights of a scene as one: which of them, a point of it, and with what pdf.
+ *
+ *   lit_lights l;
+ *   lit_lights_of(&scene, sky, LIGHTS_FLUX, &l);           sky: NULL, or an environment
+ *   lit_lights_sample(&l, points, p, u, &x)                one light, and a point of it as seen
+ *                                                          from p; false: it brings nothing
+ *   real q = lit_lights_pdf(&l, points, k, p, t, cosine)   of drawing a point of emitter k, t away
+ *   real q = lit_lights_pdf_sky(&l, d)                     ... of drawing d, which meets nothing
+ *   size_t k = lit_lights_choose(&l, u, &chance, &rest)    only which emitter
+ *   lit_lights_point(&l, points, k, chance, p, u, &x)      only the point, of emitter k
+ *   real q = lit_lights_chance(&l, k)                      P(k), as lit_lights_choose draws
+ *   lit_lights_free(&l)
+ *
+ *   which       LIGHTS_ALL      none is chosen: ask for a point of each                  P(k) = 1
+ *               LIGHTS_UNIFORM  one, each as likely                                      1 / n
+ *               LIGHTS_FLUX     one, the brighter the more often: P(k) ~ area x radiance,
+ *                               the power that it gives off, but for a factor pi         (24.10)
+ *   points      POINTS_BY_AREA  (24.4);   POINTS_BY_ANGLE  (24.5);
+ *               POINTS_CHEAP    triangles and rectangles by area, spheres by angle
+ *
+ *   pdf(wi) = P(k) pdf of the point seen from p                                            [1/sr]
+ *
+ * The sky gets one half if there are emitters, too: how much it brings depends on the place. One
+ * light: nothing is chosen, no random digits are used up. Otherwise u.u chooses, and what is left
+ * of it is used for the point. A constant background is no light here: directions find it at no
+ * cost.
+ */
+#ifndef DIRECT_LIGHTS_H
+#define DIRECT_LIGHTS_H
+
+#include "../18_shade/leave.h"
+#include "../20_monte_carlo/sampling.h"
+#include "environment.h"
+#include "lit_scene.h"
+
+typedef enum { LIGHTS_ALL, LIGHTS_UNIFORM, LIGHTS_FLUX } lit_lights_rule;
+typedef enum { POINTS_BY_AREA, POINTS_BY_ANGLE, POINTS_CHEAP } lit_points;
+
+typedef struct {
+    const lit_scene *scene;
+    const environment *sky;
+    lit_lights_rule rule;
+    choice of;              /* LIGHTS_FLUX: emitters by power; empty if there is one or none */
+    real emitters, skies;   /* probability of either kind */
+} lit_lights;
+
+typedef struct {
+    vec3 wi, Le;
+    real pdf;
+    uint32_t emitter;       /* lit_dark: the sky */
+    surface s;              /* on the emitter */
+} lit_draw;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void lit_lights_free(lit_lights *l) { choice_free(&l->of); }
+
+static inline void lit_lights_of(const lit_scene *s, const environment *sky, lit_lights_rule rule,
+                                 lit_lights *out)
+{
+    size_t n = s->emitters;
+    *out = (lit_lights){.scene = s, .sky = sky, .rule = rule};
+    out->emitters = n == 0 ? 0 : sky ? (real)0.5 : 1;
+    out->skies = sky ? 1 - out->emitters : 0;
+    if (n < 2 || rule != LIGHTS_FLUX) return;
+    real *power = allocate(n, sizeof *power);
+    for (size_t i = 0; i < n; i++) power[i] = emitter_power(&s->emitter[i]);
+    if (!choice_build(power, n, &out->of)) out->emitters = 0, out->skies = sky ? 1 : 0;
+    free(power);
+}
+
+static inline bool lit_lights_some(const lit_lights *l) { return l->emitters + l->skies > 0; }
+
+static inline real lit_lights_chance(const lit_lights *l, size_t k)
+{
+    if (l->rule == LIGHTS_ALL) return 1;
+    if (l->rule == LIGHTS_UNIFORM) return l->emitters / (real)l->scene->emitters;
+    return l->of.n ? l->emitters * choice_probability(&l->of, k) : l->emitters;
+}
+
+/* [emitters > 0, and not LIGHTS_ALL] *rest: what is left of u, uniform in [0,1) again. */
+static inline size_t lit_lights_choose(const lit_lights *l, real u, real *chance, real *rest)
+{
+    size_t n = l->scene->emitters, k = 0;
+    *chance = l->emitters, *rest = u;
+    if (l->of.n) {
+        real q;
+        k = choice_sample(&l->of, u, &q, rest);
+        *chance *= q;
+    } else if (n > 1) {
+        real x = u * (real)n;
+        k = (size_t)x < n ? (size_t)x : n - 1;
+        *chance /= (real)n, *rest = real_min(x - (real)k, 1 - real_epsilon / 2);
+    }
+    return k;
+}
+
+__attribute__((always_inline))
+static inline bool lit_lights_point(const lit_lights *l, lit_points points, size_t k, real chance,
+                                    vec3 p, point2 u, lit_draw *out)
+{
+    emitter_point x;
+    const emitter *e = &l->scene->emitter[k];
+    bool angle = points == POINTS_BY_ANGLE
+              || (points == POINTS_CHEAP && e->kind == EMITTER_SPHERE);
+    bool seen = angle && emitter_by_angle(e, p, u, &x);
+    if (!angle) seen = emitter_by_area(e, p, u, &x);
+    if (!seen) return false;
+    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = e->Le, out->s = x.s;
+    out->emitter = (uint32_t)k;
+    return true;
+}
+
+__attribute__((always_inline))
+static inline bool lit_lights_sample(const lit_lights *l, lit_points points, vec3 p, point2 u,
+                                     lit_draw *out)
+{
+    real chance;
+    if (l->skies > 0) {
+        real largest = 1 - real_epsilon / 2;
+        if (u.u >= l->emitters) {
+            u.u = real_min((u.u - l->emitters) / l->skies, largest);
+            environment_sample(l->sky, u, &out->wi, &out->pdf, &out->Le);
+            out->pdf *= l->skies, out->emitter = lit_dark;
+            return true;
+        }
+        u.u = real_min(u.u / l->emitters, largest);
+    }
+    size_t k = lit_lights_choose(l, u.u, &chance, &u.u);
+    return lit_lights_point(l, points, k, chance, p, u, out);
+}
+
+/* Of x, at distance t from p, where the emitter is met at this cosine [> 0]. */
+__attribute__((always_inline))
+static inline real lit_lights_pdf(const lit_lights *l, lit_points points, uint32_t k, vec3 p,
+                                  real t, real cosine)
+{
+    const emitter *e = &l->scene->emitter[k];
+    bool angle = points == POINTS_BY_ANGLE
+              || (points == POINTS_CHEAP && e->kind == EMITTER_SPHERE);
+    real pdf = angle ? emitter_pdf_angle(e, p) : t * t / (e->area * cosine);
+    return lit_lights_chance(l, k) * pdf;
+}
+
+static inline real lit_lights_pdf_sky(const lit_lights *l, vec3 d)
+{
+    return l->skies > 0 ? l->skies * environment_pdf(l->sky, d) : 0;
+}
+
+#endif

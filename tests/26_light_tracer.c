@@ -1,0 +1,128 @@
+/* Tests of 26_path_tracer: light against eye. Paths from the lamp and paths from the eye must find
+ * the same radiance in every block of pixels. Fixed seeds; false alarms: once in 1e7 seeds. */
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/26_path_tracer/lab/showcase.h"
+#include "../chapters/26_path_tracer/light_tracer.h"
+#include "check.h"
+
+enum { side = 24, block = 4, across = side / block, blocks = across * across, sets = 24 };
+
+/* The same mean? Two-sided, variances unknown and different (Welch). */
+static double welch(estimate a, estimate b)
+{
+    double va = estimate_variance(a) / (double)a.n, vb = estimate_variance(b) / (double)b.n;
+    double k = (va + vb) * (va + vb)
+        / (va * va / (double)(a.n - 1) + vb * vb / (double)(b.n - 1));
+    if (!(va + vb > 0)) return a.mean == b.mean ? 1 : 0;
+    return t_above((a.mean - b.mean) / sqrt(va + vb), k);
+}
+
+/* Means of blocks of a picture [3 side side], each set one sample of each block. */
+static void gather(const double *picture, double scale, estimate *e)
+{
+    double sum[3 * blocks] = {0};
+    for (int i = 0; i < side * side; i++)
+        for (int ch = 0; ch < 3; ch++)
+            sum[3 * (i / side / block * across + i % side / block) + ch] += picture[3 * i + ch];
+    for (int k = 0; k < 3 * blocks; k++)
+        e[k] = estimate_add(e[k], sum[k] * scale / (block * block));
+}
+
+static void from_eye(const showcase *c, estimate *e, estimate *mean)
+{
+    path_tracer t;
+    path_counts work = {0};
+    path_tracer_of(&c->s, NULL, path_defaults, &t);
+    uint32_t n = check_count(64) < 8 ? 8 : (uint32_t)check_count(64);
+    for (uint64_t set = 0; set < sets; set++) {
+        double picture[3 * side * side] = {0};
+        for (int i = 0; i < side * side; i++)
+            for (uint32_t k = 0; k < n; k++) {
+                path_random q = path_start(&t.how, 100 + set, (uint64_t)i, k, n);
+                point2 u = path_pair(&q);
+                real x = (real)(i % side) + u.u, y = (real)(i / side) + u.v;
+                vec3 L = path_radiance(&t, camera_ray(c->eye, x, y, side, side), &q, &work);
+                for (int ch = 0; ch < 3; ch++) picture[3 * i + ch] += (double)vaxis(L, ch);
+            }
+        gather(picture, 1.0 / n, e);
+        double sum = 0;
+        for (int i = 0; i < 3 * side * side; i++) sum += picture[i] / n;
+        *mean = estimate_add(*mean, sum);
+    }
+    path_tracer_free(&t);
+}
+
+static void from_lamp(const showcase *c, estimate *e, estimate *mean)
+{
+    light_tracer t;
+    light_counts work = {0};
+    light_tracer_of(&c->s, c->eye, side, side, &t);
+    size_t n = check_count(20000) < 2000 ? 2000 : check_count(20000);
+    for (uint64_t set = 0; set < sets; set++) {
+        double picture[3 * side * side] = {0};
+        for (size_t k = 0; k < n; k++) {
+            random_stream s = random_start(200, set, k);
+            light_path(&t, &s, picture, &work);
+        }
+        gather(picture, 1.0 / (double)n, e);
+        double sum = 0;
+        for (int i = 0; i < 3 * side * side; i++) sum += picture[i] / (double)n;
+        *mean = estimate_add(*mean, sum);
+    }
+    check_equal(work.paths, sets * n, "paths");
+    check(work.shadow <= work.rays + work.paths, "one ray to the eye a hit, and one of the lamp");
+    light_tracer_free(&t);
+}
+
+static void compare(const char *name, const showcase *c)
+{
+    estimate eye[3 * blocks] = {{0}}, lamp[3 * blocks] = {{0}};
+    estimate a = {0}, b = {0};
+    from_eye(c, eye, &a), from_lamp(c, lamp, &b);
+    for (int k = 0; k < 3 * blocks; k++)
+        check_at_least(welch(eye[k], lamp[k]), 1e-7 / (3 * blocks),
+                       "%s, block %d, channel %d: eye %g, lamp %g", name, k / 3, k % 3,
+                       eye[k].mean, lamp[k].mean);
+    check_at_least(welch(a, b), 1e-7, "%s: the whole picture, eye %g, lamp %g", name, a.mean,
+                   b.mean);
+    check_at_most(estimate_error(b) / b.mean, 0.05, "%s: known to some percent", name);
+}
+
+/* The Cornell box; a floor under a triangle and a ball that shine; the caustic of a ball of dark
+ * glass that is itself out of sight: what is seen through glass no path from the lamp can show. */
+static void test_scenes(void)
+{
+    showcase c;
+    failure f;
+    check(showcase_of("cornell", 1, &c, &f), "the box");
+    compare("cornell", &c);
+    showcase_free(&c);
+    c = (showcase){.has_sky = false};
+    lit_begin(&c.s);
+    showcase_floor(&c.s, (vec3){0, 0, 0}, 4, vec(.5, .6, .7));
+    uint16_t lamp = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1)});
+    uint16_t dim = lit_add_material(&c.s, (lit_material){.Le = vec(1, 1, 2)});
+    lit_add_triangle(&c.s, (triangle){vec(-3, 2, -2), vec(-1, 2, -2), vec(-2, 3, 0)}, lamp);
+    lit_add_shape(&c.s, shape_of_sphere((sphere){{2, 1, 0}, (real)0.5}), dim);
+    lit_end(&c.s);
+    c.eye = showcase_eye(vec(0, 4, 9), vec(0, 1, 0), 45, 1);
+    compare("two lamps", &c);
+    showcase_free(&c);
+    c = (showcase){.has_sky = false};
+    lit_begin(&c.s);
+    showcase_floor(&c.s, (vec3){0, 0, 0}, 4, vec(.5, .6, .7));
+    lamp = lit_add_material(&c.s, (lit_material){.Le = vec(3, 2, 1)});
+    lit_add_rectangle(&c.s, (rectangle){vec(-1, 4, -1), vec(2, 0, 0), vec(0, 0, 2)}, lamp);
+    lit_material glass = {.ior = (real)1.5, .sigma = vec(.8, .4, .1)};
+    showcase_ball(&c.s, (vec3){0, 2, 0}, (real)0.7, glass);
+    lit_end(&c.s);
+    c.eye = showcase_eye(vec(0, 1.1, 2), vec(0, 0, 0), 40, 1);
+    compare("a caustic", &c);
+    showcase_free(&c);
+}
+
+int main(void)
+{
+    test_scenes();
+    return check_report("26_light_tracer");
+}
