@@ -23,6 +23,7 @@
  *
  *   input                        answer
  *   o on the surface             a hit at tmin, unless rounding can tell that f(o) is not 0
+ *   root at tmin or tmax         a hit; so is one beyond by less than two epsilon of t: t is rounded
  *   f not finite, or NaN, there  no surface there
  *   more than 100 000 pieces     what is left counts as one hit that is not proven
  *
@@ -42,6 +43,7 @@ typedef struct { interval T; bool single; } implicit_piece;
 typedef struct {
     const implicit_surface *s;
     ray r;
+    interval T;                                /* of r, and its rounding */
     implicit_piece todo[implicit_most_depth];  /* the nearest on top */
     int n;
     size_t pieces, proven;                     /* looked at; left out, or a root found in them */
@@ -50,11 +52,16 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* A t that was a hit, rounded to a real, must be one again with tmax = t: so both ends are moved out
+ * by two epsilon of themselves. */
 static inline implicit_search implicit_search_begin(const implicit_surface *s, ray r)
 {
+    const double slack = 2 * (double)real_epsilon;
     implicit_search z = {.s = s, .r = r, .done = -HUGE_VAL};
-    if (s->range && implicit_clip(s, &z.r))
-        z.todo[z.n++] = (implicit_piece){{(double)z.r.tmin, (double)z.r.tmax}, false};
+    if (!s->range || !implicit_clip(s, &z.r)) return z;
+    z.T.lo = (double)z.r.tmin - slack * fabs((double)z.r.tmin);
+    z.T.hi = (double)z.r.tmax + slack * fabs((double)z.r.tmax);
+    z.todo[z.n++] = (implicit_piece){z.T, false};
     return z;
 }
 
@@ -88,7 +95,7 @@ static inline bool implicit_prove(implicit_search *z, implicit_root *root)
     if (!(N.lo > X.lo && N.hi < X.hi)) return true;
     *root = (implicit_root){N.lo, N.hi, true};
     z->done = X.hi;  /* the only one in X */
-    return N.hi >= (double)z->r.tmin && N.lo <= (double)z->r.tmax;
+    return N.hi >= z->T.lo && N.lo <= z->T.hi;
 }
 
 static inline bool implicit_found(implicit_search *z, implicit_piece p, implicit_root *out)
@@ -97,8 +104,7 @@ static inline bool implicit_found(implicit_search *z, implicit_piece p, implicit
     z->done = p.T.hi;
     z->proven++;
     if (!p.single && !implicit_prove(z, out)) return false;
-    out->lo = interval_most(out->lo, (double)z->r.tmin);
-    out->hi = interval_least(out->hi, (double)z->r.tmax);
+    out->lo = interval_most(out->lo, z->T.lo), out->hi = interval_least(out->hi, z->T.hi);
     return true;
 }
 
@@ -148,7 +154,7 @@ static inline bool implicit_next(implicit_search *z, implicit_root *out)
         if (z->pieces++ < implicit_most_pieces) {
             if (implicit_settle(z, p, out)) return true;
         } else {
-            *out = (implicit_root){p.T.lo, (double)z->r.tmax, false};
+            *out = (implicit_root){p.T.lo, z->T.hi, false};
             z->n = 0;
             return true;
         }

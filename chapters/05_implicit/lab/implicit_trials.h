@@ -8,10 +8,10 @@
  *   implicit_due(&u, r, &t)        the oracle: 1: the first root; 0: none; -1: it cannot tell
  *   implicit_survey_of(&u, how, seed, kind, n, threads)   n rays by one method, against the oracle
  *
- *   missed    of those that are due a hit, those that miss, or hit a later root: by 1e-2 radii of
- *             the ball at least [%]
- *   made_up   of those that are due none, those that hit [%]
- *   off       how far t is from the first root at most, where it is the first [lengths of d]
+ *   missed    rays that have a root and miss it, or hit a later one: 10 sqrt(epsilon) B later or
+ *             more, B the radius of the ball [% of all]
+ *   made_up   rays that hit where there is no root within the next B / 20 [% of all]
+ *   off       how far the other hits are from the first root at most [B]
  *   calls     evaluations of f, of its gradient, or of both over an interval, per ray
  */
 #ifndef IMPLICIT_TRIALS_H
@@ -31,7 +31,7 @@ static const char *const implicit_name_of[implicit_names] = {"sphere", "torus", 
                                                              "gyroid", "box", "blend"};
 typedef struct { implicit_name name; implicit_surface s; } implicit_subject;
 typedef enum { IMPLICIT_ANYWHERE, IMPLICIT_GRAZING } implicit_aim;
-typedef struct { double missed, made_up, off, calls; size_t due, none, unsure; } implicit_survey;
+typedef struct { double missed, made_up, off, calls; size_t due, unsure; } implicit_survey;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -155,12 +155,11 @@ static inline void implicit_judge(const implicit_surveying *y, size_t i, implici
     bool is = implicit_method_hit(y->how, &counted, r, &h);
     out->calls += (double)implicit_calls;
     if (is_due < 0) { out->unsure++; return; }
-    double off = fabs((double)h.t - due);
-    double later = ((double)h.t - due) * (double)vlength(r.d);
-    bool first = is && later < 1e-2 * (double)y->u->s.ball.r;
-    if (is_due) out->due++, out->missed += !first;
-    else out->none++, out->made_up += is;
-    if (is_due && first) out->off = fmax(out->off, off);
+    double later = ((double)h.t - due) * (double)vlength(r.d) / (double)y->u->s.ball.r;
+    bool lost = is_due && !(is && later < 10 * sqrt((double)real_epsilon));
+    bool made_up = is && (!is_due || later < -0.05);
+    out->due += (size_t)is_due, out->missed += lost, out->made_up += made_up;
+    if (is_due && !lost && !made_up) out->off = fmax(out->off, fabs(later));
 }
 
 static inline void implicit_batch(size_t k, void *context)
@@ -179,11 +178,10 @@ static inline implicit_survey implicit_survey_of(const implicit_subject *u, impl
     for (int k = 0; k < implicit_batches; k++) {
         const implicit_survey *p = &y.part[k];
         sum.missed += p->missed, sum.made_up += p->made_up, sum.calls += p->calls;
-        sum.due += p->due, sum.none += p->none, sum.unsure += p->unsure;
+        sum.due += p->due, sum.unsure += p->unsure;
         sum.off = fmax(sum.off, p->off);
     }
-    sum.missed *= 100 / fmax(1, (double)sum.due), sum.calls /= (double)n;
-    sum.made_up *= 100 / fmax(1, (double)sum.none);
+    sum.missed *= 100 / (double)n, sum.made_up *= 100 / (double)n, sum.calls /= (double)n;
     return sum;
 }
 
