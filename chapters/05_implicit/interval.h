@@ -10,6 +10,7 @@
  *   interval_hull(X, Y)                           the smallest that holds both
  *   interval_meet(X, Y)                           what both hold; may be empty
  *   interval_has(X, x), interval_is_empty(X), interval_is_bounded(X), interval_width(X)
+ *   interval_size(X)                              the largest |x| in X
  *
  *   f                                 answer
  *   overflows; 1 / X, X holds 0       an end is infinite, [-inf, inf] in the worst case: all is
@@ -44,13 +45,12 @@ static inline bool interval_has(interval a, double x) { return a.lo <= x && x <=
 static inline bool interval_is_empty(interval a) { return !(a.lo <= a.hi); }
 static inline bool interval_is_bounded(interval a) { return a.hi - a.lo <= DBL_MAX; }
 static inline double interval_width(interval a) { return a.hi - a.lo; }
-static inline double interval_size(interval a) { return fmax(fabs(a.lo), fabs(a.hi)); }
 
 /* (5.8) A lower end that overflowed is the largest double; a NaN stays one. */
 static inline double interval_down(double c)
 {
-    double slack = 0x1.0000000000001p-53 * fabs(c) + 0x1p-1074;
-    return c > DBL_MAX ? DBL_MAX : slack > DBL_MAX ? c : c - slack;
+    c = DBL_MAX < c ? DBL_MAX : c;
+    return c - (0x1.0000000000001p-53 * fabs(c) + 0x1p-1074);
 }
 static inline double interval_up(double c) { return -interval_down(-c); }
 static inline interval interval_out(double lo, double hi)
@@ -60,6 +60,8 @@ static inline interval interval_out(double lo, double hi)
 
 static inline double interval_least(double a, double b) { return a < b ? a : b; }
 static inline double interval_most(double a, double b) { return a > b ? a : b; }
+
+static inline double interval_size(interval a) { return interval_most(fabs(a.lo), fabs(a.hi)); }
 
 static inline interval interval_neg(interval a) { return (interval){-a.hi, -a.lo}; }
 static inline interval interval_add(interval a, interval b)
@@ -83,8 +85,11 @@ static inline interval interval_mul(interval a, interval b)
                         interval_most(interval_most(p, q), interval_most(r, s)));
 }
 
+/* Half the work, where one is a number that is neither 0 nor infinite. */
 static inline interval interval_scale(interval a, double s)
 {
+    if (s > 0 && s <= DBL_MAX) return interval_out(a.lo * s, a.hi * s);
+    if (s < 0 && s >= -DBL_MAX) return interval_out(a.hi * s, a.lo * s);
     return interval_mul(a, interval_at(s));
 }
 

@@ -25,8 +25,8 @@ typedef struct { interval v, d; } jet;
 
 static inline jet jet_on_ray(real o, real d, interval T)
 {
-    interval slope = interval_at((double)d);
-    return (jet){interval_add(interval_at((double)o), interval_mul(slope, T)), slope};
+    interval way = interval_scale(T, (double)d);
+    return (jet){interval_add(interval_at((double)o), way), interval_at((double)d)};
 }
 
 static inline jet jet_neg(jet a) { return (jet){interval_neg(a.v), interval_neg(a.d)}; }

@@ -122,14 +122,17 @@ static inline bool implicit_settle(implicit_search *z, implicit_piece p, implici
     if (!interval_has(J.v, 0)) return z->proven++, false;                               /* (5.5) */
     double m = implicit_middle(T);
     bool least = !(m > T.lo && m < T.hi) || z->n + 2 > implicit_most_depth;
+    interval spread = interval_mul(J.d, interval_sub(T, interval_at(m)));
+    bool rises = !interval_has(J.d, 0);
+    if (!rises && !least && interval_width(spread) >= 2 * interval_size(J.v))
+        return implicit_halve(z, T, m), false;  /* whatever f(m) is, it would decide nothing */
     interval F = implicit_range(z->s, z->r, interval_at(m)).v;
     if (!interval_is_bounded(J.d) || !interval_is_bounded(F)) {  /* a pole; an edge of infinite slope */
         if (!least) return implicit_halve(z, T, m), false;
         return interval_is_bounded(J.v) && implicit_found(z, p, out);
     }
-    interval spread = interval_mul(J.d, interval_sub(T, interval_at(m)));
     if (!interval_has(interval_add(F, spread), 0)) return z->proven++, false;
-    if (!interval_has(J.d, 0)) {
+    if (rises) {
         interval N = implicit_newton_range(m, F, J.d), rest = interval_meet(N, T);      /* (5.6) */
         p.single = p.single || (N.lo > T.lo && N.hi < T.hi);
         if (interval_is_empty(rest)) return z->proven++, false;
