@@ -46,7 +46,7 @@ static inline bool interval_is_empty(interval a) { return !(a.lo <= a.hi); }
 static inline bool interval_is_bounded(interval a) { return a.hi - a.lo <= DBL_MAX; }
 static inline double interval_width(interval a) { return a.hi - a.lo; }
 
-/* (5.8) A lower end that overflowed is the largest double; a NaN stays one. */
+/* (5.8) A lower end that overflowed counts as the largest double; a NaN stays one. */
 static inline double interval_down(double c)
 {
     c = DBL_MAX < c ? DBL_MAX : c;

@@ -31,7 +31,7 @@ static const implicit_row implicit_barth_rows[] = {
     {"Newton, 32 steps", IMPLICIT_BARTH, {IMPLICIT_NEWTON, 32, 0}},
     {"sphere tracing, eps 1e-6", IMPLICIT_BARTH, {IMPLICIT_TRACE, 4096, (real)1e-6}},
     {"intervals", IMPLICIT_BARTH, {IMPLICIT_INTERVAL, 0, 0}}};
-enum { implicit_most_rows = 8, implicit_timed = 256 };
+enum { implicit_most_rows = 8, implicit_timed = 128 };
 
 typedef struct { implicit_subject u; implicit_how how; ray r[implicit_timed]; } implicit_timing;
 
@@ -58,7 +58,7 @@ static inline void implicit_times(const options *o, const implicit_row *row, int
             implicit_shot(&t[k].u, o->seed + 1, aim, i, &t[k].r[i]);
         c[k] = (bench_candidate){row[k].name, implicit_time_rays, &t[k], 0, 0};
     }
-    bench_time(c, n, o->quick ? 1 : o->full ? 15 : 5);
+    bench_time(c, n, o->quick ? 1 : o->full ? 25 : 7);
     for (int k = 0; k < n; k++) ns[k] = c[k].seconds / implicit_timed * 1e9;
     free(t);
 }
