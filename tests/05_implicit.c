@@ -155,12 +155,12 @@ static void test_surfaces(void)
         check_equal(outside, 0, "%s: f lies in f(T), of %zu", name, n);
         check_equal(steep, 0, "%s: slopes lie in f'(T)", name);
         check_equal(faster, 0, "%s: the Lipschitz bound holds", name);
-        check_equal(crooked, 0, "%s: gradients are those of differences: %g", name, noise);
+        check_equal(crooked, 0, "%s: gradients as by differences: %g", name, noise);
     }
 }
 
 /* 50 of the 65 double points of Barth's sextic: on the axes of 15 turns at distance 1, at the 20
- * corners of a dodecahedron at sqrt(3). f and its gradient are 0 there, and the normal is defined. */
+ * corners of a dodecahedron at sqrt(3). f and its gradient are 0 there; the normal is defined. */
 static void test_double_points(void)
 {
     implicit_subject u = implicit_subject_of(IMPLICIT_BARTH);

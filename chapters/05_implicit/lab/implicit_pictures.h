@@ -179,9 +179,9 @@ static inline void implicit_draw_shapes(const options *o)
     const implicit_how sure = {IMPLICIT_INTERVAL, 0, 0}, traced = implicit_trace_defaults;
     if (o->out) return;
     const implicit_view v[] = {
-        implicit_view_of(implicit_subject_of(IMPLICIT_GYROID), sure, 30, 25),
-        implicit_view_of(implicit_subject_of(IMPLICIT_BLEND), traced, 20, 25),
-        implicit_view_of(implicit_subject_of(IMPLICIT_TORUS), sure, 35, 30)};
+        implicit_view_at(implicit_subject_of(IMPLICIT_GYROID), sure, vec(0, 0, 0), 3, 40, 30, 25),
+        implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), traced, vec(-0.05, 0, 0), 3, 27, 30, 30),
+        implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), sure, vec(0, 0, 0), 3, 31, 35, 30)};
     implicit_draw_row(o, v, words, 3, 316, "05_implicit_shapes.png");
 }
 
