@@ -1,4 +1,4 @@
-/* 05_implicit: the interval search against closed forms, Sturm chains and integers; what each method
+/* 05_implicit: the interval search against closed forms, Sturm chains, integers; what each method
  * misses; strange functions, strange rays. The oracles: implicit_oracle.h, wide numbers, 03. */
 #include "../chapters/05_implicit/lab/implicit_trials.h"
 #include "../chapters/03_sphere/lab/sphere_oracle.h"
