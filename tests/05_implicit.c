@@ -260,7 +260,8 @@ static void test_all_roots(void)
 {
     for (int q = IMPLICIT_SPHERE; q <= IMPLICIT_BARTH; q++) {
         implicit_subject u = implicit_subject_of((implicit_name)q);
-        size_t wrong = 0, unproven = 0, most = 0, disorder = 0, n = check_count(8000), first = 0;
+        size_t wrong = 0, unproven = 0, most = 0, disorder = 0, first = 0;
+        const size_t n = 300 + check_count(8000);
         for (size_t i = 0; i < n; i++) {
             random_stream s = random_start(8, i, (uint64_t)q);
             ray r = implicit_ray_anywhere(&u, &s), c = r;
@@ -287,8 +288,15 @@ static void test_all_roots(void)
         check_equal(disorder, 0, "%s: in order, and apart", name);
         check_at_least(most, q == IMPLICIT_SPHERE ? 2 : 4, "%s: the most roots of a ray", name);
     }
-    implicit_subject ball = implicit_subject_of(IMPLICIT_SPHERE);
-    implicit_root one[1];
+    implicit_subject ball = implicit_subject_of(IMPLICIT_SPHERE), free = ball;
+    implicit_root one[1], cut[8];
+    free.s.ball.r = real_infinity;
+    for (int k = 2; k <= 64; k++) {  /* a root just where [0, k] is cut, or where its halves are */
+        ray from = {{0, 0, 1 + (real)k / 2}, 0, {0, 0, -1}, (real)k};
+        int due = 2 + k / 2.0 <= k ? 2 : 1;  /* roots at k / 2 and k / 2 + 2 */
+        int is = implicit_roots(&free.s, from, cut, 8);
+        check(is == due && cut[0].single && cut[is - 1].single, "cut at a root, k = %d: %d", k, is);
+    }
     ray r = ray_from(vec(0, 0, 3), vec(0, 0, -1));
     check(implicit_roots(&ball.s, r, one, 1) == 1 && one[0].lo <= 2 && one[0].hi >= 2,
           "an array of one gets the first");
