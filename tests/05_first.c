@@ -1,4 +1,4 @@
-/* 05's first.h: the answers of implicit.h where f changes its sign in a step, and what it misses. */
+/* 05's first.h: the answers of implicit.h where f changes its sign; what it misses. */
 #include "../chapters/05_implicit/lab/implicit_trials.h"
 #include "check.h"
 
@@ -20,7 +20,7 @@ static real plate(vec3 p)
 static void test_closed_form(void)
 {
     const struct { real tmin, tmax, t; const char *why; } in[] = {
-        {0, 9, 2, "the entry"}, {(real)2.5, 9, 4, "from inside: the exit"}, {0, 4, 2, "the first of two"},
+        {0, 9, 2, "the entry"}, {(real)2.5, 9, 4, "from inside: the exit"}, {0, 4, 2, "of two"},
         {3, 5, 4, "the entry before tmin"}};
     for (size_t i = 0; i < sizeof in / sizeof *in; i++) {
         hit h = hit_none;
@@ -66,7 +66,7 @@ static void test_easy(void)
     }
 }
 
-/* "Wrong where f touches 0 between two steps, or crosses it twice: thin parts, rims, tangent rays." */
+/* "Wrong where f touches 0 between two steps, or crosses it twice: thin parts, rims, ..." */
 static void test_thin(void)
 {
     size_t seen[2] = {0}, n = 400 + check_count(4000), ring[2] = {0}, rim = 0, due = 0;

@@ -9,8 +9,8 @@ static const hit untouched = {7, 7, 7, 7};
 
 static real random_signed(random_stream *s) { return 2 * random_next(s) - 1; }
 
-/* 1e6 with CHECK_SOAK, few enough for a second or two else. */
-static size_t many(size_t n) { return getenv("CHECK_SOAK") ? 1000000 : check_count(n); }
+/* Of each of four surfaces: 1e6 in all with CHECK_SOAK, few enough for a second or two else. */
+static size_t many(size_t n) { return getenv("CHECK_SOAK") ? 250000 : check_count(n); }
 
 /* Closed intervals, a ball of radius 1 at (0, 0, 0) seen from z = 3: roots at 2 and 4. */
 static void test_closed_form(void)

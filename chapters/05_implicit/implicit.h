@@ -4,7 +4,7 @@
  *   implicit_method_hit(how, &s, r, &h)           by one method, for comparing
  *
  *   the surface has   method                 what it can miss           what it can make up
- *   range             IMPLICIT_INTERVAL      nothing: search.h          misses by less than rounding
+ *   range             IMPLICIT_INTERVAL      nothing: search.h         misses by less than rounding
  *   lipschitz         IMPLICIT_TRACE         rays of many steps         misses by less than eps
  *   neither           IMPLICIT_NEWTON        what turns twice a step    nothing
  *   -                 IMPLICIT_FIRST         what turns in a step       nothing

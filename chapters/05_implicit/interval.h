@@ -1,11 +1,11 @@
 /* interval.h: arithmetic on intervals (区间算术), rounded outwards: what f may be, over a whole piece
  * of space at once.
  *
- *   [1, 2] + [-1, 3] = [0, 5]        if x is in X and y in Y, then x + y is in X + Y, x y in X Y, ..
+ *   [1, 2] + [-1, 3] = [0, 5]        x in X and y in Y: then x + y is in X + Y, x y in X Y, ..
  *   [-1, 3]^2        = [0, 9]        with every rounding on the safe side
  *
  *   interval X = interval_of(lo, hi);             interval_at(x) is [x, x]
- *   interval_add, _sub, _mul, _div (X, Y)         interval_neg, _square, _sqrt, _sin, _cos, _abs (X)
+ *   interval_add, _sub, _mul, _div (X, Y)        interval_neg, _square, _sqrt, _sin, _cos, _abs (X)
  *   interval_min, _max (X, Y)                     interval_scale(X, s)
  *   interval_hull(X, Y)                           the smallest that holds both
  *   interval_meet(X, Y)                           what both hold; may be empty

@@ -1,4 +1,4 @@
-/* 05_implicit: surfaces f(p) = 0: by steps, Newton, sphere tracing, intervals: what each one misses.
+/* 05_implicit: surfaces f(p) = 0 by steps, Newton, sphere tracing, intervals: what each misses.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 05_implicit chapters/05_implicit/main.c -lm -lpthread
  *
  * Without options: Barth's sextic, what steps miss of it, three ways along one ray, a table.

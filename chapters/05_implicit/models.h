@@ -13,8 +13,8 @@
  *       |  a    .b  |   never inside of it
  *        \____/ \__/
  *
- * All keep a pointer to what is given. f of the first three is the distance to the surface: L = 1, so
- * that sphere tracing takes the longest steps. f of a blend is a bound of it: its gradient is a
+ * All keep a pointer to what is given. f of the first three is the distance to the surface: L = 1,
+ * so that sphere tracing takes the longest steps. f of a blend is a bound of it: its gradient is a
  * mean of those of a and b, so that L is the larger of the two. Gradients are left to differences;
  * on the edges of a distance there is none, and the normal is whatever the differences say.
  *
@@ -90,7 +90,8 @@ static jet implicit_box_range(const void *data, jet x, jet y, jet z)
     const implicit_box_shape *k = data;
     const jet none = {interval_at(0), interval_at(0)};
     jet a = implicit_beyond(x, k->c.x, k->half.x), b = implicit_beyond(y, k->c.y, k->half.y);
-    jet c = implicit_beyond(z, k->c.z, k->half.z), inside = jet_min(jet_max(a, jet_max(b, c)), none);
+    jet c = implicit_beyond(z, k->c.z, k->half.z);
+    jet inside = jet_min(jet_max(a, jet_max(b, c)), none);
     jet far = jet_length(jet_max(a, none), jet_max(b, none), jet_max(c, none));
     return jet_shift(jet_add(far, inside), -(double)k->r);
 }

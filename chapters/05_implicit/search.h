@@ -23,7 +23,7 @@
  *
  *   input                        answer
  *   o on the surface             a hit at tmin, unless rounding can tell that f(o) is not 0
- *   root at tmin or tmax         a hit; so is one beyond by less than two epsilon of t: t is rounded
+ *   root at tmin or tmax         a hit; so is one beyond by less than 2 epsilon of t: t is rounded
  *   f not finite, or NaN, there  no surface there
  *   more than 100 000 pieces     what is left counts as one hit that is not proven
  *
@@ -52,8 +52,8 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* A t that was a hit, rounded to a real, must be one again with tmax = t: so both ends are moved out
- * by two epsilon of themselves. */
+/* A t that was a hit, rounded to a real, must be one again with tmax = t: so both ends are moved
+ * out by two epsilon of themselves. */
 static inline implicit_search implicit_search_begin(const implicit_surface *s, ray r)
 {
     const double slack = 2 * (double)real_epsilon;
@@ -127,7 +127,7 @@ static inline bool implicit_settle(implicit_search *z, implicit_piece p, implici
     if (!rises && !least && interval_width(spread) >= 2 * interval_size(J.v))
         return implicit_halve(z, T, m), false;  /* whatever f(m) is, it would decide nothing */
     interval F = implicit_range(z->s, z->r, interval_at(m)).v;
-    if (!interval_is_bounded(J.d) || !interval_is_bounded(F)) {  /* a pole; an edge of infinite slope */
+    if (!interval_is_bounded(J.d) || !interval_is_bounded(F)) {  /* a pole; an infinite slope */
         if (!least) return implicit_halve(z, T, m), false;
         return interval_is_bounded(J.v) && implicit_found(z, p, out);
     }

@@ -1,6 +1,6 @@
 /* surface.h: an implicit surface (隐式曲面): a function, what is known about it, and where it counts.
  *
- *   implicit_surface s = {.f = f, .gradient = g, .range = r, .lipschitz = L, .ball = b, .data = &x};
+ *   implicit_surface s = {.f = f, .gradient = g, .range = r, .lipschitz = L, .ball = b, .data = x};
  *
  *   f          f(data, p): negative on one side of the surface, 0 on it, positive on the other
  *   gradient   grad f at p                          NULL: by differences, 6 calls of f

@@ -14,9 +14,9 @@
  * The surfaces keep a pointer to what is given: it must live as long as they do.
  *
  * The Lipschitz bounds are bounds of |grad f| in the ball of radius B around 0: 2 B; for the torus
- * |4 u p - 8 R^2 (x, y, 0)| <= 4 B (B^2 + R^2 - r^2) + 8 R^2 B at most; for the gyroid sqrt(3), from
- * (a cos x + b sin x)^2 <= a^2 + b^2, three times; for Barth's three factors, each <= a B^2 with a
- * gradient <= 2 a B, 24 a^3 B^5, and 4 (1 + 2 g) B max(1, B^2 - 1) for the rest.
+ * |4 u p - 8 R^2 (x, y, 0)| <= 4 B (B^2 + R^2 - r^2) + 8 R^2 B at most; for the gyroid sqrt(3),
+ * from (a cos x + b sin x)^2 <= a^2 + b^2, three times; for Barth's three factors, each <= a B^2
+ * with a gradient <= 2 a B, 24 a^3 B^5, and 4 (1 + 2 g) B max(1, B^2 - 1) for the rest.
  *
  * The ranges are `flatten`: with all that they call inlined they take a quarter less time.
  *

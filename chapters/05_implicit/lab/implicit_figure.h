@@ -1,7 +1,7 @@
 /* implicit_figure.h: one ray, three ways: 05_implicit_roots.svg.
  *
- *   implicit_draw_roots(&o)    a ray that cuts the near side of a torus's tube in two roots, and the
- *                              far side in two more. Above, f along the ray and the steps of
+ *   implicit_draw_roots(&o)    a ray that cuts the near side of a torus's tube in two roots, and
+ *                              the far side in two more. Above, f along the ray and the steps of
  *                              first.h, which pass the first two; in the middle the torus, cut
  *                              open, and the circles of sphere tracing; below the pieces of
  *                              search.h, each a box as high as f(T). All as the code asks for them
@@ -165,7 +165,8 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
     implicit_curve(g, scale, FIGURE_BLUE, 1.5);
     for (int k = 0; k < roots; k++)
         figure_dot(g, 100 * (root[k].lo + root[k].hi), 0, 5, FIGURE_RED);
-    figure_text(g, 400, 0, 0, 64, FIGURE_MIDDLE, FIGURE_GREEN, "green: 0 is not in _f_(_T_): no root");
+    figure_text(g, 400, 0, 0, 64, FIGURE_MIDDLE, FIGURE_GREEN,
+                "green: 0 is not in _f_(_T_): no root");
     figure_text(g, 100 * (root[0].lo + root[0].hi), 0, 4, 42, FIGURE_RIGHT, FIGURE_RED,
                 "found and proven: all four");
 }

@@ -1,4 +1,4 @@
-/* implicit_pictures.h: surfaces in the light of two lamps and the sky: the pictures of this chapter.
+/* implicit_pictures.h: surfaces in the light of two lamps and the sky: this chapter's pictures.
  *
  *   implicit_view v = implicit_view_of(u, how, turn, rise);    the eye turned around the vertical,
  *                                                              and raised [degrees]
@@ -23,7 +23,7 @@ typedef struct {
     implicit_how how;
     camera_frame frame;
     camera c;
-    bool judge;            /* against implicit_hit: red where it is missed, or a later root is hit */
+    bool judge;   /* against implicit_hit: red where the first root is missed */
 } implicit_view;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -180,7 +180,8 @@ static inline void implicit_draw_shapes(const options *o)
     if (o->out) return;
     const implicit_view v[] = {
         implicit_view_at(implicit_subject_of(IMPLICIT_GYROID), sure, vec(0, 0, 0), 3, 40, 30, 25),
-        implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), traced, vec(-0.05, 0, 0), 3, 27, 30, 30),
+        implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), traced, vec(-0.05, 0, 0), 3, 27, 30,
+                         30),
         implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), sure, vec(0, 0, 0), 3, 31, 35, 30)};
     implicit_draw_row(o, v, words, 3, 316, "05_implicit_shapes.png");
 }

@@ -1,6 +1,7 @@
 /* implicit_trials.h: rays at a surface, near its rim if wanted, and what each method makes of them.
  *
- *   implicit_subject u = implicit_subject_of("torus");    a surface, and its polynomial if it has one
+ *   implicit_subject u = implicit_subject_of(IMPLICIT_TORUS);    a surface; those up to
+ *                                  IMPLICIT_BARTH have a polynomial
  *   implicit_shot(&u, seed, how, i, &r)                   ray i; from outside the ball
  *       IMPLICIT_ANYWHERE   at a point of the ball
  *       IMPLICIT_GRAZING    past a point of the surface, at a right angle to the normal there, from
@@ -100,7 +101,8 @@ static inline void implicit_shot(const implicit_subject *u, uint64_t seed, impli
 static inline int implicit_due(const implicit_subject *u, ray r, double *t)
 {
     implicit_truth truth;
-    if (u->name > IMPLICIT_BARTH || !implicit_clip(&u->s, &r)) return u->name > IMPLICIT_BARTH ? -1 : 0;
+    if (u->name > IMPLICIT_BARTH) return -1;
+    if (!implicit_clip(&u->s, &r)) return 0;
     double a = (double)r.tmin, b = (double)r.tmax, at = a / 2 + b / 2;
     implicit_poly p = u->name == IMPLICIT_SPHERE ? implicit_poly_sphere(implicit_radius, r, at)
                     : u->name == IMPLICIT_BARTH ? implicit_poly_barth(r, at)
