@@ -211,9 +211,9 @@ static void test_nothing_missed(void)
                         aim ? "grazing" : "anywhere", n);
             /* Rounding of f, some 1e-15, hides a miss by as much; none is aimed so near */
             check_equal(y.made_up, 0, "%s: made up [%%]", name);
-            /* Two roots w apart: f rises by w / 2 between them, so t is off by 1e-15 / w, and pairs
-             * of 1e5 rays at 1e-10 B and more are 1e-5 apart; float rounds t itself. */
-            check_at_most(y.off, real_is_float ? 8 * eps : 1e-9, "%s: t", name);
+            /* At worst a piece as wide as the root of f's rounding: 1e-15 gives 3e-8 (a cone of
+             * Barth's sextic came to 1e-8 in 1e6 rays); float rounds t itself. */
+            check_at_most(y.off, real_is_float ? 8 * eps : 3e-8, "%s: t", name);
             if (q == IMPLICIT_SPHERE || aim == IMPLICIT_ANYWHERE) continue;
             y = implicit_survey_of(&u, naive, 5, IMPLICIT_GRAZING, check_count(8000), 1);
             check_at_least(y.missed, 10, "%s: 128 steps miss grazing rays [%%]", name);
@@ -510,7 +510,8 @@ static void test_invariants(void)
         double t = (double)a.t;
         scaled += !implicit_hit(&u.s, q, &b) || fabs((double)b.t * 4 - t) > 1e-6 * t;
         q = r, q.tmax = a.t;
-        cut += !implicit_hit(&u.s, q, &b) || fabs((double)b.t - t) > 64 * eps * t;
+        /* t is known to the rounding of f over its slope; some rays graze by chance: slope 1e-5 */
+        cut += !implicit_hit(&u.s, q, &b) || fabs((double)b.t - t) > fmax(64 * eps, 1e-10) * t;
         q = r, q.tmax = a.t * (1 - 64 * real_epsilon);
         rest += implicit_hit(&u.s, q, &b) && (double)b.t < t * (1 - 1e-6);
     }
