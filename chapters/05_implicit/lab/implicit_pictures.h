@@ -1,0 +1,203 @@
+/* implicit_pictures.h: surfaces in the light of two lamps and the sky: this chapter's pictures.
+ *
+ *   implicit_view v = implicit_view_of(u, how, turn, rise);    the eye turned around the vertical,
+ *                                                              and raised [degrees]
+ *   implicit_draw(&o, &v, name)       one picture of it: the main one
+ *   implicit_draw_shapes(&o)          a gyroid, a blend, a torus: side by side
+ *   implicit_draw_missed(&o)          Barth's sextic from close by, by steps and by intervals: red
+ *                                     is what steps miss
+ *
+ * Gold is the side where f > 0, blue the other. A pixel gets one ray; where it differs from one of
+ * its neighbours, o.samples, or the next square below.
+ */
+#ifndef IMPLICIT_PICTURES_H
+#define IMPLICIT_PICTURES_H
+
+#include "../../../common/output.h"
+#include "../../../common/lab/label.h"
+#include "../../02_camera/camera.h"
+#include "implicit_trials.h"
+
+typedef struct {
+    implicit_subject u;
+    implicit_how how;
+    camera_frame frame;
+    camera c;
+    bool judge;   /* against implicit_hit: red where the first root is missed */
+} implicit_view;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static const vec3 implicit_red = {0.8, 0.04, 0.02};
+
+/* The ball fills the window of this angle; at `target`, from so many radii of the ball. */
+static inline implicit_view implicit_view_at(implicit_subject u, implicit_how how, vec3 target,
+                                             real far, real angle, real turn, real rise)
+{
+    implicit_view v = {.u = u, .how = how};
+    failure why;
+    real a = turn * pi / 180, b = rise * pi / 180;
+    vec3 from = {sin(a) * cos(b), sin(b), cos(a) * cos(b)}, up = {0, cos(b) > 0 ? 1 : -1, 0};
+    vec3 e = vmadd(target, from, far * u.s.ball.r);
+    if (!frame_look_at(e, target, up, &v.frame, &why)) fail(why);
+    if (!camera_perspective(v.frame, angle, 1, &v.c, &why)) fail(why);
+    return v;
+}
+
+static inline implicit_view implicit_view_of(implicit_subject u, implicit_how how, real turn,
+                                             real rise)
+{
+    return implicit_view_at(u, how, u.s.ball.c, (real)3.6, (real)31.5, turn, rise);
+}
+
+/* White paper in the middle, a little darker around. */
+static inline vec3 implicit_paper(ray r, camera_frame f)
+{
+    real along = -vdot(vunit(r.d), f.w), light = real_clamp(1 - 3 * (1 - along), 0, 1);
+    return vscale(vec(0.93, 0.95, 1), (real)0.55 + (real)0.4 * light);
+}
+
+static inline real implicit_lit(vec3 n, vec3 light) { return real_max(0, vdot(n, vunit(light))); }
+
+/* A warm lamp on the left above the eye, a cool one on the right, the sky, and a gleam. */
+static inline vec3 implicit_shade(const implicit_view *v, ray r, hit h)
+{
+    vec3 p = ray_at(r, h.t), n = implicit_normal(&v->u.s, p), d = vunit(r.d);
+    bool outside = vdot(n, d) <= 0;
+    if (!outside) n = vneg(n);
+    vec3 base = outside ? vec(1, 0.47, 0.07) : vec(0.05, 0.3, 0.7);
+    vec3 local = {vdot(n, v->frame.u), vdot(n, v->frame.v), vdot(n, v->frame.w)};
+    real key = implicit_lit(local, vec(-4, 6, 5)), fill = implicit_lit(local, vec(6, -1, 2));
+    real sky = (real)0.5 + local.y / 2, face = fabs(vdot(n, d));
+    vec3 light = vadd(vscale(vec(1, 0.95, 0.85), (real)0.95 * key),
+                      vadd(vscale(vec(0.35, 0.5, 0.8), (real)0.45 * fill),
+                           vscale(vec(0.75, 0.85, 1), (real)0.3 * sky)));
+    real gleam = pow(implicit_lit(local, vadd(vunit(vec(-4, 6, 5)), vec(0, 0, 1))), (real)60);
+    vec3 seen = vscale(vmul(base, light), (real)0.45 + (real)0.55 * face);
+    return vmadd(seen, vec(1, 1, 1), (real)0.3 * gleam);
+}
+
+static inline vec3 implicit_colour(const implicit_view *v, ray r)
+{
+    hit h = hit_none, due = hit_none;
+    bool is = implicit_method_hit(v->how, &v->u.s, r, &h);
+    if (v->judge) {
+        bool there = implicit_hit(&v->u.s, r, &due);
+        real near = (real)1e-3 * v->u.s.ball.r / vlength(r.d);
+        if (there && (!is || h.t > due.t + near)) return implicit_red;
+    }
+    return is ? implicit_shade(v, r, h) : implicit_paper(r, v->frame);
+}
+
+typedef struct { const implicit_view *v; image *im; const image *plain; int side; } implicit_frame;
+
+/* Square pixels: the window of the camera covers the shorter side. */
+static inline ray implicit_pixel_ray(const implicit_frame *f, int x, int y, int k, int side)
+{
+    int w = f->im->width, h = f->im->height, least = w < h ? w : h;
+    real px = (real)x + ((real)(k % side) + (real)0.5) / (real)side - (real)(w - least) / 2;
+    real py = (real)y + ((real)(k / side) + (real)0.5) / (real)side - (real)(h - least) / 2;
+    return camera_ray(f->v->c, px, py, least, least);
+}
+
+static inline bool implicit_differs(const image *im, int x, int y, int x1, int y1)
+{
+    if (x1 < 0 || y1 < 0 || x1 >= im->width || y1 >= im->height) return false;
+    const float *a = image_pixel(im, x, y), *b = image_pixel(im, x1, y1);
+    return fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]) > 0.2f;
+}
+
+static inline void implicit_plain_pixel(int x, int y, void *context)
+{
+    const implicit_frame *f = context;
+    image_set(f->im, x, y, implicit_colour(f->v, implicit_pixel_ray(f, x, y, 0, 1)));
+}
+
+static inline void implicit_edge_pixel(int x, int y, void *context)
+{
+    const implicit_frame *f = context;
+    bool edge = false;
+    for (int k = 0; k < 4; k++)
+        edge = edge || implicit_differs(f->plain, x, y, x + (k == 0) - (k == 1),
+                                        y + (k == 2) - (k == 3));
+    if (!edge) return;
+    vec3 sum = {0, 0, 0};
+    for (int k = 0; k < f->side * f->side; k++)
+        sum = vadd(sum, implicit_colour(f->v, implicit_pixel_ray(f, x, y, k, f->side)));
+    image_set(f->im, x, y, vscale(sum, 1 / (real)(f->side * f->side)));
+}
+
+static inline bool implicit_render(const implicit_view *v, int samples, int threads, image *im)
+{
+    implicit_frame f = {v, im, NULL, 1};
+    while ((f.side + 1) * (f.side + 1) <= samples) f.side++;
+    if (!parallel_pixels(im->width, im->height, threads, "surface", implicit_plain_pixel, &f))
+        return false;
+    if (f.side == 1) return true;
+    image plain = image_new(im->width, im->height);
+    image_place(&plain, 0, 0, im);
+    f.plain = &plain;
+    bool whole = parallel_pixels(im->width, im->height, threads, "edges", implicit_edge_pixel, &f);
+    image_free(&plain);
+    return whole;
+}
+
+static inline void implicit_draw(const options *o, const implicit_view *v, const char *name)
+{
+    image im = image_new(o->width, o->height);
+    bool whole = implicit_render(v, o->samples, o->threads, &im);
+    output_picture(o, &im, name, true, whole);
+    image_free(&im);
+}
+
+/* Panels of one row, each with its words below. */
+static inline void implicit_draw_row(const options *o, const implicit_view *v,
+                                     const char *const *words, int n, int side, const char *name)
+{
+    enum { gap = 6, strip = 30 };
+    int width = (960 - (n - 1) * gap) / n;
+    image sheet = image_new(960, side + strip);
+    bool whole = true;
+    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
+    for (int k = 0; k < n; k++) {
+        image im = image_new(width, side);
+        int x = k * (width + gap);
+        if (whole)
+            whole = implicit_render(&v[k], o->samples < 4 ? o->samples : 4, o->threads, &im);
+        image_place(&sheet, x, 0, &im);
+        label_text(&sheet, x + width / 2.0, side + 21, 12, 0.5, vec(0, 0, 0), words[k]);
+        image_free(&im);
+    }
+    output_picture(o, &sheet, name, false, whole);
+    image_free(&sheet);
+}
+
+static inline void implicit_draw_shapes(const options *o)
+{
+    static const char *const words[] = {"gyroid, by intervals", "smooth union, sphere tracing",
+                                        "torus, by intervals"};
+    const implicit_how sure = {IMPLICIT_INTERVAL, 0, 0}, traced = implicit_trace_defaults;
+    if (o->out) return;
+    const implicit_view v[] = {
+        implicit_view_at(implicit_subject_of(IMPLICIT_GYROID), sure, vec(0, 0, 0), 3, 40, 30, 25),
+        implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), traced, vec(-0.05, 0, 0), 3, 27, 30,
+                         30),
+        implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), sure, vec(0, 0, 0), 3, 31, 35, 30)};
+    implicit_draw_row(o, v, words, 3, 316, "05_implicit_shapes.png");
+}
+
+static inline void implicit_draw_missed(const options *o)
+{
+    static const char *const words[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
+    const implicit_how how[] = {{IMPLICIT_FIRST, 24, 0}, {IMPLICIT_INTERVAL, 0, 0}};
+    implicit_view v[2];
+    if (o->out) return;
+    for (int k = 0; k < 2; k++) {
+        implicit_subject u = implicit_subject_of(IMPLICIT_BARTH);
+        v[k] = implicit_view_at(u, how[k], vec(0.3, 0.62, 1.2), (real)2.2, 14, 12, 18);
+        v[k].judge = k == 0;
+    }
+    implicit_draw_row(o, v, words, 2, 316, "05_implicit_missed.png");
+}
+
+#endif

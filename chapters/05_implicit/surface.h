@@ -1,0 +1,100 @@
+/* surface.h: an implicit surface (隐式曲面): a function, what is known about it, and where it counts.
+ *
+ *   implicit_surface s = {.f = f, .gradient = g, .range = r, .lipschitz = L, .ball = b, .data = x};
+ *
+ *   f          f(data, p): negative on one side of the surface, 0 on it, positive on the other
+ *   gradient   grad f at p                          NULL: by differences, 6 calls of f
+ *   range      f and f' over a piece of a ray, in jets: for search.h, which misses nothing
+ *              NULL: nothing can be proven
+ *   lipschitz  |f(p) - f(q)| <= L |p - q| for all p, q of the ball (Lipschitz bound, 利普希茨界):
+ *              for tracing.h; 0: none is known
+ *   ball       only what is in it counts: it bounds the surface, or cuts it; .r = infinity: no ball
+ *
+ *   implicit_value(&s, p)      f                    implicit_gradient(&s, p)     grad f
+ *   implicit_normal(&s, p)     unit length, outwards where f is negative inside; 0 where the
+ *                              gradient is 0, infinite or NaN, as at the tip of a cone
+ *   implicit_clip(&s, &r)      narrows the interval of r to the ball; false: nothing is left
+ *
+ *   input                      answer
+ *   d = 0, a NaN in the ray    nothing is left: a miss
+ *   tmax infinite, no ball     what lies beyond 1e30 in any coordinate does not count: f may
+ *                              overflow there
+ *
+ * Sources: J. Hart, "Sphere tracing: a geometric method for the antialiased ray tracing of implicit
+ * surfaces", The Visual Computer 12, 1996 (the bound); central differences: any text on numerics.
+ */
+#ifndef IMPLICIT_SURFACE_H
+#define IMPLICIT_SURFACE_H
+
+#include "../03_sphere/sphere.h"
+#include "jet.h"
+
+typedef struct {
+    real (*f)(const void *data, vec3 p);
+    vec3 (*gradient)(const void *data, vec3 p);
+    jet (*range)(const void *data, jet x, jet y, jet z);
+    real lipschitz;
+    sphere ball;
+    const void *data;
+} implicit_surface;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline real implicit_value(const implicit_surface *s, vec3 p) { return s->f(s->data, p); }
+
+/* The step of a difference: its own error grows with h^2, that of rounding f with 1 / h, so the
+ * best is the third root of epsilon, of the size of what is moved. */
+static inline real implicit_step(real size) { return cbrt(real_epsilon) * real_max(size, 1); }
+
+static inline vec3 implicit_differences(const implicit_surface *s, vec3 p)
+{
+    real h = implicit_step(fabs(vaxis(p, vlongest(p))));
+    vec3 g = {0, 0, 0};
+    for (int k = 0; k < 3; k++) {
+        vec3 on = vwith(p, k, vaxis(p, k) + h), before = vwith(p, k, vaxis(p, k) - h);
+        real apart = vaxis(on, k) - vaxis(before, k);  /* 2 h, as it came out */
+        g = vwith(g, k, (implicit_value(s, on) - implicit_value(s, before)) / apart);
+    }
+    return g;
+}
+
+static inline vec3 implicit_gradient(const implicit_surface *s, vec3 p)
+{
+    return s->gradient ? s->gradient(s->data, p) : implicit_differences(s, p);
+}
+
+static inline vec3 implicit_normal(const implicit_surface *s, vec3 p)
+{
+    return vunit(implicit_gradient(s, p));
+}
+
+/* f and f' for all t of T. */
+static inline jet implicit_range(const implicit_surface *s, ray r, interval T)
+{
+    return s->range(s->data, jet_on_ray(r.o.x, r.d.x, T), jet_on_ray(r.o.y, r.d.y, T),
+                    jet_on_ray(r.o.z, r.d.z, T));
+}
+
+/* Without a ball: as far as no coordinate is beyond 1e30, if the interval has no end before. */
+static inline bool implicit_clip_far(ray *r)
+{
+    const real far = (real)1e30;
+    real step = fabs(vaxis(r->d, vlongest(r->d))), size = fabs(vaxis(r->o, vlongest(r->o)));
+    if (!vfinite(r->o) || !vfinite(r->d) || !(step > 0) || !(size < far)) return false;
+    real most = real_min((far - size) / step, real_largest);
+    if (!(r->tmax <= real_largest)) r->tmax = r->tmax > 0 ? most : r->tmax;
+    if (!(r->tmin >= -real_largest)) r->tmin = r->tmin < 0 ? -most : r->tmin;
+    return r->tmin <= r->tmax && r->tmax <= real_largest && r->tmin >= -real_largest;
+}
+
+static inline bool implicit_clip(const implicit_surface *s, ray *r)
+{
+    real t0, t1;
+    if (s->ball.r == real_infinity) return implicit_clip_far(r);
+    if (!sphere_roots(s->ball, *r, &t0, &t1)) return false;
+    if (t0 > r->tmin) r->tmin = t0;
+    if (t1 < r->tmax) r->tmax = t1;
+    return r->tmin <= r->tmax && r->tmax <= real_largest && r->tmin >= -real_largest;
+}
+
+#endif

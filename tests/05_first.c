@@ -1,0 +1,130 @@
+/* 05's first.h: the answers of implicit.h where f changes its sign; what it misses. */
+#include "../chapters/05_implicit/lab/implicit_trials.h"
+#include "check.h"
+
+static const double eps = (double)real_epsilon;
+
+/* Two balls that overlap: |p|^2 - 1 and its like at (1, 0, 0), the lesser of the two. */
+static real pair(vec3 p)
+{
+    vec3 q = vsub(p, vec(1, 0, 0));
+    return real_min(vdot(p, p), vdot(q, q)) - 1;
+}
+
+/* A disc of radius 1 and of so little thickness: |z| - 1/200 inside of the cylinder. */
+static real plate(vec3 p)
+{
+    return real_max(p.x * p.x + p.y * p.y - 1, fabs(p.z) - (real)0.005);
+}
+
+static void test_closed_form(void)
+{
+    const struct { real tmin, tmax, t; const char *why; } in[] = {
+        {0, 9, 2, "the entry"}, {(real)2.5, 9, 4, "from inside: the exit"}, {0, 4, 2, "of two"},
+        {3, 5, 4, "the entry before tmin"}};
+    for (size_t i = 0; i < sizeof in / sizeof *in; i++) {
+        hit h = hit_none;
+        ray r = {{0, 0, 3}, in[i].tmin, {0, 0, -1}, in[i].tmax};
+        check(first_implicit_hit(pair, r, 100, &h), "%s", in[i].why);
+        check_close(h.t, in[i].t, 8 * eps, "%s", in[i].why);
+        check(h.u == 0 && h.v == 0 && h.shape == 0, "no u, v, shape");
+    }
+    hit h = {7, 7, 7, 7};
+    check(!first_implicit_hit(pair, (ray){{0, 0, 3}, 0, {0, 0, -1}, (real)1.9}, 100, &h)
+          && !first_implicit_hit(pair, (ray){{0, 0, 3}, 5, {0, 0, -1}, 9}, 100, &h)
+          && !first_implicit_hit(pair, (ray){{0, 3, 0}, 0, {1, 0, 0}, 9}, 100, &h) && h.t == 7
+          && h.shape == 7, "no change of sign: a miss, and *out untouched");
+    vec3 n = first_implicit_normal(pair, vec(0, 0, 1), (real)0.001);
+    check_close(n.z, 1, 1e-6, "the normal points outwards");
+    n = first_implicit_normal(pair, vec(2, 0, 0), (real)0.001);
+    check_close(n.x, 1, 1e-6, "of the other ball, too");
+}
+
+/* Rays anywhere at the torus: nearly all agree, none is made up, t to the last bits. */
+static void test_easy(void)
+{
+    for (int q = IMPLICIT_SPHERE; q <= IMPLICIT_BARTH; q++) {
+        implicit_subject u = implicit_subject_of((implicit_name)q);
+        size_t wrong = 0, hits = 0, made_up = 0, n = check_count(4000);
+        double off = 0;
+        for (size_t i = 0; i < n; i++) {
+            ray r;
+            hit a = hit_none, b = hit_none;
+            implicit_shot(&u, 12, IMPLICIT_ANYWHERE, i, &r);
+            bool is = implicit_first_hit(&u.s, r, 512, &a), due = implicit_hit(&u.s, r, &b);
+            hits += is, wrong += is != due, made_up += is && !due;
+            /* The slope of f along the ray decides how far its rounding moves the root. */
+            vec3 p = ray_at(r, b.t);
+            double slope = fabs((double)vdot(implicit_normal(&u.s, p), vunit(r.d)));
+            if (is && due && slope > 0.5) off = check_worse(off, fabs((double)(a.t - b.t)));
+        }
+        const char *name = implicit_name_of[q];
+        check_at_least(hits, n / 3, "%s: the test sees hits", name);
+        check_at_most(wrong, n / 200, "%s: 512 steps agree with implicit_hit, of %zu", name, n);
+        check_equal(made_up, 0, "%s: no hit is made up", name);
+        check_at_most(off, 2000 * eps, "%s: t", name);
+    }
+}
+
+/* "Wrong where f touches 0 between two steps, or crosses it twice: thin parts, rims, ..." */
+static void test_thin(void)
+{
+    size_t seen[2] = {0}, n = 400 + check_count(4000), ring[2] = {0}, rim = 0, due = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(13, i, 0);
+        real x = (real)0.6 * (2 * random_next(&s) - 1), y = (real)0.6 * (2 * random_next(&s) - 1);
+        ray r = {{x, y, 2 + random_next(&s)}, 0, {0, 0, -1}, 5};
+        hit h;
+        for (int k = 0; k < 2; k++)  /* 5 / 50 is ten times the plate, 5 / 1000 half of it */
+            seen[k] += first_implicit_hit(plate, r, k ? 1000 : 50, &h);
+    }
+    check_at_most(seen[0], n / 5, "50 steps pass most of a thin plate, of %zu", n);
+    check_equal(seen[1], n, "1000 steps do not");
+    implicit_ring k = {1, (real)0.005};
+    implicit_surface thin = implicit_torus(&k);
+    implicit_subject torus = implicit_subject_of(IMPLICIT_TORUS);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(14, i, 0);
+        real a = 2 * pi * random_next(&s), far = 1 + (real)0.0045 * (2 * random_next(&s) - 1);
+        vec3 to = vec(far * cos(a), far * sin(a), 0);
+        ray r = ray_from(vec(0, 0, 3), vsub(to, vec(0, 0, 3)));
+        hit h;
+        ring[0] += implicit_first_hit(&thin, r, 32, &h), ring[1] += implicit_hit(&thin, r, &h);
+        implicit_shot(&torus, 15, IMPLICIT_GRAZING, i, &r);
+        if (!implicit_hit(&torus.s, r, &h)) continue;
+        due++, rim += !implicit_first_hit(&torus.s, r, 128, &(hit){0});
+    }
+    check_at_most(ring[0], n / 2, "32 steps see less than half of a thin ring, of %zu", n);
+    check_equal(ring[1], n, "implicit_hit sees all of it");
+    check_at_least(due, n / 3, "grazing rays that hit");
+    check_at_least(rim, due / 20, "128 steps miss grazing rays, of %zu", due);
+    hit h = {7, 7, 7, 7};
+    ray touch = {{-2, 0, 1}, 0, {1, 0, 0}, 4};
+    check(!first_implicit_hit(pair, touch, 1001, &h) && h.t == 7, "no change of sign");
+}
+
+/* Answers without meaning, but answers. */
+static void test_degenerate(void)
+{
+    const real strange[] = {0, (real)NAN, real_infinity, -real_infinity, real_largest};
+    size_t untouched = 0, cases = 0;
+    for (int k = 0; k < 8; k++)
+        for (int what = 0; what < 5; what++) {
+            real v[8] = {0, 0, 3, 0, 0, -1, 0, 9};
+            hit h = {7, 7, 7, 7};
+            v[k] = strange[what];
+            ray r = {{v[0], v[1], v[2]}, v[6], {v[3], v[4], v[5]}, v[7]};
+            bool is = first_implicit_hit(pair, r, 50, &h);
+            cases++, untouched += is == (h.u == 0);
+        }
+    check_equal(untouched, cases, "a miss leaves *out alone, a hit does not");
+}
+
+int main(void)
+{
+    test_closed_form();
+    test_easy();
+    test_thin();
+    test_degenerate();
+    return check_report("05_first");
+}
