@@ -111,7 +111,7 @@ __attribute__((always_inline))
 static inline gather_share effects_shares(const unsigned mask, const appearance *a, vec3 d,
                                           const surface *s, const snell *x, bool bends)
 {
-    gather_share k = {a->matte, a->highlight, a->mirror, a->glossy, a->through, a->exponent};
+    gather_share k = {a->matte, a->highlight, a->mirror, a->glossy, a->through};
     if (!(mask & EFFECT_REFRACTION)) k.through = (vec3){0, 0, 0};
     if (!a->fresnel) return k;
     if (vzero(a->through)) {
@@ -220,7 +220,7 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
     vec3 L = effects_emitted(e, mask, b, a, x, &s);
     if (!b->bounced) {
         L = vadd(L, a->flat);
-        if (e->p->headlight)
+        if (e->headlight)
             L = vadd(L, vmul(vadd(vadd(k.matte, k.highlight), k.glossy), headlight(s.ns, b->r.d)));
     }
     if (mask & EFFECTS_LIT) L = vadd(L, gather(e, mask, b, &s, &k, &e->lobe[m], d, c));

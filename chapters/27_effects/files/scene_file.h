@@ -202,6 +202,7 @@ static inline bool say_sun(statement *q) { return say_lamp(q, LIGHT_DIRECTIONAL)
 static const struct { const char *word; bool (*say)(statement *q); } scene_statements[] = {
     {"camera", say_camera}, {"lens", say_lens}, {"light", say_light}, {"sun", say_sun},
     {"background", say_background}, {"environment", scene_environment}, {"up", say_up},
+    {"indirect", say_indirect},
     {"material", say_material}, {"use", say_use}, {"sphere", say_sphere}, {"cone", say_cone},
     {"polygon", say_polygon}, {"obj", scene_obj}, {"nff", scene_nff}, {"mtl", scene_mtl},
     {"mesh", scene_mesh}, {"instance", scene_instance}};
@@ -218,7 +219,7 @@ static inline bool scene_statement(statement *q)
     }
     if (!mtl_is_key(q->t))
         return text_bad(q->t, q->t->p, "begins with", "camera, lens, light, sun, background, "
-                        "environment, up, material, use, sphere, cone, polygon, obj, nff, mtl, "
+                        "environment, up, indirect, material, use, sphere, cone, polygon, obj, nff, mtl, "
                         "mesh, instance, include, or Kd .. illum");
     if (q->described == name_none)
         return text_bad(q->t, q->t->p, "describes nothing:", "these below a line material NAME");

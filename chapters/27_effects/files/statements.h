@@ -6,6 +6,7 @@
  *   sun         to P colour C                  light from there, irradiance [W/m^2]
  *   background  C                              seen where nothing is; lights nobody
  *   up          x | y | z
+ *   indirect    on | off                   light that matte surfaces pass on: plan.h
  *   use         NAME                           material of what follows
  *   sphere      P radius
  *   cone        P radius P radius              open; equal radii: a cylinder
@@ -121,6 +122,15 @@ static inline bool say_up(statement *q)
     for (int k = 0; k < 3; k++)
         if (word_take(q->t, (const char *[]){"x", "y", "z"}[k])) return q->s->up = k, true;
     return text_bad(q->t, q->t->p, "no axis:", "x, y, z");
+}
+
+static inline bool say_indirect(statement *q)
+{
+    bool on = word_take(q->t, "on");
+    if (!on && !word_take(q->t, "off"))
+        return text_bad(q->t, q->t->p, "neither on nor off:", "on, off");
+    q->s->indirect = on ? INDIRECT_ON : INDIRECT_OFF, q->s->indirect_said = q->at;
+    return true;
 }
 
 static inline bool say_use(statement *q)

@@ -57,7 +57,7 @@ static inline vec3 draw_pixel(const drawing *j, effects_function *f, int x, int 
     vec3 half[2] = {{0, 0, 0}, {0, 0, 0}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
     int n = j->samples;
-    bool rolled = n > 1 || (j->e->mask & EFFECTS_OF_CHANCE), timed = j->e->mask & EFFECTS_TIMED;
+    bool rolled = n > 1 || j->e->chance, timed = j->e->mask & EFFECTS_TIMED;
     for (int k = 0; k < n; k++) {
         dice d = {.own = 0};
         if (rolled) d = dice_start(j->seed, i, (uint32_t)k);
