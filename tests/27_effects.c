@@ -2,6 +2,7 @@
 static char directory[] = "/tmp/27_effects_XXXXXX";
 #include "27_files.h"
 #include "../chapters/27_effects/lab/demo.h"
+#include "../chapters/27_effects/lab/six.h"
 #include <sys/resource.h>
 
 static void ends(int status, const char *arguments, const char *stream, const char *text)
@@ -15,7 +16,8 @@ static void test_explain(void)
 {
     char args[900];
     put("room.scene", "material floor\nKd .5\nillum 1\npolygon -5 0 5 5 0 5 5 0 -5 -5 0 -5\n"
-        "material ball\nKd .1\nKs .8\nillum 3\nsphere 0 1 0 1\nlight at 3 5 3 colour 50\nindirect off\n");
+        "material ball\nKd .1\nKs .8\nillum 3\nsphere 0 1 0 1\nlight at 3 5 3 colour 50\n"
+        "indirect off\n");
     char room[256], out[256];
     snprintf(room, sizeof room, "%s", in_directory("room.scene"));
     snprintf(out, sizeof out, "%s", in_directory("o.pfm"));
@@ -23,13 +25,15 @@ static void test_explain(void)
     ends(0, args, "out", "plan       Whitted ray tracing");
     check(printed("out", "  called for    mirror          material 'ball' ("), "what calls for it");
     check(printed("out", "room.scene:8)"), "and its line");
-    check(printed("out", "  cannot occur  soft shadows    nothing in use emits light (Ke)"), "why not");
+    check(printed("out", "  cannot occur  soft shadows    nothing in use emits light (Ke)"),
+          "why not");
     check(printed("out", "found: none was given"), "a camera is found");
     snprintf(args, sizeof args, "%s --explain --size 24x16 --out %s --lens 'radius .1 focus 2' "
              "--environment '0.5 1' --camera 'from 0 1 6 at 0 1 0'", room, out);
     ends(0, args, "out", "plan       path tracing");
     check(printed("out", "called for    depth of field  lens (--lens:1), radius 0.1"), "the lens");
-    check(printed("out", "called for    environment     environment (--environment:1) on"), "environment");
+    check(printed("out", "called for    environment     environment (--environment:1) on"),
+          "environment");
     check(printed("out", "(--camera:1)"), "the camera of the option");
 }
 
@@ -116,6 +120,14 @@ static void test_demo(void)
     char *text = file_read("chapters/27_effects/scenes/demo.scene", &n, &f);
     check(text && strcmp(text, demo_scene) == 0, "demo.scene and demo.h");
     free(text);
+    for (int k = 0; k < six_count; k++) {
+        char path[100], own[six_room];
+        snprintf(path, sizeof path, "chapters/27_effects/scenes/%s.scene", six_scene[k].name);
+        six_text(k, own);
+        text = file_read(path, &n, &f);
+        check(text && strcmp(text, own) == 0, "%s and six.h", path);
+        free(text);
+    }
 }
 
 /* Two million triangles are to be read, built and drawn within 1 GiB: two hundred thousand within a

@@ -21,7 +21,8 @@ static void test_pdf(const studio_tree *t, const lamp_list *l)
         const shape *ball = t->s->shape;  /* the first; all that shine are told apart by Ke */
         bool is_ball = w.Le.y > 0;
         vec3 to = vsub(w.s.p, p);
-        real pdf = lamps_pdf(l, w.Le, is_ball ? ball : NULL, p, w.wi, vlength(to), -vdot(w.s.n, w.wi));
+        real pdf = lamps_pdf(l, w.Le, is_ball ? ball : NULL, p, w.wi, vlength(to),
+                             -vdot(w.s.n, w.wi));
         spheres += is_ball, worst = check_worse(worst, fabs((double)(pdf / w.pdf) - 1));
     }
     check_at_least(spheres, n / 20, "times the ball was drawn");

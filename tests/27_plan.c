@@ -82,7 +82,7 @@ static void test_appearance(void)
 }
 
 /* What a surface of this look gives back of an even light around it, by its own lobes: (23.4). The
- * mirror's, the lobe's and the highlight's shares are albedos only if the lobe's own is at most 1. */
+ * mirror's, the lobe's and the highlight's shares are albedos if the lobe's own is at most 1. */
 static double furnace(const appearance *a, double cosine)
 {
     const vec3 black = {0, 0, 0}, white = {1, 1, 1};

@@ -93,11 +93,13 @@ static void random_light(random_stream *r, writing *w, proof_said *said)
 static proof_said random_scene(random_stream *r, writing *w)
 {
     proof_said said = {false, false, false};
-    say(w, "%scamera from 0 1 %g at 0 0.8 0 angle 45\nmtl library.mtl\nmaterial red\nKd 0.7 0.1 0.1\n",
+    say(w, "%scamera from 0 1 %g at 0 0.8 0 angle 45\nmtl library.mtl\n"
+        "material red\nKd 0.7 0.1 0.1\n",
         chance(r, 0.2) ? "up y\n" : "", some(r, 1, 6));
     random_light(r, w, &said);
     if (chance(r, 0.1)) say(w, "nff lit.nff\n");
-    for (int k = 0, m = (int)some(r, 0, 5); k < m; k++) random_material(r, w, k), random_shape(r, w);
+    for (int k = 0, m = (int)some(r, 0, 5); k < m; k++)
+        random_material(r, w, k), random_shape(r, w);
     return said;
 }
 
@@ -299,8 +301,11 @@ static bool looks_at_first_material(const plan_facts *q, cite *line)
     return true;
 }
 
-static const struct { const char *rule; unsigned effect; bool (*holds)(const plan_facts *, cite *); }
-    holes[] = {
+static const struct {
+    const char *rule;
+    unsigned effect;
+    bool (*holds)(const plan_facts *, cite *);
+} holes[] = {
         {"no light", EFFECT_HARD_SHADOWS, forgets_suns},
         {"black light", EFFECT_HARD_SHADOWS, looks_at_first_light},
         {"unlit", EFFECT_HARD_SHADOWS, thinks_matte_is_lit},

@@ -323,7 +323,8 @@ static void expect(const char *what, const char *text, const double exact[3], do
  * same everywhere, and so is what its wall sends back, albedo E / pi, of which albedo times as much
  * comes from the second bounce, and so on: L = albedo / (1 - albedo) I / (pi R^2). A floor within a
  * wide shining sphere, and a matte ball in an even sky: L = albedo Le. Highlights (23.14), met head
- * on: as much as their Ks, whatever Ns. Under a lamp, without anything else: Lambert's formula of the form factor. */
+ * on: as much as their Ks, whatever Ns. Under a lamp, without anything else: Lambert's formula of
+ * the form factor. */
 static void test_light(void)
 {
     expect("closed sphere", "camera from 0 0 0.5 at 0 0 3 up 0 1 0\nmaterial m\nKd 0.5 0.25 0.1\n"

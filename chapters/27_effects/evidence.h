@@ -1,7 +1,7 @@
 /* evidence.h: what a scene says that bears on its effects: read once, before the plan is drawn up.
  *
  *   plan_facts q = plan_facts_of(&s, look)     look[m]: appearance of material m; O(scene)
- *   q.has[PART_MIRROR]                         the materials in use that reflect sharply: the first,
+ *   q.has[PART_MIRROR]                         materials in use that reflect sharply: the first,
  *                                              and how many
  *   q.lights, q.first_light                    point lights and suns that are not black
  *   q.around, q.flat, q.direct_only            an environment that is not black; all that reflects
@@ -11,9 +11,9 @@
  * not black.
  *
  * direct_only: all the light there is comes from formats that know direct light alone, and the
- * scene does not say `indirect on`. The lights of NFF are of 1987, the numbers of `illum` in MTL say
- * "ambient, diffuse, specular", and neither has a word for light that walls pass on. Who writes a
- * lamp into a scene file speaks of radiometry.
+ * scene does not say `indirect on`. The lights of NFF are of 1987, the numbers of `illum` in MTL
+ * say "ambient, diffuse, specular", and neither has a word for light that walls pass on. Who writes
+ * a lamp into a scene file speaks of radiometry.
  */
 #ifndef EFFECTS_EVIDENCE_H
 #define EFFECTS_EVIDENCE_H

@@ -152,7 +152,7 @@ static inline vec3 gather_reflects(const unsigned mask, const gather_share *k, c
     if (!vzero(k->highlight) || !vzero(k->glossy)) {
         shading_frame f = shading_frame_of(s->ns);
         vec3 i = to_local(f, wi), o = to_local(f, wo), both = {0, 0, 0};
-        if (vzero(k->mirror)) both = k->highlight;  /* else the mirror itself shows what has a size */
+        if (vzero(k->mirror)) both = k->highlight;  /* else the mirror itself shows it */
         if (!vzero(k->glossy)) {
             real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
             both = vmadd(both, k->glossy, share);

@@ -144,8 +144,8 @@ static inline bool lamps_cone(const lamp_face *l, vec3 p, point2 u, emitter_poin
     return cosine > 0 && out->pdf < real_infinity;
 }
 
-/* Does the surface at p, of normal n, see the sphere from within? On the very sphere, where rounding
- * may have p on either side, its normal says so. */
+/* Does the surface at p, of normal n, see the sphere from within? On the very sphere, where
+ * rounding may have p on either side, its normal says so. */
 static inline bool lamps_within(sphere s, vec3 p, vec3 n)
 {
     vec3 in = vsub(s.c, p);

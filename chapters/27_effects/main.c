@@ -3,12 +3,13 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *
  *   27_effects room.scene --explain       a scene file, an OBJ or an NFF file: what it calls for
  *   27_effects room.scene --out room.png --camera "from 0 1 5 at 0 1 0"
- *   27_effects room.scene --effects all   everything at every hit, without the plan: is it the same?
+ *   27_effects room.scene --effects all   everything at every hit: is it the same?
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
  *   27_effects room.scene --price --region 40x30+160+120     for these pixels, at (160, 120)
  *
- * Without options: the scene of demo.h, and what it took; --full: the strip, the price list, and
- * what being general costs. With some the picture goes to build/, if --out names no other. What the
+ * Without options: six scenes, each a line longer, and what they took; --full: demo.h as well, the
+ * price list, and what being general costs. With some the picture goes to build/, if --out names no
+ * other. What the
  * command line says of camera, lens, lights and surroundings replaces what the files say; the words
  * are those of scene files. */
 #include "lab/command.h"
@@ -37,6 +38,8 @@ int main(int argc, char **argv)
                              (options){.width = 400, .height = 300, .samples = -1}, own);
     if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;
     o.own = request_own(&q);
+    if (!o.out && !o.own && !draw_six(&o)) die(130, "stopped");
+    if (request_is_short(&o)) return output_done(&o);
     studio s;
     studio_view view;
     camera c;

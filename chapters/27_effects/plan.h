@@ -1,7 +1,7 @@
 /* plan.h: what a scene calls for, decided before the first ray, and the line that says so.
  *
  *   plan p = plan_of(&s)
- *   p.effects, p.declined           masks of effect.h: what is simulated; what is left out on purpose
+ *   p.effects, p.declined           masks of effect.h: what is simulated, what is left out
  *   p.verdict[k], p.why[k]          of effect k, in words for a person
  *   p.integrator                    the least that can do p.effects
  *   p.look[m]                       appearance of material m, as plan_of found it
@@ -15,8 +15,8 @@
  * plan_rules below is all of it: the first rule that holds gives the verdict. Nothing that draws
  * knows the plan but by the mask that it is given, so that `--effects all` can refute it: stage.h.
  *
- *   plan_of_rules(&s, rules, n)     the plan by another table: tests break one rule and look whether
- *                                   the pictures tell
+ *   plan_of_rules(&s, rules, n)     the plan by another table: tests break one rule, and look
+ *                                   whether the pictures tell
  */
 #ifndef EFFECTS_PLAN_H
 #define EFFECTS_PLAN_H

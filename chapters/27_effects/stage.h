@@ -12,8 +12,8 @@
  *                      black, so that they add exactly 0; they give rise to no further ones, or
  *                      there would be no end
  *     EFFECTS_DICED    branches are thrown for, even where no effect of the mask is an integral
- *   EFFECTS_EVERYTHING   all effects, spent: the estimator that knows no plan. A stage is built from
- *                        the scene alone, so that it could not ask for the plan if it wanted to
+ *   EFFECTS_EVERYTHING   all effects, spent: the estimator that knows no plan. A stage is built
+ *                        from the scene alone: it could not ask for the plan if it wanted to
  *
  *   effects_counts c = {0};           rays by effect; absorption: segments; depth: rays of the eye
  */

@@ -18,8 +18,9 @@
 #include "finish.h"
 #include "scene_file.h"
 
-typedef struct { const char *camera, *lens, *light, *sun, *environment, *background, *up, *indirect; }
-    studio_words;
+typedef struct {
+    const char *camera, *lens, *light, *sun, *environment, *background, *up, *indirect;
+} studio_words;
 
 static inline bool studio_read(const char *path, const studio_words *words, studio *out,
                                failure *f);

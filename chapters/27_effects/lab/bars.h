@@ -57,7 +57,8 @@ static inline void price_bars_draw(const options *o, const price_bars *b, const 
     for (int i = 0; i < b->n; i++) {
         double y = height - 50 - bars_row * i - 24;
         char text[80];
-        snprintf(text, sizeof text, "%s%s", b->bar[i].name, b->bar[i].declined ? " (declined)" : "");
+        snprintf(text, sizeof text, "%s%s", b->bar[i].name,
+                 b->bar[i].declined ? " (declined)" : "");
         figure_text(&g, bars_left, y, -12, 10, FIGURE_RIGHT, FIGURE_BLACK, text);
         bars_one(&g, y + 15, b->bar[i].light, most, FIGURE_ORANGE, !b->bar[i].declined);
         bars_one(&g, y - 1, b->bar[i].time, most, FIGURE_BLUE, !b->bar[i].declined);

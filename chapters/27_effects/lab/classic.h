@@ -159,7 +159,8 @@ static inline char *forty_text(bool plain)
     enum { room = 1 << 14 };
     char *text = allocate(room, 1);
     size_t n = (size_t)snprintf(text, room,
-        "camera from 0 -11 4.5 at 0 0.4 0.9 up 0 0 1 angle 31\nindirect off\nbackground 0.35 0.55 0.85\n"
+        "camera from 0 -11 4.5 at 0 0.4 0.9 up 0 0 1 angle 31\nindirect off\n"
+        "background 0.35 0.55 0.85\n"
         "sun to 5 -6 9 colour 2\nsun to -6 -4 5 colour 0.7\nsun to 1 8 6 colour 0.4\n"
         "material mirror\nKd 0\nKs 0.9\nillum 3\nmaterial glass\nKd 0\nNi 1.5\nTf 1\nillum 7\n");
     for (int k = 0; k < forty_balls; k++) {

@@ -1,6 +1,7 @@
 /* command.h: what the command line asks for: a scene, a part of its picture, an experiment.
  *
  *   request q = {.path = NULL};       options fill it in; o.own = request_own(&q)
+ *   if (request_is_short(&o)) ..      the six scenes, draw_six, are all that is asked for
  *   request_show(&o, &q, &p, &e)      the picture of a stage, and the tables that go with it
  */
 #ifndef EFFECTS_COMMAND_H
@@ -10,6 +11,7 @@
 #include "../plan.h"
 #include "classic.h"
 #include "price.h"
+#include "six.h"
 
 typedef struct {
     const char *path, *effects, *region;
@@ -111,33 +113,41 @@ static inline bool request_all(const options *o, const plan *p, effects_stage *e
     return whole;
 }
 
-/* The picture is saved before all else: Ctrl-C later on loses none of it. Of the whole picture the
- * price list takes a quarter in width and height. */
+/* Of the whole picture the price list takes a quarter in width and height. */
+static inline draw_window request_small(const request *q, draw_window w)
+{
+    if (q->region) return w;
+    w.width = w.across = w.across / 4 > 0 ? w.across / 4 : 1;
+    w.height = w.down = w.down / 4 > 0 ? w.down / 4 : 1;
+    return w;
+}
+
+/* The picture is saved before all else: Ctrl-C later on loses none of it. */
 static inline void request_show(const options *o, const request *q, const plan *p,
                                 effects_stage *e)
 {
-    draw_window w = request_window(o, q->region), small = w;
+    draw_window w = request_window(o, q->region);
     char room[512];
     image im = image_new(w.width, w.height);
     bool demo = !o->out && !o->own;
-    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : 16;
+    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 64 : 16;
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
     bool whole = draw_region(&j, &im, w.x, w.y, o->threads);
-    output_picture(o, &im, picture_name("27_effects.png", q->path, room), true, whole);
+    output_picture(o, &im, demo ? "27_effects_demo.png" : picture_name("27_effects.png", q->path,
+                                                                       room), !demo, whole);
     if (e->mask & EFFECTS_SPEND) whole = request_compare(&j, p, e, o->threads);
-    if (!q->region) {
-        small.width = small.across = w.across / 4 > 0 ? w.across / 4 : 1;
-        small.height = small.down = w.down / 4 > 0 ? w.down / 4 : 1;
-    }
-    if (whole && ((demo && o->full) || q->priced))
-        whole = table_of_price(o, p, e, small, samples > 16 ? 16 : samples);
+    if (whole && (demo || q->priced))
+        whole = table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples);
     else if (whole) whole = request_count(o, p, &j);
-    if (whole && demo && o->full)
-        whole = draw_strip(o, p, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1, 2 * samples)
+    if (whole && demo)
+        whole = draw_strip(o, p, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1, samples)
              && table_of_tax(o) && request_all(o, p, e);
     image_free(&im);
     if (!whole) die(130, "stopped; the picture was whole before");
 }
+
+/* Without a file and --full: the six scenes, and that is all. */
+static inline bool request_is_short(const options *o) { return !o->out && !o->own && !o->full; }
 
 #endif
