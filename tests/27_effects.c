@@ -108,7 +108,7 @@ static void test_page(void)
         check(printed("out", "\n-> ") && !printed("err", "warning"), "%s: its picture", line);
         found++;
     }
-    check_equal(found, 7, "commands of the page");
+    check_equal(found, 3, "commands of the page");
     free(page);
 }
 

@@ -15,7 +15,7 @@ typedef struct {
     int n;
 } price_bars;
 
-enum { bars_left = 190, bars_width = 460, bars_row = 46 };
+enum { bars_left = 190, bars_width = 460, bars_row = 44 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -36,7 +36,7 @@ static inline void bars_one(figure *g, double y, double percent, double most, co
                     y + 14};
     figure_polygon(g, 4, xy, colour, filled ? 1 : 0.25, colour);
     snprintf(text, sizeof text, "%.1f %%", percent);
-    figure_text(g, bars_left + length, y, 6, 2, FIGURE_LEFT, FIGURE_BLACK, text);
+    figure_text(g, bars_left + length, y, 6, -2, FIGURE_LEFT, FIGURE_BLACK, text);
 }
 
 /* Declined ones are hollow: their light is what the picture does without. */
@@ -59,7 +59,7 @@ static inline void price_bars_draw(const options *o, const price_bars *b, const 
         char text[80];
         snprintf(text, sizeof text, "%s%s", b->bar[i].name,
                  b->bar[i].declined ? " (declined)" : "");
-        figure_text(&g, bars_left, y, -12, 10, FIGURE_RIGHT, FIGURE_BLACK, text);
+        figure_text(&g, bars_left, y, -12, -9, FIGURE_RIGHT, FIGURE_BLACK, text);
         bars_one(&g, y + 15, b->bar[i].light, most, FIGURE_ORANGE, !b->bar[i].declined);
         bars_one(&g, y - 1, b->bar[i].time, most, FIGURE_BLUE, !b->bar[i].declined);
     }

@@ -132,7 +132,9 @@ static inline bool table_of_price(const options *o, const plan *p, effects_stage
     price_bars bars = {.n = 0};
     for (int i = 0; i < n && whole; i++)
         price_row(&t, &bars, p, &run[i], effect[i], &run[0], rounds);
-    if (whole) output_table(o, &t), price_bars_draw(o, &bars, "27_effects_price_time.svg");
+    options beside = *o;  /* the drawing goes to build/, wherever the picture goes */
+    beside.out = NULL, beside.own = false;
+    if (whole) output_table(o, &t), price_bars_draw(&beside, &bars, "27_effects_price_time.svg");
     else table_free(&t);
     for (int i = 0; i < n; i++) image_free(&run[i].im);
     effects_stage_effects(e, before);
