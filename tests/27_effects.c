@@ -73,10 +73,13 @@ static void test_warnings(void)
     static const struct { const char *name, *text, *said; int status; } file[] = {
         {"grey.obj", "mtllib /c/none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n",
          "grey.obj: no file '/c/none.mtl': what it describes stays grey", 0},
+        {"shells.scene", "material a\nillum 6\nNi 1.1\nsphere 0 0 0 1\nsphere 0 0 0 .9\n"
+         "sphere 0 0 0 .8\nsphere 0 0 0 .7\nsphere 0 0 0 .6\nsphere 0 0 0 .5\nsphere 0 0 0 .4\n"
+         "sphere 0 0 0 .3\n", "more than 7 bodies lie around one another", 0},
         {"empty.scene", "# nothing yet\n", "empty.scene: no shape and no mesh", 0},
         {"far.scene", "sphere 1e308 1e308 1e308 1e307\nsphere -1e308 -1e308 -1e308 1e307\n",
          "far.scene:", 2}};
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 4; k++) {
         put(file[k].name, file[k].text);
         snprintf(args, sizeof args, "%s --quick --out %s", in_directory(file[k].name),
                  in_directory("o.pfm"));

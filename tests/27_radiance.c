@@ -182,7 +182,7 @@ static vec3 seen_along(const set *q, ray r)
 {
     dice d = dice_start(1, 1, 0);
     effects_counts c = {.now = 0};
-    return effects_made_for(q->e.mask)(&q->e, r, (media_set){0}, &d, &c);
+    return effects_made_for(q->e.mask)(&q->e, r, effects_around(&q->e, r.o), &d, &c);
 }
 
 /* Two scenes are one picture: to rounding, which moves the edge of what lies behind by less than a
@@ -231,7 +231,11 @@ static void test_bodies(void)
               CLEAR_BALL "material air\nKd 0\nNi 1\nillum 6\nsphere 0.1 0 0 0.5\n");
     test_way(WAY, 5, 0.5 * 4), test_way(WAY, 1, 0.5 * 3);
     test_way(WAY_IN, 5, 0.5 * 2 + 2 * 2);
-    test_way(WAY_IN, 0, 2 * 1 + 0.5 * 1);  /* begun in both: that of the first face fills it */
+    test_way(WAY_IN, 0, 2 * 1 + 0.5 * 1);  /* begun in both: the innermost fills it */
+    test_way(WAY_IN, 1.5, 0.5 * 0.5 + 2 * 2 + 0.5 * 1);  /* begun in the outer one */
+    /* a single sheet, left behind: nobody was in it */
+    test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 1\n"
+             "polygon -1 -1 0  -1 1 0  1 1 0  1 -1 0\nsphere 9 0 0 1\n", -1, 0);
     test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 1\n"
              "polygon -1 -1 0  1 -1 0  1 1 0  -1 1 0\n", 5, (double)INFINITY);  /* never out */
     /* a prism: in by its face, all reflected at 45 degrees, 2 later out by the other face */

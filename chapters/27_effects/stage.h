@@ -44,6 +44,7 @@ typedef struct {
     double seconds[effects_rays];    /* only with EFFECTS_TIMED */
     double since;                    /* when the ray now in hand was begun */
     int now;                         /* its kind */
+    size_t lost;                     /* bodies entered while within media_most others */
 } effects_counts;
 
 typedef struct {
@@ -128,6 +129,7 @@ static inline void effects_stage_view(effects_stage *e, const studio_view *v, ca
 
 static inline void effects_counts_add(effects_counts *to, const effects_counts *c)
 {
+    to->lost += c->lost;
     for (int k = 0; k < effects_rays; k++)
         to->rays[k] += c->rays[k], to->seconds[k] += c->seconds[k];
 }

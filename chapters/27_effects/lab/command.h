@@ -136,6 +136,9 @@ static inline void request_show(const options *o, const request *q, const plan *
     bool whole = draw_region(&j, &im, w.x, w.y, o->threads);
     output_picture(o, &im, demo ? "27_effects_demo.png" : picture_name("27_effects.png", q->path,
                                                                        room), !demo, whole);
+    if (j.counts.lost)
+        fprintf(stderr, "%s: warning: more than %d bodies lie around one another: %zu times one "
+                "was taken for air\n", program_name, media_most, j.counts.lost);
     if (e->mask & EFFECTS_SPEND) whole = request_compare(&j, p, e, o->threads);
     if (whole && (demo || q->priced))
         whole = table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples);
