@@ -8,7 +8,7 @@
  *       \___________/
  *
  * Files also have single sheets of glass, which are around nobody: a body counts only if rays in
- * five directions agree. A point that lies in more than media_most bodies has the innermost of them.
+ * five directions agree. Of more than media_most bodies the innermost are kept.
  */
 #ifndef EFFECTS_AROUND_H
 #define EFFECTS_AROUND_H
