@@ -17,11 +17,12 @@ static void test_pdf(const studio_tree *t, const lamp_list *l)
         real x = random_next(&s), y = random_next(&s), z = random_next(&s), u = random_next(&s);
         vec3 p = {6 * x - 3, 4 * y, 6 * z - 3};
         lamp_draw w;
-        if (!lamps_sample(l, p, (point2){u, random_next(&s)}, &w)) continue;
+        if (!lamps_sample(l, p, (vec3){0, 1, 0}, (point2){u, random_next(&s)}, &w)) continue;
         const shape *ball = t->s->shape;  /* the first; all that shine are told apart by Ke */
         bool is_ball = w.Le.y > 0;
         vec3 to = vsub(w.s.p, p);
-        real pdf = lamps_pdf(l, w.Le, is_ball ? ball : NULL, p, vlength(to), -vdot(w.s.n, w.wi));
+        real pdf = lamps_pdf(l, w.Le, is_ball ? ball : NULL, p, w.wi, vlength(to),
+                             -vdot(w.s.n, w.wi));
         spheres += is_ball, worst = check_worse(worst, fabs((double)(pdf / w.pdf) - 1));
     }
     check_at_least(spheres, n / 20, "times the ball was drawn");

@@ -7,6 +7,7 @@
 #include "../chapters/26_path_tracer/path.h"
 #include "../chapters/27_effects/lab/draw.h"
 #include "../chapters/27_effects/files/studio_read.h"
+#include "../chapters/27_effects/plan.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"
 
@@ -66,8 +67,9 @@ int main(void)
     if (!studio_read_text(text, "room", NULL, &s, &f)) fail(f);
     plan p = plan_of(&s);
     if (!studio_camera(&s, 4 / (real)3, &v, &c, &f)) fail(f);
-    if (!effects_stage_build(&s, &p, &e, &f)) fail(f);
+    if (!effects_stage_build(&s, &e, &f)) fail(f);
     effects_stage_view(&e, &v, c);
+    effects_stage_effects(&e, p.effects);
     room_of_26(&lit, &s);
     path_tracer_of(&lit, NULL, path_defaults, &t);
     check(p.effects == (EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED),

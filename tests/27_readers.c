@@ -7,6 +7,7 @@ static char directory[] = "/tmp/27_readers_XXXXXX";
 #include "../chapters/16_instances/crowd.h"
 #include "../chapters/07_mesh/scenes/spd.h"
 #include "27_files.h"
+#include "../chapters/27_effects/appearance.h"
 #include "../common/random.h"
 #include <time.h>
 
@@ -561,7 +562,11 @@ static void test_scene_broken(void)
         {"up w\n", "x.scene:1: up: no axis: 'w'", "x, y, z"},
         {"Kd 1 1 1\n", "x.scene:1: line: describes nothing: 'Kd'", "material NAME"},
         {"material a\nKd 2 x\n", "x.scene:2: Kd: too much: 'x'", "the end"},
-        {"use gold\n", "x.scene:1: use: no material 'gold'", "names that material"},
+        {"use gilt\n", "x.scene:1: use: no material 'gilt'", "names that material"},
+        {"sphere 0 0 0 1 gold2\n", "x.scene:1: sphere: no material 'gold2'", "white, chrome"},
+        {"box 0 0 0 1 1\n", "x.scene:1: box: no number before", "a number"},
+        {"indirect maybe\n", "x.scene:1: indirect: neither on nor off: 'maybe'", "on, off"},
+        {"mesh a i.obj\nmesh a i.obj\n", "x.scene:2: mesh: 'a' is a mesh", "each name"},
         {"instance pot\n", "x.scene:1: instance: no mesh 'pot'", "names that mesh"},
         {"environment\n", "x.scene:1: environment: something is missing", "a picture"},
         {"environment 1 2 3 4\n", "environment: numbers end", "1, 2, 3 or 6"},
@@ -591,6 +596,48 @@ static void test_scene_broken(void)
     refused("x.scene", "obj empty.obj\n", "x.scene", 1, "empty.obj", "");
     put("empty.obj", "");
     refused("x.scene", "obj empty.obj\n", "x.scene", 2, "empty.obj:1: line: no face", "1 or more");
+}
+
+/* A box is closed and its faces look outwards: volume by the divergence theorem, also mirrored and
+ * turned: 1/3 sum of area (n.p). Listed materials have an appearance each, and all are in use. */
+static void test_box(void)
+{
+    static const char *const placed[] = {"", "turn 1 2 3 40 move 5 0 0", "scale -1 1 1 gold"};
+    for (int k = 0; k < 3; k++) {
+        studio s;
+        failure f;
+        char text[100];
+        double volume = 0;
+        snprintf(text, sizeof text, "box 3 1 2  0 0 0 %s\n", placed[k]);
+        put("x.scene", text);
+        if (!read_scene("x.scene", &s, &f)) {
+            check(false, "%s", f.text);
+            continue;
+        }
+        for (size_t i = 0; i < s.shapes; i++) {
+            polygon g = s.shape[i].polygon;
+            vec3 n = vcross(vsub(g.v[1], g.v[0]), vsub(g.v[3], g.v[0]));
+            volume += (double)vdot(n, g.v[0]) / 3;
+        }
+        check_equal(s.shapes, 6, "faces");
+        check_close(volume, 6, 1e4 * (double)real_epsilon, "its volume, %s", placed[k]);
+        if (k == 2) check_text(studio_material_name(&s, s.shape_material[0]), "gold", "made of");
+        studio_free(&s);
+    }
+    for (size_t i = 0; i < sizeof material_list / sizeof *material_list; i++) {
+        studio s;
+        failure f;
+        char text[100];
+        snprintf(text, sizeof text, "sphere 0 0 0 1 %s\n", material_list[i].name);
+        put("x.scene", text);
+        bool ok = read_scene("x.scene", &s, &f);
+        check(ok, "%s", f.text);
+        if (!ok) continue;
+        appearance a = appearance_of(&s.material[s.shape_material[0]]);
+        check(s.material[s.shape_material[0]].used && a.excess <= 1 + 1e-6, "%s", text);
+        check(appearance_black(&a) == (strstr(text, "black") || strstr(text, "lamp")), "%s", text);
+        studio_free(&s);
+    }
 }
 
 static void test_includes(void)
@@ -644,6 +691,7 @@ int main(void)
     test_scene();
     test_words();
     test_scene_broken();
+    test_box();
     test_includes();
     remove_all();
     return check_report("27_readers");

@@ -17,7 +17,7 @@
  *
  *   flat       seen by the eye, by mirrors and glass, and lights nobody, as the background
  *   matte      Lambert: what other surfaces and lights send is gathered from everywhere
- *   highlight  Blinn-Phong with `exponent`, of lights alone: nothing else is reflected
+ *   highlight  the lobe of (23.13) with `exponent`, of lights alone: nothing else is reflected
  *   mirror     reflected sharply; glossy instead: reflected in a lobe with `exponent`. Which of the
  *              two says Ns: 1000 and more, or none: a mirror. A mirror shows lamps with a size by
  *              itself and has no highlight; without Ns neither has illum 2
@@ -27,7 +27,8 @@
  *              Where it is not (7): F is a dielectric's, of index
  *              `ior`, times the colour. matte and through count by 1 - F
  *
- * Energy: no channel may give back more than it gets. Where matte + reflected + through (with
+ * Energy: no channel may give back more than it gets. Colours are albedos: a lobe of colour 1 gives
+ * back at most 1 (23.14), unlike the bare cos^e of 18. Where matte + reflected + through (with
  * fresnel: matte + through) exceeds 1, all of them are divided by the sum: `excess` is the largest.
  * illum 8 and 9 have reflection maps in MTL, 10 catches shadows only: neither is simulated, they
  * are drawn as above. Ke emits whatever illum is.

@@ -1,8 +1,8 @@
 /* effect.h: the effects that a scene may call for, each one bit of a mask.
  *
  *   bit                      name in --effects   what it takes
- *   EFFECT_HARD_SHADOWS      hard                a shadow ray to each point light and sun
- *   EFFECT_SOFT_SHADOWS      soft                shadow rays to points of the emitting faces
+ *   EFFECT_HARD_SHADOWS      hard                light of points and suns: a shadow ray to each
+ *   EFFECT_SOFT_SHADOWS      soft                light of faces that emit: rays to points of them
  *   EFFECT_MIRROR            mirror              a ray along the mirror direction
  *   EFFECT_GLOSSY            glossy              rays about the mirror direction
  *   EFFECT_REFRACTION        refraction          a ray through the surface, bent or straight
@@ -52,6 +52,14 @@ static const char *const integrator_names[] = {"ray casting", "Whitted ray traci
                                                "path tracing"};
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* Which bit it is, of an effect alone. */
+static inline int effect_number(unsigned effect)
+{
+    int k = 0;
+    while (1u << k != effect) k++;
+    return k;
+}
 
 static inline integrator integrator_of(unsigned mask)
 {

@@ -9,7 +9,7 @@
  *
  * A lamp can also be met by a ray that goes on from here. Where such rays are sent, matte part and
  * lobe share each direction with them by the power heuristic (24.9); where not, w = 1. A highlight
- * is of lights alone: w = 1.
+ * is a lobe, too (23.13), but of lights alone: w = 1.
  *
  * No ray: a light that is behind the surface, black, or one for which nothing is reflected.
  */
@@ -35,7 +35,7 @@ typedef struct {
     bool bounced;       /* a matte surface lies behind it: what it meets is no picture, but light */
 } branch;
 
-typedef struct { vec3 matte, highlight, mirror, glossy, through; real exponent; } gather_share;
+typedef struct { vec3 matte, highlight, mirror, glossy, through; } gather_share;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -141,22 +141,21 @@ static inline bool gather_passes(const effects_stage *e, const unsigned mask, ra
 
 /* f cos w of all parts, for light from wi that was drawn with this pdf. */
 __attribute__((always_inline))
-static inline vec3 gather_reflects(const effects_stage *e, const unsigned mask,
-                                   const gather_share *k,
-                                   const brdf *lobe, const surface *s, vec3 wi, vec3 wo, real pdf)
+static inline vec3 gather_reflects(const unsigned mask, const gather_share *k, const brdf *lobe,
+                                   const surface *s, vec3 wi, vec3 wo, real pdf)
 {
     real c = vdot(s->ns, wi);
-    real w = e->counted & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
+    real w = mask & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
     vec3 sum = vscale(k->matte, c / pi * w);
-    if (!vzero(k->highlight)) {
-        real nh = real_max(0, vdot(s->ns, vunit(vadd(wi, wo))));
-        sum = vmadd(sum, k->highlight, pow(nh, k->exponent) * c);
-    }
-    if (!vzero(k->glossy)) {
+    if (!vzero(k->highlight) || !vzero(k->glossy)) {
         shading_frame f = shading_frame_of(s->ns);
-        vec3 i = to_local(f, wi), o = to_local(f, wo);
-        real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
-        sum = vmadd(sum, vmul(k->glossy, brdf_value_local(lobe, i, o)), c * share);
+        vec3 i = to_local(f, wi), o = to_local(f, wo), both = {0, 0, 0};
+        if (vzero(k->mirror)) both = k->highlight;  /* else the mirror itself shows it */
+        if (!vzero(k->glossy)) {
+            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
+            both = vmadd(both, k->glossy, share);
+        }
+        sum = vmadd(sum, vmul(both, brdf_value_local(lobe, i, o)), c);
     }
     return sum;
 }
@@ -167,22 +166,18 @@ static inline vec3 gather_lights(const effects_stage *e, const unsigned mask, co
                                  bool lit, effects_counts *c)
 {
     vec3 sum = {0, 0, 0}, left, wo = vneg(b->r.d);
-    bool here = lit && (!b->bounced || (e->counted & EFFECT_INDIRECT));
     for (int i = 0; i < e->lights; i++) {
         const light *L = &e->light[i];
         light_sample x = {{0, 0, 0}, {0, 0, 0}};
-        bool counts = here && light_reaches(L, s->p, s->n, s->ns, &x);
+        bool counts = lit && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !(mask & EFFECTS_SPEND)) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
         bool passes = gather_passes(e, mask, r, s->shape, RAY_TO_LIGHT, b->kind, c, &left);
         if (!counts || !passes) continue;
         vec3 v = vscale(vmul(x.E, k->matte), 1 / pi);
-        if (!vzero(k->highlight)) {
-            material m = {k->matte, k->highlight, k->exponent, {0, 0, 0}};
-            v = blinn_phong(&m, s->ns, x.l, wo, x.E);
-        }
-        if (!vzero(k->glossy))
-            v = vadd(v, vmul(x.E, vmul(k->glossy, brdf_value(lobe, s->ns, x.l, wo))));
+        if (!vzero(k->highlight) || !vzero(k->glossy))
+            v = vadd(v, vmul(x.E, vmul(vadd(k->highlight, k->glossy),
+                                       brdf_value(lobe, s->ns, x.l, wo))));
         sum = vadd(sum, (mask & EFFECT_REFRACTION) && e->clear ? vmul(v, left) : v);
     }
     return sum;
@@ -197,7 +192,7 @@ static inline vec3 gather_sample(const effects_stage *e, const unsigned mask, co
 {
     vec3 v = {0, 0, 0}, left;
     if (lit && vdot(s->ns, wi) > 0 && vdot(s->n, wi) > 0)
-        v = vmul(gather_reflects(e, mask, k, lobe, s, wi, vneg(b->r.d), pdf), Le);
+        v = vmul(gather_reflects(mask, k, lobe, s, wi, vneg(b->r.d), pdf), Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
     ray r = at ? leave_between(*s, *at) : leave(*s, wi);
     bool passes = gather_passes(e, mask, r, s->shape, kind, b->kind, c, &left);
@@ -216,7 +211,8 @@ static inline vec3 gather(const effects_stage *e, const unsigned mask, const bra
     if (mask & EFFECT_HARD_SHADOWS) sum = gather_lights(e, mask, b, s, k, lobe, lit, c);
     if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
         lamp_draw x;
-        if (lamps_sample(&e->lamp, s->p, dice_pair(d, b->node, b->depth, DICE_LAMP), &x))
+        point2 u = dice_pair(d, b->node, b->depth, DICE_LAMP);
+        if (lamps_sample(&e->lamp, s->p, s->n, u, &x))
             sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, RAY_TO_LAMP, x.wi, x.Le,
                                           x.pdf, &x.s, c));
     }

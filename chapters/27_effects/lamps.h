@@ -2,9 +2,10 @@
  *
  *   lamp_list l;
  *   lamps_build(&t, &l)                       of t.s; O(n)
- *   lamps_sample(&l, p, u, &x)                false: this sample counts, and is 0
- *   real q = lamps_pdf(&l, Ke, shape, p, t, cosine)    of drawing the point that a ray from p
- *                                             meets at distance t, where it emits Ke; shape or NULL
+ *   lamps_sample(&l, p, n, u, &x)             for a surface at p, normal n; false: this sample
+ *                                             counts, and is 0
+ *   real q = lamps_pdf(&l, Ke, shape, p, d, t, cosine)    of drawing the point that a ray from p
+ *                                             along d meets at t, where it emits Ke; shape or NULL
  *   lamps_free(&l)
  *
  *   P(face) ~ area x radiance (24.10). Flat faces and cones are drawn by area (24.4), spheres by
@@ -13,7 +14,7 @@
  *
  * Polygons with four corners that are a parallelogram stay one, others become triangles (patch.h).
  * MTL says nothing of a front: faces emit to both sides, and p draws from the side that it is on.
- * Spheres emit to both sides, too, and are drawn from the side of their normal alone.
+ * Spheres, too: from within by the directions of all the sphere, else by the cone they are seen in.
  */
 #ifndef EFFECTS_LAMPS_H
 #define EFFECTS_LAMPS_H
@@ -143,31 +144,48 @@ static inline bool lamps_cone(const lamp_face *l, vec3 p, point2 u, emitter_poin
     return cosine > 0 && out->pdf < real_infinity;
 }
 
-static inline bool lamps_sample(const lamp_list *l, vec3 p, point2 u, lamp_draw *out)
+/* Does the surface at p, of normal n, see the sphere from within? On the very sphere, where
+ * rounding may have p on either side, its normal says so. */
+static inline bool lamps_within(sphere s, vec3 p, vec3 n)
+{
+    vec3 in = vsub(s.c, p);
+    real sure = (1 - 16 * real_epsilon) * fabs(s.r) - 4 * real_epsilon * surface_reach(p);
+    return vlength(in) < sure || (emitter_sphere_around(s, p) && vdot(n, in) > 0);
+}
+
+/* The side of a lamp that p is on shines there, whichever way the file had it turned. */
+static inline emitter lamps_facing(emitter e, vec3 p, vec3 n)
+{
+    if (e.kind == EMITTER_SPHERE)
+        e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
+    else if (emitter_height(&e, p) < 0) e.n = vneg(e.n);
+    return e;
+}
+
+static inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lamp_draw *out)
 {
     emitter_point x;
     real chance;
     const lamp_face *one = &l->face[choice_sample(&l->of, u.u, &chance, &u.u)];
-    emitter e = one->e;
+    emitter e = one->is_cone ? one->e : lamps_facing(one->e, p, n);
     bool seen;
     if (one->is_cone) seen = lamps_cone(one, p, u, &x);
     else if (e.kind == EMITTER_SPHERE) seen = emitter_by_angle(&e, p, u, &x);
-    else {
-        if (emitter_height(&e, p) < 0) e.n = vneg(e.n);
-        seen = emitter_by_area(&e, p, u, &x);
-    }
+    else seen = emitter_by_area(&e, p, u, &x);
     if (!seen) return false;
     out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = e.Le, out->s = x.s;
     return true;
 }
 
-static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p, real t,
+static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p, vec3 d, real t,
                              real cosine)
 {
     if (!l->n) return 0;
     real bright = lamps_bright(Ke) / l->sum;                                           /* (27.6) */
     if (!s || s->kind != SHAPE_SPHERE) return bright * (t * t / cosine);
     emitter e = emitter_of_sphere(s->sphere, Ke);
+    bool within = vdot(vsub(vmadd(p, d, t), s->sphere.c), d) > 0;  /* it was met from there */
+    e.sphere.r = within ? -fabs(e.sphere.r) : fabs(e.sphere.r);
     return bright * e.area * emitter_pdf_angle(&e, p);
 }
 

@@ -3,12 +3,13 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *
  *   27_effects room.scene --explain       a scene file, an OBJ or an NFF file: what it calls for
  *   27_effects room.scene --out room.png --camera "from 0 1 5 at 0 1 0"
- *   27_effects room.scene --effects all   everything at every hit: the same picture, more time
+ *   27_effects room.scene --effects all   everything at every hit: is it the same?
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
  *   27_effects room.scene --price --region 40x30+160+120     for these pixels, at (160, 120)
  *
- * Without options: the scene of demo.h, and what it took; --full: the strip, the price list, and
- * what being general costs. With some the picture goes to build/, if --out names no other. What the
+ * Without options: six scenes, each a line longer, and what they took; --full: demo.h as well, the
+ * price list, and what being general costs. With some the picture goes to build/, if --out names no
+ * other. What the
  * command line says of camera, lens, lights and surroundings replaces what the files say; the words
  * are those of scene files. */
 #include "lab/command.h"
@@ -30,12 +31,15 @@ int main(int argc, char **argv)
         {"sun", OPTION_TEXT, &q.words.sun, 0, 0, "to X Y Z colour C [; to ...]"},
         {"environment", OPTION_TEXT, &q.words.environment, 0, 0, "C, C C, or a picture"},
         {"background", OPTION_TEXT, &q.words.background, 0, 0, "C"},
+        {"indirect", OPTION_TEXT, &q.words.indirect, 0, 0, "on or off: light that walls pass on"},
         {"up", OPTION_TEXT, &q.words.up, 0, 0, "x, y or z: where no camera says it"},
         {0}};
     options o = options_read(argc, argv, "27_effects", "Draws scene files.",
                              (options){.width = 400, .height = 300, .samples = -1}, own);
     if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;
     o.own = request_own(&q);
+    if (!o.out && !o.own && !draw_six(&o)) die(130, "stopped");
+    if (request_is_short(&o)) return output_done(&o);
     studio s;
     studio_view view;
     camera c;
@@ -49,10 +53,11 @@ int main(int argc, char **argv)
     if (q.effects && !effects_read(q.effects, &mask, &f)) fail(f);
     if (!studio_camera(&s, (real)o.width / (real)o.height, &view, &c, &f)) fail(f);
     if (q.told) explain(stdout, &s, &p, &view);
-    if (!effects_stage_build(&s, &p, &e, &f)) fail(f);
+    if (!effects_stage_build(&s, &e, &f)) fail(f);
     effects_stage_view(&e, &view, c);
-    effects_stage_effects(&e, mask, q.effects && mask == EFFECTS_ALL);
-    request_show(&o, &q, &e);
+    /* All of them: the estimator that knows no plan. */
+    effects_stage_effects(&e, mask == EFFECTS_ALL ? (unsigned)EFFECTS_EVERYTHING : mask);
+    request_show(&o, &q, &p, &e);
     effects_stage_free(&e), plan_free(&p), studio_free(&s);
     return output_done(&o);
 }

@@ -6,8 +6,8 @@
  *   the ray comes from             and what it meets counts
  *   the eye, a mirror, glass       fully: no shadow ray could have found it
  *   a lobe                         by (24.9), if there are shadow rays, too; else fully
- *   a matte surface                by (24.9), if there are shadow rays and indirect light counts;
- *                                  else not at all: shadow rays do it alone, or nobody
+ *   a matte surface                by (24.9), if there are shadow rays; else not at all: lamps
+ *                                  and sky light surfaces only where that effect is simulated
  *
  * A background is for the eye, also in mirrors; after a matte bounce it is black: it lights nobody.
  */
@@ -21,11 +21,10 @@
 /* Light that the ray itself has met; q: the pdf with which a shadow ray would have. `by`: the
  * effect whose shadow rays these are. */
 __attribute__((always_inline))
-static inline real effects_found(const effects_stage *e, const unsigned mask, const branch *b,
-                                 unsigned by, real q)
+static inline real effects_found(const unsigned mask, const branch *b, unsigned by, real q)
 {
     if (!(b->pdf < real_infinity)) return 1;
-    if (b->kind == RAY_SCATTERED && (!(mask & by) || !(e->counted & EFFECT_INDIRECT))) return 0;
+    if (b->kind == RAY_SCATTERED && !(mask & by)) return 0;
     return mask & by ? mis_power(b->pdf, q) : 1;
 }
 
@@ -38,7 +37,7 @@ static inline vec3 effects_nothing(const effects_stage *e, const unsigned mask, 
     if (s->kind == SKY_NONE) {
         if (b->bounced) return (vec3){0, 0, 0};
     } else if (mask & (EFFECT_INDIRECT | EFFECT_GLOSSY))
-        L = vscale(L, effects_found(e, mask, b, EFFECT_ENVIRONMENT,
+        L = vscale(L, effects_found(mask, b, EFFECT_ENVIRONMENT,
                                     b->pdf < real_infinity
                                         ? sky_light_pdf(&e->sky, b->r.d, b->cosine) : 0));
     if (mask & EFFECT_ABSORPTION)  /* an endless way through what absorbs */
@@ -54,8 +53,8 @@ static inline vec3 effects_emitted(const effects_stage *e, const unsigned mask, 
     if (vzero(L) || !(mask & (EFFECT_INDIRECT | EFFECT_GLOSSY)) || !(b->pdf < real_infinity))
         return L;
     const shape *of = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
-    real q = lamps_pdf(&e->lamp, L, of, b->r.o, x.h.t, fabs(vdot(s->n, b->r.d)));
-    return vscale(L, effects_found(e, mask, b, EFFECT_SOFT_SHADOWS, q));
+    real q = lamps_pdf(&e->lamp, L, of, b->r.o, b->r.d, x.h.t, fabs(vdot(s->n, b->r.d)));
+    return vscale(L, effects_found(mask, b, EFFECT_SOFT_SHADOWS, q));
 }
 
 #endif

@@ -1,92 +1,212 @@
-/* plan.h: which effects a scene calls for, by what, or why not; and so how it is to be drawn.
+/* plan.h: what a scene calls for, decided before the first ray, and the line that says so.
  *
- *   plan p = plan_of(&s);            s finished (studio_read.h)
- *   p.effects                        mask of effect.h; p.integrator: the least that does them
- *   p.why[k]                         what calls for effect k, by name and line, or why not
- *   p.look[m]                        appearance of material m
- *   plan_effects(&p, m)              those that a hit of material m has a part in
- *   p.headlight                      no light at all is there: each ray carries a lamp
+ *   plan p = plan_of(&s)
+ *   p.effects, p.declined           masks of effect.h: what is simulated, what is left out
+ *   p.verdict[k], p.why[k]          of effect k, in words for a person
+ *   p.integrator                    the least that can do p.effects
+ *   p.look[m]                       appearance of material m, as plan_of found it
+ *   plan_effects(&p, m)             the effects that a hit of material m takes part in
  *   plan_free(&p)
  *
- *   effect            called for if all of these are so
- *   hard shadows      a point light or sun that is not black; a material in use that is lit by it
- *   soft shadows      a face in use emits (Ke); a material in use is lit
- *   environment       an environment that is not black; a material in use is lit
- *   mirror, glossy,   a material in use has such a part (appearance.h)
- *     refraction
- *   absorption        a material in use refracts and absorbs
- *   indirect light    a material in use is matte; light comes from faces (Ke) or an environment;
- *                     what reflects does not all lie in one plane x, y or z = constant
- *   depth of field    the lens has a radius; something is there, or a sky of many colours
+ *   called for     no rule speaks against it
+ *   cannot occur   a rule proves it: switched on, it changes nothing
+ *   declined       it would occur, but the scene or its format says no; --price says what is lost
  *
- * lit: matte, highlight or glossy is not black. In use: a shape or a triangle that is placed has
- * it.
+ * plan_rules below is all of it: the first rule that holds gives the verdict. Nothing that draws
+ * knows the plan but by the mask that it is given, so that `--effects all` can refute it: stage.h.
  *
- * Why point lights and suns call for no indirect light: they and the `illum` numbers come from
- * models where light reaches a surface straight from a lamp (Phong, Whitted), or by mirrors and
- * glass. Who gives a lamp a size, or the sky a radiance, speaks of radiometry, and there every
- * matte surface lights every other. --effects called,indirect asks for it all the same.
- *
- * Without any light that is not black (no point light, sun, Ke, environment) the picture would be
- * black: then each ray carries a lamp of its own, a matte surface at angle theta shows
- * (matte + highlight + glossy) |cos theta|, and no shadow is there to be seen, so none is traced.
+ *   plan_of_rules(&s, rules, n)     the plan by another table: tests break one rule, and look
+ *                                   whether the pictures tell
  */
 #ifndef EFFECTS_PLAN_H
 #define EFFECTS_PLAN_H
 
 #include "effect.h"
-#include "flat.h"
+#include "evidence.h"
+
+typedef enum { VERDICT_CALLED, VERDICT_CANNOT, VERDICT_DECLINED } plan_verdict;
+
+static const char *const verdict_names[] = {"called for", "cannot occur", "declined"};
+
+/* `holds` may say which line it has read; then the reason names it. */
+typedef struct {
+    unsigned effect;
+    plan_verdict verdict;
+    const char *name;
+    bool (*holds)(const plan_facts *q, cite *line);
+    const char *reason;
+} plan_rule;
 
 typedef struct {
-    unsigned effects;
+    unsigned effects, declined;
     integrator integrator;
-    bool headlight;
+    plan_verdict verdict[effect_kinds];
+    const plan_rule *rule[effect_kinds];  /* that held; NULL: none, it is called for */
     appearance *look;             /* [s.materials] */
     char why[effect_kinds][640];
 } plan;
 
 /* ---------------------------------------------------------------------------------------------- */
 
+static inline bool rule_no_light(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return q->s->lights == 0;
+}
+
+static inline bool rule_black_light(const plan_facts *q, cite *line)
+{
+    if (q->s->lights > 0) *line = q->s->light[0].at;
+    return q->lights == 0;
+}
+
+static inline bool rule_no_lamp(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return q->s->emitters == 0;
+}
+
+static inline bool rule_no_sky(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return q->s->sky.kind == SKY_NONE;
+}
+
+static inline bool rule_black_sky(const plan_facts *q, cite *line)
+{
+    *line = q->s->sky_said;
+    return !q->around;
+}
+
+static inline bool rule_unlit(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->has[PART_LIT].n;
+}
+
+static inline bool rule_no_mirror(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->has[PART_MIRROR].n;
+}
+
+static inline bool rule_no_lobe(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->has[PART_GLOSSY].n;
+}
+
+static inline bool rule_opaque(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->has[PART_THROUGH].n;
+}
+
+static inline bool rule_clear(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->has[PART_ABSORB].n;
+}
+
+static inline bool rule_nothing_matte(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->has[PART_MATTE].n;
+}
+
+static inline bool rule_dark(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->lights && !q->s->emitters && !q->around;
+}
+
+static inline bool rule_one_plane(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return q->flat;
+}
+
+static inline bool rule_said_off(const plan_facts *q, cite *line)
+{
+    *line = q->s->indirect_said;
+    return q->s->indirect == INDIRECT_OFF;
+}
+
+static inline bool rule_direct_formats(const plan_facts *q, cite *line)
+{
+    if (q->lights) *line = q->s->light[q->first_light].at;
+    else if (q->s->emitters) *line = q->s->material[plan_emitter_material(q->s, 0)].at;
+    return q->direct_only;
+}
+
+static inline bool rule_no_lens(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->s->lens.said.file;
+}
+
+static inline bool rule_pinhole(const plan_facts *q, cite *line)
+{
+    *line = q->s->lens.said;
+    return !(q->s->lens.radius > 0);
+}
+
+static inline bool rule_nothing_seen(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->s->shapes && !q->s->places && q->s->sky.kind <= SKY_CONSTANT;
+}
+
+/* The whole plan. A proof, in the second column, is one that a reader can check in a line. */
+static const plan_rule plan_rules[] = {
+    {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "no light", rule_no_light, "no point light and no sun"},
+    {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "black light", rule_black_light,
+     "no point light and no sun that is not black"},
+    {EFFECT_HARD_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit,
+     "no material in use is lit: none is matte, glossy, or has a highlight"},
+
+    {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "no lamp", rule_no_lamp,
+     "nothing in use emits light (Ke)"},
+    {EFFECT_SOFT_SHADOWS, VERDICT_CANNOT, "unlit", rule_unlit,
+     "no material in use is lit: none is matte, glossy, or has a highlight"},
+
+    {EFFECT_MIRROR, VERDICT_CANNOT, "no mirror", rule_no_mirror,
+     "no material in use reflects sharply (illum 3 to 7 with Ns 1000 or none; NFF: Ks)"},
+    {EFFECT_GLOSSY, VERDICT_CANNOT, "no lobe", rule_no_lobe,
+     "no material in use reflects in a lobe (illum 3 to 7 with Ns below 1000)"},
+    {EFFECT_REFRACTION, VERDICT_CANNOT, "opaque", rule_opaque,
+     "no material in use lets light through (illum 6, 7; 4, 9 with d below 1; NFF: T)"},
+    {EFFECT_ABSORPTION, VERDICT_CANNOT, "clear", rule_clear,
+     "no material in use lets light through and absorbs it inside (absorb)"},
+
+    {EFFECT_INDIRECT, VERDICT_CANNOT, "nothing matte", rule_nothing_matte,
+     "no material in use is matte (Kd)"},
+    {EFFECT_INDIRECT, VERDICT_CANNOT, "dark", rule_dark, "there is no light to be passed on"},
+    {EFFECT_INDIRECT, VERDICT_CANNOT, "one plane", rule_one_plane,
+     "all that reflects lies in one plane, and a plane does not see itself"},
+    {EFFECT_INDIRECT, VERDICT_DECLINED, "said off", rule_said_off, "`indirect off`"},
+    {EFFECT_INDIRECT, VERDICT_DECLINED, "direct formats", rule_direct_formats,
+     "all light is of NFF or MTL, which define direct light only"},
+
+    {EFFECT_ENVIRONMENT, VERDICT_CANNOT, "no sky", rule_no_sky, "no environment"},
+    {EFFECT_ENVIRONMENT, VERDICT_CANNOT, "black sky", rule_black_sky,
+     "no environment that is not black"},
+    {EFFECT_ENVIRONMENT, VERDICT_CANNOT, "unlit", rule_unlit,
+     "it is seen, but nothing gathers it"},
+
+    {EFFECT_DEPTH_OF_FIELD, VERDICT_CANNOT, "no lens", rule_no_lens, "no lens is given"},
+    {EFFECT_DEPTH_OF_FIELD, VERDICT_CANNOT, "pinhole", rule_pinhole, "the lens has radius 0"},
+    {EFFECT_DEPTH_OF_FIELD, VERDICT_CANNOT, "nothing seen", rule_nothing_seen,
+     "nothing is there that could be out of focus"}};
+
+enum { plan_rule_count = sizeof plan_rules / sizeof *plan_rules };
+
+/* ---- in words ---- */
+
 static inline void plan_free(plan *p)
 {
     free(p->look);
     p->look = NULL;
-}
-
-/* Materials in use that have something in common: the first, and how many. */
-typedef struct { uint32_t first; size_t n; } plan_group;
-
-typedef enum {
-    PART_LIT, PART_MATTE, PART_MIRROR, PART_GLOSSY, PART_THROUGH, PART_ABSORB
-} plan_part;
-
-static inline bool plan_has(const appearance *a, plan_part part)
-{
-    switch (part) {
-    case PART_LIT: return appearance_lit(a);
-    case PART_MATTE: return !vzero(a->matte);
-    case PART_MIRROR: return !vzero(a->mirror);
-    case PART_GLOSSY: return !vzero(a->glossy);
-    case PART_THROUGH: return !vzero(a->through);
-    case PART_ABSORB: return !vzero(a->through) && a->solid && !vzero(a->absorb);
-    }
-    return false;
-}
-
-static inline plan_group plan_find(const studio *s, const plan *p, plan_part part)
-{
-    plan_group g = {name_none, 0};
-    for (uint32_t m = 0; m < s->materials; m++) {
-        if (!s->material[m].used || !plan_has(&p->look[m], part)) continue;
-        if (g.n++ == 0) g.first = m;
-    }
-    return g;
-}
-
-/* The line of a material that says most about why: of illum if it is there. */
-static inline cite plan_cite(const studio_material *m, material_key key)
-{
-    return m->said[key].file ? m->said[key] : m->at;
 }
 
 static inline const char *plan_more(char text[32], size_t n)
@@ -96,117 +216,110 @@ static inline const char *plan_more(char text[32], size_t n)
     return text;
 }
 
-/* "material 'red' (room.scene:7) and 3 more" */
-static inline const char *plan_name(const studio *s, plan_group g, material_key key, char *text,
+/* "material 'red' (room.scene:7) and 3 more": the line that says most about why. */
+static inline const char *plan_name(const plan_facts *q, plan_group g, material_key key, char *text,
                                     size_t room)
 {
+    const studio_material *m = &q->s->material[g.first];
     char said[300], more[32];
-    snprintf(text, room, "material '%.60s' (%.150s)%s", studio_material_name(s, g.first),
-             studio_said(s, plan_cite(&s->material[g.first], key), said, sizeof said),
+    snprintf(text, room, "material '%.60s' (%.150s)%s", studio_material_name(q->s, g.first),
+             studio_said(q->s, m->said[key].file ? m->said[key] : m->at, said, sizeof said),
              plan_more(more, g.n));
     return text;
 }
 
-__attribute__((format(printf, 4, 5)))
-static inline void plan_says(plan *p, unsigned effect, bool called, const char *format, ...)
+__attribute__((format(printf, 3, 4)))
+static inline void plan_says(plan *p, unsigned effect, const char *format, ...)
 {
-    int k = 0;
     va_list arguments;
-    while (1u << k != effect) k++;
-    if (called) p->effects |= effect;
     va_start(arguments, format);
-    vsnprintf(p->why[k], sizeof p->why[k], format, arguments);
+    vsnprintf(p->why[effect_number(effect)], sizeof *p->why, format, arguments);
     va_end(arguments);
 }
 
-/* ---- the effects, one after the other ---- */
-
-static inline void plan_shadows(plan *p, const studio *s, plan_group lit, size_t lamps,
-                                size_t first)
+/* What calls for light that reaches a surface: the light, and the first surface. */
+static inline void plan_because_light(plan *p, const plan_facts *q)
 {
-    char lamp[300] = "", by[300] = "", more[32];
-    bool on = lit.n > 0;
-    if (on) plan_name(s, lit, KEY_ILLUM, by, sizeof by);
-    if (!lamps) plan_says(p, EFFECT_HARD_SHADOWS, false, "no point light and no sun%s",
-                          s->lights ? " that is not black" : "");
-    else if (!on) plan_says(p, EFFECT_HARD_SHADOWS, false, "no material in use is lit by lights");
-    else plan_says(p, EFFECT_HARD_SHADOWS, true, "%s (%.150s)%s on %s",
-                   s->light[first].light.kind == LIGHT_POINT ? "light" : "sun",
-                   studio_said(s, s->light[first].at, lamp, sizeof lamp), plan_more(more, lamps),
-                   by);
-    if (!s->emitters) plan_says(p, EFFECT_SOFT_SHADOWS, false, "nothing in use emits light (Ke)");
-    else if (!on) plan_says(p, EFFECT_SOFT_SHADOWS, false, "no material in use is lit by lamps");
-    else {
-        studio_emitter e = s->emitter[0];
-        uint32_t m = e.place == no_shape ? s->shape_material[e.index]
-                                         : studio_material_of(s, e.place, e.index);
-        plan_says(p, EFFECT_SOFT_SHADOWS, true, "%zu face%s of %s on %s", s->emitters,
+    const studio *s = q->s;
+    char lamp[300], by[300], more[32];
+    plan_name(q, q->has[PART_LIT], KEY_ILLUM, by, sizeof by);
+    if (p->effects & EFFECT_HARD_SHADOWS) {
+        const studio_light *l = &s->light[q->first_light];
+        plan_says(p, EFFECT_HARD_SHADOWS, "%s (%.150s)%s on %s",
+                  l->light.kind == LIGHT_POINT ? "light" : "sun",
+                  studio_said(s, l->at, lamp, sizeof lamp), plan_more(more, q->lights), by);
+    }
+    if (p->effects & EFFECT_SOFT_SHADOWS) {
+        plan_group first = {plan_emitter_material(s, 0), 1};
+        plan_says(p, EFFECT_SOFT_SHADOWS, "%zu face%s of %s on %s", s->emitters,
                   s->emitters == 1 ? "" : "s, the first",
-                  plan_name(s, (plan_group){m, 1}, KEY_KE, lamp, sizeof lamp), by);
+                  plan_name(q, first, KEY_KE, lamp, sizeof lamp), by);
     }
-    if (!sky_lights(&s->sky)) plan_says(p, EFFECT_ENVIRONMENT, false, "no environment%s",
-                                        s->sky.kind == SKY_NONE ? "" : " that is not black");
-    else if (!on) plan_says(p, EFFECT_ENVIRONMENT, false, "it is seen, but nothing gathers it");
-    else plan_says(p, EFFECT_ENVIRONMENT, true, "environment (%.150s) on %s",
-                   studio_said(s, s->sky_said, lamp, sizeof lamp), by);
+    if (p->effects & EFFECT_ENVIRONMENT)
+        plan_says(p, EFFECT_ENVIRONMENT, "environment (%.150s) on %s",
+                  studio_said(s, s->sky_said, lamp, sizeof lamp), by);
 }
 
-static inline void plan_reflections(plan *p, const studio *s)
+static inline void plan_because(plan *p, const plan_facts *q)
 {
-    static const struct { unsigned effect; plan_part part; material_key key; const char *not; }
-        list[] = {
-            {EFFECT_MIRROR, PART_MIRROR, KEY_ILLUM, "no material in use reflects sharply (illum 3 "
-             "to 7 with Ns 1000 or none; NFF: Ks)"},
-            {EFFECT_GLOSSY, PART_GLOSSY, KEY_NS, "no material in use reflects in a lobe (illum 3 "
-             "to 7 with Ns below 1000)"},
-            {EFFECT_REFRACTION, PART_THROUGH, KEY_ILLUM, "no material in use lets light through "
-             "(illum 6, 7; 4, 9 with d below 1; NFF: T)"},
-            {EFFECT_ABSORPTION, PART_ABSORB, KEY_ABSORB, "no material in use lets light through "
-             "and absorbs it inside (absorb)"}};
+    static const struct { unsigned effect; plan_part part; material_key key; } list[] = {
+        {EFFECT_MIRROR, PART_MIRROR, KEY_ILLUM}, {EFFECT_GLOSSY, PART_GLOSSY, KEY_NS},
+        {EFFECT_REFRACTION, PART_THROUGH, KEY_ILLUM}, {EFFECT_ABSORPTION, PART_ABSORB, KEY_ABSORB}};
     char by[300];
-    for (int k = 0; k < 4; k++) {
-        plan_group g = plan_find(s, p, list[k].part);
-        plan_says(p, list[k].effect, g.n > 0, "%s",
-                  g.n ? plan_name(s, g, list[k].key, by, sizeof by) : list[k].not);
-    }
+    if (p->effects & EFFECTS_LIT) plan_because_light(p, q);
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        if (p->effects & list[k].effect)
+            plan_says(p, list[k].effect, "%s",
+                      plan_name(q, q->has[list[k].part], list[k].key, by, sizeof by));
+    if (p->effects & EFFECT_INDIRECT)
+        plan_says(p, EFFECT_INDIRECT, "%s, lit by%s%s%s",
+                  plan_name(q, q->has[PART_MATTE], KEY_KD, by, sizeof by),
+                  q->lights ? " lights" : "",
+                  q->s->emitters ? q->lights ? ", lamps (Ke)" : " lamps (Ke)" : "",
+                  q->around ? q->lights || q->s->emitters ? ", environment" : " environment" : "");
+    if (p->effects & EFFECT_DEPTH_OF_FIELD)
+        plan_says(p, EFFECT_DEPTH_OF_FIELD, "lens (%.150s), radius %g",
+                  studio_said(q->s, q->s->lens.said, by, sizeof by), (double)q->s->lens.radius);
 }
 
-static inline void plan_indirect(plan *p, const studio *s)
+/* ---- the plan ---- */
+
+/* The first rule of the table that holds for this effect; NULL: it is called for. */
+static inline const plan_rule *plan_first(const plan_facts *q, const plan_rule *rule, size_t n,
+                                          unsigned effect, cite *line)
 {
-    char by[300];
-    bool lamps = s->emitters > 0, around = sky_lights(&s->sky);
-    plan_group matte = plan_find(s, p, PART_MATTE);
-    if (!matte.n) plan_says(p, EFFECT_INDIRECT, false, "no material in use is matte (Kd)");
-    else if (!lamps && !around)
-        plan_says(p, EFFECT_INDIRECT, false, "no light has a size (Ke, environment); points and "
-                  "suns are of models without it");
-    else if (flat_studio(s, p->look))
-        plan_says(p, EFFECT_INDIRECT, false, "all that reflects lies in one plane");
-    else plan_says(p, EFFECT_INDIRECT, true, "%s, lit by %s",
-                   plan_name(s, matte, KEY_KD, by, sizeof by),
-                   lamps && around ? "Ke and environment" : lamps ? "Ke" : "environment");
+    for (size_t i = 0; i < n; i++) {
+        *line = (cite){0, 0};
+        if (rule[i].effect == effect && rule[i].holds(q, line)) return &rule[i];
+    }
+    return NULL;
+}
+
+static inline plan plan_of_rules(const studio *s, const plan_rule *rules, size_t n)
+{
+    plan p = {.look = allocate(s->materials, sizeof *p.look)};
+    for (size_t m = 0; m < s->materials; m++) p.look[m] = appearance_of(&s->material[m]);
+    plan_facts q = plan_facts_of(s, p.look);
+    for (int k = 0; k < effect_kinds; k++) {
+        char said[300];
+        cite line;
+        const plan_rule *r = plan_first(&q, rules, n, 1u << k, &line);
+        p.rule[k] = r, p.verdict[k] = r ? r->verdict : VERDICT_CALLED;
+        if (!r) p.effects |= 1u << k;
+        else if (line.file)
+            plan_says(&p, 1u << k, "%s (%.150s)", r->reason,
+                      studio_said(s, line, said, sizeof said));
+        else plan_says(&p, 1u << k, "%s", r->reason);
+        if (p.verdict[k] == VERDICT_DECLINED) p.declined |= 1u << k;
+    }
+    plan_because(&p, &q);
+    p.integrator = integrator_of(p.effects);
+    return p;
 }
 
 static inline plan plan_of(const studio *s)
 {
-    plan p = {.look = allocate(s->materials, sizeof *p.look)};
-    char said[300];
-    size_t lamps = 0, first = 0;
-    for (size_t m = 0; m < s->materials; m++) p.look[m] = appearance_of(&s->material[m]);
-    for (size_t i = s->lights; i-- > 0;)
-        if (!vzero(s->light[i].light.colour)) lamps++, first = i;
-    plan_group lit = plan_find(s, &p, PART_LIT);
-    plan_shadows(&p, s, lit, lamps, first);
-    plan_reflections(&p, s);
-    plan_indirect(&p, s);
-    if (!s->lens.said.file) plan_says(&p, EFFECT_DEPTH_OF_FIELD, false, "no lens is given");
-    else if (!s->shapes && !s->places && s->sky.kind <= SKY_CONSTANT)
-        plan_says(&p, EFFECT_DEPTH_OF_FIELD, false, "nothing is there that could be out of focus");
-    else plan_says(&p, EFFECT_DEPTH_OF_FIELD, s->lens.radius > 0, "lens (%.150s), radius %g",
-                   studio_said(s, s->lens.said, said, sizeof said), (double)s->lens.radius);
-    p.headlight = !lamps && !s->emitters && !sky_lights(&s->sky);
-    p.integrator = integrator_of(p.effects);
-    return p;
+    return plan_of_rules(s, plan_rules, plan_rule_count);
 }
 
 /* What a hit of this material has a part in. */

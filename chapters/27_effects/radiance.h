@@ -111,7 +111,7 @@ __attribute__((always_inline))
 static inline gather_share effects_shares(const unsigned mask, const appearance *a, vec3 d,
                                           const surface *s, const snell *x, bool bends)
 {
-    gather_share k = {a->matte, a->highlight, a->mirror, a->glossy, a->through, a->exponent};
+    gather_share k = {a->matte, a->highlight, a->mirror, a->glossy, a->through};
     if (!(mask & EFFECT_REFRACTION)) k.through = (vec3){0, 0, 0};
     if (!a->fresnel) return k;
     if (vzero(a->through)) {
@@ -160,18 +160,20 @@ static inline int effects_children(const effects_stage *e, const unsigned mask, 
  *
  * A body is listed as often as it was entered: of two balls of one glass that overlap, leaving the
  * first is no leaving of the glass. One that is left without having been entered was around the
- * ray's origin: it becomes the outermost. More than media_most: not noted.
+ * ray's origin: it becomes the outermost. More than media_most: not noted, but
+ * counted.
  *
  * A call, since it is for few hits, and nine copies would be compiled. */
 __attribute__((noinline))
 static uint32_t effects_crosses(const effects_stage *e, uint32_t body, bool inwards, media_set *in,
-                                media_set *after)
+                                media_set *after, effects_counts *c)
 {
     uint32_t k = in->n;
     while (!inwards && k > 0 && in->body[k - 1] != body) k--;
     *after = *in;
     if (inwards) {
         if (k < media_most) after->body[after->n++] = body;
+        else c->lost++;
     } else if (k > 0) {
         for (after->n--; k < in->n; k++) after->body[k - 1] = in->body[k];
     } else if (in->n < media_most) {
@@ -199,7 +201,7 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
     media_set after;
     uint32_t inside = 0, to = 0;
     bool body = (mask & EFFECT_REFRACTION) && a->solid && !vzero(a->through);
-    if (body) to = effects_crosses(e, m + 1, vdot(s.n, b->r.d) < 0, &b->in, &after);
+    if (body) to = effects_crosses(e, m + 1, vdot(s.n, b->r.d) < 0, &b->in, &after, c);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
@@ -220,7 +222,7 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
     vec3 L = effects_emitted(e, mask, b, a, x, &s);
     if (!b->bounced) {
         L = vadd(L, a->flat);
-        if (e->p->headlight)
+        if (e->headlight)
             L = vadd(L, vmul(vadd(vadd(k.matte, k.highlight), k.glossy), headlight(s.ns, b->r.d)));
     }
     if (mask & EFFECTS_LIT) L = vadd(L, gather(e, mask, b, &s, &k, &e->lobe[m], d, c));

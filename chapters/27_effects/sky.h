@@ -5,8 +5,8 @@
  *
  *   SKY_NONE      the background, which may be black
  *   SKY_CONSTANT  `low` everywhere
- *   SKY_GRADIENT  low + (high - low) (1 + d.up) / 2: from straight below to straight above  (27.1)
- *   SKY_IMAGE     a latitude-longitude picture (经纬度贴图), its middle along `front`:      (27.2)
+ *   SKY_GRADIENT  low + (high - low) (1 + d.up) / 2: from straight below to straight above  (27.9)
+ *   SKY_IMAGE     a latitude-longitude picture (经纬度贴图), its middle along `front`:      (27.10)
  *
  *         +up  0 +------------------+        x = w (1/2 + atan2(d.right, d.front) / 2 pi)
  *                |        .         |        y = h acos(d.up) / pi
@@ -58,7 +58,7 @@ static inline void sky_aim(effects_sky *s, int up, real degrees)
     s->right = vcross(s->front, s->up);
 }
 
-/* (27.2). The comparisons come before the conversion, and a NaN becomes pixel 0. */
+/* (27.10). The comparisons come before the conversion, and a NaN becomes pixel 0. */
 static inline vec3 sky_pixel(const effects_sky *s, vec3 d)
 {
     const image *im = &s->picture;

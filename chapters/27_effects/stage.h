@@ -1,18 +1,19 @@
 /* stage.h: a scene made ready for light: trees, lamps, sky, lobes, media; and what is to be done.
  *
  *   effects_stage e;
- *   if (!effects_stage_build(&s, &p, &e, &f)) fail(f);      s, p must outlive it
- *   effects_stage_effects(&e, mask, spend)                  what to simulate from now on; see below
+ *   if (!effects_stage_build(&s, &e, &f)) fail(f);          s must outlive it
+ *   effects_stage_effects(&e, mask)                         what to simulate from now on; see below
  *   e.eye = camera; e.lens, e.hither                effects_stage_view(&e, &view, camera) sets them
  *   effects_stage_free(&e);
  *
- *   mask     effects that are simulated (effect.h)
- *   spend    all of them at every hit, whether it has a part in them or not: what a renderer does
- *            that does not ask. Rays are traced and shaded whose weight is black, so that they add
- *            exactly 0; they give rise to no further ones, or there would be no end
- *   counted  the effects whose light is expected: mask, or if all are spent those that the scene
- *            calls for. It decides how light is gathered (one ray a branch or chance, and whether a
- *            bounce or a shadow ray is to find a lamp), never whether something is traced
+ *   mask     effects that are simulated (effect.h), and beside them:
+ *     EFFECTS_SPEND    all of them at every hit, whether it has a part in them or not: what a
+ *                      renderer does that does not ask. Rays are traced and shaded whose weight is
+ *                      black, so that they add exactly 0; they give rise to no further ones, or
+ *                      there would be no end
+ *     EFFECTS_DICED    branches are thrown for, even where no effect of the mask is an integral
+ *   EFFECTS_EVERYTHING   all effects, spent: the estimator that knows no plan. A stage is built
+ *                        from the scene alone: it could not ask for the plan if it wanted to
  *
  *   effects_counts c = {0};           rays by effect; absorption: segments; depth: rays of the eye
  */
@@ -24,13 +25,16 @@
 #include "../23_brdf/brdf.h"
 #include "framing.h"
 #include "lamps.h"
-#include "plan.h"
+#include "effect.h"
+#include "appearance.h"
 #include "sky_light.h"
 
 enum {
     EFFECTS_SPEND = 1 << effect_kinds,  /* bits beside those of effect.h */
     EFFECTS_TIMED = 2 << effect_kinds,
     EFFECTS_GENERAL = 4 << effect_kinds,  /* drawn by the general copy of special.h, always */
+    EFFECTS_DICED = 8 << effect_kinds,
+    EFFECTS_EVERYTHING = EFFECTS_ALL | EFFECTS_SPEND,
     RAY_OF_EYE = effect_kinds, effects_rays,
     stage_most_depth = 128
 };
@@ -40,20 +44,21 @@ typedef struct {
     double seconds[effects_rays];    /* only with EFFECTS_TIMED */
     double since;                    /* when the ray now in hand was begun */
     int now;                         /* its kind */
+    size_t lost;                     /* bodies entered while within media_most others */
 } effects_counts;
 
 typedef struct {
     const studio *s;
-    const plan *p;
     studio_tree t;
-    const appearance *look;
+    appearance *look;                /* [materials] */
     brdf *lobe;                      /* [materials] white, with the material's exponent */
     medium *media;                   /* [materials + 1] body m + 1 is made of material m */
     light *light;
     int lights;
     lamp_list lamp;
     sky_light sky;
-    unsigned mask, counted;          /* mask: also SPEND, TIMED, GENERAL */
+    unsigned mask;                   /* effects, and SPEND, TIMED, GENERAL, DICED */
+    bool headlight;                  /* no light is there: each ray of the eye carries a lamp */
     bool chance;                     /* integrals: roulette; else every branch above `least` */
     bool clear;                      /* a material lets light straight through */
     int depth;                       /* rays behind one another, the eye's is 1 [<= 128] */
@@ -70,15 +75,14 @@ static inline void effects_stage_free(effects_stage *e)
     studio_tree_free(&e->t);
     lamps_free(&e->lamp);
     sky_light_free(&e->sky);
-    free(e->lobe), free(e->media), free(e->light);
+    free(e->look), free(e->lobe), free(e->media), free(e->light);
     *e = (effects_stage){.s = NULL};
 }
 
-static inline void effects_stage_effects(effects_stage *e, unsigned mask, bool spend)
+static inline void effects_stage_effects(effects_stage *e, unsigned mask)
 {
-    e->counted = spend ? mask & e->p->effects : mask;
-    e->mask = mask | (spend ? EFFECTS_SPEND : 0);
-    e->chance = (e->counted & EFFECTS_OF_CHANCE) != 0;
+    e->mask = mask;
+    e->chance = (mask & (EFFECTS_OF_CHANCE | EFFECTS_DICED)) != 0;
     e->depth = e->chance ? stage_most_depth : 12;
 }
 
@@ -86,10 +90,12 @@ static inline void effects_stage_materials(effects_stage *e)
 {
     const studio *s = e->s;
     const vec3 black = {0, 0, 0}, white = {1, 1, 1};
+    e->look = allocate(s->materials, sizeof *e->look);
     e->lobe = allocate(s->materials, sizeof *e->lobe);
     e->media = allocate(s->materials + 1, sizeof *e->media);
     e->media[0] = (medium){1, black, 0};
     for (size_t m = 0; m < s->materials; m++) {
+        e->look[m] = appearance_of(&s->material[m]);
         const appearance *a = &e->look[m];
         e->lobe[m] = brdf_blinn_phong(black, white, a->exponent);
         e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, 0};
@@ -97,10 +103,9 @@ static inline void effects_stage_materials(effects_stage *e)
     }
 }
 
-static inline bool effects_stage_build(const studio *s, const plan *p, effects_stage *out,
-                                       failure *f)
+static inline bool effects_stage_build(const studio *s, effects_stage *out, failure *f)
 {
-    *out = (effects_stage){.s = s, .p = p, .look = p->look, .least = (real)1 / 512};
+    *out = (effects_stage){.s = s, .least = (real)1 / 512, .headlight = studio_dark(s)};
     if (!studio_tree_build(s, &out->t, f)) return false;
     if (!sky_light_build(&s->sky, &out->sky, f)) {
         studio_tree_free(&out->t);
@@ -111,7 +116,7 @@ static inline bool effects_stage_build(const studio *s, const plan *p, effects_s
     out->lights = (int)s->lights;
     out->light = allocate(s->lights, sizeof *out->light);
     for (size_t i = 0; i < s->lights; i++) out->light[i] = s->light[i].light;
-    effects_stage_effects(out, p->effects, false);
+    effects_stage_effects(out, EFFECTS_ALL);
     return true;
 }
 
@@ -124,6 +129,7 @@ static inline void effects_stage_view(effects_stage *e, const studio_view *v, ca
 
 static inline void effects_counts_add(effects_counts *to, const effects_counts *c)
 {
+    to->lost += c->lost;
     for (int k = 0; k < effects_rays; k++)
         to->rays[k] += c->rays[k], to->seconds[k] += c->seconds[k];
 }

@@ -16,6 +16,7 @@
  *   studio_bounds(&s, &lo, &hi)                  false: nothing there
  *   scene all = studio_shapes(&s)         for a tree of 14
  *   studio_stands(&s, place)                     placed as it is in its file, not moved
+ *   studio_dark(&s)                              no light that is not black
  *   studio_said(&s, cite, text, sizeof text)     "room.scene:7", "(default)", "--light"
  *   studio_free(&s);                             a zeroed one may be freed
  *
@@ -49,6 +50,7 @@ typedef struct {
     real ns, ni, d;            /* exponent [0, 1e9], refractive index [.001, 10], 1 opaque .. 0 */
     int illum;                 /* 0 to 10; -1: not said. What it means: appearance.h */
     bool classic;              /* NFF: weights as they stand; reflections are sharp */
+    bool library;              /* of an MTL file */
     cite at, said[material_keys];
     bool used;                 /* by a shape or a placed triangle */
 } studio_material;
@@ -67,6 +69,8 @@ typedef struct {
     int width, height;         /* of the picture, as NFF says; 0: not said */
     cite said;
 } studio_view;
+
+typedef enum { INDIRECT_UNSAID, INDIRECT_OFF, INDIRECT_ON } studio_indirect;
 
 typedef struct { real radius, focus; cite said; } studio_lens;  /* radius 0: pinhole; focus 0: at */
 
@@ -91,7 +95,8 @@ typedef struct {
     studio_view view;
     studio_lens lens;
     effects_sky sky;
-    cite sky_said, background_said;
+    cite sky_said, background_said, indirect_said;
+    studio_indirect indirect;  /* is light that walls pass on wanted? */
     int up;                    /* 0, 1, 2: x, y, z is upwards, where nothing else says so; y */
     char *notes;               /* a line each: what was read but not understood */
     size_t note_count, note_size, note_room;
@@ -180,6 +185,14 @@ static inline uint32_t studio_material_of(const studio *s, uint32_t place, uint3
     }
     uint32_t of = lo ? s->paint[s->placed[place].mesh].run_material[lo - 1] : name_none;
     return of == name_none ? s->placing[place].material : of;
+}
+
+/* No light at all: then each ray of the eye carries a lamp, or the picture would be black. */
+static inline bool studio_dark(const studio *s)
+{
+    for (size_t i = 0; i < s->lights; i++)
+        if (!vzero(s->light[i].light.colour)) return false;
+    return !s->emitters && !sky_lights(&s->sky);
 }
 
 static inline bool studio_stands(const studio *s, size_t place)

@@ -133,6 +133,7 @@ static inline bool mtl_statement(studio *s, text_reader *t, uint32_t file, studi
         t->p += strlen(t->keyword = "newmtl");
         if (!mtl_name(t, name)) return false;
         studio_palette_add(p, name, *current = studio_add_material(s, name, at));
+        s->material[*current].library = true;
         return true;
     }
     if (*current == name_none)

@@ -8,6 +8,7 @@
  *   nff         FILE [PLACING]
  *   mesh        NAME FILE [smooth]        an OBJ file that is only seen where an instance puts it
  *   instance    NAME [PLACING]
+ *   box         P P [PLACING] [NAME]        between two corners, placed; made of NAME
  *   environment C | C C | PICTURE [scale X] [turn DEGREES]     one colour; below and above; sky.h
  *
  *   PLACING     scale X | scale X Y Z | turn X Y Z DEGREES | move X Y Z,   in the order written
@@ -47,34 +48,75 @@ static inline bool scene_path(statement *q, char path[word_longest_path])
     return text_bad(q->t, q->t->p, "a path too long before", text_longest);
 }
 
-static inline bool scene_placing(statement *q, affine *out)
+/* One step of a placing, at its word; *known: false, and nothing was read, if it is none. */
+static inline bool scene_step(text_reader *t, affine *next, bool *known)
 {
-    text_reader *t = q->t;
     vec3 v;
     real degrees;
+    *known = true;
+    if (word_take(t, "move")) {
+        if (!word_point(t, &v)) return false;
+        *next = affine_translation(v);
+    } else if (word_take(t, "turn")) {
+        if (!word_point(t, &v) || !word_number(t, &degrees, -1e6, 1e6)) return false;
+        v = vunit(v);
+        if (vzero(v)) return text_bad(t, t->p, "no axis before", "turn X Y Z DEGREES");
+        *next = affine_rotation(v, degrees * (pi / 180));
+    } else if (word_take(t, "scale")) {
+        if (!word_number(t, &v.x, -1e30, 1e30)) return false;
+        v.y = v.z = v.x;
+        if (word_is_number(t) && (!word_number(t, &v.y, -1e30, 1e30)
+                                  || !word_number(t, &v.z, -1e30, 1e30))) return false;
+        if (v.x == 0 || v.y == 0 || v.z == 0)
+            return text_bad(t, t->p, "scaled to nothing before", "scale X Y Z, none 0");
+        *next = affine_scaling(v);
+    } else *known = false;
+    return true;
+}
+
+/* Steps as long as there are any. */
+static inline bool scene_steps(statement *q, affine *out)
+{
+    bool known = true;
     *out = affine_scaling((vec3){1, 1, 1});
-    while (text_more(t)) {
-        affine next;
-        if (word_take(t, "move")) {
-            if (!word_point(t, &v)) return false;
-            next = affine_translation(v);
-        } else if (word_take(t, "turn")) {
-            if (!word_point(t, &v) || !word_number(t, &degrees, -1e6, 1e6)) return false;
-            v = vunit(v);
-            if (vzero(v)) return text_bad(t, t->p, "no axis before", "turn X Y Z DEGREES");
-            next = affine_rotation(v, degrees * (pi / 180));
-        } else if (word_take(t, "scale")) {
-            if (!word_number(t, &v.x, -1e30, 1e30)) return false;
-            v.y = v.z = v.x;
-            if (word_is_number(t) && (!word_number(t, &v.y, -1e30, 1e30)
-                                      || !word_number(t, &v.z, -1e30, 1e30))) return false;
-            if (v.x == 0 || v.y == 0 || v.z == 0)
-                return text_bad(t, t->p, "scaled to nothing before", "scale X Y Z, none 0");
-            next = affine_scaling(v);
-        } else return text_bad(t, t->p, "what is", "move, turn, scale");
+    while (text_more(q->t)) {
+        affine next = *out;
+        if (!scene_step(q->t, &next, &known)) return false;
+        if (!known) return true;
         *out = affine_then(*out, next);
         if (!vfinite(out->x) || !vfinite(out->y) || !vfinite(out->z) || !vfinite(out->o))
-            return text_bad(t, t->p, "beyond what numbers hold, before", "smaller places");
+            return text_bad(q->t, q->t->p, "beyond what numbers hold, before", "smaller places");
+    }
+    return true;
+}
+
+/* Nothing but steps up to the end of the line. */
+static inline bool scene_placing(statement *q, affine *out)
+{
+    if (!scene_steps(q, out)) return false;
+    return !text_more(q->t) || text_bad(q->t, q->t->p, "what is", "move, turn, scale");
+}
+
+/* box P P: six polygons, seen from outside counter-clockwise, placed. */
+static inline bool scene_box(statement *q)
+{
+    static const uint8_t face[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3},
+                                       {0, 2, 3, 1}, {4, 5, 7, 6}};  /* bit 0: far x, 1: y, 2: z */
+    vec3 a, b;
+    affine place;
+    uint32_t m;
+    if (!word_point(q->t, &a) || !word_point(q->t, &b) || !scene_steps(q, &place)
+        || !say_made_of(q, &m)) return false;
+    vec3 lo = vmin(a, b), hi = vmax(a, b);
+    bool mirrored_box = vdot(vcross(place.x, place.y), place.z) < 0;
+    for (int f = 0; f < 6; f++) {
+        vec3 corner[4];
+        for (int i = 0; i < 4; i++) {
+            int k = face[f][mirrored_box ? 3 - i : i];
+            corner[i] = affine_point(place, (vec3){k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y,
+                                                   k & 4 ? hi.z : lo.z});
+        }
+        studio_add_polygon(q->s, corner, 4, m);
     }
     return true;
 }
@@ -122,6 +164,9 @@ static inline bool scene_mesh(statement *q)
     char name[64], path[word_longest_path];
     uint32_t m;
     if (!scene_word(q, name) || !scene_path(q, path)) return false;
+    if (name_find(&q->shapes, name) != name_none)
+        return failed(q->f, 2, "%s:%u: mesh: '%s' is a mesh already, allowed: each name once",
+                      text_name(q->t), (unsigned)q->at.line, name);
     bool smooth = word_take(q->t, "smooth");
     if (!mtl_line_ends(q->t) || !obj_mesh(q->s, path, smooth, &m, q->f)) return false;
     uint32_t k = name_add(&q->shapes, name);
@@ -202,8 +247,10 @@ static inline bool say_sun(statement *q) { return say_lamp(q, LIGHT_DIRECTIONAL)
 static const struct { const char *word; bool (*say)(statement *q); } scene_statements[] = {
     {"camera", say_camera}, {"lens", say_lens}, {"light", say_light}, {"sun", say_sun},
     {"background", say_background}, {"environment", scene_environment}, {"up", say_up},
+    {"indirect", say_indirect},
     {"material", say_material}, {"use", say_use}, {"sphere", say_sphere}, {"cone", say_cone},
-    {"polygon", say_polygon}, {"obj", scene_obj}, {"nff", scene_nff}, {"mtl", scene_mtl},
+    {"polygon", say_polygon}, {"box", scene_box}, {"obj", scene_obj},
+    {"nff", scene_nff}, {"mtl", scene_mtl},
     {"mesh", scene_mesh}, {"instance", scene_instance}};
 
 /* One statement, except include. */
@@ -218,8 +265,8 @@ static inline bool scene_statement(statement *q)
     }
     if (!mtl_is_key(q->t))
         return text_bad(q->t, q->t->p, "begins with", "camera, lens, light, sun, background, "
-                        "environment, up, material, use, sphere, cone, polygon, obj, nff, mtl, "
-                        "mesh, instance, include, or Kd .. illum");
+                        "environment, up, indirect, material, use, sphere, cone, polygon, "
+                        "box, obj, nff, mtl, mesh, instance, include, or Kd .. illum");
     if (q->described == name_none)
         return text_bad(q->t, q->t->p, "describes nothing:", "these below a line material NAME");
     return mtl_key(q->s, q->t, q->described, q->at, &known) && mtl_line_ends(q->t);

@@ -6,16 +6,18 @@
  *   sun         to P colour C                  light from there, irradiance [W/m^2]
  *   background  C                              seen where nothing is; lights nobody
  *   up          x | y | z
- *   use         NAME                           material of what follows
- *   sphere      P radius
- *   cone        P radius P radius              open; equal radii: a cylinder
- *   polygon     P P P ...
+ *   indirect    on | off                   light that matte surfaces pass on: plan.h
+ *   use         NAME                           material of what follows: material_list.h has some
+ *   sphere      P radius [NAME]                made of NAME
+ *   cone        P radius P radius [NAME]       open; equal radii: a cylinder
+ *   polygon     P P P ... [NAME]
  *
  * P: three numbers; C: one (grey) or three, not negative. More in scene_file.h.
  */
 #ifndef EFFECTS_STATEMENTS_H
 #define EFFECTS_STATEMENTS_H
 
+#include "material_list.h"
 #include "mtl.h"
 
 typedef struct {
@@ -123,18 +125,60 @@ static inline bool say_up(statement *q)
     return text_bad(q->t, q->t->p, "no axis:", "x, y, z");
 }
 
-static inline bool say_use(statement *q)
+static inline bool say_indirect(statement *q)
 {
-    char name[text_token];
-    if (!say_name(q, name)) return false;
+    bool on = word_take(q->t, "on");
+    if (!on && !word_take(q->t, "off"))
+        return text_bad(q->t, q->t->p, "neither on nor off:", "on, off");
+    q->s->indirect = on ? INDIRECT_ON : INDIRECT_OFF, q->s->indirect_said = q->at;
+    return true;
+}
+
+/* A material of the list, described anew where it is first named. */
+static inline bool say_listed(statement *q, const char *name, uint32_t *out)
+{
+    const char *keys = material_listed(name);
+    text_reader t;
+    bool ok = true, known;
+    FILE *in = keys ? fmemopen((void *)keys, strlen(keys), "rb") : NULL;  /* it is only read */
+    if (!in) return false;
+    *out = studio_add_material(q->s, name, q->at);
+    if (text_begin(&t, in, name, q->f)) {
+        while (ok && text_statement(&t)) ok = mtl_key(q->s, &t, *out, q->at, &known);
+        ok = text_end(&t) && ok;
+    }
+    fclose(in);
+    studio_palette_add(&q->s->own, name, *out);
+    return ok;
+}
+
+/* What a name means: of this file, of a library, of the list. */
+static inline bool say_named(statement *q, const char *name, uint32_t *out)
+{
     uint32_t k = studio_palette_find(&q->s->own, name);
     for (size_t i = 0; k == name_none && i < q->s->libraries; i++)
         k = studio_palette_find(&q->s->library[i], name);
-    if (k == name_none)
-        return failed(q->f, 2, "%s:%u: use: no material '%.100s', allowed: names that material or "
-                      "mtl gave before", text_name(q->t), (unsigned)q->at.line, name);
-    q->material = k, q->described = name_none;
-    return true;
+    if (k == name_none && !say_listed(q, name, &k))
+        return failed(q->f, 2, "%s:%u: %s: no material '%.100s', allowed: names that material or "
+                      "mtl gave before, or of the list: white, chrome, glass ..",
+                      text_name(q->t), (unsigned)q->at.line, q->t->keyword, name);
+    return *out = k, true;
+}
+
+static inline bool say_use(statement *q)
+{
+    char name[text_token];
+    if (!say_name(q, name) || !say_named(q, name, &q->material)) return false;
+    return q->described = name_none, true;
+}
+
+/* The end of a shape's line: what it is made of, if that is said there. */
+static inline bool say_made_of(statement *q, uint32_t *out)
+{
+    char name[text_token];
+    *out = q->material;
+    if (!text_more(q->t) || word_is_number(q->t)) return true;  /* too much: for others to say */
+    return say_name(q, name) && say_named(q, name, out);
 }
 
 static inline bool say_material(statement *q)
@@ -149,9 +193,10 @@ static inline bool say_material(statement *q)
 static inline bool say_sphere(statement *q)
 {
     sphere b;
-    if (!word_point(q->t, &b.c) || !word_number(q->t, &b.r, -word_largest, word_largest))
-        return false;
-    studio_add_shape(q->s, shape_of_sphere(b), q->material);
+    uint32_t m;
+    if (!word_point(q->t, &b.c) || !word_number(q->t, &b.r, -word_largest, word_largest)
+        || !say_made_of(q, &m)) return false;
+    studio_add_shape(q->s, shape_of_sphere(b), m);
     return true;
 }
 
@@ -159,9 +204,11 @@ static inline bool say_cone(statement *q)
 {
     const double most = word_largest;
     cone c;
+    uint32_t m;
     if (!word_point(q->t, &c.a) || !word_number(q->t, &c.ra, -most, most)
-        || !word_point(q->t, &c.b) || !word_number(q->t, &c.rb, -most, most)) return false;
-    studio_add_shape(q->s, shape_of_cone(c), q->material);
+        || !word_point(q->t, &c.b) || !word_number(q->t, &c.rb, -most, most)
+        || !say_made_of(q, &m)) return false;
+    studio_add_shape(q->s, shape_of_cone(c), m);
     return true;
 }
 
@@ -169,13 +216,15 @@ static inline bool say_polygon(statement *q)
 {
     vec3 *v = NULL;
     size_t n = 0, room = 0;
+    uint32_t m;
     bool ok = true;
-    while (ok && text_more(q->t)) {
+    while (ok && (word_is_number(q->t) || (text_more(q->t) && (*q->t->p == '-' || !n)))) {
         v = grown(v, n, &room, sizeof *v);
         ok = word_point(q->t, &v[n++]);
     }
     if (ok && n < 3) ok = text_bad(q->t, q->t->p, "too few corners before", "3 or more");
-    if (ok) studio_add_polygon(q->s, v, n, q->material);
+    if (ok) ok = say_made_of(q, &m);
+    if (ok) studio_add_polygon(q->s, v, n, m);
     free(v);
     return ok;
 }

@@ -18,8 +18,9 @@
 #include "finish.h"
 #include "scene_file.h"
 
-typedef struct { const char *camera, *lens, *light, *sun, *environment, *background, *up; }
-    studio_words;
+typedef struct {
+    const char *camera, *lens, *light, *sun, *environment, *background, *up, *indirect;
+} studio_words;
 
 static inline bool studio_read(const char *path, const studio_words *words, studio *out,
                                failure *f);
@@ -149,7 +150,8 @@ static inline bool scene_options(studio *s, const studio_words *w, failure *f)
     return scene_option(s, "up", w->up, f) && scene_option(s, "camera", w->camera, f)
         && scene_option(s, "lens", w->lens, f) && scene_option(s, "light", w->light, f)
         && scene_option(s, "sun", w->sun, f) && scene_option(s, "background", w->background, f)
-        && scene_option(s, "environment", w->environment, f);
+        && scene_option(s, "environment", w->environment, f)
+        && scene_option(s, "indirect", w->indirect, f);
 }
 
 static inline bool scene_ends(const char *path, const char *ending)

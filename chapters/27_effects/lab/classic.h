@@ -20,6 +20,7 @@
 #include "draw.h"
 #include "../../19_whitted/scenes/forty.h"
 #include "../files/studio_read.h"
+#include "../plan.h"
 
 typedef struct {
     const effects_stage *e;
@@ -56,8 +57,8 @@ static inline material classic_material(const void *context, trace_hit x, const 
 
 static inline bool classic_can(const effects_stage *e)
 {
-    bool can = !(e->p->effects & EFFECTS_OF_CHANCE) && !e->t.moved.n && !e->clear
-        && !e->p->headlight && e->sky.s->kind == SKY_NONE;
+    bool can = !(e->mask & EFFECTS_OF_CHANCE) && !e->t.moved.n && !e->clear && !e->headlight
+        && e->sky.s->kind == SKY_NONE;
     for (size_t m = 0; m < e->s->materials; m++) {
         const appearance *a = &e->look[m];
         bool glass = !vzero(a->through);
@@ -158,7 +159,8 @@ static inline char *forty_text(bool plain)
     enum { room = 1 << 14 };
     char *text = allocate(room, 1);
     size_t n = (size_t)snprintf(text, room,
-        "camera from 0 -11 4.5 at 0 0.4 0.9 up 0 0 1 angle 31\nbackground 0.35 0.55 0.85\n"
+        "camera from 0 -11 4.5 at 0 0.4 0.9 up 0 0 1 angle 31\nindirect off\n"
+        "background 0.35 0.55 0.85\n"
         "sun to 5 -6 9 colour 2\nsun to -6 -4 5 colour 0.7\nsun to 1 8 6 colour 0.4\n"
         "material mirror\nKd 0\nKs 0.9\nillum 3\nmaterial glass\nKd 0\nNi 1.5\nTf 1\nillum 7\n");
     for (int k = 0; k < forty_balls; k++) {
@@ -187,9 +189,10 @@ static inline bool tax_row(const options *o, table *t, bool glass)
     char *text = forty_text(!glass);
     if (!studio_read_text(text, "forty.scene", NULL, &s, &f)) fail(f);
     plan p = plan_of(&s);
-    if (!effects_stage_build(&s, &p, &e, &f) || !studio_camera(&s, 4 / (real)3, &v, &c, &f))
+    if (!effects_stage_build(&s, &e, &f) || !studio_camera(&s, 4 / (real)3, &v, &c, &f))
         fail(f);
     effects_stage_view(&e, &v, c);
+    effects_stage_effects(&e, p.effects);
     tax_run run[2] = {{.e = &e, .whitted = glass, .im = image_new(w, h)},
                       {.e = &e, .im = image_new(w, h)}};
     classic_build(&e, &run[0].c);

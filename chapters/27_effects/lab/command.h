@@ -1,14 +1,17 @@
 /* command.h: what the command line asks for: a scene, a part of its picture, an experiment.
  *
  *   request q = {.path = NULL};       options fill it in; o.own = request_own(&q)
- *   request_show(&o, &q, &e)          the picture of a stage, and the tables that go with it
+ *   if (request_is_short(&o)) ..      the six scenes, draw_six, are all that is asked for
+ *   request_show(&o, &q, &p, &e)      the picture of a stage, and the tables that go with it
  */
 #ifndef EFFECTS_COMMAND_H
 #define EFFECTS_COMMAND_H
 
 #include "../files/studio_read.h"
+#include "../plan.h"
 #include "classic.h"
 #include "price.h"
+#include "six.h"
 
 typedef struct {
     const char *path, *effects, *region;
@@ -22,7 +25,7 @@ static inline bool request_own(const request *q)
 {
     const studio_words *w = &q->words;
     return q->path || q->effects || q->region || q->told || q->priced || w->camera || w->lens
-        || w->light || w->sun || w->environment || w->background || w->up;
+        || w->light || w->sun || w->indirect || w->environment || w->background || w->up;
 }
 
 static inline draw_window request_window(const options *o, const char *said)
@@ -36,29 +39,47 @@ static inline draw_window request_window(const options *o, const char *said)
     die(2, "--region %.60s: WxH+X+Y, within the %dx%d pixels of --size", said, o->width, o->height);
 }
 
-/* All at every hit was drawn: what the plan draws, and whether that is the same picture. False:
- * stopped. */
-static inline bool request_compare(drawing *j, effects_stage *e, int threads)
+/* How sure one is that two pictures are of different light: their mean difference, in units of its
+ * standard error. Pixels are independent of one another. */
+static inline double request_z(const image *a, const image *b)
+{
+    size_t n = (size_t)a->width * (size_t)a->height;
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < n; i++) {
+        double d = 0;
+        for (size_t k = 3 * i; k < 3 * i + 3; k++) d += (double)a->rgb[k] - (double)b->rgb[k];
+        sum += d, squares += d * d;
+    }
+    double mean = sum / (double)n, variance = squares / (double)n - mean * mean;
+    return variance > 0 ? fabs(mean) / sqrt(variance / (double)n) : 0;
+}
+
+/* Everything at every hit was drawn, by who knows no plan: is it what the plan draws, once it is
+ * told to do what it declines, too, and leaves branches to the same dice? False: stopped. */
+static inline bool request_compare(drawing *j, const plan *p, effects_stage *e, int threads)
 {
     image im = image_new(j->im->width, j->im->height);
-    drawing plain = *j;
+    drawing lean = *j;
     size_t n = 3 * (size_t)im.width * (size_t)im.height;
-    effects_stage_effects(e, e->p->effects, false);
-    bool whole = draw_region(&plain, &im, j->x0, j->y0, threads);
+    effects_stage_effects(e, p->effects | p->declined | EFFECTS_DICED);
+    bool whole = draw_region(&lean, &im, j->x0, j->y0, threads);
     if (whole) {
         bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
-        printf("plan       %s; everything at every hit took %.3g s, the plan %.3g s: "
-               "%.0f %% saved\n",
-               same ? "the same picture byte for byte" : "ANOTHER PICTURE", j->seconds,
-               plain.seconds, (1 - plain.seconds / j->seconds) * 100);
+        printf("everything %.3g s, without the plan; what %s %.3g s: %.0f %% saved\n", j->seconds,
+               p->declined ? "is called for or declined" : "is called for", lean.seconds,
+               (1 - lean.seconds / j->seconds) * 100);
+        if (same) printf("           the same picture byte for byte\n");
+        else printf("           the same light by other random numbers? rmse %.3g, means differ by "
+                    "%.2g standard errors\n", image_compare(&im, j->im).rmse,
+                    request_z(&im, j->im));
     }
-    effects_stage_effects(e, EFFECTS_ALL, true);
+    effects_stage_effects(e, EFFECTS_EVERYTHING);
     image_free(&im);
     return whole;
 }
 
 /* What the picture took, by effect. */
-static inline bool request_count(const options *o, const drawing *j)
+static inline bool request_count(const options *o, const plan *p, const drawing *j)
 {
     effects_counts timed;
     image none = image_new(j->im->width, j->im->height);  /* draw_timed fills nothing in */
@@ -67,7 +88,7 @@ static inline bool request_count(const options *o, const drawing *j)
     again.im = &none;
     bool whole = draw_timed(&again, o->threads, &timed);
     if (whole) {
-        table_of_effects(o, j, &timed);
+        table_of_effects(o, p, j, &timed);
         printf("# %d samples a pixel, %.3g s", j->samples, j->seconds);
         if (error > 0 && j->samples > 1) printf(", error rmse %.3g by halves", error);
         printf("\n");
@@ -77,47 +98,59 @@ static inline bool request_count(const options *o, const drawing *j)
 }
 
 /* The demo as --effects all --samples 8 --size 320x240 has it. */
-static inline bool request_all(const options *o, effects_stage *e)
+static inline bool request_all(const options *o, const plan *p, effects_stage *e)
 {
     options with = *o;
     image im = image_new(320, 240);
     drawing j = {.e = e, .samples = 8, .seed = o->seed, .width = 320, .height = 240};
     unsigned before = e->mask;
     with.csv = NULL;
-    effects_stage_effects(e, EFFECTS_ALL, true);
-    bool whole = draw_region(&j, &im, 0, 0, o->threads) && request_compare(&j, e, o->threads)
-              && request_count(&with, &j);
-    effects_stage_effects(e, before & EFFECTS_ALL, before & EFFECTS_SPEND);
+    effects_stage_effects(e, EFFECTS_EVERYTHING);
+    bool whole = draw_region(&j, &im, 0, 0, o->threads) && request_compare(&j, p, e, o->threads)
+              && request_count(&with, p, &j);
+    effects_stage_effects(e, before);
     image_free(&im);
     return whole;
 }
 
-/* The picture is saved before all else: Ctrl-C later on loses none of it. Of the whole picture the
- * price list takes a quarter in width and height. */
-static inline void request_show(const options *o, const request *q, effects_stage *e)
+/* Of the whole picture the price list takes a quarter in width and height. */
+static inline draw_window request_small(const request *q, draw_window w)
 {
-    draw_window w = request_window(o, q->region), small = w;
+    if (q->region) return w;
+    w.width = w.across = w.across / 4 > 0 ? w.across / 4 : 1;
+    w.height = w.down = w.down / 4 > 0 ? w.down / 4 : 1;
+    return w;
+}
+
+/* The picture is saved before all else: Ctrl-C later on loses none of it. */
+static inline void request_show(const options *o, const request *q, const plan *p,
+                                effects_stage *e)
+{
+    draw_window w = request_window(o, q->region);
     char room[512];
     image im = image_new(w.width, w.height);
     bool demo = !o->out && !o->own;
-    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : 16;
+    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 64 : 16;
     drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
                  .height = o->height};
     bool whole = draw_region(&j, &im, w.x, w.y, o->threads);
-    output_picture(o, &im, picture_name("27_effects.png", q->path, room), true, whole);
-    if (e->mask & EFFECTS_SPEND) whole = request_compare(&j, e, o->threads);
-    if (!q->region) {
-        small.width = small.across = w.across / 4 > 0 ? w.across / 4 : 1;
-        small.height = small.down = w.down / 4 > 0 ? w.down / 4 : 1;
-    }
-    if (whole && ((demo && o->full) || q->priced))
-        whole = table_of_price(o, e, small, samples > 16 ? 16 : samples);
-    else if (whole) whole = request_count(o, &j);
-    if (whole && demo && o->full)
-        whole = draw_strip(o, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1, 2 * samples)
-             && table_of_tax(o) && request_all(o, e);
+    output_picture(o, &im, demo ? "27_effects_demo.png" : picture_name("27_effects.png", q->path,
+                                                                       room), !demo, whole);
+    if (j.counts.lost)
+        fprintf(stderr, "%s: warning: more than %d bodies lie around one another: %zu times one "
+                "was taken for air\n", program_name, media_most, j.counts.lost);
+    if (e->mask & EFFECTS_SPEND) whole = request_compare(&j, p, e, o->threads);
+    if (whole && (demo || q->priced))
+        whole = table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples);
+    else if (whole) whole = request_count(o, p, &j);
+    if (whole && demo)
+        whole = draw_strip(o, p, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1, samples)
+             && table_of_tax(o) && request_all(o, p, e);
     image_free(&im);
     if (!whole) die(130, "stopped; the picture was whole before");
 }
+
+/* Without a file and --full: the six scenes, and that is all. */
+static inline bool request_is_short(const options *o) { return !o->out && !o->own && !o->full; }
 
 #endif

@@ -14,6 +14,7 @@
 #ifndef EFFECTS_DRAW_H
 #define EFFECTS_DRAW_H
 
+#include "../around.h"
 #include "../special.h"
 #include "../../../common/parallel.h"
 
@@ -26,6 +27,7 @@ typedef struct {
     double seconds;
     image *im;
     int x0, y0;
+    media_set around;         /* bodies that the eye is in */
     double squares;           /* sum of squared differences of the halves' means */
     size_t pixels;            /* that went into it */
     pthread_mutex_t lock;
@@ -57,7 +59,7 @@ static inline vec3 draw_pixel(const drawing *j, effects_function *f, int x, int 
     vec3 half[2] = {{0, 0, 0}, {0, 0, 0}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
     int n = j->samples;
-    bool rolled = n > 1 || (j->e->mask & EFFECTS_OF_CHANCE), timed = j->e->mask & EFFECTS_TIMED;
+    bool rolled = n > 1 || j->e->chance, timed = j->e->mask & EFFECTS_TIMED;
     for (int k = 0; k < n; k++) {
         dice d = {.own = 0};
         if (rolled) d = dice_start(j->seed, i, (uint32_t)k);
@@ -65,7 +67,7 @@ static inline vec3 draw_pixel(const drawing *j, effects_function *f, int x, int 
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
         c->now = RAY_OF_EYE;
         if (timed) c->since = clock_seconds();
-        half[k % 2] = vadd(half[k % 2], f(j->e, r, (media_set){0}, &d, c));
+        half[k % 2] = vadd(half[k % 2], f(j->e, r, j->around, &d, c));
         if (timed) c->seconds[c->now] += clock_seconds() - c->since;
     }
     vec3 off = vsub(vscale(half[0], 1 / (real)((n + 1) / 2)),
@@ -102,6 +104,7 @@ static inline bool draw_region(drawing *j, image *im, int x0, int y0, int thread
 {
     size_t across = ((size_t)im->width + draw_side - 1) / draw_side;
     double start = clock_seconds();
+    j->around = effects_around(j->e, j->e->eye.e);
     j->im = im, j->x0 = x0, j->y0 = y0, j->squares = 0, j->pixels = 0;
     j->counts = (effects_counts){.now = 0};
     pthread_mutex_init(&j->lock, NULL);

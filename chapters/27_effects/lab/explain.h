@@ -6,8 +6,9 @@
  *   scene        what there is, and from where
  *   camera, lens, light   by file and line, or how they were found
  *   plan         path tracing, because of: ...
- *     yes  soft shadows     2 faces, the first of material 'lamp' (room.scene:12) on material ...
- *     no   mirror           no material in use reflects sharply ...
+ *     called for    soft shadows    2 faces, the first of material 'lamp' (room.scene:12) on ...
+ *     cannot occur  mirror          no material in use reflects sharply ...
+ *     declined      indirect light  `indirect off` (room.scene:2)
  *   materials    each with its line, its illum and the effects that a hit of it has a part in
  *   notes        what was read but not understood
  */
@@ -37,7 +38,7 @@ static inline void explain_scene(FILE *out, const studio *s)
             s->materials, s->lights, s->emitters);
 }
 
-static inline void explain_view(FILE *out, const studio *s, const plan *p, const studio_view *v)
+static inline void explain_view(FILE *out, const studio *s, const studio_view *v)
 {
     char said[300];
     fprintf(out, "camera     from %.6g %.6g %.6g at %.6g %.6g %.6g up %.6g %.6g %.6g angle %g  (",
@@ -50,7 +51,7 @@ static inline void explain_view(FILE *out, const studio *s, const plan *p, const
     if (s->lens.radius > 0)
         fprintf(out, "lens       radius %g, in focus at %g\n", (double)s->lens.radius,
                 (double)studio_focus(s, v));
-    if (p->headlight)
+    if (studio_dark(s))
         fprintf(out, "light      none was given: each ray carries a lamp that throws no shadow\n");
 }
 
@@ -66,7 +67,7 @@ static inline void explain_effects(FILE *out, const plan *p)
 {
     fprintf(out, "plan       %s\n", integrator_names[p->integrator]);
     for (int k = 0; k < effect_kinds; k++) {
-        fprintf(out, "  %-4s %-15s ", p->effects >> k & 1 ? "yes" : "no", effect_names[k].name);
+        fprintf(out, "  %-13s %-15s ", verdict_names[p->verdict[k]], effect_names[k].name);
         explain_text(out, p->why[k]);
         fprintf(out, "\n");
     }
@@ -116,7 +117,7 @@ static inline void explain_warnings(FILE *out, const studio *s)
 static inline void explain(FILE *out, const studio *s, const plan *p, const studio_view *v)
 {
     explain_scene(out, s);
-    explain_view(out, s, p, v);
+    explain_view(out, s, v);
     explain_effects(out, p);
     fprintf(out, "materials\n");
     for (uint32_t m = 0; m < s->materials && m < explain_most_materials; m++)

@@ -1,0 +1,380 @@
+/* Tests of chapters/27_effects: can the plan be refuted?
+ *
+ * Random scenes, of all statements and both formats. The oracle is everything at every hit, by a
+ * stage that was built without the plan. "Cannot occur" must hold byte for byte, since random
+ * numbers have names; but for the rule "one plane", where the weights of shadow rays and bounces
+ * are others: there by a t-test. Then each rule is broken in turn, and these checks must notice.
+ */
+static char directory[] = "/tmp/27_proof_XXXXXX";
+#include "27_files.h"
+#include "../chapters/27_effects/lab/draw.h"
+#include "../chapters/27_effects/plan.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+
+enum { across = 8, down = 6, proof_room = 1 << 14 };
+
+static double some(random_stream *r, double lowest, double highest)
+{
+    return lowest + (highest - lowest) * (double)random_next(r);
+}
+
+static bool chance(random_stream *r, double p) { return (double)random_next(r) < p; }
+
+typedef struct { char *text; size_t n; } writing;
+
+__attribute__((format(printf, 2, 3)))
+static void say(writing *w, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    w->n += (size_t)vsnprintf(w->text + w->n, proof_room - w->n, format, arguments);
+    va_end(arguments);
+}
+
+/* ---- scenes that nobody thought of ---- */
+
+/* The keys of a material of any illum, with what it may call for, often nothing of it. */
+static void random_keys(random_stream *r, writing *w)
+{
+    double ks = chance(r, 0.3) ? 0 : some(r, 0.1, 0.95);
+    if (chance(r, 0.8)) say(w, "illum %d\n", (int)some(r, 0, 11));
+    say(w, "Kd %g\nKs %g %g %g\n", chance(r, 0.5) ? 0 : some(r, 0, 1), ks, ks, ks / 2);
+    if (chance(r, 0.7)) say(w, "Ns %g\n", chance(r, 0.3) ? 2000 : 30.0);
+    if (chance(r, 0.5)) say(w, "Ni %g\n", some(r, 0.7, 2));
+    if (chance(r, 0.5)) say(w, "Tf %g 1 1\n", some(r, 0, 1));
+    if (chance(r, 0.3)) say(w, "d %g\n", some(r, 0, 1));
+    if (chance(r, 0.3)) say(w, "absorb 1 0 %g\n", some(r, 0, 2));
+    if (chance(r, 0.1)) say(w, "Ke %g\n", chance(r, 0.2) ? 0 : some(r, 0, 5));
+}
+
+static void random_material(random_stream *r, writing *w, int number)
+{
+    if (chance(r, 0.15)) {
+        say(w, "use %s\n", (const char *[]){"library", "lamp", "red"}[(int)some(r, 0, 3)]);
+        return;
+    }
+    if (chance(r, 0.3)) say(w, "material m%d\nKd %g\n", number, chance(r, 0.5) ? 0 : 0.6);
+    else say(w, "material m%d\n", number), random_keys(r, w);
+}
+
+static void random_shape(random_stream *r, writing *w)
+{
+    double x = some(r, -2, 2), y = some(r, 0, 2), z = some(r, -2, 2), a = some(r, 0.2, 1.2);
+    switch ((int)some(r, 0, 8)) {
+    case 0: case 1: say(w, "sphere %g %g %g %g\n", x, y, z, chance(r, 0.1) ? -9 : a); return;
+    case 2: say(w, "cone %g 0 %g %g %g 2 %g 0.1\n", x, z, a, x, z); return;
+    case 3:  /* upright, towards the eye */
+        say(w, "polygon -3 -1 %g  3 -1 %g  3 3 %g  -3 3 %g\n", z, z, z, z);
+        return;
+    case 4: say(w, "obj roof.obj scale %g move %g 0 %g\n", a, x, z); return;
+    case 5: say(w, "mesh roof%g roof.obj\ninstance roof%g turn 0 1 0 %g\n", x, x, 90 * y); return;
+    }
+    y = chance(r, 0.7) ? 0 : -some(r, 0, 1);
+    say(w, "polygon -9 %g 9  9 %g 9  9 %g -9  -9 %g -9\n", y, y, y, y);
+}
+
+typedef struct { bool off, on, own; } proof_said;  /* own: light of the scene file, not black */
+
+static void random_light(random_stream *r, writing *w, proof_said *said)
+{
+    static const char *const behind[] = {
+        "", "", "", "background 0.1 0.3 0.5\n", "environment 0.4 0.5 0.6\n", "environment 0.3 1\n",
+        "environment sky.pfm turn 30\n", "environment 0\n"};
+    int sky = (int)some(r, 0, 8);
+    say(w, "%s", behind[sky]), said->own = sky > 3 && sky < 7;
+    if (chance(r, 0.4)) say(w, "lens radius %g focus 4\n", chance(r, 0.2) ? 0 : 0.1);
+    if (chance(r, 0.4)) said->own = true, say(w, "light at 1 4 3 colour 40\n");
+    if (chance(r, 0.1)) say(w, "light at 1 4 3 colour 0\n");
+    if (chance(r, 0.2)) said->own = true, say(w, "sun to -1 2 1 colour 1\n");
+    if (chance(r, 0.2)) said->off = true, say(w, "indirect off\n");
+    if (chance(r, 0.1)) said->on = true, said->off = false, say(w, "indirect on\n");
+}
+
+static proof_said random_scene(random_stream *r, writing *w)
+{
+    proof_said said = {false, false, false};
+    say(w, "%scamera from 0 1 %g at 0 0.8 0 angle 45\nmtl library.mtl\n"
+        "material red\nKd 0.7 0.1 0.1\n",
+        chance(r, 0.2) ? "up y\n" : "", some(r, 1, 6));
+    random_light(r, w, &said);
+    if (chance(r, 0.1)) say(w, "nff lit.nff\n");
+    for (int k = 0, m = (int)some(r, 0, 5); k < m; k++)
+        random_material(r, w, k), random_shape(r, w);
+    return said;
+}
+
+/* All statements of NFF; light by `l` alone. */
+static void random_nff(random_stream *r, writing *w)
+{
+    say(w, "v\nfrom 0 1 %g\nat 0 0.8 0\nup 0 1 0\nangle 45\nhither 0\nresolution 8 6\n",
+        some(r, 2, 6));
+    if (chance(r, 0.5)) say(w, "b 0.1 0.3 0.5\n");
+    if (chance(r, 0.8)) say(w, "l 1 4 3\n");
+    if (chance(r, 0.3)) say(w, "l -2 4 3 %g 0.5 0.5\n", some(r, 0, 1));
+    for (int k = 0, m = (int)some(r, 0, 5); k < m; k++) {
+        double x = some(r, -2, 2), z = some(r, -2, 1);
+        say(w, "f 0.9 0.5 %g %g %g %g %g %g\n", some(r, 0, 1), chance(r, 0.3) ? 0 : some(r, 0, 1),
+            chance(r, 0.5) ? 0 : some(r, 0, 1), some(r, 1, 50), chance(r, 0.7) ? 0 : some(r, 0, 1),
+            some(r, 1, 2));
+        switch ((int)some(r, 0, 4)) {
+        case 0: say(w, "s %g 0.5 %g 0.5\n", x, z); break;
+        case 1: say(w, "c %g 0 %g 0.5 %g 1 %g 0.1\n", x, z, x, z); break;
+        case 2: say(w, "p 4 -9 0 9 9 0 9 9 0 -9 -9 0 -9\n"); break;
+        case 3: say(w, "pp 3 %g 0 %g 0 0 1 1 0 %g 0 0 1 0 2 %g 0 0.1 1\n", x, z, z, z); break;
+        }
+    }
+}
+
+/* ---- one scene, judged ---- */
+
+typedef struct {
+    studio s;
+    effects_stage e;      /* built without any plan */
+    image everything;
+    int samples;
+    bool drawn;
+    proof_said said;
+    bool nff;
+} proof;
+
+static bool proof_begin(proof *q, size_t number, char *text)
+{
+    random_stream r = random_start(27, number, 0);
+    writing w = {text, 0};
+    failure f = {0, ""};
+    studio_view v;
+    camera c;
+    *q = (proof){.nff = number % 5 == 4, .samples = 2};
+    if (q->nff) random_nff(&r, &w);
+    else q->said = random_scene(&r, &w);
+    const char *name = q->nff ? "random.nff" : "random.scene";
+    put(name, text);
+    bool ok = read_scene(name, &q->s, &f);
+    if (ok && !studio_camera(&q->s, 4 / (real)3, &v, &c, &f)) ok = false, studio_free(&q->s);
+    if (ok && !effects_stage_build(&q->s, &q->e, &f)) ok = false, studio_free(&q->s);
+    check(ok, "scene %zu: %s\n%s", number, f.text, text);
+    if (ok) effects_stage_view(&q->e, &v, c);
+    return ok;
+}
+
+static void proof_end(proof *q)
+{
+    image_free(&q->everything), effects_stage_free(&q->e), studio_free(&q->s);
+}
+
+static image proof_draw(proof *q, unsigned mask, int samples, uint64_t seed)
+{
+    image im = image_new(across, down);
+    drawing j = {.e = &q->e, .samples = samples, .seed = seed, .width = across, .height = down};
+    effects_stage_effects(&q->e, mask);
+    draw_region(&j, &im, 0, 0, 1);
+    return im;
+}
+
+/* The same light? The probability of so large a difference. Pixels are independent of each other;
+ * both pictures throw the same dice, so that little but the difference is left. */
+static double proof_likely(proof *q, unsigned mask, int samples)
+{
+    estimate off = {0};
+    image a = proof_draw(q, mask, samples, 6);
+    image b = proof_draw(q, EFFECTS_EVERYTHING, samples, 6);
+    for (size_t i = 0; i < 3 * across * down; i += 3)
+        off = estimate_add(off, (double)(a.rgb[i] - b.rgb[i]));
+    double mean = off.mean < 0 ? -off.mean : off.mean;
+    image_free(&a), image_free(&b);
+    return mean <= 1e-5 ? 1 : t_test(off, 0, 300 * (double)real_epsilon);
+}
+
+/* Is the light declined for a reason that the file gives? By what was written into it. */
+static bool proof_may_decline(const proof *q)
+{
+    if (q->said.on) return false;
+    return q->said.off || !q->said.own;
+}
+
+/* True: this plan is refuted: it says "cannot occur" of light that is there, or it declines what
+ * nobody told it to decline. */
+static bool proof_refutes(proof *q, const plan *p, bool *by_chance)
+{
+    unsigned mask = p->effects | p->declined | EFFECTS_DICED;
+    *by_chance = false;
+    if (p->declined && !proof_may_decline(q)) return true;
+    if (!q->drawn) q->everything = proof_draw(q, EFFECTS_EVERYTHING, q->samples, 5);
+    q->drawn = true;
+    image lean = proof_draw(q, mask, q->samples, 5);
+    bool same = memcmp(lean.rgb, q->everything.rgb, 3 * across * down * sizeof *lean.rgb) == 0;
+    image_free(&lean);
+    if (same) return false;
+    const plan_rule *r = p->rule[RAY_SCATTERED];
+    if (!r || strcmp(r->name, "one plane") != 0) return true;  /* all numbers are the same */
+    *by_chance = true;
+    double likely = proof_likely(q, mask, 8);  /* false alarms: one in 10^9 scenes */
+    if (likely < 1e-2 && likely >= 1e-9) likely = proof_likely(q, mask, 64);
+    return likely < 1e-9;
+}
+
+static void test_promise(void)
+{
+    char *text = allocate(proof_room, 1);
+    size_t n = check_count(4000), by_dice = 0, refuted = 0, counts[effect_kinds][3] = {{0}};
+    for (size_t i = 0; i < n; i++) {
+        proof q;
+        bool by_chance;
+        if (!proof_begin(&q, i, text)) continue;
+        plan p = plan_of(&q.s);
+        if (proof_refutes(&q, &p, &by_chance)) {
+            refuted++;
+            check(false, "scene %zu, called %x, declined %x: everything gives another picture:\n%s",
+                  i, p.effects, p.declined, text);
+        }
+        by_dice += by_chance;
+        for (int k = 0; k < effect_kinds; k++) counts[k][p.verdict[k]]++;
+        plan_free(&p), proof_end(&q);
+    }
+    check_equal(refuted, 0, "of %zu scenes", n);
+    if (n >= 400) check_at_least(by_dice, 1, "scenes that a t-test judged");
+    for (int k = 0; k < effect_kinds && n >= 100; k++)
+        check(counts[k][VERDICT_CALLED] > n / 100 && counts[k][VERDICT_CANNOT] > n / 100,
+              "%s: called for in %zu scenes, cannot occur in %zu", effect_names[k].name,
+              counts[k][VERDICT_CALLED], counts[k][VERDICT_CANNOT]);
+    free(text);
+}
+
+/* ---- holes, planted ---- */
+
+static bool always(const plan_facts *q, cite *line) { return (void)q, (void)line, true; }
+
+/* Rules that a tired programmer might have written. */
+static bool forgets_suns(const plan_facts *q, cite *line)
+{
+    (void)line;
+    for (size_t i = 0; i < q->s->lights; i++)
+        if (q->s->light[i].light.kind == LIGHT_POINT) return false;
+    return true;
+}
+
+static bool looks_at_first_light(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->s->lights || vzero(q->s->light[q->s->lights - 1].light.colour);
+}
+
+static bool thinks_matte_is_lit(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->has[PART_MATTE].n;
+}
+
+static bool forgets_meshes(const plan_facts *q, cite *line)
+{
+    (void)line;
+    for (size_t i = 0; i < q->s->emitters; i++)
+        if (q->s->emitter[i].place == no_shape) return false;
+    return true;
+}
+
+static bool forgets_points(const plan_facts *q, cite *line)  /* what 27 once did */
+{
+    (void)line;
+    return !q->s->emitters && !q->around;
+}
+
+static bool forgets_the_sky(const plan_facts *q, cite *line)
+{
+    (void)line;
+    return !q->s->emitters && !q->lights;
+}
+
+static bool sees_polygons_alone(const plan_facts *q, cite *line)
+{
+    studio bare = *q->s;
+    (void)line;
+    bare.places = 0;
+    return flat_studio(&bare, q->look);
+}
+
+static bool looks_at_first_material(const plan_facts *q, cite *line)
+{
+    (void)line;
+    for (uint32_t m = 0; m < q->s->materials; m++)
+        if (q->s->material[m].used) return vzero(q->look[m].mirror);
+    return true;
+}
+
+static const struct {
+    const char *rule;
+    unsigned effect;
+    bool (*holds)(const plan_facts *, cite *);
+} holes[] = {
+        {"no light", EFFECT_HARD_SHADOWS, forgets_suns},
+        {"black light", EFFECT_HARD_SHADOWS, looks_at_first_light},
+        {"unlit", EFFECT_HARD_SHADOWS, thinks_matte_is_lit},
+        {"unlit", EFFECT_SOFT_SHADOWS, thinks_matte_is_lit},
+        {"unlit", EFFECT_ENVIRONMENT, thinks_matte_is_lit},
+        {"no lamp", EFFECT_SOFT_SHADOWS, forgets_meshes},
+        {"dark", EFFECT_INDIRECT, forgets_points}, {"dark", EFFECT_INDIRECT, forgets_the_sky},
+        {"one plane", EFFECT_INDIRECT, sees_polygons_alone},
+        {"no mirror", EFFECT_MIRROR, looks_at_first_material}};
+
+/* Among so many scenes there is one that refutes the plan by this table. */
+static bool noticed(const plan_rule *rules)
+{
+    char *text = allocate(proof_room, 1);
+    bool found = false;
+    for (size_t i = 0; i < 1500 && !found; i++) {
+        proof q;
+        bool by_chance;
+        if (!proof_begin(&q, i, text)) continue;
+        plan p = plan_of(&q.s), bad = plan_of_rules(&q.s, rules, plan_rule_count);
+        if (bad.effects != p.effects || bad.declined != p.declined)  /* else both are one plan */
+            found = proof_refutes(&q, &bad, &by_chance);
+        plan_free(&p), plan_free(&bad), proof_end(&q);
+    }
+    free(text);
+    return found;
+}
+
+static void test_holes(void)
+{
+    plan_rule rules[plan_rule_count];
+    for (size_t i = 0; i < plan_rule_count; i++) {
+        memcpy(rules, plan_rules, sizeof rules);
+        rules[i].holds = always;
+        check(noticed(rules), "%s: that the rule '%s' always holds is not noticed",
+              effect_names[effect_number(rules[i].effect)].name, rules[i].name);
+    }
+    for (size_t h = 0; h < sizeof holes / sizeof *holes; h++) {
+        size_t i = 0;
+        memcpy(rules, plan_rules, sizeof rules);
+        while (i < plan_rule_count && (rules[i].effect != holes[h].effect
+                                       || strcmp(rules[i].name, holes[h].rule) != 0)) i++;
+        if (i == plan_rule_count) check(false, "no rule '%s'", holes[h].rule);
+        else rules[i].holds = holes[h].holds, check(noticed(rules), "hole %zu in '%s'", h,
+                                                    holes[h].rule);
+    }
+}
+
+static void files(void)
+{
+    char sky[9 + 96] = "PF 4 2 -1\n";
+    float pixel[24];
+    for (int i = 0; i < 24; i++) pixel[i] = (float)(i % 7) / 4;
+    put("roof.obj", "v -1 0 1\nv 1 0 1\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nusemtl none\nf 1 3 4\n");
+    put("library.mtl", "newmtl library\nKd .6\nKs .3\nNs 20\nillum 2\nnewmtl lamp\nKe 3\nKd .2\n"
+        "illum 1\n");
+    put("lit.nff", "l 0 3 4\nf 1 1 1 0.5 0 1 0 1\ns 0 0 0 0.2\n");
+    FILE *out = fopen(in_directory("sky.pfm"), "wb");
+    if (!out || fwrite(sky, 1, 10, out) != 10 || fwrite(pixel, 4, 24, out) != 24
+        || fclose(out) != 0) abort();
+}
+
+int main(void)
+{
+    alarm(240);
+    if (!mkdtemp(directory)) abort();
+    files();
+    test_promise();
+    test_holes();
+    remove_all();
+    return check_report("27_proof");
+}
