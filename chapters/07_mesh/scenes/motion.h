@@ -2,11 +2,10 @@
  *
  *   mesh m = motion_mesh(MOTION_TWIST, fine)   the mesh at rest: MOTION_TWIST the teapot of that
  *                                  fineness; MOTION_SCATTER a soup of 1000 fine triangles
- *   motion_frame(kind, &rest, x, &m)           sets the corners of m, a motion_mesh itself, to those
- *                                  of the moment x [0, 1]; 0: at rest
+ *   motion_frame(kind, &rest, x, &m)     sets the corners of m, a motion_mesh itself, to those of
+ *                                  the moment x [0, 1]; 0: at rest
  *
- * Twisting (扭转) turns each point about the z axis, the more the higher it is: neighbours stay
- * neighbours, and what was long and straight becomes a spiral. Scattering sends each triangle its
+ * Twisting (x and what was long and straight becomes a spiral. Scattering sends each triangle its
  * own way: those that were side by side end far apart, in a cloud half as large again.
  */
 #ifndef SCENES_MOTION_H
