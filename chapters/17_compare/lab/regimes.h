@@ -1,4 +1,5 @@
-/* regimes.h: where the verdict might change: the order of rays and all cores (orders.h), and motion.
+/* regimes.h: where the verdict might change: 12's and 14's scenes (duel.h), the order of rays and
+ * all cores (orders.h), and motion.
  *
  *   regimes_run(&o, &chosen, most_bytes, report)      tables and plots; false: a wrong hit
  *
@@ -13,6 +14,7 @@
 #include "../../07_mesh/scenes/motion.h"
 #include "../../14_bvh/cost.h"
 #include "../../14_bvh/refit.h"
+#include "duel.h"
 #include "orders.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -164,6 +166,7 @@ static inline bool regimes_run(const options *o, const line_up *chosen, size_t m
                                html_report *to)
 {
     html_heading(to, "Regimes");
+    duel_run(o, to);
     orders_run(o, chosen, most_bytes, to);
     bool twist = motion_run(o, MOTION_TWIST, o->quick ? 2 : 12, to);
     return motion_run(o, MOTION_SCATTER, o->quick ? 1 : 10, to) && twist;
