@@ -70,8 +70,8 @@ static inline void plot_of_rules(const options *o, const trial_row *row, const b
 {
     plot p = plot_new("Building against searching", "build [ms]", "a diffuse ray [ns]",
                       PLOT_LOG_X);
-    int across = plot_series(&p, "across the axes"), own = plot_series(&p, "any only");
-    int any = plot_series(&p, "both, by candidates");
+    int across = plot_series(&p, "across the axes"), own = plot_series(&p, "along triangles only");
+    int any = plot_series(&p, "both; 1, 4, 16, 64 candidates");
     for (int tries = 1; tries <= 64; tries *= 4)
         for (int i = 0; i < bsp_candidates; i++) {
             bool safe = row[i].verbs == &bsp_trial && how[i].sides == BSP_SIDES_SAFE;
@@ -267,7 +267,7 @@ static inline void table_of_pieces(const options *o)
 {
     static const char *const names[4] = {"comb", "crossing walls", "torus", "teapot"};
     table out = table_new("The painter's pieces, by the rule that picks planes",
-                          "scene|triangles|first|random|fewest of 16|(13.8)|n^2 / 4");
+                          "scene|triangles|first|random|fewest of 16|(13.6)|n^2 / 4");
     for (int k = 0; k < 4; k++)
         for (int n = 4; n <= (k == 0 ? 256 : 64); n *= 4) {
             if (k >= 2 && n > 16) continue;
