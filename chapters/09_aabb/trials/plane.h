@@ -19,8 +19,12 @@
 enum { plane_most = 256, plane_corners = 12, plane_house = 12, plane_pillars = 6,
        plane_all = plane_house + plane_pillars + 2 };
 
-typedef struct { double xy[2 * plane_corners]; int n, rank; bool full, placed; real enter; double x, y; }
-    plane_cell;  /* (x, y): of its number */
+typedef struct {
+    double xy[2 * plane_corners], x, y;  /* corners; where its number stands, if placed */
+    int n, rank;
+    bool full, placed;
+    real enter;
+} plane_cell;
 typedef struct { plane_cell cell[plane_most]; int cells, passed; ray r; hit h; } plane_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
