@@ -65,8 +65,8 @@ static inline bool draw_strategies(const options *o, const trial_scene *s, bool 
     return whole;
 }
 
-/* Each triangle in a grey or blue of its own, and orange where the hit is not kdtree_hit's; only the
- * middle of the picture. */
+/* Each triangle in a grey or blue of its own, orange where the hit is not that of kdtree_hit; only
+ * the middle of the picture. */
 static inline vec3 final_colour(const void *picture, real x, real y)
 {
     static const vec3 tint[6] = {{0.8, 0.8, 0.8}, {0.34, 0.71, 0.91}, {0.55, 0.6, 0.65},
