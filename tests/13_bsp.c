@@ -134,7 +134,7 @@ static wide side_exactly(split_plane p, vec3 q)
     return wide_sub(wide3_dot(wide3_of(p.n), wide3_of(q)), wide_of((double)p.at));
 }
 
-/* (13.2): computed s against the s of the very same numbers; 4.4 eps size without what moved q. */
+/* (13.7): computed s against the s of the very same numbers; 4.4 eps size without what moved q. */
 static void test_sides(void)
 {
     double worst = 0, own = 0, naive = 0;

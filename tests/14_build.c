@@ -2,7 +2,7 @@
  * (spatial.h). Codes and topology by an independent definition; parts of triangles cover them. */
 #include "../chapters/14_bvh/bvh_mesh.h"
 #include "../chapters/14_bvh/lab/slivers.h"
-#include "../chapters/14_bvh/lab/cost.h"
+#include "../chapters/14_bvh/cost.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
 #include "check.h"

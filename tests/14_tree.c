@@ -1,8 +1,9 @@
 /* The tree itself: roundings, selection, invariants, depth, memory, the heuristic's prediction. */
 #include "../chapters/14_bvh/bvh_mesh.h"
-#include "../chapters/14_bvh/lab/cost.h"
+#include "../chapters/14_bvh/cost.h"
 #include "../chapters/14_bvh/lab/greed.h"
 #include "../chapters/09_aabb/trials/survey.h"
+#include "../chapters/07_mesh/scenes/soup.h"
 #include "../chapters/07_mesh/scenes/specimens.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../common/random.h"
@@ -20,29 +21,8 @@ static bvh_options by_rule(int k, int leaf, double item_cost)
     return (bvh_options){bvh_rules[k].name, leaf, item_cost, SIZE_MAX};
 }
 
-
-static mesh mesh_room(size_t triangles)
-{
-    mesh m = {.vertices = 3 * triangles, .triangles = triangles};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(m.vertices, sizeof *m.index);
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
-    return m;
-}
-
 /* Triangles of size 1/10 in a cube of half side 1. */
-static mesh soup(size_t n)
-{
-    mesh m = mesh_room(n);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(11, i, 0);
-        vec3 a = random_in_cube(&g, 1);
-        m.v[3 * i] = a;
-        m.v[3 * i + 1] = vadd(a, random_in_cube(&g, 0.1));
-        m.v[3 * i + 2] = vadd(a, random_in_cube(&g, 0.1));
-    }
-    return m;
-}
+static mesh soup(size_t n) { return soup_mesh(n, 1, (real)0.1, 11); }
 
 /* A set that cuts by planes peel one by one: powers of two on a line, then all of them again. */
 static mesh spiral(size_t n)

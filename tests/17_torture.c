@@ -46,6 +46,39 @@ static void test_meet(void)
     mesh_free(&m);
 }
 
+/* Three sheets, one behind the other, not in the order of their numbers: the nearest that the
+ * interval lets through is due, and no other is accepted. */
+static void test_nearest(void)
+{
+    static const real height[3] = {2, 1, 3}, from[4] = {0, (real)1.25, (real)2.5, (real)3.5};
+    static const uint32_t due[4] = {1, 0, 2, no_shape};
+    mesh m = mesh_room(3);
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = 0; k < 3; k++)
+            m.v[3 * i + k] = vec(k == 1 ? 4 : 0, k == 2 ? 4 : 0, height[i]);
+    for (int i = 0; i < 4; i++) {
+        bool through;
+        ray r = ray_from(vec(1, 1, 0), vec(0, 0, 1));
+        r.tmin = from[i];
+        torture_hit nearest = torture_due(&m, r, &through);
+        torture t = {m, &r, &nearest, 1};
+        check(nearest.shape == due[i] && through, "from %g: %u is due", (double)from[i], due[i]);
+        for (uint32_t k = 0; k < 3; k++) {
+            double error;
+            hit h = {height[k], 0, 0, k};
+            torture_fault f = torture_judge(&t, 0, h, &error);
+            check_equal(f, k == due[i] ? TORTURE_RIGHT : due[i] == no_shape ? TORTURE_INVENTED
+                        : TORTURE_ASTRAY, "from %g: %u judged", (double)from[i], k);
+        }
+    }
+    ray r = ray_from(vec(1, 1, 0), vec(0, 0, 1));
+    torture_hit farther = {{3, 1}, 2};  /* an oracle that forgot two sheets */
+    torture t = {m, &r, &farther, 1};
+    double error;
+    check_equal(torture_judge(&t, 0, (hit){1, 0, 0, 1}, &error), TORTURE_ASTRAY, "not in silence");
+    mesh_free(&m);
+}
+
 typedef bool asked(const void *s, ray r, hit *h);
 
 static size_t faults_of(const torture *t, asked *ask, const void *s)
@@ -147,6 +180,7 @@ int main(void)
 {
     test_less();
     test_meet();
+    test_nearest();
     test_classes();
     test_judge();
     test_files();

@@ -154,13 +154,44 @@ static void test_labels(void)
     check(strstr(text, ">]]&#62; &#60;!-- M\u00f6ller<") != NULL, "UTF-8 stays");
     check(strstr(text, "a &#60; b &#38; c &#62; \"d\""), "markup in labels is text");
     for (int s = 0; s < plot_most_series; s++)
-        check(strstr(text, plot_colour[s]) != NULL, "series %d has its colour", s);
+        check(strstr(text, plot_colour[s % plot_colours]) != NULL, "series %d has its colour", s);
 }
 
-static void nine(void *context)
+/* What the legend shows of series s: its line, and its mark without the place. */
+static void legend_of(const char *text, int s, char *out, size_t room)
+{
+    char line[40];
+    snprintf(line, sizeof line, "M572.0,%.1fL598.0,", 62. + 20 * s);
+    const char *at = strstr(text, line), *mark = at ? strstr(at + 1, "<path d=") : NULL;
+    const char *place = mark ? strstr(mark, "transform") : NULL;
+    const char *fill = mark ? strstr(mark, "fill") : NULL;
+    const char *style = at ? strstr(at, "stroke-width") : NULL;
+    out[0] = 0;
+    if (!place || !fill || !style) return;
+    snprintf(out, room, "%.*s%.*s%.*s", (int)strcspn(style, "/"), style, (int)(place - mark), mark,
+             (int)strcspn(fill, "/"), fill);
+}
+
+/* No two series look alike, however many: a line and a mark of their own. */
+static void test_told_apart(void)
 {
     plot p = plot_new("", "", "", 0);
-    for (int s = 0; s < 9; s++) plot_series(&p, context);
+    static char seen[plot_most_series][300];
+    for (int s = 0; s < plot_most_series; s++) plot_series(&p, "x");
+    const char *text = drawn(&p);
+    for (int s = 0; s < plot_most_series; s++) {
+        legend_of(text, s, seen[s], sizeof seen[s]);
+        check(strstr(seen[s], "width") && strstr(seen[s], "fill"), "series %d: in the legend", s);
+        for (int k = 0; k < s; k++)
+            check(strcmp(seen[k], seen[s]) != 0, "series %d and %d look different", k, s);
+        check((strstr(seen[s], "dash") != NULL) == (s >= plot_colours), "series %d: dashes", s);
+    }
+}
+
+static void too_many(void *context)
+{
+    plot p = plot_new("", "", "", 0);
+    for (int s = 0; s <= plot_most_series; s++) plot_series(&p, context);
 }
 
 /* Eight colours, the eight of Okabe and Ito. */
@@ -168,9 +199,9 @@ static void test_colours(void)
 {
     static const char *const theirs[] = {"#000000", "#e69f00", "#56b4e9", "#009e73",
                                          "#f0e442", "#0072b2", "#d55e00", "#cc79a7"};
-    for (int k = 0; k < plot_most_series; k++) {
+    for (int k = 0; k < plot_colours; k++) {
         int found = 0;
-        for (int i = 0; i < plot_most_series; i++) found += !strcmp(plot_colour[i], theirs[k]);
+        for (int i = 0; i < plot_colours; i++) found += !strcmp(plot_colour[i], theirs[k]);
         check_equal(found, 1, "the colour %s", theirs[k]);
     }
     check(strcmp(plot_colour[plot_yellow], "#f0e442") == 0, "yellow, pale on white, is told apart");
@@ -182,7 +213,8 @@ int main(void)
     test_ticks();
     test_degenerate();
     test_labels();
-    check(child_run(nine, "").status != 0, "nine series are a mistake of the program");
+    test_told_apart();
+    check(child_run(too_many, "").status != 0, "more series are a mistake of the program");
     test_colours();
     return check_report("plot");
 }

@@ -16,7 +16,7 @@
  * `pad` makes both sides last longer:
  *
  *      a = at - n.o,  c = n.d      this side while  t <= (a + pad) / c       (c > 0; if c < 0,
- *                                  the other from   t >= (a - pad) / c       -a and -c)     (13.5)
+ *                                  the other from   t >= (a - pad) / c       -a and -c)     (13.3)
  *
  * A ray in the plane or along it, c = 0, is no case of its own: these t are +-infinity or NaN, and
  * the comparisons let a NaN through.
@@ -99,7 +99,7 @@ static inline bool bsp_search(const bsp *b, ray r, real pads, bool any, bool fir
                 a = n->at - vdot(*m, s.o), i = 1 / fabs(c);
             }
             a = down ? -a : a;
-            real leave = (a + s.pad) * i, enter = (a - s.pad) * i;  /* (13.5) */
+            real leave = (a + s.pad) * i, enter = (a - s.pad) * i;  /* (13.3) */
             bool here = !(leave < t0), there = !(enter > t1);
             if (work) work->nodes++;
             stack[top].at = n->first + !down;

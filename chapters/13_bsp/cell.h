@@ -3,7 +3,7 @@
  *       +-------+            A line that meets a convex cell, of all lines alike, meets the part
  *      /   /   /|            behind a plane with the probability
  *     +---/---+ |
- *     |  /|   | +                area of the part / area of the cell                       (13.4)
+ *     |  /|   | +                area of the part / area of the cell                       (13.2)
  *     | / |front|/
  *     |/back   |/            areas of whole surfaces, the cut included (chapter 09: Cauchy): what
  *     +-------+              the surface area heuristic needs, exactly, of slanted cells, too.

@@ -9,7 +9,7 @@
  *
  * Cost, where testing an item costs 1 and the step at a plane k (dearer if it is slanted):
  *
- *   cut:   C = k + A_back / A n_back + A_front / A n_front       areas as in (13.4)      (13.6)
+ *   cut:   C = k + A_back / A n_back + A_front / A n_front       areas as in (13.2)      (13.4)
  *   leaf:  C = n
  *
  * The plane with the smallest C is taken, if that is less than n. The cell pays for what it leaves
@@ -74,7 +74,7 @@ static inline void count_sides(const chooser *b, fragment_range_of all, plane_ch
     }
 }
 
-/* (13.6). A part as large as the whole: the plane runs along the cell's side, and cuts nothing. */
+/* (13.4). A part as large as the whole: the plane runs along the cell's side, and cuts nothing. */
 static inline void cost_of(const chooser *b, fragment_range_of all, convex c, plane_choice *x)
 {
     real back, front, area = cell_area(&b->cells, c);

@@ -111,7 +111,7 @@ static inline bool first_bsp_visit(const first_bsp *b, const first_bsp_node *nod
 
     /* s(o + t d) = a + t c. Going down, c < 0, it is in front until a + t c = -hair, and behind
      * from a + t c = hair on; going up, the other way round: all signs turn. Along the plane,
-     * c = 0, both t are infinite, and it stays where it is.                             (13.5) */
+     * c = 0, both t are infinite, and it stays where it is.                             (13.3) */
     real a = first_bsp_side(node, r->o), c = vdot(node->n, r->d);
     int near = c < 0 ? 1 : 0;
     if (c >= 0) a = -a;

@@ -3,7 +3,7 @@
  *
  *        plane of P            An eye in front of the plane of P sees what lies behind it first
  *   back    |    front         covered: draw the back, then P, then the front. And so on, in both
- *           P     .eye         halves. What the plane cuts is cut into two pieces (碎片).    (13.7)
+ *           P     .eye         halves. What the plane cuts is cut into two pieces (碎片).    (13.5)
  *
  *   painter p;
  *   bool painter_build(&m, painter_defaults, &p, &f)   false: too many pieces, no candidates
@@ -27,7 +27,7 @@
  * up to real_largest / 2 wide.
  *
  * How many pieces? Paterson & Yao: n triangles can force n^2 (two crossing rows of walls do); n
- * walls that do not cross, in random order, make on average at most n + 2 n ln n           (13.8)
+ * walls that do not cross, in random order, make on average at most n + 2 n ln n           (13.6)
  * since wall j is cut by the plane of i only if i comes before all walls between them.
  *
  * Sources: H. Fuchs, Z. Kedem, B. Naylor, SIGGRAPH 1980; R. Schumacker et al., "Study for Applying

@@ -22,13 +22,13 @@
  *
  *   1. s itself: three products and two sums, each of sum |n_k q_k| <= sqrt 3 size at most, and a
  *      difference of twice that: 4.4 eps size. q was rounded from the corner of the item: moved by
- *      0.9 eps size. Together less than 6 eps size.                                         (13.2)
+ *      0.9 eps size. Together less than 6 eps size.                                         (13.7)
  *   2. A corner made by clip is on the edge a b up to the rounding of a + w (b - a), w <= 1/2: each
  *      coordinate within 1.5 eps size, so 2.6 eps size in space. Where along the edge, w tells only
  *      as well as s: within 6 eps size of the level, measured from the plane. After 64 clips a
  *      fragment has moved by r <= 167 eps size.
  *   3. So the part of an item behind a plane is held by what clip leaves at level e, if
- *      e >= r + 6 eps size: 192 eps size is taken.                                          (13.3)
+ *      e >= r + 6 eps size: 192 eps size is taken.                                          (13.8)
  *
  * The search pays for it: see bsp.h. Sources: H. Fuchs, Z. Kedem, B. Naylor, "On Visible Surface
  * Generation by A Priori Tree Structures", SIGGRAPH 1980; I. Sutherland, G. Hodgman, "Reentrant
@@ -43,7 +43,7 @@
 typedef struct { vec3 n; real at; int axis; } split_plane;  /* axis: n = e_axis [0..2]; else 3 */
 typedef enum { SIDE_ON = 0, SIDE_BACK = 1, SIDE_FRONT = 2, SIDE_BOTH = 3 } plane_side;
 
-#define side_width (192 * real_epsilon)  /* times size (13.3) */
+#define side_width (192 * real_epsilon)  /* times size (13.8) */
 
 /* ---------------------------------------------------------------------------------------------- */
 

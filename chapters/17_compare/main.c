@@ -40,6 +40,8 @@ int main(int argc, char **argv)
         {"score", OPTION_TEXT, &own.score, 0, 0,
          "NAME: with --torture: judges FOLDER/CLASS.NAME.hits of another renderer"},
         {"protocol", OPTION_TEXT, &own.protocol, 0, 0, "spd: counts as they were published"},
+        {"regimes", OPTION_FLAG, &own.regimes, 0, 0,
+         "order of rays, all cores, meshes that move: frames against rays"},
         {"large", OPTION_FLAG, &own.large, 0, 0, "scenes of 1e4 to 1e6 shapes, growth to 2e6"},
         {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
          "MB that all structures may hold together"},

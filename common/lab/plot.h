@@ -7,16 +7,17 @@
  *   output_plot(&o, &p, "03_sphere_error.svg");
  *
  * Each series has its own mark and its own colour of M. Okabe, K. Ito, "Color Universal Design",
- * 2008, which the colour-blind can tell apart. A y <= 0 on a logarithmic axis is drawn as a hollow
- * mark on the bottom edge; lines break there. Texts are UTF-8, names some 28 characters long.
+ * 2008, which the colour-blind can tell apart; from the ninth on these come again, dashed and with
+ * another mark. A y <= 0 on a logarithmic axis is drawn as a hollow mark on the bottom edge; lines
+ * break there. Texts are UTF-8, names some 28 characters long.
  */
 #ifndef PLOT_H
 #define PLOT_H
 #include "../file.h"
 #include <math.h>
 
-enum { PLOT_LOG_X = 1, PLOT_LOG_Y = 2, plot_most_series = 8, plot_most_slopes = 2 };
-enum { plot_yellow = 7 };  /* this series has wide lines, and marks with a black edge */
+enum { PLOT_LOG_X = 1, PLOT_LOG_Y = 2, plot_most_series = 14, plot_most_slopes = 2 };
+enum { plot_colours = 8, plot_yellow = 7 };  /* this one has wide lines, and black-edged marks */
 typedef struct { int series; double x, y; } plot_point;
 typedef struct {
     const char *title, *x_label, *y_label;
@@ -36,7 +37,7 @@ static inline plot plot_new(const char *title, const char *x_label, const char *
 
 static inline void plot_free(plot *p) { free(p->points), p->points = NULL, p->n = p->room = 0; }
 
-/* A new series [at most 8]; its number. */
+/* A new series [at most 14]; its number. */
 static inline int plot_series(plot *p, const char *name)
 {
     if (p->series == plot_most_series) abort();
@@ -98,18 +99,19 @@ static inline plot_axis plot_range(const plot *p, bool y, double from, double to
     return a;
 }
 
-static const char *const plot_colour[plot_most_series] = {
+static const char *const plot_colour[plot_colours] = {
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#f0e442"};
 
 static inline void plot_mark(FILE *out, int series, double x, double y, bool hollow)
 {
-    static const char *const mark[plot_most_series] = {
+    static const char *const mark[plot_colours] = {
         "M-4,0A4,4 0 1 0 4,0A4,4 0 1 0 -4,0Z", "M-4,-4H4V4H-4Z", "M0,-5L5,4H-5Z", "M0,5L5,-4H-5Z",
         "M0,-5L5,0L0,5L-5,0Z", "M-5,-2H-2V-5H2V-2H5V2H2V5H-2V2H-5Z", "M-5,-4L0,-1L5,-4V4L0,1L-5,4Z",
         "M-5,-2H5V2H-5Z"};
     fprintf(out, "<path d=\"%s\" transform=\"translate(%.1f,%.1f)\" fill=\"%s\" stroke=\"%s\"/>\n",
-            mark[series], x, y, hollow ? "white" : plot_colour[series],
-            plot_colour[series == plot_yellow ? plot_yellow - 1 : series]);
+            mark[(series + 3 * (series / plot_colours)) % plot_colours], x, y,
+            hollow ? "white" : plot_colour[series % plot_colours],
+            plot_colour[series == plot_yellow ? plot_yellow - 1 : series % plot_colours]);
 }
 
 static inline void plot_line(FILE *out, double x, double y, double x1, double y1, const char *style)
@@ -148,9 +150,10 @@ static inline void plot_curve(const plot *p, FILE *out, int s, plot_axis ax, plo
 {
     double px = 0, py = 0, legend = 62 + 20 * s;
     bool pen = false;
-    char style[64];
-    snprintf(style, sizeof style, "stroke-width=\"%s\" stroke=\"%s\"",
-             s == plot_yellow ? "3" : "1.5", plot_colour[s]);
+    char style[80];
+    snprintf(style, sizeof style, "stroke-width=\"%s\" stroke=\"%s\"%s",
+             s == plot_yellow ? "3" : "1.5", plot_colour[s % plot_colours],
+             s < plot_colours ? "" : " stroke-dasharray=\"6 3\"");
     for (size_t i = 0; i < p->n; i++) {
         if (p->points[i].series != s) continue;
         bool off = ay.log && p->points[i].y <= 0;

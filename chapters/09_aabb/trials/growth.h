@@ -46,7 +46,8 @@ static inline void trial_grow(const options *o, const trial_growth *g)
                           "references a shape|nodes a ray|leaves a ray|tests a ray|ray [ns]|"
                           "brute force [ns]|peak bytes a shape");
     plot p = plot_new("Time against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
-    plot q = plot_new("Diffuse rays: work against n", "triangles", "a ray", PLOT_LOG_X);
+    plot q = plot_new("Diffuse rays: work against n", "triangles", "number of each, a ray",
+                      PLOT_LOG_X);
     char name[64];
     int by_build = plot_series(&p, "build, a triangle"), by_work[3];
     snprintf(name, sizeof name, "%s, a ray", g->name);

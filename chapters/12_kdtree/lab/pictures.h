@@ -65,16 +65,19 @@ static inline bool draw_strategies(const options *o, const trial_scene *s, bool 
     return whole;
 }
 
-/* Each triangle in a colour of its own; only the middle of the picture. */
+/* Each triangle in a grey or blue of its own, orange where the hit is not that of kdtree_hit; only
+ * the middle of the picture. */
 static inline vec3 final_colour(const void *picture, real x, real y)
 {
-    static const vec3 tint[6] = {{0.9, 0.6, 0}, {0.34, 0.71, 0.91}, {0, 0.62, 0.45},
-                                 {0.84, 0.37, 0}, {0.8, 0.47, 0.65}, {0, 0.45, 0.7}};
+    static const vec3 tint[6] = {{0.8, 0.8, 0.8}, {0.34, 0.71, 0.91}, {0.55, 0.6, 0.65},
+                                 {0.1, 0.45, 0.7}, {0.93, 0.93, 0.93}, {0.45, 0.6, 0.85}};
     const trial_picture *p = picture;
-    hit h;
+    hit h = hit_none, due = hit_none;
     real w = (real)p->width / 5;
     ray r = trial_eye_ray(p, w + x * (real)0.6, w + y * (real)0.6);
-    if (!p->verbs->hit(p->built, r, &h)) return vec(1, 1, 1);
+    p->verbs->hit(p->built, r, &h), kdtree_hit(p->built, r, &due);
+    if (h.shape != due.shape) return vec(0.95, 0.3, 0);
+    if (h.shape == no_shape) return vec(1, 1, 1);
     vec3 grey = headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
     return vscale(tint[h.shape % 6], (real)0.35 + (real)0.65 * grey.x);
 }
@@ -100,7 +103,7 @@ static inline void draw_final(const options *o)
         trial_unbuild(&r);
     }
     if (!o->quick) {
-        label_tag(&all, 8, 8, 11, "the first hit is final");
+        label_tag(&all, 8, 8, 11, "the first hit is final: orange is wrong");
         label_tag(&all, side + gap + 8, 8, 11, "kept until the next cell begins behind it");
     }
     output_picture(o, &all, "12_kdtree_final.png", false, whole);

@@ -16,7 +16,7 @@
 #include "../../../common/lab/table.h"
 #include "../../../common/random.h"
 #include "../bvh_mesh.h"
-#include "cost.h"
+#include "../cost.h"
 
 enum { greed_items = 10 };
 

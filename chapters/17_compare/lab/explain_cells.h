@@ -155,7 +155,8 @@ EXPLAIN_PLACE(bsp, "leaf")
 /* A structure of one's own may have one here, and need not. */
 static const struct { const char *type; explainer *explain; } explainers[] = {
     {"grid", explain_grid}, {"nested", explain_nested}, {"octree", explain_octree},
-    {"kdtree", explain_kdtree}, {"bsp", explain_bsp}, {"bvh", explain_bvh}};
+    {"kdtree", explain_kdtree}, {"bsp", explain_bsp}, {"bvh", explain_bvh},
+    {"bvh8", explain_bvh8}};
 
 static inline void print_hit(FILE *out, const char *who, hit h)
 {

@@ -94,7 +94,7 @@ static inline void growth_fit(const growth_curve *c, const char *name)
     else printf("; building ~ n^%.2f\n", bench_slope(c->x, build, c->n));
 }
 
-/* Brute force is off the scale of work and of building; the first versions don't count steps. */
+/* Brute force is off every scale, as slope 1 says; the first versions don't count steps. */
 static inline void growth_plots(const options *o, const growth_curve *c, const line_up *all,
                                 html_report *to)
 {
@@ -106,8 +106,8 @@ static inline void growth_plots(const options *o, const growth_curve *c, const l
     for (int p = 0; p < 3; p++) {
         for (int k = 0; k < all->n; k++) {
             const contender *x = all->of[k].c;
-            if (each[p]->series == plot_most_series || contender_is_first(x)) continue;
-            if (p > 0 && x == &brute_contender) continue;
+            if (each[p]->series == plot_most_series || contender_is_first(x)
+                || x == &brute_contender) continue;
             int series = plot_series(each[p], all->of[k].label);
             for (int i = 0; i < c[k].n; i++) {
                 double n = exp2(c[k].x[i]);

@@ -40,7 +40,11 @@ static const knob knobs[] = {
     {"bsp", "candidates", KNOB_AT(bsp, candidates), KNOB_INT, 1, 1e3},
     {"bvh", "rule", KNOB_AT(bvh, rule), KNOB_NAME, 0, 0},  /* a name of bvh_rules */
     {"bvh", "leaf", KNOB_AT(bvh, leaf), KNOB_INT, 1, 255},
-    {"bvh", "cost", KNOB_AT(bvh, item_cost), KNOB_DOUBLE, 1e-3, 1e3}};
+    {"bvh", "cost", KNOB_AT(bvh, item_cost), KNOB_DOUBLE, 1e-3, 1e3},
+    {"bvh8", "leaf", KNOB_AT(bvh8, cut), KNOB_INT, 1, 8},
+    {"bvh8", "cost", KNOB_AT(bvh8, leaf_cost), KNOB_FLOAT, 1e-3, 1e3},
+    {"bvh8", "shape", KNOB_AT(bvh8, shape_cost), KNOB_FLOAT, 1e-3, 1e3},
+    {"bvh8", "width", KNOB_AT(bvh8, width), KNOB_INT, 2, 8}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -65,15 +69,20 @@ static inline const char *knob_names(const contender *c)
     return all[0] ? all : " none";
 }
 
+static inline bool knob_any(const knob *k)  /* number, not whole ones only */
+{
+    return k->kind == KNOB_DOUBLE || k->kind == KNOB_FLOAT;
+}
+
 /* A number at `text`; past it. */
 static inline const char *knob_value(const knob *k, const char *text, double *x)
 {
     char *after;
     *x = strtod(text, &after);
-    bool whole = k->kind == KNOB_DOUBLE || *x == floor(*x);
+    bool whole = knob_any(k) || *x == floor(*x);
     if (after == text || !(*x >= k->lowest && *x <= k->highest) || !whole)
         die(2, "%s=%.20s: allowed are %s from %g to %g", k->name, text,
-            k->kind == KNOB_DOUBLE ? "numbers" : "whole numbers", k->lowest, k->highest);
+            knob_any(k) ? "numbers" : "whole numbers", k->lowest, k->highest);
     return after;
 }
 
@@ -148,9 +157,9 @@ static inline line_up chosen_of(const char *only)
 /* The next value: one more, while that are few; else twice as much. */
 static inline double sweep_next(const knob *k, double x, double from, double to)
 {
-    if (k->kind != KNOB_DOUBLE && to - from <= 16) return x + 1;
-    if (k->kind == KNOB_DOUBLE && from <= 0) return x + (to - from) / 8;
-    return x < 1 && k->kind != KNOB_DOUBLE ? x + 1 : 2 * x;
+    if (!knob_any(k) && to - from <= 16) return x + 1;
+    if (knob_any(k) && from <= 0) return x + (to - from) / 8;
+    return x < 1 && !knob_any(k) ? x + 1 : 2 * x;
 }
 
 static inline line_up swept_of(const char *text)

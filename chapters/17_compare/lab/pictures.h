@@ -114,6 +114,10 @@ static inline image visits_draw(const options *o, const world *w, const line_up 
         p = (sheet_panel){w, s.entry[k].c, s.entry[k].s, 0, 0, s.entry[k].choice->label};
         *whole = sheet_place(p, sheet_visits, 1, k + 1, visits_columns, rows, o->threads, &im);
     }
+    int left = (s.entries + 1) % visits_columns, x = left * across + 16;
+    if (left && across >= 120)  /* a place is free: what the colours say */
+        label_bar(&im, x, (rows - 1) * across + across / 2, across - 32, 9, work_colour, 0,
+                  visits_most, "steps and tests");
     compare_end(&s);
     return im;
 }

@@ -13,6 +13,7 @@
 #include "drawing.h"
 #include "growth.h"
 #include "pictures.h"
+#include "regimes.h"
 #include "settings.h"
 #include "summary.h"
 #include "sweep.h"
@@ -147,6 +148,7 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     html_heading(r->html, "Growth");
     end_if_wrong(growth_run(o, &c->chosen, c->most_bytes, c->large, r->html));
     output_chart(o, &r->bars, "17_compare_time.svg");
+    end_if_wrong(regimes_run(o, &c->chosen, c->most_bytes, r->html));
     struct rusage u;
     if (!o->quick && getrusage(RUSAGE_SELF, &u) == 0)
         printf("# most memory held by the program: %.0f MB\n", (double)u.ru_maxrss / 1024);
@@ -181,6 +183,11 @@ static inline void compare_run(const compare_settings *c, const compare_options 
                          .summary = {.chosen = &c->chosen},
                          .bars = chart_new("What a ray costs, and what building costs")};
     r.html = html_begin(own->report, "17 compare: acceleration structures, side by side");
+    if (own->regimes) {
+        end_if_wrong(regimes_run(o, &c->chosen, c->most_bytes, r.html));
+        table_free(&r.csv), html_end(r.html);
+        return;
+    }
     if (all && measured) draw_pictures(c, &r);
     if (all && measured && o->full && !o->out) compare_few(c);
     for (int k = 0; k < scenes + most_meshes && !(all && o->out); k++) {

@@ -19,7 +19,7 @@ typedef struct {
     int scale, megabytes;
     double angle;
     const char *torture, *score;
-    bool verify, large;
+    bool verify, large, regimes;
     compare_files files;
 } compare_options;
 
@@ -114,6 +114,8 @@ static inline void check_options(const options *o, const compare_options *own)
         {own->score && !own->torture, "--score needs --torture FOLDER"},
         {own->torture && (own->scene || own->mesh[0] || !measured || own->sweep || own->report
                           || o->out), "--torture has meshes and rays of its own"},
+        {own->regimes && (own->scene || own->mesh[0] || !measured || own->sweep || own->torture
+                          || o->out || o->csv), "--regimes has scenes of its own"},
         {own->region && !own->verify, "--region needs --verify"},
         {o->csv && (own->verify || own->protocol || own->sweep),
          "--csv goes with tables: not with --verify, not with --protocol, not with --sweep"},

@@ -319,7 +319,8 @@ static inline torture_fault torture_judge(const torture *t, size_t i, hit h, dou
     if (due.shape == no_shape) return TORTURE_INVENTED;
     if (h.shape >= t->m.triangles) return TORTURE_ASTRAY;
     torture_t met = torture_meet(&t->m, h.shape, t->r[i], &share);
-    if (met.den == 0 || torture_less(due.t, met)) return TORTURE_ASTRAY;
+    if (met.den == 0 || torture_less(due.t, met) || torture_less(met, due.t))
+        return TORTURE_ASTRAY;  /* nearer than the nearest would be a fault of this judge */
     double exact = (double)due.t.num / (double)due.t.den;
     *error = fabs((double)h.t - exact) / (0x1p-24 * fmax(fabs(exact), torture_reach(t->r[i])));
     return TORTURE_RIGHT;

@@ -20,7 +20,7 @@
 #ifndef BVH_COST_H
 #define BVH_COST_H
 
-#include "../search.h"
+#include "search.h"
 
 typedef struct { double nodes, tests, overlap; } tree_cost;
 
