@@ -64,7 +64,7 @@
 typedef enum { CONTENDER_USUAL, CONTENDER_FIRST, CONTENDER_NAMED } contender_role;
 
 /* A member of X_options: how far from its beginning, of which type, and its value. */
-typedef enum { KNOB_INT, KNOB_DOUBLE, KNOB_FLOAT, KNOB_FLAG, KNOB_NAME } knob_type;
+typedef enum { KNOB_INT, KNOB_DOUBLE, KNOB_FLAG, KNOB_NAME } knob_type;
 typedef struct { size_t offset; knob_type type; double value; const char *name; } contender_setting;
 typedef struct { contender_setting set[8]; int n; } contender_settings;
 
@@ -129,7 +129,6 @@ static inline void contender_set(void *members, const contender_settings *how)
         void *at = (char *)members + s->offset;
         if (s->type == KNOB_INT) *(int *)at = (int)s->value;
         if (s->type == KNOB_DOUBLE) *(double *)at = s->value;
-        if (s->type == KNOB_FLOAT) *(float *)at = (float)s->value;
         if (s->type == KNOB_FLAG) *(bool *)at = s->value != 0;
         if (s->type == KNOB_NAME) *(const char **)at = s->name;
     }

@@ -142,8 +142,8 @@ static inline bool trace_meets_box(const bvh8_node *n, int k, const bvh8_ray *q,
 {
     float enter = q->tmin, leave_at = limit;
     for (int axis = 0; axis < 3; axis++) {
-        float near = n->side[q->near[axis]][k] * q->inverse[axis] + q->near_o[axis];
-        float far = n->side[q->far[axis]][k] * q->inverse[axis] + q->far_o[axis];
+        float near = bvh8_row(n->side, q->near[axis])[k] * q->inverse[axis] + q->near_o[axis];
+        float far = bvh8_row(n->side, q->far[axis])[k] * q->inverse[axis] + q->far_o[axis];
         enter = near > enter ? near : enter, leave_at = far < leave_at ? far : leave_at;
     }
     return enter <= leave_at;
@@ -155,7 +155,7 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     int top = 0;
     bvh8_ray q;
     if (w->nodes == 0 || !ray_is_usable(a->q.r)) return;
-    bvh8_ray_of(w, a->q.r, false, &q);
+    bvh8_ray_of(w, &a->q.r, false, &q);
     for (stack[top++] = 0; top > 0 && !a->end; ) {
         uint32_t at = stack[--top], leaf = at & ~bvh8_leaf;
         float limit = bvh8_limit(&q, a->q.r.tmax);

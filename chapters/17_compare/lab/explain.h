@@ -15,11 +15,12 @@
  *                                      holds the point, and whether the shape is listed there
  *
  * All write a few lines to `out`. explain_bvh walks from the root to the leaf that has the shape,
- * and names the first node that keeps the ray out; explain_bvh8 likewise, in the tree's own frame.
+ * and names the first node that keeps the ray out; explain_bvh8 asks 15 for the same.
  */
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
 
+#include "../../15_wide_bvh/explain8.h"
 #include "../proof.h"
 #include <stdio.h>
 
@@ -190,61 +191,9 @@ static inline void explain_bvh(const void *s, const wrong_answer *w, FILE *out)
 
 /* Eight wide. ---------------------------------------------------------------------------------- */
 
-/* A node and its child on the way. */
-typedef struct { uint32_t node; int child; } wide_step;
-enum { wide_most_depth = 2 * bvh_most_depth };
-
-/* By how much p sticks out of child k's box, both in the tree's frame; negative inside. */
-static inline real wide_outside(const bvh8_node *n, int k, vec3 p)
-{
-    bvh_box b;
-    for (int s = 0; s < 6; s++) b.side[s] = n->side[s][k];
-    return bvh_outside(&b, p);
-}
-
-/* path[0..] to the block that lists the shape; how many steps, 0: none does. */
-static inline int wide_path(const bvh8 *w, uint32_t at, uint32_t wanted, int depth, wide_step *path)
-{
-    const bvh8_node *n = &w->node[at];
-    for (int k = 0; k < 8 && depth < wide_most_depth; k++) {
-        if (n->side[0][k] > n->side[3][k]) continue;  /* an empty place */
-        path[depth] = (wide_step){at, k};
-        uint32_t child = n->child[k], block = child & ~bvh8_leaf;
-        if (child & bvh8_leaf) {
-            const uint32_t *index = w->block ? w->block[block].index : w->list[block].index;
-            for (int i = 0; i < 8; i++) if (index[i] == wanted) return depth + 1;
-        } else {
-            int found = wide_path(w, child, wanted, depth + 1, path);
-            if (found) return found;
-        }
-    }
-    return 0;
-}
-
 static inline void explain_bvh8(const void *s, const wrong_answer *x, FILE *out)
 {
-    const bvh8 *w = s;
-    wide_step path[wide_most_depth];
-    int steps = w->held ? wide_path(w, 0, x->due.shape, 0, path) : 0;
-    if (steps == 0) {
-        fprintf(out, "  shape %u is in no block of the tree\n", x->due.shape);
-        return;
-    }
-    fprintf(out, "  shape %u is in block %u; nodes on the way, and their children:", x->due.shape,
-            w->node[path[steps - 1].node].child[path[steps - 1].child] & ~bvh8_leaf);
-    for (int i = 0; i < steps; i++) fprintf(out, " %u.%d", path[i].node, path[i].child);
-    fprintf(out, "\n");
-    vec3 p = bvh8_into(w, ray_at(x->r, x->due.t)), o = bvh8_into(w, x->r.o);
-    real most = 1 + vlength(o), delta = most * ((real)0x1p-20 + 512 * real_epsilon);
-    for (int i = 0; i < steps; i++) {
-        real off = wide_outside(&w->node[path[i].node], path[i].child, p);
-        if (off <= delta) continue;
-        fprintf(out, "  child %d of node %u does not hold the point of the hit, which is %g "
-                     "outside (in the tree's frame)\n", path[i].child, path[i].node, (double)off);
-        return;
-    }
-    fprintf(out, "  all these boxes hold the point: the test of eight boxes, the order, the limit "
-                 "or the stack drops one, or the block's test is wrong\n");
+    bvh8_explain(s, x->r, x->due, out);
 }
 
 #endif

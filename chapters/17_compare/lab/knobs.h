@@ -41,9 +41,10 @@ static const knob knobs[] = {
     {"bvh", "rule", KNOB_AT(bvh, rule), KNOB_NAME, 0, 0},  /* a name of bvh_rules */
     {"bvh", "leaf", KNOB_AT(bvh, leaf), KNOB_INT, 1, 255},
     {"bvh", "cost", KNOB_AT(bvh, item_cost), KNOB_DOUBLE, 1e-3, 1e3},
-    {"bvh8", "leaf", KNOB_AT(bvh8, cut), KNOB_INT, 1, 8},
-    {"bvh8", "cost", KNOB_AT(bvh8, leaf_cost), KNOB_FLOAT, 1e-3, 1e3},
-    {"bvh8", "shape", KNOB_AT(bvh8, shape_cost), KNOB_FLOAT, 1e-3, 1e3},
+    {"bvh8", "leaf", KNOB_AT(bvh8, leaf), KNOB_INT, 1, 8},
+    {"bvh8", "cost", KNOB_AT(bvh8, leaf_cost), KNOB_DOUBLE, 1e-3, 1e3},
+    {"bvh8", "shape", KNOB_AT(bvh8, shape_cost), KNOB_DOUBLE, 1e-3, 1e3},
+    {"bvh8", "bins", KNOB_AT(bvh8, bins), KNOB_INT, 4, 32},
     {"bvh8", "width", KNOB_AT(bvh8, width), KNOB_INT, 2, 8}};
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -71,7 +72,7 @@ static inline const char *knob_names(const contender *c)
 
 static inline bool knob_any(const knob *k)  /* number, not whole ones only */
 {
-    return k->kind == KNOB_DOUBLE || k->kind == KNOB_FLOAT;
+    return k->kind == KNOB_DOUBLE;
 }
 
 /* A number at `text`; past it. */
