@@ -46,7 +46,7 @@ static inline void chance_run(figure *g, int run)
 static inline void chance_die(figure *g)
 {
     double band[4 * (chance_steps + 1)];
-    char text[8];
+    char text[16];
     for (int k = 0; k <= chance_steps; k++) {
         double x = (double)k / chance_steps, e = sqrt(35.0 / 12 / chance_n(k)) / 5;
         double *high = band + 2 * k, *low = band + 2 * (2 * chance_steps + 1 - k);
