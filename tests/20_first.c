@@ -1,6 +1,8 @@
 /* 20's first.h: the answers of estimate.h, of closed forms and of sampling.h; and a variance that
  * is noise. Fixed seeds; each random test alarms falsely once in 1e8 seeds. */
 #include "../common/lab/chi_square.h"
+#include "../chapters/20_monte_carlo/lab/chance_figure.h"
+#include "../chapters/20_monte_carlo/lab/dome_picture.h"
 #include "../chapters/20_monte_carlo/first.h"
 #include "../chapters/20_monte_carlo/sampling.h"
 #include "../chapters/20_monte_carlo/t_test.h"
@@ -51,6 +53,7 @@ static void test_far_mean(void)
     enum { size = 1000, most = 1000 };
     const real mean = 1000 * sqrt((real)FLT_EPSILON / real_epsilon);
     int sets = (int)check_count(most), negative = 0, bad = 0;
+    if (sets < 100) sets = 100;  /* shares of fewer say nothing */
     double full = 0, near = 0;
     for (int set = 0; set < sets; set++) {
         sums s = sums_of(mean, (uint64_t)set, size);
@@ -138,7 +141,51 @@ static void test_pi_by_rule(void)
     }
 }
 
+/* P, as the drawing has it, gives u back (20.7), and its slope is the density. */
+static void test_inversion(void)
+{
+    size_t n = check_count(10000);
+    double back = 0, slope = 0;
+    for (size_t k = 0; k < n; k++) {
+        double u = ((double)k + 0.5) / (double)n, x = (double)first_pi_inversion((real)u), h = 1e-4;
+        back = check_worse(back, fabs(chance_below(x) - u));
+        double p = (chance_below(x + h) - chance_below(x - h)) / (2 * h);
+        slope = check_worse(slope, fabs((double)first_pi_density((real)x) - p));
+    }
+    check_at_most(back, 8 * eps, "P(first_pi_inversion(u)) is u");
+    check_at_most(slope, 4 * eps + 1e-11, "first_pi_density is the slope of P");
+}
+
 /* ---- directions ---- */
+
+/* Places of the ball and the floor: what the directions of the picture say of the sky that a place
+ * sees, and what is known. In the open the cosine has no variance, uniform directions 1/3. */
+static void test_dome(void)
+{
+    static const int at[5][2] = {{200, 100}, {150, 160}, {200, 225}, {60, 200}, {250, 270}};
+    size_t n = check_count(20000);
+    for (int k = 0; k < 5; k++)
+        for (int panel = 0; panel < 2; panel++) {
+            dome_place place = dome_seen(at[k][0], at[k][1]);
+            estimate e = {0};
+            for (size_t i = 0; i < n; i++) {
+                point2 q = {random_real(9, i, (uint64_t)k, 0), random_real(9, i, (uint64_t)k, 1)};
+                e = estimate_add(e, dome_sample(panel, place, q));
+            }
+            check(!place.sky && place.ball == (k < 3), "where place %d lies", k);
+            check_at_least(t_test(e, dome_truth(place), 64 * eps), alarm, "sky, place %d by %d", k,
+                           panel);
+        }
+    dome_place open = {{1000, 0, 0}, {0, 0, 1}, false, false};
+    estimate square = {0};
+    for (size_t i = 0; i < n; i++) {
+        point2 q = {random_real(9, i, 7, 0), random_real(9, i, 7, 1)};
+        double d = dome_sample(0, open, q) - 1;
+        square = estimate_add(square, d * d);
+        if (i < 100) check_equal(dome_sample(1, open, q), 1, "the cosine in the open");
+    }
+    check_at_least(t_test(square, 1.0 / 3, 1e-6), alarm, "variance of 2 cos theta");
+}
 
 static vec3 s_uniform(real u, real v, const void *c)
 {
@@ -185,6 +232,8 @@ int main(void)
     test_few();
     test_pi_by_chance();
     test_pi_by_rule();
+    test_inversion();
     test_directions();
+    test_dome();
     return check_report("20_first");
 }

@@ -1,9 +1,9 @@
 /* estimate.h: from samples (样本) of a random variable (随机变量) to its expectation (期望), and how
  * far to trust the result.
  *
- *   E[X] ~ mean = (x_1 + ... + x_n) / n             (20.1)  an estimator (估计量)
- *   V[X] ~ s^2  = sum (x_i - mean)^2 / (n - 1)      (20.2)  variance (方差)
- *   error of the mean ~ s / sqrt n                  (20.3)  standard error (标准误差)
+ *   E[X] ~ mean = (x_1 + ... + x_n) / n             (20.3)  an estimator (估计量)
+ *   V[X] ~ s^2  = sum (x_i - mean)^2 / (n - 1)      (20.5)  variance (方差)
+ *   error of the mean ~ s / sqrt n                  (20.6)  standard error (标准误差)
  *
  *   estimate e = {0};
  *   for each sample: e = estimate_add(e, x);      mean and variance after every sample, in one pass
@@ -32,7 +32,7 @@ typedef struct { size_t n; double mean, squares; } estimate;  /* squares: sum of
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* mean' = mean + d/n, squares' = squares + d (x - mean'), d = x - mean                     (20.4)
+/* mean' = mean + d/n, squares' = squares + d (x - mean'), d = x - mean                    (20.11)
  * d and x - mean' never have opposite signs: mean + d/n rounds to something between mean and x,
  * both of which are numbers that double has. So squares never falls. */
 static inline estimate estimate_add(estimate e, double x)

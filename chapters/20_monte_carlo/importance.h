@@ -1,8 +1,8 @@
 /* importance.h: importance sampling (重要性采样), well done and fatal, on an integral known exactly.
  *
- *   irradiance under a white sky:      integral over the hemisphere of cos theta = pi      (20.14)
+ *   irradiance under a white sky:      integral over the hemisphere of cos theta = pi       (20.9)
  *   directions from the lobe cos^n:    p = (n + 1) / (2 pi) cos^n                     (sampling.h)
- *   weight of a sample (权重):         f / p = 2 pi / (n + 1) cos^(1-n)                      (20.15)
+ *   weight of a sample (权重):         f / p = 2 pi / (n + 1) cos^(1-n)                      (20.10)
  *   its variance:                      pi^2 (n - 1)^2 / ((n + 1)(3 - n))  if n < 3         (20.16)
  *                                      infinite                           if n >= 3
  *

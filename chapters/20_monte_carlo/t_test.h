@@ -1,6 +1,6 @@
 /* t_test.h: is the true value the one that an estimate says it is?                t-test (t 检验)
  *
- *   t = (mean - truth) / standard error                                                     (20.9)
+ *   t = (mean - truth) / standard error                                                    (20.19)
  *
  * If the mean of n samples is normally distributed (after enough samples it nearly is, if their
  * variance is finite) and its expectation is `truth`, then t has Student's distribution with n - 1

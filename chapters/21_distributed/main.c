@@ -5,6 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chap
  * time. With --full also the two failures and their mends, a row of panels an effect; closed forms;
  * rays spent. */
 #include "../../common/output.h"
+#include "lab/extent_figure.h"
 #include "lab/measure.h"
 
 int main(int argc, char **argv)
@@ -36,7 +37,7 @@ int main(int argc, char **argv)
     }
     draw_showroom(&o, chosen, all);
     if (o.out) return output_done(&o);
-    draw_whitted(&o);
+    draw_whitted(&o), draw_extent(&o);
     if (o.full) draw_teapot(&o), draw_box(&o), draw_effects(&o);
     table_of_pictures(&o);
     if (o.full) table_of_known(&o), table_of_first(&o), table_of_rays(&o);

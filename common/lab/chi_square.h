@@ -1,6 +1,6 @@
 /* chi_square.h: do these counts come from those expectations?            chi-square test (卡方检验)
  *
- *   X = sum over the bins of (observed - expected)^2 / expected                              (20.8)
+ *   X = sum over the bins of (observed - expected)^2 / expected                             (20.18)
  *
  * If they do, X is nearly chi-square distributed with bins - 1 degrees of freedom (自由度), and p, the
  * probability of so large an X or a larger one, is uniform in [0,1]. So a test that fails where

@@ -1,9 +1,9 @@
 /* incomplete.h: the two functions behind all tests of statistics.
  *
- *   gamma_below(a, x)         integral of t^(a-1) e^-t from 0 to x, over the whole         (20.5)
+ *   gamma_below(a, x)         integral of t^(a-1) e^-t from 0 to x, over the whole        (20.14)
  *   gamma_above(a, x)         the same from x to infinity
- *   beta_below(a, b, x, 1-x)  integral of t^(a-1) (1-t)^(b-1) from 0 to x, over the whole  (20.6)
- *   log_gamma(a)              log Gamma(a), Gamma(a) being the whole of (20.5)
+ *   beta_below(a, b, x, 1-x)  integral of t^(a-1) (1-t)^(b-1) from 0 to x, over the whole  (20.15)
+ *   log_gamma(a)              log Gamma(a), Gamma(a) being the whole of (20.14)
  *
  * All for a, b > 0. They rise from 0 to 1 (gamma_above falls). x < 0 counts as 0, and a NaN gives
  * NaN. beta_below takes x and 1-x, since near 1 the second has the digits that the first has lost:

@@ -8,11 +8,11 @@
  *   first_errors(...)              the notes' way, first.h: one stream, sums of reals
  *
  *   Exact standard deviations of the mean of N samples:
- *   deviation_random(f, N)       sqrt(V[f] / N)                                             (20.3)
+ *   deviation_random(f, N)       sqrt(V[f] / N)                                             (20.6)
  *   deviation_jittered(f, k)     N = k x k cells, one sample each:
- *                                sqrt(sum over the cells of V[f in the cell]) / N          (20.10)
+ *                                sqrt(sum over the cells of V[f in the cell]) / N           (20.8)
  *   deviation_sobol(m)           smooth, N = 2^m, Owen's scrambling:
- *                                sqrt(sum of gain times variance of a level / N)           (20.11)
+ *                                sqrt(sum of gain times variance of a level / N)           (20.20)
  *
  * Where jittering wins: a smooth f varies by about 1/k in a cell, variance 1/k^2 = 1/N a sample,
  * N^-2 in the mean: the error falls as 1/N. At an edge only some k of the k^2 cells are cut; they

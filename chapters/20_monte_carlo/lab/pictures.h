@@ -48,8 +48,8 @@ typedef struct {
 static inline void panel_dot(const monte_carlo_panels *p, monte_carlo_place at, real x, real y)
 {
     real cx = x * (real)at.side, cy = (1 - y) * (real)at.side, r = (real)at.side / 80;
-    vec3 ink = {0.0, 0.09, 0.3};
-    if (r < (real)0.7) r = 0.7;
+    vec3 ink = vec(0, 0.09, 0.3);
+    if (r < (real)0.7) r = (real)0.7;
     for (int j = (int)(cy - r - 1); j <= (int)(cy + r + 1); j++)
         for (int i = (int)(cx - r - 1); i <= (int)(cx + r + 1); i++) {
             if (i < 0 || j < 0 || i >= at.side || j >= at.side) continue;
@@ -205,22 +205,36 @@ static inline void wrong_panel(size_t index, void *context)
             double area = heat_area(column, ci, cj);
             double expected = area / whole * (double)p->samples / (heat_cells * heat_cells);
             double found = count[cj * heat_cells + ci];
-            vec3 c = {1, 1, 1};
+            vec3 c = {(real)0.85, (real)0.85, (real)0.85};
             if (area >= 0.25) c = heat_colour(found / expected);
             if (area == 0 && found > 0) c = heat_colour(4);
             image_set(p->im, at.x + i, at.y + j, c);
         }
 }
 
+/* The colours from a quarter, 0, to four times as many, 1. */
+static inline vec3 heat_of(real t) { return heat_colour(exp2(4 * (double)t - 2)); }
+
 static inline void draw_wrong(const options *o)
 {
+    enum { side = 170, strip = 60 };  /* of a panel; below them for the colours' bar */
+    static const char *const title[2 * wrong_columns] = {
+        "disk: r = u", "triangle: v (1 - u)", "three over sum", "fold of one", "cube, normalised",
+        "theta = pi/2 u", "sample_disk", "sample_triangle", "by a root", "sample_triangle",
+        "sample_sphere", "sample_hemisphere"};
     if (o->out) return;
-    image im = image_new(wrong_columns * 150 - panel_gap, 2 * 150 - panel_gap);
+    image im = image_new(wrong_columns * side - panel_gap, 2 * side - panel_gap);
     panel_paint(&im, vec(0.8f, 0.8f, 0.8f));
     monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
     bool whole = parallel_for(2 * wrong_columns, o->threads, "densities", wrong_panel, &p);
-    output_picture(o, &im, "20_monte_carlo_wrong.png", false, whole);
-    image_free(&im);
+    image panels = label_panels(&im, wrong_columns, 2, panel_gap, title);
+    image sheet = image_new(panels.width, panels.height + strip);
+    panel_paint(&sheet, vec(1, 1, 1));
+    image_place(&sheet, 0, 0, &panels);
+    label_bar(&sheet, panels.width / 2 - 200, panels.height + 12, 400, 10, heat_of, 0.25, 4,
+              "found / expected: white 1, a doubling each quarter");
+    output_picture(o, &sheet, "20_monte_carlo_wrong.png", false, whole);
+    image_free(&sheet), image_free(&panels), image_free(&im);
 }
 
 #endif

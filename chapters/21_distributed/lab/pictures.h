@@ -9,6 +9,7 @@
 #ifndef DISTRIBUTED_LAB_PICTURES_H
 #define DISTRIBUTED_LAB_PICTURES_H
 
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "box.h"
@@ -35,6 +36,15 @@ static inline bool pictures_panel(image *sheet, int i, int j, image *one, distri
     bool whole = distributed_draw(v, one, threads);
     image_place(sheet, i * (one->width + pictures_gap), j * (one->height + pictures_gap), one);
     return whole;
+}
+
+/* A title above each panel. */
+static inline void pictures_output(const options *o, image *sheet, int across, int down,
+                                   const char *const *title, const char *name, bool whole)
+{
+    image labelled = label_panels(sheet, across, down, pictures_gap, title);
+    output_picture(o, &labelled, name, false, whole);
+    image_free(&labelled), image_free(sheet);
 }
 
 static inline void pictures_print(const distributed_view *v, double seconds)
@@ -105,7 +115,9 @@ static inline bool draw_highlight(const showroom_look *k, camera c, image *im, i
 static inline void draw_teapot(const options *o)
 {
     static const int shine[4] = {0, 0, 600, 40};
-    enum { w = 232, h = w * 9 / 16 };
+    static const char *const title[4] = {"a perfect mirror", "a highlight of lamps only",
+                                         "a lobe, s = 600", "a lobe, s = 40"};
+    enum { w = 328, h = w * 9 / 16 };
     showroom *g = showroom_new(pictures_cells(o));
     image sheet = pictures_sheet(2, 2, w, h), one = image_new(w, h);
     bool whole = true;
@@ -120,19 +132,21 @@ static inline void draw_teapot(const options *o)
             image_place(&sheet, w + pictures_gap, 0, &one);
         } else whole = pictures_panel(&sheet, i % 2, i / 2, &one, &v, o->threads);
     }
-    output_picture(o, &sheet, "21_distributed_teapot.png", false, whole);
-    image_free(&sheet), image_free(&one), showroom_free(g);
+    pictures_output(o, &sheet, 2, 2, title, "21_distributed_teapot.png", whole);
+    image_free(&one), showroom_free(g);
 }
 
 /* Exposed twice as long as the showroom. */
 static inline void draw_box(const options *o)
 {
     static const real reach[4] = {0, 0, 0, 250};
+    static const char *const title[4] = {"1: point light", "2: area light", "3: ambient term",
+                                         "4: ambient occlusion"};
     enum { w = 180 };
     image sheet = pictures_sheet(4, 1, w, w), one = image_new(w, w);
     bool whole = true;
     for (int i = 0; i < 4 && whole; i++) {
-        vec3 ambient = {0.26, 0.2, 0.11};
+        vec3 ambient = vec(0.26, 0.2, 0.11);
         distributed_box *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
         distributed_view v = box_view(b, 1);
         v.samples = 8, v.seed = o->seed, b->how.split = 4;
@@ -143,8 +157,8 @@ static inline void draw_box(const options *o)
         for (int x = 0; x < sheet.width; x++)
             if (x % (w + pictures_gap) < w)
                 image_set(&sheet, x, y, vscale(image_get(&sheet, x, y), 2));
-    output_picture(o, &sheet, "21_distributed_cornell.png", false, whole);
-    image_free(&sheet), image_free(&one);
+    pictures_output(o, &sheet, 4, 1, title, "21_distributed_cornell.png", whole);
+    image_free(&one);
 }
 
 /* ---- the mends, one by one ---- */
@@ -173,7 +187,12 @@ static inline distributed_view showroom_effect_view(showroom_look *k, const show
 static inline void draw_effects(const options *o)
 {
     static const uint32_t samples[4] = {4, 16, 1, 32};
-    enum { w = 140, h = w * 3 / 4 };
+    static const char *const title[16] = {
+        "Whitted: hard", "16, all alike", "1 sample", "soft: 32 samples",
+        "Whitted: mirror", "16, all alike", "1 sample", "gloss: 32 samples",
+        "Whitted: no corners", "16, all alike", "1 sample", "occlusion: 32",
+        "Whitted: pinhole", "16, all alike", "1 sample", "lens: 32 samples"};
+    enum { w = 180, h = w * 3 / 4 };
     showroom *g = showroom_new(pictures_cells(o));
     image sheet = pictures_sheet(4, 4, w, h), one = image_new(w, h);
     bool whole = true;
@@ -183,8 +202,8 @@ static inline void draw_effects(const options *o)
         v.samples = samples[i % 4], v.same = i % 4 == 1, v.seed = o->seed;
         whole = pictures_panel(&sheet, i % 4, i / 4, &one, &v, o->threads);
     }
-    output_picture(o, &sheet, "21_distributed_effects.png", false, whole);
-    image_free(&sheet), image_free(&one), showroom_free(g);
+    pictures_output(o, &sheet, 4, 4, title, "21_distributed_effects.png", whole);
+    image_free(&one), showroom_free(g);
 }
 
 #endif

@@ -1,0 +1,115 @@
+/* dome_picture.h: a ball on a floor under a white sky, by 16 directions a pixel, three times.
+ *
+ *   draw_dome(&o);     20_monte_carlo_sky.png: uniform directions, directions by the cosine, and
+ *                      the same from Sobol's points; above each its error
+ *
+ * A place receives (1/pi) integral of cos theta over the sky that it sees. The truth is known: the
+ * floor loses R^2 cos / d^2 to a ball at distance d, here 1 / d^3, and a place of the ball whose
+ * normal is n sees (1 + n.z) / 2.
+ */
+#ifndef MONTE_CARLO_DOME_PICTURE_H
+#define MONTE_CARLO_DOME_PICTURE_H
+
+#include "../../03_sphere/first.h"
+#include "../../../common/lab/label.h"
+#include "../../../common/output.h"
+#include "../../../common/parallel.h"
+#include "../sampler.h"
+#include "../first.h"
+
+enum { dome_wide = 400, dome_high = 300, dome_gap = 6, dome_panels = 3, dome_samples = 16 };
+typedef struct {
+    image *im;
+    uint64_t seed;
+    double off[dome_panels * dome_wide * dome_high];  /* from the truth; NaN: the sky itself */
+} dome_job;
+typedef struct { vec3 p, n; bool ball, sky; } dome_place;
+static const sphere dome_ball = {{0, 0, 1}, 1};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* What pixel (x, y) of a panel sees, from (0, -6, 2.4), looking down a little. */
+static inline dome_place dome_seen(int x, int y)
+{
+    vec3 right = {1, 0, 0}, ahead = vunit((vec3){0, 6, -1.5}), up = vcross(right, ahead);
+    real a = ((real)x + (real)0.5 - dome_wide / 2) / dome_high;
+    real b = (dome_high / 2 - (real)y - (real)0.5) / dome_high;
+    vec3 aside = vadd(vscale(right, a * (real)0.55), vscale(up, b * (real)0.55));
+    ray r = ray_from(vec(0, -6, 2.4), vadd(ahead, aside));
+    hit h;
+    if (first_sphere_hit(dome_ball, r, &h)) {
+        vec3 p = ray_at(r, h.t);
+        return (dome_place){p, first_sphere_normal(dome_ball, p), true, false};
+    }
+    if (r.d.z >= 0) return (dome_place){{0, 0, 0}, {0, 0, 0}, false, true};
+    return (dome_place){ray_at(r, -r.o.z / r.d.z), {0, 0, 1}, false, false};
+}
+
+static inline double dome_truth(dome_place at)
+{
+    vec3 to = vsub(dome_ball.c, at.p);
+    double d = (double)vlength(to);
+    return at.ball ? (1 + (double)at.n.z) / 2 : 1 - 1 / (d * d * d);
+}
+
+/* One direction: f / p = cos theta / p over pi, if it meets the sky. */
+static inline double dome_sample(int panel, dome_place at, point2 q)
+{
+    vec3 w = panel == 0 ? first_uniform_direction(q.u, q.v) : first_cosine_direction(q.u, q.v);
+    vec3 d = directed(at.n, w);
+    hit h;
+    if (at.ball ? d.z < 0 : first_sphere_hit(dome_ball, ray_from(at.p, d), &h)) return 0;
+    return panel == 0 ? 2 * (double)w.z : 1;
+}
+
+static inline void dome_pixel(int x, int y, void *context)
+{
+    dome_job *job = context;
+    int panel = x / (dome_wide + dome_gap), i = x % (dome_wide + dome_gap);
+    if (i >= dome_wide) return;
+    dome_place at = dome_seen(i, y);
+    double sum = 0, *off = &job->off[(panel * dome_high + y) * dome_wide + i];
+    if (at.sky) {
+        *off = (double)NAN;
+        image_set(job->im, x, y, vec(0.75, 0.87, 1));
+        return;
+    }
+    for (uint32_t k = 0; k < dome_samples; k++) {
+        sampler s = sampler_start(panel == 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, job->seed,
+                                  (uint64_t)(y * dome_wide + i), k, dome_samples);
+        sum += dome_sample(panel, at, sampler_pair(&s)) / dome_samples;
+    }
+    *off = sum - dome_truth(at);
+    vec3 colour = at.ball ? vec(0.85, 0.3, 0.02) : vec(0.8, 0.76, 0.68);
+    image_set(job->im, x, y, vscale(colour, (real)fmin(sum, 1.25)));
+}
+
+static inline double dome_error(const double *off)
+{
+    double squares = 0, n = 0;
+    for (int k = 0; k < dome_wide * dome_high; k++)
+        if (!isnan(off[k])) squares += off[k] * off[k], n++;
+    return sqrt(squares / n);
+}
+
+static inline void draw_dome(const options *o)
+{
+    static const char *const name[dome_panels] = {"uniform", "cosine", "cosine, Sobol'"};
+    char text[dome_panels][64];
+    const char *title[dome_panels];
+    if (o->out) return;
+    dome_job *job = allocate(1, sizeof *job);
+    image im = image_new(dome_panels * (dome_wide + dome_gap) - dome_gap, dome_high);
+    job->im = &im, job->seed = o->seed;
+    bool whole = parallel_pixels(im.width, im.height, o->threads, "sky", dome_pixel, job);
+    for (int k = 0; k < dome_panels; k++) {
+        snprintf(text[k], sizeof text[k], "16 directions, %s: error %.3f", name[k],
+                 dome_error(job->off + k * dome_wide * dome_high));
+        title[k] = text[k];
+    }
+    image sheet = label_panels(&im, dome_panels, 1, dome_gap, title);
+    output_picture(o, &sheet, "20_monte_carlo_sky.png", false, whole);
+    image_free(&sheet), image_free(&im), free(job);
+}
+
+#endif
