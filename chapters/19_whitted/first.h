@@ -1,7 +1,6 @@
 /* first.h: Whitted's ray tracer: shade() calls trace() again for what mirrors and glass show.
- * Wrong where n2 is nearly n1: (19.5) subtracts near equals, R is off by eps / (n2 - n1) of itself;
- * where glass touches glass: one face goes unseen; what is lit in glass is n^2 too bright, and an
- * eye in glass sees the sky n^2 too dark. fresnel.h, media.h and whitted.h mend it. */
+ * Wrong where n2 is nearly n1: R loses digits (fresnel.h); where glass touches glass: one face goes
+ * unseen (media.h); in glass light is n^2 too bright, the sky n^2 too dark (whitted.h). */
 #ifndef FIRST_WHITTED_H
 #define FIRST_WHITTED_H
 #include "../02_camera/first.h"
