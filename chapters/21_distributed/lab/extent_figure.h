@@ -13,7 +13,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The lamp from x = -0.5 to 0.5 at height 1.5, above an obstacle from -0.45 to 0.05 at height 0.8. */
+/* The lamp: x = -0.5 to 0.5 at height 1.5, above an obstacle from -0.45 to 0.05 at height 0.8. */
 static inline area_light extent_lamp(void)
 {
     return (area_light){AREA_RECTANGLE, vec(0, 0, 1.5), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, 0,
