@@ -9,8 +9,8 @@
  * no path would end. At .8 a path has five hits on average; one in 1e9 has more than 93. */
 static const double first_go_on = 0.8;
 
-/* What the eye sees along r, by one direction a hit and luck: x emits, and reflects what comes along
- * that direction. It ends only where it leaves the scene, and must be lucky to meet the lamp.
+/* What the eye sees along r, by one direction a hit and luck: x emits, and reflects what comes that
+ * way. The path ends only where it leaves the scene, and must be lucky to meet the lamp.
  *     L(x0) = Le(x0) + f cos / p L(x1),  f cos / p = kd                          (26.1), (24.2) */
 static inline vec3 first_path_by_luck(const first_scene *s, ray r, random_stream *random)
 {

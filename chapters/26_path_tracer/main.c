@@ -1,7 +1,7 @@
 /* 26_path_tracer: the whole: light sampling, BRDF sampling, roulette, glass; states that add up.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chapters/26_path_tracer/main.c -lm -lpthread
- * Without options: the box, the ideas one by one, a drawing, and error and time of every strategy;
- * --full: all pictures, plots and tables. With a model, --scene, --samples, --error, --time ...: one
+ * Without options: the box, the ideas one by one, a drawing, error and time of every strategy;
+ * --full: all pictures, plots and tables. With a model, --scene, --samples, --error, --time: one
  * picture. Errors are measured against a reference of many samples, which a test compares with the
  * naive path of 25. */
 #include "lab/light_eye.h"
