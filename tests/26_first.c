@@ -157,6 +157,20 @@ static void test_roulette(void)
     }
 }
 
+/* Without a light sample and without dice: the same light, far more noise. */
+static void test_by_luck(void)
+{
+    first_scene s = first_cornell();
+    size_t n = check_count(200000);
+    estimate own = ceiling(n, 12), luck = {0, 0, 0};
+    for (size_t i = 0; i < n; i++) {
+        random_stream random = random_start(13, i, 0);
+        luck = estimate_add(luck, (double)first_path_by_luck(&s, wall_ray(), &random).y);
+    }
+    check_same(own, luck, "by luck");
+    check_at_least(estimate_variance(luck), 10 * estimate_variance(own), "and the noise");
+}
+
 /* ---- a closed room that loses nothing: light without end, paths with one ---- */
 
 static first_scene cube(double rho, vec3 E)
@@ -268,7 +282,7 @@ int main(void)
 {
     check(mkdtemp(directory), "a directory");
     test_picture();
-    test_terms(), test_roulette();
+    test_terms(), test_roulette(), test_by_luck();
     test_ends(), test_close_to_a_lamp();
     test_odd_input();
     test_program();

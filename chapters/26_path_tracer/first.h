@@ -9,6 +9,18 @@
  * no path would end. At .8 a path has five hits on average; one in 1e9 has more than 93. */
 static const double first_go_on = 0.8;
 
+/* What the eye sees along r, by one direction a hit and luck: x emits, and reflects what comes that
+ * way. The path ends only where it leaves the scene, and must be lucky to meet the lamp.
+ *     L(x0) = Le(x0) + f cos / p L(x1),  f cos / p = kd                          (26.1), (24.2) */
+static inline vec3 first_path_by_luck(const first_scene *s, ray r, random_stream *random)
+{
+    hit h;
+    if (!first_scene_hit(s, r, &h)) return vec(0, 0, 0);
+    first_point x = first_point_at(s, r, h);
+    vec3 Li = first_path_by_luck(s, first_bounce(s, x, random), random);
+    return vadd(first_emitted(x), vmul(x.kd, Li));
+}
+
 /* The notes' shade(p, wo): all light that leaves x for the viewer but its own emission,
  *     L = K E + K^2 E + ...                                                              (25.3) */
 static inline vec3 first_path_shade(const first_scene *s, first_point x, random_stream *random)
@@ -17,7 +29,7 @@ static inline vec3 first_path_shade(const first_scene *s, first_point x, random_
     vec3 L = first_direct_by_lamp(s, 0, x, random);
 
     /* From everything else: one direction, with probability q, and then worth 1/q times as much, so
-     * that on average nothing changes.                                                   (26.8) */
+     * that on average nothing changes.                                                   (26.3) */
     const real q = first_go_on;
     if (random_next(random) >= q) return L;
     ray r = first_bounce(s, x, random);

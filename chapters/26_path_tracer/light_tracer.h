@@ -5,7 +5,7 @@
  *             eye    eye              pixel where xk shows, if nothing is between
  *
  *   phi_0 = Le A pi / P(lamp)         x0 uniform on the lamp's area A, its direction as the cosine
- *   pixel += phi f cos_x / (r^2 cos_e^3 a)                                                 (26.14)
+ *   pixel += phi f cos_x / (r^2 cos_e^3 a)                                                  (26.8)
  *   phi   *= f cos / pdf / q          as beta in path.h, and the same roulette
  *
  *   light_tracer t;
@@ -21,7 +21,7 @@
  * light through glass or off a mirror onto a matte floor (a caustic, 焦散) is met by chance only
  * from the eye, and drawn at once from the lamp. What the eye sees in a mirror or through glass no
  * path from the lamp can show: the eye is a point, and the last direction has no choice. There the
- * picture is black. In glass phi stays: power is not squeezed as radiance is (26.2).
+ * picture is black. In glass phi stays: power is not squeezed as radiance is (26.10).
  *
  * Source: J. Arvo, "Backward Ray Tracing", SIGGRAPH course notes 1986; P. Dutre, E. Lafortune, Y.
  * Willems, "Monte Carlo Light Tracing with Direct Computation of Pixel Intensities", 1993.
@@ -72,7 +72,7 @@ static inline surface light_start(const emitter *e, real u, real v)
     return emitter_surface(e, x, n);
 }
 
-/* (26.14): `sends`: radiance times area that x sends to the eye. */
+/* (26.8): `sends`: radiance times area that x sends to the eye. */
 static inline void light_show(const light_tracer *t, surface s, vec3 sends, double *sum,
                               light_counts *c)
 {

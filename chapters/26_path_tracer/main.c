@@ -1,9 +1,11 @@
 /* 26_path_tracer: the whole: light sampling, BRDF sampling, roulette, glass; states that add up.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chapters/26_path_tracer/main.c -lm -lpthread
- * Without options: a picture, and error and time of every strategy; --full: all pictures, plots
- * and tables. With a model, --scene, --samples, --error, --time ...: one picture. Errors are
- * measured against a reference of many samples, which a test compares with the naive path of 25. */
+ * Without options: the box, the ideas one by one, a drawing, error and time of every strategy;
+ * --full: all pictures, plots and tables. With a model, --scene, --samples, --error, --time: one
+ * picture. Errors are measured against a reference of many samples, which a test compares with the
+ * naive path of 25. */
 #include "lab/light_eye.h"
+#include "lab/vertices_figure.h"
 
 int main(int argc, char **argv)
 {
@@ -32,8 +34,8 @@ int main(int argc, char **argv)
         return output_done(&o);
     }
     draw_cornell(&o);
-    if (!o.out && o.full) draw_strategies(&o), draw_spheres(&o), draw_furnace(&o),
-        draw_light(&o), draw_ladder(&o);
+    if (!o.out) draw_strategies(&o), draw_vertices(&o);
+    if (!o.out && o.full) draw_spheres(&o), draw_furnace(&o), draw_light(&o), draw_ladder(&o);
     measure_strategies(&o);
     return output_done(&o);
 }

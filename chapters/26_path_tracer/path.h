@@ -4,10 +4,10 @@
  *            \      \                   1. light sampling: a point of a light, a shadow ray
  *             light  light              2. BRDF sampling: the next ray; what it meets may shine
  *
- *   L = sum over k of beta_k ( w_L f cos Le / p_L  +  w_B f cos Le / p_B ),  w_L + w_B = 1  (26.11)
+ *   L = sum over k of beta_k ( w_L f cos Le / p_L  +  w_B f cos Le / p_B ),  w_L + w_B = 1  (26.5)
  *
  *   w: power heuristic of 24 (24.9). What the eye sees at once, or in a mirror or through glass, no
- *   light sample could have found: there w_B = 1. Roulette (26.8) ends the path.
+ *   light sample could have found: there w_B = 1. Roulette (26.3) ends the path.
  *
  *   path_tracer t;
  *   path_tracer_of(&scene, sky, path_defaults, &t);        sky: an environment (24.12) or NULL
@@ -143,7 +143,7 @@ static inline vec3 path_cut(vec3 c, real most)
     return most > 0 && x > most ? vscale(c, most / x) : c;
 }
 
-/* (26.11), second half: light that the ray itself has met. */
+/* (26.5), second half: light that the ray itself has met. */
 __attribute__((always_inline))
 static inline vec3 path_found(const path_tracer *t, const path_walk *w, const lit_hit *x)
 {
@@ -165,7 +165,7 @@ static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
     return vscale(L, mis_power(w->pdf, lit_lights_pdf_sky(&t->light, d)));
 }
 
-/* (26.11), first half. wo is local to f. */
+/* (26.5), first half. wo is local to f. */
 __attribute__((always_inline))
 static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
                               shading_frame f, vec3 wo, point2 u, path_counts *c)

@@ -1,10 +1,10 @@
 /* roulette.h: ending a path by chance without changing what it brings on average.
  *                                                                 Russian roulette (俄罗斯轮盘赌)
- *   X' = X / q with probability q, else 0:   E[X'] = q E[X] / q + (1 - q) 0 = E[X]          (26.8)
- *   q = min(1, 2 x largest component of the throughput beta)                                (26.9)
+ *   X' = X / q with probability q, else 0:   E[X'] = q E[X] / q + (1 - q) 0 = E[X]          (26.3)
+ *   q = min(1, 2 x largest component of the throughput beta)                                (26.4)
  *
  * For any q in (0,1] the mean stays; the variance grows by E[X^2] (1 - q) / q, and the work shrinks
- * by what would have followed. (26.9) keeps beta's largest component at 1/2 or above it: paths that
+ * by what would have followed. (26.4) keeps beta's largest component at 1/2 or above it: paths that
  * go on count alike, dark ones are rare instead of faint. A path that still has half of its light
  * throws no die; black surfaces have ended before. Why 2: with 1, paths of a room end at the first
  * hits, which stratification (20) does most for; with 4 they go on for longer than it pays. The

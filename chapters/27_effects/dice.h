@@ -13,7 +13,7 @@
  * for. Two nodes may meet in one number, once in 2^29: they are not independent then, no more.
  *
  * As in 26, samples k and k + 1 belong to halves that share nothing, so that their difference tells
- * the error (26.12). Down to depth dice_depth pairs are Sobol's, further ones are independent.
+ * the error (26.6). Down to depth dice_depth pairs are Sobol's, further ones are independent.
  */
 #ifndef EFFECTS_DICE_H
 #define EFFECTS_DICE_H

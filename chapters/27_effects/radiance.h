@@ -16,7 +16,7 @@
  *
  * All branches are followed, on a stack, no recursion. Which of them: those above `least` if
  * nothing is left to chance, as in 19; else each survives with q = min(1, 2 max w), and counts for
- * w / q (26.8), (26.9). Survivors have half of the light or more, so there are some two at a time.
+ * w / q (26.3), (26.4). Survivors have half of the light or more, so there are some two at a time.
  * Of what the eye sees sharply, in mirrors and glass, 1/32 of the light is enough: no noise there.
  *
  * What a ray meets that was sent by a matte surface or a lobe, and is a lamp or the sky, counts as

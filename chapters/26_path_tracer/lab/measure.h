@@ -187,17 +187,15 @@ static inline void strategy_row(const measure_place *m, const strategy *s, int l
     table_number(t, efficiency * naive->error * naive->error * naive->seconds);
 }
 
-/* The table of all levels, and with them the rows of the last. */
 static inline void strategy_rows(const options *o, const measure_place *m, const strategy *s,
-                                 const measured *x, const measured *naive, table *last, table *all)
+                                 const measured *x, const measured *naive, table *all)
 {
-    int end = strategy_to(o) - 1;
-    strategy_row(m, s, end, &x[end], &naive[end], false, last);
-    for (int l = 0; l <= end && o->full; l++) strategy_row(m, s, l, &x[l], &naive[l], true, all);
+    for (int l = 0; l < strategy_to(o) && o->full; l++)
+        strategy_row(m, s, l, &x[l], &naive[l], true, all);
 }
 
 /* first.h in its own box, beside the naive path there. */
-static inline void measure_first(const options *o, table *last, table *all)
+static inline void measure_first(const options *o, table *all)
 {
     strategy s[strategies], first = {.name = "first, in its own box", .by = BY_FIRST};
     measure_place m;
@@ -206,7 +204,7 @@ static inline void measure_first(const options *o, table *last, table *all)
     first.how = s[2].how;
     measure_place_of(o, true, &m);
     strategy_measure(o, &m, &s[0], naive), strategy_measure(o, &m, &first, x);
-    strategy_rows(o, &m, &first, x, naive, last, all);
+    strategy_rows(o, &m, &first, x, naive, all);
     measure_place_free(&m);
 }
 
@@ -230,14 +228,16 @@ static inline void measure_strategies(const options *o)
     for (int k = 0; k < strategies; k++) {
         strategy_measure(o, &m, &s[k], x);
         if (k == 0) memcpy(naive, x, sizeof naive);
-        strategy_rows(o, &m, &s[k], x, naive, &last, &t);
+        int end = strategy_to(o) - 1;
+        strategy_row(&m, &s[k], end, &x[end], &naive[end], false, &last);
+        strategy_rows(o, &m, &s[k], x, naive, &t);
         plot_series(&error, s[k].name), plot_series(&time, s[k].name);
         for (int l = strategy_from(o); l < strategy_to(o); l++) {
             plot_add(&error, k, x[l].rays / ((double)m.side * m.side), x[l].error);
             plot_add(&time, k, x[l].seconds, x[l].error);
         }
     }
-    if (o->full) measure_first(o, &last, &t);
+    if (o->full) measure_first(o, &t);
     plot_slope(&error, -0.5, "slope -1/2"), plot_slope(&time, -0.5, "slope -1/2");
     output_table(o, &last);
     if (o->full) {

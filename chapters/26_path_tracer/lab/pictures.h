@@ -1,7 +1,7 @@
 /* pictures.h: the committed pictures of the chapter.
  *
  *   draw_cornell(o)     the box: the main picture
- *   draw_strategies(o)  the box, 16 samples a pixel: naive, lights, both, Sobol' points
+ *   draw_strategies(o)  directions, roulette, light samples, MIS: one by one, as many rays each
  *   draw_ladder(o)      the box by 1, 4, 16 .. 4096 samples a pixel, and how far off each is
  *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
  *   draw_furnace(o)     balls of every BRDF in a white world: what they lose, in false colours
@@ -51,12 +51,14 @@ static inline void draw_cornell(const options *o)
     draw_scene(o, "cornell", o->width, o->height, 64, 2, "26_path_tracer.png", true);
 }
 
-/* One film: each rung adds samples to the one before, and says itself how far off it is (26.13). */
+/* One film: each rung adds samples to the one before, and says itself how far off it is (26.7). */
 static inline void draw_ladder(const options *o)
 {
     enum { rungs = 7, side = 64, larger = 2, size = side * larger };
-    static const char *const title[rungs] = {"1", "4", "16", "64", "256", "1024", "4096 samples"};
+    const char *title[rungs];
+    char said[rungs][32];
     int n = o->quick ? 3 : rungs;
+    for (int k = 0; k < rungs; k++) title[k] = said[k], *said[k] = 0;
     showcase c;
     failure why;
     path_tracer t;
@@ -84,6 +86,7 @@ static inline void draw_ladder(const options *o)
         table_text(&rows, k > 1 ? "1 / %.2f" : "-", before / error);
         table_number(&rows, (double)path_rays(&j.counts) / (double)j.counts.paths);
         table_number(&rows, j.seconds);
+        snprintf(said[k], sizeof said[k], k ? "%u: %.2g" : "1 sample", (unsigned)samples, error);
         before = error;
     }
     output_extra_table(o, &rows);
@@ -129,29 +132,66 @@ static inline void draw_furnace(const options *o)
     image_free(&seen), image_free(&all);
 }
 
-/* Panels side by side, the same number of samples. */
+/* The ideas of the chapter, one by one, in the box with a ball of metal and a matte one. Each panel
+ * has as many samples as make step_budget rays a pixel: equal rays, not equal seconds, so that
+ * the bytes are the same everywhere. */
+enum { step_panels = 4, step_budget = 64 };
+static inline path_options step_options(int step)
+{
+    path_options how = path_defaults;
+    how.sequence = SEQUENCE_RANDOM;
+    how.roulette = step < 1 ? ROULETTE_NONE : ROULETTE_THROUGHPUT;
+    how.light_sampling = step >= 2, how.mis = step >= 3;
+    return how;
+}
+
+static inline void step_scene(showcase *c)
+{
+    failure f;
+    if (!showcase_of("spheres", 1, c, &f)) fail(f);
+    lit_material *ball = c->s.material + cornell_parts;  /* mirror, glass */
+    ball[0] = (lit_material){.f = brdf_ggx(vec(0.95, 0.93, 0.88), (real)0.12)};
+    ball[1] = (lit_material){.f = brdf_lambert(vec(0.7, 0.7, 0.7))};
+}
+
+static inline image step_picture(const options *o, const showcase *c, int step, int side,
+                                 char said[64], bool *whole)
+{
+    path_tracer t;
+    double pixels = (double)side * side, budget = o->quick ? 12 : step_budget;
+    path_tracer_of(&c->s, NULL, step_options(step), &t);
+    render_job j = {.tracer = &t, .eye = c->eye, .seed = o->seed, .threads = o->threads};
+    film f = film_new(side, side);
+    uint32_t n = 0;
+    for (*whole = true; *whole && (double)path_rays(&j.counts) < budget * pixels; n++)
+        *whole = render_range(&j, &f, n, n + 1);
+    snprintf(said, 64, "%u samples, error %.2f", (unsigned)n, film_error(&f));
+    image im = film_picture(&f);
+    film_free(&f), path_tracer_free(&t);
+    return im;
+}
+
 static inline void draw_strategies(const options *o)
 {
-    static const char *const title[4] = {"naive (25)", "lights", "lights + MIS", "and Sobol'"};
-    strategy s[strategies];
-    const int shown[4] = {0, 2, 5, 6};
-    int side = o->quick ? 24 : 160;
-    measure_place m = {.side = side};
-    failure f;
-    if (!showcase_of("cornell", 1, &m.c, &f)) fail(f);
-    strategy_list(s);
-    image all = image_new(4 * side, side);
-    for (int k = 0; k < 4; k++) {
-        double seconds;
-        size_t rays;
-        image im = measure_render(&m, &s[shown[k]], o->seed, o->quick ? 2 : 16, &seconds, &rays);
+    static const char *const title[step_panels] = {"1 directions alone", "2 and roulette",
+                                                   "3 and light samples", "4 and MIS"};
+    enum { size = 10 };
+    int side = o->quick ? 24 : 232;
+    bool whole = true;
+    showcase c;
+    step_scene(&c);
+    image all = image_new(step_panels * side, side);
+    for (int k = 0; k < step_panels && whole; k++) {
+        char said[64];
+        image im = step_picture(o, &c, k, side, said, &whole);
         for (int i = 0; i < 3 * side * side; i++) im.rgb[i] *= 2;
+        label_tag(&im, 0, side - 2 * size, size, said);
         image_place(&all, k * side, 0, &im);
         image_free(&im);
     }
-    image titled = label_panels(&all, 4, 1, 0, title);
-    output_picture(o, &titled, "26_path_tracer_strategies.png", false, true);
-    image_free(&all), image_free(&titled), showcase_free(&m.c);
+    image titled = label_panels(&all, step_panels, 1, 0, title);
+    output_picture(o, &titled, "26_path_tracer_strategies.png", false, whole);
+    image_free(&all), image_free(&titled), showcase_free(&c);
 }
 
 #endif

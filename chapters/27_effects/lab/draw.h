@@ -5,7 +5,7 @@
  *                                     a picture of width x height; false: stopped by Ctrl-C
  *   j.counts                          rays by effect
  *   j.seconds                         that it took
- *   draw_error(&j)                    RMSE by halves (26.12): of linear radiance, all channels;
+ *   draw_error(&j)                    RMSE by halves (26.6): of linear radiance, all channels;
  *                                     infinity with one sample, 0 if nothing is left to chance
  *   draw_timed(&j, threads, &counts)  some pixels again, with a clock at each ray: shares of time
  *

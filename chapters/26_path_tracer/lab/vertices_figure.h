@@ -1,0 +1,228 @@
+/* vertices_figure.h: the drawing of this chapter: a path with its light samples and weights, in
+ * the box of the pictures beside it: the first that has four hits, the metal first, and is ended by
+ * the dice. The metal is rougher here, so that both weights can be seen.
+ *
+ *   draw_vertices(&o);      26_path_tracer_vertices.svg
+ *
+ * path_step walks. Before each step the random numbers are copied, and path.h's own calls repeat
+ * the light sample that the step is about to draw.
+ */
+#ifndef PATH_VERTICES_FIGURE_H
+#define PATH_VERTICES_FIGURE_H
+
+#include "../../../common/lab/figure.h"
+#include "pictures.h"
+
+enum { vertices_most = 4 };
+typedef struct {
+    vec3 p, lamp, beta, gain;
+    real weight;               /* w_L */
+    bool drawn, blocked;       /* a point of the lamp; is it in shadow? */
+    bool metal;
+} vertex_seen;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline void vertices_light(const path_tracer *t, const path_walk *w, const lit_hit *x,
+                                  path_random next, vertex_seen *v)
+{
+    lit_draw l;
+    shading_frame f = shading_frame_of(x->s.ns);
+    if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, path_pair(&next), &l)) return;
+    vec3 wi = to_local(f, l.wi);
+    v->lamp = l.s.p, v->drawn = vdot(x->s.n, l.wi) > 0;
+    v->blocked = lit_occluded_from(t->scene, leave_between(x->s, l.s), x->s.shape, l.emitter);
+    v->weight = mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, to_local(f, vneg(vunit(w->r.d)))));
+}
+
+/* The number of hits; *died: by the dice, after vertices_most. */
+static inline int vertices_of(const path_tracer *t, ray eye, path_random *s,
+                              vertex_seen v[vertices_most], bool *died)
+{
+    path_walk w = {.beta = {1, 1, 1}, .r = eye, .from = {.shape = no_shape}, .pdf = real_infinity,
+                   .squeezed = 1};
+    path_counts c = {0};
+    bool on = true;
+    int n = 0;
+    for (; on && n < vertices_most; n++) {
+        lit_hit x = {.m = NULL};
+        vec3 before = w.L;
+        if (!lit_trace_from(t->scene, w.r, w.from.shape, &x) || x.emitter != lit_dark) return 0;
+        v[n] = (vertex_seen){.p = x.s.p, .beta = w.beta,
+                               .metal = x.m->f.kind == BRDF_GGX};
+        vertices_light(t, &w, &x, *s, &v[n]);
+        on = path_step(t, &w, s, &c);
+        v[n].gain = vsub(w.L, before);
+    }
+    *died = !on && c.dice > 0;
+    return n;
+}
+
+/* Far enough apart to be told from each other; on the metal both ways to the lamp count. */
+static inline bool vertices_fit(const vertex_seen *v, int n, bool died)
+{
+    const real apart = 120, clear = (real)0.1;
+    int drawn = 0;
+    if (n < vertices_most || !died) return false;
+    for (int k = 0; k < n; k++) {
+        drawn += v[k].drawn;
+        for (int i = 0; i < k; i++)
+            if (vlength(vsub(v[k].p, v[i].p)) < apart) return false;
+    }
+    return drawn >= n - 1 && v[0].metal && v[0].weight > clear && v[0].weight < 1 - clear;
+}
+
+/* Where the metal shows the lamp: a square of pixels. */
+static inline bool vertices_find(const path_tracer *t, camera eye, vertex_seen v[vertices_most])
+{
+    enum { side = 100, left = 30, top = 55, across = 15, tries = 100 };
+    for (int k = 0; k < across * across * tries; k++) {
+        int i = k % (across * across), x = left + i % across, y = top + i / across;
+        path_random s = path_start(&t->how, 1, (uint64_t)k, 0, 1);
+        point2 u = path_pair(&s);
+        bool died = false;
+        ray r = camera_ray(eye, (real)x + u.u, (real)y + u.v, side, side);
+        int n = vertices_of(t, r, &s, v, &died);
+        if (vertices_fit(v, n, died)) return true;
+    }
+    return false;
+}
+
+typedef struct { double x, y; } vertices_point;
+static inline vertices_point vertices_place(camera c, vec3 p)
+{
+    real x = 0, y = 0;
+    camera_project(c, p, 1, 1, &x, &y);
+    return (vertices_point){(double)x, 1 - (double)y};
+}
+
+static inline void vertices_line(figure *g, camera c, vec3 a, vec3 b, const char *colour,
+                                 double width, const char *dashes)
+{
+    vertices_point p = vertices_place(c, a), q = vertices_place(c, b);
+    if (*dashes) figure_line(g, p.x, p.y, q.x, q.y, colour, width, dashes);
+    else figure_arrow(g, p.x, p.y, q.x, q.y, colour, width);
+}
+
+/* The wall that the drawing looks through is tinted glass. */
+static inline void vertices_wall(figure *g, camera c, const mesh *m, size_t quad)
+{
+    static const vec3 pale[cornell_parts] = {{246, 244, 240}, {244, 208, 200}, {212, 234, 208},
+                                             {230, 159, 0}};
+    triangle a = mesh_triangle(m, 2 * quad), b = mesh_triangle(m, 2 * quad + 1);
+    const vec3 corner[4] = {a.a, a.b, a.c, b.c};
+    vec3 n = vunit(vcross(vsub(a.b, a.a), vsub(a.c, a.a)));
+    cornell_part part = cornell_of(2 * quad);
+    bool faces = vdot(n, vsub(c.e, a.a)) > 0, lamp = part == CORNELL_LIGHT;
+    vec3 fill = vscale(pale[part], lamp ? 1 : 1 - (real)0.04 * fabs(n.y));
+    double xy[8];
+    char colour[16];
+    snprintf(colour, sizeof colour, "#%02x%02x%02x", (unsigned)fill.x, (unsigned)fill.y,
+             (unsigned)fill.z);
+    for (int i = 0; i < 4; i++) {
+        vertices_point p = vertices_place(c, corner[i]);
+        xy[2 * i] = p.x, xy[2 * i + 1] = p.y;
+    }
+    bool edges = part != CORNELL_WHITE || fabs(n.y) < (real)0.5;
+    figure_polygon(g, 4, xy, colour, faces ? 1 : 0.35, edges ? "#bbbbbb" : colour);
+}
+
+static inline void vertices_ball(figure *g, camera c, sphere s, const char *colour)
+{
+    vertices_point p = vertices_place(c, s.c), q = vertices_place(c, vmadd(s.c, c.u, s.r));
+    figure_dot(g, p.x, p.y, g->unit * hypot(q.x - p.x, q.y - p.y), colour);
+}
+
+static inline void vertices_room(figure *g, camera c, const lit_scene *s)
+{
+    enum { walls = 9, red = 7 };  /* of the box's parallelograms; the others are its blocks */
+    static const char *const colour[2] = {"#d8d2c4", "#c8c8c8"};
+    mesh m = cornell_mesh();
+    for (size_t k = 0; k < walls; k++)
+        if (k != red) vertices_wall(g, c, &m, k);
+    for (size_t k = s->shapes; k-- > 0;) {
+        const shape *ball = &s->shape[k];
+        if (ball->kind == SHAPE_SPHERE) vertices_ball(g, c, ball->sphere, colour[k % 2]);
+    }
+    vertices_wall(g, c, &m, red);
+    mesh_free(&m);
+}
+
+static inline void vertices_path(figure *g, camera c, vec3 eye, const vertex_seen *v)
+{
+    char name[16];
+    vec3 from = vadd(v[0].p, vscale(vsub(eye, v[0].p), (real)0.42));
+    for (int k = 0; k < vertices_most; k++)
+        if (v[k].drawn)
+            vertices_line(g, c, v[k].p, v[k].lamp, v[k].blocked ? FIGURE_GREY : FIGURE_ORANGE, 2,
+                          FIGURE_DASHED);
+    for (int k = 0; k < vertices_most; k++)
+        vertices_line(g, c, k ? v[k - 1].p : from, v[k].p, FIGURE_BLUE, 2, FIGURE_WHOLE);
+    for (int k = 0; k < vertices_most; k++) {
+        vertices_point p = vertices_place(c, v[k].p), y = vertices_place(c, v[k].lamp);
+        if (v[k].drawn) figure_dot(g, y.x, y.y, 3.5, v[k].blocked ? FIGURE_GREY : FIGURE_RED);
+        snprintf(name, sizeof name, "*x*~%d~", k);
+        figure_dot(g, p.x, p.y, 5, FIGURE_BLUE);
+        figure_text(g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, name);
+    }
+    vertices_point e = vertices_place(c, from), y = vertices_place(c, v[0].lamp);
+    vertices_point metal = vertices_place(c, (vec3){390, 30, 350});
+    figure_text(g, y.x, y.y, 0, -14, FIGURE_MIDDLE, FIGURE_BLACK, "lamp");
+    figure_text(g, metal.x, metal.y, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "metal");
+    figure_text(g, e.x, e.y, -4, 18, FIGURE_MIDDLE, FIGURE_BLACK, "from the eye");
+}
+
+/* Of three channels the green one: what each vertex adds to the pixel. */
+static inline void vertices_rows(figure *g, const vertex_seen *v)
+{
+    const double column[5] = {0, 50, 130, 210, 300}, row = 34;
+    static const char *const title[5] = {"hit", "_β_~k~", "_w_~L~", "_w_~B~", "adds to _L_"};
+    double sum = 0;
+    char text[64];
+    for (int k = 0; k < 5; k++)
+        figure_text(g, column[k], 0, 0, 0, FIGURE_LEFT, FIGURE_BLACK, title[k]);
+    figure_line(g, 0, -12, 420, -12, FIGURE_GREY, 1, FIGURE_WHOLE);
+    for (int k = 0; k < vertices_most; k++) {
+        double y = -row * (k + 1), gain = (double)v[k].gain.y;
+        snprintf(text, sizeof text, "*x*~%d~", k);
+        figure_text(g, column[0], y, 0, 0, FIGURE_LEFT, FIGURE_BLUE, text);
+        snprintf(text, sizeof text, "%.3f", (double)v[k].beta.y);
+        figure_text(g, column[1], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, text);
+        snprintf(text, sizeof text, "%.4f", (double)v[k].weight);
+        figure_text(g, column[2], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, text);
+        snprintf(text, sizeof text, "%.4f", 1 - (double)v[k].weight);
+        figure_text(g, column[3], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, text);
+        snprintf(text, sizeof text, v[k].blocked ? "0: shadow" : v[k].drawn ? "%.4f" : "0: behind",
+                 gain);
+        figure_text(g, column[4], y, 0, 0, FIGURE_LEFT, gain > 0 ? FIGURE_RED : FIGURE_GREY, text);
+        sum += gain;
+    }
+    figure_line(g, 0, -4 * row - 12, 420, -4 * row - 12, FIGURE_GREY, 1, FIGURE_WHOLE);
+    figure_text(g, 0, -5 * row, 0, 0, FIGURE_LEFT, FIGURE_BLACK,
+                "the dice end it at *x*~3~; this path brings");
+    snprintf(text, sizeof text, "%.4f", sum);
+    figure_text(g, column[4], -5 * row, 0, 0, FIGURE_LEFT, FIGURE_RED, text);
+}
+
+static inline void draw_vertices(const options *o)
+{
+    showcase c;
+    path_tracer t;
+    vertex_seen v[vertices_most];
+    step_scene(&c);
+    c.s.material[cornell_parts].f = brdf_ggx(vec(0.95, 0.93, 0.88), (real)0.3);
+    path_tracer_of(&c.s, NULL, path_defaults, &t);
+    camera view = showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
+    if (vertices_find(&t, c.eye, v)) {
+        figure g = figure_begin(o, "26_path_tracer_vertices.svg", 940, 480);
+        figure_origin(&g, 0, 480, 480);
+        vertices_room(&g, view, &c.s);
+        vertices_path(&g, view, c.eye.e, v);
+        figure_origin(&g, 500, 130, 1);
+        vertices_rows(&g, v);
+        figure_end(&g);
+    }
+    path_tracer_free(&t), showcase_free(&c);
+}
+
+#endif
