@@ -53,7 +53,7 @@ static void test_rays(void)
         real x = 640 * random_next(&s), y = 480 * random_next(&s);
         camera_frame f = {c.e, c.u, c.v, c.w};
         camera_window w = {c.left, c.right, c.bottom, c.top};
-        camera eye, plan;
+        camera eye = {.d = 1}, plan;
         failure why;
         if (!camera_off_axis(f, w, c.d, &eye, &why)) fail(why);
         if (!camera_orthographic(f, w, &plan, &why)) fail(why);
