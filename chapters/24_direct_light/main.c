@@ -1,9 +1,12 @@
 /* 24_direct_light: light straight from the lights, drawn by directions, by lights, and by both.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 24_direct_light chapters/24_direct_light/main.c -lm -lpthread
- * Without options: a picture, the main table. --full: three pictures, five tables, two plots.
+ * Without options: a picture, a drawing, the main table. --full: four pictures, six tables, three
+ * plots.
  * --scene or --way: that picture only. Errors are measured against a long run with well-spread
  * points, which a test compares with closed forms. */
 #include "lab/measure.h"
+#include "lab/point_lights.h"
+#include "lab/ways_figure.h"
 
 static const char *const way_names[direct_ways] = {"uniform", "cosine", "brdf", "area", "angle",
                                                    "balance", "power", "half"};
@@ -42,8 +45,11 @@ int main(int argc, char **argv)
     if (o.own) snprintf(file, sizeof file, "24_direct_light_%s.png", stage_names[which]);
     draw_stage(&o, which, way, file);
     if (o.own) return output_done(&o);
+    if (!o.out) draw_ways(&o);
     measure_ways(&o);
     if (o.full) {
+        if (!o.out) draw_points(&o);
+        measure_points(&o);
         if (!o.out) draw_exhibit(&o, &exhibit_plates), draw_exhibit(&o, &exhibit_strip);
         measure_lights(&o);
         measure_near(&o);

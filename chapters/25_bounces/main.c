@@ -5,18 +5,25 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters
  * with the paths but their walk. */
 #include "lab/measure.h"
 #include "lab/pictures.h"
+#include "lab/tree_figure.h"
 
 int main(int argc, char **argv)
 {
-    int depth = 10;
+    int depth = 10, pixel[2] = {0, 0};
     bool naive = false;
     option own[] = {
         {"depth", OPTION_INT, &depth, 4, term_most, "bounces in the main picture"},
-        {"naive", OPTION_FLAG, &naive, 0, 0, "main picture by paths that meet the light"}, {0}};
+        {"naive", OPTION_FLAG, &naive, 0, 0, "main picture by paths that meet the light"},
+        {"tree", OPTION_SIZE, pixel, 1, tree_side - 1,
+         "XxY: the tree of rays of this pixel of 480x480, into build/quick/"}, {0}};
     options defaults = {.width = 1000, .height = 400, .samples = 32, .seed = 1};
     options o = options_read(argc, argv, "25_bounces", "L = E + KE + K^2 E + ...", defaults, own);
     if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
+    o.own = pixel[0];
+    if (o.own && (o.out || o.csv)) die(2, "--out, --csv: not allowed with --tree");
+    if (o.own) { draw_tree(&o, pixel[0], pixel[1]); return output_done(&o); }
     draw_terms(&o, depth, naive);
+    if (!o.out) draw_tree(&o, 205, 190);
     measure_branches(&o);
     if (o.full) {
         measure_rays(&o);

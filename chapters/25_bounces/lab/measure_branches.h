@@ -29,7 +29,10 @@ enum { most_trials = rooms * trial_depths * branch_kinds };
 static const int trial_depth[trial_depths] = {1, 2, 3, 5};
 static const char *const branch_name[branch_kinds] = {"N = 1", "N = 2", "N = 4", "N = 8"};
 
-typedef struct { int room, d, N; double error, rays, us; } branch_trial;  /* of one sample */
+typedef struct {
+    int room, d, N;
+    double error, sure, rays, us;      /* of one sample; sure: standard error of `error` */
+} branch_trial;
 typedef struct { estimate square; bounce_counts c; } trial_part;
 typedef struct {
     lit_scene scene[rooms];
@@ -178,6 +181,7 @@ static inline void trial_result(const branch_survey *b, int trial, branch_trial 
     }
     t->rays = rays / (double)square.n;
     t->error = sqrt(square.mean) / exact * (double)b->pixels;
+    t->sure = t->error * estimate_error(square) / (2 * square.mean);
 }
 
 typedef struct { const branch_survey *b; const branch_trial *t; double least, rays; } timed_trial;
@@ -225,7 +229,7 @@ static inline void trial_list(branch_survey *b, const options *o)
             if (!trial_wanted(o, room, d) || (first && trial_depth[d] == 2)) continue;
             for (int k = 0; k < (first ? 3 : branch_kinds); k++)
                 b->trial[b->trials++] = (branch_trial){room, d, first ? of_first[k] : of_room[k],
-                                                       0, 0, 0};
+                                                       0, 0, 0, 0};
         }
 }
 
@@ -273,7 +277,8 @@ static inline void trial_row(const branch_trial *a, const branch_trial *one, boo
     if (full) table_text(t, "%s", a->N ? name[a->room] : "first's box, terms.h");
     table_count(t, (size_t)trial_depth[a->d]), table_count(t, a->N ? (size_t)a->N : 1);
     if (full) table_count(t, (size_t)trial_rays_if_closed(a));
-    table_number(t, a->rays), table_number(t, a->error), table_number(t, a->us);
+    table_number(t, a->rays), table_text(t, "%.3g -+ %.1g", a->error, a->sure);
+    table_number(t, a->us);
     if (full) table_number(t, in_time);
     table_number(t, in_time / (one->error * sqrt(one->us / 1000)));
 }
@@ -282,10 +287,10 @@ static inline void measure_branches(const options *o)
 {
     branch_survey *b = allocate(1, sizeof *b);
     table t = table_new("Cornell box, N directions a hit: relative error (rms) of a sample, and in "
-                        "the same time", "bounces|N|rays|error of a sample [1]|"
+                        "the same time", "bounces|N|rays|error of a sample, -+ [1]|"
                         "time of a sample [us]|time: error over that of N = 1");
     table all = table_new("N directions a hit: relative error (rms) of a sample, and in 1 ms",
-                          "room|bounces|N|rays if closed|rays|error of a sample [1]|"
+                          "room|bounces|N|rays if closed|rays|error of a sample, -+ [1]|"
                           "time of a sample [us]|time: error in 1 ms [1]|"
                           "time: error over that of N = 1");
     options brief = *o;

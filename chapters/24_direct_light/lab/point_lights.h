@@ -1,0 +1,173 @@
+/* point_lights.h: an area light as k point lights (面光源视为无数个点光源), k = 1, 4, 16 ..: the middles
+ * of a grid of k cells, the same for all points of the scene. Each is a sample by area (24.4)
+ * whose two numbers are not drawn but set.
+ *
+ *   draw_points(&o);      24_direct_light_points.png: 1, 4, 16 point lights; 16 points drawn
+ *   measure_points(&o);   table and plot: error against k, where the whole lamp is seen and where a
+ *                         part of it is; beside it k random points
+ *
+ * Truth: where the whole lamp is seen, the closed form of 22; else survey.h's reference.
+ */
+#ifndef DIRECT_POINT_LIGHTS_H
+#define DIRECT_POINT_LIGHTS_H
+
+#include "../../22_radiometry/polygon_irradiance.h"
+#include "survey.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Number i of side x side: the middle of its cell. */
+static inline point2 point_light(uint32_t i, uint32_t side)
+{
+    return (point2){((real)(i % side) + (real)0.5) / (real)side,
+                    ((real)(i / side) + (real)0.5) / (real)side};
+}
+
+/* What side x side point lights bring; *seen: how many of them. */
+static inline vec3 point_lights(const direct *d, const direct_point *x, uint32_t side,
+                                uint32_t *seen)
+{
+    vec3 sum = {0, 0, 0};
+    *seen = 0;
+    for (uint32_t i = 0; i < side * side; i++) {
+        vec3 L = direct_from(d, x, 0, 1, point_light(i, side));
+        *seen += !vzero(L);
+        sum = vadd(sum, L);
+    }
+    return vscale(sum, 1 / (real)(side * side));
+}
+
+static inline direct_point point_seen(const lit_hit *h, vec3 wo)
+{
+    shading_frame f = shading_frame_of(h->s.ns);
+    return (direct_point){h, f, to_local(f, wo)};
+}
+
+/* ---- picture ---- */
+
+enum { points_panels = 4, points_width = 240, points_eye_rays = 4 };
+typedef struct { direct_stage g; lit_lights l; image im; int panel; uint64_t seed; } points_sheet;
+
+static inline void points_pixel(int x, int y, void *context)
+{
+    points_sheet *t = context;
+    vec3 sum = {0, 0, 0};
+    direct_work work = {0, 0, 0};
+    direct d = {&t->g.s, DIRECT_AREA, &t->l, &work, false};
+    uint64_t pixel = (uint64_t)y * (uint64_t)t->im.width + (uint64_t)x;
+    for (uint32_t i = 0; i < points_eye_rays; i++) {
+        sampler s = sampler_start(SEQUENCE_SOBOL, t->seed, pixel, i, points_eye_rays);
+        point2 p = sampler_pair(&s);
+        lit_hit h;
+        uint32_t seen;
+        ray r = camera_ray(t->g.c, (real)x + p.u, (real)y + p.v, t->im.width, t->im.height);
+        if (!lit_trace(&t->g.s, r, &h)) continue;
+        vec3 wo = vneg(vunit(r.d)), L = {0, 0, 0};
+        direct_point at = point_seen(&h, wo);
+        if (t->panel + 1 < points_panels) L = point_lights(&d, &at, 1u << t->panel, &seen);
+        else for (int k = 0; k < 4; k++) L = vmadd(L, direct_light(&d, &h, wo, &s), (real)0.25);
+        sum = vadd(sum, vadd(L, lit_emitted(&h)));
+    }
+    image_set(&t->im, x, y, vscale(sum, t->g.exposure / points_eye_rays));
+}
+
+static inline void draw_points(const options *o)
+{
+    static const char *const title[points_panels] = {"1 point light", "4 point lights",
+                                                     "16 point lights", "16 points drawn"};
+    points_sheet t = {.seed = o->seed};
+    int across = o->quick ? points_width / 8 : points_width, gap = 4;
+    image sheet = image_new(points_panels * (across + gap) - gap, across);
+    bool whole = true;
+    stage_open(STAGE_BOX, &t.g);
+    lit_lights_of(&t.g.s, NULL, LIGHTS_ALL, &t.l);
+    for (t.panel = 0; t.panel < points_panels && whole; t.panel++) {
+        t.im = image_new(across, across);
+        whole = parallel_pixels(across, across, o->threads, "point lights", points_pixel, &t);
+        image_place(&sheet, t.panel * (across + gap), 0, &t.im);
+        image_free(&t.im);
+    }
+    image titled = label_panels(&sheet, points_panels, 1, gap, title);
+    output_picture(o, &titled, "24_direct_light_points.png", false, whole);
+    image_free(&sheet), image_free(&titled), lit_lights_free(&t.l), stage_close(&t.g);
+}
+
+/* ---- error against k ---- */
+
+enum { points_levels = 6, points_ways = 4 };  /* 1, 4 .. 1024; wholly and partly seen, two ways */
+typedef struct {
+    direct_survey s;
+    double *square;                           /* of each point: a level, grid and random */
+    int *part;                                /* 0: sees the whole lamp, 1: a part, 2: nothing */
+} points_survey;
+
+static inline void points_job(size_t i, void *context)
+{
+    const points_survey *v = context;
+    const direct_survey *s = &v->s;
+    const seen_point *p = &s->point[i];
+    direct_work work = {0, 0, 0};
+    direct d = {&s->g.s, DIRECT_AREA, &s->choice[LIGHTS_ALL], &work, false};
+    direct_point at = point_seen(&p->h, p->wo);
+    survey_entry random = {DIRECT_AREA, LIGHTS_ALL, SEQUENCE_RANDOM};
+    double truth = p->truth;
+    uint32_t seen;
+    (void)point_lights(&d, &at, 64, &seen);
+    v->part[i] = seen == 64 * 64 ? 0 : seen ? 1 : 2;
+    if (v->part[i] == 2) return;
+    if (v->part[i] == 0) {
+        rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
+        real E = rectangle_irradiance(lamp, p->h.s.p, p->h.s.n) / pi;
+        truth = grey(vscale(vmul(brdf_albedo(&p->h.m->f, 1), cornell_radiance), E));
+    }
+    for (int k = 0; k < points_levels; k++) {
+        double L[2] = {grey(point_lights(&d, &at, 1u << k, &seen)),
+                       survey_estimate(s, random, p, i, 1u << 2 * k, s->seed, &work)};
+        for (int way = 0; way < 2; way++) {
+            double off = (L[way] - truth) / (truth + s->mean);
+            v->square[(i * points_levels + (size_t)k) * 2 + (size_t)way] = off * off;
+        }
+    }
+}
+
+/* Way 0: whole lamp, grid; 1: whole, random; 2, 3: a part of it. */
+static inline double points_error(const points_survey *v, int level, int way)
+{
+    double sum = 0, n = 0;
+    for (size_t i = 0; i < v->s.points; i++)
+        if (v->part[i] == way / 2)
+            sum += v->square[(i * points_levels + (size_t)level) * 2 + (size_t)way % 2], n++;
+    return sqrt(sum / (n > 0 ? n : 1));
+}
+
+static inline void measure_points(const options *o)
+{
+    static const char *const name[points_ways] = {"whole lamp, k point lights",
+                                                  "whole lamp, k random points",
+                                                  "part of it, k point lights",
+                                                  "part of it, k random points"};
+    points_survey v;
+    table t = table_new("A lamp as k point lights: relative error, Cornell box",
+                        "k|whole lamp seen: a grid [1]|random points [1]|a part seen: a grid [1]|"
+                        "random points [1]");
+    plot p = plot_new("An area light as k point lights", "k", "relative error",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    survey_open(&v.s, o, STAGE_BOX, 48, 4096);
+    v.square = allocate(v.s.points * points_levels * 2, sizeof *v.square);
+    v.part = allocate(v.s.points, sizeof *v.part);
+    parallel_for(v.s.points, o->threads, "point lights", points_job, &v);
+    for (int way = 0; way < points_ways; way++) plot_series(&p, name[way]);
+    for (int k = 0; k < points_levels; k++) {
+        table_count(&t, (size_t)1 << 2 * k);
+        for (int way = 0; way < points_ways; way++) {
+            double error = points_error(&v, k, way);
+            table_number(&t, error), plot_add(&p, way, 1 << 2 * k, error);
+        }
+    }
+    plot_slope(&p, -0.5, "slope -1/2");
+    output_extra_table(o, &t);
+    output_plot(o, &p, "24_direct_light_points.svg");
+    free(v.square), free(v.part), survey_close(&v.s);
+}
+
+#endif
