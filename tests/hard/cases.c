@@ -24,8 +24,13 @@ typedef struct {
     hard_count (*count)(int k, real x);
     int k;
     real x;
-    bool promised;        /* that the default has none wrong */
+    enum { MEASURED, IN_DOUBLE, PROMISED } zero;   /* that the default has none wrong */
 } hard_case;
+
+static bool is_promised(const hard_case *c)
+{
+    return c->zero >= (real_is_float ? PROMISED : IN_DOUBLE);
+}
 
 static const uint64_t seed = 18;
 
@@ -79,15 +84,19 @@ static hard_count surfaces(int k, real x)
     return (hard_count){n - unsure, (size_t)wrong[0], (size_t)wrong[1]};
 }
 
-/* k: a csg_sight_kind. */
+/* k: a csg_sight_kind. Where faces coincide, the textbook computes planes from corners; where walls
+ * are thin, it has a tolerance. */
 static hard_count solids(int k, real x)
 {
     enum { n = 4000 };
     csg_sight s = csg_sight_of((csg_sight_kind)k, seed);
-    double first = csg_wrong(&s, csg_hit_front, n), now = csg_wrong(&s, csg_hit, n);
+    csg_hit_function *textbook = k == CSG_FOILS ? csg_hit_tolerant
+                                 : k >= CSG_COINCIDENT ? csg_hit_points : csg_hit_front;
+    double first = csg_wrong(&s, textbook, n), now = csg_wrong(&s, csg_hit, n);
     (void)x;
     csg_sight_free(&s);
-    return (hard_count){n, (size_t)floor(first * n / 100 + 0.5), (size_t)floor(now * n / 100 + 0.5)};
+    first = floor(first * n / 100 + 0.5), now = floor(now * n / 100 + 0.5);  /* were percent */
+    return (hard_count){n, (size_t)first, (size_t)now};
 }
 
 /* Gears of polygons, or k: with sides of triangles; x: how far away. */
@@ -215,57 +224,57 @@ static hard_count leaks(int k, real x)
 #define WIDE "30 digits"
 #define WHOLE "whole numbers"
 static const hard_case list[] = {
-    {"03", "limb, 1 R", "R to the last bit of a tangent", WIDE, spheres, SPHERE_LIMB, 1, true},
-    {"03", "limb, 100 R", "the same", WIDE, spheres, SPHERE_LIMB, 100, true},
-    {"03", "limb, 1e4 R", "the same", WIDE, spheres, SPHERE_LIMB, (real)1e4, true},
-    {"03", "limb, 1e6 R", "the same", WIDE, spheres, SPHERE_LIMB, (real)1e6, true},
-    {"03", "grazing, 100 R", "within 0.1 % of the limb", WIDE, spheres, SPHERE_GRAZING, 100, true},
-    {"03", "grazing, 1e6 R", "the same", WIDE, spheres, SPHERE_GRAZING, (real)1e6, true},
-    {"04", "edges", "closed mesh, from inside", "closed", seams, 0, 0, true},
-    {"04", "corners", "the same", "closed", seams, 1, 0, true},
-    {"04", "edges, far", "1000 radii off", "closed", seams, 0, 1000, true},
-    {"04", "corners, far", "1000 radii off", "closed", seams, 1, 1000, true},
-    {"04", "needles, 1e-2", "inside of length 1, width 1e-2", WIDE, slivers, 0, (real)1e-2, true},
-    {"04", "needles, 1e-4", "width 1e-4", WIDE, slivers, 0, (real)1e-4, true},
-    {"04", "needles, 1e-6", "width 1e-6", WIDE, slivers, 0, (real)1e-6, true},
-    {"05", "sphere, grazing", "1e-1 to 1e-10 off", "Sturm", surfaces, IMPLICIT_SPHERE, 1, false},
-    {"05", "torus", "anywhere", "Sturm", surfaces, IMPLICIT_TORUS, 0, false},
-    {"05", "torus, grazing", "1e-1 to 1e-10 off", "Sturm", surfaces, IMPLICIT_TORUS, 1, false},
-    {"05", "Barth", "anywhere: 65 double points", "Sturm", surfaces, IMPLICIT_BARTH, 0, false},
-    {"05", "Barth, grazing", "1e-1 to 1e-10 off", "Sturm", surfaces, IMPLICIT_BARTH, 1, false},
-    {"06", "from outside", "sphere and box less cylinders", "Boolean", solids, CSG_OUTSIDE, 0, true},
-    {"06", "eye inside", "from within a solid", "Boolean", solids, CSG_EYE_INSIDE, 0, true},
-    {"06", "coincident", "faces in one plane", "Boolean", solids, CSG_COINCIDENT, 0, true},
-    {"06", "coincident, far", "far from the origin", "Boolean", solids, CSG_FAR_AWAY, 0, true},
-    {"06", "foils", "thin walls that must stay", "Boolean", solids, CSG_FOILS, 0, true},
-    {"07", "gear", "polygons of 144 corners, seams", "closed", gears, 0, 0, true},
-    {"07", "gear, far", "1000 radii off", "closed", gears, 0, 1000, true},
-    {"07", "gear, triangles", "polygons beside triangles", "closed", gears, 1, 0, true},
-    {"08", "drawn, 58", "58 triangles, floor behind the eye", "rays", drawn, 1, 96, true},
-    {"08", "drawn, 994", "994 triangles", "rays", drawn, 4, 96, true},
-    {"09", "in a plane", "o on a face, along it", WHOLE, boxes, TRIAL_PARALLEL, 0, true},
-    {"09", "flat box", "a side of length 0", WHOLE, boxes, TRIAL_FLAT, 0, true},
-    {"09", "edge", "one point of an edge", WHOLE, boxes, TRIAL_EDGE, 0, true},
-    {"09", "corner", "three planes at one t", WHOLE, boxes, TRIAL_CORNER, 0, true},
-    {"09", "contact", "intervals end where it enters", WHOLE, boxes, TRIAL_CONTACT, 0, true},
-    {"09", "any", "any box, any ray", WHOLE, boxes, TRIAL_ANY, 0, true},
-    {"09", "all digits", "corners, all digits in use", WIDE, boxes, trial_kinds, 0, true},
-    {"10", "grid", "all classes of 17", WHOLE, torture_of_structure, 0, 0, true},
-    {"11", "octree", "all classes of 17", WHOLE, torture_of_structure, 1, 0, true},
-    {"12", "k-d tree", "all classes of 17", WHOLE, torture_of_structure, 2, 0, true},
-    {"13", "BSP tree", "all classes of 17", WHOLE, torture_of_structure, 3, 0, true},
-    {"15", "wide tree", "all classes of 17", WHOLE, torture_of_structure, 4, 0, true},
-    {"18", "acne, sphere", "leaving a shape of size 1", "convex", acne, DEPART_SPHERE, 0, true},
-    {"18", "acne, triangle", "the same", "convex", acne, DEPART_TRIANGLE, 0, true},
-    {"18", "acne, needle", "the same", "convex", acne, DEPART_NEEDLE, 0, true},
-    {"18", "acne, cone", "the same", "convex", acne, DEPART_CONE, 0, true},
-    {"18", "acne, polygon", "the same", "convex", acne, DEPART_POLYGON, 0, true},
-    {"18", "acne, sphere far", "1e6 away", "convex", acne, DEPART_SPHERE, (real)1e6, true},
-    {"18", "acne, triangle far", "1e6 away", "convex", acne, DEPART_TRIANGLE, (real)1e6, true},
-    {"18", "acne, polygon far", "1e6 away", "convex", acne, DEPART_POLYGON, (real)1e6, true},
-    {"18", "leak, sphere", "a plate 1e-6 above", "plate", leaks, DEPART_SPHERE, 0, true},
-    {"18", "leak, triangle", "the same", "plate", leaks, DEPART_TRIANGLE, 0, true},
-    {"18", "leak, triangle far", "1e6 away", "plate", leaks, DEPART_TRIANGLE, (real)1e6, true},
+    {"03", "limb, 1 R", "tangent but for the last bit", WIDE, spheres, SPHERE_LIMB, 1, PROMISED},
+    {"03", "limb, 100 R", "the same", WIDE, spheres, SPHERE_LIMB, 100, PROMISED},
+    {"03", "limb, 1e4 R", "the same", WIDE, spheres, SPHERE_LIMB, (real)1e4, PROMISED},
+    {"03", "limb, 1e6 R", "the same", WIDE, spheres, SPHERE_LIMB, (real)1e6, PROMISED},
+    {"03", "grazing, 100 R", "0.1 % of the limb", WIDE, spheres, SPHERE_GRAZING, 100, PROMISED},
+    {"03", "grazing, 1e6 R", "the same", WIDE, spheres, SPHERE_GRAZING, (real)1e6, PROMISED},
+    {"04", "edges", "closed mesh, from inside", "closed", seams, 0, 0, PROMISED},
+    {"04", "corners", "the same", "closed", seams, 1, 0, PROMISED},
+    {"04", "edges, far", "1000 radii off", "closed", seams, 0, 1000, PROMISED},
+    {"04", "corners, far", "1000 radii off", "closed", seams, 1, 1000, PROMISED},
+    {"04", "needles, 1e-2", "length 1, width 1e-2", WIDE, slivers, 0, (real)1e-2, PROMISED},
+    {"04", "needles, 1e-4", "width 1e-4", WIDE, slivers, 0, (real)1e-4, PROMISED},
+    {"04", "needles, 1e-6", "width 1e-6", WIDE, slivers, 0, (real)1e-6, IN_DOUBLE},
+    {"05", "sphere, grazing", "1e-1 to 1e-10 off", "Sturm", surfaces, IMPLICIT_SPHERE, 1, MEASURED},
+    {"05", "torus", "anywhere", "Sturm", surfaces, IMPLICIT_TORUS, 0, MEASURED},
+    {"05", "torus, grazing", "1e-1 to 1e-10 off", "Sturm", surfaces, IMPLICIT_TORUS, 1, MEASURED},
+    {"05", "Barth", "anywhere: 65 double points", "Sturm", surfaces, IMPLICIT_BARTH, 0, MEASURED},
+    {"05", "Barth, grazing", "1e-1 to 1e-10 off", "Sturm", surfaces, IMPLICIT_BARTH, 1, MEASURED},
+    {"06", "from outside", "nothing hard", "Boolean", solids, CSG_OUTSIDE, 0, PROMISED},
+    {"06", "eye inside", "from within a solid", "Boolean", solids, CSG_EYE_INSIDE, 0, PROMISED},
+    {"06", "coincident", "faces in one plane", "Boolean", solids, CSG_COINCIDENT, 0, PROMISED},
+    {"06", "coincident, far", "far from the origin", "Boolean", solids, CSG_FAR_AWAY, 0, PROMISED},
+    {"06", "foils", "thin walls that must stay", "Boolean", solids, CSG_FOILS, 0, PROMISED},
+    {"07", "gear", "polygons of 144 corners, seams", "closed", gears, 0, 0, PROMISED},
+    {"07", "gear, far", "1000 radii off", "closed", gears, 0, 1000, PROMISED},
+    {"07", "gear, triangles", "polygons beside triangles", "closed", gears, 1, 0, PROMISED},
+    {"08", "drawn, twins", "triangles in one place", "rays", drawn, 1, 96, IN_DOUBLE},
+    {"08", "drawn, 994", "994 triangles", "rays", drawn, 4, 96, PROMISED},
+    {"09", "in a plane", "o on a face, along it", WHOLE, boxes, TRIAL_PARALLEL, 0, PROMISED},
+    {"09", "flat box", "a side of length 0", WHOLE, boxes, TRIAL_FLAT, 0, PROMISED},
+    {"09", "edge", "one point of an edge", WHOLE, boxes, TRIAL_EDGE, 0, PROMISED},
+    {"09", "corner", "three planes at one t", WHOLE, boxes, TRIAL_CORNER, 0, PROMISED},
+    {"09", "contact", "interval ends where it enters", WHOLE, boxes, TRIAL_CONTACT, 0, PROMISED},
+    {"09", "any", "any box, any ray", WHOLE, boxes, TRIAL_ANY, 0, PROMISED},
+    {"09", "all digits", "corners, all digits in use", WIDE, boxes, trial_kinds, 0, PROMISED},
+    {"10", "grid", "all classes of 17", WHOLE, torture_of_structure, 0, 0, PROMISED},
+    {"11", "octree", "all classes of 17", WHOLE, torture_of_structure, 1, 0, PROMISED},
+    {"12", "k-d tree", "all classes of 17", WHOLE, torture_of_structure, 2, 0, PROMISED},
+    {"13", "BSP tree", "all classes of 17", WHOLE, torture_of_structure, 3, 0, PROMISED},
+    {"15", "wide tree", "all classes of 17", WHOLE, torture_of_structure, 4, 0, PROMISED},
+    {"18", "acne, sphere", "leaving a shape of size 1", "convex", acne, DEPART_SPHERE, 0, PROMISED},
+    {"18", "acne, triangle", "the same", "convex", acne, DEPART_TRIANGLE, 0, PROMISED},
+    {"18", "acne, needle", "the same", "convex", acne, DEPART_NEEDLE, 0, PROMISED},
+    {"18", "acne, cone", "the same", "convex", acne, DEPART_CONE, 0, PROMISED},
+    {"18", "acne, polygon", "the same", "convex", acne, DEPART_POLYGON, 0, PROMISED},
+    {"18", "acne, sphere far", "1e6 away", "convex", acne, DEPART_SPHERE, (real)1e6, PROMISED},
+    {"18", "acne, triangle far", "1e6 away", "convex", acne, DEPART_TRIANGLE, (real)1e6, PROMISED},
+    {"18", "acne, polygon far", "1e6 away", "convex", acne, DEPART_POLYGON, (real)1e6, PROMISED},
+    {"18", "leak, sphere", "a plate 1e-6 above", "plate", leaks, DEPART_SPHERE, 0, PROMISED},
+    {"18", "leak, triangle", "the same", "plate", leaks, DEPART_TRIANGLE, 0, PROMISED},
+    {"18", "leak, triangle far", "1e6 away", "plate", leaks, DEPART_TRIANGLE, (real)1e6, PROMISED},
 };
 
 static size_t add(table *t, const hard_case *c)
@@ -273,8 +282,8 @@ static size_t add(table *t, const hard_case *c)
     hard_count n = c->count(c->k, c->x);
     table_text(t, "%s", c->chapter), table_text(t, "%s", c->name), table_text(t, "%s", c->how);
     table_text(t, "%s", c->oracle), table_count(t, n.tried), table_count(t, n.first);
-    table_count(t, n.now), table_text(t, c->promised ? "0" : "-");
-    return c->promised ? n.now : 0;
+    table_count(t, n.now), table_text(t, is_promised(c) ? "0" : "-");
+    return is_promised(c) ? n.now : 0;
 }
 
 int main(void)
@@ -285,7 +294,7 @@ int main(void)
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) broken += add(&t, &list[i]);
     for (int k = 0; k < torture_classes; k++)
         broken += add(&t, &(hard_case){"17", torture_list[k].name, torture_list[k].what, WHOLE,
-                                       torture_of_class, k, 0, true});
+                                       torture_of_class, k, 0, PROMISED});
     printf("# %s, real = %s\n", t.title, real_is_float ? "float" : "double");
     table_print(&t, stdout);
     table_free(&t);
