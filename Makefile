@@ -9,6 +9,7 @@
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
 # make notes      the ledger: what the lecture notes claim, and what the programs found
+# make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
@@ -56,7 +57,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants hard-cases notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -148,6 +149,15 @@ precision:
 
 graph:
 	@sh tests/rules.sh graph
+
+# In double and in float; no part of `make test`. Exit 1: a wrong answer where none is promised.
+$(BUILD)/hard_cases: tests/hard/cases.c $(STAMP)
+	$(if $(V),,@echo "CC tests/hard/cases")
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+hard-cases:
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double $(BUILD)/double/hard_cases
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
+	@$(BUILD)/double/hard_cases; a=$$?; echo; $(BUILD)/float/hard_cases && [ $$a -eq 0 ]
 
 mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" CC="$(CC)" sh tests/mutants.sh

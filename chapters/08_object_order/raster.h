@@ -132,7 +132,7 @@ static inline int raster_pixel(const raster_job *j, int64_t at, int most)
 /* A pixel that triangle a b c covers: weights w, u, v of its corners in the picture (8.3). 1/z is
  * linear there, and so are u/z and v/z (8.4). */
 static inline void raster_pixel_seen(const raster_job *j, size_t k, const raster_point *p, real w,
-                                     real u, real v, uint32_t shape)
+                                     real u, real v, uint32_t number)
 {
     real iz = w * p[0].iz + u * p[1].iz + v * p[2].iz;
     uint32_t key = depth_key(j->how.depth, j->how.near * iz);
@@ -141,13 +141,13 @@ static inline void raster_pixel_seen(const raster_job *j, size_t k, const raster
     real a = w * p[0].iz / iz, b = u * p[1].iz / iz, c = v * p[2].iz / iz;
     j->s->key[k] = key;
     j->s->h[k] = (hit){1 / (iz * j->c.d), a * p[0].u + b * p[1].u + c * p[2].u,
-                       a * p[0].v + b * p[1].v + c * p[2].v, shape};
+                       a * p[0].v + b * p[1].v + c * p[2].v, number};
 }
 
 /* Visits the rectangle row by row; edge functions step by additions. What lies exactly at its right
  * or lower end is on no top or left edge. */
 static inline void raster_points(const raster_job *j, raster_point a, raster_point b,
-                                 raster_point c, uint32_t shape)
+                                 raster_point c, uint32_t number)
 {
     raster *s = j->s;
     int64_t twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -172,14 +172,14 @@ static inline void raster_points(const raster_job *j, raster_point a, raster_poi
             if ((w | u | v) >= 0)  /* none is negative */
                 raster_pixel_seen(j, (size_t)row * (size_t)s->nx + (size_t)column, p,
                                   (real)(w + e[0].tie) * inverse, (real)(u + e[1].tie) * inverse,
-                                  (real)(v + e[2].tie) * inverse, shape);
+                                  (real)(v + e[2].tie) * inverse, number);
             w += e[0].right, u += e[1].right, v += e[2].right;
         }
         for (int k = 0; k < 3; k++) e[k].e += e[k].down;
     }
 }
 
-static inline void raster_triangle(const raster_job *j, triangle t, uint32_t shape)
+static inline void raster_triangle(const raster_job *j, triangle t, uint32_t number)
 {
     raster_corner p[raster_most_corners] = {{t.a, 0, 0}, {t.b, 1, 0}, {t.c, 0, 1}};
     raster_point q[raster_most_corners];
@@ -188,7 +188,7 @@ static inline void raster_triangle(const raster_job *j, triangle t, uint32_t sha
     for (int k = 0; k < j->planes && n; k++) n = raster_clip(p, n, j->clip[k]);
     for (int k = 0; k < n; k++)
         if (!raster_project(j, p[k], &q[k])) return;
-    for (int k = 2; k < n; k++) raster_points(j, q[0], q[k - 1], q[k], shape);
+    for (int k = 2; k < n; k++) raster_points(j, q[0], q[k - 1], q[k], number);
 }
 
 /* Triangles first .. end - 1 of m. */

@@ -42,6 +42,7 @@ int main(int argc, char **argv)
         {"protocol", OPTION_TEXT, &own.protocol, 0, 0, "spd: counts as they were published"},
         {"regimes", OPTION_FLAG, &own.regimes, 0, 0,
          "order of rays, all cores, meshes that move: frames against rays"},
+        {"orders", OPTION_FLAG, &own.orders, 0, 0, "pictures by a rasteriser (08) or by rays"},
         {"large", OPTION_FLAG, &own.large, 0, 0, "scenes of 1e4 to 1e6 shapes, growth to 2e6"},
         {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
          "MB that all structures may hold together"},
@@ -57,6 +58,7 @@ int main(int argc, char **argv)
     o.own = own.mesh[0] != NULL;
     if (own.torture) torture_run(&c, own.torture, own.score);
     else if (own.protocol) protocol_run(c, own.only, g, own.scale);
+    else if (own.orders) orders_run(&o);
     else compare_run(&c, &own);
     return output_done(&o);
 }

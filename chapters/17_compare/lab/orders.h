@@ -1,127 +1,176 @@
-/* orders.h: rays that stay together or not, one core and all: does the verdict change?
+/* orders.h: the two orders of rendering once more (08): each triangle on its pixels, or each
+ * pixel's ray in a tree? Primary visibility, one thread.
  *
- *   orders_run(&o, &chosen, most_bytes, report)        a table
+ *   orders_run(&o)                   the table, and 17_compare_orders_time.svg
  *
- * The same primary rays of a teapot in rows (coherent, 相干) and shuffled (the same work in another
- * order), and diffuse ones (incoherent, 非相干); then these on all cores. Times are of processors,
- * all threads together: a core that waits for memory because others use it shows there, and other
- * work of the machine hardly does. Efficiency 1: n idle cores are n times as fast.
+ *   race_begin(n, &t)                teapot of n x n cells a patch, seen by one camera; its trees
+ *   race_picture(&t, how, &s)        how: RACE_RASTER, RACE_BVH, RACE_WIDE; what was in s is gone
+ *   race_difference d = race_compare(&t, &a, &b)     pixels of a drawn picture against one by rays
+ *   race_end(&t)
+ *
+ * Both end with a `hit` for each pixel. Making the rays counts, and so does projecting the corners
+ * and clearing the picture. Trees are built before: what that takes stands in the table, and
+ * a thing that moves pays it in each picture.
+ *
+ * Two pictures differ where an edge passes within 1/256 of a pixel from its middle, the step to
+ * which the rasteriser rounds corners: that explains a pixel if a ray beside its middle, by up to
+ * such a step, hits the triangle that was drawn. Triangles of less than a step vanish altogether.
  */
 #ifndef COMPARE_LAB_ORDERS_H
 #define COMPARE_LAB_ORDERS_H
 
+#include "../../08_object_order/raster.h"
 #include "costs.h"
 #include "scenes.h"
 
+typedef enum { RACE_RASTER, RACE_BVH, RACE_WIDE, race_ways } race_way;
+static const char *const race_name[race_ways] = {"raster", "bvh", "wide"};
+typedef struct {
+    world w;
+    items x;
+    camera c;
+    const contender *tree[race_ways];     /* NULL: none */
+    void *built[race_ways];
+    double build[race_ways];              /* seconds */
+} race_track;
+typedef struct { size_t other, unexplained; } race_difference;
+
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { order_chunk = 256, order_rounds = 7, order_sets = 3, order_times = order_sets + 1 };
-typedef struct { const compare_entry *e; const ray_set *rays; hit *out; } order_work;
-
-static inline void order_job(size_t i, void *context)
+static inline void race_begin(int cells, race_track *t)
 {
-    const order_work *x = context;
-    size_t first = i * order_chunk, left = x->rays->n - first;
-    x->e->c->search(x->e->s, x->rays->r + first, left < order_chunk ? left : order_chunk, false,
-                    x->out + first);
-}
-
-/* Of all processors together. */
-static inline double order_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static inline double order_once(order_work *x, int threads)
-{
-    double start = order_seconds();
-    size_t jobs = (x->rays->n + order_chunk - 1) / order_chunk;
-    if (threads == 1) for (size_t i = 0; i < jobs; i++) order_job(i, x);
-    else parallel_for(jobs, threads, "rays", order_job, x);
-    return order_seconds() - start;
-}
-
-static inline ray_set order_shuffled(const ray_set *all, uint64_t seed)
-{
-    ray_set s = rays_some(all, all->n);
-    random_stream g = random_start(seed, 0, 3);
-    for (size_t i = s.n; i > 1; i--) {
-        size_t k = random_below(&g, i);
-        ray r = s.r[i - 1];
-        s.r[i - 1] = s.r[k], s.r[k] = r;
-    }
-    return s;
-}
-
-/* The three sets on one thread, and the last on all, in turn, after a round that warms up. */
-static inline void order_times_of(const compare_entry *e, const ray_set set[order_sets], hit *out,
-                                  int threads, double median[order_times])
-{
-    double seconds[order_times][order_rounds];
-    for (int i = -1; i < order_rounds; i++)
-        for (int k = 0; k < order_times; k++) {
-            order_work x = {e, &set[k < order_sets ? k : order_sets - 1], out};
-            double t = order_once(&x, k < order_sets ? 1 : threads);
-            if (i >= 0) seconds[k][i] = t;
-        }
-    for (int k = 0; k < order_times; k++)
-        median[k] = clock_median(seconds[k], order_rounds);
-}
-
-static inline void order_row(table *t, const compare_entry *e, const ray_set set[order_sets],
-                              hit *out, int threads)
-{
-    double of[order_times];
-    order_times_of(e, set, out, threads, of);
-    table_text(t, "%s", e->choice->label);
-    for (int k = 0; k < order_sets; k += order_sets - 1) {
-        search_work w = {0, 0, 0, 0};
-        hit h;
-        ray_set some = rays_some(&set[k], 2500);
-        for (size_t i = 0; i < some.n; i++) e->c->hit_counted(e->s, some.r[i], &h, &w);
-        table_number(t, per((double)w.nodes, some.n));
-        table_number(t, per((double)w.tests, some.n));
-        rays_free(&some);
-    }
-    for (int k = 0; k < order_times; k++)
-        table_number(t, per(of[k] * 1e9, set[k < order_sets ? k : order_sets - 1].n));
-    table_number(t, of[order_sets - 1] / of[order_sets]);
-}
-
-static inline void orders_run(const options *o, const line_up *chosen, size_t most_bytes,
-                                 html_report *to)
-{
-    world w;
-    comparison s;
     failure f;
-    char title[120];
-    line_up some = {.n = 0};
-    for (int k = 0; k < chosen->n; k++)
-        if (chosen->of[k].c != &brute_contender && !contender_is_first(chosen->of[k].c))
-            some.of[some.n++] = chosen->of[k];
-    if (!mesh_world(&w, "teapot", teapot_mesh(o->quick ? 3 : 32), true, &f)) fail(f);
-    compare_begin(&s, &w, &some, most_bytes, 1);
-    compare_rays(&s, whole_view, o->quick ? 200 : compare_usual_rays, o->seed);
-    ray_set set[order_sets] = {s.rays[KIND_PRIMARY],
-                                order_shuffled(&s.rays[KIND_PRIMARY], o->seed),
-                                s.rays[KIND_DIFFUSE]};
-    hit *out = allocate(set[0].n > set[2].n ? set[0].n : set[2].n, sizeof *out);
-    snprintf(title, sizeof title, "Order and cores: %zu triangles, %zu rays of a kind; %d cores",
-             w.mesh.triangles, set[0].n, parallel_cores());
-    table t = table_new(title, "structure|nodes/primary|tests/primary|nodes/diffuse|tests/diffuse|"
-                               "in rows [ns]|shuffled [ns]|diffuse [ns]|all cores [ns]|efficiency");
-    for (int k = 0; k < s.entries; k++) {
-        compare_progress("order and cores", "timing", s.entry[k].choice->label);
-        if (s.entry[k].s) order_row(&t, &s.entry[k], set, out, o->threads);
+    contender_settings usual = {.n = 0};
+    *t = (race_track){.tree = {NULL, &bvh_contender, &wide_contender}};
+    if (!mesh_world(&t->w, "teapot", teapot_mesh(cells), true, &f)) fail(f);
+    if (!camera_perspective(t->w.frame, 33, (real)4 / 3, &t->c, &f)) fail(f);
+    t->x = items_of_mesh(&t->w.mesh);
+    for (int k = RACE_BVH; k < race_ways; k++) {
+        double start = work_seconds();
+        t->built[k] = contender_build(t->tree[k], &usual, &t->x, SIZE_MAX, &f);
+        if (!t->built[k]) fail(f);
+        t->build[k] = work_seconds() - start;
     }
-    compare_progress("order", NULL, NULL);
-    html_table(to, &t);
+}
+
+static inline void race_end(race_track *t)
+{
+    for (int k = RACE_BVH; k < race_ways; k++) contender_free(t->tree[k], t->built[k]);
+    world_free(&t->w);
+}
+
+/* A row of rays at a time, so that the search is a loop of its own. */
+static inline void race_picture(const race_track *t, race_way how, raster *s)
+{
+    size_t nx = (size_t)s->nx;
+    if (how == RACE_RASTER) {
+        for (size_t k = 0; k < nx * (size_t)s->ny; k++)
+            s->h[k] = hit_none, s->key[k] = depth_farthest;
+        s->asked = s->covered = 0;
+        raster_mesh(s, &t->w.mesh, t->c, raster_default);
+        return;
+    }
+    ray *row = allocate(nx, sizeof *row);
+    for (int y = 0; y < s->ny; y++) {
+        for (int x = 0; x < s->nx; x++)
+            row[x] = camera_ray(t->c, (real)x + (real)0.5, (real)y + (real)0.5, s->nx, s->ny);
+        t->tree[how]->search(t->built[how], row, nx, false, s->h + (size_t)y * nx);
+    }
+    free(row);
+}
+
+/* Is what was drawn at pixel k seen within a step of its middle? Another triangle at the same t,
+ * at an edge, will do. */
+static inline bool race_explained(const race_track *t, const raster *drawn, int k)
+{
+    real step = (real)ldexp(1, -raster_default.bits);
+    real x = (real)(k % drawn->nx) + (real)0.5, y = (real)(k / drawn->nx) + (real)0.5;
+    for (int i = 0; i < 33 * 33; i++) {
+        hit h = hit_none;
+        real dx = step * (real)(i % 33 - 16) / 16, dy = step * (real)(i / 33 - 16) / 16;
+        ray r = camera_ray(t->c, x + dx, y + dy, drawn->nx, drawn->ny);
+        (void)bvh_contender.hit(t->built[RACE_BVH], r, &h);
+        if (h.shape == drawn->h[k].shape || h.t == drawn->h[k].t) return true;
+    }
+    return false;
+}
+
+static inline race_difference race_compare(const race_track *t, const raster *drawn,
+                                           const raster *by_rays)
+{
+    race_difference d = {0, 0};
+    for (int k = 0; k < drawn->nx * drawn->ny; k++) {
+        if (drawn->h[k].shape == by_rays->h[k].shape) continue;
+        d.other++;
+        d.unexplained += !race_explained(t, drawn, k);
+    }
+    return d;
+}
+
+/* In turn, after a round that warms up: medians of seconds. */
+static inline void race_times(const race_track *t, raster s[race_ways], int rounds,
+                              double median[race_ways])
+{
+    double seconds[race_ways][9];
+    for (int i = -1; i < rounds; i++)
+        for (int k = 0; k < race_ways; k++) {
+            double start = work_seconds();
+            race_picture(t, (race_way)k, &s[k]);
+            if (i >= 0) seconds[k][i] = work_seconds() - start;
+        }
+    for (int k = 0; k < race_ways; k++) median[k] = clock_median(seconds[k], rounds);
+}
+
+/* One mesh in one size: a row, and its points in the plot. rounds [1, 9]. */
+static inline void race_row(const race_track *t, int nx, int rounds, const int *series, plot *p,
+                            table *to)
+{
+    raster s[race_ways];
+    double seconds[race_ways], n = nx * (nx * 3 / 4);
+    for (int k = 0; k < race_ways; k++) s[k] = raster_new(nx, nx * 3 / 4);
+    race_times(t, s, rounds, seconds);
+    race_difference d = race_compare(t, &s[RACE_RASTER], &s[RACE_WIDE]);
+    table_count(to, t->w.mesh.triangles), table_text(to, "%d x %d", nx, nx * 3 / 4);
+    table_number(to, (double)s[RACE_RASTER].asked / n);
+    table_number(to, (double)s[RACE_RASTER].covered / n);
+    table_count(to, d.other), table_count(to, d.unexplained);
+    for (int k = 0; k < race_ways; k++) {
+        table_number(to, 1e3 * seconds[k]);
+        if (series[k] >= 0) plot_add(p, series[k], (double)t->w.mesh.triangles, 1e3 * seconds[k]);
+        raster_free(&s[k]);
+    }
+    table_number(to, seconds[RACE_WIDE] / seconds[RACE_RASTER]);
+    table_number(to, 1e3 * t->build[RACE_WIDE]);
+}
+
+static inline void orders_run(const options *o)
+{
+    static const int cells[] = {2, 8, 32, 64, 125}, width[] = {80, 320, 1280};
+    int meshes = o->quick ? 2 : 5, sizes = o->quick ? 2 : 3;
+    table t = table_new("Two orders, one picture", "triangles|pixels|asked a pixel|covered a pixel|"
+                        "error: another triangle [pixels]|error: unexplained|raster [ms]|"
+                        "bvh [ms]|wide [ms]|ratio wide / raster|build wide [ms]");
+    plot p = plot_new("One picture in two orders", "triangles", "time [ms]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
+    int series[3][race_ways];
+    for (int i = 0; i < sizes; i++)
+        for (int k = 0; k < race_ways; k++) {
+            char label[64];
+            snprintf(label, sizeof label, "%s, %d x %d", race_name[k], width[i], width[i] * 3 / 4);
+            series[i][k] = k == RACE_BVH ? -1 : plot_series(&p, label);
+        }
+    for (int m = 0; m < meshes; m++) {
+        race_track track;
+        race_begin(cells[m], &track);
+        for (int i = 0; i < sizes; i++) {
+            compare_progress("two orders", "timing", "");
+            race_row(&track, width[i], o->quick ? 1 : 7, series[i], &p, &t);
+        }
+        race_end(&track);
+    }
+    compare_progress("two orders", NULL, NULL);
     output_extra_table(o, &t);
-    free(out), rays_free(&set[1]);
-    compare_end(&s);
-    world_free(&w);
+    output_plot(o, &p, "17_compare_orders_time.svg");
 }
 
 #endif

@@ -1,5 +1,5 @@
 /* regimes.h: where the verdict might change: 12's and 14's scenes (duel.h), the order of rays and
- * all cores (orders.h), and motion.
+ * all cores (ray_order.h), and motion.
  *
  *   regimes_run(&o, &chosen, most_bytes, report)      tables and plots; false: a wrong hit
  *
@@ -15,7 +15,7 @@
 #include "../../14_bvh/cost.h"
 #include "../../14_bvh/refit.h"
 #include "duel.h"
-#include "orders.h"
+#include "ray_order.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -167,7 +167,7 @@ static inline bool regimes_run(const options *o, const line_up *chosen, size_t m
 {
     html_heading(to, "Regimes");
     duel_run(o, to);
-    orders_run(o, chosen, most_bytes, to);
+    order_run(o, chosen, most_bytes, to);
     bool twist = motion_run(o, MOTION_TWIST, o->quick ? 2 : 12, to);
     return motion_run(o, MOTION_SCATTER, o->quick ? 1 : 10, to) && twist;
 }

@@ -12,6 +12,7 @@
 #include "chart.h"
 #include "drawing.h"
 #include "growth.h"
+#include "orders.h"
 #include "pictures.h"
 #include "regimes.h"
 #include "settings.h"
@@ -149,6 +150,7 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     end_if_wrong(growth_run(o, &c->chosen, c->most_bytes, c->large, r->html));
     output_chart(o, &r->bars, "17_compare_time.svg");
     end_if_wrong(regimes_run(o, &c->chosen, c->most_bytes, r->html));
+    orders_run(o);
     struct rusage u;
     if (!o->quick && getrusage(RUSAGE_SELF, &u) == 0)
         printf("# most memory held by the program: %.0f MB\n", (double)u.ru_maxrss / 1024);

@@ -19,7 +19,7 @@ typedef struct {
     int scale, megabytes;
     double angle;
     const char *torture, *score;
-    bool verify, large, regimes;
+    bool verify, large, regimes, orders;
     compare_files files;
 } compare_options;
 
@@ -100,6 +100,8 @@ static inline void check_options(const options *o, const compare_options *own)
     bool measured = !own->verify && !own->protocol && !rays;
     bool spd = !own->mesh[0] && !rays && !own->verify && !own->sweep
                && (!g || generator_find(spd_list, spd_scenes, g->name));
+    bool other = own->scene || own->mesh[0] || !measured || own->sweep || own->torture || o->out
+                 || o->csv;
     const struct { bool wrong; const char *says; } rules[] = {
         {own->scene && own->mesh[0], "--scene and --mesh: one of them"},
         {own->scale >= 0 && !own->scene, "--scale needs --scene NAME"},
@@ -114,8 +116,9 @@ static inline void check_options(const options *o, const compare_options *own)
         {own->score && !own->torture, "--score needs --torture FOLDER"},
         {own->torture && (own->scene || own->mesh[0] || !measured || own->sweep || own->report
                           || o->out), "--torture has meshes and rays of its own"},
-        {own->regimes && (own->scene || own->mesh[0] || !measured || own->sweep || own->torture
-                          || o->out || o->csv), "--regimes has scenes of its own"},
+        {own->regimes && other, "--regimes has scenes of its own"},
+        {own->orders && (other || own->regimes || own->only || own->report),
+         "--orders has scenes and structures of its own"},
         {own->region && !own->verify, "--region needs --verify"},
         {o->csv && (own->verify || own->protocol || own->sweep),
          "--csv goes with tables: not with --verify, not with --protocol, not with --sweep"},

@@ -39,7 +39,7 @@ typedef enum { TORTURE_RIGHT, TORTURE_LOST, TORTURE_INVENTED, TORTURE_ASTRAY } t
 
 enum { torture_classes = 12, torture_cells = 16 };
 
-typedef enum { AT_INSIDE, AT_EDGE, AT_CORNER, AT_AXIS, AT_RIM } torture_aim;
+typedef enum { AIM_INSIDE, AIM_EDGE, AIM_CORNER, AIM_AXIS, AIM_RIM } torture_aim;
 typedef enum { ON_TERRAIN, ON_FLAT, ON_NEEDLES, ON_COPIES, ON_TWICE } torture_ground;
 typedef enum { FROM_ABOVE, FROM_FAR, FROM_THERE } torture_origin;
 
@@ -53,23 +53,23 @@ typedef struct {
 
 static const torture_class torture_list[torture_classes] = {
     {"inside", "well inside a triangle: nothing is hard here",
-     ON_TERRAIN, AT_INSIDE, FROM_ABOVE, false},
-    {"edges", "at an edge that two triangles share", ON_TERRAIN, AT_EDGE, FROM_ABOVE, false},
-    {"corners", "at a corner that six share", ON_TERRAIN, AT_CORNER, FROM_ABOVE, false},
-    {"axes", "along an axis, at edges: 0 and -0 in d", ON_TERRAIN, AT_AXIS, FROM_ABOVE, false},
-    {"plane", "in the plane of all triangles: nothing is met", ON_FLAT, AT_RIM, FROM_ABOVE, false},
+     ON_TERRAIN, AIM_INSIDE, FROM_ABOVE, false},
+    {"edges", "at an edge that two triangles share", ON_TERRAIN, AIM_EDGE, FROM_ABOVE, false},
+    {"corners", "at a corner that six share", ON_TERRAIN, AIM_CORNER, FROM_ABOVE, false},
+    {"axes", "along an axis, at edges: 0 and -0 in d", ON_TERRAIN, AIM_AXIS, FROM_ABOVE, false},
+    {"plane", "in the plane of all triangles: nothing is met", ON_FLAT, AIM_RIM, FROM_ABOVE, false},
     {"flat", "at edges of a mesh in one plane: a box of no thickness",
-     ON_FLAT, AT_EDGE, FROM_ABOVE, false},
-    {"far", "at edges, from 4000 cells away", ON_TERRAIN, AT_EDGE, FROM_FAR, false},
+     ON_FLAT, AIM_EDGE, FROM_ABOVE, false},
+    {"far", "at edges, from 4000 cells away", ON_TERRAIN, AIM_EDGE, FROM_FAR, false},
     {"needles", "at edges of triangles 16000 times as long as wide",
-     ON_NEEDLES, AT_EDGE, FROM_ABOVE, false},
+     ON_NEEDLES, AIM_EDGE, FROM_ABOVE, false},
     {"copies", "inside triangles that lie there three times",
-     ON_COPIES, AT_INSIDE, FROM_ABOVE, false},
-    {"ties", "at edges of two sheets that touch there", ON_TWICE, AT_EDGE, FROM_ABOVE, false},
+     ON_COPIES, AIM_INSIDE, FROM_ABOVE, false},
+    {"ties", "at edges of two sheets that touch there", ON_TWICE, AIM_EDGE, FROM_ABOVE, false},
     {"ends", "intervals that begin or end 1/4000 from the hit",
-     ON_TERRAIN, AT_EDGE, FROM_ABOVE, true},
+     ON_TERRAIN, AIM_EDGE, FROM_ABOVE, true},
     {"start", "origins on an edge, tmin > 0: not that edge again",
-     ON_TERRAIN, AT_EDGE, FROM_THERE, false},
+     ON_TERRAIN, AIM_EDGE, FROM_THERE, false},
 };
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -161,17 +161,17 @@ static inline ray torture_ray(const mesh *m, const torture_class *c, int step, r
     vec3 ab = vsub(tri.b, tri.a), ac = vsub(tri.c, tri.a), p = tri.a, o, d;
     int far = (1 << torture_bits) - 1, spread = 1 << (torture_bits - 1);
     int k = 1 + torture_below(g, 3);
-    if (c->aim == AT_INSIDE)
+    if (c->aim == AIM_INSIDE)
         p = vmadd(vmadd(p, ab, (real)0.25), ac, (real)0.25 * (real)(1 + k % 2));
-    if (c->aim == AT_EDGE || c->aim == AT_AXIS)
+    if (c->aim == AIM_EDGE || c->aim == AIM_AXIS)
         p = vmadd(p, torture_below(g, 2) ? ab : ac, (real)0.25 * (real)k);
     o = vadd(p, vec(torture_below(g, spread) - spread / 2, torture_below(g, spread) - spread / 2,
                     spread / 8 + torture_below(g, spread / 2)));
     if (c->from == FROM_FAR)
         o = vec(torture_below(g, 2) ? far : -far, torture_below(g, 9) - 4,
                 far / 8 * (1 + torture_below(g, 7)));
-    if (c->aim == AT_AXIS) o = vec(p.x, p.y, torture_below(g, 2) ? far : -far);
-    if (c->aim == AT_RIM) o.z = 0;
+    if (c->aim == AIM_AXIS) o = vec(p.x, p.y, torture_below(g, 2) ? far : -far);
+    if (c->aim == AIM_RIM) o.z = 0;
     d = vsub(p, o);
     if (c->from == FROM_THERE) d = vsub(o, p), o = p;
     d = vscale(d, 1 / (real)torture_divisor(d));

@@ -1,0 +1,127 @@
+/* ray_order.h: rays that stay together or not, one core and all: does the verdict change?
+ *
+ *   order_run(&o, &chosen, most_bytes, report)        a table
+ *
+ * The same primary rays of a teapot in rows (coherent, 相干) and shuffled (the same work in another
+ * order), and diffuse ones (incoherent, 非相干); then these on all cores. Times are of processors,
+ * all threads together: a core that waits for memory because others use it shows there, and other
+ * work of the machine hardly does. Efficiency 1: n idle cores are n times as fast.
+ */
+#ifndef COMPARE_LAB_RAY_ORDER_H
+#define COMPARE_LAB_RAY_ORDER_H
+
+#include "costs.h"
+#include "scenes.h"
+
+/* ---------------------------------------------------------------------------------------------- */
+
+enum { order_chunk = 256, order_rounds = 7, order_sets = 3, order_times = order_sets + 1 };
+typedef struct { const compare_entry *e; const ray_set *rays; hit *out; } order_work;
+
+static inline void order_job(size_t i, void *context)
+{
+    const order_work *x = context;
+    size_t first = i * order_chunk, left = x->rays->n - first;
+    x->e->c->search(x->e->s, x->rays->r + first, left < order_chunk ? left : order_chunk, false,
+                    x->out + first);
+}
+
+/* Of all processors together. */
+static inline double order_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static inline double order_once(order_work *x, int threads)
+{
+    double start = order_seconds();
+    size_t jobs = (x->rays->n + order_chunk - 1) / order_chunk;
+    if (threads == 1) for (size_t i = 0; i < jobs; i++) order_job(i, x);
+    else parallel_for(jobs, threads, "rays", order_job, x);
+    return order_seconds() - start;
+}
+
+static inline ray_set order_shuffled(const ray_set *all, uint64_t seed)
+{
+    ray_set s = rays_some(all, all->n);
+    random_stream g = random_start(seed, 0, 3);
+    for (size_t i = s.n; i > 1; i--) {
+        size_t k = random_below(&g, i);
+        ray r = s.r[i - 1];
+        s.r[i - 1] = s.r[k], s.r[k] = r;
+    }
+    return s;
+}
+
+/* The three sets on one thread, and the last on all, in turn, after a round that warms up. */
+static inline void order_times_of(const compare_entry *e, const ray_set set[order_sets], hit *out,
+                                  int threads, double median[order_times])
+{
+    double seconds[order_times][order_rounds];
+    for (int i = -1; i < order_rounds; i++)
+        for (int k = 0; k < order_times; k++) {
+            order_work x = {e, &set[k < order_sets ? k : order_sets - 1], out};
+            double t = order_once(&x, k < order_sets ? 1 : threads);
+            if (i >= 0) seconds[k][i] = t;
+        }
+    for (int k = 0; k < order_times; k++)
+        median[k] = clock_median(seconds[k], order_rounds);
+}
+
+static inline void order_row(table *t, const compare_entry *e, const ray_set set[order_sets],
+                              hit *out, int threads)
+{
+    double of[order_times];
+    order_times_of(e, set, out, threads, of);
+    table_text(t, "%s", e->choice->label);
+    for (int k = 0; k < order_sets; k += order_sets - 1) {
+        search_work w = {0, 0, 0, 0};
+        hit h;
+        ray_set some = rays_some(&set[k], 2500);
+        for (size_t i = 0; i < some.n; i++) e->c->hit_counted(e->s, some.r[i], &h, &w);
+        table_number(t, per((double)w.nodes, some.n));
+        table_number(t, per((double)w.tests, some.n));
+        rays_free(&some);
+    }
+    for (int k = 0; k < order_times; k++)
+        table_number(t, per(of[k] * 1e9, set[k < order_sets ? k : order_sets - 1].n));
+    table_number(t, of[order_sets - 1] / of[order_sets]);
+}
+
+static inline void order_run(const options *o, const line_up *chosen, size_t most_bytes,
+                             html_report *to)
+{
+    world w;
+    comparison s;
+    failure f;
+    char title[120];
+    line_up some = {.n = 0};
+    for (int k = 0; k < chosen->n; k++)
+        if (chosen->of[k].c != &brute_contender && !contender_is_first(chosen->of[k].c))
+            some.of[some.n++] = chosen->of[k];
+    if (!mesh_world(&w, "teapot", teapot_mesh(o->quick ? 3 : 32), true, &f)) fail(f);
+    compare_begin(&s, &w, &some, most_bytes, 1);
+    compare_rays(&s, whole_view, o->quick ? 200 : compare_usual_rays, o->seed);
+    ray_set set[order_sets] = {s.rays[KIND_PRIMARY],
+                                order_shuffled(&s.rays[KIND_PRIMARY], o->seed),
+                                s.rays[KIND_DIFFUSE]};
+    hit *out = allocate(set[0].n > set[2].n ? set[0].n : set[2].n, sizeof *out);
+    snprintf(title, sizeof title, "Order and cores: %zu triangles, %zu rays of a kind; %d cores",
+             w.mesh.triangles, set[0].n, parallel_cores());
+    table t = table_new(title, "structure|nodes/primary|tests/primary|nodes/diffuse|tests/diffuse|"
+                               "in rows [ns]|shuffled [ns]|diffuse [ns]|all cores [ns]|efficiency");
+    for (int k = 0; k < s.entries; k++) {
+        compare_progress("order and cores", "timing", s.entry[k].choice->label);
+        if (s.entry[k].s) order_row(&t, &s.entry[k], set, out, o->threads);
+    }
+    compare_progress("order", NULL, NULL);
+    html_table(to, &t);
+    output_extra_table(o, &t);
+    free(out), rays_free(&set[1]);
+    compare_end(&s);
+    world_free(&w);
+}
+
+#endif
