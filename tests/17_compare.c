@@ -682,11 +682,7 @@ static void test_knobs(void)
     world w = tiny("stadium");
     comparison s;
     line_up all = chosen_of("bvh:leaf=1,bvh:leaf=8:cost=2,bvh:rule=median,octree:depth=2,kdtree,"
-<<<<<<< HEAD
                             "wide:width=2,wide:leaf=4:cost=0.01,wide:leaf=4:cost=50");
-=======
-                            "wide:width=2,wide:leaf=1:cost=0.01,wide:leaf=1:cost=50");
->>>>>>> part-orders
     line_up swept = swept_of("bvh:leaf=1..32"), few = swept_of("kdtree:bonus=0..0.8");
     compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
     check_equal(s.entries, 8, "eight structures, some of them the same");
