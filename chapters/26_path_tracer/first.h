@@ -10,14 +10,15 @@
 static const double first_go_on = 0.8;
 
 /* What the eye sees along r, by one direction a hit and luck: x emits, and reflects what comes that
- * way. The path ends only where it leaves the scene, and must be lucky to meet the lamp.
+ * way. The path ends where it leaves the scene, or after `most` hits: in a closed room it would not
+ * end at all, and what comes after the last is lost.
  *     L(x0) = Le(x0) + f cos / p L(x1),  f cos / p = kd                          (26.1), (24.2) */
-static inline vec3 first_path_by_luck(const first_scene *s, ray r, random_stream *random)
+static inline vec3 first_path_by_luck(const first_scene *s, ray r, int most, random_stream *random)
 {
     hit h;
-    if (!first_scene_hit(s, r, &h)) return vec(0, 0, 0);
+    if (most <= 0 || !first_scene_hit(s, r, &h)) return vec(0, 0, 0);
     first_point x = first_point_at(s, r, h);
-    vec3 Li = first_path_by_luck(s, first_bounce(s, x, random), random);
+    vec3 Li = first_path_by_luck(s, first_bounce(s, x, random), most - 1, random);
     return vadd(first_emitted(x), vmul(x.kd, Li));
 }
 
