@@ -7,6 +7,7 @@ static char directory[] = "/tmp/24_direct_light_XXXXXX";
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
+#include "../chapters/24_direct_light/lab/point_lights.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "check.h"
 
@@ -524,6 +525,36 @@ static void test_far(void)
     }
 }
 
+/* An area light as k point lights: where all of it is seen, the midpoint rule, whose error falls as
+ * the square of a cell's side, that is as 1/k (for 4 and 16 the next term, in 1/k^2, still counts,
+ * so from 64 on). Truth: the closed form. Behind an obstacle it sees
+ * some of them only, and half of the lamp is hidden from the origin. */
+static void test_point_lights(void)
+{
+    const lit_material matte = {.f = brdf_lambert(white)};
+    setting open = setting_of(9), hidden = setting_of(16);
+    lit_hit h = place(black, &matte);
+    direct_point at = point_seen(&h, up);
+    for (int half = 0; half < 2; half++) {
+        lit_lights l;
+        direct_work work = {0, 0, 0};
+        lit_lights_of(half ? &hidden.s : &open.s, NULL, LIGHTS_ALL, &l);
+        direct d = {half ? &hidden.s : &open.s, DIRECT_AREA, &l, &work, false};
+        double truth = (half ? hidden.truth : open.truth) / (double)pi, before = 0;
+        for (int k = 0; k < 5; k++) {
+            uint32_t seen, side = 1u << k;
+            double off = fabs((double)point_lights(&d, &at, side, &seen).x / truth - 1);
+            if (!half) check_equal(seen, side * side, "all %u point lights are seen", side * side);
+            else if (k) check_equal(seen, side * side / 2, "half of %u are seen", side * side);
+            if (k > 2) check_close(before / off, 4, 0.5, "error %g of %u, a fourth of that of a "
+                                   "fourth of them", off, side * side);
+            before = off;
+        }
+        lit_lights_free(&l);
+    }
+    lit_free(&open.s), lit_free(&hidden.s);
+}
+
 /* One picture has no table: asked for one, the program says so, and does not draw. */
 static void test_program(void)
 {
@@ -547,6 +578,7 @@ int main(void)
     test_background();
     test_box();
     test_far();
+    test_point_lights();
     test_program();
     return check_report("24_direct_light");
 }

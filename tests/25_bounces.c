@@ -558,11 +558,46 @@ static void test_eye_length(void)
     lit_free(&s);
 }
 
+/* What is drawn of a tree: each ray begins at the hit that it came from, moved off its surface by
+ * the bound of 18, some dozens of eps of 600; at most N go on from a hit; and no generation is
+ * skipped. */
+static void test_tree(void)
+{
+    lit_scene s;
+    lit_cornell(&s);
+    naive_path p = {&s, DIRECTIONS_BRDF, 4, false};
+    size_t wrong = 0, many = 0, rays = 0, n = check_count(300);
+    double far = 0;
+    for (size_t i = 0; i < n; i++)
+        for (int N = 1; N <= 3; N++) {
+            naive_counts c = {{0}, 0, 0};
+            branching_walk w;
+            size_t of[6] = {0};
+            branching_start(&w, &p, N, cornell_ray(i), 25, i, 0);
+            for (int last = -1; branching_next(&w, &c); last = w.k) {
+                wrong += w.k > last + 1 || w.k > p.depth;
+                of[w.k]++;
+                if (w.k == 0) continue;
+                const lit_hit *from = &w.stack[w.k - 1].x;
+                if (!from->m) { wrong++; continue; }
+                far = check_worse(far, (double)vlength(vsub(w.r.o, from->s.p)));
+            }
+            for (int k = 1; k <= p.depth; k++) many += of[k] > of[k - 1] * (size_t)N;
+            for (int k = 0; k <= p.depth; k++) rays += of[k], wrong += of[k] != c.rays[k];
+        }
+    check_equal(wrong, 0, "generations, hits and counts agree");
+    check_equal(many, 0, "no more than N from a hit");
+    check_at_most(far, 64 * 600 * eps, "a ray begins where the last one ended");
+    check_at_least(rays, 20 * n, "there are trees");
+    lit_free(&s);
+}
+
 int main(void)
 {
     test_furnace_exact(), test_endless(), test_furnace_uniform();
     test_pair(), test_pair_whole();
     test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
     test_notes(), test_called_for(), test_counts(), test_shading_normals(), test_eye_length();
+    test_tree();
     return check_report("25_bounces");
 }
