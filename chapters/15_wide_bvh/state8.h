@@ -20,7 +20,7 @@
 
 typedef struct {
     ray *r;
-    bvh8_skip skip;             /* known not to be hit: tree8.h */
+    const bvh8_skip *skip;      /* known not to be hit: tree8.h */
     hit best;                   /* computed in `real`; r->tmax is its t */
     const bvh8_block *waiting;  /* nearer than that, and not computed yet: triangle `lane` */
     int lane;
