@@ -126,9 +126,7 @@ static inline bool bvh8_shapes(const bvh8 *w, const bvh8_list *l, const bvh8_ray
                                       : shape_hit(*x, *s->r, &h))) continue;
         if (any) return true;
         h.shape = l->index[k];
-        if (!hit_before(h, s->best)) continue;
-        s->best = h, s->r->tmax = h.t;
-        s->limit = bvh8_limit(q, h.t);
+        if (hit_before(h, s->best)) s->best = h, s->r->tmax = h.t, s->limit = bvh8_limit(q, h.t);
     }
     return false;
 }
