@@ -58,12 +58,12 @@
 
 static inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
 {
-    BVH8_CALL(bvh8_closest, w, &r, skip, out)
+    BVH8_CALL(bvh8_closest, w, &r, &skip, out)
 }
 
 static inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
 {
-    BVH8_CALL(bvh8_any, w, &r, skip)
+    BVH8_CALL(bvh8_any, w, &r, &skip)
 }
 
 static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)

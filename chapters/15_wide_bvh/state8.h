@@ -20,7 +20,7 @@
 
 typedef struct {
     ray *r;
-    bvh8_skip skip;             /* known not to be hit: tree8.h */
+    const bvh8_skip *skip;      /* known not to be hit: tree8.h */
     hit best;                   /* computed in `real`; r->tmax is its t */
     const bvh8_block *waiting;  /* nearer than that, and not computed yet: triangle `lane` */
     int lane;
@@ -115,14 +115,19 @@ static bool bvh8_ask_all(const bvh8 *w, const bvh8_block *b, const bvh8_ray *q, 
     return false;
 }
 
+__attribute__((always_inline))
 static inline bool bvh8_shapes(const bvh8 *w, const bvh8_list *l, const bvh8_ray *q, bvh8_state *s,
                                bool any)
 {
-    query ask = {*s->r, shear_of(*s->r), s->best};
-    for (int k = 0; k < 8 && l->index[k] != no_shape; k++)
-        if (query_ask(&ask, &w->x, l->index[k], any) && any) return true;
-    *s->r = ask.r, s->best = ask.best;
-    s->limit = bvh8_limit(q, s->r->tmax);
+    for (int k = 0; k < 8 && l->index[k] != no_shape; k++) {
+        const shape *x = &w->x.s->shapes[l->index[k]];
+        hit h;
+        if (!(x->kind == SHAPE_SPHERE ? sphere_hit(x->sphere, *s->r, &h)
+                                      : shape_hit(*x, *s->r, &h))) continue;
+        if (any) return true;
+        h.shape = l->index[k];
+        if (hit_before(h, s->best)) s->best = h, s->r->tmax = h.t, s->limit = bvh8_limit(q, h.t);
+    }
     return false;
 }
 

@@ -1,7 +1,7 @@
 /* walk.h: the search of the tree, in the dialect EIGHT_DIALECT. Included once in each, by search.h:
  * no guard, and every name gets the dialect's number.
  *
- *   bool bvh8_closest(w, &r, skip, &h), bvh8_any(w, &r, skip)   the answers of brute force
+ *   bool bvh8_closest(w, &r, &skip, &h), bvh8_any(w, &r, &skip)   the answers of brute force
  *   bool bvh8_closest_leaky(w, &r, &h), bvh8_any_leaky(w, &r)   in float, come what may
  *   bool bvh8_counted(w, &r, &h, any, &work)                    the answers, and what they took
  *
@@ -96,7 +96,7 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
     if (any && safe) return true;
     for (unsigned doubt = left & ~safe; doubt; doubt &= doubt - 1) {
         uint32_t k = (uint32_t)__builtin_ctz(doubt), i = b->index[k];
-        if (i == s->skip.from || i - s->skip.first <= s->skip.last - s->skip.first)
+        if (i == s->skip->from || i - s->skip->first <= s->skip->last - s->skip->first)
             left &= ~(1u << k);
     }
     if (left == 0) return false;
@@ -109,7 +109,7 @@ static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8
 }
 
 __attribute__((always_inline))
-static inline bool bvh8_walk(const bvh8 *w, ray *r, bvh8_skip skip, hit *out, bool any,
+static inline bool bvh8_walk(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *out, bool any,
                              bool leaky, search_work *work)
 {
     uint64_t stack[512];
@@ -146,30 +146,30 @@ static inline bool bvh8_walk(const bvh8 *w, ray *r, bvh8_skip skip, hit *out, bo
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static bool bvh8_closest(const bvh8 *w, ray *r, bvh8_skip skip, hit *out)
+static bool bvh8_closest(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *out)
 {
     return bvh8_walk(w, r, skip, out, false, false, NULL);
 }
 
-static bool bvh8_any(const bvh8 *w, ray *r, bvh8_skip skip)
+static bool bvh8_any(const bvh8 *w, ray *r, const bvh8_skip *skip)
 {
     return bvh8_walk(w, r, skip, NULL, true, false, NULL);
 }
 
 static bool bvh8_closest_leaky(const bvh8 *w, ray *r, hit *out)
 {
-    return bvh8_walk(w, r, bvh8_skip_none, out, false, true, NULL);
+    return bvh8_walk(w, r, &bvh8_skip_none, out, false, true, NULL);
 }
 
 static bool bvh8_any_leaky(const bvh8 *w, ray *r)
 {
-    return bvh8_walk(w, r, bvh8_skip_none, NULL, true, true, NULL);
+    return bvh8_walk(w, r, &bvh8_skip_none, NULL, true, true, NULL);
 }
 
 static bool bvh8_counted(const bvh8 *w, ray *r, hit *out, bool any, search_work *work)
 {
-    return any ? bvh8_walk(w, r, bvh8_skip_none, NULL, true, false, work)
-               : bvh8_walk(w, r, bvh8_skip_none, out, false, false, work);
+    return any ? bvh8_walk(w, r, &bvh8_skip_none, NULL, true, false, work)
+               : bvh8_walk(w, r, &bvh8_skip_none, out, false, false, work);
 }
 
 #undef bvh8_boxes

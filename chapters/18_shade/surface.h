@@ -96,6 +96,14 @@ static inline surface surface_on_triangle(triangle t, uint32_t index, real u, re
     return (surface){p, n, n, error, real_epsilon * L * (4 + k / 2), index};
 }
 
+/* Field by field: what is copied as a whole right after it was written waits for all of it. */
+__attribute__((always_inline))
+static inline surface surface_copy(const surface *s)
+{
+    return (surface){{s->p.x, s->p.y, s->p.z}, {s->n.x, s->n.y, s->n.z},
+                     {s->ns.x, s->ns.y, s->ns.z}, s->error, s->noise, s->shape};
+}
+
 static inline surface surface_of_mesh(const mesh *m, hit h)
 {
     surface s = surface_on_triangle(mesh_triangle(m, h.shape), h.shape, h.u, h.v);

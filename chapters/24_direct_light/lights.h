@@ -106,7 +106,7 @@ static inline bool lit_lights_point(const lit_lights *l, lit_points points, size
     bool seen = angle && emitter_by_angle(e, p, u, &x);
     if (!angle) seen = emitter_by_area(e, p, u, &x);
     if (!seen) return false;
-    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = e->Le, out->s = x.s;
+    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = e->Le, out->s = surface_copy(&x.s);
     out->emitter = (uint32_t)k;
     return true;
 }

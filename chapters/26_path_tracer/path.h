@@ -130,7 +130,8 @@ static inline point2 path_pair(path_random *r)
 typedef struct {
     vec3 L, beta;
     ray r;
-    surface from;                /* what r left; from.shape = no_shape: the eye */
+    vec3 from;                   /* what r left: a point, */
+    uint32_t left;               /* and its shape; no_shape: the eye */
     real pdf;                    /* of r's direction; infinite: no light sample could find it */
     const lit_material *medium;  /* glass that r is in, or NULL */
     real squeezed;               /* part of beta that is dielectric_squeeze: it comes back */
@@ -151,14 +152,14 @@ static inline vec3 path_found(const path_tracer *t, const path_walk *w, const li
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return Le;
     if (!t->how.mis) return (vec3){0, 0, 0};
     real cosine = fabs(vdot(x->s.n, w->r.d));
-    real q = lit_lights_pdf(&t->light, POINTS_CHEAP, x->emitter, w->from.p, x->t, cosine);
+    real q = lit_lights_pdf(&t->light, POINTS_CHEAP, x->emitter, w->from, x->t, cosine);
     return vscale(Le, mis_power(w->pdf, q));
 }
 
 static inline vec3 path_escaped(const path_tracer *t, const path_walk *w)
 {
     if (!t->sky) return t->scene->background;
-    vec3 d = w->from.shape == no_shape ? vunit(w->r.d) : w->r.d;
+    vec3 d = w->left == no_shape ? vunit(w->r.d) : w->r.d;
     vec3 L = environment_radiance(t->sky, d);
     if (!(w->pdf < real_infinity) || !t->how.light_sampling) return L;
     if (!t->how.mis) return (vec3){0, 0, 0};
@@ -183,7 +184,8 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
         c->spent++;
     }
     c->shadow++;
-    ray r = l.emitter == lit_dark ? leave(x->s, l.wi) : leave_between(x->s, l.s);
+    ray r = l.emitter == lit_dark ? leave(surface_copy(&x->s), l.wi)
+                                      : leave_between(surface_copy(&x->s), surface_copy(&l.s));
     if (lit_occluded_from(t->scene, r, x->s.shape, l.emitter)) return;
     real weight = t->how.mis ? mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, wo)) : 1;
     vec3 gain = vscale(brings, weight / l.pdf);
@@ -221,8 +223,8 @@ static inline void path_through_glass(path_walk *w, const lit_hit *x, path_rando
         w->beta = vscale(w->beta, k), w->squeezed *= k;
         w->medium = x->front ? x->m : NULL;
     }
-    w->r = leave(x->s, wi);
-    w->from = x->s, w->pdf = real_infinity;
+    w->r = leave(surface_copy(&x->s), wi);
+    w->from = x->s.p, w->left = x->s.shape, w->pdf = real_infinity;
 }
 
 /* The next ray by the BRDF; false: nothing is reflected. */
@@ -231,7 +233,7 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
                                 path_random *s, path_counts *c)
 {
     const brdf *b = &x->m->f;
-    vec3 wo = vneg(w->from.shape == no_shape ? vunit(w->r.d) : w->r.d), wi, weight;
+    vec3 wo = vneg(w->left == no_shape ? vunit(w->r.d) : w->r.d), wi, weight;
     shading_frame f = shading_frame_of(x->s.ns);
     vec3 local = to_local(f, wo);
     point2 for_light = path_pair(s), for_brdf = path_pair(s);
@@ -241,8 +243,8 @@ static inline bool path_reflect(const path_tracer *t, path_walk *w, const lit_hi
     wi = to_world(f, wi);
     if (!(vdot(x->s.n, wi) > 0)) return false;
     w->beta = vmul(w->beta, weight);
-    w->r = leave(x->s, wi);
-    w->from = x->s;
+    w->r = leave(surface_copy(&x->s), wi);
+    w->from = x->s.p, w->left = x->s.shape;
     return true;
 }
 
@@ -251,7 +253,7 @@ __attribute__((always_inline))
 static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s, path_counts *c)
 {
     lit_hit x = {.m = NULL};
-    if (!lit_trace_from(t->scene, w->r, w->from.shape, &x)) {
+    if (!lit_trace_from(t->scene, w->r, w->left, &x)) {
         vec3 L = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, w->bounces ? path_cut(L, t->how.clamp) : L);
         return false;
@@ -275,7 +277,7 @@ static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s,
 __attribute__((flatten))
 static inline vec3 path_radiance(const path_tracer *t, ray eye, path_random *s, path_counts *c)
 {
-    path_walk w = {.beta = {1, 1, 1}, .r = eye, .from = {.shape = no_shape}, .pdf = real_infinity,
+    path_walk w = {.beta = {1, 1, 1}, .r = eye, .left = no_shape, .pdf = real_infinity,
                    .squeezed = 1};
     c->paths++;
     if (t->dark) return w.L;
