@@ -23,7 +23,7 @@
 #ifndef EFFECTS_SCENE_FILE_H
 #define EFFECTS_SCENE_FILE_H
 
-#include "nff.h"
+#include "nff_studio.h"
 #include "obj_place.h"
 #include "statements.h"
 
@@ -138,7 +138,7 @@ static inline bool scene_nff(statement *q)
     char path[word_longest_path];
     affine a;
     return scene_path(q, path) && scene_placing(q, &a)
-        && nff_read(q->s, path, a, q->material, q->f);
+        && nff_studio(q->s, path, a, q->material, q->f);
 }
 
 static inline bool scene_mtl(statement *q)
