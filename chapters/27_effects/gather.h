@@ -81,7 +81,7 @@ static inline bool effects_leaf(const void *context, uint32_t first, uint32_t co
 __attribute__((always_inline))
 static inline bool effects_shapes_alone(const studio_tree *t)
 {
-    return t->shapes.tree.items && !t->standing && !t->moved.n;
+    return t->shapes.tree.items && !t->standing && !t->moved.n && !t->solids;
 }
 
 __attribute__((always_inline))

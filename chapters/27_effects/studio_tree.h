@@ -4,7 +4,7 @@
  *   if (!studio_tree_build(&s, &t, &f)) fail(f);    s must outlive t; only one that is finished
  *   studio_hit x;
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
- *                                             meshes that stand before instances, then the lower
+ *                                             meshes that stand before instances before solids
  *   bool studio_tree_occluded(&t, r)          any
  *   surface a = studio_surface(&t, r, x)      with the error bounds of 18, for leave.h
  *   uint32_t m = studio_hit_material(&t, x)
@@ -26,7 +26,8 @@
 #include "../18_shade/surface.h"
 #include "studio.h"
 
-typedef struct { hit h; uint32_t place; } studio_hit;  /* place no_shape: h.shape is a shape */
+/* place no_shape: h.shape is a shape; no_shape - 1 - k: h.shape is a surface of solid k */
+typedef struct { hit h; uint32_t place; } studio_hit;
 
 typedef struct {
     const studio *s;
@@ -37,7 +38,7 @@ typedef struct {
     instance *moved_list;     /* [moved.n] */
     uint32_t *moved_place;    /* [moved.n] */
     placing *pad;             /* [moved.n] */
-    size_t standing;
+    size_t standing, solids;
 } studio_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -111,7 +112,7 @@ static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f
 static inline bool studio_tree_build(const studio *s, studio_tree *out, failure *f)
 {
     scene all = studio_shapes(s);
-    *out = (studio_tree){.s = s};
+    *out = (studio_tree){.s = s, .solids = s->solids};
     bvh_options how = bvh_defaults;
     how.item_cost = 2;  /* spheres, cones, polygons: a test costs more than a triangle's */
     if ((!all.n || bvh_shapes_build(&all, how, &out->shapes, f)) && studio_tree_sort(s, out, f)
@@ -137,8 +138,13 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
         }
     if (t->moved.n && instances_hit(&t->moved, r, &x) && !(found && x.h.t == r.tmax)) {
         *out = (studio_hit){x.h, t->moved_place[x.instance]};
-        found = true;
+        found = true, r.tmax = x.h.t;
     }
+    for (uint32_t k = 0; k < t->solids; k++)
+        if (csg_hit(&t->s->solid[k].c, r, &h) && !(found && h.t == r.tmax)) {
+            *out = (studio_hit){h, no_shape - 1 - k};
+            found = true, r.tmax = h.t;
+        }
     return found;
 }
 
@@ -148,11 +154,22 @@ static inline bool studio_tree_occluded(const studio_tree *t, ray r)
     if (t->shapes.tree.items && bvh_shapes_occluded(&t->shapes, r)) return true;
     for (size_t k = 0; k < t->standing; k++)
         if (bvh_mesh_occluded(&t->mesh[k], r)) return true;
+    for (size_t k = 0; k < t->solids; k++)
+        if (csg_occluded(&t->s->solid[k].c, r)) return true;
     return t->moved.n && instances_occluded(&t->moved, r);
+}
+
+/* NULL: it is none. */
+static inline const studio_solid *studio_hit_solid(const studio_tree *t, studio_hit x)
+{
+    bool is = x.place != no_shape && x.place >= no_shape - t->solids;
+    return is ? &t->s->solid[no_shape - 1 - x.place] : NULL;
 }
 
 static inline uint32_t studio_hit_material(const studio_tree *t, studio_hit x)
 {
+    const studio_solid *of = studio_hit_solid(t, x);
+    if (of) return of->material;
     return x.place == no_shape ? t->s->shape_material[x.h.shape]
                                : studio_material_of(t->s, x.place, x.h.shape);
 }
@@ -173,6 +190,8 @@ static inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
 {
     const studio *s = t->s;
     if (x.place == no_shape) return surface_of_shape(&s->shape[x.h.shape], r, x.h);
+    const studio_solid *of = studio_hit_solid(t, x);
+    if (of) return solid_surface(of, r, x.h);
     const mesh *m = &s->mesh[s->placed[x.place].mesh];
     size_t k = t->moved.n ? studio_moved_index(t, x.place) : 0;
     if (!t->moved.n || t->moved_place[k] != x.place) return surface_of_mesh(m, x.h);
