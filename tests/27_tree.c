@@ -270,7 +270,8 @@ static void test_solids(void)
             surface a = studio_surface(&t, r, h);
             const real near = (real)1e-3;
             away += !(vlength(vsub(a.p, ray_at(r, h.h.t))) <= 256 * real_epsilon);
-            turned += vdot(a.n, r.d) > 0 || in(vmadd(a.p, a.n, near)) || !in(vmadd(a.p, a.n, -near));
+            turned += vdot(a.n, r.d) > 0 || in(vmadd(a.p, a.n, near))
+                || !in(vmadd(a.p, a.n, -near));
             vec3 w = vunit(in_cube(1));
             r = leave(a, w);
             met = studio_tree_hit(&t, r, &h);

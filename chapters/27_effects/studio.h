@@ -92,7 +92,8 @@ typedef struct {
     studio_emitter *emitter;
     size_t libraries, materials, shapes, solids, corners, meshes, places, lights, emitters;
     size_t library_room, library_file_room, material_room, shape_room, shape_material_room,
-        solid_room, corner_room, mesh_room, paint_room, placed_room, placing_room, light_room, emitter_room;
+        solid_room, corner_room, mesh_room, paint_room, placed_room, placing_room, light_room,
+        emitter_room;
     studio_view view;
     studio_lens lens;
     effects_sky sky;
@@ -132,7 +133,8 @@ static inline void studio_free(studio *s)
     name_table_free(&s->files), name_table_free(&s->names);
     sky_free(&s->sky);
     free(s->library), free(s->library_file), free(s->material), free(s->shape);
-    free(s->shape_material), free(s->solid), free(s->corner), free(s->mesh), free(s->paint), free(s->placed);
+    free(s->shape_material), free(s->solid), free(s->corner), free(s->mesh), free(s->paint);
+    free(s->placed);
     free(s->placing), free(s->light), free(s->emitter), free(s->notes);
     *s = (studio){.up = 0};
 }

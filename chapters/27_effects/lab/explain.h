@@ -34,8 +34,8 @@ static inline void explain_scene(FILE *out, const studio *s)
     size_t triangles = 0;
     for (size_t i = 0; i < s->places; i++) triangles += s->mesh[s->placed[i].mesh].triangles;
     fprintf(out, "scene      %zu shapes; %zu meshes in %zu places, %zu triangles; %zu materials; "
-            "%zu lights; %zu emitting faces\n", s->shapes + s->solids, s->meshes, s->places, triangles,
-            s->materials, s->lights, s->emitters);
+            "%zu lights; %zu emitting faces\n", s->shapes + s->solids, s->meshes, s->places,
+            triangles, s->materials, s->lights, s->emitters);
 }
 
 static inline void explain_view(FILE *out, const studio *s, const studio_view *v)
