@@ -124,7 +124,7 @@ static void test_hits(void)
         check_equal(away, 0, "kinds %d: unit normals, bounds", kinds);
         check(kinds == 0 ? hits == 0 : hits > 0, "kinds %d: %zu hits", kinds,
               hits);
-        check((t.shapes.tree.items > 0) == (kinds & 1) && (t.standing > 0) == ((kinds & 2) != 0)
+        check((t.all->n > 0) == (kinds & 1) && (t.standing > 0) == ((kinds & 2) != 0)
               && (t.moved.n > 0) == ((kinds & 6) != 0), "only trees that hold something");
         studio_tree_free(&t);
         studio_free(&s);

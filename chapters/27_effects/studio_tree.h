@@ -10,9 +10,9 @@
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
  *
- * Three kinds of trees, each only where it has something to hold: shapes (14), one for each mesh
- * that stands as it is in its file (14), and one of two levels (16) for meshes that were moved,
- * also those that stand a second time. t.shapes.tree.items, t.standing and t.moved.n say how much
+ * Three kinds of trees, each only where it has something to hold: shapes (15), one for each mesh
+ * that stands as it is in its file (15), and one of two levels (16) for meshes that were moved,
+ * also those that stand a second time. t.all->n, t.standing and t.moved.n say how much
  * each has: 0 is what most scenes have in two of them, and a renderer may leave those out.
  *
  * The surface of an instance: its triangle with the corners taken to the world. What rounding moves
@@ -21,7 +21,7 @@
 #ifndef EFFECTS_STUDIO_TREE_H
 #define EFFECTS_STUDIO_TREE_H
 
-#include "../14_bvh/bvh_shapes.h"
+#include "../15_wide_bvh/bvh8.h"
 #include "../16_instances/instances.h"
 #include "../18_shade/surface.h"
 #include "studio.h"
@@ -31,8 +31,8 @@ typedef struct { hit h; uint32_t place; } studio_hit;
 
 typedef struct {
     const studio *s;
-    bvh_shapes shapes;
-    bvh_mesh *mesh;           /* [standing] */
+    scene *all;               /* what `shapes` asks */
+    bvh8 shapes, *mesh;       /* mesh [standing] */
     uint32_t *mesh_place;     /* [standing] */
     instances moved;
     instance *moved_list;     /* [moved.n] */
@@ -45,9 +45,10 @@ typedef struct {
 
 static inline void studio_tree_free(studio_tree *t)
 {
-    bvh_shapes_free(&t->shapes);
-    for (size_t k = 0; k < t->standing; k++) bvh_mesh_free(&t->mesh[k]);
+    bvh8_free(&t->shapes);
+    for (size_t k = 0; k < t->standing; k++) bvh8_free(&t->mesh[k]);
     instances_free(&t->moved);
+    free(t->all);
     free(t->mesh), free(t->mesh_place), free(t->moved_list), free(t->moved_place), free(t->pad);
     *t = (studio_tree){.s = NULL};
 }
@@ -66,7 +67,8 @@ static inline bool studio_tree_sort(const studio *s, studio_tree *t, failure *f)
         uint32_t m = s->placed[i].mesh;
         if (!has[m] && studio_stands(s, i)) {
             has[m] = true;
-            ok = bvh_mesh_build(&s->mesh[m], bvh_defaults, &t->mesh[t->standing], f);
+            items x = items_of_mesh(&s->mesh[m]);
+            ok = bvh8_build(&x, bvh8_defaults, &t->mesh[t->standing], f);
             t->mesh_place[t->standing++] = i;
         } else {
             t->moved_list[moved] = s->placed[i];
@@ -111,11 +113,12 @@ static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f
 /* O(n log n). False: more than 2^31 of something. */
 static inline bool studio_tree_build(const studio *s, studio_tree *out, failure *f)
 {
-    scene all = studio_shapes(s);
-    *out = (studio_tree){.s = s, .solids = s->solids};
-    bvh_options how = bvh_defaults;
-    how.item_cost = 2;  /* spheres, cones, polygons: a test costs more than a triangle's */
-    if ((!all.n || bvh_shapes_build(&all, how, &out->shapes, f)) && studio_tree_sort(s, out, f)
+    *out = (studio_tree){.s = s, .solids = s->solids, .all = allocate(1, sizeof(scene))};
+    *out->all = studio_shapes(s);
+    items x = items_of_scene(out->all);
+    bvh8_options how = bvh8_defaults;
+    how.shape_cost = 2, how.leaf = 1;  /* a shape's test costs more than a triangle's */
+    if ((!x.n || bvh8_build(&x, how, &out->shapes, f)) && studio_tree_sort(s, out, f)
         && studio_tree_moved(s, out, f)) return true;
     studio_tree_free(out);
     return false;
@@ -127,12 +130,12 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
     bool found = false;
     hit h;
     instance_hit x;
-    if (t->shapes.tree.items && bvh_shapes_hit(&t->shapes, r, &h)) {
+    if (t->all->n && bvh8_hit(&t->shapes, r, &h)) {
         *out = (studio_hit){h, no_shape};
         found = true, r.tmax = h.t;
     }
     for (size_t k = 0; k < t->standing; k++)  /* nearer, not as near: the first keeps it */
-        if (bvh_mesh_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
+        if (bvh8_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
             *out = (studio_hit){h, t->mesh_place[k]};
             found = true, r.tmax = h.t;
         }
@@ -151,9 +154,9 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 __attribute__((always_inline))
 static inline bool studio_tree_occluded(const studio_tree *t, ray r)
 {
-    if (t->shapes.tree.items && bvh_shapes_occluded(&t->shapes, r)) return true;
+    if (t->all->n && bvh8_occluded(&t->shapes, r)) return true;
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh_mesh_occluded(&t->mesh[k], r)) return true;
+        if (bvh8_occluded(&t->mesh[k], r)) return true;
     for (size_t k = 0; k < t->solids; k++)
         if (csg_occluded(&t->s->solid[k].c, r)) return true;
     return t->moved.n && instances_occluded(&t->moved, r);
