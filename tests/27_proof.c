@@ -60,7 +60,11 @@ static void random_material(random_stream *r, writing *w, int number)
 static void random_shape(random_stream *r, writing *w)
 {
     double x = some(r, -2, 2), y = some(r, 0, 2), z = some(r, -2, 2), a = some(r, 0.2, 1.2);
-    switch ((int)some(r, 0, 8)) {
+    switch ((int)some(r, 0, 9)) {
+    case 8:
+        say(w, "solid %s difference(sphere %g %g %g %g, box %g %g -9 9 9 9)\n",
+            chance(r, 0.5) ? "red" : "chrome", x, y, z, a, x, y);
+        return;
     case 0: case 1: say(w, "sphere %g %g %g %g\n", x, y, z, chance(r, 0.1) ? -9 : a); return;
     case 2: say(w, "cone %g 0 %g %g %g 2 %g 0.1\n", x, z, a, x, z); return;
     case 3:  /* upright, towards the eye */

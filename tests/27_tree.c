@@ -1,6 +1,7 @@
 /* Tests of chapters/27_effects/studio_tree.h: what a ray hits first, and the surface there.
  *
- * Oracle: each shape and each instance asked in turn (07, 16), and the closed form of a sphere.
+ * Oracle: each shape and each instance asked in turn (07, 16), the closed form of a sphere, and of
+ * solids cut from solids whether a point is in them.
  */
 #include "../chapters/27_effects/files/studio_read.h"
 #include "../chapters/27_effects/studio_tree.h"
@@ -123,7 +124,7 @@ static void test_hits(void)
         check_equal(away, 0, "kinds %d: unit normals, bounds", kinds);
         check(kinds == 0 ? hits == 0 : hits > 0, "kinds %d: %zu hits", kinds,
               hits);
-        check((t.shapes.tree.items > 0) == (kinds & 1) && (t.standing > 0) == ((kinds & 2) != 0)
+        check((t.all->n > 0) == (kinds & 1) && (t.standing > 0) == ((kinds & 2) != 0)
               && (t.moved.n > 0) == ((kinds & 6) != 0), "only trees that hold something");
         studio_tree_free(&t);
         studio_free(&s);
@@ -202,11 +203,100 @@ static void test_leaving(void)
     }
 }
 
+/* ---- solids cut from solids ---- */
+
+typedef bool solid_membership(vec3 p);
+
+static bool in_ball(vec3 p, vec3 c, real r) { return vdot(vsub(p, c), vsub(p, c)) <= r * r; }
+static bool in_cube_of(vec3 p, real a)
+{
+    return fabs(p.x) <= a && fabs(p.y) <= a && fabs(p.z) <= a;
+}
+static bool bitten(vec3 p)
+{
+    return in_cube_of(p, 1) && !in_ball(p, (vec3){0, 0, 1}, (real)0.75)
+        && !(p.y * p.y + p.z * p.z <= (real)0.0625);
+}
+static bool cut_die(vec3 p) { return in_cube_of(p, 1) && in_ball(p, (vec3){0, 0, 0}, (real)1.25); }
+static bool roof(vec3 p)
+{
+    return in_ball(p, (vec3){0, 0, 0}, 1) && 3 * p.x + 4 * p.y <= 2
+        && !(fabs(p.x) + fabs(p.y) + fabs(p.z - (real)0.5) <= (real)0.5);
+}
+
+static const struct { const char *text; solid_membership *in; } solid_list[] = {
+    {"difference(box -1 -1 -1 1 1 1, sphere 0 0 1 0.75, cylinder 0 0 0 1 0 0 0.25)", bitten},
+    {"intersection(box -1 -1 -1 1 1 1, sphere 0 0 0 1.25)", cut_die},
+    {"difference(intersection(sphere 0 0 0 1, half 3 4 0 2), gem 0 0 0.5 0.5)", roof}};
+
+/* Is any of the way [0, t] of r in the solid (or, not `inside`, out of it)? By looking. */
+static bool solid_on_way(solid_membership *in, ray r, real t, bool inside)
+{
+    const real near = (real)1e-3;
+    for (int k = 0; k < 40; k++) {
+        real at = near + (t - 2 * near) * random_next(&rng);
+        if (t > 2 * near && in(ray_at(r, at)) == inside) return true;
+    }
+    return false;
+}
+
+/* Up to the hit nobody is at home; there one enters, and n points back out. Then a ray from there,
+ * either way: into the solid all is solid as far as it goes, out of it nothing is. The only oracle
+ * is membership. */
+static void test_solids(void)
+{
+    for (size_t k = 0; k < sizeof solid_list / sizeof *solid_list; k++) {
+        studio s;
+        studio_tree t;
+        failure f;
+        size_t hits = 0, missed = 0, turned = 0, again = 0, differ = 0, away = 0;
+        solid_membership *in = solid_list[k].in;
+        studio_begin(&s);
+        studio_solid x = {.material = 0};
+        if (!solid_read(&x, solid_list[k].text, &f)) abort();
+        studio_grow(&s, solid, s.solids);
+        s.solid[s.solids++] = x;
+        if (!studio_finish(&s, &f) || !studio_tree_build(&s, &t, &f)) abort();
+        for (size_t i = check_count(4000); i-- > 0;) {
+            vec3 o = vscale(vunit(in_cube(1)), 3);
+            ray r = ray_from(o, vunit(vsub(in_cube(1), o)));
+            studio_hit h = {hit_none, 0};
+            bool met = studio_tree_hit(&t, r, &h);
+            missed += solid_on_way(in, r, met ? h.h.t : 6, true);
+            r.tmax = 6 * random_next(&rng);
+            differ += studio_tree_occluded(&t, r) != (met && h.h.t <= r.tmax);
+            if (!met) continue;
+            hits++;
+            surface a = studio_surface(&t, r, h);
+            const real near = (real)1e-3;
+            away += !(vlength(vsub(a.p, ray_at(r, h.h.t))) <= 256 * real_epsilon);
+            turned += vdot(a.n, r.d) > 0 || in(vmadd(a.p, a.n, near))
+                || !in(vmadd(a.p, a.n, -near));
+            vec3 w = vunit(in_cube(1));
+            r = leave(a, w);
+            met = studio_tree_hit(&t, r, &h);
+            if (fabs(vdot(w, a.n)) < (real)0.05) continue;  /* too near to see by points */
+            again += solid_on_way(in, r, met ? h.h.t : 3, vdot(w, a.n) > 0)
+                || (met && vdot(w, a.n) * vdot(studio_surface(&t, r, h).n, w) > 0);
+        }
+        check_at_least(hits, check_count(4000) / 3, "solid %zu: hits", k);
+        check_equal(missed, 0, "solid %zu: rays through what they should hit", k);
+        check_equal(differ, 0, "solid %zu: occluded as the hit says", k);
+        check_equal(away, 0, "solid %zu: surfaces where the ray hit", k);
+        check_at_most(turned, hits / 100, "solid %zu: normals that do not point out; near edges "
+                      "one step along n may end elsewhere", k);
+        check_equal(again, 0, "solid %zu: rays from the surface that meet it again, or leak", k);
+        studio_tree_free(&t);
+        studio_free(&s);
+    }
+}
+
 int main(void)
 {
     rng = random_start(27, 2, 0);
     test_hits();
     test_equal();
     test_leaving();
+    test_solids();
     return check_report("27_tree");
 }

@@ -86,10 +86,10 @@ static inline size_t csg_wind(csg_crossing *x, size_t n)
         bool before = depth > 0;
         for (next = i; next < n && x[next].t == t; next++) depth += x[next].surface % 2 ? -1 : 1;
         if ((depth > 0) == before) continue;
-        uint32_t surface = UINT32_MAX;
+        uint32_t lowest = UINT32_MAX;
         for (size_t k = i; k < next; k++)
-            if (x[k].surface % 2 == before && x[k].surface < surface) surface = x[k].surface;
-        x[kept++] = (csg_crossing){t, surface & ~(uint32_t)1};
+            if (x[k].surface % 2 == before && x[k].surface < lowest) lowest = x[k].surface;
+        x[kept++] = (csg_crossing){t, lowest & ~(uint32_t)1};
     }
     if (kept % 2) x[kept] = (csg_crossing){real_infinity, x[kept - 1].surface};  /* not closed */
     return kept + kept % 2;

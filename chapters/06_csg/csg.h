@@ -142,8 +142,8 @@ static inline size_t csg_solid_of(const csg *c, hit h)
 
 static inline vec3 csg_normal(const csg *c, ray r, hit h)
 {
-    size_t i = csg_solid_of(c, h), surface = h.shape / 2 - c->first[i];
-    vec3 n = csg_solid_normal(&c->solid[i], surface, ray_at(r, h.t));
+    size_t i = csg_solid_of(c, h), face = h.shape / 2 - c->first[i];
+    vec3 n = csg_solid_normal(&c->solid[i], face, ray_at(r, h.t));
     return h.shape % 2 ? vneg(n) : n;
 }
 

@@ -194,12 +194,12 @@ static inline size_t csg_solid_crossings(const csg_solid *s, ray r, uint32_t fir
     return 0;
 }
 
-static inline vec3 csg_solid_normal(const csg_solid *s, size_t surface, vec3 p)
+static inline vec3 csg_solid_normal(const csg_solid *s, size_t face, vec3 p)
 {
-    if (s->kind == CSG_MESH) return triangle_normal(s->mesh.tri[surface]);
+    if (s->kind == CSG_MESH) return triangle_normal(s->mesh.tri[face]);
     if (s->kind == CSG_HALF) return vunit(s->box.n[0]);
     if (s->kind == CSG_BOX)
-        return vscale(vunit(s->box.n[surface / 2]), surface % 2 ? (real)1 : (real)-1);
+        return vscale(vunit(s->box.n[face / 2]), face % 2 ? (real)1 : (real)-1);
     if (s->kind == CSG_SPHERE) return sphere_normal((sphere){s->ball.c, fabs(s->ball.r)}, p);
     vec3 from = vsub(p, s->cylinder.p), a = vunit(s->cylinder.a);
     return vunit(vmadd(from, a, -vdot(from, a)));

@@ -45,7 +45,7 @@ static inline void around_crosses(media_set *entered, media_set *around, uint32_
 static inline media_set around_along(const effects_stage *e, ray r)
 {
     media_set entered = {0}, around = {0};
-    studio_hit x;
+    studio_hit x = {hit_none, 0};
     for (int k = 0; k < stage_most_depth && studio_tree_hit(&e->t, r, &x); k++) {
         uint32_t m = studio_hit_material(&e->t, x);
         surface s = studio_surface(&e->t, r, x);

@@ -65,6 +65,8 @@ static inline bool flat_studio(const studio *s, const appearance *look)
         for (uint32_t k = 0; flat && k < x->polygon.n; k++)
             flat = flat_holds(&q, x->polygon.v[k]);
     }
+    for (size_t k = 0; flat && k < s->solids; k++)
+        flat = appearance_black(&look[s->solid[k].material]);
     for (uint32_t i = 0; flat && i < s->places; i++) {
         flat_paint *m = &paint[s->placed[i].mesh];
         if (!m->own && !(m->bare && !appearance_black(&look[s->placing[i].material]))) continue;

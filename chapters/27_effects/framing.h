@@ -59,6 +59,10 @@ static inline void framing_measure(framing *g, const studio *s, real far)
         shape_bounds(s->shape[i], &lo, &hi);
         if (vfinite(lo) && vfinite(hi)) framing_add_box(g, lo, hi, far);
     }
+    for (size_t k = 0; k < s->solids; k++) {
+        vec3 lo, hi;
+        if (solid_bounds(&s->solid[k], &lo, &hi)) framing_add_box(g, lo, hi, far);
+    }
     for (size_t i = 0; i < s->places; i++) points += 3 * s->mesh[s->placed[i].mesh].triangles;
     for (size_t i = 0; i < s->places && points <= most_points; i++) {
         const mesh *m = &s->mesh[s->placed[i].mesh];

@@ -31,7 +31,6 @@ typedef struct {
     int kind, depth;
     int passed;         /* faces with one medium on both sides, since it last changed its way */
     uint32_t node;      /* dice.h */
-    uint32_t from;      /* shape that it began on, or no_shape */
     bool bounced;       /* a matte surface lies behind it: what it meets is no picture, but light */
 } branch;
 
@@ -57,52 +56,6 @@ static inline surface effects_surface(const effects_stage *e, ray r, studio_hit 
     return surface_on_sphere(s->sphere, x.h.shape, ray_at(r, x.h.t));
 }
 
-/* A leaf of a tree of shapes. */
-typedef struct { const bvh_shapes *b; uint32_t from; } effects_asking;
-
-__attribute__((always_inline))
-static inline bool effects_leaf(const void *context, uint32_t first, uint32_t count, query *q,
-                                bool any)
-{
-    const effects_asking *a = context;
-    bool found = false;
-    hit h;
-    for (uint32_t i = first; i < first + count; i++) {
-        uint32_t j = a->b->index[i];
-        if (!shape_hit_sheared(&a->b->shapes[j], &q->shear, q->r, &h)) continue;
-        if (any) return true;
-        h.shape = j;
-        found |= query_improves(q, h);
-    }
-    return found;
-}
-
-/* Shapes and nothing else: most scenes of Whitted's time. */
-__attribute__((always_inline))
-static inline bool effects_shapes_alone(const studio_tree *t)
-{
-    return t->shapes.tree.items && !t->standing && !t->moved.n;
-}
-
-__attribute__((always_inline))
-static inline bool effects_hit(const effects_stage *e, ray r, uint32_t from, studio_hit *x)
-{
-    const studio_tree *t = &e->t;
-    if (!effects_shapes_alone(t)) return studio_tree_hit(t, r, x);
-    effects_asking a = {&t->shapes, from};
-    x->place = no_shape;
-    return tree_search(&t->shapes.tree, r, box_ray_of, effects_leaf, &a, false, &x->h, NULL);
-}
-
-__attribute__((always_inline))
-static inline bool effects_occluded(const effects_stage *e, ray r, uint32_t from)
-{
-    const studio_tree *t = &e->t;
-    if (!effects_shapes_alone(t)) return studio_tree_occluded(t, r);
-    effects_asking a = {&t->shapes, from};
-    return tree_search(&t->shapes.tree, r, box_ray_of, effects_leaf, &a, true, NULL, NULL);
-}
-
 /* What of the light comes through where materials are clear: those that do not bend. */
 static inline vec3 gather_clear(const effects_stage *e, ray r)
 {
@@ -124,8 +77,8 @@ static inline vec3 gather_clear(const effects_stage *e, ray r)
 
 /* False: nothing arrives. */
 __attribute__((always_inline))
-static inline bool gather_passes(const effects_stage *e, const unsigned mask, ray r, uint32_t from,
-                                 int kind, int then, effects_counts *c, vec3 *left)
+static inline bool gather_passes(const effects_stage *e, const unsigned mask, ray r, int kind,
+                                  int then, effects_counts *c, vec3 *left)
 {
     bool passes;
     c->rays[kind]++;
@@ -134,7 +87,7 @@ static inline bool gather_passes(const effects_stage *e, const unsigned mask, ra
     if ((mask & EFFECT_REFRACTION) && e->clear) {
         *left = gather_clear(e, r);
         passes = !vzero(*left);
-    } else passes = !effects_occluded(e, r, from);
+    } else passes = !studio_tree_occluded(&e->t, r);
     effects_clock(mask, c, then);
     return passes;
 }
@@ -172,7 +125,7 @@ static inline vec3 gather_lights(const effects_stage *e, const unsigned mask, co
         bool counts = lit && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !(mask & EFFECTS_SPEND)) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
-        bool passes = gather_passes(e, mask, r, s->shape, RAY_TO_LIGHT, b->kind, c, &left);
+        bool passes = gather_passes(e, mask, r, RAY_TO_LIGHT, b->kind, c, &left);
         if (!counts || !passes) continue;
         vec3 v = vscale(vmul(x.E, k->matte), 1 / pi);
         if (!vzero(k->highlight) || !vzero(k->glossy))
@@ -195,7 +148,7 @@ static inline vec3 gather_sample(const effects_stage *e, const unsigned mask, co
         v = vmul(gather_reflects(mask, k, lobe, s, wi, vneg(b->r.d), pdf), Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
     ray r = at ? leave_between(*s, *at) : leave(*s, wi);
-    bool passes = gather_passes(e, mask, r, s->shape, kind, b->kind, c, &left);
+    bool passes = gather_passes(e, mask, r, kind, b->kind, c, &left);
     if (!passes || vzero(v)) return (vec3){0, 0, 0};
     return vscale(vmul(v, left), 1 / pdf);
 }

@@ -154,7 +154,8 @@ static inline bool rule_pinhole(const plan_facts *q, cite *line)
 static inline bool rule_nothing_seen(const plan_facts *q, cite *line)
 {
     (void)line;
-    return !q->s->shapes && !q->s->places && q->s->sky.kind <= SKY_CONSTANT;
+    const studio *s = q->s;
+    return !s->shapes && !s->solids && !s->places && s->sky.kind <= SKY_CONSTANT;
 }
 
 /* The whole plan. A proof, in the second column, is one that a reader can check in a line. */

@@ -61,7 +61,7 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
-    c->bounced = b->bounced, c->from = s->shape, c->passed = 0;
+    c->bounced = b->bounced, c->passed = 0;
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
 }
 
@@ -191,7 +191,7 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
     studio_hit x;
     c->rays[b->kind]++;
     effects_clock(mask, c, b->kind);
-    if (!effects_hit(e, b->r, b->from, &x)) {
+    if (!studio_tree_hit(&e->t, b->r, &x)) {
         *sum = vadd(*sum, vmul(b->weight, effects_nothing(e, mask, b)));
         return 0;
     }
@@ -243,7 +243,7 @@ static inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set i
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
     *b = (branch){.r = ray_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
-                  .cosine = 1, .kind = RAY_OF_EYE, .depth = 1, .from = no_shape};
+                  .cosine = 1, .kind = RAY_OF_EYE, .depth = 1};
     for (;;) {
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);
         for (int i = 0; i + 1 < n; i++) stack[top++] = slot[other][i];

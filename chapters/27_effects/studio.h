@@ -1,6 +1,7 @@
 /* studio.h: a scene from files, in memory: what there is, what it is made of, and which line of
  * which file says so.
  *
+ *   solid[0 .. solids-1]       solids cut from solids: solids.h
  *   shape[0 .. shapes-1]       loose shapes of 07, in the world; shape_material[i] goes with each
  *   mesh[0 .. meshes-1]        triangle meshes of 07, each in a space of its own
  *   placed[0 .. places-1]      instances of 16: a mesh and where it stands; nothing else shows it
@@ -36,8 +37,7 @@
 #include "../18_shade/light.h"
 #include "name_table.h"
 #include "sky.h"
-
-typedef struct { uint32_t file, line; } cite;  /* file 0: nobody said it; line 0: the whole file */
+#include "solids.h"
 
 typedef enum {
     KEY_KD, KEY_KS, KEY_KE, KEY_TF, KEY_ABSORB, KEY_NS, KEY_NI, KEY_D, KEY_ILLUM, material_keys
@@ -82,6 +82,7 @@ typedef struct {
     studio_material *material;
     shape *shape;
     uint32_t *shape_material;
+    studio_solid *solid;
     vec3 *corner;              /* of all polygons, one after the other */
     mesh *mesh;
     studio_paint *paint;       /* [meshes] */
@@ -89,9 +90,10 @@ typedef struct {
     studio_placing *placing;   /* [places] */
     studio_light *light;
     studio_emitter *emitter;
-    size_t libraries, materials, shapes, corners, meshes, places, lights, emitters;
+    size_t libraries, materials, shapes, solids, corners, meshes, places, lights, emitters;
     size_t library_room, library_file_room, material_room, shape_room, shape_material_room,
-        corner_room, mesh_room, paint_room, placed_room, placing_room, light_room, emitter_room;
+        solid_room, corner_room, mesh_room, paint_room, placed_room, placing_room, light_room,
+        emitter_room;
     studio_view view;
     studio_lens lens;
     effects_sky sky;
@@ -126,11 +128,13 @@ static inline void studio_free(studio *s)
 {
     for (size_t k = 0; k < s->libraries; k++) studio_palette_free(&s->library[k]);
     for (size_t k = 0; k < s->meshes; k++) mesh_free(&s->mesh[k]), free(s->paint[k].run_material);
+    for (size_t k = 0; k < s->solids; k++) solid_free(&s->solid[k]);
     studio_palette_free(&s->own);
     name_table_free(&s->files), name_table_free(&s->names);
     sky_free(&s->sky);
     free(s->library), free(s->library_file), free(s->material), free(s->shape);
-    free(s->shape_material), free(s->corner), free(s->mesh), free(s->paint), free(s->placed);
+    free(s->shape_material), free(s->solid), free(s->corner), free(s->mesh), free(s->paint);
+    free(s->placed);
     free(s->placing), free(s->light), free(s->emitter), free(s->notes);
     *s = (studio){.up = 0};
 }
@@ -211,6 +215,10 @@ static inline bool studio_bounds(const studio *s, vec3 *lo, vec3 *hi)
         shape_bounds(s->shape[i], &a, &b);
         if (!vfinite(a) || !vfinite(b)) continue;
         *lo = vmin(*lo, a), *hi = vmax(*hi, b);
+    }
+    for (size_t k = 0; k < s->solids; k++) {
+        vec3 a, b;
+        if (solid_bounds(&s->solid[k], &a, &b)) *lo = vmin(*lo, a), *hi = vmax(*hi, b);
     }
     struct { vec3 lo, hi; bool any; } *box = allocate(s->meshes, sizeof *box);
     for (size_t m = 0; m < s->meshes; m++)

@@ -4,15 +4,15 @@
  *   if (!studio_tree_build(&s, &t, &f)) fail(f);    s must outlive t; only one that is finished
  *   studio_hit x;
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
- *                                             meshes that stand before instances, then the lower
+ *                                             meshes that stand before instances before solids
  *   bool studio_tree_occluded(&t, r)          any
  *   surface a = studio_surface(&t, r, x)      with the error bounds of 18, for leave.h
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
  *
- * Three kinds of trees, each only where it has something to hold: shapes (14), one for each mesh
- * that stands as it is in its file (14), and one of two levels (16) for meshes that were moved,
- * also those that stand a second time. t.shapes.tree.items, t.standing and t.moved.n say how much
+ * Three kinds of trees, each only where it has something to hold: shapes (15), one for each mesh
+ * that stands as it is in its file (15), and one of two levels (16) for meshes that were moved,
+ * also those that stand a second time. t.all->n, t.standing and t.moved.n say how much
  * each has: 0 is what most scenes have in two of them, and a renderer may leave those out.
  *
  * The surface of an instance: its triangle with the corners taken to the world. What rounding moves
@@ -21,32 +21,34 @@
 #ifndef EFFECTS_STUDIO_TREE_H
 #define EFFECTS_STUDIO_TREE_H
 
-#include "../14_bvh/bvh_shapes.h"
+#include "../15_wide_bvh/bvh8.h"
 #include "../16_instances/instances.h"
 #include "../18_shade/surface.h"
 #include "studio.h"
 
-typedef struct { hit h; uint32_t place; } studio_hit;  /* place no_shape: h.shape is a shape */
+/* place no_shape: h.shape is a shape; no_shape - 1 - k: h.shape is a surface of solid k */
+typedef struct { hit h; uint32_t place; } studio_hit;
 
 typedef struct {
     const studio *s;
-    bvh_shapes shapes;
-    bvh_mesh *mesh;           /* [standing] */
+    scene *all;               /* what `shapes` asks */
+    bvh8 shapes, *mesh;       /* mesh [standing] */
     uint32_t *mesh_place;     /* [standing] */
     instances moved;
     instance *moved_list;     /* [moved.n] */
     uint32_t *moved_place;    /* [moved.n] */
     placing *pad;             /* [moved.n] */
-    size_t standing;
+    size_t standing, solids;
 } studio_tree;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void studio_tree_free(studio_tree *t)
 {
-    bvh_shapes_free(&t->shapes);
-    for (size_t k = 0; k < t->standing; k++) bvh_mesh_free(&t->mesh[k]);
+    bvh8_free(&t->shapes);
+    for (size_t k = 0; k < t->standing; k++) bvh8_free(&t->mesh[k]);
     instances_free(&t->moved);
+    free(t->all);
     free(t->mesh), free(t->mesh_place), free(t->moved_list), free(t->moved_place), free(t->pad);
     *t = (studio_tree){.s = NULL};
 }
@@ -65,7 +67,8 @@ static inline bool studio_tree_sort(const studio *s, studio_tree *t, failure *f)
         uint32_t m = s->placed[i].mesh;
         if (!has[m] && studio_stands(s, i)) {
             has[m] = true;
-            ok = bvh_mesh_build(&s->mesh[m], bvh_defaults, &t->mesh[t->standing], f);
+            items x = items_of_mesh(&s->mesh[m]);
+            ok = bvh8_build(&x, bvh8_defaults, &t->mesh[t->standing], f);
             t->mesh_place[t->standing++] = i;
         } else {
             t->moved_list[moved] = s->placed[i];
@@ -110,11 +113,12 @@ static inline bool studio_tree_moved(const studio *s, studio_tree *t, failure *f
 /* O(n log n). False: more than 2^31 of something. */
 static inline bool studio_tree_build(const studio *s, studio_tree *out, failure *f)
 {
-    scene all = studio_shapes(s);
-    *out = (studio_tree){.s = s};
-    bvh_options how = bvh_defaults;
-    how.item_cost = 2;  /* spheres, cones, polygons: a test costs more than a triangle's */
-    if ((!all.n || bvh_shapes_build(&all, how, &out->shapes, f)) && studio_tree_sort(s, out, f)
+    *out = (studio_tree){.s = s, .solids = s->solids, .all = allocate(1, sizeof(scene))};
+    *out->all = studio_shapes(s);
+    items x = items_of_scene(out->all);
+    bvh8_options how = bvh8_defaults;
+    how.shape_cost = 2, how.leaf = 1;  /* a shape's test costs more than a triangle's */
+    if ((!x.n || bvh8_build(&x, how, &out->shapes, f)) && studio_tree_sort(s, out, f)
         && studio_tree_moved(s, out, f)) return true;
     studio_tree_free(out);
     return false;
@@ -126,33 +130,49 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
     bool found = false;
     hit h;
     instance_hit x;
-    if (t->shapes.tree.items && bvh_shapes_hit(&t->shapes, r, &h)) {
+    if (t->all->n && bvh8_hit(&t->shapes, r, &h)) {
         *out = (studio_hit){h, no_shape};
         found = true, r.tmax = h.t;
     }
     for (size_t k = 0; k < t->standing; k++)  /* nearer, not as near: the first keeps it */
-        if (bvh_mesh_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
+        if (bvh8_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
             *out = (studio_hit){h, t->mesh_place[k]};
             found = true, r.tmax = h.t;
         }
     if (t->moved.n && instances_hit(&t->moved, r, &x) && !(found && x.h.t == r.tmax)) {
         *out = (studio_hit){x.h, t->moved_place[x.instance]};
-        found = true;
+        found = true, r.tmax = x.h.t;
     }
+    for (uint32_t k = 0; k < t->solids; k++)
+        if (csg_hit(&t->s->solid[k].c, r, &h) && !(found && h.t == r.tmax)) {
+            *out = (studio_hit){h, no_shape - 1 - k};
+            found = true, r.tmax = h.t;
+        }
     return found;
 }
 
 __attribute__((always_inline))
 static inline bool studio_tree_occluded(const studio_tree *t, ray r)
 {
-    if (t->shapes.tree.items && bvh_shapes_occluded(&t->shapes, r)) return true;
+    if (t->all->n && bvh8_occluded(&t->shapes, r)) return true;
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh_mesh_occluded(&t->mesh[k], r)) return true;
+        if (bvh8_occluded(&t->mesh[k], r)) return true;
+    for (size_t k = 0; k < t->solids; k++)
+        if (csg_occluded(&t->s->solid[k].c, r)) return true;
     return t->moved.n && instances_occluded(&t->moved, r);
+}
+
+/* NULL: it is none. */
+static inline const studio_solid *studio_hit_solid(const studio_tree *t, studio_hit x)
+{
+    bool is = x.place != no_shape && x.place >= no_shape - t->solids;
+    return is ? &t->s->solid[no_shape - 1 - x.place] : NULL;
 }
 
 static inline uint32_t studio_hit_material(const studio_tree *t, studio_hit x)
 {
+    const studio_solid *of = studio_hit_solid(t, x);
+    if (of) return of->material;
     return x.place == no_shape ? t->s->shape_material[x.h.shape]
                                : studio_material_of(t->s, x.place, x.h.shape);
 }
@@ -173,6 +193,8 @@ static inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
 {
     const studio *s = t->s;
     if (x.place == no_shape) return surface_of_shape(&s->shape[x.h.shape], r, x.h);
+    const studio_solid *of = studio_hit_solid(t, x);
+    if (of) return solid_surface(of, r, x.h);
     const mesh *m = &s->mesh[s->placed[x.place].mesh];
     size_t k = t->moved.n ? studio_moved_index(t, x.place) : 0;
     if (!t->moved.n || t->moved_place[k] != x.place) return surface_of_mesh(m, x.h);

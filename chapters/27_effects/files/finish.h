@@ -9,11 +9,13 @@
  *               camera looks at (without a camera: the middle of everything)                 (27.4)
  *
  * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows;
- * a light of NFF so far away that no number holds its intensity.
+ * a light of NFF so far away that no number holds its intensity; a solid (solids.h) that lets light
+ * through or emits it.
  */
 #ifndef EFFECTS_FINISH_H
 #define EFFECTS_FINISH_H
 
+#include "../appearance.h"
 #include "../studio_add.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -103,6 +105,19 @@ static inline bool finish_classic_lights(studio *s, failure *f)
     return true;
 }
 
+/* Media (19) are of bodies with a surface each, lamps of faces: a tree of operands is neither. */
+static inline bool finish_solid(studio *s, const studio_solid *x, failure *f)
+{
+    char said[300];
+    studio_material *m = &s->material[x->material];
+    bool through = !vzero(appearance_of(m).through);
+    m->used = true;
+    if (!through && vzero(m->ke)) return true;
+    return failed(f, 2, "%s: solid: '%.60s' %s, allowed: materials that do not",
+                  studio_said(s, x->at, said, sizeof said), studio_material_name(s, x->material),
+                  through ? "lets light through" : "emits light");
+}
+
 static inline bool studio_finish(studio *s, failure *f)
 {
     const vec3 *next = s->corner;
@@ -112,6 +127,7 @@ static inline bool studio_finish(studio *s, failure *f)
         s->material[s->shape_material[i]].used = true;
         if (x->kind == SHAPE_POLYGON) x->polygon.v = next, next += x->polygon.n;
     }
+    for (size_t k = 0; ok && k < s->solids; k++) ok = finish_solid(s, &s->solid[k], f);
     for (uint32_t i = 0; ok && i < s->shapes; i++)
         if (!vzero(s->material[s->shape_material[i]].ke))
             ok = finish_emits(s, no_shape, &(finish_list){&i, 1}, f);

@@ -23,7 +23,7 @@
 #define EFFECTS_MTL_H
 
 #include "../studio_add.h"
-#include "words.h"
+#include "../../07_mesh/files/words.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -9,6 +9,7 @@
  *   mesh        NAME FILE [smooth]        an OBJ file that is only seen where an instance puts it
  *   instance    NAME [PLACING]
  *   box         P P [PLACING] [NAME]        between two corners, placed; made of NAME
+ *   solid       NAME EXPRESSION               cut from solids, in the language of 06; of NAME
  *   environment C | C C | PICTURE [scale X] [turn DEGREES]     one colour; below and above; sky.h
  *
  *   PLACING     scale X | scale X Y Z | turn X Y Z DEGREES | move X Y Z,   in the order written
@@ -23,7 +24,7 @@
 #ifndef EFFECTS_SCENE_FILE_H
 #define EFFECTS_SCENE_FILE_H
 
-#include "nff.h"
+#include "nff_studio.h"
 #include "obj_place.h"
 #include "statements.h"
 
@@ -138,7 +139,7 @@ static inline bool scene_nff(statement *q)
     char path[word_longest_path];
     affine a;
     return scene_path(q, path) && scene_placing(q, &a)
-        && nff_read(q->s, path, a, q->material, q->f);
+        && nff_studio(q->s, path, a, q->material, q->f);
 }
 
 static inline bool scene_mtl(statement *q)
@@ -172,6 +173,24 @@ static inline bool scene_mesh(statement *q)
     uint32_t k = name_add(&q->shapes, name);
     q->shape = grown(q->shape, q->shapes.n - 1, &q->shape_room, sizeof *q->shape);
     q->shape[k] = m;
+    return true;
+}
+
+/* solid NAME difference(..): the rest of the line goes to the reader of 06. */
+static inline bool scene_solid(statement *q)
+{
+    char name[64], text[text_token];
+    studio_solid x = {.at = q->at};
+    failure why;
+    if (!scene_word(q, name) || !say_named(q, name, &x.material) || !say_name(q, text))
+        return false;
+    if (q->s->solids == solids_most)
+        return failed(q->f, 2, "%s:%u: solid: too many, allowed: %d in all", text_name(q->t),
+                      (unsigned)q->at.line, solids_most);
+    if (!solid_read(&x, text, &why))
+        return failed(q->f, 2, "%s:%u: solid: %s", text_name(q->t), (unsigned)q->at.line, why.text);
+    studio_grow(q->s, solid, q->s->solids);
+    q->s->solid[q->s->solids++] = x;
     return true;
 }
 
@@ -249,7 +268,7 @@ static const struct { const char *word; bool (*say)(statement *q); } scene_state
     {"background", say_background}, {"environment", scene_environment}, {"up", say_up},
     {"indirect", say_indirect},
     {"material", say_material}, {"use", say_use}, {"sphere", say_sphere}, {"cone", say_cone},
-    {"polygon", say_polygon}, {"box", scene_box}, {"obj", scene_obj},
+    {"polygon", say_polygon}, {"box", scene_box}, {"solid", scene_solid}, {"obj", scene_obj},
     {"nff", scene_nff}, {"mtl", scene_mtl},
     {"mesh", scene_mesh}, {"instance", scene_instance}};
 
@@ -266,7 +285,7 @@ static inline bool scene_statement(statement *q)
     if (!mtl_is_key(q->t))
         return text_bad(q->t, q->t->p, "begins with", "camera, lens, light, sun, background, "
                         "environment, up, indirect, material, use, sphere, cone, polygon, "
-                        "box, obj, nff, mtl, mesh, instance, include, or Kd .. illum");
+                        "box, solid, obj, nff, mtl, mesh, instance, include, or Kd .. illum");
     if (q->described == name_none)
         return text_bad(q->t, q->t->p, "describes nothing:", "these below a line material NAME");
     return mtl_key(q->s, q->t, q->described, q->at, &known) && mtl_line_ends(q->t);

@@ -191,7 +191,7 @@ static inline bool studio_read(const char *path, const studio_words *words, stud
             studio_place(s, m, as_it_is, 0, (cite){s->paint[m].file, 0});
     } else if (scene_ends(path, ".nff")) {
         s->up = 2;
-        ok = nff_read(s, path, as_it_is, 0, f);
+        ok = nff_studio(s, path, as_it_is, 0, f);
     } else {
         FILE *in = word_open(path, true, f);  /* a pipe, too */
         ok = in && scene_read_stream(s, in, path, f);

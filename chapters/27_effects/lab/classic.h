@@ -57,7 +57,8 @@ static inline material classic_material(const void *context, trace_hit x, const 
 
 static inline bool classic_can(const effects_stage *e)
 {
-    bool can = !(e->mask & EFFECTS_OF_CHANCE) && !e->t.moved.n && !e->clear && !e->headlight
+    bool can = !(e->mask & EFFECTS_OF_CHANCE) && !e->t.moved.n && !e->t.solids && !e->clear
+        && !e->headlight
         && e->sky.s->kind == SKY_NONE;
     for (size_t m = 0; m < e->s->materials; m++) {
         const appearance *a = &e->look[m];

@@ -144,8 +144,8 @@ static inline void request_show(const options *o, const request *q, const plan *
         whole = table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples);
     else if (whole) whole = request_count(o, p, &j);
     if (whole && demo)
-        whole = draw_strip(o, p, e, o->width * 2 / 5 + 1, o->height * 2 / 5 + 1, samples)
-             && table_of_tax(o) && request_all(o, p, e);
+        whole = draw_strip(o, p, e, o->width * 3 / 5, o->height * 3 / 5, samples)
+             && draw_two(o) && table_of_tax(o) && request_all(o, p, e);
     image_free(&im);
     if (!whole) die(130, "stopped; the picture was whole before");
 }

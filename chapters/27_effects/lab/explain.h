@@ -34,8 +34,8 @@ static inline void explain_scene(FILE *out, const studio *s)
     size_t triangles = 0;
     for (size_t i = 0; i < s->places; i++) triangles += s->mesh[s->placed[i].mesh].triangles;
     fprintf(out, "scene      %zu shapes; %zu meshes in %zu places, %zu triangles; %zu materials; "
-            "%zu lights; %zu emitting faces\n", s->shapes, s->meshes, s->places, triangles,
-            s->materials, s->lights, s->emitters);
+            "%zu lights; %zu emitting faces\n", s->shapes + s->solids, s->meshes, s->places,
+            triangles, s->materials, s->lights, s->emitters);
 }
 
 static inline void explain_view(FILE *out, const studio *s, const studio_view *v)
@@ -108,7 +108,7 @@ static inline void explain_warnings(FILE *out, const studio *s)
         end = strchr(n, '\n');
         if (s->warned & bit) fprintf(out, "%s: warning: %.*s\n", program_name, (int)(end - n), n);
     }
-    if (s->shapes || s->places) return;
+    if (s->shapes || s->places || s->solids) return;
     fprintf(out, "%s: warning: ", program_name);
     explain_text(out, name_text(&s->files, s->files.n > 1));
     fprintf(out, ": no shape and no mesh: there is nothing to see\n");

@@ -1,4 +1,4 @@
-/* words.h: values in the text files of this chapter, with their ranges: over text.h of 07.
+/* words.h: values in text files, with their ranges: over text.h.
  *
  *   word_number(t, &x, lowest, highest)   one number; else "..., allowed: 0 to 1"
  *   word_colour(t, &c)                    one number, grey, or three; none negative
@@ -12,8 +12,8 @@
  *
  * What fails sets the failure of the reader, with file, line and keyword.
  */
-#ifndef EFFECTS_WORDS_H
-#define EFFECTS_WORDS_H
+#ifndef MESH_WORDS_H
+#define MESH_WORDS_H
 
 #include "../../../common/numbers/text.h"
 
