@@ -39,7 +39,7 @@ static inline void vertices_light(const path_tracer *t, const path_walk *w, cons
 static inline int vertices_of(const path_tracer *t, ray eye, path_random *s,
                               vertex_seen v[vertices_most], bool *died)
 {
-    path_walk w = {.beta = {1, 1, 1}, .r = eye, .from = {.shape = no_shape}, .pdf = real_infinity,
+    path_walk w = {.beta = {1, 1, 1}, .r = eye, .left = no_shape, .pdf = real_infinity,
                    .squeezed = 1};
     path_counts c = {0};
     bool on = true;
@@ -47,7 +47,7 @@ static inline int vertices_of(const path_tracer *t, ray eye, path_random *s,
     for (; on && n < vertices_most; n++) {
         lit_hit x = {.m = NULL};
         vec3 before = w.L;
-        if (!lit_trace_from(t->scene, w.r, w.from.shape, &x) || x.emitter != lit_dark) return 0;
+        if (!lit_trace_from(t->scene, w.r, w.left, &x) || x.emitter != lit_dark) return 0;
         v[n] = (vertex_seen){.p = x.s.p, .beta = w.beta,
                                .metal = x.m->f.kind == BRDF_GGX};
         vertices_light(t, &w, &x, *s, &v[n]);
