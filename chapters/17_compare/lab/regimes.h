@@ -78,7 +78,7 @@ static inline void motion_table(const options *o, const kept_tree x[keepings], c
                                 html_report *to)
 {
     table t = table_new(title, "boxes|rotations a frame|SAH cost|nodes/ray|tests/ray|"
-                               "a frame [ms]|a ray [ns]|1e5 rays [ms]|best from, rays");
+                               "a frame [ms]|a ray [ns]|1e5 rays [ms]|time: best from [rays]");
     int last = motion_frames - 1;
     for (int k = 0; k < keepings; k++) {
         double b = last_ten(x[k].frame), c = last_ten(x[k].ray), from = 0, to_here = HUGE_VAL;
