@@ -121,7 +121,7 @@ if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then echo "pages.sh: $
 names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
 [ -n "${ONLY:-}" ] && names=$ONLY
 run_one() {
-    mkdir -p "$scratch/run/$1" && cd "$scratch/run/$1" || return
+    mkdir -p "$scratch/run/$1" && cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
     "$BUILD/$1" ${FULL:+--full} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
         echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
 }
