@@ -81,14 +81,21 @@ static void test_slanted(void)
     mesh m = {.v = &t.a, .vertices = 3, .index = index, .triangles = 1};
     camera c = {CAMERA_PERSPECTIVE, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, side, 0, side, 1,
                 {0, 0, 0}};
-    raster full = raster_new(side, side);
-    raster_mesh(&full, &m, c, raster_default);
-    hit due = full.h[7 * side + 8];
+    hit due = hit_none;
+    for (uint32_t k = 3; k-- > 0;) {  /* each corner first: every weight gets its tie back */
+        raster full = raster_new(side, side);
+        for (uint32_t i = 0; i < 3; i++) index[i] = (k + i) % 3;
+        raster_mesh(&full, &m, c, raster_default);
+        due = full.h[7 * side + 8];
+        real weight[3] = {1 - due.u - due.v, due.u, due.v};
+        check_close((double)weight[(4 - k) % 3], 0.1, 32 * eps, "the weight of b, %u first", k);
+        raster_free(&full);
+    }
     check_close((double)h.u, 0.5, 32 * eps, "first.h: half the way in the picture");
     check_close((double)h.t, 5, 200 * eps, "first.h: half the depth");
     check_close((double)due.u, 0.1, 32 * eps, "raster.h: a tenth of the way in space");
     check_close((double)due.t, 1.8, 64 * eps, "raster.h: the depth");
-    first_raster_free(&s), raster_free(&full);
+    first_raster_free(&s);
 }
 
 /* Two triangles with the edge along middles of pixels: first.h draws these twice. */

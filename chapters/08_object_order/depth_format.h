@@ -13,8 +13,9 @@
  *   double s = depth_step(format, near, z)         how far behind z something must be to be told
  *                                                  apart, by the format's spacing (8.5)
  *
- * Source: W. Kahan's gradual underflow makes it work: floats are dense near 0, where far things are
- * crowded. N. Reed, "Depth Precision Visualized", 2015; E. Lengyel, "Depth Buffer Precision", 2005.
+ * Floats are dense near 0, and there near / z crowds what is far. Sources: E. Lapidous, G. Jiao,
+ * "Optimal Depth Buffer for Low-Cost Graphics Hardware", Graphics Hardware 1999; N. Reed, "Depth
+ * Precision Visualized", 2015.
  */
 #ifndef DEPTH_FORMAT_H
 #define DEPTH_FORMAT_H
@@ -51,7 +52,7 @@ static inline uint32_t depth_key(depth_format f, real x)
     }
 }
 
-/* Half a step of the stored number, either way, as a distance: dz = z^2 / near dx (8.5). */
+/* One step dx of the stored number, as a distance: dz = z^2 / near dx (8.5). */
 static inline double depth_step(depth_format f, double near_z, double z)
 {
     double x = near_z / z, of_x = z * z / near_z;

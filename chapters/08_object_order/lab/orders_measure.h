@@ -151,8 +151,8 @@ static inline bool orders_told(depth_format f, real near, real z, real gap)
     return won;
 }
 
-/* The least gap, a share of z, that is told: by halving, between 1e-9 and 1e9 times the format's
- * spacing; infinity: none. Rises with noise near it, so the mean of several depths. */
+/* The least gap, a share of z, that is told: by halving, between 1e-9 and 1; infinity: none. It
+ * depends on where z falls between two steps, so the mean of five depths. */
 static inline double orders_gap_of(depth_format f, real near, double z)
 {
     double sum = 0;
