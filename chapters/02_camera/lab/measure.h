@@ -235,7 +235,7 @@ static inline void camera_measure_far(const options *o)
             vec3 way[] = {camera_ray_naive(c, x, y, 512, 512).d, d,
                           camera_direction_naive_f32(e, d_f32), d_f32};
             for (int j = 0; j < ways; j++)
-                error[j] = camera_worst(error[j], ray_error(c, way[j], x, y, 512, 512));
+                error[j] = camera_worst(error[j], camera_error(c, way[j], x, y, 512, 512));
         }
         for (int j = 0; j < ways; j++) plot_add(&p, series[j], far, error[j]);
     }
