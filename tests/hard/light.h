@@ -198,7 +198,7 @@ static inline hard_count densities(int k, real x)
         {{hard_sample_triangle_naive, hard_sample_triangle}, hard_half},
         {{hard_sample_sphere_naive, hard_sample_sphere}, hard_sphere},
         {{hard_sample_hemisphere_naive, hard_sample_hemisphere}, hard_hemisphere}};
-    enum { points = 20000 };
+    enum { drawn_points = 20000 };
     hard_count c = {10, 0, 0};
     (void)x;
     for (uint64_t i = 0; i < c.tried; i++)
@@ -206,8 +206,8 @@ static inline hard_count densities(int k, real x)
             chi_square_sampler *way = list[k].way[j];
             chi_square_result r =
                 k < 2 ? chi_square_points(way, list[k].pdf, NULL,
-                                          k ? DOMAIN_TRIANGLE : DOMAIN_DISK, i, points)
-                      : chi_square_directions(way, list[k].pdf, NULL, 1, i, points);
+                                          k ? DOMAIN_TRIANGLE : DOMAIN_DISK, i, drawn_points)
+                      : chi_square_directions(way, list[k].pdf, NULL, 1, i, drawn_points);
             *(j ? &c.now : &c.first) += r.p < 1e-8;
         }
     return c;

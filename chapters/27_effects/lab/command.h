@@ -147,7 +147,7 @@ static inline void request_show(const options *o, const request *q, const plan *
         whole = draw_strip(o, p, e, o->width * 3 / 5, o->height * 3 / 5, samples)
              && draw_two(o) && table_of_tax(o) && request_all(o, p, e);
     image_free(&im);
-    if (!whole) die(130, "stopped; the picture was whole before");
+    if (!whole) die(parallel_stopped(), "stopped; the picture was whole before");
 }
 
 /* Without a file and --full: the six scenes, and that is all. */
