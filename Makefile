@@ -10,6 +10,7 @@
 # make graph      which chapter includes which
 # make notes      the ledger: what the lecture notes claim, and what the programs found
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
+# make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
@@ -57,7 +58,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants hard-cases notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants hard-cases costs notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -158,6 +159,17 @@ hard-cases:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/double REAL=double $(BUILD)/double/hard_cases
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
 	@$(BUILD)/double/hard_cases; a=$$?; echo; $(BUILD)/float/hard_cases && [ $$a -eq 0 ]
+
+# Each program's main table as CSV, then one plot of them. 17 and 27 have no error there.
+COSTS := $(filter-out 17_compare 27_effects,$(CHAPTERS))
+$(BUILD)/costs: tests/costs/costs.c $(STAMP)
+	$(if $(V),,@echo "CC tests/costs/costs")
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+costs:
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(COSTS:%=$(BUILD)/%) $(BUILD)/costs
+	@mkdir -p $(BUILD)/csv && ln -sfn $(CURDIR)/chapters $(BUILD)/csv/chapters
+	@for c in $(COSTS); do (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c --csv $$c.csv >/dev/null) || exit 1; done
+	$(Q)$(BUILD)/costs $(BUILD)/csv
 
 mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" CC="$(CC)" sh tests/mutants.sh
