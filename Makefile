@@ -9,6 +9,7 @@
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
 # make notes      the ledger: what the lecture notes claim, and what the programs found
+# make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
@@ -58,7 +59,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants hard-cases costs notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants hard-cases costs book notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -174,10 +175,13 @@ costs:
 mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" CC="$(CC)" sh tests/mutants.sh
 
+# The only targets with a program or a library of others, book and embree, are never part of what the rest builds.
+book:
+	@sh tests/book.sh $(BUILD)
+
 notes:
 	@sh tests/notes.sh table
 
-# The only program with a library of others: never part of what the other targets build.
 embree: $(STAMP)
 	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \
 	  { echo "embree: embree3/rtcore.h is missing: install Embree 3 (Debian: libembree-dev)" >&2; exit 2; }
