@@ -20,22 +20,22 @@ static const subject subjects[] = {
     {"01_ray", "points along a ray", "error t=1e4", "first (1-t) a", "first o + t d"},
     {"02_camera", "edges, 16 rays a pixel", "error 16 rays", "checkerboard|tent random",
      "checkerboard|tent jittered"},
-    {"03_sphere", "rays at the limb, from 1e6 R", "error grazing wrong 1e6 R [%]", "first",
+    {"03_sphere", "rays at the limb, from 1e6 R", "error grazing wrong 1e6 R [%]", "first|",
      "sphere_hit"},
     {"04_triangle", "rays at edges that slip", "error at edges [%]", "first", "watertight"},
     {"05_implicit", "grazing rays that miss", "error missed [%]", "first, 128", "intervals"},
     {"06_csg", "the eye within a solid", "error eye inside [%]", "t > 0", "spans, bounds"},
-    {"07_mesh", "inside or not, past an edge", "error: an edge", "first", "parity of crossings"},
-    {"08_object_order", "wrong pixels", "error: another triangle [pixels]", "first",
+    {"07_mesh", "inside or not, past an edge", "error: an edge", "first|", "parity of crossings"},
+    {"08_object_order", "wrong pixels", "error: another triangle [pixels]", "first|",
      "raster, 8 bits"},
     {"09_aabb", "boxes of no thickness lost", "error flat [%]", "first, divides",
      "aabb_hit, divides"},
     {"10_grid", "hits beyond the cell", "error boards [%]", "first hit accepted",
      "grid_hit, 27 cells"},
-    {"11_octree", "rays at corners and in planes", "error [wrong]", "textbook", "octree"},
+    {"11_octree", "rays at corners and in planes", "error [wrong]", "textbook|", "octree|"},
     {"12_kdtree", "rays at corners", "error [wrong]", "textbook search", "SAH, by cost"},
     {"13_bsp", "rays at corners", "error [wrong]", "first leaf", "cost, 16"},
-    {"14_bvh", "rays at corners", "error [wrong]", "sah, boxes naive", "sah"},
+    {"14_bvh", "rays at corners", "error [wrong]", "sah, boxes naive", "sah|"},
     {"15_wide_bvh", "rays into a mesh", "error [lost]", "leaky|2000",
      "watertight|2000"},
     {"16_instances", "plants lost far away", "error far", "boxes naive", "boxes of points"},
@@ -47,7 +47,7 @@ static const subject subjects[] = {
      "sphere|solid angle"},
     {"23_brdf", "a glossy surface", "error [1]", "GGX .25|uniform",
      "GGX .25|BRDF|"},
-    {"24_direct_light", "lamps over plates", "error at the plates [1]",
+    {"24_direct_light", "the plates", "error at the plates [1]",
      "uniform directions", "power heuristic"},
     {"25_bounces", "two rays a hit, or one", "error of a sample, -+ [1]", "5|2|", "5|1|"},
     {"26_path_tracer", "the Cornell box", "error RMSE", "naive (25)", "the same, Sobol'"},
@@ -169,9 +169,9 @@ static int by_time(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-typedef struct { double from, to, y; } place;  /* of a label */
+typedef struct { double from, to, y; } place;  /* of a label, or a dot */
 
-/* Beside its dot, away from the middle if there is room, and below the `n` labels in its way. */
+/* Beside its dot, away from the middle if there is room, and below what of `n` is in its way. */
 static place label(figure *g, const cost *c, double x, double y, const place *used, int n)
 {
     char text[128];
@@ -180,9 +180,10 @@ static place label(figure *g, const cost *c, double x, double y, const place *us
     for (char *t = text; *t && *t != ':'; t++) if (*t == '_') *t = ' ';  /* _ would slant */
     double width = 8.0 * (double)strlen(text);
     bool left = x < middle ? x - width > plot_left : x + width > plot_right + 20;
-    place p = {left ? x - width : x, left ? x : x + width, y};
+    place p = {left ? x - width : x + 9, left ? x - 9 : x + width, y};
     for (int i = 0; i < n; i++)
-        if (used[i].from < p.to && p.from < used[i].to) p.y = fmax(p.y, used[i].y + 17);
+        if (used[i].from < p.to && p.from < used[i].to && fabs(p.y - used[i].y) < 16)
+            p.y = used[i].y + 16;
     figure_text(g, x, -p.y, left ? -10 : 10, 5, left ? FIGURE_RIGHT : FIGURE_LEFT, part_colour(c),
                 text);
     return p;
@@ -209,7 +210,7 @@ static void draw_upper(figure *g, cost **c, int n)
 {
     static const char *const ticks[] = {"1 x", "1/10", "1/100", "1/1000", "1/10000"};
     double x1 = (plot_left + plot_right) / 2.0;
-    place used[chapters];
+    place used[2 * chapters];
     frame(g, plot_top, plot_bottom);
     for (int i = 0; i < 5; i++) {
         double y = place_y(pow(10, -i));
@@ -218,10 +219,14 @@ static void draw_upper(figure *g, cost **c, int n)
     }
     qsort(c, (size_t)n, sizeof *c, by_height);
     for (int i = 0; i < n; i++) {
+        double x = place_x(c[i]);
+        used[i] = (place){x - 7, x + 7, place_y(c[i]->now_error / c[i]->naive_error)};
+    }
+    for (int i = 0; i < n; i++) {
         double x = place_x(c[i]), y = place_y(c[i]->now_error / c[i]->naive_error);
         figure_line(g, x1, -place_y(1), x, -y, "#bbbbbb", 1, FIGURE_WHOLE);
         figure_dot(g, x, -y, 6, part_colour(c[i]));
-        used[i] = label(g, c[i], x, y, used, i);
+        used[n + i] = label(g, c[i], x, y, used, n + i);
     }
     figure_dot(g, x1, -place_y(1), 6, FIGURE_BLACK);
     figure_text(g, x1, -place_y(1), 0, -13, FIGURE_MIDDLE, FIGURE_BLACK, "the naive way");
