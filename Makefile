@@ -8,8 +8,10 @@
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
-# make notes      the ledger: what the lecture notes claim, and what the programs found
+# make notes      the ledger: what the lecture notes claim, and what the programs find   some minute
+# make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
+# make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
@@ -59,7 +61,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants hard-cases notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants hard-cases csv costs book notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -161,13 +163,29 @@ hard-cases:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
 	@$(BUILD)/double/hard_cases; a=$$?; echo; $(BUILD)/float/hard_cases && [ $$a -eq 0 ]
 
+# Each program's main table as CSV, for costs and notes. In 17 and 27 it holds no error.
+TABLED := $(filter-out 17_compare 27_effects,$(CHAPTERS))
+csv:
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(TABLED:%=$(BUILD)/%)
+	@mkdir -p $(BUILD)/csv && ln -sfn $(CURDIR)/chapters $(BUILD)/csv/chapters
+	@for c in $(TABLED); do echo "$$c --csv"; \
+	  (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c --csv $$c.csv >/dev/null) || exit 1; done
+$(BUILD)/costs: tests/costs/costs.c $(STAMP)
+	$(if $(V),,@echo "CC tests/costs/costs")
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+costs: $(BUILD)/costs csv
+	$(Q)$(BUILD)/costs $(BUILD)/csv
+
 mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" CC="$(CC)" sh tests/mutants.sh
 
-notes:
-	@sh tests/notes.sh table
+# The only targets with a program or a library of others, book and embree, are never part of what the rest builds.
+book:
+	@sh tests/book.sh $(BUILD)
 
-# The only program with a library of others: never part of what the other targets build.
+notes: csv
+	@sh tests/notes.sh table $(BUILD)/csv
+
 embree: $(STAMP)
 	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \
 	  { echo "embree: embree3/rtcore.h is missing: install Embree 3 (Debian: libembree-dev)" >&2; exit 2; }
