@@ -10,6 +10,7 @@
 # make graph      which chapter includes which
 # make notes      the ledger: what the lecture notes claim, and what the programs found
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
+# make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
@@ -57,7 +58,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants hard-cases notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants bugs hard-cases notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -127,7 +128,7 @@ images: full
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
 	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
-	  sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh notes.sh $(TESTS)
+	  sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh notes.sh bugs.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
@@ -164,6 +165,13 @@ mutants:
 
 notes:
 	@sh tests/notes.sh table
+
+bugs:
+	@sh tests/bugs.sh list
+bug-%-answer: FORCE
+	@sh tests/bugs.sh answer "$*"
+bug-%: FORCE
+	@CC="$(CC)" BUILD="$(BUILD)" sh tests/bugs.sh $(if $(TEST),try,show) "$*" $(if $(TEST),"$(TEST)")
 
 # The only program with a library of others: never part of what the other targets build.
 embree: $(STAMP)

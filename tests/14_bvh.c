@@ -160,8 +160,8 @@ static void test_one_leaf(void)
             hit h = hit_none;
             ray r = {vec(0.01, 0.02, end ? plates : -1), 0, {0, 0, end ? -1 : 1}, real_infinity};
             check(bvh_mesh_hit_counted(&b, r, &h, &w) && fabs(h.t - 1) < (real)0.5, "a hit");
-            check_equal(w.leaves, 1, "leaves asked, of %d plates, %s, end %d", plates, bvh_rules[s].name,
-                        end);
+            check_equal(w.leaves, 1, "leaves asked, of %d plates, %s, end %d", plates,
+                        bvh_rules[s].name, end);
         }
         bvh_mesh_free(&b);
     }
