@@ -11,6 +11,7 @@
 # make notes      the ledger: what the lecture notes claim, and what the programs found
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
+# make mine-04    your own function beside the chapter's: MINE=my.h; a sphere (mine-03), triangle, box (mine-09), structure (mine-17)
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
@@ -63,7 +64,7 @@ all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
@@ -165,6 +166,10 @@ mutants:
 
 notes:
 	@sh tests/notes.sh table
+
+# Called by tests/mine.sh again, with MINE a whole path.
+mine-%: FORCE
+	@MAKE="$(MAKE)" CC="$(CC)" BUILD="$(BUILD)" sh tests/mine.sh "$*" "$(MINE)" $(if $(FULL),--full)
 
 bugs:
 	@sh tests/bugs.sh list
