@@ -158,6 +158,12 @@ for part in '01 to 08' '09 to 17' '18, 19' '20 to 23' '24 to 27'; do
     else no "fewer than two bugs in $part"; fi
 done
 
+# The page lists them all, as `make bugs` does.
+sh tests/bugs.sh list | sed -e 1d -e 's/^./    &/' >"$scratch/list"
+sed -n '/^## The bugs/,/^## Your/p' chapters/bugs.md | grep '^    ' >"$scratch/page"
+if [ "$(grep . "$scratch/list")" = "$(cat "$scratch/page")" ]; then ok
+else no "chapters/bugs.md does not list what \`make bugs\` prints: $(diff "$scratch/list" "$scratch/page" | head -n 4)"; fi
+
 # The rule sees what it is there to see: a line that is not there, and one that stands there twice.
 mkdir -p "$scratch/x" && printf 'a\nb\nb\n' >"$scratch/x/y"
 plant() { printf -- '--- a/x/y\n+++ b/x/y\n@@ -1 +1 @@\n-%s\n+c\n' "$1" >"$scratch/p"; apply "$scratch/p" "$scratch"; }
