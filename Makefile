@@ -12,6 +12,8 @@
 # make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
+# make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
+# make mine-04    your own function beside the chapter's: MINE=my.h; a sphere (mine-03), triangle, box (mine-09), structure (mine-17)
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
@@ -61,12 +63,12 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants hard-cases csv costs book notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
@@ -131,7 +133,7 @@ images: full
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
 	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
-	  sh tests/run.sh cli.sh faults.sh first.sh rules.sh names.sh pages.sh notes.sh $(TESTS)
+	  sh tests/run.sh cli.sh faults.sh first.sh rules.sh names.sh pages.sh notes.sh bugs.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
@@ -185,6 +187,17 @@ book:
 
 notes: csv
 	@sh tests/notes.sh table $(BUILD)/csv
+
+# Called by tests/mine.sh again, with MINE a whole path.
+mine-%: FORCE
+	@MAKE="$(MAKE)" CC="$(CC)" BUILD="$(BUILD)" sh tests/mine.sh "$*" "$(MINE)" $(if $(FULL),--full)
+
+bugs:
+	@sh tests/bugs.sh list
+bug-%-answer: FORCE
+	@sh tests/bugs.sh answer "$*"
+bug-%: FORCE
+	@CC="$(CC)" BUILD="$(BUILD)" sh tests/bugs.sh $(if $(TEST),try,show) "$*" $(if $(TEST),"$(TEST)")
 
 embree: $(STAMP)
 	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \
