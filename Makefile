@@ -11,6 +11,8 @@
 # make notes      the ledger: what the lecture notes claim, and what the programs found
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
+# make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
+# make grade      grades SUBMISSION=folder: a table, build/results.json; SUBMISSIONS=folder of folders: grades.csv
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
@@ -164,6 +166,18 @@ mutants:
 
 notes:
 	@sh tests/notes.sh table
+
+# Homework: tests/assignments/README.md, chapters/teaching.md. A folder that is there already is left alone.
+ASSIGNMENTS := $(notdir $(wildcard tests/assignments/[0-9][0-9]))
+SET ?= $(ASSIGNMENTS)
+assignment: $(SET:%=assignment-%)
+$(ASSIGNMENTS:%=assignment-%): assignment-%:
+	@mkdir -p $(BUILD)
+	@CC="$(CC)" sh tests/assignments/write.sh $* $(BUILD)/assignment-$*
+grade:
+	@CC="$(CC)" BUILD="$(BUILD)" CLASS=$(if $(SUBMISSIONS),yes,no) \
+	  sh tests/assignments/grade.sh $(if $(SUBMISSIONS),"$(SUBMISSIONS)",$(if $(SUBMISSION),"$(SUBMISSION)"))
+.PHONY: assignment grade $(ASSIGNMENTS:%=assignment-%)
 
 # The only program with a library of others: never part of what the other targets build.
 embree: $(STAMP)
