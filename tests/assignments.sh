@@ -2,6 +2,8 @@
 # Homework (tests/assignments/): of each assignment the untouched folder gets 0 on every exercise, our own solution
 # all points, and three half-right ones something in between, in their order; and submissions that do harm get
 # their score and a message. No part of `make test`: it compiles some hundred programs.   ONLY=04: one assignment
+#
+# Keeps the tables of chapters/teaching.md, too: `sh tests/assignments.sh tables` prints them.
 set -u
 passed=0 failed=0
 ok() { passed=$((passed + 1)); }
@@ -12,7 +14,7 @@ trap 'rm -rf "$scratch"' EXIT
 export BUILD="${BUILD:-build}"
 here=tests/assignments
 tab=$(printf '\t')
-seed=${SEED:-$(od -An -N4 -tu4 /dev/urandom | tr -d ' ')}  # another one each time; it is named if something fails
+seed=${SEED:-1}
 
 # of FOLDER: grades it; sets table, each ("points of exercise 1, 2, ..") and points
 of() {
@@ -20,6 +22,21 @@ of() {
     each=$(echo "$table" | awk '/^[0-9]_/ { split($4, p, "/"); printf "%s%s", n++ ? " " : "", p[1] }')
     points=$(echo "$table" | awk '/^sum/ { split($2, p, "/"); print p[1] }')
 }
+
+# summary NN: its row in the table of chapters/teaching.md
+summary() {
+    title=$(sed -n '1s/^# [0-9]* //p' chapters/"$1"_*/README.md)
+    awk -F"$tab" -v title="$1 $title" -v list="$cut/list" '
+        BEGIN { while ((getline line <list) > 0) { split(line, f, FS); hours += f[3]; own[f[1]] = f[4] == "own"
+                    name = f[2]; sub(/^[0-9]_/, "", name); sub(/\.h$/, "", name)
+                    if (f[4] == "own") new = new (new == "" ? "" : ", ") name
+                    else old = old (old == "" ? "" : ", ") name } }
+        { sum += $3; if (!own[$1]) book += $3; if ($5) public += $3; if ($4) hard += $3 }
+        END { printf "| %s | %s | %s | %g | %d | %d | %d | %d |\n", title, old, new, hours, book, sum - book, public, hard }' \
+        "$scratch/checks"
+}
+: >"$scratch/summary"
+: >"$scratch/mistakes"
 
 for NN in ${ONLY:-$(cd $here && echo [0-9][0-9])}; do
     stub=$scratch/stub_$NN
@@ -35,6 +52,8 @@ for NN in ${ONLY:-$(cd $here && echo [0-9][0-9])}; do
     export ASSIGNMENT="$NN"
     of "$stub"
     cut=$BUILD/assignments/$NN
+    "$cut/judge" list >"$scratch/checks"
+    summary "$NN" >>"$scratch/summary"
     is "$(echo "$each" | tr -d ' 0')" '' "$NN: the untouched folder, seed $seed"
     # Its public tests run, fail, and say what is due.
     said=$(cd "$stub" && make 2>&1)
@@ -58,10 +77,10 @@ for NN in ${ONLY:-$(cd $here && echo [0-9][0-9])}; do
     for half in 1 2 3; do
         dir=$scratch/half_${NN}_$half
         mkdir "$dir" && cp "$cut/stubs"/* "$dir/"
-        grep "^$half " "$here/$NN/halves" | while IFS='|' read -r _ exercise edit; do
+        grep "^$half " "$here/$NN/halves" | while IFS='|' read -r _ exercise _ edit; do
             file=$(basename "$cut/reference/$(echo "$exercise" | tr -d ' ')"_*.h)
             case $edit in
-            ' reference') cp "$cut/reference/$file" "$dir/" ;;
+            '' | ' ') cp "$cut/reference/$file" "$dir/" ;;
             *) sed -e "${edit# }" "$cut/reference/$file" >"$dir/$file"
                ! cmp -s "$cut/reference/$file" "$dir/$file" || echo "$NN: half $half: sed changes nothing in $file" ;;
             esac
@@ -69,6 +88,15 @@ for NN in ${ONLY:-$(cd $here && echo [0-9][0-9])}; do
         if [ -s "$scratch/idle" ]; then no "$(cat "$scratch/idle")"; else ok; fi
         of "$dir"
         if echo "$table" | grep -q 'does not compile'; then no "$NN: half $half: $table"; else ok; fi
+        # Each mistake, and what it leaves of the exercise's points: not all of them, or it is none.
+        grep "^$half " "$here/$NN/halves" | while IFS='|' read -r _ exercise words edit; do
+            [ -n "${edit# }" ] || continue
+            exercise=$(echo "$exercise" | tr -d ' ')
+            row=$(echo "$table" | awk -v e="$exercise" '$1 ~ "^" e "_" { f = $1; sub(/^[0-9]_/, "", f); sub(/\.h$/, "", f)
+                print f " | " $4 }')
+            echo "| $NN | ${row%% |*} |$words| ${row##*| } |"
+            echo "$row" | awk '{ split($3, p, "/"); exit p[1] < p[2] }' && echo "$NN, $words: all points" >>"$scratch/unseen"
+        done >>"$scratch/mistakes"
         if [ "${points:-0}" -gt "$before" ] && [ "$points" -lt "$all" ]; then ok
         else no "$NN: half $half has ${points:-none} ($each), after $before and before $all; seed $seed"; fi
         [ -z "${V:-}" ] || echo "$NN: half $half: $each, together $points"
@@ -76,6 +104,20 @@ for NN in ${ONLY:-$(cd $here && echo [0-9][0-9])}; do
     done
     unset ASSIGNMENT
 done
+
+if [ "${1:-}" = tables ]; then
+    echo "| assignment | from the book | new | hours | points: book | new | of these public | hard |"
+    echo "|---|---|---|---|---|---|---|---|"
+    cat "$scratch/summary"; echo
+    echo "| | exercise | what is wrong | points |"; echo "|---|---|---|---|"; cat "$scratch/mistakes"
+    exit
+fi
+unseen=$(cat "$scratch/unseen" 2>/dev/null)
+is "$unseen" '' "mistakes that no check sees"
+cat "$scratch/summary" "$scratch/mistakes" >"$scratch/tables"
+while read -r row; do
+    if grep -qF "$row" chapters/teaching.md; then ok; else no "chapters/teaching.md has no row $row"; fi
+done <"$scratch/tables"
 
 # ---------------------------------------------------------------------------------------------------------------
 # A class of submissions that do harm, all to exercise 3 of assignment 04; its other files are missing.

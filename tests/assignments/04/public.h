@@ -120,6 +120,15 @@ static vec3 due_fisheye(const question *q)
                sin(theta) * (cos(round) * c->u.z + sin(round) * c->v.z) - cos(theta) * c->w.z);
 }
 
+/* A picture as wide as high: theta is 85 degrees at most, in a corner. */
+static question ask_fisheye(random_stream *g, int i)
+{
+    question q = ask_camera(g, i);
+    q.camera.nx = q.camera.ny;
+    q.x = exam_between(g, 0, q.camera.nx);
+    return q;
+}
+
 /* Beyond theta = pi there is no ray; within rounding of it either answer is right. */
 static bool mark_fisheye(const question *q, const answer *a, char why[exam_why])
 {
@@ -169,7 +178,7 @@ static const exam_check public_checks[] = {
     {1, "middles of pixels", 5, false, 200, ask_camera, mark_camera},
     {2, "hit or miss; t, u, v", 8, false, 1000, ask_triangle, mark_triangle},
     {3, "front, back, both", 8, false, 600, ask_sided, mark_sided},
-    {4, "anywhere in the picture", 8, false, 200, ask_camera, mark_fisheye},
+    {4, "anywhere in the picture", 8, false, 200, ask_fisheye, mark_fisheye},
     {5, "four different sides", 8, false, 600, ask_quad, mark_quad},
 };
 #endif

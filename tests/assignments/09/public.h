@@ -23,8 +23,12 @@ static question ask_box(random_stream *g, int i)
     vec3 aim = exam_vector(g, i % 3 == 0 ? 3 : 1), size = vsub(q.b.hi, q.b.lo);
     if (i % 3 == 0) aim = vadd(aim, q.b.lo);
     else aim = vadd(vscale(vadd(q.b.lo, q.b.hi), (real)0.5), vscale(vmul(aim, size), (real)0.45));
-    vec3 from = exam_vector(g, 6);
+    vec3 from;
+    do from = exam_vector(g, 6);
+    while (in_box(q.b, from));
     q.r = ray_from(from, vscale(vsub(aim, from), exam_between(g, 0.1, 2)));
+    vec3 middle = vscale(vadd(q.b.lo, q.b.hi), (real)0.5);
+    if (vdot(vsub(middle, from), q.r.d) < 0) q.r.d = vneg(q.r.d);  /* nothing lies behind */
     return q;
 }
 

@@ -2,21 +2,25 @@
 #ifndef HIDDEN_14_H
 #define HIDDEN_14_H
 
-/* Trees whose boxes were moved: triangles are found only by the way that a search should take. */
-static question ask_moved(random_stream *g, int i)
+/* Trees whose boxes were moved: triangles are found only by the way that a search should take. They
+ * are larger, so that there is much to find. */
+static question ask_moved_by(random_stream *g, int i, double size)
 {
     question q = ask_soup(g, 7 * i + 1 + i % 6);
     q.n = question_most;
-    for (int k = 0; k < q.n; k++) {  /* larger ones: there is much to find */
+    for (int k = 0; k < q.n; k++) {
         vec3 p = exam_vector(g, 2);
-        q.tri[k] = (triangle){vadd(p, exam_vector(g, 3)), vadd(p, exam_vector(g, 3)),
-                              vadd(p, exam_vector(g, 3))};
+        q.tri[k] = (triangle){vadd(p, exam_vector(g, size)), vadd(p, exam_vector(g, size)),
+                              vadd(p, exam_vector(g, size))};
     }
     q.moved = random_next_bits(g) | 1;
     q.skip = (int)(random_next_bits(g) % (uint64_t)q.n);
     if (i % 4 == 3) q.r.tmax = exam_between(g, 0.5, 1);
     return q;
 }
+
+static question ask_moved(random_stream *g, int i) { return ask_moved_by(g, i, 3); }
+static question ask_moved_large(random_stream *g, int i) { return ask_moved_by(g, i, 5); }
 
 /* The search with a stack of nodes that are still to be looked at: keeps the `most` closest hits (1
  * or 2). most = 0: stops at the first, left child first, without triangle `skip`. */
@@ -143,7 +147,7 @@ static const exam_check hidden_checks[] = {
     {2, "parts, one place, one plane", 7, true, 300, ask_parts, mark_sah},
     {3, "stops, skips, in order", 9, true, 600, ask_moved, mark_any_moved},
     {4, "equal t, intervals", 6, true, 600, ask_doubles, mark_two},
-    {4, "leaves out what it should", 6, true, 600, ask_moved, mark_two_moved},
+    {4, "leaves out what it should", 6, true, 1200, ask_moved_large, mark_two_moved},
     {5, "flat, same place, one box, lanes", 12, true, 360, ask_boxes_odd, mark_sweep_odd},
 };
 #endif
