@@ -15,6 +15,8 @@
 # make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
 # make mine-04    your own function beside the chapter's: MINE=my.h; a sphere (mine-03), triangle, box (mine-09), structure (mine-17)
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
+# make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
+# make grade      grades SUBMISSION=folder: a table, build/results.json; SUBMISSIONS=folder of folders: grades.csv
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
@@ -198,6 +200,18 @@ bug-%-answer: FORCE
 	@sh tests/bugs.sh answer "$*"
 bug-%: FORCE
 	@CC="$(CC)" BUILD="$(BUILD)" sh tests/bugs.sh $(if $(TEST),try,show) "$*" $(if $(TEST),"$(TEST)")
+
+# Homework: tests/assignments/README.md, chapters/teaching.md. A folder that is there already is left alone.
+ASSIGNMENTS := $(notdir $(wildcard tests/assignments/[0-9][0-9]))
+SET ?= $(ASSIGNMENTS)
+assignment: $(SET:%=assignment-%)
+$(ASSIGNMENTS:%=assignment-%): assignment-%:
+	@mkdir -p $(BUILD)
+	@CC="$(CC)" sh tests/assignments/write.sh $* $(BUILD)/assignment-$*
+grade:
+	@CC="$(CC)" BUILD="$(BUILD)" CLASS=$(if $(SUBMISSIONS),yes,no) \
+	  sh tests/assignments/grade.sh $(if $(SUBMISSIONS),"$(SUBMISSIONS)",$(if $(SUBMISSION),"$(SUBMISSION)"))
+.PHONY: assignment grade $(ASSIGNMENTS:%=assignment-%)
 
 embree: $(STAMP)
 	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \
