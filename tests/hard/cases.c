@@ -14,7 +14,7 @@
 #include "../../chapters/09_aabb/lab/mantissa.h"
 #include "../../chapters/09_aabb/lab/slabs.h"
 #include "../../chapters/17_compare/contenders.h"
-#include "../../chapters/17_compare/lab/torture.h"
+#include "../../chapters/09_aabb/trials/torture.h"
 #include "../../chapters/18_shade/lab/departures.h"
 #include "../../common/lab/table.h"
 
