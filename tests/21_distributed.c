@@ -500,7 +500,7 @@ static void test_ambient_below(void)
         below += !(r.d.z > 0), wrong += open != (r.d.z > 0);
     }
     check_equal(wrong, 0, "open below the surface, or closed above it");
-    check_close((double)below / (double)n, 0.2, 6 * 0.4 / sqrt((double)n), "(1 - cos) / 2 are below");
+    check_close((double)below / (double)n, 0.2, 6 * 0.4 / sqrt((double)n), "(1 - cos) / 2");
 }
 
 /* ---- the program ---- */
