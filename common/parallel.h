@@ -71,7 +71,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     }
     enum { most = 255 };
     pthread_t others[most];
-    int started = 0, wanted = threads > 0 ? threads : parallel_cores();
+    int started = 0;
     parallel_work w = {.job = job, .context = context, .what = what, .n = n};
     struct sigaction before, before_term, during = {.sa_handler = parallel_on_interrupt,
                                        .sa_flags = (int)SA_RESETHAND | SA_RESTART};
@@ -80,6 +80,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     sigaction(SIGINT, NULL, &before), sigaction(SIGTERM, NULL, &before_term);
     if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &during, NULL);
     if (before_term.sa_handler != SIG_IGN) sigaction(SIGTERM, &during, NULL);
+    int wanted = threads > 0 ? threads : parallel_cores();
     while (started + 1 < wanted && started < most && (size_t)started + 1 < n
            && pthread_create(&others[started], NULL, parallel_thread, &w) == 0)
         started++;  /* with fewer threads than wanted it only takes longer */

@@ -84,12 +84,12 @@ static inline void triangle_row_of(size_t k, void *context)
 static inline void triangle_times(const options *o, triangle_rows *all)
 {
     triangle_soup *s = soup_new(o->quick ? 20 : 100, o->seed);
-    clock_variant v[triangle_methods];
+    bench_candidate v[triangle_methods];
     int n = 0, of[triangle_methods];
     for (int k = 0; k < triangle_methods; k++)
         if (!method[k].f32)
-            of[n] = k, v[n++] = (clock_variant){method[k].name, method[k].run, s, 0};
-    clock_compare(v, n, o->quick ? 3 : 41);
+            of[n] = k, v[n++] = (bench_candidate){method[k].name, method[k].run, s, 0, 0};
+    bench_time(v, n, o->quick ? 3 : 41);
     for (int i = 0; i < n; i++)
         all->row[of[i]].ns = 1e9 * v[i].seconds / (soup_triangles * s->rays);
     free(s);
