@@ -78,7 +78,7 @@ static inline void triangle_row_of(size_t k, void *context)
     }
     y->at_edge = slip_hits(&m, method[k].hit, false, o->quick ? 500 : 10000, o->seed);
     icosphere_free(&m);
-    y->needles = needles(method[k].hit, 1e-6, o->quick ? 500 : 10000, o->seed);
+    y->needles = triangle_needles(method[k].hit, 1e-6, o->quick ? 500 : 10000, o->seed);
 }
 
 static inline void triangle_times(const options *o, triangle_rows *all)
@@ -132,7 +132,7 @@ static inline void triangle_plots(const options *o)
             icosphere_free(&m);
         }
         for (double width = 1; width > 5e-8; width /= 10) {
-            triangle_needle_count n = needles(method[k].hit, width, 2000, o->seed);
+            triangle_needle_count n = triangle_needles(method[k].hit, width, 2000, o->seed);
             if (n.missed < n.due) plot_add(&q, on_q, width, n.error);
         }
     }
@@ -191,7 +191,8 @@ static inline void triangle_measure(const options *o)
 {
     triangle_rows *all = allocate(1, sizeof *all);
     all->o = o;
-    if (!parallel_for(triangle_methods, o->threads, "rays", triangle_row_of, all)) exit(130);
+    if (!parallel_for(triangle_methods, o->threads, "rays", triangle_row_of, all))
+        exit(parallel_stopped());
     triangle_times(o, all);
     triangle_main_table(o, all);
     if (o->full) {
