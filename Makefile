@@ -12,7 +12,11 @@
 # make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
+# make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
+# make mine-04    your own function beside the chapter's: MINE=my.h; a sphere (mine-03), triangle, box (mine-09), structure (mine-17)
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
+# make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
+# make grade      grades SUBMISSION=folder: a table, build/results.json; SUBMISSIONS=folder of folders: grades.csv
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
@@ -61,12 +65,12 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants hard-cases csv costs book notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
@@ -131,7 +135,7 @@ images: full
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
 	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
-	  sh tests/run.sh cli.sh faults.sh first.sh rules.sh names.sh pages.sh notes.sh $(TESTS)
+	  sh tests/run.sh cli.sh faults.sh first.sh rules.sh names.sh pages.sh notes.sh bugs.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
@@ -185,6 +189,29 @@ book:
 
 notes: csv
 	@sh tests/notes.sh table $(BUILD)/csv
+
+# Called by tests/mine.sh again, with MINE a whole path.
+mine-%: FORCE
+	@MAKE="$(MAKE)" CC="$(CC)" BUILD="$(BUILD)" sh tests/mine.sh "$*" "$(MINE)" $(if $(FULL),--full)
+
+bugs:
+	@sh tests/bugs.sh list
+bug-%-answer: FORCE
+	@sh tests/bugs.sh answer "$*"
+bug-%: FORCE
+	@CC="$(CC)" BUILD="$(BUILD)" sh tests/bugs.sh $(if $(TEST),try,show) "$*" $(if $(TEST),"$(TEST)")
+
+# Homework: tests/assignments/README.md, chapters/teaching.md. A folder that is there already is left alone.
+ASSIGNMENTS := $(notdir $(wildcard tests/assignments/[0-9][0-9]))
+SET ?= $(ASSIGNMENTS)
+assignment: $(SET:%=assignment-%)
+$(ASSIGNMENTS:%=assignment-%): assignment-%:
+	@mkdir -p $(BUILD)
+	@CC="$(CC)" sh tests/assignments/write.sh $* $(BUILD)/assignment-$*
+grade:
+	@CC="$(CC)" BUILD="$(BUILD)" CLASS=$(if $(SUBMISSIONS),yes,no) \
+	  sh tests/assignments/grade.sh $(if $(SUBMISSIONS),"$(SUBMISSIONS)",$(if $(SUBMISSION),"$(SUBMISSION)"))
+.PHONY: assignment grade $(ASSIGNMENTS:%=assignment-%)
 
 embree: $(STAMP)
 	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \

@@ -1,6 +1,7 @@
 /* Tests of 04_triangle: plane, three hit tests, barycentrics; closed forms, an exact oracle,
  * needles and degenerate input. What happens at edges and vertices is in 04_watertight.c. */
 #include "check.h"
+#include "../chapters/04_triangle/lab/mine.h"
 #include "../chapters/04_triangle/lab/needles.h"
 #include "../chapters/04_triangle/lab/triangle_variants.h"
 
@@ -573,6 +574,52 @@ static void test_flattened(void)
     check_at_least(hits, n / 8, "they are hit");
 }
 
+/* ---- a reader's own test (mine.h): what is right passes, and each usual mistake is found ---- */
+
+static bool without_tmin(triangle tri, ray r, hit *out)
+{
+    r.tmin = -real_infinity;
+    return first_triangle_hit(tri, r, out);
+}
+
+static bool without_tmax(triangle tri, ray r, hit *out)
+{
+    r.tmax = real_infinity;
+    return first_triangle_hit(tri, r, out);
+}
+
+static bool parallelogram(triangle tri, ray r, hit *out)
+{
+    triangle other = {vadd(vsub(tri.b, tri.a), tri.c), tri.c, tri.b};
+    return first_triangle_hit(tri, r, out) || first_triangle_hit(other, r, out);
+}
+
+static bool exchanged(triangle tri, ray r, hit *out)
+{
+    if (!first_triangle_hit(tri, r, out)) return false;
+    *out = (hit){out->t, out->v, out->u, 0};
+    return true;
+}
+
+static bool one_sided(triangle tri, ray r, hit *out)
+{
+    return vdot(r.d, first_triangle_normal(tri)) < 0 && first_triangle_hit(tri, r, out);
+}
+
+static void test_mine(void)
+{
+    const struct { const char *name; triangle_method *hit; bool right; } one[] = {
+        {"mine.h", mine_triangle_hit, true}, {"first", first_triangle_hit, true},
+        {"triangle_hit", triangle_hit, true}, {"t < tmin", without_tmin, false},
+        {"t > tmax", without_tmax, false}, {"u, v <= 1", parallelogram, false},
+        {"u for v", exchanged, false}, {"from one side", one_sided, false}};
+    FILE *nowhere = fopen("/dev/null", "w");
+    for (size_t k = 0; nowhere && k < sizeof one / sizeof *one; k++)
+        check(triangle_prove(one[k].hit, one[k].name, 2000, nowhere) == one[k].right,
+              "%s: right or wrong?", one[k].name);
+    check(nowhere && fclose(nowhere) == 0, "/dev/null");
+}
+
 int main(void)
 {
     test_plane();
@@ -593,5 +640,6 @@ int main(void)
     test_barycentrics();
     test_absolute_determinant();
     test_flattened();
+    test_mine();
     return check_report("04_triangle");
 }

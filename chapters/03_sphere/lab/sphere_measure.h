@@ -42,9 +42,11 @@ SPHERE_TIMED(sphere_run_haines, sphere_hit_haines)
 SPHERE_TIMED(sphere_run_lagrange, sphere_hit_lagrange)
 SPHERE_TIMED(sphere_run_kahan, sphere_hit_kahan)
 SPHERE_TIMED(sphere_run_hit, sphere_hit)
-static double (*const sphere_run[sphere_methods])(void *) = {
+SPHERE_TIMED(sphere_run_mine, mine_sphere_hit)
+static double (*const sphere_run[])(void *) = {
     sphere_run_first_f32, sphere_run_first, sphere_run_in_double, sphere_run_stable_root,
-    sphere_run_haines, sphere_run_lagrange, sphere_run_kahan, sphere_run_hit};
+    sphere_run_haines, sphere_run_lagrange, sphere_run_kahan, sphere_run_hit,
+    sphere_run_mine};
 
 static inline void sphere_time(const options *o, sphere_how how, real far,
                                double ns[sphere_methods])
@@ -143,7 +145,7 @@ static inline void sphere_doubt_table(const options *o)
         sphere_time(o, kind[k].how, kind[k].far, ns);
         table_text(&t, "%s", kind[k].name);
         table_count(&t, sphere_twice(o, kind[k].how, kind[k].far, 1000000));
-        table_number(&t, ns[sphere_methods - 1]);
+        table_number(&t, ns[sphere_default]);
     }
     output_extra_table(o, &t);
 }

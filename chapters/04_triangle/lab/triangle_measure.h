@@ -7,7 +7,7 @@
 
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
-#include "needles.h"
+#include "mine.h"
 #include "soup.h"
 #include "triangle_variants.h"
 
@@ -22,6 +22,7 @@ SOUP_TIMED(run_triple, (void)0, triangle_hit_triple(*k, r, &h))
 SOUP_TIMED(run_watertight, (void)0, triangle_hit(*k, r, &h))
 SOUP_TIMED(run_sheared, ray_shear z = shear_of(r),
            triangle_hit_corners(&k->a, &k->b, &k->c, &z, r, &h))
+SOUP_TIMED(run_mine, (void)0, mine_triangle_hit(*k, r, &h))
 
 /* For the columns that do not measure time. */
 static bool hit_sheared(triangle tri, ray r, hit *out)
@@ -30,13 +31,13 @@ static bool hit_sheared(triangle tri, ray r, hit *out)
     return triangle_hit_sheared(tri, &s, r, out);
 }
 
-enum { triangle_methods = 9 };
+enum { triangle_methods = 9 + triangle_mine };
 static const struct {
     const char *name;
     triangle_method *hit;
     double (*run)(void *);
     bool f32, plotted, timed;  /* corners are floats, in a plot alone; which plots */
-} method[triangle_methods] = {
+} method[] = {
     {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, NULL, 1, 1, 0},
     {"plane + inside", triangle_hit_plane, run_plane, 0, 1, 1},
     {"first: Möller-Trumbore", first_triangle_hit, run_first, 0, 1, 1},
@@ -45,7 +46,8 @@ static const struct {
     {"planes computed beforehand", triangle_hit_planes, run_planes, 0, 1, 1},
     {"triple products", triangle_hit_triple, run_triple, 0, 1, 1},
     {"watertight", triangle_hit, run_watertight, 0, 1, 1},
-    {"watertight, shear kept", hit_sheared, run_sheared, 0, 0, 1}};
+    {"watertight, shear kept", hit_sheared, run_sheared, 0, 0, 1},
+    {"mine", mine_triangle_hit, run_mine, 0, 1, 1}};
 
 static inline icosphere sphere_at(int k, real translation)
 {

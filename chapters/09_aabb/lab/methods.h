@@ -118,6 +118,7 @@ AABB_PASS(pass_ize, AABB_PREPARE, 1, AABB_ONE(aabb_hit_ize_with(&w->b[k], &v, r,
 AABB_PASS(pass_default, aabb_inverse v = aabb_inverse_of(r), 1,
           AABB_ONE(aabb_hit_inverse(&w->b[k], &v, r, &t)))
 AABB_PASS(pass_unprepared, , 1, AABB_ONE(aabb_hit(w->b[k], r, &t)))
+AABB_PASS(pass_mine, , 1, AABB_ONE(mine_aabb_hit(w->b[k], r, &t)))
 AABB_PASS(pass_ball, real dd = 1 / vdot(r.d, r.d), 1,
           AABB_ONE(bounding_ball_hit(&w->ball[k], dd, r, &t)))
 AABB_PASS(pass_turned, , 1, AABB_ONE(turned_hit(&w->turned[k], r, &t)))
@@ -152,8 +153,9 @@ static const aabb_row aabb_rows[] = {
     {"pbrt, 2 gamma(3), 1/d kept", aabb_of_pbrt, pass_pbrt, false},
     {"Ize, 2 ulp, 1/d kept", aabb_of_ize, pass_ize, false},
     {"aabb_hit, 1/d kept", aabb_of_default, pass_default, true},
-    {"aabb8_hit, 1/d kept, float", aabb_of_lanes, pass_lanes8, true}};
-enum { aabb_row_count = sizeof aabb_rows / sizeof *aabb_rows };
+    {"aabb8_hit, 1/d kept, float", aabb_of_lanes, pass_lanes8, true},
+    {"mine", aabb_of_mine, pass_mine, true}};
+enum { aabb_row_count = sizeof aabb_rows / sizeof *aabb_rows - 1 + aabb_mine };
 
 static inline void measure_methods(const options *o)
 {
