@@ -115,6 +115,22 @@ printf 'int y;\n' | tee "$scratch/page_of/first.h" >"$scratch/page_of/first.c"
 seen=$( (lecture "$scratch/page_of"; links "$scratch/page_of/README.md") | wc -l)
 if [ "$seen" -eq 9 ]; then ok; else no "9 planted faults of a page, $seen seen"; fi
 
+# make costs names columns and rows of tables that the pages show.
+named() {  # named FILE: "CHAPTER<TAB>TEXT" for each column and row
+    awk '/^static const subject/ { on = 1; next } on && /^};/ { exit }
+         on { all = all $0 }
+         END { n = split(all, part, "\""); k = 0
+               for (i = 2; i <= n; i += 2) { k = k % 5 + 1
+                   if (k == 1) chapter = part[i]
+                   if (k > 2) { m = split(part[i], cell, "|"); text = cell[m] == "" ? cell[m - 1] : cell[m]
+                                print chapter "\t" text } } }' "$1"
+}
+named tests/costs/costs.c >"$scratch/named"
+while IFS='	' read -r chapter text; do
+    if cat chapters/"$chapter"/*.md | grep -qF -e "$text"; then ok; else no "costs.c: no table of $chapter has $text"; fi
+done <"$scratch/named"
+if [ "$(wc -l <"$scratch/named")" -ge 60 ]; then ok; else no "costs.c: fewer than 60 names were read"; fi
+
 # Programs cut short, or with another compiler's libm, would print other numbers.
 if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then echo "pages.sh: $passed passed, $failed failed"; exit $failed; fi
 
