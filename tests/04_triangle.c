@@ -225,7 +225,8 @@ static void test_needles(void)
 {
     for (double width = 1e-1; width > 1e3 * eps; width /= 10) {
         size_t before = triangle_doubts;
-        triangle_needle_count n = needles(triangle_hit, width, count_at_least(5000, 2000), 3);
+        size_t rays = count_at_least(5000, 2000);
+        triangle_needle_count n = triangle_needles(triangle_hit, width, rays, 3);
         if (width < 2e-4)
             check_at_least((double)(triangle_doubts - before), 0.95 * (double)n.due,
                            "needles of width %.0e take the exact signs", width);
@@ -234,7 +235,7 @@ static void test_needles(void)
         check_equal(n.missed, 0, "no needle of width %.0e missed, of %zu", width, n.due);
         triangle_method *const others[] = {first_triangle_hit, triangle_hit_moller_trumbore};
         for (int k = 0; k < 2; k++)
-            check_at_least(needles(others[k], width, count_at_least(5000, 2000), 3).error,
+            check_at_least(triangle_needles(others[k], width, count_at_least(5000, 2000), 3).error,
                            0.1 * eps / width, "%s loses a digit of t a digit of width",
                            methods[k + 1].name);
     }
@@ -249,7 +250,7 @@ static void test_needles(void)
 static void test_naive_needles(void)
 {
     triangle_needle_count n =
-        needles(triangle_hit_moller_trumbore_f32, 1e-6, count_at_least(5000, 2000), 3);
+        triangle_needles(triangle_hit_moller_trumbore_f32, 1e-6, count_at_least(5000, 2000), 3);
     check_at_least((double)n.missed, 0.01 * (double)n.due,
                    "Möller-Trumbore in float misses needles");
     check_at_least(n.error, 0.1, "and t is off by a tenth or more");

@@ -80,18 +80,18 @@ static inline void triangle_row_of(size_t k, void *context)
     }
     y->at_edge = slip_hits(&m, method[k].hit, false, o->quick ? 500 : 10000, o->seed);
     icosphere_free(&m);
-    y->needles = needles(method[k].hit, 1e-6, o->quick ? 500 : 10000, o->seed);
+    y->needles = triangle_needles(method[k].hit, 1e-6, o->quick ? 500 : 10000, o->seed);
 }
 
 static inline void triangle_times(const options *o, triangle_rows *all)
 {
     triangle_soup *s = soup_new(o->quick ? 20 : 100, o->seed);
-    clock_variant v[triangle_methods];
+    bench_candidate v[triangle_methods];
     int n = 0, of[triangle_methods];
     for (int k = 0; k < triangle_methods; k++)
         if (!method[k].f32)
-            of[n] = k, v[n++] = (clock_variant){method[k].name, method[k].run, s, 0};
-    clock_compare(v, n, o->quick ? 3 : 41);
+            of[n] = k, v[n++] = (bench_candidate){method[k].name, method[k].run, s, 0, 0};
+    bench_time(v, n, o->quick ? 3 : 41);
     for (int i = 0; i < n; i++)
         all->row[of[i]].ns = 1e9 * v[i].seconds / (soup_triangles * s->rays);
     free(s);
@@ -134,7 +134,7 @@ static inline void triangle_plots(const options *o)
             icosphere_free(&m);
         }
         for (double width = 1; width > 5e-8; width /= 10) {
-            triangle_needle_count n = needles(method[k].hit, width, 2000, o->seed);
+            triangle_needle_count n = triangle_needles(method[k].hit, width, 2000, o->seed);
             if (n.missed < n.due) plot_add(&q, on_q, width, n.error);
         }
     }
@@ -193,7 +193,8 @@ static inline void triangle_measure(const options *o)
 {
     triangle_rows *all = allocate(1, sizeof *all);
     all->o = o;
-    if (!parallel_for(triangle_methods, o->threads, "rays", triangle_row_of, all)) exit(130);
+    if (!parallel_for(triangle_methods, o->threads, "rays", triangle_row_of, all))
+        exit(parallel_stopped());
     triangle_times(o, all);
     triangle_main_table(o, all);
     if (o->full) {

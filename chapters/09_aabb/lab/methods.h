@@ -7,7 +7,7 @@
 #ifndef AABB_METHODS_H
 #define AABB_METHODS_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "slabs.h"
 #include "volumes.h"
@@ -130,10 +130,10 @@ AABB_PASS(pass_lanes8, aabb_lanes v = aabb_lanes_of(r), 8,
 /* Nanoseconds a box of n passes. */
 static inline void time_passes(const options *o, int n, double (*const pass[])(void *), double *ns)
 {
-    clock_variant v[aabb_most_rows];
+    bench_candidate v[aabb_most_rows];
     aabb_work *w = work_new(o->seed);
-    for (int m = 0; m < n; m++) v[m] = (clock_variant){"", pass[m], w, 0};
-    clock_compare(v, n, o->quick ? 3 : o->full ? 61 : 15);
+    for (int m = 0; m < n; m++) v[m] = (bench_candidate){"", pass[m], w, 0, 0};
+    bench_time(v, n, o->quick ? 3 : o->full ? 61 : 15);
     for (int m = 0; m < n; m++) ns[m] = v[m].seconds / ((double)work_boxes * work_rays) * 1e9;
     free(w);
 }
