@@ -11,8 +11,8 @@
  * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind),
  * n / d.
  *
- * CHECK_SLACK=1 prints what part of its bound each check_at_most and check_close reached. A line that
- * never gets to a hundredth has a bound that says little:
+ * CHECK_SLACK=1 prints what part of its bound each check_at_most and check_close reached. A line
+ * that never gets to a hundredth has a bound that says little:
  *   CHECK_SLACK=1 build/test_09_aabb | awk '/^slack/ && !($3 < m[$2]) { m[$2] = $3 }
  *                                           END { for (k in m) if (m[k] < .01) print k, m[k] }'
  */
