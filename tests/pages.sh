@@ -137,19 +137,23 @@ if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then echo "pages.sh: $
 names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
 [ -n "${ONLY:-}" ] && names=$ONLY
 run_one() {
-    mkdir -p "$scratch/run/$1" && cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
+    cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
     "$BUILD/$1" ${FULL:+--full} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
         echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
 }
 mkdir "$scratch/run"; : >"$scratch/run/failed"
-at_work=0
-for name in $names; do
-    [ -x "$BUILD/$name" ] || { no "$name is not built"; continue; }
-    cat "$root/chapters/$name"/*.md | grep -q "real = ${REAL:-double}" || continue
-    run_one "$name" &
-    at_work=$((at_work + 1))
-    if [ $at_work -ge "${JOBS:-2}" ]; then wait; at_work=0; fi
-done
+# Each worker takes the next program that nobody has taken, the last chapters first: they take longest.
+last_first=$(printf '%s\n' "$names" | sort -r)
+worker() {
+    for name in $last_first; do
+        if [ -x "$BUILD/$name" ] && cat "$root/chapters/$name"/*.md | grep -q "real = ${REAL:-double}" &&
+            mkdir "$scratch/run/$name" 2>/dev/null; then (run_one "$name"); fi
+    done
+}
+for name in $names; do [ -x "$BUILD/$name" ] || no "$name is not built"; done
+at_work=1
+while [ $at_work -lt "${JOBS:-2}" ]; do worker & at_work=$((at_work + 1)); done
+worker
 wait
 [ -s "$scratch/run/failed" ] && no "$(cat "$scratch/run/failed")"
 for name in $names; do
