@@ -57,7 +57,7 @@ static inline float bvh8_before(const bvh8_ray *q, real t)
     return bvh8_down((double)t * q->scale - q->shift - q->slack);
 }
 
-/* A far origin was moved by `shift`: the end of the interval moves with it, as its beginning does. */
+/* A far origin was moved by `shift`: the interval's end moves with it, as its beginning does. */
 static inline float bvh8_limit(const bvh8_ray *q, real t)
 {
     return -bvh8_down(q->shift - (double)t * q->scale - q->slack);
