@@ -19,6 +19,7 @@ typedef void pixel_job(int x, int y, void *context);
 
 /* ---------------------------------------------------------------------------------------------- */
 static atomic_int parallel_stop;            /* set by Ctrl-C */
+static atomic_int parallel_signal = SIGINT; /* the last that stopped anything */
 static _Thread_local bool parallel_inside;  /* this thread is at work on a piece */
 
 typedef struct {
@@ -30,7 +31,13 @@ typedef struct {
     double start, shown;   /* moments */
 } parallel_work;
 
-static inline void parallel_on_interrupt(int signal) { atomic_store(&parallel_stop, signal); }
+static inline void parallel_on_interrupt(int signal)
+{
+    atomic_store(&parallel_stop, signal), atomic_store(&parallel_signal, signal);
+}
+
+/* The exit code of a program whose work was stopped: 130 after Ctrl-C, 143 after SIGTERM. */
+static inline int parallel_stopped(void) { return 128 + atomic_load(&parallel_signal); }
 
 static inline void parallel_show(parallel_work *w, size_t done)
 {

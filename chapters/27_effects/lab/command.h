@@ -177,8 +177,8 @@ static inline void request_show(const options *o, request *q, const plan *p, eff
         image_free(&im);
     }
     film_free(&f);
-    if (!whole || !request_tables(o, q, p, e, w, &j)) die(130, "stopped; the picture was whole "
-                                                          "before");
+    if (!whole || !request_tables(o, q, p, e, w, &j))
+        die(parallel_stopped(), "stopped; the picture was whole before");
 }
 
 /* Without a file and --full: the six scenes, and that is all. */
