@@ -3,7 +3,7 @@
 # make run        the short book, then every chapter: draws into images/, a screen of text each    run-NN  only one
 # make full       every chapter with --full: all tables and plots of the pages   full-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
-# make soak       all tests with eight times the counts
+# make soak       all tests with eight times the counts   MINUTES=30: half an hour of random numbers
 # make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
@@ -14,6 +14,7 @@
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
 # make mine-04    your own function beside the chapter's: MINE=my.h; a sphere (mine-03), triangle, box (mine-09), structure (mine-17)
+# make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
 # make grade      grades SUBMISSION=folder: a table, build/results.json; SUBMISSIONS=folder of folders: grades.csv
@@ -146,7 +147,8 @@ endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
 soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 sh tests/run.sh $(TESTS)
+	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 \
+	  sh tests/$(if $(MINUTES),soak.sh,run.sh $(TESTS))
 
 # FULL=1: of what the programs print with --full. BENCH_ONCE: times, which nobody compares, are taken once.
 pages: all
@@ -183,7 +185,11 @@ costs: $(BUILD)/costs csv
 	$(Q)$(BUILD)/costs $(BUILD)/csv
 
 mutants:
-	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" CC="$(CC)" sh tests/mutants.sh
+	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" EDIT="$(EDIT)" CC="$(CC)" sh tests/mutants.sh
+
+.PHONY: coverage
+coverage:
+	@TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
 
 # The only targets with a program or a library of others, book and embree, are never part of what the rest builds.
 book:

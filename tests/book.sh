@@ -20,7 +20,7 @@ entry() { page "$1" | awk -F'\t' '{ print "<a href=\"#" $2 "\">" $1 "</a><br>" }
 {
     echo '<p>The book</p>'
     entry README.md
-    for f in chapters/README.md chapters/teaching.md tests/README.md; do [ -f "$f" ] && entry "$f"; done
+    for f in chapters/*.md tests/README.md; do entry "$f"; done
     echo '<p>Beside the notes</p>'
     for f in rtr games101 path_tracing fcg gems; do entry chapters/notes/$f.md; done
     echo '<p>Chapters</p>'

@@ -22,11 +22,12 @@ local function exists(path)
     return f ~= nil
 end
 
+-- Pages of the book are anchors; all else is a file of the tree.
 local function target_of(target)
     if target:match('^%a+:') then return target end
     local path, part = target:match('^([^#]*)#?(.*)$')
     local full = path == '' and page or path_of(folder, path)
-    if full:match('%.md$') then
+    if full:match('%.md$') and (full:match('^chapters/') or full:match('^README') or full:match('^tests/README')) then
         return '#' .. anchor_of(full) .. (part ~= '' and '-' .. part or '')
     end
     return '../' .. full

@@ -17,8 +17,8 @@
  * floating point does, still meets one of the same triangles. (At a rim or a silhouette a rounding
  * decides between hit and miss, and none of the two is a fault.)
  */
-#ifndef COMPARE_LAB_TORTURE_H
-#define COMPARE_LAB_TORTURE_H
+#ifndef TRIALS_TORTURE_H
+#define TRIALS_TORTURE_H
 
 #include "../../07_mesh/scenes/soup.h"
 #include "../../01_ray/hit.h"

@@ -15,7 +15,7 @@
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "compare.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
 enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_most = 100 };
 
