@@ -132,6 +132,8 @@ $(foreach n,$(NUMBERS),$(eval $(call run_number,$(n))))
 images: full
 	cp $(BUILD)/*_time.svg images/
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
+	$(BUILD)/27_effects chapters/27_effects/scenes/demo.scene --size 640x480 --samples 400 \
+	  --out images/27_effects_demo.png
 
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
