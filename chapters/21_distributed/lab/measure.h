@@ -27,7 +27,7 @@ typedef struct { double error[measure_methods][measure_levels], seconds[measure_
 /* Ctrl-C: half a picture must not be measured. */
 static inline void measure_unless(bool stopped)
 {
-    if (stopped) die(130, "stopped");
+    if (stopped) die(parallel_stopped(), "stopped");
 }
 
 static inline double picture_seconds(void *context)  /* on one thread */
