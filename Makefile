@@ -9,12 +9,12 @@
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make showpiece  the picture on top of README.md, some minutes: images/showpiece.png
 # make graph      which chapter includes which
-# make notes      the ledger: what the lecture notes claim, and what the programs find   some minute
+# make notes      the ledger: what the lecture notes claim, and what the programs find   a minute or so
 # make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
-# make mine-04    your own function beside the chapter's: MINE=my.h; a sphere (mine-03), triangle, box (mine-09), structure (mine-17)
+# make mine-04    your own function beside ours: MINE=my.h; sphere mine-03, triangle 04, box 09, structure 17
 # make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
