@@ -36,7 +36,8 @@
 typedef struct {
     brdf f;         /* reflection, on both sides; brdf_is_black: none */
     vec3 Le;        /* radiance of the front [W/(m^2 sr)]; 0: none */
-    real ior;       /* > 0: smooth dielectric between inside (behind n) and outside; f is unused */
+    real ior;       /* > 0: dielectric between inside (behind n) and outside; f is unused */
+    real alpha;     /* of it: 0 smooth, else its facets (23.6) */
     vec3 sigma;     /* absorption inside, per unit of length */
 } lit_material;
 
