@@ -5,10 +5,10 @@
  *   jail build PROGRAM ARGUMENT..                   a compiler: prints the first 4000 bytes it says
  *   jail can                                        exit 0: `run` refuses system calls here
  *
- * Limits: processor time, memory, length of files, processes, and time by the clock. `run` on Linux also
- * refuses (seccomp) all system calls but for memory, and reading and writing what is open already:
- * no file, no process, no network, no signal to others; the program must be linked statically.
- * Elsewhere only the limits hold. What the program prints is counted and thrown away. */
+ * Limits: processor time, memory, length of files, processes, and time by the clock. `run` on Linux
+ * also refuses (seccomp) all system calls but for memory, and reading and writing what is open
+ * already: no file, no process, no network, no signal to others; the program must be linked
+ * statically. What the program prints is counted and thrown away. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
