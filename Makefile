@@ -3,13 +3,18 @@
 # make run        the short book, then every chapter: draws into images/, a screen of text each    run-NN  only one
 # make full       every chapter with --full: all tables and plots of the pages   full-NN  only one
 # make test       all tests, one a core; the last line counts them    test-NN, test-vec3 ... some
-# make soak       all tests with eight times the counts
+# make soak       all tests with eight times the counts   MINUTES=30: half an hour of random numbers
 # make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
 # make graph      which chapter includes which
-# make notes      the ledger: what the lecture notes claim, and what the programs found
+# make notes      the ledger: what the lecture notes claim, and what the programs find   a minute or so
+# make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
+# make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
+# make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
+# make mine-04    your own function beside ours: MINE=my.h; sphere mine-03, triangle 04, box 09, structure 17
+# make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
 # make grade      grades SUBMISSION=folder: a table, build/results.json; SUBMISSIONS=folder of folders: grades.csv
@@ -26,7 +31,7 @@ NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null
 # the same. Tests that compute little get -O0: what they take is the compiler's time. CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1
-LIGHT = 01_first 02_camera 02_first 07_obj 13_painter 18_shade 19_first 19_optics 19_spd 19_whitted \
+LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter 18_shade 19_first 19_optics 19_spd 19_whitted \
   21_known 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
   27_corpus 27_lamps 27_paths 27_plan 27_radiance 27_readers
 endif
@@ -40,6 +45,8 @@ WARN_FIRST = -Wall -Wextra -Wpedantic -Wshadow
 WARN = $(WARN_FIRST) $(if $(filter double,$(REAL)),-Wconversion -Wdouble-promotion)
 # Contraction into fma would break exact antisymmetry (04); gcc 12's SLP vectoriser skips roundings.
 EXACT = -ffp-contract=off -fno-tree-slp-vectorize
+# What only tests need is compiled in half the time if nothing is inlined by force; the code is the same.
+SOON = -Dflatten= -Dalways_inline=unused
 ALL_CFLAGS = -std=c11 $(CFLAGS) $(EXACT) $(WARN) -DREAL=$(REAL) -DBUILD_FLAGS='"$(strip $(CFLAGS) $(EXACT))"'
 
 BUILD ?= build
@@ -59,17 +66,17 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants hard-cases notes embree sanitize clean help FORCE
+.PHONY: all run full images test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC $*")
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(MINE),-DMINE='"$(MINE)"') -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC quick/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
@@ -77,7 +84,7 @@ $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 
 $(BUILD)/test_%: tests/%.c $(STAMP)
 	$(if $(V),,@echo "CC tests/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) $(if $(filter $*,$(LIGHT)),-O0,$(QUICK_CFLAGS)) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(filter $*,$(LIGHT)),-O0,$(QUICK_CFLAGS)) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 -include $(wildcard $(BUILD)/*.d $(BUILD)/quick/*.d)
 
@@ -129,7 +136,7 @@ images: full
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
 	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
-	  sh tests/run.sh cli.sh first.sh rules.sh names.sh pages.sh notes.sh $(TESTS)
+	  sh tests/run.sh cli.sh faults.sh first.sh rules.sh names.sh pages.sh notes.sh bugs.sh $(TESTS)
 define test_number
 .PHONY: test-$(1)
 test-$(1): $(addprefix $(BUILD)/,$(filter $(1)_%,$(CHAPTERS) $(FIRSTS:%=%_first)) $(patsubst %,test_%,$(filter $(1) $(1)_%,$(TESTS))))
@@ -138,7 +145,8 @@ endef
 $(foreach n,$(TEST_NUMBERS),$(eval $(call test_number,$(n))))
 
 soak: $(TESTS:%=$(BUILD)/test_%) $(FIRSTS:%=$(BUILD)/%_first) all
-	@CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 sh tests/run.sh $(TESTS)
+	@$(if $(MINUTES),MINUTES=$(MINUTES)) CC="$(CC)" BUILD="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" CHECK_SOAK=1 \
+	  sh tests/$(if $(MINUTES),soak.sh,run.sh $(TESTS))
 
 # FULL=1: of what the programs print with --full. BENCH_ONCE: times, which nobody compares, are taken once.
 pages: all
@@ -161,11 +169,43 @@ hard-cases:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
 	@$(BUILD)/double/hard_cases; a=$$?; echo; $(BUILD)/float/hard_cases && [ $$a -eq 0 ]
 
-mutants:
-	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" CC="$(CC)" sh tests/mutants.sh
+# Each program's main table as CSV, for costs and notes. In 17 and 27 it holds no error.
+TABLED := $(filter-out 17_compare 27_effects,$(CHAPTERS))
+csv:
+	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(TABLED:%=$(BUILD)/%)
+	@mkdir -p $(BUILD)/csv && ln -sfn $(CURDIR)/chapters $(BUILD)/csv/chapters
+	@for c in $(TABLED); do echo "$$c --csv"; \
+	  (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c --csv $$c.csv >/dev/null) || exit 1; done
+$(BUILD)/costs: tests/costs/costs.c $(STAMP)
+	$(if $(V),,@echo "CC tests/costs/costs")
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+costs: $(BUILD)/costs csv
+	$(Q)$(BUILD)/costs $(BUILD)/csv
 
-notes:
-	@sh tests/notes.sh table
+mutants:
+	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" EDIT="$(EDIT)" CC="$(CC)" sh tests/mutants.sh
+
+.PHONY: coverage
+coverage:
+	@TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
+
+# The only targets with a program or a library of others, book and embree, are never part of what the rest builds.
+book:
+	@sh tests/book.sh $(BUILD)
+
+notes: csv
+	@sh tests/notes.sh table $(BUILD)/csv
+
+# Called by tests/mine.sh again, with MINE a whole path.
+mine-%: FORCE
+	@MAKE="$(MAKE)" CC="$(CC)" BUILD="$(BUILD)" sh tests/mine.sh "$*" "$(MINE)" $(if $(FULL),--full)
+
+bugs:
+	@sh tests/bugs.sh list
+bug-%-answer: FORCE
+	@sh tests/bugs.sh answer "$*"
+bug-%: FORCE
+	@CC="$(CC)" BUILD="$(BUILD)" sh tests/bugs.sh $(if $(TEST),try,show) "$*" $(if $(TEST),"$(TEST)")
 
 # Homework: tests/assignments/README.md, chapters/teaching.md. A folder that is there already is left alone.
 ASSIGNMENTS := $(notdir $(wildcard tests/assignments/[0-9][0-9]))
@@ -179,7 +219,6 @@ grade:
 	  sh tests/assignments/grade.sh $(if $(SUBMISSIONS),"$(SUBMISSIONS)",$(if $(SUBMISSION),"$(SUBMISSION)"))
 .PHONY: assignment grade $(ASSIGNMENTS:%=assignment-%)
 
-# The only program with a library of others: never part of what the other targets build.
 embree: $(STAMP)
 	@echo '#include <embree3/rtcore.h>' | $(CC) -fsyntax-only -x c - 2>/dev/null || \
 	  { echo "embree: embree3/rtcore.h is missing: install Embree 3 (Debian: libembree-dev)" >&2; exit 2; }

@@ -1,11 +1,4 @@
-/* clock.h: how long something takes, on a machine that has other things to do.
- *
- * So the variants of an experiment run in turn, A B C A B C ..., and each gets the median of its
- * times. Compare ratios within one run, never seconds of two runs.
- *
- *   clock_variant v[] = {{"naive", run_naive, &data, 0}, {"robust", run_robust, &data, 0}};
- *   clock_compare(v, 2, 7);                  7 rounds; v[k].seconds is then the median
- */
+/* clock.h: seconds, and the median of several; lab/bench.h times with it. */
 #ifndef CLOCK_H
 #define CLOCK_H
 #include "posix.h"
@@ -14,13 +7,6 @@
 #endif
 #include <stdlib.h>
 #include <time.h>
-
-typedef struct {
-    const char *name;
-    double (*run)(void *context);  /* does the work; returns something that depends on all of it */
-    void *context;
-    double seconds;                /* out: median over the rounds */
-} clock_variant;
 
 /* ---------------------------------------------------------------------------------------------- */
 /* Seconds since some fixed moment, never set back. */
@@ -45,18 +31,4 @@ static inline double clock_median(double *x, int n)
 }
 
 static volatile double clock_kept;  /* a result written here counts as used */
-
-/* Runs n variants [1..16] in turn, `rounds` times [1..99], after one round that only warms up. */
-static inline void clock_compare(clock_variant *v, int n, int rounds)
-{
-    double seconds[16][99];
-    if (n > 16 || rounds < 1 || rounds > 99) abort();
-    for (int i = -1; i < rounds; i++)
-        for (int k = 0; k < n; k++) {
-            double start = clock_seconds();
-            clock_kept = v[k].run(v[k].context);
-            if (i >= 0) seconds[k][i] = clock_seconds() - start;
-        }
-    for (int k = 0; k < n; k++) v[k].seconds = clock_median(seconds[k], rounds);
-}
 #endif

@@ -15,7 +15,8 @@
  * What this run has read no output replaces: file_begin refuses it, by device and inode. A state
  * that goes on in the same file says file_forget(path) first.
  *
- * Exit codes: 0 done, 1 could not (no such file, full disk), 2 misuse or broken input, 130 Ctrl-C.
+ * Exit codes: 0 done, 1 could not (no such file, full disk, no memory), 2 misuse or broken input,
+ * 130 Ctrl-C, 143 SIGTERM.
  */
 #ifndef FILE_H
 #define FILE_H
@@ -40,6 +41,8 @@ typedef struct { FILE *stream; char *path, *temporary; } file_writer;
 
 /* ---------------------------------------------------------------------------------------------- */
 static const char *program_name = "program";  /* set by options.h */
+enum { file_most_begun = 8 };
+static char *volatile file_begun[file_most_begun];  /* temporary files: no end leaves one behind */
 
 /* Fills in *f [may be NULL] and returns false: a reader ends with `return failed(f, 2, ...)`. */
 __attribute__((format(printf, 3, 4)))
@@ -54,11 +57,32 @@ static inline bool failed(failure *f, int exit_code, const char *format, ...)
     return false;
 }
 
+static inline void file_drop_begun(void)
+{
+    for (int i = 0; i < file_most_begun; i++)
+        if (file_begun[i]) unlink(file_begun[i]);
+}
+
+/* Ctrl-C or SIGTERM end the program as they would anyway. */
+static inline void file_on_signal(int number)
+{
+    file_drop_begun();
+    signal(number, SIG_DFL), raise(number);
+}
+
+/* Unless who started the program has them ignored (nohup). Called by options.h. */
+static inline void file_watch_signals(void)
+{
+    if (signal(SIGINT, file_on_signal) == SIG_IGN) signal(SIGINT, SIG_IGN);
+    if (signal(SIGTERM, file_on_signal) == SIG_IGN) signal(SIGTERM, SIG_IGN);
+}
+
 /* Prints "program: text" on stderr and ends the program with f.exit_code. */
 static inline _Noreturn void fail(failure f)
 {
     fflush(stdout);
     fprintf(stderr, "%s: %s\n", program_name, f.text);
+    file_drop_begun();
     exit(f.exit_code);
 }
 
@@ -128,11 +152,19 @@ static inline FILE *file_open(const char *path, failure *f)
     return in;
 }
 
+/* In the list of temporary files, `now` in the place of `was`. */
+static inline void file_note(const char *was, char *now)
+{
+    int i = 0;
+    while (i < file_most_begun && file_begun[i] != was) i++;
+    if (i < file_most_begun) file_begun[i] = now;
+}
+
 /* Closes and removes what file_begin began. */
 static inline void file_abandon(file_writer *w)
 {
     if (w->stream) fclose(w->stream);
-    if (w->temporary) unlink(w->temporary);
+    if (w->temporary) unlink(w->temporary), file_note(w->temporary, NULL);
     free(w->path), free(w->temporary);
     *w = (file_writer){NULL, NULL, NULL};
 }
@@ -159,6 +191,7 @@ static inline bool file_begin(file_writer *w, const char *path, failure *f)
         w->temporary = allocate(room, 1);
         snprintf(w->temporary, room, "%s.%ld.part", w->path, (long)getpid());
         unlink(w->temporary);  /* left by a dead process of our number */
+        file_note(NULL, w->temporary);
         w->stream = fopen(w->temporary, "wbx");
         if (exists && w->stream) (void)fchmod(fileno(w->stream), old.st_mode & 0777);
     }
@@ -176,7 +209,7 @@ static inline bool file_commit(file_writer *w, failure *f)
     w->stream = NULL;
     if (written && w->temporary) written = rename(w->temporary, w->path) == 0;
     if (!written) failed(f, 1, "%.300s: cannot write: %s", w->path, strerror(errno ? errno : EIO));
-    else free(w->temporary), w->temporary = NULL;
+    else file_note(w->temporary, NULL), free(w->temporary), w->temporary = NULL;
     file_abandon(w);
     return written;
 }

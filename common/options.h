@@ -209,6 +209,7 @@ static inline options options_read(int argc, char **argv, const char *name, cons
     const option *lists[2] = {own, common};
     failure f;
     program_name = name, atexit(options_check_stdout);
+    file_watch_signals();
     signal(SIGXFSZ, SIG_IGN);  /* a file over the limit of ulimit -f: an error to report */
     for (int i = 1; i < argc; i++) help = help || strcmp(argv[i], "--help") == 0;
     if (help) {  /* first of all, while the values are the defaults */

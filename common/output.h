@@ -78,7 +78,7 @@ static inline void output_preview(const image *im)
 }
 
 /* Saves (and, with --preview, shows) a picture. `whole` is what parallel_pixels returned: if Ctrl-C
- * stopped it, what there is gets saved, and the program ends with exit 130. */
+ * stopped it, what there is gets saved, and the program ends with exit 130 (SIGTERM: 143). */
 static inline void output_picture(const options *o, const image *im, const char *name, bool is_main,
                                   bool whole)
 {
@@ -92,7 +92,7 @@ static inline void output_picture(const options *o, const image *im, const char 
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     if (path) output_note(path);
     if (o->preview && is_main) output_preview(im);
-    if (!whole) die(130, "stopped; %s holds what there was", path ? path : "-");
+    if (!whole) die(parallel_stopped(), "stopped; %s holds what there was", path ? path : "-");
 }
 
 #endif

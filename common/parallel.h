@@ -19,6 +19,7 @@ typedef void pixel_job(int x, int y, void *context);
 
 /* ---------------------------------------------------------------------------------------------- */
 static atomic_int parallel_stop;            /* set by Ctrl-C */
+static atomic_int parallel_signal = SIGINT; /* the last that stopped anything */
 static _Thread_local bool parallel_inside;  /* this thread is at work on a piece */
 
 typedef struct {
@@ -30,7 +31,13 @@ typedef struct {
     double start, shown;   /* moments */
 } parallel_work;
 
-static inline void parallel_on_interrupt(int signal) { atomic_store(&parallel_stop, signal); }
+static inline void parallel_on_interrupt(int signal)
+{
+    atomic_store(&parallel_stop, signal), atomic_store(&parallel_signal, signal);
+}
+
+/* The exit code of a program whose work was stopped: 130 after Ctrl-C, 143 after SIGTERM. */
+static inline int parallel_stopped(void) { return 128 + atomic_load(&parallel_signal); }
 
 static inline void parallel_show(parallel_work *w, size_t done)
 {
@@ -71,7 +78,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     }
     enum { most = 255 };
     pthread_t others[most];
-    int started = 0, wanted = threads > 0 ? threads : parallel_cores();
+    int started = 0;
     parallel_work w = {.job = job, .context = context, .what = what, .n = n};
     struct sigaction before, before_term, during = {.sa_handler = parallel_on_interrupt,
                                        .sa_flags = (int)SA_RESETHAND | SA_RESTART};
@@ -80,6 +87,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     sigaction(SIGINT, NULL, &before), sigaction(SIGTERM, NULL, &before_term);
     if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &during, NULL);
     if (before_term.sa_handler != SIG_IGN) sigaction(SIGTERM, &during, NULL);
+    int wanted = threads > 0 ? threads : parallel_cores();
     while (started + 1 < wanted && started < most && (size_t)started + 1 < n
            && pthread_create(&others[started], NULL, parallel_thread, &w) == 0)
         started++;  /* with fewer threads than wanted it only takes longer */

@@ -17,6 +17,10 @@
 #include "vec3.h"
 #include <stdint.h>
 
+#ifndef RANDOM_OFFSET
+#define RANDOM_OFFSET 0  /* other numbers everywhere, for tests/soak.sh */
+#endif
+
 typedef struct { uint64_t key, dimension; } random_stream;
 #define random_step 0x9e3779b97f4a7c15u  /* 2^64 / golden ratio: odd, and without a pattern */
 
@@ -31,7 +35,7 @@ static inline uint64_t random_mix(uint64_t x)
 
 static inline random_stream random_start(uint64_t seed, uint64_t pixel, uint64_t sample)
 {
-    uint64_t key = random_mix(seed + random_step);
+    uint64_t key = random_mix(seed + RANDOM_OFFSET + random_step);
     key = random_mix(key + random_step * (pixel + 1));
     return (random_stream){random_mix(key ^ random_step * (sample + 1)), 0};
 }

@@ -295,9 +295,9 @@ static void test_far_away(void)
             if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, d, &c, NULL)) abort();
             real x = uniform(0, 512), y = uniform(0, 512);
             vec3 seen = camera_ray(c, x, y, 512, 512).d;
-            direct = check_worse(direct, ray_error(c, seen, x, y, 512, 512));
+            direct = check_worse(direct, camera_error(c, seen, x, y, 512, 512));
             naive = check_worse(naive,
-                         ray_error(c, camera_ray_naive(c, x, y, 512, 512).d, x, y, 512, 512));
+                         camera_error(c, camera_ray_naive(c, x, y, 512, 512).d, x, y, 512, 512));
         }
         check_at_most(direct, 8 * eps * 512, "camera_ray at |e| = %g: off by pixels", far);
         double expected = eps * far / (double)(2 * h) * 512;  /* one ulp of e, in pixels */
@@ -324,7 +324,7 @@ static void test_wide_view(void)
             real x = 256 + uniform(-1, 1) / half, y = 256 + uniform(-1, 1) / half;
             vec3 d = camera_ray(c, x, y, 512, 512).d;
             check_close(vlength(d), 1, 1e-2, "the middle of the picture");
-            worst = check_worse(worst, ray_error(c, d, x, y, 512, 512) * 2 * (double)half / 512);
+            worst = check_worse(worst, camera_error(c, d, x, y, 512, 512) * 2 * (double)half / 512);
         }
         check_at_most(worst, 4 * eps * (double)half, "angle: 4 epsilon tan(phi / 2) at the most");
         check_at_least(worst, 0.1 * eps * (double)half, "and no less than a tenth");
@@ -341,7 +341,7 @@ static void test_float_directions(void)
         real x = uniform(0, nx), y = uniform(0, ny);
         vec3 d = camera_direction_f32(c, x, y, nx, ny), e = {120000, 96000, 128000};
         check_equal(distance(d, vec((float)d.x, (float)d.y, (float)d.z)), 0, "three floats");
-        direct = check_worse(direct, ray_error(c, d, x, y, nx, ny));
+        direct = check_worse(direct, camera_error(c, d, x, y, nx, ny));
         vec3 far = camera_direction_naive_f32(e, d);
         check_equal(fmod((double)far.x * 128, 1), 0, "200 km away floats are 1/128 apart");
         lost = check_worse(lost, distance(far, d));

@@ -1,5 +1,6 @@
 /* 03_sphere: hit or miss against integers and against exact tangents; residuals; intervals;
  * extremes. The oracles: closed forms, 64-bit integers, and sphere_oracle.h. */
+#include "../chapters/03_sphere/lab/mine.h"
 #include "../chapters/03_sphere/lab/sphere_oracle.h"
 #include "../chapters/03_sphere/lab/sphere_variants.h"
 #include "check.h"
@@ -506,6 +507,50 @@ static void test_one_root(void)
     check_at_most(behind, n / 100, "roots that rounding brought before the ray");
 }
 
+/* ---- a reader's own test (mine.h): what is right passes, and each usual mistake is found ---- */
+
+static bool entry_only(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    if (!first_sphere_roots(s, r, &t0, &t1) || !ray_covers(r, t0)) return false;
+    *out = (hit){t0, 0, 0, 0};
+    return true;
+}
+
+static bool exit_first(sphere s, ray r, hit *out)
+{
+    real t0, t1;
+    if (!first_sphere_roots(s, r, &t0, &t1) || !ray_covers(r, t1)) return false;
+    *out = (hit){t1, 0, 0, 0};
+    return true;
+}
+
+static bool of_unit_direction(sphere s, ray r, hit *out)
+{
+    r.d = vunit(r.d);
+    return first_sphere_hit(s, r, out);
+}
+
+static bool without_tmax(sphere s, ray r, hit *out)
+{
+    r.tmax = real_infinity;
+    return first_sphere_hit(s, r, out);
+}
+
+static void test_mine(void)
+{
+    const struct { const char *name; sphere_hit_function *hit; bool right; } one[] = {
+        {"mine.h", mine_sphere_hit, true}, {"first", first_sphere_hit, true},
+        {"sphere_hit", sphere_hit, true}, {"entry only", entry_only, false},
+        {"exit first", exit_first, false}, {"unit d", of_unit_direction, false},
+        {"t > tmax", without_tmax, false}};
+    FILE *nowhere = fopen("/dev/null", "w");
+    for (size_t k = 0; nowhere && k < sizeof one / sizeof *one; k++)
+        check(sphere_prove(one[k].hit, one[k].name, 2000, nowhere) == one[k].right,
+              "%s: right or wrong?", one[k].name);
+    check(nowhere && fclose(nowhere) == 0, "/dev/null");
+}
+
 int main(void)
 {
     test_one_root();
@@ -521,5 +566,6 @@ int main(void)
     test_passes_nearby();
     test_degenerate();
     test_invariants();
+    test_mine();
     return check_report("03_sphere");
 }

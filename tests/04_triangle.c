@@ -1,6 +1,7 @@
 /* Tests of 04_triangle: plane, three hit tests, barycentrics; closed forms, an exact oracle,
  * needles and degenerate input. What happens at edges and vertices is in 04_watertight.c. */
 #include "check.h"
+#include "../chapters/04_triangle/lab/mine.h"
 #include "../chapters/04_triangle/lab/needles.h"
 #include "../chapters/04_triangle/lab/triangle_variants.h"
 
@@ -224,7 +225,8 @@ static void test_needles(void)
 {
     for (double width = 1e-1; width > 1e3 * eps; width /= 10) {
         size_t before = triangle_doubts;
-        triangle_needle_count n = needles(triangle_hit, width, count_at_least(5000, 2000), 3);
+        size_t rays = count_at_least(5000, 2000);
+        triangle_needle_count n = triangle_needles(triangle_hit, width, rays, 3);
         if (width < 2e-4)
             check_at_least((double)(triangle_doubts - before), 0.95 * (double)n.due,
                            "needles of width %.0e take the exact signs", width);
@@ -233,7 +235,7 @@ static void test_needles(void)
         check_equal(n.missed, 0, "no needle of width %.0e missed, of %zu", width, n.due);
         triangle_method *const others[] = {first_triangle_hit, triangle_hit_moller_trumbore};
         for (int k = 0; k < 2; k++)
-            check_at_least(needles(others[k], width, count_at_least(5000, 2000), 3).error,
+            check_at_least(triangle_needles(others[k], width, count_at_least(5000, 2000), 3).error,
                            0.1 * eps / width, "%s loses a digit of t a digit of width",
                            methods[k + 1].name);
     }
@@ -248,7 +250,7 @@ static void test_needles(void)
 static void test_naive_needles(void)
 {
     triangle_needle_count n =
-        needles(triangle_hit_moller_trumbore_f32, 1e-6, count_at_least(5000, 2000), 3);
+        triangle_needles(triangle_hit_moller_trumbore_f32, 1e-6, count_at_least(5000, 2000), 3);
     check_at_least((double)n.missed, 0.01 * (double)n.due,
                    "Möller-Trumbore in float misses needles");
     check_at_least(n.error, 0.1, "and t is off by a tenth or more");
@@ -572,6 +574,52 @@ static void test_flattened(void)
     check_at_least(hits, n / 8, "they are hit");
 }
 
+/* ---- a reader's own test (mine.h): what is right passes, and each usual mistake is found ---- */
+
+static bool without_tmin(triangle tri, ray r, hit *out)
+{
+    r.tmin = -real_infinity;
+    return first_triangle_hit(tri, r, out);
+}
+
+static bool without_tmax(triangle tri, ray r, hit *out)
+{
+    r.tmax = real_infinity;
+    return first_triangle_hit(tri, r, out);
+}
+
+static bool parallelogram(triangle tri, ray r, hit *out)
+{
+    triangle other = {vadd(vsub(tri.b, tri.a), tri.c), tri.c, tri.b};
+    return first_triangle_hit(tri, r, out) || first_triangle_hit(other, r, out);
+}
+
+static bool exchanged(triangle tri, ray r, hit *out)
+{
+    if (!first_triangle_hit(tri, r, out)) return false;
+    *out = (hit){out->t, out->v, out->u, 0};
+    return true;
+}
+
+static bool one_sided(triangle tri, ray r, hit *out)
+{
+    return vdot(r.d, first_triangle_normal(tri)) < 0 && first_triangle_hit(tri, r, out);
+}
+
+static void test_mine(void)
+{
+    const struct { const char *name; triangle_method *hit; bool right; } one[] = {
+        {"mine.h", mine_triangle_hit, true}, {"first", first_triangle_hit, true},
+        {"triangle_hit", triangle_hit, true}, {"t < tmin", without_tmin, false},
+        {"t > tmax", without_tmax, false}, {"u, v <= 1", parallelogram, false},
+        {"u for v", exchanged, false}, {"from one side", one_sided, false}};
+    FILE *nowhere = fopen("/dev/null", "w");
+    for (size_t k = 0; nowhere && k < sizeof one / sizeof *one; k++)
+        check(triangle_prove(one[k].hit, one[k].name, 2000, nowhere) == one[k].right,
+              "%s: right or wrong?", one[k].name);
+    check(nowhere && fclose(nowhere) == 0, "/dev/null");
+}
+
 int main(void)
 {
     test_plane();
@@ -592,5 +640,6 @@ int main(void)
     test_barycentrics();
     test_absolute_determinant();
     test_flattened();
+    test_mine();
     return check_report("04_triangle");
 }

@@ -433,6 +433,48 @@ static void test_lanes_scales(void)
     if (!real_is_float) check_at_least(silent, check_count(30000), "many have no inverse in float");
 }
 
+/* ---- a reader's own test (mine.h): what is right passes, and each usual mistake is found ---- */
+
+static bool without_tmax(aabb b, ray r, real *t_enter)
+{
+    r.tmax = real_infinity;
+    return aabb_hit(b, r, t_enter);
+}
+
+static bool without_tmin(aabb b, ray r, real *t_enter)
+{
+    r.tmin = -real_infinity;
+    return aabb_hit(b, r, t_enter);
+}
+
+static bool up_only(aabb b, ray r, real *t_enter)
+{
+    return (r.d.x > 0 || r.d.y > 0 || r.d.z > 0) && aabb_hit(b, r, t_enter);
+}
+
+static bool exit_for_entry(aabb b, ray r, real *t_enter)
+{
+    real t0;
+    if (!aabb_hit(b, r, &t0)) return false;
+    first_slabs(b, r, &t0, t_enter);
+    return true;
+}
+
+static void test_mine(void)
+{
+    const struct { const char *name; aabb_test *hit; bool right; } one[] = {
+        {"mine.h", mine_aabb_hit, true}, {"closed", aabb_hit_closed, true},
+        {"aabb_hit", aabb_hit, true}, {"t > tmax", without_tmax, false},
+        {"t < tmin", without_tmin, false}, {"up only", up_only, false},
+        {"the notes' own, which knows no interval", first_aabb_hit, false},
+        {"exit for entry", exit_for_entry, false}};
+    FILE *nowhere = fopen("/dev/null", "w");
+    for (size_t k = 0; nowhere && k < sizeof one / sizeof *one; k++)
+        check(aabb_prove(one[k].hit, one[k].name, 2000, nowhere) == one[k].right,
+              "%s: right or wrong?", one[k].name);
+    check(nowhere && fclose(nowhere) == 0, "/dev/null");
+}
+
 int main(void)
 {
     test_boxes();
@@ -448,5 +490,6 @@ int main(void)
     test_nan();
     test_lanes();
     test_lanes_scales();
+    test_mine();
     return check_report("09_aabb");
 }

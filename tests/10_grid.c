@@ -221,6 +221,31 @@ static void test_specks(void)
     grid_free(&g), mesh_free(&m);
 }
 
+/* A walk ends with its hit: as many cells as for the same ray that ends there from the start. */
+static void test_walk_ends_with_its_hit(void)
+{
+    mesh m = torus_mesh(24);
+    items x = items_of_mesh(&m);
+    failure f;
+    grid g;
+    search_work whole = {0, 0, 0, 0}, ended = whole;
+    if (!grid_build(&x, grid_defaults, &g, &f)) fail(f);
+    for (size_t i = 0; i < check_count(4000); i++) {
+        random_stream s = random_start(15, i, 0);
+        vec3 o = random_in_cube(&s, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&s, 1), o));
+        hit h;
+        if (!grid_hit_counted(&g, r, &h, &whole)) {
+            grid_hit_counted(&g, r, &h, &ended);
+            continue;
+        }
+        r.tmax = h.t;
+        grid_hit_counted(&g, r, &h, &ended);
+    }
+    check_equal(whole.nodes, ended.nodes, "cells asked, and of rays that end at their hits");
+    grid_free(&g), mesh_free(&m);
+}
+
 /* ---- lists, limits, work ---- */
 
 /* Every item is in every cell that it touches, once; and in no cell beyond the margin. */
@@ -504,6 +529,7 @@ int main(void)
     test_lengths_of_directions(&s), test_lengths_of_directions(&two);
     test_walk_equals_whole_numbers();
     test_drift();
+    test_walk_ends_with_its_hit();
     test_walk_keeps_its_promise();
     test_early_is_wrong();
     test_specks();

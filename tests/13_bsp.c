@@ -362,8 +362,42 @@ static void test_same_tree(void)
     mesh_free(&m);
 }
 
+/* What lies in a plane goes to the smaller part, (13.4): a wall of 128 triangles at x = 1/2 in a
+ * cube of side 2, and rays that stay at x < 1/4: none of them is tested against the wall. */
+static void test_wall_goes_to_the_smaller_part(void)
+{
+    enum { n = 8, walls = 2 * n * n };
+    mesh m = mesh_room(walls + 2);
+    for (int i = 0; i < walls; i++) {
+        real y = (real)(i / 2 % n) / 4 - 1, z = (real)(i / 2 / n) / 4 - 1, s = (real)0.25;
+        vec3 q[4] = {{(real)0.5, y, z}, {(real)0.5, y + s, z}, {(real)0.5, y + s, z + s},
+                     {(real)0.5, y, z + s}};
+        set_triangle(&m, (size_t)i, q[0], q[1 + i % 2], q[2 + i % 2]);
+    }
+    for (int k = 0; k < 2; k++) {
+        real x = k ? 1 : -1;
+        set_triangle(&m, walls + (size_t)k, vec(x, -1, -1), vec(x, -1, 1), vec(x, 1, 0));
+    }
+    items x = items_of_mesh(&m);
+    failure f;
+    bsp b;
+    search_work work = {0, 0, 0, 0};
+    size_t rays = check_count(2000);
+    check(bsp_build(&x, bsp_defaults, &b, &f), "built");
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(16, i, 0);
+        vec3 o = random_in_cube(&g, (real)0.9), to = random_in_cube(&g, 9);
+        o.x = (real)0.5 - (real)0.25 - fabs(o.x), to.x = 0;
+        hit h;
+        bsp_hit_counted(&b, ray_from(o, to), &h, &work);
+    }
+    check_at_most(work.tests, rays, "tests of %zu rays beside the wall", rays);
+    bsp_free(&b), mesh_free(&m);
+}
+
 int main(void)
 {
+    test_wall_goes_to_the_smaller_part();
     test_sides();
     test_clip();
     test_cells();

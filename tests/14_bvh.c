@@ -142,6 +142,32 @@ static void test_coincident(size_t n)
     mesh_free(&m);
 }
 
+/* Plates one behind another, a ray through all of them from either end: whoever looks at the nearer
+ * box first, and ends the ray at each hit, asks the triangles of one leaf and no others. */
+static void test_one_leaf(void)
+{
+    enum { plates = 500 };
+    mesh m = mesh_room(plates);
+    for (int i = 0; i < plates; i++) {
+        real z = (real)i;
+        set_triangle(&m, (size_t)i, vec(-0.3, -0.3, z), vec(0.3, -0.3, z), vec(0, 0.3, z));
+    }
+    for (int s = 0; s < bvh_rule_count; s++) {
+        bvh_mesh b;
+        check(bvh_mesh_build(&m, by_rule(s, 4, 1), &b, NULL), "built");
+        for (int end = 0; end < 2; end++) {
+            search_work w = {0, 0, 0, 0};
+            hit h = hit_none;
+            ray r = {vec(0.01, 0.02, end ? plates : -1), 0, {0, 0, end ? -1 : 1}, real_infinity};
+            check(bvh_mesh_hit_counted(&b, r, &h, &w) && fabs(h.t - 1) < (real)0.5, "a hit");
+            check_equal(w.leaves, 1, "leaves asked, of %d plates, %s, end %d", plates,
+                        bvh_rules[s].name, end);
+        }
+        bvh_mesh_free(&b);
+    }
+    mesh_free(&m);
+}
+
 /* One triangle of eight is sick: NaN, infinite, a point, a line. None of them is hit, and the
  * others are found as if the sick ones were not there. */
 static void test_sick(void)
@@ -321,6 +347,27 @@ static void test_random_rays_show_nothing(void)
     mesh_free(&m);
 }
 
+/* The nearer child first pays: in nodes and in tests, against always the first one. Were it the
+ * farther one, it would cost more than that. */
+static void test_order_in_counts(void)
+{
+    mesh m = torus_mesh(24);
+    bvh_mesh b;
+    search_work near = {0, 0, 0, 0}, stored = near;
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
+    for (size_t i = 0; i < check_count(8000); i++) {
+        random_stream g = random_start(71, i, 0);
+        vec3 o = random_in_cube(&g, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
+        hit h;
+        bvh_mesh_hit_counted(&b, r, &h, &near);
+        tree_search_by(&b.tree, r, box_ray_of, bvh_mesh_leaf, &b, false, false, &h, &stored);
+    }
+    check_at_most((double)near.nodes, 0.95 * (double)stored.nodes, "nodes, the nearer first");
+    check_at_most((double)near.tests, 0.9 * (double)stored.tests, "tests, the nearer first");
+    bvh_mesh_free(&b), mesh_free(&m);
+}
+
 int main(void)
 {
     real tiny = real_is_float ? (real)0x1p-60 : (real)0x1p-400;
@@ -339,10 +386,12 @@ int main(void)
     test_coincident(check_count(1000000));
     test_coincident(check_count(30000));
     test_coincident(7);
+    test_one_leaf();
     test_sick();
     test_sick_rays();
     test_exponential();
     test_shapes();
     test_random_rays_show_nothing();
+    test_order_in_counts();
     return check_report("14_bvh");
 }

@@ -138,6 +138,22 @@ static void test_program(void)
     mesh_free(&m);
 }
 
+/* The program compares its walk with the search itself: another order, box or triangle: exit 1. */
+static void test_pixel(void)
+{
+    check_equal(run("14_bvh", "--quick --pixel 320,200"), 0, "the walk is that of the search");
+    check(printed("out", "\nhit: triangle ") && printed("out", ": hit at t = "), "a hit");
+    check(printed("out", "(2.5)\n") && printed("out", "(14.2)\n") && printed("out", "(7.1)\n"),
+          "lines with their equations");
+    check_equal(run("14_bvh", "--quick --strategy median --leaf 1 --pixel 300,150"), 0, "median");
+    check_equal(run("14_bvh", "--quick --pixel 0,0"), 0, "beside the teapot");
+    check(printed("out", "no hit\n"), "no hit");
+    check_equal(run("14_bvh", "--pixel 640,0"), 2, "beside the picture");
+    check_equal(run("14_bvh", "--pixel 3,2,1"), 2, "three numbers");
+    check(printed("err", "--pixel 3,2,1: allowed are X,Y"), "says so");
+    check_equal(run("14_bvh", "--pixel 3,2 --out x.png"), 2, "no picture");
+}
+
 static void test_misuse(void)
 {
     char arguments[600];
@@ -174,6 +190,7 @@ int main(void)
     test_rays();
     test_hits();
     if (run("14_bvh", "--help") == 0) {
+        test_pixel();
         test_program();
         test_misuse();
     } else printf("14_files: the program is not built (make), so it is not tested\n");

@@ -1,6 +1,6 @@
 /* The tree eight wide against brute force, in every dialect that the machine has; that nothing is
  * lost in it, the same tree for any number of threads, and what the leaky search loses. */
-#include "../chapters/15_wide_bvh/explain8.h"
+#include "../chapters/15_wide_bvh/bvh8.h"
 #include "structure.h"
 
 static bvh8_options options_now;
@@ -182,53 +182,9 @@ static void test_options(void)
     mesh_free(&m);
 }
 
-static bool explains(const bvh8 *w, ray r, hit due, const char *words)
-{
-    char text[2000] = "";
-    FILE *f = tmpfile();
-    if (!f) return false;
-    bvh8_explain(w, r, due, f);
-    rewind(f);
-    size_t n = fread(text, 1, sizeof text - 1, f);
-    text[n] = 0;
-    fclose(f);
-    return strstr(text, words) != NULL;
-}
-
-/* Broken on purpose: is the place named that is broken? */
-static void test_explanations(void)
-{
-    mesh m = octahedron_mesh(12);
-    items x = items_of_mesh(&m);
-    failure f;
-    bvh8 w;
-    hit h = hit_none;
-    check(bvh8_build(&x, bvh8_defaults, &w, &f), "built");
-    ray r = ray_from((vec3){3, 2, 4}, (vec3){-3, (real)-2.1, (real)-4.05});
-    check(bvh8_hit(&w, r, &h), "hit");
-    check(explains(&w, r, h, "all these boxes hold the point"), "a sound tree: nothing to blame");
-    bvh8_step path[bvh8_most_steps];
-    int length = bvh8_path(&w, h.shape, 0, 0, path);
-    check(length > 1, "a way to the leaf");
-    bvh8_step last = path[length - 1];
-    char words[40];
-    snprintf(words, sizeof words, "child %d of node %u is skipped", last.lane, last.node);
-    eight *side = w.node[last.node].side;
-    float kept = side[3][last.lane];
-    side[3][last.lane] = side[0][last.lane];
-    check(explains(&w, r, h, words), "a box made flat: %s", words);
-    check(explains(&w, r, h, "does not hold the point"), "a box made flat holds it no more");
-    side[3][last.lane] = kept;
-    h.shape = (uint32_t)m.triangles;
-    check(explains(&w, r, h, "in no leaf"), "a shape that is not there");
-    bvh8_free(&w);
-    mesh_free(&m);
-}
-
 int main(void)
 {
     test_options();
-    test_explanations();
     test_structures();
     test_floats();
     test_invariants();

@@ -1053,8 +1053,34 @@ static void test_outside_of_mirrored(void)
     mesh_free(&m);
 }
 
+/* One instance that stands where its mesh does costs what 14's own tree of it costs, and one test
+ * of an instance. */
+static void test_cost_of_one(void)
+{
+    mesh m = teapot_mesh(4);
+    instance one = {affine_scaling((vec3){1, 1, 1}), 0};
+    instances x = built(&(crowd){&m, 1, &one, 1}, INSTANCES_POINTS);
+    bvh_mesh b;
+    instances_work w = {{0, 0, 0, 0}, {0, 0, 0, 0}};
+    search_work due = {0, 0, 0, 0};
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
+    for (size_t i = 0; i < check_count(2000); i++) {
+        random_stream g = random_start(97, i, 0);
+        vec3 o = random_in_cube(&g, 3);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 1), o));
+        hit h;
+        instance_hit k;
+        bvh_mesh_hit_counted(&b, r, &h, &due), instances_hit_counted(&x, r, &k, &w);
+    }
+    check_at_most((double)w.lower.nodes, 1.02 * (double)due.nodes, "nodes of the mesh");
+    check_at_most((double)w.lower.tests, 1.02 * (double)due.tests, "tests of its triangles");
+    check_at_least((double)due.tests, 1000, "there are some");
+    bvh_mesh_free(&b), instances_free(&x), mesh_free(&m);
+}
+
 int main(void)
 {
+    test_cost_of_one();
     test_known_hit();
     test_equals_every_instance_asked();
     for (int k = 0; k < 4; k++) test_exact_transforms(k & 1, k / 2);

@@ -4,7 +4,7 @@
 #include "../common/random.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
 #include "../chapters/17_compare/lab/compare.h"
-#include "../chapters/17_compare/lab/scenes.h"
+#include "../chapters/07_mesh/scenes/named.h"
 
 static vec3 random_vec3(random_stream *g, real size)
 {
@@ -111,7 +111,7 @@ static void test_wrong_is_counted(void)
     if (!scene_world(scene_find("soup"), 1, &w, &f)) fail(f);
     line_up all = choose_usual();
     compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
-    compare_rays(&s, whole_view, 576, 7);
+    compare_rays(&s, 576, 7);
     check(compare_prove(&s, SIZE_MAX, 400, 7, stdout), "the full versions are right");
     for (int k = 0; k < s.entries; k++) {
         const compare_entry *e = &s.entry[k];

@@ -1,7 +1,7 @@
 /* The seven scenes of the SPD: how many shapes, where they must lie by their own geometry, and how
  * many of the published rays hit them. */
 #include "../chapters/14_bvh/bvh_shapes.h"
-#include "../chapters/17_compare/lab/scenes.h"
+#include "../chapters/07_mesh/scenes/named.h"
 #include "check.h"
 
 static const double small = real_is_float ? 4e-6 : 1e-14;

@@ -3,7 +3,7 @@
 #include "../chapters/07_mesh/files/ray_file.h"
 #include "../chapters/07_mesh/scenes/as_first.h"
 #include "../chapters/14_bvh/bvh.h"
-#include "../chapters/17_compare/lab/torture.h"
+#include "../chapters/09_aabb/trials/torture.h"
 #include <unistd.h>
 
 /* All fractions of small whole numbers, against their cross products. */

@@ -486,6 +486,23 @@ static void test_box(void)
     box_free(b);
 }
 
+/* Directions about a shading normal that leans by 53 degrees: some lead below the surface. They are
+ * closed, and no ray is called for; all others are open here. */
+static void test_ambient_below(void)
+{
+    surface s = {{0, 0, 0}, {0, 0, 1}, vec(0.8, 0, 0.6), 0, 0, no_shape};
+    size_t n = check_count(20000), below = 0, wrong = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(71, i, 0);
+        real u = random_next(&g), v = random_next(&g);
+        ray r;
+        bool open = ambient_ray(s, (point2){u, v}, 1, &r);
+        below += !(r.d.z > 0), wrong += open != (r.d.z > 0);
+    }
+    check_equal(wrong, 0, "open below the surface, or closed above it");
+    check_close((double)below / (double)n, 0.2, 6 * 0.4 / sqrt((double)n), "(1 - cos) / 2");
+}
+
 /* ---- the program ---- */
 
 static void test_program(void)
@@ -513,6 +530,7 @@ static void test_program(void)
 
 int main(void)
 {
+    test_ambient_below();
     test_is_18();
     test_spending();
     test_none();

@@ -196,6 +196,7 @@ static void test_photometry(void)
     for (int i = 0; i < efficiencies; i++)
         check_close(luminous_efficiency(380 + 10 * i), efficiency_table[i], 1e-15, "table");
     check_at_most(worst, 0.01, "the fit is off by at most");
+    check_close(683 * luminous_efficiency(650), 73, 0.2, "lumens of a watt of 650 nm: the page");
     check_close(sum, 106.857, 0.02, "area of V: CIE's sum");
     check_close(fitted, 106.857, 0.2, "area of the fit");
     check_equal(luminous_efficiency(379), 0, "ultraviolet");

@@ -83,8 +83,8 @@ static void test_parts(void)
         film_free(&part);
     }
     check(same(&whole, &joined), "five parts in any order, three threads: the same bits");
-    render_until(&three.j, &grown, (render_goal){.samples = 5});
-    render_until(&three.j, &grown, (render_goal){.samples = 33});
+    render_until(&three.j, &grown, (passes_goal){.samples = 5});
+    render_until(&three.j, &grown, (passes_goal){.samples = 33});
     check(same(&whole, &grown), "in passes, stopped and gone on: the same bits");
     part = film_new(20, 19);
     check(!film_join(&joined, &part, &f) && strstr(f.text, "20x19"), "another size does not fit");
@@ -162,16 +162,6 @@ static void test_state(void)
 }
 
 /* ---- the program ---- */
-
-static bool equal_files(const char *a, const char *b)
-{
-    size_t n, m;
-    failure f;
-    char *x = file_read(in_directory(a), &n, &f), *y = file_read(in_directory(b), &m, &f);
-    bool equal = x && y && n == m && memcmp(x, y, n) == 0;
-    free(x), free(y);
-    return equal;
-}
 
 static int go(const char *format, const char *a, const char *b)
 {
@@ -281,7 +271,7 @@ static void test_error(void)
         film m = film_new(side, side);
         double wanted = k == 0 ? 0.02 : k == 1 ? 0.01 : 0.007;
         p.j.seed = 50 + (uint64_t)k;
-        render_until(&p.j, &m, (render_goal){.error = wanted});
+        render_until(&p.j, &m, (passes_goal){.error = wanted});
         double e = distance(&m, &reference);
         check_at_most(film_error(&m), wanted, "stopped where the estimate is");
         /* One picture: 3 x 400 numbers: 8 % of the square with tails; times 5: 1.2. */

@@ -1,6 +1,6 @@
-/* Tests of common/clock.h. */
+/* Tests of common/clock.h and common/lab/bench.h. */
 #include "check.h"
-#include "../common/clock.h"
+#include "../common/lab/bench.h"
 
 static char order[64];
 
@@ -36,8 +36,8 @@ static void test_turns(void)
 {
     const double a_ms[] = {0, 1, 1, 40, 1, 1}, b_ms[] = {30, 8, 8, 8, 8, 8};
     fake a = {'A', a_ms, 0}, b = {'B', b_ms, 0};
-    clock_variant v[] = {{"a", run_fake, &a, 0}, {"b", run_fake, &b, 0}};
-    clock_compare(v, 2, 5);
+    bench_candidate v[] = {{"a", run_fake, &a, 0, 0}, {"b", run_fake, &b, 0, 0}};
+    bench_time(v, 2, 5);
     check_text(order, "ABABABABABAB", "variants run in turn, after one round to warm up");
     check_at_least(v[0].seconds, 0.001, "median of 1 ms");
     check_at_least(v[1].seconds, 0.008, "median of 8 ms");

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The pages beside the lecture notes: every link leads to a file that holds what the link says, a function by
 # name or a number; formulas that are cited stand in the chapter they name; every heading of the notes is
-# there; each row of the ledger has a verdict. `sh tests/notes.sh table` prints the ledger.
+# there; each row of the ledger has a verdict. `sh tests/notes.sh table [DIRECTORY]` prints the ledger.
 passed=0 failed=0
 ok() { passed=$((passed + 1)); }
 no() { failed=$((failed + 1)); echo "notes.sh: FAILED: $1"; }
@@ -9,9 +9,9 @@ pages=chapters/notes
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 
+# The ledger, without and with what programs found: `make notes` gives the directory of their CSV.
 if [ "${1:-}" = table ]; then
-    cat $pages/*.md | awk -F'|' '/^\| / && $2 !~ /the notes/ {
-        gsub(/\[|\]\([^)]*\)|[*`]/, ""); printf "%s\n    %s%s\n", $2, $3, $4 ~ /[^ ]/ ? "  --" $4 : "" }'
+    awk -v csv="${2:-}" -f tests/notes_ledger.awk $pages/*.md
     exit
 fi
 
@@ -69,5 +69,22 @@ has path_tracing.md 问题 Direct Global 加速结构 'Monte Carlo' 除非
 # A ledger of forty claims at least, each judged.
 rows=$(cat $pages/*.md | grep -c '^| .*make run-')
 if [ "$rows" -ge 40 ]; then ok; else no "$rows rows that a program decides, fewer than 40"; fi
+# Those that the programs measure name a table of their chapter's pages; the ledger sees what does not hold.
+grep -ho '<!-- [0-9][0-9];.*-->' $pages/*.md | sed 's/<!-- //; s/ -->//' >"$scratch/marks"
+while IFS=';' read -r chapter row column relation; do
+    for text in "${row# }" "${column# }" "${relation# ? }"; do
+        case $text in [0-9-]*) continue ;; esac
+        if cat chapters/"$chapter"_*/*.md | grep -qF -e "${text##*,}"; then ok
+        else no "chapter $chapter has no table with $text"; fi
+    done
+done <"$scratch/marks"
+if [ "$(wc -l <"$scratch/marks")" -ge 25 ]; then ok; else no "fewer than 25 claims are measured by make notes"; fi
+printf 'method,size,error,time\n"a, b",1,5,2\nc,1,0,3\n' >"$scratch/01_a.csv"
+mark() { printf '| claim | true | 1 <!-- 01; %s --> | code | run |\n' "$@"; }
+mark 'a, b; error; > c' 'c,1; error; = 0' 'a, b; time; < 2.5' 'a, b; error; < c' 'd; error; > 0' 'c; place; > 0' \
+    >"$scratch/rows"
+seen=$(awk -v csv="$scratch" -f tests/notes_ledger.awk "$scratch/rows" | grep -c 'DOES NOT HOLD')
+if [ "$seen" -eq 3 ]; then ok; else no "3 of 6 planted claims do not hold, $seen were found"; fi
+if awk -v csv="$scratch" -f tests/notes_ledger.awk "$scratch/rows" >/dev/null; then no "it ends with 0"; else ok; fi
 echo "notes.sh: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

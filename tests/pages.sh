@@ -115,25 +115,45 @@ printf 'int y;\n' | tee "$scratch/page_of/first.h" >"$scratch/page_of/first.c"
 seen=$( (lecture "$scratch/page_of"; links "$scratch/page_of/README.md") | wc -l)
 if [ "$seen" -eq 9 ]; then ok; else no "9 planted faults of a page, $seen seen"; fi
 
+# make costs names columns and rows of tables that the pages show.
+named() {  # named FILE: "CHAPTER<TAB>TEXT" for each column and row
+    awk '/^static const subject/ { on = 1; next } on && /^};/ { exit }
+         on { all = all $0 }
+         END { n = split(all, part, "\""); k = 0
+               for (i = 2; i <= n; i += 2) { k = k % 5 + 1
+                   if (k == 1) chapter = part[i]
+                   if (k > 2) { m = split(part[i], cell, "|"); text = cell[m] == "" ? cell[m - 1] : cell[m]
+                                print chapter "\t" text } } }' "$1"
+}
+named tests/costs/costs.c >"$scratch/named"
+while IFS='	' read -r chapter text; do
+    if cat chapters/"$chapter"/*.md | grep -qF -e "$text"; then ok; else no "costs.c: no table of $chapter has $text"; fi
+done <"$scratch/named"
+if [ "$(wc -l <"$scratch/named")" -ge 60 ]; then ok; else no "costs.c: fewer than 60 names were read"; fi
+
 # Programs cut short, or with another compiler's libm, would print other numbers.
 if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then echo "pages.sh: $passed passed, $failed failed"; exit $failed; fi
 
 names=$(cd "$root/chapters" && printf "%s\n" [0-9]*_*)
 [ -n "${ONLY:-}" ] && names=$ONLY
 run_one() {
-    mkdir -p "$scratch/run/$1" && cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
+    cd "$scratch/run/$1" && ln -s "$root/chapters" chapters || return
     "$BUILD/$1" ${FULL:+--full} >"$scratch/run/$1.out" 2>"$scratch/run/$1.err" </dev/null ||
         echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
 }
 mkdir "$scratch/run"; : >"$scratch/run/failed"
-at_work=0
-for name in $names; do
-    [ -x "$BUILD/$name" ] || { no "$name is not built"; continue; }
-    cat "$root/chapters/$name"/*.md | grep -q "real = ${REAL:-double}" || continue
-    run_one "$name" &
-    at_work=$((at_work + 1))
-    if [ $at_work -ge "${JOBS:-2}" ]; then wait; at_work=0; fi
-done
+# Each worker takes the next program that nobody has taken, the last chapters first: they take longest.
+last_first=$(printf '%s\n' "$names" | sort -r)
+worker() {
+    for name in $last_first; do
+        if [ -x "$BUILD/$name" ] && cat "$root/chapters/$name"/*.md | grep -q "real = ${REAL:-double}" &&
+            mkdir "$scratch/run/$name" 2>/dev/null; then (run_one "$name"); fi
+    done
+}
+for name in $names; do [ -x "$BUILD/$name" ] || no "$name is not built"; done
+at_work=1
+while [ $at_work -lt "${JOBS:-2}" ]; do worker & at_work=$((at_work + 1)); done
+worker
 wait
 [ -s "$scratch/run/failed" ] && no "$(cat "$scratch/run/failed")"
 for name in $names; do

@@ -73,6 +73,24 @@ static void test_matches(void)
     free(out);
 }
 
+/* Of eight occurrences of three bytes the first one has the longest match: the chain goes that far
+ * back. And of two equally long ones the nearer is named. */
+static void test_chain(void)
+{
+    static const char text[] = "abcdefghij abc1 abc2 abc3 abc4 abc5 abc6 abcdefghij abcde";
+    png_history *h = calloc(1, sizeof *h);
+    h->in = (const uint8_t *)text, h->n = sizeof text - 1;
+    size_t i = 0;
+    png_found found = {0, 0};
+    for (; i <= 41; i++) found = png_find(h, i, true);
+    check(found.length == 14 && found.distance == 41, "length %u, %u back", found.length,
+          found.distance);
+    for (; i <= 52; i++) found = png_find(h, i, true);
+    check(found.length == 5 && found.distance == 11, "length %u, %u back", found.length,
+          found.distance);
+    free(h);
+}
+
 static void test_pictures(void)
 {
     random_stream s = random_start(1, 2, 3);
@@ -136,6 +154,7 @@ int main(void)
 {
     test_checksums();
     test_matches();
+    test_chain();
     test_pictures();
     test_window();
     test_time();

@@ -5,6 +5,7 @@
  *   int status = run("17_compare", "--quick")        of $BUILD, or of build/; -1: it was killed;
  *                                                    its output goes to the files `out` and `err`
  *   if (printed("err", "--leaf 0")) ...              is that text in one of them?
+ *   if (equal_files("a.pfm", "b.pfm")) ...           the same bytes, both there?
  */
 #ifndef PROGRAM_H
 #define PROGRAM_H
@@ -41,6 +42,16 @@ static inline bool printed(const char *stream, const char *text)
     bool found = s && strstr(s, text);
     free(s);
     return found;
+}
+
+static inline bool equal_files(const char *a, const char *b)
+{
+    size_t n, m;
+    failure f;
+    char *x = file_read(in_directory(a), &n, &f), *y = file_read(in_directory(b), &m, &f);
+    bool equal = x && y && n == m && memcmp(x, y, n) == 0;
+    free(x), free(y);
+    return equal;
 }
 
 #endif

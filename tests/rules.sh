@@ -9,7 +9,7 @@ trap 'rm -rf "$scratch"' EXIT
 
 # includes DIR: "FILE TARGET" for each #include "..." below DIR, both relative to DIR
 includes() {
-    (cd "$1" && grep -rHoE '^[ 	]*#[ 	]*include[ 	]*"[^"]*"' common chapters 2>/dev/null) |
+    (cd "$1" && grep -rHoE --include='*.[hc]' '^[ 	]*#[ 	]*include[ 	]*"[^"]*"' common chapters 2>/dev/null) |
         sed -e 's#^\([^:]*/\)\([^:/]*\):.*"\(.*\)"$#\1\2 \1\3#' \
             -e ':a' -e 's#[^/. ][^/ ]*/\.\./##' -e 'ta' -e 's#/\./#/#g'
 }

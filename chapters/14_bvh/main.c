@@ -5,6 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_
  * tables and plots. --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
 #include "../07_mesh/files/obj.h"
 #include "lab/boxes_figure.h"
+#include "lab/pixel.h"
 #include "lab/runs.h"
 
 static bvh_options build_options(const char *strategy, int leaf)
@@ -40,7 +41,7 @@ static void measure(const options *o)
 
 int main(int argc, char **argv)
 {
-    const char *path = NULL, *strategy = "sah";
+    const char *path = NULL, *strategy = "sah", *pixel = NULL;
     int leaf = bvh_defaults.leaf;
     bvh_ray_file file = {.scene = "teapot"};
     const option list[] = {
@@ -52,6 +53,7 @@ int main(int argc, char **argv)
         {"any-hit", OPTION_FLAG, &file.any, 0, 0, "with --rays: is there any hit at all?"},
         {"strategy", OPTION_TEXT, &strategy, 0, 0,
          "cycle, longest, median, sah, sweep, morton or spatial"},
+        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its ray, box by box, in words and drawn"},
         {"leaf", OPTION_INT, &leaf, 1, 255, "most triangles in a leaf"}, {0}};
     options o = options_read(argc, argv, "14_bvh", "Bounding volume hierarchies of meshes.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
@@ -62,12 +64,14 @@ int main(int argc, char **argv)
     if (file.rays && o.out) die(2, "--out: no picture with --rays");
     if (!file.rays && o.csv && (path || o.out))
         die(2, "--csv: no table with --mesh, --out, but with --rays");
+    if (pixel && (file.rays || o.out || o.csv)) die(2, "--pixel: not with --rays, --out, --csv");
     if (path && !obj_read(path, &s.m, &f)) fail(f);
     if (!path) s.m = teapot_mesh(o.quick ? 8 : 40);
     s.x = items_of_mesh(&s.m);
     if (path) file.scene = path;
-    o.own = path || file.rays;
-    if (file.rays) search_file(&o, &file, &s.m, how, strategy);
+    o.own = path || file.rays || pixel;
+    if (pixel) pixel_explain(&o, &s.m, how, !path, pixel);
+    else if (file.rays) search_file(&o, &file, &s.m, how, strategy);
     else draw_mesh(&o, &s.m, how, !path, path);
     if (!o.own && !o.out) draw_nested(&o), draw_visits(&o, &s), measure(&o);
     trial_scene_free(&s);

@@ -125,7 +125,7 @@ static inline bool tree_build_input(const bvh_input *in, bvh_options how, bvh_tr
     }
     if (t->full) {
         tree_free(t);
-        return failed(f, 1, "BVH of %zu items: needs more than the %zu bytes there are", in->n,
+        return failed(f, 1, "no memory for a BVH of %zu items within %zu bytes", in->n,
                       how.most_bytes);
     }
     tree_trim(t);

@@ -33,6 +33,14 @@
 #include "example.h"
 #include "first_items.h"
 
+/* A reader's own: make mine-17 MINE=my.h compiles with its name. mine.h is one to begin with. */
+#ifdef MINE
+#include MINE
+#define CONTENDER_MINE(LINE) LINE(mine, "mine", mine, ((mine_options){0}), CONTENDER_USUAL)
+#else
+#define CONTENDER_MINE(LINE)
+#endif
+
 /* The defaults are tuned to triangles, whose test mostly ends at the first comparison. That of a
  * sphere, a cone or a polygon costs some four times as much against a step: trees are then cut
  * finer. Measured on balls, gears, mount, rings and tree: rays take up to half the time less. */
@@ -50,6 +58,7 @@
     LINE(bvh_spatial, "bvh-spatial", bvh, bvh_how_for(x, "spatial"), CONTENDER_USUAL)             \
     LINE(wide, "wide", bvh8, bvh8_how_alone(), CONTENDER_USUAL)                                   \
     LINE(example, "example", example, ((example_options){0}), CONTENDER_USUAL)                    \
+    CONTENDER_MINE(LINE)                                                                          \
     LINE(first_mesh, "first-mesh", first_items, first_items_how(brute), CONTENDER_FIRST)          \
     LINE(first_grid, "first-grid", first_items, first_items_how(grid), CONTENDER_FIRST)           \
     LINE(first_octree, "first-octree", first_items, first_items_how(octree), CONTENDER_FIRST)     \

@@ -27,8 +27,6 @@ int main(int argc, char **argv)
         {"report", OPTION_OUTPUT, &own.report, 0, 0, "all of it in one HTML file"},
         {"verify", OPTION_FLAG, &own.verify, 0, 0,
          "all rays by brute force, too; explain what differs"},
-        {"region", OPTION_TEXT, &own.region, 0, 0,
-         "with --verify: X0,Y0,X1,Y1 of the view, -1 to 1"},
         {"rays", OPTION_INPUT, &own.files.rays, 0, 0,
          "FILE of rays: ox oy oz tmin dx dy dz tmax, float32"},
         {"any-hit", OPTION_FLAG, &own.files.any, 0, 0, "with --rays: is there any hit at all?"},
@@ -43,7 +41,6 @@ int main(int argc, char **argv)
         {"regimes", OPTION_FLAG, &own.regimes, 0, 0,
          "order of rays, all cores, meshes that move: frames against rays"},
         {"orders", OPTION_FLAG, &own.orders, 0, 0, "pictures by a rasteriser (08) or by rays"},
-        {"large", OPTION_FLAG, &own.large, 0, 0, "scenes of 1e4 to 1e6 shapes, growth to 2e6"},
         {"memory", OPTION_INT, &own.megabytes, 1, 1 << 20,
          "MB that all structures may hold together"},
         {0}};
@@ -51,10 +48,9 @@ int main(int argc, char **argv)
                              "Every structure on the same scenes and the same rays.",
                              (options){.width = 1000, .height = 400, .seed = 1}, list);
     compare_settings c = {&o, own.sweep ? swept_of(own.sweep) : chosen_of(own.only),
-                          (size_t)own.megabytes << 20, {-1, -1, 1, 1}, own.large};
+                          (size_t)own.megabytes << 20};
     const generator *g = own.scene ? scene_find(own.scene) : NULL;
     check_options(&o, &own);
-    read_region(own.region, c.region);
     o.own = own.mesh[0] != NULL;
     if (own.torture) torture_run(&c, own.torture, own.score);
     else if (own.protocol) protocol_run(c, own.only, g, own.scale);

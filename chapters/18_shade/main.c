@@ -28,11 +28,10 @@ int main(int argc, char **argv)
     draw_gallery(&o, teapot, all);
     if (o.out || o.own) return output_done(&o);
     draw_acne(&o);
-    draw_sight(&o);
     draw_terminator(&o);
     draw_tilt(&o);
     table_of_leaving(&o);
     table_of_terminator(&o);
-    if (o.full) table_of_needles(&o), plots_of_leaving(&o), table_of_rays(&o);
+    if (o.full) table_of_needles(&o), plot_of_leaving(&o), table_of_rays(&o);
     return output_done(&o);
 }

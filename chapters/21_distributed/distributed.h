@@ -8,6 +8,7 @@
  *   pair of random numbers      a hit          decides on            and is drawn
  *   0   PAIR_FILM               1              where in the pixel    always
  *   1   PAIR_LENS               1              where on the lens     if its radius is not 0
+ *   far behind: PAIR_TIME       the sample     when                  if anything moves
  *   2.. PAIR_HIT, light i       1 a light      where on the light    if it has a size
  *       behind the lights       1              where in the sky      if ambient light can be hidden
  *       behind that             1              where in the lobe     if the surface is not a mirror
@@ -39,10 +40,13 @@
 #include "area_light.h"
 #include "glossy.h"
 #include "lens.h"
+#include "motion.h"
 
 typedef struct {
     const area_light *light;
     int n;                    /* lights */
+    const moving *moving;     /* or NULL */
+    int movers;
     material (*material_of)(const void *context, trace_hit x, const surface *s);
     const void *context;
     vec3 background, ambient; /* what a ray sees that meets nothing; La of ambient_occlusion.h */
@@ -53,14 +57,16 @@ typedef struct {
 } distributed;
 
 typedef struct { sequence_kind kind; uint64_t seed, pixel; uint32_t k, n; } distributed_sample;
-enum { PAIR_FILM, PAIR_LENS, PAIR_HIT };
-typedef enum { DRAWN_FILM, DRAWN_LENS, DRAWN_LIGHT, DRAWN_SKY, DRAWN_LOBE, drawn_kinds } drawn_kind;
+enum { PAIR_FILM, PAIR_LENS, PAIR_HIT, PAIR_TIME = INT32_MAX };
+typedef enum { DRAWN_FILM, DRAWN_LENS, DRAWN_LIGHT, DRAWN_SKY, DRAWN_LOBE, DRAWN_TIME,
+               drawn_kinds } drawn_kind;
 typedef struct { trace_counts rays; size_t drawn[drawn_kinds]; } distributed_counts;
 
 typedef struct {
     tracer t;
     const distributed *how;
     size_t drawn[drawn_kinds];
+    real time;                /* [0,1) of the sample; read only if anything moves */
 } distributor;
 
 typedef struct {
@@ -81,13 +87,14 @@ static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { bool met; surface s; material m; } distributed_met;  /* payload */
+typedef struct { bool met; real t; surface s; material m; } distributed_met;  /* payload */
 
 static inline void distributed_closest_hit(tracer *t, ray r, trace_hit x, void *payload)
 {
     const distributed *how = t->user;
     surface s = surface_facing(surface_of_trace(t, r, x), r.d);
-    *(distributed_met *)payload = (distributed_met){true, s, how->material_of(how->context, x, &s)};
+    *(distributed_met *)payload =
+        (distributed_met){true, x.h.t, s, how->material_of(how->context, x, &s)};
 }
 
 static const ray_program distributed_programs[ray_kinds] = {
@@ -99,7 +106,7 @@ static const ray_program distributed_programs[ray_kinds] = {
 
 static inline distributor distributor_of(const trace_world *w, const distributed *how)
 {
-    return (distributor){{.w = w, .program = distributed_programs, .user = how}, how, {0}};
+    return (distributor){{.w = w, .program = distributed_programs, .user = how}, how, {0}, 0};
 }
 
 /* Part j of `split` of the pair, whichever were drawn before. */
@@ -110,6 +117,12 @@ static inline point2 distributed_pair(distributor *d, distributed_sample q, draw
     s.pair = pair;
     d->drawn[what]++;
     return sampler_pair(&s);
+}
+
+/* Does the ray get through, past all that rests and all that moves? */
+static inline bool distributed_passes(distributor *d, ray_kind kind, ray r)
+{
+    return !motion_any(&d->t, d->how->moving, d->how->movers, d->time, kind, r);
 }
 
 static inline uint32_t distributed_pairs_a_hit(const distributed *how)
@@ -129,12 +142,12 @@ static inline vec3 distributed_direct(distributor *d, const surface *s, const ma
     for (uint32_t j = 0; j < split; j++) {
         point2 u = {0, 0};
         area_sample x;
-        shade_lit answer = {false};
+        bool lit = false;
         if (black && !how->spend_all) break;
         if (sized || how->spend_all) u = distributed_pair(d, q, DRAWN_LIGHT, pair, j, split);
         bool counts = area_light_reaches(L, s->p, s->n, s->ns, u, &x) && !black;
-        if (counts || how->spend_all) trace(&d->t, RAY_SHADOW, leave_to(*s, x.to), &answer);
-        if (counts && answer.lit) {
+        if (counts || how->spend_all) lit = distributed_passes(d, RAY_SHADOW, leave_to(*s, x.to));
+        if (counts && lit) {
             if (!sized) return vmul(x.E, vscale(m->kd, 1 / pi));  /* the mean of equal ones */
             sum = vadd(sum, vmul(x.E, vscale(m->kd, 1 / pi)));
         }
@@ -149,9 +162,11 @@ static inline vec3 distributed_sky(distributor *d, const surface *s, const mater
     vec3 all = vmul(how->ambient, m->kd);
     bool asked = how->reach > 0 && !vzero(all);
     uint32_t open = 0;
-    for (uint32_t j = 0; j < split && (asked || how->spend_all); j++)
-        open += ambient_open(&d->t, *s, distributed_pair(d, q, DRAWN_SKY, pair, j, split),
-                             how->reach);
+    for (uint32_t j = 0; j < split && (asked || how->spend_all); j++) {
+        ray r;
+        point2 u = distributed_pair(d, q, DRAWN_SKY, pair, j, split);
+        open += ambient_ray(*s, u, how->reach, &r) && distributed_passes(d, RAY_SIGHT, r);
+    }
     return asked ? vscale(all, (real)open / (real)split) : all;
 }
 
@@ -170,11 +185,16 @@ static inline bool distributed_next(distributor *d, const surface *s, const mate
 static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q)
 {
     const distributed *how = d->how;
+    if (how->movers > 0 || how->spend_all)
+        d->time = distributed_pair(d, q, DRAWN_TIME, PAIR_TIME, 0, 1).u;
     vec3 L = {0, 0, 0}, beta = {1, 1, 1};
     uint32_t pair = PAIR_HIT, split = how->split > 1 ? how->split : 1;
     for (int depth = 1;; depth++, pair += distributed_pairs_a_hit(how), split = 1) {
         distributed_met x = {.met = false};
-        trace(&d->t, depth == 1 ? RAY_CAMERA : RAY_REFLECTION, r, &x);
+        vec3 by;
+        motion_closest(&d->t, how->moving, how->movers, d->time,
+                       depth == 1 ? RAY_CAMERA : RAY_REFLECTION, r, &x, &x.t, &by);
+        x.s = motion_surface(x.s, by);
         if (!x.met) return vadd(L, vmul(beta, how->background));
         uint32_t sky = pair + (uint32_t)how->n;
         vec3 here = vadd(x.m.ke, distributed_sky(d, &x.s, &x.m, q, sky, split));

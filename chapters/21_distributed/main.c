@@ -18,7 +18,7 @@ int main(int argc, char **argv)
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send rays that cannot contribute, too"},
         {0}};
     options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
-                             (options){.width = 512, .height = 288, .seed = 1, .samples = 8}, own);
+                             (options){.width = 640, .height = 360, .seed = 1, .samples = 8}, own);
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     static const char letters[] = "sgol";
     bool every = strcmp(effects, "all") == 0, named = every || strcmp(effects, "none") == 0;
@@ -29,7 +29,7 @@ int main(int argc, char **argv)
         chosen |= 1 << (at - letters);
     }
     if (o.quick && o.samples == 8) o.samples = 2;
-    if (o.quick && o.width == 512 && o.height == 288) o.width = 160, o.height = 90;
+    if (o.quick && o.width == 640 && o.height == 360) o.width = 160, o.height = 90;
     if (!every && !o.out) {  /* images/ is for the text */
         snprintf(path, sizeof path, "build/21_distributed_%.20s.png", effects);
         mkdir("build", 0777);
@@ -38,7 +38,7 @@ int main(int argc, char **argv)
     draw_showroom(&o, chosen, all);
     if (o.out) return output_done(&o);
     draw_whitted(&o), draw_extent(&o);
-    if (o.full) draw_teapot(&o), draw_box(&o), draw_effects(&o);
+    if (o.full) draw_teapot(&o), draw_box(&o), draw_motion(&o), draw_effects(&o);
     table_of_pictures(&o);
     if (o.full) table_of_known(&o), table_of_first(&o), table_of_rays(&o);
     return output_done(&o);

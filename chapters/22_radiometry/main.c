@@ -17,7 +17,6 @@ int main(int argc, char **argv)
     if (o.full) {
         measure_relations(&o);
         measure_hard(&o);
-        measure_photometry(&o);
     }
     return output_done(&o);
 }

@@ -28,7 +28,7 @@ int main(int argc, char **argv)
     const char *scene_name = NULL, *way_name = NULL;
     char file[64] = "24_direct_light.png";
     const option own[] = {
-        {"scene", OPTION_TEXT, &scene_name, 0, 0, "draw only: box, plates, strip, hall or first"},
+        {"scene", OPTION_TEXT, &scene_name, 0, 0, "draw only: box, plates, strip or first"},
         {"way", OPTION_TEXT, &way_name, 0, 0,
          "by uniform, cosine, brdf, area, angle, balance, power or half"}, {0}};
     options o = options_read(argc, argv, "24_direct_light",
@@ -51,7 +51,6 @@ int main(int argc, char **argv)
         if (!o.out) draw_points(&o);
         measure_points(&o);
         if (!o.out) draw_exhibit(&o, &exhibit_plates), draw_exhibit(&o, &exhibit_strip);
-        measure_lights(&o);
         measure_near(&o);
         measure_called(&o);
     }

@@ -26,9 +26,8 @@ int main(int argc, char **argv)
     if (!o.out) draw_tree(&o, 205, 190);
     measure_branches(&o);
     if (o.full) {
-        measure_rays(&o);
         measure_furnace(&o), measure_norms(&o);
-        measure_cornell(&o), measure_notes(&o), measure_sums(&o);
+        measure_cornell(&o), measure_notes(&o);
     }
     return output_done(&o);
 }

@@ -35,6 +35,7 @@ enum { film_most_ranges = 256, film_side = 16 };
 typedef struct { tally of[3]; } film_sum;              /* of R, G, B */
 typedef struct { film_sum half[2]; } film_pixel;
 typedef struct { uint32_t begin, end; } film_range;   /* samples begin .. end - 1 */
+typedef struct { int x0, y0, x1, y1; } film_window;
 typedef struct {
     int width, height;
     film_sum *half[2];                    /* [width height] each: a first sample fills one only */
@@ -54,6 +55,15 @@ static inline size_t film_across(const film *f)
 static inline size_t film_tiles(const film *f)
 {
     return film_across(f) * (((size_t)f->height + film_side - 1) / film_side);
+}
+
+/* The pixels of a tile: from (x0, y0) to before (x1, y1). */
+static inline film_window film_window_of(const film *f, size_t tile)
+{
+    int x = (int)(tile % film_across(f)) * film_side, y = (int)(tile / film_across(f)) * film_side;
+    int right = x + film_side, below = y + film_side;
+    return (film_window){x, y, right < f->width ? right : f->width,
+                         below < f->height ? below : f->height};
 }
 
 static inline film film_new(int width, int height)

@@ -25,6 +25,10 @@ int main(int argc, char **argv)
         {"explain", OPTION_FLAG, &q.told, 0, 0, "say what the scene calls for, and why"},
         {"price", OPTION_FLAG, &q.priced, 0, 0, "leave out each effect in turn: time and error"},
         {"region", OPTION_TEXT, &q.region, 0, 0, "WxH+X+Y: of the picture these pixels only"},
+        {"error", OPTION_REAL, &q.run.error, 1e-9, 1e9, "until the RMSE is no larger, in radiance"},
+        {"time", OPTION_REAL, &q.run.seconds, 1e-3, 1e7, "the best picture in so many seconds"},
+        {"save", OPTION_OUTPUT, &q.run.save, 0, 0, "keep the state here, after every pass"},
+        {"resume", OPTION_TEXT, &q.run.resume, 0, 0, "FILE: go on from this state"},
         {"camera", OPTION_TEXT, &q.words.camera, 0, 0, "from X Y Z at X Y Z [up X Y Z] [angle A]"},
         {"lens", OPTION_TEXT, &q.words.lens, 0, 0, "radius X [focus X]"},
         {"light", OPTION_TEXT, &q.words.light, 0, 0, "at X Y Z colour C [; at ...]"},
@@ -38,7 +42,7 @@ int main(int argc, char **argv)
                              (options){.width = 400, .height = 300, .samples = -1}, own);
     if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;
     o.own = request_own(&q);
-    if (!o.out && !o.own && !draw_six(&o)) die(130, "stopped");
+    if (!o.out && !o.own && !draw_six(&o)) die(parallel_stopped(), "stopped");
     if (request_is_short(&o)) return output_done(&o);
     studio s;
     studio_view view;

@@ -1,6 +1,7 @@
 /* figure.h: drawings that explain, as SVG, in the coordinates of what they explain; y points up.
  *
  *   figure g = figure_begin(&o, "01_ray_geometry.svg", 760, 300);    where it goes: output.h
+ *   figure_at(path, 760, 300)            the same, to this file
  *   figure_origin(&g, 60, 200, 100);     from now on (0, 0) is the pixel (60, 200), a unit is 100
  *   figure_line(&g, x0, y0, x1, y1, FIGURE_BLUE, 1.5, FIGURE_WHOLE);       or FIGURE_DASHED
  *   figure_arrow(&g, x0, y0, x1, y1, FIGURE_BLACK, 1.5);                   its head at (x1, y1)
@@ -40,12 +41,11 @@ typedef struct {
 } figure;
 
 /* ---------------------------------------------------------------------------------------------- */
-static inline figure figure_begin(const options *o, const char *name, int width, int height)
+/* path NULL: not wanted. */
+static inline figure figure_at(const char *path, int width, int height)
 {
     figure g = {.unit = 1};
     failure f;
-    char room[512];
-    const char *path = output_path(o, name, false, room);
     if (!path) return g;
     if (!file_begin(&g.file, path, &f)) fail(f);
     snprintf(g.path, sizeof g.path, "%s", path);
@@ -54,6 +54,12 @@ static inline figure figure_begin(const options *o, const char *name, int width,
             "height=\"%d\" font-family=\"sans-serif\" font-size=\"15\">\n<rect width=\"%d\" "
             "height=\"%d\" fill=\"white\"/>\n", width, height, width, height, width, height);
     return g;
+}
+
+static inline figure figure_begin(const options *o, const char *name, int width, int height)
+{
+    char room[512];
+    return figure_at(output_path(o, name, false, room), width, height);
 }
 
 static inline void figure_end(figure *g)

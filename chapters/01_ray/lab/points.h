@@ -10,7 +10,7 @@
 #ifndef RAY_LAB_POINTS_H
 #define RAY_LAB_POINTS_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/numbers/wide.h"
 #include "../../../common/random.h"
@@ -119,11 +119,11 @@ static const double ray_nanoseconds = 1e9 / (ray_repeats * ray_lines);
 static inline table ray_table(const options *o, ray_task job, ray_line *l, real far,
                               const char *title, plot *p, plot *q)
 {
-    clock_variant v[RAY_FORMS];
+    bench_candidate v[RAY_FORMS];
     table t = table_new(title, "form|error t=1|error t=1e4|error t=1e8|time [ns]");
     for (uint64_t i = 0; i < ray_lines; i++) l[i] = ray_line_at(o->seed, i, far);
-    for (int f = 0; f < RAY_FORMS; f++) v[f] = (clock_variant){NULL, ray_run[f], &job, 0};
-    clock_compare(v, RAY_FORMS, o->quick ? 3 : 15);
+    for (int f = 0; f < RAY_FORMS; f++) v[f] = (bench_candidate){NULL, ray_run[f], &job, 0, 0};
+    bench_time(v, RAY_FORMS, o->quick ? 3 : 15);
     for (int f = 0; f < RAY_FORMS; f++) {
         const real at[] = {1, 10000, 100000000};
         double time = v[f].seconds * ray_nanoseconds, e[3];
@@ -163,9 +163,9 @@ static inline void ray_measure(const options *o)
         output_extra_table(o, &t);
         ray_task unit = job;
         unit.unit = true;
-        clock_variant w[] = {{"d = b - a", ray_run_direction, &job, 0},
-                             {"d of length 1", ray_run_direction, &unit, 0}};
-        clock_compare(w, 2, 15);
+        bench_candidate w[] = {{"d = b - a", ray_run_direction, &job, 0, 0},
+                               {"d of length 1", ray_run_direction, &unit, 0, 0}};
+        bench_time(w, 2, 15);
         t = table_new("Making a ray from a to b", "direction|time [ns]|ratio");
         for (int k = 0; k < 2; k++) {
             table_text(&t, "%s", w[k].name);

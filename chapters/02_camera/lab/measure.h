@@ -1,18 +1,17 @@
-/* measure.h: error and time of a pixel, error of a ray.
+/* measure.h: error and time of a pixel.
  *
  *   camera_measure_filters(&o)  box, tent, Gaussian; regular, jittered, random; 4, 16, 256 rays a
  *                               pixel, on patterns whose filtered value pattern.h knows: the main
  *                               table; with --full plots of 1 to 1024 rays
- *   camera_measure_far(&o)      s - e against (2.5), |e| from 1 to 1e8 m: a plot
  *   camera_measure_means(&o)    two ways to divide a weighted sum: bias and spread
  *
  * Errors of pixels are root mean squares over 32 x 32, each against the exact value of its own
- * filter; of rays the largest of 2000, against wide arithmetic.
+ * filter.
  */
 #ifndef CAMERA_LAB_MEASURE_H
 #define CAMERA_LAB_MEASURE_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "draw.h"
 #include "oracle.h"
@@ -98,39 +97,33 @@ static inline void camera_trials(camera_trial m[camera_way_count], int n)
 
 static inline void camera_filter_plots(const options *o)
 {
-    int log = PLOT_LOG_X | PLOT_LOG_Y, series[camera_way_count], timed[camera_way_count];
+    int log = PLOT_LOG_X | PLOT_LOG_Y;
     plot board = plot_new("Checkerboard", "rays a pixel", "rms error [white = 1]", log);
-    plot zone = plot_new("Zone plate", "rays a pixel", "rms error [white = 1]", log);
     plot time = plot_new("Checkerboard", "time a pixel [ns]", "rms error [white = 1]", log);
     for (int j = 0; j < camera_way_count; j++) {
-        series[j] = plot_series(camera_ways[j].zone ? &zone : &board, camera_ways[j].name);
-        if (!camera_ways[j].zone) timed[j] = plot_series(&time, camera_ways[j].name);
-    }
-    for (int n = 1; n <= 32; n *= 2) {
-        camera_trial m[camera_way_count];
-        camera_trials(m, n);
-        for (int j = 0; j < camera_way_count; j++) {
-            clock_variant v = {NULL, camera_run_pixels, &m[j], 0};
+        if (camera_ways[j].zone) continue;
+        int series = plot_series(&board, camera_ways[j].name);
+        plot_series(&time, camera_ways[j].name);
+        for (int n = 1; n <= 32; n *= 2) {
+            camera_trial m[camera_way_count];
+            camera_trials(m, n);
+            bench_candidate v = {.run = camera_run_pixels, .context = &m[j]};
             double error = camera_run_pixels(&m[j]);
-            plot_add(camera_ways[j].zone ? &zone : &board, series[j], n * n, error);
-            if (camera_ways[j].zone) continue;
-            clock_compare(&v, 1, n < 16 ? 5 : 1);
-            plot_add(&time, timed[j], 1e9 * v.seconds / camera_pixels, error);
+            bench_time(&v, 1, n < 16 ? 5 : 1);
+            plot_add(&board, series, n * n, error);
+            plot_add(&time, series, 1e9 * v.seconds / camera_pixels, error);
         }
     }
     plot_slope(&board, -0.5, "slope -1/2");
     plot_slope(&board, -0.75, "slope -3/4");
-    plot_slope(&zone, -0.5, "slope -1/2");
-    plot_slope(&zone, -1, "slope -1");
     output_plot(o, &board, "02_camera_checkerboard.svg");
-    output_plot(o, &zone, "02_camera_zone_plate.svg");
     output_plot(o, &time, "02_camera_time.svg");
 }
 
 static inline void camera_measure_filters(const options *o)
 {
     camera_trial m[camera_way_count];
-    clock_variant v[camera_way_count];
+    bench_candidate v[camera_way_count];
     double error[3][camera_way_count];
     const int side[] = {2, 16, 4};  /* the last one is timed */
     for (int k = 0; k < 3; k++) {
@@ -138,8 +131,8 @@ static inline void camera_measure_filters(const options *o)
         for (int j = 0; j < camera_way_count; j++) error[k][j] = camera_run_pixels(&m[j]);
     }
     for (int j = 0; j < camera_way_count; j++)
-        v[j] = (clock_variant){NULL, camera_run_pixels, &m[j], 0};
-    clock_compare(v, camera_way_count, o->quick ? 1 : o->full ? 9 : 3);
+        v[j] = (bench_candidate){NULL, camera_run_pixels, &m[j], 0, 0};
+    bench_time(v, camera_way_count, o->quick ? 1 : o->full ? 9 : 3);
     table t = table_new("A pixel of several rays: rms error [white = 1] of 32 x 32, time of one",
                         "pattern|filter, positions|error 4 rays|error 16 rays|error 256 rays|"
                         "time 16 rays [ns]");
@@ -192,54 +185,6 @@ static inline void camera_measure_means(const options *o)
         for (int k = 0; k < 2; k++) table_number(&t, m.bias[k]), table_number(&t, m.spread[k]);
     }
     output_extra_table(o, &t);
-}
-
-/* ---- rays ---- */
-
-static inline double camera_worst(double a, double b) { return isnan(a) || b <= a ? a : b; }
-
-static inline vec3 camera_any_direction(random_stream *s)
-{
-    vec3 d = {random_next(s) - (real)0.5, random_next(s) - (real)0.5, random_next(s) - (real)0.5};
-    bool fair = vdot(d, d) > (real)0.01 && vdot(d, d) < (real)0.25;
-    return fair ? vunit(d) : camera_any_direction(s);
-}
-
-/* The camera of the Cornell box (d = 0.035, window 0.025 wide, in metres) far from the origin. */
-static inline void camera_measure_far(const options *o)
-{
-    static const char *const name[] = {"s - e", "-d w + u u + v v"};
-    random_stream s = random_start(1, 0, 0);
-    real h = 0.0125;
-    int series[4], ways = real_is_float ? 2 : 4;
-    plot p = plot_new("A ray far from the origin", "|e| [m]", "largest error [pixels]",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = 0; i < ways; i++) {
-        char text[64];
-        snprintf(text, sizeof text, "%s, %s", name[i % 2],
-                 i < 2 && !real_is_float ? "double" : "float");
-        series[i] = plot_series(&p, text);
-    }
-    for (int k = 0; k <= 8; k++) {
-        double error[4] = {0, 0, 0, 0}, far = pow(10.0, k);
-        for (int i = 0; i < 2000; i++) {
-            camera_frame f;
-            camera c;
-            vec3 e = vscale(camera_any_direction(&s), (real)far);
-            vec3 to = vadd(e, vscale(camera_any_direction(&s), real_max(1, (real)far)));
-            if (!frame_look_at(e, to, camera_any_direction(&s), &f, NULL)) continue;
-            if (!camera_off_axis(f, (camera_window){-h, h, -h, h}, 0.035, &c, NULL)) continue;
-            real x = 512 * random_next(&s), y = 512 * random_next(&s);
-            vec3 d = camera_ray(c, x, y, 512, 512).d;
-            vec3 d_f32 = camera_direction_f32(c, x, y, 512, 512);
-            vec3 way[] = {camera_ray_naive(c, x, y, 512, 512).d, d,
-                          camera_direction_naive_f32(e, d_f32), d_f32};
-            for (int j = 0; j < ways; j++)
-                error[j] = camera_worst(error[j], ray_error(c, way[j], x, y, 512, 512));
-        }
-        for (int j = 0; j < ways; j++) plot_add(&p, series[j], far, error[j]);
-    }
-    output_plot(o, &p, "02_camera_far.svg");
 }
 
 #endif

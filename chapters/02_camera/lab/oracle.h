@@ -3,7 +3,7 @@
  * The input (e, window, frame, angle) is taken as the exact numbers that it is; what follows from
  * it is computed again with 32 digits, and compared.
  *
- *   double ray_error(c, D, x, y, nx, ny)    how far D passes from (x, y), in pixels
+ *   double camera_error(c, D, x, y, nx, ny)    how far D passes from (x, y), in pixels
  *   double frame_error(f, target, up)       |u - exact u|: radians, if small
  *   camera_frame frame_first(e, target, up) that of first.h
  *   double half_tangent_exact(phi)          tan(phi / 2), phi in degrees [178, 180), to 1e-16
@@ -50,7 +50,7 @@ static inline wide wide_ratio(wide a, double b, double n)
 
 /* Both rays are met with the image plane, the given one and the exact one (2.2, 2.3, 2.5). u, v, w
  * are taken as they are, so that rounding the frame does not count here. */
-static inline double ray_error(camera c, vec3 D, real x, real y, int nx, int ny)
+static inline double camera_error(camera c, vec3 D, real x, real y, int nx, int ny)
 {
     wide width = wide_sub(wide_of((double)c.right), wide_of((double)c.left));
     wide height = wide_sub(wide_of((double)c.bottom), wide_of((double)c.top));

@@ -18,12 +18,12 @@
 #include "../../../common/lab/figure.h"
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
-#include "sphere_oracle.h"
+#include "mine.h"
 #include "sphere_variants.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { sphere_columns = 4, sphere_rows = 2 };
+enum { sphere_columns = 4, sphere_rows = 2 + sphere_mine };
 
 static const vec3 sphere_red = {0.8, 0.1, 0.05};
 static const vec3 sphere_blue = {0.05, 0.25, 0.8};
@@ -72,6 +72,9 @@ static inline void sphere_draw(const options *o)
 {
     static const char *const near[sphere_columns] = {"500", "1000", "2000", "5000"};
     static const char *const far[sphere_columns] = {"1e7", "2e7", "5e7", "1e8"};
+    const char *const title_of[] = {real_is_float ? "first.h, float, " : "first.h, double, ",
+                                    "sphere_hit, ", "mine, "};
+    sphere_hit_function *const test[] = {first_sphere_hit, sphere_hit, mine_sphere_hit};
     bool words = o->width >= 880 && o->height >= 400, whole = true;
     int title = words ? 26 : 0, key = words ? 34 : 0, gap = words ? 6 : 0;  /* [pixels] */
     int w = o->width / sphere_columns, strip = (o->height - key) / sphere_rows;
@@ -84,14 +87,13 @@ static inline void sphere_draw(const options *o)
         int column = k % sphere_columns, row = k / sphere_columns;
         image one = image_new(w - gap, strip - title);
         const char *from = (real_is_float ? near : far)[column];
-        sphere_panel p = {row ? sphere_hit : first_sphere_hit, (real)atof(from), (real)one.width,
-                          (real)one.height, (real)2.3 / (real)least};
+        sphere_panel p = {test[row], (real)atof(from), (real)one.width, (real)one.height,
+                          (real)2.3 / (real)least};
         whole = pixels_draw(&one, 1, o->threads, "sphere", sphere_panel_colour, &p);
         image_place(&im, column * w, row * strip + title, &one);
         image_free(&one);
         char text[64];
-        snprintf(text, sizeof text, "%sfrom %s R", column ? "" : row ? "sphere_hit, "
-                 : real_is_float ? "first.h, float, " : "first.h, double, ", from);
+        snprintf(text, sizeof text, "%sfrom %s R", column ? "" : title_of[row], from);
         if (words)
             label_text(&im, column * w + (w - gap) / 2.0, row * strip + 18, 12, 0.5, vec(0, 0, 0),
                        text);

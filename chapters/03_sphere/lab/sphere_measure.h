@@ -5,7 +5,7 @@
 #ifndef SPHERE_MEASURE_H
 #define SPHERE_MEASURE_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
 #include "sphere_survey.h"
@@ -42,19 +42,21 @@ SPHERE_TIMED(sphere_run_haines, sphere_hit_haines)
 SPHERE_TIMED(sphere_run_lagrange, sphere_hit_lagrange)
 SPHERE_TIMED(sphere_run_kahan, sphere_hit_kahan)
 SPHERE_TIMED(sphere_run_hit, sphere_hit)
-static double (*const sphere_run[sphere_methods])(void *) = {
+SPHERE_TIMED(sphere_run_mine, mine_sphere_hit)
+static double (*const sphere_run[])(void *) = {
     sphere_run_first_f32, sphere_run_first, sphere_run_in_double, sphere_run_stable_root,
-    sphere_run_haines, sphere_run_lagrange, sphere_run_kahan, sphere_run_hit};
+    sphere_run_haines, sphere_run_lagrange, sphere_run_kahan, sphere_run_hit,
+    sphere_run_mine};
 
 static inline void sphere_time(const options *o, sphere_how how, real far,
                                double ns[sphere_methods])
 {
     static sphere_shot s[sphere_timed];
-    clock_variant v[sphere_methods];
+    bench_candidate v[sphere_methods];
     for (size_t i = 0; i < sphere_timed; i++) s[i] = sphere_shot_at(o->seed, how, far, i);
     for (int m = 0; m < sphere_methods; m++)
-        v[m] = (clock_variant){sphere_method_name[m], sphere_run[m], s, 0};
-    clock_compare(v, sphere_methods, o->quick ? 3 : 25);
+        v[m] = (bench_candidate){sphere_method_name[m], sphere_run[m], s, 0, 0};
+    bench_time(v, sphere_methods, o->quick ? 3 : 25);
     for (int m = 0; m < sphere_methods; m++)
         ns[m] = v[m].seconds / (sphere_repeats * sphere_timed) * 1e9;
 }
@@ -66,7 +68,8 @@ static inline sphere_surveys *sphere_survey_all(const options *o, int from, int 
     sphere_surveys *all = allocate(1, sizeof *all);
     all->n = o->quick ? 2000 : n, all->seed = o->seed;
     for (int k = 0; k < count; k++) all->at[k].far = pow((real)10, (real)(from + step * k) / 2);
-    if (!parallel_for((size_t)count, o->threads, "rays", sphere_survey_at, all)) exit(130);
+    if (!parallel_for((size_t)count, o->threads, "rays", sphere_survey_at, all))
+        exit(parallel_stopped());
     return all;
 }
 
@@ -142,7 +145,7 @@ static inline void sphere_doubt_table(const options *o)
         sphere_time(o, kind[k].how, kind[k].far, ns);
         table_text(&t, "%s", kind[k].name);
         table_count(&t, sphere_twice(o, kind[k].how, kind[k].far, 1000000));
-        table_number(&t, ns[sphere_methods - 1]);
+        table_number(&t, ns[sphere_default]);
     }
     output_extra_table(o, &t);
 }

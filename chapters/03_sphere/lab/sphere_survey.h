@@ -16,16 +16,17 @@
 #ifndef SPHERE_SURVEY_H
 #define SPHERE_SURVEY_H
 
-#include "sphere_oracle.h"
+#include "mine.h"
 #include "sphere_variants.h"
 
-enum { sphere_methods = 8, sphere_distances = 13 };
-static const char *const sphere_method_name[sphere_methods] = {
+enum { sphere_default = 7, sphere_methods = 8 + sphere_mine, sphere_distances = 13 };
+static const char *const sphere_method_name[] = {
     "first, in float", "first", "first, in double", "stable root",
-    "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit"};
-static sphere_hit_function *const sphere_method[sphere_methods] = {
+    "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit", "mine"};
+static sphere_hit_function *const sphere_method[] = {
     sphere_hit_first_f32, first_sphere_hit, sphere_hit_in_double, sphere_hit_stable_root,
-    sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit};
+    sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit,
+    mine_sphere_hit};
 
 typedef struct { sphere ball; ray r; } sphere_shot;
 typedef enum {

@@ -6,7 +6,8 @@
  *    . .|. /. |. .      tiles sees the same, or any picture of something built on its grid.
  *    . .o-----o. .
  *
- *   dome_draw(&o);       three panels, 3 x 3 pixels a ray: first.h, with a tolerance, watertight
+ *   dome_draw(&o);       three panels, 3 x 3 pixels a ray: first.h, with a tolerance, watertight;
+ *                        a fourth with a reader's own test (mine.h)
  *
  * Grey: hit once. Blue: twice or more. Orange: not at all, the light behind the wall glares
  * through.
@@ -18,10 +19,10 @@
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
-#include "slips.h"
+#include "mine.h"
 #include "triangle_variants.h"
 
-enum { dome_cell = 10, dome_zoom = 3, dome_panels = 3 };
+enum { dome_cell = 10, dome_zoom = 3, dome_panels = 3 + triangle_mine };
 typedef struct {
     triangle_method *method;
     int width, height;       /* of one panel, rays */
@@ -91,9 +92,9 @@ static vec3 dome_colour(const void *context, real x, real y)
 
 static inline void dome_draw(const options *o)
 {
-    static const struct { const char *name; triangle_method *method; } panel[dome_panels] = {
+    static const struct { const char *name; triangle_method *method; } panel[] = {
         {"first: Moller-Trumbore", first_triangle_hit}, {"with a tolerance", triangle_hit_tolerant},
-        {"triangle_hit, watertight", triangle_hit}};
+        {"triangle_hit, watertight", triangle_hit}, {"mine", mine_triangle_hit}};
     int gap = o->width >= 400 ? 6 : 0;  /* white, between two panels [pixels] */
     int width = (o->width + gap + dome_panels - 1) / dome_panels - gap;
     image im = image_new(o->width, o->height), one = image_new(width, o->height);

@@ -5,7 +5,7 @@
  *
  *   triangle tri = needle(&g, width, &r);       draws one, and a ray
  *   triangle_exact_hit x = triangle_exactly(tri, r);     (4.8) in double-double: 30 digits
- *   triangle_needle_count n = needles(triangle_hit, 1e-6, 10000, seed);
+ *   triangle_needle_count n = triangle_needles(triangle_hit, 1e-6, 10000, seed);
  *   n.due      rays that do pass inside (by the exact answer; weights > 0.1, cosine > 0.1)
  *   n.missed   of those: no hit
  *   n.error    largest relative error of t of the hits
@@ -58,8 +58,8 @@ static inline triangle_exact_hit triangle_exactly(triangle tri, ray r)
                        fabs(wide_value(det)) / (area * length)};
 }
 
-static inline triangle_needle_count needles(triangle_method *method, double width, size_t n,
-                                            uint64_t seed)
+static inline triangle_needle_count triangle_needles(triangle_method *method, double width,
+                                                     size_t n, uint64_t seed)
 {
     triangle_needle_count count = {0, 0, 0};
     random_stream g = random_start(seed, 0, 0);

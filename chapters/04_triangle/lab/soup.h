@@ -1,10 +1,10 @@
 /* soup.h: what a test costs. Triangles anywhere, rays anywhere: the closest hit of each ray among
  * all of them, most of which it misses; that is what a test is for.
  *
- *   SOUP_TIMED(run_x, prepare, test)      a function for clock.h: for each ray r `prepare`, then
+ *   SOUP_TIMED(run_x, prepare, test)      a function for bench.h: for each ray r `prepare`, then
  *                                         `test` for each triangle *k; a hit in h narrows r.tmax
  *   triangle_soup *s = soup_new(400, seed);        512 triangles, 400 rays; the caller frees
- *   clock_variant v[] = {{"x", run_x, s, 0}, ...};
+ *   bench_candidate v[] = {{"x", run_x, s, 0, 0}, ...};
  *
  * Every test is inlined (flatten): a call that copies ray and triangle takes longer than the test.
  * Whether a ray passes left or right of an edge is a coin toss here, as it is in the leaf of a
@@ -13,7 +13,7 @@
 #ifndef TRIANGLE_SOUP_H
 #define TRIANGLE_SOUP_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "needles.h"
 #include "triangle_variants.h"
 

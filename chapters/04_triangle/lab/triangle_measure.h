@@ -7,7 +7,7 @@
 
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
-#include "needles.h"
+#include "mine.h"
 #include "soup.h"
 #include "triangle_variants.h"
 
@@ -22,6 +22,7 @@ SOUP_TIMED(run_triple, (void)0, triangle_hit_triple(*k, r, &h))
 SOUP_TIMED(run_watertight, (void)0, triangle_hit(*k, r, &h))
 SOUP_TIMED(run_sheared, ray_shear z = shear_of(r),
            triangle_hit_corners(&k->a, &k->b, &k->c, &z, r, &h))
+SOUP_TIMED(run_mine, (void)0, mine_triangle_hit(*k, r, &h))
 
 /* For the columns that do not measure time. */
 static bool hit_sheared(triangle tri, ray r, hit *out)
@@ -30,13 +31,13 @@ static bool hit_sheared(triangle tri, ray r, hit *out)
     return triangle_hit_sheared(tri, &s, r, out);
 }
 
-enum { triangle_methods = 9 };
+enum { triangle_methods = 9 + triangle_mine };
 static const struct {
     const char *name;
     triangle_method *hit;
     double (*run)(void *);
     bool f32, plotted, timed;  /* corners are floats, in a plot alone; which plots */
-} method[triangle_methods] = {
+} method[] = {
     {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, NULL, 1, 1, 0},
     {"plane + inside", triangle_hit_plane, run_plane, 0, 1, 1},
     {"first: Möller-Trumbore", first_triangle_hit, run_first, 0, 1, 1},
@@ -45,7 +46,8 @@ static const struct {
     {"planes computed beforehand", triangle_hit_planes, run_planes, 0, 1, 1},
     {"triple products", triangle_hit_triple, run_triple, 0, 1, 1},
     {"watertight", triangle_hit, run_watertight, 0, 1, 1},
-    {"watertight, shear kept", hit_sheared, run_sheared, 0, 0, 1}};
+    {"watertight, shear kept", hit_sheared, run_sheared, 0, 0, 1},
+    {"mine", mine_triangle_hit, run_mine, 0, 1, 1}};
 
 static inline icosphere sphere_at(int k, real translation)
 {
@@ -78,18 +80,18 @@ static inline void triangle_row_of(size_t k, void *context)
     }
     y->at_edge = slip_hits(&m, method[k].hit, false, o->quick ? 500 : 10000, o->seed);
     icosphere_free(&m);
-    y->needles = needles(method[k].hit, 1e-6, o->quick ? 500 : 10000, o->seed);
+    y->needles = triangle_needles(method[k].hit, 1e-6, o->quick ? 500 : 10000, o->seed);
 }
 
 static inline void triangle_times(const options *o, triangle_rows *all)
 {
     triangle_soup *s = soup_new(o->quick ? 20 : 100, o->seed);
-    clock_variant v[triangle_methods];
+    bench_candidate v[triangle_methods];
     int n = 0, of[triangle_methods];
     for (int k = 0; k < triangle_methods; k++)
         if (!method[k].f32)
-            of[n] = k, v[n++] = (clock_variant){method[k].name, method[k].run, s, 0};
-    clock_compare(v, n, o->quick ? 3 : 41);
+            of[n] = k, v[n++] = (bench_candidate){method[k].name, method[k].run, s, 0, 0};
+    bench_time(v, n, o->quick ? 3 : 41);
     for (int i = 0; i < n; i++)
         all->row[of[i]].ns = 1e9 * v[i].seconds / (soup_triangles * s->rays);
     free(s);
@@ -132,7 +134,7 @@ static inline void triangle_plots(const options *o)
             icosphere_free(&m);
         }
         for (double width = 1; width > 5e-8; width /= 10) {
-            triangle_needle_count n = needles(method[k].hit, width, 2000, o->seed);
+            triangle_needle_count n = triangle_needles(method[k].hit, width, 2000, o->seed);
             if (n.missed < n.due) plot_add(&q, on_q, width, n.error);
         }
     }
@@ -191,7 +193,8 @@ static inline void triangle_measure(const options *o)
 {
     triangle_rows *all = allocate(1, sizeof *all);
     all->o = o;
-    if (!parallel_for(triangle_methods, o->threads, "rays", triangle_row_of, all)) exit(130);
+    if (!parallel_for(triangle_methods, o->threads, "rays", triangle_row_of, all))
+        exit(parallel_stopped());
     triangle_times(o, all);
     triangle_main_table(o, all);
     if (o->full) {

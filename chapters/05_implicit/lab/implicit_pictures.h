@@ -152,9 +152,10 @@ static inline void implicit_draw(const options *o, const implicit_view *v, const
 
 /* Panels of one row, each with its words below. */
 static inline void implicit_draw_row(const options *o, const implicit_view *v,
-                                     const char *const *words, int n, int side, const char *name)
+                                     const char *const *words, int n, const char *name)
 {
     enum { gap = 6, strip = 30 };
+    int side = o->quick ? 60 : 316;
     int width = (960 - (n - 1) * gap) / n;
     image sheet = image_new(960, side + strip);
     bool whole = true;
@@ -183,7 +184,7 @@ static inline void implicit_draw_shapes(const options *o)
         implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), traced, vec(-0.05, 0, 0), 3, 27, 30,
                          30),
         implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), sure, vec(0, 0, 0), 3, 31, 35, 30)};
-    implicit_draw_row(o, v, words, 3, 316, "05_implicit_shapes.png");
+    implicit_draw_row(o, v, words, 3, "05_implicit_shapes.png");
 }
 
 static inline void implicit_draw_missed(const options *o)
@@ -197,7 +198,7 @@ static inline void implicit_draw_missed(const options *o)
         v[k] = implicit_view_at(u, how[k], vec(0.3, 0.62, 1.2), (real)2.2, 14, 12, 18);
         v[k].judge = k == 0;
     }
-    implicit_draw_row(o, v, words, 2, 316, "05_implicit_missed.png");
+    implicit_draw_row(o, v, words, 2, "05_implicit_missed.png");
 }
 
 #endif

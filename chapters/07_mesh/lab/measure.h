@@ -9,7 +9,7 @@
 #ifndef MESH_LAB_MEASURE_H
 #define MESH_LAB_MEASURE_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../files/obj.h"
 #include "../files/obj_write.h"
@@ -39,7 +39,7 @@ static inline double inside_run(void *context)
 static inline void inside_report(const options *o)
 {
     static inside_batch b[inside_methods];
-    clock_variant v[inside_methods];
+    bench_candidate v[inside_methods];
     size_t points = o->quick ? 50 : 1000;
     mesh m = torus_mesh(24);
     first_mesh soup = mesh_soup(&m);
@@ -56,11 +56,11 @@ static inline void inside_report(const options *o)
     for (int k = 0; k < inside_methods; k++) {
         random_stream s = random_start(o->seed, 0, 74);
         b[k].m = &m, b[k].soup = &soup, b[k].method = k;
-        v[k] = (clock_variant){inside_names[k], inside_run, &b[k], 0};
+        v[k] = (bench_candidate){inside_names[k], inside_run, &b[k], 0, 0};
         for (int i = 0; i < inside_questions; i++)
             (void)inside_question(&m, &s, AT_VERTEX, 0, &b[k].p[i], &b[k].d[i]);
     }
-    clock_compare(v, inside_methods, mesh_rounds);
+    bench_time(v, inside_methods, mesh_rounds);
     for (int k = 0; k < inside_methods; k++) {
         double ns = 1e9 * v[k].seconds / inside_questions / (double)m.triangles;
         bool casts = k + 1 < inside_methods;
@@ -120,9 +120,6 @@ static inline void cost_report(const options *o, const mesh *m, bool is_main)
     size_t tests = o->quick ? 200000 : 1000000;
     table t = table_new("Closest hit by brute force",
                         "method|triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");
-    plot time = plot_new("Closest hit by brute force", "triangles", "time a ray [us]",
-                         PLOT_LOG_X | PLOT_LOG_Y);
-    int closest = plot_series(&time, "closest hit"), any = plot_series(&time, "any hit");
     double least = 0, least_us = 1, us = 1;
     vec3 lo, hi;
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
@@ -138,24 +135,20 @@ static inline void cost_report(const options *o, const mesh *m, bool is_main)
         for (int i = 0; i < 3; i++)
             b[i] = (cost_batch){&part, i == 2 ? &soup : NULL, o->seed, rays, i == 1, centre,
                                 vlength(size) / 2};
-        clock_variant v[3] = {{"closest", cost_run, &b[0], 0}, {"any", cost_run, &b[1], 0},
-                              {"first", cost_run, &b[2], 0}};
-        clock_compare(v, k == 0 ? 3 : 2, 3);
+        bench_candidate v[3] = {{"closest", cost_run, &b[0], 0, 0}, {"any", cost_run, &b[1], 0, 0},
+                                {"first", cost_run, &b[2], 0, 0}};
+        bench_time(v, k == 0 ? 3 : 2, 3);
         us = 1e6 * v[0].seconds / (double)rays;
         if (least == 0) least = (double)part.triangles, least_us = us;
         double any_us = 1e6 * v[1].seconds / (double)rays;
         cost_row(&t, "mesh_hit", &b[0], us), table_number(&t, any_us);
-        plot_add(&time, closest, (double)part.triangles, us);
-        plot_add(&time, any, (double)part.triangles, any_us);
         if (k > 0) continue;
         cost_row(&t, "first", &b[2], 1e6 * v[2].seconds / (double)rays), table_text(&t, "-");
     }
     first_mesh_free(&soup);
-    plot_slope(&time, 1, "O(n)");
     (is_main ? output_table : output_extra_table)(o, &t);
     if ((double)m->triangles > least)
         printf("# time ~ n^%.3f\n", log(us / least_us) / log((double)m->triangles / least));
-    output_plot(o, &time, "07_mesh_time.svg");
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -185,7 +178,7 @@ static inline void cone_rows(uint64_t seed, size_t rays, table *t)
     for (int power = 0; power <= 6; power += 2) {
         real distance = pow((real)10, power);
         cone_score sum = {0, 0, {0, 0}, {0, 0}, {0, 0}};
-        clock_variant v[2] = {{name[0], cone_run, &b[0], 0}, {name[1], cone_run, &b[1], 0}};
+        bench_candidate v[2] = {{name[0], cone_run, &b[0], 0, 0}, {name[1], cone_run, &b[1], 0, 0}};
         random_stream s = random_start(seed, (uint64_t)distance, 71);
         for (int kind = 0; kind < 5; kind++) {
             cone_score grazing = cone_play(&s, kind, AIM_GRAZING, distance, rays / 5, 64);
@@ -201,7 +194,7 @@ static inline void cone_rows(uint64_t seed, size_t rays, table *t)
             b[0].r[i] = b[1].r[i] = ray_at_cone(&s, b[0].c[i], AIM_RANDOM, distance);
         }
         b[0].hit = cone_hit_naive, b[1].hit = cone_hit;
-        clock_compare(v, 2, mesh_rounds);
+        bench_time(v, 2, mesh_rounds);
         for (int k = 0; k < 2; k++) {
             table_text(t, "%s", name[k]), table_text(t, "from 1e%d", power);
             table_number(t, 100 * (double)sum.wrong[k] / (double)sum.decided);
@@ -229,7 +222,7 @@ static inline void polygon_rows(uint64_t seed, size_t rays, table *t)
     static gear_box box;
     static polygon_batch b[2];
     for (int j = 0; j < 2; j++) {
-        clock_variant v[2];
+        bench_candidate v[2];
         size_t slips[2];
         random_stream s = random_start(seed, (uint64_t)j, 72), again;
         gear_box_fill(&box, &s, j ? 100000 : 0, false);
@@ -238,10 +231,10 @@ static inline void polygon_rows(uint64_t seed, size_t rays, table *t)
             s = again;
             slips[k] = gear_box_slips(&box, &s, rays, k == 0);
             b[k].p = box.shapes[2].polygon, b[k].naive = k == 0;
-            v[k] = (clock_variant){"", polygon_run, &b[k], 0};
+            v[k] = (bench_candidate){"", polygon_run, &b[k], 0, 0};
             for (int i = 0; i < cones_at_once; i++) b[k].r[i] = gear_box_ray(&box, &s, (size_t)i);
         }
-        clock_compare(v, 2, mesh_rounds);
+        bench_time(v, 2, mesh_rounds);
         for (int k = 0; k < 2; k++) {
             table_text(t, k ? "polygon_hit" : "polygon_hit_naive");
             table_text(t, "quad, %s", j ? "1e5 away" : "at the origin");
@@ -294,9 +287,9 @@ static inline void files_report(const options *o)
     if (!obj_write(path, &m, &f)) fail(f);
     stat(path, &file);
     files_batch b[2] = {{path, true}, {path, false}};
-    clock_variant v[2] = {{"first_obj_read", files_run, &b[0], 0},
-                          {"obj_read", files_run, &b[1], 0}};
-    clock_compare(v, 2, mesh_rounds);
+    bench_candidate v[2] = {{"first_obj_read", files_run, &b[0], 0, 0},
+                            {"obj_read", files_run, &b[1], 0, 0}};
+    bench_time(v, 2, mesh_rounds);
     table t = table_new("Reading an OBJ file", "method|triangles|bytes|time [MB/s]");
     for (int k = 0; k < 2; k++) {
         table_text(&t, "%s", v[k].name), table_count(&t, m.triangles);

@@ -7,7 +7,7 @@
 #ifndef AABB_METHODS_H
 #define AABB_METHODS_H
 
-#include "../../../common/clock.h"
+#include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "slabs.h"
 #include "volumes.h"
@@ -118,6 +118,7 @@ AABB_PASS(pass_ize, AABB_PREPARE, 1, AABB_ONE(aabb_hit_ize_with(&w->b[k], &v, r,
 AABB_PASS(pass_default, aabb_inverse v = aabb_inverse_of(r), 1,
           AABB_ONE(aabb_hit_inverse(&w->b[k], &v, r, &t)))
 AABB_PASS(pass_unprepared, , 1, AABB_ONE(aabb_hit(w->b[k], r, &t)))
+AABB_PASS(pass_mine, , 1, AABB_ONE(mine_aabb_hit(w->b[k], r, &t)))
 AABB_PASS(pass_ball, real dd = 1 / vdot(r.d, r.d), 1,
           AABB_ONE(bounding_ball_hit(&w->ball[k], dd, r, &t)))
 AABB_PASS(pass_turned, , 1, AABB_ONE(turned_hit(&w->turned[k], r, &t)))
@@ -129,10 +130,10 @@ AABB_PASS(pass_lanes8, aabb_lanes v = aabb_lanes_of(r), 8,
 /* Nanoseconds a box of n passes. */
 static inline void time_passes(const options *o, int n, double (*const pass[])(void *), double *ns)
 {
-    clock_variant v[aabb_most_rows];
+    bench_candidate v[aabb_most_rows];
     aabb_work *w = work_new(o->seed);
-    for (int m = 0; m < n; m++) v[m] = (clock_variant){"", pass[m], w, 0};
-    clock_compare(v, n, o->quick ? 3 : o->full ? 61 : 15);
+    for (int m = 0; m < n; m++) v[m] = (bench_candidate){"", pass[m], w, 0, 0};
+    bench_time(v, n, o->quick ? 3 : o->full ? 61 : 15);
     for (int m = 0; m < n; m++) ns[m] = v[m].seconds / ((double)work_boxes * work_rays) * 1e9;
     free(w);
 }
@@ -152,8 +153,9 @@ static const aabb_row aabb_rows[] = {
     {"pbrt, 2 gamma(3), 1/d kept", aabb_of_pbrt, pass_pbrt, false},
     {"Ize, 2 ulp, 1/d kept", aabb_of_ize, pass_ize, false},
     {"aabb_hit, 1/d kept", aabb_of_default, pass_default, true},
-    {"aabb8_hit, 1/d kept, float", aabb_of_lanes, pass_lanes8, true}};
-enum { aabb_row_count = sizeof aabb_rows / sizeof *aabb_rows };
+    {"aabb8_hit, 1/d kept, float", aabb_of_lanes, pass_lanes8, true},
+    {"mine", aabb_of_mine, pass_mine, true}};
+enum { aabb_row_count = sizeof aabb_rows / sizeof *aabb_rows - 1 + aabb_mine };
 
 static inline void measure_methods(const options *o)
 {

@@ -1,6 +1,7 @@
 /* pictures.h: the rendered pictures of this chapter.
  *
- *   draw_room(&o)         boxes, and walls and boards of no thickness: first beside aabb_hit
+ *   draw_room(&o)         boxes, and walls and boards of no thickness: first beside aabb_hit,
+ *                         and a reader's own test (mine.h)
  *   draw_aligned(&o)      rays along an axis at whole numbers, as from an orthographic camera: what
  *                         each method loses in the planes of the boxes
  */
@@ -17,7 +18,7 @@
 
 /* ---- the room ---- */
 
-enum { room_gap = 6, room_boxes = 17 };
+enum { room_gap = 6, room_boxes = 17, room_parts = 2 + aabb_mine };
 typedef struct { aabb b; vec3 colour; } aabb_painted;
 typedef struct {
     aabb_test *test;
@@ -72,9 +73,10 @@ static vec3 room_colour(const void *context, real x, real y)
 
 static inline void draw_room(const options *o)
 {
-    static const struct { const char *name; aabb_test *test; } half[2] = {
-        {"first_aabb_hit", first_aabb_hit}, {"aabb_hit", aabb_hit}};
-    int width = o->width > 2 * room_gap ? (o->width - room_gap) / 2 : o->width;
+    static const struct { const char *name; aabb_test *test; } part[] = {
+        {"first_aabb_hit", first_aabb_hit}, {"aabb_hit", aabb_hit}, {"mine", mine_aabb_hit}};
+    int gaps = (room_parts - 1) * room_gap;
+    int width = o->width > 2 * gaps ? (o->width - gaps) / room_parts : o->width;
     aabb_room s = {.im = image_new(width, o->height)};
     camera_frame f;
     failure why;
@@ -86,12 +88,12 @@ static inline void draw_room(const options *o)
         || !camera_perspective(f, 27, (real)width / (real)o->height, &s.view, &why))
         fail(why);
     label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
-    for (int k = 0; k < 2 && whole; k++) {
-        s.test = half[k].test;
+    for (int k = 0; k < room_parts && whole; k++) {
+        s.test = part[k].test;
         whole = pixels_draw(&s.im, 2, o->threads, "room", room_colour, &s);
         image_place(&im, k * (width + room_gap), 0, &s.im);
         if (o->width >= 400 && o->height >= 100)
-            label_tag(&im, k * (width + room_gap) + 10, 10, 12, half[k].name);
+            label_tag(&im, k * (width + room_gap) + 10, 10, 12, part[k].name);
     }
     output_picture(o, &im, "09_aabb.png", true, whole);
     image_free(&im), image_free(&s.im);
@@ -99,8 +101,9 @@ static inline void draw_room(const options *o)
 
 /* ---- rays along an axis ---- */
 
-enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10, cell_columns = 3 };
-static const int cell_method[cell_columns] = {aabb_of_first, aabb_of_closed, aabb_of_default};
+enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10 };
+enum { cell_columns = 3 + aabb_mine };
+static const int cell_method[] = {aabb_of_first, aabb_of_closed, aabb_of_default, aabb_of_mine};
 /* Hit, miss, a hit that is lost, a false alarm: linear light of blue, grey, red, yellow. */
 static const vec3 cell_colour[4] = {{0, 0.168, 0.445}, {0.8, 0.8, 0.8}, {0.665, 0.112, 0},
                                     {0.871, 0.776, 0.054}};

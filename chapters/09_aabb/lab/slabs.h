@@ -31,11 +31,13 @@
 #define AABB_SLABS_H
 
 #include "../lanes.h"
+#include "mine.h"
 
 typedef bool aabb_test(aabb b, ray r, real *t_enter);
 
 enum { aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_inclusive, aabb_of_pbrt, aabb_of_ize,
-       aabb_of_default, aabb_of_lanes, aabb_of_kept, aabb_methods };
+       aabb_of_default, aabb_of_lanes, aabb_of_kept, aabb_of_mine,
+       aabb_methods = aabb_of_mine + aabb_mine };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -174,10 +176,10 @@ static inline bool aabb_hit_lanes(aabb b, ray r, real *t_enter)
     return true;
 }
 
-static const struct { const char *name; aabb_test *hit; } aabb_method[aabb_methods] = {
+static const struct { const char *name; aabb_test *hit; } aabb_method[] = {
     {"first", first_aabb_hit}, {"closed, <=", aabb_hit_closed}, {"fmin, fmax", aabb_hit_fmin},
     {"inclusive", aabb_hit_inclusive}, {"pbrt, 2 gamma(3)", aabb_hit_pbrt},
     {"Ize, 2 ulp", aabb_hit_ize}, {"aabb_hit", aabb_hit}, {"aabb8_hit, float", aabb_hit_lanes},
-    {"first, 1/d kept", aabb_hit_kept}};
+    {"first, 1/d kept", aabb_hit_kept}, {"mine", mine_aabb_hit}};
 
 #endif

@@ -48,11 +48,9 @@ static inline void chart_bar(compare_chart *c, int panel, const char *name, doub
 static inline void chart_text(FILE *out, int x, int y, int size, const char *anchor,
                               const char *text)
 {
-    fprintf(out, "<text x='%d' y='%d' font-size='%d' text-anchor='%s'>", x, y, size, anchor);
-    for (; *text; text++)
-        if (*text == '<' || *text == '&') fprintf(out, "&#%d;", *text);
-        else putc(*text, out);
-    fprintf(out, "</text>\n");
+    char style[64];
+    snprintf(style, sizeof style, "font-size=\"%d\" text-anchor=\"%s\"", size, anchor);
+    plot_text(out, x, y, style, text);
 }
 
 /* Three digits, as in tables: 0.123, 12.3, 1234. */

@@ -5,7 +5,7 @@
  *                                                     `rounds` times, until a quarter of a second
  *                                                     has passed; all together hold at most
  *                                                     most_bytes
- *   compare_rays(&s, whole_view, n, seed)             the four kinds of rays, n of each if there
+ *   compare_rays(&s, n, seed)             the four kinds of rays, n of each if there
  *                                                     are so many: kinds.h
  *   if (!compare_prove(&s, most, brute_rays, seed, stdout)) exit(1);
  *   compare_end(&s)                                   the world stays the caller's
@@ -21,7 +21,7 @@
 #ifndef COMPARE_LAB_COMPARE_H
 #define COMPARE_LAB_COMPARE_H
 
-#include "explain_cells.h"
+#include "explain.h"
 #include "kinds.h"
 
 /* Structures with their options; label: what --only said, "bvh:leaf=8". */
@@ -168,34 +168,33 @@ static inline ray_set rays_some(const ray_set *all, size_t most)
 }
 
 /* The sets of rays that begin where primary ones end; the least of their numbers. */
-static inline size_t rays_on(comparison *s, ray_set *eye, uint64_t seed)
+static inline size_t compare_rays_on(comparison *s, ray_set *eye, uint64_t seed)
 {
     const compare_entry *e = compare_any(s);
     hit *h = allocate(eye->n, sizeof *h);
     for (size_t i = 0; i < eye->n; i++) h[i] = hit_none;
     if (e) e->c->search(e->s, eye->r, eye->n, false, h);
-    s->rays[KIND_SHADOW] = rays_to_lights(s->w, eye, h);
-    s->rays[KIND_DIFFUSE] = rays_scattered(s->w, eye, h, seed);
-    s->rays[KIND_MIRROR] = rays_mirrored(s->w, eye, h);
+    for (compare_kind k = KIND_SHADOW; k < compare_kinds; k++)
+        s->rays[k] = rays_on(s->w, k, eye, h, seed);
     free(h);
     size_t shadow = s->rays[KIND_SHADOW].n, diffuse = s->rays[KIND_DIFFUSE].n;
     return shadow < diffuse ? shadow : diffuse;
 }
 
 /* The picture grows, up to four times each way, until enough of its rays hit. */
-static inline void compare_rays(comparison *s, const double part[4], size_t n, uint64_t seed)
+static inline void compare_rays(comparison *s, size_t n, uint64_t seed)
 {
     int edge = (int)ceil(sqrt((double)n)), across = edge;
     for (;;) {
-        ray_set eye = rays_view(s->w, part, across);
-        size_t least = rays_on(s, &eye, seed);
+        ray_set eye = rays_view(s->w, across);
+        size_t least = compare_rays_on(s, &eye, seed);
         rays_free(&eye);
         if (least == 0 || least >= n || across >= 4 * edge) break;
         int wider = (int)((double)across * sqrt((double)n / (double)least)) + 1;
         across = wider < 4 * edge ? wider : 4 * edge;
         for (int k = KIND_SHADOW; k < compare_kinds; k++) rays_free(&s->rays[k]);
     }
-    s->rays[KIND_PRIMARY] = rays_view(s->w, part, edge);
+    s->rays[KIND_PRIMARY] = rays_view(s->w, edge);
     for (int k = 0; k < compare_kinds; k++) {
         ray_set some = rays_some(&s->rays[k], n);
         rays_free(&s->rays[k]);
@@ -248,10 +247,13 @@ static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool 
     return ok;
 }
 
-/* The first versions are allowed to be wrong: counted, not explained. */
+/* The first versions are allowed to be wrong: counted, not explained. In large scenes, where one of
+ * them is slow as brute force, of fewer rays. */
 static inline void compare_count_wrong(comparison *s, const ray *r, size_t n, bool aimed)
 {
     int firsts = 0;
+    size_t most = 40000000 / s->x.n + 64;
+    n = n < most ? n : most;
     for (int k = 0; k < s->entries; k++)
         firsts += s->entry[k].s && contender_is_first(s->entry[k].c);
     for (size_t i = 0; firsts && i < n; i++) {

@@ -18,8 +18,9 @@
  * A turn: a quarter of the rays, untimed, so that the structure is in the cache again; then all of
  * them, timed; steps and tests are counted with that quarter. A median of 20,000 rays stands still
  * within some percent; of 2,000 that come after ten other structures a third is waiting for memory.
- * Who takes more than cost_patience seconds a turn has fewer turns, one at least. Brute force is
- * timed with a part of the rays, so many as 5e6 tests allow; first versions with 2,500, once.
+ * Who takes more than cost_patience seconds a turn has fewer turns, one at least; who takes as long
+ * for the untimed quarter (10 us a ray) is timed with that quarter. Brute force is
+ * timed with a part of the rays, so many as 5e6 tests allow; first versions with 600, once.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
@@ -37,14 +38,17 @@
 
 static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
 
-static inline void cost_count(compare_entry *e, compare_kind kind, const ray_set *some)
+/* Steps and tests of some rays; seconds. */
+static inline double cost_count(compare_entry *e, compare_kind kind, const ray_set *some)
 {
     search_work w = {0, 0, 0, 0};
     hit h;
+    double start = work_seconds();
     for (size_t i = 0; i < some->n; i++)
         if (kind == KIND_SHADOW) e->c->occluded_counted(e->s, some->r[i], &w);
         else e->c->hit_counted(e->s, some->r[i], &h, &w);
     e->work[kind] = w, e->counted[kind] = some->n;
+    return work_seconds() - start;
 }
 
 enum { cost_most_turns = 9 };
@@ -73,24 +77,30 @@ static inline void cost_kind(comparison *s, compare_kind kind, int turns)
     double seconds[compare_most][cost_most_turns];
     int done[compare_most] = {0};
     ray_set few = rays_some(&s->rays[kind], 5000000 / (s->x.n + 1) / (size_t)turns + 4);
-    ray_set some = rays_some(&s->rays[kind], 2500);
+    if (getenv("BENCH_ONCE")) turns = 1;  /* counts stay */
+    ray_set some = rays_some(&s->rays[kind], 600);
+    ray_set quarter = rays_some(&s->rays[kind], s->rays[kind].n / 4 + 1);
+    const ray_set *of[compare_most];
     hit *out = allocate(s->rays[kind].n, sizeof *out);
     for (int turn = 0; turn < turns; turn++)
         for (int k = 0; k < s->entries; k++) {
             compare_entry *e = &s->entry[k];
             bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
-            const ray_set *all = slow ? &few : contender_is_first(e->c) ? &some : &s->rays[kind];
-            if (turn > 0 && all == &some) continue;
+            if (turn == 0)
+                of[k] = slow ? &few : contender_is_first(e->c) ? &some : &s->rays[kind];
+            if (turn > 0 && of[k] == &some) continue;
             if (!e->s || (turn > 0 && turn * seconds[k][0] > turns * cost_patience)) continue;
             compare_progress(s->w->name, "timing", e->choice->label);
-            ray_set warm = rays_some(all, all->n / 4 + 1);
-            if (turn == 0) cost_count(e, kind, &warm), e->rays[kind] = all->n;
-            seconds[k][done[k]++] = cost_turn(e, kind, all, &warm, out);
+            ray_set warm = rays_some(of[k], of[k]->n / 4 + 1);
+            if (turn == 0 && cost_count(e, kind, &warm) > cost_patience && of[k] != &some)
+                of[k] = of[k] == &few ? &few : &quarter;
+            e->rays[kind] = of[k]->n;
+            seconds[k][done[k]++] = cost_turn(e, kind, of[k], &warm, out);
             rays_free(&warm);
         }
     for (int k = 0; k < s->entries; k++) cost_note(&s->entry[k], kind, seconds[k], done[k]);
     compare_progress(s->w->name, NULL, NULL);
-    rays_free(&few), rays_free(&some);
+    rays_free(&few), rays_free(&some), rays_free(&quarter);
     free(out);
 }
 
@@ -221,8 +231,7 @@ static inline void cost_table(const options *o, const comparison *s, const char 
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].s || !contender_is_first(s->entry[k].c))
             cost_row(&t, s, &s->entry[k], slow);
-    html_table(to, &t);
-    output_extra_table(o, &t);
+    html_table(to, o, &t);
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].s && contender_is_first(s->entry[k].c)) cost_print_wrong(&s->entry[k]);
     for (int k = 0; k < s->entries; k++)

@@ -9,7 +9,7 @@
 
 #include "../../../common/lab/figure.h"
 #include "compare.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

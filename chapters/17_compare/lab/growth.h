@@ -1,8 +1,8 @@
-/* growth.h: time, work and building against n: teapots of 56 to 2e6 triangles, diffuse rays.
+/* growth.h: time, work and building against n: teapots of 56 to 999,000 triangles, diffuse rays.
  *
- *   growth_run(&o, &chosen, most_bytes, large, report)    tables, fitted exponents, three plots
+ *   growth_run(&o, &chosen, most_bytes, report)    tables, fitted exponents, a plot
  *
- * Without `large`, who took more than growth_patience seconds to build the size before, or for a
+ * Who took more than growth_patience seconds to build the size before, or for a
  * ray a hundred times as long as the fastest, is left out of the larger ones.
  *
  * time ~ n^a (17.9): 1 for brute force. A tree that does log n steps has an a that falls with n;
@@ -13,10 +13,10 @@
 
 #include "costs.h"
 #include "html.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
-enum { growth_sizes = 9 };  /* 64 n^2 - 8 n triangles each */
-static const int growth_fine[growth_sizes] = {1, 2, 4, 8, 16, 32, 64, 125, 177};
+enum { growth_sizes = 8 };  /* 64 n^2 - 8 n triangles each */
+static const int growth_fine[growth_sizes] = {1, 2, 4, 8, 16, 32, 64, 125};
 static const double growth_patience = 0.7;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -45,7 +45,7 @@ static inline bool growth_step(growth_curve *c, const int *who, const line_up *n
     failure f;
     if (!mesh_world(&w, "teapot", teapot_mesh(fine), true, &f)) fail(f);
     compare_begin(&s, &w, now, most_bytes, o->quick ? 1 : 3);
-    compare_rays(&s, whole_view, o->quick ? 200 : compare_usual_rays, o->seed);
+    compare_rays(&s, o->quick ? 200 : compare_usual_rays, o->seed);
     ray_set some = rays_some(&s.rays[KIND_DIFFUSE], 4000);
     bool ok = prove_rays(&s, some.r, some.n, false, stdout);
     rays_free(&some);
@@ -77,8 +77,7 @@ static inline void growth_table(const options *o, const growth_curve *c, const l
                 if (i >= c[k].n) table_text(&t, "-");
                 else table_number(&t, pass ? c[k].ray[i] : c[k].build[i] * 1e3);
         }
-        html_table(to, &t);
-        output_extra_table(o, &t);
+        html_table(to, o, &t);
     }
 }
 
@@ -94,40 +93,26 @@ static inline void growth_fit(const growth_curve *c, const char *name)
     else printf("; building ~ n^%.2f\n", bench_slope(c->x, build, c->n));
 }
 
-/* Brute force is off every scale, as slope 1 says; the first versions don't count steps. */
-static inline void growth_plots(const options *o, const growth_curve *c, const line_up *all,
-                                html_report *to)
+/* Brute force is off the scale, as slope 1 says. */
+static inline void growth_plot(const options *o, const growth_curve *c, const line_up *all,
+                               html_report *to)
 {
-    int log_log = PLOT_LOG_X | PLOT_LOG_Y;
-    plot search = plot_new("A diffuse ray against n", "triangles", "time [ns]", log_log);
-    plot build = plot_new("Building against n", "triangles", "time [ns a triangle]", log_log);
-    plot steps = plot_new("Work against n", "triangles", "steps and tests, a ray", PLOT_LOG_X);
-    plot *each[3] = {&search, &steps, &build};
-    for (int p = 0; p < 3; p++) {
-        for (int k = 0; k < all->n; k++) {
-            const contender *x = all->of[k].c;
-            if (each[p]->series == plot_most_series || contender_is_first(x)
-                || x == &brute_contender) continue;
-            int series = plot_series(each[p], all->of[k].label);
-            for (int i = 0; i < c[k].n; i++) {
-                double n = exp2(c[k].x[i]);
-                double y[3] = {c[k].ray[i], c[k].steps[i], c[k].build[i] * 1e9 / n};
-                plot_add(each[p], series, n, y[p]);
-            }
-        }
+    plot p = plot_new("A diffuse ray against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
+    for (int k = 0; k < all->n && p.series < plot_most_series; k++) {
+        const contender *x = all->of[k].c;
+        if (contender_is_first(x) || x == &brute_contender) continue;
+        int series = plot_series(&p, all->of[k].label);
+        for (int i = 0; i < c[k].n; i++) plot_add(&p, series, exp2(c[k].x[i]), c[k].ray[i]);
     }
-    plot_slope(&search, 1, "slope 1");
-    for (int p = 0; p < 3; p++) html_plot(to, each[p]);
-    output_plot(o, &search, "17_compare_n_time.svg");
-    plot_free(&build);
-    output_plot(o, &steps, "17_compare_n.svg");
+    plot_slope(&p, 1, "slope 1");
+    html_plot(to, o, &p, "17_compare_n_time.svg");
 }
 
-static inline bool growth_run(const options *o, const line_up *all, size_t most_bytes, bool large,
+static inline bool growth_run(const options *o, const line_up *all, size_t most_bytes,
                               html_report *to)
 {
     growth_curve c[compare_most] = {{0}};
-    int sizes = o->quick ? 3 : large ? growth_sizes : growth_sizes - 1;
+    int sizes = o->quick ? 3 : growth_sizes;
     for (int i = 0; i < sizes; i++) {
         line_up now = {.n = 0};
         int who[compare_most];
@@ -137,14 +122,14 @@ static inline bool growth_run(const options *o, const line_up *all, size_t most_
         for (int k = 0; k < all->n; k++) {  /* and who did not fit is out */
             bool slow = i > 0 && c[k].n == i && (c[k].build[i - 1] > growth_patience
                 || (c[k].ray[i - 1] > 100 * least && all->of[k].c != &brute_contender));
-            if (c[k].n == i && (large || !slow)) who[now.n] = k, now.of[now.n++] = all->of[k];
+            if (c[k].n == i && !slow) who[now.n] = k, now.of[now.n++] = all->of[k];
         }
         if (!growth_step(c, who, &now, growth_fine[i], o, most_bytes)) return false;
     }
     growth_table(o, c, all, to);
     for (int k = 0; k < all->n; k++) growth_fit(&c[k], all->of[k].label);
     printf("\n");
-    growth_plots(o, c, all, to);
+    growth_plot(o, c, all, to);
     return true;
 }
 

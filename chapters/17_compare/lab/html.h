@@ -3,9 +3,8 @@
  *   html_report *r = html_begin("report.html", "Title");   path NULL: NULL, and all that follows
  *                                                          does nothing
  *   html_heading(r, "Verdict"), html_text(r, "%zu rays ..", n)
- *   html_table(r, &t)                  beside output_table, which prints it
- *   html_plot(r, &p)                   beside output_plot, which saves it
- *   html_svg_begin(r), then any SVG to html_file(r), html_svg_end(r)
+ *   html_table(r, &o, &t)              output_extra_table, and in the report
+ *   html_plot(r, &o, &p, "x.svg")      output_plot, and in the report
  *   html_picture(r, &im, "caption")
  *   html_end(r)                        writes the file
  */
@@ -101,10 +100,8 @@ static inline void html_text(const html_report *r, const char *format, ...)
     fprintf(html_file(r), "</p>\n");
 }
 
-static inline void html_table(const html_report *r, const table *t)
+static inline void html_rows(FILE *out, const table *t)
 {
-    if (!r) return;
-    FILE *out = html_file(r);
     fprintf(out, "<div class=\"wide\"><table><caption>");
     html_escaped(out, t->title);
     fprintf(out, "</caption>\n");
@@ -119,23 +116,19 @@ static inline void html_table(const html_report *r, const table *t)
     fprintf(out, "</table></div>\n");
 }
 
-/* Then an SVG; wide: on a narrow screen it is scrolled rather than shrunk. */
-static inline void html_svg_begin(const html_report *r)
+static inline void html_table(const html_report *r, const options *o, table *t)
+{
+    if (r) html_rows(html_file(r), t);
+    output_extra_table(o, t);
+}
+
+/* On a narrow screen it is scrolled rather than shrunk. */
+static inline void html_plot(const html_report *r, const options *o, plot *p, const char *name)
 {
     if (r) fprintf(html_file(r), "<div class=\"wide\">");
-}
-
-static inline void html_svg_end(const html_report *r)
-{
+    if (r) plot_write(p, html_file(r));
     if (r) fprintf(html_file(r), "</div>\n");
-}
-
-static inline void html_plot(const html_report *r, const plot *p)
-{
-    if (!r) return;
-    html_svg_begin(r);
-    plot_write(p, html_file(r));
-    html_svg_end(r);
+    output_plot(o, p, name);
 }
 
 static inline void html_base64(FILE *out, const unsigned char *b, size_t n)

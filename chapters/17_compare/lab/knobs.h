@@ -70,48 +70,41 @@ static inline const char *knob_names(const contender *c)
     return all[0] ? all : " none";
 }
 
-static inline bool knob_any(const knob *k)  /* number, not whole ones only */
+/* The number that `text` begins with; *after: behind it. */
+static inline double knob_number(const knob *k, const char *text, const char **after)
 {
-    return k->kind == KNOB_DOUBLE;
-}
-
-/* A number at `text`; past it. */
-static inline const char *knob_value(const knob *k, const char *text, double *x)
-{
-    char *after;
-    *x = strtod(text, &after);
-    bool whole = knob_any(k) || *x == floor(*x);
-    if (after == text || !(*x >= k->lowest && *x <= k->highest) || !whole)
+    char *end;
+    double x = strtod(text, &end);
+    bool any = k->kind == KNOB_DOUBLE;
+    if (end == text || !(x >= k->lowest && x <= k->highest) || !(any || x == floor(x)))
         die(2, "%s=%.20s: allowed are %s from %g to %g", k->name, text,
-            knob_any(k) ? "numbers" : "whole numbers", k->lowest, k->highest);
-    return after;
+            any ? "numbers" : "whole numbers", k->lowest, k->highest);
+    *after = end;
+    return x;
 }
 
-static inline void choice_set(compare_choice *p, const knob *k, double x)
+static inline const char *knob_rule(const knob *k, const char *name)
 {
-    if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
-    p->how.set[p->how.n++] = (contender_setting){k->offset, k->kind, x, NULL};
-    size_t n = strlen(p->label);
-    snprintf(p->label + n, sizeof p->label - n, ":%s=%.6g", k->name, x);
-}
-
-/* The one option that is a name. Past it. */
-static inline const char *choice_rule(compare_choice *p, const knob *k, const char *text)
-{
-    char name[24];
-    size_t length = strcspn(text, ":,"), n = strlen(p->label);
-    snprintf(name, sizeof name, "%.*s", (int)(length < 23 ? length : 23), text);
+    char all[256] = "";
     const bvh_rule *rule = bvh_rule_find(name);
-    if (!rule) {
-        char all[256] = "";
-        for (int i = 0; i < bvh_rule_count; i++)
-            snprintf(all + strlen(all), sizeof all - strlen(all), " %s", bvh_rules[i].name);
-        die(2, "%s=%s: allowed are%s", k->name, name, all);
-    }
+    for (int i = 0; i < bvh_rule_count; i++)
+        snprintf(all + strlen(all), sizeof all - strlen(all), " %s", bvh_rules[i].name);
+    if (!rule) die(2, "%s=%s: allowed are%s", k->name, name, all);
+    return rule->name;
+}
+
+/* value: a number, or the one option that is a name. */
+static inline void choice_set(compare_choice *p, const knob *k, const char *value)
+{
+    const char *after = "";
+    contender_setting s = {k->offset, k->kind, 0, NULL};
+    size_t n = strlen(p->label);
+    if (k->kind == KNOB_NAME) s.name = knob_rule(k, value);
+    else s.value = knob_number(k, value, &after);
+    if (*after) die(2, "%s=%s: a number ends before '%s'", k->name, value, after);
     if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
-    p->how.set[p->how.n++] = (contender_setting){k->offset, KNOB_NAME, 0, rule->name};
-    snprintf(p->label + n, sizeof p->label - n, ":%s=%s", k->name, rule->name);
-    return text + length;
+    p->how.set[p->how.n++] = s;
+    snprintf(p->label + n, sizeof p->label - n, ":%s=%s", k->name, value);
 }
 
 /* "bvh:leaf=8". */
@@ -124,21 +117,16 @@ static inline void choose_text(line_up *all, const char *text, size_t length, co
     if (!c) die(2, "%s %.100s: allowed are, with commas between:%s", where, text, knob_names(c));
     choose(all, c);
     while (at < end) {
-        double x;
+        char value[24];
         const char *word = at + 1;
         size_t n = strcspn(word, "=:,");
         const knob *k = knob_find(c, word, n);
         if (!k || word[n] != '=')
             die(2, "%s %.100s: options of %s, as in %s:%s=1: %s", where, text, name, name,
                 "NAME", knob_names(c) + 1);
-        if (k->kind == KNOB_NAME) {
-            at = choice_rule(&all->of[all->n - 1], k, word + n + 1);
-            continue;
-        }
-        at = knob_value(k, word + n + 1, &x);
-        if (*at && *at != ':' && *at != ',')
-            die(2, "%s %.100s: a number ends before '%.10s'", where, text, at);
-        choice_set(&all->of[all->n - 1], k, x);
+        word += n + 1, at = word + strcspn(word, ":,");
+        snprintf(value, sizeof value, "%.*s", (int)(at - word < 23 ? at - word : 23), word);
+        choice_set(&all->of[all->n - 1], k, value);
     }
 }
 
@@ -158,35 +146,35 @@ static inline line_up chosen_of(const char *only)
 /* The next value: one more, while that are few; else twice as much. */
 static inline double sweep_next(const knob *k, double x, double from, double to)
 {
-    if (!knob_any(k) && to - from <= 16) return x + 1;
-    if (knob_any(k) && from <= 0) return x + (to - from) / 8;
-    return x < 1 && !knob_any(k) ? x + 1 : 2 * x;
+    if (k->kind == KNOB_DOUBLE) return from <= 0 ? x + (to - from) / 8 : 2 * x;
+    return to - from <= 16 || x < 1 ? x + 1 : 2 * x;
 }
 
 static inline line_up swept_of(const char *text)
 {
-    const char *dots = strstr(text, ".."), *equals = dots;
-    double from, to;
-    while (equals && equals > text && *equals != '=') equals--;
-    const char *colon = equals;
-    while (colon && colon > text && *colon != ':') colon--;
-    if (!dots || colon == text || strchr(text, ','))
-        die(2, "--sweep %.100s: allowed is one structure with a range, as in bvh:leaf=1..32", text);
+    char front[128], value[24];
+    const char *after;
     line_up all = choose_usual(), one = {.n = 0};
-    char front[128];
-    snprintf(front, sizeof front, "%.*s", (int)(colon - text), text);
+    snprintf(front, sizeof front, "%.127s", text);
+    char *dots = strstr(front, ".."), *colon;
+    if (dots) *dots = 0;  /* a number may end with a dot */
+    char *equals = strrchr(front, '=');
+    if (!dots || !equals || !(colon = strrchr(front, ':')) || colon > equals || strchr(text, ','))
+        die(2, "--sweep %.100s: allowed is one structure with a range, as in bvh:leaf=1..32", text);
+    *colon = 0;
     choose_text(&one, front, strlen(front), "--sweep");
     const knob *k = knob_find(one.of[0].c, colon + 1, (size_t)(equals - colon - 1));
     if (!k || k->kind == KNOB_NAME)
         die(2, "--sweep %.100s: options of %s:%s", text, front, knob_names(one.of[0].c));
-    char first[32];  /* alone: a number may end with a dot */
-    snprintf(first, sizeof first, "%.*s", (int)(dots - equals - 1), equals + 1);
-    if (*knob_value(k, first, &from) || *knob_value(k, dots + 2, &to) || !(from < to))
-        die(2, "--sweep %.100s: a range is FROM..TO", text);
+    double from = knob_number(k, equals + 1, &after);
+    bool clean = *after == 0;
+    double to = knob_number(k, dots + 2, &after);
+    if (!clean || *after || !(from < to)) die(2, "--sweep %.100s: a range is FROM..TO", text);
     for (double x = from; x <= to; x = sweep_next(k, x, from, to)) {
         choose(&all, one.of[0].c);
         all.of[all.n - 1] = one.of[0];
-        choice_set(&all.of[all.n - 1], k, x);
+        snprintf(value, sizeof value, "%.6g", x);
+        choice_set(&all.of[all.n - 1], k, value);
     }
     return all;
 }

@@ -12,14 +12,12 @@
 
 #include "../../07_mesh/files/ray_file.h"
 #include "costs.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
 typedef struct {
     const options *o;
     line_up chosen;
     size_t most_bytes;     /* that all structures may hold together, while they are built, too */
-    double region[4];      /* of the view */
-    bool large;
 } compare_settings;
 
 typedef struct { const char *rays, *hits, *costs; bool any; } compare_files;
@@ -82,7 +80,7 @@ static inline void verify_world(const compare_settings *c, const world *w)
     comparison s;
     double n = 1e8 / (double)(world_size(w) + 1);
     compare_begin(&s, w, &c->chosen, c->most_bytes, 1);
-    compare_rays(&s, c->region, n < 64 ? 64 : n > 4096 ? 4096 : (size_t)n, c->o->seed);
+    compare_rays(&s, n < 64 ? 64 : n > 4096 ? 4096 : (size_t)n, c->o->seed);
     ray_set aimed = rays_aimed(w, 2000, c->o->seed);
     bool ok = prove_rays(&s, aimed.r, aimed.n, true, stdout);
     for (int k = 0; ok && k < compare_kinds; k++) {

@@ -21,7 +21,7 @@
 
 #include "../../08_object_order/raster.h"
 #include "costs.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
 typedef enum { RACE_RASTER, RACE_BVH, RACE_WIDE, race_ways } race_way;
 static const char *const race_name[race_ways] = {"raster", "bvh", "wide"};
@@ -107,39 +107,39 @@ static inline race_difference race_compare(const race_track *t, const raster *dr
     return d;
 }
 
-/* In turn, after a round that warms up: medians of seconds. */
-static inline void race_times(const race_track *t, raster s[race_ways], int rounds,
-                              double median[race_ways])
+typedef struct { const race_track *t; race_way how; raster s; } race_runner;
+
+static inline double race_run(void *context)
 {
-    double seconds[race_ways][9];
-    for (int i = -1; i < rounds; i++)
-        for (int k = 0; k < race_ways; k++) {
-            double start = work_seconds();
-            race_picture(t, (race_way)k, &s[k]);
-            if (i >= 0) seconds[k][i] = work_seconds() - start;
-        }
-    for (int k = 0; k < race_ways; k++) median[k] = clock_median(seconds[k], rounds);
+    race_runner *r = context;
+    race_picture(r->t, r->how, &r->s);
+    return (double)r->s.h[0].t;
 }
 
-/* One mesh in one size: a row, and its points in the plot. rounds [1, 9]. */
+/* One mesh in one size: a row, and its points in the plot. */
 static inline void race_row(const race_track *t, int nx, int rounds, const int *series, plot *p,
                             table *to)
 {
-    raster s[race_ways];
-    double seconds[race_ways], n = nx * (nx * 3 / 4);
-    for (int k = 0; k < race_ways; k++) s[k] = raster_new(nx, nx * 3 / 4);
-    race_times(t, s, rounds, seconds);
-    race_difference d = race_compare(t, &s[RACE_RASTER], &s[RACE_WIDE]);
+    race_runner r[race_ways];
+    bench_candidate c[race_ways];
+    double n = nx * (nx * 3 / 4);
+    for (int k = 0; k < race_ways; k++) {
+        r[k] = (race_runner){t, (race_way)k, raster_new(nx, nx * 3 / 4)};
+        c[k] = (bench_candidate){.run = race_run, .context = &r[k]};
+    }
+    bench_time_by(work_seconds, c, race_ways, rounds);
+    const raster *drawn = &r[RACE_RASTER].s;
+    race_difference d = race_compare(t, drawn, &r[RACE_WIDE].s);
     table_count(to, t->w.mesh.triangles), table_text(to, "%d x %d", nx, nx * 3 / 4);
-    table_number(to, (double)s[RACE_RASTER].asked / n);
-    table_number(to, (double)s[RACE_RASTER].covered / n);
+    table_number(to, (double)drawn->asked / n), table_number(to, (double)drawn->covered / n);
     table_count(to, d.other), table_count(to, d.unexplained);
     for (int k = 0; k < race_ways; k++) {
-        table_number(to, 1e3 * seconds[k]);
-        if (series[k] >= 0) plot_add(p, series[k], (double)t->w.mesh.triangles, 1e3 * seconds[k]);
-        raster_free(&s[k]);
+        double ms = 1e3 * c[k].seconds;
+        table_number(to, ms);
+        if (series[k] >= 0) plot_add(p, series[k], (double)t->w.mesh.triangles, ms);
+        raster_free(&r[k].s);
     }
-    table_number(to, seconds[RACE_WIDE] / seconds[RACE_RASTER]);
+    table_number(to, c[RACE_WIDE].seconds / c[RACE_RASTER].seconds);
     table_number(to, 1e3 * t->build[RACE_WIDE]);
 }
 
@@ -164,7 +164,7 @@ static inline void orders_run(const options *o)
         race_begin(cells[m], &track);
         for (int i = 0; i < sizes; i++) {
             compare_progress("two orders", "timing", "");
-            race_row(&track, width[i], o->quick ? 1 : 7, series[i], &p, &t);
+            race_row(&track, width[i], o->quick ? 1 : 5, series[i], &p, &t);
         }
         race_end(&track);
     }

@@ -15,7 +15,7 @@
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "compare.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
 enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_most = 100 };
 
@@ -83,6 +83,7 @@ static inline bool sheet_draw(const options *o, image *im)
         line_up one = choose_one(&bvh_contender);
         compare_begin(&s, &w, &one, SIZE_MAX, 1);
         const compare_entry *e = compare_any(&s);
+        if (!e) fail(s.entry[0].why);
         sheet_panel p = {&w, e->c, e->s, 0, 0, w.name};
         whole = sheet_place(p, sheet_colour, o->quick ? 1 : 2, k, sheet_columns, sheet_rows,
                             o->threads, im);

@@ -11,12 +11,12 @@
 #define COMPARE_LAB_RAY_ORDER_H
 
 #include "costs.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { order_chunk = 256, order_rounds = 7, order_sets = 3, order_times = order_sets + 1 };
-typedef struct { const compare_entry *e; const ray_set *rays; hit *out; } order_work;
+typedef struct { const compare_entry *e; const ray_set *rays; hit *out; int threads; } order_work;
 
 static inline void order_job(size_t i, void *context)
 {
@@ -34,13 +34,13 @@ static inline double order_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-static inline double order_once(order_work *x, int threads)
+static inline double order_search(void *context)
 {
-    double start = order_seconds();
+    order_work *x = context;
     size_t jobs = (x->rays->n + order_chunk - 1) / order_chunk;
-    if (threads == 1) for (size_t i = 0; i < jobs; i++) order_job(i, x);
-    else parallel_for(jobs, threads, "rays", order_job, x);
-    return order_seconds() - start;
+    if (x->threads == 1) for (size_t i = 0; i < jobs; i++) order_job(i, x);
+    else parallel_for(jobs, x->threads, "rays", order_job, x);
+    return (double)x->out[0].t;
 }
 
 static inline ray_set order_shuffled(const ray_set *all, uint64_t seed)
@@ -55,39 +55,22 @@ static inline ray_set order_shuffled(const ray_set *all, uint64_t seed)
     return s;
 }
 
-/* The three sets on one thread, and the last on all, in turn, after a round that warms up. */
-static inline void order_times_of(const compare_entry *e, const ray_set set[order_sets], hit *out,
-                                  int threads, double median[order_times])
-{
-    double seconds[order_times][order_rounds];
-    for (int i = -1; i < order_rounds; i++)
-        for (int k = 0; k < order_times; k++) {
-            order_work x = {e, &set[k < order_sets ? k : order_sets - 1], out};
-            double t = order_once(&x, k < order_sets ? 1 : threads);
-            if (i >= 0) seconds[k][i] = t;
-        }
-    for (int k = 0; k < order_times; k++)
-        median[k] = clock_median(seconds[k], order_rounds);
-}
-
+/* The three sets on one thread, and the last on all. */
 static inline void order_row(table *t, const compare_entry *e, const ray_set set[order_sets],
-                              hit *out, int threads)
+                             hit *out, int threads)
 {
-    double of[order_times];
-    order_times_of(e, set, out, threads, of);
-    table_text(t, "%s", e->choice->label);
-    for (int k = 0; k < order_sets; k += order_sets - 1) {
-        search_work w = {0, 0, 0, 0};
-        hit h;
-        ray_set some = rays_some(&set[k], 2500);
-        for (size_t i = 0; i < some.n; i++) e->c->hit_counted(e->s, some.r[i], &h, &w);
-        table_number(t, per((double)w.nodes, some.n));
-        table_number(t, per((double)w.tests, some.n));
-        rays_free(&some);
+    order_work work[order_times];
+    bench_candidate c[order_times];
+    for (int k = 0; k < order_times; k++) {
+        bool last = k == order_sets;
+        work[k] = (order_work){e, &set[k - last], out, last ? threads : 1};
+        c[k] = (bench_candidate){.run = order_search, .context = &work[k]};
     }
+    bench_time_by(order_seconds, c, order_times, order_rounds);
+    table_text(t, "%s", e->choice->label);
     for (int k = 0; k < order_times; k++)
-        table_number(t, per(of[k] * 1e9, set[k < order_sets ? k : order_sets - 1].n));
-    table_number(t, of[order_sets - 1] / of[order_sets]);
+        table_number(t, per(c[k].seconds * 1e9, work[k].rays->n));
+    table_number(t, c[order_sets - 1].seconds / c[order_sets].seconds);
 }
 
 static inline void order_run(const options *o, const line_up *chosen, size_t most_bytes,
@@ -103,22 +86,22 @@ static inline void order_run(const options *o, const line_up *chosen, size_t mos
             some.of[some.n++] = chosen->of[k];
     if (!mesh_world(&w, "teapot", teapot_mesh(o->quick ? 3 : 32), true, &f)) fail(f);
     compare_begin(&s, &w, &some, most_bytes, 1);
-    compare_rays(&s, whole_view, o->quick ? 200 : compare_usual_rays, o->seed);
+    compare_rays(&s, o->quick ? 200 : compare_usual_rays, o->seed);
     ray_set set[order_sets] = {s.rays[KIND_PRIMARY],
                                 order_shuffled(&s.rays[KIND_PRIMARY], o->seed),
                                 s.rays[KIND_DIFFUSE]};
-    hit *out = allocate(set[0].n > set[2].n ? set[0].n : set[2].n, sizeof *out);
+    hit *out = allocate(set[0].n + set[2].n + 1, sizeof *out);
+    out[0] = hit_none;
     snprintf(title, sizeof title, "Order and cores: %zu triangles, %zu rays of a kind; %d cores",
              w.mesh.triangles, set[0].n, parallel_cores());
-    table t = table_new(title, "structure|nodes/primary|tests/primary|nodes/diffuse|tests/diffuse|"
-                               "in rows [ns]|shuffled [ns]|diffuse [ns]|all cores [ns]|efficiency");
+    table t = table_new(title, "structure|in rows [ns]|shuffled [ns]|diffuse [ns]|all cores [ns]|"
+                               "efficiency");
     for (int k = 0; k < s.entries; k++) {
         compare_progress("order and cores", "timing", s.entry[k].choice->label);
         if (s.entry[k].s) order_row(&t, &s.entry[k], set, out, o->threads);
     }
-    compare_progress("order", NULL, NULL);
-    html_table(to, &t);
-    output_extra_table(o, &t);
+    compare_progress("order and cores", NULL, NULL);
+    html_table(to, o, &t);
     free(out), rays_free(&set[1]);
     compare_end(&s);
     world_free(&w);

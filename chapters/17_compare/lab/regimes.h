@@ -1,12 +1,11 @@
-/* regimes.h: where the verdict might change: 12's and 14's scenes (duel.h), the order of rays and
- * all cores (ray_order.h), and motion.
+/* regimes.h: where the verdict might change: the order of rays and all cores (ray_order.h), motion.
  *
- *   regimes_run(&o, &chosen, most_bytes, report)      tables and plots; false: a wrong hit
+ *   regimes_run(&o, &chosen, most_bytes, report)      tables and a plot; false: a wrong hit
  *
- * Motion (motion.h): 60 frames, four ways to keep a BVH: built anew by the heuristic or by Morton
- * codes, refitted, refitted with rotations (14_bvh/refit.h). In every frame all four are held
- * against each other, ray by ray, before anything is timed. A frame of k rays takes b + k c (17.8),
- * where b is now paid each frame.
+ * Motion (motion.h): a teapot is twisted in 60 frames, and there are four ways to keep its BVH:
+ * built anew by the heuristic or by Morton codes, refitted, refitted with rotations
+ * (14_bvh/refit.h). In every frame all four are held against each other, ray by ray, before
+ * anything is timed. A frame of k rays takes b + k c (17.8), where b is now paid each frame.
  */
 #ifndef COMPARE_LAB_REGIMES_H
 #define COMPARE_LAB_REGIMES_H
@@ -14,7 +13,6 @@
 #include "../../07_mesh/scenes/motion.h"
 #include "../../14_bvh/cost.h"
 #include "../../14_bvh/refit.h"
-#include "duel.h"
 #include "ray_order.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -27,8 +25,8 @@ enum { motion_frames = 60 };
 typedef struct {
     bvh_mesh b;
     size_t rotations, rays, wrong;
-    search_work work[motion_frames];
-    double cost[motion_frames];                              /* by the heuristic */
+    search_work work;                                        /* of the last frame, */
+    double cost;                                             /* and by the heuristic */
     double frame[motion_frames], ray[motion_frames];         /* seconds */
 } kept_tree;
 
@@ -48,14 +46,15 @@ static inline void kept_frame(kept_tree *x, keeping how, const mesh *m)
 /* Proves, counts and times the rays of a frame; due: hits of the tree built anew. */
 static inline void kept_rays(kept_tree *x, int frame, const ray_set *rays, hit *due, bool first)
 {
+    x->work = (search_work){0, 0, 0, 0};
     for (size_t i = 0; i < rays->n; i++) {
         hit h = hit_none;
-        bvh_mesh_hit_counted(&x->b, rays->r[i], &h, &x->work[frame]);
+        bvh_mesh_hit_counted(&x->b, rays->r[i], &h, &x->work);
         if (first) due[i] = h;
         x->wrong += !hits_same(h, due[i]);
     }
     tree_cost c = tree_cost_of(&x->b.tree);
-    x->cost[frame] = c.nodes + bvh_defaults.item_cost * c.tests;
+    x->cost = c.nodes + bvh_defaults.item_cost * c.tests;
     size_t hits = 0;
     double start = work_seconds();
     for (size_t i = 0; i < rays->n; i++) {
@@ -79,7 +78,6 @@ static inline void motion_table(const options *o, const kept_tree x[keepings], c
 {
     table t = table_new(title, "boxes|rotations a frame|SAH cost|nodes/ray|tests/ray|"
                                "a frame [ms]|a ray [ns]|1e5 rays [ms]|time: best from [rays]");
-    int last = motion_frames - 1;
     for (int k = 0; k < keepings; k++) {
         double b = last_ten(x[k].frame), c = last_ten(x[k].ray), from = 0, to_here = HUGE_VAL;
         for (int j = 0; j < keepings; j++) {  /* the lines b + k c: where this one is the lowest */
@@ -89,60 +87,47 @@ static inline void motion_table(const options *o, const kept_tree x[keepings], c
             else to_here = fmin(to_here, at);
         }
         table_text(&t, "%s", keeping_name[k]);
-        table_number(&t, (double)x[k].rotations / motion_frames), table_number(&t, x[k].cost[last]);
-        table_number(&t, per((double)x[k].work[last].nodes, x[k].rays));
-        table_number(&t, per((double)x[k].work[last].tests, x[k].rays));
+        table_number(&t, (double)x[k].rotations / motion_frames), table_number(&t, x[k].cost);
+        table_number(&t, per((double)x[k].work.nodes, x[k].rays));
+        table_number(&t, per((double)x[k].work.tests, x[k].rays));
         table_number(&t, b * 1e3), table_number(&t, c * 1e9), table_number(&t, (b + 1e5 * c) * 1e3);
         if (from < to_here) table_number(&t, ceil(from));
         else table_text(&t, "never");
     }
-    html_table(to, &t);
-    output_extra_table(o, &t);
+    html_table(to, o, &t);
 }
 
-/* Work by frames, and time by rays a frame. */
-static inline void motion_plots(const options *o, const kept_tree x[keepings], motion kind,
-                                html_report *to)
+/* Time by rays a frame. */
+static inline void motion_plot(const options *o, const kept_tree x[keepings], html_report *to)
 {
-    char title[2][80], file[2][64];
-    snprintf(title[0], 80, "Work while it moves: %s", motion_name[kind]);
-    snprintf(title[1], 80, "A frame and its rays: %s", motion_name[kind]);
-    snprintf(file[0], 64, "17_compare_%s.svg", motion_name[kind]);
-    snprintf(file[1], 64, "17_compare_%s_time.svg", motion_name[kind]);
-    plot work = plot_new(title[0], "frame", "pairs of boxes and triangles, a ray", 0);
-    plot time = plot_new(title[1], "rays a frame", "time a frame [ms]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot time = plot_new("A frame and its rays: twist", "rays a frame", "time a frame [ms]",
+                         PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < keepings; k++) {
-        int s = plot_series(&work, keeping_name[k]);
-        for (int i = 0; i < motion_frames; i += 3) {
-            search_work w = x[k].work[i];
-            plot_add(&work, s, i + 1, per((double)(w.nodes + w.tests), x[k].rays));
-        }
-        plot_series(&time, keeping_name[k]);
+        int s = plot_series(&time, keeping_name[k]);
         for (double n = 100; n <= 1e6; n *= sqrt(10))
             plot_add(&time, s, n, (last_ten(x[k].frame) + n * last_ten(x[k].ray)) * 1e3);
     }
-    html_plot(to, &work), html_plot(to, &time);
-    output_plot(o, &work, file[0]), output_plot(o, &time, file[1]);
+    html_plot(to, o, &time, "17_compare_twist_time.svg");
 }
 
 /* Rays from all around, anew each frame, of the kind that meets all of the mesh. */
-static inline bool motion_run(const options *o, motion kind, int fine, html_report *to)
+static inline bool motion_run(const options *o, html_report *to)
 {
-    mesh rest = motion_mesh(kind, fine);
+    int fine = o->quick ? 2 : 12;
+    mesh rest = motion_mesh(MOTION_TWIST, fine);
     world w;
     failure f;
     char title[160];
     size_t wrong = 0;
-    if (!mesh_world(&w, motion_name[kind], motion_mesh(kind, fine), true, &f)) fail(f);
+    if (!mesh_world(&w, "twist", motion_mesh(MOTION_TWIST, fine), true, &f)) fail(f);
     kept_tree *x = allocate(keepings, sizeof *x);
     memset(x, 0, keepings * sizeof *x);
     for (int k = KEEP_REFIT; k < keepings; k++)
         if (!bvh_mesh_build(&rest, bvh_defaults, &x[k].b, &f)) fail(f);
     for (int i = 0; i < motion_frames; i++) {
-        motion_frame(kind, &rest, (real)(i + 1) / motion_frames, &w.mesh);
+        motion_frame(MOTION_TWIST, &rest, (real)(i + 1) / motion_frames, &w.mesh);
         ray_set rays = rays_everywhere(&w, o->quick ? 100 : 4000, o->seed + (uint64_t)i);
         hit *due = allocate(rays.n, sizeof *due);
-        compare_progress(motion_name[kind], "moving", "");
         for (int k = 0; k < keepings; k++) {
             double start = work_seconds();
             kept_frame(&x[k], (keeping)k, &w.mesh);
@@ -151,11 +136,10 @@ static inline bool motion_run(const options *o, motion kind, int fine, html_repo
         for (int k = 0; k < keepings; k++) kept_rays(&x[k], i, &rays, due, k == 0);
         free(due), rays_free(&rays);
     }
-    compare_progress(motion_name[kind], NULL, NULL);
-    snprintf(title, sizeof title, "Moving, %s: %zu triangles, the last of %d frames",
-             motion_name[kind], rest.triangles, (int)motion_frames);
+    snprintf(title, sizeof title, "Moving, twist: %zu triangles, the last of %d frames",
+             rest.triangles, (int)motion_frames);
     motion_table(o, x, title, to);
-    motion_plots(o, x, kind, to);
+    motion_plot(o, x, to);
     for (int k = 0; k < keepings; k++) wrong += x[k].wrong, bvh_mesh_free(&x[k].b);
     printf("# %d frames, %zu rays each: %zu wrong hits\n\n", (int)motion_frames, x[0].rays, wrong);
     free(x), mesh_free(&rest), world_free(&w);
@@ -166,10 +150,8 @@ static inline bool regimes_run(const options *o, const line_up *chosen, size_t m
                                html_report *to)
 {
     html_heading(to, "Regimes");
-    duel_run(o, to);
     order_run(o, chosen, most_bytes, to);
-    bool twist = motion_run(o, MOTION_TWIST, o->quick ? 2 : 12, to);
-    return motion_run(o, MOTION_SCATTER, o->quick ? 1 : 10, to) && twist;
+    return motion_run(o, to);
 }
 
 #endif

@@ -4,7 +4,7 @@
  *
  * Without --full: the pictures, and one table of four small scenes, diffuse rays. With it: a table
  * a scene, all of them in four tables, growth with n, chart and plots. --scene, --mesh: the tables
- * of those. --large: scenes of 1e4 to 1e6 shapes.
+ * of those.
  */
 #ifndef COMPARE_LAB_RUN_H
 #define COMPARE_LAB_RUN_H
@@ -36,10 +36,10 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
                                    bool all)
 {
     bool quick = c->o->quick;
-    int turns = quick ? 1 : all ? 7 : 3;
-    compare_begin(s, w, &c->chosen, c->most_bytes, all && !quick ? 5 : 1);
-    compare_rays(s, whole_view, quick ? 144 : compare_usual_rays, c->o->seed);
-    end_if_wrong(compare_prove(s, all && !quick ? SIZE_MAX : 1000,
+    int turns = quick ? 1 : all ? 5 : 3;
+    compare_begin(s, w, &c->chosen, c->most_bytes, all && !quick ? 3 : 1);
+    compare_rays(s, quick ? 144 : compare_usual_rays, c->o->seed);
+    end_if_wrong(compare_prove(s, all && !quick ? 4000 : 1000,
                                quick ? 200 : all ? 2400 : 400, c->o->seed, stdout));
     if (all) cost_measure(s, turns);
     else cost_kind(s, KIND_DIFFUSE, turns);
@@ -114,11 +114,10 @@ static inline bool world_wanted(const compare_settings *c, const compare_options
     const compare_sizes *s = &scene_list[k];
     const generator *g = scene_find(s->name);
     bool one = own->files.rays || own->sweep;
-    bool few = !c->o->full && !own->verify && !one && !own->scene && !c->large;
+    bool few = !c->o->full && !own->verify && !one && !own->scene;
     if (own->scene ? strcmp(own->scene, s->name) != 0 : few && !s->shown) return false;
     if (!own->scene && one && strcmp(s->name, "teapot") != 0) return false;
-    int scale = own->scale >= 0 ? own->scale : c->o->quick ? s->quick : c->large ? s->large
-                : few ? s->shown : g->scale;
+    int scale = own->scale >= 0 ? own->scale : c->o->quick ? s->quick : few ? s->shown : g->scale;
     if (!scene_world(g, scale, w, &f)) fail(f);
     return true;
 }
@@ -133,21 +132,19 @@ static inline void compare_all(const compare_settings *c, const compare_options 
     html_text(r->html, "%zu rays were proved to have the same hits in all structures, %zu of them "
               "by brute force, before anything was timed. Each time is the median of several turns "
               "on one thread, each structure warmed before its turn.", r->proved, r->by_brute);
-    if (!o->full && !c->large && !own->mesh[0] && !own->scene) {
+    if (!o->full && !own->mesh[0] && !own->scene) {
         summary_few(o, &r->summary, r->html);
     } else if (r->html || several || (!own->mesh[0] && !own->scene)) {
         summary_print(o, &r->summary, r->html);
     }
     if (r->html) {
         html_heading(r->html, "What a ray costs, and what building costs");
-        html_svg_begin(r->html);
         chart_write(&r->bars, html_file(r->html));
-        html_svg_end(r->html);
     }
-    if (own->mesh[0] || own->scene || (!o->full && !c->large)) return;
+    if (own->mesh[0] || own->scene || (!o->full)) return;
     torture_run(c, NULL, NULL);
     html_heading(r->html, "Growth");
-    end_if_wrong(growth_run(o, &c->chosen, c->most_bytes, c->large, r->html));
+    end_if_wrong(growth_run(o, &c->chosen, c->most_bytes, r->html));
     output_chart(o, &r->bars, "17_compare_time.svg");
     end_if_wrong(regimes_run(o, &c->chosen, c->most_bytes, r->html));
     orders_run(o);
@@ -156,30 +153,12 @@ static inline void compare_all(const compare_settings *c, const compare_options 
         printf("# most memory held by the program: %.0f MB\n", (double)u.ru_maxrss / 1024);
 }
 
-/* --full: the table of the run without options, too. */
-static inline void compare_few(const compare_settings *c)
-{
-    compare_results r = {.csv = table_new("17_compare", cost_columns),
-                         .summary = {.chosen = &c->chosen}, .bars = chart_new("")};
-    for (int k = 0; k < scenes; k++) {
-        const compare_sizes *s = &scene_list[k];
-        failure f;
-        world w;
-        if (!s->shown) continue;
-        if (!scene_world(scene_find(s->name), s->shown, &w, &f)) fail(f);
-        compare_world(c, &w, false, &r);
-        world_free(&w);
-    }
-    summary_few(c->o, &r.summary, NULL);
-    table_free(&r.csv), free(r.bars.value);
-}
-
 static inline void compare_run(const compare_settings *c, const compare_options *own)
 {
     const options *o = c->o;
     bool all = !own->scene && !own->mesh[0], rays = own->files.rays;
     bool measured = !rays && !own->verify && !own->sweep;
-    bool alone = !all || o->full || c->large;
+    bool alone = !all || o->full;
     world w;
     compare_results r = {.csv = table_new("17_compare", cost_columns),
                          .summary = {.chosen = &c->chosen},
@@ -191,7 +170,6 @@ static inline void compare_run(const compare_settings *c, const compare_options 
         return;
     }
     if (all && measured) draw_pictures(c, &r);
-    if (all && measured && o->full && !o->out) compare_few(c);
     for (int k = 0; k < scenes + most_meshes && !(all && o->out); k++) {
         if (!world_wanted(c, own, k, &w)) continue;
         if (rays) file_run(c, &w, &own->files);

@@ -1,6 +1,6 @@
 /* settings.h: the options of this chapter, and what is wrong with them.
  *
- *   read_numbers("region", text, n, x)   n numbers with commas between
+ *   read_numbers("from", text, x)        three numbers with commas between
  *   own_world(&own, path, &w)            the scene of an OBJ or NFF file, with --up and the camera
  *   check_options(&o, &own)              what does not exist, or does not go together
  * Misuse ends the program with exit 2 and a message.
@@ -14,39 +14,28 @@
 
 enum { most_meshes = 12 };
 typedef struct {
-    const char *scene, *mesh[most_meshes], *only, *sweep, *protocol, *region, *up, *from, *at;
+    const char *scene, *mesh[most_meshes], *only, *sweep, *protocol, *up, *from, *at;
     const char *report;
     int scale, megabytes;
     double angle;
     const char *torture, *score;
-    bool verify, large, regimes, orders;
+    bool verify, regimes, orders;
     compare_files files;
 } compare_options;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool read_numbers(const char *name, const char *text, int n, double *x)
+static inline bool read_numbers(const char *name, const char *text, double x[3])
 {
     const char *at = text;
-    for (int k = 0; text && k < n; k++) {
+    for (int k = 0; text && k < 3; k++) {
         char *after;
         x[k] = strtod(at, &after);
-        bool wrong = after == at || !isfinite(x[k]) || *after != (k + 1 < n ? ',' : 0);
-        if (wrong) die(2, "--%s %.100s: allowed are %s", name, text,
-                       n == 3 ? "X,Y,Z" : "X0,Y0,X1,Y1 from -1 to 1");
+        if (after == at || !isfinite(x[k]) || *after != (k < 2 ? ',' : 0))
+            die(2, "--%s %.100s: allowed are X,Y,Z", name, text);
         at = after + 1;
     }
     return text != NULL;
-}
-
-static inline void read_region(const char *text, double region[4])
-{
-    double x[4];
-    if (!read_numbers("region", text, 4, x)) return;
-    for (int k = 0; k < 4; k++)
-        if (!(fabs(x[k]) <= 1) || !(x[k % 2] < x[2 + k % 2]))
-            die(2, "--region %.100s: allowed are X0,Y0,X1,Y1 from -1 to 1, X0 < X1, Y0 < Y1", text);
-    memcpy(region, x, sizeof x);
 }
 
 /* View from outside: what is not given stays as it is. */
@@ -56,8 +45,8 @@ static inline void own_view(const compare_options *own, world *w)
     double from[3], at[3];
     vec3 eye = w->from, target = w->at, up = w->up;
     if (!own->from && !own->at && own->angle <= 0) return;
-    if (read_numbers("from", own->from, 3, from)) eye = vec(from[0], from[1], from[2]);
-    if (read_numbers("at", own->at, 3, at)) target = vec(at[0], at[1], at[2]);
+    if (read_numbers("from", own->from, from)) eye = vec(from[0], from[1], from[2]);
+    if (read_numbers("at", own->at, at)) target = vec(at[0], at[1], at[2]);
     if (!world_look(w, eye, target, up, own->angle > 0 ? (real)own->angle : w->angle, &f)) fail(f);
 }
 
@@ -119,7 +108,6 @@ static inline void check_options(const options *o, const compare_options *own)
         {own->regimes && other, "--regimes has scenes of its own"},
         {own->orders && (other || own->regimes || own->only || own->report),
          "--orders has scenes and structures of its own"},
-        {own->region && !own->verify, "--region needs --verify"},
         {o->csv && (own->verify || own->protocol || own->sweep),
          "--csv goes with tables: not with --verify, not with --protocol, not with --sweep"},
         {own->report && !measured, "--report goes with what is measured: not with --verify, "

@@ -1,11 +1,11 @@
-/* summary.h: all scenes in four tables. A row a structure, a column a scene: nanoseconds a ray,
- * mean of the kinds of rays as the scene has them; milliseconds to build; seconds in all for
- * building and a million rays. And who wins: who is fastest, and how many times as long a ray takes
- * in the k-d tree as in the BVH.
+/* summary.h: all scenes in three tables. A row a structure, a column a scene: nanoseconds a ray,
+ * mean of the kinds of rays as the scene has them; milliseconds to build. And who wins: who is
+ * fastest, without building and with it, and how many times as long a ray takes in the k-d tree as
+ * in the BVH.
  *
  *   compare_summary m = {.chosen = &chosen};
  *   summary_add(&m, &s)                 a scene that was measured
- *   summary_print(&o, &m, report)       the four
+ *   summary_print(&o, &m, report)       the three
  *   summary_few(&o, &m, report)         one: wrong hits, building in all scenes, diffuse rays
  */
 #ifndef COMPARE_LAB_SUMMARY_H
@@ -13,7 +13,7 @@
 
 #include "costs.h"
 #include "html.h"
-#include "scenes.h"
+#include "../../07_mesh/scenes/named.h"
 
 typedef struct {
     char name[32];
@@ -63,8 +63,7 @@ static inline void summary_table(const options *o, const compare_summary *m, htm
             else table_number(&t, of_ray * r->ray[k] + of_build * r->build[k]);
         }
     }
-    html_table(to, &t);
-    output_extra_table(o, &t);
+    html_table(to, o, &t);
 }
 
 /* The fastest, of_ray and of_build as above; "-": none fits. Three percent are noise: within them
@@ -106,8 +105,7 @@ static inline void summary_winners(const options *o, const compare_summary *m, h
         if (both) table_number(&t, r->ray[kd] / r->ray[boxes]);
         else table_text(&t, "-");
     }
-    html_table(to, &t);
-    output_extra_table(o, &t);
+    html_table(to, o, &t);
 }
 
 static inline void summary_print(const options *o, const compare_summary *m, html_report *to)
@@ -115,8 +113,6 @@ static inline void summary_print(const options *o, const compare_summary *m, htm
     summary_winners(o, m, to);
     summary_table(o, m, to, "All scenes: nanoseconds a ray", 1e9, 0);
     summary_table(o, m, to, "All scenes: milliseconds to build", 0, 1e3);
-    summary_table(o, m, to, "All scenes: seconds to build and to search for a million rays", 1e6,
-                  1);
 }
 
 static inline void summary_few(const options *o, const compare_summary *m, html_report *to)
@@ -144,8 +140,7 @@ static inline void summary_few(const options *o, const compare_summary *m, html_
             if (m->row[i].ray[k] < 0) table_text(&t, "-");
             else table_number(&t, m->row[i].ray[k] * 1e9);
     }
-    html_table(to, &t);
-    output_extra_table(o, &t);
+    html_table(to, o, &t);
 }
 
 #endif

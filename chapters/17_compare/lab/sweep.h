@@ -56,8 +56,7 @@ static inline void sweep_plot(const options *o, const comparison *s, html_report
     qsort(front, (size_t)n, sizeof *front, sweep_by_build);
     for (int k = 0; k < n; k++)
         plot_add(&p, fronts, front[k]->build * 1e3, cost_mean(s, front[k]) * 1e9);
-    html_plot(to, &p);
-    output_plot(o, &p, "17_compare_sweep_time.svg");
+    html_plot(to, o, &p, "17_compare_sweep_time.svg");
 }
 
 static inline void sweep_run(const options *o, const comparison *s, html_report *to)
@@ -77,8 +76,7 @@ static inline void sweep_run(const options *o, const comparison *s, html_report 
         table_number(&t, e->build * 1e3), table_number(&t, cost_mean(s, e) * 1e9);
         table_text(&t, "%s", sweep_on_front(s, e) ? "yes" : "");
     }
-    html_table(to, &t);
-    output_extra_table(o, &t);
+    html_table(to, o, &t);
     sweep_plot(o, s, to);
 }
 

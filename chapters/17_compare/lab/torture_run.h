@@ -13,7 +13,7 @@
 
 #include "../../07_mesh/files/obj_write.h"
 #include "modes.h"
-#include "torture.h"
+#include "../../09_aabb/trials/torture.h"
 
 typedef struct { size_t wrong[torture_classes]; double error; } torture_score;
 

@@ -2,7 +2,7 @@
  *
  *   table_of_leaving(&o)     acne and leaks of spheres and triangles, with time
  *   table_of_needles(&o)     pbrt's bounds and ours on 1e5 needles
- *   plots_of_leaving(&o)     the same against the distance and against time
+ *   plot_of_leaving(&o)      acne and leaks of triangles against time
  *   table_of_rays(&o)        shadow rays, only what is called for and all
  */
 #ifndef SHADE_LAB_MEASURE_H
@@ -110,27 +110,18 @@ static inline void table_of_needles(const options *o)
     output_extra_table(o, &t);
 }
 
-static inline void plots_of_leaving(const options *o)
+static inline void plot_of_leaving(const options *o)
 {
-    plot p = plot_new("Acne and leaks, spheres of radius 1", "distance T from the origin",
-                      "the larger of acne and leak [%]", PLOT_LOG_X);
     plot time = plot_new("Acne and leaks, triangles of size 100, against time",
                          "time of hit point and ray [ns]", "the larger of acne and leak [%]",
                          PLOT_LOG_Y);
     leaving_score score[leavings];
     double ns[leavings];
-    for (int e = 0; e <= 6; e++) {
-        leaving_play(DEPART_SPHERE, 1, pow((real)10, (real)e), o, score);
-        for (int k = 0; k < leavings; k++)
-            plot_add(&p, e ? k : plot_series(&p, ways[k].name), pow(10, e),
-                     fmax(score[k].self, score[k].leak));
-    }
     leaving_play(DEPART_TRIANGLE, 100, 0, o, score);
     leaving_time(DEPART_TRIANGLE, o->seed, ns);
     for (int k = 0; k < leavings; k++)
         plot_add(&time, plot_series(&time, ways[k].name), ns[k],
                  fmax(score[k].self, score[k].leak));
-    output_plot(o, &p, "18_shade_error.svg");
     output_plot(o, &time, "18_shade_time.svg");
 }
 

@@ -20,7 +20,7 @@
 /* Of a picture that is not whole no row can tell: Ctrl-C ends the program. */
 static inline void measured_draw(whitted_view *v, int threads)
 {
-    if (!whitted_draw(v, threads)) die(130, "stopped");
+    if (!whitted_draw(v, threads)) die(parallel_stopped(), "stopped");
 }
 
 static inline double knob_time(whitted_view *v, int rounds)

@@ -188,7 +188,7 @@ static inline void spd_protocol(const options *o, const char *name, int scale)
         if (o->out) output_picture(o, &im, "19_whitted_spd.png", true, whole);
         image_free(&im);
         world_free(&w);
-        if (!whole) die(130, "stopped");
+        if (!whole) die(parallel_stopped(), "stopped");
     }
 }
 

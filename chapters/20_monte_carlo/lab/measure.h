@@ -42,21 +42,17 @@ static inline void measure_time(const options *o, double ns[convergence_methods]
     for (int k = 0; k < convergence_methods; k++) ns[k] = v[k].seconds / 1024 * 1e9;
 }
 
-static inline void methods_plot(const options *o, const convergence *c, integrand f,
-                                const double *ns, const char *title, const char *name)
+static inline void methods_plot(const options *o, const convergence *c, const double *ns)
 {
-    plot p = plot_new(title, ns ? "time of an estimate [us]" : "N", "error",
+    plot p = plot_new("Error of a smooth integral, and time", "time of an estimate [us]", "error",
                       PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < convergence_methods; k++) {
-        if (!ns && k == CONVERGENCE_FIRST) continue;  /* its errors lie on those of random */
         int series = plot_series(&p, convergence_name(k));
         for (int l = 0; l < c->levels; l++)
-            plot_add(&p, series, convergence_n(l) * (ns ? ns[k] / 1000 : 1),
-                     convergence_rms(c, k, f, l));
+            plot_add(&p, series, convergence_n(l) * ns[k] / 1000, convergence_rms(c, k, SMOOTH, l));
     }
     plot_slope(&p, -0.5, "slope -1/2");
-    if (!ns) plot_slope(&p, f == SMOOTH ? -1.5 : -0.75, f == SMOOTH ? "slope -3/2" : "slope -3/4");
-    output_plot(o, &p, name);
+    output_plot(o, &p, "20_monte_carlo_time.svg");
 }
 
 static inline void measure_slopes(const options *o, const convergence *c)
@@ -97,10 +93,7 @@ static inline void measure_methods(const options *o)
     }
     output_table(o, &t);
     if (o->full) {
-        methods_plot(o, c, SMOOTH, NULL, "Error of a smooth integral", "20_monte_carlo_error.svg");
-        methods_plot(o, c, EDGE, NULL, "Error of a pixel with an edge", "20_monte_carlo_edge.svg");
-        methods_plot(o, c, SMOOTH, ns, "Error of a smooth integral, and time",
-                     "20_monte_carlo_time.svg");
+        methods_plot(o, c, ns);
         measure_slopes(o, c);
     }
     free(c);

@@ -1,4 +1,4 @@
-/* known.h: questions for soft shadows, lobes, the sky and lenses whose answers are known exactly.
+/* known.h: questions for soft shadows, lobes, the sky, lenses and shutters with known answers.
  *
  *   known k;
  *   known_make(KNOWN_PENUMBRA, &k);           known_free(&k)
@@ -22,6 +22,8 @@
  *   KNOWN_LENS       share of the lens that sees past an  all but a segment of a disk       (21.14)
  *                    edge that is out of focus
  *   KNOWN_SHARP      .. past an edge in focus             1, and each sample is
+ *   KNOWN_MOTION     share of the time that a ray meets   known_passing                     (21.18)
+ *                    a ball that goes by
  *
  * Sources: J. Howell, "A Catalog of Radiation Configuration Factors", 1982, B-3, B-4, B-13 (21.12,
  * disk, wall).
@@ -35,7 +37,7 @@
 typedef enum {
     KNOWN_SQUARE, KNOWN_DISK, KNOWN_BALL, KNOWN_PENUMBRA, KNOWN_LOBE, KNOWN_HORIZON,
     KNOWN_SKY_DISK, KNOWN_SKY_BALL, KNOWN_SKY_WALL, KNOWN_SKY_CORNER, KNOWN_SKY_REACH, KNOWN_LENS,
-    KNOWN_SHARP, known_kinds
+    KNOWN_SHARP, KNOWN_MOTION, known_kinds
 } known_kind;
 
 typedef struct {
@@ -50,6 +52,7 @@ typedef struct {
     scene s;
     world_part part;
     trace_world w;
+    moving ball;          /* KNOWN_MOTION: all that there is */
 } known;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -72,6 +75,19 @@ static inline double known_rectangle(double x0, double x1, double y0, double y1)
 static inline double known_segment(double h)
 {
     return (acos(h) - h * sqrt((1 - h) * (1 + h))) / (double)pi;
+}
+
+/* The share of the time in which the line o + t d meets a ball about c + time v: its distance from
+ * the middle, |w x d| / |d| with w = c - o + time v, is r at two times, less between.  (21.18) */
+static inline double known_passing(vec3 o, vec3 d, sphere b, vec3 v)
+{
+    vec3 at = vcross(vsub(b.c, o), d), by = vcross(v, d);
+    double A = (double)vdot(by, by), B = (double)vdot(at, by);
+    double C = (double)(vdot(at, at) - b.r * b.r * vdot(d, d)), under = B * B - A * C;
+    if (A == 0) return C <= 0;
+    if (!(under > 0)) return 0;
+    double t0 = (-B - sqrt(under)) / A, t1 = (-B + sqrt(under)) / A;
+    return fmax(fmin(t1, 1) - fmax(t0, 0), 0);
 }
 
 /* Where a sheet without end ends: so far away that what lies beyond is at most 2 / known_far of a
@@ -151,6 +167,11 @@ static inline void known_skies(known *k)
                                    aside, out);
         k->truth = k->kind == KNOWN_LENS ? 1 - known_segment(0.3) : 1;
         break;
+    case KNOWN_MOTION:  /* seen straight up: it comes into sight, and leaves it */
+        k->shapes[0] = shape_of_sphere((sphere){{(real)-0.75, (real)-0.25, 4}, (real)0.5});
+        k->ball.v = vec(1.5, 0.75, -1);
+        k->truth = known_passing(k->floor.p, k->floor.n, k->shapes[0].sphere, k->ball.v);
+        break;
     default: k->s.n = 0, k->truth = 0.75; break;  /* KNOWN_HORIZON */
     }
 }
@@ -160,7 +181,8 @@ static inline void known_make(known_kind kind, known *k)
     static const char *const names[known_kinds] = {
         "under a rectangle", "under a disk", "under a ball", "penumbra", "lobe past an edge",
         "lobe above the surface", "sky behind a disk", "sky behind a ball", "sky at a wall",
-        "sky in a corner", "sky at a wall, reach", "lens past an edge", "lens, edge in focus"};
+        "sky in a corner", "sky at a wall, reach", "lens past an edge", "lens, edge in focus",
+        "a ball goes by"};
     vec3 up = {0, 0, 1};
     *k = (known){.kind = kind, .name = names[kind], .reach = real_infinity};
     k->floor = (surface){{0, 0, 0}, up, up, 0, 0, no_shape};
@@ -169,6 +191,7 @@ static inline void known_make(known_kind kind, known *k)
     else known_skies(k);
     world_part_of_scene(&k->s, MASK_ALL, &k->part);
     k->w = (trace_world){&k->part, 1};
+    if (kind == KNOWN_MOTION) k->ball.w = k->w, k->w.parts = 0;
 }
 
 static inline void known_free(known *k) { world_part_free(&k->part); }
@@ -211,6 +234,7 @@ static inline double known_sample(const known *k, point2 u)
         return glossy_ray(*s, down, 20, u, &r) ? known_passes(&t, RAY_REFLECTION, r) : 0;
     case KNOWN_HORIZON: return glossy_ray(*s, vec(sqrt((real)0.75), 0, -0.5), 1, u, &r);
     case KNOWN_LENS: case KNOWN_SHARP: return known_passes(&t, RAY_CAMERA, known_eye(u));
+    case KNOWN_MOTION: return motion_any(&t, &k->ball, 1, u.u, RAY_CAMERA, ray_from(s->p, s->n));
     default: return ambient_open(&t, *s, u, k->reach);
     }
 }

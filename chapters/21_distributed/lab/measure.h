@@ -1,7 +1,7 @@
 /* measure.h: tables and a plot: pictures against converged ones, estimates against closed forms.
  *
- *   table_of_pictures(&o)   the main one: error and time of pictures of soft shadows and of all
- *                           effects, by way of sampling; its plot
+ *   table_of_pictures(&o)   the main one: error and time of pictures of soft shadows, of motion and
+ *                           of all other effects, by way of sampling; its plot
  *   table_of_known(&o)      questions of known.h: estimates, t-tests, slopes
  *   table_of_first(&o)      three of them by first.h: its error and its time
  *   table_of_rays(&o)       rays and random numbers, only what is called for and all
@@ -27,7 +27,7 @@ typedef struct { double error[measure_methods][measure_levels], seconds[measure_
 /* Ctrl-C: half a picture must not be measured. */
 static inline void measure_unless(bool stopped)
 {
-    if (stopped) die(130, "stopped");
+    if (stopped) die(parallel_stopped(), "stopped");
 }
 
 static inline double picture_seconds(void *context)  /* on one thread */
@@ -48,13 +48,10 @@ static inline void picture_draw(const options *o, distributed_view *v, image *im
 /* The reference has another seed, 8 times as many samples as the best picture, and so an error of
  * 1/4.8 of its, if that falls as N^-3/4: what it adds to the measured one is 2 %. The time is that
  * of 16 samples a pixel: it is proportional to their number. */
-static inline distributed_study picture_measure(const options *o, const showroom *g, int effect,
-                                            int levels)
+static inline distributed_study picture_measure(const options *o, distributed_view v, int levels)
 {
     int w = o->quick ? 12 : 20, h = w * 3 / 4;
     image im = image_new(w, h), reference = image_new(w, h);
-    showroom_look k;
-    distributed_view v = showroom_effect_view(&k, g, effect, true, (real)w / (real)h);
     distributed_study p = {.seconds = {0}};
     distributed_run run[measure_methods];
     bench_candidate clock[measure_methods];
@@ -86,17 +83,23 @@ static inline line_fit picture_slope(const double *error, int levels)
 
 static inline void table_of_pictures(const options *o)
 {
-    static const int effects[2] = {0, 4};  /* soft shadows, all */
+    static const char *const names[3] = {"soft shadow", "motion", "all others"};
     int levels = measure_levels - o->quick;
     showroom *g = showroom_new(o->quick ? 4 : 8);
-    table t = table_new("Error of two pictures against converged ones; time of 64 samples a pixel",
+    pool *balls = pool_new(1);
+    showroom_look k[2];
+    distributed_view views[3] = {showroom_effect_view(&k[0], g, 0, true, (real)4 / 3),
+                                 pool_view(balls, (real)4 / 3),
+                                 showroom_effect_view(&k[1], g, 4, true, (real)4 / 3)};
+    table t = table_new("Error of three pictures against converged ones; "
+                        "time of 64 samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|+-|"
                         "time [ms]");
     plot time = plot_new("Error of a picture, and time", "time of a picture [ms]", "error (rmse)",
                          PLOT_LOG_X | PLOT_LOG_Y);
-    for (int e = 0; e < 2; e++) {
-        distributed_study p = picture_measure(o, g, effects[e], levels);
-        const char *name = showroom_effect[effects[e]].name;
+    for (int e = 0; e < 3; e++) {
+        distributed_study p = picture_measure(o, views[e], levels);
+        const char *name = names[e];
         for (int m = 0; m < measure_methods; m++) {
             const char *method = sequence_name[measure_method[m]];
             char both[64];
@@ -117,7 +120,7 @@ static inline void table_of_pictures(const options *o)
     plot_slope(&time, -0.5, "slope -1/2"), plot_slope(&time, -0.75, "slope -3/4");
     output_table(o, &t);
     output_plot(o, &time, "21_distributed_time.svg");
-    showroom_free(g);
+    showroom_free(g), pool_free(balls);
 }
 
 /* ---- closed forms ---------------------------------------------------------------------------- */

@@ -4,6 +4,7 @@
  *   draw_whitted(&o)                       the same, without any extent
  *   draw_teapot(&o)                        as a mirror, as a highlight, glossy, glossier
  *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
+ *   draw_motion(&o)                        five balls on a table, two of them moving
  *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1 and 32 a pixel
  */
 #ifndef DISTRIBUTED_LAB_PICTURES_H
@@ -13,6 +14,7 @@
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "box.h"
+#include "pool.h"
 #include "showroom.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -159,6 +161,17 @@ static inline void draw_box(const options *o)
                 image_set(&sheet, x, y, vscale(image_get(&sheet, x, y), 2));
     pictures_output(o, &sheet, 4, 1, title, "21_distributed_cornell.png", whole);
     image_free(&one);
+}
+
+static inline void draw_motion(const options *o)
+{
+    pool *g = pool_new(1);
+    image im = image_new(640, 360);
+    distributed_view v = pool_view(g, (real)im.width / (real)im.height);
+    v.samples = 64, v.seed = o->seed;
+    bool whole = distributed_draw(&v, &im, o->threads);
+    output_picture(o, &im, "21_distributed_motion.png", false, whole);
+    image_free(&im), pool_free(g);
 }
 
 /* ---- the mends, one by one ---- */

@@ -1,8 +1,7 @@
 /* measure.h: the tables of this chapter.
  *
  *   measure_relations(o)    every relation: closed form, estimate, standard error, z
- *   measure_ways(o)         error of four estimators against samples and time; --full: plots
- *   measure_photometry(o)   lights in watts and in lumens
+ *   measure_ways(o)         error and time of four estimators; --full: a plot
  */
 #ifndef RADIOMETRY_MEASURE_H
 #define RADIOMETRY_MEASURE_H
@@ -10,7 +9,6 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "directions.h"
-#include "../photometry.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -83,41 +81,40 @@ static inline radiometry_timed way_of_row(int k, sequence_kind kind, uint64_t se
                        (direction_way)(square ? k - sphere_rows : k), kind, seed};
 }
 
-/* Of the square, each way by random numbers, then by Sobol's; with `clock` against time. */
+/* Of the square, each way by random numbers, then by Sobol's. */
 static inline void ways_plot(const options *o, const radiometry_errors *e,
-                             const bench_candidate *clock, const char *title, const char *file)
+                             const bench_candidate *clock)
 {
-    plot p = plot_new(title, clock ? "time [us]" : "N", "relative error", PLOT_LOG_X | PLOT_LOG_Y);
+    plot p = plot_new("Irradiance of the square: error against time", "time [us]", "relative error",
+                      PLOT_LOG_X | PLOT_LOG_Y);
     for (int i = 2 * sphere_rows; i < 2 * way_rows; i++) {
         char name[64];
         snprintf(name, sizeof name, "%s%s", direction_name[e[i].what.by], i % 2 ? ", Sobol'" : "");
         int series = plot_series(&p, name);
         for (int l = 0; l < way_levels; l++)
-            plot_add(&p, series,
-                     clock ? clock[i].seconds / 1024 * way_samples(l) * 1e6 : way_samples(l),
-                     e[i].rms[l]);
+            plot_add(&p, series, clock[i].seconds / 1024 * way_samples(l) * 1e6, e[i].rms[l]);
     }
     plot_slope(&p, -0.5, "slope -1/2");
-    output_plot(o, &p, file);
+    output_plot(o, &p, "22_radiometry_time.svg");
 }
 
-/* The rows of two lights from level `from` on. */
+/* The rows of two lights. */
 static inline table ways_table(const char *title, const radiometry_errors *e,
-                               const bench_candidate *clock, int from)
+                               const bench_candidate *clock)
 {
     table t = table_new(title, "light|samples by|N|error random|time random [us]|error Sobol'|"
                                "time Sobol' [us]");
-    for (int i = 0; i < 2 * way_rows; i += 2)
-        for (int l = from; l < way_levels; l += 2) {
-            bool first = e[i].what.by == direction_ways;
-            table_text(&t, "%s", radiometry_light_name[e[i].what.light]);
-            table_text(&t, "%s", first ? "first" : direction_name[e[i].what.by]);
-            table_count(&t, way_samples(l));
-            for (int k = i; k < i + 2; k++)
-                if (first && k > i) table_text(&t, "-"), table_text(&t, "-");
-                else table_number(&t, e[k].rms[l]),
-                     table_number(&t, clock[k].seconds / 1024 * way_samples(l) * 1e6);
-        }
+    int l = way_brief;
+    for (int i = 0; i < 2 * way_rows; i += 2) {
+        bool first = e[i].what.by == direction_ways;
+        table_text(&t, "%s", radiometry_light_name[e[i].what.light]);
+        table_text(&t, "%s", first ? "first" : direction_name[e[i].what.by]);
+        table_count(&t, way_samples(l));
+        for (int k = i; k < i + 2; k++)
+            if (first && k > i) table_text(&t, "-"), table_text(&t, "-");
+            else table_number(&t, e[k].rms[l]),
+                 table_number(&t, clock[k].seconds / 1024 * way_samples(l) * 1e6);
+    }
     return t;
 }
 
@@ -137,58 +134,9 @@ static inline void measure_ways(const options *o)
     char title[120];
     snprintf(title, sizeof title, "Irradiance of two lights by 4096 samples: error (root mean "
              "square over %d runs, relative) and time", runs);
-    table t = ways_table(title, e, clock, way_brief);
+    table t = ways_table(title, e, clock);
     output_table(o, &t);
-    if (!o->full) return;
-    t = ways_table("Irradiance of two lights: error (root mean square, relative) and time", e,
-                   clock, 0);
-    output_extra_table(o, &t);
-    ways_plot(o, e, NULL, "Irradiance of the square: error against samples",
-              "22_radiometry_error.svg");
-    ways_plot(o, e, clock, "Irradiance of the square: error against time",
-              "22_radiometry_time.svg");
-}
-
-/* ---- watts and lumens ---- */
-
-static inline void measure_photometry(const options *o)
-{
-    double worst = 0, around = 60 / four_pi(), disk = (double)pi / 4 * 0.00930 * 0.00930;
-    for (int i = 0; i < efficiencies; i++) {
-        double nm = efficiency_first + efficiency_step * i;
-        double off = fabs(luminous_efficiency_fit(nm) - efficiency_table[i]);
-        if (off > worst) worst = off;
-    }
-    black_body_light wire = black_body(2800), sun = black_body(5772), best = black_body(6640);
-    black_body_light platinum = black_body(2041.4);
-    double at_555 = lumens_per_watt * luminous_efficiency(555);
-    double at_650 = lumens_per_watt * luminous_efficiency(650);
-    const struct {
-        const char *what;
-        double efficacy, watts;
-        const char *unit, *photometric;
-    } row[] =
-        {{"1 W at 555 nm", at_555, 1, "W", "lm"}, {"1 W at 650 nm", at_650, 1, "W", "lm"},
-         {"glowing wire, 2800 K: flux", wire.efficacy, 60, "W", "lm"},
-         {"- intensity, the same all round", wire.efficacy, around, "W/sr", "cd"},
-         {"- irradiance at 2 m", wire.efficacy, around / 4, "W/m^2", "lx"},
-         {"- radiance of the wire", wire.efficacy, wire.radiance, "W/(m^2 sr)", "nit"},
-         {"platinum freezing, 2041.4 K", platinum.efficacy, platinum.radiance, "W/(m^2 sr)", "nit"},
-         {"sun, 5772 K: radiance", sun.efficacy, sun.radiance, "W/(m^2 sr)", "nit"},
-         {"- irradiance above the air", sun.efficacy, sun.radiance * disk,  /* .0093 rad wide */
-          "W/m^2", "lx"},
-         {"best black body, 6640 K: radiance", best.efficacy, best.radiance,  /* see the tests */
-          "W/(m^2 sr)", "nit"}};
-    char title[160];
-    snprintf(title, sizeof title, "The same light in watts and in lumens (the fit of V is off by "
-             "at most %.4f)", worst);
-    table t = table_new(title, "light|efficacy [lm/W]|radiometric|unit|photometric|unit ");
-    for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
-        table_text(&t, "%s", row[k].what), table_number(&t, row[k].efficacy);
-        table_number(&t, row[k].watts), table_text(&t, "%s", row[k].unit);
-        table_number(&t, row[k].watts * row[k].efficacy), table_text(&t, "%s", row[k].photometric);
-    }
-    output_extra_table(o, &t);
+    if (o->full) ways_plot(o, e, clock);
 }
 
 #endif

@@ -1,7 +1,6 @@
 /* measure.h: error against time for every way of drawing.
  *
  *   measure_ways(o)     main table: eight ways, box and plates; with --full all of them, and plots
- *   measure_lights(o)   sixteen lamps: all of them, or one
  *   measure_near(o)     a light closer and closer: second moment by area, and what one sees of it
  *   measure_called(o)   rays that were traced, and rays that could not have brought anything
  */
@@ -88,27 +87,6 @@ static inline void measure_ways(const options *o)
         survey_plot(&s[1], o, "Four plates, four spheres", "24_direct_light_plates_time.svg");
     } else table_free(&all);
     survey_close(&s[0]), survey_close(&s[1]);
-}
-
-static inline void measure_lights(const options *o)
-{
-    static const char *const name[] = {"all", "one by 1/n", "one by flux"};
-    direct_survey s;
-    survey_open(&s, o, STAGE_HALL, 12, 1024);
-    s.entries = 6;
-    for (int k = 0; k < 6; k++)
-        s.entry[k] = (survey_entry){k < 3 ? DIRECT_AREA : DIRECT_POWER,
-                                    (lit_lights_rule)(k % 3), SEQUENCE_RANDOM};
-    survey_measure(&s, o, 2);
-    table t = table_new("Sixteen lamps, three of them bright",
-                        "way|lights|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
-                        "|time efficiency [1/us]");
-    for (int k = 0; k < 6; k++) {
-        table_text(&t, "%s", direct_name[s.entry[k].way]), table_text(&t, "%s", name[k % 3]);
-        survey_row(&s, k, &t);
-    }
-    output_extra_table(o, &t);
-    survey_close(&s);
 }
 
 /* ---- a light closer and closer ---- */

@@ -6,7 +6,6 @@
  *   STAGE_PLATES   E. Veach's: four metal plates, smooth to rough (top to bottom), each tilted so
  *                  that it mirrors four spheres of the same flux, small to large (left to right)
  *   STAGE_STRIP    a shining wall, low and long, that stands on the floor and touches it
- *   STAGE_HALL     sixteen lamps, of which three are bright
  *   STAGE_FIRST    the box of first.h, all of whose walls are parallelograms; g.first holds it
  *
  * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
@@ -18,10 +17,10 @@
 #include "../scenes/lit_cornell.h"
 #include "../scenes/lit_first.h"
 
-typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_HALL, STAGE_FIRST, stages }
+typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_FIRST, stages }
     direct_stage_name;
 typedef struct { lit_scene s; camera c; real aspect, exposure; first_scene first; } direct_stage;
-static const char *const stage_names[stages] = {"box", "plates", "strip", "hall", "first"};
+static const char *const stage_names[stages] = {"box", "plates", "strip", "first"};
 
 enum { plates = 4, plate_lights = 4 };
 static const double plate_roughness[plates] = {0.07, 0.14, 0.22, 0.32};  /* top to bottom */
@@ -49,7 +48,6 @@ static inline camera stage_camera_of(direct_stage_name name, real aspect)
     case STAGE_FIRST: return stage_camera(c.e, vsub(c.e, c.w), 39.3077, aspect);
     case STAGE_PLATES: return stage_camera(plate_eye, vec(0, -2, 2.5), 28, aspect);
     case STAGE_STRIP: return stage_camera(vec(0, 2.2, 3), vec(0, .05, -1), 36, aspect);
-    case STAGE_HALL: return stage_camera(vec(0, 9, 13), vec(0, 0, -.5), 34, aspect);
     case STAGE_BOX: case stages: break;
     }
     return cornell_camera(aspect);
@@ -109,23 +107,6 @@ static inline void stage_strip(direct_stage *g)
     g->exposure = 1.5;
 }
 
-static inline void stage_hall(direct_stage *g)
-{
-    uint16_t grey = stage_matte(&g->s, .6, .6, .6), blue = stage_matte(&g->s, .3, .4, .6);
-    lit_add_rectangle(&g->s, (rectangle){vec(-9, 0, 9), {18, 0, 0}, {0, 0, -18}}, grey);
-    lit_add_rectangle(&g->s, (rectangle){vec(-9, 0, -9), {18, 0, 0}, {0, 6, 0}}, blue);
-    for (int k = 0; k < 16; k++) {
-        double x = -6 + 4 * (k % 4), z = -6 + 4 * (k / 4), L = k == 2 || k == 9 || k == 15 ? 60 : 2;
-        vec3 tint = k % 3 ? vec(1, .8, .6) : vec(.7, .9, 1);
-        uint16_t lamp = stage_lamp(&g->s, vscale(tint, (real)L));
-        rectangle r = {vec(x, 3.5, z), {0.5, 0, 0}, {0, 0, 0.5}};
-        lit_add_rectangle(&g->s, r, lamp);
-        sphere ball = {vec(x + 1, .6, z + .8), 0.6};
-        lit_add_shape(&g->s, shape_of_sphere(ball), grey);
-    }
-    g->exposure = 1.6;
-}
-
 static inline void stage_open(direct_stage_name name, direct_stage *g)
 {
     bool box = name == STAGE_BOX || name == STAGE_FIRST;
@@ -135,7 +116,6 @@ static inline void stage_open(direct_stage_name name, direct_stage *g)
     switch (name) {
     case STAGE_PLATES: stage_plates(g); break;
     case STAGE_STRIP: stage_strip(g); break;
-    case STAGE_HALL: stage_hall(g); break;
     case STAGE_FIRST: g->first = first_cornell(), lit_first(&g->first, &g->s); break;
     case STAGE_BOX: case stages: break;
     }

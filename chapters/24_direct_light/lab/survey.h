@@ -125,7 +125,6 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
     *s = (direct_survey){.seed = o->seed, .reference = o->quick ? 64 : reference};
     s->best = (survey_entry){DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL};
     if (name == STAGE_PLATES) s->best.way = DIRECT_POWER;
-    if (name == STAGE_HALL) s->best.way = DIRECT_AREA;  /* all its lamps are small and far */
     stage_open(name, &s->g);
     if (o->quick) across = 6;
     int down = (int)((real)across / s->g.aspect);

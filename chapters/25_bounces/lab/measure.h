@@ -4,7 +4,6 @@
  *   measure_norms(o)     ||K||, spectral radius, and what the series does
  *   measure_cornell(o)   how much light each bounce brings to the picture, two ways
  *   measure_notes(o)     what shade() of the notes leaves out
- *   measure_sums(o)      a thousand bounces in float
  */
 #ifndef BOUNCES_MEASURE_H
 #define BOUNCES_MEASURE_H
@@ -77,7 +76,7 @@ static inline void measure_norms(const options *o)
     for (size_t i = 0; i < sizeof albedo / sizeof *albedo; i++) {
         vec3 one = {1, 1, 1}, E[2] = {one, one};
         vec3 rho[2] = {vscale(one, (real)albedo[i][0]), vscale(one, (real)albedo[i][1])};
-        transport k = furnace_transport(pair_radius, E, rho, 0);
+        transport k = furnace_transport(0.4, E, rho, 0);
         double L[2];
         table_number(&t, albedo[i][0]), table_number(&t, albedo[i][1]);
         table_number(&t, transport_norm(&k)), table_number(&t, transport_radius(&k, 1000));
@@ -180,30 +179,6 @@ static inline void measure_notes(const options *o)
         table_number(&t, estimate_error(e[3]));
         lit_free(&s);
     }
-    output_extra_table(o, &t);
-}
-
-static inline void measure_sums(const options *o)
-{
-    table t = table_new("rho = .999 as a float, 1000 bounces: relative error of the sum",
-                        "way|result|error [1]");
-    float rho = 0.999f;
-    double exact = 1;
-    for (int k = 0; k < 1000; k++) exact = 1 + (double)rho * exact;
-    double way[] = {(double)bounces_forward_f32(1, rho, 1000),
-                    (double)bounces_forward_kahan_f32(1, rho, 1000),
-                    bounces_forward_double(1, rho, 1000),
-                    (double)bounces_backward_f32(1, rho, 1000)};
-    static const char *const name[] = {"forward, float", "forward, float, Kahan",
-                                       "forward, sum in double", "backward, float"};
-    for (int k = 0; k < 4; k++) {
-        table_text(&t, "%s", name[k]), table_text(&t, "%.6f", way[k]);
-        table_number(&t, way[k] / exact - 1);
-    }
-    double other = 1;
-    for (int k = 0; k < 1000; k++) other = 1 + 0.999 * other;
-    table_text(&t, "exactly, with .999 itself"), table_text(&t, "%.6f", other);
-    table_number(&t, other / exact - 1);
     output_extra_table(o, &t);
 }
 

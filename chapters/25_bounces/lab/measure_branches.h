@@ -1,12 +1,10 @@
 /* measure_branches.h: why one direction is enough.
  *
  *   measure_branches(o)   main table: N directions a hit, error in equal time; plot
- *   measure_rays(o)       rays against depth in a closed and in an open room; plot
  *
- * Three rooms. Two spheres, one in the other (furnace.h), uniform directions: the truth is a linear
- * system's. The Cornell box, directions as the surface reflects, pixels that do not see the light
+ * Two rooms. The Cornell box, directions as the surface reflects, pixels that do not see the light
  * itself; and first.h's box, by the terms of first.h, each by rays of its own, and by terms.h
- * (N = 0), which has all of them from one path: in both the truth is estimated by (25.10), some 100
+ * (N = 0), which has all of them from one path. The truth is estimated by (25.10), some 100
  * times closer than what is measured.
  */
 #ifndef BOUNCES_MEASURE_BRANCHES_H
@@ -23,7 +21,7 @@
 #include "../terms.h"
 #include "furnace.h"
 
-typedef enum { ROOM_SPHERES, ROOM_BOX, ROOM_FIRST, rooms } branch_room;
+typedef enum { ROOM_BOX, ROOM_FIRST, rooms } branch_room;
 enum { branch_kinds = 4, trial_depths = 4, trial_side = 8, trial_pixels = trial_side * trial_side };
 enum { most_trials = rooms * trial_depths * branch_kinds };
 static const int trial_depth[trial_depths] = {1, 2, 3, 5};
@@ -49,16 +47,10 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static const vec3 pair_light[2] = {{2, 2, 2}, {0.25, 0.25, 0.25}};
-static const vec3 pair_albedo[2] = {{0.5, 0.5, 0.5}, {0.8, 0.8, 0.8}};
-static const double pair_radius = 0.4;
-
-/* Spheres: straight up or down, to the outer one or the ball. Boxes: the lower 5/8 of them. */
+/* Through the lower 5/8 of the box. */
 static inline ray trial_ray(int room, size_t pixel, point2 u)
 {
     real x = (real)(pixel % trial_side) + u.u, y = 3 + ((real)(pixel / trial_side) + u.v) * 5 / 8;
-    if (room == ROOM_SPHERES)
-        return (ray){{0, 0.7, 0}, 0, {0, pixel % 2 ? 1 : -1, 0}, real_infinity};
     if (room == ROOM_FIRST)
         return first_camera_ray(first_cornell_camera(trial_side, trial_side), x, y);
     return camera_ray(cornell_camera(1), x, y, trial_side, trial_side);
@@ -85,7 +77,7 @@ static inline void trial_reference(size_t job, void *context)
 {
     branch_survey *b = context;
     size_t pixel = job % trial_pixels;
-    int room = ROOM_BOX + (int)(job / trial_pixels);
+    int room = (int)(job / trial_pixels);
     bounce_counts c = {{{0}, 0, 0}, 0};
     double sum[8];
     for (uint32_t i = 0; i < b->many; i++) {
@@ -94,17 +86,6 @@ static inline void trial_reference(size_t job, void *context)
         for (int d = 0; d < trial_depths; d++)
             b->exact[room][d][pixel] += sum[trial_depth[d]] / b->many;
     }
-}
-
-static inline void trial_exact(branch_survey *b)
-{
-    transport t = furnace_transport(pair_radius, pair_light, pair_albedo, 1);
-    for (int d = 0; d < trial_depths; d++) {
-        double S[2];
-        transport_sum(&t, trial_depth[d], S);
-        for (int i = 0; i < trial_pixels; i++) b->exact[ROOM_SPHERES][d][i] = S[i % 2];
-    }
-    transport_free(&t);
 }
 
 /* Each term of first.h by rays of its own. It counts them in a variable that all threads share. */
@@ -133,8 +114,7 @@ static inline double trial_sample(const branch_survey *b, const branch_trial *t,
         return sum[depth];
     }
     if (t->room == ROOM_FIRST) return trial_first(b, t, pixel, i, c);
-    direction_choice draw = t->room == ROOM_BOX ? DIRECTIONS_BRDF : DIRECTIONS_UNIFORM;
-    naive_path p = {&b->scene[t->room], draw, depth, false};
+    naive_path p = {&b->scene[t->room], DIRECTIONS_BRDF, depth, false};
     ray eye = trial_ray(t->room, pixel, branching_pair(b->seed, pixel, i, 0));
     return (double)branching_radiance(&p, t->N, eye, b->seed, pixel, i, &c->walk).y;
 }
@@ -235,13 +215,12 @@ static inline void trial_list(branch_survey *b, const options *o)
 
 static inline void branches_run(branch_survey *b, const options *o)
 {
-    furnace_pair(&b->scene[ROOM_SPHERES], (real)pair_radius, pair_light, pair_albedo);
     lit_cornell(&b->scene[ROOM_BOX]);
     b->first = first_cornell(), lit_first(&b->first, &b->scene[ROOM_FIRST]);
     b->seed = o->seed, b->budget = o->quick ? 100 : 5000, b->many = o->quick ? 64 : 4096;
     b->pixels = o->quick ? 8 : trial_pixels, b->stride = o->quick ? 7 : 1;
-    trial_list(b, o), trial_exact(b);
-    parallel_for((o->full ? 2 : 1) * trial_pixels, o->threads, "reference", trial_reference, b);
+    trial_list(b, o);
+    parallel_for((o->full ? rooms : 1) * trial_pixels, o->threads, "reference", trial_reference, b);
     parallel_for((size_t)b->trials * b->pixels, o->threads, "N directions", trial_job, b);
     for (int i = 0; i < b->trials; i++) {
         for (size_t k = 0; k < b->pixels && b->trial[i].room == ROOM_FIRST; k++)
@@ -272,7 +251,7 @@ static inline void plot_time(const options *o, const branch_survey *b)
 /* Room, bounces, N, rays, error and time of a sample, error in 1 ms over that of N = 1 (`one`). */
 static inline void trial_row(const branch_trial *a, const branch_trial *one, bool full, table *t)
 {
-    static const char *const name[rooms] = {"two spheres", "Cornell box", "first"};
+    static const char *const name[rooms] = {"Cornell box", "first"};
     double in_time = a->error * sqrt(a->us / 1000);
     if (full) table_text(t, "%s", a->N ? name[a->room] : "first's box, terms.h");
     table_count(t, (size_t)trial_depth[a->d]), table_count(t, a->N ? (size_t)a->N : 1);
@@ -306,52 +285,6 @@ static inline void measure_branches(const options *o)
     if (o->full) output_extra_table(o, &all), plot_time(o, b);
     else table_free(&all);
     free(b);
-}
-
-/* ---- rays against depth ---- */
-
-/* Mean rays of a sample; room 0 is closed, and all of its samples take the same. */
-static inline double rays_of_sample(const options *o, const lit_scene *s, int room, int N, int d)
-{
-    naive_counts c = {{0}, 0, 0};
-    naive_path path = {s, DIRECTIONS_BRDF, d, false};
-    uint64_t i = 0;
-    for (; i == 0 || (room && (double)naive_rays(&c) < (o->quick ? 1e3 : 2e4)); i++) {
-        ray eye = trial_ray(room, i % trial_pixels, branching_pair(o->seed, 0, i, 0));
-        branching_radiance(&path, N, eye, o->seed, 0, i, &c);
-    }
-    return (double)naive_rays(&c) / (double)i;
-}
-
-static inline void measure_rays(const options *o)
-{
-    static const int deepest[branch_kinds] = {15, 15, 8, 5};
-    lit_scene s[2];
-    table t = table_new("Rays of one sample, by depth: a closed room, and the Cornell box",
-                        "N|bounces|(N^(d+1)-1)/(N-1)|closed|Cornell box");
-    plot p = plot_new("Rays of one sample", "bounces", "rays", PLOT_LOG_Y);
-    furnace_sphere(&s[0], (vec3){1, 1, 1}, vec(0.5, 0.5, 0.5));
-    lit_cornell(&s[1]);
-    for (int n = 0; n < branch_kinds; n++) {
-        char name[64];
-        plot_series(&p, branch_name[n]);
-        snprintf(name, sizeof name, "%s, Cornell box", branch_name[n]);
-        plot_series(&p, name);
-        for (int d = 0; d <= deepest[n] - (o->quick ? 2 * n : 0); d++) {
-            double rays[2];
-            for (int k = 0; k < 2; k++) {
-                rays[k] = rays_of_sample(o, &s[k], k, 1 << n, d);
-                plot_add(&p, 2 * n + k, d, rays[k]);
-            }
-            if (d % 5 && d != 3) continue;
-            table_count(&t, (size_t)1 << n), table_count(&t, (size_t)d);
-            table_number(&t, first_rays_of_branching(1 << n, d));
-            table_number(&t, rays[0]), table_number(&t, rays[1]);
-        }
-    }
-    output_extra_table(o, &t);
-    output_plot(o, &p, "25_bounces_rays.svg");
-    lit_free(&s[0]), lit_free(&s[1]);
 }
 
 #endif

@@ -8,15 +8,17 @@
 #define PATH_COMMAND_H
 
 #include "../../../common/lab/report.h"
+#include "../long_run.h"
 #include "../render.h"
 #include "showcase.h"
-#include "../state.h"
 
 enum { command_most_parts = 4096 };
+static const char command_name[] = "26_path_tracer_render.png";
 typedef struct {
-    const char *scene, *obj, *sky, *range, *save, *resume, *merge, *strategy;
-    double error, seconds, clamp;
+    const char *scene, *obj, *sky, *range, *merge, *strategy;
+    double clamp;
     int bounces;
+    long_run run;
     const char *part[command_most_parts];
     int parts;
 } command;
@@ -49,9 +51,8 @@ static inline int command_merge(int argc, char **argv, command *c)
 
 static inline bool command_given(const command *c, const options *o)
 {
-    return c->scene || c->obj || c->sky || c->range || c->save || c->resume || c->merge
-        || c->strategy || c->error > 0 || c->seconds > 0 || c->clamp > 0 || c->bounces >= 0
-        || o->samples > 0;
+    return c->scene || c->obj || c->sky || c->range || c->merge || long_run_given(&c->run)
+        || c->strategy || c->clamp > 0 || c->bounces >= 0 || o->samples > 0;
 }
 
 static inline path_options command_options(const command *c)
@@ -78,8 +79,9 @@ static inline uint64_t command_file_hash(const char *path)
 }
 
 /* All that a sample depends on, but for its number and the size. */
-static inline void command_settings(const command *c, const options *o, char to[state_settings])
+static inline void command_settings(command *c, const options *o)
 {
+    char *to = c->run.settings;
     const char *name = c->obj ? "obj" : c->scene ? c->scene : "cornell";
     int n = snprintf(to, state_settings, "scene %.100s\n", name);
     if (c->obj) n += snprintf(to + n, state_settings - (size_t)n, "file %016llx\n",
@@ -115,35 +117,18 @@ static inline void command_report(const options *o, const film *f, const render_
     else table_text(&t, "-");
     table_count(&t, rays);
     table_number(&t, j->counts.paths ? (double)rays / (double)j->counts.paths : 0);
-    table_number(&t, j->seconds);
-    table_number(&t, j->seconds > 0 ? (double)rays / j->seconds * 1e-6 : 0);
+    table_number(&t, j->pass.seconds);
+    table_number(&t, j->pass.seconds > 0 ? (double)rays / j->pass.seconds * 1e-6 : 0);
     output_table(o, &t);
 }
 
-static inline void command_save(const command *c, const film *f, const char *settings)
-{
-    failure why;
-    if (!c->save) return;
-    file_forget(c->save);  /* --resume a --save a: goes on in the same file */
-    if (!state_write(c->save, f, settings, &why)) fail(why);
-}
-
-/* In a terminal command_shown has shown it already, if all of it was done. */
-static inline void command_picture(const options *o, const film *f, bool whole, bool shown)
-{
-    options with = *o;
-    with.preview = o->preview && !(shown && whole);
-    image im = film_picture(f);
-    output_picture(&with, &im, "26_path_tracer_render.png", true, whole);
-    image_free(&im);
-}
-
 /* No scene is built: the states say it all. */
-static inline void command_run_merge(const command *c, const options *o)
+static inline void command_run_merge(command *c, const options *o)
 {
     film all, part;
     failure f;
-    char settings[state_settings] = "";
+    char *settings = c->run.settings;
+    *settings = 0;
     if (!state_read(c->part[0], &all, settings, &f)) fail(f);
     for (int i = 1; i < c->parts; i++) {
         if (!state_read(c->part[i], &part, settings, &f)) fail(f);
@@ -153,35 +138,10 @@ static inline void command_run_merge(const command *c, const options *o)
         }
         film_free(&part);
     }
-    command_save(c, &all, settings);
-    render_job none = {.seconds = 0};
+    render_job none = {.threads = 0};
     command_report(o, &all, &none, "merged");
-    command_picture(o, &all, true, false);
+    long_run_end(&c->run, o, &all, command_name, true);
     film_free(&all);
-}
-
-typedef struct {
-    const command *c;
-    const options *o;
-    const char *settings;
-    int lines;  /* of the picture that is in the terminal */
-} command_user;
-
-/* After a pass: the state, and the picture in the terminal, over the one before. */
-static inline void command_shown(const film *f, void *user)
-{
-    command_user *u = user;
-    command_save(u->c, f, u->settings);
-    if (!u->o->preview || !isatty(STDOUT_FILENO)) return;
-    image im = film_picture(f);
-    int w = im.width, h = im.height, across = w < 80 ? w : 80, down = h * across / w;
-    down = (down > 50 ? 50 : down < 2 ? 2 : down / 2 * 2) / 2;
-    if (u->lines) printf("\033[%dA", u->lines);
-    output_preview(&im);
-    printf("%llu samples a pixel\033[K\n", (unsigned long long)film_samples(f));
-    fflush(stdout);
-    u->lines = down + 1;
-    image_free(&im);
 }
 
 static inline film_range command_range(const command *c)
@@ -195,53 +155,35 @@ static inline film_range command_range(const command *c)
 
 static inline void command_check(const command *c, const options *o)
 {
-    bool goal = o->samples > 0 || c->error > 0 || c->seconds > 0;
+    bool goal = o->samples > 0 || c->run.error > 0 || c->run.seconds > 0;
     if (c->scene && c->obj) die(2, "--scene and --mesh: one of them");
-    if (c->range && (goal || c->resume))
+    if (c->range && (goal || c->run.resume))
         die(2, "--range does those samples alone: no --samples, --error, --time, --resume");
-    if (c->merge && (c->range || goal || c->resume || c->scene || c->obj || c->sky || c->strategy
-                     || c->clamp > 0 || c->bounces >= 0))
+    if (c->merge && (c->range || goal || c->run.resume || c->scene || c->obj || c->sky
+                     || c->strategy || c->clamp > 0 || c->bounces >= 0))
         die(2, "--merge puts states together: it takes --save and --out only");
 }
 
-static inline film command_film(const command *c, const options *o, char *settings)
-{
-    film m;
-    failure f;
-    if (!c->resume) return film_new(o->width, o->height);
-    if (!state_read(c->resume, &m, settings, &f)) fail(f);
-    bool from_zero = m.ranges == 1 && m.range[0].begin == 0;
-    if (m.width != o->width || m.height != o->height)
-        die(2, "%.200s: of another picture: it has %dx%d pixels, not %dx%d", c->resume, m.width,
-            m.height, o->width, o->height);
-    if (!from_zero)
-        die(2, "%.200s: holds parts, not samples 0 to n: merge them first", c->resume);
-    return m;
-}
-
-static inline void command_run(const command *c, const options *o)
+static inline void command_run(command *c, const options *o)
 {
     if (c->merge) { command_check(c, o), command_run_merge(c, o); return; }
-    char settings[state_settings];
+    long_run *l = &c->run;
     showcase shown;
     path_tracer t;
     command_check(c, o);
     film_range range = c->range ? command_range(c) : (film_range){0, 0};
     path_options how = command_options(c);
-    command_settings(c, o, settings);
-    film f = command_film(c, o, settings);
+    command_settings(c, o);
+    film f = long_run_begin(l, o, o->width, o->height);
     command_scene(c, (real)o->width / (real)o->height, &shown);
     path_tracer_of(&shown.s, showcase_sky(&shown), how, &t);
     render_job j = {.tracer = &t, .eye = shown.eye, .seed = o->seed, .threads = o->threads};
-    command_user user = {c, o, settings, 0};
     uint32_t samples = o->samples > 0 ? (uint32_t)o->samples
-                     : c->error > 0 || c->seconds > 0 ? 0 : o->quick ? 4 : 64;
-    render_goal goal = {samples, c->error, c->seconds, command_shown, &user};
+                     : l->error > 0 || l->seconds > 0 ? 0 : o->quick ? 4 : 64;
     bool whole = c->range ? render_range(&j, &f, range.begin, range.end)
-                          : render_until(&j, &f, goal);
-    if (whole) command_save(c, &f, settings);
+                          : render_until(&j, &f, long_run_goal(l, samples));
     if (whole) command_report(o, &f, &j, c->obj ? c->obj : c->scene ? c->scene : "cornell");
-    command_picture(o, &f, whole, user.lines > 0);
+    long_run_end(l, o, &f, command_name, whole);
     film_free(&f), path_tracer_free(&t), showcase_free(&shown);
 }
 

@@ -74,7 +74,7 @@ static inline void draw_light(const options *o)
     size_t paths = (size_t)side * (size_t)side * samples / light_jobs * light_jobs;
     double start = clock_seconds();
     image im[2] = {film_picture(&m), light_picture(o, &c, side, paths, &work, &lit)};
-    double seconds[2] = {j.seconds, clock_seconds() - start};
+    double seconds[2] = {j.pass.seconds, clock_seconds() - start};
     double rays[2] = {(double)path_rays(&j.counts), (double)(work.rays + work.shadow)};
     table counted = table_new("Light against eye: the box of spheres by as many paths of each",
                              "paths|number|rays a path|time [s]");

@@ -107,7 +107,7 @@ static inline void measure_place_of(const options *o, bool first, measure_place 
     render_job j = {.tracer = &t, .eye = m->c.eye, .seed = 77, .threads = o->threads};
     film all = film_new(m->side, m->side);
     if (!render_range(&j, &all, 0, o->quick ? 256 : 1500))
-        die(130, "stopped");
+        die(parallel_stopped(), "stopped");
     m->reference = film_picture(&all);
     m->dark = allocate((size_t)(m->side * m->side), sizeof *m->dark);
     for (int i = 0; i < m->side * m->side; i++) {

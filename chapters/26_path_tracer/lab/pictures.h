@@ -85,7 +85,7 @@ static inline void draw_ladder(const options *o)
         table_text(&rows, k ? "%.3g" : "-", error);
         table_text(&rows, k > 1 ? "1 / %.2f" : "-", before / error);
         table_number(&rows, (double)path_rays(&j.counts) / (double)j.counts.paths);
-        table_number(&rows, j.seconds);
+        table_number(&rows, j.pass.seconds);
         snprintf(said[k], sizeof said[k], k ? "%u: %.2g" : "1 sample", (unsigned)samples, error);
         before = error;
     }

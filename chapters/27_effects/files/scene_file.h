@@ -228,6 +228,7 @@ static inline bool scene_picture(statement *q, effects_sky *out)
     if (stat(path, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode))
         return failed(q->f, 1, "%.300s: cannot read: not a file on a disk", path);
     if (!image_read(path, &out->picture, q->f)) return false;
+    name_add(&q->s->files, path);
     if (sky_bad_pixel(&out->picture, &x, &y)) {
         image_free(&out->picture);
         return failed(q->f, 2, "%.300s: pixel %d %d: no light, allowed: 0 to 1e+30", path, x, y);

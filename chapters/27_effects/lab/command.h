@@ -7,6 +7,7 @@
 #ifndef EFFECTS_COMMAND_H
 #define EFFECTS_COMMAND_H
 
+#include "../../26_path_tracer/long_run.h"
 #include "../files/studio_read.h"
 #include "../plan.h"
 #include "classic.h"
@@ -17,6 +18,7 @@ typedef struct {
     const char *path, *effects, *region;
     bool told, priced;
     studio_words words;
+    long_run run;
 } request;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -25,6 +27,7 @@ static inline bool request_own(const request *q)
 {
     const studio_words *w = &q->words;
     return q->path || q->effects || q->region || q->told || q->priced || w->camera || w->lens
+        || long_run_given(&q->run)
         || w->light || w->sun || w->indirect || w->environment || w->background || w->up;
 }
 
@@ -54,24 +57,53 @@ static inline double request_z(const image *a, const image *b)
     return variance > 0 ? fabs(mean) / sqrt(variance / (double)n) : 0;
 }
 
+/* All that a sample depends on, but for its number: what is in the files, what the command line
+ * says of the scene, and which pixels these are. A pipe can't be read again. */
+static inline void request_settings(request *q, const options *o, const studio *s, unsigned mask,
+                                    draw_window w)
+{
+    const studio_words *x = &q->words;
+    const char *word[] = {x->camera, x->lens, x->light, x->sun, x->environment, x->background,
+                          x->up, x->indirect};
+    uint64_t h = state_hash_start;
+    for (uint32_t k = 1; k < s->files.n && long_run_given(&q->run); k++) {
+        const char *path = name_text(&s->files, k);
+        struct stat what;
+        size_t n;
+        failure f;
+        if (stat(path, &what) != 0) continue;
+        if (!S_ISREG(what.st_mode))
+            die(2, "%.200s: --save and the like want a file, no pipe", path);
+        char *text = file_read(path, &n, &f);
+        if (!text) fail(f);
+        h = state_hash(h, text, n), free(text);
+    }
+    for (size_t k = 0; k < sizeof word / sizeof *word; k++)
+        if (word[k]) h = state_hash(h, word[k], strlen(word[k])), h = state_hash(h, &k, 1);
+    snprintf(q->run.settings, state_settings, "scene %016llx\neffects %x\nreal %s\nseed %llu\n"
+             "pixels from %d %d of %dx%d\n", (unsigned long long)h, mask,
+             real_is_float ? "float" : "double", (unsigned long long)o->seed, w.x, w.y, w.across,
+             w.down);
+}
+
 /* Everything at every hit was drawn, by who knows no plan: is it what the plan draws, once it is
  * told to do what it declines, too, and leaves branches to the same dice? False: stopped. */
-static inline bool request_compare(drawing *j, const plan *p, effects_stage *e, int threads)
+static inline bool request_compare(const drawing *j, const image *all, const plan *p,
+                                   effects_stage *e)
 {
-    image im = image_new(j->im->width, j->im->height);
+    image im = image_new(all->width, all->height);
     drawing lean = *j;
     size_t n = 3 * (size_t)im.width * (size_t)im.height;
     effects_stage_effects(e, p->effects | p->declined | EFFECTS_DICED);
-    bool whole = draw_region(&lean, &im, j->x0, j->y0, threads);
+    bool whole = draw_region(&lean, &im, j->x0, j->y0, j->pass.threads);
     if (whole) {
-        bool same = memcmp(im.rgb, j->im->rgb, n * sizeof *im.rgb) == 0;
-        printf("everything %.3g s, without the plan; what %s %.3g s: %.0f %% saved\n", j->seconds,
-               p->declined ? "is called for or declined" : "is called for", lean.seconds,
-               (1 - lean.seconds / j->seconds) * 100);
+        bool same = memcmp(im.rgb, all->rgb, n * sizeof *im.rgb) == 0;
+        printf("everything %.3g s, without the plan; what %s %.3g s: %.0f %% saved\n",
+               j->pass.seconds, p->declined ? "is called for or declined" : "is called for",
+               lean.pass.seconds, (1 - lean.pass.seconds / j->pass.seconds) * 100);
         if (same) printf("           the same picture byte for byte\n");
         else printf("           the same light by other random numbers? rmse %.3g, means differ by "
-                    "%.2g standard errors\n", image_compare(&im, j->im).rmse,
-                    request_z(&im, j->im));
+                    "%.2g standard errors\n", image_compare(&im, all).rmse, request_z(&im, all));
     }
     effects_stage_effects(e, EFFECTS_EVERYTHING);
     image_free(&im);
@@ -79,22 +111,16 @@ static inline bool request_compare(drawing *j, const plan *p, effects_stage *e, 
 }
 
 /* What the picture took, by effect. */
-static inline bool request_count(const options *o, const plan *p, const drawing *j)
+static inline bool request_count(const options *o, const plan *p, const drawing *j, int width,
+                                 int height)
 {
     effects_counts timed;
-    image none = image_new(j->im->width, j->im->height);  /* draw_timed fills nothing in */
-    double error = draw_error(j);
-    drawing again = *j;
-    again.im = &none;
-    bool whole = draw_timed(&again, o->threads, &timed);
-    if (whole) {
-        table_of_effects(o, p, j, &timed);
-        printf("# %d samples a pixel, %.3g s", j->samples, j->seconds);
-        if (error > 0 && j->samples > 1) printf(", error rmse %.3g by halves", error);
-        printf("\n");
-    }
-    image_free(&none);
-    return whole;
+    if (!draw_timed(j, width, height, &timed)) return false;
+    table_of_effects(o, p, j, &timed);
+    printf("# %d samples a pixel, %.3g s", j->samples, j->pass.seconds);
+    if (j->samples > 1) printf(", error rmse %.3g by halves", j->error);
+    printf("\n");
+    return true;
 }
 
 /* The demo as --effects all --samples 8 --size 320x240 has it. */
@@ -106,8 +132,8 @@ static inline bool request_all(const options *o, const plan *p, effects_stage *e
     unsigned before = e->mask;
     with.csv = NULL;
     effects_stage_effects(e, EFFECTS_EVERYTHING);
-    bool whole = draw_region(&j, &im, 0, 0, o->threads) && request_compare(&j, p, e, o->threads)
-              && request_count(&with, p, &j);
+    bool whole = draw_region(&j, &im, 0, 0, o->threads) && request_compare(&j, &im, p, e)
+              && request_count(&with, p, &j, im.width, im.height);
     effects_stage_effects(e, before);
     image_free(&im);
     return whole;
@@ -122,32 +148,49 @@ static inline draw_window request_small(const request *q, draw_window w)
     return w;
 }
 
+/* The tables that go with a picture; without a scene of its own, all of the page. */
+static inline bool request_tables(const options *o, const request *q, const plan *p,
+                                  effects_stage *e, draw_window w, const drawing *j)
+{
+    int samples = j->samples;
+    bool demo = !o->out && !o->own;
+    if (!demo && !q->priced) return request_count(o, p, j, w.width, w.height);
+    if (!table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples)) return false;
+    return !demo || (draw_strip(o, p, e, o->width * 3 / 5, o->height * 3 / 5, samples)
+                     && draw_two(o) && table_of_tax(o) && request_all(o, p, e));
+}
+
 /* The picture is saved before all else: Ctrl-C later on loses none of it. */
-static inline void request_show(const options *o, const request *q, const plan *p,
-                                effects_stage *e)
+static inline void request_show(const options *o, request *q, const plan *p, effects_stage *e)
 {
     draw_window w = request_window(o, q->region);
+    long_run *l = &q->run;
     char room[512];
-    image im = image_new(w.width, w.height);
-    bool demo = !o->out && !o->own;
-    int samples = o->samples > 0 ? o->samples : !e->chance ? 4 : o->quick ? 2 : demo ? 64 : 16;
-    drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = o->width,
-                 .height = o->height};
-    bool whole = draw_region(&j, &im, w.x, w.y, o->threads);
-    output_picture(o, &im, demo ? "27_effects_demo.png" : picture_name("27_effects.png", q->path,
-                                                                       room), !demo, whole);
+    bool demo = !o->out && !o->own, goal = l->error > 0 || l->seconds > 0;
+    int samples = o->samples > 0 ? o->samples : goal ? 0 : !e->chance ? 4 : o->quick ? 2
+                : demo ? 64 : 16;
+    drawing j = {.e = e, .seed = o->seed, .width = o->width, .height = o->height,
+                 .middle = samples == 1 && !e->chance && !long_run_given(l)};
+    request_settings(q, o, e->s, e->mask, w);
+    film f = long_run_begin(l, o, w.width, w.height);
+    film_passes *pass = draw_begin(&j, w.x, w.y, o->threads);
+    bool whole = long_run_given(l) ? passes_until(pass, &f, long_run_goal(l, (uint32_t)samples))
+                                   : passes_range(pass, &f, 0, (uint32_t)samples);
+    long_run_end(l, o, &f, demo ? "27_effects_demo.png" : picture_name("27_effects.png", q->path,
+                                                                       room), whole);
+    j.samples = (int)film_samples(&f), j.error = film_error(&f);
+    j.pixels = (size_t)w.width * (size_t)w.height;
     if (j.counts.lost)
         fprintf(stderr, "%s: warning: more than %d bodies lie around one another: %zu times one "
                 "was taken for air\n", program_name, media_most, j.counts.lost);
-    if (e->mask & EFFECTS_SPEND) whole = request_compare(&j, p, e, o->threads);
-    if (whole && (demo || q->priced))
-        whole = table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples);
-    else if (whole) whole = request_count(o, p, &j);
-    if (whole && demo)
-        whole = draw_strip(o, p, e, o->width * 3 / 5, o->height * 3 / 5, samples)
-             && draw_two(o) && table_of_tax(o) && request_all(o, p, e);
-    image_free(&im);
-    if (!whole) die(130, "stopped; the picture was whole before");
+    if (e->mask & EFFECTS_SPEND) {
+        image im = film_picture(&f);
+        whole = request_compare(&j, &im, p, e);
+        image_free(&im);
+    }
+    film_free(&f);
+    if (!whole || !request_tables(o, q, p, e, w, &j))
+        die(parallel_stopped(), "stopped; the picture was whole before");
 }
 
 /* Without a file and --full: the six scenes, and that is all. */

@@ -1,50 +1,49 @@
-/* draw.h: the picture of a stage, or a part of it; what it took; how far off it still is.
+/* draw.h: the picture of a stage, or a part of it, on the film of 26; what it took.
  *
  *   drawing j = {.e = &e, .samples = 16, .seed = 1, .width = w, .height = h};
  *   bool whole = draw_region(&j, &im, x0, y0, threads)    im's pixels are those from (x0, y0) on of
  *                                     a picture of width x height; false: stopped by Ctrl-C
- *   j.counts                          rays by effect
- *   j.seconds                         that it took
- *   draw_error(&j)                    RMSE by halves (26.6): of linear radiance, all channels;
- *                                     infinity with one sample, 0 if nothing is left to chance
- *   draw_timed(&j, threads, &counts)  some pixels again, with a clock at each ray: shares of time
+ *   j.counts, j.pass.seconds          rays by effect; time
+ *   j.error                           RMSE by halves (26.7); infinity with one sample
+ *   passes_until(draw_begin(&j, x0, y0, threads), &f, goal)    the same on a film f, by passes
+ *   draw_timed(&j, w, h, &counts)     some of its w x h pixels again, with a clock at each ray:
+ *                                     shares of time
  *
- * Samples lie in the pixel by Sobol'; one alone, of a scene without chance, in its middle.
+ * Samples lie in the pixel by Sobol'; with j.middle in its middle: for one alone, without chance.
  */
 #ifndef EFFECTS_DRAW_H
 #define EFFECTS_DRAW_H
 
+#include "../../26_path_tracer/passes.h"
 #include "../around.h"
 #include "../special.h"
-#include "../../../common/parallel.h"
 
 typedef struct {
     const effects_stage *e;
-    int samples;              /* of a pixel */
+    int samples;              /* of a pixel: of draw_region */
     uint64_t seed;
     int width, height;        /* of the whole picture */
-    effects_counts counts;
-    double seconds;
-    image *im;
-    int x0, y0;
+    bool middle;
+    int x0, y0;               /* of the film's first pixel */
     media_set around;         /* bodies that the eye is in */
-    double squares;           /* sum of squared differences of the halves' means */
-    size_t pixels;            /* that went into it */
-    pthread_mutex_t lock;
+    film_passes pass;
+    effects_counts counts;
+    double error;
+    size_t pixels;            /* of the film */
 } drawing;
 
-enum { draw_side = 16, draw_timed_every = 37 };
+enum { draw_timed_every = 37 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The ray of sample k of a pixel. */
+/* The ray of a sample of a pixel. */
 __attribute__((always_inline))
 static inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
 {
     const effects_stage *e = j->e;
     point2 at = {0.5, 0.5}, on = {0, 0};
     bool lens = (e->mask & EFFECT_DEPTH_OF_FIELD) != 0;
-    if (j->samples > 1 || e->chance) at = dice_eye(d, DICE_PIXEL);
+    if (!j->middle) at = dice_eye(d, DICE_PIXEL);
     if (lens) on = dice_eye(d, DICE_LENS);
     thin_lens l = {lens ? e->lens.radius : 0, e->lens.focus};
     ray r = lens_ray(e->eye, l, (real)x + at.u, (real)y + at.v, j->width, j->height, on);
@@ -52,28 +51,24 @@ static inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
     return r;
 }
 
-/* The samples of a pixel; *square: the squared difference of its halves, of all channels. */
-static inline vec3 draw_pixel(const drawing *j, effects_function *f, int x, int y,
-                              effects_counts *c, double *square)
+/* The samples of a pass, of one pixel. */
+static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x, int y,
+                                    effects_counts *c)
 {
-    vec3 half[2] = {{0, 0, 0}, {0, 0, 0}};
+    film_pixel sum = {{{{{0, 0}}}}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
-    int n = j->samples;
-    bool rolled = n > 1 || j->e->chance, timed = j->e->mask & EFFECTS_TIMED;
-    for (int k = 0; k < n; k++) {
+    bool timed = j->e->mask & EFFECTS_TIMED;
+    for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
         dice d = {.own = 0};
-        if (rolled) d = dice_start(j->seed, i, (uint32_t)k);
+        if (!j->middle) d = dice_start(j->seed, i, k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
         c->now = RAY_OF_EYE;
         if (timed) c->since = clock_seconds();
-        half[k % 2] = vadd(half[k % 2], f(j->e, r, j->around, &d, c));
+        film_pixel_add(&sum, k, f(j->e, r, j->around, &d, c));
         if (timed) c->seconds[c->now] += clock_seconds() - c->since;
     }
-    vec3 off = vsub(vscale(half[0], 1 / (real)((n + 1) / 2)),
-                    vscale(half[1], 1 / (real)(n > 1 ? n / 2 : 1)));
-    *square = (double)vdot(off, off);
-    return vscale(vadd(half[0], half[1]), 1 / (real)n);
+    return sum;
 }
 
 static inline void draw_tile(size_t tile, void *context)
@@ -81,59 +76,66 @@ static inline void draw_tile(size_t tile, void *context)
     drawing *j = context;
     effects_function *f = effects_made_for(j->e->mask);
     effects_counts c = {.now = 0};
-    double squares = 0, one;
-    size_t pixels = 0;
-    bool timed = j->e->mask & EFFECTS_TIMED;
-    int across = (j->im->width + draw_side - 1) / draw_side;
-    int x0 = (int)(tile % (size_t)across) * draw_side;
-    int y0 = (int)(tile / (size_t)across) * draw_side;
-    for (int y = y0; y < y0 + draw_side && y < j->im->height; y++)
-        for (int x = x0; x < x0 + draw_side && x < j->im->width; x++) {
-            if (timed && (x + 7 * y) % draw_timed_every) continue;
-            vec3 L = draw_pixel(j, f, x + j->x0, y + j->y0, &c, &one);
-            if (!timed) image_set(j->im, x, y, L);
-            squares += one, pixels++;
+    film *to = j->pass.to;
+    film_window w = film_window_of(to, tile);
+    for (int y = w.y0; y < w.y1; y++)
+        for (int x = w.x0; x < w.x1; x++) {
+            film_pixel sum = draw_pixel(j, f, x + j->x0, y + j->y0, &c);
+            film_gather(to, (size_t)y * (size_t)to->width + (size_t)x, &sum);
         }
-    pthread_mutex_lock(&j->lock);
+    to->tile[tile] = true;
+    pthread_mutex_lock(&j->pass.lock);
     effects_counts_add(&j->counts, &c);
-    j->squares += squares, j->pixels += pixels;
-    pthread_mutex_unlock(&j->lock);
+    pthread_mutex_unlock(&j->pass.lock);
+}
+
+static inline film_passes *draw_begin(drawing *j, int x0, int y0, int threads)
+{
+    j->around = effects_around(j->e, j->e->eye.e);
+    j->x0 = x0, j->y0 = y0, j->counts = (effects_counts){.now = 0};
+    j->pass = (film_passes){.tile = draw_tile, .job = j, .threads = threads};
+    return &j->pass;
 }
 
 static inline bool draw_region(drawing *j, image *im, int x0, int y0, int threads)
 {
-    size_t across = ((size_t)im->width + draw_side - 1) / draw_side;
-    double start = clock_seconds();
-    j->around = effects_around(j->e, j->e->eye.e);
-    j->im = im, j->x0 = x0, j->y0 = y0, j->squares = 0, j->pixels = 0;
-    j->counts = (effects_counts){.now = 0};
-    pthread_mutex_init(&j->lock, NULL);
-    bool whole = parallel_for(across * (((size_t)im->height + draw_side - 1) / draw_side), threads,
-                              "drawing", draw_tile, j);
-    pthread_mutex_destroy(&j->lock);
-    j->seconds = clock_seconds() - start;
+    film f = film_new(im->width, im->height);
+    j->pixels = (size_t)im->width * (size_t)im->height;
+    j->middle = j->samples == 1 && !j->e->chance;
+    bool whole = passes_range(draw_begin(j, x0, y0, threads), &f, 0, (uint32_t)j->samples);
+    image done = film_picture(&f);
+    memcpy(im->rgb, done.rgb, 3 * j->pixels * sizeof *im->rgb);
+    j->error = film_error(&f);
+    image_free(&done), film_free(&f);
     return whole;
 }
 
-static inline double draw_error(const drawing *j)
+typedef struct { drawing j; int width; } draw_clocked;
+
+static inline void draw_timed_row(size_t y, void *context)
 {
-    double a = (j->samples + 1) / 2, b = j->samples / 2, N = j->samples;
-    if (!j->e->chance) return 0;
-    if (b < 1 || !j->pixels) return (double)INFINITY;
-    return sqrt(j->squares / (3 * (double)j->pixels) * (a * b / (N * N)));
+    draw_clocked *k = context;
+    effects_counts c = {.now = 0};
+    for (size_t x = 7 * y % draw_timed_every; x < (size_t)k->width; x += draw_timed_every)
+        draw_pixel(&k->j, effects_made_for(k->j.e->mask), (int)x + k->j.x0, (int)y + k->j.y0, &c);
+    pthread_mutex_lock(&k->j.pass.lock);
+    effects_counts_add(&k->j.counts, &c);
+    pthread_mutex_unlock(&k->j.pass.lock);
 }
 
 /* Every 37th pixel: what kinds of ray take how much of the time. The clock itself takes some 30 ns
  * a ray, of each kind alike. */
-static inline bool draw_timed(const drawing *of, int threads, effects_counts *counts)
+static inline bool draw_timed(const drawing *of, int width, int height, effects_counts *counts)
 {
     effects_stage clocked = *of->e;
-    drawing j = *of;
+    draw_clocked k = {*of, width};
     clocked.mask |= EFFECTS_TIMED;
-    j.e = &clocked;
-    if (j.samples > 8) j.samples = 8;
-    bool whole = draw_region(&j, of->im, of->x0, of->y0, threads);
-    *counts = j.counts;
+    k.j.e = &clocked, k.j.counts = (effects_counts){.now = 0};
+    k.j.pass.now = (film_range){0, of->samples < 8 ? (uint32_t)of->samples : 8};
+    pthread_mutex_init(&k.j.pass.lock, NULL);
+    bool whole = parallel_for((size_t)height, of->pass.threads, "drawing", draw_timed_row, &k);
+    pthread_mutex_destroy(&k.j.pass.lock);
+    *counts = k.j.counts;
     return whole;
 }
 

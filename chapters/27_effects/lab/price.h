@@ -41,7 +41,7 @@ static inline void table_of_effects(const options *o, const plan *p, const drawi
                             ? "What everything took, called for or not: rays, and their time"
                             : "What the picture took, by effect: rays, and the time of these rays",
                         "effect|verdict|simulated|rays|rays a sample|time [ms]");
-    double samples = (double)j->pixels * j->samples;
+    double samples = (double)j->pixels * j->pass.samples;
     for (int k = -1; k < effect_kinds; k++) {
         int at = k < 0 ? RAY_OF_EYE : k;
         table_text(&t, "%s", k < 0 ? "rays of the eye" : effect_names[k].name);
@@ -50,7 +50,7 @@ static inline void table_of_effects(const options *o, const plan *p, const drawi
         table_count(&t, j->counts.rays[at]);
         table_number(&t, samples > 0 ? (double)j->counts.rays[at] / samples : 0);
         if (k == RAY_ABSORBED || k == RAY_OF_LENS) table_text(&t, "-");  /* no rays of their own */
-        else table_number(&t, price_share(timed, at) * j->seconds * 1e3);
+        else table_number(&t, price_share(timed, at) * j->pass.seconds * 1e3);
     }
     output_table(o, &t);
 }
@@ -69,7 +69,7 @@ static inline bool price_draw(price_run *k, effects_stage *e, int rounds, int ro
     effects_stage_effects(e, k->mask | EFFECTS_GENERAL);
     if (round >= rounds) return true;
     bool whole = draw_region(&k->j, &k->im, k->x, k->y, threads);
-    k->seconds[round] = k->j.seconds;
+    k->seconds[round] = k->j.pass.seconds;
     return whole;
 }
 

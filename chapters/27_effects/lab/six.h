@@ -51,7 +51,7 @@ static inline void six_cells(table *t, const drawing *j)
     for (int i = 0; i < effect_kinds; i++)
         rays += i == RAY_ABSORBED || i == RAY_OF_LENS ? 0 : j->counts.rays[i];
     table_number(t, (double)rays / (double)j->pixels);
-    table_number(t, j->seconds / (double)j->pixels * 1e6);
+    table_number(t, j->pass.seconds / (double)j->pixels * 1e6);
 }
 
 /* Every effect that is called for, in short. */

@@ -1,0 +1,94 @@
+/* long_run.h: a picture that may take long: where it begins, its goal, its state after every pass.
+ *
+ *   long_run l = {.save = "a.state", .resume = NULL, .error = 0, .seconds = 60};
+ *   snprintf(l.settings, ...);                    all that a sample depends on (state.h)
+ *   film f = long_run_begin(&l, &o, w, h);        new, or as l.resume has it
+ *   passes_goal g = long_run_goal(&l, samples);   samples: 0: no end but by error, time, Ctrl-C
+ *   ... passes_until: saves after each pass, and shows the picture if o.preview ...
+ *   long_run_end(&l, &o, &f, "name.png", whole)   state and picture
+ *
+ * Same settings and the same number of samples: the same bytes, however often it was stopped.
+ * What can't be read or written ends the program. --save may be the file of --resume, but no other
+ * that this run has read.
+ */
+#ifndef PATH_LONG_RUN_H
+#define PATH_LONG_RUN_H
+
+#include "../../common/output.h"
+#include "passes.h"
+#include "state.h"
+
+typedef struct {
+    const char *save, *resume;  /* files; NULL: none */
+    double error, seconds;      /* goals; 0: none */
+    char settings[state_settings];
+    bool preview;
+    int lines;                  /* of the picture that is in the terminal */
+} long_run;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline bool long_run_given(const long_run *l)
+{
+    return l->save || l->resume || l->error > 0 || l->seconds > 0;
+}
+
+static inline void long_run_save(const long_run *l, const film *f)
+{
+    failure why;
+    if (l->save && !state_write(l->save, f, l->settings, &why)) fail(why);
+}
+
+static inline film long_run_begin(long_run *l, const options *o, int width, int height)
+{
+    film m;
+    failure f;
+    l->preview = o->preview && isatty(STDOUT_FILENO);
+    if (!l->resume) m = film_new(width, height);
+    else if (!state_read(l->resume, &m, l->settings, &f)) fail(f);
+    if (l->resume && l->save && option_same_file(l->resume, l->save)) file_forget(l->save);
+    if ((l->save && !file_try(l->save, &f)) || (o->out && !file_try(o->out, &f))) fail(f);
+    if (!l->resume) return m;
+    if (m.width != width || m.height != height)
+        die(2, "%.200s: of another picture: it has %dx%d pixels, not %dx%d", l->resume, m.width,
+            m.height, width, height);
+    if (m.ranges != 1 || m.range[0].begin != 0)
+        die(2, "%.200s: holds parts, not samples 0 to n: merge them first", l->resume);
+    return m;
+}
+
+/* After a pass: the state, and the picture in the terminal, over the one before. */
+static inline void long_run_shown(const film *f, void *user)
+{
+    long_run *l = user;
+    long_run_save(l, f);
+    if (!l->preview) return;
+    image im = film_picture(f);
+    int w = im.width, h = im.height, across = w < 80 ? w : 80, down = h * across / w;
+    down = (down > 50 ? 50 : down < 2 ? 2 : down / 2 * 2) / 2;
+    if (l->lines) printf("\033[%dA", l->lines);
+    output_preview(&im);
+    printf("%llu samples a pixel\033[K\n", (unsigned long long)film_samples(f));
+    fflush(stdout);
+    l->lines = down + 1;
+    image_free(&im);
+}
+
+static inline passes_goal long_run_goal(long_run *l, uint32_t samples)
+{
+    return (passes_goal){samples, l->error, l->seconds, long_run_shown, l};
+}
+
+/* In a terminal long_run_shown has shown the picture already, if all of it was done. */
+static inline void long_run_end(long_run *l, const options *o, const film *f, const char *name,
+                                bool whole)
+{
+    options with = *o;
+    with.preview = o->preview && !(l->lines > 0 && whole);
+    if (whole) long_run_save(l, f);
+    image im = film_picture(f);
+    output_picture(&with, &im, name, true, whole);
+    image_free(&im);
+}
+
+#endif

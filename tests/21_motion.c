@@ -1,0 +1,272 @@
+/* 21_distributed: motion: blurred profiles against closed forms; a ray that is moved back against
+ * shapes that are moved; nothing drawn where nothing moves. t-tests: false-alarm rate 1e-6 each,
+ * some 20 of them, fixed seeds. */
+#include "check.h"
+#include "../chapters/21_distributed/lab/known.h"
+#include "../chapters/21_distributed/lab/pool.h"
+
+static const double alarm_rate = 1e-6;
+
+static real number(random_stream *s, double lo, double hi)
+{
+    return (real)(lo + (hi - lo) * (double)random_next(s));
+}
+
+static vec3 direction(random_stream *s)
+{
+    real u = random_next(s), v = random_next(s);
+    return sample_sphere(u, v);
+}
+
+static tracer asking(const trace_world *w)
+{
+    return (tracer){.w = w, .program = distributed_programs};
+}
+
+static material plain(const void *context, trace_hit x, const surface *s)
+{
+    (void)context, (void)x, (void)s;
+    return (material){vec(0.5, 0.4, 0.3), vec(0.3, 0.3, 0.3), real_infinity, {0, 0, 0}};
+}
+
+static const trace_world nothing = {.part = NULL};
+
+/* The edge of a half plane goes from x = 0 to x = 1 while rays look down at x: a ramp. */
+static void test_ramp(void)
+{
+    vec3 v[4] = {{-50, -9, 0}, {0, -9, 0}, {0, 9, 0}, {-50, 9, 0}};
+    shape shapes[1] = {shape_of_polygon(polygon_of(v, 4))};
+    scene s = {shapes, 1};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    moving m = {{&part, 1}, {1, 0, 0}};
+    tracer t = asking(&nothing);
+    for (int i = -2; i <= 10; i++) {
+        real x = (real)i / 8 + (real)0.01;
+        estimate e = {0};
+        for (uint32_t k = 0; k < check_count(4000); k++) {
+            sampler q = sampler_start(SEQUENCE_RANDOM, 3, (uint64_t)(i + 2), k, 1);
+            ray r = ray_from((vec3){x, 0, 5}, (vec3){0, 0, -1});
+            e = estimate_add(e, motion_any(&t, &m, 1, sampler_number(&q), RAY_SIGHT, r));
+        }
+        double truth = fmin(fmax(1 - (double)x, 0), 1);
+        check_at_least(t_test(e, truth, 1e-6), alarm_rate, "covered at x = %g", (double)x);
+        if (truth == 0 || truth == 1) check_equal(e.mean, truth, "beyond the ramp: no noise");
+    }
+    world_part_free(&part);
+}
+
+typedef struct { shape shapes[1]; scene s; world_part part; moving m; } flying;
+
+static void flying_ball(flying *f, sphere b, vec3 v)
+{
+    f->shapes[0] = shape_of_sphere(b), f->s = (scene){f->shapes, 1};
+    world_part_of_scene(&f->s, MASK_ALL, &f->part);
+    f->m = (moving){{&f->part, 1}, v};
+}
+
+/* (21.18): at n times, in the middles of n equal parts, the ray meets the ball or not. It does from
+ * one time to another: n shares are off by one at most; two, for ends that are rounded. */
+static void test_passing(void)
+{
+    enum { n = 64 };
+    random_stream s = random_start(5, 0, 0);
+    double off = 0;
+    size_t cut = 0;
+    for (size_t i = 0; i < check_count(2000); i++) {
+        sphere b = {vscale(direction(&s), 3), number(&s, 0.2, 1)};
+        vec3 o = vscale(direction(&s), 9), v = vscale(direction(&s), number(&s, 0, 4));
+        vec3 d = vsub(vmadd(b.c, direction(&s), (real)1.5), o);
+        flying f;
+        flying_ball(&f, b, v);
+        tracer t = asking(&nothing);
+        int met = 0;
+        for (int k = 0; k < n; k++)
+            met += motion_any(&t, &f.m, 1, ((real)k + (real)0.5) / n, RAY_SIGHT, ray_from(o, d));
+        off = check_worse(off, fabs((double)met / n - known_passing(o, d, b, v)));
+        cut += met > 0 && met < n;
+        world_part_free(&f.part);
+    }
+    check_at_most(off, 2.0 / n, "share of the time");
+    check(cut > 10, "many come or go in between");
+    check_equal(known_passing(vec(0, 0, 5), vec(0, 0, -1), (sphere){{0, 0, 0}, 1}, vec(0, 0, 3)), 1,
+                "towards the eye: always");
+    check_close(known_passing(vec(0, 0, 5), vec(0, 0, -1), (sphere){{-2, 0, 0}, 1}, vec(4, 0, 0)),
+                0.5, 8 * (double)real_epsilon, "a diameter of 2 in a way of 4");
+}
+
+/* The same hit as of the ball moved: t, point and normal. Near the limb roundings decide. */
+static void test_moved(void)
+{
+    random_stream s = random_start(6, 0, 0);
+    double off = 0, eps = (double)real_epsilon;
+    size_t other = 0, met = 0;
+    for (size_t i = 0; i < check_count(20000); i++) {
+        sphere b = {vscale(direction(&s), 3), number(&s, 0.2, 1)}, there = b;
+        vec3 v = vscale(direction(&s), number(&s, 0, 4)), by;
+        real time = random_next(&s);
+        flying f;
+        flying_ball(&f, b, v);
+        there.c = vmadd(b.c, v, time);
+        shape moved = shape_of_sphere(there);
+        vec3 o = vscale(direction(&s), 9), d = vunit(vsub(vmadd(there.c, direction(&s), b.r), o));
+        tracer t = asking(&nothing);
+        distributed how = {.material_of = plain};
+        t.user = &how;
+        distributed_met x = {.met = false};
+        hit h = hit_none;
+        bool one = motion_closest(&t, &f.m, 1, time, RAY_CAMERA, ray_from(o, d), &x, &x.t, &by);
+        bool two = sphere_hit(there, ray_from(o, d), &h);
+        real passes = vlength(vcross(vsub(there.c, o), d)) / b.r;
+        if (fabs((double)passes - 1) > 1e3 * eps) other += one != two;
+        if (one && two && passes < (real)0.9) {
+            surface a = motion_surface(x.s, by), c = surface_of_shape(&moved, ray_from(o, d), h);
+            off = check_worse(off, fabs((double)(x.t - h.t)) + (double)vlength(vsub(a.n, c.n))
+                                   + (double)vlength(vsub(a.p, c.p)));
+            met++;
+        }
+        world_part_free(&f.part);
+    }
+    check_equal(other, 0, "met by one and missed by the other");
+    check(met > 100, "many are met");
+    /* some 20 roundings of numbers up to 16, a point's error over the cosine at .9 and over r */
+    check_at_most(off, 20 * 16 * 2.3 * 5 * eps, "time, point and normal");
+}
+
+/* Convex: no ray that leaves it, moved along, meets it again, however far away and however fast.
+ * And what nearly touches it does hide. */
+static void test_leaves(void)
+{
+    random_stream s = random_start(7, 0, 0);
+    size_t again = 0, leaks = 0, n = check_count(40000);
+    for (size_t i = 0; i < n; i++) {
+        double far = pow(10, (double)number(&s, -2, 6));
+        sphere b = {vscale(direction(&s), (real)far), (real)pow(10, (double)number(&s, -2, 2))};
+        b.r = real_max(b.r, (real)1e3 * real_epsilon * (real)far);  /* it has points */
+        vec3 v = vscale(direction(&s), (real)pow(10, (double)number(&s, -2, 6))), by;
+        vec3 w = direction(&s);
+        real time = random_next(&s);
+        flying f;
+        flying_ball(&f, b, v);
+        vec3 n0 = direction(&s);
+        surface a = surface_on_sphere(b, 0, vmadd(b.c, n0, b.r));
+        by = vscale(v, time), a = motion_surface(a, by);
+        if (vdot(w, a.n) < 0) w = vneg(w);
+        tracer t = asking(&nothing);
+        if (vdot(w, a.n) > (real)1e-3)
+            again += motion_any(&t, &f.m, 1, time, RAY_SHADOW, leave(a, w));
+        /* a small ball above it, a gap of 64 roundings away */
+        real gap = 64 * real_epsilon * (surface_reach(a.p) + vlength(b.c) + b.r);
+        shape near[1] = {shape_of_sphere((sphere){vmadd(a.p, a.n, 33 * gap), 32 * gap})};
+        scene others = {near, 1};
+        world_part part;
+        world_part_of_scene(&others, MASK_ALL, &part);
+        trace_world world = {&part, 1};
+        tracer over = asking(&world);
+        leaks += !motion_any(&over, &f.m, 1, time, RAY_SHADOW, leave(a, a.n));
+        world_part_free(&part), world_part_free(&f.part);
+    }
+    check_equal(again, 0, "a ball that goes by hides itself");
+    check_equal(leaks, 0, "rays that miss what nearly touches the ball");
+}
+
+/* ---- pictures ---- */
+
+enum { w = 32, h = 18 };
+
+/* Balls that could move and do not: the same as in the world that rests, to the last bit; and a
+ * world where nothing moves asks for no time. */
+static void test_at_rest(void)
+{
+    pool *still = pool_new(0);
+    image a = image_new(w, h), b = image_new(w, h);
+    distributed_view v = pool_view(still, (real)w / h);
+    v.samples = 4;
+    distributed_draw(&v, &a, 2);
+    check_equal(v.spent.drawn[DRAWN_TIME], 4 * w * h, "a time a sample, not a ray");
+    size_t shadow = v.spent.rays.rays[RAY_SHADOW];
+    scene all = {still->ball, pool_balls};
+    world_part_free(&still->part[1]), world_part_of_scene(&all, MASK_ALL, &still->part[1]);
+    still->how.movers = 0;
+    distributed_draw(&v, &b, 1);
+    check_equal(v.spent.drawn[DRAWN_TIME], 0, "nothing moves, no number");
+    check_equal(v.spent.rays.rays[RAY_SHADOW], shadow, "and no ray more or less");
+    check_equal(memcmp(a.rgb, b.rgb, 3 * sizeof *a.rgb * w * h), 0, "the same picture");
+    image_free(&a), image_free(&b), pool_free(still);
+}
+
+/* Each sample sees what it would see of a world that stands still where everything is at its time:
+ * eye, shadow and reflected rays alike. Rays at the very edge of something may differ. */
+static void test_one_time(void)
+{
+    size_t other = 0, n = check_count(800), moved = 0;
+    pool *g = pool_new(1);
+    g->how.material_of = plain;
+    distributed_view v = pool_view(g, (real)w / h);
+    distributor d = distributor_of(&g->w, &g->how);
+    for (size_t i = 0; i < n; i++) {
+        distributed_sample q = {SEQUENCE_RANDOM, 9, i, 0, 1};
+        real time = distributed_pair(&d, q, DRAWN_TIME, PAIR_TIME, 0, 1).u;
+        pool *still = pool_new(0);
+        for (int k = 0; k < pool_moving; k++) {
+            sphere *b = &still->ball[pool_rest + k].sphere;
+            b->c = vadd(b->c, vscale(g->moving[k].v, time));
+            world_part_free(&still->fast_part[k]);
+            world_part_of_scene(&still->fast[k], MASK_ALL, &still->fast_part[k]);
+        }
+        still->how.material_of = plain;
+        distributor e = distributor_of(&still->w, &still->how);
+        size_t before = d.t.counts.rays[RAY_REFLECTION];
+        ray r = camera_ray(v.c, (real)(i * 7 % w) + (real)0.3, (real)(i * 5 % h) + (real)0.3, w, h);
+        vec3 x = distributed_ray(&d, r, q), y = distributed_ray(&e, r, q);
+        other += !((double)vlength(vsub(x, y)) <= 1e3 * (double)real_epsilon * (1 + (double)x.x));
+        moved += d.t.counts.rays[RAY_REFLECTION] > before;
+        pool_free(still);
+    }
+    check_at_most(other, n / 50, "samples that see something else than at rest");
+    check(moved > n / 2, "most of them have reflections");
+    pool_free(g);
+}
+
+/* A floor under a point light, while a ball goes by in between: the share of the time that is left.
+ */
+static void test_shadow(void)
+{
+    vec3 corner[4] = {{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}};
+    shape shapes[1] = {shape_of_polygon(polygon_of(corner, 4))};
+    scene s = {shapes, 1};
+    world_part part;
+    world_part_of_scene(&s, MASK_ALL, &part);
+    trace_world world = {&part, 1};
+    flying f;
+    sphere b = {{-1, (real)0.25, 2}, (real)0.5};
+    vec3 v = {(real)2.5, (real)-0.5, (real)0.5}, lamp = {1, 0, 5};
+    flying_ball(&f, b, v);
+    area_light L = {AREA_BALL, lamp, .colour = {1, 1, 1}};
+    distributed how = {.light = &L, .n = 1, .moving = &f.m, .movers = 1, .material_of = plain,
+                       .depth = 1};
+    distributor d = distributor_of(&world, &how);
+    estimate e = {0};
+    for (uint32_t i = 0; i < check_count(20000); i++) {
+        distributed_sample q = {SEQUENCE_RANDOM, 8, 0, i, 1};
+        ray eye = ray_from((vec3){0, 0, (real)0.1}, (vec3){0, 0, -1});
+        e = estimate_add(e, (double)distributed_ray(&d, eye, q).x);
+    }
+    vec3 p = {0, 0, 0};
+    double E = 5 / pow(26, 1.5), open = 1 - known_passing(p, lamp, b, v);
+    check(open > 0.3 && open < 0.9, "it does go by");
+    check_at_least(t_test(e, 0.5 / (double)pi * E * open, 1e-5 * E), alarm_rate, "half shadow");
+    world_part_free(&part), world_part_free(&f.part);
+}
+
+int main(void)
+{
+    test_ramp();
+    test_passing();
+    test_moved();
+    test_leaves();
+    test_at_rest();
+    test_one_time();
+    test_shadow();
+    return check_report("21_motion");
+}
