@@ -7,13 +7,14 @@
 # make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
+# make showpiece  the picture on top of README.md, some minutes: images/showpiece.png
 # make graph      which chapter includes which
-# make notes      the ledger: what the lecture notes claim, and what the programs find   some minute
+# make notes      the ledger: what the lecture notes claim, and what the programs find   a minute or so
 # make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
 # make hard-cases hard inputs of all chapters: wrong answers of the first versions and of the default
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
-# make mine-04    your own function beside the chapter's: MINE=my.h; a sphere (mine-03), triangle, box (mine-09), structure (mine-17)
+# make mine-04    your own function beside ours: MINE=my.h; sphere mine-03, triangle 04, box 09, structure 17
 # make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
@@ -32,7 +33,7 @@ NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1
 LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter 18_shade 19_first 19_optics 19_spd 19_whitted \
-  21_known 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
+  21_known 21_motion 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
   27_corpus 27_lamps 27_paths 27_plan 27_radiance 27_readers
 endif
 CFLAGS ?= -O2 $(NATIVE)
@@ -66,7 +67,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
+.PHONY: all run full images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -135,6 +136,12 @@ images: full
 	$(BUILD)/27_effects chapters/27_effects/scenes/demo.scene --size 640x480 --samples 400 \
 	  --out images/27_effects_demo.png
 
+# The scene's teapot is finer than the one in 07's scenes/: 07 writes it, to where the scene looks for it.
+showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
+	@mkdir -p build
+	$(Q)$(BUILD)/07_mesh --teapot 24 --save build/teapot.obj
+	$(Q)$(BUILD)/27_effects chapters/27_effects/scenes/showpiece.scene --size 1280x720 --samples 256 --out images/showpiece.png
+
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done
 	@CC="$(CC)" BUILD="$(BUILD)/quick" TESTS="$(BUILD)" REAL="$(REAL)" JOBS="$(JOBS)" TABLES=no \
@@ -171,13 +178,15 @@ hard-cases:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
 	@$(BUILD)/double/hard_cases; a=$$?; echo; $(BUILD)/float/hard_cases && [ $$a -eq 0 ]
 
-# Each program's main table as CSV, for costs and notes. In 17 and 27 it holds no error.
+# Each program's main table as CSV, for costs and notes. In 17 and 27 it holds no error. For notes some print all
+# their tables, as the ledger has numbers of these, and times, of which it has none, are taken once.
 TABLED := $(filter-out 17_compare 27_effects,$(CHAPTERS))
 csv:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(TABLED:%=$(BUILD)/%)
 	@mkdir -p $(BUILD)/csv && ln -sfn $(CURDIR)/chapters $(BUILD)/csv/chapters
-	@for c in $(TABLED); do echo "$$c --csv"; \
-	  (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c --csv $$c.csv >/dev/null) || exit 1; done
+	@for c in $(TABLED); do case " $(WHOLE) " in *" $$c "*) full=--full ;; *) full= ;; esac; \
+	  echo "$$c $$full --csv"; \
+	  (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c $$full --csv $$c.csv >$$c.out) || exit 1; done
 $(BUILD)/costs: tests/costs/costs.c $(STAMP)
 	$(if $(V),,@echo "CC tests/costs/costs")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
@@ -195,7 +204,8 @@ coverage:
 book:
 	@sh tests/book.sh $(BUILD)
 
-notes: csv
+notes:
+	@BENCH_ONCE=1 $(MAKE) --no-print-directory csv WHOLE="08_object_order 09_aabb 12_kdtree 18_shade 22_radiometry"
 	@sh tests/notes.sh table $(BUILD)/csv
 
 # Called by tests/mine.sh again, with MINE a whole path.
