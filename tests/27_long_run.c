@@ -131,7 +131,7 @@ static void test_goals(void)
     check_equal(go(small "--error 0.4 --out @o.pfm"), 0, "to an error");
     check(printed("out", "error rmse 0."), "which it says");
     check_equal(go(small "--time 0.05 --out @o.pfm"), 0, "for a time");
-    put("sharp.scene", "sphere 0 0 0 1 chrome\nlight at 3 4 5 colour 90\n");
+    put("sharp.scene", "indirect off\nsphere 0 0 0 1 red\nlight at 3 4 5 colour 90\n");
     check_equal(go("@sharp.scene --size 22x17 --samples 1 --save @1.state --out @o.pfm"), 0, "one");
     check_equal(go("@sharp.scene --size 22x17 --samples 3 --resume @1.state --out @a.pfm"), 0, "3");
     check_equal(go("@sharp.scene --size 22x17 --samples 3 --out @b.pfm"), 0, "at once");
