@@ -17,8 +17,8 @@
 # make mine-04    your own function beside ours: MINE=my.h; sphere mine-03, triangle 04, box 09, structure 17
 # make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
-# make assignment-04  a homework to hand out: build/assignment-04/ and .tar.gz   assignment SET="04 09 14 26"
-# make grade      grades SUBMISSION=folder: a table, build/results.json; SUBMISSIONS=folder of folders: grades.csv
+# make assignment-04  homework to give out: build/assignment-04/   assignment SET="04 09 14 26"  a set
+# make grade SUBMISSION=folder  a table, build/results.json   SUBMISSIONS=..  a class, build/grades.csv
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
