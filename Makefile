@@ -133,6 +133,8 @@ $(foreach n,$(NUMBERS),$(eval $(call run_number,$(n))))
 images: full
 	cp $(BUILD)/*_time.svg images/
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
+	$(BUILD)/27_effects chapters/27_effects/scenes/demo.scene --size 640x480 --samples 400 \
+	  --out images/27_effects_demo.png
 
 # The scene's teapot is finer than the one in 07's scenes/: 07 writes it, to where the scene looks for it.
 showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
@@ -176,13 +178,15 @@ hard-cases:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) BUILD=$(BUILD)/float REAL=float $(BUILD)/float/hard_cases
 	@$(BUILD)/double/hard_cases; a=$$?; echo; $(BUILD)/float/hard_cases && [ $$a -eq 0 ]
 
-# Each program's main table as CSV, for costs and notes. In 17 and 27 it holds no error.
+# Each program's main table as CSV, for costs and notes. In 17 and 27 it holds no error. For notes some print all
+# their tables, as the ledger has numbers of these, and times, of which it has none, are taken once.
 TABLED := $(filter-out 17_compare 27_effects,$(CHAPTERS))
 csv:
 	$(Q)$(MAKE) --no-print-directory -j$(JOBS) $(TABLED:%=$(BUILD)/%)
 	@mkdir -p $(BUILD)/csv && ln -sfn $(CURDIR)/chapters $(BUILD)/csv/chapters
-	@for c in $(TABLED); do echo "$$c --csv"; \
-	  (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c --csv $$c.csv >/dev/null) || exit 1; done
+	@for c in $(TABLED); do case " $(WHOLE) " in *" $$c "*) full=--full ;; *) full= ;; esac; \
+	  echo "$$c $$full --csv"; \
+	  (cd $(BUILD)/csv && $(abspath $(BUILD))/$$c $$full --csv $$c.csv >$$c.out) || exit 1; done
 $(BUILD)/costs: tests/costs/costs.c $(STAMP)
 	$(if $(V),,@echo "CC tests/costs/costs")
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
@@ -200,7 +204,8 @@ coverage:
 book:
 	@sh tests/book.sh $(BUILD)
 
-notes: csv
+notes:
+	@BENCH_ONCE=1 $(MAKE) --no-print-directory csv WHOLE="08_object_order 09_aabb 12_kdtree 18_shade 22_radiometry"
 	@sh tests/notes.sh table $(BUILD)/csv
 
 # Called by tests/mine.sh again, with MINE a whole path.

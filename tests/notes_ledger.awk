@@ -5,7 +5,8 @@
 # A row of a page may name a measurement in a comment, <!-- 07; first; error: an edge; > 0 -->: the chapter, the
 # row (cells that it begins with, commas between), the column, and what must hold of the number found in
 # DIRECTORY/07_*.csv: <, > or = a number, or another row. Exit 1: something does not hold, or is not there.
-# Without csv the comments are left out.
+# A number that leads to a chapter's page is looked for in DIRECTORY/07_*.out, what the program printed, and the
+# line where it stands is shown. Without csv neither is done.
 function cells(line, out,   n, i, c, quoted, cell) {  # RFC 4180
     n = 0; cell = ""; quoted = 0; line = line ","
     for (i = 1; i <= length(line); i++) {
@@ -40,6 +41,31 @@ function holds(value, relation, limit) {
     if (relation == ">") return value + 0 > limit + 0
     return value + 0 == limit + 0
 }
+# The first line of what a chapter's program printed that has the number as a word, "" if none has.
+function printed(chapter, number,   file, command, line, n, i, word, at) {
+    command = "ls " csv "/" chapter "_*.out 2>/dev/null"
+    if ((command | getline file) <= 0) file = ""
+    close(command)
+    at = ""
+    while (file != "" && at == "" && (getline line < file) > 0) {
+        n = split(line, word, /[ ,;:()]+/)
+        for (i = 1; i <= n; i++) if (word[i] == number) at = line
+    }
+    if (file != "") close(file)
+    return at
+}
+# Shows where the numbers of a row were printed.
+function show_numbers(row,   link, number, chapter, line) {
+    while (match(row, /\[`?[0-9][0-9.,]*`?\]\(\.\.\/[0-9][0-9]_[a-z_]*\/[A-Z]*\.md[^)]*\)/)) {
+        link = substr(row, RSTART, RLENGTH); row = substr(row, RSTART + RLENGTH)
+        number = link; sub(/\].*/, "", number); gsub(/[][`,]/, "", number)
+        chapter = link; sub(/.*\.\.\//, "", chapter); chapter = substr(chapter, 1, 2)
+        if (number == chapter) continue
+        numbers++
+        line = printed(chapter, number)
+        if (line != "") { again++; gsub(/  +/, "  ", line); printf "    %s: %s\n", chapter, trim(line) }
+    }
+}
 function trim(s) { gsub(/^ +| +$/, "", s); return s }
 /^\| / && $0 !~ /^\| the notes/ {
     what = $0; mark = ""
@@ -51,6 +77,7 @@ function trim(s) { gsub(/^ +| +$/, "", s); return s }
     for (i = 1; i <= n; i++) { gsub(/\[|\]\([^)]*\)|[*`]/, "", part[i]); part[i] = trim(part[i]) }
     number = part[n - 3]
     printf "%s\n    %s%s\n", part[2], part[3], (number != "" ? "  -- " number : "")
+    if (csv != "") show_numbers($0)
     if (mark == "" || csv == "") next
     split(mark, m, /; */)
     for (i = 1; i <= 4; i++) m[i] = trim(m[i])
@@ -64,6 +91,8 @@ function trim(s) { gsub(/^ +| +$/, "", s); return s }
     measured++; if (!good) broken++
 }
 END {
-    if (csv != "") printf "%d of %d measured claims hold\n", measured - broken, measured
+    if (csv != "")
+        printf "%d of %d measured claims hold; %d of %d numbers were printed again\n", measured - broken, measured,
+            again, numbers
     exit broken > 0
 }

@@ -171,7 +171,7 @@ __attribute__((always_inline))
 static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
                               shading_frame f, vec3 wo, point2 u, path_counts *c)
 {
-    lit_draw l;
+    lit_draw l = {.emitter = lit_dark};
     c->light_draws++;
     if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, u, &l)) return;
     vec3 wi = to_local(f, l.wi);
