@@ -54,7 +54,7 @@ static inline void table_of_knobs(const options *o)
 {
     forty *f = allocate(1, sizeof *f);
     forty_fill(f);
-    int w = o->quick ? 48 : 240, h = w * 3 / 4;
+    int w = o->quick ? 48 : 160, h = w * 3 / 4;
     image im = image_new(w, h), deep = image_new(w, h);
     whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
                       .across = 1};
