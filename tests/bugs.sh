@@ -173,7 +173,8 @@ if plant a && [ "$(head -n 1 "$scratch/x/y")" = c ]; then ok; else no "a patch t
 if [ "${1:-}" = tests ]; then
     copy "$BUILD/bug-whole"
     for patch in "$here"/*.patch; do field Test "$patch"; done | sort -u | sed 's#.*#build/test_&#' |
-        xargs make -s --no-print-directory -j"$JOBS" -C "$BUILD/bug-whole" CC="$CC" REAL=double BUILD=build
+        xargs make -s --no-print-directory -j"$JOBS" -C "$BUILD/bug-whole" CC="$CC" REAL=double BUILD=build \
+            WARN= WARN_FIRST=
     for patch in "$here"/*.patch; do basename "$patch" .patch; done |
         xargs -P "$JOBS" -I{} sh -c 'sh tests/bugs.sh caught {} >'"$scratch"'/{} 2>&1 && echo yes >'"$scratch/{}"
     for patch in "$here"/*.patch; do

@@ -10,6 +10,11 @@
  * check_count(n) is an eighth of n, so that `make test` is quick; with CHECK_SOAK=1 in the
  * environment (`make soak`) it is n; with CHECK_DIVISOR=d, for slow builds (sanitizers, valgrind),
  * n / d.
+ *
+ * CHECK_SLACK=1 prints what part of its bound each check_at_most and check_close reached. A line
+ * that never gets to a hundredth has a bound that says little:
+ *   CHECK_SLACK=1 build/test_09_aabb | awk '/^slack/ && !($3 < m[$2]) { m[$2] = $3 }
+ *                                           END { for (k in m) if (m[k] < .01) print k, m[k] }'
  */
 #ifndef CHECK_H
 #define CHECK_H
@@ -43,8 +48,15 @@ static inline bool check_result(bool ok, const char *file, int line)
             || (printf("measured %.17g, expected " word " %.17g: ", (double)(measured), \
                        (double)(bound)), printf(__VA_ARGS__), printf("\n"))))
 
+static inline void check_slack(double measured, double bound, const char *file, int line)
+{
+    if (bound > 0 && getenv("CHECK_SLACK"))
+        printf("slack %s:%d %.3g\n", file, line, fabs(measured) / bound);
+}
+
 #define check_at_most(measured, bound, ...) \
-    check_relation((measured) <= (bound), measured, "at most", bound, __VA_ARGS__)
+    (check_slack((double)(measured), (double)(bound), __FILE__, __LINE__), \
+     check_relation((measured) <= (bound), measured, "at most", bound, __VA_ARGS__))
 #define check_at_least(measured, bound, ...) \
     check_relation((measured) >= (bound), measured, "at least", bound, __VA_ARGS__)
 #define check_equal(measured, expected, ...) \
@@ -52,7 +64,8 @@ static inline bool check_result(bool ok, const char *file, int line)
 
 /* |measured - expected| <= bound */
 #define check_close(measured, expected, bound, ...) \
-    ((void)(check_result(fabs((double)(measured) - (double)(expected)) <= (double)(bound), \
+    (check_slack((double)(measured) - (double)(expected), (double)(bound), __FILE__, __LINE__), \
+     (void)(check_result(fabs((double)(measured) - (double)(expected)) <= (double)(bound), \
                          __FILE__, __LINE__) \
             || (printf("measured %.17g, expected %.17g within %.3g: ", (double)(measured), \
                        (double)(expected), (double)(bound)), printf(__VA_ARGS__), printf("\n"))))

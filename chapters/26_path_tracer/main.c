@@ -5,11 +5,13 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
  * picture. Errors are measured against a reference of many samples, which a test compares with the
  * naive path of 25. */
 #include "lab/light_eye.h"
+#include "lab/pixel.h"
 #include "lab/vertices_figure.h"
 
 int main(int argc, char **argv)
 {
     command c = {.bounces = -1};
+    const char *pixel = NULL;
     options defaults = {.width = 320, .height = 320, .samples = -1, .seed = 1};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, furnace"},
@@ -24,10 +26,19 @@ int main(int argc, char **argv)
         {"strategy", OPTION_TEXT, &c.strategy, 0, 0, "mis, lights, directions"},
         {"bounces", OPTION_INT, &c.bounces, 0, path_endless, "at most, default endless"},
         {"clamp", OPTION_REAL, &c.clamp, 0, 1e9, "cut brighter samples: darkens; default not"},
+        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its first path, hit by hit, in words and drawn"},
         {0}};
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
     if (c.bounces == path_endless) c.bounces = -1;
+    if (pixel) {
+        const char *name = c.scene ? c.scene : "cornell";
+        c.scene = NULL, o.own = true;
+        if (command_given(&c, &o) || o.out || o.csv)
+            die(2, "--pixel goes with --scene, --size and --seed alone");
+        pixel_explain(&o, name, pixel);
+        return output_done(&o);
+    }
     if (command_given(&c, &o)) {
         o.own = true;
         command_run(&c, &o);

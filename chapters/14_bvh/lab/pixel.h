@@ -12,6 +12,7 @@
 #ifndef BVH_PIXEL_H
 #define BVH_PIXEL_H
 
+#include "../../../common/lab/explain.h"
 #include "../../../common/lab/figure.h"
 #include "../../../common/numbers/wide.h"
 #include "../../09_aabb/trials/pictures.h"
@@ -33,26 +34,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void pixel_line(int depth, const char *equation, const char *format, ...)
-{
-    char text[240];
-    va_list list;
-    va_start(list, format);
-    vsnprintf(text, sizeof text, format, list);
-    va_end(list);
-    printf("%*s%-*s%s\n", depth, "", *equation ? 84 - depth : 0, text, equation);
-}
-
-/* The columns and rows of a picture: "X,Y". */
-static inline void pixel_read(const char *text, int width, int height, int xy[2])
-{
-    char more;
-    if (sscanf(text, "%d,%d%c", &xy[0], &xy[1], &more) == 2 && xy[0] >= 0 && xy[0] < width
-        && xy[1] >= 0 && xy[1] < height) return;
-    die(2, "--pixel %.60s: allowed are X,Y with X from 0 to %d, Y from 0 to %d", text, width - 1,
-        height - 1);
-}
-
 /* Tests the box of a node; true if the ray meets it before the best hit so far. */
 static inline bool pixel_box(pixel_walk *w, uint32_t node, int depth, float *enter)
 {
@@ -65,11 +46,11 @@ static inline bool pixel_box(pixel_walk *w, uint32_t node, int depth, float *ent
                      : n->count ? PIXEL_LEAF : PIXEL_ENTERED};
     if (w->rows < pixel_most_rows) w->row[w->rows++] = row;
     if (row.fate == PIXEL_MISSED)
-        pixel_line(depth, "(9.5)", "box %u: missed, and all that is in it", node);
+        explain_line(depth, "(9.5)", "box %u: missed, and all that is in it", node);
     else if (row.fate == PIXEL_DROPPED)
-        pixel_line(depth, "(7.1)", "box %u: begins at t = %.6g, behind the hit", node, row.enter);
-    else pixel_line(depth, "(14.2)", "box %u%s: the ray is in it from t = %.6g to %.6g", node,
-                    n->count ? ", a leaf" : "", row.enter, row.exit);
+        explain_line(depth, "(7.1)", "box %u: begins at t = %.6g, behind the hit", node, row.enter);
+    else explain_line(depth, "(14.2)", "box %u%s: the ray is in it from t = %.6g to %.6g", node,
+                      n->count ? ", a leaf" : "", row.enter, row.exit);
     return row.fate >= PIXEL_ENTERED;
 }
 
@@ -81,9 +62,9 @@ static inline void pixel_leaf(pixel_walk *w, const bvh_node *n, int depth)
         hit before = w->q.best;
         w->work.tests++;
         if (!bvh_mesh_leaf(w->b, i, 1, &w->q, false) || !hit_before(w->q.best, before))
-            pixel_line(depth, "", "triangle %u: no", index);
-        else pixel_line(depth, "(4.8)", "triangle %u: hit at t = %.6g, u = %.4g, v = %.4g", index,
-                        (double)w->q.best.t, (double)w->q.best.u, (double)w->q.best.v);
+            explain_line(depth, "", "triangle %u: no", index);
+        else explain_line(depth, "(4.8)", "triangle %u: hit at t = %.6g, u = %.4g, v = %.4g", index,
+                          (double)w->q.best.t, (double)w->q.best.u, (double)w->q.best.v);
     }
 }
 
@@ -104,14 +85,14 @@ static inline void pixel_visit(pixel_walk *w, uint32_t node, int depth)
         uint32_t child = k ^ near;
         if (!in[child]) continue;
         if (k && enter[child] > box_ray_limit(&w->ray, w->q.r.tmax)) {
-            pixel_line(depth, "(7.1)", "box %u: not opened, the hit lies before it",
-                       n->first + child);
+            explain_line(depth, "(7.1)", "box %u: not opened, the hit lies before it",
+                         n->first + child);
             if (row + (int)child < w->rows) w->row[row + (int)child].fate = PIXEL_DROPPED;
             continue;
         }
         if (in[0] && in[1])
-            pixel_line(depth, k ? "" : "(14.1)", "box %u %s", n->first + child,
-                       k ? "after it" : "first: the ray enters it first");
+            explain_line(depth, k ? "" : "(14.1)", "box %u %s", n->first + child,
+                         k ? "after it" : "first: the ray enters it first");
         pixel_visit(w, n->first + child, depth + 1);
     }
 }
@@ -173,7 +154,7 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
     hit h = hit_none;
     float enter;
     search_work work = {0, 0, 0, 0};
-    pixel_read(text, o->width, o->height, xy);
+    explain_pixel(text, o->width, o->height, xy);
     if (!bvh_mesh_build(m, how, &b, &f)) fail(f);
     mesh_bounds(m, &lo, &hi);
     camera c = camera_of(lo, hi, z_up, (real)o->width / (real)o->height);
@@ -185,10 +166,10 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
 
     printf("# The ray of pixel %d, %d of %d x %d, %zu triangles\n", xy[0], xy[1], o->width,
            o->height, m->triangles);
-    pixel_line(0, "(2.5)", "o = (%.6g, %.6g, %.6g), d = (%.6g, %.6g, %.6g)", (double)r.o.x,
-               (double)r.o.y, (double)r.o.z, (double)r.d.x, (double)r.d.y, (double)r.d.z);
-    pixel_line(0, "(1.2), (1.4)", "p(t) = o + t d, t from %g to %g", (double)r.tmin,
-               (double)r.tmax);
+    explain_line(0, "(2.5)", "o = (%.6g, %.6g, %.6g), d = (%.6g, %.6g, %.6g)", (double)r.o.x,
+                 (double)r.o.y, (double)r.o.z, (double)r.d.x, (double)r.d.y, (double)r.d.z);
+    explain_line(0, "(1.2), (1.4)", "p(t) = o + t d, t from %g to %g", (double)r.tmin,
+                 (double)r.tmax);
     if (b.tree.items) w->ray = box_ray_of(r, &b.tree.node[0].box, NULL);
     if (b.tree.items && pixel_box(w, 0, 0, &enter)) pixel_visit(w, 0, 1);
 
@@ -200,9 +181,10 @@ static inline void pixel_explain(const options *o, const mesh *m, bvh_options ho
     if (found) {
         vec3 p = ray_at(r, h.t);
         double t = pixel_exact_t(mesh_triangle(m, h.shape), r);
-        pixel_line(0, "(7.1)", "hit: triangle %u at t = %.17g, p = (%.6g, %.6g, %.6g)", h.shape,
-                   (double)h.t, (double)p.x, (double)p.y, (double)p.z);
-        pixel_line(0, "", "off by %.2g of t, by the plane in 30 digits", fabs((double)h.t - t) / t);
+        explain_line(0, "(7.1)", "hit: triangle %u at t = %.17g, p = (%.6g, %.6g, %.6g)", h.shape,
+                     (double)h.t, (double)p.x, (double)p.y, (double)p.z);
+        explain_line(0, "", "off by %.2g of t, by the plane in 30 digits",
+                     fabs((double)h.t - t) / t);
     } else printf("no hit\n");
     printf("%zu pairs of boxes and %zu triangles, of %zu\n", work.nodes, work.tests, m->triangles);
     pixel_draw(o, w, title);

@@ -14,6 +14,7 @@
 #include "pictures.h"
 
 enum { vertices_most = 4 };
+enum { vertices_walls = 9 };  /* of the box's parallelograms; the others are its blocks */
 typedef struct {
     vec3 p, lamp, beta, gain;
     real weight;               /* w_L */
@@ -135,10 +136,10 @@ static inline void vertices_ball(figure *g, camera c, sphere s, const char *colo
 
 static inline void vertices_room(figure *g, camera c, const lit_scene *s)
 {
-    enum { walls = 9, red = 7 };  /* of the box's parallelograms; the others are its blocks */
+    enum { red = 7 };
     static const char *const colour[2] = {"#d8d2c4", "#c8c8c8"};
     mesh m = cornell_mesh();
-    for (size_t k = 0; k < walls; k++)
+    for (size_t k = 0; k < vertices_walls; k++)
         if (k != red) vertices_wall(g, c, &m, k);
     for (size_t k = s->shapes; k-- > 0;) {
         const shape *ball = &s->shape[k];
