@@ -7,6 +7,7 @@
 # make pages      the tables of all pages against what the programs print   FULL=1: print with --full
 # make precision  every chapter in float and in double: error and time side by side
 # make images     make full, and copies the plots of measured times from build/ into images/
+# make showpiece  the picture on top of README.md, some minutes: images/showpiece.png
 # make graph      which chapter includes which
 # make notes      the ledger: what the lecture notes claim, and what the programs find   a minute or so
 # make book       all pages as one file, build/book.html, for reading offline (needs pandoc)
@@ -32,7 +33,7 @@ NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1
 LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter 18_shade 19_first 19_optics 19_spd 19_whitted \
-  21_known 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
+  21_known 21_motion 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
   27_corpus 27_lamps 27_paths 27_plan 27_radiance 27_readers
 endif
 CFLAGS ?= -O2 $(NATIVE)
@@ -66,7 +67,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
+.PHONY: all run full images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -132,6 +133,14 @@ $(foreach n,$(NUMBERS),$(eval $(call run_number,$(n))))
 images: full
 	cp $(BUILD)/*_time.svg images/
 	$(BUILD)/26_path_tracer --scene teapot --size 720x480 --samples 512 --out images/26_path_tracer_teapot.png
+	$(BUILD)/27_effects chapters/27_effects/scenes/demo.scene --size 640x480 --samples 400 \
+	  --out images/27_effects_demo.png
+
+# The scene's teapot is finer than the one in 07's scenes/: 07 writes it, to where the scene looks for it.
+showpiece: $(BUILD)/07_mesh $(BUILD)/27_effects
+	@mkdir -p build
+	$(Q)$(BUILD)/07_mesh --teapot 24 --save build/teapot.obj
+	$(Q)$(BUILD)/27_effects chapters/27_effects/scenes/showpiece.scene --size 1280x720 --samples 256 --out images/showpiece.png
 
 test: $(CHAPTERS:%=$(BUILD)/quick/%) $(FIRSTS:%=$(BUILD)/%_first) $(TESTS:%=$(BUILD)/test_%)
 	@for f in $(FIRSTS); do ln -sf ../$${f}_first $(BUILD)/quick/; done

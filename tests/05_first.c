@@ -40,6 +40,48 @@ static void test_closed_form(void)
     check_close(n.x, 1, 1e-6, "of the other ball, too");
 }
 
+/* Exercise 1: f and two of its points in the plane z = 0, (1, 1, 0) and (-1, 1, 0): x^6 = x^2; and
+ * over (0, 1): (9/4 z^2)^3 = 9/80 z^2, so z^4 = 4/405. */
+static real heart(vec3 p)
+{
+    real xx = p.x * p.x, yyy = p.y * p.y * p.y, zz = p.z * p.z;
+    real a = xx + (real)2.25 * zz + p.y * p.y - 1;
+    return a * a * a - xx * yyy - (real)0.1125 * zz * yyy;
+}
+
+static void test_heart(void)
+{
+    const struct { ray r; real t; } in[] = {
+        {{{3, 1, 0}, 0, {-1, 0, 0}, 6}, 2}, {{{-3, 1, 0}, 0, {1, 0, 0}, 6}, 2},
+        {{{0, 1, 3}, 0, {0, 0, -1}, 6}, 3 - pow((real)4 / 405, (real)0.25)}};
+    for (size_t i = 0; i < sizeof in / sizeof *in; i++) {
+        hit h = hit_none;
+        check(first_implicit_hit(heart, in[i].r, 200, &h), "ray %zu meets the heart", i);
+        check_close(h.t, in[i].t, 100 * eps, "ray %zu", i);  /* slope 4, 1 and .2 there */
+    }
+}
+
+static size_t asked;
+static real counted(vec3 p) { return asked++, pair(p); }
+
+/* n steps are n + 1 places, no fewer and no more; and every one of them counts. */
+static void test_steps(void)
+{
+    for (int n = 1; n <= 4096; n *= 2) {
+        hit h;
+        asked = 0;
+        check(!first_implicit_hit(counted, (ray){{0, 3, 0}, 0, {1, 0, 0}, 9}, n, &h), "a miss");
+        check_equal(asked, (size_t)n + 1, "%d steps", n);
+        /* a plate thinner than two steps, thicker than one */
+        real lo = (real)2.5 - (real)0.005, tmax = (real)0.0075 * n;
+        if (n < 512) continue;
+        for (int k = 0; k < 50; k++) {
+            ray r = {{0, 0, lo + (real)0.0003 * k}, 0, {0, 0, -1}, tmax};
+            check(first_implicit_hit(plate, r, n, &h), "steps of .0075 see .01, %d of 50", k);
+        }
+    }
+}
+
 /* Rays anywhere at the torus: nearly all agree, none is made up, t to the last bits. */
 static void test_easy(void)
 {
@@ -123,6 +165,8 @@ static void test_degenerate(void)
 int main(void)
 {
     test_closed_form();
+    test_heart();
+    test_steps();
     test_easy();
     test_thin();
     test_degenerate();

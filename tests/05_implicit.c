@@ -302,8 +302,8 @@ static void test_all_roots(void)
           "an array of one gets the first");
 }
 
-/* The gyroid has no closed form: 4000 steps of 32 digits see no change of sign before the hit, and
- * f is 0 at it up to rounding. */
+/* The gyroid has no closed form: 4000 steps see no change of sign before the hit, where |f| is
+ * more than rounding makes of it; and f is 0 at the hit up to rounding. */
 static void test_gyroid(void)
 {
     implicit_subject u = implicit_subject_of(IMPLICIT_GYROID);

@@ -166,6 +166,38 @@ static void test_leaks(void)
     mesh_free(&m);
 }
 
+/* A ray from far away is moved to where it is near (ray8.h), and its interval with it: the nearest
+ * of three faces is asked in `real`, and no other; a shadow ray asks none. */
+static void test_far(void)
+{
+    mesh m = mesh_room(3);
+    failure f;
+    bvh8 w;
+    for (size_t i = 0; i < m.triangles; i++) {
+        real z = (real)i / 4;
+        set_triangle(&m, i, (vec3){-1, -1, z}, (vec3){1, -1, z}, (vec3){0, 1, z});
+    }
+    items x = items_of_mesh(&m);
+    check(bvh8_build(&x, bvh8_defaults, &w, &f), "built");
+    size_t rays = check_count(800), met = 0, asked = 0, asked_any = 0;
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(43, i, 0);
+        vec3 at = vscale(random_in_cube(&g, 1), (real)0.2);
+        ray r = ray_from((vec3){at.x, at.y, -1000}, (vec3){0, 0, 1});
+        hit h = hit_none;
+        size_t before = bvh8_asked;
+        met += bvh8_hit(&w, r, &h) && h.shape == 0;
+        asked += bvh8_asked - before, before = bvh8_asked;
+        met += bvh8_occluded(&w, r);
+        asked_any += bvh8_asked - before;
+    }
+    check_equal(met, 2 * rays, "from far away: the nearest face");
+    check_equal(asked, rays, "from far away: one face asked a ray");
+    check_equal(asked_any, 0, "from far away: no face asked by shadow rays");
+    bvh8_free(&w);
+    mesh_free(&m);
+}
+
 static void test_options(void)
 {
     mesh m = octahedron_mesh(2);
@@ -189,5 +221,6 @@ int main(void)
     test_floats();
     test_invariants();
     test_leaks();
+    test_far();
     return check_report("15_wide_bvh");
 }

@@ -118,6 +118,8 @@ static void test_scenes(void)
     lit_end(&c.s);
     c.eye = showcase_eye(vec(0, 1.1, 2), vec(0, 0, 0), 40, 1);
     compare("a caustic", &c);
+    for (size_t i = 0; i < c.s.materials; i++) c.s.material[i].alpha = (real)0.2;
+    compare("a rough caustic", &c);
     showcase_free(&c);
 }
 

@@ -174,6 +174,59 @@ static void test_glass(void)
     }
 }
 
+/* Rough glass in white light: nothing is won, and what facets hide is lost, the less the smoother:
+ * of each (23.26) at most some alpha. And nearly smooth glass is smooth glass. */
+static void test_rough_glass(void)
+{
+    static const double alphas[4] = {0.5, 0.2, 0.05, 1e-3};
+    double before = 0;
+    for (int k = 0; k < 4; k++) {
+        lit_scene s;
+        path_tracer t;
+        estimate e[3];
+        path_counts c = {0};
+        lit_begin(&s);
+        lit_material m = {.ior = 1.5, .alpha = (real)alphas[k]};
+        lit_add_shape(&s, shape_of_sphere((sphere){{0, 0, 0}, 1}), lit_add_material(&s, m));
+        s.background = (vec3){1, 1, 1};
+        lit_end(&s);
+        path_tracer_of(&s, NULL, path_defaults, &t);
+        along(&t, ray_from(vec(0, 0.6, 5), (vec3){0, 0, -1}), check_count(2000), 16, e, &c);
+        check_at_most(e[0].mean, 1 + 5 * estimate_error(e[0]), "no light is won, alpha %g",
+                      alphas[k]);
+        check_at_least(e[0].mean, 1 - alphas[k], "little is lost, alpha %g", alphas[k]);
+        check_at_least(e[0].mean, before - 5 * estimate_error(e[0]), "the less the smoother");
+        check_equal(c.light_draws, 0, "no light sample on glass");
+        before = e[0].mean;
+        path_tracer_free(&t), lit_free(&s);
+    }
+}
+
+/* The same ball before a floor with a lamp above it: half its light is in what is behind. */
+static void test_nearly_smooth(void)
+{
+    estimate e[2][3];
+    for (int k = 0; k < 2; k++) {
+        showcase c;
+        failure f;
+        path_tracer t;
+        path_counts work = {0};
+        check(showcase_of("spheres", 1, &c, &f), "a ball of glass");
+        for (size_t i = 0; i < c.s.materials; i++)
+            c.s.material[i].alpha = k ? (real)2e-4 : 0;
+        path_tracer_of(&c.s, NULL, path_defaults, &t);
+        vec3 from = {278, 273, -800};
+        ray r = ray_from(from, vsub((vec3){170, 120, 200}, from));
+        along(&t, r, check_count(4000), 16, e[k], &work);
+        path_tracer_free(&t), showcase_free(&c);
+    }
+    for (int ch = 0; ch < 3; ch++) {
+        double off = fabs(e[0][ch].mean - e[1][ch].mean);
+        double noise = hypot(estimate_error(e[0][ch]), estimate_error(e[1][ch]));
+        check_at_most(off, 5 * noise + 2e-3 * e[0][ch].mean, "nearly smooth, channel %d", ch);
+    }
+}
+
 /* ---- against the naive path of 25 ---- */
 
 /* Means of two estimates that share nothing (Welch). */
@@ -505,7 +558,8 @@ static void test_called_for(void)
               "%s: the same picture, byte for byte, when all is spent", name);
         check_at_least(b.shadow, a.shadow, "%s: shadow rays", name);
         check_equal(a.spent, 0, "%s: nothing is spent in vain", name);
-        bool glass = strcmp(name, "spheres") == 0 || strcmp(name, "furnace") == 0;
+        bool glass = strcmp(name, "spheres") == 0 || strcmp(name, "rough") == 0
+                  || strcmp(name, "furnace") == 0;
         check((a.refractions > 0) == glass, "%s: refraction code runs where there is glass", name);
         bool lit = strcmp(name, "furnace") != 0;
         check((a.light_draws > 0) == lit, "%s: light samples where there are lights", name);
@@ -526,6 +580,8 @@ int main(void)
     test_furnace();
     test_leaning_normals();
     test_glass();
+    test_rough_glass();
+    test_nearly_smooth();
     test_called_for();
     test_choice_of_light();
     test_in_glass();

@@ -111,7 +111,7 @@ static void test_page(void)
         check(printed("out", "\n-> ") && !printed("err", "warning"), "%s: its picture", line);
         found++;
     }
-    check_equal(found, 3, "commands of the page");
+    check_equal(found, 4, "commands of the page");
     free(page);
 }
 

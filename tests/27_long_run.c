@@ -77,7 +77,8 @@ static void test_stopped(void)
              build ? build : "build", directory, directory, directory, directory, directory,
              directory);
     int status = system(command);
-    check(WIFEXITED(status) && WEXITSTATUS(status) == 130, "SIGTERM: exit 130, not %d", status);
+    check(WIFEXITED(status) && WEXITSTATUS(status) == 143, "SIGTERM: exit 143, not %d",
+          WEXITSTATUS(status));
     check(printed("err", "stop.pfm holds what there was"), "and says what there is");
     char settings[state_settings] = "";
     check(state_read(in_directory("stop.state"), &m, settings, &f), "a whole state: %s", f.text);

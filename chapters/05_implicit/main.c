@@ -1,7 +1,8 @@
 /* 05_implicit: surfaces f(p) = 0 by steps, Newton, sphere tracing, intervals: what each misses.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 05_implicit chapters/05_implicit/main.c -lm -lpthread
  *
- * Without options: Barth's sextic, what steps miss of it, three ways along one ray, a table.
+ * Without options: Barth's sextic, three ways along one ray, a table; --full: what steps miss
+ * of it, other surfaces, more tables.
  * --surface, --method, --turn ..: one picture of that. */
 #include "lab/implicit_figure.h"
 #include "lab/implicit_measure.h"
@@ -59,8 +60,7 @@ int main(int argc, char **argv)
     implicit_draw(&o, &v, "05_implicit.png");
     if (o.own) return output_done(&o);
     implicit_draw_roots(&o);
-    implicit_draw_missed(&o);
-    if (o.full || o.quick) implicit_draw_shapes(&o);
+    if (o.full || o.quick) implicit_draw_missed(&o), implicit_draw_shapes(&o);
     implicit_measure(&o);
     return output_done(&o);
 }

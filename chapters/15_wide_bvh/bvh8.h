@@ -56,14 +56,24 @@
 #define BVH8_CALL(verb, ...) return verb##_0(__VA_ARGS__);
 #endif
 
-static inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
+/* Field by field: what is copied as a whole right after it was written waits for all of it. */
+static inline ray bvh8_own(const ray *r)
 {
-    BVH8_CALL(bvh8_closest, w, &r, &skip, out)
+    return (ray){{r->o.x, r->o.y, r->o.z}, r->tmin, {r->d.x, r->d.y, r->d.z}, r->tmax};
 }
 
+__attribute__((always_inline))
+static inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
+{
+    ray own = bvh8_own(&r);
+    BVH8_CALL(bvh8_closest, w, &own, &skip, out)
+}
+
+__attribute__((always_inline))
 static inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
 {
-    BVH8_CALL(bvh8_any, w, &r, &skip)
+    ray own = bvh8_own(&r);
+    BVH8_CALL(bvh8_any, w, &own, &skip)
 }
 
 static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)

@@ -2,7 +2,7 @@
  *
  *   bvh8_ray_of(&w, &r, leaky, &q)        the ray in the frame of the tree; once a ray
  *   bvh8_before(&q, t), bvh8_limit(&q, t) t in the frame, rather too small, rather too large
- *   bvh8_exactly(&w, block, k, &r, &h)    triangle k of a block in `real`, by the test of 04
+ *   bvh8_exactly(&w, block, k, &r, &shear, &h)   triangle k of a block in `real`: the test of 04
  *
  * u = 2^-24; S is the largest of 1 and the origin's coordinates, all in the frame. Corners are at
  * most 1 there, distances to them at most 2 S. eps is that of `real`.
@@ -44,15 +44,24 @@ typedef struct {
 
 #define bvh8_row(rows, offset) (*(const eight *)((const char *)(rows) + (offset)))
 
+/* x as a float, and a little less: rounded once, twice in float, and this product. */
+static inline float bvh8_down(double x)
+{
+    float f = (float)(x < 1e38 ? x : 1e38);
+    return f - fabsf(f) * 0x1p-22f;
+}
+
 /* In double: in float the scale of a small tree may overflow. */
 static inline float bvh8_before(const bvh8_ray *q, real t)
 {
-    double x = (double)t * q->scale - q->shift - q->slack;
-    float f = (float)(x < 1e38 ? x : 1e38);
-    return f - fabsf(f) * 0x1p-22f;  /* rounded once, twice in float, and this product */
+    return bvh8_down((double)t * q->scale - q->shift - q->slack);
 }
 
-static inline float bvh8_limit(const bvh8_ray *q, real t) { return -bvh8_before(q, -t); }
+/* A far origin was moved by `shift`: the interval's end moves with it, as its beginning does. */
+static inline float bvh8_limit(const bvh8_ray *q, real t)
+{
+    return -bvh8_down(q->shift - (double)t * q->scale - q->slack);
+}
 
 /* As vlongest, without a branch: which axis it is is a toss. */
 static inline unsigned bvh8_longest(vec3 d)
@@ -128,9 +137,8 @@ static _Thread_local size_t bvh8_asked;
 
 /* Building has asked for the area, so the second half of 04's test needn't. */
 static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, const ray *r,
-                                hit *out)
+                                const ray_shear *s, hit *out)
 {
-    ray_shear s = shear_of(*r);
     triangle t;
     bvh8_asked++;
     if (w->exact) {
@@ -139,9 +147,9 @@ static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, c
         t.b = bvh8_back(w, c[24], c[32], c[40]);
         t.c = bvh8_back(w, c[48], c[56], c[64]);
     } else t = mesh_triangle(w->x.m, block->index[k]);
-    vec3 a = shear_corner(&t.a, &s), b = shear_corner(&t.b, &s), c = shear_corner(&t.c, &s);
+    vec3 a = shear_corner(&t.a, s), b = shear_corner(&t.b, s), c = shear_corner(&t.c, s);
     vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
-    if (signs_differ(e.x, e.y, e.z) || !shear_meets(a, b, c, e, &s, *r, out)) return false;
+    if (signs_differ(e.x, e.y, e.z) || !shear_meets(a, b, c, e, s, *r, out)) return false;
     out->shape = block->index[k];
     return true;
 }

@@ -1,6 +1,7 @@
 /* state8.h: what a search knows so far, and what few rays come to: the tests in `real`.
  *
  *   bvh8_push(n, mask, &enter, stack, top)     children onto the stack, the nearest on top
+ *   bvh8_shear(&s)                             the ray as 04 and 07 see it: once, if anybody asks
  *   bvh8_ask(w, block, k, &s)                  one triangle in `real`: is it the closest so far?
  *   bvh8_ask_all(w, block, &q, &s, any, left, safe, span)      those of a block that are in doubt
  *   bvh8_shapes(w, list, &q, &s, any)          shapes of a list, each by its own test
@@ -20,6 +21,8 @@
 
 typedef struct {
     ray *r;
+    ray_shear shear;            /* of r, once it is asked for: bvh8_shear */
+    bool sheared;
     const bvh8_skip *skip;      /* known not to be hit: tree8.h */
     hit best;                   /* computed in `real`; r->tmax is its t */
     const bvh8_block *waiting;  /* nearer than that, and not computed yet: triangle `lane` */
@@ -75,10 +78,18 @@ static inline void bvh8_count(const bvh8 *w, uint32_t leaf, search_work *work)
     for (int k = 0; k < 8; k++) work->tests += index[k] != no_shape;
 }
 
+/* Once a ray, and only for those that need it: balls don't. */
+static inline const ray_shear *bvh8_shear(bvh8_state *s)
+{
+    if (!s->sheared) s->shear = shear_of(*s->r), s->sheared = true;
+    return &s->shear;
+}
+
 static inline void bvh8_ask(const bvh8 *w, const bvh8_block *b, int k, bvh8_state *s)
 {
     hit h;
-    if (bvh8_exactly(w, b, k, s->r, &h) && hit_before(h, s->best)) s->best = h, s->r->tmax = h.t;
+    if (!bvh8_exactly(w, b, k, s->r, bvh8_shear(s), &h) || !hit_before(h, s->best)) return;
+    s->best = h, s->r->tmax = h.t;
 }
 
 static inline void bvh8_wait(const bvh8_block *b, int k, float first, float last, bvh8_state *s)
@@ -99,7 +110,7 @@ static bool bvh8_ask_all(const bvh8 *w, const bvh8_block *b, const bvh8_ray *q, 
         hit h;
         if (b->index[k] == no_shape || (sure && first > s->limit)) continue;
         if (any) {
-            if (bvh8_exactly(w, b, k, s->r, &h)) return true;
+            if (bvh8_exactly(w, b, k, s->r, bvh8_shear(s), &h)) return true;
             continue;
         }
         if (sure && last < s->first) {
@@ -123,7 +134,7 @@ static inline bool bvh8_shapes(const bvh8 *w, const bvh8_list *l, const bvh8_ray
         const shape *x = &w->x.s->shapes[l->index[k]];
         hit h;
         if (!(x->kind == SHAPE_SPHERE ? sphere_hit(x->sphere, *s->r, &h)
-                                      : shape_hit(*x, *s->r, &h))) continue;
+                                      : shape_hit_sheared(x, bvh8_shear(s), *s->r, &h))) continue;
         if (any) return true;
         h.shape = l->index[k];
         if (hit_before(h, s->best)) s->best = h, s->r->tmax = h.t, s->limit = bvh8_limit(q, h.t);
@@ -146,7 +157,7 @@ static inline void bvh8_keep(const bvh8_block *b, unsigned left, const eight tuv
 static inline bool bvh8_answer(const bvh8 *w, bvh8_state *s, hit *out)
 {
     if (s->waiting && s->best.shape == no_shape)
-        return bvh8_exactly(w, s->waiting, s->lane, s->r, out);
+        return bvh8_exactly(w, s->waiting, s->lane, s->r, bvh8_shear(s), out);
     if (s->waiting) bvh8_ask(w, s->waiting, s->lane, s);
     if (s->best.shape == no_shape) return false;
     *out = s->best;

@@ -115,7 +115,9 @@ static inline bool bvh8_walk(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *
     uint64_t stack[512];
     int top = 0;
     if (w->nodes == 0 || !ray_is_usable(*r)) return false;
-    bvh8_state s = {.r = r, .best = hit_none, .first = INFINITY, .skip = skip};
+    bvh8_state s;
+    s.r = r, s.sheared = false, s.skip = skip, s.best = hit_none;
+    s.waiting = NULL, s.first = INFINITY;
     bvh8_ray q;
     bvh8_ray_of(w, r, leaky, &q);
     s.limit = q.limit;
@@ -146,11 +148,14 @@ static inline bool bvh8_walk(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* Calls: as long as they are, a copy in each caller would only be more code to fetch. */
+__attribute__((noinline))
 static bool bvh8_closest(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *out)
 {
     return bvh8_walk(w, r, skip, out, false, false, NULL);
 }
 
+__attribute__((noinline))
 static bool bvh8_any(const bvh8 *w, ray *r, const bvh8_skip *skip)
 {
     return bvh8_walk(w, r, skip, NULL, true, false, NULL);

@@ -163,7 +163,8 @@ static inline surface surface_naive(const shape *s, ray r, hit h)
 /* Seen from where the ray comes from: n.d <= 0. ns turns with n. */
 static inline surface surface_facing(surface s, vec3 d)
 {
-    if (vdot(s.n, d) > 0) s.n = vneg(s.n), s.ns = vneg(s.ns);
+    real turn = vdot(s.n, d) > 0 ? -1 : 1;  /* a factor, not a branch: it is a toss */
+    s.n = vscale(s.n, turn), s.ns = vscale(s.ns, turn);
     return s;
 }
 

@@ -46,8 +46,9 @@ static inline bool whitted_child(const whitted *w, const whitted_branch *b, cons
     vec3 weight = vmul(vmul(b->weight, p->left), share);
     bool counts = weight.x > w->least || weight.y > w->least || weight.z > w->least;
     if (!counts && !(w->spend_all && vzero(weight))) return false;
-    *child = (whitted_branch){{leave_point(p->s, side, p->more), 0, d, real_infinity}, weight,
-                              share, b->in, b->depth + 1, kind, b->number};
+    vec3 o = leave_point(surface_copy(&p->s), side, p->more);
+    *child = (whitted_branch){{o, 0, d, real_infinity}, weight, share, b->in, b->depth + 1, kind,
+                              b->number};
     return true;
 }
 

@@ -94,7 +94,8 @@ static inline vec3 whitted_shade(tracer *t, const whitted_branch *b, const whitt
         light_sample x;
         bool counts = material_reflects(m) && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !w->spend_all) continue;
-        ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
+        ray r = L->kind == LIGHT_POINT ? leave_to(surface_copy(s), L->at)
+                                       : leave(surface_copy(s), L->at);
         real lit = 1;
         if (trace(t, RAY_SHADOW, r, &lit)) lit = 0;
         if (w->log)
@@ -123,7 +124,7 @@ static inline void whitted_arrive(tracer *t, whitted_branch *b, trace_hit x, whi
         }
     }
     p->inside = media_fills(w->media, &b->in);
-    p->s = surface_facing(p->s, b->r.d);
+    p->s = surface_facing(surface_copy(&p->s), b->r.d);
 }
 
 static inline bool whitted_find(tracer *t, whitted_branch *b, whitted_place *p)

@@ -38,6 +38,7 @@
 #include "halton.h"
 #include "jitter.h"
 #include "sobol.h"
+#include <stddef.h>
 
 typedef struct { real u, v; } point2;
 typedef enum { SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON, SEQUENCE_HALTON_OWEN,

@@ -16,7 +16,7 @@ int main(int argc, char **argv)
     draw_spheres(&o), plot_lobes(&o), draw_vectors(&o);
     measure_methods(&o);
     if (o.full) {
-        measure_furnace(&o), measure_naive(&o);
+        measure_furnace(&o), measure_glass(&o), measure_naive(&o);
     }
     return output_done(&o);
 }

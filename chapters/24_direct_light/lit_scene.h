@@ -36,7 +36,8 @@
 typedef struct {
     brdf f;         /* reflection, on both sides; brdf_is_black: none */
     vec3 Le;        /* radiance of the front [W/(m^2 sr)]; 0: none */
-    real ior;       /* > 0: smooth dielectric between inside (behind n) and outside; f is unused */
+    real ior;       /* > 0: dielectric between inside (behind n) and outside; f is unused */
+    real alpha;     /* of it: 0 smooth, else its facets (23.6) */
     vec3 sigma;     /* absorption inside, per unit of length */
 } lit_material;
 
@@ -271,9 +272,8 @@ static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place,
 static inline bool lit_trace_from(const lit_scene *s, ray r, uint32_t from, lit_hit *out)
 {
     hit h = hit_none, other;
-    ray rest = r;
     bool met = bvh8_hit_but(&s->trees->of_mesh, r, (bvh8_skip){from, no_shape, no_shape}, &h);
-    if (met) rest.tmax = h.t;
+    ray rest = {r.o, r.tmin, r.d, met ? h.t : r.tmax};
     if (s->shapes && bvh8_hit(&s->trees->of_shapes, rest, &other) && (!met || other.t < h.t)) {
         lit_found(s, r, surface_of_shape(&s->shape[other.shape], r, other),
                   s->m.triangles + other.shape, s->of_shape[other.shape], other.t, out);

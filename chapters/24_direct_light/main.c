@@ -33,7 +33,7 @@ int main(int argc, char **argv)
          "by uniform, cosine, brdf, area, angle, balance, power or half"}, {0}};
     options o = options_read(argc, argv, "24_direct_light",
                              "Direct light by directions, by lights and by both.",
-                             (options){.width = 420, .height = 420, .samples = 16, .seed = 1}, own);
+                             (options){.width = 640, .height = 640, .samples = 16, .seed = 1}, own);
     o.own = scene_name || way_name;
     if (o.quick && o.samples == 16) o.samples = 1;  /* what was asked for stays */
     if (o.own && o.csv) die(2, "--csv: no table with --scene, --way");

@@ -98,8 +98,13 @@ static inline bool light_scatter(const light_tracer *t, const lit_hit *x, random
     real pdf;
     if (x->m->ior > 0) {
         bool through;
-        real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1;
-        *r = leave(x->s, dielectric_scatter(x->s.n, back, n1, n2, random_next(s), &through));
+        real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1, power = 1;
+        if (x->m->alpha > 0) {
+            rough_glass g = {x->m->alpha, n1, n2};
+            if (!dielectric_rough(g, x->s.n, vunit(back), s, &wo, &through, &power)) return false;
+            *phi = vscale(*phi, power);
+        } else wo = dielectric_scatter(x->s.n, back, n1, n2, random_next(s), &through);
+        *r = leave(x->s, wo);
         if (through) *medium = x->front ? x->m : NULL;
         return true;
     }

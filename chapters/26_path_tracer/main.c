@@ -14,7 +14,7 @@ int main(int argc, char **argv)
     const char *pixel = NULL;
     options defaults = {.width = 320, .height = 320, .samples = -1, .seed = 1};
     option own[] = {
-        {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, furnace"},
+        {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, rough, furnace"},
         {"mesh", OPTION_INPUT, &c.obj, 0, 0, "OBJ: this mesh, on a floor, under a sky"},
         {"environment", OPTION_INPUT, &c.sky, 0, 0, "PFM or PPM: light all round"},
         {"error", OPTION_REAL, &c.run.error, 1e-9, 1e9, "until the RMSE is no larger, in radiance"},
@@ -46,7 +46,8 @@ int main(int argc, char **argv)
     }
     draw_cornell(&o);
     if (!o.out) draw_strategies(&o), draw_vertices(&o);
-    if (!o.out && o.full) draw_spheres(&o), draw_furnace(&o), draw_light(&o), draw_ladder(&o);
+    if (!o.out && o.full) draw_spheres(&o), draw_rough(&o), draw_furnace(&o), draw_light(&o),
+                          draw_ladder(&o);
     measure_strategies(&o);
     return output_done(&o);
 }

@@ -89,7 +89,8 @@ static inline bool passes_stopped(const sigset_t *both)
     sigpending(&pending);
     for (int k = 0; k < 2; k++)
         if (sigismember(&pending, signals[k]) && sigaction(signals[k], NULL, &now) == 0
-            && now.sa_handler != SIG_IGN) return sigwait(both, &which) == 0;
+            && now.sa_handler != SIG_IGN && sigwait(both, &which) == 0)
+            return parallel_on_interrupt(which), true;
     return false;
 }
 

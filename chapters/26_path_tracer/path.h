@@ -171,7 +171,7 @@ __attribute__((always_inline))
 static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit *x,
                               shading_frame f, vec3 wo, point2 u, path_counts *c)
 {
-    lit_draw l;
+    lit_draw l = {.emitter = lit_dark};
     c->light_draws++;
     if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, u, &l)) return;
     vec3 wi = to_local(f, l.wi);
@@ -210,14 +210,21 @@ static inline bool path_dice(const path_tracer *t, path_walk *w, path_random *s,
     return true;
 }
 
-static inline void path_through_glass(path_walk *w, const lit_hit *x, path_random *s,
+/* False: a facet sends it to the wrong side. No light sample is taken at rough glass either: what
+ * its rays run into counts in full. */
+static inline bool path_through_glass(path_walk *w, const lit_hit *x, path_random *s,
                                       path_counts *c)
 {
     bool through;
+    real power = 1;
     real n1 = x->front ? 1 : x->m->ior, n2 = x->front ? x->m->ior : 1;
     c->refractions++;
-    vec3 wo = vneg(vunit(w->r.d));
-    vec3 wi = dielectric_scatter(x->s.n, wo, n1, n2, random_next(&s->own), &through);
+    vec3 wo = vneg(vunit(w->r.d)), wi;
+    if (x->m->alpha > 0) {
+        rough_glass g = {x->m->alpha, n1, n2};
+        if (!dielectric_rough(g, x->s.n, wo, &s->own, &wi, &through, &power)) return false;
+        w->beta = vscale(w->beta, power);
+    } else wi = dielectric_scatter(x->s.n, wo, n1, n2, random_next(&s->own), &through);
     if (through) {
         real k = dielectric_squeeze(n1, n2);
         w->beta = vscale(w->beta, k), w->squeezed *= k;
@@ -225,6 +232,7 @@ static inline void path_through_glass(path_walk *w, const lit_hit *x, path_rando
     }
     w->r = leave(surface_copy(&x->s), wi);
     w->from = x->s.p, w->left = x->s.shape, w->pdf = real_infinity;
+    return true;
 }
 
 /* The next ray by the BRDF; false: nothing is reflected. */
@@ -267,8 +275,7 @@ static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s,
     bool glass = t->glass && x.m->ior > 0;
     if (w->bounces >= t->how.bounces) return false;
     if (!glass && brdf_is_black(&x.m->f)) return false;
-    if (glass) path_through_glass(w, &x, s, c);
-    else if (!path_reflect(t, w, &x, s, c)) return false;
+    if (!(glass ? path_through_glass(w, &x, s, c) : path_reflect(t, w, &x, s, c))) return false;
     if (vzero(w->beta) || !path_dice(t, w, s, c)) return false;
     w->bounces++, c->bounce++;
     return true;

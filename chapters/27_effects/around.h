@@ -13,45 +13,26 @@
 #ifndef EFFECTS_AROUND_H
 #define EFFECTS_AROUND_H
 
-#include "stage.h"
+#include "radiance.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool around_has(const media_set *in, uint32_t body)
-{
-    for (uint32_t k = 0; k < in->n; k++)
-        if (in->body[k] == body) return true;
-    return false;
-}
-
-/* One face on the way: of those entered the last is taken off, of others left all are noted. */
-static inline void around_crosses(media_set *entered, media_set *around, uint32_t body,
-                                  bool inwards)
-{
-    uint32_t k = entered->n;
-    if (inwards) {
-        if (k < media_most) entered->body[entered->n++] = body;
-        return;
-    }
-    while (k > 0 && entered->body[k - 1] != body) k--;
-    if (k > 0) {
-        for (entered->n--; k <= entered->n; k++) entered->body[k - 1] = entered->body[k];
-    } else if (around->n < media_most) {
-        for (k = around->n++; k > 0; k--) around->body[k] = around->body[k - 1];
-        around->body[0] = body;
-    }
-}
-
 static inline media_set around_along(const effects_stage *e, ray r)
 {
-    media_set entered = {0}, around = {0};
+    media_set in = {0}, after = {0}, around = {0};
+    effects_counts c = {.now = 0};
     studio_hit x = {hit_none, 0};
     for (int k = 0; k < stage_most_depth && studio_tree_hit(&e->t, r, &x); k++) {
-        uint32_t m = studio_hit_material(&e->t, x);
+        uint32_t m = studio_hit_material(&e->t, x), n = in.n;
         surface s = studio_surface(&e->t, r, x);
-        if (e->look[m].solid && !vzero(e->look[m].through))
-            around_crosses(&entered, &around, m + 1, vdot(s.n, r.d) < 0);
         r.o = leave_point(s, r.d, 0);
+        if (!e->look[m].solid || vzero(e->look[m].through)) continue;
+        effects_crosses(e, m + 1, vdot(s.n, r.d) < 0, &in, &after, &c);
+        if (in.n > n && around.n < media_most) {  /* left, but never entered: outside all before */
+            for (n = around.n++; n > 0; n--) around.body[n] = around.body[n - 1];
+            around.body[0] = m + 1;
+        }
+        in = after;
     }
     return around;
 }
@@ -66,7 +47,7 @@ static inline media_set effects_around(const effects_stage *e, vec3 o)
         in = (media_set){0};
         for (uint32_t i = 0; i < (k ? all.n : one.n); i++) {
             uint32_t body = k ? all.body[i] : one.body[i];
-            if (around_has(&one, body)) in.body[in.n++] = body;
+            if (media_has(&one, body)) in.body[in.n++] = body;
         }
         all = in;
     }

@@ -42,7 +42,8 @@ int main(int argc, char **argv)
                              (options){.width = 400, .height = 300, .samples = -1}, own);
     if (o.quick && o.width == 400 && o.height == 300) o.width = 120, o.height = 90;
     o.own = request_own(&q);
-    if (!o.out && !o.own && !draw_six(&o)) die(parallel_stopped(), "stopped");
+    if (!o.out && !o.own && !(draw_six(&o, false) && (!o.full || draw_six(&o, true))))
+        die(parallel_stopped(), "stopped");
     if (request_is_short(&o)) return output_done(&o);
     studio s;
     studio_view view;

@@ -48,11 +48,27 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool rule_no_light(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return q->s->lights == 0;
-}
+/* Rules that no line of the scene speaks of. */
+#define PLAN_RULE(name, test)                                         \
+    static inline bool name(const plan_facts *q, cite *line)          \
+    {                                                                 \
+        (void)line;                                                   \
+        return test;                                                  \
+    }
+PLAN_RULE(rule_no_light, q->s->lights == 0)
+PLAN_RULE(rule_no_lamp, q->s->emitters == 0)
+PLAN_RULE(rule_no_sky, q->s->sky.kind == SKY_NONE)
+PLAN_RULE(rule_unlit, !q->has[PART_LIT].n)
+PLAN_RULE(rule_no_mirror, !q->has[PART_MIRROR].n)
+PLAN_RULE(rule_no_lobe, !q->has[PART_GLOSSY].n)
+PLAN_RULE(rule_opaque, !q->has[PART_THROUGH].n)
+PLAN_RULE(rule_clear, !q->has[PART_ABSORB].n)
+PLAN_RULE(rule_nothing_matte, !q->has[PART_MATTE].n)
+PLAN_RULE(rule_dark, !q->lights && !q->s->emitters && !q->around)
+PLAN_RULE(rule_one_plane, q->flat)
+PLAN_RULE(rule_no_lens, !q->s->lens.said.file)
+PLAN_RULE(rule_nothing_seen, !q->s->shapes && !q->s->solids && !q->s->places
+                                 && q->s->sky.kind <= SKY_CONSTANT)
 
 static inline bool rule_black_light(const plan_facts *q, cite *line)
 {
@@ -60,70 +76,10 @@ static inline bool rule_black_light(const plan_facts *q, cite *line)
     return q->lights == 0;
 }
 
-static inline bool rule_no_lamp(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return q->s->emitters == 0;
-}
-
-static inline bool rule_no_sky(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return q->s->sky.kind == SKY_NONE;
-}
-
 static inline bool rule_black_sky(const plan_facts *q, cite *line)
 {
     *line = q->s->sky_said;
     return !q->around;
-}
-
-static inline bool rule_unlit(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->has[PART_LIT].n;
-}
-
-static inline bool rule_no_mirror(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->has[PART_MIRROR].n;
-}
-
-static inline bool rule_no_lobe(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->has[PART_GLOSSY].n;
-}
-
-static inline bool rule_opaque(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->has[PART_THROUGH].n;
-}
-
-static inline bool rule_clear(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->has[PART_ABSORB].n;
-}
-
-static inline bool rule_nothing_matte(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->has[PART_MATTE].n;
-}
-
-static inline bool rule_dark(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->lights && !q->s->emitters && !q->around;
-}
-
-static inline bool rule_one_plane(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return q->flat;
 }
 
 static inline bool rule_said_off(const plan_facts *q, cite *line)
@@ -139,23 +95,10 @@ static inline bool rule_direct_formats(const plan_facts *q, cite *line)
     return q->direct_only;
 }
 
-static inline bool rule_no_lens(const plan_facts *q, cite *line)
-{
-    (void)line;
-    return !q->s->lens.said.file;
-}
-
 static inline bool rule_pinhole(const plan_facts *q, cite *line)
 {
     *line = q->s->lens.said;
     return !(q->s->lens.radius > 0);
-}
-
-static inline bool rule_nothing_seen(const plan_facts *q, cite *line)
-{
-    (void)line;
-    const studio *s = q->s;
-    return !s->shapes && !s->solids && !s->places && s->sky.kind <= SKY_CONSTANT;
 }
 
 /* The whole plan. A proof, in the second column, is one that a reader can check in a line. */

@@ -21,7 +21,7 @@
  *   studio_said(&s, cite, text, sizeof text)     "room.scene:7", "(default)", "--light"
  *   studio_free(&s);                             a zeroed one may be freed
  *
- * Everything is filled in by the readers (studio_add.h) and studio_finish; nothing changes
+ * Everything is filled in by the readers (files/studio_add.h) and studio_finish; nothing changes
  * afterwards, so threads may share it. Numbers are finite. Radii may be negative (a sphere seen
  * from inside), polygons concave.
  *
@@ -35,7 +35,7 @@
 #include "../16_instances/crowd.h"
 #include "../18_shade/leave.h"
 #include "../18_shade/light.h"
-#include "name_table.h"
+#include "files/name_table.h"
 #include "sky.h"
 #include "solids.h"
 

@@ -28,10 +28,10 @@ stop() { echo "grade: $*" >&2; exit 2; }
 prepare_jail() {
     mkdir -p "$build"
     [ -z "$(find "$here/jail.c" -newer "$build/jail" 2>&1)" ] || $CC -std=c11 -O1 -o "$build/jail" "$here/jail.c" || stop "no jail"
-    jail='limits only: use a machine to throw away' static=
+    jail='limits only: use a machine to throw away' static='' run=limit
     echo 'int main(void) { return 0; }' >"$scratch/static.c"
     if "$build/jail" can && $CC -static -o "$scratch/static" "$scratch/static.c" 2>/dev/null; then
-        jail='system calls refused' static=-static
+        jail='system calls refused' static=-static run=run
     fi
 }
 
@@ -93,7 +93,7 @@ marks() {
         said=$verdict
         if [ -z "$verdict" ]; then
             "$judge" ask "$1" $level "$seed" >"$scratch/questions"
-            said=$("$build/jail" run "$scratch/questions" "$scratch/answers" "$scratch/worker" "$1")
+            said=$("$build/jail" $run "$scratch/questions" "$scratch/answers" "$scratch/worker" "$1")
             case $said in *printed*) printf '%s\t%s\n' "$1" "${said#*; }" >>"$scratch/remarks" ;; esac
         fi
         "$judge" mark "$1" $level "$seed" "$scratch/answers" "$said"

@@ -1,13 +1,14 @@
 /* jail.c: runs a program that nobody trusts, with limits, and says in one line how it ended.
  *
  *   jail run QUESTIONS ANSWERS PROGRAM ARGUMENT..   input from QUESTIONS; descriptor 3 is ANSWERS
+ *   jail limit QUESTIONS ANSWERS PROGRAM ARGUMENT..   the same, where `run` cannot hold
  *   jail build PROGRAM ARGUMENT..                   a compiler: prints the first 4000 bytes it says
  *   jail can                                        exit 0: `run` refuses system calls here
  *
- * Limits: processor time, memory, length of files, and time by the clock. `run` on Linux also
- * refuses (seccomp) all system calls but for memory, and reading and writing what is open already:
- * no file, no process, no network, no signal to others; the program must be linked statically.
- * Elsewhere only the limits hold. What the program prints is counted and thrown away. */
+ * Limits: processor time, memory, length of files, processes, and time by the clock. `run` on Linux
+ * also refuses (seccomp) all system calls but for memory, and reading and writing what is open
+ * already: no file, no process, no network, no signal to others; the program must be linked
+ * statically. What the program prints is counted and thrown away. */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <fcntl.h>
@@ -90,7 +91,8 @@ static void limit(int what, rlim_t most)
 }
 
 /* The child: descriptors 0 to 3 and no others, limits, the program. Never returns. */
-static void become(char **program, const char *in, const char *out, int say, limits l)
+static void become(char **program, const char *in, const char *out, int say, limits l,
+                   bool refuse)
 {
     int from = open(in, O_RDONLY), to = out ? open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600) : say;
     if (from < 0 || to < 0) _exit(127);
@@ -101,7 +103,8 @@ static void become(char **program, const char *in, const char *out, int say, lim
     (void)setpgid(0, 0);
     limit(RLIMIT_CPU, l.cpu), limit(RLIMIT_AS, l.memory), limit(RLIMIT_FSIZE, l.file);
     limit(RLIMIT_CORE, 0);
-    if (out) (void)refuse_system_calls();
+    if (out) limit(RLIMIT_NPROC, 1);  /* no fork; that of root is not limited */
+    if (refuse && !refuse_system_calls()) _exit(127);
     if (out) execv(program[0], program);
     else execvp(program[0], program);
     _exit(127);
@@ -160,7 +163,8 @@ static void say_end(int status, bool late, long bytes)
 int main(int argc, char **argv)
 {
     static char text[shown + 1];
-    bool runs = argc > 4 && strcmp(argv[1], "run") == 0, late;
+    bool refuse = argc > 4 && strcmp(argv[1], "run") == 0, late;
+    bool runs = refuse || (argc > 4 && strcmp(argv[1], "limit") == 0);
     int say[2];
     long bytes;
     if (argc == 2 && strcmp(argv[1], "can") == 0) return !refuse_system_calls();
@@ -169,9 +173,8 @@ int main(int argc, char **argv)
     limits l = runs ? run_limits : build_limits;
     pid_t child = fork();
     if (child < 0) return 2;
-    if (child == 0)
-        become(argv + (runs ? 4 : 2), runs ? argv[2] : "/dev/null", runs ? argv[3] : NULL, say[1],
-               l);
+    if (child == 0 && runs) become(argv + 4, argv[2], argv[3], say[1], l, refuse);
+    if (child == 0) become(argv + 2, "/dev/null", NULL, say[1], l, false);
     (void)setpgid(child, child);  /* whoever comes first */
     close(say[1]);
     int status = watch(child, say[0], l.seconds, text, &late, &bytes);

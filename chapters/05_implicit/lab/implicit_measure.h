@@ -58,7 +58,7 @@ static inline void implicit_times(const options *o, const implicit_row *row, int
             implicit_shot(&t[k].u, o->seed + 1, aim, i, &t[k].r[i]);
         c[k] = (bench_candidate){row[k].name, implicit_time_rays, &t[k], 0, 0};
     }
-    bench_time(c, n, o->quick ? 1 : o->full ? 25 : 7);
+    bench_time(c, n, o->quick ? 1 : o->full ? 25 : 5);
     for (int k = 0; k < n; k++) ns[k] = c[k].seconds / implicit_timed * 1e9;
     free(t);
 }

@@ -3,6 +3,7 @@
  *   measure_methods(&o)  main table of a glossy surface, five ways to integrate; with --full of
  *                        four surfaces, six ways, and plots
  *   measure_furnace(&o)  what GGX keeps of a white sky: roughness against angle
+ *   measure_glass(&o)    what rough glass keeps of it, from outside and from inside
  *   measure_naive(&o)    the formulas of brdf_naive.h beside the right ones
  */
 #ifndef BRDF_MEASURE_H
@@ -14,6 +15,7 @@
 #include "brdf_naive.h"
 #include "../first.h"
 #include "../reflection.h"
+#include "../rough_glass.h"
 
 enum { GLOSSY = 2, WINDOW, surfaces };  /* the last reflects the window of first.h, not the sky */
 enum { FIRST = 5, methods, levels = 5, brief_level = 2 };  /* without --full that one */
@@ -227,6 +229,38 @@ static inline void measure_furnace(const options *o)
     }
     output_extra_table(o, &t);
     output_plot(o, &p, "23_brdf_albedo.svg");
+}
+
+/* Power that leaves rough glass, of 1: a lattice of facets, and 32 coins for each. */
+static inline double glass_keeps(const rough_glass *g, double cosine)
+{
+    enum { coins = 32 };
+    vec3 wo = vec(sqrt((1 - cosine) * (1 + cosine)), 0, cosine), wi;
+    double sum = 0, whole = 0, squeeze = (double)(g->n2 / g->n1 * (g->n2 / g->n1));
+    for (int i = 0; i < fibonacci_small.n; i++) {
+        square_point p = fibonacci_point(fibonacci_small, i);
+        whole += (double)p.area;
+        for (int k = 0; k < coins; k++) {
+            real weight, coin = ((real)k + (real)0.5) / coins;
+            if (rough_glass_sample(g, wo, p.u, p.v, coin, &wi, &weight))
+                sum += (double)(p.area * weight) * (wi.z < 0 ? squeeze : 1) / coins;
+        }
+    }
+    return sum / whole;
+}
+
+static inline void measure_glass(const options *o)
+{
+    static const double alpha[6] = {0.01, 0.04, 0.09, 0.25, 0.49, 1}, cosine[3] = {1, 0.7, 0.2};
+    table t = table_new("White furnace: what rough glass keeps, n = 1.5",
+                        "alpha|from outside, cos 1|cos .7|cos .2|from inside, cos 1|cos .7|cos .2");
+    for (int r = 0; r < 6; r++) {
+        rough_glass g = {(real)alpha[r], 1, 1.5};
+        table_number(&t, alpha[r]);
+        for (int side = 0; side < 2; side++, g = rough_glass_turned(g))
+            for (int k = 0; k < 3; k++) table_text(&t, "%.3f", glass_keeps(&g, cosine[k]));
+    }
+    output_extra_table(o, &t);
 }
 
 /* ---- naive beside right ---- */

@@ -4,6 +4,7 @@
  *   draw_strategies(o)  directions, roulette, light samples, MIS: one by one, as many rays each
  *   draw_ladder(o)      the box by 1, 4, 16 .. 4096 samples a pixel, and how far off each is
  *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
+ *   draw_rough(o)       five balls of glass, from smooth to rough
  *   draw_furnace(o)     balls of every BRDF in a white world: what they lose, in false colours
  *
  * The numbers of samples are fixed, so that the bytes are. Powers of two: two halves (film.h) of
@@ -99,6 +100,11 @@ static inline void draw_ladder(const options *o)
 static inline void draw_spheres(const options *o)
 {
     draw_scene(o, "spheres", 288, 288, 32, 2, "26_path_tracer_spheres.png", false);
+}
+
+static inline void draw_rough(const options *o)
+{
+    draw_scene(o, "rough", 720, 250, 128, 1, "26_path_tracer_rough.png", false);
 }
 
 /* Of light 1 from everywhere, what is missing: up to 40 %, left as seen, right in colours. */

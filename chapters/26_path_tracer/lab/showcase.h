@@ -8,6 +8,7 @@
  *   cornell   the box of 21, matte, one light                       38 triangles
  *   spheres   the box without blocks: a mirror and a ball of glass, faintly green
  *   teapot    of rough copper, in the open: sky, sun, a floor       9 x 9 cells a patch
+ *   rough     five balls of glass, each rougher than the one before, and stripes behind them
  *   furnace   balls of all BRDFs of 23, and of glass, in a white world: they show what they lose
  *   OBJ       matte grey, on a floor, under the same sky
  */
@@ -20,7 +21,10 @@
 #include "../path.h"
 
 typedef struct { lit_scene s; environment sky; bool has_sky; camera eye; } showcase;
-static const char *const showcase_names[] = {"cornell", "spheres", "teapot", "furnace", NULL};
+static const char *const showcase_names[] = {"cornell", "spheres", "teapot", "rough", "furnace",
+                                             NULL};
+enum { showcase_rough_balls = 5 };
+static const double showcase_alpha[showcase_rough_balls] = {0, 0.04, 0.08, 0.16, 0.32};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -106,6 +110,25 @@ static inline void showcase_teapot(showcase *c, real aspect)
                           aspect);
 }
 
+/* A wall of stripes, of two colours each; a large lamp above, and even light from all around. */
+static inline void showcase_rough(lit_scene *s)
+{
+    lit_begin(s);
+    uint16_t stripe[2] = {lit_add_material(s, (lit_material){.f = brdf_lambert(vec(.7, .66, .6))}),
+                          lit_add_material(s, (lit_material){.f = brdf_lambert(vec(.1, .22, .3))})};
+    uint16_t lamp = lit_add_material(s, (lit_material){.Le = vec(1.3, 1.2, 1)});
+    for (int k = 0; k < 40; k++) {
+        vec3 o = {(real)(k - 20) * (real)0.8, 0, -3};
+        lit_add_rectangle(s, (rectangle){o, vec(0.8, 0, 0), vec(0, 9, 0)}, stripe[k % 2]);
+    }
+    showcase_floor(s, (vec3){0, 0, 0}, 30, vec(0.62, 0.5, 0.4));
+    lit_add_rectangle(s, (rectangle){vec(-7, 8, -2), vec(14, 0, 0), vec(0, 0, 8)}, lamp);
+    for (int k = 0; k < showcase_rough_balls; k++)
+        showcase_ball(s, vec(2.2 * (k - 2), 1, 0.1 * (k - 2) * (k - 2)), 1,
+                      (lit_material){.ior = 1.5, .alpha = (real)showcase_alpha[k]});
+    s->background = vec(0.66, 0.7, 0.78);
+}
+
 static inline void showcase_furnace(lit_scene *s)
 {
     vec3 grey = {0.8, 0.8, 0.8},
@@ -131,12 +154,16 @@ static inline bool showcase_of(const char *name, real aspect, showcase *c, failu
         c->eye = cornell_camera(aspect);
     } else if (strcmp(name, "teapot") == 0) {
         showcase_teapot(c, aspect);
+    } else if (strcmp(name, "rough") == 0) {
+        showcase_rough(&c->s);
+        c->eye = showcase_eye(vec(0, 2.4, 15), vec(0, 1.15, 0), 15, aspect);
     } else if (strcmp(name, "furnace") == 0) {
         showcase_furnace(&c->s);
         c->eye = showcase_eye(vec(2.3, 1.15, 14), vec(2.3, 1.15, 0),
                               22, aspect);
     } else {
-        return failed(f, 2, "--scene %.200s: allowed are cornell, spheres, teapot, furnace", name);
+        return failed(f, 2, "--scene %.200s: allowed are cornell, spheres, teapot, rough, furnace",
+                      name);
     }
     lit_end(&c->s);
     return true;

@@ -16,7 +16,7 @@
 #define EFFECTS_FINISH_H
 
 #include "../appearance.h"
-#include "../studio_add.h"
+#include "studio_add.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -22,7 +22,7 @@
 #ifndef EFFECTS_MTL_H
 #define EFFECTS_MTL_H
 
-#include "../studio_add.h"
+#include "studio_add.h"
 #include "../../07_mesh/files/words.h"
 
 /* ---------------------------------------------------------------------------------------------- */

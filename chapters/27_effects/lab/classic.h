@@ -200,9 +200,7 @@ static inline bool tax_row(const options *o, table *t, bool glass)
     bench_candidate k[2] = {{.run = tax_before, .context = &run[0]},
                             {.run = tax_now, .context = &run[1]}};
     bench_time(k, 2, o->quick ? 3 : 7);
-    size_t rays = run[1].counts.rays[RAY_OF_EYE];
-    for (int i = 0; i < effect_kinds; i++)
-        rays += i == RAY_ABSORBED || i == RAY_OF_LENS ? 0 : run[1].counts.rays[i];
+    size_t rays = draw_rays(&run[1].counts);
     table_text(t, "%s", glass ? "forty balls: mirrors and glass" : "forty balls: painted");
     table_text(t, "%s", glass ? "19 whitted" : "18 shade");
     table_number(t, (double)rays / ((double)w * h));

@@ -7,10 +7,10 @@
 #ifndef EFFECTS_COMMAND_H
 #define EFFECTS_COMMAND_H
 
+#include "chance.h"
 #include "../../26_path_tracer/long_run.h"
 #include "../files/studio_read.h"
 #include "../plan.h"
-#include "classic.h"
 #include "price.h"
 #include "six.h"
 
@@ -40,21 +40,6 @@ static inline draw_window request_window(const options *o, const char *said)
         && !said[end] && w.width > 0 && w.height > 0 && w.x >= 0 && w.y >= 0
         && w.width <= w.across - w.x && w.height <= w.down - w.y) return w;
     die(2, "--region %.60s: WxH+X+Y, within the %dx%d pixels of --size", said, o->width, o->height);
-}
-
-/* How sure one is that two pictures are of different light: their mean difference, in units of its
- * standard error. Pixels are independent of one another. */
-static inline double request_z(const image *a, const image *b)
-{
-    size_t n = (size_t)a->width * (size_t)a->height;
-    double sum = 0, squares = 0;
-    for (size_t i = 0; i < n; i++) {
-        double d = 0;
-        for (size_t k = 3 * i; k < 3 * i + 3; k++) d += (double)a->rgb[k] - (double)b->rgb[k];
-        sum += d, squares += d * d;
-    }
-    double mean = sum / (double)n, variance = squares / (double)n - mean * mean;
-    return variance > 0 ? fabs(mean) / sqrt(variance / (double)n) : 0;
 }
 
 /* All that a sample depends on, but for its number: what is in the files, what the command line
@@ -103,7 +88,7 @@ static inline bool request_compare(const drawing *j, const image *all, const pla
                lean.pass.seconds, (1 - lean.pass.seconds / j->pass.seconds) * 100);
         if (same) printf("           the same picture byte for byte\n");
         else printf("           the same light by other random numbers? rmse %.3g, means differ by "
-                    "%.2g standard errors\n", image_compare(&im, all).rmse, request_z(&im, all));
+                    "%.2g standard errors\n", image_compare(&im, all).rmse, draw_z(&im, all));
     }
     effects_stage_effects(e, EFFECTS_EVERYTHING);
     image_free(&im);
@@ -156,8 +141,9 @@ static inline bool request_tables(const options *o, const request *q, const plan
     bool demo = !o->out && !o->own;
     if (!demo && !q->priced) return request_count(o, p, j, w.width, w.height);
     if (!table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples)) return false;
-    return !demo || (draw_strip(o, p, e, o->width * 3 / 5, o->height * 3 / 5, samples)
-                     && draw_two(o) && table_of_tax(o) && request_all(o, p, e));
+    return !demo || (draw_strip(o, p, e, six_width, six_height, samples)
+                     && draw_two(o) && table_of_tax(o) && table_of_chance(o)
+                     && request_all(o, p, e));
 }
 
 /* The picture is saved before all else: Ctrl-C later on loses none of it. */
@@ -176,8 +162,10 @@ static inline void request_show(const options *o, request *q, const plan *p, eff
     film_passes *pass = draw_begin(&j, w.x, w.y, o->threads);
     bool whole = long_run_given(l) ? passes_until(pass, &f, long_run_goal(l, (uint32_t)samples))
                                    : passes_range(pass, &f, 0, (uint32_t)samples);
-    long_run_end(l, o, &f, demo ? "27_effects_demo.png" : picture_name("27_effects.png", q->path,
-                                                                       room), whole);
+    options to = *o;
+    to.own = true;  /* also the demo goes to build/: `make images` has one with more samples */
+    long_run_end(l, &to, &f, demo ? "27_effects_demo.png"
+                                  : picture_name("27_effects.png", q->path, room), whole);
     j.samples = (int)film_samples(&f), j.error = film_error(&f);
     j.pixels = (size_t)w.width * (size_t)w.height;
     if (j.counts.lost)

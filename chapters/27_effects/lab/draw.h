@@ -9,6 +9,9 @@
  *   draw_timed(&j, w, h, &counts)     some of its w x h pixels again, with a clock at each ray:
  *                                     shares of time
  *
+ *   draw_rays(&j.counts)              all rays
+ *   draw_z(&a, &b)                    two pictures of the same light? in standard errors
+ *
  * Samples lie in the pixel by Sobol'; with j.middle in its middle: for one alone, without chance.
  */
 #ifndef EFFECTS_DRAW_H
@@ -108,6 +111,30 @@ static inline bool draw_region(drawing *j, image *im, int x0, int y0, int thread
     j->error = film_error(&f);
     image_free(&done), film_free(&f);
     return whole;
+}
+
+/* All rays that were traced. */
+static inline size_t draw_rays(const effects_counts *c)
+{
+    size_t n = c->rays[RAY_OF_EYE];
+    for (int k = 0; k < effect_kinds; k++)
+        n += k == RAY_ABSORBED || k == RAY_OF_LENS ? 0 : c->rays[k];
+    return n;
+}
+
+/* How sure one is that two pictures are of different light: their mean difference, in units of its
+ * standard error. Pixels are independent of one another. */
+static inline double draw_z(const image *a, const image *b)
+{
+    size_t n = (size_t)a->width * (size_t)a->height;
+    double sum = 0, squares = 0;
+    for (size_t i = 0; i < n; i++) {
+        double d = 0;
+        for (size_t k = 3 * i; k < 3 * i + 3; k++) d += (double)a->rgb[k] - (double)b->rgb[k];
+        sum += d, squares += d * d;
+    }
+    double mean = sum / (double)n, variance = squares / (double)n - mean * mean;
+    return variance > 0 ? fabs(mean) / sqrt(variance / (double)n) : 0;
 }
 
 typedef struct { drawing j; int width; } draw_clocked;

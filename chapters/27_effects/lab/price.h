@@ -157,7 +157,8 @@ static inline bool draw_strip(const options *o, const plan *p, effects_stage *e,
     for (int k = 0; k < 6 && whole; k++) {
         image im = image_new(w, h);
         effects_stage_effects(e, (sum |= mask[k]) & p->effects);
-        drawing j = {.e = e, .samples = samples, .seed = o->seed, .width = w, .height = h};
+        int n = mask[k] & EFFECT_INDIRECT ? 4 * samples : samples;  /* it is the one with grain */
+        drawing j = {.e = e, .samples = n, .seed = o->seed, .width = w, .height = h};
         whole = draw_region(&j, &im, 0, 0, o->threads);
         image_place(&all, k % 3 * w, k / 3 * h, &im);
         image_free(&im);

@@ -1,7 +1,8 @@
 /* six.h: six scenes, each a line longer than the one before, and what that line calls for.
  *
  *   six_text(k, text)                scene k of 0 .. 5: scenes/1_sun.scene .. 6_lens.scene
- *   bool whole = draw_six(&o)        27_effects.png, and the table that goes below it
+ *   bool whole = draw_six(&o, false)   27_effects.png, and the table that goes below it
+ *   bool whole = draw_six(&o, true)  27_effects_six.png: the same with more samples
  *   bool whole = draw_two(&o)        27_effects_two.png: glass.scene and teapot.scene, their plans
  *
  * The table's two times are of the plan and of everything, both on the same pixels.
@@ -47,10 +48,7 @@ static inline void six_text(int k, char text[six_room])
 /* All rays but the eye's, of a pixel, and how long a pixel takes. */
 static inline void six_cells(table *t, const drawing *j)
 {
-    size_t rays = j->counts.rays[RAY_OF_EYE];
-    for (int i = 0; i < effect_kinds; i++)
-        rays += i == RAY_ABSORBED || i == RAY_OF_LENS ? 0 : j->counts.rays[i];
-    table_number(t, (double)rays / (double)j->pixels);
+    table_number(t, (double)draw_rays(&j->counts) / (double)j->pixels);
     table_number(t, j->pass.seconds / (double)j->pixels * 1e6);
 }
 
@@ -65,8 +63,9 @@ static inline void six_effects(table *t, unsigned mask)
     table_text(t, "%s", text);
 }
 
-/* One panel and its row; takes the studio over. */
-static inline bool six_panel(const options *o, studio *s, const char *name, int k, int samples,
+/* One panel and its row; takes the studio over. samples: of scenes of chance, of others. */
+static inline bool six_panel(const options *o, studio *s, const char *name, int k,
+                             const int samples[2],
                              table *t, image *sheet)
 {
     int w = sheet->width / (k < 0 ? 2 : 3), h = w * six_height / six_width;
@@ -80,8 +79,8 @@ static inline bool six_panel(const options *o, studio *s, const char *name, int 
     effects_stage_view(&e, &v, c);
     effects_stage_effects(&e, p.effects);
     image im = image_new(w, h), small = image_new(w / 6, h / 6);
-    drawing j = {.e = &e, .samples = e.chance ? samples : 4, .seed = o->seed, .width = w,
-                 .height = h};
+    drawing j = {.e = &e, .samples = samples[!e.chance], .seed = o->seed,
+                 .width = w, .height = h};
     drawing all = j;
     bool whole = draw_region(&j, &im, 0, 0, o->threads);
     all.width = w / 6, all.height = h / 6;
@@ -117,7 +116,8 @@ static inline bool draw_two(const options *o)
         char path[100];
         snprintf(path, sizeof path, "chapters/27_effects/scenes/%s.scene", name[k]);
         if (!studio_read(path, NULL, &s, &f)) fail(f);
-        whole = six_panel(o, &s, name[k], k - 2, 64, &t, &sheet);
+        whole = six_panel(o, &s, name[k], k - 2, (const int[2]){64, 4}, &t,
+                          &sheet);
     }
     image titled = label_panels(&sheet, 2, 1, 0, title);
     output_picture(o, &titled, "27_effects_two.png", false, whole);
@@ -127,9 +127,11 @@ static inline bool draw_two(const options *o)
     return whole;
 }
 
-static inline bool draw_six(const options *o)
+/* The default run's, with a table; `fine`: the page's, with eight times the samples. */
+static inline bool draw_six(const options *o, bool fine)
 {
     const char *title[six_count];
+    const int samples[2] = {fine ? 128 : 16, fine ? 32 : 4};
     int w = o->quick ? six_width / 4 : six_width, h = o->quick ? six_height / 4 : six_height;
     image sheet = image_new(3 * w, 2 * h);
     table t = six_table("Six scenes, each a line longer: what is called for, and everything");
@@ -142,11 +144,11 @@ static inline bool draw_six(const options *o)
         if (!whole) continue;
         six_text(k, text);
         if (!studio_read_text(text, six_scene[k].name, NULL, &s, &f)) fail(f);
-        whole = six_panel(o, &s, six_scene[k].name, k, 16, &t, &sheet);
+        whole = six_panel(o, &s, six_scene[k].name, k, samples, &t, &sheet);
     }
     image titled = label_panels(&sheet, 3, 2, 0, title);
-    output_picture(o, &titled, "27_effects.png", true, whole);
-    if (whole) output_table(o, &t);
+    output_picture(o, &titled, fine ? "27_effects_six.png" : "27_effects.png", !fine, whole);
+    if (whole && !fine) output_table(o, &t);
     else table_free(&t);
     image_free(&sheet), image_free(&titled);
     return whole;

@@ -17,6 +17,7 @@ static vec3 due_direction(const question *q)
 static question ask_camera(random_stream *g, int i)
 {
     question q = {.side = side_both};
+    (void)i;
     vec3 e = exam_vector(g, 5), target = exam_vector(g, 5);
     int nx = 100 + (int)(random_next_bits(g) % 900), ny = 100 + (int)(random_next_bits(g) % 900);
     q.camera = first_camera_at(e, target, vec(0.1, 1, 0.2), exam_between(g, 20, 120), nx, ny);

@@ -13,7 +13,7 @@
 #ifndef EFFECTS_STUDIO_ADD_H
 #define EFFECTS_STUDIO_ADD_H
 
-#include "studio.h"
+#include "../studio.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -14,7 +14,7 @@
 #ifndef EFFECTS_NAME_TABLE_H
 #define EFFECTS_NAME_TABLE_H
 
-#include "../../common/file.h"
+#include "../../../common/file.h"
 
 #define name_none UINT32_MAX
 
