@@ -72,10 +72,12 @@ if [ "$rows" -ge 40 ]; then ok; else no "$rows rows that a program decides, fewe
 # Those that the programs measure name a table of their chapter's pages; the ledger sees what does not hold.
 grep -ho '<!-- [0-9][0-9];.*-->' $pages/*.md | sed 's/<!-- //; s/ -->//' >"$scratch/marks"
 while IFS=';' read -r chapter row column relation; do
-    for text in "${row# }" "${column# }" "${relation# ? }"; do
-        case $text in [0-9-]*) continue ;; esac
-        if cat chapters/"$chapter"_*/*.md | grep -qF -e "${text##*,}"; then ok
-        else no "chapter $chapter has no table with $text"; fi
+    for text in "row ${row# }" "column ${column# }" "row ${relation# ? }"; do
+        case $text in "row "[0-9-]*[0-9]) continue ;; esac
+        if cat chapters/"$chapter"_*/*.md | sed -E 's/^ +//; s/  +/,/g; s/$/,/' |
+            awk -v kind="${text%% *}" -v text="${text#* }" '{ i = index($0, text)
+                if (kind == "row" ? i == 1 : i) found = 1 } END { exit !found }'
+        then ok; else no "chapter $chapter has no table with the $text"; fi
     done
 done <"$scratch/marks"
 if [ "$(wc -l <"$scratch/marks")" -ge 25 ]; then ok; else no "fewer than 25 claims are measured by make notes"; fi

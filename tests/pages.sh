@@ -115,21 +115,26 @@ printf 'int y;\n' | tee "$scratch/page_of/first.h" >"$scratch/page_of/first.c"
 seen=$( (lecture "$scratch/page_of"; links "$scratch/page_of/README.md") | wc -l)
 if [ "$seen" -eq 9 ]; then ok; else no "9 planted faults of a page, $seen seen"; fi
 
-# make costs names columns and rows of tables that the pages show.
-named() {  # named FILE: "CHAPTER<TAB>TEXT" for each column and row
+# make costs names columns and rows of tables that the pages show: a row by the cells that it begins with.
+named() {  # named FILE: "CHAPTER<TAB>column or row<TAB>TEXT"
     awk '/^static const subject/ { on = 1; next } on && /^};/ { exit }
          on { all = all $0 }
-         END { n = split(all, part, "\""); k = 0
-               for (i = 2; i <= n; i += 2) { k = k % 5 + 1
-                   if (k == 1) chapter = part[i]
-                   if (k > 2) { m = split(part[i], cell, "|"); text = cell[m] == "" ? cell[m - 1] : cell[m]
-                                print chapter "\t" text } } }' "$1"
+         END { n = split(all, part, "\"")
+               for (i = 2; i + 8 <= n; i += 10) {
+                   print part[i] "\tcolumn\t" part[i + 4]
+                   print part[i] "\trow\t" part[i + 6]; print part[i] "\trow\t" part[i + 8] } }' "$1"
+}
+shows() {  # shows CHAPTER KIND TEXT: some table of its pages does
+    cat chapters/"$1"/*.md | sed -E 's/^ +//; s/  +/|/g; s/$/|/' |
+        awk -v kind="$2" -v text="$3" '{ i = index($0, text); if (kind == "row" ? i == 1 : i) found = 1 }
+                                       END { exit !found }'
 }
 named tests/costs/costs.c >"$scratch/named"
-while IFS='	' read -r chapter text; do
-    if cat chapters/"$chapter"/*.md | grep -qF -e "$text"; then ok; else no "costs.c: no table of $chapter has $text"; fi
+while IFS='	' read -r chapter kind text; do
+    if shows "$chapter" "$kind" "$text"; then ok; else no "costs.c: no table of $chapter has the $kind $text"; fi
 done <"$scratch/named"
 if [ "$(wc -l <"$scratch/named")" -ge 60 ]; then ok; else no "costs.c: fewer than 60 names were read"; fi
+if shows 03_sphere row 'sphere_hit|' && ! shows 03_sphere row 'here_hit|'; then ok; else no "rows of tables"; fi
 
 # Programs cut short, or with another compiler's libm, would print other numbers.
 if [ -n "${CHECK_DIVISOR:-}" ] || [ "${TABLES:-}" = no ]; then echo "pages.sh: $passed passed, $failed failed"; exit $failed; fi

@@ -42,7 +42,7 @@ static const subject subjects[] = {
     {"18_shade", "shadows that leak", "error: leak T=0 [%]", "first|triangle", "leave|triangle"},
     {"19_whitted", "depth 5, or a cut", "error: rmse", "depth|5|", "cut|64|0.01|"},
     {"20_monte_carlo", "a smooth integral", "error smooth", "random", "Sobol', Owen"},
-    {"21_distributed", "all effects", "error N=64", "all|random", "all|Sobol', Owen"},
+    {"21_distributed", "all effects", "error N=64", "all others|random", "all others|Sobol', Owen"},
     {"22_radiometry", "light of a sphere", "error random", "sphere|first",
      "sphere|solid angle"},
     {"23_brdf", "a glossy surface", "error [1]", "GGX .25|uniform",
