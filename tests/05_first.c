@@ -73,10 +73,10 @@ static void test_steps(void)
         check(!first_implicit_hit(counted, (ray){{0, 3, 0}, 0, {1, 0, 0}, 9}, n, &h), "a miss");
         check_equal(asked, (size_t)n + 1, "%d steps", n);
         /* a plate thinner than two steps, thicker than one */
-        real lo = (real)2.5 - (real)0.005, tmax = (real)0.0075 * n;
+        real lo = (real)2.5 - (real)0.005, tmax = (real)0.0075 * (real)n;
         if (n < 512) continue;
         for (int k = 0; k < 50; k++) {
-            ray r = {{0, 0, lo + (real)0.0003 * k}, 0, {0, 0, -1}, tmax};
+            ray r = {{0, 0, lo + (real)0.0003 * (real)k}, 0, {0, 0, -1}, tmax};
             check(first_implicit_hit(plate, r, n, &h), "steps of .0075 see .01, %d of 50", k);
         }
     }
