@@ -1,5 +1,6 @@
 /* Tests of chapters/27_effects: a room drawn by 26's path tracer and by the general program has the
- * same light: the difference of two independent means, pixel by pixel, by a t-test.
+ * same light: the difference of two independent means, pixel by pixel, by a t-test. The room is
+ * that of the last row of chance.h.
  *
  * The ceiling is the lamp, from wall to wall: its back, which shines here and not in 26, sees
  * nothing. In the room: a glass ball that absorbs, and a mirror: a white one, since brdf_mirror
@@ -8,17 +9,6 @@
 #include "../chapters/27_effects/lab/chance.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "check.h"
-
-static const char room[] =
-    "camera from 0 1 3.9 at 0 1 0 angle 50\n"
-    "material white\nKd 0.7\nillum 1\n"
-    "polygon -1 0 4  1 0 4  1 0 -1  -1 0 -1\npolygon -1 0 -1  1 0 -1  1 2 -1  -1 2 -1\n"
-    "polygon 1 0 4  -1 0 4  -1 2 4  1 2 4\n"
-    "material red\nKd 0.6 0.1 0.1\nillum 1\npolygon -1 0 4  -1 0 -1  -1 2 -1  -1 2 4\n"
-    "material green\nKd 0.1 0.5 0.1\nillum 1\npolygon 1 0 -1  1 0 4  1 2 4  1 2 -1\n"
-    "material lamp\nKe 3 2.5 2\npolygon -1 2 4  -1 2 -1  1 2 -1  1 2 4\n"
-    "material mirror\nKd 0\nKs 1\nillum 3\nsphere -0.5 0.4 -0.3 0.4\n"
-    "material glass\nKd 0\nNi 1.5\nTf 1\nabsorb 0.3 1 1.5\nillum 7\nsphere 0.45 0.45 0.5 0.4\n";
 
 int main(void)
 {
@@ -29,7 +19,7 @@ int main(void)
     effects_stage e;
     lit_scene lit;
     path_tracer t;
-    if (!studio_read_text(room, "room", NULL, &s, &f)) fail(f);
+    if (!studio_read_text(chance_row[chance_rows - 1].text, "room", NULL, &s, &f)) fail(f);
     plan p = plan_of(&s);
     if (!studio_camera(&s, 4 / (real)3, &v, &c, &f)) fail(f);
     if (!effects_stage_build(&s, &e, &f)) fail(f);
