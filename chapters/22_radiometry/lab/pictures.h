@@ -176,8 +176,10 @@ static inline void draw_view(const options *o)
     image im = o->quick ? image_new(306, 150) : image_new(906, 450);
     int side = (im.width - floor_gap) / 2;
     bool whole = pixels_draw(&im, 3, o->threads, "view", view_place, &side);
-    output_picture(o, &im, "22_radiometry_view.png", false, whole);
-    image_free(&im);
+    static const char *const title[2] = {"area: solid angle", "area: solid angle times cosine"};
+    image sheet = label_panels(&im, 2, 1, floor_gap, title);
+    output_picture(o, &sheet, "22_radiometry_view.png", false, whole);
+    image_free(&im), image_free(&sheet);
 }
 
 #endif
