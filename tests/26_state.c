@@ -386,8 +386,8 @@ static void test_pixel(void)
         check(printed("out", "\nx0 = (") && printed("out", "(26.2)") && printed("out", "(26.5)\n"),
               "lines with their equations");
     }
-    check_equal(run("26_path_tracer", "--pixel 320,0"), 2, "beside the picture");
-    check(printed("err", "--pixel 320,0: allowed are X,Y"), "says so");
+    check_equal(run("26_path_tracer", "--pixel 640,0"), 2, "beside the picture");
+    check(printed("err", "--pixel 640,0: allowed are X,Y"), "says so");
     check_equal(run("26_path_tracer", "--pixel 3,3 --time 1"), 2, "no picture");
     check_equal(run("26_path_tracer", "--pixel 3,3 --scene teapot"), 2, "no box");
 }

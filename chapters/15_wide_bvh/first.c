@@ -5,7 +5,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 15_wide_bvh_first c
 #include "../02_camera/first.h"
 #include "first.h"
 
-enum { side = 480, n = 2 };
+enum { side = 640, n = 2 };
 
 /* Each node of the wide tree takes its turn in the rainbow; its leaves differ in brightness. */
 static void paint(const first_wide *w, vec3 *tint)

@@ -20,7 +20,7 @@ int main(int argc, char **argv)
         {0}};
     options o = options_read(argc, argv, "16_instances",
                              "Instances: one mesh in many places, a tree of two levels.",
-                             (options){.width = 560, .height = 350, .seed = 1}, list);
+                             (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
     plant own = {.wood = 0};
     mesh m = {0};

@@ -1,13 +1,13 @@
 /* absorb.h: light that coloured glass keeps (吸收): the law of Beer and Lambert.
  *
- *   dL/ds = -a L     =>     L(s) = L(0) e^(-a s)                              (19.9)
+ *   dL/ds = -sigma L     =>     L(s) = L(0) e^(-sigma s)                      (19.9)
  *
- *   vec3 k = absorbed(a, s)             the part that is left after a way s; a per unit length
- *   vec3 a = absorption_of(c, s)        that leaves the colour c (0, 1] after a way s > 0
+ *   vec3 k = absorbed(sigma, s)         the part that is left after a way s; sigma per unit length
+ *   vec3 sigma = absorption_of(c, s)    that leaves the colour c (0, 1] after a way s > 0
  *
  * The deeper, the darker and the more saturated: the colour of glass is no property of its surface.
- * After an infinite way nothing is left of what is absorbed, and all of what is not (a = 0: 0 times
- * infinity would be a NaN). a = 0 costs no exponential.
+ * After an infinite way nothing is left of what is absorbed, and all of what is not (sigma = 0: 0
+ * times infinity would be a NaN). sigma = 0 costs no exponential.
  *
  * Sources: P. Bouguer 1729, J. Lambert 1760, A. Beer 1852.
  */

@@ -12,7 +12,7 @@ int main(int argc, char **argv)
 {
     command c = {.bounces = -1};
     const char *pixel = NULL;
-    options defaults = {.width = 320, .height = 320, .samples = -1, .seed = 1};
+    options defaults = {.width = 640, .height = 640, .samples = -1, .seed = 1};
     option own[] = {
         {"scene", OPTION_TEXT, &c.scene, 0, 0, "cornell, spheres, teapot, rough, furnace"},
         {"mesh", OPTION_INPUT, &c.obj, 0, 0, "OBJ: this mesh, on a floor, under a sky"},
@@ -31,6 +31,7 @@ int main(int argc, char **argv)
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
     if (c.bounces == path_endless) c.bounces = -1;
+    if (o.quick && o.width == 640 && o.height == 640) o.width = o.height = 160;
     if (pixel) {
         const char *name = c.scene ? c.scene : "cornell";
         c.scene = NULL, o.own = true;

@@ -115,7 +115,8 @@ static inline void draw_normals(const options *o)
         pot_row p = {&x, list, eye, im.width, im.height, row};
         whole &= pixels_draw(&im, o->quick ? 1 : 3, o->threads, "normals", pot_colour, &p);
         image_place(&all, 0, top, &im);
-        label_tag(&all, 0, top, 11, row == 0 ? "A^T n" : row == 1 ? "M n" : "angle, white: 60");
+        label_tag(&all, 0, top, 11, row == 0 ? "A^T n" : row == 1 ? "M n"
+                                    : "angle: orange 30, white 60 degrees");
         image_free(&im);
     }
     output_picture(o, &all, "16_instances_normals.png", false, whole);

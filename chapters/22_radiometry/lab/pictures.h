@@ -26,7 +26,7 @@ typedef struct {
     double *expected, *e; /* of each light, of each cell */
 } radiometry_floors;
 
-/* Black below 1/256, then blue, red, yellow; pi is white. A dark line at each factor of 2. */
+/* By the logarithm: black at pi / 1024 and below, then blue, red, yellow; pi is nearly white. */
 static inline vec3 heat(double e)
 {
     static const double stop[6][3] = {{0, 0, 0.02}, {0.02, 0.03, 0.25}, {0.25, 0.02, 0.3},
@@ -118,6 +118,23 @@ static inline vec3 floor_place(const void *context, real x, real y)
     return floor_colour(f, light, row, i * px - floor_half, floor_half - j * px, px);
 }
 
+static inline vec3 floor_bar(real part) { return heat((double)pi * exp2(10 * ((double)part - 1))); }
+
+/* A title above each panel, and a bar of the colours below. */
+static inline image floor_labelled(const image *im, const char *const *title)
+{
+    enum { strip = 46 };
+    image panels = label_panels(im, floor_lights, floor_rows, floor_gap, title);
+    image sheet = image_new(panels.width, panels.height + strip);
+    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
+    image_place(&sheet, 0, 0, &panels);
+    label_bar(&sheet, sheet.width / 4, panels.height + 8, sheet.width / 2, 9, floor_bar,
+              (double)pi / 1024, (double)pi,
+              "irradiance [W/m^2], twice as much at each white line");
+    image_free(&panels);
+    return sheet;
+}
+
 static inline void draw_floor(const options *o)
 {
     enum { cells = floor_cells * floor_cells };
@@ -135,7 +152,7 @@ static inline void draw_floor(const options *o)
         "photons counted", "photons counted", "photons counted",
         "difference, in standard errors", "orange: too many", "blue: too few"};
     bool labels = o->width >= 600 && o->height >= 300;  /* narrower, titles would run together */
-    image sheet = labels ? label_panels(&im, 3, 3, floor_gap, title) : im;
+    image sheet = labels ? floor_labelled(&im, title) : im;
     output_picture(o, &sheet, "22_radiometry.png", true, whole);
     if (labels) image_free(&sheet);
     free(f.count), free(f.expected), free(f.e);
@@ -176,8 +193,10 @@ static inline void draw_view(const options *o)
     image im = o->quick ? image_new(306, 150) : image_new(906, 450);
     int side = (im.width - floor_gap) / 2;
     bool whole = pixels_draw(&im, 3, o->threads, "view", view_place, &side);
-    output_picture(o, &im, "22_radiometry_view.png", false, whole);
-    image_free(&im);
+    static const char *const title[2] = {"area: solid angle", "area: solid angle times cosine"};
+    image sheet = label_panels(&im, 2, 1, floor_gap, title);
+    output_picture(o, &sheet, "22_radiometry_view.png", false, whole);
+    image_free(&im), image_free(&sheet);
 }
 
 #endif

@@ -179,7 +179,7 @@ static inline void command_run(command *c, const options *o)
     path_tracer_of(&shown.s, showcase_sky(&shown), how, &t);
     render_job j = {.tracer = &t, .eye = shown.eye, .seed = o->seed, .threads = o->threads};
     uint32_t samples = o->samples > 0 ? (uint32_t)o->samples
-                     : l->error > 0 || l->seconds > 0 ? 0 : o->quick ? 4 : 64;
+                     : l->error > 0 || l->seconds > 0 ? 0 : o->quick ? 4 : 16;
     bool whole = c->range ? render_range(&j, &f, range.begin, range.end)
                           : render_until(&j, &f, long_run_goal(l, samples));
     if (whole) command_report(o, &f, &j, c->obj ? c->obj : c->scene ? c->scene : "cornell");

@@ -49,7 +49,7 @@ static inline void draw_scene(const options *o, const char *scene_name, int w, i
 
 static inline void draw_cornell(const options *o)
 {
-    draw_scene(o, "cornell", o->width, o->height, 64, 2, "26_path_tracer.png", true);
+    draw_scene(o, "cornell", o->width, o->height, 16, 2, "26_path_tracer.png", true);
 }
 
 /* One film: each rung adds samples to the one before, and says itself how far off it is (26.7). */
@@ -99,7 +99,7 @@ static inline void draw_ladder(const options *o)
 
 static inline void draw_spheres(const options *o)
 {
-    draw_scene(o, "spheres", 288, 288, 32, 2, "26_path_tracer_spheres.png", false);
+    draw_scene(o, "spheres", 640, 640, 64, 2, "26_path_tracer_spheres.png", false);
 }
 
 static inline void draw_rough(const options *o)
