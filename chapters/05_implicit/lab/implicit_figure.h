@@ -87,7 +87,7 @@ static inline void implicit_draw_steps(figure *g, const implicit_surface *s)
     const double scale = 130;
     hit h = hit_none;
     ray r = implicit_figure_ray();
-    implicit_axis(g, 160, 130, "fixed steps: _f_ at _t_~k~; both signs are wanted");
+    implicit_axis(g, 160, 130, "fixed steps: _f_ at _t_~k~, until its sign changes");
     implicit_curve(g, scale, FIGURE_SKY, 2);
     implicit_asked = s;
     implicit_record.n = 0;
@@ -115,7 +115,7 @@ static inline void implicit_draw_circles(figure *g, const implicit_surface *s)
 {
     hit h = hit_none;
     ray r = implicit_figure_ray();
-    figure_origin(g, 460, 365, 200);
+    figure_origin(g, 460, 432, 200);
     figure_text(g, 2, 0.5, 0, -12, FIGURE_RIGHT, FIGURE_BLACK,
                 "sphere tracing: each circle is free of the surface");
     implicit_record.n = 0;
@@ -148,7 +148,7 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
 {
     const double scale = 130, most = 1.06;
     implicit_root root[8];
-    implicit_axis(g, 630, 138, "intervals: _f_(_T_) of each piece _T_");
+    implicit_axis(g, 690, 138, "intervals: _f_(_T_) of each piece _T_");
     implicit_record.n = 0;
     int roots = implicit_roots(s, implicit_figure_ray(), root, 8);
     for (int turn = 0; turn < 2; turn++)  /* the proven ones in front */
@@ -175,10 +175,10 @@ static inline void implicit_draw_roots(const options *o)
 {
     if (o->out) return;
     implicit_surface s = implicit_recorder(), all = s;
-    all.ball.r = (real)2.5;  /* the pieces begin at o, not where the ray enters the ball */
-    figure g = figure_begin(o, "05_implicit_roots.svg", 920, 710);
+    all.ball.r = (real)2.5;  /* all begin at o, not where the ray enters the ball */
+    figure g = figure_begin(o, "05_implicit_roots.svg", 920, 770);
     implicit_draw_steps(&g, &s);
-    implicit_draw_circles(&g, &s);
+    implicit_draw_circles(&g, &all);
     implicit_draw_boxes(&g, &all);
     figure_end(&g);
 }

@@ -226,11 +226,11 @@ static inline void orders_draw_edges(const options *o)
         figure_text(&g, name[k].x, ny - name[k].y, k == 1 ? 8 : -18, k == 2 ? -14 : 8, FIGURE_LEFT,
                     FIGURE_BLACK, name[k].text);
     figure_text(&g, 0, 0, 0, 24, FIGURE_LEFT, FIGURE_BLACK,
-                "dots: middles of pixels, in the colour of the triangle that got them. On the edge "
-                "*b* *c* _e_ = 0 for eight:");
+                "dots: middles of pixels, in the colour of the triangle that got them; "
+                "the rest grey");
     figure_text(&g, 0, 0, 0, 44, FIGURE_LEFT, FIGURE_BLACK,
-                "it is a left edge of the orange triangle, a right edge of the blue one, so orange "
-                "has them all.");
+                "seven lie on the edge *b* *c*, _e_ = 0: a left edge of the orange triangle, which "
+                "has them all");
     figure_end(&g);
     raster_free(&s);
 }

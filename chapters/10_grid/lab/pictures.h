@@ -17,16 +17,24 @@ static const vec3 grid_paper = {0.93, 0.93, 0.93};
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* The boards in blue. */
+static inline vec3 see_boards(const void *picture, real x, real y)
+{
+    const trial_picture *p = picture;
+    ray r = trial_eye_ray(p, x, y);
+    hit h = hit_none;
+    if (!grid_hit(p->built, r, &h)) return grid_paper;
+    return vmul(vec(0.35, 0.6, 0.9), headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d));
+}
+
 /* Orange: the first hit found is not the first. */
 static inline vec3 see_early(const void *picture, real x, real y)
 {
     const trial_picture *p = picture;
     ray r = trial_eye_ray(p, x, y);
     hit h = hit_none, e = hit_none;
-    if (!grid_hit(p->built, r, &h)) return grid_paper;
-    grid_hit_early(p->built, r, &e);
-    vec3 c = headlight(mesh_normal(p->m, h.shape, h.u, h.v), r.d);
-    return e.shape == h.shape ? c : vec(0.95, 0.3, 0);
+    grid_hit(p->built, r, &h), grid_hit_early(p->built, r, &e);
+    return e.shape == h.shape ? see_boards(picture, x, y) : vec(0.95, 0.3, 0);
 }
 
 /* The cells on the left of the middle that hold something, as boxes; on the right the mesh. A cell
@@ -140,8 +148,7 @@ static inline void draw_early(const options *o)
     int n = o->quick ? 1 : 2;
     trial_scene_of(grid_boards(60, o->seed), &s);
     const grid_panel panel[2] = {{&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n, see_early},
-                                 {&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n,
-                                  trial_mesh_colour}};
+                                 {&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n, see_boards}};
     bool whole = grid_panels(o, &im, panel, 2);
     grid_label(&im, 2, title, 0, 1);
     output_picture(o, &im, "10_grid_early.png", false, whole);

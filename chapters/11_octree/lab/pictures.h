@@ -133,9 +133,12 @@ static inline vec3 fault_colour(const void *picture, real x, real y)
     hit h = hit_none, truth = hit_none;
     vec3 c = {0.93, 0.93, 0.93};
     p->verbs->hit(p->built, r, &h), octree_hit(p->built, r, &truth);
-    if (h.shape != no_shape) c = headlight(triangle_normal(mesh_triangle(p->m, h.shape)), r.d);
-    return h.shape != truth.shape || h.t != truth.t ? vmadd(vscale(c, 0.3), vec(0.85, 0.25, 0), 0.8)
-                                                    : c;
+    if (h.shape != truth.shape || h.t != truth.t) return vec(0.95, 0.3, 0);
+    if (h.shape != no_shape) {
+        vec3 grey = headlight(triangle_normal(mesh_triangle(p->m, h.shape)), r.d);
+        c = vmul(vec(0.35, 0.6, 0.9), grey);
+    }
+    return c;
 }
 
 /* Above 60 large triangles in perspective, below the teapot along an axis, by orthographic rays:

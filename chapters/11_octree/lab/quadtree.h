@@ -65,7 +65,7 @@ static inline void quadtree_line(figure *g, vec3 a, vec3 b, const char *colour, 
 
 static inline void draw_quadtree(const options *o)
 {
-    static const char *const legend[3] = {"an empty leaf", "a leaf that holds walls",
+    static const char *const legend[3] = {"an empty leaf", "a leaf with curves in it",
                                           "asked by the ray, in this order"};
     static const double opacity[3] = {0, 0.14, 0.4};
     mesh m = quadtree_mesh();

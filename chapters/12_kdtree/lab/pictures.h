@@ -60,7 +60,7 @@ static inline bool draw_strategies(const options *o, const trial_scene *s, bool 
     label_fill(all, 0, 0, all->width, all->height, vec(1, 1, 1));
     image_place(all, 0, 0, &sheet);
     label_bar(all, sheet.width / 4, sheet.height + 8, sheet.width / 2, 9, work_colour, 0,
-              (double)p.most, "steps and tests a ray");
+              (double)p.most, "steps and tests a ray; white: more");
     image_free(&sheet);
     return whole;
 }

@@ -2,10 +2,10 @@
  *
  *   bool draw_trees(&s, z_up, how, threads, &im)   four panels: cells across the axes, and as `how`
  *                                                  says (left, right); below, nodes and tests of
- *                                                  each pixel's ray, black 0, white 90
+ *                                                  each pixel's ray, black 0, white 90 and more
  *
  * Slice: upright, through the middle. Each cell has its own tint, darker the more triangles
- * it names; white cells name none.
+ * it names; pale cells name none.
  */
 #ifndef BSP_PICTURES_H
 #define BSP_PICTURES_H
@@ -91,7 +91,11 @@ static inline bool draw_trees(const trial_scene *s, bool z_up, bsp_options how, 
     }
     if (all->width >= 400) {
         label_tag(all, 8, 8, 11, "k-d tree: cells"), label_tag(all, x, 8, 11, "BSP tree: cells");
-        label_tag(all, 8, y, 11, "steps and tests, 0 to 90"), label_tag(all, x, y, 11, "the same");
+        label_tag(all, 8, y, 11, "k-d tree: work"), label_tag(all, x, y, 11, "BSP tree: work");
+        int w = panel_side(all->width), bottom = panel_side(all->height);
+        label_fill(all, w / 4 - 8, bottom - 32, w / 2 + 16, 32, vec(1, 1, 1));
+        label_bar(all, w / 4, bottom - 28, w / 2, 7, work_colour, 0, 90,
+                  "steps and tests a ray; white: more");
     }
     return whole;
 }
