@@ -97,7 +97,7 @@ lecture() {  # lecture FOLDER: a line for each fault
         { words += NF }
         END { split("The idea|The formulas|The code|Try it|Exercises|Going on", must, "|")
               for (i in must) if (!(must[i] in have)) print "lacks: " must[i]
-              if (words > 1450) print words " words: at most 1450 beside code and tables" }' "$1/README.md"
+              if (words > 1200) print words " words: at most 1200 beside code and tables" }' "$1/README.md"
 }
 links() {  # links FILE: files that it shows or leads to and that are not there
     page_folder=$(dirname "$1")
