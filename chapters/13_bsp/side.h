@@ -117,7 +117,8 @@ static inline vec3 clip_point(vec3 a, vec3 b, real sa, real sb)
     return w <= (real)0.5 ? vmadd(a, vsub(b, a), w) : vmadd(b, vsub(a, b), sb / (sb - sa));
 }
 
-/* Sutherland & Hodgman. */
+/* Sutherland & Hodgman. Not raster_clip (08), whose cut starts at the end in front: proof 2 above
+ * needs w <= 1/2. */
 static inline size_t clip(const split_plane *p, real sign, real level, const vec3 *q, size_t n,
                           vec3 *out)
 {
