@@ -77,13 +77,10 @@ static inline void draw_cyclic(const options *o)
     mesh m = cyclic_mesh();
     failure f;
     painter cut, uncut;
-    camera_frame frame;
-    camera c;
     vec3 eye = {0.7, -1.3, 3};
+    camera c = camera_at(eye, (vec3){0, 0, 0}, (vec3){0, 1, 0}, 52, 1);
     painter_uncut(&m, &uncut);
-    if (!painter_build(&m, painter_defaults, &cut, &f)
-        || !frame_look_at(eye, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &f)
-        || !camera_perspective(frame, 52, 1, &c, &f)) fail(f);
+    if (!painter_build(&m, painter_defaults, &cut, &f)) fail(f);
     for (int k = 0; k < 2; k++) {
         const painter *p = k ? &cut : &uncut;
         uint32_t *order = allocate(p->pieces, sizeof *order);

@@ -154,14 +154,8 @@ static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed)
 
 static inline camera forest_camera(real aspect)
 {
-    camera_frame frame;
-    camera c;
-    failure f;
-    vec3 eye = {-2, -16, ground_height(-2, -16) + 11};
-    vec3 target = {6, 60, 5};
-    if (!frame_look_at(eye, target, (vec3){0, 0, 1}, &frame, &f)
-        || !camera_perspective(frame, 44, aspect, &c, &f)) fail(f);
-    return c;
+    vec3 eye = {-2, -16, ground_height(-2, -16) + 11}, target = {6, 60, 5};
+    return camera_at(eye, target, (vec3){0, 0, 1}, 44, aspect);
 }
 
 /* ---- light ---- */

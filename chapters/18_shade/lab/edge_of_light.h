@@ -169,9 +169,9 @@ static inline void draw_terminator(const options *o)
             sum /= fine * fine;
             image_set(&all, k * (size + gap) + i % size, i / size, (vec3){sum, sum, sum});
         }
-    image sheet = label_panels(&all, edge_ways, 1, gap, edge_way);
-    output_picture(o, &sheet, "18_shade_terminator.png", false, true);
-    image_free(&all), image_free(&sheet), edge_ball_free(&b);
+    label_titles(&all, edge_ways, 1, gap, edge_way);
+    output_picture(o, &all, "18_shade_terminator.png", false, true);
+    image_free(&all), edge_ball_free(&b);
 }
 
 #endif
