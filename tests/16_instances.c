@@ -22,13 +22,11 @@ static instances built(const crowd *c, instances_boxes boxes)
     return x;
 }
 
-static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) * random_next(g); }
-
 /* Turned, scaled along three axes by up to `unlike` apart, mirrored every third time, moved. */
 static affine any_place(random_stream *g, real unlike, vec3 move, real spread)
 {
-    real size = between(g, 0.2, 1), angle = between(g, 0, 2 * pi);
-    vec3 axis = vunit(random_in_cube(g, 1)), scale = {size, size * between(g, 1 / unlike, 1), size};
+    real size = random_between(g, 0.2, 1), angle = random_between(g, 0, 2 * pi);
+    vec3 axis = vunit(random_in_cube(g, 1)), scale = {size, size * random_between(g, 1 / unlike, 1), size};
     if (random_below(g, 3) == 0) scale.x = -scale.x;
     affine a = affine_then(affine_scaling(scale), affine_rotation(axis, angle));
     a = affine_then(affine_rotation(vunit(random_in_cube(g, 1)), angle / 3), a);
@@ -570,9 +568,9 @@ static void test_refined(void)
     for (size_t i = 0; i < 200; i++) {
         random_stream g = random_start(54, i, 0);
         affine raw = {.o = {0, 0, 0}}, a = raw, m;
-        m = affine_rotation(vunit(random_in_cube(&g, 1)), between(&g, 0, 6));
+        m = affine_rotation(vunit(random_in_cube(&g, 1)), random_between(&g, 0, 6));
         m = affine_then(m, affine_scaling((vec3){1, s, s}));
-        m = affine_then(m, affine_rotation(vunit(random_in_cube(&g, 1)), between(&g, 0, 6)));
+        m = affine_then(m, affine_rotation(vunit(random_in_cube(&g, 1)), random_between(&g, 0, 6)));
         check(affine_inverse(m, &raw) && instance_inverse(m, &a), "a wire has an inverse");
         before = real_max(affine_norm(inverse_residual(m, raw)), before);
         after = real_max(affine_norm(inverse_residual(m, a)), after);

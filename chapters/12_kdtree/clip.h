@@ -101,7 +101,7 @@ static inline kd_box kd_cut_box(const part_box *p, const kd_box *now, bool thick
     if (!(p->lo[0] <= p->hi[0])) return kd_nothing;
     kd_box b = kd_bounds(p->lo, p->hi, thick);
     for (int k = 0; k < 3; k++)
-        b.lo[k] = kd_max(b.lo[k], now->lo[k]), b.hi[k] = kd_min(b.hi[k], now->hi[k]);
+        b.lo[k] = float_max(b.lo[k], now->lo[k]), b.hi[k] = float_min(b.hi[k], now->hi[k]);
     return b;
 }
 
@@ -111,8 +111,8 @@ static inline void kd_cut_end(const kd_cut *c, bool thick, kd_box *below, kd_box
     int k = c->axis;
     *below = kd_cut_box(&c->part[0], below, thick);
     *above = kd_cut_box(&c->part[1], above, thick);
-    below->hi[k] = kd_min((float)c->at, below->hi[k]);
-    above->lo[k] = kd_max((float)c->at, above->lo[k]);
+    below->hi[k] = float_min((float)c->at, below->hi[k]);
+    above->lo[k] = float_max((float)c->at, above->lo[k]);
 }
 
 #endif
