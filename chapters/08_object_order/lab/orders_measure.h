@@ -222,13 +222,6 @@ static inline void orders_shadows(const options *o)
     raster_mesh(&s, &m, orders_camera((real)nx / ny), raster_default);
     table t = table_new("Shadow maps against shadow rays", "texels|error: no bias [% of pixels]|"
                         "error: bias 0.004|error: bias 0.04|time [ms]");
-    plot p = plot_new("Shadow maps: wrong pixels against their side", "side of the map [texels]",
-                      "wrong [% of pixels]", PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = 0; i < 3; i++) {
-        char label[32];
-        snprintf(label, sizeof label, "bias %g", bias[i]);
-        (void)plot_series(&p, label);
-    }
     bench_candidate b[6];
     orders_shadow w[6];
     for (int k = 0; k < 6; k++) {
@@ -248,16 +241,10 @@ static inline void orders_shadows(const options *o)
         shadow_map_free(&map);
         if (sides[k]) table_text(&t, "%d x %d", sides[k], sides[k]);
         else table_text(&t, "rays");
-        for (int j = 0; j < 3; j++) {
-            double share = 100 * (double)wrong[j] / (nx * ny);
-            table_number(&t, share);
-            if (sides[k]) plot_add(&p, j, sides[k], share);
-        }
+        for (int j = 0; j < 3; j++) table_number(&t, 100 * (double)wrong[j] / (nx * ny));
         table_number(&t, 1e3 * b[k].seconds);
     }
-    plot_slope(&p, -1, "slope -1");
     output_extra_table(o, &t);
-    output_plot(o, &p, "08_object_order_shadow.svg");
     raster_free(&s), mesh_free(&m);
 }
 
