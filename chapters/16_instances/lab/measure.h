@@ -110,15 +110,10 @@ static inline double method_run_all(void *context)
 /* ns[k]: of a ray. */
 static inline void methods_time(const instances_method *m, int n, bool sun, int rounds, double *ns)
 {
-    bench_candidate c[8];
     method_run run[8];
-    for (int k = 0; k < n; k++) {
-        run[k] = (method_run){&m[k], sun};
-        c[k] = (bench_candidate){m[k].name, method_run_all, &run[k], 0, 0};
-    }
-    bench_time(c, n, rounds);
-    for (int k = 0; k < n; k++)
-        ns[k] = per(c[k].seconds * 1e9, sun ? m->s->shadow.n : m->s->eye.n);
+    for (int k = 0; k < n; k++) run[k] = (method_run){&m[k], sun};
+    bench_each(method_run_all, run, sizeof *run, n, rounds,
+               per(1e9, sun ? m->s->shadow.n : m->s->eye.n), ns);
 }
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how

@@ -171,17 +171,14 @@ static inline void measure_hard(const options *o)
     radiometry_hard_run *r = allocate(most_variants, sizeof *r);
     for (int k = 0; k < hard_cases; k++) {
         const radiometry_hard_case *c = &hard_list[k];
-        bench_candidate v[most_variants];
-        for (int i = 0; i < most_variants; i++) {
-            hard_fill(&r[i], c, o->seed), r[i].variant = i;
-            v[i] = (bench_candidate){.run = run_hard, .context = &r[i]};
-        }
-        bench_time(v, most_variants, 21);
+        double ns[most_variants];
+        for (int i = 0; i < most_variants; i++) hard_fill(&r[i], c, o->seed), r[i].variant = i;
+        bench_each(run_hard, r, sizeof *r, most_variants, 21, 1e9 / hard_inputs, ns);
         table_text(&t, "%s", c->name), table_text(&t, "%s", c->input);
         for (int i = 0; i < 2 * most_variants; i++) {
             if (!hard_has(c->kind, i % most_variants)) table_text(&t, "-");
             else if (i < most_variants) table_number(&t, hard_error(&r[0], i));
-            else table_number(&t, v[i - most_variants].seconds / hard_inputs * 1e9);
+            else table_number(&t, ns[i - most_variants]);
         }
     }
     output_extra_table(o, &t);
