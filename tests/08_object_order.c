@@ -311,7 +311,7 @@ static void test_mirror(void)
     for (size_t i = 0; i < n; i++) {
         vec3 p[4];
         for (int k = 0; k < 4; k++)
-            p[k] = (vec3){random_between(&g, -3, 3), random_between(&g, -3, 3), random_between(&g, -3, 3)};
+            p[k] = random_in_cube(&g, 3);
         plane s = {p[0], vadd(p[1], (vec3){4, 0, 0})};
         camera c = orders_look(p[2], vadd(p[2], (vec3){1, random_between(&g, -1, 1), 0}), 60, 1);
         camera c2 = mirror_camera(c, s);
@@ -350,7 +350,7 @@ static void test_strange(void)
         uint32_t index[3] = {0, 1, 2};
         bool finite = true;
         for (int k = 0; k < 3; k++)
-            v[k] = (vec3){random_between(&g, -2, 2), random_between(&g, -2, 2), random_between(&g, -3, 1)};
+            v[k] = vadd(random_in_cube(&g, 2), vec(0, 0, -1));
         for (int k = 0; k < 2; k++)
             v[random_next_bits(&g) % 3] = vwith(v[0], (int)(random_next_bits(&g) % 3),
                                                 strange[random_next_bits(&g) % 10]);

@@ -26,7 +26,8 @@ static instances built(const crowd *c, instances_boxes boxes)
 static affine any_place(random_stream *g, real unlike, vec3 move, real spread)
 {
     real size = random_between(g, 0.2, 1), angle = random_between(g, 0, 2 * pi);
-    vec3 axis = vunit(random_in_cube(g, 1)), scale = {size, size * random_between(g, 1 / unlike, 1), size};
+    vec3 axis = vunit(random_in_cube(g, 1));
+    vec3 scale = {size, size * random_between(g, 1 / unlike, 1), size};
     if (random_below(g, 3) == 0) scale.x = -scale.x;
     affine a = affine_then(affine_scaling(scale), affine_rotation(axis, angle));
     a = affine_then(affine_rotation(vunit(random_in_cube(g, 1)), angle / 3), a);

@@ -22,8 +22,8 @@
  *   camera_perspective(f, phi, a, ..)       from e, window centred (透视)     t = 1 on the plane
  *   camera_off_axis(f, win, d, ..)          from e, window anywhere (离轴)    t = 1 on the plane
  *       phi: vertical field of view in degrees (0, 180); a: width / height
- *   camera c = camera_at(e, target, up, phi, a)   frame and perspective of a scene of the book: what
- *                                           they refuse ends the program
+ *   camera c = camera_at(e, target, up, phi, a)     for scenes of the book: what frame_look_at or
+ *                                           camera_perspective refuse ends the program
  *
  *   ray r = camera_ray(c, x, y, nx, ny);    d has length 1 in parallel views only: see ray_unit
  *   camera_project(c, p, nx, ny, &x, &y)    the inverse: where p shows; false if p is not in front

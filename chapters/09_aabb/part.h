@@ -7,7 +7,7 @@
  *             lo      hi
  *
  *   part_box p = part_nothing;
- *   part_edge(&p, a, b, axis, lo, hi)    for each edge a b [3]; lo <= hi may be infinite. Afterwards
+ *   part_edge(&p, a, b, axis, lo, hi)    for each edge a b [3]; lo <= hi, maybe infinite. Then
  *                                        p.lo, p.hi are the bounds of the part; nothing: lo > hi
  *   part_crossing(a, b, axis, at, q)     q [3]: the point of a b in the plane; a and b are on
  *                                        different sides of it, or one of them in it
@@ -50,10 +50,14 @@ static inline void part_crossing(const double a[3], const double b[3], int axis,
 static inline void part_edge(part_box *p, const double a[3], const double b[3], int axis, double lo,
                              double hi)
 {
+    const double side[2] = {lo, hi};
     double x = a[axis], y = b[axis], q[3];
     if (x >= lo && x <= hi) part_point(p, a);
-    if ((x < lo && y > lo) || (x > lo && y < lo)) part_crossing(a, b, axis, lo, q), part_point(p, q);
-    if ((x < hi && y > hi) || (x > hi && y < hi)) part_crossing(a, b, axis, hi, q), part_point(p, q);
+    for (int k = 0; k < 2; k++) {
+        if (!((x < side[k] && y > side[k]) || (x > side[k] && y < side[k]))) continue;
+        part_crossing(a, b, axis, side[k], q);
+        part_point(p, q);
+    }
 }
 
 #endif
