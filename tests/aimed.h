@@ -13,10 +13,14 @@
 
 enum { sick_count = 8 };
 static const ray sick_ray[sick_count] = {
-    {{NAN, 0, 0}, 0, {0, 0, 1}, INFINITY}, {{0, 0, -9}, 0, {0, NAN, 1}, INFINITY},
-    {{0, 0, -9}, 0, {0, 0, 0}, INFINITY}, {{0, 0, -INFINITY}, 0, {0, 0, 1}, INFINITY},
-    {{0, 0, -9}, 0, {0, 0, INFINITY}, INFINITY}, {{0, 0, -9}, NAN, {0, 0, 1}, 99},
-    {{0, 0, -9}, 0, {0, 0, 1}, NAN}, {{0, 0, -9}, 5, {0, 0, 1}, 4}};
+    {{(real)NAN, 0, 0}, 0, {0, 0, 1}, real_infinity},
+    {{0, 0, -9}, 0, {0, (real)NAN, 1}, real_infinity},
+    {{0, 0, -9}, 0, {0, 0, 0}, real_infinity},
+    {{0, 0, -real_infinity}, 0, {0, 0, 1}, real_infinity},
+    {{0, 0, -9}, 0, {0, 0, real_infinity}, real_infinity},
+    {{0, 0, -9}, (real)NAN, {0, 0, 1}, 99},
+    {{0, 0, -9}, 0, {0, 0, 1}, (real)NAN},
+    {{0, 0, -9}, 5, {0, 0, 1}, 4}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
