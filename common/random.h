@@ -4,7 +4,7 @@
  *
  *   real x = random_real(seed, pixel, sample, dimension);    uniform in [0,1), never 1
  *   random_stream s = random_start(seed, pixel, sample);     the same: dimension 0, 1, 2, ...
- *   real y = random_next(&s);
+ *   real y = random_next(&s);                                random_between(&s, lo, hi)
  *
  * The short cut (float)u * 2^-32 rounds the 128 largest words up to 1: 24 bits make a float, 53 a
  * double. Streams are pieces of one sequence of 2^64 numbers: of 10^9 some ten pairs overlap.
@@ -54,6 +54,11 @@ static inline real random_real_of(uint64_t bits)
 }
 
 static inline real random_next(random_stream *s) { return random_real_of(random_next_bits(s)); }
+
+static inline real random_between(random_stream *s, real lo, real hi)
+{
+    return lo + (hi - lo) * random_next(s);
+}
 
 static inline uint64_t random_bits(uint64_t seed, uint64_t pixel, uint64_t sample, uint64_t number)
 {

@@ -134,4 +134,13 @@ static inline real difference_of_products(real a, real b, real c, real d)
     real cd = c * d;
     return fma(a, b, -cd) + fma(-c, d, cd);
 }
+
+/* a x b, each component right to 2 epsilon of itself: of nearly parallel vectors vcross keeps only
+ * rounding errors. */
+static inline vec3 vcross_accurate(vec3 a, vec3 b)
+{
+    return (vec3){difference_of_products(a.y, b.z, a.z, b.y),
+                  difference_of_products(a.z, b.x, a.x, b.z),
+                  difference_of_products(a.x, b.y, a.y, b.x)};
+}
 #endif

@@ -18,8 +18,8 @@ static void test_planes(void)
     random_stream g = random_start(1, 0, 0);
     size_t wrong = 0, hits = 0, n = check_count(100000);
     for (size_t i = 0; i < n; i++) {
-        plane p = {random_vec3(&g, 10), random_vec3(&g, 1)};
-        ray r = ray_from(random_vec3(&g, 10), random_vec3(&g, 2));
+        plane p = {random_in_cube(&g, 10), random_in_cube(&g, 1)};
+        ray r = ray_from(random_in_cube(&g, 10), random_in_cube(&g, 2));
         r.tmin = random_next(&g), r.tmax = 10 * random_next(&g);
         if (fabs(vdot(vunit(p.n), vunit(r.d))) < (real)0.1) continue;
         hit a = untouched, b = untouched;
@@ -49,11 +49,11 @@ static void test_triangles(void)
     size_t wrong = 0, judged = 0, hits = 0, n = check_count(200000);
     double t = 0, weights = 0, point = 0, normal = 0;
     for (size_t i = 0; i < n; i++) {
-        triangle tri = {random_vec3(&g, 2), random_vec3(&g, 2), random_vec3(&g, 2)};
-        real u = slip_between(&g, (real)-0.2, (real)1.2), o = (real)0.01;
-        real v = slip_between(&g, (real)-0.2, (real)1.2);
+        triangle tri = {random_in_cube(&g, 2), random_in_cube(&g, 2), random_in_cube(&g, 2)};
+        real u = random_between(&g, (real)-0.2, (real)1.2), o = (real)0.01;
+        real v = random_between(&g, (real)-0.2, (real)1.2);
         if (fabs(u) < o || fabs(v) < o || fabs(1 - u - v) < o) continue;
-        vec3 aim = barycentric_mix(tri.a, tri.b, tri.c, u, v), from = random_vec3(&g, 5);
+        vec3 aim = barycentric_mix(tri.a, tri.b, tri.c, u, v), from = random_in_cube(&g, 5);
         vec3 cross = vcross(vsub(tri.b, tri.a), vsub(tri.c, tri.a));
         ray r = ray_from(from, vsub(aim, from));
         if (vlength(cross) < 1 || fabs(vdot(vunit(cross), vunit(r.d))) < (real)0.1) continue;

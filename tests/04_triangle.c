@@ -81,9 +81,10 @@ static void test_plane_far_away(void)
     random_stream g = random_start(1, 0, 0);
     double worst = 0, worst_equation = 0;
     for (size_t i = 0, n = check_count(20000); i < n; i++) {
-        vec3 far = vadd((vec3){10000, -10000, 10000}, random_vec3(&g, 1));
-        plane p = {far, random_vec3(&g, 1)};
-        ray r = {vadd(far, random_vec3(&g, 1)), -real_infinity, random_vec3(&g, 1), real_infinity};
+        vec3 far = vadd((vec3){10000, -10000, 10000}, random_in_cube(&g, 1));
+        plane p = {far, random_in_cube(&g, 1)};
+        vec3 o = vadd(far, random_in_cube(&g, 1));
+        ray r = {o, -real_infinity, random_in_cube(&g, 1), real_infinity};
         if (fabs(vdot(vunit(p.n), vunit(r.d))) < (real)0.1) continue;
         wide3 normal = wide3_of(p.n);
         wide t = wide_div(wide3_dot(wide3_sub(wide3_of(p.p), wide3_of(r.o)), normal),
@@ -173,10 +174,10 @@ static void test_random_against_oracle(void)
     size_t wrong[method_count] = {0}, clear = 0, different = 0;
     double error[method_count] = {0}, error_uv[method_count] = {0}, beyond = 0;
     for (size_t i = 0, n = check_count(200000); i < n; i++) {
-        triangle tri = {random_vec3(&g, 2), random_vec3(&g, 2), random_vec3(&g, 2)};
-        real u = slip_between(&g, -0.2, 1.2),
-             v = slip_between(&g, -0.2, 1.2);
-        vec3 o = random_vec3(&g, 5);
+        triangle tri = {random_in_cube(&g, 2), random_in_cube(&g, 2), random_in_cube(&g, 2)};
+        real u = random_between(&g, -0.2, 1.2),
+             v = random_between(&g, -0.2, 1.2);
+        vec3 o = random_in_cube(&g, 5);
         ray r = ray_from(o, vscale(vsub(triangle_at(tri, u, v), o),
                                    ldexp((real)1, (int)random_integer(&g, 8))));
         triangle_exact_hit x = triangle_exactly(tri, r);
@@ -291,7 +292,7 @@ static void test_no_area_no_hit(void)
         vec3 a = {random_integer(&g, 8), random_integer(&g, 8), random_integer(&g, 8)};
         vec3 e = {random_integer(&g, 8), random_integer(&g, 8), random_integer(&g, 8)};
         triangle t = {a, vmadd(a, e, random_integer(&g, 4)), vmadd(a, e, random_integer(&g, 4))};
-        vec3 o = random_vec3(&g, 30), p = vmadd(a, e, slip_between(&g, -4, 4));
+        vec3 o = random_in_cube(&g, 30), p = vmadd(a, e, random_between(&g, -4, 4));
         if (i % 2) {
             o = (vec3){random_integer(&g, 20), random_integer(&g, 20), random_integer(&g, 20)};
             p = vmadd(a, e, random_integer(&g, 4));
@@ -320,7 +321,7 @@ static void test_rounded_edges(void)
         if (vzero(d)) continue;
         real tiny = floor(1 + 999 * random_next(&g)) * real_epsilon / 2;
         triangle t = {vscale(d, tiny), d, vscale(d, 3)};
-        vec3 o = random_vec3(&g, 10), p = vscale(d, slip_between(&g, 0, 3)), e1 = vsub(t.b, t.a);
+        vec3 o = random_in_cube(&g, 10), p = vscale(d, 3 * random_next(&g)), e1 = vsub(t.b, t.a);
         hit h;
         hits += triangle_hit(t, ray_from(o, vsub(p, o)), &h) || !vzero(triangle_normal(t));
         unequal += !vzero(vcross(e1, vsub(t.c, t.a)));
@@ -356,7 +357,7 @@ static void test_edge_on(void)
     random_stream g = random_start(7, 0, 0);
     size_t wrong = 0, some = 0;
     for (size_t i = 0, n = check_count(200000); i < n; i++) {
-        triangle q = {random_vec3(&g, 1), random_vec3(&g, 1), random_vec3(&g, 1)};
+        triangle q = {random_in_cube(&g, 1), random_in_cube(&g, 1), random_in_cube(&g, 1)};
         vec3 o = triangle_at(q, -2, -3),
              p = triangle_at(q, random_next(&g) / 2, random_next(&g) / 2);
         ray r = ray_from(o, vsub(p, o));
@@ -391,7 +392,7 @@ static void test_no_nan(void)
         real x[15];
         uint64_t bits = random_next_bits(&g), more = random_next_bits(&g);
         for (int k = 0; k < 15; k++, bits >>= 4) {
-            x[k] = more >> k & 1 ? slip_between(&g, -2, 2) : odd[(bits & 15) % kinds];
+            x[k] = more >> k & 1 ? random_between(&g, -2, 2) : odd[(bits & 15) % kinds];
         }
         triangle t = {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
         ray r = {{x[9], x[10], x[11]}, -real_infinity, {x[12], x[13], x[14]}, real_infinity};
@@ -431,7 +432,7 @@ static void test_exact_signs(void)
     for (size_t i = 0, n = count_at_least(500000, 100000); i < n; i++) {
         real x[3], y[3];
         for (int k = 0; k < 3; k++) {
-            real s = slip_between(&g, -1, 1);
+            real s = random_between(&g, -1, 1);
             s = floor(s * 1024) / 1024;
             x[k] = s * (1 + random_integer(&g, 3) * real_epsilon),
             y[k] = s * (1 + random_integer(&g, 3) * real_epsilon);
@@ -466,7 +467,7 @@ static void test_edge_functions_are_antisymmetric(void)
     random_stream g = random_start(10, 0, 0);
     size_t wrong = 0;
     for (size_t i = 0, n = check_count(1000000); i < n; i++) {
-        vec3 a = random_vec3(&g, 1), b = vmadd(a, random_vec3(&g, 1), 16 * real_epsilon);
+        vec3 a = random_in_cube(&g, 1), b = vmadd(a, random_in_cube(&g, 1), 16 * real_epsilon);
         real forth = b.x * a.y - b.y * a.x, back = a.x * b.y - a.y * b.x;
         wrong += forth != -back;
         wrong += (difference_of_products(b.x, a.y, b.y, a.x) > 0)
@@ -510,10 +511,10 @@ static void test_barycentrics(void)
     double worst_sum = 0, worst_back = 0;
     size_t outside = 0, n = check_count(100000), used = 0;
     for (size_t i = 0; i < n; i++) {
-        triangle q = {random_vec3(&g, 1), random_vec3(&g, 1), random_vec3(&g, 1)};
+        triangle q = {random_in_cube(&g, 1), random_in_cube(&g, 1), random_in_cube(&g, 1)};
         vec3 normal = vcross(vsub(q.b, q.a), vsub(q.c, q.a));
         if (vlength(normal) < (real)0.5) continue;
-        real u = slip_between(&g, -3, 3), v = slip_between(&g, -3, 3);
+        real u = random_between(&g, -3, 3), v = random_between(&g, -3, 3);
         k = barycentrics_of(q, triangle_at(q, u, v));
         used++, outside += !barycentrics_inside(k);
         worst_sum = check_worse(worst_sum, fabs((double)barycentrics_sum(k) - 1));
@@ -535,8 +536,9 @@ static void test_absolute_determinant(void)
         real size = k == 3 ? (real)1e-3 : k == 4 ? (real)1e-4 : (real)1e-5;
         size_t lost = 0, missed = 0, n = count_at_least(20000, 5000);
         for (size_t i = 0; i < n; i++) {
-            triangle t = {random_vec3(&g, size), random_vec3(&g, size), random_vec3(&g, size)};
-            vec3 o = vscale(vunit(random_vec3(&g, 1)), size);
+            triangle t = {random_in_cube(&g, size), random_in_cube(&g, size),
+                          random_in_cube(&g, size)};
+            vec3 o = vscale(vunit(random_in_cube(&g, 1)), size);
             ray r = ray_from(o, vunit(vsub(triangle_at(t, 0.3, 0.3), o)));
             hit h;
             if (!triangle_hit_patched(t, r, 0, 0, &h)) continue;

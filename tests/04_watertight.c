@@ -70,7 +70,7 @@ static icosphere sliver_sphere(int ulps, uint64_t seed)
         real p[3] = {m.v[i].x, m.v[i].y, m.v[i].z};
         for (int k = 0; k < 3; k++)
             p[k] = floor(4 * p[k] + (real)0.5) / 4
-                   + floor(slip_between(&g, (real)-ulps, (real)ulps)) * real_epsilon / 2;
+                   + floor(random_between(&g, (real)-ulps, (real)ulps)) * real_epsilon / 2;
         m.v[i] = (vec3){p[0], p[1], p[2]};
     }
     return m;
@@ -166,8 +166,8 @@ static void test_random_rays_show_nothing(void)
     random_stream g = random_start(90, 0, 0);
     size_t slipped = 0, n = check_count(10000);
     for (size_t i = 0; i < n; i++) {
-        real x = slip_between(&g, -1, 1), y = slip_between(&g, -1, 1), z = slip_between(&g, -1, 1);
-        ray r = ray_from(slip_origin(&g, m.centre, m.radius), (vec3){x, y, z});
+        vec3 d = random_in_cube(&g, 1);
+        ray r = ray_from(slip_origin(&g, m.centre, m.radius), d);
         slipped += slip_misses_all(&m, first_triangle_hit, r);
         slipped += slip_misses_all(&m, triangle_hit_plane, r);
     }

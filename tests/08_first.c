@@ -7,8 +7,6 @@
 #define eps ((double)real_epsilon)
 enum { side = 16 };
 
-static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) * random_next(g); }
-
 static first_camera first_front(void)  /* window: a unit a pixel at distance 1 */
 {
     return (first_camera){{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, side, 0, side, 1, side,
@@ -43,10 +41,10 @@ static void test_parallel(void)
     for (size_t i = 0; i < n; i++) {
         triangle tri[2];
         for (int k = 0; k < 2; k++) {
-            real z = between(&g, 1, 9);
+            real z = random_between(&g, 1, 9);
             vec3 *corner[3] = {&tri[k].a, &tri[k].b, &tri[k].c};
             for (int j = 0; j < 3; j++)
-                *corner[j] = (vec3){z * between(&g, 0, side), z * between(&g, 0, side), -z};
+                *corner[j] = (vec3){z * side * random_next(&g), z * side * random_next(&g), -z};
         }
         first_mesh m = {tri, 2};
         first_raster s = first_raster_new(side, side);

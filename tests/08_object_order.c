@@ -11,8 +11,6 @@ static camera front(int nx, int ny)  /* window: a unit a pixel at distance 1 */
                     (real)ny, 1, {0, 0, 0}};
 }
 
-static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) * random_next(g); }
-
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { side = 24, cells = 6 };
@@ -32,11 +30,12 @@ static void cover(random_stream *g, int bits, size_t *twice, size_t *never,
     for (int k = 0; k < (cells + 1) * (cells + 1); k++) {
         real x = (real)(k % (cells + 1) * side) / cells, y = (real)(k / (cells + 1) * side) / cells;
         bool round = random_next(g) < (real)0.5;
-        x += between(g, (real)-1.4, (real)1.4), y += between(g, (real)-1.4, (real)1.4);
+        x += random_between(g, (real)-1.4, (real)1.4);
+        y += random_between(g, (real)-1.4, (real)1.4);
         if (round) x = floor(2 * x) / 2, y = floor(2 * y) / 2;
         int i = k % (cells + 1), j = k / (cells + 1);
         x = i == 0 ? -1 : i == cells ? side + 1 : x, y = j == 0 ? -1 : j == cells ? side + 1 : y;
-        real z = between(g, (real)0.5, 3);
+        real z = random_between(g, (real)0.5, 3);
         v[k] = (vec3){x * z, y * z, -z};
     }
     for (int k = 0; k < cells * cells; k++) {
@@ -80,8 +79,8 @@ static mesh soup_around(random_stream *g, size_t n)
     mesh m = specimen_new(3 * n, n);
     for (size_t i = 0; i < 3 * n; i++) {
         bool far = random_next(g) < (real)0.3;
-        real r = far ? 40 : 5, x = between(g, -r, r), y = between(g, -r, r);
-        m.v[i] = (vec3){x, y, between(g, -r, r / 2)};
+        real r = far ? 40 : 5, x = random_between(g, -r, r), y = random_between(g, -r, r);
+        m.v[i] = (vec3){x, y, random_between(g, -r, r / 2)};
     }
     for (size_t i = 0; i < n; i++)
         specimen_add(&m, 3 * i, 3 * i + 1, i % 2 && i > 1 ? 3 * i - 3 : 3 * i + 2);
@@ -146,7 +145,7 @@ static void test_planes(void)
     for (size_t i = 0; i < n; i++) {
         mesh m = soup_around(&g, 8);
         raster s = raster_new(nx, ny);
-        vec3 side_of = vunit((vec3){between(&g, -1, 1), between(&g, -1, 1), between(&g, -1, 1)});
+        vec3 side_of = vunit(random_in_cube(&g, 1));
         raster_how how = {16, DEPTH_REVERSED, 1, {{0, 0, -3}, side_of}};
         raster_mesh(&s, &m, c, how);
         for (int k = 0; k < nx * ny; k++) {
@@ -218,8 +217,8 @@ static void test_clip(void)
     for (size_t i = 0; i < n; i++) {
         vec3 v[4];
         for (int k = 0; k < 4; k++)
-            v[k] = (vec3){between(&g, -2, 2), between(&g, -2, 2), between(&g, -2, 2)};
-        plane s = {v[3], vunit((vec3){between(&g, -1, 1), between(&g, -1, 1), 1})};
+            v[k] = random_in_cube(&g, 2);
+        plane s = {v[3], vunit((vec3){random_between(&g, -1, 1), random_between(&g, -1, 1), 1})};
         raster_corner p[raster_most_corners] = {{v[0], 0, 0}, {v[1], 1, 0}, {v[2], 0, 1}};
         raster_corner q[raster_most_corners] = {{v[1], 1, 0}, {v[0], 0, 0}, {v[3], 0, 1}};
         int np = raster_clip(p, 3, s), nq = raster_clip(q, 3, s);
@@ -290,7 +289,8 @@ static void test_shadow(void)
     size_t n = check_count(20000), wrong = 0, dark = 0;
     /* a texel is 3 tan(30 degrees) 2 / 256 = 0.0135 wide on the floor */
     for (size_t i = 0; i < n; i++) {
-        real x = between(&g, -2, 2), y = between(&g, -2, 2), r = real_max(fabs(x), fabs(y));
+        real x = random_between(&g, -2, 2), y = random_between(&g, -2, 2);
+        real r = real_max(fabs(x), fabs(y));
         if (fabs(r - (real)0.75) < (real)0.0136) continue;
         bool is = shadow_map_dark(&s, (vec3){x, y, 0}, (real)0.01);
         wrong += is != (r < (real)0.75), dark += is;
@@ -311,9 +311,9 @@ static void test_mirror(void)
     for (size_t i = 0; i < n; i++) {
         vec3 p[4];
         for (int k = 0; k < 4; k++)
-            p[k] = (vec3){between(&g, -3, 3), between(&g, -3, 3), between(&g, -3, 3)};
+            p[k] = random_in_cube(&g, 3);
         plane s = {p[0], vadd(p[1], (vec3){4, 0, 0})};
-        camera c = orders_look(p[2], vadd(p[2], (vec3){1, between(&g, -1, 1), 0}), 60, 1);
+        camera c = orders_look(p[2], vadd(p[2], (vec3){1, random_between(&g, -1, 1), 0}), 60, 1);
         camera c2 = mirror_camera(c, s);
         real x = 0, y = 0, x2 = 0, y2 = 0;
         bool a = camera_project(c, mirror_point(p[3], s), 1, 1, &x, &y);
@@ -350,7 +350,7 @@ static void test_strange(void)
         uint32_t index[3] = {0, 1, 2};
         bool finite = true;
         for (int k = 0; k < 3; k++)
-            v[k] = (vec3){between(&g, -2, 2), between(&g, -2, 2), between(&g, -3, 1)};
+            v[k] = vadd(random_in_cube(&g, 2), vec(0, 0, -1));
         for (int k = 0; k < 2; k++)
             v[random_next_bits(&g) % 3] = vwith(v[0], (int)(random_next_bits(&g) % 3),
                                                 strange[random_next_bits(&g) % 10]);

@@ -6,18 +6,8 @@
 
 static octree_options how;
 
-static void *build(const items *x, failure *f)
-{
-    octree *t = allocate(1, sizeof *t);
-    if (octree_build(x, how, t, f)) return t;
-    free(t);
-    return NULL;
-}
-
-static bool find(const void *s, ray r, hit *out) { return octree_hit(s, r, out); }
+STRUCTURE_TESTED(octree, how)
 static bool find_slabs(const void *s, ray r, hit *out) { return octree_hit_slabs(s, r, out); }
-static bool occluded(const void *s, ray r) { return octree_occluded(s, r); }
-static void destroy(void *s) { octree_free(s), free(s); }
 
 static void test_options(void)
 {
@@ -27,11 +17,11 @@ static void test_options(void)
                                    {3, 1, false, false, (size_t)1 << 30},
                                    {100000, 16, true, true, (size_t)1 << 30}};  /* root is a leaf */
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
-        structure s = {"octree of other options", build, find, occluded, destroy};
+        structure s = {"octree of other options", STRUCTURE_OF(octree)};
         how = list[i];
         structure_tests(&s, check_count(150));
     }
-    structure s = {"octree, slab tests", build, find_slabs, occluded, destroy};
+    structure s = {"octree, slab tests", octree_built, find_slabs, octree_any, octree_gone};
     how = octree_defaults;
     how.leaf = 4;
     structure_tests(&s, check_count(200));
@@ -113,7 +103,7 @@ static void test_scales(real scale, size_t n)
     octree t;
     failure f;
     structure_verdict v = {0, 0, 0, 0};
-    structure s = {"octree", build, find, occluded, destroy};
+    structure s = {"octree", STRUCTURE_OF(octree)};
     int most = real_is_float ? 125 : 1021, few = 0;
     how = octree_defaults;
     for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], scale);
@@ -144,7 +134,7 @@ static void test_few_digits(size_t n)
     mesh planes = floors_mesh(4), m = mesh_room(planes.triangles + 2);
     real beyond = 1 + (real_is_float ? (real)0x1p-10 : (real)0x1p-36), small = (real)0x1p-20;
     structure_verdict v = {0, 0, 0, 0};
-    structure s = {"octree", build, find, occluded, destroy};
+    structure s = {"octree", STRUCTURE_OF(octree)};
     octree t;
     failure f;
     for (size_t i = 0; i < planes.triangles; i++) {
@@ -226,7 +216,7 @@ static void test_counted(size_t n)
 
 int main(void)
 {
-    structure s = {"octree", build, find, occluded, destroy};
+    structure s = {"octree", STRUCTURE_OF(octree)};
     how = octree_defaults;
     structure_tests(&s, check_count(600));
     test_options();

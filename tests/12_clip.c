@@ -265,7 +265,7 @@ static void test_sweep(void)
                 float x = (float)(random_next_bits(&g) % (i % 2 ? 9 : 8192));
                 float w = (float)(random_next_bits(&g) % 3);
                 if (i % 2 == 0) x /= 1024;
-                item[j].box.lo[k] = x, item[j].box.hi[k] = kd_min(x + w, 8);
+                item[j].box.lo[k] = x, item[j].box.hi[k] = float_min(x + w, 8);
             }
         for (size_t j = 0; j < 6 * n; j++) {
             int k = (int)(j % 3);
@@ -304,7 +304,7 @@ static void test_bins(void)
                 double x = (double)random_next(&g), w = (double)random_next(&g) / 4;
                 if (i % 2) x = x * x * x;
                 item[j].box.lo[k] = (float)((2 * x - 1) * (k + 1) * (i % 3 ? 1 : 0.7));
-                item[j].box.hi[k] = kd_min(item[j].box.lo[k] + (float)w, (float)(k + 1));
+                item[j].box.hi[k] = float_min(item[j].box.lo[k] + (float)w, (float)(k + 1));
             }
         kd_choice found = kd_choose(&s, item, n, &cell), best = {HUGE_VAL, 0, 0};
         for (int k = 0; k < 3; k++) kd_sweep_axis(&s, item, n, &cell, k, &best);

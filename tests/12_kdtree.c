@@ -3,18 +3,7 @@
 #include "structure.h"
 
 static kdtree_options options_now;
-
-static void *build_now(const items *x, failure *f)
-{
-    kdtree *t = allocate(1, sizeof *t);
-    if (kdtree_build(x, options_now, t, f)) return t;
-    free(t);
-    return NULL;
-}
-
-static bool hit_now(const void *s, ray r, hit *out) { return kdtree_hit(s, r, out); }
-static bool occluded_now(const void *s, ray r) { return kdtree_occluded(s, r); }
-static void destroy_now(void *s) { kdtree_free(s), free(s); }
+STRUCTURE_TESTED(kdtree, options_now)
 
 static kdtree_options with(kdtree_strategy strategy, int leaf, bool clip, kdtree_planar planar)
 {
@@ -33,11 +22,11 @@ static void test_structures(void)
         {"k-d tree, both sides", with(KD_SAH, 0, true, KD_BOTH), 150},
         {"k-d tree, middle, one side", with(KD_MIDDLE, 1, true, KD_ONE), 100}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
-        structure s = {list[i].name, build_now, hit_now, occluded_now, destroy_now};
+        structure s = {list[i].name, STRUCTURE_OF(kdtree)};
         options_now = list[i].how;
         structure_tests(&s, check_count(list[i].rays));
     }
-    structure deep = {"k-d tree, costly tests", build_now, hit_now, occluded_now, destroy_now};
+    structure deep = {"k-d tree, costly tests", STRUCTURE_OF(kdtree)};
     options_now = kdtree_defaults;
     options_now.item_cost = 20, options_now.empty_bonus = 0.8;
     structure_tests(&deep, check_count(100));

@@ -3,29 +3,11 @@
 #include "../chapters/14_bvh/bvh.h"
 #include "first_structure.h"
 
-static void *full_build(const items *x, failure *f)
-{
-    bvh *b = allocate(1, sizeof *b);
-    if (bvh_build(x, bvh_defaults, b, f)) return b;
-    free(b);
-    return NULL;
-}
-
-static bool full_hit(const void *s, ray r, hit *out) { return bvh_hit(s, r, out); }
-static bool full_occluded(const void *s, ray r) { return bvh_occluded(s, r); }
-static void full_destroy(void *s) { bvh_free(s), free(s); }
+STRUCTURE_TESTED(bvh, bvh_defaults)
 
 static bool heuristic;
 
-static void *build(const first_mesh *m)
-{
-    first_bvh *b = allocate(1, sizeof *b);
-    *b = first_bvh_build(m, heuristic);
-    return b;
-}
-
-static bool hit_of(const void *s, ray r, hit *out) { return first_bvh_hit(s, r, out); }
-static void destroy(void *s) { first_bvh_free(s), free(s); }
+FIRST_STRUCTURE(first_bvh, *s = first_bvh_build(m, heuristic))
 static size_t nodes_of(const void *s) { return (size_t)((const first_bvh *)s)->nodes; }
 
 static int depth_below(const first_bvh *b, int i)
@@ -78,8 +60,8 @@ static void test_one_leaf(const first_structure *s)
 
 int main(void)
 {
-    structure full = {"BVH", full_build, full_hit, full_occluded, full_destroy};
-    first_structure s = {"first BVH, middle", build, hit_of, destroy, nodes_of, depth_of, 2,
+    structure full = {"BVH", STRUCTURE_OF(bvh)};
+    first_structure s = {"first BVH, middle", FIRST_VERBS(first_bvh), nodes_of, depth_of, 2,
                          most_depth};
     for (int sah = 0; sah < 2; sah++) {
         heuristic = sah != 0;

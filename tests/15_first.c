@@ -3,27 +3,9 @@
 #include "../chapters/15_wide_bvh/bvh8.h"
 #include "first_structure.h"
 
-static void *full_build(const items *x, failure *f)
-{
-    bvh8 *w = allocate(1, sizeof *w);
-    if (bvh8_build(x, bvh8_defaults, w, f)) return w;
-    free(w);
-    return NULL;
-}
+STRUCTURE_TESTED(bvh8, bvh8_defaults)
 
-static bool full_hit(const void *s, ray r, hit *out) { return bvh8_hit(s, r, out); }
-static bool full_occluded(const void *s, ray r) { return bvh8_occluded(s, r); }
-static void full_destroy(void *s) { bvh8_free(s), free(s); }
-
-static void *build(const first_mesh *m)
-{
-    first_wide *w = allocate(1, sizeof *w);
-    *w = first_wide_build(m);
-    return w;
-}
-
-static bool hit_of(const void *s, ray r, hit *out) { return first_wide_hit(s, r, out); }
-static void destroy(void *s) { first_wide_free(s), free(s); }
+FIRST_STRUCTURE(first_wide, *s = first_wide_build(m))
 static size_t nodes_of(const void *s) { return (size_t)((const first_wide *)s)->nodes; }
 
 static int depth_below(const first_wide *w, int at)
@@ -57,8 +39,8 @@ static void test_collapse(void)
 
 int main(void)
 {
-    structure full = {"BVH, eight wide", full_build, full_hit, full_occluded, full_destroy};
-    first_structure s = {"first wide BVH", build, hit_of, destroy, nodes_of, depth_of, 1,
+    structure full = {"BVH, eight wide", STRUCTURE_OF(bvh8)};
+    first_structure s = {"first wide BVH", FIRST_VERBS(first_wide), nodes_of, depth_of, 1,
                          most_depth};
     first_structure_tests(&s, &full);
     test_collapse();

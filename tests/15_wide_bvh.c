@@ -4,18 +4,7 @@
 #include "structure.h"
 
 static bvh8_options options_now;
-
-static void *build_now(const items *x, failure *f)
-{
-    bvh8 *w = allocate(1, sizeof *w);
-    if (bvh8_build(x, options_now, w, f)) return w;
-    free(w);
-    return NULL;
-}
-
-static bool hit_now(const void *s, ray r, hit *out) { return bvh8_hit(s, r, out); }
-static bool occluded_now(const void *s, ray r) { return bvh8_occluded(s, r); }
-static void destroy_now(void *s) { bvh8_free(s), free(s); }
+STRUCTURE_TESTED(bvh8, options_now)
 
 static const char *const dialect_name[eight_dialects] = {"plain C", "AVX2", "AVX-512"};
 
@@ -24,7 +13,7 @@ static void test_structures(void)
     for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++)
         for (int leaf = 1; leaf <= 8; leaf *= 2) {
             char name[40];
-            structure s = {name, build_now, hit_now, occluded_now, destroy_now};
+            structure s = {name, STRUCTURE_OF(bvh8)};
             options_now = bvh8_defaults;
             options_now.dialect = (eight_dialect)d, options_now.leaf = leaf;
             snprintf(name, sizeof name, "%s, leaves of %d", dialect_name[d], leaf);
@@ -41,7 +30,7 @@ static void test_floats(void)
         m.v[i] = (vec3){(real)(float)p.x, (real)(float)p.y, (real)(float)p.z};
     }
     items x = items_of_mesh(&m);
-    structure s = {"floats", build_now, hit_now, occluded_now, destroy_now};
+    structure s = {"floats", STRUCTURE_OF(bvh8)};
     structure_verdict v = {0, 0, 0, 0};
     options_now = bvh8_defaults;
     bvh8 *w = structure_build(&s, &x, "teapot");
@@ -51,7 +40,7 @@ static void test_floats(void)
     }
     check(w->exact, "a mesh of floats: blocks hold its corners");
     check_equal(v.wrong + v.wrong_any, 0, "a mesh of floats: as brute force, %zu hits", v.hits);
-    destroy_now(w);
+    bvh8_gone(w);
     mesh_free(&m);
 }
 

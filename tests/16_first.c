@@ -20,24 +20,17 @@ typedef struct {
     instances x;
 } both;
 
-static real between(random_stream *g, real lo, real hi) { return lo + (hi - lo) * random_next(g); }
-
-static vec3 random_vec3(random_stream *g, real size)
-{
-    real x = between(g, -size, size), y = between(g, -size, size), z = between(g, -size, size);
-    return (vec3){x, y, z};
-}
-
 /* Turned, stretched by up to 3, sheared, moved. */
 static affine any_place(random_stream *g)
 {
-    real a = between(g, (real)0.3, 1), b = between(g, (real)0.3, 1), c = between(g, (real)0.3, 1);
-    vec3 axis = vunit(random_vec3(g, 1));
-    real p = between(g, -1, 1) / 2, q = between(g, -1, 1) / 2;
+    real a = random_between(g, (real)0.3, 1), b = random_between(g, (real)0.3, 1);
+    real c = random_between(g, (real)0.3, 1);
+    vec3 axis = vunit(random_in_cube(g, 1));
+    real p = random_between(g, -1, 1) / 2, q = random_between(g, -1, 1) / 2;
     affine shear = {{1, p, 0}, {0, 1, q}, {0, 0, 1}, {0, 0, 0}};
     affine m = affine_then(affine_scaling((vec3){a, b, c}), shear);
-    m = affine_then(m, affine_rotation(axis, between(g, 0, 2 * pi)));
-    return affine_then(m, affine_translation(random_vec3(g, 8)));
+    m = affine_then(m, affine_rotation(axis, random_between(g, 0, 2 * pi)));
+    return affine_then(m, affine_translation(random_in_cube(g, 8)));
 }
 
 static mesh mesh_of_knot(const first_mesh *f)
@@ -82,7 +75,7 @@ static verdict compare(const both *b, size_t n, real D)
     verdict v = {.rays = n};
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(2, i, 0);
-        vec3 from = vscale(vunit(random_vec3(&g, 1)), D), to = random_vec3(&g, 8);
+        vec3 from = vscale(vunit(random_in_cube(&g, 1)), D), to = random_in_cube(&g, 8);
         ray r = ray_from(from, vunit(vsub(to, from)));
         hit h = hit_none;
         int which = -1;
@@ -107,7 +100,7 @@ static void test_rays(const both *b)
     size_t wrong = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream g = random_start(3, i, 0);
-        ray r = ray_between(random_vec3(&g, 9), random_vec3(&g, 9)), due;
+        ray r = ray_between(random_in_cube(&g, 9), random_in_cube(&g, 9)), due;
         affine a;
         int k = (int)(i % most);
         bool sane = affine_inverse(b->list[k].to_world, &a) && instance_ray(&a, r, &due);
@@ -149,7 +142,7 @@ static hit_count hits_of(both *b, affine m, real k)
     if (!instances_build(&(crowd){&b->mesh, 1, &one, 1}, instances_defaults, &x, &f)) fail(f);
     for (uint64_t i = 0; i < 1000; i++) {
         random_stream g = random_start(4, i, 0);
-        vec3 from = vscale(random_vec3(&g, 4), k), to = vscale(random_vec3(&g, 2), k);
+        vec3 from = vscale(random_in_cube(&g, 4), k), to = vscale(random_in_cube(&g, 2), k);
         ray r = ray_between(from, to);
         hit h;
         instance_hit due;

@@ -9,11 +9,6 @@
 static const double eps = (double)real_epsilon;
 static const vec3 up = {0, 0, 1}, zero = {0, 0, 0};
 
-static real between(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
 static vec3 any_direction(random_stream *s)
 {
     real u = random_next(s), v = random_next(s);
@@ -31,11 +26,11 @@ static void test_lamp(void)
     double worst = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0), copy;
-        area_light full = {AREA_RECTANGLE, vscale(any_direction(&s), between(&s, 2, 9)),
+        area_light full = {AREA_RECTANGLE, vscale(any_direction(&s), random_between(&s, 2, 9)),
                            any_direction(&s), any_direction(&s), {0, 0, 0}, 0, {1, 2, 3}};
         full.n = vunit(vcross(full.b, full.a));
         first_lamp lamp = known_first_lamp(&full);
-        first_point x = {.p = vscale(any_direction(&s), between(&s, 0, 1)), .n = any_direction(&s)};
+        first_point x = {.p = vscale(any_direction(&s), random_next(&s)), .n = any_direction(&s)};
         copy = s;
         real u = random_next(&copy), v = random_next(&copy);
         area_sample due;

@@ -9,11 +9,6 @@ static const sequence_kind kinds[3] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUE
 /* Sheets that end (known_far), glossy_above (1e-7); E in float is right to some 10 epsilon. */
 static double rounding(void) { return 2.0 / known_far + 16 * (double)real_epsilon; }
 
-static real number(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
 static vec3 direction(random_stream *s)
 {
     real u = random_next(s), v = random_next(s);
@@ -122,10 +117,10 @@ static void test_point(void)
     random_stream s = random_start(31, 0, 0);
     size_t n = check_count(20000), differ = 0, lit = 0;
     for (size_t i = 0; i < n; i++) {
-        vec3 p = vscale(direction(&s), number(&s, 0, 5));
-        vec3 at = vscale(direction(&s), number(&s, 0, 5));
+        vec3 p = vscale(direction(&s), random_between(&s, 0, 5));
+        vec3 at = vscale(direction(&s), random_between(&s, 0, 5));
         vec3 ng = direction(&s), ns = vunit(vmadd(ng, direction(&s), 0.3));
-        vec3 colour = {number(&s, 0, 9), number(&s, 0, 9), i % 7 ? 1 : 0};
+        vec3 colour = {random_between(&s, 0, 9), random_between(&s, 0, 9), i % 7 ? 1 : 0};
         if (i % 11 == 0) colour = (vec3){0, 0, 0};
         if (i % 13 == 0) p = at;
         area_light L = {AREA_BALL, at, .colour = colour};
@@ -157,7 +152,7 @@ static void test_ball(void)
     random_stream s = random_start(32, 0, 0);
     double off = 0, far = -1;
     for (size_t i = 0; i < check_count(20000); i++) {
-        vec3 at = vscale(direction(&s), number(&s, 1.0001, 4)), p = {0, 0, 0};
+        vec3 at = vscale(direction(&s), random_between(&s, 1.0001, 4)), p = {0, 0, 0};
         area_light L = {AREA_BALL, at, .r = 1, .colour = {1, 1, 1}};
         area_sample x;
         real u = random_next(&s), v = random_next(&s);
@@ -389,8 +384,8 @@ static void test_focus(void)
     double apart = 0, depth = 0, outside = 0, widest = 0;
     for (size_t i = 0; i < check_count(4000); i++) {
         camera c = some_camera((int)(i % 4), &s);
-        thin_lens l = {number(&s, 0.01, 1), number(&s, 0.5, 50)};
-        real x = number(&s, 0, 64), y = number(&s, 0, 48), z = number(&s, 0.3, 90);
+        thin_lens l = {random_between(&s, 0.01, 1), random_between(&s, 0.5, 50)};
+        real x = 64 * random_next(&s), y = 48 * random_next(&s), z = random_between(&s, 0.3, 90);
         real u0 = random_next(&s);
         point2 u = {u0, random_next(&s)};
         ray a = lens_ray(c, (thin_lens){0, l.focus}, x, y, 64, 48, (point2){(real)NAN, 0});
@@ -425,8 +420,9 @@ static void test_blur(void)
     double off = 0;
     for (size_t i = 0; i < check_count(4000); i++) {
         camera c = some_camera((int)(i % 2), &s);
-        thin_lens l = {number(&s, 0.01, 0.5), number(&s, 2, 20)};
-        real z = number(&s, 1, 40), x0 = 0, y0 = 0, x1 = 0, y1 = 0, phi = number(&s, 0, 6.28);
+        thin_lens l = {random_between(&s, 0.01, 0.5), random_between(&s, 2, 20)};
+        real z = random_between(&s, 1, 40), x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+        real phi = random_between(&s, 0, 6.28);
         vec3 p = ray_at(camera_ray(c, 30, 20, 64, 48), z / c.d);
         vec3 o = vadd(c.e, vmadd(vscale(c.u, l.radius * cos(phi)), c.v, l.radius * sin(phi)));
         vec3 P = vmadd(o, vsub(p, o), l.focus / z);

@@ -7,11 +7,6 @@
 
 static const double alarm_rate = 1e-6;
 
-static real number(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
 static vec3 direction(random_stream *s)
 {
     real u = random_next(s), v = random_next(s);
@@ -74,8 +69,8 @@ static void test_passing(void)
     double off = 0;
     size_t cut = 0;
     for (size_t i = 0; i < check_count(2000); i++) {
-        sphere b = {vscale(direction(&s), 3), number(&s, 0.2, 1)};
-        vec3 o = vscale(direction(&s), 9), v = vscale(direction(&s), number(&s, 0, 4));
+        sphere b = {vscale(direction(&s), 3), random_between(&s, 0.2, 1)};
+        vec3 o = vscale(direction(&s), 9), v = vscale(direction(&s), random_between(&s, 0, 4));
         vec3 d = vsub(vmadd(b.c, direction(&s), (real)1.5), o);
         flying f;
         flying_ball(&f, b, v);
@@ -102,8 +97,8 @@ static void test_moved(void)
     double off = 0, eps = (double)real_epsilon;
     size_t other = 0, met = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
-        sphere b = {vscale(direction(&s), 3), number(&s, 0.2, 1)}, there = b;
-        vec3 v = vscale(direction(&s), number(&s, 0, 4)), by;
+        sphere b = {vscale(direction(&s), 3), random_between(&s, 0.2, 1)}, there = b;
+        vec3 v = vscale(direction(&s), random_between(&s, 0, 4)), by;
         real time = random_next(&s);
         flying f;
         flying_ball(&f, b, v);
@@ -140,10 +135,10 @@ static void test_leaves(void)
     random_stream s = random_start(7, 0, 0);
     size_t again = 0, leaks = 0, n = check_count(40000);
     for (size_t i = 0; i < n; i++) {
-        double far = pow(10, (double)number(&s, -2, 6));
-        sphere b = {vscale(direction(&s), (real)far), (real)pow(10, (double)number(&s, -2, 2))};
+        double far = pow(10, (double)random_between(&s, -2, 6));
+        sphere b = {vscale(direction(&s), (real)far), pow((real)10, random_between(&s, -2, 2))};
         b.r = real_max(b.r, (real)1e3 * real_epsilon * (real)far);  /* it has points */
-        vec3 v = vscale(direction(&s), (real)pow(10, (double)number(&s, -2, 6))), by;
+        vec3 v = vscale(direction(&s), (real)pow(10, (double)random_between(&s, -2, 6))), by;
         vec3 w = direction(&s);
         real time = random_next(&s);
         flying f;

@@ -52,8 +52,8 @@ static void test_sphere(void)
     double worst = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
-        sphere b = {vscale(any_direction(&s), between(&s, 0, 3)), between(&s, 0.1, 3)};
-        vec3 p = vmadd(b.c, any_direction(&s), b.r * between(&s, 1.01, 10));
+        sphere b = {vscale(any_direction(&s), 3 * random_next(&s)), random_between(&s, 0.1, 3)};
+        vec3 p = vmadd(b.c, any_direction(&s), b.r * random_between(&s, 1.01, 10));
         double is = (double)first_sphere_solid_angle(b, p), due = (double)sphere_solid_angle(b, p);
         /* p is known to an epsilon of its size, 33 at most: to as much of R, divided by it */
         double known = eps * (1 + (double)(vlength(p) / b.r));
@@ -72,8 +72,8 @@ static sphere ball_over(random_stream *s, vec3 *p, vec3 *n, real least)
     vec3 x, y;
     *n = any_direction(s), *p = vscale(any_direction(s), 2);
     vbasis(*n, &x, &y);
-    real R = between(s, 0.2, 1.5), turn = between(s, 0, 6.28);
-    real h = R * (least + between(s, 0.05, 3)), a = R * between(s, 0, 4);
+    real R = random_between(s, 0.2, 1.5), turn = random_between(s, 0, 6.28);
+    real h = R * (least + random_between(s, 0.05, 3)), a = R * random_between(s, 0, 4);
     vec3 c = vmadd(vmadd(vmadd(*p, x, a * cos(turn)), y, a * sin(turn)), *n, h);
     return (sphere){c, R};
 }
@@ -86,7 +86,7 @@ static void test_irradiance(void)
         random_stream s = random_start(2, i, 0);
         vec3 p, up;
         sphere b = ball_over(&s, &p, &up, 1);
-        real L = between(&s, 0.5, 8);
+        real L = random_between(&s, 0.5, 8);
         double due = (double)(L * sphere_irradiance(b, p, up));
         worst = check_worse(worst, fabs((double)first_sphere_irradiance(b, L, p, up) / due - 1));
     }
@@ -126,7 +126,7 @@ static void test_sunk(void)
     size_t n = check_count(10000), more = 0, none = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(5, i, 0);
-        sphere b = {{between(&s, 1.5, 6), 0, between(&s, -0.9, 0.1)}, 1};
+        sphere b = {{random_between(&s, 1.5, 6), 0, random_between(&s, -0.9, 0.1)}, 1};
         double due = sphere_irradiance_exact(1, (double)b.c.x, (double)b.c.z);
         double is = (double)first_sphere_irradiance(b, 1, o, up);
         more += is > 0.6 * due, none += is == 0;

@@ -9,15 +9,10 @@
 #define eps ((double)real_epsilon)
 #define PI 3.14159265358979324
 
-static inline real between(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
 /* 10^x, x uniform */
-static inline real size_between(random_stream *s, double lo, double hi)
+static inline real size_between(random_stream *s, real lo, real hi)
 {
-    return (real)pow(10, (double)between(s, lo, hi));
+    return (real)pow(10, (double)random_between(s, lo, hi));
 }
 
 static inline double relative(double value, double exact)

@@ -85,8 +85,8 @@ static void test_hard_spheres(void)
         real r = random_next(&s) < (real)0.5 ? size_between(&s, -3, 1) : 1;
         real a = r * (random_next(&s) < (real)0.3 ? 1 + size_between(&s, lo, 0)
                                                   : size_between(&s, -2, far));
-        real how = random_next(&s), h = a * between(&s, -1, 1);
-        if (how < (real)0.3) h = r * between(&s, -1, 1);
+        real how = random_next(&s), h = a * random_between(&s, -1, 1);
+        if (how < (real)0.3) h = r * random_between(&s, -1, 1);
         else if (how < (real)0.6) h = -r * (1 - size_between(&s, lo, 0));
         else if (how < (real)0.8) h = r * size_between(&s, -8, 0) * (how < (real)0.7 ? 1 : -1);
         if (!(sphere_power(wide3_of((vec3){a, 0, h}), (double)r).hi > 0)) continue;
@@ -122,10 +122,11 @@ static void test_turned_spheres(void)
     double worst = 0;
     for (size_t i = 0; i < check_count(5000); i++) {
         random_stream s = random_start(2, 0, i);
-        real z = between(&s, -1, 1), turn = between(&s, 0, 6.28);
+        real z = random_between(&s, -1, 1), turn = random_between(&s, 0, 6.28);
         vec3 n = sample_turn(sqrt(1 - z * z), z, turn), x, y, p = {1, 2, 3};
         vbasis(n, &x, &y);
-        real a = between(&s, 1.5, 8), h = between(&s, -0.9, 2), phi = between(&s, 0, 6.28);
+        real a = random_between(&s, 1.5, 8), h = random_between(&s, -0.9, 2);
+        real phi = random_between(&s, 0, 6.28);
         vec3 f = vmadd(vmadd(vscale(x, a * cos(phi)), y, a * sin(phi)), n, h);
         double exact = sphere_irradiance_exact(1, (double)a, (double)h);
         /* height is off by some epsilon d <= 10, beside R + height >= 0.1, to the power 5/2 */
@@ -156,8 +157,8 @@ static void test_known_polygons(void)
 {
     for (size_t i = 0; i < check_count(2000); i++) {
         random_stream s = random_start(3, 0, i);
-        double a = (double)between(&s, 0.25, 4), b = (double)between(&s, 0.25, 4);
-        double c = (double)between(&s, 0.25, 4);
+        double a = (double)random_between(&s, 0.25, 4), b = (double)random_between(&s, 0.25, 4);
+        double c = (double)random_between(&s, 0.25, 4);
         rectangle ceiling = {{0, 0, (real)c}, {0, (real)b, 0}, {(real)a, 0, 0}};
         rectangle wall = {{(real)c, 0, 0}, {0, 0, (real)a}, {0, (real)b, 0}};
         check_at_most(relative((double)rectangle_irradiance(ceiling, seen_from, seen_up),
@@ -202,7 +203,7 @@ static void test_known_polygons(void)
         v[k] = (vec3){1 + cos(pi / 4 * (real)k), -sin(pi / 4 * (real)k), 1};
     for (size_t i = 0; i < check_count(500); i++) {
         random_stream s = random_start(4, 0, i);
-        real z = between(&s, -1, 1), turn = between(&s, 0, 6.28);
+        real z = random_between(&s, -1, 1), turn = random_between(&s, 0, 6.28);
         vec3 n = sample_turn(sqrt(1 - z * z), z, turn);
         double sum = 0, whole = (double)polygon_irradiance(v, 8, seen_from, n);
         for (int k = 1; k + 1 < 8; k++)
@@ -273,9 +274,9 @@ static void test_random_triangles(void)
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream s = random_start(6, 0, i);
         real size = size_between(&s, real_is_float ? -4 : -9, 0), thin = size_between(&s, -3, 0);
-        vec3 a = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)};
-        vec3 e = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)}, p = {0, 0, 0};
-        vec3 f = {between(&s, -1, 1), between(&s, -1, 1), between(&s, -1, 1)};
+        vec3 a = {random_between(&s, -1, 1), random_between(&s, -1, 1), random_between(&s, -1, 1)};
+        vec3 e = random_in_cube(&s, 1), p = {0, 0, 0};
+        vec3 f = {random_between(&s, -1, 1), random_between(&s, -1, 1), random_between(&s, -1, 1)};
         triangle t = {a, vmadd(a, e, size),
                       vmadd(vmadd(a, e, size * random_next(&s)), f, size * thin)};
         vec3 v[3] = {t.a, t.b, t.c};

@@ -9,8 +9,8 @@
 
 static vec3 point(random_stream *s, real size)
 {
-    real x = size * between(s, -1, 1), y = size * between(s, -1, 1);
-    return (vec3){x, y, size * between(s, -1, 1)};
+    real x = size * random_between(s, -1, 1), y = size * random_between(s, -1, 1);
+    return (vec3){x, y, size * random_between(s, -1, 1)};
 }
 
 /* ---- caps and spheres ---- */
@@ -106,7 +106,7 @@ static triangle hard_triangle(random_stream *s, vec3 *p)
     real size = size_between(s, lo, 0.5), how = random_next(s);
     vec3 a = point(s, 1), b = vadd(a, point(s, size)), c = vadd(a, point(s, size));
     if (random_next(s) < (real)0.2) c = vadd(a, point(s, size * size_between(s, lo / 2, 0)));
-    real x = between(s, -2, 2), y = how < (real)0.5 ? between(s, -2, 2) : 0;
+    real x = random_between(s, -2, 2), y = how < (real)0.5 ? random_between(s, -2, 2) : 0;
     vec3 near = vmadd(vmadd(a, vsub(b, a), x), vsub(c, a), y);
     *p = how < (real)0.3 ? point(s, 1) : vadd(near, point(s, size_between(s, lo, 0)));
     return (triangle){a, b, c};
@@ -162,9 +162,10 @@ static void test_edge_on_rectangles(void)
     double worst = 0, plain = 0;
     for (size_t i = 0; i < check_count(8000); i++) {
         random_stream s = random_start(6, 0, i);
-        real a = between(&s, -1, 1), b = between(&s, -1, 1), c = between(&s, -1, 1);
+        real a = random_between(&s, -1, 1), b = random_between(&s, -1, 1);
+        real c = random_between(&s, -1, 1);
         rectangle r = {point(&s, 1), {a, b, 0}, {-b, a, c}};
-        vec3 in = vmadd(vmadd(r.o, r.s, between(&s, -3, 3)), r.t, between(&s, -3, 3));
+        vec3 in = vmadd(vmadd(r.o, r.s, random_between(&s, -3, 3)), r.t, random_between(&s, -3, 3));
         vec3 p = vmadd(in, vcross(r.s, r.t), size_between(&s, lo, 0));
         wide3 o = wide3_between(p, r.o, 0);
         double exact = wide_value(wide3_dot(o, wide3_cross(wide3_of(r.s), wide3_of(r.t))));

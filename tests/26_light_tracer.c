@@ -7,16 +7,6 @@
 
 enum { side = 24, block = 4, across = side / block, blocks = across * across, sets = 24 };
 
-/* The same mean? Two-sided, variances unknown and different (Welch). */
-static double welch(estimate a, estimate b)
-{
-    double va = estimate_variance(a) / (double)a.n, vb = estimate_variance(b) / (double)b.n;
-    double k = (va + vb) * (va + vb)
-        / (va * va / (double)(a.n - 1) + vb * vb / (double)(b.n - 1));
-    if (!(va + vb > 0)) return a.mean == b.mean ? 1 : 0;
-    return t_above((a.mean - b.mean) / sqrt(va + vb), k);
-}
-
 /* Means of blocks of a picture [3 side side], each set one sample of each block. */
 static void gather(const double *picture, double scale, estimate *e)
 {
@@ -80,10 +70,10 @@ static void compare(const char *name, const showcase *c)
     estimate a = {0}, b = {0};
     from_eye(c, eye, &a), from_lamp(c, lamp, &b);
     for (int k = 0; k < 3 * blocks; k++)
-        check_at_least(welch(eye[k], lamp[k]), 1e-7 / (3 * blocks),
+        check_at_least(welch_test(eye[k], lamp[k]), 1e-7 / (3 * blocks),
                        "%s, block %d, channel %d: eye %g, lamp %g", name, k / 3, k % 3,
                        eye[k].mean, lamp[k].mean);
-    check_at_least(welch(a, b), 1e-7, "%s: the whole picture, eye %g, lamp %g", name, a.mean,
+    check_at_least(welch_test(a, b), 1e-7, "%s: the whole picture, eye %g, lamp %g", name, a.mean,
                    b.mean);
     check_at_most(estimate_error(b) / b.mean, 0.05, "%s: known to some percent", name);
 }

@@ -229,16 +229,6 @@ static void test_nearly_smooth(void)
 
 /* ---- against the naive path of 25 ---- */
 
-/* Means of two estimates that share nothing (Welch). */
-static double welch(estimate a, estimate b)
-{
-    double va = estimate_variance(a) / (double)a.n, vb = estimate_variance(b) / (double)b.n;
-    double k = (va + vb) * (va + vb)
-        / (va * va / (double)(a.n - 1) + vb * vb / (double)(b.n - 1));
-    if (!(va + vb > 0)) return a.mean == b.mean ? 1 : 0;
-    return t_above((a.mean - b.mean) / sqrt(va + vb), k);
-}
-
 static void test_naive(void)
 {
     enum { side = 6 };
@@ -277,7 +267,7 @@ static void test_naive(void)
         for (int ch = 0; ch < 3; ch++) {  /* where a hundred paths found light: nearly normal */
             if (found[ch] < 100) continue;
             compared++;
-            check_at_least(welch(a[ch], b[ch]), false_alarm / 10,
+            check_at_least(welch_test(a[ch], b[ch]), false_alarm / 10,
                            "pixel %d, channel %d: %.6g, naive %.6g", i, ch, b[ch].mean, a[ch].mean);
         }
         all[0] = estimate_add(all[0], a[0].mean - b[0].mean);
@@ -331,7 +321,7 @@ static void test_strategies_agree(void)
         for (int k = 0; k < 3; k++) {
             if (o == 0) best[k] = e[k];
             else if (o == 5) check_equal(e[k].mean, best[k].mean, "spend_all changes no bit");
-            else check_at_least(welch(e[k], best[k]), false_alarm,
+            else check_at_least(welch_test(e[k], best[k]), false_alarm,
                                 "strategy %d, channel %d: %g, not %g", o, k, e[k].mean,
                                 best[k].mean);
         }
@@ -383,7 +373,7 @@ static void test_reciprocity(void)
 {
     size_t n = check_count(120000);
     estimate there = received(false, n), back = received(true, n);
-    check_at_least(welch(there, back), false_alarm, "power from A to B %.6g, from B to A %.6g",
+    check_at_least(welch_test(there, back), false_alarm, "power from A to B %.6g, from B to A %.6g",
                    there.mean, back.mean);
     check_at_most(estimate_error(there), 0.02 * there.mean * sqrt(120000.0 / (double)n),
                   "the test is sharp: 2 %% of the power, with all samples");
@@ -448,7 +438,7 @@ static void test_in_glass(void)
     }
     for (int ch = 0; ch < 3; ch++)
         for (int k = 0; k < 3; k++)
-            check_at_least(welch(e[k][ch], e[(k + 1) % 3][ch]), false_alarm,
+            check_at_least(welch_test(e[k][ch], e[(k + 1) % 3][ch]), false_alarm,
                            "in glass, channel %d: strategy %d %.6g, strategy %d %.6g", ch, k,
                            e[k][ch].mean, (k + 1) % 3, e[(k + 1) % 3][ch].mean);
     check_at_least(e[2][0].mean, 0.001, "light to compare");

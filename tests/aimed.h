@@ -3,12 +3,24 @@
  *   mesh m = needles(n, width)                  n, 1 long, `width` wide, within a cube of side 2
  *   mesh m = floors_mesh(n)                     squares in the planes x, y, z = -1 + 2 i / n:
  *                                 faces, edges and corners on each other and on dyadic planes
+ *   sick_ray[sick_count]          rays that are none, and (from 5 on) intervals that hold no t
  */
 #ifndef TESTS_AIMED_H
 #define TESTS_AIMED_H
 
 #include "../chapters/07_mesh/scenes/soup.h"
 #include "../chapters/09_aabb/trials/aimed.h"
+
+enum { sick_count = 8 };
+static const ray sick_ray[sick_count] = {
+    {{(real)NAN, 0, 0}, 0, {0, 0, 1}, real_infinity},
+    {{0, 0, -9}, 0, {0, (real)NAN, 1}, real_infinity},
+    {{0, 0, -9}, 0, {0, 0, 0}, real_infinity},
+    {{0, 0, -real_infinity}, 0, {0, 0, 1}, real_infinity},
+    {{0, 0, -9}, 0, {0, 0, real_infinity}, real_infinity},
+    {{0, 0, -9}, (real)NAN, {0, 0, 1}, 99},
+    {{0, 0, -9}, 0, {0, 0, 1}, (real)NAN},
+    {{0, 0, -9}, 5, {0, 0, 1}, 4}};
 
 /* ---------------------------------------------------------------------------------------------- */
 

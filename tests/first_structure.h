@@ -2,7 +2,9 @@
  * brute force's hits on easy input and at edges and corners, come to an end on any input, within
  * bounds of memory and depth, and be wrong where their tops say so: far away.
  *
- *   first_structure s = {"grid", build, hit, destroy, items, depth, 100, most_depth};
+ *   FIRST_STRUCTURE(first_grid, *s = first_grid_build(m))      its verbs: s from the mesh m
+ *   FIRST_TREE(first_octree, first_octree_node, 8, n->n)       items_of (n->n in node n), depth_of
+ *   first_structure s = {"grid", FIRST_VERBS(first_grid), items_of, depth_of, 100, most_depth};
  *   first_structure_tests(&s, &full);     full: the chapter's own structure, see structure.h
  *
  * Brute force is first_mesh_hit: the same triangle test, so the same bits of t.
@@ -25,6 +27,36 @@ typedef struct {
 } first_structure;
 
 typedef struct { size_t rays, hits, wrong, lost, full_wrong; } first_verdict;
+
+#define FIRST_VERBS(X) X##_built, X##_finds, X##_gone
+#define FIRST_STRUCTURE(X, make)                                                                 \
+    static void *X##_built(const first_mesh *m)                                                  \
+    {                                                                                            \
+        X *s = allocate(1, sizeof *s);                                                           \
+        make;                                                                                    \
+        return s;                                                                                \
+    }                                                                                            \
+    static bool X##_finds(const void *s, ray r, hit *out) { return X##_hit(s, r, out); }         \
+    static void X##_gone(void *s) { X##_free(s), free(s); }
+
+#define FIRST_TREE(X, X_node, ways, own)                                                         \
+    static size_t items_below(const X_node *n)                                                   \
+    {                                                                                            \
+        size_t sum = (size_t)(own);                                                              \
+        for (int c = 0; n->child && c < ways; c++) sum += items_below(&n->child[c]);             \
+        return sum;                                                                              \
+    }                                                                                            \
+    static int depth_below(const X_node *n)                                                      \
+    {                                                                                            \
+        int most = 0;                                                                            \
+        for (int c = 0; n->child && c < ways; c++) {                                             \
+            int d = 1 + depth_below(&n->child[c]);                                               \
+            if (d > most) most = d;                                                              \
+        }                                                                                        \
+        return most;                                                                             \
+    }                                                                                            \
+    static size_t items_of(const void *s) { return items_below(&((const X *)s)->root); }         \
+    static int depth_of(const void *s) { return depth_below(&((const X *)s)->root); }
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -1,7 +1,8 @@
 /* structure.h: the tests that every acceleration structure must pass: its answers are those of
  * brute force, bit for bit, on rays and meshes that are made to break it.
  *
- *   structure s = {"octree", build, hit, occluded, destroy};
+ *   STRUCTURE_TESTED(octree, how)     its verbs, built with the options `how`: constant or variable
+ *   structure s = {"octree", STRUCTURE_OF(octree)};     or {name, build, hit, occluded, destroy}
  *   structure_tests(&s, rays);      some 40 checks; `rays` of them a mesh; 600 take about a second
  *
  *   structure_piled(octree, octree_defaults, most);      triangles upon triangles: see below
@@ -26,6 +27,19 @@ typedef struct {
 } structure;
 
 typedef struct { size_t rays, hits, wrong, wrong_any; } structure_verdict;
+
+#define STRUCTURE_OF(X) X##_built, X##_finds, X##_any, X##_gone
+#define STRUCTURE_TESTED(X, how)                                                                 \
+    static void *X##_built(const items *x, failure *f)                                           \
+    {                                                                                            \
+        X *s = allocate(1, sizeof *s);                                                           \
+        if (X##_build(x, how, s, f)) return s;                                                   \
+        free(s);                                                                                 \
+        return NULL;                                                                             \
+    }                                                                                            \
+    static bool X##_finds(const void *s, ray r, hit *out) { return X##_hit(s, r, out); }         \
+    static bool X##_any(const void *s, ray r) { return X##_occluded(s, r); }                     \
+    static void X##_gone(void *s) { X##_free(s), free(s); }
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -186,16 +200,8 @@ static inline void structure_sick(const structure *s, size_t rays)
         vec3 o = random_in_cube(&g, 3);
         structure_compare(s, built, &x, ray_from(o, vsub(random_in_cube(&g, 1), o)), &v);
     }
-    ray sick[] = {ray_from((vec3){nan, 0, 0}, (vec3){0, 0, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){0, nan, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, 0}),
-                  ray_from((vec3){0, 0, -inf}, (vec3){0, 0, 1}),
-                  ray_from((vec3){0, 0, -9}, (vec3){0, 0, inf}),
-                  {{0, 0, -9}, nan, {0, 0, 1}, 99},
-                  {{0, 0, -9}, 0, {0, 0, 1}, nan},
-                  {{0, 0, -9}, 5, {0, 0, 1}, 4}};
-    for (size_t i = 0; i < sizeof sick / sizeof *sick; i++)
-        structure_compare(s, built, &x, sick[i], &v);
+    for (size_t i = 0; i < sick_count; i++)
+        structure_compare(s, built, &x, sick_ray[i], &v);
     check_equal(v.wrong + v.wrong_any, 0, "%s: sick triangles and rays: as brute force", s->name);
     check_at_least(v.hits, v.rays / 4, "%s: enough rays hit the others", s->name);
     s->destroy(built);
@@ -306,7 +312,7 @@ static inline mesh structure_fan(size_t n)
         check(X##_build(&in, options, &built, &why), #X " of a fan: %s", why.text);              \
         check_at_most((double)X##_stats(&built).references, most, #X " of a fan: references");   \
         for (int i = 0; i < 100; i++) {                                                          \
-            vec3 at = vec(0.17 * (i % 10) - 0.8, 0.17 * (i / 10) - 0.8, 3);                     \
+            vec3 at = vec(0.17 * (i % 10) - 0.8, 0.17 * (i / 10) - 0.8, 3);                      \
             vec3 to = vec(0.01, 0.02, -1);                                                       \
             hit a = hit_none, b = hit_none;                                                      \
             bool ga = items_hit(&in, ray_from(at, to), &a);                                      \

@@ -22,6 +22,8 @@
  *   camera_perspective(f, phi, a, ..)       from e, window centred (透视)     t = 1 on the plane
  *   camera_off_axis(f, win, d, ..)          from e, window anywhere (离轴)    t = 1 on the plane
  *       phi: vertical field of view in degrees (0, 180); a: width / height
+ *   camera c = camera_at(e, target, up, phi, a)     for scenes of the book: what frame_look_at or
+ *                                           camera_perspective refuse ends the program
  *
  *   ray r = camera_ray(c, x, y, nx, ny);    d has length 1 in parallel views only: see ray_unit
  *   camera_project(c, p, nx, ny, &x, &y)    the inverse: where p shows; false if p is not in front
@@ -113,6 +115,16 @@ static inline bool camera_perspective(camera_frame f, real phi, real a, camera *
         return camera_refused(why, "width / height %g: it takes a positive number", (double)a);
     real top = half_tangent(phi);
     return camera_off_axis(f, (camera_window){-a * top, a * top, -top, top}, 1, out, why);
+}
+
+static inline camera camera_at(vec3 e, vec3 target, vec3 up, real phi, real a)
+{
+    camera_frame f;
+    camera c;
+    failure why;
+    if (!frame_look_at(e, target, up, &f, &why) || !camera_perspective(f, phi, a, &c, &why))
+        fail(why);
+    return c;
 }
 
 static inline real camera_u(camera c, real x, int nx)

@@ -37,15 +37,6 @@ static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* a x b, each component right to 2 epsilon of itself: where a and b are nearly parallel, the two
- * products of a component nearly cancel, and vcross would keep only their rounding errors. */
-static inline vec3 frame_cross(vec3 a, vec3 b)
-{
-    return (vec3){difference_of_products(a.y, b.z, a.z, b.y),
-                  difference_of_products(a.z, b.x, a.x, b.z),
-                  difference_of_products(a.x, b.y, a.y, b.x)};
-}
-
 /* What any look-at must refuse. `back` is e - target. */
 static inline bool frame_input_is_usable(vec3 e, vec3 target, vec3 up, vec3 back, failure *why)
 {
@@ -91,7 +82,7 @@ static inline bool frame_look_at(vec3 e, vec3 target, vec3 up, camera_frame *out
         int power;
         a = vscaled(up, &power), b = vscaled(back, &power);  /* exact: the directions stay */
     }
-    vec3 u = frame_cross(a, b), w = vunit(b);
+    vec3 u = vcross_accurate(a, b), w = vunit(b);
     if (vlength(u) <= 4 * real_epsilon * vlength(a) * vlength(b))
         return frame_is_parallel(up, back, why);
     u = vunit(u);

@@ -11,7 +11,8 @@
  *
  * u and v, the barycentrics of b and c, are 0 or 1 at the corners and linear along edges: a new
  * corner gets its share. The neighbour across an edge meets the same two ends and computes the same
- * new corner to the last bit, since the cut always starts at the end in front: no cracks.
+ * new corner to the last bit, since the cut always starts at the end in front: no cracks. (Chapter
+ * 13's clip starts at the nearer end, for the smaller error.)
  *
  * Source: I. Sutherland, G. Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974.
  */

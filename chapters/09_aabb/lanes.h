@@ -40,9 +40,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline float lane_min(float a, float b) { return a < b ? a : b; }
-static inline float lane_max(float a, float b) { return a > b ? a : b; }
-
 static inline aabb_lanes aabb_lanes_of(ray r)
 {
     aabb_lanes l = {.tmin = float_below(r.tmin), .tmax = float_above(r.tmax)};
@@ -73,13 +70,13 @@ static inline unsigned lanes_hit(const float *side, int n, aabb_lanes l, float *
     unsigned mask = 0;
 #pragma GCC unroll 1
     for (int k = 0; k < n; k++) {
-        float t0 = lane_max((ax[k] - l.enter_o[0]) * l.inverse[0], l.tmin);
-        float t1 = lane_min((bx[k] - l.leave_o[0]) * l.inverse[0], l.tmax);
-        t0 = lane_max((ay[k] - l.enter_o[1]) * l.inverse[1], t0);
-        t1 = lane_min((by[k] - l.leave_o[1]) * l.inverse[1], t1);
-        t0 = lane_max((az[k] - l.enter_o[2]) * l.inverse[2], t0);
-        t1 = lane_min((bz[k] - l.leave_o[2]) * l.inverse[2], t1);
-        t0 = lane_min(t0 * (1 - pad), t0 * (1 + pad)) - FLT_MIN;
+        float t0 = float_max((ax[k] - l.enter_o[0]) * l.inverse[0], l.tmin);
+        float t1 = float_min((bx[k] - l.leave_o[0]) * l.inverse[0], l.tmax);
+        t0 = float_max((ay[k] - l.enter_o[1]) * l.inverse[1], t0);
+        t1 = float_min((by[k] - l.leave_o[1]) * l.inverse[1], t1);
+        t0 = float_max((az[k] - l.enter_o[2]) * l.inverse[2], t0);
+        t1 = float_min((bz[k] - l.leave_o[2]) * l.inverse[2], t1);
+        t0 = float_min(t0 * (1 - pad), t0 * (1 + pad)) - FLT_MIN;
         t_enter[k] = t0;
         mask |= bit[k] & -(unsigned)(t0 <= t1);
     }

@@ -188,8 +188,8 @@ static inline bool kd_gather(kd_builder *b, const aabb *all)
         kd_corner(b, box.lo, lo), kd_corner(b, box.hi, hi);
         b->item[n] = (kd_item){kd_bounds(lo, hi, thick), (uint32_t)i};
         for (int k = 0; k < 3; k++) {
-            t->box.lo[k] = kd_min(b->item[n].box.lo[k], t->box.lo[k]);
-            t->box.hi[k] = kd_max(b->item[n].box.hi[k], t->box.hi[k]);
+            t->box.lo[k] = float_min(b->item[n].box.lo[k], t->box.lo[k]);
+            t->box.hi[k] = float_max(b->item[n].box.hi[k], t->box.hi[k]);
         }
         n++;
     }

@@ -19,12 +19,12 @@
  * boxes are rounded outwards by 2^-24. A point of the triangle that rounding leaves out of both
  * parts would have to be farther from both than that.
  *
- * Sources: I. Sutherland, G. Hodgman, "Reentrant Polygon Clipping", CACM 17(1), 1974; V. Havran,
- * J. Bittner, "On Improving KD-Trees for Ray Shooting", WSCG 2002 (split clipping).
+ * Source: V. Havran, J. Bittner, "On Improving KD-Trees for Ray Shooting", WSCG 2002.
  */
 #ifndef KDTREE_CLIP_H
 #define KDTREE_CLIP_H
 
+#include "../09_aabb/part.h"
 #include "node.h"
 
 enum { kd_most_corners = 9 };  /* three, and one more for each of six planes */
@@ -53,16 +53,8 @@ static inline kd_box kd_bounds(const double lo[3], const double hi[3], bool thic
     return b;
 }
 
-/* The point of the edge a b in the plane `at`; a and b are on different sides, or in it. */
-static inline void kd_crossing(const double a[3], const double b[3], int axis, double at,
-                               double out[3])
-{
-    double s = (at - a[axis]) / (b[axis] - a[axis]);
-    for (int k = 0; k < 3; k++) out[k] = a[k] + s * (b[k] - a[k]);
-    out[axis] = at;
-}
-
-/* Keeps what has sign * x <= sign * at: corners in the plane stay. */
+/* Keeps what has sign * x <= sign * at: corners in the plane stay. In double whatever real is, and
+ * a cut corner lies in its plane exactly: the clips of 08 and 13 promise neither. */
 static inline void kd_clip(kd_polygon *g, int axis, double at, double sign)
 {
     kd_polygon out = {0, {{0}}};
@@ -71,74 +63,45 @@ static inline void kd_clip(kd_polygon *g, int axis, double at, double sign)
         bool a_in = sign * a[axis] <= sign * at, b_in = sign * b[axis] <= sign * at;
         if (a_in && out.n < kd_most_corners) memcpy(out.p[out.n++], a, sizeof out.p[0]);
         if (a_in != b_in && out.n < kd_most_corners)
-            kd_crossing(a, b, axis, at, out.p[out.n++]);
+            part_crossing(a, b, axis, at, out.p[out.n++]);
     }
     *g = out;
-}
-
-static inline void kd_polygon_bounds(const kd_polygon *g, double lo[3], double hi[3])
-{
-    for (int k = 0; k < 3; k++) lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
-    for (int i = 0; i < g->n; i++)
-        for (int k = 0; k < 3; k++) {
-            double x = g->p[i][k];
-            lo[k] = x < lo[k] ? x : lo[k], hi[k] = x > hi[k] ? x : hi[k];
-        }
 }
 
 static inline kd_polygon kd_polygon_in(double corner[3][3], const kd_box *box)
 {
     kd_polygon g = {3, {{0}}};
-    double lo[3], hi[3];
+    part_box all = part_nothing;
     memcpy(g.p, corner, 3 * sizeof g.p[0]);
-    kd_polygon_bounds(&g, lo, hi);
+    for (int i = 0; i < 3; i++) part_point(&all, corner[i]);
     for (int k = 0; k < 3; k++) {
-        if (lo[k] < (double)box->lo[k]) kd_clip(&g, k, (double)box->lo[k], -1);
-        if (hi[k] > (double)box->hi[k]) kd_clip(&g, k, (double)box->hi[k], 1);
+        if (all.lo[k] < (double)box->lo[k]) kd_clip(&g, k, (double)box->lo[k], -1);
+        if (all.hi[k] > (double)box->hi[k]) kd_clip(&g, k, (double)box->hi[k], 1);
     }
     return g;
 }
 
 /* The bounds of the two parts of a polygon, edge by edge, in any order: it may be concave. */
-typedef struct { int axis; double at, lo[2][3], hi[2][3]; } kd_cut;
+typedef struct { int axis; double at; part_box part[2]; } kd_cut;
 
 static inline kd_cut kd_cut_begin(int axis, float at)
 {
-    kd_cut c = {.axis = axis, .at = (double)at};
-    for (int k = 0; k < 3; k++)
-        c.lo[0][k] = c.lo[1][k] = HUGE_VAL, c.hi[0][k] = c.hi[1][k] = -HUGE_VAL;
-    return c;
-}
-
-/* Adds a point to the side it is on; one in the plane to both. */
-static inline void kd_cut_point(kd_cut *c, const double p[3])
-{
-    for (int side = 0; side < 2; side++) {
-        if (side ? p[c->axis] < c->at : p[c->axis] > c->at) continue;
-        for (int k = 0; k < 3; k++) {
-            c->lo[side][k] = p[k] < c->lo[side][k] ? p[k] : c->lo[side][k];
-            c->hi[side][k] = p[k] > c->hi[side][k] ? p[k] : c->hi[side][k];
-        }
-    }
+    return (kd_cut){axis, (double)at, {part_nothing, part_nothing}};
 }
 
 static inline void kd_cut_edge(kd_cut *c, const double a[3], const double b[3])
 {
-    double q[3], x = a[c->axis], y = b[c->axis];
-    kd_cut_point(c, a);
-    if (!((x < c->at && y > c->at) || (x > c->at && y < c->at))) return;
-    kd_crossing(a, b, c->axis, c->at, q);
-    kd_cut_point(c, q);
+    part_edge(&c->part[0], a, b, c->axis, -HUGE_VAL, c->at);
+    part_edge(&c->part[1], a, b, c->axis, c->at, HUGE_VAL);
 }
 
 /* Box of what the plane leaves on one side: the bounds found, but not beyond the present box. */
-static inline kd_box kd_cut_box(const double lo[3], const double hi[3], const kd_box *now,
-                                bool thick)
+static inline kd_box kd_cut_box(const part_box *p, const kd_box *now, bool thick)
 {
-    if (!(lo[0] <= hi[0])) return kd_nothing;
-    kd_box b = kd_bounds(lo, hi, thick);
+    if (!(p->lo[0] <= p->hi[0])) return kd_nothing;
+    kd_box b = kd_bounds(p->lo, p->hi, thick);
     for (int k = 0; k < 3; k++)
-        b.lo[k] = kd_max(b.lo[k], now->lo[k]), b.hi[k] = kd_min(b.hi[k], now->hi[k]);
+        b.lo[k] = float_max(b.lo[k], now->lo[k]), b.hi[k] = float_min(b.hi[k], now->hi[k]);
     return b;
 }
 
@@ -146,10 +109,10 @@ static inline kd_box kd_cut_box(const double lo[3], const double hi[3], const kd
 static inline void kd_cut_end(const kd_cut *c, bool thick, kd_box *below, kd_box *above)
 {
     int k = c->axis;
-    *below = kd_cut_box(c->lo[0], c->hi[0], below, thick);
-    *above = kd_cut_box(c->lo[1], c->hi[1], above, thick);
-    below->hi[k] = kd_min((float)c->at, below->hi[k]);
-    above->lo[k] = kd_max((float)c->at, above->lo[k]);
+    *below = kd_cut_box(&c->part[0], below, thick);
+    *above = kd_cut_box(&c->part[1], above, thick);
+    below->hi[k] = float_min((float)c->at, below->hi[k]);
+    above->lo[k] = float_max((float)c->at, above->lo[k]);
 }
 
 #endif

@@ -35,6 +35,7 @@
 #ifndef KDTREE_NODE_H
 #define KDTREE_NODE_H
 
+#include "../../common/numbers/float_round.h"
 #include "../09_aabb/items.h"
 
 typedef struct { union { float plane; uint32_t first; }; uint32_t bits; } kd_node;
@@ -73,8 +74,6 @@ static inline uint32_t kd_lower(kd_node n) { return n.bits >> 4 << 1; }
 static inline bool kd_full(kd_node n, size_t child) { return n.bits >> (2 + child) & 1; }
 static inline uint32_t kd_count(kd_node n) { return n.bits >> 2; }
 
-static inline float kd_min(float a, float b) { return a < b ? a : b; }
-static inline float kd_max(float a, float b) { return a > b ? a : b; }
 
 /* A float > x by at least the error of the last operation that made x. Below all floats a NaN. */
 static inline float kd_beyond(real x)
@@ -153,8 +152,8 @@ static inline void kd_ray_of(ray r, const kd_frame *frame, const kd_box *box, in
         float up = pads ? kd_beyond(vaxis(o, k) + delta) : (float)vaxis(o, k);
         float down = pads ? -kd_beyond(delta - vaxis(o, k)) : up;
         float o_near = i < 0 ? down : up, o_far = i < 0 ? up : down;
-        enter = kd_max(((i < 0 ? box->hi[k] : box->lo[k]) - o_near) * i, enter);
-        exit = kd_min(((i < 0 ? box->lo[k] : box->hi[k]) - o_far) * i, exit);
+        enter = float_max(((i < 0 ? box->hi[k] : box->lo[k]) - o_near) * i, enter);
+        exit = float_min(((i < 0 ? box->lo[k] : box->hi[k]) - o_far) * i, exit);
         q->o_near[k] = o_near, q->o_far[k] = o_far, q->inverse[k] = i, q->second[k] = i < 0;
     }
     q->enter = enter, q->exit = exit;

@@ -92,13 +92,13 @@ static inline bool kd_search(const kdtree *t, ray r, int pads, bool of_mesh, boo
             if (w) w->nodes++;
             if (kd_full(n, far) && !(t0 > exit)) {
                 if (kd_full(n, near) && !(t1 < enter)) {
-                    stack[top++] = (kd_waiting){child + far, kd_max(t0, enter), exit};
-                    exit = kd_min(t1, exit), n = child[near];
-                } else enter = kd_max(t0, enter), n = child[far];
+                    stack[top++] = (kd_waiting){child + far, float_max(t0, enter), exit};
+                    exit = float_min(t1, exit), n = child[near];
+                } else enter = float_max(t0, enter), n = child[far];
                 continue;
             }
             if (kd_full(n, near) && !(t1 < enter)) {
-                exit = kd_min(t1, exit), n = child[near];
+                exit = float_min(t1, exit), n = child[near];
                 continue;
             }
         } else {
@@ -113,7 +113,7 @@ static inline bool kd_search(const kdtree *t, ray r, int pads, bool of_mesh, boo
             top--;
         } while (stack[top].enter > limit);
         n = *stack[top].node;
-        enter = stack[top].enter, exit = kd_min(stack[top].exit, limit);
+        enter = stack[top].enter, exit = float_min(stack[top].exit, limit);
     }
 }
 

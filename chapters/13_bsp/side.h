@@ -60,14 +60,6 @@ static inline split_plane plane_of_axis(int axis, real at)
     return (split_plane){{axis == 0, axis == 1, axis == 2}, at, axis};
 }
 
-/* a x b, each component right to its last bits. */
-static inline vec3 cross_accurate(vec3 a, vec3 b)
-{
-    return (vec3){difference_of_products(a.y, b.z, a.z, b.y),
-                  difference_of_products(a.z, b.x, a.x, b.z),
-                  difference_of_products(a.x, b.y, a.y, b.x)};
-}
-
 /* A needle 1 long and 1e-7 wide: plain products are off by eps, n by eps / 1e-7, and the corners
  * lie up to 1e-7 off their own plane. */
 static inline split_plane plane_of_triangle_naive(vec3 a, vec3 b, vec3 c)
@@ -80,13 +72,13 @@ static inline split_plane plane_of_triangle_naive(vec3 a, vec3 b, vec3 c)
  * n, but about the other edge, and by no more than moves a corner so far. */
 static inline split_plane plane_of_triangle(vec3 a, vec3 b, vec3 c)
 {
-    vec3 n = vunit(cross_accurate(vsub(b, a), vsub(c, a)));
+    vec3 n = vunit(vcross_accurate(vsub(b, a), vsub(c, a)));
     return (split_plane){n, vdot(n, a), 3};
 }
 
 static inline split_plane plane_of_edge(vec3 a, vec3 b, vec3 along)
 {
-    vec3 n = vunit(cross_accurate(along, vsub(b, a)));
+    vec3 n = vunit(vcross_accurate(along, vsub(b, a)));
     return (split_plane){n, vdot(n, a), 3};
 }
 
@@ -117,7 +109,8 @@ static inline vec3 clip_point(vec3 a, vec3 b, real sa, real sb)
     return w <= (real)0.5 ? vmadd(a, vsub(b, a), w) : vmadd(b, vsub(a, b), sb / (sb - sa));
 }
 
-/* Sutherland & Hodgman. */
+/* Sutherland & Hodgman. Not raster_clip (08), whose cut starts at the end in front: proof 2 above
+ * needs w <= 1/2. */
 static inline size_t clip(const split_plane *p, real sign, real level, const vec3 *q, size_t n,
                           vec3 *out)
 {

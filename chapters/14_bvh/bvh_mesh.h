@@ -23,6 +23,7 @@
 #define BVH_MESH_H
 
 #include "../07_mesh/mesh.h"
+#include "../09_aabb/part.h"
 #include "search.h"
 
 typedef struct { vec3 corner[3]; uint32_t index; } bvh_triangle;
@@ -40,31 +41,25 @@ static inline bool triangle_item(const mesh *m, size_t i, bvh_item *out)
     return true;
 }
 
-/* For spatial.h. The triangle's part in a slab: its corners there, and the points a + (b - a) s
- * where its edges cross the two sides. |b - a| <= 2 M, M the largest coordinate. b - a, the three
+/* For spatial.h. |b - a| <= 2 M, M the largest coordinate. In part_crossing b - a, the three
  * roundings of s and the product are off by 5 eps / 2 of 2 M, the sum by eps / 2 of M: 5.5 eps M.
  * The box gets 6 eps M more all round. Where b - a might overflow, it stays what it was. */
 static inline bool triangle_clip(const void *context, const bvh_item *item, int axis, float lo,
                                  float hi, bvh_box *out)
 {
     triangle t = mesh_triangle(context, item->index);
-    vec3 p[3] = {t.a, t.b, t.c}, most = {-real_infinity, -real_infinity, -real_infinity};
-    vec3 least = vneg(most), all = vmax(vmax(vmax(t.a, t.b), t.c), vneg(vmin(vmin(t.a, t.b), t.c)));
-    real side[2] = {(real)lo, (real)hi}, far = vaxis(all, vlongest(all));  /* M */
+    vec3 all = vmax(vmax(vmax(t.a, t.b), t.c), vneg(vmin(vmin(t.a, t.b), t.c)));
+    real far = vaxis(all, vlongest(all)), more = 6 * real_epsilon * far;  /* far: M */
+    const double p[3][3] = {{(double)t.a.x, (double)t.a.y, (double)t.a.z},
+                            {(double)t.b.x, (double)t.b.y, (double)t.b.z},
+                            {(double)t.c.x, (double)t.c.y, (double)t.c.z}};
+    part_box in = part_nothing;
     *out = item->box;
     if (far > real_largest / 4) return true;
-    for (int i = 0; i < 3; i++) {
-        vec3 a = p[i], b = p[i < 2 ? i + 1 : 0];
-        real from = vaxis(a, axis), to = vaxis(b, axis);
-        if (from >= side[0] && from <= side[1]) least = vmin(a, least), most = vmax(a, most);
-        for (int j = 0; j < 2; j++) {
-            if ((from < side[j]) == (to < side[j])) continue;
-            vec3 c = vmadd(a, vsub(b, a), (side[j] - from) / (to - from));
-            least = vmin(c, least), most = vmax(c, most);
-        }
-    }
-    real more = 6 * real_epsilon * far;
-    vec3 pad = {more, more, more};
+    for (int i = 0; i < 3; i++)
+        part_edge(&in, p[i], p[i < 2 ? i + 1 : 0], axis, (double)lo, (double)hi);
+    vec3 least = {(real)in.lo[0], (real)in.lo[1], (real)in.lo[2]};
+    vec3 most = {(real)in.hi[0], (real)in.hi[1], (real)in.hi[2]}, pad = {more, more, more};
     bvh_box part = box_between(vsub(least, pad), vadd(most, pad));
     part.side[axis] = float_max(part.side[axis], lo);
     part.side[3 + axis] = float_min(part.side[3 + axis], hi);

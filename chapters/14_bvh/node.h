@@ -71,9 +71,6 @@ static inline float float_beyond(real x)
     return f + (fabs(f) * FLT_EPSILON + 0x1p-149f);
 }
 
-static inline float float_min(float a, float b) { return a < b ? a : b; }
-static inline float float_max(float a, float b) { return a > b ? a : b; }
-
 static inline bvh_box box_empty(void)
 {
     return (bvh_box){{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}};

@@ -8,6 +8,7 @@
  * [0,1].
  *
  *   double p = t_test(e, truth, rounding);   p < 1e-6: it is not; false-alarm rate 1e-6
+ *   double p = welch_test(a, b);         the same mean? Variances unknown and different (Welch)
  *   double h = mean_interval(e, 0.95);          the truth lies within e.mean -+ h, 95 times in 100
  *   double p = variance_ratio_test(a, b, r); V[b's samples] = r V[a's]? F-test, normal samples only
  *   line_fit f = fit_line(x, y, n);      least squares; a slope and how far to trust it
@@ -47,6 +48,15 @@ static inline double f_above(double f, double k1, double k2)
 {
     double whole = k2 + k1 * f;
     return f <= 0 ? 1 : beta_below(k2 / 2, k1 / 2, k2 / whole, k1 * f / whole);
+}
+
+static inline double welch_test(estimate a, estimate b)
+{
+    double va = estimate_variance(a) / (double)a.n, vb = estimate_variance(b) / (double)b.n;
+    double k = (va + vb) * (va + vb)
+        / (va * va / (double)(a.n - 1) + vb * vb / (double)(b.n - 1));
+    if (!(va + vb > 0)) return a.mean == b.mean ? 1 : 0;
+    return t_above((a.mean - b.mean) / sqrt(va + vb), k);
 }
 
 /* The t with t_above(t, k) = p, for p in (0, 1): halving an interval until it can't get smaller. */

@@ -77,7 +77,8 @@ static inline seen_polygon rectangle_seen(rectangle r, vec3 p)
 }
 
 /* The part above the plane n.x = 0 (Sutherland, Hodgman). Where an edge is cut, the shares are
- * quotients of heights of different signs: no difference that could cancel. */
+ * quotients of heights of different signs: no difference that could cancel. Unlike raster_clip (08)
+ * it cuts the edges, too, which the corners of what is small and far away do not tell. */
 static inline seen_polygon polygon_cut(const seen_polygon *s, vec3 n)
 {
     seen_polygon c = {.count = 0};

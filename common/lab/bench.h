@@ -7,6 +7,8 @@
  *                                  calm machine; two that differ by less than that don't differ
  *                                  With BENCH_ONCE in the environment one round, cold: for a test
  *                                  that reads all but the times
+ *   bench_each(work, x, sizeof *x, n, 7, 1e9, ns)   x[n] the contexts of one function, timed so;
+ *                                  ns[k]: their medians, times 1e9
  *   bench_time_by(now, c, 2, 7)    the same by another clock than clock_seconds
  *   bench_once(&c[0])              one run that nothing has warmed up, seconds alone
  *   bench_slope(x, y, n)           of y over x, by least squares; of logarithms: the exponent
@@ -59,6 +61,17 @@ static inline void bench_time_by(double (*now)(void), bench_candidate *c, int n,
 static inline void bench_time(bench_candidate *c, int n, int rounds)
 {
     bench_time_by(clock_seconds, c, n, rounds);
+}
+
+static inline void bench_each(double (*work)(void *), void *contexts, size_t size, int n,
+                              int rounds, double unit, double *times)
+{
+    bench_candidate *c = allocate((size_t)n, sizeof *c);
+    for (int k = 0; k < n; k++)
+        c[k] = (bench_candidate){.run = work, .context = (char *)contexts + (size_t)k * size};
+    bench_time(c, n, rounds);
+    for (int k = 0; k < n; k++) times[k] = c[k].seconds * unit;
+    free(c);
 }
 
 static inline double bench_slope(const double *x, const double *y, int n)

@@ -10,6 +10,7 @@
  *                                                                 outline; NULL: none
  *   figure_arc(&g, x, y, 30, 0, 90, FIGURE_BLACK, 1);             radius in pixels; degrees
  *   figure_text(&g, x, y, 8, -6, FIGURE_LEFT, FIGURE_BLACK, "*o* + _t_ *d*");      8 right, 6 up
+ *   figure_print(&g, x, y, 8, -6, FIGURE_LEFT, FIGURE_BLACK, "_t_ = %g", t);       as printf
  *   figure_end(&g);                                               saves it
  *
  * In texts, UTF-8, *..* is bold (vectors), _.._ is italic (numbers), ~..~ is lower (an index).
@@ -163,5 +164,18 @@ static inline void figure_text(figure *g, double x, double y, double right, doub
         open = same ? -1 : (int)(m - marks);
     }
     fprintf(g->out, "%s</text>\n", open >= 0 ? "</tspan>" : "");
+}
+
+/* The same, of a text like printf's. */
+__attribute__((format(printf, 8, 9)))
+static inline void figure_print(figure *g, double x, double y, double right, double down,
+                                const char *where, const char *colour, const char *format, ...)
+{
+    char text[128];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    figure_text(g, x, y, right, down, where, colour, text);
 }
 #endif

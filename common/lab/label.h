@@ -8,6 +8,9 @@
  *   image sheet = label_panels(&im, columns, rows, gap, title)   a white sheet with a title above
  *                       each panel, row by row; im holds columns x rows panels of one size, `gap`
  *                       pixels apart; image_free both
+ *   label_titles(&im, columns, rows, gap, title)    the same, and the sheet takes the place of im
+ *   image sheet = label_sheet(width, height)                white
+ *   label_below(&im, rows)                                  so many white rows more, below
  *   label_bar(&im, x, y, width, size, colour_of, low, high, "tests a ray")   false colours, from
  *                       the colour of 0 at `low` to that of 1 at `high`; with numbers 4.5 size high
  *
@@ -116,13 +119,19 @@ static inline void label_tag(image *im, int x, int y, double size, const char *t
     label_text(im, x + size / 2, y + 1.5 * size, size, 0, vec(0, 0, 0), text);
 }
 
+static inline image label_sheet(int width, int height)
+{
+    image sheet = image_new(width, height);
+    label_fill(&sheet, 0, 0, width, height, vec(1, 1, 1));
+    return sheet;
+}
+
 static inline image label_panels(const image *im, int columns, int rows, int gap,
                                  const char *const *title)
 {
     enum { size = 12, strip = 26 };  /* of the titles [pixels] */
     int w = (im->width + gap) / columns, h = (im->height + gap) / rows;
-    image sheet = image_new(im->width, im->height + rows * strip);
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
+    image sheet = label_sheet(im->width, im->height + rows * strip);
     for (int k = 0; k < columns * rows; k++) {
         int x = k % columns * w, from = k / columns * h, y = k / columns * (h + strip);
         for (int j = 0; j < h - gap; j++)
@@ -131,6 +140,19 @@ static inline image label_panels(const image *im, int columns, int rows, int gap
         label_text(&sheet, x + (w - gap) / 2.0, y + 18, size, 0.5, vec(0, 0, 0), title[k]);
     }
     return sheet;
+}
+
+static inline void label_titles(image *im, int columns, int rows, int gap, const char *const *title)
+{
+    image sheet = label_panels(im, columns, rows, gap, title);
+    image_free(im), *im = sheet;
+}
+
+static inline void label_below(image *im, int rows)
+{
+    image sheet = label_sheet(im->width, im->height + rows);
+    image_place(&sheet, 0, 0, im);
+    image_free(im), *im = sheet;
 }
 
 static inline void label_bar(image *im, int x, int y, int width, double size,

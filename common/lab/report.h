@@ -1,6 +1,6 @@
 /* report.h: saves plots, prints tables: what a chapter measured. Where they go: output.h.
  *
- *   output_plot(&o, &p, "14_bvh_n_time.svg")   saves and frees a plot
+ *   output_plot(&o, &p, "14_bvh_pareto_time.svg")   saves and frees a plot
  *   output_table(&o, &t)                       prints and frees the main table; --csv gets it, too
  *   output_extra_table(&o, &t)                 prints and frees another one
  */

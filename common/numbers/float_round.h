@@ -2,6 +2,7 @@
  * rounding); and floats as whole numbers in the same order.
  *
  *   float_below(x)   the largest float <= x         float_above(x)   the smallest float >= x
+ *   float_min(a, b), float_max(a, b)   b if one of them is NaN
  *   float_key(x)     a uint32_t: float_key(a) < float_key(b) exactly if a < b; -0 counts as 0
  *
  * A tree may keep its boxes in float, half the memory of double, if what was in the box still is:
@@ -43,6 +44,9 @@ static inline float float_below(real x)
 }
 
 static inline float float_above(real x) { return -float_below(-x); }
+
+static inline float float_min(float a, float b) { return a < b ? a : b; }
+static inline float float_max(float a, float b) { return a > b ? a : b; }
 
 /* All bits of a negative float are turned over, of others the sign. A NaN comes before or after all
  * numbers, by its sign. */

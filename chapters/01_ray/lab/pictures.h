@@ -78,13 +78,11 @@ static inline void ray_draw_part(figure *g, ray r, double from, double to, const
 static inline void ray_draw_point(figure *g, ray r, double t)
 {
     vec3 p = ray_at(r, (real)t);
-    char text[32];
     const char *colour = ray_covers(r, (real)t) ? FIGURE_BLUE : FIGURE_GREY;
     figure_dot(g, (double)p.x, (double)p.y, 5.5, colour);
-    snprintf(text, sizeof text, "%g", t);
-    figure_text(g, (double)p.x, (double)p.y, -5, -13, FIGURE_MIDDLE, FIGURE_BLACK, text);
-    snprintf(text, sizeof text, "%g", t * (double)vlength(r.d));
-    figure_text(g, (double)p.x, (double)p.y, 7, 27, FIGURE_MIDDLE, FIGURE_GREY, text);
+    figure_print(g, (double)p.x, (double)p.y, -5, -13, FIGURE_MIDDLE, FIGURE_BLACK, "%g", t);
+    figure_print(g, (double)p.x, (double)p.y, 7, 27, FIGURE_MIDDLE, FIGURE_GREY, "%g",
+                 t * (double)vlength(r.d));
 }
 
 static inline void ray_draw_interval(const options *o)

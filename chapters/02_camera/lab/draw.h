@@ -73,8 +73,7 @@ static inline void camera_draw_panels(const options *o, camera_view *v, int n, i
 {
     int gap = w >= 64 && h >= 64 ? 6 : 0, rows = n / columns;
     bool whole = true;
-    image all = image_new(w, h);
-    label_fill(&all, 0, 0, w, h, vec(1, 1, 1));
+    image all = label_sheet(w, h);
     for (int i = 0; i < n && whole; i++) {
         int column = i % columns, row = i / columns;
         int x = column * (w + gap) / columns, x1 = (column + 1) * (w + gap) / columns - gap;

@@ -109,11 +109,8 @@ static inline void camera_draw_geometry(const options *o)
 {
     camera_sheet s = {.g = figure_begin(o, "02_camera_geometry.svg", 820, camera_sheet_h)};
     first_camera c = first_camera_at(vec(0, 0, 0), vec(0, 0, -1), vec(0, 1, 0), 56, 8, 6);
-    camera_frame f;
-    failure why;
-    if (!frame_look_at(vec(2.5, 1.7, 1.9), vec(0.28, 0.08, -0.85), vec(0, 1, 0), &f, &why)
-        || !camera_perspective(f, 36, (real)camera_sheet_w / camera_sheet_h, &s.seen_by, &why))
-        fail(why);
+    s.seen_by = camera_at(vec(2.5, 1.7, 1.9), vec(0.28, 0.08, -0.85), vec(0, 1, 0), 36,
+                          (real)camera_sheet_w / camera_sheet_h);
     figure_origin(&s.g, 0, 0, 1);
     camera_draw_window(&s, c);
     camera_axis(&s, c.e, c.u, 12, 10, FIGURE_RED, "*u*");

@@ -106,7 +106,6 @@ static inline void camera_draw_pair(const options *o, camera_view v[2], const ch
 
 static inline void camera_draw_slips(const options *o, camera_view v)
 {
-    camera_frame f;
     failure why;
     rtr_camera k;
     camera_view p[2] = {v, v};
@@ -114,8 +113,7 @@ static inline void camera_draw_slips(const options *o, camera_view v)
     p[0].aim = camera_aim_printed, p[1].aim = camera_aim_rtr, p[0].own = p[1].own = &k;
     camera_draw_pair(o, p, "as printed", "mended", "02_camera_rtr.png");
 
-    camera_must(frame_look_at(camera_eye, camera_target, camera_up, &f, &why), why);
-    camera_must(camera_perspective(f, 38, 1, &p[0].c, &why), why);
+    p[0].c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
     p[0].aim = camera_aim_far, p[1].aim = camera_aim_f32, p[1].c = p[0].c;
     camera_draw_pair(o, p, "float, s - e", "float, (2.5)", "02_camera_far.png");
 }

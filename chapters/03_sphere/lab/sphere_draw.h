@@ -37,13 +37,6 @@ static inline ray sphere_view(real far, real x, real y)
     return ray_from(o, vsub(vadd(vscale(right, x), vscale(up, y)), o));
 }
 
-static inline real sphere_panel_far(int column)
-{
-    static const real near[sphere_columns] = {500, 1000, 2000, 5000};
-    static const real far[sphere_columns] = {10000000, 20000000, 50000000, 100000000};
-    return real_is_float ? near[column] : far[column];
-}
-
 /* Of a panel; all compute in the precision of this build. */
 typedef struct { sphere_hit_function *X_hit; real far, width, height, scale; } sphere_panel;
 
@@ -78,8 +71,7 @@ static inline void sphere_draw(const options *o)
     bool words = o->width >= 880 && o->height >= 400, whole = true;
     int title = words ? 26 : 0, key = words ? 34 : 0, gap = words ? 6 : 0;  /* [pixels] */
     int w = o->width / sphere_columns, strip = (o->height - key) / sphere_rows;
-    image im = image_new(o->width, o->height);
-    label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
+    image im = label_sheet(o->width, o->height);
     if (w == 0) w = 1;  /* a picture smaller than its panels shows only some */
     if (strip == 0) strip = 1;
     int least = w < strip - title ? w : strip - title;
@@ -156,9 +148,8 @@ static inline void sphere_draw_map(const options *o)
         {"sphere_hit", sphere_hit}};
     if (o->out) return;
     const vec3 black = {0, 0, 0};
-    image sheet = image_new(960, sphere_map_top + sphere_map_height + 100);
+    image sheet = label_sheet(960, sphere_map_top + sphere_map_height + 100);
     bool whole = true;
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
     for (int k = 0; k < 3; k++) {
         image im = image_new(sphere_map_width, sphere_map_height);
         int x = sphere_map_left + k * (sphere_map_width + 34);

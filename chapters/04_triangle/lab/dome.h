@@ -97,10 +97,9 @@ static inline void dome_draw(const options *o)
         {"triangle_hit, watertight", triangle_hit}, {"mine", mine_triangle_hit}};
     int gap = o->width >= 400 ? 6 : 0;  /* white, between two panels [pixels] */
     int width = (o->width + gap + dome_panels - 1) / dome_panels - gap;
-    image im = image_new(o->width, o->height), one = image_new(width, o->height);
+    image im = label_sheet(o->width, o->height), one = image_new(width, o->height);
     triangle_dome s = dome_new(width, o->height);
     bool whole = true;
-    label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
     for (int k = 0; k < dome_panels && whole; k++) {
         s.method = panel[k].method;
         whole = pixels_draw(&one, 1, o->threads, "dome", dome_colour, &s);

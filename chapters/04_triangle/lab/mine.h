@@ -29,10 +29,10 @@ enum { triangle_mine = 0 };
  * front, ending or beginning on this side of the hit or beyond it, or the hit lies behind o. */
 static inline ray triangle_easy_ray(triangle tri, size_t i, random_stream *g)
 {
-    vec3 o = random_vec3(g, 3);
-    real u = slip_between(g, 0.1, 0.4), v = slip_between(g, 0.1, 0.4);
-    if (i % 3 == 0) u = slip_between(g, -1, 2), v = slip_between(g, -1, 2);
-    vec3 d = vscale(vsub(triangle_at(tri, u, v), o), 1 / slip_between(g, 1, 9));
+    vec3 o = random_in_cube(g, 3);
+    real u = random_between(g, 0.1, 0.4), v = random_between(g, 0.1, 0.4);
+    if (i % 3 == 0) u = random_between(g, -1, 2), v = random_between(g, -1, 2);
+    vec3 d = vscale(vsub(triangle_at(tri, u, v), o), 1 / random_between(g, 1, 9));
     ray r = ray_from(o, d);
     switch (i % 7) {
     case 0: r.tmax = (real)0.5; break;
@@ -58,7 +58,7 @@ static inline bool triangle_prove(triangle_method *method, const char *name, siz
     random_stream g = random_start(1, 41, 0);
     size_t asked = 0, hits = 0;
     for (size_t i = 0; i < n; i++) {
-        triangle tri = {random_vec3(&g, 1), random_vec3(&g, 1), random_vec3(&g, 1)};
+        triangle tri = {random_in_cube(&g, 1), random_in_cube(&g, 1), random_in_cube(&g, 1)};
         ray r = triangle_easy_ray(tri, i, &g);
         triangle_exact_hit x = triangle_exactly(tri, r);
         double least = fmin(x.w, fmin(x.u, x.v));

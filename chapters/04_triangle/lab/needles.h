@@ -26,20 +26,14 @@ typedef struct { size_t due, missed; double error; } triangle_needle_count;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline vec3 random_vec3(random_stream *g, real s)  /* in the cube [-s, s]^3 */
-{
-    real x = slip_between(g, -s, s), y = slip_between(g, -s, s), z = slip_between(g, -s, s);
-    return (vec3){x, y, z};
-}
-
 static inline triangle needle(random_stream *g, real width, ray *r)
 {
-    vec3 a = random_vec3(g, 1), along = vunit(random_vec3(g, 1)), across, unused;
+    vec3 a = random_in_cube(g, 1), along = vunit(random_in_cube(g, 1)), across, unused;
     vbasis(along, &across, &unused);
     triangle tri = {a, vadd(a, along),
                     vadd(vmadd(a, along, random_next(g)), vscale(across, width))};
-    vec3 o = random_vec3(g, 3);
-    real u = slip_between(g, 0.2, 0.4), v = slip_between(g, 0.2, 0.4);
+    vec3 o = random_in_cube(g, 3);
+    real u = random_between(g, 0.2, 0.4), v = random_between(g, 0.2, 0.4);
     *r = ray_from(o, vsub(triangle_at(tri, u, v), o));
     return tri;
 }

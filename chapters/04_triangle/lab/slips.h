@@ -28,17 +28,10 @@ typedef struct { size_t rays, slips; double error; } triangle_slip_count;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline real slip_between(random_stream *g, real lo, real hi)
-{
-    return lo + (hi - lo) * random_next(g);
-}
-
 /* A random point near the centre [well inside the mesh]; `radius` is that of the mesh. */
 static inline vec3 slip_origin(random_stream *g, vec3 centre, real radius)
 {
-    real s = radius / 4;
-    real x = slip_between(g, -s, s), y = slip_between(g, -s, s), z = slip_between(g, -s, s);
-    return vadd(centre, (vec3){x, y, z});
+    return vadd(centre, random_in_cube(g, radius / 4));
 }
 
 /* One aimed ray, and the triangles that it should hit: round the vertex, or beside the edge. */

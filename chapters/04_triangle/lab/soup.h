@@ -51,13 +51,13 @@ static inline triangle_soup *soup_new(int rays, uint64_t seed)
     random_stream g = random_start(seed, 9, 0);
     s->rays = rays;
     for (int i = 0; i < soup_triangles; i++) {
-        vec3 m = random_vec3(&g, 1), a = random_vec3(&g, 0.5), b = random_vec3(&g, 0.5);
-        s->tri[i] = (triangle){vadd(m, a), vadd(m, b), vadd(m, random_vec3(&g, 0.5))};
+        vec3 m = random_in_cube(&g, 1), a = random_in_cube(&g, 0.5), b = random_in_cube(&g, 0.5);
+        s->tri[i] = (triangle){vadd(m, a), vadd(m, b), vadd(m, random_in_cube(&g, 0.5))};
         s->planes[i] = triangle_planes_of(s->tri[i]);
     }
     for (int i = 0; i < rays; i++) {
-        vec3 from = random_vec3(&g, 2);
-        s->r[i] = ray_from(from, random_vec3(&g, 1));
+        vec3 from = random_in_cube(&g, 2);
+        s->r[i] = ray_from(from, random_in_cube(&g, 1));
     }
     return s;
 }

@@ -14,18 +14,6 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-__attribute__((format(printf, 8, 9)))
-static inline void figure_number(figure *g, double x, double y, double right, double down,
-                                 const char *where, const char *colour, const char *format, ...)
-{
-    char text[96];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    figure_text(g, x, y, right, down, where, colour, text);
-}
-
 /* A part of the whole, opposite its corner: p and the other two. Negative: an outline. */
 static inline void figure_area(figure *g, vec3 p, vec3 from, vec3 to, const char *colour,
                                const char *name, real weight)
@@ -42,7 +30,7 @@ static inline void figure_area(figure *g, vec3 p, vec3 from, vec3 to, const char
     vec3 other = weight < 0 ? p : from;
     if (beside) m = vscale(vadd(to, other), (real)0.5);
     double right = beside ? 12 : *name == 'u' && 2 * weight < 1 ? 11 : 0;
-    figure_number(g, (double)m.x, (double)m.y, right, beside ? -8 : 5,
+    figure_print(g, (double)m.x, (double)m.y, right, beside ? -8 : 5,
                   beside ? FIGURE_LEFT : FIGURE_MIDDLE, beside ? colour : FIGURE_BLACK,
                   "_%s_ = %s%.2f", name, weight < 0 ? "\u2212" : "", fabs((double)weight));
 }
@@ -73,7 +61,7 @@ static inline void triangle_draw_areas(const options *o)
         figure_area(&g, p, t.b, t.c, FIGURE_RED, "w", n.w);
         figure_dot(&g, (double)p.x, (double)p.y, 4, FIGURE_BLACK);
         figure_text(&g, (double)p.x, (double)p.y, 8, -6, FIGURE_LEFT, FIGURE_BLACK, "*p*");
-        figure_number(&g, 0.95, 0, 0, 46, FIGURE_MIDDLE, FIGURE_BLACK,
+        figure_print(&g, 0.95, 0, 0, 46, FIGURE_MIDDLE, FIGURE_BLACK,
                       k ? "outside: _w_ is negative, and the sum is still %.2f"
                         : "inside: none is negative; the sum is %.2f",
                       (double)barycentrics_sum(n));
@@ -87,7 +75,7 @@ static inline void figure_edge(figure *g, vec3 from, vec3 to, real value, double
                                const char *name)
 {
     figure_arrow(g, (double)from.x, (double)from.y, (double)to.x, (double)to.y, colour, 1.5);
-    figure_number(g, (double)(from.x + to.x) / 2, (double)(from.y + to.y) / 2, right, down, where,
+    figure_print(g, (double)(from.x + to.x) / 2, (double)(from.y + to.y) / 2, right, down, where,
                   colour, "%s%s%.2f", name, value < 0 ? "\u2212" : "+", fabs((double)value));
 }
 

@@ -51,15 +51,13 @@ static inline void implicit_times(const options *o, const implicit_row *row, int
                                   implicit_aim aim, double *ns)
 {
     implicit_timing *t = allocate((size_t)n, sizeof *t);
-    bench_candidate c[implicit_most_rows];
     for (int k = 0; k < n; k++) {
         t[k].u = implicit_subject_of(row[k].surface), t[k].how = row[k].how;
         for (size_t i = 0; i < implicit_timed; i++)
             implicit_shot(&t[k].u, o->seed + 1, aim, i, &t[k].r[i]);
-        c[k] = (bench_candidate){row[k].name, implicit_time_rays, &t[k], 0, 0};
     }
-    bench_time(c, n, o->quick ? 1 : o->full ? 25 : 5);
-    for (int k = 0; k < n; k++) ns[k] = c[k].seconds / implicit_timed * 1e9;
+    bench_each(implicit_time_rays, t, sizeof *t, n, o->quick ? 1 : o->full ? 25 : 5,
+               1e9 / implicit_timed, ns);
     free(t);
 }
 

@@ -21,7 +21,6 @@
 typedef struct {
     implicit_subject u;
     implicit_how how;
-    camera_frame frame;
     camera c;
     bool judge;   /* against implicit_hit: red where the first root is missed */
 } implicit_view;
@@ -35,12 +34,10 @@ static inline implicit_view implicit_view_at(implicit_subject u, implicit_how ho
                                              real far, real angle, real turn, real rise)
 {
     implicit_view v = {.u = u, .how = how};
-    failure why;
     real a = turn * pi / 180, b = rise * pi / 180;
     vec3 from = {sin(a) * cos(b), sin(b), cos(a) * cos(b)}, up = {0, cos(b) > 0 ? 1 : -1, 0};
     vec3 e = vmadd(target, from, far * u.s.ball.r);
-    if (!frame_look_at(e, target, up, &v.frame, &why)) fail(why);
-    if (!camera_perspective(v.frame, angle, 1, &v.c, &why)) fail(why);
+    v.c = camera_at(e, target, up, angle, 1);
     return v;
 }
 
@@ -51,7 +48,7 @@ static inline implicit_view implicit_view_of(implicit_subject u, implicit_how ho
 }
 
 /* White paper in the middle, a little darker around. */
-static inline vec3 implicit_paper(ray r, camera_frame f)
+static inline vec3 implicit_paper(ray r, camera f)
 {
     real along = -vdot(vunit(r.d), f.w), light = real_clamp(1 - 3 * (1 - along), 0, 1);
     return vscale(vec(0.93, 0.95, 1), (real)0.55 + (real)0.4 * light);
@@ -66,7 +63,7 @@ static inline vec3 implicit_shade(const implicit_view *v, ray r, hit h)
     bool outside = vdot(n, d) <= 0;
     if (!outside) n = vneg(n);
     vec3 base = outside ? vec(1, 0.47, 0.07) : vec(0.05, 0.3, 0.7);
-    vec3 local = {vdot(n, v->frame.u), vdot(n, v->frame.v), vdot(n, v->frame.w)};
+    vec3 local = {vdot(n, v->c.u), vdot(n, v->c.v), vdot(n, v->c.w)};
     real key = implicit_lit(local, vec(-4, 6, 5)), fill = implicit_lit(local, vec(6, -1, 2));
     real sky = (real)0.5 + local.y / 2, face = fabs(vdot(n, d));
     vec3 light = vadd(vscale(vec(1, 0.95, 0.85), (real)0.95 * key),
@@ -86,7 +83,7 @@ static inline vec3 implicit_colour(const implicit_view *v, ray r)
         real near = (real)1e-3 * v->u.s.ball.r / vlength(r.d);
         if (there && (!is || h.t > due.t + near)) return implicit_red;
     }
-    return is ? implicit_shade(v, r, h) : implicit_paper(r, v->frame);
+    return is ? implicit_shade(v, r, h) : implicit_paper(r, v->c);
 }
 
 typedef struct { const implicit_view *v; image *im; const image *plain; int side; } implicit_frame;
@@ -157,9 +154,8 @@ static inline void implicit_draw_row(const options *o, const implicit_view *v,
     enum { gap = 6, strip = 30 };
     int side = o->quick ? 60 : 316;
     int width = (960 - (n - 1) * gap) / n;
-    image sheet = image_new(960, side + strip);
+    image sheet = label_sheet(960, side + strip);
     bool whole = true;
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
     for (int k = 0; k < n; k++) {
         image im = image_new(width, side);
         int x = k * (width + gap);

@@ -24,11 +24,9 @@ static inline void arrays_triangle(figure *g, const mesh *m, size_t i, const cha
     triangle t = mesh_triangle(m, i);
     double xy[6] = {(double)t.a.x, (double)t.a.y, (double)t.b.x, (double)t.b.y, (double)t.c.x,
                     (double)t.c.y};
-    char text[32];
-    snprintf(text, sizeof text, "%zu", i);
     figure_polygon(g, 3, xy, colour, 0.25, FIGURE_BLACK);
-    figure_text(g, (xy[0] + xy[2] + xy[4]) / 3, (xy[1] + xy[3] + xy[5]) / 3, 0, 6, FIGURE_MIDDLE,
-                colour, text);
+    figure_print(g, (xy[0] + xy[2] + xy[4]) / 3, (xy[1] + xy[3] + xy[5]) / 3, 0, 6, FIGURE_MIDDLE,
+                 colour, "%zu", i);
 }
 
 static inline void draw_arrays(const options *o, const char *name)
@@ -71,10 +69,10 @@ static inline void draw_arrays(const options *o, const char *name)
     for (size_t i = 0; i < m.triangles; i++) arrays_triangle(&g, &m, i, colour[i]);
     for (size_t i = 0; i < m.vertices; i++) {
         double x = (double)m.v[i].x, y = (double)m.v[i].y;
-        snprintf(cell, sizeof cell, "*v*~%zu~", i);
         figure_dot(&g, x, y, 4, FIGURE_BLACK);
-        figure_text(&g, x, y, x < 1 ? -8 : x > 1 ? 8 : 0, y < 1 ? 20 : x == 1 ? -10 : 5,
-                    x < 1 ? FIGURE_RIGHT : x > 1 ? FIGURE_LEFT : FIGURE_MIDDLE, FIGURE_BLACK, cell);
+        figure_print(&g, x, y, x < 1 ? -8 : x > 1 ? 8 : 0, y < 1 ? 20 : x == 1 ? -10 : 5,
+                     x < 1 ? FIGURE_RIGHT : x > 1 ? FIGURE_LEFT : FIGURE_MIDDLE, FIGURE_BLACK,
+                     "*v*~%zu~", i);
     }
     figure_end(&g);
     mesh_free(&m);

@@ -39,7 +39,7 @@ static inline double inside_run(void *context)
 static inline void inside_report(const options *o)
 {
     static inside_batch b[inside_methods];
-    bench_candidate v[inside_methods];
+    double seconds[inside_methods];
     size_t points = o->quick ? 50 : 1000;
     mesh m = torus_mesh(24);
     first_mesh soup = mesh_soup(&m);
@@ -56,13 +56,12 @@ static inline void inside_report(const options *o)
     for (int k = 0; k < inside_methods; k++) {
         random_stream s = random_start(o->seed, 0, 74);
         b[k].m = &m, b[k].soup = &soup, b[k].method = k;
-        v[k] = (bench_candidate){inside_names[k], inside_run, &b[k], 0, 0};
         for (int i = 0; i < inside_questions; i++)
             (void)inside_question(&m, &s, AT_VERTEX, 0, &b[k].p[i], &b[k].d[i]);
     }
-    bench_time(v, inside_methods, mesh_rounds);
+    bench_each(inside_run, b, sizeof *b, inside_methods, mesh_rounds, 1, seconds);
     for (int k = 0; k < inside_methods; k++) {
-        double ns = 1e9 * v[k].seconds / inside_questions / (double)m.triangles;
+        double ns = 1e9 * seconds[k] / inside_questions / (double)m.triangles;
         bool casts = k + 1 < inside_methods;
         table_text(&t, "%s", inside_names[k]);
         for (int at = 0; at < 3; at++)
@@ -178,7 +177,7 @@ static inline void cone_rows(uint64_t seed, size_t rays, table *t)
     for (int power = 0; power <= 6; power += 2) {
         real distance = pow((real)10, power);
         cone_score sum = {0, 0, {0, 0}, {0, 0}, {0, 0}};
-        bench_candidate v[2] = {{name[0], cone_run, &b[0], 0, 0}, {name[1], cone_run, &b[1], 0, 0}};
+        double ns[2];
         random_stream s = random_start(seed, (uint64_t)distance, 71);
         for (int kind = 0; kind < 5; kind++) {
             cone_score grazing = cone_play(&s, kind, AIM_GRAZING, distance, rays / 5, 64);
@@ -194,12 +193,11 @@ static inline void cone_rows(uint64_t seed, size_t rays, table *t)
             b[0].r[i] = b[1].r[i] = ray_at_cone(&s, b[0].c[i], AIM_RANDOM, distance);
         }
         b[0].hit = cone_hit_naive, b[1].hit = cone_hit;
-        bench_time(v, 2, mesh_rounds);
+        bench_each(cone_run, b, sizeof *b, 2, mesh_rounds, 1e9 / cones_at_once, ns);
         for (int k = 0; k < 2; k++) {
             table_text(t, "%s", name[k]), table_text(t, "from 1e%d", power);
             table_number(t, 100 * (double)sum.wrong[k] / (double)sum.decided);
-            table_number(t, sum.off_side[k]);
-            table_number(t, 1e9 * v[k].seconds / cones_at_once);
+            table_number(t, sum.off_side[k]), table_number(t, ns[k]);
         }
     }
 }
@@ -222,7 +220,7 @@ static inline void polygon_rows(uint64_t seed, size_t rays, table *t)
     static gear_box box;
     static polygon_batch b[2];
     for (int j = 0; j < 2; j++) {
-        bench_candidate v[2];
+        double ns[2];
         size_t slips[2];
         random_stream s = random_start(seed, (uint64_t)j, 72), again;
         gear_box_fill(&box, &s, j ? 100000 : 0, false);
@@ -231,15 +229,14 @@ static inline void polygon_rows(uint64_t seed, size_t rays, table *t)
             s = again;
             slips[k] = gear_box_slips(&box, &s, rays, k == 0);
             b[k].p = box.shapes[2].polygon, b[k].naive = k == 0;
-            v[k] = (bench_candidate){"", polygon_run, &b[k], 0, 0};
             for (int i = 0; i < cones_at_once; i++) b[k].r[i] = gear_box_ray(&box, &s, (size_t)i);
         }
-        bench_time(v, 2, mesh_rounds);
+        bench_each(polygon_run, b, sizeof *b, 2, mesh_rounds, 1e9 / cones_at_once, ns);
         for (int k = 0; k < 2; k++) {
             table_text(t, k ? "polygon_hit" : "polygon_hit_naive");
             table_text(t, "quad, %s", j ? "1e5 away" : "at the origin");
             table_number(t, 100 * (double)slips[k] / (double)rays);
-            table_text(t, "-"), table_number(t, 1e9 * v[k].seconds / cones_at_once);
+            table_text(t, "-"), table_number(t, ns[k]);
         }
     }
 }
@@ -287,14 +284,13 @@ static inline void files_report(const options *o)
     if (!obj_write(path, &m, &f)) fail(f);
     stat(path, &file);
     files_batch b[2] = {{path, true}, {path, false}};
-    bench_candidate v[2] = {{"first_obj_read", files_run, &b[0], 0, 0},
-                            {"obj_read", files_run, &b[1], 0, 0}};
-    bench_time(v, 2, mesh_rounds);
+    double seconds[2];
+    bench_each(files_run, b, sizeof *b, 2, mesh_rounds, 1, seconds);
     table t = table_new("Reading an OBJ file", "method|triangles|bytes|time [MB/s]");
     for (int k = 0; k < 2; k++) {
-        table_text(&t, "%s", v[k].name), table_count(&t, m.triangles);
+        table_text(&t, k ? "obj_read" : "first_obj_read"), table_count(&t, m.triangles);
         table_count(&t, (size_t)file.st_size);
-        table_number(&t, (double)file.st_size / v[k].seconds / 1e6);
+        table_number(&t, (double)file.st_size / seconds[k] / 1e6);
     }
     output_extra_table(o, &t);
     unlink(path), mesh_free(&m);

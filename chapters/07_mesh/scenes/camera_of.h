@@ -13,15 +13,10 @@
 /* Three half diagonals from the middle. */
 static inline camera camera_of(vec3 lo, vec3 hi, bool z_up, real aspect)
 {
-    failure f;
-    camera c;
-    camera_frame frame;
     real size = vlength(vsub(hi, lo)) / 2;
     vec3 centre = vscale(vadd(lo, hi), 0.5), up = {0, !z_up, z_up};
     vec3 toward = vunit(z_up ? vec(0.45, -1, 0.55) : vec(0.45, 0.55, 1));
-    if (!frame_look_at(vmadd(centre, toward, 3 * size), centre, up, &frame, &f)
-        || !camera_perspective(frame, aspect > 1 ? 26 : 38, aspect, &c, &f)) fail(f);
-    return c;
+    return camera_at(vmadd(centre, toward, 3 * size), centre, up, aspect > 1 ? 26 : 38, aspect);
 }
 
 #endif

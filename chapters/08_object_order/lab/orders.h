@@ -60,12 +60,7 @@ static inline mesh orders_scene(int n, bool wall)
 
 static inline camera orders_look(vec3 e, vec3 target, real phi, real a)
 {
-    failure f;
-    camera c;
-    camera_frame frame;
-    if (!frame_look_at(e, target, vec(0, 0, 1), &frame, &f)
-        || !camera_perspective(frame, phi, a, &c, &f)) fail(f);
-    return c;
+    return camera_at(e, target, vec(0, 0, 1), phi, a);
 }
 
 /* The floor reaches behind the eye. */

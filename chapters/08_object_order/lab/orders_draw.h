@@ -57,9 +57,8 @@ static inline void orders_draw(const options *o)
         orders_panel(&im, small ? 0 : column, 0, &drawn, &m, c, false, NULL, NULL);
         if (!small) orders_panel(&im, column, h + orders_gap, &part, &m, c, false, NULL, NULL);
     }
-    image sheet = small || w < 200 ? im : label_panels(&im, 3, 2, orders_gap, title);
-    output_picture(o, &sheet, "08_object_order.png", true, whole);
-    if (sheet.rgb != im.rgb) image_free(&sheet);
+    if (!small && w >= 200) label_titles(&im, 3, 2, orders_gap, title);
+    output_picture(o, &im, "08_object_order.png", true, whole);
     image_free(&im), raster_free(&drawn), raster_free(&seen), raster_free(&part), mesh_free(&m);
 }
 
@@ -99,9 +98,9 @@ static inline void orders_draw_flat(const options *o)
         wrong[k] = vlength(vsub(image_get(&im, k % w, k / w),  /* more than other shades */
                                 image_get(&im, w + orders_gap + k % w, k / w))) > (real)0.2;
     orders_panel(&im, 2 * (w + orders_gap), 0, &t, &m, c, false, NULL, wrong);
-    image sheet = label_panels(&im, 3, 1, orders_gap, title);
-    output_picture(o, &sheet, "08_object_order_flat.png", false, true);
-    free(wrong), image_free(&sheet), image_free(&im), raster_free(&s), raster_free(&t);
+    label_titles(&im, 3, 1, orders_gap, title);
+    output_picture(o, &im, "08_object_order_flat.png", false, true);
+    free(wrong), image_free(&im), raster_free(&s), raster_free(&t);
     mesh_free(&m);
 }
 
@@ -142,9 +141,9 @@ static inline void orders_draw_shadow(const options *o)
                      dark, wrong);
         shadow_map_free(&t);
     }
-    image sheet = label_panels(&im, 2, 2, orders_gap, title);
-    output_picture(o, &sheet, "08_object_order_shadow.png", false, true);
-    free(dark), free(wrong), free(due), image_free(&sheet), image_free(&im), raster_free(&s);
+    label_titles(&im, 2, 2, orders_gap, title);
+    output_picture(o, &im, "08_object_order_shadow.png", false, true);
+    free(dark), free(wrong), free(due), image_free(&im), raster_free(&s);
     mesh_free(&m);
 }
 

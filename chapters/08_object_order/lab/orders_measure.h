@@ -53,18 +53,16 @@ static inline void orders_measure(const options *o)
     mesh m = orders_scene(4, false);
     camera c = orders_camera((real)4 / 3);
     orders_way way[orders_ways];
-    bench_candidate bench[orders_ways];
+    double ms[orders_ways];
     raster due = raster_new(nx, ny);
     char title[80];
     (void)orders_rays(&due, &m, c, o->threads);
     snprintf(title, sizeof title, "Two orders, %zu triangles, %d x %d pixels", m.triangles, nx, ny);
     table t = table_new(title, "order|pixels asked|covered|error: another triangle [pixels]|"
                                "error: unexplained|error: of t|time [ms]");
-    for (int k = 0; k < orders_ways; k++) {
+    for (int k = 0; k < orders_ways; k++)
         way[k] = (orders_way){&m, c, nx, ny, bits[k], 0, 0};
-        bench[k] = (bench_candidate){.name = name[k], .run = orders_run, .context = &way[k]};
-    }
-    bench_time(bench, orders_ways, o->full ? 9 : 3);
+    bench_each(orders_run, way, sizeof *way, orders_ways, o->full ? 9 : 3, 1e3, ms);
     for (int k = 0; k < orders_ways; k++) {
         raster s = orders_by(&way[k]);
         int step = bits[k] > 0 ? bits[k] : 8;
@@ -74,7 +72,7 @@ static inline void orders_measure(const options *o)
             table_count(&t, (size_t)(nx * ny) * m.triangles), table_text(&t, "-");
         else table_count(&t, s.asked), table_count(&t, s.covered);
         table_count(&t, d.other), table_count(&t, d.unexplained), table_number(&t, d.depth);
-        table_number(&t, 1e3 * bench[k].seconds);
+        table_number(&t, ms[k]);
         raster_free(&s);
     }
     output_table(o, &t);
@@ -106,17 +104,15 @@ static inline void orders_times(const options *o)
             int few = size / less > 4 ? size / less : 4;
             orders_way way[2] = {{&m, c, size, size * 3 / 4, 8, 0, 0},
                                  {&m, c, few, few * 3 / 4, -1, 0, 0}};
-            bench_candidate b[2] = {{.name = "object", .run = orders_run, .context = &way[0]},
-                                    {.name = "rays", .run = orders_run, .context = &way[1]}};
-            bench_time(b, 2, 3);
+            double ms[2];
+            bench_each(orders_run, way, sizeof *way, 2, 3, 1e3, ms);
             raster s = orders_by(&way[0]);
-            double ms = 1e3 * b[0].seconds;
-            double by_rays = 1e3 * b[1].seconds * n / (few * (few * 3 / 4));
+            double by_rays = ms[1] * n / (few * (few * 3 / 4));
             table_count(&t, m.triangles), table_count(&t, (size_t)n);
             table_number(&t, (double)s.asked / (double)m.triangles);
             table_number(&t, (double)s.covered / n);
-            table_number(&t, ms), table_number(&t, by_rays), table_number(&t, by_rays / ms);
-            plot_add(&p, drawn, (double)m.triangles, ms);
+            table_number(&t, ms[0]), table_number(&t, by_rays), table_number(&t, by_rays / ms[0]);
+            plot_add(&p, drawn, (double)m.triangles, ms[0]);
             plot_add(&p, rays, (double)m.triangles, by_rays);
             raster_free(&s), mesh_free(&m);
         }
@@ -222,20 +218,10 @@ static inline void orders_shadows(const options *o)
     raster_mesh(&s, &m, orders_camera((real)nx / ny), raster_default);
     table t = table_new("Shadow maps against shadow rays", "texels|error: no bias [% of pixels]|"
                         "error: bias 0.004|error: bias 0.04|time [ms]");
-    plot p = plot_new("Shadow maps: wrong pixels against their side", "side of the map [texels]",
-                      "wrong [% of pixels]", PLOT_LOG_X | PLOT_LOG_Y);
-    for (int i = 0; i < 3; i++) {
-        char label[32];
-        snprintf(label, sizeof label, "bias %g", bias[i]);
-        (void)plot_series(&p, label);
-    }
-    bench_candidate b[6];
     orders_shadow w[6];
-    for (int k = 0; k < 6; k++) {
-        w[k] = (orders_shadow){&m, &s, lamp, sides[k]};
-        b[k] = (bench_candidate){.name = "", .run = orders_shadow_run, .context = &w[k]};
-    }
-    bench_time(b, 6, 3);
+    double ms[6];
+    for (int k = 0; k < 6; k++) w[k] = (orders_shadow){&m, &s, lamp, sides[k]};
+    bench_each(orders_shadow_run, w, sizeof *w, 6, 3, 1e3, ms);
     for (int k = 0; k < 6; k++) {
         size_t wrong[3] = {0, 0, 0};
         shadow_map map = shadow_map_new(&m, lamp, sides[k] ? sides[k] : 1, raster_default);
@@ -248,16 +234,10 @@ static inline void orders_shadows(const options *o)
         shadow_map_free(&map);
         if (sides[k]) table_text(&t, "%d x %d", sides[k], sides[k]);
         else table_text(&t, "rays");
-        for (int j = 0; j < 3; j++) {
-            double share = 100 * (double)wrong[j] / (nx * ny);
-            table_number(&t, share);
-            if (sides[k]) plot_add(&p, j, sides[k], share);
-        }
-        table_number(&t, 1e3 * b[k].seconds);
+        for (int j = 0; j < 3; j++) table_number(&t, 100 * (double)wrong[j] / (nx * ny));
+        table_number(&t, ms[k]);
     }
-    plot_slope(&p, -1, "slope -1");
     output_extra_table(o, &t);
-    output_plot(o, &p, "08_object_order_shadow.svg");
     raster_free(&s), mesh_free(&m);
 }
 

@@ -87,9 +87,7 @@ static inline void slabs_bars(figure *g, const real t[3][2], const char *title)
     figure_text(g, 0, 0, 0, -128, FIGURE_LEFT, FIGURE_BLACK, title);
     for (int k = 0; k < 3; k++) {
         double y = (88 - 24 * k) / g->unit, a = (double)t[k][0], b = (double)t[k][1];
-        char text[16];
-        snprintf(text, sizeof text, "_%s_", slabs_name[k]);
-        figure_text(g, 0, y, -20, 5, FIGURE_LEFT, slabs_colour[k], text);
+        figure_print(g, 0, y, -20, 5, FIGURE_LEFT, slabs_colour[k], "_%s_", slabs_name[k]);
         figure_line(g, a, y, b, y, slabs_colour[k], 9, FIGURE_WHOLE);
         enter = fmax(enter, a), leave = fmin(leave, b);
     }
@@ -117,13 +115,12 @@ static inline void draw_slabs(const options *o)
             first_slab(vaxis(slabs_box.lo, k), vaxis(slabs_box.hi, k), vaxis(r[i].o, k),
                        vaxis(r[i].d, k), &t[i][k][0], &t[i][k][1]);
     for (int k = 0; k < 3; k++) {
-        char text[64];
         figure_origin(&g, 128 + 289 * k, 182, 52);
         slabs_panel(&g, k, r[0], t[0][k]);
-        snprintf(text, sizeof text, "the slab of _%s_, between _lo_~%s~ and _hi_~%s~",
-                 slabs_name[k], slabs_name[k], slabs_name[k]);
         figure_origin(&g, 158 + 289 * k, 0, 1);
-        figure_text(&g, 0, 0, 0, 22, FIGURE_MIDDLE, slabs_colour[k], text);
+        figure_print(&g, 0, 0, 0, 22, FIGURE_MIDDLE, slabs_colour[k],
+                     "the slab of _%s_, between _lo_~%s~ and _hi_~%s~", slabs_name[k],
+                     slabs_name[k], slabs_name[k]);
     }
     figure_origin(&g, 50, 424, 78);
     slabs_bars(&g, (const real (*)[2])t[0],

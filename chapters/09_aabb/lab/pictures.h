@@ -78,16 +78,11 @@ static inline void draw_room(const options *o)
     int gaps = (room_parts - 1) * room_gap;
     int width = o->width > 2 * gaps ? (o->width - gaps) / room_parts : o->width;
     aabb_room s = {.im = image_new(width, o->height)};
-    camera_frame f;
-    failure why;
-    image im = image_new(o->width, o->height);
+    image im = label_sheet(o->width, o->height);
     vec3 e = {13, 15, 8}, target = vec(2.4, 2.4, 0.9), up = {0, 0, 1};
     bool whole = true;
     room_furnish(s.box);
-    if (!frame_look_at(e, target, up, &f, &why)
-        || !camera_perspective(f, 27, (real)width / (real)o->height, &s.view, &why))
-        fail(why);
-    label_fill(&im, 0, 0, im.width, im.height, vec(1, 1, 1));
+    s.view = camera_at(e, target, up, 27, (real)width / (real)o->height);
     for (int k = 0; k < room_parts && whole; k++) {
         s.test = part[k].test;
         whole = pixels_draw(&s.im, 2, o->threads, "room", room_colour, &s);
@@ -142,22 +137,19 @@ static inline void draw_aligned(const options *o)
                        cell_colour[truth == answer ? !truth : truth ? 2 : 3]);
         }
     }
-    image panels = label_panels(&im, cell_columns, 1, 10, title);
-    image sheet = image_new(panels.width, panels.height + 84);
-    double middle = sheet.width / 2.0;
-    int y = panels.height;
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
-    image_place(&sheet, 0, 0, &panels);
-    label_text(&sheet, middle, y + 22, 10, 0.5, black,
+    label_titles(&im, cell_columns, 1, 10, title), label_below(&im, 84);
+    double middle = im.width / 2.0;
+    int y = im.height - 84;
+    label_text(&im, middle, y + 22, 10, 0.5, black,
                "left half d.x = +0.0, right -0.0; upper half d.y = +0.0, lower -0.0");
-    label_text(&sheet, middle, y + 44, 10, 0.5, black,
+    label_text(&im, middle, y + 44, 10, 0.5, black,
                "each quarter: a block, a flat plate; a sheet seen edge-on; a rod seen end-on");
     for (int k = 0, x = 20; k < 4; k++, x += 195) {
-        label_fill(&sheet, x, y + 60, 16, 16, cell_colour[k]);
-        label_text(&sheet, x + 24, y + 73, 11, 0, black, key[k]);
+        label_fill(&im, x, y + 60, 16, 16, cell_colour[k]);
+        label_text(&im, x + 24, y + 73, 11, 0, black, key[k]);
     }
-    output_picture(o, &sheet, "09_aabb_aligned.png", false, true);
-    image_free(&im), image_free(&panels), image_free(&sheet);
+    output_picture(o, &im, "09_aabb_aligned.png", false, true);
+    image_free(&im);
 }
 
 #endif

@@ -1,8 +1,8 @@
 /* growth.h: time, work and memory against the number of triangles.
  *
- *   trial_growth g = {.title = "..", .plots = {"12_kdtree_n_time.svg", "12_kdtree_n.svg"},
- *                     .name = "k-d tree", .work = {"nodes", "leaves", "tests"}, ..};
- *   trial_grow(&o, &g);               a table, two plots, and two lines of exponents
+ *   trial_growth g = {.title = "..", .plot = "12_kdtree_n.svg",
+ *                     .work = {"nodes", "leaves", "tests"}, ..};
+ *   trial_grow(&o, &g);               a table, a plot of the work, and two lines of exponents
  *
  * Teapots of 64 n^2 - 8 n triangles, ever finer; diffuse rays from where the eye's rays hit.
  */
@@ -14,7 +14,7 @@
 #include "bench.h"
 
 typedef struct {
-    const char *title, *plots[2], *name;
+    const char *title, *plot;
     const char *work[3];         /* names of nodes, leaves and tests in the plot; NULL: not drawn */
     const trial_verbs *verbs;
     const void *how;
@@ -45,17 +45,13 @@ static inline void trial_grow(const options *o, const trial_growth *g)
     table out = table_new(g->title, "triangles|build [ms]|build / (n log2 n) [ns]|"
                           "references a shape|nodes a ray|leaves a ray|tests a ray|ray [ns]|"
                           "brute force [ns]|peak bytes a shape");
-    plot p = plot_new("Time against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
     plot q = plot_new("Diffuse rays: work against n", "triangles", "number of each, a ray",
                       PLOT_LOG_X);
-    char name[64];
-    int by_build = plot_series(&p, "build, a triangle"), by_work[3];
-    snprintf(name, sizeof name, "%s, a ray", g->name);
-    int by_ray = plot_series(&p, name), by_brute = plot_series(&p, "brute force, a ray");
+    int by_work[3];
     for (int k = 0; k < 3; k++) by_work[k] = g->work[k] ? plot_series(&q, g->work[k]) : -1;
     for (int i = 0; i < g->sizes; i++) {
         trial_scene s;
-        trial_row r = {.name = g->name, .verbs = g->verbs, .how = g->how};
+        trial_row r = {.verbs = g->verbs, .how = g->how};
         trial_scene_of(teapot_mesh(g->fine[i]), &s);
         size_t corners = g->fine[i] > g->brute ? 0 : s.m.triangles < 50000 ? 40 : 10;
         trial_rays(&s, trial_camera(&s.m, 1.6), g->width, g->width * 5 / 8, corners, o->seed,
@@ -71,8 +67,6 @@ static inline void trial_grow(const options *o, const trial_growth *g)
         double unit = r.build / (n * x[i]);
         if (n > 900) least = fmin(least, unit), greatest = fmax(greatest, unit);
         trial_grow_row(&out, &r, &s, unit);
-        plot_add(&p, by_build, n, r.build * 1e9 / n), plot_add(&p, by_ray, n, ns);
-        if (s.brute > 0) plot_add(&p, by_brute, n, s.brute * 1e9);
         for (int k = 0; k < 3; k++)
             if (by_work[k] >= 0) plot_add(&q, by_work[k], n, trial_per(work[k], rays));
         trial_end(&r, 1), trial_scene_free(&s);
@@ -83,9 +77,7 @@ static inline void trial_grow(const options *o, const trial_growth *g)
     printf("# fitted: a diffuse ray passes %.2f more nodes for each doubling of n; "
            "time ~ n^%.2f\n\n",
            bench_slope(x, nodes, g->sizes), bench_slope(x, search, g->sizes));
-    plot_slope(&p, 1, "slope 1");
-    output_plot(o, &p, g->plots[0]);
-    output_plot(o, &q, g->plots[1]);
+    output_plot(o, &q, g->plot);
 }
 
 #endif

@@ -167,14 +167,9 @@ static inline void measure_density(const options *o)
 
 static inline void measure_drift(const options *o)
 {
-    static const char *const name[3] = {"t added up", "walls counted", "the margin of the lists"};
     table t = table_new("1000 walks past an edge: which miss a cell, and how far off the next "
                         "wall is", "cells passed|error added [% of walks]|error added [cells]|"
                         "error counted [% of walks]|error counted [cells]|margin [cells]");
-    plot p = plot_new("How far off is the next wall?", "cells passed", "error [cells]",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int k = 0; k < 3; k++) plot_series(&p, name[k]);
-    plot_slope(&p, 2, "slope 2"), plot_slope(&p, 1, "slope 1");
     for (size_t n = 10; n <= 100000; n *= 10) {
         drift added = drift_after(walk_step_naive, n, 1000, o->seed);
         drift counted = drift_after(walk_step, n, 1000, o->seed);
@@ -182,11 +177,8 @@ static inline void measure_drift(const options *o)
         table_number(&t, 100 * added.missed), table_number(&t, added.error);
         table_number(&t, 100 * counted.missed), table_number(&t, counted.error);
         table_number(&t, drift_margin(n));
-        plot_add(&p, 0, (double)n, added.error), plot_add(&p, 1, (double)n, counted.error);
-        plot_add(&p, 2, (double)n, drift_margin(n));
     }
     output_extra_table(o, &t);
-    output_plot(o, &p, "10_grid_drift.svg");
 }
 
 #endif

@@ -108,17 +108,13 @@ static inline void grid_label(image *im, int n, const char *const *title, int ba
 {
     enum { gap = 6, bar = 44 };
     if (im->width < 200 * n) return;
-    image sheet = label_panels(im, n, 1, gap, title);
     int w = (im->width + gap) / n * bars - gap;
-    image_free(im);
-    *im = image_new(sheet.width, sheet.height + (bars ? bar : 0));
-    label_fill(im, 0, 0, im->width, im->height, vec(1, 1, 1));
-    image_place(im, 0, 0, &sheet);
     bool log = most > 1000;
-    if (bars)
-        label_bar(im, im->width - w + 4, sheet.height + 6, w - 8, 9, work_colour, log, (double)most,
-                  log ? "cells and tests, logarithmic" : "cells and tests");
-    image_free(&sheet);
+    label_titles(im, n, 1, gap, title);
+    if (!bars) return;
+    label_below(im, bar);
+    label_bar(im, im->width - w + 4, im->height - bar + 6, w - 8, 9, work_colour, log, (double)most,
+              log ? "cells and tests, logarithmic" : "cells and tests");
 }
 
 static inline void draw_grid(const options *o, const trial_scene *s, grid_options how,

@@ -76,8 +76,7 @@ static inline image octree_legend(const image *im, bool depths)
 {
     enum { first = 3, last = 10 };
     bool room = im->width >= 400;
-    image sheet = image_new(im->width, im->height + (room ? 40 : 0));
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
+    image sheet = label_sheet(im->width, im->height + (room ? 40 : 0));
     image_place(&sheet, 0, 0, im);
     double x = 20, y = im->height + 20;
     if (room && !depths)
@@ -172,9 +171,9 @@ static inline void draw_faults(const options *o)
         }
         trial_unbuild(&r), trial_scene_free(&s);
     }
-    image sheet = label_panels(&all, 2, 2, gap, title);
-    output_picture(o, &sheet, "11_octree_faults.png", false, whole);
-    image_free(&sheet), image_free(&all), image_free(&im);
+    label_titles(&all, 2, 2, gap, title);
+    output_picture(o, &all, "11_octree_faults.png", false, whole);
+    image_free(&all), image_free(&im);
 }
 
 #endif

@@ -52,9 +52,7 @@ static inline void quadtree_cells(figure *g, const octree *t, uint32_t node, oct
         if (trail->node[i] == node) place = i + 1;
     figure_polygon(g, 4, (double[8]){x, y, X, y, X, Y, x, Y}, place ? FIGURE_ORANGE : FIGURE_BLUE,
                    place ? 0.4 : n.kind ? 0.14 : 0, FIGURE_GREY);
-    char text[12];
-    snprintf(text, sizeof text, "%d", place);
-    if (place) figure_text(g, x, y, 2, -4, FIGURE_LEFT, FIGURE_BLACK, text);
+    if (place) figure_print(g, x, y, 2, -4, FIGURE_LEFT, FIGURE_BLACK, "%d", place);
 }
 
 static inline void quadtree_line(figure *g, vec3 a, vec3 b, const char *colour, double width)

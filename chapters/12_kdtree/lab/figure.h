@@ -46,11 +46,9 @@ static inline double figure_tree(kdtree_figure *f, uint32_t at, int depth)
         const plane_cell *c = &f->plane.cell[f->leaf];
         double here = step * f->leaf++, r = 0.24;
         const double xy[8] = {here - r, y - r, here + r, y - r, here + r, y + r, here - r, y + r};
-        char text[12];
-        snprintf(text, sizeof text, "%d", c->rank);
         figure_polygon(&f->g, 4, xy, plane_colour(c), c->rank ? c->full ? 0.75 : 0.25 : 0.3,
                        FIGURE_GREY);
-        if (c->rank) figure_text(&f->g, here, y, 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, text);
+        if (c->rank) figure_print(&f->g, here, y, 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, "%d", c->rank);
         return here;
     }
     int begin = f->leaf, middle = 0;
@@ -80,12 +78,11 @@ static inline void figure_parts(kdtree_figure *f, double length)
     for (int i = 0; i < p->cells; i++) {
         if (!p->cell[i].rank) continue;
         double from = unit * (double)p->cell[i].enter, to = length;
-        char text[12];
         for (int k = 0; k < p->cells; k++)
             if (p->cell[k].rank == p->cell[i].rank + 1) to = unit * (double)p->cell[k].enter;
         figure_line(g, from, -7, from, 7, FIGURE_BLACK, 1, FIGURE_WHOLE);
-        snprintf(text, sizeof text, "%d", p->cell[i].rank);
-        figure_text(g, (from + to) / 2, 0, 0, -9, FIGURE_MIDDLE, FIGURE_BLACK, text);
+        figure_print(g, (from + to) / 2, 0, 0, -9, FIGURE_MIDDLE, FIGURE_BLACK, "%d",
+                     p->cell[i].rank);
     }
     figure_dot(g, length, 0, 4, FIGURE_BLACK);
     figure_text(g, 0, 0, 0, 24, FIGURE_MIDDLE, FIGURE_BLACK, "_t_~enter~");

@@ -147,8 +147,7 @@ static inline void kdtree_grow(const options *o)
 {
     static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 126};
     const trial_growth g = {.title = "Growth with n, SAH, one thread",
-                            .plots = {"12_kdtree_n_time.svg", "12_kdtree_n.svg"},
-                            .name = "k-d tree", .work = {"nodes", "leaves", "tests"},
+                            .plot = "12_kdtree_n.svg", .work = {"nodes", "leaves", "tests"},
                             .verbs = &kdtree_trial, .how = &kdtree_defaults, .fine = fine,
                             .sizes = 8, .width = 160, .brute = 64};
     trial_grow(o, &g);

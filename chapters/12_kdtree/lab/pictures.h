@@ -54,14 +54,9 @@ static inline bool draw_strategies(const options *o, const trial_scene *s, bool 
     for (int k = 0; k < 4; k++) how[k] = &kdtree_candidate_list[k + 1].how;
     bool whole = trial_draw_work(s, p, z_up, 2, how, 4, o->threads, all);
     if (o->own || o->out || all->width < 400) return whole;
-    image sheet = label_panels(all, 2, 2, 0, title);
-    image_free(all);
-    *all = image_new(sheet.width, sheet.height + bar);
-    label_fill(all, 0, 0, all->width, all->height, vec(1, 1, 1));
-    image_place(all, 0, 0, &sheet);
-    label_bar(all, sheet.width / 4, sheet.height + 8, sheet.width / 2, 9, work_colour, 0,
+    label_titles(all, 2, 2, 0, title), label_below(all, bar);
+    label_bar(all, all->width / 4, all->height - bar + 8, all->width / 2, 9, work_colour, 0,
               (double)p.most, "steps and tests a ray; white: more");
-    image_free(&sheet);
     return whole;
 }
 
@@ -90,10 +85,9 @@ static inline void draw_final(const options *o)
     kdtree_options how = kdtree_defaults;
     trial_scene s;
     bool whole = true;
-    image all = image_new(2 * side + gap, side), im = image_new(side, side);
+    image all = label_sheet(2 * side + gap, side), im = image_new(side, side);
     how.leaf = 2;
     trial_scene_of(soup_mesh(60, (real)0.6, (real)0.9, 5), &s);
-    label_fill(&all, 0, 0, all.width, all.height, vec(1, 1, 1));
     for (int k = 0; k < 2; k++) {
         trial_row r = {.verbs = k ? &kdtree_trial : &kdtree_final_trial, .how = &how};
         trial_build(&r, &s);

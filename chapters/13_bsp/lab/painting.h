@@ -34,7 +34,6 @@ static inline bool painting_covers(const painting_piece *p, double x, double y)
 static inline void painting_number(figure *g, const painting_piece *p, size_t n, size_t k)
 {
     double mx = 0, my = 0;
-    char text[24];
     for (uint32_t i = 0; i < p[k].n; i++) mx += p[k].x[i] / p[k].n, my += p[k].y[i] / p[k].n;
     for (uint32_t i = 0; i < 3 * p[k].n; i++) {
         double part = 0.6 * (i / p[k].n) / 2, x = mx + part * (p[k].x[i % p[k].n] - mx);
@@ -42,9 +41,8 @@ static inline void painting_number(figure *g, const painting_piece *p, size_t n,
         bool hidden = false;
         for (size_t j = k + 1; j < n; j++) hidden |= painting_covers(&p[j], x, y);
         if (hidden) continue;
-        snprintf(text, sizeof text, "*%zu*", k + 1);
         figure_dot(g, x, y, 10, "#ffffff");
-        figure_text(g, x, y, 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, text);
+        figure_print(g, x, y, 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, "*%zu*", k + 1);
         return;
     }
 }
@@ -77,13 +75,10 @@ static inline void draw_cyclic(const options *o)
     mesh m = cyclic_mesh();
     failure f;
     painter cut, uncut;
-    camera_frame frame;
-    camera c;
     vec3 eye = {0.7, -1.3, 3};
+    camera c = camera_at(eye, (vec3){0, 0, 0}, (vec3){0, 1, 0}, 52, 1);
     painter_uncut(&m, &uncut);
-    if (!painter_build(&m, painter_defaults, &cut, &f)
-        || !frame_look_at(eye, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &f)
-        || !camera_perspective(frame, 52, 1, &c, &f)) fail(f);
+    if (!painter_build(&m, painter_defaults, &cut, &f)) fail(f);
     for (int k = 0; k < 2; k++) {
         const painter *p = k ? &cut : &uncut;
         uint32_t *order = allocate(p->pieces, sizeof *order);

@@ -65,15 +65,14 @@ static inline void strip_bsp(plane_tree *p, const bsp *b, uint32_t at, const vec
 static inline void strip_panel(figure *g, plane_tree *p, const mesh *m, int panel,
                                const char *name)
 {
-    char text[80];
     int asked = 0;
     plane_order(p);
     for (int i = 0; i < p->cells; i++) asked += p->cell[i].rank && p->cell[i].full;
     figure_origin(g, 10 + 320 * panel, 340, 30);
     plane_draw(g, p, m);
     figure_text(g, 5, 0, 0, -316, FIGURE_MIDDLE, FIGURE_BLACK, name);
-    snprintf(text, sizeof text, "%d cells; %d passed, %d asked", p->cells, p->passed, asked);
-    figure_text(g, 5, 0, 0, 22, FIGURE_MIDDLE, FIGURE_BLACK, text);
+    figure_print(g, 5, 0, 0, 22, FIGURE_MIDDLE, FIGURE_BLACK, "%d cells; %d passed, %d asked",
+                 p->cells, p->passed, asked);
 }
 
 static inline void draw_strip(const options *o)

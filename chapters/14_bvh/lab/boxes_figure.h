@@ -100,9 +100,8 @@ static inline void boxes_node(figure *g, const boxes_figure *x, uint32_t i, doub
         at += (uint32_t)snprintf(text + at, sizeof text - at, "%s%u", k ? ", " : "",
                                  x->b->index[n->first + k] + 1);
     figure_text(g, px, py, 0, 36, FIGURE_MIDDLE, FIGURE_GREY, text);
-    snprintf(text, sizeof text, "%s", x->turn[i] > 1 ? "asked second" : x->turn[i] ? "asked first"
-             : says[x->state[i]]);
-    figure_text(g, px, py, 0, 56, FIGURE_MIDDLE, FIGURE_BLACK, text);
+    figure_print(g, px, py, 0, 56, FIGURE_MIDDLE, FIGURE_BLACK, "%s",
+                 x->turn[i] > 1 ? "asked second" : x->turn[i] ? "asked first" : says[x->state[i]]);
 }
 
 static inline void boxes_tree(figure *g, const boxes_figure *x)
@@ -145,15 +144,13 @@ static inline void draw_nested(const options *o)
     boxes_boxes(&g, &x, deepest);
     for (int i = 0; i < boxes_balls; i++) {
         const double *c = boxes_ball[i];
-        char text[8];
         double ring[64];
         for (int k = 0; k < 32; k++) {
             ring[2 * k] = c[0] + c[2] * cos(k * (double)pi / 16);
             ring[2 * k + 1] = c[1] + c[2] * sin(k * (double)pi / 16);
         }
-        snprintf(text, sizeof text, "%d", i + 1);
         figure_polygon(&g, 32, ring, FIGURE_GREY, h.shape == (uint32_t)i ? 0.6 : 0.25, FIGURE_GREY);
-        figure_text(&g, c[0], c[1], 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, text);
+        figure_print(&g, c[0], c[1], 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, "%d", i + 1);
     }
     vec3 p = ray_at(r, h.t), end = ray_at(r, (real)10.2);
     figure_line(&g, (double)r.o.x, (double)r.o.y, (double)p.x, (double)p.y, FIGURE_RED, 2.5,

@@ -4,8 +4,6 @@
  *                                 bvh_rules is a row of it, and of most of the others
  *   table_of_orders(o, &s)        the nearer child first, or always the first; the closest, or any
  *   table_of_overlap(o, &s)       the formulas of cost.h, and counting
- *   table_of_paying(o, &s)        build + k rays, for k from 1e4 to 1e7; the Pareto front (帕累托前沿):
- *                                 those for which no other is built faster and searched faster
  *   table_of_slivers(o)           where triangles fill little of their boxes: cuts through them
  *   plot_of_pareto(o, &s)         each rule a curve, leaf sizes 16, 8, 4, 2 its points
  *   bvh_grow(o)                   against the number of triangles, up to a million
@@ -156,30 +154,6 @@ static inline void table_of_overlap(const options *o, const trial_scene *s)
     output_extra_table(o, &out);
 }
 
-static inline void table_of_paying(const options *o, const trial_scene *s)
-{
-    trial_row row[bvh_rule_count];
-    double build[bvh_rule_count], search[bvh_rule_count];
-    table out = table_new("Build and k diffuse rays together, one thread; "
-                          "front: none is faster in both",
-                          "rule|build [ms]|ray [ns]|front|1e4 rays [ms]|1e5 rays [ms]|"
-                          "1e6 rays [ms]|1e7 rays [ms]");
-    int n = rows_of_all_rules(row);
-    trials_run(row, n, s, 5);
-    for (int i = 0; i < n; i++)
-        build[i] = row[i].build, search[i] = trial_ns(&row[i], TRIAL_DIFFUSE) * 1e-9;
-    for (int i = 0; i < n; i++) {
-        bool front = true;
-        for (int j = 0; j < n; j++) front &= !(build[j] < build[i] && search[j] < search[i]);
-        table_text(&out, "%s", row[i].name);
-        table_number(&out, build[i] * 1e3), table_number(&out, search[i] * 1e9);
-        table_text(&out, front ? "yes" : "-");
-        for (double k = 1e4; k < 2e7; k *= 10) table_number(&out, (build[i] + k * search[i]) * 1e3);
-    }
-    output_extra_table(o, &out);
-    trial_end(row, n);
-}
-
 static inline void table_of_slivers(const options *o)
 {
     trial_row row[bvh_rule_count];
@@ -231,7 +205,7 @@ static inline void bvh_grow(const options *o)
     static const int fine[] = {1, 2, 4, 8, 16, 32, 64, 125};
     const bvh_options how = bvh_defaults;
     const trial_growth g = {.title = "Growth with n, SAH, bins, leaves of 8; one thread",
-                            .plots = {"14_bvh_n_time.svg", "14_bvh_n.svg"}, .name = "BVH",
+                            .plot = "14_bvh_n.svg",
                             .work = {"pairs of boxes", NULL, "triangles"}, .verbs = &bvh_trial,
                             .how = &how, .fine = fine, .sizes = 8, .width = 200, .brute = 64};
     trial_grow(o, &g);

@@ -111,7 +111,7 @@ static inline void pixel_draw(const options *o, const pixel_walk *w, const char 
 {
     static const char *const colour[] = {FIGURE_GREY, FIGURE_ORANGE, FIGURE_SKY, FIGURE_GREEN};
     static const char *const says[] = {"missed", "behind the hit", "entered", "a leaf, asked"};
-    char room[512], text[80];
+    char room[512];
     double from = real_largest, to = 0, step = 17;
     for (int i = 0; i < w->rows; i++) {
         if (w->row[i].fate == PIXEL_MISSED) continue;
@@ -130,15 +130,15 @@ static inline void pixel_draw(const options *o, const pixel_walk *w, const char 
         double y = -44 - step * i, x0 = 350 + scale * (row->enter - from);
         double x1 = 350 + scale * (row->exit - from);
         double bar[8] = {x0, y - 4, x1, y - 4, x1, y + 8, x0, y + 8};
-        snprintf(text, sizeof text, "box %u", row->node);
-        figure_text(&g, 10 * row->depth, y, 0, 4, FIGURE_LEFT, colour[row->fate], text);
+        figure_print(&g, 10 * row->depth, y, 0, 4, FIGURE_LEFT, colour[row->fate], "box %u",
+                     row->node);
         if (row->fate != PIXEL_MISSED) figure_polygon(&g, 4, bar, colour[row->fate], 0.7, NULL);
     }
     double x = 350 + scale * ((double)w->q.best.t - from), end = -50 - step * w->rows;
     if (w->q.best.shape != no_shape) {
         figure_line(&g, x, -36, x, end, FIGURE_RED, 1.5, FIGURE_WHOLE);
-        snprintf(text, sizeof text, "_t_ = %.6g", (double)w->q.best.t);
-        figure_text(&g, x, end, 0, 18, FIGURE_MIDDLE, FIGURE_RED, text);
+        figure_print(&g, x, end, 0, 18, FIGURE_MIDDLE, FIGURE_RED, "_t_ = %.6g",
+                     (double)w->q.best.t);
     }
     figure_end(&g);
 }

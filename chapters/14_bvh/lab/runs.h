@@ -53,14 +53,11 @@ static inline void draw_visits(const options *o, const trial_scene *s)
     image im = image_new(o->width, o->height);
     trial_picture p = {.verbs = &bvh_trial, .most = most};
     bool whole = trial_draw_work(s, p, true, 2, list, 4, o->threads, &im);
-    image sheet = label_panels(&im, 2, 2, 0, rule);
-    image all = image_new(sheet.width, sheet.height + bar);
-    label_fill(&all, 0, 0, all.width, all.height, vec(1, 1, 1));
-    image_place(&all, 0, 0, &sheet);
-    label_bar(&all, all.width / 4, sheet.height + 6, all.width / 2, 9, work_colour, 0, most,
+    label_titles(&im, 2, 2, 0, rule), label_below(&im, bar);
+    label_bar(&im, im.width / 4, im.height - bar + 6, im.width / 2, 9, work_colour, 0, most,
               "pairs of boxes and triangles a ray");
-    output_picture(o, &all, "14_bvh_visits.png", false, whole);
-    image_free(&im), image_free(&sheet), image_free(&all);
+    output_picture(o, &im, "14_bvh_visits.png", false, whole);
+    image_free(&im);
 }
 
 static inline void search_file(const options *o, const bvh_ray_file *file, const mesh *m,

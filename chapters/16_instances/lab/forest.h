@@ -107,10 +107,10 @@ static inline vec3 forest_place(random_stream *g, real depth, bool low)
 
 static inline affine forest_stand(random_stream *g, vec3 at, real low, real high)
 {
-    real height = plant_between(g, low, high);
-    real width = height * plant_between(g, 0.75, 1.3);
+    real height = random_between(g, low, high);
+    real width = height * random_between(g, 0.75, 1.3);
     affine a = affine_scaling((vec3){random_next_bits(g) & 1 ? width : -width, width, height});
-    a = affine_then(a, affine_rotation((vec3){0, 0, 1}, plant_between(g, 0, 2 * pi)));
+    a = affine_then(a, affine_rotation((vec3){0, 0, 1}, random_between(g, 0, 2 * pi)));
     return affine_then(a, affine_translation(at));
 }
 
@@ -154,14 +154,8 @@ static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed)
 
 static inline camera forest_camera(real aspect)
 {
-    camera_frame frame;
-    camera c;
-    failure f;
-    vec3 eye = {-2, -16, ground_height(-2, -16) + 11};
-    vec3 target = {6, 60, 5};
-    if (!frame_look_at(eye, target, (vec3){0, 0, 1}, &frame, &f)
-        || !camera_perspective(frame, 44, aspect, &c, &f)) fail(f);
-    return c;
+    vec3 eye = {-2, -16, ground_height(-2, -16) + 11}, target = {6, 60, 5};
+    return camera_at(eye, target, (vec3){0, 0, 1}, 44, aspect);
 }
 
 /* ---- light ---- */
@@ -187,7 +181,7 @@ static inline vec3 forest_paint(const forest *w, instance_hit h)
     if (h.h.shape < p->wood) return p->bark;
     random_stream g = random_start(3, h.instance, 0);
     vec3 own = blend(p->leaf, p->leaf_too, random_next(&g));
-    return vscale(own, plant_between(&g, 0.8, 1.2));
+    return vscale(own, random_between(&g, 0.8, 1.2));
 }
 
 static inline vec3 forest_colour(const void *context, real x, real y)

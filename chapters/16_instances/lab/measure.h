@@ -1,7 +1,7 @@
 /* measure.h: one forest, all ways to search it: time, memory, other answers.
  *
  *   table_of_methods(&o)       the main table, and its plot
- *   table_of_growth(&o)        memory and time from 1 to 1e5 instances, and a plot of memory
+ *   table_of_growth(&o)        memory and time from 1 to 1e5 instances
  */
 #ifndef INSTANCES_LAB_MEASURE_H
 #define INSTANCES_LAB_MEASURE_H
@@ -110,15 +110,10 @@ static inline double method_run_all(void *context)
 /* ns[k]: of a ray. */
 static inline void methods_time(const instances_method *m, int n, bool sun, int rounds, double *ns)
 {
-    bench_candidate c[8];
     method_run run[8];
-    for (int k = 0; k < n; k++) {
-        run[k] = (method_run){&m[k], sun};
-        c[k] = (bench_candidate){m[k].name, method_run_all, &run[k], 0, 0};
-    }
-    bench_time(c, n, rounds);
-    for (int k = 0; k < n; k++)
-        ns[k] = per(c[k].seconds * 1e9, sun ? m->s->shadow.n : m->s->eye.n);
+    for (int k = 0; k < n; k++) run[k] = (method_run){&m[k], sun};
+    bench_each(method_run_all, run, sizeof *run, n, rounds,
+               per(1e9, sun ? m->s->shadow.n : m->s->eye.n), ns);
 }
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
@@ -223,8 +218,6 @@ static inline void table_of_growth(const options *o)
     table out = table_new("Growth with the number of instances; flattened: built up to 100",
                           "instances|triangles|memory [MB]|flattened [MB]|build [ms]|"
                           "instances a ray|eye [ns]");
-    plot p = plot_new("Memory of a forest", "instances", "memory [MB]", PLOT_LOG_X | PLOT_LOG_Y);
-    int two = plot_series(&p, "two levels"), flat = plot_series(&p, "flattened");
     for (int i = 0; i < n; i++) {
         instances_survey s;
         double ns, entered, tests;
@@ -242,12 +235,9 @@ static inline void table_of_growth(const options *o)
                                ns};
         table_count(&out, number[i]);
         for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
-        plot_add(&p, two, (double)number[i], mb);
-        plot_add(&p, flat, (double)number[i], mb_a_triangle * triangles);
         survey_free(&s);
     }
     output_extra_table(o, &out);
-    output_plot(o, &p, "16_instances_memory.svg");
 }
 
 #endif

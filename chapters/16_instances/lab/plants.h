@@ -72,14 +72,9 @@ static inline void plant_leaf(plant *p, vec3 a, vec3 b, vec3 c, vec3 middle)
     plant_triangle(p, a, b, c, n[0], n[1], n[2]);
 }
 
-static inline real plant_between(random_stream *g, real lo, real hi)
-{
-    return lo + (hi - lo) * random_next(g);
-}
-
 static inline vec3 plant_direction(random_stream *g)
 {
-    real z = plant_between(g, -1, 1), phi = plant_between(g, 0, 2 * pi), s = sqrt(1 - z * z);
+    real z = random_between(g, -1, 1), phi = random_between(g, 0, 2 * pi), s = sqrt(1 - z * z);
     return (vec3){s * cos(phi), s * sin(phi), z};
 }
 
@@ -111,15 +106,15 @@ static inline plant plant_fir(uint64_t seed)
     p.wood = (uint32_t)p.m.triangles;
     for (int i = 0; i < rings; i++) {
         real x = (real)i / rings, z = (real)0.1 + (real)0.9 * x;
-        real turn = plant_between(&g, 0, 2 * pi);
+        real turn = random_between(&g, 0, 2 * pi);
         int n = most - i / 3;
         for (int k = 0; k < n; k++) {
-            real angle = turn + 2 * pi * ((real)k + plant_between(&g, 0, 0.5)) / (real)n;
-            real length = (real)0.235 * pow(1 - x, (real)0.85) * plant_between(&g, 0.8, 1)
+            real angle = turn + 2 * pi * ((real)k + random_between(&g, 0, 0.5)) / (real)n;
+            real length = (real)0.235 * pow(1 - x, (real)0.85) * random_between(&g, 0.8, 1)
                 + (real)0.02;
-            vec3 foot = {0, 0, z + plant_between(&g, -0.02, 0.02)};
+            vec3 foot = {0, 0, z + random_between(&g, -0.02, 0.02)};
             plant_fir_branch(&p, foot, (vec3){cos(angle), sin(angle), 0}, length,
-                             plant_between(&g, 0.35, 0.6));
+                             random_between(&g, 0.35, 0.6));
         }
     }
     p.bark = vec(0.16, 0.10, 0.07);
@@ -152,7 +147,7 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
     if (!leaves) plant_stem(p, a, radius, b, radius * (real)0.62);
     if (leaves && level >= h->levels - 2)
         for (int k = 0; k < h->leaves; k++) {
-            vec3 at = vmadd(vmadd(a, d, length * plant_between(g, 0.3, 1.1)),
+            vec3 at = vmadd(vmadd(a, d, length * random_between(g, 0.3, 1.1)),
                             plant_direction(g), length * (real)0.55 * random_next(g));
             vec3 x = plant_direction(g), y = vcross(x, plant_direction(g));
             plant_leaf(p, at, vmadd(at, x, h->leaf_size),
@@ -163,11 +158,11 @@ static inline void plant_branch(plant *p, random_stream *g, const plant_habit *h
         random_stream own = random_start(random_next_bits(g), 0, 0);  /* the same in both passes */
         vec3 s, t;
         vbasis(d, &s, &t);
-        real angle = 2 * pi * ((real)k + plant_between(&own, 0, 0.8)) / (real)h->children;
+        real angle = 2 * pi * ((real)k + random_between(&own, 0, 0.8)) / (real)h->children;
         vec3 e = vmadd(vmadd(d, s, h->spread * cos(angle)), t, h->spread * sin(angle));
         e.z += h->up;
-        plant_branch(p, &own, h, vmadd(a, d, length * plant_between(&own, 0.75, 1)), vunit(e),
-                     length * plant_between(&own, 0.62, 0.8), radius * (real)0.6,
+        plant_branch(p, &own, h, vmadd(a, d, length * random_between(&own, 0.75, 1)), vunit(e),
+                     length * random_between(&own, 0.62, 0.8), radius * (real)0.6,
                      level + 1, leaves);
     }
 }
@@ -195,8 +190,8 @@ static inline plant plant_grass(uint64_t seed)
     plant p = plant_room(2 * blades);
     random_stream g = random_start(seed, 5, 0);
     for (int k = 0; k < blades; k++) {
-        real angle = plant_between(&g, 0, 2 * pi), far = (real)0.9 * sqrt(random_next(&g));
-        real height = plant_between(&g, 0.4, 1), turn = plant_between(&g, 0, 2 * pi);
+        real angle = random_between(&g, 0, 2 * pi), far = (real)0.9 * sqrt(random_next(&g));
+        real height = random_between(&g, 0.4, 1), turn = random_between(&g, 0, 2 * pi);
         vec3 out = {cos(angle), sin(angle), 0}, side = {cos(turn), sin(turn), 0};
         vec3 a = vscale(out, far), b = vmadd(a, side, 0.09);
         vec3 tip = vmadd(a, out, (real)0.5 * height);

@@ -58,11 +58,10 @@ static inline void two_ray(figure *g, ray r, int from, double last, double right
     figure_arrow(g, (double)start.x, (double)start.y, (double)end.x, (double)end.y, FIGURE_ORANGE,
                  2);
     for (int t = from; t < last; t++) {
-        char name[8];
         vec3 p = ray_at(r, (real)t);
-        snprintf(name, sizeof name, "%d", t);
         figure_dot(g, (double)p.x, (double)p.y, 3.5, FIGURE_BLACK);
-        figure_text(g, (double)p.x, (double)p.y, right, down, FIGURE_MIDDLE, FIGURE_BLACK, name);
+        figure_print(g, (double)p.x, (double)p.y, right, down, FIGURE_MIDDLE, FIGURE_BLACK, "%d",
+                     t);
     }
 }
 

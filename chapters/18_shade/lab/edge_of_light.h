@@ -131,19 +131,16 @@ static inline void table_of_terminator(const options *o)
                         "error: 32, rmse|time [ns/pixel]");
     edge_ball b[2];
     edge_run run[edge_ways];
-    bench_candidate v[edge_ways];
+    double ns[edge_ways];
     edge_ball_build(&b[0], 8), edge_ball_build(&b[1], 32);
-    for (int k = 0; k < edge_ways; k++) {
-        run[k] = (edge_run){&b[0], k, size, 0};
-        v[k] = (bench_candidate){edge_way[k], edge_time, &run[k], 0, 0};
-    }
-    bench_time(v, edge_ways, o->quick ? 1 : 7);
+    for (int k = 0; k < edge_ways; k++) run[k] = (edge_run){&b[0], k, size, 0};
+    bench_each(edge_time, run, sizeof *run, edge_ways, o->quick ? 1 : 7, 1e9, ns);
     for (int k = 0; k < edge_ways; k++) {
         double rmse[2], most[2], dark[2];
         for (int i = 0; i < 2; i++) edge_errors(&b[i], size, k, &rmse[i], &most[i], &dark[i]);
         table_text(&t, "%s", edge_way[k]), table_number(&t, rmse[0]), table_number(&t, most[0]);
         table_number(&t, dark[0]), table_number(&t, rmse[1]);
-        table_number(&t, v[k].seconds * 1e9 / (double)run[k].asked);
+        table_number(&t, ns[k] / (double)run[k].asked);
     }
     output_extra_table(o, &t);
     edge_ball_free(&b[0]), edge_ball_free(&b[1]);
@@ -169,9 +166,9 @@ static inline void draw_terminator(const options *o)
             sum /= fine * fine;
             image_set(&all, k * (size + gap) + i % size, i / size, (vec3){sum, sum, sum});
         }
-    image sheet = label_panels(&all, edge_ways, 1, gap, edge_way);
-    output_picture(o, &sheet, "18_shade_terminator.png", false, true);
-    image_free(&all), image_free(&sheet), edge_ball_free(&b);
+    label_titles(&all, edge_ways, 1, gap, edge_way);
+    output_picture(o, &all, "18_shade_terminator.png", false, true);
+    image_free(&all), edge_ball_free(&b);
 }
 
 #endif

@@ -18,7 +18,6 @@ static inline void figure_beam(figure *g, double middle, double degrees)
     light sun = {LIGHT_DIRECTIONAL, {0, 1, 0}, {1, 1, 1}};
     vec3 n = vec(-sin(a), cos(a), 0);
     light_sample at;
-    char text[64];
     light_reaches(&sun, (vec3){0, 0, 0}, n, n, &at);
     double left = middle - width / 2, low = left - middle, half = 0.5 * width / cos(a);
     double beam[8] = {left, 2, left + width, 2, left + width, -low * slope, left, low * slope};
@@ -36,10 +35,9 @@ static inline void figure_beam(figure *g, double middle, double degrees)
     figure_text(g, middle, 2, 0, -6, FIGURE_MIDDLE, FIGURE_BLACK, "*l*");
     if (degrees > 0) figure_arc(g, middle, 0, 52, 90, 90 + degrees, FIGURE_BLACK, 1);
     if (degrees > 0) figure_text(g, middle - 0.09, 0.62, 0, 0, FIGURE_RIGHT, FIGURE_BLACK, "_θ_");
-    snprintf(text, sizeof text, "area %.2f", 2 * half);
-    figure_text(g, middle, -1.0, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, text);
-    snprintf(text, sizeof text, "_E_ = %.2f _E_~0~", (double)at.E.x);
-    figure_text(g, middle, -1.0, 0, 22, FIGURE_MIDDLE, FIGURE_BLACK, text);
+    figure_print(g, middle, -1.0, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "area %.2f", 2 * half);
+    figure_print(g, middle, -1.0, 0, 22, FIGURE_MIDDLE, FIGURE_BLACK, "_E_ = %.2f _E_~0~",
+                 (double)at.E.x);
 }
 
 static inline void draw_tilt(const options *o)

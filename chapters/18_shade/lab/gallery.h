@@ -116,13 +116,8 @@ static inline shading gallery_shading(const gallery *g)
 
 static inline camera gallery_look(real T, vec3 from, vec3 to, real degrees, real aspect)
 {
-    failure why;
-    camera_frame f;
-    camera c;
     vec3 t = {T, T, T};
-    if (!frame_look_at(vadd(from, t), vadd(to, t), (vec3){0, 0, 1}, &f, &why)) fail(why);
-    if (!camera_perspective(f, degrees, aspect, &c, &why)) fail(why);
-    return c;
+    return camera_at(vadd(from, t), vadd(to, t), (vec3){0, 0, 1}, degrees, aspect);
 }
 
 static inline camera gallery_camera(real T, real aspect)

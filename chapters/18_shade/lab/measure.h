@@ -52,15 +52,12 @@ static inline double leaving_seconds(void *context)
 static inline void leaving_time(departure_kind kind, uint64_t seed, double ns[leavings])
 {
     leaving_run *b = allocate(leavings, sizeof *b);
-    bench_candidate v[leavings];
     for (int k = 0; k < leavings; k++) {
         for (int i = 0; i < leaving_batch; i++)
             departure_make(&b[k].x[i], kind, 1, 1, seed, (uint64_t)i);
         b[k].way = ways[k];
-        v[k] = (bench_candidate){ways[k].name, leaving_seconds, &b[k], 0, 0};
     }
-    bench_time(v, leavings, 31);
-    for (int k = 0; k < leavings; k++) ns[k] = 1e9 * v[k].seconds / leaving_batch;
+    bench_each(leaving_seconds, b, sizeof *b, leavings, 31, 1e9 / leaving_batch, ns);
     free(b);
 }
 

@@ -53,9 +53,8 @@ static inline void draw_acne(const options *o)
     const real T = 10000;
     int w = o->quick ? 96 : 400, h = w * 9 / 16;
     gallery *g = gallery_new(o->quick ? 6 : 24, T);
-    image all = image_new(2 * w + 6, 2 * h + 6), im = image_new(w, h);
+    image all = label_sheet(2 * w + 6, 2 * h + 6), im = image_new(w, h);
     bool whole = true;
-    for (size_t i = 0; i < 3 * (size_t)all.width * (size_t)all.height; i++) all.rgb[i] = 1;
     for (int k = 0; k < 4 && whole; k++) {
         gallery_view v = {.g = g, .how = gallery_shading(g), .samples = o->quick ? 1 : 2,
                           .im = &im};
@@ -67,9 +66,9 @@ static inline void draw_acne(const options *o)
     }
     static const char *const title[] = {"float, tmin = 1e-4: acne", "leave", "tmin = 0.03: leaks",
                                         "leave"};
-    image sheet = label_panels(&all, 2, 2, 6, title);
-    output_picture(o, &sheet, "18_shade_acne.png", false, whole);
-    image_free(&all), image_free(&im), image_free(&sheet), gallery_free(g);
+    label_titles(&all, 2, 2, 6, title);
+    output_picture(o, &all, "18_shade_acne.png", false, whole);
+    image_free(&all), image_free(&im), gallery_free(g);
 }
 
 #endif

@@ -46,7 +46,6 @@ static inline void chance_run(figure *g, int run)
 static inline void chance_die(figure *g)
 {
     double band[4 * (chance_steps + 1)];
-    char text[16];
     for (int k = 0; k <= chance_steps; k++) {
         double x = (double)k / chance_steps, e = sqrt(35.0 / 12 / chance_n(k)) / 5;
         double *high = band + 2 * k, *low = band + 2 * (2 * chance_steps + 1 - k);
@@ -56,14 +55,10 @@ static inline void chance_die(figure *g)
     figure_line(g, 0, 0.5, 1.03, 0.5, FIGURE_GREY, 1.2, FIGURE_DASHED);
     for (int run = 0; run < 5; run++) chance_run(g, run);
     chance_frame(g, "_N_", "means of _N_ throws of a die, five runs");
-    for (int face = 1; face <= 6; face++) {
-        snprintf(text, sizeof text, "%d", face);
-        figure_text(g, 0, chance_face(face), -8, 5, FIGURE_RIGHT, FIGURE_BLACK, text);
-    }
-    for (int n = 1; n <= chance_most; n *= 4) {
-        snprintf(text, sizeof text, "%d", n);
-        figure_text(g, log(n) / log(chance_most), 0, 0, 20, FIGURE_MIDDLE, FIGURE_BLACK, text);
-    }
+    for (int face = 1; face <= 6; face++)
+        figure_print(g, 0, chance_face(face), -8, 5, FIGURE_RIGHT, FIGURE_BLACK, "%d", face);
+    for (int n = 1; n <= chance_most; n *= 4)
+        figure_print(g, log(n) / log(chance_most), 0, 0, 20, FIGURE_MIDDLE, FIGURE_BLACK, "%d", n);
     figure_text(g, 0.99, 0.5, 0, -32, FIGURE_RIGHT, FIGURE_BLACK, "_E_[_X_] = 3.5");
     figure_text(g, 0.22, 0.96, 0, 0, FIGURE_LEFT, FIGURE_BLUE, "3.5 ± _s_ / √_N_");
 }

@@ -107,9 +107,9 @@ static inline void draw_dome(const options *o)
                  dome_error(job->off + k * dome_wide * dome_high));
         title[k] = text[k];
     }
-    image sheet = label_panels(&im, dome_panels, 1, dome_gap, title);
-    output_picture(o, &sheet, "20_monte_carlo_sky.png", false, whole);
-    image_free(&sheet), image_free(&im), free(job);
+    label_titles(&im, dome_panels, 1, dome_gap, title);
+    output_picture(o, &im, "20_monte_carlo_sky.png", false, whole);
+    image_free(&im), free(job);
 }
 
 #endif

@@ -33,13 +33,9 @@ static inline void number_or_dash(table *t, double x)
 static inline void measure_time(const options *o, double ns[convergence_methods])
 {
     monte_carlo_timed e[convergence_methods];
-    bench_candidate v[convergence_methods];
-    for (int k = 0; k < convergence_methods; k++) {
-        e[k] = (monte_carlo_timed){k, o->seed, 1024};
-        v[k] = (bench_candidate){.run = run_estimate, .context = &e[k]};
-    }
-    bench_time(v, convergence_methods, o->full ? 99 : o->quick ? 5 : 31);
-    for (int k = 0; k < convergence_methods; k++) ns[k] = v[k].seconds / 1024 * 1e9;
+    for (int k = 0; k < convergence_methods; k++) e[k] = (monte_carlo_timed){k, o->seed, 1024};
+    bench_each(run_estimate, e, sizeof *e, convergence_methods, o->full ? 99 : o->quick ? 5 : 31,
+               1e9 / 1024, ns);
 }
 
 static inline void methods_plot(const options *o, const convergence *c, const double *ns)

@@ -29,11 +29,6 @@ static inline monte_carlo_place panel_of(const monte_carlo_panels *p, int i)
     return (monte_carlo_place){i % p->across * w, i / p->across * h, side > 0 ? side : 0};
 }
 
-static inline void panel_paint(image *im, vec3 colour)
-{
-    label_fill(im, 0, 0, im->width, im->height, colour);
-}
-
 /* ---- points ---- */
 
 enum { points_columns = 4, points_rows = 3, shadow_cells = 48 };
@@ -118,12 +113,11 @@ static inline void points_panel(size_t i, void *context)
 static inline void draw_points(const options *o)
 {
     bool words = o->width >= 800 && o->height >= 600;
-    image im = image_new(o->width, o->height - (words ? 26 * points_rows : 0)), sheet = im;
+    image im = label_sheet(o->width, o->height - (words ? 26 * points_rows : 0));
     monte_carlo_points *p = allocate(1, sizeof *p);
     const char *title[points_columns * points_rows];
     char text[points_columns][32];
     p->sheet = (monte_carlo_panels){&im, points_columns, points_rows, o->seed, 256};
-    panel_paint(&im, vec(1, 1, 1));
     bool whole = parallel_for(shadow_cells, o->threads, "shadow", truth_row, p)
               && parallel_for(points_columns * points_rows, o->threads, "points", points_panel, p);
     for (int k = 0; k < points_columns; k++) {
@@ -131,9 +125,8 @@ static inline void draw_points(const options *o)
         title[k] = sequence_name[points_kind[k]], title[points_columns + k] = "dimensions 15, 16";
         title[2 * points_columns + k] = text[k];
     }
-    if (words) sheet = label_panels(&im, points_columns, points_rows, panel_gap, title);
-    output_picture(o, &sheet, "20_monte_carlo.png", true, whole);
-    if (words) image_free(&sheet);
+    if (words) label_titles(&im, points_columns, points_rows, panel_gap, title);
+    output_picture(o, &im, "20_monte_carlo.png", true, whole);
     image_free(&im), free(p);
 }
 
@@ -224,17 +217,14 @@ static inline void draw_wrong(const options *o)
         "sample_sphere", "sample_hemisphere"};
     if (o->out) return;
     image im = image_new(wrong_columns * side - panel_gap, 2 * side - panel_gap);
-    panel_paint(&im, vec(0.8f, 0.8f, 0.8f));
+    label_fill(&im, 0, 0, im.width, im.height, vec(0.8f, 0.8f, 0.8f));
     monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
     bool whole = parallel_for(2 * wrong_columns, o->threads, "densities", wrong_panel, &p);
-    image panels = label_panels(&im, wrong_columns, 2, panel_gap, title);
-    image sheet = image_new(panels.width, panels.height + strip);
-    panel_paint(&sheet, vec(1, 1, 1));
-    image_place(&sheet, 0, 0, &panels);
-    label_bar(&sheet, panels.width / 2 - 200, panels.height + 12, 400, 10, heat_of, 0.25, 4,
+    label_titles(&im, wrong_columns, 2, panel_gap, title), label_below(&im, strip);
+    label_bar(&im, im.width / 2 - 200, im.height - strip + 12, 400, 10, heat_of, 0.25, 4,
               "found / expected: white 1, a doubling each quarter");
-    output_picture(o, &sheet, "20_monte_carlo_wrong.png", false, whole);
-    image_free(&sheet), image_free(&panels), image_free(&im);
+    output_picture(o, &im, "20_monte_carlo_wrong.png", false, whole);
+    image_free(&im);
 }
 
 #endif

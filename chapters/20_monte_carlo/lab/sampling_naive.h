@@ -85,8 +85,6 @@ static inline vec3 sample_cone_naive(real angle, real u, real v)
     return sample_turn(sqrt(real_max(1 - z * z, 0)), z, v);
 }
 
-static inline real pdf_cone_naive(real angle) { return 1 / (2 * pi * (1 - cos(angle))); }
-
 /* n = 1e6 in float: z takes a few dozen values below 1, so directions lie on a few dozen rings. */
 static inline vec3 sample_lobe_naive(real n, real u, real v)
 {

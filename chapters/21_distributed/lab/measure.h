@@ -54,7 +54,6 @@ static inline distributed_study picture_measure(const options *o, distributed_vi
     image im = image_new(w, h), reference = image_new(w, h);
     distributed_study p = {.seconds = {0}};
     distributed_run run[measure_methods];
-    bench_candidate clock[measure_methods];
     v.samples = o->quick ? 128 : 512, v.seed = o->seed + 1000;
     picture_draw(o, &v, &reference), v.seed = o->seed;
     for (int m = 0; m < measure_methods; m++) {
@@ -65,10 +64,9 @@ static inline distributed_study picture_measure(const options *o, distributed_vi
             p.error[m][l] = image_compare(&im, &reference).rmse;
         }
         run[m] = (distributed_run){v, im}, run[m].v.samples = 16, run[m].v.seed = 1;
-        clock[m] = (bench_candidate){.run = picture_seconds, .context = &run[m]};
     }
-    bench_time(clock, measure_methods, o->quick ? 1 : 3);
-    for (int m = 0; m < measure_methods; m++) p.seconds[m] = clock[m].seconds / 16;
+    bench_each(picture_seconds, run, sizeof *run, measure_methods, o->quick ? 1 : 3, 1.0 / 16,
+               p.seconds);
     image_free(&im), image_free(&reference);
     return p;
 }
@@ -240,15 +238,14 @@ static inline void table_of_first(const options *o)
     table t = table_new(title, "question|samples|answer|error mean|error +-|error rms|time [ns]");
     for (int i = 0; i < 3; i++) {
         known_ask *a = allocate(2, sizeof *a);
-        bench_candidate v[2];
+        double seconds[2];
         for (int k = 0; k < 2; k++) {
             known_make(kinds[i], &a[k].full);
             a[k].first = known_first_of(kinds[i]), a[k].is_first = k == 0, a[k].seed = o->seed;
-            v[k] = (bench_candidate){.run = known_ask_run, .context = &a[k]};
         }
-        bench_time(v, 2, 51);
+        bench_each(known_ask_run, a, sizeof *a, 2, 51, 1, seconds);
         for (int k = 0; k < 2; k++)
-            first_row(&t, &a[k], v[k].seconds), known_free(&a[k].full);
+            first_row(&t, &a[k], seconds[k]), known_free(&a[k].full);
         free(a);
     }
     output_extra_table(o, &t);

@@ -26,10 +26,8 @@ static inline int pictures_cells(const options *o) { return o->quick ? 5 : 16; }
 /* White between the panels. */
 static inline image pictures_sheet(int across, int down, int w, int h)
 {
-    image im = image_new(across * (w + pictures_gap) - pictures_gap,
-                         down * (h + pictures_gap) - pictures_gap);
-    for (size_t i = 0; i < 3 * (size_t)im.width * (size_t)im.height; i++) im.rgb[i] = 1;
-    return im;
+    return label_sheet(across * (w + pictures_gap) - pictures_gap,
+                       down * (h + pictures_gap) - pictures_gap);
 }
 
 static inline bool pictures_panel(image *sheet, int i, int j, image *one, distributed_view *v,
@@ -44,9 +42,9 @@ static inline bool pictures_panel(image *sheet, int i, int j, image *one, distri
 static inline void pictures_output(const options *o, image *sheet, int across, int down,
                                    const char *const *title, const char *name, bool whole)
 {
-    image labelled = label_panels(sheet, across, down, pictures_gap, title);
-    output_picture(o, &labelled, name, false, whole);
-    image_free(&labelled), image_free(sheet);
+    label_titles(sheet, across, down, pictures_gap, title);
+    output_picture(o, sheet, name, false, whole);
+    image_free(sheet);
 }
 
 static inline void pictures_print(const distributed_view *v, double seconds)

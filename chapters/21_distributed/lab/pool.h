@@ -121,13 +121,9 @@ static inline void pool_free(pool *g)
 
 static inline distributed_view pool_view(const pool *g, real aspect)
 {
-    failure why;
-    camera_frame f;
-    distributed_view v = {.w = &g->w, .how = &g->how, .kind = SEQUENCE_SOBOL, .seed = 1};
-    if (!frame_look_at(vec(-0.4, -11, 8.2), vec(0.45, 0.1, 0.55), (vec3){0, 0, 1}, &f, &why)
-        || !camera_perspective(f, 26, aspect, &v.c, &why))
-        fail(why);
-    return v;
+    camera c = camera_at(vec(-0.4, -11, 8.2), vec(0.45, 0.1, 0.55), vec(0, 0, 1), 26, aspect);
+    return (distributed_view){.w = &g->w, .how = &g->how, .c = c, .kind = SEQUENCE_SOBOL,
+                              .seed = 1};
 }
 
 #endif

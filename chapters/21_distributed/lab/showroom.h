@@ -151,13 +151,8 @@ static inline distributed_view showroom_view(const showroom_look *k, showroom_sh
         {1.6, -15, 4.6, 0.2, 0, 1.6, 16, 14.4},   {1.6, -15, 4.6, 1.9, -1.8, 0.7, 14, 14.4},
         {1.6, -15, 4.6, -2.6, 0, 0.9, 20, 14.4}};
     const double *l = look[shot];
-    failure why;
-    camera_frame f;
     distributed_view v = {.w = &k->w, .how = &k->how, .kind = SEQUENCE_SOBOL, .seed = 1};
-    if (!frame_look_at(vec(l[0], l[1], l[2]), vec(l[3], l[4], l[5]),
-                       (vec3){0, 0, 1}, &f, &why)
-        || !camera_perspective(f, (real)l[6], aspect, &v.c, &why))
-        fail(why);
+    v.c = camera_at(vec(l[0], l[1], l[2]), vec(l[3], l[4], l[5]), vec(0, 0, 1), (real)l[6], aspect);
     v.lens = (thin_lens){k->effects & EFFECT_LENS ? (real)0.22 : 0, (real)l[7]};
     return v;
 }

@@ -87,14 +87,8 @@ static inline mesh cornell_mesh(void)
 /* Film .025 wide, focal length .035: 39.3 degrees both ways if aspect = width / height = 1. */
 static inline camera cornell_camera(real aspect)
 {
-    camera_frame f;
-    camera c;
-    failure why;
     real view = 2 * atan((real)0.0125 / (real)0.035) * 180 / pi;
-    if (!frame_look_at((vec3){278, 273, -800}, (vec3){278, 273, 0}, (vec3){0, 1, 0}, &f, &why)
-        || !camera_perspective(f, view, aspect, &c, &why))
-        fail(why);
-    return c;
+    return camera_at((vec3){278, 273, -800}, (vec3){278, 273, 0}, (vec3){0, 1, 0}, view, aspect);
 }
 
 #endif

@@ -51,15 +51,10 @@ static const radiometry_hard_case hard_list[] = {
 };
 enum { hard_cases = sizeof hard_list / sizeof *hard_list };
 
-static inline real hard_between(random_stream *s, double lo, double hi)
-{
-    return (real)(lo + (hi - lo) * (double)random_next(s));
-}
-
 static inline vec3 hard_point(random_stream *s, double size)
 {
-    real x = hard_between(s, -size, size), y = hard_between(s, -size, size);
-    return (vec3){x, y, hard_between(s, -size, size)};
+    real x = random_between(s, -size, size), y = random_between(s, -size, size);
+    return (vec3){x, y, random_between(s, -size, size)};
 }
 
 /* Seen from the origin, the surface being the plane z = 0. */
@@ -67,24 +62,24 @@ static inline radiometry_hard_input hard_make(const radiometry_hard_case *c, ran
 {
     radiometry_hard_input h = {.kind = c->kind, .s.r = 1};
     real d = (real)(1 / c->size), gap = (real)c->size;
-    real turn = hard_between(s, 0, 6), spread = hard_between(s, 0.5, 1);
+    real turn = random_between(s, 0, 6), spread = random_between(s, 0.5, 1);
     if (c->shape != SHAPE_ANY) d = c->shape == SHAPE_TOUCHING ? 1 + gap * spread : 10 * spread;
     if (c->kind == HARD_SPHERE_ANGLE) h.s.c = vscale((vec3){cos(turn), sin(turn), 0}, d * spread);
     if (c->kind == HARD_SPHERE_ANGLE && c->shape == SHAPE_TOUCHING) h.s.c = (vec3){0, d, 0};
-    if (c->kind == HARD_SPHERE_E) h.s.c = (vec3){d, 0, hard_between(s, -0.9, 0)};
+    if (c->kind == HARD_SPHERE_E) h.s.c = (vec3){d, 0, random_between(s, -0.9, 0)};
     if (c->kind == HARD_SPHERE_E && c->shape == SHAPE_GRAZING) h.s.c.z = -1 + gap;
     if (c->kind == HARD_TRIANGLE_ANGLE) {
         real size = c->shape == SHAPE_GRAZING ? 1 : (real)c->size;
-        vec3 a = {hard_between(s, 1, 2), hard_between(s, -1, 1), hard_between(s, -1, 1)};
+        vec3 a = {random_between(s, 1, 2), random_between(s, -1, 1), random_between(s, -1, 1)};
         h.t = (triangle){a, vadd(a, hard_point(s, (double)size)),
                          vadd(a, hard_point(s, (double)size))};
         if (c->shape == SHAPE_GRAZING) h.t.a.z = h.t.b.z = h.t.c.z = gap;
     }
     if (c->kind != HARD_SQUARE_E) return h;
-    real size = c->shape == SHAPE_ANY ? (real)c->size : 1, x = hard_between(s, 1, 2), z = gap;
-    if (c->shape == SHAPE_ANY) z = hard_between(s, 0.2, 1);
+    real size = c->shape == SHAPE_ANY ? (real)c->size : 1, x = random_between(s, 1, 2), z = gap;
+    if (c->shape == SHAPE_ANY) z = random_between(s, 0.2, 1);
     if (c->shape == SHAPE_GRAZING) z = gap - size;  /* upright: nearly all of it below */
-    vec3 o = {x, hard_between(s, -0.9, -0.1) * size, z};
+    vec3 o = {x, random_between(s, -0.9, -0.1) * size, z};
     rectangle r = {o, {0, 0, size}, {0, size, 0}};
     if (c->shape == SHAPE_TOUCHING) r = (rectangle){{-spread, o.y, z}, {0, 1, 0}, {1, 0, 0}};
     h.v[0] = r.o, h.v[1] = vadd(r.o, r.s), h.v[2] = vadd(h.v[1], r.t), h.v[3] = vadd(r.o, r.t);
@@ -176,17 +171,14 @@ static inline void measure_hard(const options *o)
     radiometry_hard_run *r = allocate(most_variants, sizeof *r);
     for (int k = 0; k < hard_cases; k++) {
         const radiometry_hard_case *c = &hard_list[k];
-        bench_candidate v[most_variants];
-        for (int i = 0; i < most_variants; i++) {
-            hard_fill(&r[i], c, o->seed), r[i].variant = i;
-            v[i] = (bench_candidate){.run = run_hard, .context = &r[i]};
-        }
-        bench_time(v, most_variants, 21);
+        double ns[most_variants];
+        for (int i = 0; i < most_variants; i++) hard_fill(&r[i], c, o->seed), r[i].variant = i;
+        bench_each(run_hard, r, sizeof *r, most_variants, 21, 1e9 / hard_inputs, ns);
         table_text(&t, "%s", c->name), table_text(&t, "%s", c->input);
         for (int i = 0; i < 2 * most_variants; i++) {
             if (!hard_has(c->kind, i % most_variants)) table_text(&t, "-");
             else if (i < most_variants) table_number(&t, hard_error(&r[0], i));
-            else table_number(&t, v[i - most_variants].seconds / hard_inputs * 1e9);
+            else table_number(&t, ns[i - most_variants]);
         }
     }
     output_extra_table(o, &t);

@@ -136,15 +136,10 @@ static inline double timed_run(void *context)
 static inline void measure_times(const options *o, int surface, double ns[methods])
 {
     brdf_timed m[methods];
-    bench_candidate v[methods];
     int n = surface == WINDOW ? methods : FIRST;
     if (!method_suits(o, 0, surface)) return;
-    for (int k = 0; k < n; k++) {
-        m[k] = (brdf_timed){surface, k};
-        v[k] = (bench_candidate){.run = timed_run, .context = &m[k]};
-    }
-    bench_time(v, n, o->quick ? 3 : 31);
-    for (int k = 0; k < n; k++) ns[k] = v[k].seconds / level_samples(3) * 1e9;
+    for (int k = 0; k < n; k++) m[k] = (brdf_timed){surface, k};
+    bench_each(timed_run, m, sizeof *m, n, o->quick ? 3 : 31, 1e9 / level_samples(3), ns);
 }
 
 static inline void plot_survey(const options *o, const brdf_survey *s, double ns[surfaces][methods],

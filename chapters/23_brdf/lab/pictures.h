@@ -89,9 +89,8 @@ static inline void draw_spheres(const options *o)
     snprintf(title[3], sizeof title[3], "the same, %d well spread", o->quick ? 4 : 64);
     const char *const names[4] = {title[0], title[1], title[2], title[3]};
     bool labels = o->width >= 600 && o->height >= 300 && o->height % 4 == 0;
-    image named = labels ? label_panels(&im, 1, 4, 0, names) : im;
-    output_picture(o, &named, "23_brdf.png", true, whole);
-    if (labels) image_free(&named);
+    if (labels) label_titles(&im, 1, 4, 0, names);
+    output_picture(o, &im, "23_brdf.png", true, whole);
     image_free(&im);
 }
 

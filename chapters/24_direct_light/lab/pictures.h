@@ -112,9 +112,9 @@ static inline void draw_exhibit(const options *o, const direct_exhibit *x)
         image_place(&sheet, k * (across + gap), 0, &im);
         image_free(&im);
     }
-    image titled = label_panels(&sheet, x->n, 1, gap, x->title);
-    output_picture(o, &titled, x->file, false, whole);
-    image_free(&sheet), image_free(&titled), stage_close(&g);
+    label_titles(&sheet, x->n, 1, gap, x->title);
+    output_picture(o, &sheet, x->file, false, whole);
+    image_free(&sheet), stage_close(&g);
 }
 
 #endif

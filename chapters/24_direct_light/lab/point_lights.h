@@ -87,9 +87,9 @@ static inline void draw_points(const options *o)
         image_place(&sheet, t.panel * (across + gap), 0, &t.im);
         image_free(&t.im);
     }
-    image titled = label_panels(&sheet, points_panels, 1, gap, title);
-    output_picture(o, &titled, "24_direct_light_points.png", false, whole);
-    image_free(&sheet), image_free(&titled), lit_lights_free(&t.l), stage_close(&t.g);
+    label_titles(&sheet, points_panels, 1, gap, title);
+    output_picture(o, &sheet, "24_direct_light_points.png", false, whole);
+    image_free(&sheet), lit_lights_free(&t.l), stage_close(&t.g);
 }
 
 /* ---- error against k ---- */

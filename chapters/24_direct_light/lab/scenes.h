@@ -30,13 +30,7 @@ static const double plate_radius[plate_lights] = {0.033, 0.1, 0.3, 0.9};
 
 static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
 {
-    camera_frame f;
-    camera c;
-    failure why;
-    if (!frame_look_at(from, at, (vec3){0, 1, 0}, &f, &why)
-        || !camera_perspective(f, (real)view, aspect, &c, &why))
-        fail(why);
-    return c;
+    return camera_at(from, at, (vec3){0, 1, 0}, (real)view, aspect);
 }
 
 static const vec3 plate_eye = {0, 2, 15};

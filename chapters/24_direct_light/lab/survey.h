@@ -145,17 +145,13 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
 
 static inline void survey_measure(direct_survey *s, const options *o, int least)
 {
-    bench_candidate v[survey_most];
     survey_run run[survey_most];
     s->levels = least ? survey_time_level + 1 : survey_levels;
     parallel_for((size_t)(s->entries * (s->levels - least)), o->threads, "samples", survey_job, s);
-    for (int k = 0; k < s->entries; k++) {
-        run[k] = (survey_run){s, k};
-        v[k] = (bench_candidate){.run = survey_timed, .context = &run[k]};
-    }
-    bench_time(v, s->entries, o->quick ? 1 : 3);
+    for (int k = 0; k < s->entries; k++) run[k] = (survey_run){s, k};
     double samples = (double)s->points * survey_samples(survey_time_level);
-    for (int k = 0; k < s->entries; k++) s->seconds[k] = v[k].seconds / samples;
+    bench_each(survey_timed, run, sizeof *run, s->entries, o->quick ? 1 : 3, 1 / samples,
+               s->seconds);
 }
 
 static inline void survey_close(direct_survey *s)

@@ -94,13 +94,11 @@ static inline void ways_curve(figure *g, double (*f)(double), double most, const
 
 static inline void ways_axes(figure *g, const char *title, const char *top)
 {
-    char degrees[16];
     figure_line(g, 0, 0, 1, 0, FIGURE_BLACK, 1, FIGURE_WHOLE);
     figure_line(g, 0, 0, 0, 1.05, FIGURE_BLACK, 1, FIGURE_WHOLE);
     for (int x = 0; x <= 80; x += 20) {
-        snprintf(degrees, sizeof degrees, "%d°", x);
         figure_line(g, x / 85.0, 0, x / 85.0, -0.02, FIGURE_BLACK, 1, FIGURE_WHOLE);
-        figure_text(g, x / 85.0, 0, 0, 20, FIGURE_MIDDLE, FIGURE_BLACK, degrees);
+        figure_print(g, x / 85.0, 0, 0, 20, FIGURE_MIDDLE, FIGURE_BLACK, "%d°", x);
     }
     figure_text(g, 0, 1, -6, 5, FIGURE_RIGHT, FIGURE_BLACK, top);
     figure_text(g, 0.5, 0, 0, 48, FIGURE_MIDDLE, FIGURE_BLACK, title);

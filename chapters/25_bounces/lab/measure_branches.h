@@ -182,15 +182,13 @@ static inline double timed_run(void *context)
 static inline int trial_times(branch_survey *b, const options *o, int first)
 {
     timed_trial t[branch_kinds];
-    bench_candidate v[branch_kinds];
+    double seconds[branch_kinds];
     int n = 0;
     branch_trial *of = &b->trial[first];
-    for (; first + n < b->trials && of[n].room == of->room && of[n].d == of->d; n++) {
+    for (; first + n < b->trials && of[n].room == of->room && of[n].d == of->d; n++)
         t[n] = (timed_trial){b, &of[n], o->quick ? 500 : 3000, 0};
-        v[n] = (bench_candidate){.run = timed_run, .context = &t[n]};
-    }
-    bench_time(v, n, o->quick ? 1 : 15);
-    for (int i = 0; i < n; i++) of[i].us = v[i].seconds / t[i].rays * of[i].rays * 1e6;
+    bench_each(timed_run, t, sizeof *t, n, o->quick ? 1 : 15, 1e6, seconds);
+    for (int i = 0; i < n; i++) of[i].us = seconds[i] / t[i].rays * of[i].rays;
     return first + n;
 }
 

@@ -49,11 +49,9 @@ static inline void tree_ray(figure *g, const branching_walk *w)
     if (x->m) figure_dot(g, z1, y1, w->k < 3 ? 3 : 2, tree_colour[w->k]);
     if (x->m && !vzero(w->brought)) figure_dot(g, z1, y1, 6, FIGURE_RED);
     if (x->m && w->N == 1) {
-        char name[16];
-        snprintf(name, sizeof name, "*x*~%d~", w->k);
         bool right = z1 > 550;  /* beyond the rear wall */
-        figure_text(g, z1, y1, right ? 8 : -9, -6, right ? FIGURE_LEFT : FIGURE_RIGHT,
-                    tree_colour[w->k], name);
+        figure_print(g, z1, y1, right ? 8 : -9, -6, right ? FIGURE_LEFT : FIGURE_RIGHT,
+                     tree_colour[w->k], "*x*~%d~", w->k);
     }
 }
 

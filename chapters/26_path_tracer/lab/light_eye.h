@@ -87,9 +87,9 @@ static inline void draw_light(const options *o)
         image_free(&im[k]);
     }
     output_extra_table(o, &counted);
-    image titled = label_panels(&all, 2, 1, 0, title);
-    output_picture(o, &titled, "26_path_tracer_light.png", false, whole && lit);
-    image_free(&all), image_free(&titled);
+    label_titles(&all, 2, 1, 0, title);
+    output_picture(o, &all, "26_path_tracer_light.png", false, whole && lit);
+    image_free(&all);
     film_free(&m), path_tracer_free(&t), showcase_free(&c);
 }
 

@@ -122,7 +122,7 @@ static inline vec3 pixel_walk(const path_tracer *t, ray eye, path_random s, pixe
 static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
                               const pixel_path *path)
 {
-    char room[512], name[16];
+    char room[512];
     camera view = showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
     figure g = figure_at(output_path(o, "26_path_tracer_pixel.svg", true, room), 480, 480);
     figure_origin(&g, 0, 480, 480);
@@ -141,9 +141,8 @@ static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
     }
     for (int k = 0; k < path->n; k++) {
         vertices_point p = vertices_place(view, path->v[k].p);
-        snprintf(name, sizeof name, "*x*~%d~", k);
         figure_dot(&g, p.x, p.y, 5, FIGURE_BLUE);
-        figure_text(&g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, name);
+        figure_print(&g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, "*x*~%d~", k);
     }
     figure_end(&g);
 }

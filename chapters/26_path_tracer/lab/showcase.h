@@ -42,13 +42,7 @@ static inline const environment *showcase_sky(const showcase *c)
 
 static inline camera showcase_eye(vec3 from, vec3 at, real degrees, real aspect)
 {
-    camera_frame f;
-    camera c;
-    failure why;
-    if (!frame_look_at(from, at, (vec3){0, 1, 0}, &f, &why)
-        || !camera_perspective(f, degrees, aspect, &c, &why))
-        fail(why);
-    return c;
+    return camera_at(from, at, (vec3){0, 1, 0}, degrees, aspect);
 }
 
 static inline void showcase_ball(lit_scene *s, vec3 c, real r, lit_material m)

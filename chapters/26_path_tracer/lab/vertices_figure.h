@@ -151,7 +151,6 @@ static inline void vertices_room(figure *g, camera c, const lit_scene *s)
 
 static inline void vertices_path(figure *g, camera c, vec3 eye, const vertex_seen *v)
 {
-    char name[16];
     vec3 from = vadd(v[0].p, vscale(vsub(eye, v[0].p), (real)0.42));
     for (int k = 0; k < vertices_most; k++)
         if (v[k].drawn)
@@ -162,9 +161,8 @@ static inline void vertices_path(figure *g, camera c, vec3 eye, const vertex_see
     for (int k = 0; k < vertices_most; k++) {
         vertices_point p = vertices_place(c, v[k].p), y = vertices_place(c, v[k].lamp);
         if (v[k].drawn) figure_dot(g, y.x, y.y, 3.5, v[k].blocked ? FIGURE_GREY : FIGURE_RED);
-        snprintf(name, sizeof name, "*x*~%d~", k);
         figure_dot(g, p.x, p.y, 5, FIGURE_BLUE);
-        figure_text(g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, name);
+        figure_print(g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, "*x*~%d~", k);
     }
     vertices_point e = vertices_place(c, from), y = vertices_place(c, v[0].lamp);
     vertices_point metal = vertices_place(c, (vec3){390, 30, 350});
@@ -185,14 +183,11 @@ static inline void vertices_rows(figure *g, const vertex_seen *v)
     figure_line(g, 0, -12, 420, -12, FIGURE_GREY, 1, FIGURE_WHOLE);
     for (int k = 0; k < vertices_most; k++) {
         double y = -row * (k + 1), gain = (double)v[k].gain.y;
-        snprintf(text, sizeof text, "*x*~%d~", k);
-        figure_text(g, column[0], y, 0, 0, FIGURE_LEFT, FIGURE_BLUE, text);
-        snprintf(text, sizeof text, "%.3f", (double)v[k].beta.y);
-        figure_text(g, column[1], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, text);
-        snprintf(text, sizeof text, "%.4f", (double)v[k].weight);
-        figure_text(g, column[2], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, text);
-        snprintf(text, sizeof text, "%.4f", 1 - (double)v[k].weight);
-        figure_text(g, column[3], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, text);
+        figure_print(g, column[0], y, 0, 0, FIGURE_LEFT, FIGURE_BLUE, "*x*~%d~", k);
+        figure_print(g, column[1], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.3f", (double)v[k].beta.y);
+        figure_print(g, column[2], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", (double)v[k].weight);
+        figure_print(g, column[3], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f",
+                     1 - (double)v[k].weight);
         snprintf(text, sizeof text, v[k].blocked ? "0: shadow" : v[k].drawn ? "%.4f" : "0: behind",
                  gain);
         figure_text(g, column[4], y, 0, 0, FIGURE_LEFT, gain > 0 ? FIGURE_RED : FIGURE_GREY, text);
@@ -201,8 +196,7 @@ static inline void vertices_rows(figure *g, const vertex_seen *v)
     figure_line(g, 0, -4 * row - 12, 420, -4 * row - 12, FIGURE_GREY, 1, FIGURE_WHOLE);
     figure_text(g, 0, -5 * row, 0, 0, FIGURE_LEFT, FIGURE_BLACK,
                 "the dice end it at *x*~3~; this path brings");
-    snprintf(text, sizeof text, "%.4f", sum);
-    figure_text(g, column[4], -5 * row, 0, 0, FIGURE_LEFT, FIGURE_RED, text);
+    figure_print(g, column[4], -5 * row, 0, 0, FIGURE_LEFT, FIGURE_RED, "%.4f", sum);
 }
 
 static inline void draw_vertices(const options *o)
