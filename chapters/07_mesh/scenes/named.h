@@ -26,7 +26,7 @@ enum { mesh_scenes = 3, scenes = spd_scenes + mesh_scenes + 1 };
 static const compare_sizes scene_list[scenes] = {
     {"balls", 2, 3}, {"gears", 1, 0}, {"mount", 3, 0}, {"rings", 2, 0}, {"teapot", 3, 6},
     {"tetra", 3, 0}, {"tree", 5, 0}, {"stadium", 4, 8}, {"soup", 1, 0}, {"needles", 2, 5},
-    {"solids", 6, 16}};
+    {"solids", 6, 0}};
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -1,14 +1,15 @@
 /* solids.h: solids cut from solids (06), each a shape of its own, on a field of k x k.
  *
  *        die          bowl         nut        lens       gem        bell
- *       .----.       \    /      .-----.      .-.       /\ _       o===o        each turned at random
+ *       .----.       \    /      .-----.      .-.       /\ _       o===o
  *       | () |        '--'       |_(_)_|      '-'       \/(_)
  *
- *   bool make_solids(k, &w, &f)          k k solids of six kinds, and a square under them [generator]
+ *   bool make_solids(k, &w, &f)          a generator: k k solids of these kinds, each turned at
+ *                                        random, and a square under them
  *
- *   shape_of_other(&x.other)             of one solid: what shape.h (07) asks is asked of csg.h (06)
- *       h.u of its hits                  the surface, as in 06 h.shape: twice a number, plus 1 where
- *                                        something was cut away
+ *   shape_of_other(&x.other)             of one solid: what 07 asks of a shape is asked of csg.h
+ *       h.u of its hits                  the surface, as h.shape in 06: twice a number, plus 1
+ *                                        where something was cut away
  *
  * A search that enters the box of a solid asks its tree for the first crossing in [tmin, tmax].
  */
@@ -27,7 +28,7 @@ typedef struct {
     shape_other other;
 } carved;
 typedef struct { carved *of; size_t n; } carved_all;
-typedef struct { vec3 at, axis[3]; real size; } carved_frame;  /* (x, y, z) is at + size (x n0 + ..) */
+typedef struct { vec3 at, axis[3]; real size; } carved_frame;  /* at + size (x axis[0] + ..) */
 
 enum { carved_kinds = 6 };
 

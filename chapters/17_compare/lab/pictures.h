@@ -1,6 +1,6 @@
 /* pictures.h: all scenes on one sheet, and what each pixel took, structure by structure.
  *
- *   sheet_draw(&o, &im)                         6 x 2 panels, the last free, colours under the headlight of 02
+ *   sheet_draw(&o, &im)                         6 x 2 panels, colours under the headlight of 02
  *   image v = visits_draw(&o, &w, &chosen, bytes, &whole)    4 panels a row: the scene; nodes and
  *                                               tests of each primary ray, black none, white
  *                                               visits_most or more; one for each structure
