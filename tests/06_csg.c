@@ -1,6 +1,7 @@
 /* 06_csg: spans of trees against the Boolean of their parts, faces that coincide, meshes through
  * their edges and corners, bounds that change nothing, depth, strange input, hostile texts. */
 #include "../chapters/06_csg/csg.h"
+#include "../chapters/06_csg/lab/csg_meshes.h"
 #include "../chapters/06_csg/lab/csg_survey.h"
 #include "../common/parallel.h"
 #include "check.h"
@@ -301,6 +302,179 @@ static void test_one_plane(void)
     check_equal(wrong, 0, "one plane, one t, of %zu", n);
 }
 
+/* A closed box as a mesh, from -1 to 1 along axes of any length, its diagonals this way or that. */
+static csg_solid mesh_box(const vec3 n[3], vec3 at, int twist)
+{
+    csg_solid s = csg_scene_cube(n, at);
+    triangle *t = (triangle *)(uintptr_t)s.mesh.tri;
+    for (int f = 0; twist && f < 12; f += 2) {
+        triangle x = t[f], y = t[f + 1];  /* a b c, a c d */
+        t[f] = (triangle){x.a, x.b, y.c}, t[f + 1] = (triangle){x.b, x.c, y.c};
+    }
+    return s;
+}
+
+/* Whether a line meets the same faces of a box that is larger and of one that is smaller, both by
+ * more than rounding. */
+static bool clear_of_edges(const csg_solid *box, ray r)
+{
+    csg_crossing x[2][2];
+    size_t n[2];
+    for (int i = 0; i < 2; i++) {
+        csg_solid s = *box;
+        for (int k = 0; k < 3; k++) {
+            real room = 64 * real_epsilon * (fabs(s.box.lo[k]) + fabs(s.box.hi[k]));
+            s.box.lo[k] += i ? room : -room, s.box.hi[k] -= i ? room : -room;
+        }
+        n[i] = csg_solid_crossings(&s, r, 0, x[i]);
+    }
+    return n[0] == n[1] && (n[0] == 0 || (x[0][0].surface == x[1][0].surface
+                                          && x[0][1].surface == x[1][1].surface));
+}
+
+/* A mesh with the faces of a box, against others that are flush with it: to the last bit what the
+ * box itself gives. Straight and turned, here and far away. */
+static void test_mesh_faces(void)
+{
+    static const struct { const char *one, *other; } law[] = {
+        {"AB-", ""}, {"BA-", ""}, {"AB*", "B"}, {"AB+", "B"}, {"AC-", "BC-"}, {"CA-", "CB-"},
+        {"AC+", "BC+"}, {"AC*", "BC*"}};
+    size_t wrong[8] = {0}, apart = 0, seen = 0, edges = 0, n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(12, i, 0);
+        vec3 axis[3];
+        real lo[3], hi[3], cut[2][3];
+        random_axes(&s, i % 3 == 0, axis);
+        vec3 at = vscale(random_in_cube(&s, 1), i % 2 ? 2 : real_is_float ? 100 : (real)1e7);
+        if (i % 3 == 0) at = (vec3){floor(at.x), floor(at.y), floor(at.z)};
+        for (int k = 0; k < 3; k++) {  /* the third box: flush at one end, anything at the other */
+            real middle = vdot(axis[k], at);
+            bool up = random_below(&s, 2);
+            lo[k] = middle - 1, hi[k] = middle + 1;
+            cut[0][k] = up ? lo[k] + random_next(&s) : lo[k];
+            cut[1][k] = up ? hi[k] : hi[k] - random_next(&s) / 2;
+        }
+        csg_solid abc[3] = {mesh_box(axis, at, i % 5 == 0), csg_box_turned(axis, lo, hi),
+                            csg_box_turned(axis, cut[0], cut[1])};
+        ray r = random_line(&s);
+        r.o = vadd(r.o, at);
+        csg_crossing x[14], y[2];
+        size_t k = csg_solid_crossings(&abc[0], r, 0, x);
+        if (csg_solid_crossings(&abc[1], r, 0, y) == 2)
+            seen++, apart += k != 2 || x[0].t != y[0].t || x[1].t != y[1].t;
+        bool clear = clear_of_edges(&abc[1], r);
+        edges += !clear;
+        for (int j = 0; j < 8 && clear; j++)
+            wrong[j] += differ(abc, r, law[j].one, law[j].other, false);
+        free((void *)(uintptr_t)abc[0].mesh.tri);
+    }
+    check_at_least((double)seen, 0.3 * (double)n, "rays meet the box");
+    check_at_most((double)edges, 0.01 * (double)n, "few rays pass its edges within rounding");
+    check_at_least((double)apart, 0.3 * (double)seen, "a mesh by itself finds another t");
+    for (int j = 0; j < 8; j++)
+        check_equal(wrong[j], 0, "a mesh A of the box B: %s = %s", law[j].one, law[j].other);
+}
+
+/* Lines in a face, but for rounding: the plane's t is noise there. */
+static void test_along_faces(void)
+{
+    size_t off = 0, met = 0, n = check_count(20000);
+    real room = 256 * real_epsilon * 8;  /* what structures allow, of all lengths here: (10.1) */
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(15, i, 0);
+        vec3 axis[3];
+        random_axes(&s, false, axis);
+        const real lo[3] = {-1, -1, -1}, hi[3] = {1, 1, 1};
+        csg_solid solid[2] = {mesh_box(axis, vec(0, 0, 0), 0), csg_box_turned(axis, lo, hi)};
+        static const csg_step step[1] = {{CSG_SOLID, 0}};
+        csg c = built((csg_model){solid, 2, step, 1}, true);
+        vec3 d = vadd(vscale(axis[1], random_next(&s) - (real)0.5), vscale(axis[2], 1));
+        ray r = ray_from(vmadd(axis[0], d, -3), d);
+        csg_crossing *list = NULL;
+        size_t k = csg_spans(&c, r, &list);
+        met += k > 0;
+        for (size_t j = 0; j < k; j++) {
+            vec3 p = ray_at(r, list[j].t);
+            csg_bound b = c.node[0].bound;
+            for (int q = 0; q < 3; q++)
+                off += !(vaxis(p, q) >= vaxis(b.lo, q) - room)
+                    || !(vaxis(p, q) <= vaxis(b.hi, q) + room);
+        }
+        csg_free(&c), free((void *)(uintptr_t)solid[0].mesh.tri);
+    }
+    check_at_least((double)met, 0.05 * (double)n, "lines along a face are in the mesh, some");
+    check_equal(off, 0, "and don't leave its box, of %zu", met);
+}
+
+/* What has a rule, and what has none: what these differences leave over is nothing. */
+static void test_left_over(void)
+{
+    size_t n = check_count(20000);
+    for (int k = 0; k < csg_mesh_kinds; k++)
+        check_at_least(csg_left_over((csg_mesh_kind)k, true, 1, n), 5, "speckle by themselves: %s",
+                       csg_mesh_name[k]);
+    check_equal(csg_left_over(CSG_AT_FACES, false, 1, n), 0, "%s", csg_mesh_name[CSG_AT_FACES]);
+    check_equal(csg_left_over(CSG_TWO_STRAIGHT, false, 1, n), 0, "%s",
+                csg_mesh_name[CSG_TWO_STRAIGHT]);
+}
+
+/* Both meshes are flush with a turned plane that neither knows; a half space that no step asks for
+ * names it. */
+static void test_named_plane(void)
+{
+    static const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_DIFFERENCE, 0}};
+    size_t wrong[2] = {0}, n = check_count(8000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(14, i, 0);
+        vec3 axis[3];
+        random_axes(&s, false, axis);
+        csg_solid solid[3] = {csg_flush_mesh(axis), csg_scene_cube(axis, vec(0, 0, 0)),
+                              csg_half(axis[0], 1)};
+        ray r = csg_mesh_ray(axis, CSG_TWO_TURNED, &s);
+        for (size_t k = 0; k < 2; k++) {
+            csg c = built((csg_model){solid, 2 + k, step, 3}, false);
+            csg_crossing *list = NULL;
+            wrong[k] += csg_spans(&c, r, &list) > 0;
+            csg_free(&c);
+        }
+        for (int k = 0; k < 2; k++) free((void *)(uintptr_t)solid[k].mesh.tri);
+    }
+    check_at_least((double)wrong[0], 0.05 * (double)n, "meshes in a turned plane: speckle");
+    check_equal(wrong[1], 0, "with a half space of that plane among the solids: none");
+}
+
+/* A turned gem, cut in two along its square: both parts have the same two triangles there, seen
+ * from either side, and nothing else in common. */
+static void test_shared_triangles(void)
+{
+    static const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_INTERSECTION, 0}};
+    size_t shared = 0, met = 0, n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(13, i, 0);
+        vec3 axis[3], at = random_in_cube(&s, 1), q[6];  /* corners: -+ x, -+ y, -+ z */
+        triangle part[2][6];
+        random_axes(&s, false, axis);
+        for (int k = 0; k < 6; k++) q[k] = vmadd(at, axis[k / 2], k % 2 ? 1 : -1);
+        for (int up = 0; up < 2; up++)
+            for (int k = 0; k < 4; k++) {  /* round the square: 1 3 0 2 */
+                static const int round[5] = {1, 3, 0, 2, 1};
+                vec3 a = q[round[k]], b = q[round[k + 1]];
+                part[up][k] = up ? (triangle){a, b, q[5]} : (triangle){b, a, q[4]};
+            }
+        part[0][4] = (triangle){q[1], q[3], q[0]}, part[0][5] = (triangle){q[1], q[0], q[2]};
+        part[1][4] = (triangle){q[0], q[3], q[1]}, part[1][5] = (triangle){q[0], q[1], q[2]};
+        const csg_solid two[2] = {csg_mesh(part[0], 6), csg_mesh(part[1], 6)};
+        csg c = built((csg_model){two, 2, step, 3}, false);
+        csg_crossing *list = NULL, x[2][8];
+        ray r = random_line(&s);
+        shared += csg_spans(&c, r, &list) > 0;
+        met += csg_solid_crossings(&two[0], r, 0, x[0]) && csg_solid_crossings(&two[1], r, 0, x[1]);
+        csg_free(&c);
+    }
+    check_equal(shared, 0, "two parts that share triangles have nothing in common, of %zu", met);
+    check_at_least((double)met, 0.05 * (double)n, "rays pass from one into the other");
+}
+
 /* ---- meshes ---- */
 
 /* Lines aimed at corners and edges of a gem: the middle of each span is inside, of each gap
@@ -344,6 +518,11 @@ static void test_mesh_edges(void)
     check_at_least((double)parity, 0.05 * (double)n, "an odd number of hits: parity fails");
 }
 
+static size_t crossings_of(const triangle *t, size_t n, ray r, csg_crossing *x)
+{
+    return csg_closed_crossings((csg_closed){t, n, NULL}, r, 0, x);
+}
+
 static void test_mesh_kinds(void)
 {
     csg_solid gem = csg_gem(vec(0, 0, 0), 1);
@@ -361,15 +540,15 @@ static void test_mesh_kinds(void)
     for (size_t i = 0; i < 2; i++)
         check(vdot(csg_solid_normal(&gem, x[i].surface / 2, vec(0, 0, 0)), ray_at(r, x[i].t)) > 0,
               "the normal of a face leads away from the middle");
-    check_equal(csg_closed_crossings((csg_closed){over, 8}, r, 0, x), 0, "inside out: empty");
-    check_equal(csg_closed_crossings((csg_closed){t, 16}, r, 0, x), 2, "shell in shell: one span");
+    check_equal(crossings_of(over, 8, r, x), 0, "inside out: empty");
+    check_equal(crossings_of(t, 16, r, x), 2, "shell in shell: one span");
     check_close(x[0].t, (4 - 1.7) / 2, 4 * eps, "that of the outer one");
-    check_equal(csg_closed_crossings((csg_closed){t, 7}, ray_from(vec(1, 1, 3), vec(-1, -1, -3)),
-                                     0, x), 2, "in through the opposite of a missing triangle");
+    check_equal(crossings_of(t, 7, ray_from(vec(1, 1, 3), vec(-1, -1, -3)), x), 2,
+                "in through the opposite of a missing triangle");
     check(x[1].t == real_infinity, "and never out");
-    check(csg_closed_crossings((csg_closed){t, 0}, r, 0, x) == 0, "no triangles: nothing");
+    check(crossings_of(t, 0, r, x) == 0, "no triangles: nothing");
     for (int i = 0; i < 8; i++) t[8 + i] = (triangle){t[i].a, t[i].b, t[i].a};
-    check_equal(csg_closed_crossings((csg_closed){t, 16}, r, 0, x), 2, "no area counts nothing");
+    check_equal(crossings_of(t, 16, r, x), 2, "no area counts nothing");
     free((void *)(uintptr_t)gem.mesh.tri);
 }
 
@@ -470,6 +649,8 @@ static void test_ways(void)
     check_equal(wrong[CSG_OUTSIDE], 0, "t > 0, seen from outside");
     check_at_least(wrong[CSG_EYE_INSIDE], 50, "t > 0, seen from inside");
     check_at_least(wrong[CSG_COINCIDENT], 5, "no rule for equal t: speckle");
+    check_at_least(csg_wrong(&s[CSG_MESH_FACES], csg_hit_apart, n), 5,
+                   "meshes that know no planes: speckle");
     check_at_least(wrong[CSG_FOILS], 50, "a tolerance of 0.003: two foils of three are gone");
     check_at_least(csg_wrong(&s[CSG_COINCIDENT], csg_hit_anew, n), 1,
                    "planes computed twice are two planes: speckle, for spans, too");
@@ -737,6 +918,11 @@ int main(void)
     test_algebra();
     test_coincident_faces();
     test_one_plane();
+    test_mesh_faces();
+    test_along_faces();
+    test_left_over();
+    test_named_plane();
+    test_shared_triangles();
     test_mesh_edges();
     test_mesh_kinds();
     test_bounds();

@@ -17,7 +17,7 @@ static shape some_shape(int kind, vec3 *corners)
     case SHAPE_CONE:
         return shape_of_cone((cone){a, between(&numbers, 0, 0.5), vadd(a, b),
                                     between(&numbers, 0, 0.5)});
-    case SHAPE_POLYGON: break;
+    case SHAPE_POLYGON: case SHAPE_OTHER: break;
     }
     corners[0] = a, corners[1] = vadd(a, b), corners[2] = vadd(vadd(a, b), c),
     corners[3] = vadd(a, c);
@@ -74,7 +74,7 @@ static void closest_of_many(void)
         if (!is) continue;
         all++;
         const shape *x = &shapes[h.shape];
-        vec3 lo, hi, p = ray_at(r, h.t), n = shape_normal(*x, p);
+        vec3 lo, hi, p = ray_at(r, h.t), n = shape_normal(*x, h, p);
         shape_bounds(*x, &lo, &hi);
         real room =
             64 * real_epsilon; /* p itself is rounded: coordinates up to 8, t |D| up to 14 */

@@ -6,6 +6,7 @@
 #include "../chapters/17_compare/lab/settings.h"
 #include "../chapters/17_compare/lab/summary.h"
 #include "../chapters/17_compare/lab/sweep.h"
+#include "../chapters/06_csg/lab/csg_oracle.h"
 #include "structure.h"
 
 static char directory[] = "/tmp/17_compare_XXXXXX";
@@ -70,6 +71,58 @@ static void test_equality(void)
         compare_end(&s);
         world_free(&w);
     }
+}
+
+/* Solids (06) against who asks no spans: along each ray up to its hit no point is in any of them,
+ * and behind the hit, in that one. */
+static void test_solids(void)
+{
+    static const csg_operation operation[] = {CSG_UNION, CSG_INTERSECTION, CSG_DIFFERENCE};
+    size_t wrong = 0, missed = 0, judged = 0, turned = 0, kinds[3] = {0}, hits = 0;
+    double step = real_is_float ? 1e-4 : 1e-6, margin;
+    world w = tiny("solids");
+    const carved_all *all = w.others;
+    scene s = world_scene(&w);
+    check_equal(all->n + 1, w.n, "each solid is a shape, and the square is one");
+    for (size_t i = 0; i < all->n; i++)
+        for (size_t k = 0; k < all->of[i].c.nodes; k++)
+            for (int j = 0; j < 3; j++) kinds[j] += all->of[i].step[k].what == operation[j];
+    for (int j = 0; j < 3; j++) check_at_least(kinds[j], 1, "operation %d is used", j);
+    ray_set set = rays_everywhere(&w, check_count(2000), 5);
+    for (size_t i = 0; i < set.n; i++) {
+        random_stream g = random_start(6, i, 0);
+        const shape_other *at = &all->of[random_below(&g, all->n)].other;
+        vec3 middle = vscale(vadd(at->lo, at->hi), (real)0.5);
+        ray r = ray_from(set.r[i].o, vsub(vadd(middle, random_in_cube(&g, (real)0.3)), set.r[i].o));
+        hit h = hit_none, next;
+        bool met = scene_hit(&s, r, &h);
+        double far = met ? (double)h.t : 2, length = (double)vlength(r.d);
+        for (size_t k = 0; k < all->n; k++) {  /* solids touch nobody: a ray may begin in one */
+            const carved *x = &all->of[k];
+            csg_model m = {x->solid, x->c.solids, x->step, x->c.nodes};
+            bool begins = oracle_contains(m, wide3_of(r.o), &margin);
+            for (int j = 1; j < 16; j++) {
+                bool in = oracle_contains(m, oracle_on(r, far * j / 16), &margin);
+                missed += margin > step && in != begins;
+            }
+            if (!met || h.shape != k + 1) continue;
+            double before, after;
+            bool from = oracle_contains(m, oracle_on(r, far - step / length), &before);
+            bool to = oracle_contains(m, oracle_on(r, far + step / length), &after);
+            ray on = r;
+            on.tmin = h.t + (real)(step / 100 / length);
+            bool sliver = carved_hit(&x->c, on, &next)
+                && (double)(next.t - h.t) * length < 2 * step;
+            if (sliver || before < step / 8 || after < step / 8) continue;  /* grazing */
+            judged++, turned += (uint32_t)h.u % 2, wrong += from == to;
+        }
+        hits += met;
+    }
+    check_equal(missed, 0, "nothing lies before a hit");
+    check_equal(wrong, 0, "each hit leads into its solid, or out of it, of %zu", judged);
+    check_at_least(judged, hits / 4, "hits are judged");
+    check_at_least(turned, judged / 50, "where something was cut away, too");
+    rays_free(&set), world_free(&w);
 }
 
 /* Counted searches find the same, and count. */
@@ -790,6 +843,7 @@ int main(void)
 {
     if (!mkdtemp(directory)) abort();
     test_equality();
+    test_solids();
     test_counted();
     test_memory();
     test_memory_together();

@@ -269,6 +269,8 @@ static void print_nff(const world *w, const char *name, const char *blank)
         case SHAPE_POLYGON:
             fprintf(out, "p%s%u%s", blank, (unsigned)x.polygon.n, blank);
             for (uint32_t k = 0; k < x.polygon.n; k++) print_vec(out, x.polygon.v[k], blank);
+            break;
+        case SHAPE_OTHER: break;
         }
         if (i % 7 == 3) fprintf(out, "\n# a comment, p 3 s 1\n");
     }

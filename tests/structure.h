@@ -234,22 +234,39 @@ static inline void structure_exponential(const structure *s, size_t rays)
     mesh_free(&m);
 }
 
-/* Spheres, cones, polygons and triangles together; ties; one in a hundred is no number. */
+static bool structure_ball_hit(const void *self, ray r, hit *out)
+{
+    return sphere_hit(*(const sphere *)self, r, out);
+}
+
+static vec3 structure_ball_normal(const void *self, hit h, vec3 p)
+{
+    return (void)h, sphere_normal(*(const sphere *)self, p);
+}
+
+/* Spheres, cones, polygons, triangles and what brings its own functions together; ties; one in a
+ * hundred is no number. */
 static inline void structure_shapes(const structure *s, size_t rays)
 {
     enum { n = 400 };
     shape *all = allocate(n, sizeof *all);
     vec3 *corner = allocate(4 * n, sizeof *corner);
+    sphere *ball = allocate(n, sizeof *ball);
+    shape_other *other = allocate(n, sizeof *other);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(8, i, 0);
         vec3 a = random_in_cube(&g, 1), e = random_in_cube(&g, 0.2), b = vadd(a, e);
         vec3 f = random_in_cube(&g, 0.2), *q = corner + 4 * i;
         real r = (real)0.1 * random_next(&g);
         q[0] = a, q[1] = b, q[2] = vadd(b, f), q[3] = vadd(a, f);
-        switch (i % 4) {
-        case 0: all[i] = shape_of_sphere((sphere){a, r}); break;
+        ball[i] = (sphere){a, r};
+        other[i] = (shape_other){structure_ball_hit, structure_ball_normal, &ball[i], a, a};
+        shape_bounds(shape_of_sphere(ball[i]), &other[i].lo, &other[i].hi);
+        switch (i % 5) {
+        case 0: all[i] = shape_of_sphere(ball[i]); break;
         case 1: all[i] = shape_of_cone((cone){a, r, b, r / 2}); break;
         case 2: all[i] = shape_of_polygon(polygon_of(q, 4)); break;
+        case 3: all[i] = shape_of_other(&other[i]); break;
         default: all[i] = shape_of_triangle((triangle){a, b, vadd(a, f)}); break;
         }
         if (i % 100 == 99) all[i] = shape_of_sphere((sphere){{(real)NAN, 0, 0}, 1});
@@ -268,7 +285,7 @@ static inline void structure_shapes(const structure *s, size_t rays)
     check_equal(v.wrong + v.wrong_any, 0, "%s: shapes of all kinds", s->name);
     check_at_least(v.hits, v.rays / 4, "%s: rays at shapes hit them", s->name);
     if (built) s->destroy(built);
-    free(all), free(corner);
+    free(all), free(corner), free(ball), free(other);
 }
 
 /* What is too large is refused with a message, not cut wrongly. */

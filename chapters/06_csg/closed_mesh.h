@@ -4,7 +4,7 @@
  *    -----[=========]-------[===]---->     sum of what lies behind us is 1 or more:
  *     0        1        0     1    0       a winding number (环绕数)                       (6.6)
  *
- *   csg_closed m = {triangles, n};       counter-clockwise seen from outside; not copied
+ *   csg_closed m = {triangles, n, NULL}; counter-clockwise seen from outside; not copied
  *   n = csg_closed_crossings(m, r, first, out)      spans of the whole line; room for m.n + 2
  *   csg_closed_is_finite(m)              every corner is; else the mesh is for csg.h an empty set
  *
@@ -14,6 +14,11 @@
  * step too small to be written down, the same for all triangles: (e, e^2) in the frame of the ray,
  * e -> 0. Neighbours then differ in the sign of their edge, always, and in a closed mesh
  * the sum (6.6) is 0 at both ends of every line. No tolerance, no second ray.
+ *
+ * A face may lie in the plane of another solid's face; coplanar.h finds that out, once, and m.plane
+ * tells. Then the plane gives t, by (6.4), as it gives it to the other solid: to the last bit. Two
+ * meshes that share a triangle find the same t, wherever in either of them its corners begin and
+ * whichever way round they go.
  *
  *   mesh                                             answer
  *   open: a triangle is missing                      lines through the hole see a solid without end
@@ -31,7 +36,12 @@
 #include "../04_triangle/triangle.h"
 #include "spans.h"
 
-typedef struct { const triangle *tri; size_t n; } csg_closed;
+typedef struct { vec3 n; real h; } csg_plane;  /* n . p = h */
+typedef struct {
+    const triangle *tri;
+    size_t n;
+    const csg_plane *plane;  /* [n] in which each lies, its n is 0 where in none; or NULL */
+} csg_closed;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -95,6 +105,48 @@ static inline size_t csg_wind(csg_crossing *x, size_t n)
     return kept + kept % 2;
 }
 
+/* The corners in an order of their own, each with its edge: so two triangles with the same corners
+ * round alike. A common change of sign of all edges is nothing to shear_meets. */
+static inline void csg_in_order(vec3 v[3], real e[3])
+{
+    for (int k = 0; k < 3; k++) {
+        int i = k == 1, j = i + 1;  /* 0 1, 1 2, 0 1 */
+        bool before = v[i].x != v[j].x ? v[i].x < v[j].x
+            : v[i].y != v[j].y ? v[i].y < v[j].y : v[i].z <= v[j].z;
+        if (before) continue;
+        vec3 p = v[i];
+        real f = e[i];
+        v[i] = v[j], v[j] = p, e[i] = e[j], e[j] = f;
+    }
+}
+
+/* By (6.4), if the ray meets the plane at more than a degree. Else that may be noise, and counts
+ * only if the place is in the box round the triangle; own, the triangle's t, is on it always. */
+static inline real csg_plane_t(csg_plane g, const triangle *tri, ray r, real own)
+{
+    real along = vdot(g.n, r.d), t = (g.h - vdot(g.n, r.o)) / along;                 /* (6.4) */
+    if (!isfinite(t)) return own;
+    if (fabs(along) * 64 > vlength(g.n) * vlength(r.d)) return t;
+    vec3 p = ray_at(r, t), lo = vmin(vmin(tri->a, tri->b), tri->c);
+    vec3 hi = vmax(vmax(tri->a, tri->b), tri->c);
+    real room = 16 * real_epsilon * (vlength(r.o) + fabs(t) * vlength(r.d));
+    for (int k = 0; k < 3; k++)
+        if (!(vaxis(p, k) >= vaxis(lo, k) - room && vaxis(p, k) <= vaxis(hi, k) + room)) return own;
+    return t;
+}
+
+/* Where the line passes triangle i, whose corners and edges are these. False: beyond all reals. */
+static inline bool csg_triangle_t(csg_closed m, size_t i, vec3 v[3], real e[3], const ray_shear *s,
+                                  ray r, real *t)
+{
+    hit h;
+    csg_in_order(v, e);
+    if (!shear_meets(v[0], v[1], v[2], (vec3){e[0], e[1], e[2]}, s, r, &h)) return false;
+    bool flat = m.plane && !vzero(m.plane[i].n);
+    *t = flat ? csg_plane_t(m.plane[i], &m.tri[i], r, h.t) : h.t;
+    return true;
+}
+
 static inline size_t csg_closed_crossings(csg_closed m, ray r, uint32_t first, csg_crossing *out)
 {
     ray_shear s = shear_of(r);
@@ -107,10 +159,11 @@ static inline size_t csg_closed_crossings(csg_closed m, ray r, uint32_t first, c
         if (signs_differ(e.x, e.y, e.z)) continue;
         int side = csg_edge_side(a, b);
         if (side == 0 || csg_edge_side(b, c) != side || csg_edge_side(c, a) != side) continue;
-        hit h;
-        if (!shear_meets(a, b, c, e, &s, r, &h)) return 0;
+        real t;
+        vec3 v[3] = {a, b, c};
+        if (!csg_triangle_t(m, i, v, (real[3]){e.x, e.y, e.z}, &s, r, &t)) return 0;
         bool leads_in = (side > 0) == (s.sz < 0);  /* n . d has the sign of the area, times d's */
-        out[n++] = (csg_crossing){h.t, 2 * (first + (uint32_t)i) + !leads_in};
+        out[n++] = (csg_crossing){t, 2 * (first + (uint32_t)i) + !leads_in};
     }
     csg_sort(out, n);
     return csg_wind(out, n);

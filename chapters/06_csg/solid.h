@@ -20,7 +20,7 @@
  * so one plane gives one t, to the last bit, whatever it bounds: with -n, -h the same, with 2 n,
  * 2 h; for a plane across an axis the other components add 0. That, and spans_merge, is why faces
  * that coincide don't speckle. It takes the same numbers n, h: a plane that was computed twice, in
- * two ways, is two planes.
+ * two ways, is two planes. Faces of meshes: coplanar.h.
  *
  *   input                                                    answer
  *   a NaN or an infinity; r = 0; n = 0; lo >= hi; a = 0      the empty set: nothing is crossed
@@ -81,7 +81,7 @@ static inline csg_solid csg_cylinder(vec3 p, vec3 a, real r)
 
 static inline csg_solid csg_mesh(const triangle *tri, size_t n)
 {
-    return (csg_solid){.kind = CSG_MESH, .mesh = {tri, n}};
+    return (csg_solid){.kind = CSG_MESH, .mesh = {tri, n, NULL}};
 }
 
 static inline size_t csg_solid_room(const csg_solid *s)

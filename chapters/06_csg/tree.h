@@ -10,10 +10,10 @@
  *   csg c;
  *   if (!csg_build((csg_model){solids, n, s, steps}, (csg_options){0}, &c, &why)) fail(why);
  *   csg_stats(&c)        nodes, leaves, depth, bytes
- *   csg_free(&c)         solids, of model and triangles, are the caller's, and stay
+ *   csg_free(&c)         of the model only the triangles of meshes must stay so long
  *
  * Trees of any depth: nothing here calls itself. Each node has a bound (bound.h) of all that is in
- * it. Cost: O(steps + triangles).
+ * it. Cost: O(steps + triangles times planes).
  *
  *   input                                       answer
  *   no steps                                    the empty set
@@ -25,6 +25,7 @@
 
 #include "../../common/file.h"
 #include "bound.h"
+#include "coplanar.h"
 
 typedef struct { csg_operation what; uint32_t solid; } csg_step;
 typedef struct { const csg_solid *solid; size_t solids; const csg_step *step; size_t steps; }
@@ -37,7 +38,7 @@ typedef struct {
     bool empty;            /* a leaf that holds nothing */
 } csg_node;
 typedef struct {
-    const csg_solid *solid;
+    csg_solid *solid;      /* [solids] of the model; of meshes, with the planes of their faces */
     size_t solids;
     uint32_t *first;       /* solid i has the surfaces first[i] .. first[i + 1] - 1 */
     csg_node *node;
@@ -49,6 +50,7 @@ typedef struct { size_t nodes, leaves, depth, bytes; } csg_statistics;
 
 static inline void csg_free(csg *c)
 {
+    coplanar_free(c->solid, c->solids);
     free(c->first), free(c->node);
     *c = (csg){0};
 }
@@ -105,7 +107,7 @@ static inline void csg_place(csg_model m, const uint32_t *size, csg *c)
 
 static inline bool csg_build(csg_model m, csg_options o, csg *out, failure *why)
 {
-    csg c = {.solid = m.solid, .solids = m.solids, .nodes = m.steps, .no_bounds = o.no_bounds};
+    csg c = {.solids = m.solids, .nodes = m.steps, .no_bounds = o.no_bounds};
     size_t surfaces = 0;
     for (size_t i = 0; i < m.solids; i++) surfaces += csg_solid_surfaces(&m.solid[i]);
     if (m.steps >= UINT32_MAX || m.solids >= UINT32_MAX || surfaces >= UINT32_MAX / 2)
@@ -118,6 +120,7 @@ static inline bool csg_build(csg_model m, csg_options o, csg *out, failure *why)
         for (size_t i = 0; i < m.solids; i++)
             c.first[i + 1] = c.first[i] + (uint32_t)csg_solid_surfaces(&m.solid[i]);
         csg_place(m, size, &c);
+        c.solid = coplanar_solids(m.solid, m.solids);
         *out = c;
     }
     free(size);

@@ -3,12 +3,16 @@
  *   shape s[] = {shape_of_sphere((sphere){c, 1}), shape_of_cone((cone){a, 1, b, 0}), ..};
  *   bool shape_hit(s[i], r, &h)               the X_hit of its kind; h.shape stays 0
  *   bool shape_hit_sheared(&s[i], &k, r, &h)  the same, k = shear_of(r) prepared once for all
- *   vec3 shape_normal(s[i], p)                unit, at a point p of the surface; may face away
+ *   vec3 shape_normal(s[i], h, p)             unit, at the point p of hit h; may face away
  *   void shape_bounds(s[i], &lo, &hi)         a box that holds it, rounded outwards
  *
  * Every switch names all the kinds and has no default: a new kind makes the compiler list what to
  * add. The ends of a cone are open and a triangle has two sides, so a normal may face either way:
  * compare it with the direction of the ray.
+ *
+ * SHAPE_OTHER is what this header does not know, a solid of 06 for instance: it brings its own
+ * functions, and `self` is for them alone. Structures see its box, and nothing else. hit is an
+ * X_hit, and must keep the promise of 09_aabb/structure.h; what u and v say is its own affair.
  */
 #ifndef MESH_SHAPE_H
 #define MESH_SHAPE_H
@@ -18,7 +22,14 @@
 #include "cone.h"
 #include "polygon.h"
 
-typedef enum { SHAPE_SPHERE, SHAPE_TRIANGLE, SHAPE_CONE, SHAPE_POLYGON } shape_kind;
+typedef enum { SHAPE_SPHERE, SHAPE_TRIANGLE, SHAPE_CONE, SHAPE_POLYGON, SHAPE_OTHER } shape_kind;
+
+typedef struct {
+    bool (*hit)(const void *self, ray r, hit *out);
+    vec3 (*normal)(const void *self, hit h, vec3 p);
+    const void *self;
+    vec3 lo, hi;  /* a box that holds it, rounded outwards */
+} shape_other;
 
 typedef struct {
     shape_kind kind;
@@ -27,6 +38,7 @@ typedef struct {
         triangle triangle;
         cone cone;
         polygon polygon;
+        const shape_other *other;  /* the caller's */
     };
 } shape;
 
@@ -39,6 +51,10 @@ static inline shape shape_of_triangle(triangle t)
 }
 static inline shape shape_of_cone(cone c) { return (shape){SHAPE_CONE, {.cone = c}}; }
 static inline shape shape_of_polygon(polygon p) { return (shape){SHAPE_POLYGON, {.polygon = p}}; }
+static inline shape shape_of_other(const shape_other *o)
+{
+    return (shape){SHAPE_OTHER, {.other = o}};
+}
 
 static inline bool shape_hit_sheared(const shape *s, const ray_shear *k, ray r, hit *out)
 {
@@ -47,6 +63,7 @@ static inline bool shape_hit_sheared(const shape *s, const ray_shear *k, ray r, 
     case SHAPE_TRIANGLE: return triangle_hit_sheared(s->triangle, k, r, out);
     case SHAPE_CONE: return cone_hit(s->cone, r, out);
     case SHAPE_POLYGON: return polygon_hit_sheared(s->polygon, k, r, out);
+    case SHAPE_OTHER: return s->other->hit(s->other->self, r, out);
     }
     return false;
 }
@@ -57,13 +74,14 @@ static inline bool shape_hit(shape s, ray r, hit *out)
     return shape_hit_sheared(&s, &k, r, out);
 }
 
-static inline vec3 shape_normal(shape s, vec3 p)
+static inline vec3 shape_normal(shape s, hit h, vec3 p)
 {
     switch (s.kind) {
     case SHAPE_SPHERE: return sphere_normal(s.sphere, p);
     case SHAPE_TRIANGLE: return triangle_normal(s.triangle);
     case SHAPE_CONE: return cone_normal(s.cone, p);
     case SHAPE_POLYGON: return polygon_normal(s.polygon);
+    case SHAPE_OTHER: return s.other->normal(s.other->self, h, p);
     }
     return (vec3){0, 0, 0};
 }
@@ -110,6 +128,7 @@ static inline void shape_bounds(shape s, vec3 *lo, vec3 *hi)
     case SHAPE_POLYGON:
         for (uint32_t i = 0; i < s.polygon.n; i++) bounds_add(s.polygon.v[i], none, lo, hi);
         return;
+    case SHAPE_OTHER: *lo = s.other->lo, *hi = s.other->hi; return;
     }
     vec3 size = vmax(vmax(*hi, vneg(*hi)), vmax(*lo, vneg(*lo)));
     *lo = vmadd(*lo, size, -more);

@@ -17,6 +17,7 @@
  * where a gap is smaller than 8 epsilon times the largest coordinate of the item; and for
  *   polygons   beyond 8 corners only their plane is asked; concave ones count as their convex hull
  *   cones      the silhouettes along x, y and z, and the ends; what is inside a hollow cone counts
+ *   others     all of their box counts
  * Spheres are exact, and hollow: a cell that lies wholly inside is not touched.
  *
  * Sources: S. Gottschalk, M. Lin, D. Manocha, "OBBTree", SIGGRAPH 1996 (separating axes);
@@ -122,7 +123,9 @@ static inline bool overlap_plan_of(const items *x, size_t i, overlap_plan *p)
         triangle t = s->triangle;
         const vec3 v[3] = {t.a, t.b, t.c};
         overlap_add_polygon(p, vcross(vsub(t.b, t.a), vsub(t.c, t.a)), v, 3);
+        break;
     }
+    case SHAPE_OTHER: break;  /* its box is all that is known */
     }
     return true;
 }

@@ -129,6 +129,13 @@ static inline void shape_range(const workshop *w, const split_plane *p, const sh
         for (uint32_t i = 0; i < h->polygon.n; i++)
             range_add(side_of(p, workshop_place(w, h->polygon.v[i])), 0, lo, hi);
         break;
+    case SHAPE_OTHER:
+        for (int i = 0; i < 8; i++) {  /* the corners of its box */
+            vec3 a = h->other->lo, b = h->other->hi;
+            vec3 q = {i & 1 ? a.x : b.x, i & 2 ? a.y : b.y, i & 4 ? a.z : b.z};
+            range_add(side_of(p, workshop_place(w, q)), 0, lo, hi);
+        }
+        break;
     case SHAPE_TRIANGLE: break;
     }
 }

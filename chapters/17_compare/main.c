@@ -1,7 +1,7 @@
 /* 17_compare: every structure on the same scenes and the same rays: first the same hits, then time.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 17_compare chapters/17_compare/main.c -lm -lpthread
  *
- * Without options: two pictures, four small scenes in one table. --full: ten scenes, four kinds of
+ * Without options: two pictures, four small scenes in one table. --full: all scenes, four kinds of
  * rays, a table each; growth with n; a chart, plots. --scene, --mesh: these scenes. --sweep: one
  * option from end to end. --verify: all rays by brute force, too. --report: in one HTML file.
  * --rays: those of a file. --protocol spd: the published counts. */
@@ -18,7 +18,7 @@ int main(int argc, char **argv)
         {"at", OPTION_TEXT, &own.at, 0, 0, "X,Y,Z: where it looks"},
         {"angle", OPTION_REAL, &own.angle, 1e-3, 179, "of the view, degrees"},
         {"scene", OPTION_TEXT, &own.scene, 0, 0,
-         "balls gears mount rings teapot tetra tree stadium soup or needles, alone"},
+         "balls gears mount rings teapot tetra tree stadium soup needles or solids, alone"},
         {"scale", OPTION_INT, &own.scale, 0, 10000, "its size, see README"},
         {"only", OPTION_TEXT, &own.only, 0, 0,
          "these structures, with options: bvh:leaf=8,kdtree:bonus=0"},
@@ -46,7 +46,7 @@ int main(int argc, char **argv)
         {0}};
     options o = options_read(argc, argv, "17_compare",
                              "Every structure on the same scenes and the same rays.",
-                             (options){.width = 1000, .height = 400, .seed = 1}, list);
+                             (options){.width = 1000, .height = 332, .seed = 1}, list);
     compare_settings c = {&o, own.sweep ? swept_of(own.sweep) : chosen_of(own.only),
                           (size_t)own.megabytes << 20};
     const generator *g = own.scene ? scene_find(own.scene) : NULL;

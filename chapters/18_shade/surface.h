@@ -140,6 +140,15 @@ static inline surface surface_on_polygon(polygon g, uint32_t index, vec3 p)
     return (surface){p, n, n, error, 4 * real_epsilon * L, index};
 }
 
+/* What structure.h of 09 asks of every test; nothing is known to move p to. far: from the ray's
+ * origin. */
+static inline surface surface_on_other(const shape_other *s, hit h, vec3 p, real far)
+{
+    vec3 n = s->normal(s->self, h, p);
+    real D = far + vlength(vsub(s->hi, s->lo));
+    return (surface){p, n, n, real_epsilon * (256 * D + 2 * surface_reach(p)), 0, h.shape};
+}
+
 static inline surface surface_of_shape(const shape *s, ray r, hit h)
 {
     vec3 p = ray_at(r, h.t);
@@ -148,6 +157,7 @@ static inline surface surface_of_shape(const shape *s, ray r, hit h)
     case SHAPE_TRIANGLE: return surface_on_triangle(s->triangle, h.shape, h.u, h.v);
     case SHAPE_CONE: return surface_on_cone(s->cone, h.shape, p);
     case SHAPE_POLYGON: return surface_on_polygon(s->polygon, h.shape, p);
+    case SHAPE_OTHER: return surface_on_other(s->other, h, p, vlength(vsub(p, r.o)));
     }
     return (surface){p, {0, 0, 0}, {0, 0, 0}, 0, 0, no_shape};
 }
@@ -156,7 +166,7 @@ static inline surface surface_of_shape(const shape *s, ray r, hit h)
  * origin in float: 1e-3. */
 static inline surface surface_naive(const shape *s, ray r, hit h)
 {
-    vec3 p = ray_at(r, h.t), n = shape_normal(*s, p);
+    vec3 p = ray_at(r, h.t), n = shape_normal(*s, h, p);
     return (surface){p, n, n, 0, 0, h.shape};
 }
 

@@ -81,6 +81,7 @@ static inline void lamps_add_shape(lamp_list *l, const shape *s, vec3 Ke)
         break;
     case SHAPE_CONE: lamps_add_cone(l, s->cone, Ke); break;
     case SHAPE_POLYGON: lamps_add_polygon(l, s->polygon, Ke); break;
+    case SHAPE_OTHER: break;  /* a studio has none: what shines in it can be sampled */
     }
 }
 

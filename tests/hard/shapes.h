@@ -336,6 +336,7 @@ static const hard_case hard_shapes[] = {
     {"06", "eye inside", "from within a solid", "Boolean", solids, CSG_EYE_INSIDE, 0, PROMISED},
     {"06", "coincident", "faces in one plane", "Boolean", solids, CSG_COINCIDENT, 0, PROMISED},
     {"06", "coincident, far", "far from the origin", "Boolean", solids, CSG_FAR_AWAY, 0, PROMISED},
+    {"06", "faces of a mesh", "planes of boxes", "Boolean", solids, CSG_MESH_FACES, 0, PROMISED},
     {"06", "foils", "thin walls that must stay", "Boolean", solids, CSG_FOILS, 0, PROMISED},
     {"07", "gear", "polygons of 144 corners, seams", "closed", gears, 0, 0, PROMISED},
     {"07", "gear, far", "1000 radii off", "closed", gears, 0, 1000, PROMISED},

@@ -1,7 +1,8 @@
 /* csg_measure.h: the tables and plots of this chapter.
  *
  *   csg_measure(&o)     what each way gets wrong, and its time; how many solids a ray asks; with
- *                       --full trees of depth 1 to 20, and the tolerance from 1e-12 to 1
+ *                       --full faces of meshes, trees of depth 1 to 20, the tolerance from 1e-12
+ *                       to 1
  */
 #ifndef CSG_MEASURE_H
 #define CSG_MEASURE_H
@@ -9,11 +10,12 @@
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
 #include "../../../common/parallel.h"
+#include "csg_meshes.h"
 #include "csg_survey.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { csg_methods = 7, csg_timed = 1024 };
+enum { csg_methods = 8, csg_timed = 1024 };
 
 static const struct {
     const char *name;
@@ -25,6 +27,7 @@ static const struct {
     {"the same, tolerance 1e-9", csg_hit_tolerant, 1e-9},
     {"the same, tolerance 0.003", csg_hit_tolerant, 0.003},
     {"spans, planes computed anew", csg_hit_anew, 0},
+    {"spans, meshes by themselves", csg_hit_apart, 0},
     {"spans", csg_hit_plain, 0},
     {"spans, bounds: csg_hit", csg_hit, 0}};
 
@@ -91,14 +94,15 @@ static inline void csg_main_table(const options *o)
     csg_time_methods(o, &y.sight[CSG_OUTSIDE], ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
-                        "error foils [%]|time [ns]");
+                        "error mesh faces [%]|error foils [%]|time [ns]");
     if (!parallel_for(csg_sights, o->threads, "rays", csg_survey_sight, &y))
         exit(parallel_stopped());
     for (int m = 0; m < csg_methods; m++) {
         table_text(&t, "%s", csg_method[m].name);
         table_number(&t, y.wrong[CSG_OUTSIDE][m]), table_number(&t, y.wrong[CSG_EYE_INSIDE][m]);
         table_number(&t, (y.wrong[CSG_COINCIDENT][m] + y.wrong[CSG_FAR_AWAY][m]) / 2);
-        table_number(&t, y.wrong[CSG_FOILS][m]), table_number(&t, ns[m]);
+        table_number(&t, y.wrong[CSG_MESH_FACES][m]), table_number(&t, y.wrong[CSG_FOILS][m]);
+        table_number(&t, ns[m]);
     }
     output_table(o, &t);
     for (int k = 0; k < csg_sights; k++) csg_sight_free(&y.sight[k]);
@@ -260,6 +264,7 @@ static inline void csg_measure(const options *o)
     csg_main_table(o);
     csg_savings_table(o);
     if (!o->full) return;
+    csg_mesh_table(o);
     csg_depth_table(o);
     csg_tolerance_plot(o);
 }

@@ -2,8 +2,8 @@
  *
  *   csg_scene s = csg_scene_of(text)            an expression; exit 2 where it says nothing
  *   csg_scene_text(name)                        the expression of a name, or NULL
- *   csg_scene_pocket(no_bounds, shift)          a turned block with pockets that are flush with its
- *                                               faces: faces that coincide; beside it three foils
+ *   csg_scene_pocket(mesh, shift)               a turned block, or a mesh of one, with pockets that
+ *                                               are flush with its faces; beside it three foils
  *   csg_scene_free(&s)
  *   csg_scene_colour(&s, h)                     of the solid that was hit
  */
@@ -77,7 +77,27 @@ static inline csg_solid csg_scene_cut(const vec3 n[3], int k, double lo, double 
     return csg_scene_block(axis, lo, x - w, y - h, hi, x + w, y + h);
 }
 
-static inline csg_scene csg_scene_pocket(bool no_bounds, vec3 shift)
+/* The cube of side 2 round `at` with these axes, as a mesh. Corner i is computed once: a mesh is
+ * closed if its corners are shared to the last bit. */
+static inline csg_solid csg_scene_cube(const vec3 n[3], vec3 at)
+{
+    static const int face[6][4] = {{1, 3, 7, 5}, {0, 4, 6, 2}, {2, 6, 7, 3}, {0, 1, 5, 4},
+                                   {4, 5, 7, 6}, {0, 2, 3, 1}};
+    vec3 c[8];
+    for (int i = 0; i < 8; i++) {
+        vec3 p = vadd(vscale(n[0], i & 1 ? 1 : -1), vscale(n[1], i & 2 ? 1 : -1));
+        c[i] = vadd(vadd(p, vscale(n[2], i & 4 ? 1 : -1)), at);
+    }
+    triangle *t = allocate(12, sizeof *t);
+    for (int f = 0; f < 6; f++) {
+        const int *q = face[f];
+        t[2 * f] = (triangle){c[q[0]], c[q[1]], c[q[2]]};
+        t[2 * f + 1] = (triangle){c[q[0]], c[q[2]], c[q[3]]};
+    }
+    return csg_mesh(t, 12);
+}
+
+static inline csg_scene csg_scene_pocket(bool mesh, vec3 shift)
 {
     vec3 n[3];
     csg_scene_axes(n);
@@ -102,8 +122,9 @@ static inline csg_scene csg_scene_pocket(bool no_bounds, vec3 shift)
         s.e.step[i ? 2 * i - 1 : 0] = (csg_step){CSG_SOLID, i};
         if (i) s.e.step[2 * i] = (csg_step){i < 5 ? CSG_DIFFERENCE : CSG_UNION, 0};
     }
+    if (mesh) s.e.solid[0] = csg_scene_cube(n, shift);
     failure f;
-    if (!csg_build(csg_expression_model(&s.e), (csg_options){no_bounds}, &s.c, &f)) fail(f);
+    if (!csg_build(csg_expression_model(&s.e), (csg_options){0}, &s.c, &f)) fail(f);
     return s;
 }
 

@@ -15,7 +15,8 @@
 #include "csg_scenes.h"
 #include "csg_variants.h"
 
-typedef enum { CSG_OUTSIDE, CSG_EYE_INSIDE, CSG_COINCIDENT, CSG_FAR_AWAY, CSG_FOILS, csg_sights }
+typedef enum { CSG_OUTSIDE, CSG_EYE_INSIDE, CSG_COINCIDENT, CSG_FAR_AWAY, CSG_MESH_FACES,
+               CSG_FOILS, csg_sights }
     csg_sight_kind;
 typedef struct {
     csg_sight_kind kind;
@@ -60,7 +61,7 @@ static inline csg_sight csg_sight_of(csg_sight_kind kind, uint64_t seed)
     double far = kind != CSG_FAR_AWAY ? 0 : real_is_float ? 1e2 : 1e7;
     csg_sight s = {.kind = kind, .seed = seed, .shift = vec(far, 0.7 * far, -0.4 * far)};
     failure f;
-    s.scene = kind >= CSG_COINCIDENT ? csg_scene_pocket(false, s.shift)
+    s.scene = kind >= CSG_COINCIDENT ? csg_scene_pocket(kind == CSG_MESH_FACES, s.shift)
         : csg_scene_of(csg_scene_text("classic"));
     if (!csg_build(csg_expression_model(&s.scene.e), (csg_options){true}, &s.bare, &f)) fail(f);
     return s;

@@ -38,7 +38,7 @@ static inline vec3 mesh_view_colour(const mesh_view *w, ray r)
     if (w->m)
         return vmul(vec(0.9, 0.4, 0.18), headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d));
     return vmul(w->tint[h.shape],
-                headlight(shape_normal(w->s->shapes[h.shape], ray_at(r, h.t)), r.d));
+                headlight(shape_normal(w->s->shapes[h.shape], h, ray_at(r, h.t)), r.d));
 }
 
 /* A ray may take a tenth of a second, a tile of pixels half a minute: Ctrl-C works between rays. */

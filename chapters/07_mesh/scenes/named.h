@@ -1,4 +1,5 @@
-/* named.h: all scenes by name, as 17 compares them: those of spd.h, and three of triangles alone.
+/* named.h: all scenes by name, as 17 compares them: those of spd.h, three of triangles alone, and
+ * one of solids (solids.h).
  *
  *   const generator *g = scene_find("soup");    NULL: no such name
  *   scene_world(g, scale, &w, &f)               as world_make; scenes of triangles alone as a mesh
@@ -13,6 +14,7 @@
 #ifndef SCENES_NAMED_H
 #define SCENES_NAMED_H
 
+#include "solids.h"
 #include "soup.h"
 #include "spd.h"
 #include "stadium.h"
@@ -20,10 +22,11 @@
 /* Scales beside the usual: of tests; of the table that is printed without --full; or 0 */
 typedef struct { const char *name; int quick, shown; } compare_sizes;
 
-enum { mesh_scenes = 3, scenes = spd_scenes + mesh_scenes };
+enum { mesh_scenes = 3, scenes = spd_scenes + mesh_scenes + 1 };
 static const compare_sizes scene_list[scenes] = {
     {"balls", 2, 3}, {"gears", 1, 0}, {"mount", 3, 0}, {"rings", 2, 0}, {"teapot", 3, 6},
-    {"tetra", 3, 0}, {"tree", 5, 0}, {"stadium", 4, 8}, {"soup", 1, 0}, {"needles", 2, 5}};
+    {"tetra", 3, 0}, {"tree", 5, 0}, {"stadium", 4, 8}, {"soup", 1, 0}, {"needles", 2, 5},
+    {"solids", 6, 0}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -73,10 +76,13 @@ static const generator mesh_list[mesh_scenes] = {{"stadium", 32, 1, 150, make_st
                                                  {"soup", 100, 1, 4000, make_soup, 0},
                                                  {"needles", 50, 1, 10000, make_needles, 0}};
 
+static const generator solids_scene = {"solids", 64, 1, 300, make_solids, 0};
+
 static inline const generator *scene_find(const char *name)
 {
     const generator *g = generator_find(spd_list, spd_scenes, name);
-    return g ? g : generator_find(mesh_list, mesh_scenes, name);
+    if (!g) g = generator_find(mesh_list, mesh_scenes, name);
+    return g ? g : generator_find(&solids_scene, 1, name);
 }
 
 /* Structures store less for the triangles of a mesh than for shapes of any kind. */

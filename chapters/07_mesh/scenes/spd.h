@@ -96,6 +96,7 @@ static inline void shape_six_digits(shape *s)
         return;
     }
     case SHAPE_POLYGON: s->polygon = polygon_of(s->polygon.v, s->polygon.n); return;
+    case SHAPE_OTHER: return;
     }
 }
 

@@ -43,6 +43,8 @@ typedef struct {
     size_t n;
     vec3 *corner;                    /* [corners] of the polygons among them */
     size_t corners;
+    void *others;                    /* what those of SHAPE_OTHER are made of, and who frees it */
+    void (*free_others)(void *);
     mesh mesh;
     finish_group *group;            /* [groups] by rising `first`; the first begins at 0 */
     size_t groups;
@@ -62,6 +64,7 @@ static inline void world_free(world *w)
 {
     free(w->shape);
     free(w->corner);
+    if (w->others) w->free_others(w->others);
     free(w->group);
     mesh_free(&w->mesh);
     *w = (world){0};
@@ -98,7 +101,7 @@ static inline finish world_finish(const world *w, size_t i)
 
 static inline vec3 world_normal(const world *w, hit h, vec3 p)
 {
-    return w->n ? shape_normal(w->shape[h.shape], p)
+    return w->n ? shape_normal(w->shape[h.shape], h, p)
                 : triangle_normal(mesh_triangle(&w->mesh, h.shape));
 }
 

@@ -1,8 +1,8 @@
 /* borders.h: rays at a whole scene, of any shapes, where answers are hard to get right.
  *
  *   ray_set a = rays_aimed(&w, n, seed)           at corners and edges of triangles and polygons,
- *                                                 outlines, poles and rims of round shapes; in a
- *                                                 mesh half of them as aimed.h does
+ *                                                 outlines, poles and rims of round shapes, edges
+ *                                                 of solids; in a mesh half as aimed.h does
  *   ray_set e = rays_everywhere(&w, n, seed)      from anywhere near to anywhere in it
  */
 #ifndef AABB_BORDERS_H
@@ -54,6 +54,30 @@ static inline vec3 aim_at_cone(cone c, vec3 o, random_stream *g)
     return vmadd(vmadd(c.a, w, u), side, (pick & 1 ? 1 : -1) * (c.ra + (c.rb - c.ra) * u));
 }
 
+/* A corner of its box; or an outline of it, or an edge where two of its surfaces meet: between two
+ * places of the box of which o sees different things, the last real that still shows the one. */
+static inline vec3 aim_at_other(const shape_other *s, vec3 o, random_stream *g)
+{
+    vec3 to[2], size = vsub(s->hi, s->lo);
+    hit h[2] = {hit_none, hit_none}, between;
+    for (int k = 0; k < 2; k++) {
+        real x = random_next(g), y = random_next(g), z = random_next(g);
+        to[k] = vadd(s->lo, vmul((vec3){x, y, z}, size));
+        s->hit(s->self, ray_from(o, vsub(to[k], o)), &h[k]);
+    }
+    uint64_t pick = random_next_bits(g);
+    if (pick % 8 == 0)
+        return (vec3){pick & 8 ? s->lo.x : s->hi.x, pick & 16 ? s->lo.y : s->hi.y,
+                      pick & 32 ? s->lo.z : s->hi.z};
+    for (int k = 0; k < 60; k++) {
+        vec3 p = vscale(vadd(to[0], to[1]), (real)0.5);
+        between = hit_none;
+        s->hit(s->self, ray_from(o, vsub(p, o)), &between);
+        to[between.shape != h[0].shape || between.u != h[0].u] = p;
+    }
+    return to[0];
+}
+
 /* Where on shape or triangle i a ray from o should go that is hard to get right. */
 static inline vec3 aim_at(const world *w, size_t i, vec3 o, random_stream *g)
 {
@@ -68,6 +92,7 @@ static inline vec3 aim_at(const world *w, size_t i, vec3 o, random_stream *g)
     case SHAPE_CONE: return aim_at_cone(s->cone, o, g);
     case SHAPE_POLYGON: return aim_at_corners(s->polygon.v, s->polygon.n, g);
     case SHAPE_TRIANGLE: return aim_at_corners(&s->triangle.a, 3, g);
+    case SHAPE_OTHER: return aim_at_other(s->other, o, g);
     }
     return o;
 }

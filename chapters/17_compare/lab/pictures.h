@@ -1,6 +1,6 @@
 /* pictures.h: all scenes on one sheet, and what each pixel took, structure by structure.
  *
- *   sheet_draw(&o, &im)                         5 x 2 panels, colours under the headlight of 02
+ *   sheet_draw(&o, &im)                         6 x 2 panels, colours under the headlight of 02
  *   image v = visits_draw(&o, &w, &chosen, bytes, &whole)    4 panels a row: the scene; nodes and
  *                                               tests of each primary ray, black none, white
  *                                               visits_most or more; one for each structure
@@ -17,7 +17,7 @@
 #include "compare.h"
 #include "../../07_mesh/scenes/named.h"
 
-enum { sheet_columns = 5, sheet_rows = 2, visits_columns = 4, visits_most = 100 };
+enum { sheet_columns = 6, sheet_rows = 2, visits_columns = 4, visits_most = 100 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -72,13 +72,14 @@ static inline bool sheet_place(sheet_panel p, pixels_colour *colour, int samples
 static inline bool sheet_draw(const options *o, image *im)
 {
     bool whole = true;
+    label_fill(im, 0, 0, im->width, im->height, vec(1, 1, 1));
     for (int k = 0; whole && k < scenes; k++) {
         world w;
         comparison s;
         failure f;
         const generator *g = scene_find(scene_list[k].name);
-        bool thousands = strcmp(g->name, "soup") == 0;  /* a fine soup is a grey cube */
-        int scale = o->quick || thousands ? scene_list[k].quick : g->scale;
+        bool fine = strcmp(g->name, "soup") == 0 || strcmp(g->name, "solids") == 0;  /* grey */
+        int scale = o->quick || fine ? scene_list[k].quick : g->scale;
         if (!scene_world(g, scale, &w, &f)) fail(f);
         line_up one = choose_one(&bvh_contender);
         compare_begin(&s, &w, &one, SIZE_MAX, 1);
