@@ -390,7 +390,8 @@ static void beside_a_warped_edge(void)
     random_stream s = random_start(19, 0, 0);
     for (size_t i = 0; i < check_count(40000); i++) {
         real off = real_epsilon * between(&s, 0, 128), y = between(&s, -0.25, 0.25);
-        vec3 v[4] = {vec(1, -0.25, 0), vec(1.125, 0.25, 0), vec(-1, 0.25, 0), vec(-1.125, -0.25, 0)};
+        vec3 v[4] = {vec(1, -0.25, 0), vec(1.125, 0.25, 0), vec(-1, 0.25, 0),
+                     vec(-1.125, -0.25, 0)};
         for (int k = 0; k < 4; k++) v[k].z = k % 2 ? -off : off;
         real steep = pow((real)10, between(&s, -2, 0)), z = -off * 4 * y;
         vec3 d = {1, 0, i % 2 ? steep : -steep};

@@ -117,8 +117,8 @@ static void test_pad(void)
     }
 }
 
-/* A box that is a point, which the ray meets: near and far planes may be rounded away from each other,
- * and what is added must be more than that. */
+/* A box that is a point, which the ray meets: near and far planes may be rounded away from each
+ * other, and what is added must be more than that. */
 static void test_corners(void)
 {
     const kd_frame home = {{0, 0, 0}, 1};

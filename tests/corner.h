@@ -1,5 +1,5 @@
-/* corner.h: rays through a corner of a box, all numbers chosen so that float may be as far off as it
- * can be: what a search in float adds to its boxes must be enough here.
+/* corner.h: rays through a corner of a box, all numbers chosen so that float may be as far off as
+ * it can be: what a search in float adds to its boxes must be enough here.
  *
  *   vec3 corner;
  *   ray r = corner_ray(&g, far, &corner);   corner: three floats, D from r.o between 1 and 2
