@@ -77,13 +77,13 @@ static inline void file_watch_signals(void)
     if (signal(SIGTERM, file_on_signal) == SIG_IGN) signal(SIGTERM, SIG_IGN);
 }
 
-/* Prints "program: text" on stderr and ends the program with f.exit_code. */
+/* Prints "program: text" on stderr and ends the program with f.exit_code, never with 0. */
 static inline _Noreturn void fail(failure f)
 {
     fflush(stdout);
     fprintf(stderr, "%s: %s\n", program_name, f.text);
     file_drop_begun();
-    exit(f.exit_code);
+    exit(f.exit_code ? f.exit_code : 1);
 }
 
 /* Both at once, where there is nobody to decide what the error means. */

@@ -99,6 +99,7 @@ static void test_weights(void)
         check_close(filter_volume(f), sum * sum, 1e-5 + 8 * eps,
                     "%s: filter_volume is the integral", names[i]);
     }
+    check_equal(filter_weight(filter_box, 0.5, -0.5), 1, "box: its edge belongs to it");
     check_close(filter_weight(filter_tent, 0.25, 0.5), 0.375, 2 * eps,
                 "tent: 3/4 times 1/2");
     check_close(filter_weight(filter_gaussian, 0.5, 0.5), exp(-1.0), 4 * eps,

@@ -554,6 +554,22 @@ static void test_mesh_kinds(void)
 
 /* ---- bounds ---- */
 
+/* n . p <= h across an axis: one side, h / n_k, above or below; hardly more than that. */
+static void test_half_bounds(void)
+{
+    for (int k = 0; k < 3; k++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            real n[3] = {0, 0, 0}, inf = real_infinity;
+            n[k] = (real)sign * 4;
+            csg_solid half = csg_half((vec3){n[0], n[1], n[2]}, 12);
+            csg_bound b = csg_bound_of(&half);
+            real lo = vaxis(b.lo, k), hi = vaxis(b.hi, k), open = sign > 0 ? lo : hi;
+            check_close(sign > 0 ? hi : -lo, 3, 64 * real_epsilon, "axis %d, side %d", k, sign);
+            check(sign > 0 ? hi >= 3 : lo <= -3, "and not less");
+            check(open == (real)-sign * inf, "the other side is open");
+        }
+}
+
 /* Rays at limbs, corners, faces of the bounds, with intervals that end there: the same hit. */
 static void test_bounds(void)
 {
@@ -925,6 +941,7 @@ int main(void)
     test_shared_triangles();
     test_mesh_edges();
     test_mesh_kinds();
+    test_half_bounds();
     test_bounds();
     test_interval();
     test_ways();

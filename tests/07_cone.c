@@ -89,6 +89,32 @@ static void against_the_oracle(void)
             }
 }
 
+/* Lines at right angles to the normal of a point, moved along that by anything from 1e-12 (float:
+ * 1e-4) of the radius there to nothing: hit or miss is right however close the call, where the
+ * radius is a hundredth of |ra| + |rb| or more. */
+static void tangents(void)
+{
+    size_t wrong = 0, hits = 0, rays = check_count(400000);
+    for (size_t i = 0; i < rays; i++) {
+        random_stream s = random_start(19, i, 0);
+        int kind = (int)(i % 5);
+        cone c = some_cone(&s, kind);
+        real u = between(&s, 0.1, 0.9), far = pow((real)10, between(&s, -1, 5));
+        real radius = (fabs(c.ra) + fabs(c.rb)) * between(&s, 1, 2) / 100;
+        if (kind != 0 && kind != 3) u = (radius - c.ra) / (c.rb - c.ra);  /* near the tip */
+        vec3 g, n, p = point_of_side(c, u, between(&s, -pi, pi), &g, &n);
+        vec3 d = vmadd(vcross(g, n), g, between(&s, -1, 1));
+        real off = pow((real)10, -between(&s, real_is_float ? 4 : 12, real_is_float ? 8 : 17));
+        p = vmadd(p, n, between(&s, -1, 1) * off * fabs(c.ra + (c.rb - c.ra) * u));
+        ray r = ray_from(vmadd(p, d, -far), vscale(d, between(&s, 1, 8)));
+        hit h;
+        bool is = cone_hit(c, r, &h);
+        hits += is, wrong += is != cone_exact(c, r).hit;
+    }
+    check_equal(wrong, 0, "tangents but for rounding: wrong answers of %zu, %zu hits", rays, hits);
+    check(hits > rays / 3 && hits < 2 * rays / 3, "half are hits: %zu of %zu", hits, rays);
+}
+
 /* The textbook is 100 times worse, at least: that is the point of the other one. */
 static void naive_fails(void)
 {
@@ -260,6 +286,7 @@ int main(void)
     closed_forms();
     degenerate();
     against_the_oracle();
+    tangents();
     naive_fails();
     scales();
     tangent_planes();

@@ -353,6 +353,63 @@ static void not_in_a_plane(void)
     check_at_least((double)hits, (double)check_count(100000) / 20, "some are hit");
 }
 
+/* Three corners are in a plane whatever they are. Aimed at edges, and steep enough for the depth of
+ * the plane or hardly: what that is off along the ray is off the triangle. */
+static void at_an_edge(void)
+{
+    double worst = 0;
+    size_t hits = 0;
+    random_stream s = random_start(20, 0, 0);
+    for (size_t i = 0; i < check_count(1000000); i++) {
+        vec3 v[3] = {random_in_cube(&s, 1), random_in_cube(&s, 1), random_in_cube(&s, 1)};
+        vec3 e1 = vsub(v[1], v[0]), e2 = vsub(v[2], v[0]), n = vunit(vcross(e1, e2));
+        vec3 along = vunit(vadd(vscale(e1, between(&s, -1, 1)), vscale(e2, between(&s, -1, 1))));
+        vec3 d = vmadd(along, n, pow((real)10, between(&s, -2.5, -0.5)));
+        vec3 aim = vmadd(v[i % 3], vsub(v[(i + 1) % 3], v[i % 3]), between(&s, 0, 1));
+        ray r = ray_from(vmadd(aim, d, -between(&s, 0, 2)), d);
+        hit h;
+        if (!polygon_hit(polygon_of(v, 3), r, &h)) continue;
+        wide3 q = wide3_sub(wide3_madd(wide3_of(r.o), wide3_of(r.d), wide_of((double)h.t)),
+                            wide3_of(v[0]));
+        double at[3] = {wide_value(q.x), wide_value(q.y), wide_value(q.z)};
+        hits++;
+        worst = check_worse(worst, distance_from(v, 3, vcross(e1, e2), at)
+                                       / (size_from(v, 3, r.o) * eps));
+    }
+    check_at_most(worst, 32, "off a triangle, in epsilon D (7.15), of %zu hits", hits);
+    check_at_least((double)hits, (double)check_count(1000000) / 4, "some are hit");
+}
+
+/* Corners by turns above and below a plane, seen at the angle at which that counts: on an edge that
+ * lies off the plane, the plane's depth is wrong by off / steep along the ray, out of the polygon.
+ * x of the edge that the ray passes is known to all digits, and so is x of the point. */
+static void beside_a_warped_edge(void)
+{
+    double worst = 0;
+    size_t hits = 0;
+    random_stream s = random_start(19, 0, 0);
+    for (size_t i = 0; i < check_count(40000); i++) {
+        real off = real_epsilon * between(&s, 0, 128), y = between(&s, -0.25, 0.25);
+        vec3 v[4] = {vec(1, -0.25, 0), vec(1.125, 0.25, 0), vec(-1, 0.25, 0),
+                     vec(-1.125, -0.25, 0)};
+        for (int k = 0; k < 4; k++) v[k].z = k % 2 ? -off : off;
+        real steep = pow((real)10, between(&s, -2, 0)), z = -off * 4 * y;
+        vec3 d = {1, 0, i % 2 ? steep : -steep};
+        polygon p = polygon_of(v, 4);
+        ray r = ray_from((vec3){0, y, 0}, d);
+        r.o.z = z - d.z * (1 + (y + (real)0.25) / 4);
+        hit h;
+        if (!polygon_hit(p, r, &h)) continue;
+        hits++;
+        wide edge = wide_add(wide_of(1), wide_div(wide_add(wide_of((double)y), wide_of(0.25)),
+                                                  wide_of(4)));
+        double over = wide_value(wide_sub(wide_of((double)h.t), edge));
+        worst = check_worse(worst, over / (size_from(v, 4, r.o) * eps));
+    }
+    check_at_most(worst, 128, "beyond a warped edge, in epsilon D (7.15), of %zu hits", hits);
+    check_at_least((double)hits, (double)check_count(40000) / 4, "some are hit");
+}
+
 int main(void)
 {
     exact_cases(false);
@@ -364,5 +421,7 @@ int main(void)
     nearly_edge_on();
     always_on_the_polygon();
     not_in_a_plane();
+    at_an_edge();
+    beside_a_warped_edge();
     return check_report("07_polygon");
 }

@@ -9,6 +9,7 @@
 #include "../common/random.h"
 #include "check.h"
 #include "child.h"
+#include "corner.h"
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -61,6 +62,29 @@ static void test_rounding(void)
           "the largest reals have a float below, and above");
     check(float_above(real_infinity) > FLT_MAX && float_below(-real_infinity) < -FLT_MAX,
           "infinities stay");
+}
+
+/* A box that is a point, which the ray meets: near and far planes may be rounded away from each
+ * other, and what is added must be more than that. */
+static void test_corners(void)
+{
+    const real far[] = {0, 0.0625, 1000, 1e6};
+    for (int k = 0; k < 4; k++) {
+        size_t lost = 0, lost_naive = 0, rays = check_count(400000);
+        for (size_t i = 0; i < rays; i++) {
+            random_stream g = random_start(82, i, 0);
+            float exit;
+            vec3 c;
+            ray r = corner_ray(&g, far[k], &c);
+            bvh_box box = {{(float)c.x, (float)c.y, (float)c.z,
+                            (float)c.x, (float)c.y, (float)c.z}};
+            box_ray q = box_ray_of(r, &box, NULL), n = box_ray_naive(r, &box, NULL);
+            lost += box_enter(&box, &q, INFINITY, &exit) > exit;
+            lost_naive += box_enter(&box, &n, INFINITY, &exit) > exit;
+        }
+        check_equal(lost, 0, "corners, %g from 0: %zu rays, lost", (double)far[k], rays);
+        check_at_least(lost_naive, rays / 10, "lost without what is added");
+    }
 }
 
 /* Boxes of points with few or awkward keys. */
@@ -438,6 +462,7 @@ int main(void)
                      soup(2)};
     const char *const names[] = {"teapot", "octahedron", "soup", "spiral", "one", "two"};
     test_rounding();
+    test_corners();
     test_select();
     for (size_t i = 0; i < sizeof meshes / sizeof *meshes; i++) {
         test_invariants(names[i], &meshes[i]);

@@ -553,7 +553,7 @@ static void test_growth(void)
     for (int i = 0; i < 5; i++, c.n++) c.x[i] = 2 * i, c.ray[i] = 100 * exp2(i);
     double y[5];
     for (int i = 0; i < 5; i++) y[i] = log2(c.ray[i]);
-    check_close(bench_slope(c.x, y, 5), 0.5, 1e-12, "time ~ n^0.5");
+    check_close(bench_slope(c.x, y, 5), 0.5, 1e-14, "time ~ n^0.5");
 }
 
 /* From outside. -------------------------------------------------------------------------------- */

@@ -408,7 +408,7 @@ static void test_focus(void)
     /* some 10 roundings of numbers up to the size */
     check_at_most(apart, 16 * (double)real_epsilon, "rays of one point in the plane of focus");
     check_at_most(depth, 2e3 * (double)real_epsilon, "that plane, |e| = 10, F >= 1/2");
-    check_at_most(outside, 16 * (double)real_epsilon, "outside of the circle of confusion");
+    check_at_most(outside, 2 * (double)real_epsilon, "outside of the circle of confusion");
     check_at_least(widest, 0.9, "its rim");
 }
 

@@ -563,8 +563,18 @@ static void test_called_for(void)
     check_equal(count("cornell", how, NULL).shadow, 0, "directions only: no shadow rays");
 }
 
+/* Of 1 .. 8 and ten times as much. */
+static void test_counts(void)
+{
+    path_counts a = {1, 2, 3, 4, 5, 6, 7, 8}, b = {10, 20, 30, 40, 50, 60, 70, 80};
+    const path_counts due = {11, 22, 33, 44, 55, 66, 77, 88};
+    path_counts_add(&a, &b);
+    check(memcmp(&a, &due, sizeof a) == 0, "counts of two threads add up, each");
+}
+
 int main(void)
 {
+    test_counts();
     test_roulette();
     test_closed_sphere();
     test_furnace();

@@ -303,7 +303,7 @@ static void along(const effects_stage *e, size_t n, estimate out[3])
         dice d = dice_start(9, i, 0);
         effects_counts c = {.now = 0};
         ray r = camera_ray(e->eye, 8, 6, 16, 12);
-        vec3 L = f(e, r, (media_set){0}, &d, &c);
+        vec3 L = f(e, r, effects_around(e, r.o), &d, &c);
         for (int k = 0; k < 3; k++) out[k] = estimate_add(out[k], (double)vaxis(L, k));
     }
 }
@@ -362,10 +362,22 @@ static void test_light(void)
      * and a sphere of radius R at distance 5, height 3: (R/5)^2 3/5. */
     double a = 0.5, k = a / sqrt(1 + a * a), F = 4 / (double)pi * k * atan(k);
     double L = 0.5 * (20 * F + 50 * 0.01 * 0.6);
-    expect("under two lamps", "camera from 0 1.5 4 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"
-           "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 20\n"
-           "polygon -1 2 1  1 2 1  1 2 -1  -1 2 -1\nmaterial ball\nKe 50\nsphere 4 3 0 0.5\n",
-           (double[3]){L, L, L}, 300, EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT);
+    #define TWO_LAMPS "camera from 0 1.5 4 at 0 0 0\nmaterial floor\nKd 0.5\nillum 1\n"         \
+        "polygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\nmaterial lamp\nKe 20\n"                          \
+        "polygon -1 2 1  1 2 1  1 2 -1  -1 2 -1\nmaterial ball\nKe 50\nsphere 4 3 0 0.5\n"
+    expect("under two lamps", TWO_LAMPS, (double[3]){L, L, L}, 300,
+           EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT);
+    /* Clear balls on the way, alone, or all within a larger one of the same: a ray that passes is
+     * weighted as if nothing had been there, as a shadow ray does. */
+    #define CLEAR "material clear\nKd 0\nNi 1\nillum 6\nsphere 0 0 0 1.5\nsphere 2 1.5 0 0.5\n"
+    unsigned mask = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECT_REFRACTION;
+    expect("through clear balls", TWO_LAMPS CLEAR, (double[3]){L, L, L}, 300, mask);
+    expect("clear balls in an even sky", "camera from 0 1.5 4 at 0 0 0\nenvironment 1\n"
+           "material floor\nKd 0.5\nillum 1\npolygon -9 0 9  9 0 9  9 0 -9  -9 0 -9\n" CLEAR,
+           (double[3]){0.5, 0.5, 0.5}, 300,
+           EFFECT_ENVIRONMENT | EFFECT_INDIRECT | EFFECT_REFRACTION);
+    expect("within a clear ball", TWO_LAMPS CLEAR "sphere 0 0 0 60\n", (double[3]){L, L, L}, 300,
+           mask);
 }
 
 /* What a lobe shows of lamps of each kind and of the sky: by its rays alone, by shadow rays alone,

@@ -17,8 +17,8 @@
  * Both ends are closed: u = 0 and u = 1 belong to the side. Two cones that share an end are not
  * watertight there. A ray that runs in the side hits nothing or any point of it; one that runs
  * parallel to the axis of a cylinder misses it. A tangent ray hits; where rounding could blur that,
- * twice the digits decide. Radii of unlike sign: two cones tip to tip; else the signs
- * make no difference. Always a miss: a = b, both radii 0, D = 0, NaN or infinity anywhere.
+ * up to 1/100 of |ra| + |rb| from a tip, twice the digits decide. Radii of unlike sign: two cones;
+ * else the signs make no difference. Always a miss: a = b, both radii 0, D = 0, NaN or infinity.
  * Any size, distance and length of D will do, if o and t can be written as reals in units of the
  * cone's own size. The point o + t d of a hit is always near the side, ends included:
  *

@@ -146,7 +146,7 @@ static inline void edge_nearest(vec3 a, vec3 b, polygon_walk *w)
  * edges met on the left and on the right belongs to the polygon, so does the point that divides
  * them as the origin does:
  *             z = ((xr) zl + (-xl) zr) / (xr - xl),   xl <= 0 <= xr                      (7.16)
- * If one of them is as near as rounding moves a corner, it is taken itself. */
+ * If one of them is as near as rounding moves a corner, 3 epsilon D (18.6), it is taken itself. */
 static inline real polygon_depth_in_doubt(polygon p, const ray_shear *s, real near, real far)
 {
     polygon_walk x = {{-real_infinity, 0, near}, {real_infinity, 0, far}}, y = x;
@@ -159,7 +159,7 @@ static inline real polygon_depth_in_doubt(polygon p, const ray_shear *s, real ne
         a = b;
     }
     polygon_walk w = hi.x - lo.x > hi.y - lo.y ? y : x;
-    real blur = 16 * real_epsilon * real_max(fabs(near), fabs(far));
+    real blur = 4 * real_epsilon * real_max(fabs(near), fabs(far));
     vec3 nearer = -w.left.x < w.right.x ? w.left : w.right;
     if (!(fabs(nearer.x) > blur)) return nearer.z;
     real k = -w.left.x / (w.right.x - w.left.x);

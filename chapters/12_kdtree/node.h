@@ -25,8 +25,8 @@
  *
  * So cells are larger by delta on each side, and a hit that rounding has carried over a wall is
  * still found on the side where its item is. delta = 2^-21 D + query_delta (10.1); D: from o to the
- * farthest side of the tree. The first term pays for float: o, plane - o, 1 / d and the
- * product are four roundings, each of which moves the plane by 2^-24 D at most.
+ * farthest side of the tree. The first term pays for float: plane - o and 1 / d move the plane by
+ * 2^-24 D each, at most; rounding the product keeps the order of two t. (2^-24 D is too little.)
  *
  *   d = 0    1 / d is infinite: t0 = t1 = +-infinity, the side where o is; within delta of the
  *            plane t0 = -infinity, t1 = infinity, or a NaN that the comparisons drop: both sides

@@ -21,9 +21,9 @@
  *        +--->---|-------------------|-->      far:  t = (b - (o - delta)) / d   too large
  *      o-delta o+delta   (d > 0; if d < 0 the signs change)
  *
- *   1. b - o, 1 / d and their product are three roundings: t is off as if the plane were moved by
- *      3 u |b - o|, u = 2^-24. D, the largest |b - o| of the whole tree, bounds it: 4 u D would
- *      be enough, 2^-21 D = 8 u D is taken.
+ *   1. b - o and 1 / d are two roundings: t is off as if the plane were moved by 2 u |b - o|, u =
+ *      2^-24; that of the product keeps the order of two t. D, the largest |b - o| of the whole
+ *      tree, bounds it: 2 u D is enough, u D is not. 2^-21 D = 8 u D is taken.
  *   2. What is in the box is tested in `real`, with errors of its own: the watertight test of 04
  *      moves corners by up to 3 eps D, and t by up to 140 eps D / |d|, since its weights are right
  *      to 65 eps. 256 eps D covers both.

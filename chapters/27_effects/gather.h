@@ -28,6 +28,7 @@ typedef struct {
     media_set in;
     real pdf;           /* of r.d, if light samples could have found what it meets; else infinite */
     real cosine;        /* with the normal where it began */
+    real way;           /* how far before r.o that was: through what is clear */
     int kind, depth;
     int passed;         /* faces with one medium on both sides, since it last changed its way */
     uint32_t node;      /* dice.h */

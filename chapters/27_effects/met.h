@@ -53,7 +53,8 @@ static inline vec3 effects_emitted(const effects_stage *e, const unsigned mask, 
     if (vzero(L) || !(mask & (EFFECT_INDIRECT | EFFECT_GLOSSY)) || !(b->pdf < real_infinity))
         return L;
     const shape *of = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
-    real q = lamps_pdf(&e->lamp, L, of, b->r.o, b->r.d, x.h.t, fabs(vdot(s->n, b->r.d)));
+    real q = lamps_pdf(&e->lamp, L, of, vmadd(b->r.o, b->r.d, -b->way), b->r.d, b->way + x.h.t,
+                       fabs(vdot(s->n, b->r.d)));
     return vscale(L, effects_found(mask, b, EFFECT_SOFT_SHADOWS, q));
 }
 

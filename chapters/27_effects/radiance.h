@@ -61,8 +61,17 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
-    c->bounced = b->bounced, c->passed = 0;
+    c->bounced = b->bounced, c->passed = 0, c->way = 0;
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
+}
+
+/* It goes on as it came: what it meets is weighted as if nothing had been in its way, since nothing
+ * is in that of a shadow ray. */
+__attribute__((always_inline))
+static inline void effects_straight_on(const branch *b, const surface *s, branch *c)
+{
+    c->pdf = b->pdf, c->cosine = b->cosine;
+    c->way = b->way + vlength(vsub(s->p, b->r.o));
 }
 
 /* Rays about the mirror direction or anywhere: RAY_GLOSSY, RAY_SCATTERED. */
@@ -102,6 +111,7 @@ static inline int effects_through(const effects_stage *e, const unsigned mask, c
     if (!effects_follows(e, mask, b, DICE_SURVIVES_REFRACTION, d, &weight)) return 0;
     if (bends) on = back ? reflect(b->r.d, s->ns) : snell_refract(x, b->r.d, s->ns);
     effects_child(mask, b, s, RAY_REFRACTED, back ? s->n : vneg(s->n), on, weight, c);
+    if (!bends) effects_straight_on(b, s, c);
     if (after && !back) c->in = *after;
     return 1;
 }
@@ -214,8 +224,8 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
     if (body && to == inside) {  /* the same medium on both sides: no surface */
         if (b->passed == stage_most_depth) return 0;
         effects_child(mask, b, &s, b->kind, vneg(s.n), b->r.d, b->weight, child);
-        child->in = after, child->depth = b->depth, child->pdf = b->pdf, child->cosine = b->cosine;
-        child->passed = b->passed + 1;
+        effects_straight_on(b, &s, child);
+        child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
     gather_share k = effects_shares(mask, a, b->r.d, &s, &at, bends);
