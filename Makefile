@@ -32,7 +32,7 @@ NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null
 # the same. Tests that compute little get -O0: what they take is the compiler's time. CFLAGS, if given, goes before.
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1
-LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter 18_shade 19_first 19_optics 19_spd 19_whitted \
+LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter 18_shade 19_first 19_optics 19_pixel 19_spd 19_whitted \
   21_known 21_motion 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
   27_corpus 27_lamps 27_paths 27_plan 27_radiance 27_readers
 endif
