@@ -15,6 +15,7 @@
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
 # make mine-04    your own function beside ours: MINE=my.h; sphere mine-03, triangle 04, box 09, structure 17
+# make commands   every command of the texts, as printed, in a fresh clone   some minutes
 # make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make assignment-04  homework to give out: build/assignment-04/   assignment SET="04 09 14 26"  a set
@@ -202,7 +203,9 @@ costs: $(BUILD)/costs csv
 mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" EDIT="$(EDIT)" CC="$(CC)" sh tests/mutants.sh
 
-.PHONY: coverage
+.PHONY: commands coverage
+commands:
+	@sh tests/commands.sh
 coverage:
 	@TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
 
