@@ -231,7 +231,10 @@ bug-%: FORCE
 # Homework: tests/assignments/README.md, chapters/teaching.md. A folder that is there already is left alone.
 ASSIGNMENTS := $(notdir $(wildcard tests/assignments/[0-9][0-9]))
 SET ?= $(ASSIGNMENTS)
-assignment: $(SET:%=assignment-%)
+assignment:
+	@for n in $(SET); do \
+	  if [ -e $(BUILD)/assignment-$$n ]; then echo "$(BUILD)/assignment-$$n is there already: left alone"; \
+	  else $(MAKE) --no-print-directory assignment-$$n || exit 1; fi; done
 $(ASSIGNMENTS:%=assignment-%): assignment-%:
 	@mkdir -p $(BUILD)
 	@CC="$(CC)" sh tests/assignments/write.sh $* $(BUILD)/assignment-$*
