@@ -92,7 +92,8 @@ static bool mark_leaves(const question *q, const answer *a, char why[exam_why])
     qsort(list, (size_t)n, sizeof *list, by_exit);
     if (n > q->most) n = q->most;
     bool right = a->n == n
-        || exam_say(why, "the cells, taken one by one: the ray passes %d leaves, yours %d", n, a->n);
+        || exam_say(why, "the cells, taken one by one: the ray passes %d leaves, yours %d", n,
+                    a->n);
     for (int i = 0; i < question_leaves && right; i++) {
         int leaf = i < n ? list[i].node->number : -77;
         real exit = i < n ? list[i].exit : -77;
