@@ -15,6 +15,7 @@
 # make costs      what accuracy costs, all chapters in one plot: images/costs.svg, and its table
 # make bugs       planted bugs, by symptom   bug-07: find it   bug-07 TEST=my_test.c: does it catch it?   bug-07-answer
 # make mine-04    your own function beside ours: MINE=my.h; sphere mine-03, triangle 04, box 09, structure 17
+# make commands   every command of the texts, as printed, in a fresh clone   some minutes
 # make coverage   gcov: lines and branches of the headers that the tests pass   TESTS=".."
 # make mutants    breaks headers in one place at a time: do the tests see it?   FILES=".." SEED=1 N=20
 # make assignment-04  homework to give out: build/assignment-04/   assignment SET="04 09 14 26"  a set
@@ -36,7 +37,7 @@ CLEAR := $(shell $(CC) -Werror -fexpensive-optimizations -x c -c -o /dev/null /d
   echo -fexpensive-optimizations)
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1 $(CLEAR)
-LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter 18_shade 19_first 19_optics 19_spd 19_whitted \
+LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter 18_shade 19_first 19_optics 19_pixel 19_spd 19_whitted \
   21_known 21_motion 22_irradiance 22_solid_angle 22_spherical_sampling 24_few 24_lights 25_bounces 25_transport \
   27_corpus 27_lamps 27_paths 27_plan 27_radiance 27_readers
 endif
@@ -206,7 +207,9 @@ costs: $(BUILD)/costs csv
 mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" EDIT="$(EDIT)" CC="$(CC)" sh tests/mutants.sh
 
-.PHONY: coverage
+.PHONY: commands coverage
+commands:
+	@sh tests/commands.sh
 coverage:
 	@TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
 
@@ -232,7 +235,10 @@ bug-%: FORCE
 # Homework: tests/assignments/README.md, chapters/teaching.md. A folder that is there already is left alone.
 ASSIGNMENTS := $(notdir $(wildcard tests/assignments/[0-9][0-9]))
 SET ?= $(ASSIGNMENTS)
-assignment: $(SET:%=assignment-%)
+assignment:
+	@for n in $(SET); do \
+	  if [ -e $(BUILD)/assignment-$$n ]; then echo "$(BUILD)/assignment-$$n is there already: left alone"; \
+	  else $(MAKE) --no-print-directory assignment-$$n || exit 1; fi; done
 $(ASSIGNMENTS:%=assignment-%): assignment-%:
 	@mkdir -p $(BUILD)
 	@CC="$(CC)" sh tests/assignments/write.sh $* $(BUILD)/assignment-$*

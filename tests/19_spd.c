@@ -123,15 +123,11 @@ static void test_program(void)
     check(printed("err", "balls, gears"), "said");
     check_equal(run("19_whitted", "--protocol spd --scene balls --scale 7"), 2, "no such scale");
     check_equal(run("19_whitted", "--scene balls"), 2, "a scene for the protocol only");
-    static const char *const wrong[] = {
-        "--protocol spd --csv x", "--tree 9x9 --csv x", "--protocol spd --spend-all",
-        "--tree 9x9 --spend-all"};
+    static const char *const wrong[] = {"--protocol spd --csv x", "--protocol spd --spend-all"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         check_equal(run("19_whitted", wrong[i]), 2, "%s", wrong[i]);
-        check(printed("err", ": not allowed with --protocol, --tree"), "says so: %s", wrong[i]);
+        check(printed("err", ": not allowed with --protocol"), "says so: %s", wrong[i]);
     }
-    check_equal(run("19_whitted", "--quick --tree 345x140"), 0, "the tree of a pixel");
-    check(printed("out", "1 camera: weight 1"), "printed");
 }
 
 int main(void)

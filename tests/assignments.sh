@@ -48,6 +48,10 @@ for NN in ${ONLY:-$(cd $here && echo [0-9][0-9])}; do
     done
     missing=$(grep -o '](images/[^)]*' "$stub/README.md" | sed 's/](//' | while read -r f; do [ -f "$stub/$f" ] || echo "$f"; done)
     is "$missing" '' "$NN: pictures that the handout lacks"
+    # Each exercise that is not in the book begins with its contract.
+    bare=$(grep '| own |' $here/"$NN"/exercises | tr -d ' ' | cut -d'|' -f1-2 | tr '|' _ | while read -r f; do
+        [ "$(head -c 2 "$stub/$f.h")" = '/*' ] || echo "$f.h"; done)
+    is "$bare" '' "$NN: files without a contract"
     if find "$stub" | grep -E 'hidden|reference|halves'; then no "$NN: that has no place in the folder"; else ok; fi
     export ASSIGNMENT="$NN"
     of "$stub"

@@ -7,20 +7,21 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters
 #include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
+#include "lab/pixel.h"
 #include "lab/povray.h"
 #include "lab/spd_protocol.h"
 
 int main(int argc, char **argv)
 {
-    const char *how = NULL, *name = NULL, *pov = NULL;
-    int scale = -1, pixel[2] = {0, 0};
+    const char *how = NULL, *name = NULL, *pov = NULL, *pixel = NULL;
+    int scale = -1;
     bool all = false;
     const option own[] = {
         {"protocol", OPTION_TEXT, &how, 0, 0, "spd: count rays as the published results do"},
         {"scene", OPTION_TEXT, &name, 0, 0,
          "with --protocol: balls gears mount rings teapot tetra or tree"},
         {"scale", OPTION_INT, &scale, 0, 100, "with --protocol: its size"},
-        {"tree", OPTION_SIZE, pixel, 1, 639, "XxY: the tree of rays of this pixel of 640x480"},
+        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its tree of rays, in words and drawn"},
         {"povray", OPTION_TEXT, &pov, 0, 0,
          "writes the forty balls for POV-Ray, and times them here, one thread"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "trace what cannot contribute, too"}, {0}};
@@ -29,26 +30,24 @@ int main(int argc, char **argv)
     const struct { bool wrong; const char *text; } misuse[] = {
         {how && strcmp(how, "spd") != 0, "--protocol: allowed is spd"},
         {!how && (name || scale >= 0), "--scene, --scale: allowed with --protocol spd"},
-        {how && pixel[0], "--tree: not allowed with --protocol"},
-        {pixel[1] > 479, "--tree: allowed are columns from 1 to 639, rows from 1 to 479"},
-        {pov && (how || pixel[0] || all || o.out || o.csv), "--povray: allowed alone"},
-        {pixel[0] && o.out, "--out: not allowed with --tree"},
-        {(how || pixel[0]) && o.csv, "--csv: not allowed with --protocol, --tree"},
-        {(how || pixel[0]) && all, "--spend-all: not allowed with --protocol, --tree"},
+        {pixel && (how || pov || all || o.out || o.csv), "--pixel goes with --size alone"},
+        {pov && (how || all || o.out || o.csv), "--povray: allowed alone"},
+        {how && o.csv, "--csv: not allowed with --protocol"},
+        {how && all, "--spend-all: not allowed with --protocol"},
         {o.out && o.csv, "--out draws, --csv measures: one of them"}};
     for (size_t i = 0; i < sizeof misuse / sizeof *misuse; i++)
         if (misuse[i].wrong) die(2, "%s", misuse[i].text);
-    o.own = how || pixel[0] || pov;
+    o.own = how || pixel || pov;
     if (how) spd_protocol(&o, name, scale);
     if (pov) povray_race(pov);
-    if (pixel[0]) draw_ray_tree(&o, (real)pixel[0] + (real)0.5, (real)pixel[1] + (real)0.5);
+    if (pixel) pixel_explain(&o, pixel);
     if (o.own) return output_done(&o);
     if (o.quick && o.samples == 4) o.samples = 1;
     if (o.quick && o.width == 640 && o.height == 480) o.width = 160, o.height = 120;
     draw_two_spheres(&o, all);
     if (o.out) return output_done(&o);
     draw_tank(&o);
-    draw_ray_tree(&o, 345.5, 140.5);
+    pixel_tree(&o);
     draw_wavefronts(&o);
     draw_critical(&o);
     draw_fresnel(&o);

@@ -3,6 +3,7 @@
  *   int xy[2];
  *   explain_pixel("320,200", width, height, xy)       columns and rows from 0; else exit 2
  *   explain_line(2, "(7.1)", "hit: t = %g", t)        two deep; the equation's number on the right
+ *   explain_vector(2, "(1.2)", "p =", p)
  */
 #ifndef EXPLAIN_H
 #define EXPLAIN_H
@@ -18,7 +19,14 @@ static inline void explain_line(int depth, const char *equation, const char *for
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    printf("%*s%-*s%s\n", depth, "", *equation ? 84 - depth : 0, text, equation);
+    printf("%*s%-*s%s%s\n", depth, "", *equation ? 83 - depth : 0, text, *equation ? " " : "",
+           equation);
+}
+
+static inline void explain_vector(int depth, const char *equation, const char *what, vec3 a)
+{
+    explain_line(depth, equation, "%s (%.6g, %.6g, %.6g)", what, (double)a.x, (double)a.y,
+                 (double)a.z);
 }
 
 static inline void explain_pixel(const char *text, int width, int height, int xy[2])

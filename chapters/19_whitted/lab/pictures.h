@@ -1,10 +1,8 @@
-/* pictures.h: the two spheres; the tank, naively and well; the tree of one pixel; depths.
+/* pictures.h: the two spheres; the tank, naively and well; depths.
  *
  *   draw_two_spheres(&o, all) the main picture, and what rays it took
  *   draw_tank(&o)             left: faces that touch taken one by one; right: as one
  *   draw_depths(&o)           forty balls: depth 1, 2, 3, 8
- *   draw_ray_tree(&o, x, y)   of the pixel (x, y) of the main picture: as a picture; as text, too,
- *                             with --full, and where the pixel is the reader's own
  */
 #ifndef WHITTED_LAB_PICTURES_H
 #define WHITTED_LAB_PICTURES_H
@@ -13,7 +11,6 @@
 #include "../../../common/output.h"
 #include "../scenes/forty.h"
 #include "../whitted_loop.h"
-#include "ray_tree.h"
 #include "tank.h"
 #include "two_spheres.h"
 
@@ -117,31 +114,6 @@ static inline void draw_depths(const options *o)
     image sheet = label_panels(&all, 2, 2, 6, title);
     output_picture(o, &sheet, "19_whitted_depth.png", false, whole);
     image_free(&im), image_free(&all), image_free(&sheet), forty_free(f), free(f);
-}
-
-static inline void draw_ray_tree(const options *o, real x, real y)
-{
-    two_spheres *s = two_spheres_new();
-    ray_tree *tree = allocate(1, sizeof *tree);
-    tracer t = two_spheres_tracer(s);
-    camera c = two_spheres_camera((real)4 / 3);
-    char room[512];
-    failure f;
-    file_writer out;
-    s->w.depth = 6, s->w.least = 0.002;
-    ray_tree_trace(tree, &s->w, &t, camera_ray(c, x, y, 640, 480), (media_set){0});
-    if (o->full || o->own) {
-        printf("# the tree of rays of pixel (%g, %g) of 640 x 480, depth 6\n", (double)x,
-               (double)y);
-        ray_tree_print(tree, stdout);
-        printf("\n");
-    }
-    const char *path = output_path(o, "19_whitted_tree.svg", o->own, room);
-    if (path && !file_begin(&out, path, &f)) fail(f);
-    if (path) ray_tree_svg(tree, out.stream);
-    if (path && !file_commit(&out, &f)) fail(f);
-    if (path) output_note(path);
-    free(tree), two_spheres_free(s);
 }
 
 #endif

@@ -1,10 +1,10 @@
-/* ray_tree.h: the tree of rays (光线树) of one eye ray: noted, printed, drawn.
+/* ray_tree.h: the tree of rays (光线树) of one eye ray: noted while it is traced, and drawn.
  *
- *   ray_tree t;
- *   ray_tree_trace(&t, &w, &tracer, r, in)  follows r; false if there were more than 4096 rays;
- *                                           w is the tracer's
- *   ray_tree_print(&t, stdout)              one line a ray, indented by depth
- *   ray_tree_svg(&t, file)                  depth downwards; width of a line: weight
+ *   ray_tree *x = allocate(1, sizeof *x);
+ *   w.log = ray_tree_begin(x)               from now on w's rays are noted; x->full: more than 4096
+ *   whitted_ray(&tracer, r, in)
+ *   ray_tree_draw(x, path)                  an SVG, NULL: none; depth downwards; width and number
+ *                                           of a line: weight
  *
  *   camera 1 ---.                           from  number of the ray before it, -1: the eye
  *     reflection 2                          t     where it ended; infinity: in the sky
@@ -13,6 +13,7 @@
 #ifndef WHITTED_LAB_RAY_TREE_H
 #define WHITTED_LAB_RAY_TREE_H
 
+#include "../../../common/lab/figure.h"
 #include "../whitted.h"
 
 enum { ray_tree_most = 4096 };
@@ -46,36 +47,10 @@ static inline int ray_tree_add(whitted_log *log, ray_kind kind, int from, int de
     return x->n++;
 }
 
-static inline bool ray_tree_trace(ray_tree *x, whitted *w, tracer *t, ray r, media_set in)
+static inline whitted_log *ray_tree_begin(ray_tree *x)
 {
     x->log.add = ray_tree_add, x->n = 0, x->full = false;
-    w->log = &x->log;
-    whitted_ray(t, r, in);
-    w->log = NULL;
-    return !x->full;
-}
-
-/* What comes of ray k; the branches in the order in which they were traced. */
-static inline void ray_tree_print_below(const ray_tree *x, int k, FILE *f)
-{
-    const ray_tree_node *n = &x->node[k];
-    int lights = 0, lit = 0;
-    for (int i = k + 1; i < x->n; i++)
-        if (x->node[i].from == k && x->node[i].kind == RAY_SHADOW)
-            lights++, lit += x->node[i].lit > 0;
-    fprintf(f, "%*s%d %s: weight %.3g, ", 2 * n->depth - 2, "", n->depth, ray_kind_names[n->kind],
-            (double)n->weight);
-    if (n->t < real_infinity) fprintf(f, "%.3g far", (double)n->t);
-    else fprintf(f, "sky");
-    if (lights) fprintf(f, "; %d shadow ray%s, %d lit", lights, lights > 1 ? "s" : "", lit);
-    fprintf(f, "\n");
-    for (int i = k + 1; i < x->n; i++)
-        if (x->node[i].from == k && x->node[i].kind != RAY_SHADOW) ray_tree_print_below(x, i, f);
-}
-
-static inline void ray_tree_print(const ray_tree *x, FILE *f)
-{
-    if (x->n) ray_tree_print_below(x, 0, f);
+    return &x->log;
 }
 
 /* Leaves stand side by side, a parent over the middle of its children. Returns the next place. */
@@ -97,46 +72,58 @@ static inline int ray_tree_level(const ray_tree_node *n)
     return n->kind == RAY_SHADOW ? n->depth + 1 : n->depth;
 }
 
-static inline void ray_tree_svg(const ray_tree *x, FILE *f)
+static const char *const ray_tree_colour[ray_kinds] = {
+    FIGURE_BLACK, FIGURE_ORANGE, FIGURE_BLUE, FIGURE_GREEN, FIGURE_BLACK};
+
+/* Ray k, from (x0, y - 70) to its end at (x1, y). */
+static inline void ray_tree_draw_ray(figure *g, const ray_tree_node *n, double x0, double x1,
+                                     double y)
 {
-    static const char *const colour[ray_kinds] = {"#000000", "#e69f00", "#0072b2", "#009e73",
-                                                  "#000000"};
+    char weight[16];
+    bool shadow = n->kind == RAY_SHADOW;
+    figure_line(g, x0, y + 70, x1, y, ray_tree_colour[n->kind],
+                shadow ? 1 : 1 + 9 * sqrt((double)n->weight),
+                shadow ? FIGURE_DASHED : FIGURE_WHOLE);
+    figure_dot(g, x1, y, 6.5, FIGURE_BLACK);
+    figure_dot(g, x1, y, 5.5, shadow ? n->lit > 0 ? "#ffe27a" : "#444444"
+                              : n->t < real_infinity ? "#ffffff" : "#9ad0ff");
+    if (shadow || n->from < 0) return;
+    snprintf(weight, sizeof weight, n->weight < (real)0.1 ? "%.1g" : "%.2g", (double)n->weight);
+    figure_text(g, x1, y, x1 < x0 ? -8 : 8, -2, x1 < x0 ? FIGURE_RIGHT : FIGURE_LEFT,
+                ray_tree_colour[n->kind], weight);
+}
+
+static inline void ray_tree_draw(const ray_tree *x, const char *path)
+{
+    static const struct { const char *what, *colour; } key[] = {
+        {"eye ray", FIGURE_BLACK}, {"reflection", FIGURE_BLUE}, {"refraction", FIGURE_GREEN},
+        {"shadow ray (yellow: lit)", FIGURE_ORANGE}, {"blue end: sky", "#3a86c8"}};
     double *at = allocate((size_t)x->n, sizeof *at), width = ray_tree_place(x, 0, 0, at);
+    double step = width < 2 ? 300 : 860 / width;
+    char text[16];
     int deep = 0, depth = 0;  /* shadow rays have none: they may lie one lower */
     for (int i = 0; i < x->n; i++) {
         if (ray_tree_level(&x->node[i]) > deep) deep = ray_tree_level(&x->node[i]);
         if (x->node[i].depth > depth) depth = x->node[i].depth;
     }
-    double step = width < 2 ? 300 : 860 / width;
-    fprintf(f, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 960 %d\" "
-               "font-family=\"sans-serif\" font-size=\"14\">\n"
-               "<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n"
-               "<text x=\"480\" y=\"24\" text-anchor=\"middle\">Rays for one pixel: wider lines "
-               "contribute more</text>\n", 70 * deep + 110);
+    figure g = figure_at(path, 960, 70 * deep + 110);
+    figure_origin(&g, 0, 0, 1);
+    figure_text(&g, 480, -24, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK,
+                "Rays for one pixel: the wider a line, the more it is worth there");
     for (int i = x->n; i-- > 0; ) {
         const ray_tree_node *n = &x->node[i];
-        double x1 = 70 + step * at[i], y1 = 50 + 70 * ray_tree_level(n);
-        double x0 = n->from < 0 ? x1 : 70 + step * at[n->from];
-        bool shadow = n->kind == RAY_SHADOW;
-        fprintf(f, "<line x1=\"%.1f\" y1=\"%.0f\" x2=\"%.1f\" y2=\"%.0f\" stroke=\"%s\" "
-                   "stroke-width=\"%.2f\"%s/>\n", x0, y1 - 70, x1, y1, colour[n->kind],
-                shadow ? 1 : 1 + 9 * sqrt((double)n->weight),
-                shadow ? " stroke-dasharray=\"3 3\"" : "");
-        const char *fill = shadow ? n->lit > 0 ? "#ffe27a" : "#444444"
-                           : n->t < real_infinity ? "#ffffff" : "#9ad0ff";
-        fprintf(f, "<circle cx=\"%.1f\" cy=\"%.0f\" r=\"6\" fill=\"%s\" stroke=\"black\"/>\n", x1,
-                y1, fill);
+        double x1 = 70 + step * at[i], x0 = n->from < 0 ? x1 : 70 + step * at[n->from];
+        ray_tree_draw_ray(&g, n, x0, x1, -50 - 70 * ray_tree_level(n));
     }
-    fprintf(f, "<text x=\"8\" y=\"85\" fill=\"#666\">depth</text>\n");
-    for (int d = 1; d <= depth; d++)
-        fprintf(f, "<text x=\"8\" y=\"%d\" fill=\"#666\">%d</text>\n", 55 + 70 * d, d);
-    static const struct { const char *what; int kind; } key[] = {
-        {"eye ray", RAY_CAMERA}, {"reflection", RAY_REFLECTION}, {"refraction", RAY_REFRACTION},
-        {"shadow ray (yellow: lit)", RAY_SHADOW}, {"blue end: sky", -1}};
+    figure_text(&g, 8, -85, 0, 0, FIGURE_LEFT, FIGURE_GREY, "depth");
+    for (int d = 1; d <= depth; d++) {
+        snprintf(text, sizeof text, "%d", d);
+        figure_text(&g, 8, -55 - 70 * d, 0, 0, FIGURE_LEFT, FIGURE_GREY, text);
+    }
     for (int k = 0; k < 5; k++)
-        fprintf(f, "<text x=\"%d\" y=\"%d\" fill=\"%s\">%s</text>\n", 60 + 180 * k, 70 * deep + 96,
-                key[k].kind < 0 ? "#3a86c8" : colour[key[k].kind], key[k].what);
-    fprintf(f, "</svg>\n");
+        figure_text(&g, 60 + 170 * k + 30 * (k == 4), -70 * deep - 96, 0, 0, FIGURE_LEFT,
+                    key[k].colour, key[k].what);
+    figure_end(&g);
     free(at);
 }
 

@@ -20,12 +20,6 @@ typedef struct { vertex_seen v[pixel_most]; int n; } pixel_path;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void pixel_vector(int depth, const char *equation, const char *what, vec3 a)
-{
-    explain_line(depth, equation, "%s (%.5g, %.5g, %.5g)", what, (double)a.x, (double)a.y,
-                 (double)a.z);
-}
-
 /* The light sample that the step is about to draw; `gain`: what it added. */
 static inline void pixel_light(const vertex_seen *v, vec3 gain)
 {
@@ -33,19 +27,19 @@ static inline void pixel_light(const vertex_seen *v, vec3 gain)
         explain_line(2, "(24.4)", "the lamp shows its back, or lies behind: no shadow ray");
         return;
     }
-    pixel_vector(2, "(24.4)", "a point of the lamp:", v->lamp);
+    explain_vector(2, "(24.4)", "a point of the lamp:", v->lamp);
     if (v->blocked) explain_line(2, "(1.5)", "in shadow: 0");
     else {
         explain_line(2, "(24.9)", "in sight; its weight w_L = %.6f, that of the BRDF's way %.6f",
                      (double)v->weight, 1 - (double)v->weight);
-        pixel_vector(2, "(26.5)", "it adds", gain);
+        explain_vector(2, "(26.5)", "it adds", gain);
     }
 }
 
 static inline void pixel_dice(const path_tracer *t, const path_walk *before, bool on)
 {
     real q = roulette_survival(vscale(before->beta, 1 / before->squeezed));
-    pixel_vector(2, t->glass ? "(26.2), (26.10)" : "(26.2)", "on, with beta =", before->beta);
+    explain_vector(2, t->glass ? "(26.2), (26.10)" : "(26.2)", "on, with beta =", before->beta);
     if (q >= 1) explain_line(2, "(26.4)", "it carries half of the light or more: no dice");
     else if (on) explain_line(2, "(26.3)", "dice: goes on with q = %.4f, beta / q", (double)q);
     else explain_line(2, "(26.3)", "dice: ends here, q = %.4f", (double)q);
@@ -63,18 +57,18 @@ static inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, 
     if (!lit_trace_from(t->scene, w->r, w->left, &x)) {
         vec3 sky = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, sky);
-        pixel_vector(0, "(26.5)", "out of the scene, where beta L is", sky);
+        explain_vector(0, "(26.5)", "out of the scene, where beta L is", sky);
         return false;
     }
     *v = (vertex_seen){.p = x.s.p, .beta = w->beta};
-    pixel_vector(0, "(1.2)", name, x.s.p);
-    pixel_vector(2, "(26.2)", "beta =", w->beta);
+    explain_vector(0, "(1.2)", name, x.s.p);
+    explain_vector(2, "(26.2)", "beta =", w->beta);
     if (t->glass && w->medium)
         w->beta = vmul(w->beta, absorbed(w->medium->sigma, x.t * vlength(w->r.d)));
     if (x.front && x.emitter != lit_dark) {
         vec3 found = vmul(w->beta, path_found(t, w, &x));
         w->L = vadd(w->L, found);
-        pixel_vector(2, "(26.5)", "it is a lamp; its light adds", found);
+        explain_vector(2, "(26.5)", "it is a lamp; its light adds", found);
     }
     if (t->glass && x.m->ior > 0) {
         const lit_material *medium = w->medium;
@@ -170,12 +164,12 @@ static inline void pixel_explain(const options *o, const char *name, const char 
 
     printf("# The first path of pixel %d, %d of %d x %d, %s\n", xy[0], xy[1], o->width, o->height,
            name);
-    pixel_vector(0, "(2.5)", "o =", eye.o);
-    pixel_vector(0, "(2.5)", "d =", eye.d);
+    explain_vector(0, "(2.5)", "o =", eye.o);
+    explain_vector(0, "(2.5)", "d =", eye.d);
     vec3 L = pixel_walk(&t, eye, s, &path), due = path_radiance(&t, eye, &again, &counts);
     if (L.x != due.x || L.y != due.y || L.z != due.z)
         die(1, "--pixel: this walk is not that of path.h");
-    pixel_vector(0, "(26.5)", "this path brings L =", L);
+    explain_vector(0, "(26.5)", "this path brings L =", L);
     printf("%zu rays; the pixel is the mean of many such paths\n", path_rays(&counts));
     pixel_draw(o, &c, *name == 'c', &path);
     path_tracer_free(&t), showcase_free(&c);

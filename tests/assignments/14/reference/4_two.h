@@ -1,9 +1,3 @@
-/* The two closest hits in [r.tmin, r.tmax], the closer one first; each with t, u, v and the
- * number of its triangle (`shape`). Returns how many there are, 0, 1 or 2, and leaves the rest
- * of `out` as it was. Triangles that are hit at the same t all count, those of lower number
- * first. A node is left out if the ray misses its box (first_aabb_hit), or enters it beyond
- * tmax, or beyond the second of two hits that are known; of two children the one that (14.1)
- * calls nearer comes first. */
 static inline void bvh_two_below(const first_bvh *b, int i, ray r, hit best[2], int *n)
 {
     const first_bvh_node *node = &b->node[i];
@@ -29,6 +23,12 @@ static inline void bvh_two_below(const first_bvh *b, int i, ray r, hit best[2], 
     }
 }
 
+/* The two closest hits in [r.tmin, r.tmax], the closer one first; each with t, u, v and the
+ * number of its triangle (`shape`). Returns how many there are, 0, 1 or 2, and leaves the rest
+ * of `out` as it was. Triangles that are hit at the same t all count, those of lower number
+ * first. A node is left out if the ray misses its box (first_aabb_hit), or enters it beyond
+ * tmax, or beyond the second of two hits that are known; of two children the one that (14.1)
+ * calls nearer comes first. */
 static inline int bvh_two(const first_bvh *b, ray r, hit out[2])
 {
     hit best[2] = {{0, 0, 0, 0}, {0, 0, 0, 0}};

@@ -1,12 +1,3 @@
-/* The surface area heuristic without planes: all n - 1 cuts of each axis are tried. Along an
- * axis the boxes are sorted by their centres (those at the same place by number), and the first
- * k of them go left. With S the surface and f(n) = c.group * ceil(n / c.lanes) the cost to ask n
- * triangles, it is
- *     cost = c.box + (S(L) f(k) + S(R) f(n - k)) / S(N),   N the box of all
- * Returns the k of the cheapest cut, its axis in *axis, and in order[0 .. n) the numbers of the
- * boxes as they are sorted along it. Of equal cuts any will do. Returns 0, and leaves order and
- * axis as they were, if no cut is cheaper than a leaf, f(n), and where S(N) is 0. n >= 1, at
- * most 1000. */
 static inline real sweep_ask(sah_costs c, int n)
 {
     return c.group * (real)((n + c.lanes - 1) / c.lanes);
@@ -26,6 +17,15 @@ static inline void sweep_sort(const aabb *box, int n, int axis, int *order)
     }
 }
 
+/* The surface area heuristic without planes: all n - 1 cuts of each axis are tried. Along an
+ * axis the boxes are sorted by their centres (those at the same place by number), and the first
+ * k of them go left. With S the surface and f(n) = c.group * ceil(n / c.lanes) the cost to ask n
+ * triangles, it is
+ *     cost = c.box + (S(L) f(k) + S(R) f(n - k)) / S(N),   N the box of all
+ * Returns the k of the cheapest cut, its axis in *axis, and in order[0 .. n) the numbers of the
+ * boxes as they are sorted along it. Of equal cuts any will do. Returns 0, and leaves order and
+ * axis as they were, if no cut is cheaper than a leaf, f(n), and where S(N) is 0. n >= 1, at
+ * most 1000. */
 static inline int sah_sweep(const aabb *box, int n, sah_costs c, int *order, int *axis)
 {
     real right[1001], best = sweep_ask(c, n);
