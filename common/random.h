@@ -5,6 +5,7 @@
  *   real x = random_real(seed, pixel, sample, dimension);    uniform in [0,1), never 1
  *   random_stream s = random_start(seed, pixel, sample);     the same: dimension 0, 1, 2, ...
  *   real y = random_next(&s);                                random_between(&s, lo, hi)
+ *   uint64_t key = random_pixel(seed, pixel); s = random_sample(key, sample);    in two steps
  *
  * The short cut (float)u * 2^-32 rounds the 128 largest words up to 1: 24 bits make a float, 53 a
  * double. Streams are pieces of one sequence of 2^64 numbers: of 10^9 some ten pairs overlap.
@@ -33,11 +34,19 @@ static inline uint64_t random_mix(uint64_t x)
     return x ^ (x >> 31);
 }
 
+static inline uint64_t random_pixel(uint64_t seed, uint64_t pixel)
+{
+    return random_mix(random_mix(seed + RANDOM_OFFSET + random_step) + random_step * (pixel + 1));
+}
+
+static inline random_stream random_sample(uint64_t pixel_key, uint64_t sample)
+{
+    return (random_stream){random_mix(pixel_key ^ random_step * (sample + 1)), 0};
+}
+
 static inline random_stream random_start(uint64_t seed, uint64_t pixel, uint64_t sample)
 {
-    uint64_t key = random_mix(seed + RANDOM_OFFSET + random_step);
-    key = random_mix(key + random_step * (pixel + 1));
-    return (random_stream){random_mix(key ^ random_step * (sample + 1)), 0};
+    return random_sample(random_pixel(seed, pixel), sample);
 }
 
 static inline uint64_t random_next_bits(random_stream *s)

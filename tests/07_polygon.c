@@ -72,6 +72,8 @@ static void degenerate(void)
     h = kept;
     r.tmin = 1.5, r.tmax = 2;
     check(!polygon_hit(polygon_of(v, 4), r, &h), "beyond the interval");
+    const vec3 oblong[4] = {{1, 0, 2}, {7, 0, 2}, {7, 8, 2}, {1, 8, 2}};
+    check_equal((double)polygon_of(oblong, 4).radius, 5, "half of the diagonal of 6 x 8");
     r = ray_from((vec3){1, 0, -1}, (vec3){0, 0, 1});
     for (size_t n = 0; n < 3; n++) check(!polygon_hit(polygon_of(v, n), r, &h), "%zu corners", n);
     vec3 line[4] = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 0}},

@@ -23,6 +23,24 @@ static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estima
     }
 }
 
+/* Hashed once a pixel or each time: the same numbers, of all methods. */
+static void test_pixel(void)
+{
+    path_options how = path_defaults;
+    size_t bad = 0;
+    for (how.sequence = 0; how.sequence < sequence_kinds; how.sequence++)
+        for (uint32_t k = 0; k < 8; k++) {
+            path_pixel of;
+            path_pixel_of(&how, 5, 11, &of);
+            path_random a = path_start(&how, 5, 11, k, 8), b = path_sample(&of, k, 8);
+            for (int i = 0; i < 2 * path_pairs; i++) {
+                point2 u = path_pair(&a), v = path_pair(&b);
+                bad += u.u != v.u || u.v != v.v;
+            }
+        }
+    check(bad == 0, "%zu pairs of path_sample are not those of path_start", bad);
+}
+
 /* ---- a closed sphere that shines: L = Le / (1 - albedo), everywhere, in all directions ---- */
 
 static void test_closed_sphere(void)
@@ -576,6 +594,7 @@ int main(void)
 {
     test_counts();
     test_roulette();
+    test_pixel();
     test_closed_sphere();
     test_furnace();
     test_leaning_normals();

@@ -120,8 +120,8 @@ static void test_special(void)
     check(effects_made_for(EFFECTS_PLAIN) == effects_plain, "a set with a copy of its own");
     check(effects_made_for(EFFECTS_PLAIN | EFFECTS_GENERAL) == effects_general, "for prices");
     static const unsigned masks[] = {EFFECTS_NONE, EFFECTS_PLAIN, EFFECTS_MIRRORS, EFFECTS_GLASS,
-                                     EFFECTS_COLOURED_GLASS, EFFECTS_MATTE_ROOM, EFFECTS_ROOM,
-                                     EFFECTS_OUTDOORS};
+                                     EFFECTS_COLOURED_GLASS, EFFECTS_SOFT, EFFECTS_MATTE_ROOM,
+                                     EFFECTS_CLEAR_ROOM, EFFECTS_ROOM, EFFECTS_OUTDOORS};
     set q;
     char *text = scene_of(EFFECTS_ALL & ~(unsigned)EFFECT_DEPTH_OF_FIELD);
     set_up(&q, text);
@@ -142,6 +142,31 @@ static void test_special(void)
     }
     tear_down(&q);
     free(text);
+}
+
+/* Hashed once a pixel or each time: the same numbers. Nodes 0 and 1 have pairs on both sides of the
+ * last one that is hashed beforehand. */
+static void test_dice(void)
+{
+    size_t bad = 0;
+    for (uint64_t pixel = 0; pixel < 20; pixel++) {
+        dice_pixel of;
+        dice_pixel_of(7, pixel, &of);
+        for (uint32_t k = 0; k < 6; k++) {
+            dice a = dice_start(7, pixel, k), b = dice_sample(&of, k);
+            for (uint32_t i = 0; i < 2 * dice_purposes; i++) {
+                dice_purpose what = (dice_purpose)(i % dice_purposes);
+                uint32_t node = i / dice_purposes;
+                for (int depth = 1; depth < dice_depth + 2; depth++) {
+                    point2 u = dice_pair(&a, node, depth, what);
+                    point2 v = dice_pair(&b, node, depth, what);
+                    bad += u.u != v.u || u.v != v.v;
+                }
+                bad += dice_number(&a, node, what) != dice_number(&b, node, what);
+            }
+        }
+    }
+    check(bad == 0, "%zu numbers of dice_sample are not those of dice_start", bad);
 }
 
 /* ---- 18 and 19 ---- */
@@ -414,6 +439,7 @@ int main(void)
     alarm(120);
     test_matrix();
     test_special();
+    test_dice();
     test_classic(false);
     test_classic(true);
     test_bodies();

@@ -41,6 +41,7 @@ typedef struct {
     float trust;    /* seen less steeply, |n.d / dz| below this, the plane's depth is noise */
     vec3 normal;    /* unit, or 0 */
     vec3 centre;    /* mean of the corners */
+    real radius;    /* of the farthest corner from there */
 } polygon;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -63,10 +64,12 @@ static inline polygon polygon_of(const vec3 *v, size_t n)
     for (size_t i = 2; i < n; i++)
         sum = vadd(sum,
                    vcross(vscale(vsub(v[i - 1], v[0]), scale), vscale(vsub(v[i], v[0]), scale)));
-    polygon p = {v, (uint32_t)n, 0, vunit(sum), n ? vadd(v[0], offset) : offset};
+    polygon p = {v, (uint32_t)n, 0, vunit(sum), n ? vadd(v[0], offset) : offset, 0};
     real off = 0, size = vaxis(widest, vlongest(widest));
-    for (size_t i = 0; i < n; i++)
-        off = real_max(fabs(vdot(p.normal, vsub(v[i], p.centre))), off);
+    for (size_t i = 0; i < n; i++) {
+        vec3 q = vsub(v[i], p.centre);
+        off = real_max(fabs(vdot(p.normal, q)), off), p.radius = real_max(p.radius, vlength(q));
+    }
     real steep = real_max(off / (32 * real_epsilon * size), (real)1 / 16);
     p.trust = steep < 2 ? (float)steep : INFINITY;
     return p;

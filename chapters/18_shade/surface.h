@@ -129,12 +129,11 @@ static inline surface surface_on_cone(cone c, uint32_t index, vec3 p)
     return (surface){p, n, n, error, 8 * real_epsilon * H, index};
 }
 
-/* Twice: the first step may have come from far away. O(corners), for L. */
+/* Twice: the first step may have come from far away. */
 static inline surface surface_on_polygon(polygon g, uint32_t index, vec3 p)
 {
-    real L = 0;
+    real L = g.radius;
     vec3 n = g.normal;
-    for (uint32_t i = 0; i < g.n; i++) L = real_max(L, vlength(vsub(g.v[i], g.centre)));
     for (int k = 0; k < 2; k++) p = vmadd(p, n, -vdot(n, vsub(p, g.centre)));
     real error = real_epsilon * (4 * L + 2 * surface_reach(p));
     return (surface){p, n, n, error, 4 * real_epsilon * L, index};

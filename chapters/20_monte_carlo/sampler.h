@@ -48,7 +48,7 @@ static const char *const sequence_name[sequence_kinds] = {
 enum { sampler_hashed = 6 };
 typedef struct {
     sequence_kind kind;
-    uint64_t seed, pixel, key, pair[sampler_hashed], axes[sampler_hashed];
+    uint64_t own, key, pair[sampler_hashed], axes[sampler_hashed];
 } sampler_keys;
 typedef struct {
     sequence_kind kind;
@@ -69,43 +69,46 @@ static inline sampler sampler_start(sequence_kind kind, uint64_t seed, uint64_t 
     return s;
 }
 
-static inline uint64_t sampler_key(const sampler *s)
+static inline uint64_t sampler_key(const sampler *s, uint32_t pair)
 {
-    if (s->keys && s->pair < sampler_hashed) return s->keys->pair[s->pair];
-    return random_mix(s->key + random_step * (s->pair + (uint64_t)1));
+    if (s->keys && pair < sampler_hashed) return s->keys->pair[pair];
+    return random_mix(s->key + random_step * (pair + (uint64_t)1));
 }
 
 static inline void sampler_keys_of(sequence_kind kind, uint64_t seed, uint64_t pixel,
                                    sampler_keys *out)
 {
     sampler s = sampler_start(kind, seed, pixel, 0, 1);
-    out->kind = kind, out->seed = seed, out->pixel = pixel, out->key = s.key;
-    for (s.pair = 0; s.pair < sampler_hashed; s.pair++) {
-        out->pair[s.pair] = sampler_key(&s);
-        out->axes[s.pair] = random_mix(out->pair[s.pair] + random_step);
+    out->kind = kind, out->own = random_pixel(seed, pixel), out->key = s.key;
+    for (uint32_t k = 0; k < sampler_hashed; k++) {
+        out->pair[k] = sampler_key(&s, k);
+        out->axes[k] = random_mix(out->pair[k] + random_step);
     }
 }
 
 static inline sampler sampler_of_keys(const sampler_keys *k, uint32_t sample, uint32_t samples)
 {
     sampler s = {k->kind, sample, samples, 0, k->key, {0, 0}, k};
-    if (k->kind <= SEQUENCE_HALTON_OWEN) s.own = random_start(k->seed, k->pixel, sample);
+    if (k->kind <= SEQUENCE_HALTON_OWEN) s.own = random_sample(k->own, sample);
     return s;
 }
 
 /* Both coordinates of pair d: two seeds for the axes, one for the order of the points. The order of
  * a scrambled index keeps aligned blocks of 2^m together, so that the first 2^m are a net in any
  * pair. Pair 0 keeps its own order: only where two pairs meet does it matter. Scrambling reverses
- * the bits, works, and reverses them back: what comes in pairs is left out. */
-static inline point2 sampler_sobol(const sampler *s, uint64_t key)
+ * the bits, works, and reverses them back; so do coordinates of a point: once is enough. */
+static inline point2 sampler_sobol(const sampler *s, uint32_t pair)
 {
-    bool hashed = s->keys && s->pair < sampler_hashed;
-    uint64_t axes = hashed ? s->keys->axes[s->pair] : random_mix(key + random_step);
-    uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32), x = sobol_x(s->sample);
-    if (s->pair > 0) x = owen_reversed(x, (uint32_t)key);
-    uint32_t y = sobol_y_of_x(x);
-    if (s->kind == SEQUENCE_SOBOL) x = owen_scramble(x, a), y = owen_scramble(y, b);
-    else x = scramble_xor(x, a), y = scramble_xor(y, b);
+    bool hashed = s->keys && pair < sampler_hashed;
+    uint64_t key = sampler_key(s, pair);
+    uint64_t axes = hashed ? s->keys->axes[pair] : random_mix(key + random_step);
+    uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32), x = s->sample;
+    if (pair > 0) x = owen_scramble(x, (uint32_t)key);
+    uint32_t y = sobol_index_of_y(x);
+    bool owen = s->kind == SEQUENCE_SOBOL;
+    if (owen) x = owen_reversed(x, a), y = owen_reversed(y, b);
+    x = reversed_bits(x), y = reversed_bits(y);
+    if (!owen) x = scramble_xor(x, a), y = scramble_xor(y, b);
     return (point2){real_of_fraction(x, a), real_of_fraction(y, b)};
 }
 
@@ -127,7 +130,7 @@ static inline point2 sampler_halton(sampler *s, uint64_t key)
 
 static inline point2 sampler_pair(sampler *s)
 {
-    uint64_t key = sampler_key(s);
+    uint64_t key = s->kind < SEQUENCE_SOBOL_XOR ? sampler_key(s, s->pair) : 0;
     point2 p = {0, 0};
     s->own.dimension = 2 * (uint64_t)s->pair;
     switch (s->kind) {
@@ -136,7 +139,7 @@ static inline point2 sampler_pair(sampler *s)
     case SEQUENCE_HALTON:
     case SEQUENCE_HALTON_OWEN: p = sampler_halton(s, key); break;
     case SEQUENCE_SOBOL_XOR:
-    case SEQUENCE_SOBOL: p = sampler_sobol(s, key); break;
+    case SEQUENCE_SOBOL: p = sampler_sobol(s, s->pair); break;
     case sequence_kinds: break;
     }
     s->pair++;
@@ -146,7 +149,7 @@ static inline point2 sampler_pair(sampler *s)
 static inline real sampler_number(sampler *s)
 {
     if (s->kind != SEQUENCE_JITTERED) return sampler_pair(s).u;
-    uint64_t key = sampler_key(s);
+    uint64_t key = sampler_key(s, s->pair);
     s->own.dimension = 2 * (uint64_t)s->pair++;
     return jitter_line(s->sample, s->samples, key, &s->own);
 }

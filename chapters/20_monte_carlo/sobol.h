@@ -50,18 +50,17 @@ static inline uint32_t reversed_bits(uint32_t x)
 static inline uint32_t sobol_x(uint32_t i) { return reversed_bits(i); }
 
 /* f(X) = A(X) + X^16 B(X) gives f(X+1) = (A+B)(X+1) + X^16 B(X+1), since X^16 becomes (X+1)^16 =
- * X^16 + 1 where 1 + 1 = 0. So: add the upper half to the lower, then the same in each half. The
- * lower powers are the higher bits of the reversed word. */
-static inline uint32_t sobol_y_of_x(uint32_t x)
+ * X^16 + 1 where 1 + 1 = 0. So: add the upper half to the lower, then the same in each half. */
+static inline uint32_t sobol_index_of_y(uint32_t i)
 {
-    x ^= x << 16;
-    x ^= (x & 0x00ff00ff) << 8;
-    x ^= (x & 0x0f0f0f0f) << 4;
-    x ^= (x & 0x33333333) << 2;
-    return x ^ (x & 0x55555555) << 1;
+    i ^= i >> 16;
+    i ^= i >> 8 & 0x00ff00ff;
+    i ^= i >> 4 & 0x0f0f0f0f;
+    i ^= i >> 2 & 0x33333333;
+    return i ^ (i >> 1 & 0x55555555);
 }
 
-static inline uint32_t sobol_y(uint32_t i) { return sobol_y_of_x(sobol_x(i)); }
+static inline uint32_t sobol_y(uint32_t i) { return reversed_bits(sobol_index_of_y(i)); }
 
 static inline uint32_t scramble_xor(uint32_t x, uint32_t seed)
 {

@@ -43,6 +43,7 @@ static inline thin_lens lens_of(real f, real N, real focus)
 }
 
 /* t: from the eye to the plane of focus, in lengths of D. */
+__attribute__((always_inline))
 static inline ray lens_ray(camera c, thin_lens l, real x, real y, int nx, int ny, point2 u)
 {
     ray r = camera_ray(c, x, y, nx, ny);

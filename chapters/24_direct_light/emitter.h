@@ -115,28 +115,41 @@ static inline bool emitter_sphere_around(sphere s, vec3 p)
     return vlength(vsub(p, s.c)) <= r + real_epsilon * (8 * r + 4 * surface_reach(p));
 }
 
+/* The point x, from the side that n [unit] looks to. */
 __attribute__((always_inline))
-static inline bool emitter_by_area(const emitter *e, vec3 p, point2 u, emitter_point *out)
+static inline bool emitter_seen(const emitter *e, vec3 x, vec3 n, vec3 p, emitter_point *out)
 {
-    vec3 x, n = e->n;
-    if (!(e->area > 0)) return false;
-    if (e->kind == EMITTER_RECTANGLE) {
-        x = vmadd(vmadd(e->rectangle.o, e->rectangle.s, u.u), e->rectangle.t, u.v);
-    } else if (e->kind == EMITTER_TRIANGLE) {
-        vec3 b = sample_triangle(u.u, u.v), a = e->triangle.a;
-        x = vadd(a, vmadd(vscale(vsub(e->triangle.b, a), b.y), vsub(e->triangle.c, a), b.z));
-    } else {
-        n = sample_sphere(u.u, u.v);
-        x = vmadd(e->sphere.c, n, fabs(e->sphere.r));
-        if (e->sphere.r < 0) {
-            if (!emitter_sphere_around(e->sphere, p)) return false;
-            n = vneg(n);
-        }
-    }
     vec3 to = vsub(x, p), wi = vunit(to);
     if (!(vdot(n, wi) < 0)) return false;  /* its back; or x = p */
     *out = (emitter_point){emitter_surface(e, x, n), wi, emitter_density(e, to, wi, n)};
     return out->pdf > 0;
+}
+
+/* [of area > 0] A flat one by area: its front, n = e->n, or its back, n = -e->n. */
+__attribute__((always_inline))
+static inline bool emitter_flat(const emitter *e, vec3 n, vec3 p, point2 u, emitter_point *out)
+{
+    vec3 x;
+    if (e->kind == EMITTER_RECTANGLE) {
+        x = vmadd(vmadd(e->rectangle.o, e->rectangle.s, u.u), e->rectangle.t, u.v);
+    } else {
+        vec3 b = sample_triangle(u.u, u.v), a = e->triangle.a;
+        x = vadd(a, vmadd(vscale(vsub(e->triangle.b, a), b.y), vsub(e->triangle.c, a), b.z));
+    }
+    return emitter_seen(e, x, n, p, out);
+}
+
+__attribute__((always_inline))
+static inline bool emitter_by_area(const emitter *e, vec3 p, point2 u, emitter_point *out)
+{
+    if (!(e->area > 0)) return false;
+    if (e->kind != EMITTER_SPHERE) return emitter_flat(e, e->n, p, u, out);
+    vec3 n = sample_sphere(u.u, u.v), x = vmadd(e->sphere.c, n, fabs(e->sphere.r));
+    if (e->sphere.r < 0) {
+        if (!emitter_sphere_around(e->sphere, p)) return false;
+        n = vneg(n);
+    }
+    return emitter_seen(e, x, n, p, out);
 }
 
 static inline real emitter_pdf_area(const emitter *e, vec3 p, vec3 x)

@@ -71,7 +71,7 @@ typedef struct {
     bool glass, dark;        /* dark: nothing shines */
 } path_tracer;
 
-typedef struct { sampler_keys keys; uint64_t seed, pixel; } path_pixel;
+typedef struct { sampler_keys keys; uint64_t own; } path_pixel;
 typedef struct { sampler pairs; random_stream own; uint32_t left; } path_random;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -100,13 +100,13 @@ static inline void path_pixel_of(const path_options *how, uint64_t seed, uint64_
                                  path_pixel *out)
 {
     sampler_keys_of(how->sequence, seed, pixel, &out->keys);
-    out->seed = seed, out->pixel = pixel;
+    out->own = random_pixel(seed ^ random_step, pixel);
 }
 
 static inline path_random path_sample(const path_pixel *p, uint32_t k, uint32_t n)
 {
     path_random r = {.pairs = sampler_of_keys(&p->keys, k, n), .left = path_pairs};
-    r.own = random_start(p->seed ^ random_step, p->pixel, k);
+    r.own = random_sample(p->own, k);
     return r;
 }
 

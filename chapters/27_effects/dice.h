@@ -2,7 +2,9 @@
  *
  *   number = f(seed, pixel, sample, node, purpose)
  *
- *   dice d = dice_start(seed, pixel, k)               sample k of a pixel
+ *   dice d = dice_start(seed, pixel, k)               sample k of a pixel; or, where many follow,
+ *   dice_pixel p; dice_pixel_of(seed, pixel, &p);     hashed once a pixel, which outlives them:
+ *   dice d = dice_sample(&p, k)                       the same numbers
  *   point2 u = dice_pair(&d, node, depth, DICE_LAMP)  [0,1)^2; the same whenever it is asked for
  *   real u = dice_number(&d, node, purpose)           one, independent of all others
  *   node = dice_child(node, kind)                     of a ray of kind 0 .. 15; the eye's is 0
@@ -26,10 +28,26 @@ typedef enum {
 } dice_purpose;
 
 enum { DICE_PIXEL = 1, DICE_LENS = 2 };  /* of the eye: number 0 is of its node */
+typedef struct { sampler_keys pairs; uint64_t own; } dice_half;
+typedef struct { dice_half half[2]; } dice_pixel;
 typedef struct { sampler pairs; uint64_t own; } dice;
 enum { dice_depth = 3 };
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline void dice_pixel_of(uint64_t seed, uint64_t pixel, dice_pixel *out)
+{
+    for (uint64_t k = 0; k < 2; k++) {
+        sampler_keys_of(SEQUENCE_SOBOL, seed, 2 * pixel + k, &out->half[k].pairs);
+        out->half[k].own = random_pixel(seed, 2 * pixel + k);
+    }
+}
+
+static inline dice dice_sample(const dice_pixel *p, uint32_t k)
+{
+    const dice_half *h = &p->half[k % 2];
+    return (dice){sampler_of_keys(&h->pairs, k / 2, 1u << 31), random_sample(h->own, k / 2).key};
+}
 
 static inline dice dice_start(uint64_t seed, uint64_t pixel, uint32_t k)
 {
@@ -48,9 +66,7 @@ static inline uint32_t dice_child(uint32_t node, uint32_t kind)
 /* Of the eye: where in the pixel, where on the lens. */
 static inline point2 dice_eye(const dice *d, uint32_t what)
 {
-    sampler s = d->pairs;
-    s.pair = what - 1;
-    return sampler_pair(&s);
+    return sampler_sobol(&d->pairs, what - 1);
 }
 
 __attribute__((always_inline))
@@ -71,9 +87,7 @@ static inline point2 dice_pair(const dice *d, uint32_t node, int depth, dice_pur
         real v = random_real_of(dice_bits(d, node, dice_purposes + 2 * (uint32_t)purpose + 1));
         return (point2){u, v};
     }
-    sampler s = d->pairs;
-    s.pair = node * dice_purposes + (uint32_t)purpose + 2;
-    return sampler_pair(&s);
+    return sampler_sobol(&d->pairs, node * dice_purposes + (uint32_t)purpose + 2);
 }
 
 #endif

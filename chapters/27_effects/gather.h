@@ -148,7 +148,7 @@ static inline vec3 gather_sample(const effects_stage *e, const unsigned mask, co
     if (lit && vdot(s->ns, wi) > 0 && vdot(s->n, wi) > 0)
         v = vmul(gather_reflects(mask, k, lobe, s, wi, vneg(b->r.d), pdf), Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
-    ray r = at ? leave_between(*s, *at) : leave(*s, wi);
+    ray r = at ? leave_between(surface_copy(s), surface_copy(at)) : leave(surface_copy(s), wi);
     bool passes = gather_passes(e, mask, r, kind, b->kind, c, &left);
     if (!passes || vzero(v)) return (vec3){0, 0, 0};
     return vscale(vmul(v, left), 1 / pdf);

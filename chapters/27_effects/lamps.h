@@ -155,26 +155,28 @@ static inline bool lamps_within(sphere s, vec3 p, vec3 n)
 }
 
 /* The side of a lamp that p is on shines there, whichever way the file had it turned. */
-static inline emitter lamps_facing(emitter e, vec3 p, vec3 n)
+static inline bool lamps_sphere(emitter e, vec3 p, vec3 n, point2 u, emitter_point *out)
 {
-    if (e.kind == EMITTER_SPHERE)
-        e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
-    else if (emitter_height(&e, p) < 0) e.n = vneg(e.n);
-    return e;
+    e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
+    return emitter_sphere_by_angle(&e, p, u, out);
 }
 
+__attribute__((always_inline))
+static inline bool lamps_flat(const emitter *e, vec3 p, point2 u, emitter_point *out)
+{
+    return emitter_flat(e, emitter_height(e, p) < 0 ? vneg(e->n) : e->n, p, u, out);
+}
+
+__attribute__((always_inline))
 static inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lamp_draw *out)
 {
     emitter_point x;
     real chance;
     const lamp_face *one = &l->face[choice_sample(&l->of, u.u, &chance, &u.u)];
-    emitter e = one->is_cone ? one->e : lamps_facing(one->e, p, n);
-    bool seen;
-    if (one->is_cone) seen = lamps_cone(one, p, u, &x);
-    else if (e.kind == EMITTER_SPHERE) seen = emitter_by_angle(&e, p, u, &x);
-    else seen = emitter_by_area(&e, p, u, &x);
-    if (!seen) return false;
-    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = e.Le, out->s = x.s;
+    if (!(one->is_cone ? lamps_cone(one, p, u, &x)
+          : one->e.kind == EMITTER_SPHERE ? lamps_sphere(one->e, p, n, u, &x)
+                                          : lamps_flat(&one->e, p, u, &x))) return false;
+    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = one->e.Le, out->s = surface_copy(&x.s);
     return true;
 }
 

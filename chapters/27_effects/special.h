@@ -28,7 +28,9 @@ enum {
     EFFECTS_MIRRORS = EFFECT_HARD_SHADOWS | EFFECT_MIRROR,
     EFFECTS_GLASS = EFFECT_HARD_SHADOWS | EFFECT_MIRROR | EFFECT_REFRACTION,
     EFFECTS_COLOURED_GLASS = EFFECT_HARD_SHADOWS | EFFECTS_WHITTED,
+    EFFECTS_SOFT = EFFECT_SOFT_SHADOWS,
     EFFECTS_MATTE_ROOM = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT,
+    EFFECTS_CLEAR_ROOM = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED,
     EFFECTS_ROOM = EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED | EFFECT_GLOSSY,
     EFFECTS_OUTDOORS = EFFECT_ENVIRONMENT | EFFECT_INDIRECT
 };
@@ -38,7 +40,9 @@ EFFECTS_COMPILED(effects_plain, EFFECTS_PLAIN)
 EFFECTS_COMPILED(effects_mirrors, EFFECTS_MIRRORS)
 EFFECTS_COMPILED(effects_glass, EFFECTS_GLASS)
 EFFECTS_COMPILED(effects_coloured_glass, EFFECTS_COLOURED_GLASS)
+EFFECTS_COMPILED(effects_soft, EFFECTS_SOFT)
 EFFECTS_COMPILED(effects_matte_room, EFFECTS_MATTE_ROOM)
+EFFECTS_COMPILED(effects_clear_room, EFFECTS_CLEAR_ROOM)
 EFFECTS_COMPILED(effects_room, EFFECTS_ROOM)
 EFFECTS_COMPILED(effects_outdoors, EFFECTS_OUTDOORS)
 EFFECTS_COMPILED(effects_general, e->mask)
@@ -52,7 +56,9 @@ static inline effects_function *effects_made_for(unsigned mask)
     case EFFECTS_MIRRORS: return effects_mirrors;
     case EFFECTS_GLASS: return effects_glass;
     case EFFECTS_COLOURED_GLASS: return effects_coloured_glass;
+    case EFFECTS_SOFT: return effects_soft;
     case EFFECTS_MATTE_ROOM: return effects_matte_room;
+    case EFFECTS_CLEAR_ROOM: return effects_clear_room;
     case EFFECTS_ROOM: return effects_room;
     case EFFECTS_OUTDOORS: return effects_outdoors;
     default: return effects_general;

@@ -130,12 +130,12 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
     bool found = false;
     hit h;
     instance_hit x;
-    if (t->all->n && bvh8_hit(&t->shapes, r, &h)) {
+    if (t->all->n && bvh8_hit_but(&t->shapes, r, bvh8_skip_none, &h)) {
         *out = (studio_hit){h, no_shape};
         found = true, r.tmax = h.t;
     }
     for (size_t k = 0; k < t->standing; k++)  /* nearer, not as near: the first keeps it */
-        if (bvh8_hit(&t->mesh[k], r, &h) && !(found && h.t == r.tmax)) {
+        if (bvh8_hit_but(&t->mesh[k], r, bvh8_skip_none, &h) && !(found && h.t == r.tmax)) {
             *out = (studio_hit){h, t->mesh_place[k]};
             found = true, r.tmax = h.t;
         }
@@ -154,9 +154,9 @@ static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 __attribute__((always_inline))
 static inline bool studio_tree_occluded(const studio_tree *t, ray r)
 {
-    if (t->all->n && bvh8_occluded(&t->shapes, r)) return true;
+    if (t->all->n && bvh8_occluded_but(&t->shapes, r, bvh8_skip_none)) return true;
     for (size_t k = 0; k < t->standing; k++)
-        if (bvh8_occluded(&t->mesh[k], r)) return true;
+        if (bvh8_occluded_but(&t->mesh[k], r, bvh8_skip_none)) return true;
     for (size_t k = 0; k < t->solids; k++)
         if (csg_occluded(&t->s->solid[k].c, r)) return true;
     return t->moved.n && instances_occluded(&t->moved, r);

@@ -61,9 +61,11 @@ static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x
     film_pixel sum = {{{{{0, 0}}}}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
     bool timed = j->e->mask & EFFECTS_TIMED;
+    dice_pixel of;
+    if (!j->middle) dice_pixel_of(j->seed, i, &of);
     for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
         dice d = {.own = 0};
-        if (!j->middle) d = dice_start(j->seed, i, k);
+        if (!j->middle) d = dice_sample(&of, k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
         c->now = RAY_OF_EYE;
