@@ -56,7 +56,7 @@ static mesh oracle_read(const char *text, size_t size)
         if (c == '\r' && i + 1 < size && text[i + 1] == '\n') continue;
         bool was = comment;
         comment = c == '#' || (comment && c != '\n' && c != '\r');
-        *to++ = c == '\r' ? '\n' : c;
+        *to++ = (char)(c == '\r' ? '\n' : c);
         if (to[-1] == '\n' && to > s + 1 && to[-2] == '\\' && !was) to[-2] = to[-1] = ' ';
     }
     mesh m = {.v = allocate(size, sizeof(vec3)), .n = allocate(size, sizeof(vec3)),
