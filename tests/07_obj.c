@@ -399,6 +399,22 @@ static void test_errors(void)
     check(!read_text("nonsense", &m, NULL), "broken without a failure to fill in");
 }
 
+/* A stream that cannot be read, and more items than an address space holds. */
+static void test_read_error(void)
+{
+    mesh m;
+    failure f;
+    size_t room = 7;
+    FILE *closed = fopen("/dev/null", "wb");
+    if (!closed) abort();
+    check(!obj_read_stream(closed, "t.obj", SIZE_MAX, &m, &f) && f.exit_code == 1, "exit 1");
+    check(strncmp(f.text, "t.obj: cannot read: ", 20) == 0, "what went wrong: %s", f.text);
+    fclose(closed);
+    text_reader r = {.name = "t.obj", .keyword = "v", .f = &f, .line = 3};
+    check(!text_grow(&r, NULL, &room, 7, SIZE_MAX / 4, 8) && r.bad && f.exit_code == 1, "2^62");
+    check(strncmp(f.text, "t.obj:3: no memory for ", 23) == 0 && room == 7, "%s", f.text);
+}
+
 /* ---- lines longer than the buffer ---- */
 
 static void test_long_lines(void)
@@ -824,6 +840,7 @@ int main(void)
     test_features();
     test_left_out();
     test_errors();
+    test_read_error();
     test_long_lines();
     test_random_files();
     test_damage();
