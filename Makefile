@@ -208,8 +208,8 @@ mutants:
 	@FILES="$(FILES)" SEED="$(SEED)" N="$(N)" EDIT="$(EDIT)" CC="$(CC)" sh tests/mutants.sh
 
 .PHONY: coverage
-coverage:
-	@TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
+coverage: all $(FIRSTS:%=$(BUILD)/%_first)
+	@BUILD="$(BUILD)" TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
 
 # The only targets with a program or a library of others, book and embree, are never part of what the rest builds.
 book:

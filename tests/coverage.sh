@@ -3,7 +3,7 @@
 #   TESTS="03_sphere 09_aabb" sh tests/coverage.sh        make coverage [TESTS=..]; without TESTS: all of them
 # A table of the headers with what nobody passed, least first, and the sum. Nothing is inlined by force:
 # gcov would count the branches of each copy. A function that no test of TESTS calls is not seen at all. Tests
-# run with a CHECK_DIVISOR-th (20) of their counts.
+# run with a CHECK_DIVISOR-th (20) of their counts; those that run programs find them in BUILD, not counted.
 : "${TESTS:=}" "${CHECK_DIVISOR:=20}" "${CC:=gcc}"
 export CHECK_DIVISOR
 root=$PWD
