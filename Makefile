@@ -21,6 +21,7 @@
 # make assignment-04  homework to give out: build/assignment-04/   assignment SET="04 09 14 26"  a set
 # make grade SUBMISSION=folder  a table, build/results.json   SUBMISSIONS=..  a class, build/grades.csv
 # make embree     15 against Embree 3, where that is installed (Debian: libembree-dev)
+# make tidy       clang-tidy over all programs and tests, as .clang-tidy says: no findings   (needs clang-tidy)
 # make sanitize   all tests under AddressSanitizer and UBSan, with a tenth of the counts
 # make clean      removes build/                                                 help    this text
 #
@@ -81,7 +82,7 @@ ifeq ($(MAKELEVEL)$(filter-out all test test-% soak pages sanitize precision,$(M
 MAKEFLAGS += -j$(JOBS)
 endif
 
-.PHONY: all run full images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize clean help FORCE
+.PHONY: all run full images showpiece test soak pages precision graph mutants bugs hard-cases csv costs book notes embree sanitize tidy clean help FORCE
 all: $(CHAPTERS:%=$(BUILD)/%)
 
 $(BUILD)/%: chapters/%/main.c $(STAMP)
@@ -213,8 +214,8 @@ mutants:
 .PHONY: commands coverage
 commands:
 	@sh tests/commands.sh
-coverage:
-	@TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
+coverage: all $(FIRSTS:%=$(BUILD)/%_first)
+	@BUILD="$(BUILD)" TESTS="$(if $(filter command line,$(origin TESTS)),$(TESTS))" sh tests/coverage.sh
 
 # The only targets with a program or a library of others, book and embree, are never part of what the rest builds.
 book:
@@ -259,6 +260,15 @@ embree: $(STAMP)
 sanitize:
 	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize MUCH_CFLAGS=-O1 test \
 	  CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+
+# One file that does not compile, or one finding, and make fails. Warnings of system headers are only counted.
+TIDY ?= $(wildcard chapters/*/main.c chapters/*/first.c tests/*.c)
+tidy:
+	@command -v clang-tidy >/dev/null || \
+	  { echo "tidy: clang-tidy is missing: install it (Debian: clang-tidy)" >&2; exit 2; }
+	@printf '%s\n' $(TIDY) | xargs -P $(JOBS) -I FILE clang-tidy --quiet FILE -- -std=c11 -DREAL=$(REAL) \
+	  '-DBUILD_FLAGS=""' 2>/dev/null || { echo "tidy: findings, see above" >&2; exit 1; }
+	@echo "tidy: no findings in $(words $(TIDY)) files and what they include"
 
 clean:
 	rm -rf $(BUILD)

@@ -139,7 +139,8 @@ static inline FILE *file_open(const char *path, failure *f)
     bool there = stat(path, &s) == 0;
     snprintf(file_last, sizeof file_last, "%s", path);
     if (there && S_ISDIR(s.st_mode)) errno = EISDIR;
-    else if (there && !S_ISREG(s.st_mode) && !S_ISFIFO(s.st_mode) && strcmp(path, "/dev/null")) {
+    else if (there && !S_ISREG(s.st_mode) && !S_ISFIFO(s.st_mode)
+             && strcmp(path, "/dev/null") != 0) {
         failed(f, 1, "%.300s: cannot read: a device, not a file", path);
         return NULL;
     } else in = fopen(path, "rb");

@@ -79,7 +79,7 @@ static inline double srgb_decode(double s)
 static inline uint8_t srgb_byte(double c)
 {
     double s = srgb_encode(c);
-    return !(s > 0) ? 0 : s >= 1 ? 255 : (uint8_t)(s * 255 + 0.5);
+    return !(s > 0) ? 0 : s >= 1 ? 255 : (uint8_t)lround(s * 255);
 }
 
 /* The difference of a from the reference b; all infinite if their sizes differ. */
@@ -226,7 +226,7 @@ static inline bool image_read(const char *path, image *out, failure *f)
     char *text = file_read(path, &n, f), *end;
     if (!text) return false;
     scanner s = {text + (n < 2 ? n : 2), text + n};
-    char kind = n > 2 && text[0] == 'P' ? text[1] : 0;
+    int kind = n > 2 && text[0] == 'P' ? text[1] : 0;
     long w = scan_number(&s, side), h = scan_number(&s, side), most = 65535;
     double scale = 1;
     if (kind == 'F') scale = strtod(s.at, &end), s.at = end > s.at ? end : s.end;

@@ -409,6 +409,19 @@ static jet half_range(const void *data, jet x, jet y, jet z)
     return (jet){interval_sub(v, interval_at(1)), d};
 }
 
+/* Behind the ray's origin an interval is cut as in front: the mirror image. */
+static void test_middle(void)
+{
+    const double ends[] = {0, 1e-3, 1, 63, 65, 1e4, 1e30};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        for (size_t j = i + 1; j < sizeof ends / sizeof *ends; j++) {
+            double a = ends[i], b = ends[j], middle = implicit_middle(interval_of(a, b));
+            check(a < middle && middle < b, "a cut of [%g, %g] lies inside", a, b);
+            check_equal(implicit_middle(interval_of(-b, -a)), -middle, "[%g, %g]", -b, -a);
+        }
+    check_close(implicit_middle(interval_of(1, 1e30)), 1e15, 1, "at half of the digits");
+}
+
 static void test_strange_functions(void)
 {
     const sphere everywhere = {{0, 0, 0}, real_infinity}, near = {{0, 0, 0}, 9};
@@ -533,6 +546,7 @@ int main(void)
     test_all_roots();
     test_gyroid();
     test_tracing();
+    test_middle();
     test_strange_functions();
     test_strange_rays();
     test_invariants();

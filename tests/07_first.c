@@ -196,6 +196,7 @@ static void test_valid_files(void)
         "# a comment\n\nv 0 0 0 # here, too\nv 1 0 0\nv 0 1 0\n  \t\nf 1 2 3 # and here\n#",
         "v 1e-3 -2.5E2 +.5\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 7 7 7\nf -1 -2 -3\n",
         "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\nf 5 4 3 2\n",     /* polygons */
+        /* NOLINTNEXTLINE(bugprone-suspicious-missing-comma): one file in two lines */
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1//1 2//1 3//1\n"
         "f 1/1 2/1 3/1\nf -3/-1/-1 -2/-1/-1 -1/-1/-1\n",
         "mtllib a.mtl\no x\ng y z\ns 1\n\tv 0 0 0\n  v 1 0 0\nv\t0 1\t0\nusemtl red\n"

@@ -56,7 +56,7 @@ static mesh oracle_read(const char *text, size_t size)
         if (c == '\r' && i + 1 < size && text[i + 1] == '\n') continue;
         bool was = comment;
         comment = c == '#' || (comment && c != '\n' && c != '\r');
-        *to++ = c == '\r' ? '\n' : c;
+        *to++ = (char)(c == '\r' ? '\n' : c);
         if (to[-1] == '\n' && to > s + 1 && to[-2] == '\\' && !was) to[-2] = to[-1] = ' ';
     }
     mesh m = {.v = allocate(size, sizeof(vec3)), .n = allocate(size, sizeof(vec3)),
@@ -397,6 +397,22 @@ static void test_errors(void)
     check(!obj_read("/", &m, &f) && f.exit_code == 1, "a directory: 1");
     check(!obj_read("/nonexistent/x.obj", &m, NULL), "without a failure to fill in");
     check(!read_text("nonsense", &m, NULL), "broken without a failure to fill in");
+}
+
+/* A stream that cannot be read, and more items than an address space holds. */
+static void test_read_error(void)
+{
+    mesh m;
+    failure f;
+    size_t room = 7;
+    FILE *closed = fopen("/dev/null", "wb");
+    if (!closed) abort();
+    check(!obj_read_stream(closed, "t.obj", SIZE_MAX, &m, &f) && f.exit_code == 1, "exit 1");
+    check(strncmp(f.text, "t.obj: cannot read: ", 20) == 0, "what went wrong: %s", f.text);
+    fclose(closed);
+    text_reader r = {.name = "t.obj", .keyword = "v", .f = &f, .line = 3};
+    check(!text_grow(&r, NULL, &room, 7, SIZE_MAX / 4, 8) && r.bad && f.exit_code == 1, "2^62");
+    check(strncmp(f.text, "t.obj:3: no memory for ", 23) == 0 && room == 7, "%s", f.text);
 }
 
 /* ---- lines longer than the buffer ---- */
@@ -824,6 +840,7 @@ int main(void)
     test_features();
     test_left_out();
     test_errors();
+    test_read_error();
     test_long_lines();
     test_random_files();
     test_damage();

@@ -303,6 +303,23 @@ static void check_limit_is_exact(const items *x)
     o.most_bytes--, p.most_bytes--;
     check(!grid_build(x, o, &g, &f) && f.exit_code == 1, "grid: a byte less is refused");
     check(!nested_build(x, p, &n, &f) && f.exit_code == 1, "two levels: a byte less is refused");
+    size_t peak = p.most_bytes, outer = 0;
+    for (size_t k = 0; k < 64; k++) {
+        p.most_bytes = peak / 64 * k;
+        check(!nested_build(x, p, &n, &f) && f.exit_code == 1, "%zu of 64 parts of it: refused", k);
+        outer += strstr(f.text, "outer cells do not fit") != NULL;
+    }
+    check_at_least(outer, 1, "once all of the outer grid fits, but not what lies in it");
+}
+
+/* No array stands behind this number: nothing is read before it is refused. */
+static void test_too_many(void)
+{
+    items x = {NULL, NULL, UINT32_MAX};
+    aabb all;
+    failure f;
+    check(!items_all_bounds(&x, &all, &f) && f.exit_code == 2, "2^32 - 1 items are refused");
+    check(strstr(f.text, "4294967295 items: fewer than 4294967295 fit") != NULL, "%s", f.text);
 }
 
 static void test_limits(void)
@@ -502,6 +519,7 @@ int main(void)
     test_lists();
     test_resolution();
     test_limits();
+    test_too_many();
     test_sizes();
     test_far_rays_are_cheap();
     test_far_rays_are_right();

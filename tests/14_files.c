@@ -149,6 +149,7 @@ static void test_pixel(void)
     check_equal(run("14_bvh", "--quick --pixel 0,0"), 0, "beside the teapot");
     check(printed("out", "no hit\n"), "no hit");
     check_equal(run("14_bvh", "--pixel 640,0"), 2, "beside the picture");
+    check_equal(run("14_bvh", "--pixel 4294967296,0"), 2, "2^32 is not 0");
     check_equal(run("14_bvh", "--pixel 3,2,1"), 2, "three numbers");
     check(printed("err", "--pixel 3,2,1: allowed are X,Y"), "says so");
     check_equal(run("14_bvh", "--pixel 3,2 --out x.png"), 2, "no picture");

@@ -1,6 +1,7 @@
 /* The seven scenes of the SPD: how many shapes, where they must lie by their own geometry, and how
  * many of the published rays hit them. */
 #include "../chapters/14_bvh/bvh_shapes.h"
+#include "../chapters/07_mesh/files/nff_world.h"
 #include "../chapters/07_mesh/scenes/named.h"
 #include "check.h"
 
@@ -433,8 +434,55 @@ static void test_meshes(void)
     world_free(&w);
 }
 
+static bool read_nff(const char *text, world *w, failure *f)
+{
+    char path[] = "/tmp/17_spd_XXXXXX";
+    int file = mkstemp(path);
+    if (file < 0 || write(file, text, strlen(text)) < 0 || close(file) != 0) abort();
+    bool ok = nff_world(path, w, f);
+    remove(path);
+    return ok;
+}
+
+#define VIEW "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 60\nhither 1\nresolution 4 4\n"
+static void test_nff(void)
+{
+    world w;
+    failure f;
+    check(read_nff("b .1 .2 .3\n" VIEW "l 1 2 3\nl 4 5 6\nf 1 0 0 .5 .25 3 0 0\ns 0 0 0 1\n"
+                   "p 3\n0 0 0\n1 0 0\n0 1 0\np 4\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n"
+                   "f 0 1 0 1 0 0 .5 1.5\nc 0 0 0 1\n0 0 2 .5\n"
+                   "p 5\n7 0 0\n9 0 0\n9 1 0\n8 2 0\n7 1 0\n",
+                   &w, &f), "an NFF file: %s", f.text);
+    const shape_kind kind[5] = {SHAPE_SPHERE, SHAPE_TRIANGLE, SHAPE_POLYGON, SHAPE_CONE,
+                                SHAPE_POLYGON};
+    check_equal(w.n, 5, "shapes");
+    for (size_t i = 0; i < w.n && i < 5; i++) check_equal(w.shape[i].kind, kind[i], "shape %zu", i);
+    check(w.shape[2].polygon.v[2].y == 2 && w.shape[4].polygon.v[3].x == 8, "corners of their own");
+    check(world_finish(&w, 2).colour.x == 1 && world_finish(&w, 3).colour.y == 1, "two finishes");
+    check_close(world_finish(&w, 4).ior, 1.5, small, "the second goes to the end");
+    check(w.lights == 2 && w.light[1].z == 6 && w.from.z == 5 && w.angle == 60, "lights, view");
+    check_close(w.background.y, 0.2, small, "background");
+    world_free(&w);
+
+    check(read_nff(VIEW "l 1 0 0\nl 2 0 0\nl 3 0 0\nl 4 0 0\nl 5 0 0\nl 6 0 0\nl 7 0 0\nl 8 0 0\n"
+                   "l 9 0 0\ns 0 0 0 1\n", &w, &f), "nine lights, no finish");
+    check(w.lights == world_most_lights && w.light[7].x == 8, "the first eight are kept");
+    check(w.groups == 1 && world_finish(&w, 0).kd == 1, "a finish is there");
+    world_free(&w);
+    check(read_nff(VIEW "s 0 0 0 1\n", &w, &f) && w.lights == 1 && w.light[0].z == 6,
+          "no light: one beside the eye");
+    world_free(&w);
+    check(!read_nff("s 0 0 0 1\n", &w, &f) && f.exit_code == 2 && strstr(f.text, "no view"), "v");
+    check(!read_nff(VIEW, &w, &f) && f.exit_code == 2 && strstr(f.text, "no shape"), "no shape");
+    check(!read_nff(VIEW "s 0 0 x 1\n", &w, &f) && f.exit_code == 2 && strstr(f.text, ":8: s:"),
+          "broken, with its line: %s", f.text);
+    check(!nff_world("/nonexistent/a.nff", &w, &f) && f.exit_code == 1, "no such file");
+}
+
 int main(void)
 {
+    test_nff();
     test_counts();
     test_views();
     test_balls();

@@ -129,7 +129,8 @@ static void test_point(void)
         light_sample y;
         bool a = area_light_reaches(&L, p, ng, ns, (point2){(real)NAN, (real)NAN}, &x);
         bool b = light_reaches(&point, p, ng, ns, &y);
-        differ += a != b || memcmp(&x.E, &y.E, sizeof x.E) || memcmp(&x.l, &y.l, sizeof x.l);
+        differ += a != b || memcmp(&x.E, &y.E, sizeof x.E) != 0
+                  || memcmp(&x.l, &y.l, sizeof x.l) != 0;
         differ += memcmp(&x.to, &at, sizeof at) != 0;
         lit += a;
     }

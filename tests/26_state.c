@@ -332,7 +332,7 @@ static void test_environment(void)
     random_stream s = random_start(26, 4, 1);
     for (int i = 0; i < 72; i++)
         for (int k = 0; k < 3; k++)
-            im.rgb[3 * i + k] = i % 5 == 0 ? 0 : (float)random_next(&s) * (i % 7 ? 1 : 30);
+            im.rgb[3 * i + k] = i % 5 == 0 ? 0 : (float)random_next(&s) * (i % 7 ? 1.f : 30.f);
     check(environment_of_image(&im, &e, &f), "built");
     estimate omega = {0}, zz = {0};
     size_t wrong = 0;

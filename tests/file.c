@@ -218,7 +218,8 @@ static void test_read_large(void)
     free(got);
 }
 
-/* Read by AddressSanitizer, which would end the program itself. */
+/* Read by AddressSanitizer, which would end the program itself: a name of its own.
+ * NOLINTNEXTLINE(bugprone-reserved-identifier, cert-dcl37-c, cert-dcl51-cpp) */
 const char *__asan_default_options(void);
 const char *__asan_default_options(void) { return "allocator_may_return_null=1"; }
 

@@ -188,7 +188,7 @@ static void test_formats(void)
 {
     failure f;
     image im;
-#define READ(text) read_bytes(text, sizeof text - 1, &im, &f)
+#define READ(text) read_bytes(text, sizeof(text) - 1, &im, &f)
     check(READ("P3 # c\n#\n1 # 5 5\n 1\n255\n255 0 128") && im.rgb[0] == 1 && im.rgb[1] == 0,
           "P3 with comments"), image_free(&im);
     check(READ("P3\n1 1\n1000\n1000 0 500\n") && im.rgb[0] == 1
@@ -283,7 +283,8 @@ static void test_mutations(void)
         for (int k = 0; k < 3; k++) {
             uint64_t r = random_next_bits(&s);
             if (r % 8 == 0) length = r / 8 % (length + 1);
-            else text[r / 8 % 12] = r % 8 < 3 ? (char)(r >> 40) : "0123456789 #\n-x."[r >> 40 & 15];
+            else if (r % 8 < 3) text[r / 8 % 12] = (char)(r >> 40);
+            else text[r / 8 % 12] = "0123456789 #\n-x."[r >> 40 & 15];
         }
         if (!read_bytes(text, length, &im, &f)) continue;
         whole++;

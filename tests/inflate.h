@@ -118,16 +118,16 @@ static inline const char *png_decode(const uint8_t *file, size_t n, uint32_t *wi
     const char *error = NULL, *order = "IHDRIDATIEND";
     size_t at = 8, got = 0, stride = 0;
     *rgb = NULL;
-    if (n < 8 || memcmp(file, "\x89PNG\r\n\x1a\n", 8)) error = "no signature";
+    if (n < 8 || memcmp(file, "\x89PNG\r\n\x1a\n", 8) != 0) error = "no signature";
     for (int chunk = 0; !error && chunk < 3; chunk++) {
         uint32_t length = at + 12 <= n ? inflate_word(file + at) : UINT32_MAX;
         if (length > n - at - 12) { error = "a chunk ends early"; break; }
         const uint8_t *type = file + at + 4;
-        if (memcmp(type, order + 4 * chunk, 4)) error = "chunks are not IHDR, IDAT, IEND";
+        if (memcmp(type, order + 4 * chunk, 4) != 0) error = "chunks are not IHDR, IDAT, IEND";
         uint32_t crc = inflate_word(type + 4 + length);
         if (inflate_crc(type, length + 4) != crc) error = "wrong CRC-32";
         if (chunk == 0) *width = inflate_word(type + 4), *height = inflate_word(type + 8);
-        if (chunk == 0 && memcmp(type + 12, "\x08\x02\0\0\0", 5)) error = "not 8-bit RGB";
+        if (chunk == 0 && memcmp(type + 12, "\x08\x02\0\0\0", 5) != 0) error = "not 8-bit RGB";
         if (chunk == 1) memcpy(data, type + 4, length), got = length;
         at += 12 + length;
     }

@@ -79,7 +79,7 @@ static void test_numbers(void)
         snprintf(word, sizeof word, "--edge=%s", whole[i]);
         check(run(LINE(word)).status == 2, "not a whole number from -5 to 64: '%s'", whole[i]);
         snprintf(word, sizeof word, "--samples=%s", whole[i]);
-        if (strcmp(whole[i], "65") && strcmp(whole[i], "5e5"))
+        if (strcmp(whole[i], "65") != 0 && strcmp(whole[i], "5e5") != 0)
             check(run(LINE(word)).status == 2, "not a number of samples: '%s'", whole[i]);
         snprintf(word, sizeof word, "--eps=%s", whole[i]);
         if (!strpbrk(whole[i], "56") || strstr(whole[i], " ") || strstr(whole[i], "k"))

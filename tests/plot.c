@@ -39,7 +39,8 @@ static bool well_formed(const char *s)
         size_t n = strcspn(s + 1, " />");
         if (s[1] == '/') {
             n = strcspn(s + 2, ">");
-            if (depth == 0 || strlen(stack[depth - 1]) != n || strncmp(stack[--depth], s + 2, n))
+            if (depth == 0 || strlen(stack[depth - 1]) != n
+                || strncmp(stack[--depth], s + 2, n) != 0)
                 return false;
         } else if (end[-1] != '/') {
             if (depth == 16 || n > 15) return false;

@@ -133,7 +133,7 @@ static inline bool triangle_hit_plane(triangle tri, ray r, hit *out)
  * is the longest axis, so neither slope exceeds 1. A direction 0, infinite or NaN makes NaN. */
 static inline ray_shear shear_of(ray r)
 {
-    static const int8_t next[5] = {0, 1, 2, 0, 1};  /* which axis is longest is chance: no branch */
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};  /* which is longest is chance: no branch */
     int kz = vlongest(r.d), kx = next[kz + 1], ky = next[kz + 2];
     real dz = vfinite(r.d) ? vaxis(r.d, kz) : (real)NAN;
     vec3 o = {vaxis(r.o, kx), vaxis(r.o, ky), vaxis(r.o, kz)};

@@ -70,7 +70,7 @@ static inline bool csg_wanted(csg_reader *r, const char *wanted)
     char shown[28] = "the end";
     size_t n = 0;
     for (; n < 20 && (unsigned char)r->p[n] > ' '; n++)
-        shown[n + 1] = (unsigned char)r->p[n] < 127 ? r->p[n] : '?';
+        shown[n + 1] = (char)((unsigned char)r->p[n] < 127 ? r->p[n] : '?');
     if (n > 0) shown[0] = '\'', strcpy(shown + n + 1, n < 20 ? "'" : "..'");
     else if (*r->p) snprintf(shown, sizeof shown, "byte %d", (unsigned char)*r->p);
     return failed(r->why, 2, "character %zu: %s, allowed: %s", (size_t)(r->p - r->text) + 1, shown,

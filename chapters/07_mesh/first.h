@@ -121,7 +121,7 @@ static inline vec3 first_tube_point(int i, int steps, int j, int sides)
 
 static inline first_mesh first_knot(int steps, int sides)
 {
-    first_mesh m = {allocate((size_t)(2 * steps * sides), sizeof *m.tri), 0};
+    first_mesh m = {allocate(2 * (size_t)steps * (size_t)sides, sizeof *m.tri), 0};
     for (int i = 0; i < steps; i++)
         for (int j = 0; j < sides; j++) {
             int i2 = (i + 1) % steps, j2 = (j + 1) % sides;

@@ -9,7 +9,7 @@ enum { side = 480, tiles = 8 };
 /* The floor: tiles x tiles squares, two triangles each, before the knot's own triangles. */
 static void add_floor(first_mesh *m, const first_mesh *knot)
 {
-    m->tri = allocate((size_t)(2 * tiles * tiles + knot->n), sizeof *m->tri);
+    m->tri = allocate(2 * tiles * tiles + (size_t)knot->n, sizeof *m->tri);
     m->n = 0;
     for (int k = 0; k < tiles * tiles; k++) {
         real x = 2 * (k % tiles) - tiles, z = 2 * (k / tiles) - tiles, y = -4;

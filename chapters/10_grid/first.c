@@ -39,7 +39,7 @@ int main(int argc, char **argv)
             image_set(&im, x, y, vscale(sum, 1.0 / (n * n)));
         }
     printf("%d triangles, %d x %d x %d cells, %zu items, %.1f tests a ray\n", m.n, g.n[0], g.n[1],
-           g.n[2], g.items, first_tests / (double)(side * side * n * n));
+           g.n[2], g.items, (double)first_tests / (side * side * n * n));
     first_grid_free(&g);
     first_mesh_free(&m);
     return picture_end(path, &im);

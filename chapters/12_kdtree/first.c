@@ -40,7 +40,7 @@ int main(int argc, char **argv)
             image_set(&im, x, y, vscale(sum, 1.0 / (n * n)));
         }
     printf("%d triangles, %d leaves, %.1f tests a ray\n", m.n, t.leaves,
-           first_tests / (double)(side * side * n * n));
+           (double)first_tests / (side * side * n * n));
     first_kdtree_free(&t);
     first_mesh_free(&m);
     return picture_end(path, &im);

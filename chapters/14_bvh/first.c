@@ -46,7 +46,7 @@ int main(int argc, char **argv)
                 image_set(&im, x + sah * side, y, vscale(sum, 1.0 / (n * n)));
             }
         printf("%s: %d triangles, %d nodes, %.1f tests a ray\n", sah ? "area" : "middle", m.n,
-               b.nodes, first_tests / (double)(side * side * n * n));
+               b.nodes, (double)first_tests / (side * side * n * n));
         first_bvh_free(&b);
     }
     free(tint);

@@ -48,7 +48,7 @@ int main(int argc, char **argv)
             image_set(&im, x, y, vscale(sum, 1.0 / (n * n)));
         }
     printf("%d triangles, %d nodes of two, %d nodes of four, %.1f tests a ray\n", m.n,
-           w.binary.nodes, w.nodes, first_tests / (double)(side * side * n * n));
+           w.binary.nodes, w.nodes, (double)first_tests / (side * side * n * n));
     first_wide_free(&w);
     first_mesh_free(&m);
     free(tint);

@@ -54,7 +54,7 @@ int main(int argc, char **argv)
             image_set(&im, x, y, vscale(sum, 1.0 / (n * n)));
         }
     printf("%d instances of %d triangles, %.1f tests a ray\n", crowd.n, m.n,
-           first_tests / (double)(width * height * n * n));
+           (double)first_tests / (width * height * n * n));
     first_bvh_free(&b);
     first_mesh_free(&m);
     return picture_end(path, &im);

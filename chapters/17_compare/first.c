@@ -67,8 +67,8 @@ int main(int argc, char **argv)
             if (s == first_use_brute) truth[i] = h;
             else if (h.t != truth[i].t) wrong++;
         }
-        double ns = 1e9 * (clock() - start) / CLOCKS_PER_SEC / rays;
-        double tests = 1.0 * first_tests / rays;
+        double ns = 1e9 * (double)(clock() - start) / CLOCKS_PER_SEC / rays;
+        double tests = (double)first_tests / rays;
         printf("%-9s  %11.1f  %8.0f  %d of %d\n", first_structure_name[s], tests, ns, wrong, rays);
         print(&im, 20, 52 + 40 * s, first_structure_name[s], 4);
         fill(&im, left, 50 + 40 * s, (int)(decade * log10(tests)), 26, colour[s]);

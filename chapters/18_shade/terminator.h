@@ -35,7 +35,7 @@ static inline vec3 terminator_on_plane(vec3 p, vec3 v, vec3 n)
 /* side: 1, or -1 where the mesh is seen from inside: then it bulges the other way. */
 static inline vec3 terminator_point(const mesh *m, hit h, vec3 p, real side)
 {
-    const uint32_t *c = m->index + 3 * h.shape;
+    const uint32_t *c = m->index + 3 * (size_t)h.shape;
     const real weight[3] = {1 - h.u - h.v, h.u, h.v};
     vec3 sum = {0, 0, 0};
     for (int k = 0; k < 3; k++) {

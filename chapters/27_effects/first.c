@@ -43,7 +43,7 @@ int main(int argc, char **argv)
         for (int e = 0; e < first_effects; e++)
             printf("    %-17s %-4s %s; %.2f an eye ray\n", first_effect_name[e],
                    p.on[e] ? "yes:" : "no:", p.because[e],
-                   first_rays[e] / (double)(width * height * n * n));
+                   (double)first_rays[e] / (width * height * n * n));
     }
     return picture_end(path, &im);
 }

@@ -152,7 +152,7 @@ static inline void studio_note(studio *s, const char *format, ...)
     while (s->note_size + sizeof text >= s->note_room)  /* the old text is note_room long */
         s->notes = grown(s->notes, s->note_room, &s->note_room, 1);
     for (const char *p = text; *p; p++)
-        s->notes[s->note_size++] = (unsigned char)*p < ' ' || *p == 127 ? '?' : *p;
+        s->notes[s->note_size++] = (char)((unsigned char)*p < ' ' || *p == 127 ? '?' : *p);
     s->notes[s->note_size++] = '\n', s->notes[s->note_size] = 0;
 }
 

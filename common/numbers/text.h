@@ -91,7 +91,7 @@ static inline bool text_bad(text_reader *r, const char *token, const char *what,
     char shown[40] = "'";
     size_t n = 0;
     for (; n < 24 && token + n < r->end && (unsigned char)token[n] > ' '; n++)
-        shown[n + 1] = (unsigned char)token[n] < 127 ? token[n] : '?';
+        shown[n + 1] = (char)((unsigned char)token[n] < 127 ? token[n] : '?');
     strcpy(shown + n + 1, n < 24 ? "'" : "...'");
     if (n == 0)
         snprintf(shown, sizeof shown, token == r->end ? "the end of the file"

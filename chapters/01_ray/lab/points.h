@@ -90,9 +90,9 @@ typedef struct { const ray_line *l; vec3 *out; vec3_f32 *out_f32; bool unit; } r
         const ray_line *l = k->l;                                                              \
         for (int repeat = 0; repeat < ray_repeats; repeat++) {                                 \
             real t = (real)(repeat + 1);                                                       \
-            for (int i = 0; i < ray_lines; i++) array[i] = point;                              \
+            for (int i = 0; i < ray_lines; i++) (array)[i] = (point);                          \
         }                                                                                      \
-        return (double)array[ray_lines - 1].x;                                                 \
+        return (double)(array)[ray_lines - 1].x;                                               \
     }
 RAY_TIMED(ray_run_f32, k->out_f32, ray_at_f32(l[i].o_f32, l[i].d_f32, (float)t))
 RAY_TIMED(ray_run_between_f32, k->out_f32, ray_at_between_f32(l[i].o_f32, l[i].b_f32, (float)t))

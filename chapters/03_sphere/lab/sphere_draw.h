@@ -79,6 +79,7 @@ static inline void sphere_draw(const options *o)
         int column = k % sphere_columns, row = k / sphere_columns;
         image one = image_new(w - gap, strip - title);
         const char *from = (real_is_float ? near : far)[column];
+        /* NOLINTNEXTLINE(cert-err34-c): one of the eight above */
         sphere_panel p = {test[row], (real)atof(from), (real)one.width, (real)one.height,
                           (real)2.3 / (real)least};
         whole = pixels_draw(&one, 1, o->threads, "sphere", sphere_panel_colour, &p);

@@ -80,7 +80,7 @@ static inline icosphere icosphere_room(uint32_t triangles)
                    {0, 0, 0}, 1, false};  /* vertices from V - E + F = 2 and 2 E = 3 F */
     m.v = allocate(m.vertices, sizeof *m.v);
     m.index = allocate(m.triangles, sizeof *m.index);
-    m.edge = allocate(m.triangles / 2 * 3, sizeof *m.edge);
+    m.edge = allocate((size_t)m.triangles / 2 * 3, sizeof *m.edge);
     m.fan = allocate(m.vertices, sizeof *m.fan);
     return m;
 }
@@ -114,7 +114,7 @@ static inline icosphere icosphere_split(icosphere *m)
         uint32_t x = m->vertices + sides[i][0], y = m->vertices + sides[i][1],
                  z = m->vertices + sides[i][2];
         uint32_t four[4][3] = {{a[0], x, z}, {a[1], y, x}, {a[2], z, y}, {x, y, z}};
-        memcpy(n.index[4 * i], four, sizeof four);
+        memcpy(n.index[4 * (size_t)i], four, sizeof four);
     }
     free(sides);
     icosphere_free(m);

@@ -28,7 +28,7 @@ static inline size_t gear(vec3 *v, int teeth, real r, real notch)
         real q = i % 4 < 2 ? r : notch * r;
         v[i] = (vec3){q * cos(a), q * sin(a), 0};
     }
-    return (size_t)(4 * teeth);
+    return 4 * (size_t)teeth;
 }
 
 static inline mesh specimen_new(size_t vertices, size_t triangles)

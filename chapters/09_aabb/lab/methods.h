@@ -92,8 +92,8 @@ static inline aabb_work *work_new(uint64_t seed)
         for (int i = 0; i < work_rays; i++) {                                                  \
             ray r = w->r[i];                                                                   \
             prepare;                                                                           \
-            for (int j = 0; j < work_boxes / lanes; j++) {                                     \
-                int k = w->order[j] % (work_boxes / lanes);                                    \
+            for (int j = 0; j < work_boxes / (lanes); j++) {                                   \
+                int k = w->order[j] % (work_boxes / (lanes));                                  \
                 test                                                                           \
             }                                                                                  \
         }                                                                                      \
@@ -105,7 +105,7 @@ static inline aabb_work *work_new(uint64_t seed)
     {                                                                                          \
         float t[n];                                                                            \
         unsigned m = hit;                                                                      \
-        for (int c = 0; c < n && m; c++, m >>= 1) if (m & 1) sum += (double)t[c];              \
+        for (int c = 0; c < (n) && m; c++, m >>= 1) if (m & 1) sum += (double)t[c];            \
     }
 #define AABB_PREPARE aabb_inverse v = aabb_plain_inverse(r)
 AABB_PASS(pass_first, , 1, AABB_ONE(first_aabb_hit(w->b[k], r, &t)))

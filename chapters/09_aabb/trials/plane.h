@@ -155,8 +155,9 @@ static inline bool plane_number(figure *g, plane_tree *p, const mesh *m, plane_c
     char text[12];
     double x = 0, y = 0, best = outside ? HUGE_VAL : room;
     for (int i = 0; i < c->n; i++) x += c->xy[2 * i] / c->n, y += c->xy[2 * i + 1] / c->n;
-    for (double v = -1; v <= 11; v += 0.1)
-        for (double u = -1; u <= 11; u += 0.1) {
+    for (int j = -10; j <= 110; j++)
+        for (int i = -10; i <= 110; i++) {
+            double u = i / 10.0, v = j / 10.0;
             if (!outside && !plane_inside(c, u, v)) continue;
             double clear = plane_clear(p, m, u, v), far = hypot(u - x, v - y);
             if (outside ? clear < room || far >= best : clear <= best) continue;

@@ -87,7 +87,7 @@ static inline mesh torture_terrain(random_stream *g, bool flat, int step, int co
     static const int by[2][6] = {{0, 1, row, row, 1, row + 1}, {0, 1, row + 1, 0, row + 1, row}};
     mesh m = {.vertices = row * row};
     m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate((size_t)(6 * n * n * copies * (1 + twice)), sizeof *m.index);
+    m.index = allocate(6 * n * n * (size_t)copies * (twice ? 2 : 1), sizeof *m.index);
     for (int i = 0; i < row * row; i++)
         m.v[i] = vec(step * (i % row - n / 2) + 4 * torture_below(g, step / 12),
                      step * (i / row - n / 2) + 4 * torture_below(g, step / 12),

@@ -104,8 +104,10 @@ static inline void motion_plot(const options *o, const kept_tree x[keepings], ht
                          PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < keepings; k++) {
         int s = plot_series(&time, keeping_name[k]);
-        for (double n = 100; n <= 1e6; n *= sqrt(10))
+        for (int half = 4; half <= 12; half++) {
+            double n = pow(10, half / 2.0);
             plot_add(&time, s, n, (last_ten(x[k].frame) + n * last_ten(x[k].ray)) * 1e3);
+        }
     }
     html_plot(to, o, &time, "17_compare_twist_time.svg");
 }

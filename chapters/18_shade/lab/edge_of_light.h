@@ -24,10 +24,10 @@ typedef struct { mesh m; world_part part; trace_world w; light sun; } edge_ball;
 static inline mesh edge_ball_mesh(int rings)
 {
     int round = 2 * rings, n = 0;
-    mesh m = {.vertices = (size_t)((rings + 1) * (round + 1))};
+    mesh m = {.vertices = (size_t)(rings + 1) * (size_t)(round + 1)};
     m.v = allocate(m.vertices, sizeof *m.v);
     m.n = allocate(m.normals = m.vertices, sizeof *m.n);
-    m.index = allocate((size_t)(6 * rings * round), sizeof *m.index);
+    m.index = allocate(6 * (size_t)rings * (size_t)round, sizeof *m.index);
     for (int j = 0; j <= rings; j++)
         for (int i = 0; i <= round; i++) {
             real a = pi * (real)j / (real)rings, b = 2 * pi * (real)(i % round) / (real)round;

@@ -76,7 +76,7 @@ static inline void dome_pixel(int x, int y, void *context)
     }
     for (uint32_t k = 0; k < dome_samples; k++) {
         sampler s = sampler_start(panel == 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, job->seed,
-                                  (uint64_t)(y * dome_wide + i), k, dome_samples);
+                                  (uint64_t)y * dome_wide + (uint64_t)i, k, dome_samples);
         sum += dome_sample(panel, at, sampler_pair(&s)) / dome_samples;
     }
     *off = sum - dome_truth(at);

@@ -128,7 +128,7 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
     stage_open(name, &s->g);
     if (o->quick) across = 6;
     int down = (int)((real)across / s->g.aspect);
-    s->point = allocate((size_t)(across * down), sizeof *s->point);
+    s->point = allocate((size_t)across * (size_t)down, sizeof *s->point);
     for (int i = 0; i < across * down; i++) {
         seen_point *p = &s->point[s->points];
         ray r = camera_ray(s->g.c, (real)(i % across) + (real)0.5, (real)(i / across) + (real)0.5,
@@ -147,7 +147,8 @@ static inline void survey_measure(direct_survey *s, const options *o, int least)
 {
     survey_run run[survey_most];
     s->levels = least ? survey_time_level + 1 : survey_levels;
-    parallel_for((size_t)(s->entries * (s->levels - least)), o->threads, "samples", survey_job, s);
+    parallel_for((size_t)s->entries * (size_t)(s->levels - least), o->threads, "samples",
+                 survey_job, s);
     for (int k = 0; k < s->entries; k++) run[k] = (survey_run){s, k};
     double samples = (double)s->points * survey_samples(survey_time_level);
     bench_each(survey_timed, run, sizeof *run, s->entries, o->quick ? 1 : 3, 1 / samples,

@@ -100,7 +100,7 @@ static inline void cornell_job(size_t job, void *context)
     naive_path p = {&t->s, DIRECTIONS_BRDF, cornell_terms - 1, false};
     vec3 term[cornell_terms];
     for (uint32_t i = 0; i < 2 * t->n; i++) {
-        int lit = i % 2;
+        uint32_t lit = i % 2;
         sampler s = sampler_start(SEQUENCE_RANDOM, t->seed, job, i, 1);
         point2 u = sampler_pair(&s);
         ray eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);

@@ -87,7 +87,7 @@ static inline void draw_tree(const options *o, int x, int y)
     figure g = figure_begin(&where, "25_bounces_tree.svg", 1040, 330);
     for (int k = 0; k < 3; k++) {
         figure_origin(&g, 80 + 345 * k, 265, 0.44);
-        tree_panel(&g, o, &p, 1 << k, (uint64_t)(y * tree_side + x));
+        tree_panel(&g, o, &p, 1 << k, (uint64_t)y * tree_side + (uint64_t)x);
     }
     figure_end(&g);
     lit_free(&s);

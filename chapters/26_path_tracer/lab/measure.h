@@ -109,7 +109,7 @@ static inline void measure_place_of(const options *o, bool first, measure_place 
     if (!render_range(&j, &all, 0, o->quick ? 256 : 1500))
         die(parallel_stopped(), "stopped");
     m->reference = film_picture(&all);
-    m->dark = allocate((size_t)(m->side * m->side), sizeof *m->dark);
+    m->dark = allocate((size_t)m->side * (size_t)m->side, sizeof *m->dark);
     for (int i = 0; i < m->side * m->side; i++) {
         bool sees = false;
         for (int k = 0; k < 64; k++) {

@@ -36,6 +36,7 @@ static inline draw_window request_window(const options *o, const char *said)
     draw_window w = {0, 0, o->width, o->height, o->width, o->height};
     int end = 0;
     if (!said) return w;
+    /* NOLINTNEXTLINE(cert-err34-c): five digits fit, a sixth is left over */
     if (sscanf(said, "%5dx%5d+%5d+%5d%n", &w.width, &w.height, &w.x, &w.y, &end) == 4
         && !said[end] && w.width > 0 && w.height > 0 && w.x >= 0 && w.y >= 0
         && w.width <= w.across - w.x && w.height <= w.down - w.y) return w;
