@@ -23,6 +23,10 @@ defined() {
             }
             return -1 }
         function said(kind, name, n) { print kind, name, n, FILENAME }
+        # EIGHT(name) is a name in each dialect, EIGHT_FILE what is compiled in them (15)
+        /^#define EIGHT_FILE/ { next }
+        !/^#/ { while (match($0, /EIGHT\([a-z_0-9]+\)/))
+            $0 = substr($0, 1, RSTART - 1) substr($0, RSTART + 6, RLENGTH - 7) substr($0, RSTART + RLENGTH) }
         FNR == 1 { open = "" ; inside = 0 }
         open != "" { open = open $0; if ((n = count(open)) >= 0) { said("function", name, n); open = "" } next }
         /^#ifndef [A-Z0-9_]+_H$/ { said("guard", $2, 0) }

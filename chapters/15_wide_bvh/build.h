@@ -1,22 +1,29 @@
-/* build.h: the binary tree below the wide one, made on all cores.
+/* build.h: the wide tree, from a binary one (合并, collapse).
  *
- *   bvh8_grow_all(&b)      from b.item[b.n] the nodes b.node[2 n]; items are put in order
+ *   bool bvh8_build(&x, bvh8_defaults, &w, &f)      false: f says why: coordinates too large, too
+ *                                                   many items, options out of range
  *
- * From the root down, by surface area in bins, as in 14, with one difference: a leaf costs as many
- * tests as it has blocks, so a cut into L and R costs                                        (15.4)
+ *   1. Items: their boxes in the tree's frame. What can't be hit is left out.
+ *   2. A binary tree, from the root down, by surface area in bins, as in 14, except that a leaf
+ *      costs as many tests as it has blocks. So a cut into L and R costs                    (15.4)
  *
- *      area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)
+ *          area(L) ceil(n(L) / 8) + area(R) ceil(n(R) / 8)
  *
- * which leaves blocks fuller than counting triangles does.
+ *      The children of a cut between items p - 1 and p are nodes 2 p and 2 p + 1: a place that
+ *      depends on the items alone, so the tree is the same for any number of threads. Large sets
+ *      are cut first, by one; what is small is a job for whoever comes.
+ *   3. Collapse. Which of its nodes remain? The areas of those below s, if s may take up to j
+ *      places in the node above, add up to at least                                         (15.5)
  *
- * A bound is eight floats, too: low x, y, z, and high x, y, z with the sign turned. Then what is
- * around two of them is one minimum, and the middle on axis k is lo[k] - minus_hi[k], twice.
+ *          C(s, 1) = area(s) + C(s, 8)         one place: a node;   0 for a leaf
+ *          C(s, j) = min over k of C(left, k) + C(right, j - k), or C(s, j - 1)
  *
- * The children of a cut between items p - 1 and p are nodes 2 p and 2 p + 1: a place that depends
- * on the items alone, so the tree is the same for any number of threads. Large sets are cut first,
- * by one thread; what is small is a job for whoever comes.
+ *      from the leaves up: eight numbers a node, and no better collapse of this tree exists.
+ *   4. Nodes and blocks, in the order of the search: depth first.
  *
- * Source: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IRT 2007.
+ * Sources: I. Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IRT 2007;
+ * H. Ylitie, T. Karras, S. Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
+ * Wide BVHs", HPG 2017, section 3.1 (collapse).
  */
 #ifndef WIDE_BUILD_H
 #define WIDE_BUILD_H
@@ -24,62 +31,71 @@
 #include "../../common/parallel.h"
 #include "tree8.h"
 
-enum { bvh8_most_bins = 32, bvh8_chunk = 4096 };
-
+/* Eight floats: what is around two bounds is one minimum. The middle on axis k, twice: lo[k] -
+ * minus_hi[k]. Of an item `first` is its number; of a node, that of the first of `count` items, or
+ * of two nodes. */
 typedef union {
     eight all;
     struct { float lo[3]; uint32_t first; float minus_hi[3]; uint32_t count; };
-} bvh8_bound;  /* an item: its number is `first`. A node: of `count` items; child or item `first` */
+} bvh8_bound;
 
 typedef struct { uint32_t at, begin, n; int depth; } bvh8_job;
+typedef struct { float cost[8]; } bvh8_costs;
+typedef struct { bvh8_bound box, middles; float scale[3]; int bins; } bvh8_extent;
+typedef struct { eight box[most_bins]; uint32_t n[most_bins]; } bvh8_bins;
 
 typedef struct {
     bvh8 *w;
-    bvh8_options how;
+    int leaf, width;
     bvh8_bound *item;     /* [n] */
-    bvh8_bound *node;     /* [2 n] */
-    uint8_t (*pick)[8];   /* [2 n] collapse.h */
-    uint32_t *leaf;       /* [blocks] the binary node that becomes that block */
+    bvh8_bound *node;     /* [2 n] as in 14; of leaves `count` is not 0 */
+    uint8_t (*pick)[8];   /* [2 n] (15.5): the best k for j places at j - 1, 0: C(s, j - 1) */
+    uint32_t *leaves;     /* [blocks] which becomes that block */
     bvh8_job *job;
     size_t n, jobs, job_size;
-    atomic_bool inexact;  /* a corner that is no float */
 } bvh8_builder;
 
-typedef struct { eight box[3][bvh8_most_bins]; uint32_t n[3][bvh8_most_bins]; } bvh8_binned;
-typedef struct { bvh8_bound box, middles; float scale[3]; } bvh8_extent;
-typedef struct { double cost; int axis, bin; } bvh8_cut;
+#define bvh8_around(a, b) EIGHT_LOOP(eight_min, a, b)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-#define bvh8_around(a, b) eight_min((const eight[]){a, b})
-
-static inline eight bvh8_nothing(void)
+static inline void bvh8_items(bvh8_builder *b)
 {
-    const float x = INFINITY;
-    return (eight){x, x, x, x, x, x, x, x};
+    const bvh8 *w = b->w;
+    for (size_t i = 0; i < w->x.n; i++) {
+        aabb box;
+        if (!items_bounds(&w->x, i, &box)) continue;
+        triangle t = w->x.m ? mesh_triangle(w->x.m, i) : (triangle){.a = box.lo};
+        if (w->x.m && vzero(triangle_cross(t.a, t.b, t.c))) continue;
+        vec3 lo = bvh8_into(w, box.lo), hi = bvh8_into(w, box.hi);
+        bvh8_bound *out = &b->item[b->n++];
+        for (int k = 0; k < 3; k++)
+            out->lo[k] = float_below(vaxis(lo, k)), out->minus_hi[k] = float_below(-vaxis(hi, k));
+        out->first = (uint32_t)i, out->count = 0;
+    }
 }
 
-/* Half of its surface; in double, so that no float box overflows it. 0 if empty. */
-static inline double bvh8_area(const eight *box)
+/* Half of its surface, in double, so that no float box overflows it; 0 if empty. */
+static inline double bvh8_area(const eight *b)
 {
-    double x = -(double)(*box)[4] - (double)(*box)[0], y = -(double)(*box)[5] - (double)(*box)[1];
-    double z = -(double)(*box)[6] - (double)(*box)[2];
+    double x = -(double)(*b)[4] - (double)(*b)[0], y = -(double)(*b)[5] - (double)(*b)[1];
+    double z = -(double)(*b)[6] - (double)(*b)[2];
     return x >= 0 ? x * y + y * z + z * x : 0;
 }
 
-/* Around the items, and around their middles. scale: bins a unit; 0: there is nothing to cut. */
-static inline bvh8_extent bvh8_measure(const bvh8_bound *item, size_t n, int bins)
+/* Around the items, and around their middles; bins, and bins a unit: 0 where nothing is to cut. */
+static inline bvh8_extent bvh8_measure(const bvh8_bound *item, size_t n)
 {
-    bvh8_extent e = {.box = {bvh8_nothing()}, .middles = {bvh8_nothing()}};
+    eight all = EIGHT_ALL(INFINITY), middles = all;
     for (size_t i = 0; i < n; i++) {
         eight box = item[i].all, middle;
         for (int k = 0; k < 8; k++) middle[k] = box[k] - box[k ^ 4];
-        e.box.all = bvh8_around(e.box.all, box);
-        e.middles.all = bvh8_around(e.middles.all, middle);
+        all = bvh8_around(all, box), middles = bvh8_around(middles, middle);
     }
+    bvh8_extent e = {{all}, {middles}, {0}, bins_for(n)};
     for (int k = 0; k < 3; k++) {
-        e.scale[k] = (float)bins * 0.9999f / (-e.middles.minus_hi[k] - e.middles.lo[k]);
-        if (!(e.scale[k] > 0 && e.scale[k] < FLT_MAX)) e.scale[k] = 0;  /* -0: -infinity */
+        float scale = (float)e.bins * 0.9999f / (-e.middles.minus_hi[k] - e.middles.lo[k]);
+        e.scale[k] = scale > 0 && scale < FLT_MAX ? scale : 0;
     }
     return e;
 }
@@ -90,69 +106,50 @@ static inline int bvh8_bin_of(const bvh8_bound *item, const bvh8_extent *e, int 
     return (int)((item->lo[k] - item->minus_hi[k] - e->middles.lo[k]) * e->scale[k]);
 }
 
-__attribute__((always_inline))
-static inline void bvh8_bin(bvh8_binned *b, const bvh8_bound *item, const bvh8_extent *e, int k)
+/* (15.4) for all planes between the bins of an axis: from the right, then from the left. */
+static inline void bvh8_sweep(const bvh8_bins *b, int bins, int axis, split_choice *best)
 {
-    int bin = bvh8_bin_of(item, e, k);
-    b->box[k][bin] = bvh8_around(b->box[k][bin], item->all);
-    b->n[k][bin]++;
-}
-
-static inline double bvh8_blocks_of(const eight *box, uint32_t n)
-{
-    return n ? bvh8_area(box) * (double)((n + 7) / 8) : HUGE_VAL;
-}
-
-/* (15.4) for all planes between bins of an axis. */
-static inline void bvh8_sweep(const bvh8_binned *b, int bins, int axis, bvh8_cut *best)
-{
-    double right[bvh8_most_bins];
-    eight box = bvh8_nothing();
+    double right[most_bins];
+    eight box = EIGHT_ALL(INFINITY);
     uint32_t n = 0;
     for (int i = bins - 1; i > 0; i--) {
-        box = bvh8_around(box, b->box[axis][i]), n += b->n[axis][i];
-        right[i] = bvh8_blocks_of(&box, n);
+        box = bvh8_around(box, b->box[i]), n += b->n[i];
+        right[i] = n ? bvh8_area(&box) * (double)((n + 7) / 8) : HUGE_VAL;
     }
-    box = bvh8_nothing(), n = 0;
+    box = EIGHT_ALL(INFINITY), n = 0;
     for (int i = 0; i + 1 < bins; i++) {
-        box = bvh8_around(box, b->box[axis][i]), n += b->n[axis][i];
-        double cost = bvh8_blocks_of(&box, n) + right[i + 1];
-        if (cost < best->cost) *best = (bvh8_cut){cost, axis, i};
+        box = bvh8_around(box, b->box[i]), n += b->n[i];
+        double cost = n ? bvh8_area(&box) * (double)((n + 7) / 8) + right[i + 1] : HUGE_VAL;
+        if (cost < best->cost) *best = (split_choice){cost, axis, i};
     }
 }
 
-/* The cheapest cut; cost HUGE_VAL: none separates anything. Of many items a sample tells: 14. */
-static inline bvh8_cut bvh8_choose(const bvh8_bound *item, size_t n, const bvh8_extent *e, int bins)
+/* How many of the n > 1 items go left; what no plane cuts, in halves. As split_binned of 14. */
+static inline size_t bvh8_split(bvh8_bound *item, size_t n, const bvh8_extent *e)
 {
-    bvh8_binned b;
-    bvh8_cut best = {HUGE_VAL, 0, 0};
+    bvh8_bins b[3];
+    split_choice best = {HUGE_VAL, 0, 0};
     for (int k = 0; k < 3; k++)
-        for (int i = 0; i < bins; i++) b.box[k][i] = bvh8_nothing(), b.n[k][i] = 0;
-    size_t step = n < 32768 ? 1 : n / 16384 | 1;
-    for (size_t i = 0; i < n; i += step)
-        bvh8_bin(&b, &item[i], e, 0), bvh8_bin(&b, &item[i], e, 1), bvh8_bin(&b, &item[i], e, 2);
+        for (int i = 0; i < e->bins; i++) b[k].box[i] = EIGHT_ALL(INFINITY), b[k].n[i] = 0;
+    for (size_t i = 0; i < n; i += sample_step(n))
+        EIGHT_UNROLL
+        for (int k = 0; k < 3; k++) {
+            int at = bvh8_bin_of(&item[i], e, k);
+            b[k].box[at] = bvh8_around(b[k].box[at], item[i].all), b[k].n[at]++;
+        }
     for (int k = 0; k < 3; k++)
-        if (e->scale[k] > 0) bvh8_sweep(&b, bins, k, &best);
-    return best;
-}
-
-/* How many of the n > 1 items go left: [1, n - 1]. */
-static inline size_t bvh8_split(bvh8_bound *item, size_t n, const bvh8_extent *e, int bins)
-{
-    bvh8_cut best = bvh8_choose(item, n, e, bins);
+        if (e->scale[k] > 0) bvh8_sweep(&b[k], e->bins, k, &best);
     size_t left = 0, right = n;
     if (best.cost == HUGE_VAL) return n / 2;
     while (left < right) {
-        if (bvh8_bin_of(&item[left], e, best.axis) <= best.bin) left++;
-        else {
-            bvh8_bound swapped = item[--right];
-            item[right] = item[left], item[left] = swapped;
-        }
+        bvh8_bound here = item[left];
+        if (bvh8_bin_of(&here, e, best.axis) <= best.bin) left++;
+        else item[left] = item[--right], item[right] = here;
     }
     return left;
 }
 
-/* Below node `at`. Of the top, what is not larger than b->job_size becomes a job. Far down a set is
+/* Below node j.at. Of the top, what is not larger than b->job_size becomes a job. Far down a set is
  * cut in halves, so that no leaf is deeper than bvh_most_depth: 14 says why. */
 static inline void bvh8_grow(bvh8_builder *b, bvh8_job j, bool top)
 {
@@ -160,17 +157,15 @@ static inline void bvh8_grow(bvh8_builder *b, bvh8_job j, bool top)
         b->job[b->jobs++] = j;
         return;
     }
-    int bins = j.n < 16 ? (b->how.bins + 1) / 2 : b->how.bins;
     bvh8_bound *item = b->item + j.begin, *node = &b->node[j.at];
-    bvh8_extent e = bvh8_measure(item, j.n, bins);
+    bvh8_extent e = bvh8_measure(item, j.n);
     *node = e.box, node->first = j.begin, node->count = j.n;
-    if (j.n <= (uint32_t)b->how.leaf) return;
+    if (j.n <= (uint32_t)b->leaf) return;
     bool deep = j.depth + log2_above(j.n) >= bvh_most_depth;
-    uint32_t left = deep ? j.n / 2 : (uint32_t)bvh8_split(item, j.n, &e, bins);
-    uint32_t begin = j.begin + left, child = 2 * begin;
-    node->first = child;
-    bvh8_grow(b, (bvh8_job){child, j.begin, left, j.depth + 1}, top);
-    bvh8_grow(b, (bvh8_job){child + 1, begin, j.n - left, j.depth + 1}, top);
+    uint32_t left = deep ? j.n / 2 : (uint32_t)bvh8_split(item, j.n, &e), begin = j.begin + left;
+    node->first = 2 * begin, node->count = 0;
+    bvh8_grow(b, (bvh8_job){2 * begin, j.begin, left, j.depth + 1}, top);
+    bvh8_grow(b, (bvh8_job){2 * begin + 1, begin, j.n - left, j.depth + 1}, top);
 }
 
 static inline void bvh8_grow_job(size_t i, void *context)
@@ -179,13 +174,149 @@ static inline void bvh8_grow_job(size_t i, void *context)
     bvh8_grow(b, b->job[i], false);
 }
 
-static inline void bvh8_grow_all(bvh8_builder *b)
+/* ---------------------------------------------------------------------------------------------- */
+
+/* (15.5) at `at`. pick[0] is that of the places in the node which it may become; 0: a leaf. */
+static inline bvh8_costs bvh8_price(const bvh8_builder *b, uint32_t at)
 {
-    b->job_size = b->n / 32 > 1024 ? b->n / 32 : 1024;
-    b->job = allocate(b->n, sizeof *b->job);
-    bvh8_grow(b, (bvh8_job){0, 0, (uint32_t)b->n, 0}, true);
-    parallel_for(b->jobs, b->how.threads, "tree", bvh8_grow_job, b);
-    free(b->job);
+    const bvh8_bound *s = &b->node[at];
+    uint8_t *pick = b->pick[at];
+    bvh8_costs out = {{0}};
+    if (s->count) return out;
+    bvh8_costs l = bvh8_price(b, s->first), r = bvh8_price(b, s->first + 1);
+    for (int j = 2; j <= b->width; j++) {
+        float *best = &out.cost[j - 1];
+        *best = l.cost[0] + r.cost[j - 2], pick[j - 1] = 1;
+        for (int k = 2; k < j; k++) {
+            float c = l.cost[k - 1] + r.cost[j - k - 1];
+            if (c < *best) *best = c, pick[j - 1] = (uint8_t)k;
+        }
+    }
+    out.cost[0] = out.cost[b->width - 1] + (float)bvh8_area(&s->all), pick[0] = pick[b->width - 1];
+    for (int j = 1; j < b->width; j++)
+        if (out.cost[j - 1] <= out.cost[j]) out.cost[j] = out.cost[j - 1], pick[j] = 0;
+    return out;
+}
+
+/* The nodes that take the `places` places given to `at`: into list[], and how many. */
+static inline int bvh8_places(const bvh8_builder *b, uint32_t at, int places, uint32_t *list)
+{
+    const uint8_t *pick = b->pick[at];
+    while (places > 1 && !pick[places - 1]) places--;
+    if (places == 1) return list[0] = at, 1;
+    int left = pick[places - 1], n = bvh8_places(b, b->node[at].first, left, list);
+    return n + bvh8_places(b, b->node[at].first + 1, places - left, list + n);
+}
+
+/* Step 4 below `at`; returns its number. Without arrays it only counts what they must hold. */
+static inline uint32_t bvh8_emit(bvh8_builder *b, uint32_t at, int depth)
+{
+    bvh8 *w = b->w;
+    uint32_t first = b->node[at].first, list[8] = {at};
+    int left = b->pick[at][0], n = 1;
+    if (!left && depth > 1 && !w->x.m) return bvh8_leaf | b->item[first].first;
+    if (!left && depth > 1) {
+        if (b->leaves) b->leaves[w->blocks] = at;
+        return bvh8_leaf | (uint32_t)w->blocks++;
+    }
+    uint32_t me = (uint32_t)w->nodes++;
+    if (left) n = bvh8_places(b, first, left, list);
+    if (left) n += bvh8_places(b, first + 1, b->width - left, list + n);
+    if (depth > w->depth) w->depth = depth;
+    for (int k = 0; k < 8; k++) {
+        uint32_t child = k < n ? bvh8_emit(b, list[k], depth + 1) : 0;
+        if (!w->node) continue;
+        eight box = k < n ? b->node[list[k]].all : EIGHT_ALL(INFINITY);
+        for (int s = 0; s < 3; s++)
+            w->node[me].side[s][k] = box[s], w->node[me].side[3 + s][k] = -box[4 + s];
+        w->node[me].child[k] = child;
+    }
+    return me;
+}
+
+/* 256 blocks. */
+static inline void bvh8_fill_job(size_t piece, void *context)
+{
+    const bvh8_builder *b = context;
+    const bvh8 *w = b->w;
+    for (size_t i = 256 * piece; i < w->blocks && i < 256 * (piece + 1); i++) {
+        const bvh8_bound *leaf = &b->node[b->leaves[i]];
+        const bvh8_bound *item = b->item + leaf->first;
+        for (uint32_t k = 0; k < 8; k++) {
+            triangle t = mesh_triangle(w->x.m, item[k < leaf->count ? k : 0].first);
+            const vec3 p[3] = {bvh8_into(w, t.a), bvh8_into(w, t.b), bvh8_into(w, t.c)};
+            EIGHT_UNROLL
+            for (int c = 0; c < 3; c++) {
+                eight *row = w->block[i].corner + 3 * c;
+                row[0][k] = (float)p[c].x, row[1][k] = (float)p[c].y, row[2][k] = (float)p[c].z;
+            }
+            w->block[i].index[k] = k < leaf->count ? item[k].first : no_shape;
+        }
+    }
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Its centre is 0 unless the items lie far from there: then floats stay what they are. Are all
+ * corners floats in it? */
+static inline void bvh8_frame(bvh8 *w, aabb all)
+{
+    vec3 centre = aabb_centre(all), half = vsub(all.hi, centre);
+    real size = vaxis(half, vlongest(half)), far = fabs(vaxis(centre, vlongest(centre)));
+    int e, most = real_is_float ? 100 : 1000;
+    if (far <= 8 * size) centre = (vec3){0, 0, 0}, size += far;
+    (void)frexp(size, &e);
+    e = e > most ? most : e < -most ? -most : e;
+    w->centre = centre, w->scale = size > 0 ? ldexp((real)1, -e) : 1;
+    w->exact = w->x.m;
+    for (size_t i = 0; w->exact && i < w->x.m->vertices; i++) {
+        vec3 p = w->x.m->v[i], q = bvh8_into(w, p);
+        q = bvh8_back(w, (float)q.x, (float)q.y, (float)q.z);
+        w->exact = p.x == q.x && p.y == q.y && p.z == q.z;
+    }
+}
+
+static inline void *bvh8_room(size_t n, size_t size)
+{
+    void *p = aligned_alloc(64, (n * size / 64 + 1) * 64);
+    if (!p) die(1, "no memory for %zu times %zu bytes", n, size);
+    return p;
+}
+
+static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure *f)
+{
+    aabb all;
+    *w = (bvh8){.x = *x, .scale = 1, .dialect = how.dialect};
+    if (how.leaf < 1 || how.leaf > 8 || how.width < 2 || how.width > 8)
+        return failed(f, 2, "bvh8: leaf %d of 1..8, width %d of 2..8", how.leaf, how.width);
+    if (!items_all_bounds(x, &all, f)) return false;
+    if (x->n >> 30) return failed(f, 2, "%zu items: fewer than 2^30 fit", x->n);
+    bvh8_builder b = {.w = w, .leaf = x->m ? how.leaf : 1, .width = how.width};
+    size_t each = sizeof *b.item + 2 * sizeof *b.node + 2 * sizeof *b.pick;
+    if (x->n * (each + 64) > how.most_bytes)
+        return failed(f, 1, "%zu items: more than the %zu bytes allowed", x->n, how.most_bytes);
+    bvh8_frame(w, all);
+    b.item = bvh8_room(x->n, sizeof *b.item);
+    bvh8_items(&b);
+    w->held = b.n, b.job_size = b.n / 32 > 1024 ? b.n / 32 : 1024;
+    b.node = bvh8_room(2 * b.n, sizeof *b.node), b.pick = allocate(2 * b.n, sizeof *b.pick);
+    b.job = allocate(b.n, sizeof *b.job);
+    if (b.n) {
+        bvh8_grow(&b, (bvh8_job){0, 0, (uint32_t)b.n, 0}, true);
+        parallel_for(b.jobs, how.threads, "tree", bvh8_grow_job, &b);
+        bvh8_price(&b, 0);
+        bvh8_emit(&b, 0, 1);
+        w->node = bvh8_room(w->nodes, sizeof *w->node);
+        if (x->m) w->block = bvh8_room(w->blocks, sizeof *w->block);
+        w->bytes = w->nodes * sizeof *w->node + (x->m ? w->blocks * sizeof *w->block : 0);
+        b.leaves = allocate(w->blocks, sizeof *b.leaves);
+        w->nodes = w->blocks = 0;
+        bvh8_emit(&b, 0, 1);
+        parallel_for((w->blocks + 255) / 256, how.threads, "blocks", bvh8_fill_job, &b);
+    }
+    w->peak = w->bytes + b.n * each;
+    free(b.item), free(b.node), free(b.pick), free(b.job), free(b.leaves);
+    return true;
 }
 
 #endif

@@ -12,21 +12,15 @@
  *   bvh8_hit_but(&w, r, skip, &h), bvh8_occluded_but(&w, r, skip)    the same answers, sooner,
  *                                    where the caller knows triangles that r can't hit: tree8.h
  *   bvh8_hit_counted(&w, r, &h, &work), bvh8_occluded_counted(&w, r, &work)
- *   bvh8_hit_leaky(&w, r, &h), bvh8_occluded_leaky(&w, r)     all in float, nothing paid for: the
- *                                    speed of cracks. Triangles only; u, v, t have six digits
  *
  * An answer is that of brute force bit for bit, in all three dialects of eight.h, though boxes and
  * triangles are looked at in float: float says "surely not", "surely", or "in doubt". Only the hit
  * that is handed out, and what was in doubt, is computed in `real`: ray8.h says how sure is sure.
  *
- *   how.leaf_cost     of a block, where a node costs 1          how.shape_cost   of one shape
- *                     [0.001..1000] both
- *   how.leaf          the binary tree below: down to so many items [1..8]
- *   how.bins          where it may be cut [4..32]
- *   how.width         children a node [2..8]
- *   how.most_bytes    while it is built, about; more: false
- *   how.threads       0: one a core; the tree is the same for any number
- *   how.dialect       EIGHT_PLAIN .. EIGHT_AVX512, at most what the machine has
+ *   how.leaf, how.width   most triangles in a block [1..8], most children of a node [2..8]
+ *   how.threads           0: one a core; the tree is the same for any number
+ *   how.dialect           EIGHT_PLAIN .. EIGHT_AVX512, at most what the machine has
+ *   how.most_bytes        while it is built, about; more: false
  *
  * The items must outlive the tree. Some 50 bytes a triangle. What cannot be hit (a corner that is
  * NaN or infinite, no area) is not in it; coordinates beyond items_most are refused. A search needs
@@ -40,74 +34,69 @@
 #ifndef WIDE_BVH8_H
 #define WIDE_BVH8_H
 
-#include "collapse.h"
-#include "search.h"
+#include "build.h"
+#include "ray8.h"
+
+#define EIGHT_FILE "walk.h"
+#include "dialects.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-#if EIGHT_X86
-#define BVH8_CALL(verb, ...)                                                                     \
-    switch (w->dialect) {                                                                        \
-    case EIGHT_AVX512: return verb##_2(__VA_ARGS__);                                             \
-    case EIGHT_AVX2: return verb##_1(__VA_ARGS__);                                               \
-    default: return verb##_0(__VA_ARGS__);                                                       \
-    }
-#else
-#define BVH8_CALL(verb, ...) return verb##_0(__VA_ARGS__);
-#endif
-
-/* Field by field: what is copied as a whole right after it was written waits for all of it. */
-static inline ray bvh8_own(const ray *r)
+/* Field by field: ray8.h says why. */
+__attribute__((always_inline))
+static inline bool bvh8_ask(const bvh8 *w, ray r, bvh8_skip skip, hit *out, search_work *work)
 {
-    return (ray){{r->o.x, r->o.y, r->o.z}, r->tmin, {r->d.x, r->d.y, r->d.z}, r->tmax};
+    ray own = {{r.o.x, r.o.y, r.o.z}, r.tmin, {r.d.x, r.d.y, r.d.z}, r.tmax};
+#if EIGHT_X86
+    if (w->dialect == EIGHT_AVX512) return bvh8_search_2(w, &own, &skip, out, work);
+    if (w->dialect == EIGHT_AVX2) return bvh8_search_1(w, &own, &skip, out, work);
+#endif
+    return bvh8_search_0(w, &own, &skip, out, work);
 }
 
 __attribute__((always_inline))
 static inline bool bvh8_hit_but(const bvh8 *w, ray r, bvh8_skip skip, hit *out)
 {
-    ray own = bvh8_own(&r);
-    BVH8_CALL(bvh8_closest, w, &own, &skip, out)
+    return bvh8_ask(w, r, skip, out, NULL);
 }
 
 __attribute__((always_inline))
 static inline bool bvh8_occluded_but(const bvh8 *w, ray r, bvh8_skip skip)
 {
-    ray own = bvh8_own(&r);
-    BVH8_CALL(bvh8_any, w, &own, &skip)
+    return bvh8_ask(w, r, skip, NULL, NULL);
 }
 
 static inline bool bvh8_hit(const bvh8 *w, ray r, hit *out)
 {
-    return bvh8_hit_but(w, r, bvh8_skip_none, out);
+    return bvh8_ask(w, r, bvh8_skip_none, out, NULL);
 }
 
 static inline bool bvh8_occluded(const bvh8 *w, ray r)
 {
-    return bvh8_occluded_but(w, r, bvh8_skip_none);
+    return bvh8_ask(w, r, bvh8_skip_none, NULL, NULL);
 }
-
-static inline bool bvh8_hit_leaky(const bvh8 *w, ray r, hit *out)
-{
-    BVH8_CALL(bvh8_closest_leaky, w, &r, out)
-}
-
-static inline bool bvh8_occluded_leaky(const bvh8 *w, ray r) { BVH8_CALL(bvh8_any_leaky, w, &r) }
 
 static inline bool bvh8_hit_counted(const bvh8 *w, ray r, hit *out, search_work *work)
 {
-    BVH8_CALL(bvh8_counted, w, &r, out, false, work)
+    return bvh8_ask(w, r, bvh8_skip_none, out, work);
 }
 
 static inline bool bvh8_occluded_counted(const bvh8 *w, ray r, search_work *work)
 {
-    BVH8_CALL(bvh8_counted, w, &r, NULL, true, work)
+    return bvh8_ask(w, r, bvh8_skip_none, NULL, work);
 }
 
 static inline structure_stats bvh8_stats(const bvh8 *w)
 {
-    return (structure_stats){.inner = w->nodes, .leaves = w->blocks, .references = w->held,
-                             .items = w->held, .depth = w->depth, .bytes = w->bytes,
-                             .peak = w->peak};
+    return (structure_stats){.inner = w->nodes, .leaves = w->block ? w->blocks : w->held,
+                             .references = w->held, .items = w->held, .depth = w->depth,
+                             .bytes = w->bytes, .peak = w->peak};
+}
+
+static inline void bvh8_free(bvh8 *w)
+{
+    free(w->node), free(w->block);
+    *w = (bvh8){.nodes = 0};
 }
 
 #endif

@@ -3,38 +3,68 @@
  *   eight           eight floats; + - * / work lane by lane, as on one number (GNU vectors)
  *   eight_best()    the best dialect of this machine
  *
- *   what the operators do not say           plain C        AVX2         AVX-512
- *   EIGHT_ALL: x in all lanes               one            one          one
- *   EIGHT_MIN, EIGHT_MAX                    one            one          one
- *   EIGHT_FMA: a b + c                      one or two     one          one
- *   EIGHT_FAR: the larger of |a|, |b|       three          three        one
- *   EIGHT_LE: eight bits, where a <= b      twelve         two          one
+ *   what the operators do not say                plain C       AVX2       AVX-512    instructions
+ *   EIGHT_MIN(a, b), EIGHT_MAX(a, b)             one           one        one
+ *   EIGHT_FMA(a, b, c): a b + c                  one or two    one        one
+ *   EIGHT_FAR(a, b): the larger of |a|, |b|      three         three      one
+ *   EIGHT_LE(a, b): eight bits, where a <= b     twelve        two        one
  *
- * Nothing else differs, so the search is written once: search.h includes walk.h under each dialect,
- * and dialect.h defines these six. Plain C compiles for every
- * processor; it is quick where registers hold eight floats (x86-64-v3 and up). With four, gcc 12
- * keeps them in memory. Where a lane is NaN, MIN and MAX give b, and a <= b is false, in every
- * dialect.
+ * Nothing else differs: what is written with these is compiled in each dialect by dialects.h. Plain
+ * C compiles for every processor, and is quick where registers hold eight floats (x86-64-v3 and
+ * up). Where a lane is NaN, MIN and MAX give b, and a <= b is false.
  */
 #ifndef WIDE_EIGHT_H
 #define WIDE_EIGHT_H
 
 #include <math.h>
-#include <stddef.h>
 #include <stdint.h>
 #include <string.h>
 
+typedef int32_t eight_whole __attribute__((vector_size(32)));
+typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dialect;
+
+#define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
+#define EIGHT_UNROLL _Pragma("GCC unroll 3")
+#define EIGHT_LOOP(name, ...) name((const eight[]){__VA_ARGS__})
 #if defined __x86_64__ && defined __GNUC__
 #define EIGHT_X86 1
 #include <immintrin.h>
+typedef __m256 eight;
+#define EIGHT_MIN(a, b) (EIGHT_DIALECT ? _mm256_min_ps(a, b) : EIGHT_LOOP(eight_min, a, b))
+#define EIGHT_MAX(a, b) (EIGHT_DIALECT ? _mm256_max_ps(a, b) : EIGHT_LOOP(eight_max, a, b))
+#define EIGHT_FMA(a, b, c) \
+    (EIGHT_DIALECT ? _mm256_fmadd_ps(a, b, c) : EIGHT_LOOP(eight_fma, a, b, c))
+#define EIGHT_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define EIGHT_FAR(a, b) \
+    (EIGHT_DIALECT == 2 ? _mm256_range_ps(a, b, 11) : EIGHT_DIALECT \
+     ? _mm256_max_ps(EIGHT_ABS(a), EIGHT_ABS(b)) : EIGHT_LOOP(eight_far, a, b))
+#define EIGHT_LE(a, b) \
+    (EIGHT_DIALECT == 2 ? (unsigned)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ) : EIGHT_DIALECT \
+     ? (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(a, b, _CMP_LE_OQ)) : EIGHT_LOOP(eight_le, a, b))
 #else
 #define EIGHT_X86 0
+typedef float eight __attribute__((vector_size(32)));
+#define EIGHT_MIN(a, b) EIGHT_LOOP(eight_min, a, b)
+#define EIGHT_MAX(a, b) EIGHT_LOOP(eight_max, a, b)
+#define EIGHT_FMA(a, b, c) EIGHT_LOOP(eight_fma, a, b, c)
+#define EIGHT_FAR(a, b) EIGHT_LOOP(eight_far, a, b)
+#define EIGHT_LE(a, b) EIGHT_LOOP(eight_le, a, b)
 #endif
 
-#define EIGHT_LANES __attribute__((vector_size(32)))
-typedef EIGHT_LANES float eight;
-typedef EIGHT_LANES int32_t eight_whole;
-typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dialect;
+/* For dialects.h. EIGHT(name) is name_0 in plain C, name_1 for AVX2, name_2 for AVX-512. A function
+ * that is compiled for a target may be called only where the machine has its instructions. */
+#define EIGHT_PASTE(name, number) name##_##number
+#define EIGHT_NAME(name, number) EIGHT_PASTE(name, number)
+#define EIGHT(name) EIGHT_NAME(name, EIGHT_DIALECT)
+#define EIGHT_PRAGMA(list) _Pragma(#list)
+#ifdef __clang__
+#define EIGHT_TARGET(names) \
+    EIGHT_PRAGMA(clang attribute push(__attribute__((target(names))), apply_to = function))
+#define EIGHT_TARGET_END _Pragma("clang attribute pop")
+#else
+#define EIGHT_TARGET(names) _Pragma("GCC push_options") EIGHT_PRAGMA(GCC target(names))
+#define EIGHT_TARGET_END _Pragma("GCC pop_options")
+#endif
 
 /* Warns that other compilers would hand over eight floats otherwise; nobody else is called. */
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -43,23 +73,22 @@ typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dia
 
 /* Loops of one operation: gcc and clang make one instruction of each, with -O2. (A pointer: handed
  * over by value, eight floats take other ways on other processors, and compilers say so.) */
-#define EIGHT_LOOP(name, result)                        \
-    __attribute__((always_inline))                      \
-    static inline eight name(const eight *x)            \
-    {                                                   \
-        eight out;                                      \
-        for (int k = 0; k < 8; k++) {                   \
-            float a = x[0][k], b = x[1][k];             \
-            out[k] = result;                            \
-        }                                               \
-        return out;                                     \
+#define EIGHT_LANES(name, result)                                                   \
+    __attribute__((always_inline))                                                  \
+    static inline eight name(const eight *x)                                        \
+    {                                                                               \
+        eight out;                                                                  \
+        for (int k = 0; k < 8; k++) { float a = x[0][k], b = x[1][k]; out[k] = result; } \
+        return out;                                                                 \
     }
-EIGHT_LOOP(eight_min, a < b ? a : b)
-EIGHT_LOOP(eight_max, a > b ? a : b)
+EIGHT_LANES(eight_min, a < b ? a : b)
+EIGHT_LANES(eight_max, a > b ? a : b)
+EIGHT_LANES(eight_far, fabsf(a) > fabsf(b) ? fabsf(a) : fabsf(b))
 #ifdef FP_FAST_FMAF
-EIGHT_LOOP(eight_fma, fmaf(a, b, x[2][k]))
+EIGHT_LANES(eight_fma, fmaf(a, b, x[2][k]))
+#else
+EIGHT_LANES(eight_fma, a * b + x[2][k])
 #endif
-EIGHT_LOOP(eight_far, fabsf(a) > fabsf(b) ? fabsf(a) : fabsf(b))
 
 /* A bit a lane, and then all ORed. */
 __attribute__((always_inline))
@@ -67,11 +96,7 @@ static inline unsigned eight_le(const eight *x)
 {
     eight_whole lane;
     uint64_t m[4];
-    for (int k = 0; k < 8; k++) {
-        float a = x[0][k], b = x[1][k];
-        lane[k] = a <= b ? -1 : 0;
-    }
-    lane &= (eight_whole){1, 2, 4, 8, 16, 32, 64, 128};
+    for (int k = 0; k < 8; k++) lane[k] = x[0][k] <= x[1][k] ? 1 << k : 0;
     memcpy(m, &lane, sizeof m);
     m[0] |= m[1] | m[2] | m[3];
     return (unsigned)(m[0] | m[0] >> 32);

@@ -1,15 +1,15 @@
 /* ray8.h: a ray in float, and what float owes: the bounds that make eight triangles at once safe.
  *
- *   bvh8_ray_of(&w, &r, leaky, &q)        the ray in the frame of the tree; once a ray
+ *   bvh8_ray_of(&w, &r, &skip, &q)        the ray in the frame of the tree; once a ray
  *   bvh8_before(&q, t), bvh8_limit(&q, t) t in the frame, rather too small, rather too large
- *   bvh8_exactly(&w, block, k, &r, &shear, &h)   triangle k of a block in `real`: the test of 04
+ *   bvh8_settle(&w, &q)                   asks in `real` what was written down: the test of 04
  *
  * u = 2^-24; S is the largest of 1 and the origin's coordinates, all in the frame. Corners are at
  * most 1 there, distances to them at most 2 S. eps is that of `real`.
  *
- *   boxes      t = plane / d - (o +- delta) / d. Origin, its shift, 1 / d, the product and the sum
- *              are off as if the plane were moved by 10 u S; items may be found 256 eps times 2 S
- *              outside their boxes (14): delta = (16 u + 512 eps) S                       (15.6)
+ *   boxes      t = plane / d - o / d -+ delta / |d|. Origin, its shift, 1 / d, the product and the
+ *              sum are off as if the plane were moved by 10 u S; items may be found 256 eps times
+ *              2 S outside their boxes (14): delta = (16 u + 512 eps) S                   (15.6)
  *   corners    x = ax - sx az - cx, as seen along the ray (4.9), is off by 20 u S: corners u + u,
  *              slope 6 u, its product and sum 3 u, cx = ox - sx oz 5 u, the sum 4 u. What 04 does
  *              in `real` is off by less than 16 eps S: around = (24 u + 16 eps) S         (15.7)
@@ -30,24 +30,40 @@
 
 #include "tree8.h"
 
+enum { bvh8_most_doubts = 32 };
+typedef struct { const bvh8_block *block; int lane; float first; } bvh8_doubt;
+
 typedef struct {
-    float near_o[3], far_o[3], inverse[3], tmin;  /* t of a plane: plane inverse + near_o */
+    float near_o[3], far_o[3], inverse[3];        /* t of a plane: plane inverse + near_o */
     size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
-    float sx, sy, cx, cy, oz, sz;
-    float around, tail;
-    float sure_min, sure_max, limit;              /* of the ray's interval, as limit and tmin */
+    float sx, sy, cx, cy, oz, sz, around, tail;
+    float tmin, limit, sure_min, sure_max;        /* its interval, and what surely lies in it */
     double scale, shift, slack;                   /* t in the frame: t scale - shift, +- slack */
+    ray *r;                                       /* tmax is the t of `best` */
+    const bvh8_skip *skip;
+    hit best;                                     /* of what was asked in `real` */
+    int doubts;
+    bvh8_doubt doubt[bvh8_most_doubts];           /* what was not, and begins at `first` */
+    bool sheared;
+    ray_shear shear;                              /* of r, once it is asked for: balls don't */
 } bvh8_ray;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 #define bvh8_row(rows, offset) (*(const eight *)((const char *)(rows) + (offset)))
 
+static inline uint32_t float_bits(float x)
+{
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
 /* x as a float, and a little less: rounded once, twice in float, and this product. */
 static inline float bvh8_down(double x)
 {
-    float f = (float)(x < 1e38 ? x : 1e38);
+    float f = float_min((float)x, FLT_MAX);
     return f - fabsf(f) * 0x1p-22f;
 }
 
@@ -61,29 +77,6 @@ static inline float bvh8_before(const bvh8_ray *q, real t)
 static inline float bvh8_limit(const bvh8_ray *q, real t)
 {
     return -bvh8_down(q->shift - (double)t * q->scale - q->slack);
-}
-
-/* As vlongest, without a branch: which axis it is is a toss. */
-static inline unsigned bvh8_longest(vec3 d)
-{
-    real x = fabs(d.x), y = fabs(d.y), z = fabs(d.z), most = x >= y ? x : y;
-    unsigned second = !(x >= y), third = !(most >= z);
-    return 2 * third | (second & ~third);
-}
-
-__attribute__((always_inline))
-static inline void bvh8_axis(bvh8_ray *q, unsigned k, float o, float d, float delta)
-{
-    uint32_t down;
-    float i = 1 / d;
-    i = i < 0x1p60f ? i : 0x1p60f, i = i > -0x1p60f ? i : -0x1p60f;
-    memcpy(&down, &i, sizeof down);
-    down = (down >> 31) * 3;
-    q->inverse[k] = i;
-    q->near[k] = (k + down) * sizeof(eight), q->far[k] = (k + 3 - down) * sizeof(eight);
-    delta = copysignf(delta, i);
-    q->near_o[k] = (o + delta) * -i;
-    q->far_o[k] = (o - delta) * -i;
 }
 
 /* What few rays need. d gets a length near 1 if it is beyond 2^+-20; t changes by that factor, and
@@ -101,57 +94,121 @@ static void bvh8_ray_moved(bvh8_ray *q, vec3 *o, vec3 *d, real way)
 }
 
 __attribute__((always_inline))
-static inline void bvh8_ray_of(const bvh8 *w, const ray *r, bool leaky, bvh8_ray *q)
+static inline void bvh8_ray_of(const bvh8 *w, ray *r, const bvh8_skip *skip, bvh8_ray *q)
 {
-    unsigned kz = bvh8_longest(r->d), kx = (0x09 >> 2 * kz) & 3, ky = (0x12 >> 2 * kz) & 3;
-    vec3 origin = bvh8_into(w, r->o), d = r->d;
-    real way = real_max(real_max(real_max(fabs(origin.x), fabs(origin.y)), fabs(origin.z)), 1);
-    real longest = real_max(real_max(fabs(d.x), fabs(d.y)), fabs(d.z));
+    int kz = vlongest(r->d), kx = kz == 2 ? 0 : kz + 1, ky = 3 - kx - kz;
+    vec3 at = bvh8_into(w, r->o), d = r->d;
+    real way = real_max(real_max(real_max(fabs(at.x), fabs(at.y)), fabs(at.z)), 1);
+    real longest = fabs(vaxis(d, kz));
+    q->r = r, q->skip = skip, q->best = hit_none, q->sheared = false, q->doubts = 0;
     q->scale = (double)w->scale, q->shift = 0;
     if (way > 8 || longest < (real)0x1p-20 || longest > (real)0x1p20)
-        bvh8_ray_moved(q, &origin, &d, way);
-    float o[3] = {(float)origin.x, (float)origin.y, (float)origin.z};
-    float along[3] = {(float)d.x, (float)d.y, (float)d.z};
-    float owed = (float)(way * real_epsilon);
-    float size = float_max(float_max(fabsf(o[0]), fabsf(o[1])), float_max(fabsf(o[2]), 1));
-    float delta = leaky ? 0 : size * 0x1p-20f + 512 * owed;                          /* (15.6) */
+        bvh8_ray_moved(q, &at, &d, way);
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);
-    q->tmin = bvh8_before(q, r->tmin);
-    q->limit = bvh8_limit(q, r->tmax);
-    q->sure_min = bvh8_limit(q, r->tmin);
-    q->sure_max = bvh8_before(q, r->tmax);
-    bvh8_axis(q, 0, o[0], along[0], delta);
-    bvh8_axis(q, 1, o[1], along[1], delta);
-    bvh8_axis(q, 2, o[2], along[2], delta);
-    q->kx = kx * sizeof(eight), q->ky = ky * sizeof(eight), q->kz = kz * sizeof(eight);
-    q->oz = o[kz], q->sz = q->inverse[kz];
+    q->tmin = bvh8_before(q, r->tmin), q->limit = bvh8_limit(q, r->tmax);
+    q->sure_min = bvh8_limit(q, r->tmin), q->sure_max = bvh8_before(q, r->tmax);
+    float o[3] = {(float)at.x, (float)at.y, (float)at.z}, owed = (float)(way * real_epsilon);
+    float along[3] = {(float)d.x, (float)d.y, (float)d.z};
+    float size = float_max(float_max(fabsf(o[0]), fabsf(o[1])), float_max(fabsf(o[2]), 1));
+    float delta = size * 0x1p-20f + 512 * owed;                                      /* (15.6) */
+    EIGHT_UNROLL
+    for (unsigned k = 0; k < 3; k++) {
+        float i = float_max(float_min(1 / along[k], 0x1p60f), -0x1p60f);
+        float t = o[k] * i, error = fabsf(i) * delta;
+        q->inverse[k] = i, q->near_o[k] = -t - error, q->far_o[k] = error - t;
+        q->near[k] = sizeof(eight) * (k + 3 * (float_bits(i) >> 31));
+        q->far[k] = sizeof(eight) * (2 * k + 3) - q->near[k];
+    }
+    q->kx = sizeof(eight) * (size_t)kx, q->ky = sizeof(eight) * (size_t)ky;
+    q->kz = sizeof(eight) * (size_t)kz, q->oz = o[kz], q->sz = q->inverse[kz];
     q->sx = -along[kx] * q->sz, q->sy = -along[ky] * q->sz;
     q->cx = o[kx] + q->sx * q->oz, q->cy = o[ky] + q->sy * q->oz;
     q->around = size * 0x1.8p-20f + 16 * owed;                                       /* (15.7) */
     q->tail = (size * 0x1p-19f + 300 * owed) * fabsf(q->sz);
 }
 
+/* Children onto the stack, the nearest on top: `mask` of them, entered at `enter`, not before 0. A
+ * child is one whole number: the bits of t, which rise with t, and then its own. */
+__attribute__((always_inline))
+static inline int bvh8_push(const bvh8_node *n, unsigned mask, const eight *enter,
+                            uint64_t *stack, int top)
+{
+    uint32_t bits[8];
+    int base = top, k = __builtin_ctz(mask);
+    memcpy(bits, enter, sizeof bits);
+    uint64_t near = (uint64_t)bits[k] << 32 | n->child[k];
+    while (mask &= mask - 1) {
+        k = __builtin_ctz(mask);
+        uint64_t next = (uint64_t)bits[k] << 32 | n->child[k];
+        uint64_t far = next < near ? near : next;  /* without a branch, and mostly that is all */
+        near = next < near ? next : near;
+        int j = top++;
+        for (; j > base && stack[j - 1] < far; j--) stack[j] = stack[j - 1];
+        stack[j] = far;
+    }
+    stack[top++] = near;
+    return top;
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline const ray_shear *bvh8_shear(bvh8_ray *q)
+{
+    if (!q->sheared) q->shear = shear_of(*q->r), q->sheared = true;
+    return &q->shear;
+}
+
+/* Field by field: what is copied as a whole right after it was written waits for all of it. */
+static inline void bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
+{
+    h.shape = i;
+    if (!hit_before(h, q->best)) return;
+    q->best = (hit){h.t, h.u, h.v, i}, q->r->tmax = h.t, q->limit = bvh8_limit(q, h.t);
+}
+
 /* How often this thread asked in `real`: for whoever wants to count. */
 static _Thread_local size_t bvh8_asked;
 
 /* Building has asked for the area, so the second half of 04's test needn't. */
-static inline bool bvh8_exactly(const bvh8 *w, const bvh8_block *block, int k, const ray *r,
-                                const ray_shear *s, hit *out)
+static inline bool bvh8_exactly(const bvh8 *w, const bvh8_doubt *d, bvh8_ray *q, hit *out)
 {
+    const float *c = (const float *)d->block->corner + d->lane;
+    const ray_shear *s = bvh8_shear(q);
     triangle t;
     bvh8_asked++;
-    if (w->exact) {
-        const float *c = (const float *)block->corner + k;
-        t.a = bvh8_back(w, c[0], c[8], c[16]);
-        t.b = bvh8_back(w, c[24], c[32], c[40]);
-        t.c = bvh8_back(w, c[48], c[56], c[64]);
-    } else t = mesh_triangle(w->x.m, block->index[k]);
-    vec3 a = shear_corner(&t.a, s), b = shear_corner(&t.b, s), c = shear_corner(&t.c, s);
-    vec3 e = {c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x};
-    if (signs_differ(e.x, e.y, e.z) || !shear_meets(a, b, c, e, s, *r, out)) return false;
-    out->shape = block->index[k];
-    return true;
+    if (!w->exact) t = mesh_triangle(w->x.m, d->block->index[d->lane]);
+    else t = (triangle){bvh8_back(w, c[0], c[8], c[16]), bvh8_back(w, c[24], c[32], c[40]),
+                        bvh8_back(w, c[48], c[56], c[64])};
+    vec3 a = shear_corner(&t.a, s), b = shear_corner(&t.b, s), g = shear_corner(&t.c, s);
+    vec3 e = {g.x * b.y - g.y * b.x, a.x * g.y - a.y * g.x, b.x * a.y - b.y * a.x};
+    return !signs_differ(e.x, e.y, e.z) && shear_meets(a, b, g, e, s, *q->r, out);
+}
+
+/* True: there is a hit. */
+__attribute__((noinline))
+static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
+{
+    const bvh8_skip *s = q->skip;
+    for (const bvh8_doubt *d = q->doubt; d < q->doubt + q->doubts; d++) {
+        uint32_t i = d->block->index[d->lane];
+        hit h;
+        if (d->first > q->limit || i == no_shape || i == s->from
+            || i - s->first <= s->last - s->first) continue;
+        if (bvh8_exactly(w, d, q, &h)) bvh8_keep(q, h, i);
+    }
+    q->doubts = 0;
+    return q->best.shape != no_shape;
+}
+
+__attribute__((always_inline))
+static inline bool bvh8_shape(const bvh8 *w, uint32_t i, bvh8_ray *q)
+{
+    const shape *x = &w->x.s->shapes[i];
+    hit h;
+    if (x->kind == SHAPE_SPHERE ? sphere_hit(x->sphere, *q->r, &h)
+        : shape_hit_sheared(x, bvh8_shear(q), *q->r, &h)) bvh8_keep(q, h, i);
+    return q->best.shape != no_shape;
 }
 
 #endif

@@ -2,15 +2,15 @@
  *
  *   bvh8_node     six rows: the low x of eight boxes, their low y, ...; and eight children
  *   bvh8_block    nine rows: x, y, z of eight corners a, of b, of c; and eight triangles
- *   bvh8_list     eight shapes of any kind, which are tested one by one
  *
  *   p' = bvh8_into(&w, p)         into the tree's own frame, in which all coordinates are at most 1
  *   p = bvh8_back(&w, x, y, z)    and back. The scale is a power of two, and the centre 0 where
- *                                 that is near: corners that were floats stay the same floats,
- *                                 w.exact, and then nobody needs the mesh any more
+ *                                 that is near: corners that were floats stay floats, w.exact, and
+ *                                 then nobody needs the mesh any more
  *
- * A child is the number of a node, or with bvh8_leaf that of a block or list. An empty place has a
- * box that no ray meets; in a block it repeats the first triangle, under no_shape.
+ * A child is the number of a node, or with bvh8_leaf that of a block, or of a shape that is no
+ * triangle: these are leaves one by one. An empty place has a box that no ray meets; in a block it
+ * repeats the first triangle, under no_shape.
  */
 #ifndef WIDE_TREE8_H
 #define WIDE_TREE8_H
@@ -23,16 +23,14 @@
 
 typedef struct { eight side[6]; uint32_t child[8]; } __attribute__((aligned(64))) bvh8_node;
 typedef struct { eight corner[9]; uint32_t index[8]; } __attribute__((aligned(64))) bvh8_block;
-typedef struct { uint32_t index[8]; } bvh8_list;
 
 typedef struct {
-    double leaf_cost, shape_cost;
-    int leaf, bins, width, threads;
+    int leaf, width, threads;
     eight_dialect dialect;
     size_t most_bytes;
 } bvh8_options;
 
-#define bvh8_defaults ((bvh8_options){0.7, 1, 8, 16, 8, 0, eight_best(), SIZE_MAX})
+#define bvh8_defaults ((bvh8_options){8, 8, 0, eight_best(), SIZE_MAX})
 
 typedef struct {
     items x;
@@ -42,11 +40,9 @@ typedef struct {
     eight_dialect dialect;
     bvh8_node *node;      /* [nodes] */
     bvh8_block *block;    /* [blocks], NULL for shapes */
-    bvh8_list *list;      /* [blocks], NULL for triangles */
     size_t nodes, blocks;
     size_t held;          /* items in them */
     int depth;            /* of the deepest node; the root: 1 */
-    double cost;          /* by (15.5), as a part of the root's area */
     size_t bytes, peak;   /* held now; the most while it was built */
 } bvh8;
 
@@ -62,15 +58,17 @@ static inline vec3 bvh8_into(const bvh8 *w, vec3 p)
     return vscale(vsub(p, w->centre), w->scale);
 }
 
+/* How many items are in leaf i. */
+static inline size_t bvh8_held(const bvh8 *w, uint32_t i)
+{
+    size_t n = !w->block;
+    for (int k = 0; w->block && k < 8; k++) n += w->block[i].index[k] != no_shape;
+    return n;
+}
+
 static inline vec3 bvh8_back(const bvh8 *w, float x, float y, float z)
 {
     return vadd(vscale((vec3){(real)x, (real)y, (real)z}, 1 / w->scale), w->centre);
-}
-
-static inline void bvh8_free(bvh8 *w)
-{
-    free(w->node), free(w->block), free(w->list);
-    *w = (bvh8){.nodes = 0};
 }
 
 #endif

@@ -1,195 +1,129 @@
-/* walk.h: the search of the tree, in the dialect EIGHT_DIALECT. Included once in each, by search.h:
- * no guard, and every name gets the dialect's number.
+/* walk.h: the search of the tree. Compiled once in each dialect, by dialects.h: no guard.
  *
- *   bool bvh8_closest(w, &r, &skip, &h), bvh8_any(w, &r, &skip)   the answers of brute force
- *   bool bvh8_closest_leaky(w, &r, &h), bvh8_any_leaky(w, &r)   in float, come what may
- *   bool bvh8_counted(w, &r, &h, any, &work)                    the answers, and what they took
+ *   bool EIGHT(bvh8_search)(w, &r, &skip, &h, work)    the closest hit; h NULL: is there any? work:
+ *                                                      counts what it took; NULL: does not
  *
  * A node's eight boxes are tested at once. Of those that the ray meets the nearest is next; the
  * others wait on the stack, farthest first. A block's eight triangles are tested at once, in float
- * with its bounds (ray8.h); what is in doubt is asked again (state8.h). The ray is the caller's to
- * lose: its tmax shrinks.
+ * with its bounds (ray8.h). What is in doubt is asked in `real` at once. What is surely hit is
+ * written down, and asked at the end: by then most of it lies behind something else, and one is
+ * left. A search for any hit ends there. The ray is the caller's to lose: its tmax shrinks.
  */
-#include "dialect.h"
 
-#define bvh8_boxes EIGHT_NAME(bvh8_boxes, EIGHT_DIALECT)
-#define bvh8_triangles EIGHT_NAME(bvh8_triangles, EIGHT_DIALECT)
-#define bvh8_walk EIGHT_NAME(bvh8_walk, EIGHT_DIALECT)
-#define bvh8_closest EIGHT_NAME(bvh8_closest, EIGHT_DIALECT)
-#define bvh8_any EIGHT_NAME(bvh8_any, EIGHT_DIALECT)
-#define bvh8_closest_leaky EIGHT_NAME(bvh8_closest_leaky, EIGHT_DIALECT)
-#define bvh8_any_leaky EIGHT_NAME(bvh8_any_leaky, EIGHT_DIALECT)
-#define bvh8_counted EIGHT_NAME(bvh8_counted, EIGHT_DIALECT)
-
-/* ---------------------------------------------------------------------------------------------- */
-
-/* (14.2), eight times. Each box's entry, not before tmin; a bit for each box that is met. */
+/* (15.2) of eight children: a bit for each that is met, and where, not before 0. */
 __attribute__((always_inline))
-static inline unsigned bvh8_boxes(const bvh8_node *n, const bvh8_ray *q, float limit, eight *enter)
+static inline unsigned EIGHT(bvh8_boxes)(const bvh8_node *n, const bvh8_ray *q, eight *enter)
 {
-    eight ix = EIGHT_ALL(q->inverse[0]), iy = EIGHT_ALL(q->inverse[1]);
-    eight iz = EIGHT_ALL(q->inverse[2]);
-    eight x0 = EIGHT_FMA(bvh8_row(n, q->near[0]), ix, EIGHT_ALL(q->near_o[0]));
-    eight y0 = EIGHT_FMA(bvh8_row(n, q->near[1]), iy, EIGHT_ALL(q->near_o[1]));
-    eight z0 = EIGHT_FMA(bvh8_row(n, q->near[2]), iz, EIGHT_ALL(q->near_o[2]));
-    eight x1 = EIGHT_FMA(bvh8_row(n, q->far[0]), ix, EIGHT_ALL(q->far_o[0]));
-    eight y1 = EIGHT_FMA(bvh8_row(n, q->far[1]), iy, EIGHT_ALL(q->far_o[1]));
-    eight z1 = EIGHT_FMA(bvh8_row(n, q->far[2]), iz, EIGHT_ALL(q->far_o[2]));
-    eight end = EIGHT_MIN(z1, EIGHT_ALL(limit)), begin = EIGHT_MAX(z0, EIGHT_ALL(q->tmin));
-    eight side = EIGHT_MIN(x1, y1), front = EIGHT_MAX(x0, y0);
-    *enter = EIGHT_MAX(front, begin);
-    side = EIGHT_MIN(side, end);
-    return EIGHT_LE(*enter, side);
+    eight near[3], far[3];
+    EIGHT_UNROLL
+    for (int k = 0; k < 3; k++) {
+        eight i = EIGHT_ALL(q->inverse[k]);
+        near[k] = EIGHT_FMA(bvh8_row(n, q->near[k]), i, EIGHT_ALL(q->near_o[k]));
+        far[k] = EIGHT_FMA(bvh8_row(n, q->far[k]), i, EIGHT_ALL(q->far_o[k]));
+    }
+    eight begin = EIGHT_MAX(near[2], EIGHT_ALL(q->tmin));
+    eight end = EIGHT_MIN(far[2], EIGHT_ALL(q->limit));
+    begin = EIGHT_MAX(EIGHT_MAX(near[0], near[1]), begin);
+    *enter = EIGHT_MAX(begin, EIGHT_ALL(0));
+    return EIGHT_LE(begin, EIGHT_MIN(EIGHT_MIN(far[0], far[1]), end));
+}
+
+/* The corners as the ray sees them (4.9), edge functions (4.10), the least and largest of them. */
+typedef struct { eight x[3], y[3], z[3], e[3], lo, hi; } EIGHT(bvh8_view);
+
+__attribute__((always_inline))
+static inline void EIGHT(bvh8_look)(const bvh8_block *b, const bvh8_ray *q, EIGHT(bvh8_view) *v)
+{
+    EIGHT_UNROLL
+    for (int i = 0; i < 3; i++) {
+        const eight *c = b->corner + 3 * i;
+        v->z[i] = bvh8_row(c, q->kz);
+        v->x[i] = EIGHT_FMA(v->z[i], EIGHT_ALL(q->sx), bvh8_row(c, q->kx)) - q->cx;
+        v->y[i] = EIGHT_FMA(v->z[i], EIGHT_ALL(q->sy), bvh8_row(c, q->ky)) - q->cy;
+    }
+    EIGHT_UNROLL
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        v->e[i] = EIGHT_FMA(v->x[k], v->y[j], -(v->y[k] * v->x[j]));
+    }
+    v->lo = EIGHT_MIN(EIGHT_MIN(v->e[0], v->e[1]), v->e[2]);
+    v->hi = EIGHT_MAX(EIGHT_MAX(v->e[0], v->e[1]), v->e[2]);
 }
 
 __attribute__((always_inline))
-static inline bool bvh8_triangles(const bvh8 *w, const bvh8_block *b, const bvh8_ray *q,
-                                  bvh8_state *s, bool any, bool leaky)
+static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh8_ray *q, bool any)
 {
-    const eight *A = b->corner, *B = A + 3, *C = A + 6, zero = EIGHT_ALL(0);
-    eight sx = EIGHT_ALL(q->sx), sy = EIGHT_ALL(q->sy);
-    eight ox = EIGHT_ALL(q->cx), oy = EIGHT_ALL(q->cy);
-    eight az = bvh8_row(A, q->kz), bz = bvh8_row(B, q->kz), cz = bvh8_row(C, q->kz), bound = zero;
-    eight ax = EIGHT_FMA(az, sx, bvh8_row(A, q->kx)), ay = EIGHT_FMA(az, sy, bvh8_row(A, q->ky));
-    eight bx = EIGHT_FMA(bz, sx, bvh8_row(B, q->kx)), by = EIGHT_FMA(bz, sy, bvh8_row(B, q->ky));
-    eight cx = EIGHT_FMA(cz, sx, bvh8_row(C, q->kx)), cy = EIGHT_FMA(cz, sy, bvh8_row(C, q->ky));
-    ax -= ox, ay -= oy, bx -= ox, by -= oy, cx -= ox, cy -= oy;
-    eight e0 = EIGHT_FMA(cx, by, -(cy * bx));                                     /* (4.10) */
-    eight e1 = EIGHT_FMA(ax, cy, -(ay * cx));
-    eight e2 = EIGHT_FMA(bx, ay, -(by * ax));
-    eight lo = EIGHT_MIN(e0, e1), hi = EIGHT_MAX(e0, e1);
-    lo = EIGHT_MIN(lo, e2), hi = EIGHT_MAX(hi, e2);
-    unsigned left;
-    if (leaky) left = EIGHT_LE(zero, lo) | EIGHT_LE(hi, zero);
-    else {
-        eight m = EIGHT_FAR(ax, bx), m1 = EIGHT_FAR(cx, ay), m2 = EIGHT_FAR(by, cy);
-        m = EIGHT_MAX(m, m1), m = EIGHT_MAX(m, m2);
-        bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));      /* (15.8) */
-        bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
-        left = EIGHT_LE(bound, EIGHT_MIN(-lo, hi)) ^ 255;
-    }
+    EIGHT(bvh8_view) v;
+    EIGHT(bvh8_look)(b, q, &v);
+    eight m = EIGHT_FAR(v.x[0], v.y[0]), m1 = EIGHT_FAR(v.x[1], v.y[1]), zero = EIGHT_ALL(0);
+    m = EIGHT_MAX(EIGHT_MAX(m, m1), EIGHT_FAR(v.x[2], v.y[2]));
+    eight bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));       /* (15.8) */
+    bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
+    unsigned left = EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi)) ^ 255;
     if (left == 0) return false;
-    eight det = e0 + e1 + e2, scaled = EIGHT_ALL(1) / det, sz = EIGHT_ALL(q->sz);
-    eight sum = EIGHT_FMA(e1, bz, e2 * cz);
-    sum = EIGHT_FMA(e0, az, sum);
-    eight t = EIGHT_FMA(sum, scaled, -EIGHT_ALL(q->oz)) * sz;
-    unsigned sure = 255;
-    eight span[2] = {t, t};
-    if (!leaky) {
-        eight deep = EIGHT_MAX(az, bz), flat = EIGHT_MIN(az, bz), size = EIGHT_FAR(det, det);
-        deep = EIGHT_MAX(deep, cz), flat = EIGHT_MIN(flat, cz);
-        eight steep = EIGHT_FAR(scaled * sz, zero);
-        eight error = EIGHT_FMA(steep, bound * 4 * (deep - flat), EIGHT_ALL(q->tail)); /* (15.9) */
-        eight over = bound * EIGHT_ALL(1.01f), many = bound * EIGHT_ALL(16);
-        sure = EIGHT_LE(over, EIGHT_MAX(lo, -hi)) & EIGHT_LE(many, size);
-        span[0] = t - error, span[1] = t + error;
-    }
-    left &= ~sure | (EIGHT_LE(span[0], EIGHT_ALL(s->limit))
-                     & EIGHT_LE(EIGHT_ALL(q->tmin), span[1]));
-    if (left == 0 || (leaky && any)) return left != 0;
-    if (leaky) {
-        bvh8_keep(b, left, (eight[]){t, e1 * scaled, e2 * scaled}, s);
-        return false;
-    }
-    unsigned safe = sure & left & EIGHT_LE(EIGHT_ALL(q->sure_min), span[0])
-        & EIGHT_LE(span[1], EIGHT_ALL(q->sure_max));
+    eight det = v.e[0] + v.e[1] + v.e[2], scaled = 1 / det;
+    eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
+    eight t = EIGHT_FMA(sum, scaled, -EIGHT_ALL(q->oz)) * q->sz;
+    eight spread = EIGHT_MAX(EIGHT_MAX(v.z[0], v.z[1]), v.z[2])
+        - EIGHT_MIN(EIGHT_MIN(v.z[0], v.z[1]), v.z[2]);
+    eight error = EIGHT_FMA(EIGHT_FAR(scaled * q->sz, zero), 4 * bound * spread,     /* (15.9) */
+                            EIGHT_ALL(q->tail));
+    eight first = t - error, last = t + error;
+    unsigned sure = EIGHT_LE(bound * 1.01f, EIGHT_MAX(v.lo, -v.hi))
+        & EIGHT_LE(bound * 16, EIGHT_FAR(det, zero));
+    left &= ~sure | (EIGHT_LE(first, EIGHT_ALL(q->limit)) & EIGHT_LE(EIGHT_ALL(q->tmin), last));
+    if (left == 0) return false;
+    unsigned safe = sure & left & EIGHT_LE(EIGHT_ALL(q->sure_min), first)
+        & EIGHT_LE(last, EIGHT_ALL(q->sure_max));
     if (any && safe) return true;
-    for (unsigned doubt = left & ~safe; doubt; doubt &= doubt - 1) {
-        uint32_t k = (uint32_t)__builtin_ctz(doubt), i = b->index[k];
-        if (i == s->skip->from || i - s->skip->first <= s->skip->last - s->skip->first)
-            left &= ~(1u << k);
+    bool doubt = left != safe || q->doubts > bvh8_most_doubts - 16;
+    for (; left; left &= left - 1) {
+        int k = __builtin_ctz(left);
+        q->doubt[q->doubts++] = (bvh8_doubt){b, k, sure >> k & 1 ? first[k] : -INFINITY};
+        if (safe >> k & 1 && last[k] < q->limit) q->limit = last[k];
     }
-    if (left == 0) return false;
-    int k = __builtin_ctz(left);
-    if (!any && safe == left && (left & (left - 1)) == 0 && span[1][k] < s->first) {
-        bvh8_wait(b, k, span[0][k], span[1][k], s);
-        return false;
-    }
-    return bvh8_ask_all(w, b, q, s, any, left, safe, span);
+    return doubt && bvh8_settle(w, q) && any;
 }
 
+/* True: any hit is enough, and there is one. */
 __attribute__((always_inline))
-static inline bool bvh8_walk(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *out, bool any,
-                             bool leaky, search_work *work)
+static inline bool EIGHT(bvh8_walk)(const bvh8 *w, bvh8_ray *q, bool any, search_work *work)
 {
     uint64_t stack[512];
     int top = 0;
-    if (w->nodes == 0 || !ray_is_usable(*r)) return false;
-    bvh8_state s;
-    s.r = r, s.sheared = false, s.skip = skip, s.best = hit_none;
-    s.waiting = NULL, s.first = INFINITY;
-    bvh8_ray q;
-    bvh8_ray_of(w, r, leaky, &q);
-    s.limit = q.limit;
     for (uint32_t at = 0;;) {
         while (!(at & bvh8_leaf)) {
             const bvh8_node *n = &w->node[at];
             eight enter;
-            unsigned mask = bvh8_boxes(n, &q, s.limit, &enter);
+            unsigned mask = EIGHT(bvh8_boxes)(n, q, &enter);
             if (work) work->nodes++;
-            if (mask == 0) goto pop;
+            if (mask == 0) goto next;
             at = n->child[__builtin_ctz(mask)];
             if ((mask & (mask - 1)) == 0) continue;
             top = bvh8_push(n, mask, &enter, stack, top);
             at = (uint32_t)stack[--top];
         }
         at &= ~bvh8_leaf;
-        if (work) bvh8_count(w, at, work);
-        if (w->block ? bvh8_triangles(w, &w->block[at], &q, &s, any, leaky)
-                     : bvh8_shapes(w, &w->list[at], &q, &s, any)) return true;
-    pop:
-        do {
-            if (top == 0) return !any && (leaky && w->block ? bvh8_answer_leaky(&q, &s, out)
-                                                            : bvh8_answer(w, &s, out));
-        } while (bvh8_is_behind(stack[--top], s.limit));
+        if (work) work->leaves++, work->tests += bvh8_held(w, at);
+        if (w->block ? EIGHT(bvh8_triangles)(w, &w->block[at], q, any)
+                     : bvh8_shape(w, at, q) && any) return true;
+    next:
+        do if (top == 0) return false;
+        while (stack[--top] >> 32 > float_bits(q->limit));
         at = (uint32_t)stack[top];
     }
 }
 
-/* ---------------------------------------------------------------------------------------------- */
-
-/* Calls: as long as they are, a copy in each caller would only be more code to fetch. */
 __attribute__((noinline))
-static bool bvh8_closest(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *out)
+static bool EIGHT(bvh8_search)(const bvh8 *w, ray *r, const bvh8_skip *skip, hit *out,
+                               search_work *work)
 {
-    return bvh8_walk(w, r, skip, out, false, false, NULL);
+    bvh8_ray q;
+    if (w->nodes == 0 || !ray_is_usable(*r)) return false;
+    bvh8_ray_of(w, r, skip, &q);
+    if (work ? EIGHT(bvh8_walk)(w, &q, !out, work) : out ? EIGHT(bvh8_walk)(w, &q, false, NULL)
+        : EIGHT(bvh8_walk)(w, &q, true, NULL)) return true;
+    if (!bvh8_settle(w, &q)) return false;
+    if (out) *out = (hit){q.best.t, q.best.u, q.best.v, q.best.shape};
+    return true;
 }
-
-__attribute__((noinline))
-static bool bvh8_any(const bvh8 *w, ray *r, const bvh8_skip *skip)
-{
-    return bvh8_walk(w, r, skip, NULL, true, false, NULL);
-}
-
-static bool bvh8_closest_leaky(const bvh8 *w, ray *r, hit *out)
-{
-    return bvh8_walk(w, r, &bvh8_skip_none, out, false, true, NULL);
-}
-
-static bool bvh8_any_leaky(const bvh8 *w, ray *r)
-{
-    return bvh8_walk(w, r, &bvh8_skip_none, NULL, true, true, NULL);
-}
-
-static bool bvh8_counted(const bvh8 *w, ray *r, hit *out, bool any, search_work *work)
-{
-    return any ? bvh8_walk(w, r, &bvh8_skip_none, NULL, true, false, work)
-               : bvh8_walk(w, r, &bvh8_skip_none, out, false, false, work);
-}
-
-#undef bvh8_boxes
-#undef bvh8_triangles
-#undef bvh8_walk
-#undef bvh8_closest
-#undef bvh8_any
-#undef bvh8_closest_leaky
-#undef bvh8_any_leaky
-#undef bvh8_counted
-#undef EIGHT_ALL
-#undef EIGHT_FMA
-#undef EIGHT_MIN
-#undef EIGHT_MAX
-#undef EIGHT_ABS
-#undef EIGHT_FAR
-#undef EIGHT_LE
-#undef EIGHT_DIALECT

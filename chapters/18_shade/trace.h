@@ -81,8 +81,7 @@ static inline bool trace(tracer *t, ray_kind kind, ray r, void *payload);
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Mesh and scene must outlive the part. No memory: the program ends. O(n log n). Shapes are tested
- * one by one: a leaf for each. */
+/* Mesh and scene must outlive the part. No memory: the program ends. O(n log n). */
 static inline void world_part_of_mesh(const mesh *m, uint8_t mask, world_part *out)
 {
     failure f;
@@ -95,10 +94,8 @@ static inline void world_part_of_scene(const scene *s, uint8_t mask, world_part 
 {
     failure f;
     items x = items_of_scene(s);
-    bvh8_options how = bvh8_defaults;
-    how.shape_cost = 2, how.leaf = 1;
     *out = (world_part){.s = s, .mask = mask};
-    if (!bvh8_build(&x, how, &out->tree, &f)) fail(f);
+    if (!bvh8_build(&x, bvh8_defaults, &out->tree, &f)) fail(f);
 }
 
 static inline void world_part_free(world_part *p)
@@ -155,14 +152,13 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     int top = 0;
     bvh8_ray q;
     if (w->nodes == 0 || !ray_is_usable(a->q.r)) return;
-    bvh8_ray_of(w, &a->q.r, false, &q);
+    bvh8_ray_of(w, &a->q.r, &bvh8_skip_none, &q);
     for (stack[top++] = 0; top > 0 && !a->end; ) {
         uint32_t at = stack[--top], leaf = at & ~bvh8_leaf;
         float limit = bvh8_limit(&q, a->q.r.tmax);
-        for (int k = 0; k < 8 && !a->end; k++)
-            if (at & bvh8_leaf)
-                trace_ask_item(a, &w->x, w->block ? w->block[leaf].index[k]
-                                                  : w->list[leaf].index[k]);
+        if (at & bvh8_leaf && !w->block) trace_ask_item(a, &w->x, leaf);
+        else for (int k = 0; k < 8 && !a->end; k++)
+            if (at & bvh8_leaf) trace_ask_item(a, &w->x, w->block[leaf].index[k]);
             else if (trace_meets_box(&w->node[at], k, &q, limit))
                 stack[top++] = w->node[at].child[k];
     }

@@ -116,9 +116,7 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
     *out = (studio_tree){.s = s, .solids = s->solids, .all = allocate(1, sizeof(scene))};
     *out->all = studio_shapes(s);
     items x = items_of_scene(out->all);
-    bvh8_options how = bvh8_defaults;
-    how.shape_cost = 2, how.leaf = 1;  /* a shape's test costs more than a triangle's */
-    if ((!x.n || bvh8_build(&x, how, &out->shapes, f)) && studio_tree_sort(s, out, f)
+    if ((!x.n || bvh8_build(&x, bvh8_defaults, &out->shapes, f)) && studio_tree_sort(s, out, f)
         && studio_tree_moved(s, out, f)) return true;
     studio_tree_free(out);
     return false;

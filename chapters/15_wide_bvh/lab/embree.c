@@ -15,7 +15,7 @@
 #include "../../07_mesh/scenes/teapot.h"
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "../bvh8.h"
+#include "leaky.h"
 
 enum { rays_a_kind = 50000, kinds = 3, rivals = 6, most_rounds = 21 };
 typedef bool search(const bvh8 *w, ray r, hit *out);

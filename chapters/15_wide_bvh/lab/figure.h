@@ -72,16 +72,17 @@ static inline void draw_lanes(const options *o)
     if (!bvh8_build(&x, how, &w, &f)) fail(f);
     ray r = {{(real)-1.9, (real)-0.62, 0}, 0, {1, (real)0.4, 0}, 9};
     bvh8_ray q;
-    bvh8_ray_of(&w, &r, false, &q);
+    bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
+    q.limit = INFINITY;
     const bvh8_node *n = &w.node[0];
     eight enter, exit;
     for (int k = 0; k < 8; k++) {
-        float limit = INFINITY, end = limit;
+        float end = q.limit;
         for (int a = 0; a < 3; a++)
             end = float_min(bvh8_row(n, q.far[a])[k] * q.inverse[a] + q.far_o[a], end);
         exit[k] = end;
     }
-    unsigned met = bvh8_boxes_0(n, &q, INFINITY, &enter);
+    unsigned met = bvh8_boxes_0(n, &q, &enter);
     for (int k = 0; k < 8; k++)
         enter[k] /= (float)q.scale, exit[k] /= (float)q.scale;
     figure_origin(&g, 330, 165, 130);

@@ -16,6 +16,7 @@
 #include "../../09_aabb/trials/bench.h"
 #include "../../14_bvh/bvh.h"
 #include "../first.h"
+#include "leaky.h"
 #include "rungs.h"
 
 TRIAL_FIRST(first_wide, b->s = first_wide_build(&b->m))

@@ -14,9 +14,9 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* One box: what bvh8_boxes does in a lane. */
-static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float limit, float *enter)
+static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float *enter)
 {
-    float begin = q->tmin, end = limit;
+    float begin = q->tmin, end = q->limit;
     for (int a = 0; a < 3; a++) {
         float t0 = bvh8_row(n, q->near[a])[k] * q->inverse[a] + q->near_o[a];
         float t1 = bvh8_row(n, q->far[a])[k] * q->inverse[a] + q->far_o[a];
@@ -26,16 +26,16 @@ static inline bool rung_box(const bvh8_node *n, int k, const bvh8_ray *q, float 
     return begin <= end;
 }
 
-static inline unsigned rung_boxes(const bvh8_node *n, const bvh8_ray *q, float limit, bool at_once,
+static inline unsigned rung_boxes(const bvh8_node *n, const bvh8_ray *q, bool at_once,
                                   float enter[8])
 {
     unsigned mask = 0;
     if (at_once) {
         eight from;
-        mask = bvh8_boxes_0(n, q, limit, &from);
+        mask = bvh8_boxes_0(n, q, &from);
         memcpy(enter, &from, sizeof from);
     } else
-        for (int k = 0; k < 8; k++) mask |= (unsigned)rung_box(n, k, q, limit, &enter[k]) << k;
+        for (int k = 0; k < 8; k++) mask |= (unsigned)rung_box(n, k, q, &enter[k]) << k;
     return mask;
 }
 
@@ -61,19 +61,19 @@ static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool 
     if (w->nodes == 0 || !ray_is_usable(r)) return false;
     query ask = query_of(r);
     bvh8_ray q;
-    bvh8_ray_of(w, &r, false, &q);
-    float limit = q.limit, enter[8];
+    bvh8_ray_of(w, &r, &bvh8_skip_none, &q);
+    float enter[8];
     stack[0] = (rung_waiting){0, -INFINITY};
     while (top > 0) {
         rung_waiting now = stack[--top];
-        if (now.enter > limit) continue;
+        if (now.enter > q.limit) continue;
         if (now.child & bvh8_leaf) {
             if (rung_block(w, &w->block[now.child & ~bvh8_leaf], &ask, any) && any) return true;
-            limit = bvh8_limit(&q, ask.r.tmax);
+            q.limit = bvh8_limit(&q, ask.r.tmax);
             continue;
         }
         const bvh8_node *n = &w->node[now.child];
-        unsigned mask = rung_boxes(n, &q, limit, at_once, enter);
+        unsigned mask = rung_boxes(n, &q, at_once, enter);
         for (int base = top; mask; mask &= mask - 1) {
             int k = __builtin_ctz(mask), j = top++;
             for (; nearest && j > base && stack[j - 1].enter < enter[k]; j--)

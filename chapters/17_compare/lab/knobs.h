@@ -42,9 +42,6 @@ static const knob knobs[] = {
     {"bvh", "leaf", KNOB_AT(bvh, leaf), KNOB_INT, 1, 255},
     {"bvh", "cost", KNOB_AT(bvh, item_cost), KNOB_DOUBLE, 1e-3, 1e3},
     {"bvh8", "leaf", KNOB_AT(bvh8, leaf), KNOB_INT, 1, 8},
-    {"bvh8", "cost", KNOB_AT(bvh8, leaf_cost), KNOB_DOUBLE, 1e-3, 1e3},
-    {"bvh8", "shape", KNOB_AT(bvh8, shape_cost), KNOB_DOUBLE, 1e-3, 1e3},
-    {"bvh8", "bins", KNOB_AT(bvh8, bins), KNOB_INT, 4, 32},
     {"bvh8", "width", KNOB_AT(bvh8, width), KNOB_INT, 2, 8}};
 
 /* ---------------------------------------------------------------------------------------------- */
