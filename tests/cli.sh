@@ -65,7 +65,7 @@ ${CC:-cc} -o "$scratch/hear" "$scratch/hear.c" || no "the helper does not compil
 # interrupt SECONDS: Ctrl-C after so long; status in $status
 interrupt() {
     rm -f big.ppm
-    "$scratch/hear" "$program" --size 3000x3000 --out big.ppm >out 2>err </dev/null &
+    "$scratch/hear" "$program" --size 2000x2000 --out big.ppm >out 2>err </dev/null &
     pid=$!
     sleep "$1"
     kill -INT $pid 2>/dev/null
