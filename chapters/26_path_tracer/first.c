@@ -27,7 +27,7 @@ int main(int argc, char **argv)
                 real px = x + random_next(&random), py = y + random_next(&random);
                 sum = vadd(sum, first_path(&s, first_camera_ray(c, px, py), &random));
             }
-            image_set(&im, x, y, vscale(sum, 2.0 / N));
+            image_set(&im, x, y, vscale(sum, 2.0 / (double)N));
         }
         if (N > 100 && isatty(2)) fprintf(stderr, "\r%d of %d rows ", y + 1, side);
     }
