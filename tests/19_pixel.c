@@ -16,6 +16,7 @@ typedef struct {
 static bool three(const char *line, const char *words, double v[3])
 {
     const char *at = strstr(line, words);
+    /* NOLINTNEXTLINE(cert-err34-c): the program printed it */
     return at && sscanf(at + strlen(words), " (%lf, %lf, %lf)", &v[0], &v[1], &v[2]) == 3;
 }
 
@@ -31,6 +32,7 @@ static told read_told(void)
         int a, b;
         char end;
         x.lines += *line != '#' && *line != '-';
+        /* NOLINTNEXTLINE(cert-err34-c): the program printed it */
         x.numbered += last && sscanf(last, "(%2d.%2d%c", &a, &b, &end) == 3 && end == ')';
         x.rays += strstr(line, " ray, depth ") != NULL;
         x.shadows += strstr(line, " shadow ray: ") && !strstr(line, "no shadow");
@@ -44,6 +46,7 @@ static told read_told(void)
             }
             in_sky = false;
         }
+        /* NOLINTNEXTLINE(cert-err34-c): the program printed it */
         if (sscanf(line, " R = %lf is reflected, 1 - R = %lf", &R, &T) == 2)
             x.shares = check_worse(x.shares, fabs(R + T - 1));
         three(line, "all that is added: L =", x.pixel);
