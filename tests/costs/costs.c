@@ -172,7 +172,7 @@ static int by_time(const void *a, const void *b)
 
 typedef struct { double from, to, y; } place;  /* of a label, or a dot */
 
-/* Beside its dot, away from the middle if there is room, and below what of `n` is in its way. */
+/* Beside its dot, away from the middle if there is room; below its line and what is in its way. */
 static place label(figure *g, const cost *c, double x, double y, const place *used, int n)
 {
     char text[128];
@@ -182,6 +182,7 @@ static place label(figure *g, const cost *c, double x, double y, const place *us
     double width = 8.0 * (double)strlen(text);
     bool left = x < middle ? x - width > plot_left : x + width > plot_right + 20;
     place p = {left ? x - width : x + 9, left ? x - 9 : x + width, y};
+    if (n > 0 && left == (x > middle)) p.y += 16;
     for (int i = 0; i < n; i++)
         if (used[i].from < p.to && p.from < used[i].to && fabs(p.y - used[i].y) < 16)
             p.y = used[i].y + 16;
