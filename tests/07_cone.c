@@ -99,14 +99,15 @@ static void tangents(void)
         random_stream s = random_start(19, i, 0);
         int kind = (int)(i % 5);
         cone c = some_cone(&s, kind);
-        real u = between(&s, 0.1, 0.9), far = pow((real)10, between(&s, -1, 5));
-        real radius = (fabs(c.ra) + fabs(c.rb)) * between(&s, 1, 2) / 100;
+        real u = random_between(&s, 0.1, 0.9), far = pow((real)10, random_between(&s, -1, 5));
+        real radius = (fabs(c.ra) + fabs(c.rb)) * random_between(&s, 1, 2) / 100;
         if (kind != 0 && kind != 3) u = (radius - c.ra) / (c.rb - c.ra);  /* near the tip */
-        vec3 g, n, p = point_of_side(c, u, between(&s, -pi, pi), &g, &n);
-        vec3 d = vmadd(vcross(g, n), g, between(&s, -1, 1));
-        real off = pow((real)10, -between(&s, real_is_float ? 4 : 12, real_is_float ? 8 : 17));
-        p = vmadd(p, n, between(&s, -1, 1) * off * fabs(c.ra + (c.rb - c.ra) * u));
-        ray r = ray_from(vmadd(p, d, -far), vscale(d, between(&s, 1, 8)));
+        vec3 g, n, p = point_of_side(c, u, random_between(&s, -pi, pi), &g, &n);
+        vec3 d = vmadd(vcross(g, n), g, random_between(&s, -1, 1));
+        real off = pow((real)10, -random_between(&s, real_is_float ? 4 : 12,
+                                                 real_is_float ? 8 : 17));
+        p = vmadd(p, n, random_between(&s, -1, 1) * off * fabs(c.ra + (c.rb - c.ra) * u));
+        ray r = ray_from(vmadd(p, d, -far), vscale(d, random_between(&s, 1, 8)));
         hit h;
         bool is = cone_hit(c, r, &h);
         hits += is, wrong += is != cone_exact(c, r).hit;
@@ -137,8 +138,8 @@ static void scales(void)
     size_t wrong = 0, hits = 0;
     random_stream numbers = random_start(9, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
-        int e = (int)round(between(&numbers, -(real)most, (real)most)),
-            f = (int)round(between(&numbers, -(real)most, (real)most));
+        int e = (int)round(random_between(&numbers, -(real)most, (real)most)),
+            f = (int)round(random_between(&numbers, -(real)most, (real)most));
         cone c = some_cone(&numbers, (int)(i % 5)), d = c;
         ray r = ray_at_cone(&numbers, c, (cone_aim)(i % aim_count), 10), q = r;
         real s = ldexp((real)1, e), k = ldexp((real)1, f);
@@ -201,8 +202,8 @@ static void tangent_planes(void)
     size_t hits = 0, along = 0;
     random_stream s = random_start(18, 0, 0);
     for (int i = 0; i < 20000; i++) {
-        real k = floor(ldexp(between(&s, 0.5, 1), real_is_float ? 18 : 47)),
-             beside = ldexp(k, -(int)between(&s, 0, real_is_float ? 3 : 9));
+        real k = floor(ldexp(random_between(&s, 0.5, 1), real_is_float ? 18 : 47)),
+             beside = ldexp(k, -(int)random_between(&s, 0, real_is_float ? 3 : 9));
         cone c = {{0, 0, 0}, 9 * k, vscale(x3, 4 * k), 0};
         vec3 d = vmadd(vscale(x1, -3 * k), x3, 4 * k);
         vec3 p = vmadd(vscale(x1, 3 * k), x2, floor(beside));
@@ -225,7 +226,7 @@ static void always_on_the_side(void)
     random_stream s = random_start(15, 0, 0);
     for (size_t i = 0; i < check_count(300000); i++) {
         real x[13];
-        for (int k = 0; k < 13; k++) x[k] = round(between(&s, -4, 4)) / 4;
+        for (int k = 0; k < 13; k++) x[k] = round(random_between(&s, -4, 4)) / 4;
         cone c = {{x[0], x[1], x[2]}, fabs(x[3]), {x[0] + x[4], x[1] + x[5], x[2] + x[6]}, x[3]};
         if (i % 3 == 0) c.rb = x[12];
         ray r = ray_from((vec3){x[7], x[8], x[9]}, (vec3){x[10], x[11], x[12]});
@@ -233,8 +234,8 @@ static void always_on_the_side(void)
             if (i % 4 == 1) c = some_cone(&s, (int)(i / 4 % cone_kind_count));
             vec3 g, n, p = point_of_side(c, (x[7] + 1) / 2, pi * x[8], &g, &n);
             r.d = vmadd(vmadd(g, vcross(g, n), 4 * x[9]), direction(&s),
-                        pow((real)10, between(&s, real_is_float ? -9 : -18, 0)));
-            r.o = vmadd(p, r.d, -pow((real)10, between(&s, -3, 6)));
+                        pow((real)10, random_between(&s, real_is_float ? -9 : -18, 0)));
+            r.o = vmadd(p, r.d, -pow((real)10, random_between(&s, -3, 6)));
         }
         vec3 far = {768, -256, 512};
         if (i % 5 == 0) c.a = vadd(c.a, far), c.b = vadd(c.b, far), r.o = vadd(r.o, far);
@@ -258,7 +259,8 @@ static void normals_and_points(void)
     for (size_t i = 0; i < check_count(20000); i++) {
         cone c = some_cone(&numbers, (int)(i % 5));
         vec3 g, n,
-            p = point_of_side(c, between(&numbers, 0, 1), between(&numbers, -pi, pi), &g, &n);
+            p = point_of_side(c, random_between(&numbers, 0, 1), random_between(&numbers, -pi, pi),
+                              &g, &n);
         real radius = fabs(c.ra + (c.rb - c.ra) * vdot(vsub(p, c.a), vsub(c.b, c.a))
                            / vdot(vsub(c.b, c.a), vsub(c.b, c.a)));
         vec3 m = cone_normal(c, p);

@@ -12,11 +12,11 @@ static shape some_shape(int kind, vec3 *corners)
     vec3 a = random_in_cube(&numbers, 2), b = random_in_cube(&numbers, 1);
     vec3 c = random_in_cube(&numbers, 1);
     switch ((shape_kind)kind) {
-    case SHAPE_SPHERE: return shape_of_sphere((sphere){a, between(&numbers, 0.1, 0.5)});
+    case SHAPE_SPHERE: return shape_of_sphere((sphere){a, random_between(&numbers, 0.1, 0.5)});
     case SHAPE_TRIANGLE: return shape_of_triangle((triangle){a, vadd(a, b), vadd(a, c)});
     case SHAPE_CONE:
-        return shape_of_cone((cone){a, between(&numbers, 0, 0.5), vadd(a, b),
-                                    between(&numbers, 0, 0.5)});
+        return shape_of_cone((cone){a, random_between(&numbers, 0, 0.5), vadd(a, b),
+                                    random_between(&numbers, 0, 0.5)});
     case SHAPE_POLYGON: case SHAPE_OTHER: break;
     }
     corners[0] = a, corners[1] = vadd(a, b), corners[2] = vadd(vadd(a, b), c),
@@ -65,7 +65,8 @@ static void closest_of_many(void)
     scene s = {shapes, shape_count};
     for (size_t i = 0; i < check_count(20000); i++) {
         ray r = ray_from(random_in_cube(&numbers, 4), random_in_cube(&numbers, 1));
-        r.tmin = between(&numbers, 0, 2), r.tmax = i % 3 ? real_infinity : between(&numbers, 0, 8);
+        r.tmin = random_between(&numbers, 0, 2);
+        r.tmax = i % 3 ? real_infinity : random_between(&numbers, 0, 8);
         hit h = hit_none, best = reference(shapes, shape_count, r);
         bool is = scene_hit(&s, r, &h);
         differ +=
@@ -102,7 +103,7 @@ static void bounds(void)
     for (size_t i = 0; i < check_count(200); i++) {
         vec3 w = random_in_cube(&numbers, 1), a = random_in_cube(&numbers, 1);
         vec3 lo, hi, s, t, most = {0, 0, 0};
-        cone c = {a, between(&numbers, 0, 1), vadd(a, w), between(&numbers, 0, 1)};
+        cone c = {a, random_between(&numbers, 0, 1), vadd(a, w), random_between(&numbers, 0, 1)};
         shape_bounds(shape_of_cone(c), &lo, &hi);
         vbasis(vunit(w), &s, &t);
         vec3 middle = vscale(vadd(lo, hi), 0.5), half = vscale(vsub(hi, lo), 0.5);
@@ -135,7 +136,7 @@ static shape odd_shape(size_t i, vec3 far, vec3 *q)
     static const int comb[7][2] = {{0, 0}, {8, 0}, {8, 4}, {6, 1}, {4, 4}, {2, 1}, {0, 4}};
     real x[12];
     for (int k = 0; k < 12; k++) {
-        x[k] = between(&numbers, -1, 1);
+        x[k] = random_between(&numbers, -1, 1);
         if (i % 4) x[k] = round(4 * x[k]) / 4;
     }
     vec3 a = vadd(far, (vec3){2 * x[0], 2 * x[1], 2 * x[2]}), e = {x[3], x[4], x[5]},
@@ -151,14 +152,14 @@ static shape odd_shape(size_t i, vec3 far, vec3 *q)
 /* Rays that touch a shape, or see it edge-on, but for a tilt of 1 to 1e-18. */
 static ray odd_ray(shape x, const vec3 *q, size_t i)
 {
-    real tilt = pow((real)10, between(&numbers, real_is_float ? -9 : -18, 0));
+    real tilt = pow((real)10, random_between(&numbers, real_is_float ? -9 : -18, 0));
     real u = random_next(&numbers);
     vec3 d = random_in_cube(&numbers, 1), n = direction(&numbers), s, t, at = {0, 0, 0};
     if (x.kind == SHAPE_SPHERE)
         vbasis(n, &s, &d), at = vmadd(x.sphere.c, n, x.sphere.r);
     if (x.kind == SHAPE_CONE) {
-        at = point_of_side(x.cone, u, between(&numbers, -pi, pi), &s, &t);
-        d = vmadd(s, vcross(s, t), i % 2 ? 0 : round(between(&numbers, -2, 2)));
+        at = point_of_side(x.cone, u, random_between(&numbers, -pi, pi), &s, &t);
+        d = vmadd(s, vcross(s, t), i % 2 ? 0 : round(random_between(&numbers, -2, 2)));
     }
     if (x.kind == SHAPE_POLYGON) {
         vec3 e = vsub(q[1], q[0]), f = vsub(q[2], q[1]);
@@ -166,7 +167,7 @@ static ray odd_ray(shape x, const vec3 *q, size_t i)
         at = vmadd(vmadd(q[0], e, u), f, random_next(&numbers));
     }
     d = vmadd(d, direction(&numbers), tilt);
-    return ray_from(vmadd(at, d, -pow((real)10, between(&numbers, -3, i % 4 ? 1 : 6))), d);
+    return ray_from(vmadd(at, d, -pow((real)10, random_between(&numbers, -3, i % 4 ? 1 : 6))), d);
 }
 
 /* What every structure of 09 to 17 trusts: a hit lies in the bounds of its shape, but for 256
@@ -236,7 +237,7 @@ static void meshes(void)
     for (size_t i = 0; i < check_count(3000); i++) {
         vec3 o = random_in_cube(&numbers, i % 4 < 2 ? 2 : 1 / (real)3),
              d = i % 2 ? random_in_cube(&numbers, 1)
-                       : vsub(m.v[(size_t)between(&numbers, 0, (real)m.vertices - 1)], o);
+                       : vsub(m.v[(size_t)random_between(&numbers, 0, (real)m.vertices - 1)], o);
         ray r = ray_from(o, d);
         hit h = hit_none, best = hit_none, g;
         bool is = mesh_hit(&m, r, &h);

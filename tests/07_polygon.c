@@ -114,21 +114,23 @@ static void against_the_oracle(void)
         double worst = 0;
         random_stream numbers = random_start(11, 0, (uint64_t)j);
         for (size_t i = 0; i < check_count(6000); i++) {
-            int teeth = (int)between(&numbers, 3, 37);
-            size_t n = gear(v, teeth, between(&numbers, 0.5, 2),
-                            between(&numbers, 0.1, 0.9));
+            int teeth = (int)random_between(&numbers, 3, 37);
+            size_t n = gear(v, teeth, random_between(&numbers, 0.5, 2),
+                            random_between(&numbers, 0.1, 0.9));
             vec3 axis = direction(&numbers), d = direction(&numbers),
-                 offset = {between(&numbers, -1, 1), between(&numbers, -1, 1),
-                           between(&numbers, -1, 1)};
+                 offset = {random_between(&numbers, -1, 1), random_between(&numbers, -1, 1),
+                           random_between(&numbers, -1, 1)};
             turn(v, n, axis, offset);
             polygon p = polygon_of(v, n);
-            size_t k = (size_t)between(&numbers, 0, (real)n - 1);
+            size_t k = (size_t)random_between(&numbers, 0, (real)n - 1);
             vec3 aim =
-                i % 2 ? vmadd(v[k], vsub(v[(k + 1) % n], v[k]), between(&numbers, 0, 1)) : offset;
+                i % 2 ? vmadd(v[k], vsub(v[(k + 1) % n], v[k]), random_between(&numbers, 0, 1))
+                      : offset;
             aim = vadd(aim,
-                       vscale(direction(&numbers), i % 2 ? (real)1e-3 : between(&numbers, 0, 2)));
+                       vscale(direction(&numbers),
+                              i % 2 ? (real)1e-3 : random_between(&numbers, 0, 2)));
             ray r = ray_from(vmadd(aim, d, -distances[j]),
-                             vscale(d, between(&numbers, 0.5, 2)));
+                             vscale(d, random_between(&numbers, 0.5, 2)));
             polygon_truth truth = polygon_exact(p, r);
             hit h = hit_none;
             bool is = polygon_hit(p, r, &h);
@@ -178,14 +180,14 @@ static void same_answers(void)
     random_stream numbers = random_start(13, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
         vec3 v[12], w[12], x[12];
-        size_t n = gear(v, 3, 1, 0.4), first = (size_t)between(&numbers, 0, 11);
+        size_t n = gear(v, 3, 1, 0.4), first = (size_t)random_between(&numbers, 0, 11);
         if (i % 2) n = 3;
         vec3 d = direction(&numbers), zero = {0, 0, 0};
         turn(v, n, direction(&numbers), zero);
-        real s = ldexp((real)1, (int)between(&numbers, real_is_float ? -100 : -900,
+        real s = ldexp((real)1, (int)random_between(&numbers, real_is_float ? -100 : -900,
                                              real_is_float ? 100 : 900));
         for (size_t k = 0; k < n; k++) w[n - 1 - (k + first) % n] = v[k], x[k] = vscale(v[k], s);
-        vec3 aim = vscale(direction(&numbers), between(&numbers, 0, 1));
+        vec3 aim = vscale(direction(&numbers), random_between(&numbers, 0, 1));
         ray r = ray_from(vmadd(aim, d, -3), d), q = r;
         q.o = vscale(r.o, s), q.d = vscale(d, 4);
         hit h = hit_none, g = hit_none, e = hit_none, f = hit_none;
@@ -216,9 +218,9 @@ static void nearly_edge_on(void)
         size_t n = gear(v, 3, 1, 0.4);
         turn(v, n, normal, vscale(direction(&numbers), 3));
         vbasis(normal, &s, &t);
-        real a = between(&numbers, -pi, pi);
+        real a = random_between(&numbers, -pi, pi);
         vec3 d = vmadd(vadd(vscale(s, cos(a)), vscale(t, sin(a))), normal,
-                       real_epsilon * between(&numbers, -2, 2));
+                       real_epsilon * random_between(&numbers, -2, 2));
         ray r = ray_from(vmadd(vscale(vadd(v[0], v[6]), 0.5), d, -4), d);
         ray_shear k = shear_of(r);
         real near = real_infinity, far = -real_infinity;
@@ -295,13 +297,13 @@ static void always_on_the_polygon(void)
         if (vzero(normal)) continue;
         for (int k = 0; k < 7; k++)
             v[k] = vmadd(vmadd(base, e1, (real)comb[k][0]), e2, (real)comb[k][1]);
-        real x = between(&s, -1, 1), y = between(&s, -1, 1);
+        real x = random_between(&s, -1, 1), y = random_between(&s, -1, 1);
         vec3 along = vadd(vscale(e1, x), vscale(e2, y)),
-             aim = vmadd(vmadd(base, e1, between(&s, 0, 8)), e2, between(&s, 0, 4));
-        real tilt = pow((real)10, between(&s, real_is_float ? -9 : -18, 0));
+             aim = vmadd(vmadd(base, e1, random_between(&s, 0, 8)), e2, random_between(&s, 0, 4));
+        real tilt = pow((real)10, random_between(&s, real_is_float ? -9 : -18, 0));
         vec3 d = vmadd(along, vscale(normal, vlength(along) / vlength(normal)), tilt);
         if (i % 4 == 0) d = direction(&s);
-        ray r = ray_from(vmadd(aim, d, -between(&s, 0, 9)), d);
+        ray r = ray_from(vmadd(aim, d, -random_between(&s, 0, 9)), d);
         polygon p = polygon_of(v, 7);
         for (int k = 0; k < 2; k++) {
             hit h;
@@ -332,14 +334,14 @@ static void not_in_a_plane(void)
         vec3 v[12], lo = {real_infinity, real_infinity, real_infinity}, hi = vneg(lo);
         size_t n = gear(v, 3, 1, 0.4);
         turn(v, n, direction(&s), vscale(direction(&s), 3));
-        real off = pow((real)10, between(&s, real_is_float ? -8 : -17, 0));
+        real off = pow((real)10, random_between(&s, real_is_float ? -8 : -17, 0));
         for (size_t k = 0; k < n; k++) {
             v[k] = vmadd(v[k], direction(&s), off);
             lo = vmin(lo, v[k]), hi = vmax(hi, v[k]);
         }
         vec3 d = direction(&s), aim = vadd(v[i % n], vscale(vsub(v[(i + 5) % n], v[i % n]),
-                                                            between(&s, 0, 1)));
-        ray r = ray_from(vmadd(aim, d, -between(&s, 0, 4)), d);
+                                                            random_between(&s, 0, 1)));
+        ray r = ray_from(vmadd(aim, d, -random_between(&s, 0, 4)), d);
         hit h;
         if (!polygon_hit(polygon_of(v, n), r, &h)) continue;
         hits++;
@@ -365,10 +367,11 @@ static void at_an_edge(void)
     for (size_t i = 0; i < check_count(1000000); i++) {
         vec3 v[3] = {random_in_cube(&s, 1), random_in_cube(&s, 1), random_in_cube(&s, 1)};
         vec3 e1 = vsub(v[1], v[0]), e2 = vsub(v[2], v[0]), n = vunit(vcross(e1, e2));
-        vec3 along = vunit(vadd(vscale(e1, between(&s, -1, 1)), vscale(e2, between(&s, -1, 1))));
-        vec3 d = vmadd(along, n, pow((real)10, between(&s, -2.5, -0.5)));
-        vec3 aim = vmadd(v[i % 3], vsub(v[(i + 1) % 3], v[i % 3]), between(&s, 0, 1));
-        ray r = ray_from(vmadd(aim, d, -between(&s, 0, 2)), d);
+        vec3 along = vscale(e1, random_between(&s, -1, 1));
+        along = vunit(vadd(along, vscale(e2, random_between(&s, -1, 1))));
+        vec3 d = vmadd(along, n, pow((real)10, random_between(&s, -2.5, -0.5)));
+        vec3 aim = vmadd(v[i % 3], vsub(v[(i + 1) % 3], v[i % 3]), random_between(&s, 0, 1));
+        ray r = ray_from(vmadd(aim, d, -random_between(&s, 0, 2)), d);
         hit h;
         if (!polygon_hit(polygon_of(v, 3), r, &h)) continue;
         wide3 q = wide3_sub(wide3_madd(wide3_of(r.o), wide3_of(r.d), wide_of((double)h.t)),
@@ -391,11 +394,11 @@ static void beside_a_warped_edge(void)
     size_t hits = 0;
     random_stream s = random_start(19, 0, 0);
     for (size_t i = 0; i < check_count(40000); i++) {
-        real off = real_epsilon * between(&s, 0, 128), y = between(&s, -0.25, 0.25);
+        real off = real_epsilon * random_between(&s, 0, 128), y = random_between(&s, -0.25, 0.25);
         vec3 v[4] = {vec(1, -0.25, 0), vec(1.125, 0.25, 0), vec(-1, 0.25, 0),
                      vec(-1.125, -0.25, 0)};
         for (int k = 0; k < 4; k++) v[k].z = k % 2 ? -off : off;
-        real steep = pow((real)10, between(&s, -2, 0)), z = -off * 4 * y;
+        real steep = pow((real)10, random_between(&s, -2, 0)), z = -off * 4 * y;
         vec3 d = {1, 0, i % 2 ? steep : -steep};
         polygon p = polygon_of(v, 4);
         ray r = ray_from((vec3){0, y, 0}, d);

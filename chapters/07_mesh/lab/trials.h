@@ -16,14 +16,9 @@
 #include "oracle.h"
 #include "../scenes/specimens.h"
 
-static inline real between(random_stream *s, real a, real b)
-{
-    return a + (b - a) * random_next(s);
-}
-
 static inline vec3 direction(random_stream *s)
 {
-    real z = between(s, -1, 1), a = between(s, -pi, pi), r = sqrt(1 - z * z);
+    real z = random_between(s, -1, 1), a = random_between(s, -pi, pi), r = sqrt(1 - z * z);
     return (vec3){r * cos(a), r * sin(a), z};
 }
 
@@ -42,7 +37,7 @@ static const cone_kind cone_kinds[cone_kind_count] = {
 static inline cone some_cone(random_stream *s, int kind)
 {
     const real k = 256;
-    vec3 a = random_in_cube(s, 1), d = direction(s), b = vmadd(a, d, between(s, 0.5, 1.5));
+    vec3 a = random_in_cube(s, 1), d = direction(s), b = vmadd(a, d, random_between(s, 0.5, 1.5));
     a = (vec3){round(k * a.x) / k, round(k * a.y) / k, round(k * a.z) / k};
     b = (vec3){round(k * b.x) / k, round(k * b.y) / k, round(k * b.z) / k};
     return (cone){a, cone_kinds[kind].ra, b, cone_kinds[kind].rb};
@@ -64,11 +59,11 @@ static inline vec3 point_of_side(cone c, real u, real angle, vec3 *generator, ve
 /* |D| from 1 to 8, from once to twice the distance, aimed at or near a point of the side. */
 static inline ray ray_at_cone(random_stream *x, cone c, cone_aim aim, real distance)
 {
-    real radius = real_max(fabs(c.ra), fabs(c.rb)), off = between(x, -1, 1) * radius,
-         a = between(x, -pi, pi);
-    real u = between(x, 0, 1), round_axis = between(x, -pi, pi),
-         tiny = pow((real)10, between(x, -9, -3));
-    real far = distance * between(x, 1, 2), length = between(x, 1, 8);
+    real radius = real_max(fabs(c.ra), fabs(c.rb)), off = random_between(x, -1, 1) * radius,
+         a = random_between(x, -pi, pi);
+    real u = random_between(x, 0, 1), round_axis = random_between(x, -pi, pi),
+         tiny = pow((real)10, random_between(x, -9, -3));
+    real far = distance * random_between(x, 1, 2), length = random_between(x, 1, 8);
     vec3 g, n, s, t, d = direction(x), p = point_of_side(c, u, round_axis, &g, &n);
     vbasis(n, &s, &t);
     if (aim == AIM_GRAZING) d = vadd(vscale(s, cos(a)), vscale(t, sin(a)));
@@ -156,8 +151,9 @@ static inline void gear_box_fill(gear_box *b, random_stream *s, real translation
 /* From inside to a corner, or to a point of an edge, of the top or between two sides. */
 static inline ray gear_box_ray(const gear_box *b, random_stream *s, size_t i)
 {
-    const vec3 *q = b->side[(size_t)between(s, 0, box_corners - 1)];
-    vec3 aim = i % 4 < 2 ? q[2] : vmadd(q[2], vsub(i % 2 ? q[1] : q[3], q[2]), between(s, 0, 1));
+    const vec3 *q = b->side[(size_t)random_between(s, 0, box_corners - 1)];
+    vec3 aim = i % 4 < 2 ? q[2] : vmadd(q[2], vsub(i % 2 ? q[1] : q[3], q[2]),
+                                        random_between(s, 0, 1));
     vec3 o = vmadd(b->inner, direction(s), 0.1);
     return ray_from(o, vsub(aim, o));
 }
@@ -210,13 +206,13 @@ static inline bool inside_question(const mesh *torus, random_stream *s, inside_a
 {
     real ring;
     do {
-        triangle t = mesh_triangle(torus, (size_t)between(s, 0, (real)torus->triangles - 1));
-        vec3 aim = at == AT_EDGE ? vmadd(t.a, vsub(t.b, t.a), between(s, 0, 1)) : t.a;
+        triangle t = mesh_triangle(torus, (size_t)random_between(s, 0, (real)torus->triangles - 1));
+        vec3 aim = at == AT_EDGE ? vmadd(t.a, vsub(t.b, t.a), random_between(s, 0, 1)) : t.a;
         *p = vmul(random_in_cube(s, 1), vec(1, 1, 0.3));
         *d = at == AT_RANDOM ? direction(s) : vsub(aim, *p);
         if (votes && at != AT_RANDOM) {
-            *d = inside_direction((int)between(s, 0, (real)votes), votes);
-            *p = vmadd(aim, *d, -between(s, 0, 1));
+            *d = inside_direction((int)random_between(s, 0, (real)votes), votes);
+            *p = vmadd(aim, *d, -random_between(s, 0, 1));
         }
         ring = hypot(hypot(p->x, p->y) - (real)0.75, p->z);
     } while (ring > (real)0.235 && ring < (real)0.255);
