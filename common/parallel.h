@@ -69,6 +69,7 @@ static inline int parallel_cores(void)
 /* job(0) ... job(n - 1) on so many threads [0: one a core; at most 256]. True if all were done,
  * false after Ctrl-C. `what` names the work in the progress line. A piece should take 10 us or
  * more. Called from within a job, it does its pieces in that thread, and no Ctrl-C divides them. */
+__attribute__((warn_unused_result))
 static inline bool parallel_for(size_t n, int threads, const char *what, parallel_job *job,
                                 void *context)
 {
@@ -98,6 +99,14 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     return atomic_load(&w.next) >= n && !atomic_load(&parallel_stop);
 }
 
+/* The same for a result that is nothing unless it is whole, like a table: after Ctrl-C the program
+ * ends, with exit 130 (SIGTERM: 143). */
+static inline void parallel_whole(size_t n, int threads, const char *what, parallel_job *job,
+                                  void *context)
+{
+    if (!parallel_for(n, threads, what, job, context)) die(parallel_stopped(), "stopped");
+}
+
 enum { parallel_side = 16 };  /* of a tile, pixels */
 typedef struct { int width, height, across; pixel_job *job; void *context; } parallel_tiles;
 
@@ -111,6 +120,7 @@ static inline void parallel_tile(size_t i, void *tiles)
 }
 
 /* job(x, y) for each pixel, by tiles of 16 x 16, from the top. Otherwise as parallel_for. */
+__attribute__((warn_unused_result))
 static inline bool parallel_pixels(int width, int height, int threads, const char *what,
                                    pixel_job *job, void *context)
 {

@@ -1,5 +1,15 @@
 /* The tree eight wide against brute force, in every dialect that the machine has; that nothing is
  * lost in it, the same tree for any number of threads, and what the leaky search loses. */
+#include "../common/posix.h"
+#include <pthread.h>
+#include <signal.h>
+static int interrupt_at, created;  /* Ctrl-C as this thread is made; the first is 1 */
+static int interrupted_create(pthread_t *t, const pthread_attr_t *a, void *(*run)(void *), void *x)
+{
+    if (++created == interrupt_at) raise(SIGINT);
+    return pthread_create(t, a, run, x);
+}
+#define pthread_create interrupted_create
 #include "../chapters/15_wide_bvh/lab/leaky.h"
 #include "structure.h"
 
@@ -234,9 +244,31 @@ static void test_options(void)
     mesh_free(&m);
 }
 
+/* Half a tree is none, whichever step Ctrl-C meets: 1, binary tree; 2, blocks; 3, after both. */
+static void test_interrupted(void)
+{
+    mesh m = octahedron_mesh(32);
+    items x = items_of_mesh(&m);
+    bvh8_options how = bvh8_defaults;
+    how.threads = 2;
+    for (interrupt_at = 1; interrupt_at <= 3; interrupt_at++) {
+        failure f = {0};
+        bvh8 w;
+        created = 0;
+        bool built = bvh8_build(&x, how, &w, &f);
+        check(built == (interrupt_at == 3), "Ctrl-C in step %d: built or not", interrupt_at);
+        if (!built) check_equal(f.exit_code, 130, "Ctrl-C in step %d: exit code", interrupt_at);
+        check_equal(w.held, built ? x.n : 0, "Ctrl-C in step %d: triangles held", interrupt_at);
+        bvh8_free(&w);
+    }
+    interrupt_at = 0;
+    mesh_free(&m);
+}
+
 int main(void)
 {
     test_options();
+    test_interrupted();
     test_structures();
     test_corners();
     test_floats();

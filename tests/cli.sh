@@ -200,7 +200,7 @@ for main in "$root"/chapters/${ONLY:-*}/main.c; do  # ONLY=14_bvh: that one
     fi
 
     # Ctrl-C: a whole picture and exit 130, unless it was too early or all was done.
-    for seconds in 0.2 0.5 1 2 4; do
+    for seconds in 0.03 0.1 0.2 0.5 1 2 4; do
         interrupt $seconds
         [ -f big.ppm ] && break
     done

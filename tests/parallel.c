@@ -104,7 +104,10 @@ static void interrupted_twice(size_t i, void *context)
     (void)i, (void)context;
     raise(SIGINT), raise(SIGINT);
 }
-static void two_signals(void *context) { parallel_for(3, 1, "work", interrupted_twice, context); }
+static void two_signals(void *context)
+{
+    if (parallel_for(3, 1, "work", interrupted_twice, context)) abort();
+}
 
 static void ignored(void *context)
 {
@@ -121,9 +124,20 @@ static void last_piece(void *context)
 static void afterwards(void *context)
 {
     atomic_int calls = 0;
-    parallel_for(5, 2, "work", count, &calls);
+    if (!parallel_for(5, 2, "work", count, &calls)) abort();
     raise(SIGINT);
     (void)context;
+}
+
+static void for_a_table(void *context)
+{
+    atomic_int calls = 0;
+    (void)context;
+    parallel_whole(10, 2, "work", count, &calls);
+    printf("%d", calls);
+    fflush(stdout);
+    parallel_whole(1000, 1, "work", interrupt_at_10, &calls);
+    printf(" a table of what is not there");
 }
 
 static void stop_then_nest(size_t i, void *context)
@@ -151,6 +165,10 @@ static void test_interrupt(void)
     check_text(child_run(last_piece, NULL).out, "0", "Ctrl-C in the last piece is not forgotten");
     check_text(child_run(nested_interrupt, NULL).out, "0 20",
                "a loop within a job is done in full, and does not forget the Ctrl-C");
+    r = child_run(for_a_table, NULL);
+    check_text(r.out, "10", "no table of half the work");
+    check(strstr(r.err, ": stopped\n") != NULL, "it says so: %s", r.err);
+    check_equal(r.status, 128 + SIGINT, "Ctrl-C where only the whole counts");
     check_equal(child_run(afterwards, NULL).status, 128 + SIGINT, "after the loop it kills again");
 }
 
@@ -161,7 +179,10 @@ static void slow(size_t i, void *context)
     while (clock_seconds() - start < 0.3) continue;
 }
 
-static void silent(void *context) { parallel_for(6, 2, "work", slow, context); }
+static void silent(void *context)
+{
+    if (!parallel_for(6, 2, "work", slow, context)) abort();
+}
 
 static void test_silent(void)
 {

@@ -1,7 +1,7 @@
 /* build.h: the wide tree, from a binary one (合并, collapse).
  *
  *   bool bvh8_build(&x, bvh8_defaults, &w, &f)      false: f says why: coordinates too large, too
- *                                                   many items, options out of range
+ *                                                   many items, options out of range, Ctrl-C
  *
  *   1. Items: their boxes in the tree's frame. What can't be hit is left out.
  *   2. A binary tree, from the root down, by surface area in bins, as in 14, except that a leaf
@@ -283,6 +283,12 @@ static inline void *bvh8_room(size_t n, size_t size)
     return p;
 }
 
+static inline void bvh8_free(bvh8 *w)
+{
+    free(w->node), free(w->block);
+    *w = (bvh8){.nodes = 0};
+}
+
 static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure *f)
 {
     aabb all;
@@ -301,9 +307,12 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
     w->held = b.n, b.job_size = b.n / 32 > 1024 ? b.n / 32 : 1024;
     b.node = bvh8_room(2 * b.n, sizeof *b.node), b.pick = allocate(2 * b.n, sizeof *b.pick);
     b.job = allocate(b.n, sizeof *b.job);
+    bool whole = b.n == 0;
     if (b.n) {
         bvh8_grow(&b, (bvh8_job){0, 0, (uint32_t)b.n, 0}, true);
-        parallel_for(b.jobs, how.threads, "tree", bvh8_grow_job, &b);
+        whole = parallel_for(b.jobs, how.threads, "tree", bvh8_grow_job, &b);
+    }
+    if (b.n && whole) {
         bvh8_price(&b, 0);
         bvh8_emit(&b, 0, 1);
         w->node = bvh8_room(w->nodes, sizeof *w->node);
@@ -312,11 +321,13 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
         b.leaves = allocate(w->blocks, sizeof *b.leaves);
         w->nodes = w->blocks = 0;
         bvh8_emit(&b, 0, 1);
-        parallel_for((w->blocks + 255) / 256, how.threads, "blocks", bvh8_fill_job, &b);
+        whole = parallel_for((w->blocks + 255) / 256, how.threads, "blocks", bvh8_fill_job, &b);
     }
     w->peak = w->bytes + b.n * each;
     free(b.item), free(b.node), free(b.pick), free(b.job), free(b.leaves);
-    return true;
+    if (whole) return true;
+    bvh8_free(w);
+    return failed(f, parallel_stopped(), "stopped");
 }
 
 #endif

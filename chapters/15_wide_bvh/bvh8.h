@@ -93,10 +93,4 @@ static inline structure_stats bvh8_stats(const bvh8 *w)
                              .bytes = w->bytes, .peak = w->peak};
 }
 
-static inline void bvh8_free(bvh8 *w)
-{
-    free(w->node), free(w->block);
-    *w = (bvh8){.nodes = 0};
-}
-
 #endif

@@ -68,8 +68,7 @@ static inline sphere_surveys *sphere_survey_all(const options *o, int from, int 
     sphere_surveys *all = allocate(1, sizeof *all);
     all->n = o->quick ? 2000 : n, all->seed = o->seed;
     for (int k = 0; k < count; k++) all->at[k].far = pow((real)10, (real)(from + step * k) / 2);
-    if (!parallel_for((size_t)count, o->threads, "rays", sphere_survey_at, all))
-        exit(parallel_stopped());
+    parallel_whole((size_t)count, o->threads, "rays", sphere_survey_at, all);
     return all;
 }
 

@@ -193,8 +193,7 @@ static inline void triangle_measure(const options *o)
 {
     triangle_rows *all = allocate(1, sizeof *all);
     all->o = o;
-    if (!parallel_for(triangle_methods, o->threads, "rays", triangle_row_of, all))
-        exit(parallel_stopped());
+    parallel_whole(triangle_methods, o->threads, "rays", triangle_row_of, all);
     triangle_times(o, all);
     triangle_main_table(o, all);
     if (o->full) {

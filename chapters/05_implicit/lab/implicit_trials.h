@@ -176,8 +176,7 @@ static inline implicit_survey implicit_survey_of(const implicit_subject *u, impl
 {
     implicit_surveying y = {.u = u, .how = how, .aim = aim, .seed = seed, .n = n};
     implicit_survey sum = {.off = 0};
-    if (!parallel_for(implicit_batches, threads, "rays", implicit_batch, &y))
-        exit(parallel_stopped());
+    parallel_whole(implicit_batches, threads, "rays", implicit_batch, &y);
     for (int k = 0; k < implicit_batches; k++) {
         const implicit_survey *p = &y.part[k];
         sum.missed += p->missed, sum.made_up += p->made_up, sum.calls += p->calls;

@@ -95,8 +95,7 @@ static inline void csg_main_table(const options *o)
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
                         "error mesh faces [%]|error foils [%]|time [ns]");
-    if (!parallel_for(csg_sights, o->threads, "rays", csg_survey_sight, &y))
-        exit(parallel_stopped());
+    parallel_whole(csg_sights, o->threads, "rays", csg_survey_sight, &y);
     for (int m = 0; m < csg_methods; m++) {
         table_text(&t, "%s", csg_method[m].name);
         table_number(&t, y.wrong[CSG_OUTSIDE][m]), table_number(&t, y.wrong[CSG_EYE_INSIDE][m]);

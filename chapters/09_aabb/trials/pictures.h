@@ -68,7 +68,7 @@ static inline bool trial_draw_work(const trial_scene *s, trial_picture p, bool z
     trial_row row[16];
     trial_builds builds = {row, s};
     for (int k = 0; k < n; k++) row[k] = (trial_row){.verbs = p.verbs, .how = how[k]};
-    parallel_for((size_t)n, threads, "building", trial_build_one, &builds);
+    parallel_whole((size_t)n, threads, "building", trial_build_one, &builds);
     for (int k = 0; k < n; k++) {
         if (!row[k].built) return false;
         image im = image_new(all->width > across ? all->width / across : 1,

@@ -80,7 +80,7 @@ static inline void trial_due(trial_scene *s, bool timed)
     s->due = allocate(n, sizeof *s->due);
     double start = clock_seconds();
     if (timed) for (size_t i = 0; i < n; i++) trial_due_one(i, s);
-    else parallel_for(n, 0, "brute force", trial_due_one, s);
+    else parallel_whole(n, 0, "brute force", trial_due_one, s);
     s->brute = timed ? trial_per(clock_seconds() - start, n) : 0;
 }
 

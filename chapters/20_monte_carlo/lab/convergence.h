@@ -65,8 +65,8 @@ static inline convergence *convergence_measure(int from, int levels, int runs, u
 {
     convergence *c = allocate(1, sizeof *c);
     c->from = from, c->levels = levels, c->runs = runs, c->seed = seed;
-    parallel_for((size_t)(levels - from) * convergence_methods * convergence_blocks, threads,
-                 "convergence", convergence_job, c);
+    parallel_whole((size_t)(levels - from) * convergence_methods * convergence_blocks, threads,
+                   "convergence", convergence_job, c);
     for (int k = 0; k < convergence_methods; k++)
         for (int l = from; l < levels; l++)
             for (int f = 0; f < integrands; f++)

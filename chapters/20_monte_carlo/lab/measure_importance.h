@@ -69,7 +69,8 @@ static inline void measure_importance(const options *o)
                       PLOT_LOG_X | PLOT_LOG_Y);
     importance_survey *s = allocate(1, sizeof *s);
     s->seed = o->seed, s->runs = o->quick ? 40 : importance_most_runs;
-    parallel_for(importance_rows * importance_levels, o->threads, "importance", importance_job, s);
+    parallel_whole(importance_rows * importance_levels, o->threads, "importance", importance_job,
+                   s);
     for (int r = 0; r < importance_rows; r++) {
         double x[importance_levels], y[importance_levels], median = 0, n = importance_row[r].n;
         bool exact = n == 1;

@@ -129,7 +129,7 @@ static inline void measure_ways(const options *o)
         e[i] = (radiometry_errors){way_of_row(i / 2, kind, o->seed), runs, o->full, {0}};
         clock[i] = (bench_candidate){.run = run_way, .context = &e[i].what};
     }
-    parallel_for(all, o->threads, "estimates", way_job, e);
+    parallel_whole(all, o->threads, "estimates", way_job, e);
     bench_time(clock, all, o->quick ? 3 : o->full ? 51 : 15);
     char title[120];
     snprintf(title, sizeof title, "Irradiance of two lights by 4096 samples: error (root mean "

@@ -178,7 +178,7 @@ static inline void measure_methods(const options *o)
     double ns[surfaces][methods];
     for (int f = 0; f < surfaces; f++)
         if (method_suits(o, 0, f)) s.exact[f] = surface_exact(f);
-    parallel_for(surfaces * methods * levels, o->threads, "estimates", survey_job, &s);
+    parallel_whole(surfaces * methods * levels, o->threads, "estimates", survey_job, &s);
     for (int f = 0; f < surfaces; f++) measure_times(o, f, ns[f]);
     table t = methods_table("A glossy surface by 256 directions: relative error (rms), light asked "
                             "for, time", &s, ns, GLOSSY, brief_level, brief_level + 1);

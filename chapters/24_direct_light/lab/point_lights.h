@@ -155,7 +155,7 @@ static inline void measure_points(const options *o)
     survey_open(&v.s, o, STAGE_BOX, 48, 4096);
     v.square = allocate(v.s.points * points_levels * 2, sizeof *v.square);
     v.part = allocate(v.s.points, sizeof *v.part);
-    parallel_for(v.s.points, o->threads, "point lights", points_job, &v);
+    parallel_whole(v.s.points, o->threads, "point lights", points_job, &v);
     for (int way = 0; way < points_ways; way++) plot_series(&p, name[way]);
     for (int k = 0; k < points_levels; k++) {
         table_count(&t, (size_t)1 << 2 * k);

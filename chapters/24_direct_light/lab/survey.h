@@ -139,7 +139,7 @@ static inline void survey_open(direct_survey *s, const options *o, direct_stage_
     }
     for (int k = 0; k <= LIGHTS_FLUX; k++)
         lit_lights_of(&s->g.s, NULL, (lit_lights_rule)k, &s->choice[k]);
-    parallel_for(s->points, o->threads, "reference", survey_reference, s);
+    parallel_whole(s->points, o->threads, "reference", survey_reference, s);
     for (size_t i = 0; i < s->points; i++) s->mean += s->point[i].truth / (double)s->points;
 }
 
@@ -147,8 +147,8 @@ static inline void survey_measure(direct_survey *s, const options *o, int least)
 {
     survey_run run[survey_most];
     s->levels = least ? survey_time_level + 1 : survey_levels;
-    parallel_for((size_t)s->entries * (size_t)(s->levels - least), o->threads, "samples",
-                 survey_job, s);
+    parallel_whole((size_t)s->entries * (size_t)(s->levels - least), o->threads, "samples",
+                   survey_job, s);
     for (int k = 0; k < s->entries; k++) run[k] = (survey_run){s, k};
     double samples = (double)s->points * survey_samples(survey_time_level);
     bench_each(survey_timed, run, sizeof *run, s->entries, o->quick ? 1 : 3, 1 / samples,

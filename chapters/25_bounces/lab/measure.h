@@ -119,7 +119,7 @@ static inline void measure_cornell(const options *o)
     double whole = 0, before = 0;
     lit_cornell(&c->s);
     c->seed = o->seed, c->n = o->quick ? 200 : 5000;
-    parallel_for(cornell_jobs, o->threads, "terms", cornell_job, c);
+    parallel_whole(cornell_jobs, o->threads, "terms", cornell_job, c);
     for (int i = 1; i < cornell_jobs; i++)
         for (int k = 0; k < 2 * cornell_terms; k++) {
             estimate *e = &c->e[0][k / cornell_terms][k % cornell_terms];

@@ -218,8 +218,9 @@ static inline void branches_run(branch_survey *b, const options *o)
     b->seed = o->seed, b->budget = o->quick ? 100 : 5000, b->many = o->quick ? 64 : 4096;
     b->pixels = o->quick ? 8 : trial_pixels, b->stride = o->quick ? 7 : 1;
     trial_list(b, o);
-    parallel_for((o->full ? rooms : 1) * trial_pixels, o->threads, "reference", trial_reference, b);
-    parallel_for((size_t)b->trials * b->pixels, o->threads, "N directions", trial_job, b);
+    parallel_whole((o->full ? rooms : 1) * trial_pixels, o->threads, "reference", trial_reference,
+                   b);
+    parallel_whole((size_t)b->trials * b->pixels, o->threads, "N directions", trial_job, b);
     for (int i = 0; i < b->trials; i++) {
         for (size_t k = 0; k < b->pixels && b->trial[i].room == ROOM_FIRST; k++)
             trial_run(b, i, k * b->stride);
