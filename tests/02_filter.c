@@ -1,6 +1,6 @@
 /* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
 #include "check.h"
-#include "../chapters/02_camera/lab/measure.h"
+#include "../chapters/02_camera/lab/pattern.h"
 #include "../chapters/02_camera/samples.h"
 
 #define eps ((double)real_epsilon)
@@ -38,19 +38,18 @@ static void test_patterns(void)
     check_equal(checkerboard(0.5, 0.5, 1), 1, "white square");
     check_equal(checkerboard(0.5, -0.5, 1), 0, "black square");
     /* areas found on paper */
-    check_close(square_wave_filtered(0.3, 0.5, filter_box), 0, 1e-15, "box over one whole period");
-    check_close(square_wave_filtered(2, 1, filter_box), 0, 1e-15, "box on an edge");
-    check_close(square_wave_filtered(2.5, 1, filter_box), 1, 1e-15, "box on one stretch");
-    check_close(square_wave_filtered(2.25, 1, filter_box), 0.5, 1e-15,
-                "box, a quarter beyond the edge");
-    check_close(square_wave_filtered(0.5, 1, filter_tent), 0.5, 1e-15,
-                "tent: 3/4 of its area inside");
-    check_close(square_wave_filtered(0, 1, filter_gaussian), 0, 1e-15, "Gaussian on an edge");
-    double far = erf(2 * sqrt(2.0));
-    check_close(square_wave_filtered(50, 100, filter_gaussian), 1, 1e-15,
-                "Gaussian on a wide stretch");
-    check_close(square_wave_filtered(0.5, 100, filter_gaussian), erf(0.5 * sqrt(2.0)) / far, 1e-15,
-                "Gaussian beside a lone edge");
+    const double far = erf(2 * sqrt(2.0));
+    const struct { double x, cell; filter f; double due; const char *why; } in[] = {
+        {0.3, 0.5, filter_box, 0, "box over one whole period"},
+        {2, 1, filter_box, 0, "box on an edge"}, {2.5, 1, filter_box, 1, "box on one stretch"},
+        {2.25, 1, filter_box, 0.5, "box, a quarter beyond the edge"},
+        {0.5, 1, filter_tent, 0.5, "tent: 3/4 of its area inside"},
+        {0, 1, filter_gaussian, 0, "Gaussian on an edge"},
+        {50, 100, filter_gaussian, 1, "Gaussian on a wide stretch"},
+        {0.5, 100, filter_gaussian, erf(0.5 * sqrt(2.0)) / far, "Gaussian beside a lone edge"}};
+    for (size_t i = 0; i < sizeof in / sizeof *in; i++)
+        check_close(square_wave_filtered(in[i].x, in[i].cell, in[i].f), in[i].due, 1e-15, "%s",
+                    in[i].why);
     for (size_t k = 0; k < check_count(300); k++)
         for (int i = 0; i < 3; i++) {
             double x = uniform(-20, 20), cell = uniform(0.3, 3), R = (double)filters[i].radius;
@@ -215,24 +214,45 @@ static void test_convergence(void)
     }
 }
 
-/* Dividing by the weights that came is biased: with one ray the mean is the colour of that ray, its
- * weight drops out, and the tent becomes a box of its size, 1/2 instead of 3/4. The bias falls as
- * 1/N, the spread as 1/sqrt(N). Dividing by the expected weight has no bias, and spreads more. */
+/* A white stripe, 1 where |x| < 1/2, under a tent: 3/4. Dividing by the weights that came is
+ * biased: with one ray the mean is the colour of that ray, its weight drops out, and the tent becomes a box
+ * of its size: 1/2. The bias falls as 1/N, the spread as 1/sqrt(N). Dividing by the expected weight
+ * has no bias, and spreads more. [0]: by the weights that came. */
+static void stripe_means(int n, int trials, double bias[2], double spread[2])
+{
+    double sum[2] = {0, 0}, square[2] = {0, 0};
+    for (int i = 0; i < trials; i++) {
+        filter_sum f = {{0, 0, 0}, 0};
+        for (int k = 0; k < n; k++) {
+            real x, y;
+            samples_place(SAMPLES_RANDOM, k, 1, 1, &s, &x, &y);
+            f = filter_add(f, filter_weight(filter_tent, x, y), vec(fabs(x) < 0.5, 0, 0));
+        }
+        double e[] = {(double)filter_mean(f).x - 0.75,
+                      (double)filter_mean_naive(f, filter_tent, n).x - 0.75};
+        for (int k = 0; k < 2; k++) sum[k] += e[k], square[k] += e[k] * e[k];
+    }
+    for (int k = 0; k < 2; k++) {
+        bias[k] = sum[k] / trials;
+        spread[k] = sqrt(square[k] / trials - bias[k] * bias[k]);
+    }
+}
+
 static void test_bias(void)
 {
     const size_t least = 100000, asked = check_count(400000);  /* fewer don't give ten sigma */
     const int n = (int)(asked > least ? asked : least);
-    camera_means one = camera_stripe_means(1, n), m[3];
-    check_close(one.bias[0], -0.25, 4 * 0.5 / sqrt(n), "one ray: 1/2 - 3/4");
-    for (int k = 0; k < 3; k++) m[k] = camera_stripe_means(4 << 2 * k, n / 4);
-    for (int k = 0; k < 3; k++) {
-        double sigma = m[k].spread[1] / sqrt(n / 4);
-        check_at_most(fabs(m[k].bias[1]), 4 * sigma, "by the expected weight: no bias");
-        check_at_least(m[k].spread[1], 1.5 * m[k].spread[0], "but more spread");
-        if (k < 2) check_at_least(-m[k].bias[0], 10 * sigma, "by their own weights: too dark");
-        if (k) check_close(m[k - 1].spread[0] / m[k].spread[0], 2, 0.3, "spread as 1 / sqrt(N)");
+    double bias[4][2], spread[4][2];
+    for (int k = 0; k < 4; k++) stripe_means(1 << 2 * k, k ? n / 4 : n, bias[k], spread[k]);
+    check_close(bias[0][0], -0.25, 4 * 0.5 / sqrt(n), "one ray: 1/2 - 3/4");
+    for (int k = 1; k < 4; k++) {
+        double sigma = spread[k][1] / sqrt(n / 4), own = spread[k][0] / sqrt(n / 4);
+        check_at_most(fabs(bias[k][1]), 4 * sigma, "by the expected weight: no bias");
+        check_at_least(spread[k][1], 1.5 * spread[k][0], "but more spread");
+        if (k < 3) check_at_least(-bias[k][0], 10 * own, "by their own weights: too dark");
+        if (k > 1) check_close(spread[k - 1][0] / spread[k][0], 2, 0.3, "spread as 1 / sqrt(N)");
     }
-    check_close(m[0].bias[0] / m[1].bias[0], 4.5, 1, "bias as 1 / N, or a little faster at first");
+    check_close(bias[1][0] / bias[2][0], 4.5, 1, "bias as 1 / N, or a little faster at first");
 }
 
 int main(void)
