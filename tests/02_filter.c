@@ -215,9 +215,9 @@ static void test_convergence(void)
 }
 
 /* A white stripe, 1 where |x| < 1/2, under a tent: 3/4. Dividing by the weights that came is
- * biased: with one ray the mean is the colour of that ray, its weight drops out, and the tent becomes a box
- * of its size: 1/2. The bias falls as 1/N, the spread as 1/sqrt(N). Dividing by the expected weight
- * has no bias, and spreads more. [0]: by the weights that came. */
+ * biased: with one ray the mean is the colour of that ray, its weight drops out, and the tent
+ * becomes a box of its size: 1/2. The bias falls as 1/N, the spread as 1/sqrt(N). Dividing by the
+ * expected weight has no bias, and spreads more. [0]: by the weights that came. */
 static void stripe_means(int n, int trials, double bias[2], double spread[2])
 {
     double sum[2] = {0, 0}, square[2] = {0, 0};
