@@ -11,7 +11,6 @@ int main(int argc, char **argv)
     options o = options_read(argc, argv, "03_sphere", about, defaults, NULL);
     bool right = !sphere_mine || sphere_prove(mine_sphere_hit, "mine", 30000, stdout);
     sphere_draw(&o);
-    sphere_draw_map(&o);
     sphere_draw_geometry(&o);
     sphere_measure(&o);
     return output_done(&o) || !right;
