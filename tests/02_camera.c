@@ -231,7 +231,7 @@ static void test_there_and_back(void)
 {
     size_t n = check_count(200000);
     for (int kind = 0; kind < 4; kind++) {
-        double worst = 0, near = 0;
+        double worst = 0;
         for (size_t k = 0; k < n; k++) {
             camera c = any_camera(kind, k % 2 ? 0 : pow((real)10, uniform(-2, 6)));
             real x = uniform(0, nx), y = uniform(0, ny), x2 = -1, y2 = -1;
@@ -254,16 +254,12 @@ static void test_there_and_back(void)
             double edges = (double)(fabs(c.bottom) + fabs(c.top));
             double bx = eps * nx / wide_x * (4 * sides + reach);
             double by = eps * ny / wide_y * (4 * edges + reach);
-            double alone = eps * nx * (4 + 4 * slant * scale * (double)vlength(q) / wide_x);
             double off = check_worse(fabs((double)(x2 - x)) / bx, fabs((double)(y2 - y)) / by);
             worst = check_worse(worst, off);
-            if (vzero(c.e)) near = check_worse(near, fabs((double)(x2 - x)) / alone);
         }
         check_at_most(worst, 1, "kind %d: a ray passes through its pixel (1 = the bound above)",
                       kind);
         check_at_least(worst, 0.01, "kind %d: the bound is not a hundred times too wide", kind);
-        if (kind == 2) check_at_most(near, 1,
-                                     "e = 0: 4 + 4 (1 + |D| / d) |D| / (r - l) ulps of the width");
     }
 }
 
@@ -370,18 +366,16 @@ static void test_rtr(void)
     }
 }
 
-/* With q = p - e, the picture of p + t D differs from the vanishing point by
- * d ((q.u) D_w - q_w (D.u)) / (D_w (q_w + t D_w)), x_w being depth, -x.w: (2.7) minus (2.8). This
- * goes as 1 / t, and must be met to 1 % and the rounding. */
+/* The ray through the vanishing point of D runs along D; of -D it is the same point. */
 static void test_vanishing_points(void)
 {
     for (int k = 0; k < 2000; k++) {
         camera c = any_camera(2 + k % 2, 3);
         vec3 D = any_direction();
-        double D_w = -(double)vdot(D, c.w), D_u = (double)vdot(D, c.u);
+        double D_w = -(double)vdot(D, c.w);
         if (fabs(D_w) < 0.1) continue;
-        if (D_w < 0) D = vneg(D), D_w = -D_w, D_u = -D_u;
-        real vx = 0, vy = 0, x, y, bx = 0, by = 0;
+        if (D_w < 0) D = vneg(D), D_w = -D_w;
+        real vx = 0, vy = 0, bx = 0, by = 0;
         check(camera_vanishing_point(c, D, nx, ny, &vx, &vy), "a vanishing point");
         check(camera_vanishing_point(c, vneg(D), nx, ny, &bx, &by),
               "and of the line the other way");
@@ -393,18 +387,6 @@ static void test_vanishing_points(void)
                    + 8 * (double)(fabs(c.bottom) + fabs(c.top)) / (double)(c.top - c.bottom);
         check_at_most(angle(r.d, D), eps * (2 * big + 4 * (reach + reach_y)),
                       "the ray through it runs along D");
-        for (int j = 0; j < 2; j++) {  /* two lines */
-            vec3 q = vscale(any_direction(), 2);
-            double q_u = (double)vdot(q, c.u), q_w = -(double)vdot(q, c.w);
-            double t = real_is_float ? 300 : 1e6;
-            if (!camera_project(c, vmadd(vadd(c.e, q), D, (real)t), nx, ny, &x, &y)) continue;
-            double gap = nx * (double)c.d * (q_u * D_w - q_w * D_u)
-                       / (D_w * (q_w + t * D_w) * (double)(c.right - c.left));
-            double rounding = 16 * eps * nx * (big + reach);  /* gap is exact */
-            check_close((double)x - (double)vx, gap, rounding,
-                        "a line tends to its vanishing point");
-            check_at_most(fabs(gap), nx * 8 * reach / (0.1 * t), "and the gap goes as 1 / t");
-        }
     }
     real x, y;
     camera c = any_camera(0, 1);
@@ -444,23 +426,19 @@ static void test_what_moving_changes(void)
     camera_frame f = {{2, 3, 5}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, moved = f;
     moved.e.x += 4;
     camera_window n = {-1, 1, -1, 1}, shifted = {-5, -3, -1, 1};
-    camera c, both, only_e, only_window;
-    if (!camera_orthographic(f, n, &c, NULL) || !camera_orthographic(moved, shifted, &both, NULL)
-        || !camera_orthographic(moved, n, &only_e, NULL)
-        || !camera_orthographic(f, shifted, &only_window, NULL)) abort();
-    for (int i = 0; i <= 64; i += 8) {  /* dyadic: nothing rounds, the same rays bit for bit */
-        vec3 o = camera_ray(c, (real)i, 16, 64, 64).o;
-        check_equal(distance(o, camera_ray(both, (real)i, 16, 64, 64).o), 0,
-                    "orthographic: both moved, same rays");
-        check_equal(distance(o, camera_ray(only_e, (real)i, 16, 64, 64).o), 4,
-                    "only e moved: other rays");
-        check_equal(distance(o, camera_ray(only_window, (real)i, 16, 64, 64).o), 4,
-                    "only l, r moved: other rays");
+    camera c, both;
+    const struct { camera_frame f; camera_window n; double apart; const char *what; } in[] = {
+        {moved, shifted, 0, "both moved, same rays"}, {moved, n, 4, "only e moved: other rays"},
+        {f, shifted, 4, "only l, r moved: other rays"}};
+    for (int k = 0; k < 6; k++) {  /* dyadic: nothing rounds, the same rays bit for bit */
+        vec3 along = vec(k < 3 ? 0 : 0.5, 0, -1);
+        if (!camera_oblique(f, n, along, &c, NULL)
+            || !camera_oblique(in[k % 3].f, in[k % 3].n, along, &both, NULL)) abort();
+        for (int i = 0; i <= 64; i += 8)
+            check_equal(distance(camera_ray(c, (real)i, 16, 64, 64).o,
+                                 camera_ray(both, (real)i, 16, 64, 64).o), in[k % 3].apart,
+                        "parallel, %s", in[k % 3].what);
     }
-    if (!camera_oblique(f, n, vec(0.5, 0, -1), &c, NULL)
-        || !camera_oblique(moved, shifted, vec(0.5, 0, -1), &both, NULL)) abort();
-    check_equal(distance(camera_ray(c, 8, 16, 64, 64).o, camera_ray(both, 8, 16, 64, 64).o), 0,
-                "oblique: the same");
     if (!camera_off_axis(f, n, 1, &c, NULL)
         || !camera_off_axis(moved, shifted, 1, &both, NULL)) abort();
     real x1, y1, x2, y2;

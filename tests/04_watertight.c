@@ -142,23 +142,6 @@ static void test_no_slip_on_a_lattice(void)
                 rays);
 }
 
-/* A box is thin for a ray from its outside: whoever aims at a vertex of a closed mesh from outside
- * and passes inside the silhouette must hit something, too. Here: the vertex nearest to the origin
- * of the ray. */
-static void test_no_slip_from_outside(void)
-{
-    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
-    random_stream g = random_start(70, 0, 0);
-    size_t slipped = 0, n = check_count(20000);
-    for (size_t i = 0; i < n; i++) {
-        uint32_t k = (uint32_t)(random_next_bits(&g) >> 32) % m.vertices;
-        vec3 o = vadd(vscale(m.v[k], 3), slip_origin(&g, (vec3){0, 0, 0}, 1));
-        slipped += slip_misses_all(&m, triangle_hit, ray_from(o, vsub(m.v[k], o)));
-    }
-    check_equal(slipped, 0, "%zu rays from outside at the vertex that faces them", n);
-    icosphere_free(&m);
-}
-
 /* Random directions find no edge to slip through: whoever tests with them learns nothing. */
 static void test_random_rays_show_nothing(void)
 {
@@ -249,7 +232,6 @@ int main(void)
     test_no_slip_between_slivers();
     test_no_slip_between_spikes();
     test_no_slip_on_a_lattice();
-    test_no_slip_from_outside();
     test_random_rays_show_nothing();
     test_naive_forms_slip();
     return check_report("04_watertight");

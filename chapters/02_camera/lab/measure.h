@@ -66,7 +66,6 @@ typedef struct { const char *name; filter f; sample_placement how; bool zone; } 
 static const camera_way camera_ways[] = {
     {"box jittered", {FILTER_BOX, 0.5, 0}, SAMPLES_JITTERED, false},
     {"tent jittered", {FILTER_TENT, 1, 0}, SAMPLES_JITTERED, false},
-    {"Gaussian jittered", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_JITTERED, false},
     {"tent regular", {FILTER_TENT, 1, 0}, SAMPLES_REGULAR, false},
     {"tent random", {FILTER_TENT, 1, 0}, SAMPLES_RANDOM, false},
     {"Gaussian random", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_RANDOM, true},
