@@ -41,9 +41,6 @@ static void test_plane(void)
     plane p = {{1, 2, 3}, {0, 0, 2}};
     plane_equation e = plane_equation_of(p);
     check(e.a == 0 && e.b == 0 && e.c == 2 && e.d == -6, "(x - p) . n = 0 is 2 z - 6 = 0");
-    plane back = plane_of(e);
-    check(back.n.z == 2 && back.p.x == 0 && back.p.y == 0 && back.p.z == 3,
-          "the point nearest to the origin");
     hit h = untouched;
     ray r = ray_from((vec3){5, 7, -1}, vec(1, 0, 0.5));
     check(plane_hit(p, r, &h) && h.t == 8, "z: -1 + t/2 = 3");
@@ -456,26 +453,6 @@ static void test_barycentrics(void)
           "corners are met exactly");
     k = barycentrics_of((triangle){{1, 1, 1}, {1, 1, 1}, {2, 2, 2}}, (vec3){1, 1, 1});
     check(!barycentrics_inside(k), "no area, no inside");
-
-    random_stream g = random_start(11, 0, 0);
-    double worst_sum = 0, worst_back = 0;
-    size_t outside = 0, n = check_count(100000), used = 0;
-    for (size_t i = 0; i < n; i++) {
-        triangle q = {random_in_cube(&g, 1), random_in_cube(&g, 1), random_in_cube(&g, 1)};
-        vec3 normal = vcross(vsub(q.b, q.a), vsub(q.c, q.a));
-        if (vlength(normal) < (real)0.5) continue;
-        real u = random_between(&g, -3, 3), v = random_between(&g, -3, 3);
-        k = barycentrics_of(q, triangle_at(q, u, v));
-        used++, outside += !barycentrics_inside(k);
-        worst_sum = check_worse(worst_sum, fabs((double)barycentrics_sum(k) - 1));
-        worst_back = check_worse(worst_back, fabs((double)k.u - (double)u));
-        worst_back = check_worse(worst_back, fabs((double)k.v - (double)v));
-    }
-    /* coordinates up to 30, products with edges up to 3.5 and |n| up to 6, over |n|^2 >= 1/4: some
-     * 300 eps each */
-    check_at_most(worst_sum, 1000 * eps, "weights sum to one for every point of the plane");
-    check_at_least((double)outside, 0.9 * (double)used, "though most of these points are outside");
-    check_at_most(worst_back, 1000 * eps, "u, v of the point of u, v");
 }
 
 /* Flattened along y by a power of two, down to a few units of the smallest real: the same t, to the

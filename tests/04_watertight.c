@@ -145,7 +145,7 @@ static void test_no_slip_on_a_lattice(void)
 /* Random directions find no edge to slip through: whoever tests with them learns nothing. */
 static void test_random_rays_show_nothing(void)
 {
-    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1);
+    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
     random_stream g = random_start(90, 0, 0);
     size_t slipped = 0, n = check_count(10000);
     for (size_t i = 0; i < n; i++) {
@@ -168,7 +168,7 @@ static void test_naive_forms_slip(void)
         {"Möller-Trumbore, divides last", triangle_hit_moller_trumbore, 0.03, 0.03},
         {"planes computed beforehand", triangle_hit_planes, 0.08, 0.06},
         {"triple products", triangle_hit_triple, 0.005, 0}};
-    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1), f = icosphere_new(4, (vec3){0, 0, 0}, 1);
+    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1), f = icosphere_new(3, (vec3){0, 0, 0}, 1);
     icosphere_f32(&f);
     size_t n = check_count(10000) > 2000 ? check_count(10000) : 2000;
     for (int k = 0; k < 6; k++)
