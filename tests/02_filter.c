@@ -1,7 +1,6 @@
 /* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
 #include "check.h"
-#include "../chapters/02_camera/lab/pattern.h"
-#include "../chapters/02_camera/samples.h"
+#include "../chapters/02_camera/lab/measure.h"
 
 #define eps ((double)real_epsilon)
 static filter filters[3];
@@ -168,46 +167,28 @@ static void test_white_wall(void)
     check(vzero(filter_mean(nan_)), "a NaN weight: black");
 }
 
-/* The error of one pixel over a checkerboard, root mean square over pixels. */
-static double checkerboard_rmse(filter f, sample_placement how, int n, size_t pixels)
-{
-    double square = 0;
-    for (size_t p = 0; p < pixels; p++) {
-        double px = uniform(-50, 50), py = uniform(-50, 50), cell = 1.37;
-        filter_sum sum = {{0, 0, 0}, 0};
-        for (int k = 0; k < n * n; k++) {
-            real x, y;
-            samples_place(how, k, n, f.radius, &s, &x, &y);
-            real c = (real)checkerboard(px + (double)x, py + (double)y, cell);
-            sum = filter_add(sum, filter_weight(f, x, y), (vec3){c, c, c});
-        }
-        double off = (double)filter_mean(sum).x - checkerboard_filtered(px, py, cell, f);
-        square += off * off;
-    }
-    return sqrt(square / (double)pixels);
-}
-
-/* Random: the spread of one ray is at most 1/2, times sqrt(sum w^2) / sum w, which tends to
- * sqrt(area * integral of w^2) / (integral of w) / sqrt N: 1, and for the tent 4/3. Jittered: only
- * the cells that an edge crosses count, some n of n^2, so the error falls as N^-3/4: four times the
- * rays bring 2.8 times less, random only 2. */
+/* The trials of the page's table: the checkerboard under box and tent. Random: the spread of one
+ * ray is at most 1/2, times sqrt(sum w^2) / sum w, which tends to sqrt(area * integral of w^2) /
+ * (integral of w) / sqrt N, for the tent 4/3. Jittered: only the cells that an edge crosses count,
+ * some n of n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less. */
 static void test_convergence(void)
 {
-    double spread[] = {1, 4 / 3.0};
-    size_t pixels = check_count(1500) > 150 ? check_count(1500) : 150;  /* fewer scatter too far */
-    for (int i = 0; i < 2; i++) {
-        double random = checkerboard_rmse(filters[i], SAMPLES_RANDOM, 16, pixels);
-        double coarse = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 8, pixels);
-        double fine = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 16, pixels);
-        check_at_most(random, 0.5 * spread[i] / 16 * 1.1, "%s: 256 random rays", names[i]);
-        check_at_least(random, 0.5 * spread[i] / 16 * 0.3, "%s: and they do have an error",
-                       names[i]);
-        check_close(log(coarse / fine) / log(4.0), 0.75, 0.1, "%s: jittered falls as N^-3/4",
-                    names[i]);
-        check_at_most(fine, random / 1.5, "%s: jittered beats random", names[i]);
-        check_at_most(checkerboard_rmse(filters[i], SAMPLES_REGULAR, 64, pixels / 10 + 1), 0.03,
-                      "%s: regular samples tend to the filtered value too", names[i]);
+    enum { box, tent, regular, random };
+    double error[3][camera_way_count];
+    camera_trial m[camera_way_count];
+    for (int k = 0; k < 3; k++) {
+        camera_trials(m, 8 << k);
+        for (int j = box; j <= random; j++) error[k][j] = camera_run_pixels(&m[j]);
     }
+    check_at_most(error[1][random], 0.5 * 4 / 3 / 16 * 1.1, "256 random rays");
+    check_at_least(error[1][random], 0.5 * 4 / 3 / 16 * 0.3, "and they do have an error");
+    check_close(error[0][random] / error[1][random], 2, 0.3, "which falls as N^-1/2");
+    for (int j = box; j <= tent; j++) {
+        check_close(log(error[0][j] / error[1][j]) / log(4.0), 0.75, 0.1,
+                    "%s: jittered falls as N^-3/4", names[j]);
+        check_at_most(error[1][j], error[1][random] / 1.5, "%s: jittered beats random", names[j]);
+    }
+    check_at_most(error[2][regular], 0.03, "regular samples tend to the filtered value, too");
 }
 
 /* A white stripe, 1 where |x| < 1/2, under a tent: 3/4. Dividing by the weights that came is

@@ -349,6 +349,9 @@ static void test_no_nan(void)
         if (triangle_hit(t, r, &h)) bad += !(isfinite(h.t) && isfinite(h.u) && isfinite(h.v));
         else touched += !same_hit(h, untouched);
         h = untouched;
+        if (first_triangle_hit(t, r, &h)) bad += !(isfinite(h.t) && isfinite(h.u + h.v));
+        else touched += !same_hit(h, untouched);
+        h = untouched;
         if (plane_hit((plane){t.a, t.b}, r, &h)) bad_plane += isfinite(h.t) ? 0 : 1;
         else touched += !same_hit(h, untouched);
         bool odd_ray = !vfinite(r.o) || !vfinite(r.d) || vzero(r.d);

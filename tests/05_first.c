@@ -17,23 +17,9 @@ static real plate(vec3 p)
     return real_max(p.x * p.x + p.y * p.y - 1, fabs(p.z) - (real)0.005);
 }
 
-static void test_closed_form(void)
+/* Its hits: 05_implicit.c. */
+static void test_normal(void)
 {
-    const struct { real tmin, tmax, t; const char *why; } in[] = {
-        {0, 9, 2, "the entry"}, {(real)2.5, 9, 4, "from inside: the exit"}, {0, 4, 2, "of two"},
-        {3, 5, 4, "the entry before tmin"}};
-    for (size_t i = 0; i < sizeof in / sizeof *in; i++) {
-        hit h = hit_none;
-        ray r = {{0, 0, 3}, in[i].tmin, {0, 0, -1}, in[i].tmax};
-        check(first_implicit_hit(pair, r, 100, &h), "%s", in[i].why);
-        check_close(h.t, in[i].t, 8 * eps, "%s", in[i].why);
-        check(h.u == 0 && h.v == 0 && h.shape == 0, "no u, v, shape");
-    }
-    hit h = {7, 7, 7, 7};
-    check(!first_implicit_hit(pair, (ray){{0, 0, 3}, 0, {0, 0, -1}, (real)1.9}, 100, &h)
-          && !first_implicit_hit(pair, (ray){{0, 0, 3}, 5, {0, 0, -1}, 9}, 100, &h)
-          && !first_implicit_hit(pair, (ray){{0, 3, 0}, 0, {1, 0, 0}, 9}, 100, &h) && h.t == 7
-          && h.shape == 7, "no change of sign: a miss, and *out untouched");
     vec3 n = first_implicit_normal(pair, vec(0, 0, 1), (real)0.001);
     check_close(n.z, 1, 1e-6, "the normal points outwards");
     n = first_implicit_normal(pair, vec(2, 0, 0), (real)0.001);
@@ -154,7 +140,7 @@ static void test_degenerate(void)
 
 int main(void)
 {
-    test_closed_form();
+    test_normal();
     test_heart();
     test_steps();
     test_easy();
