@@ -122,7 +122,7 @@ static inline double winding_number(const mesh *m, vec3 p)
         double X = x * u - y * v, Y = x * v + y * u, size = fabs(X) + fabs(Y);
         if (size == 0) continue;
         bool up = y >= 0;
-        if ((x < 0 || u < 0) && up == (v >= 0) && up != (Y >= 0)) turns += up ? 1 : -1;
+        if (up == (v >= 0) && up != (Y >= 0)) turns += up ? 1 : -1;
         x = X / size, y = Y / size;
     }
     return turns + atan2(y, x) / (2 * 3.14159265358979323846);
