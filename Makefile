@@ -48,6 +48,7 @@ LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_obj 08_
   22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights 25_bounces 25_transport 26_first \
   26_light_tracer 26_path_tracer 26_state 27_corpus 27_lamps 27_paths 27_plan 27_proof 27_radiance \
   27_readers
+LIGHT_MAINS = 15_wide_bvh 17_compare 18_shade 19_whitted 27_effects
 endif
 CFLAGS ?= -O2 $(NATIVE)
 QUICK_CFLAGS ?= $(CFLAGS)
@@ -96,7 +97,7 @@ $(BUILD)/%: chapters/%/main.c $(STAMP)
 # The same programs for `make test`, which needs them soon rather than fast.
 $(BUILD)/quick/%: chapters/%/main.c $(STAMP)
 	$(if $(V),,@echo "CC quick/$*")
-	$(Q)$(CC) $(ALL_CFLAGS) $(QUICK_CFLAGS) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) $(if $(filter $*,$(LIGHT_MAINS)),-O0 $(CLEAR),$(QUICK_CFLAGS)) $(SOON) -MMD -MP -MF $@.d -MT $@ -o $@ $< $(LDLIBS)
 
 $(BUILD)/%_first: chapters/%/first.c $(STAMP)
 	$(if $(V),,@echo "CC $*_first")
