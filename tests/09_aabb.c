@@ -203,8 +203,8 @@ static void test_named_inputs(void)
           && !hits(aabb_hit, cube, through(-1, -1, 0, 1, 0, 0)), "parallel and outside the slab");
 }
 
-/* Each axis scaled by its own power of two from 2^low to 2^high, t by another, directions by 2^d_low
- * to 2^d_high: no answer changes, as long as coordinates and t stay below half the largest real.
+/* Each axis scaled by its own power of two from 2^low to 2^high, t by another, directions by
+ * 2^d_low up to 2^d_high: no answer changes, if coordinates and t stay below half the largest real.
  * With the widest limits, directions may be subnormal, so that 1/d overflows, or so large that 1/d
  * is subnormal and loses two bits; coordinates and t may underflow. */
 static aabb_trial scaled_trial(size_t i, int low, int high, int d_low, int d_high,

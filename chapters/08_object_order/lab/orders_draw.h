@@ -45,7 +45,7 @@ static inline void orders_draw(const options *o)
     if (w < 1 || h < 1) w = o->width, h = o->height;
     bool small = w == o->width, whole;
     image im = image_new(small ? w : 3 * w + 2 * orders_gap, small ? h : 2 * h + orders_gap);
-    mesh m = orders_scene(4, false);
+    mesh m = orders_scene(o->quick ? 2 : 4, false);
     camera c = orders_camera((real)w / (real)h);
     raster drawn = raster_new(w, h), seen = raster_new(w, h), part = raster_new(w, h);
     whole = orders_rays(&seen, &m, c, o->threads);
@@ -84,14 +84,14 @@ static inline raster orders_first(const mesh *m, camera c, int nx, int ny)
 static inline void orders_draw_flat(const options *o)
 {
     static const char *const title[3] = {"first.h", "raster.h", "other triangle or tile: orange"};
-    enum { w = 316, h = 300 };
+    const int w = o->quick ? 79 : 316, h = o->quick ? 75 : 300;
     image im = image_new(3 * w + 2 * orders_gap, h);
     mesh m = orders_scene(6, false);
     for (size_t i = m.vertices - 4; i < m.vertices; i++) m.v[i].y = real_max(m.v[i].y, -5);
-    camera c = orders_camera((real)w / h);
+    camera c = orders_camera((real)w / (real)h);
     raster s = orders_first(&m, c, w, h), t = raster_new(w, h);
     raster_mesh(&t, &m, c, raster_default);
-    bool *wrong = allocate((size_t)w * h, sizeof *wrong);
+    bool *wrong = allocate((size_t)(w * h), sizeof *wrong);
     orders_panel(&im, 0, 0, &s, &m, c, false, NULL, NULL);
     orders_panel(&im, w + orders_gap, 0, &t, &m, c, false, NULL, NULL);
     for (int k = 0; k < w * h; k++)
@@ -121,13 +121,13 @@ static inline void orders_draw_shadow(const options *o)
                                          "map of 1024 x 1024, 0.004"};
     static const struct { int side; real bias; } map[4] = {{0, 0}, {128, 0}, {128, 0.04},
                                                            {1024, 0.004}};
-    enum { w = 400, h = 300 };
+    const int w = o->quick ? 60 : 400, h = o->quick ? 45 : 300;
+    const size_t n = (size_t)(w * h);
     image im = image_new(2 * w + orders_gap, 2 * h + orders_gap);
     mesh m = orders_scene(4, false);
-    camera c = orders_camera((real)w / h), lamp = orders_lamp();
+    camera c = orders_camera((real)w / (real)h), lamp = orders_lamp();
     raster s = raster_new(w, h);
-    bool *dark = allocate((size_t)w * h, sizeof *dark), *wrong = allocate((size_t)w * h, 1);
-    bool *due = allocate((size_t)w * h, sizeof *due);
+    bool *dark = allocate(n, 1), *wrong = allocate(n, 1), *due = allocate(n, 1);
     raster_mesh(&s, &m, c, raster_default);
     for (int i = 0; i < 4; i++) {
         shadow_map t = shadow_map_new(&m, lamp, i ? map[i].side : 1, raster_default);
@@ -163,10 +163,10 @@ static inline raster orders_reflected(const mesh *m, camera c, const raster *s)
 
 static inline void orders_draw_mirror(const options *o)
 {
-    enum { w = 720, h = 400 };
+    const int w = o->quick ? 144 : 720, h = o->quick ? 80 : 400;
     image im = image_new(w, h);
     mesh m = orders_scene(8, true);
-    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)w / h);
+    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)w / (real)h);
     raster s = raster_new(w, h);
     raster_mesh(&s, &m, c, raster_default);
     raster t = orders_reflected(&m, c, &s);

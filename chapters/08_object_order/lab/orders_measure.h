@@ -50,7 +50,7 @@ static inline void orders_measure(const options *o)
     static const char *const name[orders_ways] = {"first", "raster, 1 bit", "raster, 4 bits",
         "raster, 8 bits", "raster, 16 bits", "rays, each triangle"};
     int nx = o->quick ? 80 : o->full ? 320 : 160, ny = nx * 3 / 4;
-    mesh m = orders_scene(4, false);
+    mesh m = orders_scene(o->quick ? 2 : 4, false);
     camera c = orders_camera((real)4 / 3);
     orders_way way[orders_ways];
     double ms[orders_ways];
@@ -249,7 +249,7 @@ static inline orders_difference orders_mirror_compare(int nx, int ny)
     mesh m = orders_scene(4, true), seen = m;
     camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)nx / (real)ny);
     raster s = raster_new(nx, ny);
-    orders_difference d = {0, 0, 0, 0, 0};
+    orders_difference d = {0, 0, 0, 0};
     raster_mesh(&s, &m, c, raster_default);
     raster t = orders_reflected(&m, c, &s);
     camera c2 = mirror_camera(c, orders_mirror);
