@@ -348,7 +348,7 @@ static void test_strange(void)
 }
 
 /* ---- first.h: right where a triangle is parallel to the picture and away from its edges; wrong in
- * depth and weights of a slanted one, and behind the eye (test_cover: at shared edges) ---- */
+ * depth and weights of a slanted one, at shared edges, behind the eye ---- */
 
 enum { few = 16 };
 static const double eps = (double)real_epsilon;
@@ -431,6 +431,16 @@ static void test_slanted(void)
     first_raster_free(&s);
 }
 
+/* Two triangles with the edge along middles of pixels: first.h draws these twice. */
+static void test_shared(void)
+{
+    long before = first_covered;
+    first_raster a = first_alone((triangle){{0, 0, -1}, {few, 0, -1}, {0, few, -1}});
+    first_raster b = first_alone((triangle){{few, 0, -1}, {few, few, -1}, {0, few, -1}});
+    check_equal(first_covered - before, few * few + few, "16 pixels of 256 are drawn twice");
+    first_raster_free(&a), first_raster_free(&b);
+}
+
 static void test_behind(void)
 {
     triangle t = {{0, 0, -1}, {16, 0, -1}, {8, 16, 1}};
@@ -462,6 +472,7 @@ int main(void)
     test_strange();
     test_parallel();
     test_slanted();
+    test_shared();
     test_behind();
     return check_report("08_object_order");
 }
