@@ -747,7 +747,7 @@ static void test_depth(void)
     size_t n = check_count(200000);
     csg_solid *s = allocate(n + 1, sizeof *s);
     csg_step *left = allocate(2 * n + 1, sizeof *left), *right = allocate(2 * n + 1, sizeof *right);
-    size_t l = 0, r = 0, slots = n < 1000 ? n : 1000;
+    size_t l = 0, r = 0, slots = n < 100 ? n : 100;
     s[0] = csg_box(vec(0, -1, -1), vec(2 * (double)slots + 1, 1, 1));
     left[l++] = right[r++] = (csg_step){CSG_SOLID, 0};
     for (size_t i = 1; i <= n; i++) {  /* after `slots` of them the same again */

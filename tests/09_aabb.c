@@ -342,7 +342,7 @@ static void test_nan(void)
 /* A box in each of eight lanes, and in four of them: none lost, none late, whatever the lane. */
 static void test_lanes(void)
 {
-    size_t missed = 0, late = 0, differ = 0, empty = 0, shrunk = 0, n = check_count(1000000);
+    size_t missed = 0, late = 0, differ = 0, empty = 0, shrunk = 0, n = check_count(500000);
     for (size_t i = 0; i < n; i++) {
         aabb_trial_kind kind = (aabb_trial_kind)(i % trial_kinds);
         aabb8 eight = aabb8_empty();
