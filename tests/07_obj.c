@@ -1,7 +1,6 @@
 /* Tests of chapters/07_mesh: text.h, obj.h, mesh.h.
  *
- * The oracle is a second reader, written to be simple: the whole file in memory, lines joined,
- * strtod and strtol.
+ * Random files come with what they hold, noted while they were written.
  */
 #include "check.h"
 #include "../common/random.h"
@@ -44,59 +43,6 @@ static void append(string *s, const char *format, ...)
     va_end(a);
 }
 
-/* ---- the oracle ---- */
-
-/* Reads valid files only, as literally as the format is described. */
-static mesh oracle_read(const char *text, size_t size)
-{
-    char *s = allocate(size + 2, 1), *to = s;
-    bool comment = false;
-    for (size_t i = 0; i < size; i++) {  /* all ends of lines become \n, joined ones a blank */
-        char c = text[i];
-        if (c == '\r' && i + 1 < size && text[i + 1] == '\n') continue;
-        bool was = comment;
-        comment = c == '#' || (comment && c != '\n' && c != '\r');
-        *to++ = (char)(c == '\r' ? '\n' : c);
-        if (to[-1] == '\n' && to > s + 1 && to[-2] == '\\' && !was) to[-2] = to[-1] = ' ';
-    }
-    mesh m = {.v = allocate(size, sizeof(vec3)), .n = allocate(size, sizeof(vec3)),
-              .t = allocate(size, sizeof(vec3)), .index = allocate(3 * size, 4),
-              .texture_index = allocate(3 * size, 4), .normal_index = allocate(3 * size, 4)};
-    uint32_t *const array[3] = {m.index, m.texture_index, m.normal_index};
-    char *save = NULL;
-    for (char *line = strtok_r(s, "\n", &save); line; line = strtok_r(NULL, "\n", &save)) {
-        char *word, *rest = NULL;
-        uint32_t corner[3][3] = {{0}};
-        int corners = 0;
-        line += strncmp(line, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
-        if (strchr(line, '#')) *strchr(line, '#') = 0;
-        if (!(word = strtok_r(line, " \t\v\f", &rest))) continue;
-        if (!strcmp(word, "v") || !strcmp(word, "vn") || !strcmp(word, "vt")) {
-            double x = strtod(rest, &rest), y = strtod(rest, &rest), z = strtod(rest, &rest);
-            vec3 p = {(real)x, (real)y, (real)z};  /* 0 where a vt has no more */
-            if (word[1] == 'n') m.n[m.normals++] = p;
-            else if (word[1]) m.t[m.textures++] = p;
-            else m.v[m.vertices++] = p;
-        } else if (!strcmp(word, "f"))
-            while ((word = strtok_r(NULL, " \t\v\f", &rest)) != NULL) {
-                char *slash = strchr(word, '/'), *last = strrchr(word, '/');
-                long i[3] = {strtol(word, NULL, 10), slash ? strtol(slash + 1, NULL, 10) : 0,
-                             last > slash ? strtol(last + 1, NULL, 10) : 0};
-                const size_t count[3] = {m.vertices, m.textures, m.normals};
-                for (int k = 0; k < 3; k++) {  /* none: 2^32 - 1 */
-                    uint32_t v = (uint32_t)(i[k] < 0 ? (long)count[k] + i[k] : i[k] - 1);
-                    if (corners == 0) corner[k][0] = v;
-                    corner[k][2] = v;
-                    if (corners >= 2) memcpy(array[k] + 3 * m.triangles, corner[k], 12);
-                    corner[k][1] = v;
-                }
-                m.triangles += ++corners > 2;
-            }
-    }
-    free(s);
-    return m;
-}
-
 /* m has what o has: an array of which no corner names anything is not there. */
 static bool same_items(const vec3 *m, size_t n, const uint32_t *index, const vec3 *o, size_t count,
                        const uint32_t *due, size_t corners)
@@ -118,8 +64,10 @@ static bool same_mesh(const mesh *m, const mesh *o)
 
 /* ---- random valid files that use every feature ---- */
 
-static void random_number(string *s)
+/* As strtod reads what was written. */
+static real random_number(string *s)
 {
+    size_t start = s->n;
     double x = random_double_of(random_next_bits(&rng)) * 2 - 1, big = x * 1e12;
     switch (below(9)) {
     case 0: append(s, "%d", (int)below(2000) - 1000); break;
@@ -132,6 +80,16 @@ static void random_number(string *s)
     case 7: append(s, "%.16E", x * 1e-30); break;
     default: append(s, "%.6f", x);
     }
+    return (real)strtod(s->p + start, NULL);
+}
+
+/* Of one of n items so far: from the first or back from the last. */
+static uint32_t random_index(string *s, const char *before, size_t n)
+{
+    size_t i = 1 + below(n);
+    bool back = below(2);
+    append(s, back ? "%s-%zu" : "%s%zu", before, i);
+    return (uint32_t)(back ? n - i : i - 1);
 }
 
 static void random_blank(string *s, const char *end_of_line)
@@ -144,43 +102,72 @@ static void random_blank(string *s, const char *end_of_line)
     }
 }
 
-static string random_file(size_t lines)
+static void random_face(string *s, const char *end, mesh *m)
+{
+    uint32_t corner[3][3], *const array[3] = {m->index, m->texture_index, m->normal_index};
+    append(s, "f");
+    for (size_t k = 0, n = below(20) ? 3 + below(3) : 3 + below(60); k < n; k++) {
+        size_t form = below(4);
+        random_blank(s, end);
+        uint32_t c[3] = {random_index(s, "", m->vertices), mesh_none, mesh_none};
+        if (form == 1 || form == 3) c[1] = random_index(s, "/", m->textures);
+        if (form == 2) append(s, "/");
+        if (form >= 2) c[2] = random_index(s, "/", m->normals);
+        for (int j = 0; j < 3; j++) {  /* a fan: first, last, this one */
+            if (k == 0) corner[j][0] = c[j];
+            corner[j][2] = c[j];
+            if (k >= 2) memcpy(array[j] + 3 * m->triangles, corner[j], 12);
+            corner[j][1] = c[j];
+        }
+        m->triangles += k >= 2;
+    }
+}
+
+/* m [may be NULL]: what the file holds. */
+static string random_file(size_t lines, mesh *m)
 {
     static const char *const ends[] = {"\n", "\r\n", "\r"};
     static const char *const skipped[] = {
         "g a b", "o Ünïcödé 名", "s off", "s 1", "l 1 2 3", "p 1", "usemtl red metal",
         "mtllib a.mtl b.mtl", "vp 0.5 0.5", "curv 0 1 \\\n 1 2 3", "", "   ", "# f 0 0 0 \\"};
+    static const char *const keyword[] = {"v", "vn", "vt"};
     string s = {NULL, 0, 0};
     const char *end = ends[below(3)];
-    size_t v = 0, t = 0, n = 0;
+    size_t faces = 3 * 64 * (lines + 1);
+    mesh due = {.v = allocate(lines, sizeof(vec3)), .n = allocate(lines, sizeof(vec3)),
+                .t = allocate(lines, sizeof(vec3)), .index = allocate(faces, 4),
+                .texture_index = allocate(faces, 4), .normal_index = allocate(faces, 4)};
+    vec3 *const item[3] = {due.v, due.n, due.t};
+    size_t *const count[3] = {&due.vertices, &due.normals, &due.textures};
     if (below(3) == 0) append(&s, "\xef\xbb\xbf");
     for (size_t i = 0; i < lines; i++) {
-        size_t what = i < 6 ? i % 3 : below(8), count = 3;
+        size_t what = i < 6 ? i % 3 : below(8);
         if (below(10) == 0) append(&s, "%s", end = below(4) ? end : ends[below(3)]);
         if (below(10) == 0) append(&s, "  ");
         if (what < 3) {
-            append(&s, what == 0 ? "v" : what == 1 ? "vn" : "vt");
-            if (what == 0) v++, count += below(5);
-            if (what == 1) n++;
-            if (what == 2) t++, count -= below(3);
-            for (; count; count--) random_blank(&s, end), random_number(&s);
-        } else if (what < 7) {
-            append(&s, "f");
-            for (count = below(20) ? 3 + below(3) : 3 + below(60); count; count--) {
-                size_t form = below(4);
+            size_t n = what == 0 ? 3 + below(5) : what == 1 ? 3 : 1 + below(3);
+            vec3 p = {0, 0, 0};
+            append(&s, "%s", keyword[what]);
+            for (size_t k = 0; k < n; k++) {
                 random_blank(&s, end);
-                if (below(2)) append(&s, "%zu", 1 + below(v));
-                else append(&s, "-%zu", 1 + below(v));
-                if (form == 1 || form == 3) append(&s, "/%zu", 1 + below(t));
-                if (form == 2) append(&s, "/");
-                if (form >= 2) append(&s, below(2) ? "/%zu" : "/-%zu", 1 + below(n));
+                real x = random_number(&s);
+                if (k < 3) p = vwith(p, (int)k, x);
             }
-        } else append(&s, "%s", skipped[below(sizeof skipped / sizeof *skipped)]);
+            item[what][(*count[what])++] = p;
+        } else if (what < 7) random_face(&s, end, &due);
+        else append(&s, "%s", skipped[below(sizeof skipped / sizeof *skipped)]);
         if (below(12) == 0) append(&s, " # remark");
         if (below(12) == 0) append(&s, "  \t");
         if (i + 1 < lines) append(&s, "%s", end);
     }
     append(&s, "%sf 1 2 -1", end);  /* at least one face, and no end of the last line */
+    const uint32_t last[3] = {0, 1, (uint32_t)due.vertices - 1};
+    const uint32_t none[3] = {mesh_none, mesh_none, mesh_none};
+    memcpy(due.index + 3 * due.triangles, last, 12);
+    memcpy(due.texture_index + 3 * due.triangles, none, 12);
+    memcpy(due.normal_index + 3 * due.triangles++, none, 12);
+    if (m) *m = due;
+    else mesh_free(&due);
     return s;
 }
 
@@ -188,8 +175,8 @@ static void test_random_files(void)
 {
     size_t wrong = 0, files = check_count(2000), large = 0;
     for (size_t i = 0; i < files; i++) {
-        string s = random_file(i % 50 ? 6 + below(300) : 6000);  /* 6000 lines: several buffers */
-        mesh m, o = oracle_read(s.p, s.n);
+        mesh m, o;
+        string s = random_file(i % 50 ? 6 + below(300) : 6000, &o);  /* 6000: several buffers */
         failure f;
         bool ok = read_bytes(s.p, s.n, UINT32_MAX, &m, &f);
         large += s.n > text_chunk;
@@ -199,7 +186,7 @@ static void test_random_files(void)
         mesh_free(&o);
         free(s.p);
     }
-    check_equal(wrong, 0, "of %zu random files, read otherwise than by the simple reader", files);
+    check_equal(wrong, 0, "of %zu random files, read otherwise than they were written", files);
     check_at_least(large, 1, "files that are longer than the buffer");
 }
 
@@ -471,9 +458,9 @@ static bool sound(const mesh *m)
 static void test_damage(void)
 {
     size_t n = check_count(100000), wrong = 0, read = 0, refused = 0;
-    string s = random_file(60);
+    string s = random_file(60, NULL);
     for (size_t i = 0; i < n; i++) {
-        if (i % 200 == 0) free(s.p), s = random_file(6 + below(60));
+        if (i % 200 == 0) free(s.p), s = random_file(6 + below(60), NULL);
         size_t size = s.n, times = 1 + below(3);
         char *d = allocate(2 * size + 1, 1);
         memcpy(d, s.p, size);
@@ -595,7 +582,7 @@ static void test_writing(void)
     if (file < 0) abort();
     close(file);
     for (size_t i = 0; i < n; i++) {
-        string s = random_file(6 + below(200));
+        string s = random_file(6 + below(200), NULL);
         mesh m, o = {0};
         if (!read_bytes(s.p, s.n, UINT32_MAX, &m, &f)) abort();
         file_forget(path);
