@@ -104,7 +104,7 @@ static void test_closed_forms(void)
     static const double exponent[] = {0, 0.5, 1, 5, 20, 60};
     for (int i = 0; i < 6; i++) {
         brdf b = brdf_blinn_phong(black, white, (real)exponent[i]);
-        check_close(quadrature(value_of, &b, up, 500), 1, 2e-4, "Blinn-Phong, e = %g", exponent[i]);
+        check_close(quadrature(value_of, &b, up, 250), 1, 2e-4, "Blinn-Phong, e = %g", exponent[i]);
     }
     brdf zero = brdf_blinn_phong(black, white, 0);
     check_close(brdf_value_local(&zero, wo, up).x, 1 / (double)pi, 2 * eps, "e = 0 is Lambert's");
@@ -153,7 +153,7 @@ static void test_energy(void)
 {
     for (int r = 0; r <= 10; r++) {
         brdf b = brdf_ggx(white, (real)r / 10);
-        for (int i = 0; i <= 10; i++) {
+        for (int i = 0; i <= 10; i += 2) {
             double cosine = i == 0 ? 1e-3 : i / 10.0, a = (double)brdf_albedo(&b, (real)cosine).x;
             check_at_most(a, 1 + 100 * eps, "GGX, roughness %g, cos %g: energy", r / 10.0, cosine);
             check_at_least(a, 0.3, "and 1 - ln 2 of it at the least");
@@ -162,7 +162,7 @@ static void test_energy(void)
     }
     for (int e = 0; e <= 12; e++) {
         brdf b = brdf_blinn_phong(black, white, e ? (real)pow(4, e - 3) : 0);
-        for (int i = 1; i <= 10; i++)
+        for (int i = 2; i <= 10; i += 4)
             check_at_most((double)brdf_albedo(&b, (real)i / 10).x, 1.0002,
                           "Blinn-Phong %d: energy", e);
     }
