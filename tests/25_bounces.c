@@ -3,6 +3,7 @@
 #include "../chapters/25_bounces/branching.h"
 #include "../chapters/25_bounces/lab/furnace.h"
 #include "../chapters/25_bounces/lab/notes_shade.h"
+#include "../chapters/25_bounces/lab/radiosity_box.h"
 #include "../chapters/25_bounces/terms.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/polygon_irradiance.h"
@@ -117,17 +118,6 @@ static void test_endless(void)
         check(L.x == (real)(n + 1), "rho = 1: n + 1 terms of 1, n = %d", n);
     }
     lit_free(&s);
-
-    vec3 rho = {0.999, 0.999, 0.999};
-    furnace_box(&s, one, rho);
-    p.depth = 1000;
-    naive_counts box = {{0}, 0, 0};
-    r = second_pair(3, 0);
-    L = naive_radiance(&p, some_ray(dark, 3), &r, &box);
-    double exact = (double)series_sum(1, 0.999, 1000);
-    check_close((double)L.x / exact, 1, 1008 * eps, "rho = .999, 1000 bounces");
-    check_equal(naive_rays(&box), 1001, "1001 rays in a box of twelve triangles, none lost");
-    lit_free(&s);
 }
 
 /* ---- furnace, uniform directions: mean (25.5), variance (25.12), for N = 1, 2, 4 ---- */
@@ -219,30 +209,91 @@ static void test_pair(void)
     lit_free(&s);
 }
 
-/* Channel 1: radius of K < .75, so that 2^-60 of it is left after 145 bounces: the whole L. */
-static void test_pair_whole(void)
+/* ---- six different walls: a linear system (25.13) ---- */
+
+static void box_scene(lit_scene *s, const double E[6], const double rho[6])
 {
-    vec3 E[2] = {{1, 0, 3}, {0, 1, 1}}, rho[2] = {{0.5, 0.5, 0.5},
-                                                  {0.75, 0.75, 0.75}};
-    lit_scene s;
-    double L[2];
-    furnace_pair(&s, 0.5, E, rho);
-    naive_path p = {&s, DIRECTIONS_BRDF, 145, false};
-    for (int j = 0; j < 3; j++) {
-        transport t = furnace_transport(0.5, E, rho, j);
-        estimate e = {0, 0, 0};
-        naive_counts c = {{0}, 0, 0};
-        check(transport_solve(&t, L), "regular");
-        check_at_most(transport_radius(&t, 100), 0.75, "radius below the largest albedo");
-        for (size_t i = 0; i < count_from(500, 1500); i++) {
-            sampler r = second_pair((uint64_t)(10 + j), (uint32_t)i);
-            ray eye = {{0, 0.7, 0}, 0, {0, -1, 0}, real_infinity};
-            e = estimate_add(e, (double)vaxis(naive_radiance(&p, eye, &r, &c), j));
-        }
-        check_at_least(t_test(e, L[0], 200 * eps * L[0]), alarm, "(I - K)^-1 E: %g +- %g, exact %g",
-                       e.mean, estimate_error(e), L[0]);
-        transport_free(&t);
+    lit_begin(s);
+    for (int k = 0; k < 6; k++) {
+        real r = (real)rho[k], e = (real)E[k];
+        uint16_t m = lit_add_material(s, (lit_material){.f = brdf_lambert((vec3){r, r, r}),
+                                                        .Le = {e, e, e}});
+        lit_add_rectangle(s, furnace_wall(k), m);
     }
+    lit_end(s);
+}
+
+/* One bounce is closed form; all bounces: the step from m = 3 to 6 bounds what 6 leaves out (errors
+ * fall with m^2, so it is some 4 times as large). What leaves a square arrives somewhere: rows of F
+ * sum to 1, n factors of some 16 epsilon of their size each (22). */
+static void test_radiosity(void)
+{
+    enum { m = 6, small = 3, n = 6 * m * m };
+    static const double E[6] = {0, 0.5, 0, 2, 0, 0}, rho[6] = {0.8, 0.3, 0.6, 0.5, 0.9, 0.2};
+    static const double x[2][2] = {{0.1, -0.2}, {-0.85, 0.1}};
+    double L[n], coarse[6 * small * small], row = 0;
+    lit_scene s;
+    box_scene(&s, E, rho);
+    transport fine = radiosity_box(E, rho, m), rough = radiosity_box(E, rho, small);
+    for (int i = 0; i < n; i++) {
+        double sum = 0;
+        for (int j = 0; j < n; j++) sum += fine.K[i * n + j] / rho[i / (m * m)];
+        row = check_worse(row, fabs(sum - 1));
+    }
+    check_at_most(row, 64 * eps, "closed: what leaves a square arrives somewhere");
+    transport_sum(&fine, 150, L);  /* .9^150 would leave 1e-7, but the radius is near .55 */
+    check_at_most(transport_radius(&fine, 200), 0.7, "so the sum is the whole");
+    check(transport_solve(&rough, coarse), "regular");
+    for (int i = 0; i < 2; i++) {
+        vec3 p = {(real)x[i][0], -1, (real)x[i][1]};  /* wall 2, the floor */
+        ray eye = {{p.x, -0.5, p.z}, 0, {0, -1, 0}, real_infinity};
+        double whole = radiosity_at(E, rho, m, L, p, 2);
+        double step = fabs(whole - radiosity_at(E, rho, small, coarse, p, 2));
+        double direct = radiosity_at(E, rho, m, fine.E, p, 2);
+        check_at_most(step, 1e-2 * whole, "m = 3 and 6 agree");  /* near a corner, too */
+        check_at_least(whole, 1.3 * direct, "and bounces matter");
+        estimate all = {0, 0, 0}, first = {0, 0, 0};
+        bounce_counts c = {{{0}, 0, 0}, 0};
+        naive_path path = {&s, DIRECTIONS_COSINE, 20, false};
+        for (size_t k = 0; k < count_from(4000, 80000); k++) {
+            vec3 term[21];
+            sampler r = second_pair((uint64_t)(20 + i), (uint32_t)k);
+            bounce_terms(&path, eye, &r, term, &c);
+            double sum = (double)(term[0].x + term[1].x);
+            first = estimate_add(first, sum);
+            for (int j = 2; j <= path.depth; j++) sum += (double)term[j].x;
+            all = estimate_add(all, sum);
+        }
+        check_at_least(t_test(first, direct, 100 * eps), alarm, "E + KE: %g +- %g, exact %g",
+                       first.mean, estimate_error(first), direct);
+        check_at_least(t_test(all, whole, step + 1e-5), alarm, "whole: %g +- %g, exact %g -+ %g",
+                       all.mean, estimate_error(all), whole, step);
+        check_at_most(estimate_error(all), 0.02 * whole, "a test that can tell");
+        check_equal(c.walk.escaped, 0, "closed: nothing gets out, at no edge");
+    }
+    transport_free(&fine), transport_free(&rough), lit_free(&s);
+}
+
+/* Eye rays at points within 16 eps of an edge, and one bounce from there. Without (18.9) one in 250
+ * gets out. */
+static void test_edges(void)
+{
+    lit_scene s;
+    naive_counts c = {{0}, 0, 0};
+    size_t n = check_count(40000);
+    furnace_box(&s, one, one);
+    naive_path p = {&s, DIRECTIONS_COSINE, 1, false};
+    for (size_t i = 0; i < n; i++) {
+        sampler r = sampler_start(SEQUENCE_RANDOM, 26, 0, (uint32_t)i, 1);
+        point2 a = sampler_pair(&r), b = sampler_pair(&r);
+        real x[3], side = i & 1 ? 1 : -1;
+        x[i % 3] = 2 * a.u - 1, x[(i + 1) % 3] = side;
+        x[(i + 2) % 3] = (i & 2 ? 1 : -1) * (1 - 16 * real_epsilon * a.v);
+        vec3 o = {b.u - (real)0.5, b.v - (real)0.5, 0};
+        (void)naive_radiance(&p, ray_from(o, vsub((vec3){x[0], x[1], x[2]}, o)), &r, &c);
+    }
+    check_equal(c.escaped, 0, "nothing gets out where two walls meet");
+    check_equal(c.rays[1], n, "one bounce each");
     lit_free(&s);
 }
 
@@ -595,7 +646,7 @@ static void test_tree(void)
 int main(void)
 {
     test_furnace_exact(), test_endless(), test_furnace_uniform();
-    test_pair(), test_pair_whole();
+    test_pair(), test_radiosity(), test_edges();
     test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
     test_notes(), test_called_for(), test_counts(), test_shading_normals(), test_eye_length();
     test_tree();

@@ -68,7 +68,7 @@ static terms_seen by_terms(bool lit, size_t n)
  * meet the lamp the noise is some twenty times larger. */
 static void test_terms(void)
 {
-    size_t n = check_count(600000);
+    size_t n = check_count(200000);
     terms_seen lit = by_terms(true, n), met = by_terms(false, n);
     for (int N = 1; N <= 2; N++) {
         terms_seen first = by_first(N, n / (size_t)N);
