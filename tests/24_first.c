@@ -13,80 +13,6 @@ static const vec3 up = {0, 0, 1};
 
 static double green(vec3 c) { return (double)c.y; }
 
-/* ---- sample by sample: the same random numbers, the same walls, another program ---- */
-
-/* f cos Le / pdf by emitter.h: (24.4) as chapter 24 has it. */
-static double full_by_lamp(const lit_scene *s, const lit_hit *x, point2 u)
-{
-    emitter_point y;
-    if (!emitter_by_area(&s->emitter[0], x->s.p, u, &y) || !(vdot(x->s.n, y.wi) > 0)) return 0;
-    if (lit_occluded(s, leave_between(x->s, y.s))) return 0;
-    real fcos = brdf_value(&x->m->f, x->s.n, y.wi, x->s.n).y * vdot(x->s.n, y.wi);
-    return (double)(fcos * s->emitter[0].Le.y / y.pdf);
-}
-
-/* f cos Le / pdf by sampling.h. */
-static double full_by_direction(const lit_scene *s, const lit_hit *x, point2 u)
-{
-    lit_hit y;
-    vec3 w = first_cosine_direction(u.u, u.v), wi = directed(x->s.n, w);
-    real weight = brdf_value(&x->m->f, x->s.n, wi, x->s.n).y * w.z / pdf_cosine(w);
-    return lit_trace(s, leave(x->s, wi), &y) ? (double)(weight * lit_emitted(&y).y) : 0;
-}
-
-static point2 two_numbers(random_stream s)
-{
-    real u = random_next(&s), v = random_next(&s);
-    return (point2){u, v};
-}
-
-/* In the box. Some few samples may differ: by the seam between two walls, at the edge of a shadow,
- * and where first.h's eps leaves out what is near. Float's roundings are near eps themselves, so
- * that there surfaces shade themselves in rays that graze them (18). */
-static void test_sample_by_sample(void)
-{
-    first_scene s = first_cornell();
-    first_camera c = first_cornell_camera(256, 256);
-    lit_scene full;
-    size_t n = check_count(65536), met = 0, lit[2] = {0, 0}, other[2] = {0, 0}, points = 0;
-    double worst = 0;
-    lit_first(&s, &full);
-    for (size_t i = 0; i < n; i++) {
-        random_stream random = random_start(1, i, 0);
-        ray r = first_camera_ray(c, 256 * random_next(&random), 256 * random_next(&random));
-        hit h;
-        lit_hit g;
-        bool hits = first_scene_hit(&s, r, &h);
-        if (hits != lit_trace(&full, r, &g)) points++;
-        if (!hits) continue;
-        first_point x = first_point_at(&s, r, h);
-        met++;
-        if (!(vlength(vsub(x.p, g.s.p)) < 256 * real_epsilon) || vdot(x.n, g.s.n) < (real)0.5) {
-            points++;
-            continue;
-        }
-        point2 u = two_numbers(random);
-        random_stream again = random;
-        double a[2] = {green(first_direct_by_direction(&s, x, &random)),
-                       green(first_direct_by_lamp(&s, 0, x, &again))};
-        double b[2] = {full_by_direction(&full, &g, u), full_by_lamp(&full, &g, u)};
-        for (int k = 0; k < 2; k++) {
-            lit[k] += b[k] > 0;
-            if ((a[k] > 0) != (b[k] > 0)) other[k]++;
-            else worst = check_worse(worst, fabs(a[k] - b[k]) / (b[k] + 1e-3));
-        }
-    }
-    double some = (real_is_float ? 6e-3 : 1e-4) * (double)n;
-    check_at_least((double)met, 0.9 * (double)n, "eye rays that meet a wall");
-    check_at_least((double)lit[0], 0.003 * (double)n, "directions that meet the lamp");
-    check_at_least((double)lit[1], 0.4 * (double)n, "points of the lamp that are seen");
-    check_at_most((double)points, some, "eye rays with another answer, of %zu", n);
-    check_at_most((double)other[0], some, "by directions: lit here, dark there, of %zu", n);
-    check_at_most((double)other[1], some, "by the lamp: lit here, dark there, of %zu", n);
-    check_at_most(worst, 4096 * (double)real_epsilon, "relative difference of one sample");
-    lit_free(&full);
-}
-
 /* ---- closed forms: a lamp and a white point that faces up, at the origin ---- */
 
 typedef struct { first_scene s; first_point x; double truth; } setting;
@@ -209,6 +135,16 @@ static void test_close_to_a_lamp(void)
 
 /* ---- the box ---- */
 
+/* f cos Le / pdf by emitter.h: (24.4) as chapter 24 has it. */
+static double full_by_lamp(const lit_scene *s, const lit_hit *x, point2 u)
+{
+    emitter_point y;
+    if (!emitter_by_area(&s->emitter[0], x->s.p, u, &y) || !(vdot(x->s.n, y.wi) > 0)) return 0;
+    if (lit_occluded(s, leave_between(x->s, y.s))) return 0;
+    real fcos = brdf_value(&x->m->f, x->s.n, y.wi, x->s.n).y * vdot(x->s.n, y.wi);
+    return (double)(fcos * s->emitter[0].Le.y / y.pdf);
+}
+
 /* Mean over the picture of what the lamp brings, and of what is seen of it: the measured box of 21
  * leans here and there by some millimetres of 5 m. */
 static double cornell_mean(bool full, size_t n)
@@ -268,7 +204,6 @@ static void test_odd_input(void)
 
 int main(void)
 {
-    test_sample_by_sample();
     test_closed_forms();
     test_small_lamp(), test_close_to_a_lamp();
     test_measured_box();
