@@ -262,13 +262,12 @@ static inline hard_count solid_angles(int k, real x)
 {
     hard_count c = {hard_inputs, 0, 0};
     radiometry_hard_run *r = allocate(1, sizeof *r);
-    int before = hard_has(hard_list[k].kind, HARD_NAIVE) ? HARD_NAIVE : HARD_FIRST;
     (void)x;
     hard_fill(r, &hard_list[k], hard_seed);
     for (int i = 0; i < hard_inputs; i++) {
         double due = hard_exact(&r->in[i]), most = 64 * hard_eps * fabs(due);
-        c.first += !(fabs((double)hard_value(&r->in[i], before) - due) <= most);
-        c.now += !(fabs((double)hard_value(&r->in[i], HARD_DEFAULT) - due) <= most);
+        c.first += !(fabs((double)hard_value(&r->in[i], true) - due) <= most);
+        c.now += !(fabs((double)hard_value(&r->in[i], false) - due) <= most);
     }
     free(r);
     return c;
