@@ -2,9 +2,8 @@
  *
  *   vec3 L = effects_radiance(e, r, in, mask, dice, counts)     always inlined
  *
- * `mask` says which effects are simulated. Where the caller writes a constant, the compiler drops
- * all that belongs to the others: with no effect at all, what is left is one search (18); with hard
- * shadows, mirror and refraction it is Whitted's loop (19); special.h has the list.
+ * `mask` says which effects are simulated. Where the caller writes a constant (special.h), the
+ * compiler drops all that belongs to the others.
  *
  *   a hit of weight w          emits + flat + gather (27.8), and goes on as
  *     mirror       w M         along the mirror direction
@@ -16,28 +15,22 @@
  *
  * All branches are followed, on a stack, no recursion. Which of them: those above `least` if
  * nothing is left to chance, as in 19; else each survives with q = min(1, 2 max w), and counts for
- * w / q (26.3), (26.4). Survivors have half of the light or more, so there are some two at a time.
- * Of what the eye sees sharply, in mirrors and glass, 1/32 of the light is enough: no noise there.
- *
- * What a ray meets that was sent by a matte surface or a lobe, and is a lamp or the sky, counts as
- * far as shadow rays leave it to them (24.9): effects_found.
- *
- * Not simulated: shadow rays are stopped by what bends light, so that caustics (焦散) come from
- * indirect light alone; faces of glass that touch other faces are taken one by one (19: contact.h).
+ * w / q (26.3), (26.4). Of what the eye sees sharply, in mirrors and glass, 1/32 of the light is
+ * enough: no noise there.
  */
 #ifndef EFFECTS_RADIANCE_H
 #define EFFECTS_RADIANCE_H
 
-#include "met.h"
+#include "bodies.h"
+#include "gather.h"
 #include "../../common/headlight.h"
 #include "../26_path_tracer/roulette.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Is a branch of this weight worth a ray? By chance: then what survives stands for the rest. */
-__attribute__((always_inline))
-static inline bool effects_follows(const effects_stage *e, const unsigned mask, const branch *b,
-                                   dice_purpose purpose, const dice *d, vec3 *weight)
+effects_inline bool effects_follows(const effects_stage *e, const unsigned mask, const branch *b,
+                                    dice_purpose purpose, const dice *d, vec3 *weight)
 {
     vec3 w = *weight;
     if (vzero(w)) return (mask & EFFECTS_SPEND) != 0;
@@ -53,9 +46,8 @@ static inline bool effects_follows(const effects_stage *e, const unsigned mask, 
 
 /* Field by field: a copy of the whole would wait for what was just written (19). Black weight: its
  * depth is the last. */
-__attribute__((always_inline))
-static inline void effects_child(const unsigned mask, const branch *b, const surface *s, int kind,
-                                 vec3 side, vec3 d, vec3 weight, branch *c)
+effects_inline void effects_child(const unsigned mask, const branch *b, const surface *s, int kind,
+                                  vec3 side, vec3 d, vec3 weight, branch *c)
 {
     c->r.o = leave_point(*s, side, 0), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
@@ -67,18 +59,16 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
 
 /* It goes on as it came: what it meets is weighted as if nothing had been in its way, since nothing
  * is in that of a shadow ray. */
-__attribute__((always_inline))
-static inline void effects_straight_on(const branch *b, const surface *s, branch *c)
+effects_inline void effects_straight_on(const branch *b, const surface *s, branch *c)
 {
     c->pdf = b->pdf, c->cosine = b->cosine;
     c->way = b->way + vlength(vsub(s->p, b->r.o));
 }
 
 /* Rays about the mirror direction or anywhere: RAY_GLOSSY, RAY_SCATTERED. */
-__attribute__((always_inline))
-static inline int effects_spread(const effects_stage *e, const unsigned mask, const branch *b,
-                                 const surface *s, int kind, vec3 colour, const brdf *lobe,
-                                 const dice *d, branch *c)
+effects_inline int effects_spread(const effects_stage *e, const unsigned mask, const branch *b,
+                                  const surface *s, int kind, vec3 colour, const brdf *lobe,
+                                  const dice *d, branch *c)
 {
     vec3 weight = vmul(b->weight, colour), wi, part = {1, 1, 1};
     bool glossy = kind == RAY_GLOSSY;
@@ -101,10 +91,9 @@ static inline int effects_spread(const effects_stage *e, const unsigned mask, co
 }
 
 /* Through the surface; back where all is reflected. Media: `after` lies behind it. */
-__attribute__((always_inline))
-static inline int effects_through(const effects_stage *e, const unsigned mask, const branch *b,
-                                  const surface *s, vec3 colour, const snell *x, bool bends,
-                                  const media_set *after, const dice *d, branch *c)
+effects_inline int effects_through(const effects_stage *e, const unsigned mask, const branch *b,
+                                   const surface *s, vec3 colour, const snell *x, bool bends,
+                                   const media_set *after, const dice *d, branch *c)
 {
     vec3 weight = vmul(b->weight, colour), on = b->r.d;
     bool back = bends && x->total;
@@ -117,37 +106,31 @@ static inline int effects_through(const effects_stage *e, const unsigned mask, c
 }
 
 /* The parts of a surface's light, by Fresnel where the material says so. x is set if it bends. */
-__attribute__((always_inline))
-static inline gather_share effects_shares(const unsigned mask, const appearance *a, vec3 d,
-                                          const surface *s, const snell *x, bool bends)
+effects_inline gather_share effects_shares(const unsigned mask, const appearance *a, vec3 d,
+                                           const surface *s, const snell *x, bool bends)
 {
     gather_share k = {a->matte, a->highlight, a->mirror, a->glossy, a->through};
+    real cosine = real_min(1, fabs(vdot(s->ns, d)));
     if (!(mask & EFFECT_REFRACTION)) k.through = (vec3){0, 0, 0};
     if (!a->fresnel) return k;
     if (vzero(a->through)) {
-        vec3 F0 = vzero(a->mirror) ? a->glossy : a->mirror;
-        vec3 F = fresnel_schlick(F0, real_min(1, fabs(vdot(s->ns, d))));
+        vec3 F = fresnel_schlick(vzero(a->mirror) ? a->glossy : a->mirror, cosine);
         *(vzero(a->mirror) ? &k.glossy : &k.mirror) = F;
         k.matte = vmul(k.matte, vrest(F));
-    } else if (bends) {
-        real R = fresnel(x);
+    } else if (bends || !(mask & EFFECT_REFRACTION)) {  /* left out by --effects: Schlick's R */
+        real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
+        real R = bends ? fresnel(x) : fresnel_schlick((vec3){f0, f0, f0}, cosine).x;
         k.mirror = vscale(k.mirror, R), k.glossy = vscale(k.glossy, R);
         k.through = vscale(k.through, 1 - R), k.matte = vscale(k.matte, 1 - R);
-    } else if (!(mask & EFFECT_REFRACTION)) {  /* left out by --effects: nothing was refracted */
-        real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
-        real R = fresnel_schlick((vec3){f0, f0, f0}, real_min(1, fabs(vdot(s->ns, d)))).x;
-        k.mirror = vscale(k.mirror, R), k.glossy = vscale(k.glossy, R);
-        k.matte = vscale(k.matte, 1 - R);
     }
     return k;
 }
 
 /* Its children, the one to be traced first last. */
-__attribute__((always_inline))
-static inline int effects_children(const effects_stage *e, const unsigned mask, const branch *b,
-                                   const surface *s, const gather_share *k, const brdf *lobe,
-                                   const snell *x, bool bends, const media_set *after,
-                                   const dice *d, branch child[4])
+effects_inline int effects_children(const effects_stage *e, const unsigned mask, const branch *b,
+                                    const surface *s, const gather_share *k, const brdf *lobe,
+                                    const snell *x, bool bends, const media_set *after,
+                                    const dice *d, branch child[4])
 {
     int n = 0;
     if (mask & EFFECT_INDIRECT)
@@ -165,44 +148,14 @@ static inline int effects_children(const effects_stage *e, const unsigned mask, 
     return n;
 }
 
-/* Through a face of a body, inwards or out: what is before it and after it; returns whose medium
- * fills the place behind. Which side is asked of the geometric normal, before it is turned.
- *
- * A body is listed as often as it was entered: of two balls of one glass that overlap, leaving the
- * first is no leaving of the glass. One that is left without having been entered was around the
- * ray's origin: it becomes the outermost. More than media_most: not noted, but
- * counted.
- *
- * A call, since it is for few hits, and nine copies would be compiled. */
-__attribute__((noinline))
-static uint32_t effects_crosses(const effects_stage *e, uint32_t body, bool inwards, media_set *in,
-                                media_set *after, effects_counts *c)
-{
-    uint32_t k = in->n;
-    while (!inwards && k > 0 && in->body[k - 1] != body) k--;
-    *after = *in;
-    if (inwards) {
-        if (k < media_most) after->body[after->n++] = body;
-        else c->lost++;
-    } else if (k > 0) {
-        for (after->n--; k < in->n; k++) after->body[k - 1] = in->body[k];
-    } else if (in->n < media_most) {
-        for (k = in->n++; k > 0; k--) in->body[k] = in->body[k - 1];
-        in->body[0] = body;
-    }
-    return media_fills(e->media, after);
-}
-
 /* One ray: adds what it brings to *sum; how many children. */
-__attribute__((always_inline))
-static inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
-                               branch child[4], const dice *d, effects_counts *c)
+effects_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
+                                branch child[4], const dice *d, effects_counts *c)
 {
     studio_hit x;
     c->rays[b->kind]++;
-    effects_clock(mask, c, b->kind);
     if (!studio_tree_hit(&e->t, b->r, &x)) {
-        *sum = vadd(*sum, vmul(b->weight, effects_nothing(e, mask, b)));
+        *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
     uint32_t m = studio_hit_material(&e->t, x);
@@ -211,7 +164,7 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
     media_set after;
     uint32_t inside = 0, to = 0;
     bool body = (mask & EFFECT_REFRACTION) && a->solid && !vzero(a->through);
-    if (body) to = effects_crosses(e, m + 1, vdot(s.n, b->r.d) < 0, &b->in, &after, c);
+    if (body) to = bodies_cross(e, m + 1, vdot(s.n, b->r.d) < 0, &b->in, &after, c);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
@@ -229,7 +182,7 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
         return 1;
     }
     gather_share k = effects_shares(mask, a, b->r.d, &s, &at, bends);
-    vec3 L = effects_emitted(e, mask, b, a, x, &s);
+    vec3 L = gather_emitted(e, mask, b, a, x, &s);
     if (!b->bounced) {
         L = vadd(L, a->flat);
         if (e->headlight)
@@ -245,9 +198,8 @@ static inline int effects_step(const effects_stage *e, const unsigned mask, bran
 
 /* The children of a hit are written beside it, so that the next is at hand without being copied; of
  * each level at most three wait. */
-__attribute__((always_inline))
-static inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
-                                    const unsigned mask, const dice *d, effects_counts *c)
+effects_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
+                                     const unsigned mask, const dice *d, effects_counts *c)
 {
     branch stack[3 * stage_most_depth + 4], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};
