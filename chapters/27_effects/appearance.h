@@ -17,7 +17,8 @@
  *
  * Ns says which: 1000 and more, or none: a mirror; else glossy, a lobe (23.13) of that exponent, as
  * highlights are. Colours are albedos. No channel may give back more than it gets: where matte +
- * reflected + through (with fresnel: matte + through) exceeds 1, all are divided by the sum, excess.
+ * reflected + through (with fresnel: matte + through) exceeds 1, all are divided by the sum,
+ * excess.
  */
 #ifndef EFFECTS_APPEARANCE_H
 #define EFFECTS_APPEARANCE_H

@@ -18,10 +18,10 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Sets what the ray is in before the face and after it; returns whose medium fills the place behind.
- * A body is listed as often as it was entered: of two balls of one glass that overlap, leaving the
- * first is no leaving of the glass. One that is left without having been entered was around the
- * ray's origin: it becomes the outermost. More than media_most: not noted, but counted.
+/* Sets what the ray is in before the face and after it; returns whose medium fills the place
+ * behind. A body is listed as often as it was entered: of two balls of one glass that overlap,
+ * leaving the first is no leaving of the glass. One that is left without having been entered was
+ * around the ray's origin: it becomes the outermost. More than media_most: not noted, but counted.
  *
  * A call, since it is for few hits, and each copy of radiance.h would have one of its own. */
 __attribute__((noinline))

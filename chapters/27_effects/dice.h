@@ -10,8 +10,8 @@
  *   node = dice_child(node, kind)                     of a ray of kind 0 .. 15; the eye's is 0
  *
  * Of a stream of numbers, one after the other, a shadow ray left out would hand its own on to the
- * next ray. Two nodes may meet in one number, once in 2^29: they are not independent then. Samples k
- * and k + 1 belong to halves that share nothing, as in 26. Down to depth dice_depth pairs are
+ * next ray. Two nodes may meet in one number, once in 2^29: they are not independent then. Samples
+ * k and k + 1 belong to halves that share nothing, as in 26. Down to depth dice_depth pairs are
  * Sobol's, further ones are independent.
  */
 #ifndef EFFECTS_DICE_H

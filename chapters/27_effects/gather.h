@@ -10,8 +10,8 @@
  *   soft shadows   one point of one lamp: L = f cos Le w / pdf                             (27.8)
  *   environment    one direction of the sky, likewise
  *
- * A lamp can be found by a shadow ray, and met by a ray that goes on. Where both are sent they share
- * each direction by the power heuristic (24.9); where not, w = 1. A highlight is a lobe, too
+ * A lamp can be found by a shadow ray, and met by a ray that goes on. Where both are sent they
+ * share each direction by the power heuristic (24.9); where not, w = 1. A highlight is a lobe, too
  * (23.13), but of lights alone: w = 1.
  *
  *   the ray comes from             and what it meets counts

@@ -131,7 +131,7 @@ static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p
                              real cosine)
 {
     if (!l->n) return 0;
-    real bright = (Ke.x + Ke.y + Ke.z) / l->sum;                                           /* (27.6) */
+    real bright = (Ke.x + Ke.y + Ke.z) / l->sum;                                      /* (27.6) */
     if (!s || s->kind != SHAPE_SPHERE) return bright * (t * t / cosine);
     emitter e = emitter_of_sphere(s->sphere, Ke);
     bool within = vdot(vsub(vmadd(p, d, t), s->sphere.c), d) > 0;  /* it was met from there */

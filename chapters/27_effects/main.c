@@ -8,10 +8,12 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *   27_effects room.scene --price --region 40x30+160+120     for these pixels, at (160, 120)
  *
  * Without options: six scenes, each a line longer, and what they took; --full: scenes/demo.scene as
- * well, the price list, and what being general costs. With some the picture goes to build/, if --out
- * names no other, and the scene is the demo, if none is named. What the command line says of camera,
- * lens, lights and surroundings replaces what the files say; the words are those of scene files. */
+ * well, the price list, and what being general costs. With some the picture goes to build/, if
+ * --out names no other, and the scene is the demo, if none is named. What the command line says of
+ * camera, lens, lights and surroundings replaces what the files say; the words are those of scene
+  * files. */
 #include "lab/command.h"
+#include "lab/demo.h"
 #include "lab/explain.h"
 
 int main(int argc, char **argv)
@@ -48,7 +50,8 @@ int main(int argc, char **argv)
     camera c;
     effects_stage e;
     failure f;
-    if (!studio_read(q.path ? q.path : six_scenes "demo.scene", &q.words, &s, &f)) fail(f);
+    if (q.path ? !studio_read(q.path, &q.words, &s, &f)
+               : !studio_read_text(demo_scene, "demo.scene", &q.words, &s, &f)) fail(f);
     explain_warnings(stderr, &s);
     plan p = plan_of(&s);
     unsigned mask = p.effects;

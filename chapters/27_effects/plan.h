@@ -154,7 +154,7 @@ static inline plan_words plan_name(const plan_facts *q, plan_group g, material_k
 {
     const studio_material *m = &q->s->material[g.first];
     plan_words w;
-    snprintf(w.text, sizeof w.text, "material '%.60s' (%.150s)%s",
+    snprintf(w.text, sizeof w.text, "material '%.60s' (%.150s)%.40s",
              studio_material_name(q->s, g.first),
              plan_line(q, m->said[key].file ? m->said[key] : m->at).text, plan_more(g.n).text);
     return w;

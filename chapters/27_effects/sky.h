@@ -14,9 +14,9 @@
  *   sky_free(&s)
  *
  *   sky_light l;                     directions towards it, drawn so that little noise is left:
- *   if (!sky_light_build(&s, &l, &f)) fail(f);         of a picture as its luminance (24.15), by 24,
- *                                    whose axes are d' = (-d.front, d.up, -d.right) (27.7); else as
- *                                    the cosine. s must outlive it
+ *   if (!sky_light_build(&s, &l, &f)) fail(f);         of a picture as its luminance (24.15), by
+ *                                    24, whose axes are d' = (-d.front, d.up, -d.right) (27.7);
+ *                                    else as the cosine. s must outlive it
  *   sky_light_sample(&l, n, u, &x)   x.wi, x.pdf [1/sr], x.L; false: it counts, and is 0
  *   real q = sky_light_pdf(&l, d, cosine)              the same for any d; cosine = n.d > 0
  *   sky_light_free(&l)
@@ -26,6 +26,7 @@
 #ifndef EFFECTS_SKY_H
 #define EFFECTS_SKY_H
 
+#include "../20_monte_carlo/sampling.h"
 #include "../23_brdf/shading_frame.h"
 #include "../24_direct_light/environment.h"
 

@@ -11,8 +11,8 @@
  *
  * Trees only where they have something to hold: one of all shapes (15), one for each mesh that
  * stands as it is in its file (15), one of two levels (16) for those that were moved, or stand a
- * second time. There what rounding moves on the way and back, the pad of (16.3), is added to `error`
- * and `noise` of a surface.
+ * second time. There what rounding moves on the way and back, the pad of (16.3), is added to
+ * `error` and `noise` of a surface.
  */
 #ifndef EFFECTS_STUDIO_TREE_H
 #define EFFECTS_STUDIO_TREE_H

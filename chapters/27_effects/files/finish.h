@@ -90,8 +90,8 @@ static inline bool finish_classic_lights(studio *s, failure *f)
     return true;
 }
 
-/* Media (19) are of bodies with a surface each: a tree of operands is none. Lamps are drawn from face
- * by face, and nobody draws points of a cut face, or of a cone. */
+/* Media (19) are of bodies with a surface each: a tree of operands is none. Lamps are drawn from
+ * face by face, and nobody draws points of a cut face, or of a cone. */
 static inline bool finish_refuses(studio *s, uint32_t made_of, const char *what, bool opaque,
                                   cite at, failure *f)
 {

@@ -1,8 +1,8 @@
 /* mtl.h: reads materials from Wavefront MTL files (材质库).
  *
  *   newmtl NAME; Kd Ks Ke Tf r [g b]; Ns x; Ni x; d x, d -halo x, Tr x: d = 1 - x; illum n;
- *   absorb r [g b], our own: absorbed inside, per unit of length. What they mean: appearance.h. Ka is
- *   checked and dropped, Ni 0 is taken as 1, all else is skipped; textures are named in a note.
+ *   absorb r [g b], our own: absorbed inside, per unit of length. What they mean: appearance.h. Ka
+ *   is checked and dropped, Ni 0 is taken as 1, all else is skipped; textures are named in a note.
  *
  *   if (!mtl_read(&s, "a.mtl", &library, &f)) ...   s.library[library]; a file is read only once
  *   mtl_key(&s, &t, m, cite, &known)                 one such line for material m: scene files, too

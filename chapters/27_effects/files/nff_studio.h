@@ -1,6 +1,7 @@
 /* nff_studio.h: an NFF file (nff.h of 07) as part of a scene: view, lights, materials and shapes.
  *
- *   if (!nff_studio(&s, "balls.nff", material, &f)) ...     material: of what comes before the first f
+ *   if (!nff_studio(&s, "balls.nff", material, &f)) ...     material: of what comes before the
+ * first f
  *
  *   f becomes a studio_material: kd = Kd rgb, ks = Ks rgb, ns = Shine, tf = T T T, ni = ior.
  *   A file with a view sets s.view, if no file did before. Triangles, and patches cut into

@@ -97,7 +97,8 @@ static inline bool say_lamp(statement *q, shade_light_kind kind)
     bool point = kind == LIGHT_POINT;
     light l = {kind, {0, 0, 0}, {0, 0, 0}};
     say_word w[] = {{.word = point ? "at" : "to", .point = &l.at},
-                    {.word = "colour", .colour = &l.colour}, {.word = "color", .colour = &l.colour}};
+                    {.word = "colour", .colour = &l.colour},
+                    {.word = "color", .colour = &l.colour}};
     if (!say_words(q, w, 3, point ? "at, colour" : "to, colour")) return false;
     if (!w[0].said || !(w[1].said || w[2].said))
         return say_missing(q, point ? "at X Y Z colour C" : "to X Y Z colour C");

@@ -9,8 +9,8 @@
  *
  *   include FILE     in a scene file: as if its lines stood here
  *
- * Files nested more than 16 deep, as when a file includes itself on whatever way round, or more than
- * 256 in all: exit code 2.
+ * Files nested more than 16 deep, as when a file includes itself on whatever way round, or more
+ * than 256 in all: exit code 2.
  */
 #ifndef EFFECTS_STUDIO_READ_H
 #define EFFECTS_STUDIO_READ_H

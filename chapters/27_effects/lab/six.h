@@ -1,11 +1,12 @@
 /* six.h: scenes and their plans: pictures side by side, and what each took.
  *
- *   bool whole = draw_six(&o, false)   27_effects.png, of scenes/1_sun.scene .. 6_lens.scene, each a
- *                                    line longer than the one before, and the table that goes below
+ *   bool whole = draw_six(&o, false)   27_effects.png, of scenes/1_sun.scene .. 6_lens.scene, each
+ *                                    a line longer than the one before, and the table below it
  *   bool whole = draw_six(&o, true)  27_effects_six.png: the same with eight times the samples
  *   bool whole = draw_two(&o)        27_effects_two.png: glass.scene and teapot.scene, their plans
  *
- * The table's two times are of the plan and of everything. In the directory of the book only.
+ * The table's two times are of the plan and of everything. The six need no files; draw_two is for
+ * the directory of the book only.
  */
 #ifndef EFFECTS_SIX_H
 #define EFFECTS_SIX_H
@@ -15,19 +16,48 @@
 #include "../../../common/lab/report.h"
 #include "../plan.h"
 #include "draw.h"
+#include <unistd.h>
 
-enum { six_count = 6, six_width = 240, six_height = 180 };
+enum { six_count = 6, six_room = 2048, six_width = 240, six_height = 180 };
 #define six_scenes "chapters/27_effects/scenes/"
 
-typedef struct { const char *name, *title; } six_scene;
+static const char six_base[] =
+    "camera from 0 2.3 7.5 at 0 1 0 angle 34\n"
+    "background 0.5 0.65 0.85\n"
+    "indirect off\n"
+    "sun to 3 2.2 4 colour 3\n"
+    "polygon -20 0 20  20 0 20  20 0 -20  -20 0 -20  white\n"
+    "polygon -2.6 0 -4  -2.6 0 3  -2.6 3.2 3  -2.6 3.2 -4  red\n"
+    "sphere -0.2 0.9 -1.6  0.9  yellow\n";
+
+/* line: what it has more than the scenes before it; NULL: it is read from its file. */
+typedef struct { const char *name, *line, *title; } six_scene;
 static const six_scene six_list[six_count] = {
-    {"1_sun", "floor, ball, wall and sun"}, {"2_chrome", "+ sphere .. chrome"},
-    {"3_glass", "+ sphere .. glass"}, {"4_lamp", "+ polygon .. panel"}, {"5_wall", "+ indirect on"},
-    {"6_lens", "+ lens radius 0.2"}};
-static const six_scene two_list[2] = {{"glass", "glass.scene: Whitted's tree"},
-                                      {"teapot", "teapot.scene: paths"}};
+    {"1_sun", "", "floor, ball, wall and sun"},
+    {"2_chrome", "sphere -1.4 0.9 0.4  0.9  chrome\n", "+ sphere .. chrome"},
+    {"3_glass", "sphere 1.1 0.8 0.9  0.8  glass\n", "+ sphere .. glass"},
+    {"4_lamp", "polygon -2 6 4  4 6 4  4 6 -1  -2 6 -1  panel\n", "+ polygon .. panel"},
+    {"5_wall", "indirect on\n", "+ indirect on"},
+    {"6_lens", "lens radius 0.2 focus 7.8\n", "+ lens radius 0.2"}};
+static const six_scene two_list[2] = {{"glass", NULL, "glass.scene: Whitted's tree"},
+                                      {"teapot", NULL, "teapot.scene: paths"}};
 
 /* ---------------------------------------------------------------------------------------------- */
+
+static inline void six_text(int k, char text[six_room])
+{
+    size_t n = (size_t)snprintf(text, six_room, "%s", six_base);
+    for (int i = 1; i <= k; i++)
+        n += (size_t)snprintf(text + n, six_room - n, "%s", six_list[i].line);
+}
+
+static inline bool six_read(const six_scene *list, int k, studio *s, failure *f)
+{
+    char text[six_room];
+    if (list[k].line) return six_text(k, text), studio_read_text(text, list[k].name, NULL, s, f);
+    snprintf(text, sizeof text, six_scenes "%s.scene", list[k].name);
+    return studio_read(text, NULL, s, f);
+}
 
 /* All rays but the eye's, of a pixel, and how long a pixel takes. */
 static inline void six_cells(table *t, const drawing *j)
@@ -48,18 +78,16 @@ static inline void six_effects(table *t, unsigned mask)
 }
 
 /* One panel and its row; samples: of scenes of chance, of others. */
-static inline bool six_panel(const options *o, const char *name, const int samples[2], table *t,
-                             image *im)
+static inline bool six_panel(const options *o, const six_scene *list, int k, const int samples[2],
+                             table *t, image *im)
 {
     int w = im->width, h = im->height;
-    char path[100];
     studio s;
     studio_view v;
     camera c;
     effects_stage e;
     failure f;
-    snprintf(path, sizeof path, six_scenes "%s.scene", name);
-    if (!studio_read(path, NULL, &s, &f) || !studio_camera(&s, (real)w / (real)h, &v, &c, &f)
+    if (!six_read(list, k, &s, &f) || !studio_camera(&s, (real)w / (real)h, &v, &c, &f)
         || !effects_stage_build(&s, &e, &f)) fail(f);
     plan p = plan_of(&s);
     effects_stage_view(&e, &v, c);
@@ -70,7 +98,7 @@ static inline bool six_panel(const options *o, const char *name, const int sampl
     bool whole = draw_region(&j, im, 0, 0, o->threads);
     effects_stage_effects(&e, EFFECTS_EVERYTHING);
     whole = whole && draw_region(&all, &small, 0, 0, o->threads);
-    table_text(t, "%s", name), table_text(t, "%s", integrator_names[p.integrator]);
+    table_text(t, "%s", list[k].name), table_text(t, "%s", integrator_names[p.integrator]);
     six_effects(t, p.effects), six_cells(t, &j), six_cells(t, &all);
     image_free(&small), effects_stage_free(&e), plan_free(&p), studio_free(&s);
     return whole;
@@ -87,7 +115,7 @@ static inline bool six_draw(const options *o, const six_scene *list, int n, int 
     for (int k = 0; k < n; k++) {
         image im = image_new(w, h);
         title[k] = list[k].title;
-        whole = whole && six_panel(o, list[k].name, samples, t, &im);
+        whole = whole && six_panel(o, list, k, samples, t, &im);
         image_place(&sheet, k % across * w, k / across * h, &im);
         image_free(&im);
     }
@@ -105,6 +133,7 @@ static inline table six_table(const char *title)
 
 static inline bool draw_two(const options *o)
 {
+    if (access(six_scenes, R_OK) != 0) return true;
     table t = six_table("Two scenes, two plans");
     bool whole = six_draw(o, two_list, 2, 2, o->quick ? 80 : 360, (const int[2]){64, 4},
                           "27_effects_two.png", false, &t);
