@@ -29,27 +29,28 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Is a branch of this weight worth a ray? By chance: then what survives stands for the rest. */
-effects_inline bool effects_follows(const effects_stage *e, const unsigned mask, const branch *b,
-                                    dice_purpose purpose, const dice *d, vec3 *weight)
+effects_inline bool effects_follows(const gather_hit *h, const unsigned mask, dice_purpose purpose,
+                                    vec3 *weight)
 {
     vec3 w = *weight;
+    real least = h->e->least;
     if (vzero(w)) return (mask & EFFECTS_SPEND) != 0;
-    if (!e->chance)
-        return w.x > e->least || w.y > e->least || w.z > e->least;
+    if (!h->e->chance) return w.x > least || w.y > least || w.z > least;
     bool sharp = purpose == DICE_SURVIVES_MIRROR || purpose == DICE_SURVIVES_REFRACTION;
-    real q = sharp && !b->bounced ? roulette_within(w, 32) : roulette_survival(w);
+    real q = sharp && !h->b->bounced ? roulette_within(w, 32) : roulette_survival(w);
     if (q >= 1) return true;
-    if (dice_number(d, b->node, purpose) >= q) return false;
+    if (dice_number(h->d, h->b->node, purpose) >= q) return false;
     *weight = vscale(w, 1 / q);
     return true;
 }
 
 /* Field by field: a copy of the whole would wait for what was just written (19). Black weight: its
  * depth is the last. */
-effects_inline void effects_child(const unsigned mask, const branch *b, const surface *s, int kind,
-                                  vec3 side, vec3 d, vec3 weight, branch *c)
+effects_inline void effects_child(const gather_hit *h, const unsigned mask, int kind, vec3 side,
+                                  vec3 d, vec3 weight, branch *c)
 {
-    c->r.o = leave_point(*s, side, 0), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
+    const branch *b = h->b;
+    c->r.o = leave_point(h->s, side, 0), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
@@ -59,48 +60,46 @@ effects_inline void effects_child(const unsigned mask, const branch *b, const su
 
 /* It goes on as it came: what it meets is weighted as if nothing had been in its way, since nothing
  * is in that of a shadow ray. */
-effects_inline void effects_straight_on(const branch *b, const surface *s, branch *c)
+effects_inline void effects_straight_on(const gather_hit *h, branch *c)
 {
-    c->pdf = b->pdf, c->cosine = b->cosine;
-    c->way = b->way + vlength(vsub(s->p, b->r.o));
+    c->pdf = h->b->pdf, c->cosine = h->b->cosine;
+    c->way = h->b->way + vlength(vsub(h->s.p, h->b->r.o));
 }
 
 /* Rays about the mirror direction or anywhere: RAY_GLOSSY, RAY_SCATTERED. */
-effects_inline int effects_spread(const effects_stage *e, const unsigned mask, const branch *b,
-                                  const surface *s, int kind, vec3 colour, const brdf *lobe,
-                                  const dice *d, branch *c)
+effects_inline int effects_spread(const gather_hit *h, const unsigned mask, int kind, vec3 colour,
+                                  branch *c)
 {
-    vec3 weight = vmul(b->weight, colour), wi, part = {1, 1, 1};
+    vec3 weight = vmul(h->b->weight, colour), wi, part = {1, 1, 1};
     bool glossy = kind == RAY_GLOSSY;
-    if (!effects_follows(e, mask, b, glossy ? DICE_SURVIVES_GLOSSY : DICE_SURVIVES_INDIRECT, d,
-                         &weight)) return 0;
-    shading_frame f = shading_frame_of(s->ns);
-    point2 u = dice_pair(d, b->node, b->depth, glossy ? DICE_GLOSSY : DICE_INDIRECT);
+    if (!effects_follows(h, mask, glossy ? DICE_SURVIVES_GLOSSY : DICE_SURVIVES_INDIRECT, &weight))
+        return 0;
+    shading_frame f = shading_frame_of(h->s.ns);
+    point2 u = dice_pair(h->d, h->b->node, h->b->depth, glossy ? DICE_GLOSSY : DICE_INDIRECT);
     real pdf;
     if (glossy) {
-        if (!brdf_sample_local(lobe, to_local(f, vneg(b->r.d)), u.u, u.v, &wi, &pdf, &part))
-            return 0;
+        vec3 wo = to_local(f, vneg(h->b->r.d));
+        if (!brdf_sample_local(h->lobe, wo, u.u, u.v, &wi, &pdf, &part)) return 0;
     } else wi = sample_cosine(u.u, u.v), pdf = pdf_cosine(wi);
     real cosine = wi.z;
     wi = to_world(f, wi);
-    if (!(vdot(s->n, wi) > 0) || !(pdf > 0)) return 0;
-    effects_child(mask, b, s, kind, s->n, wi, vmul(weight, part), c);
+    if (!(vdot(h->s.n, wi) > 0) || !(pdf > 0)) return 0;
+    effects_child(h, mask, kind, h->s.n, wi, vmul(weight, part), c);
     c->pdf = pdf, c->cosine = cosine;
     if (!glossy) c->bounced = true;
     return 1;
 }
 
 /* Through the surface; back where all is reflected. Media: `after` lies behind it. */
-effects_inline int effects_through(const effects_stage *e, const unsigned mask, const branch *b,
-                                   const surface *s, vec3 colour, const snell *x, bool bends,
-                                   const media_set *after, const dice *d, branch *c)
+effects_inline int effects_through(const gather_hit *h, const unsigned mask, const snell *x,
+                                   bool bends, const media_set *after, branch *c)
 {
-    vec3 weight = vmul(b->weight, colour), on = b->r.d;
+    vec3 weight = vmul(h->b->weight, h->k.through), on = h->b->r.d, n = h->s.n;
     bool back = bends && x->total;
-    if (!effects_follows(e, mask, b, DICE_SURVIVES_REFRACTION, d, &weight)) return 0;
-    if (bends) on = back ? reflect(b->r.d, s->ns) : snell_refract(x, b->r.d, s->ns);
-    effects_child(mask, b, s, RAY_REFRACTED, back ? s->n : vneg(s->n), on, weight, c);
-    if (!bends) effects_straight_on(b, s, c);
+    if (!effects_follows(h, mask, DICE_SURVIVES_REFRACTION, &weight)) return 0;
+    if (bends) on = back ? reflect(on, h->s.ns) : snell_refract(x, on, h->s.ns);
+    effects_child(h, mask, RAY_REFRACTED, back ? n : vneg(n), on, weight, c);
+    if (!bends) effects_straight_on(h, c);
     if (after && !back) c->in = *after;
     return 1;
 }
@@ -127,24 +126,19 @@ effects_inline gather_share effects_shares(const unsigned mask, const appearance
 }
 
 /* Its children, the one to be traced first last. */
-effects_inline int effects_children(const effects_stage *e, const unsigned mask, const branch *b,
-                                    const surface *s, const gather_share *k, const brdf *lobe,
-                                    const snell *x, bool bends, const media_set *after,
-                                    const dice *d, branch child[4])
+effects_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
+                                    bool bends, const media_set *after, branch child[4])
 {
     int n = 0;
-    if (mask & EFFECT_INDIRECT)
-        n += effects_spread(e, mask, b, s, RAY_SCATTERED, k->matte, lobe, d, &child[n]);
-    if (mask & EFFECT_GLOSSY)
-        n += effects_spread(e, mask, b, s, RAY_GLOSSY, k->glossy, lobe, d, &child[n]);
+    if (mask & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k.matte, child);
+    if (mask & EFFECT_GLOSSY) n += effects_spread(h, mask, RAY_GLOSSY, h->k.glossy, &child[n]);
     if (mask & EFFECT_MIRROR) {
-        vec3 weight = vmul(b->weight, k->mirror);
-        if (effects_follows(e, mask, b, DICE_SURVIVES_MIRROR, d, &weight))
-            effects_child(mask, b, s, RAY_MIRRORED, s->n, reflect(b->r.d, s->ns), weight,
+        vec3 weight = vmul(h->b->weight, h->k.mirror);
+        if (effects_follows(h, mask, DICE_SURVIVES_MIRROR, &weight))
+            effects_child(h, mask, RAY_MIRRORED, h->s.n, reflect(h->b->r.d, h->s.ns), weight,
                           &child[n++]);
     }
-    if (mask & EFFECT_REFRACTION)
-        n += effects_through(e, mask, b, s, k->through, x, bends, after, d, &child[n]);
+    if (mask & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, after, &child[n]);
     return n;
 }
 
@@ -158,42 +152,42 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
-    uint32_t m = studio_hit_material(&e->t, x);
+    uint32_t m = studio_hit_material(&e->t, x), inside = 0, to = 0;
     const appearance *a = &e->look[m];
-    surface s = effects_surface(e, b->r, x);
+    gather_hit h = {.e = e, .b = b, .d = d, .c = c, .lobe = &e->lobe[m]};
+    h.s = effects_surface(e, b->r, x);
     media_set after;
-    uint32_t inside = 0, to = 0;
     bool body = (mask & EFFECT_REFRACTION) && a->solid && !vzero(a->through);
-    if (body) to = bodies_cross(e, m + 1, vdot(s.n, b->r.d) < 0, &b->in, &after, c);
+    if (body) to = bodies_cross(e, m + 1, vdot(h.s.n, b->r.d) < 0, &b->in, &after, c);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, x.h.t));         /* (19.9) */
     }
-    s = surface_facing(s, b->r.d);
+    h.s = surface_facing(h.s, b->r.d);
     snell at = {1, 1, 1, 1, false};
     bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
-    if (bends) snell_of(b->r.d, s.ns, e->media[inside].ior, e->media[to].ior, &at);
+    if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
     if (body && to == inside) {  /* the same medium on both sides: no surface */
         if (b->passed == stage_most_depth) return 0;
-        effects_child(mask, b, &s, b->kind, vneg(s.n), b->r.d, b->weight, child);
-        effects_straight_on(b, &s, child);
+        effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
+        effects_straight_on(&h, child);
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
-    gather_share k = effects_shares(mask, a, b->r.d, &s, &at, bends);
-    vec3 L = gather_emitted(e, mask, b, a, x, &s);
+    h.k = effects_shares(mask, a, b->r.d, &h.s, &at, bends);
+    vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
     if (!b->bounced) {
         L = vadd(L, a->flat);
         if (e->headlight)
-            L = vadd(L, vmul(vadd(vadd(k.matte, k.highlight), k.glossy), headlight(s.ns, b->r.d)));
+            L = vadd(L, vmul(vadd(vadd(h.k.matte, h.k.highlight), h.k.glossy),
+                             headlight(h.s.ns, b->r.d)));
     }
-    if (mask & EFFECTS_LIT) L = vadd(L, gather(e, mask, b, &s, &k, &e->lobe[m], d, c));
+    if (mask & EFFECTS_LIT) L = vadd(L, gather(&h, mask));
     *sum = vadd(*sum, vmul(b->weight, L));
     if (!(mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) || b->depth >= e->depth)
         return 0;
-    return effects_children(e, mask, b, &s, &k, &e->lobe[m], &at, bends, body ? &after : NULL, d,
-                            child);
+    return effects_children(&h, mask, &at, bends, body ? &after : NULL, child);
 }
 
 /* The children of a hit are written beside it, so that the next is at hand without being copied; of
