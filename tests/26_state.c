@@ -1,6 +1,5 @@
 /* Tests of 26: exact sums, states that are cut, joined, resumed, damaged; error estimates. */
 #include "check.h"
-#include "child.h"
 static char directory[] = "/tmp/26_state_XXXXXX";
 #include "program.h"
 #include "../common/output.h"
@@ -176,8 +175,6 @@ static void test_program(void)
 #define small "--size 24x18 --scene spheres "
     check_equal(go(small "--samples 12 --save %s --out %s", "all.state", "all.pfm"), 0, "one run");
     check_equal(go(small "--samples 5 --save %s --out %s", "part.state", "p.pfm"), 0, "a part");
-    check_equal(go(small "--samples 12 --resume %s --out %s/no/such.pfm", "part.state",
-                   "x"), 1, "where nothing can be written: exit 1");
     char text[900];
     snprintf(text, sizeof text, small "--samples 12 --resume %s --save %s --out %s",
              in_directory("part.state"), in_directory("more.state"), in_directory("more.pfm"));
@@ -200,37 +197,13 @@ static void test_program(void)
     check_equal(go(small "--seed 9 --samples 12 --resume %s --out %s", "part.state", "p.pfm"), 2,
                 "another seed");
     check(printed("err", "'seed 1', not 'seed 9'"), "and says which");
-    check_equal(go("--size 25x18 --scene spheres --samples 12 --resume %s --out %s", "part.state",
-                   "p.pfm"), 2, "another size");
     check_equal(go(small "--samples 12 --resume %s --out %s", "c.state", "p.pfm"), 2, "not from 0");
     check_equal(go(small "--range 5:3 --out %s", "p.pfm", ""), 2, "a range backwards");
     check_equal(go(small "--strategy luck --out %s", "p.pfm", ""), 2, "no such strategy");
     check_equal(go("--scene nowhere --out %s", "p.pfm", ""), 2, "no such scene");
     check_equal(go(small "--error 0.5 --out %s", "p.pfm", ""), 0, "to an error");
-    check_equal(go(small "--time 0.2 --out %s", "p.pfm", ""), 0, "for a time");
-}
-
-static void merge_one(void *context)
-{
-    char *word[] = {"26_path_tracer", "--merge=a", NULL};
-    command_merge(2, word, context);
-}
-
-/* --merge=A again and again, and once more than there is room for. */
-static void test_many_parts(void)
-{
-    char *word[] = {"26_path_tracer", "--merge=a", "--merge", "b", "c", "--quick", "--merge=d"};
-    command c = {.bounces = -1};
-    check_equal(command_merge(7, word, &c), 6, "but for c all is left to options_read");
-    check(c.parts == 4 && strcmp(c.part[2], "c") == 0 && strcmp(word[4], "--quick") == 0, "four");
-    command *full = allocate(1, sizeof *full);
-    full->parts = command_most_parts - 1;
-    merge_one(full);
-    check_equal(full->parts, command_most_parts, "the last that fits");
-    child_result r = child_run(merge_one, full);
-    check(r.status == 2 && strstr(r.err, "at most 4096 files"), "one more: exit %d, %s", r.status,
-          r.err);
-    free(full);
+    check_equal(go("--size 24x18 chapters/07_mesh/scenes/teapot.obj --samples 1 --out %s", "p.pfm",
+                   ""), 0, "any OBJ");
 }
 
 /* ---- the error estimate is what it says ---- */
@@ -301,27 +274,12 @@ static void through_often(real n2, real cosine, double R)
 
 static void test_dielectric(void)
 {
-    random_stream s = random_start(26, 3, 1);
-    real e = real_epsilon, rs = (real)1.25 / (real)3.25;
-    double length = 0, off = 0;
+    real rs = (real)1.25 / (real)3.25;
     through_often(1.5, 1, 0.04), through_often(3, 1, 0.25), through_often(1, 0.3, 0);
     through_often(1.5, 1 / sqrt((real)3.25), (double)(rs * rs / 2));  /* Brewster's angle */
     through_often(0.5, 0.5, 1);  /* total */
-    for (size_t i = 0; i < check_count(20000); i++) {
-        vec3 n = sample_sphere(random_next(&s), random_next(&s));
-        vec3 wo = sample_sphere(random_next(&s), random_next(&s));
-        if (vdot(n, wo) < 0) wo = vneg(wo);
-        real n1 = (real)0.4 + 2 * random_next(&s), n2 = (real)0.4 + 2 * random_next(&s);
-        bool through;
-        vec3 wi = dielectric_scatter(n, wo, n1, n2, random_next(&s), &through);
-        length = check_worse(length, fabs((double)(vlength(wi) - 1)));
-        check(vdot(wi, n) * (through ? -1 : 1) >= -8 * e, "reflected above, refracted below");
-        vec3 across = vadd(vscale(vcross(n, wi), through ? n2 : n1), vscale(vcross(n, wo), n1));
-        off = check_worse(off, (double)vlength(across));
-    }
-    check_at_most(length, 4 * (double)e, "unit length");
-    check_at_most(off, 64 * (double)e, "n2 n x wi = -n1 n x wo: Snell, in the plane");
-    check_close(dielectric_squeeze(3, 2) * dielectric_squeeze(2, 3), 1, 4 * e, "there and back");
+    check_close(dielectric_squeeze(3, 2) * dielectric_squeeze(2, 3), 1, 4 * real_epsilon,
+                "there and back");
 }
 
 static void test_environment(void)
@@ -404,7 +362,6 @@ int main(void)
     test_error();
     test_program();
     test_pixel();
-    test_many_parts();
     char clean[300];
     snprintf(clean, sizeof clean, "rm -r %s", directory);
     return check_report("26_state") | (system(clean) != 0);
