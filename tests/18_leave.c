@@ -2,7 +2,6 @@
  * distances; the other ways fail where they are said to. */
 #include "check.h"
 #include "../chapters/18_shade/lab/departures.h"
-#include "../chapters/18_shade/trace.h"
 
 static const int last = leavings - 1;  /* the default stands last */
 
@@ -55,23 +54,20 @@ static void test_others_fail(void)
 {
     size_t n = check_count(20000);
     n = n < 4000 ? 4000 : n;  /* the rarest failure here is one in a hundred */
-    check_at_least(play(ways[0], DEPART_SPHERE, 1, 0, n).leak, 0.9, "eps 1e-3, gap 1e-6");
-    check_at_least(play(ways[1], DEPART_TRIANGLE, 1e-3, 0, n).leak, 0.9, "eps 1e-4, too");
-    check_at_least(play(ways[2], DEPART_SPHERE, 1, 100, n).self, 0.05, "eps in t: grazing rays");
-    check_at_least(play(ways[3], DEPART_TRIANGLE, 1000, 0, n).self, 0.002, "eps |p|: large ones");
-    check_equal(play(ways[3], DEPART_SPHERE, 1, 0, n).self, 0, "eps |p|: but not spheres");
-    if (real_is_float) check_at_least(play(ways[4], DEPART_SPHERE, 1, 0, n).leak, 0.3, "256 ulps");
+    check_at_least(play(ways[0], DEPART_TRIANGLE, 1e-3, 0, n).leak, 0.9, "eps 1e-4, gap 1e-6");
+    check_at_least(play(ways[1], DEPART_SPHERE, 1, 100, n).self, 0.05, "eps in t: grazing rays");
+    if (real_is_float) check_at_least(play(ways[2], DEPART_SPHERE, 1, 0, n).leak, 0.3, "256 ulps");
     size_t bounds = 0, ulps = 0;
     for (size_t i = 0; i < 200000; i++) {
         departure d;
         departure_make(&d, DEPART_NEEDLE, 1, 0, 7, i);
-        bounds += departure_self(&d, ways[5]);
+        bounds += departure_self(&d, ways[3]);
         departure_make(&d, DEPART_TRIANGLE, 1e6, 0, 7, i / 2);
-        if (i % 2) ulps += departure_self(&d, ways[4]);
+        if (i % 2) ulps += departure_self(&d, ways[2]);
     }
-    if (!real_is_float) check_at_least(bounds, 1, "bounds of p alone: needles");
+    if (!real_is_float) check_at_least(bounds, 10, "bounds of p alone: one needle in ten thousand");
     check_at_least(ulps, 1, "ulps: large triangles");
-    shares first = play(ways[1], DEPART_SPHERE, 1, real_is_float ? 1e4 : 1e6, n);
+    shares first = play(ways[0], DEPART_SPHERE, 1, real_is_float ? 1e4 : 1e6, n);
     check_at_least(first.self, 0.1, "the notes' eps and tests, far out: a tenth is black");
     check_at_least(first.leak, 0.1, "and light comes through what is close above it");
 }
@@ -164,58 +160,6 @@ static void test_needles(void)
     }
     check_equal(self, 0, "needles that meet themselves");
     check_at_least(without, 1, "without noise, some do");
-}
-
-/* A floor of two triangles. Skipping the shape that a ray leaves is not enough: near the diagonal
- * it meets the neighbour, which lies in the same plane. */
-typedef struct { uint32_t own; } skip_payload;
-
-static any_hit_answer skip_own(const tracer *t, ray r, trace_hit x, void *payload)
-{
-    (void)t, (void)r;
-    return x.h.shape == ((skip_payload *)payload)->own ? ANY_HIT_IGNORE : ANY_HIT_ACCEPT;
-}
-
-static void test_skip(void)
-{
-    static const ray_program programs[ray_kinds] = {
-        [RAY_CAMERA] = {1, false, NULL, NULL, NULL},
-        [RAY_SHADOW] = {1, true, NULL, NULL, NULL},
-        [RAY_REFLECTION] = {1, true, skip_own, NULL, NULL}};
-    size_t n = check_count(40000), plain = 0, skipping = 0, leaving_both = 0, asked = 0;
-    for (size_t i = 0; i < n; i++) {
-        random_stream s = random_start(11, i, 0);
-        vec3 x, y, z = departure_unit(&s), c = vscale(departure_unit(&s), 300);
-        vbasis(z, &x, &y);
-        vec3 a = vadd(c, x), b = vadd(c, y), d = vsub(c, x), e = vsub(c, y);
-        shape two[2] = {shape_of_triangle((triangle){a, b, d}),
-                        shape_of_triangle((triangle){a, d, e})};
-        scene floor = {two, 2};
-        vec3 from = vadd(c, vscale(z, 2)), w = departure_towards(z, 0.0015, &s);
-        real on = random_next(&s) * 2 - 1;
-        real across = (random_next(&s) - (real)0.5) * 10000 * real_epsilon;
-        ray r = ray_between(from, vmadd(vmadd(c, x, on), y, across));
-        r.tmax = real_infinity;
-        hit h;
-        if (!scene_hit(&floor, r, &h)) continue;
-        world_part part;
-        world_part_of_scene(&floor, 1, &part);
-        trace_world all = {&part, 1};
-        tracer t = {.w = &all, .program = programs};
-        skip_payload own = {h.shape};
-        ray naive = {ray_at(r, h.t), 0, w, real_infinity};
-        plain += trace(&t, RAY_SHADOW, naive, NULL);
-        skipping += trace(&t, RAY_REFLECTION, naive, &own);
-        surface at = surface_facing(surface_of_shape(&two[h.shape], r, h), r.d);
-        leaving_both += trace(&t, RAY_SHADOW, leave(at, w), NULL);
-        asked++;
-        world_part_free(&part);
-    }
-    check_at_least(asked, n / 2, "rays hit the floor");
-    check_at_least(plain, n / 20, "no offset: acne");
-    check_at_least(plain, skipping + n / 50, "skipping the own triangle helps");
-    check_at_least(skipping, n / 500, "but not against its neighbour");
-    check_equal(leaving_both, 0, "leave needs no skipping");
 }
 
 /* Both ends on surfaces: points in two faces of a room see each other, wherever the room is. */
@@ -329,7 +273,6 @@ int main(void)
     test_bounds();
     test_named();
     test_needles();
-    test_skip();
     test_between();
     test_rooms();
     return check_report("18_leave");
