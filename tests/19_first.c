@@ -159,7 +159,7 @@ static double slabs(real gap, double *first, double *full)
                        (vec3){0, k % 2 ? -40 : 40, 0},
                        (first_material){.ior = k < 2 ? (real)1.5 : (real)1.33});
     first_world *x = first_world_new(&s, 8);
-    for (int k = 0; k < 4; k++) x->look[k].body = k < 2 ? 1 : 3;
+    for (int k = 0; k < 4; k++) x->on.look[k].body = k < 2 ? 1 : 3;
     *first = *full = 0;
     for (uint64_t i = 0; i < 1000; i++) {
         real dx = random_real(3, i, 0, 0), dy = random_real(3, i, 1, 0);

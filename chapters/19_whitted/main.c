@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
  * Without options: the two spheres of 1980, a tank, drawings, the tree of one pixel, a table of
- * error against time. --full: four depths; speed; first.h. --protocol spd: rays counted as in
- * published results. --samples N is rounded down to a square. */
+ * error against time. --full: four depths; first.h. --protocol spd: rays counted as in published
+ * results. --samples N is rounded down to a square. */
 #include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
@@ -50,12 +50,7 @@ int main(int argc, char **argv)
     pixel_tree(&o);
     draw_wavefronts(&o);
     draw_critical(&o);
-    draw_fresnel(&o);
     table_of_knobs(&o);
-    if (o.full) {
-        draw_depths(&o);
-        table_of_speed(&o);
-        table_of_first(&o);
-    }
+    if (o.full) draw_depths(&o), table_of_first(&o);
     return output_done(&o);
 }

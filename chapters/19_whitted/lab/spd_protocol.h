@@ -1,6 +1,6 @@
 /* spd_protocol.h: the scenes of 17 traced as the results published for them were: rays counted.
  *
- *   spd_count c;
+ *   trace_counts c;
  *   spd_count_scene(&w, edge, threads, rgb, &c)  (edge + 1)^2 eye rays, through corners of pixels;
  *                                               rgb: NULL, or the picture
  *   spd_print(&w, scale, &c, seconds)           lines beginning primary, shadow, secondary
@@ -28,8 +28,6 @@
 #include "../whitted_scene.h"
 
 enum { spd_depth = 5 };
-
-typedef struct { trace_counts rays; } spd_count;
 
 typedef struct {
     const world *w;
@@ -134,7 +132,7 @@ static inline void spd_row(size_t j, void *context)
 
 /* False: stopped by Ctrl-C. */
 static inline bool spd_count_scene(const world *w, int edge, int threads, float *rgb,
-                                   spd_count *out)
+                                   trace_counts *out)
 {
     scene s = world_scene(w);
     world_part part;
@@ -144,20 +142,18 @@ static inline bool spd_count_scene(const world *w, int edge, int threads, float 
     k.world = (trace_world){&part, 1};
     k.row = allocate((size_t)edge + 1, sizeof *k.row);
     bool whole = parallel_for((size_t)edge + 1, threads, w->name, spd_row, &k);
-    *out = (spd_count){0};
-    for (int j = 0; j <= edge; j++) trace_counts_add(&out->rays, &k.row[j]);
+    *out = (trace_counts){0};
+    for (int j = 0; j <= edge; j++) trace_counts_add(out, &k.row[j]);
     free(k.row);
     world_part_free(&part);
     return whole;
 }
 
-static inline void spd_print(const world *w, int scale, const spd_count *c, double seconds)
+static inline void spd_print(const world *w, int scale, const trace_counts *n, double seconds)
 {
-    const trace_counts *n = &c->rays;
-    printf("primary %s %d: rays %zu, hits %zu\n", w->name, scale, n->rays[RAY_CAMERA],
-           n->hits[RAY_CAMERA]);
-    printf("shadow %s %d: rays %zu, hits %zu\n", w->name, scale, n->rays[RAY_SHADOW],
-           n->hits[RAY_SHADOW]);
+    static const char *const what[] = {"primary", "shadow"};
+    for (int k = 0; k < 2; k++)  /* RAY_CAMERA, RAY_SHADOW */
+        printf("%s %s %d: rays %zu, hits %zu\n", what[k], w->name, scale, n->rays[k], n->hits[k]);
     printf("secondary %s %d: reflected %zu, refracted %zu, rays %zu, hits %zu\n", w->name, scale,
            n->rays[RAY_REFLECTION], n->rays[RAY_REFRACTION],
            n->rays[RAY_REFLECTION] + n->rays[RAY_REFRACTION],
@@ -175,7 +171,7 @@ static inline void spd_protocol(const options *o, const char *name, int scale)
         int edge = o->quick ? 32 : spd_edge, size = scale >= 0 ? scale : g->scale;
         world w;
         failure f;
-        spd_count c;
+        trace_counts c;
         if (name ? strcmp(name, g->name) != 0 : !g->hits) continue;
         if (!spd_world(g->name, size, &w, &f) || !spd_print_digits(&w, &f)) fail(f);
         image im = image_new(edge + 1, edge + 1);
