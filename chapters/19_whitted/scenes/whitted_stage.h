@@ -96,7 +96,8 @@ static inline void stage_box(whitted_stage *s, vec3 lo, vec3 hi, bool in, whitte
             int j = (k % 2 == 0) == in ? i : 3 - i;  /* counter-clockwise, seen from the normal */
             real c[3];
             c[axis] = vaxis(k % 2 ? hi : lo, axis);
-            c[next] = vaxis(j == 1 || j == 2 ? hi : lo, next), c[last] = vaxis(j > 1 ? hi : lo, last);
+            c[next] = vaxis(j == 1 || j == 2 ? hi : lo, next);
+            c[last] = vaxis(j > 1 ? hi : lo, last);
             q[i] = (vec3){c[0], c[1], c[2]};
         }
         stage_add(s, shape_of_polygon(polygon_of(q, 4)), look);
