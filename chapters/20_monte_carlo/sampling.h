@@ -19,11 +19,11 @@
  * its cosine, if it has one) by the pdf. A pdf is a density, no probability: it may exceed 1, as
  * that of a narrow cone does.
  *
- * Four ways: inversion (反演), where the cumulative distribution P(x) = u can be solved for x
+ * Three ways: inversion (反演), where the cumulative distribution P(x) = u can be solved for x
  * (sample_lobe, and z of all directions); transformation (变换) of a shape that is easy into one that
  * is not, with a constant ratio of areas (disk, triangle); projection (sample_cosine: a uniform
- * disk lifted to the hemisphere); rejection (拒绝), see sampling_naive.h for its price. Those without
- * a suffix keep neighbours of the square neighbours, which well-spread (u, v) need (sampler.h).
+ * disk lifted to the hemisphere). Those without a suffix keep neighbours of the square neighbours,
+ * which well-spread (u, v) need (sampler.h); rejection (拒绝) would throw away what they have.
  *
  * Sources: P. Shirley, K. Chiu, "A low distortion map between disk and square", J. Graphics Tools
  * 2(3), 1997; E. Heitz, "A low-distortion map between triangle and square", 2019; G. Turk,

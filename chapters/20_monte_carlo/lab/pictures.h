@@ -36,6 +36,7 @@ static const sequence_kind points_kind[points_columns] = {SEQUENCE_RANDOM, SEQUE
                                                           SEQUENCE_HALTON, SEQUENCE_SOBOL};
 typedef struct {
     monte_carlo_panels sheet;
+    uint32_t fine;        /* points of the lamp for the truth */
     double truth[shadow_cells * shadow_cells], error[points_columns];
 } monte_carlo_points;
 
@@ -74,7 +75,7 @@ static inline void truth_row(size_t j, void *context)
 {
     monte_carlo_points *p = context;
     for (int cell = (int)j * shadow_cells; cell < (int)(j + 1) * shadow_cells; cell++)
-        p->truth[cell] = shadow_seen(SEQUENCE_SOBOL, p->sheet.seed + 1, cell, 1024);
+        p->truth[cell] = shadow_seen(SEQUENCE_SOBOL, p->sheet.seed + 1, cell, p->fine);
 }
 
 static inline void shadow_panel(monte_carlo_points *p, monte_carlo_place at, int column)
@@ -118,6 +119,7 @@ static inline void draw_points(const options *o)
     const char *title[points_columns * points_rows];
     char text[points_columns][32];
     p->sheet = (monte_carlo_panels){&im, points_columns, points_rows, o->seed, 256};
+    p->fine = o->quick ? 64 : 1024;
     bool whole = parallel_for(shadow_cells, o->threads, "shadow", truth_row, p)
               && parallel_for(points_columns * points_rows, o->threads, "points", points_panel, p);
     for (int k = 0; k < points_columns; k++) {
@@ -184,6 +186,7 @@ static inline void wrong_panel(size_t index, void *context)
     int column = (int)index % wrong_columns;
     bool right = index >= wrong_columns;
     double count[heat_cells * heat_cells] = {0};
+    vec3 colour[heat_cells * heat_cells];
     double whole = column == 4 ? 1 : column >= 1 && column <= 3 ? 0.5 : (double)pi / 4;
     for (size_t k = 0; k < p->samples; k++) {
         random_stream s = random_start(p->seed, index, k);
@@ -192,16 +195,16 @@ static inline void wrong_panel(size_t index, void *context)
         int i = (int)(q.u * heat_cells), j = (int)(q.v * heat_cells);
         if (i >= 0 && j >= 0 && i < heat_cells && j < heat_cells) count[j * heat_cells + i]++;
     }
+    for (int c = 0; c < heat_cells * heat_cells; c++) {
+        double area = heat_area(column, c % heat_cells, c / heat_cells);
+        double expected = area / whole * (double)p->samples / (heat_cells * heat_cells);
+        colour[c] = area >= 0.25 ? heat_colour(count[c] / expected) : vec(0.85, 0.85, 0.85);
+        if (area == 0 && count[c] > 0) colour[c] = heat_colour(4);
+    }
     for (int j = 0; j < at.side; j++)
         for (int i = 0; i < at.side; i++) {
-            int ci = i * heat_cells / at.side, cj = (at.side - 1 - j) * heat_cells / at.side;
-            double area = heat_area(column, ci, cj);
-            double expected = area / whole * (double)p->samples / (heat_cells * heat_cells);
-            double found = count[cj * heat_cells + ci];
-            vec3 c = {(real)0.85, (real)0.85, (real)0.85};
-            if (area >= 0.25) c = heat_colour(found / expected);
-            if (area == 0 && found > 0) c = heat_colour(4);
-            image_set(p->im, at.x + i, at.y + j, c);
+            int cell = (at.side - 1 - j) * heat_cells / at.side * heat_cells;
+            image_set(p->im, at.x + i, at.y + j, colour[cell + i * heat_cells / at.side]);
         }
 }
 
@@ -218,7 +221,7 @@ static inline void draw_wrong(const options *o)
     if (o->out) return;
     image im = image_new(wrong_columns * side - panel_gap, 2 * side - panel_gap);
     label_fill(&im, 0, 0, im.width, im.height, vec(0.8f, 0.8f, 0.8f));
-    monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
+    monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 10000 : 1000000};
     bool whole = parallel_for(2 * wrong_columns, o->threads, "densities", wrong_panel, &p);
     label_titles(&im, wrong_columns, 2, panel_gap, title), label_below(&im, strip);
     label_bar(&im, im.width / 2 - 200, im.height - strip + 12, 400, 10, heat_of, 0.25, 4,
