@@ -206,9 +206,9 @@ static void test_fatal(void)
     check_at_least(t_test(cut, 0.75 * (double)pi, 1e-5), alarm, "and finds three quarters");
 }
 
-/* Medians of the error fall as N^(-2/(n+1)): between N = 16 and 1024, whatever the divisor; a median
- * of 400 is off by some 6 %, two of them over a factor of 64: sigma .021. +-.09 is more than 4
- * sigma, and keeps the slope -.095 of n = 20 apart from 0. */
+/* Medians of the error fall as N^(-2/(n+1)): between N = 16 and 1024, whatever the divisor; a
+ * median of 400 is off by some 6 %, two of them over a factor of 64: sigma .021. +-.09 is more than
+ * 4 sigma, and keeps the slope -.095 of n = 20 apart from 0. */
 static void test_slopes_of_importance(void)
 {
     enum { runs = 400 };

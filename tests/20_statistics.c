@@ -52,7 +52,7 @@ static double wide_variance(const double *x, size_t n)
     return wide_value(wide_div(squares, wide_of((double)(n - 1))));
 }
 
-/* Chan, Golub, LeVeque: Welford's relative error is at most about n kappa DBL_EPSILON, with kappa = mean /
+/* Chan, Golub, LeVeque: Welford's relative error is at most about n kappa eps, with kappa = mean /
  * deviation; roundings of random numbers cancel, and some eps kappa are left. */
 static void test_against_wide(void)
 {

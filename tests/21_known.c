@@ -89,26 +89,6 @@ static void test_rectangle_form(void)
     check_close(known_segment(-1), 1, eps, "all of it");
 }
 
-/* A half plane over a square light, its edge parallel to two sides: in the umbra nothing, then a
- * share that grows linearly, then all. Where it is all or nothing, each sample says so. */
-static void test_penumbra(void)
-{
-    for (int i = -4; i <= 4; i++) {
-        known k;
-        known_make(KNOWN_PENUMBRA, &k);
-        world_part_free(&k.part);
-        real c = (real)i / 6;  /* the edge is at x = c, z = 1: at 2c on the light */
-        k.shapes[0] = known_sheet(&k, 0, (vec3){c, 0, 1}, (vec3){0, -4, 0}, (vec3){4, 0, 0});
-        world_part_of_scene(&k.s, MASK_ALL, &k.part);
-        double truth = i < -3 ? 0 : i > 3 ? 1 : (1 + i / 3.0) / 2;
-        uint32_t n = (uint32_t)check_count(20000);
-        estimate e = known_mean(&k, SEQUENCE_RANDOM, 9, (uint64_t)(i + 4), n);
-        check_at_least(t_test(e, truth, rounding()), alarm_rate, "penumbra at %d/6", i);
-        if (i * i > 9) check_equal(e.mean, truth, "umbra, or all of the light: no noise");
-        known_free(&k);
-    }
-}
-
 /* ---- area lights ---- */
 
 /* A ball of radius 0 is the point light of 18, to the last bit, whatever u is. */
@@ -449,7 +429,6 @@ int main(void)
     test_answers();
     test_slopes();
     test_rectangle_form();
-    test_penumbra();
     test_point();
     test_ball();
     test_sunk_ball();

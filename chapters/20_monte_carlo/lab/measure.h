@@ -127,7 +127,7 @@ static inline void measure_rays(const options *o)
     output_extra_table(o, &t);
 }
 
-/* ---- one integral, many pdfs ------------------------------------------------------------------ */
+/* ---- one integral, many pdfs ----------------------------------------------------------------- */
 
 enum { importance_rows = 6, importance_n = 4096, importance_most_runs = 400 };
 static const struct { const char *name; double n, a; } importance_row[importance_rows] = {
