@@ -11,12 +11,6 @@
 static const double eps = (double)real_epsilon;
 static const vec3 up = {0, 0, 1}, zero = {0, 0, 0};
 
-static vec3 any_direction(random_stream *s)
-{
-    real u = random_next(s), v = random_next(s);
-    return sample_sphere(u, v);
-}
-
 /* ---- three questions of known.h, asked of first.h ---- */
 
 typedef struct { known_kind kind; first_scene s; first_lamp lamp; first_point at; } known_first;
@@ -61,11 +55,11 @@ static void test_lamp(void)
     double worst = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0), copy;
-        area_light full = {AREA_RECTANGLE, vscale(any_direction(&s), random_between(&s, 2, 9)),
-                           any_direction(&s), any_direction(&s), {0, 0, 0}, 0, {1, 2, 3}};
+        area_light full = {AREA_RECTANGLE, vscale(random_unit(&s), random_between(&s, 2, 9)),
+                           random_unit(&s), random_unit(&s), {0, 0, 0}, 0, {1, 2, 3}};
         full.n = vunit(vcross(full.b, full.a));
         first_lamp lamp = known_first_lamp(&full);
-        first_point x = {.p = vscale(any_direction(&s), random_next(&s)), .n = any_direction(&s)};
+        first_point x = {.p = vscale(random_unit(&s), random_next(&s)), .n = random_unit(&s)};
         copy = s;
         real u = random_next(&copy), v = random_next(&copy);
         area_sample due;

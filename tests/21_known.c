@@ -9,12 +9,6 @@ static const sequence_kind kinds[3] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUE
 /* Sheets that end (known_far), glossy_above (1e-7); E in float is right to some 10 epsilon. */
 static double rounding(void) { return 2.0 / known_far + 16 * (double)real_epsilon; }
 
-static vec3 direction(random_stream *s)
-{
-    real u = random_next(s), v = random_next(s);
-    return sample_sphere(u, v);
-}
-
 /* Random samples are independent; well-spread ones are not, so their runs are the samples. No fewer
  * than 40 of them: with two or three, all may be alike by chance, as shares of 64 are. */
 static void test_answers(void)
@@ -97,9 +91,9 @@ static void test_point(void)
     random_stream s = random_start(31, 0, 0);
     size_t n = check_count(20000), differ = 0, lit = 0;
     for (size_t i = 0; i < n; i++) {
-        vec3 p = vscale(direction(&s), random_between(&s, 0, 5));
-        vec3 at = vscale(direction(&s), random_between(&s, 0, 5));
-        vec3 ng = direction(&s), ns = vunit(vmadd(ng, direction(&s), 0.3));
+        vec3 p = vscale(random_unit(&s), random_between(&s, 0, 5));
+        vec3 at = vscale(random_unit(&s), random_between(&s, 0, 5));
+        vec3 ng = random_unit(&s), ns = vunit(vmadd(ng, random_unit(&s), 0.3));
         vec3 colour = {random_between(&s, 0, 9), random_between(&s, 0, 9), i % 7 ? 1 : 0};
         if (i % 11 == 0) colour = (vec3){0, 0, 0};
         if (i % 13 == 0) p = at;
@@ -133,7 +127,7 @@ static void test_ball(void)
     random_stream s = random_start(32, 0, 0);
     double off = 0, far = -1;
     for (size_t i = 0; i < check_count(20000); i++) {
-        vec3 at = vscale(direction(&s), random_between(&s, 1.0001, 4)), p = {0, 0, 0};
+        vec3 at = vscale(random_unit(&s), random_between(&s, 1.0001, 4)), p = {0, 0, 0};
         area_light L = {AREA_BALL, at, .r = 1, .colour = {1, 1, 1}};
         area_sample x;
         real u = random_next(&s), v = random_next(&s);
@@ -273,7 +267,7 @@ static void test_mirror(void)
     double off = 0, lobe = 0;
     bool sent = true;
     for (size_t i = 0; i < check_count(5000); i++) {
-        vec3 n = direction(&q), d = direction(&q);
+        vec3 n = random_unit(&q), d = random_unit(&q);
         surface s = surface_facing(at_origin(n), d);
         ray w = {{0, 0, 0}, 0, {0, 0, 0}, 0}, v = w;
         vec3 r = vmadd(d, n, -2 * vdot(n, d));
@@ -323,8 +317,8 @@ static void test_silhouette(void)
     random_stream q = random_start(44, 0, 0);
     size_t below = 0, lifted = 0, into = 0;
     for (size_t i = 0; i < check_count(50000); i++) {
-        vec3 n = direction(&q), d = direction(&q);
-        surface s = {{0, 0, 0}, n, vunit(vmadd(n, direction(&q), 0.7)), 0, 0, no_shape};
+        vec3 n = random_unit(&q), d = random_unit(&q);
+        surface s = {{0, 0, 0}, n, vunit(vmadd(n, random_unit(&q), 0.7)), 0, 0, no_shape};
         s = surface_facing(s, d);
         vec3 r = vmadd(d, s.ns, -2 * vdot(d, s.ns));
         lifted += vdot(r, s.n) < 0;
@@ -346,9 +340,9 @@ static camera some_camera(int kind, random_stream *s)
     camera_frame f;
     camera c;
     failure why;
-    vec3 e = vscale(direction(s), 10), to = vadd(e, direction(s));
+    vec3 e = vscale(random_unit(s), 10), to = vadd(e, random_unit(s));
     camera_window win = {-1, 1.5, -0.7, 0.4};
-    bool ok = frame_look_at(e, to, direction(s), &f, &why);
+    bool ok = frame_look_at(e, to, random_unit(s), &f, &why);
     if (kind == 0) ok = ok && camera_perspective(f, 50, 1.5, &c, &why);
     else if (kind == 1) ok = ok && camera_off_axis(f, win, 0.7, &c, &why);
     else if (kind == 2) ok = ok && camera_orthographic(f, win, &c, &why);

@@ -4,12 +4,6 @@
 #include "../chapters/21_distributed/lab/known.h"
 #include "../chapters/21_distributed/lab/pool.h"
 
-static vec3 direction(random_stream *s)
-{
-    real u = random_next(s), v = random_next(s);
-    return sample_sphere(u, v);
-}
-
 static tracer asking(const trace_world *w)
 {
     return (tracer){.w = w, .program = distributed_programs};
@@ -41,9 +35,9 @@ static void test_passing(void)
     double off = 0;
     size_t cut = 0;
     for (size_t i = 0; i < check_count(2000); i++) {
-        sphere b = {vscale(direction(&s), 3), random_between(&s, 0.2, 1)};
-        vec3 o = vscale(direction(&s), 9), v = vscale(direction(&s), random_between(&s, 0, 4));
-        vec3 d = vsub(vmadd(b.c, direction(&s), (real)1.5), o);
+        sphere b = {vscale(random_unit(&s), 3), random_between(&s, 0.2, 1)};
+        vec3 o = vscale(random_unit(&s), 9), v = vscale(random_unit(&s), random_between(&s, 0, 4));
+        vec3 d = vsub(vmadd(b.c, random_unit(&s), (real)1.5), o);
         flying f;
         flying_ball(&f, b, v);
         tracer t = asking(&nothing);
@@ -69,14 +63,14 @@ static void test_moved(void)
     double off = 0, eps = (double)real_epsilon;
     size_t other = 0, met = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
-        sphere b = {vscale(direction(&s), 3), random_between(&s, 0.2, 1)}, there = b;
-        vec3 v = vscale(direction(&s), random_between(&s, 0, 4)), by;
+        sphere b = {vscale(random_unit(&s), 3), random_between(&s, 0.2, 1)}, there = b;
+        vec3 v = vscale(random_unit(&s), random_between(&s, 0, 4)), by;
         real time = random_next(&s);
         flying f;
         flying_ball(&f, b, v);
         there.c = vmadd(b.c, v, time);
         shape moved = shape_of_sphere(there);
-        vec3 o = vscale(direction(&s), 9), d = vunit(vsub(vmadd(there.c, direction(&s), b.r), o));
+        vec3 o = vscale(random_unit(&s), 9), d = vunit(vsub(vmadd(there.c, random_unit(&s), b.r), o));
         tracer t = asking(&nothing);
         distributed how = {.material_of = plain};
         t.user = &how;
@@ -108,14 +102,14 @@ static void test_leaves(void)
     size_t again = 0, leaks = 0, n = check_count(40000);
     for (size_t i = 0; i < n; i++) {
         double far = pow(10, (double)random_between(&s, -2, 6));
-        sphere b = {vscale(direction(&s), (real)far), pow((real)10, random_between(&s, -2, 2))};
+        sphere b = {vscale(random_unit(&s), (real)far), pow((real)10, random_between(&s, -2, 2))};
         b.r = real_max(b.r, (real)1e3 * real_epsilon * (real)far);  /* it has points */
-        vec3 v = vscale(direction(&s), (real)pow(10, (double)random_between(&s, -2, 6))), by;
-        vec3 w = direction(&s);
+        vec3 v = vscale(random_unit(&s), (real)pow(10, (double)random_between(&s, -2, 6))), by;
+        vec3 w = random_unit(&s);
         real time = random_next(&s);
         flying f;
         flying_ball(&f, b, v);
-        vec3 n0 = direction(&s);
+        vec3 n0 = random_unit(&s);
         surface a = surface_on_sphere(b, 0, vmadd(b.c, n0, b.r));
         by = vscale(v, time), a = motion_surface(a, by);
         if (vdot(w, a.n) < 0) w = vneg(w);
