@@ -15,7 +15,7 @@
 
 #define PLAIN(f) static vec3 s_##f(real u, real v, const void *c) { return (void)c, f(u, v); }
 #define DENSITY(f) static real d_##f(vec3 w, const void *c) { return (void)c, f(w); }
-PLAIN(sample_disk) PLAIN(sample_disk_polar) PLAIN(sample_disk_naive)
+PLAIN(sample_disk) PLAIN(sample_disk_naive)
 PLAIN(sample_triangle) PLAIN(sample_triangle_root) PLAIN(sample_triangle_naive)
 PLAIN(sample_triangle_sums) PLAIN(sample_triangle_fold)
 PLAIN(sample_sphere) PLAIN(sample_sphere_naive) PLAIN(sample_hemisphere)
@@ -46,7 +46,6 @@ typedef struct {
 
 static const trial right[] = {
     {"disk", s_sample_disk, d_pdf_disk, NULL, DOMAIN_DISK, 1},
-    {"disk, polar", s_sample_disk_polar, d_pdf_disk, NULL, DOMAIN_DISK, 1},
     {"triangle", s_sample_triangle, d_triangle, NULL, DOMAIN_TRIANGLE, 1},
     {"triangle, root", s_sample_triangle_root, d_triangle, NULL, DOMAIN_TRIANGLE, 1},
     {"sphere", s_sample_sphere, d_pdf_sphere, NULL, none, 1},
@@ -164,8 +163,8 @@ static void test_rims(void)
         lost += !(pdf_cone(c, sample_cone(c, u, v)) > 0);
         direction_cone wider = {c.half_sine2 * (1 + 64 * real_epsilon)};
         beyond += pdf_cone(c, sample_cone(wider, u, v)) > 0;
-        vec3 rim[3] = {sample_disk_polar(u, v), sample_disk(u, v), sample_disk(v, u)};
-        for (int k = 0; k < 3; k++) disk += !(pdf_disk(rim[k]) > 0);
+        vec3 rim[2] = {sample_disk(u, v), sample_disk(v, u)};
+        for (int k = 0; k < 2; k++) disk += !(pdf_disk(rim[k]) > 0);
     }
     check_equal(lost, 0, "samples of a cone outside of it");
     check_equal(disk, 0, "samples of the disk outside of it");
@@ -205,12 +204,11 @@ static void test_narrow(void)
 
 /* Neighbours in the square stay neighbours: the maps stretch by at most a factor. Disk: radius 2,
  * and the angle pi/2 each along and across, 2.97 together. Triangle: |d(u, v, 1-u-v)| <= 1.5 |(du,
- * dv)|. The polar disk and the root have infinite slopes at u = 0. */
+ * dv)|. The root has an infinite slope at u = 0. */
 static void test_stretch(void)
 {
-    double most[4] = {0};
-    chi_square_sampler *map[4] = {s_sample_disk, s_sample_triangle, s_sample_disk_polar,
-                                  s_sample_triangle_root};
+    double most[3] = {0};
+    chi_square_sampler *map[3] = {s_sample_disk, s_sample_triangle, s_sample_triangle_root};
     for (uint64_t i = 0; i < check_count(50000); i++) {
         random_stream s = random_start(6, 0, i);
         real h = 1e-3, u = random_next(&s), v = random_next(&s);
@@ -218,7 +216,7 @@ static void test_stretch(void)
         real u1 = real_clamp(u + du, 0, 1 - real_epsilon);
         real v1 = real_clamp(v + dv, 0, 1 - real_epsilon);
         double step = (double)vlength((vec3){u1 - u, v1 - v, 0});
-        for (int k = 0; k < 4 && step > 1e-4; k++) {
+        for (int k = 0; k < 3 && step > 1e-4; k++) {
             vec3 d = vsub(map[k](u1, v1, NULL), map[k](u, v, NULL));
             most[k] = check_worse(most[k], (double)vlength(d) / step);
         }
@@ -226,8 +224,7 @@ static void test_stretch(void)
     double rounding = 8 * eps / 1e-4;
     check_at_most(most[0], 2.98 + rounding, "stretch of sample_disk");
     check_at_most(most[1], 1.5 + rounding, "stretch of sample_triangle");
-    check_at_least(most[2], 6, "stretch of sample_disk_polar");
-    check_at_least(most[3], 4, "stretch of sample_triangle_root");
+    check_at_least(most[2], 4, "stretch of sample_triangle_root");
 }
 
 static void test_triangles_and_frames(void)

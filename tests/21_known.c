@@ -385,34 +385,7 @@ static void test_focus(void)
     check_at_most(depth, 2e3 * (double)real_epsilon, "that plane, |e| = 10, F >= 1/2");
     check_at_most(outside, 2 * (double)real_epsilon, "outside of the circle of confusion");
     check_at_least(widest, 0.9, "its rim");
-}
-
-/* Seen through the rim of the lens, a point shows half a circle away from where the middle shows
- * it: by camera_project of the point of the plane of focus on that line. */
-static void test_blur(void)
-{
-    random_stream s = random_start(52, 0, 0);
-    double off = 0;
-    for (size_t i = 0; i < check_count(4000); i++) {
-        camera c = some_camera((int)(i % 2), &s);
-        thin_lens l = {random_between(&s, 0.01, 0.5), random_between(&s, 2, 20)};
-        real z = random_between(&s, 1, 40), x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-        real phi = random_between(&s, 0, 6.28);
-        vec3 p = ray_at(camera_ray(c, 30, 20, 64, 48), z / c.d);
-        vec3 o = vadd(c.e, vmadd(vscale(c.u, l.radius * cos(phi)), c.v, l.radius * sin(phi)));
-        vec3 P = vmadd(o, vsub(p, o), l.focus / z);
-        bool seen = camera_project(c, p, 64, 48, &x0, &y0)
-                 && camera_project(c, P, 64, 48, &x1, &y1);
-        real pixel_x = (c.right - c.left) / 64, pixel_y = (c.top - c.bottom) / 48;
-        real dx = (x1 - x0) * pixel_x / pixel_y, dy = y1 - y0;
-        double diameter = (double)lens_blur_pixels(c, l, z, 48);
-        double radius = (double)sqrt(dx * dx + dy * dy);
-        off = check_worse(off, seen ? fabs(2 * radius - diameter) : 1);
-    }
-    /* positions of up to 64 pixels, from coordinates of up to 60, seen from z - or F - >= 1 */
-    check_at_most(off, 2e4 * (double)real_epsilon, "diameter of the circle in pixels");
-    thin_lens l = lens_of(0.05, 2, 3);
-    check_close((double)l.radius, 0.0125, 1e-8, "50 mm, f/2: 12.5 mm");
+    thin_lens l = {(real)0.0125, 3};
     check_equal((double)lens_blur(l, 3), 0, "no circle in focus");
     check_close((double)lens_blur(l, 6), 0.0125, 1e-8, "as wide as the lens at 2 F");
     check_equal((double)lens_blur((thin_lens){1, real_infinity}, 5), 1, "focus at infinity");
@@ -434,6 +407,5 @@ int main(void)
     test_leak();
     test_silhouette();
     test_focus();
-    test_blur();
     return check_report("21_known");
 }

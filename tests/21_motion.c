@@ -70,7 +70,8 @@ static void test_moved(void)
         flying_ball(&f, b, v);
         there.c = vmadd(b.c, v, time);
         shape moved = shape_of_sphere(there);
-        vec3 o = vscale(random_unit(&s), 9), d = vunit(vsub(vmadd(there.c, random_unit(&s), b.r), o));
+        vec3 o = vscale(random_unit(&s), 9), at = vmadd(there.c, random_unit(&s), b.r);
+        vec3 d = vunit(vsub(at, o));
         tracer t = asking(&nothing);
         distributed how = {.material_of = plain};
         t.user = &how;

@@ -32,8 +32,8 @@ int main(int argc, char **argv)
         {!how && (name || scale >= 0), "--scene, --scale: allowed with --protocol spd"},
         {pixel && (how || pov || all || o.out || o.csv), "--pixel goes with --size alone"},
         {pov && (how || all || o.out || o.csv), "--povray: allowed alone"},
-        {how && o.csv, "--csv: not allowed with --protocol"},
-        {how && all, "--spend-all: not allowed with --protocol"},
+        {how && (o.csv || o.out || all),
+         "--csv, --out, --spend-all: not allowed with --protocol"},
         {o.out && o.csv, "--out draws, --csv measures: one of them"}};
     for (size_t i = 0; i < sizeof misuse / sizeof *misuse; i++)
         if (misuse[i].wrong) die(2, "%s", misuse[i].text);

@@ -2,7 +2,6 @@
  *
  *   sample                          where                      pdf (概率密度函数), and per what
  *   sample_disk(u, v)               unit disk, (x, y, 0)       pdf_disk      1 / pi         area
- *   sample_disk_polar(u, v)         the same                   the same
  *   sample_triangle(u, v)           barycentrics (b0,b1,b2)    pdf_triangle  1 / area of t  area
  *   sample_triangle_root(u, v)      the same                   the same
  *   sample_sphere(u, v)             all directions             pdf_sphere    1 / (4 pi)     1/sr
@@ -48,9 +47,7 @@ static inline vec3 sample_turn(real r, real z, real v)
     return (vec3){r * cos(phi), r * sin(phi), z};
 }
 
-/* ---- disk: P(r) = r^2 = u (inversion); or squares of radius a become circles of radius a ---- */
-
-static inline vec3 sample_disk_polar(real u, real v) { return sample_turn(sqrt(u), 0, v); }
+/* ---- disk: squares of radius a become circles of radius a ---- */
 
 /* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most.
  * */
