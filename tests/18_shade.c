@@ -355,24 +355,6 @@ static void test_spent(void)
     gallery_free(g);
 }
 
-/* The bulb is seen, and casts no shadow of its lamp; of what is in its shadow nothing changes if
- * it may cast one. */
-static void test_masks(void)
-{
-    gallery *g = gallery_new(2, 0);
-    shading how = gallery_shading(g);
-    tracer t = {.w = &g->w, .program = shade_programs, .user = &how};
-    vec3 bulb = g->bulb.sphere.c;
-    vec3 c = shade_ray(&t, ray_between(vadd(bulb, (vec3){0, -5, 0}), bulb));
-    check(c.z == 2, "the bulb is seen by its own light");
-    surface floor = {{-4, -1, 0}, {0, 0, 1}, {0, 0, 1}, 1e-5, 0, 0};
-    shade_lit lit = {false};
-    check(!trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && lit.lit, "it lets its lamp shine");
-    g->part[2].mask = MASK_ALL, lit.lit = false;
-    check(trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && !lit.lit, "but would");
-    gallery_free(g);
-}
-
 /* On the ground floor of a house each ray towards a sun ends at the ceiling. As printed, that is
  * shaded, by shadow rays of its own, which end at the next: two suns, eight ceilings: 2 + 4 + ... +
  * 256 of them, and the suns shine in. Ours: one a light, and darkness. */
@@ -430,7 +412,6 @@ int main(void)
     test_contact();
     test_shade();
     test_spent();
-    test_masks();
     test_printed();
     test_floor();
     return check_report("18_shade");
