@@ -57,15 +57,15 @@ static void test_others_fail(void)
     check_at_least(play(ways[0], DEPART_TRIANGLE, 1e-3, 0, n).leak, 0.9, "eps 1e-4, gap 1e-6");
     check_at_least(play(ways[1], DEPART_SPHERE, 1, 100, n).self, 0.05, "eps in t: grazing rays");
     if (real_is_float) check_at_least(play(ways[2], DEPART_SPHERE, 1, 0, n).leak, 0.3, "256 ulps");
-    size_t bounds = 0, ulps = 0;
-    for (size_t i = 0; i < 200000; i++) {
+    size_t bounds = 0, ulps = 0;  /* one or two in ten thousand */
+    for (size_t i = 0; i < 60000; i++) {
         departure d;
         departure_make(&d, DEPART_NEEDLE, 1, 0, 7, i);
         bounds += departure_self(&d, ways[3]);
-        departure_make(&d, DEPART_TRIANGLE, 1e6, 0, 7, i / 2);
-        if (i % 2) ulps += departure_self(&d, ways[2]);
+        departure_make(&d, DEPART_TRIANGLE, 1e6, 0, 7, i);
+        ulps += departure_self(&d, ways[2]);
     }
-    if (!real_is_float) check_at_least(bounds, 10, "bounds of p alone: one needle in ten thousand");
+    if (!real_is_float) check_at_least(bounds, 3, "bounds of p alone: needles");
     check_at_least(ulps, 1, "ulps: large triangles");
     shares first = play(ways[0], DEPART_SPHERE, 1, real_is_float ? 1e4 : 1e6, n);
     check_at_least(first.self, 0.1, "the notes' eps and tests, far out: a tenth is black");
