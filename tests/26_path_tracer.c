@@ -28,15 +28,14 @@ static void along(const path_tracer *t, ray r, size_t pixels, uint32_t n, estima
 
 static void test_closed_sphere(void)
 {
-    const sequence_kind kinds[] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON_OWEN,
-                                   SEQUENCE_SOBOL_XOR, SEQUENCE_SOBOL};
+    const sequence_kind kinds[] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_SOBOL};
     lit_scene s;
     lit_begin(&s);
     lit_material m = {.f = brdf_lambert(vec(0.5, 0.25, 0)), .Le = {1, 2, 3}};
     lit_add_shape(&s, shape_of_sphere((sphere){{1, 2, 3}, -2}), lit_add_material(&s, m));
     lit_end(&s);
     const double exact[3] = {2, 2 / 0.75, 3};
-    for (int o = 0; o < 5 * 3 * 3; o++) {
+    for (int o = 0; o < 3 * 3 * 3; o++) {
         path_options how = path_defaults;
         how.sequence = kinds[o / 9], how.roulette = (roulette_rule)(o % 3);
         how.light_sampling = o / 3 % 3 > 0, how.mis = o / 3 % 3 > 1;

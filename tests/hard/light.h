@@ -108,7 +108,7 @@ static inline hard_count touching(int k, real x)
                        (vec3){0, 0, i % 2 ? 40 : -40},
                        (first_material){.ior = i < 2 ? (real)1.5 : (real)1.33});
     first_world *w = first_world_new(&s, 12);
-    for (int i = 0; i < 4; i++) w->look[i].body = i < 2 ? 1 : 3;
+    for (int i = 0; i < 4; i++) w->on.look[i].body = i < 2 ? 1 : 3;
     for (uint64_t i = 0; i < c.tried; i++) {
         vec3 d = vunit((vec3){random_real(3, i, 0, 0), -1, random_real(3, i, 1, 0)});
         ray r = ray_from((vec3){0, 3, 0}, d);
