@@ -19,6 +19,8 @@ typedef struct {
     char name[32];
     size_t shapes;
     double ray[compare_most], build[compare_most];  /* seconds; ray < 0: does not fit */
+    double spread[compare_most];                    /* of ray: half of what lies between its */
+                                                    /* quartiles, relative */
     size_t wrong[compare_most], held[compare_most];
 } summary_row;
 enum { summary_most = 15 };
@@ -35,7 +37,7 @@ static inline void summary_add(compare_summary *m, const comparison *s)
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
         r->ray[k] = e->s ? cost_mean(s, e) : -1;
-        r->build[k] = e->s ? e->build : 0;
+        r->build[k] = e->s ? e->build : 0, r->spread[k] = cost_spread(e);
         r->wrong[k] = e->wrong[0] + e->wrong[1], r->held[k] = e->held[0] + e->held[1];
     }
 }
