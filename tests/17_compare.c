@@ -155,7 +155,7 @@ static void test_memory(void)
     line_up all = everybody();
     world w = tiny("soup");
     size_t sum = 0, most = 0, fit[4], counted = 0;
-    for (int part = 4; part >= 0; part--) {  /* all there is; 3, 2, 1 thirds of what it takes; 1 kB */
+    for (int part = 4; part >= 0; part--) {  /* all there is; thirds of that; 1 kB */
         size_t held = 0, limit = part ? most * (size_t)part / 3 : 1000;
         if (part == 4) limit = (size_t)1 << 30;
         comparison s;
