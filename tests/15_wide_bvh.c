@@ -244,19 +244,20 @@ static void test_options(void)
     mesh_free(&m);
 }
 
-/* Half a tree is none, whichever step Ctrl-C meets: 1, binary tree; 2, blocks; 3, after both. */
+/* Half a tree is none, whichever step Ctrl-C meets: 1, boxes; 2, binary tree; 3, blocks; 4, after
+ * all of them. */
 static void test_interrupted(void)
 {
     mesh m = octahedron_mesh(32);
     items x = items_of_mesh(&m);
     bvh8_options how = bvh8_defaults;
     how.threads = 2;
-    for (interrupt_at = 1; interrupt_at <= 3; interrupt_at++) {
+    for (interrupt_at = 1; interrupt_at <= 4; interrupt_at++) {
         failure f = {0};
         bvh8 w;
         created = 0;
         bool built = bvh8_build(&x, how, &w, &f);
-        check(built == (interrupt_at == 3), "Ctrl-C in step %d: built or not", interrupt_at);
+        check(built == (interrupt_at == 4), "Ctrl-C in step %d: built or not", interrupt_at);
         if (!built) check_equal(f.exit_code, 130, "Ctrl-C in step %d: exit code", interrupt_at);
         check_equal(w.held, built ? x.n : 0, "Ctrl-C in step %d: triangles held", interrupt_at);
         bvh8_free(&w);
