@@ -52,43 +52,30 @@ typedef struct {
     uint8_t (*pick)[8];   /* [2 n] (15.5): the best k for j places at j - 1, 0: C(s, j - 1) */
     uint32_t *leaves;     /* [blocks] which becomes that block */
     bvh8_job *job;
-    size_t n, jobs, job_size, *kept;
+    size_t n, jobs, job_size;
 } bvh8_builder;
 
-enum { bvh8_piece = 4096 };
 #define bvh8_around(a, b) EIGHT_LOOP(eight_min, a, b)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Pieces of bvh8_piece items, each at its own place; kept[piece]: so many can be hit. */
+/* 4096 items; `first` of what can't be hit is no_shape. */
 static inline void bvh8_items_job(size_t piece, void *context)
 {
     const bvh8_builder *b = context;
     const bvh8 *w = b->w;
-    bvh8_bound *out = b->item + bvh8_piece * piece;
-    for (size_t i = bvh8_piece * piece; i < w->x.n && i < bvh8_piece * (piece + 1); i++) {
+    for (size_t i = 4096 * piece; i < w->x.n && i < 4096 * (piece + 1); i++) {
         aabb box;
+        bvh8_bound *out = &b->item[i];
+        out->first = no_shape;
         if (!items_bounds(&w->x, i, &box)) continue;
         triangle t = w->x.m ? mesh_triangle(w->x.m, i) : (triangle){.a = box.lo};
         if (w->x.m && vzero(triangle_cross(t.a, t.b, t.c))) continue;
         vec3 lo = bvh8_into(w, box.lo), hi = bvh8_into(w, box.hi);
         for (int k = 0; k < 3; k++)
             out->lo[k] = float_below(vaxis(lo, k)), out->minus_hi[k] = float_below(-vaxis(hi, k));
-        out->first = (uint32_t)i, out->count = 0, out++;
+        out->first = (uint32_t)i, out->count = 0;
     }
-    b->kept[piece] = (size_t)(out - b->item) - bvh8_piece * piece;
-}
-
-/* False after Ctrl-C. */
-static inline bool bvh8_items(bvh8_builder *b, int threads)
-{
-    size_t pieces = (b->w->x.n + bvh8_piece - 1) / bvh8_piece;
-    b->kept = allocate(pieces, sizeof *b->kept);
-    bool whole = parallel_for(pieces, threads, "boxes", bvh8_items_job, b);
-    for (size_t i = 0; whole && i < pieces; b->n += b->kept[i++])
-        memmove(b->item + b->n, b->item + bvh8_piece * i, b->kept[i] * sizeof *b->item);
-    free(b->kept);
-    return whole;
 }
 
 /* Half of its surface, in double, so that no float box overflows it; 0 if empty. */
@@ -319,7 +306,9 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
         return failed(f, 1, "%zu items: more than the %zu bytes allowed", x->n, how.most_bytes);
     bvh8_frame(w, all);
     b.item = bvh8_room(x->n, sizeof *b.item);
-    bool whole = bvh8_items(&b, how.threads);
+    bool whole = parallel_for((x->n + 4095) / 4096, how.threads, "boxes", bvh8_items_job, &b);
+    for (size_t i = 0; whole && i < x->n; i++)
+        if (b.item[i].first != no_shape) b.item[b.n++] = b.item[i];
     w->held = b.n, b.job_size = b.n / 32 > 1024 ? b.n / 32 : 1024;
     b.node = bvh8_room(2 * b.n, sizeof *b.node), b.pick = allocate(2 * b.n, sizeof *b.pick);
     b.job = allocate(b.n, sizeof *b.job);
