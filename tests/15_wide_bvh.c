@@ -253,6 +253,7 @@ static void test_interrupted(void)
     items x = items_of_mesh(&m);
     bvh8_options how = bvh8_defaults;
     how.threads = 2;
+    signal(SIGINT, SIG_DFL);  /* in the background it may be ignored, and stays so (parallel.h) */
     for (interrupt_at = 1; interrupt_at <= 4; interrupt_at++) {
         failure f = {0};
         bvh8 w;
