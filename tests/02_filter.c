@@ -195,11 +195,13 @@ static double checkerboard_rmse(filter f, sample_placement how, int n, size_t pi
 /* Random: the spread of one ray is at most 1/2, times sqrt(sum w^2) / sum w, which tends to
  * sqrt(area * integral of w^2) / (integral of w) / sqrt N: 1, 4/3, and for the Gaussian
  * 4 / (2 sqrt(pi) sigma) = 2.26. Jittered: only the cells that an edge crosses count, some n of
- * n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less, random only 2. */
+ * n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less, random only 2. The
+ * exponent from 1000 pixels scatters by 0.025, and is 0.02 too small at so few rays: 0.15 are five
+ * of its errors, and random's 1/2 is refused. */
 static void test_convergence(void)
 {
     double spread[] = {1, 4 / 3.0, 2.26};
-    size_t pixels = check_count(1500) > 150 ? check_count(1500) : 150;  /* fewer scatter too far */
+    size_t asked = check_count(1500), pixels = asked > 1000 ? asked : 1000;
     for (int i = 0; i < 3; i++) {
         double random = checkerboard_rmse(filters[i], SAMPLES_RANDOM, 16, pixels);
         double coarse = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 8, pixels);
@@ -207,7 +209,7 @@ static void test_convergence(void)
         check_at_most(random, 0.5 * spread[i] / 16 * 1.1, "%s: 256 random rays", names[i]);
         check_at_least(random, 0.5 * spread[i] / 16 * 0.3, "%s: and they do have an error",
                        names[i]);
-        check_close(log(coarse / fine) / log(4.0), 0.75, 0.1, "%s: jittered falls as N^-3/4",
+        check_close(log(coarse / fine) / log(4.0), 0.75, 0.15, "%s: jittered falls as N^-3/4",
                     names[i]);
         check_at_most(fine, random / 1.5, "%s: jittered beats random", names[i]);
         check_at_most(checkerboard_rmse(filters[i], SAMPLES_REGULAR, 64, pixels / 10 + 1), 0.03,
