@@ -251,7 +251,7 @@ static void test_cost(void)
     items x = items_of_mesh(&m);
     bvh8 w;
     search_work missed = {0, 0, 0, 0}, whole = missed, ended = missed;
-    size_t met = 0, hits = 0, before = bvh8_asked;
+    size_t met = 0, hits = 0, asked_any = 0, before = bvh8_asked;
     check(bvh8_build(&x, bvh8_defaults, &w, NULL), "built");
     for (size_t i = 0; i < check_count(8000); i++) {
         random_stream g = random_start(47, i, 0);
@@ -265,12 +265,15 @@ static void test_cost(void)
             continue;
         }
         whole.nodes += work.nodes, whole.tests += work.tests, hits++;
+        size_t asked = bvh8_asked;
+        bvh8_occluded(&w, r), asked_any += bvh8_asked - asked, bvh8_asked = asked;
         r.tmax = h.t, bvh8_hit_counted(&w, r, &h, &ended);
     }
     check_at_least(missed.nodes, met, "nodes of rays that hit nothing");
     check_at_most(missed.nodes, met + met / 50, "and not more than they meet");
     check_at_most(whole.nodes, ended.nodes + ended.nodes / 20, "nodes, and of rays that end there");
     check_at_most(bvh8_asked - before, 2 * hits + hits / 5, "one triangle a hit asked in `real`");
+    check_at_most(asked_any, hits / 5, "and hardly one of shadow rays");
     bvh8_free(&w), mesh_free(&m);
 }
 
