@@ -614,6 +614,23 @@ static void test_scales(void)
     }
 }
 
+/* What is held at the same time while the upper tree is made: all of the result but its last array,
+ * and the instances twice, in the order given and in the tree's. */
+static void test_peak(void)
+{
+    mesh m = floors_mesh(1);
+    enum { n = 1000 };
+    instance *list = allocate(n, sizeof *list);
+    for (size_t i = 0; i < n; i++)
+        list[i] = (instance){affine_translation((vec3){(real)(3 * i), 0, 0}), 0};
+    crowd c = {&m, 1, list, n};
+    instances x = built(&c, INSTANCES_POINTS);
+    instance_stats s = instances_stats(&x);
+    check_at_least(s.peak, s.lower_bytes + s.upper_bytes + n * sizeof *x.place, "peak");
+    check_at_most(s.peak, 3 * (s.lower_bytes + s.upper_bytes), "and not out of all proportion");
+    instances_free(&x), mesh_free(&m), free(list);
+}
+
 static void test_none(void)
 {
     mesh m = floors_mesh(1), empty = {0}, both[2] = {empty, m};
@@ -1015,6 +1032,7 @@ int main(void)
     test_refined();
     test_beyond_all_numbers();
     test_scales();
+    test_peak();
     test_none();
     test_sick_mesh();
     test_boxes();

@@ -188,6 +188,17 @@ static void test_cells(void)
     check(jitter_place(999999999, 1000000000, last) < 1, "the last cell ends below 1");
 }
 
+/* Halton's points as they are: bases 2 and 3, then 5 and 7; of these keys are no part. */
+static void test_plain_halton(void)
+{
+    for (uint32_t i = 0; i < 100; i++) {
+        sampler s = sampler_start(SEQUENCE_HALTON, 3, 5, i, 100);
+        point2 p = sampler_pair(&s), q = sampler_pair(&s);
+        check(p.u == radical_inverse(2, i) && p.v == radical_inverse(3, i), "bases 2, 3: %u", i);
+        check(q.u == radical_inverse(5, i) && q.v == radical_inverse(7, i), "bases 5, 7: %u", i);
+    }
+}
+
 /* ---- all kinds alike ---- */
 
 static point2 pair_of(sequence_kind kind, uint64_t seed, uint64_t pixel, uint32_t i, uint32_t n,
@@ -318,6 +329,7 @@ int main(void)
     test_radical_inverse();
     test_permuted();
     test_cells();
+    test_plain_halton();
     test_uniform();
     test_unbiased();
     test_keys();

@@ -64,6 +64,57 @@ static bool same(const film *a, const film *b)
                   2 * (size_t)a->width * (size_t)a->height * sizeof *a->half[0]) == 0;
 }
 
+/* Each pixel is in the window of one tile. */
+static void test_windows(void)
+{
+    film m = film_new(33, 17);
+    size_t pixels = 0;
+    for (size_t k = 0; k < film_tiles(&m); k++) {
+        film_window w = film_window_of(&m, k);
+        check(w.x0 < w.x1 && w.x1 <= 33 && w.y0 < w.y1 && w.y1 <= 17, "tile %zu: no pixels", k);
+        pixels += (size_t)((w.x1 - w.x0) * (w.y1 - w.y0));
+    }
+    check_equal(pixels, 33 * 17, "pixels of all tiles");
+    check_equal(film_tiles(&m), 3 * 2, "tiles");
+    film_free(&m);
+}
+
+/* 100 samples a second, and a tenth of a second left: ten more, not as many as there are. */
+static void test_next(void)
+{
+    film m = film_new(1, 1);
+    film_passes p = {.samples = 100, .seconds = 1};
+    passes_goal g = {.samples = 1000, .seconds = 10};
+    failure f;
+    check_equal(passes_next(&p, &m, &g, clock_seconds()), 1, "the first");
+    check(film_cover(&m, 0, 100, &f), "100");
+    check_equal(passes_next(&p, &m, &g, clock_seconds()), 200, "there is time: twice as many");
+    check_close(passes_next(&p, &m, &g, clock_seconds() - 9.6), 110, 3, "what is left");
+    check_equal(passes_next(&p, &m, &g, clock_seconds() - 11), 100, "no time: none");
+    film_free(&m);
+}
+
+/* Between passes: a signal that waits is heard, unless it is ignored. */
+static void test_stopped(void)
+{
+    sigset_t both, before;
+    sigemptyset(&both), sigaddset(&both, SIGINT), sigaddset(&both, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &both, &before);
+    check(!passes_stopped(&both), "no signal: goes on");
+    for (int k = 0; k < 2; k++) {
+        int which = k ? SIGTERM : SIGINT;
+        raise(which);
+        check(passes_stopped(&both) && parallel_stopped() == 128 + which, "%d: stops", which);
+        signal(which, SIG_IGN);
+        raise(which);
+        check(!passes_stopped(&both), "%d, ignored: goes on", which);
+        signal(which, SIG_IGN);  /* takes away what still waits */
+        signal(which, SIG_DFL);
+    }
+    atomic_store(&parallel_stop, 0), atomic_store(&parallel_signal, 0);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+}
+
 static void test_parts(void)
 {
     const uint32_t cut[] = {0, 1, 7, 8, 20, 33};
@@ -355,6 +406,9 @@ int main(void)
     if (!mkdtemp(directory)) return 1;
     test_tally();
     test_ranges();
+    test_windows();
+    test_next();
+    test_stopped();
     test_parts();
     test_state();
     test_dielectric();
