@@ -512,8 +512,8 @@ static void test_order(size_t n)
     mesh_free(&m);
 }
 
-/* Two squares that are the ends of the cube along x: low end + size, rounded, may lie before the high
- * end, and what lies there must be in some cell. */
+/* Two squares that are the ends of the cube along x: low end + size, rounded, may lie before the
+ * high end, and what lies there must be in some cell. */
 static void test_ends(void)
 {
     size_t lost = 0, n = check_count(16000);
@@ -530,7 +530,8 @@ static void test_ends(void)
         failure f;
         hit h = {.shape = 0};
         ray r = ray_from((vec3){end[1] + 1, 0.125, 0.125}, (vec3){-1, 0, 0});
-        check(octree_build(&x, (octree_options){1, 4, true, true, (size_t)1 << 20}, &t, &f), "built");
+        check(octree_build(&x, (octree_options){1, 4, true, true, (size_t)1 << 20}, &t, &f),
+              "built");
         lost += !octree_hit(&t, r, &h) || h.shape != 1;
         octree_free(&t), mesh_free(&m);
     }
