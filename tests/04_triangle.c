@@ -484,6 +484,31 @@ static void test_flattened(void)
     check_at_least(hits, n / 8, "they are hit");
 }
 
+/* Slivers whose area is some roundings of the edges: plain products are off by 2 epsilon |e1| |e2|
+ * at most, and taken if the result is twice that, so it turns by no more than 1/2. That all
+ * roundings conspire is not met: half of it is asked. */
+static void test_sliver_normals(void)
+{
+    double worst = 0;
+    size_t plain = 0, n = check_count(400000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(9, i, 0);
+        vec3 a = random_in_cube(&g, 1), d = random_in_cube(&g, 1), b = vadd(a, d);
+        vec3 c = vadd(vmadd(a, d, 2 * random_next(&g) - 1), random_in_cube(&g, 4 * real_epsilon));
+        if (i % 2) b = vmadd(a, d, (real)1e-3);
+        vec3 s = triangle_cross(a, b, c), p = vcross(vsub(b, a), vsub(c, a));
+        wide3 w = wide3_cross(wide3_sub(wide3_of(b), wide3_of(a)),
+                              wide3_sub(wide3_of(c), wide3_of(a)));
+        plain += s.x == p.x && s.y == p.y && s.z == p.z;
+        double l = wide_value(wide3_length(w)) * (double)vlength(s);
+        if (l == 0) continue;
+        worst = check_worse(worst, wide_value(wide3_length(wide3_cross(w, wide3_of(s)))) / l);
+        if (wide_sign(wide3_dot(w, wide3_of(s))) < 0) worst = 2;
+    }
+    check_at_most(worst, 0.25, "slivers: the normal is turned by");
+    check(plain > n / 2 && plain < n, "plain products and exact ones: %zu of %zu", plain, n);
+}
+
 /* ---- first.h in clear cases; its slips are in 04_watertight.c ---- */
 
 /* Rays at least 0.1 off a plane's own direction: first_plane_hit is plane_hit, but for the rounding
@@ -559,6 +584,7 @@ static void test_first_no_area(void)
 
 int main(void)
 {
+    test_sliver_normals();
     test_first_planes();
     test_first_points();
     test_first_no_area();

@@ -1,4 +1,5 @@
-/* 07_mesh: shapes behind one tag, and the closest hit by brute force. */
+/* 07_mesh: shapes behind one tag, the closest hit by brute force, and point in mesh by parity, vote
+ * and winding number, aimed at vertices and edges. */
 #include "check.h"
 #include "child.h"
 #include "../chapters/07_mesh/lab/pictures.h"
@@ -283,6 +284,167 @@ static void stops_between_rays(void)
     check_equal(r.status, 0, "a pixel after Ctrl-C asks nobody");
 }
 
+static void solid_angles(void)
+{
+    vec3 x = {1, 0, 0}, y = {0, 2, 0}, z = {0, 0, 3};
+    double eps = (double)real_epsilon, octant = 3.14159265358979323846 / 2;
+    check_close(solid_angle(x, y, z), octant, 4 * eps,
+                "an octant is an eighth of 4 pi, whatever the lengths");
+    check_close(solid_angle(y, x, z), -octant, 4 * eps, "the other way round: negative");
+    check_equal(solid_angle(x, y, vadd(x, y)), 0, "edge-on: nothing");
+    check_close(solid_angle(vec(1, 0, 1e-3), vec(-0.5, 0.75, 1e-3),
+                            vec(-0.5, -0.75, 1e-3)),
+                4 * octant, 0.02,
+                "just below a triangle it is nearly half of the sphere, not nearly 0");
+    check_equal(solid_angle((vec3){0, 0, 0}, y, z), 0, "a corner at p");
+    /* A square of side 2 at distance 1 is one face of a cube: 4 pi / 6. */
+    vec3 a = {-1, -1, 1}, b = {1, -1, 1}, c = {1, 1, 1}, d = {-1, 1, 1};
+    check_close(solid_angle(a, b, c) + solid_angle(a, c, d), 4 * octant / 3, 8 * eps,
+                "a face of a cube");
+    mesh m = torus_mesh(40);
+    check_close(winding_number(&m, vec(0.75, 0, 0)), 1, 3200 * eps,
+                "in the ring: 1, n epsilon");
+    check_close(winding_number(&m, (vec3){0, 0, 0}), 0, 3200 * eps, "in its hole: 0");
+    check_close(winding_number(&m, (vec3){100, 0, 0}), 0, 3200 * eps, "far away: 0");
+    mesh_free(&m);
+}
+
+/* k octahedra one in the other, all outwards or all inwards, and a point within: the product of
+ * winding_number goes round k times. Beside that k: all solid angles, one by one. */
+static void winding_turns(void)
+{
+    double eps = (double)real_epsilon;
+    for (int k = 1; k <= 5; k += 2)
+        for (int turned = 0; turned < 2; turned++) {
+            mesh one = octahedron_mesh(3);
+            mesh m = specimen_new((size_t)k * one.vertices, (size_t)k * one.triangles);
+            for (size_t i = 0; i < m.vertices; i++)
+                m.v[i] = vscale(one.v[i % one.vertices], (real)(1 + i / one.vertices));
+            for (int shell = 0; shell < k; shell++)
+                for (size_t i = 0; i < one.triangles; i++) {
+                    const uint32_t *c = one.index + 3 * i;
+                    size_t at = (size_t)shell * one.vertices;
+                    specimen_add(&m, at + c[0], at + c[turned ? 2 : 1], at + c[turned ? 1 : 2]);
+                }
+            random_stream g = random_start(717, (uint64_t)k, 0);
+            for (int n = 0; n < 40; n++) {
+                vec3 p = vec(random_between(&g, -0.5, 0.5), random_between(&g, -0.25, 0.25),
+                             random_between(&g, -0.2, 0.2));
+                double sum = 0;
+                for (size_t i = 0; i < m.triangles; i++) {
+                    triangle t = mesh_triangle(&m, i);
+                    sum += solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p));
+                }
+                double w = winding_number(&m, p), bound = (double)m.triangles * eps;
+                check_close(w, turned ? -k : k, bound, "%d surfaces", k);
+                check_close(w, sum / (4 * 3.14159265358979323846), bound, "and angle by angle");
+            }
+            mesh_free(&one), mesh_free(&m);
+        }
+}
+
+/* All points of the lattice, exactly, along the axes, where 4, 6 or 8 triangles meet in each
+ * vertex. Inside is |x| + |y| + |z| < 1, in whole numbers. */
+static void lattice(void)
+{
+    enum { n = 4 };
+    mesh m = octahedron_mesh(n);
+    inside_score w = {0, {0}};
+    first_mesh soup = mesh_soup(&m);
+    for (int z = -n; z <= n; z++)
+        for (int y = -n; y <= n; y++)
+            for (int x = -n - 1; x <= n + 1; x++)
+                for (int axis = 0; axis < 6; axis++) {
+                    int far = abs(x) + abs(y) + abs(z);
+                    if (far == n) continue;  /* on the surface */
+                    vec3 p = {(real)x / n, (real)y / n, (real)z / n}, d = {0, 0, 0};
+                    ((real *)&d)[axis / 2] = axis % 2 ? -1 : 1;
+                    w.asked++;
+                    for (int k = 0; k < inside_methods; k++)
+                        w.wrong[k] += inside_ask(k, &m, &soup, p, d) != (far < n);
+                }
+    for (int k = inside_of_hits; k < inside_methods; k++)
+        check_equal(w.wrong[k], 0, "%s: wrong of %zu lattice points", inside_names[k], w.asked);
+    for (int k = 0; k < inside_of_hits; k++)
+        check_at_least(w.wrong[k], w.asked / 20, "%s: wrong at 1 of 20 lattice points and more",
+                       inside_names[k]);
+    mesh_free(&m), first_mesh_free(&soup);
+}
+
+/* The aim of the votes is one that hurts: of the rays that a vote casts, the one through a vertex
+ * alone is wrong as often as rays straight at a vertex are. */
+static void votes_are_aimed(void)
+{
+    mesh m = torus_mesh(24);
+    size_t n = check_count(2000), wrong = 0, alone = 0, hurt = 0;
+    for (size_t i = 0; i < n; i++) {
+        vec3 p, d;
+        random_stream s = random_start(22, i, 0);
+        bool inside = inside_question(&m, &s, AT_VERTEX, 3, &p, &d), own = false;
+        for (int k = 0; k < 3; k++) own = own || vzero(vsub(inside_direction(k, 3), d));
+        bool bad = inside_parity_naive(&m, p, d) != inside;
+        hurt += bad, alone += bad && own;
+        wrong += inside_vote(&m, p, 3) != inside;
+    }
+    check_equal(wrong, 0, "vote of 3, one of its rays through a vertex, of %zu", n);
+    check_at_least(alone, n / 20, "that ray alone is wrong at 5 %% and more");
+    check_equal(hurt, alone, "and it is one that the vote casts");
+    mesh_free(&m);
+}
+
+/* Rays aimed at vertices and at points of edges of a torus, whose coordinates are not exact: what
+ * counts hits is wrong as often as that, at least. first.h's test is not watertight: it is wrong at
+ * edges, too. */
+static void aimed(void)
+{
+    mesh m = torus_mesh(24);
+    const char *name[] = {"random", "edge", "vertex"};
+    const double least[][inside_of_hits] = {{0, 0}, {0.3, 0.01}, {0.3, 0.3}};
+    for (inside_aim at = AT_RANDOM; at <= AT_VERTEX; at++) {
+        random_stream s = random_start(21, (uint64_t)at, 0);
+        inside_score w = inside_play(&m, &s, at, check_count(3000));
+        for (int k = 0; k < inside_methods - (at != AT_RANDOM); k++)
+            if (k < inside_of_hits && at != AT_RANDOM)
+                check_at_least((double)w.wrong[k], least[at][k] * (double)w.asked,
+                               "%s: %s is wrong that often, of %zu", name[at], inside_names[k],
+                               w.asked);
+            else check_equal(w.wrong[k], 0, "%s: %s, wrong of %zu", name[at], inside_names[k],
+                             w.asked);
+    }
+    mesh_free(&m);
+}
+
+/* One triangle less: parity follows the ray through the hole, the winding number hardly changes. */
+static void open_mesh(void)
+{
+    mesh m = octahedron_mesh(4);
+    triangle hole = mesh_triangle(&m, m.triangles - 1);
+    vec3 p = {0.03125, 0.015625, 0.0078125};
+    vec3 through = vsub(vscale(vadd(vadd(hole.a, hole.b), hole.c), 1 / (real)3), p);
+    check(inside_parity(&m, p, through) && inside_parity_naive(&m, p, through), "closed: inside");
+    vec3 outside = vmadd(vscale(vadd(vadd(hole.a, hole.b), hole.c), 1 / (real)3),
+                         inside_direction(4, 5), -2);
+    check(!inside_vote(&m, outside, 5), "outside the closed mesh");
+    m.triangles--;
+    check(inside_parity_naive(&m, outside, inside_direction(4, 5)), "in by the hole: one hit");
+    check(!inside_vote(&m, outside, 5), "one of five is outvoted");
+    check(!inside_parity(&m, p, through) && !inside_parity_naive(&m, p, through),
+          "parity through the hole: outside");
+    check(inside_parity(&m, p, vneg(through)), "and inside by the other way");
+    check(inside_winding(&m, p) && inside_vote(&m, p, 5), "winding number and vote: inside");
+    check_close(winding_number(&m, p), 1 - 1.0 / 128, 0.01,
+                "1 of 128 triangles: some 1/128 is missing");
+    for (size_t i = 0; i < m.triangles; i++) {
+        uint32_t *k = m.index + 3 * i, swap = k[0];
+        k[0] = k[1], k[1] = swap;
+    }
+    check(inside_winding(&m, p), "all triangles turned over: still inside");
+    m.triangles = 0;
+    check(!inside_parity(&m, p, through) && !inside_winding(&m, p),
+          "no triangles: nothing is inside");
+    mesh_free(&m);
+}
+
 int main(void)
 {
     closest_of_many();
@@ -291,5 +453,11 @@ int main(void)
     ties();
     meshes();
     stops_between_rays();
+    solid_angles();
+    winding_turns();
+    lattice();
+    aimed();
+    votes_are_aimed();
+    open_mesh();
     return check_report("07_mesh");
 }

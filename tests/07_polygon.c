@@ -51,8 +51,11 @@ static void exact_cases(bool over)
                         vec3 o = vmadd(q, d, -3);
                         if (axis == 1) o = (vec3){o.z, o.x, o.y}, d = (vec3){d.z, d.x, d.y};
                         if (axis == 2) o = (vec3){o.y, o.z, o.x}, d = (vec3){d.y, d.z, d.x};
-                        hit h;
+                        hit h, plain = {7, 7, 7, 7};
                         bool is = polygon_hit(p, ray_from(o, d), &h);
+                        if (k < 3 || k > 27)  /* on no edge: there naive is right */
+                            check(polygon_hit_naive(p, ray_from(o, d), &plain) == is
+                                      && plain.t == (is ? 3 : 7), "naive, point %zu", k);
                         check(is == at[k].hit && (!is || h.t == 3),
                               "(%g, %g), axis %d, from corner %d, side %d, tilt %d",
                               (double)at[k].x, (double)at[k].y, axis, first, side, tilt);
@@ -171,17 +174,14 @@ static void seams(void)
                    "the textbook polygon slips at 1 %% of the seams and more");
 }
 
-/* Corners in the other order, other starts, other scale: the same hits, bit for bit. Three
- * corners: the hits of the triangle of 04. */
+/* Corners in the other order, other starts, other scale: the same hits, bit for bit. */
 static void same_answers(void)
 {
-    size_t turned = 0, scaled = 0, as_triangle = 0, hits = 0;
-    double worst = 0;
+    size_t turned = 0, scaled = 0, hits = 0;
     random_stream numbers = random_start(13, 0, 0);
     for (size_t i = 0; i < check_count(20000); i++) {
         vec3 v[12], w[12], x[12];
         size_t n = gear(v, 3, 1, 0.4), first = (size_t)random_between(&numbers, 0, 11);
-        if (i % 2) n = 3;
         vec3 d = direction(&numbers), zero = {0, 0, 0};
         turn(v, n, direction(&numbers), zero);
         real s = ldexp((real)1, (int)random_between(&numbers, real_is_float ? -100 : -900,
@@ -190,51 +190,14 @@ static void same_answers(void)
         vec3 aim = vscale(direction(&numbers), random_between(&numbers, 0, 1));
         ray r = ray_from(vmadd(aim, d, -3), d), q = r;
         q.o = vscale(r.o, s), q.d = vscale(d, 4);
-        hit h = hit_none, g = hit_none, e = hit_none, f = hit_none;
-        bool is = polygon_hit(polygon_of(v, n), r, &h),
-             is_turned = polygon_hit(polygon_of(w, n), r, &g);
-        bool is_scaled = polygon_hit(polygon_of(x, n), q, &e);
+        hit h = hit_none, e = hit_none;
+        bool is = polygon_hit(polygon_of(v, n), r, &h);
         hits += is;
-        turned += is != is_turned;
-        scaled += is != is_scaled || (is && h.t * s / 4 != e.t);
-        if (n > 3) continue;
-        as_triangle += is != triangle_hit((triangle){v[0], v[1], v[2]}, r, &f);
-        vec3 normal = triangle_normal((triangle){v[0], v[1], v[2]});
-        if (is) worst = check_worse(worst, fabs((double)((h.t - f.t) * vdot(normal, d))));
+        turned += is != polygon_hit(polygon_of(w, n), r, &e);
+        scaled += is != polygon_hit(polygon_of(x, n), q, &e) || (is && h.t * s / 4 != e.t);
     }
     check_equal(turned, 0, "other orders of the corners that change the answer, of %zu hits", hits);
     check_equal(scaled, 0, "sizes that change the answer");
-    check_equal(as_triangle, 0, "polygons of three corners that differ from the triangle of 04");
-    check_at_most(worst, 32 * (double)real_epsilon, "and their t, across the plane; distance 3");
-}
-
-/* Edge-on but for rounding, the plane's depth is noise; t stays between the corners' own depths. */
-static void nearly_edge_on(void)
-{
-    size_t outside = 0, hits = 0;
-    random_stream numbers = random_start(14, 0, 0);
-    for (size_t i = 0; i < check_count(50000); i++) {
-        vec3 v[12], normal = direction(&numbers), s, t;
-        size_t n = gear(v, 3, 1, 0.4);
-        turn(v, n, normal, vscale(direction(&numbers), 3));
-        vbasis(normal, &s, &t);
-        real a = random_between(&numbers, -pi, pi);
-        vec3 d = vmadd(vadd(vscale(s, cos(a)), vscale(t, sin(a))), normal,
-                       real_epsilon * random_between(&numbers, -2, 2));
-        ray r = ray_from(vmadd(vscale(vadd(v[0], v[6]), 0.5), d, -4), d);
-        ray_shear k = shear_of(r);
-        real near = real_infinity, far = -real_infinity;
-        for (size_t j = 0; j < n; j++) {
-            real depth = shear_corner(&v[j], &k).z * k.sz;
-            near = real_min(near, depth), far = real_max(far, depth);
-        }
-        hit h;
-        if (!polygon_hit(polygon_of(v, n), r, &h)) continue;
-        hits++;
-        outside += !(h.t >= near * (1 - real_epsilon) && h.t <= far * (1 + real_epsilon));
-    }
-    check_equal(outside, 0, "hits nearer or farther than all corners, of %zu", hits);
-    check_at_least(hits, check_count(50000) / 20, "some are hit");
 }
 
 /* Of q from the polygon in the plane spanned by the exact, whole e1 and e2, the origin at v[0]. */
@@ -423,7 +386,6 @@ int main(void)
     against_the_oracle();
     seams();
     same_answers();
-    nearly_edge_on();
     always_on_the_polygon();
     not_in_a_plane();
     at_an_edge();

@@ -29,33 +29,6 @@ static void test_easy(void)
     check_at_most(off, 40 * (double)real_epsilon, "t_enter of rays up to 5 long");
 }
 
-/* A point is in the box if each coordinate is between two: first_slabs by its definition. */
-static void test_slabs(void)
-{
-    size_t n = check_count(20000);
-    double off = 0;
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(2, i, 0);
-        aabb b = random_box(&g, 1);
-        ray r = ray_from(random_in_cube(&g, 3), random_in_cube(&g, 1));
-        real t[2];
-        first_slabs(b, r, &t[0], &t[1]);
-        for (int e = 0; e < 2; e++) {
-            double least = HUGE_VAL;  /* of the six planes one passes through the point */
-            vec3 p = ray_at(r, t[e]);
-            for (int k = 0; k < 3; k++) {
-                least = fmin(least, fabs((double)(vaxis(p, k) - vaxis(b.lo, k))));
-                least = fmin(least, fabs((double)(vaxis(p, k) - vaxis(b.hi, k))));
-            }
-            off = check_worse(off, least);
-        }
-        real lo, hi;
-        first_slab(b.lo.x, b.hi.x, r.o.x, r.d.x, &lo, &hi);
-        if (!(lo <= hi)) off = (double)NAN;
-    }
-    check_at_most(off, 16 * (double)real_epsilon, "entry and exit lie in a plane of the box");
-}
-
 static void test_boxes(void)
 {
     size_t n = check_count(20000), wrong = 0;
@@ -150,7 +123,6 @@ static void test_interval(void)
 int main(void)
 {
     test_easy();
-    test_slabs();
     test_boxes();
     test_hair();
     test_hard();

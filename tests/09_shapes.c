@@ -1,6 +1,5 @@
 /* 09_aabb with full mantissas and with something in the box: what is hit has its box hit, and how
  * often the converse is wrong; bounding spheres and turned boxes likewise. */
-#include "../chapters/03_sphere/sphere.h"
 #include "../chapters/09_aabb/lab/content.h"
 #include "check.h"
 
@@ -93,27 +92,6 @@ static void test_triangle_in_its_box(void)
 /* A count of hits with probability p among n: within 4.5 standard deviations but once in 150000. */
 static double allowed(double p, double n) { return 4.5 * sqrt(p * (1 - p) / n); }
 
-/* (9.6) for a ball: 4 pi r^2 / 24 r^2 = pi / 6, so a box hit is wrong in 47.6 % of the cases. */
-static void test_ball(void)
-{
-    aabb box = {{1, 1, 1}, {3, 3, 3}};
-    sphere ball = {{2, 2, 2}, 1};
-    size_t boxes = 0, balls = 0, lost = 0;
-    for (size_t i = 0; i < check_count(1000000); i++) {
-        ray r = line_through(box, 3, i);
-        real t;
-        hit h;
-        bool in_box = aabb_hit(box, r, &t), in_ball = sphere_hit(ball, r, &h);
-        boxes += in_box, balls += in_ball, lost += in_ball && !in_box;
-    }
-    double p = 3.14159265358979 / 6;
-    check_equal(lost, 0, "no hit without its box");
-    check_close((double)balls / (double)boxes, p, allowed(p, (double)boxes), "ball in a cube");
-    double q = 24.0 / (4 * 3.14159265358979 * 3);  /* the cube in the sphere round it */
-    check_close((double)boxes / (double)check_count(1000000), q,
-                allowed(q, (double)check_count(1000000)), "(9.6) for the cube, too");
-}
-
 /* Surface of the hull of a convex shape; a triangle has two sides. */
 static double convex_area(const aabb_content *c)
 {
@@ -199,7 +177,6 @@ int main(void)
 {
     test_full_mantissa();
     test_triangle_in_its_box();
-    test_ball();
     test_volumes();
     test_known_volumes();
     test_volumes_touched();

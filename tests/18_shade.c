@@ -147,9 +147,32 @@ static void test_trace(void)
     t.w = &empty, nothing.missed = false;
     check(!trace(&t, RAY_CAMERA, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
               && nothing.missed, "an empty world is missed");
+    world_part none = part[0];
+    none.tree = (bvh8){.nodes = 0};
+    trace_world of_none = {&none, 1};
+    t.w = &of_none, nothing.missed = false;
+    check(!trace(&t, RAY_CAMERA, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 1}), &nothing)
+              && nothing.missed, "a part without a tree is missed");
     for (int k = 0; k < 3; k++) world_part_free(&part[k]);
     world_part_free(&part[0]);  /* twice is allowed */
     mesh_free(&pot);
+}
+
+static vec3 other_up(const void *self, hit h, vec3 p)
+{
+    (void)self, (void)h, (void)p;
+    return (vec3){0, 0, 1};
+}
+
+/* What is owed for a shape of the caller's: 256 epsilon of the way and its size, 2 of p. */
+static void test_other(void)
+{
+    shape_other o = {.normal = other_up, .lo = {0, 0, 0}, .hi = {3, 4, 0}};
+    hit h = {1, 0, 0, 7};
+    surface near = surface_on_other(&o, h, (vec3){0, 0, 0}, 11);
+    surface far = surface_on_other(&o, h, (vec3){(real)4096, 0, 0}, 11);
+    check_equal(near.error / real_epsilon, 256 * (11 + 5), "256 of 11 + 5");
+    check_equal(far.error / real_epsilon, 256 * (11 + 5) + 2 * 4096, "and 2 of 4096");
 }
 
 /* ---- light ----------------------------------------------------------------------------------- */
@@ -560,6 +583,7 @@ int main(void)
 {
     test_facing();
     test_trace();
+    test_other();
     test_light();
     test_contact();
     test_shade();

@@ -5,22 +5,16 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 06_csg chapters/06_
 #include "lab/csg_figure.h"
 #include "lab/csg_measure.h"
 
-#define CSG_NAMES "classic, bite, lens, bowl, gem, die"
-
 int main(int argc, char **argv)
 {
-    const char *name = NULL, *text = NULL;
+    const char *text = NULL;
     option own[] = {
-        {"solid", OPTION_TEXT, &name, 0, 0, "draws one of " CSG_NAMES},
         {"expression", OPTION_TEXT, &text, 0, 0, "draws 'difference(sphere 0 0 0 1, ..)'"}, {0}};
     options defaults = {.width = 960, .height = 640, .seed = 1};
     options o = options_read(argc, argv, "06_csg", "Solids from solids: error and time.", defaults,
                              own);
-    if (name && text) die(2, "--solid %.100s and --expression: allowed is one of them", name);
-    if (name && !csg_scene_text(name))
-        die(2, "--solid %.100s: allowed are %s", name, CSG_NAMES);
-    o.own = name || text;
-    csg_scene s = csg_scene_of(text ? text : csg_scene_text(name ? name : "classic"));
+    o.own = text;
+    csg_scene s = csg_scene_of(text ? text : CSG_CLASSIC);
     csg_draw(&o, &s);
     csg_scene_free(&s);
     csg_draw_inside(&o), csg_draw_pocket(&o), csg_draw_tree(&o);

@@ -4,13 +4,15 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 07_mesh chapters/07
 #include "lab/drawing.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
+#include "files/obj.h"
+#include "files/obj_write.h"
 
 /* A picture takes rays x triangles tests. Where no size is asked for, it gets the size that so
  * many tests can fill: that depends on the mesh alone, not on the machine. */
 static void main_picture(options *o, const mesh *m, int up, int samples, const char *path)
 {
     char name[512];
-    double n = (double)m->triangles, rays = (o->quick ? 2e7 : o->full || !path ? 2e9 : 4e8) / n;
+    double n = (double)m->triangles, rays = (o->quick ? 5e6 : o->full || !path ? 2e9 : 4e8) / n;
     if (samples == 0) samples = o->width == 0 && rays > 4 * 320 * 240 ? 4 : 1;
     int width = (int)fmin(fmax(sqrt(rays / samples * 4 / 3), 16), 640) / 4 * 4;
     if (o->width == 0) o->width = width, o->height = width * 3 / 4;
@@ -24,14 +26,10 @@ static void main_picture(options *o, const mesh *m, int up, int samples, const c
 
 static void other_pictures(const options *o)
 {
-    image shapes = image_new(o->quick ? 160 : 640, o->quick ? 90 : 360), slices;
-    bool whole = draw_slices(o->quick ? 32 : 180, o->threads, &slices);
+    image slices;
+    bool whole = draw_slices(o->quick ? 16 : 180, o->threads, &slices);
     output_picture(o, &slices, "07_mesh_inside.png", false, whole);
-    if (o->full || o->quick) {
-        whole = draw_shapes(o->quick ? 1 : 9, o->threads, &shapes);
-        output_picture(o, &shapes, "07_mesh_shapes.png", false, whole);
-    }
-    image_free(&shapes), image_free(&slices);
+    image_free(&slices);
     draw_arrays(o, "07_mesh_arrays.svg");
 }
 
@@ -56,13 +54,13 @@ int main(int argc, char **argv)
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         die(2, "bad value --up %s: allowed are x, y, z", up);
     if (save && !ends_with(save, ".obj")) die(2, "--save %.300s: its name ends in .obj", save);
-    if (!path) m = teapot_mesh(fineness);
+    o.own = path || save || fineness != 6;
+    if (!path) m = teapot_mesh(o.quick && !o.own ? 1 : fineness);
     else if (!obj_read(path, &m, &f)) fail(f);
     if (path) printf("# %s: %zu points, %zu triangles\n", path, m.vertices, m.triangles);
     if (path) (void)obj_libraries_missing(&m, path);
     if (smooth) mesh_smooth_normals(&m);
     if (flat) free(m.n), free(m.normal_index), m.n = NULL, m.normal_index = NULL;
-    o.own = path || save || fineness != 6;
     if (save) return mesh_write(&m, save), mesh_free(&m), output_done(&o);
     if (o.own || o.full || o.quick || o.out || o.preview || o.width)
         main_picture(&o, &m, up ? *up - 'x' : path ? 1 : 2, samples, path);
@@ -72,7 +70,6 @@ int main(int argc, char **argv)
     mesh fine = path ? m : teapot_mesh(o.quick ? 8 : 32);
     cost_report(&o, &fine, path != NULL);
     if (!path && (o.full || o.quick)) shapes_report(&o);
-    if (!path && o.full) files_report(&o);
     if (!path) mesh_free(&fine);
     mesh_free(&m);
     return output_done(&o);

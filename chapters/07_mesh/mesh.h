@@ -11,17 +11,15 @@
  *   bool     mesh_texture(&m, i, u, v, &t)  texture coordinates there; false: a corner has none
  *   bool     mesh_bounds(&m, &lo, &hi)      box around all triangles; false if there is none
  *   void     mesh_smooth_normals(&m)        one normal a vertex, triangles weighted by angle
- *   void     mesh_smooth_normals_area(&m)   ... by area: cheaper, but depends on the slicing
  *   const char *mesh_material(&m, i)        the name that usemtl gave triangle i, or ""
  *   void     mesh_free(&m)                  a zeroed mesh may be freed, and so may a freed one
  *
  * Who fills a mesh (obj.h, teapot.h) allocates its arrays; mesh_free releases them.
  *
- * Where the weighting by area goes wrong: a cube whose squares are cut into two triangles. At a
- * corner one square may come with two triangles, another with one; by area it then counts twice,
- * and the normal leans towards it, by 19 degrees. The angles of a square's triangles add up to 90
- * degrees however it is cut. Source: Thürmer, Wüthrich, "Computing vertex normals from polygonal
- * facets", J. Graphics Tools 3(1), 1998.
+ * Why by angle: a square cut into two triangles may come to a corner with one of them or with both,
+ * but with 90 degrees either way. By area a corner of a cube would lean towards the square that
+ * counts twice: (2, 1, 1) is 19 degrees from (1, 1, 1). Source: Thürmer, Wüthrich, "Computing
+ * vertex normals from polygonal facets", J. Graphics Tools 3(1), 1998.
  */
 #ifndef MESH_H
 #define MESH_H
@@ -131,8 +129,11 @@ static inline bool mesh_texture(const mesh *m, size_t i, real u, real v, vec3 *o
  * loses half of them near 0 and 180 degrees. */
 static inline real mesh_angle(vec3 a, vec3 b) { return atan2(vlength(vcross(a, b)), vdot(a, b)); }
 
-/* Replaces the normals by the sum, at each vertex, of its triangles' normals, made unit. */
-static inline void mesh_sum_normals(mesh *m, bool by_angle)
+/* Replaces the normals by the sum, at each vertex, of its triangles' normals times their angles
+ * there, made unit. A vertex that no triangle of any area touches gets a zero normal, and
+ * mesh_normal then answers with the triangle's own. Vertices are smoothed by index: where a file
+ * repeats a point, the crease stays sharp. O(triangles). */
+static inline void mesh_smooth_normals(mesh *m)
 {
     free(m->n);
     free(m->normal_index);
@@ -142,24 +143,12 @@ static inline void mesh_sum_normals(mesh *m, bool by_angle)
     for (size_t i = 0; i < m->triangles; i++) {
         const uint32_t *k = m->index + 3 * i;
         triangle t = mesh_triangle(m, i);
-        vec3 e = vsub(t.b, t.a), f = vsub(t.c, t.b), g = vsub(t.a, t.c);
-        vec3 n = by_angle ? triangle_normal(t) : vcross(e, f);  /* or twice the area long */
-        real w[3] = {1, 1, 1};
-        if (by_angle) {
-            e = vunit(e), f = vunit(f), g = vunit(g);
-            w[0] = mesh_angle(e, vneg(g)), w[1] = mesh_angle(f, vneg(e));
-            w[2] = mesh_angle(g, vneg(f));
-        }
-        for (int j = 0; j < 3; j++)  /* a triangle of no area has n = 0 and adds nothing */
-            m->n[k[j]] = vmadd(m->n[k[j]], n, w[j]);
+        vec3 n = triangle_normal(t);  /* no area: zero, which adds nothing */
+        vec3 e = vunit(vsub(t.b, t.a)), f = vunit(vsub(t.c, t.b)), g = vunit(vsub(t.a, t.c));
+        real angle[3] = {mesh_angle(e, vneg(g)), mesh_angle(f, vneg(e)), mesh_angle(g, vneg(f))};
+        for (int j = 0; j < 3; j++) m->n[k[j]] = vmadd(m->n[k[j]], n, angle[j]);
     }
     for (size_t j = 0; j < m->vertices; j++) m->n[j] = vunit(m->n[j]);
 }
-
-/* A vertex that no triangle of any area touches gets a zero normal, and mesh_normal then answers
- * with the triangle's own. Vertices are smoothed by index: where a file repeats a point, the crease
- * stays sharp. Areas overflow for edges beyond 1e150 (float: 1e18); angles do not. O(triangles). */
-static inline void mesh_smooth_normals(mesh *m) { mesh_sum_normals(m, true); }
-static inline void mesh_smooth_normals_area(mesh *m) { mesh_sum_normals(m, false); }
 
 #endif

@@ -121,7 +121,7 @@ static inline void csg_draw_inside(const options *o)
         {"all hits: outside", "all hits: in a hole", "all hits: in the solid"}};
     if (o->out || o->own) return;
     enum { w = 312, h = 250, gap = 12 };
-    csg_scene s = csg_scene_of(csg_scene_text("classic"));
+    csg_scene s = csg_scene_of(CSG_CLASSIC);
     image sheet = image_new(3 * w + 2 * gap, 2 * (h + 26) + 34);
     bool whole = true;
     label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));

@@ -1,16 +1,13 @@
 /* csg_measure.h: the tables and plots of this chapter.
  *
  *   csg_measure(&o)     what each way gets wrong, and its time; how many solids a ray asks; with
- *                       --full faces of meshes, trees of depth 1 to 20, the tolerance from 1e-12
- *                       to 1
+ *                       --full the tolerance from 1e-12 to 1
  */
 #ifndef CSG_MEASURE_H
 #define CSG_MEASURE_H
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "../../../common/parallel.h"
-#include "csg_meshes.h"
 #include "csg_survey.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -31,21 +28,16 @@ static const struct {
     {"spans", csg_hit_plain, 0},
     {"spans, bounds: csg_hit", csg_hit, 0}};
 
-typedef struct {
-    const csg *c;
-    csg_hit_function *X_hit;
-    double tolerance;
-    ray *r;
-    size_t n;  /* of rays: so few that a run ends before the machine turns to others */
-} csg_timing;
+typedef struct { const csg *c; int method; ray *r; size_t n; } csg_timing;
 
 static double csg_time_run(void *context)
 {
     const csg_timing *x = context;
     double sum = 0;
     hit h;
-    csg_tolerance = (real)x->tolerance;
-    for (size_t i = 0; i < x->n; i++) sum += x->X_hit(x->c, x->r[i], &h) ? (double)h.t : 0;
+    csg_tolerance = (real)csg_method[x->method].tolerance;
+    for (size_t i = 0; i < x->n; i++)
+        sum += csg_method[x->method].X_hit(x->c, x->r[i], &h) ? (double)h.t : 0;
     return sum;
 }
 
@@ -70,28 +62,19 @@ static inline void csg_survey_sight(size_t k, void *context)
     for (int m = 0; m < csg_methods; m++) y->wrong[k][m] *= 100 / (double)y->n;
 }
 
-static inline void csg_time_methods(const options *o, const csg_sight *s, double ns[csg_methods])
-{
-    static ray r[csg_timed];
-    csg_timing x[csg_methods];
-    bench_candidate b[csg_methods];
-    for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(s, i);
-    for (int m = 0; m < csg_methods; m++) {
-        const csg *c = m == csg_methods - 1 ? &s->scene.c : &s->bare;
-        x[m] = (csg_timing){c, csg_method[m].X_hit, csg_method[m].tolerance, r, csg_timed};
-        b[m] = (bench_candidate){.name = csg_method[m].name, .run = csg_time_run, .context = &x[m]};
-    }
-    bench_time(b, csg_methods, o->quick ? 3 : 31);
-    for (int m = 0; m < csg_methods; m++) ns[m] = b[m].seconds / csg_timed * 1e9;
-}
-
 static inline void csg_main_table(const options *o)
 {
     csg_survey y = {.n = o->quick ? 100 : 2000};
+    static ray r[csg_timed];
+    csg_timing x[csg_methods];
     double ns[csg_methods];
     for (int k = 0; k < csg_sights; k++)
         y.sight[k] = csg_sight_of((csg_sight_kind)k, o->seed);
-    csg_time_methods(o, &y.sight[CSG_OUTSIDE], ns);
+    const csg_sight *s = &y.sight[CSG_OUTSIDE];
+    for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(s, i);
+    for (int m = 0; m < csg_methods; m++)
+        x[m] = (csg_timing){m == csg_methods - 1 ? &s->scene.c : &s->bare, m, r, csg_timed};
+    bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : 31, 1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
                         "error mesh faces [%]|error foils [%]|time [ns]");
@@ -109,40 +92,28 @@ static inline void csg_main_table(const options *o)
 
 /* ---- what bounds save ---- */
 
-/* Where ball i of n is: the bits of i halve the cube along x, y, z in turn, chance does the rest:
- * neighbours in number are neighbours in space, and the bounds of pairs of pairs are small. */
-static inline vec3 csg_many_place(size_t i, size_t n)
+/* n balls [a power of two] in a cube, in pairs of pairs; the caller frees both arrays. The bits of
+ * i halve the cube along x, y, z in turn, chance does the rest: neighbours in number are neighbours
+ * in space, and the bounds of pairs of pairs are small. */
+static inline csg_model csg_balls(size_t n)
 {
-    random_stream x = random_start(7, i, 0);
-    vec3 at = {0, 0, 0}, half = {1, 1, 1};
-    int k = 0;
-    for (size_t bit = n / 2; bit > 0; bit /= 2, k = (k + 1) % 3) {
-        real h = vaxis(half, k) / 2;
-        half = vwith(half, k, h), at = vwith(at, k, vaxis(at, k) + (i & bit ? h : -h));
-    }
-    return vadd(at, vmul(half, random_in_cube(&x, 1)));
-}
-
-/* A plate with n holes in rows of ten, as a chain of differences; or n balls [a power of two] in a
- * cube, in pairs of pairs. The caller frees both arrays. */
-static inline csg_model csg_many(size_t n, bool plate)
-{
-    csg_solid *s = allocate(n + 1, sizeof *s);
-    csg_step *step = allocate(2 * n + 2, sizeof *step);
-    size_t steps = 0, solids = 0;
-    if (plate) {
-        s[solids] = csg_box(vec(-1, -1, -0.05), vec(1, 1, 0.05));
-        step[steps++] = (csg_step){CSG_SOLID, (uint32_t)solids++};
-    }
+    csg_solid *s = allocate(n, sizeof *s);
+    csg_step *step = allocate(2 * n, sizeof *step);
+    size_t steps = 0;
     for (size_t i = 0; i < n; i++) {
-        double u = -0.9 + 0.2 * (double)(i % 10), v = 0.9 - 0.2 * (double)(i / 10 % 10);
-        s[solids] = plate ? csg_cylinder(vec(u, v, 0), vec(0, 0, 1), (real)0.07)
-            : csg_sphere(csg_many_place(i, n), pow((real)n, (real)(-1 / 3.0)) / 2);
-        step[steps++] = (csg_step){CSG_SOLID, (uint32_t)solids++};
-        if (plate) step[steps++].what = CSG_DIFFERENCE;
-        for (size_t k = i + 1; !plate && k % 2 == 0; k /= 2) step[steps++].what = CSG_UNION;
+        random_stream x = random_start(7, i, 0);
+        vec3 at = {0, 0, 0}, half = {1, 1, 1};
+        int k = 0;
+        for (size_t bit = n / 2; bit > 0; bit /= 2, k = (k + 1) % 3) {
+            real h = vaxis(half, k) / 2;
+            half = vwith(half, k, h), at = vwith(at, k, vaxis(at, k) + (i & bit ? h : -h));
+        }
+        s[i] = csg_sphere(vadd(at, vmul(half, random_in_cube(&x, 1))),
+                          pow((real)n, (real)(-1 / 3.0)) / 2);
+        step[steps++] = (csg_step){CSG_SOLID, (uint32_t)i};
+        for (size_t j = i + 1; j % 2 == 0; j /= 2) step[steps++].what = CSG_UNION;
     }
-    return (csg_model){s, solids, step, steps};
+    return (csg_model){s, n, step, steps};
 }
 
 typedef struct { csg_statistics stats; double asked[2], boxes, ns[2]; } csg_savings;
@@ -155,7 +126,6 @@ static inline csg_savings csg_savings_of(const options *o, csg_model m)
     csg c[2];
     csg_timing x[2];
     size_t few = m.solids > 20 ? 64 : csg_timed;
-    bench_candidate b[2];
     failure f;
     hit h;
     for (size_t i = 0; i < csg_timed; i++) {
@@ -169,12 +139,11 @@ static inline csg_savings csg_savings_of(const options *o, csg_model m)
         for (size_t i = 0; i < csg_timed; i++) (void)csg_hit(&c[k], r[i], &h);
         y.asked[k] = (double)csg_asked.solids / csg_timed;
         y.boxes = (double)csg_asked.bounds / csg_timed;
-        x[k] = (csg_timing){&c[k], csg_hit, 0, r, few};
-        b[k] = (bench_candidate){.run = csg_time_run, .context = &x[k]};
+        x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
     }
-    bench_time(b, 2, o->quick ? 3 : m.solids > 2000 ? 9 : 25);
+    bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : 25, 1e9 / (double)few, y.ns);
     y.stats = csg_stats(&c[1]);
-    for (int k = 0; k < 2; k++) y.ns[k] = b[k].seconds / (double)few * 1e9, csg_free(&c[k]);
+    for (int k = 0; k < 2; k++) csg_free(&c[k]);
     return y;
 }
 
@@ -186,51 +155,21 @@ static inline void csg_savings_row(table *t, const char *name, csg_savings y)
     table_number(t, y.ns[0]), table_number(t, y.ns[1]);
 }
 
-static inline csg_savings csg_savings_many(const options *o, size_t n, bool plate)
-{
-    csg_model m = csg_many(n, plate);
-    csg_savings y = csg_savings_of(o, m);
-    free((void *)(uintptr_t)m.solid), free((void *)(uintptr_t)m.step);
-    return y;
-}
-
-#define CSG_SAVINGS "tree|leaves|depth|solids, no bounds|solids, bounds|boxes|" \
-                    "time, no bounds [ns]|time, bounds [ns]"
-
 static inline void csg_savings_table(const options *o)
 {
-    table t = table_new("Solids that a ray asks, without bounds and with them", CSG_SAVINGS);
-    csg_scene s = csg_scene_of(csg_scene_text("classic"));
+    table t = table_new("Solids that a ray asks, without bounds and with them",
+                        "tree|leaves|depth|solids, no bounds|solids, bounds|boxes|"
+                        "time, no bounds [ns]|time, bounds [ns]");
+    csg_scene s = csg_scene_of(CSG_CLASSIC);
     csg_savings_row(&t, "classic", csg_savings_of(o, csg_expression_model(&s.e)));
     csg_scene_free(&s);
-    csg_savings_row(&t, "plate, 100 holes", csg_savings_many(o, 100, true));
-    csg_savings_row(&t, "1024 balls", csg_savings_many(o, 1024, false));
+    csg_model m = csg_balls(1024);
+    csg_savings_row(&t, "1024 balls", csg_savings_of(o, m));
+    free((void *)(uintptr_t)m.solid), free((void *)(uintptr_t)m.step);
     output_extra_table(o, &t);
 }
 
 /* ---- with --full ---- */
-
-static inline void csg_depth_table(const options *o)
-{
-    static const char *const name[] = {"chain, no bounds", "chain, bounds", "pairs, no bounds",
-                                       "pairs, bounds"};
-    table t = table_new("Trees of depth 1 to 20: a plate with holes, balls in pairs of pairs",
-                        CSG_SAVINGS);
-    plot p = plot_new("Solids that a ray asks", "depth of the tree", "solids a ray", PLOT_LOG_Y);
-    plot q = plot_new("Time of a ray", "depth of the tree", "time [ns]", PLOT_LOG_Y);
-    for (int k = 0; k < 4; k++) (void)plot_series(&p, name[k]), (void)plot_series(&q, name[k]);
-    for (int pairs = 0; pairs < 2; pairs++)
-        for (size_t depth = 1; depth <= (pairs ? 13 : 20); depth++) {
-            csg_savings y = csg_savings_many(o, pairs ? (size_t)1 << depth : depth, !pairs);
-            csg_savings_row(&t, pairs ? "balls in pairs" : "plate with holes", y);
-            for (int k = 0; k < 2; k++) {
-                plot_add(&p, 2 * pairs + k, (double)depth, y.asked[k]);
-                plot_add(&q, 2 * pairs + k, (double)depth, y.ns[k]);
-            }
-        }
-    output_extra_table(o, &t);
-    output_plot(o, &p, "06_csg_depth.svg"), output_plot(o, &q, "06_csg_time.svg");
-}
 
 static inline void csg_tolerance_plot(const options *o)
 {
@@ -262,10 +201,7 @@ static inline void csg_measure(const options *o)
 {
     csg_main_table(o);
     csg_savings_table(o);
-    if (!o->full) return;
-    csg_mesh_table(o);
-    csg_depth_table(o);
-    csg_tolerance_plot(o);
+    if (o->full) csg_tolerance_plot(o);
 }
 
 #endif

@@ -1,7 +1,6 @@
-/* csg_scenes.h: the solids of this chapter, by name, and what is needed to look at them.
+/* csg_scenes.h: the solids of this chapter, and what is needed to look at them.
  *
  *   csg_scene s = csg_scene_of(text)            an expression; exit 2 where it says nothing
- *   csg_scene_text(name)                        the expression of a name, or NULL
  *   csg_scene_pocket(mesh, shift)               a turned block, or a mesh of one, with pockets that
  *                                               are flush with its faces; beside it three foils
  *   csg_scene_free(&s)
@@ -17,26 +16,10 @@
 
 typedef struct { csg_expression e; csg c; } csg_scene;
 
-static const struct { const char *name, *text; } csg_named[] = {
-    {"classic", "difference(intersection(sphere 0 0 0 1.32, box -1 -1 -1 1 1 1), union("
-     "cylinder 0 0 0 1 0 0 0.62, cylinder 0 0 0 0 1 0 0.62, cylinder 0 0 0 0 0 1 0.62))"},
-    {"bite", "difference(sphere 0 0 0 1.3, sphere 0.5 0.5 0.7 0.95)"},
-    {"lens", "intersection(sphere 0 0 -1.6 2, sphere 0 0 1.6 2, cylinder 0 0 0 0 0 1 1)"},
-    {"bowl", "difference(intersection(sphere 0 0.4 0 1.4, half 0 1 0 0.4), sphere 0 0.4 0 1.2)"},
-    {"gem", "difference(intersection(gem 0 0 0 1.6, box -1 -1 -1 1 1 1), gem 0 0 0 1.1, "
-     "sphere 0 0 0.9 0.5)"},
-    {"die", "difference(intersection(box -1 -1 -1 1 1 1, sphere 0 0 0 1.45), sphere 0 0 1.12 0.3, "
-     "sphere 1.1 0.5 0.5 0.25, sphere 1.1 -0.5 -0.5 0.25, sphere -0.5 1.1 -0.5 0.25, "
-     "sphere 0 1.1 0 0.25, sphere 0.5 1.1 0.5 0.25)"}};
+#define CSG_CLASSIC "difference(intersection(sphere 0 0 0 1.32, box -1 -1 -1 1 1 1), union(" \
+    "cylinder 0 0 0 1 0 0 0.62, cylinder 0 0 0 0 1 0 0.62, cylinder 0 0 0 0 0 1 0.62))"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline const char *csg_scene_text(const char *name)
-{
-    for (size_t i = 0; i < sizeof csg_named / sizeof *csg_named; i++)
-        if (strcmp(name, csg_named[i].name) == 0) return csg_named[i].text;
-    return NULL;
-}
 
 static inline csg_scene csg_scene_of(const char *text)
 {

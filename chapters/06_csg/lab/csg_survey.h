@@ -62,7 +62,7 @@ static inline csg_sight csg_sight_of(csg_sight_kind kind, uint64_t seed)
     csg_sight s = {.kind = kind, .seed = seed, .shift = vec(far, 0.7 * far, -0.4 * far)};
     failure f;
     s.scene = kind >= CSG_COINCIDENT ? csg_scene_pocket(kind == CSG_MESH_FACES, s.shift)
-        : csg_scene_of(csg_scene_text("classic"));
+        : csg_scene_of(CSG_CLASSIC);
     if (!csg_build(csg_expression_model(&s.scene.e), (csg_options){true}, &s.bare, &f)) fail(f);
     return s;
 }

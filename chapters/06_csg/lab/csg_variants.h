@@ -23,6 +23,14 @@ static _Thread_local real csg_tolerance = (real)1e-9;
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* The body of a way: what a solid's crossings are, and how two lists become one. */
+#define CSG_WAY(leaf, merge) \
+    { \
+        csg_crossing *list = NULL; \
+        size_t n = csg_walk(c, r, &list, leaf, merge); \
+        return csg_first(list, n, r, out); \
+    }
+
 /* What first.h keeps of a list. An odd rest never ends: the walk counts on from its beginning. */
 static inline size_t csg_front_crossings(const csg_solid *s, ray r, uint32_t first,
                                          csg_crossing *out)
@@ -34,11 +42,7 @@ static inline size_t csg_front_crossings(const csg_solid *s, ray r, uint32_t fir
 }
 
 static inline bool csg_hit_front(const csg *c, ray r, hit *out)
-{
-    csg_crossing *list = NULL;
-    size_t n = csg_walk(c, r, &list, csg_front_crossings, spans_merge);
-    return csg_first(list, n, r, out);
-}
+CSG_WAY(csg_front_crossings, spans_merge)
 
 static inline size_t csg_apart_crossings(const csg_solid *s, ray r, uint32_t first,
                                          csg_crossing *out)
@@ -49,11 +53,7 @@ static inline size_t csg_apart_crossings(const csg_solid *s, ray r, uint32_t fir
 }
 
 static inline bool csg_hit_apart(const csg *c, ray r, hit *out)
-{
-    csg_crossing *list = NULL;
-    size_t n = csg_walk(c, r, &list, csg_apart_crossings, spans_merge);
-    return csg_first(list, n, r, out);
-}
+CSG_WAY(csg_apart_crossings, spans_merge)
 
 /* Boxes by the planes through their own least or greatest corner; other solids as they are. */
 static inline size_t csg_point_crossings(const csg_solid *s, ray r, uint32_t first,
@@ -93,11 +93,7 @@ static inline size_t csg_merge_singly(csg_operation what, const csg_crossing *a,
 }
 
 static inline bool csg_hit_points(const csg *c, ray r, hit *out)
-{
-    csg_crossing *list = NULL;
-    size_t n = csg_walk(c, r, &list, csg_point_crossings, csg_merge_singly);
-    return csg_first(list, n, r, out);
-}
+CSG_WAY(csg_point_crossings, csg_merge_singly)
 
 /* In lengths of d; csg_walk hands no ray to a merge. */
 static _Thread_local real csg_tolerance_t;
@@ -132,12 +128,13 @@ static inline size_t csg_tolerant_crossings(const csg_solid *s, ray r, uint32_t 
     return kept;
 }
 
+static inline bool csg_hit_within(const csg *c, ray r, hit *out)
+CSG_WAY(csg_tolerant_crossings, csg_merge_tolerant)
+
 static inline bool csg_hit_tolerant(const csg *c, ray r, hit *out)
 {
-    csg_crossing *list = NULL;
     csg_tolerance_t = csg_tolerance / vlength(r.d);
-    size_t n = csg_walk(c, r, &list, csg_tolerant_crossings, csg_merge_tolerant);
-    return csg_first(list, n, r, out);
+    return csg_hit_within(c, r, out);
 }
 
 static inline size_t csg_anew_crossings(const csg_solid *s, ray r, uint32_t first,
@@ -150,11 +147,7 @@ static inline size_t csg_anew_crossings(const csg_solid *s, ray r, uint32_t firs
 }
 
 static inline bool csg_hit_anew(const csg *c, ray r, hit *out)
-{
-    csg_crossing *list = NULL;
-    size_t n = csg_walk(c, r, &list, csg_anew_crossings, spans_merge);
-    return csg_first(list, n, r, out);
-}
+CSG_WAY(csg_anew_crossings, spans_merge)
 
 static inline bool csg_hit_plain(const csg *c, ray r, hit *out) { return csg_hit(c, r, out); }
 

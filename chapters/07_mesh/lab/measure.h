@@ -4,21 +4,18 @@
  *   inside_report(&o);                 answers to "inside?": errors and times; the main table
  *   cost_report(&o, &m, is_main);      the closest hit in parts of a mesh: O(n)
  *   shapes_report(&o);                 cones and polygons, the textbook's and ours
- *   files_report(&o);                  reading OBJ files: megabytes a second
  */
 #ifndef MESH_LAB_MEASURE_H
 #define MESH_LAB_MEASURE_H
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "../files/obj.h"
-#include "../files/obj_write.h"
 #include "../scenes/teapot.h"
 #include "trials.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { cones_at_once = 1024, mesh_rounds = 7, inside_questions = 32 };
+enum { shapes_at_once = 1024, mesh_rounds = 7, inside_questions = 32 };
 
 typedef struct {
     const mesh *m;
@@ -79,14 +76,16 @@ static inline void inside_report(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
+enum { ASK_CLOSEST, ASK_ANY, ASK_FIRST };
+
 typedef struct {
     const mesh *m;
-    const first_mesh *soup;  /* not NULL: ask this, by first.h */
+    const first_mesh *soup;
     uint64_t seed;
     size_t rays;
-    bool any;
     vec3 centre;
     real radius;
+    int what;  /* ASK_CLOSEST .. */
 } cost_batch;
 
 static inline double cost_run(void *context)
@@ -99,201 +98,135 @@ static inline double cost_run(void *context)
         vec3 o = vmadd(b->centre, direction(&s), 3 * b->radius);
         ray r = ray_from(o, vsub(aim, o));
         hit h = hit_none;
-        if (b->any) sum += mesh_occluded(b->m, r);
-        else if (b->soup ? first_mesh_hit(b->soup, r, &h) : mesh_hit(b->m, r, &h))
-            sum += (double)h.t;
+        bool is = b->what == ASK_ANY ? mesh_occluded(b->m, r)
+                : b->what == ASK_FIRST ? first_mesh_hit(b->soup, r, &h) : mesh_hit(b->m, r, &h);
+        sum += !is ? 0 : b->what == ASK_ANY ? 1 : (double)h.t;
     }
     return sum;
-}
-
-static inline void cost_row(table *t, const char *method, const cost_batch *b, double us)
-{
-    table_text(t, "%s", method), table_count(t, b->m->triangles), table_count(t, b->rays);
-    table_number(t, us), table_number(t, 1e3 * us / (double)b->m->triangles);
 }
 
 /* The first n/4^k triangles of m as meshes of their own, k = 0..5; and all of them by first.h. The
  * last line: the exponent of n, from the smallest and the largest. */
 static inline void cost_report(const options *o, const mesh *m, bool is_main)
 {
-    size_t tests = o->quick ? 200000 : 1000000;
     table t = table_new("Closest hit by brute force",
                         "method|triangles|rays|time a ray [us]|time a test [ns]|time any hit [us]");
-    double least = 0, least_us = 1, us = 1;
+    double least = 0, least_us = 1, us[3] = {1, 0, 0};
     vec3 lo, hi;
     if (!mesh_bounds(m, &lo, &hi)) lo = hi = (vec3){0, 0, 0};
-    vec3 size = vsub(hi, lo), centre = vmadd(lo, size, 0.5);
     first_mesh soup = mesh_soup(m);
     for (int k = 5; k >= 0; k--) {
         mesh part = *m;
         part.triangles = m->triangles >> (2 * k);
         if (part.triangles < 50 && k > 0) continue;  /* there the call costs more than the tests */
-        size_t rays = tests / part.triangles;
+        size_t rays = (o->quick ? 50000 : 1000000) / part.triangles;
         rays = rays < 8 ? 8 : rays > 20000 ? 20000 : rays;
         cost_batch b[3];
         for (int i = 0; i < 3; i++)
-            b[i] = (cost_batch){&part, i == 2 ? &soup : NULL, o->seed, rays, i == 1, centre,
-                                vlength(size) / 2};
-        bench_candidate v[3] = {{"closest", cost_run, &b[0], 0, 0}, {"any", cost_run, &b[1], 0, 0},
-                                {"first", cost_run, &b[2], 0, 0}};
-        bench_time(v, k == 0 ? 3 : 2, 3);
-        us = 1e6 * v[0].seconds / (double)rays;
-        if (least == 0) least = (double)part.triangles, least_us = us;
-        double any_us = 1e6 * v[1].seconds / (double)rays;
-        cost_row(&t, "mesh_hit", &b[0], us), table_number(&t, any_us);
-        if (k > 0) continue;
-        cost_row(&t, "first", &b[2], 1e6 * v[2].seconds / (double)rays), table_text(&t, "-");
+            b[i] = (cost_batch){&part, &soup, o->seed, rays, vmadd(lo, vsub(hi, lo), 0.5),
+                                vlength(vsub(hi, lo)) / 2, i};
+        bench_each(cost_run, b, sizeof *b, k == 0 ? 3 : 2, 3, 1e6 / (double)rays, us);
+        if (least == 0) least = (double)part.triangles, least_us = us[0];
+        for (int i = 0; i < (k == 0 ? 3 : 1); i += 2) {
+            table_text(&t, i ? "first" : "mesh_hit"), table_count(&t, part.triangles);
+            table_count(&t, rays), table_number(&t, us[i]);
+            table_number(&t, 1e3 * us[i] / (double)part.triangles);
+            if (i) table_text(&t, "-");
+            else table_number(&t, us[1]);
+        }
     }
     first_mesh_free(&soup);
     (is_main ? output_table : output_extra_table)(o, &t);
     if ((double)m->triangles > least)
-        printf("# time ~ n^%.3f\n", log(us / least_us) / log((double)m->triangles / least));
+        printf("# time ~ n^%.3f\n", log(us[0] / least_us) / log((double)m->triangles / least));
 }
 
 /* ---------------------------------------------------------------------------------------------- */
 
 typedef struct {
-    cone c[cones_at_once];
-    ray r[cones_at_once];
-    bool (*hit)(cone, ray, hit *);
-} cone_batch;
+    shape s[shapes_at_once];
+    ray r[shapes_at_once];
+    bool naive;
+} shapes_batch;
 
-static inline double cone_run(void *context)
+static inline double shapes_run(void *context)
 {
-    const cone_batch *b = context;
+    const shapes_batch *b = context;
     double sum = 0;
     hit h = hit_none;
-    for (int i = 0; i < cones_at_once; i++)
-        sum += b->hit(b->c[i], b->r[i], &h) ? (double)h.t : 1;
+    for (int i = 0; i < shapes_at_once; i++) {
+        const shape *s = &b->s[i];
+        bool is = s->kind == SHAPE_CONE
+                    ? (b->naive ? cone_hit_naive : cone_hit)(s->cone, b->r[i], &h)
+                    : (b->naive ? polygon_hit_naive : polygon_hit)(s->polygon, b->r[i], &h);
+        sum += is ? (double)h.t : 1;
+    }
     return sum;
 }
 
-/* One row for each method: wrong answers where rays graze, distance from the side where they do
- * not. */
-static inline void cone_rows(uint64_t seed, size_t rays, table *t)
+/* Two rows, the textbook's and ours, timed with the shapes and rays of b[0]; off: or NULL. */
+static inline void shapes_rows(table *t, shapes_batch b[2], const char *rays, const double wrong[2],
+                               const double *off)
 {
-    static cone_batch b[2];
-    const char *name[2] = {"cone_hit_naive", "cone_hit"};
-    for (int power = 0; power <= 6; power += 2) {
-        real distance = pow((real)10, power);
-        cone_score sum = {0, 0, {0, 0}, {0, 0}, {0, 0}};
-        double ns[2];
-        random_stream s = random_start(seed, (uint64_t)distance, 71);
-        for (int kind = 0; kind < 5; kind++) {
-            cone_score grazing = cone_play(&s, kind, AIM_GRAZING, distance, rays / 5, 64);
-            cone_score anywhere = cone_play(&s, kind, AIM_RANDOM, distance, rays / 5, 64);
-            sum.decided += grazing.decided;
-            for (int k = 0; k < 2; k++) {
-                sum.wrong[k] += grazing.wrong[k];
-                sum.off_side[k] = fmax(sum.off_side[k], anywhere.off_side[k]);
-            }
-        }
-        for (int i = 0; i < cones_at_once; i++) {
-            b[0].c[i] = b[1].c[i] = some_cone(&s, i % 5);
-            b[0].r[i] = b[1].r[i] = ray_at_cone(&s, b[0].c[i], AIM_RANDOM, distance);
-        }
-        b[0].hit = cone_hit_naive, b[1].hit = cone_hit;
-        bench_each(cone_run, b, sizeof *b, 2, mesh_rounds, 1e9 / cones_at_once, ns);
-        for (int k = 0; k < 2; k++) {
-            table_text(t, "%s", name[k]), table_text(t, "from 1e%d", power);
-            table_number(t, 100 * (double)sum.wrong[k] / (double)sum.decided);
-            table_number(t, sum.off_side[k]), table_number(t, ns[k]);
-        }
+    double ns[2];
+    b[1] = b[0], b[0].naive = true, b[1].naive = false;
+    bench_each(shapes_run, b, sizeof *b, 2, mesh_rounds, 1e9 / shapes_at_once, ns);
+    for (int k = 0; k < 2; k++) {
+        const char *what = b->s->kind == SHAPE_CONE ? "cone" : "polygon";
+        table_text(t, "%s_hit%s", what, k ? "" : "_naive");
+        table_text(t, "%s", rays), table_number(t, 100 * wrong[k]);
+        if (off) table_number(t, off[k]);
+        else table_text(t, "-");
+        table_number(t, ns[k]);
     }
 }
 
-typedef struct { polygon p; ray r[cones_at_once]; bool naive; } polygon_batch;
-
-static inline double polygon_run(void *context)
-{
-    const polygon_batch *b = context;
-    double sum = 0;
-    hit h = hit_none;
-    for (int i = 0; i < cones_at_once; i++)
-        sum += (b->naive ? polygon_hit_naive : polygon_hit)(b->p, b->r[i], &h) ? (double)h.t : 1;
-    return sum;
-}
-
-/* A quad of the gear wheel. */
-static inline void polygon_rows(uint64_t seed, size_t rays, table *t)
-{
-    static gear_box box;
-    static polygon_batch b[2];
-    for (int j = 0; j < 2; j++) {
-        double ns[2];
-        size_t slips[2];
-        random_stream s = random_start(seed, (uint64_t)j, 72), again;
-        gear_box_fill(&box, &s, j ? 100000 : 0, false);
-        again = s;
-        for (int k = 0; k < 2; k++) {
-            s = again;
-            slips[k] = gear_box_slips(&box, &s, rays, k == 0);
-            b[k].p = box.shapes[2].polygon, b[k].naive = k == 0;
-            for (int i = 0; i < cones_at_once; i++) b[k].r[i] = gear_box_ray(&box, &s, (size_t)i);
-        }
-        bench_each(polygon_run, b, sizeof *b, 2, mesh_rounds, 1e9 / cones_at_once, ns);
-        for (int k = 0; k < 2; k++) {
-            table_text(t, k ? "polygon_hit" : "polygon_hit_naive");
-            table_text(t, "quad, %s", j ? "1e5 away" : "at the origin");
-            table_number(t, 100 * (double)slips[k] / (double)rays);
-            table_text(t, "-"), table_number(t, ns[k]);
-        }
-    }
-}
-
-/* `wrong` of cones: grazing rays with another answer than the oracle's; of polygons: rays from
- * inside a gear wheel, aimed at its corners and edges, that leave it unseen. */
+/* Cones: grazing rays with another answer than the oracle's, and how far off the side hits are that
+ * do not graze. Polygons: rays from inside a gear wheel, aimed at its corners and edges, that leave
+ * it unseen. */
 static inline void shapes_report(const options *o)
 {
+    static shapes_batch b[2];
+    static gear_box box;
     size_t rays = o->quick ? 500 : 20000;
     table t = table_new("Cones and polygons: error against time",
                         "method|rays|error: wrong [%]|error: off the side|time [ns]");
-    cone_rows(o->seed, rays, &t);
-    polygon_rows(o->seed, rays, &t);
-    output_extra_table(o, &t);
-}
-
-/* ---------------------------------------------------------------------------------------------- */
-
-typedef struct { const char *path; bool first; } files_batch;
-
-static inline double files_run(void *context)
-{
-    const files_batch *b = context;
-    double n;
-    failure f;
-    if (b->first) {
-        first_mesh s = first_obj_read(b->path);
-        n = s.n, first_mesh_free(&s);
-    } else {
-        mesh m;
-        if (!obj_read(b->path, &m, &f)) fail(f);
-        n = (double)m.triangles, mesh_free(&m);
+    for (int power = 0; power <= 6; power += 2) {
+        char from[20];
+        real distance = pow((real)10, power);
+        double wrong[2] = {0, 0}, off[2] = {0, 0}, decided = 0;
+        random_stream s = random_start(o->seed, (uint64_t)distance, 71);
+        for (int kind = 0; kind < 5; kind++) {
+            cone_score grazing = cone_play(&s, kind, AIM_GRAZING, distance, rays / 5, 64);
+            cone_score anywhere = cone_play(&s, kind, AIM_RANDOM, distance, rays / 5, 64);
+            decided += (double)grazing.decided;
+            for (int k = 0; k < 2; k++) {
+                wrong[k] += (double)grazing.wrong[k];
+                off[k] = fmax(off[k], anywhere.off_side[k]);
+            }
+        }
+        for (int i = 0; i < shapes_at_once; i++) {
+            cone c = some_cone(&s, i % 5);
+            b->s[i] = shape_of_cone(c), b->r[i] = ray_at_cone(&s, c, AIM_RANDOM, distance);
+        }
+        for (int k = 0; k < 2; k++) wrong[k] /= decided;
+        snprintf(from, sizeof from, "from 1e%d", power);
+        shapes_rows(&t, b, from, wrong, off);
     }
-    return n;
-}
-
-/* The teapot as a file of points, normals and faces i//n. */
-static inline void files_report(const options *o)
-{
-    const char *const path = "build/07_mesh_teapot.obj";
-    failure f;
-    struct stat file;
-    mesh m = teapot_mesh(50);
-    mkdir("build", 0777);  /* if that fails, writing the file says why */
-    if (!obj_write(path, &m, &f)) fail(f);
-    stat(path, &file);
-    files_batch b[2] = {{path, true}, {path, false}};
-    double seconds[2];
-    bench_each(files_run, b, sizeof *b, 2, mesh_rounds, 1, seconds);
-    table t = table_new("Reading an OBJ file", "method|triangles|bytes|time [MB/s]");
-    for (int k = 0; k < 2; k++) {
-        table_text(&t, k ? "obj_read" : "first_obj_read"), table_count(&t, m.triangles);
-        table_count(&t, (size_t)file.st_size);
-        table_number(&t, (double)file.st_size / seconds[k] / 1e6);
+    for (int far = 0; far < 2; far++) {
+        double wrong[2];
+        random_stream s = random_start(o->seed, (uint64_t)far, 72), again;
+        gear_box_fill(&box, &s, far ? 100000 : 0, false);
+        again = s;
+        for (int k = 0; k < 2; k++) {
+            s = again;
+            wrong[k] = (double)gear_box_slips(&box, &s, rays, k == 0) / (double)rays;
+        }
+        for (int i = 0; i < shapes_at_once; i++)
+            b->s[i] = box.shapes[2], b->r[i] = gear_box_ray(&box, &s, (size_t)i);
+        shapes_rows(&t, b, far ? "quad, 1e5 away" : "quad, at the origin", wrong, NULL);
     }
     output_extra_table(o, &t);
-    unlink(path), mesh_free(&m);
 }
 
 #endif

@@ -1,8 +1,7 @@
-/* pictures.h: a mesh in a frame that fits it, one shape of each kind, and slices through meshes.
+/* pictures.h: a mesh in a frame that fits it, and slices through meshes.
  *
  *   bool whole = draw_mesh(&m, up, samples, threads, &im)  by brute force, `up` the axis upwards
  *                                                          [0,3); it sees all from front above
- *   bool whole = draw_shapes(samples, threads, &im)        one of each kind
  *   bool whole = draw_slices(side, threads, &im)           3 x 2 panels, each side x side pixels,
  *                                                          titled; a new image
  * False: stopped by Ctrl-C; the picture holds what there was.
@@ -21,24 +20,18 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* What the pixels need. Just one of m and s is not NULL. */
 typedef struct {
     camera c;
     image *im;
     const mesh *m;
-    const scene *s;
-    const vec3 *tint;
     int cells;
 } mesh_view;
 
 static inline vec3 mesh_view_colour(const mesh_view *w, ray r)
 {
     hit h;
-    if (w->m ? !mesh_hit(w->m, r, &h) : !scene_hit(w->s, r, &h)) return vec(0.015, 0.02, 0.03);
-    if (w->m)
-        return vmul(vec(0.9, 0.4, 0.18), headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d));
-    return vmul(w->tint[h.shape],
-                headlight(shape_normal(w->s->shapes[h.shape], h, ray_at(r, h.t)), r.d));
+    if (!mesh_hit(w->m, r, &h)) return vec(0.015, 0.02, 0.03);
+    return vmul(vec(0.9, 0.4, 0.18), headlight(mesh_normal(w->m, h.shape, h.u, h.v), r.d));
 }
 
 /* A ray may take a tenth of a second, a tile of pixels half a minute: Ctrl-C works between rays. */
@@ -56,12 +49,6 @@ static inline void mesh_view_pixel(int x, int y, void *context)
         sum = vadd(sum, mesh_view_colour(w, r));
     }
     image_set(w->im, x, y, vscale(sum, 1 / (real)n));
-}
-
-static inline bool mesh_view_draw(mesh_view w, int samples, int threads)
-{
-    for (w.cells = 1; (w.cells + 1) * (w.cells + 1) <= samples;) w.cells++;
-    return parallel_pixels(w.im->width, w.im->height, threads, "picture", mesh_view_pixel, &w);
 }
 
 /* Axis `up` [0,3) upwards, the one before it to the right. Eye at three radii of the sphere round
@@ -100,33 +87,9 @@ static inline camera camera_fit(const mesh *m, int up, int width, int height)
 
 static inline bool draw_mesh(const mesh *m, int up, int samples, int threads, image *im)
 {
-    camera c = camera_fit(m, up, im->width, im->height);
-    return mesh_view_draw((mesh_view){c, im, m, NULL, NULL, 1}, samples, threads);
-}
-
-static inline bool draw_shapes(int samples, int threads, image *im)
-{
-    static vec3 wheel[96], floor_corners[4] = {{-5, -2, 0}, {5, -2, 0}, {5, 3, 0}, {-5, 3, 0}};
-    size_t n = gear(wheel, 24, 1.1, 0.8);
-    for (size_t i = 0; i < n; i++)
-        wheel[i] = vec((real)2.9 + wheel[i].x, 0.8, (real)1.1 + wheel[i].y);
-    const shape shapes[] = {
-        shape_of_polygon(polygon_of(floor_corners, 4)),
-        shape_of_polygon(polygon_of(wheel, n)),
-        shape_of_sphere((sphere){{-3, 0.5, 0.8}, 0.8}),
-        shape_of_cone((cone){{-1.3, 0.3, 0}, 0.8, {-1.3, 0.3, 1.9}, 0}),
-        shape_of_cone((cone){{0.1, 0.9, 0.6}, 0.6, {1.1, -0.6, 0.6}, 0.6}),
-        shape_of_triangle((triangle){{-2, 2, 0}, {2, 2, 0}, {0, 1.8, 2.6}})};
-    static const vec3 tint[] = {{0.45, 0.45, 0.45}, {0.9, 0.6, 0.05}, {0.1, 0.6, 0.9},
-                                {0.85, 0.35, 0.05}, {0.1, 0.7, 0.5},  {0.8, 0.5, 0.65}};
-    const scene s = {shapes, sizeof shapes / sizeof *shapes};
-    camera c;
-    camera_frame f;
-    failure why;
-    if (!frame_look_at(vec(-1.5, -9, 5), vec(0, 0, 0.85), (vec3){0, 0, 1}, &f, &why)
-        || !camera_perspective(f, 28, (real)im->width / (real)im->height, &c, &why))
-        fail(why);
-    return mesh_view_draw((mesh_view){c, im, NULL, &s, tint, 1}, samples, threads);
+    mesh_view w = {camera_fit(m, up, im->width, im->height), im, m, 1};
+    while ((w.cells + 1) * (w.cells + 1) <= samples) w.cells++;
+    return parallel_pixels(im->width, im->height, threads, "picture", mesh_view_pixel, &w);
 }
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -164,9 +127,8 @@ static inline void slice_pixel(int x, int y, void *context)
 
 static inline bool draw_slices(int side, int threads, image *im)
 {
-    static const char *const title[] = {
-        "parity of hits", "parity of crossings", "winding number",
-        "parity of hits", "parity of crossings", "winding number"};
+#define SLICE_TITLES "parity of hits", "parity of crossings", "winding number"
+    static const char *const title[] = {SLICE_TITLES, SLICE_TITLES};
     image panels = image_new(3 * side + 2 * slice_gap, 2 * side + slice_gap);
     mesh_slices s = {torus_mesh(12), teapot_mesh(3), &panels, side};
     bool whole = parallel_pixels(side, 2 * side, threads, "slices", slice_pixel, &s);

@@ -21,7 +21,7 @@
 #include "../mirror_camera.h"
 #include "../raster.h"
 
-typedef struct { size_t other, unexplained, judged; double depth, weights; } orders_difference;
+typedef struct { size_t other, unexplained, judged; double depth; } orders_difference;
 static const plane orders_mirror = {{-3.6, 0, 0}, {1, 0, 0}};
 enum { orders_floor = 2 };  /* triangles */
 
@@ -106,7 +106,7 @@ static inline bool orders_explained(hit drawn, const mesh *m, camera c, int x, i
 static inline orders_difference orders_compare(const raster *a, const raster *b, const mesh *m,
                                                camera c, int bits)
 {
-    orders_difference d = {0, 0, 0, 0, 0};
+    orders_difference d = {0, 0, 0, 0};
     real step = (real)ldexp(1, -bits);
     for (int k = 0; k < a->nx * a->ny; k++) {
         hit p = a->h[k], q = b->h[k];
@@ -114,9 +114,7 @@ static inline orders_difference orders_compare(const raster *a, const raster *b,
         d.judged++;
         if (p.shape == q.shape) {
             if (p.shape == no_shape) continue;
-            double weights = fabs((double)(p.u - q.u)) + fabs((double)(p.v - q.v));
             d.depth = off > d.depth ? off : d.depth;
-            d.weights = weights > d.weights ? weights : d.weights;
             continue;
         }
         d.other++;

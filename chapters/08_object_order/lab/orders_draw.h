@@ -45,7 +45,7 @@ static inline void orders_draw(const options *o)
     if (w < 1 || h < 1) w = o->width, h = o->height;
     bool small = w == o->width, whole;
     image im = image_new(small ? w : 3 * w + 2 * orders_gap, small ? h : 2 * h + orders_gap);
-    mesh m = orders_scene(4, false);
+    mesh m = orders_scene(o->quick ? 2 : 4, false);
     camera c = orders_camera((real)w / (real)h);
     raster drawn = raster_new(w, h), seen = raster_new(w, h), part = raster_new(w, h);
     whole = orders_rays(&seen, &m, c, o->threads);
@@ -84,14 +84,14 @@ static inline raster orders_first(const mesh *m, camera c, int nx, int ny)
 static inline void orders_draw_flat(const options *o)
 {
     static const char *const title[3] = {"first.h", "raster.h", "other triangle or tile: orange"};
-    enum { w = 316, h = 300 };
+    const int w = o->quick ? 79 : 316, h = o->quick ? 75 : 300;
     image im = image_new(3 * w + 2 * orders_gap, h);
     mesh m = orders_scene(6, false);
     for (size_t i = m.vertices - 4; i < m.vertices; i++) m.v[i].y = real_max(m.v[i].y, -5);
-    camera c = orders_camera((real)w / h);
+    camera c = orders_camera((real)w / (real)h);
     raster s = orders_first(&m, c, w, h), t = raster_new(w, h);
     raster_mesh(&t, &m, c, raster_default);
-    bool *wrong = allocate((size_t)w * h, sizeof *wrong);
+    bool *wrong = allocate((size_t)(w * h), sizeof *wrong);
     orders_panel(&im, 0, 0, &s, &m, c, false, NULL, NULL);
     orders_panel(&im, w + orders_gap, 0, &t, &m, c, false, NULL, NULL);
     for (int k = 0; k < w * h; k++)
@@ -106,12 +106,21 @@ static inline void orders_draw_flat(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Is the lamp hidden from what pixel k of s shows? The ray of (1.5), its ends left out. */
-static inline bool orders_dark(const raster *s, int k, const mesh *m, vec3 lamp)
+/* dark[k]: is the lamp hidden from what pixel k of s shows? By a map, or (NULL) by the ray of
+ * (1.5), its ends left out. How many are dark. */
+static inline size_t orders_darken(const raster *s, const mesh *m, camera lamp,
+                                   const shadow_map *map, real bias, bool *dark)
 {
-    if (s->h[k].shape == no_shape) return false;
-    vec3 p = orders_point(m, s->h[k]);
-    return mesh_occluded(m, ray_shadow(p, lamp, (real)1e-4));
+    size_t n = 0;
+    for (int k = 0; k < s->nx * s->ny; k++) {
+        dark[k] = false;
+        if (s->h[k].shape == no_shape) continue;
+        vec3 p = orders_point(m, s->h[k]);
+        dark[k] = map ? shadow_map_dark(map, p, bias)
+                      : mesh_occluded(m, ray_shadow(p, lamp.e, (real)1e-4));
+        n += dark[k];
+    }
+    return n;
 }
 
 static inline void orders_draw_shadow(const options *o)
@@ -119,26 +128,23 @@ static inline void orders_draw_shadow(const options *o)
     static const char *const title[4] = {"shadow rays", "map of 128 x 128, no bias: acne",
                                          "bias 0.04: loose from the foot",
                                          "map of 1024 x 1024, 0.004"};
-    static const struct { int side; real bias; } map[4] = {{0, 0}, {128, 0}, {128, 0.04},
+    static const struct { int side; real bias; } map[4] = {{1, 0}, {128, 0}, {128, 0.04},
                                                            {1024, 0.004}};
-    enum { w = 400, h = 300 };
+    const int w = o->quick ? 60 : 400, h = o->quick ? 45 : 300;
+    const size_t n = (size_t)(w * h);
     image im = image_new(2 * w + orders_gap, 2 * h + orders_gap);
     mesh m = orders_scene(4, false);
-    camera c = orders_camera((real)w / h), lamp = orders_lamp();
+    camera c = orders_camera((real)w / (real)h), lamp = orders_lamp();
     raster s = raster_new(w, h);
-    bool *dark = allocate((size_t)w * h, sizeof *dark), *wrong = allocate((size_t)w * h, 1);
-    bool *due = allocate((size_t)w * h, sizeof *due);
+    bool *dark = allocate(n, 1), *wrong = allocate(n, 1), *due = allocate(n, 1);
     raster_mesh(&s, &m, c, raster_default);
+    orders_darken(&s, &m, lamp, NULL, 0, due);
     for (int i = 0; i < 4; i++) {
-        shadow_map t = shadow_map_new(&m, lamp, i ? map[i].side : 1, raster_default);
-        for (int k = 0; k < w * h; k++) {
-            if (!i) due[k] = orders_dark(&s, k, &m, lamp.e);
-            dark[k] = i && s.h[k].shape != no_shape
-                ? shadow_map_dark(&t, orders_point(&m, s.h[k]), map[i].bias) : due[k];
-            wrong[k] = dark[k] != due[k];
-        }
+        shadow_map t = shadow_map_new(&m, lamp, map[i].side, raster_default);
+        if (i) orders_darken(&s, &m, lamp, &t, map[i].bias, dark);
+        for (size_t k = 0; i && k < n; k++) wrong[k] = dark[k] != due[k];
         orders_panel(&im, i % 2 * (w + orders_gap), i / 2 * (h + orders_gap), &s, &m, c, false,
-                     dark, wrong);
+                     i ? dark : due, wrong);
         shadow_map_free(&t);
     }
     label_titles(&im, 2, 2, orders_gap, title);
@@ -163,10 +169,10 @@ static inline raster orders_reflected(const mesh *m, camera c, const raster *s)
 
 static inline void orders_draw_mirror(const options *o)
 {
-    enum { w = 720, h = 400 };
+    const int w = o->quick ? 144 : 720, h = o->quick ? 80 : 400;
     image im = image_new(w, h);
     mesh m = orders_scene(8, true);
-    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)w / h);
+    camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)w / (real)h);
     raster s = raster_new(w, h);
     raster_mesh(&s, &m, c, raster_default);
     raster t = orders_reflected(&m, c, &s);

@@ -50,7 +50,7 @@ static inline void orders_measure(const options *o)
     static const char *const name[orders_ways] = {"first", "raster, 1 bit", "raster, 4 bits",
         "raster, 8 bits", "raster, 16 bits", "rays, each triangle"};
     int nx = o->quick ? 80 : o->full ? 320 : 160, ny = nx * 3 / 4;
-    mesh m = orders_scene(4, false);
+    mesh m = orders_scene(o->quick ? 2 : 4, false);
     camera c = orders_camera((real)4 / 3);
     orders_way way[orders_ways];
     double ms[orders_ways];
@@ -189,22 +189,17 @@ static inline void orders_depths(const options *o)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-typedef struct { const mesh *m; const raster *s; camera lamp; int side; } orders_shadow;
+typedef struct { const mesh *m; const raster *s; camera lamp; int side; bool *dark; } orders_shadow;
 
 /* All pixels of s: by a map of side x side made anew, or (0) by rays. */
 static inline double orders_shadow_run(void *context)
 {
     const orders_shadow *w = context;
-    shadow_map t = shadow_map_new(w->m, w->lamp, w->side ? w->side : 1, raster_default);
-    double dark = 0;
-    for (int k = 0; k < w->s->nx * w->s->ny; k++) {
-        if (w->s->h[k].shape == no_shape) continue;
-        vec3 p = orders_point(w->m, w->s->h[k]);
-        dark += w->side ? shadow_map_dark(&t, p, (real)0.004)
-                        : orders_dark(w->s, k, w->m, w->lamp.e);
-    }
+    if (!w->side) return (double)orders_darken(w->s, w->m, w->lamp, NULL, 0, w->dark);
+    shadow_map t = shadow_map_new(w->m, w->lamp, w->side, raster_default);
+    size_t dark = orders_darken(w->s, w->m, w->lamp, &t, (real)0.004, w->dark);
     shadow_map_free(&t);
-    return dark;
+    return (double)dark;
 }
 
 static inline void orders_shadows(const options *o)
@@ -212,6 +207,7 @@ static inline void orders_shadows(const options *o)
     static const int sides[6] = {64, 128, 256, 512, 1024, 0};
     static const double bias[3] = {0, 0.004, 0.04};
     enum { nx = 320, ny = 240 };
+    static bool due[nx * ny], dark[nx * ny];
     mesh m = orders_scene(4, false);
     camera lamp = orders_lamp();
     raster s = raster_new(nx, ny);
@@ -220,22 +216,21 @@ static inline void orders_shadows(const options *o)
                         "error: bias 0.004|error: bias 0.04|time [ms]");
     orders_shadow w[6];
     double ms[6];
-    for (int k = 0; k < 6; k++) w[k] = (orders_shadow){&m, &s, lamp, sides[k]};
+    for (int k = 0; k < 6; k++) w[k] = (orders_shadow){&m, &s, lamp, sides[k], dark};
     bench_each(orders_shadow_run, w, sizeof *w, 6, 3, 1e3, ms);
+    orders_darken(&s, &m, lamp, NULL, 0, due);
     for (int k = 0; k < 6; k++) {
-        size_t wrong[3] = {0, 0, 0};
         shadow_map map = shadow_map_new(&m, lamp, sides[k] ? sides[k] : 1, raster_default);
-        for (int i = 0; sides[k] && i < nx * ny; i++) {
-            if (s.h[i].shape == no_shape) continue;
-            bool due = orders_dark(&s, i, &m, lamp.e);
-            vec3 at = orders_point(&m, s.h[i]);
-            for (int j = 0; j < 3; j++) wrong[j] += shadow_map_dark(&map, at, (real)bias[j]) != due;
-        }
-        shadow_map_free(&map);
         if (sides[k]) table_text(&t, "%d x %d", sides[k], sides[k]);
         else table_text(&t, "rays");
-        for (int j = 0; j < 3; j++) table_number(&t, 100 * (double)wrong[j] / (nx * ny));
+        for (int j = 0; j < 3; j++) {
+            size_t wrong = 0;
+            if (sides[k]) orders_darken(&s, &m, lamp, &map, (real)bias[j], dark);
+            for (int i = 0; sides[k] && i < nx * ny; i++) wrong += dark[i] != due[i];
+            table_number(&t, 100 * (double)wrong / (nx * ny));
+        }
         table_number(&t, ms[k]);
+        shadow_map_free(&map);
     }
     output_extra_table(o, &t);
     raster_free(&s), mesh_free(&m);
@@ -249,7 +244,7 @@ static inline orders_difference orders_mirror_compare(int nx, int ny)
     mesh m = orders_scene(4, true), seen = m;
     camera c = orders_look(vec(8.3, -7.4, 4.6), vec(-1.2, 0.1, 1.3), 33, (real)nx / (real)ny);
     raster s = raster_new(nx, ny);
-    orders_difference d = {0, 0, 0, 0, 0};
+    orders_difference d = {0, 0, 0, 0};
     raster_mesh(&s, &m, c, raster_default);
     raster t = orders_reflected(&m, c, &s);
     camera c2 = mirror_camera(c, orders_mirror);
