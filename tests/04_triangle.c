@@ -184,7 +184,8 @@ static void test_easy_rays(void)
     FILE *nowhere = fopen("/dev/null", "w");
     if (!nowhere) abort();
     for (int k = 0; k < method_count; k++)
-        check(triangle_prove(methods[k].hit, "", n, nowhere), "%s is wrong", methods[k].name);
+        check(triangle_prove(methods[k].hit, "", n, nowhere), "%s: hit or miss, t, or u and v",
+              methods[k].name);
     check(triangle_prove(mine_triangle_hit, "", n, nowhere), "mine.h is wrong");
     for (mistake = 0; mistake < 5; mistake++)
         check(!triangle_prove(mistaken, "", 2000, nowhere), "%s: was found right", wrong[mistake]);
@@ -508,9 +509,85 @@ static void test_sliver_normals(void)
     check(plain > n / 2 && plain < n, "plain products and exact ones: %zu of %zu", plain, n);
 }
 
+/* ---- first.h in clear cases; its slips are in 04_watertight.c ---- */
+
+/* Rays at least 0.1 off a plane's own direction: first_plane_hit is plane_hit, but for the rounding
+ * of one sign. */
+static void test_first_planes(void)
+{
+    random_stream g = random_start(1, 0, 0);
+    size_t wrong = 0, hits = 0, n = check_count(100000);
+    for (size_t i = 0; i < n; i++) {
+        plane p = {random_in_cube(&g, 10), random_in_cube(&g, 1)};
+        ray r = ray_from(random_in_cube(&g, 10), random_in_cube(&g, 2));
+        r.tmin = random_next(&g), r.tmax = 10 * random_next(&g);
+        if (fabs(vdot(vunit(p.n), vunit(r.d))) < (real)0.1) continue;
+        hit a = untouched, b = untouched;
+        bool is = first_plane_hit(p, r, &a), due = plane_hit(p, r, &b);
+        hits += is, wrong += is != due || !same_hit(a, b);
+    }
+    check_equal(wrong, 0, "first_plane_hit against plane_hit, of %zu", n);
+    check_at_least((double)hits, 0.1 * (double)n, "the test sees hits");
+    plane level = {{0, 0, 3}, {0, 0, 1}};
+    hit h = untouched;
+    check(!first_plane_hit(level, ray_from((vec3){0, 0, 0}, (vec3){1, 1, 0}), &h)
+              && !first_plane_hit(level, ray_from((vec3){0, 0, 3}, (vec3){1, 1, 0}), &h)
+              && !first_plane_hit(level, ray_from((vec3){0, 0, 0}, (vec3){0, 0, 0}), &h)
+              && !first_plane_hit(level, ray_from((vec3){0, 0, 0}, (vec3){0, 0, (real)NAN}), &h)
+              && same_hit(h, untouched),
+          "along the plane, in it, without direction: no hit, out untouched");
+    ray steep = ray_from((vec3){0, 0, 0}, (vec3){1, 1, real_smallest / 8});
+    check(first_plane_hit(level, steep, &h) && !plane_hit(level, steep, &h),
+          "nearly along it: a hit at infinity, that plane_hit refuses");
+}
+
+/* What is made of u and v, and the normal. */
+static void test_first_points(void)
+{
+    random_stream g = random_start(2, 0, 0);
+    size_t hits = 0, n = check_count(100000);
+    double point = 0, normal = 0;
+    for (size_t i = 0; i < n; i++) {
+        triangle tri = {random_in_cube(&g, 2), random_in_cube(&g, 2), random_in_cube(&g, 2)};
+        vec3 n1 = vcross(vsub(tri.b, tri.a), vsub(tri.c, tri.a));
+        vec3 o = random_in_cube(&g, 5);
+        ray r = ray_from(o, vsub(triangle_at(tri, random_next(&g), random_next(&g)), o));
+        hit h;
+        if (vlength(n1) < 1 || fabs(vdot(vunit(n1), vunit(r.d))) < (real)0.1) continue;
+        vec3 other = vsub(first_triangle_normal(tri), triangle_normal(tri));
+        normal = check_worse(normal, (double)vlength(other));
+        if (!first_triangle_hit(tri, r, &h)) continue;
+        vec3 mixed = barycentric_mix(tri.a, tri.b, tri.c, h.u, h.v);
+        point = check_worse(point, (double)vlength(vsub(ray_at(r, h.t), mixed)));
+        hits++;
+    }
+    check_at_least(hits, n / 20, "the test sees hits");
+    /* numbers below 10, area 1/2 and cosine 0.1 at least */
+    check_at_most(point, 1e5 * eps, "o + t d is the mix of the corners by u and v");
+    check_at_most(normal, 100 * eps, "the normal");
+    vec3 a = {1, 2, 3}, b = {4, 6, 5}, c = {9, 7, 8};
+    check(vzero(vsub(barycentric_mix(a, b, c, 0, 0), a))
+              && vzero(vsub(barycentric_mix(a, b, c, 1, 0), b))
+              && vzero(vsub(barycentric_mix(a, b, c, 0, 1), c)), "corners are met exactly");
+}
+
+/* What has no area is not hit, if its edges are exact. What is not finite: test_no_nan. */
+static void test_first_no_area(void)
+{
+    triangle none = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, dot = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+    hit h;
+    check(!first_triangle_hit(none, ray_from((vec3){1, 0, 3}, (vec3){0, 0, -1}), &h)
+              && !first_triangle_hit(dot, ray_from((vec3){1, 1, 3}, (vec3){0, 0, -1}), &h),
+          "no area: no hit");
+    check(vzero(first_triangle_normal(none)) && vzero(first_triangle_normal(dot)), "nor a normal");
+}
+
 int main(void)
 {
     test_sliver_normals();
+    test_first_planes();
+    test_first_points();
+    test_first_no_area();
     test_plane();
     test_plane_far_away();
     test_exact_hits();

@@ -121,7 +121,7 @@ static void test_surfaces(void)
 {
     for (int q = 0; q < implicit_names; q++) {
         implicit_subject u = implicit_subject_of((implicit_name)q);
-        size_t outside = 0, steep = 0, faster = 0, crooked = 0, n = check_count(20000);
+        size_t outside = 0, steep = 0, faster = 0, crooked = 0, n = check_count(10000);
         double B = (double)u.s.ball.r, noise = 0;
         for (size_t i = 0; i < n; i++) {
             random_stream s = random_start(3, i, (uint64_t)q);
@@ -201,7 +201,7 @@ static void test_nothing_missed(void)
     for (int q = IMPLICIT_SPHERE; q <= IMPLICIT_BARTH; q++)
         for (int aim = IMPLICIT_ANYWHERE; aim <= IMPLICIT_GRAZING; aim++) {
             implicit_subject u = implicit_subject_of((implicit_name)q);
-            size_t n = aim == IMPLICIT_GRAZING ? many(20000) : check_count(20000);
+            size_t n = aim == IMPLICIT_GRAZING ? many(20000) : check_count(10000);
             implicit_survey y = implicit_survey_of(&u, sure, 5, (implicit_aim)aim, n, 1);
             const char *name = implicit_name_of[q];
             check_at_least(y.due, n / 3, "%s: many are due a hit, of %zu", name, n);

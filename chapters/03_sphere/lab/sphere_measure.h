@@ -111,12 +111,9 @@ static inline size_t sphere_twice(const options *o, sphere_how how, real far, si
 static inline void sphere_doubt_table(const options *o)
 {
     const struct { const char *name; sphere_how how; real far; } kind[] = {
-        {"anywhere, from 1e2 R", SPHERE_ANYWHERE, 100},
         {"anywhere, from 1e6 R", SPHERE_ANYWHERE, 1000000},
-        {"within 0.1 % of the limb, from 1e2 R", SPHERE_GRAZING, 100},
         {"within 0.1 % of the limb, from 1e6 R", SPHERE_GRAZING, 1000000},
-        {"at the last bit of the limb", SPHERE_LIMB, 100},
-        {"from the surface", SPHERE_SURFACE, 2}};
+        {"at the last bit of the limb", SPHERE_LIMB, 100}};
     table t = table_new("Rays that sphere_hit looks at twice",
                         "rays|D twice, of 1e6|time [ns]");
     for (size_t k = 0; k < sizeof kind / sizeof *kind; k++) {

@@ -6,7 +6,6 @@
  *       SPHERE_EDGE           at a sphere cut to the ray, from far too large or small to the last
  *                             bit
  *       SPHERE_LIMB           the same, to the last bit: the nearest to a tangent that R can be
- *       SPHERE_SURFACE        anywhere, but from the surface of the sphere itself
  *   sphere_survey_at(k, &surveys)       fills surveys.at[k], whose .far is given: for parallel_for
  *
  *   grazing_wrong    of all grazing rays, how many are misclassified, percent
@@ -27,9 +26,7 @@ static sphere_hit_function *const sphere_method[] = {
     sphere_hit_lagrange, sphere_hit_kahan, sphere_hit, mine_sphere_hit};
 
 typedef struct { sphere ball; ray r; } sphere_shot;
-typedef enum {
-    SPHERE_ANYWHERE, SPHERE_GRAZING, SPHERE_EDGE, SPHERE_LIMB, SPHERE_SURFACE
-} sphere_how;
+typedef enum { SPHERE_ANYWHERE, SPHERE_GRAZING, SPHERE_EDGE, SPHERE_LIMB } sphere_how;
 typedef struct { double grazing_wrong, edge; } sphere_errors;
 typedef struct { real far; sphere_errors of[sphere_methods]; } sphere_survey;
 typedef struct { sphere_survey at[sphere_distances]; size_t n; uint64_t seed; } sphere_surveys;
@@ -60,7 +57,6 @@ static inline sphere_shot sphere_shot_at(uint64_t seed, sphere_how how, real far
     t.r = sphere_aim(&s, R, far, cut ? 1 : pass, i % 2, &t.ball);
     double apart = how == SPHERE_EDGE ? (double)copysign(pow((real)10, -17 * u), v) : 0;
     if (cut) t.ball.r = (real)(sphere_pass(t.ball, t.r) / (1 + apart));
-    if (how == SPHERE_SURFACE) t.r.o = sphere_point(t.ball, t.r.o);
     return t;
 }
 
