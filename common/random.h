@@ -87,4 +87,11 @@ static inline vec3 random_in_cube(random_stream *s, real half)
     real x = 2 * random_next(s) - 1, y = 2 * random_next(s) - 1, z = 2 * random_next(s) - 1;
     return vscale((vec3){x, y, z}, half);
 }
+
+/* A direction of length 1, each as likely: z, and the angle about it. */
+static inline vec3 random_unit(random_stream *s)
+{
+    real z = 2 * random_next(s) - 1, a = 2 * pi * random_next(s), r = sqrt(real_max(0, 1 - z * z));
+    return (vec3){r * cos(a), r * sin(a), z};
+}
 #endif

@@ -1,4 +1,4 @@
-/* 01's first.h: what ray.h says of the same points, and where both forms of a point fail. */
+/* 01's first.h: what ray.h says of the same points. Where both forms of a point fail: 01_ray.c. */
 #include "../chapters/01_ray/ray.h"
 #include "../common/numbers/wide.h"
 #include "../common/random.h"
@@ -47,46 +47,6 @@ static void test_easy(void)
           "closed at both ends; a NaN is in no interval");
 }
 
-/* "(1.1) loses digits as t grows": from |a| = 1e4, ten times t is ten times the error, until it is
- * a factor of 1e4 above that of (1.2). */
-static void test_between_fails_far_out(void)
-{
-    double worst[5], plain[5];
-    real t = 1;
-    for (int k = 0; k < 5; k++, t *= 10) {
-        worst[k] = plain[k] = 0;
-        for (uint64_t i = 0; i < 1000; i++) {
-            real a = 10000 + random_real(2, i, 0, 0), b = a + random_real(2, i, 1, 0);
-            real s = t * (1 + random_real(2, i, 2, 0));
-            vec3 p = ray_at_between((vec3){a, 0, 0}, (vec3){b, 0, 0}, s);
-            ray r = ray_between((vec3){a, 0, 0}, (vec3){b, 0, 0});
-            worst[k] = check_worse(worst[k], off(p.x, a, b, s));
-            plain[k] = check_worse(plain[k], off(ray_at(r, s).x, a, b, s));
-        }
-    }
-    for (int k = 2; k < 5; k++)
-        check_at_least(worst[k], 5 * worst[k - 1], "t = 1e%d: ten times the error", k);
-    check_at_least(worst[4], 1e3 * plain[4], "(1.1) against (1.2) at t = 1e4");
-}
-
-/* "far from the origin (1.2) has steps as o has": where neighbouring reals are 8 apart, a ray knows
- * 8 points on a way of 64; its far end is off by up to 4. */
-static void test_steps_far_from_the_origin(void)
-{
-    real far = 8 / real_epsilon;
-    ray r = ray_from((vec3){far, far, far}, (vec3){1, 1, 1});
-    int points = 0;
-    double worst = 0;
-    for (int i = 0; i < 64 * 64; i++) {
-        real t = (real)i / 64, next = (real)(i + 1) / 64;
-        vec3 p = ray_at(r, t);
-        points += p.x != ray_at(r, next).x;
-        worst = check_worse(worst, fabs((double)(p.x - far - t)));
-    }
-    check_equal(points, 8, "points on 64 units of the way");
-    check_equal(worst, 4, "half a step");
-}
-
 /* Defined, if useless: no direction has no unit. */
 static void test_degenerate(void)
 {
@@ -99,8 +59,6 @@ static void test_degenerate(void)
 int main(void)
 {
     test_easy();
-    test_between_fails_far_out();
-    test_steps_far_from_the_origin();
     test_degenerate();
     return check_report("01_first");
 }

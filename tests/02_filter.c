@@ -1,7 +1,6 @@
 /* Tests of 02_camera: filters, sample positions, and the patterns whose filtered value is known. */
 #include "check.h"
 #include "../chapters/02_camera/lab/measure.h"
-#include "../chapters/02_camera/samples.h"
 
 #define eps ((double)real_epsilon)
 static filter filters[3];
@@ -38,21 +37,16 @@ static void test_patterns(void)
     check_equal(checkerboard(0.5, 0.5, 1), 1, "white square");
     check_equal(checkerboard(0.5, -0.5, 1), 0, "black square");
     /* areas found on paper */
-    check_close(square_wave_filtered(0.3, 0.5, filter_box), 0, 1e-15, "box over one whole period");
-    check_close(square_wave_filtered(2, 1, filter_box), 0, 1e-15, "box on an edge");
-    check_close(square_wave_filtered(2.5, 1, filter_box), 1, 1e-15, "box on one stretch");
-    check_close(square_wave_filtered(2.25, 1, filter_box), 0.5, 1e-15,
-                "box, a quarter beyond the edge");
-    check_close(square_wave_filtered(0.5, 1, filter_tent), 0.5, 1e-15,
-                "tent: 3/4 of its area inside");
-    check_close(square_wave_filtered(0, 1, filter_gaussian), 0, 1e-15, "Gaussian on an edge");
-    double far = erf(2 * sqrt(2.0));
-    check_close(square_wave_filtered(50, 100, filter_gaussian), 1, 1e-15,
-                "Gaussian on a wide stretch");
-    check_close(square_wave_filtered(0.5, 100, filter_gaussian), erf(0.5 * sqrt(2.0)) / far, 1e-15,
-                "Gaussian beside a lone edge");
+    const struct { double x, cell; filter f; double due; const char *why; } in[] = {
+        {0.3, 0.5, filter_box, 0, "box over one whole period"},
+        {2, 1, filter_box, 0, "box on an edge"}, {2.5, 1, filter_box, 1, "box on one stretch"},
+        {2.25, 1, filter_box, 0.5, "box, a quarter beyond the edge"},
+        {0.5, 1, filter_tent, 0.5, "tent: 3/4 of its area inside"}};
+    for (size_t i = 0; i < sizeof in / sizeof *in; i++)
+        check_close(square_wave_filtered(in[i].x, in[i].cell, in[i].f), in[i].due, 1e-15, "%s",
+                    in[i].why);
     for (size_t k = 0; k < check_count(300); k++)
-        for (int i = 0; i < 3; i++) {
+        for (int i = 0; i < 2; i++) {  /* box and tent */
             double x = uniform(-20, 20), cell = uniform(0.3, 3), R = (double)filters[i].radius;
             /* each jump, of height 2, costs at most half a step of 2 R / 20001 */
             double jumps = 2 + 2 * R / cell;
@@ -173,66 +167,69 @@ static void test_white_wall(void)
     check(vzero(filter_mean(nan_)), "a NaN weight: black");
 }
 
-/* The error of one pixel over a checkerboard, root mean square over pixels. */
-static double checkerboard_rmse(filter f, sample_placement how, int n, size_t pixels)
-{
-    double square = 0;
-    for (size_t p = 0; p < pixels; p++) {
-        double px = uniform(-50, 50), py = uniform(-50, 50), cell = 1.37;
-        filter_sum sum = {{0, 0, 0}, 0};
-        for (int k = 0; k < n * n; k++) {
-            real x, y;
-            samples_place(how, k, n, f.radius, &s, &x, &y);
-            real c = (real)checkerboard(px + (double)x, py + (double)y, cell);
-            sum = filter_add(sum, filter_weight(f, x, y), (vec3){c, c, c});
-        }
-        double off = (double)filter_mean(sum).x - checkerboard_filtered(px, py, cell, f);
-        square += off * off;
-    }
-    return sqrt(square / (double)pixels);
-}
-
-/* Random: the spread of one ray is at most 1/2, times sqrt(sum w^2) / sum w, which tends to
- * sqrt(area * integral of w^2) / (integral of w) / sqrt N: 1, 4/3, and for the Gaussian
- * 4 / (2 sqrt(pi) sigma) = 2.26. Jittered: only the cells that an edge crosses count, some n of
- * n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less, random only 2. */
+/* The trials of the page's table: the checkerboard under box and tent. Random: the spread of one
+ * ray is at most 1/2, times sqrt(sum w^2) / sum w, which tends to sqrt(area * integral of w^2) /
+ * (integral of w) / sqrt N, for the tent 4/3. Jittered: only the cells that an edge crosses count,
+ * some n of n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less. */
 static void test_convergence(void)
 {
-    double spread[] = {1, 4 / 3.0, 2.26};
-    size_t pixels = check_count(1500) > 150 ? check_count(1500) : 150;  /* fewer scatter too far */
-    for (int i = 0; i < 3; i++) {
-        double random = checkerboard_rmse(filters[i], SAMPLES_RANDOM, 16, pixels);
-        double coarse = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 8, pixels);
-        double fine = checkerboard_rmse(filters[i], SAMPLES_JITTERED, 16, pixels);
-        check_at_most(random, 0.5 * spread[i] / 16 * 1.1, "%s: 256 random rays", names[i]);
-        check_at_least(random, 0.5 * spread[i] / 16 * 0.3, "%s: and they do have an error",
-                       names[i]);
-        check_close(log(coarse / fine) / log(4.0), 0.75, 0.1, "%s: jittered falls as N^-3/4",
-                    names[i]);
-        check_at_most(fine, random / 1.5, "%s: jittered beats random", names[i]);
-        check_at_most(checkerboard_rmse(filters[i], SAMPLES_REGULAR, 64, pixels / 10 + 1), 0.03,
-                      "%s: regular samples tend to the filtered value too", names[i]);
+    enum { box, tent, regular, random };
+    double error[3][camera_way_count];
+    camera_trial m[camera_way_count];
+    for (int k = 0; k < 3; k++) {
+        camera_trials(m, 8 << k);
+        for (int j = box; j <= random; j++) error[k][j] = camera_run_pixels(&m[j]);
+    }
+    check_at_most(error[1][random], 0.5 * 4 / 3 / 16 * 1.1, "256 random rays");
+    check_at_least(error[1][random], 0.5 * 4 / 3 / 16 * 0.3, "and they do have an error");
+    check_close(error[0][random] / error[1][random], 2, 0.3, "which falls as N^-1/2");
+    for (int j = box; j <= tent; j++) {
+        check_close(log(error[0][j] / error[1][j]) / log(4.0), 0.75, 0.1,
+                    "%s: jittered falls as N^-3/4", names[j]);
+        check_at_most(error[1][j], error[1][random] / 1.5, "%s: jittered beats random", names[j]);
+    }
+    check_at_most(error[2][regular], 0.03, "regular samples tend to the filtered value, too");
+}
+
+/* A white stripe, 1 where |x| < 1/2, under a tent: 3/4. Dividing by the weights that came is
+ * biased: with one ray the mean is the colour of that ray, its weight drops out, and the tent
+ * becomes a box of its size: 1/2. The bias falls as 1/N, the spread as 1/sqrt(N). Dividing by the
+ * expected weight has no bias, and spreads more. [0]: by the weights that came. */
+static void stripe_means(int n, int trials, double bias[2], double spread[2])
+{
+    double sum[2] = {0, 0}, square[2] = {0, 0};
+    for (int i = 0; i < trials; i++) {
+        filter_sum f = {{0, 0, 0}, 0};
+        for (int k = 0; k < n; k++) {
+            real x, y;
+            samples_place(SAMPLES_RANDOM, k, 1, 1, &s, &x, &y);
+            f = filter_add(f, filter_weight(filter_tent, x, y), vec(fabs(x) < 0.5, 0, 0));
+        }
+        double e[] = {(double)filter_mean(f).x - 0.75,
+                      (double)filter_mean_naive(f, filter_tent, n).x - 0.75};
+        for (int k = 0; k < 2; k++) sum[k] += e[k], square[k] += e[k] * e[k];
+    }
+    for (int k = 0; k < 2; k++) {
+        bias[k] = sum[k] / trials;
+        spread[k] = sqrt(square[k] / trials - bias[k] * bias[k]);
     }
 }
 
-/* Dividing by the weights that came is biased: with one ray the mean is the colour of that ray, its
- * weight drops out, and the tent becomes a box of its size, 1/2 instead of 3/4. The bias falls as
- * 1/N, the spread as 1/sqrt(N). Dividing by the expected weight has no bias, and spreads more. */
 static void test_bias(void)
 {
     const size_t least = 100000, asked = check_count(400000);  /* fewer don't give ten sigma */
     const int n = (int)(asked > least ? asked : least);
-    camera_means one = camera_stripe_means(1, n), m[3];
-    check_close(one.bias[0], -0.25, 4 * 0.5 / sqrt(n), "one ray: 1/2 - 3/4");
-    for (int k = 0; k < 3; k++) m[k] = camera_stripe_means(4 << 2 * k, n / 4);
-    for (int k = 0; k < 3; k++) {
-        double sigma = m[k].spread[1] / sqrt(n / 4);
-        check_at_most(fabs(m[k].bias[1]), 4 * sigma, "by the expected weight: no bias");
-        check_at_least(m[k].spread[1], 1.5 * m[k].spread[0], "but more spread");
-        if (k < 2) check_at_least(-m[k].bias[0], 10 * sigma, "by their own weights: too dark");
-        if (k) check_close(m[k - 1].spread[0] / m[k].spread[0], 2, 0.3, "spread as 1 / sqrt(N)");
+    double bias[4][2], spread[4][2];
+    for (int k = 0; k < 4; k++) stripe_means(1 << 2 * k, k ? n / 4 : n, bias[k], spread[k]);
+    check_close(bias[0][0], -0.25, 4 * 0.5 / sqrt(n), "one ray: 1/2 - 3/4");
+    for (int k = 1; k < 4; k++) {
+        double sigma = spread[k][1] / sqrt(n / 4), own = spread[k][0] / sqrt(n / 4);
+        check_at_most(fabs(bias[k][1]), 4 * sigma, "by the expected weight: no bias");
+        check_at_least(spread[k][1], 1.5 * spread[k][0], "but more spread");
+        if (k < 3) check_at_least(-bias[k][0], 10 * own, "by their own weights: too dark");
+        if (k > 1) check_close(spread[k - 1][0] / spread[k][0], 2, 0.3, "spread as 1 / sqrt(N)");
     }
-    check_close(m[0].bias[0] / m[1].bias[0], 4.5, 1, "bias as 1 / N, or a little faster at first");
+    check_close(bias[1][0] / bias[2][0], 4.5, 1, "bias as 1 / N, or a little faster at first");
 }
 
 int main(void)

@@ -1,4 +1,5 @@
-/* 02's first.h: the rays of camera_ray, to the last bit; and an `up` along the view, or nearly. */
+/* 02's first.h: the rays of camera_ray, to the last bit; and an `up` along the view. Nearly along
+ * it: test_frames_near_parallel in 02_camera.c. */
 #include "../chapters/02_camera/lab/oracle.h"
 #include "../chapters/02_camera/samples.h"
 #include "check.h"
@@ -89,39 +90,10 @@ static void test_up_along_the_view(void)
     check(vzero(c.u), "a NaN: no right");
 }
 
-/* "or, at a small angle, leans to one side": by epsilon over the angle, where
- * frame_look_at still is right within 6 epsilon. */
-static void test_up_near_the_view(void)
-{
-    size_t n = check_count(2000);
-    for (real angle = (real)0.1; angle > 500 * real_epsilon; angle /= 10) {
-        double leans = 0, first = 0, robust = 0;
-        for (size_t i = 0; i < n; i++) {
-            random_stream s = random_start(3, i, 0);
-            vec3 view = vscale(vunit(random_in_cube(&s, 1)), 1 + 99 * random_next(&s));
-            vec3 e = {0, 0, 0}, a, b;
-            vbasis(vunit(view), &a, &b);
-            vec3 up = vmadd(vunit(view), a, angle);
-            camera_frame f, g = frame_first(e, view, up);
-            failure why;
-            if (!frame_look_at(e, view, up, &f, &why)) fail(why);
-            leans = check_worse(leans, fabs((double)vdot(g.u, g.w)));
-            first = check_worse(first, frame_error(g, view, up));
-            robust = check_worse(robust, frame_error(f, view, up));
-        }
-        double bound = eps / (double)angle;
-        check_at_least(first, 0.1 * bound, "at the angle %g first.h's u is off", (double)angle);
-        check_at_most(first, 8 * bound, "and by its own reason, at %g", (double)angle);
-        check_at_least(leans, 0.1 * bound, "it leans towards w, at %g", (double)angle);
-        check_at_most(robust, 6 * eps, "where frame_look_at is right, at %g", (double)angle);
-    }
-}
-
 int main(void)
 {
     test_views();
     test_rays();
     test_up_along_the_view();
-    test_up_near_the_view();
     return check_report("02_first");
 }

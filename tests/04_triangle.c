@@ -14,7 +14,7 @@ static const struct { const char *name; triangle_method *hit; } methods[] = {
     {"planes computed beforehand", triangle_hit_planes},
     {"triple products", triangle_hit_triple},
     {"watertight", triangle_hit}};
-enum { method_count = 6, watertight = 5 };
+enum { method_count = 6 };
 
 /* As check_count, but never so few that a rate says nothing. */
 static size_t count_at_least(size_t n, size_t least)
@@ -41,9 +41,6 @@ static void test_plane(void)
     plane p = {{1, 2, 3}, {0, 0, 2}};
     plane_equation e = plane_equation_of(p);
     check(e.a == 0 && e.b == 0 && e.c == 2 && e.d == -6, "(x - p) . n = 0 is 2 z - 6 = 0");
-    plane back = plane_of(e);
-    check(back.n.z == 2 && back.p.x == 0 && back.p.y == 0 && back.p.z == 3,
-          "the point nearest to the origin");
     hit h = untouched;
     ray r = ray_from((vec3){5, 7, -1}, vec(1, 0, 0.5));
     check(plane_hit(p, r, &h) && h.t == 8, "z: -1 + t/2 = 3");
@@ -164,54 +161,59 @@ static void test_border_is_inside(void)
 
 /* ---- triangle: exact oracle ---- */
 
-/* Random triangles and rays: no method may be wrong where the answer is clear. u and v are off by
- * the rounding of coordinates of size 10 over the height of the triangle, 0.1 at least, over a
- * cosine of 0.1. */
-static void test_random_against_oracle(void)
+/* Rays well inside or outside of triangle and interval, of all methods: a hit or a miss by (4.8) in
+ * 30 digits; t, u and v. And each usual mistake is found. */
+static int mistake;
+
+static bool mistaken(triangle tri, ray r, hit *out)
+{
+    triangle other = {vadd(vsub(tri.b, tri.a), tri.c), tri.c, tri.b};
+    if (mistake == 0) r.tmin = -real_infinity;
+    if (mistake == 1) r.tmax = real_infinity;
+    if (mistake == 4 && vdot(r.d, first_triangle_normal(tri)) > 0) return false;
+    bool is = first_triangle_hit(tri, r, out)
+              || (mistake == 3 && first_triangle_hit(other, r, out));
+    if (is && mistake == 2) *out = (hit){out->t, out->v, out->u, 0};
+    return is;
+}
+
+static void test_easy_rays(void)
+{
+    const char *const wrong[] = {"t < tmin", "t > tmax", "u for v", "u, v <= 1", "from one side"};
+    size_t n = check_count(200000);
+    FILE *nowhere = fopen("/dev/null", "w");
+    if (!nowhere) abort();
+    for (int k = 0; k < method_count; k++)
+        check(triangle_prove(methods[k].hit, "", n, nowhere), "%s is wrong", methods[k].name);
+    check(triangle_prove(mine_triangle_hit, "", n, nowhere), "mine.h is wrong");
+    for (mistake = 0; mistake < 5; mistake++)
+        check(!triangle_prove(mistaken, "", 2000, nowhere), "%s: was found right", wrong[mistake]);
+    fclose(nowhere);
+}
+
+/* Weights of the watertight test, and its three forms. */
+static void test_forms_agree(void)
 {
     random_stream g = random_start(2, 0, 0);
-    const double margin = 1e4 * eps;
-    size_t wrong[method_count] = {0}, clear = 0, different = 0;
-    double error[method_count] = {0}, error_uv[method_count] = {0}, beyond = 0;
-    for (size_t i = 0, n = check_count(200000); i < n; i++) {
+    size_t different = 0, hits = 0, n = check_count(100000);
+    double beyond = 0;
+    for (size_t i = 0; i < n; i++) {
         triangle tri = {random_in_cube(&g, 2), random_in_cube(&g, 2), random_in_cube(&g, 2)};
-        real u = random_between(&g, -0.2, 1.2),
-             v = random_between(&g, -0.2, 1.2);
         vec3 o = random_in_cube(&g, 5);
-        ray r = ray_from(o, vscale(vsub(triangle_at(tri, u, v), o),
-                                   ldexp((real)1, (int)random_integer(&g, 8))));
-        triangle_exact_hit x = triangle_exactly(tri, r);
-        vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a);
-        double height =
-            (double)(vlength(vcross(e1, e2))
-                     / real_max(vlength(e1), real_max(vlength(e2), vlength(vsub(e2, e1)))));
-        if (!(x.cosine > 0.1 && height > 0.1)) continue;
-        if (fmin(fmin(fabs(x.u), fabs(x.v)), fabs(x.w)) < margin) continue;
-        bool due = x.t >= 0 && x.u > 0 && x.v > 0 && x.w > 0;
-        clear++;
-        for (int k = 0; k < method_count; k++) {
-            hit h = untouched;
-            wrong[k] += methods[k].hit(tri, r, &h) != due || (!due && !same_hit(h, untouched));
-            if (!due) continue;
-            error[k] = check_worse(error[k], fabs((double)h.t - x.t) / x.t);
-            error_uv[k] = check_worse(error_uv[k], fabs((double)h.u - x.u));
-            error_uv[k] = check_worse(error_uv[k], fabs((double)h.v - x.v));
-            if (k != watertight) continue;
-            beyond = check_worse(beyond, (double)(h.u + h.v) - 1);
-            beyond = check_worse(beyond, (double)-real_min(h.u, h.v));
-            ray_shear s = shear_of(r);
-            hit a = untouched, b = untouched;
-            different += !triangle_hit_sheared(tri, &s, r, &a) || !same_hit(a, h)
-                         || !triangle_hit_corners(&tri.a, &tri.b, &tri.c, &s, r, &b)
-                         || !same_hit(b, h);
-        }
+        real u = random_next(&g), v = random_next(&g);
+        ray r = ray_from(o, vsub(triangle_at(tri, u, v), o));
+        ray_shear s = shear_of(r);
+        hit h = untouched, a = untouched, b = untouched;
+        bool is = triangle_hit(tri, r, &h);
+        different += triangle_hit_sheared(tri, &s, r, &a) != is || !same_hit(a, h)
+                     || triangle_hit_corners(&tri.a, &tri.b, &tri.c, &s, r, &b) != is
+                     || !same_hit(b, h);
+        hits += is;
+        if (!is) continue;
+        beyond = check_worse(beyond, (double)(h.u + h.v) - 1);
+        beyond = check_worse(beyond, (double)-real_min(h.u, h.v));
     }
-    check_at_least((double)clear, 0.4 * (double)check_count(200000), "most cases are clear");
-    for (int k = 0; k < method_count; k++) {
-        check_equal(wrong[k], 0, "%s: wrong answers of %zu", methods[k].name, clear);
-        check_at_most(error_uv[k], margin, "%s: u, v", methods[k].name);
-        check_at_most(error[k], margin, "%s: t, relatively", methods[k].name);
-    }
+    check_at_least(hits, n / 3, "the test sees hits");
     check_at_most(beyond, 2 * eps, "watertight: u, v >= 0 and u + v <= 1");
     check_equal(different, 0, "triangle_hit, _sheared and _corners agree to the last bit");
 }
@@ -245,38 +247,6 @@ static void test_needles(void)
     check(triangle_hit((triangle){{0, 0, 0}, {4, 0, 0}, {0, 4, 0}},
                        ray_from(vec(1, 1, 3), vec(0, 0, -1)), &h) && triangle_doubts == before,
           "a plain triangle does not");
-}
-
-/* Float at a needle of width 1e-6: the exhibit of the README. */
-static void test_naive_needles(void)
-{
-    triangle_needle_count n =
-        triangle_needles(triangle_hit_moller_trumbore_f32, 1e-6, count_at_least(5000, 2000), 3);
-    check_at_least((double)n.missed, 0.01 * (double)n.due,
-                   "Möller-Trumbore in float misses needles");
-    check_at_least(n.error, 0.1, "and t is off by a tenth or more");
-}
-
-/* Two triangles of an icosphere and a ray aimed at their common edge: if both report it, they must
- * report the same distance, or shadows and closest hits would depend on the order of the search. */
-static void test_both_sides_of_an_edge_agree(void)
-{
-    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1);
-    random_stream g = random_start(5, 0, 0);
-    double worst = 0;
-    size_t both = 0;
-    for (size_t i = 0, n = check_count(500000); i < n; i++) {
-        triangle_slip_ray s = slip_aim(&m, false, &g);
-        hit a, b;
-        if (!triangle_hit(icosphere_triangle(&m, s.near[0]), s.r, &a)) continue;
-        if (!triangle_hit(icosphere_triangle(&m, s.near[1]), s.r, &b)) continue;
-        both++;
-        worst = check_worse(worst, fabs((double)a.t - (double)b.t) / (double)a.t);
-    }
-    check_at_least((double)both, 0.005 * (double)check_count(500000), "some rays hit both sides");
-    /* each t: weights off by eps/2 each, three products and two sums of depths <= 1.4: 3 eps */
-    check_at_most(worst, 6 * eps, "t of the two triangles beside an edge, %zu rays", both);
-    icosphere_free(&m);
 }
 
 /* ---- degenerate ---- */
@@ -344,7 +314,7 @@ static void test_rounded_edges(void)
     }
 }
 
-/* A ray in the plane of the triangle: an answer either way, but t within the corners' reach. */
+/* A ray in the plane of the triangle. */
 static void test_edge_on(void)
 {
     triangle t = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};
@@ -354,29 +324,6 @@ static void test_edge_on(void)
     check(!triangle_hit(t, ray_from((vec3){-1, -1, 0}, (vec3){1, 1, 0}), &h),
           "exactly edge-on, along a diagonal");
     check(!triangle_hit(t, ray_from((vec3){-1, 0, 0}, (vec3){1, 0, 0}), &h), "along its edge");
-    random_stream g = random_start(7, 0, 0);
-    size_t wrong = 0, some = 0;
-    for (size_t i = 0, n = check_count(200000); i < n; i++) {
-        triangle q = {random_in_cube(&g, 1), random_in_cube(&g, 1), random_in_cube(&g, 1)};
-        vec3 o = triangle_at(q, -2, -3),
-             p = triangle_at(q, random_next(&g) / 2, random_next(&g) / 2);
-        ray r = ray_from(o, vsub(p, o));
-        if (!triangle_hit(q, r, &h)) continue;
-        int k = vlongest(r.d);  /* on this axis P(t) lies between the corners */
-        real ta = (vaxis(q.a, k) - vaxis(o, k)) / vaxis(r.d, k),
-             tb = (vaxis(q.b, k) - vaxis(o, k)) / vaxis(r.d, k);
-        real tc = (vaxis(q.c, k) - vaxis(o, k)) / vaxis(r.d, k),
-             slack = 8 * real_epsilon * real_max(ta, real_max(tb, tc));
-        wrong += !(h.t >= real_min(ta, real_min(tb, tc)) - slack
-                   && h.t <= real_max(ta, real_max(tb, tc)) + slack)
-                 || !(h.u >= 0 && h.v >= 0 && h.u + h.v <= 1 + 2 * real_epsilon);
-        some++;
-    }
-    check_equal(wrong, 0,
-                "edge-on within rounding: t between those of the corners, weights of a point "
-                "inside");
-    check_at_least((double)some, 0.01 * (double)check_count(200000),
-                   "and some of them do hit, by rounding");
 }
 
 /* NaN, infinities, zeros and extremes in every place of the input: no hit with a NaN in it. */
@@ -400,6 +347,9 @@ static void test_no_nan(void)
             t = (triangle){{-1, -1, 2}, {1, -1, 2}, {0, 2, 2}};
         hit h = untouched;
         if (triangle_hit(t, r, &h)) bad += !(isfinite(h.t) && isfinite(h.u) && isfinite(h.v));
+        else touched += !same_hit(h, untouched);
+        h = untouched;
+        if (first_triangle_hit(t, r, &h)) bad += !(isfinite(h.t) && isfinite(h.u + h.v));
         else touched += !same_hit(h, untouched);
         h = untouched;
         if (plane_hit((plane){t.a, t.b}, r, &h)) bad_plane += isfinite(h.t) ? 0 : 1;
@@ -506,49 +456,6 @@ static void test_barycentrics(void)
           "corners are met exactly");
     k = barycentrics_of((triangle){{1, 1, 1}, {1, 1, 1}, {2, 2, 2}}, (vec3){1, 1, 1});
     check(!barycentrics_inside(k), "no area, no inside");
-
-    random_stream g = random_start(11, 0, 0);
-    double worst_sum = 0, worst_back = 0;
-    size_t outside = 0, n = check_count(100000), used = 0;
-    for (size_t i = 0; i < n; i++) {
-        triangle q = {random_in_cube(&g, 1), random_in_cube(&g, 1), random_in_cube(&g, 1)};
-        vec3 normal = vcross(vsub(q.b, q.a), vsub(q.c, q.a));
-        if (vlength(normal) < (real)0.5) continue;
-        real u = random_between(&g, -3, 3), v = random_between(&g, -3, 3);
-        k = barycentrics_of(q, triangle_at(q, u, v));
-        used++, outside += !barycentrics_inside(k);
-        worst_sum = check_worse(worst_sum, fabs((double)barycentrics_sum(k) - 1));
-        worst_back = check_worse(worst_back, fabs((double)k.u - (double)u));
-        worst_back = check_worse(worst_back, fabs((double)k.v - (double)v));
-    }
-    /* coordinates up to 30, products with edges up to 3.5 and |n| up to 6, over |n|^2 >= 1/4: some
-     * 300 eps each */
-    check_at_most(worst_sum, 1000 * eps, "weights sum to one for every point of the plane");
-    check_at_least((double)outside, 0.9 * (double)used, "though most of these points are outside");
-    check_at_most(worst_back, 1000 * eps, "u, v of the point of u, v");
-}
-
-/* |det| is an area: a fixed limit loses triangles for being small. */
-static void test_absolute_determinant(void)
-{
-    random_stream g = random_start(12, 0, 0);
-    for (int k = 3; k <= 5; k++) {
-        real size = k == 3 ? (real)1e-3 : k == 4 ? (real)1e-4 : (real)1e-5;
-        size_t lost = 0, missed = 0, n = count_at_least(20000, 5000);
-        for (size_t i = 0; i < n; i++) {
-            triangle t = {random_in_cube(&g, size), random_in_cube(&g, size),
-                          random_in_cube(&g, size)};
-            vec3 o = vscale(vunit(random_in_cube(&g, 1)), size);
-            ray r = ray_from(o, vunit(vsub(triangle_at(t, 0.3, 0.3), o)));
-            hit h;
-            if (!triangle_hit_patched(t, r, 0, 0, &h)) continue;
-            lost += !triangle_hit_absolute(t, r, &h), missed += !triangle_hit(t, r, &h);
-        }
-        check_at_least((double)lost, (k == 3 ? 0.002 : k == 4 ? 0.5 : 0.95) * (double)n,
-                       "|det| < 1e-8 loses triangles of size 1e-%d", k);
-        check_at_most((double)missed, 0.001 * (double)n,
-                      "compared with zero, none is lost but at rounding");
-    }
 }
 
 /* Flattened along y by a power of two, down to a few units of the smallest real: the same t, to the
@@ -576,62 +483,41 @@ static void test_flattened(void)
     check_at_least(hits, n / 8, "they are hit");
 }
 
-/* ---- a reader's own test (mine.h): what is right passes, and each usual mistake is found ---- */
-
-static bool without_tmin(triangle tri, ray r, hit *out)
+/* Slivers whose area is some roundings of the edges: plain products are off by 2 epsilon |e1| |e2|
+ * at most, and taken if the result is twice that, so it turns by no more than 1/2. That all
+ * roundings conspire is not met: half of it is asked. */
+static void test_sliver_normals(void)
 {
-    r.tmin = -real_infinity;
-    return first_triangle_hit(tri, r, out);
-}
-
-static bool without_tmax(triangle tri, ray r, hit *out)
-{
-    r.tmax = real_infinity;
-    return first_triangle_hit(tri, r, out);
-}
-
-static bool parallelogram(triangle tri, ray r, hit *out)
-{
-    triangle other = {vadd(vsub(tri.b, tri.a), tri.c), tri.c, tri.b};
-    return first_triangle_hit(tri, r, out) || first_triangle_hit(other, r, out);
-}
-
-static bool exchanged(triangle tri, ray r, hit *out)
-{
-    if (!first_triangle_hit(tri, r, out)) return false;
-    *out = (hit){out->t, out->v, out->u, 0};
-    return true;
-}
-
-static bool one_sided(triangle tri, ray r, hit *out)
-{
-    return vdot(r.d, first_triangle_normal(tri)) < 0 && first_triangle_hit(tri, r, out);
-}
-
-static void test_mine(void)
-{
-    const struct { const char *name; triangle_method *hit; bool right; } one[] = {
-        {"mine.h", mine_triangle_hit, true}, {"first", first_triangle_hit, true},
-        {"triangle_hit", triangle_hit, true}, {"t < tmin", without_tmin, false},
-        {"t > tmax", without_tmax, false}, {"u, v <= 1", parallelogram, false},
-        {"u for v", exchanged, false}, {"from one side", one_sided, false}};
-    FILE *nowhere = fopen("/dev/null", "w");
-    for (size_t k = 0; nowhere && k < sizeof one / sizeof *one; k++)
-        check(triangle_prove(one[k].hit, one[k].name, 2000, nowhere) == one[k].right,
-              "%s: right or wrong?", one[k].name);
-    check(nowhere && fclose(nowhere) == 0, "/dev/null");
+    double worst = 0;
+    size_t plain = 0, n = check_count(400000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(9, i, 0);
+        vec3 a = random_in_cube(&g, 1), d = random_in_cube(&g, 1), b = vadd(a, d);
+        vec3 c = vadd(vmadd(a, d, 2 * random_next(&g) - 1), random_in_cube(&g, 4 * real_epsilon));
+        if (i % 2) b = vmadd(a, d, (real)1e-3);
+        vec3 s = triangle_cross(a, b, c), p = vcross(vsub(b, a), vsub(c, a));
+        wide3 w = wide3_cross(wide3_sub(wide3_of(b), wide3_of(a)),
+                              wide3_sub(wide3_of(c), wide3_of(a)));
+        plain += s.x == p.x && s.y == p.y && s.z == p.z;
+        double l = wide_value(wide3_length(w)) * (double)vlength(s);
+        if (l == 0) continue;
+        worst = check_worse(worst, wide_value(wide3_length(wide3_cross(w, wide3_of(s)))) / l);
+        if (wide_sign(wide3_dot(w, wide3_of(s))) < 0) worst = 2;
+    }
+    check_at_most(worst, 0.25, "slivers: the normal is turned by");
+    check(plain > n / 2 && plain < n, "plain products and exact ones: %zu of %zu", plain, n);
 }
 
 int main(void)
 {
+    test_sliver_normals();
     test_plane();
     test_plane_far_away();
     test_exact_hits();
     test_border_is_inside();
-    test_random_against_oracle();
+    test_easy_rays();
+    test_forms_agree();
     test_needles();
-    test_naive_needles();
-    test_both_sides_of_an_edge_agree();
     test_no_area_no_hit();
     test_rounded_edges();
     test_edge_on();
@@ -640,8 +526,6 @@ int main(void)
     test_edge_functions_are_antisymmetric();
     test_normals();
     test_barycentrics();
-    test_absolute_determinant();
     test_flattened();
-    test_mine();
     return check_report("04_triangle");
 }

@@ -18,11 +18,11 @@ static void count_at_place(size_t i, void *context)
 {
     icosphere m = icosphere_new(4, place[i / 2], 1);
     triangle_slip_count *n = context;
-    n[i] = slips(&m, triangle_hit, i % 2, check_count(5000000), 40 + i / 2);
+    n[i] = slips(&m, triangle_hit, i % 2, check_count(2000000), 40 + i / 2);
     icosphere_free(&m);
 }
 
-/* 5e6 rays at edges and 5e6 at vertices, at each place. */
+/* 2e6 rays at edges and 2e6 at vertices, at each place. */
 static void test_no_slip_at_any_translation(void)
 {
     triangle_slip_count n[2 * places];
@@ -142,27 +142,10 @@ static void test_no_slip_on_a_lattice(void)
                 rays);
 }
 
-/* A box is thin for a ray from its outside: whoever aims at a vertex of a closed mesh from outside
- * and passes inside the silhouette must hit something, too. Here: the vertex nearest to the origin
- * of the ray. */
-static void test_no_slip_from_outside(void)
-{
-    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
-    random_stream g = random_start(70, 0, 0);
-    size_t slipped = 0, n = check_count(20000);
-    for (size_t i = 0; i < n; i++) {
-        uint32_t k = (uint32_t)(random_next_bits(&g) >> 32) % m.vertices;
-        vec3 o = vadd(vscale(m.v[k], 3), slip_origin(&g, (vec3){0, 0, 0}, 1));
-        slipped += slip_misses_all(&m, triangle_hit, ray_from(o, vsub(m.v[k], o)));
-    }
-    check_equal(slipped, 0, "%zu rays from outside at the vertex that faces them", n);
-    icosphere_free(&m);
-}
-
 /* Random directions find no edge to slip through: whoever tests with them learns nothing. */
 static void test_random_rays_show_nothing(void)
 {
-    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1);
+    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1);
     random_stream g = random_start(90, 0, 0);
     size_t slipped = 0, n = check_count(10000);
     for (size_t i = 0; i < n; i++) {
@@ -185,7 +168,7 @@ static void test_naive_forms_slip(void)
         {"Möller-Trumbore, divides last", triangle_hit_moller_trumbore, 0.03, 0.03},
         {"planes computed beforehand", triangle_hit_planes, 0.08, 0.06},
         {"triple products", triangle_hit_triple, 0.005, 0}};
-    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1), f = icosphere_new(4, (vec3){0, 0, 0}, 1);
+    icosphere m = icosphere_new(3, (vec3){0, 0, 0}, 1), f = icosphere_new(3, (vec3){0, 0, 0}, 1);
     icosphere_f32(&f);
     size_t n = check_count(10000) > 2000 ? check_count(10000) : 2000;
     for (int k = 0; k < 6; k++)
@@ -203,22 +186,6 @@ static void test_naive_forms_slip(void)
     check_at_most(slip_hits(&m, triangle_hit, false, n, 80), 1.1,
                   "where the watertight test hits one, but for exact zeros");
     icosphere_free(&m);
-    icosphere_free(&f);
-}
-
-/* Corners that are not floats would show that the compiler left a rounding out (gcc's SLP
- * vectoriser). */
-static void test_float_mesh_is_float(void)
-{
-    icosphere f = icosphere_new(3, (vec3){1, 2, 3}, 1);
-    icosphere_f32(&f);
-    size_t wrong = 0;
-    for (uint32_t i = 0; i < f.vertices; i++) {
-        volatile float x = (float)f.v[i].x, y = (float)f.v[i].y, z = (float)f.v[i].z;
-        wrong += (double)x != (double)f.v[i].x || (double)y != (double)f.v[i].y
-                 || (double)z != (double)f.v[i].z;
-    }
-    check_equal(wrong, 0, "corners rounded to float are floats");
     icosphere_free(&f);
 }
 
@@ -246,19 +213,25 @@ static void test_icosphere(void)
         wrong += !(vdot(triangle_normal(t), vsub(t.a, (vec3){1, 2, 3})) > 0);
     }
     check_equal(wrong, 0, "counter-clockwise seen from outside");
+    /* Corners that are not floats would show that the compiler left a rounding out (gcc's SLP
+     * vectoriser). */
+    icosphere_f32(&m);
+    for (uint32_t i = 0; i < 3 * m.vertices; i++) {
+        volatile float x = (float)vaxis(m.v[i / 3], (int)(i % 3));
+        wrong += (double)x != (double)vaxis(m.v[i / 3], (int)(i % 3));
+    }
+    check_equal(wrong, 0, "corners rounded to float are floats");
     icosphere_free(&m);
 }
 
 int main(void)
 {
     test_icosphere();
-    test_float_mesh_is_float();
     test_no_slip_at_any_translation();
     test_no_slip_at_any_size();
     test_no_slip_between_slivers();
     test_no_slip_between_spikes();
     test_no_slip_on_a_lattice();
-    test_no_slip_from_outside();
     test_random_rays_show_nothing();
     test_naive_forms_slip();
     return check_report("04_watertight");

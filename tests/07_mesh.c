@@ -309,6 +309,40 @@ static void solid_angles(void)
     mesh_free(&m);
 }
 
+/* k octahedra one in the other, all outwards or all inwards, and a point within: the product of
+ * winding_number goes round k times. Beside that k: all solid angles, one by one. */
+static void winding_turns(void)
+{
+    double eps = (double)real_epsilon;
+    for (int k = 1; k <= 5; k += 2)
+        for (int turned = 0; turned < 2; turned++) {
+            mesh one = octahedron_mesh(3);
+            mesh m = specimen_new((size_t)k * one.vertices, (size_t)k * one.triangles);
+            for (size_t i = 0; i < m.vertices; i++)
+                m.v[i] = vscale(one.v[i % one.vertices], (real)(1 + i / one.vertices));
+            for (int shell = 0; shell < k; shell++)
+                for (size_t i = 0; i < one.triangles; i++) {
+                    const uint32_t *c = one.index + 3 * i;
+                    size_t at = (size_t)shell * one.vertices;
+                    specimen_add(&m, at + c[0], at + c[turned ? 2 : 1], at + c[turned ? 1 : 2]);
+                }
+            random_stream g = random_start(717, (uint64_t)k, 0);
+            for (int n = 0; n < 40; n++) {
+                vec3 p = vec(random_between(&g, -0.5, 0.5), random_between(&g, -0.25, 0.25),
+                             random_between(&g, -0.2, 0.2));
+                double sum = 0;
+                for (size_t i = 0; i < m.triangles; i++) {
+                    triangle t = mesh_triangle(&m, i);
+                    sum += solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p));
+                }
+                double w = winding_number(&m, p), bound = (double)m.triangles * eps;
+                check_close(w, turned ? -k : k, bound, "%d surfaces", k);
+                check_close(w, sum / (4 * 3.14159265358979323846), bound, "and angle by angle");
+            }
+            mesh_free(&one), mesh_free(&m);
+        }
+}
+
 /* All points of the lattice, exactly, along the axes, where 4, 6 or 8 triangles meet in each
  * vertex. Inside is |x| + |y| + |z| < 1, in whole numbers. */
 static void lattice(void)
@@ -420,6 +454,7 @@ int main(void)
     meshes();
     stops_between_rays();
     solid_angles();
+    winding_turns();
     lattice();
     aimed();
     votes_are_aimed();

@@ -51,8 +51,11 @@ static void exact_cases(bool over)
                         vec3 o = vmadd(q, d, -3);
                         if (axis == 1) o = (vec3){o.z, o.x, o.y}, d = (vec3){d.z, d.x, d.y};
                         if (axis == 2) o = (vec3){o.y, o.z, o.x}, d = (vec3){d.y, d.z, d.x};
-                        hit h;
+                        hit h, plain = {7, 7, 7, 7};
                         bool is = polygon_hit(p, ray_from(o, d), &h);
+                        if (k < 3 || k > 27)  /* on no edge: there naive is right */
+                            check(polygon_hit_naive(p, ray_from(o, d), &plain) == is
+                                      && plain.t == (is ? 3 : 7), "naive, point %zu", k);
                         check(is == at[k].hit && (!is || h.t == 3),
                               "(%g, %g), axis %d, from corner %d, side %d, tilt %d",
                               (double)at[k].x, (double)at[k].y, axis, first, side, tilt);

@@ -1,6 +1,7 @@
 /* Overlap of items and cells: never "no" when they touch, against points that are known exactly to
  * lie on both; and equal to the exact answer in whole numbers where the gaps are whole numbers. */
 #include "../chapters/10_grid/overlap.h"
+#include "../common/numbers/wide.h"
 #include "aimed.h"
 #include "check.h"
 
@@ -94,6 +95,27 @@ static void test_touching_round(void)
     check_equal(lost, 0, "no to a box that holds a point of the sphere, of %zu", n);
     check_equal(lost_cone, 0, "no to a box that holds a point of the cone");
     check_equal(inside, 0, "a sphere is hollow: yes to a box within it");
+}
+
+/* A corner as near the sphere as a rounding, on it or beyond, by all digits. Differences and squares
+ * just above a power of two, which round the worst. */
+static void test_touching_spheres(void)
+{
+    size_t n = check_count(400000), lost = 0, tried = 0;
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(5, i, 0);
+        vec3 c = random_in_cube(&g, 1), p = vadd(vadd(c, vec(1, 1, 1)),
+            vscale(vec(random_next(&g), random_next(&g), random_next(&g)), (real)0.03));
+        real r = vlength(vsub(p, c)) * (1 + (real)((int)(i % 5) - 2) * real_epsilon / 2);
+        wide3 d = wide3_sub(wide3_of(p), wide3_of(c));
+        wide rr = wide_product((double)r, (double)r);
+        int beyond = wide_sign(wide_sub(wide3_dot(d, d), rr));
+        aabb out = {p, vadd(p, vec(1, 1, 1))}, in = {c, p};
+        overlap_plan plan = {.is_sphere = true, .ball = {c, r}, .box = beyond > 0 ? in : out};
+        lost += !overlap_box(&plan, plan.box), tried += beyond <= 0;
+    }
+    check_equal(lost, 0, "no to a box whose corner is on the sphere's other side, of %zu", n);
+    check(tried > n / 4 && tried < 3 * n / 4, "corners within and beyond: %zu of %zu", tried, n);
 }
 
 /* Is there an axis between triangle and box? In whole numbers, all thirteen. */
@@ -217,6 +239,7 @@ int main(void)
 {
     test_touching_triangles();
     test_touching_round();
+    test_touching_spheres();
     test_equals_exact();
     test_count_of_diagonal();
     test_sick();

@@ -117,6 +117,31 @@ static void test_trees(void)
     test_tree("torus, moved", far, fine, points);
 }
 
+/* Two squares that are the ends of the cube along x: low end + size, rounded, may lie before the high
+ * end, and what lies there must be in some cell. */
+static void test_ends(void)
+{
+    size_t lost = 0, n = check_count(16000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream g = random_start(43, i, 0);
+        mesh m = mesh_room(2);
+        real u = random_next(&g) * (real)0.45;  /* size just above 2, the ends on both sides of 1 */
+        real end[2] = {-1 - u, 1 - u * random_next(&g)};
+        real w = (end[1] - end[0]) * (real)0.9;  /* in two children, so each is asked */
+        for (size_t k = 0; k < 2; k++)
+            set_triangle(&m, k, (vec3){end[k], 0, 0}, (vec3){end[k], w, 0}, (vec3){end[k], 0, 0.5});
+        items x = items_of_mesh(&m);
+        octree t;
+        failure f;
+        hit h = {.shape = 0};
+        ray r = ray_from((vec3){end[1] + 1, 0.125, 0.125}, (vec3){-1, 0, 0});
+        check(octree_build(&x, (octree_options){1, 4, true, true, (size_t)1 << 20}, &t, &f), "built");
+        lost += !octree_hit(&t, r, &h) || h.shape != 1;
+        octree_free(&t), mesh_free(&m);
+    }
+    check_equal(lost, 0, "the high end of the cube is missed, of %zu", n);
+}
+
 /* ---- when to stop ---- */
 
 static structure_stats stats_of(mesh *m, octree_options how)
@@ -340,6 +365,7 @@ static void test_order(size_t n)
 int main(void)
 {
     test_trees();
+    test_ends();
     test_stop();
     test_memory();
     test_passed(check_count(200000));

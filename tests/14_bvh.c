@@ -87,6 +87,29 @@ static void test_mesh(const char *name, mesh m, vec3 move, real scale, bool exhi
     mesh_free(&m);
 }
 
+/* t of some ten of the least numbers that there are: they have lost their digits, and an interval
+ * that ends at a hit's t must hold the hit. */
+static void test_least_t(void)
+{
+    mesh m = torus_mesh(24);
+    bvh_mesh b;
+    verdict v = {0, 0, 0, 0, 0};
+    real size = real_is_float ? (real)0x1p-21 : (real)0x1p-50, most = real_largest / 16;
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vscale(m.v[i], size);
+    check(bvh_mesh_build(&m, bvh_defaults, &b, NULL), "built");
+    for (size_t i = 0; i < check_count(4000); i++) {
+        random_stream g = random_start(61, i, 0);
+        ray r = ray_from(random_in_cube(&g, 2 * size), vec(0, 0, 0));
+        r.d = vscale(vsub(random_in_cube(&g, size), r.o), 1 / size), r.d = vscale(r.d, most);
+        hit h = compare(&m, &b, r, &v);
+        for (int way = 1; way < aimed_ways && h.shape != no_shape; way++)
+            compare(&m, &b, aimed_way(r, h.t, way), &v);
+    }
+    check_equal(v.wrong + v.wrong_any, 0, "t below the normal numbers: wrong of %zu", v.rays);
+    check_at_least(v.hits, v.rays / 5, "and some hit");
+    bvh_mesh_free(&b), mesh_free(&m);
+}
+
 static void test_no_and_one(void)
 {
     mesh m = mesh_room(1);
@@ -362,6 +385,7 @@ static void test_order_in_counts(void)
 int main(void)
 {
     real tiny = real_is_float ? (real)0x1p-60 : (real)0x1p-400;
+    test_least_t();
     test_no_and_one();
     test_mesh("teapot", teapot_mesh(3), (vec3){0, 0, 0}, 1, true);
     test_mesh("octahedron", octahedron_mesh(8), (vec3){0, 0, 0}, 1,

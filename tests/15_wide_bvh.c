@@ -18,16 +18,17 @@ STRUCTURE_TESTED(bvh8, options_now)
 
 static const char *const dialect_name[eight_dialects] = {"plain C", "AVX2", "AVX-512"};
 
+/* Each dialect; smaller leaves in one of them: they are the same to the search. */
 static void test_structures(void)
 {
     for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++)
-        for (int leaf = 1; leaf <= 8; leaf *= 2) {
+        for (int leaf = d == EIGHT_PLAIN ? 1 : 8; leaf <= 8; leaf *= 2) {
             char name[40];
             structure s = {name, STRUCTURE_OF(bvh8)};
             options_now = bvh8_defaults;
             options_now.dialect = (eight_dialect)d, options_now.leaf = leaf;
             snprintf(name, sizeof name, "%s, leaves of %d", dialect_name[d], leaf);
-            structure_tests(&s, check_count(leaf == 8 ? 1200 : 200));
+            structure_tests(&s, check_count(leaf == 8 ? 800 : 160));
         }
 }
 
@@ -36,7 +37,7 @@ static void test_structures(void)
 static void test_corners(void)
 {
     const bvh8 w = {.scale = 1};
-    size_t lost[2] = {0, 0}, rays = check_count(6000000);
+    size_t lost[2] = {0, 0}, rays = check_count(3000000);
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(82, i, 0);
         real o[3], c[3], t = (1 + random_next(&g) / 16) / 2;
@@ -113,6 +114,18 @@ static void count_items(const bvh8 *w, uint32_t at, const float *box, size_t *se
     }
 }
 
+static int deepest(const bvh8 *w, uint32_t at)
+{
+    int below = 0;
+    if (at & bvh8_leaf) return 0;
+    for (int k = 0; k < 8; k++) {
+        if (w->node[at].side[0][k] > w->node[at].side[3][k]) continue;
+        int d = deepest(w, w->node[at].child[k]);
+        below = d > below ? d : below;
+    }
+    return below + 1;
+}
+
 static void invariants_of(const char *what, mesh m)
 {
     items x = items_of_mesh(&m);
@@ -134,6 +147,12 @@ static void invariants_of(const char *what, mesh m)
     structure_stats s = bvh8_stats(&w);
     check_equal(s.items, held, "%s: counted", what);
     check_at_most(s.depth, 64, "%s: depth", what);
+    check_equal(s.depth, deepest(&w, 0), "%s: the deepest node", what);
+    check_equal(s.bytes, w.nodes * sizeof *w.node + w.blocks * sizeof *w.block, "%s: bytes", what);
+    check_at_least(s.peak, s.bytes + held * (3 * sizeof(bvh8_bound) + 16),
+                   "%s: items, nodes of two and their picks are held at the same time", what);
+    for (uint32_t i = 0; i < w.blocks; i++) held -= bvh8_held(&w, i);
+    check_equal(held, 0, "%s: in all blocks together", what);
     for (how.threads = 2; how.threads < 8; how.threads += 3) {
         check(bvh8_build(&x, how, &again, &f), "%s: built by %d threads", what, how.threads);
         bool alike = again.nodes == w.nodes && again.blocks == w.blocks
@@ -158,8 +177,105 @@ static void test_invariants(void)
     invariants_of("one triangle", needles(1, 0.5));
     mesh m = mesh_room(3000);
     for (size_t i = 0; i < m.triangles; i++)
-        set_triangle(&m, i, (vec3){0, 0, 1}, (vec3){1, 0, 1}, (vec3){0, 1, i % 3 == 2 ? 2 : 1});
+        set_triangle(&m, i, (vec3){0, 0, 1}, (vec3){1, 0, 1}, i % 7 ? (vec3){0, 1, i % 3 == 2 ? 2 : 1} : (vec3){2, 0, 1});
     invariants_of("coincident triangles", m);
+}
+
+/* Two groups of items: the cut lies between them, and they are parted by it. Area, bins by hand. */
+static void test_split(void)
+{
+    bvh8_bound item[16], box = {.lo = {1, 2, 3}, .minus_hi = {-2, -4, -6}};
+    check_equal(bvh8_area(&box.all), 1 * 2 + 2 * 3 + 3 * 1, "half the surface of 1 x 2 x 3");
+    for (int i = 0; i < 16; i++) {  /* ten on the left, not in order */
+        float x = (float)i / 64 + (i * 7 % 16 < 10 ? 0.0f : 0.5f);
+        item[i] = (bvh8_bound){.lo = {x, 0, 0}, .minus_hi = {-x - 0.01f, -1, -1}};
+    }
+    bvh8_extent e = bvh8_measure(item, 16);
+    size_t beyond = 0, astray = 0;
+    for (int i = 0; i < 16; i++) beyond += (unsigned)bvh8_bin_of(&item[i], &e, 0) >= (unsigned)e.bins;
+    check(e.bins == bins_for(16) && beyond == 0, "bins: %d, items beyond them: %zu", e.bins, beyond);
+    check_equal(bvh8_split(item, 16, &e), 10, "the cut is between the groups");
+    for (int i = 0; i < 16; i++) astray += (item[i].lo[0] < 0.4f) != (i < 10);
+    check_equal(astray, 0, "each group on its side");
+    shape one = shape_of_sphere((sphere){{0, 0, 0}, 1});
+    scene world = {&one, 1};
+    items x = items_of_scene(&world);
+    bvh8 w;
+    hit h;
+    check(bvh8_build(&x, bvh8_defaults, &w, NULL) && bvh8_hit(&w, ray_from(vec(0, 0, -3),
+          vec(0, 0, 1)), &h) && h.t == 2, "one shape alone");
+    bvh8_free(&w);
+}
+
+/* Powers of two along three axes, on the one side or the other: as deep as it gets, see 14. */
+static void test_depth(void)
+{
+    bvh8_options how = bvh8_defaults;
+    how.width = 2, how.leaf = 1;
+    for (int sign = -1; sign < 2; sign += 2) {
+        mesh m = mesh_room(360);
+        bvh8 w;
+        for (size_t i = 0; i < m.triangles; i++) {
+            real x = (real)sign * ldexp((real)1, 29 - (int)(i / 3));
+            vec3 a = {i % 3 == 0 ? x : 0, i % 3 == 1 ? x : 0, i % 3 == 2 ? x : 0};
+            set_triangle(&m, i, a, vadd(a, vec(x / 64, 0, 0)), vadd(a, vec(0, x / 64, x / 64)));
+        }
+        items x = items_of_mesh(&m);
+        check(bvh8_build(&x, how, &w, NULL), "built");
+        check_at_most(w.depth, bvh_most_depth, "powers of two: depth");
+        check_at_least(w.depth, 50, "and as bad as they are meant to be");
+        bvh8_free(&w), mesh_free(&m);
+    }
+}
+
+/* Nodes whose own boxes the ray meets, in `real`. */
+static size_t nodes_met(const bvh8 *w, uint32_t at, ray r)
+{
+    size_t n = 1;
+    real enter;
+    if (at & bvh8_leaf) return 0;
+    for (int k = 0; k < 8; k++) {
+        aabb b;
+        for (int s = 0; s < 3; s++)
+            ((real *)&b.lo)[s] = (real)w->node[at].side[s][k],
+            ((real *)&b.hi)[s] = (real)w->node[at].side[3 + s][k];
+        if (!aabb_is_empty(b) && aabb_hit(b, r, &enter)) n += nodes_met(w, w->node[at].child[k], r);
+    }
+    return n;
+}
+
+/* In counts: a ray that hits nothing opens the nodes that it meets; one that hits, little more than
+ * if it ended there from the start; and few triangles are asked in `real`. */
+static void test_cost(void)
+{
+    mesh m = teapot_mesh(8);
+    items x = items_of_mesh(&m);
+    bvh8 w;
+    search_work missed = {0, 0, 0, 0}, whole = missed, ended = missed;
+    size_t met = 0, hits = 0, asked_any = 0, before = bvh8_asked;
+    check(bvh8_build(&x, bvh8_defaults, &w, NULL), "built");
+    for (size_t i = 0; i < check_count(8000); i++) {
+        random_stream g = random_start(47, i, 0);
+        vec3 o = random_in_cube(&g, 6);
+        ray r = ray_from(o, vsub(random_in_cube(&g, 2), o));
+        search_work work = {0, 0, 0, 0};
+        hit h;
+        if (!bvh8_hit_counted(&w, r, &h, &work)) {
+            missed.nodes += work.nodes;
+            r.o = bvh8_into(&w, r.o), met += nodes_met(&w, 0, r);
+            continue;
+        }
+        whole.nodes += work.nodes, whole.tests += work.tests, hits++;
+        size_t asked = bvh8_asked;
+        bvh8_occluded(&w, r), asked_any += bvh8_asked - asked, bvh8_asked = asked;
+        r.tmax = h.t, bvh8_hit_counted(&w, r, &h, &ended);
+    }
+    check_at_least(missed.nodes, met, "nodes of rays that hit nothing");
+    check_at_most(missed.nodes, met + met / 50, "and not more than they meet");
+    check_at_most(whole.nodes, ended.nodes + ended.nodes / 20, "nodes, and of rays that end there");
+    check_at_most(bvh8_asked - before, 2 * hits + hits / 5, "one triangle a hit asked in `real`");
+    check_at_most(asked_any, hits / 5, "and hardly one of shadow rays");
+    bvh8_free(&w), mesh_free(&m);
 }
 
 /* Into a closed mesh at its corners and edges: brute force hits always, the leaky search does not;
@@ -244,19 +360,21 @@ static void test_options(void)
     mesh_free(&m);
 }
 
-/* Half a tree is none, whichever step Ctrl-C meets: 1, binary tree; 2, blocks; 3, after both. */
+/* Half a tree is none, whichever step Ctrl-C meets: 1, boxes; 2, binary tree; 3, blocks; 4, after
+ * all of them. */
 static void test_interrupted(void)
 {
     mesh m = octahedron_mesh(32);
     items x = items_of_mesh(&m);
     bvh8_options how = bvh8_defaults;
     how.threads = 2;
-    for (interrupt_at = 1; interrupt_at <= 3; interrupt_at++) {
+    signal(SIGINT, SIG_DFL);  /* in the background it may be ignored, and stays so (parallel.h) */
+    for (interrupt_at = 1; interrupt_at <= 4; interrupt_at++) {
         failure f = {0};
         bvh8 w;
         created = 0;
         bool built = bvh8_build(&x, how, &w, &f);
-        check(built == (interrupt_at == 3), "Ctrl-C in step %d: built or not", interrupt_at);
+        check(built == (interrupt_at == 4), "Ctrl-C in step %d: built or not", interrupt_at);
         if (!built) check_equal(f.exit_code, 130, "Ctrl-C in step %d: exit code", interrupt_at);
         check_equal(w.held, built ? x.n : 0, "Ctrl-C in step %d: triangles held", interrupt_at);
         bvh8_free(&w);
@@ -275,5 +393,8 @@ int main(void)
     test_invariants();
     test_leaks();
     test_far();
+    test_split();
+    test_depth();
+    test_cost();
     return check_report("15_wide_bvh");
 }

@@ -93,25 +93,6 @@ static verdict compare(const both *b, size_t n, real D)
     return v;
 }
 
-/* (16.1): where it begins and where it goes, seen by the instance. */
-static void test_rays(const both *b)
-{
-    double worst = 0;
-    size_t wrong = 0;
-    for (size_t i = 0; i < check_count(20000); i++) {
-        random_stream g = random_start(3, i, 0);
-        ray r = ray_between(random_in_cube(&g, 9), random_in_cube(&g, 9)), due;
-        affine a;
-        int k = (int)(i % most);
-        bool sane = affine_inverse(b->list[k].to_world, &a) && instance_ray(&a, r, &due);
-        ray got = first_instance_ray(&b->one[k], r);
-        wrong += !sane || got.tmin != r.tmin || got.tmax != r.tmax;
-        worst = check_worse(worst, apart(got.o, due.o) + apart(got.d, due.d));
-    }
-    check_equal(wrong, 0, "the interval stays");
-    check_at_most(worst, 2000 * eps, "o and d of some 20, by an inverse of up to 10");
-}
-
 /* "far away, as 14 is": the knots are of size 4. */
 static void test_hits(const both *b)
 {
@@ -186,7 +167,6 @@ int main(void)
 {
     static both b;
     both_build(&b, most);
-    test_rays(&b);
     test_hits(&b);
     test_det(&b);
     test_degenerate(&b);

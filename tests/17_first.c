@@ -2,9 +2,10 @@
  * mesh_hit; nothing to hold, one triangle, 2000 at one place, none of any area, rays that are none. */
 #include "check.h"
 #include "../common/random.h"
+#include "../chapters/07_mesh/closest.h"
+#include "../chapters/07_mesh/scenes/as_first.h"
 #include "../chapters/07_mesh/scenes/teapot.h"
-#include "../chapters/17_compare/lab/compare.h"
-#include "../chapters/07_mesh/scenes/named.h"
+#include "../chapters/17_compare/first.h"
 
 static vec3 random_vec3(random_stream *g, real size)
 {
@@ -16,7 +17,7 @@ static vec3 random_vec3(random_stream *g, real size)
 static void compare(const first_mesh *f, const mesh *m, vec3 middle, real size, const char *what)
 {
     static first_contest c;
-    size_t n = check_count(20000), hits = 0, wrong[first_structures] = {0}, robust = 0;
+    size_t n = check_count(8000), hits = 0, wrong[first_structures] = {0}, robust = 0;
     first_contest_build(f, &c);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(1, i, 0);
@@ -78,55 +79,9 @@ static void test_degenerate(void)
     }
 }
 
-/* For the tables: each alone, built by the name it has there; none holds what is no triangle. */
-static void test_contenders(void)
-{
-    mesh pot = teapot_mesh(2);
-    shape ball = shape_of_sphere((sphere){{0, 0, 0}, 1});
-    scene s = {&ball, 1};
-    items x = items_of_mesh(&pot), round = items_of_scene(&s);
-    failure f;
-    const contender_settings none = {.n = 0};
-    for (int k = 0; k < contenders; k++) {
-        const contender *c = contender_list[k];
-        if (!contender_is_first(c)) continue;
-        void *built = contender_build(c, &none, &x, (size_t)1 << 30, &f);
-        hit h, due;
-        ray r = ray_from((vec3){(real)0.1, -9, 1}, (vec3){0, 1, 0});
-        check(built && c->hit(built, r, &h) && mesh_hit(&pot, r, &due)
-              && !first_is_wrong(h, due) && c->occluded(built, r), "%s", c->name);
-        contender_free(c, built);
-        check(!contender_build(c, &none, &round, (size_t)1 << 30, &f), "%s: a ball", c->name);
-        check(!contender_build(c, &none, &x, 1000, &f), "%s: no room", c->name);
-    }
-    mesh_free(&pot);
-}
-
-/* Where they are wrong they are counted; the proof of the others goes on, and holds. */
-static void test_wrong_is_counted(void)
-{
-    comparison s;
-    world w;
-    failure f;
-    if (!scene_world(scene_find("soup"), 1, &w, &f)) fail(f);
-    line_up all = choose_usual();
-    compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
-    compare_rays(&s, 576, 7);
-    check(compare_prove(&s, SIZE_MAX, 400, 7, stdout), "the full versions are right");
-    for (int k = 0; k < s.entries; k++) {
-        const compare_entry *e = &s.entry[k];
-        if (!contender_is_first(e->c)) check_equal(e->held[0] + e->held[1], 0, "%s", e->c->name);
-        else check(e->wrong[0] > 10 && e->wrong[0] < e->held[0] / 2 && e->wrong[1] <= 1,
-                   "%s: wrong at borders: %zu, else %zu", e->c->name, e->wrong[0], e->wrong[1]);
-    }
-    compare_end(&s), world_free(&w);
-}
-
 int main(void)
 {
     test_easy();
     test_degenerate();
-    test_contenders();
-    test_wrong_is_counted();
     return check_report("17_first");
 }

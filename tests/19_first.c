@@ -9,12 +9,6 @@ static const double eps = (double)real_epsilon;
 
 static double apart(vec3 a, vec3 b) { return (double)vlength(vsub(a, b)); }
 
-static vec3 random_unit(random_stream *s)
-{
-    real z = 2 * random_next(s) - 1, a = 2 * pi * random_next(s), r = sqrt(1 - z * z);
-    return vunit((vec3){r * cos(a), r * sin(a), z});
-}
-
 /* Glass, water, diamond and air, at angles away from grazing and critical ones. */
 static void test_laws(void)
 {
@@ -23,7 +17,7 @@ static void test_laws(void)
     size_t n = check_count(50000), bends = 0, total = 0, wrong = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(1, i, 0);
-        vec3 N = random_unit(&s), d = random_unit(&s), w = vec(0, 0, 0), v;
+        vec3 N = vunit(random_unit(&s)), d = vunit(random_unit(&s)), w = vec(0, 0, 0), v;
         real n1 = ior[i % 4], n2 = ior[i / 4 % 4];
         if (vdot(d, N) > 0) N = vneg(N);
         mirror = check_worse(mirror, apart(first_reflect(d, N), reflect(d, N)));
@@ -159,7 +153,7 @@ static double slabs(real gap, double *first, double *full)
                        (vec3){0, k % 2 ? -40 : 40, 0},
                        (first_material){.ior = k < 2 ? (real)1.5 : (real)1.33});
     first_world *x = first_world_new(&s, 8);
-    for (int k = 0; k < 4; k++) x->look[k].body = k < 2 ? 1 : 3;
+    for (int k = 0; k < 4; k++) x->on.look[k].body = k < 2 ? 1 : 3;
     *first = *full = 0;
     for (uint64_t i = 0; i < 1000; i++) {
         real dx = random_real(3, i, 0, 0), dy = random_real(3, i, 1, 0);

@@ -3,7 +3,6 @@
  * once in 1e8 seeds, there are fewer than 100. */
 #include "../chapters/20_monte_carlo/lab/measure.h"
 #include "../chapters/20_monte_carlo/importance.h"
-#include "../chapters/20_monte_carlo/lab/sampling_naive.h"
 #include "check.h"
 
 #define alarm 1e-8
@@ -53,7 +52,7 @@ static void test_exact_values(void)
  * normal for p = 1e-8: alarms come too often by a factor of some ten, not more. */
 static void test_variances(void)
 {
-    convergence *c = convergence_measure(0, 5, 480, 7, 2);
+    convergence *c = convergence_measure(0, 4, 480, 7, 2);
     for (int l = 0; l < c->levels; l++)
         for (int k = 0; k < convergence_methods; k++)
             for (int f = 0; f < integrands; f++) {
@@ -64,15 +63,14 @@ static void test_variances(void)
                                "%s, N = %d, %s: mean square error", convergence_name(k),
                                (int)convergence_n(l), f ? "edge" : "smooth");
             }
-    /* from N = 16 to 4096; a root mean square of 480 is off by 3 % or so, 256-fold N: 6 sigma = .05
-     * */
+    /* from N = 16 to 1024; a root mean square of 480 is off by 3 % or so: 5 sigma = .05 */
     static const double due[sequence_kinds][integrands] = {
-        {-0.5, -0.5}, {-1, -0.75}, {-0.9, -0.7}, {-1, -0.75}, {-1, -0.8}, {-1.5, -0.75}};
+        {-0.5, -0.5}, {-1, -0.75}, {-0.9, -0.7}, {-1.5, -0.75}};
     for (int k = 0; k < sequence_kinds; k++)
         for (int f = 0; f < integrands; f++) {
             if (k == SEQUENCE_HALTON) continue;  /* one set of points: only a bound, below */
             double slope = convergence_slope(c, k, (integrand)f).slope;
-            double exact = convergence_exact_slope(k, (integrand)f, 5).slope;
+            double exact = convergence_exact_slope(k, (integrand)f, c->levels).slope;
             if (isnan(exact)) exact = due[k][f];
             check_close(slope, exact, 0.05, "slope of %s, %s", sequence_name[k],
                         f ? "edge" : "smooth");
@@ -95,43 +93,21 @@ static void test_threads(void)
     free(a), free(b);
 }
 
-typedef uint32_t scramble(uint32_t x, uint32_t seed);
-
-/* The squared error of e^(x+y) over 2^m points, scrambled by `how`. */
-static estimate scramble_squares(scramble *how, uint64_t seed, int m, int runs)
-{
-    estimate e = {0};
-    for (int run = 0; run < runs; run++) {
-        uint64_t axes = random_bits(seed, (uint64_t)run, 0, 0);
-        uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32);
-        double sum = 0, n = ldexp(1, m);
-        for (uint32_t i = 0; i < (uint32_t)1 << m; i++) {
-            uint32_t x = how(sobol_x(i), a), y = how(sobol_y(i), b);
-            point2 p = {real_of_fraction(x, a), real_of_fraction(y, b)};
-            sum += integrand_value(SMOOTH, p);
-        }
-        double error = sum / n - integrand_integral(SMOOTH);
-        e = estimate_add(e, error * error);
-    }
-    return e;
-}
-
-/* The hash of 2020: its variance is not that of Owen's scrambling. */
-static void test_hashes(void)
+/* The variance of e^(x+y) over 2^m points is (20.20), for odd m, too. The hash published for it in
+ * 2020, whose coins depend on each other, has half of that at m = 5. */
+static void test_hash(void)
 {
     int runs = (int)check_count(2000);
     if (runs < 500) runs = 500;
-    for (int m = 4; m <= 7; m++) {
-        double exact = deviation_sobol(m) * deviation_sobol(m);
-        estimate hashed = scramble_squares(owen_scramble, 5, m, runs);
-        estimate defined = scramble_squares(owen_scramble_exact, 5, m, runs);
-        check_at_least(t_test(hashed, exact, 1e-7 * exact), alarm, "owen_scramble, 2^%d", m);
-        check_at_least(t_test(defined, exact, 1e-7 * exact), alarm, "owen_scramble_exact, 2^%d", m);
+    for (int m = 5; m <= 7; m += 2) {
+        double exact = deviation_sobol(m) * deviation_sobol(m), error[integrands];
+        estimate e = {0};
+        for (int run = 0; run < runs; run++) {
+            integrand_errors(SEQUENCE_SOBOL, 5, (uint64_t)run, (uint32_t)1 << m, error);
+            e = estimate_add(e, error[SMOOTH] * error[SMOOTH]);
+        }
+        check_at_least(t_test(e, exact, 1e-7 * exact), alarm, "owen_scramble, 2^%d", m);
     }
-    double exact = deviation_sobol(5) * deviation_sobol(5);
-    estimate old = scramble_squares(owen_scramble_2020, 5, 5, runs);
-    check_at_most(t_test(old, exact, 0), alarm, "owen_scramble_2020, 32 points: found out");
-    check_at_most(old.mean / exact, 0.6, "which has about half of the variance due");
 }
 
 /* "To halve the variance, four times the rays": four times the rays quarter it. */
@@ -141,11 +117,11 @@ static void test_four_times_the_rays(void)
     if (runs < 1000) runs = 1000;
     estimate one = rays_variance(11, 64, runs), two = rays_variance(12, 128, runs);
     estimate four = rays_variance(13, 256, runs);
-    check_at_least(variance_ratio_test(one, two, 0.5), alarm, "twice the rays halve the variance");
-    check_at_least(variance_ratio_test(one, four, 0.25), alarm, "four times the rays quarter it");
-    check_at_most(variance_ratio_test(one, four, 0.5), alarm, "and do not halve it");
-    check_close(sqrt(estimate_variance(four) / estimate_variance(one)), 0.5, 0.1, "error halves");
-    check_at_least(t_test(one, 0, 0), alarm, "right on average");
+    /* a variance of n samples that are nearly normal is off by sqrt(2 / n) of itself, a ratio by
+     * sqrt 2 times that: six of these */
+    double v = estimate_variance(one), most = 6 * 2 / sqrt((double)runs);
+    check_close(estimate_variance(two) / v * 2, 1, most, "twice the rays halve the variance");
+    check_close(estimate_variance(four) / v * 4, 1, most, "four times quarter it");
 }
 
 /* ---- importance sampling ---- */
@@ -230,57 +206,24 @@ static void test_fatal(void)
     check_at_least(t_test(cut, 0.75 * (double)pi, 1e-5), alarm, "and finds three quarters");
 }
 
-/* Medians of the error fall as N^(-2/(n+1)): between N = 64 and 2048, at least 800 runs whatever
- * the divisor; a median of 800 is off by some 4.5 %, two of them over a factor of 32: sigma .018.
- * +-.08 is more than 4 sigma, and keeps the slope -.095 of n = 20 apart from 0. */
+/* Medians of the error fall as N^(-2/(n+1)): between N = 16 and 1024, whatever the divisor; a
+ * median of 400 is off by some 6 %, two of them over a factor of 64: sigma .021. +-.09 is more than
+ * 4 sigma, and keeps the slope -.095 of n = 20 apart from 0. */
 static void test_slopes_of_importance(void)
 {
-    static const real lobe[4] = {0, 4, 8, 20};
-    enum { runs = 800 };
-    for (int k = 0; k < 4; k++) {
+    enum { runs = 400 };
+    for (int k = 0; k < 2; k++) {
+        real lobe = k ? 20 : 8;
         double median[2], error[runs];
         for (int l = 0; l < 2; l++) {
             for (int run = 0; run < runs; run++)
-                error[run] = fabs(importance_run(lobe[k], 0, 8, (uint64_t)run, l ? 2048 : 64).mean
+                error[run] = fabs(importance_run(lobe, 0, 8, (uint64_t)run, l ? 1024 : 16).mean
                                   - (double)pi);
             median[l] = clock_median(error, runs);
         }
-        check_close(log(median[1] / median[0]) / log(32.0), importance_slope((double)lobe[k]), 0.08,
-                    "slope for n = %g", (double)lobe[k]);
+        check_close(log(median[1] / median[0]) / log(64.0), importance_slope((double)lobe), 0.09,
+                    "slope for n = %g", (double)lobe);
     }
-}
-
-typedef vec3 disk_map(real u, real v);
-
-/* The mean of x^2 over the disk is 1/4. */
-static double map_error(disk_map *map, uint64_t seed, uint64_t run, uint32_t n)
-{
-    double sum = 0;
-    for (uint32_t i = 0; i < n; i++) {
-        sampler s = sampler_start(SEQUENCE_SOBOL, seed, run, i, n);
-        point2 p = sampler_pair(&s);
-        double x = (double)map(p.u, p.v).x;
-        sum += x * x;
-    }
-    return sum / n - 0.25;
-}
-
-/* Rejection throws away what the points were placed for. */
-static void test_maps(void)
-{
-    disk_map *map[3] = {sample_disk, sample_disk_polar, sample_disk_rejection};
-    double rms[3];
-    for (int k = 0; k < 3; k++) {
-        estimate e = {0}, square = {0};
-        for (uint64_t run = 0; run < 200; run++) {
-            double x = map_error(map[k], 9, run, 256);
-            e = estimate_add(e, x), square = estimate_add(square, x * x);
-        }
-        check_at_least(t_test(e, 0, 1e-7), alarm, "map %d: the mean of x^2 is 1/4", k);
-        rms[k] = sqrt(square.mean);
-    }
-    check_at_most(rms[0], rms[2] / 5, "sample_disk against rejection, 256 points");
-    check_at_most(rms[1], rms[2] / 5, "sample_disk_polar against rejection");
 }
 
 int main(void)
@@ -288,12 +231,11 @@ int main(void)
     test_exact_values();
     test_variances();
     test_threads();
-    test_hashes();
+    test_hash();
     test_four_times_the_rays();
     test_importance();
     test_weights();
     test_fatal();
     test_slopes_of_importance();
-    test_maps();
     return check_report("20_monte_carlo");
 }

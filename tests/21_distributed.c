@@ -138,47 +138,14 @@ static void test_none(void)
     image_free(&a), image_free(&b), showroom_free(g);
 }
 
-/* Split: a light with a size gets so many rays from the first hit, one without still gets one. */
-static void test_split(void)
-{
-    showroom *g = showroom_new(3);
-    image a = image_new(w, h), b = image_new(w, h);
-    showroom_look k;
-    showroom_set(&k, g, 0), k.how.depth = 1;
-    size_t one = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &a).rays.rays[RAY_SHADOW];
-    k.how.split = 16;
-    distributed_counts many = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &b);
-    check_equal(many.rays.rays[RAY_SHADOW], one, "no size: one ray says it all");
-    check_equal(different(&a, &b), 0, "and the same picture");
-    showroom_set(&k, g, EFFECT_SOFT | EFFECT_SKY), k.how.depth = 1;
-    one = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &a).drawn[DRAWN_LIGHT];
-    k.how.split = 16;
-    many = draw_look(&k, 1, SEQUENCE_SOBOL, 2, &b);
-    check_equal(many.drawn[DRAWN_LIGHT], 16 * one, "16 points of the light");
-    check_equal(many.drawn[DRAWN_SKY] % 16, 0, "16 of the sky");
-    image_free(&a), image_free(&b), showroom_free(g);
-}
-
-/* 4 samples of 4 parts are 16 points: one in each cell of 4 x 4. And no two domains of a chain have
- * the same pair: 3 lights, the sky and the lobe. */
+/* No two domains of a chain have the same pair: 3 lights, the sky and the lobe. */
 static void test_pairs(void)
 {
-    static const sequence_kind kinds[2] = {SEQUENCE_JITTERED, SEQUENCE_SOBOL};
-    for (int i = 0; i < 2; i++) {
-        distributor d = {.how = NULL};
-        unsigned seen = 0;
-        for (uint32_t k = 0; k < 16; k++) {
-            distributed_sample q = {kinds[i], 15, 3, k / 4, 4};
-            point2 p = distributed_pair(&d, q, DRAWN_SKY, 5, k % 4, 4);
-            seen |= 1u << ((int)(4 * p.u) + 4 * (int)(4 * p.v)) % 32;
-        }
-        check_equal(seen, 0xffff, "a cell each, %s", sequence_name[kinds[i]]);
-    }
     check_equal(distributed_pairs_a_hit(&(distributed){.n = 3}), 5, "a pair each");
     check(PAIR_FILM < PAIR_LENS && PAIR_LENS < PAIR_HIT, "and film and lens");
 }
 
-/* One seed, one picture; other seeds, others; `same`: every pixel asks alike. */
+/* One seed, one picture; other seeds, others. */
 static void test_reproducible(void)
 {
     showroom *g = showroom_new(3);
@@ -263,33 +230,6 @@ static void test_sum(void)
     known_free(&k), furnace_free(f);
 }
 
-/* 16 points of the light from one hit: the same mean, 1/16 of the variance, by independent ones; an
- * F-test would want normal samples, so half of that margin. */
-static void test_split_mean(void)
-{
-    furnace *f = furnace_new((vec3){1, 1, 1}, (vec3){0, 0, 0}, 1);
-    trace_world world = {&f->part, 1};
-    known k;
-    known_make(KNOWN_SQUARE, &k);
-    distributed how = {.light = &k.light, .n = 1, .material_of = furnace_material, .context = f,
-                       .ambient = {1, 1, 1}, .reach = 10, .depth = 1};
-    distributor d = distributor_of(&world, &how);
-    ray r = ray_from((vec3){0, 0, 1}, (vec3){0, 0, -1});
-    estimate e[2] = {{0}, {0}};
-    for (int split = 0; split < 2; split++)
-        for (uint32_t i = 0; i < check_count(4000); i++) {
-            how.split = split ? 16 : 1;
-            distributed_sample q = {SEQUENCE_RANDOM, 14, i, 0, 1};
-            e[split] = estimate_add(e[split], (double)distributed_ray(&d, r, q).x);
-        }
-    for (int split = 0; split < 2; split++)
-        check_at_least(t_test(e[split], k.truth / (double)pi + 1, 1e-6 + 64 * (double)real_epsilon),
-                       1e-6, "mean with and without splitting, false-alarm rate 1e-6");
-    if (e[0].n > 100)
-        check_at_most(estimate_variance(e[1]), estimate_variance(e[0]) / 8, "variance of 16");
-    known_free(&k), furnace_free(f);
-}
-
 /* A convex white body in an even sky is as bright as the sky, by diffuse light, by mirror, and by a
  * lobe that is all above: exactly, with no noise. */
 static void test_furnace(void)
@@ -313,38 +253,6 @@ static void test_furnace(void)
         check_equal(off, 0, "as bright as the sky, shine %g", (double)shines[i]);
         furnace_free(f);
     }
-}
-
-/* A wall along y: by an orthographic camera all rows of a column see the same of the sky. With the
- * same numbers everywhere they are equal (but for roundings where a ray meets the wall's edge),
- * with their own they are not. */
-static void test_same(void)
-{
-    furnace *f = furnace_new((vec3){1, 1, 1}, (vec3){0, 0, 0}, 1);
-    vec3 wall[4] = {{1, -1000, 0}, {1, 1000, 0}, {1, 1000, 2}, {1, -1000, 2}};
-    shape both[2] = {f->shapes[0], shape_of_polygon(polygon_of(wall, 4))};
-    scene s = {both, 2};
-    world_part part;
-    world_part_of_scene(&s, MASK_ALL, &part);
-    trace_world world = {&part, 1};
-    camera_frame frame;
-    failure why;
-    distributed how = {.n = 0, .material_of = furnace_material, .context = f, .reach = 100,
-                       .ambient = {1, 1, 1}, .depth = 1};
-    distributed_view v = {.w = &world, .how = &how, .kind = SEQUENCE_RANDOM, .samples = 16};
-    bool ok = frame_look_at((vec3){0, 0, 9}, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, &why)
-           && camera_orthographic(frame, (camera_window){-1, 0.9, -1, 1}, &v.c, &why);
-    image im = image_new(w, h);
-    check(ok, "a camera");
-    for (int same = 0; same < 2; same++) {
-        size_t differ = 0;
-        v.same = same, v.seed = 12;
-        distributed_draw(&v, &im, 2);
-        for (int i = w; i < w * h; i++) differ += im.rgb[3 * i] != im.rgb[3 * (i % w)];
-        if (same) check_at_most(differ, w * h / 100, "all pixels ask alike");
-        else check_at_least(differ, w * h / 2, "each pixel has its own numbers");
-    }
-    image_free(&im), world_part_free(&part), furnace_free(f);
 }
 
 /* Red: a light; green: the sky; blue: what the lobe sees. A wall hides part of each. They take
@@ -534,13 +442,10 @@ int main(void)
     test_is_18();
     test_spending();
     test_none();
-    test_split();
     test_pairs();
     test_reproducible();
     test_sum();
-    test_split_mean();
     test_furnace();
-    test_same();
     test_independent();
     test_chain();
     test_cornell();

@@ -26,18 +26,6 @@ static void test_caps(void)
         double q = (double)a * (double)a, small = PI * q * (1 - q / 12 + q * q / 360);
         check_at_most(relative((double)cap_solid_angle(a), small), 4 * eps, "cap of %g", (double)a);
     }
-    check_equal(first_cap_solid_angle(real_is_float ? (real)1e-4 : (real)1e-9), 0,
-                "1 - cos: nothing is left");
-}
-
-static double sphere_exact(sphere s, vec3 p)
-{
-    wide3 f = wide3_between(p, s.c, 0);
-    wide dd = wide3_dot(f, f), rr = wide_product((double)s.r, (double)s.r),
-         power = wide_sub(dd, rr);
-    if (wide_sign(power) < 0) return 4 * PI;
-    wide cosine = wide_sqrt(wide_div(power, dd));
-    return 2 * PI * wide_value(wide_div(wide_div(rr, dd), wide_add(wide_of(1), cosine)));
 }
 
 static void test_spheres(void)
@@ -53,21 +41,18 @@ static void test_spheres(void)
         check_close(sphere_solid_angle((sphere){{0, 0, 0}, list[i].r}, p), list[i].omega,
                     2 * eps * list[i].omega, "a sphere from %s", list[i].from);
     }
-    double worst = 0, first = 0;
+    double worst = 0;
     for (size_t i = 0; i < check_count(20000); i++) {
         random_stream s = random_start(1, 0, i);
         sphere b = {point(&s, 1), 1};
-        vec3 w = vunit(point(&s, 1)), p;
+        vec3 w = vunit(point(&s, 1));
         real far = size_between(&s, 0, real_is_float ? 15 : 100);
         real gap = size_between(&s, real_is_float ? -6 : -14, 0);
-        p = vmadd(b.c, w, i % 2 ? far : 1 + gap);
-        double exact = sphere_exact(b, p);
+        vec3 p = vmadd(b.c, w, i % 2 ? far : 1 + gap);
+        double exact = sphere_solid_angle_exact(b, p);
         worst = check_worse(worst, relative((double)sphere_solid_angle(b, p), exact));
-        if (i % 2 == 0) continue;  /* from near it may be a NaN */
-        first = check_worse(first, relative((double)first_sphere_solid_angle(b, p), exact));
     }
     check_at_most(worst, 8 * eps, "spheres from far and from near: a handful of roundings");
-    check_at_least(first, 0.99, "1 - cos from far: nothing is left");
 }
 
 /* ---- triangles ---- */
@@ -132,7 +117,7 @@ static void test_hard_triangles(void)
         wrong_sign += solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p)) * exact < 0;
     }
     check_at_most(worst, 16 * eps, "what the header promises");
-    check_at_most(volume, 16 * eps, "volume: the same");
+    check_at_most(volume, 8 * eps, "volume: half of it, roundings do not all conspire");
     check_at_least(girard, 1, "Girard: no digit is right");
     check_at_least(plain, 0.5, "as in chapter 07: no digit is right");
     check_at_least((double)wrong_sign, 1, "as in chapter 07: wrong side");
@@ -173,24 +158,8 @@ static void test_edge_on_rectangles(void)
         worst = check_worse(worst, relative((double)rectangle_volume(r, p), exact));
         plain = check_worse(plain, relative((double)vdot(vsub(r.o, p), vcross(r.s, r.t)), exact));
     }
-    check_at_most(worst, 16 * eps, "volume of a rectangle seen edge-on: what the header promises");
+    check_at_most(worst, 8 * eps, "volume of a rectangle seen edge-on: half of what is promised");
     check_at_least(plain, 1e4 * eps, "in plain arithmetic digits are lost");
-}
-
-/* The same triangle, scaled by powers of two: the same solid angle. */
-static void test_scales(void)
-{
-    triangle t = {{1, 2, 3}, {2, -1, 2}, {0, 1, 4}};
-    vec3 p = {0.5, 0, -1};
-    double one = (double)triangle_solid_angle(t, p);
-    for (int e = real_is_float ? -120 : -1000; e < (real_is_float ? 120 : 1000); e += 24) {
-        real k = ldexp((real)1, e);
-        triangle s = {vscale(t.a, k), vscale(t.b, k), vscale(t.c, k)};
-        check_at_most(relative((double)triangle_solid_angle(s, vscale(p, k)), one), 32 * eps,
-                      "scaled by 2^%d", e);
-        check_close((double)sphere_solid_angle((sphere){{0, 0, 2 * k}, k}, (vec3){0, 0, 0}),
-                    2 * PI * (1 - sqrt(0.75)), 4 * eps, "sphere, scaled by 2^%d", e);
-    }
 }
 
 /* Far away and seen nearly edge-on, so that the fast form can't be trusted; at some of the sizes
@@ -275,7 +244,6 @@ int main(void)
     test_hard_triangles();
     test_near_corners();
     test_edge_on_rectangles();
-    test_scales();
     test_sizes_of_bounds();
     test_sums();
     return check_report("22_solid_angle");

@@ -2,11 +2,9 @@
  * and the naive formulas failing. Fixed seeds; each random test alarms falsely once in 1e8
  * seeds. */
 #include "../chapters/23_brdf/lab/brdf_naive.h"
-#include "../chapters/23_brdf/lab/pictures.h"
 #include "../chapters/23_brdf/reflection.h"
 #include "../common/lab/chi_square.h"
 #include "../chapters/20_monte_carlo/t_test.h"
-#include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "check.h"
 
 #define alarm 1e-8
@@ -19,7 +17,7 @@ static vec3 at_angle(double cosine, double turn)
     return vec((s * cos(turn)), (s * sin(turn)), cosine);
 }
 
-static vec3 random_direction(uint64_t i, uint64_t which)
+static vec3 random_unit(uint64_t i, uint64_t which)
 {
     return sample_hemisphere(random_real(5, i, which, 0), random_real(5, i, which, 1));
 }
@@ -43,7 +41,7 @@ static void test_reciprocity(void)
     for (int i = 0; i < specimens; i++)
         for (uint64_t k = 0; k < check_count(2000); k++) {
             brdf b = specimen(i);
-            vec3 wi = random_direction(k, 0), wo = random_direction(k, 1);
+            vec3 wi = random_unit(k, 0), wo = random_unit(k, 1);
             double f = (double)brdf_value_local(&b, wi, wo).x;
             double g = (double)brdf_value_local(&b, wo, wi).x;
             worst = check_worse(worst, fabs(f - g) / (f + 1e-30));
@@ -52,12 +50,12 @@ static void test_reciprocity(void)
     /* in the world, about any normal: the frame's rounding, times how steep the lobe is */
     brdf b = specimen(2);
     vec3 n = vunit(vec(0.3, -0.7, -0.6));
-    vec3 wi = directed(n, random_direction(1, 0)), wo = directed(n, random_direction(1, 1));
-    double local = (double)brdf_value_local(&b, random_direction(1, 0), random_direction(1, 1)).x;
+    vec3 wi = directed(n, random_unit(1, 0)), wo = directed(n, random_unit(1, 1));
+    double local = (double)brdf_value_local(&b, random_unit(1, 0), random_unit(1, 1)).x;
     check_close(brdf_value(&b, n, wi, wo).x / (real)local, 1, 200 * eps, "any normal");
     check_close(brdf_value(&b, n, wo, wi).x / (real)local, 1, 200 * eps, "any normal, reversed");
     check_close((double)brdf_pdf(&b, n, wi, wo)
-                    / (double)brdf_pdf_local(&b, random_direction(1, 0), random_direction(1, 1)),
+                    / (double)brdf_pdf_local(&b, random_unit(1, 0), random_unit(1, 1)),
                 1, 200 * eps, "pdf, any normal");
 }
 
@@ -79,10 +77,6 @@ static double quadrature(value_function *f, const void *context, vec3 wo, int k)
 static double value_of(const void *b, vec3 wi, vec3 wo)
 {
     return (double)brdf_value_local(b, wi, wo).x;
-}
-static double pdf_over_cosine(const void *b, vec3 wi, vec3 wo)
-{
-    return (double)brdf_pdf_local(b, wi, wo) / (double)wi.z;
 }
 static double phong_of(const void *e, vec3 wi, vec3 wo)
 {
@@ -106,7 +100,7 @@ static void test_closed_forms(void)
     static const double exponent[] = {0, 0.5, 1, 5, 20, 60};
     for (int i = 0; i < 6; i++) {
         brdf b = brdf_blinn_phong(black, white, (real)exponent[i]);
-        check_close(quadrature(value_of, &b, up, 500), 1, 2e-4, "Blinn-Phong, e = %g", exponent[i]);
+        check_close(quadrature(value_of, &b, up, 250), 1, 2e-4, "Blinn-Phong, e = %g", exponent[i]);
     }
     brdf zero = brdf_blinn_phong(black, white, 0);
     check_close(brdf_value_local(&zero, wo, up).x, 1 / (double)pi, 2 * eps, "e = 0 is Lambert's");
@@ -155,7 +149,7 @@ static void test_energy(void)
 {
     for (int r = 0; r <= 10; r++) {
         brdf b = brdf_ggx(white, (real)r / 10);
-        for (int i = 0; i <= 10; i++) {
+        for (int i = 0; i <= 10; i += 2) {
             double cosine = i == 0 ? 1e-3 : i / 10.0, a = (double)brdf_albedo(&b, (real)cosine).x;
             check_at_most(a, 1 + 100 * eps, "GGX, roughness %g, cos %g: energy", r / 10.0, cosine);
             check_at_least(a, 0.3, "and 1 - ln 2 of it at the least");
@@ -164,21 +158,21 @@ static void test_energy(void)
     }
     for (int e = 0; e <= 12; e++) {
         brdf b = brdf_blinn_phong(black, white, e ? (real)pow(4, e - 3) : 0);
-        for (int i = 1; i <= 10; i++)
+        for (int i = 2; i <= 10; i += 4)
             check_at_most((double)brdf_albedo(&b, (real)i / 10).x, 1.0002,
                           "Blinn-Phong %d: energy", e);
     }
     /* brdf_albedo is within 2e-4. By quadrature that knows no sampler, cells of 1/300 against lobes
-     * of some 0.1 */
+     * of some 0.1; GGX below */
     for (int i = 0; i < specimens; i++) {
         brdf b = specimen(i);
-        if ((b.kind == BRDF_GGX && b.alpha < (real)0.2) || b.exponent > 20) continue;
+        if (b.kind == BRDF_GGX || b.exponent > 20) continue;
         for (int k = 1; k <= 5; k++) {
             double cosine = k / 5.0, a = quadrature(value_of, &b, at_angle(cosine, 0.3), 300);
             check_close(brdf_albedo(&b, (real)cosine).x, a, 2e-4, "albedo %d, cos %g", i, cosine);
         }
     }
-    /* and over half vectors, for sharp lobes, too */
+    /* GGX over half vectors, sharp lobes, too: reflection.h, which test_reference judges */
     static const double roughness[] = {0.05, 0.2, 0.3, 0.5, 1}, cosine[] = {1, 0.7, 0.4, 0.1};
     for (int i = 0; i < 5; i++)
         for (int k = 0; k < 4; k++) {
@@ -257,7 +251,7 @@ static void test_weights(void)
         double e = (double)b.exponent;
         double bound = (e + 2) * (e + 4) / ((e + exp2(-e / 2)) * (e + 1));             /* (23.16) */
         for (uint64_t k = 0; k < check_count(3000); k++) {
-            vec3 wo = random_direction(k, 7), wi, weight;
+            vec3 wo = random_unit(k, 7), wi, weight;
             real u = random_real(6, k, 0, 0), v = random_real(6, k, 0, 1), pdf;
             if (!brdf_sample_local(&b, wo, u, v, &wi, &pdf, &weight)) continue;
             vec3 f = brdf_value_local(&b, wi, wo);
@@ -309,30 +303,6 @@ static void test_estimates(void)
         check_at_least(t_test(e[2], 1, rounding), alarm, "choice %d: Blinn-Phong", c);
         check_at_least(t_test(e[3], (1 - log(2.0)) / 2, rounding), alarm, "choice %d: half", c);
         check_at_least(t_test(e[4], 1, rounding), alarm, "choice %d: 1/2 matte, 1/2 gloss", c);
-    }
-}
-
-/* A matte surface under a shining ball that is partly below the horizon: rho / pi times the
- * irradiance, in closed form (chapter 22). */
-static const sphere ball = {{1, 0.5, 0.4}, 0.7};
-static vec3 ball_light(vec3 wi)
-{
-    hit h;
-    return sphere_hit(ball, (ray){.d = wi, .tmax = real_infinity}, &h) ? white : black;
-}
-
-static void test_ball(void)
-{
-    brdf b = brdf_lambert(vec(0.25, 0.5, 1));
-    vec3 origin = {0, 0, 0}, wo = at_angle(0.5, 0);
-    double due = 0.5 / (double)pi * (double)sphere_irradiance(ball, origin, up);
-    for (int c = 0; c < 3; c++) {
-        estimate e = {0};
-        reflection r = {(direction_choice)c, false, 0};
-        for (uint64_t k = 0; k < check_count(4000); k++)
-            e = estimate_add(e, (double)reflection_estimate(&r, &b, up, wo, ball_light,
-                                                            SEQUENCE_RANDOM, 7, k, 16).y);
-        check_at_least(t_test(e, due, 64 * eps), alarm, "choice %d: matte, under a ball", c);
     }
 }
 
@@ -512,20 +482,6 @@ static void test_only_what_is_called_for(void)
         }
 }
 
-/* A black sphere would ask for nothing at all; these seven, mirror to rough, do not ask below their
- * horizon. All asked: the same picture, byte for byte. */
-static void test_picture_unchanged(void)
-{
-    image thrifty = image_new(70, 40), lavish = image_new(70, 40);
-    options o = {.seed = 3};
-    brdf_spheres sheet[2] = {{&thrifty, &o, 4, 16, false}, {&lavish, &o, 4, 16, true}};
-    for (int i = 0; i < 70 * 40; i++)
-        for (int k = 0; k < 2; k++) sphere_pixel(i % 70, i / 70, &sheet[k]);
-    check(memcmp(thrifty.rgb, lavish.rgb, 70 * 40 * 3 * sizeof(float)) == 0, "the same picture");
-    check(vlength(image_get(&thrifty, 35, 35)) > 0, "which shows something");
-    image_free(&thrifty), image_free(&lavish);
-}
-
 /* ---- the naive ones ---- */
 
 static void test_naive(void)
@@ -562,35 +518,6 @@ static void test_naive(void)
     /* both branches of blinn_phong_power where they meet */
     vec3 h1 = at_angle(0.5 + 4 * eps, 0), h0 = at_angle(0.5, 0);
     check_close(blinn_phong_power(3, h1), blinn_phong_power(3, h0), 32 * eps, "branches meet");
-
-    vec3 flat = {1, 0, real_is_float ? (real)1e-12 : (real)1e-90};
-    check(isnan(beckmann_d_naive(0.5, flat)), "Beckmann, grazing: 0/0");
-    check_equal(beckmann_d(0.5, flat), 0, "Beckmann: 0");
-    vec3 mid = at_angle(0.6, 0);
-    double t2 = 0.64 / 0.36, bd = exp(-t2 / 0.25) / ((double)pi * 0.25 * 0.1296);
-    check_close((double)beckmann_d(0.5, mid) / bd, 1, 64 * eps, "Beckmann, closed form");
-    check_close((double)beckmann_d_naive(0.5, mid) / bd, 1, 64 * eps,
-                "naive, where it works");
-}
-
-/* The white furnace of the visible normals: what is reflected once from all facets seen, 1. */
-static void test_weak_furnace(void)
-{
-    brdf b = brdf_ggx(white, 1);
-    for (int k = 1; k <= 5; k++) {
-        /* pdf over the hemisphere + rejected samples = 1 */
-        double inside = quadrature(pdf_over_cosine, &b, at_angle(k / 5.0, 0), 300);
-        int out = 0, n = (int)check_count(40000);
-        for (uint64_t i = 0; i < (uint64_t)n; i++) {
-            vec3 wi, weight;
-            real pdf, u = random_real(10, i, 0, 0), v = random_real(10, i, 0, 1);
-            out += !brdf_sample_local(&b, at_angle(k / 5.0, 0), u, v, &wi, &pdf, &weight);
-        }
-        /* 6 sigma of a share of n */
-        check_close(inside + (double)out / n, 1, 3 / sqrt(n) + 1e-3, "cos %g", k / 5.0);
-        /* head-on (23.11) is 1 / (4 pi), all around: half of the samples are above the surface */
-        if (k == 5) check_close(inside, 0.5, 1e-12 + 64 * eps, "alpha = 1, head-on: half");
-    }
 }
 
 int main(void)
@@ -601,13 +528,10 @@ int main(void)
     test_sampling();
     test_weights();
     test_estimates();
-    test_ball();
     test_reference();
     test_extremes();
     test_nothing();
     test_only_what_is_called_for();
-    test_picture_unchanged();
     test_naive();
-    test_weak_furnace();
     return check_report("23_brdf");
 }

@@ -24,19 +24,6 @@ static vec3 colour(random_stream *random, real most)
     return vscale((vec3){r, g, random_next(random)}, most);
 }
 
-static void test_scale(void)
-{
-    double worst = 0;
-    size_t n = check_count(20000);
-    for (size_t i = 0; i < n; i++) {
-        real e = pow((real)10, 6 * random_real(1, i, 0, 0) - 2);
-        double ratio = (double)first_brdf_scale(e) / (double)blinn_phong_scale(e);
-        worst = check_worse(worst, fabs(ratio - 1));
-    }
-    check_at_most(worst, 16 * eps, "C against blinn_phong_scale, e from 0.01 to 1e4, %zu", n);
-    check_close(first_brdf_scale(0), 1 / (double)pi, 2 * eps, "e = 0 is Lambert's");
-}
-
 /* n.h is off by an epsilon or two, its power e times as much. */
 static void test_value(void)
 {
@@ -200,7 +187,6 @@ static void test_nonsense(void)
 
 int main(void)
 {
-    test_scale();
     test_value();
     test_albedo();
     test_reflection();

@@ -165,7 +165,7 @@ static void test_energy(void)
             check_at_least(e.mean, i % 4 == 3 ? 0.9 : 0.4, "and not much less");
             /* midpoints see lobes of alpha .3 and more to 1e-3 */
             if (i % 4 < 3)
-                check_at_least(t_test(e, power_by_grid(&g, wo, 400), 2e-3), alarm,
+                check_at_least(t_test(e, power_by_grid(&g, wo, 200), 2e-3), alarm,
                                "specimen %d, cos %g: value and samples agree", i, cosine[k]);
         }
 }

@@ -183,7 +183,7 @@ static void test_emitter(int i)
     vec3 p = vec(0, 0, 0), axis = vunit(vec(.3, .5, .8));
     double omega = emitter_omega(&e, p), off = 0, astray = 0, pdfs = 0;
     estimate all = {0}, by_area = {0}, by_angle = {0};
-    size_t n = check_count(20000), others = 0;
+    size_t n = check_count(20000), others = 0, behind = 0;
     for (size_t k = 0; k < n; k++) {
         point2 u = {random_real(1, k, 0, 0), random_real(1, k, 0, 1)};
         for (int angle = 0; angle < 2; angle++) {
@@ -202,6 +202,7 @@ static void test_emitter(int i)
             real h = e.kind == EMITTER_SPHERE ? vlength(vsub(x.s.p, e.sphere.c)) - fabs(e.sphere.r)
                                               : emitter_height(&e, x.s.p);
             off = check_worse(off, (double)(fabs(h) / x.s.error));
+            behind += !(vdot(x.s.n, x.wi) < 0);
             vec3 to = vunit(vsub(x.s.p, p));
             astray = check_worse(astray, (double)vlength(vsub(to, x.wi)));
             real q = angle ? emitter_pdf_angle(&e, p) : emitter_pdf_area(&e, p, x.s.p);
@@ -212,6 +213,7 @@ static void test_emitter(int i)
             pdfs = check_worse(pdfs, fabs((double)(q / x.pdf - 1)) / slack);
         }
     }
+    check_equal(behind, 0, "light %d: points on the side that p does not see", i);
     check_equal(others, 0, "light %d: the short cut to 22's own points, to the bit", i);
     check_at_most(off, 1, "light %d: points off it, in their own bounds", i);
     /* (24.6) near the limb an error of eps D grows as 1 / cos: some 500 eps in so many points; of

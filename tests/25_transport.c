@@ -58,32 +58,6 @@ static void test_series_naive(void)
     check_at_least(lost, 100 * eps, "and that is a lot");
 }
 
-/* rho = .999 as a float, 1000 bounces. b = rho^k is off by k/2 eps at most, so the sum of exact
- * additions by sum k rho^k / sum rho^k eps/2 < 1000 eps/2. Plain additions: eps/2 of the sum each,
- * 1000 more. Backward: each step's eps/2 of L shrinks by rho later on, 1000 eps/2 in all, and half
- * of that again for the product. But these are bounds. Of errors with either sign, which cancel,
- * much less is left, and floats are the same everywhere: 3.7, 1.1, 1.2 and 5.3 eps/2. */
-static void test_float_sums(void)
-{
-    float rho = 0.999f;
-    wide exact = exact_sum((double)rho, 1000);
-    double half = (double)FLT_EPSILON / 2;
-    double naive = off((double)bounces_forward_f32(1, rho, 1000), exact);
-    double kahan = off((double)bounces_forward_kahan_f32(1, rho, 1000), exact);
-    double wider = off(bounces_forward_double(1, rho, 1000), exact);
-    double back = off((double)bounces_backward_f32(1, rho, 1000), exact);
-    check_at_most(naive, 8 * half, "forward");
-    check_at_most(kahan, 2 * half, "forward, Kahan");
-    check_at_most(wider, 2 * half, "forward, double");
-    check_at_most(back, 8 * half, "backward");
-    check_close(kahan, wider, 2 * half, "Kahan's sum and double's see the same summands");
-    check_at_least(naive, 3 * kahan, "the plain sum is the larger error");
-    /* the albedo itself: what rounds .999 to a float moves the whole by 1 / (1 - rho) times that */
-    double moved = 1 / (1 - (double)rho) / 1000 - 1;
-    check_at_least(fabs(moved), 100 * half, "rho in float is another room");
-    check_at_most(fabs(moved), 1000 * half, "... by at most 1/(1 - rho) eps/2");
-}
-
 /* ---- operator ---- */
 
 static transport two(double a, double b, double c, double d, double e, double f)
@@ -186,7 +160,7 @@ static void test_dense(void)
 
 int main(void)
 {
-    test_series(), test_series_naive(), test_float_sums();
+    test_series(), test_series_naive();
     test_two_patches(), test_convergence(), test_dense();
     return check_report("25_transport");
 }

@@ -72,7 +72,7 @@ static bool feed_bytes(const char *ending, char *bytes, size_t n, studio *s, fai
     s->files_read = studio_most_files - 8;  /* those that include much: enough of it */
     *f = (failure){0, ""};
     if (strcmp(ending, ".scene") == 0) ok = scene_read_stream(s, in, path, f);  /* closes it */
-    else if (strcmp(ending, ".nff") == 0) ok = nff_studio_stream(s, in, path, one, 0, f);
+    else if (strcmp(ending, ".nff") == 0) ok = nff_studio_stream(s, in, path, 0, f);
     else if (strcmp(ending, ".obj") == 0) {
         ok = obj_mesh_stream(s, in, path, false, &k, f);
         if (ok) studio_place(s, k, one, 0, (cite){s->paint[k].file, 0});

@@ -1,134 +1,145 @@
-/* Tests of the program 27_effects, from outside: what it prints, refuses, draws, and needs. */
+/* Tests of the program 27_effects, from outside: what it prints, refuses, draws, and needs;
+ * pictures that are stopped and gone on with. (The state itself and the error: 26_state.c.) */
 static char directory[] = "/tmp/27_effects_XXXXXX";
 #include "27_files.h"
+#include "../chapters/26_path_tracer/long_run.h"
 #include "../chapters/27_effects/lab/demo.h"
 #include "../chapters/27_effects/lab/six.h"
 #include <sys/resource.h>
 
-static void ends(int status, const char *arguments, const char *stream, const char *text)
+/* @ of the arguments is the directory. */
+static void expand(const char *arguments, char text[1300])
 {
-    int got = run("27_effects", arguments);
-    check(got == status, "%s: ended with %d, not %d", arguments, got, status);
-    check(printed(stream, text), "%s: '%s' is not on %s", arguments, text, stream);
+    size_t n = 0;
+    for (const char *p = arguments; *p && n + 40 < 1300; p++)
+        if (*p == '@') n += (size_t)snprintf(text + n, 1300 - n, "%s/", directory);
+        else text[n++] = *p;
+    text[n] = 0;
+}
+
+static void ends(int status, const char *arguments, const char *stream, const char *said)
+{
+    char text[1300];
+    expand(arguments, text);
+    int got = run("27_effects", text);
+    check(got == status, "%s: ended with %d, not %d", text, got, status);
+    check(printed(stream, said), "%s: '%s' is not on %s", text, said, stream);
+}
+
+static void draws(const char *arguments) { ends(0, arguments, "out", "\n-> "); }
+
+#define room "@room.scene --size 22x17 "
+
+static void make_files(void)
+{
+    image sky = image_new(4, 2);
+    failure f;
+    for (size_t i = 0; i < 24; i++) sky.rgb[i] = (float)i / 24;
+    check(image_write(in_directory("sky.pfm"), &sky, &f), "%s", f.text);
+    image_free(&sky);
+    put("room.scene", "camera from 0 1.6 5 at 0 0.8 0 angle 40\nobj floor.obj\n"
+        "sphere -0.8 0.8 0  0.8  bottle\nsphere 0.8 0.6 0.4  0.6  brushed\n"
+        "polygon -1 3 1  1 3 1  1 3 -1  -1 3 -1  lamp\nenvironment sky.pfm\nlens radius 0.05\n");
+    put("floor.obj", "v -9 0 9\nv 9 0 9\nv 9 0 -9\nv -9 0 -9\nf 1 2 3 4\n");
+    put("sharp.scene", "indirect off\nsphere 0 0 0 1 red\nlight at 3 4 5 colour 90\n");
+    put("plain.scene", "material floor\nKd .5\nillum 1\npolygon -5 0 5 5 0 5 5 0 -5 -5 0 -5\n"
+        "material ball\nKd .1\nKs .8\nillum 3\nsphere 0 1 0 1\nlight at 3 5 3 colour 50\n"
+        "indirect off\n");
+    put("broken.scene", "sphere 0 0 0 1\n\nsphere 0 0 x 1\n");
+    put("broken.obj", "v 0 0 0\nf 1 2 3\n");
+    put("broken.nff", "s 0 0 0 1\nz");
+    put("grey.obj", "mtllib /c/none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    put("shells.scene", "material a\nillum 6\nNi 1.1\nsphere 0 0 0 1\nsphere 0 0 0 .9\n"
+        "sphere 0 0 0 .8\nsphere 0 0 0 .7\nsphere 0 0 0 .6\nsphere 0 0 0 .5\nsphere 0 0 0 .4\n"
+        "sphere 0 0 0 .3\n");
+    put("empty.scene", "# nothing yet\n");
+    put("far.scene", "sphere 1e308 1e308 1e308 1e307\nsphere -1e308 -1e308 -1e308 1e307\n");
 }
 
 static void test_explain(void)
 {
-    char args[900];
-    put("room.scene", "material floor\nKd .5\nillum 1\npolygon -5 0 5 5 0 5 5 0 -5 -5 0 -5\n"
-        "material ball\nKd .1\nKs .8\nillum 3\nsphere 0 1 0 1\nlight at 3 5 3 colour 50\n"
-        "indirect off\n");
-    char room[256], out[256];
-    snprintf(room, sizeof room, "%s", in_directory("room.scene"));
-    snprintf(out, sizeof out, "%s", in_directory("o.pfm"));
-    snprintf(args, sizeof args, "--explain --size 24x16 --scene %s --out %s", room, out);
-    ends(0, args, "out", "plan       Whitted ray tracing");
+    ends(0, "--explain --size 24x16 --scene @plain.scene --out @o.pfm", "out",
+         "plan       Whitted ray tracing");
     check(printed("out", "  called for    mirror          material 'ball' ("), "what calls for it");
-    check(printed("out", "room.scene:8)"), "and its line");
+    check(printed("out", "plain.scene:8)"), "and its line");
     check(printed("out", "  cannot occur  soft shadows    nothing in use emits light (Ke)"),
           "why not");
     check(printed("out", "found: none was given"), "a camera is found");
-    snprintf(args, sizeof args, "%s --explain --size 24x16 --out %s --lens 'radius .1 focus 2' "
-             "--environment '0.5 1' --camera 'from 0 1 6 at 0 1 0'", room, out);
-    ends(0, args, "out", "plan       path tracing");
+    ends(0, "@plain.scene --explain --size 24x16 --out @o.pfm --lens 'radius .1 focus 2' "
+         "--environment '0.5 1' --camera 'from 0 1 6 at 0 1 0'", "out", "plan       path tracing");
     check(printed("out", "called for    depth of field  lens (--lens:1), radius 0.1"), "the lens");
     check(printed("out", "called for    environment     environment (--environment:1) on"),
           "environment");
     check(printed("out", "(--camera:1)"), "the camera of the option");
 }
 
-static void test_misuse(void)
+/* What is refused, what is drawn all the same, but not as it was meant, and states that are of
+ * another picture than that of s.state. */
+static void test_said(void)
 {
-    char args[900];
-    put("broken.scene", "sphere 0 0 0 1\n\nsphere 0 0 x 1\n");
-    put("broken.obj", "v 0 0 0\nf 1 2 3\n");
-    put("broken.nff", "s 0 0 0 1\nz");
-    put("x.jpg", "");
-    static const char *const names[] = {"broken.scene:3: sphere: not a number: 'x'",
-                                        "broken.obj:2: f: vertex index out of range: 3",
-                                        "broken.nff:2: line: begins with 'z'"};
-    for (int k = 0; k < 3; k++) {
-        snprintf(args, sizeof args, "%s --quick", in_directory(
-            (const char *[]){"broken.scene", "broken.obj", "broken.nff"}[k]));
-        ends(2, args, "err", names[k]);
-    }
-    snprintf(args, sizeof args, "--scene %s --quick", in_directory("no.obj"));
-    ends(1, args, "err", "no.obj: cannot read: No such file");
-    ends(2, "--quick --camera 'from 0 0 0'", "err", "--camera:1: camera: something is missing");
-    ends(2, "--quick --light 'at 0 0 0 colour 1; at 1'", "err", "--light:2: light: no number");
-    ends(1, "--quick --environment no.pfm", "err", "no.pfm: cannot read: No such file");
-    ends(2, "--quick --up w", "err", "--up:1: up: no axis: 'w'");
-    ends(1, "--quick --environment no.obj", "err", "no.obj: cannot read: No such file");
-    ends(2, "--quick --out no.obj", "err", "no.obj");
-    ends(2, "--quick no.scene --explain", "err", "no.scene: no such file");
-    snprintf(args, sizeof args, "%s --quick %s", in_directory("broken.scene"),
-             in_directory("broken.obj"));
-    ends(2, args, "err", "broken.obj: one file at a time");
-}
-
-/* What is drawn all the same, but not as it was meant: one line each. */
-static void test_warnings(void)
-{
-    char args[900];
-    static const struct { const char *name, *text, *said; int status; } file[] = {
-        {"grey.obj", "mtllib /c/none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n",
-         "grey.obj: no file '/c/none.mtl': what it describes stays grey", 0},
-        {"shells.scene", "material a\nillum 6\nNi 1.1\nsphere 0 0 0 1\nsphere 0 0 0 .9\n"
-         "sphere 0 0 0 .8\nsphere 0 0 0 .7\nsphere 0 0 0 .6\nsphere 0 0 0 .5\nsphere 0 0 0 .4\n"
-         "sphere 0 0 0 .3\n", "more than 7 bodies lie around one another", 0},
-        {"empty.scene", "# nothing yet\n", "empty.scene: no shape and no mesh", 0},
-        {"far.scene", "sphere 1e308 1e308 1e308 1e307\nsphere -1e308 -1e308 -1e308 1e307\n",
-         "far.scene:", 2}};
-    for (int k = 0; k < 4; k++) {
-        put(file[k].name, file[k].text);
-        snprintf(args, sizeof args, "%s --quick --out %s", in_directory(file[k].name),
-                 in_directory("o.pfm"));
-        ends(file[k].status, args, "err", file[k].said);
-        check(printed("err", "warning: ") == !file[k].status, "%s: a warning", file[k].name);
-    }
-}
-
-/* The commands of the page, as they stand there, in a directory that has build/ and chapters/. */
-static void test_page(void)
-{
-    char command[1200], here[512], *build = getenv("BUILD");
-    size_t n;
-    failure f;
-    int found = 0;
-    char *page = file_read("chapters/27_effects/README.md", &n, &f);
-    if (!page || !getcwd(here, sizeof here)) abort();
-    if (!build) build = "build";
-    snprintf(command, sizeof command, "cd %s && mkdir build && ln -s %s/chapters chapters && "
-             "cp %s/%s/27_effects build", directory, here, *build == '/' ? "" : here, build);
-    if (system(command) != 0) abort();
-    for (char *line = page, *end; (end = strchr(line, '\n')); line = end + 1) {
-        *end = 0;
-        if (strncmp(line, "    build/27_effects ", 21) != 0) continue;
-        char *said = strstr(line + 4, "  ");
-        if (said) *said = 0;
-        snprintf(command, sizeof command, "cd %s && %s >out 2>err", directory, line + 4);
-        check(system(command) == 0, "%s", line);
-        check(printed("out", "\n-> ") && !printed("err", "warning"), "%s: its picture", line);
-        found++;
-    }
-    check_equal(found, 4, "commands of the page");
-    free(page);
+#define resumed room "--samples 4 --resume @s.state --out @o.pfm "
+    static const struct { int status; const char *arguments, *says; } list[] = {
+        {2, "--quick @broken.scene", "broken.scene:3: sphere: not a number: 'x'"},
+        {2, "--quick @broken.obj", "broken.obj:2: f: vertex index out of range: 3"},
+        {2, "--quick @broken.nff", "broken.nff:2: line: begins with 'z'"},
+        {1, "--quick --scene @no.obj", "no.obj: cannot read: No such file"},
+        {2, "--quick --camera 'from 0 0 0'", "--camera:1: camera: something is missing"},
+        {2, "--quick --light 'at 0 0 0 colour 1; at 1'", "--light:2: light: no number"},
+        {1, "--quick --environment no.pfm", "no.pfm: cannot read: No such file"},
+        {2, "--quick --up w", "--up:1: up: no axis: 'w'"},
+        {2, "--quick --out no.obj", "no.obj"},
+        {2, "--quick no.scene --explain", "no.scene: no such file"},
+        {2, "@broken.scene --quick @broken.obj", "broken.obj: one file at a time"},
+        {0, "@grey.obj --quick --out @o.pfm",
+         "warning: /tmp/27_effects_"},
+        {0, "@shells.scene --quick --out @o.pfm", "warning: more than 7 bodies lie around"},
+        {0, "@empty.scene --quick --out @o.pfm", "empty.scene: no shape and no mesh"},
+        {2, "@far.scene --quick --out @o.pfm", "far.scene:"},
+        {2, "--size 40x30 --region 9x7", "WxH+X+Y, within the 40x30 pixels of --size"},
+        {2, "--size 40x30 --region 9x7+32+0", "WxH+X+Y, within"},
+        {2, "--size 40x30 --region 9x7+0+24", "WxH+X+Y, within"},
+        {2, "--size 40x30 --region 0x7+0+0", "WxH+X+Y, within"},
+        {2, "--size 40x30 --region 9x7+-1+0", "WxH+X+Y, within"},
+        {2, "--size 40x30 --region 9x7+0+0+", "WxH+X+Y, within"},
+        {2, "--size 40x30 --region 99999999999x7+0+0", "WxH+X+Y, within"},
+        {1, room "--resume /dev/zero", "/dev/zero: cannot read: a device"},
+        {2, room "--resume @floor.obj", "not a state"},
+        {2, room "--save @room.scene", "is the file of --scene"},
+        {2, room "--save @floor.obj --samples 1", "this run has read it"},
+        {2, room "--save @sky.pfm --samples 1", "this run has read it"},
+        {2, room "--out @sky.pfm --samples 100000", "this run has read it"},  /* at once */
+        {1, room "--save @no/such/dir --samples 1", "cannot write"},
+        {2, resumed "--seed 3", "'seed 0', not 'seed 3'"},
+        {2, resumed "--size 23x17", "of 22x17"},
+        {2, resumed "--effects called,-mirror", "of another picture: it has 'effects"},
+        {2, resumed "--sun 'to 1 1 1 colour 2'", "of another picture: it has 'scene"},
+        {2, resumed "--light 'at 1 1 1 colour 2'", "of another picture: it has 'scene"},
+        {2, resumed "--region 9x7+0+0 ", "has 22x17 pixels, not 9x7"}};
+    draws(room "--samples 2 --save @s.state --out @o.pfm");
+    for (size_t k = 0; k < sizeof list / sizeof *list; k++)
+        ends(list[k].status, list[k].arguments, "err", list[k].says);
+    draws(resumed);
+    put("floor.obj", "v -9 0 9\nv 9 0 9\nv 9 0 -9\nv -9 0 -8\nf 1 2 3 4\n");
+    ends(2, resumed, "err", "of another picture: it has 'scene");
+    char command[700];
+    snprintf(command, sizeof command, "mkfifo %s/p.scene; cat %s/room.scene >%s/p.scene &",
+             directory, directory, directory);
+    check_equal(system(command), 0, "a pipe");
+    ends(2, "@p.scene --save @p.state --size 8x8", "err", "--save and the like want a file");
 }
 
 /* What the program draws without a file is the file that ships with it. */
-static void test_demo(void)
+static void test_shipped(void)
 {
-    size_t n;
-    failure f;
-    char *text = file_read("chapters/27_effects/scenes/demo.scene", &n, &f);
-    check(text && strcmp(text, demo_scene) == 0, "demo.scene and demo.h");
-    free(text);
-    for (int k = 0; k < six_count; k++) {
+    for (int k = -1; k < six_count; k++) {
         char path[100], own[six_room];
-        snprintf(path, sizeof path, "chapters/27_effects/scenes/%s.scene", six_scene[k].name);
-        six_text(k, own);
-        text = file_read(path, &n, &f);
-        check(text && strcmp(text, own) == 0, "%s and six.h", path);
+        size_t n;
+        failure f;
+        if (k < 0) snprintf(own, sizeof own, "%s", demo_scene);
+        else six_text(k, own);
+        snprintf(path, sizeof path, six_scenes "%s.scene", k < 0 ? "demo" : six_list[k].name);
+        char *text = file_read(path, &n, &f);
+        check(text && strcmp(text, own) == 0, "%s and what the program has", path);
         free(text);
     }
 }
@@ -137,7 +148,6 @@ static void test_demo(void)
  * tenth of it, less what any program needs. The sanitizers need more. */
 static void test_memory(void)
 {
-    char args[900];
     struct rusage u;
     size_t n = check_count(100000) < 100000 ? 40 : 316;
     FILE *out = fopen(in_directory("big.obj"), "wb");
@@ -151,9 +161,8 @@ static void test_memory(void)
             fprintf(out, "f %zu %zu %zu %zu\n", a, a + n + 1, a + n + 2, a + 1);
         }
     if (fclose(out) != 0) abort();
-    snprintf(args, sizeof args, "%s --explain --size 64x64 --out %s", in_directory("big.obj"),
-             in_directory("o.pfm"));
-    ends(0, args, "out", n == 316 ? "199712 triangles" : "3200 triangles");
+    ends(0, "@big.obj --explain --size 64x64 --out @o.pfm", "out",
+         n == 316 ? "199712 triangles" : "3200 triangles");
     getrusage(RUSAGE_CHILDREN, &u);
     if (n == 316) check_at_most((double)u.ru_maxrss / 1024, 107, "MiB");
     image im = {0, 0, NULL};
@@ -165,47 +174,78 @@ static void test_memory(void)
     image_free(&im);
 }
 
-/* --region draws the same pixels as the whole picture has there, and prices them. */
+/* --region draws the same pixels as the whole picture has there, at once or by passes, and prices
+ * them. */
 static void test_region(void)
 {
-    char args[900];
     image all = {0, 0, NULL}, part = {0, 0, NULL};
     failure f;
-    snprintf(args, sizeof args, "--size 40x30 --samples 2 --out %s", in_directory("all.pfm"));
-    ends(0, args, "out", "# 2 samples a pixel");
-    snprintf(args, sizeof args, "--size 40x30 --samples 2 --region 9x7+20+11 --out %s",
-             in_directory("part.pfm"));
-    ends(0, args, "out", "# 2 samples a pixel");
-    check(image_read(in_directory("all.pfm"), &all, &f), "%s", f.text);
-    check(image_read(in_directory("part.pfm"), &part, &f), "%s", f.text);
-    check(part.width == 9 && part.height == 7, "%d x %d pixels", part.width, part.height);
-    for (int y = 0; part.rgb && all.rgb && y < part.height; y++)
-        check(memcmp(part.rgb + 27 * y, all.rgb + 3 * (40 * (y + 11) + 20),
-                     27 * sizeof *part.rgb) == 0, "row %d of the region", y);
+    draws(room "--samples 12 --out @whole.pfm");
+    draws(room "--samples 12 --region 9x7+3+5 --save @r.state --out @r.pfm");
+    bool ok = image_read(in_directory("whole.pfm"), &all, &f)
+           && image_read(in_directory("r.pfm"), &part, &f);
+    check(ok && part.width == 9 && part.height == 7, "the region's picture");
+    for (int y = 0; ok && y < 7; y++)
+        check(memcmp(part.rgb + 27 * y, all.rgb + 3 * (22 * (y + 5) + 3), 27 * sizeof(float)) == 0,
+              "row %d of the region, by passes", y);
     image_free(&all), image_free(&part);
-    snprintf(args, sizeof args, "--size 40x30 --samples 2 --quick --price --region 9x7+20+11 "
-             "--out %s", in_directory("part.pfm"));
-    ends(0, args, "out", "\nthe plan ");
+#define priced "--size 40x30 --samples 2 --quick --price --region 9x7+20+11 --out @part.pfm"
+    ends(0, priced, "out", "\nthe plan ");
     check(printed("out", "\nmirror "), "the demo has a mirror: it has its price");
-    strcat(args, " --effects called,-mirror");
-    ends(0, args, "out", "\nindirect light ");
+    ends(0, priced " --effects called,-mirror", "out", "\nindirect light ");
     check(!printed("out", "\nmirror "), "what --effects leaves out has none");
-    static const char *const wrong[] = {"9x7", "9x7+32+0", "9x7+0+24", "0x7+0+0", "9x7+-1+0",
-                                        "9x7+0+0+", "99999999999x7+0+0"};
-    for (int k = 0; k < 7; k++) {
-        snprintf(args, sizeof args, "--size 40x30 --region %s", wrong[k]);
-        ends(2, args, "err", "WxH+X+Y, within the 40x30 pixels of --size");
-    }
+    ends(0, "--size 40x30 --samples 2 --effects all --out @o.pfm", "out",
+         "the same picture byte for byte");
+}
+
+static void test_resumed(void)
+{
+    draws(room "--samples 12 --save @whole.state --out @passes.pfm");
+    check(equal_files("whole.pfm", "passes.pfm"), "one pass or several: the same bytes");
+    draws(room "--samples 5 --save @part.state --out @part.pfm --threads 1");
+    check(!equal_files("whole.pfm", "part.pfm"), "five samples are not twelve");
+    draws(room "--samples 12 --resume @part.state --save @part.state --out @more.pfm");
+    check(equal_files("whole.pfm", "more.pfm") && equal_files("whole.state", "part.state"),
+          "stopped after 5 and resumed: the same bytes, picture and state");
+    ends(0, room "--error 0.4 --out @o.pfm", "out", "error rmse 0.");
+    draws(room "--time 0.05 --out @o.pfm");
+    draws("@sharp.scene --size 22x17 --samples 1 --save @1.state --out @o.pfm");
+    draws("@sharp.scene --size 22x17 --samples 3 --resume @1.state --out @a.pfm");
+    draws("@sharp.scene --size 22x17 --samples 3 --out @b.pfm");
+    check(equal_files("a.pfm", "b.pfm"), "no sample in the middle of the pixel, if it goes on");
+}
+
+/* SIGTERM after the first pass that was kept: what it left goes on as if nothing had been. */
+static void test_stopped(void)
+{
+    const char *build = getenv("BUILD");
+    char command[1300], text[300], settings[state_settings] = "";
+    film m;
+    failure f;
+    snprintf(text, sizeof text, "%s/27_effects " room "--samples 1000000 --save @stop.state "
+             "--out @stop.pfm >@out 2>@err & p=$!; while [ ! -e @stop.state ]; do sleep 0.01; done;"
+             " kill -TERM $p; wait $p", build ? build : "build");
+    expand(text, command);
+    int status = system(command);
+    check(WIFEXITED(status) && WEXITSTATUS(status) == 143, "SIGTERM: exit 143, not %d",
+          WEXITSTATUS(status));
+    check(printed("err", "stop.pfm holds what there was"), "and says what there is");
+    check(state_read(in_directory("stop.state"), &m, settings, &f), "a whole state: %s", f.text);
+    int more = 2 * (int)film_samples(&m) + 3;
+    film_free(&m);
+    snprintf(text, sizeof text, room "--samples %d --resume @stop.state --out @stop.pfm", more);
+    draws(text);
+    snprintf(text, sizeof text, room "--samples %d --out @whole.pfm", more);
+    draws(text);
+    check(equal_files("stop.pfm", "whole.pfm"), "gone on with, or without an end: the same bytes");
 }
 
 int main(void)
 {
     if (!mkdtemp(directory)) abort();
-    test_explain();
-    test_misuse();
-    test_warnings();
-    test_demo(), test_page();
-    test_region();
+    make_files();
+    test_explain(), test_shipped(), test_region(), test_resumed(), test_stopped();
+    test_said();
     test_memory();
     remove_all();
     return check_report("27_effects");

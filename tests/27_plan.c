@@ -7,7 +7,6 @@
 #include "../chapters/23_brdf/brdf.h"
 #include "../common/random.h"
 #include "check.h"
-#include <time.h>
 
 static random_stream rng;
 static real uniform(void) { return 2 * random_next(&rng) - 1; }
@@ -173,8 +172,9 @@ static void test_effects(void)
         {"indirect off\n" FLOOR BALL("Kd .5\nillum 1") LAMP, S, INTEGRATOR_PATHS},
         {"indirect off\nindirect on\n" FLOOR BALL("Kd .5\nillum 1") POINT, H | N,
          INTEGRATOR_PATHS},
-        {FLOOR "polygon 9 0 0 9 0 1 8 0 1\n" SKY, E, INTEGRATOR_PATHS},  /* one plane */
+        {FLOOR SKY, E, INTEGRATOR_PATHS},                          /* one polygon */
         {FLOOR "polygon 9 0 0 9 1 1 8 0 1\n" SKY, E | N, INTEGRATOR_PATHS},
+        {FLOOR "solid black sphere 0 2 0 1\n" SKY, E | N, INTEGRATOR_PATHS},  /* not looked into */
         {FLOOR POINT "lens radius .1\n", H | D, INTEGRATOR_PATHS},
         {FLOOR POINT "lens radius 0\n", H, INTEGRATOR_CASTING},
         {"lens radius 1\n", 0, INTEGRATOR_CASTING},                /* one colour everywhere */
@@ -201,57 +201,6 @@ static void test_effects(void)
         for (uint32_t m = 0; m < s.materials; m++)
             if (s.material[m].used) sum |= plan_effects(&p, m);
         check(sum == p.effects, "what materials have a part in: %x of %x", sum, p.effects);
-        plan_free(&p), studio_free(&s);
-    }
-}
-
-/* A black mesh of many materials in many places beside a floor: asked of each place anew, whether
- * one of its materials reflects, takes 5e4^2 questions: seconds. */
-static void test_many_places(void)
-{
-    size_t n = check_count(50000);
-    const affine one = affine_scaling((vec3){1, 1, 1});
-    studio s;
-    if (!read_text(FLOOR BLACK "environment 1\n", &s)) return;
-    mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = n, .runs = n,
-              .index = allocate(3 * n, sizeof *m.index), .run = allocate(n, sizeof *m.run)};
-    uint32_t *black = allocate(n, sizeof *black);
-    for (size_t i = 0; i < n; i++) m.run[i].first = (uint32_t)i, black[i] = 2;
-    uint32_t k = studio_add_mesh(&s, m, black, 0, false);
-    for (size_t i = 0; i < n; i++) studio_place(&s, k, one, 2, (cite){0, 0});
-    clock_t start = clock();
-    plan p = plan_of(&s);
-    check_at_most((double)(clock() - start) / CLOCKS_PER_SEC, 1, "some milliseconds");
-    check(p.effects == EFFECT_ENVIRONMENT, "black: the floor is still alone: %x", p.effects);
-    plan_free(&p);
-    for (size_t i = 0; i < n; i++) s.placing[i].material = 0;  /* no triangle takes it */
-    p = plan_of(&s);
-    check(p.effects == EFFECT_ENVIRONMENT, "each triangle has a material of its own");
-    plan_free(&p);
-    black[n / 2] = 0;
-    p = plan_of(&s);
-    check(p.effects == (EFFECT_ENVIRONMENT | EFFECT_INDIRECT), "one of its materials reflects");
-    plan_free(&p);
-    black[n / 2] = name_none;
-    p = plan_of(&s);
-    check(p.effects == (EFFECT_ENVIRONMENT | EFFECT_INDIRECT), "one triangle takes the place's");
-    plan_free(&p), studio_free(&s);
-}
-
-/* A triangle in the plane of the floor, as it is in its file, and moved out of the plane. */
-static void test_flat_mesh(void)
-{
-    const vec3 corner[3] = {{9, 0, 0}, {9, 0, 1}, {8, 0, 0}};
-    for (int y = 0; y < 2; y++) {
-        studio s;
-        if (!read_text(FLOOR "environment 1\n", &s)) continue;
-        mesh m = {.v = allocate(3, sizeof *m.v), .vertices = 3, .triangles = 1,
-                  .index = allocate(3, sizeof *m.index)};
-        memcpy(m.v, corner, sizeof corner), m.index[1] = 1, m.index[2] = 2;
-        studio_place(&s, studio_add_mesh(&s, m, NULL, 0, false),
-                     affine_translation(vec(0, y, 0)), 1, (cite){0, 0});
-        plan p = plan_of(&s);
-        check(p.effects == (EFFECT_ENVIRONMENT | (y ? EFFECT_INDIRECT : 0u)), "moved by %d", y);
         plan_free(&p), studio_free(&s);
     }
 }
@@ -368,8 +317,8 @@ static void test_framing(void)
         }
         check_at_least(least, 0, "within the picture");
         check_at_most(most, 1, "within the picture");
-        /* Boxes of the triangles are framed, larger than they: how much is luck. Half, at least. */
-        check_at_least((double)(most - least), 0.4, "large in the picture");
+        /* The box is framed, and the triangles touch its six faces, but not its corners. */
+        check_at_least((double)(most - least), 0.3, "large in the picture");
         check(v.up.x == (real)(round % 3 == 0) && v.up.y == (real)(round % 3 == 1), "up");
         studio_free(&s);
     }
@@ -441,8 +390,6 @@ int main(void)
     test_energy();
     test_effects();
     test_finish();
-    test_flat_mesh();
-    test_many_places();
     test_reasons();
     test_effects_option();
     test_framing();

@@ -66,7 +66,10 @@ static void random_shape(random_stream *r, writing *w)
             chance(r, 0.5) ? "red" : "chrome", x, y, z, a, x, y);
         return;
     case 0: case 1: say(w, "sphere %g %g %g %g\n", x, y, z, chance(r, 0.1) ? -9 : a); return;
-    case 2: say(w, "cone %g 0 %g %g %g 2 %g 0.1\n", x, z, a, x, z); return;
+    case 2:
+        say(w, "cone %g 0 %g %g %g 2 %g 0.1  %s\n", x, z, a, x, z,
+            (const char *[]){"red", "glass", "brushed"}[(int)some(r, 0, 3)]);
+        return;
     case 3:  /* upright, towards the eye */
         say(w, "polygon -3 -1 %g  3 -1 %g  3 3 %g  -3 3 %g\n", z, z, z, z);
         return;
@@ -166,12 +169,17 @@ static void proof_end(proof *q)
     image_free(&q->everything), effects_stage_free(&q->e), studio_free(&q->s);
 }
 
+/* What is not simulated takes no ray. */
 static image proof_draw(proof *q, unsigned mask, int samples, uint64_t seed)
 {
     image im = image_new(across, down);
     drawing j = {.e = &q->e, .samples = samples, .seed = seed, .width = across, .height = down};
     effects_stage_effects(&q->e, mask);
     draw_region(&j, &im, 0, 0, 1);
+    for (int k = 0; k < effect_kinds; k++)
+        if (!(mask >> k & 1) && j.counts.rays[k])
+            check(false, "%zu rays for %s, which is not in %x", j.counts.rays[k],
+                  effect_names[k].name, mask);
     return im;
 }
 
@@ -294,7 +302,7 @@ static bool sees_polygons_alone(const plan_facts *q, cite *line)
     studio bare = *q->s;
     (void)line;
     bare.places = 0;
-    return flat_studio(&bare, q->look);
+    return plan_flat(&bare, q->look);
 }
 
 static bool looks_at_first_material(const plan_facts *q, cite *line)
@@ -344,8 +352,8 @@ static void test_holes(void)
     for (size_t i = 0; i < plan_rule_count; i++) {
         memcpy(rules, plan_rules, sizeof rules);
         rules[i].holds = always;
-        check(noticed(rules), "%s: that the rule '%s' always holds is not noticed",
-              effect_names[effect_number(rules[i].effect)].name, rules[i].name);
+        check(noticed(rules), "effect %x: that the rule '%s' always holds is not noticed",
+              rules[i].effect, rules[i].name);
     }
     for (size_t h = 0; h < sizeof holes / sizeof *holes; h++) {
         size_t i = 0;

@@ -1,10 +1,12 @@
-/* Tests of chapters/27_effects/studio_tree.h: what a ray hits first, and the surface there.
+/* Tests of chapters/27_effects: what a ray hits first, and the surface there; directions towards
+ * lamps and sky.
  *
  * Oracle: each shape and each instance asked in turn (07, 16), the closed form of a sphere, and of
- * solids cut from solids whether a point is in them.
+ * solids cut from solids whether a point is in them. What draws directions and what says how likely
+ * they were must agree.
  */
 #include "../chapters/27_effects/files/studio_read.h"
-#include "../chapters/27_effects/studio_tree.h"
+#include "../chapters/27_effects/lamps.h"
 #include "../chapters/18_shade/leave.h"
 #include "../chapters/04_triangle/scenes/icosphere.h"
 #include "../common/random.h"
@@ -291,6 +293,74 @@ static void test_solids(void)
     }
 }
 
+/* ---- lamps and sky ---- */
+
+/* (27.6) for the lamp that was drawn, whichever it was, against the pdf it was drawn with. */
+static void test_pdf(const studio_tree *t, const lamp_list *l)
+{
+    double worst = 0;
+    size_t spheres = 0, n = check_count(20000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(5, i, 0);
+        real x = random_next(&s), y = random_next(&s), z = random_next(&s), u = random_next(&s);
+        vec3 p = {6 * x - 3, 4 * y, 6 * z - 3};
+        lamp_draw w;
+        if (!lamps_sample(l, p, (vec3){0, 1, 0}, (point2){u, random_next(&s)}, &w)) continue;
+        const shape *ball = t->s->shape;  /* the first; all that shine are told apart by Ke */
+        bool is_ball = w.Le.y > 0;
+        vec3 to = vsub(w.s.p, p);
+        real pdf = lamps_pdf(l, w.Le, is_ball ? ball : NULL, p, w.wi, vlength(to),
+                             -vdot(w.s.n, w.wi));
+        spheres += is_ball, worst = check_worse(worst, fabs((double)(pdf / w.pdf) - 1));
+    }
+    check_at_least(spheres, n / 20, "times the ball was drawn");
+    check_at_least(n - spheres, n / 20, "times others were");
+    check_at_most(worst, 16 * (double)real_epsilon, "pdf of what was drawn: a dozen roundings");
+}
+
+static void test_lamps(void)
+{
+    failure f;
+    studio s;
+    studio_tree t;
+    lamp_list l;
+    if (!studio_read_text("material ball\nKe 1 2 0\nsphere 0 6 0 0.5\nmaterial others\nKe 3 0 1\n"
+                          "polygon -1 5 1  1 5 1  1 5 -1  -1 5 -1\n"
+                          "polygon -2 5 0  -1.5 5.5 0  -2 6 0\n", "lamps", NULL, &s, &f)) fail(f);
+    if (!studio_tree_build(&s, &t, &f)) fail(f);
+    lamps_build(&t, &l);
+    check_equal((double)l.n, 3, "lamps");
+    test_pdf(&t, &l);
+    lamps_free(&l), studio_tree_free(&t), studio_free(&s);
+}
+
+/* A direction drawn by the picture has the light and the pdf that a ray there finds. */
+static void test_sky(void)
+{
+    effects_sky s = {.kind = SKY_IMAGE, .scale = 2, .picture = image_new(8, 4), .up = {0, 1, 0},
+             .front = {0.6, 0, -0.8}, .right = {0.8, 0, 0.6}};
+    failure f;
+    sky_light l;
+    size_t seen = 0, other = 0, likely = 0;
+    for (int i = 0; i < 32; i++)
+        image_set(&s.picture, i % 8, i / 8, vec((1 + i), (40 - i), 1));
+    check(sky_light_build(&s, &l, &f), "%s", f.text);
+    for (int i = 0; i < 4000; i++) {
+        random_stream r = random_start(6, (uint64_t)i, 0);
+        sky_draw x;
+        real u = random_next(&r);
+        if (!sky_light_sample(&l, (vec3){0, i % 2 ? 1 : -1, 0}, (point2){u, random_next(&r)}, &x))
+            continue;
+        vec3 L = sky_radiance(&s, x.wi);
+        seen++, other += vlength(vsub(L, x.L)) > 8 * real_epsilon * vlength(L);
+        likely += !(fabs(sky_light_pdf(&l, x.wi, 1) - x.pdf) <= 64 * real_epsilon * x.pdf);
+    }
+    check_at_least(seen, 1500, "directions in the half that n looks into");
+    check_at_most((double)other, real_is_float ? 2 : 0, "with another light: at edges of pixels");
+    check_at_most((double)likely, real_is_float ? 2 : 0, "with another pdf");
+    sky_light_free(&l), image_free(&s.picture);
+}
+
 int main(void)
 {
     rng = random_start(27, 2, 0);
@@ -298,5 +368,7 @@ int main(void)
     test_equal();
     test_leaving();
     test_solids();
+    test_lamps();
+    test_sky();
     return check_report("27_tree");
 }

@@ -110,6 +110,7 @@ left_out() {
         echo "minutes of drawing" ;;
     "make full-"* | *" --full"*) echo "minutes: make pages FULL=1 compares all that it prints" ;;
     "make book") echo "needs pandoc: .ci/run" ;;
+    "make commands") echo "this very run" ;;
     "make embree"*) echo "needs Embree" ;;
     "make grade"* | "make -C /autograder"*) echo "needs submissions: tests/assignments.sh" ;;
     *TEST=my_test.c) echo "needs a test of one's own: tests/bugs.sh" ;;

@@ -34,6 +34,5 @@ int main(int argc, char **argv)
         if (o.full || o.quick) camera_draw_vanishing(&o, v), camera_draw_zone_plate(&o, v);
     }
     camera_measure_filters(&o);
-    if (o.full) camera_measure_means(&o);
     return output_done(&o);
 }

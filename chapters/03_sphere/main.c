@@ -1,4 +1,4 @@
-/* 03_sphere: a ray meets a sphere, in eight ways: which rays each gets wrong, and what it costs.
+/* 03_sphere: a ray meets a sphere, in seven ways: which rays each gets wrong, and what it costs.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/03_sphere/main.c -lm -lpthread
  * The oracle is sphere_oracle.h. The picture shows a sphere from far away through a long lens. */
 #include "lab/sphere_draw.h"
@@ -11,7 +11,6 @@ int main(int argc, char **argv)
     options o = options_read(argc, argv, "03_sphere", about, defaults, NULL);
     bool right = !sphere_mine || sphere_prove(mine_sphere_hit, "mine", 30000, stdout);
     sphere_draw(&o);
-    sphere_draw_map(&o);
     sphere_draw_geometry(&o);
     sphere_measure(&o);
     return output_done(&o) || !right;

@@ -8,7 +8,7 @@
  *
  *   plane p = {point, normal};                  n: any length but 0
  *   plane p = plane_through(a, b, c);           n = (b - a) x (c - a); 0 if a, b, c lie on a line
- *   plane_equation e = plane_equation_of(p);    and back: plane_of(e), p nearest to the origin
+ *   plane_equation e = plane_equation_of(p);
  *   if (plane_hit(p, r, &h)) ...                (4.4), the robust one; that of first.h hits at an
  *                                               infinite t, if the ray is nearly parallel
  *   if (plane_equation_hit(e, r, &h)) ...       (4.5), the same in exact arithmetic
@@ -40,12 +40,6 @@ static inline plane plane_through(vec3 a, vec3 b, vec3 c)
 static inline plane_equation plane_equation_of(plane p)  /* (4.3) */
 {
     return (plane_equation){p.n.x, p.n.y, p.n.z, -vdot(p.n, p.p)};
-}
-
-static inline plane plane_of(plane_equation e)
-{
-    vec3 n = {e.a, e.b, e.c};
-    return (plane){vscale(n, -e.d / vdot(n, n)), n};
 }
 
 /* t = above / across, if there is one t and the ray covers it. Both 0: the ray lies in the plane,

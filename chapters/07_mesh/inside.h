@@ -16,7 +16,7 @@
  *   needs           closed mesh    orientation of triangles    time for n triangles
  *   parity          yes            any                         n tests
  *   vote            nearly         any                         k n tests
- *   winding number  no             the same everywhere         n square roots (3) and arc tangents
+ *   winding number  no             the same everywhere         3 n square roots
  *
  * On the surface itself, and closer to it than rounding can tell, any answer may come. Each is
  * O(n). Parts of a mesh that overlap: parity calls the overlap outside, the winding number there
@@ -91,26 +91,41 @@ static inline bool inside_vote(const mesh *m, vec3 p, int k)
     return 2 * inside > k;
 }
 
-/* Signed solid angle Omega of a triangle seen from the origin:
- *     tan(Omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|)             (7.3)
- * atan2 keeps the quadrant where the denominator is negative, and gives 0 for 0 / 0, a corner at
- * p. */
-static inline double solid_angle(vec3 a, vec3 b, vec3 c)
+/* Signed solid angle Omega of a triangle seen from the origin: half of it is the angle of x + i y,
+ *     tan(Omega / 2) = a.(b x c) / (|a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|) = y / x      (7.3)
+ * Both are 0 where a corner is at the origin. */
+static inline void solid_angle_half(vec3 a, vec3 b, vec3 c, double *x, double *y)
 {
     real la = vlength(a), lb = vlength(b), lc = vlength(c);
-    return 2 * atan2((double)vdot(a, vcross(b, c)),
-                     (double)(la * lb * lc + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb));
+    *x = (double)(la * lb * lc + vdot(a, b) * lc + vdot(b, c) * la + vdot(c, a) * lb);
+    *y = (double)vdot(a, vcross(b, c));
 }
 
-/* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.      (7.4) */
+/* Between -2 pi and 2 pi. */
+static inline double solid_angle(vec3 a, vec3 b, vec3 c)
+{
+    double x, y;
+    solid_angle_half(a, b, c, &x, &y);
+    return 2 * atan2(y, x);
+}
+
+/* Sum of all solid angles over that of the sphere, 4 pi. Error: some n epsilon, of 1.      (7.4)
+ * Where complex numbers are multiplied their angles add: one arc tangent for all triangles, of the
+ * product, and a turn for each time that it passed the negative half axis. */
 static inline double winding_number(const mesh *m, vec3 p)
 {
-    double sum = 0;
+    double x = 1, y = 0, turns = 0;
     for (size_t i = 0; i < m->triangles; i++) {
         triangle t = mesh_triangle(m, i);
-        sum += solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p));
+        double u, v;
+        solid_angle_half(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p), &u, &v);
+        double X = x * u - y * v, Y = x * v + y * u, size = fabs(X) + fabs(Y);
+        if (size == 0) continue;
+        bool up = y >= 0;
+        if (up == (v >= 0) && up != (Y >= 0)) turns += up ? 1 : -1;
+        x = X / size, y = Y / size;
     }
-    return sum / (4 * 3.14159265358979323846);
+    return turns + atan2(y, x) / (2 * 3.14159265358979323846);
 }
 
 static inline bool inside_winding(const mesh *m, vec3 p)

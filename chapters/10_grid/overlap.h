@@ -130,13 +130,13 @@ static inline bool overlap_plan_of(const items *x, size_t i, overlap_plan *p)
     return true;
 }
 
-/* Nearest and farthest point of the box from the centre: the surface lies between. Each distance is
- * right within 3 roundings, its square within 7; 16 for both sides of the comparison. */
+/* Nearest and farthest point of the box from the centre: the surface lies between. A square of a
+ * distance is right within 5 roundings, r^2 within 1, and the product rounds: 7/2 epsilon < 4. */
 static inline bool sphere_overlap_box(sphere s, aabb b)
 {
     vec3 below = vsub(b.lo, s.c), above = vsub(s.c, b.hi), zero = {0, 0, 0};
     vec3 near = vmax(vmax(below, above), zero), far = vmax(vneg(below), vneg(above));
-    real rr = s.r * s.r, pad = 8 * real_epsilon;
+    real rr = s.r * s.r, pad = 4 * real_epsilon;
     return !(vdot(near, near) * (1 - pad) > rr + real_smallest)  /* a NaN is a yes */
            && !(vdot(far, far) * (1 + pad) < rr - real_smallest);
 }

@@ -59,16 +59,19 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void bvh8_items(bvh8_builder *b)
+/* 4096 items; `first` of what can't be hit is no_shape. */
+static inline void bvh8_items_job(size_t piece, void *context)
 {
+    const bvh8_builder *b = context;
     const bvh8 *w = b->w;
-    for (size_t i = 0; i < w->x.n; i++) {
+    for (size_t i = 4096 * piece; i < w->x.n && i < 4096 * (piece + 1); i++) {
         aabb box;
+        bvh8_bound *out = &b->item[i];
+        out->first = no_shape;
         if (!items_bounds(&w->x, i, &box)) continue;
         triangle t = w->x.m ? mesh_triangle(w->x.m, i) : (triangle){.a = box.lo};
         if (w->x.m && vzero(triangle_cross(t.a, t.b, t.c))) continue;
         vec3 lo = bvh8_into(w, box.lo), hi = bvh8_into(w, box.hi);
-        bvh8_bound *out = &b->item[b->n++];
         for (int k = 0; k < 3; k++)
             out->lo[k] = float_below(vaxis(lo, k)), out->minus_hi[k] = float_below(-vaxis(hi, k));
         out->first = (uint32_t)i, out->count = 0;
@@ -303,12 +306,13 @@ static inline bool bvh8_build(const items *x, bvh8_options how, bvh8 *w, failure
         return failed(f, 1, "%zu items: more than the %zu bytes allowed", x->n, how.most_bytes);
     bvh8_frame(w, all);
     b.item = bvh8_room(x->n, sizeof *b.item);
-    bvh8_items(&b);
+    bool whole = parallel_for((x->n + 4095) / 4096, how.threads, "boxes", bvh8_items_job, &b);
+    for (size_t i = 0; whole && i < x->n; i++)
+        if (b.item[i].first != no_shape) b.item[b.n++] = b.item[i];
     w->held = b.n, b.job_size = b.n / 32 > 1024 ? b.n / 32 : 1024;
     b.node = bvh8_room(2 * b.n, sizeof *b.node), b.pick = allocate(2 * b.n, sizeof *b.pick);
     b.job = allocate(b.n, sizeof *b.job);
-    bool whole = b.n == 0;
-    if (b.n) {
+    if (b.n && whole) {
         bvh8_grow(&b, (bvh8_job){0, 0, (uint32_t)b.n, 0}, true);
         whole = parallel_for(b.jobs, how.threads, "tree", bvh8_grow_job, &b);
     }

@@ -26,29 +26,19 @@ static void measure(const options *o, bool large)
 
 int main(int argc, char **argv)
 {
-    static const char *const name[eight_dialects] = {"plain", "avx2", "avx512"};
-    const char *path = NULL, *rays = NULL, *hits = NULL, *dialect = "best";
+    const char *path = NULL, *rays = NULL, *hits = NULL;
     bool any = false;
-    bvh8_options how = bvh8_defaults;
     const option list[] = {
         {"mesh", OPTION_INPUT, &path, 0, 0,
          "FILE.obj: draw this mesh, y up, or search it (--rays)"},
         {"rays", OPTION_INPUT, &rays, 0, 0,
          "search these rays: ox oy oz tmin dx dy dz tmax, float32"},
         {"hits", OPTION_OUTPUT, &hits, 0, 0, "with --rays: their t and triangle to this file"},
-        {"any-hit", OPTION_FLAG, &any, 0, 0, "with --rays: is there any hit at all?"},
-        {"dialect", OPTION_TEXT, &dialect, 0, 0, "with --rays: plain, avx2, avx512 or best"},
-        {"width", OPTION_INT, &how.width, 2, 8, "with --rays: children a node"}, {0}};
+        {"any-hit", OPTION_FLAG, &any, 0, 0, "with --rays: is there any hit at all?"}, {0}};
     options o = options_read(argc, argv, "15_wide_bvh", "Boxes and triangles, eight at once.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
     mesh m;
-    int d = 0;
-    while (d < eight_dialects && strcmp(dialect, name[d]) != 0) d++;
-    if (d == eight_dialects && strcmp(dialect, "best") != 0)
-        die(2, "--dialect %s: allowed are plain, avx2, avx512, best", dialect);
-    if (d < eight_dialects) how.dialect = (eight_dialect)d;
-    if (how.dialect > eight_best()) die(2, "--dialect %s: this machine has it not", dialect);
     if (!rays && (hits || any)) die(2, "--hits and --any-hit need --rays FILE");
     if (rays && o.out) die(2, "--out: no picture with --rays");
     if (!rays && o.csv && (path || o.out))
@@ -57,7 +47,7 @@ int main(int argc, char **argv)
     if (!path) m = teapot_mesh(o.quick ? 8 : 40);
     o.own = path || rays;
     items x = items_of_mesh(&m);
-    if (rays) search_file(&o, &x, path ? path : "teapot", rays, hits, any, how);
+    if (rays) search_file(&o, &x, path ? path : "teapot", rays, hits, any);
     else draw_mesh(&o, &m, path);
     if (!o.own && !o.out) draw_lanes(&o), measure(&o, false);
     if (!o.own && !o.out && o.full) measure(&o, true);

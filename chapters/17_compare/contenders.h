@@ -2,10 +2,12 @@
  * is one #include and one line of the list below; example.h is a whole one, to begin with.
  *
  *   LINE(id, "name", X, options, role)
- *      id         of its own; several may share a structure
+ *      id         of its own
  *      "name"     in tables and for --only
  *      X          prefix of its verbs and name of its type
  *      options    X_options, which have a member most_bytes; may depend on x, the items
+ *   ALSO(..)      the same for an X that has a LINE: other options, the same code
+ *
  *      role       CONTENDER_USUAL    in every table, plot, picture and proof
  *                 CONTENDER_FIRST    likewise, but may be wrong: counted, marked, and no error
  *                 CONTENDER_NAMED    only if asked for
@@ -15,7 +17,10 @@
  *   c->hit(s, r, &h) ...                               the verbs
  *   c->search(s, r, n, any, hits)                      all rays in a loop, the structure's search
  *                                                      inlined; returns the number of hits. any:
- *                                                      hits[i] has t = 0, shape 0 where occluded
+ *                                                      hits[i] has t = 0, shape 0 where occluded.
+ *                                                      hit and occluded call it with one ray: what
+ *                                                      is proved is what is timed
+ *   c->counted(s, r, any, &h, &w)                      is there a hit? What it took goes to w
  *   contender_free(c, s)
  *
  * how: members of its X_options that were set from outside (lab/knobs.h knows their names).
@@ -36,7 +41,8 @@
 /* A reader's own: make mine-17 MINE=my.h compiles with its name. mine.h is one to begin with. */
 #ifdef MINE
 #include MINE
-#define CONTENDER_MINE(LINE) LINE(mine, "mine", mine, ((mine_options){0}), CONTENDER_USUAL)
+#define CONTENDER_MINE(LINE) \
+    LINE(mine, "mine", mine, ((mine_options){0}), CONTENDER_USUAL)
 #else
 #define CONTENDER_MINE(LINE)
 #endif
@@ -46,29 +52,29 @@
  * finer. Measured on balls, gears, mount, rings and tree: rays take up to half the time less. */
 #define shape_cost(x) ((x)->s ? 4 : 1)
 
-#define CONTENDERS(LINE)                                                                          \
+#define CONTENDERS(LINE, ALSO)                                                                    \
     LINE(brute, "brute", brute, ((brute_options){0}), CONTENDER_USUAL)                            \
     LINE(grid, "grid", grid, grid_defaults, CONTENDER_USUAL)                                      \
     LINE(nested, "nested", nested, nested_defaults, CONTENDER_USUAL)                              \
     LINE(octree, "octree", octree, octree_how_for(x), CONTENDER_USUAL)                            \
     LINE(kdtree, "kdtree", kdtree, kdtree_how_for(x), CONTENDER_USUAL)                            \
     LINE(bsp, "bsp", bsp, bsp_how_for(x), CONTENDER_USUAL)                                        \
-    LINE(bvh, "bvh", bvh, bvh_how_for(x, "sah"), CONTENDER_USUAL)                                  \
-    LINE(bvh_morton, "bvh-morton", bvh, bvh_how_for(x, "morton"), CONTENDER_USUAL)                 \
-    LINE(bvh_spatial, "bvh-spatial", bvh, bvh_how_for(x, "spatial"), CONTENDER_USUAL)             \
+    LINE(bvh, "bvh", bvh, bvh_how_for(x, "sah"), CONTENDER_USUAL)                                 \
+    ALSO(bvh_morton, "bvh-morton", bvh, bvh_how_for(x, "morton"), CONTENDER_USUAL)                \
+    ALSO(bvh_spatial, "bvh-spatial", bvh, bvh_how_for(x, "spatial"), CONTENDER_USUAL)             \
     LINE(wide, "wide", bvh8, bvh8_how_alone(), CONTENDER_USUAL)                                   \
     LINE(example, "example", example, ((example_options){0}), CONTENDER_USUAL)                    \
     CONTENDER_MINE(LINE)                                                                          \
     LINE(first_mesh, "first-mesh", first_items, first_items_how(brute), CONTENDER_FIRST)          \
-    LINE(first_grid, "first-grid", first_items, first_items_how(grid), CONTENDER_FIRST)           \
-    LINE(first_octree, "first-octree", first_items, first_items_how(octree), CONTENDER_FIRST)     \
-    LINE(first_kdtree, "first-kdtree", first_items, first_items_how(kdtree), CONTENDER_FIRST)     \
-    LINE(first_bsp, "first-bsp", first_items, first_items_how(bsp), CONTENDER_FIRST)              \
-    LINE(first_bvh, "first-bvh", first_items, first_items_how(bvh), CONTENDER_FIRST)              \
+    ALSO(first_grid, "first-grid", first_items, first_items_how(grid), CONTENDER_FIRST)           \
+    ALSO(first_octree, "first-octree", first_items, first_items_how(octree), CONTENDER_FIRST)     \
+    ALSO(first_kdtree, "first-kdtree", first_items, first_items_how(kdtree), CONTENDER_FIRST)     \
+    ALSO(first_bsp, "first-bsp", first_items, first_items_how(bsp), CONTENDER_FIRST)              \
+    ALSO(first_bvh, "first-bvh", first_items, first_items_how(bvh), CONTENDER_FIRST)              \
     /* As in the published results of the SPD: so many cells an item, so deep. */                 \
-    LINE(grid_1, "grid-1", grid, ((grid_options){1, true, true, 0}), CONTENDER_NAMED)             \
-    LINE(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), CONTENDER_NAMED)          \
-    LINE(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), CONTENDER_NAMED)
+    ALSO(grid_1, "grid-1", grid, ((grid_options){1, true, true, 0}), CONTENDER_NAMED)             \
+    ALSO(grid_10, "grid-10", grid, ((grid_options){10, true, true, 0}), CONTENDER_NAMED)          \
+    ALSO(octree_7, "octree-7", octree, ((octree_options){16, 7, true, true, 0}), CONTENDER_NAMED)
 
 typedef enum { CONTENDER_USUAL, CONTENDER_FIRST, CONTENDER_NAMED } contender_role;
 
@@ -85,8 +91,7 @@ typedef struct {
                   failure *f);
     bool (*hit)(const void *s, ray r, hit *out);
     bool (*occluded)(const void *s, ray r);
-    bool (*hit_counted)(const void *s, ray r, hit *out, search_work *w);
-    bool (*occluded_counted)(const void *s, ray r, search_work *w);
+    bool (*counted)(const void *s, ray r, bool any, hit *out, search_work *w);
     size_t (*search)(const void *s, const ray *r, size_t n, bool any, hit *out);
     structure_stats (*stats)(const void *s);
     void (*free)(void *s);
@@ -143,43 +148,50 @@ static inline void contender_set(void *members, const contender_settings *how)
     }
 }
 
-#define CONTENDER_VERBS(id, text, X, options, its_role)                                          \
-    static bool id##_c_build(const items *x, const contender_settings *set, size_t most_bytes,   \
-                             void *out, failure *f)                                              \
-    {                                                                                            \
-        X##_options how = options;                                                                \
-        contender_set(&how, set);                                                                \
-        how.most_bytes = most_bytes;                                                             \
-        return X##_build(x, how, out, f);                                                        \
-    }                                                                                            \
-    static bool id##_c_hit(const void *s, ray r, hit *out) { return X##_hit(s, r, out); }        \
-    static bool id##_c_occluded(const void *s, ray r) { return X##_occluded(s, r); }             \
-    static bool id##_c_hit_counted(const void *s, ray r, hit *out, search_work *w)               \
-    {                                                                                            \
-        return X##_hit_counted(s, r, out, w);                                                    \
-    }                                                                                            \
-    static bool id##_c_occluded_counted(const void *s, ray r, search_work *w)                    \
-    {                                                                                            \
-        return X##_occluded_counted(s, r, w);                                                    \
-    }                                                                                            \
-    static size_t id##_c_search(const void *s, const ray *r, size_t n, bool any, hit *out)       \
-    {                                                                                            \
-        size_t hits = 0;                                                                         \
-        for (size_t i = 0; i < n; i++) out[i] = hit_none;                                        \
-        for (size_t i = 0; any && i < n; i++)                                                    \
-            if (X##_occluded(s, r[i])) out[i] = (hit){0, 0, 0, 0}, hits++;                       \
-        for (size_t i = 0; !any && i < n; i++) hits += X##_hit(s, r[i], &out[i]);                \
-        return hits;                                                                             \
-    }                                                                                            \
-    static structure_stats id##_c_stats(const void *s) { return X##_stats(s); }                  \
-    static void id##_c_free(void *s) { X##_free(s); }                                            \
-    static const contender id##_contender = {                                                    \
-        text, #X, its_role, sizeof(X), id##_c_build, id##_c_hit, id##_c_occluded,                \
-        id##_c_hit_counted, id##_c_occluded_counted, id##_c_search, id##_c_stats, id##_c_free};
-CONTENDERS(CONTENDER_VERBS)
+#define CONTENDER_ALSO(id, text, X, options, its_role)                                          \
+    static bool id##_c_build(const items *x, const contender_settings *set, size_t most_bytes,  \
+                             void *out, failure *f)                                             \
+    {                                                                                           \
+        X##_options how = options;                                                              \
+        contender_set(&how, set);                                                               \
+        how.most_bytes = most_bytes;                                                            \
+        return X##_build(x, how, out, f);                                                       \
+    }                                                                                           \
+    static const contender id##_contender = {text, #X, its_role, sizeof(X), id##_c_build,       \
+        X##_c_hit, X##_c_occluded, X##_c_counted, X##_c_search, X##_c_stats, X##_c_free};
+/* The verbs of X, and the first who uses them. */
+#define CONTENDER_LINE(id, text, X, options, its_role)                                          \
+    __attribute__((noinline))                                                                   \
+    static size_t X##_c_search(const void *s, const ray *r, size_t n, bool any, hit *out)       \
+    {                                                                                           \
+        size_t hits = 0;                                                                        \
+        for (size_t i = 0; i < n; i++) out[i] = hit_none;                                       \
+        for (size_t i = 0; any && i < n; i++)                                                   \
+            if (X##_occluded(s, r[i])) out[i] = (hit){0, 0, 0, 0}, hits++;                      \
+        for (size_t i = 0; !any && i < n; i++) hits += X##_hit(s, r[i], &out[i]);               \
+        return hits;                                                                            \
+    }                                                                                           \
+    static bool X##_c_hit(const void *s, ray r, hit *out)                                       \
+    {                                                                                           \
+        hit h;                                                                                  \
+        return X##_c_search(s, &r, 1, false, &h) && (*out = h, true);                           \
+    }                                                                                           \
+    static bool X##_c_occluded(const void *s, ray r)                                            \
+    {                                                                                           \
+        hit h;                                                                                  \
+        return X##_c_search(s, &r, 1, true, &h);                                                \
+    }                                                                                           \
+    static bool X##_c_counted(const void *s, ray r, bool any, hit *out, search_work *w)         \
+    {                                                                                           \
+        return any ? X##_occluded_counted(s, r, w) : X##_hit_counted(s, r, out, w);             \
+    }                                                                                           \
+    static structure_stats X##_c_stats(const void *s) { return X##_stats(s); }                  \
+    static void X##_c_free(void *s) { X##_free(s); }                                            \
+    CONTENDER_ALSO(id, text, X, options, its_role)
+CONTENDERS(CONTENDER_LINE, CONTENDER_ALSO)
 
 #define CONTENDER_PLACE(id, text, X, options, its_role) &id##_contender,
-static const contender *const contender_list[] = {CONTENDERS(CONTENDER_PLACE)};
+static const contender *const contender_list[] = {CONTENDERS(CONTENDER_PLACE, CONTENDER_PLACE)};
 enum { contenders = sizeof contender_list / sizeof *contender_list };
 
 static inline const contender *contender_find(const char *name)

@@ -3,7 +3,6 @@
  *   dL/ds = -sigma L     =>     L(s) = L(0) e^(-sigma s)                      (19.9)
  *
  *   vec3 k = absorbed(sigma, s)         the part that is left after a way s; sigma per unit length
- *   vec3 sigma = absorption_of(c, s)    that leaves the colour c (0, 1] after a way s > 0
  *
  * The deeper, the darker and the more saturated: the colour of glass is no property of its surface.
  * After an infinite way nothing is left of what is absorbed, and all of what is not (sigma = 0: 0
@@ -23,11 +22,6 @@ static inline real absorbed_one(real a, real s) { return a == 0 ? 1 : exp(-a * s
 static inline vec3 absorbed(vec3 a, real s)
 {
     return (vec3){absorbed_one(a.x, s), absorbed_one(a.y, s), absorbed_one(a.z, s)};
-}
-
-static inline vec3 absorption_of(vec3 c, real s)
-{
-    return (vec3){-log(c.x) / s, -log(c.y) / s, -log(c.z) / s};
 }
 
 #endif

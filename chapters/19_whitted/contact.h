@@ -1,4 +1,4 @@
-/* contact.h: what else lies where a ray has hit glass; and what bodies a point is in.
+/* contact.h: what else lies where a ray has hit glass.
  *
  *       air        A ray leaves a surface past everything that is closer than rounding: 18. Where
  *    -----p-----   glass stands in water, or on a table, that is the other face. So ask: what lies
@@ -8,9 +8,8 @@
  *   more = contact_find(t, r, x, &s, &m, &room, &c)   adds faces to the crossing c. If one of them
  *                                     is opaque, s and m become its own: glass on a table shows it.
  *                                     more: by so much rays must begin farther away than by leave
- *   media_set in = media_around(t, p) the bodies that p is in: for the eye's own place
  *
- * Both are rays of kind RAY_SIGHT, whose any-hit program notes what it is asked about and lets it
+ * It sends a ray of kind RAY_SIGHT, whose any-hit program notes what it is asked about and lets it
  * pass. A contact ray is a few epsilon long and costs about half of a reflection ray; a scene whose
  * glass touches nothing says `apart` and is spared them.
  *
@@ -65,47 +64,6 @@ static inline real contact_find(tracer *t, ray r, trace_hit x, surface *s,
         *m = w->material_of(w->context, notes.opaque, &on, room);
     }
     return reach;
-}
-
-/* Faces met on the way to infinity: more out of a body than into it, and we were in it. Of a ball
- * the search tells the first only: in, and then the count is -1, or out. */
-typedef struct { uint32_t body[media_most_faces]; int count[media_most_faces], n; } around_notes;
-
-static inline any_hit_answer around_any(const tracer *t, ray r, trace_hit x, void *payload)
-{
-    const whitted *w = t->user;
-    around_notes *notes = payload;
-    whitted_material room;
-    surface s = surface_of_trace(t, r, x);
-    uint32_t body = w->material_of(w->context, x, &s, &room)->body;
-    int k = 0;
-    while (k < notes->n && notes->body[k] != body) k++;
-    if (body == 0 || k == media_most_faces) return ANY_HIT_IGNORE;
-    if (k == notes->n) notes->body[notes->n++] = body, notes->count[k] = 0;
-    notes->count[k] += vdot(s.n, r.d) > 0 ? 1 : -1;
-    return ANY_HIT_IGNORE;
-}
-
-/* Inside first: the body whose face is farther away was entered earlier; here by number, which
- * counts only among equal priorities. */
-static inline media_set media_around(tracer *t, vec3 p)
-{
-    static const ray_program programs[ray_kinds] = {
-        [RAY_SIGHT] = {MASK_SEEN, false, around_any, NULL, NULL}};
-    around_notes notes = {.n = 0};
-    media_set in = {0};
-    tracer own = {.w = t->w, .program = programs, .user = t->user};
-    /* a direction that no edge of a model is likely to lie in */
-    trace(&own, RAY_SIGHT, ray_from(p, vec(0.5377, 0.3189, 0.7803)), &notes);
-    for (uint32_t least = 0, k; notes.n > 0; least = notes.body[k]) {
-        k = (uint32_t)notes.n;
-        for (uint32_t j = 0; j < (uint32_t)notes.n; j++)
-            if (notes.body[j] > least && (k == (uint32_t)notes.n || notes.body[j] < notes.body[k]))
-                k = j;
-        if (k == (uint32_t)notes.n) break;
-        if (notes.count[k] > 0) media_enter(&in, notes.body[k]);
-    }
-    return in;
 }
 
 #endif

@@ -9,7 +9,6 @@
  *     0     i      90
  *   real R = fresnel(&s)              exact, for the cosines of refract.h
  *   real T = fresnel_through(&s)      by (19.6): a check, R + T = 1
- *   real R = fresnel_first(&s)        (19.5) as it stands: first_fresnel of first.h
  *   real R = schlick(&s)              R0 + (1 - R0)(1 - c)^5,  R0 = ((n1-n2)/(n1+n2))^2  (19.7)
  *                                     c: the cosine on the thinner side, n1 > n2 ? ct : ci
  *
@@ -40,13 +39,6 @@ static inline real fresnel(const snell *s)
     double k = x / (a * b), ks = k * b, kp = k * y * a;                                 /* (19.8) */
     double R = (ks * ks + kp * kp) / 2;
     return (real)(R < 1 ? R : 1);  /* at a grazing angle rounding may bring it past 1 */
-}
-
-/* Fails for: n1 = 1, n2 = 1 + epsilon, ci = sqrt(epsilon): R is off by 0.05. */
-static inline real fresnel_first(const snell *s)
-{
-    if (s->total) return 1;
-    return first_fresnel((real)s->ci, (real)s->ct, (real)s->n1, (real)s->n2);
 }
 
 static inline real fresnel_through(const snell *s)

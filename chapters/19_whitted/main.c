@@ -2,8 +2,8 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 19_whitted chapters/19_whitted/main.c -lm -lpthread
  *
  * Without options: the two spheres of 1980, a tank, drawings, the tree of one pixel, a table of
- * error against time. --full: four depths; speed; first.h. --protocol spd: rays counted as in
- * published results. --samples N is rounded down to a square. */
+ * error against time. --full: four depths; first.h. --protocol spd: rays counted as in published
+ * results. --samples N is rounded down to a square. */
 #include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
@@ -32,8 +32,8 @@ int main(int argc, char **argv)
         {!how && (name || scale >= 0), "--scene, --scale: allowed with --protocol spd"},
         {pixel && (how || pov || all || o.out || o.csv), "--pixel goes with --size alone"},
         {pov && (how || all || o.out || o.csv), "--povray: allowed alone"},
-        {how && o.csv, "--csv: not allowed with --protocol"},
-        {how && all, "--spend-all: not allowed with --protocol"},
+        {how && (o.csv || o.out || all),
+         "--csv, --out, --spend-all: not allowed with --protocol"},
         {o.out && o.csv, "--out draws, --csv measures: one of them"}};
     for (size_t i = 0; i < sizeof misuse / sizeof *misuse; i++)
         if (misuse[i].wrong) die(2, "%s", misuse[i].text);
@@ -50,12 +50,7 @@ int main(int argc, char **argv)
     pixel_tree(&o);
     draw_wavefronts(&o);
     draw_critical(&o);
-    draw_fresnel(&o);
     table_of_knobs(&o);
-    if (o.full) {
-        draw_depths(&o);
-        table_of_speed(&o);
-        table_of_first(&o);
-    }
+    if (o.full) draw_depths(&o), table_of_first(&o);
     return output_done(&o);
 }

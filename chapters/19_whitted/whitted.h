@@ -62,7 +62,7 @@ static inline int whitted_children(const whitted *w, const whitted_branch *b,
     if (p->m->body) {                                            /* glass: Fresnel shares it out */
         snell x;
         bool bends = snell_of(d, p->s.ns, w->media[p->inside].ior, w->media[p->beyond].ior, &x);
-        real R = w->fresnel == WHITTED_EXACT ? fresnel(&x) : schlick(&x);
+        real R = fresnel(&x);
         vec3 kt = vscale(p->m->through, 1 - R), on = snell_refract(&x, d, p->s.ns);
         M = vscale(M, R);
         if (bends && whitted_child(w, b, p, RAY_REFRACTION, down, lifted(on, down), kt, &child[n]))

@@ -24,8 +24,6 @@ typedef struct {
     real shadow;      /* part of the light that shadow rays keep at each shape of it [0, 1] */
 } whitted_material;
 
-typedef enum { WHITTED_EXACT, WHITTED_SCHLICK } whitted_fresnel;
-
 /* Is told of each ray: its parent's number (-1: the eye ray), what it is worth, and t of its hit,
  * infinity if none. Of a shadow ray: where it ends, and how much of the light arrives. Returns the
  * number of this ray. */
@@ -47,7 +45,6 @@ typedef struct {
     vec3 (*sky)(const void *context, vec3 d);  /* along unit d; NULL: background */
     int depth;
     real least;
-    whitted_fresnel fresnel;
     bool apart, spend_all;
     real touch;           /* faces nearer to each other than this touch [scene units]: contact.h */
     whitted_log *log;     /* NULL, or to watch: lab/ray_tree.h */

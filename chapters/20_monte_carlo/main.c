@@ -1,17 +1,17 @@
-/* 20_monte_carlo: integrals by chance: how fast the error falls, for six ways of placing samples.
+/* 20_monte_carlo: integrals by chance: how fast the error falls, for four ways of placing samples.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 20_monte_carlo chapters/20_monte_carlo/main.c -lm -lpthread
  * Errors are measured against closed forms, and their size against its own exact value. */
 #include "lab/chance_figure.h"
 #include "lab/measure.h"
-#include "lab/measure_importance.h"
 #include "lab/pictures.h"
 #include "lab/dome_picture.h"
 
 int main(int argc, char **argv)
 {
-    options defaults = {.width = 994, .height = 816, .seed = 1};
+    options defaults = {.width = 994, .height = 542, .seed = 1};
     options o = options_read(argc, argv, "20_monte_carlo",
                              "Integrals by chance: error against time.", defaults, NULL);
+    if (o.quick && o.width == 994 && o.height == 542) o.width = 240, o.height = 120;
     draw_points(&o), draw_chance(&o), draw_dome(&o), draw_wrong(&o);
     measure_methods(&o);
     measure_importance(&o);

@@ -1,4 +1,4 @@
-/* sampler.h: the random numbers of one sample of one pixel, by any of six methods.
+/* sampler.h: the random numbers of one sample of one pixel, by any of four methods.
  *
  *   sampler s = sampler_start(SEQUENCE_SOBOL, seed, pixel, k, n);     sample k [< n] of n
  *   point2 lens  = sampler_pair(&s);      dimensions 0 and 1: for what has two, take a pair
@@ -12,8 +12,6 @@
  *   SEQUENCE_RANDOM        independent numbers                  error N^-1/2
  *   SEQUENCE_JITTERED      a cell each (jitter.h)               N^-1 smooth, N^-3/4 at an edge
  *   SEQUENCE_HALTON        without scrambling (halton.h)        N^-1 but for logarithms; not random
- *   SEQUENCE_HALTON_OWEN   scrambled
- *   SEQUENCE_SOBOL_XOR     Sobol's, digital shift (sobol.h)     N^-1 smooth
  *   SEQUENCE_SOBOL         Sobol's with Owen's scrambling       N^-3/2 smooth, N^-3/4 at an edge
  *
  * All that is returned lies in [0,1) and depends on (kind, seed, pixel, sample, n, dimension)
@@ -41,10 +39,10 @@
 #include <stddef.h>
 
 typedef struct { real u, v; } point2;
-typedef enum { SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON, SEQUENCE_HALTON_OWEN,
-               SEQUENCE_SOBOL_XOR, SEQUENCE_SOBOL, sequence_kinds } sequence_kind;
-static const char *const sequence_name[sequence_kinds] = {
-    "random", "jittered", "Halton", "Halton, Owen", "Sobol', xor", "Sobol', Owen"};
+typedef enum { SEQUENCE_RANDOM, SEQUENCE_JITTERED, SEQUENCE_HALTON, SEQUENCE_SOBOL,
+               sequence_kinds } sequence_kind;
+static const char *const sequence_name[sequence_kinds] = {"random", "jittered", "Halton",
+                                                          "Sobol', Owen"};
 enum { sampler_hashed = 6 };
 typedef struct {
     sequence_kind kind;
@@ -64,7 +62,7 @@ static inline sampler sampler_start(sequence_kind kind, uint64_t seed, uint64_t 
                                     uint32_t sample, uint32_t samples)
 {
     sampler s = {kind, sample, samples, 0, 0, {0, 0}, NULL};
-    if (kind <= SEQUENCE_HALTON_OWEN) s.own = random_start(seed, pixel, sample);
+    if (kind <= SEQUENCE_HALTON) s.own = random_start(seed, pixel, sample);
     if (kind != SEQUENCE_RANDOM) s.key = random_start(seed, pixel, UINT64_MAX - 1).key;
     return s;
 }
@@ -89,7 +87,7 @@ static inline void sampler_keys_of(sequence_kind kind, uint64_t seed, uint64_t p
 static inline sampler sampler_of_keys(const sampler_keys *k, uint32_t sample, uint32_t samples)
 {
     sampler s = {k->kind, sample, samples, 0, k->key, {0, 0}, k};
-    if (k->kind <= SEQUENCE_HALTON_OWEN) s.own = random_sample(k->own, sample);
+    if (k->kind <= SEQUENCE_HALTON) s.own = random_sample(k->own, sample);
     return s;
 }
 
@@ -105,10 +103,7 @@ static inline point2 sampler_sobol(const sampler *s, uint32_t pair)
     uint32_t a = (uint32_t)axes, b = (uint32_t)(axes >> 32), x = s->sample;
     if (pair > 0) x = owen_scramble(x, (uint32_t)key);
     uint32_t y = sobol_index_of_y(x);
-    bool owen = s->kind == SEQUENCE_SOBOL;
-    if (owen) x = owen_reversed(x, a), y = owen_reversed(y, b);
-    x = reversed_bits(x), y = reversed_bits(y);
-    if (!owen) x = scramble_xor(x, a), y = scramble_xor(y, b);
+    x = reversed_bits(owen_reversed(x, a)), y = reversed_bits(owen_reversed(y, b));
     return (point2){real_of_fraction(x, a), real_of_fraction(y, b)};
 }
 
@@ -118,27 +113,23 @@ static inline point2 sampler_random(sampler *s)
     return (point2){u, v};
 }
 
-static inline point2 sampler_halton(sampler *s, uint64_t key)
+static inline point2 sampler_halton(sampler *s)
 {
     uint32_t d = 2 * s->pair, i = s->sample;
     if (d >= halton_bases) return sampler_random(s);
-    if (s->kind == SEQUENCE_HALTON)
-        return (point2){radical_inverse(halton_base[d], i), radical_inverse(halton_base[d + 1], i)};
-    return (point2){radical_inverse_owen(halton_base[d], i, (uint32_t)key),
-                    radical_inverse_owen(halton_base[d + 1], i, (uint32_t)(key >> 32))};
+    return (point2){radical_inverse(halton_base[d], i), radical_inverse(halton_base[d + 1], i)};
 }
 
 static inline point2 sampler_pair(sampler *s)
 {
-    uint64_t key = s->kind < SEQUENCE_SOBOL_XOR ? sampler_key(s, s->pair) : 0;
     point2 p = {0, 0};
     s->own.dimension = 2 * (uint64_t)s->pair;
     switch (s->kind) {
     case SEQUENCE_RANDOM: p = sampler_random(s); break;
-    case SEQUENCE_JITTERED: jitter_square(s->sample, s->samples, key, &s->own, &p.u, &p.v); break;
-    case SEQUENCE_HALTON:
-    case SEQUENCE_HALTON_OWEN: p = sampler_halton(s, key); break;
-    case SEQUENCE_SOBOL_XOR:
+    case SEQUENCE_JITTERED:
+        jitter_square(s->sample, s->samples, sampler_key(s, s->pair), &s->own, &p.u, &p.v);
+        break;
+    case SEQUENCE_HALTON: p = sampler_halton(s); break;
     case SEQUENCE_SOBOL: p = sampler_sobol(s, s->pair); break;
     case sequence_kinds: break;
     }

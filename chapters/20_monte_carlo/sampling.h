@@ -2,7 +2,6 @@
  *
  *   sample                          where                      pdf (概率密度函数), and per what
  *   sample_disk(u, v)               unit disk, (x, y, 0)       pdf_disk      1 / pi         area
- *   sample_disk_polar(u, v)         the same                   the same
  *   sample_triangle(u, v)           barycentrics (b0,b1,b2)    pdf_triangle  1 / area of t  area
  *   sample_triangle_root(u, v)      the same                   the same
  *   sample_sphere(u, v)             all directions             pdf_sphere    1 / (4 pi)     1/sr
@@ -19,11 +18,11 @@
  * its cosine, if it has one) by the pdf. A pdf is a density, no probability: it may exceed 1, as
  * that of a narrow cone does.
  *
- * Four ways: inversion (反演), where the cumulative distribution P(x) = u can be solved for x
+ * Three ways: inversion (反演), where the cumulative distribution P(x) = u can be solved for x
  * (sample_lobe, and z of all directions); transformation (变换) of a shape that is easy into one that
  * is not, with a constant ratio of areas (disk, triangle); projection (sample_cosine: a uniform
- * disk lifted to the hemisphere); rejection (拒绝), see sampling_naive.h for its price. Those without
- * a suffix keep neighbours of the square neighbours, which well-spread (u, v) need (sampler.h).
+ * disk lifted to the hemisphere). Those without a suffix keep neighbours of the square neighbours,
+ * which well-spread (u, v) need (sampler.h); rejection (拒绝) would throw away what they have.
  *
  * Sources: P. Shirley, K. Chiu, "A low distortion map between disk and square", J. Graphics Tools
  * 2(3), 1997; E. Heitz, "A low-distortion map between triangle and square", 2019; G. Turk,
@@ -48,9 +47,7 @@ static inline vec3 sample_turn(real r, real z, real v)
     return (vec3){r * cos(phi), r * sin(phi), z};
 }
 
-/* ---- disk: P(r) = r^2 = u (inversion); or squares of radius a become circles of radius a ---- */
-
-static inline vec3 sample_disk_polar(real u, real v) { return sample_turn(sqrt(u), 0, v); }
+/* ---- disk: squares of radius a become circles of radius a ---- */
 
 /* In the eighth next to the x axis: radius a, and the angle goes as b / a, by 45 degrees at most.
  * */

@@ -16,20 +16,16 @@
  * Owen's scrambling flips each bit or not, by a coin of its own for every value of the bits above:
  * each point is then uniform in the square, so that estimates are right on average (unbiased 无偏),
  * and errors in boxes of the same size are independent and average out: N^-3/2 for smooth
- * functions, against N^-1 of scramble_xor, which throws one coin a level, the same for all points.
+ * functions; one coin a level for all points (a digital shift, xor) makes N^-1.
  *
- *   owen_scramble        by a hash, a few operations
- *   owen_scramble_2020   the hash first published for it: a net, too, but its coins are not
- *                        independent: the variance is off by a factor of .5 to 1.3 (integrands.h)
- *   owen_scramble_exact  the definition, a hash a bit, 32 of them
- *   scramble_xor         digital shift
- * Seeds must be well mixed (random_mix): the hashes do little to a seed of few bits.
+ * owen_scramble does so by a hash of a few operations. Seeds must be well mixed (random_mix): it
+ * does little to a seed of few bits.
  *
  * Sources: I. Sobol', "On the distribution of points in a cube ...", 1967; A. Owen, "Randomly
  * permuted (t,m,s)-nets", 1995, and "Scrambled net variance for integrals of smooth functions",
  * Ann. Stat. 25(4), 1997; S. Laine, T. Karras, "Stratified sampling for stochastic transparency",
- * EGSR 2011; B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020
- * (owen_scramble_2020); N. Vegdahl, "Building a better LK hash", 2021 (owen_scramble).
+ * EGSR 2011; B. Burley, "Practical hash-based Owen scrambling", JCGT 10(1), 2020;
+ * N. Vegdahl, "Building a better LK hash", 2021 (owen_scramble).
  */
 #ifndef MONTE_CARLO_SOBOL_H
 #define MONTE_CARLO_SOBOL_H
@@ -62,23 +58,6 @@ static inline uint32_t sobol_index_of_y(uint32_t i)
 
 static inline uint32_t sobol_y(uint32_t i) { return reversed_bits(sobol_index_of_y(i)); }
 
-static inline uint32_t scramble_xor(uint32_t x, uint32_t seed)
-{
-    return x ^ (uint32_t)random_mix(seed + random_step);
-}
-
-/* A coin for each prefix: the marker bit above it tells prefixes of different length apart. */
-static inline uint32_t owen_scramble_exact(uint32_t x, uint32_t seed)
-{
-    uint32_t flips = 0;
-    for (int k = 0; k < 32; k++) {
-        uint64_t prefix = ((uint64_t)1 << 32 | x) >> (32 - k);
-        uint64_t coin = random_mix(random_mix(seed + random_step) + random_step * prefix);
-        flips |= (uint32_t)(coin >> 63) << (31 - k);
-    }
-    return x ^ flips;
-}
-
 /* On the reversed word additions and products carry upwards only, so a bit depends on itself and on
  * those below it: on those above it, once reversed back. x ^= x * even never changes the lowest bit
  * by itself: x * even has a 0 there. */
@@ -94,17 +73,6 @@ static inline uint32_t owen_reversed(uint32_t x, uint32_t seed)
 static inline uint32_t owen_scramble(uint32_t x, uint32_t seed)
 {
     return reversed_bits(owen_reversed(reversed_bits(x), seed));
-}
-
-static inline uint32_t owen_scramble_2020(uint32_t x, uint32_t seed)
-{
-    x = reversed_bits(x);
-    x += seed;
-    x ^= x * 0x6c50b47cu;
-    x ^= x * 0xb82f1e52u;
-    x ^= x * 0xc7afe638u;
-    x ^= x * 0x8d22f6e6u;
-    return reversed_bits(x);
 }
 
 /* Each fraction stands for an interval of length 2^-32: a random point of it, of the 2^53 that

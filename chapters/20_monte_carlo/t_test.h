@@ -10,11 +10,10 @@
  *   double p = t_test(e, truth, rounding);   p < 1e-6: it is not; false-alarm rate 1e-6
  *   double p = welch_test(a, b);         the same mean? Variances unknown and different (Welch)
  *   double h = mean_interval(e, 0.95);          the truth lies within e.mean -+ h, 95 times in 100
- *   double p = variance_ratio_test(a, b, r); V[b's samples] = r V[a's]? F-test, normal samples only
  *   line_fit f = fit_line(x, y, n);      least squares; a slope and how far to trust it
  *   f.slope -+ slope_interval(f, 0.95)
  *
- *   t_above(t, k)   P(|T| >= |t|)    f_above(f, k1, k2)   P(F >= f)      k: degrees of freedom
+ *   t_above(t, k)   P(|T| >= |t|)      k: degrees of freedom
  *
  * `rounding`: an error of the mean that is not chance, such as some epsilons. It is forgiven;
  * samples that are all alike have the standard error 0 and must be right to within it. In a family
@@ -23,10 +22,8 @@
  * What it can't see: with an infinite variance the standard error is too small most of the time,
  * and the estimate is "wrong" with confidence (importance.h).
  *
- * Sources: Student, "The probable error of a mean", Biometrika 6, 1908; R. Fisher, "On a
- * distribution yielding the error functions of several well known statistics", 1924; K. Subr, J.
- * Arvo, "Statistical hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics
- * 2007.
+ * Sources: Student, "The probable error of a mean", Biometrika 6, 1908; K. Subr, J. Arvo,
+ * "Statistical hypothesis testing for assessing Monte Carlo estimators", Pacific Graphics 2007.
  */
 #ifndef MONTE_CARLO_T_TEST_H
 #define MONTE_CARLO_T_TEST_H
@@ -42,12 +39,6 @@ static inline double t_above(double t, double k)
 {
     if (isinf(t)) return 0;
     return beta_below(k / 2, 0.5, k / (k + t * t), t * t / (k + t * t));
-}
-
-static inline double f_above(double f, double k1, double k2)
-{
-    double whole = k2 + k1 * f;
-    return f <= 0 ? 1 : beta_below(k2 / 2, k1 / 2, k2 / whole, k1 * f / whole);
 }
 
 static inline double welch_test(estimate a, estimate b)
@@ -84,15 +75,6 @@ static inline double mean_interval(estimate e, double confidence)
 {
     if (e.n < 2) return (double)INFINITY;
     return t_quantile(1 - confidence, (double)(e.n - 1)) * estimate_error(e);
-}
-
-/* Two-sided: twice the smaller tail. */
-static inline double variance_ratio_test(estimate a, estimate b, double ratio)
-{
-    double f = estimate_variance(b) / (ratio * estimate_variance(a));
-    double above = f_above(f, (double)b.n - 1, (double)a.n - 1);
-    double below = f_above(1 / f, (double)a.n - 1, (double)b.n - 1);
-    return 2 * (above < below ? above : below);
 }
 
 /* y = intercept + slope x, the sum of the squared residuals being least; n >= 2 different x. */

@@ -22,8 +22,7 @@
  *
  * Each hit: emission, ambient light where the sky is open, each light by one shadow ray; then one
  * ray into the lobe of ks, with shine as its exponent, until `depth` rays have been cast (the eye
- * ray is the first). A chain, no tree: a loop. `split` > 1 sends so many shadow and sky rays from
- * the first hit: to be used where few pixels need many.
+ * ray is the first). A chain, no tree: a loop.
  *
  * Only what is called for: nothing is drawn or sent for a lens, a light, a lobe of no size; nothing
  * for what is black, behind, or below. `spend_all` does it all the same: the same picture to the
@@ -52,7 +51,6 @@ typedef struct {
     vec3 background, ambient; /* what a ray sees that meets nothing; La of ambient_occlusion.h */
     real reach;               /* 0: nothing hides ambient light, no ray asks */
     int depth;                /* >= 1 */
-    uint32_t split;           /* 0 is 1 */
     bool spend_all;
 } distributed;
 
@@ -77,7 +75,6 @@ typedef struct {
     sequence_kind kind;
     uint64_t seed;
     uint32_t samples;
-    bool same;                /* all pixels use the same random numbers */
     distributed_counts spent; /* sums */
     pthread_mutex_t lock;     /* set by distributed_draw */
     image *im;
@@ -109,11 +106,11 @@ static inline distributor distributor_of(const trace_world *w, const distributed
     return (distributor){{.w = w, .program = distributed_programs, .user = how}, how, {0}, 0};
 }
 
-/* Part j of `split` of the pair, whichever were drawn before. */
+/* Whichever were drawn before. */
 static inline point2 distributed_pair(distributor *d, distributed_sample q, drawn_kind what,
-                                      uint32_t pair, uint32_t j, uint32_t split)
+                                      uint32_t pair)
 {
-    sampler s = sampler_start(q.kind, q.seed, q.pixel, q.k * split + j, q.n * split);
+    sampler s = sampler_start(q.kind, q.seed, q.pixel, q.k, q.n);
     s.pair = pair;
     d->drawn[what]++;
     return sampler_pair(&s);
@@ -130,44 +127,33 @@ static inline uint32_t distributed_pairs_a_hit(const distributed *how)
     return (uint32_t)how->n + 2;
 }
 
-/* Lambert's share of light i, mean of the rays. One ray says it all for a light of no size. */
+/* Lambert's share of light i. */
 static inline vec3 distributed_direct(distributor *d, const surface *s, const material *m, int i,
-                                      distributed_sample q, uint32_t pair, uint32_t split)
+                                      distributed_sample q, uint32_t pair)
 {
     const distributed *how = d->how;
     const area_light *L = &how->light[i];
-    vec3 sum = {0, 0, 0};
-    bool black = vzero(m->kd) || vzero(L->colour), sized = area_light_has_size(L);
-    if (!sized && !how->spend_all) split = 1;
-    for (uint32_t j = 0; j < split; j++) {
-        point2 u = {0, 0};
-        area_sample x;
-        bool lit = false;
-        if (black && !how->spend_all) break;
-        if (sized || how->spend_all) u = distributed_pair(d, q, DRAWN_LIGHT, pair, j, split);
-        bool counts = area_light_reaches(L, s->p, s->n, s->ns, u, &x) && !black;
-        if (counts || how->spend_all) lit = distributed_passes(d, RAY_SHADOW, leave_to(*s, x.to));
-        if (counts && lit) {
-            if (!sized) return vmul(x.E, vscale(m->kd, 1 / pi));  /* the mean of equal ones */
-            sum = vadd(sum, vmul(x.E, vscale(m->kd, 1 / pi)));
-        }
-    }
-    return split == 1 ? sum : vscale(sum, 1 / (real)split);
+    bool black = vzero(m->kd) || vzero(L->colour), lit = false;
+    point2 u = {0, 0};
+    area_sample x;
+    if (black && !how->spend_all) return (vec3){0, 0, 0};
+    if (area_light_has_size(L) || how->spend_all) u = distributed_pair(d, q, DRAWN_LIGHT, pair);
+    bool counts = area_light_reaches(L, s->p, s->n, s->ns, u, &x) && !black;
+    if (counts || how->spend_all) lit = distributed_passes(d, RAY_SHADOW, leave_to(*s, x.to));
+    return counts && lit ? vmul(x.E, vscale(m->kd, 1 / pi)) : (vec3){0, 0, 0};
 }
 
 static inline vec3 distributed_sky(distributor *d, const surface *s, const material *m,
-                                   distributed_sample q, uint32_t pair, uint32_t split)
+                                   distributed_sample q, uint32_t pair)
 {
     const distributed *how = d->how;
     vec3 all = vmul(how->ambient, m->kd);
     bool asked = how->reach > 0 && !vzero(all);
-    uint32_t open = 0;
-    for (uint32_t j = 0; j < split && (asked || how->spend_all); j++) {
-        ray r;
-        point2 u = distributed_pair(d, q, DRAWN_SKY, pair, j, split);
-        open += ambient_ray(*s, u, how->reach, &r) && distributed_passes(d, RAY_SIGHT, r);
-    }
-    return asked ? vscale(all, (real)open / (real)split) : all;
+    if (!asked && !how->spend_all) return all;
+    ray r;
+    point2 u = distributed_pair(d, q, DRAWN_SKY, pair);
+    bool open = ambient_ray(*s, u, how->reach, &r) && distributed_passes(d, RAY_SIGHT, r);
+    return asked && !open ? (vec3){0, 0, 0} : all;
 }
 
 /* False: the chain ends. */
@@ -177,7 +163,7 @@ static inline bool distributed_next(distributor *d, const surface *s, const mate
     bool black = vzero(vmul(beta, m->ks)), mirror = isinf(m->shine);
     point2 u = {0, 0};
     if (black && !d->how->spend_all) return false;
-    if (!mirror || d->how->spend_all) u = distributed_pair(d, q, DRAWN_LOBE, pair, 0, 1);
+    if (!mirror || d->how->spend_all) u = distributed_pair(d, q, DRAWN_LOBE, pair);
     return glossy_ray(*s, r->d, m->shine, u, r);
 }
 
@@ -186,10 +172,10 @@ static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q)
 {
     const distributed *how = d->how;
     if (how->movers > 0 || how->spend_all)
-        d->time = distributed_pair(d, q, DRAWN_TIME, PAIR_TIME, 0, 1).u;
+        d->time = distributed_pair(d, q, DRAWN_TIME, PAIR_TIME).u;
     vec3 L = {0, 0, 0}, beta = {1, 1, 1};
-    uint32_t pair = PAIR_HIT, split = how->split > 1 ? how->split : 1;
-    for (int depth = 1;; depth++, pair += distributed_pairs_a_hit(how), split = 1) {
+    uint32_t pair = PAIR_HIT;
+    for (int depth = 1;; depth++, pair += distributed_pairs_a_hit(how)) {
         distributed_met x = {.met = false};
         vec3 by;
         motion_closest(&d->t, how->moving, how->movers, d->time,
@@ -197,9 +183,9 @@ static inline vec3 distributed_ray(distributor *d, ray r, distributed_sample q)
         x.s = motion_surface(x.s, by);
         if (!x.met) return vadd(L, vmul(beta, how->background));
         uint32_t sky = pair + (uint32_t)how->n;
-        vec3 here = vadd(x.m.ke, distributed_sky(d, &x.s, &x.m, q, sky, split));
+        vec3 here = vadd(x.m.ke, distributed_sky(d, &x.s, &x.m, q, sky));
         for (int i = 0; i < how->n; i++)
-            here = vadd(here, distributed_direct(d, &x.s, &x.m, i, q, pair + (uint32_t)i, split));
+            here = vadd(here, distributed_direct(d, &x.s, &x.m, i, q, pair + (uint32_t)i));
         L = vadd(L, vmul(beta, here));
         if (depth >= how->depth) return L;
         if (!distributed_next(d, &x.s, &x.m, beta, q, sky + 1, &r)) return L;
@@ -214,11 +200,11 @@ static inline vec3 distributed_camera(const distributed_view *v, distributor *d,
                                       uint32_t k)
 {
     uint64_t pixel = (uint64_t)y * (uint64_t)v->im->width + (uint64_t)x;
-    distributed_sample q = {v->kind, v->seed, v->same ? 0 : pixel, k, v->samples};
-    point2 film = distributed_pair(d, q, DRAWN_FILM, PAIR_FILM, 0, 1), lens = {0, 0};
+    distributed_sample q = {v->kind, v->seed, pixel, k, v->samples};
+    point2 film = distributed_pair(d, q, DRAWN_FILM, PAIR_FILM), lens = {0, 0};
     if (v->samples == 1) film = (point2){0.5, 0.5};
     if (v->lens.radius != 0 || d->how->spend_all)
-        lens = distributed_pair(d, q, DRAWN_LENS, PAIR_LENS, 0, 1);
+        lens = distributed_pair(d, q, DRAWN_LENS, PAIR_LENS);
     ray r = lens_ray(v->c, v->lens, (real)x + film.u, (real)y + film.v, v->im->width,
                      v->im->height, lens);
     return distributed_ray(d, r, q);

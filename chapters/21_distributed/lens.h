@@ -15,8 +15,6 @@
  *   ray r = lens_ray(c, l, x, y, nx, ny, u)   u: not looked at if R = 0: then it is camera_ray(..),
  *                                             to the last bit: a pinhole (针孔)
  *   real lens_blur(l, z)                      (21.10) [scene units]
- *   real lens_blur_pixels(c, l, z, ny)        diameter of that circle on the picture, in pixels
- *   thin_lens lens_of(f, N, focus)            focal length f, f-number N (光圈数): R = f / (2 N)
  *
  * F and z are depths along the view, not distances from the eye: the plane of focus is a plane. A
  * lens of focal length f needs its film at f F / (F - f) behind it; the window of 02 is that film,
@@ -37,11 +35,6 @@ typedef struct { real radius, focus; } thin_lens;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline thin_lens lens_of(real f, real N, real focus)
-{
-    return (thin_lens){f / (2 * N), focus};
-}
-
 /* t: from the eye to the plane of focus, in lengths of D. */
 __attribute__((always_inline))
 static inline ray lens_ray(camera c, thin_lens l, real x, real y, int nx, int ny, point2 u)
@@ -58,13 +51,6 @@ static inline ray lens_ray(camera c, thin_lens l, real x, real y, int nx, int ny
 static inline real lens_blur(thin_lens l, real z)
 {
     return isinf(l.focus) ? l.radius : l.radius * (fabs(z - l.focus) / l.focus);
-}
-
-/* The picture's height is (t - b) z / d at depth z. */
-static inline real lens_blur_pixels(camera c, thin_lens l, real z, int ny)
-{
-    real height = c.kind == CAMERA_PERSPECTIVE ? (c.top - c.bottom) * z / c.d : c.top - c.bottom;
-    return 2 * lens_blur(l, z) * (real)ny / height;
 }
 
 #endif

@@ -2,8 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 21_distributed chapters/21_distributed/main.c -lm -lpthread
  *
  * Without options: a showroom with all effects and with none, and the error of pictures against
- * time. With --full also the two failures and their mends, a row of panels an effect; closed forms;
- * rays spent. */
+ * time. With --full also the two failures and their mends, motion, rays spent. */
 #include "../../common/output.h"
 #include "lab/extent_figure.h"
 #include "lab/measure.h"
@@ -35,11 +34,12 @@ int main(int argc, char **argv)
         mkdir("build", 0777);
         o.out = path;
     }
-    draw_showroom(&o, chosen, all);
+    draw_showroom(&o, chosen, all, "21_distributed.png");
     if (o.out) return output_done(&o);
-    draw_whitted(&o), draw_extent(&o);
-    if (o.full) draw_teapot(&o), draw_box(&o), draw_motion(&o), draw_effects(&o);
+    draw_showroom(&o, 0, false, "21_distributed_whitted.png");
+    draw_extent(&o);
+    if (o.full) draw_teapot(&o), draw_box(&o), draw_motion(&o);
     table_of_pictures(&o);
-    if (o.full) table_of_known(&o), table_of_first(&o), table_of_rays(&o);
+    if (o.full) table_of_rays(&o);
     return output_done(&o);
 }

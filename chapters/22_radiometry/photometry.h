@@ -12,18 +12,12 @@
  *
  *   luminous_efficiency(nm)       V: CIE's table, every 10 nm, in between a parabola through its
  *                                 logarithms: off by at most 0.003
- *   luminous_efficiency_fit(nm)   two bell curves (Wyman, Sloan, Shirley): off by at most 0.01;
- *                                 in the far red, where V is small, by more than V itself
- *   planck_radiance(nm, kelvin)   a black body's, [W/(m^2 sr nm)]                         (22.20)
- *   black_body(kelvin)            its radiance [W/(m^2 sr)] in all wavelengths, its luminance [nit]
- *                                 and luminous efficacy (光视效能) [lm/W]
  *
  * 683 lm/W defines the candela: at 540e12 Hz, about 555 nm, where V = 1. 0 outside 380 .. 780 nm.
  * All in double: these are numbers of a table, not of a ray.
  *
- * Sources: CIE 18.2, "The Basis of Physical Photometry", 1983, table 1; C. Wyman, P.-P. Sloan, P.
- * Shirley, "Simple Analytic Approximations to the CIE XYZ Color Matching Functions", JCGT 2(2),
- * 2013, table 1; BIPM, "The International System of Units", 9th ed., 2019, section 2.3.1.
+ * Sources: CIE 18.2, "The Basis of Physical Photometry", 1983, table 1; BIPM, "The International
+ * System of Units", 9th ed., 2019, section 2.3.1.
  */
 #ifndef RADIOMETRY_PHOTOMETRY_H
 #define RADIOMETRY_PHOTOMETRY_H
@@ -32,7 +26,6 @@
 
 enum { efficiency_first = 380, efficiency_last = 780, efficiency_step = 10, efficiencies = 41 };
 #define lumens_per_watt 683.0
-typedef struct { double radiance, luminance, efficacy; } black_body_light;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -53,39 +46,6 @@ static inline double luminous_efficiency(double nm)
     double a = log(efficiency_table[i - 1]), b = log(efficiency_table[i]);
     double c = log(efficiency_table[i + 1]), t = x - i;
     return exp(b + t * (c - a) / 2 + t * t * (a - 2 * b + c) / 2);
-}
-
-static inline double efficiency_bell(double nm, double height, double mean, double below,
-                                     double above)
-{
-    double t = (nm - mean) / (nm < mean ? below : above);
-    return height * exp(-t * t / 2);
-}
-
-static inline double luminous_efficiency_fit(double nm)
-{
-    return efficiency_bell(nm, 0.821, 568.8, 46.9, 40.5)
-         + efficiency_bell(nm, 0.286, 530.9, 16.3, 31.1);
-}
-
-/* 2 h c^2 / lambda^5 / (exp(h c / (lambda k T)) - 1); h, c, k are exact by definition. */
-static inline double planck_radiance(double nm, double kelvin)
-{
-    const double h = 6.62607015e-34, c = 299792458, k = 1.380649e-23;
-    double m = nm * 1e-9;
-    return 2 * h * c * c / (m * m * m * m * m) / expm1(h * c / (m * k * kelvin)) * 1e-9;
-}
-
-/* Stefan and Boltzmann: the integral over all wavelengths is sigma T^4 / pi. The sum over each
- * nanometre is the trapezoidal rule; V is smooth and nearly 0 at both ends. */
-static inline black_body_light black_body(double kelvin)
-{
-    const double sigma = 5.670374419e-8;
-    black_body_light b = {sigma * kelvin * kelvin * kelvin * kelvin / (double)pi, 0, 0};
-    for (int nm = efficiency_first; nm <= efficiency_last; nm++)
-        b.luminance += lumens_per_watt * luminous_efficiency(nm) * planck_radiance(nm, kelvin);
-    b.efficacy = b.luminance / b.radiance;
-    return b;
 }
 
 #endif

@@ -15,8 +15,6 @@ int main(int argc, char **argv)
     if (o.quick && o.samples == defaults.samples) o.samples = 4;  /* what was asked for stays */
     draw_spheres(&o), plot_lobes(&o), draw_vectors(&o);
     measure_methods(&o);
-    if (o.full) {
-        measure_furnace(&o), measure_glass(&o), measure_naive(&o);
-    }
+    if (o.full) measure_furnace(&o), measure_naive(&o);
     return output_done(&o);
 }

@@ -1,6 +1,6 @@
 /* 25_bounces: light sorted by its bounces, rooms where its sum is known, N rays a hit exploding.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters/25_bounces/main.c -lm -lpthread
- * Without options: the main picture and table; --full: eight tables, three plots.
+ * Without options: the main picture and table; --full: five tables, two plots.
  * Errors are measured against closed forms, linear systems, and an estimate that shares nothing
  * with the paths but their walk. */
 #include "lab/measure.h"
@@ -9,11 +9,8 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 25_bounces chapters
 
 int main(int argc, char **argv)
 {
-    int depth = 10, pixel[2] = {0, 0};
-    bool naive = false;
+    int pixel[2] = {0, 0};
     option own[] = {
-        {"depth", OPTION_INT, &depth, 4, term_most, "bounces in the main picture"},
-        {"naive", OPTION_FLAG, &naive, 0, 0, "main picture by paths that meet the light"},
         {"tree", OPTION_SIZE, pixel, 1, tree_side - 1,
          "XxY: the tree of rays of this pixel of 480x480, into build/quick/"}, {0}};
     options defaults = {.width = 1000, .height = 400, .samples = 32, .seed = 1};
@@ -22,7 +19,7 @@ int main(int argc, char **argv)
     o.own = pixel[0];
     if (o.own && (o.out || o.csv)) die(2, "--out, --csv: not allowed with --tree");
     if (o.own) { draw_tree(&o, pixel[0], pixel[1]); return output_done(&o); }
-    draw_terms(&o, depth, naive);
+    draw_terms(&o);
     if (!o.out) draw_tree(&o, 205, 190);
     measure_branches(&o);
     if (o.full) {

@@ -1,7 +1,7 @@
 /* 26_path_tracer: the whole: light sampling, BRDF sampling, roulette, glass; states that add up.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chapters/26_path_tracer/main.c -lm -lpthread
  * Without options: the box, the ideas one by one, a drawing, error and time of every strategy;
- * --full: all pictures, plots and tables. With a model, --scene, --samples, --error, --time: one
+ * --full: all pictures and tables. With a model, --scene, --samples, --error, --time: one
  * picture. Errors are measured against a reference of many samples, which a test compares with the
  * naive path of 25. */
 #include "lab/light_eye.h"
@@ -10,7 +10,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 26_path_tracer chap
 
 int main(int argc, char **argv)
 {
-    command c = {.bounces = -1};
+    command c = {.scene = NULL};
     const char *pixel = NULL;
     options defaults = {.width = 640, .height = 640, .samples = -1, .seed = 1};
     option own[] = {
@@ -24,13 +24,11 @@ int main(int argc, char **argv)
         {"range", OPTION_TEXT, &c.range, 0, 0, "A:B, samples A to B - 1 only, for --merge"},
         {"merge", OPTION_TEXT, &c.merge, 0, 0, "FILE FILE ...: the picture of all these states"},
         {"strategy", OPTION_TEXT, &c.strategy, 0, 0, "mis, lights, directions"},
-        {"bounces", OPTION_INT, &c.bounces, 0, path_endless, "at most, default endless"},
         {"clamp", OPTION_REAL, &c.clamp, 0, 1e9, "cut brighter samples: darkens; default not"},
-        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its first path, hit by hit, in words and drawn"},
+        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its first path, hit by hit"},
         {0}};
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);
-    if (c.bounces == path_endless) c.bounces = -1;
     if (o.quick && o.width == 640 && o.height == 640) o.width = o.height = 160;
     if (pixel) {
         const char *name = c.scene ? c.scene : "cornell";
@@ -45,10 +43,13 @@ int main(int argc, char **argv)
         command_run(&c, &o);
         return output_done(&o);
     }
-    draw_cornell(&o);
+    draw_scene(&o, "cornell", o.width, o.height, 16, 2, "26_path_tracer.png", true);
     if (!o.out) draw_strategies(&o), draw_vertices(&o);
-    if (!o.out && o.full) draw_spheres(&o), draw_rough(&o), draw_furnace(&o), draw_light(&o),
-                          draw_ladder(&o);
+    if (!o.out && o.full) {
+        draw_scene(&o, "spheres", 640, 640, 64, 2, "26_path_tracer_spheres.png", false);
+        draw_scene(&o, "rough", 720, 250, 128, 1, "26_path_tracer_rough.png", false);
+        draw_light(&o), draw_ladder(&o);
+    }
     measure_strategies(&o);
     return output_done(&o);
 }

@@ -15,23 +15,10 @@
  *   not said  as 2; if d < 1, as 9
  *   NFF       Kd rgb         Ks rgb     Ks rgb, mirror    T, bent by ior
  *
- *   flat       seen by the eye, by mirrors and glass, and lights nobody, as the background
- *   matte      Lambert: what other surfaces and lights send is gathered from everywhere
- *   highlight  the lobe of (23.13) with `exponent`, of lights alone: nothing else is reflected
- *   mirror     reflected sharply; glossy instead: reflected in a lobe with `exponent`. Which of the
- *              two says Ns: 1000 and more, or none: a mirror. A mirror shows lamps with a size by
- *              itself and has no highlight; without Ns neither has illum 2
- *   through    bends: refracted by `ior`; else straight on. solid: `absorb` counts inside (Beer)
- *   fresnel    `mirror` or `glossy` is the reflection F0 at normal incidence where through is black
- *              (5): F = F0 + (1-F0)(1-cos)^5; F0 black: nothing at any angle, `fresnel` is false.
- *              Where it is not (7): F is a dielectric's, of index
- *              `ior`, times the colour. matte and through count by 1 - F
- *
- * Energy: no channel may give back more than it gets. Colours are albedos: a lobe of colour 1 gives
- * back at most 1 (23.14), unlike the bare cos^e of 18. Where matte + reflected + through (with
- * fresnel: matte + through) exceeds 1, all of them are divided by the sum: `excess` is the largest.
- * illum 8 and 9 have reflection maps in MTL, 10 catches shadows only: neither is simulated, they
- * are drawn as above. Ke emits whatever illum is.
+ * Ns says which: 1000 and more, or none: a mirror; else glossy, a lobe (23.13) of that exponent, as
+ * highlights are. Colours are albedos. No channel may give back more than it gets: where matte +
+ * reflected + through (with fresnel: matte + through) exceeds 1, all are divided by the sum,
+ * excess.
  */
 #ifndef EFFECTS_APPEARANCE_H
 #define EFFECTS_APPEARANCE_H

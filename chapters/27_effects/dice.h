@@ -9,18 +9,16 @@
  *   real u = dice_number(&d, node, purpose)           one, independent of all others
  *   node = dice_child(node, kind)                     of a ray of kind 0 .. 15; the eye's is 0
  *
- * A stream of numbers, one after the other, would not do: a shadow ray that is left out would hand
- * its numbers on to the next ray, and the picture would change where nothing else did. Here each
- * has an address: the ray it belongs to (node, by the kinds of rays that led to it) and what it is
- * for. Two nodes may meet in one number, once in 2^29: they are not independent then, no more.
- *
- * As in 26, samples k and k + 1 belong to halves that share nothing, so that their difference tells
- * the error (26.6). Down to depth dice_depth pairs are Sobol's, further ones are independent.
+ * Of a stream of numbers, one after the other, a shadow ray left out would hand its own on to the
+ * next ray. Two nodes may meet in one number, once in 2^29: they are not independent then. Samples
+ * k and k + 1 belong to halves that share nothing, as in 26. Down to depth dice_depth pairs are
+ * Sobol's, further ones are independent.
  */
 #ifndef EFFECTS_DICE_H
 #define EFFECTS_DICE_H
 
 #include "../20_monte_carlo/sampler.h"
+#include "effect.h"
 
 typedef enum {
     DICE_LAMP, DICE_SKY, DICE_GLOSSY, DICE_INDIRECT, DICE_SURVIVES_MIRROR, DICE_SURVIVES_GLOSSY,
@@ -69,8 +67,7 @@ static inline point2 dice_eye(const dice *d, uint32_t what)
     return sampler_sobol(&d->pairs, what - 1);
 }
 
-__attribute__((always_inline))
-static inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
+effects_inline uint64_t dice_bits(const dice *d, uint32_t node, uint32_t number)
 {
     return random_mix(d->own ^ random_mix(random_step * (node * (uint64_t)64 + number + 1)));
 }

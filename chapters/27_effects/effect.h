@@ -21,6 +21,9 @@
 
 #include "../../common/file.h"
 
+/* A part of radiance.h: a copy wherever it is called, so that each mask has its own. */
+#define effects_inline __attribute__((always_inline)) static inline
+
 /* Whose ray it is: bit k of a mask is effect k. */
 enum {
     RAY_TO_LIGHT, RAY_TO_LAMP, RAY_MIRRORED, RAY_GLOSSY, RAY_REFRACTED, RAY_ABSORBED, RAY_SCATTERED,
@@ -52,14 +55,6 @@ static const char *const integrator_names[] = {"ray casting", "Whitted ray traci
                                                "path tracing"};
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Which bit it is, of an effect alone. */
-static inline int effect_number(unsigned effect)
-{
-    int k = 0;
-    while (1u << k != effect) k++;
-    return k;
-}
 
 static inline integrator integrator_of(unsigned mask)
 {

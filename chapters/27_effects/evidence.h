@@ -4,21 +4,21 @@
  *   q.has[PART_MIRROR]                         materials in use that reflect sharply: the first,
  *                                              and how many
  *   q.lights, q.first_light                    point lights and suns that are not black
- *   q.around, q.flat, q.direct_only            an environment that is not black; all that reflects
- *                                              lies in one plane (flat.h); see below
+ *   q.around                                   an environment that is not black
+ *   q.flat                                     all that reflects is one polygon, or nothing: what
+ *                                              leaves it meets nothing that could send it back
+ *   q.direct_only                              all the light there is comes from formats that know
+ *                                              direct light alone, and nobody says `indirect on`
  *
  * In use: a shape or a triangle that is placed is made of it. Lit: matte, highlight or glossy is
- * not black.
- *
- * direct_only: all the light there is comes from formats that know direct light alone, and the
- * scene does not say `indirect on`. The lights of NFF are of 1987, the numbers of `illum` in MTL
- * say "ambient, diffuse, specular", and neither has a word for light that walls pass on. Who writes
- * a lamp into a scene file speaks of radiometry.
+ * not black. The lights of NFF are of 1987, the numbers of `illum` in MTL say "ambient, diffuse,
+ * specular", and neither has a word for light that walls pass on. Who writes a lamp into a scene
+ * file speaks of radiometry.
  */
 #ifndef EFFECTS_EVIDENCE_H
 #define EFFECTS_EVIDENCE_H
 
-#include "flat.h"
+#include "appearance.h"
 
 typedef enum {
     PART_LIT, PART_MATTE, PART_MIRROR, PART_GLOSSY, PART_THROUGH, PART_ABSORB, plan_parts
@@ -61,6 +61,17 @@ static inline plan_group plan_find(const studio *s, const appearance *look, plan
     return g;
 }
 
+/* Meshes and solids are not looked into: with one of them the scene counts as not flat. */
+static inline bool plan_flat(const studio *s, const appearance *look)
+{
+    size_t reflecting = 0;
+    for (size_t i = 0; i < s->shapes; i++) {
+        if (appearance_black(&look[s->shape_material[i]])) continue;
+        if (s->shape[i].kind != SHAPE_POLYGON || reflecting++ > 0) return false;
+    }
+    return !s->places && !s->solids;
+}
+
 /* The material of a face that emits. */
 static inline uint32_t plan_emitter_material(const studio *s, size_t i)
 {
@@ -83,7 +94,7 @@ static inline bool plan_direct_only(const plan_facts *q)
 static inline plan_facts plan_facts_of(const studio *s, const appearance *look)
 {
     plan_facts q = {.s = s, .look = look, .around = sky_lights(&s->sky),
-                    .flat = flat_studio(s, look)};
+                    .flat = plan_flat(s, look)};
     for (int k = 0; k < plan_parts; k++) q.has[k] = plan_find(s, look, (plan_part)k);
     for (size_t i = s->lights; i-- > 0;)
         if (!vzero(s->light[i].light.colour)) q.lights++, q.first_light = i;

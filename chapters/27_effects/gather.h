@@ -1,24 +1,31 @@
-/* gather.h: light that reaches a surface straight from lights, lamps and sky: shadow rays.
+/* gather.h: light that reaches a surface straight from lights, lamps and sky: by shadow rays, or
+ * because a ray runs into it.
  *
- *   gather_share k                what the surface does with light, by part: radiance.h fills it in
- *   vec3 L = gather(e, mask, b, &s, &k, lobe, dice, counts)
+ *   vec3 L = gather(&hit, mask)                       hit: a gather_hit, of radiance.h
+ *   vec3 L = gather_emitted(e, mask, b, a, x, &s)     of the face that ray b has met
+ *   vec3 L = gather_nothing(e, mask, b)               of what is behind everything
  *
  *   hard shadows   each point light and sun (18.1), (18.2)
  *   soft shadows   one point of one lamp: L = f cos Le w / pdf                             (27.8)
  *   environment    one direction of the sky, likewise
  *
- * A lamp can also be met by a ray that goes on from here. Where such rays are sent, matte part and
- * lobe share each direction with them by the power heuristic (24.9); where not, w = 1. A highlight
- * is a lobe, too (23.13), but of lights alone: w = 1.
+ * A lamp can be found by a shadow ray, and met by a ray that goes on. Where both are sent they
+ * share each direction by the power heuristic (24.9); where not, w = 1. A highlight is a lobe, too
+ * (23.13), but of lights alone: w = 1.
  *
- * No ray: a light that is behind the surface, black, or one for which nothing is reflected.
+ *   the ray comes from             and what it meets counts
+ *   the eye, a mirror, glass       fully: no shadow ray could have found it
+ *   a lobe                         by (24.9), if there are shadow rays, too; else fully
+ *   a matte surface                by (24.9), if there are shadow rays; else not at all: lamps
+ *                                  and sky light surfaces only where that effect is simulated
+ *
+ * No shadow ray to a light that is behind the surface, black, or of which nothing is reflected.
  */
 #ifndef EFFECTS_GATHER_H
 #define EFFECTS_GATHER_H
 
 #include "stage.h"
 #include "../24_direct_light/mis.h"
-#include "../../common/clock.h"
 #include "dice.h"
 
 /* A ray in hand: where it is, what it counts for, how it came to be. */
@@ -37,20 +44,21 @@ typedef struct {
 
 typedef struct { vec3 matte, highlight, mirror, glossy, through; } gather_share;
 
+/* A ray, the surface that it has met, facing it, and what that does with light, by part. */
+typedef struct {
+    const effects_stage *e;
+    const branch *b;
+    const dice *d;
+    effects_counts *c;
+    const brdf *lobe;
+    surface s;
+    gather_share k;
+} gather_hit;
+
 /* ---------------------------------------------------------------------------------------------- */
 
-__attribute__((always_inline))
-static inline void effects_clock(const unsigned mask, effects_counts *c, int kind)
-{
-    if (!(mask & EFFECTS_TIMED)) return;
-    double now = clock_seconds();
-    c->seconds[c->now] += now - c->since;
-    c->now = kind, c->since = now;
-}
-
 /* surface_of_shape of 18, of balls without asking for the kind again. */
-__attribute__((always_inline))
-static inline surface effects_surface(const effects_stage *e, ray r, studio_hit x)
+effects_inline surface effects_surface(const effects_stage *e, ray r, studio_hit x)
 {
     const shape *s = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
     if (!s || s->kind != SHAPE_SPHERE) return studio_surface(&e->t, r, x);
@@ -77,106 +85,132 @@ static inline vec3 gather_clear(const effects_stage *e, ray r)
 }
 
 /* False: nothing arrives. */
-__attribute__((always_inline))
-static inline bool gather_passes(const effects_stage *e, const unsigned mask, ray r, int kind,
-                                  int then, effects_counts *c, vec3 *left)
+effects_inline bool gather_passes(const gather_hit *h, const unsigned mask, ray r, int kind,
+                                  vec3 *left)
 {
-    bool passes;
-    c->rays[kind]++;
-    effects_clock(mask, c, kind);
+    h->c->rays[kind]++;
     *left = (vec3){1, 1, 1};
-    if ((mask & EFFECT_REFRACTION) && e->clear) {
-        *left = gather_clear(e, r);
-        passes = !vzero(*left);
-    } else passes = !studio_tree_occluded(&e->t, r);
-    effects_clock(mask, c, then);
-    return passes;
+    if (!(mask & EFFECT_REFRACTION) || !h->e->clear) return !studio_tree_occluded(&h->e->t, r);
+    *left = gather_clear(h->e, r);
+    return !vzero(*left);
 }
 
 /* f cos w of all parts, for light from wi that was drawn with this pdf. */
-__attribute__((always_inline))
-static inline vec3 gather_reflects(const unsigned mask, const gather_share *k, const brdf *lobe,
-                                   const surface *s, vec3 wi, vec3 wo, real pdf)
+effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, vec3 wi, real pdf)
 {
-    real c = vdot(s->ns, wi);
+    const gather_share *k = &h->k;
+    real c = vdot(h->s.ns, wi);
     real w = mask & EFFECT_INDIRECT ? mis_power(pdf, c / pi) : 1;
     vec3 sum = vscale(k->matte, c / pi * w);
     if (!vzero(k->highlight) || !vzero(k->glossy)) {
-        shading_frame f = shading_frame_of(s->ns);
-        vec3 i = to_local(f, wi), o = to_local(f, wo), both = {0, 0, 0};
+        shading_frame f = shading_frame_of(h->s.ns);
+        vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), both = {0, 0, 0};
         if (vzero(k->mirror)) both = k->highlight;  /* else the mirror itself shows it */
         if (!vzero(k->glossy)) {
-            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(lobe, i, o)) : 1;
+            real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(h->lobe, i, o)) : 1;
             both = vmadd(both, k->glossy, share);
         }
-        sum = vmadd(sum, vmul(both, brdf_value_local(lobe, i, o)), c);
+        sum = vmadd(sum, vmul(both, brdf_value_local(h->lobe, i, o)), c);
     }
     return sum;
 }
 
-__attribute__((always_inline))
-static inline vec3 gather_lights(const effects_stage *e, const unsigned mask, const branch *b,
-                                 const surface *s, const gather_share *k, const brdf *lobe,
-                                 bool lit, effects_counts *c)
+effects_inline vec3 gather_lights(const gather_hit *h, const unsigned mask, bool lit)
 {
-    vec3 sum = {0, 0, 0}, left, wo = vneg(b->r.d);
-    for (int i = 0; i < e->lights; i++) {
-        const light *L = &e->light[i];
+    const gather_share *k = &h->k;
+    const surface *s = &h->s;
+    vec3 sum = {0, 0, 0}, left;
+    for (int i = 0; i < h->e->lights; i++) {
+        const light *L = &h->e->light[i];
         light_sample x = {{0, 0, 0}, {0, 0, 0}};
         bool counts = lit && light_reaches(L, s->p, s->n, s->ns, &x);
         if (!counts && !(mask & EFFECTS_SPEND)) continue;
         ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
-        bool passes = gather_passes(e, mask, r, RAY_TO_LIGHT, b->kind, c, &left);
+        bool passes = gather_passes(h, mask, r, RAY_TO_LIGHT, &left);
         if (!counts || !passes) continue;
         vec3 v = vscale(vmul(x.E, k->matte), 1 / pi);
         if (!vzero(k->highlight) || !vzero(k->glossy))
             v = vadd(v, vmul(x.E, vmul(vadd(k->highlight, k->glossy),
-                                       brdf_value(lobe, s->ns, x.l, wo))));
-        sum = vadd(sum, (mask & EFFECT_REFRACTION) && e->clear ? vmul(v, left) : v);
+                                       brdf_value(h->lobe, s->ns, x.l, vneg(h->b->r.d)))));
+        sum = vadd(sum, (mask & EFFECT_REFRACTION) && h->e->clear ? vmul(v, left) : v);
     }
     return sum;
 }
 
 /* (27.8), of a lamp or of the sky: `at` is where the light comes from, NULL: from infinity. */
-__attribute__((always_inline))
-static inline vec3 gather_sample(const effects_stage *e, const unsigned mask, const branch *b,
-                                 const surface *s, const gather_share *k, const brdf *lobe,
-                                 bool lit, int kind, vec3 wi, vec3 Le, real pdf, const surface *at,
-                                 effects_counts *c)
+effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool lit, int kind,
+                                  vec3 wi, vec3 Le, real pdf, const surface *at)
 {
     vec3 v = {0, 0, 0}, left;
-    if (lit && vdot(s->ns, wi) > 0 && vdot(s->n, wi) > 0)
-        v = vmul(gather_reflects(mask, k, lobe, s, wi, vneg(b->r.d), pdf), Le);
+    if (lit && vdot(h->s.ns, wi) > 0 && vdot(h->s.n, wi) > 0)
+        v = vmul(gather_reflects(h, mask, wi, pdf), Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
-    ray r = at ? leave_between(surface_copy(s), surface_copy(at)) : leave(surface_copy(s), wi);
-    bool passes = gather_passes(e, mask, r, kind, b->kind, c, &left);
+    surface s = surface_copy(&h->s);
+    bool passes = gather_passes(h, mask, at ? leave_between(s, surface_copy(at)) : leave(s, wi),
+                                kind, &left);
     if (!passes || vzero(v)) return (vec3){0, 0, 0};
     return vscale(vmul(v, left), 1 / pdf);
 }
 
-__attribute__((always_inline))
-static inline vec3 gather(const effects_stage *e, const unsigned mask, const branch *b,
-                          const surface *s,
-                          const gather_share *k, const brdf *lobe, const dice *d, effects_counts *c)
+effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
 {
+    const gather_share *k = &h->k;
     vec3 sum = {0, 0, 0};
     bool lit = !vzero(k->matte) || !vzero(k->highlight) || !vzero(k->glossy);
     if (!lit && !(mask & EFFECTS_SPEND)) return sum;
-    if (mask & EFFECT_HARD_SHADOWS) sum = gather_lights(e, mask, b, s, k, lobe, lit, c);
-    if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
+    if (mask & EFFECT_HARD_SHADOWS) sum = gather_lights(h, mask, lit);
+    if ((mask & EFFECT_SOFT_SHADOWS) && h->e->lamp.n) {
         lamp_draw x;
-        point2 u = dice_pair(d, b->node, b->depth, DICE_LAMP);
-        if (lamps_sample(&e->lamp, s->p, s->n, u, &x))
-            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, RAY_TO_LAMP, x.wi, x.Le,
-                                          x.pdf, &x.s, c));
+        point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_LAMP);
+        if (lamps_sample(&h->e->lamp, h->s.p, h->s.n, u, &x))
+            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LAMP, x.wi, x.Le, x.pdf, &x.s));
     }
     if (mask & EFFECT_ENVIRONMENT) {
         sky_draw x;
-        if (sky_light_sample(&e->sky, s->ns, dice_pair(d, b->node, b->depth, DICE_SKY), &x))
-            sum = vadd(sum, gather_sample(e, mask, b, s, k, lobe, lit, RAY_TO_SKY, x.wi, x.L,
-                                          x.pdf, NULL, c));
+        point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
+        if (sky_light_sample(&h->e->sky, h->s.ns, u, &x))
+            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, x.wi, x.L, x.pdf, NULL));
     }
     return sum;
+}
+
+/* ---- what the ray itself has met ---- */
+
+/* Light that the ray itself has met; q: the pdf with which a shadow ray would have. `by`: the
+ * effect whose shadow rays these are. */
+effects_inline real gather_found(const unsigned mask, const branch *b, unsigned by, real q)
+{
+    if (!(b->pdf < real_infinity)) return 1;
+    if (b->kind == RAY_SCATTERED && !(mask & by)) return 0;
+    return mask & by ? mis_power(b->pdf, q) : 1;
+}
+
+/* Nothing is met. A background is for the eye, also in mirrors: it lights nobody. */
+effects_inline vec3 gather_nothing(const effects_stage *e, const unsigned mask, const branch *b)
+{
+    const effects_sky *s = e->sky.s;
+    vec3 L = sky_radiance(s, b->r.d);
+    if (s->kind == SKY_NONE) {
+        if (b->bounced) return (vec3){0, 0, 0};
+    } else if (mask & (EFFECT_INDIRECT | EFFECT_GLOSSY))
+        L = vscale(L, gather_found(mask, b, EFFECT_ENVIRONMENT,
+                                    b->pdf < real_infinity
+                                        ? sky_light_pdf(&e->sky, b->r.d, b->cosine) : 0));
+    if (mask & EFFECT_ABSORPTION)  /* an endless way through what absorbs */
+        L = vmul(L, absorbed(e->media[media_fills(e->media, &b->in)].absorb, real_infinity));
+    return L;
+}
+
+effects_inline vec3 gather_emitted(const effects_stage *e, const unsigned mask, const branch *b,
+                                   const appearance *a, studio_hit x, const surface *s)
+{
+    vec3 L = a->emits;
+    if (vzero(L) || !(mask & (EFFECT_INDIRECT | EFFECT_GLOSSY)) || !(b->pdf < real_infinity))
+        return L;
+    const shape *of = x.place == no_shape ? &e->s->shape[x.h.shape] : NULL;
+    real q = lamps_pdf(&e->lamp, L, of, vmadd(b->r.o, b->r.d, -b->way), b->r.d, b->way + x.h.t,
+                       fabs(vdot(s->n, b->r.d)));
+    return vscale(L, gather_found(mask, b, EFFECT_SOFT_SHADOWS, q));
 }
 
 #endif

@@ -8,8 +8,8 @@
  *                                             along d meets at t, where it emits Ke; shape or NULL
  *   lamps_free(&l)
  *
- *   P(face) ~ area x radiance (24.10). Flat faces and cones are drawn by area (24.4), spheres by
- *   angle (24.5). Then the density of a point by area, P(face) / area = (Ke.x + Ke.y + Ke.z) / sum,
+ *   P(face) ~ area x radiance (24.10). Flat faces are drawn by area (24.4), spheres by angle
+ *   (24.5). Then the density of a point by area, P(face) / area = (Ke.x + Ke.y + Ke.z) / sum,
  *   does not depend on which face it lies: no table from shapes to faces is needed.        (27.6)
  *
  * Polygons with four corners that are a parallelogram stay one, others become triangles (patch.h).
@@ -24,8 +24,7 @@
 #include "patch.h"
 #include "studio_tree.h"
 
-typedef struct { emitter e; cone cone; bool is_cone; } lamp_face;
-typedef struct { lamp_face *face; size_t n, room; choice of; real sum; } lamp_list;
+typedef struct { emitter *face; size_t n, room; choice of; real sum; } lamp_list;
 typedef struct { vec3 wi, Le; real pdf; surface s; } lamp_draw;  /* pdf [1/sr] */
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -37,11 +36,9 @@ static inline void lamps_free(lamp_list *l)
     *l = (lamp_list){.face = NULL};
 }
 
-static inline real lamps_bright(vec3 Ke) { return Ke.x + Ke.y + Ke.z; }
-
-static inline void lamps_add(lamp_list *l, lamp_face x)
+static inline void lamps_add(lamp_list *l, emitter x)
 {
-    if (!(x.e.area > 0) || !isfinite(x.e.area)) return;
+    if (!(x.area > 0) || !isfinite(x.area)) return;
     l->face = grown(l->face, l->n, &l->room, sizeof *l->face);
     l->face[l->n++] = x;
 }
@@ -53,53 +50,33 @@ static inline void lamps_add_polygon(lamp_list *l, polygon g, vec3 Ke)
     vec3 off = g.n == 4 ? vsub(vsub(g.v[2], g.v[1]), t) : s;
     if (g.n == 4 && vlength(off) <= 16 * real_epsilon * (vlength(s) + vlength(t)
                                                          + surface_reach(g.v[0]))) {
-        lamps_add(l, (lamp_face){.e = emitter_of_rectangle((rectangle){g.v[0], s, t}, Ke)});
+        lamps_add(l, emitter_of_rectangle((rectangle){g.v[0], s, t}, Ke));
         return;
     }
     size_t n = g.n <= patch_most ? patch_triangles(g.v, g.n, index) : 0;
     for (size_t k = 0; k < n; k++)
-        lamps_add(l, (lamp_face){.e = emitter_of_triangle((triangle){g.v[index[3 * k]],
-                                                                g.v[index[3 * k + 1]],
-                                                                g.v[index[3 * k + 2]]}, Ke)});
-}
-
-static inline void lamps_add_cone(lamp_list *l, cone c, vec3 Ke)
-{
-    real h = vlength(vsub(c.b, c.a)), d = c.ra - c.rb;
-    if (c.ra * c.rb < 0) return;  /* two, tip to tip: found by chance alone */
-    c.ra = fabs(c.ra), c.rb = fabs(c.rb);
-    emitter e = {.area = pi * (c.ra + c.rb) * sqrt(h * h + d * d), .Le = Ke};
-    lamps_add(l, (lamp_face){.e = e, .cone = c, .is_cone = true});
+        lamps_add(l, emitter_of_triangle((triangle){g.v[index[3 * k]], g.v[index[3 * k + 1]],
+                                                    g.v[index[3 * k + 2]]}, Ke));
 }
 
 static inline void lamps_add_shape(lamp_list *l, const shape *s, vec3 Ke)
 {
     switch (s->kind) {
-    case SHAPE_SPHERE: lamps_add(l, (lamp_face){.e = emitter_of_sphere(s->sphere, Ke)}); break;
-    case SHAPE_TRIANGLE:
-        lamps_add(l, (lamp_face){.e = emitter_of_triangle(s->triangle, Ke)});
-        break;
-    case SHAPE_CONE: lamps_add_cone(l, s->cone, Ke); break;
+    case SHAPE_SPHERE: lamps_add(l, emitter_of_sphere(s->sphere, Ke)); break;
+    case SHAPE_TRIANGLE: lamps_add(l, emitter_of_triangle(s->triangle, Ke)); break;
     case SHAPE_POLYGON: lamps_add_polygon(l, s->polygon, Ke); break;
-    case SHAPE_OTHER: break;  /* a studio has none: what shines in it can be sampled */
+    default: break;  /* in a studio nothing else shines: finish.h */
     }
 }
 
 /* In the world; where it was moved to, the pad of (16.3) is what rounding adds. */
 static inline void lamps_add_triangle(lamp_list *l, const studio_tree *t, studio_emitter x, vec3 Ke)
 {
-    const instance *at = &t->s->placed[x.place];
-    triangle c = mesh_triangle(&t->s->mesh[at->mesh], x.index);
-    size_t k = t->moved.n ? studio_moved_index(t, x.place) : 0;
-    if (!t->moved.n || t->moved_place[k] != x.place) {
-        lamps_add(l, (lamp_face){.e = emitter_of_triangle(c, Ke)});
-        return;
-    }
-    const affine *w = &at->to_world;
-    c = (triangle){affine_point(*w, c.a), affine_point(*w, c.b), affine_point(*w, c.c)};
-    lamp_face one = {.e = emitter_of_triangle(c, Ke)};
+    size_t k;
+    triangle c = studio_triangle(t, x.place, x.index, &k);
+    emitter one = emitter_of_triangle(c, Ke);
     vec3 most = vmax(vmax(vmax(c.a, vneg(c.a)), vmax(c.b, vneg(c.b))), vmax(c.c, vneg(c.c)));
-    one.e.noise += 2 * placing_pad(&t->pad[k], most);
+    if (k < t->moved.n) one.noise += 2 * placing_pad(&t->pad[k], most);
     lamps_add(l, one);
 }
 
@@ -117,32 +94,12 @@ static inline void lamps_build(const studio_tree *t, lamp_list *out)
     real *power = allocate(out->n + 1, sizeof *power);
     double sum = 0;
     for (size_t i = 0; i < out->n; i++) {
-        power[i] = emitter_power(&out->face[i].e);
+        power[i] = emitter_power(&out->face[i]);
         sum += (double)power[i];
     }
     if (!out->n || !choice_build(power, out->n, &out->of)) lamps_free(out);
     else out->sum = (real)sum;
     free(power);
-}
-
-/* Evenly over the side: the radius at height s h is ra + (rb - ra) s, and of the area below it,
- * u = s (2 ra + (rb - ra) s) / (ra + rb), solved for s without cancellation. */
-static inline bool lamps_cone(const lamp_face *l, vec3 p, point2 u, emitter_point *out)
-{
-    cone c = l->cone;
-    real root = sqrt(real_max(0, c.ra * c.ra + u.u * (c.rb - c.ra) * (c.rb + c.ra)));
-    real s = u.u * (c.ra + c.rb) / (c.ra + root), phi = 2 * pi * u.v;
-    vec3 axis = vsub(c.b, c.a), a, b;
-    vbasis(vunit(axis), &a, &b);
-    real r = c.ra + (c.rb - c.ra) * s;
-    vec3 x = vmadd(vmadd(vmadd(c.a, axis, s), a, r * cos(phi)), b, r * sin(phi));
-    out->s = surface_on_cone(c, no_shape, x);
-    vec3 to = vsub(out->s.p, p);
-    out->wi = vunit(to);
-    if (vdot(out->s.n, out->wi) > 0) out->s.n = out->s.ns = vneg(out->s.n);
-    real cosine = -vdot(out->s.n, out->wi);
-    out->pdf = vdot(to, to) / (l->e.area * cosine);
-    return cosine > 0 && out->pdf < real_infinity;
 }
 
 /* Does the surface at p, of normal n, see the sphere from within? On the very sphere, where
@@ -155,28 +112,18 @@ static inline bool lamps_within(sphere s, vec3 p, vec3 n)
 }
 
 /* The side of a lamp that p is on shines there, whichever way the file had it turned. */
-static inline bool lamps_sphere(emitter e, vec3 p, vec3 n, point2 u, emitter_point *out)
-{
-    e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
-    return emitter_sphere_by_angle(&e, p, u, out);
-}
-
-__attribute__((always_inline))
-static inline bool lamps_flat(const emitter *e, vec3 p, point2 u, emitter_point *out)
-{
-    return emitter_flat(e, emitter_height(e, p) < 0 ? vneg(e->n) : e->n, p, u, out);
-}
-
-__attribute__((always_inline))
-static inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lamp_draw *out)
+effects_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lamp_draw *out)
 {
     emitter_point x;
     real chance;
-    const lamp_face *one = &l->face[choice_sample(&l->of, u.u, &chance, &u.u)];
-    if (!(one->is_cone ? lamps_cone(one, p, u, &x)
-          : one->e.kind == EMITTER_SPHERE ? lamps_sphere(one->e, p, n, u, &x)
-                                          : lamps_flat(&one->e, p, u, &x))) return false;
-    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = one->e.Le, out->s = surface_copy(&x.s);
+    const emitter *one = &l->face[choice_sample(&l->of, u.u, &chance, &u.u)];
+    if (one->kind == EMITTER_SPHERE) {
+        emitter e = *one;
+        e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
+        if (!emitter_sphere_by_angle(&e, p, u, &x)) return false;
+    } else if (!emitter_flat(one, emitter_height(one, p) < 0 ? vneg(one->n) : one->n, p, u, &x))
+        return false;
+    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = one->Le, out->s = surface_copy(&x.s);
     return true;
 }
 
@@ -184,7 +131,7 @@ static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p
                              real cosine)
 {
     if (!l->n) return 0;
-    real bright = lamps_bright(Ke) / l->sum;                                           /* (27.6) */
+    real bright = (Ke.x + Ke.y + Ke.z) / l->sum;                                      /* (27.6) */
     if (!s || s->kind != SHAPE_SPHERE) return bright * (t * t / cosine);
     emitter e = emitter_of_sphere(s->sphere, Ke);
     bool within = vdot(vsub(vmadd(p, d, t), s->sphere.c), d) > 0;  /* it was met from there */

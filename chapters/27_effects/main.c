@@ -7,11 +7,11 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
  *   27_effects room.scene --price --region 40x30+160+120     for these pixels, at (160, 120)
  *
- * Without options: six scenes, each a line longer, and what they took; --full: demo.h as well, the
- * price list, and what being general costs. With some the picture goes to build/, if --out names no
- * other. What the
- * command line says of camera, lens, lights and surroundings replaces what the files say; the words
- * are those of scene files. */
+ * Without options: six scenes, each a line longer, and what they took; --full: scenes/demo.scene as
+ * well, the price list, and what being general costs. With some the picture goes to build/, if
+ * --out names no other, and the scene is the demo, if none is named. What the command line says of
+ * camera, lens, lights and surroundings replaces what the files say; the words are those of scene
+  * files. */
 #include "lab/command.h"
 #include "lab/demo.h"
 #include "lab/explain.h"

@@ -3,19 +3,14 @@
  *   size_t n = patch_triangles(v, corners, index)     index [3 (corners - 2)]: corners from 0;
  *                                                     corners - 2 triangles, or 0: it cannot
  *
- * Two ways. If corner 0 sees every edge from its left, the fan 0 1 2, 0 2 3, .. is right: O(n).
- * Else ears (耳切法) are cut: a corner whose triangle turns left and holds no other corner, again and
- * again:
- *
- *        3______2          an ear: 0 1 2 if nothing lies in it; then corner 1 goes
- *        \     /           at most n rounds over n corners, each asking n others: O(n^3) at the
- *     4---5   /            worst, so at most patch_most corners
- *      \     /
- *       0---1              a polygon without holes always has two ears (Meisters)
- *
+ *        3______2          If corner 0 sees every edge from its left, the fan 0 1 2, 0 2 3, .. is
+ *        \     /           right: O(n). Else ears (耳切法) are cut: 0 1 2 is one if it turns left and
+ *     4---5   /            holds no other corner; then corner 1 goes. A polygon without holes
+ *      \     /             always has two. O(n^3) at the worst, so at most patch_most corners.
+ *       0---1
  * "Left" is measured in the plane by Newell's normal (polygon.h). Where rounding leaves no ear, and
- * where edges cross, the first corner left that turns left is cut; the triangles then cover about
- * what they should. For shapes that must be exact, keep the polygon: this is for normals.
+ * where edges cross, the triangles cover about what they should: for what must be exact, keep the
+ * polygon.
  *
  * Source: G. Meisters, "Polygons have ears", American Mathematical Monthly 82, 1975.
  */
@@ -36,9 +31,10 @@ static inline real patch_area(patch_point a, patch_point b, patch_point c)
     return difference_of_products(b.x - a.x, c.y - a.y, c.x - a.x, b.y - a.y);
 }
 
+/* On an edge does not count: a corner that is shared, or that the cut passes. */
 static inline bool patch_holds(patch_point a, patch_point b, patch_point c, patch_point p)
 {
-    return patch_area(a, b, p) >= 0 && patch_area(b, c, p) >= 0 && patch_area(c, a, p) >= 0;
+    return patch_area(a, b, p) > 0 && patch_area(b, c, p) > 0 && patch_area(c, a, p) > 0;
 }
 
 /* Without the axis that the normal is longest in; mirrored back if the normal points down it. */
@@ -62,12 +58,8 @@ static inline bool patch_ear(const patch_point *p, const uint32_t *ring, size_t 
 {
     uint32_t a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
     if (!(patch_area(p[a], p[b], p[c]) > 0)) return false;
-    for (size_t k = 0; strict && k < n; k++) {
-        patch_point q = p[ring[k]];
-        bool corner = (q.x == p[a].x && q.y == p[a].y) || (q.x == p[b].x && q.y == p[b].y)
-            || (q.x == p[c].x && q.y == p[c].y);
-        if (!corner && patch_holds(p[a], p[b], p[c], q)) return false;
-    }
+    for (size_t k = 0; strict && k < n; k++)
+        if (patch_holds(p[a], p[b], p[c], p[ring[k]])) return false;
     return true;
 }
 

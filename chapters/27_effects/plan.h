@@ -4,19 +4,13 @@
  *   p.effects, p.declined           masks of effect.h: what is simulated, what is left out
  *   p.verdict[k], p.why[k]          of effect k, in words for a person
  *   p.integrator                    the least that can do p.effects
- *   p.look[m]                       appearance of material m, as plan_of found it
+ *   p.look[m]                       appearance of material m
  *   plan_effects(&p, m)             the effects that a hit of material m takes part in
  *   plan_free(&p)
  *
- *   called for     no rule speaks against it
- *   cannot occur   a rule proves it: switched on, it changes nothing
- *   declined       it would occur, but the scene or its format says no; --price says what is lost
- *
- * plan_rules below is all of it: the first rule that holds gives the verdict. Nothing that draws
- * knows the plan but by the mask that it is given, so that `--effects all` can refute it: stage.h.
- *
- *   plan_of_rules(&s, rules, n)     the plan by another table: tests break one rule, and look
- *                                   whether the pictures tell
+ * plan_rules below is all of it: the first rule that holds gives the verdict; if none does, the
+ * effect is called for. Nothing that draws knows the plan but by the mask that it is given, so that
+ * `--effects all` can refute it. plan_of_rules(&s, rules, n): by another table, for tests.
  */
 #ifndef EFFECTS_PLAN_H
 #define EFFECTS_PLAN_H
@@ -28,7 +22,7 @@ typedef enum { VERDICT_CALLED, VERDICT_CANNOT, VERDICT_DECLINED } plan_verdict;
 
 static const char *const verdict_names[] = {"called for", "cannot occur", "declined"};
 
-/* `holds` may say which line it has read; then the reason names it. */
+/* If `holds` says which line it has read, the reason names it. */
 typedef struct {
     unsigned effect;
     plan_verdict verdict;
@@ -48,58 +42,35 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Rules that no line of the scene speaks of. */
-#define PLAN_RULE(name, test)                                         \
+/* A rule: what it asks, and the line of the scene that says so; no_line: none does. */
+#define PLAN_RULE(name, test, said)                                   \
     static inline bool name(const plan_facts *q, cite *line)          \
     {                                                                 \
-        (void)line;                                                   \
+        *line = said;                                                 \
         return test;                                                  \
     }
-PLAN_RULE(rule_no_light, q->s->lights == 0)
-PLAN_RULE(rule_no_lamp, q->s->emitters == 0)
-PLAN_RULE(rule_no_sky, q->s->sky.kind == SKY_NONE)
-PLAN_RULE(rule_unlit, !q->has[PART_LIT].n)
-PLAN_RULE(rule_no_mirror, !q->has[PART_MIRROR].n)
-PLAN_RULE(rule_no_lobe, !q->has[PART_GLOSSY].n)
-PLAN_RULE(rule_opaque, !q->has[PART_THROUGH].n)
-PLAN_RULE(rule_clear, !q->has[PART_ABSORB].n)
-PLAN_RULE(rule_nothing_matte, !q->has[PART_MATTE].n)
-PLAN_RULE(rule_dark, !q->lights && !q->s->emitters && !q->around)
-PLAN_RULE(rule_one_plane, q->flat)
-PLAN_RULE(rule_no_lens, !q->s->lens.said.file)
+#define no_line ((cite){0, 0})
+PLAN_RULE(rule_no_light, q->s->lights == 0, no_line)
+PLAN_RULE(rule_black_light, q->lights == 0, q->s->lights ? q->s->light[0].at : no_line)
+PLAN_RULE(rule_no_lamp, q->s->emitters == 0, no_line)
+PLAN_RULE(rule_no_sky, q->s->sky.kind == SKY_NONE, no_line)
+PLAN_RULE(rule_black_sky, !q->around, q->s->sky_said)
+PLAN_RULE(rule_unlit, !q->has[PART_LIT].n, no_line)
+PLAN_RULE(rule_no_mirror, !q->has[PART_MIRROR].n, no_line)
+PLAN_RULE(rule_no_lobe, !q->has[PART_GLOSSY].n, no_line)
+PLAN_RULE(rule_opaque, !q->has[PART_THROUGH].n, no_line)
+PLAN_RULE(rule_clear, !q->has[PART_ABSORB].n, no_line)
+PLAN_RULE(rule_nothing_matte, !q->has[PART_MATTE].n, no_line)
+PLAN_RULE(rule_dark, !q->lights && !q->s->emitters && !q->around, no_line)
+PLAN_RULE(rule_one_plane, q->flat, no_line)
+PLAN_RULE(rule_said_off, q->s->indirect == INDIRECT_OFF, q->s->indirect_said)
+PLAN_RULE(rule_direct_formats, q->direct_only,
+          q->lights ? q->s->light[q->first_light].at
+          : q->s->emitters ? q->s->material[plan_emitter_material(q->s, 0)].at : no_line)
+PLAN_RULE(rule_no_lens, !q->s->lens.said.file, no_line)
+PLAN_RULE(rule_pinhole, !(q->s->lens.radius > 0), q->s->lens.said)
 PLAN_RULE(rule_nothing_seen, !q->s->shapes && !q->s->solids && !q->s->places
-                                 && q->s->sky.kind <= SKY_CONSTANT)
-
-static inline bool rule_black_light(const plan_facts *q, cite *line)
-{
-    if (q->s->lights > 0) *line = q->s->light[0].at;
-    return q->lights == 0;
-}
-
-static inline bool rule_black_sky(const plan_facts *q, cite *line)
-{
-    *line = q->s->sky_said;
-    return !q->around;
-}
-
-static inline bool rule_said_off(const plan_facts *q, cite *line)
-{
-    *line = q->s->indirect_said;
-    return q->s->indirect == INDIRECT_OFF;
-}
-
-static inline bool rule_direct_formats(const plan_facts *q, cite *line)
-{
-    if (q->lights) *line = q->s->light[q->first_light].at;
-    else if (q->s->emitters) *line = q->s->material[plan_emitter_material(q->s, 0)].at;
-    return q->direct_only;
-}
-
-static inline bool rule_pinhole(const plan_facts *q, cite *line)
-{
-    *line = q->s->lens.said;
-    return !(q->s->lens.radius > 0);
-}
+                                 && q->s->sky.kind <= SKY_CONSTANT, no_line)
 
 /* The whole plan. A proof, in the second column, is one that a reader can check in a line. */
 static const plan_rule plan_rules[] = {
@@ -127,7 +98,7 @@ static const plan_rule plan_rules[] = {
      "no material in use is matte (Kd)"},
     {EFFECT_INDIRECT, VERDICT_CANNOT, "dark", rule_dark, "there is no light to be passed on"},
     {EFFECT_INDIRECT, VERDICT_CANNOT, "one plane", rule_one_plane,
-     "all that reflects lies in one plane, and a plane does not see itself"},
+     "all that reflects is one polygon, and a plane does not see itself"},
     {EFFECT_INDIRECT, VERDICT_DECLINED, "said off", rule_said_off, "`indirect off`"},
     {EFFECT_INDIRECT, VERDICT_DECLINED, "direct formats", rule_direct_formats,
      "all light is of NFF or MTL, which define direct light only"},
@@ -153,77 +124,82 @@ static inline void plan_free(plan *p)
     p->look = NULL;
 }
 
-static inline const char *plan_more(char text[32], size_t n)
-{
-    if (n < 2) text[0] = 0;
-    else snprintf(text, 32, " and %zu more", n - 1);
-    return text;
-}
-
-/* "material 'red' (room.scene:7) and 3 more": the line that says most about why. */
-static inline const char *plan_name(const plan_facts *q, plan_group g, material_key key, char *text,
-                                    size_t room)
-{
-    const studio_material *m = &q->s->material[g.first];
-    char said[300], more[32];
-    snprintf(text, room, "material '%.60s' (%.150s)%s", studio_material_name(q->s, g.first),
-             studio_said(q->s, m->said[key].file ? m->said[key] : m->at, said, sizeof said),
-             plan_more(more, g.n));
-    return text;
-}
-
 __attribute__((format(printf, 3, 4)))
-static inline void plan_says(plan *p, unsigned effect, const char *format, ...)
+static inline void plan_says(plan *p, int kind, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(p->why[effect_number(effect)], sizeof *p->why, format, arguments);
+    vsnprintf(p->why[kind], sizeof *p->why, format, arguments);
     va_end(arguments);
+}
+
+typedef struct { char text[300]; } plan_words;
+
+static inline plan_words plan_more(size_t n)
+{
+    plan_words w = {""};
+    if (n > 1) snprintf(w.text, sizeof w.text, " and %zu more", n - 1);
+    return w;
+}
+
+static inline plan_words plan_line(const plan_facts *q, cite line)
+{
+    plan_words w;
+    studio_said(q->s, line, w.text, sizeof w.text);
+    return w;
+}
+
+/* "material 'red' (room.scene:7) and 3 more": the line that says most about why. */
+static inline plan_words plan_name(const plan_facts *q, plan_group g, material_key key)
+{
+    const studio_material *m = &q->s->material[g.first];
+    plan_words w;
+    snprintf(w.text, sizeof w.text, "material '%.60s' (%.150s)%.40s",
+             studio_material_name(q->s, g.first),
+             plan_line(q, m->said[key].file ? m->said[key] : m->at).text, plan_more(g.n).text);
+    return w;
 }
 
 /* What calls for light that reaches a surface: the light, and the first surface. */
 static inline void plan_because_light(plan *p, const plan_facts *q)
 {
     const studio *s = q->s;
-    char lamp[300], by[300], more[32];
-    plan_name(q, q->has[PART_LIT], KEY_ILLUM, by, sizeof by);
+    plan_words by = plan_name(q, q->has[PART_LIT], KEY_ILLUM);
     if (p->effects & EFFECT_HARD_SHADOWS) {
         const studio_light *l = &s->light[q->first_light];
-        plan_says(p, EFFECT_HARD_SHADOWS, "%s (%.150s)%s on %s",
-                  l->light.kind == LIGHT_POINT ? "light" : "sun",
-                  studio_said(s, l->at, lamp, sizeof lamp), plan_more(more, q->lights), by);
+        plan_says(p, RAY_TO_LIGHT, "%s (%.150s)%s on %s",
+                  l->light.kind == LIGHT_POINT ? "light" : "sun", plan_line(q, l->at).text,
+                  plan_more(q->lights).text, by.text);
     }
-    if (p->effects & EFFECT_SOFT_SHADOWS) {
-        plan_group first = {plan_emitter_material(s, 0), 1};
-        plan_says(p, EFFECT_SOFT_SHADOWS, "%zu face%s of %s on %s", s->emitters,
+    if (p->effects & EFFECT_SOFT_SHADOWS)
+        plan_says(p, RAY_TO_LAMP, "%zu face%s of %s on %s", s->emitters,
                   s->emitters == 1 ? "" : "s, the first",
-                  plan_name(q, first, KEY_KE, lamp, sizeof lamp), by);
-    }
+                  plan_name(q, (plan_group){plan_emitter_material(s, 0), 1}, KEY_KE).text, by.text);
     if (p->effects & EFFECT_ENVIRONMENT)
-        plan_says(p, EFFECT_ENVIRONMENT, "environment (%.150s) on %s",
-                  studio_said(s, s->sky_said, lamp, sizeof lamp), by);
+        plan_says(p, RAY_TO_SKY, "environment (%.150s) on %s", plan_line(q, s->sky_said).text,
+                  by.text);
 }
 
 static inline void plan_because(plan *p, const plan_facts *q)
 {
-    static const struct { unsigned effect; plan_part part; material_key key; } list[] = {
-        {EFFECT_MIRROR, PART_MIRROR, KEY_ILLUM}, {EFFECT_GLOSSY, PART_GLOSSY, KEY_NS},
-        {EFFECT_REFRACTION, PART_THROUGH, KEY_ILLUM}, {EFFECT_ABSORPTION, PART_ABSORB, KEY_ABSORB}};
-    char by[300];
+    static const struct { int kind; plan_part part; material_key key; } list[] = {
+        {RAY_MIRRORED, PART_MIRROR, KEY_ILLUM}, {RAY_GLOSSY, PART_GLOSSY, KEY_NS},
+        {RAY_REFRACTED, PART_THROUGH, KEY_ILLUM}, {RAY_ABSORBED, PART_ABSORB, KEY_ABSORB}};
     if (p->effects & EFFECTS_LIT) plan_because_light(p, q);
     for (size_t k = 0; k < sizeof list / sizeof *list; k++)
-        if (p->effects & list[k].effect)
-            plan_says(p, list[k].effect, "%s",
-                      plan_name(q, q->has[list[k].part], list[k].key, by, sizeof by));
-    if (p->effects & EFFECT_INDIRECT)
-        plan_says(p, EFFECT_INDIRECT, "%s, lit by%s%s%s",
-                  plan_name(q, q->has[PART_MATTE], KEY_KD, by, sizeof by),
-                  q->lights ? " lights" : "",
-                  q->s->emitters ? q->lights ? ", lamps (Ke)" : " lamps (Ke)" : "",
-                  q->around ? q->lights || q->s->emitters ? ", environment" : " environment" : "");
+        if (p->effects >> list[k].kind & 1)
+            plan_says(p, list[k].kind, "%s",
+                      plan_name(q, q->has[list[k].part], list[k].key).text);
+    if (p->effects & EFFECT_INDIRECT) {
+        bool lit = q->lights > 0, lamp = q->s->emitters > 0;
+        plan_says(p, RAY_SCATTERED, "%s, lit by%s%s%s%s%s",
+                  plan_name(q, q->has[PART_MATTE], KEY_KD).text, lit ? " lights" : "",
+                  lit && lamp ? "," : "", lamp ? " lamps (Ke)" : "",
+                  q->around && (lit || lamp) ? "," : "", q->around ? " environment" : "");
+    }
     if (p->effects & EFFECT_DEPTH_OF_FIELD)
-        plan_says(p, EFFECT_DEPTH_OF_FIELD, "lens (%.150s), radius %g",
-                  studio_said(q->s, q->s->lens.said, by, sizeof by), (double)q->s->lens.radius);
+        plan_says(p, RAY_OF_LENS, "lens (%.150s), radius %g", plan_line(q, q->s->lens.said).text,
+                  (double)q->s->lens.radius);
 }
 
 /* ---- the plan ---- */
@@ -245,15 +221,12 @@ static inline plan plan_of_rules(const studio *s, const plan_rule *rules, size_t
     for (size_t m = 0; m < s->materials; m++) p.look[m] = appearance_of(&s->material[m]);
     plan_facts q = plan_facts_of(s, p.look);
     for (int k = 0; k < effect_kinds; k++) {
-        char said[300];
         cite line;
         const plan_rule *r = plan_first(&q, rules, n, 1u << k, &line);
         p.rule[k] = r, p.verdict[k] = r ? r->verdict : VERDICT_CALLED;
         if (!r) p.effects |= 1u << k;
-        else if (line.file)
-            plan_says(&p, 1u << k, "%s (%.150s)", r->reason,
-                      studio_said(s, line, said, sizeof said));
-        else plan_says(&p, 1u << k, "%s", r->reason);
+        else if (line.file) plan_says(&p, k, "%s (%.150s)", r->reason, plan_line(&q, line).text);
+        else plan_says(&p, k, "%s", r->reason);
         if (p.verdict[k] == VERDICT_DECLINED) p.declined |= 1u << k;
     }
     plan_because(&p, &q);
@@ -269,13 +242,11 @@ static inline plan plan_of(const studio *s)
 /* What a hit of this material has a part in. */
 static inline unsigned plan_effects(const plan *p, uint32_t m)
 {
-    const appearance *a = &p->look[m];
-    unsigned own = plan_has(a, PART_LIT) ? (unsigned)EFFECTS_LIT : 0;
-    if (plan_has(a, PART_MATTE)) own |= EFFECT_INDIRECT;
-    if (plan_has(a, PART_MIRROR)) own |= EFFECT_MIRROR;
-    if (plan_has(a, PART_GLOSSY)) own |= EFFECT_GLOSSY;
-    if (plan_has(a, PART_THROUGH)) own |= EFFECT_REFRACTION;
-    if (plan_has(a, PART_ABSORB)) own |= EFFECT_ABSORPTION;
+    static const unsigned of[plan_parts] = {EFFECTS_LIT, EFFECT_INDIRECT, EFFECT_MIRROR,
+                                            EFFECT_GLOSSY, EFFECT_REFRACTION, EFFECT_ABSORPTION};
+    unsigned own = 0;
+    for (int k = 0; k < plan_parts; k++)
+        if (plan_has(&p->look[m], (plan_part)k)) own |= of[k];
     return own & p->effects;
 }
 

@@ -2,9 +2,8 @@
  *
  *   vec3 L = effects_radiance(e, r, in, mask, dice, counts)     always inlined
  *
- * `mask` says which effects are simulated. Where the caller writes a constant, the compiler drops
- * all that belongs to the others: with no effect at all, what is left is one search (18); with hard
- * shadows, mirror and refraction it is Whitted's loop (19); special.h has the list.
+ * `mask` says which effects are simulated. Where the caller writes a constant (special.h), the
+ * compiler drops all that belongs to the others.
  *
  *   a hit of weight w          emits + flat + gather (27.8), and goes on as
  *     mirror       w M         along the mirror direction
@@ -16,48 +15,42 @@
  *
  * All branches are followed, on a stack, no recursion. Which of them: those above `least` if
  * nothing is left to chance, as in 19; else each survives with q = min(1, 2 max w), and counts for
- * w / q (26.3), (26.4). Survivors have half of the light or more, so there are some two at a time.
- * Of what the eye sees sharply, in mirrors and glass, 1/32 of the light is enough: no noise there.
- *
- * What a ray meets that was sent by a matte surface or a lobe, and is a lamp or the sky, counts as
- * far as shadow rays leave it to them (24.9): effects_found.
- *
- * Not simulated: shadow rays are stopped by what bends light, so that caustics (焦散) come from
- * indirect light alone; faces of glass that touch other faces are taken one by one (19: contact.h).
+ * w / q (26.3), (26.4). Of what the eye sees sharply, in mirrors and glass, 1/32 of the light is
+ * enough: no noise there.
  */
 #ifndef EFFECTS_RADIANCE_H
 #define EFFECTS_RADIANCE_H
 
-#include "met.h"
+#include "bodies.h"
+#include "gather.h"
 #include "../../common/headlight.h"
 #include "../26_path_tracer/roulette.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Is a branch of this weight worth a ray? By chance: then what survives stands for the rest. */
-__attribute__((always_inline))
-static inline bool effects_follows(const effects_stage *e, const unsigned mask, const branch *b,
-                                   dice_purpose purpose, const dice *d, vec3 *weight)
+effects_inline bool effects_follows(const gather_hit *h, const unsigned mask, dice_purpose purpose,
+                                    vec3 *weight)
 {
     vec3 w = *weight;
+    real least = h->e->least;
     if (vzero(w)) return (mask & EFFECTS_SPEND) != 0;
-    if (!e->chance)
-        return w.x > e->least || w.y > e->least || w.z > e->least;
+    if (!h->e->chance) return w.x > least || w.y > least || w.z > least;
     bool sharp = purpose == DICE_SURVIVES_MIRROR || purpose == DICE_SURVIVES_REFRACTION;
-    real q = sharp && !b->bounced ? roulette_within(w, 32) : roulette_survival(w);
+    real q = sharp && !h->b->bounced ? roulette_within(w, 32) : roulette_survival(w);
     if (q >= 1) return true;
-    if (dice_number(d, b->node, purpose) >= q) return false;
+    if (dice_number(h->d, h->b->node, purpose) >= q) return false;
     *weight = vscale(w, 1 / q);
     return true;
 }
 
 /* Field by field: a copy of the whole would wait for what was just written (19). Black weight: its
  * depth is the last. */
-__attribute__((always_inline))
-static inline void effects_child(const unsigned mask, const branch *b, const surface *s, int kind,
-                                 vec3 side, vec3 d, vec3 weight, branch *c)
+effects_inline void effects_child(const gather_hit *h, const unsigned mask, int kind, vec3 side,
+                                  vec3 d, vec3 weight, branch *c)
 {
-    c->r.o = leave_point(*s, side, 0), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
+    const branch *b = h->b;
+    c->r.o = leave_point(h->s, side, 0), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
@@ -67,187 +60,140 @@ static inline void effects_child(const unsigned mask, const branch *b, const sur
 
 /* It goes on as it came: what it meets is weighted as if nothing had been in its way, since nothing
  * is in that of a shadow ray. */
-__attribute__((always_inline))
-static inline void effects_straight_on(const branch *b, const surface *s, branch *c)
+effects_inline void effects_straight_on(const gather_hit *h, branch *c)
 {
-    c->pdf = b->pdf, c->cosine = b->cosine;
-    c->way = b->way + vlength(vsub(s->p, b->r.o));
+    c->pdf = h->b->pdf, c->cosine = h->b->cosine;
+    c->way = h->b->way + vlength(vsub(h->s.p, h->b->r.o));
 }
 
 /* Rays about the mirror direction or anywhere: RAY_GLOSSY, RAY_SCATTERED. */
-__attribute__((always_inline))
-static inline int effects_spread(const effects_stage *e, const unsigned mask, const branch *b,
-                                 const surface *s, int kind, vec3 colour, const brdf *lobe,
-                                 const dice *d, branch *c)
+effects_inline int effects_spread(const gather_hit *h, const unsigned mask, int kind, vec3 colour,
+                                  branch *c)
 {
-    vec3 weight = vmul(b->weight, colour), wi, part = {1, 1, 1};
+    vec3 weight = vmul(h->b->weight, colour), wi, part = {1, 1, 1};
     bool glossy = kind == RAY_GLOSSY;
-    if (!effects_follows(e, mask, b, glossy ? DICE_SURVIVES_GLOSSY : DICE_SURVIVES_INDIRECT, d,
-                         &weight)) return 0;
-    shading_frame f = shading_frame_of(s->ns);
-    point2 u = dice_pair(d, b->node, b->depth, glossy ? DICE_GLOSSY : DICE_INDIRECT);
+    if (!effects_follows(h, mask, glossy ? DICE_SURVIVES_GLOSSY : DICE_SURVIVES_INDIRECT, &weight))
+        return 0;
+    shading_frame f = shading_frame_of(h->s.ns);
+    point2 u = dice_pair(h->d, h->b->node, h->b->depth, glossy ? DICE_GLOSSY : DICE_INDIRECT);
     real pdf;
     if (glossy) {
-        if (!brdf_sample_local(lobe, to_local(f, vneg(b->r.d)), u.u, u.v, &wi, &pdf, &part))
-            return 0;
+        vec3 wo = to_local(f, vneg(h->b->r.d));
+        if (!brdf_sample_local(h->lobe, wo, u.u, u.v, &wi, &pdf, &part)) return 0;
     } else wi = sample_cosine(u.u, u.v), pdf = pdf_cosine(wi);
     real cosine = wi.z;
     wi = to_world(f, wi);
-    if (!(vdot(s->n, wi) > 0) || !(pdf > 0)) return 0;
-    effects_child(mask, b, s, kind, s->n, wi, vmul(weight, part), c);
+    if (!(vdot(h->s.n, wi) > 0) || !(pdf > 0)) return 0;
+    effects_child(h, mask, kind, h->s.n, wi, vmul(weight, part), c);
     c->pdf = pdf, c->cosine = cosine;
     if (!glossy) c->bounced = true;
     return 1;
 }
 
 /* Through the surface; back where all is reflected. Media: `after` lies behind it. */
-__attribute__((always_inline))
-static inline int effects_through(const effects_stage *e, const unsigned mask, const branch *b,
-                                  const surface *s, vec3 colour, const snell *x, bool bends,
-                                  const media_set *after, const dice *d, branch *c)
+effects_inline int effects_through(const gather_hit *h, const unsigned mask, const snell *x,
+                                   bool bends, const media_set *after, branch *c)
 {
-    vec3 weight = vmul(b->weight, colour), on = b->r.d;
+    vec3 weight = vmul(h->b->weight, h->k.through), on = h->b->r.d, n = h->s.n;
     bool back = bends && x->total;
-    if (!effects_follows(e, mask, b, DICE_SURVIVES_REFRACTION, d, &weight)) return 0;
-    if (bends) on = back ? reflect(b->r.d, s->ns) : snell_refract(x, b->r.d, s->ns);
-    effects_child(mask, b, s, RAY_REFRACTED, back ? s->n : vneg(s->n), on, weight, c);
-    if (!bends) effects_straight_on(b, s, c);
+    if (!effects_follows(h, mask, DICE_SURVIVES_REFRACTION, &weight)) return 0;
+    if (bends) on = back ? reflect(on, h->s.ns) : snell_refract(x, on, h->s.ns);
+    effects_child(h, mask, RAY_REFRACTED, back ? n : vneg(n), on, weight, c);
+    if (!bends) effects_straight_on(h, c);
     if (after && !back) c->in = *after;
     return 1;
 }
 
 /* The parts of a surface's light, by Fresnel where the material says so. x is set if it bends. */
-__attribute__((always_inline))
-static inline gather_share effects_shares(const unsigned mask, const appearance *a, vec3 d,
-                                          const surface *s, const snell *x, bool bends)
+effects_inline gather_share effects_shares(const unsigned mask, const appearance *a, vec3 d,
+                                           const surface *s, const snell *x, bool bends)
 {
     gather_share k = {a->matte, a->highlight, a->mirror, a->glossy, a->through};
+    real cosine = real_min(1, fabs(vdot(s->ns, d)));
     if (!(mask & EFFECT_REFRACTION)) k.through = (vec3){0, 0, 0};
     if (!a->fresnel) return k;
     if (vzero(a->through)) {
-        vec3 F0 = vzero(a->mirror) ? a->glossy : a->mirror;
-        vec3 F = fresnel_schlick(F0, real_min(1, fabs(vdot(s->ns, d))));
+        vec3 F = fresnel_schlick(vzero(a->mirror) ? a->glossy : a->mirror, cosine);
         *(vzero(a->mirror) ? &k.glossy : &k.mirror) = F;
         k.matte = vmul(k.matte, vrest(F));
-    } else if (bends) {
-        real R = fresnel(x);
+    } else if (bends || !(mask & EFFECT_REFRACTION)) {  /* left out by --effects: Schlick's R */
+        real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
+        real R = bends ? fresnel(x) : fresnel_schlick((vec3){f0, f0, f0}, cosine).x;
         k.mirror = vscale(k.mirror, R), k.glossy = vscale(k.glossy, R);
         k.through = vscale(k.through, 1 - R), k.matte = vscale(k.matte, 1 - R);
-    } else if (!(mask & EFFECT_REFRACTION)) {  /* left out by --effects: nothing was refracted */
-        real q = (1 - a->ior) / (1 + a->ior), f0 = q * q;
-        real R = fresnel_schlick((vec3){f0, f0, f0}, real_min(1, fabs(vdot(s->ns, d)))).x;
-        k.mirror = vscale(k.mirror, R), k.glossy = vscale(k.glossy, R);
-        k.matte = vscale(k.matte, 1 - R);
     }
     return k;
 }
 
 /* Its children, the one to be traced first last. */
-__attribute__((always_inline))
-static inline int effects_children(const effects_stage *e, const unsigned mask, const branch *b,
-                                   const surface *s, const gather_share *k, const brdf *lobe,
-                                   const snell *x, bool bends, const media_set *after,
-                                   const dice *d, branch child[4])
+effects_inline int effects_children(const gather_hit *h, const unsigned mask, const snell *x,
+                                    bool bends, const media_set *after, branch child[4])
 {
     int n = 0;
-    if (mask & EFFECT_INDIRECT)
-        n += effects_spread(e, mask, b, s, RAY_SCATTERED, k->matte, lobe, d, &child[n]);
-    if (mask & EFFECT_GLOSSY)
-        n += effects_spread(e, mask, b, s, RAY_GLOSSY, k->glossy, lobe, d, &child[n]);
+    if (mask & EFFECT_INDIRECT) n += effects_spread(h, mask, RAY_SCATTERED, h->k.matte, child);
+    if (mask & EFFECT_GLOSSY) n += effects_spread(h, mask, RAY_GLOSSY, h->k.glossy, &child[n]);
     if (mask & EFFECT_MIRROR) {
-        vec3 weight = vmul(b->weight, k->mirror);
-        if (effects_follows(e, mask, b, DICE_SURVIVES_MIRROR, d, &weight))
-            effects_child(mask, b, s, RAY_MIRRORED, s->n, reflect(b->r.d, s->ns), weight,
+        vec3 weight = vmul(h->b->weight, h->k.mirror);
+        if (effects_follows(h, mask, DICE_SURVIVES_MIRROR, &weight))
+            effects_child(h, mask, RAY_MIRRORED, h->s.n, reflect(h->b->r.d, h->s.ns), weight,
                           &child[n++]);
     }
-    if (mask & EFFECT_REFRACTION)
-        n += effects_through(e, mask, b, s, k->through, x, bends, after, d, &child[n]);
+    if (mask & EFFECT_REFRACTION) n += effects_through(h, mask, x, bends, after, &child[n]);
     return n;
 }
 
-/* Through a face of a body, inwards or out: what is before it and after it; returns whose medium
- * fills the place behind. Which side is asked of the geometric normal, before it is turned.
- *
- * A body is listed as often as it was entered: of two balls of one glass that overlap, leaving the
- * first is no leaving of the glass. One that is left without having been entered was around the
- * ray's origin: it becomes the outermost. More than media_most: not noted, but
- * counted.
- *
- * A call, since it is for few hits, and nine copies would be compiled. */
-__attribute__((noinline))
-static uint32_t effects_crosses(const effects_stage *e, uint32_t body, bool inwards, media_set *in,
-                                media_set *after, effects_counts *c)
-{
-    uint32_t k = in->n;
-    while (!inwards && k > 0 && in->body[k - 1] != body) k--;
-    *after = *in;
-    if (inwards) {
-        if (k < media_most) after->body[after->n++] = body;
-        else c->lost++;
-    } else if (k > 0) {
-        for (after->n--; k < in->n; k++) after->body[k - 1] = in->body[k];
-    } else if (in->n < media_most) {
-        for (k = in->n++; k > 0; k--) in->body[k] = in->body[k - 1];
-        in->body[0] = body;
-    }
-    return media_fills(e->media, after);
-}
-
 /* One ray: adds what it brings to *sum; how many children. */
-__attribute__((always_inline))
-static inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
-                               branch child[4], const dice *d, effects_counts *c)
+effects_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
+                                branch child[4], const dice *d, effects_counts *c)
 {
     studio_hit x;
     c->rays[b->kind]++;
-    effects_clock(mask, c, b->kind);
     if (!studio_tree_hit(&e->t, b->r, &x)) {
-        *sum = vadd(*sum, vmul(b->weight, effects_nothing(e, mask, b)));
+        *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
-    uint32_t m = studio_hit_material(&e->t, x);
+    uint32_t m = studio_hit_material(&e->t, x), inside = 0, to = 0;
     const appearance *a = &e->look[m];
-    surface s = effects_surface(e, b->r, x);
+    gather_hit h = {.e = e, .b = b, .d = d, .c = c, .lobe = &e->lobe[m]};
+    h.s = effects_surface(e, b->r, x);
     media_set after;
-    uint32_t inside = 0, to = 0;
     bool body = (mask & EFFECT_REFRACTION) && a->solid && !vzero(a->through);
-    if (body) to = effects_crosses(e, m + 1, vdot(s.n, b->r.d) < 0, &b->in, &after, c);
+    if (body) to = bodies_cross(e, m + 1, vdot(h.s.n, b->r.d) < 0, &b->in, &after, c);
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, x.h.t));         /* (19.9) */
     }
-    s = surface_facing(s, b->r.d);
+    h.s = surface_facing(h.s, b->r.d);
     snell at = {1, 1, 1, 1, false};
     bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
-    if (bends) snell_of(b->r.d, s.ns, e->media[inside].ior, e->media[to].ior, &at);
+    if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
     if (body && to == inside) {  /* the same medium on both sides: no surface */
         if (b->passed == stage_most_depth) return 0;
-        effects_child(mask, b, &s, b->kind, vneg(s.n), b->r.d, b->weight, child);
-        effects_straight_on(b, &s, child);
+        effects_child(&h, mask, b->kind, vneg(h.s.n), b->r.d, b->weight, child);
+        effects_straight_on(&h, child);
         child->in = after, child->depth = b->depth, child->passed = b->passed + 1;
         return 1;
     }
-    gather_share k = effects_shares(mask, a, b->r.d, &s, &at, bends);
-    vec3 L = effects_emitted(e, mask, b, a, x, &s);
+    h.k = effects_shares(mask, a, b->r.d, &h.s, &at, bends);
+    vec3 L = gather_emitted(e, mask, b, a, x, &h.s);
     if (!b->bounced) {
         L = vadd(L, a->flat);
         if (e->headlight)
-            L = vadd(L, vmul(vadd(vadd(k.matte, k.highlight), k.glossy), headlight(s.ns, b->r.d)));
+            L = vadd(L, vmul(vadd(vadd(h.k.matte, h.k.highlight), h.k.glossy),
+                             headlight(h.s.ns, b->r.d)));
     }
-    if (mask & EFFECTS_LIT) L = vadd(L, gather(e, mask, b, &s, &k, &e->lobe[m], d, c));
+    if (mask & EFFECTS_LIT) L = vadd(L, gather(&h, mask));
     *sum = vadd(*sum, vmul(b->weight, L));
     if (!(mask & (EFFECTS_WHITTED | EFFECT_GLOSSY | EFFECT_INDIRECT)) || b->depth >= e->depth)
         return 0;
-    return effects_children(e, mask, b, &s, &k, &e->lobe[m], &at, bends, body ? &after : NULL, d,
-                            child);
+    return effects_children(&h, mask, &at, bends, body ? &after : NULL, child);
 }
 
 /* The children of a hit are written beside it, so that the next is at hand without being copied; of
  * each level at most three wait. */
-__attribute__((always_inline))
-static inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
-                                    const unsigned mask, const dice *d, effects_counts *c)
+effects_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set in,
+                                     const unsigned mask, const dice *d, effects_counts *c)
 {
     branch stack[3 * stage_most_depth + 4], slot[2][4], *b = &slot[0][0];
     vec3 sum = {0, 0, 0};

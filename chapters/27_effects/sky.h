@@ -1,31 +1,34 @@
-/* sky.h: what is behind everything: a background (背景), and an environment (环境光照) that lights.
- *
- *   background   the colour that a ray meets if it meets nothing else: it lights nobody
- *   environment  radiance from infinitely far; matte surfaces gather it, so it calls for rays
+/* sky.h: what is behind everything: a background (背景), which lights nobody, or an environment
+ * (环境光照), radiance from infinitely far.
  *
  *   SKY_NONE      the background, which may be black
  *   SKY_CONSTANT  `low` everywhere
  *   SKY_GRADIENT  low + (high - low) (1 + d.up) / 2: from straight below to straight above  (27.9)
- *   SKY_IMAGE     a latitude-longitude picture (经纬度贴图), its middle along `front`:      (27.10)
+ *   SKY_IMAGE     a latitude-longitude picture (经纬度贴图), its middle along `front`; right = front x
+ *                 up; x = w (1/2 + atan2(d.right, d.front) / 2 pi), y = h acos(d.up) / pi; (27.10)
+ *                 nearest pixel, no filter, times `scale`
  *
- *         +up  0 +------------------+        x = w (1/2 + atan2(d.right, d.front) / 2 pi)
- *                |        .         |        y = h acos(d.up) / pi
- *                |      front       |        right = front x up; nearest pixel, no filter
- *         -up  h +------------------+        times `scale`
- *                0                  w
- *
- *   vec3 L = sky_radiance(&s, d)     what comes from direction d, of any length > 0, times scale
- *   bool sky_lights(&s)              is there an environment that is not black?
+ *   vec3 L = sky_radiance(&s, d)     what comes from direction d, of any length > 0
+ *   bool sky_lights(&s)              is there an environment that is not black? O(pixels)
  *   sky_aim(&s, up, degrees)         its axes: front is turned about up
  *   sky_free(&s)
+ *
+ *   sky_light l;                     directions towards it, drawn so that little noise is left:
+ *   if (!sky_light_build(&s, &l, &f)) fail(f);         of a picture as its luminance (24.15), by
+ *                                    24, whose axes are d' = (-d.front, d.up, -d.right) (27.7);
+ *                                    else as the cosine. s must outlive it
+ *   sky_light_sample(&l, n, u, &x)   x.wi, x.pdf [1/sr], x.L; false: it counts, and is 0
+ *   real q = sky_light_pdf(&l, d, cosine)              the same for any d; cosine = n.d > 0
+ *   sky_light_free(&l)
  *
  * Source: P. Debevec, "Rendering Synthetic Objects into Real Scenes", SIGGRAPH 1998.
  */
 #ifndef EFFECTS_SKY_H
 #define EFFECTS_SKY_H
 
-#include "../../common/image.h"
-#include "../01_ray/affine.h"
+#include "../20_monte_carlo/sampling.h"
+#include "../23_brdf/shading_frame.h"
+#include "../24_direct_light/environment.h"
 
 typedef enum { SKY_NONE, SKY_CONSTANT, SKY_GRADIENT, SKY_IMAGE } sky_kind;
 typedef struct {
@@ -36,6 +39,9 @@ typedef struct {
     real scale;             /* of the picture */
     image picture;          /* owned; rgb is finite and not negative (see sky_check) */
 } effects_sky;
+
+typedef struct { const effects_sky *s; environment picture; bool by_picture; } sky_light;
+typedef struct { vec3 wi, L; real pdf; } sky_draw;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -110,6 +116,51 @@ static inline bool sky_bad_pixel(const image *im, int *x, int *y)
             return true;
         }
     return false;
+}
+
+/* ---- as a light ---- */
+
+static inline void sky_light_free(sky_light *l)
+{
+    if (l->by_picture) environment_free(&l->picture);
+    *l = (sky_light){.s = NULL};
+}
+
+static inline bool sky_light_build(const effects_sky *s, sky_light *out, failure *f)
+{
+    *out = (sky_light){.s = s, .by_picture = s->kind == SKY_IMAGE && sky_lights(s)};
+    if (!out->by_picture || environment_of_image(&s->picture, &out->picture, f)) return true;
+    out->by_picture = false;
+    return false;
+}
+
+/* (27.7) */
+static inline vec3 sky_light_local(const effects_sky *s, vec3 d)
+{
+    return (vec3){-vdot(d, s->front), vdot(d, s->up), -vdot(d, s->right)};
+}
+
+static inline bool sky_light_sample(const sky_light *l, vec3 n, point2 u, sky_draw *out)
+{
+    const effects_sky *s = l->s;
+    if (l->by_picture) {
+        vec3 d;
+        environment_sample(&l->picture, u, &d, &out->pdf, &out->L);
+        out->wi = vmadd(vmadd(vscale(s->front, -d.x), s->up, d.y), s->right, -d.z);
+        out->L = vscale(out->L, s->scale);
+        return vdot(n, out->wi) > 0 && out->pdf > 0;
+    }
+    vec3 d = sample_cosine(u.u, u.v), black = {0, 0, 0};
+    out->pdf = pdf_cosine(d);
+    out->wi = to_world(shading_frame_of(n), d);
+    out->L = s->kind == SKY_NONE ? black : sky_radiance(s, out->wi);
+    return out->pdf > 0;
+}
+
+static inline real sky_light_pdf(const sky_light *l, vec3 d, real cosine)
+{
+    if (l->by_picture) return environment_pdf(&l->picture, sky_light_local(l->s, d));
+    return l->s->kind == SKY_NONE ? 0 : real_max(cosine, 0) / pi;
 }
 
 #endif

@@ -1,8 +1,5 @@
 /* solids.h: solids cut from solids (06) as things of a scene: what a ray hits there.
  *
- *   solid MATERIAL difference(sphere 0 1 0 1, box 0 1 0 1 2 1)      in a scene file
- *
- *   studio_solid x = {.material = m, .at = cite};
  *   if (!solid_read(&x, "difference(..)", &f)) fail(f);     "character 14: ..": expression.h of 06
  *   csg_hit(&x.c, r, &h)                        h.shape is a surface of the solid
  *   surface s = solid_surface(&x, r, h)         n points out of what is left, also in a cut; with
@@ -12,9 +9,7 @@
  *
  * p is put back on the surface of the operand that was hit, as surface.h does with shapes. A plane
  * n.p = h, |n| = 1: p - n (n.p - h) is off by 4 eps (|p| + |h|), and (6.4) sees its plane as far
- * off; a cylinder: of |p - axis point| and R. Balls are seen exactly (03). Solids are asked one
- * after the other, each by its box first: solids_most of them, no tree. They are opaque and do not
- * shine (finish.h).
+ * off; a cylinder: of |p - axis point| and R. Balls are seen exactly (03). No tree: each is asked.
  */
 #ifndef EFFECTS_SOLIDS_H
 #define EFFECTS_SOLIDS_H

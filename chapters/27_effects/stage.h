@@ -2,38 +2,33 @@
  *
  *   effects_stage e;
  *   if (!effects_stage_build(&s, &e, &f)) fail(f);          s must outlive it
- *   effects_stage_effects(&e, mask)                         what to simulate from now on; see below
- *   e.eye = camera; e.lens, e.hither                effects_stage_view(&e, &view, camera) sets them
+ *   effects_stage_effects(&e, mask)                         what to simulate from now on
+ *   effects_stage_view(&e, &view, camera)                   sets e.eye, e.lens, e.hither
  *   effects_stage_free(&e);
  *
  *   mask     effects that are simulated (effect.h), and beside them:
- *     EFFECTS_SPEND    all of them at every hit, whether it has a part in them or not: what a
- *                      renderer does that does not ask. Rays are traced and shaded whose weight is
- *                      black, so that they add exactly 0; they give rise to no further ones, or
- *                      there would be no end
+ *     EFFECTS_SPEND    all of them at every hit, whether it has a part in them or not: rays are
+ *                      traced and shaded whose weight is black, so that they add exactly 0; they
+ *                      give rise to no further ones, or there would be no end
  *     EFFECTS_DICED    branches are thrown for, even where no effect of the mask is an integral
- *   EFFECTS_EVERYTHING   all effects, spent: the estimator that knows no plan. A stage is built
- *                        from the scene alone: it could not ask for the plan if it wanted to
- *
- *   effects_counts c = {0};           rays by effect; absorption: segments; depth: rays of the eye
+ *     EFFECTS_GENERAL  drawn by the general copy of special.h, always
+ *   EFFECTS_EVERYTHING   all effects, spent: the estimator that knows no plan
  */
 #ifndef EFFECTS_STAGE_H
 #define EFFECTS_STAGE_H
 
-#include "../19_whitted/whitted.h"  /* before sky.h: it has a `sky` of its own */
+#include "../19_whitted/whitted.h"
 #include "../21_distributed/lens.h"
 #include "../23_brdf/brdf.h"
 #include "framing.h"
 #include "lamps.h"
 #include "effect.h"
 #include "appearance.h"
-#include "sky_light.h"
 
 enum {
     EFFECTS_SPEND = 1 << effect_kinds,  /* bits beside those of effect.h */
-    EFFECTS_TIMED = 2 << effect_kinds,
-    EFFECTS_GENERAL = 4 << effect_kinds,  /* drawn by the general copy of special.h, always */
-    EFFECTS_DICED = 8 << effect_kinds,
+    EFFECTS_GENERAL = 2 << effect_kinds,  /* drawn by the general copy of special.h, always */
+    EFFECTS_DICED = 4 << effect_kinds,
     EFFECTS_EVERYTHING = EFFECTS_ALL | EFFECTS_SPEND,
     RAY_OF_EYE = effect_kinds, effects_rays,
     stage_most_depth = 128
@@ -41,9 +36,6 @@ enum {
 
 typedef struct {
     size_t rays[effects_rays];       /* [RAY_OF_EYE]: all that the eye sent */
-    double seconds[effects_rays];    /* only with EFFECTS_TIMED */
-    double since;                    /* when the ray now in hand was begun */
-    int now;                         /* its kind */
     size_t lost;                     /* bodies entered while within media_most others */
 } effects_counts;
 
@@ -57,7 +49,7 @@ typedef struct {
     int lights;
     lamp_list lamp;
     sky_light sky;
-    unsigned mask;                   /* effects, and SPEND, TIMED, GENERAL, DICED */
+    unsigned mask;                   /* effects, and SPEND, GENERAL, DICED */
     bool headlight;                  /* no light is there: each ray of the eye carries a lamp */
     bool chance;                     /* integrals: roulette; else every branch above `least` */
     bool clear;                      /* a material lets light straight through */
@@ -130,8 +122,7 @@ static inline void effects_stage_view(effects_stage *e, const studio_view *v, ca
 static inline void effects_counts_add(effects_counts *to, const effects_counts *c)
 {
     to->lost += c->lost;
-    for (int k = 0; k < effects_rays; k++)
-        to->rays[k] += c->rays[k], to->seconds[k] += c->seconds[k];
+    for (int k = 0; k < effects_rays; k++) to->rays[k] += c->rays[k];
 }
 
 #endif

@@ -1,33 +1,23 @@
 /* studio.h: a scene from files, in memory: what there is, what it is made of, and which line of
  * which file says so.
  *
- *   solid[0 .. solids-1]       solids cut from solids: solids.h
  *   shape[0 .. shapes-1]       loose shapes of 07, in the world; shape_material[i] goes with each
+ *   solid[0 .. solids-1]       solids cut from solids: solids.h
  *   mesh[0 .. meshes-1]        triangle meshes of 07, each in a space of its own
  *   placed[0 .. places-1]      instances of 16: a mesh and where it stands; nothing else shows it
  *   material[0 .. materials-1] what MTL, NFF or scene file say; [0] is the default, matte grey
  *   light[0 .. lights-1]       lights without size (18); emitter[0 .. emitters-1]: faces with Ke
  *   view, lens, sky            camera, its lens, and what is behind everything
  *
- *   studio s;
- *   failure f;
- *   if (!studio_read("room.scene", NULL, &s, &f)) fail(f);           (studio_read.h)
- *   material number  m = s.shape_material[i]                         of a shape
- *                    m = studio_material_of(&s, place, triangle)     of a triangle: O(log runs)
+ *   m = studio_material_of(&s, place, triangle)  its material: O(log runs)
  *   studio_bounds(&s, &lo, &hi)                  false: nothing there
- *   scene all = studio_shapes(&s)         for a tree of 14
  *   studio_stands(&s, place)                     placed as it is in its file, not moved
  *   studio_dark(&s)                              no light that is not black
  *   studio_said(&s, cite, text, sizeof text)     "room.scene:7", "(default)", "--light"
  *   studio_free(&s);                             a zeroed one may be freed
  *
- * Everything is filled in by the readers (files/studio_add.h) and studio_finish; nothing changes
- * afterwards, so threads may share it. Numbers are finite. Radii may be negative (a sphere seen
- * from inside), polygons concave.
- *
- * Lights of NFF files have no falloff (1987); here all have. Their intensity is chosen in
- * studio_finish so that E is pi times what the file says where the camera looks at (without a
- * camera: in the middle of the scene), so that a matte white surface there is as bright as it says.
+ * studio_read (studio_read.h) fills it in; nothing changes afterwards, so threads may share it.
+ * Numbers are finite. Radii may be negative (a sphere seen from inside), polygons concave.
  */
 #ifndef EFFECTS_STUDIO_H
 #define EFFECTS_STUDIO_H
@@ -55,7 +45,8 @@ typedef struct {
     bool used;                 /* by a shape or a placed triangle */
 } studio_material;
 
-typedef struct { name_table names; uint32_t *material; size_t room; } studio_palette;
+typedef struct { name_table names; uint32_t *number; size_t room; } studio_palette;
+typedef struct { studio_palette palette; uint32_t file; } studio_library;
 typedef struct { light light; bool classic; cite at; } studio_light;
 typedef struct { uint32_t *run_material, file; bool smooth; } studio_paint;  /* of a mesh */
 typedef struct { uint32_t material; cite at; } studio_placing;  /* for triangles without usemtl */
@@ -66,7 +57,6 @@ typedef struct {
     vec3 from, at, up;
     real angle;                /* vertical, full, degrees (0, 180) */
     real hither;               /* nothing nearer is seen, along the axis of the view */
-    int width, height;         /* of the picture, as NFF says; 0: not said */
     cite said;
 } studio_view;
 
@@ -77,8 +67,7 @@ typedef struct { real radius, focus; cite said; } studio_lens;  /* radius 0: pin
 typedef struct {
     name_table files, names;   /* file 0 is "" */
     studio_palette own;        /* materials by name: those of scene files */
-    studio_palette *library;   /* [libraries] those of MTL files; library_file[k] is their file */
-    uint32_t *library_file;
+    studio_library *library;   /* [libraries] those of MTL files */
     studio_material *material;
     shape *shape;
     uint32_t *shape_material;
@@ -91,13 +80,13 @@ typedef struct {
     studio_light *light;
     studio_emitter *emitter;
     size_t libraries, materials, shapes, solids, corners, meshes, places, lights, emitters;
-    size_t library_room, library_file_room, material_room, shape_room, shape_material_room,
+    size_t library_room, material_room, shape_room, shape_material_room,
         solid_room, corner_room, mesh_room, paint_room, placed_room, placing_room, light_room,
         emitter_room;
     studio_view view;
     studio_lens lens;
     effects_sky sky;
-    cite sky_said, background_said, indirect_said;
+    cite sky_said, indirect_said;
     studio_indirect indirect;  /* is light that walls pass on wanted? */
     int up;                    /* 0, 1, 2: x, y, z is upwards, where nothing else says so; y */
     char *notes;               /* a line each: what was read but not understood */
@@ -121,18 +110,18 @@ enum {
 static inline void studio_palette_free(studio_palette *p)
 {
     name_table_free(&p->names);
-    free(p->material);
+    free(p->number);
 }
 
 static inline void studio_free(studio *s)
 {
-    for (size_t k = 0; k < s->libraries; k++) studio_palette_free(&s->library[k]);
+    for (size_t k = 0; k < s->libraries; k++) studio_palette_free(&s->library[k].palette);
     for (size_t k = 0; k < s->meshes; k++) mesh_free(&s->mesh[k]), free(s->paint[k].run_material);
     for (size_t k = 0; k < s->solids; k++) solid_free(&s->solid[k]);
     studio_palette_free(&s->own);
     name_table_free(&s->files), name_table_free(&s->names);
     sky_free(&s->sky);
-    free(s->library), free(s->library_file), free(s->material), free(s->shape);
+    free(s->library), free(s->material), free(s->shape);
     free(s->shape_material), free(s->solid), free(s->corner), free(s->mesh), free(s->paint);
     free(s->placed);
     free(s->placing), free(s->light), free(s->emitter), free(s->notes);
@@ -205,31 +194,32 @@ static inline bool studio_stands(const studio *s, size_t place)
     return memcmp(&a, &one, sizeof a) == 0;
 }
 
+static inline void studio_bounds_add(vec3 a, vec3 b, vec3 *lo, vec3 *hi)
+{
+    if (vfinite(a) && vfinite(b)) *lo = vmin(*lo, a), *hi = vmax(*hi, b);
+}
+
 /* A box round everything: of a mesh that was turned, of the corners of its own box. */
 static inline bool studio_bounds(const studio *s, vec3 *lo, vec3 *hi)
 {
+    vec3 a, b;
     *lo = (vec3){real_infinity, real_infinity, real_infinity};
     *hi = vneg(*lo);
     for (size_t i = 0; i < s->shapes; i++) {
-        vec3 a, b;
         shape_bounds(s->shape[i], &a, &b);
-        if (!vfinite(a) || !vfinite(b)) continue;
-        *lo = vmin(*lo, a), *hi = vmax(*hi, b);
+        studio_bounds_add(a, b, lo, hi);
     }
-    for (size_t k = 0; k < s->solids; k++) {
-        vec3 a, b;
-        if (solid_bounds(&s->solid[k], &a, &b)) *lo = vmin(*lo, a), *hi = vmax(*hi, b);
-    }
+    for (size_t k = 0; k < s->solids; k++)
+        if (solid_bounds(&s->solid[k], &a, &b)) studio_bounds_add(a, b, lo, hi);
     struct { vec3 lo, hi; bool any; } *box = allocate(s->meshes, sizeof *box);
     for (size_t m = 0; m < s->meshes; m++)
         box[m].any = mesh_bounds(&s->mesh[m], &box[m].lo, &box[m].hi);
     for (size_t i = 0; i < 8 * s->places; i++) {
         const instance *x = &s->placed[i / 8];
-        vec3 a = box[x->mesh].lo, b = box[x->mesh].hi;
-        if (!box[x->mesh].any) continue;
-        vec3 p = affine_point(x->to_world, (vec3){i & 1 ? a.x : b.x, i & 2 ? a.y : b.y,
-                                                  i & 4 ? a.z : b.z});
-        if (vfinite(p)) *lo = vmin(*lo, p), *hi = vmax(*hi, p);
+        a = box[x->mesh].lo, b = box[x->mesh].hi;
+        vec3 p = {i & 1 ? a.x : b.x, i & 2 ? a.y : b.y, i & 4 ? a.z : b.z};
+        p = affine_point(x->to_world, p);
+        if (box[x->mesh].any) studio_bounds_add(p, p, lo, hi);
     }
     free(box);
     return lo->x <= hi->x && lo->y <= hi->y && lo->z <= hi->z;

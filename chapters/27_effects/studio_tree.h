@@ -2,7 +2,6 @@
  *
  *   studio_tree t;
  *   if (!studio_tree_build(&s, &t, &f)) fail(f);    s must outlive t; only one that is finished
- *   studio_hit x;
  *   bool studio_tree_hit(&t, r, &x)           closest; interval closed; at equal t shapes before
  *                                             meshes that stand before instances before solids
  *   bool studio_tree_occluded(&t, r)          any
@@ -10,13 +9,10 @@
  *   uint32_t m = studio_hit_material(&t, x)
  *   studio_tree_free(&t)                      a zeroed one may be freed
  *
- * Three kinds of trees, each only where it has something to hold: shapes (15), one for each mesh
- * that stands as it is in its file (15), and one of two levels (16) for meshes that were moved,
- * also those that stand a second time. t.all->n, t.standing and t.moved.n say how much
- * each has: 0 is what most scenes have in two of them, and a renderer may leave those out.
- *
- * The surface of an instance: its triangle with the corners taken to the world. What rounding moves
- * on the way there and back is the pad of (16.3); it goes on top of `error` and of `noise`.
+ * Trees only where they have something to hold: one of all shapes (15), one for each mesh that
+ * stands as it is in its file (15), one of two levels (16) for those that were moved, or stand a
+ * second time. There what rounding moves on the way and back, the pad of (16.3), is added to
+ * `error` and `noise` of a surface.
  */
 #ifndef EFFECTS_STUDIO_TREE_H
 #define EFFECTS_STUDIO_TREE_H
@@ -25,6 +21,7 @@
 #include "../16_instances/instances.h"
 #include "../18_shade/surface.h"
 #include "studio.h"
+#include "effect.h"
 
 /* place no_shape: h.shape is a shape; no_shape - 1 - k: h.shape is a surface of solid k */
 typedef struct { hit h; uint32_t place; } studio_hit;
@@ -122,35 +119,33 @@ static inline bool studio_tree_build(const studio *s, studio_tree *out, failure 
     return false;
 }
 
-__attribute__((always_inline))
-static inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
+/* Nearer, not as near: the first keeps it. */
+effects_inline void studio_tree_keep(hit h, uint32_t place, ray *r, bool *found, studio_hit *out)
+{
+    if (*found && h.t == r->tmax) return;
+    *out = (studio_hit){h, place};
+    *found = true, r->tmax = h.t;
+}
+
+effects_inline bool studio_tree_hit(const studio_tree *t, ray r, studio_hit *out)
 {
     bool found = false;
     hit h;
     instance_hit x;
-    if (t->all->n && bvh8_hit_but(&t->shapes, r, bvh8_skip_none, &h)) {
-        *out = (studio_hit){h, no_shape};
-        found = true, r.tmax = h.t;
-    }
-    for (size_t k = 0; k < t->standing; k++)  /* nearer, not as near: the first keeps it */
-        if (bvh8_hit_but(&t->mesh[k], r, bvh8_skip_none, &h) && !(found && h.t == r.tmax)) {
-            *out = (studio_hit){h, t->mesh_place[k]};
-            found = true, r.tmax = h.t;
-        }
-    if (t->moved.n && instances_hit(&t->moved, r, &x) && !(found && x.h.t == r.tmax)) {
-        *out = (studio_hit){x.h, t->moved_place[x.instance]};
-        found = true, r.tmax = x.h.t;
-    }
+    if (t->all->n && bvh8_hit_but(&t->shapes, r, bvh8_skip_none, &h))
+        studio_tree_keep(h, no_shape, &r, &found, out);
+    for (size_t k = 0; k < t->standing; k++)
+        if (bvh8_hit_but(&t->mesh[k], r, bvh8_skip_none, &h))
+            studio_tree_keep(h, t->mesh_place[k], &r, &found, out);
+    if (t->moved.n && instances_hit(&t->moved, r, &x))
+        studio_tree_keep(x.h, t->moved_place[x.instance], &r, &found, out);
     for (uint32_t k = 0; k < t->solids; k++)
-        if (csg_hit(&t->s->solid[k].c, r, &h) && !(found && h.t == r.tmax)) {
-            *out = (studio_hit){h, no_shape - 1 - k};
-            found = true, r.tmax = h.t;
-        }
+        if (csg_hit(&t->s->solid[k].c, r, &h))
+            studio_tree_keep(h, no_shape - 1 - k, &r, &found, out);
     return found;
 }
 
-__attribute__((always_inline))
-static inline bool studio_tree_occluded(const studio_tree *t, ray r)
+effects_inline bool studio_tree_occluded(const studio_tree *t, ray r)
 {
     if (t->all->n && bvh8_occluded_but(&t->shapes, r, bvh8_skip_none)) return true;
     for (size_t k = 0; k < t->standing; k++)
@@ -175,16 +170,28 @@ static inline uint32_t studio_hit_material(const studio_tree *t, studio_hit x)
                                : studio_material_of(t->s, x.place, x.h.shape);
 }
 
-/* Which of the moved a place is: they are in the order of the places. */
+/* Which of the moved a place is: they are in the order of the places; t.moved.n: it stands. */
 static inline size_t studio_moved_index(const studio_tree *t, uint32_t place)
 {
     size_t lo = 0, hi = t->moved.n;
-    while (hi - lo > 1) {
+    while (lo < hi) {
         size_t middle = lo + (hi - lo) / 2;
-        if (t->moved_place[middle] <= place) lo = middle;
+        if (t->moved_place[middle] < place) lo = middle + 1;
         else hi = middle;
     }
-    return lo;
+    return lo < t->moved.n && t->moved_place[lo] == place ? lo : t->moved.n;
+}
+
+/* Triangle `index` of a place, in the world; *moved: as studio_moved_index. */
+static inline triangle studio_triangle(const studio_tree *t, uint32_t place, uint32_t index,
+                                       size_t *moved)
+{
+    const instance *at = &t->s->placed[place];
+    triangle c = mesh_triangle(&t->s->mesh[at->mesh], index);
+    *moved = studio_moved_index(t, place);
+    if (*moved == t->moved.n) return c;
+    const affine *w = &at->to_world;
+    return (triangle){affine_point(*w, c.a), affine_point(*w, c.b), affine_point(*w, c.c)};
 }
 
 static inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
@@ -194,11 +201,9 @@ static inline surface studio_surface(const studio_tree *t, ray r, studio_hit x)
     const studio_solid *of = studio_hit_solid(t, x);
     if (of) return solid_surface(of, r, x.h);
     const mesh *m = &s->mesh[s->placed[x.place].mesh];
-    size_t k = t->moved.n ? studio_moved_index(t, x.place) : 0;
-    if (!t->moved.n || t->moved_place[k] != x.place) return surface_of_mesh(m, x.h);
-    const affine *w = &s->placed[x.place].to_world;
-    triangle c = mesh_triangle(m, x.h.shape);
-    c = (triangle){affine_point(*w, c.a), affine_point(*w, c.b), affine_point(*w, c.c)};
+    size_t k;
+    triangle c = studio_triangle(t, x.place, x.h.shape, &k);
+    if (k == t->moved.n) return surface_of_mesh(m, x.h);
     surface a = surface_on_triangle(c, x.h.shape, x.h.u, x.h.v);
     const affine *back = &t->moved.place[t->moved.where[k]].to_object;
     a.n = normal_to_world(back, triangle_normal(mesh_triangle(m, x.h.shape)));

@@ -1,15 +1,14 @@
 /* sum.h: adding up many small numbers.
  *
- *   real s = 0;  s = sum_add_naive(s, x);     what any program does
- *   running_sum s = {0};  s = sum_add(s, x);  s.sum is the result
- *   sum_error(a, b, s)                        what rounding took from s = a + b
+ *   float s = 0;  s = sum_add_naive_f32(s, x);            what any program does
+ *   running_sum_f32 s = {0};  s = sum_add_f32(s, x);      s.sum is the result
+ *   sum_error(a, b, s)                                    what rounding took from s = a + b
  *
  * A float holds 24 bits. When the sum has reached 2^24 the next 1 lies below the last bit: 2^24 + 1
  * rounds back to 2^24, and the sum stands still for ever. Long before that each addition drops up
- * to half a bit. sum_add keeps what was dropped and adds it to the next number: the error stays at
- * about one epsilon, however many numbers there are (as long as they have one sign). Three
- * additions more; a plain sum in double (53 bits) does as well up to some 1e9 numbers of a float's
- * accuracy.
+ * to half a bit. sum_add_f32 keeps what was dropped and adds it to the next number: the error stays
+ * at about one epsilon, however many numbers there are (as long as they have one sign). A plain sum
+ * in double (53 bits) does as well up to some 1e9 numbers of a float's accuracy.
  *
  * Sources: W. Kahan, "Further remarks on reducing truncation errors", Comm. ACM 8(1), 1965;
  * D. Knuth, The Art of Computer Programming 2, section 4.2.2, theorem B (the exact error of a sum).
@@ -19,11 +18,9 @@
 
 #include "../vec3.h"
 
-typedef struct { real sum, lost; } running_sum;
+typedef struct { float sum, lost; } running_sum_f32;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline real sum_add_naive(real s, real x) { return s + x; }
 
 /* What rounding took from s = a + b, exactly a + b - s, whichever of the two is larger (needs
  * rounding as IEEE 754 has it, so neither -ffast-math nor contraction). */
@@ -33,14 +30,6 @@ static inline real sum_error(real a, real b, real s)
     return (a - (s - b_used)) + (b - b_used);
 }
 
-static inline running_sum sum_add(running_sum s, real x)
-{
-    real b = x + s.lost, sum = s.sum + b;
-    return (running_sum){sum, sum_error(s.sum, b, sum)};
-}
-
-/* The two, always in float. */
-typedef struct { float sum, lost; } running_sum_f32;
 static inline float sum_add_naive_f32(float s, float x) { return s + x; }
 
 static inline running_sum_f32 sum_add_f32(running_sum_f32 s, float x)

@@ -108,7 +108,7 @@ static inline hard_count touching(int k, real x)
                        (vec3){0, 0, i % 2 ? 40 : -40},
                        (first_material){.ior = i < 2 ? (real)1.5 : (real)1.33});
     first_world *w = first_world_new(&s, 12);
-    for (int i = 0; i < 4; i++) w->look[i].body = i < 2 ? 1 : 3;
+    for (int i = 0; i < 4; i++) w->on.look[i].body = i < 2 ? 1 : 3;
     for (uint64_t i = 0; i < c.tried; i++) {
         vec3 d = vunit((vec3){random_real(3, i, 0, 0), -1, random_real(3, i, 1, 0)});
         ray r = ray_from((vec3){0, 3, 0}, d);
@@ -262,13 +262,12 @@ static inline hard_count solid_angles(int k, real x)
 {
     hard_count c = {hard_inputs, 0, 0};
     radiometry_hard_run *r = allocate(1, sizeof *r);
-    int before = hard_has(hard_list[k].kind, HARD_NAIVE) ? HARD_NAIVE : HARD_FIRST;
     (void)x;
     hard_fill(r, &hard_list[k], hard_seed);
     for (int i = 0; i < hard_inputs; i++) {
         double due = hard_exact(&r->in[i]), most = 64 * hard_eps * fabs(due);
-        c.first += !(fabs((double)hard_value(&r->in[i], before) - due) <= most);
-        c.now += !(fabs((double)hard_value(&r->in[i], HARD_DEFAULT) - due) <= most);
+        c.first += !(fabs((double)hard_value(&r->in[i], true) - due) <= most);
+        c.now += !(fabs((double)hard_value(&r->in[i], false) - due) <= most);
     }
     free(r);
     return c;

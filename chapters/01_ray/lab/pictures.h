@@ -31,8 +31,10 @@ static inline void ray_steps_pixel(int x, int y, void *context)
     real v = ((real)(s->im->height - y) - half) / scale;
     if (u > 64 || k >= ray_panels) { image_set(s->im, x, y, (vec3){1, 1, 1}); return; }
     real nearest = real_infinity;
-    /* Floats here are 8 apart at most: a dot less than 1 away from u has a t within 5 of u. */
-    int first = (int)real_max(64 * (u - 5), 0), end = (int)real_min(64 * (u + 5), ray_points);
+    /* A dot less than 1 away from u has a t within 1 and half the way between two floats of u. */
+    real reach = 1 + ldexp((real)1, 2 * k - 4);
+    int first = (int)real_max(64 * (u - reach), 0);
+    int end = (int)real_min(64 * (u + reach) + 1, ray_points);
     for (int i = first; i < end; i++) {
         real dx = (real)(s->p[k][i].x - s->o[k].x) - u, dy = (real)(s->p[k][i].y - s->o[k].y) - v;
         nearest = real_min(nearest, dx * dx + dy * dy);

@@ -3,7 +3,7 @@
  *   ray_line l = ray_line_at(seed, i, 10000);       a random line, |o| = 10000, |d| = 1
  *   double e = ray_error(form, &l, t);              |p(t) - exact|, by wide.h
  *   double e = ray_error_rms(l, n, seed, form, t);  of n lines, each at a t between t/2 and t
- *   ray_measure(&o);                                prints the tables, draws the plots
+ *   ray_measure(&o);                                prints the tables, draws the plot
  *
  * Exact is the point of the very numbers that a form was given: o and d, or a and b.
  */
@@ -115,65 +115,54 @@ static inline double ray_run_direction(void *context)
 
 static const double ray_nanoseconds = 1e9 / (ray_repeats * ray_lines);
 
-/* All forms, |o| = far; p and q, if not NULL, get their points. */
-static inline table ray_table(const options *o, ray_task job, ray_line *l, real far,
-                              const char *title, plot *p, plot *q)
+static inline void ray_main_table(const options *o, ray_task *job)
 {
     bench_candidate v[RAY_FORMS];
-    table t = table_new(title, "form|error t=1|error t=1e4|error t=1e8|time [ns]");
-    for (uint64_t i = 0; i < ray_lines; i++) l[i] = ray_line_at(o->seed, i, far);
-    for (int f = 0; f < RAY_FORMS; f++) v[f] = (bench_candidate){NULL, ray_run[f], &job, 0, 0};
+    table t = table_new("p(t), |o| = 1e4, |d| = 1: error (rms of 256 rays), time",
+                        "form|error t=1|error t=1e4|error t=1e8|time [ns]");
+    plot p = plot_new("Error of p(t), |o| = 1e4", "t", "error", PLOT_LOG_X | PLOT_LOG_Y);
+    for (int f = 0; f < RAY_FORMS; f++) v[f] = (bench_candidate){NULL, ray_run[f], job, 0, 0};
     bench_time(v, RAY_FORMS, o->quick ? 3 : 15);
     for (int f = 0; f < RAY_FORMS; f++) {
-        const real at[] = {1, 10000, 100000000};
-        double time = v[f].seconds * ray_nanoseconds, e[3];
+        int series = plot_series(&p, ray_form_name[f]);
         table_text(&t, "%s", ray_form_name[f]);
-        for (int k = 0; k < 3; k++)
-            table_number(&t, e[k] = ray_error_rms(l, ray_lines, o->seed, (ray_form)f, at[k]));
-        table_number(&t, time);
-        if (!p) continue;
-        int series = plot_series(p, ray_form_name[f]);
-        for (real x = 1; x < 200000000; x *= 10)
-            plot_add(p, series, (double)x,
-                     ray_error_rms(l, ray_lines, o->seed, (ray_form)f, x));
-        plot_add(q, plot_series(q, ray_form_name[f]), time, e[1]);
+        for (int power = 0; power <= 8; power++) {
+            real x = pow((real)10, (real)power);
+            double e = ray_error_rms(job->l, ray_lines, o->seed, (ray_form)f, x);
+            if (power % 4 == 0) table_number(&t, e);
+            plot_add(&p, series, (double)x, e);
+        }
+        table_number(&t, v[f].seconds * ray_nanoseconds);
     }
-    return t;
+    output_table(o, &t);
+    plot_slope(&p, 1, "slope 1");
+    output_plot(o, &p, "01_ray_error.svg");
+}
+
+static inline void ray_direction_table(const options *o, ray_task *job)
+{
+    ray_task unit = *job;
+    unit.unit = true;
+    bench_candidate v[] = {{"d = b - a", ray_run_direction, job, 0, 0},
+                           {"d of length 1", ray_run_direction, &unit, 0, 0}};
+    bench_time(v, 2, 15);
+    table t = table_new("Making a ray from a to b", "direction|time [ns]|ratio");
+    for (int k = 0; k < 2; k++) {
+        table_text(&t, "%s", v[k].name);
+        table_number(&t, v[k].seconds * ray_nanoseconds);
+        table_number(&t, v[k].seconds / v[0].seconds);
+    }
+    output_extra_table(o, &t);
 }
 
 static inline void ray_measure(const options *o)
 {
-    plot p = plot_new("Error of p(t), |o| = 1e4", "t", "error", PLOT_LOG_X | PLOT_LOG_Y);
-    plot q = plot_new("|o| = 1e4, t about 1e4", "time [ns]", "error", PLOT_LOG_Y);
     ray_line *l = allocate(ray_lines, sizeof *l);
     ray_task job = {l, allocate(ray_lines, sizeof(vec3)), allocate(ray_lines, sizeof(vec3_f32)),
                     false};
-    table t = ray_table(o, job, l, 10000, "p(t), |o| = 1e4, |d| = 1: error (rms of 256 rays), time",
-                        &p, &q);
-    output_table(o, &t);
-    plot_slope(&p, 1, "slope 1");
-    output_plot(o, &p, "01_ray_error.svg");
-    output_plot(o, &q, "01_ray_time.svg");
-    if (o->full) {
-        t = ray_table(o, job, l, 1, "p(t), |o| = 1, |d| = 1: error (rms of 256 rays), time",
-                      NULL, NULL);
-        output_extra_table(o, &t);
-        t = ray_table(o, job, l, 100000000,
-                      "p(t), |o| = 1e8, |d| = 1: error (rms of 256 rays), time", NULL, NULL);
-        output_extra_table(o, &t);
-        ray_task unit = job;
-        unit.unit = true;
-        bench_candidate w[] = {{"d = b - a", ray_run_direction, &job, 0, 0},
-                               {"d of length 1", ray_run_direction, &unit, 0, 0}};
-        bench_time(w, 2, 15);
-        t = table_new("Making a ray from a to b", "direction|time [ns]|ratio");
-        for (int k = 0; k < 2; k++) {
-            table_text(&t, "%s", w[k].name);
-            table_number(&t, w[k].seconds * ray_nanoseconds);
-            table_number(&t, w[k].seconds / w[0].seconds);
-        }
-        output_extra_table(o, &t);
-    }
+    for (uint64_t i = 0; i < ray_lines; i++) l[i] = ray_line_at(o->seed, i, 10000);
+    ray_main_table(o, &job);
+    if (o->full) ray_direction_table(o, &job);
     free(l), free(job.out), free(job.out_f32);
 }
 #endif

@@ -2,8 +2,7 @@
  *
  *   camera_measure_filters(&o)  box, tent, Gaussian; regular, jittered, random; 4, 16, 256 rays a
  *                               pixel, on patterns whose filtered value pattern.h knows: the main
- *                               table; with --full plots of 1 to 1024 rays
- *   camera_measure_means(&o)    two ways to divide a weighted sum: bias and spread
+ *                               table; with --full a plot of 1 to 1024 rays
  *
  * Errors of pixels are root mean squares over 32 x 32, each against the exact value of its own
  * filter.
@@ -67,7 +66,6 @@ typedef struct { const char *name; filter f; sample_placement how; bool zone; } 
 static const camera_way camera_ways[] = {
     {"box jittered", {FILTER_BOX, 0.5, 0}, SAMPLES_JITTERED, false},
     {"tent jittered", {FILTER_TENT, 1, 0}, SAMPLES_JITTERED, false},
-    {"Gaussian jittered", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_JITTERED, false},
     {"tent regular", {FILTER_TENT, 1, 0}, SAMPLES_REGULAR, false},
     {"tent random", {FILTER_TENT, 1, 0}, SAMPLES_RANDOM, false},
     {"Gaussian random", {FILTER_GAUSSIAN, 2, 0.5}, SAMPLES_RANDOM, true},
@@ -95,29 +93,22 @@ static inline void camera_trials(camera_trial m[camera_way_count], int n)
     }
 }
 
-static inline void camera_filter_plots(const options *o)
+static inline void camera_plot_filters(const options *o)
 {
-    int log = PLOT_LOG_X | PLOT_LOG_Y;
-    plot board = plot_new("Checkerboard", "rays a pixel", "rms error [white = 1]", log);
-    plot time = plot_new("Checkerboard", "time a pixel [ns]", "rms error [white = 1]", log);
+    plot p = plot_new("Checkerboard", "rays a pixel", "rms error [white = 1]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
     for (int j = 0; j < camera_way_count; j++) {
         if (camera_ways[j].zone) continue;
-        int series = plot_series(&board, camera_ways[j].name);
-        plot_series(&time, camera_ways[j].name);
+        int series = plot_series(&p, camera_ways[j].name);
         for (int n = 1; n <= 32; n *= 2) {
             camera_trial m[camera_way_count];
             camera_trials(m, n);
-            bench_candidate v = {.run = camera_run_pixels, .context = &m[j]};
-            double error = camera_run_pixels(&m[j]);
-            bench_time(&v, 1, n < 16 ? 5 : 1);
-            plot_add(&board, series, n * n, error);
-            plot_add(&time, series, 1e9 * v.seconds / camera_pixels, error);
+            plot_add(&p, series, n * n, camera_run_pixels(&m[j]));
         }
     }
-    plot_slope(&board, -0.5, "slope -1/2");
-    plot_slope(&board, -0.75, "slope -3/4");
-    output_plot(o, &board, "02_camera_checkerboard.svg");
-    output_plot(o, &time, "02_camera_time.svg");
+    plot_slope(&p, -0.5, "slope -1/2");
+    plot_slope(&p, -0.75, "slope -3/4");
+    output_plot(o, &p, "02_camera_checkerboard.svg");
 }
 
 static inline void camera_measure_filters(const options *o)
@@ -143,48 +134,7 @@ static inline void camera_measure_filters(const options *o)
         table_number(&t, error[1][j]), table_number(&t, 1e9 * v[j].seconds / camera_pixels);
     }
     output_table(o, &t);
-    if (o->full) camera_filter_plots(o);
-}
-
-/* ---- two means of the same rays: a white stripe, 1 where |x| < 1/2, under a tent: 3/4 ---- */
-
-typedef struct { double bias[2], spread[2]; } camera_means;  /* [0]: by the weights that came */
-
-static inline camera_means camera_stripe_means(int n, int trials)
-{
-    double sum[2] = {0, 0}, square[2] = {0, 0};
-    camera_means m;
-    for (int i = 0; i < trials; i++) {
-        random_stream s = random_start(7, (uint64_t)i, (uint64_t)n);
-        filter_sum f = {{0, 0, 0}, 0};
-        for (int k = 0; k < n; k++) {
-            real x, y, c;
-            samples_place(SAMPLES_RANDOM, k, 1, 1, &s, &x, &y);
-            c = fabs(x) < (real)0.5;
-            f = filter_add(f, filter_weight(filter_tent, x, y), (vec3){c, c, c});
-        }
-        double e[] = {(double)filter_mean(f).x - 0.75,
-                      (double)filter_mean_naive(f, filter_tent, n).x - 0.75};
-        for (int k = 0; k < 2; k++) sum[k] += e[k], square[k] += e[k] * e[k];
-    }
-    for (int k = 0; k < 2; k++) {
-        m.bias[k] = sum[k] / trials;
-        m.spread[k] = sqrt(square[k] / trials - m.bias[k] * m.bias[k]);
-    }
-    return m;
-}
-
-static inline void camera_measure_means(const options *o)
-{
-    table t = table_new("A stripe under a tent, exactly 3/4: what two ways to divide make of it",
-                        "random rays|bias, own weights|spread, own|bias, expected weight|"
-                        "spread, expected");
-    for (int n = 1; n <= 64; n *= 4) {
-        camera_means m = camera_stripe_means(n, 2000000 / n);
-        table_count(&t, (size_t)n);
-        for (int k = 0; k < 2; k++) table_number(&t, m.bias[k]), table_number(&t, m.spread[k]);
-    }
-    output_extra_table(o, &t);
+    if (o->full) camera_plot_filters(o);
 }
 
 #endif

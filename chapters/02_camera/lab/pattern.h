@@ -6,14 +6,14 @@
  *                  R = pi / (2 a), and nothing but grey should remain beyond
  *
  *   double checkerboard(double x, double y, double cell);
- *   double checkerboard_filtered(double x, double y, double cell, filter f);   box, tent, Gaussian
+ *   double checkerboard_filtered(double x, double y, double cell, filter f);   box or tent
  *   double zone_plate(double x, double y, double a);
  *   double zone_plate_filtered(double x, double y, double a, double sigma);    Gaussian
  *
  * (x, y) in pixels. A separable filter turns s(x) s(y) into the product of two integrals:
- * differences of the first antiderivative of s under the box, of the second under the tent, a sum
- * of error functions under the Gaussian with its cut-off. The zone plate is the real part of
- * exp(i a x^2) exp(i a y^2), and under a Gaussian without cut-off, with g = 1 - 2 i a sigma^2,
+ * differences of the first antiderivative of s under the box, of the second under the tent. The
+ * zone plate is the real part of exp(i a x^2) exp(i a y^2), and under a Gaussian without cut-off,
+ * with g = 1 - 2 i a sigma^2,
  *   E exp(i a X^2) = g^(-1/2) exp(i a x^2 / g)                                 (2.12)
  * These are oracles: always in double, right to 1e-12 for |x|, |y| up to 1000, and the
  * zone plate itself, unfiltered, to an epsilon of its phase a (x^2 + y^2).
@@ -45,35 +45,13 @@ static inline double square_wave_integral_2(double x, double cell)
     return (p < cell ? 1 : -1) * (y * y - cell * y) / 2;
 }
 
-/* s under the Gaussian on [x - R, x + R]: from edge to edge, by error functions. */
-static inline double square_wave_gaussian(double x, double cell, filter f)
-{
-    double R = (double)f.radius, scale = 1 / ((double)f.sigma * sqrt(2.0));
-    double from = x - R, sum = 0;
-    while (from < x + R) {
-        double edge = cell * (floor(from / cell) + 1);
-        if (edge <= from) edge += cell;  /* rounding must not stop the walk */
-        double to = edge < x + R ? edge : x + R;
-        double weight = erf((to - x) * scale) - erf((from - x) * scale);
-        sum += weight * square_wave((from + to) / 2, cell);
-        from = to;
-    }
-    return sum / (2 * erf(R * scale));
-}
-
 static inline double square_wave_filtered(double x, double cell, filter f)
 {
     double R = (double)f.radius;
-    switch (f.kind) {
-    case FILTER_BOX:
+    if (f.kind == FILTER_BOX)
         return (square_wave_integral(x + R, cell) - square_wave_integral(x - R, cell)) / (2 * R);
-    case FILTER_TENT:
-        return (square_wave_integral_2(x + R, cell) - 2 * square_wave_integral_2(x, cell)
-                + square_wave_integral_2(x - R, cell)) / (R * R);
-    case FILTER_GAUSSIAN:
-        return square_wave_gaussian(x, cell, f);
-    }
-    return 0;
+    return (square_wave_integral_2(x + R, cell) - 2 * square_wave_integral_2(x, cell)
+            + square_wave_integral_2(x - R, cell)) / (R * R);
 }
 
 static inline double checkerboard(double x, double y, double cell)

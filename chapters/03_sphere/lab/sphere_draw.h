@@ -4,10 +4,6 @@
  *                             float from 500, 1000, 2000 and 5000: above by first.h, below by
  *                             sphere_hit; |n.d|, red where a ray through the disc misses, blue
  *                             where a ray beside it hits
- *   sphere_draw_map(&o)       across: the distance, 1 to 1e9 radii; up: how far the ray passes from
- *                             the centre, 0 to 1.2 radii; red and blue as above, grey where the
- *                             answer is right: the darker, the farther the hit is off the surface;
- *                             left first.h in float, then first.h, then sphere_hit
  *   sphere_draw_geometry(&o)  t_ca, t_hc, q and R: (3.4) to (3.6), where sphere_roots finds them
  */
 #ifndef SPHERE_DRAW_H
@@ -98,76 +94,6 @@ static inline void sphere_draw(const options *o)
     }
     output_picture(o, &im, "03_sphere.png", true, whole);
     image_free(&im);
-}
-
-static inline vec3 sphere_map_grey(real digits_lost)  /* 0: off by 1e-9 R at most; 1: by R */
-{
-    real grey = (real)0.85 * real_clamp(1 - digits_lost, 0, 1);
-    return (vec3){grey, grey, grey};
-}
-
-enum { sphere_map_width = 282, sphere_map_height = 200, sphere_map_left = 44, sphere_map_top = 56 };
-
-static vec3 sphere_map_colour(const void *context, real x, real y)
-{
-    sphere_hit_function *const *X_hit = context;
-    real pass = (real)1.2 * (sphere_map_height - y) / sphere_map_height;
-    ray r = sphere_view(pow((real)10, 9 * x / sphere_map_width), pass, pass / 3);
-    sphere ball = {{0, 0, 0}, vlength((vec3){1, (real)1 / 3, 0})};
-    hit h;
-    r.tmin = -real_infinity;
-    bool is = (*X_hit)(ball, r, &h), due = sphere_clearance(ball, r) <= 0;
-    if (is != due) return due ? sphere_red : sphere_blue;
-    if (!is) return vec(1, 1, 1);
-    return sphere_map_grey((real)(1 + log10(sphere_residual(ball, r, h.t) + 1e-30) / 9));
-}
-
-static inline void sphere_map_axes(image *sheet, int x, const char *title)
-{
-    static const char *const across[4] = {"1", "1e3", "1e6", "1e9"};
-    static const char *const up[3] = {"0", ".5", "1"};
-    const vec3 black = {0, 0, 0};
-    int w = sphere_map_width, h = sphere_map_height, top = sphere_map_top;
-    label_text(sheet, x + w / 2.0, top - 10, 12, 0.5, black, title);
-    label_fill(sheet, x - 1, top, 1, h, black), label_fill(sheet, x - 1, top + h, w + 1, 1, black);
-    for (int k = 0; k < 4; k++) {
-        label_fill(sheet, x + k * (w - 1) / 3, top + h, 1, 5, black);
-        label_text(sheet, x + k * w / 3.0, top + h + 18, 10, k == 3 ? 1 : 0.5, black, across[k]);
-    }
-    for (int k = 0; k < 3; k++) {
-        int y = top + h - k * h * 5 / 12;
-        label_fill(sheet, x - 6, y, 5, 1, black);
-        label_text(sheet, x - 9, y + 5, 10, 1, black, up[k]);
-    }
-}
-
-static inline void sphere_draw_map(const options *o)
-{
-    static const struct { const char *title; sphere_hit_function *X_hit; } panel[3] = {
-        {"first.h, in float", sphere_hit_first_f32},
-        {real_is_float ? "first.h" : "first.h, in double", first_sphere_hit},
-        {"sphere_hit", sphere_hit}};
-    if (o->out) return;
-    const vec3 black = {0, 0, 0};
-    image sheet = label_sheet(960, sphere_map_top + sphere_map_height + 100);
-    bool whole = true;
-    for (int k = 0; k < 3; k++) {
-        image im = image_new(sphere_map_width, sphere_map_height);
-        int x = sphere_map_left + k * (sphere_map_width + 34);
-        if (whole)
-            whole = pixels_draw(&im, 1, o->threads, "map", sphere_map_colour, &panel[k].X_hit);
-        image_place(&sheet, x, sphere_map_top, &im);
-        sphere_map_axes(&sheet, x, panel[k].title);
-        image_free(&im);
-    }
-    label_text(&sheet, 6, 18, 11, 0, black, "up: how far the ray passes from the centre [R]");
-    label_text(&sheet, 954, 18, 11, 1, black, "across: distance of the eye [R]");
-    int y = sphere_map_top + sphere_map_height + 42;
-    sphere_key(&sheet, 44, y, sphere_red, "misses, but should hit");
-    sphere_key(&sheet, 310, y, sphere_blue, "hits, but should miss");
-    label_bar(&sheet, 570, y, 370, 10, sphere_map_grey, 1e-9, 1, "hits, off the surface by [R]");
-    output_picture(o, &sheet, "03_sphere_map.png", false, whole);
-    image_free(&sheet);
 }
 
 /* A length between two arrow heads, and its name. */

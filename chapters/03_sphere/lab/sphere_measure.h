@@ -1,6 +1,6 @@
 /* sphere_measure.h: the tables and plots of this chapter.
  *
- *   sphere_measure(&o)   the main table; with --full all others, and the plots
+ *   sphere_measure(&o)   the main table; with --full the other one, and the plot
  */
 #ifndef SPHERE_MEASURE_H
 #define SPHERE_MEASURE_H
@@ -10,15 +10,7 @@
 #include "../../../common/parallel.h"
 #include "sphere_survey.h"
 
-static inline void sphere_measure(const options *o);
-
 /* ---------------------------------------------------------------------------------------------- */
-
-/* In double "first, in double" is "first": the tables leave it out. */
-static inline bool sphere_told(int m)
-{
-    return real_is_float || sphere_method[m] != sphere_hit_in_double;
-}
 
 enum { sphere_timed = 1024, sphere_repeats = 20 };
 
@@ -36,7 +28,6 @@ enum { sphere_timed = 1024, sphere_repeats = 20 };
     }
 SPHERE_TIMED(sphere_run_first_f32, sphere_hit_first_f32)
 SPHERE_TIMED(sphere_run_first, first_sphere_hit)
-SPHERE_TIMED(sphere_run_in_double, sphere_hit_in_double)
 SPHERE_TIMED(sphere_run_stable_root, sphere_hit_stable_root)
 SPHERE_TIMED(sphere_run_haines, sphere_hit_haines)
 SPHERE_TIMED(sphere_run_lagrange, sphere_hit_lagrange)
@@ -44,9 +35,8 @@ SPHERE_TIMED(sphere_run_kahan, sphere_hit_kahan)
 SPHERE_TIMED(sphere_run_hit, sphere_hit)
 SPHERE_TIMED(sphere_run_mine, mine_sphere_hit)
 static double (*const sphere_run[])(void *) = {
-    sphere_run_first_f32, sphere_run_first, sphere_run_in_double, sphere_run_stable_root,
-    sphere_run_haines, sphere_run_lagrange, sphere_run_kahan, sphere_run_hit,
-    sphere_run_mine};
+    sphere_run_first_f32, sphere_run_first, sphere_run_stable_root, sphere_run_haines,
+    sphere_run_lagrange, sphere_run_kahan, sphere_run_hit, sphere_run_mine};
 
 static inline void sphere_time(const options *o, sphere_how how, real far,
                                double ns[sphere_methods])
@@ -80,40 +70,30 @@ static inline void sphere_main_table(const options *o)
                         " 1e6 R; time of a test",
                         "method|error edge 1e2 R|error edge 1e4 R|error edge 1e6 R|"
                         "error grazing wrong 1e6 R [%]|time [ns]");
-    plot w = plot_new("Error from 1e4 R against time", "time [ns]", "edge [R]", PLOT_LOG_Y);
     sphere_time(o, SPHERE_ANYWHERE, 100, ns);
     for (int m = 0; m < sphere_methods; m++) {
-        if (!sphere_told(m)) continue;
         table_text(&t, "%s", sphere_method_name[m]);
-        plot_add(&w, plot_series(&w, sphere_method_name[m]), ns[m], all->at[1].of[m].edge);
         for (int k = 0; k < 3; k++) table_number(&t, all->at[k].of[m].edge);
         table_number(&t, all->at[2].of[m].grazing_wrong);
         table_number(&t, ns[m]);
     }
     output_table(o, &t);
-    output_plot(o, &w, "03_sphere_time.svg");
     free(all);
 }
 
-/* "first, in double" is left out: in double it is "first", in float it lies below it. */
-static inline void sphere_plots(const options *o, const sphere_surveys *all)
+static inline void sphere_plot_edge(const options *o)
 {
-    const int logs = PLOT_LOG_X | PLOT_LOG_Y;
-    plot p = plot_new("How near the limb a ray is misclassified", "distance [R]", "edge [R]", logs);
-    plot q = plot_new("How far a hit is off the surface", "distance [R]", "residual [R]", logs);
+    sphere_surveys *all = sphere_survey_all(o, 0, 1, sphere_distances, 100000);
+    plot p = plot_new("How near the limb a ray is misclassified", "distance [R]", "edge [R]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
     for (int m = 0; m < sphere_methods; m++) {
-        if (sphere_method[m] == sphere_hit_in_double) continue;
         int series = plot_series(&p, sphere_method_name[m]);
-        int same = plot_series(&q, sphere_method_name[m]);
-        for (int k = 0; k < sphere_distances; k++) {
+        for (int k = 0; k < sphere_distances; k++)
             plot_add(&p, series, (double)all->at[k].far, all->at[k].of[m].edge);
-            if (k == 0) continue;  /* o is on the surface: the residual is that of o */
-            plot_add(&q, same, (double)all->at[k].far, all->at[k].of[m].residual);
-        }
     }
-    plot_slope(&p, 2, "slope 2"), plot_slope(&q, 2, "slope 2");
+    plot_slope(&p, 2, "slope 2");
     output_plot(o, &p, "03_sphere_edge.svg");
-    output_plot(o, &q, "03_sphere_residual.svg");
+    free(all);
 }
 
 /* Of n rays, those whose D sphere_roots computes a second time. */
@@ -152,11 +132,7 @@ static inline void sphere_doubt_table(const options *o)
 static inline void sphere_measure(const options *o)
 {
     sphere_main_table(o);
-    if (!o->full) return;
-    sphere_surveys *all = sphere_survey_all(o, 0, 1, sphere_distances, 100000);
-    sphere_plots(o, all);
-    sphere_doubt_table(o);
-    free(all);
+    if (o->full) sphere_plot_edge(o), sphere_doubt_table(o);
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* sphere_survey.h: which rays each of eight ways gets wrong, at some distances.
+/* sphere_survey.h: which rays each of seven ways gets wrong, at some distances.
  *
  *   sphere_shot_at(seed, how, far, i)   ray i from about far R away, and its sphere, aimed
  *       SPHERE_ANYWHERE       uniformly over a disc of 1.2 R around the centre
@@ -11,7 +11,6 @@
  *
  *   grazing_wrong    of all grazing rays, how many are misclassified, percent
  *   edge             the largest | pass / R - 1 | of a ray that was misclassified
- *   residual         how far a hit is off the surface at most, over R
  */
 #ifndef SPHERE_SURVEY_H
 #define SPHERE_SURVEY_H
@@ -19,20 +18,19 @@
 #include "mine.h"
 #include "sphere_variants.h"
 
-enum { sphere_default = 7, sphere_methods = 8 + sphere_mine, sphere_distances = 13 };
+enum { sphere_default = 6, sphere_methods = 7 + sphere_mine, sphere_distances = 13 };
 static const char *const sphere_method_name[] = {
-    "first, in float", "first", "first, in double", "stable root",
+    "first, in float", "first", "stable root",
     "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit", "mine"};
 static sphere_hit_function *const sphere_method[] = {
-    sphere_hit_first_f32, first_sphere_hit, sphere_hit_in_double, sphere_hit_stable_root,
-    sphere_hit_haines, sphere_hit_lagrange, sphere_hit_kahan, sphere_hit,
-    mine_sphere_hit};
+    sphere_hit_first_f32, first_sphere_hit, sphere_hit_stable_root, sphere_hit_haines,
+    sphere_hit_lagrange, sphere_hit_kahan, sphere_hit, mine_sphere_hit};
 
 typedef struct { sphere ball; ray r; } sphere_shot;
 typedef enum {
     SPHERE_ANYWHERE, SPHERE_GRAZING, SPHERE_EDGE, SPHERE_LIMB, SPHERE_SURFACE
 } sphere_how;
-typedef struct { double grazing_wrong, edge, residual; } sphere_errors;
+typedef struct { double grazing_wrong, edge; } sphere_errors;
 typedef struct { real far; sphere_errors of[sphere_methods]; } sphere_survey;
 typedef struct { sphere_survey at[sphere_distances]; size_t n; uint64_t seed; } sphere_surveys;
 
@@ -66,36 +64,28 @@ static inline sphere_shot sphere_shot_at(uint64_t seed, sphere_how how, real far
     return t;
 }
 
-/* One answer of one method; clear as sphere_clearance. */
-static inline void sphere_judge(const sphere_shot *s, sphere_how how, size_t i, double clear,
-                                sphere_hit_function *X_hit, sphere_errors *e)
-{
-    hit h;
-    ray r = s->r;
-    r.tmin = -real_infinity;
-    bool is = X_hit(s->ball, r, &h), right = is == (clear <= 0);
-    if (!right && how == SPHERE_GRAZING) e->grazing_wrong++;
-    if (!right && how == SPHERE_EDGE) e->edge = fmax(e->edge, fabs(clear));
-    if (!(is && right && how == SPHERE_ANYWHERE && i % 8 == 0)) return;
-    double residual = sphere_residual(s->ball, r, h.t);
-    if (!(residual <= e->residual)) e->residual = residual;
-}
-
 static inline void sphere_survey_at(size_t k, void *context)
 {
     sphere_surveys *all = context;
     sphere_survey *y = &all->at[k];
-    for (int how = SPHERE_ANYWHERE; how <= SPHERE_EDGE; how++)
+    for (int how = SPHERE_GRAZING; how <= SPHERE_EDGE; how++)
         for (size_t i = 0; i < all->n; i++) {
             sphere_shot own = sphere_shot_at(all->seed, (sphere_how)how, y->far, i);
-            sphere_shot f32 = sphere_narrowed(own);
-            double clear = sphere_clearance(own.ball, own.r);
-            double clear_f32 = sphere_clearance(f32.ball, f32.r);
-            for (int m = 0; m < sphere_methods; m++)
-                sphere_judge(m ? &own : &f32, (sphere_how)how, i, m ? clear : clear_f32,
-                             sphere_method[m], &y->of[m]);
+            sphere_shot shot[2] = {sphere_narrowed(own), own};
+            double clear[2];
+            for (int f64 = 0; f64 < 2; f64++) {
+                clear[f64] = sphere_clearance(shot[f64].ball, shot[f64].r);
+                shot[f64].r.tmin = -real_infinity;
+            }
+            for (int m = 0; m < sphere_methods; m++) {
+                hit h;
+                int f64 = m > 0;  /* the first method computes in float */
+                double apart = clear[f64];
+                if (sphere_method[m](shot[f64].ball, shot[f64].r, &h) == (apart <= 0)) continue;
+                if (how == SPHERE_GRAZING) y->of[m].grazing_wrong += 100 / (double)all->n;
+                else y->of[m].edge = fmax(y->of[m].edge, fabs(apart));
+            }
         }
-    for (int m = 0; m < sphere_methods; m++) y->of[m].grazing_wrong *= 100 / (double)all->n;
 }
 
 #endif

@@ -4,7 +4,6 @@
  *   suffix          what it does                                  misclassified within
  *   first_sphere_.. the textbook (3.3); see first.h               eps (l/R)^2 R  of the limb
  *   _first_f32      the same in float, whatever real is
- *   _in_double      the same in double, whatever real is
  *   _stable_root    (3.3), the roots by (3.7): no b - sqrt(D)     eps (l/R)^2 R  mends nothing
  *   _haines         D from the ray's point closest to c           eps (l/R) R
  *   _lagrange       D by (3.5), plain cross product               eps (l/R) R    and cheaper
@@ -38,19 +37,6 @@ static inline bool sphere_roots_first_f32(sphere s, ray r, real *t0, real *t1)
     if (!(disc >= 0)) return false;
     *t0 = (real)((-b - sqrtf(disc)) / (2 * a));
     *t1 = (real)((-b + sqrtf(disc)) / (2 * a));
-    return true;
-}
-
-static inline bool sphere_roots_in_double(sphere s, ray r, real *t0, real *t1)
-{
-    double fx = (double)r.o.x - (double)s.c.x, dx = (double)r.d.x, R = (double)s.r;
-    double fy = (double)r.o.y - (double)s.c.y, dy = (double)r.d.y;
-    double fz = (double)r.o.z - (double)s.c.z, dz = (double)r.d.z;
-    double a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
-    double disc = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
-    if (!(disc >= 0)) return false;
-    *t0 = (real)((-b - sqrt(disc)) / (2 * a));
-    *t1 = (real)((-b + sqrt(disc)) / (2 * a));
     return true;
 }
 
@@ -109,7 +95,6 @@ static inline bool sphere_roots_kahan(sphere s, ray r, real *t0, real *t1)
         return X_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);                            \
     }
 SPHERE_HIT_BY(sphere_hit_first_f32, sphere_roots_first_f32)
-SPHERE_HIT_BY(sphere_hit_in_double, sphere_roots_in_double)
 SPHERE_HIT_BY(sphere_hit_stable_root, sphere_roots_stable_root)
 SPHERE_HIT_BY(sphere_hit_haines, sphere_roots_haines)
 SPHERE_HIT_BY(sphere_hit_lagrange, sphere_roots_lagrange)

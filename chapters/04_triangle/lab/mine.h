@@ -33,16 +33,9 @@ static inline ray triangle_easy_ray(triangle tri, size_t i, random_stream *g)
     real u = random_between(g, 0.1, 0.4), v = random_between(g, 0.1, 0.4);
     if (i % 3 == 0) u = random_between(g, -1, 2), v = random_between(g, -1, 2);
     vec3 d = vscale(vsub(triangle_at(tri, u, v), o), 1 / random_between(g, 1, 9));
-    ray r = ray_from(o, d);
-    switch (i % 7) {
-    case 0: r.tmax = (real)0.5; break;
-    case 1: r.tmax = 10; break;
-    case 2: r.tmin = 10; break;
-    case 3: r.tmin = (real)0.5; break;
-    case 4: r.d = vneg(d); break;
-    default: break;
-    }
-    return r;
+    static const real end[7][2] = {{0, (real)0.5}, {0, 10}, {10, HUGE_VAL}, {(real)0.5, HUGE_VAL},
+                                   {0, HUGE_VAL}, {0, HUGE_VAL}, {0, HUGE_VAL}};
+    return (ray){o, end[i % 7][0], i % 7 == 4 ? vneg(d) : d, end[i % 7][1]};
 }
 
 static inline bool triangle_is_wrong(hit due, hit got)
@@ -68,10 +61,10 @@ static inline bool triangle_prove(triangle_method *method, const char *name, siz
         if (!method(tri, r, &got)) got = hit_none;
         asked++, hits += met;
         if (!triangle_is_wrong(due, got)) continue;
-        fprintf(out, "%s: of a = (%.17g, %.17g, %.17g), b = (%.17g, %.17g, %.17g), "
-                "c = (%.17g, %.17g, %.17g)\n", name, (double)tri.a.x, (double)tri.a.y,
-                (double)tri.a.z, (double)tri.b.x, (double)tri.b.y, (double)tri.b.z,
-                (double)tri.c.x, (double)tri.c.y, (double)tri.c.z);
+        const vec3 corner[3] = {tri.a, tri.b, tri.c};
+        for (int k = 0; k < 3; k++)
+            fprintf(out, "%s: corner %c = (%.17g, %.17g, %.17g)\n", name, "abc"[k],
+                    (double)corner[k].x, (double)corner[k].y, (double)corner[k].z);
         wrong_report(out, name, r, due, got);
         return false;
     }

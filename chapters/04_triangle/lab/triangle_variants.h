@@ -6,16 +6,11 @@
  *                                      before the signs are known
  *   triangle_hit_tolerant              the same with the edges moved out by 1e-5: no slips, but a
  *                                      ray at an edge hits both neighbours, at a vertex all of them
- *   triangle_hit_absolute              the same refusing |det| < 1e-8: loses small triangles, since
- *                                      det = -d . (e1 x e2) is an area, in squares of the unit
  *   triangle_hit_planes                three planes computed beforehand (4.13): few operations, but
  *                                      96 bytes a triangle, and absolute coordinates
  *   triangle_hit_triple                signs of the triple products d . (b x a) (4.12): the volumes
  *                                      by which Pluecker coordinates tell left from right
  *
- * Of the rays aimed at edges or vertices of a sphere of 5120 triangles round the origin 7 to 12 %
- * slip through Moeller-Trumbore, in float and in double: more digits make the cracks narrower, not
- * fewer for whoever aims at them. Triple products are tight at edges, and leak at vertices.
  * tests/04_triangle.c and tests/04_watertight.c keep each of them failing.
  *
  * gcc 12 at -O2 needs -fno-tree-slp-vectorize here: its vectoriser leaves double digits in floats.
@@ -47,15 +42,15 @@ static inline bool triangle_hit_moller_trumbore_f32(triangle tri, ray r, hit *ou
 }
 
 /* (4.8), divided last: u and v are compared as numerators, with |det| instead of 1, in one branch.
- * And what people add to it: a margin round the triangle, a least determinant. */
+ * And what people add to it: a margin round the triangle. */
 __attribute__((always_inline))
-static inline bool triangle_hit_patched(triangle tri, ray r, real margin, real least, hit *out)
+static inline bool triangle_hit_patched(triangle tri, ray r, real margin, hit *out)
 {
     vec3 e1 = vsub(tri.b, tri.a), e2 = vsub(tri.c, tri.a), s = vsub(r.o, tri.a);
     vec3 s1 = vcross(r.d, e2), s2 = vcross(s, e1);
     real det = vdot(s1, e1), size = fabs(det), sign = copysign((real)1, det);
     real u = sign * vdot(s1, s), v = sign * vdot(s2, r.d), w = size - u - v;
-    if (!(real_min(real_min(u, v), w) >= -margin * size) || size < least) return false;
+    if (!(real_min(real_min(u, v), w) >= -margin * size)) return false;
     real t = vdot(s2, e2) / det;  /* det = 0: infinite or NaN */
     if (!ray_covers(r, t) || !isfinite(t)) return false;
     *out = (hit){t, u / size, v / size, 0};
@@ -64,19 +59,13 @@ static inline bool triangle_hit_patched(triangle tri, ray r, real margin, real l
 
 static inline bool triangle_hit_moller_trumbore(triangle tri, ray r, hit *out)
 {
-    return triangle_hit_patched(tri, r, 0, 0, out);
+    return triangle_hit_patched(tri, r, 0, out);
 }
 
 static inline bool triangle_hit_tolerant(triangle tri, ray r, hit *out)
 {
     const real margin = 1e-5;  /* of the barycentrics: a hundred float roundings */
-    return triangle_hit_patched(tri, r, margin, 0, out);
-}
-
-static inline bool triangle_hit_absolute(triangle tri, ray r, hit *out)
-{
-    const real least = 1e-8;  /* square scene units: nobody knows how large a scene is */
-    return triangle_hit_patched(tri, r, 0, least, out);
+    return triangle_hit_patched(tri, r, margin, out);
 }
 
 /* x . n + d is 0 in the triangle's plane; u and v of x, if it lies there, are x . n + d of the

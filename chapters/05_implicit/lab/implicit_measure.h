@@ -1,7 +1,7 @@
 /* implicit_measure.h: the tables and plots of this chapter.
  *
  *   implicit_measure(&o)    grazing rays at a torus: the main table; with --full rays anywhere,
- *                           Barth's sextic, and the plots
+ *                           Barth's sextic, and the plot
  */
 #ifndef IMPLICIT_MEASURE_H
 #define IMPLICIT_MEASURE_H
@@ -46,38 +46,29 @@ static inline double implicit_time_rays(void *context)
     return sum;
 }
 
-/* [ns] of a ray of each row, side by side. */
-static inline void implicit_times(const options *o, const implicit_row *row, int n,
-                                  implicit_aim aim, double *ns)
-{
-    implicit_timing *t = allocate((size_t)n, sizeof *t);
-    for (int k = 0; k < n; k++) {
-        t[k].u = implicit_subject_of(row[k].surface), t[k].how = row[k].how;
-        for (size_t i = 0; i < implicit_timed; i++)
-            implicit_shot(&t[k].u, o->seed + 1, aim, i, &t[k].r[i]);
-    }
-    bench_each(implicit_time_rays, t, sizeof *t, n, o->quick ? 1 : o->full ? 25 : 5,
-               1e9 / implicit_timed, ns);
-    free(t);
-}
-
-/* `n` rays of each row; also into the plot of error and time, if there is one. */
+/* `n` rays of each row, and [ns] of a ray, side by side. */
 static inline table implicit_table(const options *o, const char *title, const implicit_row *row,
-                                   int rows, implicit_aim aim, size_t n, plot *w)
+                                   int rows, implicit_aim aim, size_t n)
 {
     double ns[implicit_most_rows];
+    implicit_timing *w = allocate((size_t)rows, sizeof *w);
+    for (int k = 0; k < rows; k++) {
+        w[k].u = implicit_subject_of(row[k].surface), w[k].how = row[k].how;
+        for (size_t i = 0; i < implicit_timed; i++)
+            implicit_shot(&w[k].u, o->seed + 1, aim, i, &w[k].r[i]);
+    }
+    bench_each(implicit_time_rays, w, sizeof *w, rows, o->quick ? 1 : o->full ? 25 : 5,
+               1e9 / implicit_timed, ns);
     table t = table_new(title, "method|error missed [%]|error made up [%]|error of t [B]|"
                                "evaluations a ray|time [ns]");
-    implicit_times(o, row, rows, aim, ns);
     for (int k = 0; k < rows; k++) {
-        implicit_subject u = implicit_subject_of(row[k].surface);
-        implicit_survey y = implicit_survey_of(&u, row[k].how, o->seed, aim, o->quick ? 500 : n,
-                                               o->threads);
+        implicit_survey y = implicit_survey_of(&w[k].u, row[k].how, o->seed, aim,
+                                               o->quick ? 500 : n, o->threads);
         table_text(&t, "%s", row[k].name);
         table_number(&t, y.missed), table_number(&t, y.made_up), table_number(&t, y.off);
         table_number(&t, y.calls), table_number(&t, ns[k]);
-        if (w) plot_add(w, plot_series(w, row[k].name), ns[k], y.missed + y.made_up);
     }
+    free(w);
     return t;
 }
 
@@ -109,21 +100,15 @@ static inline void implicit_plot_missed(const options *o)
 
 static inline void implicit_measure(const options *o)
 {
-    plot w = plot_new("Grazing rays at a torus: wrong answers against time", "time a ray [ns]",
-                      "missed and made up [%]", PLOT_LOG_X);
     table t = implicit_table(o, "A torus, grazing rays: what is missed, what is made up, and what "
-                                "it costs", implicit_torus_rows, 8, IMPLICIT_GRAZING, 4000, &w);
+                                "it costs", implicit_torus_rows, 8, IMPLICIT_GRAZING, 4000);
     output_table(o, &t);
-    output_plot(o, &w, "05_implicit_time.svg");
     if (!o->full) return;
     t = implicit_table(o, "A torus, rays anywhere", implicit_torus_rows, 8, IMPLICIT_ANYWHERE,
-                       100000, NULL);
+                       100000);
     output_extra_table(o, &t);
     t = implicit_table(o, "Barth's sextic, grazing rays", implicit_barth_rows, 6,
-                       IMPLICIT_GRAZING, 20000, NULL);
-    output_extra_table(o, &t);
-    t = implicit_table(o, "Barth's sextic, rays anywhere", implicit_barth_rows, 6,
-                       IMPLICIT_ANYWHERE, 20000, NULL);
+                       IMPLICIT_GRAZING, 20000);
     output_extra_table(o, &t);
     implicit_plot_missed(o);
 }

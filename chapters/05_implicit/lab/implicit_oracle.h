@@ -28,10 +28,7 @@ typedef struct { int roots; double first; } implicit_truth;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline implicit_poly implicit_poly_of(wide c0, wide c1)
-{
-    return (implicit_poly){1, {c0, c1}};
-}
+static inline implicit_poly implicit_poly_number(wide c) { return (implicit_poly){0, {c}}; }
 
 static inline implicit_poly implicit_poly_add(implicit_poly a, implicit_poly b, wide s)  /* a+s b */
 {
@@ -65,12 +62,10 @@ static inline void implicit_poly_squares(ray r, double at, implicit_poly q[3])
     for (int k = 0; k < 3; k++) {
         double o = (double)vaxis(r.o, k), d = (double)vaxis(r.d, k);
         wide c0 = wide_add(wide_of(o), wide_product(at, d));
-        q[k] = implicit_poly_of(c0, wide_of(d));
-        q[k] = implicit_poly_mul(q[k], q[k]);
+        implicit_poly x = {1, {c0, wide_of(d)}};
+        q[k] = implicit_poly_mul(x, x);
     }
 }
-
-static inline implicit_poly implicit_poly_number(wide c) { return (implicit_poly){0, {c}}; }
 
 static inline implicit_poly implicit_poly_sphere(real R, ray r, double at)
 {

@@ -1,8 +1,6 @@
 /* implicit_pictures.h: surfaces in the light of two lamps and the sky: this chapter's pictures.
  *
- *   implicit_view v = implicit_view_of(u, how, turn, rise);    the eye turned around the vertical,
- *                                                              and raised [degrees]
- *   implicit_draw(&o, &v, name)       one picture of it: the main one
+ *   implicit_draw(&o)                 Barth's sextic: the main picture
  *   implicit_draw_shapes(&o)          a gyroid, a blend, a torus: side by side
  *   implicit_draw_missed(&o)          Barth's sextic from close by, by steps and by intervals: red
  *                                     is what steps miss
@@ -28,8 +26,10 @@ typedef struct {
 /* ---------------------------------------------------------------------------------------------- */
 
 static const vec3 implicit_red = {0.8, 0.04, 0.02};
+static const implicit_how implicit_sure = {IMPLICIT_INTERVAL, 0, 0};
 
-/* The ball fills the window of this angle; at `target`, from so many radii of the ball. */
+/* At `target`, from so many radii of the ball, the eye turned around the vertical, and raised; all
+ * angles in degrees. */
 static inline implicit_view implicit_view_at(implicit_subject u, implicit_how how, vec3 target,
                                              real far, real angle, real turn, real rise)
 {
@@ -39,12 +39,6 @@ static inline implicit_view implicit_view_at(implicit_subject u, implicit_how ho
     vec3 e = vmadd(target, from, far * u.s.ball.r);
     v.c = camera_at(e, target, up, angle, 1);
     return v;
-}
-
-static inline implicit_view implicit_view_of(implicit_subject u, implicit_how how, real turn,
-                                             real rise)
-{
-    return implicit_view_at(u, how, u.s.ball.c, (real)3.6, (real)31.5, turn, rise);
 }
 
 /* White paper in the middle, a little darker around. */
@@ -104,46 +98,44 @@ static inline bool implicit_differs(const image *im, int x, int y, int x1, int y
     return fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]) > 0.2f;
 }
 
-static inline void implicit_plain_pixel(int x, int y, void *context)
+/* Without `plain` a ray for the pixel; else side^2 where it differs from one of its neighbours. */
+static inline void implicit_pixel(int x, int y, void *context)
 {
     const implicit_frame *f = context;
-    image_set(f->im, x, y, implicit_colour(f->v, implicit_pixel_ray(f, x, y, 0, 1)));
-}
-
-static inline void implicit_edge_pixel(int x, int y, void *context)
-{
-    const implicit_frame *f = context;
-    bool edge = false;
-    for (int k = 0; k < 4; k++)
-        edge = edge || implicit_differs(f->plain, x, y, x + (k == 0) - (k == 1),
-                                        y + (k == 2) - (k == 3));
-    if (!edge) return;
+    bool wanted = !f->plain;
+    for (int k = 0; k < 4 && !wanted; k++)
+        wanted = implicit_differs(f->plain, x, y, x + (k == 0) - (k == 1),
+                                  y + (k == 2) - (k == 3));
+    if (!wanted) return;
+    int side = f->plain ? f->side : 1;
     vec3 sum = {0, 0, 0};
-    for (int k = 0; k < f->side * f->side; k++)
-        sum = vadd(sum, implicit_colour(f->v, implicit_pixel_ray(f, x, y, k, f->side)));
-    image_set(f->im, x, y, vscale(sum, 1 / (real)(f->side * f->side)));
+    for (int k = 0; k < side * side; k++)
+        sum = vadd(sum, implicit_colour(f->v, implicit_pixel_ray(f, x, y, k, side)));
+    image_set(f->im, x, y, vscale(sum, 1 / (real)(side * side)));
 }
 
 static inline bool implicit_render(const implicit_view *v, int samples, int threads, image *im)
 {
     implicit_frame f = {v, im, NULL, 1};
     while ((f.side + 1) * (f.side + 1) <= samples) f.side++;
-    if (!parallel_pixels(im->width, im->height, threads, "surface", implicit_plain_pixel, &f))
+    if (!parallel_pixels(im->width, im->height, threads, "surface", implicit_pixel, &f))
         return false;
     if (f.side == 1) return true;
     image plain = image_new(im->width, im->height);
     image_place(&plain, 0, 0, im);
     f.plain = &plain;
-    bool whole = parallel_pixels(im->width, im->height, threads, "edges", implicit_edge_pixel, &f);
+    bool whole = parallel_pixels(im->width, im->height, threads, "edges", implicit_pixel, &f);
     image_free(&plain);
     return whole;
 }
 
-static inline void implicit_draw(const options *o, const implicit_view *v, const char *name)
+static inline void implicit_draw(const options *o)
 {
     image im = image_new(o->width, o->height);
-    bool whole = implicit_render(v, o->samples, o->threads, &im);
-    output_picture(o, &im, name, true, whole);
+    implicit_view v = implicit_view_at(implicit_subject_of(IMPLICIT_BARTH), implicit_sure,
+                                       vec(0, 0, 0), (real)3.6, (real)31.5, 22, 20);
+    bool whole = implicit_render(&v, o->samples, o->threads, &im);
+    output_picture(o, &im, "05_implicit.png", true, whole);
     image_free(&im);
 }
 
@@ -173,20 +165,21 @@ static inline void implicit_draw_shapes(const options *o)
 {
     static const char *const words[] = {"gyroid, by intervals", "smooth union, sphere tracing",
                                         "torus, by intervals"};
-    const implicit_how sure = {IMPLICIT_INTERVAL, 0, 0}, traced = implicit_trace_defaults;
     if (o->out) return;
     const implicit_view v[] = {
-        implicit_view_at(implicit_subject_of(IMPLICIT_GYROID), sure, vec(0, 0, 0), 3, 40, 30, 25),
-        implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), traced, vec(-0.05, 0, 0), 3, 27, 30,
-                         30),
-        implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), sure, vec(0, 0, 0), 3, 31, 35, 30)};
+        implicit_view_at(implicit_subject_of(IMPLICIT_GYROID), implicit_sure, vec(0, 0, 0), 3, 40,
+                         30, 25),
+        implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), implicit_trace_defaults,
+                         vec(-0.05, 0, 0), 3, 27, 30, 30),
+        implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), implicit_sure, vec(0, 0, 0), 3, 31,
+                         35, 30)};
     implicit_draw_row(o, v, words, 3, "05_implicit_shapes.png");
 }
 
 static inline void implicit_draw_missed(const options *o)
 {
     static const char *const words[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
-    const implicit_how how[] = {{IMPLICIT_FIRST, 24, 0}, {IMPLICIT_INTERVAL, 0, 0}};
+    const implicit_how how[] = {{IMPLICIT_FIRST, 24, 0}, implicit_sure};
     implicit_view v[2];
     if (o->out) return;
     for (int k = 0; k < 2; k++) {

@@ -98,16 +98,22 @@ static inline void implicit_shot(const implicit_subject *u, uint64_t seed, impli
     }
 }
 
-static inline int implicit_due(const implicit_subject *u, ray r, double *t)
+/* All roots of a ray that was clipped; false: there is no polynomial, or 32 digits cannot tell. */
+static inline bool implicit_truth_of(const implicit_subject *u, ray r, implicit_truth *out)
 {
-    implicit_truth truth;
-    if (u->name > IMPLICIT_BARTH) return -1;
-    if (!implicit_clip(&u->s, &r)) return 0;
     double a = (double)r.tmin, b = (double)r.tmax, at = a / 2 + b / 2;
+    if (u->name > IMPLICIT_BARTH || !(b > a)) return false;
     implicit_poly p = u->name == IMPLICIT_SPHERE ? implicit_poly_sphere(implicit_radius, r, at)
                     : u->name == IMPLICIT_BARTH ? implicit_poly_barth(r, at)
                     : implicit_poly_torus(implicit_tube, r, at);
-    if (!(b > a) || !implicit_oracle(&p, a, b, at, &truth)) return -1;
+    return implicit_oracle(&p, a, b, at, out);
+}
+
+static inline int implicit_due(const implicit_subject *u, ray r, double *t)
+{
+    implicit_truth truth;
+    if (u->name <= IMPLICIT_BARTH && !implicit_clip(&u->s, &r)) return 0;
+    if (!implicit_truth_of(u, r, &truth)) return -1;
     *t = truth.first;
     return truth.roots > 0;
 }

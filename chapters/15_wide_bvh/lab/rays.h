@@ -2,7 +2,7 @@
  * so that the search can be compared from outside.
  *
  *   draw_mesh(o, &m, path)           under the headlight; path: its file, or NULL
- *   search_file(o, &x, name, rays, hits, any, how)     one thread, the median of seven passes
+ *   search_file(o, &x, name, rays, hits, any)     one thread, the median of seven passes
  */
 #ifndef WIDE_RAYS_H
 #define WIDE_RAYS_H
@@ -40,8 +40,7 @@ static inline void draw_mesh(const options *o, const mesh *m, const char *path)
 }
 
 static inline void search_file(const options *o, const items *x, const char *name,
-                               const char *rays, const char *hits_path, bool any,
-                               bvh8_options how)
+                               const char *rays, const char *hits_path, bool any)
 {
     failure f;
     size_t n, hits = 0;
@@ -49,7 +48,7 @@ static inline void search_file(const options *o, const items *x, const char *nam
     bvh8 w;
     ray *r = rays_read(rays, &n, &f);
     if (!r) fail(f);
-    if (!bvh8_build(x, how, &w, &f)) fail(f);
+    if (!bvh8_build(x, bvh8_defaults, &w, &f)) fail(f);
     double built = clock_seconds() - start;
     hit *h = allocate(n, sizeof *h);
     for (int pass = -1; pass < 7; pass++) {

@@ -1,7 +1,7 @@
 /* forest.h: plants of a few kinds, by the thousand, on rolling ground; and its picture.
  *
  *   forest w;
- *   forest_plant(&w, n, &own, seed)     n plants; own: this plant instead of ours, or NULL
+ *   forest_plant(&w, n, seed)           n plants
  *   camera c = forest_camera(aspect)
  *   forest_view v = {&w, &x, c, width, height, naive};
  *   pixels_draw(&im, 3, threads, "forest", forest_colour, &v)
@@ -22,10 +22,10 @@
 #include "../instances.h"
 #include "plants.h"
 
-enum { forest_most_kinds = 8 };
+enum { forest_kinds = 8 };
 typedef struct {
-    plant kind[forest_most_kinds];
-    mesh mesh[forest_most_kinds];  /* the plants' meshes, side by side */
+    plant kind[forest_kinds];
+    mesh mesh[forest_kinds];  /* the plants' meshes, side by side */
     size_t kinds, n;
     instance *list;                /* [n] */
 } forest;
@@ -114,7 +114,7 @@ static inline affine forest_stand(random_stream *g, vec3 at, real low, real high
     return affine_then(a, affine_translation(at));
 }
 
-static const real forest_sizes[forest_most_kinds] = {1, 9, 9, 7, 8, 8, 0.8, 0.45};
+static const real forest_sizes[forest_kinds] = {1, 9, 9, 7, 8, 8, 0.8, 0.45};
 
 /* Firs on the heights, birches along the path, and what is low in between. */
 static inline uint32_t forest_kind(vec3 at, real pick, bool low, uint32_t odd)
@@ -127,28 +127,24 @@ static inline uint32_t forest_kind(vec3 at, real pick, bool low, uint32_t odd)
     return pick < (real)0.85 ? 3 : 4 + odd;
 }
 
-static inline void forest_plant(forest *w, size_t n, plant *own, uint64_t seed)
+static inline void forest_plant(forest *w, size_t n, uint64_t seed)
 {
     real depth = real_max(forest_depth(n), 60);
-    *w = (forest){.kinds = own ? 2 : 8, .n = n + 1};
-    w->kind[0] = ground_of(depth);
-    if (own) w->kind[1] = *own;
-    else {
-        w->kind[1] = plant_fir(seed), w->kind[2] = plant_fir(seed + 1);
-        w->kind[3] = plant_grown(seed, plant_oak), w->kind[4] = plant_grown(seed, plant_birch);
-        w->kind[5] = plant_grown(seed + 1, plant_birch), w->kind[6] = plant_grown(seed, plant_bush);
-        w->kind[7] = plant_grass(seed);
-    }
-    for (size_t k = 0; k < w->kinds; k++) w->mesh[k] = w->kind[k].m;
+    const plant kind[forest_kinds] = {
+        ground_of(depth), plant_fir(seed), plant_fir(seed + 1), plant_grown(seed, plant_oak),
+        plant_grown(seed, plant_birch), plant_grown(seed + 1, plant_birch),
+        plant_grown(seed, plant_bush), plant_grass(seed)};
+    *w = (forest){.kinds = forest_kinds, .n = n + 1};
+    for (size_t k = 0; k < w->kinds; k++) w->kind[k] = kind[k], w->mesh[k] = kind[k].m;
     w->list = allocate(w->n, sizeof *w->list);
     w->list[0] = (instance){affine_translation((vec3){0, 0, 0}), 0};
     for (size_t i = 1; i < w->n; i++) {
         random_stream g = random_start(seed, i, 7);
-        bool low = !own && i % 3 == 0;
+        bool low = i % 3 == 0;
         vec3 at = forest_place(&g, low ? real_min(depth, 110) : depth, low);
-        uint32_t kind = own ? 1 : forest_kind(at, random_next(&g), low, i & 1);
-        real size = own ? 3 : forest_sizes[kind];
-        w->list[i] = (instance){forest_stand(&g, at, size, size * (real)1.7), kind};
+        uint32_t of = forest_kind(at, random_next(&g), low, i & 1);
+        real size = forest_sizes[of];
+        w->list[i] = (instance){forest_stand(&g, at, size, size * (real)1.7), of};
     }
 }
 

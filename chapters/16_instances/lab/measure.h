@@ -39,7 +39,7 @@ static inline void survey_make(instances_survey *s, size_t n, int width, int hei
     failure f;
     instance_hit h;
     *s = (instances_survey){.build = 0};
-    forest_plant(&s->w, n, NULL, seed);
+    forest_plant(&s->w, n, seed);
     s->c = (crowd){s->w.mesh, s->w.kinds, s->w.list, s->w.n};
     double start = clock_seconds();
     if (!instances_build(&s->c, instances_defaults, &s->x, &f)) fail(f);
@@ -123,7 +123,7 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
                                  uint64_t seed, size_t *wrong)
 {
     forest w;
-    forest_plant(&w, 60, NULL, seed);
+    forest_plant(&w, 60, seed);
     for (size_t i = 0; i < w.n; i++) w.list[i].to_world.o = vadd(w.list[i].to_world.o, to);
     crowd c = {w.mesh, w.kinds, w.list, w.n};
     affine *inverse = crowd_inverses(&c);

@@ -1,8 +1,7 @@
 /* pictures.h: the forest, right and with normalised rays, and teapots whose normals are wrong.
  *
- *   draw_forest(&o, n, &own)           the main picture; own: a plant instead of ours, or NULL
+ *   draw_forest(&o, naive)             the main picture; naive: by rays normalised in object space
  *   draw_normals(&o)                   teapots scaled: A^T n, M n, and the angle between them
- *   draw_unit(&o)                      the forest by rays normalised in object space
  */
 #ifndef INSTANCES_LAB_PICTURES_H
 #define INSTANCES_LAB_PICTURES_H
@@ -14,14 +13,13 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void draw_plants(const options *o, size_t n, plant *own, bool naive,
-                               const char *name, bool is_main)
+static inline void draw_forest(const options *o, bool naive)
 {
     forest w;
     instances x;
     failure f;
     double start = clock_seconds();
-    forest_plant(&w, n, own, o->seed);
+    forest_plant(&w, o->quick ? 300 : 9000, o->seed);
     crowd c = {w.mesh, w.kinds, w.list, w.n};
     if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
     double built = clock_seconds();
@@ -31,23 +29,13 @@ static inline void draw_plants(const options *o, size_t n, plant *own, bool naiv
     forest_view v = {&w, &x, eye, o->width, o->height, naive};
     bool whole = pixels_draw(&im, samples, o->threads, "forest", forest_colour, &v);
     instance_stats s = instances_stats(&x);
-    if (is_main)
+    if (!naive)
         printf("# %zu instances of %zu meshes, %.4g triangles, in %.3g MB: grown and built in "
                "%.3f s, %d x %d pixels of %d rays in %.3f s\n", s.instances, s.meshes, s.triangles,
                (double)(x.bytes + s.mesh_bytes) * 0x1p-20, built - start, o->width, o->height,
                samples * samples, clock_seconds() - built);
-    output_picture(o, &im, name, is_main, whole);
+    output_picture(o, &im, naive ? "16_instances_unit.png" : "16_instances.png", !naive, whole);
     instances_free(&x), forest_free(&w), image_free(&im);
-}
-
-static inline void draw_forest(const options *o, size_t n, plant *own)
-{
-    draw_plants(o, n, own, false, "16_instances.png", true);
-}
-
-static inline void draw_unit(const options *o)
-{
-    draw_plants(o, o->quick ? 300 : 9000, NULL, true, "16_instances_unit.png", false);
 }
 
 /* ---- normals ---- */

@@ -2,7 +2,6 @@
  *
  *   plant p = plant_fir(seed), plant_grass(seed)
  *   plant p = plant_grown(seed, plant_oak)     or plant_birch, plant_bush
- *   plant p = plant_of_mesh(m)          any mesh of others, y up: its longest side 1, on z = 0
  *   mesh_free(&p.m)
  *
  * Stems are rings of quadrilaterals, leaves single triangles. Leaves have normals that lean half
@@ -202,26 +201,6 @@ static inline plant plant_grass(uint64_t seed)
     }
     p.leaf = p.bark = vec(0.24, 0.30, 0.07);
     p.leaf_too = vec(0.38, 0.36, 0.12);
-    return p;
-}
-
-/* y becomes z; the middle of the box over the origin, its bottom at 0, its longest side 1. One
- * without extent keeps its size. */
-static inline plant plant_of_mesh(mesh m)
-{
-    vec3 lo, hi;
-    plant p = {.m = m};
-    p.bark = p.leaf = vec(0.62, 0.55, 0.45);
-    p.leaf_too = vec(0.72, 0.45, 0.30);
-    if (!mesh_bounds(&m, &lo, &hi)) return p;
-    vec3 middle = vscale(vadd(lo, hi), 0.5);
-    real height = hi.y - lo.y, widest = real_max(hi.x - lo.x, hi.z - lo.z);
-    real s = 1 / (real_max(height, widest) > 0 ? real_max(height, widest) : 1);
-    for (size_t i = 0; i < m.vertices; i++) {
-        vec3 q = m.v[i];
-        m.v[i] = vscale((vec3){q.x - middle.x, middle.z - q.z, q.y - lo.y}, s);
-    }
-    for (size_t i = 0; i < m.normals; i++) m.n[i] = (vec3){m.n[i].x, -m.n[i].z, m.n[i].y};
     return p;
 }
 

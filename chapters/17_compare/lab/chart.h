@@ -1,10 +1,7 @@
 /* chart.h: bars (柱状图), a panel a scene: what a ray costs, and what building costs, by structure.
  *
- *   compare_chart c = chart_new("A ray and its share of building");
- *   int p = chart_panel(&c, "balls");
- *   chart_bar(&c, p, "bvh", 212, 0.02, 300);    ns a ray, half of what lies between its quartiles,
- *                                relative; ns of building a shape; ns a ray 0 or less: does not fit
- *   output_chart(&o, &c, "17_compare_time.svg");       frees it
+ *   chart_write(&m, out)                               of a summary: summary.h
+ *   output_chart(&o, &m, "17_compare_time.svg")
  *
  * Each kind of bar has its own scale in each panel, linear from 0 to the longest; brute force, a
  * hundred times as long, is left to the tables. Colours as in plot.h.
@@ -12,37 +9,15 @@
 #ifndef COMPARE_LAB_CHART_H
 #define COMPARE_LAB_CHART_H
 
-#include "../../../common/lab/report.h"
-
-typedef struct { int panel; char name[44]; double ray, spread, build; } chart_value;
-typedef struct {
-    const char *title;
-    int panels;
-    char name[16][32];
-    chart_value *value;
-    size_t n, room;
-} compare_chart;
+#include "summary.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { chart_columns = 2, chart_wide = 430, chart_row = 24, chart_bar_most = 190 };
 
-static inline compare_chart chart_new(const char *title) { return (compare_chart){.title = title}; }
-
-static inline int chart_panel(compare_chart *c, const char *name)  /* -1: there are 16 */
+static inline bool chart_shows(const contender *c)
 {
-    if (c->panels == 16) return -1;
-    snprintf(c->name[c->panels], sizeof c->name[0], "%.31s", name);
-    return c->panels++;
-}
-
-static inline void chart_bar(compare_chart *c, int panel, const char *name, double ray,
-                             double spread, double build)
-{
-    c->value = grown(c->value, c->n, &c->room, sizeof *c->value);
-    chart_value *v = &c->value[c->n++];
-    *v = (chart_value){panel, "", ray, spread, build};
-    snprintf(v->name, sizeof v->name, "%.43s", name);
+    return c != &brute_contender && c != &first_mesh_contender;
 }
 
 static inline void chart_text(FILE *out, int x, int y, int size, const char *anchor,
@@ -53,90 +28,78 @@ static inline void chart_text(FILE *out, int x, int y, int size, const char *anc
     plot_text(out, x, y, style, text);
 }
 
-/* Three digits, as in tables: 0.123, 12.3, 1234. */
-static inline void chart_number(char text[32], double x)
+static inline void chart_rectangle(FILE *out, int x, int y, int across, int down, const char *fill)
 {
-    snprintf(text, 32, x >= 100 ? "%.0f" : "%.3g", x);
+    fprintf(out, "<rect x='%d' y='%d' width='%d' height='%d' fill='%s'/>\n", x, y, across, down,
+            fill);
 }
 
-static inline void chart_row_of(FILE *out, const chart_value *v, int x, int y, double most_ray,
-                                double most_build)
+/* The bars of a structure: ray [s], spread, and building [s a shape], over the longest. */
+static inline void chart_bars(FILE *out, int x, int y, const double of[3], const double most[2])
 {
     char text[72] = "does not fit";
-    chart_text(out, x + 84, y + 15, strlen(v->name) > 12 ? 9 : 12, "end", v->name);
-    int ray = 0, build = 0;
-    if (v->ray > 0) {
-        ray = (int)(chart_bar_most * v->ray / most_ray + 0.5);
-        build = (int)(chart_bar_most * v->build / most_build + 0.5);
-        char a[32], b[32];
-        chart_number(a, v->ray), chart_number(b, v->build);
-        snprintf(text, sizeof text, "%s, %s", a, b);
-    }
-    fprintf(out, "<rect x='%d' y='%d' width='%d' height='9' fill='#0072B2'/>\n", x + 90, y + 3,
-            ray);
-    fprintf(out, "<rect x='%d' y='%d' width='%d' height='6' fill='#E69F00'/>\n", x + 90, y + 13,
-            build);
-    double off = chart_bar_most * v->ray * v->spread / most_ray;
-    if (v->ray > 0)
-        fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n",
-                x + 90 + ray - off, y + 7, x + 90 + ray + off);
-    chart_text(out, x + 96 + (ray > build ? ray : build), y + 15, 11, "start", text);
+    int bar = of[0] > 0 ? (int)(chart_bar_most * of[0] / most[0] + 0.5) : 0;
+    int second = of[0] > 0 ? (int)(chart_bar_most * of[2] / most[1] + 0.5) : 0;
+    double off = bar * of[1];
+    if (of[0] > 0)  /* three digits, as in tables */
+        snprintf(text, sizeof text, of[0] >= 1e-7 ? "%.0f, %.3g" : "%.3g, %.3g", of[0] * 1e9,
+                 of[2] * 1e9);
+    chart_rectangle(out, x, y + 3, bar, 9, "#0072B2");
+    chart_rectangle(out, x, y + 13, second, 6, "#E69F00");
+    if (of[0] > 0)
+        fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n", x + bar - off,
+                y + 7, x + bar + off);
+    chart_text(out, x + 6 + (bar > second ? bar : second), y + 15, 11, "start", text);
 }
 
-static inline void chart_draw_panel(FILE *out, const compare_chart *c, int panel, int x, int y)
+static inline void chart_panel(FILE *out, const compare_summary *m, const summary_row *r, int x,
+                               int y)
 {
-    double most_ray = 0, most_build = 0;
-    for (size_t i = 0; i < c->n; i++) {
-        const chart_value *v = &c->value[i];
-        if (v->panel != panel) continue;
-        if (v->ray > most_ray) most_ray = v->ray;
-        if (v->build > most_build) most_build = v->build;
-    }
-    chart_text(out, x + 90, y + 14, 13, "start", c->name[panel]);
-    for (size_t i = 0; i < c->n; i++) {
-        if (c->value[i].panel != panel) continue;
-        y += chart_row;
-        chart_row_of(out, &c->value[i], x, y - 4, most_ray > 0 ? most_ray : 1,
-                     most_build > 0 ? most_build : 1);
-    }
+    double most[2] = {1e-12, 1e-12};
+    chart_text(out, x + 90, y + 14, 13, "start", r->name);
+    for (int pass = 0; pass < 2; pass++)
+        for (int k = 0; k < m->chosen->n; k++) {
+            const double of[3] = {r->ray[k], r->spread[k], r->build[k] / (double)r->shapes};
+            const char *name = m->chosen->of[k].label;
+            if (!chart_shows(m->chosen->of[k].c)) continue;
+            if (pass == 0) most[0] = fmax(most[0], of[0]), most[1] = fmax(most[1], of[2]);
+            else {
+                chart_text(out, x + 84, (y += chart_row) + 11, strlen(name) > 12 ? 9 : 12, "end",
+                           name);
+                chart_bars(out, x + 90, y - 4, of, most);
+            }
+        }
 }
 
-static inline void chart_write(const compare_chart *c, FILE *out)
+static inline void chart_write(const compare_summary *m, FILE *out)
 {
-    int rows = 0, high, lines = (c->panels + chart_columns - 1) / chart_columns;
-    for (int p = 0; p < c->panels; p++) {
-        int n = 0;
-        for (size_t i = 0; i < c->n; i++) n += c->value[i].panel == p;
-        if (n > rows) rows = n;
-    }
-    high = (rows + 1) * chart_row + 16;
+    int rows = 1, lines = (m->rows + chart_columns - 1) / chart_columns;
+    for (int k = 0; k < m->chosen->n; k++) rows += chart_shows(m->chosen->of[k].c);
+    int across = chart_columns * chart_wide, high = rows * chart_row + 16, all = 60 + lines * high;
     fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' "
-                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n"
-                 "<rect width='100%%' height='100%%' fill='white'/>\n",
-            chart_columns * chart_wide, 60 + lines * high, chart_columns * chart_wide,
-            60 + lines * high);
-    chart_text(out, chart_columns * chart_wide / 2, 22, 15, "middle", c->title);
-    fprintf(out, "<rect x='94' y='34' width='20' height='9' fill='#0072B2'/>\n"
-                 "<rect x='354' y='35' width='20' height='6' fill='#E69F00'/>\n");
+                 "viewBox='0 0 %d %d' font-family='sans-serif'>\n", across, all, across, all);
+    chart_rectangle(out, 0, 0, across, all, "white");
+    chart_text(out, across / 2, 22, 15, "middle", "What a ray costs, and what building costs");
+    chart_rectangle(out, 94, 34, 20, 9, "#0072B2");
+    chart_rectangle(out, 354, 35, 20, 6, "#E69F00");
     chart_text(out, 120, 43, 12, "start", "a ray [ns], median and quartiles");
     chart_text(out, 380, 43, 12, "start", "building [ns a shape]");
-    for (int p = 0; p < c->panels; p++)
-        chart_draw_panel(out, c, p, p % chart_columns * chart_wide, 56 + p / chart_columns * high);
+    for (int p = 0; p < m->rows; p++)
+        chart_panel(out, m, &m->row[p], p % chart_columns * chart_wide,
+                    56 + p / chart_columns * high);
     fprintf(out, "</svg>\n");
 }
 
-static inline void output_chart(const options *o, compare_chart *c, const char *name)
+static inline void output_chart(const options *o, const compare_summary *m, const char *name)
 {
     char room[512];
     failure f;
     file_writer w;
     const char *path = output_path(o, name, false, room);
     if (path && !file_begin(&w, path, &f)) fail(f);
-    if (path) chart_write(c, w.stream);
+    if (path) chart_write(m, w.stream);
     if (path && !file_commit(&w, &f)) fail(f);
     if (path) output_note(path);
-    free(c->value);
-    *c = (compare_chart){0};
 }
 
 #endif

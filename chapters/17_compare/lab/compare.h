@@ -74,11 +74,21 @@ static inline line_up choose_usual(void)
     return all;
 }
 
-static inline line_up choose_one(const contender *c)
+/* Neither brute force nor a first version: they must be right, and count their steps. */
+static inline bool contender_counts(const contender *c)
 {
-    line_up all = {.n = 0};
-    choose(&all, c);
-    return all;
+    return c != &brute_contender && !contender_is_first(c);
+}
+
+static inline bool entry_counts(const compare_entry *e) { return e->s && contender_counts(e->c); }
+
+/* Of those chosen. */
+static inline line_up choose_counting(const line_up *chosen)
+{
+    line_up some = {.n = 0};
+    for (int k = 0; k < chosen->n; k++)
+        if (contender_counts(chosen->of[k].c)) some.of[some.n++] = chosen->of[k];
+    return some;
 }
 
 /* Of this thread, on a processor. */
@@ -111,29 +121,20 @@ static inline void compare_progress(const char *where, const char *what, const c
     else fprintf(stderr, "\r\033[K");
 }
 
-/* One after the other: each may take what those before it have left. */
-static inline void compare_build(comparison *s, size_t most_bytes, int rounds)
-{
-    for (int k = 0; k < s->entries; k++) {
-        compare_progress(s->w->name, "building", s->entry[k].c->name);
-        entry_build(&s->entry[k], &s->x, most_bytes, rounds);
-        size_t bytes = s->entry[k].stats.bytes;
-        most_bytes -= bytes < most_bytes ? bytes : most_bytes;
-    }
-    compare_progress(s->w->name, NULL, NULL);
-}
-
-/* rounds [1, 9]. */
+/* One after the other: each may take what those before it have left. rounds [1, 9]. */
 static inline void compare_begin(comparison *s, const world *w, const line_up *chosen,
                                  size_t most_bytes, int rounds)
 {
     *s = (comparison){.w = w, .scene = world_scene(w)};
     s->x = w->n ? items_of_scene(&s->scene) : items_of_mesh(&w->mesh);
-    for (int k = 0; k < chosen->n; k++) {
-        s->entry[k].choice = &chosen->of[k], s->entry[k].c = chosen->of[k].c;
-        s->entries++;
+    for (; s->entries < chosen->n; s->entries++) {
+        compare_entry *e = &s->entry[s->entries];
+        e->choice = &chosen->of[s->entries], e->c = e->choice->c;
+        compare_progress(w->name, "building", e->c->name);
+        entry_build(e, &s->x, most_bytes, rounds);
+        most_bytes -= e->stats.bytes < most_bytes ? e->stats.bytes : most_bytes;
     }
-    compare_build(s, most_bytes, rounds);
+    compare_progress(w->name, NULL, NULL);
 }
 
 static inline void compare_end(comparison *s)
@@ -151,8 +152,8 @@ static inline const compare_entry *compare_any(const comparison *s)
     int least = 4;
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
-        int rank = e->c == &bvh_contender ? 0 : e->c == &brute_contender ? 2
-                   : contender_is_first(e->c) ? 3 : 1;
+        int rank = e->c == &bvh_contender ? 0 : contender_counts(e->c) ? 1
+                   : e->c == &brute_contender ? 2 : 3;
         if (e->s && rank < least) best = e, least = rank;
     }
     return best;
@@ -223,8 +224,7 @@ static inline bool prove_entry(const compare_entry *e, const items *x, const ray
  * force gives them if it is to. */
 static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool by_brute, FILE *out)
 {
-    const compare_entry *first = NULL;
-    const char *oracle = "brute force";
+    const char *oracle = by_brute ? "brute force" : NULL;
     bool ok = true;
     hit *due = allocate(n, sizeof *due);
     for (size_t i = 0; i < n; i++) {
@@ -233,12 +233,8 @@ static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool 
     }
     for (int k = 0; ok && k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
-        if (!e->s || e->c == &brute_contender || contender_is_first(e->c)) continue;
-        if (!first && !by_brute) {
-            oracle = e->c->name;
-            e->c->search(e->s, r, n, false, due);
-        }
-        first = first ? first : e;
+        if (!entry_counts(e)) continue;
+        if (oracle == NULL) oracle = e->c->name, e->c->search(e->s, r, n, false, due);
         compare_progress(s->w->name, "proving", e->c->name);
         ok = prove_entry(e, &s->x, r, due, n, by_brute, oracle, out);
     }
@@ -251,12 +247,11 @@ static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool 
  * them is slow as brute force, of fewer rays. */
 static inline void compare_count_wrong(comparison *s, const ray *r, size_t n, bool aimed)
 {
-    int firsts = 0;
     size_t most = 40000000 / s->x.n + 64;
-    n = n < most ? n : most;
+    bool firsts = false;
     for (int k = 0; k < s->entries; k++)
-        firsts += s->entry[k].s && contender_is_first(s->entry[k].c);
-    for (size_t i = 0; firsts && i < n; i++) {
+        firsts |= s->entry[k].s && contender_is_first(s->entry[k].c);
+    for (size_t i = 0; firsts && i < n && i < most; i++) {
         hit due = hit_none;
         items_hit(&s->x, r[i], &due);
         for (int k = 0; k < s->entries; k++) {
@@ -267,16 +262,6 @@ static inline void compare_count_wrong(comparison *s, const ray *r, size_t n, bo
             e->wrong[!aimed] += first_is_wrong(h, due), e->held[!aimed]++;
         }
     }
-}
-
-/* Those that fit, beside brute force: one alone has only that to agree with. */
-static inline int compare_fit(const comparison *s)
-{
-    int n = 0;
-    for (int k = 0; k < s->entries; k++) 
-        n += s->entry[k].s && s->entry[k].c != &brute_contender
-             && !contender_is_first(s->entry[k].c);
-    return n;
 }
 
 static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, uint64_t seed,
@@ -291,7 +276,8 @@ static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, 
         s->proved += extra[k].n, s->by_brute += extra[k].n;
         rays_free(&extra[k]);
     }
-    int fit = compare_fit(s);
+    int fit = 0;  /* one alone has only brute force to agree with */
+    for (int k = 0; k < s->entries; k++) fit += entry_counts(&s->entry[k]);
     for (int k = 0; ok && k < compare_kinds; k++) {
         ray_set some = rays_some(&s->rays[k], brute_rays / 4 / compare_kinds + 1);
         ray_set more = rays_some(&s->rays[k], most);

@@ -4,7 +4,6 @@
  *   cost_kind(&s, kind, turns)      one kind
  *   cost_table(&o, &s, title, to)   a table of the scene, and who is cheapest for how many rays
  *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
- *   cost_total(&s, e, rays)         seconds for so many rays of this mix, building included
  *
  * The columns are those in which the literature compares (Havran 2000), in short names:
  *
@@ -45,24 +44,13 @@ static inline double cost_count(compare_entry *e, compare_kind kind, const ray_s
     hit h;
     double start = work_seconds();
     for (size_t i = 0; i < some->n; i++)
-        if (kind == KIND_SHADOW) e->c->occluded_counted(e->s, some->r[i], &w);
-        else e->c->hit_counted(e->s, some->r[i], &h, &w);
+        e->c->counted(e->s, some->r[i], kind == KIND_SHADOW, &h, &w);
     e->work[kind] = w, e->counted[kind] = some->n;
     return work_seconds() - start;
 }
 
 enum { cost_most_turns = 9 };
 static const double cost_patience = 0.05;
-
-static inline double cost_turn(compare_entry *e, compare_kind kind, const ray_set *all,
-                               const ray_set *warm, hit *out)
-{
-    bool any = kind == KIND_SHADOW;
-    e->c->search(e->s, warm->r, warm->n, any, out);
-    double start = work_seconds();
-    e->hits[kind] = e->c->search(e->s, all->r, all->n, any, out);
-    return work_seconds() - start;
-}
 
 /* A sorted list; see bench.h. */
 static inline void cost_note(compare_entry *e, compare_kind kind, double *seconds, int n)
@@ -72,35 +60,43 @@ static inline void cost_note(compare_entry *e, compare_kind kind, double *second
     e->spread[kind] = e->seconds[kind] > 0 ? quartiles / 2 / e->seconds[kind] : 0;
 }
 
+/* Which rays an entry is timed with: rays[3] are `few`, 600, and all. */
+static inline const ray_set *cost_rays_of(const compare_entry *e, const ray_set rays[3])
+{
+    bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
+    return &rays[slow ? 0 : contender_is_first(e->c) ? 1 : 2];
+}
+
 static inline void cost_kind(comparison *s, compare_kind kind, int turns)
 {
     double seconds[compare_most][cost_most_turns];
     int done[compare_most] = {0};
-    ray_set few = rays_some(&s->rays[kind], 5000000 / (s->x.n + 1) / (size_t)turns + 4);
-    if (getenv("BENCH_ONCE")) turns = 1;  /* counts stay */
-    ray_set some = rays_some(&s->rays[kind], 600);
-    ray_set quarter = rays_some(&s->rays[kind], s->rays[kind].n / 4 + 1);
-    const ray_set *of[compare_most];
+    bool any = kind == KIND_SHADOW, once = getenv("BENCH_ONCE");  /* counts stay */
+    ray_set of[3] = {rays_some(&s->rays[kind], 5000000 / (s->x.n + 1) / (size_t)turns + 4),
+                     rays_some(&s->rays[kind], 600), s->rays[kind]};
     hit *out = allocate(s->rays[kind].n, sizeof *out);
-    for (int turn = 0; turn < turns; turn++)
+    for (int turn = 0; turn < (once ? 1 : turns); turn++)
         for (int k = 0; k < s->entries; k++) {
             compare_entry *e = &s->entry[k];
-            bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
-            if (turn == 0)
-                of[k] = slow ? &few : contender_is_first(e->c) ? &some : &s->rays[kind];
-            if (turn > 0 && of[k] == &some) continue;
-            if (!e->s || (turn > 0 && turn * seconds[k][0] > turns * cost_patience)) continue;
+            const ray_set *all = cost_rays_of(e, of);
+            if (!e->s || (turn && (all == &of[1] || turn * seconds[k][0] > turns * cost_patience)))
+                continue;
             compare_progress(s->w->name, "timing", e->choice->label);
-            ray_set warm = rays_some(of[k], of[k]->n / 4 + 1);
-            if (turn == 0 && cost_count(e, kind, &warm) > cost_patience && of[k] != &some)
-                of[k] = of[k] == &few ? &few : &quarter;
-            e->rays[kind] = of[k]->n;
-            seconds[k][done[k]++] = cost_turn(e, kind, of[k], &warm, out);
+            ray_set warm = rays_some(all, all->n / 4 + 1);
+            if (!turn) {
+                bool long_time = cost_count(e, kind, &warm) > cost_patience && all == &of[2];
+                e->rays[kind] = long_time ? warm.n : all->n;
+            }
+            if (e->rays[kind] == warm.n) all = &warm;
+            e->c->search(e->s, warm.r, warm.n, any, out);
+            double start = work_seconds();
+            e->hits[kind] = e->c->search(e->s, all->r, all->n, any, out);
+            seconds[k][done[k]++] = work_seconds() - start;
             rays_free(&warm);
         }
     for (int k = 0; k < s->entries; k++) cost_note(&s->entry[k], kind, seconds[k], done[k]);
     compare_progress(s->w->name, NULL, NULL);
-    rays_free(&few), rays_free(&some), rays_free(&quarter);
+    rays_free(&of[0]), rays_free(&of[1]);
     free(out);
 }
 
@@ -127,7 +123,7 @@ static inline double cost_mean(const comparison *s, const compare_entry *e)
     return per(sum, n);
 }
 
-/* The same of spreads. */
+/* How far the medians are to be believed: the mean of the kinds' spreads. */
 static inline double cost_spread(const compare_entry *e)
 {
     double sum = 0;
@@ -135,11 +131,6 @@ static inline double cost_spread(const compare_entry *e)
     for (int k = 0; k < compare_kinds; k++)
         if (e->rays[k]) sum += e->spread[k], n++;
     return n ? sum / n : 0;
-}
-
-static inline double cost_total(const comparison *s, const compare_entry *e, double rays)
-{
-    return e->build + rays * cost_mean(s, e);
 }
 
 static inline search_work cost_work(const compare_entry *e, size_t *rays)
@@ -162,7 +153,7 @@ static inline void cost_cheapest(const comparison *s)
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
         if (!e->s || contender_is_first(e->c)) continue;
-        if (!now || cost_total(s, e, 1) < cost_total(s, now, 1)) now = e;
+        if (!now || e->build + cost_mean(s, e) < now->build + cost_mean(s, now)) now = e;
     }
     if (!now) return;
     printf("# cheapest in all: %s", now->choice->label);
@@ -232,11 +223,12 @@ static inline void cost_table(const options *o, const comparison *s, const char 
         if (s->entry[k].s || !contender_is_first(s->entry[k].c))
             cost_row(&t, s, &s->entry[k], slow);
     html_table(to, o, &t);
-    for (int k = 0; k < s->entries; k++)
-        if (s->entry[k].s && contender_is_first(s->entry[k].c)) cost_print_wrong(&s->entry[k]);
-    for (int k = 0; k < s->entries; k++)
-        if (!s->entry[k].s && !contender_is_first(s->entry[k].c))
-            printf("# %s does not fit: %s\n", s->entry[k].choice->label, s->entry[k].why.text);
+    for (int k = 0; k < s->entries; k++) {
+        const compare_entry *e = &s->entry[k];
+        bool first = contender_is_first(e->c);
+        if (e->s && first) cost_print_wrong(e);
+        if (!e->s && !first) printf("# %s does not fit: %s\n", e->choice->label, e->why.text);
+    }
     cost_cheapest(s);
 }
 
@@ -244,14 +236,14 @@ static inline void cost_csv_row(table *t, const comparison *s, const compare_ent
                                 const char *name, compare_kind kind)
 {
     structure_stats st = e->stats;
-    size_t cells = 0, rays = e->s ? e->rays[kind] : 0, counted = e->counted[kind];
+    size_t counted = e->counted[kind];
     search_work w = e->work[kind];
-    size_t count[] = {st.inner, st.leaves, st.empty, st.references, (size_t)st.depth};
+    const size_t count[] = {st.inner, st.leaves, st.empty, st.references, (size_t)st.depth};
     table_text(t, "%s", s->w->name), table_text(t, "%s", e->choice->label);
     table_text(t, "%s", name);
-    table_count(t, rays), table_count(t, e->hits[kind]);
+    table_count(t, e->s ? e->rays[kind] : 0), table_count(t, e->hits[kind]);
     table_text(t, "%.9f", e->build), table_count(t, st.bytes), table_count(t, st.peak);
-    for (; cells < sizeof count / sizeof *count; cells++) table_count(t, count[cells]);
+    for (size_t k = 0; k < sizeof count / sizeof *count; k++) table_count(t, count[k]);
     table_text(t, "%.6g", per((double)w.nodes, counted));
     table_text(t, "%.6g", per((double)w.tests, counted));
     table_text(t, "%.6g", cost_ns(e, (int)kind));
@@ -271,12 +263,10 @@ static inline void cost_write_csv(const options *o, table *t)
 {
     failure f;
     file_writer w;
-    if (o->csv) {
-        if (!file_begin(&w, o->csv, &f)) fail(f);
-        table_csv(t, w.stream);
-        if (!file_commit(&w, &f)) fail(f);
-    }
-    table_free(t);
+    if (!o->csv) return;
+    if (!file_begin(&w, o->csv, &f)) fail(f);
+    table_csv(t, w.stream);
+    if (!file_commit(&w, &f)) fail(f);
 }
 
 #endif

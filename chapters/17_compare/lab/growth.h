@@ -1,6 +1,6 @@
-/* growth.h: time, work and building against n: teapots of 56 to 999,000 triangles, diffuse rays.
+/* growth.h: time and work against n: teapots of 56 to 999,000 triangles, diffuse rays.
  *
- *   growth_run(&o, &chosen, most_bytes, report)    tables, fitted exponents, a plot
+ *   growth_run(&o, &chosen, most_bytes, report)    a table, fitted exponents, a plot
  *
  * Who took more than growth_patience seconds to build the size before, or for a
  * ray a hundred times as long as the fastest, is left out of the larger ones.
@@ -23,14 +23,14 @@ static const double growth_patience = 0.7;
 
 typedef struct {
     int n;
-    double x[growth_sizes], build[growth_sizes], ray[growth_sizes], steps[growth_sizes];
+    double x[growth_sizes], ray[growth_sizes], steps[growth_sizes], build;  /* build: the last */
 } growth_curve;
 
 static inline void growth_note(growth_curve *c, const comparison *s, const compare_entry *e)
 {
     int i = c->n++;
     c->x[i] = log2((double)s->x.n);
-    c->build[i] = e->build;
+    c->build = e->build;
     c->ray[i] = cost_ns(e, KIND_DIFFUSE);
     c->steps[i] = per((double)(e->work[KIND_DIFFUSE].nodes + e->work[KIND_DIFFUSE].tests),
                       e->counted[KIND_DIFFUSE]);
@@ -68,29 +68,22 @@ static inline void growth_table(const options *o, const growth_curve *c, const l
         size_t n = strlen(columns);
         snprintf(columns + n, sizeof columns - n, "|%.0f", floor(exp2(c[longest].x[i]) + 0.5));
     }
-    for (int pass = 0; pass < 2; pass++) {
-        table t = table_new(pass ? "Growth: nanoseconds a diffuse ray, by triangles"
-                                 : "Growth: milliseconds to build, by triangles", columns);
-        for (int k = 0; k < all->n; k++) {
-            table_text(&t, "%s", all->of[k].label);
-            for (int i = 0; i < c[longest].n; i++)
-                if (i >= c[k].n) table_text(&t, "-");
-                else table_number(&t, pass ? c[k].ray[i] : c[k].build[i] * 1e3);
-        }
-        html_table(to, o, &t);
+    table t = table_new("Growth: nanoseconds a diffuse ray, by triangles", columns);
+    for (int k = 0; k < all->n; k++) {
+        table_text(&t, "%s", all->of[k].label);
+        for (int i = 0; i < c[longest].n; i++)
+            if (i < c[k].n) table_number(&t, c[k].ray[i]);
+            else table_text(&t, "-");
     }
-}
-
-static inline void growth_fit(const growth_curve *c, const char *name)
-{
-    double build[growth_sizes], search[growth_sizes];
-    for (int i = 0; i < c->n; i++)
-        build[i] = log2(c->build[i] + 1e-12), search[i] = log2(c->ray[i]);
-    if (c->n < 2) return;
-    printf("# %-12s a ray ~ n^%.2f, %.3g more steps a doubling", name,
-           bench_slope(c->x, search, c->n), bench_slope(c->x, c->steps, c->n));
-    if (strcmp(name, brute_contender.name) == 0) printf("\n");
-    else printf("; building ~ n^%.2f\n", bench_slope(c->x, build, c->n));
+    html_table(to, o, &t);
+    for (int k = 0; k < all->n; k++) {
+        double search[growth_sizes];
+        for (int i = 0; i < c[k].n; i++) search[i] = log2(c[k].ray[i]);
+        if (c[k].n > 1)
+            printf("# %-12s a ray ~ n^%.2f, %.3g more steps a doubling\n", all->of[k].label,
+                   bench_slope(c[k].x, search, c[k].n), bench_slope(c[k].x, c[k].steps, c[k].n));
+    }
+    printf("\n");
 }
 
 /* Brute force is off the scale, as slope 1 says. */
@@ -99,8 +92,7 @@ static inline void growth_plot(const options *o, const growth_curve *c, const li
 {
     plot p = plot_new("A diffuse ray against n", "triangles", "time [ns]", PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < all->n && p.series < plot_most_series; k++) {
-        const contender *x = all->of[k].c;
-        if (contender_is_first(x) || x == &brute_contender) continue;
+        if (!contender_counts(all->of[k].c)) continue;
         int series = plot_series(&p, all->of[k].label);
         for (int i = 0; i < c[k].n; i++) plot_add(&p, series, exp2(c[k].x[i]), c[k].ray[i]);
     }
@@ -120,15 +112,13 @@ static inline bool growth_run(const options *o, const line_up *all, size_t most_
         for (int k = 0; k < all->n && i > 0; k++)
             if (c[k].n == i && c[k].ray[i - 1] < least) least = c[k].ray[i - 1];
         for (int k = 0; k < all->n; k++) {  /* and who did not fit is out */
-            bool slow = i > 0 && c[k].n == i && (c[k].build[i - 1] > growth_patience
+            bool slow = i > 0 && c[k].n == i && (c[k].build > growth_patience
                 || (c[k].ray[i - 1] > 100 * least && all->of[k].c != &brute_contender));
             if (c[k].n == i && !slow) who[now.n] = k, now.of[now.n++] = all->of[k];
         }
         if (!growth_step(c, who, &now, growth_fine[i], o, most_bytes)) return false;
     }
     growth_table(o, c, all, to);
-    for (int k = 0; k < all->n; k++) growth_fit(&c[k], all->of[k].label);
-    printf("\n");
     growth_plot(o, c, all, to);
     return true;
 }

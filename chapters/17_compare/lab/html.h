@@ -2,7 +2,7 @@
  *
  *   html_report *r = html_begin("report.html", "Title");   path NULL: NULL, and all that follows
  *                                                          does nothing
- *   html_heading(r, "Verdict"), html_text(r, "%zu rays ..", n)
+ *   html_heading(r, "Verdict"), html_element(r, "p", "text")
  *   html_table(r, &o, &t)              output_extra_table, and in the report
  *   html_plot(r, &o, &p, "x.svg")      output_plot, and in the report
  *   html_picture(r, &im, "caption")
@@ -78,26 +78,18 @@ static inline html_report *html_begin(const char *path, const char *title)
     return r;
 }
 
-static inline void html_heading(const html_report *r, const char *text)
+/* <tag>text</tag>, where there is a report. */
+static inline void html_element(const html_report *r, const char *tag, const char *text)
 {
     if (!r) return;
-    fprintf(html_file(r), "<h2>");
+    fprintf(html_file(r), "<%s>", tag);
     html_escaped(html_file(r), text);
-    fprintf(html_file(r), "</h2>\n");
+    fprintf(html_file(r), "</%s>\n", tag);
 }
 
-__attribute__((format(printf, 2, 3)))
-static inline void html_text(const html_report *r, const char *format, ...)
+static inline void html_heading(const html_report *r, const char *text)
 {
-    char text[1024];
-    va_list arguments;
-    if (!r) return;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    fprintf(html_file(r), "<p>");
-    html_escaped(html_file(r), text);
-    fprintf(html_file(r), "</p>\n");
+    html_element(r, "h2", text);
 }
 
 static inline void html_rows(FILE *out, const table *t)
@@ -163,9 +155,9 @@ static inline void html_picture(const html_report *r, const image *im, const cha
     html_escaped(html_file(r), caption);
     fprintf(html_file(r), "\" src=\"data:image/png;base64,");
     html_base64(html_file(r), bytes, n);
-    fprintf(html_file(r), "\"><figcaption>");
-    html_escaped(html_file(r), caption);
-    fprintf(html_file(r), "</figcaption></figure>\n");
+    fprintf(html_file(r), "\">");
+    html_element(r, "figcaption", caption);
+    fprintf(html_file(r), "</figure>\n");
     free(bytes);
 }
 

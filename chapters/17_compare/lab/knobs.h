@@ -67,16 +67,14 @@ static inline const char *knob_names(const contender *c)
     return all[0] ? all : " none";
 }
 
-/* The number that `text` begins with; *after: behind it. */
-static inline double knob_number(const knob *k, const char *text, const char **after)
+static inline double knob_number(const knob *k, const char *text)
 {
     char *end;
     double x = strtod(text, &end);
     bool any = k->kind == KNOB_DOUBLE;
-    if (end == text || !(x >= k->lowest && x <= k->highest) || !(any || x == floor(x)))
+    if (end == text || *end || !(x >= k->lowest && x <= k->highest) || !(any || x == floor(x)))
         die(2, "%s=%.20s: allowed are %s from %g to %g", k->name, text,
             any ? "numbers" : "whole numbers", k->lowest, k->highest);
-    *after = end;
     return x;
 }
 
@@ -93,12 +91,10 @@ static inline const char *knob_rule(const knob *k, const char *name)
 /* value: a number, or the one option that is a name. */
 static inline void choice_set(compare_choice *p, const knob *k, const char *value)
 {
-    const char *after = "";
     contender_setting s = {k->offset, k->kind, 0, NULL};
     size_t n = strlen(p->label);
     if (k->kind == KNOB_NAME) s.name = knob_rule(k, value);
-    else s.value = knob_number(k, value, &after);
-    if (*after) die(2, "%s=%s: a number ends before '%s'", k->name, value, after);
+    else s.value = knob_number(k, value);
     if (p->how.n == 8) die(2, "%s: eight options are the most", p->label);
     p->how.set[p->how.n++] = s;
     snprintf(p->label + n, sizeof p->label - n, ":%s=%s", k->name, value);
@@ -141,37 +137,30 @@ static inline line_up chosen_of(const char *only)
 }
 
 /* The next value: one more, while that are few; else twice as much. */
-static inline double sweep_next(const knob *k, double x, double from, double to)
+static inline double sweep_next(knob_type kind, double x, double from, double to)
 {
-    if (k->kind == KNOB_DOUBLE) return from <= 0 ? x + (to - from) / 8 : 2 * x;
+    if (kind == KNOB_DOUBLE) return from <= 0 ? x + (to - from) / 8 : 2 * x;
     return to - from <= 16 || x < 1 ? x + 1 : 2 * x;
 }
 
 static inline line_up swept_of(const char *text)
 {
-    char front[128], value[24];
-    const char *after;
-    line_up all = choose_usual(), one = {.n = 0};
-    snprintf(front, sizeof front, "%.127s", text);
-    char *dots = strstr(front, ".."), *colon;
-    if (dots) *dots = 0;  /* a number may end with a dot */
-    char *equals = strrchr(front, '=');
-    if (!dots || !equals || !(colon = strrchr(front, ':')) || colon > equals || strchr(text, ','))
+    char front[128], one[160], *end, *last;
+    line_up all = choose_usual();
+    const char *dots = strstr(text, "..");
+    snprintf(front, sizeof front, "%.*s", dots ? (int)(dots - text) : 0, text);
+    char *equals = strrchr(front, '=');  /* cut before the dots: a number may end with one */
+    if (!equals || strchr(text, ','))
         die(2, "--sweep %.100s: allowed is one structure with a range, as in bvh:leaf=1..32", text);
-    *colon = 0;
-    choose_text(&one, front, strlen(front), "--sweep");
-    const knob *k = knob_find(one.of[0].c, colon + 1, (size_t)(equals - colon - 1));
-    if (!k || k->kind == KNOB_NAME)
-        die(2, "--sweep %.100s: options of %s:%s", text, front, knob_names(one.of[0].c));
-    double from = knob_number(k, equals + 1, &after);
-    bool clean = *after == 0;
-    double to = knob_number(k, dots + 2, &after);
-    if (!clean || *after || !(from < to)) die(2, "--sweep %.100s: a range is FROM..TO", text);
-    for (double x = from; x <= to; x = sweep_next(k, x, from, to)) {
-        choose(&all, one.of[0].c);
-        all.of[all.n - 1] = one.of[0];
-        snprintf(value, sizeof value, "%.6g", x);
-        choice_set(&all.of[all.n - 1], k, value);
+    *equals = 0;
+    double from = strtod(equals + 1, &end), to = strtod(dots + 2, &last);
+    if (end == equals + 1 || *end || last == dots + 2 || *last || !(from < to))
+        die(2, "--sweep %.100s: a range is FROM..TO", text);
+    for (double x = from; x <= to;) {
+        snprintf(one, sizeof one, "%s=%.6g", front, x);
+        choose_text(&all, one, strlen(one), "--sweep");
+        const contender_settings *how = &all.of[all.n - 1].how;
+        x = sweep_next(how->set[how->n - 1].type, x, from, to);
     }
     return all;
 }

@@ -47,7 +47,7 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
         compare_progress(w.name, "asking", e->c->name);
         for (int j = 0; j <= spd_edge; j++) {
             for (int i = 0; i <= spd_edge; i++)
-                hits += e->c->hit_counted(e->s, spd_ray(&w, i, j), &h, &work);
+                hits += e->c->counted(e->s, spd_ray(&w, i, j), false, &h, &work);
         }
         compare_progress(w.name, NULL, NULL);
         printf("primary %s %d %s: build %.4f s, nodes/ray %.3g, tests/ray %.3g, rays %d, "
@@ -61,15 +61,10 @@ static inline void protocol_scene(const compare_settings *c, const generator *g,
     world_free(&w);
 }
 
-/* Without --only, and if brute force is not asked for by name, all but that: 263169 rays take it
- * most of an hour. */
+/* Without --only all that count: 263169 rays take brute force most of an hour. */
 static inline void protocol_run(compare_settings c, bool only, const generator *g, int scale)
 {
-    for (int k = 0, n = only ? 0 : c.chosen.n; k < n; k++) {
-        if (k == 0) c.chosen.n = 0;
-        if (c.chosen.of[k].c != &brute_contender && !contender_is_first(c.chosen.of[k].c))
-            c.chosen.of[c.chosen.n++] = c.chosen.of[k];
-    }
+    if (!only) c.chosen = choose_counting(&c.chosen);
     for (int k = 0; k < spd_scenes; k++)
         if (g ? g == &spd_list[k] : spd_list[k].hits > 0)
             protocol_scene(&c, &spd_list[k], g && scale >= 0 ? scale : spd_list[k].scale);
@@ -92,62 +87,43 @@ static inline void verify_world(const compare_settings *c, const world *w)
     compare_count_wrong(&s, aimed.r, aimed.n, true);
     for (int k = 0; k < compare_kinds; k++)
         compare_count_wrong(&s, s.rays[k].r, s.rays[k].n, false);
-    for (int k = 0; k < s.entries; k++)
-        if (!s.entry[k].s)
-            printf("%s %s: does not fit: %s\n", w->name, s.entry[k].choice->label,
-                   s.entry[k].why.text);
-        else if (contender_is_first(s.entry[k].c))
-            cost_print_wrong(&s.entry[k]);
-        else if (s.entry[k].c != &brute_contender)
+    for (int k = 0; k < s.entries; k++) {
+        const compare_entry *e = &s.entry[k];
+        const char *label = e->choice->label;
+        if (!e->s) printf("%s %s: does not fit: %s\n", w->name, label, e->why.text);
+        else if (contender_is_first(e->c)) cost_print_wrong(e);
+        else if (e->c != &brute_contender)
             printf("%s %s: %zu primary, %zu shadow, %zu diffuse, %zu mirror and %zu aimed rays, "
-                   "and those that end at their hits: as brute force\n", w->name,
-                   s.entry[k].choice->label, s.rays[KIND_PRIMARY].n, s.rays[KIND_SHADOW].n,
-                   s.rays[KIND_DIFFUSE].n, s.rays[KIND_MIRROR].n, aimed.n);
+                   "and those that end at their hits: as brute force\n", w->name, label,
+                   s.rays[KIND_PRIMARY].n, s.rays[KIND_SHADOW].n, s.rays[KIND_DIFFUSE].n,
+                   s.rays[KIND_MIRROR].n, aimed.n);
+    }
     fflush(stdout);
     rays_free(&aimed);
     compare_end(&s);
 }
 
-/* Hits of the first structure that fits, for the file: the others have been proved to agree. */
-static inline void file_hits(const comparison *s, const compare_files *f, const ray *r, size_t n)
-{
-    failure why;
-    const compare_entry *e = compare_any(s);
-    hit *h = allocate(n, sizeof *h);
-    if (e) e->c->search(e->s, r, n, f->any, h);
-    if (f->hits && !hits_write(f->hits, h, n, f->any, &why)) fail(why);
-    free(h);
-}
-
-/* Brute force asks them all, and the first versions don't count steps. */
-static inline bool file_counts(const compare_entry *e)
-{
-    return e->s && e->c != &brute_contender && !contender_is_first(e->c);
-}
-
 /* A line a ray: its number, its hit, and steps and tests of every structure. */
-static inline void file_costs(const comparison *s, const compare_files *f, const ray *r, size_t n)
+static inline void file_costs(const comparison *s, const compare_files *f, const ray_set *rays,
+                              const hit *h)
 {
     failure why;
     file_writer to;
-    const compare_entry *any = compare_any(s);
     if (!file_begin(&to, f->costs, &why)) fail(why);
     fprintf(to.stream, "ray,t,shape");
-    for (int k = 0; k < s->entries; k++)
-        if (file_counts(&s->entry[k]))
-            fprintf(to.stream, ",%s nodes,%s tests", s->entry[k].choice->label,
-                    s->entry[k].choice->label);
-    for (size_t i = 0; i < n; i++) {
-        hit h = hit_none;
-        any->c->search(any->s, &r[i], 1, f->any, &h);
-        fprintf(to.stream, "\n%zu,%.9g,%.0f", i, (double)h.t,
-                h.shape == no_shape ? -1.0 : (double)h.shape);
+    for (int k = 0; k < s->entries; k++) {
+        const char *label = s->entry[k].choice->label;
+        if (entry_counts(&s->entry[k])) fprintf(to.stream, ",%s nodes,%s tests", label, label);
+    }
+    for (size_t i = 0; i < rays->n; i++) {
+        fprintf(to.stream, "\n%zu,%.9g,%.0f", i, (double)h[i].t,
+                h[i].shape == no_shape ? -1.0 : (double)h[i].shape);
         for (int k = 0; k < s->entries; k++) {
             const compare_entry *e = &s->entry[k];
             search_work w = {0, 0, 0, 0};
-            if (!file_counts(e)) continue;
-            if (f->any) e->c->occluded_counted(e->s, r[i], &w);
-            else e->c->hit_counted(e->s, r[i], &h, &w);
+            hit unused;
+            if (!entry_counts(e)) continue;
+            e->c->counted(e->s, rays->r[i], f->any, &unused, &w);
             fprintf(to.stream, ",%zu,%zu", w.nodes, w.tests);
         }
     }
@@ -155,6 +131,7 @@ static inline void file_costs(const comparison *s, const compare_files *f, const
     if (!file_commit(&to, &why)) fail(why);
 }
 
+/* Hits of the first structure that fits: the others have been proved to agree. */
 static inline void file_run(const compare_settings *c, const world *w, const compare_files *file)
 {
     failure f;
@@ -172,14 +149,15 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     s.rays[kind] = all;
     cost_kind(&s, kind, 7);
     table t = table_new("Rays from a file, one thread", cost_columns);
-    for (int k = 0; k < s.entries; k++) {
-        const compare_entry *e = &s.entry[k];
-        cost_csv_row(&t, &s, e, file->any ? "any" : "closest", kind);
-    }
+    for (int k = 0; k < s.entries; k++)
+        cost_csv_row(&t, &s, &s.entry[k], file->any ? "any" : "closest", kind);
     output_table(c->o, &t);
-    file_hits(&s, file, all.r, all.n);
-    if (file->costs) file_costs(&s, file, all.r, all.n);
-    rays_free(&some);
+    const compare_entry *e = compare_any(&s);
+    hit *h = allocate(all.n, sizeof *h);
+    e->c->search(e->s, all.r, all.n, file->any, h);
+    if (file->hits && !hits_write(file->hits, h, all.n, file->any, &f)) fail(f);
+    if (file->costs) file_costs(&s, file, &all, h);
+    free(h), rays_free(&some);
     compare_end(&s);
 }
 

@@ -59,18 +59,16 @@ static inline void race_end(race_track *t)
     world_free(&t->w);
 }
 
-/* A row of rays at a time, so that the search is a loop of its own. */
 static inline void race_picture(const race_track *t, race_way how, raster *s)
 {
-    size_t nx = (size_t)s->nx;
+    size_t nx = (size_t)s->nx, pixels = nx * (size_t)s->ny;
     if (how == RACE_RASTER) {
-        for (size_t k = 0; k < nx * (size_t)s->ny; k++)
-            s->h[k] = hit_none, s->key[k] = depth_farthest;
+        for (size_t k = 0; k < pixels; k++) s->h[k] = hit_none, s->key[k] = depth_farthest;
         s->asked = s->covered = 0;
         raster_mesh(s, &t->w.mesh, t->c, raster_default);
         return;
     }
-    ray *row = allocate(nx, sizeof *row);
+    ray *row = allocate(nx, sizeof *row);  /* a row at a time: the search is a loop of its own */
     for (int y = 0; y < s->ny; y++) {
         for (int x = 0; x < s->nx; x++)
             row[x] = camera_ray(t->c, (real)x + (real)0.5, (real)y + (real)0.5, s->nx, s->ny);
@@ -146,26 +144,24 @@ static inline void race_row(const race_track *t, int nx, int rounds, const int *
 static inline void orders_run(const options *o)
 {
     static const int cells[] = {2, 8, 32, 64, 125}, width[] = {80, 320, 1280};
-    int meshes = o->quick ? 2 : 5, sizes = o->quick ? 2 : 3;
+    int meshes = o->quick ? 2 : 5, sizes = o->quick ? 2 : 3, series[3][race_ways];
     table t = table_new("Two orders, one picture", "triangles|pixels|asked a pixel|covered a pixel|"
                         "error: another triangle [pixels]|error: unexplained|raster [ms]|"
                         "bvh [ms]|wide [ms]|ratio wide / raster|build wide [ms]");
     plot p = plot_new("One picture in two orders", "triangles", "time [ms]",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    int series[3][race_ways];
-    for (int i = 0; i < sizes; i++)
-        for (int k = 0; k < race_ways; k++) {
-            char label[64];
-            snprintf(label, sizeof label, "%s, %d x %d", race_name[k], width[i], width[i] * 3 / 4);
-            series[i][k] = k == RACE_BVH ? -1 : plot_series(&p, label);
-        }
+    for (int i = 0; i < sizes * race_ways; i++) {
+        int k = i % race_ways, w = width[i / race_ways];
+        char label[64];
+        snprintf(label, sizeof label, "%s, %d x %d", race_name[k], w, w * 3 / 4);
+        series[i / race_ways][k] = k == RACE_BVH ? -1 : plot_series(&p, label);
+    }
     for (int m = 0; m < meshes; m++) {
         race_track track;
         race_begin(cells[m], &track);
-        for (int i = 0; i < sizes; i++) {
-            compare_progress("two orders", "timing", "");
+        compare_progress("two orders", "timing", "");
+        for (int i = 0; i < sizes; i++)
             race_row(&track, width[i], o->quick ? 1 : 5, series[i], &p, &t);
-        }
         race_end(&track);
     }
     compare_progress("two orders", NULL, NULL);

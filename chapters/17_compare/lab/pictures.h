@@ -51,7 +51,7 @@ static inline vec3 sheet_visits(const void *context, real x, real y)
     const sheet_panel *p = context;
     search_work w = {0, 0, 0, 0};
     hit h;
-    p->c->hit_counted(p->s, sheet_ray(p, x, y), &h, &w);
+    p->c->counted(p->s, sheet_ray(p, x, y), false, &h, &w);
     return work_colour((real)(w.nodes + w.tests) / visits_most);
 }
 
@@ -81,7 +81,8 @@ static inline bool sheet_draw(const options *o, image *im)
         bool fine = strcmp(g->name, "soup") == 0 || strcmp(g->name, "solids") == 0;  /* grey */
         int scale = o->quick || fine ? scene_list[k].quick : g->scale;
         if (!scene_world(g, scale, &w, &f)) fail(f);
-        line_up one = choose_one(&bvh_contender);
+        line_up one = {.n = 0};
+        choose(&one, &bvh_contender);
         compare_begin(&s, &w, &one, SIZE_MAX, 1);
         const compare_entry *e = compare_any(&s);
         if (!e) fail(s.entry[0].why);
@@ -99,10 +100,7 @@ static inline image visits_draw(const options *o, const world *w, const line_up 
                                 size_t most_bytes, bool *whole)
 {
     comparison s;
-    line_up shown = {.n = 0};
-    for (int k = 0; k < chosen->n; k++)
-        if (chosen->of[k].c != &brute_contender && !contender_is_first(chosen->of[k].c))
-            shown.of[shown.n++] = chosen->of[k];
+    line_up shown = choose_counting(chosen);
     compare_begin(&s, w, &shown, most_bytes, 1);
     int rows = s.entries / visits_columns + 1, across = o->width / visits_columns;
     image im = image_new(o->width, rows * (across > 0 ? across : 1));

@@ -80,10 +80,7 @@ static inline void order_run(const options *o, const line_up *chosen, size_t mos
     comparison s;
     failure f;
     char title[120];
-    line_up some = {.n = 0};
-    for (int k = 0; k < chosen->n; k++)
-        if (chosen->of[k].c != &brute_contender && !contender_is_first(chosen->of[k].c))
-            some.of[some.n++] = chosen->of[k];
+    line_up some = choose_counting(chosen);
     if (!mesh_world(&w, "teapot", teapot_mesh(o->quick ? 3 : 32), true, &f)) fail(f);
     compare_begin(&s, &w, &some, most_bytes, 1);
     compare_rays(&s, o->quick ? 200 : compare_usual_rays, o->seed);

@@ -19,6 +19,8 @@ typedef struct {
     char name[32];
     size_t shapes;
     double ray[compare_most], build[compare_most];  /* seconds; ray < 0: does not fit */
+    double spread[compare_most];                    /* of ray: half of what lies between its */
+                                                    /* quartiles, relative */
     size_t wrong[compare_most], held[compare_most];
 } summary_row;
 enum { summary_most = 15 };
@@ -35,28 +37,33 @@ static inline void summary_add(compare_summary *m, const comparison *s)
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
         r->ray[k] = e->s ? cost_mean(s, e) : -1;
-        r->build[k] = e->s ? e->build : 0;
+        r->build[k] = e->s ? e->build : 0, r->spread[k] = cost_spread(e);
         r->wrong[k] = e->wrong[0] + e->wrong[1], r->held[k] = e->held[0] + e->held[1];
     }
 }
 
-static inline void summary_columns(const compare_summary *m, char *columns, size_t room,
-                                   const char *unit)
+/* few: with wrong hits, and building in all scenes together. */
+static inline void summary_table(const options *o, const compare_summary *m, html_report *to,
+                                 const char *title, bool few, double of_ray, double of_build)
 {
+    char columns[512];
+    snprintf(columns, sizeof columns, "structure%s", few ? "|wrong|build all [ms]" : "");
     for (int i = 0; i < m->rows; i++) {
         size_t at = strlen(columns);
-        snprintf(columns + at, room - at, "|%s%s", m->row[i].name, unit);
+        snprintf(columns + at, sizeof columns - at, "|%s%s", m->row[i].name, few ? " [ns]" : "");
     }
-}
-
-static inline void summary_table(const options *o, const compare_summary *m, html_report *to,
-                                 const char *title, double of_ray, double of_build)
-{
-    char columns[512] = "structure";
-    summary_columns(m, columns, sizeof columns, "");
     table t = table_new(title, columns);
     for (int k = 0; k < m->chosen->n; k++) {
+        double build = 0;
+        size_t wrong = 0, held = 0;
+        for (int i = 0; i < m->rows; i++) {
+            const summary_row *r = &m->row[i];
+            build += r->build[k], wrong += r->wrong[k], held += r->held[k];
+        }
         table_text(&t, "%s", m->chosen->of[k].label);
+        if (few && held) table_text(&t, "%zu of %zu", wrong, held);
+        if (few && !held) table_text(&t, "none");
+        if (few) table_number(&t, build * 1e3);
         for (int i = 0; i < m->rows; i++) {
             const summary_row *r = &m->row[i];
             if (r->ray[k] < 0) table_text(&t, "-");
@@ -111,36 +118,19 @@ static inline void summary_winners(const options *o, const compare_summary *m, h
 static inline void summary_print(const options *o, const compare_summary *m, html_report *to)
 {
     summary_winners(o, m, to);
-    summary_table(o, m, to, "All scenes: nanoseconds a ray", 1e9, 0);
-    summary_table(o, m, to, "All scenes: milliseconds to build", 0, 1e3);
+    summary_table(o, m, to, "All scenes: nanoseconds a ray", false, 1e9, 0);
+    summary_table(o, m, to, "All scenes: milliseconds to build", false, 0, 1e3);
 }
 
 static inline void summary_few(const options *o, const compare_summary *m, html_report *to)
 {
-    char title[200] = "A diffuse ray:", columns[200] = "structure|wrong|build all [ms]";
+    char title[200] = "A diffuse ray:";
     for (int i = 0; i < m->rows; i++) {
         size_t at = strlen(title);
         snprintf(title + at, sizeof title - at, "%s %s of %zu", i ? "," : "", m->row[i].name,
                  m->row[i].shapes);
     }
-    summary_columns(m, columns, sizeof columns, " [ns]");
-    table t = table_new(title, columns);
-    for (int k = 0; k < m->chosen->n; k++) {
-        double build = 0;
-        size_t wrong = 0, held = 0;
-        for (int i = 0; i < m->rows; i++) {
-            build += m->row[i].build[k];
-            wrong += m->row[i].wrong[k], held += m->row[i].held[k];
-        }
-        table_text(&t, "%s", m->chosen->of[k].label);
-        if (held) table_text(&t, "%zu of %zu", wrong, held);
-        else table_text(&t, "none");
-        table_number(&t, build * 1e3);
-        for (int i = 0; i < m->rows; i++)
-            if (m->row[i].ray[k] < 0) table_text(&t, "-");
-            else table_number(&t, m->row[i].ray[k] * 1e9);
-    }
-    html_table(to, o, &t);
+    summary_table(o, m, to, title, true, 1e9, 0);
 }
 
 #endif

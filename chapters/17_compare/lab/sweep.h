@@ -13,18 +13,13 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline bool sweep_counts(const compare_entry *e)
-{
-    return e->s && e->c != &brute_contender && !contender_is_first(e->c);
-}
-
 /* Nobody is as quick at both, and quicker at one. */
 static inline bool sweep_on_front(const comparison *s, const compare_entry *e)
 {
     double build = e->build, mean = cost_mean(s, e);
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *b = &s->entry[k];
-        if (!sweep_counts(b)) continue;
+        if (!entry_counts(b)) continue;
         double its = cost_mean(s, b);
         if (b->build <= build && its <= mean && (b->build < build || its < mean)) return false;
     }
@@ -46,7 +41,7 @@ static inline void sweep_plot(const options *o, const comparison *s, html_report
     int swept = plot_series(&p, "swept"), fronts = plot_series(&p, "Pareto front"), n = 0;
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
-        if (!sweep_counts(e)) continue;
+        if (!entry_counts(e)) continue;
         double ns = cost_mean(s, e) * 1e9;
         if (sweep_on_front(s, e)) front[n++] = e;
         if (e->choice->how.n) plot_add(&p, swept, e->build * 1e3, ns);
@@ -69,7 +64,7 @@ static inline void sweep_run(const options *o, const comparison *s, html_report 
         const compare_entry *e = &s->entry[k];
         size_t rays;
         search_work w = cost_work(e, &rays);
-        if (!sweep_counts(e)) continue;
+        if (!entry_counts(e)) continue;
         table_text(&t, "%s", e->choice->label);
         table_number(&t, per((double)e->stats.bytes, s->x.n));
         table_number(&t, per((double)w.nodes, rays)), table_number(&t, per((double)w.tests, rays));

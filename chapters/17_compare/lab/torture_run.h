@@ -102,7 +102,7 @@ static inline size_t torture_row(table *out, const char *name, const torture_sco
 
 static inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
-    size_t n = c->o->quick ? 200 : 2000, faults = 0;
+    size_t n = c->o->quick ? 60 : 2000, faults = 0;
     int rows = who ? 1 : c->chosen.n;
     char columns[256] = "structure", title[160];
     torture_score *score = allocate((size_t)rows, sizeof *score);

@@ -6,7 +6,7 @@
 #define SHADE_LAB_FIGURES_H
 
 #include "../../../common/lab/figure.h"
-#include "../light.h"
+#include "../shade.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -1,10 +1,6 @@
-/* measure.h: the tables: error against time over depth and over the cut; Fresnel exact and cheap;
- * forty balls by recursion and
- * by the loop.
+/* measure.h: the tables.
  *
- *   table_of_knobs(&o)      the main table, and its plot
- *   draw_fresnel(&o)        a plot of R
- *   table_of_speed(&o)      pixels per second of forty.h, one thread
+ *   table_of_knobs(&o)      error against time over depth and over the cut, and its plot
  *   table_of_first(&o)      first.h on its two balls: time, and what differs
  */
 #ifndef WHITTED_LAB_MEASURE_H
@@ -52,11 +48,10 @@ static inline void knob_row(table *t, const whitted_view *v, size_t k, double ns
  * and without any cut depth 64 takes more than a hundred times as long. */
 static inline void table_of_knobs(const options *o)
 {
-    forty *f = allocate(1, sizeof *f);
-    forty_fill(f);
+    whitted_stage *f = forty_new();
     int w = o->quick ? 48 : 160, h = w * 3 / 4;
     image im = image_new(w, h), deep = image_new(w, h);
-    whitted_view v = {.t = forty_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
+    whitted_view v = {.t = stage_tracer(f), .c = forty_camera((real)w / (real)h), .im = &deep,
                       .across = 1};
     table t = table_new("Forty balls: error against depth 64 and a cut of 1e-10; rays a pixel",
                         "knob|depth|cut|shadow|reflection|refraction|error: rmse|error: most|"
@@ -77,68 +72,7 @@ static inline void table_of_knobs(const options *o)
     }
     output_table(o, &t);
     output_plot(o, &p, "19_whitted_time.svg");
-    image_free(&im), image_free(&deep), forty_free(f), free(f);
-}
-
-static inline snell snell_at(real degrees, real n1, real n2)
-{
-    snell s;
-    real a = degrees * pi / 180;
-    snell_of((vec3){sin(a), 0, -cos(a)}, (vec3){0, 0, 1}, n1, n2, &s);
-    return s;
-}
-
-/* Fresnel's exact equations and Schlick's form. */
-static inline void draw_fresnel(const options *o)
-{
-    plot p = plot_new("Fresnel: glass, n = 1.5", "angle [degrees]", "R", 0);
-    int exact = plot_series(&p, "exact, from outside");
-    int cheap = plot_series(&p, "Schlick, from outside");
-    int within = plot_series(&p, "exact, from inside");
-    int close = plot_series(&p, "Schlick, from inside");
-    for (int i = 0; i <= 90; i += 2) {
-        snell s = snell_at((real)i, 1, 1.5), in = snell_at((real)i, 1.5, 1);
-        plot_add(&p, exact, i, (double)fresnel(&s)), plot_add(&p, cheap, i, (double)schlick(&s));
-        plot_add(&p, within, i, (double)fresnel(&in)), plot_add(&p, close, i, (double)schlick(&in));
-    }
-    output_plot(o, &p, "19_whitted_fresnel.svg");
-}
-
-static inline void table_of_speed(const options *o)
-{
-    forty *f = allocate(1, sizeof *f);
-    forty_fill(f);
-    int w = o->quick ? 64 : 480, h = w * 3 / 4, rounds = o->quick ? 1 : 3;
-    image a = image_new(w, h), b = image_new(w, h);
-    enum { ways = 3 };
-    double seconds[ways][9];
-    static const char *const names[ways] = {"recursion", "loop", "recursion, Schlick"};
-    whitted_view v[ways];
-    image_difference off[ways] = {{0}};
-    for (int i = 0; i < rounds; i++)
-        for (int k = 0; k < ways; k++) {
-            f->w.fresnel = k == 2 ? WHITTED_SCHLICK : WHITTED_EXACT;
-            v[k] = (whitted_view){.t = forty_tracer(f), .c = forty_camera((real)w / (real)h),
-                                  .im = k ? &b : &a, .across = 1, .loop = k == 1};
-            double start = clock_seconds();
-            measured_draw(&v[k], 1);
-            seconds[k][i] = clock_seconds() - start;
-            if (k) off[k] = image_compare(&b, &a);
-        }
-    table t = table_new("Forty balls, one thread, one ray a pixel, depth 8, cut 1/256",
-                        "method|camera|shadow|reflection|refraction|off [rmse]|Mpixels/s|ns/ray");
-    for (int k = 0; k < ways; k++) {
-        double s = clock_median(seconds[k], rounds), rays = 0;
-        table_text(&t, "%s", names[k]);
-        for (int j = 0; j < RAY_SIGHT; j++) {
-            table_count(&t, v[k].counts.rays[j]);
-            rays += (double)v[k].counts.rays[j];
-        }
-        table_number(&t, off[k].rmse);
-        table_number(&t, (double)w * h / s / 1e6), table_number(&t, s / rays * 1e9);
-    }
-    output_extra_table(o, &t);
-    image_free(&a), image_free(&b), forty_free(f), free(f);
+    image_free(&im), image_free(&deep), stage_end(f), free(f);
 }
 
 typedef struct { image im; const first_scene *s; const first_world *x; } first_picture;

@@ -129,9 +129,9 @@ static inline void pixel_explain(const options *o, const char *text)
     int xy[2];
     char room[512];
     explain_pixel(text, o->width, o->height, xy);
-    two_spheres *s = two_spheres_new();
+    whitted_stage *s = two_spheres_new();
     ray_tree *x = allocate(1, sizeof *x);
-    tracer t = two_spheres_tracer(s), again = t;
+    tracer t = stage_tracer(s), again = t;
     camera c = two_spheres_camera((real)o->width / (real)o->height);
     ray r = camera_ray(c, (real)xy[0] + (real)0.5, (real)xy[1] + (real)0.5, o->width, o->height);
     printf("# The rays of pixel %d, %d of %d x %d: two spheres\n", xy[0], xy[1], o->width,
@@ -148,20 +148,20 @@ static inline void pixel_explain(const options *o, const char *text)
     explain_vector(0, "(19.10)", "the pixel, all that is added: L =", L);
     printf("%d rays; --samples 1 draws that, or 4 where it is more\n", x->n);
     ray_tree_draw(x, output_path(o, "19_whitted_pixel.svg", true, room));
-    free(x), two_spheres_free(s);
+    free(x), stage_end(s), free(s);
 }
 
 static inline void pixel_tree(const options *o)
 {
     char room[512];
-    two_spheres *s = two_spheres_new();
+    whitted_stage *s = two_spheres_new();
     ray_tree *x = allocate(1, sizeof *x);
-    tracer t = two_spheres_tracer(s);
+    tracer t = stage_tracer(s);
     s->w.log = ray_tree_begin(x);
     whitted_ray(&t, camera_ray(two_spheres_camera((real)4 / 3), (real)345.5, (real)140.5, 640, 480),
                 (media_set){0});
     ray_tree_draw(x, output_path(o, "19_whitted_tree.svg", false, room));
-    free(x), two_spheres_free(s);
+    free(x), stage_end(s), free(s);
 }
 
 #endif

@@ -15,7 +15,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void povray_ball(FILE *f, const forty *w, int k)
+static inline void povray_ball(FILE *f, const whitted_stage *w, int k)
 {
     sphere s = w->shape[k].sphere;
     vec3 kd = w->look[k].base.kd;
@@ -33,7 +33,7 @@ static inline void povray_ball(FILE *f, const forty *w, int k)
 }
 
 /* The field of view is ours from top to bottom, theirs from left to right. */
-static inline void povray_write(const forty *w, FILE *f)
+static inline void povray_write(const whitted_stage *w, FILE *f)
 {
     const double half = 15.5 * 3.14159265358979 / 180;
     fprintf(f, "#version 3.7; "
@@ -42,9 +42,9 @@ static inline void povray_write(const forty *w, FILE *f)
                "camera{location<0,-11,4.5> up z right -4/3*x sky z angle %.9g look_at<0,.4,.9>}\n",
             2 * atan(tan(half) * 4 / 3) * 180 / 3.14159265358979);
     for (int k = 0; k < 3; k++) {
-        vec3 at = w->suns[k].at;
+        vec3 at = w->light[k].at;
         fprintf(f, "light_source{<%.9g,%.9g,%.9g>*1e6 rgb %.9g/pi parallel point_at 0}\n",
-                (double)at.x, (double)at.y, (double)at.z, (double)w->suns[k].colour.x);
+                (double)at.x, (double)at.y, (double)at.z, (double)w->light[k].colour.x);
     }
     for (int k = 0; k < forty_balls; k++) povray_ball(f, w, k);
 }
@@ -52,15 +52,14 @@ static inline void povray_write(const forty *w, FILE *f)
 static inline void povray_race(const char *path)
 {
     enum { width = 480, height = 360 };
-    forty *w = allocate(1, sizeof *w);
+    whitted_stage *w = forty_new();
     file_writer out;
     failure f;
-    forty_fill(w);
     if (!file_begin(&out, path, &f)) fail(f);
     povray_write(w, out.stream);
     if (!file_commit(&out, &f)) fail(f);
     camera c = forty_camera((real)width / height);
-    tracer t = forty_tracer(w);
+    tracer t = stage_tracer(w);
     vec3 sum = {0, 0, 0};
     clock_t start = clock();
     for (int k = 0; k < width * height; k++) {
@@ -70,7 +69,7 @@ static inline void povray_race(const char *path)
     double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     printf("forty balls: %zu shadow rays, mean red %.4f, %.4f CPU-seconds\n",
            t.counts.rays[RAY_SHADOW], (double)sum.x / (width * height), seconds);
-    forty_free(w), free(w);
+    stage_end(w), free(w);
 }
 
 #endif

@@ -1,34 +1,17 @@
 /* forty.h: forty balls of mirror, glass and paint, the largest of them the ground: the scene that
  * speed is measured on.
  *
- *   forty f;
- *   forty_fill(&f)                  always the same balls; three suns
+ *   whitted_stage *f = forty_new();       stage_tracer(f); stage_end(f), free(f)
  *   camera c = forty_camera(aspect)
- *   tracer t = forty_tracer(&f);    for whitted_ray
- *   forty_free(&f)
  *
- * Glass casts no shadow here. So there are two parts: all balls, which are seen, and those that
- * shadow rays ask for, of which nothing but a hit is asked.
+ * Always the same balls; three suns. Glass casts no shadow here.
  */
 #ifndef WHITTED_SCENES_FORTY_H
 #define WHITTED_SCENES_FORTY_H
 
-#include "../../02_camera/camera.h"
-#include "../whitted.h"
-#include "looks.h"
+#include "whitted_stage.h"
 
 enum { forty_balls = 40 };
-
-typedef struct {
-    whitted w;
-    shape shape[forty_balls], caster[forty_balls];
-    scene scene[2];
-    world_part part[2];
-    trace_world world;
-    whitted_material look[forty_balls], light_ground;
-    medium media[forty_balls];
-    light suns[3];
-} forty;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -48,67 +31,34 @@ static const int forty_ball[forty_balls][4] = {
     {-3567, -2132, 334, 334}, {909, -2441, 263, 263}, {647, 4466, 1308, 376},
     {-962, 4489, 1796, 610}, {-1810, 4282, 976, 447}, {-203, 1959, 2055, 475}};
 
-static inline const whitted_material *forty_material(const void *context, trace_hit x,
-                                                     const surface *s, whitted_material *room)
-{
-    const forty *f = context;
-    (void)room;
-    if (x.h.shape == 0 && (((int)floor(s->p.x) + (int)floor(s->p.y)) & 1)) return &f->light_ground;
-    return &f->look[x.h.shape];
-}
-
-static inline void forty_ball_fill(forty *f, int k)
-{
-    const int *b = forty_ball[k];
-    vec3 c = {(real)b[0] / 1000, (real)b[1] / 1000, (real)b[2] / 1000};
-    f->shape[k] = shape_of_sphere((sphere){c, (real)b[3] / 1000});
-    f->media[k] = (medium){k % 3 == 2 ? (real)1.5 : 1, {0, 0, 0}, 0};
-    if (k % 3 == 1) f->look[k] = whitted_mirror(0.9);
-    else if (k % 3 == 2) f->look[k] = whitted_clear((uint32_t)k, 1);
-    else f->look[k] = whitted_paint(0.3 + 0.15 * (k * 7 % 5), 0.3 + 0.15 * (k * 3 % 5),
-                                    0.3 + 0.1 * (k * 11 % 7));
-    if (f->look[k].shadow == 0) f->caster[f->scene[1].n++] = f->shape[k];
-}
-
-static inline void forty_fill(forty *f)
+static inline whitted_stage *forty_new(void)
 {
     static const double sun[3][4] = {{5, -6, 9, 2}, {-6, -4, 5, 0.7}, {1, 8, 6, 0.4}};
-    *f = (forty){.scene = {{f->shape, forty_balls}, {f->caster, 0}}};
-    for (int k = 0; k < forty_balls; k++) forty_ball_fill(f, k);
-    f->look[0] = whitted_paint(0.3, 0.3, 0.3), f->light_ground = whitted_paint(0.8, 0.8, 0.8);
-    for (int k = 0; k < 3; k++) {
-        const double *s = sun[k];
-        f->suns[k] = (light){LIGHT_DIRECTIONAL, vunit(vec(s[0], s[1], s[2])),
-                             {(real)s[3], (real)s[3], (real)s[3]}};
+    whitted_stage *f = allocate(1, sizeof *f);
+    for (int k = 0; k < forty_balls; k++) {
+        const int *b = forty_ball[k];
+        vec3 c = {(real)b[0] / 1000, (real)b[1] / 1000, (real)b[2] / 1000};
+        whitted_material paint = whitted_paint(0.3 + 0.15 * (k * 7 % 5), 0.3 + 0.15 * (k * 3 % 5),
+                                               0.3 + 0.1 * (k * 11 % 7));
+        stage_ball(f, c, (real)b[3] / 1000, k % 3 == 1 ? whitted_mirror(0.9)
+                                            : k % 3 == 2 ? whitted_clear((uint32_t)k, 1) : paint);
+        f->media[k] = (medium){k % 3 == 2 ? (real)1.5 : 1, {0, 0, 0}, 0};
     }
-    world_part_of_scene(&f->scene[0], MASK_SEEN, &f->part[0]);
-    world_part_of_scene(&f->scene[1], MASK_SHADOW, &f->part[1]);
-    f->part[1].opaque = true;
-    f->world = (trace_world){f->part, 2};
-    f->w = (whitted){.lights = f->suns, .n = 3, .material_of = forty_material, .context = f,
-                     .media = f->media, .depth = 8, .least = (real)1 / 256, .apart = true,
+    f->checks = 1, f->look[0] = whitted_paint(0.3, 0.3, 0.3), f->odd = whitted_paint(0.8, 0.8, 0.8);
+    for (int k = 0; k < 3; k++) {
+        const double *s = sun[k], E = s[3];
+        f->light[k] = (light){LIGHT_DIRECTIONAL, vunit(vec(s[0], s[1], s[2])), vec(E, E, E)};
+    }
+    f->clear = true;
+    f->w = (whitted){.n = 3, .least = (real)1 / 256, .apart = true,
                      .background = {0.35, 0.55, 0.85}, .ambient = {0.1, 0.1, 0.1}};
-}
-
-static inline void forty_free(forty *f)
-{
-    world_part_free(&f->part[0]), world_part_free(&f->part[1]);
-}
-
-static inline tracer forty_tracer(const forty *f)
-{
-    return (tracer){.w = &f->world, .program = whitted_programs, .user = &f->w};
+    stage_begin(f, 8);
+    return f;
 }
 
 static inline camera forty_camera(real aspect)
 {
-    failure why;
-    camera_frame f;
-    camera c;
-    const vec3 eye = {0, -11, 4.5}, to = {0, 0.4, 0.9}, up = {0, 0, 1};
-    if (!frame_look_at(eye, to, up, &f, &why)) fail(why);
-    if (!camera_perspective(f, 31, aspect, &c, &why)) fail(why);
-    return c;
+    return camera_at(vec(0, -11, 4.5), vec(0, 0.4, 0.9), vec(0, 0, 1), 31, aspect);
 }
 
 #endif

@@ -8,7 +8,7 @@
  * A method is a sequence_kind, or CONVERGENCE_FIRST, the notes' own way.
  *
  * Each run is an estimate with random numbers of its own (its number is the "pixel"). Halton's
- * points without scrambling have none: all runs are the same, and its error is that of one set of
+ * points have none: all runs are the same, and its error is that of one set of
  * points.
  */
 #ifndef MONTE_CARLO_CONVERGENCE_H
@@ -19,12 +19,11 @@
 #include "../t_test.h"
 
 enum { CONVERGENCE_FIRST = sequence_kinds, convergence_methods };
-enum { convergence_levels = 6, convergence_blocks = 16 };
+enum { convergence_levels = 6 };
 typedef struct {
     int from, levels, runs;
     uint64_t seed;
     estimate square[convergence_methods][convergence_levels][integrands];   /* of squared errors */
-    estimate part[convergence_methods][convergence_levels][convergence_blocks][integrands];
 } convergence;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -47,14 +46,12 @@ static inline void convergence_errors(int method, uint64_t seed, uint64_t run, u
 static inline void convergence_job(size_t i, void *context)
 {
     convergence *c = context;
-    int block = (int)(i % convergence_blocks);
-    int method = (int)(i / convergence_blocks) % convergence_methods;
-    int level = c->levels - 1 - (int)(i / convergence_blocks) / convergence_methods;
-    for (int run = block; run < c->runs; run += convergence_blocks) {
+    int method = (int)i % convergence_methods, level = c->levels - 1 - (int)i / convergence_methods;
+    for (int run = 0; run < c->runs; run++) {
         double error[integrands];
         convergence_errors(method, c->seed, (uint64_t)run, convergence_n(level), error);
         for (int f = 0; f < integrands; f++) {
-            estimate *e = &c->part[method][level][block][f];
+            estimate *e = &c->square[method][level][f];
             *e = estimate_add(*e, error[f] * error[f]);
         }
     }
@@ -65,13 +62,8 @@ static inline convergence *convergence_measure(int from, int levels, int runs, u
 {
     convergence *c = allocate(1, sizeof *c);
     c->from = from, c->levels = levels, c->runs = runs, c->seed = seed;
-    parallel_whole((size_t)(levels - from) * convergence_methods * convergence_blocks, threads,
-                   "convergence", convergence_job, c);
-    for (int k = 0; k < convergence_methods; k++)
-        for (int l = from; l < levels; l++)
-            for (int f = 0; f < integrands; f++)
-                for (int b = 0; b < convergence_blocks; b++)
-                    c->square[k][l][f] = estimate_merge(c->square[k][l][f], c->part[k][l][b][f]);
+    parallel_whole((size_t)(levels - from) * convergence_methods, threads, "convergence",
+                   convergence_job, c);
     return c;
 }
 

@@ -21,6 +21,7 @@ enum { dome_wide = 400, dome_high = 300, dome_gap = 6, dome_panels = 3, dome_sam
 typedef struct {
     image *im;
     uint64_t seed;
+    int step;             /* of places: 4, a small picture */
     double off[dome_panels * dome_wide * dome_high];  /* from the truth; NaN: the sky itself */
 } dome_job;
 typedef struct { vec3 p, n; bool ball, sky; } dome_place;
@@ -65,9 +66,9 @@ static inline double dome_sample(int panel, dome_place at, point2 q)
 static inline void dome_pixel(int x, int y, void *context)
 {
     dome_job *job = context;
-    int panel = x / (dome_wide + dome_gap), i = x % (dome_wide + dome_gap);
-    if (i >= dome_wide) return;
-    dome_place at = dome_seen(i, y);
+    int share = dome_wide / job->step + dome_gap, panel = x / share, i = x % share;
+    if (i >= share - dome_gap) return;
+    dome_place at = dome_seen(i * job->step, y * job->step);
     double sum = 0, *off = &job->off[(panel * dome_high + y) * dome_wide + i];
     if (at.sky) {
         *off = (double)NAN;
@@ -84,11 +85,14 @@ static inline void dome_pixel(int x, int y, void *context)
     image_set(job->im, x, y, vscale(colour, (real)fmin(sum, 1.25)));
 }
 
-static inline double dome_error(const double *off)
+static inline double dome_error(const dome_job *job, int panel)
 {
     double squares = 0, n = 0;
-    for (int k = 0; k < dome_wide * dome_high; k++)
-        if (!isnan(off[k])) squares += off[k] * off[k], n++;
+    for (int y = 0; y < dome_high / job->step; y++)
+        for (int i = 0; i < dome_wide / job->step; i++) {
+            double off = job->off[(panel * dome_high + y) * dome_wide + i];
+            if (!isnan(off)) squares += off * off, n++;
+        }
     return sqrt(squares / n);
 }
 
@@ -99,12 +103,14 @@ static inline void draw_dome(const options *o)
     const char *title[dome_panels];
     if (o->out) return;
     dome_job *job = allocate(1, sizeof *job);
-    image im = image_new(dome_panels * (dome_wide + dome_gap) - dome_gap, dome_high);
+    job->step = o->quick ? 4 : 1;
+    image im = image_new(dome_panels * (dome_wide / job->step + dome_gap) - dome_gap,
+                         dome_high / job->step);
     job->im = &im, job->seed = o->seed;
     bool whole = parallel_pixels(im.width, im.height, o->threads, "sky", dome_pixel, job);
     for (int k = 0; k < dome_panels; k++) {
         snprintf(text[k], sizeof text[k], "16 directions, %s: error %.3f", name[k],
-                 dome_error(job->off + k * dome_wide * dome_high));
+                 dome_error(job, k));
         title[k] = text[k];
     }
     label_titles(&im, dome_panels, 1, dome_gap, title);

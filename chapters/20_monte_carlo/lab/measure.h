@@ -1,17 +1,20 @@
 /* measure.h: tables and plots: errors against N and time; more rays.
  *
- *   measure_methods(&o)    error and time of seven ways to integrate; with --full plots against N
- *                          and time, and slopes beside the theory
+ *   measure_methods(&o)    error and time of five ways to integrate; with --full a plot against
+ *                          time, and slopes beside the theory
  *   measure_rays(&o)       twice, four times the rays: what halves, what quarters
+ *   measure_importance(&o) one integral, many pdfs: variance, and how often the interval that the
+ *                          samples themselves report holds the truth
  */
 #ifndef MONTE_CARLO_MEASURE_H
 #define MONTE_CARLO_MEASURE_H
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
+#include "../importance.h"
 #include "convergence.h"
 
-/* ---- seven ways ------------------------------------------------------------------------------ */
+/* ---- five ways ------------------------------------------------------------------------------ */
 
 typedef struct { int method; uint64_t seed; uint32_t n; } monte_carlo_timed;
 
@@ -54,8 +57,7 @@ static inline void methods_plot(const options *o, const convergence *c, const do
 static inline void measure_slopes(const options *o, const convergence *c)
 {
     static const char *const theory[sequence_kinds][integrands] = {
-        {"-1/2", "-1/2"}, {"-1", "-3/4"}, {"-1, log", "-"}, {"-1, log", "-"},
-        {"-1, log", "-"}, {"-3/2, log", "-3/4"}};
+        {"-1/2", "-1/2"}, {"-1", "-3/4"}, {"-1, log", "-"}, {"-3/2, log", "-3/4"}};
     table t = table_new("Slopes of the error against N, 95 % of the time within -+", "method|f|"
                         "theory|exact, these N|error slope|error -+");
     for (int k = 0; k < sequence_kinds; k++)
@@ -114,18 +116,62 @@ static inline void measure_rays(const options *o)
     enum { n = 64, runs = 8000 };
     estimate one = rays_variance(o->seed, n, runs);
     table t = table_new("What more rays do to a pixel at a silhouette", "rays|error variance|"
-                        "of the first|error deviation|of the first|p, variance halved|"
-                        "p, variance as 1/rays");
+                        "of the first|error deviation|of the first");
     for (uint32_t times = 1; times <= 4; times *= 2) {
         estimate e = times == 1 ? one : rays_variance(o->seed + times, n * times, runs);
         double v = estimate_variance(e), v1 = estimate_variance(one);
         table_count(&t, n * times);
         table_number(&t, v), table_number(&t, v / v1);
         table_number(&t, sqrt(v)), table_number(&t, sqrt(v / v1));
-        if (times == 1) table_text(&t, "-"), table_text(&t, "-");
-        else table_number(&t, variance_ratio_test(one, e, 0.5)),
-             table_number(&t, variance_ratio_test(one, e, 1.0 / times));
     }
+    output_extra_table(o, &t);
+}
+
+/* ---- one integral, many pdfs ----------------------------------------------------------------- */
+
+enum { importance_rows = 6, importance_n = 4096, importance_most_runs = 400 };
+static const struct { const char *name; double n, a; } importance_row[importance_rows] = {
+    {"n = 0, uniform", 0, 0}, {"n = 1, cosine", 1, 0}, {"n = 2", 2, 0},
+    {"n = 8", 8, 0}, {"n = 20", 20, 0}, {"n = 20, mixed", 20, 0.2}};
+
+typedef struct {
+    uint64_t seed;
+    int runs, holds[importance_rows];   /* runs whose interval holds the truth */
+    double error[importance_rows][importance_most_runs];
+    estimate variance[importance_rows];
+} importance_survey;
+
+static inline void importance_job(size_t row, void *context)
+{
+    importance_survey *s = context;
+    for (int run = 0; run < s->runs; run++) {
+        estimate e = importance_run((real)importance_row[row].n, (real)importance_row[row].a,
+                                    s->seed, (uint64_t)run, importance_n);
+        s->error[row][run] = fabs(e.mean - (double)pi);
+        s->holds[row] += t_test(e, (double)pi, 1e-6) >= 0.05;
+        s->variance[row] = estimate_add(s->variance[row], estimate_variance(e));
+    }
+}
+
+static inline void measure_importance(const options *o)
+{
+    table t = table_new("The irradiance under a white sky, pi, by many pdfs, N = 4096",
+                        "pdf|largest weight|exact variance|error variance|error median|"
+                        "error interval holds pi [%]");
+    importance_survey *s = allocate(1, sizeof *s);
+    s->seed = o->seed, s->runs = o->quick ? 40 : importance_most_runs;
+    parallel_whole(importance_rows, o->threads, "importance", importance_job, s);
+    for (int r = 0; r < importance_rows; r++) {
+        double n = importance_row[r].n, a = importance_row[r].a, p = (double)pi;
+        bool exact = n == 1;  /* but for roundings */
+        table_text(&t, "%s", importance_row[r].name);
+        table_number(&t, a > 0 ? p / a : n <= 1 ? 2 * p / (n + 1) : (double)INFINITY);
+        number_or_dash(&t, a > 0 ? (double)NAN : importance_variance(n));
+        table_number(&t, exact ? 0 : s->variance[r].mean);
+        table_number(&t, exact ? 0 : clock_median(s->error[r], s->runs));
+        table_number(&t, 100.0 * s->holds[r] / s->runs);
+    }
+    free(s);
     output_extra_table(o, &t);
 }
 

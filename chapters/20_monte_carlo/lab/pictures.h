@@ -1,8 +1,7 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_points(&o)  four ways to place points, a column each. 256 points in their first two
- *                    dimensions; in the 15th and 16th; a soft shadow by 16 points a pixel, and
- *                    how far off it is
+ *   draw_points(&o)  four ways to place points, a column each: 256 points in their first two
+ *                    dimensions, and in the 15th and 16th
  *   draw_wrong(&o)   where the samples of sampling_naive.h fall, and below those of sampling.h:
  *                    white as many as there should be, orange too many, blue too few
  */
@@ -31,14 +30,9 @@ static inline monte_carlo_place panel_of(const monte_carlo_panels *p, int i)
 
 /* ---- points ---- */
 
-enum { points_columns = 4, points_rows = 3, shadow_cells = 48 };
+enum { points_columns = 4, points_rows = 2 };
 static const sequence_kind points_kind[points_columns] = {SEQUENCE_RANDOM, SEQUENCE_JITTERED,
                                                           SEQUENCE_HALTON, SEQUENCE_SOBOL};
-typedef struct {
-    monte_carlo_panels sheet;
-    double truth[shadow_cells * shadow_cells], error[points_columns];
-} monte_carlo_points;
-
 /* A dot at (x, y) of the panel, y upwards, darkening what is there. */
 static inline void panel_dot(const monte_carlo_panels *p, monte_carlo_place at, real x, real y)
 {
@@ -55,79 +49,33 @@ static inline void panel_dot(const monte_carlo_panels *p, monte_carlo_place at, 
         }
 }
 
-/* What a cell of the floor, 3 m wide, sees of a square lamp of 1 m at height 2 past a disk of 45 cm
- * at height 1: the part of n points of the lamp. */
-static inline double shadow_seen(sequence_kind kind, uint64_t seed, int cell, uint32_t n)
-{
-    double x = ((cell % shadow_cells + 0.5) / shadow_cells - 0.5) * 3, seen = 0;
-    double y = ((cell / shadow_cells + 0.5) / shadow_cells - 0.5) * 3;
-    for (uint32_t k = 0; k < n; k++) {
-        sampler s = sampler_start(kind, seed, (uint64_t)cell, k, n);
-        point2 q = sampler_pair(&s);
-        double a = (x + (double)q.u - 0.5) / 2, b = (y + (double)q.v - 0.5) / 2;
-        seen += a * a + b * b > 0.45 * 0.45;
-    }
-    return seen / n;
-}
-
-static inline void truth_row(size_t j, void *context)
-{
-    monte_carlo_points *p = context;
-    for (int cell = (int)j * shadow_cells; cell < (int)(j + 1) * shadow_cells; cell++)
-        p->truth[cell] = shadow_seen(SEQUENCE_SOBOL, p->sheet.seed + 1, cell, 1024);
-}
-
-static inline void shadow_panel(monte_carlo_points *p, monte_carlo_place at, int column)
-{
-    double square = 0, seen[shadow_cells * shadow_cells];
-    for (int c = 0; c < shadow_cells * shadow_cells; c++) {
-        seen[c] = shadow_seen(points_kind[column], p->sheet.seed, c, 16);
-        square += (seen[c] - p->truth[c]) * (seen[c] - p->truth[c]);
-    }
-    p->error[column] = sqrt(square) / shadow_cells;
-    for (int j = 0; j < at.side; j++)
-        for (int i = 0; i < at.side; i++) {
-            int c = j * shadow_cells / at.side * shadow_cells + i * shadow_cells / at.side;
-            vec3 light = vec(0.03 + 0.82 * seen[c], 0.04 + 0.76 * seen[c], 0.07 + 0.6 * seen[c]);
-            image_set(p->sheet.im, at.x + i, at.y + j, light);
-        }
-}
-
 static inline void points_panel(size_t i, void *context)
 {
-    monte_carlo_points *p = context;
-    monte_carlo_place at = panel_of(&p->sheet, (int)i);
-    int row = (int)i / points_columns, column = (int)i % points_columns;
-    if (row == 2) { shadow_panel(p, at, column); return; }
-    label_fill(p->sheet.im, at.x, at.y, at.side, at.side, vec(0.92, 0.92, 0.92));
-    for (uint32_t k = 0; k < p->sheet.samples && at.side; k++) {
-        sampler s = sampler_start(points_kind[column], p->sheet.seed, 0, k,
-                                  (uint32_t)p->sheet.samples);
-        s.pair = row ? 7 : 0;
+    const monte_carlo_panels *p = context;
+    monte_carlo_place at = panel_of(p, (int)i);
+    label_fill(p->im, at.x, at.y, at.side, at.side, vec(0.92, 0.92, 0.92));
+    for (uint32_t k = 0; k < p->samples && at.side; k++) {
+        sampler s = sampler_start(points_kind[i % points_columns], p->seed, 0, k,
+                                  (uint32_t)p->samples);
+        s.pair = i < points_columns ? 0 : 7;
         point2 q = sampler_pair(&s);
-        panel_dot(&p->sheet, at, q.u, q.v);
+        panel_dot(p, at, q.u, q.v);
     }
 }
 
 /* Small pictures have no room for words. */
 static inline void draw_points(const options *o)
 {
-    bool words = o->width >= 800 && o->height >= 600;
+    bool words = o->width >= 800 && o->height >= 400;
     image im = label_sheet(o->width, o->height - (words ? 26 * points_rows : 0));
-    monte_carlo_points *p = allocate(1, sizeof *p);
     const char *title[points_columns * points_rows];
-    char text[points_columns][32];
-    p->sheet = (monte_carlo_panels){&im, points_columns, points_rows, o->seed, 256};
-    bool whole = parallel_for(shadow_cells, o->threads, "shadow", truth_row, p)
-              && parallel_for(points_columns * points_rows, o->threads, "points", points_panel, p);
-    for (int k = 0; k < points_columns; k++) {
-        snprintf(text[k], sizeof text[k], "soft shadow: error %.3f", p->error[k]);
+    monte_carlo_panels p = {&im, points_columns, points_rows, o->seed, 256};
+    bool whole = parallel_for(points_columns * points_rows, o->threads, "points", points_panel, &p);
+    for (int k = 0; k < points_columns; k++)
         title[k] = sequence_name[points_kind[k]], title[points_columns + k] = "dimensions 15, 16";
-        title[2 * points_columns + k] = text[k];
-    }
     if (words) label_titles(&im, points_columns, points_rows, panel_gap, title);
     output_picture(o, &im, "20_monte_carlo.png", true, whole);
-    image_free(&im), free(p);
+    image_free(&im);
 }
 
 /* ---- wrong densities ---- */
@@ -184,6 +132,7 @@ static inline void wrong_panel(size_t index, void *context)
     int column = (int)index % wrong_columns;
     bool right = index >= wrong_columns;
     double count[heat_cells * heat_cells] = {0};
+    vec3 colour[heat_cells * heat_cells];
     double whole = column == 4 ? 1 : column >= 1 && column <= 3 ? 0.5 : (double)pi / 4;
     for (size_t k = 0; k < p->samples; k++) {
         random_stream s = random_start(p->seed, index, k);
@@ -192,16 +141,16 @@ static inline void wrong_panel(size_t index, void *context)
         int i = (int)(q.u * heat_cells), j = (int)(q.v * heat_cells);
         if (i >= 0 && j >= 0 && i < heat_cells && j < heat_cells) count[j * heat_cells + i]++;
     }
+    for (int c = 0; c < heat_cells * heat_cells; c++) {
+        double area = heat_area(column, c % heat_cells, c / heat_cells);
+        double expected = area / whole * (double)p->samples / (heat_cells * heat_cells);
+        colour[c] = area >= 0.25 ? heat_colour(count[c] / expected) : vec(0.85, 0.85, 0.85);
+        if (area == 0 && count[c] > 0) colour[c] = heat_colour(4);
+    }
     for (int j = 0; j < at.side; j++)
         for (int i = 0; i < at.side; i++) {
-            int ci = i * heat_cells / at.side, cj = (at.side - 1 - j) * heat_cells / at.side;
-            double area = heat_area(column, ci, cj);
-            double expected = area / whole * (double)p->samples / (heat_cells * heat_cells);
-            double found = count[cj * heat_cells + ci];
-            vec3 c = {(real)0.85, (real)0.85, (real)0.85};
-            if (area >= 0.25) c = heat_colour(found / expected);
-            if (area == 0 && found > 0) c = heat_colour(4);
-            image_set(p->im, at.x + i, at.y + j, c);
+            int cell = (at.side - 1 - j) * heat_cells / at.side * heat_cells;
+            image_set(p->im, at.x + i, at.y + j, colour[cell + i * heat_cells / at.side]);
         }
 }
 
@@ -218,7 +167,7 @@ static inline void draw_wrong(const options *o)
     if (o->out) return;
     image im = image_new(wrong_columns * side - panel_gap, 2 * side - panel_gap);
     label_fill(&im, 0, 0, im.width, im.height, vec(0.8f, 0.8f, 0.8f));
-    monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 100000 : 1000000};
+    monte_carlo_panels p = {&im, wrong_columns, 2, o->seed, o->quick ? 10000 : 1000000};
     bool whole = parallel_for(2 * wrong_columns, o->threads, "densities", wrong_panel, &p);
     label_titles(&im, wrong_columns, 2, panel_gap, title), label_below(&im, strip);
     label_bar(&im, im.width / 2 - 200, im.height - strip + 12, 400, 10, heat_of, 0.25, 4,

@@ -1,4 +1,4 @@
-/* sampling_naive.h: ways to a disk, a triangle, a sphere that are wrong, dear or inexact.
+/* sampling_naive.h: ways to a disk, a triangle, a sphere that are wrong or inexact.
  *
  * Wrong: what comes out is not uniform, and every estimate that takes it for uniform has an error
  * that no number of samples mends. Pictures hide it, chi-square shows it (tests/20_sampling.c).
@@ -13,10 +13,6 @@
  *   sample_sphere_naive        a point of the cube, normalised: crowds towards the corners; the
  *                              density there is 3^1.5 = 5.2 times that at the faces' middles
  *   sample_hemisphere_naive    theta = pi/2 u: crowds at the pole
- *
- * Right, but dear: sample_disk_rejection tries points of the square until one lies in the disk:
- * 4/pi = 1.27 tries on average, no roots, no sines. But the second try is an independent one, so
- * well-spread (u, v) are partly thrown away; and how many numbers it needs is not known beforehand.
  *
  * Right, but inexact: sample_cone_naive, sample_lobe_naive lose the digits of 1 - z.
  */
@@ -62,19 +58,6 @@ static inline vec3 sample_sphere_naive(real u, real v)
 static inline vec3 sample_hemisphere_naive(real u, real v)
 {
     return sample_turn(sin(pi / 2 * u), cos(pi / 2 * u), v);
-}
-
-/* Begins with (u, v); further tries come from a stream of their own, keyed by (u, v). */
-static inline vec3 sample_disk_rejection(real u, real v)
-{
-    random_stream s = {0, 0};
-    for (int tries = 0;; tries++) {
-        vec3 p = {2 * u - 1, 2 * v - 1, 0};
-        if (p.x * p.x + p.y * p.y <= 1) return p;
-        if (tries == 0) s = random_start((uint64_t)(ldexp((double)u, 53)),
-                                         (uint64_t)(ldexp((double)v, 53)), 0);
-        u = random_next(&s), v = random_next(&s);
-    }
 }
 
 /* In float 1 - cos of an angle of 0.0047, that of the sun, is off by up to 0.3 %, and below 0.0002

@@ -1,9 +1,7 @@
-/* measure.h: tables and a plot: pictures against converged ones, estimates against closed forms.
+/* measure.h: tables and a plot: pictures against converged ones; what was spent.
  *
  *   table_of_pictures(&o)   the main one: error and time of pictures of soft shadows, of motion and
  *                           of all other effects, by way of sampling; its plot
- *   table_of_known(&o)      questions of known.h: estimates, t-tests, slopes
- *   table_of_first(&o)      three of them by first.h: its error and its time
  *   table_of_rays(&o)       rays and random numbers, only what is called for and all
  */
 #ifndef DISTRIBUTED_MEASURE_H
@@ -11,7 +9,7 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
-#include "known_first.h"
+#include "../../20_monte_carlo/t_test.h"
 #include "pictures.h"
 
 enum { measure_methods = 3, measure_levels = 4 };
@@ -86,9 +84,10 @@ static inline void table_of_pictures(const options *o)
     showroom *g = showroom_new(o->quick ? 4 : 8);
     pool *balls = pool_new(1);
     showroom_look k[2];
-    distributed_view views[3] = {showroom_effect_view(&k[0], g, 0, true, (real)4 / 3),
+    showroom_set(&k[0], g, EFFECT_SOFT), showroom_set(&k[1], g, EFFECT_ALL);
+    distributed_view views[3] = {showroom_view(&k[0], SHOWROOM_SOFT, (real)4 / 3),
                                  pool_view(balls, (real)4 / 3),
-                                 showroom_effect_view(&k[1], g, 4, true, (real)4 / 3)};
+                                 showroom_view(&k[1], SHOWROOM_ALL, (real)4 / 3)};
     table t = table_new("Error of three pictures against converged ones; "
                         "time of 64 samples a pixel",
                         "effect|samples|error N=1|error N=4|error N=16|error N=64|slope|+-|"
@@ -119,136 +118,6 @@ static inline void table_of_pictures(const options *o)
     output_table(o, &t);
     output_plot(o, &time, "21_distributed_time.svg");
     showroom_free(g), pool_free(balls);
-}
-
-/* ---- closed forms ---------------------------------------------------------------------------- */
-
-enum { known_runs = 64 };
-
-typedef struct {
-    known k[known_kinds];
-    uint64_t seed;
-    estimate mean[known_kinds][measure_methods][measure_levels];    /* of the runs' means */
-    estimate square[known_kinds][measure_methods][measure_levels];  /* of their squared errors */
-} known_study;
-
-static inline uint32_t known_samples(int level) { return (uint32_t)16 << 2 * level; }
-
-static inline void known_job(size_t i, void *context)
-{
-    known_study *s = context;
-    size_t level = measure_levels - 1 - i / (known_kinds * measure_methods);
-    size_t kind = i / measure_methods % known_kinds, method = i % measure_methods;
-    for (int run = 0; run < known_runs; run++) {
-        estimate e = known_mean(&s->k[kind], measure_method[method], s->seed + level * 100,
-                                (uint64_t)run, known_samples((int)level));
-        double off = e.mean - s->k[kind].truth;
-        estimate *mean = &s->mean[kind][method][level], *square = &s->square[kind][method][level];
-        *mean = estimate_add(*mean, e.mean), *square = estimate_add(*square, off * off);
-    }
-}
-
-/* All that is no chance: sheets that end somewhere, glossy_above to 1e-7, and in float the sum of
- * a thousand weights. */
-static inline double known_rounding(void) { return 2.0 / known_far + 4 * (double)real_epsilon; }
-
-/* NaN where the points are exact: from some N on there is no error. Its own standard error follows
- * from that of each mean square: log rms is off by half of the mean square's relative error. */
-static inline line_fit known_slope(const known_study *s, int kind, int method)
-{
-    double x[measure_levels] = {0}, y[measure_levels] = {0}, off = 0, middle = 0, xx = 0;
-    for (int l = 0; l < measure_levels; l++) {
-        double rms = sqrt(s->square[kind][method][l].mean);
-        if (rms < known_rounding()) return (line_fit){.slope = (double)NAN};
-        x[l] = log((double)known_samples(l)), y[l] = log(rms), middle += x[l] / measure_levels;
-    }
-    for (int l = 0; l < measure_levels; l++) {
-        estimate square = s->square[kind][method][l];
-        double own = estimate_error(square) / square.mean / 2 * (x[l] - middle);
-        off += own * own, xx += (x[l] - middle) * (x[l] - middle);
-    }
-    line_fit f = fit_line(x, y, measure_levels);
-    f.slope_error = sqrt(off) / xx;
-    return f;
-}
-
-static inline void table_of_known(const options *o)
-{
-    known_study *s = allocate(1, sizeof *s);
-    s->seed = o->seed;
-    for (int i = 0; i < known_kinds; i++) known_make((known_kind)i, &s->k[i]);
-    measure_unless(!parallel_for(known_kinds * measure_methods * measure_levels, o->threads,
-                                 "closed forms", known_job, s));
-    table t = table_new("Questions with known answers: means, standard errors, t-tests, slopes",
-                        "question|answer|random|+-|Sobol'|+-|p random|p jittered|"
-                        "p Sobol'|slope random|jittered|Sobol'");
-    for (int i = 0; i < known_kinds; i++) {
-        int top = measure_levels - 1;
-        table_text(&t, "%s", s->k[i].name), table_text(&t, "%.6f", s->k[i].truth);
-        for (int m = 0; m < measure_methods; m += 2) {
-            table_text(&t, "%.6f", s->mean[i][m][top].mean);
-            table_text(&t, "%.6f", estimate_error(s->mean[i][m][top]));
-        }
-        for (int m = 0; m < measure_methods; m++)
-            table_text(&t, "%.3f", t_test(s->mean[i][m][top], s->k[i].truth, known_rounding()));
-        for (int m = 0; m < measure_methods; m++) {
-            line_fit f = known_slope(s, i, m);
-            if (isnan(f.slope)) table_text(&t, "exact");
-            else table_text(&t, "%.2f +-%.2f", f.slope, f.slope_error);
-        }
-    }
-    output_extra_table(o, &t);
-    for (int i = 0; i < known_kinds; i++) known_free(&s->k[i]);
-    free(s);
-}
-
-/* ---- the notes' own way ---------------------------------------------------------------------- */
-
-typedef struct { known full; known_first first; bool is_first; uint64_t seed; } known_ask;
-enum { known_ask_samples = 1024 };
-
-static inline estimate known_asked(const known_ask *a, uint64_t run)
-{
-    if (a->is_first) return known_first_mean(&a->first, a->seed, run, known_ask_samples);
-    return known_mean(&a->full, SEQUENCE_RANDOM, a->seed, run, known_ask_samples);
-}
-
-static inline double known_ask_run(void *context) { return known_asked(context, 0).mean; }
-
-static inline void first_row(table *t, const known_ask *a, double seconds)
-{
-    estimate mean = {0};
-    double square = 0;
-    for (int run = 0; run < known_runs; run++) {
-        double off = known_asked(a, (uint64_t)run).mean - a->full.truth;
-        mean = estimate_add(mean, off + a->full.truth), square += off * off / known_runs;
-    }
-    table_text(t, "%s", a->full.name), table_text(t, a->is_first ? "first" : "random");
-    table_text(t, "%.6f", a->full.truth), table_text(t, "%.6f", mean.mean);
-    table_text(t, "%.6f", estimate_error(mean));
-    table_number(t, sqrt(square)), table_number(t, 1e9 * seconds / known_ask_samples);
-}
-
-static inline void table_of_first(const options *o)
-{
-    static const known_kind kinds[3] = {KNOWN_SQUARE, KNOWN_PENUMBRA, KNOWN_HORIZON};
-    char title[96];
-    snprintf(title, sizeof title, "Three of them by first.h: runs of %d samples, time of one",
-             (int)known_ask_samples);
-    table t = table_new(title, "question|samples|answer|error mean|error +-|error rms|time [ns]");
-    for (int i = 0; i < 3; i++) {
-        known_ask *a = allocate(2, sizeof *a);
-        double seconds[2];
-        for (int k = 0; k < 2; k++) {
-            known_make(kinds[i], &a[k].full);
-            a[k].first = known_first_of(kinds[i]), a[k].is_first = k == 0, a[k].seed = o->seed;
-        }
-        bench_each(known_ask_run, a, sizeof *a, 2, 51, 1, seconds);
-        for (int k = 0; k < 2; k++)
-            first_row(&t, &a[k], seconds[k]), known_free(&a[k].full);
-        free(a);
-    }
-    output_extra_table(o, &t);
 }
 
 /* ---- what is called for ---------------------------------------------------------------------- */
@@ -285,9 +154,10 @@ static inline void table_of_rays(const options *o)
     table t = table_new("Rays and pairs of random numbers, 96 x 54 pixels, 4 samples each",
                         "effects|camera|shadow|reflection|sky|lens numbers|light|sky|lobe|"
                         "pictures differ [pixels]");
-    rays_row(o, &t, g, 0, "Whitted"), rays_row(o, &t, g, EFFECT_SOFT, "soft");
-    rays_row(o, &t, g, EFFECT_GLOSSY, "gloss"), rays_row(o, &t, g, EFFECT_SKY, "occlusion");
-    rays_row(o, &t, g, EFFECT_LENS, "lens"), rays_row(o, &t, g, EFFECT_ALL, "all");
+    static const char *const names[] = {"Whitted", "soft", "gloss", "occlusion", "lens", "all"};
+    static const int effects[] = {0, EFFECT_SOFT, EFFECT_GLOSSY, EFFECT_SKY, EFFECT_LENS,
+                                  EFFECT_ALL};
+    for (int i = 0; i < 6; i++) rays_row(o, &t, g, effects[i], names[i]);
     output_extra_table(o, &t);
     showroom_free(g);
 }

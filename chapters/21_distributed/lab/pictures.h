@@ -1,11 +1,10 @@
-/* pictures.h: what Whitted cannot do, and what n rays a pixel make of it.
+/* pictures.h: what Whitted cannot do.
  *
- *   draw_showroom(&o, effects, spend_all)    the main picture
- *   draw_whitted(&o)                       the same, without any extent
+ *   draw_showroom(&o, effects, spend_all, "21_distributed.png")     the main picture
+ *   draw_showroom(&o, 0, false, "21_distributed_whitted.png")       the same, without any extent
  *   draw_teapot(&o)                        as a mirror, as a highlight, glossy, glossier
  *   draw_box(&o)                           the Cornell box: hard, soft, ambient, ambient occlusion
  *   draw_motion(&o)                        five balls on a table, two of them moving
- *   draw_effects(&o)                       a row an effect: hard; 16 alike; 1 and 32 a pixel
  */
 #ifndef DISTRIBUTED_LAB_PICTURES_H
 #define DISTRIBUTED_LAB_PICTURES_H
@@ -47,39 +46,24 @@ static inline void pictures_output(const options *o, image *sheet, int across, i
     image_free(sheet);
 }
 
-static inline void pictures_print(const distributed_view *v, double seconds)
+/* The first is the main picture, which may have other effects. */
+static inline void draw_showroom(const options *o, int effects, bool spend_all, const char *name)
 {
-    const size_t *n = v->spent.rays.rays;
-    printf("# %zu camera, %zu shadow, %zu reflection, %zu sky rays; %.2f s\n", n[RAY_CAMERA],
-           n[RAY_SHADOW], n[RAY_REFLECTION], n[RAY_SIGHT], seconds);
-}
-
-static inline void draw_showroom(const options *o, int effects, bool spend_all)
-{
+    bool main_one = strcmp(name, "21_distributed.png") == 0;
     showroom *g = showroom_new(pictures_cells(o));
     showroom_look k;
     showroom_set(&k, g, effects);
     k.how.spend_all = spend_all;
     distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)o->width / (real)o->height);
     image im = image_new(o->width, o->height);
-    v.samples = (uint32_t)o->samples, v.seed = o->seed;
+    v.samples = main_one ? (uint32_t)o->samples : o->quick ? 1 : 4, v.seed = o->seed;
     double start = clock_seconds();
     bool whole = distributed_draw(&v, &im, o->threads);
-    pictures_print(&v, clock_seconds() - start);
-    output_picture(o, &im, "21_distributed.png", true, whole);
-    image_free(&im), showroom_free(g);
-}
-
-static inline void draw_whitted(const options *o)
-{
-    showroom *g = showroom_new(pictures_cells(o));
-    showroom_look k;
-    showroom_set(&k, g, 0);
-    image im = image_new(o->width, o->height);
-    distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)o->width / (real)o->height);
-    v.samples = o->quick ? 1 : 4, v.seed = o->seed;
-    bool whole = distributed_draw(&v, &im, o->threads);
-    output_picture(o, &im, "21_distributed_whitted.png", false, whole);
+    const size_t *n = v.spent.rays.rays;
+    if (main_one)
+        printf("# %zu camera, %zu shadow, %zu reflection, %zu sky rays; %.2f s\n", n[RAY_CAMERA],
+               n[RAY_SHADOW], n[RAY_REFLECTION], n[RAY_SIGHT], clock_seconds() - start);
+    output_picture(o, &im, name, main_one, whole);
     image_free(&im), showroom_free(g);
 }
 
@@ -149,7 +133,7 @@ static inline void draw_box(const options *o)
         vec3 ambient = vec(0.26, 0.2, 0.11);
         distributed_box *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
         distributed_view v = box_view(b, 1);
-        v.samples = 8, v.seed = o->seed, b->how.split = 4;
+        v.samples = 32, v.seed = o->seed;
         whole = pictures_panel(&sheet, i, 0, &one, &v, o->threads);
         box_free(b);
     }
@@ -170,51 +154,6 @@ static inline void draw_motion(const options *o)
     bool whole = distributed_draw(&v, &im, o->threads);
     output_picture(o, &im, "21_distributed_motion.png", false, whole);
     image_free(&im), pool_free(g);
-}
-
-/* ---- the mends, one by one ---- */
-
-/* What each row compares: the shot, what is on anyway, what is added. The sky's row is without
- * lamps. */
-static const struct { showroom_shot shot; int before, after; bool dark; const char *name; }
-    showroom_effect[5] = {
-        {SHOWROOM_SOFT, 0, EFFECT_SOFT, false, "soft shadow"},
-        {SHOWROOM_GLOSSY, EFFECT_SOFT, EFFECT_SOFT | EFFECT_GLOSSY, false, "gloss"},
-        {SHOWROOM_SKY, 0, EFFECT_SKY, true, "occlusion"},
-        {SHOWROOM_LENS, 0, EFFECT_LENS, false, "lens"},
-        {SHOWROOM_ALL, 0, EFFECT_ALL, false, "all"}};
-
-static inline distributed_view showroom_effect_view(showroom_look *k, const showroom *g, int effect,
-                                                  bool after, real aspect)
-{
-    showroom_set(k, g, after ? showroom_effect[effect].after : showroom_effect[effect].before);
-    if (showroom_effect[effect].dark) {  /* and twice the sky */
-        k->how.n = 0;
-        k->how.ambient = k->how.background = vscale(k->how.ambient, 2);
-    }
-    return showroom_view(k, showroom_effect[effect].shot, aspect);
-}
-
-static inline void draw_effects(const options *o)
-{
-    static const uint32_t samples[4] = {4, 16, 1, 32};
-    static const char *const title[16] = {
-        "Whitted: hard", "16, all alike", "1 sample", "soft: 32 samples",
-        "Whitted: mirror", "16, all alike", "1 sample", "gloss: 32 samples",
-        "Whitted: no corners", "16, all alike", "1 sample", "occlusion: 32",
-        "Whitted: pinhole", "16, all alike", "1 sample", "lens: 32 samples"};
-    enum { w = 180, h = w * 3 / 4 };
-    showroom *g = showroom_new(pictures_cells(o));
-    image sheet = pictures_sheet(4, 4, w, h), one = image_new(w, h);
-    bool whole = true;
-    for (int i = 0; i < 16 && whole; i++) {
-        showroom_look k;
-        distributed_view v = showroom_effect_view(&k, g, i / 4, i % 4 > 0, (real)w / (real)h);
-        v.samples = samples[i % 4], v.same = i % 4 == 1, v.seed = o->seed;
-        whole = pictures_panel(&sheet, i % 4, i / 4, &one, &v, o->threads);
-    }
-    pictures_output(o, &sheet, 4, 4, title, "21_distributed_effects.png", whole);
-    image_free(&one), showroom_free(g);
 }
 
 #endif

@@ -19,8 +19,7 @@
 #include "../distributed.h"
 
 enum { EFFECT_SOFT = 1, EFFECT_GLOSSY = 2, EFFECT_SKY = 4, EFFECT_LENS = 8, EFFECT_ALL = 15 };
-typedef enum { SHOWROOM_ALL, SHOWROOM_SOFT, SHOWROOM_GLOSSY, SHOWROOM_SKY, SHOWROOM_LENS,
-               showroom_shots } showroom_shot;
+typedef enum { SHOWROOM_ALL, SHOWROOM_SOFT, SHOWROOM_GLOSSY, showroom_shots } showroom_shot;
 enum { showroom_row = 9, showroom_shapes = 4 + showroom_row, showroom_parts = 3 };
 
 typedef struct {
@@ -148,8 +147,7 @@ static inline distributed_view showroom_view(const showroom_look *k, showroom_sh
 {
     static const double look[showroom_shots][8] = {  /* from, to, degrees, focus */
         {1.6, -15, 4.6, -0.4, 0, 1.15, 30, 14.4}, {1.6, -15, 4.6, 2.9, -2.7, 0.5, 13, 14.4},
-        {1.6, -15, 4.6, 0.2, 0, 1.6, 16, 14.4},   {1.6, -15, 4.6, 1.9, -1.8, 0.7, 14, 14.4},
-        {1.6, -15, 4.6, -2.6, 0, 0.9, 20, 14.4}};
+        {1.6, -15, 4.6, 0.2, 0, 1.6, 16, 14.4}};
     const double *l = look[shot];
     distributed_view v = {.w = &k->w, .how = &k->how, .kind = SEQUENCE_SOBOL, .seed = 1};
     v.c = camera_at(vec(l[0], l[1], l[2]), vec(l[3], l[4], l[5]), vec(0, 0, 1), (real)l[6], aspect);

@@ -1,6 +1,7 @@
 /* oracle.h: closed forms evaluated with 32 digits, to measure the others against.
  *
  *   wide_atan2(y, x)                        the angle of (x, y), y >= 0, off by 1e-30 relatively
+ *   sphere_solid_angle_exact(s, p)          (22.4); 4 pi from inside
  *   sphere_irradiance_exact(r, a, h)        (22.13): radius, across, height; d^2 > r^2
  *   polygon_irradiance_exact(v, count, p)   (22.15) with n = +z, cut at the horizon; 0 from behind
  *   triangle_solid_angle_exact(t, p)        (22.12)
@@ -41,6 +42,17 @@ static inline wide wide_atan2(wide y, wide x)
     wide rest = wide_div(wide_sub(wide_mul(y, c), wide_mul(x, s)),
                          wide_add(wide_mul(x, c), wide_mul(y, s)));
     return wide_add(wide_of(near), rest);
+}
+
+static inline double sphere_solid_angle_exact(sphere s, vec3 p)
+{
+    wide3 f = wide3_between(p, s.c, 0);
+    wide dd = wide3_dot(f, f), rr = wide_product((double)s.r, (double)s.r);
+    wide power = wide_sub(dd, rr);
+    if (wide_sign(power) < 0) return 4 * 3.14159265358979324;
+    wide cosine = wide_sqrt(wide_div(power, dd));
+    wide q = wide_div(wide_div(rr, dd), wide_add(wide_of(1), cosine));
+    return 2 * 3.14159265358979324 * wide_value(q);
 }
 
 static inline double triangle_solid_angle_exact(triangle t, vec3 p)

@@ -3,7 +3,14 @@
  *   draw_floor(o)    three lights (columns, floors.h); rows: closed form, contours (等照度线) at
  *                    factors of 2; photons counted; their difference in standard errors, orange
  *                    too many, blue too few
- *   draw_view(o)     what a point sees (view.h): areas are solid angles, and irradiances
+ *   draw_view(o)     what a point sees above it; view_direction(VIEW_PROJECTED, x, y, &w) is the
+ *                    direction of a place in it, view_met(w) what is met there, or -1
+ *
+ *   VIEW_EQUAL_AREA   r = 2 sin(theta/2) (Lambert's map): area in the picture = solid angle
+ *   VIEW_PROJECTED    r = sin theta: area = cos theta d omega: Nusselt's analog, E for L = 1
+ *
+ * Source: W. Nusselt, "Graphische Bestimmung des Winkelverhaeltnisses bei der Waermestrahlung",
+ * Zeitschrift des VDI 72, 1928.
  */
 #ifndef RADIOMETRY_LAB_PICTURES_H
 #define RADIOMETRY_LAB_PICTURES_H
@@ -12,110 +19,83 @@
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
 #include "floors.h"
-#include "view.h"
+
+typedef enum { VIEW_EQUAL_AREA, VIEW_PROJECTED, view_maps } radiometry_map;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { floor_gap = 6, floor_rows = 3, floor_chunks = 16 };
+enum { floor_gap = 6, floor_rows = 3, floor_all = floor_cells * floor_cells };
 typedef struct {
-    image *im;
+    int width, height;
     uint64_t seed;
-    size_t photons;
+    size_t photons;       /* of each light */
     int parts;            /* floor_cell's */
-    uint32_t *count;      /* of each light, of each chunk, of each cell */
-    double *expected, *e; /* of each light, of each cell */
+    uint32_t count[floor_lights][floor_all];
+    double expected[floor_lights][floor_all];
 } radiometry_floors;
 
 /* By the logarithm: black at pi / 1024 and below, then blue, red, yellow; pi is nearly white. */
 static inline vec3 heat(double e)
 {
-    static const double stop[6][3] = {{0, 0, 0.02}, {0.02, 0.03, 0.25}, {0.25, 0.02, 0.3},
-                                      {0.75, 0.08, 0.08}, {1, 0.5, 0.03}, {1, 1, 0.75}};
-    double t = e > 0 ? (log2(e / (double)pi) + 10) / 2 : 0;
-    t = t < 0 ? 0 : t > 4.999 ? 4.999 : t;
+    static const vec3 stop[6] = {{0, 0, 0.02}, {0.02, 0.03, 0.25}, {0.25, 0.02, 0.3},
+                                 {0.75, 0.08, 0.08}, {1, 0.5, 0.03}, {1, 1, 0.75}};
+    real t = real_clamp((real)(e > 0 ? (log2(e / (double)pi) + 10) / 2 : 0), 0, (real)4.999);
     int i = (int)t;
-    const double *a = stop[i], *b = stop[i + 1];
-    t -= i;
-    return vec((a[0] + t * (b[0] - a[0])), (a[1] + t * (b[1] - a[1])),
-                  (a[2] + t * (b[2] - a[2])));
+    return vmadd(stop[i], vsub(stop[i + 1], stop[i]), t - (real)i);
 }
 
 /* z = -4 full blue, 0 white, 4 full orange. */
 static inline vec3 z_colour(double z)
 {
-    double t = z / 4;
-    t = t < -1 ? -1 : t > 1 ? 1 : t;
-    vec3 full = t < 0 ? vec(0, 0.17, 0.45) : vec(0.67, 0.11, 0);
-    real part = (real)fabs(t);
+    vec3 full = z < 0 ? vec(0, 0.17, 0.45) : vec(0.67, 0.11, 0);
+    real part = (real)fmin(fabs(z / 4), 1);
     return vmadd((vec3){1 - part, 1 - part, 1 - part}, full, part);
 }
 
-static inline size_t floor_index(int light, int chunk, int cell)
-{
-    return ((size_t)light * floor_chunks + (size_t)chunk) * floor_cells * floor_cells +
-           (size_t)cell;
-}
-
-static inline void photon_job(size_t i, void *context)
+static inline void photon_job(size_t light, void *context)
 {
     radiometry_floors *f = context;
-    size_t chunk = i % floor_chunks, n = f->photons / floor_chunks;
-    int light = (int)(i / floor_chunks);
-    floor_photons((floor_light)light, f->seed, chunk * n, n,
-                  f->count + floor_index(light, (int)chunk, 0));
+    floor_photons((floor_light)light, f->seed, f->photons, f->count[light]);
 }
 
 static inline void cells_job(size_t i, void *context)
 {
     radiometry_floors *f = context;
-    int light = (int)i / floor_cells, j = (int)i % floor_cells;
-    double n = (double)(f->photons / floor_chunks * floor_chunks);
+    floor_light light = (floor_light)(i / floor_cells);
+    int j = (int)(i % floor_cells);
     for (int k = 0; k < floor_cells; k++) {
-        size_t at = ((size_t)light * floor_cells + (size_t)j) * floor_cells + (size_t)k;
-        f->e[at] = floor_cell((floor_light)light, k, j, f->parts);
-        f->expected[at] = floor_expected((floor_light)light, f->e[at], n);
+        double e = floor_cell(light, k, j, f->parts);
+        f->expected[light][j * floor_cells + k] = floor_expected(light, e, (double)f->photons);
     }
 }
 
-/* All chunks of a cell, over what one W/m^2 would bring. */
-static inline double floor_counted(const radiometry_floors *f, int light, int cell)
-{
-    double sum = 0;
-    for (int c = 0; c < floor_chunks; c++) sum += f->count[floor_index(light, c, cell)];
-    return sum;
-}
-
-static inline vec3 floor_colour(const radiometry_floors *f, int light, int row, real x, real y,
-                                real px)
+static inline vec3 floor_colour(const radiometry_floors *f, floor_light light, int row, real x,
+                                real y, real px)
 {
     int i = (int)((x + floor_half) / (2 * floor_half) * floor_cells);
     int j = (int)((y + floor_half) / (2 * floor_half) * floor_cells), cell = j * floor_cells + i;
-    double n = (double)(f->photons / floor_chunks * floor_chunks);
-    double counted = row ? floor_counted(f, light, cell) : 0;
-    double expected = f->expected[light * floor_cells * floor_cells + cell];
-    if (row == 1) return heat(counted / floor_expected((floor_light)light, 1, n));
+    double counted = f->count[light][cell], expected = f->expected[light][cell];
+    if (row == 1) return heat(counted / floor_expected(light, 1, (double)f->photons));
     if (row == 2)
         return expected < 5 ? vec(0.6, 0.6, 0.6)
                             : z_colour((counted - expected) / sqrt(expected));
-    double e = (double)floor_exact((floor_light)light, x, y), last = e, below = e;
-    last = (double)floor_exact((floor_light)light, x + px, y);
-    below = (double)floor_exact((floor_light)light, x, y + px);
-    double level = floor(log2(e));
-    bool line = e > 1.0 / 1024 && (floor(log2(last)) != level || floor(log2(below)) != level);
+    double e = (double)floor_exact(light, x, y), level = floor(log2(e));
+    bool line = e > 1.0 / 1024 && (floor(log2((double)floor_exact(light, x + px, y))) != level
+                                   || floor(log2((double)floor_exact(light, x, y + px))) != level);
     return line ? vec(0.9, 0.9, 0.9) : heat(e);
 }
 
 static inline vec3 floor_place(const void *context, real x, real y)
 {
     const radiometry_floors *f = context;
-    int w = (f->im->width + floor_gap) / floor_lights, h = (f->im->height + floor_gap) / floor_rows;
+    int w = (f->width + floor_gap) / floor_lights, h = (f->height + floor_gap) / floor_rows;
     int light = (int)x / w, row = (int)y / h, sw = w - floor_gap, sh = h - floor_gap;
     int side = sw < sh ? sw : sh;  /* square, in the middle */
     real i = x - (real)(light * w + (sw - side) / 2), j = y - (real)(row * h + (sh - side) / 2);
     if (light >= floor_lights || row >= floor_rows || i < 0 || j < 0 || i >= (real)side
         || j >= (real)side) return (vec3){1, 1, 1};
     real px = 2 * floor_half / (real)side;
-    return floor_colour(f, light, row, i * px - floor_half, floor_half - j * px, px);
+    return floor_colour(f, (floor_light)light, row, i * px - floor_half, floor_half - j * px, px);
 }
 
 static inline vec3 floor_bar(real part) { return heat((double)pi * exp2(10 * ((double)part - 1))); }
@@ -137,16 +117,13 @@ static inline image floor_labelled(const image *im, const char *const *title)
 
 static inline void draw_floor(const options *o)
 {
-    enum { cells = floor_cells * floor_cells };
     image im = image_new(o->width, o->height);
-    radiometry_floors f = {&im, o->seed, o->quick ? 100000 : 3000000,
-                       o->quick ? 2 : 8, NULL, NULL, NULL};
-    f.count = allocate((size_t)floor_lights * floor_chunks * cells, sizeof *f.count);
-    f.expected = allocate((size_t)floor_lights * cells, sizeof *f.expected);
-    f.e = allocate((size_t)floor_lights * cells, sizeof *f.e);
-    bool whole = parallel_for(floor_lights * floor_chunks, o->threads, "photons", photon_job, &f)
-              && parallel_for(floor_lights * floor_cells, o->threads, "cells", cells_job, &f)
-              && pixels_draw(&im, 1, o->threads, "floor", floor_place, &f);
+    radiometry_floors *f = allocate(1, sizeof *f);
+    f->width = o->width, f->height = o->height, f->seed = o->seed;
+    f->photons = o->quick ? 100000 : 3000000, f->parts = o->quick ? 2 : 8;
+    bool whole = parallel_for(floor_lights, o->threads, "photons", photon_job, f)
+              && parallel_for(floor_lights * floor_cells, o->threads, "cells", cells_job, f)
+              && pixels_draw(&im, 1, o->threads, "floor", floor_place, f);
     static const char *const title[9] = {
         "ball: closed form", "square: closed form", "spotlight: closed form",
         "photons counted", "photons counted", "photons counted",
@@ -155,28 +132,58 @@ static inline void draw_floor(const options *o)
     image sheet = labels ? floor_labelled(&im, title) : im;
     output_picture(o, &sheet, "22_radiometry.png", true, whole);
     if (labels) image_free(&sheet);
-    free(f.count), free(f.expected), free(f.e);
-    image_free(&im);
+    image_free(&im), free(f);
 }
 
 /* ---- what a point sees ---- */
 
+/* In the order of view_met. */
+enum { view_things = 4 };
+static const sphere view_sphere[2] = {{{1, 1.2, 2}, 0.9}, {{-0.3, 2, -0.25}, 1}};
+static const rectangle view_square = {{-1.5, -1, 0.3}, {0, 1.6, 0}, {0, 0, 1.6}};
+static const triangle view_triangle = {{0.4, -1.6, 0.3}, {2, -0.6, 0.3}, {1, -1.2, 3}};
+
+static inline int view_met(vec3 w)
+{
+    ray r = ray_from(seen_from, w);
+    hit h;
+    for (int k = 0; k < 2; k++)
+        if (sphere_hit(view_sphere[k], r, &h)) return k;
+    if (rectangle_met(view_square, w)) return 2;
+    return triangle_hit(view_triangle, r, &h) ? 3 : -1;
+}
+
+static inline real view_scale(radiometry_map m) { return m == VIEW_EQUAL_AREA ? sqrt((real)2) : 1; }
+
+/* (x, y) in [-1,1]^2; false outside of the hemisphere. */
+static inline bool view_direction(radiometry_map m, real x, real y, vec3 *w)
+{
+    real k = view_scale(m), rr = k * k * (x * x + y * y);
+    if (x * x + y * y >= 1) return false;
+    if (m == VIEW_PROJECTED) *w = (vec3){x, y, sqrt(1 - rr)};
+    else {
+        real s = k * sqrt(1 - rr / 4);  /* k cos(theta/2), with rr = 4 sin^2(theta/2) */
+        *w = (vec3){s * x, s * y, 1 - rr / 2};
+    }
+    return true;
+}
+
 static inline vec3 view_colour(radiometry_map m, real x, real y, real px)
 {
     static const vec3 colour[view_things] = {
-        {0.9, 0.35, 0.02}, {0.65, 0.1, 0.05},
-        {0.05, 0.25, 0.6}, {0.02, 0.4, 0.2}};
-    vec3 w, right, down, none = {1, 1, 1}, sky = {0.85, 0.88, 0.92};
-    if (!view_direction(m, x, y, &w)) return none;
-    int k = view_met(w);
-    vec3 c = k < 0 ? sky : colour[k];
-    if (!view_direction(m, x + px, y, &right) || !view_direction(m, x, y + px, &down)) return c;
+        {0.9, 0.35, 0.02}, {0.65, 0.1, 0.05}, {0.05, 0.25, 0.6}, {0.02, 0.4, 0.2}};
     const real step = pi / 18;  /* lines every 10 degrees of elevation, and of turn */
-    bool ring = floor(acos(w.z) / step) != floor(acos(right.z) / step)
-             || floor(acos(w.z) / step) != floor(acos(down.z) / step);
-    bool spoke = floor(atan2(w.y, w.x) / step) != floor(atan2(right.y, right.x) / step)
-              || floor(atan2(w.y, w.x) / step) != floor(atan2(down.y, down.x) / step);
-    return ring || spoke ? vscale(c, 0.72) : c;
+    vec3 w, beside[2];
+    if (!view_direction(m, x, y, &w)) return (vec3){1, 1, 1};
+    int k = view_met(w);
+    vec3 c = k < 0 ? vec(0.85, 0.88, 0.92) : colour[k];
+    if (!view_direction(m, x + px, y, &beside[0]) || !view_direction(m, x, y + px, &beside[1]))
+        return c;
+    for (int i = 0; i < 2; i++)
+        if (floor(acos(w.z) / step) != floor(acos(beside[i].z) / step)
+            || floor(atan2(w.y, w.x) / step) != floor(atan2(beside[i].y, beside[i].x) / step))
+            return vscale(c, 0.72);
+    return c;
 }
 
 static inline vec3 view_place(const void *context, real x, real y)

@@ -6,8 +6,6 @@
  *   ggx_value_naive(a, wi, wo)        grazing: infinite energy; no Smith term   brdf_value
  *   ggx_d_naive(a, m)                 a^2 < epsilon, m = n: infinity            ggx_d
  *   first_brdf_value (first.h)        large e: rounding of n.h, e-fold          blinn_phong_power
- *   beckmann_d_naive(a, m)            m.z^4 underflows: 0/0                     beckmann_d
- *   beckmann_d(a, m)                  -
  *
  * Directions are local, as in microfacet.h. F is 1.
  */
@@ -51,20 +49,6 @@ static inline float ggx_d_naive_f32(float a, float z)
 {
     float k = z * z * (a * a - 1) + 1;
     return a * a / (3.14159265f * k * k);
-}
-
-/* D = e^(-tan^2 / a^2) / (pi a^2 z^4): facets with slopes in a bell curve.               (23.18) */
-static inline real beckmann_d_naive(real a, vec3 m)
-{
-    real t = (m.x * m.x + m.y * m.y) / (m.z * m.z), z4 = m.z * m.z * m.z * m.z;
-    return exp(-t / (a * a)) / (pi * a * a * z4);
-}
-
-/* All in the exponent: it goes to minus infinity, and nothing is divided. */
-static inline real beckmann_d(real a, vec3 m)
-{
-    real t = sqrt(m.x * m.x + m.y * m.y) / (a * m.z);
-    return m.z > 0 ? exp(-(t * t) - 4 * log(m.z)) / (pi * a * a) : 0;
 }
 
 #endif

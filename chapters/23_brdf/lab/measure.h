@@ -1,9 +1,8 @@
 /* measure.h: the reflection equation, error against samples against time.
  *
  *   measure_methods(&o)  main table of a glossy surface, five ways to integrate; with --full of
- *                        four surfaces, six ways, and plots
+ *                        three surfaces, six ways, and a plot
  *   measure_furnace(&o)  what GGX keeps of a white sky: roughness against angle
- *   measure_glass(&o)    what rough glass keeps of it, from outside and from inside
  *   measure_naive(&o)    the formulas of brdf_naive.h beside the right ones
  */
 #ifndef BRDF_MEASURE_H
@@ -15,34 +14,22 @@
 #include "brdf_naive.h"
 #include "../first.h"
 #include "../reflection.h"
-#include "../rough_glass.h"
 
-enum { GLOSSY = 2, WINDOW, surfaces };  /* the last reflects the window of first.h, not the sky */
+enum { MATTE, GLOSSY, WINDOW, surfaces };  /* the last reflects the window of first.h, no sky */
 enum { FIRST = 5, methods, levels = 5, brief_level = 2 };  /* without --full that one */
-static const char *const surface_name[surfaces] = {"Lambert", "GGX .7", "GGX .25", "window"};
+static const char *const surface_name[surfaces] = {"Lambert", "GGX .25", "window"};
 static const char *const method_name[methods] = {"grid", "uniform", "cosine", "BRDF",
                                                  "BRDF, Sobol'", "first"};
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline first_brdf window_brdf(void)
-{
-    return (first_brdf){vec(0.12, 0.04, 0.02), vec(0.75, 0.6, 0.4), 64};
-}
+static const first_brdf window_brdf = {{0.12, 0.04, 0.02}, {0.75, 0.6, 0.4}, 64};
 
 static inline brdf surface_brdf(int surface)
 {
     vec3 white = {1, 1, 1};
-    first_brdf f = window_brdf();
-    if (surface == WINDOW) return brdf_blinn_phong(f.kd, f.ks, f.e);
-    if (surface == 0) return brdf_lambert(white);
-    return brdf_ggx(white, surface == 1 ? (real)0.7 : (real)0.25);
-}
-
-/* Of the surfaces only what is asked for; and first.h knows no light but its own. */
-static inline bool method_suits(const options *o, int method, int surface)
-{
-    return (o->full || surface == GLOSSY) && (method != FIRST || surface == WINDOW);
+    if (surface == WINDOW) return brdf_blinn_phong(window_brdf.kd, window_brdf.ks, window_brdf.e);
+    return surface == MATTE ? brdf_lambert(white) : brdf_ggx(white, (real)0.25);
 }
 
 static inline uint32_t level_samples(int level) { return (uint32_t)16 << 2 * level; }
@@ -75,122 +62,120 @@ static inline double surface_exact(int surface)
     int k = surface == WINDOW ? 4000 : 1000;
     vec3 wo = surface_view(surface);
     incident_light *light = surface_light(surface);
-    return (double)(b.kind == BRDF_GGX ? reflection_reference(&b, upright, wo, light)
-                                       : reflection_grid(&r, &b, upright, wo, light, k)).x;
+    return (double)(surface == GLOSSY ? reflection_reference(&b, upright, wo, light)
+                                      : reflection_grid(&r, &b, upright, wo, light, k)).x;
 }
 
-static inline double method_run(reflection *r, int surface, int method, int level, uint64_t seed,
-                                uint64_t run)
-{
-    brdf b = surface_brdf(surface);
-    uint32_t n = level_samples(level);
-    vec3 wo = surface_view(surface);
-    incident_light *light = surface_light(surface);
-    r->choice = method <= 1 ? DIRECTIONS_UNIFORM
-              : method == 2 ? DIRECTIONS_COSINE : DIRECTIONS_BRDF;
-    if (method == 0) return (double)reflection_grid(r, &b, upright, wo, light, 4 << level).x;
-    if (method == FIRST) {
-        random_stream random = random_start(seed, run, n);
-        r->asked += n;
-        return (double)first_reflection(window_brdf(), upright, wo, (int)n, &random).x;
-    }
-    return (double)reflection_estimate(r, &b, upright, wo, light,
-                                       method == 4 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, seed, run,
-                                       n).x;
-}
-
+/* A row of the tables, at all levels. */
 typedef struct {
-    const options *o;
-    int runs;
-    double exact[surfaces], error[surfaces][methods][levels], asked[surfaces][methods][levels];
-} brdf_survey;
+    int surface, method;
+    uint64_t seed;
+    bool quick, full;
+    double exact, error[levels], asked[levels];
+} brdf_row;
 
-/* Long ones first. The grid is not random: one run is all. */
-static inline void survey_job(size_t i, void *context)
+/* Of the surfaces only what is asked for; and first.h knows no light but its own. */
+static inline int brdf_rows(const options *o, brdf_row row[surfaces * methods])
 {
-    brdf_survey *s = context;
-    int level = levels - 1 - (int)(i / (surfaces * methods));
-    int surface = (int)(i % surfaces), method = (int)(i / surfaces) % methods;
-    int runs = method == 0 ? 1 : s->runs;
-    if (!method_suits(s->o, method, surface) || (level != brief_level && !s->o->full)) return;
-    double square = 0, exact = s->exact[surface];
-    reflection r = {DIRECTIONS_UNIFORM, false, 0};
-    for (int k = 0; k < runs; k++) {
-        double e = method_run(&r, surface, method, level, s->o->seed, (uint64_t)k) / exact - 1;
-        square += e * e / runs;
+    int n = 0;
+    for (int f = 0; f < surfaces; f++) {
+        double exact = o->full || f == GLOSSY ? surface_exact(f) : 0;
+        for (int m = 0; m < methods; m++)
+            if ((o->full || f == GLOSSY) && (m != FIRST || f == WINDOW))
+                row[n++] = (brdf_row){f, m, o->seed, o->quick, o->full, exact, {0}, {0}};
     }
-    s->error[surface][method][level] = sqrt(square);
-    s->asked[surface][method][level] = (double)r.asked / runs;
+    return n;
 }
 
-typedef struct { int surface, method; } brdf_timed;
-
-static inline double timed_run(void *context)
+static inline double row_run(const brdf_row *w, reflection *r, int level, uint64_t run)
 {
-    const brdf_timed *m = context;
+    static const direction_choice choice[FIRST] = {
+        DIRECTIONS_UNIFORM, DIRECTIONS_UNIFORM, DIRECTIONS_COSINE, DIRECTIONS_BRDF,
+        DIRECTIONS_BRDF};
+    brdf b = surface_brdf(w->surface);
+    uint32_t n = level_samples(level);
+    vec3 wo = surface_view(w->surface);
+    incident_light *light = surface_light(w->surface);
+    if (w->method == FIRST) {
+        random_stream random = random_start(w->seed, run, n);
+        r->asked += n;
+        return (double)first_reflection(window_brdf, upright, wo, (int)n, &random).x;
+    }
+    r->choice = choice[w->method];
+    if (w->method == 0) return (double)reflection_grid(r, &b, upright, wo, light, 4 << level).x;
+    return (double)reflection_estimate(r, &b, upright, wo, light,
+                                       w->method == 4 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, w->seed,
+                                       run, n).x;
+}
+
+static inline double row_timed(void *context)
+{
     reflection r = {DIRECTIONS_UNIFORM, false, 0};
-    return method_run(&r, m->surface, m->method, 3, 1, 1);
+    return row_run(context, &r, 3, 1);
 }
 
-/* The methods of one surface in turn. */
-static inline void measure_times(const options *o, int surface, double ns[methods])
+/* The grid is not random: one run is all. */
+static inline void row_job(size_t i, void *context)
 {
-    brdf_timed m[methods];
-    int n = surface == WINDOW ? methods : FIRST;
-    if (!method_suits(o, 0, surface)) return;
-    for (int k = 0; k < n; k++) m[k] = (brdf_timed){surface, k};
-    bench_each(timed_run, m, sizeof *m, n, o->quick ? 3 : 31, 1e9 / level_samples(3), ns);
+    brdf_row *w = (brdf_row *)context + i;
+    int runs = w->method == 0 ? 1 : w->quick ? 10 : 200;
+    for (int level = 0; level < levels; level++) {
+        double square = 0;
+        reflection r = {DIRECTIONS_UNIFORM, false, 0};
+        if (!w->full && level != brief_level) continue;
+        for (int k = 0; k < runs; k++) {
+            double e = row_run(w, &r, level, (uint64_t)k) / w->exact - 1;
+            square += e * e / runs;
+        }
+        w->error[level] = sqrt(square), w->asked[level] = (double)r.asked / runs;
+    }
 }
 
-static inline void plot_survey(const options *o, const brdf_survey *s, double ns[surfaces][methods],
-                               int f, bool time, const char *title, const char *name)
+static inline void plot_glossy(const options *o, const brdf_row *row, const double *ns, int n)
 {
-    plot p = plot_new(title, time ? "time of an estimate [us]" : "N", "relative error",
-                      PLOT_LOG_X | PLOT_LOG_Y);
-    for (int m = 0; m < methods && method_suits(o, m, f); m++) {
-        plot_series(&p, method_name[m]);
+    plot p = plot_new("A glossy surface, roughness .25", "time of an estimate [us]",
+                      "relative error", PLOT_LOG_X | PLOT_LOG_Y);
+    for (int i = 0; i < n; i++) {
+        if (row[i].surface != GLOSSY) continue;
+        int s = plot_series(&p, method_name[row[i].method]);
         for (int l = 0; l < levels; l++)
-            plot_add(&p, m, level_samples(l) * (time ? ns[f][m] / 1000 : 1), s->error[f][m][l]);
+            plot_add(&p, s, level_samples(l) * ns[i] / 1000, row[i].error[l]);
     }
     plot_slope(&p, -0.5, "slope -1/2"), plot_slope(&p, -1, "slope -1");
-    output_plot(o, &p, name);
+    output_plot(o, &p, "23_brdf_time.svg");
 }
 
-/* Rows of the levels from .. to - 1; `surface` < 0: of all. */
-static inline table methods_table(const char *title, const brdf_survey *s,
-                                  double ns[surfaces][methods], int surface, int from, int to)
+/* The levels from .. to - 1 of a surface, or of all: surface < 0. */
+static inline table methods_table(const char *title, const brdf_row *row, const double *ns, int n,
+                                  int surface, int from, int to)
 {
     table t = table_new(title, "surface|method|N|asked|error [1]|time [us]");
-    for (int f = 0; f < surfaces; f++)
-        for (int m = 0; m < methods && (surface < 0 || f == surface); m++)
-            for (int l = from; l < to && method_suits(s->o, m, f); l += 2) {
-                table_text(&t, "%s", surface_name[f]), table_text(&t, "%s", method_name[m]);
-                table_count(&t, level_samples(l)), table_number(&t, s->asked[f][m][l]);
-                table_number(&t, s->error[f][m][l]);
-                table_number(&t, level_samples(l) * ns[f][m] / 1000);
-            }
+    for (int i = 0; i < n; i++)
+        for (int l = from; l < to && (surface < 0 || row[i].surface == surface); l += 2) {
+            table_text(&t, "%s", surface_name[row[i].surface]);
+            table_text(&t, "%s", method_name[row[i].method]);
+            table_count(&t, level_samples(l)), table_number(&t, row[i].asked[l]);
+            table_number(&t, row[i].error[l]);
+            table_number(&t, level_samples(l) * ns[i] / 1000);
+        }
     return t;
 }
 
 static inline void measure_methods(const options *o)
 {
-    brdf_survey s = {.o = o, .runs = o->quick ? 10 : 200};
-    double ns[surfaces][methods];
-    for (int f = 0; f < surfaces; f++)
-        if (method_suits(o, 0, f)) s.exact[f] = surface_exact(f);
-    parallel_whole(surfaces * methods * levels, o->threads, "estimates", survey_job, &s);
-    for (int f = 0; f < surfaces; f++) measure_times(o, f, ns[f]);
+    brdf_row row[surfaces * methods];
+    double ns[surfaces * methods];
+    int n = brdf_rows(o, row);
+    parallel_whole((size_t)n, o->threads, "estimates", row_job, row);
+    bench_each(row_timed, row, sizeof *row, n, o->quick ? 3 : 31, 1e9 / level_samples(3), ns);
     table t = methods_table("A glossy surface by 256 directions: relative error (rms), light asked "
-                            "for, time", &s, ns, GLOSSY, brief_level, brief_level + 1);
+                            "for, time", row, ns, n, GLOSSY, brief_level, brief_level + 1);
     output_table(o, &t);
     if (!o->full) return;
-    t = methods_table("The reflection equation: relative error (rms), light asked for, time", &s,
-                      ns, -1, 0, levels);
+    t = methods_table("The reflection equation: relative error (rms), light asked for, time", row,
+                      ns, n, -1, 0, levels);
     output_extra_table(o, &t);
-    const char *glossy = "A glossy surface, roughness .25";
-    plot_survey(o, &s, ns, GLOSSY, false, glossy, "23_brdf_error.svg");
-    plot_survey(o, &s, ns, GLOSSY, true, glossy, "23_brdf_time.svg");
-    plot_survey(o, &s, ns, 0, false, "A matte surface", "23_brdf_matte.svg");
+    plot_glossy(o, row, ns, n);
 }
 
 /* ---- white furnace ---- */
@@ -226,38 +211,6 @@ static inline void measure_furnace(const options *o)
     output_plot(o, &p, "23_brdf_albedo.svg");
 }
 
-/* Power that leaves rough glass, of 1: a lattice of facets, and 32 coins for each. */
-static inline double glass_keeps(const rough_glass *g, double cosine)
-{
-    enum { coins = 32 };
-    vec3 wo = vec(sqrt((1 - cosine) * (1 + cosine)), 0, cosine), wi;
-    double sum = 0, whole = 0, squeeze = (double)(g->n2 / g->n1 * (g->n2 / g->n1));
-    for (int i = 0; i < fibonacci_small.n; i++) {
-        square_point p = fibonacci_point(fibonacci_small, i);
-        whole += (double)p.area;
-        for (int k = 0; k < coins; k++) {
-            real weight, coin = ((real)k + (real)0.5) / coins;
-            if (rough_glass_sample(g, wo, p.u, p.v, coin, &wi, &weight))
-                sum += (double)(p.area * weight) * (wi.z < 0 ? squeeze : 1) / coins;
-        }
-    }
-    return sum / whole;
-}
-
-static inline void measure_glass(const options *o)
-{
-    static const double alpha[6] = {0.01, 0.04, 0.09, 0.25, 0.49, 1}, cosine[3] = {1, 0.7, 0.2};
-    table t = table_new("White furnace: what rough glass keeps, n = 1.5",
-                        "alpha|from outside, cos 1|cos .7|cos .2|from inside, cos 1|cos .7|cos .2");
-    for (int r = 0; r < 6; r++) {
-        rough_glass g = {(real)alpha[r], 1, 1.5};
-        table_number(&t, alpha[r]);
-        for (int side = 0; side < 2; side++, g = rough_glass_turned(g))
-            for (int k = 0; k < 3; k++) table_text(&t, "%.3f", glass_keeps(&g, cosine[k]));
-    }
-    output_extra_table(o, &t);
-}
-
 /* ---- naive beside right ---- */
 
 typedef real one_value(real parameter, vec3 wi, vec3 wo);
@@ -288,15 +241,6 @@ static inline double albedo_by_grid(one_value *f, real parameter, real cosine)
     return sum * 2 * (double)pi / (k * k);
 }
 
-static inline void naive_row(table *t, const char *what, const char *input, double naive,
-                             double right)
-{
-    table_text(t, "%s", what), table_text(t, "%s", input);
-    if (isnan(naive)) table_text(t, "NaN");  /* its sign says nothing */
-    else table_number(t, naive);
-    table_number(t, right);
-}
-
 static inline void measure_naive(const options *o)
 {
     table t = table_new("Formulas that look right", "naive|input|error it gives|instead of");
@@ -313,19 +257,17 @@ static inline void measure_naive(const options *o)
         {"GGX without G: albedo", "alpha .5, cos .001", ggx_value_naive, ggx_value, 0.5, 0.001}};
     for (int k = 0; k < 5; k++) {
         real p = (real)row[k].parameter, c = (real)row[k].cosine;
-        naive_row(&t, row[k].what, row[k].input, albedo_by_grid(row[k].naive, p, c),
-                  albedo_by_grid(row[k].right, p, c));
+        table_text(&t, "%s", row[k].what), table_text(&t, "%s", row[k].input);
+        table_number(&t, albedo_by_grid(row[k].naive, p, c));
+        table_number(&t, albedo_by_grid(row[k].right, p, c));
     }
     for (int k = 2; k <= 4; k++) {
         float a = (float)pow(10, -k);
-        char input[48];
-        snprintf(input, sizeof input, "float, alpha 1e-%d, m = n", k);
-        naive_row(&t, "z^2 (a^2 - 1) + 1: D", input, (double)ggx_d_naive_f32(a, 1),
-                  1 / ((double)pi * (double)a * (double)a));
+        table_text(&t, "z^2 (a^2 - 1) + 1: D");
+        table_text(&t, "float, alpha 1e-%d, m = n", k);
+        table_number(&t, (double)ggx_d_naive_f32(a, 1));
+        table_number(&t, 1 / ((double)pi * (double)a * (double)a));
     }
-    vec3 flat = {1, 0, real_is_float ? (real)1e-12 : (real)1e-90};
-    naive_row(&t, "Beckmann as it is: D", real_is_float ? "m.z = 1e-12" : "m.z = 1e-90",
-              (double)beckmann_d_naive(0.5, flat), (double)beckmann_d(0.5, flat));
     output_extra_table(o, &t);
 }
 

@@ -43,7 +43,6 @@ typedef struct {
     image *im;
     const options *o;
     uint32_t samples, well_spread;
-    bool ask_all;  /* the light from directions that bring nothing, too: the same picture */
 } brdf_spheres;
 
 static inline void sphere_pixel(int x, int y, void *context)
@@ -56,7 +55,7 @@ static inline void sphere_pixel(int x, int y, void *context)
         brdf b = brdf_ggx(f0, (real)column / (sphere_columns - 1));
         uint32_t n = row == 3 ? sheet->well_spread : sheet->samples;
         sequence_kind kind = row == 3 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM;
-        reflection r = {row == 3 ? DIRECTIONS_BRDF : (direction_choice)row, sheet->ask_all, 0};
+        reflection r = {row == 3 ? DIRECTIONS_BRDF : (direction_choice)row, false, 0};
         uint64_t pixel = (uint64_t)y * (uint64_t)sheet->im->width + (uint64_t)x;
         vec3 ground = sum, wo = {0, -1, 0};
         sum = (vec3){0, 0, 0};
@@ -79,7 +78,7 @@ static inline void sphere_pixel(int x, int y, void *context)
 static inline void draw_spheres(const options *o)
 {
     image im = image_new(o->width, o->height);
-    brdf_spheres sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 64, false};
+    brdf_spheres sheet = {&im, o, (uint32_t)o->samples, o->quick ? 4 : 64};
     bool whole = parallel_pixels(o->width, o->height, o->threads, "spheres", sphere_pixel, &sheet);
     char title[4][64];
     snprintf(title[0], sizeof title[0], "%d directions a pixel, uniform; roughness 0 to 1",

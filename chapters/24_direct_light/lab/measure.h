@@ -1,6 +1,6 @@
 /* measure.h: error against time for every way of drawing.
  *
- *   measure_ways(o)     main table: eight ways, box and plates; with --full all of them, and plots
+ *   measure_ways(o)     main table: eight ways, box and plates; with --full a plot
  *   measure_near(o)     a light closer and closer: second moment by area, and what one sees of it
  *   measure_called(o)   rays that were traced, and rays that could not have brought anything
  */
@@ -15,77 +15,36 @@
 
 /* ---- eight ways ---- */
 
-static inline void survey_plot(const direct_survey *s, const options *o, const char *title,
-                               const char *file)
+static inline void plot_plates(const direct_survey *s, const options *o)
 {
-    plot p = plot_new(title, "time a point [us]", "error RMSE [1]", PLOT_LOG_X | PLOT_LOG_Y);
+    plot p = plot_new("Four plates, four spheres", "time a point [us]", "error RMSE [1]",
+                      PLOT_LOG_X | PLOT_LOG_Y);
     for (int k = 0; k < direct_ways; k++) {
-        int a = plot_series(&p, direct_name[s->entry[k].way]);
+        int a = plot_series(&p, direct_name[k]);
         for (int level = 0; level < survey_levels; level++)
             plot_add(&p, a, 1e6 * s->seconds[k] * survey_samples(level), s->error[k][level]);
     }
     plot_slope(&p, -0.5, "slope -1/2");
-    output_plot(o, &p, file);
-}
-
-/* The eight ways, and the last one by Sobol' points. */
-static inline void survey_ways(direct_survey *s, const options *o, direct_stage_name which)
-{
-    survey_open(s, o, which, survey_points, which == STAGE_PLATES ? 1024 : 2048);
-    for (int k = 0; k < direct_ways; k++)
-        s->entry[k] = (survey_entry){k, LIGHTS_UNIFORM, SEQUENCE_RANDOM};
-    s->entry[direct_ways] = (survey_entry){DIRECT_POWER, LIGHTS_UNIFORM, SEQUENCE_SOBOL};
-    s->entries = direct_ways + o->full;
-    survey_measure(s, o, o->full ? 0 : survey_time_level);
-}
-
-/* first.h in its own box, whose walls are parallelograms, beside the two that do the same there. */
-static inline void rows_of_first(const options *o, table *t)
-{
-    static const int way[] = {WAY_FIRST_DIRECTION, DIRECT_COSINE, WAY_FIRST_LAMP, DIRECT_AREA};
-    direct_survey s;
-    survey_open(&s, o, STAGE_FIRST, survey_points, 2048);
-    for (s.entries = 0; s.entries < 4; s.entries++)
-        s.entry[s.entries] = (survey_entry){way[s.entries], LIGHTS_UNIFORM, SEQUENCE_RANDOM};
-    survey_measure(&s, o, 0);
-    for (int k = 0; k < s.entries; k++) {
-        table_text(t, "first's box");
-        table_text(t, "%s", k == 0 ? "first, direction" : k == 2 ? "first, lamp"
-                          : direct_name[way[k]]);
-        survey_row(&s, k, t);
-    }
-    survey_close(&s);
+    output_plot(o, &p, "24_direct_light_plates_time.svg");
 }
 
 static inline void measure_ways(const options *o)
 {
     table t = table_new("Eight ways, 64 samples a point", "way|rays|error in the box [1]|time [us]|"
                         "error at the plates [1]|time [us]");
-    table all = table_new("Direct light: error, time, efficiency",
-                          "scene|way|rays|error of 16 [1]|error of 64 [1]|time of one [us]"
-                          "|time efficiency [1/us]");
     direct_survey s[2];
-    for (int k = 0; k < 2; k++) survey_ways(&s[k], o, k ? STAGE_PLATES : STAGE_BOX);
+    survey_open(&s[0], o, STAGE_BOX, survey_points, 2048);
+    survey_open(&s[1], o, STAGE_PLATES, survey_points, 1024);
+    for (int i = 0; i < 2; i++) survey_measure(&s[i], o);
     for (int k = 0; k < direct_ways; k++) {
         table_text(&t, "%s", direct_name[k]), table_number(&t, survey_rays(&s[0], k));
         for (int i = 0; i < 2; i++) {
-            table_number(&t, s[i].error[k][survey_time_level]);
+            table_number(&t, s[i].error[k][survey_brief]);
             table_number(&t, 1e6 * s[i].seconds[k]);
         }
     }
     output_table(o, &t);
-    for (int i = 0; i < 2 && o->full; i++)
-        for (int k = 0; k < s[i].entries; k++) {
-            table_text(&all, i ? "plates" : "box");
-            table_text(&all, "%s", k < direct_ways ? direct_name[k] : "power, Sobol'");
-            survey_row(&s[i], k, &all);
-        }
-    if (o->full) {
-        rows_of_first(o, &all);
-        output_extra_table(o, &all);
-        survey_plot(&s[0], o, "Cornell box, direct light", "24_direct_light_time.svg");
-        survey_plot(&s[1], o, "Four plates, four spheres", "24_direct_light_plates_time.svg");
-    } else table_free(&all);
+    if (o->full) plot_plates(&s[1], o);
     survey_close(&s[0]), survey_close(&s[1]);
 }
 
@@ -147,7 +106,7 @@ static inline void measure_called(const options *o)
 {
     table t = table_new("Rays of one sample a point: what is called for, and all",
                         "scene|way|points|shadow|of|directions|of|same bits");
-    for (int which = STAGE_BOX; which <= STAGE_STRIP; which++) {
+    for (int which = 0; which < stages; which++) {
         direct_survey s;
         survey_open(&s, o, (direct_stage_name)which, survey_points, 1);
         for (int way = DIRECT_BRDF; way <= DIRECT_POWER; way += 2) {
@@ -156,7 +115,7 @@ static inline void measure_called(const options *o)
             for (size_t i = 0; i < s.points; i++) {
                 vec3 L[2];
                 for (int all = 0; all < 2; all++) {
-                    direct d = {&s.g.s, (direct_way)way, &s.choice[LIGHTS_ALL], &work[all], all};
+                    direct d = {&s.g.s, (direct_way)way, &s.all, &work[all], all};
                     sampler q = sampler_start(SEQUENCE_RANDOM, o->seed, i, 0, 1);
                     L[all] = direct_light(&d, &s.point[i].h, s.point[i].wo, &q);
                 }

@@ -3,7 +3,7 @@
  *   direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, n, seed};
  *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with a camera ray
  *
- *   draw_stage(o, name, way, file)   the main picture
+ *   draw_box(o)                      the main picture
  *   draw_exhibit(o, &exhibit_plates)   BRDF, lights, both: the same number of rays
  *   draw_exhibit(o, &exhibit_strip)    a light that touches the floor, by area and by angle
  */
@@ -59,17 +59,16 @@ static inline bool direct_render(const direct_view *v, image *im, int threads)
     return whole;
 }
 
-/* The main picture: one stage, one way. */
-static inline void draw_stage(const options *o, direct_stage_name name, direct_way way,
-                              const char *file)
+/* The main picture: the box, by solid angle. */
+static inline void draw_box(const options *o)
 {
     direct_stage g;
-    stage_open(name, &g);
+    stage_open(STAGE_BOX, &g);
     image im = image_new(o->width, o->height);
-    g.c = stage_camera_of(name, (real)o->width / (real)o->height);
-    direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
+    g.c = stage_camera_of(STAGE_BOX, (real)o->width / (real)o->height);
+    direct_view v = {&g, DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
     bool whole = direct_render(&v, &im, o->threads);
-    output_picture(o, &im, file, true, whole);
+    output_picture(o, &im, "24_direct_light.png", true, whole);
     image_free(&im), stage_close(&g);
 }
 

@@ -107,9 +107,8 @@ static inline void points_job(size_t i, void *context)
     const direct_survey *s = &v->s;
     const seen_point *p = &s->point[i];
     direct_work work = {0, 0, 0};
-    direct d = {&s->g.s, DIRECT_AREA, &s->choice[LIGHTS_ALL], &work, false};
+    direct d = {&s->g.s, DIRECT_AREA, &s->all, &work, false};
     direct_point at = point_seen(&p->h, p->wo);
-    survey_entry random = {DIRECT_AREA, LIGHTS_ALL, SEQUENCE_RANDOM};
     double truth = p->truth;
     uint32_t seen;
     (void)point_lights(&d, &at, 64, &seen);
@@ -122,7 +121,8 @@ static inline void points_job(size_t i, void *context)
     }
     for (int k = 0; k < points_levels; k++) {
         double L[2] = {grey(point_lights(&d, &at, 1u << k, &seen)),
-                       survey_estimate(s, random, p, i, 1u << 2 * k, s->seed, &work)};
+                       survey_estimate(s, DIRECT_AREA, &s->all, SEQUENCE_RANDOM, i, i, 1u << 2 * k,
+                                       s->seed, &work)};
         for (int way = 0; way < 2; way++) {
             double off = (L[way] - truth) / (truth + s->mean);
             v->square[(i * points_levels + (size_t)k) * 2 + (size_t)way] = off * off;

@@ -6,7 +6,6 @@
  *   STAGE_PLATES   E. Veach's: four metal plates, smooth to rough (top to bottom), each tilted so
  *                  that it mirrors four spheres of the same flux, small to large (left to right)
  *   STAGE_STRIP    a shining wall, low and long, that stands on the floor and touches it
- *   STAGE_FIRST    the box of first.h, all of whose walls are parallelograms; g.first holds it
  *
  * Source: E. Veach, L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
  * SIGGRAPH 1995, figure 2.
@@ -15,12 +14,10 @@
 #define DIRECT_SCENES_H
 
 #include "../scenes/lit_cornell.h"
-#include "../scenes/lit_first.h"
 
-typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, STAGE_FIRST, stages }
-    direct_stage_name;
-typedef struct { lit_scene s; camera c; real aspect, exposure; first_scene first; } direct_stage;
-static const char *const stage_names[stages] = {"box", "plates", "strip", "first"};
+typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, stages } direct_stage_name;
+typedef struct { lit_scene s; camera c; real aspect, exposure; } direct_stage;
+static const char *const stage_names[stages] = {"box", "plates", "strip"};
 
 enum { plates = 4, plate_lights = 4 };
 static const double plate_roughness[plates] = {0.07, 0.14, 0.22, 0.32};  /* top to bottom */
@@ -37,14 +34,9 @@ static const vec3 plate_eye = {0, 2, 15};
 
 static inline camera stage_camera_of(direct_stage_name name, real aspect)
 {
-    first_camera c = first_cornell_camera(1, 1);
-    switch (name) {
-    case STAGE_FIRST: return stage_camera(c.e, vsub(c.e, c.w), 39.3077, aspect);
-    case STAGE_PLATES: return stage_camera(plate_eye, vec(0, -2, 2.5), 28, aspect);
-    case STAGE_STRIP: return stage_camera(vec(0, 2.2, 3), vec(0, .05, -1), 36, aspect);
-    case STAGE_BOX: case stages: break;
-    }
-    return cornell_camera(aspect);
+    if (name == STAGE_BOX) return cornell_camera(aspect);
+    return name == STAGE_PLATES ? stage_camera(plate_eye, vec(0, -2, 2.5), 28, aspect)
+                                : stage_camera(vec(0, 2.2, 3), vec(0, .05, -1), 36, aspect);
 }
 
 static inline uint16_t stage_matte(lit_scene *s, double r, double g, double b)
@@ -103,17 +95,12 @@ static inline void stage_strip(direct_stage *g)
 
 static inline void stage_open(direct_stage_name name, direct_stage *g)
 {
-    bool box = name == STAGE_BOX || name == STAGE_FIRST;
-    *g = (direct_stage){.aspect = box ? 1 : (real)1.4, .exposure = 1.4};
+    *g = (direct_stage){.aspect = name == STAGE_BOX ? 1 : (real)1.4, .exposure = 1.4};
     if (name == STAGE_BOX) lit_cornell_begin(&g->s);
     else lit_begin(&g->s);
-    switch (name) {
-    case STAGE_PLATES: stage_plates(g); break;
-    case STAGE_STRIP: stage_strip(g); break;
-    case STAGE_FIRST: g->first = first_cornell(), lit_first(&g->first, &g->s); break;
-    case STAGE_BOX: case stages: break;
-    }
-    if (name != STAGE_FIRST) lit_end(&g->s);
+    if (name == STAGE_PLATES) stage_plates(g);
+    if (name == STAGE_STRIP) stage_strip(g);
+    lit_end(&g->s);
     g->c = stage_camera_of(name, g->aspect);
 }
 

@@ -1,9 +1,8 @@
 /* pictures.h: the pictures of this chapter.
  *
- *   draw_terms(o, depth, naive)   the Cornell box, upper row E, K E, K^2 E, K^3 E, the rest up to
- *                                 K^depth E; lower row the running sums, the last is the whole. Of
- *                                 the upper row the last three are shown 2, 4, 4 times as bright.
- *                                 naive: by paths that meet the light, not by (25.10)
+ *   draw_terms(o)   the Cornell box, upper row E, K E, K^2 E, K^3 E, the rest up to K^10 E; lower
+ *                   row the running sums, the last is the whole. Of the upper row the last three
+ *                   are shown 2, 4, 4 times as bright.
  */
 #ifndef BOUNCES_PICTURES_H
 #define BOUNCES_PICTURES_H
@@ -16,7 +15,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { term_columns = 5, term_most = 60 };
+enum { term_columns = 5, term_most = 10 };
 static const real term_gain[term_columns] = {1, 1, 2, 4, 4};
 static const char *const term_tag[2 * term_columns] = {
     "E", "K E", "K^2 E, x 2", "K^3 E, x 4", "the rest, x 4",
@@ -26,7 +25,6 @@ typedef struct {
     camera view;
     uint32_t samples;
     uint64_t seed;
-    bool naive;
     image term[term_columns], sum[term_columns];
 } term_sheet;
 
@@ -41,8 +39,7 @@ static inline void term_pixel(int x, int y, void *context)
         sampler s = sampler_start(SEQUENCE_SOBOL, t->seed, pixel, i, t->samples);
         point2 u = sampler_pair(&s);
         ray eye = camera_ray(t->view, (real)x + u.u, (real)y + u.v, w, h);
-        if (t->naive) bounce_terms(&t->path, eye, &s, term, &c);
-        else bounce_terms_lit(&t->path, eye, &s, term, &c);
+        bounce_terms_lit(&t->path, eye, &s, term, &c);
         for (int k = 0; k <= t->path.depth; k++) {
             int column = k < term_columns ? k : term_columns - 1;
             mean[column] = vmadd(mean[column], term[k], 1 / (real)t->samples);
@@ -55,14 +52,13 @@ static inline void term_pixel(int x, int y, void *context)
     }
 }
 
-static inline void draw_terms(const options *o, int depth, bool naive)
+static inline void draw_terms(const options *o)
 {
     lit_scene s;
     lit_cornell(&s);
     int w = o->width / term_columns, h = o->height / 2;
     uint32_t n = (uint32_t)o->samples;
-    term_sheet t = {.path = {&s, DIRECTIONS_BRDF, depth, false}, .samples = n, .seed = o->seed,
-                    .naive = naive};
+    term_sheet t = {.path = {&s, DIRECTIONS_BRDF, term_most, false}, .samples = n, .seed = o->seed};
     w = w > 0 ? w : 1, h = h > 0 ? h : 1;
     t.view = cornell_camera((real)w / (real)h);
     for (int k = 0; k < term_columns; k++) t.term[k] = image_new(w, h), t.sum[k] = image_new(w, h);

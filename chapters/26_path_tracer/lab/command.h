@@ -1,6 +1,6 @@
 /* command.h: one picture as the command line asks for it: scene, goal, where its state goes.
  *
- *   command c = {.samples = -1};
+ *   command c = {.scene = NULL};
  *   option own[] = {...};  argc = command_merge(argc, argv, &c);  options o = options_read(...)
  *   if (command_given(&c, &o)) command_run(&c, &o);
  */
@@ -17,7 +17,6 @@ static const char command_name[] = "26_path_tracer_render.png";
 typedef struct {
     const char *scene, *obj, *sky, *range, *merge, *strategy;
     double clamp;
-    int bounces;
     long_run run;
     const char *part[command_most_parts];
     int parts;
@@ -52,7 +51,7 @@ static inline int command_merge(int argc, char **argv, command *c)
 static inline bool command_given(const command *c, const options *o)
 {
     return c->scene || c->obj || c->sky || c->range || c->merge || long_run_given(&c->run)
-        || c->strategy || c->clamp > 0 || c->bounces >= 0 || o->samples > 0;
+        || c->strategy || c->clamp > 0 || o->samples > 0;
 }
 
 static inline path_options command_options(const command *c)
@@ -62,7 +61,6 @@ static inline path_options command_options(const command *c)
     p.mis = strcmp(s, "mis") == 0, p.light_sampling = strcmp(s, "directions") != 0;
     if (!p.mis && p.light_sampling && strcmp(s, "lights") != 0)
         die(2, "--strategy %.200s: allowed are mis, lights, directions", s);
-    if (c->bounces >= 0) p.bounces = c->bounces;
     p.clamp = (real)c->clamp;
     return p;
 }
@@ -89,8 +87,8 @@ static inline void command_settings(command *c, const options *o)
     if (c->sky) n += snprintf(to + n, state_settings - (size_t)n, "environment %016llx\n",
                               (unsigned long long)command_file_hash(c->sky));
     snprintf(to + n, state_settings - (size_t)n,
-             "strategy %.20s\nbounces %d\nclamp %.17g\nreal %s\nseed %llu\n",
-             c->strategy ? c->strategy : "mis", c->bounces, c->clamp,
+             "strategy %.20s\nclamp %.17g\nreal %s\nseed %llu\n",
+             c->strategy ? c->strategy : "mis", c->clamp,
              real_is_float ? "float" : "double", (unsigned long long)o->seed);
 }
 
@@ -161,7 +159,7 @@ static inline void command_check(const command *c, const options *o)
     if (c->range && (goal || c->run.resume))
         die(2, "--range does those samples alone: no --samples, --error, --time, --resume");
     if (c->merge && (c->range || goal || c->run.resume || c->scene || c->obj || c->sky
-                     || c->strategy || c->clamp > 0 || c->bounces >= 0))
+                     || c->strategy || c->clamp > 0))
         die(2, "--merge puts states together: it takes --save and --out only");
 }
 

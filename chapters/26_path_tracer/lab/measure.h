@@ -1,6 +1,6 @@
 /* measure.h: what each idea of the chapter is worth, in the Cornell box.
  *
- *   measure_strategies(o)   every strategy at 64 samples; --full: at 4, 16 and 64, and two plots
+ *   measure_strategies(o)   every strategy at 64 samples; --full: a plot, of 4, 16 and 64
  *
  * Efficiency (效率) = 1 / (error^2 x time): samples twice as fast, or with half the variance, are
  * worth twice as much. Errors: RMSE against a reference of many samples, over the pixels that do
@@ -10,14 +10,11 @@
 #define PATH_MEASURE_H
 
 #include "../../../common/lab/report.h"
-#include "../../24_direct_light/scenes/lit_first.h"
 #include "../../25_bounces/naive_path.h"
 #include "command.h"
-#include "../first.h"
 
 enum { strategies = 7 };
-typedef enum { BY_PATH, BY_NAIVE, BY_FIRST } strategy_program;
-typedef struct { const char *name; strategy_program by; path_options how; } strategy;
+typedef struct { const char *name; bool naive; path_options how; } strategy;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -31,16 +28,15 @@ static inline void strategy_list(strategy s[strategies])
     by_lights.mis = false;
     fixed.roulette = ROULETTE_FIXED;
     const strategy list[strategies] = {
-        {"naive (25)", BY_NAIVE, none}, {"directions + roulette", BY_PATH, directions},
-        {"lights + roulette", BY_PATH, by_lights}, {"lights + MIS, 40 bounces", BY_PATH, both},
-        {"lights + MIS + roulette .8", BY_PATH, fixed},
-        {"lights + MIS + roulette", BY_PATH, r}, {"the same, Sobol' (default)", BY_PATH, d}};
+        {"naive (25)", true, none}, {"directions + roulette", false, directions},
+        {"lights + roulette", false, by_lights}, {"lights + MIS, 40 bounces", false, both},
+        {"lights + MIS + roulette .8", false, fixed},
+        {"lights + MIS + roulette", false, r}, {"the same, Sobol' (default)", false, d}};
     memcpy(s, list, sizeof list);
 }
 
 typedef struct {
     showcase c;
-    first_scene first;     /* the same walls, for first.h; or nothing */
     int side;
     image reference;
     bool *dark;            /* [side^2] does not see the light */
@@ -67,15 +63,14 @@ static inline image measure_render(const measure_place *m, const strategy *s, ui
             path_random r = path_sample(&half[k % 2], k / 2, 1u << 31);
             point2 u = path_pair(&r);
             ray eye = camera_ray(m->c.eye, x + u.u, y + u.v, m->side, m->side);
-            vec3 L = s->by == BY_FIRST ? first_path(&m->first, eye, &r.own)
-                   : s->by == BY_NAIVE ? naive_radiance(&p, eye, &r.pairs, &n)
+            vec3 L = s->naive ? naive_radiance(&p, eye, &r.pairs, &n)
                               : path_radiance(&t, eye, &r, &c);
             film_pixel_add(&sum, k, L);
         }
         film_gather(&f, (size_t)i, &sum);
     }
     *seconds = clock_seconds() - start;
-    *rays = s->by == BY_NAIVE ? naive_rays(&n) : path_rays(&c);
+    *rays = s->naive ? naive_rays(&n) : path_rays(&c);
     failure why;
     film_cover(&f, 0, samples, &why);
     image im = film_picture(&f);
@@ -83,25 +78,12 @@ static inline image measure_render(const measure_place *m, const strategy *s, ui
     return im;
 }
 
-/* The box; or first.h's, all of whose walls are parallelograms. */
-static inline void measure_box(measure_place *m, bool first)
-{
-    failure f;
-    if (!first) {
-        if (!showcase_of("cornell", 1, &m->c, &f)) fail(f);
-        return;
-    }
-    first_camera c = first_cornell_camera(1, 1);
-    m->first = first_cornell();
-    lit_first(&m->first, &m->c.s);
-    m->c.eye = showcase_eye(c.e, vsub(c.e, c.w), 39.3077, 1);
-}
-
 /* Of a reference whose own error is known to be some part of what is measured. */
-static inline void measure_place_of(const options *o, bool first, measure_place *m)
+static inline void measure_place_of(const options *o, measure_place *m)
 {
     *m = (measure_place){.side = o->quick ? 12 : 32};
-    measure_box(m, first);
+    failure f;
+    if (!showcase_of("cornell", 1, &m->c, &f)) fail(f);
     path_tracer t;
     path_tracer_of(&m->c.s, NULL, path_defaults, &t);
     render_job j = {.tracer = &t, .eye = m->c.eye, .seed = 77, .threads = o->threads};
@@ -158,93 +140,48 @@ static inline measured measure_strategy(const measure_place *m, const strategy *
     return x;
 }
 
+/* 4, 16, 64 samples; --quick ends with 16. Without --full the last alone. */
 enum { strategy_levels = 3 };
 static inline uint32_t strategy_samples(int level) { return 4u << 2 * level; }
-static inline int strategy_to(const options *o) { return o->quick ? 2 : strategy_levels; }
 
-/* The levels that are measured: all, or the last, which --quick takes for 16 samples. */
-static inline int strategy_from(const options *o) { return o->full ? 0 : strategy_to(o) - 1; }
-
-static inline void strategy_measure(const options *o, const measure_place *m, const strategy *s,
-                                    measured x[strategy_levels])
+static inline void strategy_row(const measure_place *m, const strategy *s, uint32_t samples,
+                                const measured *x, const measured *naive, table *t)
 {
-    for (int l = strategy_from(o); l < strategy_to(o); l++)
-        x[l] = measure_strategy(m, s, strategy_samples(l), o->quick ? 1 : l < 2 ? 3 : 1);
-}
-
-/* Nobody counts the rays of first.h. */
-static inline void strategy_row(const measure_place *m, const strategy *s, int level,
-                                const measured *x, const measured *naive, bool samples, table *t)
-{
-    double paths = (double)m->side * m->side * strategy_samples(level);
     double efficiency = 1 / (x->error * x->error * x->seconds);
     table_text(t, "%s", s->name);
-    if (samples) table_count(t, strategy_samples(level));
-    table_number(t, x->error);
-    if (s->by == BY_FIRST) table_text(t, "-");
-    else table_number(t, x->rays / paths);
+    table_number(t, x->error), table_number(t, x->rays / ((double)m->side * m->side * samples));
     table_number(t, x->seconds * 1e3), table_number(t, efficiency);
     table_number(t, efficiency * naive->error * naive->error * naive->seconds);
-}
-
-static inline void strategy_rows(const options *o, const measure_place *m, const strategy *s,
-                                 const measured *x, const measured *naive, table *all)
-{
-    for (int l = 0; l < strategy_to(o) && o->full; l++)
-        strategy_row(m, s, l, &x[l], &naive[l], true, all);
-}
-
-/* first.h in its own box, beside the naive path there. */
-static inline void measure_first(const options *o, table *all)
-{
-    strategy s[strategies], first = {.name = "first, in its own box", .by = BY_FIRST};
-    measure_place m;
-    measured naive[strategy_levels], x[strategy_levels];
-    strategy_list(s);
-    first.how = s[2].how;
-    measure_place_of(o, true, &m);
-    strategy_measure(o, &m, &s[0], naive), strategy_measure(o, &m, &first, x);
-    strategy_rows(o, &m, &first, x, naive, all);
-    measure_place_free(&m);
 }
 
 static inline void measure_strategies(const options *o)
 {
     measure_place m;
     strategy s[strategies];
-    measured naive[strategy_levels], x[strategy_levels];
-    table last = table_new(o->quick
-                               ? "Pixels that do not see the light, 16 samples each; one thread"
-                               : "Pixels that do not see the light, 64 samples each; one thread",
-                           "strategy|error RMSE|rays a path|time [ms]|efficiency|"
-                           "time for the naive error [x less]");
-    table t = table_new("Error of pixels that do not see the light, and what it costs; one thread",
-                        "strategy|samples|error RMSE|rays a path|time [ms]|efficiency|"
+    measured naive = {0, 0, 0};
+    int end = o->quick ? 2 : strategy_levels;
+    table t = table_new(o->quick
+                            ? "Pixels that do not see the light, 16 samples each; one thread"
+                            : "Pixels that do not see the light, 64 samples each; one thread",
+                        "strategy|error RMSE|rays a path|time [ms]|efficiency|"
                         "time for the naive error [x less]");
     plot error = plot_new("Error and rays", "rays a pixel", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
-    plot time = plot_new("Error and time", "time [s]", "RMSE", PLOT_LOG_X | PLOT_LOG_Y);
-    measure_place_of(o, false, &m);
+    measure_place_of(o, &m);
     strategy_list(s);
     for (int k = 0; k < strategies; k++) {
-        strategy_measure(o, &m, &s[k], x);
-        if (k == 0) memcpy(naive, x, sizeof naive);
-        int end = strategy_to(o) - 1;
-        strategy_row(&m, &s[k], end, &x[end], &naive[end], false, &last);
-        strategy_rows(o, &m, &s[k], x, naive, &t);
-        plot_series(&error, s[k].name), plot_series(&time, s[k].name);
-        for (int l = strategy_from(o); l < strategy_to(o); l++) {
-            plot_add(&error, k, x[l].rays / ((double)m.side * m.side), x[l].error);
-            plot_add(&time, k, x[l].seconds, x[l].error);
+        plot_series(&error, s[k].name);
+        measured x = naive;
+        for (int l = o->full ? 0 : end - 1; l < end; l++) {
+            x = measure_strategy(&m, &s[k], strategy_samples(l), o->quick ? 1 : l < 2 ? 3 : 1);
+            plot_add(&error, k, x.rays / ((double)m.side * m.side), x.error);
         }
+        if (k == 0) naive = x;
+        strategy_row(&m, &s[k], strategy_samples(end - 1), &x, &naive, &t);
     }
-    if (o->full) measure_first(o, &t);
-    plot_slope(&error, -0.5, "slope -1/2"), plot_slope(&time, -0.5, "slope -1/2");
-    output_table(o, &last);
-    if (o->full) {
-        output_extra_table(o, &t);
-        output_plot(o, &error, "26_path_tracer_error.svg");
-        output_plot(o, &time, "26_path_tracer_time.svg");
-    } else table_free(&t), plot_free(&error), plot_free(&time);
+    plot_slope(&error, -0.5, "slope -1/2");
+    output_table(o, &t);
+    if (o->full) output_plot(o, &error, "26_path_tracer_error.svg");
+    else plot_free(&error);
     measure_place_free(&m);
 }
 

@@ -1,11 +1,8 @@
 /* pictures.h: the committed pictures of the chapter.
  *
- *   draw_cornell(o)     the box: the main picture
+ *   draw_scene(o, "rough", w, h, samples, exposure, file, is_main)      a scene of showcase.h
  *   draw_strategies(o)  directions, roulette, light samples, MIS: one by one, as many rays each
  *   draw_ladder(o)      the box by 1, 4, 16 .. 4096 samples a pixel, and how far off each is
- *   draw_spheres(o)     mirror and glass in the box: reflections, caustics, what they cost in noise
- *   draw_rough(o)       five balls of glass, from smooth to rough
- *   draw_furnace(o)     balls of every BRDF in a white world: what they lose, in false colours
  *
  * The numbers of samples are fixed, so that the bytes are. Powers of two: two halves (film.h) of
  * 2^k Sobol' points each are spread best (20).
@@ -13,7 +10,6 @@
 #ifndef PATH_PICTURES_H
 #define PATH_PICTURES_H
 
-#include "../../../common/lab/heat.h"
 #include "../../../common/lab/label.h"
 #include "measure.h"
 
@@ -45,11 +41,6 @@ static inline void draw_scene(const options *o, const char *scene_name, int w, i
     image im = picture_of(o, scene_name, w / q, h / q, o->quick ? 4 : samples, exposure, &whole);
     output_picture(o, &im, file, is_main, whole);
     image_free(&im);
-}
-
-static inline void draw_cornell(const options *o)
-{
-    draw_scene(o, "cornell", o->width, o->height, 16, 2, "26_path_tracer.png", true);
 }
 
 /* One film: each rung adds samples to the one before, and says itself how far off it is (26.7). */
@@ -95,47 +86,6 @@ static inline void draw_ladder(const options *o)
     output_picture(o, &titled, "26_path_tracer_ladder.png", false, whole);
     image_free(&all), image_free(&titled);
     film_free(&f), path_tracer_free(&t), showcase_free(&c);
-}
-
-static inline void draw_spheres(const options *o)
-{
-    draw_scene(o, "spheres", 640, 640, 64, 2, "26_path_tracer_spheres.png", false);
-}
-
-static inline void draw_rough(const options *o)
-{
-    draw_scene(o, "rough", 720, 250, 128, 1, "26_path_tracer_rough.png", false);
-}
-
-/* Of light 1 from everywhere, what is missing: up to 40 %, left as seen, right in colours. */
-static inline void draw_furnace(const options *o)
-{
-    enum { most_lost = 40, size = 12 };
-    static const char *const ball[6] = {"matte, .8", "Blinn-Phong", "rough metal",
-                                        "smooth metal", "mirror", "glass"};
-    int w = o->quick ? 90 : 450, h = o->quick ? 66 : 330;
-    bool whole;
-    image seen = picture_of(o, "furnace", w, h, o->quick ? 4 : 64, 1, &whole);
-    image all = image_new(2 * w, h + (o->quick ? 0 : 60));
-    const vec3 black = {0, 0, 0};
-    label_fill(&all, 0, 0, all.width, all.height, vec(1, 1, 1));
-    for (int y = 0; y < h; y++)
-        for (int x = 0; x < w; x++) {
-            vec3 L = image_get(&seen, x, y);
-            image_set(&all, x, y, vscale(L, (real)0.8));
-            image_set(&all, w + x, y, work_colour((1 - L.y) * 100 / most_lost));
-        }
-    for (int k = 0; k < 6 && !o->quick; k++)
-        for (int side = 0; side < 2; side++)
-            label_text(&all, side * w + w * (0.189 + 0.311 * (k % 3)), k < 3 ? 18 : h - 8, size,
-                       0.5, side ? vec(1, 1, 1) : black, ball[k]);
-    if (!o->quick) {
-        label_text(&all, w / 2, h + 34, size, 0.5, black, "as seen in a white world");
-        label_bar(&all, w + w / 6, h + 8, 2 * w / 3, size, work_colour, 0, most_lost,
-                  "light lost [%]");
-    }
-    output_picture(o, &all, "26_path_tracer_furnace.png", false, whole);
-    image_free(&seen), image_free(&all);
 }
 
 /* The ideas of the chapter, one by one, in the box with a ball of metal and a matte one. Each panel

@@ -10,7 +10,7 @@
  *
  * False (exit code 2): more than studio_most_emitters faces emit: instances of a mesh that glows;
  * a light of NFF so far away that no number holds its intensity; a solid (solids.h) that lets light
- * through or emits it.
+ * through or emits it; a cone that emits.
  */
 #ifndef EFFECTS_FINISH_H
 #define EFFECTS_FINISH_H
@@ -20,69 +20,54 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The triangles of run k of a mesh; k = m->runs stands for those before the first run. */
-static inline void finish_range(const mesh *m, size_t k, size_t *first, size_t *end)
+static inline bool finish_emits(studio *s, uint32_t place, uint32_t index, failure *f)
 {
-    *first = k < m->runs ? m->run[k].first : 0;
-    *end = k == m->runs ? (m->runs ? m->run[0].first : m->triangles)
-        : k + 1 < m->runs ? m->run[k + 1].first : m->triangles;
+    if (s->emitters == studio_most_emitters)
+        return failed(f, 2, "too many faces emit light: at most %d are allowed",
+                      studio_most_emitters);
+    studio_grow(s, emitter, s->emitters);
+    s->emitter[s->emitters++] = (studio_emitter){place, index};
+    return true;
 }
 
-typedef struct { uint32_t *triangle; size_t n; } finish_list;
+/* A mesh is a row of runs, each of one material; name_none: that of the place, and so are the
+ * triangles before the first usemtl. */
+typedef struct { uint32_t first, end, material; } finish_run;
 
-/* Of one mesh: the triangles that emit by their own material, and those without one. */
-static inline void finish_lists(studio *s, size_t number, finish_list *glow, finish_list *bare)
+/* Those that emit, or would by a place's material: [*n], the caller frees them. */
+static inline finish_run *finish_runs(studio *s, uint32_t number, bool *bare, size_t *n)
 {
     const mesh *m = &s->mesh[number];
-    *glow = *bare = (finish_list){NULL, 0};
-    for (int pass = 0; pass < 2; pass++) {  /* count, then fill */
-        if (pass) glow->triangle = allocate(glow->n, sizeof *glow->triangle);
-        if (pass) bare->triangle = allocate(bare->n, sizeof *bare->triangle);
-        glow->n = bare->n = 0;
-        for (size_t k = 0; k <= m->runs; k++) {
-            uint32_t a = k < m->runs ? s->paint[number].run_material[k] : name_none;
-            size_t first, end;
-            finish_range(m, k, &first, &end);
-            finish_list *to = a == name_none ? bare : vzero(s->material[a].ke) ? NULL : glow;
-            for (size_t i = first; to && i < end; i++, to->n++)
-                if (pass) to->triangle[to->n] = (uint32_t)i;
-        }
+    finish_run *list = allocate(m->runs + 1, sizeof *list);
+    *n = 0, *bare = false;
+    for (size_t k = 0; k <= m->runs; k++) {
+        finish_run r = {k ? m->run[k - 1].first : 0,
+                        k < m->runs ? m->run[k].first : (uint32_t)m->triangles,
+                        k ? s->paint[number].run_material[k - 1] : name_none};
+        if (r.first >= r.end) continue;
+        if (r.material == name_none) *bare = true;
+        else s->material[r.material].used = true;
+        if (r.material == name_none || !vzero(s->material[r.material].ke)) list[(*n)++] = r;
     }
-}
-
-static inline bool finish_emits(studio *s, uint32_t place, const finish_list *list, failure *f)
-{
-    if (s->emitters + list->n > studio_most_emitters)
-        return failed(f, 2, "%zu faces emit light: at most %d are allowed", s->emitters + list->n,
-                      studio_most_emitters);
-    for (size_t i = 0; i < list->n; i++) {
-        studio_grow(s, emitter, s->emitters);
-        s->emitter[s->emitters++] = (studio_emitter){place, list->triangle[i]};
-    }
-    return true;
+    return list;
 }
 
 /* All places of one mesh. */
 static inline bool finish_mesh(studio *s, uint32_t number, failure *f)
 {
-    finish_list glow, bare;
-    const mesh *m = &s->mesh[number];
-    bool ok = true, seen = false;
-    finish_lists(s, number, &glow, &bare);
+    finish_run *list = NULL;
+    bool bare = false, ok = true;
+    size_t n = 0;
     for (uint32_t p = 0; ok && p < s->places; p++) {
         if (s->placed[p].mesh != number) continue;
+        if (!list) list = finish_runs(s, number, &bare, &n);
         studio_material *own = &s->material[s->placing[p].material];
-        seen = true;
-        own->used |= bare.n > 0;
-        ok = finish_emits(s, p, &glow, f) && (vzero(own->ke) || finish_emits(s, p, &bare, f));
+        own->used |= bare;
+        for (size_t k = 0; k < n; k++)
+            for (uint32_t i = list[k].first; ok && i < list[k].end; i++)
+                if (list[k].material != name_none || !vzero(own->ke)) ok = finish_emits(s, p, i, f);
     }
-    for (size_t k = 0; seen && k < m->runs; k++) {
-        uint32_t a = s->paint[number].run_material[k];
-        size_t first, end;
-        finish_range(m, k, &first, &end);
-        if (a != name_none && first < end) s->material[a].used = true;
-    }
-    free(glow.triangle), free(bare.triangle);
+    free(list);
     return ok;
 }
 
@@ -105,34 +90,41 @@ static inline bool finish_classic_lights(studio *s, failure *f)
     return true;
 }
 
-/* Media (19) are of bodies with a surface each, lamps of faces: a tree of operands is neither. */
-static inline bool finish_solid(studio *s, const studio_solid *x, failure *f)
+/* Media (19) are of bodies with a surface each: a tree of operands is none. Lamps are drawn from
+ * face by face, and nobody draws points of a cut face, or of a cone. */
+static inline bool finish_refuses(studio *s, uint32_t made_of, const char *what, bool opaque,
+                                  cite at, failure *f)
 {
     char said[300];
-    studio_material *m = &s->material[x->material];
-    bool through = !vzero(appearance_of(m).through);
-    m->used = true;
-    if (!through && vzero(m->ke)) return true;
-    return failed(f, 2, "%s: solid: '%.60s' %s, allowed: materials that do not",
-                  studio_said(s, x->at, said, sizeof said), studio_material_name(s, x->material),
-                  through ? "lets light through" : "emits light");
+    studio_material *m = &s->material[made_of];
+    bool through = opaque && !vzero(appearance_of(m).through);
+    if (!through && vzero(m->ke)) return false;
+    failed(f, 2, "%s: %s: '%.60s' %s, allowed: materials that do not",
+           studio_said(s, at, said, sizeof said), what, studio_material_name(s, made_of),
+           through ? "lets light through" : "emits light");
+    return true;
 }
 
 static inline bool studio_finish(studio *s, failure *f)
 {
     const vec3 *next = s->corner;
-    bool ok = true;
-    for (size_t i = 0; i < s->shapes; i++) {
-        shape *x = &s->shape[i];
-        s->material[s->shape_material[i]].used = true;
-        if (x->kind == SHAPE_POLYGON) x->polygon.v = next, next += x->polygon.n;
+    for (size_t k = 0; k < s->solids; k++) {
+        studio_solid *x = &s->solid[k];
+        s->material[x->material].used = true;
+        if (finish_refuses(s, x->material, "solid", true, x->at, f)) return false;
     }
-    for (size_t k = 0; ok && k < s->solids; k++) ok = finish_solid(s, &s->solid[k], f);
-    for (uint32_t i = 0; ok && i < s->shapes; i++)
-        if (!vzero(s->material[s->shape_material[i]].ke))
-            ok = finish_emits(s, no_shape, &(finish_list){&i, 1}, f);
-    for (uint32_t m = 0; ok && m < s->meshes; m++) ok = finish_mesh(s, m, f);
-    return ok && finish_classic_lights(s, f);
+    for (uint32_t i = 0; i < s->shapes; i++) {
+        shape *x = &s->shape[i];
+        uint32_t m = s->shape_material[i];
+        s->material[m].used = true;
+        if (x->kind == SHAPE_POLYGON) x->polygon.v = next, next += x->polygon.n;
+        if (x->kind == SHAPE_CONE && finish_refuses(s, m, "cone", false, s->material[m].at, f))
+            return false;
+        if (!vzero(s->material[m].ke) && !finish_emits(s, no_shape, i, f)) return false;
+    }
+    for (uint32_t m = 0; m < s->meshes; m++)
+        if (!finish_mesh(s, m, f)) return false;
+    return finish_classic_lights(s, f);
 }
 
 #endif

@@ -2,14 +2,11 @@
  *
  *   name_table t = {0};
  *   uint32_t k = name_add(&t, "red");      0, 1, 2 .. in the order of their first coming
- *   uint32_t k = name_find(&t, "red");     name_none if it never came
+ *   uint32_t k = name_find(&t, "red");     name_none if it never came: O(1)
  *   const char *s = name_text(&t, k);      good until the next name_add
  *   name_table_free(&t);                   a zeroed one may be freed
  *
- * A search costs O(1), so a file with a hundred thousand materials and as many uses of them is read
- * as fast as any other. Hashed by FNV-1a, open addressing, at most half full.
- *
- * Source: G. Fowler, L. Noll, K. Vo, FNV hash, 1991.
+ * Hashed by FNV-1a (G. Fowler, L. Noll, K. Vo, 1991), open addressing, at most half full.
  */
 #ifndef EFFECTS_NAME_TABLE_H
 #define EFFECTS_NAME_TABLE_H

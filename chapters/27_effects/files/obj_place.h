@@ -1,17 +1,11 @@
 /* obj_place.h: OBJ files (07) with their materials, placed in a scene.
  *
  *   if (!obj_mesh(&s, "pot.obj", smooth, &m, &f)) ...        s.mesh[m]; each file is read only once
- *   studio_place(&s, m, to_world, material, cite);           `material`: where no usemtl says more
  *
  * A name that usemtl gives means: the material of that name in the scene files read so far, else in
- * the first of the libraries that mtllib names and that has it, else the one of the place.
- *
- * Libraries are looked for beside the OBJ file: the whole line as one name (it may hold blanks),
- * then the words of the line, then the last part of a path, as in C:\old\place\pot.mtl. One that
- * cannot be read is no error: exports often name files of the machine they come from. A note says
- * so, and what it would have described stays grey. One that is broken is an error.
- *
- * smooth: normals of the file are replaced by those of mesh_smooth_normals.
+ * the first library of mtllib that has it, else the one of the place. Libraries are looked for
+ * beside the OBJ file: the whole line as one name, the last part of a path, the words of the line.
+ * One that is not there is a note, one that is broken an error. smooth: by mesh_smooth_normals.
  */
 #ifndef EFFECTS_OBJ_PLACE_H
 #define EFFECTS_OBJ_PLACE_H
@@ -69,7 +63,7 @@ static inline uint32_t obj_material_number(const studio *s, const obj_libraries 
 {
     uint32_t k = studio_palette_find(&s->own, name);
     for (size_t i = 0; k == name_none && i < found->n; i++)
-        k = studio_palette_find(&s->library[found->library[i]], name);
+        k = studio_palette_find(&s->library[found->library[i]].palette, name);
     return k;
 }
 
@@ -117,11 +111,8 @@ static inline bool obj_mesh(studio *s, const char *path, bool smooth, uint32_t *
     uint32_t file = name_add(&s->files, path);
     for (uint32_t k = 0; k < s->meshes; k++)
         if (s->paint[k].file == file && s->paint[k].smooth == smooth) return *out = k, true;
-    if (s->files_read >= studio_most_files)
-        return failed(f, 2, "%.300s: too many files, allowed: %d in all", path, studio_most_files);
-    FILE *in = word_open(path, false, f);
+    FILE *in = studio_open(s, path, f);
     if (!in) return false;
-    s->files_read++;
     bool ok = obj_mesh_stream(s, in, path, smooth, out, f);
     fclose(in);
     return ok;

@@ -1,25 +1,10 @@
 /* scene_file.h: the statements of a scene file that name files, and the table of all statements.
  *
- *   material    NAME                      what follows is made of it; the next lines describe it,
- *     Kd 0.8 0.2 0.1                      with the keywords of MTL (mtl.h)
- *     illum 1
- *   mtl         FILE                      its materials can be named by `use`
- *   obj         FILE [smooth] [PLACING]
- *   nff         FILE [PLACING]
- *   mesh        NAME FILE [smooth]        an OBJ file that is only seen where an instance puts it
- *   instance    NAME [PLACING]
- *   box         P P [PLACING] [NAME]        between two corners, placed; made of NAME
- *   solid       NAME EXPRESSION               cut from solids, in the language of 06; of NAME
- *   environment C | C C | PICTURE [scale X] [turn DEGREES]     one colour; below and above; sky.h
- *
- *   PLACING     scale X | scale X Y Z | turn X Y Z DEGREES | move X Y Z,   in the order written
- *   FILE        relative to the file that names it; "in quotes" if it holds blanks
- *
  *   scene_statement(&q)       q.t stands at the keyword; false: q.f says what is wrong
  *
  * Broken: "FILE:LINE: camera: what is 'x', allowed: from, at ..", exit code 2; a file that cannot
  * be read: 1. What is not of its own material gets the one that was current where the statement
- * stands.
+ * stands. Names of files are relative to the file that names them.
  */
 #ifndef EFFECTS_SCENE_FILE_H
 #define EFFECTS_SCENE_FILE_H
@@ -137,9 +122,8 @@ static inline bool scene_obj(statement *q)
 static inline bool scene_nff(statement *q)
 {
     char path[word_longest_path];
-    affine a;
-    return scene_path(q, path) && scene_placing(q, &a)
-        && nff_studio(q->s, path, a, q->material, q->f);
+    return scene_path(q, path) && mtl_line_ends(q->t)
+        && nff_studio(q->s, path, q->material, q->f);
 }
 
 static inline bool scene_mtl(statement *q)
@@ -165,14 +149,12 @@ static inline bool scene_mesh(statement *q)
     char name[64], path[word_longest_path];
     uint32_t m;
     if (!scene_word(q, name) || !scene_path(q, path)) return false;
-    if (name_find(&q->shapes, name) != name_none)
+    if (studio_palette_find(&q->meshes, name) != name_none)
         return failed(q->f, 2, "%s:%u: mesh: '%s' is a mesh already, allowed: each name once",
                       text_name(q->t), (unsigned)q->at.line, name);
     bool smooth = word_take(q->t, "smooth");
     if (!mtl_line_ends(q->t) || !obj_mesh(q->s, path, smooth, &m, q->f)) return false;
-    uint32_t k = name_add(&q->shapes, name);
-    q->shape = grown(q->shape, q->shapes.n - 1, &q->shape_room, sizeof *q->shape);
-    q->shape[k] = m;
+    studio_palette_add(&q->meshes, name, m);
     return true;
 }
 
@@ -199,12 +181,12 @@ static inline bool scene_instance(statement *q)
     char name[64];
     affine a;
     if (!scene_word(q, name)) return false;
-    uint32_t k = name_find(&q->shapes, name);
-    if (k == name_none)
+    uint32_t m = studio_palette_find(&q->meshes, name);
+    if (m == name_none)
         return failed(q->f, 2, "%s:%u: instance: no mesh '%s', allowed: names that mesh gave "
                       "before", text_name(q->t), (unsigned)q->at.line, name);
     if (!scene_placing(q, &a)) return false;
-    studio_place(q->s, q->shape[k], a, q->material, q->at);
+    studio_place(q->s, m, a, q->material, q->at);
     return true;
 }
 
@@ -216,13 +198,9 @@ static inline bool scene_picture(statement *q, effects_sky *out)
     int x, y;
     if (!scene_path(q, path)) return false;
     out->scale = 1;
-    while (text_more(q->t)) {
-        bool ok = true;
-        if (word_take(q->t, "scale")) ok = word_number(q->t, &out->scale, 0, 1e30);
-        else if (word_take(q->t, "turn")) ok = word_number(q->t, &turn, -1e6, 1e6);
-        else ok = text_bad(q->t, q->t->p, "what is", "scale, turn");
-        if (!ok) return false;
-    }
+    say_word w[] = {{.word = "scale", .number = &out->scale, .highest = 1e30},
+                    {.word = "turn", .number = &turn, .lowest = -1e6, .highest = 1e6}};
+    if (!say_words(q, w, 2, "scale, turn")) return false;
     if (q->s->files_read++ >= studio_most_files)
         return failed(q->f, 2, "%.300s: too many files, allowed: %d", path, studio_most_files);
     if (stat(path, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode))
@@ -283,7 +261,7 @@ static inline bool scene_statement(statement *q)
         q->t->p += strlen(q->t->keyword = scene_statements[k].word);
         return scene_statements[k].say(q) && mtl_line_ends(q->t);
     }
-    if (!mtl_is_key(q->t))
+    if (mtl_find(q->t) == mtl_keys)
         return text_bad(q->t, q->t->p, "begins with", "camera, lens, light, sun, background, "
                         "environment, up, indirect, material, use, sphere, cone, polygon, "
                         "box, solid, obj, nff, mtl, mesh, instance, include, or Kd .. illum");

@@ -1,18 +1,8 @@
-/* statements.h: the statements of a scene file, except those that name other files.
+/* statements.h: the statements of a scene file, except those that name other files: scene_file.h.
+ * What each says, and in which words, is in GRAMMAR.md.
  *
- *   camera      from P at P [up P] [angle DEGREES] [hither X]
- *   lens        radius X [focus X]             thin lens; focus: distance, else that of `at`
- *   light       at P colour C                  point light, intensity [W/sr]
- *   sun         to P colour C                  light from there, irradiance [W/m^2]
- *   background  C                              seen where nothing is; lights nobody
- *   up          x | y | z
- *   indirect    on | off                   light that matte surfaces pass on: plan.h
- *   use         NAME                           material of what follows: material_list.h has some
- *   sphere      P radius [NAME]                made of NAME
- *   cone        P radius P radius [NAME]       open; equal radii: a cylinder
- *   polygon     P P P ... [NAME]
- *
- * P: three numbers; C: one (grey) or three, not negative. More in scene_file.h.
+ *   statement q = {.s = &s, .t = &reader, ..};     the reader stands behind the keyword
+ *   if (!say_camera(&q)) ..                        false: q.f says what is wrong, and in which line
  */
 #ifndef EFFECTS_STATEMENTS_H
 #define EFFECTS_STATEMENTS_H
@@ -23,15 +13,23 @@
 typedef struct {
     studio *s;
     text_reader *t;
-    cite at;              /* of the statement at hand */
-    const char *base;     /* file names are seen from where this file is */
-    uint32_t material;    /* of what follows */
-    uint32_t described;   /* by lines Kd, Ks ..; name_none: they have no place here */
-    name_table shapes;    /* names that `mesh` gave, */
-    uint32_t *shape;      /* [shapes.n] and the meshes they mean */
-    size_t shape_room;
+    cite at;                /* of the statement at hand */
+    const char *base;       /* file names are seen from where this file is */
+    uint32_t material;      /* of what follows */
+    uint32_t described;     /* by lines Kd, Ks ..; name_none: they have no place here */
+    studio_palette meshes;  /* names that `mesh` gave, and what they mean */
+    int depth;              /* of files that include each other */
     failure *f;
 } statement;
+
+/* A word and what follows it: a point, a colour, or a number of that range. */
+typedef struct {
+    const char *word;
+    vec3 *point, *colour;
+    real *number;
+    double lowest, highest;
+    bool said;
+} say_word;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -52,38 +50,43 @@ static inline bool say_name(statement *q, char name[text_token])
     return true;
 }
 
-static inline bool say_camera(statement *q)
+/* Such words in any order, up to the end of the line. */
+static inline bool say_words(statement *q, say_word *w, size_t n, const char *allowed)
 {
     text_reader *t = q->t;
-    studio_view v = {.given = true, .angle = 40, .said = q->at};
-    bool from = false, at = false, ok = true;
-    v.up = (vec3){q->s->up == 0, q->s->up == 1, q->s->up == 2};
-    while (ok && text_more(t)) {
-        if (word_take(t, "from")) ok = from = word_point(t, &v.from);
-        else if (word_take(t, "at")) ok = at = word_point(t, &v.at);
-        else if (word_take(t, "up")) ok = word_point(t, &v.up);
-        else if (word_take(t, "angle")) ok = word_number(t, &v.angle, 1e-3, 179);
-        else if (word_take(t, "hither")) ok = word_number(t, &v.hither, 0, 1e30);
-        else return text_bad(t, t->p, "what is", "from, at, up, angle, hither");
+    while (text_more(t)) {
+        size_t k = 0;
+        while (k < n && !word_take(t, w[k].word)) k++;
+        if (k == n) return text_bad(t, t->p, "what is", allowed);
+        w[k].said = w[k].point ? word_point(t, w[k].point)
+                  : w[k].colour ? word_colour(t, w[k].colour)
+                                : word_number(t, w[k].number, w[k].lowest, w[k].highest);
+        if (!w[k].said) return false;
     }
-    if (!ok) return false;
-    if (!from || !at) return say_missing(q, "from X Y Z at X Y Z");
+    return true;
+}
+
+static inline bool say_camera(statement *q)
+{
+    studio_view v = {.given = true, .angle = 40, .said = q->at};
+    v.up = (vec3){q->s->up == 0, q->s->up == 1, q->s->up == 2};
+    say_word w[] = {{.word = "from", .point = &v.from}, {.word = "at", .point = &v.at},
+                    {.word = "up", .point = &v.up},
+                    {.word = "angle", .number = &v.angle, .lowest = 1e-3, .highest = 179},
+                    {.word = "hither", .number = &v.hither, .highest = 1e30}};
+    if (!say_words(q, w, 5, "from, at, up, angle, hither")) return false;
+    if (!w[0].said || !w[1].said) return say_missing(q, "from X Y Z at X Y Z");
     q->s->view = v;
     return true;
 }
 
 static inline bool say_lens(statement *q)
 {
-    text_reader *t = q->t;
     studio_lens lens = {.said = q->at};
-    bool radius = false, ok = true;
-    while (ok && text_more(t)) {
-        if (word_take(t, "radius")) ok = radius = word_number(t, &lens.radius, 0, 1e30);
-        else if (word_take(t, "focus")) ok = word_number(t, &lens.focus, 1e-30, 1e30);
-        else return text_bad(t, t->p, "what is", "radius, focus");
-    }
-    if (!ok) return false;
-    if (!radius) return say_missing(q, "radius X");
+    say_word w[] = {{.word = "radius", .number = &lens.radius, .highest = 1e30},
+                    {.word = "focus", .number = &lens.focus, .lowest = 1e-30, .highest = 1e30}};
+    if (!say_words(q, w, 2, "radius, focus")) return false;
+    if (!w[0].said) return say_missing(q, "radius X");
     q->s->lens = lens;
     return true;
 }
@@ -91,30 +94,23 @@ static inline bool say_lens(statement *q)
 /* light at P colour C, sun to P colour C. */
 static inline bool say_lamp(statement *q, shade_light_kind kind)
 {
-    text_reader *t = q->t;
-    const char *where = kind == LIGHT_POINT ? "at" : "to";
+    bool point = kind == LIGHT_POINT;
     light l = {kind, {0, 0, 0}, {0, 0, 0}};
-    bool at = false, colour = false, ok = true;
-    while (ok && text_more(t)) {
-        if (word_take(t, where)) ok = at = word_point(t, &l.at);
-        else if (word_take(t, "colour") || word_take(t, "color"))
-            ok = colour = word_colour(t, &l.colour);
-        else return text_bad(t, t->p, "what is", kind == LIGHT_POINT ? "at, colour" : "to, colour");
-    }
-    if (!ok) return false;
-    if (!at || !colour)
-        return say_missing(q, kind == LIGHT_POINT ? "at X Y Z colour C" : "to X Y Z colour C");
-    if (kind == LIGHT_DIRECTIONAL) {
-        l.at = vunit(l.at);
-        if (vzero(l.at)) return text_bad(t, t->p, "no direction before", "to X Y Z, not all 0");
-    }
+    say_word w[] = {{.word = point ? "at" : "to", .point = &l.at},
+                    {.word = "colour", .colour = &l.colour},
+                    {.word = "color", .colour = &l.colour}};
+    if (!say_words(q, w, 3, point ? "at, colour" : "to, colour")) return false;
+    if (!w[0].said || !(w[1].said || w[2].said))
+        return say_missing(q, point ? "at X Y Z colour C" : "to X Y Z colour C");
+    if (!point) l.at = vunit(l.at);
+    if (!point && vzero(l.at))
+        return text_bad(q->t, q->t->p, "no direction before", "to X Y Z, not all 0");
     studio_add_light(q->s, l, false, q->at);
     return true;
 }
 
 static inline bool say_background(statement *q)
 {
-    q->s->background_said = q->at;
     return word_colour(q->t, &q->s->sky.background);
 }
 
@@ -157,7 +153,7 @@ static inline bool say_named(statement *q, const char *name, uint32_t *out)
 {
     uint32_t k = studio_palette_find(&q->s->own, name);
     for (size_t i = 0; k == name_none && i < q->s->libraries; i++)
-        k = studio_palette_find(&q->s->library[i], name);
+        k = studio_palette_find(&q->s->library[i].palette, name);
     if (k == name_none && !say_listed(q, name, &k))
         return failed(q->f, 2, "%s:%u: %s: no material '%.100s', allowed: names that material or "
                       "mtl gave before, or of the list: white, chrome, glass ..",

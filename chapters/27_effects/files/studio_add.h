@@ -1,4 +1,5 @@
-/* studio_add.h: what readers put into a studio. Everything is copied or taken over.
+/* studio_add.h: what readers put into a studio. Everything is copied or taken over; then
+ * studio_finish (finish.h), once.
  *
  *   uint32_t m = studio_add_material(&s, "red", cite)      with the defaults of MTL
  *   studio_palette_add(&palette, "red", m), studio_palette_find(&palette, "red")
@@ -7,12 +8,12 @@
  *   uint32_t k = studio_add_mesh(&s, mesh, run_material, file, smooth)   takes both over
  *   studio_place(&s, k, to_world, m, cite)                 shows mesh k; m: if no usemtl says more
  *   studio_add_light(&s, light, classic, cite)
- *
- * Then studio_finish (finish.h), once.
+ *   FILE *in = studio_open(&s, path, &f)                   counted; NULL: no file, or too many
  */
 #ifndef EFFECTS_STUDIO_ADD_H
 #define EFFECTS_STUDIO_ADD_H
 
+#include "../../07_mesh/files/words.h"
 #include "../studio.h"
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -33,14 +34,14 @@ static inline uint32_t studio_add_material(studio *s, const char *name, cite at)
 static inline void studio_palette_add(studio_palette *p, const char *name, uint32_t number)
 {
     uint32_t k = name_add(&p->names, name);
-    p->material = grown(p->material, p->names.n - 1, &p->room, sizeof *p->material);
-    p->material[k] = number;
+    p->number = grown(p->number, p->names.n - 1, &p->room, sizeof *p->number);
+    p->number[k] = number;
 }
 
 static inline uint32_t studio_palette_find(const studio_palette *p, const char *name)
 {
     uint32_t k = name_find(&p->names, name);
-    return k == name_none ? name_none : p->material[k];
+    return k == name_none ? name_none : p->number[k];
 }
 
 /* ---- things ---- */
@@ -83,6 +84,17 @@ static inline void studio_add_light(studio *s, light l, bool classic, cite at)
 {
     studio_grow(s, light, s->lights);
     s->light[s->lights++] = (studio_light){l, classic, at};
+}
+
+static inline FILE *studio_open(studio *s, const char *path, failure *f)
+{
+    if (s->files_read >= studio_most_files) {
+        failed(f, 2, "%.300s: too many files, allowed: %d in all", path, studio_most_files);
+        return NULL;
+    }
+    FILE *in = word_open(path, false, f);
+    s->files_read += in != NULL;
+    return in;
 }
 
 #endif

@@ -9,8 +9,8 @@
  *
  *   include FILE     in a scene file: as if its lines stood here
  *
- * A file that includes itself, on whatever way round, files nested more than 16 deep, more than 256
- * files in all: exit code 2, and the line of the include.
+ * Files nested more than 16 deep, as when a file includes itself on whatever way round, or more
+ * than 256 in all: exit code 2.
  */
 #ifndef EFFECTS_STUDIO_READ_H
 #define EFFECTS_STUDIO_READ_H
@@ -31,92 +31,55 @@ static inline bool studio_read_text(const char *text, const char *name, const st
 
 enum { scene_deepest = 16 };
 
-typedef struct {
-    char path[word_longest_path];
-    uint32_t file;
-    FILE *in;
-    dev_t device;
-    ino_t inode;              /* with device: which file it is, by whatever name; 0: none */
-    text_reader t;
-} scene_level;
-
-typedef struct { scene_level *level[scene_deepest]; int depth; statement q; } scene_reader;
-
-/* The stream now belongs to the level. */
-static inline bool scene_enter(scene_reader *r, FILE *in, const char *path, failure *f)
-{
-    scene_level *l = r->level[r->depth] = allocate(1, sizeof *l);
-    struct stat what;
-    snprintf(l->path, sizeof l->path, "%s", path);
-    l->in = in;
-    if (fileno(in) >= 0 && fstat(fileno(in), &what) == 0)
-        l->device = what.st_dev, l->inode = what.st_ino;
-    l->file = name_add(&r->q.s->files, path);
-    r->depth++;
-    return text_begin(&l->t, in, l->path, f);
-}
-
-static inline bool scene_leave(scene_reader *r)
-{
-    scene_level *l = r->level[--r->depth];
-    bool ok = !l->t.buffer || text_end(&l->t);
-    fclose(l->in);
-    free(l);
-    return ok;
-}
+static inline bool scene_read_file(statement *q, FILE *in, const char *path);
 
 /* include FILE, at the keyword. */
-static inline bool scene_include(scene_reader *r)
+static inline bool scene_include(statement *q)
 {
     char path[word_longest_path];
-    text_reader *t = r->q.t;
-    struct stat what;
+    text_reader *t = q->t;
     t->p += strlen(t->keyword = "include");
-    if (!scene_path(&r->q, path) || !mtl_line_ends(t)) return false;
-    if (stat(path, &what) == 0)
-        for (int k = 0; k < r->depth; k++)
-            if (r->level[k]->inode == what.st_ino && r->level[k]->device == what.st_dev)
-                return failed(r->q.f, 2, "%s:%u: include: %.200s includes itself", text_name(t),
-                              (unsigned)t->line, path);
-    if (r->depth == scene_deepest)
-        return failed(r->q.f, 2, "%s:%u: include: nested too deep, allowed: %d files", text_name(t),
+    if (!scene_path(q, path) || !mtl_line_ends(t)) return false;
+    if (q->depth == scene_deepest)  /* also files that include themselves end here */
+        return failed(q->f, 2, "%s:%u: include: nested too deep, allowed: %d files", text_name(t),
                       (unsigned)t->line, scene_deepest);
-    if (r->q.s->files_read++ >= studio_most_files)
-        return failed(r->q.f, 2, "%s:%u: include: too many files, allowed: %d in all", text_name(t),
-                      (unsigned)t->line, studio_most_files);
-    FILE *in = word_open(path, false, r->q.f);
-    return in && scene_enter(r, in, path, r->q.f);
+    FILE *in = studio_open(q->s, path, q->f);
+    return in && scene_read_file(q, in, path);
 }
 
 /* A file that cannot be read: what named it, and in which line, is worth knowing, too. */
-static inline void scene_named_at(const scene_level *l, const scene_reader *r, failure *f)
+static inline void scene_named_at(const text_reader *t, cite at, failure *f)
 {
     failure why = *f;
-    const char *name = text_name(&l->t);
+    const char *name = text_name(t);
     if (why.exit_code == 1 && strlen(name) + strlen(why.text) + 16 < sizeof f->text)
-        failed(f, 1, "%s:%u: %s", name, (unsigned)r->q.at.line, why.text);
+        failed(f, 1, "%s:%u: %s", name, (unsigned)at.line, why.text);
 }
 
-/* Reads the stream and all that it includes; closes them. */
+/* The stream and all that it includes; closes it. */
+static inline bool scene_read_file(statement *q, FILE *in, const char *path)
+{
+    const statement outer = *q;
+    uint32_t file = name_add(&q->s->files, path);
+    text_reader t;
+    bool ok = text_begin(&t, in, path, q->f), begun = ok;
+    q->t = &t, q->base = path, q->depth++;
+    while (ok && text_statement(&t)) {
+        cite at = q->at = (cite){file, (uint32_t)t.line};
+        ok = text_is(&t, "include") ? scene_include(q) : scene_statement(q);
+        if (!ok) scene_named_at(&t, at, q->f);
+    }
+    ok = (!begun || text_end(&t)) && ok;
+    q->t = outer.t, q->base = outer.base, q->depth--;
+    fclose(in);
+    return ok;
+}
+
 static inline bool scene_read_stream(studio *s, FILE *in, const char *path, failure *f)
 {
-    scene_reader *r = allocate(1, sizeof *r);
-    r->q = (statement){.s = s, .f = f, .described = name_none};
-    bool ok = scene_enter(r, in, path, f);
-    while (ok && r->depth) {
-        scene_level *l = r->level[r->depth - 1];
-        r->q.t = &l->t, r->q.base = l->path;
-        if (!text_statement(&l->t)) {
-            ok = scene_leave(r);
-            continue;
-        }
-        r->q.at = (cite){l->file, (uint32_t)l->t.line};
-        ok = text_is(&l->t, "include") ? scene_include(r) : scene_statement(&r->q);
-        if (!ok) scene_named_at(l, r, f);
-    }
-    while (r->depth) (void)scene_leave(r);
-    name_table_free(&r->q.shapes);
-    free(r->q.shape), free(r);
+    statement q = {.s = s, .f = f, .described = name_none};
+    bool ok = scene_read_file(&q, in, path);
+    studio_palette_free(&q.meshes);
     return ok;
 }
 
@@ -182,16 +145,15 @@ static inline bool studio_end(studio *s, const studio_words *words, bool ok, fai
 
 static inline bool studio_read(const char *path, const studio_words *words, studio *s, failure *f)
 {
-    const affine as_it_is = affine_scaling((vec3){1, 1, 1});
     uint32_t m;
     bool ok = true;
     studio_begin(s);
     if (scene_ends(path, ".obj")) {
         if ((ok = obj_mesh(s, path, false, &m, f)))
-            studio_place(s, m, as_it_is, 0, (cite){s->paint[m].file, 0});
+            studio_place(s, m, affine_scaling((vec3){1, 1, 1}), 0, (cite){s->paint[m].file, 0});
     } else if (scene_ends(path, ".nff")) {
         s->up = 2;
-        ok = nff_studio(s, path, as_it_is, 0, f);
+        ok = nff_studio(s, path, 0, f);
     } else {
         FILE *in = word_open(path, true, f);  /* a pipe, too */
         ok = in && scene_read_stream(s, in, path, f);

@@ -7,7 +7,7 @@
 #ifndef EFFECTS_COMMAND_H
 #define EFFECTS_COMMAND_H
 
-#include "chance.h"
+#include "tax.h"
 #include "../../26_path_tracer/long_run.h"
 #include "../files/studio_read.h"
 #include "../plan.h"
@@ -97,32 +97,12 @@ static inline bool request_compare(const drawing *j, const image *all, const pla
 }
 
 /* What the picture took, by effect. */
-static inline bool request_count(const options *o, const plan *p, const drawing *j, int width,
-                                 int height)
+static inline void request_count(const options *o, const plan *p, const drawing *j)
 {
-    effects_counts timed;
-    if (!draw_timed(j, width, height, &timed)) return false;
-    table_of_effects(o, p, j, &timed);
+    table_of_effects(o, p, j);
     printf("# %d samples a pixel, %.3g s", j->samples, j->pass.seconds);
     if (j->samples > 1) printf(", error rmse %.3g by halves", j->error);
     printf("\n");
-    return true;
-}
-
-/* The demo as --effects all --samples 8 --size 320x240 has it. */
-static inline bool request_all(const options *o, const plan *p, effects_stage *e)
-{
-    options with = *o;
-    image im = image_new(320, 240);
-    drawing j = {.e = e, .samples = 8, .seed = o->seed, .width = 320, .height = 240};
-    unsigned before = e->mask;
-    with.csv = NULL;
-    effects_stage_effects(e, EFFECTS_EVERYTHING);
-    bool whole = draw_region(&j, &im, 0, 0, o->threads) && request_compare(&j, &im, p, e)
-              && request_count(&with, p, &j, im.width, im.height);
-    effects_stage_effects(e, before);
-    image_free(&im);
-    return whole;
 }
 
 /* Of the whole picture the price list takes a quarter in width and height. */
@@ -140,11 +120,9 @@ static inline bool request_tables(const options *o, const request *q, const plan
 {
     int samples = j->samples;
     bool demo = !o->out && !o->own;
-    if (!demo && !q->priced) return request_count(o, p, j, w.width, w.height);
-    if (!table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples)) return false;
-    return !demo || (draw_strip(o, p, e, six_width, six_height, samples)
-                     && draw_two(o) && table_of_tax(o) && table_of_chance(o)
-                     && request_all(o, p, e));
+    if (!demo && !q->priced) return request_count(o, p, j), true;
+    return table_of_price(o, p, e, request_small(q, w), samples > 16 ? 16 : samples)
+        && (!demo || (draw_two(o) && table_of_tax(o)));
 }
 
 /* The picture is saved before all else: Ctrl-C later on loses none of it. */

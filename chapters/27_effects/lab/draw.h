@@ -6,9 +6,6 @@
  *   j.counts, j.pass.seconds          rays by effect; time
  *   j.error                           RMSE by halves (26.7); infinity with one sample
  *   passes_until(draw_begin(&j, x0, y0, threads), &f, goal)    the same on a film f, by passes
- *   draw_timed(&j, w, h, &counts)     some of its w x h pixels again, with a clock at each ray:
- *                                     shares of time
- *
  *   draw_rays(&j.counts)              all rays
  *   draw_z(&a, &b)                    two pictures of the same light? in standard errors
  *
@@ -18,7 +15,6 @@
 #define EFFECTS_DRAW_H
 
 #include "../../26_path_tracer/passes.h"
-#include "../around.h"
 #include "../special.h"
 
 typedef struct {
@@ -35,13 +31,10 @@ typedef struct {
     size_t pixels;            /* of the film */
 } drawing;
 
-enum { draw_timed_every = 37 };
-
 /* ---------------------------------------------------------------------------------------------- */
 
 /* The ray of a sample of a pixel. */
-__attribute__((always_inline))
-static inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
+effects_inline ray draw_ray(const drawing *j, int x, int y, const dice *d)
 {
     const effects_stage *e = j->e;
     point2 at = {0.5, 0.5}, on = {0, 0};
@@ -60,7 +53,6 @@ static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x
 {
     film_pixel sum = {{{{{0, 0}}}}};
     uint64_t i = (uint64_t)y * (uint64_t)j->width + (uint64_t)x;
-    bool timed = j->e->mask & EFFECTS_TIMED;
     dice_pixel of;
     if (!j->middle) dice_pixel_of(j->seed, i, &of);
     for (uint32_t k = j->pass.now.begin; k < j->pass.now.end; k++) {
@@ -68,10 +60,7 @@ static inline film_pixel draw_pixel(const drawing *j, effects_function *f, int x
         if (!j->middle) d = dice_sample(&of, k);
         ray r = draw_ray(j, x, y, &d);
         if (j->e->mask & EFFECT_DEPTH_OF_FIELD) c->rays[RAY_OF_LENS]++;
-        c->now = RAY_OF_EYE;
-        if (timed) c->since = clock_seconds();
         film_pixel_add(&sum, k, f(j->e, r, j->around, &d, c));
-        if (timed) c->seconds[c->now] += clock_seconds() - c->since;
     }
     return sum;
 }
@@ -80,7 +69,7 @@ static inline void draw_tile(size_t tile, void *context)
 {
     drawing *j = context;
     effects_function *f = effects_made_for(j->e->mask);
-    effects_counts c = {.now = 0};
+    effects_counts c = {.lost = 0};
     film *to = j->pass.to;
     film_window w = film_window_of(to, tile);
     for (int y = w.y0; y < w.y1; y++)
@@ -96,8 +85,8 @@ static inline void draw_tile(size_t tile, void *context)
 
 static inline film_passes *draw_begin(drawing *j, int x0, int y0, int threads)
 {
-    j->around = effects_around(j->e, j->e->eye.e);
-    j->x0 = x0, j->y0 = y0, j->counts = (effects_counts){.now = 0};
+    j->around = bodies_around(j->e, j->e->eye.e);
+    j->x0 = x0, j->y0 = y0, j->counts = (effects_counts){.lost = 0};
     j->pass = (film_passes){.tile = draw_tile, .job = j, .threads = threads};
     return &j->pass;
 }
@@ -137,35 +126,6 @@ static inline double draw_z(const image *a, const image *b)
     }
     double mean = sum / (double)n, variance = squares / (double)n - mean * mean;
     return variance > 0 ? fabs(mean) / sqrt(variance / (double)n) : 0;
-}
-
-typedef struct { drawing j; int width; } draw_clocked;
-
-static inline void draw_timed_row(size_t y, void *context)
-{
-    draw_clocked *k = context;
-    effects_counts c = {.now = 0};
-    for (size_t x = 7 * y % draw_timed_every; x < (size_t)k->width; x += draw_timed_every)
-        draw_pixel(&k->j, effects_made_for(k->j.e->mask), (int)x + k->j.x0, (int)y + k->j.y0, &c);
-    pthread_mutex_lock(&k->j.pass.lock);
-    effects_counts_add(&k->j.counts, &c);
-    pthread_mutex_unlock(&k->j.pass.lock);
-}
-
-/* Every 37th pixel: what kinds of ray take how much of the time. The clock itself takes some 30 ns
- * a ray, of each kind alike. */
-static inline bool draw_timed(const drawing *of, int width, int height, effects_counts *counts)
-{
-    effects_stage clocked = *of->e;
-    draw_clocked k = {*of, width};
-    clocked.mask |= EFFECTS_TIMED;
-    k.j.e = &clocked, k.j.counts = (effects_counts){.now = 0};
-    k.j.pass.now = (film_range){0, of->samples < 8 ? (uint32_t)of->samples : 8};
-    pthread_mutex_init(&k.j.pass.lock, NULL);
-    bool whole = parallel_for((size_t)height, of->pass.threads, "drawing", draw_timed_row, &k);
-    pthread_mutex_destroy(&k.j.pass.lock);
-    *counts = k.j.counts;
-    return whole;
 }
 
 #endif

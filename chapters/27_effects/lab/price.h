@@ -1,9 +1,8 @@
-/* price.h: what each effect takes and gives: rays, time, and the error of leaving it out; pictures.
+/* price.h: what each effect takes and gives: rays, time, and the error of leaving it out.
  *
- *   table_of_effects(&o, &p, &j, times)  what a picture took: rays and shares of time by effect
+ *   table_of_effects(&o, &p, &j)             what a picture took: rays by effect
  *   table_of_price(&o, &p, &e, window, n)    each called effect left out in turn, each declined one
- *                                        added; n samples a pixel; 27_effects_price_time.svg
- *   draw_strip(&o, &p, &e, w, h, n)      effects added one by one: 27_effects_strip.png
+ *                                            added; n samples a pixel; 27_effects_price_time.svg
  *
  * Prices are medians of rounds in which all variants take their turn. Random numbers have names
  * (dice.h), so that what an effect does not touch is the same in both pictures, noise included: the
@@ -12,7 +11,6 @@
 #ifndef EFFECTS_PRICE_H
 #define EFFECTS_PRICE_H
 
-#include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
 #include "bars.h"
 #include "../plan.h"
@@ -25,22 +23,13 @@ typedef struct { int x, y, width, height, across, down; } draw_window;
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Shares of the time by kind of ray, as draw_timed measured them. */
-static inline double price_share(const effects_counts *timed, int k)
-{
-    double sum = 0;
-    for (int i = 0; i < effects_rays; i++) sum += timed->seconds[i];
-    return sum > 0 ? timed->seconds[k] / sum : 0;
-}
-
-static inline void table_of_effects(const options *o, const plan *p, const drawing *j,
-                                    const effects_counts *timed)
+static inline void table_of_effects(const options *o, const plan *p, const drawing *j)
 {
     const effects_stage *e = j->e;
     table t = table_new(e->mask & EFFECTS_SPEND
-                            ? "What everything took, called for or not: rays, and their time"
-                            : "What the picture took, by effect: rays, and the time of these rays",
-                        "effect|verdict|simulated|rays|rays a sample|time [ms]");
+                            ? "What everything took, called for or not: rays"
+                            : "What the picture took, by effect: rays",
+                        "effect|verdict|simulated|rays|rays a sample");
     double samples = (double)j->pixels * j->pass.samples;
     for (int k = -1; k < effect_kinds; k++) {
         int at = k < 0 ? RAY_OF_EYE : k;
@@ -49,8 +38,6 @@ static inline void table_of_effects(const options *o, const plan *p, const drawi
         table_text(&t, "%s", k < 0 || e->mask >> k & 1 ? "yes" : "no");
         table_count(&t, j->counts.rays[at]);
         table_number(&t, samples > 0 ? (double)j->counts.rays[at] / samples : 0);
-        if (k == RAY_ABSORBED || k == RAY_OF_LENS) table_text(&t, "-");  /* no rays of their own */
-        else table_number(&t, price_share(timed, at) * j->pass.seconds * 1e3);
     }
     output_table(o, &t);
 }
@@ -138,35 +125,6 @@ static inline bool table_of_price(const options *o, const plan *p, effects_stage
     else table_free(&t);
     for (int i = 0; i < n; i++) image_free(&run[i].im);
     effects_stage_effects(e, before);
-    return whole;
-}
-
-/* Three panels in a row, two rows: each has one effect more. */
-static inline bool draw_strip(const options *o, const plan *p, effects_stage *e, int w, int h,
-                              int samples)
-{
-    static const unsigned mask[6] = {
-        EFFECTS_LIT | EFFECT_DEPTH_OF_FIELD, EFFECT_MIRROR, EFFECT_GLOSSY, EFFECT_REFRACTION,
-        EFFECT_ABSORPTION, EFFECT_INDIRECT};
-    static const char *const title[6] = {"soft shadows alone", "with mirrors", "with glossy",
-                                         "with refraction", "with absorption",
-                                         "with indirect light"};
-    image all = image_new(3 * w, 2 * h);
-    unsigned sum = 0, before = e->mask;
-    bool whole = true;
-    for (int k = 0; k < 6 && whole; k++) {
-        image im = image_new(w, h);
-        effects_stage_effects(e, (sum |= mask[k]) & p->effects);
-        int n = mask[k] & EFFECT_INDIRECT ? 4 * samples : samples;  /* it is the one with grain */
-        drawing j = {.e = e, .samples = n, .seed = o->seed, .width = w, .height = h};
-        whole = draw_region(&j, &im, 0, 0, o->threads);
-        image_place(&all, k % 3 * w, k / 3 * h, &im);
-        image_free(&im);
-    }
-    effects_stage_effects(e, before);
-    image titled = label_panels(&all, 3, 2, 0, title);
-    output_picture(o, &titled, "27_effects_strip.png", false, whole);
-    image_free(&all), image_free(&titled);
     return whole;
 }
 

@@ -1,11 +1,12 @@
-/* six.h: six scenes, each a line longer than the one before, and what that line calls for.
+/* six.h: scenes and their plans: pictures side by side, and what each took.
  *
- *   six_text(k, text)                scene k of 0 .. 5: scenes/1_sun.scene .. 6_lens.scene
- *   bool whole = draw_six(&o, false)   27_effects.png, and the table that goes below it
- *   bool whole = draw_six(&o, true)  27_effects_six.png: the same with more samples
+ *   bool whole = draw_six(&o, false)   27_effects.png, of scenes/1_sun.scene .. 6_lens.scene, each
+ *                                    a line longer than the one before, and the table below it
+ *   bool whole = draw_six(&o, true)  27_effects_six.png: the same with eight times the samples
  *   bool whole = draw_two(&o)        27_effects_two.png: glass.scene and teapot.scene, their plans
  *
- * The table's two times are of the plan and of everything, both on the same pixels.
+ * The table's two times are of the plan and of everything. The six need no files; draw_two is for
+ * the directory of the book only.
  */
 #ifndef EFFECTS_SIX_H
 #define EFFECTS_SIX_H
@@ -18,6 +19,7 @@
 #include <unistd.h>
 
 enum { six_count = 6, six_room = 2048, six_width = 240, six_height = 180 };
+#define six_scenes "chapters/27_effects/scenes/"
 
 static const char six_base[] =
     "camera from 0 2.3 7.5 at 0 1 0 angle 34\n"
@@ -28,13 +30,17 @@ static const char six_base[] =
     "polygon -2.6 0 -4  -2.6 0 3  -2.6 3.2 3  -2.6 3.2 -4  red\n"
     "sphere -0.2 0.9 -1.6  0.9  yellow\n";
 
-static const struct { const char *name, *line, *title; } six_scene[six_count] = {
+/* line: what it has more than the scenes before it; NULL: it is read from its file. */
+typedef struct { const char *name, *line, *title; } six_scene;
+static const six_scene six_list[six_count] = {
     {"1_sun", "", "floor, ball, wall and sun"},
     {"2_chrome", "sphere -1.4 0.9 0.4  0.9  chrome\n", "+ sphere .. chrome"},
     {"3_glass", "sphere 1.1 0.8 0.9  0.8  glass\n", "+ sphere .. glass"},
     {"4_lamp", "polygon -2 6 4  4 6 4  4 6 -1  -2 6 -1  panel\n", "+ polygon .. panel"},
     {"5_wall", "indirect on\n", "+ indirect on"},
     {"6_lens", "lens radius 0.2 focus 7.8\n", "+ lens radius 0.2"}};
+static const six_scene two_list[2] = {{"glass", NULL, "glass.scene: Whitted's tree"},
+                                      {"teapot", NULL, "teapot.scene: paths"}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -42,7 +48,15 @@ static inline void six_text(int k, char text[six_room])
 {
     size_t n = (size_t)snprintf(text, six_room, "%s", six_base);
     for (int i = 1; i <= k; i++)
-        n += (size_t)snprintf(text + n, six_room - n, "%s", six_scene[i].line);
+        n += (size_t)snprintf(text + n, six_room - n, "%s", six_list[i].line);
+}
+
+static inline bool six_read(const six_scene *list, int k, studio *s, failure *f)
+{
+    char text[six_room];
+    if (list[k].line) return six_text(k, text), studio_read_text(text, list[k].name, NULL, s, f);
+    snprintf(text, sizeof text, six_scenes "%s.scene", list[k].name);
+    return studio_read(text, NULL, s, f);
 }
 
 /* All rays but the eye's, of a pixel, and how long a pixel takes. */
@@ -63,34 +77,51 @@ static inline void six_effects(table *t, unsigned mask)
     table_text(t, "%s", text);
 }
 
-/* One panel and its row; takes the studio over. samples: of scenes of chance, of others. */
-static inline bool six_panel(const options *o, studio *s, const char *name, int k,
-                             const int samples[2],
-                             table *t, image *sheet)
+/* One panel and its row; samples: of scenes of chance, of others. */
+static inline bool six_panel(const options *o, const six_scene *list, int k, const int samples[2],
+                             table *t, image *im)
 {
-    int w = sheet->width / (k < 0 ? 2 : 3), h = w * six_height / six_width;
+    int w = im->width, h = im->height;
+    studio s;
     studio_view v;
     camera c;
     effects_stage e;
     failure f;
-    if (!studio_camera(s, (real)w / (real)h, &v, &c, &f) || !effects_stage_build(s, &e, &f))
-        fail(f);
-    plan p = plan_of(s);
+    if (!six_read(list, k, &s, &f) || !studio_camera(&s, (real)w / (real)h, &v, &c, &f)
+        || !effects_stage_build(&s, &e, &f)) fail(f);
+    plan p = plan_of(&s);
     effects_stage_view(&e, &v, c);
     effects_stage_effects(&e, p.effects);
-    image im = image_new(w, h), small = image_new(w / 6, h / 6);
-    drawing j = {.e = &e, .samples = samples[!e.chance], .seed = o->seed,
-                 .width = w, .height = h};
+    drawing j = {.e = &e, .samples = samples[!e.chance], .seed = o->seed, .width = w, .height = h};
     drawing all = j;
-    bool whole = draw_region(&j, &im, 0, 0, o->threads);
-    all.width = w / 6, all.height = h / 6;
+    image small = image_new(all.width = w / 6, all.height = h / 6);
+    bool whole = draw_region(&j, im, 0, 0, o->threads);
     effects_stage_effects(&e, EFFECTS_EVERYTHING);
     whole = whole && draw_region(&all, &small, 0, 0, o->threads);
-    image_place(sheet, (k < 0 ? k + 2 : k % 3) * w, k < 0 ? 0 : k / 3 * h, &im);
-    table_text(t, "%s", name), table_text(t, "%s", integrator_names[p.integrator]);
+    table_text(t, "%s", list[k].name), table_text(t, "%s", integrator_names[p.integrator]);
     six_effects(t, p.effects), six_cells(t, &j), six_cells(t, &all);
-    image_free(&im), image_free(&small);
-    effects_stage_free(&e), plan_free(&p), studio_free(s);
+    image_free(&small), effects_stage_free(&e), plan_free(&p), studio_free(&s);
+    return whole;
+}
+
+/* Panels of w pixels, so many across; the table is left to the caller. False: stopped. */
+static inline bool six_draw(const options *o, const six_scene *list, int n, int across, int w,
+                            const int samples[2], const char *file, bool is_main, table *t)
+{
+    int h = w * six_height / six_width;
+    const char *title[six_count];
+    bool whole = true;
+    image sheet = image_new(across * w, n / across * h);
+    for (int k = 0; k < n; k++) {
+        image im = image_new(w, h);
+        title[k] = list[k].title;
+        whole = whole && six_panel(o, list, k, samples, t, &im);
+        image_place(&sheet, k % across * w, k / across * h, &im);
+        image_free(&im);
+    }
+    image titled = label_panels(&sheet, across, n / across, 0, title);
+    output_picture(o, &titled, file, is_main, whole);
+    image_free(&sheet), image_free(&titled);
     return whole;
 }
 
@@ -100,57 +131,25 @@ static inline table six_table(const char *title)
                             "everything [us/pixel]");
 }
 
-/* From their files: in the directory of the book only. */
 static inline bool draw_two(const options *o)
 {
-    static const char *const name[2] = {"glass", "teapot"};
-    const char *const title[2] = {"glass.scene: Whitted's tree", "teapot.scene: paths"};
-    int w = o->quick ? 80 : 360, h = w * six_height / six_width;
-    bool whole = true;
-    studio s;
-    failure f;
-    if (access("chapters/27_effects/scenes", R_OK) != 0) return true;
-    image sheet = image_new(2 * w, h);
+    if (access(six_scenes, R_OK) != 0) return true;
     table t = six_table("Two scenes, two plans");
-    for (int k = 0; k < 2 && whole; k++) {
-        char path[100];
-        snprintf(path, sizeof path, "chapters/27_effects/scenes/%s.scene", name[k]);
-        if (!studio_read(path, NULL, &s, &f)) fail(f);
-        whole = six_panel(o, &s, name[k], k - 2, (const int[2]){64, 4}, &t,
-                          &sheet);
-    }
-    image titled = label_panels(&sheet, 2, 1, 0, title);
-    output_picture(o, &titled, "27_effects_two.png", false, whole);
+    bool whole = six_draw(o, two_list, 2, 2, o->quick ? 80 : 360, (const int[2]){64, 4},
+                          "27_effects_two.png", false, &t);
     if (whole) output_extra_table(o, &t);
     else table_free(&t);
-    image_free(&sheet), image_free(&titled);
     return whole;
 }
 
-/* The default run's, with a table; `fine`: the page's, with eight times the samples. */
 static inline bool draw_six(const options *o, bool fine)
 {
-    const char *title[six_count];
-    const int samples[2] = {fine ? 128 : 16, fine ? 32 : 4};
-    int w = o->quick ? six_width / 4 : six_width, h = o->quick ? six_height / 4 : six_height;
-    image sheet = image_new(3 * w, 2 * h);
     table t = six_table("Six scenes, each a line longer: what is called for, and everything");
-    bool whole = true;
-    for (int k = 0; k < six_count; k++) {
-        char text[six_room];
-        studio s;
-        failure f;
-        title[k] = six_scene[k].title;
-        if (!whole) continue;
-        six_text(k, text);
-        if (!studio_read_text(text, six_scene[k].name, NULL, &s, &f)) fail(f);
-        whole = six_panel(o, &s, six_scene[k].name, k, samples, &t, &sheet);
-    }
-    image titled = label_panels(&sheet, 3, 2, 0, title);
-    output_picture(o, &titled, fine ? "27_effects_six.png" : "27_effects.png", !fine, whole);
+    bool whole = six_draw(o, six_list, six_count, 3, o->quick ? six_width / 4 : six_width,
+                          fine ? (const int[2]){128, 32} : (const int[2]){16, 4},
+                          fine ? "27_effects_six.png" : "27_effects.png", !fine, &t);
     if (whole && !fine) output_table(o, &t);
     else table_free(&t);
-    image_free(&sheet), image_free(&titled);
     return whole;
 }
 
