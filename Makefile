@@ -66,7 +66,7 @@ CALM := $(shell echo 'int x;' | $(CC) -Werror -Wno-maybe-uninitialized -x c -c -
   echo -Wno-maybe-uninitialized)
 SOON = -Dflatten= -Dalways_inline=unused $(CALM)
 # Under the sanitizers, tests that compute much for the few lines they compile, and the short book: -O1.
-MUCH = 04_watertight 06_csg 07_first 09_shapes 10_grid 11_octree 11_tree 12_kdtree 13_bsp 13_first 14_bvh 14_first \
+MUCH = 04_watertight 06_csg 07_first 09_shapes 10_grid 11_octree 12_kdtree 13_bsp 13_first 14_bvh 14_first \
   14_tree 16_first 20_monte_carlo
 ALL_CFLAGS = -std=c11 $(CFLAGS) $(EXACT) $(WARN) -DREAL=$(REAL) -DBUILD_FLAGS='"$(strip $(CFLAGS) $(EXACT))"'
 

@@ -15,22 +15,20 @@ static kdtree_options with(kdtree_strategy strategy, int leaf, bool clip, kdtree
 
 static void test_structures(void)
 {
-    const struct { const char *name; kdtree_options how; size_t rays; } list[] = {
-        {"k-d tree, SAH", kdtree_defaults, 400},
-        {"k-d tree, middle", with(KD_MIDDLE, 4, true, KD_THICK), 150},
-        {"k-d tree, median", with(KD_MEDIAN, 4, true, KD_THICK), 150},
-        {"k-d tree, SAH, boxes", with(KD_SAH, 0, false, KD_THICK), 150},
-        {"k-d tree, both sides", with(KD_SAH, 0, true, KD_BOTH), 150},
-        {"k-d tree, middle, one side", with(KD_MIDDLE, 1, true, KD_ONE), 100}};
+    const struct { const char *name; kdtree_options how; } list[] = {
+        {"k-d tree, SAH", kdtree_defaults},
+        {"middle", with(KD_MIDDLE, 4, true, KD_THICK)},
+        {"median", with(KD_MEDIAN, 4, true, KD_THICK)},
+        {"SAH, boxes", with(KD_SAH, 0, false, KD_THICK)},
+        {"both sides", with(KD_SAH, 0, true, KD_BOTH)},
+        {"middle, one side", with(KD_MIDDLE, 1, true, KD_ONE)},
+        {"costly tests", {KD_SAH, 0, 0, 1, 20, 0.8, true, KD_THICK, SIZE_MAX / 4}}};
     for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
         structure s = {list[i].name, STRUCTURE_OF(kdtree)};
         options_now = list[i].how;
-        structure_tests(&s, check_count(list[i].rays));
+        if (i) structure_brief(&s, check_count(240));
+        else structure_tests(&s, check_count(400));
     }
-    structure deep = {"k-d tree, costly tests", STRUCTURE_OF(kdtree)};
-    options_now = kdtree_defaults;
-    options_now.item_cost = 20, options_now.empty_bonus = 0.8;
-    structure_tests(&deep, check_count(100));
 }
 
 /* Rays for which no t is rounded, at squares in dyadic planes and at an octahedron. */
@@ -81,28 +79,36 @@ static void test_naive(void)
 
 /* From an eye at 0, o + delta is nothing but delta: what else keeps a ray from slipping between
  * cells, that a float farther out is coarser, is not there. In float also the hits are rough. */
-static void test_pad(void)
+static ray from_zero(const items *x, random_stream *g, size_t i, const void *context)
 {
-    for (int kind = 0; kind < 3; kind++) {
-        mesh m = kind == 0 ? floors_mesh(7) : kind == 1 ? octahedron_mesh(9) : torus_mesh(24);
-        items x = items_of_mesh(&m);
-        failure f;
-        kdtree t;
-        size_t wrong = 0, hits = 0, rays = check_count(6000);
-        check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_BOTH), &t, &f), "built");
-        for (size_t i = 0; i < rays; i++) {
-            random_stream g = random_start(81, i, 0);
-            ray r = ray_from((vec3){0, 0, 0}, m.v[m.index[random_below(&g, 3 * m.triangles)]]);
-            if (i % 2) ((real *)&r.o)[i / 2 % 3] = random_next(&g) / 4;
-            r.d = vscale(vsub(r.d, r.o), 1 / (1 + random_next(&g)));
-            hit a = hit_none, b = hit_none;
-            bool ga = mesh_hit(&m, r, &a);
-            hits += ga, wrong += !same(ga, a, kdtree_hit(&t, r, &b), b);
-        }
-        check_equal(wrong, 0, "mesh %d from an eye at 0: as brute force", kind);
-        check_at_least(hits, rays / 4, "mesh %d: they hit", kind);
-        kdtree_free(&t);
-        mesh_free(&m);
+    ray r = ray_from((vec3){0, 0, 0}, x->m->v[x->m->index[random_below(g, 3 * x->m->triangles)]]);
+    if (i % 2) ((real *)&r.o)[i / 2 % 3] = random_next(g) / 4;
+    r.d = vscale(vsub(r.d, r.o), 1 / (1 + random_next(g)));
+    return (void)context, r;
+}
+
+/* An eye beyond all floats: o + delta is infinite, t of a plane is a NaN or infinite, and no child
+ * may be dropped for that. Along an axis even such a ray hits. In float there is no such place. */
+static ray from_beyond(const items *x, random_stream *g, size_t i, const void *context)
+{
+    vec3 o = x->m->v[x->m->index[random_below(g, 3 * x->m->triangles)]], d = {0, 0, 0};
+    real far = i % 2 ? (real)1e30 * (real)1e30 : (real)1e30 * (real)1e9;
+    if (i / 2 % 2) far = -far;
+    ((real *)&o)[i % 3] = far, ((real *)&d)[i % 3] = far < 0 ? 1 : -1;
+    return (void)context, ray_from(o, d);
+}
+
+static void test_eyes(void)
+{
+    mesh list[4] = {floors_mesh(7), octahedron_mesh(9), torus_mesh(24), torus_mesh(16)};
+    structure s = {"k-d tree", STRUCTURE_OF(kdtree)};
+    options_now = with(KD_MIDDLE, 1, true, KD_BOTH);
+    for (int k = 0; k < 4; k++) {
+        items x = items_of_mesh(&list[k]);
+        if (k < 3) structure_attack(&s, "an eye at 0", &x, check_count(3000), 81, from_zero, NULL);
+        else if (!real_is_float)
+            structure_attack(&s, "beyond floats", &x, check_count(1000), 101, from_beyond, NULL);
+        mesh_free(&list[k]);
     }
 }
 
@@ -292,7 +298,7 @@ static void test_round(void)
 
 static void test_limits(void)
 {
-    mesh m = teapot_mesh(6);
+    mesh m = teapot_mesh(4);
     items x = items_of_mesh(&m);
     failure f;
     kdtree t;
@@ -345,15 +351,10 @@ static void test_frame(void)
         check(kdtree_build(&y, kdtree_defaults, &u, &f), "%s: built", list[i].what);
         check_close(u.references, t.references, 0.02 * (double)t.references,
                     "%s: as many references, but for planes that rounding moved", list[i].what);
-        size_t wrong = 0;
-        for (size_t j = 0; j < check_count(300); j++) {
-            random_stream g = random_start(61, j, 0);
-            ray r = aimed(&c, &g, (int)(j % 4), list[i].move, list[i].scale);
-            hit a = hit_none, b = hit_none;
-            bool ga = mesh_hit(&c, r, &a);
-            wrong += !same(ga, a, kdtree_hit(&u, r, &b), b);
-        }
-        check_equal(wrong, 0, "%s: as brute force", list[i].what);
+        const structure_place place = {list[i].move, list[i].scale, 0};
+        structure s = {"k-d tree", STRUCTURE_OF(kdtree)};
+        options_now = kdtree_defaults;
+        structure_attack(&s, list[i].what, &y, check_count(300), 61, structure_aimed, &place);
         kdtree_free(&u);
         mesh_free(&c);
     }
@@ -387,7 +388,7 @@ static void test_no_more(void)
     items x = items_of_mesh(&m);
     failure f;
     kdtree t;
-    size_t asked_not_met = 0, asked = 0;
+    size_t asked_not_met = 0, asked = 0, empty = 0;
     check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
     for (size_t i = 0; i < check_count(3000); i++) {
         random_stream g = random_start(91, i, 0);
@@ -397,62 +398,11 @@ static void test_no_more(void)
         search_work w = {0, 0, 0, 0};
         real until = kdtree_hit_counted(&t, r, &h, &w) ? h.t * (1 + (real)0x1p-20) : r.tmax;
         real spare = 32 * ((real)0x1p-20 + 1024 * real_epsilon);
-        asked += w.leaves;
+        asked += w.leaves, empty += w.leaves > w.tests;
         asked_not_met += w.leaves > leaves_met(&t, 0, t.box, r, until, spare);
     }
     check_equal(asked_not_met, 0, "rays that ask more leaves than they meet; %zu asked", asked);
-    kdtree_free(&t);
-    mesh_free(&m);
-}
-
-/* An eye beyond all floats: o + delta is infinite, t of a plane is a NaN or infinite, and no child
- * may be dropped for that. Along an axis even such a ray hits. In float there is no such place. */
-static void test_beyond(void)
-{
-    mesh m = torus_mesh(16);
-    items x = items_of_mesh(&m);
-    failure f;
-    kdtree t;
-    size_t wrong = 0, hits = 0, rays = real_is_float ? 0 : check_count(2000);
-    check(kdtree_build(&x, with(KD_MIDDLE, 1, true, KD_BOTH), &t, &f), "built");
-    for (size_t i = 0; i < rays; i++) {
-        random_stream g = random_start(101, i, 0);
-        vec3 o = m.v[m.index[random_below(&g, 3 * m.triangles)]], d = {0, 0, 0};
-        real far = i % 2 ? (real)1e30 * (real)1e30 : (real)1e30 * (real)1e9;
-        if (i / 2 % 2) far = -far;
-        ((real *)&o)[i % 3] = far, ((real *)&d)[i % 3] = far < 0 ? 1 : -1;
-        hit a = hit_none, b = hit_none;
-        ray r = ray_from(o, d);
-        bool ga = mesh_hit(&m, r, &a);
-        hits += ga, wrong += !same(ga, a, kdtree_hit(&t, r, &b), b);
-    }
-    check_equal(wrong, 0, "from an eye beyond all floats: as brute force");
-    check_at_least(hits, rays / 2, "and they hit");
-    kdtree_free(&t);
-    mesh_free(&m);
-}
-
-/* The counted searches are the same searches; the counts add up. */
-static void test_counts(void)
-{
-    mesh m = teapot_mesh(8);
-    items x = items_of_mesh(&m);
-    failure f;
-    kdtree t;
-    size_t wrong = 0, odd = 0;
-    check(kdtree_build(&x, kdtree_defaults, &t, &f), "built");
-    for (size_t i = 0; i < check_count(3000); i++) {
-        random_stream g = random_start(71, i, 0);
-        ray r = aimed(&m, &g, (int)(i % aimed_kinds), (vec3){0, 0, 0}, 3);
-        hit a = hit_none, b = hit_none;
-        search_work w = {0, 0, 0, 0};
-        bool ga = kdtree_hit(&t, r, &a);
-        wrong += !same(ga, a, kdtree_hit_counted(&t, r, &b, &w), b);
-        odd += w.leaves > w.tests || (ga && w.tests == 0) || w.leaves > w.nodes + 1;
-        wrong += kdtree_occluded(&t, r) != kdtree_occluded_counted(&t, r, &w);
-    }
-    check_equal(wrong, 0, "counted or not: the same answers");
-    check_equal(odd, 0, "counts that are possible; no empty leaf is asked");
+    check_equal(empty, 0, "no empty leaf is asked");
     kdtree_free(&t);
     mesh_free(&m);
 }
@@ -461,16 +411,14 @@ int main(void)
 {
     test_structures();
     test_naive();
-    test_pad();
+    test_eyes();
     test_corners();
     test_invariants();
     test_clip_pays();
     test_round();
     test_limits();
     test_frame();
-    test_counts();
     test_no_more();
-    test_beyond();
-    structure_piled(kdtree, kdtree_defaults, 1.5 * structure_room(10000));
+    structure_piled(kdtree, kdtree_defaults, 3000, 1.2 * structure_room(3000));
     return check_report("12_kdtree");
 }

@@ -7,85 +7,56 @@ static const char *const rule_name[bsp_rules] = {"random", "fewest", "axis", "ow
 
 /* ---- the tests that all structures share ---- */
 
-static bsp_options shared_options;
-static int shared_variant;  /* 0; 1: bsp_hit_naive, 2: bsp_hit_first */
+static bsp_options how_now;
+STRUCTURE_TESTED(bsp, how_now)
 
-/* The items are gone when the search begins: the tree has copied them. */
-static void *shared_build(const items *x, failure *f)
-{
-    items gone = *x;
-    bsp *b = allocate(1, sizeof *b);
-    bool built = bsp_build(&gone, shared_options, b, f);
-    gone = (items){.n = 0};
-    if (built && gone.n == 0) return b;
-    free(b);
-    return NULL;
-}
-
-static bool shared_hit(const void *b, ray r, hit *out)
-{
-    return shared_variant == 1 ? bsp_hit_naive(b, r, out)
-         : shared_variant == 2 ? bsp_hit_first(b, r, out) : bsp_hit(b, r, out);
-}
-
-static bool shared_occluded(const void *b, ray r) { return bsp_occluded(b, r); }
-static void shared_destroy(void *b) { bsp_free(b), free(b); }
-
-static structure structure_of(const char *name)
-{
-    return (structure){name, shared_build, shared_hit, shared_occluded, shared_destroy};
-}
+static bool find_naive(const void *b, ray r, hit *out) { return bsp_hit_naive(b, r, out); }
+static bool find_first(const void *b, ray r, hit *out) { return bsp_hit_first(b, r, out); }
 
 static void test_rules(void)
 {
     for (int k = 0; k < bsp_rules; k++) {
-        structure s = structure_of(rule_name[k]);
-        shared_options = bsp_defaults;
-        shared_options.rule = (bsp_rule)k;
-        structure_tests(&s, check_count(k == BSP_COST ? 600 : 240));
+        structure s = {rule_name[k], STRUCTURE_OF(bsp)};
+        how_now = bsp_defaults;
+        how_now.rule = (bsp_rule)k;
+        if (k == BSP_COST) structure_tests(&s, check_count(600));
+        else structure_brief(&s, check_count(240));
     }
 }
 
-/* Small leaves and deep cuts: many planes between an item and its leaf. */
+/* Small leaves and deep cuts: many planes between an item and its leaf. And subnormal coordinates:
+ * 1 / size is infinite. */
 static void test_deep(void)
 {
-    structure s = structure_of("cost, deep");
-    shared_options = bsp_defaults;
-    shared_options.axis_cost = shared_options.slanted_cost = 0.01;
-    structure_mesh(&s, "torus, moved", torus_mesh(16), check_count(600), (vec3){1000, -2000, 3000},
-                   1, 0);
-    structure_mesh(&s, "planes", floors_mesh(4), check_count(600), (vec3){0, 0, 0}, 1, 0);
-    structure_mesh(&s, "needles", needles(100, 1e-3), check_count(600), (vec3){0, 0, 0}, 1,
-                   0);
-    shared_options.rule = BSP_OWN;
-    structure_mesh(&s, "needles, own", needles(100, 1e-7), check_count(600),
-                   (vec3){0, 0, 0}, 1, 0);
-}
-
-/* Subnormal coordinates: 1 / size is infinite. */
-static void test_tiny(void)
-{
-    structure s = structure_of("cost, subnormal");
-    shared_options = bsp_defaults;
-    shared_options.most_bytes = (size_t)1 << 22;
-    structure_mesh(&s, "torus", torus_mesh(12), check_count(240), (vec3){0, 0, 0},
+    structure deep = {"cost, deep", STRUCTURE_OF(bsp)}, own = {"own", STRUCTURE_OF(bsp)};
+    structure tiny = {"cost, subnormal", STRUCTURE_OF(bsp)};
+    how_now = bsp_defaults;
+    how_now.axis_cost = how_now.slanted_cost = 0.01;
+    structure_brief(&deep, check_count(400));
+    how_now.rule = BSP_OWN;
+    structure_mesh(&own, "needles", needles(100, 1e-7), check_count(600), (vec3){0, 0, 0}, 1, 0);
+    how_now = bsp_defaults;
+    how_now.most_bytes = (size_t)1 << 22;
+    structure_mesh(&tiny, "torus", torus_mesh(12), check_count(240), (vec3){0, 0, 0},
                    real_smallest / 1024, 0);
 }
 
 /* ---- naive ---- */
 
-static size_t wrong_of(mesh m, vec3 centre, real size, size_t rays)
+typedef bool search(const void *b, ray r, hit *out);
+
+static size_t wrong_of(search *find, mesh m, real size, size_t rays)
 {
     items x = items_of_mesh(&m);
-    structure s = structure_of("naive");
+    structure s = {NULL, bsp_built, find, bsp_any, bsp_gone, NULL};
     structure_verdict v = {0, 0, 0, 0};
-    void *built = structure_build(&s, &x, "naive");
+    void *built = bsp_built(&x, NULL);
     for (size_t i = 0; i < rays; i++) {
         random_stream g = random_start(31, i, 0);
-        ray r = aimed(&m, &g, (int)(i % aimed_kinds), centre, size);
+        ray r = aimed(&m, &g, (int)(i % aimed_kinds), (vec3){0, 0, 0}, size);
         structure_compare(&s, built, &x, r, &v);
     }
-    shared_destroy(built);
+    bsp_gone(built);
     mesh_free(&m);
     return v.wrong;
 }
@@ -98,32 +69,28 @@ static mesh scaled(mesh m, real k)
 
 static void test_naive(void)
 {
-    const vec3 o = {0, 0, 0};
     size_t n = check_count(2400);
-    shared_options = bsp_defaults;
-    shared_options.axis_cost = shared_options.slanted_cost = 0.5;  /* many planes */
-    shared_variant = 1;
-    check_at_least(wrong_of(floors_mesh(4), o, 1, n), n / 100,
+    how_now = bsp_defaults;
+    how_now.axis_cost = how_now.slanted_cost = 0.5;  /* many planes */
+    check_at_least(wrong_of(find_naive, floors_mesh(4), 1, n), n / 100,
                    "planes without padding lose hits on planes, of %zu rays", n);
-    shared_variant = 2;
-    check_at_least(wrong_of(needles(300, 0.1), o, 1, n), n / 100,
+    check_at_least(wrong_of(find_first, needles(300, 0.1), 1, n), n / 100,
                    "the first leaf's hit is not always the closest, of %zu rays", n);
-    shared_variant = 0;
     for (int k = 0; k < bsp_rules; k++) {
-        shared_options.rule = (bsp_rule)k;
-        shared_options.sides = BSP_SIDES_SAFE;
-        check_equal(wrong_of(floors_mesh(4), o, 1, n), 0, "%s: and with care, none",
+        how_now.rule = (bsp_rule)k;
+        how_now.sides = BSP_SIDES_SAFE;
+        check_equal(wrong_of(bsp_finds, floors_mesh(4), 1, n), 0, "%s: and with care, none",
                     rule_name[k]);
-        shared_options.sides = BSP_SIDES_STRICT;
-        check_at_least(wrong_of(floors_mesh(4), o, 1, n), n / 100,
+        how_now.sides = BSP_SIDES_STRICT;
+        check_at_least(wrong_of(bsp_finds, floors_mesh(4), 1, n), n / 100,
                        "%s, strict: coplanar triangles get lost, of %zu rays", rule_name[k], n);
     }
-    shared_options = bsp_defaults;
-    shared_options.sides = BSP_SIDES_FIXED;
-    size_t small = wrong_of(scaled(torus_mesh(16), 1e-3), o, 1e-3, n);
-    check_at_least(small, n / 100, "a fixed width loses what is small, of %zu rays", n);
-    shared_options.sides = BSP_SIDES_SAFE;
-    check_equal(wrong_of(scaled(torus_mesh(16), 1e-3), o, 1e-3, n), 0,
+    how_now = bsp_defaults;
+    how_now.sides = BSP_SIDES_FIXED;
+    check_at_least(wrong_of(bsp_finds, scaled(torus_mesh(16), 1e-3), 1e-3, n), n / 100,
+                   "a fixed width loses what is small, of %zu rays", n);
+    how_now.sides = BSP_SIDES_SAFE;
+    check_equal(wrong_of(bsp_finds, scaled(torus_mesh(16), 1e-3), 1e-3, n), 0,
                 "the width of side.h loses nothing of it");
 }
 
@@ -408,8 +375,7 @@ int main(void)
     test_slanted_wall();
     test_naive();
     test_deep();
-    test_tiny();
     test_rules();
-    structure_piled(bsp, bsp_defaults, 1.5 * structure_room(10000));
+    structure_piled(bsp, bsp_defaults, 4000, 1.2 * structure_room(4000));
     return check_report("13_bsp");
 }

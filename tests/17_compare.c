@@ -712,7 +712,7 @@ static void example_destroy(void *s) { contender_free(&example_contender, s); }
 static void test_example(void)
 {
     structure s = {"example", example_new, example_contender.hit, example_contender.occluded,
-                   example_destroy};
+                   example_destroy, NULL};
     structure_tests(&s, check_count(600));
 }
 

@@ -1,9 +1,11 @@
 /* 18_shade: trace against brute force, programs and masks; lights against closed forms; shadows
- * against geometry; no ray that cannot contribute. */
+ * against geometry; no ray that cannot contribute; line of sight. */
 #include "check.h"
 #include "../common/random.h"
+#include "../chapters/18_shade/lab/edge_of_light.h"
 #include "../chapters/18_shade/lab/gallery.h"
 #include "../chapters/18_shade/lab/leave_variants.h"
+#include "../chapters/18_shade/sight.h"
 
 /* ---- trace ----------------------------------------------------------------------------------- */
 
@@ -322,6 +324,26 @@ static void test_shade(void)
     world_part_free(&part[0]), world_part_free(&part[1]);
 }
 
+/* On a smoothed mesh the shading normal comes from the corners, and is another than n. */
+static void test_smooth(void)
+{
+    mesh pot = teapot_mesh(4);
+    size_t wrong = 0, apart = 0, flipped = 0;
+    for (uint32_t i = 0; i < pot.triangles; i++) {
+        hit h = {1, 0.25, 0.5, i};
+        surface s = surface_of_mesh(&pot, h);
+        vec3 ns = mesh_normal(&pot, i, h.u, h.v);
+        wrong += s.ns.x != ns.x || s.ns.y != ns.y || s.ns.z != ns.z || s.shape != i;
+        if (vzero(s.n)) continue;
+        apart += vlength(vcross(s.n, s.ns)) > (real)0.01;
+        flipped += !(vdot(s.n, s.ns) > 0);
+    }
+    check_equal(wrong, 0, "shading normals of the mesh");
+    check_equal(flipped, 0, "on the same side as n");
+    check_at_least(apart, pot.triangles / 4, "but not the same");
+    mesh_free(&pot);
+}
+
 /* ---- only what is called for ----------------------------------------------------------------- */
 
 static trace_counts counts_of(const light *L, vec3 kd, bool spend_all)
@@ -357,24 +379,46 @@ static void test_spent(void)
     for (int k = RAY_REFLECTION; k < ray_kinds; k++)
         check_equal(c.rays[k], 0, "%s rays: nobody asked for them", ray_kind_names[k]);
 
-    gallery *g = gallery_new(4, 10000);
-    image im[3];
-    trace_counts spent[3];
-    for (int k = 0; k < 3; k++) {
-        im[k] = image_new(96, 54);
-        gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im[k],
-                          .c = gallery_camera(g->T.x, (real)96 / 54)};
-        v.how.spend_all = k == 1;
-        check(gallery_draw(&v, k == 2 ? 3 : 1), "drawn");
-        spent[k] = v.counts;
+    for (int e = 0; e <= 4; e += 4) {
+        gallery *g = gallery_new(4, e ? pow((real)10, (real)e) : 0);
+        image im[3];
+        trace_counts spent[3];
+        for (int k = 0; k < 3; k++) {
+            im[k] = image_new(96, 54);
+            gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im[k],
+                              .c = gallery_camera(g->T.x, (real)96 / 54)};
+            v.how.spend_all = k == 1;
+            check(gallery_draw(&v, k == 2 ? 3 : 1), "drawn");
+            spent[k] = v.counts;
+        }
+        size_t bytes = 96 * 54 * 3 * sizeof(float);
+        check(memcmp(im[0].rgb, im[1].rgb, bytes) == 0, "all rays spent: the same picture");
+        check(memcmp(im[0].rgb, im[2].rgb, bytes) == 0, "three threads: the same picture");
+        check_equal(spent[1].rays[RAY_SHADOW], 2 * (spent[0].hits[RAY_CAMERA]), "two lights each");
+        check(spent[0].rays[RAY_SHADOW] < spent[1].rays[RAY_SHADOW] * 95 / 100,
+              "of %zu shadow rays only %zu are called for", spent[1].rays[RAY_SHADOW],
+              spent[0].rays[RAY_SHADOW]);
+        check_equal(spent[0].rays[RAY_SHADOW], spent[2].rays[RAY_SHADOW], "by threads, too");
+        for (int k = 0; k < 3; k++) image_free(&im[k]);
+        gallery_free(g);
     }
-    size_t bytes = 96 * 54 * 3 * sizeof(float), few = spent[0].rays[RAY_SHADOW];
-    check(memcmp(im[0].rgb, im[1].rgb, bytes) == 0, "all rays spent: the same picture");
-    check(memcmp(im[0].rgb, im[2].rgb, bytes) == 0, "three threads: the same picture");
-    check_equal(spent[1].rays[RAY_SHADOW], 2 * (spent[0].hits[RAY_CAMERA]), "two lights each");
-    check_at_most(few, spent[1].rays[RAY_SHADOW] * 95 / 100, "rays that are called for");
-    check_equal(few, spent[2].rays[RAY_SHADOW], "by threads, too");
-    for (int k = 0; k < 3; k++) image_free(&im[k]);
+}
+
+/* The bulb is seen, and casts no shadow of its lamp; of what is in its shadow nothing changes if
+ * it may cast one. */
+static void test_masks(void)
+{
+    gallery *g = gallery_new(2, 0);
+    shading how = gallery_shading(g);
+    tracer t = {.w = &g->w, .program = shade_programs, .user = &how};
+    vec3 bulb = g->bulb.sphere.c;
+    vec3 c = shade_ray(&t, ray_between(vadd(bulb, (vec3){0, -5, 0}), bulb));
+    check(c.z == 2, "the bulb is seen by its own light");
+    surface floor = {{-4, -1, 0}, {0, 0, 1}, {0, 0, 1}, 1e-5, 0, 0};
+    shade_lit lit = {false};
+    check(!trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && lit.lit, "it lets its lamp shine");
+    g->part[2].mask = MASK_ALL, lit.lit = false;
+    check(trace(&t, RAY_SHADOW, leave_to(floor, bulb), &lit) && !lit.lit, "but would");
     gallery_free(g);
 }
 
@@ -409,6 +453,113 @@ static void test_printed(void)
     world_part_free(&part);
 }
 
+/* ---- sight ----------------------------------------------------------------------------------- */
+
+/* A cube seen from inside: points on one wall do not see each other by rule, all others do. With a
+ * wall across the middle, only those on one side of it. */
+static void test_sight(void)
+{
+    enum { posts = 60 };
+    int most = real_is_float ? 3 : 6;  /* in float, at 1e6, walls of 2 are 32 reals wide */
+    for (int e = 0; e <= most; e += 3) {
+        real T = e ? pow((real)10, (real)e) : 0;
+        vec3 corner[28];
+        shape wall[7];
+        surface s[posts];
+        bool sees[posts * posts];
+        for (int k = 0; k < 7; k++) {
+            for (int i = 0; i < 4; i++) {
+                real p[3], a = i == 1 || i == 2 ? 1 : -1, b = i >= 2 ? 1 : -1;
+                int axis = k < 6 ? k / 2 : 0;
+                p[axis] = k == 6 ? 0 : k % 2 ? 1 : -1;
+                p[(axis + 1) % 3] = a, p[(axis + 2) % 3] = b;
+                corner[4 * k + i] = (vec3){T + p[0], T + p[1], T + p[2]};
+            }
+            wall[k] = shape_of_polygon(polygon_of(corner + 4 * k, 4));
+        }
+        for (int walls = 6; walls <= 7; walls++) {
+            scene sc = {wall, (size_t)walls};
+            world_part part;
+            world_part_of_scene(&sc, MASK_ALL, &part);
+            trace_world w = {&part, 1};
+            tracer t = {.w = &w, .program = shade_programs};
+            for (int i = 0; i < posts; i++) {
+                random_stream r = random_start(9, (uint64_t)i, 0);
+                vec3 c = {T + (i % 2 ? (real)0.25 : (real)-0.25), T, T};
+                ray x = ray_from(c, (vec3){random_next(&r) - (real)0.5, random_next(&r) - (real)0.5,
+                                           random_next(&r) - (real)0.5});
+                hit h = hit_none;
+                (void)scene_hit(&(scene){wall, 6}, x, &h);
+                s[i] = surface_facing(surface_of_shape(&wall[h.shape], x, h), x.d);
+            }
+            sight_table(&t, s, posts, sees);
+            size_t wrong = 0, asked = 0, both = 0;
+            for (int i = 0; i < posts; i++)
+                for (int j = 0; j < posts; j++) {
+                    bool apart = s[i].shape != s[j].shape;
+                    bool across = (s[i].p.x > T) != (s[j].p.x > T);
+                    bool expected = i == j || (apart && (walls == 6 || !across));
+                    wrong += sees[i * posts + j] != expected;
+                    wrong += sees[i * posts + j] != sees[j * posts + i];
+                    asked += i < j && apart;
+                    both += expected;
+                }
+            check_equal(wrong, 0, "cube with %d walls, T = %g", walls, (double)T);
+            check_equal(t.counts.rays[RAY_SIGHT], asked, "one ray a pair, none within a wall");
+            check_at_least(both, posts * posts / 4, "many see each other");
+            world_part_free(&part);
+        }
+    }
+}
+
+/* Above one another in empty space: seen if both face the other. */
+static void test_facing(void)
+{
+    trace_world nothing = {NULL, 0};
+    tracer t = {.w = &nothing, .program = shade_programs};
+    for (int k = 0; k < 4; k++) {
+        vec3 n[2] = {{0, 0, k & 1 ? -1 : 1}, {0, 0, k & 2 ? 1 : -1}};
+        surface a = {{0, 0, 0}, n[0], n[0], 0, 0, 0}, b = {{0, 0, 2}, n[1], n[1], 0, 0, 1};
+        check(sight(&t, a, b) == (k == 0) && sight(&t, b, a) == (k == 0), "facing, case %d", k);
+    }
+    check_equal(t.counts.rays[RAY_SIGHT], 2, "no ray where the surface itself is in between");
+}
+
+/* ---- the edge of light ----------------------------------------------------------------------- */
+
+/* The round ball is the truth. Its shading normals are exact here, so what is wrong is shadow. */
+static void test_terminator(void)
+{
+    const vec3 up = {0, 0, 1}, l = vunit(vec(1, 0, 0.25)), n = vunit(vec(0.5, 0, 1));
+    for (int rings = 4; rings <= 16; rings *= 2) {
+        double rmse[edge_ways], most[edge_ways], dark[edge_ways];
+        edge_ball b;
+        edge_ball_build(&b, rings);
+        for (int k = 0; k < edge_ways; k++) edge_errors(&b, 60, k, &rmse[k], &most[k], &dark[k]);
+        check_at_most(most[3], 16 * (double)real_epsilon, "lifted, %d rings", rings);
+        check_equal(dark[3], 0, "dark where it should be lit, lifted, %d rings", rings);
+        check_at_least(most[0], 1.0 / rings, "in shade by its own triangles, %d rings", rings);
+        check_at_least(dark[1], 1, "and so with ns alone, %d rings", rings);
+        edge_ball_free(&b);
+    }
+    check_equal(terminator_fade(up, up, l), 1, "one normal: nothing is taken away");
+    check_equal(terminator_fade(up, n, vunit(vec(1, 0, -0.1))), 0, "behind the triangle");
+    real last = 0;
+    for (int i = 1; i < 90; i++) {
+        real a = (real)i * pi / 180, f = terminator_fade(up, n, vec(cos(a), 0, sin(a)));
+        check(f >= last && f <= 1 && f > 0, "rises to 1, at %d degrees", i);
+        last = f;
+    }
+    /* From inside a ball bulges away: nothing to lift, and p stays. */
+    mesh m = edge_ball_mesh(8);
+    hit h = {1, (real)0.25, (real)0.5, 40};
+    surface s = surface_of_mesh(&m, h);
+    vec3 out = terminator_point(&m, h, s.p, 1), in = terminator_point(&m, h, s.p, -1);
+    check_at_least((double)vdot(vsub(out, s.p), s.n), 1e-3, "lifted");
+    check_at_most((double)vlength(vsub(in, s.p)), 4 * (double)real_epsilon, "not from inside");
+    mesh_free(&m);
+}
+
 /* How far rays begin above the middle of a square floor of two triangles: some ten epsilon of its
  * side. What lies lower casts no shadow: a leaf at 2^-20 does on a floor of side 0.75 even in
  * float, and in float not on one of 0.85. */
@@ -430,13 +581,18 @@ static void test_floor(void)
 
 int main(void)
 {
+    test_facing();
     test_trace();
     test_other();
     test_light();
     test_contact();
     test_shade();
+    test_smooth();
     test_spent();
+    test_masks();
     test_printed();
+    test_sight();
+    test_terminator();
     test_floor();
     return check_report("18_shade");
 }

@@ -1,5 +1,5 @@
 /* 19_whitted: the walk against closed forms and twice the precision: ball, hall of mirrors,
- * furnace; touching and nested bodies; no ray that is not called for. */
+ * furnace; touching and nested bodies; no ray that is not called for; the same as a loop. */
 #include "check.h"
 #include "../common/image.h"
 #include "../common/random.h"
@@ -8,6 +8,7 @@
 #include "../chapters/19_whitted/scenes/forty.h"
 #include "../chapters/19_whitted/lab/tank.h"
 #include "../chapters/19_whitted/lab/two_spheres.h"
+#include "../chapters/19_whitted/whitted_loop.h"
 
 /* ---- a small scene: shapes, each with a look ------------------------------------------------- */
 
@@ -631,8 +632,47 @@ static void test_cut(void)
     stage_end(f), free(f);
 }
 
+/* ---- the loop -------------------------------------------------------------------------------- */
+
+/* The same rays, and the same light but for the order of the sums. Ends the stage. */
+static void test_loop(const char *name, stage *w, camera c)
+{
+    tracer a = stage_tracer(w), b = a;
+    size_t n = check_count(1000);
+    double worst = 0;
+    w->w.least = (real)1 / 1024, w->w.depth = 12;
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(10, i, 0);
+        ray r = camera_ray(c, 100 * random_next(&s), 75 * random_next(&s), 100, 75);
+        vec3 u = whitted_ray(&a, r, (media_set){0}), v = whitted_ray_loop(&b, r, (media_set){0});
+        worst = check_worse(worst, (double)(vlength(vsub(u, v)) / (1 + vlength(u))));
+    }
+    check_at_most(worst, 64 * (double)real_epsilon, "%s: loop against recursion", name);
+    for (int k = 0; k < ray_kinds; k++)
+        check_equal(b.counts.rays[k], a.counts.rays[k], "%s: %s rays", name, ray_kind_names[k]);
+    check_at_least(a.counts.rays[RAY_REFLECTION], n / 10, "%s: a tree", name);
+    stage_end(w), free(w);
+}
+
+static void test_loops(void)
+{
+    const real aspect = (real)4 / 3;
+    test_loop("two spheres", two_spheres_new(), two_spheres_camera(aspect));
+    test_loop("tank", tank_new(), tank_camera(aspect));
+    test_loop("forty balls", forty_new(), forty_camera(aspect));
+    stage s = {0};
+    whitted_material m = whitted_mirror(1);
+    m.base.ke = (vec3){1, 1, 1};
+    stage_square(&s, (vec3){0, 0, 0}, 4, true, m), stage_square(&s, (vec3){0, 0, 3}, 4, false, m);
+    tracer t = stage_begin(&s, 1000);
+    vec3 c = whitted_ray_loop(&t, ray_from(vec(0.3, 0.2, 1), (vec3){0, 0, -5}), (media_set){0});
+    check_equal((double)c.x, 256, "as deep as the stack, between mirrors that keep all");
+    stage_end(&s);
+}
+
 int main(void)
 {
+    test_loops();
     test_ball();
     test_hall();
     test_furnace();

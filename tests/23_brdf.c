@@ -17,7 +17,7 @@ static vec3 at_angle(double cosine, double turn)
     return vec((s * cos(turn)), (s * sin(turn)), cosine);
 }
 
-static vec3 random_unit(uint64_t i, uint64_t which)
+static vec3 some_unit(uint64_t i, uint64_t which)
 {
     return sample_hemisphere(random_real(5, i, which, 0), random_real(5, i, which, 1));
 }
@@ -41,7 +41,7 @@ static void test_reciprocity(void)
     for (int i = 0; i < specimens; i++)
         for (uint64_t k = 0; k < check_count(2000); k++) {
             brdf b = specimen(i);
-            vec3 wi = random_unit(k, 0), wo = random_unit(k, 1);
+            vec3 wi = some_unit(k, 0), wo = some_unit(k, 1);
             double f = (double)brdf_value_local(&b, wi, wo).x;
             double g = (double)brdf_value_local(&b, wo, wi).x;
             worst = check_worse(worst, fabs(f - g) / (f + 1e-30));
@@ -50,12 +50,12 @@ static void test_reciprocity(void)
     /* in the world, about any normal: the frame's rounding, times how steep the lobe is */
     brdf b = specimen(2);
     vec3 n = vunit(vec(0.3, -0.7, -0.6));
-    vec3 wi = directed(n, random_unit(1, 0)), wo = directed(n, random_unit(1, 1));
-    double local = (double)brdf_value_local(&b, random_unit(1, 0), random_unit(1, 1)).x;
+    vec3 wi = directed(n, some_unit(1, 0)), wo = directed(n, some_unit(1, 1));
+    double local = (double)brdf_value_local(&b, some_unit(1, 0), some_unit(1, 1)).x;
     check_close(brdf_value(&b, n, wi, wo).x / (real)local, 1, 200 * eps, "any normal");
     check_close(brdf_value(&b, n, wo, wi).x / (real)local, 1, 200 * eps, "any normal, reversed");
     check_close((double)brdf_pdf(&b, n, wi, wo)
-                    / (double)brdf_pdf_local(&b, random_unit(1, 0), random_unit(1, 1)),
+                    / (double)brdf_pdf_local(&b, some_unit(1, 0), some_unit(1, 1)),
                 1, 200 * eps, "pdf, any normal");
 }
 
@@ -251,7 +251,7 @@ static void test_weights(void)
         double e = (double)b.exponent;
         double bound = (e + 2) * (e + 4) / ((e + exp2(-e / 2)) * (e + 1));             /* (23.16) */
         for (uint64_t k = 0; k < check_count(3000); k++) {
-            vec3 wo = random_unit(k, 7), wi, weight;
+            vec3 wo = some_unit(k, 7), wi, weight;
             real u = random_real(6, k, 0, 0), v = random_real(6, k, 0, 1), pdf;
             if (!brdf_sample_local(&b, wo, u, v, &wi, &pdf, &weight)) continue;
             vec3 f = brdf_value_local(&b, wi, wo);

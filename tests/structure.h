@@ -3,11 +3,14 @@
  *
  *   STRUCTURE_TESTED(octree, how)     its verbs, built with the options `how`: constant or variable
  *   structure s = {"octree", STRUCTURE_OF(octree)};     or {name, build, hit, occluded, destroy}
- *   structure_tests(&s, rays);      some 40 checks; `rays` of them a mesh; 600 take about a second
+ *   structure_tests(&s, rays);      some 75 checks; `rays` of them a mesh; 600 take half a second
+ *   structure_brief(&s, rays);      of other options: what is hardest of it, some 20 checks
+ *   structure_attack(&s, what, &x, rays, seed, next, context);      next makes the i-th ray
  *
- *   structure_piled(octree, octree_defaults, most);      triangles upon triangles: see below
+ *   structure_piled(octree, octree_defaults, 1000, most);      triangles upon triangles: see below
  *
- * build returns what hit and occluded take, or NULL with the failure filled in.
+ * build returns what hit and occluded take, or NULL with the failure filled in. Where there are
+ * counting searches, one ray of four asks them, too.
  */
 #ifndef TESTS_STRUCTURE_H
 #define TESTS_STRUCTURE_H
@@ -24,11 +27,13 @@ typedef struct {
     bool (*hit)(const void *s, ray r, hit *out);
     bool (*occluded)(const void *s, ray r);
     void (*destroy)(void *s);
+    bool (*counted)(const void *s, ray r, hit *out, search_work *w);  /* out NULL: any hit */
 } structure;
 
 typedef struct { size_t rays, hits, wrong, wrong_any; } structure_verdict;
+typedef ray structure_ray_of(const items *x, random_stream *g, size_t i, const void *context);
 
-#define STRUCTURE_OF(X) X##_built, X##_finds, X##_any, X##_gone
+#define STRUCTURE_OF(X) X##_built, X##_finds, X##_any, X##_gone, X##_counts
 #define STRUCTURE_TESTED(X, how)                                                                 \
     static void *X##_built(const items *x, failure *f)                                           \
     {                                                                                            \
@@ -39,16 +44,40 @@ typedef struct { size_t rays, hits, wrong, wrong_any; } structure_verdict;
     }                                                                                            \
     static bool X##_finds(const void *s, ray r, hit *out) { return X##_hit(s, r, out); }         \
     static bool X##_any(const void *s, ray r) { return X##_occluded(s, r); }                     \
-    static void X##_gone(void *s) { X##_free(s), free(s); }
+    static void X##_gone(void *s) { X##_free(s), free(s); }                                      \
+    static bool X##_counts(const void *s, ray r, hit *out, search_work *w)                       \
+    {                                                                                            \
+        return out ? X##_hit_counted(s, r, out, w) : X##_occluded_counted(s, r, w);              \
+    }
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* The first ray whose answer is wrong, with all its digits: enough to ask it again. */
+static inline void structure_print_wrong(const structure *s, ray r, hit due, hit found)
+{
+    static size_t printed;
+    if (!s->name || printed++) return;  /* no name: it is meant to be wrong */
+    printf("%s: first wrong ray: o %.17g %.17g %.17g,\n    d %.17g %.17g %.17g, [%.17g, %.17g]\n",
+           s->name, (double)r.o.x, (double)r.o.y, (double)r.o.z, (double)r.d.x, (double)r.d.y,
+           (double)r.d.z, (double)r.tmin, (double)r.tmax);
+    printf("    due: t %.17g, item %u; found: t %.17g, item %u\n", (double)due.t, due.shape,
+           (double)found.t, found.shape);
+}
+
+/* The hit of brute force; t is infinite on a miss. */
 static inline hit structure_compare(const structure *s, const void *built, const items *x, ray r,
                                     structure_verdict *v)
 {
-    hit a = hit_none, b = hit_none;
-    bool ga = items_hit(x, r, &a), gb = s->hit(built, r, &b);
-    v->rays++, v->hits += ga, v->wrong += !same(ga, a, gb, b);
+    hit a = hit_none, b = hit_none, c = hit_none;
+    search_work w = {0, 0, 0, 0};
+    bool ga = items_hit(x, r, &a), gb = s->hit(built, r, &b), wrong = !same(ga, a, gb, b);
+    if (s->counted && v->rays % 4 == 0) {
+        wrong |= !same(ga, a, s->counted(built, r, &c, &w), c) || w.tests < ga;
+        wrong |= w.empty > w.leaves;
+        v->wrong_any += s->counted(built, r, NULL, &w) != ga;
+    }
+    if (wrong) structure_print_wrong(s, r, a, b);
+    v->rays++, v->hits += ga, v->wrong += wrong;
     v->wrong_any += s->occluded(built, r) != ga;
     return a;
 }
@@ -56,8 +85,10 @@ static inline hit structure_compare(const structure *s, const void *built, const
 static inline void *structure_build(const structure *s, const items *x, const char *what)
 {
     failure f;
-    void *built = s->build(x, &f);
-    check(built, "%s, %s: built; says: %s", s->name, what, built ? "" : f.text);
+    items gone = *x;
+    void *built = s->build(&gone, &f);
+    gone = (items){.n = 0};  /* what it needs of x it has copied */
+    check(built && gone.n == 0, "%s, %s: built; says: %s", s->name, what, built ? "" : f.text);
     return built;
 }
 
@@ -70,61 +101,81 @@ static inline void structure_ray(const structure *s, const void *built, const it
         structure_compare(s, built, x, aimed_way(r, h.t, way), v);
 }
 
-/* `away` > 0: the rays begin that many times farther away. */
-static inline void structure_mesh(const structure *s, const char *what, mesh m, size_t rays,
-                                  vec3 move, real scale, real away)
+static inline void structure_attack(const structure *s, const char *what, const items *x,
+                                    size_t rays, uint64_t seed, structure_ray_of *next,
+                                    const void *context)
 {
-    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vadd(vscale(m.v[i], scale), move);
-    items x = items_of_mesh(&m);
     structure_verdict v = {0, 0, 0, 0};
-    void *built = structure_build(s, &x, what);
+    void *built = structure_build(s, x, what);
     if (!built) return;
     for (size_t i = 0; i < rays; i++) {
-        random_stream g = random_start(31, i, 0);
-        ray r = aimed(&m, &g, (int)(i % aimed_kinds), move, scale);
-        if (away > 0) {
-            vec3 at = m.v[m.index[random_below(&g, 3 * m.triangles)]];
-            r.o = vadd(move, random_in_cube(&g, away * scale)), r.d = vsub(at, r.o);
-        }
-        structure_ray(s, built, &x, r, &v);
+        random_stream g = random_start(seed, i, 0);
+        structure_ray(s, built, x, next(x, &g, i, context), &v);
     }
     check_equal(v.wrong, 0, "%s, %s: %zu of %zu rays hit; wrong", s->name, what, v.hits, v.rays);
     check_equal(v.wrong_any, 0, "%s, %s: occluded, yet no hit, or the reverse", s->name, what);
     check_at_least(v.hits, v.rays / 5, "%s, %s: rays aimed at it hit it", s->name, what);
     s->destroy(built);
+}
+
+typedef struct { vec3 move; real scale, away; } structure_place;
+
+static inline ray structure_aimed(const items *x, random_stream *g, size_t i, const void *context)
+{
+    const structure_place *p = context;
+    ray r = aimed(x->m, g, (int)(i % aimed_kinds), p->move, p->scale);
+    if (p->away > 0) {
+        vec3 at = x->m->v[x->m->index[random_below(g, 3 * x->m->triangles)]];
+        r.o = vadd(p->move, random_in_cube(g, p->away * p->scale)), r.d = vsub(at, r.o);
+    }
+    return r;
+}
+
+/* `away` > 0: the rays begin that many times farther away. Frees m. */
+static inline void structure_mesh(const structure *s, const char *what, mesh m, size_t rays,
+                                  vec3 move, real scale, real away)
+{
+    const structure_place place = {move, scale, away};
+    for (size_t i = 0; i < m.vertices; i++) m.v[i] = vadd(vscale(m.v[i], scale), move);
+    items x = items_of_mesh(&m);
+    structure_attack(s, what, &x, rays, 31, structure_aimed, &place);
     mesh_free(&m);
+}
+
+/* From anywhere in a cube, or from far away, at anything in it. */
+static inline ray structure_any_ray(const items *x, random_stream *g, size_t i, const void *sick)
+{
+    if (sick && i < sick_count) return sick_ray[i];
+    vec3 o = random_in_cube(g, sick ? 3 : i % 2 ? 2 : 100);
+    return (void)x, ray_from(o, vsub(random_in_cube(g, 1), o));
 }
 
 static inline void structure_meshes(const structure *s, size_t rays)
 {
     const vec3 home = {0, 0, 0}, off = {1000, -2000, 3000};
-    structure_mesh(s, "octahedron", octahedron_mesh(8), rays, home, 1, 0);
     structure_mesh(s, "octahedron, dyadic size", octahedron_mesh(4), rays, home, 0x1p-10, 0);
-    structure_mesh(s, "torus", torus_mesh(24), rays, home, 1, 0);
-    structure_mesh(s, "torus, moved", torus_mesh(24), rays, off, 1, 0);
-    structure_mesh(s, "torus, tiny", torus_mesh(24), rays, home, 1e-12, 0);
-    structure_mesh(s, "torus, of subnormal numbers", torus_mesh(24), rays, home,
+    structure_mesh(s, "torus", torus_mesh(16), rays, home, 1, 0);
+    structure_mesh(s, "torus, tiny", torus_mesh(16), rays, home, 1e-12, 0);
+    structure_mesh(s, "torus, of subnormal numbers", torus_mesh(16), rays, home,
                    8 * real_smallest * real_epsilon * 1000, 0);
-    structure_mesh(s, "torus, huge", torus_mesh(24), rays, home, 1e6, 0);
-    structure_mesh(s, "torus, flat", torus_mesh(16), rays, home, 0x1p-70, 0);
-    structure_mesh(s, "torus, from 100 away", torus_mesh(24), rays, home, 1, 100);
-    structure_mesh(s, "torus, from 1e6 away", torus_mesh(24), rays, home, 1, 1e6);
-    structure_mesh(s, "torus, from afar", torus_mesh(24), rays, home, 1,
+    structure_mesh(s, "torus, huge", torus_mesh(16), rays, home, 1e6, 0);
+    structure_mesh(s, "torus, flat", torus_mesh(12), rays, home, 0x1p-70, 0);
+    structure_mesh(s, "torus, from 100 away", torus_mesh(16), rays, home, 1, 100);
+    structure_mesh(s, "torus, from 1e6 away", torus_mesh(16), rays, home, 1, 1e6);
+    structure_mesh(s, "torus, from afar", torus_mesh(16), rays, home, 1,
                    real_is_float ? (real)1e7 : (real)1e13);
     structure_mesh(s, "planes", floors_mesh(4), rays, home, 1, 0);
-    structure_mesh(s, "planes, thirds", floors_mesh(3), rays, home, 1, 0);
     structure_mesh(s, "planes, moved", floors_mesh(4), rays, off, 0.1, 0);
     structure_mesh(s, "needles", needles(300, 1e-3), rays, home, 1, 0);
-    structure_mesh(s, "thin needles", needles(300, 1e-7), rays, home, 1, 0);
-    structure_mesh(s, "teapot", teapot_mesh(4), rays, home, 3, 0);
-    structure_mesh(s, "stadium", stadium_mesh(4), rays, home, 3, 0);
+    structure_mesh(s, "teapot", teapot_mesh(3), rays, home, 3, 0);
+    structure_mesh(s, "stadium", stadium_mesh(3), rays, home, 3, 0);
 }
 
 /* All in one plane: a box of no thickness. */
 static inline void structure_flat(const structure *s, size_t rays)
 {
     for (int k = 0; k < 3; k++) {
-        mesh m = torus_mesh(16);
+        mesh m = torus_mesh(12);
         for (size_t i = 0; i < m.vertices; i++) ((real *)&m.v[i])[k] = 0.3;
         structure_mesh(s, "flat", m, rays, (vec3){0, 0, 0}, 1, 0);
     }
@@ -192,23 +243,40 @@ static inline void structure_sick(const structure *s, size_t rays)
         }
     }
     items x = items_of_mesh(&m);
-    structure_verdict v = {0, 0, 0, 0};
-    void *built = structure_build(s, &x, "sick triangles");
-    if (!built) return;
-    for (size_t i = 0; i < rays; i++) {
-        random_stream g = random_start(5, i, 0);
-        vec3 o = random_in_cube(&g, 3);
-        structure_compare(s, built, &x, ray_from(o, vsub(random_in_cube(&g, 1), o)), &v);
-    }
-    for (size_t i = 0; i < sick_count; i++)
-        structure_compare(s, built, &x, sick_ray[i], &v);
-    check_equal(v.wrong + v.wrong_any, 0, "%s: sick triangles and rays: as brute force", s->name);
-    check_at_least(v.hits, v.rays / 4, "%s: enough rays hit the others", s->name);
-    s->destroy(built);
+    structure_attack(s, "sick triangles", &x, rays, 5, structure_any_ray, &x);
+    mesh_free(&m);
+}
+
+/* |d| from the least to the largest real: 1 / d overflows, or t has lost digits. */
+static inline ray structure_long_ray(const items *x, random_stream *g, size_t i,
+                                     const void *context)
+{
+    int most = real_is_float ? FLT_MAX_EXP - 3 : DBL_MAX_EXP - 3, range = i % 3 ? 12 : 2 * most;
+    ray r = aimed(x->m, g, (int)(i % 8), (vec3){0, 0, 0}, 1);
+    int e = most - (int)random_below(g, (size_t)range);
+    if (i % 2) e = -e;
+    r.d = (vec3){ldexp(r.d.x, e), ldexp(r.d.y, e), ldexp(r.d.z, e)};
+    return (void)context, r;
+}
+
+static inline void structure_lengths(const structure *s, size_t rays)
+{
+    mesh m = torus_mesh(16);
+    items x = items_of_mesh(&m);
+    structure_attack(s, "long and short directions", &x, rays, 21, structure_long_ray, NULL);
     mesh_free(&m);
 }
 
 /* Triangles 2^k apart and 2^k large: cells of one size hold one or all. */
+static inline ray structure_exponential_ray(const items *x, random_stream *g, size_t i,
+                                            const void *context)
+{
+    triangle t = mesh_triangle(x->m, random_below(g, x->m->triangles));
+    vec3 o = {-t.a.x * random_next(g), t.b.y * random_next(g), t.b.y * random_next(g)};
+    vec3 at = vadd(t.a, vscale((vec3){0, random_next(g), random_next(g)}, t.b.y / 2));
+    return (void)i, (void)context, ray_from(o, vsub(at, o));
+}
+
 static inline void structure_exponential(const structure *s, size_t rays)
 {
     int most = real_is_float ? 50 : 400;
@@ -218,19 +286,7 @@ static inline void structure_exponential(const structure *s, size_t rays)
         set_triangle(&m, (size_t)i, (vec3){x, 0, 0}, (vec3){x, x / 8, 0}, (vec3){x, 0, x / 8});
     }
     items x = items_of_mesh(&m);
-    structure_verdict v = {0, 0, 0, 0};
-    void *built = structure_build(s, &x, "exponentially spaced triangles");
-    if (!built) return;
-    for (size_t i = 0; i < rays; i++) {
-        random_stream g = random_start(6, i, 0);
-        triangle t = mesh_triangle(&m, random_below(&g, (size_t)most));
-        vec3 o = {-t.a.x * random_next(&g), t.b.y * random_next(&g), t.b.y * random_next(&g)};
-        vec3 at = vadd(t.a, vscale((vec3){0, random_next(&g), random_next(&g)}, t.b.y / 2));
-        structure_compare(s, built, &x, ray_from(o, vsub(at, o)), &v);
-    }
-    check_equal(v.wrong + v.wrong_any, 0, "%s: exponentially spaced triangles", s->name);
-    check_at_least(v.hits, v.rays / 4, "%s: they are hit", s->name);
-    s->destroy(built);
+    structure_attack(s, "exponentially spaced", &x, rays, 6, structure_exponential_ray, NULL);
     mesh_free(&m);
 }
 
@@ -275,16 +331,7 @@ static inline void structure_shapes(const structure *s, size_t rays)
     }
     scene shapes = {all, n};
     items x = items_of_scene(&shapes);
-    structure_verdict v = {0, 0, 0, 0};
-    void *built = structure_build(s, &x, "shapes of all kinds");
-    for (size_t i = 0; built && i < rays; i++) {
-        random_stream g = random_start(9, i, 0);
-        vec3 o = random_in_cube(&g, i % 2 ? 2 : 100);
-        structure_ray(s, built, &x, ray_from(o, vsub(random_in_cube(&g, 1), o)), &v);
-    }
-    check_equal(v.wrong + v.wrong_any, 0, "%s: shapes of all kinds", s->name);
-    check_at_least(v.hits, v.rays / 4, "%s: rays at shapes hit them", s->name);
-    if (built) s->destroy(built);
+    structure_attack(s, "shapes of all kinds", &x, rays, 9, structure_any_ray, NULL);
     free(all), free(corner), free(ball), free(other);
 }
 
@@ -317,11 +364,10 @@ static inline mesh structure_fan(size_t n)
     return m;
 }
 
-/* Builds X of the fan: it names items no more often than `most`, and finds what brute force
- * does. */
-#define structure_piled(X, options, most)                                                        \
+/* Builds X of a fan: it names items no more often than `most`, and finds what brute force does. */
+#define structure_piled(X, options, corners, most)                                               \
     do {                                                                                         \
-        mesh fan = structure_fan(10000);                                                         \
+        mesh fan = structure_fan(corners);                                                       \
         items in = items_of_mesh(&fan);                                                          \
         failure why = {0, ""};                                                                   \
         X built;                                                                                 \
@@ -339,15 +385,26 @@ static inline mesh structure_fan(size_t n)
         X##_free(&built), mesh_free(&fan);                                                       \
     } while (0)
 
+/* Corners in dyadic planes and beside them; far out; edge-on; ties; no numbers; round shapes. */
+static inline void structure_brief(const structure *s, size_t rays)
+{
+    const vec3 home = {0, 0, 0}, off = {1000, -2000, 3000};
+    structure_mesh(s, "octahedron", octahedron_mesh(8), rays, home, 1, 0);
+    structure_mesh(s, "torus, moved", torus_mesh(16), rays, off, 1, 0);
+    structure_mesh(s, "planes, thirds", floors_mesh(3), rays, home, 1, 0);
+    structure_mesh(s, "thin needles", needles(300, 1e-7), rays, home, 1, 0);
+    structure_ties(s, 100);
+    structure_sick(s, 2 * rays);
+    structure_shapes(s, 2 * rays);
+}
+
 static inline void structure_tests(const structure *s, size_t rays)
 {
+    structure_brief(s, rays);
     structure_meshes(s, rays);
     structure_flat(s, rays);
     structure_none(s);
-    structure_ties(s, check_count(4000) < 1000 ? check_count(4000) : 1000);
-    structure_sick(s, 2 * rays);
-    structure_exponential(s, 2 * rays);
-    structure_shapes(s, 4 * rays);
+    structure_exponential(s, 2 * rays), structure_lengths(s, 2 * rays);
     structure_too_large(s);
 }
 

@@ -11,16 +11,12 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 10_grid chapters/10
 int main(int argc, char **argv)
 {
     const char *path = NULL;
-    bool no_mailbox = false, bounds = false;
     grid_options how = grid_defaults;
     const option own[] = {
         {"density", OPTION_REAL, &how.density, 1e-3, 1e4, "cells a shape, 1e-3 to 1e4"},
-        {"bounds", OPTION_FLAG, &bounds, 0, 0, "shapes in all cells that their bounds overlap"},
-        {"no-mailbox", OPTION_FLAG, &no_mailbox, 0, 0, "test a shape in every cell again"},
         {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and no table"}, {0}};
     options o = options_read(argc, argv, "10_grid", "A uniform grid: cells, walks, errors, time.",
                              (options){.width = 960, .height = 330, .seed = 1}, own);
-    how.exact = !bounds, how.mailbox = !no_mailbox;
     failure f;
     mesh m = {0};
     trial_scene s;

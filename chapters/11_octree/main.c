@@ -13,20 +13,16 @@ int main(int argc, char **argv)
 {
     const char *path = NULL;
     octree_options how = octree_defaults;
-    bool boxes = false;
     const option list[] = {
         {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up, and its cells"},
         {"depth", OPTION_INT, &how.depth, 0, octree_most_depth,
          "most cuts from the root to a leaf"},
-        {"leaf", OPTION_INT, &how.leaf, 1, 65535, "most triangles in a leaf"},
-        {"boxes", OPTION_FLAG, &boxes, 0, 0, "boxes of triangles against cells, not triangles"},
-        {0}};
+        {"leaf", OPTION_INT, &how.leaf, 1, 65535, "most triangles in a leaf"}, {0}};
     options o = options_read(argc, argv, "11_octree", "Octrees: space cut into eight.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;
     mesh m = {0};
     trial_scene s;
-    how.exact = !boxes;
     if (path && o.csv) die(2, "--csv: no table with --mesh");
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
     if (path && !obj_read(path, &m, &f)) fail(f);
@@ -38,6 +34,6 @@ int main(int argc, char **argv)
     draw_quadtree(&o);
     draw_faults(&o);
     table_of_knobs(&o);
-    if (o.full) table_of_faults(&o), table_of_stadium(&o), plots_of_depth(&o);
+    if (o.full) table_of_faults(&o), table_of_stadium(&o), plot_of_depth(&o);
     return output_done(&o);
 }

@@ -9,13 +9,12 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 12_kdtree chapters/
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
-typedef struct { const char *mesh, *strategy; bool boxes; kdtree_options how; } own_options;
+typedef struct { const char *mesh, *strategy; kdtree_options how; } own_options;
 
 static void choose_strategy(own_options *own)
 {
     static const char *const name[kdtree_strategies] = {"middle", "median", "sah"};
     int k = 0;
-    own->how.clip = !own->boxes;
     if (!own->strategy) return;
     while (k < kdtree_strategies && strcmp(own->strategy, name[k]) != 0) k++;
     if (k == kdtree_strategies)
@@ -58,9 +57,7 @@ int main(int argc, char **argv)
         {"leaf", OPTION_INT, &own.how.leaf, 0, 255, "most items in a leaf; 0: by cost (sah)"},
         {"depth", OPTION_INT, &own.how.depth, 0, kdtree_most_depth,
          "of leaves; 0: 8 + 1.3 log2 n"},
-        {"item-cost", OPTION_REAL, &own.how.item_cost, 1e-3, 1e3, "of a test; a step costs 1"},
-        {"bonus", OPTION_REAL, &own.how.empty_bonus, 0, 0.99, "for cutting off empty space"},
-        {"boxes", OPTION_FLAG, &own.boxes, 0, 0, "cut the boxes of triangles, not triangles"}, {0}};
+        {0}};
     options o = options_read(argc, argv, "12_kdtree", "k-d trees of triangle meshes.",
                              (options){.width = 640, .height = 400, .seed = 1}, list);
     failure f;

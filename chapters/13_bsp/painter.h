@@ -57,15 +57,17 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* What is still to be put into nodes below one side of a node. */
+typedef struct { painter_piece *piece; size_t n, room; uint32_t parent; bool front; } painter_list;
+
 typedef struct {
     painter *p;
     const mesh *m;
     painter_options how;
     real e, scale;        /* scale: a power of two above all sides */
-    painter_piece *list;  /* a stack: what is still to be put into nodes */
-    size_t n, room;
+    painter_list *stack;
+    size_t lists, room, waiting;
     random_stream g;
-    bool full;
 } painter_builder;
 
 static inline void painter_free(painter *p)
@@ -80,10 +82,10 @@ static inline void painter_reserve(painter *p, size_t corners)
         p->corner = grown(p->corner, p->corner_room, &p->corner_room, sizeof *p->corner);
 }
 
-static inline void painter_push(painter_builder *b, painter_piece x)
+static inline void painter_push(painter_list *l, painter_piece x)
 {
-    b->list = grown(b->list, b->n, &b->room, sizeof *b->list);
-    b->list[b->n++] = x;
+    l->piece = grown(l->piece, l->n, &l->room, sizeof *l->piece);
+    l->piece[l->n++] = x;
 }
 
 /* Scaled, so that products neither overflow nor vanish. */
@@ -106,32 +108,30 @@ static inline plane_side painter_side(const painter_builder *b, const split_plan
     return side_of_range(lo, hi, b->e);
 }
 
-/* How many of list[from..to-1] the plane cuts. */
-static inline size_t painter_cuts(const painter_builder *b, const split_plane *p, size_t from,
-                                  size_t to)
+static inline size_t painter_cuts(const painter_builder *b, const split_plane *p,
+                                  const painter_list *l)
 {
     size_t cuts = 0;
-    for (size_t i = from; i < to; i++) cuts += painter_side(b, p, b->list[i]) == SIDE_BOTH;
+    for (size_t i = 0; i < l->n; i++) cuts += painter_side(b, p, l->piece[i]) == SIDE_BOTH;
     return cuts;
 }
 
-static inline split_plane painter_choose(painter_builder *b, size_t from, size_t to, size_t *which)
+static inline split_plane painter_choose(painter_builder *b, const painter_list *l, size_t *which)
 {
-    size_t fewest = SIZE_MAX, n = to - from;
+    size_t fewest = SIZE_MAX;
     int tries = b->how.rule == PAINTER_FEWEST ? b->how.candidates : 1;
     split_plane best = {0};
     for (int k = 0; k < tries && fewest > 0; k++) {
-        size_t i = from;
-        if (b->how.rule != PAINTER_FIRST) i += (size_t)(random_next_bits(&b->g) % n);
-        split_plane p = painter_plane(b, b->list[i].owner);
-        size_t cuts = tries > 1 ? painter_cuts(b, &p, from, to) : 0;
+        size_t i = b->how.rule == PAINTER_FIRST ? 0 : (size_t)(random_next_bits(&b->g) % l->n);
+        split_plane p = painter_plane(b, l->piece[i].owner);
+        size_t cuts = tries > 1 ? painter_cuts(b, &p, l) : 0;
         if (cuts < fewest) fewest = cuts, best = p, *which = i;
     }
     return best;
 }
 
 static inline void painter_half(painter_builder *b, const split_plane *p, real sign,
-                                painter_piece x)
+                                painter_piece x, painter_list *out)
 {
     painter *t = b->p;
     painter_reserve(t, 2 * (size_t)x.corners);
@@ -140,86 +140,74 @@ static inline void painter_half(painter_builder *b, const split_plane *p, real s
                                   t->corner + t->corners);
     if (part.corners < 3) return;
     t->corners += part.corners;
-    painter_push(b, part);
+    painter_push(out, part);
 }
 
-/* Those of list[from..to-1] on one side, on top of the list. */
-static inline void painter_collect(painter_builder *b, const split_plane *p, size_t which,
-                                   size_t from, size_t to, plane_side wanted)
+/* What of the list lies on one side of node `at`. */
+static inline painter_list painter_part(painter_builder *b, const painter_list *l, size_t which,
+                                        uint32_t at, plane_side wanted)
 {
-    for (size_t i = from; i < to; i++) {
-        painter_piece x = b->list[i];
-        plane_side s = i == which ? SIDE_ON : painter_side(b, p, x);
-        if (s == wanted) painter_push(b, x);
-        if (s == SIDE_BOTH) painter_half(b, p, wanted == SIDE_FRONT ? -1 : 1, x);
+    const split_plane p = b->p->node[at].p;
+    painter_list out = {.parent = at, .front = wanted == SIDE_FRONT};
+    for (size_t i = 0; i < l->n; i++) {
+        painter_piece x = l->piece[i];
+        plane_side s = i == which ? SIDE_ON : painter_side(b, &p, x);
+        if (s == wanted) painter_push(&out, x);
+        if (s == SIDE_BOTH) painter_half(b, &p, out.front ? -1 : 1, x, &out);
     }
-    b->full |= b->n + b->p->pieces > b->how.most;
+    return out;
 }
 
-/* Puts list[from..] into nodes below a new one; takes it off the list; the node's number. The
- * larger half is dealt with in the loop, so that calls nest no deeper than log2 n. */
-static inline uint32_t painter_make(painter_builder *b, size_t from)
+static inline void painter_wait(painter_builder *b, painter_list l)
+{
+    b->stack = grown(b->stack, b->lists, &b->room, sizeof *b->stack);
+    b->stack[b->lists++] = l;
+    b->waiting += l.n;
+}
+
+/* A node of the list: what lies in its plane is drawn with it; both sides wait, the smaller one on
+ * top, so that no more than log2 n lists wait below it. */
+static inline void painter_make(painter_builder *b, const painter_list *l)
 {
     painter *t = b->p;
-    uint32_t root = UINT32_MAX, parent = UINT32_MAX;
-    bool parent_front = false;
-    while (b->n > from && !b->full) {
-        size_t to = b->n, which = from;
-        split_plane p = painter_choose(b, from, to, &which);
-        uint32_t at = (uint32_t)t->nodes;
-        t->node = grown(t->node, t->nodes++, &t->node_room, sizeof *t->node);
-        t->node[at] = (painter_node){p, UINT32_MAX, UINT32_MAX, (uint32_t)t->pieces, 0};
-        if (parent == UINT32_MAX) root = at;
-        else *(parent_front ? &t->node[parent].front : &t->node[parent].back) = at;
-        for (size_t i = from; i < to; i++)
-            if (i == which || painter_side(b, &p, b->list[i]) == SIDE_ON) {
-                t->piece = grown(t->piece, t->pieces, &t->piece_room, sizeof *t->piece);
-                t->piece[t->pieces++] = b->list[i];
-            }
-        t->node[at].pieces = (uint32_t)t->pieces - t->node[at].piece;
-        painter_collect(b, &p, which, from, to, SIDE_BACK);
-        size_t middle = b->n;
-        painter_collect(b, &p, which, from, to, SIDE_FRONT);
-        size_t back = middle - to, front = b->n - middle;
-        bool front_first = front <= back;  /* the smaller half by a call */
-        if (!front_first) {  /* bring the back on top: turn the two blocks round */
-            painter_piece *copy = allocate(back, sizeof *copy);
-            memcpy(copy, b->list + to, back * sizeof *copy);
-            memmove(b->list + to, b->list + middle, front * sizeof *copy);
-            memcpy(b->list + to + front, copy, back * sizeof *copy);
-            free(copy);
-            middle = to + front;
+    size_t which = 0;
+    split_plane p = painter_choose(b, l, &which);
+    uint32_t at = (uint32_t)t->nodes;
+    t->node = grown(t->node, t->nodes++, &t->node_room, sizeof *t->node);
+    t->node[at] = (painter_node){p, UINT32_MAX, UINT32_MAX, (uint32_t)t->pieces, 0};
+    if (at) *(l->front ? &t->node[l->parent].front : &t->node[l->parent].back) = at;
+    for (size_t i = 0; i < l->n; i++)
+        if (i == which || painter_side(b, &p, l->piece[i]) == SIDE_ON) {
+            t->piece = grown(t->piece, t->pieces, &t->piece_room, sizeof *t->piece);
+            t->piece[t->pieces++] = l->piece[i];
         }
-        uint32_t child = painter_make(b, middle);
-        if (b->full) break;
-        *(front_first ? &t->node[at].front : &t->node[at].back) = child;
-        size_t rest = b->n - to;  /* only these are left to be dealt with */
-        memmove(b->list + from, b->list + to, rest * sizeof *b->list);
-        b->n = from + rest;
-        parent = at, parent_front = !front_first;
-    }
-    return root;
+    t->node[at].pieces = (uint32_t)t->pieces - t->node[at].piece;
+    painter_list back = painter_part(b, l, which, at, SIDE_BACK);
+    painter_list front = painter_part(b, l, which, at, SIDE_FRONT);
+    painter_wait(b, front.n > back.n ? front : back);
+    painter_wait(b, front.n > back.n ? back : front);
 }
 
-/* All triangles that have an area, on the list. */
-static inline void painter_begin(painter_builder *b)
+/* All triangles that have an area. */
+static inline painter_list painter_begin(painter_builder *b)
 {
     painter *out = b->p;
-    const mesh *m = b->m;
+    painter_list all = {.n = 0};
     vec3 lo, hi;
-    if (!mesh_bounds(m, &lo, &hi)) return;
+    if (!mesh_bounds(b->m, &lo, &hi)) return all;
     out->middle = vmadd(vscale(lo, 0.5), hi, 0.5);
     real size = vaxis(vsub(hi, lo), vlongest(vsub(hi, lo)));
     b->e = 64 * real_epsilon * size, b->scale = power_above(size);
-    for (size_t i = 0; i < m->triangles; i++) {
-        triangle t = mesh_triangle(m, i);
+    for (size_t i = 0; i < b->m->triangles; i++) {
+        triangle t = mesh_triangle(b->m, i);
         if (vzero(painter_plane(b, (uint32_t)i).n)) continue;
         painter_reserve(out, 3);
-        painter_push(b, (painter_piece){(uint32_t)out->corners, 3, (uint32_t)i});
+        painter_push(&all, (painter_piece){(uint32_t)out->corners, 3, (uint32_t)i});
         out->corner[out->corners++] = vsub(t.a, out->middle);
         out->corner[out->corners++] = vsub(t.b, out->middle);
         out->corner[out->corners++] = vsub(t.c, out->middle);
     }
+    return all;
 }
 
 static inline bool painter_build(const mesh *m, painter_options how, painter *out, failure *f)
@@ -228,10 +216,17 @@ static inline bool painter_build(const mesh *m, painter_options how, painter *ou
     if (how.candidates < 1)
         return failed(f, 2, "painter: %d candidates; 1 or more are needed", how.candidates);
     painter_builder b = {.p = out, .m = m, .how = how, .g = random_start(how.seed, 0, 0)};
-    painter_begin(&b);
-    painter_make(&b, 0);
-    free(b.list);
-    if (!b.full) return true;
+    bool full = false;
+    painter_wait(&b, painter_begin(&b));
+    while (b.lists > 0) {
+        painter_list l = b.stack[--b.lists];
+        b.waiting -= l.n;
+        if (l.n && !full) painter_make(&b, &l);
+        full |= b.waiting + out->pieces > how.most;
+        free(l.piece);
+    }
+    free(b.stack);
+    if (!full) return true;
     painter_free(out);
     return failed(f, 2, "%zu triangles: cut into more than %zu pieces", m->triangles, how.most);
 }
@@ -240,8 +235,8 @@ static inline void painter_uncut(const mesh *m, painter *out)
 {
     *out = (painter){0};
     painter_builder b = {.p = out, .m = m};
-    painter_begin(&b);
-    out->piece = b.list, out->pieces = b.n, out->piece_room = b.room;
+    painter_list all = painter_begin(&b);
+    out->piece = all.piece, out->pieces = all.n, out->piece_room = all.room;
 }
 
 /* Back, own plane, front, as the eye sees them. A stack of its own, as the tree may be as deep as

@@ -32,7 +32,7 @@ static void measure(const options *o)
                &bvh_trial, &how);
     table_of_rules(o, &s);
     if (o->full) {
-        table_of_orders(o, &s), table_of_overlap(o, &s), table_of_greed(o), table_of_slivers(o);
+        table_of_orders(o, &s), table_of_greed(o), table_of_slivers(o);
         plot_of_pareto(o, &s), bvh_grow(o);
     }
     trial_scene_free(&s);

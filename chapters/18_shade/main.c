@@ -1,30 +1,37 @@
 /* 18_shade: trace and shade, kinds of ray, lights and hard shadows; how a ray leaves a surface.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
- * Without options: the gallery, what goes wrong with its shadows far out, a drawing, a table of
- * ways to leave a surface. --full: a table of rays. --samples N: down to a square.
- */
+ * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, the edge
+ * of light on a mesh, a drawing, tables of ways to leave a surface and to light a mesh. --full: two
+ * tables more, two plots. --samples N: down to a square. */
 #include "../../common/lab/report.h"
+#include "lab/edge_of_light.h"
 #include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
 int main(int argc, char **argv)
 {
+    int teapot = 0;
     bool all = false;
     const option own[] = {
+        {"teapot", OPTION_INT, &teapot, 1, 200, "cells along each side of its patches"},
         {"spend-all", OPTION_FLAG, &all, 0, 0, "send the shadow rays that cannot contribute, too"},
         {0}};
     options o = options_read(argc, argv, "18_shade", "Trace and shade; leaving a surface.",
                              (options){.width = 800, .height = 450, .seed = 1, .samples = 4}, own);
     if (o.out && o.csv) die(2, "--out draws, --csv measures: one of them");
+    o.own = teapot;
+    if (!teapot) teapot = o.quick ? 6 : 24;
     if (o.quick && o.samples == 4) o.samples = 1;  /* what was asked for stays */
     if (o.quick && o.width == 800 && o.height == 450) o.width = 240, o.height = 135;
-    draw_gallery(&o, all);
-    if (o.out) return output_done(&o);
+    draw_gallery(&o, teapot, all);
+    if (o.out || o.own) return output_done(&o);
     draw_acne(&o);
+    draw_terminator(&o);
     draw_tilt(&o);
     table_of_leaving(&o);
-    if (o.full) table_of_rays(&o);
+    table_of_terminator(&o);
+    if (o.full) table_of_needles(&o), plot_of_leaving(&o), table_of_rays(&o);
     return output_done(&o);
 }

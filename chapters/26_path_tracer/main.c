@@ -25,7 +25,7 @@ int main(int argc, char **argv)
         {"merge", OPTION_TEXT, &c.merge, 0, 0, "FILE FILE ...: the picture of all these states"},
         {"strategy", OPTION_TEXT, &c.strategy, 0, 0, "mis, lights, directions"},
         {"clamp", OPTION_REAL, &c.clamp, 0, 1e9, "cut brighter samples: darkens; default not"},
-        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its first path, hit by hit"},
+        {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its first path, hit by hit, in words and drawn"},
         {0}};
     argc = command_merge(argc, argv, &c);
     options o = options_read(argc, argv, "26_path_tracer", "A path tracer.", defaults, own);

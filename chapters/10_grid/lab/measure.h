@@ -1,7 +1,7 @@
 /* measure.h: the tables and plots of this chapter (09_aabb/trials/bench.h).
  *
  *   measure_variants(o)          wrong hits, memory and time; the main table
- *   measure_density(o)           time and work against cells a shape, on four scenes; two levels
+ *   measure_density(o)           time against cells a shape, on four scenes; two levels
  *   measure_drift(o)             how far a walk of up to 1e5 cells goes astray
  */
 #ifndef GRID_MEASURE_H
@@ -127,24 +127,16 @@ static inline void measure_density(const options *o)
                         "time [ns a ray]");
     plot time = plot_new("Time against cells", "cells a shape", "time [ns a ray]",
                          PLOT_LOG_X | PLOT_LOG_Y);
-    plot work = plot_new("Work against cells", "cells a shape", "a ray", PLOT_LOG_X | PLOT_LOG_Y);
     for (int kind = 0; kind < grid_scenes; kind++) {
         static const double shown[5] = {0.5, 2, 27, 512, 0};  /* 0: two levels */
         const char *where = grid_scene_name[kind];
-        char name[64];
         trial_scene s;
         grid_scene_of((grid_scene)kind, o->seed, &s);
         int by_time = plot_series(&time, where);
-        snprintf(name, sizeof name, "%s: tests", where);
-        int by_tests = plot_series(&work, name);
-        snprintf(name, sizeof name, "%s: cells", where);
-        int by_cells = plot_series(&work, name);
         for (double density = 0.125; density <= 512; density *= 2) {
             grid_options how = GRID_HOW(density, true, true);
-            grid_cost c = grid_cost_of((trial_row){.verbs = &grid_trial, .how = &how}, &s);
-            plot_add(&time, by_time, density, c.ns);
-            plot_add(&work, by_tests, density, c.tests);
-            plot_add(&work, by_cells, density, c.cells);
+            trial_row r = {.verbs = &grid_trial, .how = &how};
+            plot_add(&time, by_time, density, grid_cost_of(r, &s).ns);
         }
         for (int k = 0; k < 5; k++) {
             grid_options how = GRID_HOW(shown[k], true, true);
@@ -160,7 +152,6 @@ static inline void measure_density(const options *o)
     }
     output_extra_table(o, &t);
     output_plot(o, &time, "10_grid_time.svg");
-    output_plot(o, &work, "10_grid_density.svg");
 }
 
 /* ---- how far a walk goes astray ---- */

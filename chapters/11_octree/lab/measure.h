@@ -4,7 +4,7 @@
  *   table_of_knobs(o)         the main table
  *   table_of_faults(o)        wrong hits by kind of ray, on a mesh whose corners lie on the walls
  *   table_of_stadium(o)       the teapot, and the teapot in a stadium: grid and octree
- *   plots_of_depth(o)         work and time against depth, on three scenes
+ *   plot_of_depth(o)          work against depth, on three scenes
  */
 #ifndef OCTREE_MEASURE_H
 #define OCTREE_MEASURE_H
@@ -197,33 +197,29 @@ static inline void table_of_stadium(const options *o)
     output_extra_table(o, &out);
 }
 
-static inline void plots_of_depth(const options *o)
+static inline void plot_of_depth(const options *o)
 {
     static const char *const name[3] = {"teapot", "teapot in a stadium", "soup"};
     plot work = plot_new("Work a ray against depth, leaves of 8", "depth", "nodes and tests a ray",
                          PLOT_LOG_Y);
-    plot seconds = plot_new("Time of a diffuse ray against depth, leaves of 8", "depth",
-                            "time [ns a ray]", PLOT_LOG_Y);
     for (int k = 0; k < 3; k++) {
         trial_scene s;
         trial_scene_of(k == 0 ? teapot_mesh(16) : k == 1 ? stadium_mesh(16)
                                                         : soup_mesh(64 * 16 * 16, 1, 0.05, 3), &s);
         octree_pot_rays(&s, k == 1, 72, o->seed);
-        int by_work = plot_series(&work, name[k]), by_time = plot_series(&seconds, name[k]);
+        int series = plot_series(&work, name[k]);
         for (int depth = 1; depth <= 16; depth++) {
             trial_row r = {.name = name[k], .verbs = &octree_trial,
                            .how = OCTREE_HOW(8, depth, true, true)};
-            trials_run(&r, 1, &s, depth < 3 ? 1 : 3);
+            trials_run(&r, 1, &s, 1);
             search_work w = r.ray[TRIAL_DIFFUSE].work;
-            plot_add(&work, by_work, depth,
+            plot_add(&work, series, depth,
                      trial_per((double)(w.nodes + w.tests), r.ray[TRIAL_DIFFUSE].n));
-            plot_add(&seconds, by_time, depth, trial_ns(&r, TRIAL_DIFFUSE));
             trial_end(&r, 1);
         }
         trial_scene_free(&s);
     }
     output_plot(o, &work, "11_octree_depth.svg");
-    output_plot(o, &seconds, "11_octree_time.svg");
 }
 
 #endif

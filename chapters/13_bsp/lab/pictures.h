@@ -1,8 +1,8 @@
 /* pictures.h: a slice through a tree's cells, and what each pixel's ray took.
  *
- *   bool draw_trees(&s, z_up, how, threads, &im)   four panels: cells across the axes, and as `how`
- *                                                  says (left, right); below, nodes and tests of
- *                                                  each pixel's ray, black 0, white 90 and more
+ *   bool draw_trees(&s, z_up, threads, &im)   four panels: cells across the axes, and of planes of
+ *                                             any direction (left, right); below, nodes and tests
+ *                                             of each pixel's ray, black 0, white 90 and more
  *
  * Slice: upright, through the middle. Each cell has its own tint, darker the more triangles
  * it names; pale cells name none.
@@ -59,8 +59,7 @@ static inline vec3 slice_colour(const void *slice, real x, real y)
 /* Two panels and four pixels between them; in a tiny picture they touch, or the last one covers. */
 static inline int panel_side(int side) { return side > 32 ? side / 2 - 2 : (side + 1) / 2; }
 
-static inline bool draw_trees(const trial_scene *s, bool z_up, bsp_options how, int threads,
-                              image *all)
+static inline bool draw_trees(const trial_scene *s, bool z_up, int threads, image *all)
 {
     bool whole = true;
     vec3 lo, hi;
@@ -70,9 +69,8 @@ static inline bool draw_trees(const trial_scene *s, bool z_up, bsp_options how, 
     if (vzero(vsub(hi, lo)))  /* a point: something to look at all the same */
         lo = vsub(lo, (vec3){1, 1, 1}), hi = vadd(hi, (vec3){1, 1, 1});
     for (int k = 0; k < 2; k++) {
-        bsp_options across = how;
-        across.rule = BSP_AXIS;
-        trial_row r = {.verbs = &bsp_trial, .how = k ? &how : &across};
+        bsp_options how = bsp_with(k ? BSP_COST : BSP_AXIS, 16, BSP_SIDES_SAFE);
+        trial_row r = {.verbs = &bsp_trial, .how = &how};
         trial_build(&r, s);
         image im = image_new(panel_side(all->width), panel_side(all->height));
         real aspect = (real)im.width / (real)im.height;

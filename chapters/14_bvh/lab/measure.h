@@ -3,7 +3,6 @@
  *   table_of_rules(o, &s)         time, memory, work, wrong hits: the main table. A rule of
  *                                 bvh_rules is a row of it, and of most of the others
  *   table_of_orders(o, &s)        the nearer child first, or always the first; the closest, or any
- *   table_of_overlap(o, &s)       the formulas of cost.h, and counting
  *   table_of_slivers(o)           where triangles fill little of their boxes: cuts through them
  *   plot_of_pareto(o, &s)         each rule a curve, leaf sizes 16, 8, 4, 2 its points
  *   bvh_grow(o)                   against the number of triangles, up to a million
@@ -123,35 +122,6 @@ static inline void table_of_orders(const options *o, const trial_scene *s)
     }
     output_extra_table(o, &out);
     trial_end(row, 4);
-}
-
-/* The same trees, by the formulas and by counting lines as the heuristic assumes them. */
-static inline void table_of_overlap(const options *o, const trial_scene *s)
-{
-    trial_row row[bvh_rule_count];
-    table out = table_new(
-        "Overlap: random lines through the box of the mesh",
-        "rule|nodes (14.7)|nodes, lines|tests (14.7)|tests, lines|in both (14.8)");
-    int n = rows_of_all_rules(row);
-    for (int i = 0; i < n; i++) {
-        bvh b;
-        failure f;
-        search_work w = {0, 0, 0, 0};
-        if (!bvh_build(&s->x, *(const bvh_options *)row[i].how, &b, &f)) fail(f);
-        tree_cost c = tree_cost_of(bvh_tree_of(&b));
-        const float *side = bvh_tree_of(&b)->node[0].box.side;
-        aabb box = {{(real)side[0], (real)side[1], (real)side[2]},
-                    {(real)side[3], (real)side[4], (real)side[5]}};
-        ray_set lines = rays_uniform(box, 50000, o->seed);
-        for (size_t k = 0; k < lines.n; k++) tree_pierced(bvh_tree_of(&b), lines.r[k], &w);
-        table_text(&out, "%s", row[i].name);
-        table_number(&out, c.nodes), table_number(&out, trial_per((double)w.nodes, lines.n));
-        table_number(&out, c.tests), table_number(&out, trial_per((double)w.tests, lines.n));
-        table_number(&out, c.overlap);
-        rays_free(&lines);
-        bvh_free(&b);
-    }
-    output_extra_table(o, &out);
 }
 
 static inline void table_of_slivers(const options *o)

@@ -6,7 +6,7 @@
 #define SHADE_LAB_FIGURES_H
 
 #include "../../../common/lab/figure.h"
-#include "../shade.h"
+#include "../light.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

@@ -35,26 +35,35 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
+static inline vec3 gallery_at(const gallery *g, double x, double y, double z)
+{
+    return vadd(g->T, vec(x, y, z));
+}
+
+static inline shape gallery_ball(const gallery *g, double x, double y, double r)
+{
+    return shape_of_sphere((sphere){gallery_at(g, x, y, r), (real)r});
+}
+
 static inline void gallery_fill(gallery *g)
 {
-    static const double corner[8][3] = {  /* floor and card */
-        {-40, -40, 0}, {40, -40, 0}, {40, 40, 0}, {-40, 40, 0},
-        {2.0, -4.1, 0}, {4.2, -3.3, 0}, {3.9, -2.5, 1.5}, {1.7, -3.3, 1.5}};
-    static const double ball[7][4] = {    /* centre, radius; 1.88: beside the card's corner */
-        {-2.6, -3.2, 0.9, 0.9}, {4.9, 0.6, 1.3, 1.3}, {-0.4, -3.9, 0.45, 0.45},
-        {1.0, -4.6, 0.25, 0.25}, {1.88, -4.14, 0.02, 0.02}, {-4.6, -2.3, 0.35, 0.35},
-        {-4.4, -1.6, 4.1, 0.16}};
-    for (int k = 0; k < 8; k++)
-        g->corner[k] = vadd(g->T, vec(corner[k][0], corner[k][1], corner[k][2]));
-    for (int k = 0; k < 2; k++) g->shapes[k] = shape_of_polygon(polygon_of(g->corner + 4 * k, 4));
-    for (int k = 0; k < 7; k++) {
-        vec3 c = vadd(g->T, vec(ball[k][0], ball[k][1], ball[k][2]));
-        shape *s = k == 6 ? &g->bulb : &g->shapes[k < 4 ? 2 + k : 3 + k];
-        *s = shape_of_sphere((sphere){c, (real)ball[k][3]});
-    }
-    g->shapes[6] = shape_of_cone((cone){vadd(g->T, vec(-5, 0.4, 0)), 1,
-                                        vadd(g->T, vec(-5, 0.4, 2.6)), 0});
-    g->lights[0] = (light){LIGHT_DIRECTIONAL, vunit(vec(0.55, -0.5, 0.62)), {2.1, 1.95, 1.7}};
+    const double floor[4][2] = {{-40, -40}, {40, -40}, {40, 40}, {-40, 40}};
+    for (int k = 0; k < 4; k++) g->corner[k] = gallery_at(g, floor[k][0], floor[k][1], 0);
+    g->corner[4] = gallery_at(g, 2.0, -4.1, 0), g->corner[5] = gallery_at(g, 4.2, -3.3, 0);
+    g->corner[6] = gallery_at(g, 3.9, -2.5, 1.5), g->corner[7] = gallery_at(g, 1.7, -3.3, 1.5);
+    g->shapes[0] = shape_of_polygon(polygon_of(g->corner, 4));
+    g->shapes[1] = shape_of_polygon(polygon_of(g->corner + 4, 4));  /* the card */
+    g->shapes[2] = gallery_ball(g, -2.6, -3.2, 0.9);
+    g->shapes[3] = gallery_ball(g, 4.9, 0.6, 1.3);
+    g->shapes[4] = gallery_ball(g, -0.4, -3.9, 0.45);
+    g->shapes[5] = gallery_ball(g, 1.0, -4.6, 0.25);
+    g->shapes[6] = shape_of_cone((cone){gallery_at(g, -5, 0.4, 0), 1,
+                                        gallery_at(g, -5, 0.4, 2.6), 0});
+    g->shapes[7] = gallery_ball(g, 1.88, -4.14, 0.02);              /* beside the card's corner */
+    g->shapes[8] = gallery_ball(g, -4.6, -2.3, 0.35);
+    g->bulb = shape_of_sphere((sphere){gallery_at(g, -4.4, -1.6, 4.1), 0.16});
+    g->lights[0] = (light){LIGHT_DIRECTIONAL, vunit(vec(0.55, -0.5, 0.62)),
+                           {2.1, 1.95, 1.7}};
     g->lights[1] = (light){LIGHT_POINT, g->bulb.sphere.c, {13, 15, 19}};
 }
 
@@ -89,7 +98,8 @@ static inline material gallery_material(const void *context, trace_hit x, const 
     const gallery *g = context;
     if (x.part == 2) return (material){.shine = 1, .ke = {1.6, 1.7, 2}};
     if (x.part == 1)
-        return (material){{0.58, 0.52, 0.45}, {0.5, 0.5, 0.5}, 90, {0, 0, 0}};
+        return (material){{0.58, 0.52, 0.45}, {0.5, 0.5, 0.5},
+                          90, {0, 0, 0}};
     const double *l = look[x.h.shape];
     vec3 p = vsub(s->p, g->T), kd = {(real)l[0], (real)l[1], (real)l[2]};
     bool odd = ((int)floor((double)p.x / 1.5) + (int)floor((double)p.y / 1.5)) & 1;
@@ -100,7 +110,8 @@ static inline material gallery_material(const void *context, trace_hit x, const 
 static inline shading gallery_shading(const gallery *g)
 {
     return (shading){.lights = g->lights, .n = 2, .material_of = gallery_material, .context = g,
-                     .background = {0.09, 0.13, 0.2}, .ambient = {0.1, 0.12, 0.15}};
+                     .background = {0.09, 0.13, 0.2},
+                     .ambient = {0.1, 0.12, 0.15}};
 }
 
 static inline camera gallery_look(real T, vec3 from, vec3 to, real degrees, real aspect)
@@ -111,12 +122,14 @@ static inline camera gallery_look(real T, vec3 from, vec3 to, real degrees, real
 
 static inline camera gallery_camera(real T, real aspect)
 {
-    return gallery_look(T, vec(-1.5, -15, 5.2), vec(0, -0.9, 1.25), 27, aspect);
+    return gallery_look(T, vec(-1.5, -15, 5.2), vec(0, -0.9, 1.25),
+                        27, aspect);
 }
 
 static inline camera gallery_close_up(real T, real aspect)
 {
-    return gallery_look(T, vec(1.25, -4.85, 0.26), vec(1.955, -4.1, 0.022), 7, aspect);
+    return gallery_look(T, vec(1.25, -4.85, 0.26),
+                        vec(1.955, -4.1, 0.022), 7, aspect);
 }
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -1,8 +1,10 @@
 /* leave_variants.h: how else rays are made to leave a surface, one signature.
  *
  *   ray leave_X(surface s, vec3 w)                                         fails
+ *   leave_fixed_1e3  tmin = 1e-3                                          small or large scenes
  *   leave_first      tmin = 1e-4: the notes' epsilon, as in first.h       small or large scenes
  *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                   grazing rays
+ *   leave_normal     O = p + 32 eps max(1, |p|_max) n                      large flat shapes
  *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)           large shapes near 0
  *   leave_bounds     O = p + (error bounds . |n|) n, rounded outwards      needles
  *   leave            of leave.h: bounds of the point and of the test       -
@@ -18,16 +20,33 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* w of length 1 or not: tmin counts in lengths of w, as in most programs that do this. */
+static inline ray leave_fixed_1e3(surface s, vec3 w)
+{
+    return (ray){s.p, 1e-3, w, real_infinity};
+}
+
 static inline ray leave_first(surface s, vec3 w)
 {
     return (ray){s.p, 1e-4, w, real_infinity};
 }
 
+static inline real leave_scale(surface s)
+{
+    return 32 * real_epsilon * real_max(1, surface_reach(s.p));
+}
+
 /* Fails where w grazes the surface: tmin = eps |p| moves O away from it by n.w as much only. */
 static inline ray leave_scaled(surface s, vec3 w)
 {
-    real eps = 32 * real_epsilon * real_max(1, surface_reach(s.p));
-    return (ray){s.p, eps / vlength(w), w, real_infinity};
+    return (ray){s.p, leave_scale(s) / vlength(w), w, real_infinity};
+}
+
+/* Fails on a triangle of size 1e3 at the origin: its test is off by eps times 1e3, which |p| may
+ * not tell. */
+static inline ray leave_normal(surface s, vec3 w)
+{
+    real off = leave_scale(s);
+    return (ray){vmadd(s.p, s.n, vdot(s.n, w) < 0 ? -off : off), 0, w, real_infinity};
 }
 
 /* x moved by n * 256 of its units in the last place. Near zero these vanish: there by n * 2^-16 in

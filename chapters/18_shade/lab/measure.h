@@ -1,6 +1,8 @@
 /* measure.h: the tables: ways to leave a surface, near and far; rays spent.
  *
  *   table_of_leaving(&o)     acne and leaks of spheres and triangles, with time
+ *   table_of_needles(&o)     pbrt's bounds and ours on 1e5 needles
+ *   plot_of_leaving(&o)      acne and leaks of triangles against time
  *   table_of_rays(&o)        shadow rays, only what is called for and all
  */
 #ifndef SHADE_LAB_MEASURE_H
@@ -79,6 +81,45 @@ static inline void table_of_leaving(const options *o)
         }
     }
     output_table(o, &t);
+}
+
+/* Triangles of one radius to 1e-4 of it: bounds of the point alone, and with those of the test. */
+static inline void table_of_needles(const options *o)
+{
+    static const real far[3] = {0, 1, 100};
+    size_t n = o->quick ? 1000 : 100000;
+    table t = table_new("Needles, 1e5 of each: rays that meet the one they leave; plates passed",
+                        "method|error: acne T=0|error: acne T=1|error: acne T=100|"
+                        "error: leaks T=0");
+    for (int k = leavings - 2; k < leavings; k++) {
+        size_t self[3] = {0}, leak = 0;
+        for (int e = 0; e < 3; e++)
+            for (size_t i = 0; i < n; i++) {
+                departure x;
+                departure_make(&x, DEPART_NEEDLE, 1, far[e], o->seed, i);
+                self[e] += departure_self(&x, ways[k]);
+                if (e == 0) leak += departure_leak(&x, ways[k], departure_gap(&x));
+            }
+        table_text(&t, "%s", ways[k].name);
+        for (int e = 0; e < 3; e++) table_count(&t, self[e]);
+        table_count(&t, leak);
+    }
+    output_extra_table(o, &t);
+}
+
+static inline void plot_of_leaving(const options *o)
+{
+    plot time = plot_new("Acne and leaks, triangles of size 100, against time",
+                         "time of hit point and ray [ns]", "the larger of acne and leak [%]",
+                         PLOT_LOG_Y);
+    leaving_score score[leavings];
+    double ns[leavings];
+    leaving_play(DEPART_TRIANGLE, 100, 0, o, score);
+    leaving_time(DEPART_TRIANGLE, o->seed, ns);
+    for (int k = 0; k < leavings; k++)
+        plot_add(&time, plot_series(&time, ways[k].name), ns[k],
+                 fmax(score[k].self, score[k].leak));
+    output_plot(o, &time, "18_shade_time.svg");
 }
 
 /* One ray a pixel: ours, ours with all shadow rays, and shade() as printed. */

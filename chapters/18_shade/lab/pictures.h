@@ -1,6 +1,6 @@
 /* pictures.h: the gallery; its shadows far from the origin.
  *
- *   draw_gallery(&o, spend_all)        the main picture, and what rays it took
+ *   draw_gallery(&o, n, spend_all)     the main picture, and what rays it took
  *   draw_acne(&o)                      two views at T = 1e4: naive, mended
  */
 #ifndef SHADE_LAB_PICTURES_H
@@ -13,9 +13,9 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void draw_gallery(const options *o, bool spend_all)
+static inline void draw_gallery(const options *o, int n, bool spend_all)
 {
-    gallery *g = gallery_new(o->quick ? 6 : 24, 0);
+    gallery *g = gallery_new(n, 0);
     image im = image_new(o->width, o->height);
     gallery_view v = {.g = g, .how = gallery_shading(g), .samples = 1, .im = &im,
                       .c = gallery_camera(0, (real)o->width / (real)o->height)};

@@ -1,7 +1,9 @@
 /* pixel.h: the first path of one pixel, hit by hit: its light samples and their weights, where the
- * BRDF sends it, the dice, and what all of it brings, in lines with the number of their equation.
+ * BRDF sends it, the dice, and what all of it brings. In words, lines with the number of their
+ * equation, and as a drawing.
  *
- *   pixel_explain(&o, "cornell", "160,200")     the scene (cornell or spheres), and the pixel
+ *   pixel_explain(&o, "cornell", "160,200")     the scene (cornell or spheres), and the pixel; the
+ *                                               drawing goes to build/26_path_tracer_pixel.svg
  *
  * Each hit is asked twice: first path.h's own functions work on copies of the walk and of its
  * random numbers, so that what they do can be told; then path_step goes on. That what was told is
@@ -12,6 +14,9 @@
 
 #include "../../../common/lab/explain.h"
 #include "vertices_figure.h"
+
+enum { pixel_most = 64 };
+typedef struct { vertex_seen v[pixel_most]; int n; } pixel_path;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -41,8 +46,9 @@ static inline void pixel_dice(const path_tracer *t, const path_walk *before, boo
 }
 
 /* One hit in words: of the walk w, a copy, and a copy s of its random numbers; w->L is then what
- * was told of light. */
-static inline void pixel_hit(const path_tracer *t, path_walk *w, path_random s, int k)
+ * was told of light. False: there is no hit. */
+static inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, int k,
+                             vertex_seen *v)
 {
     lit_hit x = {.m = NULL};
     path_counts c = {0};
@@ -52,9 +58,9 @@ static inline void pixel_hit(const path_tracer *t, path_walk *w, path_random s, 
         vec3 sky = vmul(w->beta, path_escaped(t, w));
         w->L = vadd(w->L, sky);
         explain_vector(0, "(26.5)", "out of the scene, where beta L is", sky);
-        return;
+        return false;
     }
-    vertex_seen v = {.p = x.s.p, .beta = w->beta};
+    *v = (vertex_seen){.p = x.s.p, .beta = w->beta};
     explain_vector(0, "(1.2)", name, x.s.p);
     explain_vector(2, "(26.2)", "beta =", w->beta);
     if (t->glass && w->medium)
@@ -70,39 +76,69 @@ static inline void pixel_hit(const path_tracer *t, path_walk *w, path_random s, 
         explain_line(2, "(26.9)", w->medium == medium ? "glass: reflected" : w->medium
                      ? "glass: the path goes in" : "glass: the path goes out");
     } else {
-        if (brdf_is_black(&x.m->f)) return;
+        if (brdf_is_black(&x.m->f)) return true;
         vec3 L = w->L;
         bool light = t->how.light_sampling && !brdf_is_delta(&x.m->f);
-        if (light) vertices_light(t, w, &x, s, &v);
+        if (light) vertices_light(t, w, &x, s, v);
         bool on = path_reflect(t, w, &x, &s, &c);
-        v.gain = vsub(w->L, L);
-        if (light) pixel_light(&v, v.gain);
+        v->gain = vsub(w->L, L);
+        if (light) pixel_light(v, v->gain);
         if (!on) explain_line(2, "", "the BRDF reflects nothing: the path ends");
         else if (!(w->pdf < real_infinity)) explain_line(2, "(19.1)", "a mirror: one direction");
         else explain_line(2, "(26.1)", "the BRDF draws the next direction, p = %.4g",
                           (double)w->pdf);
-        if (!on) return;
+        if (!on) return true;
     }
-    if (vzero(w->beta)) return;
+    if (vzero(w->beta)) return true;
     path_random die = s;
     path_walk after = *w;
     pixel_dice(t, w, path_dice(t, &after, &die, &c));
+    return true;
 }
 
-static inline vec3 pixel_walk(const path_tracer *t, ray eye, path_random s)
+static inline vec3 pixel_walk(const path_tracer *t, ray eye, path_random s, pixel_path *path)
 {
     path_walk w = {.beta = {1, 1, 1}, .r = eye, .left = no_shape, .pdf = real_infinity,
                    .squeezed = 1};
     path_counts c = {0};
     bool on = true;
     for (int k = 0; on; k++) {
+        vertex_seen v;
         path_walk told = w;
-        pixel_hit(t, &told, s, k);
+        if (pixel_hit(t, &told, s, k, &v) && path->n < pixel_most) path->v[path->n++] = v;
         on = path_step(t, &w, &s, &c);
         if (told.L.x != w.L.x || told.L.y != w.L.y || told.L.z != w.L.z)
             die(1, "--pixel: what was told of x%d is not what path.h did", k);
     }
     return w.L;
+}
+
+static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
+                              const pixel_path *path)
+{
+    char room[512];
+    camera view = showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
+    figure g = figure_at(output_path(o, "26_path_tracer_pixel.svg", true, room), 480, 480);
+    figure_origin(&g, 0, 480, 480);
+    vertices_room(&g, view, &c->s);
+    mesh m = cornell_mesh();
+    for (size_t k = vertices_walls; blocks && 2 * k < m.triangles; k++)
+        vertices_wall(&g, view, &m, k);
+    mesh_free(&m);
+    for (int k = 0; k < path->n; k++) {
+        const vertex_seen *v = &path->v[k];
+        vec3 from = k ? path->v[k - 1].p : vadd(v->p, vscale(vsub(c->eye.e, v->p), (real)0.42));
+        if (v->drawn)
+            vertices_line(&g, view, v->p, v->lamp, v->blocked ? FIGURE_GREY : FIGURE_ORANGE, 2,
+                          FIGURE_DASHED);
+        vertices_line(&g, view, from, v->p, FIGURE_BLUE, 2, FIGURE_WHOLE);
+    }
+    for (int k = 0; k < path->n; k++) {
+        vertices_point p = vertices_place(view, path->v[k].p);
+        figure_dot(&g, p.x, p.y, 5, FIGURE_BLUE);
+        figure_print(&g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, "*x*~%d~", k);
+    }
+    figure_end(&g);
 }
 
 static inline void pixel_explain(const options *o, const char *name, const char *text)
@@ -112,6 +148,7 @@ static inline void pixel_explain(const options *o, const char *name, const char 
     path_tracer t;
     path_pixel pixel;
     path_counts counts = {0};
+    pixel_path path = {.n = 0};
     failure why;
     if (strcmp(name, "cornell") != 0 && strcmp(name, "spheres") != 0)
         die(2, "--pixel: allowed with --scene are cornell and spheres");
@@ -129,11 +166,12 @@ static inline void pixel_explain(const options *o, const char *name, const char 
            name);
     explain_vector(0, "(2.5)", "o =", eye.o);
     explain_vector(0, "(2.5)", "d =", eye.d);
-    vec3 L = pixel_walk(&t, eye, s), due = path_radiance(&t, eye, &again, &counts);
+    vec3 L = pixel_walk(&t, eye, s, &path), due = path_radiance(&t, eye, &again, &counts);
     if (L.x != due.x || L.y != due.y || L.z != due.z)
         die(1, "--pixel: this walk is not that of path.h");
     explain_vector(0, "(26.5)", "this path brings L =", L);
     printf("%zu rays; the pixel is the mean of many such paths\n", path_rays(&counts));
+    pixel_draw(o, &c, *name == 'c', &path);
     path_tracer_free(&t), showcase_free(&c);
 }
 
