@@ -177,7 +177,7 @@ static ray odd_ray(shape x, const vec3 *q, size_t i)
 static void hits_are_within_bounds(void)
 {
     double worst = 0;
-    size_t hits = 0, n = check_count(400000);
+    size_t hits = 0, n = check_count(200000);
     numbers = random_start(34, 0, 0);
     for (size_t i = 0; i < n; i++) {
         vec3 q[7], lo, hi, far = {0, 0, 0};
