@@ -5,7 +5,7 @@
 #include "../chapters/22_radiometry/polygon_irradiance.h"
 #include "../chapters/22_radiometry/sphere_irradiance.h"
 #include "../chapters/24_direct_light/direct.h"
-#include "../chapters/24_direct_light/lab/point_lights.h"
+#include "../chapters/24_direct_light/lab/pictures.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"
 #include "check.h"
 
@@ -457,7 +457,6 @@ static void test_point_lights(void)
     const lit_material matte = {.f = brdf_lambert(white)};
     setting open = setting_of(9), hidden = setting_of(16);
     lit_hit h = place(black, &matte);
-    direct_point at = point_seen(&h, up);
     for (int half = 0; half < 2; half++) {
         lit_lights l;
         direct_work work = {0, 0, 0};
@@ -466,7 +465,7 @@ static void test_point_lights(void)
         double truth = (half ? hidden.truth : open.truth) / (double)pi, before = 0;
         for (int k = 0; k < 5; k++) {
             uint32_t seen, side = 1u << k;
-            double off = fabs((double)point_lights(&d, &at, side, &seen).x / truth - 1);
+            double off = fabs((double)point_lights(&d, &h, up, side, &seen).x / truth - 1);
             if (!half) check_equal(seen, side * side, "all %u point lights are seen", side * side);
             else if (k) check_equal(seen, side * side / 2, "half of %u are seen", side * side);
             if (k > 2) check_close(before / off, 4, 0.5, "error %g of %u, a fourth of that of a "
