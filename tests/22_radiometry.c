@@ -46,7 +46,7 @@ static void test_closed(void)
  * percent: left out. */
 static void test_floors(void)
 {
-    const size_t n = 400000;
+    const size_t n = 200000;
     for (int light = 0; light < floor_lights; light++) {
         enum { cells = floor_cells * floor_cells };
         uint32_t *count = allocate(cells, sizeof *count);
@@ -66,6 +66,7 @@ static void test_floors(void)
         o[cells] = (double)n - counted, e[cells] = (double)n - expected;  /* those elsewhere */
         check_at_least(chi_square_test(o, e, cells + 1).p, alarm, "floor %d: photons", light);
         check_at_least(counted, 0.05 * (double)n, "floor %d: many of them arrive", light);
+        check_close(counted, expected, 6 * sqrt(expected), "floor %d: all of them", light);
         /* a fifth more light than closed form has: the test sees it */
         for (int k = 0; k < cells; k++) e[k] *= 1.2;
         e[cells] = (double)n - 1.2 * expected;

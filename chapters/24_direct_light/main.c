@@ -18,9 +18,11 @@ int main(int argc, char **argv)
     if (!o.out) draw_ways(&o);
     measure_ways(&o);
     if (!o.full) return output_done(&o);
-    if (!o.out) draw_points(&o);
+    if (!o.out) {
+        draw_exhibit(&o, &exhibit_points);
+        draw_exhibit(&o, &exhibit_plates), draw_exhibit(&o, &exhibit_strip);
+    }
     measure_points(&o);
-    if (!o.out) draw_exhibit(&o, &exhibit_plates), draw_exhibit(&o, &exhibit_strip);
     measure_near(&o);
     measure_called(&o);
     return output_done(&o);

@@ -38,54 +38,43 @@ static inline double direction_exact(radiometry_light l)
                                       : rectangle_irradiance(pane, seen_from, seen_up));
 }
 
-static inline bool light_met(radiometry_light l, vec3 w)
+static inline radiometry_seen radiometry_seen_of(vec3 p)
 {
-    hit h;
-    return l == LIGHT_SPHERE ? sphere_hit(lamp, ray_from(seen_from, w), &h)
-                             : rectangle_met(pane, w);
+    return (radiometry_seen){sphere_cone(lamp, p), vunit(vsub(lamp.c, p)),
+                             spherical_rectangle_of(pane, p)};
 }
 
-static inline real sphere_area_term(real u, real v)
+static inline real sphere_sample(direction_way by, const radiometry_seen *k, real u, real v)
 {
+    hit h;
+    vec3 w = by == BY_COSINE ? sample_cosine(u, v) : sample_hemisphere(u, v);
+    if (by == BY_HEMISPHERE || by == BY_COSINE)
+        return !sphere_hit(lamp, ray_from(seen_from, w), &h) ? 0
+             : by == BY_COSINE ? pi : 2 * pi * w.z;
+    if (by == BY_SOLID_ANGLE)
+        return real_max(directed(k->axis, sample_cone(k->cone, u, v)).z, 0)
+             * 4 * pi * k->cone.half_sine2;
     vec3 m = sample_sphere(u, v), y = vmadd(lamp.c, m, lamp.r);
     real r2 = vdot(y, y), facing = -vdot(m, y);
     return 4 * pi * lamp.r * lamp.r * real_max(y.z, 0) * real_max(facing, 0) / (r2 * r2);
 }
 
-static inline radiometry_seen radiometry_seen_of(vec3 p)
+static inline real square_sample(direction_way by, const radiometry_seen *k, real u, real v)
 {
-    return (radiometry_seen){sphere_cone(lamp, p), vunit(vsub(lamp.c, p)),
-                        spherical_rectangle_of(pane, p)};
-}
-
-static inline real sphere_angle_term(const radiometry_seen *k, real u, real v)
-{
-    return real_max(directed(k->axis, sample_cone(k->cone, u, v)).z, 0) * 4 * pi
-         * k->cone.half_sine2;
-}
-
-static inline real pane_angle_term(const radiometry_seen *k, real u, real v)
-{
-    vec3 y = rectangle_at(pane, spherical_rectangle_sample(&k->square, u, v));
-    return real_max(vunit(y).z, 0) * k->square.omega;
+    if (by == BY_AREA) return area_term(pane, seen_from, seen_up, u, v);
+    if (by == BY_SOLID_ANGLE) {
+        vec3 y = rectangle_at(pane, spherical_rectangle_sample(&k->square, u, v));
+        return real_max(vunit(y).z, 0) * k->square.omega;
+    }
+    vec3 w = by == BY_COSINE ? sample_cosine(u, v) : sample_hemisphere(u, v);
+    return !rectangle_met(pane, w) ? 0 : by == BY_COSINE ? pi : 2 * pi * w.z;
 }
 
 /* k: for BY_SOLID_ANGLE, prepared once a point. */
 static inline real direction_sample(radiometry_light l, direction_way by,
                                     const radiometry_seen *k, real u, real v)
 {
-    vec3 w;
-    switch (by) {
-    case BY_HEMISPHERE: w = sample_hemisphere(u, v); return light_met(l, w) ? 2 * pi * w.z : 0;
-    case BY_COSINE: w = sample_cosine(u, v); return light_met(l, w) ? pi : 0;
-    case BY_AREA:
-        return l == LIGHT_SPHERE ? sphere_area_term(u, v)
-                                 : area_term(pane, seen_from, seen_up, u, v);
-    case BY_SOLID_ANGLE:
-        return l == LIGHT_SPHERE ? sphere_angle_term(k, u, v) : pane_angle_term(k, u, v);
-    case direction_ways: break;
-    }
-    return 0;
+    return l == LIGHT_SPHERE ? sphere_sample(by, k, u, v) : square_sample(by, k, u, v);
 }
 
 /* The mean of n samples. */

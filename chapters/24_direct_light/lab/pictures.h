@@ -1,9 +1,11 @@
 /* pictures.h: direct light, a picture at a time, and several side by side.
  *
- *   direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, n, seed};
- *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with a camera ray
+ *   direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, n, side, seed};
+ *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with a camera ray;
+ *                                    side > 0: light 0 as side x side point lights
  *
  *   draw_box(o)                      the main picture
+ *   draw_exhibit(o, &exhibit_points)   a lamp as 1, 4, 16 point lights; 16 points drawn
  *   draw_exhibit(o, &exhibit_plates)   BRDF, lights, both: the same number of rays
  *   draw_exhibit(o, &exhibit_strip)    a light that touches the floor, by area and by angle
  */
@@ -21,11 +23,30 @@ typedef struct {
     direct_way way;
     lit_lights_rule kind;
     sequence_kind sequence;
-    uint32_t n;
+    uint32_t n, side;
     uint64_t seed;
 } direct_view;
 
 /* ---------------------------------------------------------------------------------------------- */
+
+/* What side x side point lights bring, the middles of a grid of cells, the same for all points of
+ * the scene: samples by area (24.4) whose two numbers are set. *seen: how many of them. */
+static inline vec3 point_lights(const direct *d, const lit_hit *h, vec3 wo, uint32_t side,
+                                uint32_t *seen)
+{
+    vec3 sum = {0, 0, 0};
+    shading_frame f = shading_frame_of(h->s.ns);
+    direct_point x = {h, f, to_local(f, wo)};
+    *seen = 0;
+    for (uint32_t i = 0; i < side * side; i++) {
+        point2 u = {((real)(i % side) + (real)0.5) / (real)side,
+                    ((real)(i / side) + (real)0.5) / (real)side};
+        vec3 L = direct_from(d, &x, 0, 1, u);
+        *seen += !vzero(L);
+        sum = vadd(sum, L);
+    }
+    return vscale(sum, 1 / (real)(side * side));
+}
 
 typedef struct { const direct_view *v; const lit_lights *l; image *im; } direct_sheet;
 
@@ -42,8 +63,10 @@ static inline void direct_pixel(int x, int y, void *context)
         point2 p = sampler_pair(&s);
         ray r = camera_ray(v->g->c, (real)x + p.u, (real)y + p.v, k->im->width, k->im->height);
         lit_hit h;
+        uint32_t seen;
         if (!lit_trace(&v->g->s, r, &h)) continue;
-        vec3 L = direct_light(&d, &h, vneg(vunit(r.d)), &s);
+        vec3 wo = vneg(vunit(r.d));
+        vec3 L = v->side ? point_lights(&d, &h, wo, v->side, &seen) : direct_light(&d, &h, wo, &s);
         sum = vadd(sum, vadd(L, lit_emitted(&h)));
     }
     image_set(k->im, x, y, vscale(sum, v->g->exposure / (real)v->n));
@@ -66,7 +89,8 @@ static inline void draw_box(const options *o)
     stage_open(STAGE_BOX, &g);
     image im = image_new(o->width, o->height);
     g.c = stage_camera_of(STAGE_BOX, (real)o->width / (real)o->height);
-    direct_view v = {&g, DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, o->seed};
+    direct_view v = {&g, DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, 0,
+                     o->seed};
     bool whole = direct_render(&v, &im, o->threads);
     output_picture(o, &im, "24_direct_light.png", true, whole);
     image_free(&im), stage_close(&g);
@@ -77,9 +101,17 @@ typedef struct {
     direct_stage_name stage;
     const char *file;
     int n, width;  /* of a panel */
-    direct_view view[3];
-    const char *title[3];
+    direct_view view[4];
+    const char *title[4];
 } direct_exhibit;
+
+static const direct_exhibit exhibit_points = {
+    STAGE_BOX, "24_direct_light_points.png", 4, 240,
+    {{.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_SOBOL, .n = 4, .side = 1},
+     {.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_SOBOL, .n = 4, .side = 2},
+     {.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_SOBOL, .n = 4, .side = 4},
+     {.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_RANDOM, .n = 16}},
+    {"1 point light", "4 point lights", "16 point lights", "16 points drawn"}};
 
 /* One ray for a sample by directions or by one light, two for both: half the samples. */
 static const direct_exhibit exhibit_plates = {

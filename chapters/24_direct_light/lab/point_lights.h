@@ -1,8 +1,5 @@
-/* point_lights.h: an area light as k point lights (面光源视为无数个点光源), k = 1, 4, 16 ..: the middles
- * of a grid of k cells, the same for all points of the scene. Each is a sample by area (24.4)
- * whose two numbers are not drawn but set.
+/* point_lights.h: an area light as k point lights (面光源视为无数个点光源), k = 1, 4, 16 ..
  *
- *   draw_points(&o);      24_direct_light_points.png: 1, 4, 16 point lights; 16 points drawn
  *   measure_points(&o);   table and plot: error against k, where the whole lamp is seen and where a
  *                         part of it is; beside it k random points
  *
@@ -15,84 +12,6 @@
 #include "survey.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Number i of side x side: the middle of its cell. */
-static inline point2 point_light(uint32_t i, uint32_t side)
-{
-    return (point2){((real)(i % side) + (real)0.5) / (real)side,
-                    ((real)(i / side) + (real)0.5) / (real)side};
-}
-
-/* What side x side point lights bring; *seen: how many of them. */
-static inline vec3 point_lights(const direct *d, const direct_point *x, uint32_t side,
-                                uint32_t *seen)
-{
-    vec3 sum = {0, 0, 0};
-    *seen = 0;
-    for (uint32_t i = 0; i < side * side; i++) {
-        vec3 L = direct_from(d, x, 0, 1, point_light(i, side));
-        *seen += !vzero(L);
-        sum = vadd(sum, L);
-    }
-    return vscale(sum, 1 / (real)(side * side));
-}
-
-static inline direct_point point_seen(const lit_hit *h, vec3 wo)
-{
-    shading_frame f = shading_frame_of(h->s.ns);
-    return (direct_point){h, f, to_local(f, wo)};
-}
-
-/* ---- picture ---- */
-
-enum { points_panels = 4, points_width = 240, points_eye_rays = 4 };
-typedef struct { direct_stage g; lit_lights l; image im; int panel; uint64_t seed; } points_sheet;
-
-static inline void points_pixel(int x, int y, void *context)
-{
-    points_sheet *t = context;
-    vec3 sum = {0, 0, 0};
-    direct_work work = {0, 0, 0};
-    direct d = {&t->g.s, DIRECT_AREA, &t->l, &work, false};
-    uint64_t pixel = (uint64_t)y * (uint64_t)t->im.width + (uint64_t)x;
-    for (uint32_t i = 0; i < points_eye_rays; i++) {
-        sampler s = sampler_start(SEQUENCE_SOBOL, t->seed, pixel, i, points_eye_rays);
-        point2 p = sampler_pair(&s);
-        lit_hit h;
-        uint32_t seen;
-        ray r = camera_ray(t->g.c, (real)x + p.u, (real)y + p.v, t->im.width, t->im.height);
-        if (!lit_trace(&t->g.s, r, &h)) continue;
-        vec3 wo = vneg(vunit(r.d)), L = {0, 0, 0};
-        direct_point at = point_seen(&h, wo);
-        if (t->panel + 1 < points_panels) L = point_lights(&d, &at, 1u << t->panel, &seen);
-        else for (int k = 0; k < 4; k++) L = vmadd(L, direct_light(&d, &h, wo, &s), (real)0.25);
-        sum = vadd(sum, vadd(L, lit_emitted(&h)));
-    }
-    image_set(&t->im, x, y, vscale(sum, t->g.exposure / points_eye_rays));
-}
-
-static inline void draw_points(const options *o)
-{
-    static const char *const title[points_panels] = {"1 point light", "4 point lights",
-                                                     "16 point lights", "16 points drawn"};
-    points_sheet t = {.seed = o->seed};
-    int across = o->quick ? points_width / 8 : points_width, gap = 4;
-    image sheet = image_new(points_panels * (across + gap) - gap, across);
-    bool whole = true;
-    stage_open(STAGE_BOX, &t.g);
-    lit_lights_of(&t.g.s, NULL, LIGHTS_ALL, &t.l);
-    for (t.panel = 0; t.panel < points_panels && whole; t.panel++) {
-        t.im = image_new(across, across);
-        whole = parallel_pixels(across, across, o->threads, "point lights", points_pixel, &t);
-        image_place(&sheet, t.panel * (across + gap), 0, &t.im);
-        image_free(&t.im);
-    }
-    label_titles(&sheet, points_panels, 1, gap, title);
-    output_picture(o, &sheet, "24_direct_light_points.png", false, whole);
-    image_free(&sheet), lit_lights_free(&t.l), stage_close(&t.g);
-}
-
-/* ---- error against k ---- */
 
 enum { points_levels = 6, points_ways = 4 };  /* 1, 4 .. 1024; wholly and partly seen, two ways */
 typedef struct {
@@ -108,10 +27,9 @@ static inline void points_job(size_t i, void *context)
     const seen_point *p = &s->point[i];
     direct_work work = {0, 0, 0};
     direct d = {&s->g.s, DIRECT_AREA, &s->all, &work, false};
-    direct_point at = point_seen(&p->h, p->wo);
     double truth = p->truth;
     uint32_t seen;
-    (void)point_lights(&d, &at, 64, &seen);
+    (void)point_lights(&d, &p->h, p->wo, 64, &seen);
     v->part[i] = seen == 64 * 64 ? 0 : seen ? 1 : 2;
     if (v->part[i] == 2) return;
     if (v->part[i] == 0) {
@@ -120,7 +38,7 @@ static inline void points_job(size_t i, void *context)
         truth = grey(vscale(vmul(brdf_albedo(&p->h.m->f, 1), cornell_radiance), E));
     }
     for (int k = 0; k < points_levels; k++) {
-        double L[2] = {grey(point_lights(&d, &at, 1u << k, &seen)),
+        double L[2] = {grey(point_lights(&d, &p->h, p->wo, 1u << k, &seen)),
                        survey_estimate(s, DIRECT_AREA, &s->all, SEQUENCE_RANDOM, i, i, 1u << 2 * k,
                                        s->seed, &work)};
         for (int way = 0; way < 2; way++) {

@@ -2,7 +2,7 @@
  *
  *   measure_furnace(o)   partial sums by paths against (25.5), their variance against (25.12); plot
  *   measure_norms(o)     ||K||, spectral radius, and what the series does
- *   measure_cornell(o)   how much light each bounce brings to the picture, two ways
+ *   measure_cornell(o)   how much light each bounce brings to the picture
  *   measure_notes(o)     what shade() of the notes leaves out
  */
 #ifndef BOUNCES_MEASURE_H
@@ -90,24 +90,21 @@ typedef struct {
     lit_scene s;
     uint64_t seed;
     uint32_t n;
-    estimate e[cornell_jobs][2][cornell_terms];
-    bounce_counts c[cornell_jobs][2];
+    estimate e[cornell_jobs][cornell_terms];
 } cornell_survey;
 
 static inline void cornell_job(size_t job, void *context)
 {
     cornell_survey *t = context;
     naive_path p = {&t->s, DIRECTIONS_BRDF, cornell_terms - 1, false};
+    bounce_counts c = {{{0}, 0, 0}, 0};
     vec3 term[cornell_terms];
-    for (uint32_t i = 0; i < 2 * t->n; i++) {
-        uint32_t lit = i % 2;
-        sampler s = sampler_start(SEQUENCE_RANDOM, t->seed, job, i, 1);
+    for (uint32_t i = 0; i < t->n; i++) {
+        sampler s = sampler_start(SEQUENCE_RANDOM, t->seed, job, 2 * i + 1, 1);
         point2 u = sampler_pair(&s);
-        ray eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
-        if (lit) bounce_terms_lit(&p, eye, &s, term, &t->c[job][1]);
-        else bounce_terms(&p, eye, &s, term, &t->c[job][0]);
+        bounce_terms_lit(&p, camera_ray(cornell_camera(1), u.u, u.v, 1, 1), &s, term, &c);
         for (int k = 0; k < cornell_terms; k++)
-            t->e[job][lit][k] = estimate_add(t->e[job][lit][k], (double)term[k].y);
+            t->e[job][k] = estimate_add(t->e[job][k], (double)term[k].y);
     }
 }
 
@@ -115,66 +112,52 @@ static inline void measure_cornell(const options *o)
 {
     cornell_survey *c = allocate(1, sizeof *c);
     table t = table_new("Cornell box: mean radiance of the picture (green) after n bounces",
-                        "n|paths|-+|lit|-+|part of the whole [%]|over the one before");
+                        "n|radiance|-+|part of the whole [%]|over the one before");
     double whole = 0, before = 0;
+    estimate *e = c->e[0];
     lit_cornell(&c->s);
     c->seed = o->seed, c->n = o->quick ? 200 : 5000;
     parallel_whole(cornell_jobs, o->threads, "terms", cornell_job, c);
-    for (int i = 1; i < cornell_jobs; i++)
-        for (int k = 0; k < 2 * cornell_terms; k++) {
-            estimate *e = &c->e[0][k / cornell_terms][k % cornell_terms];
-            *e = estimate_merge(*e, c->e[i][k / cornell_terms][k % cornell_terms]);
-        }
-    for (int k = 0; k < cornell_terms; k++) whole += c->e[0][1][k].mean;
     for (int k = 0; k < cornell_terms; k++) {
-        estimate naive = c->e[0][0][k], lit = c->e[0][1][k];
-        table_count(&t, (size_t)k), table_number(&t, naive.mean);
-        table_number(&t, estimate_error(naive)), table_number(&t, lit.mean);
-        table_number(&t, estimate_error(lit)), table_number(&t, 100 * lit.mean / whole);
-        if (k) table_number(&t, lit.mean / before);
+        for (int i = 1; i < cornell_jobs; i++) e[k] = estimate_merge(e[k], c->e[i][k]);
+        whole += e[k].mean;
+    }
+    for (int k = 0; k < cornell_terms; before = e[k++].mean) {
+        table_count(&t, (size_t)k), table_number(&t, e[k].mean);
+        table_number(&t, estimate_error(e[k])), table_number(&t, 100 * e[k].mean / whole);
+        if (k) table_number(&t, e[k].mean / before);
         else table_text(&t, "-");
-        before = lit.mean;
     }
     output_extra_table(o, &t);
-    lit_free(&c->s);
-    free(c);
+    lit_free(&c->s), free(c);
 }
 
-/* The same random numbers for both, so that their difference is known better than they are. */
+/* The same random numbers for both, so that their difference is known better than they are. What
+ * the eye sees of the lamp: a path of no bounce. */
 static inline void measure_notes(const options *o)
 {
-    static const char *const name[] = {"furnace, rho = .5", "furnace, rho = .9", "Cornell box"};
-    table t = table_new("shade() as the notes print it: mean radiance",
-                        "room|whole|as printed|with what the eye sees|still missing|-+");
-    for (int room = 0; room < 3; room++) {
-        lit_scene s;
-        vec3 one = {1, 1, 1};
-        estimate e[4] = {{0, 0, 0}};
-        if (room == 2) lit_cornell(&s);
-        else furnace_sphere(&s, one, vscale(one, room ? (real)0.9 : (real)0.5));
-        naive_path p = {&s, DIRECTIONS_BRDF, room == 2 ? 20 : 400, false};
-        naive_counts c = {{0}, 0, 0};
-        for (uint32_t i = 0; i < (o->quick ? 1000u : 100000u) / (room == 2 ? 1 : 1000); i++) {
-            sampler a = sampler_start(SEQUENCE_RANDOM, o->seed, 0, i, 1);
-            point2 u = sampler_pair(&a);
-            sampler b = a, d = a;
-            ray eye = {{0, 0, 0}, 0, {1, 0, 0}, real_infinity};
-            if (room == 2) eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
-            naive_path seen = p;
-            seen.depth = 0;
-            double whole = (double)naive_radiance(&p, eye, &a, &c).y;
-            double printed = (double)notes_shade(&p, eye, &b, &c).y;
-            double own = (double)naive_radiance(&seen, eye, &d, &c).y;
-            e[0] = estimate_add(e[0], whole), e[1] = estimate_add(e[1], printed);
-            e[2] = estimate_add(e[2], printed + own);
-            e[3] = estimate_add(e[3], whole - printed - own);
-        }
-        table_text(&t, "%s", name[room]);
-        for (int k = 0; k < 4; k++) table_number(&t, e[k].mean);
-        table_number(&t, estimate_error(e[3]));
-        lit_free(&s);
+    table t = table_new("shade() as the notes print it: mean radiance of the Cornell box",
+                        "whole|as printed|with what the eye sees|still missing|-+");
+    estimate e[4] = {{0, 0, 0}};
+    lit_scene s;
+    lit_cornell(&s);
+    naive_path p = {&s, DIRECTIONS_BRDF, 20, false}, seen = {&s, DIRECTIONS_BRDF, 0, false};
+    naive_counts c = {{0}, 0, 0};
+    for (uint32_t i = 0; i < (o->quick ? 1000u : 100000u); i++) {
+        sampler a = sampler_start(SEQUENCE_RANDOM, o->seed, 0, i, 1);
+        point2 u = sampler_pair(&a);
+        sampler b = a, d = a;
+        ray eye = camera_ray(cornell_camera(1), u.u, u.v, 1, 1);
+        double whole = (double)naive_radiance(&p, eye, &a, &c).y;
+        double printed = (double)notes_shade(&p, eye, &b, &c).y;
+        double own = (double)naive_radiance(&seen, eye, &d, &c).y;
+        double x[4] = {whole, printed, printed + own, whole - printed - own};
+        for (int k = 0; k < 4; k++) e[k] = estimate_add(e[k], x[k]);
     }
+    for (int k = 0; k < 4; k++) table_number(&t, e[k].mean);
+    table_number(&t, estimate_error(e[3]));
     output_extra_table(o, &t);
+    lit_free(&s);
 }
 
 #endif
