@@ -2,7 +2,8 @@
  *
  * Oracles: the table of (27.3) by hand; scenes with one effect each; projection of 02.
  */
-#include "../chapters/27_effects/lab/explain.h"
+#include "../chapters/27_effects/framing.h"
+#include "../chapters/27_effects/plan.h"
 #include "../chapters/27_effects/files/studio_read.h"
 #include "../chapters/23_brdf/brdf.h"
 #include "../common/random.h"
@@ -234,32 +235,6 @@ static void test_finish(void)
     studio_free(&s);
 }
 
-/* The reasons name material and line. */
-static void test_reasons(void)
-{
-    studio s;
-    char *text = NULL;
-    size_t size;
-    if (!read_text(FLOOR POINT BALL("Kd 0\nKs 1\nillum 3") "indirect off\n", &s)) return;
-    plan p = plan_of(&s);
-    check_text(p.why[RAY_TO_LIGHT], "light (t:5) on material 'floor' (t:3)", "hard shadows");
-    check_text(p.why[RAY_MIRRORED], "material 'ball' (t:9)", "mirror: the line of illum");
-    check_text(p.why[RAY_SCATTERED], "`indirect off` (t:11)", "indirect light: declined");
-    failure f;
-    studio_view v;
-    camera c;
-    FILE *out = open_memstream(&text, &size);
-    check(studio_camera(&s, 1, &v, &c, &f), "%s", f.text);
-    explain(out, &s, &p, &v);
-    if (fclose(out) != 0) abort();
-    check(strstr(text, "plan       Whitted ray tracing"), "%s", text);
-    check(strstr(text, "  called for    mirror          material 'ball' (t:9)"), "%s", text);
-    check(strstr(text, "  cannot occur  glossy  "), "%s", text);
-    check(strstr(text, "ball  (t:6)  illum 3: mirror"), "%s", text);
-    free(text);
-    plan_free(&p), studio_free(&s);
-}
-
 static void test_effects_option(void)
 {
     static const struct { const char *text; unsigned called, mask; } list[] = {
@@ -390,7 +365,6 @@ int main(void)
     test_energy();
     test_effects();
     test_finish();
-    test_reasons();
     test_effects_option();
     test_framing();
     test_odd_cameras();
