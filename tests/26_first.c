@@ -66,7 +66,7 @@ static void by_path(picture *p, const lit_scene *s, size_t n)
 static void test_picture(void)
 {
     static picture a, b;
-    size_t n = check_count(400000);
+    size_t n = check_count(200000);
     first_scene f = first_cornell();
     lit_scene s;
     lit_first(&f, &s);
@@ -119,7 +119,7 @@ static void test_roulette(void)
 {
     static const double q[] = {0.3, 0.6, 0.9};
     first_scene s = first_cornell();
-    size_t n = check_count(200000);
+    size_t n = check_count(80000);
     estimate own = ceiling(n, 6);
     hit h;
     check(first_scene_hit(&s, wall_ray(), &h), "the ceiling is seen");
@@ -140,7 +140,7 @@ static void test_roulette(void)
 static void test_by_luck(void)
 {
     first_scene s = first_cornell();
-    size_t n = check_count(200000);
+    size_t n = check_count(80000);
     random_stream one = random_start(14, 0, 0);
     estimate own = ceiling(n, 12), luck = {0, 0, 0};
     for (size_t i = 0; i < n; i++) {

@@ -62,6 +62,9 @@ static void test_explain(void)
          "plan       Whitted ray tracing");
     check(printed("out", "  called for    mirror          material 'ball' ("), "what calls for it");
     check(printed("out", "plain.scene:8)"), "and its line");
+    check(printed("out", "  called for    hard shadows    light (") && printed("out",
+          "plain.scene:10) on material 'floor' ("), "the light, and what it falls on");
+    check(printed("out", "  declined      indirect light  `indirect off` ("), "declined, by whom");
     check(printed("out", "  cannot occur  soft shadows    nothing in use emits light (Ke)"),
           "why not");
     check(printed("out", "found: none was given"), "a camera is found");
@@ -91,7 +94,7 @@ static void test_said(void)
         {2, "--quick no.scene --explain", "no.scene: no such file"},
         {2, "@broken.scene --quick @broken.obj", "broken.obj: one file at a time"},
         {0, "@grey.obj --quick --out @o.pfm",
-         "warning: /tmp/27_effects_"},
+         "grey.obj: no file '/c/none.mtl': what it describes stays grey"},
         {0, "@shells.scene --quick --out @o.pfm", "warning: more than 7 bodies lie around"},
         {0, "@empty.scene --quick --out @o.pfm", "empty.scene: no shape and no mesh"},
         {2, "@far.scene --quick --out @o.pfm", "far.scene:"},

@@ -126,25 +126,6 @@ static void test_nothing_is_lost(void)
     }
 }
 
-/* And what is in the plan is needed: without it the picture is another one. */
-static void test_nothing_is_wasted(void)
-{
-    for (int k = 0; k < scenes; k++)
-        for (int e = 0; e < first_effects; e++) {
-            if (!called[k][e] || k == ONLY_LAMP || k == LAMP_MIRROR) continue;
-            first_scene s = scene_of(k);
-            first_plan p = first_plan_of(&s), less = p;
-            size_t differ = 0;
-            less.on[e] = false;
-            for (uint64_t i = 0; i < 2000; i++) {
-                ray r = eye_ray(k, i);
-                vec3 a = planned(&s, &p, r, i), b = planned(&s, &less, r, i);
-                differ += memcmp(&a, &b, sizeof a) != 0;
-            }
-            check_at_least(differ, 20, "%s without %s", scene_name[k], first_effect_name[e]);
-        }
-}
-
 /* "With point lights only, light between walls is not traced, and `ambient` stands for it": two
  * white walls beside a light would be a quarter brighter, and more. And an eye inside of the one
  * ball, with the light outside, would see a shadow. */
@@ -236,7 +217,7 @@ int main(void)
     first_scene box = scene_of(BOX), room = scene_of(LAMP_WALLS);
     room.ambient = room.above = room.below = vec(0, 0, 0);
     test_rules();
-    test_nothing_is_lost(), test_nothing_is_wasted();
+    test_nothing_is_lost();
     test_what_it_gets_wrong();
     same_light(&ball, BALL, BY_SHADE, "a ball, against 18");
     same_light(&shadow, FLOOR_BALL, BY_SHADE, "floor and ball, against 18");
