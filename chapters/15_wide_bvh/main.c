@@ -19,7 +19,7 @@ static void measure(const options *o, bool large)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &bvh8_trial, &how);
     table_of_rungs(&here, &s);
-    if (large) table_of_shadows(o, &s), table_of_doubts(o, &s), table_of_building(o, &s);
+    if (large) table_of_shadows(o, &s), table_of_doubts(o, &s);
     else table_of_cracks(o);
     trial_scene_free(&s);
 }

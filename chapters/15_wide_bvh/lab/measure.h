@@ -4,7 +4,6 @@
  *   table_of_shadows(o, &s)    rays to a light: any hit
  *   table_of_cracks(o)         a closed mesh, aimed at: lost rays and errors against time
  *   table_of_doubts(o, &s)     how often `real` was asked
- *   table_of_building(o, &s)   time and memory against 14's, by threads
  */
 #ifndef WIDE_MEASURE_H
 #define WIDE_MEASURE_H
@@ -218,36 +217,6 @@ static inline void table_of_doubts(const options *o, const trial_scene *s)
     }
     output_extra_table(o, &t);
     rays_free(&shadow), bvh8_free(&w);
-}
-
-/* Building, by threads, beside the binary tree of 14 by one. */
-static inline void table_of_building(const options *o, const trial_scene *s)
-{
-    table t = table_new("Building",
-                        "structure|threads|bytes a triangle|peak bytes a triangle|time [ms]");
-    failure f;
-    for (int i = 0; i < 4; i++) {
-        double seconds[5], start;
-        structure_stats st = {0};
-        bvh8_options how = bvh8_defaults;
-        how.threads = i;
-        for (int k = 0; k < 5; k++) {
-            bvh b;
-            bvh8 w;
-            start = clock_seconds();
-            if (i == 0 && !bvh_build(&s->x, bvh_defaults, &b, &f)) fail(f);
-            if (i > 0 && !bvh8_build(&s->x, how, &w, &f)) fail(f);
-            seconds[k] = clock_seconds() - start;
-            st = i == 0 ? bvh_stats(&b) : bvh8_stats(&w);
-            if (i == 0) bvh_free(&b);
-            else bvh8_free(&w);
-        }
-        table_text(&t, i ? "eight wide" : "14: two wide"), table_count(&t, i ? (size_t)i : 1);
-        table_number(&t, trial_per((double)st.bytes, st.items));
-        table_number(&t, trial_per((double)st.peak, st.items));
-        table_number(&t, clock_median(seconds, 5) * 1e3);
-    }
-    output_extra_table(o, &t);
 }
 
 #endif
