@@ -378,6 +378,6 @@ int main(void)
     test_naive();
     test_deep();
     test_rules();
-    structure_piled(bsp, bsp_defaults, 4000, 1.2 * structure_room(4000));
+    structure_piled(bsp, bsp_defaults, 3000, 1.05 * structure_room(3000));
     return check_report("13_bsp");
 }
