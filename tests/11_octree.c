@@ -555,6 +555,6 @@ int main(void)
     test_few_digits(check_count(3000));
     test_ends_at_the_hit();
     test_counted(check_count(4000));
-    structure_piled(octree, octree_defaults, 1000, 1.5 * structure_room(1000));
+    structure_piled(octree, octree_defaults, 400, 1.2 * structure_room(400));
     return check_report("11_octree");
 }

@@ -32,7 +32,10 @@ static void test_deep(void)
     structure tiny = {"cost, subnormal", STRUCTURE_OF(bsp)};
     how_now = bsp_defaults;
     how_now.axis_cost = how_now.slanted_cost = 0.01;
-    structure_brief(&deep, check_count(400));
+    structure_mesh(&deep, "torus, moved", torus_mesh(16), check_count(600),
+                   (vec3){1000, -2000, 3000}, 1, 0);
+    structure_mesh(&deep, "planes", floors_mesh(4), check_count(600), (vec3){0, 0, 0}, 1, 0);
+    structure_mesh(&deep, "needles", needles(100, 1e-3), check_count(600), (vec3){0, 0, 0}, 1, 0);
     how_now.rule = BSP_OWN;
     structure_mesh(&own, "needles", needles(100, 1e-7), check_count(600), (vec3){0, 0, 0}, 1, 0);
     how_now = bsp_defaults;
@@ -376,6 +379,6 @@ int main(void)
     test_naive();
     test_deep();
     test_rules();
-    structure_piled(bsp, bsp_defaults, 4000, 1.2 * structure_room(4000));
+    structure_piled(bsp, bsp_defaults, 3000, 1.05 * structure_room(3000));
     return check_report("13_bsp");
 }

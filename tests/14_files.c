@@ -1,6 +1,6 @@
 /* Rays and hits in files, and the program that reads and writes them, seen from outside. */
 #include "../chapters/07_mesh/closest.h"
-#include "../chapters/07_mesh/scenes/teapot.h"
+#include "../chapters/07_mesh/files/obj.h"
 #include "../chapters/07_mesh/files/ray_file.h"
 #include "../common/random.h"
 #include "check.h"
@@ -74,24 +74,9 @@ static void put_float(unsigned char *to, real x)
 static void test_program(void)
 {
     enum { n = 3000 };
-    mesh m = teapot_mesh(2), read;
-    FILE *obj = fopen(in_directory("t.obj"), "w");
-    if (!obj) abort();
-    for (size_t i = 0; i < m.vertices; i++)
-        fprintf(obj, "v %.9g %.9g %.9g\n", (double)m.v[i].x, (double)m.v[i].y, (double)m.v[i].z);
-    for (size_t i = 0; i < m.triangles; i++)
-        fprintf(obj, "f %u %u %u\n", m.index[3 * i] + 1, m.index[3 * i + 1] + 1,
-                m.index[3 * i + 2] + 1);
-    fclose(obj);
-    for (size_t i = 0; i < m.vertices; i++) {  /* as the file says it */
-        char text[99];
-        snprintf(text, sizeof text, "%.9g %.9g %.9g", (double)m.v[i].x, (double)m.v[i].y,
-                 (double)m.v[i].z);
-        char *end = text;
-        double x = strtod(end, &end), y = strtod(end, &end), z = strtod(end, &end);
-        m.v[i] = vec(x, y, z);
-    }
-    read = m;
+    mesh m;
+    failure f;
+    check(obj_read("chapters/07_mesh/scenes/teapot.obj", &m, &f), "the teapot: %s", f.text);
     unsigned char *bytes = allocate(n, 32);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(1, i, 0);
@@ -102,7 +87,6 @@ static void test_program(void)
     }
     write_bytes(in_directory("t.rays"), bytes, 32 * n);
     free(bytes);
-    failure f;
     size_t rays, size, hits = 0;
     ray *r = rays_read(in_directory("t.rays"), &rays, &f);
     for (int any = 0; any < 2; any++)
@@ -110,9 +94,9 @@ static void test_program(void)
             static const char *const name[] = {"cycle", "longest", "median", "sah", "sweep"};
             char arguments[1000];
             snprintf(arguments, sizeof arguments,
-                     "--mesh %s/t.obj --rays %s/t.rays --hits %s/t.hits "
+                     "chapters/07_mesh/scenes/teapot.obj --rays %s/t.rays --hits %s/t.hits "
                      "--strategy %s --leaf %d --csv %s/t.csv %s",
-                     directory, directory, directory, name[s], s + 1, directory,
+                     directory, directory, name[s], s + 1, directory,
                      any ? "--any-hit" : "");
             check_equal(run("14_bvh", arguments), 0, "14_bvh %s", arguments);
             unsigned char *got = (unsigned char *)file_read(in_directory("t.hits"), &size, &f);
@@ -120,7 +104,7 @@ static void test_program(void)
             check(got && size == 8 * rays, "a record for each ray");
             for (size_t i = 0; got && i < rays; i++) {
                 hit h = hit_none;
-                bool found = mesh_hit(&read, r[i], &h);
+                bool found = mesh_hit(&m, r[i], &h);
                 real t = little_endian_real(got + 8 * i);
                 uint32_t index = little_endian(got + 8 * i + 4);
                 hits += found;

@@ -7,7 +7,7 @@
  *   structure_brief(&s, rays);      of other options: what is hardest of it, some 20 checks
  *   structure_attack(&s, what, &x, rays, seed, next, context);      next makes the i-th ray
  *
- *   structure_piled(octree, octree_defaults, 1000, most);      triangles upon triangles: see below
+ *   structure_piled(octree, octree_defaults, 400, most);      triangles upon triangles: see below
  *
  * build returns what hit and occluded take, or NULL with the failure filled in. Where there are
  * counting searches, one ray of four asks them, too.
@@ -364,7 +364,9 @@ static inline mesh structure_fan(size_t n)
     return m;
 }
 
-/* Builds X of a fan: it names items no more often than `most`, and finds what brute force does. */
+/* Builds X of a fan: it names items no more often than `most`, and finds what brute force does. So
+ * many corners that without a limit there would be more: 9.1 million of 400 in 11, 30 million of
+ * 3000 in 12, 5.9 million of 3000 in 13. The grid makes larger cells from some 10000 on. */
 #define structure_piled(X, options, corners, most)                                               \
     do {                                                                                         \
         mesh fan = structure_fan(corners);                                                       \
