@@ -97,8 +97,8 @@ static void test_touching_round(void)
     check_equal(inside, 0, "a sphere is hollow: yes to a box within it");
 }
 
-/* A corner as near the sphere as a rounding, on it or beyond, by all digits. Differences and squares
- * just above a power of two, which round the worst. */
+/* A corner as near the sphere as a rounding, on it or beyond, by all digits. Differences and
+ * squares just above a power of two, which round the worst. */
 static void test_touching_spheres(void)
 {
     size_t n = check_count(400000), lost = 0, tried = 0;

@@ -117,10 +117,11 @@ static void test_trees(void)
     test_tree("torus, moved", far, fine, points);
 }
 
-/* Two squares that are the ends of the cube along x: low end + size, rounded, may lie before the high
- * end, and what lies there must be in some cell. */
+/* Two triangles that are the ends of the cube along x: low end + size, rounded, may lie before the
+ * high end, and what lies there must be in some cell. */
 static void test_ends(void)
 {
+    const octree_options how = {1, 4, true, true, (size_t)1 << 20};
     size_t lost = 0, n = check_count(16000);
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(43, i, 0);
@@ -135,7 +136,7 @@ static void test_ends(void)
         failure f;
         hit h = {.shape = 0};
         ray r = ray_from((vec3){end[1] + 1, 0.125, 0.125}, (vec3){-1, 0, 0});
-        check(octree_build(&x, (octree_options){1, 4, true, true, (size_t)1 << 20}, &t, &f), "built");
+        check(octree_build(&x, how, &t, &f), "built");
         lost += !octree_hit(&t, r, &h) || h.shape != 1;
         octree_free(&t), mesh_free(&m);
     }

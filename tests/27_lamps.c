@@ -90,7 +90,9 @@ int main(void)
                           "polygon -2 5 0  -1.5 5.5 0  -2 6 0\n", "lamps", NULL, &s, &f)) fail(f);
     if (!studio_tree_build(&s, &t, &f)) fail(f);
     lamps_build(&t, &l);
-    check_equal((double)l.n, 4, "lamps");
+    lamps_add(&l, (lamp_face){.e = {.area = 0}});
+    lamps_add(&l, (lamp_face){.e = {.area = real_infinity}});
+    check_equal((double)l.n, 4, "lamps, all of some area");
     test_pdf(&t, &l);
     test_cone();
     test_sky();
