@@ -178,7 +178,7 @@ static void test_invariants(void)
     mesh m = mesh_room(3000);
     for (size_t i = 0; i < m.triangles; i++)
         set_triangle(&m, i, (vec3){0, 0, 1}, (vec3){1, 0, 1},
-                     i % 7 ? (vec3){0, 1, i % 3 == 2 ? 2 : 1} : (vec3){2, 0, 1});
+                     i % 7 ? (vec3){0, 1, i % 3 == 2 ? 2 : 1} : (vec3){2, 0, 1});  /* a line */
     invariants_of("coincident triangles", m);
 }
 
@@ -195,8 +195,7 @@ static void test_split(void)
     size_t beyond = 0, astray = 0;
     for (int i = 0; i < 16; i++)
         beyond += (unsigned)bvh8_bin_of(&item[i], &e, 0) >= (unsigned)e.bins;
-    check(e.bins == bins_for(16) && beyond == 0, "bins: %d, items beyond them: %zu", e.bins,
-          beyond);
+    check(e.bins == bins_for(16) && beyond == 0, "%d bins, items beyond them: %zu", e.bins, beyond);
     check_equal(bvh8_split(item, 16, &e), 10, "the cut is between the groups");
     for (int i = 0; i < 16; i++) astray += (item[i].lo[0] < 0.4f) != (i < 10);
     check_equal(astray, 0, "each group on its side");

@@ -329,7 +329,8 @@ static void test_lamps(void)
                           "polygon -2 5 0  -1.5 5.5 0  -2 6 0\n", "lamps", NULL, &s, &f)) fail(f);
     if (!studio_tree_build(&s, &t, &f)) fail(f);
     lamps_build(&t, &l);
-    check_equal((double)l.n, 3, "lamps");
+    lamps_add(&l, (emitter){.area = 0}), lamps_add(&l, (emitter){.area = real_infinity});
+    check_equal((double)l.n, 3, "lamps, all of some area");
     test_pdf(&t, &l);
     lamps_free(&l), studio_tree_free(&t), studio_free(&s);
 }
