@@ -40,7 +40,7 @@ ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1 $(CLEAR)
 LIGHT = 01_first 01_ray 02_camera 02_first 03_first 05_first 06_first 07_mesh 07_obj 08_first 09_first 13_painter \
   15_first 17_first 17_spd 18_first 18_leave 18_shade 19_first 19_optics 19_pixel 19_spd \
-  19_whitted 20_sequences 21_distributed 21_first 21_known 21_motion 22_irradiance 22_radiometry \
+  19_whitted 20_sequences 21_distributed 21_first 21_known 22_irradiance 22_radiometry \
   22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights 25_bounces 25_transport 26_first \
   26_light_tracer 26_path_tracer 26_state 27_corpus 27_lamps 27_paths 27_plan 27_proof 27_radiance \
   27_readers
