@@ -117,12 +117,12 @@ static void test_small_lamp(void)
  * of the two. */
 static void test_close_to_a_lamp(void)
 {
-    size_t n = check_count(160000);
+    size_t n = check_count(400000);
     double before = 0;
     for (int k = 0; k < 3; k++) {
         real h = k == 0 ? 1 : k == 1 ? (real)0.1 : (real)0.01;
         setting t = setting_of((rectangle){{h, -1, 0}, {0, 0, 2}, {0, 2, 0}});
-        double both = estimate_variance(by_both(&t, n / 4));
+        double both = estimate_variance(by_both(&t, n / 10));
         double d = estimate_variance(sampled(&t, false, n, 5));
         double l = estimate_variance(sampled(&t, true, n, 5));
         check_at_most(d, 0.26, "by directions, at %g", (double)h);
