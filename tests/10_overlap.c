@@ -101,7 +101,7 @@ static void test_touching_round(void)
  * squares just above a power of two, which round the worst. */
 static void test_touching_spheres(void)
 {
-    size_t n = check_count(400000), lost = 0, tried = 0;
+    size_t n = check_count(1600000), lost = 0, tried = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(5, i, 0);
         vec3 c = random_in_cube(&g, 1), p = vadd(vadd(c, vec(1, 1, 1)),
