@@ -203,7 +203,7 @@ static void stripe_means(int n, int trials, double bias[2], double spread[2])
         for (int k = 0; k < n; k++) {
             real x, y;
             samples_place(SAMPLES_RANDOM, k, 1, 1, &s, &x, &y);
-            f = filter_add(f, filter_weight(filter_tent, x, y), vec(fabs(x) < 0.5, 0, 0));
+            f = filter_add(f, filter_weight(filter_tent, x, y), vec((double)fabs(x) < 0.5, 0, 0));
         }
         double e[] = {(double)filter_mean(f).x - 0.75,
                       (double)filter_mean_naive(f, filter_tent, n).x - 0.75};
