@@ -168,7 +168,8 @@ static void test_clip(void)
     }
     check_equal(lost, 0, "of %zu points of triangles, what is cut off", kept);
     check_at_most(worst, 170 * (double)real_epsilon, "cut 64 times, corners stay in the plane");
-    check_at_least(side_width, (64 * 2.6 + 2 * 6) * (double)real_epsilon, "(13.8), of 64 cuts");
+    check_at_least((double)side_width, (64 * 2.6 + 2 * 6) * (double)real_epsilon,
+                   "(13.8), of 64 cuts");
 }
 
 /* ---- cell.h ---- */
