@@ -368,7 +368,7 @@ static void test_degenerate(void)
     for (size_t i = 0; i < sizeof in / sizeof *in; i++) {
         h.t = -1;
         check(sphere_hit(in[i].s, in[i].r, &h) == (in[i].t >= 0), "%s", in[i].why);
-        check_equal((double)h.t, (double)in[i].t, "%s", in[i].why);
+        check_equal((double)h.t, in[i].t, "%s", in[i].why);
     }
     check(vzero(sphere_normal(point, point.c)), "R = 0 has no normal");
     vec3 n = sphere_normal(inner, (vec3){1, 2, 8}), p = sphere_point(inner, (vec3){1, 2, 4});
