@@ -254,7 +254,24 @@ static void test_effects_option(void)
 
 /* ---- camera ---- */
 
-/* All of a random scene shows, and it fills the picture. */
+/* Is the whole box in the picture, if the eye stands at `part` of its distance? */
+static bool box_shows(studio_view v, real part, real aspect, vec3 lo, vec3 hi)
+{
+    camera_frame frame;
+    camera c;
+    failure f;
+    v.from = vmadd(v.at, vsub(v.from, v.at), part);
+    if (!frame_look_at(v.from, v.at, v.up, &frame, &f)
+        || !camera_perspective(frame, v.angle, aspect, &c, &f)) return false;
+    for (int k = 0; k < 8; k++) {
+        vec3 q = {k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y, k & 4 ? hi.z : lo.z};
+        real x, y;
+        if (!camera_project(c, q, 1, 1, &x, &y) || x < 0 || x > 1 || y < 0 || y > 1) return false;
+    }
+    return true;
+}
+
+/* All of a random scene shows, and from no nearer would it. */
 static void test_framing(void)
 {
     static const char *const ups[] = {"up x\n", "up y\n", "up z\n"};
@@ -283,17 +300,12 @@ static void test_framing(void)
         if (!read_text(text, &s)) continue;
         bool ok = studio_camera(&s, aspect, &v, &c, &f);
         check(ok, "%s", f.text);
-        real least = 1, most = 0;
-        for (int k = 0; k < 6; k++) {
-            real x = 0, y = 0;
-            check(ok && camera_project(c, p[k], 1000, 1000, &x, &y), "in front of the camera");
-            least = real_min(least, real_min(x, y) / 1000);
-            most = real_max(most, real_max(x, y) / 1000);
-        }
-        check_at_least(least, 0, "within the picture");
-        check_at_most(most, 1, "within the picture");
-        /* The box is framed, and the triangles touch its six faces, but not its corners. */
-        check_at_least((double)(most - least), 0.3, "large in the picture");
+        /* From 1/1.04 of the distance the box of all just fits: a thousandth nearer it does not. */
+        vec3 lo = p[0], hi = p[0];
+        for (int k = 1; k < 6; k++) lo = vmin(lo, p[k]), hi = vmax(hi, p[k]);
+        check(ok && box_shows(v, 1, aspect, lo, hi), "all of it shows");
+        check(ok && box_shows(v, (real)(1.001 / 1.04), aspect, lo, hi), "and a little nearer");
+        check(ok && !box_shows(v, (real)(0.999 / 1.04), aspect, lo, hi), "but no nearer than that");
         check(v.up.x == (real)(round % 3 == 0) && v.up.y == (real)(round % 3 == 1), "up");
         studio_free(&s);
     }
