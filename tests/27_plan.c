@@ -279,11 +279,10 @@ static void test_framing(void)
         char text[2000];
         size_t n = (size_t)sprintf(text, "%s", ups[round % 3]);
         real size = pow((real)10, 4 * uniform()), off = round % 2 ? 0 : 20 * size;
-        vec3 p[6], reach = {0, 0, 0};
+        vec3 p[6];
         for (int k = 0; k < 6; k++) {
             p[k] = (vec3){off + size * uniform(), size * uniform(), size * uniform()};
             p[k].z += off * uniform();
-            reach = vmax(reach, (vec3){fabs(p[k].x), fabs(p[k].y), fabs(p[k].z)});
         }
         for (int k = 0; k < 2; k++) {
             n += (size_t)sprintf(text + n, "polygon");

@@ -32,7 +32,7 @@ typedef struct { size_t rays, hits, wrong, lost, full_wrong; } first_verdict;
 #define FIRST_STRUCTURE(X, make)                                                                 \
     static void *X##_built(const first_mesh *m)                                                  \
     {                                                                                            \
-        X *s = allocate(1, sizeof *s);                                                           \
+        X *s = allocate(1, sizeof *s); /* NOLINT(bugprone-macro-parentheses): a type */          \
         make;                                                                                    \
         return s;                                                                                \
     }                                                                                            \
@@ -43,13 +43,13 @@ typedef struct { size_t rays, hits, wrong, lost, full_wrong; } first_verdict;
     static size_t items_below(const X_node *n)                                                   \
     {                                                                                            \
         size_t sum = (size_t)(own);                                                              \
-        for (int c = 0; n->child && c < ways; c++) sum += items_below(&n->child[c]);             \
+        for (int c = 0; n->child && c < (ways); c++) sum += items_below(&n->child[c]);           \
         return sum;                                                                              \
     }                                                                                            \
     static int depth_below(const X_node *n)                                                      \
     {                                                                                            \
         int most = 0;                                                                            \
-        for (int c = 0; n->child && c < ways; c++) {                                             \
+        for (int c = 0; n->child && c < (ways); c++) {                                           \
             int d = 1 + depth_below(&n->child[c]);                                               \
             if (d > most) most = d;                                                              \
         }                                                                                        \

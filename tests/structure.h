@@ -37,7 +37,7 @@ typedef ray structure_ray_of(const items *x, random_stream *g, size_t i, const v
 #define STRUCTURE_TESTED(X, how)                                                                 \
     static void *X##_built(const items *x, failure *f)                                           \
     {                                                                                            \
-        X *s = allocate(1, sizeof *s);                                                           \
+        void *s = allocate(1, sizeof(X));                                                        \
         if (X##_build(x, how, s, f)) return s;                                                   \
         free(s);                                                                                 \
         return NULL;                                                                             \
