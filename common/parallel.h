@@ -68,7 +68,8 @@ static inline int parallel_cores(void)
 
 /* job(0) ... job(n - 1) on so many threads [0: one a core; at most 256]. True if all were done,
  * false after Ctrl-C. `what` names the work in the progress line. A piece should take 10 us or
- * more. Called from within a job, it does its pieces in that thread, and no Ctrl-C divides them. */
+ * more. Called from within a job, it does its pieces in that thread, and no Ctrl-C divides them. A
+ * caller that has blocked Ctrl-C is interrupted here, and nowhere else. */
 __attribute__((warn_unused_result))
 static inline bool parallel_for(size_t n, int threads, const char *what, parallel_job *job,
                                 void *context)
@@ -81,6 +82,7 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     pthread_t others[most];
     int started = 0;
     parallel_work w = {.job = job, .context = context, .what = what, .n = n};
+    sigset_t both, mask;
     struct sigaction before, before_term, during = {.sa_handler = parallel_on_interrupt,
                                        .sa_flags = (int)SA_RESETHAND | SA_RESTART};
     w.start = clock_seconds();
@@ -88,12 +90,15 @@ static inline bool parallel_for(size_t n, int threads, const char *what, paralle
     sigaction(SIGINT, NULL, &before), sigaction(SIGTERM, NULL, &before_term);
     if (before.sa_handler != SIG_IGN) sigaction(SIGINT, &during, NULL);
     if (before_term.sa_handler != SIG_IGN) sigaction(SIGTERM, &during, NULL);
+    sigemptyset(&both), sigaddset(&both, SIGINT), sigaddset(&both, SIGTERM);
+    pthread_sigmask(SIG_UNBLOCK, &both, &mask);
     int wanted = threads > 0 ? threads : parallel_cores();
     while (started + 1 < wanted && started < most && (size_t)started + 1 < n
            && pthread_create(&others[started], NULL, parallel_thread, &w) == 0)
         started++;  /* with fewer threads than wanted it only takes longer */
     parallel_run(&w, isatty(STDERR_FILENO));
     while (started > 0) pthread_join(others[--started], NULL);
+    pthread_sigmask(SIG_SETMASK, &mask, NULL);
     sigaction(SIGINT, &before, NULL), sigaction(SIGTERM, &before_term, NULL);
     if (w.shown > 0) fprintf(stderr, "\r\033[K");
     return atomic_load(&w.next) >= n && !atomic_load(&parallel_stop);

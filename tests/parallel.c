@@ -129,6 +129,21 @@ static void afterwards(void *context)
     (void)context;
 }
 
+/* Blocked before and after, so that no moment is left in which Ctrl-C kills. */
+static void blocked(void *context)
+{
+    sigset_t interrupt, left;
+    sigemptyset(&interrupt), sigaddset(&interrupt, SIGINT);
+    pthread_sigmask(SIG_BLOCK, &interrupt, NULL);
+    interrupted(context);
+    raise(SIGINT);
+    sigpending(&left);
+    printf(" %d", sigismember(&left, SIGINT));
+    atomic_int calls = 0;
+    bool whole = parallel_for(10, 2, "what waited is heard", count, &calls);
+    printf(" %d", whole);
+}
+
 static void for_a_table(void *context)
 {
     atomic_int calls = 0;
@@ -162,6 +177,7 @@ static void test_interrupt(void)
     check_equal(r.status, 0, "Ctrl-C does not kill");
     check_equal(child_run(two_signals, NULL).status, 128 + SIGINT, "a second one does");
     check_text(child_run(ignored, NULL).out, "1 1000 1 10", "where Ctrl-C is ignored it stays so");
+    check_text(child_run(blocked, NULL).out, "0 11 1 10 1 0", "blocked: heard in the loop alone");
     check_text(child_run(last_piece, NULL).out, "0", "Ctrl-C in the last piece is not forgotten");
     check_text(child_run(nested_interrupt, NULL).out, "0 20",
                "a loop within a job is done in full, and does not forget the Ctrl-C");

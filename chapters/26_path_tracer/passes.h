@@ -105,9 +105,7 @@ static inline bool passes_until(film_passes *p, film *f, passes_goal goal)
     while (whole) {
         uint32_t n = (uint32_t)film_samples(f), next = passes_next(p, f, &goal, begun);
         if (next <= n || (goal.error > 0 && n >= 16 && film_error(f) <= goal.error)) break;
-        pthread_sigmask(SIG_SETMASK, &before, NULL);
         whole = passes_range(p, f, n, next);
-        pthread_sigmask(SIG_BLOCK, &both, NULL);
         if (whole && goal.shown) goal.shown(f, goal.user);
         whole = whole && !passes_stopped(&both);
     }
