@@ -173,20 +173,20 @@ static void test_white_wall(void)
  * some n of n^2, so the error falls as N^-3/4: four times the rays bring 2.8 times less. */
 static void test_convergence(void)
 {
-    enum { box, tent, regular, random };
+    enum { box, tent, regular, at_random };
     double error[2][camera_way_count];
     camera_trial m[camera_way_count];
     for (int k = 0; k < 2; k++) {
         camera_trials(m, 8 << k);
-        for (int j = box; j <= random; j++) error[k][j] = camera_run_pixels(&m[j]);
+        for (int j = box; j <= at_random; j++) error[k][j] = camera_run_pixels(&m[j]);
     }
-    check_at_most(error[1][random], 0.5 * 4 / 3 / 16 * 1.1, "256 random rays");
-    check_at_least(error[1][random], 0.5 * 4 / 3 / 16 * 0.3, "and they do have an error");
-    check_close(error[0][random] / error[1][random], 2, 0.3, "which falls as N^-1/2");
+    check_at_most(error[1][at_random], 0.5 * 4 / 3 / 16 * 1.1, "256 random rays");
+    check_at_least(error[1][at_random], 0.5 * 4 / 3 / 16 * 0.3, "and they do have an error");
+    check_close(error[0][at_random] / error[1][at_random], 2, 0.3, "which falls as N^-1/2");
     for (int j = box; j <= tent; j++) {
         check_close(log(error[0][j] / error[1][j]) / log(4.0), 0.75, 0.1,
                     "%s: jittered falls as N^-3/4", names[j]);
-        check_at_most(error[1][j], error[1][random] / 1.5, "%s: jittered beats random", names[j]);
+        check_at_most(error[1][j], error[1][at_random] / 1.5, "%s: jittered beats random", names[j]);
     }
     check_at_most(error[1][regular], 0.03, "regular samples tend to the filtered value, too");
 }
