@@ -186,7 +186,8 @@ static void test_convergence(void)
     for (int j = box; j <= tent; j++) {
         check_close(log(error[0][j] / error[1][j]) / log(4.0), 0.75, 0.1,
                     "%s: jittered falls as N^-3/4", names[j]);
-        check_at_most(error[1][j], error[1][at_random] / 1.5, "%s: jittered beats random", names[j]);
+        check_at_most(error[1][j], error[1][at_random] / 1.5, "%s: jittered beats random",
+                      names[j]);
     }
     check_at_most(error[1][regular], 0.03, "regular samples tend to the filtered value, too");
 }
