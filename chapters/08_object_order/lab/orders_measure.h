@@ -1,7 +1,7 @@
 /* orders_measure.h: the tables and plots of this chapter. The oracle of what a pixel shows is 07's
  * ray through its middle, which is watertight and rounds nothing to a grid.
  *
- *   orders_measure(&o)       the main table: pixels that differ, error of the depth, time
+ *   orders_measure(&o)       the main table: pixels that differ, time
  *   orders_times(&o)         both orders against the number of triangles and of pixels (--full)
  *   orders_depths(&o)        a plot: the smallest gap that each depth format tells, against depth
  *   orders_shadows(&o)       shadow maps against shadow rays (--full)
@@ -59,7 +59,7 @@ static inline void orders_measure(const options *o)
     (void)orders_rays(&due, &m, c, o->threads);
     snprintf(title, sizeof title, "Two orders, %zu triangles, %d x %d pixels", m.triangles, nx, ny);
     table t = table_new(title, "order|pixels asked|covered|error: another triangle [pixels]|"
-                               "error: unexplained|error: of t|time [ms]");
+                               "error: unexplained|time [ms]");
     for (int k = 0; k < orders_ways; k++)
         way[k] = (orders_way){&m, c, nx, ny, bits[k], 0, 0};
     bench_each(orders_run, way, sizeof *way, orders_ways, o->full ? 9 : 3, 1e3, ms);
@@ -71,8 +71,7 @@ static inline void orders_measure(const options *o)
         if (bits[k] < 0)
             table_count(&t, (size_t)(nx * ny) * m.triangles), table_text(&t, "-");
         else table_count(&t, s.asked), table_count(&t, s.covered);
-        table_count(&t, d.other), table_count(&t, d.unexplained), table_number(&t, d.depth);
-        table_number(&t, ms[k]);
+        table_count(&t, d.other), table_count(&t, d.unexplained), table_number(&t, ms[k]);
         raster_free(&s);
     }
     output_table(o, &t);
