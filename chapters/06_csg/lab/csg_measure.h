@@ -40,53 +40,43 @@ static double csg_time_run(void *context)
     return sum;
 }
 
-typedef struct {
-    csg_sight sight[csg_sights];
-    size_t n;
-    double wrong[csg_sights][csg_methods];  /* percent */
-} csg_survey;
+typedef struct { csg_sight sight[csg_sights]; size_t n; double wrong[csg_sights][csg_methods]; }
+    csg_survey;
 
-static inline void csg_survey_sight(size_t k, void *context)
+static inline void csg_survey_cell(size_t k, void *context)
 {
     csg_survey *y = context;
-    const csg_sight *s = &y->sight[k];
-    if (s->kind == CSG_MESH_FACES) return;  /* tests and make hard-cases ask these */
-    for (size_t i = 0; i < y->n; i++) {
-        csg_asked_ray x = csg_sight_asked(s, i);
-        for (int m = 0; m < csg_methods; m++) {
-            csg_tolerance = (real)csg_method[m].tolerance;
-            const csg *c = m == csg_methods - 1 ? &s->scene.c : &s->bare;
-            y->wrong[k][m] += csg_is_wrong(c, csg_method[m].X_hit, &x);
-        }
-    }
-    for (int m = 0; m < csg_methods; m++) y->wrong[k][m] *= 100 / (double)y->n;
+    size_t m = k % csg_methods, at = k / csg_methods;
+    csg_tolerance = (real)csg_method[m].tolerance;
+    y->wrong[at][m] = csg_wrong(&y->sight[at], csg_method[m].X_hit, y->n);
 }
 
 static inline void csg_main_table(const options *o)
 {
+    static const csg_sight_kind shown[] = {CSG_OUTSIDE, CSG_EYE_INSIDE, CSG_COINCIDENT,
+                                           CSG_FAR_AWAY, CSG_FOILS};
     csg_survey y = {.n = o->quick ? 100 : 2000};
     static ray r[csg_timed];
     csg_timing x[csg_methods];
     double ns[csg_methods];
-    for (int k = 0; k < csg_sights; k++)
-        y.sight[k] = csg_sight_of((csg_sight_kind)k, o->seed);
-    const csg_sight *s = &y.sight[CSG_OUTSIDE];
-    for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(s, i);
+    for (int k = 0; k < 5; k++) y.sight[k] = csg_sight_of(shown[k], o->seed);
+    for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
-        x[m] = (csg_timing){m == csg_methods - 1 ? &s->scene.c : &s->bare, m, r, csg_timed};
+        x[m] = (csg_timing){m == csg_methods - 1 ? &y.sight[0].scene.c : &y.sight[0].bare, m, r,
+                            csg_timed};
     bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : 31, 1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
                         "error foils [%]|time [ns]");
-    parallel_whole(csg_sights, o->threads, "rays", csg_survey_sight, &y);
+    parallel_whole(5 * csg_methods, o->threads, "rays", csg_survey_cell, &y);
     for (int m = 0; m < csg_methods; m++) {
         table_text(&t, "%s", csg_method[m].name);
-        table_number(&t, y.wrong[CSG_OUTSIDE][m]), table_number(&t, y.wrong[CSG_EYE_INSIDE][m]);
-        table_number(&t, (y.wrong[CSG_COINCIDENT][m] + y.wrong[CSG_FAR_AWAY][m]) / 2);
-        table_number(&t, y.wrong[CSG_FOILS][m]), table_number(&t, ns[m]);
+        table_number(&t, y.wrong[0][m]), table_number(&t, y.wrong[1][m]);
+        table_number(&t, (y.wrong[2][m] + y.wrong[3][m]) / 2);
+        table_number(&t, y.wrong[4][m]), table_number(&t, ns[m]);
     }
     output_table(o, &t);
-    for (int k = 0; k < csg_sights; k++) csg_sight_free(&y.sight[k]);
+    for (int k = 0; k < 5; k++) csg_sight_free(&y.sight[k]);
 }
 
 /* ---- what bounds save ---- */
