@@ -1,7 +1,7 @@
 /* ray8.h: a ray in float, and what float owes: the bounds that make eight triangles at once safe.
  *
- *   bvh8_ray_of(&w, &r, &skip, &q)        the ray in the frame of the tree; once a ray
- *   bvh8_before(&q, t), bvh8_limit(&q, t) t in the frame, rather too small, rather too large
+ *   bvh8_ray_of(&w, &r, &skip, &q)        the ray in the frame of the tree; once; false: it is none
+ *   bvh8_limit(&q, t)                     t in the frame, rather too large
  *   bvh8_settle(&w, &q)                   asks in `real` what was written down: the test of 04
  *
  * u = 2^-24; S is the largest of 1 and the origin's coordinates, all in the frame. Corners are at
@@ -195,10 +195,9 @@ __attribute__((noinline))
 static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
 {
     for (const bvh8_doubt *d = q->doubt; d < q->doubt + q->doubts; d++) {
-        uint32_t i = d->block->index[d->lane];
         hit h;
-        if (d->first > q->limit || i == no_shape) continue;
-        if (bvh8_exactly(w, d, q, &h)) bvh8_keep(q, h, i);
+        if (d->first <= q->limit && bvh8_exactly(w, d, q, &h))
+            bvh8_keep(q, h, d->block->index[d->lane]);
     }
     q->doubts = 0;
     return q->best.shape != no_shape;

@@ -59,10 +59,11 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     m = EIGHT_MAX(EIGHT_MAX(m, m1), EIGHT_FAR(v.x[2], v.y[2]));
     eight bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));       /* (15.8) */
     bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
-    /* What the caller leaves out: as floats, -1 is NaN, and no comparison with it is true. */
-    eight_whole of = *(const eight_whole *)b->index, past = of - (int32_t)q->skip->first;
-    of = (of == (int32_t)q->skip->from) | ((eight_count)past <= q->skip->last - q->skip->first);
-    unsigned left = EIGHT_LE(zero, (eight)of) & ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
+    /* Empty places, and what the caller leaves out: as floats, -1 is NaN, and never >= 0. */
+    eight_whole i = *(const eight_whole *)b->index, out;
+    out = (i == (int32_t)q->skip->from) | i >> 31;
+    out |= (eight_count)i - q->skip->first <= q->skip->last - q->skip->first;
+    unsigned left = EIGHT_LE(zero, (eight)out) & ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
     if (left == 0) return false;
     eight det = v.e[0] + v.e[1] + v.e[2], scaled = 1 / det;
     eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
