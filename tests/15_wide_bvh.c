@@ -346,6 +346,34 @@ static void test_far(void)
     mesh_free(&m);
 }
 
+/* Of three faces in a row: one that the ray starts on, a few that its end lies on, both. */
+static void test_left_out(void)
+{
+    static const struct { bvh8_skip but; uint32_t first; } list[] = {
+        {{no_shape, no_shape, no_shape}, 0}, {{0, no_shape, no_shape}, 1}, {{2, 0, 1}, no_shape},
+        {{1, 0, 0}, 2}, {{no_shape, 0, 1}, 2}, {{1, 2, 2}, 0}, {{no_shape, 0, 2}, no_shape}};
+    mesh m = mesh_room(3);
+    for (size_t i = 0; i < m.triangles; i++)
+        set_triangle(&m, i, (vec3){-1, -1, (real)i}, (vec3){1, -1, (real)i}, (vec3){0, 1, (real)i});
+    items x = items_of_mesh(&m);
+    ray r = ray_from((vec3){0, 0, -1}, (vec3){0, 0, 1});
+    for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++) {
+        bvh8 w;
+        bvh8_options how = bvh8_defaults;
+        how.dialect = (eight_dialect)d;
+        check(bvh8_build(&x, how, &w, NULL), "built");
+        for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+            hit h = hit_none;
+            bool met = bvh8_hit_but(&w, r, list[i].but, &h);
+            check_equal(h.shape, list[i].first, "%s, left out %zu: the next", dialect_name[d], i);
+            check(met == (list[i].first != no_shape)
+                  && bvh8_occluded_but(&w, r, list[i].but) == met, "left out %zu: met at all", i);
+        }
+        bvh8_free(&w);
+    }
+    mesh_free(&m);
+}
+
 static void test_options(void)
 {
     mesh m = octahedron_mesh(2);
@@ -395,6 +423,7 @@ int main(void)
     test_invariants();
     test_leaks();
     test_far();
+    test_left_out();
     test_split();
     test_depth();
     test_cost();
