@@ -407,8 +407,8 @@ static void test_no_more(void)
     mesh_free(&m);
 }
 
-/* What a ray must have to spare (12.6): 256 eps D for a hit that lies off its item (14.3), 4 for the
- * planes' t. Climbing has met 51 of the 256: no ray sees the rest. In double 2^-21 D is far more. */
+/* What a ray must have to spare (12.6): 256 eps D for a hit that lies off its item (14.3), 4 for t
+ * of planes. Climbing has met 51 of the 256: no ray sees the rest. In double 2^-21 D is more. */
 static void test_owed(void)
 {
     const kd_frame here = {{0, 0, 0}, 1};

@@ -382,7 +382,7 @@ static void test_owed(void)
     for (size_t i = 0; i < check_count(8000); i++) {
         random_stream g = random_start(17, i, 0);
         vec3 p = random_in_cube(&g, 1), q = random_in_cube(&g, 1);
-        p = vscale(p, (real)0.3), q = vscale(q, (real)0.3);  /* so that they have all their digits */
+        p = vscale(p, (real)0.3), q = vscale(q, (real)0.3);  /* with all their digits */
         bsp t = {.all = {vmin(p, q), vmax(p, q)}};
         workshop w = {.sides = BSP_SIDES_SAFE};
         bsp_frame(&t, &w);

@@ -254,8 +254,8 @@ static void test_clip_overflow(void)
  * that the box, 6 eps larger, holds it. The float bounds of the box are compared as they are. */
 static void test_clip_rounding(void)
 {
-    /* Climbed to, in double: x and y of both ends, x of the plane. Exactly, they cross a hair above a
-     * float, as computed 3.8 and 4 eps below it: there the bounds' being floats hides nothing. */
+    /* Climbed to, in double: x and y of both ends, x of the plane. Exactly, they cross a hair above
+     * a float, as computed 3.8 and 4 eps below it: that bounds are floats hides nothing there. */
     static const double found[2][5] = {
         {-0x1.bd23e3ed51321p-2, -0x1.06e864dd6e7b2p-1, 0x1.8276b44d4a5d8p-4, 0x1.0c0f890dde7efp-1,
          0x1.7edb1cp-4},

@@ -69,7 +69,7 @@ static void test_corners(void)
 #define u24 0x1p-24
 #define eps ((double)real_epsilon)
 
-/* A triangle in the frame, corners (0, -a), (0, a), (b, 0) and their z; a ray along z from z = -1. */
+/* A triangle in the frame, corners (0, -a), (0, a), (b, 0) and z; a ray along z from z = -1. */
 typedef struct { double a, b, z[3], x, tmax; } doubtful;
 
 static bool in_doubt(doubtful c, bvh8_ray *q)

@@ -141,9 +141,9 @@ static void test_named(void)
     check(to.tmin == 0 && to.tmax == 1 && ray_at(to, 1).z == 3, "[0, 1] ends at the light");
 }
 
-/* The table of surface.h. Of the cone's 4 eps H, 3 million random ones have met 0.83, of the polygon's
- * 4 eps L 0.75; with the noise 1.7 of 12 and 6.5 of 8, and needles 16 of 38. Roundings do not all
- * conspire; the sums are what is promised. */
+/* The table of surface.h. Of the cone's 4 eps H, 3 million random ones have met 0.83, of the
+ * polygon's 4 eps L 0.75; with the noise 1.7 of 12 and 6.5 of 8, and needles 16 of 38. Roundings do
+ * not all conspire; the sums are what is promised. */
 static void test_owed(void)
 {
     const double eps = (double)real_epsilon;
@@ -159,9 +159,10 @@ static void test_owed(void)
     s = surface_on_triangle(thin, 0, (real)0.2, (real)0.2);
     check_close(s.noise / real_epsilon, 4 + 64 / 2, 1e-3, "needles: (4 + k/2) eps L, k up to 64");
     /* (18.9): p is off by 2 eps (L + |p|), the wall behind is seen (4 + k/2) eps L off; k, L = 1 */
-    for (real a = 0; a < 1e4; a = 10 * a + 1) {
+    for (real a = 0; a < 10000; a = 10 * a + 1) {
         double owed = eps * (2 * (1 + (double)a) + 4.5);
-        check_at_least(surface_margin((vec3){a, 0, 0}, 1, 1), owed, "margin, |a| = %g", (double)a);
+        double margin = (double)surface_margin((vec3){a, 0, 0}, 1, 1);
+        check_at_least(margin, owed, "margin, |a| = %g", (double)a);
     }
     /* between: the test's 3 eps D for a corner, as much for t d */
     surface to = {{1000, 0, 0}, {-1, 0, 0}, {-1, 0, 0}, 0, 0, 1}, at = {.n = {1, 0, 0}};

@@ -140,8 +140,8 @@ static void test_near_corners(void)
     check_at_most(worst, 16 * eps, "near a corner: what the header promises");
 }
 
-/* Found by climbing for the error, p = 0: b and c nearly opposite of each other, a close by, and all
- * roundings conspire. Rows 1 and 2 (double), 3 and 4 (float) the fast form must give up: with a
+/* Found by climbing for the error, p = 0: b and c nearly opposite of each other, a close by, and
+ * all roundings conspire. Rows 1 and 2 (double), 3 and 4 (float) the fast form must give up: with a
  * quarter of either term of off_d it keeps them, 37 to 90 epsilon off. The last two it keeps; they
  * are the worst that was met. */
 static void test_climbed(void)

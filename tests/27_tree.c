@@ -380,11 +380,11 @@ static void test_owed(void)
         studio_solid x;
         failure f;
         hit h;
-        check(solid_read(&x, list[i].text, &f) && csg_hit(&x.c, list[i].r, &h), list[i].text);
+        check(solid_read(&x, list[i].text, &f) && csg_hit(&x.c, list[i].r, &h), "%s", list[i].text);
         surface s = solid_surface(&x, list[i].r, h);
         real error = 4 * list[i].size + 2 * list[i].p, noise = list[i].noise * list[i].size;
-        check_close(s.error / eps, error, 0.01, "%s: error", list[i].text);
-        check_close(s.noise / eps, noise, 0.01, "%s: noise", list[i].text);
+        check_close(s.error / eps, error, (real)0.01, "%s: error", list[i].text);
+        check_close(s.noise / eps, noise, (real)0.01, "%s: noise", list[i].text);
         solid_free(&x);
     }
     vec3 v[4] = {{0, 0, 0}, {4, 0, 0}, {4 + 64 * eps, 4, 0}, {0, 4, 0}};  /* of 128 eps allowed */
@@ -394,9 +394,9 @@ static void test_owed(void)
     lamps_free(&l);
     vec3 p = {1 - 18 * eps, 0, 0};  /* 16 eps r + 4 eps |p| = 20 eps */
     check(!lamps_within((sphere){{0, 0, 0}, 1}, p, (vec3){1, 0, 0}), "on it: the normal says");
-    appearance a = {.matte = {0.5, 0.5, 0.5}, .mirror = {0.5 + 8 * eps, 0.5, 0.5}};
+    appearance a = {.matte = {0.5, 0.5, 0.5}, .mirror = {(real)0.5 + 8 * eps, 0.5, 0.5}};
     appearance_limit(&a);
-    check_equal(a.matte.y, 0.5, "1 + 8 eps: no more than it gets");
+    check_equal(a.matte.y, (real)0.5, "1 + 8 eps: no more than it gets");
 }
 
 int main(void)
