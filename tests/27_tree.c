@@ -379,7 +379,7 @@ static void test_owed(void)
     for (int i = 0; i < 2; i++) {
         studio_solid x;
         failure f;
-        hit h;
+        hit h = hit_none;
         check(solid_read(&x, list[i].text, &f) && csg_hit(&x.c, list[i].r, &h), "%s", list[i].text);
         surface s = solid_surface(&x, list[i].r, h);
         real error = 4 * list[i].size + 2 * list[i].p, noise = list[i].noise * list[i].size;
