@@ -119,11 +119,16 @@ static void test_bounds(void)
     double tilted = doubt_ends(&c, &c.tmax, 1.1) - 1;  /* spread 1, det 2, m 1 */
     check_at_least(tilted - flat, 0.99 * 4 * (4 * around + 16 * u24) / 2, "(15.9), tilted");
     size_t wrong = 0;
+    bvh8_ray unit = {.scale = 1};
     for (size_t i = 0; i < check_count(8000); i++) {
-        double x = 1 + random_double_of(random_mix(i));
-        wrong += !((double)bvh8_down(x) <= x * (1 - 2 * u24));
+        real x = 1 + random_real_of(random_mix(i));
+        double low = (double)x * (1 - 2 * u24), high = (double)x * (1 + 2 * u24);
+        bvh8_interval(&unit, &(ray){.tmin = x, .tmax = x});
+        wrong += !((double)unit.tmin <= low && (double)unit.sure_max <= low);
+        wrong += !((double)unit.limit >= high && (double)unit.sure_min >= high);
+        wrong += !((double)bvh8_limit(&unit, x) >= high);
     }
-    check_equal(wrong, 0, "a limit is two roundings too small, whatever x");
+    check_equal(wrong, 0, "the ends of an interval leave two roundings, whatever x");
     const bvh8 w = {.scale = 1};
     ray r = ray_from((vec3){0, 0, -65536}, (vec3){0, 0, 1});
     bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
