@@ -120,24 +120,24 @@ static inline void lit_room(lit_scene *s, size_t points, size_t n)
 static inline void lit_add_light(lit_scene *s, light l) { lit_emitter(s, emitter_of_light(l)); }
 
 /* One triangle of corners that are in m.v already, without normals of its own. */
-static inline void lit_join(lit_scene *s, size_t a, size_t b, size_t c, uint16_t material,
+static inline void lit_join(lit_scene *s, size_t a, size_t b, size_t c, uint16_t look,
                             uint32_t e)
 {
     s->part[s->m.triangles++] = (lit_part){{(uint32_t)a, (uint32_t)b, (uint32_t)c},
-                                           {mesh_none, mesh_none, mesh_none}, e, material};
+                                           {mesh_none, mesh_none, mesh_none}, e, look};
 }
 
-static inline void lit_add_triangle(lit_scene *s, triangle t, uint16_t material)
+static inline void lit_add_triangle(lit_scene *s, triangle t, uint16_t look)
 {
     size_t v = s->m.vertices;
     lit_room(s, 3, 1);
     s->m.v[v] = t.a, s->m.v[v + 1] = t.b, s->m.v[v + 2] = t.c;
     s->m.vertices += 3;
-    lit_join(s, v, v + 1, v + 2, material,
-             lit_emitter(s, emitter_of_triangle(t, s->material[material].Le)));
+    lit_join(s, v, v + 1, v + 2, look,
+             lit_emitter(s, emitter_of_triangle(t, s->material[look].Le)));
 }
 
-static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t material)
+static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t look)
 {
     size_t v = s->m.vertices;
     vec3 b = vadd(r.o, r.s);
@@ -145,13 +145,13 @@ static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t materia
     s->m.v[v] = r.o, s->m.v[v + 1] = b, s->m.v[v + 2] = vadd(b, r.t);
     s->m.v[v + 3] = vadd(r.o, r.t);
     s->m.vertices += 4;
-    uint32_t e = lit_emitter(s, emitter_of_rectangle(r, s->material[material].Le));
-    lit_join(s, v, v + 1, v + 2, material, e);
-    lit_join(s, v, v + 2, v + 3, material, e);
+    uint32_t e = lit_emitter(s, emitter_of_rectangle(r, s->material[look].Le));
+    lit_join(s, v, v + 1, v + 2, look, e);
+    lit_join(s, v, v + 2, v + 3, look, e);
 }
 
 /* With its shading normals, if it has some. */
-static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t material)
+static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t look)
 {
     mesh *m = &s->m;
     size_t v = m->vertices, n = m->normals;
@@ -163,8 +163,8 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t materia
     }
     for (size_t i = 0; i < from->triangles; i++) {
         const uint32_t *k = from->index + 3 * i;
-        emitter e = emitter_of_triangle(mesh_triangle(from, i), s->material[material].Le);
-        lit_join(s, v + k[0], v + k[1], v + k[2], material, lit_emitter(s, e));
+        emitter e = emitter_of_triangle(mesh_triangle(from, i), s->material[look].Le);
+        lit_join(s, v + k[0], v + k[1], v + k[2], look, lit_emitter(s, e));
         if (!from->n) continue;
         const uint32_t *of = (from->normal_index ? from->normal_index : from->index) + 3 * i;
         for (int j = 0; j < 3; j++)
@@ -173,11 +173,11 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t materia
     }
 }
 
-static inline void lit_add_shape(lit_scene *s, shape x, uint16_t material)
+static inline void lit_add_shape(lit_scene *s, shape x, uint16_t look)
 {
     s->of_shape = lit_grow(s->of_shape, s->shapes, 1, sizeof *s->of_shape, &s->room.of_shape);
     s->shape = lit_grow(s->shape, s->shapes, 1, sizeof x, &s->room.shapes);
-    s->of_shape[s->shapes] = material;
+    s->of_shape[s->shapes] = look;
     s->shape[s->shapes++] = x;
 }
 
@@ -277,13 +277,13 @@ static inline surface lit_surface(const lit_scene *s, hit h)
 /* Fields one by one: a struct that is copied as a whole right after its fields were written waits
  * for all of them. */
 __attribute__((always_inline))
-static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t material,
+static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t look,
                              real t, lit_hit *out)
 {
     real side = vdot(x.n, r.d), turn = side > 0 ? -1 : 1;
     out->s.p = x.p, out->s.n = vscale(x.n, turn), out->s.ns = vscale(x.ns, turn);
     out->s.error = x.error, out->s.noise = x.noise, out->s.shape = (uint32_t)place;
-    out->m = &s->material[material], out->emitter = s->emitter_of[place];
+    out->m = &s->material[look], out->emitter = s->emitter_of[place];
     out->t = t, out->front = side < 0;
 }
 
