@@ -411,6 +411,33 @@ static void test_terms_lit(void)
     }
 }
 
+/* A point light in the middle of a closed matte ball: term k is a^k I / (pi R^2), without noise. No
+ * direction finds it: the naive path sees nothing. */
+static void test_terms_of_a_point(void)
+{
+    enum { depth = 4 };
+    lit_scene s;
+    bounce_counts c = {{{0}, 0, 0}, 0};
+    lit_begin(&s);
+    lit_add_shape(&s, shape_of_sphere((sphere){{1, 2, 3}, -2}),
+                  lit_add_material(&s, (lit_material){.f = brdf_lambert(vec(0.5, 0.5, 0.5))}));
+    lit_add_light(&s, (light){LIGHT_POINT, {1, 2, 3}, {3, 3, 3}});
+    lit_end(&s);
+    naive_path p = {&s, DIRECTIONS_BRDF, depth, false};
+    for (uint32_t i = 0; i < 20; i++) {
+        vec3 a[depth + 1], b[depth + 1];
+        sampler r = second_pair(9, i), q = r;
+        ray eye = ray_from(vec(1, 2, 3.5), (vec3){1, 2, 3});
+        bounce_terms(&p, eye, &r, a, &c), bounce_terms_lit(&p, eye, &q, b, &c);
+        for (int k = 0; k <= depth; k++) {
+            double L = k ? pow(0.5, k) * 3 / (4 * (double)pi) : 0;
+            check(vzero(a[k]), "term %d: no direction finds a point", k);
+            check_close((double)b[k].x, L, 64 * (double)real_epsilon * L, "term %d", k);
+        }
+    }
+    lit_free(&s);
+}
+
 /* ---- shade() as printed: fails where it must ---- */
 
 static void test_notes(void)
@@ -476,13 +503,13 @@ static void test_called_for(void)
             naive_path p = {&s, (direction_choice)way, 5, false}, all = p;
             naive_counts called = {{0}, 0, 0}, many = called;
             naive_counts tree_called = called, tree_many = called;
-            size_t wrong = 0, wrong_tree = 0, light = 0, n = count_from(300, 1500);
+            size_t wrong = 0, wrong_tree = 0, bright = 0, n = count_from(300, 1500);
             all.spend_all = true;
             for (size_t i = 0; i < n; i++) {
                 sampler a = second_pair(i, 1), b = a;
                 vec3 L = naive_radiance(&p, some_ray(o, i), &a, &called);
                 wrong += !same(L, naive_radiance(&all, some_ray(o, i), &b, &many));
-                light += !vzero(L);
+                bright += !vzero(L);
                 if (i % 10) continue;
                 vec3 T = branching_radiance(&p, 3, some_ray(o, i), 25, i, 1, &tree_called);
                 wrong_tree += !same(T, branching_radiance(&all, 3, some_ray(o, i), 25, i, 1,
@@ -494,7 +521,7 @@ static void test_called_for(void)
             if (!lamps) check_equal(naive_rays(&called), 0, "no light, no ray");
             if (!lamps) check_equal(naive_rays(&tree_called), 0, "no light, no tree");
             if (!lamps) continue;
-            check_at_least((double)light, (double)n / 20, "there is something to see");
+            check_at_least((double)bright, (double)n / 20, "there is something to see");
             check_at_most((double)naive_rays(&called), 0.75 * (double)naive_rays(&many),
                           "a path ends where nothing can follow");
             check_at_most((double)naive_rays(&tree_called), 0.5 * (double)naive_rays(&tree_many),
@@ -560,15 +587,15 @@ static void test_shading_normals(void)
     lit_end(&s);
     for (int way = DIRECTIONS_UNIFORM; way <= DIRECTIONS_BRDF; way++) {
         naive_path p = {&s, (direction_choice)way, 2, false};
-        size_t light = 0, k = count_from(100, 1000);
+        size_t bright = 0, k = count_from(100, 1000);
         for (size_t i = 0; i < k; i++) {
             vec3 term[3];
             sampler a = second_pair(8, (uint32_t)i), b = a;
-            light += !vzero(naive_radiance(&p, eye, &a, &c.walk));
+            bright += !vzero(naive_radiance(&p, eye, &a, &c.walk));
             bounce_terms_lit(&p, eye, &b, term, &c);
-            light += !vzero(term[1]);
+            bright += !vzero(term[1]);
         }
-        check_equal(light, 0, "%s: nothing shines through a wall", choice_name[way]);
+        check_equal(bright, 0, "%s: nothing shines through a wall", choice_name[way]);
     }
     check_at_least((double)c.walk.rays[1], 10, "though directions above it were taken");
     check_equal(c.sight, 0, "no ray of sight through it");
@@ -601,6 +628,7 @@ int main(void)
     test_furnace_exact(), test_endless(), test_furnace_uniform();
     test_pair(), test_radiosity(), test_edges();
     test_terms_add_up(), test_direct_closed_form(), test_terms_lit();
+    test_terms_of_a_point();
     test_notes(), test_called_for(), test_counts(), test_shading_normals(), test_eye_length();
     return check_report("25_bounces");
 }

@@ -54,6 +54,36 @@ static void test_closed_sphere(void)
     lit_free(&s);
 }
 
+/* A point light in the middle of a closed matte ball: E = I / R^2 at once, and of each bounce the
+ * albedo a: L = a / (1 - a) I / (pi R^2). Only light samples find it. */
+static void test_point_light(void)
+{
+    lit_scene s;
+    vec3 a = {(real)0.5, (real)0.25, (real)0.8}, I = {3, 2, 1};
+    lit_begin(&s);
+    lit_add_shape(&s, shape_of_sphere((sphere){{1, 2, 3}, -2}),
+                  lit_add_material(&s, (lit_material){.f = brdf_lambert(a)}));
+    lit_add_light(&s, (light){LIGHT_POINT, {1, 2, 3}, I});
+    lit_end(&s);
+    for (int mis = 0; mis < 2; mis++) {
+        path_options how = path_defaults;
+        path_tracer t;
+        estimate e[3];
+        path_counts c = {0};
+        how.mis = mis;
+        path_tracer_of(&s, NULL, how, &t);
+        along(&t, ray_from(vec(1, 2, 3.5), (vec3){1, 2, 3}), check_count(200), 16, e, &c);
+        for (int k = 0; k < 3; k++) {
+            double x = (double)vaxis(a, k), L = x / (1 - x) * (double)(vaxis(I, k) / (4 * pi));
+            check_at_least(t_test(e[k], L, 200 * (double)real_epsilon), false_alarm,
+                           "point light in a ball, channel %d: mean %.9g, exactly %.9g", k,
+                           e[k].mean, L);
+        }
+        path_tracer_free(&t);
+    }
+    lit_free(&s);
+}
+
 /* ---- furnace: one ball, white light from all sides, L = albedo(cos) ---- */
 
 typedef enum { FURNACE_DIRECTIONS, FURNACE_LIGHTS, FURNACE_BOTH } furnace_way;
@@ -491,6 +521,7 @@ int main(void)
 {
     test_roulette();
     test_closed_sphere();
+    test_point_light();
     test_furnace();
     test_leaning_normals();
     test_glass();

@@ -70,7 +70,7 @@ static void test_classic(bool glass)
 {
     set q;
     classic c;
-    char *text = forty_text(!glass);
+    char *text = forty_text(!glass, TAX_SUNS);
     double worst = 0;
     size_t off = 0, n = 0;
     set_up(&q, text);

@@ -310,7 +310,7 @@ static void test_pdf(const studio_tree *t, const lamp_list *l)
         random_stream s = random_start(5, i, 0);
         real x = random_next(&s), y = random_next(&s), z = random_next(&s), u = random_next(&s);
         vec3 p = {6 * x - 3, 4 * y, 6 * z - 3};
-        lamp_draw w;
+        lit_draw w;
         if (!lamps_sample(l, p, (vec3){0, 1, 0}, (point2){u, random_next(&s)}, &w)) continue;
         const shape *ball = t->s->shape;  /* the first; all that shine are told apart by Ke */
         bool is_ball = w.Le.y > 0;
@@ -354,12 +354,12 @@ static void test_sky(void)
     check(sky_light_build(&s, &l, &f), "%s", f.text);
     for (int i = 0; i < 4000; i++) {
         random_stream r = random_start(6, (uint64_t)i, 0);
-        sky_draw x;
+        lit_draw x;
         real u = random_next(&r);
         if (!sky_light_sample(&l, (vec3){0, i % 2 ? 1 : -1, 0}, (point2){u, random_next(&r)}, &x))
             continue;
         vec3 L = sky_radiance(&s, x.wi);
-        seen++, other += vlength(vsub(L, x.L)) > 8 * real_epsilon * vlength(L);
+        seen++, other += vlength(vsub(L, x.Le)) > 8 * real_epsilon * vlength(L);
         likely += !(fabs(sky_light_pdf(&l, x.wi, 1) - x.pdf) <= 64 * real_epsilon * x.pdf);
     }
     check_at_least(seen, 1500, "directions in the half that n looks into");

@@ -24,6 +24,7 @@
 
 #include "leave.h"
 #include "light.h"
+#include "material.h"
 #include "trace.h"
 
 enum { MASK_SEEN = 1, MASK_SHADOW = 2, MASK_SIGHT = 4, MASK_ALL = 7 };

@@ -4,16 +4,16 @@
  *         ~ 1/N sum of f(wi, wo) L(wi) cos(n, wi) / pdf(wi),   wi drawn with this pdf      (23.19)
  *
  *   reflection r = {DIRECTIONS_BRDF, false, 0};
- *   vec3 lo = reflection_estimate(&r, &b, n, wo, light, kind, seed, pixel, N);   kind: sampler.h
- *   vec3 lo = reflection_grid(&r, &b, n, wo, light, k);   k x k directions, evenly spread
- *   vec3 lo = reflection_reference(&b, n, wo, light);     GGX alone: the truth for the tables
+ *   vec3 lo = reflection_estimate(&r, &b, n, wo, incident, kind, seed, pixel, N);   kind: sampler.h
+ *   vec3 lo = reflection_grid(&r, &b, n, wo, incident, k);   k x k directions, evenly spread
+ *   vec3 lo = reflection_reference(&b, n, wo, incident);     GGX alone: the truth for the tables
  *
  *   choice                pdf
  *   DIRECTIONS_UNIFORM    1 / (2 pi)       all directions alike
  *   DIRECTIONS_COSINE     cos / pi         those that bring more, more often
  *   DIRECTIONS_BRDF       brdf_pdf         those that the surface asks for
  *
- * light(wi): radiance that arrives from the unit direction wi (world). It is asked only where
+ * incident(wi): radiance that arrives from the unit direction wi (world). It is asked only where
  * f cos > 0; r.asked counts how often. With r.ask_all it is asked always, and the answer is the
  * same.
  */
@@ -52,38 +52,38 @@ static inline bool reflection_direction(direction_choice how, const brdf *b, sha
 }
 
 static inline vec3 reflection_term(reflection *r, const brdf *b, shading_frame f, vec3 wo,
-                                   incident_light *light, point2 p)
+                                   incident_light *incident, point2 p)
 {
     vec3 wi, weight;
     bool some = reflection_direction(r->choice, b, f, wo, p, &wi, &weight);
     if (!some && !r->ask_all) return (vec3){0, 0, 0};
     r->asked++;
-    return vmul(weight, light(wi));
+    return vmul(weight, incident(wi));
 }
 
 static inline vec3 reflection_estimate(reflection *r, const brdf *b, vec3 n, vec3 wo,
-                                       incident_light *light, sequence_kind kind, uint64_t seed,
+                                       incident_light *incident, sequence_kind kind, uint64_t seed,
                                        uint64_t pixel, uint32_t samples)
 {
     shading_frame f = shading_frame_of(n);
     vec3 sum = {0, 0, 0}, local = to_local(f, wo);
     for (uint32_t k = 0; k < samples; k++) {
         sampler s = sampler_start(kind, seed, pixel, k, samples);
-        sum = vadd(sum, reflection_term(r, b, f, local, light, sampler_pair(&s)));
+        sum = vadd(sum, reflection_term(r, b, f, local, incident, sampler_pair(&s)));
     }
     return vscale(sum, 1 / (real)samples);
 }
 
 /* The midpoint rule: k rings of equal solid angle, k directions in each. */
 static inline vec3 reflection_grid(reflection *r, const brdf *b, vec3 n, vec3 wo,
-                                   incident_light *light, int k)
+                                   incident_light *incident, int k)
 {
     shading_frame f = shading_frame_of(n);
     vec3 sum = {0, 0, 0}, local = to_local(f, wo);
     reflection uniform = {DIRECTIONS_UNIFORM, r->ask_all, 0};
     for (int i = 0; i < k * k; i++) {
         point2 p = {((real)(i / k) + (real)0.5) / (real)k, ((real)(i % k) + (real)0.5) / (real)k};
-        sum = vadd(sum, reflection_term(&uniform, b, f, local, light, p));
+        sum = vadd(sum, reflection_term(&uniform, b, f, local, incident, p));
     }
     r->asked += uniform.asked;
     return vscale(sum, 1 / ((real)k * (real)k));
@@ -92,7 +92,7 @@ static inline vec3 reflection_grid(reflection *r, const brdf *b, vec3 n, vec3 wo
 /* For GGX, whatever its alpha: over half vectors, spread as D is, on a lattice.
  *   D z dm = du dv,  z^2 = (1 - u) / (1 + (a^2 - 1) u),  dwi = 4 (wo.m) dm                 (23.20)
  * Shares no direction and no pdf with brdf_sample. */
-static inline vec3 reflection_reference(const brdf *b, vec3 n, vec3 wo, incident_light *light)
+static inline vec3 reflection_reference(const brdf *b, vec3 n, vec3 wo, incident_light *incident)
 {
     shading_frame f = shading_frame_of(n);
     vec3 sum = {0, 0, 0}, o = to_local(f, wo);
@@ -104,7 +104,7 @@ static inline vec3 reflection_reference(const brdf *b, vec3 n, vec3 wo, incident
         real c = vdot(o, m);
         whole += p.area;
         if (brdf_behind(wi) || c <= 0) continue;
-        vec3 fl = vmul(brdf_value_local(b, wi, o), light(to_world(f, wi)));
+        vec3 fl = vmul(brdf_value_local(b, wi, o), incident(to_world(f, wi)));
         sum = vmadd(sum, fl, 4 * c * wi.z / (ggx_d(a, m) * z) * p.area);
     }
     return vscale(sum, 1 / whole);

@@ -5,6 +5,7 @@
  *   uint16_t grey = lit_add_material(&s, (lit_material){.f = brdf_lambert((vec3){.5, .5, .5})});
  *   lit_add_rectangle(&s, (rectangle){o, s, t}, lamp);     front: s x t; if it shines, one emitter
  *   lit_add_triangle(&s, t, grey), lit_add_mesh(&s, &m, grey), lit_add_shape(&s, shape, grey);
+ *   lit_add_light(&s, light);                              of 18: a point, the sun
  *   lit_end(&s);                                           trees and tables; then use it
  *   lit_free(&s);                                          a zeroed one may be freed
  *
@@ -20,8 +21,8 @@
  * products and a sum a coordinate: the same bits as surface_of_mesh.
  *
  * Everything added is copied, but for the corners of polygons, which must outlive the scene.
- * Emitters: one per shining triangle, rectangle, sphere of area > 0: first the flat ones in the
- * order of adding, then the spheres.
+ * Emitters: one per shining triangle, rectangle, sphere of area > 0, and light without size: in the
+ * order of adding, then the spheres. What has no size no ray meets.
  * Nothing else can shine; Le of a cone or polygon is ignored. At equal t a triangle wins against a
  * shape, else the lower index. At most 65535 materials; no memory, or more: the program ends.
  */
@@ -116,25 +117,27 @@ static inline void lit_room(lit_scene *s, size_t points, size_t n)
     s->part = lit_grow(s->part, s->m.triangles, n, sizeof *s->part, &s->room.parts);
 }
 
+static inline void lit_add_light(lit_scene *s, light l) { lit_emitter(s, emitter_of_light(l)); }
+
 /* One triangle of corners that are in m.v already, without normals of its own. */
-static inline void lit_join(lit_scene *s, size_t a, size_t b, size_t c, uint16_t material,
-                            uint32_t light)
+static inline void lit_join(lit_scene *s, size_t a, size_t b, size_t c, uint16_t look,
+                            uint32_t e)
 {
     s->part[s->m.triangles++] = (lit_part){{(uint32_t)a, (uint32_t)b, (uint32_t)c},
-                                           {mesh_none, mesh_none, mesh_none}, light, material};
+                                           {mesh_none, mesh_none, mesh_none}, e, look};
 }
 
-static inline void lit_add_triangle(lit_scene *s, triangle t, uint16_t material)
+static inline void lit_add_triangle(lit_scene *s, triangle t, uint16_t look)
 {
     size_t v = s->m.vertices;
     lit_room(s, 3, 1);
     s->m.v[v] = t.a, s->m.v[v + 1] = t.b, s->m.v[v + 2] = t.c;
     s->m.vertices += 3;
-    lit_join(s, v, v + 1, v + 2, material,
-             lit_emitter(s, emitter_of_triangle(t, s->material[material].Le)));
+    lit_join(s, v, v + 1, v + 2, look,
+             lit_emitter(s, emitter_of_triangle(t, s->material[look].Le)));
 }
 
-static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t material)
+static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t look)
 {
     size_t v = s->m.vertices;
     vec3 b = vadd(r.o, r.s);
@@ -142,13 +145,13 @@ static inline void lit_add_rectangle(lit_scene *s, rectangle r, uint16_t materia
     s->m.v[v] = r.o, s->m.v[v + 1] = b, s->m.v[v + 2] = vadd(b, r.t);
     s->m.v[v + 3] = vadd(r.o, r.t);
     s->m.vertices += 4;
-    uint32_t e = lit_emitter(s, emitter_of_rectangle(r, s->material[material].Le));
-    lit_join(s, v, v + 1, v + 2, material, e);
-    lit_join(s, v, v + 2, v + 3, material, e);
+    uint32_t e = lit_emitter(s, emitter_of_rectangle(r, s->material[look].Le));
+    lit_join(s, v, v + 1, v + 2, look, e);
+    lit_join(s, v, v + 2, v + 3, look, e);
 }
 
 /* With its shading normals, if it has some. */
-static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t material)
+static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t look)
 {
     mesh *m = &s->m;
     size_t v = m->vertices, n = m->normals;
@@ -160,8 +163,8 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t materia
     }
     for (size_t i = 0; i < from->triangles; i++) {
         const uint32_t *k = from->index + 3 * i;
-        emitter e = emitter_of_triangle(mesh_triangle(from, i), s->material[material].Le);
-        lit_join(s, v + k[0], v + k[1], v + k[2], material, lit_emitter(s, e));
+        emitter e = emitter_of_triangle(mesh_triangle(from, i), s->material[look].Le);
+        lit_join(s, v + k[0], v + k[1], v + k[2], look, lit_emitter(s, e));
         if (!from->n) continue;
         const uint32_t *of = (from->normal_index ? from->normal_index : from->index) + 3 * i;
         for (int j = 0; j < 3; j++)
@@ -170,11 +173,11 @@ static inline void lit_add_mesh(lit_scene *s, const mesh *from, uint16_t materia
     }
 }
 
-static inline void lit_add_shape(lit_scene *s, shape x, uint16_t material)
+static inline void lit_add_shape(lit_scene *s, shape x, uint16_t look)
 {
     s->of_shape = lit_grow(s->of_shape, s->shapes, 1, sizeof *s->of_shape, &s->room.of_shape);
     s->shape = lit_grow(s->shape, s->shapes, 1, sizeof x, &s->room.shapes);
-    s->of_shape[s->shapes] = material;
+    s->of_shape[s->shapes] = look;
     s->shape[s->shapes++] = x;
 }
 
@@ -208,6 +211,19 @@ static inline void lit_split(lit_scene *s)
     s->part = NULL;
 }
 
+/* The sun shines on a disc round all: R, half of the diagonal of its box; pi R^2 E0 of power. */
+static inline void lit_sun(const lit_scene *s, emitter *sun)
+{
+    vec3 lo = {0, 0, 0}, hi = lo, a, b;
+    bool any = mesh_bounds(&s->m, &lo, &hi);
+    for (size_t i = 0; i < s->shapes; i++, any = true) {
+        shape_bounds(s->shape[i], &a, &b);
+        lo = any ? vmin(lo, a) : a, hi = any ? vmax(hi, b) : b;
+    }
+    vec3 d = vsub(hi, lo);
+    if (vfinite(d) && !vzero(d)) sun->area = vdot(d, d) / 4;
+}
+
 static inline void lit_end(lit_scene *s)
 {
     failure f;
@@ -217,6 +233,10 @@ static inline void lit_end(lit_scene *s)
         vec3 Le = s->material[s->of_shape[i]].Le;
         uint32_t e = ball ? lit_emitter(s, emitter_of_sphere(s->shape[i].sphere, Le)) : lit_dark;
         s->emitter_of[s->m.triangles + i] = e;
+    }
+    for (size_t e = 0; e < s->emitters; e++) {
+        emitter *x = &s->emitter[e];
+        if (x->kind == EMITTER_LIGHT && x->light.kind == LIGHT_DIRECTIONAL) lit_sun(s, x);
     }
     s->skip = allocate(s->emitters, sizeof *s->skip);
     for (size_t e = 0; e < s->emitters; e++) s->skip[e] = bvh8_skip_none;
@@ -257,13 +277,13 @@ static inline surface lit_surface(const lit_scene *s, hit h)
 /* Fields one by one: a struct that is copied as a whole right after its fields were written waits
  * for all of them. */
 __attribute__((always_inline))
-static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t material,
+static inline void lit_found(const lit_scene *s, ray r, surface x, size_t place, uint16_t look,
                              real t, lit_hit *out)
 {
     real side = vdot(x.n, r.d), turn = side > 0 ? -1 : 1;
     out->s.p = x.p, out->s.n = vscale(x.n, turn), out->s.ns = vscale(x.ns, turn);
     out->s.error = x.error, out->s.noise = x.noise, out->s.shape = (uint32_t)place;
-    out->m = &s->material[material], out->emitter = s->emitter_of[place];
+    out->m = &s->material[look], out->emitter = s->emitter_of[place];
     out->t = t, out->front = side < 0;
 }
 

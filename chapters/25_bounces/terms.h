@@ -40,8 +40,8 @@ static inline void bounce_terms(const naive_path *p, ray eye, sampler *s, vec3 *
 }
 
 /* K E at x towards wo: one of the lights, each as likely as the others. */
-static inline vec3 bounce_direct(const lit_lights *l, const lit_hit *x, vec3 wo, real which,
-                                 point2 u, bounce_counts *c)
+static inline vec3 bounce_direct(const lit_scene *s, const lit_lights *l, const lit_hit *x, vec3 wo,
+                                 real which, point2 u, bounce_counts *c)
 {
     vec3 black = {0, 0, 0};
     real chance, rest;
@@ -53,9 +53,9 @@ static inline vec3 bounce_direct(const lit_lights *l, const lit_hit *x, vec3 wo,
     vec3 f = vscale(brdf_value(&x->m->f, x->s.ns, to.wi, wo), vdot(x->s.ns, to.wi));
     if (vzero(f)) return black;
     c->sight++;
-    ray r = leave_between(x->s, to.s);
-    if (lit_occluded_from(l->scene, r, x->s.shape, to.emitter)) return black;
-    return vscale(vmul(f, to.Le), 1 / to.pdf);
+    ray r = lit_draw_ray(&x->s, &to);
+    if (lit_occluded_from(s, r, x->s.shape, to.emitter)) return black;
+    return vscale(vmul(f, to.Le), 1 / to.per);
 }
 
 /* A hit of bounce k gives term[k + 1] by its light; what it shines itself is term[k] only if that
@@ -76,7 +76,7 @@ static inline void bounce_terms_lit(const naive_path *p, ray eye, sampler *s, ve
         if (!met || k == p->depth) return;
         if (naive_black(x.m)) { c->walk.black++; return; }
         real which = sampler_number(s);
-        vec3 direct = bounce_direct(&lamps, &x, wo, which, sampler_pair(s), c);
+        vec3 direct = bounce_direct(p->scene, &lamps, &x, wo, which, sampler_pair(s), c);
         term[k + 1] = vadd(term[k + 1], vmul(through, direct));
         if (k + 1 == p->depth && !brdf_is_delta(&x.m->f) && vzero(p->scene->background)) return;
         if (!naive_direction(p, &x, wo, sampler_pair(s), &eye, &weight)) return;

@@ -9,7 +9,8 @@
  *   phi   *= f cos / pdf / q          as beta in path.h, and the same roulette
  *
  *   light_tracer t;
- *   light_tracer_of(&scene, eye, w, h, &t);       eye: perspective; scene: no sky, no background
+ *   light_tracer_of(&scene, eye, w, h, &t);       eye: perspective; no sky, no background,
+ *                                               no light without size: those show nothing
  *   light_path(&t, &random, sum, &counts);        one path; sum: [3 w h], {0} at first
  *   pixel k of the picture = sum[k] / number of paths
  *   light_tracer_free(&t)
@@ -133,6 +134,7 @@ static inline void light_path(const light_tracer *t, random_stream *s, double *s
     if (!lit_lights_some(&t->light)) return;
     const emitter *e = &t->scene->emitter[lit_lights_choose(&t->light, random_next(s), &chance,
                                                             &rest)];
+    if (e->kind == EMITTER_LIGHT) return;
     real u = random_next(s), v = random_next(s);
     surface from = light_start(e, u, v);
     light_show(t, from, vscale(e->Le, e->area / chance), sum, c);  /* the lamp itself */

@@ -184,14 +184,12 @@ static inline void path_light(const path_tracer *t, path_walk *w, const lit_hit 
         c->spent++;
     }
     c->shadow++;
-    ray r = l.emitter == lit_dark ? leave(surface_copy(&x->s), l.wi)
-                                      : leave_between(surface_copy(&x->s), surface_copy(&l.s));
-    if (lit_occluded_from(t->scene, r, x->s.shape, l.emitter)) return;
+    if (lit_occluded_from(t->scene, lit_draw_ray(&x->s, &l), x->s.shape, l.emitter)) return;
     real weight = t->how.mis ? mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, wo)) : 1;
-    vec3 gain = vscale(brings, weight / l.pdf);
+    vec3 gain = vscale(brings, weight / l.per);
     if (t->glass && w->medium)  /* no wall of it in between: all the way in the glass */
-        gain = vmul(gain, absorbed(w->medium->sigma, l.emitter == lit_dark ? real_infinity
-                                                     : vlength(vsub(l.s.p, x->s.p))));
+        gain = vmul(gain, absorbed(w->medium->sigma,
+                                   l.far ? real_infinity : vlength(vsub(l.s.p, x->s.p))));
     w->L = vadd(w->L, path_cut(gain, t->how.clamp));
 }
 

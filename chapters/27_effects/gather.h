@@ -5,8 +5,8 @@
  *   vec3 L = gather_emitted(e, mask, b, a, x, &s)     of the face that ray b has met
  *   vec3 L = gather_nothing(e, mask, b)               of what is behind everything
  *
- *   hard shadows   each point light and sun (18.1), (18.2)
- *   soft shadows   one point of one lamp: L = f cos Le w / pdf                             (27.8)
+ *   hard shadows   each point light and sun, as 24 has them: L = f cos Le w / per          (27.8)
+ *   soft shadows   one point of one lamp, likewise
  *   environment    one direction of the sky, likewise
  *
  * A lamp can be found by a shadow ray, and met by a ray that goes on. Where both are sent they
@@ -105,7 +105,7 @@ effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, ve
     if (!vzero(k->highlight) || !vzero(k->glossy)) {
         shading_frame f = shading_frame_of(h->s.ns);
         vec3 i = to_local(f, wi), o = to_local(f, vneg(h->b->r.d)), both = {0, 0, 0};
-        if (vzero(k->mirror)) both = k->highlight;  /* else the mirror itself shows it */
+        if (vzero(k->mirror) || !(pdf < real_infinity)) both = k->highlight;  /* else it shows it */
         if (!vzero(k->glossy)) {
             real share = mask & EFFECT_GLOSSY ? mis_power(pdf, brdf_pdf_local(h->lobe, i, o)) : 1;
             both = vmadd(both, k->glossy, share);
@@ -115,61 +115,39 @@ effects_inline vec3 gather_reflects(const gather_hit *h, const unsigned mask, ve
     return sum;
 }
 
-effects_inline vec3 gather_lights(const gather_hit *h, const unsigned mask, bool lit)
-{
-    const gather_share *k = &h->k;
-    const surface *s = &h->s;
-    vec3 sum = {0, 0, 0}, left;
-    for (int i = 0; i < h->e->lights; i++) {
-        const light *L = &h->e->light[i];
-        light_sample x = {{0, 0, 0}, {0, 0, 0}};
-        bool counts = lit && light_reaches(L, s->p, s->n, s->ns, &x);
-        if (!counts && !(mask & EFFECTS_SPEND)) continue;
-        ray r = L->kind == LIGHT_POINT ? leave_to(*s, L->at) : leave(*s, L->at);
-        bool passes = gather_passes(h, mask, r, RAY_TO_LIGHT, &left);
-        if (!counts || !passes) continue;
-        vec3 v = vscale(vmul(x.E, k->matte), 1 / pi);
-        if (!vzero(k->highlight) || !vzero(k->glossy))
-            v = vadd(v, vmul(x.E, vmul(vadd(k->highlight, k->glossy),
-                                       brdf_value(h->lobe, s->ns, x.l, vneg(h->b->r.d)))));
-        sum = vadd(sum, (mask & EFFECT_REFRACTION) && h->e->clear ? vmul(v, left) : v);
-    }
-    return sum;
-}
-
-/* (27.8), of a lamp or of the sky: `at` is where the light comes from, NULL: from infinity. */
+/* (27.8), of a light, a lamp or the sky. */
 effects_inline vec3 gather_sample(const gather_hit *h, const unsigned mask, bool lit, int kind,
-                                  vec3 wi, vec3 Le, real pdf, const surface *at)
+                                  const lit_draw *x)
 {
     vec3 v = {0, 0, 0}, left;
-    if (lit && vdot(h->s.ns, wi) > 0 && vdot(h->s.n, wi) > 0)
-        v = vmul(gather_reflects(h, mask, wi, pdf), Le);
+    if (lit && vdot(h->s.ns, x->wi) > 0 && vdot(h->s.n, x->wi) > 0)
+        v = vmul(gather_reflects(h, mask, x->wi, x->pdf), x->Le);
     if (vzero(v) && !(mask & EFFECTS_SPEND)) return v;
-    surface s = surface_copy(&h->s);
-    bool passes = gather_passes(h, mask, at ? leave_between(s, surface_copy(at)) : leave(s, wi),
-                                kind, &left);
+    bool passes = gather_passes(h, mask, lit_draw_ray(&h->s, x), kind, &left);
     if (!passes || vzero(v)) return (vec3){0, 0, 0};
-    return vscale(vmul(v, left), 1 / pdf);
+    return vscale(vmul(v, left), 1 / x->per);
 }
 
 effects_inline vec3 gather(const gather_hit *h, const unsigned mask)
 {
     const gather_share *k = &h->k;
+    const effects_stage *e = h->e;
     vec3 sum = {0, 0, 0};
+    lit_draw x = {.far = false};
     bool lit = !vzero(k->matte) || !vzero(k->highlight) || !vzero(k->glossy);
     if (!lit && !(mask & EFFECTS_SPEND)) return sum;
-    if (mask & EFFECT_HARD_SHADOWS) sum = gather_lights(h, mask, lit);
-    if ((mask & EFFECT_SOFT_SHADOWS) && h->e->lamp.n) {
-        lamp_draw x;
+    for (int i = 0; mask & EFFECT_HARD_SHADOWS && i < e->lights; i++)
+        if (lit_draw_light(&e->light[i], 1, h->s.p, &x))
+            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LIGHT, &x));
+    if ((mask & EFFECT_SOFT_SHADOWS) && e->lamp.n) {
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_LAMP);
-        if (lamps_sample(&h->e->lamp, h->s.p, h->s.n, u, &x))
-            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LAMP, x.wi, x.Le, x.pdf, &x.s));
+        if (lamps_sample(&e->lamp, h->s.p, h->s.n, u, &x))
+            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_LAMP, &x));
     }
     if (mask & EFFECT_ENVIRONMENT) {
-        sky_draw x;
         point2 u = dice_pair(h->d, h->b->node, h->b->depth, DICE_SKY);
-        if (sky_light_sample(&h->e->sky, h->s.ns, u, &x))
-            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, x.wi, x.L, x.pdf, NULL));
+        if (sky_light_sample(&e->sky, h->s.ns, u, &x))
+            sum = vadd(sum, gather_sample(h, mask, lit, RAY_TO_SKY, &x));
     }
     return sum;
 }

@@ -19,20 +19,18 @@
 #ifndef EFFECTS_LAMPS_H
 #define EFFECTS_LAMPS_H
 
-#include "../20_monte_carlo/discrete.h"
-#include "../24_direct_light/emitter.h"
+#include "../24_direct_light/lights.h"
 #include "patch.h"
 #include "studio_tree.h"
 
-typedef struct { emitter *face; size_t n, room; choice of; real sum; } lamp_list;
-typedef struct { vec3 wi, Le; real pdf; surface s; } lamp_draw;  /* pdf [1/sr] */
+typedef struct { emitter *face; size_t n, room; lit_lights of; real sum; } lamp_list;
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline void lamps_free(lamp_list *l)
 {
     free(l->face);
-    choice_free(&l->of);
+    lit_lights_free(&l->of);
     *l = (lamp_list){.face = NULL};
 }
 
@@ -91,15 +89,11 @@ static inline void lamps_build(const studio_tree *t, lamp_list *out)
         if (x.place == no_shape) lamps_add_shape(out, &s->shape[x.index], Ke);
         else lamps_add_triangle(out, t, x, Ke);
     }
-    real *power = allocate(out->n + 1, sizeof *power);
     double sum = 0;
-    for (size_t i = 0; i < out->n; i++) {
-        power[i] = emitter_power(&out->face[i]);
-        sum += (double)power[i];
-    }
-    if (!out->n || !choice_build(power, out->n, &out->of)) lamps_free(out);
-    else out->sum = (real)sum;
-    free(power);
+    for (size_t i = 0; i < out->n; i++) sum += (double)emitter_power(&out->face[i]);
+    out->sum = (real)sum;
+    lit_lights_list(out->face, out->n, NULL, LIGHTS_FLUX, &out->of);
+    if (!lit_lights_some(&out->of)) lamps_free(out);
 }
 
 /* Does the surface at p, of normal n, see the sphere from within? On the very sphere, where
@@ -112,19 +106,13 @@ static inline bool lamps_within(sphere s, vec3 p, vec3 n)
 }
 
 /* The side of a lamp that p is on shines there, whichever way the file had it turned. */
-effects_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lamp_draw *out)
+effects_inline bool lamps_sample(const lamp_list *l, vec3 p, vec3 n, point2 u, lit_draw *out)
 {
-    emitter_point x;
     real chance;
-    const emitter *one = &l->face[choice_sample(&l->of, u.u, &chance, &u.u)];
-    if (one->kind == EMITTER_SPHERE) {
-        emitter e = *one;
-        e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
-        if (!emitter_sphere_by_angle(&e, p, u, &x)) return false;
-    } else if (!emitter_flat(one, emitter_height(one, p) < 0 ? vneg(one->n) : one->n, p, u, &x))
-        return false;
-    out->wi = x.wi, out->pdf = x.pdf * chance, out->Le = one->Le, out->s = surface_copy(&x.s);
-    return true;
+    emitter e = l->face[lit_lights_choose(&l->of, u.u, &chance, &u.u)];
+    if (e.kind != EMITTER_SPHERE) e.n = emitter_height(&e, p) < 0 ? vneg(e.n) : e.n;
+    else e.sphere.r = lamps_within(e.sphere, p, n) ? -fabs(e.sphere.r) : fabs(e.sphere.r);
+    return lit_draw_of(&e, POINTS_CHEAP, chance, p, u, out);
 }
 
 static inline real lamps_pdf(const lamp_list *l, vec3 Ke, const shape *s, vec3 p, vec3 d, real t,

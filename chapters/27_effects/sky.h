@@ -17,7 +17,7 @@
  *   if (!sky_light_build(&s, &l, &f)) fail(f);         of a picture as its luminance (24.15), by
  *                                    24, whose axes are d' = (-d.front, d.up, -d.right) (27.7);
  *                                    else as the cosine. s must outlive it
- *   sky_light_sample(&l, n, u, &x)   x.wi, x.pdf [1/sr], x.L; false: it counts, and is 0
+ *   sky_light_sample(&l, n, u, &x)   a lit_draw of 24; false: it counts, and is 0
  *   real q = sky_light_pdf(&l, d, cosine)              the same for any d; cosine = n.d > 0
  *   sky_light_free(&l)
  *
@@ -26,9 +26,7 @@
 #ifndef EFFECTS_SKY_H
 #define EFFECTS_SKY_H
 
-#include "../20_monte_carlo/sampling.h"
-#include "../23_brdf/shading_frame.h"
-#include "../24_direct_light/environment.h"
+#include "../24_direct_light/lights.h"
 
 typedef enum { SKY_NONE, SKY_CONSTANT, SKY_GRADIENT, SKY_IMAGE } sky_kind;
 typedef struct {
@@ -41,7 +39,6 @@ typedef struct {
 } effects_sky;
 
 typedef struct { const effects_sky *s; environment picture; bool by_picture; } sky_light;
-typedef struct { vec3 wi, L; real pdf; } sky_draw;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -140,20 +137,21 @@ static inline vec3 sky_light_local(const effects_sky *s, vec3 d)
     return (vec3){-vdot(d, s->front), vdot(d, s->up), -vdot(d, s->right)};
 }
 
-static inline bool sky_light_sample(const sky_light *l, vec3 n, point2 u, sky_draw *out)
+static inline bool sky_light_sample(const sky_light *l, vec3 n, point2 u, lit_draw *out)
 {
     const effects_sky *s = l->s;
+    out->emitter = lit_dark, out->far = true;
     if (l->by_picture) {
         vec3 d;
-        environment_sample(&l->picture, u, &d, &out->pdf, &out->L);
+        environment_sample(&l->picture, u, &d, &out->pdf, &out->Le);
         out->wi = vmadd(vmadd(vscale(s->front, -d.x), s->up, d.y), s->right, -d.z);
-        out->L = vscale(out->L, s->scale);
+        out->Le = vscale(out->Le, s->scale), out->per = out->pdf;
         return vdot(n, out->wi) > 0 && out->pdf > 0;
     }
     vec3 d = sample_cosine(u.u, u.v), black = {0, 0, 0};
-    out->pdf = pdf_cosine(d);
+    out->pdf = out->per = pdf_cosine(d);
     out->wi = to_world(shading_frame_of(n), d);
-    out->L = s->kind == SKY_NONE ? black : sky_radiance(s, out->wi);
+    out->Le = s->kind == SKY_NONE ? black : sky_radiance(s, out->wi);
     return out->pdf > 0;
 }
 

@@ -27,9 +27,9 @@ static inline void lit_cornell_begin(lit_scene *s)
     }
     for (size_t i = 0; i < m.triangles; i++) {
         cornell_part part = cornell_of(i);
-        rectangle light = {cornell_corner, cornell_side_s, cornell_side_t};
+        rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
         if (part != CORNELL_LIGHT) lit_add_triangle(s, mesh_triangle(&m, i), (uint16_t)part);
-        else if (i % 2 == 0) lit_add_rectangle(s, light, (uint16_t)part);
+        else if (i % 2 == 0) lit_add_rectangle(s, lamp, (uint16_t)part);
     }
     mesh_free(&m);
 }

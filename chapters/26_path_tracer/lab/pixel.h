@@ -78,11 +78,11 @@ static inline bool pixel_hit(const path_tracer *t, path_walk *w, path_random s, 
     } else {
         if (brdf_is_black(&x.m->f)) return true;
         vec3 L = w->L;
-        bool light = t->how.light_sampling && !brdf_is_delta(&x.m->f);
-        if (light) vertices_light(t, w, &x, s, v);
+        bool ask = t->how.light_sampling && !brdf_is_delta(&x.m->f);
+        if (ask) vertices_light(t, w, &x, s, v);
         bool on = path_reflect(t, w, &x, &s, &c);
         v->gain = vsub(w->L, L);
-        if (light) pixel_light(v, v->gain);
+        if (ask) pixel_light(v, v->gain);
         if (!on) explain_line(2, "", "the BRDF reflects nothing: the path ends");
         else if (!(w->pdf < real_infinity)) explain_line(2, "(19.1)", "a mirror: one direction");
         else explain_line(2, "(26.1)", "the BRDF draws the next direction, p = %.4g",

@@ -68,11 +68,11 @@ static inline void showcase_spheres(lit_scene *s)
         if (k == CORNELL_LIGHT) x.Le = cornell_radiance;
         lit_add_material(s, x);
     }
-    rectangle light = {cornell_corner, cornell_side_s, cornell_side_t};
+    rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
     for (size_t i = 0; i < room; i++)
         if (cornell_of(i) != CORNELL_LIGHT)
             lit_add_triangle(s, mesh_triangle(&m, i), (uint16_t)cornell_of(i));
-    lit_add_rectangle(s, light, CORNELL_LIGHT);
+    lit_add_rectangle(s, lamp, CORNELL_LIGHT);
     mesh_free(&m);
     real r = 100;
     showcase_ball(s, (vec3){390, r, 350}, r,

@@ -32,7 +32,7 @@ static inline void vertices_light(const path_tracer *t, const path_walk *w, cons
     if (!lit_lights_sample(&t->light, POINTS_CHEAP, x->s.p, path_pair(&next), &l)) return;
     vec3 wi = to_local(f, l.wi);
     v->lamp = l.s.p, v->drawn = vdot(x->s.n, l.wi) > 0;
-    v->blocked = lit_occluded_from(t->scene, leave_between(x->s, l.s), x->s.shape, l.emitter);
+    v->blocked = lit_occluded_from(t->scene, lit_draw_ray(&x->s, &l), x->s.shape, l.emitter);
     v->weight = mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, to_local(f, vneg(vunit(w->r.d)))));
 }
 
