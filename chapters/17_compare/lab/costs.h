@@ -19,8 +19,8 @@
  * again; then all of them, timed. Steps and tests are counted with that quarter. A median of 20,000
  * rays stands still within some percent; of 2,000 that come after ten other structures a third is
  * waiting for memory. All are asked, or as many as most_work steps and tests allow (of the
- * quarter: cost_few), which 64 of them tell. (First versions count no steps.) Who has taken a second
- * has no further turn, after three. BENCH_ONCE: no turns, the times are those of counting.
+ * quarter: cost_few), which 64 of them tell. (First versions count no steps.) Who has taken a
+ * second has no further turn, after three. BENCH_ONCE: no turns, the times are those of counting.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
@@ -225,8 +225,8 @@ static inline void cost_table(const options *o, const comparison *s, const char 
 {
     table t = table_new(title,
                         "structure|build [ms]|B/shape|peak [MB]|inner|leaves|empty|refs/shape|"
-                        "nodes/ray|tests/ray|rays asked|primary [ns]|shadow [ns]|diffuse [ns]|mirror [ns]|"
-                        "pays after");
+                        "nodes/ray|tests/ray|rays asked|primary [ns]|shadow [ns]|diffuse [ns]|"
+                        "mirror [ns]|pays after");
     const compare_entry *slow = NULL;
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].c == &brute_contender) slow = &s->entry[k];
