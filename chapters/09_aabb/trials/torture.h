@@ -188,7 +188,7 @@ static inline torture_int torture_volume(vec3 a, vec3 b, vec3 c)
     torture_int x[3][3];
     const vec3 *of[3] = {&a, &b, &c};
     for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++) x[i][k] = (torture_int)vaxis(*of[i], k);
+        for (int k = 0; k < 3; k++) x[i][k] = (int64_t)vaxis(*of[i], k);
     return x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1])
            + x[0][1] * (x[1][2] * x[2][0] - x[1][0] * x[2][2])
            + x[0][2] * (x[1][0] * x[2][1] - x[1][1] * x[2][0]);
@@ -230,8 +230,10 @@ static inline torture_t torture_meet(const mesh *m, size_t i, ray r, int *share)
     const torture_t none = {0, 0};
     triangle s = mesh_triangle(m, i);
     vec3 a = vsub(s.a, r.o), b = vsub(s.b, r.o), c = vsub(s.c, r.o);
-    torture_int u = torture_volume(r.d, c, b), v = torture_volume(r.d, a, c);
-    torture_int w = torture_volume(r.d, b, a);
+    torture_int u = torture_volume(r.d, c, b), v = torture_volume(r.d, a, c), w;
+    *share = 0;
+    if ((u < 0 && v > 0) || (u > 0 && v < 0)) return none;
+    w = torture_volume(r.d, b, a);
     torture_int den = u + v + w, num = torture_volume(a, c, b), sign = den < 0 ? -1 : 1;
     torture_t t = {sign * num, sign * den};
     int zeros = (u == 0) + (v == 0) + (w == 0);

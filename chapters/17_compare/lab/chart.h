@@ -3,8 +3,9 @@
  *   chart_write(&m, out)                               of a summary: summary.h
  *   output_chart(&o, &m, "17_compare_time.svg")
  *
- * Each kind of bar has its own scale in each panel, linear from 0 to the longest; brute force, a
- * hundred times as long, is left to the tables. Colours as in plot.h.
+ * Each kind of bar has its own scale in each panel, linear from 0 to the longest, or to four times
+ * the median: what is longer is a broken bar. Brute force and the first versions are left to the
+ * tables. Colours as in plot.h.
  */
 #ifndef COMPARE_LAB_CHART_H
 #define COMPARE_LAB_CHART_H
@@ -14,11 +15,6 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 enum { chart_columns = 2, chart_wide = 430, chart_row = 24, chart_bar_most = 190 };
-
-static inline bool chart_shows(const contender *c)
-{
-    return c != &brute_contender && c != &first_mesh_contender;
-}
 
 static inline void chart_text(FILE *out, int x, int y, int size, const char *anchor,
                               const char *text)
@@ -34,47 +30,63 @@ static inline void chart_rectangle(FILE *out, int x, int y, int across, int down
             fill);
 }
 
+static inline int chart_bar(FILE *out, int x, int y, int down, double value, double most,
+                            const char *fill)
+{
+    int bar = (int)(chart_bar_most * fmin(value / most, 1) + 0.5);
+    chart_rectangle(out, x, y, bar, down, fill);
+    if (value > most) chart_rectangle(out, x + bar - 16, y, 4, down, "white");
+    return bar;
+}
+
 /* The bars of a structure: ray [s], spread, and building [s a shape], over the longest. */
 static inline void chart_bars(FILE *out, int x, int y, const double of[3], const double most[2])
 {
-    char text[72] = "does not fit";
-    int bar = of[0] > 0 ? (int)(chart_bar_most * of[0] / most[0] + 0.5) : 0;
-    int second = of[0] > 0 ? (int)(chart_bar_most * of[2] / most[1] + 0.5) : 0;
+    char text[72];
+    if (of[0] <= 0) {
+        chart_text(out, x + 6, y + 15, 11, "start", "does not fit");
+        return;
+    }
+    int bar = chart_bar(out, x, y + 3, 9, of[0], most[0], "#0072B2");
+    int second = chart_bar(out, x, y + 13, 6, of[2], most[1], "#E69F00");
     double off = bar * of[1];
-    if (of[0] > 0)  /* three digits, as in tables */
-        snprintf(text, sizeof text, of[0] >= 1e-7 ? "%.0f, %.3g" : "%.3g, %.3g", of[0] * 1e9,
-                 of[2] * 1e9);
-    chart_rectangle(out, x, y + 3, bar, 9, "#0072B2");
-    chart_rectangle(out, x, y + 13, second, 6, "#E69F00");
-    if (of[0] > 0)
-        fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n", x + bar - off,
-                y + 7, x + bar + off);
+    const char *digits[2] = {of[0] < 1e-7 ? "%.3g, " : "%.0f, ", of[2] < 1e-7 ? "%.3g" : "%.0f"};
+    int n = snprintf(text, sizeof text, digits[0], of[0] * 1e9);  /* three at least, as in tables */
+    snprintf(text + n, sizeof text - (size_t)n, digits[1], of[2] * 1e9);
+    fprintf(out, "<path d='M%.1f,%dH%.1f' stroke='black' stroke-width='2'/>\n", x + bar - off,
+            y + 7, x + bar + off);
     chart_text(out, x + 6 + (bar > second ? bar : second), y + 15, 11, "start", text);
+}
+
+static inline double chart_scale(double *x, int n)
+{
+    double median = n ? clock_median(x, n) : 1;
+    return n ? fmin(x[n - 1], 4 * median) : 1;
 }
 
 static inline void chart_panel(FILE *out, const compare_summary *m, const summary_row *r, int x,
                                int y)
 {
-    double most[2] = {1e-12, 1e-12};
+    double value[2][compare_most];
+    int n = 0;
+    for (int k = 0; k < m->chosen->n; k++)
+        if (contender_counts(m->chosen->of[k].c) && r->ray[k] > 0)
+            value[0][n] = r->ray[k], value[1][n++] = r->build[k] / (double)r->shapes;
+    const double most[2] = {chart_scale(value[0], n), chart_scale(value[1], n)};
     chart_text(out, x + 90, y + 14, 13, "start", r->name);
-    for (int pass = 0; pass < 2; pass++)
-        for (int k = 0; k < m->chosen->n; k++) {
-            const double of[3] = {r->ray[k], r->spread[k], r->build[k] / (double)r->shapes};
-            const char *name = m->chosen->of[k].label;
-            if (!chart_shows(m->chosen->of[k].c)) continue;
-            if (pass == 0) most[0] = fmax(most[0], of[0]), most[1] = fmax(most[1], of[2]);
-            else {
-                chart_text(out, x + 84, (y += chart_row) + 11, strlen(name) > 12 ? 9 : 12, "end",
-                           name);
-                chart_bars(out, x + 90, y - 4, of, most);
-            }
-        }
+    for (int k = 0; k < m->chosen->n; k++) {
+        const double of[3] = {r->ray[k], r->spread[k], r->build[k] / (double)r->shapes};
+        const char *name = m->chosen->of[k].label;
+        if (!contender_counts(m->chosen->of[k].c)) continue;
+        chart_text(out, x + 84, (y += chart_row) + 11, strlen(name) > 12 ? 9 : 12, "end", name);
+        chart_bars(out, x + 90, y - 4, of, most);
+    }
 }
 
 static inline void chart_write(const compare_summary *m, FILE *out)
 {
     int rows = 1, lines = (m->rows + chart_columns - 1) / chart_columns;
-    for (int k = 0; k < m->chosen->n; k++) rows += chart_shows(m->chosen->of[k].c);
+    for (int k = 0; k < m->chosen->n; k++) rows += contender_counts(m->chosen->of[k].c);
     int across = chart_columns * chart_wide, high = rows * chart_row + 16, all = 60 + lines * high;
     fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' "
                  "viewBox='0 0 %d %d' font-family='sans-serif'>\n", across, all, across, all);

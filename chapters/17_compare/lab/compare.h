@@ -16,7 +16,7 @@
  * their hits (proof.h). The first ray that differs is explained, and the answer is false.
  *
  * Times here are those that this thread had a processor for (work_seconds), so that other work of
- * the machine counts little.
+ * the machine counts little. BENCH_ONCE (bench.h): built once.
  */
 #ifndef COMPARE_LAB_COMPARE_H
 #define COMPARE_LAB_COMPARE_H
@@ -108,7 +108,7 @@ static inline void entry_build(compare_entry *e, const items *x, size_t most_byt
         double start = work_seconds();
         e->s = contender_build(e->c, &e->choice->how, x, most_bytes, &e->why);
         seconds[done++] = work_seconds() - start;
-    } while (e->s && done < rounds && work_seconds() - begin < 0.25);
+    } while (e->s && done < rounds && !getenv("BENCH_ONCE") && work_seconds() - begin < 0.25);
     e->build = clock_median(seconds, done);
     if (e->s) e->stats = e->c->stats(e->s);
 }
@@ -144,16 +144,16 @@ static inline void compare_end(comparison *s)
     s->entries = 0;
 }
 
-/* For things on the way: the BVH; or the first that fits, brute force and the first versions last.
- * NULL: none does. */
+/* For things on the way: the eight wide tree, which is quick everywhere, or the BVH; or the first
+ * that fits, brute force and the first versions last. NULL: none does. */
 static inline const compare_entry *compare_any(const comparison *s)
 {
     const compare_entry *best = NULL;
-    int least = 4;
+    int least = 5;
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
-        int rank = e->c == &bvh_contender ? 0 : contender_counts(e->c) ? 1
-                   : e->c == &brute_contender ? 2 : 3;
+        int rank = e->c == &wide_contender ? 0 : e->c == &bvh_contender ? 1
+                   : contender_counts(e->c) ? 2 : e->c == &brute_contender ? 3 : 4;
         if (e->s && rank < least) best = e, least = rank;
     }
     return best;
@@ -220,48 +220,46 @@ static inline bool prove_entry(const compare_entry *e, const items *x, const ray
     return true;
 }
 
-/* All entries on n rays. The first that fits gives the hits that the others are held against; brute
- * force gives them if it is to. */
-static inline bool prove_rays(const comparison *s, const ray *r, size_t n, bool by_brute, FILE *out)
+/* The first versions are allowed to be wrong: counted, not explained. In large scenes, where one of
+ * them is slow as brute force, of fewer rays. aimed: at borders, or begun there. */
+static inline void compare_count_wrong(comparison *s, const ray_set *rays, const hit *due,
+                                       bool aimed)
+{
+    size_t most = 4000000 / s->x.n + 64;
+    for (int k = 0; k < s->entries; k++) {
+        compare_entry *e = &s->entry[k];
+        for (size_t i = 0; e->s && contender_is_first(e->c) && i < rays->n && i < most; i++) {
+            hit h = hit_none;
+            e->c->hit(e->s, rays->r[i], &h);
+            e->wrong[!aimed] += first_is_wrong(h, due[i]), e->held[!aimed]++;
+        }
+    }
+}
+
+/* All entries on some rays. The first that fits gives the hits that the others are held against;
+ * brute force gives them if it is to, and first versions are held against them, too. */
+static inline bool prove_rays(comparison *s, const ray_set *rays, bool by_brute, bool aimed,
+                              FILE *out)
 {
     const char *oracle = by_brute ? "brute force" : NULL;
     bool ok = true;
-    hit *due = allocate(n, sizeof *due);
-    for (size_t i = 0; i < n; i++) {
+    hit *due = allocate(rays->n, sizeof *due);
+    for (size_t i = 0; i < rays->n; i++) {
         due[i] = hit_none;
-        if (by_brute) items_hit(&s->x, r[i], &due[i]);
+        if (by_brute) items_hit(&s->x, rays->r[i], &due[i]);
     }
     for (int k = 0; ok && k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
         if (!entry_counts(e)) continue;
-        if (oracle == NULL) oracle = e->c->name, e->c->search(e->s, r, n, false, due);
+        if (oracle == NULL)
+            oracle = e->c->name, e->c->search(e->s, rays->r, rays->n, false, due);
         compare_progress(s->w->name, "proving", e->c->name);
-        ok = prove_entry(e, &s->x, r, due, n, by_brute, oracle, out);
+        ok = prove_entry(e, &s->x, rays->r, due, rays->n, by_brute, oracle, out);
     }
+    if (by_brute) compare_count_wrong(s, rays, due, aimed);
     compare_progress(s->w->name, NULL, NULL);
     free(due);
     return ok;
-}
-
-/* The first versions are allowed to be wrong: counted, not explained. In large scenes, where one of
- * them is slow as brute force, of fewer rays. */
-static inline void compare_count_wrong(comparison *s, const ray *r, size_t n, bool aimed)
-{
-    size_t most = 40000000 / s->x.n + 64;
-    bool firsts = false;
-    for (int k = 0; k < s->entries; k++)
-        firsts |= s->entry[k].s && contender_is_first(s->entry[k].c);
-    for (size_t i = 0; firsts && i < n && i < most; i++) {
-        hit due = hit_none;
-        items_hit(&s->x, r[i], &due);
-        for (int k = 0; k < s->entries; k++) {
-            compare_entry *e = &s->entry[k];
-            hit h = hit_none;
-            if (!e->s || !contender_is_first(e->c)) continue;
-            e->c->hit(e->s, r[i], &h);
-            e->wrong[!aimed] += first_is_wrong(h, due), e->held[!aimed]++;
-        }
-    }
 }
 
 static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, uint64_t seed,
@@ -271,8 +269,7 @@ static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, 
                         rays_everywhere(s->w, brute_rays / 4, seed)};
     bool ok = true;
     for (int k = 0; k < 2; k++) {
-        ok = ok && prove_rays(s, extra[k].r, extra[k].n, true, out);
-        compare_count_wrong(s, extra[k].r, extra[k].n, true);
+        ok = ok && prove_rays(s, &extra[k], true, true, out);
         s->proved += extra[k].n, s->by_brute += extra[k].n;
         rays_free(&extra[k]);
     }
@@ -281,9 +278,8 @@ static inline bool compare_prove(comparison *s, size_t most, size_t brute_rays, 
     for (int k = 0; ok && k < compare_kinds; k++) {
         ray_set some = rays_some(&s->rays[k], brute_rays / 4 / compare_kinds + 1);
         ray_set more = rays_some(&s->rays[k], most);
-        ok = prove_rays(s, some.r, some.n, true, out)
-             && (some.n == s->rays[k].n || prove_rays(s, more.r, more.n, false, out));
-        compare_count_wrong(s, some.r, some.n, false);
+        ok = prove_rays(s, &some, true, false, out)
+             && (some.n == s->rays[k].n || prove_rays(s, &more, false, false, out));
         s->proved += fit > 1 && more.n > some.n ? more.n : some.n, s->by_brute += some.n;
         rays_free(&some), rays_free(&more);
     }

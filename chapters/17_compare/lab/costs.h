@@ -1,7 +1,7 @@
 /* costs.h: what each structure costs on a scene: build, memory, work and time a ray.
  *
  *   cost_measure(&s, turns)         each kind of rays, all structures in turn, medians, one thread
- *   cost_kind(&s, kind, turns)      one kind
+ *   cost_kind(&s, kind, turns, most_work)   one kind; most_work: cost_full, cost_few
  *   cost_table(&o, &s, title, to)   a table of the scene, and who is cheapest for how many rays
  *   cost_csv(&csv, &s)              a row a structure and kind of rays: the columns cost_columns
  *
@@ -11,15 +11,16 @@
  *   references            N_ER: entries in all leaves; over the shapes: how often one is cut
  *   tests/ray             N_IT: shapes tested
  *   nodes/ray             N_TS: steps: inner nodes passed, of a grid cells (14: pairs of boxes)
+ *   rays asked            of all four kinds, each turn: see below
  *   build, and ns         T_B, T_R
  *   pays after            so many rays of the scene's mix take brute force as long as building
  *
- * A turn: a quarter of the rays, untimed, so that the structure is in the cache again; then all of
- * them, timed; steps and tests are counted with that quarter. A median of 20,000 rays stands still
- * within some percent; of 2,000 that come after ten other structures a third is waiting for memory.
- * Who takes more than cost_patience seconds a turn has fewer turns, one at least; who takes as long
- * for the untimed quarter (10 us a ray) is timed with that quarter. Brute force is
- * timed with a part of the rays, so many as 5e6 tests allow; first versions with 600, once.
+ * One rule for all. A turn: a quarter of the rays, untimed, so that the structure is in the cache
+ * again; then all of them, timed. Steps and tests are counted with that quarter. A median of 20,000
+ * rays stands still within some percent; of 2,000 that come after ten other structures a third is
+ * waiting for memory. All are asked, or as many as most_work steps and tests allow (of the
+ * quarter: cost_few), which 64 of them tell. (First versions count no steps.) Who has taken a
+ * second has no further turn, after three. BENCH_ONCE: no turns, the times are those of counting.
  */
 #ifndef COMPARE_LAB_COSTS_H
 #define COMPARE_LAB_COSTS_H
@@ -37,20 +38,21 @@
 
 static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
 
-/* Steps and tests of some rays; seconds. */
+enum { cost_most_turns = 9, cost_sample = 64 };
+static const double cost_full = 4e7, cost_few = 2e6;  /* steps and tests */
+
+/* Steps, tests and hits of some rays; seconds. */
 static inline double cost_count(compare_entry *e, compare_kind kind, const ray_set *some)
 {
     search_work w = {0, 0, 0, 0};
     hit h;
     double start = work_seconds();
+    e->hits[kind] = 0;
     for (size_t i = 0; i < some->n; i++)
-        e->c->counted(e->s, some->r[i], kind == KIND_SHADOW, &h, &w);
-    e->work[kind] = w, e->counted[kind] = some->n;
+        e->hits[kind] += e->c->counted(e->s, some->r[i], kind == KIND_SHADOW, &h, &w);
+    e->work[kind] = w, e->counted[kind] = e->rays[kind] = some->n;
     return work_seconds() - start;
 }
-
-enum { cost_most_turns = 9 };
-static const double cost_patience = 0.05;
 
 /* A sorted list; see bench.h. */
 static inline void cost_note(compare_entry *e, compare_kind kind, double *seconds, int n)
@@ -60,49 +62,55 @@ static inline void cost_note(compare_entry *e, compare_kind kind, double *second
     e->spread[kind] = e->seconds[kind] > 0 ? quartiles / 2 / e->seconds[kind] : 0;
 }
 
-/* Which rays an entry is timed with: rays[3] are `few`, 600, and all. */
-static inline const ray_set *cost_rays_of(const compare_entry *e, const ray_set rays[3])
+/* Every so manieth of n, or as many as that work allows, a ray taking `each`. */
+static inline ray_set cost_rays(const ray_set *all, size_t n, double work, double each)
 {
-    bool slow = e->c == &brute_contender || e->c == &first_mesh_contender;
-    return &rays[slow ? 0 : contender_is_first(e->c) ? 1 : 2];
+    return rays_some(all, work < each * (double)n ? (size_t)(work / each) + 1 : n);
 }
 
-static inline void cost_kind(comparison *s, compare_kind kind, int turns)
+/* turns [1, 9] */
+static inline void cost_kind(comparison *s, compare_kind kind, int turns, double most_work)
 {
     double seconds[compare_most][cost_most_turns];
-    int done[compare_most] = {0};
-    bool any = kind == KIND_SHADOW, once = getenv("BENCH_ONCE");  /* counts stay */
-    ray_set of[3] = {rays_some(&s->rays[kind], 5000000 / (s->x.n + 1) / (size_t)turns + 4),
-                     rays_some(&s->rays[kind], 600), s->rays[kind]};
+    ray_set all[compare_most], warm[compare_most];
     hit *out = allocate(s->rays[kind].n, sizeof *out);
-    for (int turn = 0; turn < (once ? 1 : turns); turn++)
+    bool any = kind == KIND_SHADOW, once = getenv("BENCH_ONCE");
+    int done[compare_most] = {0};
+    for (int k = 0; k < s->entries; k++) {
+        compare_entry *e = &s->entry[k];
+        if (!e->s) continue;
+        compare_progress(s->w->name, "counting", e->choice->label);
+        ray_set some = rays_some(&s->rays[kind], cost_sample);
+        cost_count(e, kind, &some);
+        double each = per((double)(e->work[kind].nodes + e->work[kind].tests), some.n);
+        all[k] = cost_rays(&s->rays[kind], s->rays[kind].n, most_work, each);
+        warm[k] = cost_rays(&all[k], all[k].n / 4 + 1, cost_few, each);
+        rays_free(&some);
+        seconds[k][0] = cost_count(e, kind, &warm[k]);
+        if (once) seconds[k][0] *= per((double)all[k].n, warm[k].n), done[k] = 1;
+        e->rays[kind] = all[k].n;
+    }
+    for (int turn = 0; turn < turns && !once; turn++)
         for (int k = 0; k < s->entries; k++) {
             compare_entry *e = &s->entry[k];
-            const ray_set *all = cost_rays_of(e, of);
-            if (!e->s || (turn && (all == &of[1] || turn * seconds[k][0] > turns * cost_patience)))
-                continue;
+            if (!e->s || (turn > 2 && turn * seconds[k][0] > 1)) continue;
             compare_progress(s->w->name, "timing", e->choice->label);
-            ray_set warm = rays_some(all, all->n / 4 + 1);
-            if (!turn) {
-                bool long_time = cost_count(e, kind, &warm) > cost_patience && all == &of[2];
-                e->rays[kind] = long_time ? warm.n : all->n;
-            }
-            if (e->rays[kind] == warm.n) all = &warm;
-            e->c->search(e->s, warm.r, warm.n, any, out);
+            e->c->search(e->s, warm[k].r, warm[k].n, any, out);
             double start = work_seconds();
-            e->hits[kind] = e->c->search(e->s, all->r, all->n, any, out);
+            e->hits[kind] = e->c->search(e->s, all[k].r, all[k].n, any, out);
             seconds[k][done[k]++] = work_seconds() - start;
-            rays_free(&warm);
         }
-    for (int k = 0; k < s->entries; k++) cost_note(&s->entry[k], kind, seconds[k], done[k]);
+    for (int k = 0; k < s->entries; k++) {
+        cost_note(&s->entry[k], kind, seconds[k], done[k]);
+        if (s->entry[k].s) rays_free(&all[k]), rays_free(&warm[k]);
+    }
     compare_progress(s->w->name, NULL, NULL);
-    rays_free(&of[0]), rays_free(&of[1]);
     free(out);
 }
 
-static inline void cost_measure(comparison *s, int turns)  /* [1, 9] */
+static inline void cost_measure(comparison *s, int turns)
 {
-    for (int kind = 0; kind < compare_kinds; kind++) cost_kind(s, (compare_kind)kind, turns);
+    for (compare_kind k = 0; k < compare_kinds; k++) cost_kind(s, k, turns, cost_full);
 }
 
 static inline double cost_ns(const compare_entry *e, int kind)
@@ -183,7 +191,7 @@ static inline void cost_row(table *t, const comparison *s, const compare_entry *
     table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->choice->label);
     if (!e->s) {
         table_text(t, "does not fit");
-        for (int k = 0; k < 13; k++) table_text(t, "-");
+        for (int k = 0; k < 14; k++) table_text(t, "-");
         return;
     }
     table_number(t, e->build * 1e3);
@@ -196,6 +204,9 @@ static inline void cost_row(table *t, const comparison *s, const compare_entry *
         table_number(t, per((double)w.nodes, rays));
     }
     table_number(t, per((double)w.tests, rays));
+    rays = 0;
+    for (int k = 0; k < compare_kinds; k++) rays += e->rays[k];
+    table_count(t, rays);
     for (int k = 0; k < compare_kinds; k++) table_number(t, cost_ns(e, k));
     double gain = slow && slow->s ? cost_mean(s, slow) - cost_mean(s, e) : 0;
     if (gain > 0) table_number(t, ceil(e->build / gain));
@@ -214,8 +225,8 @@ static inline void cost_table(const options *o, const comparison *s, const char 
 {
     table t = table_new(title,
                         "structure|build [ms]|B/shape|peak [MB]|inner|leaves|empty|refs/shape|"
-                        "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|mirror [ns]|"
-                        "pays after");
+                        "nodes/ray|tests/ray|rays asked|primary [ns]|shadow [ns]|diffuse [ns]|"
+                        "mirror [ns]|pays after");
     const compare_entry *slow = NULL;
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].c == &brute_contender) slow = &s->entry[k];

@@ -2,8 +2,9 @@
  *
  *   growth_run(&o, &chosen, most_bytes, report)    a table, fitted exponents, a plot
  *
- * Who took more than growth_patience seconds to build the size before, or for a
- * ray a hundred times as long as the fastest, is left out of the larger ones.
+ * Who took more than 0.7 seconds to build the size before, or for a ray a hundred times as long as
+ * the fastest, is left out of the larger ones; with BENCH_ONCE, 0.03 seconds. The quickest to
+ * build, which finds where rays begin, stays.
  *
  * time ~ n^a (17.9): 1 for brute force. A tree that does log n steps has an a that falls with n;
  * how many more steps a doubling of n takes is the better number. Least squares against log n.
@@ -17,7 +18,6 @@
 
 enum { growth_sizes = 8 };  /* 64 n^2 - 8 n triangles each */
 static const int growth_fine[growth_sizes] = {1, 2, 4, 8, 16, 32, 64, 125};
-static const double growth_patience = 0.7;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -47,9 +47,9 @@ static inline bool growth_step(growth_curve *c, const int *who, const line_up *n
     compare_begin(&s, &w, now, most_bytes, o->quick ? 1 : 3);
     compare_rays(&s, o->quick ? 200 : compare_usual_rays, o->seed);
     ray_set some = rays_some(&s.rays[KIND_DIFFUSE], 4000);
-    bool ok = prove_rays(&s, some.r, some.n, false, stdout);
+    bool ok = prove_rays(&s, &some, false, false, stdout);
     rays_free(&some);
-    cost_kind(&s, KIND_DIFFUSE, o->quick ? 1 : 5);
+    cost_kind(&s, KIND_DIFFUSE, o->quick ? 1 : 5, cost_few);
     for (int k = 0; k < s.entries; k++)
         if (s.entry[k].s) growth_note(&c[who[k]], &s, &s.entry[k]);
     compare_end(&s);
@@ -105,14 +105,17 @@ static inline bool growth_run(const options *o, const line_up *all, size_t most_
 {
     growth_curve c[compare_most] = {{0}};
     int sizes = o->quick ? 3 : growth_sizes;
+    double patience = getenv("BENCH_ONCE") ? 0.03 : 0.7;
     for (int i = 0; i < sizes; i++) {
         line_up now = {.n = 0};
         int who[compare_most];
-        double least = HUGE_VAL;
-        for (int k = 0; k < all->n && i > 0; k++)
-            if (c[k].n == i && c[k].ray[i - 1] < least) least = c[k].ray[i - 1];
+        double least = HUGE_VAL, quick = HUGE_VAL;
+        for (int k = 0; k < all->n && i > 0; k++) {
+            if (c[k].n == i) least = fmin(least, c[k].ray[i - 1]);
+            if (c[k].n == i && contender_counts(all->of[k].c)) quick = fmin(quick, c[k].build);
+        }
         for (int k = 0; k < all->n; k++) {  /* and who did not fit is out */
-            bool slow = i > 0 && c[k].n == i && (c[k].build > growth_patience
+            bool slow = i > 0 && c[k].n == i && (c[k].build > fmax(patience, quick)
                 || (c[k].ray[i - 1] > 100 * least && all->of[k].c != &brute_contender));
             if (c[k].n == i && !slow) who[now.n] = k, now.of[now.n++] = all->of[k];
         }

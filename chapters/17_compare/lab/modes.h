@@ -77,16 +77,13 @@ static inline void verify_world(const compare_settings *c, const world *w)
     compare_begin(&s, w, &c->chosen, c->most_bytes, 1);
     compare_rays(&s, n < 64 ? 64 : n > 4096 ? 4096 : (size_t)n, c->o->seed);
     ray_set aimed = rays_aimed(w, 2000, c->o->seed);
-    bool ok = prove_rays(&s, aimed.r, aimed.n, true, stdout);
+    bool ok = prove_rays(&s, &aimed, true, true, stdout);
     for (int k = 0; ok && k < compare_kinds; k++) {
         compare_progress(w->name, "by brute force, rays", kind_name[k]);
-        ok = prove_rays(&s, s.rays[k].r, s.rays[k].n, true, stdout);
+        ok = prove_rays(&s, &s.rays[k], true, false, stdout);
     }
     compare_progress(w->name, NULL, NULL);
     end_if_wrong(ok);
-    compare_count_wrong(&s, aimed.r, aimed.n, true);
-    for (int k = 0; k < compare_kinds; k++)
-        compare_count_wrong(&s, s.rays[k].r, s.rays[k].n, false);
     for (int k = 0; k < s.entries; k++) {
         const compare_entry *e = &s.entry[k];
         const char *label = e->choice->label;
@@ -143,11 +140,10 @@ static inline void file_run(const compare_settings *c, const world *w, const com
     compare_begin(&s, w, &c->chosen, c->most_bytes, 3);
     if (!compare_any(&s)) f = s.entry[0].why, fail(f);
     ray_set some = rays_some(&all, 2000);
-    bool ok = prove_rays(&s, some.r, some.n, true, stdout)
-              && prove_rays(&s, all.r, all.n, false, stdout);
-    end_if_wrong(ok);
+    end_if_wrong(prove_rays(&s, &some, true, false, stdout)
+                 && prove_rays(&s, &all, false, false, stdout));
     s.rays[kind] = all;
-    cost_kind(&s, kind, 7);
+    cost_kind(&s, kind, 7, cost_full);
     table t = table_new("Rays from a file, one thread", cost_columns);
     for (int k = 0; k < s.entries; k++)
         cost_csv_row(&t, &s, &s.entry[k], file->any ? "any" : "closest", kind);

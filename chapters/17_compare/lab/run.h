@@ -39,7 +39,7 @@ static inline void compare_measure(const compare_settings *c, comparison *s, con
     end_if_wrong(compare_prove(s, all && !quick ? 4000 : 1000,
                                quick ? 200 : all ? 2400 : 400, c->o->seed, stdout));
     if (all) cost_measure(s, turns);
-    else cost_kind(s, KIND_DIFFUSE, turns);
+    else cost_kind(s, KIND_DIFFUSE, turns, cost_few / 2);
 }
 
 /* A table of its own, and its part of all others. */
