@@ -31,6 +31,11 @@ static void test_closed_form(void)
         check(h.u == 0 && h.v == 0 && h.shape == 0, "no u, v, shape of its own");
         check(h.t >= in[i].tmin && h.t <= in[i].tmax, "t lies in the interval: %s", in[i].why);
     }
+    const real near = 1 - 3 * real_epsilon / 2, beyond = 1 - 4 * real_epsilon;
+    check(implicit_hit(&u.s, (ray){{0, 0, 3}, 3, {0, 0, -1}, 4 * near}, &(hit){0}),
+          "beyond tmax by 3/2 epsilon: t may be rounded");
+    check(!implicit_hit(&u.s, (ray){{0, 0, 3}, 3, {0, 0, -1}, 4 * beyond}, &(hit){0}),
+          "beyond tmax by 4 epsilon: a miss");
     const struct { real tmin, tmax; } out[] = {
         {0, (real)1.99}, {(real)2.01, (real)3.99}, {5, 9}, {3, 1}, {(real)NAN, 9}, {0, (real)NAN}};
     for (size_t k = 0; k < 4; k++)

@@ -393,7 +393,7 @@ static void test_along_faces(void)
         met += k > 0;
         for (size_t j = 0; j < k; j++) {
             vec3 p = ray_at(r, list[j].t);
-            csg_bound b = c.node[0].bound;
+            csg_bound b = csg_bound_exact(&solid[0]);
             for (int q = 0; q < 3; q++)
                 off += !(vaxis(p, q) >= vaxis(b.lo, q) - room)
                     || !(vaxis(p, q) <= vaxis(b.hi, q) + room);
@@ -577,6 +577,74 @@ static void test_bounds(void)
     check_equal(more, 0, "nor do they ask more solids");
     check_at_least((double)fewer, 0.1 * 40 * (double)n, "they spare some");
     check_at_least((double)hits, 0.1 * 40 * (double)n, "the test sees hits");
+}
+
+/* From afar, along an axis or anyhow, past a corner of a box by some roundings of the way: what the
+ * box reports there, by rounding, its bounds must not take away. Turned boxes, and askew ones. */
+static void test_bounds_from_afar(void)
+{
+    size_t lost = 0, met = 0, open = 0, n = check_count(2000000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(21, i, 0);
+        vec3 axis[3], middle = random_direction_of(&s), d = random_direction_of(&s);
+        random_axes(&s, false, axis);
+        for (int k = 0; i % 2 && k < 3; k++)
+            axis[k] = vmadd(middle, random_direction_of(&s), pow((real)10, -random_next(&s)));
+        vec3 at = {0, 0, 0}, c[3];
+        for (int k = 0; k < 3; k++) c[k] = vcross(axis[(k + 1) % 3], axis[(k + 2) % 3]);
+        real lo[3], hi[3], det = vdot(axis[0], c[0]), far = pow((real)10, 3 * random_next(&s));
+        for (int k = 0; k < 3; k++) {
+            lo[k] = 2 * random_next(&s) - 1, hi[k] = lo[k] + pow((real)10, -3 * random_next(&s));
+            at = vmadd(at, c[k], (random_below(&s, 2) ? lo[k] : hi[k]) / det);
+        }
+        if (i % 4 < 2) d = vmadd(vwith(vec(0, 0, 0), (int)random_below(&s, 3), 1), d,
+                                 pow(real_epsilon, random_next(&s)));
+        at = vmadd(at, random_in_cube(&s, 1), 2 * real_epsilon * far);
+        csg_solid box = csg_box_turned(axis, lo, hi);
+        csg_bound b = csg_bound_of(&box);
+        ray r = ray_from(vmadd(at, d, -far), d);
+        csg_crossing x[2];
+        open += !vfinite(b.lo);
+        if (csg_solid_crossings(&box, r, 0, x) < 2) continue;
+        r.tmin = r.tmax = x[random_below(&s, 2)].t;
+        csg_line line = csg_line_of(r);
+        met++, lost += !csg_bound_meets(&b, &line);
+    }
+    check_equal(lost, 0, "bounds lose none of %zu hits at corners, from afar", met);
+    check_at_least((double)met, 0.2 * (double)n, "the test sees hits");
+    check(open > n / 20 && open < n / 2, "askew boxes have no bounds: %zu of %zu", open, n);
+}
+
+/* Corners of a mesh as far off the plane that counts for them as it lets them (6.7), and a ray as
+ * flat as it may be: t is that of the plane, 64 times as far along, beyond the mesh's edge. */
+static void test_bounds_of_planes(void)
+{
+    static const csg_step step[1] = {{CSG_SOLID, 0}};
+    size_t lost = 0, met = 0, n = check_count(8000);
+    for (size_t i = 0; i < n; i++) {
+        random_stream s = random_start(22, i, 0);
+        vec3 up = vunit(vmadd(vec(0, 0, 1), vec(1, 0, 0), (real)1e-3 * (1 + random_next(&s))));
+        const vec3 axis[3] = {{up.z, 0, -up.x}, {0, 1, 0}, up};
+        const real lo[3] = {-1, -1, -1}, hi[3] = {1, 1, 1};
+        csg_solid solid[2] = {mesh_box(axis, vec(0, 0, 0), 0), csg_box_turned(axis, lo, hi)};
+        vec3 *v = (vec3 *)(uintptr_t)solid[0].mesh.tri;
+        for (int k = 0; k < 36; k++)
+            if (vdot(v[k], axis[2]) > 0) v[k] = vmadd(v[k], axis[2], -20 * real_epsilon);
+        csg c = built((csg_model){solid, 2, step, 1}, false);
+        vec3 at = vmadd(vadd(axis[2], axis[0]), axis[1], random_next(&s) - (real)0.5);
+        at = vmadd(at, axis[0], -1024 * real_epsilon * random_next(&s));
+        vec3 d = vmadd(axis[0], axis[2], (real)(1.001 / 64));
+        ray r = ray_from(vmadd(vmadd(at, axis[2], -20 * real_epsilon), d, (real)-0.01), d);
+        csg_crossing x[14];
+        if (csg_solid_crossings(&c.solid[0], r, 0, x) == 2) {
+            r.tmin = r.tmax = x[1].t;
+            csg_line line = csg_line_of(r);
+            met++, lost += !csg_bound_meets(&c.node[0].bound, &line);
+        }
+        csg_free(&c), free(v);
+    }
+    check_equal(lost, 0, "bounds lose none of %zu hits beside a mesh's edge", met);
+    check_at_least((double)met, 0.2 * (double)n, "the test sees hits");
 }
 
 /* ---- eyes inside, intervals ---- */
@@ -880,6 +948,8 @@ int main(void)
     test_mesh_edges();
     test_mesh_kinds();
     test_bounds();
+    test_bounds_from_afar();
+    test_bounds_of_planes();
     test_interval();
     test_ways();
     test_strange_solids();

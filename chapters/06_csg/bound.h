@@ -8,9 +8,19 @@
  *                                                no span reaches into it
  *
  * Along each axis the ray is between lo and hi for a span of t, and the box is where the three
- * spans and the ray's interval overlap (09 has all about boxes). An open side is at infinity. Both
- * ends of a span are moved outwards by 16 epsilon, and so are lo and hi when they are made: what is
- * left out is left out for certain. A NaN (0 times infinity, a ray within a side) narrows nothing.
+ * spans and the ray's interval overlap (09 has all about boxes). An open side is at infinity. A NaN
+ * (0 times infinity, a ray within a side) narrows nothing.
+ *
+ * A solid rounds, too: from afar it reports crossings beside itself, and those must not be lost,
+ * or bounds would change the picture. So sides are moved outwards by
+ *
+ *      2048 epsilon (S + |o|),    S, |o|: the largest coordinate of the sides; of the origin  (6.8)
+ *
+ * (6.4) puts a point off its plane by 4 epsilon |o| and 3/2 epsilon |p| at most (lengths: sqrt(3)
+ * times S). The three planes of a box make 12 times that of it, if |det| is a quarter of the
+ * product of their normals' lengths, and 350 epsilon S for the rounding of lo and hi themselves;
+ * more askew boxes have no bound. A mesh may miss such a plane by 8 epsilon (sqrt(3) S + |h|)
+ * more (6.7), and a ray runs along it for 64 times all that: 1940 epsilon S and 443 epsilon |o|.
  */
 #ifndef CSG_BOUND_H
 #define CSG_BOUND_H
@@ -18,7 +28,7 @@
 #include "solid.h"
 
 typedef struct { vec3 lo, hi; } csg_bound;
-typedef struct { vec3 o, inverse; real tmin, tmax; } csg_line;
+typedef struct { vec3 o, inverse; real tmin, tmax, room; } csg_line;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -28,32 +38,28 @@ static inline csg_bound csg_bound_nothing(void)
     return (csg_bound){{inf, inf, inf}, {-inf, -inf, -inf}};
 }
 
-/* lo and hi along axis k, with room for rounding errors of things as large as `size`. */
-static inline void csg_bound_side(csg_bound *b, int k, real lo, real hi, real size)
+static inline csg_bound csg_bound_all(void)
 {
-    real room = 16 * real_epsilon * size;
-    b->lo = vwith(b->lo, k, lo - room), b->hi = vwith(b->hi, k, hi + room);
+    const csg_bound none = csg_bound_nothing();
+    return (csg_bound){none.hi, none.lo};
 }
+
+#define csg_rounding (2048 * real_epsilon)  /* (6.8) */
 
 /* Corners of a box are where three planes meet: p = sum of h[k] (n[i] x n[j]) / det, by Cramer's
  * rule; along each axis every h[k] that is the lesser, or the greater, adds its own. */
 static inline csg_bound csg_bound_of_box(const csg_solid *s)
 {
-    csg_bound b;
+    csg_bound b = {{0, 0, 0}, {0, 0, 0}};
     const vec3 *n = s->box.n;
     real det = vdot(n[0], vcross(n[1], n[2]));
-    for (int k = 0; k < 3; k++) {
-        real lo = 0, hi = 0, size = 0;
-        for (int i = 0; i < 3; i++) {
-            real c = vaxis(vcross(n[(i + 1) % 3], n[(i + 2) % 3]), k) / det;
-            real x = c * s->box.lo[i], y = c * s->box.hi[i];
-            lo += real_min(x, y), hi += real_max(x, y), size += fabs(x) + fabs(y);
-        }
-        bool flat = !(fabs(det) > (real)0.01 && size < real_largest);  /* askew: rather no bound */
-        csg_bound_side(&b, k, flat ? -real_infinity : lo, flat ? real_infinity : hi,
-                       flat ? 0 : size);
+    for (int i = 0; i < 3; i++) {
+        vec3 c = vscale(vcross(n[(i + 1) % 3], n[(i + 2) % 3]), 1 / det);
+        vec3 x = vscale(c, s->box.lo[i]), y = vscale(c, s->box.hi[i]);
+        b.lo = vadd(b.lo, vmin(x, y)), b.hi = vadd(b.hi, vmax(x, y));
     }
-    return b;
+    bool askew = !(fabs(det) > vlength(n[0]) * vlength(n[1]) * vlength(n[2]) / 4);
+    return askew || !vfinite(b.lo) || !vfinite(b.hi) ? csg_bound_all() : b;
 }
 
 static inline csg_bound csg_bound_of_mesh(csg_closed m)
@@ -64,36 +70,40 @@ static inline csg_bound csg_bound_of_mesh(csg_closed m)
         b.lo = vmin(b.lo, vmin(t.a, vmin(t.b, t.c)));
         b.hi = vmax(b.hi, vmax(t.a, vmax(t.b, t.c)));
     }
-    for (int k = 0; k < 3; k++) {
-        real lo = vaxis(b.lo, k), hi = vaxis(b.hi, k);
-        csg_bound_side(&b, k, lo, hi, real_max(fabs(lo), fabs(hi)));
-    }
     return b;
 }
 
 /* A half space has one side if it stands across an axis, a cylinder four if it runs along one. */
-static inline csg_bound csg_bound_of(const csg_solid *s)
+static inline csg_bound csg_bound_exact(const csg_solid *s)
 {
-    if (!csg_solid_is_some(s)) return csg_bound_nothing();
     if (s->kind == CSG_BOX) return csg_bound_of_box(s);
     if (s->kind == CSG_MESH) return csg_bound_of_mesh(s->mesh);
-    csg_bound b;
+    csg_bound b = csg_bound_all();
     bool half = s->kind == CSG_HALF, ball = s->kind == CSG_SPHERE;
     vec3 v = half ? s->box.n[0] : ball ? (vec3){0, 0, 0} : s->cylinder.a;
     vec3 c = ball ? s->ball.c : s->cylinder.p;
     real r = fabs(ball ? s->ball.r : s->cylinder.r);
-    for (int k = 0; k < 3; k++) {
-        real at = vaxis(c, k), lo = -real_infinity, hi = real_infinity, size = 0;
-        if (half && fabs(vaxis(v, k)) == vlength(v) && vaxis(v, k) != 0) {
-            real h = s->box.hi[0] / vaxis(v, k);
-            size = fabs(h);
-            if (vaxis(v, k) > 0) hi = h;
-            else lo = h;
-        }
-        if (!half && vaxis(v, k) == 0) lo = at - r, hi = at + r, size = fabs(at) + r;
-        csg_bound_side(&b, k, lo, hi, size);
+    int across = (v.x == 0) + (v.y == 0) + (v.z == 0);
+    for (int k = 0; k < 3 && across >= 2; k++) {
+        real n = vaxis(v, k), h = s->box.hi[0] / n, at = vaxis(c, k);
+        if (half && n > 0) b.hi = vwith(b.hi, k, h);
+        if (half && n < 0) b.lo = vwith(b.lo, k, h);
+        if (!half && n == 0) b.lo = vwith(b.lo, k, at - r), b.hi = vwith(b.hi, k, at + r);
     }
     return b;
+}
+
+static inline csg_bound csg_bound_of(const csg_solid *s)
+{
+    if (!csg_solid_is_some(s)) return csg_bound_nothing();
+    csg_bound b = csg_bound_exact(s);
+    real room = 0;
+    for (int k = 0; k < 3; k++) {
+        real lo = fabs(vaxis(b.lo, k)), hi = fabs(vaxis(b.hi, k));
+        room = real_max(real_max(room, lo < real_infinity ? lo : 0), hi < real_infinity ? hi : 0);
+    }
+    vec3 more = vscale(vec(1, 1, 1), csg_rounding * room);
+    return (csg_bound){vsub(b.lo, more), vadd(b.hi, more)};
 }
 
 static inline csg_bound csg_bound_joined(csg_operation what, csg_bound a, csg_bound b)
@@ -107,19 +117,19 @@ static inline csg_bound csg_bound_joined(csg_operation what, csg_bound a, csg_bo
 
 static inline csg_line csg_line_of(ray r)
 {
-    return (csg_line){r.o, {1 / r.d.x, 1 / r.d.y, 1 / r.d.z}, r.tmin, r.tmax};
+    vec3 away = vmax(r.o, vneg(r.o));
+    return (csg_line){r.o, {1 / r.d.x, 1 / r.d.y, 1 / r.d.z}, r.tmin, r.tmax,
+                      csg_rounding * vaxis(away, vlongest(away))};
 }
 
 static inline bool csg_bound_meets(const csg_bound *b, const csg_line *x)
 {
-    const real less = 1 - 16 * real_epsilon, more = 1 + 16 * real_epsilon;
     real enter = x->tmin, leave = x->tmax;
     for (int k = 0; k < 3; k++) {
         real inverse = vaxis(x->inverse, k), o = vaxis(x->o, k);
+        real lo = vaxis(b->lo, k) - x->room - o, hi = vaxis(b->hi, k) + x->room - o;
         bool back = signbit(inverse);
-        real t0 = ((back ? vaxis(b->hi, k) : vaxis(b->lo, k)) - o) * inverse;
-        real t1 = ((back ? vaxis(b->lo, k) : vaxis(b->hi, k)) - o) * inverse;
-        t0 *= t0 > 0 ? less : more, t1 *= t1 > 0 ? more : less;
+        real t0 = (back ? hi : lo) * inverse, t1 = (back ? lo : hi) * inverse;
         if (t0 > enter) enter = t0;
         if (t1 < leave) leave = t1;
     }
