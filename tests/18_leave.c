@@ -148,10 +148,10 @@ static void test_needles(void)
     size_t n = 200000, self = 0, without = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(14, i, 0);
-        vec3 x, y, z = departure_unit(&s);
+        vec3 x, y, z = random_unit(&s);
         vbasis(z, &x, &y);
         real k = 8 + 60 * random_next(&s), turn = random_next(&s);
-        vec3 c = departure_unit(&s);
+        vec3 c = random_unit(&s);
         triangle t = {c, vadd(c, x), vmadd(vmadd(c, x, turn), y, 1 / k)};
         real u = random_next(&s), v = (1 - u) * random_next(&s);
         surface at = surface_on_triangle(t, 0, u, v);
@@ -185,7 +185,7 @@ static void test_skip(void)
     size_t n = check_count(40000), plain = 0, skipping = 0, leaving_both = 0, asked = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(11, i, 0);
-        vec3 x, y, z = departure_unit(&s), c = vscale(departure_unit(&s), 300);
+        vec3 x, y, z = random_unit(&s), c = vscale(random_unit(&s), 300);
         vbasis(z, &x, &y);
         vec3 a = vadd(c, x), b = vadd(c, y), d = vsub(c, x), e = vsub(c, y);
         shape two[2] = {shape_of_triangle((triangle){a, b, d}),
@@ -226,7 +226,7 @@ static void test_between(void)
         for (size_t i = 0; i < n; i++) {
             random_stream s = random_start(12, i, (uint64_t)e);
             real T = e ? pow((real)10, (real)e) : 0;
-            vec3 c = vscale(departure_unit(&s), T), x, y, z = departure_unit(&s);
+            vec3 c = vscale(random_unit(&s), T), x, y, z = random_unit(&s);
             vbasis(z, &x, &y);
             shape two[2];
             surface at[2];
@@ -257,7 +257,7 @@ static void test_between(void)
     size_t near_only = 0;
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(13, i, 0);
-        vec3 x, y, z = departure_unit(&s);
+        vec3 x, y, z = random_unit(&s);
         vbasis(z, &x, &y);
         shape plate = shape_of_triangle((triangle){x, y, vneg(vadd(x, y))});
         ray r = ray_between(z, vscale(x, random_next(&s) / 2));
@@ -293,8 +293,8 @@ static void test_rooms(void)
     for (size_t i = 0; i < n; i++) {
         random_stream g = random_start(18, i, 0);
         vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, v[8], centre = {0, 0, 0};
-        if (i % 4 > 1) axis[2] = departure_unit(&g), vbasis(axis[2], &axis[0], &axis[1]);
-        if (i % 4 == 3) centre = vscale(departure_unit(&g), 10);
+        if (i % 4 > 1) axis[2] = random_unit(&g), vbasis(axis[2], &axis[0], &axis[1]);
+        if (i % 4 == 3) centre = vscale(random_unit(&g), 10);
         for (int k = 0; k < 8; k++) {
             real x[3] = {(real)(2 * (k & 1) - 1), (real)((k & 2) - 1), (real)((k & 4) / 2 - 1)};
             v[k] = room_point(axis, centre, x);
@@ -305,7 +305,7 @@ static void test_rooms(void)
             if (k == 2) x[2] = x[2] < 0 ? -1 : 1;
             x[k] *= 1 - 16 * real_epsilon * random_next(&g);
         }
-        vec3 from = vmadd(centre, departure_unit(&g), 0.5);
+        vec3 from = vmadd(centre, random_unit(&g), 0.5);
         ray r = ray_from(from, vsub(room_point(axis, centre, x), from));
         hit h = hit_none, other = hit_none;
         if (!mesh_hit(&m, r, &h)) { eye++; continue; }

@@ -4,7 +4,7 @@
 #define _DEFAULT_SOURCE 1
 #include "check.h"
 #include "../chapters/21_distributed/lab/box.h"
-#include "../chapters/21_distributed/lab/known.h"
+#include "21_known.h"
 #include "../chapters/21_distributed/lab/showroom.h"
 
 static char directory[] = "/tmp/distributed_XXXXXX";

@@ -2,7 +2,7 @@
  * its lobes lose, and what it makes of a near lamp. Fixed seeds; each random test alarms falsely
  * once in 1e8 seeds. */
 #include "../chapters/21_distributed/first.h"
-#include "../chapters/21_distributed/lab/known.h"
+#include "21_known.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/22_radiometry/spherical_sampling.h"
 #include "check.h"
@@ -11,11 +11,11 @@
 static const double eps = (double)real_epsilon;
 static const vec3 up = {0, 0, 1}, zero = {0, 0, 0};
 
-/* ---- three questions of known.h, asked of first.h ---- */
+/* ---- three questions of 21_known.h, asked of first.h ---- */
 
 typedef struct { known_kind kind; first_scene s; first_lamp lamp; first_point at; } known_first;
 
-/* A rectangle of known.h, centre and sides, from above: it shines where b x a points. */
+/* A rectangle of 21_known.h, centre and sides, from above: it shines where b x a points. */
 static first_lamp known_first_lamp(const area_light *L)
 {
     vec3 corner = vsub(L->at, vscale(vadd(L->a, L->b), (real)0.5));

@@ -1,7 +1,7 @@
 /* 21_distributed: area lights, lobes, skies, lenses, motion against closed forms. Each t-test has a
  * false-alarm rate of 1e-6; there are fewer than 200 of them: 2e-4 in all, with fixed seeds. */
 #include "check.h"
-#include "../chapters/21_distributed/lab/known.h"
+#include "21_known.h"
 #include "../chapters/21_distributed/lab/pool.h"
 
 static const double alarm_rate = 1e-6;

@@ -3,7 +3,7 @@
 #include "../chapters/25_bounces/branching.h"
 #include "../chapters/25_bounces/lab/furnace.h"
 #include "../chapters/25_bounces/lab/notes_shade.h"
-#include "../chapters/25_bounces/lab/radiosity_box.h"
+#include "25_radiosity.h"
 #include "../chapters/25_bounces/terms.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 #include "../chapters/24_direct_light/scenes/lit_cornell.h"

@@ -69,7 +69,6 @@ int main(int argc, char **argv)
     if (!path) inside_report(&o);
     mesh fine = path ? m : teapot_mesh(o.quick ? 8 : 32);
     cost_report(&o, &fine, path != NULL);
-    if (!path && (o.full || o.quick)) shapes_report(&o);
     if (!path) mesh_free(&fine);
     mesh_free(&m);
     return output_done(&o);

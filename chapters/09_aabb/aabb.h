@@ -83,8 +83,8 @@ static inline aabb_inverse aabb_inverse_of(ray r)
  * if the inverse is below the smallest normal real and so has lost two bits. Entry against exit:
  * twice that, and one more for the product that pads: 13 u < pad = 16 u (9.4). Of the two products
  * the smaller one is the earlier t, on either side of 0. Where a product underflows it is off by
- * less than real_smallest. (Ize widens the exit by 2 ulp = 4 u, pbrt by 2 gamma(3) = 6 u: that
- * finds every box whose 1/d is normal, but leaves *t_enter where rounding put it.)
+ * less than real_smallest. (Ize widens the exit by 2 ulp = 4 u: that finds every box whose 1/d is
+ * normal, but leaves *t_enter where rounding put it.)
  */
 static inline bool aabb_hit_inverse(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
 {

@@ -22,7 +22,7 @@
 #include "../../chapters/27_effects/lab/draw.h"
 #include "../../chapters/27_effects/first.h"
 #include "../../chapters/27_effects/plan.h"
-#include "../../chapters/21_distributed/lab/known.h"
+#include "../21_known.h"
 #include "../../chapters/22_radiometry/lab/measure_hard.h"
 #include "hard.h"
 

@@ -141,6 +141,7 @@ static inline hard_count solids(int k, real x)
 {
     enum { n = 4000 };
     csg_sight s = csg_sight_of((csg_sight_kind)k, hard_seed);
+    csg_tolerance = (real)0.003;
     csg_hit_function *textbook = k == CSG_FOILS ? csg_hit_tolerant
                                  : k >= CSG_COINCIDENT ? csg_hit_points : csg_hit_front;
     double first = csg_wrong(&s, textbook, n), now = csg_wrong(&s, csg_hit, n);

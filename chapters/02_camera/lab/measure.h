@@ -34,21 +34,15 @@ static inline double camera_run_pixels(void *context)
     return sqrt(square / camera_pixels);
 }
 
-/* What a ray meets in the plane z = 0, seen by camera_grid: one unit a pixel. */
-static inline vec3 see_pattern(ray r, double (*pattern)(double x, double y, double knob),
-                               double knob)
+typedef struct { double (*at)(double x, double y, double knob), knob; } camera_pattern;
+
+/* What a ray meets in the plane z = 0, seen by camera_grid: one unit a pixel. v->own: a pattern. */
+static inline vec3 see_pattern(const camera_view *v, ray r)
 {
+    const camera_pattern *own = v->own;
     vec3 p = ray_at(r, -r.o.z / r.d.z);
-    real c = (real)pattern((double)p.x, (double)p.y, knob);
+    real c = (real)own->at((double)p.x, (double)p.y, own->knob);
     return (vec3){c, c, c};
-}
-static inline vec3 see_zone_plate(const camera_view *v, ray r)
-{
-    return see_pattern(r, zone_plate, *(const double *)v->own);
-}
-static inline vec3 see_checkerboard(const camera_view *v, ray r)
-{
-    return see_pattern(r, checkerboard, *(const double *)v->own);
 }
 
 /* Orthographic, looking down on z = 0; the picture of side x side pixels is as many units wide. */
@@ -76,7 +70,8 @@ enum { camera_way_count = sizeof camera_ways / sizeof camera_ways[0] };
 /* Trials with n x n rays a pixel; exact values are found once. */
 static inline void camera_trials(camera_trial m[camera_way_count], int n)
 {
-    static const double cell = 1.37, rings = 0.03;  /* no whole numbers of pixels; 2.4 rings */
+    /* no whole numbers of pixels; 2.4 rings */
+    static const camera_pattern cells = {checkerboard, 1.37}, rings = {zone_plate, 0.03};
     static double exact[camera_way_count][camera_pixels];
     static image grid = {camera_side, camera_side, NULL};  /* only its size is asked for */
     for (int j = 0; j < camera_way_count; j++) {
@@ -84,12 +79,12 @@ static inline void camera_trials(camera_trial m[camera_way_count], int n)
         for (int i = 0; i < camera_pixels; i++) {
             double x = i % camera_side + 0.5 - camera_side / 2;
             double y = camera_side / 2 - 0.5 - i / camera_side;
-            exact[j][i] = k->zone ? zone_plate_filtered(x, y, rings, (double)k->f.sigma)
-                                  : checkerboard_filtered(x, y, cell, k->f);
+            exact[j][i] = k->zone ? zone_plate_filtered(x, y, rings.knob, (double)k->f.sigma)
+                                  : checkerboard_filtered(x, y, cells.knob, k->f);
         }
         m[j] = (camera_trial){{.c = camera_grid(camera_side), .f = k->f, .n = n, .how = k->how,
-            .seed = 1, .own = k->zone ? &rings : &cell, .out = &grid,
-            .see = k->zone ? see_zone_plate : see_checkerboard}, exact[j]};
+            .seed = 1, .own = k->zone ? &rings : &cells, .out = &grid, .see = see_pattern},
+            exact[j]};
     }
 }
 

@@ -120,12 +120,12 @@ static inline void camera_draw_slips(const options *o, camera_view v)
 
 static inline void camera_draw_zone_plate(const options *o, camera_view v)
 {
-    static const double rings = 0.0131;  /* finer than the pixels beyond a radius of 120 of them */
+    static const camera_pattern rings = {zone_plate, 0.0131};  /* too fine beyond 120 pixels */
     static const char *const tag[] = {"1 ray", "64, box", "64, Gaussian"};
     camera_view p[3];
     int zone = o->quick ? 80 : 320;
     v.c = camera_grid(zone);
-    v.see = see_zone_plate, v.own = &rings, v.how = SAMPLES_REGULAR, v.f = filter_box;
+    v.see = see_pattern, v.own = &rings, v.how = SAMPLES_REGULAR, v.f = filter_box;
     p[0] = p[1] = p[2] = v;
     p[0].n = 1, p[1].n = p[2].n = 8, p[2].f = filter_gaussian;
     for (int i = 0; i < 3; i++) p[i].tag = tag[i];

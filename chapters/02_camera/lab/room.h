@@ -23,11 +23,7 @@ typedef struct {
     real cell;           /* side of a square */
 } camera_rectangle;
 
-typedef struct {
-    camera_rectangle r[24];
-    int n, walls;        /* what comes behind the walls lies in the box, and well inside of it */
-    vec3 low, high;
-} camera_room;
+typedef struct { camera_rectangle r[24]; int n; } camera_room;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -43,30 +39,14 @@ static inline bool room_rectangle_hit(const camera_rectangle *q, ray r, real *t)
     return true;
 }
 
-/* False only if the ray misses the box, which most rays do. */
-static inline bool room_box_is_met(vec3 low, vec3 high, ray r)
-{
-    real t0 = -real_infinity, t1 = real_infinity;
-    for (int k = 0; k < 3; k++) {
-        real o = vaxis(r.o, k), over = 1 / vaxis(r.d, k);
-        if (isinf(over)) continue;
-        real a = (vaxis(low, k) - o) * over, b = (vaxis(high, k) - o) * over;
-        t0 = real_max(t0, real_min(a, b)), t1 = real_min(t1, real_max(a, b));
-    }
-    return !(t0 > t1);
-}
-
 static inline vec3 room_colour(const camera_room *s, ray r)
 {
     static const vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const camera_rectangle *first = NULL;
-    int n = s->walls && !room_box_is_met(s->low, s->high, r) ? s->walls : s->n;
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < s->n; i++) {
         real t;
-        if (room_rectangle_hit(&s->r[i], r, &t) && (t < r.tmax || !first)) {
-            first = &s->r[i];
-            r.tmax = t;
-        }
+        if (room_rectangle_hit(&s->r[i], r, &t) && (t < r.tmax || !first))
+            first = &s->r[i], r.tmax = t;
     }
     if (!first) return vec(0.86, 0.89, 0.93);
     vec3 p = vsub(ray_at(r, r.tmax), first->low);
@@ -100,7 +80,6 @@ static inline camera_room room_corner(void)
     room_add(&s, 2, 0, o, end, vec(0.85, 0.8, 0.7), vec(0.42, 0.36, 0.3), 0.5);
     room_add(&s, 0, 0, o, end, vec(0.3, 0.48, 0.75), vec(0.17, 0.3, 0.55), 0.5);
     room_add(&s, 1, 0, o, end, vec(0.5, 0.72, 0.62), vec(0.3, 0.52, 0.43), 0.5);
-    s.walls = s.n, s.low = vec(1.9, 0.4, -0.1), s.high = vec(2.9, 3.8, 0.9);
     for (int i = 0; i < 3; i++) {  /* three blocks of one size, one behind the other */
         vec3 low = {2, (real)0.5 + (real)1.2 * (real)i, 0};
         room_block(&s, low, vadd(low, size), orange, 0.4);

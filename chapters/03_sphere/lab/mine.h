@@ -23,19 +23,6 @@ enum { sphere_mine = 0 };
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Both roots of (3.2), in wide numbers; false if they are not real. */
-static inline bool sphere_exactly(sphere ball, ray r, real t[2])
-{
-    wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
-    wide a = wide3_dot(d, d), b = wide3_dot(d, f);
-    wide rr = wide_product((double)ball.r, (double)ball.r);
-    wide D = wide_sub(wide_mul(b, b), wide_mul(a, wide_sub(wide3_dot(f, f), rr)));
-    if (wide_sign(D) < 0) return false;
-    t[0] = (real)wide_value(wide_div(wide_sub(wide_neg(b), wide_sqrt(D)), a));
-    t[1] = (real)wide_value(wide_div(wide_sub(wide_sqrt(D), b), a));
-    return true;
-}
-
 /* Ray i: every third begins inside. The interval takes turns; it never ends or begins at a root. */
 static inline ray sphere_easy_ray(size_t i, random_stream *g, sphere *ball, hit *due)
 {
@@ -44,7 +31,11 @@ static inline ray sphere_easy_ray(size_t i, random_stream *g, sphere *ball, hit 
     ray r = sphere_aim(g, R, far, pass, i % 2, ball);
     *due = hit_none;
     if (i % 5 == 0) r.d = vneg(r.d);
-    if (!sphere_exactly(*ball, r, t)) return r;
+    sphere_quadratic q = sphere_exactly(*ball, r);
+    if (wide_sign(q.D) < 0) return r;
+    wide root = wide_sqrt(q.D), less = wide_neg(q.b);
+    t[0] = (real)wide_value(wide_div(wide_sub(less, root), q.a));
+    t[1] = (real)wide_value(wide_div(wide_add(less, root), q.a));
     real middle = (t[0] + t[1]) / 2;
     if (i % 7 == 0) r.tmin = middle;                   /* the entry is out, the exit is in */
     if (i % 7 == 1) r.tmax = middle;

@@ -32,24 +32,33 @@ static inline ray sphere_aim(random_stream *s, real R, real far, real pass, bool
     return ray_from(o, vscale(vsub(to, o), 1 + random_next(s) / 2));  /* no unit length */
 }
 
+/* a, half of b, and c of (3.2); D = (b/2)^2 - a c. */
+typedef struct { wide a, b, c, rr, D; } sphere_quadratic;
+
+static inline sphere_quadratic sphere_exactly(sphere ball, ray r)
+{
+    wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
+    sphere_quadratic q = {.a = wide3_dot(d, d), .b = wide3_dot(d, f)};
+    q.rr = wide_product((double)ball.r, (double)ball.r);
+    q.c = wide_sub(wide3_dot(f, f), q.rr);
+    q.D = wide_sub(wide_mul(q.b, q.b), wide_mul(q.a, q.c));
+    return q;
+}
+
 /* (pass / R)^2 - 1 = -D / (a R^2) */
 static inline double sphere_clearance(sphere ball, ray r)
 {
-    wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
-    wide a = wide3_dot(d, d), b = wide3_dot(d, f);
-    wide rr = wide_product((double)ball.r, (double)ball.r);
-    wide D = wide_sub(wide_mul(b, b), wide_mul(a, wide_sub(wide3_dot(f, f), rr)));
-    double square = -wide_value(wide_div(D, wide_mul(a, rr)));
+    sphere_quadratic q = sphere_exactly(ball, r);
+    double square = -wide_value(wide_div(q.D, wide_mul(q.a, q.rr)));
     double pass = square > -1 ? sqrt(1 + square) : 0;  /* -1 - 1e-13 through c, seen from 1e9 R */
     return square / (1 + pass);
 }
 
 static inline double sphere_pass(sphere ball, ray r)
 {
-    wide3 d = wide3_of(r.d), f = wide3_sub(wide3_of(r.o), wide3_of(ball.c));
-    wide a = wide3_dot(d, d), b = wide3_dot(d, f);
-    wide square = wide_div(wide_sub(wide_mul(a, wide3_dot(f, f)), wide_mul(b, b)), a);
-    return wide_value(wide_sqrt(square));
+    ball.r = 0;  /* then -D / a is the distance, squared */
+    sphere_quadratic q = sphere_exactly(ball, r);
+    return wide_value(wide_sqrt(wide_div(wide_neg(q.D), q.a)));
 }
 
 static inline double sphere_residual(sphere ball, ray r, real t)

@@ -41,8 +41,9 @@ static inline vec3 sphere_narrow(vec3 a)
 /* What the float exhibit is given: its errors then are its own, not those of its input. */
 static inline sphere_shot sphere_narrowed(sphere_shot s)
 {
-    return (sphere_shot){{sphere_narrow(s.ball.c), (real)(float)s.ball.r},
-                         ray_from(sphere_narrow(s.r.o), sphere_narrow(s.r.d))};
+    s.ball = (sphere){sphere_narrow(s.ball.c), (real)(float)s.ball.r};
+    s.r.o = sphere_narrow(s.r.o), s.r.d = sphere_narrow(s.r.d);
+    return s;
 }
 
 /* R from 1e-3 to 1e5, every other centre not 0. */
@@ -67,12 +68,10 @@ static inline void sphere_survey_at(size_t k, void *context)
     for (int how = SPHERE_GRAZING; how <= SPHERE_EDGE; how++)
         for (size_t i = 0; i < all->n; i++) {
             sphere_shot own = sphere_shot_at(all->seed, (sphere_how)how, y->far, i);
+            own.r.tmin = -real_infinity;
             sphere_shot shot[2] = {sphere_narrowed(own), own};
-            double clear[2];
-            for (int f64 = 0; f64 < 2; f64++) {
-                clear[f64] = sphere_clearance(shot[f64].ball, shot[f64].r);
-                shot[f64].r.tmin = -real_infinity;
-            }
+            double clear[2] = {sphere_clearance(shot[0].ball, shot[0].r),
+                               sphere_clearance(shot[1].ball, shot[1].r)};
             for (int m = 0; m < sphere_methods; m++) {
                 hit h;
                 int f64 = m > 0;  /* the first method computes in float */

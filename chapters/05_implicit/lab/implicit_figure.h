@@ -167,7 +167,7 @@ static inline void implicit_draw_boxes(figure *g, const implicit_surface *s)
         figure_dot(g, 100 * (root[k].lo + root[k].hi), 0, 5, FIGURE_RED);
     figure_text(g, 400, 0, 0, 64, FIGURE_MIDDLE, FIGURE_GREEN,
                 "green: 0 is not in _f_(_T_): no root");
-    figure_text(g, 100 * (root[0].lo + root[0].hi), 0, 4, 42, FIGURE_RIGHT, FIGURE_RED,
+    figure_text(g, 100 * (root[0].lo + root[0].hi), 0, 4, 64, FIGURE_RIGHT, FIGURE_RED,
                 "found and proven: all four");
 }
 

@@ -139,31 +139,26 @@ static inline void implicit_draw(const options *o)
     image_free(&im);
 }
 
-/* Panels of one row, each with its words below. */
+/* Panels of one row, with their titles. */
 static inline void implicit_draw_row(const options *o, const implicit_view *v,
-                                     const char *const *words, int n, const char *name)
+                                     const char *const *title, int n, const char *name)
 {
-    enum { gap = 6, strip = 30 };
-    int side = o->quick ? 60 : 316;
-    int width = (960 - (n - 1) * gap) / n;
-    image sheet = label_sheet(960, side + strip);
+    enum { gap = 6 };
+    int side = o->quick ? 60 : 316, width = (960 + gap) / n - gap;
+    image sheet = label_sheet(960, side), one = image_new(width, side);
     bool whole = true;
-    for (int k = 0; k < n; k++) {
-        image im = image_new(width, side);
-        int x = k * (width + gap);
-        if (whole)
-            whole = implicit_render(&v[k], o->samples < 4 ? o->samples : 4, o->threads, &im);
-        image_place(&sheet, x, 0, &im);
-        label_text(&sheet, x + width / 2.0, side + 21, 12, 0.5, vec(0, 0, 0), words[k]);
-        image_free(&im);
+    for (int k = 0; k < n && whole; k++) {
+        whole = implicit_render(&v[k], o->samples < 4 ? o->samples : 4, o->threads, &one);
+        image_place(&sheet, k * (width + gap), 0, &one);
     }
+    label_titles(&sheet, n, 1, gap, title);
     output_picture(o, &sheet, name, false, whole);
-    image_free(&sheet);
+    image_free(&sheet), image_free(&one);
 }
 
 static inline void implicit_draw_shapes(const options *o)
 {
-    static const char *const words[] = {"gyroid, by intervals", "smooth union, sphere tracing",
+    static const char *const title[] = {"gyroid, by intervals", "smooth union, sphere tracing",
                                         "torus, by intervals"};
     if (o->out) return;
     const implicit_view v[] = {
@@ -173,12 +168,12 @@ static inline void implicit_draw_shapes(const options *o)
                          vec(-0.05, 0, 0), 3, 27, 30, 30),
         implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), implicit_sure, vec(0, 0, 0), 3, 31,
                          35, 30)};
-    implicit_draw_row(o, v, words, 3, "05_implicit_shapes.png");
+    implicit_draw_row(o, v, title, 3, "05_implicit_shapes.png");
 }
 
 static inline void implicit_draw_missed(const options *o)
 {
-    static const char *const words[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
+    static const char *const title[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
     const implicit_how how[] = {{IMPLICIT_FIRST, 24, 0}, implicit_sure};
     implicit_view v[2];
     if (o->out) return;
@@ -187,7 +182,7 @@ static inline void implicit_draw_missed(const options *o)
         v[k] = implicit_view_at(u, how[k], vec(0.3, 0.62, 1.2), (real)2.2, 14, 12, 18);
         v[k].judge = k == 0;
     }
-    implicit_draw_row(o, v, words, 2, "05_implicit_missed.png");
+    implicit_draw_row(o, v, title, 2, "05_implicit_missed.png");
 }
 
 #endif

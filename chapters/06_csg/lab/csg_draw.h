@@ -95,15 +95,21 @@ static vec3 csg_panel_colour(const void *context, real x, real y)
     return vscale(paint, (real)0.22 + (real)0.78 * headlight(n, r.d).x);
 }
 
-static inline void csg_draw_panel(image *sheet, int x, int y, int w, int h, const options *o,
-                                  csg_panel p, const char *text, bool *whole)
+/* rows x 3 panels with their titles. */
+enum { csg_panel_gap = 12 };
+static inline image csg_panels(const options *o, const csg_panel *p, int rows, int w, int h,
+                               const char *const *title, bool *whole)
 {
-    image one = image_new(w, h);
-    int side = o->quick ? 1 : 2;
-    if (*whole) *whole = pixels_draw(&one, side, o->threads, "panel", csg_panel_colour, &p);
-    image_place(sheet, x, y + 26, &one);
-    label_text(sheet, x + w / 2.0, y + 18, 11, 0.5, vec(0, 0, 0), text);
+    const int gap = csg_panel_gap;
+    image sheet = label_sheet(3 * w + 2 * gap, rows * (h + gap) - gap), one = image_new(w, h);
+    *whole = true;
+    for (int k = 0; k < 3 * rows && *whole; k++) {
+        *whole = pixels_draw(&one, o->quick ? 1 : 2, o->threads, "panel", csg_panel_colour, &p[k]);
+        image_place(&sheet, k % 3 * (w + gap), k / 3 * (h + gap), &one);
+    }
+    label_titles(&sheet, 3, rows, gap, title);
     image_free(&one);
+    return sheet;
 }
 
 static inline first_camera csg_inside_camera(int k, int w, int h)
@@ -116,20 +122,18 @@ static inline first_camera csg_inside_camera(int k, int w, int h)
 
 static inline void csg_draw_inside(const options *o)
 {
-    static const char *const text[2][3] = {
-        {"t > 0: the eye outside", "t > 0: the eye in a hole", "t > 0: the eye in the solid"},
-        {"all hits: outside", "all hits: in a hole", "all hits: in the solid"}};
+    static const char *const title[6] = {
+        "t > 0: the eye outside", "t > 0: the eye in a hole", "t > 0: the eye in the solid",
+        "all hits: outside", "all hits: in a hole", "all hits: in the solid"};
     if (o->out || o->own) return;
-    enum { w = 312, h = 250, gap = 12 };
+    enum { w = 312, h = 250 };
     csg_scene s = csg_scene_of(CSG_CLASSIC);
-    image sheet = image_new(3 * w + 2 * gap, 2 * (h + 26) + 34);
-    bool whole = true;
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
-    for (int k = 0; k < 6; k++) {
-        csg_panel p = {&s, k < 3 ? csg_hit_front : csg_hit, csg_inside_camera(k % 3, w, h)};
-        csg_draw_panel(&sheet, k % 3 * (w + gap), k / 3 * (h + 26), w, h, o, p, text[k / 3][k % 3],
-                       &whole);
-    }
+    csg_panel p[6];
+    bool whole;
+    for (int k = 0; k < 6; k++)
+        p[k] = (csg_panel){&s, k < 3 ? csg_hit_front : csg_hit, csg_inside_camera(k % 3, w, h)};
+    image sheet = csg_panels(o, p, 2, w, h, title, &whole);
+    label_below(&sheet, 34);
     static const struct { vec3 colour; const char *name; } key[] = {
         {{0.72, 0.10, 0.06}, "ball"}, {{0.05, 0.20, 0.62}, "cube"}, {{0.10, 0.50, 0.22}, "hole"},
         {{0.85, 0.50, 0.04}, "hole"}, {{0.05, 0.48, 0.50}, "hole"},
@@ -151,21 +155,18 @@ static bool csg_hit_coarse(const csg *c, ray r, hit *out)
 
 static inline void csg_draw_pocket(const options *o)
 {
-    static const struct { const char *text; csg_hit_function *X_hit; } way[3] = {
-        {"no rule for equal t", csg_hit_points},
-        {"crossings within 0.003 are one", csg_hit_coarse},
-        {"csg.h: one plane, one t", csg_hit}};
+    static const char *const title[3] = {
+        "no rule for equal t", "crossings within 0.003 are one", "csg.h: one plane, one t"};
+    csg_hit_function *const way[3] = {csg_hit_points, csg_hit_coarse, csg_hit};
     if (o->out || o->own) return;
-    enum { w = 312, h = 300, gap = 12 };
+    enum { w = 312, h = 300 };
     csg_scene s = csg_scene_pocket(false, vec(0, 0, 0));
-    image sheet = image_new(3 * w + 2 * gap, h + 26);
-    bool whole = true;
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
-    for (int k = 0; k < 3; k++) {
-        csg_panel p = {&s, way[k].X_hit, first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0),
-                                                         vec(0, 1, 0), 42, w, h)};
-        csg_draw_panel(&sheet, k * (w + gap), 0, w, h, o, p, way[k].text, &whole);
-    }
+    first_camera c = first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0), vec(0, 1, 0), 42, w,
+                                     h);
+    csg_panel p[3];
+    bool whole;
+    for (int k = 0; k < 3; k++) p[k] = (csg_panel){&s, way[k], c};
+    image sheet = csg_panels(o, p, 1, w, h, title, &whole);
     output_picture(o, &sheet, "06_csg_coincident.png", false, whole);
     image_free(&sheet), csg_scene_free(&s);
 }

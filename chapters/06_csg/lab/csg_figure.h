@@ -14,32 +14,20 @@
 enum { csg_rows = 7, csg_row_height = 52, csg_bars_left = 390 };
 static const double csg_reach = 2.1;  /* of the drawing, in t, to either side */
 
-/* Step i: the subtree of `size` steps that ends with it; its row, from the top, and its level. */
-typedef struct { uint32_t size, row, level, parent; } csg_place_of;
+/* Of each step, leaves before what joins them: how many steps its subtree has; its row from the
+ * top, its level, and the row of its parent. */
+static const struct { uint32_t size; int row, level, parent; } csg_spot[csg_rows] = {
+    {1, 2, 2, 1}, {1, 3, 2, 1}, {3, 1, 1, 0}, {1, 5, 2, 4}, {1, 6, 2, 4}, {3, 4, 1, 0},
+    {7, 0, 0, 0}};
 
-static inline void csg_figure_places(csg_model m, csg_place_of at[csg_rows])
-{
-    uint32_t size[csg_rows];
-    failure f;
-    if (!csg_sizes(m, size, &f)) fail(f);
-    for (uint32_t i = csg_rows; i-- > 0;) {
-        at[i].size = size[i];
-        if (i == csg_rows - 1) at[i] = (csg_place_of){size[i], 0, 0, i};
-        if (m.step[i].what == CSG_SOLID) continue;
-        uint32_t right = i - 1, left = right - size[right];
-        at[left].row = at[i].row + 1, at[right].row = at[left].row + size[left];
-        at[left].level = at[right].level = at[i].level + 1;
-        at[left].parent = at[right].parent = i;
-    }
-}
-
-static inline void csg_figure_bars(figure *g, csg_model m, csg_place_of at, uint32_t i, ray r)
+static inline void csg_figure_bars(figure *g, csg_model m, uint32_t i, ray r)
 {
     static const char *const fill[] = {FIGURE_RED, FIGURE_BLUE, FIGURE_GREEN, FIGURE_ORANGE};
     csg c;
     failure f;
     csg_crossing *x = NULL;
-    csg_model part = {m.solid, m.solids, m.step + i + 1 - at.size, at.size};
+    uint32_t size = csg_spot[i].size;
+    csg_model part = {m.solid, m.solids, m.step + i + 1 - size, size};
     if (!csg_build(part, (csg_options){0}, &c, &f)) fail(f);
     size_t n = csg_spans(&c, r, &x);
     bool leaf = m.step[i].what == CSG_SOLID;
@@ -60,16 +48,15 @@ static inline void csg_figure_bars(figure *g, csg_model m, csg_place_of at, uint
     csg_free(&c);
 }
 
-static inline void csg_figure_node(figure *g, csg_model m, const csg_place_of *at, uint32_t i,
-                                   double x, double y)
+static inline void csg_figure_node(figure *g, csg_model m, uint32_t i, double x, double y)
 {
     static const char *const solid[] = {"ball _A_", "cube _B_", "cylinder _C_", "cylinder _D_"};
     static const char *const mark[] = {"", "∪", "∩", "−"};
     static const char *const what[] = {"", "_C_ ∪ _D_", "_A_ ∩ _B_", "(_A_ ∩ _B_) − (_C_ ∪ _D_)"};
     csg_operation w = m.step[i].what;
     figure_origin(g, x, y, 1);
-    if (at[i].level > 0) {  /* down from the parent, and across */
-        double up = (at[i].row - at[at[i].parent].row) * csg_row_height;
+    if (csg_spot[i].level > 0) {  /* down from the parent, and across */
+        double up = (csg_spot[i].row - csg_spot[i].parent) * csg_row_height;
         figure_line(g, -44, up - 13, -44, 0, FIGURE_BLACK, 1.2, FIGURE_WHOLE);
         figure_line(g, -44, 0, w == CSG_SOLID ? -6 : -13, 0, FIGURE_BLACK, 1.2, FIGURE_WHOLE);
     }
@@ -88,11 +75,9 @@ static inline void csg_draw_tree(const options *o)
     csg_scene s = csg_scene_of("difference(intersection(sphere 0 0 0 1.32, box -1 -1 -1 1 1 1), "
                                "union(cylinder 0 0 0 0 1 0 0.62, cylinder 0 0 0 0 0 1 0.5))");
     csg_model m = csg_expression_model(&s.e);
-    csg_place_of at[csg_rows];
     double width = 910, top = 58, bars = width - csg_bars_left - 30;
     int height = (int)top + csg_rows * csg_row_height + 10;
     figure g = figure_begin(o, "06_csg_tree.svg", (int)width, height);
-    csg_figure_places(m, at);
     double unit = bars / (2 * csg_reach), zero = csg_bars_left + bars / 2;
     figure_origin(&g, zero, top - 30, unit);
     double low = -(height - top + 10) / unit;
@@ -102,11 +87,11 @@ static inline void csg_draw_tree(const options *o)
     figure_arrow(&g, csg_reach - 0.6, -0.04, csg_reach, -0.04, FIGURE_BLACK, 1.5);
     figure_text(&g, csg_reach, 0, 0, -8, FIGURE_RIGHT, FIGURE_BLACK, "_t_");
     for (uint32_t i = 0; i < csg_rows; i++) {
-        double y = top + at[i].row * csg_row_height + 20;
-        csg_figure_node(&g, m, at, i, 36 + 44 * at[i].level, y);
+        double y = top + csg_spot[i].row * csg_row_height + 20;
+        csg_figure_node(&g, m, i, 36 + 44 * csg_spot[i].level, y);
         figure_origin(&g, zero, y, unit);
         figure_line(&g, -csg_reach, 0, csg_reach, 0, FIGURE_GREY, 1, FIGURE_WHOLE);
-        csg_figure_bars(&g, m, at[i], i, r);
+        csg_figure_bars(&g, m, i, r);
     }
     figure_end(&g);
     csg_scene_free(&s);

@@ -1,7 +1,7 @@
 /* csg_measure.h: the tables and plots of this chapter.
  *
  *   csg_measure(&o)     what each way gets wrong, and its time; how many solids a ray asks; with
- *                       --full the tolerance from 1e-12 to 1
+ *                       --full a plot of the tolerance from 1e-12 to 1
  */
 #ifndef CSG_MEASURE_H
 #define CSG_MEASURE_H
@@ -12,7 +12,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { csg_methods = 8, csg_timed = 1024 };
+enum { csg_methods = 7, csg_timed = 1024 };
 
 static const struct {
     const char *name;
@@ -24,7 +24,6 @@ static const struct {
     {"the same, tolerance 1e-9", csg_hit_tolerant, 1e-9},
     {"the same, tolerance 0.003", csg_hit_tolerant, 0.003},
     {"spans, planes computed anew", csg_hit_anew, 0},
-    {"spans, meshes by themselves", csg_hit_apart, 0},
     {"spans", csg_hit_plain, 0},
     {"spans, bounds: csg_hit", csg_hit, 0}};
 
@@ -41,53 +40,43 @@ static double csg_time_run(void *context)
     return sum;
 }
 
-typedef struct {
-    csg_sight sight[csg_sights];
-    size_t n;
-    double wrong[csg_sights][csg_methods];  /* percent */
-} csg_survey;
+typedef struct { csg_sight sight[csg_sights]; size_t n; double wrong[csg_sights][csg_methods]; }
+    csg_survey;
 
-static inline void csg_survey_sight(size_t k, void *context)
+static inline void csg_survey_cell(size_t k, void *context)
 {
     csg_survey *y = context;
-    const csg_sight *s = &y->sight[k];
-    for (size_t i = 0; i < y->n; i++) {
-        csg_asked_ray x = csg_sight_asked(s, i);
-        for (int m = 0; m < csg_methods; m++) {
-            csg_tolerance = (real)csg_method[m].tolerance;
-            const csg *c = m == csg_methods - 1 ? &s->scene.c : &s->bare;
-            y->wrong[k][m] += csg_is_wrong(c, csg_method[m].X_hit, &x);
-        }
-    }
-    for (int m = 0; m < csg_methods; m++) y->wrong[k][m] *= 100 / (double)y->n;
+    size_t m = k % csg_methods, at = k / csg_methods;
+    csg_tolerance = (real)csg_method[m].tolerance;
+    y->wrong[at][m] = csg_wrong(&y->sight[at], csg_method[m].X_hit, y->n);
 }
 
 static inline void csg_main_table(const options *o)
 {
+    static const csg_sight_kind shown[] = {CSG_OUTSIDE, CSG_EYE_INSIDE, CSG_COINCIDENT,
+                                           CSG_FAR_AWAY, CSG_FOILS};
     csg_survey y = {.n = o->quick ? 100 : 2000};
     static ray r[csg_timed];
     csg_timing x[csg_methods];
     double ns[csg_methods];
-    for (int k = 0; k < csg_sights; k++)
-        y.sight[k] = csg_sight_of((csg_sight_kind)k, o->seed);
-    const csg_sight *s = &y.sight[CSG_OUTSIDE];
-    for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(s, i);
+    for (int k = 0; k < 5; k++) y.sight[k] = csg_sight_of(shown[k], o->seed);
+    for (size_t i = 0; i < csg_timed; i++) r[i] = csg_sight_ray(&y.sight[0], i);
     for (int m = 0; m < csg_methods; m++)
-        x[m] = (csg_timing){m == csg_methods - 1 ? &s->scene.c : &s->bare, m, r, csg_timed};
+        x[m] = (csg_timing){m == csg_methods - 1 ? &y.sight[0].scene.c : &y.sight[0].bare, m, r,
+                            csg_timed};
     bench_each(csg_time_run, x, sizeof *x, csg_methods, o->quick ? 3 : 31, 1e9 / csg_timed, ns);
     table t = table_new("First hit of a tree: rays that get it wrong, and time",
                         "method|error eye outside [%]|error eye inside [%]|error coincident [%]|"
-                        "error mesh faces [%]|error foils [%]|time [ns]");
-    parallel_whole(csg_sights, o->threads, "rays", csg_survey_sight, &y);
+                        "error foils [%]|time [ns]");
+    parallel_whole(5 * csg_methods, o->threads, "rays", csg_survey_cell, &y);
     for (int m = 0; m < csg_methods; m++) {
         table_text(&t, "%s", csg_method[m].name);
-        table_number(&t, y.wrong[CSG_OUTSIDE][m]), table_number(&t, y.wrong[CSG_EYE_INSIDE][m]);
-        table_number(&t, (y.wrong[CSG_COINCIDENT][m] + y.wrong[CSG_FAR_AWAY][m]) / 2);
-        table_number(&t, y.wrong[CSG_MESH_FACES][m]), table_number(&t, y.wrong[CSG_FOILS][m]);
-        table_number(&t, ns[m]);
+        table_number(&t, y.wrong[0][m]), table_number(&t, y.wrong[1][m]);
+        table_number(&t, (y.wrong[2][m] + y.wrong[3][m]) / 2);
+        table_number(&t, y.wrong[4][m]), table_number(&t, ns[m]);
     }
     output_table(o, &t);
-    for (int k = 0; k < csg_sights; k++) csg_sight_free(&y.sight[k]);
+    for (int k = 0; k < 5; k++) csg_sight_free(&y.sight[k]);
 }
 
 /* ---- what bounds save ---- */
@@ -116,16 +105,17 @@ static inline csg_model csg_balls(size_t n)
     return (csg_model){s, n, step, steps};
 }
 
-typedef struct { csg_statistics stats; double asked[2], boxes, ns[2]; } csg_savings;
-
-/* Rays from around (2, 2, 4) to the cube of side 2; without and with bounds. */
-static inline csg_savings csg_savings_of(const options *o, csg_model m)
+/* Rays from around (1, 1.5, 4) to the cube of side 2; without and with bounds. */
+static inline void csg_savings_table(const options *o)
 {
     static ray r[csg_timed];
-    csg_savings y = {.boxes = 0};
+    table t = table_new("Solids of 1024 balls that a ray asks",
+                        "tree|leaves|depth|solids|boxes|time [ns]");
+    csg_model m = csg_balls(1024);
     csg c[2];
     csg_timing x[2];
-    size_t few = m.solids > 20 ? 64 : csg_timed;
+    double ns[2];
+    const size_t few = 64;
     failure f;
     hit h;
     for (size_t i = 0; i < csg_timed; i++) {
@@ -135,36 +125,19 @@ static inline csg_savings csg_savings_of(const options *o, csg_model m)
     }
     for (int k = 0; k < 2; k++) {
         if (!csg_build(m, (csg_options){k == 0}, &c[k], &f)) fail(f);
-        csg_asked.solids = csg_asked.bounds = 0;
-        for (size_t i = 0; i < csg_timed; i++) (void)csg_hit(&c[k], r[i], &h);
-        y.asked[k] = (double)csg_asked.solids / csg_timed;
-        y.boxes = (double)csg_asked.bounds / csg_timed;
         x[k] = (csg_timing){&c[k], csg_methods - 1, r, few};
     }
-    bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : 25, 1e9 / (double)few, y.ns);
-    y.stats = csg_stats(&c[1]);
-    for (int k = 0; k < 2; k++) csg_free(&c[k]);
-    return y;
-}
-
-static inline void csg_savings_row(table *t, const char *name, csg_savings y)
-{
-    table_text(t, "%s", name);
-    table_count(t, y.stats.leaves), table_count(t, y.stats.depth);
-    table_number(t, y.asked[0]), table_number(t, y.asked[1]), table_number(t, y.boxes);
-    table_number(t, y.ns[0]), table_number(t, y.ns[1]);
-}
-
-static inline void csg_savings_table(const options *o)
-{
-    table t = table_new("Solids that a ray asks, without bounds and with them",
-                        "tree|leaves|depth|solids, no bounds|solids, bounds|boxes|"
-                        "time, no bounds [ns]|time, bounds [ns]");
-    csg_scene s = csg_scene_of(CSG_CLASSIC);
-    csg_savings_row(&t, "classic", csg_savings_of(o, csg_expression_model(&s.e)));
-    csg_scene_free(&s);
-    csg_model m = csg_balls(1024);
-    csg_savings_row(&t, "1024 balls", csg_savings_of(o, m));
+    bench_each(csg_time_run, x, sizeof *x, 2, o->quick ? 3 : 25, 1e9 / (double)few, ns);
+    for (int k = 0; k < 2; k++) {
+        csg_statistics stats = csg_stats(&c[k]);
+        csg_asked.solids = csg_asked.bounds = 0;
+        for (size_t i = 0; i < csg_timed; i++) (void)csg_hit(&c[k], r[i], &h);
+        table_text(&t, k ? "with bounds" : "no bounds");
+        table_count(&t, stats.leaves), table_count(&t, stats.depth);
+        table_number(&t, (double)csg_asked.solids / csg_timed);
+        table_number(&t, (double)csg_asked.bounds / csg_timed), table_number(&t, ns[k]);
+        csg_free(&c[k]);
+    }
     free((void *)(uintptr_t)m.solid), free((void *)(uintptr_t)m.step);
     output_extra_table(o, &t);
 }
@@ -175,25 +148,17 @@ static inline void csg_tolerance_plot(const options *o)
 {
     static const csg_sight_kind kind[3] = {CSG_COINCIDENT, CSG_FAR_AWAY, CSG_FOILS};
     static const char *const name[3] = {"coincident faces", "the same, far away", "foils"};
-    table t = table_new("Crossings that count as one: rays that get the first hit wrong [%]",
-                        "tolerance|error coincident|error far away|error foils");
     plot p = plot_new("What a tolerance gets wrong", "tolerance", "wrong rays [%]",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    csg_sight s[3];
-    for (int k = 0; k < 3; k++) s[k] = csg_sight_of(kind[k], o->seed), plot_series(&p, name[k]);
-    for (int e = -24; e <= 0; e++) {
-        csg_tolerance = pow((real)10, (real)e / 2);
-        if (e % 2 == 0) table_text(&t, "%.0e", (double)csg_tolerance);
-        for (int k = 0; k < 3; k++) {
-            double wrong = csg_wrong(&s[k], csg_hit_tolerant, 1000);
-            plot_add(&p, k, (double)csg_tolerance, wrong);
-            if (e % 2 == 0) table_number(&t, wrong);
+    for (int k = 0; k < 3; k++) {
+        csg_sight s = csg_sight_of(kind[k], o->seed);
+        plot_series(&p, name[k]);
+        for (int e = -24; e <= 0; e++) {
+            csg_tolerance = pow((real)10, (real)e / 2);
+            plot_add(&p, k, (double)csg_tolerance, csg_wrong(&s, csg_hit_tolerant, 1000));
         }
+        csg_sight_free(&s);
     }
-    table_text(&t, "csg_hit");
-    for (int k = 0; k < 3; k++) table_number(&t, csg_wrong(&s[k], csg_hit, 1000));
-    for (int k = 0; k < 3; k++) csg_sight_free(&s[k]);
-    output_extra_table(o, &t);
     output_plot(o, &p, "06_csg_tolerance.svg");
 }
 

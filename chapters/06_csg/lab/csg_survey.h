@@ -95,32 +95,20 @@ static inline double csg_sight_least(const csg_sight *s)
     return s->kind == CSG_FAR_AWAY ? (real_is_float ? 1e-4 : 1e-6) : real_is_float ? 2e-5 : 1e-9;
 }
 
-typedef struct { ray r; bool due; double t, least; vec3 n; } csg_asked_ray;
-
-/* Ray i with the truth about it. */
-static inline csg_asked_ray csg_sight_asked(const csg_sight *s, size_t i)
-{
-    csg_asked_ray x = {.r = csg_sight_ray(s, i), .least = csg_sight_least(s)};
-    x.due = csg_truth(csg_expression_model(&s->scene.e), &s->bare, x.r, x.least, &x.t, &x.n);
-    return x;
-}
-
-static inline bool csg_is_wrong(const csg *c, csg_hit_function *X_hit, const csg_asked_ray *x)
-{
-    hit h;
-    bool is = X_hit(c, x->r, &h);
-    if (is != x->due || !is) return is != x->due;
-    double apart = fabs((double)h.t - x->t) * (double)vlength(x->r.d);
-    return !(apart <= x->least && vdot(csg_normal(c, x->r, h), x->n) > (real)0.99);
-}
-
 static inline double csg_wrong(const csg_sight *s, csg_hit_function *X_hit, size_t n)
 {
     const csg *c = X_hit == csg_hit ? &s->scene.c : &s->bare;
+    csg_model m = csg_expression_model(&s->scene.e);
+    double least = csg_sight_least(s), t = 0;
     size_t wrong = 0;
     for (size_t i = 0; i < n; i++) {
-        csg_asked_ray x = csg_sight_asked(s, i);
-        wrong += csg_is_wrong(c, X_hit, &x);
+        ray r = csg_sight_ray(s, i);
+        vec3 normal = {0, 0, 0};
+        hit h = hit_none;
+        bool due = csg_truth(m, &s->bare, r, least, &t, &normal), is = X_hit(c, r, &h);
+        bool there = is && fabs((double)h.t - t) * (double)vlength(r.d) <= least
+            && vdot(csg_normal(c, r, h), normal) > (real)0.99;
+        wrong += due ? !there : is;
     }
     return 100 * (double)wrong / (double)n;
 }

@@ -1,4 +1,4 @@
-/* csg_variants.h: six other ways to find the first hit of a tree, with the signature of csg_hit.
+/* csg_variants.h: five other ways to find the first hit of a tree, with the signature of csg_hit.
  *
  *   csg_hit_front(&c, r, &h)      first.h's way for any tree: hits with t > 0 alone, begins outside
  *   csg_hit_points(&c, r, &h)     planes through a corner of their box, along two of its edges, t
@@ -8,8 +8,6 @@
  *                                 other happen at once
  *   csg_hit_anew(&c, r, &h)       spans.h and (6.4), but each box computes the normals of planes
  *                                 from those of its other planes: one plane, several numbers
- *   csg_hit_apart(&c, r, &h)      spans.h and (6.4), but meshes know nothing of planes: each
- *                                 triangle finds t in its own way
  *   csg_hit_plain(&c, r, &h)      csg_hit, whether or not its tree was built with bounds
  */
 #ifndef CSG_VARIANTS_H
@@ -44,25 +42,17 @@ static inline size_t csg_front_crossings(const csg_solid *s, ray r, uint32_t fir
 static inline bool csg_hit_front(const csg *c, ray r, hit *out)
 CSG_WAY(csg_front_crossings, spans_merge)
 
-static inline size_t csg_apart_crossings(const csg_solid *s, ray r, uint32_t first,
-                                         csg_crossing *out)
-{
-    csg_solid own = *s;
-    if (s->kind == CSG_MESH) own.mesh.plane = NULL;
-    return csg_solid_crossings(&own, r, first, out);
-}
-
-static inline bool csg_hit_apart(const csg *c, ray r, hit *out)
-CSG_WAY(csg_apart_crossings, spans_merge)
-
-/* Boxes by the planes through their own least or greatest corner; other solids as they are. */
+/* Boxes by the planes through their own least or greatest corner; triangles of a mesh know of no
+ * planes, each finds t in its own way. */
 static inline size_t csg_point_crossings(const csg_solid *s, ray r, uint32_t first,
                                          csg_crossing *out)
 {
     real enter = -real_infinity, leave = real_infinity;
     uint32_t in = first, from = first;
     vec3 lo = {0, 0, 0}, hi = {0, 0, 0};
-    if (s->kind != CSG_BOX) return csg_apart_crossings(s, r, first, out);
+    csg_solid own = *s;
+    if (s->kind == CSG_MESH) own.mesh.plane = NULL;
+    if (s->kind != CSG_BOX) return csg_solid_crossings(&own, r, first, out);
     for (int k = 0; k < 3; k++)  /* axes at right angles, of length 1, right-handed */
         lo = vmadd(lo, s->box.n[k], s->box.lo[k]), hi = vmadd(hi, s->box.n[k], s->box.hi[k]);
     for (uint32_t k = 0; k < 3; k++) {

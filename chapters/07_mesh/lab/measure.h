@@ -3,7 +3,6 @@
  *
  *   inside_report(&o);                 answers to "inside?": errors and times; the main table
  *   cost_report(&o, &m, is_main);      the closest hit in parts of a mesh: O(n)
- *   shapes_report(&o);                 cones and polygons, the textbook's and ours
  */
 #ifndef MESH_LAB_MEASURE_H
 #define MESH_LAB_MEASURE_H
@@ -15,7 +14,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-enum { shapes_at_once = 1024, mesh_rounds = 7, inside_questions = 32 };
+enum { mesh_rounds = 7, inside_questions = 32 };
 
 typedef struct {
     const mesh *m;
@@ -139,94 +138,6 @@ static inline void cost_report(const options *o, const mesh *m, bool is_main)
     (is_main ? output_table : output_extra_table)(o, &t);
     if ((double)m->triangles > least)
         printf("# time ~ n^%.3f\n", log(us[0] / least_us) / log((double)m->triangles / least));
-}
-
-/* ---------------------------------------------------------------------------------------------- */
-
-typedef struct {
-    shape s[shapes_at_once];
-    ray r[shapes_at_once];
-    bool naive;
-} shapes_batch;
-
-static inline double shapes_run(void *context)
-{
-    const shapes_batch *b = context;
-    double sum = 0;
-    hit h = hit_none;
-    for (int i = 0; i < shapes_at_once; i++) {
-        const shape *s = &b->s[i];
-        bool is = s->kind == SHAPE_CONE
-                    ? (b->naive ? cone_hit_naive : cone_hit)(s->cone, b->r[i], &h)
-                    : (b->naive ? polygon_hit_naive : polygon_hit)(s->polygon, b->r[i], &h);
-        sum += is ? (double)h.t : 1;
-    }
-    return sum;
-}
-
-/* Two rows, the textbook's and ours, timed with the shapes and rays of b[0]; off: or NULL. */
-static inline void shapes_rows(table *t, shapes_batch b[2], const char *rays, const double wrong[2],
-                               const double *off)
-{
-    double ns[2];
-    b[1] = b[0], b[0].naive = true, b[1].naive = false;
-    bench_each(shapes_run, b, sizeof *b, 2, mesh_rounds, 1e9 / shapes_at_once, ns);
-    for (int k = 0; k < 2; k++) {
-        const char *what = b->s->kind == SHAPE_CONE ? "cone" : "polygon";
-        table_text(t, "%s_hit%s", what, k ? "" : "_naive");
-        table_text(t, "%s", rays), table_number(t, 100 * wrong[k]);
-        if (off) table_number(t, off[k]);
-        else table_text(t, "-");
-        table_number(t, ns[k]);
-    }
-}
-
-/* Cones: grazing rays with another answer than the oracle's, and how far off the side hits are that
- * do not graze. Polygons: rays from inside a gear wheel, aimed at its corners and edges, that leave
- * it unseen. */
-static inline void shapes_report(const options *o)
-{
-    static shapes_batch b[2];
-    static gear_box box;
-    size_t rays = o->quick ? 500 : 20000;
-    table t = table_new("Cones and polygons: error against time",
-                        "method|rays|error: wrong [%]|error: off the side|time [ns]");
-    for (int power = 0; power <= 6; power += 2) {
-        char from[20];
-        real distance = pow((real)10, power);
-        double wrong[2] = {0, 0}, off[2] = {0, 0}, decided = 0;
-        random_stream s = random_start(o->seed, (uint64_t)distance, 71);
-        for (int kind = 0; kind < 5; kind++) {
-            cone_score grazing = cone_play(&s, kind, AIM_GRAZING, distance, rays / 5, 64);
-            cone_score anywhere = cone_play(&s, kind, AIM_RANDOM, distance, rays / 5, 64);
-            decided += (double)grazing.decided;
-            for (int k = 0; k < 2; k++) {
-                wrong[k] += (double)grazing.wrong[k];
-                off[k] = fmax(off[k], anywhere.off_side[k]);
-            }
-        }
-        for (int i = 0; i < shapes_at_once; i++) {
-            cone c = some_cone(&s, i % 5);
-            b->s[i] = shape_of_cone(c), b->r[i] = ray_at_cone(&s, c, AIM_RANDOM, distance);
-        }
-        for (int k = 0; k < 2; k++) wrong[k] /= decided;
-        snprintf(from, sizeof from, "from 1e%d", power);
-        shapes_rows(&t, b, from, wrong, off);
-    }
-    for (int far = 0; far < 2; far++) {
-        double wrong[2];
-        random_stream s = random_start(o->seed, (uint64_t)far, 72), again;
-        gear_box_fill(&box, &s, far ? 100000 : 0, false);
-        again = s;
-        for (int k = 0; k < 2; k++) {
-            s = again;
-            wrong[k] = (double)gear_box_slips(&box, &s, rays, k == 0) / (double)rays;
-        }
-        for (int i = 0; i < shapes_at_once; i++)
-            b->s[i] = box.shapes[2], b->r[i] = gear_box_ray(&box, &s, (size_t)i);
-        shapes_rows(&t, b, far ? "quad, 1e5 away" : "quad, at the origin", wrong, NULL);
-    }
-    output_extra_table(o, &t);
 }
 
 #endif

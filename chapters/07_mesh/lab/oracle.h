@@ -18,23 +18,14 @@ typedef struct {
     bool hit;
     double t;       /* of the first hit in the ray's interval */
     double apart;   /* |t1 - t0|: how far the other root is */
-    double
-        margin; /* (S^2 - T^2) / S^2 of (7.7), or how near u came to an end: whichever is smaller */
+    double margin;  /* the smaller of (S^2 - T^2) / S^2, (7.7), and how near u came to an end */
 } cone_truth;
-
-static inline cone_truth cone_exact(cone c, ray r);
 
 typedef struct {
     bool hit;
     double t;       /* of the plane; meaningless without a hit */
-    double
-        margin; /* distance of the ray from the nearest edge, seen along the ray [scene units] */
+    double margin;  /* from the ray to the nearest edge, seen along the ray [scene units] */
 } polygon_truth;
-
-static inline polygon_truth polygon_exact(polygon p, ray r);
-
-/* How far the point at t is from the side, measured across the axis. */
-static inline double cone_residual(cone c, ray r, real t);
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -67,14 +58,13 @@ static inline cone_truth cone_exact(cone c, ray r)
         double end = fabs(u) < fabs(u - 1) ? fabs(u) : fabs(u - 1);
         if (end * sqrt(fabs(graze)) < truth.margin) truth.margin = end * sqrt(fabs(graze));
         if (u >= 0 && u <= 1 && at >= (double)r.tmin && at <= (double)r.tmax
-            && (!truth.hit || at < truth.t)) {
-            truth.hit = true;
-            truth.t = at;
-        }
+            && (!truth.hit || at < truth.t))
+            truth.hit = true, truth.t = at;
     }
     return truth;
 }
 
+/* How far the point at t is from the side, measured across the axis. */
 static inline double cone_residual(cone c, ray r, real t)
 {
     wide3 a = wide3_of(c.a), w = wide3_sub(wide3_of(c.b), a);
@@ -82,8 +72,8 @@ static inline double cone_residual(cone c, ray r, real t)
     wide hh = wide3_dot(w, w), u = wide_div(wide3_dot(q, w), hh), ra = wide_of((double)c.ra);
     wide radius = wide_add(ra, wide_mul(wide_sub(wide_of((double)c.rb), ra), u));
     wide distance = wide_div(wide3_length(wide3_cross(q, w)), wide_sqrt(hh));
-    return fabs(
-        fabs(wide_value(wide_sub(distance, wide_sign(radius) < 0 ? wide_neg(radius) : radius))));
+    if (wide_sign(radius) < 0) radius = wide_neg(radius);
+    return fabs(wide_value(wide_sub(distance, radius)));
 }
 
 static inline wide3 wide3_cross_sum(wide3 a, wide3 b, wide3 c)
@@ -100,20 +90,19 @@ static inline double segment_distance(double ax, double ay, double bx, double by
     return sqrt((ax + s * dx) * (ax + s * dx) + (ay + s * dy) * (ay + s * dy));
 }
 
-/* The picture along the ray in wide numbers: e1 and e2 are at right angles to d, though not unit.
- * */
+/* The picture along the ray in wide numbers: e1 and e2 are at right angles to d, not unit. */
 static inline polygon_truth polygon_exact(polygon p, ray r)
 {
-    wide3 d = wide3_of(r.d), o = wide3_of(r.o), v0 = wide3_of(p.v[0]),
-          n = {{0, 0}, {0, 0}, {0, 0}}, mean = n;
+    wide3 d = wide3_of(r.d), o = wide3_of(r.o), v0 = wide3_of(p.v[0]);
+    wide3 n = {{0, 0}, {0, 0}, {0, 0}}, mean = n;
     wide3 axis = wide3_of(vlongest(r.d) == 0 ? (vec3){0, 1, 0} : (vec3){1, 0, 0});
     wide3 e1 = wide3_cross(d, axis), e2 = wide3_cross(d, e1);
     double size1 = wide_value(wide3_length(e1)), size2 = wide_value(wide3_length(e2));
     polygon_truth truth = {false, 0, HUGE_VAL};
     for (uint32_t i = 0; i < p.n; i++) {
         wide3 a = wide3_sub(wide3_of(p.v[i]), o), b = wide3_sub(wide3_of(p.v[(i + 1) % p.n]), o);
-        wide ax = wide3_dot(a, e1), ay = wide3_dot(a, e2), bx = wide3_dot(b, e1),
-             by = wide3_dot(b, e2);
+        wide ax = wide3_dot(a, e1), ay = wide3_dot(a, e2);
+        wide bx = wide3_dot(b, e1), by = wide3_dot(b, e2);
         bool up = wide_sign(by) > 0;
         wide e = wide_sub(wide_mul(ax, by), wide_mul(ay, bx));
         if ((wide_sign(ay) > 0) != up && (up ? wide_sign(e) > 0 : wide_sign(e) < 0))

@@ -77,14 +77,14 @@ static inline ray ray_at_cone(random_stream *x, cone c, cone_aim aim, real dista
 /* wrong: hit instead of miss or the reverse, or the other one of the two hits. residual: distance
  * of the point at t from the side, in units of epsilon (1 + distance); worst of all. [0] naive,
  * [1] default. */
-typedef struct { size_t decided, hits, wrong[2]; double residual[2], off_side[2]; } cone_score;
+typedef struct { size_t decided, hits, wrong[2]; double residual[2]; } cone_score;
 
 /* Rays whose margin is below `close` epsilon are left out: the call may go either way. */
 static inline cone_score cone_play(random_stream *s, int kind, cone_aim aim, real distance,
                                    size_t rays, double close)
 {
     bool (*const method[2])(cone, ray, hit *) = {cone_hit_naive, cone_hit};
-    cone_score score = {0, 0, {0, 0}, {0, 0}, {0, 0}};
+    cone_score score = {0, 0, {0, 0}, {0, 0}};
     for (size_t i = 0; i < rays; i++) {
         cone c = some_cone(s, kind);
         ray r = ray_at_cone(s, c, aim, distance);
@@ -99,10 +99,9 @@ static inline cone_score cone_play(random_stream *s, int kind, cone_aim aim, rea
             if (!is || !truth.hit) continue;
             score.wrong[k] +=
                 fabs((double)h.t - truth.t) > truth.apart / 2 + (double)(8 * real_epsilon * h.t);
-            double off = cone_residual(c, r, h.t),
-                   unit = (double)(real_epsilon * (1 + h.t * vlength(r.d)));
-            score.off_side[k] = off > score.off_side[k] ? off : score.off_side[k];
-            score.residual[k] = off / unit > score.residual[k] ? off / unit : score.residual[k];
+            double off = cone_residual(c, r, h.t);
+            double unit = (double)(real_epsilon * (1 + h.t * vlength(r.d)));
+            score.residual[k] = fmax(score.residual[k], off / unit);
         }
     }
     return score;

@@ -1,11 +1,11 @@
 /* orders_measure.h: the tables and plots of this chapter. The oracle of what a pixel shows is 07's
  * ray through its middle, which is watertight and rounds nothing to a grid.
  *
- *   orders_measure(&o)       the main table: pixels that differ, error of the depth, time
+ *   orders_measure(&o)       the main table: pixels that differ, time
  *   orders_times(&o)         both orders against the number of triangles and of pixels (--full)
- *   orders_depths(&o)        the smallest gap that each depth format tells, against depth (--full)
+ *   orders_depths(&o)        a plot: the smallest gap that each depth format tells, against depth
  *   orders_shadows(&o)       shadow maps against shadow rays (--full)
- *   orders_mirror_table(&o)  a mirror by its own camera against reflected rays (--full)
+ *   orders_mirror_compare(nx, ny)   a mirror by its own camera against reflected rays: for tests
  */
 #ifndef ORDERS_MEASURE_H
 #define ORDERS_MEASURE_H
@@ -59,7 +59,7 @@ static inline void orders_measure(const options *o)
     (void)orders_rays(&due, &m, c, o->threads);
     snprintf(title, sizeof title, "Two orders, %zu triangles, %d x %d pixels", m.triangles, nx, ny);
     table t = table_new(title, "order|pixels asked|covered|error: another triangle [pixels]|"
-                               "error: unexplained|error: of t|time [ms]");
+                               "error: unexplained|time [ms]");
     for (int k = 0; k < orders_ways; k++)
         way[k] = (orders_way){&m, c, nx, ny, bits[k], 0, 0};
     bench_each(orders_run, way, sizeof *way, orders_ways, o->full ? 9 : 3, 1e3, ms);
@@ -71,8 +71,7 @@ static inline void orders_measure(const options *o)
         if (bits[k] < 0)
             table_count(&t, (size_t)(nx * ny) * m.triangles), table_text(&t, "-");
         else table_count(&t, s.asked), table_count(&t, s.covered);
-        table_count(&t, d.other), table_count(&t, d.unexplained), table_number(&t, d.depth);
-        table_number(&t, ms[k]);
+        table_count(&t, d.other), table_count(&t, d.unexplained), table_number(&t, ms[k]);
         raster_free(&s);
     }
     output_table(o, &t);
@@ -167,23 +166,13 @@ static inline double orders_gap_of(depth_format f, real near, double z)
 
 static inline void orders_depths(const options *o)
 {
-    const real near = (real)0.01;
-    table t = table_new("Least gap that a depth buffer tells, near = 0.01",
-                        "depth|format|error: gap [share of depth]|its spacing [share of depth]");
     plot p = plot_new("Least gap that a depth buffer tells, near = 0.01", "depth z",
                       "gap [share of z]", PLOT_LOG_X | PLOT_LOG_Y);
     for (depth_format f = 0; f < depth_formats; f++) {
         int series = plot_series(&p, depth_name[f]);
-        for (int e = -1; e <= 4; e++) {
-            double z = pow(10, e), gap = orders_gap_of(f, near, z);
-            plot_add(&p, series, z, gap);
-            if (e % 2 == 0 || !o->full) continue;
-            table_text(&t, "1e%d", e), table_text(&t, "%s", depth_name[f]);
-            table_number(&t, gap), table_number(&t, depth_step(f, (double)near, z) / z);
-        }
+        for (double z = 0.1; z < 2e4; z *= 10)
+            plot_add(&p, series, z, orders_gap_of(f, (real)0.01, z));
     }
-    if (o->full) output_extra_table(o, &t);
-    else table_free(&t);
     output_plot(o, &p, "08_object_order_depth.svg");
 }
 
@@ -265,17 +254,6 @@ static inline orders_difference orders_mirror_compare(int nx, int ny)
     }
     raster_free(&s), raster_free(&t), mesh_free(&m);
     return d;
-}
-
-static inline void orders_mirror_table(const options *o)
-{
-    orders_difference d = orders_mirror_compare(320, 180);
-    table t = table_new("A mirror by a second camera, against reflected rays",
-                        "pixels of the mirror|error: another triangle|error: unexplained|"
-                        "error: of t");
-    table_count(&t, d.judged), table_count(&t, d.other), table_count(&t, d.unexplained);
-    table_number(&t, d.depth);
-    output_extra_table(o, &t);
 }
 
 #endif

@@ -1,7 +1,6 @@
 /* methods.h: what each slab test of slabs.h loses, case by case, and what it takes: the main table.
  *
- *   measure_methods(&o)   the table of the page, the same by all cases with --full, loss against
- *                         time; whoever looks for false negatives: exact.h
+ *   measure_methods(&o)   the table of the page, and the plot of loss against time
  *   measure_lanes(&o)     one ray against 1, 4 and 8 boxes at once
  */
 #ifndef AABB_METHODS_H
@@ -14,7 +13,7 @@
 
 /* The kinds of exact.h, and the corner with all digits of mantissa.h. */
 enum { aabb_cases = trial_kinds + 1, aabb_digits = trial_kinds };
-typedef struct { double missed[aabb_cases], late, alarms; } aabb_losses;  /* per cent */
+typedef struct { double missed[aabb_cases], late; } aabb_losses;  /* per cent */
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -26,8 +25,7 @@ static inline double per_cent(size_t part, size_t whole)
 /* n trials of a case. One oracle serves all methods. */
 static inline void losses_of_case(int kind, uint64_t seed, size_t n, aabb_losses out[aabb_methods])
 {
-    size_t hits = 0, missed[aabb_methods] = {0}, alarms[aabb_methods] = {0};
-    size_t late[aabb_methods] = {0};
+    size_t hits = 0, missed[aabb_methods] = {0}, late[aabb_methods] = {0};
     for (size_t i = 0; i < n; i++) {
         bool full = kind == aabb_digits;
         aabb_trial c = full ? aabb_full_trial_of(TRIAL_CORNER, seed, i)
@@ -39,14 +37,13 @@ static inline void losses_of_case(int kind, uint64_t seed, size_t n, aabb_losses
         for (int m = 0; m < aabb_methods; m++) {
             real t;
             bool answer = aabb_method[m].hit(c.b, c.r, &t);
-            missed[m] += exact && !answer, alarms[m] += answer && !exact;
+            missed[m] += exact && !answer;
             if (full && exact && answer)
                 late[m] += wide_sign(wide_sub(wide_of((double)t), w.enter)) > 0;
         }
     }
     for (int m = 0; m < aabb_methods; m++) {
         out[m].missed[kind] = per_cent(missed[m], hits);
-        if (kind == TRIAL_ANY) out[m].alarms = per_cent(alarms[m], n - hits);
         if (kind == aabb_digits) out[m].late = per_cent(late[m], hits - missed[m]);
     }
 }
@@ -111,9 +108,6 @@ static inline aabb_work *work_new(uint64_t seed)
 AABB_PASS(pass_first, , 1, AABB_ONE(first_aabb_hit(w->b[k], r, &t)))
 AABB_PASS(pass_closed, , 1, AABB_ONE(aabb_hit_closed(w->b[k], r, &t)))
 AABB_PASS(pass_kept, AABB_PREPARE, 1, AABB_ONE(aabb_hit_kept_with(&w->b[k], &v, r, &t)))
-AABB_PASS(pass_fmin, AABB_PREPARE, 1, AABB_ONE(aabb_hit_fmin_with(&w->b[k], &v, r, &t)))
-AABB_PASS(pass_inclusive, AABB_PREPARE, 1, AABB_ONE(aabb_hit_inclusive_with(&w->b[k], &v, r, &t)))
-AABB_PASS(pass_pbrt, AABB_PREPARE, 1, AABB_ONE(aabb_hit_pbrt_with(&w->b[k], &v, r, &t)))
 AABB_PASS(pass_ize, AABB_PREPARE, 1, AABB_ONE(aabb_hit_ize_with(&w->b[k], &v, r, &t)))
 AABB_PASS(pass_default, aabb_inverse v = aabb_inverse_of(r), 1,
           AABB_ONE(aabb_hit_inverse(&w->b[k], &v, r, &t)))
@@ -140,61 +134,42 @@ static inline void time_passes(const options *o, int n, double (*const pass[])(v
 
 /* ---- tables ---- */
 
-/* The rows of the tables. Like is timed with like: a test either computes 1/d, or divides, for each
- * box, or it gets 1/d once a ray; the name says so. Only the first two know no kept 1/d. */
-typedef struct { const char *name; int method; double (*pass)(void *); bool on_page; } aabb_row;
-static const aabb_row aabb_rows[] = {
-    {"first, divides", aabb_of_first, pass_first, true},
-    {"closed, <=, divides", aabb_of_closed, pass_closed, true},
-    {"aabb_hit, divides", aabb_of_default, pass_unprepared, true},
-    {"first, 1/d kept", aabb_of_kept, pass_kept, true},
-    {"fmin, fmax, 1/d kept", aabb_of_fmin, pass_fmin, false},
-    {"inclusive, 1/d kept", aabb_of_inclusive, pass_inclusive, false},
-    {"pbrt, 2 gamma(3), 1/d kept", aabb_of_pbrt, pass_pbrt, false},
-    {"Ize, 2 ulp, 1/d kept", aabb_of_ize, pass_ize, false},
-    {"aabb_hit, 1/d kept", aabb_of_default, pass_default, true},
-    {"aabb8_hit, 1/d kept, float", aabb_of_lanes, pass_lanes8, true},
-    {"mine", aabb_of_mine, pass_mine, true}};
+/* Like is timed with like: a test either computes 1/d, or divides, for each box, or it gets 1/d
+ * once a ray; the name says so. Only the first two know no kept 1/d. */
+static const struct { const char *name; int method; double (*pass)(void *); } aabb_rows[] = {
+    {"first, divides", aabb_of_first, pass_first},
+    {"closed, <=, divides", aabb_of_closed, pass_closed},
+    {"aabb_hit, divides", aabb_of_default, pass_unprepared},
+    {"first, 1/d kept", aabb_of_kept, pass_kept},
+    {"Ize, 2 ulp, 1/d kept", aabb_of_ize, pass_ize},
+    {"aabb_hit, 1/d kept", aabb_of_default, pass_default},
+    {"aabb8_hit, 1/d kept, float", aabb_of_lanes, pass_lanes8},
+    {"mine", aabb_of_mine, pass_mine}};
 enum { aabb_row_count = sizeof aabb_rows / sizeof *aabb_rows - 1 + aabb_mine };
 
 static inline void measure_methods(const options *o)
 {
     double (*pass[aabb_row_count])(void *), ns[aabb_row_count];
-    const size_t n = o->quick ? 4000 : 50000;
     aabb_losses loss[aabb_methods];
-    for (int k = 0; k < aabb_cases; k++) losses_of_case(k, o->seed, n, loss);
+    for (int k = 0; k < aabb_cases; k++) losses_of_case(k, o->seed, o->quick ? 4000 : 50000, loss);
     for (int m = 0; m < aabb_row_count; m++) pass[m] = aabb_rows[m].pass;
     time_passes(o, aabb_row_count, pass, ns);
     table t = table_new("Boxes that are hit and reported as missed; the time of one test",
                         "method|error plane [%]|error flat [%]|error digits [%]|error late [%]|"
                         "time [ns]");
-    table all = table_new("Boxes that are hit and reported as missed, by all cases",
-                          "method|error plane [%]|error flat [%]|error edge [%]|error corner [%]|"
-                          "error interval [%]|error any [%]|error digits [%]|error alarms [%]|"
-                          "error late [%]|time [ns]");
     plot q = plot_new("Hits that are lost, mean of seven kinds of rays; hollow: none",
                       "time of one test [ns]", "lost [%]", PLOT_LOG_Y);
     for (int m = 0; m < aabb_row_count; m++) {
-        const aabb_row *row = &aabb_rows[m];
-        const aabb_losses *lost = &loss[row->method];
+        const aabb_losses *lost = &loss[aabb_rows[m].method];
         double sum = 0;
-        table_text(&all, "%s", row->name);
-        for (int k = 0; k < aabb_cases; k++) {
-            table_number(&all, lost->missed[k]);
-            sum += lost->missed[k] / aabb_cases;
-        }
-        table_number(&all, lost->alarms), table_number(&all, lost->late);
-        table_number(&all, ns[m]);
-        if (!row->on_page) continue;
-        table_text(&t, "%s", row->name);
+        for (int k = 0; k < aabb_cases; k++) sum += lost->missed[k] / aabb_cases;
+        table_text(&t, "%s", aabb_rows[m].name);
         table_number(&t, lost->missed[TRIAL_PARALLEL]), table_number(&t, lost->missed[TRIAL_FLAT]);
         table_number(&t, lost->missed[aabb_digits]);
         table_number(&t, lost->late), table_number(&t, ns[m]);
-        plot_add(&q, plot_series(&q, row->name), ns[m], sum);
+        plot_add(&q, plot_series(&q, aabb_rows[m].name), ns[m], sum);
     }
     output_table(o, &t);
-    if (o->full) output_extra_table(o, &all);
-    else table_free(&all);
     output_plot(o, &q, "09_aabb_time.svg");
 }
 

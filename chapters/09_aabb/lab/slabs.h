@@ -1,5 +1,5 @@
-/* slabs.h: the slab test as it is found in books and programs, with one signature, and what each
- * of them loses. aabb_hit of aabb.h is the one to use.
+/* slabs.h: other slab tests, with one signature, and what each of them loses; aabb_hit of aabb.h is
+ * the one to use.
  *
  *                             input where it misses a box that the ray meets
  *   first_aabb_hit (first.h)  flat box: t_enter = t_exit; contact at t = 0; and the next line. It
@@ -7,25 +7,18 @@
  *   aabb_hit_kept             as first_aabb_hit, but with products n (1/d) for quotients n/d: equal
  *                             quotients stay equal when rounded, such products need not
  *   aabb_hit_closed           axis-parallel ray in a plane of the box: 0/0; d = -0.0
- *   aabb_hit_fmin             the same ray: fmin forgets the NaN and keeps the +-infinity beside it
- *   aabb_hit_inclusive        none of these; at corners and flat boxes entry and exit are the
- *                             same t and round apart
- *   aabb_hit_pbrt             as aabb_hit_closed, if d = -0.0; the exit is widened by 2 gamma(3),
- *                             gamma(3) = 3 u / (1 - 3 u), u = epsilon/2: no corner is lost
- *   aabb_hit_ize              none but at t < 0: it widens the exit by 2 ulp = 4 u
+ *   aabb_hit_ize              none but at t < 0: it widens the exit by 2 ulp = 4 u, u = epsilon/2
  *   aabb_hit                  none; widens the entry by 16 u, towards -infinity
  *
  * t_enter as in aabb.h, but only aabb_hit and lanes.h pad it; that of the others is rounded to
  * nearest, so it may lie an ulp or two behind the exact one.
  *
  *   aabb_method[m].name, .hit      all of them, for tables and tests; aabb8_hit is among them
- *   X_with(&b, &i, r, &t_enter)    the same with i = aabb_plain_inverse(r), once a ray; not of the
- *                                  first two, which divide
+ *   X_with(&b, &i, r, &t_enter)    the same with i = aabb_plain_inverse(r), once a ray, of kept and
+ *                                  ize; the others divide
  *
- * Sources: L. Yan, GAMES101, lecture 13, 2020 (first); T. Barnes, "Fast, branchless ray/bounding
- * box intersections, part 3", 2022 (inclusive); M. Pharr, W. Jakob, G. Humphreys, "Physically Based
- * Rendering", 3rd ed., 2016, section 3.9.2 (pbrt); T. Ize, "Robust BVH ray traversal", JCGT 2(2),
- * 2013 (ize).
+ * Sources: L. Yan, GAMES101, lecture 13, 2020 (first); T. Ize, "Robust BVH ray traversal", JCGT
+ * 2(2), 2013 (ize).
  */
 #ifndef AABB_SLABS_H
 #define AABB_SLABS_H
@@ -35,9 +28,8 @@
 
 typedef bool aabb_test(aabb b, ray r, real *t_enter);
 
-enum { aabb_of_first, aabb_of_closed, aabb_of_fmin, aabb_of_inclusive, aabb_of_pbrt, aabb_of_ize,
-       aabb_of_default, aabb_of_lanes, aabb_of_kept, aabb_of_mine,
-       aabb_methods = aabb_of_mine + aabb_mine };
+enum { aabb_of_first, aabb_of_closed, aabb_of_default, aabb_of_kept, aabb_of_ize, aabb_of_lanes,
+       aabb_of_mine, aabb_methods = aabb_of_mine + aabb_mine };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -88,65 +80,6 @@ static inline bool aabb_hit_kept_with(const aabb *b, const aabb_inverse *i, ray 
 }
 AABB_UNPREPARED(aabb_hit_kept)
 
-/* Sorts by fmin and fmax, which need no sign of d; but fmin(NaN, infinity) is infinity, so the ray
- * above enters the slab never. A call of libm each, unless the compiler knows better. */
-static inline bool aabb_hit_fmin_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
-{
-    vec3 p = vmul(vsub(b->lo, r.o), i->inverse), q = vmul(vsub(b->hi, r.o), i->inverse);
-    real t0 = fmax(fmax(fmin(p.x, q.x), fmin(p.y, q.y)), fmax(fmin(p.z, q.z), r.tmin));
-    real t1 = fmin(fmin(fmax(p.x, q.x), fmax(p.y, q.y)), fmin(fmax(p.z, q.z), r.tmax));
-    if (!(t0 <= t1)) return false;
-    *t_enter = t0;
-    return true;
-}
-AABB_UNPREPARED(aabb_hit_fmin)
-
-/* Needs neither the sign of d nor of 1/d: each plane is compared with what is known so far, and a
- * NaN, always the first argument, leaves it as it is. An empty box (lo > hi) looks full to it. */
-static inline void slab_narrow(real lo, real hi, real o, real i, real *t0, real *t1)
-{
-    real a = (lo - o) * i, b = (hi - o) * i;
-    real enter = real_min(real_max(a, *t0), real_max(b, *t0));
-    *t1 = real_max(real_min(a, *t1), real_min(b, *t1));
-    *t0 = enter;
-}
-
-static inline bool aabb_hit_inclusive_with(const aabb *b, const aabb_inverse *i, ray r,
-                                           real *t_enter)
-{
-    real t0 = r.tmin, t1 = r.tmax;
-    slab_narrow(b->lo.x, b->hi.x, r.o.x, i->inverse.x, &t0, &t1);
-    slab_narrow(b->lo.y, b->hi.y, r.o.y, i->inverse.y, &t0, &t1);
-    slab_narrow(b->lo.z, b->hi.z, r.o.z, i->inverse.z, &t0, &t1);
-    if (!(t0 <= t1)) return false;
-    *t_enter = t0;
-    return true;
-}
-AABB_UNPREPARED(aabb_hit_inclusive)
-
-/* Axis by axis; the planes change places if their t are out of order, which a NaN never is. */
-static inline bool slab_narrow_pbrt(real lo, real hi, real o, real i, real *t0, real *t1)
-{
-    const real u = real_epsilon / 2, gamma = 3 * u / (1 - 3 * u);
-    real near = (lo - o) * i, far = (hi - o) * i;
-    if (near > far) { real swap = near; near = far; far = swap; }
-    far *= 1 + 2 * gamma;
-    *t0 = near > *t0 ? near : *t0;
-    *t1 = far < *t1 ? far : *t1;
-    return !(*t0 > *t1);
-}
-
-static inline bool aabb_hit_pbrt_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
-{
-    real t0 = r.tmin, t1 = r.tmax;
-    if (!slab_narrow_pbrt(b->lo.x, b->hi.x, r.o.x, i->inverse.x, &t0, &t1)
-        || !slab_narrow_pbrt(b->lo.y, b->hi.y, r.o.y, i->inverse.y, &t0, &t1)
-        || !slab_narrow_pbrt(b->lo.z, b->hi.z, r.o.z, i->inverse.z, &t0, &t1)) return false;
-    *t_enter = t0;
-    return true;
-}
-AABB_UNPREPARED(aabb_hit_pbrt)
-
 /* As aabb_hit_inverse, but padded at the other end. */
 static inline bool aabb_hit_ize_with(const aabb *b, const aabb_inverse *i, ray r, real *t_enter)
 {
@@ -177,9 +110,8 @@ static inline bool aabb_hit_lanes(aabb b, ray r, real *t_enter)
 }
 
 static const struct { const char *name; aabb_test *hit; } aabb_method[] = {
-    {"first", first_aabb_hit}, {"closed, <=", aabb_hit_closed}, {"fmin, fmax", aabb_hit_fmin},
-    {"inclusive", aabb_hit_inclusive}, {"pbrt, 2 gamma(3)", aabb_hit_pbrt},
-    {"Ize, 2 ulp", aabb_hit_ize}, {"aabb_hit", aabb_hit}, {"aabb8_hit, float", aabb_hit_lanes},
-    {"first, 1/d kept", aabb_hit_kept}, {"mine", mine_aabb_hit}};
+    {"first", first_aabb_hit}, {"closed, <=", aabb_hit_closed}, {"aabb_hit", aabb_hit},
+    {"first, 1/d kept", aabb_hit_kept}, {"Ize, 2 ulp", aabb_hit_ize},
+    {"aabb8_hit, float", aabb_hit_lanes}, {"mine", mine_aabb_hit}};
 
 #endif

@@ -31,10 +31,9 @@ typedef struct { vec3 c, axis[3], half; } aabb_turned;  /* axes: unit, at right 
 static inline ray line_through(aabb b, uint64_t seed, uint64_t i)
 {
     random_stream s = random_start(seed, i, 0);
-    real z = 2 * random_next(&s) - 1, a = 2 * pi * random_next(&s), flat = sqrt(1 - z * z);
-    vec3 d = {flat * cos(a), flat * sin(a), z}, u, v;
+    vec3 d = random_unit(&s), u, v;
     real reach = vlength(vsub(b.hi, b.lo)) / 2, r = reach * sqrt(random_next(&s));
-    a = 2 * pi * random_next(&s);
+    real a = 2 * pi * random_next(&s);
     vbasis(d, &u, &v);
     vec3 o = vmadd(vmadd(aabb_centre(b), u, r * cos(a)), v, r * sin(a));
     return ray_from(vmadd(o, d, -2 * reach), d);

@@ -52,16 +52,10 @@ static const leaving ways[leavings] = {
     {"scaled eps along n", leave_normal, true, false}, {"ulps", leave_ulps, false, false},
     {"error bounds", leave_bounds, false, false},      {"leave", leave, false, false}};
 
-static inline vec3 departure_unit(random_stream *s)
-{
-    real z = 2 * random_next(s) - 1, a = 2 * pi * random_next(s), r = sqrt(real_max(0, 1 - z * z));
-    return (vec3){r * cos(a), r * sin(a), z};
-}
-
 static inline shape departure_shape(departure_kind kind, real size, vec3 c, random_stream *s,
                                     vec3 corner[5])
 {
-    vec3 x, y, z = departure_unit(s);
+    vec3 x, y, z = random_unit(s);
     vbasis(z, &x, &y);
     real a = random_next(s), b = random_next(s), turn = 2 * pi * random_next(s);
     if (kind == DEPART_SPHERE) return shape_of_sphere((sphere){c, size});
@@ -92,7 +86,7 @@ static inline vec3 departure_target(const shape *s, vec3 c, random_stream *r)
     if (s->kind == SHAPE_CONE) return vmadd(c, vsub(s->cone.b, c), a);
     if (s->kind == SHAPE_POLYGON)
         return vmadd(s->polygon.centre, vsub(s->polygon.v[(int)(5 * b)], s->polygon.centre), a);
-    return vmadd(c, departure_unit(r), s->sphere.r * a);
+    return vmadd(c, random_unit(r), s->sphere.r * a);
 }
 
 /* Some w with n.w = cosine. */
@@ -116,11 +110,11 @@ static inline void departure_make(departure *x, departure_kind kind, real size, 
 {
     for (uint64_t sample = 0;; sample++) {  /* until a ray hits */
         random_stream s = random_start(seed + (uint64_t)kind, i, sample);
-        vec3 c = vscale(departure_unit(&s), T);
+        vec3 c = vscale(random_unit(&s), T);
         x->s = departure_shape(kind, size, c, &s, x->corner);
         if (kind == DEPART_POLYGON) x->s.polygon.v = x->corner;
-        vec3 from = i % 2 ? vmadd(c, departure_unit(&s), size * (2 + 10 * random_next(&s)))
-                          : vscale(departure_unit(&s), real_max(T / 2, 3 * size));
+        vec3 from = i % 2 ? vmadd(c, random_unit(&s), size * (2 + 10 * random_next(&s)))
+                          : vscale(random_unit(&s), real_max(T / 2, 3 * size));
         x->r = ray_between(from, departure_target(&x->s, c, &s));
         x->r.tmax = real_infinity;
         if (!shape_hit(x->s, x->r, &x->h)) continue;

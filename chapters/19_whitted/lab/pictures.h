@@ -96,7 +96,7 @@ static inline void draw_tank(const options *o)
     whitted_stage *k = tank_new();
     whitted how[2] = {k->w, k->w};
     how[0].apart = true;
-    draw_panels(o, "19_whitted_tank.png", k, tank_camera((real)4 / 3), o->quick ? 96 : 360, how,
+    draw_panels(o, "19_whitted_tank.png", k, tank_camera((real)4 / 3), o->quick ? 96 : 320, how,
                 title, 2);
 }
 

@@ -8,6 +8,7 @@
 #ifndef MONTE_CARLO_LAB_PICTURES_H
 #define MONTE_CARLO_LAB_PICTURES_H
 
+#include "../../../common/lab/heat.h"
 #include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../../common/parallel.h"
@@ -118,11 +119,7 @@ static inline double heat_area(int column, int i, int j)
 /* A quarter: full blue; as many as expected: white; four times as many: full orange. */
 static inline vec3 heat_colour(double ratio)
 {
-    double t = ratio > 0 ? log2(ratio) / 2 : -1;
-    t = t < -1 ? -1 : t > 1 ? 1 : t;
-    vec3 full = t < 0 ? vec(0, 0.17, 0.45) : vec(0.67, 0.11, 0);
-    real part = (real)fabs(t);
-    return vmadd((vec3){1 - part, 1 - part, 1 - part}, full, part);
+    return balance_colour(ratio > 0 ? log2(ratio) / 2 : -1);
 }
 
 static inline void wrong_panel(size_t index, void *context)

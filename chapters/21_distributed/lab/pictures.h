@@ -22,22 +22,18 @@ enum { pictures_gap = 4 };
 
 static inline int pictures_cells(const options *o) { return o->quick ? 5 : 16; }
 
-/* White between the panels. */
+/* White between the panels, a title above each. */
 static inline image pictures_sheet(int across, int down, int w, int h)
 {
     return label_sheet(across * (w + pictures_gap) - pictures_gap,
                        down * (h + pictures_gap) - pictures_gap);
 }
 
-static inline bool pictures_panel(image *sheet, int i, int j, image *one, distributed_view *v,
-                                  int threads)
+static inline void pictures_panel(image *sheet, int i, int j, const image *one)
 {
-    bool whole = distributed_draw(v, one, threads);
     image_place(sheet, i * (one->width + pictures_gap), j * (one->height + pictures_gap), one);
-    return whole;
 }
 
-/* A title above each panel. */
 static inline void pictures_output(const options *o, image *sheet, int across, int down,
                                    const char *const *title, const char *name, bool whole)
 {
@@ -111,10 +107,9 @@ static inline void draw_teapot(const options *o)
         if (i > 1) k.pot_shine = (real)shine[i];
         distributed_view v = showroom_view(&k, SHOWROOM_GLOSSY, (real)w / (real)h);
         v.samples = i > 2 ? 32 : i ? 16 : 8, v.seed = o->seed;
-        if (i == 1) {
-            whole = draw_highlight(&k, v.c, &one, o->threads);
-            image_place(&sheet, w + pictures_gap, 0, &one);
-        } else whole = pictures_panel(&sheet, i % 2, i / 2, &one, &v, o->threads);
+        whole = i == 1 ? draw_highlight(&k, v.c, &one, o->threads)
+                       : distributed_draw(&v, &one, o->threads);
+        pictures_panel(&sheet, i % 2, i / 2, &one);
     }
     pictures_output(o, &sheet, 2, 2, title, "21_distributed_teapot.png", whole);
     image_free(&one), showroom_free(g);
@@ -134,13 +129,11 @@ static inline void draw_box(const options *o)
         distributed_box *b = box_new(i > 0, i > 1 ? ambient : (vec3){0, 0, 0}, reach[i]);
         distributed_view v = box_view(b, 1);
         v.samples = 32, v.seed = o->seed;
-        whole = pictures_panel(&sheet, i, 0, &one, &v, o->threads);
+        whole = distributed_draw(&v, &one, o->threads);
+        for (int k = 0; k < 3 * w * w; k++) one.rgb[k] *= 2;
+        pictures_panel(&sheet, i, 0, &one);
         box_free(b);
     }
-    for (int y = 0; y < w; y++)
-        for (int x = 0; x < sheet.width; x++)
-            if (x % (w + pictures_gap) < w)
-                image_set(&sheet, x, y, vscale(image_get(&sheet, x, y), 2));
     pictures_output(o, &sheet, 4, 1, title, "21_distributed_cornell.png", whole);
     image_free(&one);
 }

@@ -44,37 +44,36 @@ static inline radiometry_seen radiometry_seen_of(vec3 p)
                              spherical_rectangle_of(pane, p)};
 }
 
-static inline real sphere_sample(direction_way by, const radiometry_seen *k, real u, real v)
+/* Of light l: a point of it, by area. */
+static inline real light_by_area(radiometry_light l, real u, real v)
 {
-    hit h;
-    vec3 w = by == BY_COSINE ? sample_cosine(u, v) : sample_hemisphere(u, v);
-    if (by == BY_HEMISPHERE || by == BY_COSINE)
-        return !sphere_hit(lamp, ray_from(seen_from, w), &h) ? 0
-             : by == BY_COSINE ? pi : 2 * pi * w.z;
-    if (by == BY_SOLID_ANGLE)
-        return real_max(directed(k->axis, sample_cone(k->cone, u, v)).z, 0)
-             * 4 * pi * k->cone.half_sine2;
+    if (l == LIGHT_SQUARE) return area_term(pane, seen_from, seen_up, u, v);
     vec3 m = sample_sphere(u, v), y = vmadd(lamp.c, m, lamp.r);
     real r2 = vdot(y, y), facing = -vdot(m, y);
     return 4 * pi * lamp.r * lamp.r * real_max(y.z, 0) * real_max(facing, 0) / (r2 * r2);
 }
 
-static inline real square_sample(direction_way by, const radiometry_seen *k, real u, real v)
+/* A direction within its solid angle. */
+static inline real light_by_angle(radiometry_light l, const radiometry_seen *k, real u, real v)
 {
-    if (by == BY_AREA) return area_term(pane, seen_from, seen_up, u, v);
-    if (by == BY_SOLID_ANGLE) {
-        vec3 y = rectangle_at(pane, spherical_rectangle_sample(&k->square, u, v));
-        return real_max(vunit(y).z, 0) * k->square.omega;
-    }
-    vec3 w = by == BY_COSINE ? sample_cosine(u, v) : sample_hemisphere(u, v);
-    return !rectangle_met(pane, w) ? 0 : by == BY_COSINE ? pi : 2 * pi * w.z;
+    if (l == LIGHT_SPHERE)
+        return real_max(directed(k->axis, sample_cone(k->cone, u, v)).z, 0)
+             * 4 * pi * k->cone.half_sine2;
+    vec3 y = rectangle_at(pane, spherical_rectangle_sample(&k->square, u, v));
+    return real_max(vunit(y).z, 0) * k->square.omega;
 }
 
 /* k: for BY_SOLID_ANGLE, prepared once a point. */
 static inline real direction_sample(radiometry_light l, direction_way by,
                                     const radiometry_seen *k, real u, real v)
 {
-    return l == LIGHT_SPHERE ? sphere_sample(by, k, u, v) : square_sample(by, k, u, v);
+    hit h;
+    if (by == BY_AREA) return light_by_area(l, u, v);
+    if (by == BY_SOLID_ANGLE) return light_by_angle(l, k, u, v);
+    vec3 w = by == BY_COSINE ? sample_cosine(u, v) : sample_hemisphere(u, v);
+    bool met = l == LIGHT_SPHERE ? sphere_hit(lamp, ray_from(seen_from, w), &h)
+                                 : rectangle_met(pane, w);
+    return !met ? 0 : by == BY_COSINE ? pi : 2 * pi * w.z;
 }
 
 /* The mean of n samples. */

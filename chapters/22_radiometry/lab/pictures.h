@@ -15,6 +15,7 @@
 #ifndef RADIOMETRY_LAB_PICTURES_H
 #define RADIOMETRY_LAB_PICTURES_H
 
+#include "../../../common/lab/heat.h"
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "../../../common/output.h"
@@ -44,14 +45,6 @@ static inline vec3 heat(double e)
     return vmadd(stop[i], vsub(stop[i + 1], stop[i]), t - (real)i);
 }
 
-/* z = -4 full blue, 0 white, 4 full orange. */
-static inline vec3 z_colour(double z)
-{
-    vec3 full = z < 0 ? vec(0, 0.17, 0.45) : vec(0.67, 0.11, 0);
-    real part = (real)fmin(fabs(z / 4), 1);
-    return vmadd((vec3){1 - part, 1 - part, 1 - part}, full, part);
-}
-
 static inline void photon_job(size_t light, void *context)
 {
     radiometry_floors *f = context;
@@ -78,7 +71,7 @@ static inline vec3 floor_colour(const radiometry_floors *f, floor_light light, i
     if (row == 1) return heat(counted / floor_expected(light, 1, (double)f->photons));
     if (row == 2)
         return expected < 5 ? vec(0.6, 0.6, 0.6)
-                            : z_colour((counted - expected) / sqrt(expected));
+                            : balance_colour((counted - expected) / sqrt(expected) / 4);
     double e = (double)floor_exact(light, x, y), level = floor(log2(e));
     bool line = e > 1.0 / 1024 && (floor(log2((double)floor_exact(light, x + px, y))) != level
                                    || floor(log2((double)floor_exact(light, x, y + px))) != level);
@@ -100,21 +93,6 @@ static inline vec3 floor_place(const void *context, real x, real y)
 
 static inline vec3 floor_bar(real part) { return heat((double)pi * exp2(10 * ((double)part - 1))); }
 
-/* A title above each panel, and a bar of the colours below. */
-static inline image floor_labelled(const image *im, const char *const *title)
-{
-    enum { strip = 46 };
-    image panels = label_panels(im, floor_lights, floor_rows, floor_gap, title);
-    image sheet = image_new(panels.width, panels.height + strip);
-    label_fill(&sheet, 0, 0, sheet.width, sheet.height, vec(1, 1, 1));
-    image_place(&sheet, 0, 0, &panels);
-    label_bar(&sheet, sheet.width / 4, panels.height + 8, sheet.width / 2, 9, floor_bar,
-              (double)pi / 1024, (double)pi,
-              "irradiance [W/m^2], twice as much at each white line");
-    image_free(&panels);
-    return sheet;
-}
-
 static inline void draw_floor(const options *o)
 {
     image im = image_new(o->width, o->height);
@@ -128,10 +106,14 @@ static inline void draw_floor(const options *o)
         "ball: closed form", "square: closed form", "spotlight: closed form",
         "photons counted", "photons counted", "photons counted",
         "difference, in standard errors", "orange: too many", "blue: too few"};
-    bool labels = o->width >= 600 && o->height >= 300;  /* narrower, titles would run together */
-    image sheet = labels ? floor_labelled(&im, title) : im;
-    output_picture(o, &sheet, "22_radiometry.png", true, whole);
-    if (labels) image_free(&sheet);
+    if (o->width >= 600 && o->height >= 300) {  /* narrower, titles would run together */
+        enum { strip = 46 };                    /* below: a bar of the colours */
+        label_titles(&im, floor_lights, floor_rows, floor_gap, title), label_below(&im, strip);
+        label_bar(&im, im.width / 4, im.height - strip + 8, im.width / 2, 9, floor_bar,
+                  (double)pi / 1024, (double)pi,
+                  "irradiance [W/m^2], twice as much at each white line");
+    }
+    output_picture(o, &im, "22_radiometry.png", true, whole);
     image_free(&im), free(f);
 }
 
@@ -201,9 +183,9 @@ static inline void draw_view(const options *o)
     int side = (im.width - floor_gap) / 2;
     bool whole = pixels_draw(&im, 3, o->threads, "view", view_place, &side);
     static const char *const title[2] = {"area: solid angle", "area: solid angle times cosine"};
-    image sheet = label_panels(&im, 2, 1, floor_gap, title);
-    output_picture(o, &sheet, "22_radiometry_view.png", false, whole);
-    image_free(&im), image_free(&sheet);
+    label_titles(&im, 2, 1, floor_gap, title);
+    output_picture(o, &im, "22_radiometry_view.png", false, whole);
+    image_free(&im);
 }
 
 #endif

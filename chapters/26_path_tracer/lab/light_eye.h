@@ -82,7 +82,7 @@ static inline void draw_light(const options *o)
     for (int k = 0; k < 2; k++) {
         table_text(&counted, k ? "from the lamp" : "from the eye"), table_count(&counted, paths);
         table_number(&counted, rays[k] / (double)paths), table_number(&counted, seconds[k]);
-        for (int i = 0; i < 3 * side * side; i++) im[k].rgb[i] *= 2;
+        pictures_expose(&im[k], 2);
         image_place(&all, k * side, 0, &im[k]);
         image_free(&im[k]);
     }

@@ -15,32 +15,28 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* The picture of a scene; *whole: not stopped. */
-static inline image picture_of(const options *o, const char *scene_name, int w, int h,
-                               uint32_t samples, real exposure, bool *whole)
+static inline void pictures_expose(image *im, real exposure)
 {
-    showcase c;
-    failure why;
-    path_tracer t;
-    if (!showcase_of(scene_name, (real)w / (real)h, &c, &why)) fail(why);
-    path_tracer_of(&c.s, showcase_sky(&c), path_defaults, &t);
-    render_job j = {.tracer = &t, .eye = c.eye, .seed = o->seed, .threads = o->threads};
-    film f = film_new(w, h);
-    *whole = render_range(&j, &f, 0, samples);
-    image im = film_picture(&f);
-    for (size_t i = 0; i < 3 * (size_t)w * (size_t)h; i++) im.rgb[i] *= (float)exposure;
-    film_free(&f), path_tracer_free(&t), showcase_free(&c);
-    return im;
+    for (size_t i = 0; i < 3 * (size_t)im->width * (size_t)im->height; i++)
+        im->rgb[i] *= (float)exposure;
 }
 
 static inline void draw_scene(const options *o, const char *scene_name, int w, int h,
                               uint32_t samples, real exposure, const char *file, bool is_main)
 {
-    bool whole;
+    showcase c;
+    failure why;
+    path_tracer t;
     int q = o->quick && !is_main ? 6 : 1;
-    image im = picture_of(o, scene_name, w / q, h / q, o->quick ? 4 : samples, exposure, &whole);
+    if (!showcase_of(scene_name, (real)(w / q) / (real)(h / q), &c, &why)) fail(why);
+    path_tracer_of(&c.s, showcase_sky(&c), path_defaults, &t);
+    render_job j = {.tracer = &t, .eye = c.eye, .seed = o->seed, .threads = o->threads};
+    film f = film_new(w / q, h / q);
+    bool whole = render_range(&j, &f, 0, o->quick ? 4 : samples);
+    image im = film_picture(&f);
+    pictures_expose(&im, exposure);
     output_picture(o, &im, file, is_main, whole);
-    image_free(&im);
+    image_free(&im), film_free(&f), path_tracer_free(&t), showcase_free(&c);
 }
 
 /* One film: each rung adds samples to the one before, and says itself how far off it is (26.7). */
@@ -68,9 +64,10 @@ static inline void draw_ladder(const options *o)
         whole = render_range(&j, &f, k ? samples / 4 : 0, samples);
         double error = film_error(&f);
         image im = film_picture(&f);
+        pictures_expose(&im, 2);
         for (int i = 0; i < size * size; i++) {
             int x = i % size, y = i / size;
-            image_set(&all, k * size + x, y, vscale(image_get(&im, x / larger, y / larger), 2));
+            image_set(&all, k * size + x, y, image_get(&im, x / larger, y / larger));
         }
         image_free(&im);
         table_count(&rows, samples);
@@ -82,9 +79,9 @@ static inline void draw_ladder(const options *o)
         before = error;
     }
     output_extra_table(o, &rows);
-    image titled = label_panels(&all, n, 1, 0, title);
-    output_picture(o, &titled, "26_path_tracer_ladder.png", false, whole);
-    image_free(&all), image_free(&titled);
+    label_titles(&all, n, 1, 0, title);
+    output_picture(o, &all, "26_path_tracer_ladder.png", false, whole);
+    image_free(&all);
     film_free(&f), path_tracer_free(&t), showcase_free(&c);
 }
 
@@ -140,14 +137,14 @@ static inline void draw_strategies(const options *o)
     for (int k = 0; k < step_panels && whole; k++) {
         char said[64];
         image im = step_picture(o, &c, k, side, said, &whole);
-        for (int i = 0; i < 3 * side * side; i++) im.rgb[i] *= 2;
+        pictures_expose(&im, 2);
         label_tag(&im, 0, side - 2 * size, size, said);
         image_place(&all, k * side, 0, &im);
         image_free(&im);
     }
-    image titled = label_panels(&all, step_panels, 1, 0, title);
-    output_picture(o, &titled, "26_path_tracer_strategies.png", false, whole);
-    image_free(&all), image_free(&titled), showcase_free(&c);
+    label_titles(&all, step_panels, 1, 0, title);
+    output_picture(o, &all, "26_path_tracer_strategies.png", false, whole);
+    image_free(&all), showcase_free(&c);
 }
 
 #endif

@@ -117,7 +117,7 @@ static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
                               const pixel_path *path)
 {
     char room[512];
-    camera view = showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
+    camera view = vertices_view();
     figure g = figure_at(output_path(o, "26_path_tracer_pixel.svg", true, room), 480, 480);
     figure_origin(&g, 0, 480, 480);
     vertices_room(&g, view, &c->s);
@@ -125,19 +125,7 @@ static inline void pixel_draw(const options *o, const showcase *c, bool blocks,
     for (size_t k = vertices_walls; blocks && 2 * k < m.triangles; k++)
         vertices_wall(&g, view, &m, k);
     mesh_free(&m);
-    for (int k = 0; k < path->n; k++) {
-        const vertex_seen *v = &path->v[k];
-        vec3 from = k ? path->v[k - 1].p : vadd(v->p, vscale(vsub(c->eye.e, v->p), (real)0.42));
-        if (v->drawn)
-            vertices_line(&g, view, v->p, v->lamp, v->blocked ? FIGURE_GREY : FIGURE_ORANGE, 2,
-                          FIGURE_DASHED);
-        vertices_line(&g, view, from, v->p, FIGURE_BLUE, 2, FIGURE_WHOLE);
-    }
-    for (int k = 0; k < path->n; k++) {
-        vertices_point p = vertices_place(view, path->v[k].p);
-        figure_dot(&g, p.x, p.y, 5, FIGURE_BLUE);
-        figure_print(&g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, "*x*~%d~", k);
-    }
+    vertices_path(&g, view, c->eye.e, path->v, path->n);
     figure_end(&g);
 }
 

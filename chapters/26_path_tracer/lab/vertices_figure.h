@@ -97,6 +97,18 @@ static inline vertices_point vertices_place(camera c, vec3 p)
     return (vertices_point){(double)x, 1 - (double)y};
 }
 
+/* Where the drawing of the eye's ray begins. */
+static inline vec3 vertices_from(vec3 eye, const vertex_seen *v)
+{
+    return vadd(v[0].p, vscale(vsub(eye, v[0].p), (real)0.42));
+}
+
+/* From outside, through the red wall. */
+static inline camera vertices_view(void)
+{
+    return showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
+}
+
 static inline void vertices_line(figure *g, camera c, vec3 a, vec3 b, const char *colour,
                                  double width, const char *dashes)
 {
@@ -149,22 +161,27 @@ static inline void vertices_room(figure *g, camera c, const lit_scene *s)
     mesh_free(&m);
 }
 
-static inline void vertices_path(figure *g, camera c, vec3 eye, const vertex_seen *v)
+/* The n hits of a path, with their light samples. */
+static inline void vertices_path(figure *g, camera c, vec3 eye, const vertex_seen *v, int n)
 {
-    vec3 from = vadd(v[0].p, vscale(vsub(eye, v[0].p), (real)0.42));
-    for (int k = 0; k < vertices_most; k++)
+    for (int k = 0; k < n; k++)
         if (v[k].drawn)
             vertices_line(g, c, v[k].p, v[k].lamp, v[k].blocked ? FIGURE_GREY : FIGURE_ORANGE, 2,
                           FIGURE_DASHED);
-    for (int k = 0; k < vertices_most; k++)
-        vertices_line(g, c, k ? v[k - 1].p : from, v[k].p, FIGURE_BLUE, 2, FIGURE_WHOLE);
-    for (int k = 0; k < vertices_most; k++) {
+    for (int k = 0; k < n; k++)
+        vertices_line(g, c, k ? v[k - 1].p : vertices_from(eye, v), v[k].p, FIGURE_BLUE, 2,
+                      FIGURE_WHOLE);
+    for (int k = 0; k < n; k++) {
         vertices_point p = vertices_place(c, v[k].p), y = vertices_place(c, v[k].lamp);
         if (v[k].drawn) figure_dot(g, y.x, y.y, 3.5, v[k].blocked ? FIGURE_GREY : FIGURE_RED);
         figure_dot(g, p.x, p.y, 5, FIGURE_BLUE);
         figure_print(g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, "*x*~%d~", k);
     }
-    vertices_point e = vertices_place(c, from), y = vertices_place(c, v[0].lamp);
+}
+
+static inline void vertices_names(figure *g, camera c, vec3 eye, const vertex_seen *v)
+{
+    vertices_point e = vertices_place(c, vertices_from(eye, v)), y = vertices_place(c, v[0].lamp);
     vertices_point metal = vertices_place(c, (vec3){390, 30, 350});
     figure_text(g, y.x, y.y, 0, -14, FIGURE_MIDDLE, FIGURE_BLACK, "lamp");
     figure_text(g, metal.x, metal.y, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "metal");
@@ -207,12 +224,13 @@ static inline void draw_vertices(const options *o)
     step_scene(&c);
     c.s.material[cornell_parts].f = brdf_ggx(vec(0.95, 0.93, 0.88), (real)0.3);
     path_tracer_of(&c.s, NULL, path_defaults, &t);
-    camera view = showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
+    camera view = vertices_view();
     if (vertices_find(&t, c.eye, v)) {
         figure g = figure_begin(o, "26_path_tracer_vertices.svg", 940, 480);
         figure_origin(&g, 0, 480, 480);
         vertices_room(&g, view, &c.s);
-        vertices_path(&g, view, c.eye.e, v);
+        vertices_path(&g, view, c.eye.e, v, vertices_most);
+        vertices_names(&g, view, c.eye.e, v);
         figure_origin(&g, 500, 130, 1);
         vertices_rows(&g, v);
         figure_end(&g);

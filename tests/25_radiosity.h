@@ -1,4 +1,4 @@
-/* radiosity_box.h: a closed box whose walls differ, as a linear system (辐射度方法).
+/* 25_radiosity.h: a closed box whose walls differ, as a linear system (辐射度方法).
  *
  *     .________.       the cube [-1,1]^3, wall k = 0..5 at x = -1, x = +1, y = -1, ... +1, matte,
  *    /|_|_|_|_/|       E[k] and rho[k] each; every wall is cut into m x m squares, on each of
@@ -17,8 +17,8 @@
 #ifndef BOUNCES_RADIOSITY_BOX_H
 #define BOUNCES_RADIOSITY_BOX_H
 
-#include "../../22_radiometry/polygon_irradiance.h"
-#include "furnace.h"
+#include "../chapters/22_radiometry/polygon_irradiance.h"
+#include "../chapters/25_bounces/lab/furnace.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 

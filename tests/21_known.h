@@ -1,4 +1,4 @@
-/* known.h: questions for soft shadows, lobes, the sky, lenses and shutters with known answers.
+/* 21_known.h: questions for soft shadows, lobes, the sky, lenses and shutters with known answers.
  *
  *   known k;
  *   known_make(KNOWN_PENUMBRA, &k);           known_free(&k)
@@ -31,8 +31,8 @@
 #ifndef DISTRIBUTED_KNOWN_H
 #define DISTRIBUTED_KNOWN_H
 
-#include "../../20_monte_carlo/t_test.h"
-#include "../distributed.h"
+#include "../chapters/20_monte_carlo/t_test.h"
+#include "../chapters/21_distributed/distributed.h"
 
 typedef enum {
     KNOWN_SQUARE, KNOWN_DISK, KNOWN_BALL, KNOWN_PENUMBRA, KNOWN_LOBE, KNOWN_HORIZON,
