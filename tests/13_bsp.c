@@ -367,11 +367,39 @@ static void test_wall_goes_to_the_smaller_part(void)
     bsp_free(&b), mesh_free(&m);
 }
 
+/* What a ray must have to spare, in eps D: bsp.h has the sum. Of its first term, a hit 256 off its
+ * item, climbing has met 51: no ray sees the rest. And half the box must not be rounded down. */
+static void test_owed(void)
+{
+    const bsp b = {.all = {{-1, -1, -1}, {1, 1, 1}}, .half = {1, 1, 1}};
+    const real owed = 4 * real_epsilon;  /* D = 4 */
+    bsp_ray s;
+    check(bsp_ray_of(&b, ray_from((vec3){0, 0, -3}, (vec3){0, 0, 1}), 2, &s), "through the box");
+    check_at_least(s.pad, (443 + 358 + 25) * owed, "planes");
+    check_at_most(s.t0, 2 - (256 + 3) * owed, "the box is entered so much too early");
+    check_at_least(s.t1, 4 + (256 + 3) * owed, "and left so much too late");
+    size_t outside = 0;
+    for (size_t i = 0; i < check_count(8000); i++) {
+        random_stream g = random_start(17, i, 0);
+        vec3 p = random_in_cube(&g, 1), q = random_in_cube(&g, 1);
+        p = vscale(p, (real)0.3), q = vscale(q, (real)0.3);  /* with all their digits */
+        bsp t = {.all = {vmin(p, q), vmax(p, q)}};
+        workshop w = {.sides = BSP_SIDES_SAFE};
+        bsp_frame(&t, &w);
+        wide above = wide_sum((double)t.all.hi.x, -(double)t.middle.x);
+        wide below = wide_sum((double)t.middle.x, -(double)t.all.lo.x);
+        outside += wide_sign(wide_sub(wide_of((double)t.half.x), above)) < 0;
+        outside += wide_sign(wide_sub(wide_of((double)t.half.x), below)) < 0;
+    }
+    check_equal(outside, 0, "half the box, in all digits");
+}
+
 int main(void)
 {
     test_wall_goes_to_the_smaller_part();
     test_sides();
     test_clip();
+    test_owed();
     test_cells();
     test_refused();
     test_limits();

@@ -63,6 +63,78 @@ static void test_corners(void)
     check_at_least(lost[1], rays / 10, "lost without what is added");
 }
 
+/* ---- the bounds of ray8.h. No ray has met half of them: roundings do not all conspire. So it is
+ * asked where doubt begins, and that must not be nearer than the sum of what is owed. u = 2^-24. */
+
+#define u24 0x1p-24
+#define eps ((double)real_epsilon)
+
+/* A triangle in the frame, corners (0, -a), (0, a), (b, 0) and z; a ray along z from z = -1. */
+typedef struct { double a, b, z[3], x, tmax; } doubtful;
+
+static bool in_doubt(doubtful c, bvh8_ray *q)
+{
+    const double v[9] = {0, -c.a, c.z[0], 0, c.a, c.z[1], c.b, 0, c.z[2]};
+    const bvh8 w = {.scale = 1, .exact = true};
+    bvh8_block one = {.index = {0}};
+    for (int j = 0; j < 9; j++) one.corner[j][0] = (float)v[j];
+    for (int k = 1; k < 8; k++) one.index[k] = no_shape;
+    ray r = {vec(c.x, 0, -1), 0, {0, 0, 1}, (real)c.tmax};
+    size_t before = bvh8_asked;
+    bvh8_ray_of(&w, &r, &bvh8_skip_none, q);
+    bvh8_triangles_0(&w, &one, q, true);
+    return bvh8_asked > before;
+}
+
+/* *at is a member of c: where between its value, in doubt, and `no` does doubt end? */
+static double doubt_ends(doubtful *c, double *at, double no)
+{
+    bvh8_ray q;
+    for (double yes = *at, i = 0; i < 50; i++) {
+        *at = (yes + no) / 2;
+        if (in_doubt(*c, &q)) yes = *at;
+        else no = *at;
+    }
+    return no;
+}
+
+static void test_bounds(void)
+{
+    bvh8_ray q;
+    doubtful c = {1, 1, {0, 0, 0}, 0, 100};
+    check(in_doubt(c, &q), "on an edge: in doubt");
+    double around = (double)q.around;
+    check_at_least(around, 20 * u24 + 16 * eps, "(15.7), S = 1");
+    double delta = (double)(q.far_o[2] - q.near_o[2]) / 2;  /* 1 / d = 1; rounded */
+    check_at_least(delta, 10 * u24 + 512 * eps - u24, "(15.6)");
+    double h = doubt_ends(&c, &c.x, 0.01);  /* e = 2 h, |x|, |y| <= 1 */
+    check_at_least(2 * h, 4 * around + 2 * around * around + 16 * u24, "(15.8), a hit");
+    c = (doubtful){8 * around, 4 * around, {0, 0, 0}, 0, 100};
+    h = -doubt_ends(&c, &c.x, -4 * around);  /* beside a tiny one: e = 2 a h, m = a */
+    check_at_least(2 * c.a * h, (4 * 8 + 2) * around * around, "(15.8), a miss");
+    c = (doubtful){1, 1, {0, 0, 0}, 0.25, 1};
+    double flat = doubt_ends(&c, &c.tmax, 1.1) - 1;
+    check_at_least(flat, 17 * u24 + 280 * eps, "(15.9): 17 roundings; t of 04, 140 eps of 2 S");
+    c = (doubtful){1, 1, {-0.5, 0.5, 0}, 0.25, 1};
+    double tilted = doubt_ends(&c, &c.tmax, 1.1) - 1;  /* spread 1, det 2, m 1 */
+    check_at_least(tilted - flat, 0.99 * 4 * (4 * around + 16 * u24) / 2, "(15.9), tilted");
+    size_t wrong = 0;
+    bvh8_ray unit = {.scale = 1};
+    for (size_t i = 0; i < check_count(8000); i++) {
+        real x = 1 + random_real_of(random_mix(i));
+        double low = (double)x * (1 - 2 * u24), high = (double)x * (1 + 2 * u24);
+        bvh8_interval(&unit, &(ray){.tmin = x, .tmax = x});
+        wrong += !((double)unit.tmin <= low && (double)unit.sure_max <= low);
+        wrong += !((double)unit.limit >= high && (double)unit.sure_min >= high);
+        wrong += !((double)bvh8_limit(&unit, x) >= high);
+    }
+    check_equal(wrong, 0, "the ends of an interval leave two roundings, whatever x");
+    const bvh8 w = {.scale = 1};
+    ray r = ray_from((vec3){0, 0, -65536}, (vec3){0, 0, 1});
+    bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
+    check_at_least(q.slack, 3 * eps * 65536, "far away: the place is off by 3 eps of the way");
+}
+
 /* Corners that are floats are taken from the blocks, others from the mesh. */
 static void test_floats(void)
 {
@@ -346,6 +418,34 @@ static void test_far(void)
     mesh_free(&m);
 }
 
+/* Of three faces in a row: one that the ray starts on, a few that its end lies on, both. */
+static void test_left_out(void)
+{
+    static const struct { bvh8_skip but; uint32_t first; } list[] = {
+        {{no_shape, no_shape, no_shape}, 0}, {{0, no_shape, no_shape}, 1}, {{2, 0, 1}, no_shape},
+        {{1, 0, 0}, 2}, {{no_shape, 0, 1}, 2}, {{1, 2, 2}, 0}, {{no_shape, 0, 2}, no_shape}};
+    mesh m = mesh_room(3);
+    for (size_t i = 0; i < m.triangles; i++)
+        set_triangle(&m, i, (vec3){-1, -1, (real)i}, (vec3){1, -1, (real)i}, (vec3){0, 1, (real)i});
+    items x = items_of_mesh(&m);
+    ray r = ray_from((vec3){0, 0, -1}, (vec3){0, 0, 1});
+    for (int d = EIGHT_PLAIN; d <= (int)eight_best(); d++) {
+        bvh8 w;
+        bvh8_options how = bvh8_defaults;
+        how.dialect = (eight_dialect)d;
+        check(bvh8_build(&x, how, &w, NULL), "built");
+        for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+            hit h = hit_none;
+            bool met = bvh8_hit_but(&w, r, list[i].but, &h);
+            check_equal(h.shape, list[i].first, "%s, left out %zu: the next", dialect_name[d], i);
+            check(met == (list[i].first != no_shape)
+                  && bvh8_occluded_but(&w, r, list[i].but) == met, "left out %zu: met at all", i);
+        }
+        bvh8_free(&w);
+    }
+    mesh_free(&m);
+}
+
 static void test_options(void)
 {
     mesh m = octahedron_mesh(2);
@@ -391,10 +491,12 @@ int main(void)
     test_interrupted();
     test_structures();
     test_corners();
+    test_bounds();
     test_floats();
     test_invariants();
     test_leaks();
     test_far();
+    test_left_out();
     test_split();
     test_depth();
     test_cost();

@@ -820,6 +820,17 @@ static void test_pad_formula(void)
     check_close(p.by_origin, third * eps * 260, 8 * eps * eps * 260, "what the ray pays");
     check_close(p.fixed, third * (260 * eps * far + 2 * eps * world), 8 * eps * eps * 260 * far,
                 "what the box pays, with an exact inverse");
+    const struct { real shear; bool sure; } shears[] = {{1 / (8 * eps), false},
+                                                        {1 / (32 * eps), true}};
+    for (int i = 0; i < 2; i++) {  /* E = 0, k = 1 + 2 shear: g = 4 eps shear, 1/2 and 1/8 */
+        affine back, s = {{1, 0, 0}, {shears[i].shear, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+        check(instance_inverse(s, &back) == shears[i].sure, "2 eps k of %g: within 1/4 or not",
+              (double)(2 * eps * affine_growth(s, (affine){s.x, vsub(s.y, vscale(s.x, 2 * s.y.x)),
+                                                           s.z, s.o})));
+    }
+    ray in = {.o = {0, 0, 0}}, r = ray_from((vec3){0, 0, 0}, (vec3){real_smallest / eps, 0, 0});
+    affine half = affine_scaling((vec3){0.5, 0.5, 0.5}), same = affine_scaling((vec3){1, 1, 1});
+    check(instance_ray(&same, r, &in) && !instance_ray(&half, r, &in), "D' as short as may be");
     a.y.y += off, a.o.x += 2 * off;
     p = placing_of(m, a, V);
     check_close(p.fixed, third * (4 * off + 2 * off * world), 400 * eps * far,

@@ -45,6 +45,8 @@ static double wide_fresnel(vec3 d, vec3 n, real n1, real n2)
 
 static void test_reflect(void)
 {
+    vec3 low = lifted(vec(0.8, 0, -0.6), (vec3){0, 0, 1});
+    check_close(low.z / real_epsilon, 16 / 0.8, 0.01, "lifted: by 16 eps, then made unit");
     random_stream s = random_start(1, 0, 0);
     double eps = (double)real_epsilon, off = 0, turn = 0, plane = 0;
     for (size_t i = 0; i < check_count(20000); i++) {

@@ -116,7 +116,7 @@ static void test_hard_triangles(void)
                                             exact));
         wrong_sign += solid_angle(vsub(t.a, p), vsub(t.b, p), vsub(t.c, p)) * exact < 0;
     }
-    check_at_most(worst, 16 * eps, "what the header promises");
+    check_at_most(worst, 16 * eps, "what the header says of all but the worst");
     check_at_most(volume, 8 * eps, "volume: half of it, roundings do not all conspire");
     check_at_least(girard, 1, "Girard: no digit is right");
     check_at_least(plain, 0.5, "as in chapter 07: no digit is right");
@@ -138,6 +138,38 @@ static void test_near_corners(void)
         worst = check_worse(worst, relative((double)triangle_solid_angle(t, p), exact));
     }
     check_at_most(worst, 16 * eps, "near a corner: what the header promises");
+}
+
+/* Found by climbing for the error, p = 0: b and c nearly opposite of each other, a close by, and
+ * all roundings conspire. Rows 1 and 2 (double), 3 and 4 (float) the fast form must give up: with a
+ * quarter of either term of off_d it keeps them, 37 to 90 epsilon off. The last two it keeps; they
+ * are the worst that was met. */
+static void test_climbed(void)
+{
+    static const struct { double v[9]; double bound; } list[] = {
+        {{-0x1.2c3c61dfb04dep-11, -0x1.dd0390842fc12p-12, 0x1.94e3cfed37e79p-14,
+          0x1.88b3d1cde1c86p-3, 0x1.8f1d7cf1c83c8p-3, -0x1.ea4139ea21a53p-4,
+          -0x1.28210b38f3bdep-3, -0x1.775c5f4916499p-3, 0x1.4f599f2b1c47bp-4}, 16},
+        {{0x1.1475068d2801cp-4, 0x1.d47ef1f1f2439p-5, -0x1.b562d548cad44p-7,
+          0x1.56aed4f0734cap-5, 0x1.7b2c4e81464f4p-4, -0x1.6ffa68b1be441p-5,
+          -0x1.f8d481aba13c4p-2, -0x1.13c16c0956ceap-2, 0x1.25da7b87940d7p-3}, 16},
+        {{0x1.f37df2p-11, -0x1.3b36dp-12, 0x1.0540ecp-12, -0x1.3b4124p-2, 0x1.9bbb2p-4,
+          -0x1.ce15b8p-5, -0x1.2241c2p+1, -0x1.3c6b3ap-1, 0x1.6344c2p-2}, 16},
+        {{-0x1.a5fe64p-3, 0x1.d11eccp-2, 0x1.0c955ap-5, 0x1.7a0d22p-1, -0x1.6a147cp-1,
+          0x1.76e6fep-3, -0x1.1da402p-2, 0x1.d87b8ep-2, -0x1.172132p-3}, 16},
+        {{-0x1.164c285018494p-9, -0x1.7d0508b3970a1p-11, 0x1.69e06445654f8p-10,
+          -0x1.c91941d0f8911p-5, -0x1.8c986b293dc2ep-5, 0x1.21408765eb6dcp-5,
+          0x1.16ec7770737bap-5, 0x1.8a372e38daa13p-7, -0x1.1810630fb7ad8p-7}, 40},
+        {{-0x1.1a5702p-11, -0x1.b378dp-10, -0x1.a874a4p-13, -0x1.fdeb5cp-12, -0x1.4adb74p-9,
+          -0x1.aeebfp-11, 0x1.0bdda8p-6, 0x1.a125aep-6, 0x1.9e4536p-7}, 40}};
+    for (size_t i = 0; i < sizeof list / sizeof *list; i++) {
+        const double *v = list[i].v;
+        triangle t = {vec(v[0], v[1], v[2]), vec(v[3], v[4], v[5]), vec(v[6], v[7], v[8])};
+        vec3 p = {0, 0, 0};
+        double exact = triangle_solid_angle_exact(t, p);
+        check_at_most(relative((double)triangle_solid_angle(t, p), exact), list[i].bound * eps,
+                      "climbed to, row %d", (int)i + 1);
+    }
 }
 
 /* Rectangles seen edge-on: p all but in their plane, far and near. s.t = 0 to the last bit. */
@@ -243,6 +275,7 @@ int main(void)
     test_known_triangles();
     test_hard_triangles();
     test_near_corners();
+    test_climbed();
     test_edge_on_rectangles();
     test_sizes_of_bounds();
     test_sums();

@@ -368,6 +368,8 @@ static void test_extremes(void)
 
     brdf smooth = brdf_ggx(white, 0);
     check(brdf_is_delta(&smooth), "roughness 0 is a mirror");
+    brdf hair = brdf_ggx(white, sqrt(sqrt(real_epsilon) / 2));
+    check(brdf_is_delta(&hair), "alpha below the root of epsilon, too");
     brdf below = brdf_ggx(white, -1), beyond = brdf_ggx(white, 7);
     check(brdf_is_delta(&below) && beyond.alpha == 1, "roughness is clamped to [0,1]");
     brdf blunt = brdf_blinn_phong(black, white, -3);
@@ -420,6 +422,8 @@ static void test_nothing(void)
             check(wi.x == 7 && pdf == 7 && weight.x == 7, "and nothing is written");
         }
     }
+    check(brdf_behind((vec3){1, 0, real_epsilon * real_epsilon / 2}), "epsilon^2 / 2 is rounding");
+    check(!brdf_behind((vec3){1, 0, real_epsilon * real_epsilon * 2}), "2 epsilon^2 is not");
     brdf matte = brdf_lambert(white);
     vec3 w = {7, 7, 7}, unused;
     real none;

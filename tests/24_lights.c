@@ -271,6 +271,12 @@ static void test_bounds(void)
             low = least < low ? least : low;
         }
     }
+    emitter ball = emitter_of_sphere((sphere){{0, 0, 0}, 3}, vec(1, 1, 1));
+    check_equal(ball.reach, 4 * 3, "(18.5), 4 eps R");
+    emitter wall = emitter_of_rectangle((rectangle){{8, 0, 0}, {0, 3, 0}, {0, 0, 4}}, vec(1, 1, 1));
+    check_equal(wall.reach, 2 * 5 + 2 * 8, "2 eps of the diagonal, and 2 of a corner, as rounded");
+    real near = 1 + 10 * real_epsilon;  /* 8 eps r + 4 eps |p| = 12 eps */
+    check(emitter_sphere_around((sphere){{0, 0, 0}, -1}, (vec3){near, 0, 0}), "p may be off");
     check_at_most(off[0], 1, "points of rectangles, beside those that rays meet");
     check_at_most(off[1], 1, "points of triangles");
     check_at_least(low, 1 - 4 * eps, "no bound below (18.5)");

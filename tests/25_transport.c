@@ -120,6 +120,9 @@ static void test_convergence(void)
     check(!transport_solve(&t, L), "closed and white, nearly: singular");
     transport_free(&t);
 
+    double pivot[2] = {0.5 * DBL_EPSILON, 2 * DBL_EPSILON}, one = 1;
+    check(!transport_eliminate(&pivot[0], &one, 1), "a pivot below n epsilon is rounding");
+    check(transport_eliminate(&pivot[1], &one, 1), "and above it none");
     t = transport_new(1);  /* gives back twice what it gets */
     t.K[0] = 2, t.E[0] = 1;
     check(transport_solve(&t, L), "rho = 2 has a solution");

@@ -118,6 +118,12 @@ static void test_hits(void)
             /* o + t d is off by the rounding of sum and t; both places are some 10 from 0. */
             off += !(vlength(vsub(a.p, p)) <= 4096 * real_epsilon);
             away += !(fabs(vlength(a.n) - 1) <= 8 * real_epsilon && a.error >= 0 && a.noise >= 0);
+            if (x.place == no_shape || studio_hit_solid(&t, x)) continue;
+            size_t k;
+            (void)studio_triangle(&t, x.place, x.h.shape, &k);
+            if (k == t.moved.n) continue;
+            real pad = placing_pad(&t.pad[k], a.p);  /* (16.3), beside what 18 asks of a triangle */
+            away += !(a.error > pad && a.noise > pad);
         }
         check_equal(wrong, 0, "kinds %d: hits as everything in turn has them", kinds);
         check_equal(seen, 0, "kinds %d: occluded, likewise", kinds);
@@ -362,6 +368,37 @@ static void test_sky(void)
     sky_light_free(&l), image_free(&s.picture);
 }
 
+/* What solid_surface says of a wall of radius 2 and of a plane 3 from 0; what counts as a
+ * rectangle, as inside a lamp, as more than it gets: whole numbers, of which the sums are told. */
+static void test_owed(void)
+{
+    const real eps = real_epsilon;
+    const struct { const char *text; ray r; real size, p, noise; } list[] = {
+        {"cylinder 0 0 0 0 0 1 2", {{5, 0, 0}, 0, {-1, 0, 0}, real_infinity}, 2 + 2, 2, 16},
+        {"half 0 0 1 3", {{0, 4, 9}, 0, {0, 0, -1}, real_infinity}, 5 + 3, 4, 8}};
+    for (int i = 0; i < 2; i++) {
+        studio_solid x;
+        failure f;
+        hit h = hit_none;
+        check(solid_read(&x, list[i].text, &f) && csg_hit(&x.c, list[i].r, &h), "%s", list[i].text);
+        surface s = solid_surface(&x, list[i].r, h);
+        real error = 4 * list[i].size + 2 * list[i].p, noise = list[i].noise * list[i].size;
+        check_close(s.error / eps, error, (real)0.01, "%s: error", list[i].text);
+        check_close(s.noise / eps, noise, (real)0.01, "%s: noise", list[i].text);
+        solid_free(&x);
+    }
+    vec3 v[4] = {{0, 0, 0}, {4, 0, 0}, {4 + 64 * eps, 4, 0}, {0, 4, 0}};  /* of 128 eps allowed */
+    lamp_list l = {.face = NULL};
+    lamps_add_polygon(&l, polygon_of(v, 4), (vec3){1, 1, 1});
+    check_equal(l.n, 1, "a rectangle but for roundings: one lamp");
+    lamps_free(&l);
+    vec3 p = {1 - 18 * eps, 0, 0};  /* 16 eps r + 4 eps |p| = 20 eps */
+    check(!lamps_within((sphere){{0, 0, 0}, 1}, p, (vec3){1, 0, 0}), "on it: the normal says");
+    appearance a = {.matte = {0.5, 0.5, 0.5}, .mirror = {(real)0.5 + 8 * eps, 0.5, 0.5}};
+    appearance_limit(&a);
+    check_equal(a.matte.y, (real)0.5, "1 + 8 eps: no more than it gets");
+}
+
 int main(void)
 {
     rng = random_start(27, 2, 0);
@@ -369,6 +406,7 @@ int main(void)
     test_equal();
     test_leaving();
     test_solids();
+    test_owed();
     test_lamps();
     test_sky();
     return check_report("27_tree");

@@ -1,6 +1,7 @@
 /* eight.h: eight floats at a time (单指令多数据, SIMD), in three dialects.
  *
  *   eight           eight floats; + - * / work lane by lane, as on one number (GNU vectors)
+ *   floats4         four of them: the three axes of a ray; floats4_min(a, b), _max, floats4_abs(a)
  *   eight_best()    the best dialect of this machine
  *
  *   what the operators do not say                plain C       AVX2       AVX-512    instructions
@@ -21,6 +22,9 @@
 #include <string.h>
 
 typedef int32_t eight_whole __attribute__((vector_size(32)));
+typedef uint32_t eight_count __attribute__((vector_size(32)));
+typedef int32_t whole4 __attribute__((vector_size(16)));
+typedef float floats4 __attribute__((vector_size(16)));
 typedef enum { EIGHT_PLAIN, EIGHT_AVX2, EIGHT_AVX512, eight_dialects } eight_dialect;
 
 #define EIGHT_ALL(x) ((eight){x, x, x, x, x, x, x, x})
@@ -89,6 +93,25 @@ EIGHT_LANES(eight_fma, fmaf(a, b, x[2][k]))
 #else
 EIGHT_LANES(eight_fma, a * b + x[2][k])
 #endif
+
+#define FLOATS4_ALL(x) ((floats4){x, x, x, x})
+
+__attribute__((always_inline))
+static inline floats4 floats4_min(floats4 a, floats4 b)
+{
+    for (int k = 0; k < 4; k++) a[k] = a[k] < b[k] ? a[k] : b[k];
+    return a;
+}
+
+__attribute__((always_inline))
+static inline floats4 floats4_max(floats4 a, floats4 b)
+{
+    for (int k = 0; k < 4; k++) a[k] = a[k] > b[k] ? a[k] : b[k];
+    return a;
+}
+
+__attribute__((always_inline))
+static inline floats4 floats4_abs(floats4 a) { return (floats4)((whole4)a & INT32_MAX); }
 
 /* A bit a lane, and then all ORed. */
 __attribute__((always_inline))

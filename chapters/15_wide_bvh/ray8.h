@@ -1,7 +1,7 @@
 /* ray8.h: a ray in float, and what float owes: the bounds that make eight triangles at once safe.
  *
- *   bvh8_ray_of(&w, &r, &skip, &q)        the ray in the frame of the tree; once a ray
- *   bvh8_before(&q, t), bvh8_limit(&q, t) t in the frame, rather too small, rather too large
+ *   bvh8_ray_of(&w, &r, &skip, &q)        the ray in the frame of the tree; once; false: it is none
+ *   bvh8_limit(&q, t)                     t in the frame, rather too large
  *   bvh8_settle(&w, &q)                   asks in `real` what was written down: the test of 04
  *
  * u = 2^-24; S is the largest of 1 and the origin's coordinates, all in the frame. Corners are at
@@ -17,9 +17,10 @@
  *              sides, two products and a sum round, here and in 04:
  *              |error of e| <= 4 m around + 2 around^2 + 16 u m^2 = bound                 (15.8)
  *              e > bound: 04 finds the same sign. Two surely different signs: no hit. Three equal
- *              ones: a hit, wherever t is
- *   t          a weighted mean of three depths that differ by at most `spread`; weights are off by
- *              bound / |det|: 4 bound spread / |det|, and the rest of the arithmetic in both
+ *              ones, each e > 2 bound: a hit, wherever t is, and |det| > 6 bound
+ *   t          the mean of three depths z, which differ by at most `spread`, with weights e / det.
+ *              Errors d of e move it by sum d (z - t) / (det + sum d): at most 2 bound spread /
+ *              (|det| - 3 bound) < 4 bound spread / |det|; and the rest of the arithmetic in both
  *              tests: tail = (32 u + 300 eps) S; times 1 / |dz|                           (15.9)
  *
  * Where a number overflowed to infinity or NaN, no comparison with a bound is true: in doubt.
@@ -34,11 +35,14 @@ enum { bvh8_most_doubts = 32 };
 typedef struct { const bvh8_block *block; int lane; float first; } bvh8_doubt;
 
 typedef struct {
-    float near_o[3], far_o[3], inverse[3];        /* t of a plane: plane inverse + near_o */
-    size_t near[3], far[3];                       /* rows, in bytes: where it enters and leaves */
+    floats4 near_o, far_o, inverse;               /* t of a plane: plane inverse + near_o */
+    whole4 near, far;                             /* rows, in bytes: where it enters and leaves */
     size_t kx, ky, kz;                            /* rows of a corner, in the order of 04 */
     float sx, sy, cx, cy, oz, sz, around, tail;
-    float tmin, limit, sure_min, sure_max;        /* its interval, and what surely lies in it */
+    union {                                       /* its interval, and what surely lies in it */
+        floats4 ends;
+        struct { float tmin, limit, sure_min, sure_max; };
+    };
     double scale, shift, slack;                   /* t in the frame: t scale - shift, +- slack */
     ray *r;                                       /* tmax is the t of `best` */
     const bvh8_skip *skip;
@@ -60,72 +64,74 @@ static inline uint32_t float_bits(float x)
     return bits;
 }
 
-/* x as a float, and a little less: rounded once, twice in float, and this product. */
-static inline float bvh8_down(double x)
-{
-    float f = float_min((float)x, FLT_MAX);
-    return f - fabsf(f) * 0x1p-22f;
-}
-
-/* In double: in float the scale of a small tree may overflow. */
-static inline float bvh8_before(const bvh8_ray *q, real t)
-{
-    return bvh8_down((double)t * q->scale - q->shift - q->slack);
-}
-
-/* A far origin was moved by `shift`: the interval's end moves with it, as its beginning does. */
+/* t in the frame, rather too large: rounded once, twice in float, and this product. In double: in
+ * float the scale of a small tree may overflow. A far origin was moved by `shift`. */
 static inline float bvh8_limit(const bvh8_ray *q, real t)
 {
-    return -bvh8_down(q->shift - (double)t * q->scale - q->slack);
+    float f = (float)((double)t * q->scale - q->shift + q->slack);
+    return f + fabsf(f) * 0x1p-22f;
+}
+
+/* All four ends of the interval so. Infinite ones are made finite first: inf - inf is no number. A
+ * NaN stays one, and no t lies in its interval. */
+__attribute__((always_inline))
+static inline void bvh8_interval(bvh8_ray *q, const ray *r)
+{
+    double a = (double)r->tmin * q->scale - q->shift, b = (double)r->tmax * q->scale - q->shift;
+    floats4 f = {(float)(a - q->slack), (float)(b + q->slack), (float)(a + q->slack),
+              (float)(b - q->slack)};
+    f = floats4_max(FLOATS4_ALL(-FLT_MAX), floats4_min(FLOATS4_ALL(FLT_MAX), f));
+    q->ends = f + floats4_abs(f) * (floats4){-0x1p-22f, 0x1p-22f, 0x1p-22f, -0x1p-22f};
 }
 
 /* What few rays need. d gets a length near 1 if it is beyond 2^+-20; t changes by that factor, and
  * by the tree's. A far origin moves along the ray to where it is nearest to 0: then S is small
- * again, and what float can tell apart with it. That place is off by 3 eps of the way, as is t. */
+ * again, and what float can tell apart with it. That place is off by 3 eps of the way, as is t.
+ * False: the ray is none. */
 __attribute__((noinline, cold))
-static void bvh8_ray_moved(bvh8_ray *q, vec3 *o, vec3 *d, real way)
+static bool bvh8_ray_moved(bvh8_ray *q, vec3 *o, vec3 *d, real *size)
 {
-    real s = box_ray_scale(fabs(vaxis(*d, vlongest(*d))));
-    *d = vscale(*d, 1 / s), q->scale *= (double)s;
-    if (way > 8) {
-        real t = -vdot(*o, *d) / vdot(*d, *d);
-        if (fabs(t) <= real_largest) *o = vmadd(*o, *d, t), q->shift = (double)t;
-    }
+    if (!ray_is_usable(*q->r)) return false;
+    real s = box_ray_scale(fabs(vaxis(*d, vlongest(*d)))), t;
+    *d = vscale(*d, 1 / s), q->scale *= (double)s, t = -vdot(*o, *d) / vdot(*d, *d);
+    if (*size > 8 && fabs(t) <= real_largest) *o = vmadd(*o, *d, t), q->shift = (double)t;
+    *size = real_max(fabs(vaxis(*o, vlongest(*o))), 1);
+    return true;
 }
 
+/* False: no ray (a NaN, a direction of 0). Field by field: what is copied as a whole right after it
+ * was written waits for all that is under way. Sums are NaN or too large where any number is. */
 __attribute__((always_inline))
-static inline void bvh8_ray_of(const bvh8 *w, ray *r, const bvh8_skip *skip, bvh8_ray *q)
+static inline bool bvh8_ray_of(const bvh8 *w, ray *r, const bvh8_skip *skip, bvh8_ray *q)
 {
-    int kz = vlongest(r->d), kx = kz == 2 ? 0 : kz + 1, ky = 3 - kx - kz;
-    vec3 at = bvh8_into(w, r->o), d = r->d;
-    real way = real_max(real_max(real_max(fabs(at.x), fabs(at.y)), fabs(at.z)), 1);
-    real longest = fabs(vaxis(d, kz));
+    static const uint8_t next[5] = {0, 1, 2, 0, 1};
+    int kz = vlongest(r->d), kx = next[kz + 1], ky = next[kz + 2];
+    vec3 at = bvh8_into(w, r->o), d = {r->d.x, r->d.y, r->d.z};
+    real x = fabs(at.x), y = fabs(at.y), z = fabs(at.z), dd = fabs(d.x) + fabs(d.y) + fabs(d.z);
+    real way = real_max(real_max(real_max(x, y), z), 1), size = way;
     q->r = r, q->skip = skip, q->best = hit_none, q->sheared = false, q->doubts = 0;
     q->scale = (double)w->scale, q->shift = 0;
-    if (way > 8 || longest < (real)0x1p-20 || longest > (real)0x1p20)
-        bvh8_ray_moved(q, &at, &d, way);
+    if (!(x + y + z <= 8 && dd >= (real)0x1p-20 && dd <= (real)0x1p20)
+        && !bvh8_ray_moved(q, &at, &d, &size)) return false;
     q->slack = (double)real_smallest * (1 + q->scale) + 0x1p-100  /* no subnormal: they are slow */
         + 4 * (double)real_epsilon * fabs(q->shift);
-    q->tmin = bvh8_before(q, r->tmin), q->limit = bvh8_limit(q, r->tmax);
-    q->sure_min = bvh8_limit(q, r->tmin), q->sure_max = bvh8_before(q, r->tmax);
-    float o[3] = {(float)at.x, (float)at.y, (float)at.z}, owed = (float)(way * real_epsilon);
-    float along[3] = {(float)d.x, (float)d.y, (float)d.z};
-    float size = float_max(float_max(fabsf(o[0]), fabsf(o[1])), float_max(fabsf(o[2]), 1));
-    float delta = size * 0x1p-20f + 512 * owed;                                      /* (15.6) */
-    EIGHT_UNROLL
-    for (unsigned k = 0; k < 3; k++) {
-        float i = float_max(float_min(1 / along[k], 0x1p60f), -0x1p60f);
-        float t = o[k] * i, error = fabsf(i) * delta;
-        q->inverse[k] = i, q->near_o[k] = -t - error, q->far_o[k] = error - t;
-        q->near[k] = sizeof(eight) * (k + 3 * (float_bits(i) >> 31));
-        q->far[k] = sizeof(eight) * (2 * k + 3) - q->near[k];
-    }
+    bvh8_interval(q, r);
+    float S = (float)size, owed = (float)(way * real_epsilon);
+    floats4 o = {(float)at.x, (float)at.y, (float)at.z, 1};
+    floats4 along = {(float)d.x, (float)d.y, (float)d.z, 1}, i = 1 / along;
+    q->inverse = i = floats4_max(floats4_min(i, FLOATS4_ALL(0x1p60f)), FLOATS4_ALL(-0x1p60f));
+    floats4 error = floats4_abs(i) * (S * 0x1p-20f + 512 * owed);                    /* (15.6) */
+    q->near_o = -(o * i) - error, q->far_o = error - o * i;
+    whole4 below = ((whole4)i >> 31) & 3;  /* enters by the high side, three rows on */
+    q->near = (int32_t)sizeof(eight) * ((whole4){0, 1, 2, 0} + below);
+    q->far = (int32_t)sizeof(eight) * ((whole4){3, 4, 5, 3} - below);
     q->kx = sizeof(eight) * (size_t)kx, q->ky = sizeof(eight) * (size_t)ky;
-    q->kz = sizeof(eight) * (size_t)kz, q->oz = o[kz], q->sz = q->inverse[kz];
+    q->kz = sizeof(eight) * (size_t)kz, q->oz = o[kz], q->sz = i[kz];
     q->sx = -along[kx] * q->sz, q->sy = -along[ky] * q->sz;
     q->cx = o[kx] + q->sx * q->oz, q->cy = o[ky] + q->sy * q->oz;
-    q->around = size * 0x1.8p-20f + 16 * owed;                                       /* (15.7) */
-    q->tail = (size * 0x1p-19f + 300 * owed) * fabsf(q->sz);
+    q->around = S * 0x1.8p-20f + 16 * owed;                                          /* (15.7) */
+    q->tail = (S * 0x1p-19f + 300 * owed) * fabsf(q->sz);
+    return true;
 }
 
 /* Children onto the stack, the nearest on top: `mask` of them, entered at `enter`, not before 0. A
@@ -159,7 +165,6 @@ static inline const ray_shear *bvh8_shear(bvh8_ray *q)
     return &q->shear;
 }
 
-/* Field by field: what is copied as a whole right after it was written waits for all of it. */
 static inline void bvh8_keep(bvh8_ray *q, hit h, uint32_t i)
 {
     h.shape = i;
@@ -189,13 +194,10 @@ static inline bool bvh8_exactly(const bvh8 *w, const bvh8_doubt *d, bvh8_ray *q,
 __attribute__((noinline))
 static bool bvh8_settle(const bvh8 *w, bvh8_ray *q)
 {
-    const bvh8_skip *s = q->skip;
     for (const bvh8_doubt *d = q->doubt; d < q->doubt + q->doubts; d++) {
-        uint32_t i = d->block->index[d->lane];
         hit h;
-        if (d->first > q->limit || i == no_shape || i == s->from
-            || i - s->first <= s->last - s->first) continue;
-        if (bvh8_exactly(w, d, q, &h)) bvh8_keep(q, h, i);
+        if (d->first <= q->limit && bvh8_exactly(w, d, q, &h))
+            bvh8_keep(q, h, d->block->index[d->lane]);
     }
     q->doubts = 0;
     return q->best.shape != no_shape;

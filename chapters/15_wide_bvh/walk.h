@@ -59,7 +59,11 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     m = EIGHT_MAX(EIGHT_MAX(m, m1), EIGHT_FAR(v.x[2], v.y[2]));
     eight bound = EIGHT_FMA(m, EIGHT_ALL(0x1p-20f), EIGHT_ALL(4 * q->around));       /* (15.8) */
     bound = EIGHT_FMA(m, bound, EIGHT_ALL(2 * q->around * q->around));
-    unsigned left = EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi)) ^ 255;
+    /* Empty places, and what the caller leaves out: as floats, -1 is NaN, and never >= 0. */
+    eight_whole i = *(const eight_whole *)b->index, out;
+    out = (i == (int32_t)q->skip->from) | i >> 31;
+    out |= (eight_count)i - q->skip->first <= q->skip->last - q->skip->first;
+    unsigned left = EIGHT_LE(zero, (eight)out) & ~EIGHT_LE(bound, EIGHT_MIN(-v.lo, v.hi));
     if (left == 0) return false;
     eight det = v.e[0] + v.e[1] + v.e[2], scaled = 1 / det;
     eight sum = EIGHT_FMA(v.e[0], v.z[0], EIGHT_FMA(v.e[1], v.z[1], v.e[2] * v.z[2]));
@@ -69,8 +73,7 @@ static inline bool EIGHT(bvh8_triangles)(const bvh8 *w, const bvh8_block *b, bvh
     eight error = EIGHT_FMA(EIGHT_FAR(scaled * q->sz, zero), 4 * bound * spread,     /* (15.9) */
                             EIGHT_ALL(q->tail));
     eight first = t - error, last = t + error;
-    unsigned sure = EIGHT_LE(bound * 1.01f, EIGHT_MAX(v.lo, -v.hi))
-        & EIGHT_LE(bound * 16, EIGHT_FAR(det, zero));
+    unsigned sure = EIGHT_LE(bound * 2.02f, EIGHT_MAX(v.lo, -v.hi));
     left &= ~sure | (EIGHT_LE(first, EIGHT_ALL(q->limit)) & EIGHT_LE(EIGHT_ALL(q->tmin), last));
     if (left == 0) return false;
     unsigned safe = sure & left & EIGHT_LE(EIGHT_ALL(q->sure_min), first)
@@ -119,8 +122,7 @@ static bool EIGHT(bvh8_search)(const bvh8 *w, ray *r, const bvh8_skip *skip, hit
                                search_work *work)
 {
     bvh8_ray q;
-    if (w->nodes == 0 || !ray_is_usable(*r)) return false;
-    bvh8_ray_of(w, r, skip, &q);
+    if (w->nodes == 0 || !bvh8_ray_of(w, r, skip, &q)) return false;
     if (work ? EIGHT(bvh8_walk)(w, &q, !out, work) : out ? EIGHT(bvh8_walk)(w, &q, false, NULL)
         : EIGHT(bvh8_walk)(w, &q, true, NULL)) return true;
     if (!bvh8_settle(w, &q)) return false;

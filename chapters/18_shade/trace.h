@@ -151,8 +151,7 @@ static inline void trace_ask(trace_asking *a, const bvh8 *w)
     uint32_t stack[512];
     int top = 0;
     bvh8_ray q;
-    if (w->nodes == 0 || !ray_is_usable(a->q.r)) return;
-    bvh8_ray_of(w, &a->q.r, &bvh8_skip_none, &q);
+    if (w->nodes == 0 || !bvh8_ray_of(w, &a->q.r, &bvh8_skip_none, &q)) return;
     for (stack[top++] = 0; top > 0 && !a->end; ) {
         uint32_t at = stack[--top], leaf = at & ~bvh8_leaf;
         float limit = bvh8_limit(&q, a->q.r.tmax);

@@ -71,7 +71,7 @@ static inline void draw_lanes(const options *o)
     how.leaf = 4;  /* a deeper tree: smaller boxes */
     if (!bvh8_build(&x, how, &w, &f)) fail(f);
     ray r = {{(real)-1.9, (real)-0.62, 0}, 0, {1, (real)0.4, 0}, 9};
-    bvh8_ray q;
+    bvh8_ray q = {.doubts = 0};
     bvh8_ray_of(&w, &r, &bvh8_skip_none, &q);
     q.limit = INFINITY;
     const bvh8_node *n = &w.node[0];

@@ -2,7 +2,7 @@
  *
  *   table_of_rungs(o, &s)      each rung: time, work, wrong hits; the main table
  *   table_of_shadows(o, &s)    rays to a light: any hit
- *   table_of_cracks(o)         a closed mesh, aimed at: lost rays and errors against time
+ *   table_of_cracks(o)         a closed mesh, aimed at: lost rays and errors against time; a plot
  *   table_of_doubts(o, &s)     how often `real` was asked
  */
 #ifndef WIDE_MEASURE_H
@@ -146,49 +146,62 @@ static inline double crack_run(void *context)
 static inline bool crack_first(const void *w, ray r, hit *out) { return first_wide_hit(w, r, out); }
 static inline bool crack_bvh8(const void *w, ray r, hit *out) { return bvh8_hit(w, r, out); }
 static inline bool crack_leaky(const void *w, ray r, hit *out) { return bvh8_hit_leaky(w, r, out); }
+static inline bool crack_bvh(const void *b, ray r, hit *out) { return bvh_hit(b, r, out); }
+static inline bool crack_mesh(const void *m, ray r, hit *out) { return mesh_hit(m, r, out); }
 
-/* Into a closed mesh at its corners and edges, from `away` sizes: each ray must hit. */
+/* Into a closed mesh at its corners and edges, from `away` sizes: each ray must hit. Brute force
+ * takes one ray in a hundred. */
 static inline void table_of_cracks(const options *o)
 {
-    static const struct { const char *name; crack_search *hit; } list[3] = {
-        {"first, four wide", crack_first}, {"leaky", crack_leaky}, {"watertight", crack_bvh8}};
+    enum { ways = 5 };
     table t = table_new("Into a closed mesh at its corners and edges, from so many sizes away",
                         "search|distance|rays|error [lost]|error t, largest|time [ns]");
+    plot p = plot_new("Lost at corners and edges, against time", "time of a ray [ns]",
+                      "lost rays [of 1000]", PLOT_LOG_X | PLOT_LOG_Y);
     mesh m = octahedron_mesh(48);
     items x = items_of_mesh(&m);
     first_mesh soup = mesh_soup(&m);
     first_wide w4 = first_wide_build(&soup);
     bvh8 w;
+    bvh b2;
     failure f;
     size_t n = o->quick ? 500 : 20000;
-    if (!bvh8_build(&x, bvh8_defaults, &w, &f)) fail(f);
+    if (!bvh8_build(&x, bvh8_defaults, &w, &f) || !bvh_build(&x, bvh_defaults, &b2, &f)) fail(f);
+    const struct { const char *name; crack_search *hit; const void *built; } list[ways] = {
+        {"first, four wide", crack_first, &w4}, {"leaky", crack_leaky, &w},
+        {"watertight", crack_bvh8, &w}, {"14: two wide", crack_bvh, &b2},
+        {"brute force", crack_mesh, &m}};
+    for (int i = 0; i < ways; i++) plot_series(&p, list[i].name);
     for (double away = 4; away < 1e7; away *= 500) {
         ray_set rays = rays_corners(&m, vec(0.6 * away, 0.5 * away, 0.7 * away), n, o->seed);
-        bench_candidate c[3];
-        crack_pass pass[3];
-        for (int i = 0; i < 3; i++) {
-            pass[i] = (crack_pass){list[i].hit, i ? (const void *)&w : (const void *)&w4, &rays};
+        ray_set few = {rays.r, rays.n / 100};
+        bench_candidate c[ways];
+        crack_pass pass[ways];
+        for (int i = 0; i < ways; i++) {
+            pass[i] = (crack_pass){list[i].hit, list[i].built, i < ways - 1 ? &rays : &few};
             c[i] = (bench_candidate){list[i].name, crack_run, &pass[i], 0, 0};
         }
-        bench_time(c, 3, o->quick ? 1 : 5);
-        for (int i = 0; i < 3; i++) {
+        bench_time(c, ways, o->quick ? 1 : 5);
+        for (int i = 0; i < ways; i++) {
             size_t due = 0, lost = 0;
-            double error = 0;
-            for (size_t k = 0; k < rays.n; k++) {
+            double error = 0, ns = trial_per(c[i].seconds * 1e9, pass[i].rays->n);
+            for (size_t k = 0; k < pass[i].rays->n; k++) {
                 hit a, b;
                 if (!bvh8_hit(&w, rays.r[k], &a)) continue;
                 due++;
-                if (!list[i].hit(pass[i].built, rays.r[k], &b)) lost++;
+                if (!list[i].hit(list[i].built, rays.r[k], &b)) lost++;
                 else error = fmax(error, (double)(fabs(b.t - a.t) / a.t));
             }
             table_text(&t, "%s", list[i].name), table_number(&t, away), table_count(&t, due);
-            table_count(&t, lost), table_number(&t, error);
-            table_number(&t, trial_per(c[i].seconds * 1e9, rays.n));
+            table_count(&t, lost), table_number(&t, error), table_number(&t, ns);
+            plot_add(&p, i, ns, trial_per(1000 * (double)lost, due));
         }
         rays_free(&rays);
     }
     output_table(o, &t);
-    bvh8_free(&w), first_wide_free(&w4), first_mesh_free(&soup), mesh_free(&m);
+    if (o->full) output_plot(o, &p, "15_wide_bvh_time.svg");
+    else plot_free(&p);
+    bvh8_free(&w), bvh_free(&b2), first_wide_free(&w4), first_mesh_free(&soup), mesh_free(&m);
 }
 
 /* How often a ray asked `real`, by kinds. */

@@ -58,10 +58,9 @@ static inline bool rung_walk(const bvh8 *w, ray r, hit *out, bool at_once, bool 
 {
     rung_waiting stack[512];
     int top = 1;
-    if (w->nodes == 0 || !ray_is_usable(r)) return false;
     query ask = query_of(r);
     bvh8_ray q;
-    bvh8_ray_of(w, &r, &bvh8_skip_none, &q);
+    if (w->nodes == 0 || !bvh8_ray_of(w, &r, &bvh8_skip_none, &q)) return false;
     float enter[8];
     stack[0] = (rung_waiting){0, -INFINITY};
     while (top > 0) {
