@@ -35,7 +35,7 @@ NATIVE := $(shell $(CC) -march=native -x c -c -o /dev/null /dev/null 2>/dev/null
 NATIVE += $(if $(NATIVE),$(shell $(CC) -Werror -mmove-max=128 -mstore-max=128 -x c -c -o /dev/null /dev/null \
   2>/dev/null && echo -mmove-max=128 -mstore-max=128))
 # First programs, tests, and the programs that tests run: -O1 halves the compiler's time, and theirs is nearly
-# the same. Tests that compute little get -O0: what they take is the compiler's time. CFLAGS, if given, goes before.
+# the same. Tests that compute little beside what compiling them takes get -O0. CFLAGS, if given, goes before.
 # Below -O2 gcc leaves the upper halves of wide registers full everywhere, unless this is asked for (17_torture: 76 s
 # instead of 3).
 CLEAR := $(shell $(CC) -Werror -fexpensive-optimizations -x c -c -o /dev/null /dev/null 2>/dev/null && \
@@ -43,10 +43,11 @@ CLEAR := $(shell $(CC) -Werror -fexpensive-optimizations -x c -c -o /dev/null /d
 ifeq ($(origin CFLAGS),undefined)
 QUICK_CFLAGS ?= -O1 $(CLEAR)
 LIGHT = 01_ray 01_wide 02_camera 02_first 03_sphere 05_first 06_first 07_first 07_mesh 07_obj 07_teapot \
-  08_object_order 09_first 13_painter 15_first 17_compare 17_first 17_spd 18_first 18_leave 18_shade 19_first \
-  19_optics 19_pixel 19_spd 19_whitted 20_sequences 21_distributed 21_first 21_known 22_irradiance 22_radiometry \
-  22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights 25_bounces 25_first 25_transport \
-  26_first 26_light_tracer 26_path_tracer 26_state 27_corpus 27_plan 27_proof 27_radiance 27_readers
+  08_object_order 09_first 13_painter 14_files 15_first 17_compare 17_first 17_spd 18_first 18_leave 18_shade \
+  19_first 19_optics 19_pixel 19_spd 19_whitted 20_first 20_sequences 20_statistics 21_distributed 21_first \
+  21_known 22_irradiance 22_radiometry 22_solid_angle 22_spherical_sampling 24_direct_light 24_first 24_lights \
+  25_bounces 25_first 25_transport 26_first 26_light_tracer 26_path_tracer 26_state 27_corpus 27_first 27_plan \
+  27_proof 27_radiance 27_readers 27_tree figure label output
 LIGHT_MAINS = 15_wide_bvh 17_compare 18_shade 19_whitted 27_effects
 endif
 CFLAGS ?= -O2 $(NATIVE)
@@ -261,9 +262,10 @@ embree: $(STAMP)
 	$(Q)$(CC) $(ALL_CFLAGS) -o $(BUILD)/embree chapters/15_wide_bvh/lab/embree.c -lembree3 $(LDLIBS)
 	$(Q)$(BUILD)/embree $(if $(MESH),--mesh $(MESH))
 
+# Without null and object-size: AddressSanitizer stops at the same places, and the compiler is done sooner.
 sanitize:
 	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize MUCH_CFLAGS=-O1 test \
-	  CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+	  CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize=null,object-size -fno-sanitize-recover=all -fno-omit-frame-pointer"
 
 # One file that does not compile, or one finding, and make fails. Warnings of system headers are only counted.
 TIDY ?= $(wildcard chapters/*/main.c chapters/*/first.c tests/*.c)

@@ -110,7 +110,9 @@ static void test_equals_every_instance_asked(void)
             scene_make(&s, 40, unlike[j], move, (uint64_t)(10 + k));
             for (instances_boxes b = INSTANCES_CORNERS; b <= INSTANCES_NAIVE; b++) {
                 instances x = built(&s.c, b);
-                verdict v = compare_aimed(&s.c, &x, check_count(2000), move, 2,
+                /* What is lost is rare: in float 100 rays of each scene lose no hit, 200 do. */
+                size_t n = check_count(2000), least = b == INSTANCES_NAIVE ? 200 : 0;
+                verdict v = compare_aimed(&s.c, &x, n > least ? n : least, move, 2,
                                           (uint64_t)(3 * k + j));
                 check_at_least(v.hits, v.rays / 4, "enough rays hit something");
                 if (b == INSTANCES_NAIVE) naive += v.wrong;

@@ -218,7 +218,8 @@ static void test_resumed(void)
     check(equal_files("a.pfm", "b.pfm"), "no sample in the middle of the pixel, if it goes on");
 }
 
-/* SIGTERM after the first pass that was kept: what it left goes on as if nothing had been. */
+/* SIGTERM after the first pass that was kept (after 100 s, if none is): what it left goes on as if
+ * nothing had been. */
 static void test_stopped(void)
 {
     const char *build = getenv("BUILD");
@@ -226,8 +227,9 @@ static void test_stopped(void)
     film m;
     failure f;
     snprintf(text, sizeof text, "%s/27_effects " room "--samples 1000000 --save @stop.state "
-             "--out @stop.pfm >@out 2>@err & p=$!; while [ ! -e @stop.state ]; do sleep 0.01; done;"
-             " kill -TERM $p; wait $p", build ? build : "build");
+             "--out @stop.pfm >@out 2>@err & p=$! n=0; while [ ! -e @stop.state ] && "
+             "[ $((n += 1)) -lt 10000 ]; do sleep 0.01; done; kill -TERM $p; wait $p",
+             build ? build : "build");
     expand(text, command);
     int status = system(command);
     check(WIFEXITED(status) && WEXITSTATUS(status) == 143, "SIGTERM: exit 143, not %d",

@@ -99,8 +99,10 @@ for main in chapters/*/first.c; do
     width=$(od -An -tu1 -j16 -N4 "$alone/$folder/$name.png" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }')
     if [ "$width" -ge $wide ]; then ok; else no "$name: its picture is $width wide, $wide at least are wanted"; fi
     if [ -f "images/$name.png" ]; then ok; else no "images/$name.png is not there"; fi
-    # The committed picture; or, where the C library rounds otherwise, that of this build.
-    if cmp -s "$alone/$folder/$name.png" "images/$name.png" || [ "${CHECK_DIVISOR:-1}" -gt 1 ]; then ok
+    # The committed picture; or, where the C library rounds otherwise, that of this build. In float none is
+    # committed, and this build's program has drawn already.
+    if [ "$folder" = build ] && [ -z "${WHOLE:-}" ]; then :
+    elif cmp -s "$alone/$folder/$name.png" "images/$name.png" || [ "${CHECK_DIVISOR:-1}" -gt 1 ]; then ok
     else
         (cd "$alone" && "$BUILD/$name" again.png >out 2>err)
         if cmp -s "$alone/$folder/$name.png" "$alone/again.png"; then ok; else no "$name: two builds, two pictures"; fi

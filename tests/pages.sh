@@ -147,10 +147,10 @@ run_one() {
         echo "$1 ended with $?: $(head -n 1 "$scratch/run/$1.err")" >>"$scratch/run/failed"
 }
 mkdir "$scratch/run"; : >"$scratch/run/failed"
-# Each worker takes the next program that nobody has taken, the last chapters first: they take longest.
-last_first=$(printf '%s\n' "$names" | sort -r)
+# Each worker takes the next program that nobody has taken, the longest first: 17, and then the last chapters.
+longest_first=$(printf '%s\n' "$names" | sort -r | awk '/^17/ { print; next } { rest = rest $0 "\n" } END { printf "%s", rest }')
 worker() {
-    for name in $last_first; do
+    for name in $longest_first; do
         if [ -x "$BUILD/$name" ] && cat "$root/chapters/$name"/*.md | grep -q "real = ${REAL:-double}" &&
             mkdir "$scratch/run/$name" 2>/dev/null; then (run_one "$name"); fi
     done
