@@ -1,0 +1,214 @@
+/* touch.h: what else lies where a ray has met glass: contact.h of 19, for all that a studio holds.
+ *
+ *   touch_near *near = touch_near_of(&s, look)      where things of glass have neighbours; free()
+ *   touch_at(&t, look, near, always, r, x, &s, &c)  x, s: the face that r has met, s not turned
+ *                                      to the ray; unless `always` it is one of glass; c.faces: all faces of glass at that
+ *                                      place, to be crossed as one (19: media.h); c.opaque: what
+ *                                      else is there, on c.on; c.more: how much farther away than
+ *                                      by leave.h (18) rays must begin; c.asked: it was looked for
+ *
+ *      air    |  glass  | water     The walls of glass and water are one place: passed by itself,
+ *             |         |           the first of them hides the other.
+ *     --->----|---->----|---->      [p - reach n, p + reach n] is searched for others: a contact ray
+ *             |_________|
+ *     table ------------------      Glass on a table shows the table.
+ *
+ * Only what is called for: a hit asks where the box of its thing (a shape, a placed mesh) meets
+ * that of another: a ball on a floor at its foot, a ball for itself nowhere. `always` asks at each
+ * hit, and must find nothing else. A face of the same body counts only if it lies in the same plane
+ * and leads the other way (two cubes of one glass, side by side); else it is beyond an edge. Sheets
+ * (illum 4, 9) are passed over. Cost: about half of a reflection ray; at first O(glass x things).
+ */
+#ifndef EFFECTS_TOUCH_H
+#define EFFECTS_TOUCH_H
+
+#include "../18_shade/trace.h"
+#include "../19_whitted/media.h"
+#include "appearance.h"
+#include "studio_tree.h"
+
+typedef struct { aabb box; real reach; } touch_near;  /* of shape i; of place k: [shapes + k] */
+typedef struct {
+    media_crossing faces;
+    studio_hit opaque;        /* h.shape no_shape: none */
+    surface on;
+    real more;                /* 0: nothing else is there */
+    bool asked;
+} touch;
+
+typedef struct {
+    const studio_tree *t;
+    const appearance *look;
+    studio_hit of;            /* the face that we know of, */
+    uint32_t material;
+    vec3 n, d;                /* and the ray that met it */
+    ray across;
+    real reach;
+    touch *out;
+} touch_asking;
+
+typedef struct { aabb box; uint32_t material; bool glass, mixed; vec3 normal; } touch_thing;
+
+/* Boxes are grown by more than any two faces are off, those of moved meshes included (16.3). */
+enum { touch_pad = 4096, touch_reach = 32, touch_most_pairs = 1 << 27 };  /* the first two: eps */
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline real touch_size(aabb b)
+{
+    real size = vlargest(vmax(vabs(b.lo), vabs(b.hi)));
+    return size < real_infinity ? size : 0;
+}
+
+static inline touch_thing touch_mesh(const studio *s, const appearance *look, size_t place, aabb b)
+{
+    const instance *at = &s->placed[place];
+    const mesh *m = &s->mesh[at->mesh];
+    touch_thing x = {.box = aabb_empty(), .mixed = m->runs > 0 && s->paint[at->mesh].run_material};
+    for (int i = 0; i < 8 && !aabb_is_empty(b); i++) {
+        vec3 p = {i & 1 ? b.lo.x : b.hi.x, i & 2 ? b.lo.y : b.hi.y, i & 4 ? b.lo.z : b.hi.z};
+        x.box = aabb_grow_point(x.box, affine_point(at->to_world, p));
+    }
+    x.material = s->placing[place].material, x.glass = appearance_body(&look[x.material]);
+    for (size_t k = 0; x.mixed && k < m->runs; k++) {
+        uint32_t of = s->paint[at->mesh].run_material[k];
+        x.glass = x.glass || (of != name_none && appearance_body(&look[of]));
+    }
+    return x;
+}
+
+/* Shapes, then places, then solids, which are opaque. */
+static inline touch_thing *touch_things(const studio *s, const appearance *look)
+{
+    touch_thing *list = allocate(s->shapes + s->places + s->solids, sizeof *list), *x = list;
+    aabb *own = allocate(s->meshes, sizeof *own);
+    for (size_t k = 0; k < s->meshes; k++)
+        if (!mesh_bounds(&s->mesh[k], &own[k].lo, &own[k].hi)) own[k] = aabb_empty();
+    for (size_t i = 0; i < s->shapes; i++, x++) {
+        *x = (touch_thing){.material = s->shape_material[i]};
+        shape_bounds(s->shape[i], &x->box.lo, &x->box.hi);
+        if (s->shape[i].kind == SHAPE_POLYGON) x->normal = s->shape[i].polygon.normal;
+        x->glass = appearance_body(&look[x->material]);
+    }
+    for (size_t k = 0; k < s->places; k++) *x++ = touch_mesh(s, look, k, own[s->placed[k].mesh]);
+    for (size_t k = 0; k < s->solids; k++, x++) {
+        *x = (touch_thing){.material = s->solid[k].material};
+        solid_bounds(&s->solid[k], &x->box.lo, &x->box.hi);
+    }
+    for (touch_thing *y = list; y < x; y++) {
+        real pad = touch_pad * real_epsilon * touch_size(y->box);
+        vec3 by = {pad, pad, pad};
+        y->box = (aabb){vsub(y->box.lo, by), vadd(y->box.hi, by)};
+    }
+    free(own);
+    return list;
+}
+
+/* Two faces of one body in one plane, or at an edge? |n.m| of planes is 1 or, here, far from it. */
+static inline bool touch_parallel(vec3 n, vec3 m) { return fabs(vdot(n, m)) > (real)0.99; }
+
+/* NULL: there is no glass. */
+static inline touch_near *touch_near_of(const studio *s, const appearance *look)
+{
+    size_t n = s->shapes + s->places + s->solids, glass = 0;
+    touch_thing *x = touch_things(s, look);
+    for (size_t i = 0; i < n; i++) glass += x[i].glass;
+    touch_near *near = glass ? allocate(n, sizeof *near) : NULL;
+    bool all = glass > touch_most_pairs / n;  /* too many to look at: as if all had neighbours */
+    for (size_t i = 0; i < n && near; i++) {
+        near[i].box = x[i].glass && (all || x[i].mixed) ? x[i].box : aabb_empty();
+        for (size_t j = 0; j < n && x[i].glass && !all; j++) {
+            aabb both = aabb_overlap(x[i].box, x[j].box);
+            if (j == i || aabb_is_empty(both)) continue;
+            if (x[i].material == x[j].material && !vzero(x[i].normal) && !vzero(x[j].normal)
+                && !touch_parallel(x[i].normal, x[j].normal)) continue;
+            near[i].box = aabb_union(near[i].box, both);
+            near[i].reach = real_max(near[i].reach,
+                                     touch_reach * real_epsilon * touch_size(x[j].box));
+        }
+    }
+    free(x);
+    return near;
+}
+
+/* ---- the contact ray ---- */
+
+static inline void touch_note(const touch_asking *q, studio_hit x)
+{
+    touch *out = q->out;
+    if (x.place == q->of.place && x.h.shape == q->of.h.shape) return;
+    uint32_t m = studio_hit_material(q->t, x);
+    const appearance *a = &q->look[m];
+    surface s = studio_surface(q->t, q->across, x);
+    if (appearance_body(a)) {
+        bool inwards = vdot(s.n, q->d) < 0;
+        if (m == q->material && (inwards == (vdot(q->n, q->d) < 0)
+                                 || !touch_parallel(s.n, q->n))) return;
+        media_crossing_add(&out->faces, m + 1, inwards ? 1 : -1);
+    } else if (!vzero(a->through)) return;
+    else if (out->opaque.h.shape == no_shape || hit_before(x.h, out->opaque.h))
+        out->opaque = x, out->on = s;
+    out->more = q->reach;
+}
+
+static inline any_hit_answer touch_any(const tracer *t, ray r, trace_hit x, void *payload)
+{
+    (void)t, (void)r;
+    touch_note(payload, (studio_hit){x.h, x.part});
+    return ANY_HIT_IGNORE;
+}
+
+typedef struct { instances_context moved; const touch_asking *q; } touch_moved;
+
+static inline bool touch_leaf(const void *context, uint32_t first, uint32_t count, query *q,
+                              bool any)
+{
+    const touch_moved *c = context;
+    const studio_tree *t = c->q->t;
+    (void)any;
+    for (const placed *p = t->moved.place + first, *end = p + count; p < end; p++) {
+        uint32_t place = t->moved_place[p->index];
+        ray r;
+        hit h;
+        if (place != c->q->of.place && instance_ray(&p->to_object, q->r, &r)
+            && bvh_mesh_hit(&t->moved.lower[p->mesh], r, &h))
+            touch_note(c->q, (studio_hit){h, place});
+    }
+    return false;
+}
+
+static inline void touch_search(touch_asking *q)
+{
+    const studio_tree *t = q->t;
+    const ray_program program = {.any_hit = touch_any};
+    trace_asking a = {.program = &program, .part = no_shape, .r = q->across, .payload = q,
+                      .q = query_of(q->across)};
+    hit h;
+    if (t->all->n) trace_ask(&a, &t->shapes);
+    for (size_t k = 0; k < t->standing; k++) a.part = t->mesh_place[k], trace_ask(&a, &t->mesh[k]);
+    for (uint32_t k = 0; k < t->solids; k++)
+        if (csg_hit(&t->s->solid[k].c, q->across, &h))
+            touch_note(q, (studio_hit){h, no_shape - 1 - k});
+    const touch_moved c = {{.x = &t->moved}, q};
+    if (t->moved.n)
+        tree_search(&t->moved.tree, q->across, instances_box_ray, touch_leaf, &c, false, &h, NULL);
+}
+
+/* A call, as bodies_cross: it is for few hits. */
+__attribute__((noinline))
+static void touch_at(const studio_tree *t, const appearance *look, const touch_near *near,
+                     bool always, ray r, studio_hit x, const surface *s, touch *out)
+{
+    const touch_near *at = &near[x.place == no_shape ? x.h.shape : t->s->shapes + x.place];
+    touch_asking q = {t, look, x, studio_hit_material(t, x), s->n, r.d, {.tmin = 0},
+                      2 * (s->error + s->noise) + at->reach, out};
+    *out = (touch){.opaque = {hit_none, 0}, .asked = always || aabb_contains(at->box, s->p)};
+    if (appearance_body(&look[q.material]))
+        media_crossing_add(&out->faces, q.material + 1, vdot(s->n, r.d) < 0 ? 1 : -1);
+    if (!out->asked) return;
+    vec3 n = vdot(s->n, r.d) < 0 ? vneg(s->n) : s->n;  /* onwards */
+    q.across = (ray){vmadd(s->p, n, -q.reach), 0, n, 2 * q.reach};
+    touch_search(&q);
+}
+
+#endif
