@@ -101,7 +101,7 @@ static void test_classic(bool glass)
  * and a ball of a third glass that overlaps three of them. Nothing matte is in glass: 27 leaves out
  * the (n1/n2)^2 of (19.10), which cancels where lamps and eye are in air. */
 #define BLOCKS \
-    "material glass\nKd 0\nNi 1.5\nTf 0.9 1 1\nabsorb 0.3 0.1 0.2\nillum 7\n"                    \
+    "material glass\nKd 0\nNi 1.5\nabsorb 0.3 0.1 0.2\nillum 7\n"                              \
     "box -1 0 -0.5  0 1 0.5\nbox -1 1 -0.5  0 1.5 0.5\n"                                         \
     "material water\nKd 0\nNi 1.33\nabsorb 0.1 0.4 0.1\nillum 7\nbox 0 0 -0.5  1 0.75 0.5\n"    \
     "material dense\nKd 0\nNi 1.8\nillum 7\nsphere 0.1 0.8 0 0.4\n"

@@ -27,7 +27,7 @@
 #include "appearance.h"
 #include "studio_tree.h"
 
-typedef struct { aabb box; real reach; } touch_near;  /* of shape i; of place k: [shapes + k] */
+typedef struct { aabb box; real reach; } touch_near;  /* of shapes, places, solids, in a row */
 typedef struct {
     media_crossing faces;
     studio_hit opaque;        /* h.shape no_shape: none */
@@ -114,7 +114,7 @@ static inline touch_near *touch_near_of(const studio *s, const appearance *look)
     touch_thing *x = touch_things(s, look);
     for (size_t i = 0; i < n; i++) glass += x[i].glass;
     touch_near *near = glass ? allocate(n, sizeof *near) : NULL;
-    bool all = glass > touch_most_pairs / n;  /* too many to look at: as if all had neighbours */
+    bool all = n && glass > touch_most_pairs / n;  /* too many to look at: as if all had neighbours */
     for (size_t i = 0; i < n && near; i++) {
         near[i].box = x[i].glass && (all || x[i].mixed) ? x[i].box : aabb_empty();
         for (size_t j = 0; j < n && x[i].glass && !all; j++) {
@@ -199,7 +199,10 @@ __attribute__((noinline))
 static void touch_at(const studio_tree *t, const appearance *look, const touch_near *near,
                      bool always, ray r, studio_hit x, const surface *s, touch *out)
 {
-    const touch_near *at = &near[x.place == no_shape ? x.h.shape : t->s->shapes + x.place];
+    const studio *of = t->s;
+    const touch_near *at = x.place == no_shape ? &near[x.h.shape]
+        : &near[of->shapes + (studio_hit_solid(t, x) ? of->places + no_shape - 1 - x.place
+                                                     : x.place)];
     touch_asking q = {t, look, x, studio_hit_material(t, x), s->n, r.d, {.tmin = 0},
                       2 * (s->error + s->noise) + at->reach, out};
     *out = (touch){.opaque = {hit_none, 0}, .asked = always || aabb_contains(at->box, s->p)};
