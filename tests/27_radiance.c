@@ -2,9 +2,10 @@
  * 26 where they can draw the same, bodies within bodies, and closed forms. (27_proof: that the
  * plan's picture is that of everything.)
  */
+static char directory[] = "/tmp/27_radiance_XXXXXX";
+#include "27_files.h"
 #include "../chapters/27_effects/lab/tax.h"
 #include "../chapters/20_monte_carlo/t_test.h"
-#include "check.h"
 
 typedef struct { studio s; plan p; effects_stage e; } set;
 
@@ -248,6 +249,56 @@ static void test_bodies(void)
              "polygon -1 1 0  1 1 0  1 -1 -2  -1 -1 -2\n", 5, 0.7 * 2);
 }
 
+/* A block between two others and on a table: of polygons, of triangles as they stand, and moved.
+ * Contact rays are asked of what touches, and only there: one ball in the air has none. */
+static void test_blocks(void)
+{
+    #define GLASS "material glass\nKd 0\nNi 1.5\nabsorb 0.3 0.1 0.2\nillum 7\n"
+    #define WATER "material water\nKd 0\nNi 1.33\nabsorb 0.1 0.4 0.1\nillum 7\n"
+    #define BESIDE WATER "box 1 0 0  2 0.75 1\nbox -1 0 0  0 0.5 1\n" UNDER
+    static const char *const made[] = {
+        "obj %s\n", "obj %s turn 0 1 0 90 move 0 0 1\n", "mesh m %s\ninstance m\n",
+        "mesh m %s\ninstance m move 9 0 0\ninstance m turn 0 1 0 90 move 0 0 1\n"};
+    char text[4000], one[300];
+    put("cube.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n");
+    for (size_t k = 0; k < sizeof made / sizeof *made; k++) {
+        snprintf(one, sizeof one, made[k], in_directory("cube.obj"));
+        snprintf(text, sizeof text, "%suse glass\n%s", ABOVE GLASS BESIDE, one);
+        test_same(one, ABOVE GLASS BESIDE "box 0 0 0  1 1 1  glass\n", text);
+    }
+    snprintf(text, sizeof text, ABOVE GLASS "box 0 0 0  1 1 1\n" WATER "box %.17g 0 0  2 0.75 1\n",
+             (double)(1 + 40 * real_epsilon));
+    test_same("walls a hair apart", ABOVE GLASS "box 0 0 0  1 1 1\n" WATER "box 1 0 0  2 0.75 1\n",
+              text);
+}
+
+static size_t contacts_of(const char *text)
+{
+    set q;
+    effects_counts c = {.lost = 0};
+    set_up(&q, text);
+    for (int i = 0; i < 40 * 30; i++) {
+        dice d = {.own = 0};
+        ray r = camera_ray(q.e.eye, (real)(i % 40), (real)(i / 40), 40, 30);
+        effects_made_for(q.e.mask)(&q.e, r, (media_set){0}, &d, &c);
+    }
+    check_at_least(c.rays[RAY_REFRACTED], 500, "rays in glass");
+    tear_down(&q);
+    return c.contacts;
+}
+
+static void test_contacts(void)
+{
+    check_equal(contacts_of(ABOVE UNDER GLASS "sphere 0 1 0 0.5\nsphere 1.25 1 0 0.5\n"), 0,
+                "contact rays of balls in the air");
+    check_equal(contacts_of(ABOVE UNDER GLASS "box 0 0.1 0  1 1 1\n"), 0, "of a block in the air");
+    check_at_most((double)contacts_of(ABOVE UNDER GLASS "sphere 0 1 0 1\n"), 6,
+                  "of a ball on a table: at its foot");
+    check_at_least((double)contacts_of(ABOVE UNDER GLASS "box 0 0 0  1 1 1\n"), 12,
+                   "of a block on it");
+}
+
 /* In float this ray ends within rounding of the edge of a polygon that it skims, and meets it again
  * and again, in and out of the same body for ever: it is given up. (If not: SIGALRM.) */
 static void test_ends(void)
@@ -415,6 +466,7 @@ static void test_ways(void)
 int main(void)
 {
     alarm(120);
+    if (!mkdtemp(directory)) abort();
     test_special();
     test_classic(false);
     test_classic(true);
@@ -422,9 +474,12 @@ int main(void)
     test_touching(ABOVE BLOCKS UNDER);
     test_paths();
     test_bodies();
+    test_blocks();
+    test_contacts();
     test_ends();
     test_left_out();
     test_light();
     test_ways();
+    remove_all();
     return check_report("27_radiance");
 }
