@@ -224,6 +224,10 @@ static void test_way(const char *text, real z, double exponent)
     "sphere 0 0 0 2\n"
 #define WAY_IN WAY "material b\nKd 0\nillum 6\nabsorb 2\nsphere 0 0 0 1\n"
 
+#define BLOCKS_WAY "camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial table\nKd 0.5\nillum 1\n" \
+    "polygon -9 -1 9  9 -1 9  9 -1 -9  -9 -1 -9\nmaterial a\nKd 0\nillum 6\nabsorb 0.5\n"      \
+    "box -1 -1 0  1 1 2\nmaterial b\nKd 0\nillum 6\nabsorb 2\nbox -1 -1 -2  1 1 0\n"
+
 static void test_bodies(void)
 {
     test_same("a ball within a ball of the same glass", SEEN GLASS_BALL,
@@ -237,6 +241,8 @@ static void test_bodies(void)
     test_way(WAY_IN, 5, 0.5 * 2 + 2 * 2);
     test_way(WAY_IN, 0, 2 * 1 + 0.5 * 1);  /* begun in both: the innermost fills it */
     test_way(WAY_IN, 1.5, 0.5 * 0.5 + 2 * 2 + 0.5 * 1);  /* begun in the outer one */
+    test_way(BLOCKS_WAY, 5, 0.5 * 2 + 2 * 2), test_way(BLOCKS_WAY, 1, 0.5 * 1 + 2 * 2);
+    test_way(BLOCKS_WAY, -0.5, 2 * 1.5);  /* begun in the second of two that touch, on a table */
     /* a single sheet, left behind: nobody was in it */
     test_way("camera from 0 0 5 at 0 0 0\nbackground 1\nmaterial a\nKd 0\nillum 6\nabsorb 1\n"
              "polygon -1 -1 0  -1 1 0  1 1 0  1 -1 0\nsphere 9 0 0 1\n", -1, 0);

@@ -1,17 +1,17 @@
 /* touch.h: what else lies where a ray has met glass: contact.h of 19, for all that a studio holds.
  *
- *   touch_near *near = touch_near_of(&s, look)      where things of glass have neighbours; free()
- *   touch_at(&t, look, near, always, r, x, &s, &c)  x, s: the face that r has met, s not turned
- *                                      to the ray; unless `always` it is one of glass; c.faces: all faces of glass at that
- *                                      place, to be crossed as one (19: media.h); c.opaque: what
- *                                      else is there, on c.on; c.more: how much farther away than
- *                                      by leave.h (18) rays must begin; c.asked: it was looked for
+ *   touch_near *near = touch_near_of(&s, look)      where things of glass have neighbours; free
+ *   touch_at(&t, look, near, always, r, x, &s, &c)  x, s: the face that r has met, s not turned to
+ *                                                   the ray; unless `always` it is one of glass
+ *     c.faces     all faces of glass at that place, to be crossed as one (19: media.h)
+ *     c.opaque    what else is there, on surface c.on
+ *     c.more      how much farther away than by leave.h (18) rays must begin
+ *     c.asked     it was looked for
  *
- *      air    |  glass  | water     The walls of glass and water are one place: passed by itself,
- *             |         |           the first of them hides the other.
- *     --->----|---->----|---->      [p - reach n, p + reach n] is searched for others: a contact ray
- *             |_________|
- *     table ------------------      Glass on a table shows the table.
+ *      air    |  glass  | water     Where glass and water touch, both walls are one place: taken
+ *     --->----|---->----|---->      one by one, the first hides the second. [p - reach n,
+ *     ________|_________|_____      p + reach n] is searched for others: a contact ray. Glass on a
+ *              table                table shows the table.
  *
  * Only what is called for: a hit asks where the box of its thing (a shape, a placed mesh) meets
  * that of another: a ball on a floor at its foot, a ball for itself nowhere. `always` asks at each
@@ -47,7 +47,13 @@ typedef struct {
     touch *out;
 } touch_asking;
 
-typedef struct { aabb box; uint32_t material; bool glass, mixed; vec3 normal; } touch_thing;
+typedef struct {
+    const shape *shape;       /* NULL: a mesh or a solid */
+    aabb box;
+    real pad;                 /* by which the box was grown */
+    uint32_t material;
+    bool glass, mixed;        /* a part of it is glass; it is of several materials */
+} touch_thing;
 
 /* Boxes are grown by more than any two faces are off, those of moved meshes included (16.3). */
 enum { touch_pad = 4096, touch_reach = 32, touch_most_pairs = 1 << 27 };  /* the first two: eps */
@@ -64,13 +70,13 @@ static inline touch_thing touch_mesh(const studio *s, const appearance *look, si
 {
     const instance *at = &s->placed[place];
     const mesh *m = &s->mesh[at->mesh];
-    touch_thing x = {.box = aabb_empty(), .mixed = m->runs > 0 && s->paint[at->mesh].run_material};
+    touch_thing x = {.box = aabb_empty(), .mixed = m->runs > 1 || (m->runs && m->run[0].first)};
     for (int i = 0; i < 8 && !aabb_is_empty(b); i++) {
         vec3 p = {i & 1 ? b.lo.x : b.hi.x, i & 2 ? b.lo.y : b.hi.y, i & 4 ? b.lo.z : b.hi.z};
         x.box = aabb_grow_point(x.box, affine_point(at->to_world, p));
     }
     x.material = s->placing[place].material, x.glass = appearance_body(&look[x.material]);
-    for (size_t k = 0; x.mixed && k < m->runs; k++) {
+    for (size_t k = 0; k < m->runs; k++) {
         uint32_t of = s->paint[at->mesh].run_material[k];
         x.glass = x.glass || (of != name_none && appearance_body(&look[of]));
     }
@@ -85,9 +91,8 @@ static inline touch_thing *touch_things(const studio *s, const appearance *look)
     for (size_t k = 0; k < s->meshes; k++)
         if (!mesh_bounds(&s->mesh[k], &own[k].lo, &own[k].hi)) own[k] = aabb_empty();
     for (size_t i = 0; i < s->shapes; i++, x++) {
-        *x = (touch_thing){.material = s->shape_material[i]};
+        *x = (touch_thing){.shape = &s->shape[i], .material = s->shape_material[i]};
         shape_bounds(s->shape[i], &x->box.lo, &x->box.hi);
-        if (s->shape[i].kind == SHAPE_POLYGON) x->normal = s->shape[i].polygon.normal;
         x->glass = appearance_body(&look[x->material]);
     }
     for (size_t k = 0; k < s->places; k++) *x++ = touch_mesh(s, look, k, own[s->placed[k].mesh]);
@@ -96,8 +101,8 @@ static inline touch_thing *touch_things(const studio *s, const appearance *look)
         solid_bounds(&s->solid[k], &x->box.lo, &x->box.hi);
     }
     for (touch_thing *y = list; y < x; y++) {
-        real pad = touch_pad * real_epsilon * touch_size(y->box);
-        vec3 by = {pad, pad, pad};
+        y->pad = touch_pad * real_epsilon * touch_size(y->box);
+        vec3 by = {y->pad, y->pad, y->pad};
         y->box = (aabb){vsub(y->box.lo, by), vadd(y->box.hi, by)};
     }
     free(own);
@@ -107,6 +112,19 @@ static inline touch_thing *touch_things(const studio *s, const appearance *look)
 /* Two faces of one body in one plane, or at an edge? |n.m| of planes is 1 or, here, far from it. */
 static inline bool touch_parallel(vec3 n, vec3 m) { return fabs(vdot(n, m)) > (real)0.99; }
 
+/* Boxes meet, but surfaces do not: of two balls. Or only at an edge: planes of one body. */
+static inline bool touch_apart(const touch_thing *x, const touch_thing *y)
+{
+    const shape *a = x->shape, *b = y->shape;
+    if (!a || !b || a->kind != b->kind) return false;
+    if (a->kind == SHAPE_POLYGON)
+        return x->material == y->material && !touch_parallel(a->polygon.normal, b->polygon.normal);
+    if (a->kind != SHAPE_SPHERE) return false;
+    real far = vlength(vsub(a->sphere.c, b->sphere.c)), pad = x->pad + y->pad;
+    real r = fabs(a->sphere.r), R = fabs(b->sphere.r);
+    return far > r + R + pad || far + pad < fabs(r - R);
+}
+
 /* NULL: there is no glass. */
 static inline touch_near *touch_near_of(const studio *s, const appearance *look)
 {
@@ -114,14 +132,12 @@ static inline touch_near *touch_near_of(const studio *s, const appearance *look)
     touch_thing *x = touch_things(s, look);
     for (size_t i = 0; i < n; i++) glass += x[i].glass;
     touch_near *near = glass ? allocate(n, sizeof *near) : NULL;
-    bool all = n && glass > touch_most_pairs / n;  /* too many to look at: as if all had neighbours */
+    bool all = n && glass > touch_most_pairs / n;  /* too many: as if all had neighbours */
     for (size_t i = 0; i < n && near; i++) {
         near[i].box = x[i].glass && (all || x[i].mixed) ? x[i].box : aabb_empty();
         for (size_t j = 0; j < n && x[i].glass && !all; j++) {
             aabb both = aabb_overlap(x[i].box, x[j].box);
-            if (j == i || aabb_is_empty(both)) continue;
-            if (x[i].material == x[j].material && !vzero(x[i].normal) && !vzero(x[j].normal)
-                && !touch_parallel(x[i].normal, x[j].normal)) continue;
+            if (j == i || aabb_is_empty(both) || touch_apart(&x[i], &x[j])) continue;
             near[i].box = aabb_union(near[i].box, both);
             near[i].reach = real_max(near[i].reach,
                                      touch_reach * real_epsilon * touch_size(x[j].box));
@@ -185,7 +201,8 @@ static inline void touch_search(touch_asking *q)
                       .q = query_of(q->across)};
     hit h;
     if (t->all->n) trace_ask(&a, &t->shapes);
-    for (size_t k = 0; k < t->standing; k++) a.part = t->mesh_place[k], trace_ask(&a, &t->mesh[k]);
+    for (size_t k = 0; k < t->standing; k++)
+        a.part = t->mesh_place[k], trace_ask(&a, &t->mesh[k]);
     for (uint32_t k = 0; k < t->solids; k++)
         if (csg_hit(&t->s->solid[k].c, q->across, &h))
             touch_note(q, (studio_hit){h, no_shape - 1 - k});
@@ -203,12 +220,14 @@ static void touch_at(const studio_tree *t, const appearance *look, const touch_n
     const touch_near *at = x.place == no_shape ? &near[x.h.shape]
         : &near[of->shapes + (studio_hit_solid(t, x) ? of->places + no_shape - 1 - x.place
                                                      : x.place)];
-    touch_asking q = {t, look, x, studio_hit_material(t, x), s->n, r.d, {.tmin = 0},
-                      2 * (s->error + s->noise) + at->reach, out};
-    *out = (touch){.opaque = {hit_none, 0}, .asked = always || aabb_contains(at->box, s->p)};
-    if (appearance_body(&look[q.material]))
-        media_crossing_add(&out->faces, q.material + 1, vdot(s->n, r.d) < 0 ? 1 : -1);
+    uint32_t m = studio_hit_material(t, x);
+    out->faces.n = 0, out->opaque.h.shape = no_shape, out->more = 0;  /* the rest is not read */
+    out->asked = always || aabb_contains(at->box, s->p);
+    if (appearance_body(&look[m]))
+        media_crossing_add(&out->faces, m + 1, vdot(s->n, r.d) < 0 ? 1 : -1);
     if (!out->asked) return;
+    touch_asking q = {t, look, x, m, s->n, r.d, {.tmin = 0},
+                      2 * (s->error + s->noise) + at->reach, out};
     vec3 n = vdot(s->n, r.d) < 0 ? vneg(s->n) : s->n;  /* onwards */
     q.across = (ray){vmadd(s->p, n, -q.reach), 0, n, 2 * q.reach};
     touch_search(&q);
