@@ -582,11 +582,17 @@ static void test_winners(void)
 
 static void test_growth(void)
 {
-    growth_curve c = {.n = 0};
-    for (int i = 0; i < 5; i++, c.n++) c.x[i] = 2 * i, c.ray[i] = 100 * exp2(i);
-    double y[5];
-    for (int i = 0; i < 5; i++) y[i] = log2(c.ray[i]);
-    check_close(bench_slope(c.x, y, 5), 0.5, 1e-14, "time ~ n^0.5");
+    double x[growth_sizes], y[growth_sizes], steps[growth_sizes];
+    growth_result g = {.m = {.rows = 5}};
+    for (int i = 0; i < 5; i++) {
+        summary_row *r = &g.m.row[i];
+        r->shapes = (size_t)1 << 2 * i, r->ray[0] = exp2(i), r->ray[1] = i < 3 ? 1 : -1;
+        g.steps[i][0] = 6 * i;
+    }
+    check_equal((size_t)growth_points(&g, 0, x, y, steps), 5, "five sizes");
+    check_close(bench_slope(x, y, 5), 0.5, 1e-14, "time ~ n^0.5");
+    check_close(bench_slope(x, steps, 5), 3, 1e-14, "three more steps a doubling");
+    check_equal((size_t)growth_points(&g, 1, x, y, steps), 3, "left out of the others");
 }
 
 /* From outside. -------------------------------------------------------------------------------- */
