@@ -52,11 +52,6 @@ static inline void place_lattice(shape_place *p, const cell_lists *all, const la
     }
 }
 
-static inline void place_grid(shape_place *p, const grid *g)
-{
-    place_lattice(p, &g->lists, &g->cells, 0);
-}
-
 static inline void place_nested(shape_place *p, const nested *x)
 {
     for (size_t k = 1; k <= x->parts; k++) {
@@ -75,11 +70,6 @@ static inline void place_octree_node(shape_place *p, const octree *t, uint32_t a
         if (n.kind >> k & 1) place_octree_node(p, t, n.first + k, octree_child_cell(c, k));
 }
 
-static inline void place_octree(shape_place *p, const octree *t)
-{
-    if (t->items) place_octree_node(p, t, 0, (octree_cell){0, 0, 0, 0});
-}
-
 static inline void place_kdtree_node(shape_place *p, const kdtree *t, uint32_t at, kd_box b)
 {
     kd_node n = t->node[at];
@@ -92,11 +82,6 @@ static inline void place_kdtree_node(shape_place *p, const kdtree *t, uint32_t a
     kd_box below = b, above = b;
     below.hi[kd_axis(n)] = above.lo[kd_axis(n)] = n.plane;
     place_kdtree_node(p, t, kd_lower(n), below), place_kdtree_node(p, t, kd_lower(n) + 1, above);
-}
-
-static inline void place_kdtree(shape_place *p, const kdtree *t)
-{
-    if (t->items) place_kdtree_node(p, t, 0, t->box);
 }
 
 /* b: cut by what planes there are across an axis; far: how far beyond the slanted ones. */
@@ -118,15 +103,10 @@ static inline void place_bsp_node(shape_place *p, const bsp *t, uint32_t at, aab
     place_bsp_node(p, t, n.first + 1, front, real_max(far, -beyond));
 }
 
-static inline void place_bsp(shape_place *p, const bsp *t)
-{
-    place_bsp_node(p, t, 0, (aabb){vsub(t->middle, t->half), vadd(t->middle, t->half)}, 0);
-}
-
 static inline void place_bvh(shape_place *p, const bvh *b)
 {
     const bvh_tree *t = bvh_tree_of(b);
-    for (size_t at = 0; t->items && at < t->nodes; at++) {
+    for (size_t at = 0; at < t->nodes; at++) {
         bvh_node n = t->node[at];
         if (at == 1) continue;  /* no node */
         const float *x = n.box.side;
@@ -171,20 +151,25 @@ static inline void place_example(shape_place *p, const example *e)
     if (n > 0) place_note(p, p->shape, path[n - 1], e->box[path[n - 1]], 0);
 }
 
-#define PLACE_OF(X, its_leaves)                                            \
-    if (strcmp(c->type, #X) == 0) p.what = its_leaves, place_##X(&p, s);
+#define PLACE_OF(X, its_leaves, look)                                   \
+    if (strcmp(c->type, #X) == 0) {                                     \
+        const X *t = s;                                                 \
+        p.what = its_leaves;                                            \
+        if (c->stats(s).items > 0) look;                                \
+    }
 
 static inline shape_place place_of(const contender *c, const void *s, uint32_t wanted, vec3 at)
 {
     shape_place p = {.shape = wanted, .at = at};
-    PLACE_OF(grid, "cell")
-    PLACE_OF(nested, "cell")
-    PLACE_OF(octree, "node")
-    PLACE_OF(kdtree, "node")
-    PLACE_OF(bsp, "node")
-    PLACE_OF(bvh, "node")
-    PLACE_OF(bvh8, "block")
-    PLACE_OF(example, "node")
+    PLACE_OF(grid, "cell", place_lattice(&p, &t->lists, &t->cells, 0))
+    PLACE_OF(nested, "cell", place_nested(&p, t))
+    PLACE_OF(octree, "node", place_octree_node(&p, t, 0, (octree_cell){0, 0, 0, 0}))
+    PLACE_OF(kdtree, "node", place_kdtree_node(&p, t, 0, t->box))
+    PLACE_OF(bsp, "node", place_bsp_node(&p, t, 0, (aabb){vsub(t->middle, t->half),
+                                                          vadd(t->middle, t->half)}, 0))
+    PLACE_OF(bvh, "node", place_bvh(&p, t))
+    PLACE_OF(bvh8, "block", place_bvh8(&p, t))
+    PLACE_OF(example, "node", place_example(&p, t))
     return p;
 }
 
