@@ -9,13 +9,15 @@
 #include <time.h>
 
 /* ---------------------------------------------------------------------------------------------- */
-/* Seconds since some fixed moment, never set back. */
-static inline double clock_seconds(void)
+static inline double clock_of(clockid_t which)  /* seconds */
 {
     struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
+    clock_gettime(which, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
+
+/* Seconds since some fixed moment, never set back. */
+static inline double clock_seconds(void) { return clock_of(CLOCK_MONOTONIC); }
 
 static inline int clock_order(const void *a, const void *b)
 {

@@ -411,12 +411,13 @@ static void test_no_more(void)
  * of planes. Climbing has met 51 of the 256: no ray sees the rest. In double 2^-21 D is more. */
 static void test_owed(void)
 {
+    const double eps = (double)real_epsilon;
     const kd_frame here = {{0, 0, 0}, 1};
     const kd_box box = {{-1, -1, -1}, {1, 1, 1}};
     kd_ray q;
     kd_ray_of(ray_from((vec3){0, 0, -3}, (vec3){1, 1, 1}), &here, &box, 1, &q);  /* D = 4 */
-    check_at_least(q.o_near[0], (256 + 4) * 4 * real_epsilon, "what is owed along x");
-    check_at_most(q.o_far[0], -(256 + 4) * 4 * real_epsilon, "and on the far side");
+    check_at_least((double)q.o_near[0], (256 + 4) * 4 * eps, "what is owed along x");
+    check_at_most((double)q.o_far[0], -(256 + 4) * 4 * eps, "and on the far side");
 }
 
 int main(void)

@@ -79,10 +79,11 @@ static void test_corners(void)
  * corners. Climbing has met 51: no ray sees the rest. In double 2^-21 D is far more. */
 static void test_owed(void)
 {
+    const double eps = (double)real_epsilon;
     const bvh_box box = {{-1, -1, -1, 1, 1, 1}};
     box_ray q = box_ray_of(ray_from((vec3){0, 0, -3}, (vec3){1, 1, 1}), &box, NULL);  /* D = 4 */
-    check_at_least(q.o_near[0], (140 + 3) * 4 * real_epsilon, "what is owed along x");
-    check_at_most(q.o_far[0], -(140 + 3) * 4 * real_epsilon, "and on the far side");
+    check_at_least((double)q.o_near[0], (140 + 3) * 4 * eps, "what is owed along x");
+    check_at_most((double)q.o_far[0], -(140 + 3) * 4 * eps, "and on the far side");
 }
 
 /* Boxes of points with few or awkward keys. */

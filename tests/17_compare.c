@@ -345,6 +345,7 @@ static void test_shrunk_box(const char *name)
     check(due.shape != no_shape, "%s: a ray hits", name);
     const bvh_tree *t = bvh_tree_of(e.s);
     size_t shrunk = 0;
+    char leaf[64] = "none";
     FILE *out = tmpfile();
     if (!out) abort();
     check(prove_entry(&e, &x, &r, &due, 1, true, "brute force", out) && ftell(out) == 0,
@@ -354,6 +355,7 @@ static void test_shrunk_box(const char *name)
             bvh_box *box = &t->node[i].box;
             if (bvh_item_at(e.s, t->node[i].first + k) != due.shape) continue;
             memcpy(box->side + 3, box->side, 3 * sizeof *box->side);
+            snprintf(leaf, sizeof leaf, "node %zu lists it, the nearest of 1:", i);
             shrunk++;
         }
     check_equal(shrunk, 1, "%s: its leaf is found", name);
@@ -361,6 +363,8 @@ static void test_shrunk_box(const char *name)
           "%s: broken, and found out", name);
     char *text = written(out);
     check(strstr(text, "not found on the interval [t, t] either"), "%s: at the place itself", name);
+    check(strstr(text, leaf) && strstr(strstr(text, leaf), " outside"), "%s: its leaf is named: %s",
+          name, text);
     free(text), fclose(out);
     contender_free(e.c, e.s);
     world_free(&w);
@@ -436,6 +440,11 @@ static void test_lost_way(patient *p, bool any)
     check_close(begins, (double)p->due.t - 3, 1e-5, "%s: lost from more than 3 away: %s",
                 right.name, text);
     check(strstr(text, " itself: x "), "%s: where the shape is: %s", right.name, text);
+    shape_place at_hit = place_of(&right, p->e.s, p->due.shape, ray_at(p->r, p->due.t));
+    if (at_hit.what) {  /* of a reader's own nobody knows */
+        snprintf(answer, sizeof answer, "%s %zu lists it", at_hit.what, at_hit.number);
+        check(strstr(text, answer), "%s: which leaf lists it: %s", right.name, text);
+    }
     free(text);
     p->c = right;
 }
@@ -450,6 +459,38 @@ static void test_patients(void)
         for (int any = 0; any < 2; any++) test_lost_way(p, any);
         patient_free(p);
     }
+}
+
+/* Leaves that list a shape: all of them are found, and one of them holds the hit, by (10.1). */
+static void test_places(const char *name)
+{
+    world w = tiny(name);
+    comparison s;
+    line_up all = everybody();
+    compare_begin(&s, &w, &all, (size_t)1 << 30, 1);
+    ray_set eye = rays_view(&w, 16);
+    aabb bounds;
+    failure f;
+    if (!items_all_bounds(&s.x, &bounds, &f)) fail(f);
+    for (int k = 1; k < s.entries; k++) {
+        const compare_entry *e = &s.entry[k];
+        size_t lists = 0, hits = 0;
+        double off = 0;
+        if (strcmp(e->c->type, "mine") == 0) continue;  /* nobody knows what is in it */
+        check(place_of(e->c, e->s, 0, w.at).what != NULL, "%s: is known", e->c->name);
+        for (size_t i = 0; i < s.x.n; i++) lists += place_of(e->c, e->s, (uint32_t)i, w.at).lists;
+        check_equal(lists, e->stats.references, "%s %s: all of all shapes", name, e->c->name);
+        for (size_t i = 0; i < eye.n; i++) {
+            hit h = hit_none;
+            if (!items_hit(&s.x, eye.r[i], &h)) continue;
+            shape_place p = place_of(e->c, e->s, h.shape, ray_at(eye.r[i], h.t));
+            off = check_worse(off, (double)(p.far / query_delta(eye.r[i], bounds)));
+            hits++;
+        }
+        check_at_least(hits, 50, "%s: enough hits", name);
+        check_at_most(off, 1, "%s %s: a leaf holds each hit, within delta", name, e->c->name);
+    }
+    rays_free(&eye), compare_end(&s), world_free(&w);
 }
 
 static bool dreaming_hit(const void *s, ray r, hit *out)
@@ -541,11 +582,17 @@ static void test_winners(void)
 
 static void test_growth(void)
 {
-    growth_curve c = {.n = 0};
-    for (int i = 0; i < 5; i++, c.n++) c.x[i] = 2 * i, c.ray[i] = 100 * exp2(i);
-    double y[5];
-    for (int i = 0; i < 5; i++) y[i] = log2(c.ray[i]);
-    check_close(bench_slope(c.x, y, 5), 0.5, 1e-14, "time ~ n^0.5");
+    double x[growth_sizes], y[growth_sizes], steps[growth_sizes];
+    growth_result g = {.m = {.rows = 5}};
+    for (int i = 0; i < 5; i++) {
+        summary_row *r = &g.m.row[i];
+        r->shapes = (size_t)1 << 2 * i, r->ray[0] = exp2(i), r->ray[1] = i < 3 ? 1 : -1;
+        g.steps[i][0] = 6 * i;
+    }
+    check_equal((size_t)growth_points(&g, 0, x, y, steps), 5, "five sizes");
+    check_close(bench_slope(x, y, 5), 0.5, 1e-14, "time ~ n^0.5");
+    check_close(bench_slope(x, steps, 5), 3, 1e-14, "three more steps a doubling");
+    check_equal((size_t)growth_points(&g, 1, x, y, steps), 3, "left out of the others");
 }
 
 /* From outside. -------------------------------------------------------------------------------- */
@@ -834,6 +881,8 @@ int main(void)
     test_shrunk_box("tetra");
     test_shrunk_box("gears");
     test_patients();
+    test_places("teapot");
+    test_places("balls");
     test_wrong_answers();
     test_costs();
     test_growth();

@@ -31,6 +31,15 @@ static void test_median(void)
     check_equal(clock_median(far, 3), 0, "differences that overflow");
 }
 
+/* 1 2 3 4 9: the quartiles are 2 and 4. */
+static void test_spread(void)
+{
+    double x[] = {9, 1, 4, 2, 3}, zero[] = {0, 0}, spread;
+    check_equal(bench_median(x, 5, &spread), 3, "median of 5");
+    check_close(spread, 1 / 3.0, 1e-15, "half of 4 - 2, over 3");
+    check(bench_median(zero, 2, &spread) == 0 && spread == 0, "no time, no spread");
+}
+
 /* The first turn warms up; one slow turn of five does not move the median. */
 static void test_turns(void)
 {
@@ -55,6 +64,7 @@ int main(void)
     }
     check_equal(back, 0, "times the clock was set back");
     test_median();
+    test_spread();
     test_turns();
     return check_report("clock");
 }

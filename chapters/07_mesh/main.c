@@ -4,7 +4,6 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 07_mesh chapters/07
 #include "lab/drawing.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
-#include "files/obj.h"
 #include "files/obj_write.h"
 
 /* A picture takes rays x triangles tests. Where no size is asked for, it gets the size that so
@@ -49,16 +48,11 @@ int main(int argc, char **argv)
         {0}};
     options o = options_read(argc, argv, "07_mesh", "Meshes, brute force, and what is inside.",
                              (options){.seed = 1}, own);
-    failure f;
-    mesh m;
     if (up && (strlen(up) != 1 || !strchr("xyz", *up)))
         die(2, "bad value --up %s: allowed are x, y, z", up);
     if (save && !ends_with(save, ".obj")) die(2, "--save %.300s: its name ends in .obj", save);
     o.own = path || save || fineness != 6;
-    if (!path) m = teapot_mesh(o.quick && !o.own ? 1 : fineness);
-    else if (!obj_read(path, &m, &f)) fail(f);
-    if (path) printf("# %s: %zu points, %zu triangles\n", path, m.vertices, m.triangles);
-    if (path) (void)obj_libraries_missing(&m, path);
+    mesh m = path ? mesh_measured(path) : teapot_mesh(o.quick && !o.own ? 1 : fineness);
     if (smooth) mesh_smooth_normals(&m);
     if (flat) free(m.n), free(m.normal_index), m.n = NULL, m.normal_index = NULL;
     if (save) return mesh_write(&m, save), mesh_free(&m), output_done(&o);

@@ -37,6 +37,14 @@ static inline double bench_once(const bench_candidate *c)
     return clock_seconds() - start;
 }
 
+/* Of n >= 1 times, which it sorts: the median; *spread as above. */
+static inline double bench_median(double *x, int n, double *spread)
+{
+    double median = clock_median(x, n), quartiles = x[n - 1 - n / 4] - x[n / 4];
+    *spread = median > 0 ? quartiles / 2 / median : 0;
+    return median;
+}
+
 /* Any number of candidates and rounds, both at least 1. now: a clock [s]. */
 static inline void bench_time_by(double (*now)(void), bench_candidate *c, int n, int rounds)
 {
@@ -49,12 +57,8 @@ static inline void bench_time_by(double (*now)(void), bench_candidate *c, int n,
             clock_kept = c[k].run(c[k].context);
             if (i >= 0) all[k * rounds + i] = now() - start;
         }
-    for (int k = 0; k < n; k++) {
-        double *one = all + k * rounds;
-        c[k].seconds = clock_median(one, rounds);  /* sorts them */
-        double quartiles = one[rounds - 1 - rounds / 4] - one[rounds / 4];
-        c[k].spread = c[k].seconds > 0 ? quartiles / 2 / c[k].seconds : 0;
-    }
+    for (int k = 0; k < n; k++)
+        c[k].seconds = bench_median(all + k * rounds, rounds, &c[k].spread);
     free(all);
 }
 

@@ -2,6 +2,7 @@
  *
  *   output_plot(&o, &p, "14_bvh_pareto_time.svg")   saves and frees a plot
  *   output_table(&o, &t)                       prints and frees the main table; --csv gets it, too
+ *   bool output_csv(&o, &t, &f)                to --csv alone
  *   output_extra_table(&o, &t)                 prints and frees another one
  */
 #ifndef REPORT_H
@@ -46,15 +47,23 @@ static inline void output_extra_table(const options *o, table *t)
     table_free(t);
 }
 
+/* To the file of --csv, if there is one. */
+static inline bool output_csv(const options *o, table *t, failure *f)
+{
+    file_writer w;
+    if (!o->csv) return true;
+    if (!file_begin(&w, o->csv, f)) return false;
+    table_csv(t, w.stream);
+    return file_commit(&w, f);
+}
+
 /* The main table: it goes to the file of --csv, too. */
 static inline void output_table(const options *o, table *t)
 {
-    failure f = {0, ""};
-    file_writer w;
-    bool csv = o->csv && file_begin(&w, o->csv, &f);
-    if (csv) table_csv(t, w.stream), file_commit(&w, &f);
+    failure f;
+    bool ok = output_csv(o, t, &f);
     output_extra_table(o, t);
-    if (f.exit_code) fail(f);  /* after the table was shown */
+    if (!ok) fail(f);  /* after the table was shown */
 }
 
 #endif

@@ -2,6 +2,7 @@
  * interleaved rounds.
  *
  *   inside_report(&o);                 answers to "inside?": errors and times; the main table
+ *   mesh m = mesh_measured(path);      an OBJ file, and how fast it was read
  *   cost_report(&o, &m, is_main);      the closest hit in parts of a mesh: O(n)
  */
 #ifndef MESH_LAB_MEASURE_H
@@ -9,6 +10,7 @@
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
+#include "../files/obj.h"
 #include "../scenes/teapot.h"
 #include "trials.h"
 
@@ -71,6 +73,25 @@ static inline void inside_report(const options *o)
     mesh_free(&m), first_mesh_free(&soup);
     output_table(o, &t);
     output_plot(o, &against_time, "07_mesh_inside_time.svg");
+}
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* Ends the program if the file is none. Once only: what is read first may come from the disk. */
+static inline mesh mesh_measured(const char *path)
+{
+    failure f;
+    mesh m;
+    struct stat file;
+    double begin = clock_seconds();
+    if (!obj_read(path, &m, &f)) fail(f);
+    double seconds = clock_seconds() - begin;
+    printf("# %s: %zu points, %zu triangles", path, m.vertices, m.triangles);
+    if (stat(path, &file) == 0 && file.st_size > 0)  /* of a pipe nobody knows */
+        printf("; read at %.0f MB/s", (double)file.st_size / seconds / 1e6);
+    puts("");
+    (void)obj_libraries_missing(&m, path);
+    return m;
 }
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -47,7 +47,15 @@ static inline vec3 diffuse_direction(vec3 n, random_stream *g)
     return vadd(n, (vec3){s * cos(phi), s * sin(phi), z});
 }
 
-/* They start a little off the surface, by 1e-4 of the distance that the eye keeps. */
+/* Where a ray leaves what it hit at t, of normal n: a little off it, by 1e-4 of the distance that
+ * the eye keeps. n is turned to the side that the eye sees. */
+static inline vec3 leave_surface(ray r, real t, vec3 *n)
+{
+    vec3 p = ray_at(r, t);
+    if (vdot(*n, r.d) > 0) *n = vneg(*n);
+    return vmadd(p, *n, (real)1e-4 * vlength(vsub(p, r.o)));
+}
+
 static inline ray_set rays_diffuse(const mesh *m, const ray_set *eye, const hit *hits,
                                    uint64_t seed)
 {
@@ -56,9 +64,7 @@ static inline ray_set rays_diffuse(const mesh *m, const ray_set *eye, const hit 
         random_stream g = random_start(seed, i, 0);
         if (hits[i].shape == no_shape) continue;
         vec3 n = triangle_normal(mesh_triangle(m, hits[i].shape));
-        vec3 p = ray_at(eye->r[i], hits[i].t);
-        if (vdot(n, eye->r[i].d) > 0) n = vneg(n);
-        vec3 off = vmadd(p, n, (real)1e-4 * vlength(vsub(p, eye->r[i].o)));
+        vec3 off = leave_surface(eye->r[i], hits[i].t, &n);
         s.r[s.n++] = ray_from(off, diffuse_direction(n, &g));
     }
     return s;

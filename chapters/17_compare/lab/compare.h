@@ -92,12 +92,7 @@ static inline line_up choose_counting(const line_up *chosen)
 }
 
 /* Of this thread, on a processor. */
-static inline double work_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+static inline double work_seconds(void) { return clock_of(CLOCK_THREAD_CPUTIME_ID); }
 
 static inline void entry_build(compare_entry *e, const items *x, size_t most_bytes, int rounds)
 {

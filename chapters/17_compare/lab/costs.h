@@ -54,14 +54,6 @@ static inline double cost_count(compare_entry *e, compare_kind kind, const ray_s
     return work_seconds() - start;
 }
 
-/* A sorted list; see bench.h. */
-static inline void cost_note(compare_entry *e, compare_kind kind, double *seconds, int n)
-{
-    e->seconds[kind] = n ? clock_median(seconds, n) : 0;
-    double quartiles = n ? seconds[n - 1 - n / 4] - seconds[n / 4] : 0;
-    e->spread[kind] = e->seconds[kind] > 0 ? quartiles / 2 / e->seconds[kind] : 0;
-}
-
 /* Every so manieth of n, or as many as that work allows, a ray taking `each`. */
 static inline ray_set cost_rays(const ray_set *all, size_t n, double work, double each)
 {
@@ -101,8 +93,9 @@ static inline void cost_kind(comparison *s, compare_kind kind, int turns, double
             seconds[k][done[k]++] = work_seconds() - start;
         }
     for (int k = 0; k < s->entries; k++) {
-        cost_note(&s->entry[k], kind, seconds[k], done[k]);
-        if (s->entry[k].s) rays_free(&all[k]), rays_free(&warm[k]);
+        compare_entry *e = &s->entry[k];
+        if (done[k]) e->seconds[kind] = bench_median(seconds[k], done[k], &e->spread[kind]);
+        if (e->s) rays_free(&all[k]), rays_free(&warm[k]);
     }
     compare_progress(s->w->name, NULL, NULL);
     free(out);
@@ -267,17 +260,6 @@ static inline void cost_csv(table *t, const comparison *s)
         for (compare_kind k = 0; k < compare_kinds; k++)
             if (s->entry[i].rays[k] || !s->entry[i].s)
                 cost_csv_row(t, s, &s->entry[i], kind_name[k], k);
-}
-
-/* The file of --csv; the tables on the screen have other columns. */
-static inline void cost_write_csv(const options *o, table *t)
-{
-    failure f;
-    file_writer w;
-    if (!o->csv) return;
-    if (!file_begin(&w, o->csv, &f)) fail(f);
-    table_csv(t, w.stream);
-    if (!file_commit(&w, &f)) fail(f);
 }
 
 #endif

@@ -21,20 +21,6 @@ static inline void box_interval(aabb b, ray r, real *enter, real *leave)
     if (aabb_hit(b, r, enter) && aabb_hit(b, back, leave)) *leave = 20 - *leave;
 }
 
-/* The nodes from the root to the leaf of item `wanted`; how many. */
-static inline int example_path(const example *e, uint32_t wanted, size_t *path)
-{
-    size_t k = 0, first = 0, n = e->n, place = 0;
-    int depth = 0;
-    while (e->item[place].index != wanted) place++;
-    for (;;) {
-        path[depth++] = k;
-        if (n == 1) return depth;
-        if (place < first + n / 2) k++, n /= 2;
-        else k += 2 * (n / 2), first += n / 2, n -= n / 2;
-    }
-}
-
 static inline void closed_bar(figure *g, double from, double to, double y, const char *colour)
 {
     double xy[8] = {from, y - 7, to, y - 7, to, y + 7, from, y + 7};

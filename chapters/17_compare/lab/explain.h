@@ -1,4 +1,4 @@
-/* explain.h: why did a search not find a hit? For those who change a structure, or write one: of
+/* explain.h: why did a search not find a hit? For those who change a structure, or write one, of
  * which nothing is known here but its verbs.
  *
  *   explain_wrong(c, s, &x, &w, oracle, out)    the ray, what it should hit and what it did; then
@@ -10,13 +10,15 @@
  *                    a           b           interval must begin and end to lose it: there, on
  *                                            the ray, the search takes the wrong turn
  *
- *   explain_shape(&x, &w, out)         the nearest box: the shape's own, and how far the point of
- *                                      the hit lies outside; boxes no wider than that lose it
+ *   explain_shape(c, s, &x, &w, out)   the nearest box: the shape's own, and how far the point of
+ *                                      the hit lies outside; boxes no wider than that lose it. Then
+ *                                      the leaf, or cell, that lists the shape there (places.h)
  */
 #ifndef COMPARE_EXPLAIN_H
 #define COMPARE_EXPLAIN_H
 
 #include "../proof.h"
+#include "places.h"
 #include <stdio.h>
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -84,19 +86,31 @@ static inline void explain_window(const contender *c, const void *s, const wrong
         fprintf(out, "  found on [tmin, t]: it is lost to what lies beyond it\n");
 }
 
+static inline void print_box(FILE *out, aabb b, real far)
+{
+    fprintf(out, ": x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the hit is ",
+            (double)b.lo.x, (double)b.hi.x, (double)b.lo.y, (double)b.hi.y, (double)b.lo.z,
+            (double)b.hi.z);
+    if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
+    else fprintf(out, "inside\n");
+}
+
 /* The shape's own box holds the point, but for rounding. */
-static inline void explain_shape(const items *x, const wrong_answer *w, FILE *out)
+static inline void explain_shape(const contender *c, const void *s, const items *x,
+                                 const wrong_answer *w, FILE *out)
 {
     aabb b;
     if (w->due.shape == no_shape || !items_bounds(x, w->due.shape, &b)) return;
-    vec3 p = ray_at(w->r, w->due.t), under = vsub(b.lo, p), over = vsub(p, b.hi);
-    vec3 outside = vmax(vmax(under, over), (vec3){0, 0, 0});
-    real far = vaxis(outside, vlongest(outside));
-    fprintf(out, "  shape %u itself: x %.9g..%.9g, y %.9g..%.9g, z %.9g..%.9g; the point of the "
-                 "hit is ", w->due.shape, (double)b.lo.x, (double)b.hi.x, (double)b.lo.y,
-            (double)b.hi.y, (double)b.lo.z, (double)b.hi.z);
-    if (far > 0) fprintf(out, "%.3g outside: a box must be wider than that\n", (double)far);
-    else fprintf(out, "inside\n");
+    vec3 at = ray_at(w->r, w->due.t);
+    fprintf(out, "  shape %u itself", w->due.shape);
+    print_box(out, b, place_outside(b, at));
+    shape_place p = place_of(c, s, w->due.shape, at);
+    if (!p.what) return;
+    if (p.lists == 0) fprintf(out, "  no %s lists it\n", p.what);
+    else {
+        fprintf(out, "  %s %zu lists it, the nearest of %zu", p.what, p.number, p.lists);
+        print_box(out, p.box, p.far);
+    }
 }
 
 static inline void print_hit(FILE *out, const char *who, hit h)
@@ -119,7 +133,7 @@ static inline void explain_wrong(const contender *c, const void *s, const items 
                         w->got.shape == no_shape ? "no" : "yes");
     else print_hit(out, c->name, w->got);
     explain_window(c, s, w, out);
-    explain_shape(x, w, out);
+    explain_shape(c, s, x, w, out);
 }
 
 #endif

@@ -33,15 +33,6 @@ static inline ray_set rays_view(const world *w, int edge)
     return s;
 }
 
-/* Where a ray leaves the surface it hit: a point off it, and the normal on that side. */
-static inline vec3 leave_surface(const world *w, ray r, hit h, vec3 *n)
-{
-    vec3 p = ray_at(r, h.t);
-    *n = world_normal(w, h, p);
-    if (vdot(*n, r.d) > 0) *n = vneg(*n);
-    return vmadd(p, *n, (real)1e-4 * vlength(vsub(p, r.o)));
-}
-
 static inline ray_set rays_on(const world *w, compare_kind kind, const ray_set *eye,
                               const hit *hits, uint64_t seed)
 {
@@ -50,7 +41,8 @@ static inline ray_set rays_on(const world *w, compare_kind kind, const ray_set *
     for (size_t i = 0; i < eye->n; i++) {
         random_stream g = random_start(seed, i, 0);
         if (hits[i].shape == no_shape) continue;
-        vec3 n, p = leave_surface(w, eye->r[i], hits[i], &n), d = eye->r[i].d;
+        vec3 d = eye->r[i].d, n = world_normal(w, hits[i], ray_at(eye->r[i], hits[i].t));
+        vec3 p = leave_surface(eye->r[i], hits[i].t, &n);
         for (int k = 0; k < w->lights && kind == KIND_SHADOW; k++)
             if (vdot(n, vsub(w->light[k], p)) > 0) s.r[s.n++] = ray_between(p, w->light[k]);
         if (kind == KIND_DIFFUSE) s.r[s.n++] = ray_from(p, diffuse_direction(n, &g));

@@ -27,12 +27,7 @@ static inline void order_job(size_t i, void *context)
 }
 
 /* Of all processors together. */
-static inline double order_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
+static inline double order_seconds(void) { return clock_of(CLOCK_PROCESS_CPUTIME_ID); }
 
 static inline double order_search(void *context)
 {

@@ -170,7 +170,11 @@ static inline void compare_run(const compare_settings *c, const compare_options 
         compare_scene(c, own, &w, book, &r);
         world_free(&w);
     }
-    if (measured && !only_picture) compare_all(c, own, &r), cost_write_csv(o, &r.csv);
+    if (measured && !only_picture) {
+        failure f;
+        compare_all(c, own, &r);
+        if (!output_csv(o, &r.csv, &f)) fail(f);  /* tables on the screen have other columns */
+    }
     table_free(&r.csv);
     html_end(r.html);
 }
