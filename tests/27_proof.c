@@ -80,6 +80,13 @@ static void random_shape(random_stream *r, writing *w)
     say(w, "polygon -9 %g 9  9 %g 9  9 %g -9  -9 %g -9\n", y, y, y, y);
 }
 
+/* On the ground, and side by side with others. */
+static void random_box(random_stream *r, writing *w)
+{
+    int left = (int)some(r, 0, 3), front = (int)some(r, 0, 2);
+    say(w, "box %d 0 %d  %d 1 %d\n", left - 1, front - 1, left, front);
+}
+
 typedef struct { bool off, on, own; } proof_said;  /* own: light of the scene file, not black */
 
 static void random_light(random_stream *r, writing *w, proof_said *said)
@@ -107,6 +114,7 @@ static proof_said random_scene(random_stream *r, writing *w)
     if (chance(r, 0.1)) say(w, "nff lit.nff\n");
     for (int k = 0, m = (int)some(r, 0, 5); k < m; k++)
         random_material(r, w, k), random_shape(r, w);
+    for (int k = 5; k < 9 && chance(r, 0.2); k++) random_material(r, w, k), random_box(r, w);
     return said;
 }
 
@@ -346,8 +354,29 @@ static bool noticed(const plan_rule *rules)
     return found;
 }
 
+/* And a stage that looks for neighbours of glass nowhere. */
+static bool noticed_apart(void)
+{
+    char *text = allocate(proof_room, 1);
+    bool found = false;
+    for (size_t i = 0; i < 1500 && !found; i++) {
+        proof q;
+        bool by_chance;
+        if (!proof_begin(&q, i, text)) continue;
+        plan p = plan_of(&q.s);
+        for (size_t k = 0; q.e.near && k < q.s.shapes + q.s.places; k++)
+            q.e.near[k].box = aabb_empty();
+        found = proof_refutes(&q, &p, &by_chance) && p.effects & EFFECT_REFRACTION;
+        plan_free(&p), proof_end(&q);
+    }
+    free(text);
+    return found;
+}
+
 static void test_holes(void)
 {
+    check(noticed_apart(), "that glass has no neighbours is not noticed");
+
     plan_rule rules[plan_rule_count];
     for (size_t i = 0; i < plan_rule_count; i++) {
         memcpy(rules, plan_rules, sizeof rules);

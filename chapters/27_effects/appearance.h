@@ -117,6 +117,9 @@ static inline bool appearance_lit(const appearance *a)
     return !vzero(a->matte) || !vzero(a->highlight) || !vzero(a->glossy);
 }
 
+/* Bounds a body of glass. */
+static inline bool appearance_body(const appearance *a) { return a->solid && !vzero(a->through); }
+
 /* Nothing of what falls on it goes anywhere. */
 static inline bool appearance_black(const appearance *a)
 {

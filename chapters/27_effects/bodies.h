@@ -1,6 +1,6 @@
 /* bodies.h: which bodies of glass a ray is in: outermost first; none: air.
  *
- *   uint32_t to = bodies_cross(e, body, inwards, &in, &after, counts)     through a face of a body
+ *   uint32_t to = bodies_cross(e, &faces, &in, &after, counts)     through all faces at one place
  *   media_set in = bodies_around(e, o)       of the point o; asked once, before the first ray
  *
  *        ___________                 Along a ray to infinity, a body that is left without having
@@ -18,27 +18,32 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Sets what the ray is in before the face and after it; returns whose medium fills the place
- * behind. A body is listed as often as it was entered: of two balls of one glass that overlap,
- * leaving the first is no leaving of the glass. One that is left without having been entered was
- * around the ray's origin: it becomes the outermost. More than media_most: not noted, but counted.
+static inline void bodies_leave(media_set *in, uint32_t body)
+{
+    uint32_t k = in->n;
+    while (k > 0 && in->body[k - 1] != body) k--;
+    if (k == 0) return;
+    for (in->n--; k <= in->n; k++) in->body[k - 1] = in->body[k];
+}
+
+/* Sets what the ray is in before the faces at one place and after them; returns whose medium fills
+ * the place behind. A body is listed as often as it was entered: of two balls of one glass that
+ * overlap, leaving the first is no leaving of the glass. One that is left without having been
+ * entered was around the ray's origin: it becomes the outermost. More than media_most: not noted,
+ * but counted.
  *
  * A call, since it is for few hits, and each copy of radiance.h would have one of its own. */
 __attribute__((noinline))
-static uint32_t bodies_cross(const effects_stage *e, uint32_t body, bool inwards, media_set *in,
+static uint32_t bodies_cross(const effects_stage *e, const media_crossing *x, media_set *in,
                              media_set *after, effects_counts *c)
 {
-    uint32_t k = in->n;
-    while (!inwards && k > 0 && in->body[k - 1] != body) k--;
-    *after = *in;
-    if (inwards) {
-        if (k < media_most) after->body[after->n++] = body;
+    *after = *in = media_before(*in, x);
+    for (const media_face *f = x->face; f < x->face + x->n; f++)
+        if (f->out && !f->in) bodies_leave(after, f->body);
+    for (const media_face *f = x->face; f < x->face + x->n; f++) {
+        if (!f->in || f->out) continue;
+        if (after->n < media_most) after->body[after->n++] = f->body;
         else c->lost++;
-    } else if (k > 0) {
-        for (after->n--; k < in->n; k++) after->body[k - 1] = in->body[k];
-    } else if (in->n < media_most) {
-        for (k = in->n++; k > 0; k--) in->body[k] = in->body[k - 1];
-        in->body[0] = body;
     }
     return media_fills(e->media, after);
 }
@@ -48,15 +53,18 @@ static inline media_set bodies_along(const effects_stage *e, ray r)
     media_set in = {0}, after = {0}, around = {0};
     effects_counts c = {.lost = 0};
     studio_hit x = {hit_none, 0};
-    for (int k = 0; k < stage_most_depth && studio_tree_hit(&e->t, r, &x); k++) {
-        uint32_t m = studio_hit_material(&e->t, x), n = in.n;
+    touch at;
+    for (int k = 0; e->near && k < stage_most_depth && studio_tree_hit(&e->t, r, &x); k++) {
+        uint32_t n = in.n;
         surface s = studio_surface(&e->t, r, x);
-        r.o = leave_point(s, r.d, 0);
-        if (!e->look[m].solid || vzero(e->look[m].through)) continue;
-        bodies_cross(e, m + 1, vdot(s.n, r.d) < 0, &in, &after, &c);
-        if (in.n > n && around.n < media_most) {  /* left, but never entered: outside all before */
+        touch_at(&e->t, e->look, e->near, true, r, x, &s, &at);
+        r.o = leave_point(s, r.d, at.more);
+        bodies_cross(e, &at.faces, &in, &after, &c);
+        /* left, but never entered: outside all before */
+        media_set left = in;
+        for (left.n -= n; left.n > 0 && around.n < media_most; left.n--) {
             for (n = around.n++; n > 0; n--) around.body[n] = around.body[n - 1];
-            around.body[0] = m + 1;
+            around.body[0] = left.body[left.n - 1];
         }
         in = after;
     }

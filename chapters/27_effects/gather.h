@@ -52,6 +52,7 @@ typedef struct {
     effects_counts *c;
     const brdf *lobe;
     surface s;
+    real more;          /* touch.h */
     gather_share k;
 } gather_hit;
 

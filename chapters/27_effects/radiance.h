@@ -50,7 +50,7 @@ effects_inline void effects_child(const gather_hit *h, const unsigned mask, int 
                                   vec3 d, vec3 weight, branch *c)
 {
     const branch *b = h->b;
-    c->r.o = leave_point(h->s, side, 0), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
+    c->r.o = leave_point(h->s, side, h->more), c->r.tmin = 0, c->r.d = d, c->r.tmax = real_infinity;
     c->weight = weight, c->pdf = real_infinity, c->cosine = 1;
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
@@ -142,6 +142,22 @@ effects_inline int effects_children(const gather_hit *h, const unsigned mask, co
     return n;
 }
 
+/* Through all faces that lie where glass was met. False: one of them is opaque, and x, h are its. A
+ * call, as bodies_cross. */
+__attribute__((noinline))
+static bool effects_cross(gather_hit *h, bool always, studio_hit *x, branch *b, media_set *after,
+                          uint32_t *to)
+{
+    const effects_stage *e = h->e;
+    touch at;
+    touch_at(&e->t, e->look, e->near, always, b->r, *x, &h->s, &at);
+    h->more = at.more, h->c->contacts += at.asked;
+    if (at.opaque.h.shape == no_shape)
+        return *to = bodies_cross(e, &at.faces, &b->in, after, h->c), true;
+    at.opaque.h.t = x->h.t, *x = at.opaque, h->s = at.on;
+    return false;
+}
+
 /* One ray: adds what it brings to *sum; how many children. */
 effects_inline int effects_step(const effects_stage *e, const unsigned mask, branch *b, vec3 *sum,
                                 branch child[4], const dice *d, effects_counts *c)
@@ -157,8 +173,11 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
     gather_hit h = {.e = e, .b = b, .d = d, .c = c, .lobe = &e->lobe[m]};
     h.s = effects_surface(e, b->r, x);
     media_set after;
-    bool body = (mask & EFFECT_REFRACTION) && a->solid && !vzero(a->through);
-    if (body) to = bodies_cross(e, m + 1, vdot(h.s.n, b->r.d) < 0, &b->in, &after, c);
+    bool body = (mask & EFFECT_REFRACTION) && appearance_body(a);
+    if (body && !effects_cross(&h, (mask & EFFECTS_SPEND) != 0, &x, b, &after, &to)) {
+        m = studio_hit_material(&e->t, x), a = &e->look[m], h.lobe = &e->lobe[m];
+        body = false;
+    }
     if (mask & EFFECT_REFRACTION) inside = media_fills(e->media, &b->in);
     if ((mask & EFFECT_ABSORPTION) && ((mask & EFFECTS_SPEND) || !vzero(e->media[inside].absorb))) {
         c->rays[RAY_ABSORBED]++;

@@ -23,7 +23,7 @@
 #include "framing.h"
 #include "lamps.h"
 #include "effect.h"
-#include "appearance.h"
+#include "touch.h"
 
 enum {
     EFFECTS_SPEND = 1 << effect_kinds,  /* bits beside those of effect.h */
@@ -37,6 +37,7 @@ enum {
 typedef struct {
     size_t rays[effects_rays];       /* [RAY_OF_EYE]: all that the eye sent */
     size_t lost;                     /* bodies entered while within media_most others */
+    size_t contacts;                 /* rays of touch.h */
 } effects_counts;
 
 typedef struct {
@@ -44,6 +45,7 @@ typedef struct {
     studio_tree t;
     appearance *look;                /* [materials] */
     brdf *lobe;                      /* [materials] white, with the material's exponent */
+    touch_near *near;                /* where glass has neighbours: touch.h */
     medium *media;                   /* [materials + 1] body m + 1 is made of material m */
     light *light;
     int lights;
@@ -67,7 +69,7 @@ static inline void effects_stage_free(effects_stage *e)
     studio_tree_free(&e->t);
     lamps_free(&e->lamp);
     sky_light_free(&e->sky);
-    free(e->look), free(e->lobe), free(e->media), free(e->light);
+    free(e->look), free(e->lobe), free(e->near), free(e->media), free(e->light);
     *e = (effects_stage){.s = NULL};
 }
 
@@ -93,6 +95,7 @@ static inline void effects_stage_materials(effects_stage *e)
         e->media[m + 1] = (medium){a->bends ? a->ior : 1, a->absorb, 0};
         e->clear = e->clear || (s->material[m].used && !vzero(a->through) && !a->bends);
     }
+    e->near = touch_near_of(s, e->look);
 }
 
 static inline bool effects_stage_build(const studio *s, effects_stage *out, failure *f)
@@ -121,7 +124,7 @@ static inline void effects_stage_view(effects_stage *e, const studio_view *v, ca
 
 static inline void effects_counts_add(effects_counts *to, const effects_counts *c)
 {
-    to->lost += c->lost;
+    to->lost += c->lost, to->contacts += c->contacts;
     for (int k = 0; k < effects_rays; k++) to->rays[k] += c->rays[k];
 }
 
