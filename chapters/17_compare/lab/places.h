@@ -154,8 +154,8 @@ static inline void place_example(shape_place *p, const example *e)
 #define PLACE_OF(X, its_leaves, look)                                   \
     if (strcmp(c->type, #X) == 0) {                                     \
         const X *t = s;                                                 \
-        p.what = its_leaves;                                            \
-        if (c->stats(s).items > 0) look;                                \
+        p.what = (its_leaves);                                          \
+        if (c->stats(s).items > 0) (look);                              \
     }
 
 static inline shape_place place_of(const contender *c, const void *s, uint32_t wanted, vec3 at)
