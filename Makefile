@@ -262,7 +262,8 @@ embree: $(STAMP)
 	$(Q)$(CC) $(ALL_CFLAGS) -o $(BUILD)/embree chapters/15_wide_bvh/lab/embree.c -lembree3 $(LDLIBS)
 	$(Q)$(BUILD)/embree $(if $(MESH),--mesh $(MESH))
 
-# Without null and object-size: AddressSanitizer stops at the same places, and the compiler is done sooner.
+# Without null and object-size: what they find AddressSanitizer stops too, where memory is touched; the compiler is
+# done sooner.
 sanitize:
 	$(Q)CHECK_DIVISOR=10 $(MAKE) --no-print-directory BUILD=$(BUILD)/sanitize MUCH_CFLAGS=-O1 test \
 	  CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize=null,object-size -fno-sanitize-recover=all -fno-omit-frame-pointer"
