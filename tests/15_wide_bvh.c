@@ -11,6 +11,7 @@ static int interrupted_create(pthread_t *t, const pthread_attr_t *a, void *(*run
 }
 #define pthread_create interrupted_create
 #include "../chapters/15_wide_bvh/lab/leaky.h"
+#include "../chapters/15_wide_bvh/lab/stream.h"
 #include "structure.h"
 
 static bvh8_options options_now;
@@ -386,6 +387,47 @@ static void test_leaks(void)
     mesh_free(&m);
 }
 
+/* Rays that have nothing in common, some of them none, one to eight together: each gets its own
+ * hit; an empty tree gives none. */
+static void test_streams(void)
+{
+    mesh m = octahedron_mesh(16), none = {0};
+    items x = items_of_mesh(&m), nothing = items_of_mesh(&none);
+    failure f;
+    bvh8 w, empty;
+    size_t wrong = 0, rays = check_count(4000), hits = 0, any = 0;
+    check(bvh8_build(&x, bvh8_defaults, &w, &f), "built");
+    check(bvh8_build(&nothing, bvh8_defaults, &empty, &f), "built of nothing");
+    for (size_t i = 0; i < rays; i++) {
+        random_stream g = random_start(42, i, 0);
+        ray r[stream_rays], own[stream_rays];
+        hit out[stream_rays];
+        stream_work work = {0, 0};
+        int n = 1 + (int)(i % stream_rays);
+        for (int k = 0; k < n; k++) {
+            vec3 o = vscale(random_in_cube(&g, 1), k == 5 ? 2000 : 4);
+            triangle t = mesh_triangle(&m, random_below(&g, m.triangles));
+            r[k] = ray_from(o, k == 3 && i % 5 == 0 ? vec(0, 0, 0) : vsub(t.a, o));
+            if (k == 6) r[k].tmax = (real)0.99;
+        }
+        memcpy(own, r, sizeof own);
+        bvh8_hit_stream(&w, own, n, out, &work);
+        for (int k = 0; k < n; k++) {
+            hit h;
+            bool due = bvh8_hit(&w, r[k], &h);
+            hits += due;
+            wrong += !same(due, h, out[k].shape != no_shape, out[k]);
+        }
+        bvh8_hit_stream(&empty, r, n, out, &work);
+        for (int k = 0; k < n; k++) any += out[k].shape != no_shape;
+    }
+    check_at_least(hits, rays, "most of them hit");
+    check_equal(wrong, 0, "together or one by one: the same hits");
+    check_equal(any, 0, "nothing is hit where nothing is");
+    bvh8_free(&w), bvh8_free(&empty);
+    mesh_free(&m);
+}
+
 /* A ray from far away is moved to where it is near (ray8.h), and its interval with it: the nearest
  * of three faces is asked in `real`, and no other; a shadow ray asks none. */
 static void test_far(void)
@@ -495,6 +537,7 @@ int main(void)
     test_floats();
     test_invariants();
     test_leaks();
+    test_streams();
     test_far();
     test_left_out();
     test_split();

@@ -7,6 +7,7 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 15_wide_bvh chapter
 #include "lab/figure.h"
 #include "lab/measure.h"
 #include "lab/rays.h"
+#include "lab/stream.h"
 
 static void measure(const options *o, bool large)
 {
@@ -19,7 +20,7 @@ static void measure(const options *o, bool large)
     trial_rays(&s, trial_camera(&s.m, 1.6), width, width * 5 / 8, o->quick ? 50 : 1000, o->seed,
                &bvh8_trial, &how);
     table_of_rungs(&here, &s);
-    if (large) table_of_shadows(o, &s), table_of_doubts(o, &s);
+    if (large) table_of_shadows(o, &s), table_of_streams(o, &s), table_of_doubts(o, &s);
     else table_of_cracks(o);
     trial_scene_free(&s);
 }

@@ -1,0 +1,39 @@
+/* stream_walk.h: the search of stream.h. Compiled once in each dialect, by dialects.h: no guard. */
+__attribute__((noinline))
+static void EIGHT(bvh8_stream)(const bvh8 *w, ray *r, int n, hit *out, stream_work *work)
+{
+    stream_waiting stack[512];
+    bvh8_ray q[stream_rays];
+    unsigned usable = 0;
+    int top = 0;
+    for (int i = 0; w->nodes > 0 && i < n; i++)
+        usable |= (unsigned)bvh8_ray_of(w, &r[i], &bvh8_skip_none, &q[i]) << i;
+    stack[top++] = (stream_waiting){0, usable, 0};
+    while (top > 0) {
+        stream_waiting now = stack[--top];
+        bool leaf = now.child & bvh8_leaf;
+        uint32_t at = now.child & ~bvh8_leaf, rays[8] = {0};
+        eight nearest = EIGHT_ALL(INFINITY), enter;
+        work->fetched += !leaf && now.rays;
+        for (unsigned left = now.rays; left; left &= left - 1) {
+            int i = __builtin_ctz(left);
+            if (float_max(q[i].limit, 0) < now.enter) continue;  /* enter: not before 0 */
+            if (leaf) {
+                EIGHT(bvh8_triangles)(w, &w->block[at], &q[i], false);
+                continue;
+            }
+            unsigned mask = EIGHT(bvh8_boxes)(&w->node[at], &q[i], &enter);
+            nearest = EIGHT_MIN(nearest, enter);
+            work->asked++;
+            for (; mask; mask &= mask - 1) rays[__builtin_ctz(mask)] |= 1u << i;
+        }
+        for (int k = 0, base = top; k < 8; k++) {
+            if (!rays[k]) continue;
+            int j = top++;
+            for (; j > base && stack[j - 1].enter < nearest[k]; j--) stack[j] = stack[j - 1];
+            stack[j] = (stream_waiting){w->node[at].child[k], rays[k], nearest[k]};
+        }
+    }
+    for (int i = 0; i < n; i++)
+        out[i] = usable >> i & 1 && bvh8_settle(w, &q[i]) ? q[i].best : hit_none;
+}
