@@ -1,6 +1,6 @@
 /* 07_cone: open cones and cylinders against closed forms and an exact oracle. */
 #include "check.h"
-#include "../chapters/07_mesh/lab/trials.h"
+#include "07_trials.h"
 
 /* Exact: every number here has few bits. t 0: a miss; u -1: any. */
 static void closed_forms(void)

@@ -3,7 +3,7 @@
 #include "check.h"
 #include "child.h"
 #include "../chapters/07_mesh/lab/pictures.h"
-#include "../chapters/07_mesh/lab/trials.h"
+#include "07_trials.h"
 
 static random_stream numbers;
 

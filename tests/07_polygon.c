@@ -1,7 +1,7 @@
 /* 07_polygon: planar polygons against exact cases and an exact oracle, and the seams between
  * them. */
 #include "check.h"
-#include "../chapters/07_mesh/lab/trials.h"
+#include "07_trials.h"
 
 static void turn(vec3 *v, size_t n, vec3 axis, vec3 offset)
 {

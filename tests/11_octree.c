@@ -10,7 +10,6 @@
 static octree_options how;
 
 STRUCTURE_TESTED(octree, how)
-static bool find_slabs(const void *s, ray r, hit *out) { return octree_hit_slabs(s, r, out); }
 
 static void test_options(void)
 {
@@ -23,10 +22,6 @@ static void test_options(void)
         how = list[i];
         structure_brief(&s, check_count(240));
     }
-    structure slabs = {"slab tests", octree_built, find_slabs, octree_any, octree_gone, NULL};
-    how = octree_defaults;
-    how.leaf = 4;
-    structure_brief(&slabs, check_count(240));
 }
 
 /* The naive walks fail on dyadic meshes, by kind of ray. `least`: per cent of the rays. */

@@ -424,8 +424,8 @@ static void test_program(void)
              directory);
     check_equal(run("21_distributed", arguments), 0, "two effects");
     snprintf(arguments, sizeof arguments,
-             "--quick --size 24x16 --effects so --spend-all --threads 3 --out %s/b.pfm", directory);
-    check_equal(run("21_distributed", arguments), 0, "all spent");
+             "--quick --size 24x16 --effects so --threads 3 --out %s/b.pfm", directory);
+    check_equal(run("21_distributed", arguments), 0, "by three threads");
     size_t n[2];
     failure f;
     char *a = file_read(in_directory("a.pfm"), &n[0], &f);

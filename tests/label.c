@@ -85,6 +85,19 @@ static void test_panels(void)
             wrong += !vzero(vsub(image_get(&sheet, x, y + (y < 44 ? 26 : 52)), due));
         }
     check_equal(wrong, 0, "panels keep their pixels, gaps are white");
+    image one = image_new(60, 40), again = {0};
+    for (int k = 0; k < 4; k++) {  /* the same panels, one by one */
+        for (int i = 0; i < 60 * 40; i++) {
+            int x = i % 60, y = i / 60;
+            image_set(&one, x, y, image_get(&im, k % 2 * 64 + x, k / 2 * 44 + y));
+        }
+        label_panel(&again, 2, 2, 4, k, &one);
+    }
+    label_titles(&again, 2, 2, 4, title);
+    check(again.width == sheet.width && again.height == sheet.height, "as large");
+    check_equal(memcmp(again.rgb, sheet.rgb, sizeof(float) * 3 * 124 * (84 + 52)), 0,
+                "panels put one by one");
+    image_free(&one), image_free(&again);
     for (int k = 0; k < 4; k++) {
         int x = k % 2 * 64, y = k / 2 * 70;
         check_at_least(ink(&sheet, x, y, x + 60, y + 26, true), 20, "title %d", k);

@@ -1,4 +1,4 @@
-/* 03_sphere: a ray meets a sphere, in seven ways: which rays each gets wrong, and what it costs.
+/* 03_sphere: a ray meets a sphere, in six ways: which rays each gets wrong, and what it costs.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 03_sphere chapters/03_sphere/main.c -lm -lpthread
  * The oracle is sphere_oracle.h. The picture shows a sphere from far away through a long lens. */
 #include "lab/sphere_draw.h"

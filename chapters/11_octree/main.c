@@ -34,6 +34,6 @@ int main(int argc, char **argv)
     draw_quadtree(&o);
     draw_faults(&o);
     table_of_knobs(&o);
-    if (o.full) table_of_faults(&o), table_of_stadium(&o), plot_of_depth(&o);
+    if (o.full) table_of_stadium(&o), plot_of_depth(&o);
     return output_done(&o);
 }

@@ -11,10 +11,8 @@ int main(int argc, char **argv)
 {
     const char *effects = "all";
     char path[64];
-    bool all = false;
     const option own[] = {
         {"effects", OPTION_TEXT, &effects, 0, 0, "of s (soft) g (gloss) o (occlusion) l (lens)"},
-        {"spend-all", OPTION_FLAG, &all, 0, 0, "send rays that cannot contribute, too"},
         {0}};
     options o = options_read(argc, argv, "21_distributed", "One set of samples for all effects.",
                              (options){.width = 640, .height = 360, .seed = 1, .samples = 8}, own);
@@ -34,9 +32,9 @@ int main(int argc, char **argv)
         mkdir("build", 0777);
         o.out = path;
     }
-    draw_showroom(&o, chosen, all, "21_distributed.png");
+    draw_showroom(&o, chosen, "21_distributed.png");
     if (o.out) return output_done(&o);
-    draw_showroom(&o, 0, false, "21_distributed_whitted.png");
+    draw_showroom(&o, 0, "21_distributed_whitted.png");
     draw_extent(&o);
     if (o.full) draw_teapot(&o), draw_box(&o), draw_motion(&o);
     table_of_pictures(&o);

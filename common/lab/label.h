@@ -9,6 +9,7 @@
  *                       each panel, row by row; im holds columns x rows panels of one size, `gap`
  *                       pixels apart; image_free both
  *   label_titles(&im, columns, rows, gap, title)    the same, and the sheet takes the place of im
+ *   label_panel(&im, columns, rows, gap, k, &one)   puts panel k there; im = {0} before the first
  *   image sheet = label_sheet(width, height)                white
  *   label_below(&im, rows)                                  so many white rows more, below
  *   label_bar(&im, x, y, width, size, colour_of, low, high, "tests a ray")   false colours, from
@@ -146,6 +147,13 @@ static inline void label_titles(image *im, int columns, int rows, int gap, const
 {
     image sheet = label_panels(im, columns, rows, gap, title);
     image_free(im), *im = sheet;
+}
+
+static inline void label_panel(image *im, int columns, int rows, int gap, int k, const image *one)
+{
+    int w = one->width + gap, h = one->height + gap;
+    if (!im->rgb) *im = label_sheet(columns * w - gap, rows * h - gap);
+    image_place(im, k % columns * w, k / columns * h, one);
 }
 
 static inline void label_below(image *im, int rows)

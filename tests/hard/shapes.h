@@ -10,7 +10,7 @@
 #include "../../chapters/04_triangle/lab/needles.h"
 #include "../../chapters/05_implicit/lab/implicit_trials.h"
 #include "../../chapters/06_csg/lab/csg_survey.h"
-#include "../../chapters/07_mesh/lab/trials.h"
+#include "../07_trials.h"
 #include "../../chapters/08_object_order/lab/orders_draw.h"
 
 /* ---------------------------------------------------------------------------------------------- */

@@ -51,12 +51,6 @@ static vec3 sphere_panel_colour(const void *context, real x, real y)
     return vscale(headlight(n, r.d), (real)0.8);
 }
 
-static inline void sphere_key(image *im, int x, int y, vec3 colour, const char *text)
-{
-    label_fill(im, x, y, 18, 18, colour);
-    label_text(im, x + 26, y + 14, 11, 0, vec(0, 0, 0), text);
-}
-
 static inline void sphere_draw(const options *o)
 {
     static const char *const near[sphere_columns] = {"500", "1000", "2000", "5000"};
@@ -87,10 +81,12 @@ static inline void sphere_draw(const options *o)
             label_text(&im, column * w + (w - gap) / 2.0, row * strip + 18, 12, 0.5, vec(0, 0, 0),
                        text);
     }
-    if (words) {
-        sphere_key(&im, 30, im.height - 26, sphere_red, "misses, but should hit");
-        sphere_key(&im, 290, im.height - 26, sphere_blue, "hits, but should miss");
-        sphere_key(&im, 540, im.height - 26, vec(0, 0, 0), "hits, but b^2 - 4ac came out as 0");
+    for (int k = 0; k < 3 && words; k++) {
+        const struct { int x; vec3 colour; const char *text; } key_of[3] = {
+            {30, sphere_red, "misses, but should hit"}, {290, sphere_blue, "hits, but should miss"},
+            {540, {0, 0, 0}, "hits, but b^2 - 4ac came out as 0"}};
+        label_fill(&im, key_of[k].x, im.height - 26, 18, 18, key_of[k].colour);
+        label_text(&im, key_of[k].x + 26, im.height - 12, 11, 0, vec(0, 0, 0), key_of[k].text);
     }
     output_picture(o, &im, "03_sphere.png", true, whole);
     image_free(&im);
@@ -124,8 +120,8 @@ static inline void sphere_draw_geometry(const options *o)
     figure_line(&g, 0, 0, foot, y, FIGURE_RED, 1.5, FIGURE_WHOLE);
     figure_line(&g, foot - 0.08, y, foot - 0.08, y - 0.08, FIGURE_BLACK, 1, FIGURE_WHOLE);
     figure_line(&g, foot - 0.08, y - 0.08, foot, y - 0.08, FIGURE_BLACK, 1, FIGURE_WHOLE);
-    figure_line(&g, ox, y, ox, 1.2, FIGURE_GREEN, 1, FIGURE_DASHED);
-    figure_line(&g, foot, y, foot, 1.2, FIGURE_GREEN, 1, FIGURE_DASHED);
+    for (int k = 0; k < 2; k++)
+        figure_line(&g, k ? foot : ox, y, k ? foot : ox, 1.2, FIGURE_GREEN, 1, FIGURE_DASHED);
     sphere_measured(&g, ox, foot, 1.17, -8, FIGURE_GREEN, "_t_~ca~");
     sphere_measured(&g, in, foot, y + 0.09, -8, FIGURE_PURPLE, "_t_~hc~");
     sphere_measured(&g, foot, out, y + 0.09, -8, FIGURE_PURPLE, "_t_~hc~");

@@ -26,7 +26,6 @@ enum { sphere_timed = 1024, sphere_repeats = 20 };
             hits += X_hit(s[k % sphere_timed].ball, s[k % sphere_timed].r, &h);                    \
         return (double)hits;                                                                       \
     }
-SPHERE_TIMED(sphere_run_first_f32, sphere_hit_first_f32)
 SPHERE_TIMED(sphere_run_first, first_sphere_hit)
 SPHERE_TIMED(sphere_run_stable_root, sphere_hit_stable_root)
 SPHERE_TIMED(sphere_run_haines, sphere_hit_haines)
@@ -35,8 +34,8 @@ SPHERE_TIMED(sphere_run_kahan, sphere_hit_kahan)
 SPHERE_TIMED(sphere_run_hit, sphere_hit)
 SPHERE_TIMED(sphere_run_mine, mine_sphere_hit)
 static double (*const sphere_run[])(void *) = {
-    sphere_run_first_f32, sphere_run_first, sphere_run_stable_root, sphere_run_haines,
-    sphere_run_lagrange, sphere_run_kahan, sphere_run_hit, sphere_run_mine};
+    sphere_run_first, sphere_run_stable_root, sphere_run_haines, sphere_run_lagrange,
+    sphere_run_kahan, sphere_run_hit, sphere_run_mine};
 
 static inline void sphere_time(const options *o, sphere_how how, real far,
                                double ns[sphere_methods])
@@ -45,7 +44,7 @@ static inline void sphere_time(const options *o, sphere_how how, real far,
     bench_candidate v[sphere_methods];
     for (size_t i = 0; i < sphere_timed; i++) s[i] = sphere_shot_at(o->seed, how, far, i);
     for (int m = 0; m < sphere_methods; m++)
-        v[m] = (bench_candidate){sphere_method_name[m], sphere_run[m], s, 0, 0};
+        v[m] = (bench_candidate){.run = sphere_run[m], .context = s};
     bench_time(v, sphere_methods, o->quick ? 3 : 25);
     for (int m = 0; m < sphere_methods; m++)
         ns[m] = v[m].seconds / (sphere_repeats * sphere_timed) * 1e9;

@@ -1,4 +1,4 @@
-/* sphere_survey.h: which rays each of seven ways gets wrong, at some distances.
+/* sphere_survey.h: which rays each of six ways gets wrong, at some distances.
  *
  *   sphere_shot_at(seed, how, far, i)   ray i from about far R away, and its sphere, aimed
  *       SPHERE_ANYWHERE       uniformly over a disc of 1.2 R around the centre
@@ -17,13 +17,12 @@
 #include "mine.h"
 #include "sphere_variants.h"
 
-enum { sphere_default = 6, sphere_methods = 7 + sphere_mine, sphere_distances = 13 };
+enum { sphere_default = 5, sphere_methods = 6 + sphere_mine, sphere_distances = 13 };
 static const char *const sphere_method_name[] = {
-    "first, in float", "first", "stable root",
-    "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit", "mine"};
+    "first", "stable root", "Haines et al.", "Lagrange", "Lagrange, Kahan", "sphere_hit", "mine"};
 static sphere_hit_function *const sphere_method[] = {
-    sphere_hit_first_f32, first_sphere_hit, sphere_hit_stable_root, sphere_hit_haines,
-    sphere_hit_lagrange, sphere_hit_kahan, sphere_hit, mine_sphere_hit};
+    first_sphere_hit, sphere_hit_stable_root, sphere_hit_haines, sphere_hit_lagrange,
+    sphere_hit_kahan, sphere_hit, mine_sphere_hit};
 
 typedef struct { sphere ball; ray r; } sphere_shot;
 typedef enum { SPHERE_ANYWHERE, SPHERE_GRAZING, SPHERE_EDGE, SPHERE_LIMB } sphere_how;
@@ -32,19 +31,6 @@ typedef struct { real far; sphere_errors of[sphere_methods]; } sphere_survey;
 typedef struct { sphere_survey at[sphere_distances]; size_t n; uint64_t seed; } sphere_surveys;
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline vec3 sphere_narrow(vec3 a)
-{
-    return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z};
-}
-
-/* What the float exhibit is given: its errors then are its own, not those of its input. */
-static inline sphere_shot sphere_narrowed(sphere_shot s)
-{
-    s.ball = (sphere){sphere_narrow(s.ball.c), (real)(float)s.ball.r};
-    s.r.o = sphere_narrow(s.r.o), s.r.d = sphere_narrow(s.r.d);
-    return s;
-}
 
 /* R from 1e-3 to 1e5, every other centre not 0. */
 static inline sphere_shot sphere_shot_at(uint64_t seed, sphere_how how, real far, size_t i)
@@ -67,16 +53,12 @@ static inline void sphere_survey_at(size_t k, void *context)
     sphere_survey *y = &all->at[k];
     for (int how = SPHERE_GRAZING; how <= SPHERE_EDGE; how++)
         for (size_t i = 0; i < all->n; i++) {
-            sphere_shot own = sphere_shot_at(all->seed, (sphere_how)how, y->far, i);
-            own.r.tmin = -real_infinity;
-            sphere_shot shot[2] = {sphere_narrowed(own), own};
-            double clear[2] = {sphere_clearance(shot[0].ball, shot[0].r),
-                               sphere_clearance(shot[1].ball, shot[1].r)};
+            sphere_shot shot = sphere_shot_at(all->seed, (sphere_how)how, y->far, i);
+            shot.r.tmin = -real_infinity;
+            double apart = sphere_clearance(shot.ball, shot.r);
             for (int m = 0; m < sphere_methods; m++) {
                 hit h;
-                int f64 = m > 0;  /* the first method computes in float */
-                double apart = clear[f64];
-                if (sphere_method[m](shot[f64].ball, shot[f64].r, &h) == (apart <= 0)) continue;
+                if (sphere_method[m](shot.ball, shot.r, &h) == (apart <= 0)) continue;
                 if (how == SPHERE_GRAZING) y->of[m].grazing_wrong += 100 / (double)all->n;
                 else y->of[m].edge = fmax(y->of[m].edge, fabs(apart));
             }

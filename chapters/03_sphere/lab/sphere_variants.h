@@ -3,7 +3,6 @@
  *
  *   suffix          what it does                                  misclassified within
  *   first_sphere_.. the textbook (3.3); see first.h               eps (l/R)^2 R  of the limb
- *   _first_f32      the same in float, whatever real is
  *   _stable_root    (3.3), the roots by (3.7): no b - sqrt(D)     eps (l/R)^2 R  mends nothing
  *   _haines         D from the ray's point closest to c           eps (l/R) R
  *   _lagrange       D by (3.5), plain cross product               eps (l/R) R    and cheaper
@@ -25,20 +24,6 @@ typedef bool sphere_hit_function(sphere s, ray r, hit *out);
 typedef bool sphere_roots_function(sphere s, ray r, real *t0, real *t1);
 
 /* ---------------------------------------------------------------------------------------------- */
-
-/* Fails for: R = 1 seen from 1e4: of the rays that should hit, every third misses. */
-static inline bool sphere_roots_first_f32(sphere s, ray r, real *t0, real *t1)
-{
-    float fx = (float)r.o.x - (float)s.c.x, dx = (float)r.d.x, R = (float)s.r;
-    float fy = (float)r.o.y - (float)s.c.y, dy = (float)r.d.y;
-    float fz = (float)r.o.z - (float)s.c.z, dz = (float)r.d.z;
-    float a = dx * dx + dy * dy + dz * dz, b = 2 * (dx * fx + dy * fy + dz * fz);
-    float disc = b * b - 4 * a * (fx * fx + fy * fy + fz * fz - R * R);
-    if (!(disc >= 0)) return false;
-    *t0 = (real)((-b - sqrtf(disc)) / (2 * a));
-    *t1 = (real)((-b + sqrtf(disc)) / (2 * a));
-    return true;
-}
 
 /* t0 t1 = k / a (3.7): the root that ca - sqrt(D) would spoil follows from the other one. Ordered,
  * since rounding may swap two roots that nearly coincide. ca: a t_ca, half of the textbook's -b; D
@@ -94,7 +79,6 @@ static inline bool sphere_roots_kahan(sphere s, ray r, real *t0, real *t1)
         real t0, t1;                                                                               \
         return X_roots(s, r, &t0, &t1) && sphere_first(r, t0, t1, out);                            \
     }
-SPHERE_HIT_BY(sphere_hit_first_f32, sphere_roots_first_f32)
 SPHERE_HIT_BY(sphere_hit_stable_root, sphere_roots_stable_root)
 SPHERE_HIT_BY(sphere_hit_haines, sphere_roots_haines)
 SPHERE_HIT_BY(sphere_hit_lagrange, sphere_roots_lagrange)

@@ -20,9 +20,7 @@ static const char *const trial_kind_name[trial_kinds] = {"primary", "diffuse", "
                                                          "corners"};
 
 typedef struct {
-    mesh m;                      /* or */
-    shape *shapes;               /* from malloc */
-    scene s;
+    mesh m;
     items x;
     ray_set rays[trial_kinds];
     hit *due;                    /* of the corners, by brute force; NULL: not asked yet */

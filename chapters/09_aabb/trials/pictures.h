@@ -4,6 +4,9 @@
  *   bool whole = pixels_draw(&im, 3, threads, "picture", trial_mesh_colour, &p);   headlight
  *   bool whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p);      black nothing,
  *                                                   white p.most nodes and tests together
+ *   trial_panel panel[] = {{&s, &kdtree_trial, &how, camera, 120, 1, trial_work_colour}, ..};
+ *   bool whole = trial_draw_panels(&all, columns, rows, 6, panel, threads);   6 pixels apart, each
+ *                                     with its structure, camera and colours
  *   bool whole = trial_draw_work(&s, p, z_up, 2, how, n, threads, &all); n panels of the mesh of s,
  *                                     two in a row, each with its structure, built as how[k] says
  */
@@ -12,6 +15,7 @@
 
 #include "../../../common/headlight.h"
 #include "../../../common/lab/heat.h"
+#include "../../../common/lab/label.h"
 #include "../../../common/lab/pixels.h"
 #include "bench.h"
 
@@ -49,37 +53,62 @@ static inline vec3 trial_work_colour(const void *picture, real x, real y)
     return work_colour((real)(w.nodes + w.tests) / p->most);
 }
 
-typedef struct { trial_row *row; const trial_scene *s; } trial_builds;
+typedef struct {
+    const trial_scene *s;
+    const trial_verbs *verbs;
+    const void *how;
+    camera camera;
+    real most;
+    int samples;  /* along each side of a pixel */
+    pixels_colour *colour;
+} trial_panel;
+
+typedef struct { trial_row *row; const trial_panel *panel; } trial_builds;
 
 static inline void trial_build_one(size_t i, void *builds)
 {
     trial_builds *b = builds;
-    trial_build(&b->row[i], b->s);
+    trial_build(&b->row[i], b->panel[i].s);
+}
+
+/* At most 16 panels. */
+static inline bool trial_draw_panels(image *all, int columns, int rows, int gap,
+                                     const trial_panel *panel, int threads)
+{
+    int w = (all->width + gap) / columns - gap, h = (all->height + gap) / rows - gap;
+    int n = columns * rows;
+    image im = image_new(w > 1 ? w : 1, h > 1 ? h : 1);
+    bool whole = true;
+    trial_row row[16];
+    trial_builds builds = {row, panel};
+    for (int k = 0; k < n; k++) row[k] = (trial_row){.verbs = panel[k].verbs, .how = panel[k].how};
+    parallel_whole((size_t)n, threads, "building", trial_build_one, &builds);
+    label_fill(all, 0, 0, all->width, all->height, vec(1, 1, 1));
+    for (int k = 0; k < n; k++) {
+        const trial_panel *p = &panel[k];
+        if (!row[k].built) { whole = false; continue; }  /* Ctrl-C */
+        trial_picture place = {p->verbs, row[k].built, &p->s->m, p->camera, im.width, im.height,
+                               p->most};
+        whole = pixels_draw(&im, p->samples, threads, "picture", p->colour, &place) && whole;
+        image_place(all, k % columns * (w + gap), k / columns * (h + gap), &im);
+        trial_unbuild(&row[k]);
+    }
+    image_free(&im);
+    return whole;
 }
 
 /* verbs, most: of p; the mesh of s; camera: z up or y; n [1, 16]. */
 static inline bool trial_draw_work(const trial_scene *s, trial_picture p, bool z_up, int across,
                                    const void *const *how, int n, int threads, image *all)
 {
-    bool whole = true;
     vec3 lo, hi;
-    int down = (n + across - 1) / across;
+    trial_panel panel[16];
+    int down = (n + across - 1) / across, w = all->width / across, h = all->height / down;
     mesh_bounds(&s->m, &lo, &hi);
-    trial_row row[16];
-    trial_builds builds = {row, s};
-    for (int k = 0; k < n; k++) row[k] = (trial_row){.verbs = p.verbs, .how = how[k]};
-    parallel_whole((size_t)n, threads, "building", trial_build_one, &builds);
-    for (int k = 0; k < n; k++) {
-        if (!row[k].built) return false;
-        image im = image_new(all->width > across ? all->width / across : 1,
-                             all->height > down ? all->height / down : 1);
-        p.built = row[k].built, p.m = &s->m, p.width = im.width, p.height = im.height;
-        p.camera = camera_of(lo, hi, z_up, (real)im.width / (real)im.height);
-        whole = pixels_draw(&im, 1, threads, "work", trial_work_colour, &p) && whole;
-        image_place(all, k % across * im.width, k / across * im.height, &im);
-        trial_unbuild(&row[k]), image_free(&im);
-    }
-    return whole;
+    camera c = camera_of(lo, hi, z_up, (real)(w > 1 ? w : 1) / (real)(h > 1 ? h : 1));
+    for (int k = 0; k < n; k++)
+        panel[k] = (trial_panel){s, p.verbs, how[k], c, p.most, 1, trial_work_colour};
+    return trial_draw_panels(all, across, down, 0, panel, threads);
 }
 
 #endif

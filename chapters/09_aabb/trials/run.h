@@ -1,7 +1,7 @@
 /* run.h: builds the structures of contender.h, finds their wrong hits, and times them in turn: the
  * work behind bench.h.
  *
- *   trial_scene_of(mesh, &s), trial_scene_of_shapes(shapes, n, &s)   takes them
+ *   trial_scene_of(mesh, &s)                                   takes it
  *   trial_rays(&s, camera, width, height, corners, seed, &v, &how)   rays, as v finds hits
  *   trial_due(&s, timed)                                       brute force at the corners
  *   trials_run(row, n, &s, rounds), trial_end(row, n)
@@ -24,17 +24,11 @@ static inline void trial_scene_of(mesh m, trial_scene *out)
     out->x = items_of_mesh(&out->m);
 }
 
-static inline void trial_scene_of_shapes(shape *shapes, size_t n, trial_scene *out)
-{
-    *out = (trial_scene){.shapes = shapes, .s = {shapes, n}};
-    out->x = items_of_scene(&out->s);
-}
-
 static inline void trial_scene_free(trial_scene *s)
 {
     for (int k = 0; k < trial_kinds; k++) rays_free(&s->rays[k]);
-    mesh_free(&s->m), free(s->shapes), free(s->due);
-    *s = (trial_scene){.shapes = NULL};
+    mesh_free(&s->m), free(s->due);
+    *s = (trial_scene){.due = NULL};
 }
 
 static inline void trial_build(trial_row *r, const trial_scene *s)

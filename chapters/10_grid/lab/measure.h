@@ -1,7 +1,7 @@
 /* measure.h: the tables and plots of this chapter (09_aabb/trials/bench.h).
  *
  *   measure_variants(o)          wrong hits, memory and time; the main table
- *   measure_density(o)           time against cells a shape, on four scenes; two levels
+ *   measure_density(o)           the plot of time against cells a shape, on three scenes
  *   measure_drift(o)             how far a walk of up to 1e5 cells goes astray
  */
 #ifndef GRID_MEASURE_H
@@ -27,10 +27,6 @@ static const grid_options grid_by_bounds = GRID_HOW(27, false, true);
 static const grid_options grid_unposted = GRID_HOW(27, true, false);
 static const nested_options grid_two_levels = {0.1, 4, true, true, (size_t)1 << 30};
 
-/* ---------------------------------------------------------------------------------------------- */
-
-/* ---- wrong hits, memory and time ---- */
-
 enum { grid_rows = 8 };
 static const trial_row grid_row_list[grid_rows] = {
     {.name = "first-grid", .verbs = &first_grid_trial},
@@ -41,6 +37,10 @@ static const trial_row grid_row_list[grid_rows] = {
     {.name = "marked by bounds", .verbs = &grid_trial, .how = &grid_by_bounds},
     {.name = "no mailbox", .verbs = &grid_trial, .how = &grid_unposted},
     {.name = "two levels", .verbs = &nested_trial, .how = &grid_two_levels}};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* ---- wrong hits, memory and time ---- */
 
 /* Bytes: of lists and cells. */
 static inline double grid_bytes(const trial_row *r, const trial_scene *s)
@@ -106,51 +106,31 @@ static inline void measure_variants(const options *o)
 
 /* ---- how many cells ---- */
 
-typedef struct { double ns, tests, cells, bytes; } grid_cost;
-
-static inline grid_cost grid_cost_of(trial_row r, const trial_scene *s)
-{
-    trials_run(&r, 1, s, 9);
-    search_work w = r.ray[TRIAL_UNIFORM].work;
-    size_t rays = r.ray[TRIAL_UNIFORM].n;
-    grid_cost c = {trial_ns(&r, TRIAL_UNIFORM), trial_per((double)w.tests, rays),
-                   trial_per((double)w.nodes, rays), grid_bytes(&r, s)};
-    trial_end(&r, 1);
-    return c;
-}
-
-/* 1/8 to 512 cells a shape; the best of them and 27 beside two levels. */
+/* 1/8 to 512 cells a shape: lines from everywhere through the teapot and through small triangles in
+ * any place; the stadium as a camera at its small teapot sees it. */
 static inline void measure_density(const options *o)
 {
-    table t = table_new("How many cells a shape are best? Lines from everywhere; stadium: eye rays",
-                        "scene|cells a shape|bytes a shape|cells a ray|tests a ray|"
-                        "time [ns a ray]");
+    static const char *const name[3] = {"teapot", "triangles", "stadium"};
     plot time = plot_new("Time against cells", "cells a shape", "time [ns a ray]",
                          PLOT_LOG_X | PLOT_LOG_Y);
-    for (int kind = 0; kind < grid_scenes; kind++) {
-        static const double shown[5] = {0.5, 2, 27, 512, 0};  /* 0: two levels */
-        const char *where = grid_scene_name[kind];
+    for (int k = 0; k < 3; k++) {
         trial_scene s;
-        grid_scene_of((grid_scene)kind, o->seed, &s);
-        int by_time = plot_series(&time, where);
+        vec3 lo, hi;
+        trial_scene_of(k == 0 ? teapot_mesh(24) : k == 1 ? grid_soup(20000, o->seed)
+                                                         : stadium_mesh(16), &s);
+        mesh_bounds(&s.m, &lo, &hi);
+        s.rays[TRIAL_UNIFORM] = k == 2 ? rays_primary(grid_stadium_camera(), 14, 14)
+                                       : rays_uniform((aabb){lo, hi}, 1500, o->seed);
+        int series = plot_series(&time, name[k]);
         for (double density = 0.125; density <= 512; density *= 2) {
             grid_options how = GRID_HOW(density, true, true);
             trial_row r = {.verbs = &grid_trial, .how = &how};
-            plot_add(&time, by_time, density, grid_cost_of(r, &s).ns);
-        }
-        for (int k = 0; k < 5; k++) {
-            grid_options how = GRID_HOW(shown[k], true, true);
-            trial_row r = {.verbs = &grid_trial, .how = &how};
-            if (shown[k] == 0) r.verbs = &nested_trial, r.how = &grid_two_levels;
-            grid_cost c = grid_cost_of(r, &s);
-            table_text(&t, "%s", where);
-            table_text(&t, shown[k] == 0 ? "two levels" : "%g", shown[k]);
-            table_number(&t, c.bytes), table_number(&t, c.cells), table_number(&t, c.tests);
-            table_number(&t, c.ns);
+            trials_run(&r, 1, &s, 9);
+            plot_add(&time, series, density, trial_ns(&r, TRIAL_UNIFORM));
+            trial_end(&r, 1);
         }
         trial_scene_free(&s);
     }
-    output_extra_table(o, &t);
     output_plot(o, &time, "10_grid_time.svg");
 }
 

@@ -8,7 +8,6 @@
 #ifndef GRID_PICTURES_H
 #define GRID_PICTURES_H
 
-#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../09_aabb/trials/pictures.h"
 #include "measure.h"
@@ -67,42 +66,6 @@ static inline vec3 see_cells(const void *picture, real x, real y)
     return shown;
 }
 
-/* A picture of n panels in a row, from functions of the place; panel k of a mesh in a grid. */
-typedef struct {
-    const trial_scene *s;
-    const trial_verbs *verbs;
-    const void *how;
-    const camera *from;          /* NULL: camera_of */
-    const char *path;            /* NULL: z is up, else y */
-    real most;
-    int samples;
-    pixels_colour *colour;
-} grid_panel;
-
-static inline bool grid_panels(const options *o, image *all, const grid_panel *panel, int n)
-{
-    int gap = all->width >= 12 * n ? 6 : 0, w = (all->width - (n - 1) * gap) / n;
-    image im = image_new(w > 1 ? w : 1, all->height);
-    bool whole = true;
-    label_fill(all, 0, 0, all->width, all->height, vec(1, 1, 1));
-    for (int k = 0; k < n; k++) {
-        const grid_panel *p = &panel[k];
-        trial_row r = {.verbs = p->verbs, .how = p->how};
-        vec3 lo, hi;
-        int left = k * (im.width + gap) < all->width ? k * (im.width + gap) : all->width - 1;
-        mesh_bounds(&p->s->m, &lo, &hi);
-        camera c = camera_of(lo, hi, !p->path, (real)im.width / (real)im.height);
-        trial_build(&r, p->s);
-        trial_picture place = {p->verbs, r.built, &p->s->m, p->from ? *p->from : c, im.width,
-                               im.height, p->most};
-        whole = whole && pixels_draw(&im, p->samples, o->threads, "picture", p->colour, &place);
-        image_place(all, left, 0, &im);
-        trial_unbuild(&r);
-    }
-    image_free(&im);
-    return whole;
-}
-
 /* Titles above the panels, and below the last ones a bar of colours; where words find room. */
 static inline void grid_label(image *im, int n, const char *const *title, int bars, real most)
 {
@@ -124,13 +87,16 @@ static inline void draw_grid(const options *o, const trial_scene *s, grid_option
                                          "what each ray takes"};
     const real most = 160;
     char name[512];
+    vec3 lo, hi;
     image im = image_new(o->width, o->height);
-    int n = o->quick ? 1 : 2;
+    int n = o->quick ? 1 : 2, gap = im.width >= 24 ? 6 : 0, width = (im.width - gap) / 2;
     grid_options coarse = how;
     coarse.density = real_max((real)how.density / 27, (real)1e-3);
-    const grid_panel panel[2] = {{s, &grid_trial, &coarse, NULL, path, 1, n, see_cells},
-                                 {s, &grid_trial, &how, NULL, path, most, n, trial_work_colour}};
-    bool whole = grid_panels(o, &im, panel, 2);
+    mesh_bounds(&s->m, &lo, &hi);
+    camera c = camera_of(lo, hi, !path, (real)(width > 1 ? width : 1) / (real)im.height);
+    const trial_panel panel[2] = {{s, &grid_trial, &coarse, c, 1, n, see_cells},
+                                  {s, &grid_trial, &how, c, most, n, trial_work_colour}};
+    bool whole = trial_draw_panels(&im, 2, 1, gap, panel, o->threads);
     grid_label(&im, 2, title, 1, most);
     output_picture(o, &im, picture_name("10_grid.png", path, name), true, whole);
     image_free(&im);
@@ -143,9 +109,10 @@ static inline void draw_early(const options *o)
     trial_scene s;
     int n = o->quick ? 1 : 2;
     trial_scene_of(grid_boards(60, o->seed), &s);
-    const grid_panel panel[2] = {{&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n, see_early},
-                                 {&s, &grid_trial, &grid_by_27, NULL, NULL, 1, n, see_boards}};
-    bool whole = grid_panels(o, &im, panel, 2);
+    camera c = trial_camera(&s.m, (real)(im.width / 2 - 3) / (real)im.height);
+    const trial_panel panel[2] = {{&s, &grid_trial, &grid_by_27, c, 1, n, see_early},
+                                  {&s, &grid_trial, &grid_by_27, c, 1, n, see_boards}};
+    bool whole = trial_draw_panels(&im, 2, 1, 6, panel, o->threads);
     grid_label(&im, 2, title, 0, 1);
     output_picture(o, &im, "10_grid_early.png", false, whole);
     trial_scene_free(&s), image_free(&im);
@@ -170,12 +137,12 @@ static inline void draw_stadium(const options *o)
     image im = image_new(3 * side + 12, side);
     trial_scene s;
     trial_scene_of(stadium_mesh(o->quick ? 4 : 5), &s);
-    const camera c = grid_stadium_camera(1);
-    const grid_panel panel[3] = {
-        {&s, &nested_trial, &grid_two_levels, &c, NULL, most, 2, trial_mesh_colour},
-        {&s, &grid_trial, &grid_by_27, &c, NULL, most, 1, see_work_log},
-        {&s, &nested_trial, &grid_two_levels, &c, NULL, most, 1, see_work_log}};
-    bool whole = grid_panels(o, &im, panel, 3);
+    const camera c = grid_stadium_camera();
+    const trial_panel panel[3] = {
+        {&s, &nested_trial, &grid_two_levels, c, most, 2, trial_mesh_colour},
+        {&s, &grid_trial, &grid_by_27, c, most, 1, see_work_log},
+        {&s, &nested_trial, &grid_two_levels, c, most, 1, see_work_log}};
+    bool whole = trial_draw_panels(&im, 3, 1, 6, panel, o->threads);
     grid_label(&im, 3, title, 2, most);
     output_picture(o, &im, "10_grid_stadium.png", false, whole);
     trial_scene_free(&s), image_free(&im);

@@ -1,8 +1,6 @@
-/* measure.h: what each knob costs: time, memory, work, wrong hits; and which rays find them
- * (09_aabb/trials/bench.h).
+/* measure.h: what each knob costs: time, memory, work, wrong hits (09_aabb/trials/bench.h).
  *
  *   table_of_knobs(o)         the main table
- *   table_of_faults(o)        wrong hits by kind of ray, on a mesh whose corners lie on the walls
  *   table_of_stadium(o)       the teapot, and the teapot in a stadium: grid and octree
  *   plot_of_depth(o)          work against depth, on three scenes
  */
@@ -10,7 +8,6 @@
 #define OCTREE_MEASURE_H
 
 #include "../../../common/lab/report.h"
-#include "../../07_mesh/scenes/specimens.h"
 #include "../../07_mesh/scenes/soup.h"
 #include "../../07_mesh/scenes/stadium.h"
 #include "../../09_aabb/trials/bench.h"
@@ -22,7 +19,6 @@
 TRIAL_VERBS(octree, octree, octree_hit, octree_hit_counted)
 TRIAL_OTHER(octree_textbook, octree, octree, octree_hit_textbook)
 TRIAL_OTHER(octree_unpadded, octree, octree, octree_hit_unpadded)
-TRIAL_OTHER(octree_slabs, octree, octree, octree_hit_slabs)
 TRIAL_FIRST(first_octree, first_octree_build(&b->m, &b->s))
 TRIAL_VERBS(octree_rival, grid, grid_hit, grid_hit_counted)
 TRIAL_VERBS(octree_rival_2, nested, nested_hit, nested_hit_counted)
@@ -32,19 +28,15 @@ TRIAL_VERBS(octree_rival_2, nested, nested_hit, nested_hit_counted)
 
 static const octree_options octree_usual = {16, 16, true, true, (size_t)1 << 30};
 
-/* The first seven are the short table. */
-enum { octree_short = 7, octree_rows = 15 };
+/* The first six are the short table. */
+enum { octree_short = 6, octree_rows = 11 };
 static const trial_row octree_row_list[octree_rows] = {
     {.name = "first-octree", .verbs = &first_octree_trial},
     {.name = "octree", .verbs = &octree_trial, .how = &octree_usual},
     {.name = "textbook", .verbs = &octree_textbook_trial, .again = true},
     {.name = "no delta", .verbs = &octree_unpadded_trial, .again = true},
-    {.name = "slab tests", .verbs = &octree_slabs_trial, .again = true},
     {.name = "by boxes", .verbs = &octree_trial, .how = OCTREE_HOW(16, 16, true, false)},
     {.name = "depth 4", .verbs = &octree_trial, .how = OCTREE_HOW(16, 4, true, true)},
-    {.name = "depth 6", .verbs = &octree_trial, .how = OCTREE_HOW(16, 6, true, true)},
-    {.name = "depth 8", .verbs = &octree_trial, .how = OCTREE_HOW(16, 8, true, true)},
-    {.name = "depth 12", .verbs = &octree_trial, .how = OCTREE_HOW(16, 12, true, true)},
     {.name = "no mailbox", .verbs = &octree_trial, .how = OCTREE_HOW(16, 16, false, true)},
     {.name = "leaf 1", .verbs = &octree_trial, .how = OCTREE_HOW(1, 16, true, true)},
     {.name = "leaf 4", .verbs = &octree_trial, .how = OCTREE_HOW(4, 16, true, true)},
@@ -90,58 +82,6 @@ static inline void table_of_knobs(const options *o)
         output_extra_table(o, &out);
     }
     trial_end(row, n), trial_scene_free(&s);
-}
-
-/* ---- what fails ---- */
-
-/* Kinds: anywhere, at corners, corner to corner, along axes, along axes through corners. */
-static inline ray octree_fault_ray(const mesh *m, int kind, uint64_t seed, size_t i)
-{
-    random_stream g = random_start(seed, i, (uint64_t)kind);
-    vec3 a = m->v[random_next_bits(&g) % m->vertices];
-    vec3 b = m->v[random_next_bits(&g) % m->vertices];
-    vec3 o = vscale(diffuse_direction(vec(0, 0, 0), &g), 3), inside = random_in_cube(&g, 0.5);
-    vec3 axis = vwith(vec(0, 0, 0), (int)(i % 3), i & 1 ? 1 : -1);
-    switch (kind) {
-    case 0: return ray_from(o, vsub(inside, o));
-    case 1: return ray_from(o, vsub(a, o));
-    case 2: return ray_from(vadd(a, vscale(vsub(a, b), 3)), vsub(b, a));
-    case 3: return ray_from(vmadd(inside, axis, -4), axis);
-    default: return ray_from(vmadd(a, axis, -4), axis);
-    }
-}
-
-static inline void table_of_faults(const options *o)
-{
-    static const octree_options how = {4, 6, true, true, (size_t)1 << 26};
-    static const trial_row list[4] = {
-        {.name = "textbook", .verbs = &octree_textbook_trial, .how = &how},
-        {.name = "no delta", .verbs = &octree_unpadded_trial, .again = true},
-        {.name = "slab tests", .verbs = &octree_slabs_trial, .again = true},
-        {.name = "octree_hit", .verbs = &octree_trial, .again = true}};
-    const size_t n = 2000;
-    size_t wrong[4][6];
-    table out = table_new("Wrong hits of 2000 rays each; octahedron of 512 triangles with corners "
-                          "on the walls", "search|soup, anywhere|anywhere|at corners|"
-                          "corner to corner|along axes|... through corners");
-    for (int k = 0; k < 6; k++) {
-        trial_scene s;
-        trial_row row[4];
-        trial_scene_of(k ? octahedron_mesh(8) : soup_mesh(500, 1, 0.5, 3), &s);
-        s.rays[TRIAL_CORNERS] = (ray_set){allocate(n, sizeof(ray)), n};
-        for (size_t i = 0; i < n; i++)
-            s.rays[TRIAL_CORNERS].r[i] = octree_fault_ray(&s.m, k ? k - 1 : 0, o->seed, i);
-        trial_due(&s, false);
-        memcpy(row, list, sizeof row);
-        trials_run(row, 4, &s, 1);
-        for (int i = 0; i < 4; i++) wrong[i][k] = row[i].wrong;
-        trial_end(row, 4), trial_scene_free(&s);
-    }
-    for (int i = 0; i < 4; i++) {
-        table_text(&out, "%s", list[i].name);
-        for (int k = 0; k < 6; k++) table_count(&out, wrong[i][k]);
-    }
-    output_extra_table(o, &out);
 }
 
 /* ---- where triangles are not alike ---- */

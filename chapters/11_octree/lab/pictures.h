@@ -7,7 +7,6 @@
 #ifndef OCTREE_PICTURES_H
 #define OCTREE_PICTURES_H
 
-#include "../../../common/lab/label.h"
 #include "../../../common/output.h"
 #include "../../09_aabb/trials/pictures.h"
 #include "measure.h"
@@ -144,36 +143,26 @@ static inline vec3 fault_colour(const void *picture, real x, real y)
  * left the textbook's walk, right octree_hit. */
 static inline void draw_faults(const options *o)
 {
-    enum { panel_width = 384, panel_height = 256, gap = 6 };
     static const octree_options how = {4, 6, true, true, (size_t)1 << 28};
-    const trial_verbs *const verbs[2] = {&octree_textbook_trial, &octree_trial};
     static const char *const title[4] = {
         "large triangles, textbook: orange is wrong", "octree_hit",
         "the teapot, rays along y, textbook", "octree_hit"};
-    image all = image_new(2 * panel_width + gap, 2 * panel_height + gap);
-    image im = image_new(panel_width, panel_height);
-    camera c[2];
+    image all = image_new(774, 518);
+    trial_scene s[2];
+    trial_panel panel[4];
     camera_frame frame;
     failure f;
-    bool whole = true;
-    c[0] = camera_of((vec3){-1.4, -1.4, -1.4}, (vec3){1.4, 1.4, 1.4}, true, 1.5);
+    camera c[2] = {camera_of((vec3){-1.4, -1.4, -1.4}, (vec3){1.4, 1.4, 1.4}, true, 1.5)};
     if (!frame_look_at(vec(0, -10, 1.5), vec(0, 0, 1.5), (vec3){0, 0, 1}, &frame, &f)
         || !camera_orthographic(frame, (camera_window){-4, 4, -2.5, 2.83}, &c[1], &f)) fail(f);
-    for (int row = 0; row < 2; row++) {
-        trial_scene s;
-        trial_row r = {.verbs = &octree_trial, .how = &how};
-        trial_scene_of(row ? teapot_mesh(10) : soup_mesh(60, 1, 1, 5), &s);
-        trial_build(&r, &s);
-        for (int k = 0; k < 2; k++) {
-            trial_picture p = {verbs[k], r.built, &s.m, c[row], panel_width, panel_height, 0};
-            whole = pixels_draw(&im, 1, o->threads, "faults", fault_colour, &p) && whole;
-            image_place(&all, k * (panel_width + gap), row * (panel_height + gap), &im);
-        }
-        trial_unbuild(&r), trial_scene_free(&s);
-    }
-    label_titles(&all, 2, 2, gap, title);
+    trial_scene_of(soup_mesh(60, 1, 1, 5), &s[0]), trial_scene_of(teapot_mesh(10), &s[1]);
+    for (int k = 0; k < 4; k++)
+        panel[k] = (trial_panel){&s[k / 2], k % 2 ? &octree_trial : &octree_textbook_trial, &how,
+                                 c[k / 2], 0, 1, fault_colour};
+    bool whole = trial_draw_panels(&all, 2, 2, 6, panel, o->threads);
+    label_titles(&all, 2, 2, 6, title);
     output_picture(o, &all, "11_octree_faults.png", false, whole);
-    image_free(&all), image_free(&im);
+    trial_scene_free(&s[0]), trial_scene_free(&s[1]), image_free(&all);
 }
 
 #endif

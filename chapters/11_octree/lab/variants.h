@@ -1,10 +1,8 @@
-/* variants.h: two other ways to walk, with the signature of octree_hit.
+/* variants.h: the textbook's walk, with the signature of octree_hit.
  *
- *   octree_hit_slabs(&t, r, &h)     the slab test (09) for every child that is not empty; those met
- *                                   go on a stack, the farthest first: simple, and the same answers
  *   octree_hit_textbook(&t, r, &h)  by Revelles et al., as often copied: loses hits
  *
- * The textbook's walk carries the six t at which the ray crosses the planes of a cell, halves them
+ * It carries the six t at which the ray crosses the planes of a cell, halves them
  * for the children, and goes from child to child by the smallest t of exit. It breaks on
  *
  *   rays along an axis      (lo - o) / d is +-inf, or NaN for 0/0 if o is in the plane; and halving
@@ -23,48 +21,6 @@
 #define OCTREE_VARIANTS_H
 
 #include "../walk.h"
-
-/* ---------------------------------------------------------------------------------------------- */
-
-typedef struct { uint32_t node; vec3 lo; real size, in; } octree_waiting;
-
-static inline bool octree_hit_slabs(const octree *t, ray r, hit *out)
-{
-    octree_waiting stack[7 * octree_most_depth + 1];
-    int top = 0;
-    if (t->items == 0 || !ray_is_usable(r)) return false;
-    query q = query_of(r);
-    mailbox seen = mailbox_new();
-    const octree_ray o = octree_ray_of(t, r, 1);
-    real first = octree_way(&o, r.tmin, -1), limit = octree_way(&o, r.tmax, +1);
-    stack[top++] = (octree_waiting){0, vsub(t->lo, r.o), t->size, first};
-    while (top > 0) {
-        octree_waiting c = stack[--top];
-        octree_node n = t->node[c.node];
-        if (c.in > limit) continue;
-        if (n.kind & octree_is_leaf) {
-            octree_leaf(t, n, &q, &seen, false, NULL);
-            limit = octree_way(&o, q.r.tmax, +1);
-            continue;
-        }
-        real half = c.size / 2;
-        for (unsigned k = 8; k-- > 0;) {  /* the farthest first: it comes up last */
-            unsigned i = k ^ o.flip;
-            if (!(n.kind >> i & 1)) continue;
-            vec3 lo = {c.lo.x + (i & 1 ? half : 0), c.lo.y + (i & 2 ? half : 0),
-                       c.lo.z + (i & 4 ? half : 0)};
-            vec3 near = {o.flip & 1 ? -lo.x - half : lo.x, o.flip & 2 ? -lo.y - half : lo.y,
-                         o.flip & 4 ? -lo.z - half : lo.z};
-            vec3 far = vadd(near, (vec3){half, half, half});
-            vec3 s0 = vsub(vmul(near, o.inverse), o.pad);
-            vec3 s1 = vadd(vmul(far, o.inverse), o.pad);
-            real in = real_max(s0.x, real_max(s0.y, real_max(s0.z, first)));
-            real leave = real_min(s1.x, real_min(s1.y, real_min(s1.z, limit)));
-            if (!(in > leave)) stack[top++] = (octree_waiting){n.first + i, lo, half, in};
-        }
-    }
-    return query_answer(&q, out);
-}
 
 /* ---------------------------------------------------------------------------------------------- */
 

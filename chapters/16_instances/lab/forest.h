@@ -19,6 +19,7 @@
 #include "../../../common/headlight.h"
 #include "../../../common/lab/pixels.h"
 #include "../../02_camera/camera.h"
+#include "../../07_mesh/scenes/specimens.h"
 #include "../instances.h"
 #include "plants.h"
 
@@ -26,8 +27,8 @@ enum { forest_kinds = 8 };
 typedef struct {
     plant kind[forest_kinds];
     mesh mesh[forest_kinds];  /* the plants' meshes, side by side */
-    size_t kinds, n;
     instance *list;                /* [n] */
+    size_t n;
 } forest;
 
 typedef struct {
@@ -42,7 +43,7 @@ typedef struct {
 
 static inline void forest_free(forest *w)
 {
-    for (size_t k = 0; k < w->kinds; k++) mesh_free(&w->mesh[k]);
+    for (size_t k = 0; k < forest_kinds; k++) mesh_free(&w->mesh[k]);
     free(w->list);
     *w = (forest){.list = NULL};
 }
@@ -65,25 +66,19 @@ static inline real forest_half_width(real y) { return 25 + (real)0.75 * y; }
 static inline plant ground_of(real depth)
 {
     enum { n = 96 };
-    plant p = {.m = {.vertices = (n + 1) * (n + 1), .triangles = 2 * n * n}};
-    p.m.v = allocate(p.m.vertices, sizeof *p.m.v);
-    p.m.index = allocate(3 * p.m.triangles, sizeof *p.m.index);
-    for (int j = 0; j <= n; j++)
-        for (int i = 0; i <= n; i++) {
-            real s = (real)j / n, y = -20 + (depth + 60) * s * s;
-            real x = (2 * (real)i / n - 1) * (forest_half_width(y > 0 ? y : 0) + 40);
-            p.m.v[j * (n + 1) + i] = (vec3){x, y, ground_height(x, y)};
-        }
-    uint32_t *k = p.m.index;
-    for (uint32_t j = 0; j < n; j++)
-        for (uint32_t i = 0; i < n; i++) {
-            uint32_t a = j * (n + 1) + i, b = a + 1, c = a + n + 1, d = c + 1;
-            *k++ = a, *k++ = b, *k++ = d, *k++ = a, *k++ = d, *k++ = c;
-        }
-    mesh_smooth_normals(&p.m);
-    p.leaf = p.bark = vec(0.20, 0.24, 0.07);
-    p.leaf_too = vec(0.20, 0.24, 0.07);
-    return p;
+    const vec3 olive = {0.20, 0.24, 0.07};
+    mesh m = specimen_new((n + 1) * (n + 1), 2 * n * n);
+    for (int k = 0; k < (n + 1) * (n + 1); k++) {
+        real s = (real)(k / (n + 1)) / n, y = -20 + (depth + 60) * s * s;
+        real x = (2 * (real)(k % (n + 1)) / n - 1) * (forest_half_width(y > 0 ? y : 0) + 40);
+        m.v[k] = (vec3){x, y, ground_height(x, y)};
+    }
+    for (size_t k = 0; k < n * n; k++) {
+        size_t a = k + k / n, c = a + n + 1;
+        specimen_add(&m, a, a + 1, c + 1), specimen_add(&m, a, c + 1, c);
+    }
+    mesh_smooth_normals(&m);
+    return (plant){m, 0, olive, olive, olive};
 }
 
 /* Density 1 / 20: n = integral of 2 half_width / 20. */
@@ -105,9 +100,9 @@ static inline vec3 forest_place(random_stream *g, real depth, bool low)
     }
 }
 
-static inline affine forest_stand(random_stream *g, vec3 at, real low, real high)
+static inline affine forest_stand(random_stream *g, vec3 at, real size)
 {
-    real height = random_between(g, low, high);
+    real height = random_between(g, size, size * (real)1.7);
     real width = height * random_between(g, 0.75, 1.3);
     affine a = affine_scaling((vec3){random_next_bits(g) & 1 ? width : -width, width, height});
     a = affine_then(a, affine_rotation((vec3){0, 0, 1}, random_between(g, 0, 2 * pi)));
@@ -134,17 +129,15 @@ static inline void forest_plant(forest *w, size_t n, uint64_t seed)
         ground_of(depth), plant_fir(seed), plant_fir(seed + 1), plant_grown(seed, plant_oak),
         plant_grown(seed, plant_birch), plant_grown(seed + 1, plant_birch),
         plant_grown(seed, plant_bush), plant_grass(seed)};
-    *w = (forest){.kinds = forest_kinds, .n = n + 1};
-    for (size_t k = 0; k < w->kinds; k++) w->kind[k] = kind[k], w->mesh[k] = kind[k].m;
-    w->list = allocate(w->n, sizeof *w->list);
+    *w = (forest){.n = n + 1, .list = allocate(n + 1, sizeof *w->list)};
+    for (size_t k = 0; k < forest_kinds; k++) w->kind[k] = kind[k], w->mesh[k] = kind[k].m;
     w->list[0] = (instance){affine_translation((vec3){0, 0, 0}), 0};
     for (size_t i = 1; i < w->n; i++) {
         random_stream g = random_start(seed, i, 7);
         bool low = i % 3 == 0;
         vec3 at = forest_place(&g, low ? real_min(depth, 110) : depth, low);
         uint32_t of = forest_kind(at, random_next(&g), low, i & 1);
-        real size = forest_sizes[of];
-        w->list[i] = (instance){forest_stand(&g, at, size, size * (real)1.7), of};
+        w->list[i] = (instance){forest_stand(&g, at, forest_sizes[of]), of};
     }
 }
 

@@ -11,13 +11,13 @@
 #include "../../09_aabb/trials/survey.h"
 #include "forest.h"
 
-/* A forest, its crowd, its instances with tight boxes, the rays to measure with. */
+/* A forest, its crowd, its instances with tight boxes, the rays from the eye to measure with. */
 typedef struct {
     forest w;
     crowd c;
     instances x;
     double build;                /* seconds */
-    ray_set eye, shadow;
+    ray_set eye;
 } instances_survey;
 
 typedef struct {
@@ -32,33 +32,21 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline double per(double x, size_t n) { return n ? x / (double)n : 0; }
-
-static inline void survey_make(instances_survey *s, size_t n, int width, int height, uint64_t seed)
+static inline void survey_make(instances_survey *s, size_t n, const options *o)
 {
     failure f;
-    instance_hit h;
-    *s = (instances_survey){.build = 0};
-    forest_plant(&s->w, n, seed);
-    s->c = (crowd){s->w.mesh, s->w.kinds, s->w.list, s->w.n};
+    int width = o->quick ? 40 : 160, height = o->quick ? 25 : 100;
+    forest_plant(&s->w, n, o->seed);
+    s->c = (crowd){s->w.mesh, forest_kinds, s->w.list, s->w.n};
     double start = clock_seconds();
     if (!instances_build(&s->c, instances_defaults, &s->x, &f)) fail(f);
     s->build = clock_seconds() - start;
     s->eye = rays_primary(forest_camera((real)width / (real)height), width, height);
-    s->shadow.r = allocate(s->eye.n, sizeof *s->shadow.r);
-    for (size_t i = 0; i < s->eye.n; i++) {
-        if (!instances_hit(&s->x, s->eye.r[i], &h)) continue;
-        ray r = ray_from(ray_at(s->eye.r[i], h.h.t), sun_direction());
-        r.tmin = 0.05;
-        s->shadow.r[s->shadow.n++] = r;
-    }
 }
 
 static inline void survey_free(instances_survey *s)
 {
-    rays_free(&s->eye), rays_free(&s->shadow);
-    instances_free(&s->x);
-    forest_free(&s->w);
+    rays_free(&s->eye), instances_free(&s->x), forest_free(&s->w);
 }
 
 static inline void method_build(instances_method *m, const crowd *c)
@@ -91,29 +79,19 @@ static inline bool method_hit(const instances_method *m, ray r, instance_hit *h)
     return m->unit ? instances_hit_naive(&m->x, r, h) : instances_hit(&m->x, r, h);
 }
 
-typedef struct { const instances_method *m; bool sun; } method_run;
-
-static inline double method_run_all(void *context)
+static inline double method_search(void *context)
 {
-    const method_run *c = context;
-    const instances_method *m = c->m;
-    const ray_set *s = c->sun ? &m->s->shadow : &m->s->eye;
+    const instances_method *m = context;
     size_t hits = 0;
     instance_hit h;
-    for (size_t i = 0; i < s->n; i++)
-        if (!c->sun) hits += method_hit(m, s->r[i], &h);
-        else hits += m->flat ? bvh_mesh_occluded(&m->b, s->r[i])
-                             : instances_occluded(&m->x, s->r[i]);
+    for (size_t i = 0; i < m->s->eye.n; i++) hits += method_hit(m, m->s->eye.r[i], &h);
     return (double)hits;
 }
 
 /* ns[k]: of a ray. */
-static inline void methods_time(const instances_method *m, int n, bool sun, int rounds, double *ns)
+static inline void methods_time(instances_method *m, int n, int rounds, double *ns)
 {
-    method_run run[8];
-    for (int k = 0; k < n; k++) run[k] = (method_run){&m[k], sun};
-    bench_each(method_run_all, run, sizeof *run, n, rounds,
-               per(1e9, sun ? m->s->shadow.n : m->s->eye.n), ns);
+    bench_each(method_search, m, sizeof *m, n, rounds, 1e9 / (double)m->s->eye.n, ns);
 }
 
 /* A small forest moved by `to`, n rays from the eye at corners of its plants: of each method, how
@@ -125,7 +103,7 @@ static inline void methods_wrong(instances_method *m, int methods, vec3 to, size
     forest w;
     forest_plant(&w, 60, seed);
     for (size_t i = 0; i < w.n; i++) w.list[i].to_world.o = vadd(w.list[i].to_world.o, to);
-    crowd c = {w.mesh, w.kinds, w.list, w.n};
+    crowd c = {w.mesh, forest_kinds, w.list, w.n};
     affine *inverse = crowd_inverses(&c);
     vec3 eye = vadd(forest_camera(1).e, to);
     real bound = 64 * real_epsilon * (vlargest(to) + 100);
@@ -162,36 +140,31 @@ static inline void method_work(const instances_method *m, double *entered, doubl
         if (m->flat) bvh_mesh_hit_counted(&m->b, s->r[i], &h.h, &w.lower);
         else instances_hit_counted(&m->x, s->r[i], &h, &w);
     }
-    *entered = per((double)w.upper.tests, s->n), *tests = per((double)w.lower.tests, s->n);
+    *entered = (double)w.upper.tests / (double)s->n, *tests = (double)w.lower.tests / (double)s->n;
 }
 
 static inline void table_of_methods(const options *o)
 {
     enum { n = 5 };
     instances_survey s;
-    const char *names[n] = {"flattened, one tree", "boxes of points", "boxes of corners",
-                            "boxes naive", "rays normalised"};
     instances_method m[n] = {
-        {.boxes = INSTANCES_POINTS, .flat = true}, {.boxes = INSTANCES_POINTS},
-        {.boxes = INSTANCES_CORNERS}, {.boxes = INSTANCES_NAIVE},
-        {.boxes = INSTANCES_POINTS, .unit = true}};
-    double eye[n], sun[n];
+        {"flattened, one tree", .boxes = INSTANCES_POINTS, .flat = true},
+        {"boxes of points", .boxes = INSTANCES_POINTS},
+        {"boxes of corners", .boxes = INSTANCES_CORNERS}, {"boxes naive", .boxes = INSTANCES_NAIVE},
+        {"rays normalised", .boxes = INSTANCES_POINTS, .unit = true}};
+    double eye[n];
     size_t near[n], far[n], corners = o->quick ? 20 : 100;
     vec3 earth = {4e7, 4e7, 0};  /* once round the earth, in metres */
-    int rounds = o->quick ? 1 : o->full ? 5 : 3;
-    survey_make(&s, o->quick ? 20 : 100, o->quick ? 40 : 160, o->quick ? 25 : 100, o->seed);
-    for (int i = 0; i < n; i++) m[i].name = names[i], m[i].s = &s;
+    survey_make(&s, o->quick ? 20 : 100, o);
     methods_wrong(m, n, (vec3){0, 0, 0}, corners, o->seed, near);
     methods_wrong(m, n, earth, corners, o->seed, far);
-    for (int i = 0; i < n; i++) method_build(&m[i], &s.c);
-    methods_time(m, n, false, rounds, eye);
-    methods_time(m, n, true, rounds, sun);
-    char title[200];
-    snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye, %zu to "
-             "the sun; wrong answers of %zu at corners", s.c.n, instances_stats(&s.x).triangles,
-             s.eye.n, s.shadow.n, corners);
+    for (int i = 0; i < n; i++) m[i].s = &s, method_build(&m[i], &s.c);
+    methods_time(m, n, o->quick ? 1 : o->full ? 5 : 3, eye);
+    char title[160];
+    snprintf(title, sizeof title, "%zu instances, %.3g triangles: %zu rays from the eye; wrong "
+             "answers of %zu at corners", s.c.n, instances_stats(&s.x).triangles, s.eye.n, corners);
     table out = table_new(title, "method|memory [MB]|instances a ray|triangles a ray|error near|"
-                                 "error far|time eye [ns]|time sun [ns]");
+                                 "error far|time eye [ns]");
     plot p = plot_new("Far from the origin: other answers than every instance asked", "eye [ns]",
                       "wrong answers of 100", PLOT_LOG_Y);
     for (int i = 0; i < n; i++) {
@@ -199,8 +172,7 @@ static inline void table_of_methods(const options *o)
         method_work(&m[i], &entered, &tests);
         table_text(&out, "%s", m[i].name), table_number(&out, method_megabytes(&m[i]));
         table_number(&out, entered), table_number(&out, tests);
-        table_count(&out, near[i]), table_count(&out, far[i]);
-        table_number(&out, eye[i]), table_number(&out, sun[i]);
+        table_count(&out, near[i]), table_count(&out, far[i]), table_number(&out, eye[i]);
         plot_add(&p, plot_series(&p, m[i].name), eye[i], (double)far[i]);
         method_free(&m[i]);
     }
@@ -212,28 +184,26 @@ static inline void table_of_methods(const options *o)
 /* Flattened it is built up to a hundred; from there on its memory is that of as many triangles. */
 static inline void table_of_growth(const options *o)
 {
-    static const size_t number[] = {1, 10, 100, 1000, 10000, 100000};
-    int n = o->quick ? 2 : 6;
     double mb_a_triangle = 0;
     table out = table_new("Growth with the number of instances; flattened: built up to 100",
                           "instances|triangles|memory [MB]|flattened [MB]|build [ms]|"
                           "instances a ray|eye [ns]");
-    for (int i = 0; i < n; i++) {
+    for (size_t n = 1; n <= (o->quick ? 10 : 100000); n *= 10) {
         instances_survey s;
         double ns, entered, tests;
-        survey_make(&s, number[i], o->quick ? 40 : 160, o->quick ? 25 : 100, o->seed);
-        instances_method m[2] = {{.name = "two", .x = s.x, .s = &s}, {.flat = true, .s = &s}};
-        methods_time(m, 1, false, o->quick ? 1 : 5, &ns);
-        method_work(&m[0], &entered, &tests);
-        double triangles = instances_stats(&s.x).triangles, mb = method_megabytes(&m[0]);
-        if (number[i] <= 100) {
-            method_build(&m[1], &s.c);
-            mb_a_triangle = method_megabytes(&m[1]) / triangles;
-            bvh_mesh_free(&m[1].b), mesh_free(&m[1].m);
+        survey_make(&s, n, o);
+        instances_method two = {.x = s.x, .s = &s}, flat = {.flat = true, .s = &s};
+        methods_time(&two, 1, o->quick ? 1 : 5, &ns);
+        method_work(&two, &entered, &tests);
+        double triangles = instances_stats(&s.x).triangles;
+        if (n <= 100) {
+            method_build(&flat, &s.c);
+            mb_a_triangle = method_megabytes(&flat) / triangles;
+            method_free(&flat);
         }
-        const double cell[] = {triangles, mb, mb_a_triangle * triangles, s.build * 1e3, entered,
-                               ns};
-        table_count(&out, number[i]);
+        const double cell[] = {triangles, method_megabytes(&two), mb_a_triangle * triangles,
+                               s.build * 1e3, entered, ns};
+        table_count(&out, n);
         for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) table_number(&out, cell[k]);
         survey_free(&s);
     }

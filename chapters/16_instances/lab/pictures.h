@@ -20,7 +20,7 @@ static inline void draw_forest(const options *o, bool naive)
     failure f;
     double start = clock_seconds();
     forest_plant(&w, o->quick ? 300 : 9000, o->seed);
-    crowd c = {w.mesh, w.kinds, w.list, w.n};
+    crowd c = {w.mesh, forest_kinds, w.list, w.n};
     if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
     double built = clock_seconds();
     image im = image_new(o->width, o->height);
@@ -40,75 +40,61 @@ static inline void draw_forest(const options *o, bool naive)
 
 /* ---- normals ---- */
 
-enum { pots = 4 };
+enum { pots = 4, pot_rows = 3 };
 typedef struct {
     const instances *x;
     const instance *list;
-    camera c;
-    int width, height, row;
-} pot_row;
+    camera c[pot_rows];
+    int width, top[pot_rows + 1];
+} pot_view;
 
+/* In three rows: by A^T n, by M n, and the angle between, white at 60 degrees. */
 static inline vec3 pot_colour(const void *context, real px, real py)
 {
-    const pot_row *p = context;
-    ray r = camera_ray(p->c, px, py, p->width, p->height);
+    const pot_view *p = context;
+    int row = py < (real)p->top[1] ? 0 : py < (real)p->top[2] ? 1 : 2, top = p->top[row];
+    ray r = camera_ray(p->c[row], px, py - (real)top, p->width, p->top[row + 1] - top);
     instance_hit h;
-    vec3 background = {0.93, 0.93, 0.93};
-    if (!instances_hit(p->x, r, &h)) return p->row < 2 ? background : (vec3){0, 0, 0};
+    if (!instances_hit(p->x, r, &h)) return row < 2 ? vec(0.93, 0.93, 0.93) : vec(0, 0, 0);
     const placed *at = &p->x->place[p->x->where[h.instance]];
     vec3 object = mesh_normal(&p->x->mesh[at->mesh], h.h.shape, h.h.u, h.h.v);
     vec3 n = normal_to_world(&at->to_object, object);
     vec3 naive = normal_naive(&p->list[h.instance].to_world, object);
-    if (p->row < 2) return headlight(p->row ? naive : n, r.d);
-    real off = mesh_angle(n, naive) / (pi / 3);  /* white at 60 degrees */
+    if (row < 2) return headlight(row ? naive : n, r.d);
+    real off = mesh_angle(n, naive) / (pi / 3);
     return (vec3){real_min(2 * off, 1), off, real_max(2 * off - 1, 0)};
 }
 
-static inline camera pot_camera(real aspect)
-{
-    camera_frame frame;
-    camera c;
-    failure f;
-    real half = 14.2;
-    camera_window win = {-half, half, -half / aspect, half / aspect};
-    if (!frame_look_at((vec3){0, -30, 12}, vec(0, 0, 1.9), (vec3){0, 0, 1}, &frame, &f)
-        || !camera_orthographic(frame, win, &c, &f)) fail(f);
-    return c;
-}
-
-/* Three rows: right, M n, the angle between. */
 static inline void draw_normals(const options *o)
 {
-    static const vec3 scale[pots] = {{1, 1, 1}, {1, 1, 0.3}, {0.3, 1, 1},
-                                     {0.75, 0.75, 1.45}};
+    static const vec3 scale[pots] = {{1, 1, 1}, {1, 1, 0.3}, {0.3, 1, 1}, {0.75, 0.75, 1.45}};
+    static const char *const name[pot_rows] = {"A^T n", "M n",
+                                               "angle: orange 30, white 60 degrees"};
+    static const double along[pots] = {-10.2, -3.3, 3.6, 9.1};
     mesh m = teapot_mesh(o->quick ? 4 : 12);
     instance list[pots];
     instances x;
+    camera_frame frame;
     failure f;
-    bool whole = true;
+    pot_view v = {&x, list, .width = o->width};
     for (int i = 0; i < pots; i++) {
-        vec3 to = {(real)-10.2 + (real)i * (real)6.9 + (i > 2 ? (real)-1.4 : 0), 0, 0};
-        affine turn = affine_rotation((vec3){0, 0, 1}, -0.5);
-        affine a = affine_then(affine_scaling(scale[i]), turn);
-        list[i] = (instance){affine_then(a, affine_translation(to)), 0};
+        affine a = affine_then(affine_scaling(scale[i]), affine_rotation((vec3){0, 0, 1}, -0.5));
+        list[i] = (instance){affine_then(a, affine_translation(vec(along[i], 0, 0))), 0};
     }
     crowd c = {&m, 1, list, pots};
-    if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
-    image all = image_new(o->width, o->height);
-    for (int row = 0; row < 3; row++) {
-        int top = row * o->height / 3, bottom = (row + 1) * o->height / 3;
-        if (bottom == top) continue;
-        image im = image_new(o->width, bottom - top);
-        camera eye = pot_camera((real)im.width / (real)im.height);
-        pot_row p = {&x, list, eye, im.width, im.height, row};
-        whole &= pixels_draw(&im, o->quick ? 1 : 3, o->threads, "normals", pot_colour, &p);
-        image_place(&all, 0, top, &im);
-        label_tag(&all, 0, top, 11, row == 0 ? "A^T n" : row == 1 ? "M n"
-                                    : "angle: orange 30, white 60 degrees");
-        image_free(&im);
+    if (!instances_build(&c, instances_defaults, &x, &f)
+        || !frame_look_at((vec3){0, -30, 12}, vec(0, 0, 1.9), (vec3){0, 0, 1}, &frame, &f)) fail(f);
+    for (int row = 0; row < pot_rows; row++) {
+        v.top[row + 1] = (row + 1) * o->height / pot_rows;
+        real half = 14.2, up = half * (real)(v.top[row + 1] - v.top[row]) / (real)o->width;
+        if (!camera_orthographic(frame, (camera_window){-half, half, -up, up}, &v.c[row], &f))
+            fail(f);
     }
-    output_picture(o, &all, "16_instances_normals.png", false, whole);
-    image_free(&all), instances_free(&x), mesh_free(&m);
+    image im = image_new(o->width, o->height);
+    bool whole = pixels_draw(&im, o->quick ? 1 : 3, o->threads, "normals", pot_colour, &v);
+    for (int row = 0; row < pot_rows; row++) label_tag(&im, 0, v.top[row], 11, name[row]);
+    output_picture(o, &im, "16_instances_normals.png", false, whole);
+    image_free(&im), instances_free(&x), mesh_free(&m);
 }
 
 #endif

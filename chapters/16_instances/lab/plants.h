@@ -10,8 +10,7 @@
 #ifndef INSTANCES_LAB_PLANTS_H
 #define INSTANCES_LAB_PLANTS_H
 
-#include "../../../common/random.h"
-#include "../../07_mesh/mesh.h"
+#include "../../07_mesh/scenes/soup.h"
 
 typedef struct {
     mesh m;
@@ -22,12 +21,11 @@ typedef struct {
 /* ---------------------------------------------------------------------------------------------- */
 
 /* Room for n triangles, each with corners of its own; m counts what is used. */
-static inline plant plant_room(size_t n)
+static inline plant plant_room(size_t n, vec3 bark, vec3 leaf, vec3 leaf_too)
 {
-    plant p = {.m = {.v = NULL}};
-    p.m.v = allocate(3 * n, sizeof *p.m.v);
+    plant p = {mesh_room(n), 0, bark, leaf, leaf_too};
     p.m.n = allocate(3 * n, sizeof *p.m.n);
-    p.m.index = allocate(3 * n, sizeof *p.m.index);
+    p.m.vertices = p.m.triangles = 0;
     return p;
 }
 
@@ -36,7 +34,6 @@ static inline void plant_triangle(plant *p, vec3 a, vec3 b, vec3 c, vec3 na, vec
     mesh *m = &p->m;
     const vec3 v[3] = {a, b, c}, n[3] = {na, nb, nc};
     for (int k = 0; k < 3; k++) {
-        m->index[3 * m->triangles + (size_t)k] = (uint32_t)m->vertices;
         m->n[m->vertices] = n[k];
         m->v[m->vertices++] = v[k];
     }
@@ -99,7 +96,8 @@ static inline void plant_fir_branch(plant *p, vec3 foot, vec3 out, real length, 
 static inline plant plant_fir(uint64_t seed)
 {
     enum { rings = 17, most = 11 };
-    plant p = plant_room(12 + rings * most * 8);
+    plant p = plant_room(12 + rings * most * 8, vec(0.16, 0.10, 0.07), vec(0.045, 0.13, 0.06),
+                         vec(0.08, 0.20, 0.07));
     random_stream g = random_start(seed, 1, 0);
     plant_stem(&p, vec(0, 0, -0.05), 0.022, (vec3){0, 0, 1}, 0.002);
     p.wood = (uint32_t)p.m.triangles;
@@ -116,9 +114,6 @@ static inline plant plant_fir(uint64_t seed)
                              random_between(&g, 0.35, 0.6));
         }
     }
-    p.bark = vec(0.16, 0.10, 0.07);
-    p.leaf = vec(0.045, 0.13, 0.06);
-    p.leaf_too = vec(0.08, 0.20, 0.07);
     return p;
 }
 
@@ -172,8 +167,7 @@ static inline plant plant_grown(uint64_t seed, int kind)
     plant_habit h = plant_habits[kind];
     size_t branches = 0, at_level = 1;
     for (int k = 0; k < h.levels; k++) branches += at_level, at_level *= (size_t)h.children;
-    plant p = plant_room(branches * (12 + (size_t)h.leaves));
-    p.bark = h.bark, p.leaf = h.leaf, p.leaf_too = h.leaf_too;
+    plant p = plant_room(branches * (12 + (size_t)h.leaves), h.bark, h.leaf, h.leaf_too);
     for (int pass = 0; pass < 2; pass++) {
         random_stream g = random_start(seed, 2, 0);
         plant_branch(&p, &g, &h, vec(0, 0, -0.03), (vec3){0, 0, 1}, h.stem, h.radius, 0, pass);
@@ -186,7 +180,8 @@ static inline plant plant_grown(uint64_t seed, int kind)
 static inline plant plant_grass(uint64_t seed)
 {
     enum { blades = 60 };
-    plant p = plant_room(2 * blades);
+    const vec3 hay = {0.24, 0.30, 0.07};
+    plant p = plant_room(2 * blades, hay, hay, vec(0.38, 0.36, 0.12));
     random_stream g = random_start(seed, 5, 0);
     for (int k = 0; k < blades; k++) {
         real angle = random_between(&g, 0, 2 * pi), far = (real)0.9 * sqrt(random_next(&g));
@@ -199,8 +194,6 @@ static inline plant plant_grass(uint64_t seed)
         plant_triangle(&p, a, b, c, up, up, up);
         plant_triangle(&p, a, c, tip, up, up, up);
     }
-    p.leaf = p.bark = vec(0.24, 0.30, 0.07);
-    p.leaf_too = vec(0.38, 0.36, 0.12);
     return p;
 }
 

@@ -9,6 +9,7 @@
 #define INSTANCES_LAB_TWO_LEVELS_H
 
 #include "../../../common/lab/figure.h"
+#include "../../07_mesh/scenes/specimens.h"
 #include "../instances.h"
 
 enum { two_corners = 11, two_instances = 4 };
@@ -21,48 +22,57 @@ static const real two_outline[two_corners][2] = {
 
 static inline mesh two_wall(void)
 {
-    mesh m = {.vertices = 2 * two_corners, .triangles = 2 * two_corners};
-    m.v = allocate(m.vertices, sizeof *m.v);
-    m.index = allocate(3 * m.triangles, sizeof *m.index);
-    uint32_t *k = m.index;
-    for (uint32_t i = 0; i < two_corners; i++) {
-        uint32_t a = 2 * i, b = 2 * ((i + 1) % two_corners);
-        for (uint32_t up = 0; up < 2; up++)
+    mesh m = specimen_new(2 * two_corners, 2 * two_corners);
+    for (size_t i = 0; i < two_corners; i++) {
+        size_t a = 2 * i, b = 2 * ((i + 1) % two_corners);
+        for (size_t up = 0; up < 2; up++)
             m.v[a + up] = (vec3){two_outline[i][0], two_outline[i][1], up ? (real)0.1 : (real)-0.1};
-        *k++ = a, *k++ = b, *k++ = b + 1, *k++ = a, *k++ = b + 1, *k++ = a + 1;
+        specimen_add(&m, a, b, b + 1), specimen_add(&m, a, b + 1, a + 1);
     }
     return m;
 }
 
-static inline void two_box(figure *g, const bvh_box *b, const char *colour, double fill)
+/* All of a tree's boxes; leaves and the root may be filled. */
+static inline void two_tree(figure *g, const bvh_tree *tree, const char *colour, double leaf,
+                            double root)
 {
-    double x0 = (double)b->side[0], y0 = (double)b->side[1], x1 = (double)b->side[3];
-    double y1 = (double)b->side[4], xy[8] = {x0, y0, x1, y0, x1, y1, x0, y1};
-    figure_polygon(g, 4, xy, colour, fill, colour);
+    for (size_t k = 0; k < tree->nodes; k++) {
+        const float *s = tree->node[k].box.side;
+        double x0 = (double)s[0], y0 = (double)s[1], x1 = (double)s[3], y1 = (double)s[4];
+        double xy[8] = {x0, y0, x1, y0, x1, y1, x0, y1};
+        if (k == 1) continue;  /* not used */
+        figure_polygon(g, 4, xy, colour, !k ? root : tree->node[k].count ? leaf : 0, colour);
+    }
 }
 
-static inline void two_shape(figure *g, affine m, const char *colour, double fill)
+static inline void two_shape(figure *g, affine m, double fill)
 {
     double xy[2 * two_corners];
     for (int i = 0; i < two_corners; i++) {
         vec3 p = affine_point(m, (vec3){two_outline[i][0], two_outline[i][1], 0});
         xy[2 * i] = (double)p.x, xy[2 * i + 1] = (double)p.y;
     }
-    figure_polygon(g, two_corners, xy, colour, fill, FIGURE_BLACK);
+    figure_polygon(g, two_corners, xy, FIGURE_GREEN, fill, FIGURE_BLACK);
 }
 
-/* Up to t = last, with a dot at each whole t from `from` on, numbered. */
-static inline void two_ray(figure *g, ray r, int from, double last, double right, double down)
+static inline void two_dot(figure *g, ray r, real t, double radius, const char *colour)
+{
+    vec3 p = ray_at(r, t);
+    figure_dot(g, (double)p.x, (double)p.y, radius, colour);
+}
+
+/* Up to t = last, with a dot at each whole t from `from` on, numbered; red, where it hits. */
+static inline void two_ray(figure *g, ray r, int from, double last, real hit_at)
 {
     vec3 end = ray_at(r, (real)last), start = ray_at(r, (real)from - (from > 0 ? (real)0.4 : 0));
     figure_arrow(g, (double)start.x, (double)start.y, (double)end.x, (double)end.y, FIGURE_ORANGE,
                  2);
     for (int t = from; t < last; t++) {
         vec3 p = ray_at(r, (real)t);
-        figure_dot(g, (double)p.x, (double)p.y, 3.5, FIGURE_BLACK);
-        figure_print(g, (double)p.x, (double)p.y, right, down, FIGURE_MIDDLE, FIGURE_BLACK, "%d",
-                     t);
+        two_dot(g, r, (real)t, 3.5, FIGURE_BLACK);
+        figure_print(g, (double)p.x, (double)p.y, -3, -9, FIGURE_MIDDLE, FIGURE_BLACK, "%d", t);
     }
+    two_dot(g, r, hit_at, 5, FIGURE_RED);
 }
 
 static inline affine two_place(double x, double y, double sx, double sy, double degrees)
@@ -86,30 +96,21 @@ static inline void draw_two_levels(const options *o)
     if (!instances_build(&c, instances_defaults, &x, &f)) fail(f);
     ray r = ray_from(vec(0.1, 1.3, 0), vec(1.02, 0.39, 0)), in;
     instances_hit(&x, r, &h);
+    if (!instance_ray(&x.place[x.where[h.instance]].to_object, r, &in))
+        die(1, "the drawing's ray is too short");
     figure g = figure_begin(o, "16_instances_levels.svg", 900, 370);
     figure_origin(&g, 14, 318, 62);
-    for (size_t k = 2; k < x.tree.nodes; k++)  /* node 1 is not used */
-        two_box(&g, &x.tree.node[k].box, FIGURE_BLUE, x.tree.node[k].count ? 0.1 : 0);
-    two_box(&g, &x.tree.node[0].box, FIGURE_BLUE, 0);
+    two_tree(&g, &x.tree, FIGURE_BLUE, 0.1, 0);
     for (uint32_t i = 0; i < two_instances; i++)
-        two_shape(&g, list[i].to_world, FIGURE_GREEN, i == h.instance ? 0.8 : 0.25);
-    two_ray(&g, r, 0, 8.4, -3, -9);
+        two_shape(&g, list[i].to_world, i == h.instance ? 0.8 : 0.25);
+    two_ray(&g, r, 0, 8.4, h.h.t);
     figure_text(&g, (double)r.o.x, (double)r.o.y, -2, 20, FIGURE_LEFT, FIGURE_BLACK, "*o*");
-    vec3 at = ray_at(r, h.h.t);
-    figure_dot(&g, (double)at.x, (double)at.y, 5, FIGURE_RED);
     figure_text(&g, 0, 0, 0, 30, FIGURE_LEFT, FIGURE_BLUE,
                 "the world: TLAS, boxes round instances");
-    const placed *p = &x.place[x.where[h.instance]];
-    if (!instance_ray(&p->to_object, r, &in)) die(1, "the drawing's ray is too short");
     figure_origin(&g, 778, 160, 62);
-    const bvh_tree *lower = &x.lower[0].tree;
-    for (size_t k = 0; k < lower->nodes; k++)
-        if (k != 1) two_box(&g, &lower->node[k].box, FIGURE_PURPLE, k ? 0 : 0.08);
-    affine none = affine_translation((vec3){0, 0, 0});
-    two_shape(&g, none, FIGURE_GREEN, 0.8);
-    two_ray(&g, in, (int)h.h.t, (double)h.h.t + 1.3, -3, -9);
-    at = ray_at(in, h.h.t);
-    figure_dot(&g, (double)at.x, (double)at.y, 5, FIGURE_RED);
+    two_tree(&g, &x.lower[0].tree, FIGURE_PURPLE, 0, 0.08);
+    two_shape(&g, affine_translation((vec3){0, 0, 0}), 0.8);
+    two_ray(&g, in, (int)h.h.t, (double)h.h.t + 1.3, h.h.t);
     figure_origin(&g, 612, 318, 1);
     figure_text(&g, 0, 0, 0, 8, FIGURE_LEFT, FIGURE_PURPLE, "the object: BLAS, one a mesh");
     figure_text(&g, 0, 0, 0, 30, FIGURE_LEFT, FIGURE_BLACK,

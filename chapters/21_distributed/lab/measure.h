@@ -122,44 +122,35 @@ static inline void table_of_pictures(const options *o)
 
 /* ---- what is called for ---------------------------------------------------------------------- */
 
-static inline void rays_row(const options *o, table *t, const showroom *g, int effects,
-                            const char *name)
+/* Each effect alone, none and all; then all rays sent, whether they can contribute or not. */
+static inline void table_of_rays(const options *o)
 {
     enum { w = 96, h = 54 };
-    image a = image_new(w, h), b = image_new(w, h);
-    for (int all = 0; all < 2; all++) {
+    static const struct { const char *name; int effects; } rows[] = {
+        {"Whitted", 0}, {"soft", EFFECT_SOFT}, {"gloss", EFFECT_GLOSSY}, {"occlusion", EFFECT_SKY},
+        {"lens", EFFECT_LENS}, {"all", EFFECT_ALL}};
+    showroom *g = showroom_new(8);
+    image im[2] = {image_new(w, h), image_new(w, h)};
+    table t = table_new("Rays, 96 x 54 pixels, 4 samples each",
+                        "effects|camera|shadow|reflection|sky|pictures differ [pixels]");
+    for (int i = 0; i < 12; i++) {
         showroom_look k;
-        showroom_set(&k, g, effects);
+        int all = i % 2, differ = 0;
+        showroom_set(&k, g, rows[i / 2].effects);
         k.how.spend_all = all;
         distributed_view v = showroom_view(&k, SHOWROOM_ALL, (real)w / h);
         v.samples = 4;
-        measure_unless(!distributed_draw(&v, all ? &b : &a, o->threads));
-        table_text(t, "%s%s", name, all ? ", all the same" : "");
-        const size_t *n = v.spent.rays.rays, *d = v.spent.drawn;
-        table_count(t, n[RAY_CAMERA]), table_count(t, n[RAY_SHADOW]);
-        table_count(t, n[RAY_REFLECTION]), table_count(t, n[RAY_SIGHT]);
-        table_count(t, d[DRAWN_LENS]), table_count(t, d[DRAWN_LIGHT]);
-        table_count(t, d[DRAWN_SKY]), table_count(t, d[DRAWN_LOBE]);
-        int differ = 0;
-        for (int i = 0; i < w * h && all; i++)
-            differ += memcmp(a.rgb + 3 * i, b.rgb + 3 * i, 3 * sizeof *a.rgb) != 0;
-        table_text(t, all ? "%d" : "-", differ);
+        measure_unless(!distributed_draw(&v, &im[all], o->threads));
+        table_text(&t, "%s%s", rows[i / 2].name, all ? ", all the same" : "");
+        const size_t *n = v.spent.rays.rays;
+        table_count(&t, n[RAY_CAMERA]), table_count(&t, n[RAY_SHADOW]);
+        table_count(&t, n[RAY_REFLECTION]), table_count(&t, n[RAY_SIGHT]);
+        for (int p = 0; p < w * h; p++)
+            differ += memcmp(im[0].rgb + 3 * p, im[1].rgb + 3 * p, 3 * sizeof(float)) != 0;
+        table_text(&t, all ? "%d" : "-", differ);
     }
-    image_free(&a), image_free(&b);
-}
-
-static inline void table_of_rays(const options *o)
-{
-    showroom *g = showroom_new(8);
-    table t = table_new("Rays and pairs of random numbers, 96 x 54 pixels, 4 samples each",
-                        "effects|camera|shadow|reflection|sky|lens numbers|light|sky|lobe|"
-                        "pictures differ [pixels]");
-    static const char *const names[] = {"Whitted", "soft", "gloss", "occlusion", "lens", "all"};
-    static const int effects[] = {0, EFFECT_SOFT, EFFECT_GLOSSY, EFFECT_SKY, EFFECT_LENS,
-                                  EFFECT_ALL};
-    for (int i = 0; i < 6; i++) rays_row(o, &t, g, effects[i], names[i]);
     output_extra_table(o, &t);
-    showroom_free(g);
+    image_free(&im[0]), image_free(&im[1]), showroom_free(g);
 }
 
 #endif

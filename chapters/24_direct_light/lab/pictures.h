@@ -1,6 +1,6 @@
 /* pictures.h: direct light, a picture at a time, and several side by side.
  *
- *   direct_view v = {&g, way, LIGHTS_ALL, SEQUENCE_SOBOL, n, side, seed};
+ *   direct_view v = {way, LIGHTS_ALL, SEQUENCE_SOBOL, n, side, seed, &g};
  *   bool whole = direct_render(&v, &im, threads);    n samples a pixel, each with a camera ray;
  *                                    side > 0: light 0 as side x side point lights
  *
@@ -19,12 +19,12 @@
 #include "scenes.h"
 
 typedef struct {
-    const direct_stage *g;
     direct_way way;
     lit_lights_rule kind;
     sequence_kind sequence;
     uint32_t n, side;
     uint64_t seed;
+    const direct_stage *g;
 } direct_view;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -89,8 +89,8 @@ static inline void draw_box(const options *o)
     stage_open(STAGE_BOX, &g);
     image im = image_new(o->width, o->height);
     g.c = stage_camera_of(STAGE_BOX, (real)o->width / (real)o->height);
-    direct_view v = {&g, DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, 0,
-                     o->seed};
+    direct_view v = {DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_SOBOL, (uint32_t)o->samples, 0, o->seed,
+                     &g};
     bool whole = direct_render(&v, &im, o->threads);
     output_picture(o, &im, "24_direct_light.png", true, whole);
     image_free(&im), stage_close(&g);
@@ -107,24 +107,24 @@ typedef struct {
 
 static const direct_exhibit exhibit_points = {
     STAGE_BOX, "24_direct_light_points.png", 4, 240,
-    {{.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_SOBOL, .n = 4, .side = 1},
-     {.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_SOBOL, .n = 4, .side = 2},
-     {.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_SOBOL, .n = 4, .side = 4},
-     {.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_RANDOM, .n = 16}},
+    {{DIRECT_AREA, LIGHTS_ALL, SEQUENCE_SOBOL, 4, 1, 0, NULL},
+     {DIRECT_AREA, LIGHTS_ALL, SEQUENCE_SOBOL, 4, 2, 0, NULL},
+     {DIRECT_AREA, LIGHTS_ALL, SEQUENCE_SOBOL, 4, 4, 0, NULL},
+     {DIRECT_AREA, LIGHTS_ALL, SEQUENCE_RANDOM, 16, 0, 0, NULL}},
     {"1 point light", "4 point lights", "16 point lights", "16 points drawn"}};
 
 /* One ray for a sample by directions or by one light, two for both: half the samples. */
 static const direct_exhibit exhibit_plates = {
     STAGE_PLATES, "24_direct_light_plates.png", 3, 400,
-    {{.way = DIRECT_BRDF, .kind = LIGHTS_UNIFORM, .sequence = SEQUENCE_SOBOL, .n = 16},
-     {.way = DIRECT_ANGLE, .kind = LIGHTS_UNIFORM, .sequence = SEQUENCE_SOBOL, .n = 16},
-     {.way = DIRECT_POWER, .kind = LIGHTS_UNIFORM, .sequence = SEQUENCE_SOBOL, .n = 8}},
+    {{DIRECT_BRDF, LIGHTS_UNIFORM, SEQUENCE_SOBOL, 16, 0, 0, NULL},
+     {DIRECT_ANGLE, LIGHTS_UNIFORM, SEQUENCE_SOBOL, 16, 0, 0, NULL},
+     {DIRECT_POWER, LIGHTS_UNIFORM, SEQUENCE_SOBOL, 8, 0, 0, NULL}},
     {"directions of the BRDF, 16", "points of a light, 16", "both, power heuristic, 8"}};
 
 static const direct_exhibit exhibit_strip = {
     STAGE_STRIP, "24_direct_light_strip.png", 2, 480,
-    {{.way = DIRECT_AREA, .kind = LIGHTS_ALL, .sequence = SEQUENCE_RANDOM, .n = 16},
-     {.way = DIRECT_ANGLE, .kind = LIGHTS_ALL, .sequence = SEQUENCE_RANDOM, .n = 10}},
+    {{DIRECT_AREA, LIGHTS_ALL, SEQUENCE_RANDOM, 16, 0, 0, NULL},
+     {DIRECT_ANGLE, LIGHTS_ALL, SEQUENCE_RANDOM, 10, 0, 0, NULL}},
     {"by area, 16 samples", "by solid angle, 10 samples"}};
 
 static inline void draw_exhibit(const options *o, const direct_exhibit *x)
@@ -132,20 +132,17 @@ static inline void draw_exhibit(const options *o, const direct_exhibit *x)
     direct_stage g;
     stage_open(x->stage, &g);
     int across = o->quick ? x->width / 10 : x->width, gap = o->quick ? 1 : 4;
-    int down = (int)((real)across / g.aspect);
-    image sheet = image_new(x->n * across + (x->n - 1) * gap, down);
+    image sheet = {0}, im = image_new(across, (int)((real)across / g.aspect));
     bool whole = true;
     for (int k = 0; k < x->n && whole; k++) {
-        image im = image_new(across, down);
         direct_view v = x->view[k];
         v.g = &g, v.seed = o->seed;
         whole = direct_render(&v, &im, o->threads);
-        image_place(&sheet, k * (across + gap), 0, &im);
-        image_free(&im);
+        label_panel(&sheet, x->n, 1, gap, k, &im);
     }
     label_titles(&sheet, x->n, 1, gap, x->title);
     output_picture(o, &sheet, x->file, false, whole);
-    image_free(&sheet), stage_close(&g);
+    image_free(&sheet), image_free(&im), stage_close(&g);
 }
 
 #endif

@@ -15,77 +15,65 @@
 
 enum { points_levels = 6, points_ways = 4 };  /* 1, 4 .. 1024; wholly and partly seen, two ways */
 typedef struct {
-    direct_survey s;
-    double *square;                           /* of each point: a level, grid and random */
-    int *part;                                /* 0: sees the whole lamp, 1: a part, 2: nothing */
-} points_survey;
+    double square[points_levels][2];          /* errors squared, by the grid and at random */
+    int part;                                 /* 0: sees the whole lamp, 1: a part, 2: nothing */
+} points_errors;
+typedef struct { const direct_survey *s; points_errors *at; } points_survey;
 
 static inline void points_job(size_t i, void *context)
 {
     const points_survey *v = context;
-    const direct_survey *s = &v->s;
+    const direct_survey *s = v->s;
     const seen_point *p = &s->point[i];
     direct_work work = {0, 0, 0};
     direct d = {&s->g.s, DIRECT_AREA, &s->all, &work, false};
     double truth = p->truth;
     uint32_t seen;
     (void)point_lights(&d, &p->h, p->wo, 64, &seen);
-    v->part[i] = seen == 64 * 64 ? 0 : seen ? 1 : 2;
-    if (v->part[i] == 2) return;
-    if (v->part[i] == 0) {
+    v->at[i].part = seen == 64 * 64 ? 0 : seen ? 1 : 2;
+    if (v->at[i].part == 0) {
         rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
         real E = rectangle_irradiance(lamp, p->h.s.p, p->h.s.n) / pi;
         truth = grey(vscale(vmul(brdf_albedo(&p->h.m->f, 1), cornell_radiance), E));
     }
-    for (int k = 0; k < points_levels; k++) {
+    for (int k = 0; k < points_levels && v->at[i].part < 2; k++) {
         double L[2] = {grey(point_lights(&d, &p->h, p->wo, 1u << k, &seen)),
                        survey_estimate(s, DIRECT_AREA, &s->all, SEQUENCE_RANDOM, i, i, 1u << 2 * k,
                                        s->seed, &work)};
-        for (int way = 0; way < 2; way++) {
-            double off = (L[way] - truth) / (truth + s->mean);
-            v->square[(i * points_levels + (size_t)k) * 2 + (size_t)way] = off * off;
-        }
+        for (int way = 0; way < 2; way++)
+            v->at[i].square[k][way] = pow((L[way] - truth) / (truth + s->mean), 2);
     }
-}
-
-/* Way 0: whole lamp, grid; 1: whole, random; 2, 3: a part of it. */
-static inline double points_error(const points_survey *v, int level, int way)
-{
-    double sum = 0, n = 0;
-    for (size_t i = 0; i < v->s.points; i++)
-        if (v->part[i] == way / 2)
-            sum += v->square[(i * points_levels + (size_t)level) * 2 + (size_t)way % 2], n++;
-    return sqrt(sum / (n > 0 ? n : 1));
 }
 
 static inline void measure_points(const options *o)
 {
-    static const char *const name[points_ways] = {"whole lamp, k point lights",
-                                                  "whole lamp, k random points",
-                                                  "part of it, k point lights",
-                                                  "part of it, k random points"};
-    points_survey v;
+    static const char *const name[points_ways] = {
+        "whole lamp, k point lights", "whole lamp, k random points", "part of it, k point lights",
+        "part of it, k random points"};
+    direct_survey s;
     table t = table_new("A lamp as k point lights: relative error, Cornell box",
                         "k|whole lamp seen: a grid [1]|random points [1]|a part seen: a grid [1]|"
                         "random points [1]");
     plot p = plot_new("An area light as k point lights", "k", "relative error",
                       PLOT_LOG_X | PLOT_LOG_Y);
-    survey_open(&v.s, o, STAGE_BOX, 48, 4096);
-    v.square = allocate(v.s.points * points_levels * 2, sizeof *v.square);
-    v.part = allocate(v.s.points, sizeof *v.part);
-    parallel_whole(v.s.points, o->threads, "point lights", points_job, &v);
+    survey_open(&s, o, STAGE_BOX, 48, 4096);
+    points_survey v = {&s, allocate(s.points, sizeof *v.at)};
+    parallel_whole(s.points, o->threads, "point lights", points_job, &v);
     for (int way = 0; way < points_ways; way++) plot_series(&p, name[way]);
     for (int k = 0; k < points_levels; k++) {
         table_count(&t, (size_t)1 << 2 * k);
         for (int way = 0; way < points_ways; way++) {
-            double error = points_error(&v, k, way);
+            double sum = 0, n = 0;
+            for (size_t i = 0; i < s.points; i++)
+                if (v.at[i].part == way / 2) sum += v.at[i].square[k][way % 2], n++;
+            double error = sqrt(sum / (n > 0 ? n : 1));
             table_number(&t, error), plot_add(&p, way, 1 << 2 * k, error);
         }
     }
     plot_slope(&p, -0.5, "slope -1/2");
     output_extra_table(o, &t);
     output_plot(o, &p, "24_direct_light_points.svg");
-    free(v.square), free(v.part), survey_close(&v.s);
+    free(v.at), survey_close(&s);
 }
 
 #endif

@@ -19,24 +19,16 @@ typedef enum { STAGE_BOX, STAGE_PLATES, STAGE_STRIP, stages } direct_stage_name;
 typedef struct { lit_scene s; camera c; real aspect, exposure; } direct_stage;
 static const char *const stage_names[stages] = {"box", "plates", "strip"};
 
-enum { plates = 4, plate_lights = 4 };
-static const double plate_roughness[plates] = {0.07, 0.14, 0.22, 0.32};  /* top to bottom */
-static const double plate_radius[plate_lights] = {0.033, 0.1, 0.3, 0.9};
-
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline camera stage_camera(vec3 from, vec3 at, double view, real aspect)
-{
-    return camera_at(from, at, (vec3){0, 1, 0}, (real)view, aspect);
-}
 
 static const vec3 plate_eye = {0, 2, 15};
 
 static inline camera stage_camera_of(direct_stage_name name, real aspect)
 {
-    if (name == STAGE_BOX) return cornell_camera(aspect);
-    return name == STAGE_PLATES ? stage_camera(plate_eye, vec(0, -2, 2.5), 28, aspect)
-                                : stage_camera(vec(0, 2.2, 3), vec(0, .05, -1), 36, aspect);
+    const vec3 up = {0, 1, 0};
+    return name == STAGE_BOX ? cornell_camera(aspect)
+         : name == STAGE_PLATES ? camera_at(plate_eye, vec(0, -2, 2.5), up, 28, aspect)
+                                : camera_at(vec(0, 2.2, 3), vec(0, .05, -1), up, 36, aspect);
 }
 
 static inline uint16_t stage_matte(lit_scene *s, double r, double g, double b)
@@ -50,35 +42,33 @@ static inline uint16_t stage_lamp(lit_scene *s, vec3 Le)
 }
 
 /* A plate at c, 8 wide: its normal halves the angle between the eye and the origin. */
-static inline void stage_plate(lit_scene *s, vec3 c, vec3 eye, real half, uint16_t material)
+static inline void stage_plate(lit_scene *s, vec3 c, uint16_t material)
 {
-    vec3 n = vunit(vadd(vunit(vsub(eye, c)), vunit(vneg(c)))), across = {8, 0, 0};
-    vec3 t = vscale(vcross(n, (vec3){1, 0, 0}), 2 * half);
+    vec3 n = vunit(vadd(vunit(vsub(plate_eye, c)), vunit(vneg(c)))), across = {8, 0, 0};
+    vec3 t = vcross(n, (vec3){1, 0, 0});
     vec3 o = vsub(vsub(c, vscale(across, 0.5)), vscale(t, 0.5));
     lit_add_rectangle(s, (rectangle){o, across, t}, material);
 }
 
 static inline void stage_plates(direct_stage *g)
 {
-    static const double place[plates][2] = {{-2.4, -0.13}, {-3.06, 0.92}, {-3.58, 2.22},
-                                            {-3.91, 3.57}};
-    static const vec3 tint[plate_lights] = {{1.5, 0.75, 0.75},
-                                            {1.2, 1, 0.5},
-                                            {0.7, 1.2, 0.7},
-                                            {0.7, 0.95, 1.6}};
+    static const struct { double y, z, roughness; } plate[4] = {  /* top to bottom */
+        {-2.4, -0.13, 0.07}, {-3.06, 0.92, 0.14}, {-3.58, 2.22, 0.22}, {-3.91, 3.57, 0.32}};
+    static const struct { double r; vec3 tint; } ball[4] = {
+        {0.033, {1.5, 0.75, 0.75}}, {0.1, {1.2, 1, 0.5}}, {0.3, {0.7, 1.2, 0.7}},
+        {0.9, {0.7, 0.95, 1.6}}};
     vec3 f0 = {0.85, 0.85, 0.85};
     uint16_t grey = stage_matte(&g->s, .3, .3, .3);
     lit_add_rectangle(&g->s, (rectangle){vec(-30, -4.2, 20), {60, 0, 0}, {0, 0, -22}}, grey);
     lit_add_rectangle(&g->s, (rectangle){vec(-30, -4.2, -2), {60, 0, 0}, {0, 30, 0}}, grey);
-    for (int k = 0; k < plates; k++) {
-        lit_material m = {.f = brdf_ggx(f0, (real)plate_roughness[k])};
-        uint16_t metal = lit_add_material(&g->s, m);
-        stage_plate(&g->s, vec(0, place[k][0], place[k][1]), plate_eye, 0.5, metal);
+    for (int k = 0; k < 4; k++) {
+        lit_material metal = {.f = brdf_ggx(f0, (real)plate[k].roughness)};
+        stage_plate(&g->s, vec(0, plate[k].y, plate[k].z), lit_add_material(&g->s, metal));
     }
-    for (int k = 0; k < plate_lights; k++) {  /* flux 4 pi^2 r^2 L, the same for all */
-        real r = (real)plate_radius[k], L = 1 / (r * r);
-        sphere ball = {vec(-3.75 + 2.5 * k, 0, 0), r};
-        lit_add_shape(&g->s, shape_of_sphere(ball), stage_lamp(&g->s, vscale(tint[k], L)));
+    for (int k = 0; k < 4; k++) {  /* flux 4 pi^2 r^2 L, the same for all */
+        real r = (real)ball[k].r, L = 1 / (r * r);
+        shape at = shape_of_sphere((sphere){vec(-3.75 + 2.5 * k, 0, 0), r});
+        lit_add_shape(&g->s, at, stage_lamp(&g->s, vscale(ball[k].tint, L)));
     }
     g->exposure = 1.2;
 }

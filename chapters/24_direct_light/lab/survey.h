@@ -31,7 +31,7 @@ typedef struct {
     uint64_t seed;
     uint32_t reference;
     direct_way best;
-    bool full;
+    bool full;                   /* else 64 samples alone */
     lit_lights all, one;
     double error[direct_ways][survey_levels], seconds[direct_ways];  /* of one sample */
     direct_work work[direct_ways][survey_levels];

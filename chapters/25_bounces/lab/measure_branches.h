@@ -1,6 +1,6 @@
 /* measure_branches.h: why one direction is enough.
  *
- *   measure_branches(o)   main table: N directions a hit, error in equal time; --full: a plot
+ *   measure_branches(o)   main table: N directions a hit, error in equal time
  *
  * The Cornell box, directions as the surface reflects, pixels that do not see the light itself. The
  * truth is estimated by (25.10), some 100 times closer than what is measured.
@@ -27,7 +27,6 @@ typedef struct {
     uint64_t seed;
     double budget;                     /* rays a pixel and trial, at least a sample */
     uint32_t many;                     /* samples a pixel of the reference */
-    size_t pixels, stride;             /* used: 0, stride, 2 stride, ..; odd */
     double exact[trial_depths][trial_pixels];
     trial_part part[trials][trial_pixels];
 } branch_survey;
@@ -76,8 +75,8 @@ static inline double trial_sample(const branch_survey *b, int trial, size_t pixe
 static inline void trial_job(size_t job, void *context)
 {
     branch_survey *b = context;
-    int trial = trials - 1 - (int)(job / b->pixels);
-    size_t pixel = job % b->pixels * b->stride;
+    int trial = trials - 1 - (int)(job / trial_pixels);
+    size_t pixel = job % trial_pixels;
     trial_part *part = &b->part[trial][pixel];
     double exact = b->exact[trial / branch_kinds][pixel];
     double n = b->budget / first_rays_of_branching(trial_branches(trial), trial_bounces(trial));
@@ -109,31 +108,14 @@ static inline branch_result trial_result(const branch_survey *b, int trial)
 {
     double rays = 0, exact = 0;
     estimate square = {0, 0, 0};
-    for (size_t k = 0; k < b->pixels; k++) {
-        const trial_part *p = &b->part[trial][k * b->stride];
+    for (size_t k = 0; k < trial_pixels; k++) {
+        const trial_part *p = &b->part[trial][k];
         rays += (double)naive_rays(&p->c), square = estimate_merge(square, p->square);
-        exact += b->exact[trial / branch_kinds][k * b->stride];
+        exact += b->exact[trial / branch_kinds][k];
     }
-    double error = sqrt(square.mean) / exact * (double)b->pixels;
+    double error = sqrt(square.mean) / exact * trial_pixels;
     return (branch_result){error, error * estimate_error(square) / (2 * square.mean),
                            rays / (double)square.n, 0};
-}
-
-/* The box at the largest depth, r[N]: from one sample on, k independent ones divide the error by
- * sqrt k. */
-static inline void plot_time(const options *o, const branch_result *r)
-{
-    plot p = plot_new("Cornell box, 5 bounces: relative error against time", "time of a pixel [ms]",
-                      "relative error", PLOT_LOG_X | PLOT_LOG_Y);
-    for (int n = 0; n < branch_kinds; n++) {
-        char name[16];
-        snprintf(name, sizeof name, "N = %d", trial_branches(n));
-        plot_series(&p, name);
-        for (double k = 1; k == 1 || k * r[n].us < 4e5; k *= 4)
-            plot_add(&p, n, k * r[n].us / 1000, r[n].error / sqrt(k));
-    }
-    plot_slope(&p, -0.5, "slope -1/2");
-    output_plot(o, &p, "25_bounces_time.svg");
 }
 
 static inline void measure_branches(const options *o)
@@ -147,9 +129,8 @@ static inline void measure_branches(const options *o)
                         "time of a sample [us]|time: error over that of N = 1");
     lit_cornell(&b->scene);
     b->seed = o->seed, b->budget = o->quick ? 100 : 5000, b->many = o->quick ? 64 : 4096;
-    b->pixels = o->quick ? 8 : trial_pixels, b->stride = o->quick ? 7 : 1;
     parallel_whole(trial_pixels, o->threads, "reference", trial_reference, b);
-    parallel_whole(trials * b->pixels, o->threads, "N directions", trial_job, b);
+    parallel_whole(trials * trial_pixels, o->threads, "N directions", trial_job, b);
     for (int k = 0; k < trials; k++) timed[k] = (timed_trial){b, k, o->quick ? 500 : 3000, 0};
     bench_each(timed_run, timed, sizeof *timed, trials, o->quick ? 1 : 15, 1e6, us);
     for (int k = 0; k < trials; k++) {
@@ -162,7 +143,6 @@ static inline void measure_branches(const options *o)
         table_number(&t, r[k].error * sqrt(r[k].us) / (one->error * sqrt(one->us)));
     }
     output_table(o, &t);
-    if (o->full) plot_time(o, r + trials - branch_kinds);
     lit_free(&b->scene), free(b);
 }
 

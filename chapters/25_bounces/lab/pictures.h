@@ -25,20 +25,20 @@ typedef struct {
     camera view;
     uint32_t samples;
     uint64_t seed;
-    image term[term_columns], sum[term_columns];
+    image sheet;
+    int w, h;  /* of a panel */
 } term_sheet;
 
 static inline void term_pixel(int x, int y, void *context)
 {
-    const term_sheet *t = context;
-    int w = t->term[0].width, h = t->term[0].height;
+    term_sheet *t = context;
     vec3 mean[term_columns] = {{0, 0, 0}}, term[term_most + 1], sum = {0, 0, 0};
     bounce_counts c = {{{0}, 0, 0}, 0};
     for (uint32_t i = 0; i < t->samples; i++) {
-        uint64_t pixel = (uint64_t)y * (uint64_t)w + (uint64_t)x;
+        uint64_t pixel = (uint64_t)y * (uint64_t)t->w + (uint64_t)x;
         sampler s = sampler_start(SEQUENCE_SOBOL, t->seed, pixel, i, t->samples);
         point2 u = sampler_pair(&s);
-        ray eye = camera_ray(t->view, (real)x + u.u, (real)y + u.v, w, h);
+        ray eye = camera_ray(t->view, (real)x + u.u, (real)y + u.v, t->w, t->h);
         bounce_terms_lit(&t->path, eye, &s, term, &c);
         for (int k = 0; k <= t->path.depth; k++) {
             int column = k < term_columns ? k : term_columns - 1;
@@ -47,8 +47,8 @@ static inline void term_pixel(int x, int y, void *context)
     }
     for (int k = 0; k < term_columns; k++) {
         sum = vadd(sum, mean[k]);
-        image_set(&((image *)t->term)[k], x, y, vscale(mean[k], term_gain[k]));
-        image_set(&((image *)t->sum)[k], x, y, sum);
+        image_set(&t->sheet, k * t->w + x, y, vscale(mean[k], term_gain[k]));
+        image_set(&t->sheet, k * t->w + x, t->h + y, sum);
     }
 }
 
@@ -57,21 +57,14 @@ static inline void draw_terms(const options *o)
     lit_scene s;
     lit_cornell(&s);
     int w = o->width / term_columns, h = o->height / 2;
-    uint32_t n = (uint32_t)o->samples;
-    term_sheet t = {.path = {&s, DIRECTIONS_BRDF, term_most, false}, .samples = n, .seed = o->seed};
-    w = w > 0 ? w : 1, h = h > 0 ? h : 1;
-    t.view = cornell_camera((real)w / (real)h);
-    for (int k = 0; k < term_columns; k++) t.term[k] = image_new(w, h), t.sum[k] = image_new(w, h);
+    term_sheet t = {{&s, DIRECTIONS_BRDF, term_most, false}, cornell_camera(1),
+                    (uint32_t)o->samples, o->seed, image_new(o->width, o->height), w, h};
+    if (w && h) t.view = cornell_camera((real)w / (real)h);
     bool whole = parallel_pixels(w, h, o->threads, "terms", term_pixel, &t);
-    image sheet = image_new(o->width, o->height);
-    for (int k = 0; k < term_columns; k++) {
-        image_place(&sheet, k * w, 0, &t.term[k]), image_place(&sheet, k * w, h, &t.sum[k]);
-        image_free(&t.term[k]), image_free(&t.sum[k]);
-    }
     for (int k = 0; k < 2 * term_columns && w >= 150; k++)
-        label_tag(&sheet, k % term_columns * w + 6, k / term_columns * h + 6, 11, term_tag[k]);
-    output_picture(o, &sheet, "25_bounces.png", true, whole);
-    image_free(&sheet);
+        label_tag(&t.sheet, k % term_columns * w + 6, k / term_columns * h + 6, 11, term_tag[k]);
+    output_picture(o, &t.sheet, "25_bounces.png", true, whole);
+    image_free(&t.sheet);
     lit_free(&s);
 }
 

@@ -1,4 +1,4 @@
-/* oracle.h: the hits of cone.h and polygon.h with 32 digits, to measure errors against.
+/* 07_oracle.h: the hits of cone.h and polygon.h with 32 digits, to measure errors against.
  *
  *   cone_truth x = cone_exact(c, r);      x.hit, x.t: first hit of the side in the interval
  *   polygon_truth y = polygon_exact(p, r);
@@ -7,12 +7,12 @@
  * real is a wide without error, so the answers are right for the very numbers that the tested
  * code was given.
  */
-#ifndef MESH_LAB_ORACLE_H
-#define MESH_LAB_ORACLE_H
+#ifndef TESTS_07_ORACLE_H
+#define TESTS_07_ORACLE_H
 
-#include "../../../common/numbers/wide.h"
-#include "../cone.h"
-#include "../polygon.h"
+#include "../common/numbers/wide.h"
+#include "../chapters/07_mesh/cone.h"
+#include "../chapters/07_mesh/polygon.h"
 
 typedef struct {
     bool hit;
