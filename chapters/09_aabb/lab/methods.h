@@ -59,7 +59,7 @@ static inline aabb_work *work_new(uint64_t seed)
                 int k = w->order[j] % (work_boxes / (lanes));                                  \
                 type t[lanes];                                                                 \
                 unsigned m = test;                                                             \
-                for (int c = 0; c < (lanes) && m; c++, m >>= 1) if (m & 1) sum += (double)t[c]; \
+                for (int c = 0; c < (lanes) && m; c++, m >>= 1) if (m & 1) sum += (double)t[c];\
             }                                                                                  \
         }                                                                                      \
         return sum;                                                                            \

@@ -21,13 +21,13 @@
 enum { room_gap = 6, room_boxes = 17, room_parts = 2 + aabb_mine };
 typedef struct { aabb_test *test; camera view; int width, height; } aabb_room;
 
-static const real room_box[room_boxes][6] = {  /* in quarters */
+static const real room_box[room_boxes][6] = {  /* in quarters; last a screen, a picture and a box */
     {0, 0, 0, 24, 24, 0}, {0, 0, 0, 0, 24, 16}, {0, 0, 0, 24, 0, 16},     /* floor, walls */
     {0, 3, 5, 3, 11, 5}, {0, 3, 8, 3, 11, 8}, {0, 3, 11, 3, 11, 11},      /* boards */
     {1, 14, 0, 6, 20, 3}, {1, 14, 3, 3, 20, 6},                           /* a seat */
     {8, 8, 4, 15, 14, 4}, {8, 8, 0, 9, 9, 4}, {14, 8, 0, 15, 9, 4},       /* a flat table, */
     {8, 13, 0, 9, 14, 4}, {14, 13, 0, 15, 14, 4}, {10, 10, 4, 12, 12, 6}, /* a box on it, */
-    {17, 1, 0, 17, 7, 7}, {19, 0.5, 5, 23, 0.5, 10}, {16, 16, 0, 20, 20, 4}}; /* a screen, a picture */
+    {17, 1, 0, 17, 7, 7}, {19, 0.5, 5, 23, 0.5, 10}, {16, 16, 0, 20, 20, 4}};
 
 /* ---------------------------------------------------------------------------------------------- */
 
