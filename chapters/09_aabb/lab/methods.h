@@ -111,7 +111,7 @@ static inline void time_passes(const options *o, int n, const aabb_row *row, dou
 
 /* The kinds of exact.h, and the corner with all digits of mantissa.h. */
 enum { aabb_cases = trial_kinds + 1, aabb_digits = trial_kinds, aabb_late };
-typedef double aabb_losses[aabb_late + 1];  /* per cent; last: late, of the corners that are found */
+typedef double aabb_losses[aabb_late + 1];  /* per cent; late: of the corners found */
 
 /* n trials of a case. One oracle serves all methods. */
 static inline void losses_of_case(int kind, uint64_t seed, size_t n, aabb_losses *out)
