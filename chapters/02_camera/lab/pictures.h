@@ -77,45 +77,51 @@ static inline void camera_draw_vanishing(const options *o, camera_view v)
     image_free(&im);
 }
 
+typedef struct { rtr_camera k; int sign; } camera_rtr;  /* -1, or as printed: 1 */
+
 static inline ray camera_aim_rtr(const camera_view *v, real x, real y)  /* at any point */
 {
-    const rtr_camera *k = v->own;
-    return ray_from(k->c, rtr_s(*k, x, y, v->out->width, v->out->height, -1));
+    const camera_rtr *own = v->own;
+    return ray_from(own->k.c, rtr_s(own->k, x, y, v->out->width, v->out->height, own->sign));
 }
-static inline ray camera_aim_printed(const camera_view *v, real x, real y)
-{
-    const rtr_camera *k = v->own;
-    return ray_from(k->c, rtr_s(*k, x, y, v->out->width, v->out->height, 1));
-}
+/* (2.5), every operation in float; as if 200 km away, (e + d) - e: what is left of d. */
 static inline ray camera_aim_f32(const camera_view *v, real x, real y)
 {
-    return ray_from(v->c.e, camera_direction_f32(v->c, x, y, v->out->width, v->out->height));
+    const camera *c = &v->c;
+    float l = (float)c->left, r = (float)c->right, b = (float)c->bottom, t = (float)c->top, d[3];
+    float u = l + (r - l) * (float)x / (float)v->out->width;
+    float up = t + (b - t) * (float)y / (float)v->out->height;
+    for (int k = 0; k < 3; k++)
+        d[k] = u * (float)vaxis(c->u, k) + up * (float)vaxis(c->v, k)
+             - (float)c->d * (float)vaxis(c->w, k);
+    return ray_from(c->e, vec(d[0], d[1], d[2]));
 }
-static inline ray camera_aim_far(const camera_view *v, real x, real y)  /* as if 200 km away */
+static inline ray camera_aim_far(const camera_view *v, real x, real y)
 {
+    static const float e[3] = {120000, 96000, 128000};
     ray r = camera_aim_f32(v, x, y);
-    return ray_from(r.o, camera_direction_naive_f32(vec(120000, 96000, 128000), r.d));
-}
-static inline void camera_draw_pair(const options *o, camera_view v[2], const char *tag0,
-                                    const char *tag1, const char *name)
-{
-    int side = o->quick ? 100 : 400;
-    v[0].tag = tag0, v[1].tag = tag1;
-    camera_draw_panels(o, v, 2, 2, 2 * side + 6, side, name, false);
+    for (int k = 0; k < 3; k++) {
+        float s = e[k] + (float)vaxis(r.d, k);
+        r.d = vwith(r.d, k, (real)(s - e[k]));
+    }
+    return r;
 }
 
 static inline void camera_draw_slips(const options *o, camera_view v)
 {
+    int side = o->quick ? 100 : 400;
     failure why;
-    rtr_camera k;
-    camera_view p[2] = {v, v};
-    camera_must(rtr_look_at(camera_eye, camera_target, camera_up, 38, &k, &why), why);
-    p[0].aim = camera_aim_printed, p[1].aim = camera_aim_rtr, p[0].own = p[1].own = &k;
-    camera_draw_pair(o, p, "as printed", "mended", "02_camera_rtr.png");
-
-    p[0].c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
-    p[0].aim = camera_aim_far, p[1].aim = camera_aim_f32, p[1].c = p[0].c;
-    camera_draw_pair(o, p, "float, s - e", "float, (2.5)", "02_camera_far.png");
+    camera_rtr sign[2] = {{.sign = 1}, {.sign = -1}};
+    camera_view p[2] = {v, v}, q[2] = {v, v};
+    for (int i = 0; i < 2; i++) {
+        camera_must(rtr_look_at(camera_eye, camera_target, camera_up, 38, &sign[i].k, &why), why);
+        p[i].aim = camera_aim_rtr, p[i].own = &sign[i], p[i].tag = i ? "mended" : "as printed";
+        q[i].aim = i ? camera_aim_f32 : camera_aim_far;
+        q[i].c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
+        q[i].tag = i ? "float, (2.5)" : "float, s - e";
+    }
+    camera_draw_panels(o, p, 2, 2, 2 * side + 6, side, "02_camera_rtr.png", false);
+    camera_draw_panels(o, q, 2, 2, 2 * side + 6, side, "02_camera_far.png", false);
 }
 
 static inline void camera_draw_zone_plate(const options *o, camera_view v)
