@@ -10,7 +10,6 @@
 #ifndef CAMERA_LAB_PICTURES_H
 #define CAMERA_LAB_PICTURES_H
 
-#include "../../../common/lab/stroke.h"
 #include "../rtr_camera.h"
 #include "draw.h"
 #include "measure.h"
@@ -47,6 +46,22 @@ static inline void camera_draw_four(const options *o, camera_view v)
     camera_draw_panels(o, four, 4, 2, o->width, o->height, "02_camera.png", true);
 }
 
+/* A line on top of a picture, in pixels. A pixel is covered if its centre lies inside the line, and not at all a pixel further out. */
+static inline void camera_stroke(image *im, real x0, real y0, real x1, real y1, real width,
+                               vec3 colour)
+{
+    vec3 a = {x0, y0, 0}, ab = {x1 - x0, y1 - y0, 0};
+    real length2 = vdot(ab, ab);
+    for (int y = 0; y < im->height; y++)
+        for (int x = 0; x < im->width; x++) {
+            vec3 p = vsub((vec3){(real)x + (real)0.5, (real)y + (real)0.5, 0}, a);
+            real t = length2 > 0 ? real_clamp(vdot(p, ab) / length2, 0, 1) : 0;
+            real cover = real_clamp((width + 1) / 2 - vlength(vmadd(p, ab, -t)), 0, 1);
+            vec3 under = image_get(im, x, y);
+            if (cover > 0) image_set(im, x, y, vmadd(under, vsub(colour, under), cover));
+        }
+}
+
 static inline void camera_draw_vanishing(const options *o, camera_view v)
 {
     int w = o->quick ? 202 : 806, h = o->quick ? 169 : 676;
@@ -68,11 +83,11 @@ static inline void camera_draw_vanishing(const options *o, camera_view v)
             real a = i & 1 ? s : -s, b = i & 2 ? s : -s, x = 0, y = 0;
             vec3 end = k == 0 ? vec(s, a, b) : k == 1 ? vec(a, s, b) : vec(a, b, s);
             if (!camera_project(v.c, end, w, h, &x, &y)) abort();
-            draw_stroke(&im, x, y, vx[k], vy[k], 1.2, ink[k]);
+            camera_stroke(&im, x, y, vx[k], vy[k], 1.2, ink[k]);
         }
     }
-    draw_stroke(&im, vx[0], vy[0], vx[1], vy[1], 2, vec(0, 0, 0));  /* the horizon */
-    for (int k = 0; k < 3; k++) draw_stroke(&im, vx[k], vy[k], vx[k], vy[k], 13, ink[k]);
+    camera_stroke(&im, vx[0], vy[0], vx[1], vy[1], 2, vec(0, 0, 0));  /* the horizon */
+    for (int k = 0; k < 3; k++) camera_stroke(&im, vx[k], vy[k], vx[k], vy[k], 13, ink[k]);
     output_picture(o, &im, "02_camera_vanishing.png", false, whole);
     image_free(&im);
 }

@@ -9,16 +9,14 @@
 #define AABB_PICTURES_H
 
 #include "../../../common/headlight.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "../../02_camera/camera.h"
 #include "exact.h"
 #include "slabs.h"
 
 /* ---- the room ---- */
 
-enum { room_gap = 6, room_boxes = 17, room_parts = 2 + aabb_mine };
+enum { room_boxes = 17, room_parts = 2 + aabb_mine };
 typedef struct { aabb_test *test; camera view; int width, height; } aabb_room;
 
 static const real room_box[room_boxes][6] = {  /* in quarters; last a screen, a picture and a box */
@@ -64,24 +62,15 @@ static vec3 room_colour(const void *context, real x, real y)
 
 static inline void draw_room(const options *o)
 {
-    static const struct { const char *name; aabb_test *test; } part[] = {
-        {"first_aabb_hit", first_aabb_hit}, {"aabb_hit", aabb_hit}, {"mine", mine_aabb_hit}};
-    int gaps = (room_parts - 1) * room_gap;
-    int width = o->width > 2 * gaps ? (o->width - gaps) / room_parts : o->width;
-    image sheet = label_sheet(o->width, o->height), im = image_new(width, o->height);
-    aabb_room s = {.width = width, .height = o->height};
-    bool whole = true;
-    s.view = camera_at(vec(13, 15, 8), vec(2.4, 2.4, 0.9), vec(0, 0, 1), 27,
-                       (real)width / (real)o->height);
-    for (int k = 0; k < room_parts && whole; k++) {
-        s.test = part[k].test;
-        whole = pixels_draw(&im, 2, o->threads, "room", room_colour, &s);
-        image_place(&sheet, k * (width + room_gap), 0, &im);
-        if (o->width >= 400 && o->height >= 100)
-            label_tag(&sheet, k * (width + room_gap) + 10, 10, 12, part[k].name);
+    panels_shape g = {o->width, o->height, room_parts, 1, o->width >= 64 ? 6 : 0, 2, true};
+    aabb_room s[3] = {{.test = first_aabb_hit}, {.test = aabb_hit}, {.test = mine_aabb_hit}};
+    const panel p[3] = {{"first_aabb_hit", &s[0]}, {"aabb_hit", &s[1]}, {"mine", &s[2]}};
+    for (int k = 0; k < 3; k++) {
+        s[k].width = panels_wide(g), s[k].height = o->height;
+        s[k].view = camera_at(vec(13, 15, 8), vec(2.4, 2.4, 0.9), vec(0, 0, 1), 27,
+                              (real)s[k].width / (real)o->height);
     }
-    output_picture(o, &sheet, "09_aabb.png", true, whole);
-    image_free(&sheet), image_free(&im);
+    panels_draw(o, "09_aabb.png", true, g, room_colour, p);
 }
 
 /* ---- rays along an axis ---- */
