@@ -46,7 +46,8 @@ static inline void camera_draw_four(const options *o, camera_view v)
     camera_draw_panels(o, four, 4, 2, o->width, o->height, "02_camera.png", true);
 }
 
-/* A line on top of a picture, in pixels. A pixel is covered if its centre lies inside the line, and not at all a pixel further out. */
+/* A line on top of a picture, in pixels: what has its centre in it is covered, a pixel further out
+ * nothing is. */
 static inline void camera_stroke(image *im, real x0, real y0, real x1, real y1, real width,
                                vec3 colour)
 {
