@@ -5,8 +5,8 @@
  *   panels_draw(&o, "03_sphere.png", true, g, colour, p);     names above; g.tags: in the panels
  *   image sheet = panels_new(&o, g, colour, p, &whole);       for who draws more into it
  *
- * A panel is g.height high; `columns` of them fit into g.width. colour: pixels.h, with side x side
- * places a pixel. Tags for which a small panel has no room are left out.
+ * `columns` x `rows` of them, `gap` pixels apart, fill width x height. colour: pixels.h, with side x
+ * side places a pixel. Tags for which a small panel has no room are left out.
  */
 #ifndef PANELS_H
 #define PANELS_H
@@ -21,24 +21,28 @@ typedef struct { int width, height, columns, rows, gap, side; bool tags; } panel
 
 /* ---------------------------------------------------------------------------------------------- */
 
+/* Of a panel, rounded up: the last ones may be cut. */
 static inline int panels_wide(panels_shape g)
 {
     return (g.width + g.gap + g.columns - 1) / g.columns - g.gap;
+}
+static inline int panels_high(panels_shape g)
+{
+    return (g.height + g.gap + g.rows - 1) / g.rows - g.gap;
 }
 
 static inline image panels_new(const options *o, panels_shape g, pixels_colour *colour,
                                const panel *p, bool *whole)
 {
     const char *title[panels_most];
-    int w = panels_wide(g), n = g.columns * g.rows;
-    image sheet = label_sheet(g.width, g.rows * (g.height + g.gap) - g.gap);
-    image one = image_new(w, g.height);
+    int w = panels_wide(g), h = panels_high(g), n = g.columns * g.rows;
+    image sheet = label_sheet(g.width, g.height), one = image_new(w, h);
     *whole = true;
     for (int k = 0; k < n && *whole; k++) {
-        int x = k % g.columns * (w + g.gap), y = k / g.columns * (g.height + g.gap);
+        int x = k % g.columns * (w + g.gap), y = k / g.columns * (h + g.gap);
         *whole = pixels_draw(&one, g.side, o->threads, "panels", colour, p[k].context);
         image_place(&sheet, x, y, &one);
-        if (g.tags && w >= 200 && g.height >= 100)
+        if (g.tags && w >= 200 && h >= 100)
             label_tag(&sheet, x + 10, y + 10, 12, p[k].name);
         title[k] = p[k].name;
     }

@@ -43,7 +43,9 @@ static inline void camera_draw_four(const options *o, camera_view v)
         && camera_off_axis(near_level, above, 7, &four[3].c, &why);
     camera_must(ok, why);
     for (int i = 0; i < 4; i++) four[i].tag = tag[i];
-    camera_draw_panels(o, four, 4, 2, o->width, o->height, "02_camera.png", true);
+    int gap = o->width >= 64 && o->height >= 64 ? 6 : 0;
+    camera_draw_panels(o, four, (panels_shape){o->width, o->height, 2, 2, gap, 1, true},
+                       "02_camera.png", true);
 }
 
 /* A line on top of a picture, in pixels: what has its centre in it is covered, a pixel further out
@@ -74,9 +76,9 @@ static inline void camera_draw_vanishing(const options *o, camera_view v)
     room_block(&block, vec(-s, -s, -s), vec(s, s, s), vec(1, 0.85, 0.5), s);
     camera_must(frame_look_at(vec(2.15, 1.35, 1.6), vec(0, 0, 0), camera_up, &f, &why), why);
     camera_must(camera_off_axis(f, (camera_window){-2.05, 1.05, -1.75, 0.85}, 1, &v.c, &why), why);
-    v.scene = &block;
+    v.scene = &block, v.nx = w, v.ny = h;
     image im = image_new(w, h);
-    bool whole = camera_draw(&v, &im, o->threads);
+    bool whole = pixels_draw(&im, 1, o->threads, "drawing", camera_colour, &v);
     for (int k = 0; k < 3; k++) {
         vec3 axis = vwith(vec(0, 0, 0), k, 1);
         if (!camera_vanishing_point(v.c, axis, w, h, &vx[k], &vy[k])) abort();
@@ -98,15 +100,15 @@ typedef struct { rtr_camera k; int sign; } camera_rtr;  /* -1, or as printed: 1 
 static inline ray camera_aim_rtr(const camera_view *v, real x, real y)  /* at any point */
 {
     const camera_rtr *own = v->own;
-    return ray_from(own->k.c, rtr_s(own->k, x, y, v->out->width, v->out->height, own->sign));
+    return ray_from(own->k.c, rtr_s(own->k, x, y, v->nx, v->ny, own->sign));
 }
 /* (2.5), every operation in float; as if 200 km away, (e + d) - e: what is left of d. */
 static inline ray camera_aim_f32(const camera_view *v, real x, real y)
 {
     const camera *c = &v->c;
     float l = (float)c->left, r = (float)c->right, b = (float)c->bottom, t = (float)c->top, d[3];
-    float u = l + (r - l) * (float)x / (float)v->out->width;
-    float up = t + (b - t) * (float)y / (float)v->out->height;
+    float u = l + (r - l) * (float)x / (float)v->nx;
+    float up = t + (b - t) * (float)y / (float)v->ny;
     for (int k = 0; k < 3; k++)
         d[k] = u * (float)vaxis(c->u, k) + up * (float)vaxis(c->v, k)
              - (float)c->d * (float)vaxis(c->w, k);
@@ -126,6 +128,7 @@ static inline ray camera_aim_far(const camera_view *v, real x, real y)
 static inline void camera_draw_slips(const options *o, camera_view v)
 {
     int side = o->quick ? 100 : 400;
+    const panels_shape g = {2 * side + 6, side, 2, 1, 6, 1, true};
     failure why;
     camera_rtr sign[2] = {{.sign = 1}, {.sign = -1}};
     camera_view p[2] = {v, v}, q[2] = {v, v};
@@ -136,8 +139,8 @@ static inline void camera_draw_slips(const options *o, camera_view v)
         q[i].c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
         q[i].tag = i ? "float, (2.5)" : "float, s - e";
     }
-    camera_draw_panels(o, p, 2, 2, 2 * side + 6, side, "02_camera_rtr.png", false);
-    camera_draw_panels(o, q, 2, 2, 2 * side + 6, side, "02_camera_far.png", false);
+    camera_draw_panels(o, p, g, "02_camera_rtr.png", false);
+    camera_draw_panels(o, q, g, "02_camera_far.png", false);
 }
 
 static inline void camera_draw_zone_plate(const options *o, camera_view v)
@@ -151,6 +154,7 @@ static inline void camera_draw_zone_plate(const options *o, camera_view v)
     p[0] = p[1] = p[2] = v;
     p[0].n = 1, p[1].n = p[2].n = 8, p[2].f = filter_gaussian;
     for (int i = 0; i < 3; i++) p[i].tag = tag[i];
-    camera_draw_panels(o, p, 3, 3, 3 * zone + 12, zone, "02_camera_zone_plate.png", false);
+    camera_draw_panels(o, p, (panels_shape){3 * zone + 12, zone, 3, 1, 6, 1, true},
+                       "02_camera_zone_plate.png", false);
 }
 #endif

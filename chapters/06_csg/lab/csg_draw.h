@@ -117,7 +117,7 @@ static inline void csg_draw_inside(const options *o)
         of[k] = (csg_panel){&s, k < 3 ? csg_hit_front : csg_hit, eye[k % 3]};
         p[k] = (panel){title[k], &of[k]};
     }
-    image sheet = panels_new(o, (panels_shape){960, h, 3, 2, 12, o->quick ? 1 : 2, false},
+    image sheet = panels_new(o, (panels_shape){960, 2 * h + 12, 3, 2, 12, o->quick ? 1 : 2, false},
                              csg_panel_colour, p, &whole);
     label_below(&sheet, 34);
     for (int k = 0; k < 7; k++) {
