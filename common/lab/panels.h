@@ -5,7 +5,7 @@
  *   panels_draw(&o, "03_sphere.png", true, g, colour, p);     names above; g.tags: in the panels
  *   image sheet = panels_new(&o, g, colour, p, &whole);       for who draws more into it
  *
- * `columns` x `rows` of them, `gap` pixels apart, fill width x height. colour: pixels.h, with side x
+ * `columns` x `rows` of them, `gap` pixels apart, fill width x height. colour: pixels.h, at side x
  * side places a pixel. Tags for which a small panel has no room are left out.
  */
 #ifndef PANELS_H
