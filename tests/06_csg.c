@@ -14,6 +14,13 @@ static csg built(csg_model m, bool no_bounds)
     return c;
 }
 
+/* The first two of the solids joined; CSG_SOLID: the first alone. Others only name planes. */
+static csg joined(const csg_solid *s, size_t solids, csg_operation what, bool no_bounds)
+{
+    const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {what, 0}};
+    return built((csg_model){s, solids, step, what == CSG_SOLID ? 1 : 3}, no_bounds);
+}
+
 static size_t random_below(random_stream *s, size_t n) { return random_next_bits(s) % n; }
 
 /* ---- random solids and trees ---- */
@@ -430,8 +437,7 @@ static void test_along_faces(void)
         random_axes(&s, false, axis);
         const real lo[3] = {-1, -1, -1}, hi[3] = {1, 1, 1};
         csg_solid solid[2] = {mesh_box(axis, vec(0, 0, 0), 0), csg_box_turned(axis, lo, hi)};
-        static const csg_step step[1] = {{CSG_SOLID, 0}};
-        csg c = built((csg_model){solid, 2, step, 1}, true);
+        csg c = joined(solid, 2, CSG_SOLID, true);
         vec3 d = vadd(vscale(axis[1], random_next(&s) - (real)0.5), vscale(axis[2], 1));
         ray r = ray_from(vmadd(axis[0], d, -3), d);
         csg_crossing *list = NULL;
@@ -455,7 +461,6 @@ static void test_along_faces(void)
  * rule, and so has a turned one that a half space names, for which no step asks. */
 static void test_named_plane(void)
 {
-    static const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_DIFFERENCE, 0}};
     size_t wrong[3] = {0}, n = check_count(8000);
     for (size_t i = 0; i < 3 * n; i++) {  /* turned; turned and named; straight */
         random_stream s = random_start(14, i / 3, 0);
@@ -467,7 +472,7 @@ static void test_named_plane(void)
                               csg_scene_cube(axis, vec(0, 0, 0)), csg_half(axis[0], 1)};
         vec3 to = vmadd(vmadd(axis[0], axis[1], random_next(&s) - (real)0.5), axis[2],
                         random_next(&s) - (real)0.5), from = vscale(random_direction_of(&s), 4);
-        csg c = built((csg_model){solid, 2 + (i % 3 == 1), step, 3}, false);
+        csg c = joined(solid, 2 + (i % 3 == 1), CSG_DIFFERENCE, false);
         csg_crossing *list = NULL;
         wrong[i % 3] += csg_spans(&c, ray_from(from, vsub(to, from)), &list) > 0;
         csg_free(&c);
@@ -482,7 +487,6 @@ static void test_named_plane(void)
  * from either side, and nothing else in common. */
 static void test_shared_triangles(void)
 {
-    static const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_INTERSECTION, 0}};
     size_t shared = 0, met = 0, n = check_count(20000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(13, i, 0);
@@ -499,7 +503,7 @@ static void test_shared_triangles(void)
         part[0][4] = (triangle){q[1], q[3], q[0]}, part[0][5] = (triangle){q[1], q[0], q[2]};
         part[1][4] = (triangle){q[0], q[3], q[1]}, part[1][5] = (triangle){q[0], q[1], q[2]};
         const csg_solid two[2] = {csg_mesh(part[0], 6), csg_mesh(part[1], 6)};
-        csg c = built((csg_model){two, 2, step, 3}, false);
+        csg c = joined(two, 2, CSG_INTERSECTION, false);
         csg_crossing *list = NULL, x[2][8];
         ray r = random_line(&s);
         shared += csg_spans(&c, r, &list) > 0;
@@ -665,7 +669,6 @@ static void test_bounds_from_afar(void)
  * flat as it may be: t is that of the plane, 64 times as far along, beyond the mesh's edge. */
 static void test_bounds_of_planes(void)
 {
-    static const csg_step step[1] = {{CSG_SOLID, 0}};
     size_t lost = 0, met = 0, n = check_count(8000);
     for (size_t i = 0; i < n; i++) {
         random_stream s = random_start(22, i, 0);
@@ -676,7 +679,7 @@ static void test_bounds_of_planes(void)
         vec3 *v = (vec3 *)(uintptr_t)solid[0].mesh.tri;
         for (int k = 0; k < 36; k++)
             if (vdot(v[k], axis[2]) > 0) v[k] = vmadd(v[k], axis[2], -20 * real_epsilon);
-        csg c = built((csg_model){solid, 2, step, 1}, false);
+        csg c = joined(solid, 2, CSG_SOLID, false);
         vec3 at = vmadd(vadd(axis[2], axis[0]), axis[1], random_next(&s) - (real)0.5);
         at = vmadd(at, axis[0], -1024 * real_epsilon * random_next(&s));
         vec3 d = vmadd(axis[0], axis[2], (real)(1.001 / 64));
@@ -698,8 +701,7 @@ static void test_bounds_of_planes(void)
 static void test_interval(void)
 {
     const csg_solid s[2] = {csg_sphere(vec(0, 0, 0), 2), csg_sphere(vec(0, 0, 0), 1)};
-    const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_DIFFERENCE, 0}};
-    csg c = built((csg_model){s, 2, step, 3}, false);  /* a hollow ball */
+    csg c = joined(s, 2, CSG_DIFFERENCE, false);  /* a hollow ball */
     const real inf = real_infinity;
     const struct { real tmin, tmax, t; uint32_t shape; } at[] = {  /* t 7: no hit */
         {0, inf, 1, 0}, {1, 1, 1, 0}, {(real)1.5, inf, 2, 3}, {2, 2, 2, 3}, {3, 9, 4, 3},
@@ -773,13 +775,11 @@ static void test_strange_solids(void)
     for (size_t i = 0; i < sizeof strange / sizeof *strange; i++)
         for (int no_bounds = 0; no_bounds < 2; no_bounds++) {
             const csg_solid s[2] = {csg_sphere(vec(0, 0, 0), 1), strange[i]};
-            const csg_step just[1] = {{CSG_SOLID, 1}};
-            csg c = built((csg_model){s, 2, just, 1}, no_bounds);
+            csg c = joined(&strange[i], 1, CSG_SOLID, no_bounds);
             check_equal(csg_spans(&c, r, &x), 0, "solid %zu is empty", i);
             csg_free(&c);
             for (int what = CSG_UNION; what <= CSG_DIFFERENCE; what++) {
-                const csg_step step[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {(csg_operation)what, 0}};
-                c = built((csg_model){s, 2, step, 3}, no_bounds);
+                c = joined(s, 2, (csg_operation)what, no_bounds);
                 check_equal(csg_spans(&c, r, &x), what == CSG_INTERSECTION ? 0 : 2,
                             "a ball and the empty solid %zu, operation %d", i, what);
                 csg_free(&c);
@@ -814,8 +814,7 @@ static void test_strange_rays(void)
     }
     csg_expression_free(&e);
     const csg_solid half[2] = {csg_half(vec(0, 0, 1), 0), csg_half(vec(0, 0, -1), 0)};
-    const csg_step all[3] = {{CSG_SOLID, 0}, {CSG_SOLID, 1}, {CSG_UNION, 0}};
-    csg c = built((csg_model){half, 2, all, 3}, false);
+    csg c = joined(half, 2, CSG_UNION, false);
     csg_crossing *x = NULL;
     hit h;
     check_equal(csg_spans(&c, ray_from(vec(0, 0, 3), vec(1, 0, -1)), &x), 2, "all of space");
