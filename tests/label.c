@@ -1,5 +1,5 @@
 /* Letters in pictures: each has its strokes and keeps to its place, panels keep their pixels. */
-#include "../common/lab/label.h"
+#include "../common/lab/panels.h"
 #include "check.h"
 
 static const vec3 white = {1, 1, 1}, black = {0, 0, 0};
@@ -105,6 +105,45 @@ static void test_panels(void)
     image_free(&im), image_free(&sheet);
 }
 
+static vec3 panel_colour(const void *context, real x, real y)
+{
+    (void)x, (void)y;
+    return *(const vec3 *)context;
+}
+
+/* Sizes that divide, that do not, one pixel: each panel in its place, the last cut, gaps white. */
+static void test_panels_new(void)
+{
+    static const vec3 paint[4] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
+    static const int size[][3] = {{124, 84, 4}, {123, 85, 4}, {7, 5, 2}, {1, 1, 0}, {444, 240, 4}};
+    const panel p[4] = {{"one", &paint[0]}, {"two", &paint[1]}, {"three", &paint[2]},
+                        {"four", &paint[3]}};
+    options o = {.threads = 1};
+    for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
+        panels_shape g = {size[i][0], size[i][1], 2, 2, size[i][2], 1, true};
+        int w = panels_wide(g), h = panels_high(g), wrong = 0, tagged = 0;
+        bool whole = false;
+        image sheet = panels_new(&o, g, panel_colour, p, &whole);
+        check(whole && sheet.width == g.width && sheet.height == g.height, "as large as asked");
+        for (int y = 0; y < g.height; y++)
+            for (int x = 0; x < g.width; x++) {
+                bool tag = w >= 200 && x % (w + g.gap) < 100 && y % (h + g.gap) < 40;
+                bool gap = x % (w + g.gap) >= w || y % (h + g.gap) >= h;
+                vec3 due = gap ? white : paint[2 * (y / (h + g.gap)) + x / (w + g.gap)];
+                bool same = vzero(vsub(image_get(&sheet, x, y), due));
+                wrong += !same && !tag, tagged += !same && tag;
+            }
+        check_equal(wrong, 0, "%d x %d: panels and gaps", g.width, g.height);
+        check((tagged > 100) == (w >= 200), "names where there is room");
+        image_free(&sheet);
+        if (w < 60) continue;
+        g.tags = false;
+        sheet = panels_new(&o, g, panel_colour, p, &whole);
+        check_equal(sheet.height, g.height + 52, "names above: two strips more");
+        image_free(&sheet);
+    }
+}
+
 static vec3 grey(real t) { return vec(t, t, t); }
 
 static void test_bar(void)
@@ -124,6 +163,7 @@ int main(void)
     test_place();
     test_align();
     test_panels();
+    test_panels_new();
     test_bar();
     return check_report("label");
 }

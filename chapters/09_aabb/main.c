@@ -1,8 +1,8 @@
 /* 09_aabb: a ray and a box: what each slab test loses, what it costs, and what a box hit is worth.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 09_aabb chapters/09_aabb/main.c -lm -lpthread
  */
-#include "lab/content.h"
 #include "lab/drawing.h"
+#include "lab/methods.h"
 #include "lab/pictures.h"
 
 int main(int argc, char **argv)
@@ -13,9 +13,6 @@ int main(int argc, char **argv)
     bool right = !aabb_mine || aabb_prove(mine_aabb_hit, "mine", 30000, stdout);
     draw_room(&o), draw_slabs(&o), draw_aligned(&o);
     measure_methods(&o);
-    if (o.full) {
-        measure_lanes(&o);
-        measure_volumes(&o);
-    }
+    if (o.full) measure_volumes(&o);
     return output_done(&o) || !right;
 }

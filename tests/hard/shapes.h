@@ -144,7 +144,7 @@ static inline hard_count solids(int k, real x)
     csg_tolerance = (real)0.003;
     csg_hit_function *textbook = k == CSG_FOILS ? csg_hit_tolerant
                                  : k >= CSG_COINCIDENT ? csg_hit_points : csg_hit_front;
-    double first = csg_wrong(&s, textbook, n), now = csg_wrong(&s, csg_hit, n);
+    double first = csg_wrong(&s, textbook, true, n), now = csg_wrong(&s, csg_hit, false, n);
     (void)x;
     csg_sight_free(&s);
     first = floor(first * n / 100 + 0.5), now = floor(now * n / 100 + 0.5);  /* were percent */

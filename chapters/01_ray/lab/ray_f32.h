@@ -3,8 +3,9 @@
 #ifndef RAY_LAB_F32_H
 #define RAY_LAB_F32_H
 
-#include "../../../common/lab/vec3_f32.h"
 #include "../ray.h"
+
+typedef struct { float x, y, z; } vec3_f32;
 
 /* ---------------------------------------------------------------------------------------------- */
 

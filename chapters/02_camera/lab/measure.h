@@ -73,7 +73,6 @@ static inline void camera_trials(camera_trial m[camera_way_count], int n)
     /* no whole numbers of pixels; 2.4 rings */
     static const camera_pattern cells = {checkerboard, 1.37}, rings = {zone_plate, 0.03};
     static double exact[camera_way_count][camera_pixels];
-    static image grid = {camera_side, camera_side, NULL};  /* only its size is asked for */
     for (int j = 0; j < camera_way_count; j++) {
         const camera_way *k = &camera_ways[j];
         for (int i = 0; i < camera_pixels; i++) {
@@ -83,7 +82,8 @@ static inline void camera_trials(camera_trial m[camera_way_count], int n)
                                   : checkerboard_filtered(x, y, cells.knob, k->f);
         }
         m[j] = (camera_trial){{.c = camera_grid(camera_side), .f = k->f, .n = n, .how = k->how,
-            .seed = 1, .own = k->zone ? &rings : &cells, .out = &grid, .see = see_pattern},
+            .seed = 1, .own = k->zone ? &rings : &cells, .nx = camera_side, .ny = camera_side,
+            .see = see_pattern},
             exact[j]};
     }
 }

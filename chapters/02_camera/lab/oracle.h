@@ -1,14 +1,11 @@
-/* oracle.h: how far a ray, a frame and a tangent are off, measured in wide arithmetic.
+/* oracle.h: how far a ray and a frame are off, measured in wide arithmetic.
  *
- * The input (e, window, frame, angle) is taken as the exact numbers that it is; what follows from
+ * The input (e, window, frame) is taken as the exact numbers that it is; what follows from
  * it is computed again with 32 digits, and compared.
  *
  *   double camera_error(c, D, x, y, nx, ny)    how far D passes from (x, y), in pixels
  *   double frame_error(f, target, up)       |u - exact u|: radians, if small
  *   camera_frame frame_first(e, target, up) that of first.h
- *   double half_tangent_exact(phi)          tan(phi / 2), phi in degrees [178, 180), to 1e-16
- *   vec3 camera_direction_f32(c, x, y, nx, ny)    (2.5), every operation in float
- *   vec3 camera_direction_naive_f32(e, d)   (e + d) - e in float: what is left of d
  */
 #ifndef CAMERA_LAB_ORACLE_H
 #define CAMERA_LAB_ORACLE_H
@@ -24,23 +21,6 @@ static inline camera_frame frame_first(vec3 e, vec3 target, vec3 up)
 {
     first_camera c = first_camera_at(e, target, up, 90, 1, 1);
     return (camera_frame){c.e, c.u, c.v, c.w};
-}
-
-static inline vec3 camera_direction_f32(camera c, real x, real y, int nx, int ny)
-{
-    float l = (float)c.left, r = (float)c.right, b = (float)c.bottom, t = (float)c.top;
-    float u = l + (r - l) * (float)x / (float)nx, v = t + (b - t) * (float)y / (float)ny, d[3];
-    for (int k = 0; k < 3; k++)
-        d[k] = u * (float)vaxis(c.u, k) + v * (float)vaxis(c.v, k)
-             - (float)c.d * (float)vaxis(c.w, k);
-    return vec(d[0], d[1], d[2]);
-}
-
-static inline vec3 camera_direction_naive_f32(vec3 e, vec3 d)
-{
-    float ex = (float)e.x, ey = (float)e.y, ez = (float)e.z;
-    float sx = ex + (float)d.x, sy = ey + (float)d.y, sz = ez + (float)d.z;
-    return vec((sx - ex), (sy - ey), (sz - ez));
 }
 
 static inline wide wide_ratio(wide a, double b, double n)
@@ -72,19 +52,6 @@ static inline double frame_error(camera_frame f, vec3 target, vec3 up)
     wide3 back = wide3_sub(wide3_of(f.e), wide3_of(target)), u = wide3_cross(wide3_of(up), back);
     wide one_over = wide_div(wide_of(-1), wide3_length(u));
     return wide_value(wide3_length(wide3_madd(wide3_of(f.u), u, one_over)));
-}
-
-/* 1 / tan(delta), delta = (180 - phi) pi / 360 <= 0.0175, tan by its series. */
-static inline double half_tangent_exact(real phi)
-{
-    wide pi_wide = {3.14159265358979311600, 1.22464679914735317723e-16};
-    wide missing = wide_sub(wide_of(180), wide_of((double)phi));
-    wide delta = wide_ratio(wide_mul(missing, pi_wide), 1, 360);
-    wide s = wide_mul(delta, delta), sum = wide_of(0);
-    static const double top[] = {62, 17, 2, 1, 1}, bottom[] = {2835, 315, 15, 3, 1};
-    for (int i = 0; i < 5; i++)
-        sum = wide_add(wide_mul(sum, s), wide_div(wide_of(top[i]), wide_of(bottom[i])));
-    return wide_value(wide_div(wide_of(1), wide_mul(sum, delta)));
 }
 
 #endif

@@ -10,7 +10,6 @@
 #ifndef CAMERA_LAB_PICTURES_H
 #define CAMERA_LAB_PICTURES_H
 
-#include "../../../common/lab/stroke.h"
 #include "../rtr_camera.h"
 #include "draw.h"
 #include "measure.h"
@@ -44,7 +43,26 @@ static inline void camera_draw_four(const options *o, camera_view v)
         && camera_off_axis(near_level, above, 7, &four[3].c, &why);
     camera_must(ok, why);
     for (int i = 0; i < 4; i++) four[i].tag = tag[i];
-    camera_draw_panels(o, four, 4, 2, o->width, o->height, "02_camera.png", true);
+    int gap = o->width >= 64 && o->height >= 64 ? 6 : 0;
+    camera_draw_panels(o, four, (panels_shape){o->width, o->height, 2, 2, gap, 1, true},
+                       "02_camera.png", true);
+}
+
+/* A line on top of a picture, in pixels: what has its centre in it is covered, a pixel further out
+ * nothing is. */
+static inline void camera_stroke(image *im, real x0, real y0, real x1, real y1, real width,
+                               vec3 colour)
+{
+    vec3 a = {x0, y0, 0}, ab = {x1 - x0, y1 - y0, 0};
+    real length2 = vdot(ab, ab);
+    for (int y = 0; y < im->height; y++)
+        for (int x = 0; x < im->width; x++) {
+            vec3 p = vsub((vec3){(real)x + (real)0.5, (real)y + (real)0.5, 0}, a);
+            real t = length2 > 0 ? real_clamp(vdot(p, ab) / length2, 0, 1) : 0;
+            real cover = real_clamp((width + 1) / 2 - vlength(vmadd(p, ab, -t)), 0, 1);
+            vec3 under = image_get(im, x, y);
+            if (cover > 0) image_set(im, x, y, vmadd(under, vsub(colour, under), cover));
+        }
 }
 
 static inline void camera_draw_vanishing(const options *o, camera_view v)
@@ -58,9 +76,9 @@ static inline void camera_draw_vanishing(const options *o, camera_view v)
     room_block(&block, vec(-s, -s, -s), vec(s, s, s), vec(1, 0.85, 0.5), s);
     camera_must(frame_look_at(vec(2.15, 1.35, 1.6), vec(0, 0, 0), camera_up, &f, &why), why);
     camera_must(camera_off_axis(f, (camera_window){-2.05, 1.05, -1.75, 0.85}, 1, &v.c, &why), why);
-    v.scene = &block;
+    v.scene = &block, v.nx = w, v.ny = h;
     image im = image_new(w, h);
-    bool whole = camera_draw(&v, &im, o->threads);
+    bool whole = pixels_draw(&im, 1, o->threads, "drawing", camera_colour, &v);
     for (int k = 0; k < 3; k++) {
         vec3 axis = vwith(vec(0, 0, 0), k, 1);
         if (!camera_vanishing_point(v.c, axis, w, h, &vx[k], &vy[k])) abort();
@@ -68,54 +86,61 @@ static inline void camera_draw_vanishing(const options *o, camera_view v)
             real a = i & 1 ? s : -s, b = i & 2 ? s : -s, x = 0, y = 0;
             vec3 end = k == 0 ? vec(s, a, b) : k == 1 ? vec(a, s, b) : vec(a, b, s);
             if (!camera_project(v.c, end, w, h, &x, &y)) abort();
-            draw_stroke(&im, x, y, vx[k], vy[k], 1.2, ink[k]);
+            camera_stroke(&im, x, y, vx[k], vy[k], 1.2, ink[k]);
         }
     }
-    draw_stroke(&im, vx[0], vy[0], vx[1], vy[1], 2, vec(0, 0, 0));  /* the horizon */
-    for (int k = 0; k < 3; k++) draw_stroke(&im, vx[k], vy[k], vx[k], vy[k], 13, ink[k]);
+    camera_stroke(&im, vx[0], vy[0], vx[1], vy[1], 2, vec(0, 0, 0));  /* the horizon */
+    for (int k = 0; k < 3; k++) camera_stroke(&im, vx[k], vy[k], vx[k], vy[k], 13, ink[k]);
     output_picture(o, &im, "02_camera_vanishing.png", false, whole);
     image_free(&im);
 }
 
+typedef struct { rtr_camera k; int sign; } camera_rtr;  /* -1, or as printed: 1 */
+
 static inline ray camera_aim_rtr(const camera_view *v, real x, real y)  /* at any point */
 {
-    const rtr_camera *k = v->own;
-    return ray_from(k->c, rtr_s(*k, x, y, v->out->width, v->out->height, -1));
+    const camera_rtr *own = v->own;
+    return ray_from(own->k.c, rtr_s(own->k, x, y, v->nx, v->ny, own->sign));
 }
-static inline ray camera_aim_printed(const camera_view *v, real x, real y)
-{
-    const rtr_camera *k = v->own;
-    return ray_from(k->c, rtr_s(*k, x, y, v->out->width, v->out->height, 1));
-}
+/* (2.5), every operation in float; as if 200 km away, (e + d) - e: what is left of d. */
 static inline ray camera_aim_f32(const camera_view *v, real x, real y)
 {
-    return ray_from(v->c.e, camera_direction_f32(v->c, x, y, v->out->width, v->out->height));
+    const camera *c = &v->c;
+    float l = (float)c->left, r = (float)c->right, b = (float)c->bottom, t = (float)c->top, d[3];
+    float u = l + (r - l) * (float)x / (float)v->nx;
+    float up = t + (b - t) * (float)y / (float)v->ny;
+    for (int k = 0; k < 3; k++)
+        d[k] = u * (float)vaxis(c->u, k) + up * (float)vaxis(c->v, k)
+             - (float)c->d * (float)vaxis(c->w, k);
+    return ray_from(c->e, vec(d[0], d[1], d[2]));
 }
-static inline ray camera_aim_far(const camera_view *v, real x, real y)  /* as if 200 km away */
+static inline ray camera_aim_far(const camera_view *v, real x, real y)
 {
+    static const float e[3] = {120000, 96000, 128000};
     ray r = camera_aim_f32(v, x, y);
-    return ray_from(r.o, camera_direction_naive_f32(vec(120000, 96000, 128000), r.d));
-}
-static inline void camera_draw_pair(const options *o, camera_view v[2], const char *tag0,
-                                    const char *tag1, const char *name)
-{
-    int side = o->quick ? 100 : 400;
-    v[0].tag = tag0, v[1].tag = tag1;
-    camera_draw_panels(o, v, 2, 2, 2 * side + 6, side, name, false);
+    for (int k = 0; k < 3; k++) {
+        float s = e[k] + (float)vaxis(r.d, k);
+        r.d = vwith(r.d, k, (real)(s - e[k]));
+    }
+    return r;
 }
 
 static inline void camera_draw_slips(const options *o, camera_view v)
 {
+    int side = o->quick ? 100 : 400;
+    const panels_shape g = {2 * side + 6, side, 2, 1, 6, 1, true};
     failure why;
-    rtr_camera k;
-    camera_view p[2] = {v, v};
-    camera_must(rtr_look_at(camera_eye, camera_target, camera_up, 38, &k, &why), why);
-    p[0].aim = camera_aim_printed, p[1].aim = camera_aim_rtr, p[0].own = p[1].own = &k;
-    camera_draw_pair(o, p, "as printed", "mended", "02_camera_rtr.png");
-
-    p[0].c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
-    p[0].aim = camera_aim_far, p[1].aim = camera_aim_f32, p[1].c = p[0].c;
-    camera_draw_pair(o, p, "float, s - e", "float, (2.5)", "02_camera_far.png");
+    camera_rtr sign[2] = {{.sign = 1}, {.sign = -1}};
+    camera_view p[2] = {v, v}, q[2] = {v, v};
+    for (int i = 0; i < 2; i++) {
+        camera_must(rtr_look_at(camera_eye, camera_target, camera_up, 38, &sign[i].k, &why), why);
+        p[i].aim = camera_aim_rtr, p[i].own = &sign[i], p[i].tag = i ? "mended" : "as printed";
+        q[i].aim = i ? camera_aim_f32 : camera_aim_far;
+        q[i].c = camera_at(camera_eye, camera_target, camera_up, 38, 1);
+        q[i].tag = i ? "float, (2.5)" : "float, s - e";
+    }
+    camera_draw_panels(o, p, g, "02_camera_rtr.png", false);
+    camera_draw_panels(o, q, g, "02_camera_far.png", false);
 }
 
 static inline void camera_draw_zone_plate(const options *o, camera_view v)
@@ -129,6 +154,7 @@ static inline void camera_draw_zone_plate(const options *o, camera_view v)
     p[0] = p[1] = p[2] = v;
     p[0].n = 1, p[1].n = p[2].n = 8, p[2].f = filter_gaussian;
     for (int i = 0; i < 3; i++) p[i].tag = tag[i];
-    camera_draw_panels(o, p, 3, 3, 3 * zone + 12, zone, "02_camera_zone_plate.png", false);
+    camera_draw_panels(o, p, (panels_shape){3 * zone + 12, zone, 3, 1, 6, 1, true},
+                       "02_camera_zone_plate.png", false);
 }
 #endif

@@ -16,9 +16,7 @@
 #define TRIANGLE_DOME_H
 
 #include "../../../common/headlight.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "mine.h"
 #include "triangle_variants.h"
 
@@ -92,23 +90,14 @@ static vec3 dome_colour(const void *context, real x, real y)
 
 static inline void dome_draw(const options *o)
 {
-    static const struct { const char *name; triangle_method *method; } panel[] = {
-        {"first: Moller-Trumbore", first_triangle_hit}, {"with a tolerance", triangle_hit_tolerant},
-        {"triangle_hit, watertight", triangle_hit}, {"mine", mine_triangle_hit}};
     int gap = o->width >= 400 ? 6 : 0;  /* white, between two panels [pixels] */
-    int width = (o->width + gap + dome_panels - 1) / dome_panels - gap;
-    image im = label_sheet(o->width, o->height), one = image_new(width, o->height);
-    triangle_dome s = dome_new(width, o->height);
-    bool whole = true;
-    for (int k = 0; k < dome_panels && whole; k++) {
-        s.method = panel[k].method;
-        whole = pixels_draw(&one, 1, o->threads, "dome", dome_colour, &s);
-        image_place(&im, k * (width + gap), 0, &one);
-        if (im.width >= 800 && im.height >= 100)
-            label_tag(&im, k * (width + gap) + 8, 8, 12, panel[k].name);
-    }
-    output_picture(o, &im, "04_triangle.png", true, whole);
-    image_free(&im), image_free(&one);
+    panels_shape g = {o->width, o->height, dome_panels, 1, gap, 1, true};
+    triangle_dome s = dome_new(panels_wide(g), o->height), of[4] = {s, s, s, s};
+    of[0].method = first_triangle_hit, of[1].method = triangle_hit_tolerant;
+    of[2].method = triangle_hit, of[3].method = mine_triangle_hit;
+    const panel p[4] = {{"first: Moller-Trumbore", &of[0]}, {"with a tolerance", &of[1]},
+                        {"triangle_hit, watertight", &of[2]}, {"mine", &of[3]}};
+    panels_draw(o, "04_triangle.png", true, g, dome_colour, p);
     free(s.tri);
 }
 

@@ -80,38 +80,35 @@ static bool hit_sheared(triangle tri, ray r, hit *out)
     return triangle_hit_sheared(tri, &s, r, out);
 }
 
-/* In float, of corners that are floats, is plotted alone; who never slips gets a million rays. */
-enum { triangle_methods = 9 + triangle_mine };
+/* Who never slips gets a million rays. */
+enum { triangle_methods = 8 + triangle_mine };
 static const struct {
     const char *name;
     triangle_method *hit;
     double (*run)(void *);
-    bool f32, plotted, tight;
+    bool plotted, tight;
 } method[] = {
-    {"Möller-Trumbore, float", triangle_hit_moller_trumbore_f32, NULL, 1, 1, 0},
-    {"plane + inside", triangle_hit_plane, run_plane, 0, 1, 0},
-    {"first: Möller-Trumbore", first_triangle_hit, run_first, 0, 1, 0},
-    {"Möller-Trumbore, divides last", triangle_hit_moller_trumbore, run_mt, 0, 0, 0},
-    {"Möller-Trumbore, edges +1e-5", triangle_hit_tolerant, run_tolerant, 0, 1, 0},
-    {"planes computed beforehand", triangle_hit_planes, run_planes, 0, 1, 0},
-    {"triple products", triangle_hit_triple, run_triple, 0, 1, 0},
-    {"watertight", triangle_hit, run_watertight, 0, 1, 1},
-    {"watertight, shear kept", hit_sheared, run_sheared, 0, 0, 1},
-    {"mine", mine_triangle_hit, run_mine, 0, 1, 0}};
+    {"plane + inside", triangle_hit_plane, run_plane, 1, 0},
+    {"first: Möller-Trumbore", first_triangle_hit, run_first, 1, 0},
+    {"Möller-Trumbore, divides last", triangle_hit_moller_trumbore, run_mt, 0, 0},
+    {"Möller-Trumbore, edges +1e-5", triangle_hit_tolerant, run_tolerant, 1, 0},
+    {"planes computed beforehand", triangle_hit_planes, run_planes, 1, 0},
+    {"triple products", triangle_hit_triple, run_triple, 1, 0},
+    {"watertight", triangle_hit, run_watertight, 1, 1},
+    {"watertight, shear kept", hit_sheared, run_sheared, 0, 1},
+    {"mine", mine_triangle_hit, run_mine, 1, 0}};
 
-/* Slips of rays aimed at edges or vertices of a sphere around (far, 0, 0) [%]. */
-static inline double method_slips(int k, real far, bool at_vertex, size_t rays, uint64_t seed)
+/* Rays aimed at edges or vertices of a sphere around (far, 0, 0). */
+static inline triangle_slip_count method_slips(size_t k, real far, bool at_vertex, size_t rays,
+                                               uint64_t seed)
 {
     icosphere m = icosphere_new(4, (vec3){far, 0, 0}, 1);
-    if (method[k].f32) icosphere_f32(&m);
     triangle_slip_count n = slips(&m, method[k].hit, at_vertex, rays, seed);
     icosphere_free(&m);
-    return 100 * (double)n.slips / (double)n.rays;
+    return n;
 }
 
-/* hits: a ray aimed at an edge */
-typedef struct { double at_vertices, at_edges, hits, needles; } triangle_row;
-typedef struct { const options *o; triangle_row row[triangle_methods]; } triangle_rows;
+typedef struct { const options *o; double cell[triangle_methods][4]; } triangle_rows;
 
 /* All but the time, of one method: for parallel_whole. */
 static inline void triangle_row_of(size_t k, void *context)
@@ -119,13 +116,13 @@ static inline void triangle_row_of(size_t k, void *context)
     triangle_rows *all = context;
     const options *o = all->o;
     size_t few = o->quick ? 500 : 10000, rays = o->quick ? 500 : method[k].tight ? 1000000 : 4000;
-    if (method[k].f32) return;
-    icosphere m = icosphere_new(4, (vec3){0, 0, 0}, 1);
-    all->row[k] = (triangle_row){method_slips((int)k, 0, true, rays, o->seed),
-                                 method_slips((int)k, 0, false, rays, o->seed),
-                                 slip_hits(&m, method[k].hit, false, few, o->seed),
-                                 triangle_needles(method[k].hit, 1e-6, few, o->seed).error};
-    icosphere_free(&m);
+    double *cell = all->cell[k];
+    for (int at_edge = 0; at_edge < 2; at_edge++) {
+        triangle_slip_count n = method_slips(k, 0, !at_edge, rays, o->seed);
+        cell[at_edge] = 100 * (double)n.slips / (double)rays;
+        cell[2] = (double)n.hits / (double)rays;  /* of those at edges */
+    }
+    cell[3] = triangle_needles(method[k].hit, 1e-6, few, o->seed).error;
 }
 
 static inline void triangle_main_table(const options *o)
@@ -138,18 +135,13 @@ static inline void triangle_main_table(const options *o)
     parallel_whole(triangle_methods, o->threads, "rays", triangle_row_of, &all);
     triangle_soup *s = soup_new(o->quick ? 20 : 100, o->seed);
     bench_candidate timed[triangle_methods];
-    int n = 0;
     for (int k = 0; k < triangle_methods; k++)
-        if (method[k].run) timed[n++] = (bench_candidate){.run = method[k].run, .context = s};
-    bench_time(timed, n, o->quick ? 3 : 41);
-    n = 0;
+        timed[k] = (bench_candidate){.run = method[k].run, .context = s};
+    bench_time(timed, triangle_methods, o->quick ? 3 : 41);
     for (int k = 0; k < triangle_methods; k++) {
-        const triangle_row *y = &all.row[k];
-        if (!method[k].run) continue;
         table_text(&t, "%s", method[k].name);
-        table_number(&t, y->at_vertices), table_number(&t, y->at_edges);
-        table_number(&t, y->hits), table_number(&t, y->needles);
-        table_number(&t, 1e9 * timed[n++].seconds / (soup_triangles * s->rays));
+        for (int c = 0; c < 4; c++) table_number(&t, all.cell[k][c]);
+        table_number(&t, 1e9 * timed[k].seconds / (soup_triangles * s->rays));
     }
     free(s);
     output_table(o, &t);
@@ -159,35 +151,32 @@ static inline void triangle_plot_slips(const options *o)
 {
     plot p = plot_new("Rays aimed at vertices of a closed mesh", "translation [R]", "slips [%]",
                       PLOT_LOG_X);
-    for (int k = 0; k < triangle_methods; k++) {
+    for (size_t k = 0; k < triangle_methods; k++) {
         if (!method[k].plotted) continue;
         int series = plot_series(&p, method[k].name);
         for (real far = 1; far < (real)2e6; far *= 10)
-            plot_add(&p, series, (double)far, method_slips(k, far, true, 4000, o->seed));
+            plot_add(&p, series, (double)far,
+                     (double)method_slips(k, far, true, 4000, o->seed).slips / 40);
     }
     output_plot(o, &p, "04_triangle_slips.svg");
 }
 
-/* How far the watertight test gets with triangles anywhere and rays anywhere. */
+/* How far the watertight test gets with triangles anywhere and rays anywhere: where the signs
+ * agree, the whole line is hit. */
 static inline void triangle_effort_table(const options *o)
 {
-    size_t before = triangle_doubts, tests = 0, divided = 0;
+    size_t before = triangle_doubts, divided = 0;
     triangle_soup *u = soup_new(400, o->seed);
     for (int i = 0; i < u->rays; i++) {
-        ray_shear s = shear_of(u->r[i]);
-        for (const triangle *k = u->tri; k < u->tri + soup_triangles; k++) {
-            vec3 a = shear_corner(&k->a, &s), b = shear_corner(&k->b, &s);
-            vec3 c = shear_corner(&k->c, &s);
-            hit h;
-            (void)triangle_hit(*k, u->r[i], &h);
-            tests++, divided += !signs_differ(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x,
-                                              b.x * a.y - b.y * a.x);
-        }
+        ray line = {u->r[i].o, -real_infinity, u->r[i].d, real_infinity};
+        hit h;
+        for (int k = 0; k < soup_triangles; k++) divided += triangle_hit(u->tri[k], line, &h);
     }
-    free(u);
     table t = table_new("What the watertight test computes: triangles anywhere, rays anywhere",
                         "tests|signs agree: divided|exact signs");
-    table_count(&t, tests), table_count(&t, divided), table_count(&t, triangle_doubts - before);
+    table_count(&t, (size_t)u->rays * soup_triangles), table_count(&t, divided);
+    table_count(&t, triangle_doubts - before);
+    free(u);
     output_extra_table(o, &t);
 }
 

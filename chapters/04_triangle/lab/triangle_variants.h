@@ -1,7 +1,6 @@
 /* triangle_variants.h: other ways to meet a triangle, to be measured beside triangle.h, whose
  * signature they have.
  *
- *   triangle_hit_moller_trumbore_f32   (4.8) in float, whatever real is
  *   triangle_hit_moller_trumbore       (4.8) as a good programmer writes it: nothing is divided
  *                                      before the signs are known
  *   triangle_hit_tolerant              the same with the edges moved out by 1e-5: no slips, but a
@@ -13,8 +12,6 @@
  *
  * tests/04_triangle.c and tests/04_watertight.c keep each of them failing.
  *
- * gcc 12 at -O2 needs -fno-tree-slp-vectorize here: its vectoriser leaves double digits in floats.
- *
  * Sources: J. Havel, A. Herout, "Yet Faster Ray-Triangle Intersection (Using SSE4)", IEEE TVCG
  * 16(3), 2010; J. Amanatides, K. Choi, "Ray Tracing Triangular Meshes", Western Computer Graphics
  * Symposium, 1997.
@@ -22,24 +19,9 @@
 #ifndef TRIANGLE_VARIANTS_H
 #define TRIANGLE_VARIANTS_H
 
-#include "../../../common/lab/vec3_f32.h"
 #include "../triangle.h"
 
 /* ---------------------------------------------------------------------------------------------- */
-
-static inline bool triangle_hit_moller_trumbore_f32(triangle tri, ray r, hit *out)
-{
-    vec3_f32 a = f32_of(tri.a), d = f32_of(r.d), s = f32_sub(f32_of(r.o), a);
-    vec3_f32 e1 = f32_sub(f32_of(tri.b), a), e2 = f32_sub(f32_of(tri.c), a);
-    vec3_f32 p = f32_cross(d, e2), q = f32_cross(s, e1);
-    float det = f32_dot(e1, p), inverse = 1 / det;
-    float u = f32_dot(s, p) * inverse, v = f32_dot(d, q) * inverse, t = f32_dot(e2, q) * inverse;
-    float least = u < v ? u : v;
-    if (!(least >= 0 && u + v <= 1)) return false;
-    if (!isfinite(t) || !ray_covers(r, (real)t)) return false;
-    *out = (hit){(real)t, (real)u, (real)v, 0};
-    return true;
-}
 
 /* (4.8), divided last: u and v are compared as numerators, with |det| instead of 1, in one branch.
  * And what people add to it: a margin round the triangle. */

@@ -5,7 +5,6 @@
  *
  *   icosphere m = icosphere_new(4, centre, 1);   levels [0..7], centre, radius; the caller frees
  *   icosphere_triangle(&m, i)                    the i-th triangle
- *   icosphere_f32(&m);                           rounds the corners to float, for exhibits
  *   icosphere_free(&m);
  *
  * For aiming at it: an edge belongs to exactly two triangles, a vertex to 5 or 6.
@@ -29,7 +28,6 @@ typedef struct {
     uint32_t vertices, triangles, edges;
     vec3 centre;
     real radius;
-    bool f32;              /* all corners are floats */
 } icosphere;
 
 /* Centre and radius are applied last: the corners are rounded where they lie, once. */
@@ -77,7 +75,7 @@ static inline void icosphere_connect(icosphere *m, uint32_t (*sides)[3])
 static inline icosphere icosphere_room(uint32_t triangles)
 {
     icosphere m = {NULL, NULL, NULL, NULL, triangles / 2 + 2, triangles, 0,
-                   {0, 0, 0}, 1, false};  /* vertices from V - E + F = 2 and 2 E = 3 F */
+                   {0, 0, 0}, 1};  /* vertices from V - E + F = 2 and 2 E = 3 F */
     m.v = allocate(m.vertices, sizeof *m.v);
     m.index = allocate(m.triangles, sizeof *m.index);
     m.edge = allocate((size_t)m.triangles / 2 * 3, sizeof *m.edge);
@@ -133,24 +131,13 @@ static inline icosphere icosphere_new(int levels, vec3 centre, real radius)
     return m;
 }
 
-static inline vec3 rounded_f32(vec3 a)
-{
-    return (vec3){(real)(float)a.x, (real)(float)a.y, (real)(float)a.z};
-}
-
-static inline void icosphere_f32(icosphere *m)
-{
-    m->f32 = true;
-    for (uint32_t i = 0; i < m->vertices; i++) m->v[i] = rounded_f32(m->v[i]);
-}
-
 static inline void icosphere_free(icosphere *m)
 {
     free(m->v);
     free(m->index);
     free(m->edge);
     free(m->fan);
-    *m = (icosphere){NULL, NULL, NULL, NULL, 0, 0, 0, {0, 0, 0}, 0, false};
+    *m = (icosphere){NULL, NULL, NULL, NULL, 0, 0, 0, {0, 0, 0}, 0};
 }
 
 #endif

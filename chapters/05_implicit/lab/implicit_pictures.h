@@ -1,7 +1,6 @@
 /* implicit_pictures.h: surfaces in the light of two lamps and the sky: this chapter's pictures.
  *
  *   implicit_draw(&o)                 Barth's sextic: the main picture
- *   implicit_draw_shapes(&o)          a gyroid, a blend, a torus: side by side
  *   implicit_draw_missed(&o)          Barth's sextic from close by, by steps and by intervals: red
  *                                     is what steps miss
  *
@@ -13,6 +12,7 @@
 
 #include "../../../common/output.h"
 #include "../../../common/lab/label.h"
+#include "../../../common/lab/pixels.h"
 #include "../../02_camera/camera.h"
 #include "implicit_trials.h"
 
@@ -80,51 +80,44 @@ static inline vec3 implicit_colour(const implicit_view *v, ray r)
     return is ? implicit_shade(v, r, h) : implicit_paper(r, v->c);
 }
 
-typedef struct { const implicit_view *v; image *im; const image *plain; int side; } implicit_frame;
-
-/* Square pixels: the window of the camera covers the shorter side. */
-static inline ray implicit_pixel_ray(const implicit_frame *f, int x, int y, int k, int side)
+/* Does the pixel differ from one of its neighbours? */
+static inline bool implicit_differs(const image *im, int x, int y)
 {
-    int w = f->im->width, h = f->im->height, least = w < h ? w : h;
-    real px = (real)x + ((real)(k % side) + (real)0.5) / (real)side - (real)(w - least) / 2;
-    real py = (real)y + ((real)(k / side) + (real)0.5) / (real)side - (real)(h - least) / 2;
-    return camera_ray(f->v->c, px, py, least, least);
+    static const int by[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    for (int k = 0; k < 4; k++) {
+        int x1 = x + by[k][0], y1 = y + by[k][1];
+        if (x1 < 0 || y1 < 0 || x1 >= im->width || y1 >= im->height) continue;
+        const float *a = image_pixel(im, x, y), *b = image_pixel(im, x1, y1);
+        if (fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]) > 0.2f) return true;
+    }
+    return false;
 }
 
-static inline bool implicit_differs(const image *im, int x, int y, int x1, int y1)
-{
-    if (x1 < 0 || y1 < 0 || x1 >= im->width || y1 >= im->height) return false;
-    const float *a = image_pixel(im, x, y), *b = image_pixel(im, x1, y1);
-    return fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]) > 0.2f;
-}
+typedef struct { const implicit_view *v; const image *im, *plain; } implicit_frame;
 
-/* Without `plain` a ray for the pixel; else side^2 where it differs from one of its neighbours. */
-static inline void implicit_pixel(int x, int y, void *context)
+/* Of `plain`, the picture of one ray a pixel, what needs no more rays. Square pixels: the window of
+ * the camera covers the shorter side. */
+static vec3 implicit_pixel(const void *context, real x, real y)
 {
     const implicit_frame *f = context;
-    bool wanted = !f->plain;
-    for (int k = 0; k < 4 && !wanted; k++)
-        wanted = implicit_differs(f->plain, x, y, x + (k == 0) - (k == 1),
-                                  y + (k == 2) - (k == 3));
-    if (!wanted) return;
-    int side = f->plain ? f->side : 1;
-    vec3 sum = {0, 0, 0};
-    for (int k = 0; k < side * side; k++)
-        sum = vadd(sum, implicit_colour(f->v, implicit_pixel_ray(f, x, y, k, side)));
-    image_set(f->im, x, y, vscale(sum, 1 / (real)(side * side)));
+    int w = f->im->width, h = f->im->height, least = w < h ? w : h;
+    if (f->plain && !implicit_differs(f->plain, (int)x, (int)y))
+        return image_get(f->plain, (int)x, (int)y);
+    return implicit_colour(f->v, camera_ray(f->v->c, x - (real)(w - least) / 2,
+                                            y - (real)(h - least) / 2, least, least));
 }
 
 static inline bool implicit_render(const implicit_view *v, int samples, int threads, image *im)
 {
-    implicit_frame f = {v, im, NULL, 1};
-    while ((f.side + 1) * (f.side + 1) <= samples) f.side++;
-    if (!parallel_pixels(im->width, im->height, threads, "surface", implicit_pixel, &f))
-        return false;
-    if (f.side == 1) return true;
+    implicit_frame f = {v, im, NULL};
+    int side = 1;
+    while ((side + 1) * (side + 1) <= samples) side++;
+    bool whole = pixels_draw(im, 1, threads, "surface", implicit_pixel, &f);
+    if (side == 1 || !whole) return whole;
     image plain = image_new(im->width, im->height);
     image_place(&plain, 0, 0, im);
     f.plain = &plain;
-    bool whole = parallel_pixels(im->width, im->height, threads, "edges", implicit_pixel, &f);
+    whole = pixels_draw(im, side, threads, "edges", implicit_pixel, &f);
     image_free(&plain);
     return whole;
 }
@@ -139,50 +132,26 @@ static inline void implicit_draw(const options *o)
     image_free(&im);
 }
 
-/* Panels of one row, with their titles. */
-static inline void implicit_draw_row(const options *o, const implicit_view *v,
-                                     const char *const *title, int n, const char *name)
-{
-    enum { gap = 6 };
-    int side = o->quick ? 60 : 316, width = (960 + gap) / n - gap;
-    image sheet = label_sheet(960, side), one = image_new(width, side);
-    bool whole = true;
-    for (int k = 0; k < n && whole; k++) {
-        whole = implicit_render(&v[k], o->samples < 4 ? o->samples : 4, o->threads, &one);
-        image_place(&sheet, k * (width + gap), 0, &one);
-    }
-    label_titles(&sheet, n, 1, gap, title);
-    output_picture(o, &sheet, name, false, whole);
-    image_free(&sheet), image_free(&one);
-}
-
-static inline void implicit_draw_shapes(const options *o)
-{
-    static const char *const title[] = {"gyroid, by intervals", "smooth union, sphere tracing",
-                                        "torus, by intervals"};
-    if (o->out) return;
-    const implicit_view v[] = {
-        implicit_view_at(implicit_subject_of(IMPLICIT_GYROID), implicit_sure, vec(0, 0, 0), 3, 40,
-                         30, 25),
-        implicit_view_at(implicit_subject_of(IMPLICIT_BLEND), implicit_trace_defaults,
-                         vec(-0.05, 0, 0), 3, 27, 30, 30),
-        implicit_view_at(implicit_subject_of(IMPLICIT_TORUS), implicit_sure, vec(0, 0, 0), 3, 31,
-                         35, 30)};
-    implicit_draw_row(o, v, title, 3, "05_implicit_shapes.png");
-}
-
+/* Two panels, with their titles. */
 static inline void implicit_draw_missed(const options *o)
 {
     static const char *const title[] = {"first.h, 24 steps; red: missed", "implicit_hit"};
     const implicit_how how[] = {{IMPLICIT_FIRST, 24, 0}, implicit_sure};
-    implicit_view v[2];
+    enum { gap = 6, width = 477 };
     if (o->out) return;
-    for (int k = 0; k < 2; k++) {
-        implicit_subject u = implicit_subject_of(IMPLICIT_BARTH);
-        v[k] = implicit_view_at(u, how[k], vec(0.3, 0.62, 1.2), (real)2.2, 14, 12, 18);
-        v[k].judge = k == 0;
+    image sheet = label_sheet(2 * width + gap, o->quick ? 60 : 316);
+    image one = image_new(width, sheet.height);
+    bool whole = true;
+    for (int k = 0; k < 2 && whole; k++) {
+        implicit_view v = implicit_view_at(implicit_subject_of(IMPLICIT_BARTH), how[k],
+                                           vec(0.3, 0.62, 1.2), (real)2.2, 14, 12, 18);
+        v.judge = k == 0;
+        whole = implicit_render(&v, o->samples < 4 ? o->samples : 4, o->threads, &one);
+        image_place(&sheet, k * (width + gap), 0, &one);
     }
-    implicit_draw_row(o, v, title, 2, "05_implicit_missed.png");
+    label_titles(&sheet, 2, 1, gap, title);
+    output_picture(o, &sheet, "05_implicit_missed.png", false, whole);
+    image_free(&sheet), image_free(&one);
 }
 
 #endif

@@ -10,9 +10,7 @@
 #define CSG_DRAW_H
 
 #include "../../../common/headlight.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "../../../common/random.h"
 #include "csg_scenes.h"
 #include "csg_variants.h"
@@ -95,49 +93,33 @@ static vec3 csg_panel_colour(const void *context, real x, real y)
     return vscale(paint, (real)0.22 + (real)0.78 * headlight(n, r.d).x);
 }
 
-/* rows x 3 panels with their titles. */
-enum { csg_panel_gap = 12 };
-static inline image csg_panels(const options *o, const csg_panel *p, int rows, int w, int h,
-                               const char *const *title, bool *whole)
-{
-    const int gap = csg_panel_gap;
-    image sheet = label_sheet(3 * w + 2 * gap, rows * (h + gap) - gap), one = image_new(w, h);
-    *whole = true;
-    for (int k = 0; k < 3 * rows && *whole; k++) {
-        *whole = pixels_draw(&one, o->quick ? 1 : 2, o->threads, "panel", csg_panel_colour, &p[k]);
-        image_place(&sheet, k % 3 * (w + gap), k / 3 * (h + gap), &one);
-    }
-    label_titles(&sheet, 3, rows, gap, title);
-    image_free(&one);
-    return sheet;
-}
-
-static inline first_camera csg_inside_camera(int k, int w, int h)
-{
-    const vec3 up = vec(0, 1, 0);
-    return k == 0 ? first_camera_at(vec(2.9, 2.3, 4.4), vec(0, 0, 0), up, 38, w, h)
-        : k == 1 ? first_camera_at(vec(0.1, -0.1, -0.2), vec(0.7, 0.25, 1), up, 110, w, h)
-        : first_camera_at(vec(0.74, 0.68, 0.7), vec(0, -0.15, 0.1), up, 110, w, h);
-}
-
 static inline void csg_draw_inside(const options *o)
 {
     static const char *const title[6] = {
         "t > 0: the eye outside", "t > 0: the eye in a hole", "t > 0: the eye in the solid",
         "all hits: outside", "all hits: in a hole", "all hits: in the solid"};
-    if (o->out || o->own) return;
-    enum { w = 312, h = 250 };
-    csg_scene s = csg_scene_of(CSG_CLASSIC);
-    csg_panel p[6];
-    bool whole;
-    for (int k = 0; k < 6; k++)
-        p[k] = (csg_panel){&s, k < 3 ? csg_hit_front : csg_hit, csg_inside_camera(k % 3, w, h)};
-    image sheet = csg_panels(o, p, 2, w, h, title, &whole);
-    label_below(&sheet, 34);
     static const struct { vec3 colour; const char *name; } key[] = {
         {{0.72, 0.10, 0.06}, "ball"}, {{0.05, 0.20, 0.62}, "cube"}, {{0.10, 0.50, 0.22}, "hole"},
         {{0.85, 0.50, 0.04}, "hole"}, {{0.05, 0.48, 0.50}, "hole"},
         {{0.45, 0.42, 0.45}, "seen from within the solid"}, {{0.86, 0.89, 0.93}, "nothing"}};
+    enum { w = 312, h = 250 };
+    const vec3 up = vec(0, 1, 0);
+    const first_camera eye[3] = {
+        first_camera_at(vec(2.9, 2.3, 4.4), vec(0, 0, 0), up, 38, w, h),
+        first_camera_at(vec(0.1, -0.1, -0.2), vec(0.7, 0.25, 1), up, 110, w, h),
+        first_camera_at(vec(0.74, 0.68, 0.7), vec(0, -0.15, 0.1), up, 110, w, h)};
+    csg_panel of[6];
+    panel p[6];
+    bool whole;
+    if (o->out || o->own) return;
+    csg_scene s = csg_scene_of(CSG_CLASSIC);
+    for (int k = 0; k < 6; k++) {
+        of[k] = (csg_panel){&s, k < 3 ? csg_hit_front : csg_hit, eye[k % 3]};
+        p[k] = (panel){title[k], &of[k]};
+    }
+    image sheet = panels_new(o, (panels_shape){960, 2 * h + 12, 3, 2, 12, o->quick ? 1 : 2, false},
+                             csg_panel_colour, p, &whole);
+    label_below(&sheet, 34);
     for (int k = 0; k < 7; k++) {
         int x = 20 + 104 * k + 214 * (k == 6), y = sheet.height - 26;
         label_fill(&sheet, x, y, 18, 18, key[k].colour);
@@ -155,20 +137,18 @@ static bool csg_hit_coarse(const csg *c, ray r, hit *out)
 
 static inline void csg_draw_pocket(const options *o)
 {
-    static const char *const title[3] = {
-        "no rule for equal t", "crossings within 0.003 are one", "csg.h: one plane, one t"};
-    csg_hit_function *const way[3] = {csg_hit_points, csg_hit_coarse, csg_hit};
-    if (o->out || o->own) return;
     enum { w = 312, h = 300 };
+    if (o->out || o->own) return;
     csg_scene s = csg_scene_pocket(false, vec(0, 0, 0));
-    first_camera c = first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0), vec(0, 1, 0), 42, w,
-                                     h);
-    csg_panel p[3];
-    bool whole;
-    for (int k = 0; k < 3; k++) p[k] = (csg_panel){&s, way[k], c};
-    image sheet = csg_panels(o, p, 1, w, h, title, &whole);
-    output_picture(o, &sheet, "06_csg_coincident.png", false, whole);
-    image_free(&sheet), csg_scene_free(&s);
+    const first_camera c = first_camera_at(vec(2.0, 3.6, 4.4), vec(0.36, -0.05, 0), vec(0, 1, 0),
+                                           42, w, h);
+    const csg_panel of[3] = {{&s, csg_hit_points, c}, {&s, csg_hit_coarse, c}, {&s, csg_hit, c}};
+    const panel p[3] = {{"no rule for equal t", &of[0]},
+                        {"crossings within 0.003 are one", &of[1]},
+                        {"csg.h: one plane, one t", &of[2]}};
+    panels_draw(o, "06_csg_coincident.png", false,
+                (panels_shape){960, h, 3, 1, 12, o->quick ? 1 : 2, false}, csg_panel_colour, p);
+    csg_scene_free(&s);
 }
 
 #endif

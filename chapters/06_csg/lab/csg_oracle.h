@@ -5,10 +5,6 @@
  *                                           its sign means something, by solid angles, in double
  *   bool in = oracle_contains(model, p, &least)   the Boolean of its parts, and the least |margin|:
  *                                           the answer is certain where that is well above 0
- *   random_solid(&s, gems)                  some solid within some 2 of the origin; gems: of them
- *                                           also octahedra, which oracle_random_free frees
- *   random_model(&s, n, gems)               n random solids, joined by random operations, in a
- *                                           random tree; for oracle_random_free
  *
  * Source of the solid angle: A. van Oosterom, J. Strackee, "The Solid Angle of a Plane Triangle",
  * IEEE Transactions on Biomedical Engineering 30(2), 1983.
@@ -110,48 +106,6 @@ static inline vec3 random_direction_of(random_stream *s)
 {
     vec3 d = vunit(random_in_cube(s, 1));
     return vzero(d) ? vec(0, 0, 1) : d;
-}
-
-static inline csg_solid random_solid(random_stream *s, bool gems)
-{
-    int kind = (int)(random_next(s) * (gems ? 6 : 5));
-    vec3 c = random_in_cube(s, 1), d = random_direction_of(s), n[3] = {d};
-    real r = (real)0.3 + (real)0.7 * random_next(s), lo[3], hi[3];
-    if (kind == 0) return csg_half(vscale(d, 3 * r), vdot(c, d));
-    if (kind == 1) return csg_box(vsub(c, vec(r, r / 2, r)), vadd(c, vec(r, r, r / 2)));
-    if (kind == 2) return csg_cylinder(c, vscale(d, 2 * r), r / 2);
-    if (kind == 3) {
-        vbasis(d, &n[1], &n[2]);
-        for (int k = 0; k < 3; k++) lo[k] = vdot(c, n[k]) - r, hi[k] = vdot(c, n[k]) + r / 2;
-        return csg_box_turned(n, lo, hi);
-    }
-    return kind == 5 ? csg_gem(c, r) : csg_sphere(c, r);
-}
-
-static inline csg_model random_model(random_stream *s, size_t n, bool gems)
-{
-    csg_solid *solid = allocate(n, sizeof *solid);
-    csg_step *step = allocate(2 * n, sizeof *step);
-    size_t steps = 0, waiting = 0, used = 0;
-    while (used < n || waiting > 1) {
-        bool join = waiting > 1 && (used == n || random_next(s) < (real)0.5);
-        if (join) {
-            step[steps++].what = (csg_operation)(1 + (int)(3 * random_next(s)));
-            waiting--;
-            continue;
-        }
-        solid[used] = random_solid(s, gems);
-        step[steps++] = (csg_step){CSG_SOLID, (uint32_t)used++};
-        waiting++;
-    }
-    return (csg_model){solid, n, step, steps};
-}
-
-static inline void oracle_random_free(csg_model m)
-{
-    csg_expression e = {.solid = (csg_solid *)(uintptr_t)m.solid,
-                        .step = (csg_step *)(uintptr_t)m.step, .solids = m.solids};
-    csg_expression_free(&e);
 }
 
 #endif

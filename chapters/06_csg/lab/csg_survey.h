@@ -6,7 +6,8 @@
  *                                    two of them oracle_contains is asked. What is shorter than
  *                                    `least` is rounding, and nothing
  *   csg_sight_ray(&s, i)             ray i of a sight: a scene, and rays that try it
- *   csg_wrong(&s, X_hit, n)          of n rays, percent whose hit, t or normal is not the truth
+ *   csg_wrong(&s, X_hit, bare, n)    of n rays, percent whose hit, t or normal is not the truth;
+ *                                    bare: in the tree without bounds
  */
 #ifndef CSG_SURVEY_H
 #define CSG_SURVEY_H
@@ -95,9 +96,9 @@ static inline double csg_sight_least(const csg_sight *s)
     return s->kind == CSG_FAR_AWAY ? (real_is_float ? 1e-4 : 1e-6) : real_is_float ? 2e-5 : 1e-9;
 }
 
-static inline double csg_wrong(const csg_sight *s, csg_hit_function *X_hit, size_t n)
+static inline double csg_wrong(const csg_sight *s, csg_hit_function *X_hit, bool bare, size_t n)
 {
-    const csg *c = X_hit == csg_hit ? &s->scene.c : &s->bare;
+    const csg *c = bare ? &s->bare : &s->scene.c;
     csg_model m = csg_expression_model(&s->scene.e);
     double least = csg_sight_least(s), t = 0;
     size_t wrong = 0;

@@ -1,4 +1,4 @@
-/* csg_variants.h: five other ways to find the first hit of a tree, with the signature of csg_hit.
+/* csg_variants.h: three other ways to find the first hit of a tree, with the signature of csg_hit.
  *
  *   csg_hit_front(&c, r, &h)      first.h's way for any tree: hits with t > 0 alone, begins outside
  *   csg_hit_points(&c, r, &h)     planes through a corner of their box, along two of its edges, t
@@ -6,9 +6,6 @@
  *                                 those that are rounding errors long
  *   csg_hit_tolerant(&c, r, &h)   the same planes; crossings within csg_tolerance [length] of each
  *                                 other happen at once
- *   csg_hit_anew(&c, r, &h)       spans.h and (6.4), but each box computes the normals of planes
- *                                 from those of its other planes: one plane, several numbers
- *   csg_hit_plain(&c, r, &h)      csg_hit, whether or not its tree was built with bounds
  */
 #ifndef CSG_VARIANTS_H
 #define CSG_VARIANTS_H
@@ -67,25 +64,8 @@ static inline size_t csg_point_crossings(const csg_solid *s, ray r, uint32_t fir
     return csg_span(enter, in, leave, from, out);
 }
 
-/* One crossing at a time, those of a first. */
-static inline size_t csg_merge_singly(csg_operation what, const csg_crossing *a, size_t na,
-                                      const csg_crossing *b, size_t nb, csg_crossing *out)
-{
-    size_t i = 0, j = 0, n = 0;
-    while (i < na || j < nb) {
-        bool before = csg_inside(what, i % 2, j % 2);
-        bool of_a = j == nb || (i < na && a[i].t <= b[j].t);
-        csg_crossing here = of_a ? a[i++] : b[j++];
-        if (!of_a && what == CSG_DIFFERENCE) here.surface ^= 1;
-        if (csg_inside(what, i % 2, j % 2) != before) out[n++] = here;
-    }
-    return n;
-}
-
-static inline bool csg_hit_points(const csg *c, ray r, hit *out)
-CSG_WAY(csg_point_crossings, csg_merge_singly)
-
-/* In lengths of d; csg_walk hands no ray to a merge. */
+/* In lengths of d; csg_walk hands no ray to a merge. Below 0: one crossing at a time, those of a
+ * first. */
 static _Thread_local real csg_tolerance_t;
 
 static inline size_t csg_merge_tolerant(csg_operation what, const csg_crossing *a, size_t na,
@@ -95,7 +75,7 @@ static inline size_t csg_merge_tolerant(csg_operation what, const csg_crossing *
     bool before = false;
     while (i < na || j < nb) {
         bool of_a = j == nb || (i < na && a[i].t <= b[j].t);
-        csg_crossing here = of_a ? a[i] : b[j];
+        csg_crossing here = of_a ? a[i++] : b[j++];
         real last = here.t + csg_tolerance_t;
         if (!of_a && what == CSG_DIFFERENCE) here.surface ^= 1;
         while (i < na && a[i].t <= last) i++;
@@ -127,18 +107,10 @@ static inline bool csg_hit_tolerant(const csg *c, ray r, hit *out)
     return csg_hit_within(c, r, out);
 }
 
-static inline size_t csg_anew_crossings(const csg_solid *s, ray r, uint32_t first,
-                                        csg_crossing *out)
+static inline bool csg_hit_points(const csg *c, ray r, hit *out)
 {
-    csg_solid anew = *s;
-    for (int k = 0; s->kind == CSG_BOX && k < 3; k++)
-        anew.box.n[k] = vcross(s->box.n[(k + 1) % 3], s->box.n[(k + 2) % 3]);
-    return csg_solid_crossings(&anew, r, first, out);
+    csg_tolerance_t = -1;
+    return csg_hit_within(c, r, out);
 }
-
-static inline bool csg_hit_anew(const csg *c, ray r, hit *out)
-CSG_WAY(csg_anew_crossings, spans_merge)
-
-static inline bool csg_hit_plain(const csg *c, ray r, hit *out) { return csg_hit(c, r, out); }
 
 #endif

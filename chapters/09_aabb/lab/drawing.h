@@ -31,19 +31,22 @@ static inline void slabs_line(figure *g, vec3 a, vec3 b, const char *colour, dou
     figure_line(g, x0, y0, x1, y1, colour, width, dashes);
 }
 
+/* Corner c [0..3] of a rectangle across axis k, anticlockwise: at p_k = at, from lo to hi. */
+static inline vec3 slabs_corner(int k, real at, aabb b, int c)
+{
+    int i = (k + 1) % 3, j = (k + 2) % 3;
+    vec3 p = vwith(b.lo, k, at);
+    if (c == 1 || c == 2) p = vwith(p, i, vaxis(b.hi, i));
+    return c > 1 ? vwith(p, j, vaxis(b.hi, j)) : p;
+}
+
 /* A piece of the plane p_k = at, with room round the box. */
 static inline void slabs_plane(figure *g, int k, real at)
 {
-    const real room = (real)0.55;
     double xy[8];
-    for (int c = 0; c < 4; c++) {
-        int i = (k + 1) % 3, j = (k + 2) % 3;
-        bool u = c == 1 || c == 2, v = c > 1;
-        vec3 p = vwith(vec(0, 0, 0), k, at);
-        p = vwith(p, i, u ? vaxis(slabs_box.hi, i) + room : -room);
-        p = vwith(p, j, v ? vaxis(slabs_box.hi, j) + room : -room);
-        slabs_project(p, &xy[2 * c], &xy[2 * c + 1]);
-    }
+    for (int c = 0; c < 4; c++)
+        slabs_project(slabs_corner(k, at, first_aabb_pad(slabs_box, (real)0.55), c), &xy[2 * c],
+                      &xy[2 * c + 1]);
     figure_polygon(g, 4, xy, slabs_colour[k], 0.16, slabs_colour[k]);
 }
 
@@ -63,11 +66,10 @@ static inline void slabs_panel(figure *g, int k, ray r, const real t[2])
     double x, y, tip_x, tip_y;
     slabs_plane(g, k, vaxis(lo, k)), slabs_plane(g, k, vaxis(hi, k));
     for (int a = 0; a < 3; a++)
-        for (int c = 0; c < 4; c++) {  /* the four edges along axis a */
-            int i = (a + 1) % 3, j = (a + 2) % 3;
-            vec3 from = vwith(vwith(lo, i, vaxis(c & 1 ? hi : lo, i)), j,
-                              vaxis(c & 2 ? hi : lo, j));
-            slabs_line(g, from, vwith(from, a, vaxis(hi, a)), FIGURE_GREY, 1.2, FIGURE_WHOLE);
+        for (int k4 = 0; k4 < 4; k4++) {  /* the four edges along axis a */
+            int c = k4 ^ k4 >> 1;
+            slabs_line(g, slabs_corner(a, vaxis(lo, a), slabs_box, c),
+                       slabs_corner(a, vaxis(hi, a), slabs_box, c), FIGURE_GREY, 1.2, FIGURE_WHOLE);
         }
     slabs_project(ray_at(r, 0), &x, &y), slabs_project(ray_at(r, (real)4.4), &tip_x, &tip_y);
     figure_arrow(g, x, y, tip_x, tip_y, FIGURE_BLACK, 1.2);

@@ -110,30 +110,29 @@ static inline ray ray_reaching(vec3 p, vec3 w, int m, int q, random_stream *s)
     return r;
 }
 
-/* p moves to the edge along axis k, and w turns so that a ray along it leaves one of the two slabs
- * there and enters the other one. */
-static inline void aim_past_edge(aabb b, int k, vec3 *p, vec3 *w, random_stream *s)
+/* p moves to a face across axis k, and w turns, to enter or to leave the slab there. */
+static inline void aim_at_face(aabb b, int k, bool upper, bool enters, vec3 *p, vec3 *w)
 {
-    int i = (k + 1) % 3, j = (k + 2) % 3;
-    bool ui = chance(s, 2), uj = chance(s, 2);
-    real wi = 1 + fabs(vaxis(*w, i)), wj = 1 + fabs(vaxis(*w, j));
-    *p = vwith(*p, i, face_of(b, i, ui)), *p = vwith(*p, j, face_of(b, j, uj));
-    *w = vwith(*w, i, ui ? wi : -wi);
-    *w = vwith(*w, j, uj ? -wj : wj);
+    real wk = 1 + fabs(vaxis(*w, k));
+    *p = vwith(*p, k, face_of(b, k, upper)), *w = vwith(*w, k, upper == enters ? -wk : wk);
 }
 
-/* p moves to a face, and the interval to one side of it: it ends where the ray enters, or begins
- * where the ray leaves, or where it starts. */
+/* To the edge along axis k: the ray leaves one of the two slabs there and enters the other one. */
+static inline void aim_past_edge(aabb b, int k, vec3 *p, vec3 *w, random_stream *s)
+{
+    bool ui = chance(s, 2), uj = chance(s, 2);
+    aim_at_face(b, (k + 1) % 3, ui, false, p, w), aim_at_face(b, (k + 2) % 3, uj, true, p, w);
+}
+
+/* The interval on one side of a face: it ends where the ray enters, or begins where the ray leaves,
+ * or where it starts. */
 static inline ray ray_in_contact(aabb b, int k, vec3 p, vec3 w, random_stream *s)
 {
     bool upper = chance(s, 2), enters = chance(s, 2);
-    real wk = 1 + fabs(vaxis(w, k));
-    p = vwith(p, k, face_of(b, k, upper));
-    w = vwith(w, k, upper == enters ? -wk : wk);
+    aim_at_face(b, k, upper, enters, &p, &w);
     int m = random_integer(s, 0, 15), q = 1 << random_integer(s, 0, 3);
     ray r = ray_reaching(p, w, m, q, s);
-    if (enters) r.tmax = (real)m / (real)q;
-    else r.tmin = (real)m / (real)q;
+    *(enters ? &r.tmax : &r.tmin) = (real)m / (real)q;
     return r;
 }
 

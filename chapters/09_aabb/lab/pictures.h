@@ -9,96 +9,75 @@
 #define AABB_PICTURES_H
 
 #include "../../../common/headlight.h"
-#include "../../../common/lab/label.h"
-#include "../../../common/lab/pixels.h"
-#include "../../../common/output.h"
+#include "../../../common/lab/panels.h"
 #include "../../02_camera/camera.h"
 #include "exact.h"
 #include "slabs.h"
 
 /* ---- the room ---- */
 
-enum { room_gap = 6, room_boxes = 17, room_parts = 2 + aabb_mine };
-typedef struct { aabb b; vec3 colour; } aabb_painted;
-typedef struct {
-    aabb_test *test;
-    image im;
-    camera view;
-    aabb_painted box[room_boxes];
-} aabb_room;
+enum { room_boxes = 17, room_parts = 2 + aabb_mine };
+typedef struct { aabb_test *test; camera view; int width, height; } aabb_room;
 
-static inline void room_furnish(aabb_painted *p)
+static const real room_box[room_boxes][6] = {  /* in quarters; last a screen, a picture and a box */
+    {0, 0, 0, 24, 24, 0}, {0, 0, 0, 0, 24, 16}, {0, 0, 0, 24, 0, 16},     /* floor, walls */
+    {0, 3, 5, 3, 11, 5}, {0, 3, 8, 3, 11, 8}, {0, 3, 11, 3, 11, 11},      /* boards */
+    {1, 14, 0, 6, 20, 3}, {1, 14, 3, 3, 20, 6},                           /* a seat */
+    {8, 8, 4, 15, 14, 4}, {8, 8, 0, 9, 9, 4}, {14, 8, 0, 15, 9, 4},       /* a flat table, */
+    {8, 13, 0, 9, 14, 4}, {14, 13, 0, 15, 14, 4}, {10, 10, 4, 12, 12, 6}, /* a box on it, */
+    {17, 1, 0, 17, 7, 7}, {19, 0.5, 5, 23, 0.5, 10}, {16, 16, 0, 20, 20, 4}};
+
+/* ---------------------------------------------------------------------------------------------- */
+
+/* The normal of the face that p lies on. */
+static inline vec3 face_normal(aabb b, vec3 p)
 {
-    static const signed char box[][6] = {  /* in quarters */
-        {0, 0, 0, 24, 24, 0}, {0, 0, 0, 0, 24, 16}, {0, 0, 0, 24, 0, 16},     /* floor, walls */
-        {0, 3, 5, 3, 11, 5}, {0, 3, 8, 3, 11, 8}, {0, 3, 11, 3, 11, 11},      /* boards */
-        {1, 14, 0, 6, 20, 3}, {1, 14, 3, 3, 20, 6},                           /* a seat */
-        {8, 8, 4, 15, 14, 4}, {8, 8, 0, 9, 9, 4}, {14, 8, 0, 15, 9, 4},       /* a flat table, */
-        {8, 13, 0, 9, 14, 4}, {14, 13, 0, 15, 14, 4}, {10, 10, 4, 12, 12, 6}, /* a box on it */
-        {17, 1, 0, 17, 7, 7}, {19, 0, 5, 23, 0, 10}, {16, 16, 0, 20, 20, 4}}; /* a screen, ... */
-    for (int i = 0; i < room_boxes; i++) {
-        real q[6];
-        for (int k = 0; k < 6; k++) q[k] = (real)box[i][k] / 4;
-        double warm = i % 3 == 0 ? 0.85 : 0.45, cold = i % 3 == 2 ? 0.85 : 0.5;
-        p[i].b = (aabb){{q[0], q[1], q[2]}, {q[3], q[4], q[5]}};
-        p[i].colour = i < 3 ? vec(0.75, 0.72, 0.66) : vec(warm, 0.55, cold);
+    int best = 0;
+    real least = real_infinity;
+    for (int k = 0; k < 3; k++) {
+        real x = vaxis(p, k);
+        real off = real_min(fabs(x - vaxis(b.lo, k)), fabs(x - vaxis(b.hi, k)));
+        if (off < least) least = off, best = k;
     }
-    p[15].b.lo.y = p[15].b.hi.y = 0.125;  /* a picture, a little before its wall */
-}
-
-/* The axis of the face that p lies on. */
-static inline int face_axis(aabb b, vec3 p)
-{
-    vec3 lo = vsub(p, b.lo), hi = vsub(p, b.hi);
-    real x = real_min(fabs(lo.x), fabs(hi.x)), y = real_min(fabs(lo.y), fabs(hi.y));
-    real z = real_min(fabs(lo.z), fabs(hi.z));
-    return x <= y && x <= z ? 0 : y <= z ? 1 : 2;
+    return vwith(vec(0, 0, 0), best, 1);
 }
 
 static vec3 room_colour(const void *context, real x, real y)
 {
-    static const vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const aabb_room *s = context;
-    ray r = camera_ray(s->view, x, y, s->im.width, s->im.height);
+    ray r = camera_ray(s->view, x, y, s->width, s->height);
     vec3 c = vec(0.03, 0.04, 0.07);
     for (int i = 0; i < room_boxes; i++) {
+        const real *q = room_box[i];
+        aabb b = {{q[0] / 4, q[1] / 4, q[2] / 4}, {q[3] / 4, q[4] / 4, q[5] / 4}};
         real t;
-        if (!s->test(s->box[i].b, r, &t) || t > r.tmax) continue;
+        if (!s->test(b, r, &t) || t > r.tmax) continue;
         r.tmax = t;
-        vec3 n = axis[face_axis(s->box[i].b, ray_at(r, t))];
-        c = vmul(s->box[i].colour, headlight(n, r.d));
+        vec3 painted = vec(i % 3 == 0 ? 0.85 : 0.45, 0.55, i % 3 == 2 ? 0.85 : 0.5);
+        if (i < 3) painted = vec(0.75, 0.72, 0.66);
+        c = vmul(painted, headlight(face_normal(b, ray_at(r, t)), r.d));
     }
     return c;
 }
 
 static inline void draw_room(const options *o)
 {
-    static const struct { const char *name; aabb_test *test; } part[] = {
-        {"first_aabb_hit", first_aabb_hit}, {"aabb_hit", aabb_hit}, {"mine", mine_aabb_hit}};
-    int gaps = (room_parts - 1) * room_gap;
-    int width = o->width > 2 * gaps ? (o->width - gaps) / room_parts : o->width;
-    aabb_room s = {.im = image_new(width, o->height)};
-    image im = label_sheet(o->width, o->height);
-    vec3 e = {13, 15, 8}, target = vec(2.4, 2.4, 0.9), up = {0, 0, 1};
-    bool whole = true;
-    room_furnish(s.box);
-    s.view = camera_at(e, target, up, 27, (real)width / (real)o->height);
-    for (int k = 0; k < room_parts && whole; k++) {
-        s.test = part[k].test;
-        whole = pixels_draw(&s.im, 2, o->threads, "room", room_colour, &s);
-        image_place(&im, k * (width + room_gap), 0, &s.im);
-        if (o->width >= 400 && o->height >= 100)
-            label_tag(&im, k * (width + room_gap) + 10, 10, 12, part[k].name);
+    panels_shape g = {o->width, o->height, room_parts, 1, o->width >= 64 ? 6 : 0, 2, true};
+    aabb_room s[3] = {{.test = first_aabb_hit}, {.test = aabb_hit}, {.test = mine_aabb_hit}};
+    const panel p[3] = {{"first_aabb_hit", &s[0]}, {"aabb_hit", &s[1]}, {"mine", &s[2]}};
+    for (int k = 0; k < 3; k++) {
+        s[k].width = panels_wide(g), s[k].height = o->height;
+        s[k].view = camera_at(vec(13, 15, 8), vec(2.4, 2.4, 0.9), vec(0, 0, 1), 27,
+                              (real)s[k].width / (real)o->height);
     }
-    output_picture(o, &im, "09_aabb.png", true, whole);
-    image_free(&im), image_free(&s.im);
+    panels_draw(o, "09_aabb.png", true, g, room_colour, p);
 }
 
 /* ---- rays along an axis ---- */
 
 enum { cell_count = 64, cell_size = 4, cell_panel = cell_count * cell_size + 10 };
 enum { cell_columns = 3 + aabb_mine };
-static const int cell_method[] = {aabb_of_first, aabb_of_closed, aabb_of_default, aabb_of_mine};
+static aabb_test *const cell_test[] = {first_aabb_hit, aabb_hit_closed, aabb_hit, mine_aabb_hit};
 /* Hit, miss, a hit that is lost, a false alarm: linear light of blue, grey, red, yellow. */
 static const vec3 cell_colour[4] = {{0, 0.168, 0.445}, {0.8, 0.8, 0.8}, {0.665, 0.112, 0},
                                     {0.871, 0.776, 0.054}};
@@ -125,18 +104,16 @@ static inline bool cell_ask(aabb_test *test, int i, int j, bool *truth)
 static inline void draw_aligned(const options *o)
 {
     static const char *const key[] = {"hit", "miss", "a hit that is lost", "a false alarm"};
+    static const char *const title[] = {"first", "closed, <=", "aabb_hit", "mine"};
     const vec3 black = {0, 0, 0};
-    const char *title[cell_columns];
     image im = image_new(cell_columns * cell_panel - 10, cell_panel - 10);
-    for (int k = 0; k < cell_columns; k++) {
-        title[k] = aabb_method[cell_method[k]].name;
+    for (int k = 0; k < cell_columns; k++)
         for (int c = 0; c < cell_count * cell_count; c++) {
             int i = c % cell_count, j = c / cell_count;
-            bool truth, answer = cell_ask(aabb_method[cell_method[k]].hit, i, j, &truth);
+            bool truth, answer = cell_ask(cell_test[k], i, j, &truth);
             label_fill(&im, k * cell_panel + i * cell_size, j * cell_size, cell_size, cell_size,
                        cell_colour[truth == answer ? !truth : truth ? 2 : 3]);
         }
-    }
     label_titles(&im, cell_columns, 1, 10, title), label_below(&im, 84);
     double middle = im.width / 2.0;
     int y = im.height - 84;

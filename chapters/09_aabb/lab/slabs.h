@@ -13,9 +13,9 @@
  * t_enter as in aabb.h, but only aabb_hit and lanes.h pad it; that of the others is rounded to
  * nearest, so it may lie an ulp or two behind the exact one.
  *
- *   aabb_method[m].name, .hit      all of them, for tables and tests; aabb8_hit is among them
  *   X_with(&b, &i, r, &t_enter)    the same with i = aabb_plain_inverse(r), once a ray, of kept and
  *                                  ize; the others divide
+ *   aabb_hit_lanes                 aabb8_hit of one box, with this signature
  *
  * Sources: L. Yan, GAMES101, lecture 13, 2020 (first); T. Ize, "Robust BVH ray traversal", JCGT
  * 2(2), 2013 (ize).
@@ -27,9 +27,6 @@
 #include "mine.h"
 
 typedef bool aabb_test(aabb b, ray r, real *t_enter);
-
-enum { aabb_of_first, aabb_of_closed, aabb_of_default, aabb_of_kept, aabb_of_ize, aabb_of_lanes,
-       aabb_of_mine, aabb_methods = aabb_of_mine + aabb_mine };
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -108,10 +105,5 @@ static inline bool aabb_hit_lanes(aabb b, ray r, real *t_enter)
     *t_enter = (real)t[5];
     return true;
 }
-
-static const struct { const char *name; aabb_test *hit; } aabb_method[] = {
-    {"first", first_aabb_hit}, {"closed, <=", aabb_hit_closed}, {"aabb_hit", aabb_hit},
-    {"first, 1/d kept", aabb_hit_kept}, {"Ize, 2 ulp", aabb_hit_ize},
-    {"aabb8_hit, float", aabb_hit_lanes}, {"mine", mine_aabb_hit}};
 
 #endif

@@ -1,14 +1,20 @@
 /* volumes.h: two other volumes round the same points, to compare with the box: the bounding sphere
- * (包围球) and the oriented box (有向包围盒, OBB), a box that may be turned.
+ * (包围球) and the oriented box (有向包围盒, OBB), a box that may be turned; and how often a ray that
+ * hits the volume hits nothing in it (误报).
  *
  *   aabb_ball b = ball_round(p, n);        a sphere, its radius within 0.2 % of the smallest
  *   aabb_turned u = turned_round(p, n);    a turned box, of less surface than the aabb has: by 3000
  *                                          small turns; a search, not the optimum
  *   bounding_ball_hit(&b, 1 / d.d, r, &t_enter)   as aabb_hit: no false negative, t_enter not late
  *   turned_hit(&u, r, &t_enter)
- *   ball_area(&b), turned_area(&u)         surface, for (9.6)
  *   ray r = line_through(b, seed, i)       the i-th of lines that come from everywhere alike,
  *                                          through the sphere round the box b
+ *   aabb_content c = content_of(k);        shape k [0..2]: needle, ball, teapot, and the volumes
+ *                                          round it; the caller frees c.t
+ *   content_hit(&c, kind, r, &t)           is the volume hit? 0: sphere, 1: box, 2: turned box
+ *   content_in_vain(&c, seed, n, vain)     of n lines that hit a volume: those that hit nothing
+ *                                          inside [%]; returns how many hit something, and not
+ *                                          its volume
  *
  * Both have room for rounding: what passes within 32 epsilon of the distance counts as a hit.
  * Sources: M. Bădoiu, K. Clarkson, "Smaller core-sets for balls", SODA 2003 (the sphere: go 1/i of
@@ -18,11 +24,20 @@
 #ifndef AABB_VOLUMES_H
 #define AABB_VOLUMES_H
 
-#include "mantissa.h"
-#include <stddef.h>
+#include "../../04_triangle/scenes/icosphere.h"
+#include "../../07_mesh/scenes/teapot.h"
+#include "../aabb.h"
 
+enum { content_shapes = 3, content_kinds = 3 };
 typedef struct { vec3 c; real r; } aabb_ball;
 typedef struct { vec3 c, axis[3], half; } aabb_turned;  /* axes: unit, at right angles */
+typedef struct {
+    triangle *t;
+    size_t n;
+    aabb_ball ball;
+    aabb box;
+    aabb_turned turned;
+} aabb_content;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -39,13 +54,12 @@ static inline ray line_through(aabb b, uint64_t seed, uint64_t i)
     return ray_from(vmadd(o, d, -2 * reach), d);
 }
 
-static inline size_t farthest_from(vec3 c, const vec3 *p, size_t n)
+static inline vec3 farthest_from(vec3 c, const vec3 *p, size_t n)
 {
-    size_t best = 0;
-    real most = -1;
+    vec3 best = c;
     for (size_t i = 0; i < n; i++) {
-        vec3 w = vsub(p[i], c);
-        if (vdot(w, w) > most) most = vdot(w, w), best = i;
+        vec3 w = vsub(p[i], c), most = vsub(best, c);
+        if (vdot(w, w) > vdot(most, most)) best = p[i];
     }
     return best;
 }
@@ -54,8 +68,8 @@ static inline aabb_ball ball_round(const vec3 *p, size_t n)
 {
     aabb_ball b = {p[0], 0};
     for (int i = 1; i <= 1000; i++)
-        b.c = vmadd(b.c, vsub(p[farthest_from(b.c, p, n)], b.c), 1 / (real)(i + 1));
-    b.r = vlength(vsub(p[farthest_from(b.c, p, n)], b.c)) * (1 + 4 * real_epsilon);
+        b.c = vmadd(b.c, vsub(farthest_from(b.c, p, n), b.c), 1 / (real)(i + 1));
+    b.r = vlength(vsub(farthest_from(b.c, p, n), b.c)) * (1 + 4 * real_epsilon);
     return b;
 }
 
@@ -78,30 +92,23 @@ static inline vec3 turned_into(const aabb_turned *u, vec3 v)
     return (vec3){vdot(u->axis[0], v), vdot(u->axis[1], v), vdot(u->axis[2], v)};
 }
 
+static inline aabb turned_box(const aabb_turned *u) { return (aabb){vneg(u->half), u->half}; }
+
 static inline bool turned_hit(const aabb_turned *u, ray r, real *t_enter)
 {
     vec3 o = turned_into(u, vsub(r.o, u->c));
     real room = fabs(o.x) + fabs(o.y) + fabs(o.z) + u->half.x + u->half.y + u->half.z;
-    room *= 32 * real_epsilon;
-    vec3 half = vadd(u->half, (vec3){room, room, room});
     r.o = o, r.d = turned_into(u, r.d);
-    return aabb_hit((aabb){vneg(half), half}, r, t_enter);
-}
-
-static inline real ball_area(const aabb_ball *b) { return 4 * pi * b->r * b->r; }
-static inline real turned_area(const aabb_turned *u)
-{
-    return aabb_area((aabb){vneg(u->half), u->half});
+    return aabb_hit(first_aabb_pad(turned_box(u), room * 32 * real_epsilon), r, t_enter);
 }
 
 /* Centre and sides, for the axes that u has. */
 static inline void turned_fit(aabb_turned *u, const vec3 *p, size_t n)
 {
     aabb b = aabb_empty();
-    u->c = (vec3){0, 0, 0};
     for (size_t i = 0; i < n; i++) b = aabb_grow_point(b, turned_into(u, p[i]));
     vec3 c = aabb_centre(b);
-    u->half = vsub(b.hi, c);
+    u->half = vsub(b.hi, c), u->c = (vec3){0, 0, 0};
     for (int k = 0; k < 3; k++) u->c = vmadd(u->c, u->axis[k], vaxis(c, k));
 }
 
@@ -118,9 +125,63 @@ static inline aabb_turned turned_round(const vec3 *p, size_t n)
         u.axis[2] = vunit(vcross(u.axis[0], u.axis[1]));
         u.axis[1] = vcross(u.axis[2], u.axis[0]);
         turned_fit(&u, p, n);
-        if (!vzero(u.axis[2]) && turned_area(&u) < turned_area(&best)) best = u;
+        bool less = aabb_area(turned_box(&u)) < aabb_area(turned_box(&best));
+        if (!vzero(u.axis[2]) && less) best = u;
     }
     return best;
+}
+
+/* ---- a shape in its three volumes ---- */
+
+static inline aabb_content content_of(int k)
+{
+    const triangle needle = {{0, 0, 0}, {1, 1, 1}, {0.51, 0.49, 0.5}};
+    icosphere ball = icosphere_new(3, (vec3){0, 0, 0}, 1);
+    mesh pot = teapot_mesh(5);
+    aabb_content c = {.n = k == 0 ? 1 : k == 1 ? ball.triangles : pot.triangles};
+    c.t = allocate(c.n, sizeof *c.t), c.box = aabb_empty();
+    for (size_t i = 0; i < c.n; i++) {
+        c.t[i] = k == 0 ? needle : k == 1 ? icosphere_triangle(&ball, (uint32_t)i)
+                                          : mesh_triangle(&pot, i);
+        c.box = aabb_union(c.box, first_triangle_box(c.t[i]));
+    }
+    c.ball = ball_round(&c.t->a, 3 * c.n), c.turned = turned_round(&c.t->a, 3 * c.n);
+    icosphere_free(&ball), mesh_free(&pot);
+    return c;
+}
+
+static inline bool content_hit(const aabb_content *c, int kind, ray r, real *t)
+{
+    if (kind == 0) return bounding_ball_hit(&c->ball, 1 / vdot(r.d, r.d), r, t);
+    return kind == 1 ? aabb_hit(c->box, r, t) : turned_hit(&c->turned, r, t);
+}
+
+/* A box round all three volumes: lines are drawn from those through the sphere round it. */
+static inline aabb content_room(const aabb_content *c)
+{
+    aabb ball = {c->ball.c, c->ball.c}, turned = {c->turned.c, c->turned.c};
+    aabb room = aabb_union(c->box, first_aabb_pad(ball, c->ball.r));
+    return aabb_union(room, first_aabb_pad(turned, vlength(c->turned.half)));
+}
+
+static inline size_t content_in_vain(const aabb_content *c, uint64_t seed, size_t n,
+                                     double vain[content_kinds])
+{
+    size_t hits[content_kinds] = {0}, good = 0, lost = 0;
+    for (size_t i = 0; i < n; i++) {
+        ray line = line_through(content_room(c), seed, i);
+        bool in[content_kinds], inside = false;
+        real t;
+        hit h;
+        for (int k = 0; k < content_kinds; k++) hits[k] += in[k] = content_hit(c, k, line, &t);
+        if (!in[0] && !in[1] && !in[2]) continue;
+        for (size_t j = 0; j < c->n && !inside; j++) inside = triangle_hit(c->t[j], line, &h);
+        good += inside;
+        for (int k = 0; k < content_kinds; k++) lost += inside && !in[k];
+    }
+    for (int k = 0; k < content_kinds; k++)
+        vain[k] = hits[k] ? 100 * (double)(hits[k] - good) / (double)hits[k] : 0;
+    return lost;
 }
 
 #endif

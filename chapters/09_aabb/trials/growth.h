@@ -26,19 +26,6 @@ typedef struct {
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static inline void trial_grow_row(table *t, const trial_row *r, const trial_scene *s, double unit)
-{
-    size_t n = s->m.triangles, rays = r->ray[TRIAL_DIFFUSE].n;
-    search_work w = r->ray[TRIAL_DIFFUSE].work;
-    table_count(t, n), table_number(t, r->build * 1e3), table_number(t, unit * 1e9);
-    table_number(t, trial_per((double)r->stats.references, r->stats.items));
-    table_number(t, trial_per((double)w.nodes, rays));
-    table_number(t, trial_per((double)w.leaves, rays));
-    table_number(t, trial_per((double)w.tests, rays)), table_number(t, trial_ns(r, TRIAL_DIFFUSE));
-    trial_cell(t, s->brute > 0, s->brute * 1e9);
-    table_number(t, trial_per((double)r->stats.peak, n));
-}
-
 static inline void trial_grow(const options *o, const trial_growth *g)
 {
     double x[16], build[16], search[16], nodes[16], least = HUGE_VAL, greatest = 0;
@@ -60,15 +47,20 @@ static inline void trial_grow(const options *o, const trial_growth *g)
         trials_run(&r, 1, &s, s.m.triangles < 500000 ? 3 : 1);
         search_work w = r.ray[TRIAL_DIFFUSE].work;
         size_t rays = r.ray[TRIAL_DIFFUSE].n;
-        double n = (double)s.m.triangles, ns = trial_ns(&r, TRIAL_DIFFUSE);
-        double work[3] = {(double)w.nodes, (double)w.leaves, (double)w.tests};
-        x[i] = log2(n), build[i] = log2(r.build), search[i] = log2(ns);
-        nodes[i] = trial_per(work[0], rays);
-        double unit = r.build / (n * x[i]);
+        double n = (double)s.m.triangles, ns = trial_ns(&r, TRIAL_DIFFUSE), unit;
+        double work[3] = {trial_per((double)w.nodes, rays), trial_per((double)w.leaves, rays),
+                          trial_per((double)w.tests, rays)};
+        x[i] = log2(n), build[i] = log2(r.build), search[i] = log2(ns), nodes[i] = work[0];
+        unit = r.build / (n * x[i]);
         if (n > 900) least = fmin(least, unit), greatest = fmax(greatest, unit);
-        trial_grow_row(&out, &r, &s, unit);
-        for (int k = 0; k < 3; k++)
-            if (by_work[k] >= 0) plot_add(&q, by_work[k], n, trial_per(work[k], rays));
+        const double cell[] = {r.build * 1e3, unit * 1e9,
+                               trial_per((double)r.stats.references, r.stats.items), work[0],
+                               work[1], work[2], ns};
+        table_count(&out, s.m.triangles);
+        for (int k = 0; k < 7; k++) table_number(&out, cell[k]);
+        trial_cell(&out, s.brute > 0, s.brute * 1e9);
+        table_number(&out, trial_per((double)r.stats.peak, s.m.triangles));
+        for (int k = 0; k < 3; k++) if (by_work[k] >= 0) plot_add(&q, by_work[k], n, work[k]);
         trial_end(&r, 1), trial_scene_free(&s);
     }
     output_extra_table(o, &out);

@@ -20,9 +20,9 @@ enum { plane_most = 256, plane_corners = 12, plane_house = 12, plane_pillars = 6
        plane_all = plane_house + plane_pillars + 2 };
 
 typedef struct {
-    double xy[2 * plane_corners], x, y;  /* corners; where its number stands, if placed */
+    double xy[2 * plane_corners];  /* corners */
     int n, rank;
-    bool full, placed;
+    bool full;
     real enter;
 } plane_cell;
 typedef struct { plane_cell cell[plane_most]; int cells, passed; ray r; hit h; } plane_tree;
@@ -111,66 +111,13 @@ static inline const char *plane_colour(const plane_cell *c)
     return c->rank ? FIGURE_SKY : c->full ? FIGURE_GREY : "#ffffff";
 }
 
-/* How far (x, y) is from all that is drawn: walls, ray, sides of cells, numbers set before. */
-static inline double plane_from(double x, double y, vec3 a, vec3 b)
+/* In the middle of the cell. */
+static inline void plane_number(figure *g, const plane_cell *c)
 {
-    double ux = (double)(b.x - a.x), uy = (double)(b.y - a.y), wx = x - (double)a.x;
-    double wy = y - (double)a.y, f = (wx * ux + wy * uy) / (ux * ux + uy * uy + 1e-30);
-    f = f < 0 ? 0 : f > 1 ? 1 : f;
-    return hypot(wx - f * ux, wy - f * uy);
-}
-
-static inline double plane_clear(const plane_tree *p, const mesh *m, double x, double y)
-{
-    double least = plane_from(x, y, p->r.o, ray_at(p->r, p->h.t));
-    for (size_t i = 0; i < m->vertices; i += 4)
-        least = fmin(least, plane_from(x, y, m->v[i], m->v[i + 1]));
-    for (int i = 0; i < p->cells; i++) {
-        const plane_cell *c = &p->cell[i];
-        if (c->placed) least = fmin(least, hypot(x - c->x, y - c->y) / 2);
-        for (int k = 0; k < c->n; k++) {
-            const double *u = c->xy + 2 * k, *v = c->xy + 2 * ((k + 1) % c->n);
-            least = fmin(least, plane_from(x, y, vec(u[0], u[1], 0), vec(v[0], v[1], 0)));
-        }
-    }
-    return least;
-}
-
-static inline bool plane_inside(const plane_cell *c, double x, double y)
-{
-    int left = 0;
-    for (int k = 0; k < c->n; k++) {
-        const double *u = c->xy + 2 * k, *v = c->xy + 2 * ((k + 1) % c->n);
-        left += (v[0] - u[0]) * (y - u[1]) > (v[1] - u[1]) * (x - u[0]);
-    }
-    return left == 0 || left == c->n;
-}
-
-/* The widest place in the cell for its number; `outside`: the nearest place where it has room, with
- * a line to the cell. False: it has none. */
-static inline bool plane_number(figure *g, plane_tree *p, const mesh *m, plane_cell *c,
-                                bool outside)
-{
-    const double room = 0.3;  /* half a digit */
-    char text[12];
-    double x = 0, y = 0, best = outside ? HUGE_VAL : room;
+    double x = 0, y = 0;
     for (int i = 0; i < c->n; i++) x += c->xy[2 * i] / c->n, y += c->xy[2 * i + 1] / c->n;
-    for (int j = -10; j <= 110; j++)
-        for (int i = -10; i <= 110; i++) {
-            double u = i / 10.0, v = j / 10.0;
-            if (!outside && !plane_inside(c, u, v)) continue;
-            double clear = plane_clear(p, m, u, v), far = hypot(u - x, v - y);
-            if (outside ? clear < room || far >= best : clear <= best) continue;
-            best = outside ? far : clear, c->x = u, c->y = v, c->placed = true;
-        }
-    if (!c->placed) return false;
-    double far = hypot(x - c->x, y - c->y), begin = room / far;
-    if (outside)
-        figure_line(g, c->x + begin * (x - c->x), c->y + begin * (y - c->y), x, y, FIGURE_GREY, 1,
-                    FIGURE_WHOLE);
-    snprintf(text, sizeof text, "%d", c->rank);
-    figure_text(g, c->x, c->y, 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, text);
-    return true;
+    figure_dot(g, x, y, 8, "#ffffff");
+    figure_print(g, x, y, 0, 5, FIGURE_MIDDLE, FIGURE_BLACK, "%d", c->rank);
 }
 
 static inline void plane_draw(figure *g, plane_tree *p, const mesh *m)
@@ -188,10 +135,8 @@ static inline void plane_draw(figure *g, plane_tree *p, const mesh *m)
                 FIGURE_WHOLE);
     figure_dot(g, (double)p->r.o.x, (double)p->r.o.y, 4, FIGURE_RED);
     figure_dot(g, (double)end.x, (double)end.y, 4, FIGURE_BLACK);
-    for (int pass = 0; pass < 2; pass++)  /* those first that have room at home */
-        for (int i = 0; i < p->cells; i++)
-            if (p->cell[i].rank && !p->cell[i].placed)
-                plane_number(g, p, m, &p->cell[i], pass);
+    for (int i = 0; i < p->cells; i++)
+        if (p->cell[i].rank) plane_number(g, &p->cell[i]);
 }
 
 #endif

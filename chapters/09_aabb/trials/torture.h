@@ -92,13 +92,13 @@ static inline mesh torture_terrain(random_stream *g, bool flat, int step, int co
         m.v[i] = vec(step * (i % row - n / 2) + 4 * torture_below(g, step / 12),
                      step * (i / row - n / 2) + 4 * torture_below(g, step / 12),
                      flat ? 0 : 4 * torture_below(g, step / 2));
+    uint32_t *corner = m.index;
     for (int copy = 0; copy < copies; copy++)
         for (int way = 0; way <= twice; way++)
             for (int i = 0; i < n * n; i++)
                 for (int k = 0; k < 6; k++)
-                    m.index[3 * (m.triangles + (size_t)k / 3) + (size_t)k % 3] =
-                        (uint32_t)(i / n * row + i % n + by[way][k]),
-                    m.triangles += k == 5 ? 2 : 0;
+                    *corner++ = (uint32_t)(i / n * row + i % n + by[way][k]);
+    m.triangles = (size_t)(corner - m.index) / 3;
     return m;
 }
 
@@ -119,14 +119,8 @@ static inline mesh torture_needles(random_stream *g)
 
 static inline mesh torture_mesh(torture_ground k, int step, random_stream *g)
 {
-    switch (k) {
-    case ON_NEEDLES: return torture_needles(g);
-    case ON_FLAT: return torture_terrain(g, true, step, 1, false);
-    case ON_COPIES: return torture_terrain(g, false, step, 3, false);
-    case ON_TWICE: return torture_terrain(g, false, step, 1, true);
-    case ON_TERRAIN: break;
-    }
-    return torture_terrain(g, false, step, 1, false);
+    return k == ON_NEEDLES ? torture_needles(g)
+        : torture_terrain(g, k == ON_FLAT, step, k == ON_COPIES ? 3 : 1, k == ON_TWICE);
 }
 
 static inline int torture_divisor(vec3 d)
@@ -143,12 +137,10 @@ static inline int torture_divisor(vec3 d)
 /* Where two sheets end together, their shares are those of one that goes on. */
 static inline bool torture_at_rim(triangle s, int step)
 {
-    vec3 v[3] = {s.a, s.b, s.c};
-    for (int k = 0; k < 3; k++)
-        for (int axis = 0; axis < 2; axis++) {
-            int cell = (int)floor((double)vaxis(v[k], axis) / step) + torture_cells / 2;
-            if (cell == 0 || cell == torture_cells) return true;
-        }
+    for (int k = 0; k < 6; k++) {
+        int cell = (int)floor((double)vaxis((&s.a)[k / 2], k % 2) / step) + torture_cells / 2;
+        if (cell == 0 || cell == torture_cells) return true;
+    }
     return false;
 }
 
