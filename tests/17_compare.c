@@ -461,7 +461,56 @@ static void test_patients(void)
     }
 }
 
-/* Leaves that list a shape: all of them are found, and one of them holds the hit, by (10.1). */
+static bool listed(const uint32_t *item, size_t first, size_t end, uint32_t wanted)
+{
+    while (first < end && item[first] != wanted) first++;
+    return first < end;
+}
+
+/* Does the leaf, or cell, of that number list the shape? By the structure's own arrays. */
+static bool number_lists(const contender *c, const void *s, const shape_place *p)
+{
+    const char *type = c->type;
+    size_t k = p->number;
+    if (strcmp(type, "grid") == 0 || strcmp(type, "nested") == 0) {
+        const grid *g = strcmp(type, "grid") ? &((const nested *)s)->g : s;
+        return listed(g->lists.item, g->lists.first[k], g->lists.first[k + 1], p->shape);
+    }
+    if (strcmp(type, "octree") == 0) {
+        octree_node n = ((const octree *)s)->node[k];
+        size_t end = n.first + (n.kind & ~octree_is_leaf);
+        return n.kind & octree_is_leaf
+               && listed(((const octree *)s)->reference, n.first, end, p->shape);
+    }
+    if (strcmp(type, "kdtree") == 0) {
+        const kdtree *t = s;
+        kd_node n = t->node[k];
+        for (uint32_t i = n.first; kd_is_leaf(n) && i < n.first + kd_count(n); i++)
+            if ((t->triangle ? t->triangle[i].index : t->index[i]) == p->shape) return true;
+        return false;
+    }
+    if (strcmp(type, "bsp") == 0) {
+        bsp_node n = ((const bsp *)s)->node[k];
+        size_t end = n.first + (n.kind & ~bsp_leaf_bit);
+        return n.kind & bsp_leaf_bit
+               && listed(((const bsp *)s)->reference, n.first, end, p->shape);
+    }
+    if (strcmp(type, "bvh") == 0) {
+        bvh_node n = bvh_tree_of(s)->node[k];
+        for (uint32_t i = n.first; i < n.first + n.count; i++)
+            if (bvh_item_at(s, i) == p->shape) return true;
+        return false;
+    }
+    if (strcmp(type, "bvh8") == 0) {
+        const bvh8 *w = s;
+        return w->block ? listed(w->block[k].index, 0, 8, p->shape) : k == p->shape;
+    }
+    const aabb *b = &((const example *)s)->box[k];
+    return vzero(vsub(b->lo, p->box.lo)) && vzero(vsub(b->hi, p->box.hi));
+}
+
+/* Leaves that list a shape: all of them are found, one of them holds the hit, by (10.1), and the
+ * number that is said is its own. */
 static void test_places(const char *name)
 {
     world w = tiny(name);
@@ -474,7 +523,7 @@ static void test_places(const char *name)
     if (!items_all_bounds(&s.x, &bounds, &f)) fail(f);
     for (int k = 1; k < s.entries; k++) {
         const compare_entry *e = &s.entry[k];
-        size_t lists = 0, hits = 0;
+        size_t lists = 0, hits = 0, numbered = 0;
         double off = 0;
         if (strcmp(e->c->type, "mine") == 0) continue;  /* nobody knows what is in it */
         check(place_of(e->c, e->s, 0, w.at).what != NULL, "%s: is known", e->c->name);
@@ -485,9 +534,10 @@ static void test_places(const char *name)
             if (!items_hit(&s.x, eye.r[i], &h)) continue;
             shape_place p = place_of(e->c, e->s, h.shape, ray_at(eye.r[i], h.t));
             off = check_worse(off, (double)(p.far / query_delta(eye.r[i], bounds)));
-            hits++;
+            hits++, numbered += number_lists(e->c, e->s, &p);
         }
         check_at_least(hits, 50, "%s: enough hits", name);
+        check_equal(numbered, hits, "%s %s: the number is that of the leaf", name, e->c->name);
         check_at_most(off, 1, "%s %s: a leaf holds each hit, within delta", name, e->c->name);
     }
     rays_free(&eye), compare_end(&s), world_free(&w);
