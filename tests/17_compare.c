@@ -724,6 +724,18 @@ static void test_files(void)
         free(csv);
     }
     check(hits > n / 2, "enough of them hit: %zu of 2 times %d", hits, n);
+    static const char *const nowhere[] = {"/dev/full", "/nowhere/x.hits"};
+    for (int k = 0; k < 2; k++) {
+        char arguments[300];
+        snprintf(arguments, sizeof arguments, "--scene gears --scale 1 --rays %s/g.rays --only bvh "
+                 "--hits %s", directory, nowhere[k]);
+        check_equal(run("17_compare", arguments), 1, "cannot be written: %s", nowhere[k]);
+    }
+    if (truncate(in_directory("g.rays"), 30) != 0) abort();
+    char short_rays[300];
+    snprintf(short_rays, sizeof short_rays, "--rays %s/g.rays", directory);
+    check_equal(run("17_compare", short_rays), 2, "30 bytes are no ray");
+    check(printed("err", "30 bytes"), "and says so");
     free(r);
     world_free(&w);
 }

@@ -209,7 +209,8 @@ static inline void cost_table(const options *o, const comparison *s, const char 
                               html_report *to)
 {
     table t = table_new(title, "structure|build [ms]|B/shape|inner|leaves|empty|refs/shape|"
-                               "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|mirror [ns]");
+                               "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|"
+                               "mirror [ns]");
     for (int k = 0; k < s->entries; k++)
         if (s->entry[k].s || !contender_is_first(s->entry[k].c)) cost_row(&t, s, &s->entry[k]);
     html_table(to, o, &t);
