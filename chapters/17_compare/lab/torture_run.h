@@ -4,9 +4,9 @@
  *
  * Writes CLASS.obj, CLASS.rays and CLASS.hits (what is right) for each class, asks every structure,
  * and prints how many answers are wrong, by class, and by whom. score, not NULL: reads
- * CLASS.SCORE.hits instead, which any other renderer may have written, and judges that alone. Of hits at the same t the files name the
- * lowest triangle; the verdict takes each of them. Wrong answers, but for those of the first
- * versions, end the program with exit 1.
+ * CLASS.SCORE.hits instead, which any other renderer may have written, and judges that alone. Of
+ * hits at the same t the files name the lowest triangle; the verdict takes each of them. Wrong
+ * answers, but for those of the first versions, end the program with exit 1.
  */
 #ifndef COMPARE_LAB_TORTURE_RUN_H
 #define COMPARE_LAB_TORTURE_RUN_H
