@@ -614,6 +614,26 @@ static void test_costs(void)
     check_equal(cost_ns(a, KIND_MIRROR), 0, "no rays, no time");
 }
 
+/* The corners of the lower envelope rise, though lines that are nearly as good are passed over. */
+static void test_cheapest(void)
+{
+    static const double build[4] = {0, 10, 9.8, 50}, seconds[4] = {100, 50, 47, 20};
+    comparison s = {.entries = 4};
+    for (int k = 0; k < 4; k++)
+        s.entry[k] = (compare_entry){.c = &bvh_contender, .s = &s, .build = build[k],
+                                     .rays = {1}, .seconds = {seconds[k]}};
+    s.rays[0].n = 1;
+    double from = 0;
+    const compare_entry *e = cost_next(&s, &s.entry[0], &from);
+    check(e == &s.entry[1], "the next is the earlier in the list");
+    check_close(from, 0.2, 1e-12, "10 s of building, 50 s a ray gained");
+    check(cost_next(&s, e, &from) == &s.entry[2], "the one that was passed over");
+    check_close(from, 0.2, 1e-12, "from the same place on");
+    check(cost_next(&s, &s.entry[2], &from) == &s.entry[3], "and the fastest");
+    check_close(from, 40.2 / 27, 1e-12, "where the lines cross");
+    check(!cost_next(&s, &s.entry[3], &from), "none is faster");
+}
+
 static void test_winners(void)
 {
     line_up three = {.n = 0};
@@ -930,6 +950,7 @@ int main(void)
     test_places("balls");
     test_wrong_answers();
     test_costs();
+    test_cheapest();
     test_orders();
     test_example();
     test_knobs();

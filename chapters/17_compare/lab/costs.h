@@ -144,12 +144,28 @@ static inline search_work cost_work(const compare_entry *e, size_t *rays)
     return w;
 }
 
-/* The lines build + k * ns (17.8): which is the lowest, from few rays to many? Three percent faster
- * is no faster, ten percent sooner no sooner: the earlier in the list is named. */
+/* The lines build + k * ns (17.8): which is lower than that of `now`, soonest after *from rays, and
+ * where? NULL: none. Three percent faster is no faster, ten percent sooner no sooner: the earlier in
+ * the list is named. */
+static inline const compare_entry *cost_next(const comparison *s, const compare_entry *now,
+                                             double *from)
+{
+    const compare_entry *next = NULL;
+    double since = *from, slow = cost_mean(s, now);
+    *from = HUGE_VAL;
+    for (int k = 0; k < s->entries; k++) {
+        const compare_entry *e = &s->entry[k];
+        if (!e->s || contender_is_first(e->c)) continue;
+        double gain = slow - cost_mean(s, e), at = fmax(since, (e->build - now->build) / gain);
+        if (gain > 0.03 * slow && at < 0.9 * *from) *from = at, next = e;
+    }
+    return next;
+}
+
 static inline void cost_cheapest(const comparison *s)
 {
     const compare_entry *now = NULL;
-    double since = 0;
+    double from = 0;
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
         if (!e->s || contender_is_first(e->c)) continue;
@@ -157,20 +173,8 @@ static inline void cost_cheapest(const comparison *s)
     }
     if (!now) return;
     printf("# cheapest in all: %s", now->choice->label);
-    for (;;) {
-        const compare_entry *next = NULL;
-        double from = HUGE_VAL;
-        for (int k = 0; k < s->entries; k++) {
-            const compare_entry *e = &s->entry[k];
-            double gain = cost_mean(s, now) - cost_mean(s, e);
-            double at = fmax(since, (e->build - now->build) / gain);
-            if (!e->s || contender_is_first(e->c)) continue;
-            if (gain > 0.03 * cost_mean(s, now) && at < 0.9 * from) from = at, next = e;
-        }
-        if (!next) break;
-        printf(", from %.2g rays on %s", from, next->choice->label);
-        now = next, since = from;
-    }
+    while ((now = cost_next(s, now, &from)) != NULL)
+        printf(", from %.2g rays on %s", from, now->choice->label);
     printf("\n");
 }
 
