@@ -61,6 +61,20 @@ static verdict look(const mesh *m, const painter *p, bool naive, real reach, siz
     return v;
 }
 
+/* n walls one way through n walls the other way: n^2 crossings. */
+static mesh crossing_mesh(size_t n)
+{
+    mesh m = mesh_room(2 * n);
+    for (size_t i = 0; i < n; i++) {
+        real x = ((real)i + (real)0.5) / (real)n;
+        puzzle_wall(&m, i, x, 0, x, 1);
+        puzzle_wall(&m, n + i, 0, x, 1, x);
+        for (size_t k = i; k < 2 * n; k += n)  /* upright squares would need two triangles */
+            m.v[3 * k + 2].z = 1000;
+    }
+    return m;
+}
+
 /* May a wrong ray in a thousand be put down to edges of others that it grazes? In float, yes. */
 static void test_scene(const char *name, mesh m, real reach, bool cut)
 {

@@ -1,8 +1,5 @@
-/* Rays and hits in files, and the program that reads and writes them, seen from outside. */
-#include "../chapters/07_mesh/closest.h"
-#include "../chapters/07_mesh/files/obj.h"
+/* Rays and hits in files; and 14's program, seen from outside. (17 reads and writes them.) */
 #include "../chapters/07_mesh/files/ray_file.h"
-#include "../common/random.h"
 #include "check.h"
 
 static char directory[] = "/tmp/14_files_XXXXXX";
@@ -62,66 +59,6 @@ static void test_hits(void)
 
 /* ---------------------------------------------------------------------------------------------- */
 
-static void put_float(unsigned char *to, real x)
-{
-    float f = (float)x;
-    uint32_t bits;
-    memcpy(&bits, &f, sizeof bits);
-    for (int k = 0; k < 4; k++) to[k] = (unsigned char)(bits >> 8 * k);
-}
-
-/* The program's hits on a mesh from a file equal those of brute force, here. */
-static void test_program(void)
-{
-    enum { n = 3000 };
-    mesh m;
-    failure f;
-    check(obj_read("chapters/07_mesh/scenes/teapot.obj", &m, &f), "the teapot: %s", f.text);
-    unsigned char *bytes = allocate(n, 32);
-    for (size_t i = 0; i < n; i++) {
-        random_stream g = random_start(1, i, 0);
-        real x[8] = {5, 5, 5, 0, 0, 0, 0, i % 2 ? real_infinity : 1};
-        for (int k = 0; k < 3; k++) x[k] = 10 * random_next(&g) - 5;
-        for (int k = 0; k < 3; k++) x[4 + k] = 4 * random_next(&g) - 2 - x[k];
-        for (int k = 0; k < 8; k++) put_float(bytes + 32 * i + 4 * k, x[k]);
-    }
-    write_bytes(in_directory("t.rays"), bytes, 32 * n);
-    free(bytes);
-    size_t rays, size, hits = 0;
-    ray *r = rays_read(in_directory("t.rays"), &rays, &f);
-    for (int any = 0; any < 2; any++)
-        for (int s = 0; s < 5; s++) {
-            static const char *const name[] = {"cycle", "longest", "median", "sah", "sweep"};
-            char arguments[1000];
-            snprintf(arguments, sizeof arguments,
-                     "chapters/07_mesh/scenes/teapot.obj --rays %s/t.rays --hits %s/t.hits "
-                     "--strategy %s --leaf %d --csv %s/t.csv %s",
-                     directory, directory, name[s], s + 1, directory,
-                     any ? "--any-hit" : "");
-            check_equal(run("14_bvh", arguments), 0, "14_bvh %s", arguments);
-            unsigned char *got = (unsigned char *)file_read(in_directory("t.hits"), &size, &f);
-            size_t wrong = 0;
-            check(got && size == 8 * rays, "a record for each ray");
-            for (size_t i = 0; got && i < rays; i++) {
-                hit h = hit_none;
-                bool found = mesh_hit(&m, r[i], &h);
-                real t = little_endian_real(got + 8 * i);
-                uint32_t index = little_endian(got + 8 * i + 4);
-                hits += found;
-                wrong += any ? t != (found ? 0 : real_infinity) || index != (found ? 0 : no_shape)
-                             : t != (real)(float)h.t || index != h.shape;
-            }
-            check_equal(wrong, 0, "%s: hits in the file are those of brute force", name[s]);
-            free(got);
-        }
-    check(hits > rays, "enough of them hit: %zu of 10 times %zu", hits, rays);
-    char *csv = file_read(in_directory("t.csv"), &size, &f);
-    check(csv && strncmp(csv, "scene,structure,kind,rays,hits,build_s,bytes,nodes_per_ray,"
-                              "tests_per_ray,ns_per_ray\n", 84) == 0, "the columns of the CSV");
-    free(csv), free(r);
-    mesh_free(&m);
-}
-
 /* The program compares its walk with the search itself: another order, box or triangle: exit 1. */
 static void test_pixel(void)
 {
@@ -143,30 +80,15 @@ static void test_misuse(void)
 {
     char arguments[600];
     write_bytes(in_directory("bad.obj"), "v 0 0 0\nf 1 2 3\n", 16);
-    write_bytes(in_directory("short.rays"), one_ray, 30);
     check_equal(run("14_bvh", "--strategy fast"), 2, "no such strategy");
     check(printed("err", "fast") && printed("err", "sweep"),
           "the message names it and what is allowed");
     check_equal(run("14_bvh", "--leaf 0"), 2, "no triangle in a leaf");
     check_equal(run("14_bvh", "--leaf 256"), 2, "too many");
-    check_equal(run("14_bvh", "--hits x"), 2, "--hits without --rays");
-    check_equal(run("14_bvh", "--any-hit"), 2, "--any-hit without --rays");
-    check_equal(run("14_bvh", "--rays x --out x.png"), 2, "--rays draws nothing");
-    check(printed("err", "--out: no picture with --rays"), "says so");
     check_equal(run("14_bvh", "--mesh /nowhere/x.obj"), 1, "no such mesh");
     snprintf(arguments, sizeof arguments, "--mesh %s/bad.obj", directory);
     check_equal(run("14_bvh", arguments), 2, "a mesh with an error");
     check(printed("err", "2"), "and its line");
-    snprintf(arguments, sizeof arguments, "--rays %s/short.rays", directory);
-    check_equal(run("14_bvh", arguments), 2, "30 bytes are no ray");
-    check(printed("err", "30 bytes"), "and says so");
-    check_equal(run("14_bvh", "--rays /nowhere/x.rays"), 1, "no such rays");
-    snprintf(arguments, sizeof arguments, "--rays %s/one.rays --hits %s/no/where", directory,
-             directory);
-    write_bytes(in_directory("one.rays"), one_ray, 32);
-    check_equal(run("14_bvh", arguments), 1, "hits cannot be written there");
-    snprintf(arguments, sizeof arguments, "--rays %s/one.rays --hits /dev/full", directory);
-    check_equal(run("14_bvh", arguments), 1, "disk full");
 }
 
 int main(void)
@@ -176,7 +98,6 @@ int main(void)
     test_hits();
     if (run("14_bvh", "--help") == 0) {
         test_pixel();
-        test_program();
         test_misuse();
     } else printf("14_files: the program is not built (make), so it is not tested\n");
     char command[64];

@@ -2,7 +2,7 @@
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 14_bvh chapters/14_bvh/main.c -lm -lpthread
  *
  * Without options: the teapot of 102080 triangles, what each pixel took, a short table. --full: all
- * tables and plots. --mesh FILE.obj: that mesh, a picture only. --rays FILE: searches these. */
+ * tables and plots. --mesh FILE.obj: that mesh, a picture only. --pixel X,Y: its ray. */
 #include "../07_mesh/files/obj.h"
 #include "lab/boxes_figure.h"
 #include "lab/pixel.h"
@@ -42,14 +42,8 @@ int main(int argc, char **argv)
 {
     const char *path = NULL, *strategy = "sah", *pixel = NULL;
     int leaf = bvh_defaults.leaf;
-    bvh_ray_file file = {.scene = "teapot"};
     const option list[] = {
-        {"mesh", OPTION_INPUT, &path, 0, 0,
-         "FILE.obj: draw this mesh, y up, or search it (--rays)"},
-        {"rays", OPTION_INPUT, &file.rays, 0, 0,
-         "search these rays: ox oy oz tmin dx dy dz tmax, float32"},
-        {"hits", OPTION_OUTPUT, &file.hits, 0, 0, "with --rays: their t and triangle to this file"},
-        {"any-hit", OPTION_FLAG, &file.any, 0, 0, "with --rays: is there any hit at all?"},
+        {"mesh", OPTION_INPUT, &path, 0, 0, "FILE.obj: draw this mesh, y up"},
         {"strategy", OPTION_TEXT, &strategy, 0, 0,
          "cycle, longest, median, sah, sweep, morton or spatial"},
         {"pixel", OPTION_TEXT, &pixel, 0, 0, "X,Y: its ray, box by box, in words and drawn"},
@@ -59,18 +53,13 @@ int main(int argc, char **argv)
     bvh_options how = build_options(strategy, leaf);
     failure f;
     trial_scene s = {.shapes = NULL};
-    if (!file.rays && (file.hits || file.any)) die(2, "--hits and --any-hit need --rays FILE");
-    if (file.rays && o.out) die(2, "--out: no picture with --rays");
-    if (!file.rays && o.csv && (path || o.out))
-        die(2, "--csv: no table with --mesh, --out, but with --rays");
-    if (pixel && (file.rays || o.out || o.csv)) die(2, "--pixel: not with --rays, --out, --csv");
+    if (o.csv && (path || o.out)) die(2, "--csv: no table with --mesh, --out");
+    if (pixel && (o.out || o.csv)) die(2, "--pixel: not with --out, --csv");
     if (path && !obj_read(path, &s.m, &f)) fail(f);
     if (!path) s.m = teapot_mesh(o.quick ? 8 : 40);
     s.x = items_of_mesh(&s.m);
-    if (path) file.scene = path;
-    o.own = path || file.rays || pixel;
+    o.own = path || pixel;
     if (pixel) pixel_explain(&o, &s.m, how, !path, pixel);
-    else if (file.rays) search_file(&o, &file, &s.m, how, strategy);
     else draw_mesh(&o, &s.m, how, !path, path);
     if (!o.own && !o.out) draw_nested(&o), draw_visits(&o, &s), measure(&o);
     trial_scene_free(&s);

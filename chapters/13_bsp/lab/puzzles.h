@@ -3,7 +3,6 @@
  *   mesh m = cyclic_mesh()          three long triangles, each over the next: no order
  *   mesh m = comb_mesh(n)           n short walls, then n long ones; the planes of the short walls
  *                                   cut all long ones, and those of the long walls cut nothing
- *   mesh m = crossing_mesh(n)       n walls one way through n walls the other way: n^2 crossings
  *   mesh m = town_mesh(n, turn)     n x n blocks of 12 triangles on a square of 2, turned by `turn`
  *                                   [radians] about (1, 2, 3)
  *
@@ -44,19 +43,6 @@ static inline mesh comb_mesh(size_t n)
         real x = ((real)i + (real)0.5) / (real)n;
         puzzle_wall(&m, i, x, -2, x, -1);
         puzzle_wall(&m, n + i, 0, (real)i / (real)n, 1, (real)i / (real)n);
-    }
-    return m;
-}
-
-static inline mesh crossing_mesh(size_t n)
-{
-    mesh m = mesh_room(2 * n);
-    for (size_t i = 0; i < n; i++) {
-        real x = ((real)i + (real)0.5) / (real)n;
-        puzzle_wall(&m, i, x, 0, x, 1);
-        puzzle_wall(&m, n + i, 0, x, 1, x);
-        for (size_t k = i; k < 2 * n; k += n)  /* upright squares would need two triangles */
-            m.v[3 * k + 2].z = 1000;
     }
     return m;
 }

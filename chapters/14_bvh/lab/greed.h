@@ -14,7 +14,7 @@
 
 #include "../../../common/lab/report.h"
 #include "../../../common/lab/table.h"
-#include "../../../common/random.h"
+#include "../../07_mesh/scenes/soup.h"
 #include "../bvh_mesh.h"
 #include "../cost.h"
 
@@ -45,8 +45,7 @@ static inline double greed_best(const bvh_item *item, int n)
 /* Ten triangles of a tenth to the whole of the cube's size. */
 static inline mesh greed_mesh(uint64_t seed)
 {
-    mesh m = {.vertices = 3 * greed_items, .triangles = greed_items};
-    m.v = allocate(m.vertices, sizeof *m.v), m.index = allocate(m.vertices, sizeof *m.index);
+    mesh m = mesh_room(greed_items);
     for (size_t i = 0; i < greed_items; i++) {
         random_stream g = random_start(seed, i, 0);
         vec3 a = random_in_cube(&g, 1);
@@ -55,7 +54,6 @@ static inline mesh greed_mesh(uint64_t seed)
         m.v[3 * i + 1] = vadd(a, random_in_cube(&g, size));
         m.v[3 * i + 2] = vadd(a, random_in_cube(&g, size));
     }
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
     return m;
 }
 

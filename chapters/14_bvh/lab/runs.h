@@ -1,21 +1,15 @@
-/* runs.h: what main.c calls: pictures of a mesh, and rays from a file.
+/* runs.h: what main.c calls: pictures of a mesh.
  *
  *   draw_mesh(o, &m, how, z_up, path)       the mesh under the headlight; path: its file, or NULL
  *   draw_visits(o, &m)                      what each pixel took, by four of the rules
- *   search_file(o, &f, &m, how, "sah")      the rays of f.rays, one thread, the median of seven
- *                                           passes; the columns are those of all programs that read
- *                                           such files
  */
 #ifndef BVH_RUNS_H
 #define BVH_RUNS_H
 
-#include "../../07_mesh/files/ray_file.h"
 #include "../../09_aabb/trials/pictures.h"
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
 #include "measure.h"
-
-typedef struct { const char *scene, *rays, *hits; bool any; } bvh_ray_file;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -58,48 +52,6 @@ static inline void draw_visits(const options *o, const trial_scene *s)
               "pairs of boxes and triangles a ray");
     output_picture(o, &im, "14_bvh_visits.png", false, whole);
     image_free(&im);
-}
-
-static inline void search_file(const options *o, const bvh_ray_file *file, const mesh *m,
-                               bvh_options how, const char *strategy)
-{
-    failure f;
-    size_t n, hits = 0;
-    search_work w = {0, 0, 0, 0};
-    double seconds[7];
-    ray *r = rays_read(file->rays, &n, &f);
-    if (!r) fail(f);
-    hit *h = allocate(n, sizeof *h), again;
-    bvh b;
-    items x = items_of_mesh(m);
-    double start = clock_seconds();
-    if (!bvh_build(&x, how, &b, &f)) fail(f);
-    double built = clock_seconds() - start;
-    for (int pass = -1; pass < 7; pass++) {
-        start = clock_seconds();
-        for (size_t i = 0; i < n; i++) {
-            h[i] = hit_none;
-            if (!file->any) bvh_hit(&b, r[i], &h[i]);
-            else if (bvh_occluded(&b, r[i])) h[i].shape = 0;
-        }
-        if (pass >= 0) seconds[pass] = clock_seconds() - start;
-    }
-    for (size_t i = 0; i < n; i++)
-        hits += file->any ? bvh_occluded_counted(&b, r[i], &w)
-                          : bvh_hit_counted(&b, r[i], &again, &w);
-    table t = table_new("Rays from a file, one thread",
-                        "scene|structure|kind|rays|hits|build_s|bytes|nodes_per_ray|"
-                        "tests_per_ray|ns_per_ray");
-    table_text(&t, "%s", file->scene), table_text(&t, "bvh %s", strategy);
-    table_text(&t, file->any ? "any" : "closest"), table_count(&t, n), table_count(&t, hits);
-    table_text(&t, "%.6f", built), table_count(&t, bvh_tree_of(&b)->bytes);
-    table_number(&t, trial_per((double)w.nodes, n));
-    table_number(&t, trial_per((double)w.tests, n));
-    table_number(&t, clock_median(seconds, 7) * 1e9 / (double)n);
-    output_table(o, &t);
-    if (file->hits && !hits_write(file->hits, h, n, file->any, &f)) fail(f);
-    bvh_free(&b);
-    free(r), free(h);
 }
 
 #endif

@@ -6,23 +6,21 @@
 #ifndef BVH_SLIVERS_H
 #define BVH_SLIVERS_H
 
-#include "../../07_mesh/mesh.h"
+#include "../../07_mesh/scenes/soup.h"
 
 /* ---------------------------------------------------------------------------------------------- */
 
 static inline mesh slivers_mesh(size_t n, vec3 move)
 {
-    mesh m = {.vertices = 3 * n, .triangles = n};
+    mesh m = mesh_room(n);
     vec3 w = vunit(vec(1, 0.8, 0.6)), u, v;
     vbasis(w, &u, &v);
-    m.v = allocate(m.vertices, sizeof *m.v), m.index = allocate(m.vertices, sizeof *m.index);
     for (size_t i = 0; i < n; i++) {
         real a = 2 * pi * (real)i / (real)n, b = 2 * pi * (real)(i + 1) / (real)n;
         m.v[3 * i] = vadd(move, vadd(vscale(u, cos(a)), vscale(v, sin(a))));
         m.v[3 * i + 1] = vadd(move, vadd(vscale(u, cos(b)), vscale(v, sin(b))));
         m.v[3 * i + 2] = vmadd(m.v[3 * i], w, 4);
     }
-    for (size_t i = 0; i < m.vertices; i++) m.index[i] = (uint32_t)i;
     return m;
 }
 

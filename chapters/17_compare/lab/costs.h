@@ -11,9 +11,7 @@
  *   references            N_ER: entries in all leaves; over the shapes: how often one is cut
  *   tests/ray             N_IT: shapes tested
  *   nodes/ray             N_TS: steps: inner nodes passed, of a grid cells (14: pairs of boxes)
- *   rays asked            of all four kinds, each turn: see below
  *   build, and ns         T_B, T_R
- *   pays after            so many rays of the scene's mix take brute force as long as building
  *
  * One rule for all. A turn: a quarter of the rays, untimed, so that the structure is in the cache
  * again; then all of them, timed. Steps and tests are counted with that quarter. A median of 20,000
@@ -146,11 +144,28 @@ static inline search_work cost_work(const compare_entry *e, size_t *rays)
     return w;
 }
 
-/* The lines build + k * ns (17.8): which is the lowest, from few rays to many? Three percent faster
- * is no faster, ten percent sooner no sooner: the earlier in the list is named. */
+/* The lines build + k * ns (17.8): which is lower than that of `now`, soonest after *from rays, and
+ * where? NULL: none. Three percent faster is no faster, ten percent sooner no sooner: the earlier in
+ * the list is named. */
+static inline const compare_entry *cost_next(const comparison *s, const compare_entry *now,
+                                             double *from)
+{
+    const compare_entry *next = NULL;
+    double since = *from, slow = cost_mean(s, now);
+    *from = HUGE_VAL;
+    for (int k = 0; k < s->entries; k++) {
+        const compare_entry *e = &s->entry[k];
+        if (!e->s || contender_is_first(e->c)) continue;
+        double gain = slow - cost_mean(s, e), at = fmax(since, (e->build - now->build) / gain);
+        if (gain > 0.03 * slow && at < 0.9 * *from) *from = at, next = e;
+    }
+    return next;
+}
+
 static inline void cost_cheapest(const comparison *s)
 {
     const compare_entry *now = NULL;
+    double from = 0;
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];
         if (!e->s || contender_is_first(e->c)) continue;
@@ -158,25 +173,12 @@ static inline void cost_cheapest(const comparison *s)
     }
     if (!now) return;
     printf("# cheapest in all: %s", now->choice->label);
-    for (;;) {
-        const compare_entry *next = NULL;
-        double from = HUGE_VAL;
-        for (int k = 0; k < s->entries; k++) {
-            const compare_entry *e = &s->entry[k];
-            double gain = cost_mean(s, now) - cost_mean(s, e);
-            double at = (e->build - now->build) / gain;
-            if (!e->s || contender_is_first(e->c)) continue;
-            if (gain > 0.03 * cost_mean(s, now) && at < 0.9 * from) from = at, next = e;
-        }
-        if (!next) break;
-        printf(", from %.2g rays on %s", from, next->choice->label);
-        now = next;
-    }
+    while ((now = cost_next(s, now, &from)) != NULL)
+        printf(", from %.2g rays on %s", from, now->choice->label);
     printf("\n");
 }
 
-static inline void cost_row(table *t, const comparison *s, const compare_entry *e,
-                            const compare_entry *slow)
+static inline void cost_row(table *t, const comparison *s, const compare_entry *e)
 {
     structure_stats st = e->stats;
     size_t rays;
@@ -184,26 +186,20 @@ static inline void cost_row(table *t, const comparison *s, const compare_entry *
     table_text(t, e->wrong[0] + e->wrong[1] ? "%s: wrong" : "%s", e->choice->label);
     if (!e->s) {
         table_text(t, "does not fit");
-        for (int k = 0; k < 14; k++) table_text(t, "-");
+        for (int k = 0; k < 11; k++) table_text(t, "-");
         return;
     }
     table_number(t, e->build * 1e3);
     if (contender_is_first(e->c)) {  /* what they hold nobody counts */
-        for (int k = 0; k < 7; k++) table_text(t, "-");
+        for (int k = 0; k < 6; k++) table_text(t, "-");
     } else {
-        table_number(t, per((double)st.bytes, s->x.n)), table_number(t, (double)st.peak / 0x1p20);
+        table_number(t, per((double)st.bytes, s->x.n));
         table_count(t, st.inner), table_count(t, st.leaves), table_count(t, st.empty);
         table_number(t, per((double)st.references, st.items));
         table_number(t, per((double)w.nodes, rays));
     }
     table_number(t, per((double)w.tests, rays));
-    rays = 0;
-    for (int k = 0; k < compare_kinds; k++) rays += e->rays[k];
-    table_count(t, rays);
     for (int k = 0; k < compare_kinds; k++) table_number(t, cost_ns(e, k));
-    double gain = slow && slow->s ? cost_mean(s, slow) - cost_mean(s, e) : 0;
-    if (gain > 0) table_number(t, ceil(e->build / gain));
-    else table_text(t, "-");
 }
 
 /* They go on where they are wrong: at edges their triangles slip (04). */
@@ -216,16 +212,11 @@ static inline void cost_print_wrong(const compare_entry *e)
 static inline void cost_table(const options *o, const comparison *s, const char *title,
                               html_report *to)
 {
-    table t = table_new(title,
-                        "structure|build [ms]|B/shape|peak [MB]|inner|leaves|empty|refs/shape|"
-                        "nodes/ray|tests/ray|rays asked|primary [ns]|shadow [ns]|diffuse [ns]|"
-                        "mirror [ns]|pays after");
-    const compare_entry *slow = NULL;
+    table t = table_new(title, "structure|build [ms]|B/shape|inner|leaves|empty|refs/shape|"
+                               "nodes/ray|tests/ray|primary [ns]|shadow [ns]|diffuse [ns]|"
+                               "mirror [ns]");
     for (int k = 0; k < s->entries; k++)
-        if (s->entry[k].c == &brute_contender) slow = &s->entry[k];
-    for (int k = 0; k < s->entries; k++)
-        if (s->entry[k].s || !contender_is_first(s->entry[k].c))
-            cost_row(&t, s, &s->entry[k], slow);
+        if (s->entry[k].s || !contender_is_first(s->entry[k].c)) cost_row(&t, s, &s->entry[k]);
     html_table(to, o, &t);
     for (int k = 0; k < s->entries; k++) {
         const compare_entry *e = &s->entry[k];

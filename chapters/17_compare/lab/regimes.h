@@ -11,7 +11,6 @@
 #define COMPARE_LAB_REGIMES_H
 
 #include "../../07_mesh/scenes/motion.h"
-#include "../../14_bvh/cost.h"
 #include "../../14_bvh/refit.h"
 #include "ray_order.h"
 
@@ -24,9 +23,8 @@ enum { motion_frames = 60 };
 
 typedef struct {
     bvh_mesh b;
-    size_t rotations, rays, wrong;
-    search_work work;                                        /* of the last frame, */
-    double cost;                                             /* and by the heuristic */
+    size_t rays, wrong;
+    search_work work;                                        /* of the last frame */
     double frame[motion_frames], ray[motion_frames];         /* seconds */
 } kept_tree;
 
@@ -35,12 +33,11 @@ static inline void kept_frame(kept_tree *x, keeping how, const mesh *m)
     bvh_options rules = bvh_defaults;
     failure f;
     if (how == KEEP_MORTON) rules.rule = "morton";
-    if (how >= KEEP_REFIT) {
-        x->rotations += bvh_mesh_refit(&x->b, m, how == KEEP_ROTATE);
-        return;
+    if (how >= KEEP_REFIT) bvh_mesh_refit(&x->b, m, how == KEEP_ROTATE);
+    else {
+        bvh_mesh_free(&x->b);
+        if (!bvh_mesh_build(m, rules, &x->b, &f)) fail(f);
     }
-    bvh_mesh_free(&x->b);
-    if (!bvh_mesh_build(m, rules, &x->b, &f)) fail(f);
 }
 
 /* Proves, counts and times the rays of a frame; due: hits of the tree built anew. */
@@ -53,8 +50,6 @@ static inline void kept_rays(kept_tree *x, int frame, const ray_set *rays, hit *
         if (first) due[i] = h;
         x->wrong += !hits_same(h, due[i]);
     }
-    tree_cost c = tree_cost_of(&x->b.tree);
-    x->cost = c.nodes + bvh_defaults.item_cost * c.tests;
     size_t hits = 0;
     double start = work_seconds();
     for (size_t i = 0; i < rays->n; i++) {
@@ -76,8 +71,8 @@ static inline double last_ten(const double x[motion_frames])
 static inline void motion_table(const options *o, const kept_tree x[keepings], const char *title,
                                 html_report *to)
 {
-    table t = table_new(title, "boxes|rotations a frame|SAH cost|nodes/ray|tests/ray|"
-                               "a frame [ms]|a ray [ns]|time: best from [rays]");
+    table t = table_new(title, "boxes|nodes/ray|tests/ray|a frame [ms]|a ray [ns]|"
+                               "time: best from [rays]");
     for (int k = 0; k < keepings; k++) {
         double b = last_ten(x[k].frame), c = last_ten(x[k].ray), from = 0, to_here = HUGE_VAL;
         for (int j = 0; j < keepings; j++) {  /* the lines b + k c: where this one is the lowest */
@@ -87,7 +82,6 @@ static inline void motion_table(const options *o, const kept_tree x[keepings], c
             else to_here = fmin(to_here, at);
         }
         table_text(&t, "%s", keeping_name[k]);
-        table_number(&t, (double)x[k].rotations / motion_frames), table_number(&t, x[k].cost);
         table_number(&t, per((double)x[k].work.nodes, x[k].rays));
         table_number(&t, per((double)x[k].work.tests, x[k].rays));
         table_number(&t, b * 1e3), table_number(&t, c * 1e9);

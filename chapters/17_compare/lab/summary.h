@@ -42,7 +42,8 @@ static inline void summary_add(compare_summary *m, const comparison *s)
     }
 }
 
-/* few: with wrong hits, and building in all scenes together. */
+/* few: with wrong hits, and building in all scenes together. Of building alone (of_ray 0) brute
+ * force and the first versions are left out. */
 static inline void summary_table(const options *o, const compare_summary *m, html_report *to,
                                  const char *title, bool few, double of_ray, double of_build)
 {
@@ -56,6 +57,7 @@ static inline void summary_table(const options *o, const compare_summary *m, htm
     for (int k = 0; k < m->chosen->n; k++) {
         double build = 0;
         size_t wrong = 0, held = 0;
+        if (of_ray <= 0 && !contender_counts(m->chosen->of[k].c)) continue;
         for (int i = 0; i < m->rows; i++) {
             const summary_row *r = &m->row[i];
             build += r->build[k], wrong += r->wrong[k], held += r->held[k];

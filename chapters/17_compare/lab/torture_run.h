@@ -3,10 +3,10 @@
  *   torture_run(&settings, folder, score)   folder NULL: writes nothing
  *
  * Writes CLASS.obj, CLASS.rays and CLASS.hits (what is right) for each class, asks every structure,
- * and prints how many answers are wrong. score, not NULL: reads CLASS.SCORE.hits instead, which any
- * other renderer may have written, and judges that alone. Of hits at the same t the files name the
- * lowest triangle; the verdict takes each of them. Wrong answers, but for those of the first
- * versions, end the program with exit 1.
+ * and prints how many answers are wrong, by class, and by whom. score, not NULL: reads
+ * CLASS.SCORE.hits instead, which any other renderer may have written, and judges that alone. Of
+ * hits at the same t the files name the lowest triangle; the verdict takes each of them. Wrong
+ * answers, but for those of the first versions, end the program with exit 1.
  */
 #ifndef COMPARE_LAB_TORTURE_RUN_H
 #define COMPARE_LAB_TORTURE_RUN_H
@@ -15,7 +15,7 @@
 #include "modes.h"
 #include "../../09_aabb/trials/torture.h"
 
-typedef struct { size_t wrong[torture_classes]; double error; } torture_score;
+typedef struct { size_t wrong; double error; } torture_score;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -42,33 +42,37 @@ static inline void torture_write(const torture *t, const char *folder, int k)
     free(h);
 }
 
-static inline void torture_add(torture_score *s, const torture *t, int k, const hit *h)
+/* How many of these hits are wrong. */
+static inline size_t torture_add(torture_score *s, const torture *t, const hit *h)
 {
+    size_t wrong = 0;
     for (size_t i = 0; i < t->n; i++) {
         double error;
-        s->wrong[k] += torture_judge(t, i, h[i], &error) != TORTURE_RIGHT;
+        wrong += torture_judge(t, i, h[i], &error) != TORTURE_RIGHT;
         s->error = fmax(s->error, error);
     }
+    s->wrong += wrong;
+    return wrong;
 }
 
-static inline void torture_ask(const compare_choice *one, size_t most_bytes, const torture *t,
-                               int k, torture_score *s)
+static inline size_t torture_ask(const compare_choice *one, size_t most_bytes, const torture *t,
+                                 torture_score *s)
 {
     failure f;
     items x = items_of_mesh(&t->m);
     hit *h = allocate(t->n, sizeof *h);
     void *built = contender_build(one->c, &one->how, &x, most_bytes, &f);
     if (!built) fail(f);
-    for (size_t i = 0; i < t->n; i++) h[i] = hit_none;
     one->c->search(built, t->r, t->n, false, h);
-    torture_add(s, t, k, h);
+    size_t wrong = torture_add(s, t, h);
     contender_free(one->c, built);
     free(h);
+    return wrong;
 }
 
 /* The files of another renderer. The rays must be those of this run: of the same seed. */
-static inline void torture_read(const char *folder, const char *who, const torture *t, int k,
-                                torture_score *s)
+static inline size_t torture_read(const char *folder, const char *who, const torture *t, int k,
+                                  torture_score *s)
 {
     failure f;
     char ending[128];
@@ -87,54 +91,52 @@ static inline void torture_read(const char *folder, const char *who, const tortu
     snprintf(ending, sizeof ending, "%.100s.hits", who);
     hit *h = hits_read(torture_path(folder, k, ending), n, &f);
     if (!h) fail(f);
-    torture_add(s, t, k, h);
+    size_t wrong = torture_add(s, t, h);
     free(r), free(h);
+    return wrong;
 }
 
-static inline size_t torture_row(table *out, const char *name, const torture_score *s)
+/* Asks all who take part about a class. A row: structures together; the worst first version. */
+static inline void torture_row(const compare_settings *c, const char *folder, const char *who,
+                               int k, torture_score *score, table *out)
 {
-    size_t sum = 0;
-    table_text(out, "%s", name);
-    for (int k = 0; k < torture_classes; k++) table_count(out, s->wrong[k]), sum += s->wrong[k];
-    table_count(out, sum), table_number(out, s->error);
-    return sum;
+    size_t n = c->o->quick ? 60 : 2000, wrong = 0, first = 0;
+    compare_progress("torture", "asking about", torture_list[k].name);
+    torture t = torture_make(k, n, c->o->seed);
+    if (folder && !who) torture_write(&t, folder, k);
+    if (who) wrong = torture_read(folder, who, &t, k, score);
+    for (int j = 0; j < c->chosen.n && !who; j++) {
+        size_t w = torture_ask(&c->chosen.of[j], c->most_bytes, &t, &score[j]);
+        if (!contender_is_first(c->chosen.of[j].c)) wrong += w;
+        else if (w > first) first = w;
+    }
+    table_text(out, "%s", torture_list[k].name), table_text(out, "%s", torture_list[k].what);
+    table_count(out, wrong), table_count(out, first);
+    torture_free(&t);
 }
 
 static inline void torture_run(const compare_settings *c, const char *folder, const char *who)
 {
-    size_t n = c->o->quick ? 60 : 2000, faults = 0;
-    int rows = who ? 1 : c->chosen.n;
-    char columns[256] = "structure", title[160];
-    torture_score *score = allocate((size_t)rows, sizeof *score);
-    memset(score, 0, (size_t)rows * sizeof *score);
+    size_t faults = 0;
+    torture_score score[compare_most] = {{0, 0}};
+    table out = table_new(c->o->quick ? "Wrong answers of 60 a class; exact arithmetic judges"
+                                      : "Wrong answers of 2000 a class; exact arithmetic judges",
+                          "class|aims at|error: structures|error: first versions, at most");
     if (folder && !who && mkdir(folder, 0777) != 0 && errno != EEXIST)
         die(1, "%.200s: cannot be made: %s", folder, strerror(errno));
-    for (int k = 0; k < torture_classes; k++) {
-        snprintf(columns + strlen(columns), sizeof columns - strlen(columns), "|%s",
-                 torture_list[k].name);
-        compare_progress("torture", "asking about", torture_list[k].name);
-        torture t = torture_make(k, n, c->o->seed);
-        if (folder && !who) torture_write(&t, folder, k);
-        for (int j = 0; j < rows; j++) {
-            if (who) torture_read(folder, who, &t, k, score);
-            else torture_ask(&c->chosen.of[j], c->most_bytes, &t, k, &score[j]);
-        }
-        torture_free(&t);
-    }
+    for (int k = 0; k < torture_classes; k++) torture_row(c, folder, who, k, score, &out);
     compare_progress("torture", NULL, NULL);
-    snprintf(title, sizeof title, "Wrong answers of %zu a class; exact arithmetic judges", n);
-    strcat(columns, "|sum|error of t [2^-24]");
-    table out = table_new(title, columns);
-    for (int j = 0; j < rows; j++) {
-        size_t wrong = torture_row(&out, who ? who : c->chosen.of[j].label, &score[j]);
-        faults += who || !contender_is_first(c->chosen.of[j].c) ? wrong : 0;
-    }
     if (folder) output_table(c->o, &out);
     else output_extra_table(c->o, &out);
-    for (int k = 0; k < torture_classes; k++)
-        printf("# %-8s %s\n", torture_list[k].name, torture_list[k].what);
+    for (int j = 0; j < (who ? 1 : c->chosen.n); j++) {
+        const compare_choice *p = &c->chosen.of[j];
+        if (who || score[j].wrong)
+            printf("# %s: %zu wrong; its t are off by up to %.3g roundings of a float\n",
+                   who ? who : p->label, score[j].wrong, score[j].error);
+        faults += who || !contender_is_first(p->c) ? score[j].wrong : 0;
+    }
+    printf("\n");
     if (folder && !who) output_note(folder);
-    free(score);
     if (faults) die(1, "%zu answers are wrong: see above", faults);
 }
 
