@@ -47,17 +47,16 @@ static void from_lamp(const showcase *c, estimate *e, estimate *mean)
     light_tracer t;
     light_counts work = {0};
     light_tracer_of(&c->s, c->eye, side, side, &t);
-    size_t n = check_count(20000) < 2000 ? 2000 : check_count(20000);
+    size_t n = (check_count(20000) < 2000 ? 2000 : check_count(20000)) / light_jobs * light_jobs;
     for (uint64_t set = 0; set < sets; set++) {
-        double picture[3 * side * side] = {0};
-        for (size_t k = 0; k < n; k++) {
-            random_stream s = random_start(200, set, k);
-            light_path(&t, &s, picture, &work);
-        }
-        gather(picture, 1.0 / (double)n, e);
-        double sum = 0;
-        for (int i = 0; i < 3 * side * side; i++) sum += picture[i] / (double)n;
+        image im;
+        double picture[3 * side * side], sum = 0;
+        check(light_picture(&t, 200 + set, n, 0, &im, &work), "not stopped");
+        for (int i = 0; i < 3 * side * side; i++)
+            picture[i] = (double)im.rgb[i], sum += picture[i];
+        gather(picture, 1, e);
         *mean = estimate_add(*mean, sum);
+        image_free(&im);
     }
     check_equal(work.paths, sets * n, "paths");
     check(work.shadow <= work.rays + work.paths, "one ray to the eye a hit, and one of the lamp");

@@ -3,7 +3,6 @@
 static char directory[] = "/tmp/27_effects_XXXXXX";
 #include "27_files.h"
 #include "../chapters/26_path_tracer/long_run.h"
-#include "../chapters/27_effects/lab/demo.h"
 #include "../chapters/27_effects/lab/six.h"
 #include <sys/resource.h>
 
@@ -98,13 +97,6 @@ static void test_said(void)
         {0, "@shells.scene --quick --out @o.pfm", "warning: more than 7 bodies lie around"},
         {0, "@empty.scene --quick --out @o.pfm", "empty.scene: no shape and no mesh"},
         {2, "@far.scene --quick --out @o.pfm", "far.scene:"},
-        {2, "--size 40x30 --region 9x7", "WxH+X+Y, within the 40x30 pixels of --size"},
-        {2, "--size 40x30 --region 9x7+32+0", "WxH+X+Y, within"},
-        {2, "--size 40x30 --region 9x7+0+24", "WxH+X+Y, within"},
-        {2, "--size 40x30 --region 0x7+0+0", "WxH+X+Y, within"},
-        {2, "--size 40x30 --region 9x7+-1+0", "WxH+X+Y, within"},
-        {2, "--size 40x30 --region 9x7+0+0+", "WxH+X+Y, within"},
-        {2, "--size 40x30 --region 99999999999x7+0+0", "WxH+X+Y, within"},
         {1, room "--resume /dev/zero", "/dev/zero: cannot read: a device"},
         {2, room "--resume @floor.obj", "not a state"},
         {2, room "--save @room.scene", "is the file of --scene"},
@@ -113,11 +105,10 @@ static void test_said(void)
         {2, room "--out @sky.pfm --samples 100000", "this run has read it"},  /* at once */
         {1, room "--save @no/such/dir --samples 1", "cannot write"},
         {2, resumed "--seed 3", "'seed 0', not 'seed 3'"},
-        {2, resumed "--size 23x17", "of 22x17"},
+        {2, resumed "--size 23x17", "has 22x17 pixels, not 23x17"},
         {2, resumed "--effects called,-mirror", "of another picture: it has 'effects"},
         {2, resumed "--sun 'to 1 1 1 colour 2'", "of another picture: it has 'scene"},
-        {2, resumed "--light 'at 1 1 1 colour 2'", "of another picture: it has 'scene"},
-        {2, resumed "--region 9x7+0+0 ", "has 22x17 pixels, not 9x7"}};
+        {2, resumed "--light 'at 1 1 1 colour 2'", "of another picture: it has 'scene"}};
     draws(room "--samples 2 --save @s.state --out @o.pfm");
     for (size_t k = 0; k < sizeof list / sizeof *list; k++)
         ends(list[k].status, list[k].arguments, "err", list[k].says);
@@ -134,13 +125,12 @@ static void test_said(void)
 /* What the program draws without a file is the file that ships with it. */
 static void test_shipped(void)
 {
-    for (int k = -1; k < six_count; k++) {
+    for (int k = 0; k < six_count; k++) {
         char path[100], own[six_room];
         size_t n;
         failure f;
-        if (k < 0) snprintf(own, sizeof own, "%s", demo_scene);
-        else six_text(k, own);
-        snprintf(path, sizeof path, six_scenes "%s.scene", k < 0 ? "demo" : six_list[k].name);
+        six_text(k, own);
+        snprintf(path, sizeof path, six_scenes "%s.scene", six_list[k].name);
         char *text = file_read(path, &n, &f);
         check(text && strcmp(text, own) == 0, "%s and what the program has", path);
         free(text);
@@ -177,24 +167,11 @@ static void test_memory(void)
     image_free(&im);
 }
 
-/* --region draws the same pixels as the whole picture has there, at once or by passes, and prices
- * them. */
-static void test_region(void)
+static void test_priced(void)
 {
-    image all = {0, 0, NULL}, part = {0, 0, NULL};
-    failure f;
-    draws(room "--samples 12 --out @whole.pfm");
-    draws(room "--samples 12 --region 9x7+3+5 --save @r.state --out @r.pfm");
-    bool ok = image_read(in_directory("whole.pfm"), &all, &f)
-           && image_read(in_directory("r.pfm"), &part, &f);
-    check(ok && part.width == 9 && part.height == 7, "the region's picture");
-    for (int y = 0; ok && y < 7; y++)
-        check(memcmp(part.rgb + 27 * y, all.rgb + 3 * (22 * (y + 5) + 3), 27 * sizeof(float)) == 0,
-              "row %d of the region, by passes", y);
-    image_free(&all), image_free(&part);
-#define priced "--size 40x30 --samples 2 --quick --price --region 9x7+20+11 --out @part.pfm"
+#define priced "--size 80x60 --samples 2 --quick --price --out @o.pfm"
     ends(0, priced, "out", "\nthe plan ");
-    check(printed("out", "\nmirror "), "the demo has a mirror: it has its price");
+    check(printed("out", "\nmirror "), "the last of the six has a mirror: it has its price");
     ends(0, priced " --effects called,-mirror", "out", "\nindirect light ");
     check(!printed("out", "\nmirror "), "what --effects leaves out has none");
     ends(0, "--size 40x30 --samples 2 --effects all --out @o.pfm", "out",
@@ -203,6 +180,7 @@ static void test_region(void)
 
 static void test_resumed(void)
 {
+    draws(room "--samples 12 --out @whole.pfm");
     draws(room "--samples 12 --save @whole.state --out @passes.pfm");
     check(equal_files("whole.pfm", "passes.pfm"), "one pass or several: the same bytes");
     draws(room "--samples 5 --save @part.state --out @part.pfm --threads 1");
@@ -249,7 +227,7 @@ int main(void)
 {
     if (!mkdtemp(directory)) abort();
     make_files();
-    test_explain(), test_shipped(), test_region(), test_resumed(), test_stopped();
+    test_explain(), test_shipped(), test_priced(), test_resumed(), test_stopped();
     test_said();
     test_memory();
     remove_all();

@@ -7,7 +7,7 @@
  */
 static char directory[] = "/tmp/27_proof_XXXXXX";
 #include "27_files.h"
-#include "../chapters/27_effects/lab/draw.h"
+#include "../chapters/27_effects/draw.h"
 #include "../chapters/27_effects/plan.h"
 #include "../chapters/20_monte_carlo/t_test.h"
 
@@ -180,10 +180,10 @@ static void proof_end(proof *q)
 /* What is not simulated takes no ray. */
 static image proof_draw(proof *q, unsigned mask, int samples, uint64_t seed)
 {
-    image im = image_new(across, down);
+    image im;
     drawing j = {.e = &q->e, .samples = samples, .seed = seed, .width = across, .height = down};
     effects_stage_effects(&q->e, mask);
-    draw_region(&j, &im, 0, 0, 1);
+    draw_image(&j, &im, 1);
     for (int k = 0; k < effect_kinds; k++)
         if (!(mask >> k & 1) && j.counts.rays[k])
             check(false, "%zu rays for %s, which is not in %x", j.counts.rays[k],

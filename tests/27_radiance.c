@@ -71,7 +71,7 @@ static void test_classic(bool glass)
 {
     set q;
     classic c;
-    char *text = forty_text(!glass, TAX_SUNS);
+    char *text = forty_text(!glass);
     double worst = 0;
     size_t off = 0, n = 0;
     set_up(&q, text);
@@ -150,7 +150,7 @@ static void test_paths(void)
     lit_scene lit;
     path_tracer t;
     set_up(&q, tax_room);
-    tax_lit(&q.s, &lit);
+    classic_lit(&q.s, &lit);
     path_tracer_of(&lit, NULL, path_defaults, &t);
     check(q.p.effects == (EFFECT_SOFT_SHADOWS | EFFECT_INDIRECT | EFFECTS_WHITTED),
           "the room calls for %x", q.p.effects);

@@ -25,6 +25,9 @@
  *   camera c = camera_at(e, target, up, phi, a)     for scenes of the book: what frame_look_at or
  *                                           camera_perspective refuse ends the program
  *
+ *   real D = camera_distance(&f, half, a, tangent)  the least, from the middle of a box along w, at
+ *                                           which all of it shows; tangent: half_tangent(phi)
+ *
  *   ray r = camera_ray(c, x, y, nx, ny);    d has length 1 in parallel views only: see ray_unit
  *   camera_project(c, p, nx, ny, &x, &y)    the inverse: where p shows; false if p is not in front
  *   camera_vanishing_point(c, D, nx, ny, &x, &y)  where lines along D meet (消失点); false if nowhere
@@ -125,6 +128,18 @@ static inline camera camera_at(vec3 e, vec3 target, vec3 up, real phi, real a)
     if (!frame_look_at(e, target, up, &f, &why) || !camera_perspective(f, phi, a, &c, &why))
         fail(why);
     return c;
+}
+
+/* A corner q, from the middle of the box: |q.v| <= (D - q.w) tan(phi/2), |q.u| <= a times that. */
+static inline real camera_distance(const camera_frame *c, vec3 half, real a, real tangent)
+{
+    real D = 0;
+    for (int k = 0; k < 8; k++) {
+        vec3 q = {k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z};
+        real u = vdot(q, c->u), v = vdot(q, c->v), w = vdot(q, c->w);
+        D = real_max(D, w + real_max(fabs(v), fabs(u) / a) / tangent);
+    }
+    return D;
 }
 
 static inline real camera_u(camera c, real x, int nx)

@@ -13,6 +13,10 @@
  *                                               no light without size: those show nothing
  *   light_path(&t, &random, sum, &counts);        one path; sum: [3 w h], {0} at first
  *   pixel k of the picture = sum[k] / number of paths
+ *   bool whole = light_picture(&t, seed, paths, threads, &im, &counts);     of so many, a multiple
+ *                                               of light_jobs; false: Ctrl-C. Each job has a sum
+ *                                               of its own, and they are added up in order:
+ *                                               the same bytes for any number of threads
  *   light_tracer_free(&t)
  *
  * a: area of a pixel in a plane at distance 1 of the eye; cos_e: cosine there, cos_x: at xk; r: the
@@ -30,6 +34,7 @@
 #ifndef PATH_LIGHT_TRACER_H
 #define PATH_LIGHT_TRACER_H
 
+#include "../../common/parallel.h"
 #include "../02_camera/camera.h"
 #include "../24_direct_light/lights.h"
 #include "dielectric.h"
@@ -43,6 +48,14 @@ typedef struct {
     real pixel;              /* a */
 } light_tracer;
 typedef struct { size_t paths, rays, shadow; } light_counts;
+enum { light_jobs = 16 };
+typedef struct {
+    const light_tracer *t;
+    uint64_t seed;
+    size_t paths;                  /* of each job */
+    double *sum[light_jobs];
+    light_counts work[light_jobs];
+} light_share;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -147,6 +160,35 @@ static inline void light_path(const light_tracer *t, random_stream *s, double *s
         if (medium) phi = vmul(phi, absorbed(medium->sigma, x.t * vlength(r.d)));
         if (!light_scatter(t, &x, s, most, &phi, &r, &medium, sum, c)) return;
     }
+}
+
+static inline void light_job(size_t job, void *context)
+{
+    light_share *l = context;
+    for (size_t k = 0; k < l->paths; k++) {
+        random_stream s = random_start(l->seed, job, k);
+        light_path(l->t, &s, l->sum[job], &l->work[job]);
+    }
+}
+
+static inline bool light_picture(const light_tracer *t, uint64_t seed, size_t paths, int threads,
+                                 image *im, light_counts *c)
+{
+    light_share l = {.t = t, .seed = seed, .paths = paths / light_jobs};
+    size_t n = 3 * (size_t)t->width * (size_t)t->height;
+    *im = image_new(t->width, t->height);
+    for (int k = 0; k < light_jobs; k++) l.sum[k] = allocate(n, sizeof(double));
+    bool whole = parallel_for(light_jobs, threads, "paths from the lamp", light_job, &l);
+    for (size_t i = 0; i < n; i++) {
+        double sum = 0;
+        for (int k = 0; k < light_jobs; k++) sum += l.sum[k][i];
+        im->rgb[i] = (float)(sum / (double)paths);
+    }
+    for (int k = 0; k < light_jobs; k++) {
+        c->paths += l.work[k].paths, c->rays += l.work[k].rays, c->shadow += l.work[k].shadow;
+        free(l.sum[k]);
+    }
+    return whole;
 }
 
 #endif

@@ -138,6 +138,12 @@ typedef struct {
     int bounces;
 } path_walk;
 
+static inline path_walk path_begin(ray eye)
+{
+    return (path_walk){.beta = {1, 1, 1}, .r = eye, .left = no_shape, .pdf = real_infinity,
+                       .squeezed = 1};
+}
+
 static inline vec3 path_cut(vec3 c, real most)
 {
     real x = real_max(real_max(c.x, c.y), c.z);
@@ -282,8 +288,7 @@ static inline bool path_step(const path_tracer *t, path_walk *w, path_random *s,
 __attribute__((flatten))
 static inline vec3 path_radiance(const path_tracer *t, ray eye, path_random *s, path_counts *c)
 {
-    path_walk w = {.beta = {1, 1, 1}, .r = eye, .left = no_shape, .pdf = real_infinity,
-                   .squeezed = 1};
+    path_walk w = path_begin(eye);
     c->paths++;
     if (t->dark) return w.L;
     c->camera++;

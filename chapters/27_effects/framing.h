@@ -28,18 +28,6 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* (27.5), of the box's eight corners. */
-static inline real framing_distance(const camera_frame *c, vec3 half, real aspect, real tangent)
-{
-    real D = 0;
-    for (int k = 0; k < 8; k++) {
-        vec3 q = {k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z};
-        real u = vdot(q, c->u), v = vdot(q, c->v), w = vdot(q, c->w);
-        D = real_max(D, w + real_max(fabs(v), fabs(u) / aspect) / tangent);
-    }
-    return D;
-}
-
 static inline bool framing_find(const studio *s, real aspect, studio_view *out, failure *f)
 {
     static const vec3 ups[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -52,7 +40,7 @@ static inline bool framing_find(const studio *s, real aspect, studio_view *out, 
     if (!frame_look_at(towards, (vec3){0, 0, 0}, up, &c, f)) return false;
     vec3 half = vsub(vscale(hi, 0.5), vscale(lo, 0.5));
     out->at = vmadd(vscale(lo, 0.5), hi, 0.5);
-    real D = framing_distance(&c, half, aspect, half_tangent(40));
+    real D = camera_distance(&c, half, aspect, half_tangent(40));
     if (!(D > 0)) D = real_max(1, vlength(out->at)) / 16;  /* one point */
     out->from = vmadd(out->at, c.w, D * (real)1.04);
     if (vfinite(out->from) && vfinite(out->at)) return true;

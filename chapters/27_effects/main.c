@@ -5,15 +5,13 @@ cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 27_effects chapters
  *   27_effects room.scene --out room.png --camera "from 0 1 5 at 0 1 0"
  *   27_effects room.scene --effects all   everything at every hit: is it the same?
  *   27_effects room.scene --price         what each effect costs, and what leaving it out
- *   27_effects room.scene --price --region 40x30+160+120     for these pixels, at (160, 120)
  *
  * Without options: six scenes, each a line longer, and what they took; --full: scenes/demo.scene as
  * well, the price list, and what being general costs. With some the picture goes to build/, if
- * --out names no other, and the scene is the demo, if none is named. What the command line says of
- * camera, lens, lights and surroundings replaces what the files say; the words are those of scene
-  * files. */
+ * --out names no other, and the scene is the last of the six, if none is named. What the command
+ * line says of camera, lens, lights and surroundings replaces what the files say; the words are
+ * those of scene files. */
 #include "lab/command.h"
-#include "lab/demo.h"
 #include "lab/explain.h"
 
 int main(int argc, char **argv)
@@ -24,7 +22,6 @@ int main(int argc, char **argv)
         {"effects", OPTION_TEXT, &q.effects, 0, 0, "LIST simulate: all, none, called, -soft .."},
         {"explain", OPTION_FLAG, &q.told, 0, 0, "say what the scene calls for, and why"},
         {"price", OPTION_FLAG, &q.priced, 0, 0, "leave out each effect in turn: time and error"},
-        {"region", OPTION_TEXT, &q.region, 0, 0, "WxH+X+Y: of the picture these pixels only"},
         {"error", OPTION_REAL, &q.run.error, 1e-9, 1e9, "until the RMSE is no larger, in radiance"},
         {"time", OPTION_REAL, &q.run.seconds, 1e-3, 1e7, "the best picture in so many seconds"},
         {"save", OPTION_OUTPUT, &q.run.save, 0, 0, "keep the state here, after every pass"},
@@ -50,8 +47,7 @@ int main(int argc, char **argv)
     camera c;
     effects_stage e;
     failure f;
-    if (q.path ? !studio_read(q.path, &q.words, &s, &f)
-               : !studio_read_text(demo_scene, "demo.scene", &q.words, &s, &f)) fail(f);
+    request_read(&q, &o, &s);
     explain_warnings(stderr, &s);
     plan p = plan_of(&s);
     unsigned mask = p.effects;

@@ -19,7 +19,7 @@
 #include "../../chapters/19_whitted/lab/first_world.h"
 #include "../../chapters/21_distributed/distributed.h"
 #include "../../chapters/27_effects/files/studio_read.h"
-#include "../../chapters/27_effects/lab/draw.h"
+#include "../../chapters/27_effects/draw.h"
 #include "../../chapters/27_effects/first.h"
 #include "../../chapters/27_effects/plan.h"
 #include "../21_known.h"
@@ -475,10 +475,9 @@ static inline bool room_is_whole(double kd, double y, int mirror)
     plan p = plan_of(&s);
     image im[2];
     for (int j = 0; j < 2; j++) {
-        im[j] = image_new(across, down);
         drawing d = {.e = &e, .samples = 2, .seed = 5, .width = across, .height = down};
         effects_stage_effects(&e, j ? EFFECTS_EVERYTHING : p.effects | EFFECTS_DICED);
-        draw_region(&d, &im[j], 0, 0, 1);
+        draw_image(&d, &im[j], 1);
     }
     bool same = memcmp(im[0].rgb, im[1].rgb, 3 * across * down * sizeof *im[0].rgb) == 0;
     for (int j = 0; j < 2; j++) image_free(&im[j]);

@@ -26,7 +26,7 @@
 typedef enum {
     CORNELL_WHITE, CORNELL_RED, CORNELL_GREEN, CORNELL_LIGHT, cornell_parts
 } cornell_part;
-enum { cornell_triangles = 38 };
+enum { cornell_triangles = 38, cornell_room = 18 };  /* those of the room come first */
 
 static const vec3 cornell_reflectance[cornell_parts] = {
     {0.725, 0.71, 0.68}, {0.63, 0.065, 0.05},

@@ -2,6 +2,8 @@
  *
  *   lit_scene s;
  *   lit_cornell(&s);              then lit_trace(&s, ..), in the end lit_free(&s)
+ *   lit_cornell_begin(&s);        or before lit_end: to add things to the box
+ *   lit_cornell_room(&s, n);      the same, of the first n triangles; cornell_room: no blocks
  *   camera c = cornell_camera(1);
  *
  * The light is ONE rectangle emitter, number 0, though rays meet it as two triangles. The order of
@@ -15,8 +17,7 @@
 
 /* ---------------------------------------------------------------------------------------------- */
 
-/* Before lit_end: to add things to the box. */
-static inline void lit_cornell_begin(lit_scene *s)
+static inline void lit_cornell_room(lit_scene *s, size_t triangles)
 {
     mesh m = cornell_mesh();
     lit_begin(s);
@@ -25,7 +26,7 @@ static inline void lit_cornell_begin(lit_scene *s)
         if (k == CORNELL_LIGHT) x.Le = cornell_radiance;
         lit_add_material(s, x);
     }
-    for (size_t i = 0; i < m.triangles; i++) {
+    for (size_t i = 0; i < triangles; i++) {
         cornell_part part = cornell_of(i);
         rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
         if (part != CORNELL_LIGHT) lit_add_triangle(s, mesh_triangle(&m, i), (uint16_t)part);
@@ -33,6 +34,8 @@ static inline void lit_cornell_begin(lit_scene *s)
     }
     mesh_free(&m);
 }
+
+static inline void lit_cornell_begin(lit_scene *s) { lit_cornell_room(s, cornell_triangles); }
 
 static inline void lit_cornell(lit_scene *s)
 {

@@ -9,13 +9,12 @@
 
 #include "../../../common/lab/report.h"
 #include "../long_run.h"
-#include "../render.h"
 #include "showcase.h"
 
 enum { command_most_parts = 4096 };
 static const char command_name[] = "26_path_tracer_render.png";
 typedef struct {
-    const char *scene, *obj, *sky, *range, *merge, *strategy;
+    const char *scene, *obj, *sky, *range, *merge;
     double clamp;
     long_run run;
     const char *part[command_most_parts];
@@ -34,16 +33,17 @@ static inline void command_part(command *c, const char *path)
 /* --merge A B C: takes the words up to the next option out of argv; they go to c->part. */
 static inline int command_merge(int argc, char **argv, command *c)
 {
-    int kept = 1;
+    int kept = 1, words = 0;  /* --merge and what is behind it, so far */
     for (int i = 1; i < argc; i++) {
-        argv[kept++] = argv[i];
         bool joined = strncmp(argv[i], "--merge=", 8) == 0;
-        bool merge = joined || strcmp(argv[i], "--merge") == 0;
         if (joined) command_part(c, argv[i] + 8);
-        else if (merge && i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0)
-            command_part(c, argv[kept++] = argv[++i]);
-        while (merge && i + 1 < argc && strncmp(argv[i + 1], "--", 2) != 0)
-            command_part(c, argv[++i]);
+        if (strncmp(argv[i], "--", 2) == 0)
+            words = joined ? 2 : strcmp(argv[i], "--merge") == 0;
+        else if (words > 0) {
+            command_part(c, argv[i]);
+            if (words++ > 1) continue;
+        }
+        argv[kept++] = argv[i];
     }
     return kept;
 }
@@ -51,24 +51,15 @@ static inline int command_merge(int argc, char **argv, command *c)
 static inline bool command_given(const command *c, const options *o)
 {
     return c->scene || c->obj || c->sky || c->range || c->merge || long_run_given(&c->run)
-        || c->strategy || c->clamp > 0 || o->samples > 0;
+        || c->clamp > 0 || o->samples > 0;
 }
 
-static inline path_options command_options(const command *c)
-{
-    path_options p = path_defaults;
-    const char *s = c->strategy ? c->strategy : "mis";
-    p.mis = strcmp(s, "mis") == 0, p.light_sampling = strcmp(s, "directions") != 0;
-    if (!p.mis && p.light_sampling && strcmp(s, "lights") != 0)
-        die(2, "--strategy %.200s: allowed are mis, lights, directions", s);
-    p.clamp = (real)c->clamp;
-    return p;
-}
-
-static inline uint64_t command_file_hash(const char *path)
+/* Of a file's bytes; 0: no file. */
+static inline unsigned long long command_file_hash(const char *path)
 {
     size_t n;
     failure f;
+    if (!path) return 0;
     char *text = file_read(path, &n, &f);
     if (!text) fail(f);
     uint64_t h = state_hash(state_hash_start, text, n);
@@ -76,32 +67,28 @@ static inline uint64_t command_file_hash(const char *path)
     return h;
 }
 
+static inline const char *command_of(const command *c)
+{
+    return c->obj ? "obj" : c->scene ? c->scene : "cornell";
+}
+
 /* All that a sample depends on, but for its number and the size. */
 static inline void command_settings(command *c, const options *o)
 {
-    char *to = c->run.settings;
-    const char *name = c->obj ? "obj" : c->scene ? c->scene : "cornell";
-    int n = snprintf(to, state_settings, "scene %.100s\n", name);
-    if (c->obj) n += snprintf(to + n, state_settings - (size_t)n, "file %016llx\n",
-                              (unsigned long long)command_file_hash(c->obj));
-    if (c->sky) n += snprintf(to + n, state_settings - (size_t)n, "environment %016llx\n",
-                              (unsigned long long)command_file_hash(c->sky));
-    snprintf(to + n, state_settings - (size_t)n,
-             "strategy %.20s\nclamp %.17g\nreal %s\nseed %llu\n",
-             c->strategy ? c->strategy : "mis", c->clamp,
-             real_is_float ? "float" : "double", (unsigned long long)o->seed);
+    snprintf(c->run.settings, state_settings, "scene %.100s\nfile %016llx\nenvironment %016llx\n"
+             "clamp %.17g\nreal %s\nseed %llu\n", command_of(c), command_file_hash(c->obj),
+             command_file_hash(c->sky), c->clamp, real_is_float ? "float" : "double",
+             (unsigned long long)o->seed);
 }
 
 static inline void command_scene(const command *c, real aspect, showcase *out)
 {
     failure f;
-    bool ok = c->obj ? showcase_of_obj(c->obj, aspect, out, &f)
-                     : showcase_of(c->scene ? c->scene : "cornell", aspect, out, &f);
-    if (!ok) fail(f);
-    if (!c->sky) return;
-    if (out->has_sky) environment_free(&out->sky);
-    if (!environment_read(c->sky, &out->sky, &f)) fail(f);
-    out->has_sky = true;
+    if (!(c->obj ? showcase_of_obj(c->obj, aspect, out, &f)
+                 : showcase_of(command_of(c), aspect, out, &f))) fail(f);
+    if (c->sky && out->has_sky) environment_free(&out->sky);
+    if (c->sky && !environment_read(c->sky, &out->sky, &f)) fail(f);
+    out->has_sky = out->has_sky || c->sky;
 }
 
 static inline void command_report(const options *o, const film *f, const render_job *j,
@@ -159,31 +146,30 @@ static inline void command_check(const command *c, const options *o)
     if (c->range && (goal || c->run.resume))
         die(2, "--range does those samples alone: no --samples, --error, --time, --resume");
     if (c->merge && (c->range || goal || c->run.resume || c->scene || c->obj || c->sky
-                     || c->strategy || c->clamp > 0))
+                     || c->clamp > 0))
         die(2, "--merge puts states together: it takes --save and --out only");
 }
 
 static inline void command_run(command *c, const options *o)
 {
-    if (c->merge) { command_check(c, o), command_run_merge(c, o); return; }
-    long_run *l = &c->run;
-    showcase shown;
-    path_tracer t;
     command_check(c, o);
+    if (c->merge) { command_run_merge(c, o); return; }
+    long_run *l = &c->run;
+    shot s;
+    path_options how = path_defaults;
+    how.clamp = (real)c->clamp;
     film_range range = c->range ? command_range(c) : (film_range){0, 0};
-    path_options how = command_options(c);
     command_settings(c, o);
     film f = long_run_begin(l, o, o->width, o->height);
-    command_scene(c, (real)o->width / (real)o->height, &shown);
-    path_tracer_of(&shown.s, showcase_sky(&shown), how, &t);
-    render_job j = {.tracer = &t, .eye = shown.eye, .seed = o->seed, .threads = o->threads};
+    command_scene(c, (real)o->width / (real)o->height, &s.c);
+    shot_begin(&s, o, how, f);
     uint32_t samples = o->samples > 0 ? (uint32_t)o->samples
                      : l->error > 0 || l->seconds > 0 ? 0 : o->quick ? 4 : 16;
-    bool whole = c->range ? render_range(&j, &f, range.begin, range.end)
-                          : render_until(&j, &f, long_run_goal(l, samples));
-    if (whole) command_report(o, &f, &j, c->obj ? c->obj : c->scene ? c->scene : "cornell");
-    long_run_end(l, o, &f, command_name, whole);
-    film_free(&f), path_tracer_free(&t), showcase_free(&shown);
+    bool whole = c->range ? render_range(&s.j, &s.film, range.begin, range.end)
+                          : render_until(&s.j, &s.film, long_run_goal(l, samples));
+    if (whole) command_report(o, &s.film, &s.j, c->obj ? c->obj : command_of(c));
+    long_run_end(l, o, &s.film, command_name, whole);
+    shot_free(&s);
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* showcase.h: scenes for the path tracer, each with a camera and its light.
+/* showcase.h: scenes for the path tracer, each with a camera and its light; and what renders them.
  *
  *   showcase c;
  *   if (!showcase_of("cornell", aspect, &c, &f)) fail(f);    aspect: width / height
@@ -7,24 +7,28 @@
  *
  *   cornell   the box of 21, matte, one light                       38 triangles
  *   spheres   the box without blocks: a mirror and a ball of glass, faintly green
+ *   metal     the same with a ball of metal and a matte one: the page's four panels
  *   teapot    of rough copper, in the open: sky, sun, a floor       9 x 9 cells a patch
  *   rough     five balls of glass, each rougher than the one before, and stripes behind them
- *   furnace   balls of all BRDFs of 23, and of glass, in a white world: they show what they lose
  *   OBJ       matte grey, on a floor, under the same sky
+ *
+ *   shot s;
+ *   shot_of(&s, &o, "metal", how, w, h);     a scene, its tracer, a job (render.h), an empty film
+ *   image im = shot_picture(&s, exposure);   what s.film holds
+ *   shot_free(&s)
  */
 #ifndef PATH_SHOWCASE_H
 #define PATH_SHOWCASE_H
 
+#include "../../../common/options.h"
 #include "../../07_mesh/files/obj.h"
 #include "../../07_mesh/scenes/teapot.h"
 #include "../../24_direct_light/scenes/lit_cornell.h"
-#include "../path.h"
+#include "../render.h"
 
 typedef struct { lit_scene s; environment sky; bool has_sky; camera eye; } showcase;
-static const char *const showcase_names[] = {"cornell", "spheres", "teapot", "rough", "furnace",
-                                             NULL};
-enum { showcase_rough_balls = 5 };
-static const double showcase_alpha[showcase_rough_balls] = {0, 0.04, 0.08, 0.16, 0.32};
+typedef struct { showcase c; path_tracer t; render_job j; film film; } shot;
+static const char showcase_names[] = "cornell, spheres, metal, teapot, rough";
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -58,28 +62,13 @@ static inline void showcase_floor(lit_scene *s, vec3 middle, real half, vec3 alb
     lit_add_rectangle(s, (rectangle){o, {0, 0, 2 * half}, {2 * half, 0, 0}}, m);
 }
 
-static inline void showcase_spheres(lit_scene *s)
+/* Their materials are the last two: cornell_parts and the next. */
+static inline void showcase_balls(lit_scene *s, lit_material left, lit_material right)
 {
-    mesh m = cornell_mesh();
-    enum { room = 18 };  /* triangles that are no blocks */
-    lit_begin(s);
-    for (int k = 0; k < cornell_parts; k++) {
-        lit_material x = {.f = brdf_lambert(cornell_reflectance[k])};
-        if (k == CORNELL_LIGHT) x.Le = cornell_radiance;
-        lit_add_material(s, x);
-    }
-    rectangle lamp = {cornell_corner, cornell_side_s, cornell_side_t};
-    for (size_t i = 0; i < room; i++)
-        if (cornell_of(i) != CORNELL_LIGHT)
-            lit_add_triangle(s, mesh_triangle(&m, i), (uint16_t)cornell_of(i));
-    lit_add_rectangle(s, lamp, CORNELL_LIGHT);
-    mesh_free(&m);
     real r = 100;
-    showcase_ball(s, (vec3){390, r, 350}, r,
-                  (lit_material){.f = brdf_mirror(vec(0.95, 0.93, 0.88))});
-    showcase_ball(s, (vec3){170, r, 200}, r,
-                  (lit_material){.ior = 1.5,
-                                 .sigma = {0.0016, 0.0004, 0.0012}});
+    lit_cornell_room(s, cornell_room);
+    showcase_ball(s, (vec3){390, r, 350}, r, left);
+    showcase_ball(s, (vec3){170, r, 200}, r, right);
 }
 
 static inline void showcase_outdoors(showcase *c)
@@ -100,13 +89,14 @@ static inline void showcase_teapot(showcase *c, real aspect)
     mesh_free(&m);
     showcase_floor(&c->s, (vec3){0, 0, 0}, 60, vec(0.48, 0.42, 0.36));
     showcase_outdoors(c);
-    c->eye = showcase_eye(vec(2.5, 6.5, 13), vec(0.25, 1.3, 0), 24,
-                          aspect);
+    c->eye = showcase_eye(vec(2.5, 6.5, 13), vec(0.25, 1.3, 0), 24, aspect);
 }
 
 /* A wall of stripes, of two colours each; a large lamp above, and even light from all around. */
-static inline void showcase_rough(lit_scene *s)
+static inline void showcase_rough(showcase *c, real aspect)
 {
+    static const double alpha[5] = {0, 0.04, 0.08, 0.16, 0.32};
+    lit_scene *s = &c->s;
     lit_begin(s);
     uint16_t stripe[2] = {lit_add_material(s, (lit_material){.f = brdf_lambert(vec(.7, .66, .6))}),
                           lit_add_material(s, (lit_material){.f = brdf_lambert(vec(.1, .22, .3))})};
@@ -117,100 +107,90 @@ static inline void showcase_rough(lit_scene *s)
     }
     showcase_floor(s, (vec3){0, 0, 0}, 30, vec(0.62, 0.5, 0.4));
     lit_add_rectangle(s, (rectangle){vec(-7, 8, -2), vec(14, 0, 0), vec(0, 0, 8)}, lamp);
-    for (int k = 0; k < showcase_rough_balls; k++)
+    for (int k = 0; k < 5; k++)
         showcase_ball(s, vec(2.2 * (k - 2), 1, 0.1 * (k - 2) * (k - 2)), 1,
-                      (lit_material){.ior = 1.5, .alpha = (real)showcase_alpha[k]});
+                      (lit_material){.ior = 1.5, .alpha = (real)alpha[k]});
     s->background = vec(0.66, 0.7, 0.78);
-}
-
-static inline void showcase_furnace(lit_scene *s)
-{
-    vec3 grey = {0.8, 0.8, 0.8},
-         half = {0.5, 0.5, 0.5}, white = {1, 1, 1};
-    const brdf b[] = {brdf_lambert(grey), brdf_blinn_phong(half, half, 50),
-                      brdf_ggx(white, 0.7), brdf_ggx(white, 0.2), brdf_mirror(white)};
-    lit_begin(s);
-    for (int i = 0; i < 6; i++) {
-        vec3 at = {(real)(i % 3) * (real)2.3, (real)(1 - i / 3) * (real)2.3, 0};
-        lit_material m = {.ior = 1.5};
-        if (i < 5) m = (lit_material){.f = b[i]};
-        showcase_ball(s, at, 1, m);
-    }
-    s->background = white;
+    c->eye = showcase_eye(vec(0, 2.4, 15), vec(0, 1.15, 0), 15, aspect);
 }
 
 static inline bool showcase_of(const char *name, real aspect, showcase *c, failure *f)
 {
-    *c = (showcase){.has_sky = false};
-    if (strcmp(name, "cornell") == 0 || strcmp(name, "spheres") == 0) {
-        if (*name == 'c') lit_cornell_begin(&c->s);
-        else showcase_spheres(&c->s);
-        c->eye = cornell_camera(aspect);
-    } else if (strcmp(name, "teapot") == 0) {
-        showcase_teapot(c, aspect);
-    } else if (strcmp(name, "rough") == 0) {
-        showcase_rough(&c->s);
-        c->eye = showcase_eye(vec(0, 2.4, 15), vec(0, 1.15, 0), 15, aspect);
-    } else if (strcmp(name, "furnace") == 0) {
-        showcase_furnace(&c->s);
-        c->eye = showcase_eye(vec(2.3, 1.15, 14), vec(2.3, 1.15, 0),
-                              22, aspect);
-    } else {
-        return failed(f, 2, "--scene %.200s: allowed are cornell, spheres, teapot, rough, furnace",
-                      name);
-    }
+    vec3 silver = vec(0.95, 0.93, 0.88);
+    lit_material glass = {.ior = 1.5, .sigma = {0.0016, 0.0004, 0.0012}};
+    *c = (showcase){.eye = cornell_camera(aspect)};
+    if (strcmp(name, "cornell") == 0) lit_cornell_begin(&c->s);
+    else if (strcmp(name, "spheres") == 0)
+        showcase_balls(&c->s, (lit_material){.f = brdf_mirror(silver)}, glass);
+    else if (strcmp(name, "metal") == 0)
+        showcase_balls(&c->s, (lit_material){.f = brdf_ggx(silver, (real)0.12)},
+                       (lit_material){.f = brdf_lambert(vec(0.7, 0.7, 0.7))});
+    else if (strcmp(name, "teapot") == 0) showcase_teapot(c, aspect);
+    else if (strcmp(name, "rough") == 0) showcase_rough(c, aspect);
+    else return failed(f, 2, "--scene %.200s: allowed are %s", name, showcase_names);
     lit_end(&c->s);
     return true;
 }
 
-/* The nearest eye along `from` that sees all corners of the box, with a margin: by halving. */
-static inline camera showcase_framed(vec3 lo, vec3 hi, vec3 from, real fov, real aspect)
-{
-    vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
-    real near = vlength(half), far = near * 100 / real_min(aspect, 1);
-    for (int k = 0; k < 40; k++) {
-        real away = (near + far) / 2, x, y;
-        camera c = showcase_eye(vmadd(middle, from, away), middle, fov, aspect);
-        bool fits = true;
-        for (int i = 0; i < 8; i++) {
-            vec3 p = {i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z};
-            fits = fits && camera_project(c, p, 100, 100, &x, &y) && x > 6 && x < 94 && y > 6
-                && y < 94;
-        }
-        if (fits) far = away;
-        else near = away;
-    }
-    return showcase_eye(vmadd(middle, from, far), middle, fov, aspect);
-}
-
-/* From the front, a little from above. */
+/* From the front, a little from above: the nearest eye that sees all of it, with a margin. */
 static inline bool showcase_of_obj(const char *path, real aspect, showcase *c, failure *f)
 {
     mesh m;
-    vec3 lo, hi;
+    vec3 lo, hi, grey = {0.72, 0.7, 0.66}, from = vunit(vec(0.45, 0.4, 1));
+    camera_frame frame;
     *c = (showcase){.has_sky = false};
     if (!obj_read(path, &m, f)) return false;
     bool some = mesh_bounds(&m, &lo, &hi);
     vec3 half = vscale(vsub(hi, lo), 0.5), middle = vadd(lo, half);
-    real r = vlength(half), fov = 30;
-    if (!some || !(r > 0) || !isfinite(r)) {
-        mesh_free(&m);
-        return failed(f, 2, "%.300s: no triangles of any size to draw", path);
+    real r = vlength(half), fov = 30, margin = (real)0.88;
+    bool seen = some && r > 0 && isfinite(1000 * r) && vfinite(vscale(middle, 1000));
+    if (seen) {
+        lit_begin(&c->s);
+        lit_add_mesh(&c->s, &m, lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)}));
     }
-    if (!isfinite(1000 * r) || !vfinite(vscale(middle, 1000))) {
-        mesh_free(&m);
-        return failed(f, 2, "%.300s: too large to be seen from anywhere", path);
-    }
-    lit_begin(&c->s);
-    vec3 grey = {0.72, 0.7, 0.66};
-    uint16_t clay = lit_add_material(&c->s, (lit_material){.f = brdf_lambert(grey)});
-    lit_add_mesh(&c->s, &m, clay);
     mesh_free(&m);
+    if (!seen) return failed(f, 2, some && r > 0 ? "%.300s: too large to be seen from anywhere"
+                             : "%.300s: no triangles of any size to draw", path);
     showcase_floor(&c->s, (vec3){middle.x, lo.y, middle.z}, 30 * r, vscale(grey, 0.6));
     showcase_outdoors(c);
-    c->eye = showcase_framed(lo, hi, vunit(vec(0.45, 0.4, 1)), fov, aspect);
+    if (!frame_look_at(from, (vec3){0, 0, 0}, (vec3){0, 1, 0}, &frame, f)) return false;
+    real away = camera_distance(&frame, half, aspect, half_tangent(fov) * margin);
+    c->eye = showcase_eye(vmadd(middle, from, away), middle, fov, aspect);
     lit_end(&c->s);
     return true;
+}
+
+/* ---- one of them, and what renders it ---- */
+
+static inline void shot_begin(shot *s, const options *o, path_options how, film f)
+{
+    path_tracer_of(&s->c.s, showcase_sky(&s->c), how, &s->t);
+    s->j = (render_job){.tracer = &s->t, .eye = s->c.eye, .seed = o->seed, .threads = o->threads};
+    s->film = f;
+}
+
+static inline void shot_of(shot *s, const options *o, const char *name, path_options how, int w,
+                           int h)
+{
+    failure f;
+    if (!showcase_of(name, (real)w / (real)h, &s->c, &f)) fail(f);
+    shot_begin(s, o, how, film_new(w, h));
+}
+
+static inline image exposed(image im, float exposure)
+{
+    for (size_t i = 0; i < 3 * (size_t)im.width * (size_t)im.height; i++) im.rgb[i] *= exposure;
+    return im;
+}
+
+static inline image shot_picture(const shot *s, float exposure)
+{
+    return exposed(film_picture(&s->film), exposure);
+}
+
+static inline void shot_free(shot *s)
+{
+    film_free(&s->film), path_tracer_free(&s->t), showcase_free(&s->c);
 }
 
 #endif

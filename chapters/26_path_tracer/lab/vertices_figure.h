@@ -1,6 +1,6 @@
 /* vertices_figure.h: the drawing of this chapter: a path with its light samples and weights, in
- * the box of the pictures beside it: the first that has four hits, the metal first, and is ended by
- * the dice. The metal is rougher here, so that both weights can be seen.
+ * the box of the pictures beside it: four hits, the metal first, and ended by the dice. The metal
+ * is rougher here, so that both weights can be seen.
  *
  *   draw_vertices(&o);      26_path_tracer_vertices.svg
  *
@@ -11,15 +11,13 @@
 #define PATH_VERTICES_FIGURE_H
 
 #include "../../../common/lab/figure.h"
-#include "pictures.h"
+#include "showcase.h"
 
-enum { vertices_most = 4 };
-enum { vertices_walls = 9 };  /* of the box's parallelograms; the others are its blocks */
+enum { vertices_most = 8 };
 typedef struct {
     vec3 p, lamp, beta, gain;
     real weight;               /* w_L */
     bool drawn, blocked;       /* a point of the lamp; is it in shadow? */
-    bool metal;
 } vertex_seen;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -36,57 +34,23 @@ static inline void vertices_light(const path_tracer *t, const path_walk *w, cons
     v->weight = mis_power(l.pdf, brdf_pdf_local(&x->m->f, wi, to_local(f, vneg(vunit(w->r.d)))));
 }
 
-/* The number of hits; *died: by the dice, after vertices_most. */
-static inline int vertices_of(const path_tracer *t, ray eye, path_random *s,
-                              vertex_seen v[vertices_most], bool *died)
+/* The number of hits. */
+static inline int vertices_of(const path_tracer *t, ray eye, path_random s,
+                              vertex_seen v[vertices_most])
 {
-    path_walk w = {.beta = {1, 1, 1}, .r = eye, .left = no_shape, .pdf = real_infinity,
-                   .squeezed = 1};
+    path_walk w = path_begin(eye);
     path_counts c = {0};
-    bool on = true;
     int n = 0;
-    for (; on && n < vertices_most; n++) {
+    for (bool on = true; on && n < vertices_most; n++) {
         lit_hit x = {.m = NULL};
         vec3 before = w.L;
-        if (!lit_trace_from(t->scene, w.r, w.left, &x) || x.emitter != lit_dark) return 0;
-        v[n] = (vertex_seen){.p = x.s.p, .beta = w.beta,
-                               .metal = x.m->f.kind == BRDF_GGX};
-        vertices_light(t, &w, &x, *s, &v[n]);
-        on = path_step(t, &w, s, &c);
+        if (!lit_trace_from(t->scene, w.r, w.left, &x)) break;
+        v[n] = (vertex_seen){.p = x.s.p, .beta = w.beta};
+        vertices_light(t, &w, &x, s, &v[n]);
+        on = path_step(t, &w, &s, &c);
         v[n].gain = vsub(w.L, before);
     }
-    *died = !on && c.dice > 0;
     return n;
-}
-
-/* Far enough apart to be told from each other; on the metal both ways to the lamp count. */
-static inline bool vertices_fit(const vertex_seen *v, int n, bool died)
-{
-    const real apart = 120, clear = (real)0.1;
-    int drawn = 0;
-    if (n < vertices_most || !died) return false;
-    for (int k = 0; k < n; k++) {
-        drawn += v[k].drawn;
-        for (int i = 0; i < k; i++)
-            if (vlength(vsub(v[k].p, v[i].p)) < apart) return false;
-    }
-    return drawn >= n - 1 && v[0].metal && v[0].weight > clear && v[0].weight < 1 - clear;
-}
-
-/* Where the metal shows the lamp: a square of pixels. */
-static inline bool vertices_find(const path_tracer *t, camera eye, vertex_seen v[vertices_most])
-{
-    enum { side = 100, left = 30, top = 55, across = 15, tries = 100 };
-    for (int k = 0; k < across * across * tries; k++) {
-        int i = k % (across * across), x = left + i % across, y = top + i / across;
-        path_random s = path_start(&t->how, 1, (uint64_t)k, 0, 1);
-        point2 u = path_pair(&s);
-        bool died = false;
-        ray r = camera_ray(eye, (real)x + u.u, (real)y + u.v, side, side);
-        int n = vertices_of(t, r, &s, v, &died);
-        if (vertices_fit(v, n, died)) return true;
-    }
-    return false;
 }
 
 typedef struct { double x, y; } vertices_point;
@@ -101,20 +65,6 @@ static inline vertices_point vertices_place(camera c, vec3 p)
 static inline vec3 vertices_from(vec3 eye, const vertex_seen *v)
 {
     return vadd(v[0].p, vscale(vsub(eye, v[0].p), (real)0.42));
-}
-
-/* From outside, through the red wall. */
-static inline camera vertices_view(void)
-{
-    return showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
-}
-
-static inline void vertices_line(figure *g, camera c, vec3 a, vec3 b, const char *colour,
-                                 double width, const char *dashes)
-{
-    vertices_point p = vertices_place(c, a), q = vertices_place(c, b);
-    if (*dashes) figure_line(g, p.x, p.y, q.x, q.y, colour, width, dashes);
-    else figure_arrow(g, p.x, p.y, q.x, q.y, colour, width);
 }
 
 /* The wall that the drawing looks through is tinted glass. */
@@ -140,22 +90,19 @@ static inline void vertices_wall(figure *g, camera c, const mesh *m, size_t quad
     figure_polygon(g, 4, xy, colour, faces ? 1 : 0.35, edges ? "#bbbbbb" : colour);
 }
 
-static inline void vertices_ball(figure *g, camera c, sphere s, const char *colour)
-{
-    vertices_point p = vertices_place(c, s.c), q = vertices_place(c, vmadd(s.c, c.u, s.r));
-    figure_dot(g, p.x, p.y, g->unit * hypot(q.x - p.x, q.y - p.y), colour);
-}
-
 static inline void vertices_room(figure *g, camera c, const lit_scene *s)
 {
-    enum { red = 7 };
+    enum { red = 7, walls = cornell_room / 2 };
     static const char *const colour[2] = {"#d8d2c4", "#c8c8c8"};
     mesh m = cornell_mesh();
-    for (size_t k = 0; k < vertices_walls; k++)
+    for (size_t k = 0; k < walls; k++)
         if (k != red) vertices_wall(g, c, &m, k);
     for (size_t k = s->shapes; k-- > 0;) {
-        const shape *ball = &s->shape[k];
-        if (ball->kind == SHAPE_SPHERE) vertices_ball(g, c, ball->sphere, colour[k % 2]);
+        if (s->shape[k].kind != SHAPE_SPHERE) continue;
+        sphere ball = s->shape[k].sphere;
+        vertices_point p = vertices_place(c, ball.c);
+        vertices_point q = vertices_place(c, vmadd(ball.c, c.u, ball.r));
+        figure_dot(g, p.x, p.y, g->unit * hypot(q.x - p.x, q.y - p.y), colour[k % 2]);
     }
     vertices_wall(g, c, &m, red);
     mesh_free(&m);
@@ -164,78 +111,78 @@ static inline void vertices_room(figure *g, camera c, const lit_scene *s)
 /* The n hits of a path, with their light samples. */
 static inline void vertices_path(figure *g, camera c, vec3 eye, const vertex_seen *v, int n)
 {
-    for (int k = 0; k < n; k++)
-        if (v[k].drawn)
-            vertices_line(g, c, v[k].p, v[k].lamp, v[k].blocked ? FIGURE_GREY : FIGURE_ORANGE, 2,
-                          FIGURE_DASHED);
-    for (int k = 0; k < n; k++)
-        vertices_line(g, c, k ? v[k - 1].p : vertices_from(eye, v), v[k].p, FIGURE_BLUE, 2,
-                      FIGURE_WHOLE);
+    vertices_point p[vertices_most], y[vertices_most], from;
     for (int k = 0; k < n; k++) {
-        vertices_point p = vertices_place(c, v[k].p), y = vertices_place(c, v[k].lamp);
-        if (v[k].drawn) figure_dot(g, y.x, y.y, 3.5, v[k].blocked ? FIGURE_GREY : FIGURE_RED);
-        figure_dot(g, p.x, p.y, 5, FIGURE_BLUE);
-        figure_print(g, p.x, p.y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, "*x*~%d~", k);
+        p[k] = vertices_place(c, v[k].p), y[k] = vertices_place(c, v[k].lamp);
+        if (v[k].drawn) figure_line(g, p[k].x, p[k].y, y[k].x, y[k].y,
+                                    v[k].blocked ? FIGURE_GREY : FIGURE_ORANGE, 2, FIGURE_DASHED);
+    }
+    for (int k = 0; k < n; k++) {
+        from = k ? p[k - 1] : vertices_place(c, vertices_from(eye, v));
+        figure_arrow(g, from.x, from.y, p[k].x, p[k].y, FIGURE_BLUE, 2);
+    }
+    for (int k = 0; k < n; k++) {
+        if (v[k].drawn) figure_dot(g, y[k].x, y[k].y, 3.5, v[k].blocked ? FIGURE_GREY : FIGURE_RED);
+        figure_dot(g, p[k].x, p[k].y, 5, FIGURE_BLUE);
+        figure_print(g, p[k].x, p[k].y, 9, 16, FIGURE_LEFT, FIGURE_BLACK, "*x*~%d~", k);
     }
 }
 
-static inline void vertices_names(figure *g, camera c, vec3 eye, const vertex_seen *v)
-{
-    vertices_point e = vertices_place(c, vertices_from(eye, v)), y = vertices_place(c, v[0].lamp);
-    vertices_point metal = vertices_place(c, (vec3){390, 30, 350});
-    figure_text(g, y.x, y.y, 0, -14, FIGURE_MIDDLE, FIGURE_BLACK, "lamp");
-    figure_text(g, metal.x, metal.y, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "metal");
-    figure_text(g, e.x, e.y, -4, 18, FIGURE_MIDDLE, FIGURE_BLACK, "from the eye");
-}
-
 /* Of three channels the green one: what each vertex adds to the pixel. */
-static inline void vertices_rows(figure *g, const vertex_seen *v)
+static inline void vertices_rows(figure *g, const vertex_seen *v, int n)
 {
-    const double column[5] = {0, 50, 130, 210, 300}, row = 34;
+    const double column[5] = {0, 50, 130, 210, 300}, row = 34, below = -row * n;
     static const char *const title[5] = {"hit", "_β_~k~", "_w_~L~", "_w_~B~", "adds to _L_"};
     double sum = 0;
     char text[64];
     for (int k = 0; k < 5; k++)
         figure_text(g, column[k], 0, 0, 0, FIGURE_LEFT, FIGURE_BLACK, title[k]);
     figure_line(g, 0, -12, 420, -12, FIGURE_GREY, 1, FIGURE_WHOLE);
-    for (int k = 0; k < vertices_most; k++) {
-        double y = -row * (k + 1), gain = (double)v[k].gain.y;
+    for (int k = 0; k < n; k++) {
+        double y = -row * (k + 1), gain = (double)v[k].gain.y, w = (double)v[k].weight;
         figure_print(g, column[0], y, 0, 0, FIGURE_LEFT, FIGURE_BLUE, "*x*~%d~", k);
         figure_print(g, column[1], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.3f", (double)v[k].beta.y);
-        figure_print(g, column[2], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", (double)v[k].weight);
-        figure_print(g, column[3], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f",
-                     1 - (double)v[k].weight);
+        figure_print(g, column[2], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", w);
+        figure_print(g, column[3], y, 0, 0, FIGURE_LEFT, FIGURE_BLACK, "%.4f", 1 - w);
         snprintf(text, sizeof text, v[k].blocked ? "0: shadow" : v[k].drawn ? "%.4f" : "0: behind",
                  gain);
         figure_text(g, column[4], y, 0, 0, FIGURE_LEFT, gain > 0 ? FIGURE_RED : FIGURE_GREY, text);
         sum += gain;
     }
-    figure_line(g, 0, -4 * row - 12, 420, -4 * row - 12, FIGURE_GREY, 1, FIGURE_WHOLE);
-    figure_text(g, 0, -5 * row, 0, 0, FIGURE_LEFT, FIGURE_BLACK,
-                "the dice end it at *x*~3~; this path brings");
-    figure_print(g, column[4], -5 * row, 0, 0, FIGURE_LEFT, FIGURE_RED, "%.4f", sum);
+    figure_line(g, 0, below - 12, 420, below - 12, FIGURE_GREY, 1, FIGURE_WHOLE);
+    figure_print(g, 0, below - row, 0, 0, FIGURE_LEFT, FIGURE_BLACK,
+                 "the dice end it at *x*~%d~; this path brings", n - 1);
+    figure_print(g, column[4], below - row, 0, 0, FIGURE_LEFT, FIGURE_RED, "%.4f", sum);
 }
 
+/* Of the pixels that the metal shows the lamp in, one whose path has four hits that are far enough
+ * apart, and on the metal two weights that count: found by trying. */
 static inline void draw_vertices(const options *o)
 {
-    showcase c;
-    path_tracer t;
+    enum { side = 100, x = 39, y = 62, tried = 114 };
+    shot s;
     vertex_seen v[vertices_most];
-    step_scene(&c);
-    c.s.material[cornell_parts].f = brdf_ggx(vec(0.95, 0.93, 0.88), (real)0.3);
-    path_tracer_of(&c.s, NULL, path_defaults, &t);
-    camera view = vertices_view();
-    if (vertices_find(&t, c.eye, v)) {
-        figure g = figure_begin(o, "26_path_tracer_vertices.svg", 940, 480);
-        figure_origin(&g, 0, 480, 480);
-        vertices_room(&g, view, &c.s);
-        vertices_path(&g, view, c.eye.e, v, vertices_most);
-        vertices_names(&g, view, c.eye.e, v);
-        figure_origin(&g, 500, 130, 1);
-        vertices_rows(&g, v);
-        figure_end(&g);
-    }
-    path_tracer_free(&t), showcase_free(&c);
+    shot_of(&s, o, "metal", path_defaults, side, side);
+    s.c.s.material[cornell_parts].f = brdf_ggx(vec(0.95, 0.93, 0.88), (real)0.3);
+    path_random r = path_start(&s.t.how, 1, tried, 0, 1);
+    point2 u = path_pair(&r);
+    int n = vertices_of(&s.t, camera_ray(s.c.eye, x + u.u, y + u.v, side, side), r, v);
+    /* From outside, through the red wall. */
+    camera c = showcase_eye(vec(1050, 430, -1150), vec(300, 255, 170), 31, 1);
+    vertices_point e = vertices_place(c, vertices_from(s.c.eye.e, v));
+    vertices_point lamp = vertices_place(c, v[0].lamp);
+    vertices_point metal = vertices_place(c, (vec3){390, 30, 350});
+    figure g = figure_begin(o, "26_path_tracer_vertices.svg", 940, 480);
+    figure_origin(&g, 0, 480, 480);
+    vertices_room(&g, c, &s.c.s);
+    vertices_path(&g, c, s.c.eye.e, v, n);
+    figure_text(&g, lamp.x, lamp.y, 0, -14, FIGURE_MIDDLE, FIGURE_BLACK, "lamp");
+    figure_text(&g, metal.x, metal.y, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "metal");
+    figure_text(&g, e.x, e.y, -4, 18, FIGURE_MIDDLE, FIGURE_BLACK, "from the eye");
+    figure_origin(&g, 500, 130, 1);
+    vertices_rows(&g, v, n);
+    figure_end(&g);
+    shot_free(&s);
 }
 
 #endif

@@ -1,8 +1,9 @@
 /* price.h: what each effect takes and gives: rays, time, and the error of leaving it out.
  *
  *   table_of_effects(&o, &p, &j)             what a picture took: rays by effect
- *   table_of_price(&o, &p, &e, window, n)    each called effect left out in turn, each declined one
- *                                            added; n samples a pixel; 27_effects_price_time.svg
+ *   table_of_price(&o, &p, &e, w, h, n)      each called effect left out in turn, each declined
+ *                                            one added; w x h pixels of n samples; and as bars,
+ *                                            light above, time below: 27_effects_price_time.svg
  *
  * Prices are medians of rounds in which all variants take their turn. Random numbers have names
  * (dice.h), so that what an effect does not touch is the same in both pictures, noise included: the
@@ -11,15 +12,21 @@
 #ifndef EFFECTS_PRICE_H
 #define EFFECTS_PRICE_H
 
+#include "../../../common/lab/figure.h"
 #include "../../../common/lab/report.h"
-#include "bars.h"
 #include "../plan.h"
-#include "draw.h"
+#include "../draw.h"
 
 enum { price_most_rounds = 5 };
-
-/* The pixels from (x, y) on of a picture of across x down. */
-typedef struct { int x, y, width, height, across, down; } draw_window;
+typedef struct {
+    int effect;               /* left out of what the plan draws, or added to it; -1: neither */
+    unsigned mask;
+    drawing j;
+    image im;
+    double seconds[price_most_rounds];
+    bool declined;
+    double light, time;       /* per cent of the picture's */
+} price_run;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -30,7 +37,7 @@ static inline void table_of_effects(const options *o, const plan *p, const drawi
                             ? "What everything took, called for or not: rays"
                             : "What the picture took, by effect: rays",
                         "effect|verdict|simulated|rays|rays a sample");
-    double samples = (double)j->pixels * j->pass.samples;
+    double samples = draw_pixels(j) * j->pass.samples;
     for (int k = -1; k < effect_kinds; k++) {
         int at = k < 0 ? RAY_OF_EYE : k;
         table_text(&t, "%s", k < 0 ? "rays of the eye" : effect_names[k].name);
@@ -42,24 +49,6 @@ static inline void table_of_effects(const options *o, const plan *p, const drawi
     output_table(o, &t);
 }
 
-typedef struct {
-    drawing j;
-    image im;
-    int x, y;
-    double seconds[price_most_rounds];
-    unsigned mask;
-} price_run;
-
-static inline bool price_draw(price_run *k, effects_stage *e, int rounds, int round, int threads)
-{
-    /* General: else some sets would have a copy made for them, others not. */
-    effects_stage_effects(e, k->mask | EFFECTS_GENERAL);
-    if (round >= rounds) return true;
-    bool whole = draw_region(&k->j, &k->im, k->x, k->y, threads);
-    k->seconds[round] = k->j.pass.seconds;
-    return whole;
-}
-
 /* The mean of all channels of all pixels. */
 static inline double price_mean(const image *im)
 {
@@ -69,59 +58,79 @@ static inline double price_mean(const image *im)
     return sum / (double)n;
 }
 
-/* `effect` is in one of the two pictures: left out of what the plan draws, or added to it. */
-static inline void price_row(table *t, price_bars *bars, const plan *p, const price_run *k,
-                             int effect, const price_run *all, int rounds)
+/* One of the two pictures is with the effect, the other without it. */
+static inline void price_row(table *t, const plan *p, price_run *k, price_run *all, int rounds)
 {
-    double now[price_most_rounds], full[price_most_rounds];
-    memcpy(now, k->seconds, sizeof now), memcpy(full, all->seconds, sizeof full);
-    double pixels = (double)k->im.width * k->im.height, a = clock_median(full, rounds);
-    double b = clock_median(now, rounds), error = image_compare(&k->im, &all->im).rmse;
-    bool declined = effect >= 0 && p->declined >> effect & 1;
-    double its = declined ? price_mean(&k->im) - price_mean(&all->im)
-                          : price_mean(&all->im) - price_mean(&k->im);
-    const effects_counts *c = declined ? &k->j.counts : &all->j.counts;
-    table_text(t, "%s", effect < 0 ? "the plan" : effect_names[effect].name);
-    table_text(t, "%s", effect < 0 ? "-" : verdict_names[p->verdict[effect]]);
-    table_count(t, c->rays[effect < 0 ? RAY_OF_EYE : effect]);
-    if (effect < 0) table_text(t, "-"), table_text(t, "-"), table_text(t, "-");
-    else {
-        double brings = its / price_mean(declined ? &k->im : &all->im) * 100;
-        double time = (declined ? b - a : a - b) / a * 100;
-        table_number(t, brings), table_number(t, error), table_number(t, time);
-        price_bars_add(bars, effect_names[effect].name, declined, brings, time);
-    }
-    table_number(t, b / pixels * 1e6);
+    price_run *with = k->declined ? k : all, *without = k->declined ? all : k;
+    double a = clock_median(with->seconds, rounds), b = clock_median(without->seconds, rounds);
+    double mean = price_mean(&with->im), its = mean - price_mean(&without->im);
+    bool one = k->effect >= 0;
+    k->light = its / mean * 100, k->time = (a - b) / (k->declined ? b : a) * 100;
+    table_text(t, "%s", one ? effect_names[k->effect].name : "the plan");
+    table_text(t, "%s", one ? verdict_names[p->verdict[k->effect]] : "-");
+    table_count(t, with->j.counts.rays[one ? k->effect : RAY_OF_EYE]);
+    if (one) table_number(t, k->light), table_number(t, image_compare(&k->im, &all->im).rmse),
+             table_number(t, k->time);
+    else table_text(t, "-"), table_text(t, "-"), table_text(t, "-");
+    table_number(t, (k->declined ? a : b) / draw_pixels(&k->j) * 1e6);
 }
 
-static inline bool table_of_price(const options *o, const plan *p, effects_stage *e, draw_window w,
+/* Declined ones are hollow: their light is what the picture does without. */
+static inline void price_bars(const options *o, const price_run *run, int n)
+{
+    enum { left = 190, across = 460, row = 44, thick = 14 };
+    double most = 1;
+    int height = row * (n - 1) + 70;
+    for (int i = 1; i < n; i++) most = fmax(most, fmax(run[i].light, run[i].time));
+    figure g = figure_begin(o, "27_effects_price_time.svg", 760, height);
+    figure_origin(&g, 0, height, 1);
+    figure_text(&g, left, height - 24, 0, 0, FIGURE_LEFT, FIGURE_ORANGE,
+                "light it brings [% of the picture]");
+    figure_text(&g, left + 280, height - 24, 0, 0, FIGURE_LEFT, FIGURE_BLUE,
+                "time it takes [% of the plan's]");
+    for (int i = 1; i < n; i++) {
+        double y = height - 50 - row * (i - 1) - 24;
+        figure_print(&g, left, y, -12, -9, FIGURE_RIGHT, FIGURE_BLACK, "%s%s",
+                     effect_names[run[i].effect].name, run[i].declined ? " (declined)" : "");
+        for (int k = 0; k < 2; k++) {
+            const char *colour = k ? FIGURE_BLUE : FIGURE_ORANGE;
+            double percent = k ? run[i].time : run[i].light, foot = k ? y - 1 : y + 15;
+            double end = left + fmax(percent, 0) / most * across, top = foot + thick;
+            figure_polygon(&g, 4, (double[8]){left, foot, end, foot, end, top, left, top}, colour,
+                           run[i].declined ? 0.25 : 1, colour);
+            figure_print(&g, end, foot, 6, -2, FIGURE_LEFT, FIGURE_BLACK, "%.1f %%", percent);
+        }
+    }
+    figure_end(&g);
+}
+
+static inline bool table_of_price(const options *o, const plan *p, effects_stage *e, int w, int h,
                                   int samples)
 {
     int rounds = o->full || (o->own && !o->quick) ? 3 : 1, n = 1;
     unsigned before = e->mask, called = p->effects & before;  /* --effects may leave some out */
-    price_run run[effect_kinds + 1] = {{.mask = called}};
-    int effect[effect_kinds + 1] = {-1};
+    price_run run[effect_kinds + 1] = {{.effect = -1, .mask = called}};
     bool whole = true;
     for (int k = 0; k < effect_kinds; k++)
-        if ((called | p->declined) >> k & 1) effect[n] = k, run[n++].mask = called ^ 1u << k;
-    for (int i = 0; i < n; i++) {
-        run[i].im = image_new(w.width, w.height);
-        run[i].x = w.x, run[i].y = w.y;
-        run[i].j = (drawing){.e = e, .samples = samples, .seed = o->seed, .width = w.across,
-                             .height = w.down};
+        if ((called | p->declined) >> k & 1)
+            run[n++] = (price_run){.effect = k, .mask = called ^ 1u << k,
+                                   .declined = p->declined >> k & 1};
+    for (int i = 0; i < n * rounds && whole; i++) {
+        price_run *k = &run[i % n];
+        k->j = (drawing){.e = e, .samples = samples, .seed = o->seed, .width = w, .height = h};
+        /* General: else some sets would have a copy made for them, others not. */
+        effects_stage_effects(e, k->mask | EFFECTS_GENERAL);
+        image_free(&k->im);
+        whole = draw_image(&k->j, &k->im, o->threads);
+        k->seconds[i / n] = k->j.pass.seconds;
     }
-    for (int round = 0; round < rounds && whole; round++)
-        for (int i = 0; i < n && whole; i++)
-            whole = price_draw(&run[i], e, rounds, round, o->threads);
     table t = table_new("The price of each effect: the light it brings, the time it takes",
                         "effect|verdict|its rays|its light [%]|without it: rmse|its time [%]|"
                         "time [us/pixel]");
-    price_bars bars = {.n = 0};
-    for (int i = 0; i < n && whole; i++)
-        price_row(&t, &bars, p, &run[i], effect[i], &run[0], rounds);
+    for (int i = 0; i < n && whole; i++) price_row(&t, p, &run[i], &run[0], rounds);
     options beside = *o;  /* the drawing goes to build/, wherever the picture goes */
     beside.out = NULL, beside.own = false;
-    if (whole) output_table(o, &t), price_bars_draw(&beside, &bars, "27_effects_price_time.svg");
+    if (whole) output_table(o, &t), price_bars(&beside, run, n);
     else table_free(&t);
     for (int i = 0; i < n; i++) image_free(&run[i].im);
     effects_stage_effects(e, before);

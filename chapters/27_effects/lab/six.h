@@ -4,6 +4,7 @@
  *                                    a line longer than the one before, and the table below it
  *   bool whole = draw_six(&o, true)  27_effects_six.png: the same with eight times the samples
  *   bool whole = draw_two(&o)        27_effects_two.png: glass.scene and teapot.scene, their plans
+ *   six_text(5, text)                the last of the six: what is drawn if no file is named
  *
  * The table's two times are of the plan and of everything. The six need no files; draw_two is for
  * the directory of the book only.
@@ -15,7 +16,7 @@
 #include "../../../common/lab/label.h"
 #include "../../../common/lab/report.h"
 #include "../plan.h"
-#include "draw.h"
+#include "../draw.h"
 #include <unistd.h>
 
 enum { six_count = 6, six_room = 2048, six_width = 240, six_height = 180 };
@@ -59,34 +60,17 @@ static inline bool six_read(const six_scene *list, int k, studio *s, failure *f)
     return studio_read(text, NULL, s, f);
 }
 
-/* All rays but the eye's, of a pixel, and how long a pixel takes. */
-static inline void six_cells(table *t, const drawing *j)
+/* One panel of w x h and its row; samples: of scenes of chance, of others. */
+static inline bool six_panel(const options *o, const six_scene *list, int k, int w, int h,
+                             const int samples[2], table *t, image *im)
 {
-    table_number(t, (double)draw_rays(&j->counts) / (double)j->pixels);
-    table_number(t, j->pass.seconds / (double)j->pixels * 1e6);
-}
-
-/* Every effect that is called for, in short. */
-static inline void six_effects(table *t, unsigned mask)
-{
-    char text[120] = "";
-    for (int k = 0; k < effect_kinds; k++)
-        if (mask >> k & 1)
-            snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", *text ? ", " : "",
-                     effect_names[k].option);
-    table_text(t, "%s", text);
-}
-
-/* One panel and its row; samples: of scenes of chance, of others. */
-static inline bool six_panel(const options *o, const six_scene *list, int k, const int samples[2],
-                             table *t, image *im)
-{
-    int w = im->width, h = im->height;
     studio s;
     studio_view v;
     camera c;
     effects_stage e;
     failure f;
+    char called[120] = "";
+    image small = {0, 0, NULL};
     if (!six_read(list, k, &s, &f) || !studio_camera(&s, (real)w / (real)h, &v, &c, &f)
         || !effects_stage_build(&s, &e, &f)) fail(f);
     plan p = plan_of(&s);
@@ -94,12 +78,20 @@ static inline bool six_panel(const options *o, const six_scene *list, int k, con
     effects_stage_effects(&e, p.effects);
     drawing j = {.e = &e, .samples = samples[!e.chance], .seed = o->seed, .width = w, .height = h};
     drawing all = j;
-    image small = image_new(all.width = w / 6, all.height = h / 6);
-    bool whole = draw_region(&j, im, 0, 0, o->threads);
+    all.width = w / 6, all.height = h / 6;
+    bool whole = draw_image(&j, im, o->threads);
     effects_stage_effects(&e, EFFECTS_EVERYTHING);
-    whole = whole && draw_region(&all, &small, 0, 0, o->threads);
+    whole = whole && draw_image(&all, &small, o->threads);
+    for (int i = 0; i < effect_kinds; i++)
+        if (p.effects >> i & 1)
+            snprintf(called + strlen(called), sizeof called - strlen(called), "%s%s",
+                     *called ? ", " : "", effect_names[i].option);
     table_text(t, "%s", list[k].name), table_text(t, "%s", integrator_names[p.integrator]);
-    six_effects(t, p.effects), six_cells(t, &j), six_cells(t, &all);
+    table_text(t, "%s", called);
+    for (const drawing *d = &j; d; d = d == &j ? &all : NULL) {
+        table_number(t, (double)draw_rays(&d->counts) / draw_pixels(d));
+        table_number(t, d->pass.seconds / draw_pixels(d) * 1e6);
+    }
     image_free(&small), effects_stage_free(&e), plan_free(&p), studio_free(&s);
     return whole;
 }
@@ -112,16 +104,16 @@ static inline bool six_draw(const options *o, const six_scene *list, int n, int 
     const char *title[six_count];
     bool whole = true;
     image sheet = image_new(across * w, n / across * h);
-    for (int k = 0; k < n; k++) {
-        image im = image_new(w, h);
-        title[k] = list[k].title;
-        whole = whole && six_panel(o, list, k, samples, t, &im);
+    for (int k = 0; k < n; k++) title[k] = list[k].title;
+    for (int k = 0; k < n && whole; k++) {
+        image im;
+        whole = six_panel(o, list, k, w, h, samples, t, &im);
         image_place(&sheet, k % across * w, k / across * h, &im);
         image_free(&im);
     }
-    image titled = label_panels(&sheet, across, n / across, 0, title);
-    output_picture(o, &titled, file, is_main, whole);
-    image_free(&sheet), image_free(&titled);
+    label_titles(&sheet, across, n / across, 0, title);
+    output_picture(o, &sheet, file, is_main, whole);
+    image_free(&sheet);
     return whole;
 }
 

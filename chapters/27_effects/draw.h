@@ -1,34 +1,30 @@
-/* draw.h: the picture of a stage, or a part of it, on the film of 26; what it took.
+/* draw.h: the picture of a stage on the film of 26, and what it took.
  *
  *   drawing j = {.e = &e, .samples = 16, .seed = 1, .width = w, .height = h};
- *   bool whole = draw_region(&j, &im, x0, y0, threads)    im's pixels are those from (x0, y0) on of
- *                                     a picture of width x height; false: stopped by Ctrl-C
+ *   bool whole = draw_image(&j, &im, threads)          a new picture; false: stopped by Ctrl-C
  *   j.counts, j.pass.seconds          rays by effect; time
  *   j.error                           RMSE by halves (26.7); infinity with one sample
- *   passes_until(draw_begin(&j, x0, y0, threads), &f, goal)    the same on a film f, by passes
+ *   passes_until(draw_begin(&j, threads), &f, goal)    the same on a film f, by passes
  *   draw_rays(&j.counts)              all rays
- *   draw_z(&a, &b)                    two pictures of the same light? in standard errors
  *
  * Samples lie in the pixel by Sobol'; with j.middle in its middle: for one alone, without chance.
  */
 #ifndef EFFECTS_DRAW_H
 #define EFFECTS_DRAW_H
 
-#include "../../26_path_tracer/passes.h"
-#include "../special.h"
+#include "../26_path_tracer/passes.h"
+#include "special.h"
 
 typedef struct {
     const effects_stage *e;
-    int samples;              /* of a pixel: of draw_region */
+    int samples;              /* of a pixel: of draw_image */
     uint64_t seed;
-    int width, height;        /* of the whole picture */
+    int width, height;
     bool middle;
-    int x0, y0;               /* of the film's first pixel */
     media_set around;         /* bodies that the eye is in */
     film_passes pass;
     effects_counts counts;
     double error;
-    size_t pixels;            /* of the film */
 } drawing;
 
 /* ---------------------------------------------------------------------------------------------- */
@@ -74,7 +70,7 @@ static inline void draw_tile(size_t tile, void *context)
     film_window w = film_window_of(to, tile);
     for (int y = w.y0; y < w.y1; y++)
         for (int x = w.x0; x < w.x1; x++) {
-            film_pixel sum = draw_pixel(j, f, x + j->x0, y + j->y0, &c);
+            film_pixel sum = draw_pixel(j, f, x, y, &c);
             film_gather(to, (size_t)y * (size_t)to->width + (size_t)x, &sum);
         }
     to->tile[tile] = true;
@@ -83,26 +79,24 @@ static inline void draw_tile(size_t tile, void *context)
     pthread_mutex_unlock(&j->pass.lock);
 }
 
-static inline film_passes *draw_begin(drawing *j, int x0, int y0, int threads)
+static inline film_passes *draw_begin(drawing *j, int threads)
 {
-    j->around = bodies_around(j->e, j->e->eye.e);
-    j->x0 = x0, j->y0 = y0, j->counts = (effects_counts){.lost = 0};
+    j->around = bodies_around(j->e, j->e->eye.e), j->counts = (effects_counts){.lost = 0};
     j->pass = (film_passes){.tile = draw_tile, .job = j, .threads = threads};
     return &j->pass;
 }
 
-static inline bool draw_region(drawing *j, image *im, int x0, int y0, int threads)
+static inline bool draw_image(drawing *j, image *im, int threads)
 {
-    film f = film_new(im->width, im->height);
-    j->pixels = (size_t)im->width * (size_t)im->height;
+    film f = film_new(j->width, j->height);
     j->middle = j->samples == 1 && !j->e->chance;
-    bool whole = passes_range(draw_begin(j, x0, y0, threads), &f, 0, (uint32_t)j->samples);
-    image done = film_picture(&f);
-    memcpy(im->rgb, done.rgb, 3 * j->pixels * sizeof *im->rgb);
-    j->error = film_error(&f);
-    image_free(&done), film_free(&f);
+    bool whole = passes_range(draw_begin(j, threads), &f, 0, (uint32_t)j->samples);
+    *im = film_picture(&f), j->error = film_error(&f);
+    film_free(&f);
     return whole;
 }
+
+static inline double draw_pixels(const drawing *j) { return (double)j->width * j->height; }
 
 /* All rays that were traced. */
 static inline size_t draw_rays(const effects_counts *c)
@@ -111,21 +105,6 @@ static inline size_t draw_rays(const effects_counts *c)
     for (int k = 0; k < effect_kinds; k++)
         n += k == RAY_ABSORBED || k == RAY_OF_LENS ? 0 : c->rays[k];
     return n;
-}
-
-/* How sure one is that two pictures are of different light: their mean difference, in units of its
- * standard error. Pixels are independent of one another. */
-static inline double draw_z(const image *a, const image *b)
-{
-    size_t n = (size_t)a->width * (size_t)a->height;
-    double sum = 0, squares = 0;
-    for (size_t i = 0; i < n; i++) {
-        double d = 0;
-        for (size_t k = 3 * i; k < 3 * i + 3; k++) d += (double)a->rgb[k] - (double)b->rgb[k];
-        sum += d, squares += d * d;
-    }
-    double mean = sum / (double)n, variance = squares / (double)n - mean * mean;
-    return variance > 0 ? fabs(mean) / sqrt(variance / (double)n) : 0;
 }
 
 #endif

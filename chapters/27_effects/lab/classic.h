@@ -1,0 +1,115 @@
+/* classic.h: a studio as chapters 18, 19 and 26 have it, to be drawn by their own code.
+ *
+ *   classic_build(&e, &c)           a stage as 18 and 19 have it; e outlives it; classic_free
+ *   vec3 L = classic_shade(&c, r)   18: shade_ray;  classic_whitted(&c, r)   19: whitted_ray
+ *   classic_lit(&s, &lit)           a studio of polygons with four corners and shapes as 26 has
+ *                                   it: matte, white mirror or glass, and lamps; lit_free
+ */
+#ifndef EFFECTS_CLASSIC_H
+#define EFFECTS_CLASSIC_H
+
+#include "../../24_direct_light/lit_scene.h"
+#include "../stage.h"
+
+typedef struct {
+    const effects_stage *e;
+    scene all;
+    world_part *part;       /* [world.parts] */
+    uint32_t *place;        /* of the part; no_shape: the shapes */
+    trace_world world;
+    whitted_material *look; /* [materials] */
+    whitted how;
+    shading plain;
+} classic;
+
+/* ---------------------------------------------------------------------------------------------- */
+
+static inline uint32_t classic_number(const classic *c, trace_hit x)
+{
+    return studio_hit_material(&c->e->t, (studio_hit){x.h, c->place[x.part]});
+}
+
+static inline const whitted_material *classic_look(const void *context, trace_hit x,
+                                                   const surface *s, whitted_material *room)
+{
+    const classic *c = context;
+    (void)s, (void)room;
+    return &c->look[classic_number(c, x)];
+}
+
+static inline material classic_material(const void *context, trace_hit x, const surface *s)
+{
+    const classic *c = context;
+    (void)s;
+    return c->look[classic_number(c, x)].base;
+}
+
+static inline void classic_build(const effects_stage *e, classic *c)
+{
+    const studio *s = e->s;
+    const studio_tree *t = &e->t;
+    *c = (classic){.e = e, .all = studio_shapes(s)};
+    c->part = allocate(t->standing + 1, sizeof *c->part);
+    c->place = allocate(t->standing + 1, sizeof *c->place);
+    size_t n = 0;
+    if (s->shapes) {
+        world_part_of_scene(&c->all, MASK_ALL, &c->part[n]);
+        c->place[n++] = no_shape;
+    }
+    for (size_t k = 0; k < t->standing; k++) {
+        world_part_of_mesh(&s->mesh[s->placed[t->mesh_place[k]].mesh], MASK_ALL, &c->part[n]);
+        c->place[n++] = t->mesh_place[k];
+    }
+    c->world = (trace_world){c->part, n};
+    c->look = allocate(s->materials, sizeof *c->look);
+    for (size_t m = 0; m < s->materials; m++) {
+        const appearance *a = &e->look[m];
+        bool glass = !vzero(a->through);
+        c->look[m] = (whitted_material){{a->matte, a->highlight, a->exponent, a->emits}, a->mirror,
+                                        a->through, glass ? (uint32_t)m + 1 : 0, 0};
+    }
+    c->how = (whitted){.lights = e->light, .n = e->lights, .material_of = classic_look,
+                       .context = c, .media = e->media, .background = s->sky.background,
+                       .depth = e->depth, .least = e->least, .apart = true};
+    c->plain = (shading){.lights = e->light, .n = e->lights, .material_of = classic_material,
+                         .context = c, .background = s->sky.background};
+}
+
+static inline void classic_free(classic *c)
+{
+    for (size_t k = 0; k < c->world.parts; k++) world_part_free(&c->part[k]);
+    free(c->part), free(c->place), free(c->look);
+    *c = (classic){.e = NULL};
+}
+
+static inline vec3 classic_whitted(const classic *c, ray r)
+{
+    tracer t = {.w = &c->world, .program = whitted_programs, .user = &c->how};
+    return whitted_ray(&t, r, (media_set){0});
+}
+
+static inline vec3 classic_shade(const classic *c, ray r)
+{
+    tracer t = {.w = &c->world, .program = shade_programs, .user = &c->plain};
+    return shade_ray(&t, r);
+}
+
+static inline void classic_lit(const studio *s, lit_scene *lit)
+{
+    lit_begin(lit);
+    for (size_t i = 0; i < s->shapes; i++) {
+        appearance a = appearance_of(&s->material[s->shape_material[i]]);
+        bool glass = !vzero(a.through);
+        lit_material l = {.f = vzero(a.mirror) && !glass ? brdf_lambert(a.matte)
+                                                         : brdf_mirror((vec3){1, 1, 1}),
+                          .Le = a.emits, .ior = glass ? a.ior : 0, .sigma = a.absorb};
+        const polygon *g = &s->shape[i].polygon;
+        uint16_t k = lit_add_material(lit, l);
+        if (s->shape[i].kind != SHAPE_POLYGON) lit_add_shape(lit, s->shape[i], k);
+        else lit_add_rectangle(lit, (rectangle){g->v[0], vsub(g->v[1], g->v[0]),
+                                                vsub(g->v[3], g->v[0])}, k);
+    }
+    lit_end(lit);
+}
+
+#endif
