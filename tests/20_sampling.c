@@ -17,7 +17,6 @@
 #define DENSITY(f) static real d_##f(vec3 w, const void *c) { return (void)c, f(w); }
 PLAIN(sample_disk) PLAIN(sample_disk_naive)
 PLAIN(sample_triangle) PLAIN(sample_triangle_root) PLAIN(sample_triangle_naive)
-PLAIN(sample_triangle_sums) PLAIN(sample_triangle_fold)
 PLAIN(sample_sphere) PLAIN(sample_sphere_naive) PLAIN(sample_hemisphere)
 PLAIN(sample_hemisphere_naive) PLAIN(sample_cosine)
 DENSITY(pdf_disk) DENSITY(pdf_sphere) DENSITY(pdf_hemisphere) DENSITY(pdf_cosine)
@@ -66,8 +65,6 @@ static const trial right[] = {
 static const trial wrong[] = {
     {"disk, r = u", s_sample_disk_naive, d_pdf_disk, NULL, DOMAIN_DISK, 1},
     {"triangle, v (1 - u)", s_sample_triangle_naive, d_triangle, NULL, DOMAIN_TRIANGLE, 1},
-    {"triangle, sums", s_sample_triangle_sums, d_triangle, NULL, DOMAIN_TRIANGLE, 1},
-    {"triangle, half fold", s_sample_triangle_fold, d_triangle, NULL, DOMAIN_TRIANGLE, 1},
     {"sphere from a cube", s_sample_sphere_naive, d_pdf_sphere, NULL, none, 1},
     {"hemisphere, angle", s_sample_hemisphere_naive, d_pdf_hemisphere, NULL, none, 1},
     {"hemisphere for cosine", s_sample_hemisphere, d_pdf_cosine, NULL, none, 1},

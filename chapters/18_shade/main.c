@@ -1,12 +1,10 @@
 /* 18_shade: trace and shade, kinds of ray, lights and hard shadows; how a ray leaves a surface.
 cc -std=c11 -O2 -ffp-contract=off -fno-tree-slp-vectorize -o 18_shade chapters/18_shade/main.c -lm -lpthread
  *
- * Without options: the gallery, what goes wrong with its shadows far out, who sees whom, the edge
- * of light on a mesh, a drawing, tables of ways to leave a surface and to light a mesh. --full: two
- * tables more, two plots. --samples N: down to a square. */
+ * Without options: the gallery and its rays, what goes wrong with its shadows far out, the edge of
+ * light on a mesh, a drawing, the table of ways to leave a surface. --full: a table more, and its
+ * plot. --samples N: down to a square. */
 #include "../../common/lab/report.h"
-#include "lab/edge_of_light.h"
-#include "lab/figures.h"
 #include "lab/measure.h"
 #include "lab/pictures.h"
 
@@ -31,7 +29,6 @@ int main(int argc, char **argv)
     draw_terminator(&o);
     draw_tilt(&o);
     table_of_leaving(&o);
-    table_of_terminator(&o);
-    if (o.full) table_of_needles(&o), plot_of_leaving(&o), table_of_rays(&o);
+    if (o.full) table_of_needles(&o), plot_of_leaving(&o);
     return output_done(&o);
 }

@@ -15,6 +15,5 @@ int main(int argc, char **argv)
     draw_points(&o), draw_chance(&o), draw_dome(&o), draw_wrong(&o);
     measure_methods(&o);
     measure_importance(&o);
-    if (o.full) measure_rays(&o);
     return output_done(&o);
 }

@@ -33,7 +33,7 @@ static inline bool hard_off(estimate e, double truth)
     return fabs(e.mean - truth) > 8 * estimate_error(e) + 64 * hard_eps * fabs(truth);
 }
 
-enum { way_first = 1, way_now = leavings - 1 };
+enum { way_first = 0, way_now = leavings - 1 };
 
 /* k: a departure_kind; x: how far from the origin. Hits of one's own surface. */
 static inline hard_count acne(int k, real x)

@@ -1,14 +1,11 @@
-/* leave_variants.h: how else rays are made to leave a surface, one signature.
+/* leave_variants.h: how else rays are made to leave a surface: ray leave_X(surface s, vec3 w).
  *
- *   ray leave_X(surface s, vec3 w)                                         fails
- *   leave_fixed_1e3  tmin = 1e-3                                          small or large scenes
- *   leave_first      tmin = 1e-4: the notes' epsilon, as in first.h       small or large scenes
- *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                   grazing rays
- *   leave_normal     O = p + 32 eps max(1, |p|_max) n                      large flat shapes
- *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)           large shapes near 0
- *   leave_bounds     O = p + (error bounds . |n|) n, rounded outwards      needles
- *   leave            of leave.h: bounds of the point and of the test       -
- *
+ *   leave_first      tmin = 1e-4: the notes' epsilon, as in first.h      small or large scenes
+ *   leave_scaled     tmin = 32 eps max(1, |p|_max) / |w|                  grazing rays
+ *   leave_normal     O = p + 32 eps max(1, |p|_max) n                     large flat shapes
+ *   leave_ulps       O = p moved by 256 ulps along n (整数偏移)          large shapes near 0
+ *   leave_bounds     O = p + (error bounds . |n|) n, rounded outwards     needles
+ *                                                                         ^ where it fails
  * Sources: C. Wächter, N. Binder, Ray Tracing Gems, 2019, ch. 6 (ulps); M. Pharr, W. Jakob, G.
  * Humphreys, "Physically Based Rendering", 3rd ed., 2016, section 3.9.5 (bounds).
  */
@@ -20,11 +17,6 @@
 /* ---------------------------------------------------------------------------------------------- */
 
 /* w of length 1 or not: tmin counts in lengths of w, as in most programs that do this. */
-static inline ray leave_fixed_1e3(surface s, vec3 w)
-{
-    return (ray){s.p, 1e-3, w, real_infinity};
-}
-
 static inline ray leave_first(surface s, vec3 w)
 {
     return (ray){s.p, 1e-4, w, real_infinity};
@@ -35,14 +27,13 @@ static inline real leave_scale(surface s)
     return 32 * real_epsilon * real_max(1, surface_reach(s.p));
 }
 
-/* Fails where w grazes the surface: tmin = eps |p| moves O away from it by n.w as much only. */
+/* A grazing ray moves away from the surface by n.w of tmin only. */
 static inline ray leave_scaled(surface s, vec3 w)
 {
     return (ray){s.p, leave_scale(s) / vlength(w), w, real_infinity};
 }
 
-/* Fails on a triangle of size 1e3 at the origin: its test is off by eps times 1e3, which |p| may
- * not tell. */
+/* The test of a triangle of size 1e3 at the origin is off by eps 1e3: |p| may not tell. */
 static inline ray leave_normal(surface s, vec3 w)
 {
     real off = leave_scale(s);
@@ -62,25 +53,21 @@ static inline real leave_ulps_axis(real x, real n)
 
 static inline ray leave_ulps(surface s, vec3 w)
 {
-    vec3 n = vdot(s.n, w) < 0 ? vneg(s.n) : s.n;
-    vec3 o = {leave_ulps_axis(s.p.x, n.x), leave_ulps_axis(s.p.y, n.y),
-              leave_ulps_axis(s.p.z, n.z)};
-    return (ray){o, 0, w, real_infinity};
+    real side = vdot(s.n, w) < 0 ? -1 : 1;
+    for (int k = 0; k < 3; k++)
+        s.p = vwith(s.p, k, leave_ulps_axis(vaxis(s.p, k), side * vaxis(s.n, k)));
+    return (ray){s.p, 0, w, real_infinity};
 }
 
-/* Each component to the next real on the side it was moved to. */
-static inline real leave_outward(real x, real by)
-{
-    return by == 0 ? x : nextafter(x, by > 0 ? real_infinity : -real_infinity);
-}
-
-/* Fails on one needle in 2e4: p is sure, but the test of the triangle weighs corners that nearly
- * cancel, and is not. */
+/* p is sure, but the test of one needle in 2e4 weighs corners that nearly cancel, and is not. */
 static inline ray leave_bounds(surface s, vec3 w)
 {
     real off = s.error * (fabs(s.n.x) + fabs(s.n.y) + fabs(s.n.z));
     vec3 by = vscale(s.n, vdot(s.n, w) < 0 ? -off : off), o = vadd(s.p, by);
-    o = (vec3){leave_outward(o.x, by.x), leave_outward(o.y, by.y), leave_outward(o.z, by.z)};
+    for (int k = 0; k < 3; k++) {  /* each to the next real on the side it was moved to */
+        real way = vaxis(by, k), end = way > 0 ? real_infinity : -real_infinity;
+        if (way != 0) o = vwith(o, k, nextafter(vaxis(o, k), end));
+    }
     return (ray){o, 0, w, real_infinity};
 }
 

@@ -1,15 +1,25 @@
-/* pictures.h: the gallery; its shadows far from the origin.
+/* pictures.h: the gallery; its shadows far from the origin; the edge of light on a mesh.
  *
  *   draw_gallery(&o, n, spend_all)     the main picture, and what rays it took
  *   draw_acne(&o)                      two views at T = 1e4: naive, mended
+ *   draw_tilt(&o)                      the same light on a patch that is tilted (drawing)
+ *   draw_terminator(&o)                a ball of few triangles, smoothed: three ways to light it
  */
 #ifndef SHADE_LAB_PICTURES_H
 #define SHADE_LAB_PICTURES_H
 
+#include "../../../common/lab/figure.h"
 #include "../../../common/lab/label.h"
 #include "../../../common/output.h"
+#include "../../07_mesh/scenes/specimens.h"
+#include "../terminator.h"
 #include "gallery.h"
 #include "leave_variants.h"
+
+enum { edge_ways = 3 };
+static const char *const edge_way[edge_ways] = {"both normals", "faded", "lifted"};
+
+typedef struct { mesh m; world_part part; trace_world w; light sun; } edge_ball;
 
 /* ---------------------------------------------------------------------------------------------- */
 
@@ -34,10 +44,9 @@ static inline void draw_gallery(const options *o, int n, bool spend_all)
 static inline surface surface_f32(const tracer *t, ray r, trace_hit x)
 {
     surface s = surface_of_trace(t, r, x);
-    float at = (float)x.h.t;
-    float px = (float)r.o.x + at * (float)r.d.x, py = (float)r.o.y + at * (float)r.d.y;
-    float pz = (float)r.o.z + at * (float)r.d.z;
-    s.p = vec(px, py, pz), s.error = s.noise = 0;
+    s.error = s.noise = 0;
+    for (int k = 0; k < 3; k++)
+        s.p = vwith(s.p, k, (real)((float)vaxis(r.o, k) + (float)x.h.t * (float)vaxis(r.d, k)));
     return s;
 }
 
@@ -69,6 +78,106 @@ static inline void draw_acne(const options *o)
     label_titles(&all, 2, 2, 6, title);
     output_picture(o, &all, "18_shade_acne.png", false, whole);
     image_free(&all), image_free(&im), gallery_free(g);
+}
+
+/* ---- the edge of light ---- */
+
+/* An octahedron of 8 n^2 triangles, its corners moved out to radius 1: those are its normals. */
+static inline void edge_ball_build(edge_ball *b, int n)
+{
+    *b = (edge_ball){.m = octahedron_mesh(n),
+                     .sun = {LIGHT_DIRECTIONAL, vunit(vec(1, 0.25, 0.2)), {1, 1, 1}}};
+    b->m.n = allocate(b->m.normals = b->m.vertices, sizeof *b->m.n);
+    for (size_t i = 0; i < b->m.vertices; i++) b->m.v[i] = b->m.n[i] = vunit(b->m.v[i]);
+    world_part_of_mesh(&b->m, MASK_ALL, &b->part);
+    b->w = (trace_world){&b->part, 1};
+}
+
+static inline void edge_ball_free(edge_ball *b)
+{
+    world_part_free(&b->part);
+    mesh_free(&b->m);
+}
+
+/* Irradiance where the eye, far along z, sees the ball at (x, y); -1: it does not. */
+static inline real edge_light(const edge_ball *b, real x, real y, int way, vec3 *p)
+{
+    tracer t = {.w = &b->w, .program = shade_programs};
+    ray r = ray_from((vec3){x, y, 4}, (vec3){0, 0, -1});
+    trace_hit met = {hit_none, 0};
+    light_sample at;
+    shade_lit answer = {false};
+    if (!bvh8_hit(&b->part.tree, r, &met.h)) return -1;
+    *p = ray_at(r, met.h.t);
+    surface s = way == 2 ? terminator_surface(&t, r, met) : surface_of_trace(&t, r, met);
+    s = surface_facing(s, r.d);
+    if (!light_reaches(&b->sun, s.p, s.n, s.ns, &at)) return 0;
+    trace(&t, RAY_SHADOW, leave(s, at.l), &answer);
+    return !answer.lit ? 0 : way == 1 ? at.E.x * terminator_fade(s.n, s.ns, at.l) : at.E.x;
+}
+
+typedef struct { edge_ball b; int size, gap; } edge_view;
+
+static inline vec3 edge_colour(const void *context, real x, real y)
+{
+    const edge_view *v = context;
+    int way = (int)x / (v->size + v->gap);
+    real s = (real)2.1 / (real)v->size, at = x - (real)(way * (v->size + v->gap));
+    vec3 p;
+    if (at > (real)v->size) return (vec3){1, 1, 1};
+    real E = edge_light(&v->b, at * s - (real)1.05, (real)1.05 - y * s, way, &p);
+    real grey = E < 0 ? (real)0.7 : (real)0.02 + (real)0.75 * E;
+    return (vec3){grey, grey, grey};
+}
+
+static inline void draw_terminator(const options *o)
+{
+    edge_view v = {.size = o->quick ? 60 : 300, .gap = 6};
+    image im = image_new(edge_ways * (v.size + v.gap) - v.gap, v.size);
+    edge_ball_build(&v.b, 4);
+    bool whole = pixels_draw(&im, 2, o->threads, "edge of light", edge_colour, &v);
+    label_titles(&im, edge_ways, 1, v.gap, edge_way);
+    output_picture(o, &im, "18_shade_terminator.png", false, whole);
+    image_free(&im), edge_ball_free(&v.b);
+}
+
+/* ---- one beam, three patches ---- */
+
+/* A beam of width 1 from above, about x = middle, and a patch that leans by so many degrees. */
+static inline void figure_beam(figure *g, double middle, double degrees)
+{
+    enum { rays = 7 };
+    const double a = degrees * 3.14159265358979 / 180, slope = tan(a), half = 0.5 / cos(a);
+    light sun = {LIGHT_DIRECTIONAL, {0, 1, 0}, {1, 1, 1}};
+    vec3 n = vec(-sin(a), cos(a), 0);
+    light_sample at;
+    light_reaches(&sun, (vec3){0, 0, 0}, n, n, &at);
+    double left = middle - 0.5, right = middle + 0.5, tip = middle + 1.15 * (double)n.x;
+    double beam[8] = {left, 2, right, 2, right, slope / 2, left, -slope / 2};
+    figure_polygon(g, 4, beam, FIGURE_ORANGE, 0.2, NULL);
+    for (int k = 0; k < rays; k++) {
+        double x = left + (k + 0.5) / rays;
+        figure_arrow(g, x, 2, x, (x - middle) * slope + 0.03, FIGURE_ORANGE, 1.2);
+    }
+    figure_line(g, left, -half * sin(a), right, half * sin(a), FIGURE_BLACK, 5, FIGURE_WHOLE);
+    figure_line(g, middle, 0, middle, 1.35, FIGURE_BLACK, 1, FIGURE_DASHED);
+    figure_arrow(g, middle, 0, tip, 1.15 * (double)n.y, FIGURE_BLUE, 2);
+    figure_text(g, tip, 1.15 * (double)n.y, -8, -2, FIGURE_RIGHT, FIGURE_BLUE, "*n*");
+    figure_text(g, middle, 2, 0, -6, FIGURE_MIDDLE, FIGURE_BLACK, "*l*");
+    if (degrees > 0) figure_arc(g, middle, 0, 52, 90, 90 + degrees, FIGURE_BLACK, 1);
+    if (degrees > 0) figure_text(g, middle - 0.09, 0.62, 0, 0, FIGURE_RIGHT, FIGURE_BLACK, "_θ_");
+    figure_print(g, middle, -1.0, 0, 0, FIGURE_MIDDLE, FIGURE_BLACK, "area %.2f", 2 * half);
+    figure_print(g, middle, -1.0, 0, 22, FIGURE_MIDDLE, FIGURE_BLACK, "_E_ = %.2f _E_~0~",
+                 (double)at.E.x);
+}
+
+static inline void draw_tilt(const options *o)
+{
+    figure g = figure_begin(o, "18_shade_tilt.svg", 760, 430);
+    figure_origin(&g, 130, 275, 115);
+    figure_beam(&g, 0, 0), figure_beam(&g, 2, 35), figure_beam(&g, 4.1, 60);
+    figure_text(&g, -0.95, 2, 0, -6, FIGURE_LEFT, FIGURE_ORANGE, "one beam");
+    figure_end(&g);
 }
 
 #endif

@@ -18,11 +18,11 @@
 #include "../first.h"
 
 enum { dome_wide = 400, dome_high = 300, dome_gap = 6, dome_panels = 3, dome_samples = 16 };
+enum { dome_share = dome_wide + dome_gap };
 typedef struct {
     image *im;
     uint64_t seed;
-    int step;             /* of places: 4, a small picture */
-    double off[dome_panels * dome_wide * dome_high];  /* from the truth; NaN: the sky itself */
+    double squares[dome_panels][dome_high], seen[dome_panels][dome_high];  /* of errors, a row */
 } dome_job;
 typedef struct { vec3 p, n; bool ball, sky; } dome_place;
 static const sphere dome_ball = {{0, 0, 1}, 1};
@@ -38,12 +38,10 @@ static inline dome_place dome_seen(int x, int y)
     vec3 aside = vadd(vscale(right, a * (real)0.55), vscale(up, b * (real)0.55));
     ray r = ray_from(vec(0, -6, 2.4), vadd(ahead, aside));
     hit h;
-    if (first_sphere_hit(dome_ball, r, &h)) {
-        vec3 p = ray_at(r, h.t);
-        return (dome_place){p, first_sphere_normal(dome_ball, p), true, false};
-    }
-    if (r.d.z >= 0) return (dome_place){{0, 0, 0}, {0, 0, 0}, false, true};
-    return (dome_place){ray_at(r, -r.o.z / r.d.z), {0, 0, 1}, false, false};
+    bool ball = first_sphere_hit(dome_ball, r, &h);
+    vec3 p = ray_at(r, ball ? h.t : -r.o.z / r.d.z);
+    return (dome_place){p, ball ? first_sphere_normal(dome_ball, p) : (vec3){0, 0, 1}, ball,
+                        !ball && r.d.z >= 0};
 }
 
 static inline double dome_truth(dome_place at)
@@ -63,37 +61,25 @@ static inline double dome_sample(int panel, dome_place at, point2 q)
     return panel == 0 ? 2 * (double)w.z : 1;
 }
 
-static inline void dome_pixel(int x, int y, void *context)
+static inline void dome_row(size_t y, void *context)
 {
     dome_job *job = context;
-    int share = dome_wide / job->step + dome_gap, panel = x / share, i = x % share;
-    if (i >= share - dome_gap) return;
-    dome_place at = dome_seen(i * job->step, y * job->step);
-    double sum = 0, *off = &job->off[(panel * dome_high + y) * dome_wide + i];
-    if (at.sky) {
-        *off = (double)NAN;
-        image_set(job->im, x, y, vec(0.75, 0.87, 1));
-        return;
-    }
-    for (uint32_t k = 0; k < dome_samples; k++) {
-        sampler s = sampler_start(panel == 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, job->seed,
-                                  (uint64_t)y * dome_wide + (uint64_t)i, k, dome_samples);
-        sum += dome_sample(panel, at, sampler_pair(&s)) / dome_samples;
-    }
-    *off = sum - dome_truth(at);
-    vec3 colour = at.ball ? vec(0.85, 0.3, 0.02) : vec(0.8, 0.76, 0.68);
-    image_set(job->im, x, y, vscale(colour, (real)fmin(sum, 1.25)));
-}
-
-static inline double dome_error(const dome_job *job, int panel)
-{
-    double squares = 0, n = 0;
-    for (int y = 0; y < dome_high / job->step; y++)
-        for (int i = 0; i < dome_wide / job->step; i++) {
-            double off = job->off[(panel * dome_high + y) * dome_wide + i];
-            if (!isnan(off)) squares += off * off, n++;
+    for (int x = 0; x < job->im->width; x++) {
+        int panel = x / dome_share, i = x % dome_share;
+        if (i >= dome_wide) continue;
+        dome_place at = dome_seen(i, (int)y);
+        double sum = 0;
+        if (at.sky) image_set(job->im, x, (int)y, vec(0.75, 0.87, 1));
+        if (at.sky) continue;
+        for (uint32_t k = 0; k < dome_samples; k++) {
+            sampler s = sampler_start(panel == 2 ? SEQUENCE_SOBOL : SEQUENCE_RANDOM, job->seed,
+                                      y * dome_wide + (uint64_t)i, k, dome_samples);
+            sum += dome_sample(panel, at, sampler_pair(&s)) / dome_samples;
         }
-    return sqrt(squares / n);
+        job->squares[panel][y] += pow(sum - dome_truth(at), 2), job->seen[panel][y]++;
+        vec3 colour = at.ball ? vec(0.85, 0.3, 0.02) : vec(0.8, 0.76, 0.68);
+        image_set(job->im, x, (int)y, vscale(colour, (real)fmin(sum, 1.25)));
+    }
 }
 
 static inline void draw_dome(const options *o)
@@ -102,20 +88,19 @@ static inline void draw_dome(const options *o)
     char text[dome_panels][64];
     const char *title[dome_panels];
     if (o->out) return;
-    dome_job *job = allocate(1, sizeof *job);
-    job->step = o->quick ? 4 : 1;
-    image im = image_new(dome_panels * (dome_wide / job->step + dome_gap) - dome_gap,
-                         dome_high / job->step);
-    job->im = &im, job->seed = o->seed;
-    bool whole = parallel_pixels(im.width, im.height, o->threads, "sky", dome_pixel, job);
+    image im = image_new(dome_panels * dome_share - dome_gap, dome_high);
+    dome_job job = {.im = &im, .seed = o->seed};
+    bool whole = parallel_for(dome_high, o->threads, "sky", dome_row, &job);
     for (int k = 0; k < dome_panels; k++) {
+        double squares = 0, n = 0;
+        for (int y = 0; y < dome_high; y++) squares += job.squares[k][y], n += job.seen[k][y];
         snprintf(text[k], sizeof text[k], "16 directions, %s: error %.3f", name[k],
-                 dome_error(job, k));
+                 sqrt(squares / n));
         title[k] = text[k];
     }
     label_titles(&im, dome_panels, 1, dome_gap, title);
     output_picture(o, &im, "20_monte_carlo_sky.png", false, whole);
-    image_free(&im), free(job);
+    image_free(&im);
 }
 
 #endif

@@ -14,18 +14,11 @@
  *   deviation_sobol(m)           smooth, N = 2^m, Owen's scrambling:
  *                                sqrt(sum of gain times variance of a level / N)           (20.20)
  *
- * Where jittering wins: a smooth f varies by about 1/k in a cell, variance 1/k^2 = 1/N a sample,
- * N^-2 in the mean: the error falls as 1/N. At an edge only some k of the k^2 cells are cut; they
- * keep a variance of up to 1/4: k / N^2 = N^-3/2 in the mean, an error of N^-3/4.
- *
  * Scrambled net: split f into parts, one for each size of box 2^-k x 2^-l (as Haar wavelets do).
  * Parts with k + l <= m - 2 are integrated exactly (gain 0), those with k + l = m - 1 have the gain
- * 2, finer ones 1: as good as random. What is left of a smooth f are parts of variance 4^-(k+l), so
- * N^-2, in all m + 1 shapes: the mean has the variance N^-3 log N.
- *
- * Sources: D. Mitchell, "Consequences of stratified sampling in graphics", SIGGRAPH 1996; A. Owen,
- * "Scrambled net variance for integrals of smooth functions", Ann. Stat. 25(4), 1997, and "Monte
- * Carlo variance of scrambled net quadrature", SIAM J. Numer. Anal. 34(5), 1997 (gains).
+ * 2, finer ones 1: as good as random. Sources: A. Owen, "Scrambled net variance for integrals of
+ * smooth functions", Ann. Stat. 25(4), 1997, and "Monte Carlo variance of scrambled net
+ * quadrature", SIAM J. Numer. Anal. 34(5), 1997 (gains).
  */
 #ifndef MONTE_CARLO_INTEGRANDS_H
 #define MONTE_CARLO_INTEGRANDS_H
@@ -54,14 +47,13 @@ static inline double integrand_integral(integrand f)
 static inline void integrand_errors(sequence_kind kind, uint64_t seed, uint64_t run, uint32_t n,
                                     double error[integrands])
 {
-    double sum[integrands] = {0};
+    error[SMOOTH] = error[EDGE] = 0;
     for (uint32_t i = 0; i < n; i++) {
         sampler s = sampler_start(kind, seed, run, i, n);
         point2 p = sampler_pair(&s);
-        for (int f = 0; f < integrands; f++) sum[f] += integrand_value((integrand)f, p);
+        for (int f = 0; f < integrands; f++) error[f] += integrand_value((integrand)f, p);
     }
-    for (int f = 0; f < integrands; f++)
-        error[f] = sum[f] / n - integrand_integral((integrand)f);
+    for (int f = 0; f < integrands; f++) error[f] = error[f] / n - integrand_integral((integrand)f);
 }
 
 static inline void first_errors(uint64_t seed, uint64_t run, uint32_t n, double error[integrands])

@@ -1,18 +1,90 @@
-/* measure.h: tables and plots: errors against N and time; more rays.
+/* measure.h: tables and plots: errors against N and time; many pdfs.
  *
  *   measure_methods(&o)    error and time of five ways to integrate; with --full a plot against
- *                          time, and slopes beside the theory
- *   measure_rays(&o)       twice, four times the rays: what halves, what quarters
+ *                          time
  *   measure_importance(&o) one integral, many pdfs: variance, and how often the interval that the
  *                          samples themselves report holds the truth
+ *
+ *   convergence *c = convergence_measure(from, levels, runs, seed, threads);  all methods, the
+ *                                        levels from `from` to levels - 1; free(c)
+ *   convergence_rms(c, method, f, level) root of the mean square error of the runs, N = 16 4^level
+ *
+ * A method is a sequence_kind, or CONVERGENCE_FIRST, the notes' own way. Each run is an estimate
+ * with random numbers of its own (its number is the "pixel"); Halton's points have none.
  */
 #ifndef MONTE_CARLO_MEASURE_H
 #define MONTE_CARLO_MEASURE_H
 
 #include "../../../common/lab/bench.h"
 #include "../../../common/lab/report.h"
+#include "../../../common/parallel.h"
 #include "../importance.h"
-#include "convergence.h"
+#include "../t_test.h"
+#include "integrands.h"
+
+/* ---- how fast errors fall ---- */
+
+enum { CONVERGENCE_FIRST = sequence_kinds, convergence_methods };
+enum { convergence_levels = 6 };
+typedef struct {
+    int from, levels, runs;
+    uint64_t seed;
+    estimate square[convergence_methods][convergence_levels][integrands];   /* of squared errors */
+} convergence;
+
+static inline uint32_t convergence_n(int level) { return (uint32_t)16 << 2 * level; }
+
+static inline const char *convergence_name(int method)
+{
+    return method == CONVERGENCE_FIRST ? "first" : sequence_name[method];
+}
+
+static inline void convergence_errors(int method, uint64_t seed, uint64_t run, uint32_t n,
+                                      double error[integrands])
+{
+    if (method == CONVERGENCE_FIRST) first_errors(seed, run, n, error);
+    else integrand_errors((sequence_kind)method, seed, run, n, error);
+}
+
+/* Pieces of work: the long ones first, so that the threads end together. */
+static inline void convergence_job(size_t i, void *context)
+{
+    convergence *c = context;
+    int method = (int)i % convergence_methods, level = c->levels - 1 - (int)i / convergence_methods;
+    for (int run = 0; run < c->runs; run++) {
+        double error[integrands];
+        convergence_errors(method, c->seed, (uint64_t)run, convergence_n(level), error);
+        for (int f = 0; f < integrands; f++) {
+            estimate *e = &c->square[method][level][f];
+            *e = estimate_add(*e, error[f] * error[f]);
+        }
+    }
+}
+
+static inline convergence *convergence_measure(int from, int levels, int runs, uint64_t seed,
+                                               int threads)
+{
+    convergence *c = allocate(1, sizeof *c);
+    c->from = from, c->levels = levels, c->runs = runs, c->seed = seed;
+    parallel_whole((size_t)(levels - from) * convergence_methods, threads, "convergence",
+                   convergence_job, c);
+    return c;
+}
+
+static inline double convergence_rms(const convergence *c, int method, integrand f, int level)
+{
+    return sqrt(c->square[method][level][f].mean);
+}
+
+/* The exact one, where integrands.h knows it; otherwise NaN. */
+static inline double convergence_exact(int method, integrand f, int level)
+{
+    if (method == SEQUENCE_RANDOM || method == CONVERGENCE_FIRST)
+        return deviation_random(f, convergence_n(level));
+    if (method == SEQUENCE_JITTERED) return deviation_jittered(f, 4 << level);
+    if (method == SEQUENCE_SOBOL && f == SMOOTH) return deviation_sobol(4 + 2 * level);
+    return (double)NAN;
+}
 
 /* ---- five ways ------------------------------------------------------------------------------ */
 
@@ -54,24 +126,6 @@ static inline void methods_plot(const options *o, const convergence *c, const do
     output_plot(o, &p, "20_monte_carlo_time.svg");
 }
 
-static inline void measure_slopes(const options *o, const convergence *c)
-{
-    static const char *const theory[sequence_kinds][integrands] = {
-        {"-1/2", "-1/2"}, {"-1", "-3/4"}, {"-1, log", "-"}, {"-3/2, log", "-3/4"}};
-    table t = table_new("Slopes of the error against N, 95 % of the time within -+", "method|f|"
-                        "theory|exact, these N|error slope|error -+");
-    for (int k = 0; k < sequence_kinds; k++)
-        for (int f = 0; f < integrands; f++) {
-            line_fit fit = convergence_slope(c, k, (integrand)f);
-            double exact = convergence_exact_slope(k, (integrand)f, c->levels).slope;
-            table_text(&t, "%s", sequence_name[k]), table_text(&t, "%s", f ? "edge" : "smooth");
-            table_text(&t, "%s", theory[k][f]);
-            table_text(&t, isnan(exact) ? "-" : "%.3f", exact);
-            table_number(&t, fit.slope), table_number(&t, slope_interval(fit, 0.95));
-        }
-    output_extra_table(o, &t);
-}
-
 static inline void measure_methods(const options *o)
 {
     double ns[convergence_methods];
@@ -90,46 +144,13 @@ static inline void measure_methods(const options *o)
         table_number(&t, convergence_n(3) * ns[k] / 1000);
     }
     output_table(o, &t);
-    if (o->full) {
-        methods_plot(o, c, ns);
-        measure_slopes(o, c);
-    }
+    if (o->full) methods_plot(o, c, ns);
     free(c);
-}
-
-/* ---- more rays ------------------------------------------------------------------------------- */
-
-/* A pixel that a silhouette crosses, by random samples: variance over many runs. */
-static inline estimate rays_variance(uint64_t seed, uint32_t n, int runs)
-{
-    estimate e = {0};
-    for (int run = 0; run < runs; run++) {
-        double error[integrands];
-        integrand_errors(SEQUENCE_RANDOM, seed, (uint64_t)run, n, error);
-        e = estimate_add(e, error[EDGE]);
-    }
-    return e;
-}
-
-static inline void measure_rays(const options *o)
-{
-    enum { n = 64, runs = 8000 };
-    estimate one = rays_variance(o->seed, n, runs);
-    table t = table_new("What more rays do to a pixel at a silhouette", "rays|error variance|"
-                        "of the first|error deviation|of the first");
-    for (uint32_t times = 1; times <= 4; times *= 2) {
-        estimate e = times == 1 ? one : rays_variance(o->seed + times, n * times, runs);
-        double v = estimate_variance(e), v1 = estimate_variance(one);
-        table_count(&t, n * times);
-        table_number(&t, v), table_number(&t, v / v1);
-        table_number(&t, sqrt(v)), table_number(&t, sqrt(v / v1));
-    }
-    output_extra_table(o, &t);
 }
 
 /* ---- one integral, many pdfs ----------------------------------------------------------------- */
 
-enum { importance_rows = 6, importance_n = 4096, importance_most_runs = 400 };
+enum { importance_rows = 6, importance_n = 4096 };
 static const struct { const char *name; double n, a; } importance_row[importance_rows] = {
     {"n = 0, uniform", 0, 0}, {"n = 1, cosine", 1, 0}, {"n = 2", 2, 0},
     {"n = 8", 8, 0}, {"n = 20", 20, 0}, {"n = 20, mixed", 20, 0.2}};
@@ -137,7 +158,6 @@ static const struct { const char *name; double n, a; } importance_row[importance
 typedef struct {
     uint64_t seed;
     int runs, holds[importance_rows];   /* runs whose interval holds the truth */
-    double error[importance_rows][importance_most_runs];
     estimate variance[importance_rows];
 } importance_survey;
 
@@ -147,7 +167,6 @@ static inline void importance_job(size_t row, void *context)
     for (int run = 0; run < s->runs; run++) {
         estimate e = importance_run((real)importance_row[row].n, (real)importance_row[row].a,
                                     s->seed, (uint64_t)run, importance_n);
-        s->error[row][run] = fabs(e.mean - (double)pi);
         s->holds[row] += t_test(e, (double)pi, 1e-6) >= 0.05;
         s->variance[row] = estimate_add(s->variance[row], estimate_variance(e));
     }
@@ -156,22 +175,18 @@ static inline void importance_job(size_t row, void *context)
 static inline void measure_importance(const options *o)
 {
     table t = table_new("The irradiance under a white sky, pi, by many pdfs, N = 4096",
-                        "pdf|largest weight|exact variance|error variance|error median|"
+                        "pdf|largest weight|exact variance|error variance|"
                         "error interval holds pi [%]");
-    importance_survey *s = allocate(1, sizeof *s);
-    s->seed = o->seed, s->runs = o->quick ? 40 : importance_most_runs;
-    parallel_whole(importance_rows, o->threads, "importance", importance_job, s);
+    importance_survey s = {.seed = o->seed, .runs = o->quick ? 40 : 400};
+    parallel_whole(importance_rows, o->threads, "importance", importance_job, &s);
     for (int r = 0; r < importance_rows; r++) {
         double n = importance_row[r].n, a = importance_row[r].a, p = (double)pi;
-        bool exact = n == 1;  /* but for roundings */
         table_text(&t, "%s", importance_row[r].name);
         table_number(&t, a > 0 ? p / a : n <= 1 ? 2 * p / (n + 1) : (double)INFINITY);
         number_or_dash(&t, a > 0 ? (double)NAN : importance_variance(n));
-        table_number(&t, exact ? 0 : s->variance[r].mean);
-        table_number(&t, exact ? 0 : clock_median(s->error[r], s->runs));
-        table_number(&t, 100.0 * s->holds[r] / s->runs);
+        table_number(&t, n == 1 ? 0 : s.variance[r].mean);  /* 0 but for roundings */
+        table_number(&t, 100.0 * s.holds[r] / s.runs);
     }
-    free(s);
     output_extra_table(o, &t);
 }
 

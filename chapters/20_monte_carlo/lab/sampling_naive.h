@@ -6,10 +6,6 @@
  *   sample_disk_naive          r = u: half of the points in the inner quarter of the area, and
  *                              their density grows without bound towards the centre
  *   sample_triangle_naive      b1 = u, b2 = v (1 - u): crowds at the corner u = 1
- *   sample_triangle_sums       three numbers divided by their sum: crowds in the middle. It takes w
- *                              from u and v
- *   sample_triangle_fold       u + v > 1: u turned to 1 - u, v forgotten: a quarter of the points
- *                              lies outside. (With both it is right)
  *   sample_sphere_naive        a point of the cube, normalised: crowds towards the corners; the
  *                              density there is 3^1.5 = 5.2 times that at the faces' middles
  *   sample_hemisphere_naive    theta = pi/2 u: crowds at the pole
@@ -36,18 +32,6 @@ static inline real lower_digits(real u)
 {
     real x = u * 4096;
     return x - floor(x);
-}
-
-static inline vec3 sample_triangle_sums(real u, real v)
-{
-    real w = lower_digits(u), sum = u + v + w;
-    return sum > 0 ? vscale((vec3){u, v, w}, 1 / sum) : (vec3){1, 0, 0};
-}
-
-static inline vec3 sample_triangle_fold(real u, real v)
-{
-    if (u + v > 1) u = 1 - u;
-    return (vec3){1 - u - v, u, v};
 }
 
 static inline vec3 sample_sphere_naive(real u, real v)
