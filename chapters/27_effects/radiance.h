@@ -55,6 +55,7 @@ effects_inline void effects_child(const gather_hit *h, const unsigned mask, int 
     if (mask & EFFECT_REFRACTION) c->in = b->in;
     c->kind = kind, c->depth = b->depth + 1, c->node = dice_child(b->node, (uint32_t)kind);
     c->bounced = b->bounced, c->passed = 0, c->way = 0;
+    c->left = vdot(side, d) > 0 ? h->flat : studio_no_face;  /* a mirror smoothed leads back in */
     if ((mask & EFFECTS_SPEND) && vzero(weight)) c->depth = stage_most_depth;
 }
 
@@ -164,7 +165,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
 {
     studio_hit x;
     c->rays[b->kind]++;
-    if (!studio_tree_hit(&e->t, b->r, &x)) {
+    if (!studio_tree_hit_but(&e->t, b->r, (studio_but){b->left, studio_no_face}, &x)) {
         *sum = vadd(*sum, vmul(b->weight, gather_nothing(e, mask, b)));
         return 0;
     }
@@ -183,7 +184,7 @@ effects_inline int effects_step(const effects_stage *e, const unsigned mask, bra
         c->rays[RAY_ABSORBED]++;
         b->weight = vmul(b->weight, absorbed(e->media[inside].absorb, x.h.t));         /* (19.9) */
     }
-    h.s = surface_facing(h.s, b->r.d);
+    h.s = surface_facing(h.s, b->r.d), h.flat = studio_flat_face(&e->t, x);
     snell at = {1, 1, 1, 1, false};
     bool bends = body && (a->bends || e->media[inside].ior != 1 || e->media[to].ior != 1);
     if (bends) snell_of(b->r.d, h.s.ns, e->media[inside].ior, e->media[to].ior, &at);
@@ -218,7 +219,7 @@ effects_inline vec3 effects_radiance(const effects_stage *e, ray eye, media_set 
     vec3 sum = {0, 0, 0};
     int top = 0, other = 1;
     *b = (branch){.r = ray_unit(eye), .weight = {1, 1, 1}, .in = in, .pdf = real_infinity,
-                  .cosine = 1, .kind = RAY_OF_EYE, .depth = 1};
+                  .cosine = 1, .left = studio_no_face, .kind = RAY_OF_EYE, .depth = 1};
     for (;;) {
         int n = effects_step(e, mask, b, &sum, slot[other], d, c);
         for (int i = 0; i + 1 < n; i++) stack[top++] = slot[other][i];
